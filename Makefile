@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+# Builds smc with a C compiler and make, nothing else.  `make help` lists the targets.
+
+B       ?= build
+CC      ?= cc
+AR      ?= ar
+CFLAGS  ?= -O2 -g
+PREFIX  ?= /usr/local
+WARN     = -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -pedantic
+# The meaning of a program rests on plain IEEE arithmetic: no contraction of a*b+c, whatever CFLAGS says.
+STRICT_C = -std=c99 -ffp-contract=off -I. -I$(B)/gen
+
+VERSION := $(shell sed -n 's/.*SMC_VERSION "\(.*\)".*/\1/p' compiler/version.h)
+
+# Sources, folder by folder in the order data flows through them.
+STDLIB   = $(wildcard stdlib/*.c)
+VM       = $(wildcard bytecode-vm/*.c)
+LIBSMC   = $(wildcard compiler/base/*.c compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
+             compiler/passes/*.c compiler/emit/c/*.c compiler/emit/bytecode/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM)
+COMMAND  = $(wildcard compiler/device/*.c compiler/cli/*.c)
+
+all: $(B)/smc
+
+$(B)/obj/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP -c $< -o $@
+
+$(B)/libsmc.a: $(LIBSMC:%.c=$(B)/obj/%.o)
+	@rm -f $@
+	$(AR) rcs $@ $^
+
+$(B)/smc: $(COMMAND:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+# One program per file of tests/unit.
+UNIT = $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/*.c))
+$(B)/unit/%: tests/unit/%.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a
+
+clean:
+	rm -rf $(B)
+
+.PHONY: all clean
+-include $(shell find $(B) -name '*.d' 2>/dev/null)

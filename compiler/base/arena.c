@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bump allocation in chunks that double, so that a large input needs few of them.
+#include "compiler/base/arena.h"
+
+#include <stdint.h>
+#include <string.h>
+
+struct ArenaChunk {
+    ArenaChunk *older;
+    size_t size;          // usable bytes behind this header
+};
+
+enum { ALIGN = 16, FIRST_CHUNK = 32 * 1024, LARGEST_CHUNK = 16 * 1024 * 1024 };
+
+#define HEADER ((sizeof(ArenaChunk) + ALIGN - 1) / ALIGN * ALIGN)
+
+void arena_init(Arena *a, SmcAllocFn alloc, void *context, jmp_buf *oom)
+{
+    memset(a, 0, sizeof *a);
+    a->alloc = alloc;
+    a->context = context;
+    a->oom = oom;
+}
+
+void arena_free(Arena *a)
+{
+    ArenaChunk *c = a->chunk;
+    while (c) {
+        ArenaChunk *older = c->older;
+        a->alloc(a->context, c, 0);
+        c = older;
+    }
+    a->chunk = NULL;
+    a->next = a->end = NULL;
+}
+
+static void add_chunk(Arena *a, size_t wanted)
+{
+    size_t size = a->chunk ? a->chunk->size * 2 : FIRST_CHUNK;
+    ArenaChunk *c;
+
+    if (size > LARGEST_CHUNK)
+        size = LARGEST_CHUNK;
+    if (size < wanted)
+        size = wanted;
+    if (size > SIZE_MAX - HEADER || (c = a->alloc(a->context, NULL, HEADER + size)) == NULL)
+        longjmp(*a->oom, 1);
+    c->older = a->chunk;
+    c->size = size;
+    a->chunk = c;
+    a->next = (char *)c + HEADER;
+    a->end = a->next + size;
+}
+
+void *arena_alloc(Arena *a, size_t size)
+{
+    char *p;
+
+    if (size > SIZE_MAX - ALIGN)
+        longjmp(*a->oom, 1);
+    size = (size + ALIGN - 1) / ALIGN * ALIGN;
+    if ((size_t)(a->end - a->next) < size)
+        add_chunk(a, size);
+    p = a->next;
+    a->next += size;
+    return memset(p, 0, size);
+}
+
+void *arena_array(Arena *a, size_t count, size_t size)
+{
+    if (size != 0 && count > SIZE_MAX / size)
+        longjmp(*a->oom, 1);
+    return arena_alloc(a, count * size);
+}
+
+void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size)
+{
+    void *p;
+
+    if (old && (char *)old + (old_size + ALIGN - 1) / ALIGN * ALIGN == a->next && new_size >= old_size) {
+        a->next = old;                                  // the last block: extend it where it is, if it fits
+        if ((size_t)(a->end - a->next) >= new_size + ALIGN) {
+            size_t rounded = (new_size + ALIGN - 1) / ALIGN * ALIGN;
+            memset(a->next + old_size, 0, rounded - old_size);
+            a->next += rounded;
+            return old;
+        }
+        a->next += (old_size + ALIGN - 1) / ALIGN * ALIGN;
+    }
+    p = arena_alloc(a, new_size);
+    if (old)
+        memcpy(p, old, old_size < new_size ? old_size : new_size);
+    return p;
+}

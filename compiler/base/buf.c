@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/base/buf.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+void buf_init(Buf *b, Arena *arena)
+{
+    memset(b, 0, sizeof *b);
+    b->arena = arena;
+}
+
+static void make_room(Buf *b, size_t n)
+{
+    size_t cap = b->cap ? b->cap : 128;
+
+    if (b->cap - b->n > n)
+        return;
+    while (cap - b->n <= n) {
+        if (cap > SIZE_MAX / 2)
+            longjmp(*b->arena->oom, 1);
+        cap *= 2;
+    }
+    b->at = arena_grow(b->arena, b->at, b->cap, cap);
+    b->cap = cap;
+}
+
+void buf_put(Buf *b, const void *bytes, size_t n)
+{
+    make_room(b, n);
+    if (n)
+        memcpy(b->at + b->n, bytes, n);
+    b->n += n;
+    b->at[b->n] = '\0';
+}
+
+void buf_char(Buf *b, char c) { buf_put(b, &c, 1); }
+void buf_str(Buf *b, const char *text) { buf_put(b, text, strlen(text)); }
+
+void buf_spaces(Buf *b, size_t n)
+{
+    while (n--)
+        buf_char(b, ' ');
+}
+
+static void put_formatted(Buf *b, const char *format, va_list args, va_list again)
+{
+    int n = vsnprintf(NULL, 0, format, args);
+
+    if (n < 0)
+        return;
+    make_room(b, (size_t)n);
+    vsnprintf(b->at + b->n, (size_t)n + 1, format, again);
+    b->n += (size_t)n;
+}
+
+void buf_printf(Buf *b, const char *format, ...)
+{
+    va_list args, again;
+
+    va_start(args, format);
+    va_copy(again, args);
+    put_formatted(b, format, args, again);
+    va_end(again);
+    va_end(args);
+}
+
+const char *format_in(Arena *arena, const char *format, ...)
+{
+    va_list args, again;
+    Buf b;
+
+    buf_init(&b, arena);
+    va_start(args, format);
+    va_copy(again, args);
+    put_formatted(&b, format, args, again);
+    va_end(again);
+    va_end(args);
+    return buf_text(&b);
+}
+
+const char *buf_text(const Buf *b) { return b->at ? b->at : ""; }
+
+static void put_le(Buf *b, uint64_t v, int bytes)
+{
+    for (int i = 0; i < bytes; i++)
+        buf_char(b, (char)(unsigned char)(v >> (8 * i) & 0xff));
+}
+
+void buf_u16(Buf *b, uint16_t v) { put_le(b, v, 2); }
+void buf_u32(Buf *b, uint32_t v) { put_le(b, v, 4); }
+void buf_u64(Buf *b, uint64_t v) { put_le(b, v, 8); }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Text or bytes under construction, in an arena.  Always closed by a NUL that `n` does not count.
+#ifndef SMC_BUF_H
+#define SMC_BUF_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "compiler/base/arena.h"
+
+typedef struct Buf {
+    Arena *arena;
+    char *at;             // n bytes and a NUL; NULL while nothing was put
+    size_t n, cap;
+} Buf;
+
+void buf_init(Buf *b, Arena *arena);
+void buf_put(Buf *b, const void *bytes, size_t n);
+void buf_char(Buf *b, char c);
+void buf_str(Buf *b, const char *text);
+void buf_spaces(Buf *b, size_t n);
+// As printf; understands whatever the C library's vsnprintf does.
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+void buf_printf(Buf *b, const char *format, ...);
+const char *buf_text(const Buf *b);          // the text so far; "" when empty
+void buf_u16(Buf *b, uint16_t v);            // little-endian
+void buf_u32(Buf *b, uint32_t v);
+void buf_u64(Buf *b, uint64_t v);
+
+// printf into arena memory that lives as long as the arena.
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+const char *format_in(Arena *arena, const char *format, ...);
+
+#endif

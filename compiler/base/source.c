@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/base/source.h"
+
+#include <string.h>
+
+static uint32_t count_lines(const char *text, size_t len)
+{
+    uint32_t lines = 1;
+
+    for (size_t i = 0; i < len; i++)
+        lines += text[i] == '\n';
+    return lines;
+}
+
+Source *source_new(Arena *arena, const char *name, const char *text, size_t len)
+{
+    Source *s = ARENA_NEW(arena, Source);
+    uint32_t n = 0;
+
+    s->name = name;
+    s->text = text;
+    s->len = (uint32_t)len;
+    s->lines = count_lines(text, len);
+    s->line = ARENA_ARRAY(arena, uint32_t, s->lines);
+    s->line[n++] = 0;
+    for (uint32_t i = 0; i < s->len; i++)
+        if (text[i] == '\n')
+            s->line[n++] = i + 1;
+    return s;
+}
+
+LineCol source_position(const Source *s, uint32_t at)
+{
+    uint32_t low = 0, high = s->lines;      // the line starts at line[low] <= at < line[high]
+
+    while (high - low > 1) {
+        uint32_t mid = low + (high - low) / 2;
+        if (s->line[mid] <= at)
+            low = mid;
+        else
+            high = mid;
+    }
+    return (LineCol){low + 1, at - s->line[low] + 1};
+}
+
+const char *source_line(const Source *s, uint32_t line, uint32_t *len)
+{
+    uint32_t start = s->line[line - 1];
+    uint32_t end = line < s->lines ? s->line[line] - 1 : s->len;
+
+    if (end > start && s->text[end - 1] == '\r')
+        end--;
+    *len = end - start;
+    return s->text + start;
+}
+
+Span span_join(Span a, Span b)
+{
+    a.len = b.at + b.len - a.at;
+    return a;
+}

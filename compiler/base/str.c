@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/base/str.h"
+
+#include <string.h>
+
+#include "compiler/base/vec.h"
+
+void vec_reserve(Arena *a, void **items, size_t *cap, size_t item_size)
+{
+    size_t wanted = *cap ? *cap * 2 : 8;
+
+    if (wanted > SIZE_MAX / item_size)
+        longjmp(*a->oom, 1);
+    *items = arena_grow(a, *items, *cap * item_size, wanted * item_size);
+    *cap = wanted;
+}
+
+static uint32_t hash_bytes(const char *s, size_t len)      // FNV-1a
+{
+    uint32_t h = 2166136261u;
+
+    for (size_t i = 0; i < len; i++)
+        h = (h ^ (unsigned char)s[i]) * 16777619u;
+    return h;
+}
+
+void str_pool_init(StrPool *p, Arena *arena)
+{
+    memset(p, 0, sizeof *p);
+    p->arena = arena;
+}
+
+static void grow_pool(StrPool *p)
+{
+    size_t cap = p->cap ? p->cap * 2 : 256;
+    StrData **slot = ARENA_ARRAY(p->arena, StrData *, cap);
+
+    for (size_t i = 0; i < p->cap; i++) {
+        size_t at;
+        if (!p->slot[i])
+            continue;
+        for (at = p->slot[i]->hash & (cap - 1); slot[at]; at = (at + 1) & (cap - 1))
+            ;
+        slot[at] = p->slot[i];
+    }
+    p->slot = slot;
+    p->cap = cap;
+}
+
+Str str_intern(StrPool *p, const char *text, size_t len)
+{
+    uint32_t hash = hash_bytes(text, len);
+    size_t at;
+    StrData *s;
+
+    if (p->n * 2 >= p->cap)
+        grow_pool(p);
+    for (at = hash & (p->cap - 1); (s = p->slot[at]) != NULL; at = (at + 1) & (p->cap - 1))
+        if (s->hash == hash && s->len == len && memcmp(s->text, text, len) == 0)
+            return s;
+    s = arena_alloc(p->arena, sizeof *s + len);
+    s->hash = hash;
+    s->len = (uint32_t)len;
+    memcpy(s->text, text, len);
+    p->slot[at] = s;
+    p->n++;
+    return s;
+}
+
+Str str_c(StrPool *p, const char *text)
+{
+    return str_intern(p, text, strlen(text));
+}
+
+static size_t smallest(size_t a, size_t b, size_t c)
+{
+    size_t m = a < b ? a : b;
+    return m < c ? m : c;
+}
+
+size_t str_distance(const char *a, const char *b, size_t limit)
+{
+    enum { LONGEST = 64 };                                  // longer names are never offered
+    size_t row[3][LONGEST + 1];
+    size_t la = strlen(a), lb = strlen(b);
+    size_t *before = row[0], *last = row[1], *now = row[2];
+
+    if (la > LONGEST || lb > LONGEST || (la > lb ? la - lb : lb - la) >= limit)
+        return limit;
+    for (size_t j = 0; j <= lb; j++)
+        last[j] = j;
+    for (size_t i = 1; i <= la; i++) {
+        size_t *spare = before;
+        now[0] = i;
+        for (size_t j = 1; j <= lb; j++) {
+            size_t cost = a[i - 1] != b[j - 1];
+            now[j] = smallest(last[j] + 1, now[j - 1] + 1, last[j - 1] + cost);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] && before[j - 2] + 1 < now[j])
+                now[j] = before[j - 2] + 1;
+        }
+        before = last;
+        last = now;
+        now = spare;
+    }
+    return last[lb] < limit ? last[lb] : limit;
+}
+
+static size_t map_slot(const Map *m, Str key)
+{
+    size_t at = key->hash & (m->cap - 1);
+
+    while (m->key[at] && m->key[at] != key)
+        at = (at + 1) & (m->cap - 1);
+    return at;
+}
+
+void *map_find(const Map *m, Str key)
+{
+    return m->cap ? m->value[map_slot(m, key)] : NULL;
+}
+
+static void grow_map(Map *m)
+{
+    Map bigger = {m->arena, NULL, NULL, m->cap ? m->cap * 2 : 16, m->n};
+
+    bigger.key = ARENA_ARRAY(m->arena, Str, bigger.cap);
+    bigger.value = ARENA_ARRAY(m->arena, void *, bigger.cap);
+    for (size_t i = 0; i < m->cap; i++)
+        if (m->key[i]) {
+            size_t at = map_slot(&bigger, m->key[i]);
+            bigger.key[at] = m->key[i];
+            bigger.value[at] = m->value[i];
+        }
+    *m = bigger;
+}
+
+void map_put(Map *m, Str key, void *value)
+{
+    size_t at;
+
+    if (m->n * 2 >= m->cap)
+        grow_map(m);
+    at = map_slot(m, key);
+    m->n += m->key[at] == NULL;
+    m->key[at] = key;
+    m->value[at] = value;
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Growable arrays in an arena: a count, a capacity and the items.  VEC(T) declares one; zeroed memory is an empty one.
+#ifndef SMC_VEC_H
+#define SMC_VEC_H
+
+#include <stddef.h>
+
+#include "compiler/base/arena.h"
+
+#define VEC(T) struct { T *at; size_t n, cap; }
+
+// Appends one item.  Items move when the array grows: keep indices, not pointers.
+#define vec_push(arena, v, item)                                                                        \
+    ((v)->n == (v)->cap ? vec_reserve((arena), (void **)&(v)->at, &(v)->cap, sizeof *(v)->at) : (void)0, \
+     (v)->at[(v)->n++] = (item))
+
+void vec_reserve(Arena *a, void **items, size_t *cap, size_t item_size);   // doubles the capacity
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Diagnostics: what the compiler has to say to its user.  Every text lives in codes.def; this collects them with the
+// places they speak of.  Nothing here prints: renderers (render_text.c …) turn the list into text.
+#ifndef SMC_DIAG_H
+#define SMC_DIAG_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "compiler/base/arena.h"
+#include "compiler/base/buf.h"
+#include "compiler/base/source.h"
+#include "compiler/base/vec.h"
+
+typedef enum DiagSeverity { DIAG_ERROR, DIAG_WARNING, DIAG_NOTE } DiagSeverity;
+
+// A row of codes.def.  E0204 unknown_element is DIAG_unknown_element here.
+typedef enum DiagCode {
+#define DIAG(id, name, severity, flag, message, page) DIAG_##name,
+#define DIAG_NOTE_TEXT(name, message) DIAG_##name,
+#include "compiler/diag/codes.def"
+#undef DIAG
+#undef DIAG_NOTE_TEXT
+    DIAG_COUNT
+} DiagCode;
+
+typedef struct DiagInfo {
+    const char *id;           // "E0204"; NULL for the text of a note
+    const char *name;         // "unknown_element"
+    DiagSeverity severity;
+    const char *flag;         // of a warning: the name behind -W, as "unused-element"; else NULL
+    const char *message;      // {} stands for an argument
+    const char *page;         // what `smc explain` prints: what it means, an example, what to do
+} DiagInfo;
+
+extern const DiagInfo diag_info[DIAG_COUNT];
+
+typedef struct DiagEdit { Span span; const char *text; } DiagEdit;     // replace span by text
+typedef struct DiagNote { Span span; const char *text; } DiagNote;     // span.src may be NULL
+
+typedef struct Diag {
+    DiagCode code;
+    DiagSeverity severity;                // as reported: -Werror may have raised it
+    Span span;
+    const char *text;                     // the message, arguments filled in
+    const char *label;                    // behind the caret, as "did you mean 'valveOpen'?"; or NULL
+    VEC(DiagNote) notes;
+    VEC(DiagEdit) edits;                  // together one proposed fix
+} Diag;
+
+typedef struct Diags {
+    Arena *arena;
+    VEC(Diag *) list;                     // in the order reported; diags_sort puts them in source order
+    size_t errors, warnings;
+    bool muted;                           // while set, reports are dropped
+} Diags;
+
+void diags_init(Diags *d, Arena *arena);
+
+// Adds a diagnostic.  One `const char *` follows for each {} of its message.  Returns it, so that notes, a label and
+// edits can be added; never NULL.  A second report of one code at one place is dropped (the returned one is not in the list).
+Diag *diag_report(Diags *d, DiagCode code, Span span, ...);
+// Adds a note; `text` is a DIAG_NOTE_TEXT row, its arguments follow.
+void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...);
+// Sets the text behind the caret; `text` is a DIAG_NOTE_TEXT row.
+void diag_label(Diags *d, Diag *to, DiagCode text, ...);
+// Proposes an edit that is certain to be meant.
+void diag_edit(Diags *d, Diag *to, Span span, const char *text);
+
+void diags_sort(Diags *d);                // by file as first seen, then place; stable
+
+typedef struct DiagStyle {
+    bool color;
+    size_t most;                          // errors shown before the rest is only counted; 0 shows all
+} DiagStyle;
+
+// The list as the user reads it, closed by "1 error, 2 warnings" when there is any.
+void diags_render_text(const Diags *d, const DiagStyle *style, Buf *out);
+// One JSON object a line.
+void diags_render_json(const Diags *d, Buf *out);
+
+// The row whose id (or warning name) is `id`, upper or lower case; NULL if there is none.
+const DiagInfo *diag_find(const char *id);
+
+#endif

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// The intermediate representation, on which passes and both backends work.
+//
+// A machine is a set of functions: one that samples the windows, and up to three blocks a state.  A function is a list of
+// basic blocks; control only moves forward, from a block to one with a higher number.  A block is a list of three-address
+// instructions and ends in one jump.  Every instruction gives at most one result, a temporary named by the instruction's
+// own number (%7).  A temporary is assigned once and lives in its block; what crosses blocks is a variable.  So there are
+// no phis, no way out of SSA is needed, and emitted C keeps the author's names.
+//
+// Letters, here and in all of compiler/: m machine, f function, b block, i instruction, v variable.
+#ifndef SMC_IR_H
+#define SMC_IR_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "compiler/base/buf.h"
+#include "compiler/base/str.h"
+#include "compiler/base/vec.h"
+#include "compiler/sema/program.h"
+#include "stdlib/types.h"
+
+typedef enum IrOp {
+#define IR_OP(name, operands, types, effect, meaning) IR_##name,
+#include "compiler/ir/ops.def"
+#undef IR_OP
+    IR_OP_COUNT
+} IrOp;
+
+typedef enum IrTypes { IR_T_CONST, IR_T_CONVERT, IR_T_SAME, IR_T_COMPARE, IR_T_LOGIC, IR_T_LOAD, IR_T_STORE, IR_T_SAMPLE, IR_T_STAT } IrTypes;
+
+typedef struct IrOpInfo {
+    const char *name;
+    uint8_t operands;
+    IrTypes types;
+    bool effect;
+} IrOpInfo;
+
+extern const IrOpInfo ir_op_info[IR_OP_COUNT];
+
+typedef uint32_t IrRef;               // a temporary: the number of the instruction that gives it
+typedef uint32_t IrBlkRef;            // index into IrFn.blk
+#define IR_NONE UINT32_MAX
+
+typedef struct IrIns {
+    IrOp op;
+    SmType type;                      // of the result; of a store: the variable's; of a sample: F64
+    IrRef a, b;                       // operands, or IR_NONE
+    uint32_t var;                     // load, store: index into IrMachine.var; stat, sample: into IrMachine.window
+    SmStat stat;                      // stat
+    uint64_t bits;                    // const: the value as a bit cell of `type` (stdlib/convert.h)
+    Span span;                        // what in the source it comes from
+} IrIns;
+
+typedef enum IrJumpKind {
+    IR_RET,                           // the block of the state is over
+    IR_JMP,                           // to `then`
+    IR_BR,                            // to `then` if temporary `cond` (bool), else to `otherwise`
+    IR_GOTO                           // transition to state `state` (a number): the block is over
+} IrJumpKind;
+
+typedef struct IrJump {
+    IrJumpKind kind;
+    IrRef cond;
+    IrBlkRef then, otherwise;
+    uint32_t state;
+    Span span;
+} IrJump;
+
+typedef struct IrBlk {
+    VEC(IrRef) ins;                   // which instructions, in order
+    IrJump jump;
+} IrBlk;
+
+typedef struct IrFn {
+    VEC(IrIns) ins;                   // the pool; an instruction in no block is dead
+    VEC(IrBlk) blk;                   // at[0] is where it starts
+} IrFn;
+
+typedef enum IrSpace { IR_ELEMENT, IR_LOCAL, IR_TIME } IrSpace;
+
+typedef struct IrVar {
+    IrSpace space;
+    Str name;                         // unique in the machine
+    SmType type;
+    uint32_t offset;                  // ELEMENT: in the state vector
+    uint64_t init;                    // LOCAL: bit cell
+    bool writable;                    // by the machine
+    Span span;
+} IrVar;
+
+typedef struct IrWindow {
+    uint32_t size;                    // n
+    uint32_t stats;                   // 1u << SmStat for each statistic that is asked for
+} IrWindow;
+
+typedef struct IrState {
+    Str name;
+    IrFn *block[BLOCK_COUNT];         // NULL: no code
+    Span span;
+} IrState;
+
+typedef struct IrMachine {
+    Str name;
+    Str sv_name;
+    uint32_t sv_size, sv_hash;
+    VEC(IrVar) var;
+    uint32_t g, s, t;                 // indices into var
+    VEC(IrWindow) window;
+    IrFn *sample;                     // gives every window its sample; NULL when there is none
+    VEC(IrState) state;               // at[0] is number 1
+    const Program *program;           // what it was built from, for names and spans; NULL when read from text
+} IrMachine;
+
+// ---- building, text, checks ----
+
+// The whole machine, unoptimised.  Constant locals become constants; equal windows are one.
+IrMachine *ir_build(Arena *arena, const Program *p);
+
+void ir_print(const IrMachine *m, Buf *out);                  // --emit=ir
+// Reads what ir_print wrote.  NULL and a message in *error ("line 7: …") if it cannot.
+IrMachine *ir_read(Arena *arena, StrPool *strings, const char *text, size_t len, const char **error);
+
+// Checks everything this header promises.  NULL, or what is wrong, as a sentence.
+const char *ir_verify(Arena *arena, const IrMachine *m);
+
+// ---- working on functions ----
+
+IrRef ir_emit(Arena *arena, IrFn *f, IrBlkRef b, IrIns ins);  // appends an instruction to a block
+IrBlkRef ir_block(Arena *arena, IrFn *f);                     // a new, empty block, last in f
+// For each instruction how many operands and jumps name it.
+uint32_t *ir_count_uses(Arena *arena, const IrFn *f);
+// Whether each block can be reached from the first.
+bool *ir_reachable(Arena *arena, const IrFn *f);
+// For each block the nearest block through which every way from it to the function's end passes; IR_NONE for the end itself.
+IrBlkRef *ir_postdominators(Arena *arena, const IrFn *f);
+
+#endif

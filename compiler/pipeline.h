@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The data flow of the compiler, one call a stage.  pipeline.c is the page to read first.
+#ifndef SMC_PIPELINE_H
+#define SMC_PIPELINE_H
+
+#include "compiler/diag/diag.h"
+#include "compiler/ir/ir.h"
+#include "compiler/script/script.h"
+#include "compiler/sema/check.h"
+#include "compiler/syntax/ast.h"
+
+// One compilation: everything it makes lives in its arena.
+typedef struct Session {
+    Arena arena;
+    StrPool strings;
+    Diags diags;
+} Session;
+
+// What a machine is compiled from and with.
+typedef struct MachineInput {
+    const Source *sm;
+    const Source *sv;             // or NULL
+    const Map *written_outside;   // see check_machine; or NULL
+    int opt_level;                // 0, 1, 2
+} MachineInput;
+
+void session_init(Session *s, SmcAllocFn alloc, void *context, jmp_buf *oom);
+void session_free(Session *s);
+
+// Each gives NULL when there were errors, which are then in s->diags.
+AstFile *session_parse(Session *s, const Source *src, FileKind kind);
+StateVec *session_state_vector(Session *s, const Source *sv);
+Program *session_program(Session *s, const MachineInput *in);
+IrMachine *session_ir(Session *s, const Program *p, int opt_level);
+Script *session_script(Session *s, const Source *ss, const Program *p);
+
+// Several machines over one state vector make one image.
+typedef struct ImageOptions { bool debug; } ImageOptions;      // debug: with names and lines
+bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out);
+
+typedef struct EmitCOptions {
+    const char *prefix;           // NULL: the machine's name
+} EmitCOptions;
+void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code);
+void session_emit_c_state_vector(Session *s, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code);
+
+#endif

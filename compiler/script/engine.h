@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can run a machine, seen from the script engine: reference interpreter, VM, emitted C in another process, a board
+// behind a serial line.  One exchange a step, in typed bit cells, so that a link costs one message each way.
+//
+// A cell is the value's bits in its own type, zero-extended to 64 (I8 -1 is 0xff; F32 its binary32; bool 0 or 1).
+// Variables are numbered as in Program.var.  A cell that is read is as stored, NaN included.
+#ifndef SMC_ENGINE_H
+#define SMC_ENGINE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "compiler/sema/program.h"
+
+typedef struct EngineWrite { uint32_t var; uint64_t cell; } EngineWrite;
+
+typedef enum EngineStatus {
+    ENGINE_OK,
+    ENGINE_REFUSED,           // time did not advance: nothing changed (language.md 6.1)
+    ENGINE_BROKEN             // the engine itself failed; `error` says how
+} EngineStatus;
+
+typedef struct EngineStep {
+    EngineStatus status;
+    uint32_t next_state;      // number of the state the next step will run
+    uint64_t *cell;           // every variable after the step; program->var.n of them
+    uint8_t *stored;          // 1 for each element that the step stored, by variable
+} EngineStep;
+
+typedef struct Engine Engine;
+struct Engine {
+    const char *name;         // "ref", "vm", "c"
+    const Program *program;
+    const char *error;        // after ENGINE_BROKEN: what happened
+    void *self;
+    // Puts the machine at `state`: elements zero, locals at their initial values, then `S`, as init does (language.md 6).
+    // Gives in *out the cells as they are then.
+    EngineStatus (*init)(Engine *e, uint32_t state, EngineStep *out);
+    // Writes n cells (locals too, read-only ones that are no constants included), steps, and tells what is there then.
+    EngineStatus (*step)(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out);
+    void (*close)(Engine *e);
+};
+
+// Space for the answer of an engine that runs p.
+void engine_step_init(EngineStep *s, Arena *arena, const Program *p);
+
+// The reference interpreter.
+Engine *engine_ref_open(Arena *arena, const Program *p);
+// The VM, on an image that holds p as machine number `machine`.
+Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a state script against a machine on an engine (language.md 8) and tells what happened.
+#ifndef SMC_SCRIPT_H
+#define SMC_SCRIPT_H
+
+#include "compiler/base/buf.h"
+#include "compiler/diag/diag.h"
+#include "compiler/script/engine.h"
+#include "compiler/sema/program.h"
+
+typedef enum ScriptOutcome {
+    SCRIPT_PASSED,
+    SCRIPT_FAILED,            // an assert did not hold
+    SCRIPT_ENDLESS,           // max_steps without @stop
+    SCRIPT_TIME_OVER,         // G cannot advance any further
+    SCRIPT_BROKEN,            // an engine failed
+    SCRIPT_DIFFERENT          // two engines disagree
+} ScriptOutcome;
+
+typedef struct ScriptOptions {
+    uint64_t max_steps;
+    Buf *trace;               // NULL, or where the trace goes
+} ScriptOptions;
+
+typedef struct ScriptResult {
+    ScriptOutcome outcome;
+    uint64_t steps;
+    uint64_t asserts_passed;
+    uint64_t *cell;           // the final values, by variable
+    const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: what and where
+} ScriptResult;
+
+// Runs the engines in lock step on one script; the first one's values decide guards and asserts.  A failed assert, an
+// assert never judged and the other bad ends are reported to `diags`.
+ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **engine, size_t engines, const ScriptOptions *o);
+
+// The report of thesis Figure 3.4.
+void script_report(const ScriptResult *r, const Program *p, Buf *out);
+// A cell as the report prints it, and as a trace does.
+void format_cell(Buf *out, SmType type, uint64_t cell);
+void format_cell_trace(Buf *out, SmType type, uint64_t cell);
+
+#endif

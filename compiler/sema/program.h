@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// The typed program: what the checker makes of an AST that has no errors.  Every name is bound, every number exact, every
+// element placed; aliases, parentheses and operator spelling are gone.  Read by the reference interpreter, the IR builder,
+// the script engine and reports; changed by nobody.
+#ifndef SMC_PROGRAM_H
+#define SMC_PROGRAM_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "compiler/base/source.h"
+#include "compiler/base/str.h"
+#include "compiler/base/vec.h"
+#include "stdlib/types.h"
+
+// ---- the state vector ----
+
+typedef struct Region Region;
+
+typedef struct Element {
+    Str name;
+    SmType type;
+    uint32_t offset;          // bytes from the start of the state vector in memory (layout.c)
+    Region *region;
+    Span span;                // its name where it is declared
+} Element;
+
+struct Region {
+    Str name;
+    uint32_t offset, size;    // in memory; size ends with the last element
+    uint32_t packed_size;     // on the wire
+    uint32_t first, count;    // its elements: StateVec.element.at[first …]
+    Span span;
+};
+
+typedef struct StateVec {
+    Str name;                 // the .sv file's stem, or the machine's when its own section is the whole vector
+    bool lock;
+    bool from_machine;        // no .sv was given: [state_vector] of the machine is the vector, one region of that name
+    VEC(Element *) element;   // in declaration order
+    VEC(Region *) region;
+    Map by_name;              // name to Element
+    uint32_t size;            // bytes in memory, a multiple of 8
+    uint32_t hash;            // of names, types and order: machines are bound to a layout by it
+} StateVec;
+
+// ---- variables ----
+
+typedef enum VarKind {
+    VAR_ELEMENT,              // of the state vector
+    VAR_LOCAL,
+    VAR_TIME                  // T
+} VarKind;
+
+typedef struct Var {
+    VarKind kind;
+    Str name;                 // as listed
+    Str alias;                // or NULL
+    Str report_name;          // the name it has in reports: of name and alias the one that comes first in ASCII
+    SmType type;
+    uint32_t index;           // in Program.var
+    Element *element;         // ELEMENT
+    bool read_only;           // the machine may not write it; true for G, S and T
+    uint64_t init;            // LOCAL: its initial value, as a bit cell of its type (convert.h)
+    bool is_constant;         // LOCAL: read-only and not written from outside: `init` is its value for ever
+    bool written;             // an assignment to it stands somewhere in the machine
+    bool read;                // it is read somewhere in the machine
+    Span span;                // its name where it is listed
+} Var;
+
+// ---- expressions: every value is an F64 ----
+
+typedef enum ExprKind {
+    EX_NUMBER,                // number
+    EX_VAR,                   // var, read as F64
+    EX_UNARY,                 // op arg[0]          (NOT NEG; PLUS is gone)
+    EX_BINARY,                // arg[0] op arg[1]   (no chain: its operands are evaluated once each)
+    EX_CHAIN,                 // arg[0] ops[0] arg[1] ops[1] arg[2] …: relations only, all must hold
+    EX_CALL,                  // fn(arg …), pure
+    EX_ROLL                   // statistic `stat` of window `window`; arg[0] is the sampled expression
+} ExprKind;
+
+typedef struct Expr Expr;
+struct Expr {
+    ExprKind kind;
+    Span span;
+    SmOperator op;            // UNARY, BINARY
+    SmOperator *ops;          // CHAIN: n - 1 of them
+    SmF64 number;
+    Var *var;
+    SmBuiltin fn;             // CALL
+    SmStat stat;              // ROLL
+    uint32_t window;          // ROLL: index into the owner's window list
+    Expr **arg;
+    uint32_t n;               // arguments
+};
+
+// One roll call of the source.  Every call has its own; sharing is the IR builder's business.
+typedef struct Window {
+    Expr *sample;             // what it samples
+    uint32_t size;            // n: 1 … SM_WINDOW_MAX
+    SmStat stat;
+    Span span;
+} Window;
+
+typedef VEC(Window) Windows;  // in an order in which inner calls come before outer ones: sample them in index order
+
+// ---- the machine ----
+
+typedef struct State State;
+typedef struct Stmt Stmt;
+typedef VEC(Stmt *) Stmts;
+
+typedef enum StmtKind { ST_ASSIGN, ST_IF, ST_TRANSITION } StmtKind;
+
+struct Stmt {
+    StmtKind kind;
+    Span span;
+    Var *var;                 // ASSIGN: what is written
+    Expr *value;              // ASSIGN: converted to var's type; IF: converted to bool
+    Stmts then, otherwise;    // IF
+    State *target;            // TRANSITION
+};
+
+typedef enum BlockKind { BLOCK_ENTRY, BLOCK_STEP, BLOCK_EXIT, BLOCK_COUNT } BlockKind;
+
+struct State {
+    Str name;
+    uint32_t number;          // 1, 2, 3 … in file order
+    Stmts block[BLOCK_COUNT];
+    Span block_span[BLOCK_COUNT];     // the label
+    Span span;                // the name in its header
+};
+
+typedef struct Program {
+    Str name;                 // the file's stem: "tank" of dir/tank.sm
+    const Source *src;
+    StateVec *sv;
+    VEC(Var *) var;           // listed elements in order, then locals in order, then T
+    Var *g, *s, *t;
+    VEC(State *) state;       // at[0] is number 1, the initial state
+    Windows window;
+    Map by_name;              // name or alias to Var
+    Map state_by_name;
+} Program;
+
+// ---- the script ----
+
+typedef struct ScriptItem {   // one conditional
+    Expr *guard;
+    Span span;
+    Stmts inputs;             // ST_ASSIGN, executed at once when the guard is true
+    VEC(Expr *) asserts;      // judged after the step, in order
+    bool stop;                // @stop stands last
+    Span stop_span;
+} ScriptItem;
+
+typedef struct ScriptSection {
+    State *state;             // NULL for [all_states]
+    VEC(ScriptItem) item;
+} ScriptSection;
+
+typedef struct Script {
+    const Source *src;
+    const Program *program;
+    uint64_t delta_t;
+    State *init_state;
+    VEC(ScriptSection) section;       // in file order
+    Windows window;           // the script's own, of all sections
+} Script;
+
+// Does one value or another: `f(expr, context)` for e and everything in it, operands before their owner.
+void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context);
+
+#endif

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tree exactly as written: one shape for .sv, .sm and .ss.  The parser builds it, nobody changes it afterwards.
+// Where the source was wrong an error node stands; whoever meets one stays silent, for it has been reported.
+#ifndef SMC_AST_H
+#define SMC_AST_H
+
+#include <stdbool.h>
+
+#include "compiler/base/buf.h"
+#include "compiler/base/source.h"
+#include "compiler/base/str.h"
+#include "compiler/base/vec.h"
+#include "stdlib/types.h"
+
+// ---- expressions ----
+
+typedef enum AstExprKind {
+    AST_ERROR,        // reported already
+    AST_NUMBER,       // 5 0x1F true false
+    AST_NAME,         // tankPressure
+    AST_UNARY,        // op a
+    AST_BINARY,       // a op b; a chain a < b <= c is (a < b) <= c here, without AST_PAREN
+    AST_PAREN,        // ( a )
+    AST_CALL          // name ( args )
+} AstExprKind;
+
+typedef struct AstExpr AstExpr;
+struct AstExpr {
+    AstExprKind kind;
+    SmOperator op;            // UNARY, BINARY
+    Span span;                // the whole expression
+    Span op_span;             // UNARY, BINARY: the operator; CALL: the name; PAREN: unused
+    uint32_t depth;           // 1 + the deepest operand's; at most AST_DEPTH_MAX, so that recursion over trees is bounded
+    SmF64 number;             // NUMBER
+    Str name;                 // NAME, CALL
+    AstExpr *a, *b;           // UNARY, PAREN: a; BINARY: both
+    VEC(AstExpr *) args;      // CALL
+};
+
+enum { AST_DEPTH_MAX = 2000 };    // of expressions and of nested conditionals
+
+// ---- statements ----
+
+typedef enum AstStmtKind {
+    AST_STMT_ERROR,
+    AST_ASSIGN,       // name = value
+    AST_TRANSITION,   // -> name
+    AST_IF,           // [if] value: … or { … }, else …
+    AST_ASSERT,       // @assert value     (scripts)
+    AST_STOP          // @stop             (scripts)
+} AstStmtKind;
+
+typedef struct AstStmt AstStmt;
+typedef VEC(AstStmt *) AstStmts;
+struct AstStmt {
+    AstStmtKind kind;
+    Span span;                // the whole statement; of IF: up to the end of its guard
+    Str name;                 // ASSIGN: what is written; TRANSITION: the state
+    Span name_span;
+    AstExpr *value;           // ASSIGN, ASSERT: the expression; IF: the guard
+    AstStmts then, otherwise; // IF
+    bool braces, else_braces; // IF: written { } rather than with a colon
+    bool has_else;            // IF
+    Span else_span;           // IF: the word `else`
+    Span body_span, else_body_span;   // IF: the colon's statement, or { … } braces included
+};
+
+// ---- declarations and sections ----
+
+// A row of annotations.def: AST_READ_ONLY, AST_ALIAS.
+typedef enum AstAnnotationKind {
+#define ANNOTATION(name, spelling, takes_name, on_element, on_local) AST_##name,
+#include "compiler/syntax/annotations.def"
+#undef ANNOTATION
+    AST_ANNOTATION_COUNT
+} AstAnnotationKind;
+
+typedef struct AstAnnotation {
+    AstAnnotationKind kind;
+    Span span;                // with its @ and its argument
+    Str name;                 // ALIAS: the other name
+    Span name_span;
+} AstAnnotation;
+
+typedef struct AstDecl {
+    SmType type;
+    Span type_span;
+    Str name;
+    Span name_span;
+    AstExpr *value;           // of a local: its initial value
+    VEC(AstAnnotation) annotations;
+} AstDecl;
+
+// An entry of [options]: `lock`, `delta_t 10`, `init_state Idle`.
+typedef struct AstOption {
+    Str name;
+    Span name_span;
+    AstExpr *number;          // delta_t: the literal
+    Str word;                 // init_state: the name
+    Span value_span;
+} AstOption;
+
+typedef enum AstLabel { AST_ENTRY, AST_STEP, AST_EXIT, AST_LABEL_COUNT } AstLabel;
+
+typedef struct AstBlock {
+    bool present;
+    Span label;               // `.entry`
+    AstStmts stmts;
+} AstBlock;
+
+typedef enum AstSectionKind {
+    AST_STATE_VECTOR,         // [state_vector] of a machine: decls
+    AST_LOCAL,                // [local]: decls
+    AST_OPTIONS,              // [options] of .sv and .ss: options
+    AST_REGION,               // [Region] of a .sv: decls
+    AST_STATE,                // a state of a machine: blocks
+    AST_SCRIPT_STATE,         // a state's section in a script, or [all_states]: items
+    AST_IGNORED               // reported already
+} AstSectionKind;
+
+typedef struct AstSection {
+    AstSectionKind kind;
+    Str name;
+    Span name_span;           // between the brackets
+    Span header;              // with the brackets
+    VEC(AstDecl) decls;
+    VEC(AstOption) options;
+    AstBlock block[AST_LABEL_COUNT];
+    AstStmts items;           // SCRIPT_STATE: conditionals (AST_IF)
+    bool all_states;          // SCRIPT_STATE: it is [all_states]
+} AstSection;
+
+typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS } FileKind;
+
+typedef struct AstFile {
+    FileKind kind;
+    const Source *src;
+    VEC(AstSection *) sections;       // in file order
+} AstFile;
+
+void ast_print(const AstFile *f, Buf *out);      // --emit=ast
+
+#endif

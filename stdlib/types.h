@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names for the rows of types.def, operators.def and builtins.def.  No code: every layer may include it.
+#ifndef SM_TYPES_H
+#define SM_TYPES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "stdlib/f64.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum SmKind { SM_KIND_SIGNED, SM_KIND_UNSIGNED, SM_KIND_FLOAT, SM_KIND_BOOL } SmKind;
+
+// The type of an element or local.  The value is the wire number.
+typedef enum SmType {
+#define SM_TYPE(name, wire, spelling, ctype, bytes, kind) SM_##name = wire,
+#include "stdlib/types.def"
+#undef SM_TYPE
+    SM_TYPE_COUNT
+} SmType;
+
+typedef struct SmTypeInfo {
+    const char *spelling;   // as the user writes it
+    const char *ctype;      // the C type that holds it in emitted C
+    uint8_t bytes;          // size and alignment in memory and on the wire
+    SmKind kind;
+} SmTypeInfo;
+
+extern const SmTypeInfo sm_type_info[SM_TYPE_COUNT];   // indexed by SmType
+
+typedef enum SmOpClass { SM_CLASS_LOGIC, SM_CLASS_EQUALITY, SM_CLASS_RELATION, SM_CLASS_ARITH } SmOpClass;
+
+typedef enum SmOperator {
+#define SM_OPERATOR(name, spelling, arity, precedence, class) SM_OP_##name,
+#include "stdlib/operators.def"
+#undef SM_OPERATOR
+    SM_OP_COUNT
+} SmOperator;
+
+typedef struct SmOpInfo {
+    const char *spelling;
+    uint8_t arity, precedence;
+    SmOpClass op_class;
+} SmOpInfo;
+
+extern const SmOpInfo sm_op_info[SM_OP_COUNT];         // indexed by SmOperator
+
+// The statistics of a rolling window.
+typedef enum SmStat { SM_STAT_AVG, SM_STAT_MEDIAN, SM_STAT_MIN, SM_STAT_MAX, SM_STAT_RANGE, SM_STAT_COUNT } SmStat;
+
+typedef enum SmBuiltin {
+#define SM_PURE(name, arguments, sentence) SM_FN_##name,
+#define SM_ROLL(name, stat, sentence) SM_FN_##name,
+#include "stdlib/builtins.def"
+#undef SM_PURE
+#undef SM_ROLL
+    SM_FN_COUNT
+} SmBuiltin;
+
+typedef struct SmBuiltinInfo {
+    const char *name;
+    const char *sentence;   // what it gives, for messages and docs
+    uint8_t arguments;      // a roll function has 2
+    bool is_roll;
+    SmStat stat;            // of a roll function
+} SmBuiltinInfo;
+
+extern const SmBuiltinInfo sm_builtin_info[SM_FN_COUNT];   // indexed by SmBuiltin
+
+// Limits that the language itself sets.
+#define SM_WINDOW_MAX 100000u   // the largest n of roll_x(x, n)
+
+#ifdef __cplusplus
+}
+#endif
+#endif

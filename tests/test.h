@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// CHECK(a == b) and a main: `int main(void) { CHECK(…); return test_end("name"); }`.  Nothing to register.
+#ifndef SM_TEST_H
+#define SM_TEST_H
+
+#include <stdio.h>
+
+static int test_passed, test_failed;
+
+#define CHECK(condition)                                                                      \
+    do {                                                                                      \
+        if (condition)                                                                        \
+            test_passed++;                                                                    \
+        else if (test_failed++ < 20)                                                          \
+            fprintf(stderr, "%s:%d: failed: %s\n", __FILE__, __LINE__, #condition);           \
+    } while (0)
+
+static inline int test_end(const char *name)
+{
+    printf("%s: %d passed, %d failed\n", name, test_passed, test_failed);
+    return test_failed != 0;
+}
+
+#endif
