@@ -15,9 +15,9 @@ VERSION := $(shell sed -n 's/.*SMC_VERSION "\(.*\)".*/\1/p' compiler/version.h)
 # Sources, folder by folder in the order data flows through them.
 STDLIB   = $(wildcard stdlib/*.c)
 VM       = $(wildcard bytecode-vm/*.c)
-LIBSMC   = $(wildcard compiler/base/*.c compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
+LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
              compiler/passes/*.c compiler/emit/c/*.c compiler/emit/bytecode/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM)
-COMMAND  = $(wildcard compiler/device/*.c compiler/cli/*.c)
+COMMAND  = compiler/base/os_posix.c $(wildcard compiler/device/*.c compiler/cli/*.c)
 
 all: $(B)/smc
 

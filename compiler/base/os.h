@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command needs from the operating system.  libsmc does not use it; only compiler/device and compiler/cli do.
+// Every function that can fail gives false and puts a reason (static text, as "No space left on device") in *why.
+#ifndef SMC_OS_H
+#define SMC_OS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+// Memory for SmcAllocFn: the host's heap.
+void *os_alloc(void *context, void *old, size_t size);
+
+// Whole file or, for "-", standard input.  *text is from the heap (os_alloc), closed by a NUL that *len does not count.
+// Refuses folders and anything longer than `most` bytes.
+bool os_read(const char *path, size_t most, char **text, size_t *len, const char **why);
+
+// Files that appear whole or not at all: each is written beside its place, and all are renamed once all are complete.
+// A path "-" is standard output.  A signal that ends the process removes what is unfinished.
+typedef struct OsOutput { const char *path; const void *bytes; size_t n; } OsOutput;
+bool os_write(const OsOutput *out, size_t n, const char **failed_path, const char **why);
+
+// Writes all of it to standard output or standard error (fd 1 or 2).
+bool os_print(int fd, const void *bytes, size_t n, const char **why);
+
+bool os_is_folder(const char *path);
+// Names in a folder without . and .., sorted; *names and its strings are one block from the heap.
+bool os_list(const char *path, char ***names, size_t *n, const char **why);
+
+bool os_is_terminal(int fd);
+const char *os_getenv(const char *name);           // NULL when unset or empty
+
+#endif

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+// os.h on POSIX systems.
+#define _XOPEN_SOURCE 700
+
+#include "compiler/base/os.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+void *os_alloc(void *context, void *old, size_t size)
+{
+    (void)context;
+    if (size == 0) {
+        free(old);
+        return NULL;
+    }
+    return realloc(old, size);
+}
+
+static bool fails(const char **why)
+{
+    *why = strerror(errno);
+    return false;
+}
+
+// ---- reading ----
+
+// Reads to the end of the file into a buffer that doubles.
+static bool read_all(int fd, size_t most, char **text, size_t *len, const char **why)
+{
+    size_t cap = 16384, n = 0;
+    char *buffer = malloc(cap);
+
+    while (buffer) {
+        ssize_t got = read(fd, buffer + n, cap - n - 1);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0 || n > most) {
+            *why = got < 0 ? strerror(errno) : "the file is too large";
+            free(buffer);
+            return false;
+        }
+        if (got == 0) {
+            buffer[n] = '\0';
+            *text = buffer;
+            *len = n;
+            return true;
+        }
+        n += (size_t)got;
+        if (cap - n < 2) {
+            char *larger = realloc(buffer, cap *= 2);
+            if (!larger)
+                free(buffer);
+            buffer = larger;
+        }
+    }
+    *why = "out of memory";
+    return false;
+}
+
+bool os_read(const char *path, size_t most, char **text, size_t *len, const char **why)
+{
+    bool ok;
+    int fd;
+
+    if (strcmp(path, "-") == 0)
+        return read_all(0, most, text, len, why);
+    if (os_is_folder(path)) {
+        *why = "it is a folder";
+        return false;
+    }
+    if ((fd = open(path, O_RDONLY)) < 0)
+        return fails(why);
+    ok = read_all(fd, most, text, len, why);
+    close(fd);
+    return ok;
+}
+
+// ---- writing ----
+
+static bool write_all(int fd, const void *bytes, size_t n, const char **why)
+{
+    const char *p = bytes;
+
+    while (n > 0) {
+        ssize_t put = write(fd, p, n);
+        if (put < 0 && errno == EINTR)
+            continue;
+        if (put < 0)
+            return fails(why);
+        p += put;
+        n -= (size_t)put;
+    }
+    return true;
+}
+
+bool os_print(int fd, const void *bytes, size_t n, const char **why)
+{
+    return write_all(fd, bytes, n, why);
+}
+
+// Temporary files that a signal has to remove: written by the main flow, read by the handler.
+enum { MOST_OUTPUTS = 64 };
+static char *volatile temporary[MOST_OUTPUTS];
+
+static void remove_temporaries(void)
+{
+    for (int i = 0; i < MOST_OUTPUTS; i++)
+        if (temporary[i])
+            unlink(temporary[i]);
+}
+
+static void on_signal(int number)
+{
+    remove_temporaries();
+    _exit(128 + number);
+}
+
+static void catch_signals(void (*handler)(int))
+{
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction action, now;
+
+    memset(&action, 0, sizeof action);
+    sigemptyset(&action.sa_mask);
+    action.sa_handler = handler;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        if (sigaction(numbers[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
+            sigaction(numbers[i], &action, NULL);
+}
+
+static mode_t wanted_mode(const char *path)
+{
+    struct stat st;
+    mode_t mask = umask(0);
+
+    umask(mask);
+    return stat(path, &st) == 0 ? st.st_mode & 07777 : (mode_t)(0666 & ~mask);
+}
+
+// A device or pipe (as /dev/null) cannot be replaced by renaming: it is written to directly.
+static bool is_special(const char *path)
+{
+    struct stat st;
+    return stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode);
+}
+
+static bool write_temporary(const OsOutput *out, char **name, const char **why)
+{
+    bool ok;
+    int fd;
+
+    if ((*name = malloc(strlen(out->path) + sizeof ".XXXXXX")) == NULL) {
+        *why = "out of memory";
+        return false;
+    }
+    strcpy(*name, out->path);
+    strcat(*name, ".XXXXXX");
+    if ((fd = mkstemp(*name)) < 0) {
+        ok = fails(why);
+        free(*name);
+        *name = NULL;
+        return ok;
+    }
+    ok = write_all(fd, out->bytes, out->n, why);
+    if (ok && (fchmod(fd, wanted_mode(out->path)) != 0 || fsync(fd) != 0))
+        ok = fails(why);
+    if (close(fd) != 0 && ok)
+        ok = fails(why);
+    return ok;
+}
+
+static bool write_directly(const OsOutput *out, const char **why)
+{
+    bool ok, is_stdout = strcmp(out->path, "-") == 0;
+    int fd = is_stdout ? 1 : open(out->path, O_WRONLY);
+
+    if (fd < 0)
+        return fails(why);
+    ok = write_all(fd, out->bytes, out->n, why);
+    if (!is_stdout && close(fd) != 0 && ok)
+        ok = fails(why);
+    return ok;
+}
+
+static bool write_one(const OsOutput *out, char *volatile *name, const char **why)
+{
+    char *temp = NULL;
+    bool ok;
+
+    if (strcmp(out->path, "-") == 0 || is_special(out->path))
+        return write_directly(out, why);
+    if (os_is_folder(out->path)) {
+        *why = "it is a folder";
+        return false;
+    }
+    ok = write_temporary(out, &temp, why);
+    *name = temp;
+    return ok;
+}
+
+bool os_write(const OsOutput *out, size_t n, const char **failed_path, const char **why)
+{
+    bool ok = n <= MOST_OUTPUTS;
+
+    *failed_path = n ? out[0].path : "";
+    *why = "too many files";
+    catch_signals(on_signal);
+    for (size_t i = 0; ok && i < n; i++) {
+        *failed_path = out[i].path;
+        ok = write_one(&out[i], &temporary[i], why);
+    }
+    for (size_t i = 0; ok && i < n; i++)
+        if (temporary[i]) {
+            *failed_path = out[i].path;
+            if (rename(temporary[i], out[i].path) != 0)
+                ok = fails(why);
+        }
+    if (!ok)
+        remove_temporaries();
+    catch_signals(SIG_DFL);
+    for (size_t i = 0; i < n && i < MOST_OUTPUTS; i++) {
+        free(temporary[i]);
+        temporary[i] = NULL;
+    }
+    return ok;
+}
+
+// ---- folders and surroundings ----
+
+bool os_is_folder(const char *path)
+{
+    struct stat st;
+    return stat(path, &st) == 0 && S_ISDIR(st.st_mode);
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+bool os_list(const char *path, char ***names, size_t *n, const char **why)
+{
+    DIR *folder = opendir(path);
+    struct dirent *entry;
+    char **list = NULL, *text;
+    size_t bytes = 0, count = 0, at = 0;
+
+    if (!folder)
+        return fails(why);
+    while ((entry = readdir(folder)) != NULL) {
+        bytes += strlen(entry->d_name) + 1;
+        count++;
+    }
+    rewinddir(folder);
+    if ((list = malloc(count * sizeof *list + bytes + 1)) == NULL) {
+        closedir(folder);
+        *why = "out of memory";
+        return false;
+    }
+    text = (char *)(list + count);
+    *n = 0;
+    while ((entry = readdir(folder)) != NULL && *n < count) {
+        size_t len = strlen(entry->d_name) + 1;
+        if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0 || at + len > bytes)
+            continue;
+        memcpy(text + at, entry->d_name, len);
+        list[(*n)++] = text + at;
+        at += len;
+    }
+    closedir(folder);
+    qsort(list, *n, sizeof *list, by_name);
+    *names = list;
+    return true;
+}
+
+bool os_is_terminal(int fd) { return isatty(fd) == 1; }
+
+const char *os_getenv(const char *name)
+{
+    const char *value = getenv(name);
+    return value && *value ? value : NULL;
+}
