@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The smc command: what its subcommands share.  A subcommand is arguments, a call into the library, an exit code.
+#ifndef SMC_CLI_H
+#define SMC_CLI_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "compiler/base/os.h"
+#include "compiler/pipeline.h"
+
+// Exit codes: a promise (docs and scripts rely on them).
+enum {
+    EXIT_OK = 0,
+    EXIT_PROBLEM = 1,         // the user's input has a problem: compile error, failed script
+    EXIT_USAGE = 2,
+    EXIT_ENVIRONMENT = 3,     // cannot read, write, no memory, no device
+    EXIT_INTERNAL = 4,        // a bug of ours
+    EXIT_INCONCLUSIVE = 5     // a bound was hit
+};
+
+typedef enum OptionId {
+#define OPTION(id, spelling, value, commands, sentence) OPT_##id,
+#include "compiler/cli/options.def"
+#undef OPTION
+    OPT_COUNT
+} OptionId;
+
+typedef struct Cli Cli;
+
+typedef struct Command {
+    const char *name, *synopsis, *sentence;
+    int (*run)(Cli *c);
+} Command;
+
+struct Cli {
+    Session session;                      // one compilation; out of memory anywhere ends the command with exit 3
+    const Command *command;
+    const char **file;                    // the arguments that are no options, in order; "-" included
+    size_t files;
+    bool given[OPT_COUNT];
+    const char *value[OPT_COUNT];         // of an option that takes one; the last one given
+    const char **warn;                    // each -WNAME without its -W, in order
+    size_t warns;
+};
+
+// ---- options.c ----
+
+// Sorts argv behind the subcommand into the fields of c.  false: a message has been printed, exit with EXIT_USAGE.
+bool options_parse(Cli *c, int argc, char **argv);
+void options_help(const Command *command, Buf *out);      // the options a subcommand knows, a line each
+int option_level(const Cli *c);                           // -O: 0, 1 or 2
+// The nearest of the names to `name`, or NULL if none is near.
+const char *nearest_name(const char *name, const char *const *names, size_t n);
+
+// ---- common.c ----
+
+#if defined(__GNUC__)
+#define CLI_PRINTF __attribute__((format(printf, 2, 3)))
+#else
+#define CLI_PRINTF
+#endif
+
+// "smc: " and a message to standard error.
+CLI_PRINTF void cli_say(Cli *c, const char *format, ...);
+// Usage error: a message, and a hint at --help.  Gives EXIT_USAGE.
+CLI_PRINTF int cli_usage(Cli *c, const char *format, ...);
+
+// Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT).  The name stands in diagnostics as given.
+Source *cli_load(Cli *c, const char *path);
+bool cli_write(Cli *c, const OsOutput *out, size_t n);    // false after a message
+bool cli_print(Cli *c, int fd, const Buf *text);          // to standard output or error; false after a message
+
+// Prints what the session's diagnostics say, warnings as -W… wants them, to standard error and empties the list.
+// EXIT_PROBLEM if an error was among them, EXIT_ENVIRONMENT if it could not print, else EXIT_OK.
+int cli_report(Cli *c);
+
+bool has_suffix(const char *path, const char *suffix);
+// "tank" of "dir/tank.sm"; of "-" it is "stdin".  Lives in the session.
+const char *path_stem(Cli *c, const char *path);
+
+// ---- warnings.c ----
+
+// Drops the warnings that are switched off and makes errors of those that -Werror names.
+void warnings_apply(const Cli *c, Diags *d);
+bool warnings_known(Cli *c);              // false after a message: a -W names no warning
+
+// ---- one file each ----
+
+#define COMMAND(name, synopsis, sentence) int cmd_##name(Cli *c);
+#include "compiler/cli/commands.def"
+#undef COMMAND
+
+#endif
