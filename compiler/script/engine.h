@@ -23,6 +23,7 @@ typedef enum EngineStatus {
 typedef struct EngineStep {
     EngineStatus status;
     uint32_t next_state;      // number of the state the next step will run
+    bool next_is_first;       // that will be a first step: after init and after a transition, one to the same state too
     uint64_t *cell;           // every variable after the step; program->var.n of them
     uint8_t *stored;          // 1 for each element that the step stored, by variable
 } EngineStep;
@@ -43,6 +44,8 @@ struct Engine {
 
 // Space for the answer of an engine that runs p.
 void engine_step_init(EngineStep *s, Arena *arena, const Program *p);
+// NULL when two engines gave the same answer bit for bit; else a sentence that names the first difference, in arena.
+const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a, const Engine *b, const EngineStep *of_b);
 
 // The reference interpreter.
 Engine *engine_ref_open(Arena *arena, const Program *p);

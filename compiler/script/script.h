@@ -20,6 +20,8 @@ typedef enum ScriptOutcome {
 typedef struct ScriptOptions {
     uint64_t max_steps;
     Buf *trace;               // NULL, or where the trace goes
+    void (*flush)(void *context, Buf *trace);   // NULL, or called after each step: may write the text away and set n to 0
+    void *context;            // handed to flush
 } ScriptOptions;
 
 typedef struct ScriptResult {
