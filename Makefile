@@ -15,8 +15,9 @@ VERSION := $(shell sed -n 's/.*SMC_VERSION "\(.*\)".*/\1/p' compiler/version.h)
 # Sources, folder by folder in the order data flows through them.
 STDLIB   = $(wildcard stdlib/*.c)
 VM       = $(wildcard bytecode-vm/*.c)
+EMIT_C   = $(filter-out %/embed_tool.c,$(wildcard compiler/emit/c/*.c))
 LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
-             compiler/passes/*.c compiler/emit/c/*.c compiler/emit/bytecode/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM)
+             compiler/passes/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM)
 COMMAND  = compiler/base/os_posix.c $(wildcard compiler/device/*.c compiler/cli/*.c)
 
 all: $(B)/smc
@@ -31,6 +32,18 @@ $(B)/libsmc.a: $(LIBSMC:%.c=$(B)/obj/%.o)
 
 $(B)/smc: $(COMMAND:%.c=$(B)/obj/%.o) $(B)/libsmc.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+# The texts of the stdlib functions that emitted C quotes.
+EMBEDDED = stdlib/f64.h stdlib/convert.h stdlib/math.h stdlib/roll.h
+$(B)/embed_tool: compiler/emit/c/embed_tool.c
+	@mkdir -p $(@D)
+	$(CC) -std=c99 -pedantic -Wall -Wextra $< -o $@
+
+$(B)/gen/stdlib_text.h: $(B)/embed_tool $(EMBEDDED)
+	@mkdir -p $(@D)
+	$(B)/embed_tool $(EMBEDDED) >$@.new && mv $@.new $@
+
+$(EMIT_C:%.c=$(B)/obj/%.o): | $(B)/gen/stdlib_text.h
 
 # One program per file of tests/unit.
 UNIT = $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/*.c))

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// SmF64: the one number of the language, IEEE binary64, and its operators.  The only place that decides how it is
-// represented: here a C `double`, on chips whose double is shorter a soft type that will take its place.  Callers
-// use the functions below and never C's operators, so that they need not change.
+// SmF64: the one number of the language, IEEE binary64, and its operators.  The only file that decides how it is
+// represented: here a C `double`; on chips whose double is shorter a soft type will take its place.  Callers use the
+// functions below and never C's operators, so that they need not change.
 // All functions are exact IEEE: round to nearest even, no trap, no errno.  The sign and payload of a NaN carry no meaning.
+//
+// Emitted C carries the text of the functions that it uses.  A line `//: NAME` opens the text of NAME, which runs to the
+// next such line; `//: end` closes the last one.  Comments between them are read by the readers of emitted C.
 #ifndef SM_F64_H
 #define SM_F64_H
 
@@ -14,24 +17,66 @@
 #if DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024
 #error "smc: this compiler's double is not IEEE binary64"
 #endif
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#if FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128
+#error "smc: this compiler's float is not IEEE binary32"
+#endif
+// 1 is harmless: it widens float alone, and no float arithmetic is done here.
+#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)
+#error "smc: this compiler computes doubles with excess precision; on 32-bit x86 build with -msse2 -mfpmath=sse"
+#endif
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
 #error "smc: fast-math changes what programs mean; build without it"
 #endif
 
-typedef double SmF64;
-
+//: SmF64
+#ifndef SM_F64_TYPE
+#define SM_F64_TYPE
+typedef double SmF64;   // IEEE binary64
+#endif
+//: sm_bits
 static inline uint64_t sm_bits(SmF64 x) { uint64_t u; memcpy(&u, &x, sizeof u); return u; }
+//: sm_from_bits
 static inline SmF64 sm_from_bits(uint64_t u) { SmF64 x; memcpy(&x, &u, sizeof x); return x; }
-
+//: sm_add
 static inline SmF64 sm_add(SmF64 a, SmF64 b) { return a + b; }
+//: sm_sub
 static inline SmF64 sm_sub(SmF64 a, SmF64 b) { return a - b; }
+//: sm_mul
 static inline SmF64 sm_mul(SmF64 a, SmF64 b) { return a * b; }
+//: sm_div
 static inline SmF64 sm_div(SmF64 a, SmF64 b) { return a / b; }
-static inline SmF64 sm_neg(SmF64 a) { return sm_from_bits(sm_bits(a) ^ 0x8000000000000000u); }   // the sign bit, of zero and NaN too
-
-static inline bool sm_lt(SmF64 a, SmF64 b) { return a < b; }     // false if either is NaN, as the two below
-static inline bool sm_le(SmF64 a, SmF64 b) { return a <= b; }
-static inline bool sm_eq(SmF64 a, SmF64 b) { return a == b; }
+//: sm_neg
+// Flips the sign bit, of zero and NaN too.
+static inline SmF64 sm_neg(SmF64 a) { return sm_from_bits(sm_bits(a) ^ 0x8000000000000000u); }
+//: sm_lt
+static inline bool sm_lt(SmF64 a, SmF64 b) { return a < b; }    // false if either is NaN
+//: sm_le
+static inline bool sm_le(SmF64 a, SmF64 b) { return a <= b; }   // false if either is NaN
+//: sm_eq
+static inline bool sm_eq(SmF64 a, SmF64 b) { return a == b; }   // false if either is NaN
+//: sm_is_nan
 static inline bool sm_is_nan(SmF64 a) { return a != a; }
+//: sm_from_i32
+static inline SmF64 sm_from_i32(int32_t v) { return (SmF64)v; }
+//: sm_from_u32
+static inline SmF64 sm_from_u32(uint32_t v) { return (SmF64)v; }
+//: sm_from_i64
+static inline SmF64 sm_from_i64(int64_t v) { return (SmF64)v; }     // rounds above 2^53
+//: sm_from_u64
+static inline SmF64 sm_from_u64(uint64_t v) { return (SmF64)v; }    // rounds above 2^53
+//: sm_from_f32
+static inline SmF64 sm_from_f32(float v) { return (SmF64)v; }       // exact
+//: sm_cut_i32
+static inline int32_t sm_cut_i32(SmF64 x) { return (int32_t)x; }    // toward zero; the result must fit
+//: sm_cut_u32
+static inline uint32_t sm_cut_u32(SmF64 x) { return (uint32_t)x; }  // toward zero; the result must fit
+//: sm_cut_i64
+static inline int64_t sm_cut_i64(SmF64 x) { return (int64_t)x; }    // toward zero; the result must fit
+//: sm_cut_u64
+static inline uint64_t sm_cut_u64(SmF64 x) { return (uint64_t)x; }  // toward zero; the result must fit
+//: sm_round_f32
+static inline float sm_round_f32(SmF64 x) { return (float)x; }      // to nearest even, too large to infinity
+//: end
 
 #endif

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// Conversion between F64 and the types of elements (language.md 2), as values, as bit cells and in memory.
+//
+//   sm_to_X(x)     F64 to X, as storing does: NaN gives 0; integers truncate toward zero, then saturate.
+//   sm_from_X(v)   X to F64: exact, except that I64 and U64 round to nearest even above 2^53 (f64.h has the wide ones).
+//   sm_read_X(v)   what reading a stored X gives: as sm_from_X, but a stored NaN reads as 0.
+//
+// A cell is a value's bits in its own type, zero-extended to 64: I8 -1 is 0xff, F32 its binary32, bool 0 or 1.
+// Memory is in the host's byte order and need not be aligned.  A bool is one byte; any non-zero byte reads as true.
+#ifndef SM_CONVERT_H
+#define SM_CONVERT_H
+
+#include "stdlib/f64.h"
+#include "stdlib/types.h"
+
+//: sm_to_i32
+static inline int32_t sm_to_i32(SmF64 x)
+{
+    if (sm_le(sm_from_i32(INT32_MIN), x) && sm_le(x, sm_from_i32(INT32_MAX)))
+        return sm_cut_i32(x);
+    return sm_is_nan(x) ? 0 : sm_lt(x, sm_from_i32(0)) ? INT32_MIN : INT32_MAX;
+}
+//: sm_to_u32
+static inline uint32_t sm_to_u32(SmF64 x)
+{
+    if (sm_le(sm_from_i32(0), x) && sm_le(x, sm_from_u32(UINT32_MAX)))
+        return sm_cut_u32(x);
+    return sm_lt(sm_from_i32(0), x) ? UINT32_MAX : 0u;
+}
+//: sm_to_i64
+static inline int64_t sm_to_i64(SmF64 x)
+{
+    if (sm_le(sm_from_i64(INT64_MIN), x) && sm_lt(x, sm_from_u64(0x8000000000000000u)))
+        return sm_cut_i64(x);
+    return sm_is_nan(x) ? 0 : sm_lt(x, sm_from_i32(0)) ? INT64_MIN : INT64_MAX;
+}
+//: sm_to_u64
+static inline uint64_t sm_to_u64(SmF64 x)
+{
+    if (sm_le(sm_from_i32(0), x) && sm_lt(x, sm_from_bits(0x43F0000000000000u)))   // 2^64
+        return sm_cut_u64(x);
+    return sm_lt(sm_from_i32(0), x) ? UINT64_MAX : 0u;
+}
+//: sm_to_i16
+static inline int16_t sm_to_i16(SmF64 x)
+{
+    const int32_t v = sm_to_i32(x);
+    return v < INT16_MIN ? (int16_t)INT16_MIN : v > INT16_MAX ? (int16_t)INT16_MAX : (int16_t)v;
+}
+//: sm_to_i8
+static inline int8_t sm_to_i8(SmF64 x)
+{
+    const int32_t v = sm_to_i32(x);
+    return v < INT8_MIN ? (int8_t)INT8_MIN : v > INT8_MAX ? (int8_t)INT8_MAX : (int8_t)v;
+}
+//: sm_to_u16
+static inline uint16_t sm_to_u16(SmF64 x)
+{
+    const int32_t v = sm_to_i32(x);
+    return v < 0 ? (uint16_t)0 : v > UINT16_MAX ? (uint16_t)UINT16_MAX : (uint16_t)v;
+}
+//: sm_to_u8
+static inline uint8_t sm_to_u8(SmF64 x)
+{
+    const int32_t v = sm_to_i32(x);
+    return v < 0 ? (uint8_t)0 : v > UINT8_MAX ? (uint8_t)UINT8_MAX : (uint8_t)v;
+}
+//: sm_to_f32
+static inline float sm_to_f32(SmF64 x)
+{
+    return sm_is_nan(x) ? 0.0f : sm_round_f32(x);
+}
+//: sm_to_f64
+static inline SmF64 sm_to_f64(SmF64 x)
+{
+    return sm_is_nan(x) ? sm_from_i32(0) : x;
+}
+//: sm_to_bool
+static inline bool sm_to_bool(SmF64 x)
+{
+    return sm_lt(x, sm_from_i32(0)) || sm_lt(sm_from_i32(0), x);   // neither holds for NaN
+}
+//: sm_read_f32
+static inline SmF64 sm_read_f32(float v)
+{
+    const SmF64 x = sm_from_f32(v);
+    return sm_is_nan(x) ? sm_from_i32(0) : x;
+}
+//: sm_read_f64
+static inline SmF64 sm_read_f64(SmF64 x)
+{
+    return sm_is_nan(x) ? sm_from_i32(0) : x;
+}
+//: end
+
+static inline SmF64 sm_from_i8(int8_t v) { return sm_from_i32(v); }
+static inline SmF64 sm_from_i16(int16_t v) { return sm_from_i32(v); }
+static inline SmF64 sm_from_u8(uint8_t v) { return sm_from_i32(v); }
+static inline SmF64 sm_from_u16(uint16_t v) { return sm_from_i32(v); }
+static inline SmF64 sm_from_bool(bool v) { return sm_from_i32(v); }
+
+static inline uint32_t sm_f32_bits(float v) { uint32_t u; memcpy(&u, &v, sizeof u); return u; }
+static inline float sm_f32_from_bits(uint32_t u) { float v; memcpy(&v, &u, sizeof v); return v; }
+
+// Reading a cell: the F64 that an element holding it gives.  Bits beyond the type's width are not looked at.
+static inline SmF64 sm_cell_to_f64(SmType type, uint64_t cell)
+{
+    switch (type) {
+    case SM_I8: return sm_from_i32(cell & 0x80u ? (int32_t)(cell & 0xffu) - 0x100 : (int32_t)(cell & 0xffu));
+    case SM_I16: return sm_from_i32(cell & 0x8000u ? (int32_t)(cell & 0xffffu) - 0x10000 : (int32_t)(cell & 0xffffu));
+    case SM_I32: { const uint32_t u = (uint32_t)cell; int32_t v; memcpy(&v, &u, sizeof v); return sm_from_i32(v); }
+    case SM_I64: { int64_t v; memcpy(&v, &cell, sizeof v); return sm_from_i64(v); }
+    case SM_U8: return sm_from_u32((uint32_t)(cell & 0xffu));
+    case SM_U16: return sm_from_u32((uint32_t)(cell & 0xffffu));
+    case SM_U32: return sm_from_u32((uint32_t)cell);
+    case SM_U64: return sm_from_u64(cell);
+    case SM_F32: return sm_read_f32(sm_f32_from_bits((uint32_t)cell));
+    case SM_F64: return sm_read_f64(sm_from_bits(cell));
+    case SM_BOOL: return sm_from_i32((cell & 0xffu) != 0);
+    case SM_TYPE_COUNT: break;
+    }
+    return sm_from_i32(0);
+}
+
+// Storing: the cell that an element holds after x was assigned to it.
+static inline uint64_t sm_cell_from_f64(SmType type, SmF64 x)
+{
+    switch (type) {
+    case SM_I8: return (uint8_t)sm_to_i8(x);
+    case SM_I16: return (uint16_t)sm_to_i16(x);
+    case SM_I32: return (uint32_t)sm_to_i32(x);
+    case SM_I64: return (uint64_t)sm_to_i64(x);
+    case SM_U8: return sm_to_u8(x);
+    case SM_U16: return sm_to_u16(x);
+    case SM_U32: return sm_to_u32(x);
+    case SM_U64: return sm_to_u64(x);
+    case SM_F32: return sm_f32_bits(sm_to_f32(x));
+    case SM_F64: return sm_bits(sm_to_f64(x));
+    case SM_BOOL: return sm_to_bool(x);
+    case SM_TYPE_COUNT: break;
+    }
+    return 0;
+}
+
+// The cell at p, as stored (a NaN too); a bool's is 0 or 1.
+static inline uint64_t sm_cell_load(SmType type, const void *p)
+{
+    switch (type) {
+    case SM_BOOL: return *(const uint8_t *)p != 0;
+    case SM_I8: case SM_U8: return *(const uint8_t *)p;
+    case SM_I16: case SM_U16: { uint16_t v; memcpy(&v, p, sizeof v); return v; }
+    case SM_I32: case SM_U32: case SM_F32: { uint32_t v; memcpy(&v, p, sizeof v); return v; }
+    case SM_I64: case SM_U64: case SM_F64: { uint64_t v; memcpy(&v, p, sizeof v); return v; }
+    case SM_TYPE_COUNT: break;
+    }
+    return 0;
+}
+
+// Writes as many bytes as the type has, as they are; a bool's becomes 0 or 1.
+static inline void sm_cell_store(SmType type, void *p, uint64_t cell)
+{
+    switch (type) {
+    case SM_BOOL: *(uint8_t *)p = (cell & 0xffu) != 0; break;
+    case SM_I8: case SM_U8: *(uint8_t *)p = (uint8_t)cell; break;
+    case SM_I16: case SM_U16: { const uint16_t v = (uint16_t)cell; memcpy(p, &v, sizeof v); break; }
+    case SM_I32: case SM_U32: case SM_F32: { const uint32_t v = (uint32_t)cell; memcpy(p, &v, sizeof v); break; }
+    case SM_I64: case SM_U64: case SM_F64: memcpy(p, &cell, sizeof cell); break;
+    case SM_TYPE_COUNT: break;
+    }
+}
+
+// Reading and assigning an element at p.
+static inline SmF64 sm_load(SmType type, const void *p) { return sm_cell_to_f64(type, sm_cell_load(type, p)); }
+static inline void sm_store(SmType type, void *p, SmF64 x) { sm_cell_store(type, p, sm_cell_from_f64(type, x)); }
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pure builtins (language.md 3), F64 in and F64 out.  All are exact, so every target gives the same bits; no libm.
+#ifndef SM_MATH_H
+#define SM_MATH_H
+
+#include "stdlib/f64.h"
+
+//: sm_abs
+// x without its sign bit.
+static inline SmF64 sm_abs(SmF64 x) { return sm_from_bits(sm_bits(x) & 0x7FFFFFFFFFFFFFFFu); }
+//: sm_trunc
+// x without its fraction; keeps the sign of zero.
+static inline SmF64 sm_trunc(SmF64 x)
+{
+    const uint64_t u = sm_bits(x);
+    const unsigned exponent = (unsigned)(u >> 52) & 0x7FFu;
+    if (exponent >= 1075u)   // no fraction, or infinite, or NaN
+        return x;
+    if (exponent < 1023u)    // below 1
+        return sm_from_bits(u & 0x8000000000000000u);
+    return sm_from_bits(u & ~(0x000FFFFFFFFFFFFFu >> (exponent - 1023u)));
+}
+//: sm_floor
+static inline SmF64 sm_floor(SmF64 x)
+{
+    const SmF64 t = sm_trunc(x);
+    return sm_lt(x, t) ? sm_sub(t, sm_from_i32(1)) : t;
+}
+//: sm_ceil
+static inline SmF64 sm_ceil(SmF64 x)
+{
+    const SmF64 t = sm_trunc(x);
+    return sm_lt(t, x) ? sm_add(t, sm_from_i32(1)) : t;
+}
+//: sm_round
+// The nearest whole number, halves away from zero; keeps the sign of zero.
+static inline SmF64 sm_round(SmF64 x)
+{
+    const SmF64 t = sm_trunc(x);
+    const SmF64 twice = sm_sub(sm_sub(x, t), sm_sub(t, x));   // twice the fraction, exactly
+    if (sm_le(sm_from_i32(1), twice))
+        return sm_add(t, sm_from_i32(1));
+    return sm_le(twice, sm_from_i32(-1)) ? sm_sub(t, sm_from_i32(1)) : t;
+}
+//: sm_sqrt
+// The square root, correctly rounded, one binary digit at a time; NaN below zero, -0 of -0.
+static inline SmF64 sm_sqrt(SmF64 x)
+{
+    uint64_t rest = sm_bits(x) & 0x000FFFFFFFFFFFFFu, root = 0, done = 0, bit;
+    int exponent = (int)(sm_bits(x) >> 52) & 0x7FF;
+    if (exponent == 0x7FF || sm_eq(x, sm_from_i32(0)) || sm_lt(x, sm_from_i32(0)))
+        return sm_lt(x, sm_from_i32(0)) ? sm_from_bits(0x7FF8000000000000u) : x;
+    if (exponent != 0)
+        rest |= 0x0010000000000000u;
+    else
+        for (exponent = 1; rest < 0x0010000000000000u; exponent--)
+            rest <<= 1;
+    exponent += 1023;        // twice the bias: its half is the result's exponent
+    rest <<= exponent % 2 != 0 ? 2 : 1;
+    for (bit = 0x0020000000000000u; bit != 0; bit >>= 1) {
+        if (done + bit <= rest) {
+            rest -= done + bit;
+            done += 2 * bit;
+            root += bit;
+        }
+        rest <<= 1;
+    }
+    // root has one digit more than fits; a tie cannot be.
+    return sm_from_bits((((root + 1) >> 1) & 0x000FFFFFFFFFFFFFu) | (uint64_t)(exponent / 2) << 52);
+}
+//: sm_sign
+// -1, 1, or x where it is a zero or NaN.
+static inline SmF64 sm_sign(SmF64 x)
+{
+    return sm_lt(x, sm_from_i32(0)) ? sm_from_i32(-1) : sm_lt(sm_from_i32(0), x) ? sm_from_i32(1) : x;
+}
+//: sm_min
+// The smaller; -0 is below +0; NaN if either is.
+static inline SmF64 sm_min(SmF64 a, SmF64 b)
+{
+    if (sm_eq(a, b))         // then only zeros differ in a bit: the sign
+        return sm_from_bits(sm_bits(a) | sm_bits(b));
+    return sm_lt(a, b) || sm_is_nan(a) ? a : b;
+}
+//: sm_max
+// The larger; +0 is above -0; NaN if either is.
+static inline SmF64 sm_max(SmF64 a, SmF64 b)
+{
+    if (sm_eq(a, b))         // then only zeros differ in a bit: the sign
+        return sm_from_bits(sm_bits(a) & sm_bits(b));
+    return sm_lt(b, a) || sm_is_nan(a) ? a : b;
+}
+//: sm_clamp
+static inline SmF64 sm_clamp(SmF64 x, SmF64 lo, SmF64 hi) { return sm_min(sm_max(x, lo), hi); }
+//: end
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// SmResult: how a call went.  SM_OK is zero; everything else is negative.
+#ifndef SM_RESULT_H
+#define SM_RESULT_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum SmResult {
+#define SM_RESULT(name, number, text) SM_##name = number,
+#include "stdlib/result.def"
+#undef SM_RESULT
+    SM_RESULT_LOWEST = -32768   // none is below; makes the type wide enough everywhere
+} SmResult;
+
+// The row's text; "unknown result" for a number that has none.
+const char *sm_result_text(SmResult r);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

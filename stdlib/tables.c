@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of types.def, operators.def and builtins.def as arrays.
+#include "stdlib/types.h"
+
+const SmTypeInfo sm_type_info[SM_TYPE_COUNT] = {
+#define SM_TYPE(name, wire, spelling, ctype, bytes, kind) [SM_##name] = { spelling, #ctype, bytes, kind },
+#include "stdlib/types.def"
+#undef SM_TYPE
+};
+
+const SmOpInfo sm_op_info[SM_OP_COUNT] = {
+#define SM_OPERATOR(name, spelling, arity, precedence, class) [SM_OP_##name] = { spelling, arity, precedence, class },
+#include "stdlib/operators.def"
+#undef SM_OPERATOR
+};
+
+const SmBuiltinInfo sm_builtin_info[SM_FN_COUNT] = {
+#define SM_PURE(name, arguments, sentence) [SM_FN_##name] = { #name, sentence, arguments, false, SM_STAT_COUNT },
+#define SM_ROLL(name, stat, sentence) [SM_FN_##name] = { #name, sentence, 2, true, SM_STAT_##stat },
+#include "stdlib/builtins.def"
+#undef SM_PURE
+#undef SM_ROLL
+};
