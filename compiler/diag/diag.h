@@ -51,9 +51,14 @@ typedef struct Diag {
 typedef struct Diags {
     Arena *arena;
     VEC(Diag *) list;                     // in the order reported; diags_sort puts them in source order
-    size_t errors, warnings;
+    size_t errors, warnings;              // reported; of a flood of errors the list keeps the first DIAG_KEPT_MAX
     bool muted;                           // while set, reports are dropped
+    VEC(const Source *) files;            // in the order first seen
+    struct DiagPlace *place;              // where something was reported already: open addressing, a power of two long
+    size_t place_cap, place_n;
 } Diags;
+
+enum { DIAG_KEPT_MAX = 10000 };
 
 void diags_init(Diags *d, Arena *arena);
 
@@ -64,7 +69,7 @@ Diag *diag_report(Diags *d, DiagCode code, Span span, ...);
 void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...);
 // Sets the text behind the caret; `text` is a DIAG_NOTE_TEXT row.
 void diag_label(Diags *d, Diag *to, DiagCode text, ...);
-// Proposes an edit that is certain to be meant.
+// Proposes an edit that is certain to be meant.  `text` must live as long as the diagnostics.
 void diag_edit(Diags *d, Diag *to, Span span, const char *text);
 
 void diags_sort(Diags *d);                // by file as first seen, then place; stable

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// Collects diagnostics: fills arguments into the texts of codes.def, drops what was said already, sorts.
+#include "compiler/diag/diag.h"
+
+#include <stdarg.h>
+#include <string.h>
+
+const DiagInfo diag_info[DIAG_COUNT] = {
+#define DIAG(id, name, severity, flag, message, page) {id, #name, severity, flag, message, page},
+#define DIAG_NOTE_TEXT(name, message) {NULL, #name, DIAG_NOTE, NULL, message, NULL},
+#include "compiler/diag/codes.def"
+#undef DIAG
+#undef DIAG_NOTE_TEXT
+};
+
+// One code at one place.
+typedef struct DiagPlace {
+    const Source *src;        // with `used` false: an empty slot
+    uint32_t at;
+    DiagCode code;
+    bool used;
+} DiagPlace;
+
+void diags_init(Diags *d, Arena *arena)
+{
+    memset(d, 0, sizeof *d);
+    d->arena = arena;
+}
+
+// ---- what was said already ----
+
+static DiagPlace *find_place(const Diags *d, const Source *src, uint32_t at, DiagCode code)
+{
+    size_t slot = (at * 2654435761u ^ (uint32_t)code * 40503u) & (d->place_cap - 1);
+
+    while (d->place[slot].used &&
+           (d->place[slot].src != src || d->place[slot].at != at || d->place[slot].code != code))
+        slot = (slot + 1) & (d->place_cap - 1);
+    return &d->place[slot];
+}
+
+static void grow_places(Diags *d)
+{
+    DiagPlace *old = d->place;
+    size_t n = d->place_cap;
+
+    d->place_cap = n ? n * 2 : 64;
+    d->place = ARENA_ARRAY(d->arena, DiagPlace, d->place_cap);
+    for (size_t i = 0; i < n; i++)
+        if (old[i].used)
+            *find_place(d, old[i].src, old[i].at, old[i].code) = old[i];
+}
+
+// Notes code and place; false when they had been noted before.  What has no place is always new.
+static bool is_new(Diags *d, DiagCode code, Span span)
+{
+    DiagPlace *p;
+
+    if (!span.src)
+        return true;
+    if (d->place_n * 2 >= d->place_cap)
+        grow_places(d);
+    p = find_place(d, span.src, span.at, code);
+    if (p->used)
+        return false;
+    *p = (DiagPlace){span.src, span.at, code, true};
+    d->place_n++;
+    return true;
+}
+
+// ---- reporting ----
+
+// The text of a row, each {} replaced by the next argument.
+static const char *fill_in(Arena *arena, const char *message, va_list args)
+{
+    Buf b;
+
+    buf_init(&b, arena);
+    for (const char *s = message; *s; s++)
+        if (s[0] == '{' && s[1] == '}') {
+            buf_str(&b, va_arg(args, const char *));
+            s++;
+        } else {
+            buf_char(&b, *s);
+        }
+    return buf_text(&b);
+}
+
+static void note_file(Diags *d, const Source *src)
+{
+    for (size_t i = d->files.n; i-- > 0; )
+        if (d->files.at[i] == src)
+            return;
+    vec_push(d->arena, &d->files, src);
+}
+
+static void enlist(Diags *d, Diag *x)
+{
+    size_t *count = x->severity == DIAG_ERROR ? &d->errors : &d->warnings;
+
+    if (d->muted || !is_new(d, x->code, x->span))
+        return;
+    if (++*count > DIAG_KEPT_MAX)
+        return;
+    note_file(d, x->span.src);
+    vec_push(d->arena, &d->list, x);
+}
+
+Diag *diag_report(Diags *d, DiagCode code, Span span, ...)
+{
+    Diag *x = ARENA_NEW(d->arena, Diag);
+    va_list args;
+
+    x->code = code;
+    x->severity = diag_info[code].severity;
+    x->span = span;
+    va_start(args, span);
+    x->text = fill_in(d->arena, diag_info[code].message, args);
+    va_end(args);
+    enlist(d, x);
+    return x;
+}
+
+void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...)
+{
+    DiagNote note = {span, NULL};
+    va_list args;
+
+    va_start(args, text);
+    note.text = fill_in(d->arena, diag_info[text].message, args);
+    va_end(args);
+    vec_push(d->arena, &to->notes, note);
+}
+
+void diag_label(Diags *d, Diag *to, DiagCode text, ...)
+{
+    va_list args;
+
+    va_start(args, text);
+    to->label = fill_in(d->arena, diag_info[text].message, args);
+    va_end(args);
+}
+
+void diag_edit(Diags *d, Diag *to, Span span, const char *text)
+{
+    DiagEdit edit = {span, text};
+
+    vec_push(d->arena, &to->edits, edit);
+}
+
+// ---- order ----
+
+static size_t file_rank(const Diags *d, const Source *src)
+{
+    size_t i = 0;
+
+    while (i < d->files.n && d->files.at[i] != src)
+        i++;
+    return i;
+}
+
+static bool comes_before(const Diags *d, const Diag *a, const Diag *b)
+{
+    if (a->span.src != b->span.src)
+        return file_rank(d, a->span.src) < file_rank(d, b->span.src);
+    return a->span.at < b->span.at;
+}
+
+// Merges two sorted runs; of equals the left run's comes first, which makes the sort stable.
+static void merge(const Diags *d, Diag **to, Diag **a, size_t na, Diag **b, size_t nb)
+{
+    while (na && nb) {
+        if (comes_before(d, *b, *a))
+            *to++ = *b++, nb--;
+        else
+            *to++ = *a++, na--;
+    }
+    memcpy(to, na ? a : b, (na ? na : nb) * sizeof *to);
+}
+
+static size_t at_most(size_t n, size_t limit) { return n < limit ? n : limit; }
+
+void diags_sort(Diags *d)
+{
+    size_t n = d->list.n;
+    Diag **from = d->list.at, **to = ARENA_ARRAY(d->arena, Diag *, n + 1);
+
+    for (size_t run = 1; run < n; run *= 2) {
+        Diag **swap = from;
+        for (size_t i = 0; i < n; i += 2 * run) {
+            size_t na = at_most(n - i, run), nb = at_most(n - i - na, run);
+            merge(d, to + i, from + i, na, from + i + na, nb);
+        }
+        from = to;
+        to = swap;
+    }
+    if (from != d->list.at)
+        memcpy(d->list.at, from, n * sizeof *from);
+}
+
+// ---- looking up ----
+
+static char capital(char c) { return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c; }
+
+static bool same_word(const char *a, const char *b)
+{
+    while (*a && capital(*a) == capital(*b))
+        a++, b++;
+    return !*a && !*b;
+}
+
+const DiagInfo *diag_find(const char *id)
+{
+    for (int i = 0; i < DIAG_COUNT; i++) {
+        const DiagInfo *row = &diag_info[i];
+        if (row->id && (same_word(row->id, id) || (row->flag && same_word(row->flag, id))))
+            return row;
+    }
+    return NULL;
+}

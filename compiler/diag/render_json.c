@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// The diagnostics as a machine reads them: one JSON object a line.  The keys and their order are a promise:
+// severity, code, message, file, line, column, endLine, endColumn, label, notes[], edits[].  The end is exclusive; what
+// has no place has null for all five; a label that is absent is null.
+#include <string.h>
+
+#include "compiler/base/utf8.h"
+#include "compiler/diag/diag.h"
+
+// One character of a JSON string; bytes that are not UTF-8 become U+FFFD.
+static size_t put_json_character(Buf *out, const char *s, size_t n)
+{
+    uint32_t code = 0;
+    size_t len = utf8_decode(s, n, &code);
+
+    if (len == 0)
+        buf_str(out, "\\ufffd");
+    else if (*s == '"' || *s == '\\')
+        buf_printf(out, "\\%c", *s);
+    else if (code < 0x20 || code == 0x7f)
+        buf_printf(out, "\\u%04x", (unsigned)code);
+    else
+        buf_put(out, s, len);
+    return len ? len : 1;
+}
+
+static void put_json_string(Buf *out, const char *s)
+{
+    size_t n;
+
+    if (!s) {
+        buf_str(out, "null");
+        return;
+    }
+    buf_char(out, '"');
+    for (n = strlen(s); n; ) {
+        size_t len = put_json_character(out, s, n);
+        s += len;
+        n -= len;
+    }
+    buf_char(out, '"');
+}
+
+static void put_key(Buf *out, const char *key, const char *value)
+{
+    buf_printf(out, "\"%s\":", key);
+    put_json_string(out, value);
+    buf_char(out, ',');
+}
+
+static void put_span(Buf *out, Span span)
+{
+    LineCol from, to;
+
+    if (!span.src) {
+        buf_str(out, "\"file\":null,\"line\":null,\"column\":null,\"endLine\":null,\"endColumn\":null");
+        return;
+    }
+    from = source_position(span.src, span.at);
+    to = source_position(span.src, span.at + span.len);
+    put_key(out, "file", span.src->name);
+    buf_printf(out, "\"line\":%lu,\"column\":%lu,\"endLine\":%lu,\"endColumn\":%lu", (unsigned long)from.line,
+               (unsigned long)from.col, (unsigned long)to.line, (unsigned long)to.col);
+}
+
+static void put_notes(Buf *out, const Diag *d)
+{
+    buf_str(out, "\"notes\":[");
+    for (size_t i = 0; i < d->notes.n; i++) {
+        buf_str(out, i ? ",{" : "{");
+        put_key(out, "message", d->notes.at[i].text);
+        put_span(out, d->notes.at[i].span);
+        buf_char(out, '}');
+    }
+    buf_str(out, "],");
+}
+
+static void put_edits(Buf *out, const Diag *d)
+{
+    buf_str(out, "\"edits\":[");
+    for (size_t i = 0; i < d->edits.n; i++) {
+        buf_str(out, i ? ",{" : "{");
+        put_key(out, "text", d->edits.at[i].text);
+        put_span(out, d->edits.at[i].span);
+        buf_char(out, '}');
+    }
+    buf_char(out, ']');
+}
+
+void diags_render_json(const Diags *d, Buf *out)
+{
+    for (size_t i = 0; i < d->list.n; i++) {
+        const Diag *x = d->list.at[i];
+        buf_char(out, '{');
+        put_key(out, "severity", x->severity == DIAG_ERROR ? "error" : "warning");
+        put_key(out, "code", diag_info[x->code].id);
+        put_key(out, "message", x->text);
+        put_span(out, x->span);
+        buf_char(out, ',');
+        put_key(out, "label", x->label);
+        put_notes(out, x);
+        put_edits(out, x);
+        buf_str(out, "}\n");
+    }
+}

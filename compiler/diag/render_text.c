@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// The diagnostics as a person reads them: place and message, the line with a caret below what is meant, notes, a count.
+// A line is shown one column a character, whatever stands in it: a tab as a blank, what cannot be printed as \x07.
+#include <string.h>
+
+#include "compiler/base/utf8.h"
+#include "compiler/diag/diag.h"
+
+enum {
+    WIDEST = 160,             // bytes of a source line that are shown
+    BEFORE = 60               // of them before the caret, where a line is cut
+};
+
+typedef enum Paint { PAINT_OFF, PAINT_PLACE, PAINT_ERROR, PAINT_WARNING, PAINT_NOTE, PAINT_CARET } Paint;
+
+static void paint(const DiagStyle *style, Buf *out, Paint what)
+{
+    static const char *const code[] = {"\033[0m", "\033[1m", "\033[1;31m", "\033[1;35m", "\033[1;36m", "\033[1;32m"};
+
+    if (style->color)
+        buf_str(out, code[what]);
+}
+
+// ---- a stretch of text, made printable ----
+
+// Writes the character at s, of which n bytes can be read.  Returns how many bytes it has; *width: columns it takes.
+static size_t put_character(Buf *out, const char *s, size_t n, size_t *width)
+{
+    uint32_t code = 0;
+    size_t len = utf8_decode(s, n, &code);
+    size_t start = out->n;
+
+    if (*s == '\t') {
+        buf_char(out, ' ');
+    } else if (len > 0 && !utf8_is_hidden(code)) {
+        buf_put(out, s, len);
+        *width = 1;
+        return len;
+    } else if (len > 1) {
+        buf_printf(out, "<U+%04X>", (unsigned)code);
+    } else {
+        buf_printf(out, "\\x%02X", (unsigned)(unsigned char)*s);
+    }
+    *width = out->n - start;
+    return len ? len : 1;
+}
+
+// Writes s; returns how many columns it takes.
+static size_t put_printable(Buf *out, const char *s, size_t n)
+{
+    size_t columns = 0, width, len;
+
+    for (; n; s += len, n -= len) {
+        len = put_character(out, s, n, &width);
+        columns += width;
+    }
+    return columns;
+}
+
+static void put_text(Buf *out, const char *s) { put_printable(out, s, strlen(s)); }
+
+// ---- the source line ----
+
+typedef struct Excerpt {
+    const char *text;         // the line
+    size_t len, from, to;     // its bytes from … to are shown
+    size_t at, end;           // the marked ones: from <= at <= end <= to
+} Excerpt;
+
+static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }
+
+// The place itself, or behind the character it would cut.
+static size_t whole(const Excerpt *e, size_t p)
+{
+    for (int i = 0; i < 3 && p < e->len && ((unsigned char)e->text[p] & 0xc0) == 0x80; i++)
+        p++;
+    return p;
+}
+
+static Excerpt find_excerpt(Span span, LineCol where)
+{
+    Excerpt e = {0};
+    uint32_t len;
+
+    e.text = source_line(span.src, where.line, &len);
+    e.len = len;
+    e.at = smaller(where.col - 1, e.len);
+    e.end = smaller(e.at + (span.len ? span.len : 1), e.len);     // of a span over several lines: to the end of the first
+    e.to = e.len;
+    if (e.len > WIDEST) {
+        e.from = whole(&e, e.at > BEFORE ? smaller(e.at - BEFORE, e.len - WIDEST) : 0);
+        e.to = whole(&e, e.from + WIDEST);
+    }
+    e.end = smaller(e.end, e.to);
+    return e;
+}
+
+static size_t put_cut(Buf *out, bool cut)
+{
+    if (cut)
+        buf_str(out, "...");
+    return cut ? 3 : 0;
+}
+
+// Writes the line; *indent columns stand before what is marked, which takes *marked.
+static void put_line(Buf *out, const Excerpt *e, size_t *indent, size_t *marked)
+{
+    *indent = put_cut(out, e->from > 0);
+    *indent += put_printable(out, e->text + e->from, e->at - e->from);
+    *marked = put_printable(out, e->text + e->at, e->end - e->at);
+    put_printable(out, e->text + e->end, e->to - e->end);
+    put_cut(out, e->to < e->len);
+}
+
+static void put_snippet(const DiagStyle *style, Buf *out, const Diag *d, LineCol where)
+{
+    Excerpt e = find_excerpt(d->span, where);
+    size_t indent, marked, start = out->n, gutter;
+
+    buf_printf(out, "%5lu", (unsigned long)where.line);
+    gutter = out->n - start;
+    buf_str(out, " | ");
+    put_line(out, &e, &indent, &marked);
+    buf_char(out, '\n');
+    buf_spaces(out, gutter);
+    buf_str(out, " | ");
+    buf_spaces(out, indent);
+    paint(style, out, PAINT_CARET);
+    buf_char(out, '^');
+    for (size_t i = 1; i < marked; i++)
+        buf_char(out, '~');
+    if (d->label) {
+        buf_char(out, ' ');
+        put_text(out, d->label);
+    }
+    paint(style, out, PAINT_OFF);
+    buf_char(out, '\n');
+}
+
+// ---- one diagnostic ----
+
+static void put_place(const DiagStyle *style, Buf *out, Span span)
+{
+    LineCol where;
+
+    if (!span.src)
+        return;
+    where = source_position(span.src, span.at);
+    paint(style, out, PAINT_PLACE);
+    put_text(out, span.src->name);
+    buf_printf(out, ":%lu:%lu: ", (unsigned long)where.line, (unsigned long)where.col);
+    paint(style, out, PAINT_OFF);
+}
+
+static void put_severity(const DiagStyle *style, Buf *out, DiagSeverity severity)
+{
+    static const char *const word[] = {"error: ", "warning: ", "note: "};
+    static const Paint color[] = {PAINT_ERROR, PAINT_WARNING, PAINT_NOTE};
+
+    paint(style, out, color[severity]);
+    buf_str(out, word[severity]);
+    paint(style, out, PAINT_OFF);
+}
+
+static void put_head(const DiagStyle *style, Buf *out, const Diag *d)
+{
+    const DiagInfo *row = &diag_info[d->code];
+
+    put_place(style, out, d->span);
+    put_severity(style, out, d->severity);
+    put_text(out, d->text);
+    if (row->id)
+        buf_printf(out, " [%s]", row->id);
+    buf_char(out, '\n');
+}
+
+static void put_note(const DiagStyle *style, Buf *out, const DiagNote *n)
+{
+    put_place(style, out, n->span);
+    put_severity(style, out, DIAG_NOTE);
+    put_text(out, n->text);
+    buf_char(out, '\n');
+}
+
+static void put_diag(const DiagStyle *style, Buf *out, const Diag *d)
+{
+    put_head(style, out, d);
+    if (d->span.src)
+        put_snippet(style, out, d, source_position(d->span.src, d->span.at));
+    for (size_t i = 0; i < d->notes.n; i++)
+        put_note(style, out, &d->notes.at[i]);
+}
+
+// ---- the closing line ----
+
+static void put_count(Buf *out, size_t n, const char *more, const char *what)
+{
+    if (n)
+        buf_printf(out, "%lu %s%s%s", (unsigned long)n, more, what, n == 1 ? "" : "s");
+}
+
+static void put_counts(Buf *out, size_t errors, size_t warnings, const char *more)
+{
+    put_count(out, errors, more, "error");
+    if (errors && warnings)
+        buf_str(out, ", ");
+    put_count(out, warnings, more, "warning");
+    if (errors || warnings)
+        buf_char(out, '\n');
+}
+
+void diags_render_text(const Diags *d, const DiagStyle *style, Buf *out)
+{
+    size_t shown[2] = {0, 0};                 // by severity
+
+    for (size_t i = 0; i < d->list.n; i++) {
+        const Diag *x = d->list.at[i];
+        size_t *n = &shown[x->severity != DIAG_ERROR];
+        if (style->most && *n == style->most)
+            continue;
+        ++*n;
+        put_diag(style, out, x);
+    }
+    if (d->errors > shown[0] || d->warnings > shown[1]) {
+        buf_str(out, "and ");
+        put_counts(out, d->errors > shown[0] ? d->errors - shown[0] : 0,
+                   d->warnings > shown[1] ? d->warnings - shown[1] : 0, "more ");
+    }
+    put_counts(out, d->errors, d->warnings, "");
+}
