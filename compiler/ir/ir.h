@@ -41,6 +41,7 @@ extern const IrOpInfo ir_op_info[IR_OP_COUNT];
 typedef uint32_t IrRef;               // a temporary: the number of the instruction that gives it
 typedef uint32_t IrBlkRef;            // index into IrFn.blk
 #define IR_NONE UINT32_MAX
+#define IR_NAN UINT64_C(0x7ff8000000000000)   // the one spelling of NaN in a const
 
 typedef struct IrIns {
     IrOp op;

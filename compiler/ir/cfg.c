@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shape of a function's control flow.  Jumps only lead to blocks with a higher number, so every question about it is
+// answered by one walk in block order, forwards or backwards.
+#include "compiler/ir/ir.h"
+
+bool *ir_reachable(Arena *arena, const IrFn *f)
+{
+    bool *reached = ARENA_ARRAY(arena, bool, f->blk.n);
+
+    reached[0] = true;
+    for (size_t b = 0; b < f->blk.n; b++) {
+        const IrJump *j = &f->blk.at[b].jump;
+        if (reached[b] && (j->kind == IR_JMP || j->kind == IR_BR))
+            reached[j->then] = true;
+        if (reached[b] && j->kind == IR_BR)
+            reached[j->otherwise] = true;
+    }
+    return reached;
+}
+
+// Where the ways to the end from x and from y meet.  A postdominator has a higher number than what it postdominates, and
+// IR_NONE, the function's end, the highest.
+static IrBlkRef meet(const IrBlkRef *post, IrBlkRef x, IrBlkRef y)
+{
+    while (x != y) {
+        if (x < y)
+            x = post[x];
+        else
+            y = post[y];
+    }
+    return x;
+}
+
+IrBlkRef *ir_postdominators(Arena *arena, const IrFn *f)
+{
+    IrBlkRef *post = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);
+
+    for (size_t b = f->blk.n; b-- > 0;) {
+        const IrJump *j = &f->blk.at[b].jump;
+        switch (j->kind) {
+        case IR_RET:
+        case IR_GOTO: post[b] = IR_NONE; break;
+        case IR_JMP: post[b] = j->then; break;
+        case IR_BR: post[b] = meet(post, j->then, j->otherwise); break;
+        }
+    }
+    return post;
+}

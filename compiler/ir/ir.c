@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of operations and the small steps of building a function: blocks, instructions, counting their uses.
+#include "compiler/ir/ir.h"
+
+const IrOpInfo ir_op_info[IR_OP_COUNT] = {
+#define IR_OP(name, operands, types, effect, meaning) {#name, operands, IR_T_##types, effect},
+#include "compiler/ir/ops.def"
+#undef IR_OP
+};
+
+IrRef ir_emit(Arena *arena, IrFn *f, IrBlkRef b, IrIns ins)
+{
+    IrRef i = (IrRef)f->ins.n;
+
+    vec_push(arena, &f->ins, ins);
+    vec_push(arena, &f->blk.at[b].ins, i);
+    return i;
+}
+
+IrBlkRef ir_block(Arena *arena, IrFn *f)
+{
+    IrBlk b = {.jump = {.kind = IR_RET, .cond = IR_NONE, .then = IR_NONE, .otherwise = IR_NONE}};
+
+    vec_push(arena, &f->blk, b);
+    return (IrBlkRef)(f->blk.n - 1);
+}
+
+static void count_operands(const IrIns *i, uint32_t *uses)
+{
+    if (ir_op_info[i->op].operands > 0)
+        uses[i->a]++;
+    if (ir_op_info[i->op].operands > 1)
+        uses[i->b]++;
+}
+
+uint32_t *ir_count_uses(Arena *arena, const IrFn *f)
+{
+    uint32_t *uses = ARENA_ARRAY(arena, uint32_t, f->ins.n);
+
+    for (size_t b = 0; b < f->blk.n; b++) {
+        const IrBlk *blk = &f->blk.at[b];
+        for (size_t i = 0; i < blk->ins.n; i++)
+            count_operands(&f->ins.at[blk->ins.at[i]], uses);
+        if (blk->jump.kind == IR_BR)
+            uses[blk->jump.cond]++;
+    }
+    return uses;
+}

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+// IR to text, the form that read.c reads back.  One thing a line; `#` starts a comment; blanks do not matter.
+//
+//     machine "tank"                              name
+//     vector "tank" size 32 hash 0x1c0ffee5       the state vector it is bound to
+//
+//     element U64 time at 0 is G                  type, name, offset; the roles G and S
+//     element U32 state at 8 is S
+//     element F64 tankPressure at 16
+//     element bool valveOpen writable at 24       by the machine
+//     local U64 counter writable = 0              initial value
+//     time U64 T
+//     window w0 size 10 stats avg max
+//
+//     sample {                                    the function that gives every window its sample
+//     b0:
+//         %0 = load F64 tankPressure
+//         sample w0, %0
+//         ret
+//     }
+//     state Vent                                  number 1, and so on
+//     step {                                      entry, step, exit
+//     b0:
+//         %0 = stat avg w0
+//         %1 = const F64 775
+//         %2 = gt F64 %0, %1
+//         br %2, b1, b2
+//     b1:
+//         %3 = const bool 1
+//         store bool valveOpen, %3
+//         goto Idle
+//     b2:
+//         ret
+//     }
+//
+// The type behind an operation is that of its result; behind a comparison that of its operands; logic, statistics and
+// samples have none, for it is always the same.  Temporaries are numbered as they appear; blocks are numbered in order.
+// A value is a whole number, as `-3`, or its bit cell in hexadecimal, as 0x3fb999999999999a, which keeps every bit.
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/ir/ir.h"
+#include "compiler/ir/text.h"
+
+const char *const ir_stat_name[SM_STAT_COUNT] = {"avg", "median", "min", "max", "range"};
+const char *const ir_block_name[BLOCK_COUNT] = {"entry", "step", "exit"};
+
+static double float_of_cell(SmType type, uint64_t cell)
+{
+    uint32_t low = (uint32_t)cell;
+    float f;
+    double d;
+
+    if (type == SM_F32) {
+        memcpy(&f, &low, sizeof f);
+        return f;
+    }
+    memcpy(&d, &cell, sizeof d);
+    return d;
+}
+
+static bool reads_back(const char *text, SmType type, double d)
+{
+    double back = strtod(text, NULL);
+
+    return type == SM_F32 ? (float)back == (float)d : back == d;
+}
+
+// The fewest digits that give the number back.
+static void put_shortest(Buf *out, SmType type, double d)
+{
+    char text[40];
+    int digits = type == SM_F32 ? 6 : 15;
+
+    do
+        snprintf(text, sizeof text, "%.*g", digits++, d);
+    while (digits <= 17 && !reads_back(text, type, d));
+    buf_str(out, text);
+}
+
+static void put_float(Buf *out, SmType type, uint64_t cell)
+{
+    double d = float_of_cell(type, cell);
+    bool whole = d > -1e15 && d < 1e15 && d == (double)(int64_t)d && (d != 0 || cell == 0);
+
+    if (whole)
+        buf_printf(out, "%.0f", d);
+    else {
+        buf_printf(out, "0x%0*llx  # ", type == SM_F32 ? 8 : 16, (unsigned long long)cell);
+        put_shortest(out, type, d);
+    }
+}
+
+static void put_value(Buf *out, SmType type, uint64_t cell)
+{
+    unsigned unused = 64 - 8u * sm_type_info[type].bytes;
+
+    switch (sm_type_info[type].kind) {
+    case SM_KIND_FLOAT: put_float(out, type, cell); break;
+    case SM_KIND_UNSIGNED:
+    case SM_KIND_BOOL: buf_printf(out, "%llu", (unsigned long long)cell); break;
+    case SM_KIND_SIGNED:
+        if (cell << unused >> 63)
+            buf_printf(out, "-%llu", (unsigned long long)((~cell + 1) << unused >> unused));
+        else
+            buf_printf(out, "%llu", (unsigned long long)cell);
+        break;
+    }
+}
+
+static void put_quoted(Buf *out, Str text)
+{
+    buf_char(out, '"');
+    for (uint32_t i = 0; text && i < text->len; i++) {
+        char c = text->text[i];
+        if (c == '"' || c == '\\' || (unsigned char)c < ' ')
+            buf_printf(out, "\\%02x", (unsigned)(unsigned char)c);
+        else
+            buf_char(out, c);
+    }
+    buf_char(out, '"');
+}
+
+// ---- declarations ----
+
+static void put_var(const IrMachine *m, uint32_t index, Buf *out)
+{
+    static const char *const word[] = {"element", "local", "time"};
+    const IrVar *v = &m->var.at[index];
+
+    buf_printf(out, "%s %s %s%s", word[v->space], sm_type_info[v->type].spelling, v->name->text, v->writable ? " writable" : "");
+    if (v->space == IR_ELEMENT)
+        buf_printf(out, " at %lu", (unsigned long)v->offset);
+    if (index == m->g)
+        buf_str(out, " is G");
+    if (index == m->s)
+        buf_str(out, " is S");
+    if (v->space == IR_LOCAL) {
+        buf_str(out, " = ");
+        put_value(out, v->type, v->init);
+    }
+    buf_char(out, '\n');
+}
+
+static void put_window(uint32_t number, const IrWindow *w, Buf *out)
+{
+    buf_printf(out, "window w%lu size %lu stats", (unsigned long)number, (unsigned long)w->size);
+    for (int stat = 0; stat < SM_STAT_COUNT; stat++)
+        if (w->stats >> stat & 1)
+            buf_printf(out, " %s", ir_stat_name[stat]);
+    buf_char(out, '\n');
+}
+
+static void put_head(const IrMachine *m, Buf *out)
+{
+    buf_str(out, "machine ");
+    put_quoted(out, m->name);
+    buf_str(out, "\nvector ");
+    put_quoted(out, m->sv_name);
+    buf_printf(out, " size %lu hash 0x%08lx\n\n", (unsigned long)m->sv_size, (unsigned long)m->sv_hash);
+    for (uint32_t v = 0; v < m->var.n; v++)
+        put_var(m, v, out);
+    for (uint32_t w = 0; w < m->window.n; w++)
+        put_window(w, &m->window.at[w], out);
+}
+
+// ---- functions ----
+
+typedef struct Printer {
+    const IrMachine *m;
+    const IrFn *f;
+    uint32_t *number;                 // what each temporary is called
+    uint32_t next;
+    Buf *out;
+} Printer;
+
+static bool has_result(const IrIns *i)
+{
+    return !ir_op_info[i->op].effect;
+}
+
+static void put_temp(const Printer *p, IrRef ref)
+{
+    buf_printf(p->out, "%%%lu", (unsigned long)p->number[ref]);
+}
+
+static void put_operands(const Printer *p, const IrIns *i)
+{
+    if (ir_op_info[i->op].operands > 0)
+        put_temp(p, i->a);
+    if (ir_op_info[i->op].operands > 1) {
+        buf_str(p->out, ", ");
+        put_temp(p, i->b);
+    }
+}
+
+static void put_typed(const Printer *p, SmType type)
+{
+    buf_printf(p->out, "%s ", sm_type_info[type].spelling);
+}
+
+static void put_ins_details(const Printer *p, const IrIns *i)
+{
+    switch (ir_op_info[i->op].types) {
+    case IR_T_CONST: put_typed(p, i->type); put_value(p->out, i->type, i->bits); break;
+    case IR_T_CONVERT:
+    case IR_T_SAME: put_typed(p, i->type); put_operands(p, i); break;
+    case IR_T_COMPARE: put_typed(p, p->f->ins.at[i->a].type); put_operands(p, i); break;
+    case IR_T_LOGIC: put_operands(p, i); break;
+    case IR_T_LOAD: put_typed(p, i->type); buf_str(p->out, p->m->var.at[i->var].name->text); break;
+    case IR_T_STORE:
+        put_typed(p, i->type);
+        buf_printf(p->out, "%s, ", p->m->var.at[i->var].name->text);
+        put_operands(p, i);
+        break;
+    case IR_T_SAMPLE: buf_printf(p->out, "w%lu, ", (unsigned long)i->var); put_operands(p, i); break;
+    case IR_T_STAT: buf_printf(p->out, "%s w%lu", ir_stat_name[i->stat], (unsigned long)i->var); break;
+    }
+}
+
+static void put_ins(Printer *p, IrRef ref)
+{
+    const IrIns *i = &p->f->ins.at[ref];
+
+    buf_str(p->out, "    ");
+    if (has_result(i)) {
+        p->number[ref] = p->next++;
+        put_temp(p, ref);
+        buf_str(p->out, " = ");
+    }
+    buf_printf(p->out, "%s ", ir_op_info[i->op].name);
+    put_ins_details(p, i);
+    buf_char(p->out, '\n');
+}
+
+static void put_jump(const Printer *p, const IrJump *j)
+{
+    switch (j->kind) {
+    case IR_RET: buf_str(p->out, "    ret\n"); break;
+    case IR_JMP: buf_printf(p->out, "    jmp b%lu\n", (unsigned long)j->then); break;
+    case IR_BR:
+        buf_str(p->out, "    br ");
+        put_temp(p, j->cond);
+        buf_printf(p->out, ", b%lu, b%lu\n", (unsigned long)j->then, (unsigned long)j->otherwise);
+        break;
+    case IR_GOTO: buf_printf(p->out, "    goto %s\n", p->m->state.at[j->state - 1].name->text); break;
+    }
+}
+
+static void put_function(const IrMachine *m, const char *title, const IrFn *f, Buf *out)
+{
+    Printer p = {m, f, NULL, 0, out};
+
+    p.number = ARENA_ARRAY(out->arena, uint32_t, f->ins.n);
+    buf_printf(out, "%s {\n", title);
+    for (size_t b = 0; b < f->blk.n; b++) {
+        buf_printf(out, "b%lu:\n", (unsigned long)b);
+        for (size_t i = 0; i < f->blk.at[b].ins.n; i++)
+            put_ins(&p, f->blk.at[b].ins.at[i]);
+        put_jump(&p, &f->blk.at[b].jump);
+    }
+    buf_str(out, "}\n");
+}
+
+static void put_state(const IrMachine *m, const IrState *s, Buf *out)
+{
+    buf_printf(out, "\nstate %s\n", s->name->text);
+    for (int k = 0; k < BLOCK_COUNT; k++)
+        if (s->block[k])
+            put_function(m, ir_block_name[k], s->block[k], out);
+}
+
+void ir_print(const IrMachine *m, Buf *out)
+{
+    put_head(m, out);
+    if (m->sample) {
+        buf_char(out, '\n');
+        put_function(m, "sample", m->sample, out);
+    }
+    for (size_t s = 0; s < m->state.n; s++)
+        put_state(m, &m->state.at[s], out);
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words of the text form that print.c and read.c share.
+#ifndef SMC_IR_TEXT_H
+#define SMC_IR_TEXT_H
+
+#include "compiler/ir/ir.h"
+
+extern const char *const ir_stat_name[SM_STAT_COUNT];         // avg median …
+extern const char *const ir_block_name[BLOCK_COUNT];          // entry step exit
+
+#endif

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks what ir.h promises, so that passes and emitters need not.  The first thing found wrong is told as a sentence;
+// tests/ir/verify.c breaks each of the promises once.
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "compiler/ir/ir.h"
+#include "compiler/ir/text.h"
+
+typedef struct Checker {
+    Arena *arena;
+    const IrMachine *m;
+    const char *error;                // the first
+    const IrFn *f;                    // the function being checked, and what is wrong with it is told with:
+    const char *state;                // its state; NULL for the sample function
+    const char *block;
+    bool *given;                      // by instruction: its result is there, in this block
+    bool *placed;                     // by instruction: it stands in a block
+    bool *sampled;                    // by window: its sample has been given
+} Checker;
+
+static bool fail(Checker *c, const char *format, ...)
+{
+    char text[200];
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    if (!c->f)
+        c->error = format_in(c->arena, "%s", text);
+    else if (!c->state)
+        c->error = format_in(c->arena, "sample function: %s", text);
+    else
+        c->error = format_in(c->arena, "state %s, %s: %s", c->state, c->block, text);
+    return false;
+}
+
+// ---- values and names ----
+
+static bool is_identifier(Str s)
+{
+    if (!s || s->len == 0 || (s->text[0] >= '0' && s->text[0] <= '9'))
+        return false;
+    for (uint32_t i = 0; i < s->len; i++) {
+        char c = s->text[i];
+        if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'))
+            return false;
+    }
+    return true;
+}
+
+static bool is_type(SmType t)
+{
+    return (int)t >= 0 && t < SM_TYPE_COUNT;
+}
+
+static bool is_nan_cell(SmType type, uint64_t cell)
+{
+    if (type == SM_F32)
+        return (cell & 0x7fffffffu) > 0x7f800000u;
+    return type == SM_F64 && (cell & 0x7fffffffffffffffu) > 0x7ff0000000000000u;
+}
+
+// Whether no bit is set beyond the type's size, and a bool is 0 or 1.
+static bool cell_fits(SmType type, uint64_t cell)
+{
+    if (type == SM_BOOL)
+        return cell <= 1;
+    return sm_type_info[type].bytes == 8 || cell >> (8 * sm_type_info[type].bytes) == 0;
+}
+
+// ---- declarations ----
+
+static bool check_element(Checker *c, const IrVar *v)
+{
+    uint32_t bytes = sm_type_info[v->type].bytes;
+
+    if (v->offset % bytes != 0)
+        return fail(c, "element %.80s is not at a multiple of its size", v->name->text);
+    if (c->m->sv_size < bytes || v->offset > c->m->sv_size - bytes)
+        return fail(c, "element %.80s lies outside the state vector", v->name->text);
+    return true;
+}
+
+static bool check_local(Checker *c, const IrVar *v)
+{
+    if (!cell_fits(v->type, v->init))
+        return fail(c, "the initial value of %.80s does not fit its type", v->name->text);
+    return !is_nan_cell(v->type, v->init) || fail(c, "the initial value of %.80s is not a number", v->name->text);
+}
+
+static bool check_var(Checker *c, const IrVar *v, uint32_t index, Map *names)
+{
+    if (!is_identifier(v->name))
+        return fail(c, "a variable's name is no identifier");
+    if (map_find(names, v->name))
+        return fail(c, "there are two variables %.80s", v->name->text);
+    map_put(names, v->name, (void *)(uintptr_t)(index + 1));
+    if (!is_type(v->type))
+        return fail(c, "%.80s has no type", v->name->text);
+    switch (v->space) {
+    case IR_ELEMENT: return check_element(c, v);
+    case IR_LOCAL: return check_local(c, v);
+    case IR_TIME: return index == c->m->t || fail(c, "%.80s is a second time", v->name->text);
+    }
+    return fail(c, "%.80s is no element, local or time", v->name->text);
+}
+
+static bool check_role(Checker *c, uint32_t index, const char *role, IrSpace space, SmType type)
+{
+    const IrVar *v = index < c->m->var.n ? &c->m->var.at[index] : NULL;
+
+    if (!v || v->space != space || v->type != type)
+        return fail(c, "%s is not what it must be", role);
+    return !v->writable || fail(c, "%s is writable", role);
+}
+
+static bool check_vars(Checker *c)
+{
+    const IrMachine *m = c->m;
+    Map names = {c->arena, NULL, NULL, 0, 0};
+
+    if (m->sv_size % 8 != 0)
+        return fail(c, "the state vector's size is no multiple of 8");
+    for (uint32_t v = 0; v < m->var.n; v++)
+        if (!check_var(c, &m->var.at[v], v, &names))
+            return false;
+    return check_role(c, m->g, "G", IR_ELEMENT, SM_U64) && check_role(c, m->s, "S", IR_ELEMENT, SM_U32)
+        && check_role(c, m->t, "T", IR_TIME, SM_U64);
+}
+
+static bool check_windows(Checker *c)
+{
+    for (size_t w = 0; w < c->m->window.n; w++) {
+        const IrWindow *window = &c->m->window.at[w];
+        if (window->size < 1 || window->size > SM_WINDOW_MAX)
+            return fail(c, "the size of window w%lu is not 1 to %lu", (unsigned long)w, (unsigned long)SM_WINDOW_MAX);
+        if (window->stats >> SM_STAT_COUNT != 0)
+            return fail(c, "window w%lu has an unknown statistic", (unsigned long)w);
+    }
+    return (c->m->window.n == 0) == (c->m->sample == NULL) || fail(c, "there is a sample function without windows, or the other way round");
+}
+
+// ---- instructions ----
+
+static bool check_operand(Checker *c, IrRef ref, IrRef user)
+{
+    if (ref >= c->f->ins.n || !c->given[ref])
+        return fail(c, "instruction %lu uses a temporary that its block has not given before", (unsigned long)user);
+    return true;
+}
+
+static bool operand_type(Checker *c, IrRef ref, SmType type, IrRef user)
+{
+    return c->f->ins.at[ref].type == type || fail(c, "an operand of instruction %lu is not of the right type", (unsigned long)user);
+}
+
+static bool check_const(Checker *c, const IrIns *i, IrRef ref)
+{
+    bool nan = is_nan_cell(i->type, i->bits);
+
+    if (!cell_fits(i->type, i->bits))
+        return fail(c, "the number of instruction %lu does not fit its type", (unsigned long)ref);
+    if (nan && (i->type != SM_F64 || i->bits != IR_NAN))
+        return fail(c, "instruction %lu spells NaN in another way than IR_NAN", (unsigned long)ref);
+    return true;
+}
+
+static bool check_access(Checker *c, const IrIns *i, IrRef ref)
+{
+    if (i->var >= c->m->var.n || c->m->var.at[i->var].type != i->type)
+        return fail(c, "instruction %lu is not of its variable's type", (unsigned long)ref);
+    if (i->op == IR_store && !c->m->var.at[i->var].writable)
+        return fail(c, "instruction %lu writes %.80s, which is not writable", (unsigned long)ref, c->m->var.at[i->var].name->text);
+    return i->op != IR_store || !!c->state || fail(c, "instruction %lu writes a variable", (unsigned long)ref);
+}
+
+static bool check_sample(Checker *c, const IrIns *i, IrRef ref)
+{
+    if (c->state)
+        return fail(c, "instruction %lu samples a window outside the sample function", (unsigned long)ref);
+    if (i->var >= c->m->window.n || c->sampled[i->var])
+        return fail(c, "instruction %lu samples a window twice or one that does not exist", (unsigned long)ref);
+    c->sampled[i->var] = true;
+    return true;
+}
+
+static bool check_stat(Checker *c, const IrIns *i, IrRef ref)
+{
+    if (i->var >= c->m->window.n || (int)i->stat < 0 || i->stat >= SM_STAT_COUNT)
+        return fail(c, "instruction %lu is a statistic of nothing", (unsigned long)ref);
+    if (!(c->m->window.at[i->var].stats >> i->stat & 1))
+        return fail(c, "instruction %lu asks window w%lu for a statistic that it does not list", (unsigned long)ref, (unsigned long)i->var);
+    return c->state || c->sampled[i->var] || fail(c, "instruction %lu reads window w%lu before its sample", (unsigned long)ref, (unsigned long)i->var);
+}
+
+// Today every operation but load, store and cvt works on F64 and bool alone.
+static bool check_operation(Checker *c, const IrIns *i, IrRef ref, SmType from, SmType to)
+{
+    if (i->type != to)
+        return fail(c, "instruction %lu gives the wrong type", (unsigned long)ref);
+    return operand_type(c, i->a, from, ref) && (ir_op_info[i->op].operands < 2 || operand_type(c, i->b, from, ref));
+}
+
+static bool check_types(Checker *c, const IrIns *i, IrRef ref)
+{
+    if (!is_type(i->type))
+        return fail(c, "instruction %lu has no type", (unsigned long)ref);
+    switch (ir_op_info[i->op].types) {
+    case IR_T_CONST: return check_const(c, i, ref);
+    case IR_T_CONVERT: return true;
+    case IR_T_LOGIC: return check_operation(c, i, ref, SM_BOOL, SM_BOOL);
+    case IR_T_SAME: return check_operation(c, i, ref, SM_F64, SM_F64);
+    case IR_T_COMPARE: return check_operation(c, i, ref, SM_F64, SM_BOOL);
+    case IR_T_LOAD: return check_access(c, i, ref);
+    case IR_T_STORE: return check_access(c, i, ref) && operand_type(c, i->a, i->type, ref);
+    case IR_T_SAMPLE: return operand_type(c, i->a, SM_F64, ref) && check_sample(c, i, ref);
+    case IR_T_STAT: return (i->type == SM_F64 || fail(c, "instruction %lu is a statistic and no F64", (unsigned long)ref)) && check_stat(c, i, ref);
+    }
+    return false;
+}
+
+static bool check_ins(Checker *c, IrRef ref)
+{
+    const IrIns *i = &c->f->ins.at[ref];
+
+    if (c->placed[ref])
+        return fail(c, "instruction %lu stands twice", (unsigned long)ref);
+    c->placed[ref] = true;
+    if ((int)i->op < 0 || i->op >= IR_OP_COUNT)
+        return fail(c, "instruction %lu has no operation", (unsigned long)ref);
+    if (ir_op_info[i->op].operands > 0 && !check_operand(c, i->a, ref))
+        return false;
+    if (ir_op_info[i->op].operands > 1 && !check_operand(c, i->b, ref))
+        return false;
+    if (!check_types(c, i, ref))
+        return false;
+    c->given[ref] = !ir_op_info[i->op].effect;
+    return true;
+}
+
+// ---- jumps, blocks, functions ----
+
+static bool check_target(Checker *c, IrBlkRef from, IrBlkRef to)
+{
+    return (to > from && to < c->f->blk.n) || fail(c, "block b%lu does not jump forward to a block", (unsigned long)from);
+}
+
+static bool check_jump(Checker *c, IrBlkRef b, const IrJump *j)
+{
+    switch (j->kind) {
+    case IR_RET: return true;
+    case IR_JMP: return check_target(c, b, j->then);
+    case IR_BR:
+        if (j->cond >= c->f->ins.n || !c->given[j->cond] || c->f->ins.at[j->cond].type != SM_BOOL)
+            return fail(c, "the condition at the end of block b%lu is no bool of this block", (unsigned long)b);
+        return check_target(c, b, j->then) && check_target(c, b, j->otherwise);
+    case IR_GOTO:
+        if (!c->state || strcmp(c->block, ir_block_name[BLOCK_EXIT]) == 0)
+            return fail(c, "a transition stands where none may");
+        return (j->state >= 1 && j->state <= c->m->state.n) || fail(c, "block b%lu goes to a state that does not exist", (unsigned long)b);
+    }
+    return fail(c, "block b%lu ends in no jump", (unsigned long)b);
+}
+
+static bool check_block(Checker *c, IrBlkRef b)
+{
+    const IrBlk *blk = &c->f->blk.at[b];
+    bool ok = true;
+
+    for (size_t i = 0; ok && i < blk->ins.n; i++)
+        ok = (blk->ins.at[i] < c->f->ins.n || fail(c, "block b%lu holds an instruction that does not exist", (unsigned long)b))
+          && check_ins(c, blk->ins.at[i]);
+    ok = ok && check_jump(c, b, &blk->jump);
+    for (size_t i = 0; ok && i < blk->ins.n; i++)
+        c->given[blk->ins.at[i]] = false;                    // a temporary lives in its block
+    return ok;
+}
+
+static bool check_function(Checker *c, const IrFn *f, const char *state, const char *block)
+{
+    bool ok = true;
+
+    c->f = f;
+    c->state = state;
+    c->block = block;
+    c->given = ARENA_ARRAY(c->arena, bool, f->ins.n);
+    c->placed = ARENA_ARRAY(c->arena, bool, f->ins.n);
+    if (f->blk.n == 0)
+        return fail(c, "there is no block");
+    for (IrBlkRef b = 0; ok && b < f->blk.n; b++)
+        ok = check_block(c, b);
+    return ok;
+}
+
+static bool check_sample_function(Checker *c)
+{
+    const IrFn *f = c->m->sample;
+
+    if (!f)
+        return true;
+    if (!check_function(c, f, NULL, NULL))
+        return false;
+    if (f->blk.n != 1)
+        return fail(c, "it is not one block");
+    for (size_t w = 0; w < c->m->window.n; w++)
+        if (!c->sampled[w])
+            return fail(c, "window w%lu gets no sample", (unsigned long)w);
+    return true;
+}
+
+static bool check_states(Checker *c)
+{
+    Map names = {c->arena, NULL, NULL, 0, 0};
+    bool ok = c->m->state.n > 0 || fail(c, "there is no state");
+
+    for (size_t s = 0; ok && s < c->m->state.n; s++) {
+        const IrState *state = &c->m->state.at[s];
+        c->f = NULL;
+        if (!is_identifier(state->name) || map_find(&names, state->name))
+            return fail(c, "a state's name is no identifier, or two have the same");
+        map_put(&names, state->name, &names);
+        for (int k = 0; ok && k < BLOCK_COUNT; k++)
+            if (state->block[k])
+                ok = check_function(c, state->block[k], state->name->text, ir_block_name[k]);
+    }
+    return ok;
+}
+
+const char *ir_verify(Arena *arena, const IrMachine *m)
+{
+    Checker c;
+
+    memset(&c, 0, sizeof c);
+    c.arena = arena;
+    c.m = m;
+    c.sampled = ARENA_ARRAY(arena, bool, m->window.n);
+    if (check_vars(&c) && check_windows(&c) && check_sample_function(&c))
+        check_states(&c);
+    return c.error;
+}
