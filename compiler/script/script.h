@@ -41,5 +41,13 @@ void script_report(const ScriptResult *r, const Program *p, Buf *out);
 // A cell as the report prints it, and as a trace does.
 void format_cell(Buf *out, SmType type, uint64_t cell);
 void format_cell_trace(Buf *out, SmType type, uint64_t cell);
+// With the fewest digits (six at least) that tell it from every other value: what messages show.
+void format_cell_exact(Buf *out, SmType type, uint64_t cell);
+void format_number_exact(Buf *out, double x);
+
+// The variables in the order of reports and traces; in arena.
+const Var **report_order(Arena *arena, const Program *p);
+// The trace's lines of one step.
+void trace_step(Buf *out, const Program *p, const Var **order, uint64_t step, const uint64_t *cell);
 
 #endif

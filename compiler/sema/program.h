@@ -164,6 +164,7 @@ typedef struct Script {
     const Source *src;
     const Program *program;
     uint64_t delta_t;
+    Span delta_t_span;        // its value in [options]
     State *init_state;
     VEC(ScriptSection) section;       // in file order
     Windows window;           // the script's own, of all sections

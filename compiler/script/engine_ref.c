@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reference interpreter: runs a Program as language.md 6 says, sentence by sentence.  It is the oracle of every
+// differential test, so it is slow where that makes it plainer, and nothing in it is shared with another engine.
+#include "compiler/script/engine.h"
+
+#include <string.h>
+
+#include "compiler/base/buf.h"
+#include "compiler/script/ref.h"
+
+typedef struct Ref {
+    Engine engine;
+    Arena *arena;
+    const Program *p;
+    uint64_t *cell;           // every variable, by index
+    uint8_t *stored;          // of this step
+    RefWindows windows;
+    const State *state;       // the one the next step runs
+    bool is_first;            // that step is the first of its state
+    bool has_run;             // a step has run since init
+    uint64_t last_g;          // G at the last step that ran
+    uint64_t start;           // G at the first step of the state
+} Ref;
+
+static void store(Ref *r, const Var *v, uint64_t cell)
+{
+    r->cell[v->index] = cell;
+    r->stored[v->index] = v->kind == VAR_ELEMENT;
+}
+
+// Executes statements in order; gives the target of the transition that ended them, or NULL.
+static const State *execute(Ref *r, const Stmts *list)
+{
+    for (size_t i = 0; i < list->n; i++) {
+        const Stmt *s = list->at[i];
+        const State *target = NULL;
+
+        switch (s->kind) {
+        case ST_ASSIGN:
+            store(r, s->var, ref_convert(s->var->type, ref_eval(s->value, r->cell, &r->windows)));
+            break;
+        case ST_IF:
+            target = execute(r, ref_true(ref_eval(s->value, r->cell, &r->windows)) ? &s->then : &s->otherwise);
+            break;
+        case ST_TRANSITION:
+            target = s->target;
+            break;
+        }
+        if (target)
+            return target;                            // a transition ends its block at once
+    }
+    return NULL;
+}
+
+static void run_blocks(Ref *r, bool first)
+{
+    const State *target = NULL;
+
+    if (first)
+        target = execute(r, &r->state->block[BLOCK_ENTRY]);
+    if (!target)
+        target = execute(r, &r->state->block[BLOCK_STEP]);
+    if (!target)
+        return;
+    execute(r, &r->state->block[BLOCK_EXIT]);
+    r->state = target;
+    r->is_first = true;
+}
+
+static EngineStatus answer(const Ref *r, EngineStatus status, EngineStep *out)
+{
+    out->status = status;
+    out->next_state = r->state->number;
+    out->next_is_first = r->is_first;
+    memcpy(out->cell, r->cell, r->p->var.n * sizeof *r->cell);
+    memcpy(out->stored, r->stored, r->p->var.n);
+    return status;
+}
+
+static bool advances(const Ref *r, uint64_t g)
+{
+    return g != UINT64_MAX && !(r->has_run && g <= r->last_g);
+}
+
+static EngineStatus ref_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
+{
+    Ref *r = e->self;
+    bool first = r->is_first;
+    uint64_t g;
+
+    for (uint32_t i = 0; i < n; i++)
+        r->cell[write[i].var] = write[i].cell;
+    memset(r->stored, 0, r->p->var.n);
+    g = r->cell[r->p->g->index];
+    if (!advances(r, g))                                                       // 6.1
+        return answer(r, ENGINE_REFUSED, out);
+    r->has_run = true;
+    r->last_g = g;
+    r->is_first = false;
+    if (first) {                                                               // 6.2
+        store(r, r->p->s, r->state->number);
+        r->start = g;
+    }
+    store(r, r->p->t, g - r->start);                                           // 6.3
+    ref_windows_sample(&r->windows, r->cell);                                  // 6.4
+    run_blocks(r, first);                                                      // 6.5 to 6.7
+    return answer(r, ENGINE_OK, out);
+}
+
+static EngineStatus ref_init(Engine *e, uint32_t state, EngineStep *out)
+{
+    Ref *r = e->self;
+
+    if (state < 1 || state > r->p->state.n) {
+        e->error = format_in(r->arena, "the machine has no state number %lu", (unsigned long)state);
+        return out->status = ENGINE_BROKEN;
+    }
+    for (size_t i = 0; i < r->p->var.n; i++)
+        r->cell[i] = r->p->var.at[i]->kind == VAR_LOCAL ? r->p->var.at[i]->init : 0;
+    memset(r->stored, 0, r->p->var.n);
+    ref_windows_clear(&r->windows);
+    r->state = r->p->state.at[state - 1];
+    r->cell[r->p->s->index] = state;
+    r->is_first = true;
+    r->has_run = false;
+    return answer(r, ENGINE_OK, out);
+}
+
+static void ref_close(Engine *e) { (void)e; }         // everything lives in the arena
+
+Engine *engine_ref_open(Arena *arena, const Program *p)
+{
+    Ref *r = ARENA_NEW(arena, Ref);
+
+    r->arena = arena;
+    r->p = p;
+    r->cell = ARENA_ARRAY(arena, uint64_t, p->var.n);
+    r->stored = arena_alloc(arena, p->var.n);
+    ref_windows_init(&r->windows, arena, &p->window);
+    r->state = p->state.at[0];
+    r->engine.name = "ref";
+    r->engine.program = p;
+    r->engine.self = r;
+    r->engine.init = ref_init;
+    r->engine.step = ref_step;
+    r->engine.close = ref_close;
+    return &r->engine;
+}

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers of the reference: cells to doubles and back, and the pure builtins.  Plain C on doubles, no bit tricks: where
+// another implementation works on bits, this one compares and calculates, and the two check each other.
+// A cell's bits are taken apart with memcpy only for F32 and F64, whose bits are the value.
+#include "compiler/script/ref.h"
+
+#include <float.h>
+#include <string.h>
+
+static bool is_nan(double x) { return x != x; }
+static bool is_infinite(double x) { return x > DBL_MAX || x < -DBL_MAX; }
+static double nothing(void) { double inf = DBL_MAX * 2; return inf - inf; }       // a NaN
+
+bool ref_true(double x) { return x != 0 && !is_nan(x); }
+bool ref_negative(double x) { return x < 0 || (x == 0 && 1 / x < 0); }
+
+// ---- cells to doubles ----
+
+static double read_signed(uint64_t cell, unsigned bits)
+{
+    uint64_t half = (uint64_t)1 << (bits - 1);        // the cell of the smallest number
+
+    if (cell < half)
+        return (double)cell;
+    return -(double)(half - (cell - half));           // 2^bits - cell, its magnitude
+}
+
+static double read_f32(uint64_t cell)
+{
+    uint32_t bits = (uint32_t)cell;
+    float f;
+
+    memcpy(&f, &bits, sizeof f);
+    return f;
+}
+
+static double read_f64(uint64_t cell)
+{
+    double d;
+
+    memcpy(&d, &cell, sizeof d);
+    return d;
+}
+
+double ref_read(SmType type, uint64_t cell)
+{
+    const SmTypeInfo *info = &sm_type_info[type];
+    double x = 0;
+
+    switch (info->kind) {
+    case SM_KIND_SIGNED: x = read_signed(cell, info->bytes * 8u); break;
+    case SM_KIND_UNSIGNED: x = (double)cell; break;
+    case SM_KIND_FLOAT: x = type == SM_F32 ? read_f32(cell) : read_f64(cell); break;
+    case SM_KIND_BOOL: x = cell != 0; break;
+    }
+    return is_nan(x) ? 0 : x;
+}
+
+// ---- doubles to cells ----
+
+static double power_of_two(unsigned n)
+{
+    double x = 1;
+
+    while (n--)
+        x *= 2;
+    return x;
+}
+
+// A C cast from double to integer truncates toward zero; outside the integer's range it would be undefined.
+static uint64_t to_signed(double x, unsigned bits)
+{
+    uint64_t half = (uint64_t)1 << (bits - 1);
+    double limit = power_of_two(bits - 1);            // the first number too large; -limit is the smallest that fits
+
+    if (is_nan(x))
+        return 0;
+    if (x >= limit)
+        return half - 1;
+    if (x <= -limit)
+        return half;
+    if (x > -1)
+        return (uint64_t)x;
+    return half + (half - (uint64_t)-x);              // 2^bits - magnitude
+}
+
+static uint64_t to_unsigned(double x, unsigned bits)
+{
+    if (is_nan(x) || x <= 0)
+        return 0;
+    if (x >= power_of_two(bits))
+        return UINT64_MAX >> (64 - bits);
+    return (uint64_t)x;
+}
+
+// A C cast rounds to nearest even where the result is in range; from FLT_MAX and half a step on it would not be.
+static uint64_t to_f32(double x)
+{
+    double limit = power_of_two(127) * 2 - power_of_two(127 - 24);      // FLT_MAX is 2^128 - 2^104
+    float inf = FLT_MAX * 2, f;
+    uint32_t bits;
+
+    if (x >= limit)
+        f = inf;
+    else if (x <= -limit)
+        f = -inf;
+    else
+        f = (float)x;
+    memcpy(&bits, &f, sizeof bits);
+    return bits;
+}
+
+static uint64_t to_f64(double x)
+{
+    uint64_t bits;
+
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+uint64_t ref_convert(SmType type, double x)
+{
+    const SmTypeInfo *info = &sm_type_info[type];
+
+    switch (info->kind) {
+    case SM_KIND_SIGNED: return to_signed(x, info->bytes * 8u);
+    case SM_KIND_UNSIGNED: return to_unsigned(x, info->bytes * 8u);
+    case SM_KIND_FLOAT:
+        if (is_nan(x))
+            return 0;
+        return type == SM_F32 ? to_f32(x) : to_f64(x);
+    case SM_KIND_BOOL: return ref_true(x);
+    }
+    return 0;
+}
+
+// ---- pure builtins ----
+
+static double with_sign_of(double zero, double x) { return ref_negative(x) ? -zero : zero; }
+
+static double ref_trunc(double x)
+{
+    double whole;
+
+    if (is_nan(x) || x >= power_of_two(52) || x <= -power_of_two(52))
+        return x;                                     // no double from 2^52 on has a fraction
+    whole = (double)(int64_t)x;
+    return whole == 0 ? with_sign_of(0.0, x) : whole;
+}
+
+static double ref_floor(double x) { double t = ref_trunc(x); return t > x ? t - 1 : t; }
+static double ref_ceil(double x) { return -ref_floor(-x); }
+
+static double ref_round(double x)
+{
+    double t = ref_trunc(x), fraction = x - t;        // exact; NaN for an infinity, which is whole
+
+    if (fraction >= 0.5)
+        return t + 1;
+    if (fraction <= -0.5)
+        return t - 1;
+    return t;
+}
+
+static double ref_abs(double x) { return ref_negative(x) ? -x : x; }
+
+static double ref_sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : x; }
+
+static double ref_min(double a, double b)
+{
+    if (is_nan(a) || is_nan(b))
+        return nothing();
+    if (a == b)
+        return ref_negative(a) ? a : b;               // -0 is the smaller zero
+    return a < b ? a : b;
+}
+
+static double ref_max(double a, double b) { return -ref_min(-a, -b); }
+
+typedef struct Wide { uint64_t high, low; } Wide;
+
+static Wide product(uint64_t a, uint64_t b)           // a, b < 2^54, in halves of 32 bits as one multiplies by hand
+{
+    uint64_t a1 = a >> 32, a0 = a & 0xffffffff, b1 = b >> 32, b0 = b & 0xffffffff;
+    uint64_t middle = a1 * b0 + a0 * b1 + (a0 * b0 >> 32);
+    Wide w = {a1 * b1 + (middle >> 32), middle << 32 | (a0 * b0 & 0xffffffff)};
+
+    return w;
+}
+
+static bool not_above(Wide a, Wide b) { return a.high < b.high || (a.high == b.high && a.low <= b.low); }
+
+// The root of f (1 <= f < 4) is k / 2^52 for the whole k nearest to the root of f * 2^104.  It is found by halving the
+// stretch it must lie in.  The root is never half-way between k and k + 1, and is nearer to k + 1 exactly if f * 2^104,
+// a whole number, is above k * (k + 1), which is (k + 1/2)^2 less a quarter.
+static double root_of_1_to_4(double f)
+{
+    uint64_t n = (uint64_t)(f * power_of_two(52)), low = (uint64_t)1 << 52, high = low * 2;
+    Wide wanted = {n >> 12, n << 52};
+
+    while (high - low > 1) {
+        uint64_t middle = low + (high - low) / 2;
+        if (not_above(product(middle, middle), wanted))
+            low = middle;
+        else
+            high = middle;
+    }
+    return (double)(not_above(wanted, product(low, low + 1)) ? low : low + 1) / power_of_two(52);
+}
+
+static double ref_sqrt(double x)
+{
+    double scale = 1;
+
+    if (x < 0)
+        return nothing();
+    if (x == 0 || is_nan(x) || is_infinite(x))
+        return x;
+    for (; x >= 4; x /= 4)                            // exact, as are all steps by powers of two here
+        scale *= 2;
+    for (; x < 1; x *= 4)
+        scale /= 2;
+    return root_of_1_to_4(x) * scale;
+}
+
+double ref_pure(SmBuiltin fn, const double *arg)
+{
+    switch (fn) {
+    case SM_FN_abs: return ref_abs(arg[0]);
+    case SM_FN_floor: return ref_floor(arg[0]);
+    case SM_FN_ceil: return ref_ceil(arg[0]);
+    case SM_FN_trunc: return ref_trunc(arg[0]);
+    case SM_FN_round: return ref_round(arg[0]);
+    case SM_FN_sqrt: return ref_sqrt(arg[0]);
+    case SM_FN_sign: return ref_sign(arg[0]);
+    case SM_FN_min: return ref_min(arg[0], arg[1]);
+    case SM_FN_max: return ref_max(arg[0], arg[1]);
+    case SM_FN_clamp: return ref_min(ref_max(arg[0], arg[1]), arg[2]);
+    case SM_FN_roll_avg: case SM_FN_roll_median: case SM_FN_roll_min: case SM_FN_roll_max: case SM_FN_roll_range:
+    case SM_FN_COUNT: break;                          // no pure functions: the checker lets none through
+    }
+    return nothing();
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rolling windows of the reference (language.md 7): the slots are kept, and every statistic is worked out anew from what
+// they hold whenever it is asked for.
+#include "compiler/script/ref.h"
+
+#include <float.h>
+#include <string.h>
+
+void ref_windows_init(RefWindows *w, Arena *arena, const Windows *list)
+{
+    uint32_t longest = 0;
+
+    w->n = list->n;
+    w->at = ARENA_ARRAY(arena, RefWindow, list->n);
+    for (size_t i = 0; i < list->n; i++) {
+        w->at[i].what = &list->at[i];
+        w->at[i].slot = ARENA_ARRAY(arena, double, list->at[i].size);
+        if (longest < list->at[i].size)
+            longest = list->at[i].size;
+    }
+    w->scratch = ARENA_ARRAY(arena, double, longest);
+}
+
+void ref_windows_clear(RefWindows *w)
+{
+    for (size_t i = 0; i < w->n; i++)
+        w->at[i].next = w->at[i].filled = 0;
+}
+
+void ref_windows_sample(RefWindows *w, const uint64_t *cell)
+{
+    for (size_t i = 0; i < w->n; i++) {
+        RefWindow *r = &w->at[i];
+        double x = ref_eval(r->what->sample, cell, w);
+
+        r->slot[r->next] = x != x ? 0 : x;            // NaN enters as 0
+        r->next = r->next + 1 == r->what->size ? 0 : r->next + 1;
+        if (r->filled < r->what->size)
+            r->filled++;
+    }
+}
+
+static bool is_before(double a, double b)             // the order of the samples: -0 before +0
+{
+    return a < b || (a == b && ref_negative(a) && !ref_negative(b));
+}
+
+static void sort(double *x, size_t n)                 // Shell's way: insertion over ever shorter distances
+{
+    size_t gap = 1;
+
+    while (gap < n / 3)
+        gap = gap * 3 + 1;
+    for (; gap > 0; gap /= 3)
+        for (size_t i = gap; i < n; i++) {
+            double moved = x[i];
+            size_t j = i;
+            for (; j >= gap && is_before(moved, x[j - gap]); j -= gap)
+                x[j] = x[j - gap];
+            x[j] = moved;
+        }
+}
+
+// The list of samples becomes the list of the sums of its pairs, an odd last one passing through, until one is left.
+static double average(double *x, uint32_t n)
+{
+    uint32_t left = n;
+
+    while (left > 1) {
+        uint32_t sums = 0;
+        for (uint32_t i = 0; i < left; i += 2)
+            x[sums++] = i + 1 < left ? x[i] + x[i + 1] : x[i];
+        left = sums;
+    }
+    return x[0] / (double)n;
+}
+
+static double median(double *x, uint32_t n)
+{
+    double a, b, distance;
+
+    sort(x, n);
+    if (n % 2 == 1)
+        return x[n / 2];
+    a = x[n / 2 - 1];
+    b = x[n / 2];
+    distance = b - a;
+    if (a == b)
+        return a;
+    if (distance > DBL_MAX || distance != distance)   // not finite
+        return a / 2 + b / 2;
+    return a + distance / 2;
+}
+
+static double extreme(const double *x, uint32_t n, bool largest)
+{
+    double best = x[0];
+
+    for (uint32_t i = 1; i < n; i++)
+        if (largest ? is_before(best, x[i]) : is_before(x[i], best))
+            best = x[i];
+    return best;
+}
+
+static double range(const double *x, uint32_t n)
+{
+    double low = extreme(x, n, false), high = extreme(x, n, true);
+
+    return low == high ? 0 : high - low;
+}
+
+double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat)
+{
+    const RefWindow *r = &w->at[window];
+    double *x = w->scratch;
+
+    if (r->filled == 0)
+        return 0;                                     // before any step: nobody asks
+    memcpy(x, r->slot, r->filled * sizeof *x);
+    switch (stat) {
+    case SM_STAT_AVG: return average(x, r->filled);
+    case SM_STAT_MEDIAN: return median(x, r->filled);
+    case SM_STAT_MIN: return extreme(x, r->filled, false);
+    case SM_STAT_MAX: return extreme(x, r->filled, true);
+    case SM_STAT_RANGE: return range(x, r->filled);
+    case SM_STAT_COUNT: break;
+    }
+    return 0;
+}

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// The report of a script (thesis Figure 3.4), its trace, and values as text.  The C library prints digits; its locale
+// never shows, for whatever stands between them becomes a point.
+#include "compiler/script/script.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---- values ----
+
+static int64_t signed_of(SmType type, uint64_t cell)
+{
+    uint64_t half = (uint64_t)1 << (sm_type_info[type].bytes * 8 - 1);
+
+    return cell < half ? (int64_t)cell : (int64_t)(cell - half) - (int64_t)(half - 1) - 1;
+}
+
+// The number a float cell holds, NaN included.
+static double float_of(SmType type, uint64_t cell)
+{
+    uint32_t low = (uint32_t)cell;
+    float f;
+    double d;
+
+    memcpy(&f, &low, sizeof f);
+    memcpy(&d, &cell, sizeof d);
+    return type == SM_F32 ? f : d;
+}
+
+// false, and the text put, when x is no finite number.
+static bool is_finite(Buf *out, double x)
+{
+    if (x != x)
+        buf_str(out, "nan");                          // its sign is not observable
+    else if (x - x != 0)
+        buf_str(out, x < 0 ? "-inf" : "inf");
+    else
+        return true;
+    return false;
+}
+
+static bool is_number_char(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == 'e'; }
+
+// printf's decimal point is the locale's, of one or more bytes.
+static void put_decimal(Buf *out, const char *digits)
+{
+    for (const char *c = digits; *c; c++) {
+        if (is_number_char(*c))
+            buf_char(out, *c);
+        else if (c == digits || is_number_char(c[-1]))
+            buf_char(out, '.');
+    }
+}
+
+static void put_fixed(Buf *out, double x)             // as %f
+{
+    char digits[400];                                 // 309 before the point, 6 behind it
+
+    if (!is_finite(out, x))
+        return;
+    snprintf(digits, sizeof digits, "%f", x);
+    put_decimal(out, digits);
+}
+
+void format_number_exact(Buf *out, double x)
+{
+    char digits[40];
+
+    if (!is_finite(out, x))
+        return;
+    for (int precision = 6; precision <= 17; precision++) {
+        snprintf(digits, sizeof digits, "%.*g", precision, x);
+        if (strtod(digits, NULL) == x)
+            break;
+    }
+    put_decimal(out, digits);
+}
+
+// glibc's %a: the shortest fraction, 1 before the point of a normal number and 0 of a subnormal one.
+static void put_hex(Buf *out, double x)
+{
+    static const char hex[] = "0123456789abcdef";
+    uint64_t bits, fraction;
+    int exponent;
+
+    if (!is_finite(out, x))
+        return;
+    memcpy(&bits, &x, sizeof bits);
+    fraction = bits << 12;                            // the first digit on top
+    exponent = (int)(bits >> 52 & 0x7ff);
+    buf_str(out, bits >> 63 ? "-0x" : "0x");
+    buf_char(out, exponent ? '1' : '0');
+    if (fraction)
+        buf_char(out, '.');
+    for (; fraction; fraction <<= 4)
+        buf_char(out, hex[fraction >> 60]);
+    if (exponent == 0)
+        exponent = bits << 1 ? 1 : 1023;              // subnormals share the smallest normal exponent; zero is p+0
+    buf_printf(out, "p%+d", exponent - 1023);
+}
+
+static void put_cell(Buf *out, SmType type, uint64_t cell, void (*put_float)(Buf *out, double x))
+{
+    switch (sm_type_info[type].kind) {
+    case SM_KIND_SIGNED: buf_printf(out, "%" PRId64, signed_of(type, cell)); break;
+    case SM_KIND_UNSIGNED: buf_printf(out, "%" PRIu64, cell); break;
+    case SM_KIND_FLOAT: put_float(out, float_of(type, cell)); break;
+    case SM_KIND_BOOL: buf_str(out, cell ? "true" : "false"); break;
+    }
+}
+
+void format_cell(Buf *out, SmType type, uint64_t cell) { put_cell(out, type, cell, put_fixed); }
+void format_cell_exact(Buf *out, SmType type, uint64_t cell) { put_cell(out, type, cell, format_number_exact); }
+void format_cell_trace(Buf *out, SmType type, uint64_t cell) { put_cell(out, type, cell, put_hex); }
+
+// ---- report and trace ----
+
+static bool is_before(const Var *a, const Var *b)
+{
+    return strcmp(a->report_name->text, b->report_name->text) < 0;
+}
+
+static void sort(const Var **v, size_t n)             // Shell's way: the C library's qsort may take heap memory
+{
+    size_t gap = 1;
+
+    while (gap < n / 3)
+        gap = gap * 3 + 1;
+    for (; gap > 0; gap /= 3)
+        for (size_t i = gap; i < n; i++) {
+            const Var *moved = v[i];
+            size_t j = i;
+            for (; j >= gap && is_before(moved, v[j - gap]); j -= gap)
+                v[j] = v[j - gap];
+            v[j] = moved;
+        }
+}
+
+const Var **report_order(Arena *arena, const Program *p)
+{
+    const Var **order = ARENA_ARRAY(arena, const Var *, p->var.n);
+
+    for (size_t i = 0; i < p->var.n; i++)
+        order[i] = p->var.at[i];
+    sort(order, p->var.n);
+    return order;
+}
+
+static void put_count(Buf *out, const char *before, uint64_t n, const char *what, const char *after)
+{
+    buf_printf(out, "%s%" PRIu64 " %s%s%s\n", before, n, what, n == 1 ? "" : "s", after);
+}
+
+void script_report(const ScriptResult *r, const Program *p, Buf *out)
+{
+    const Var **order = report_order(out->arena, p);
+
+    put_count(out, "state script ran for ", r->steps, "step", "");
+    put_count(out, "", r->asserts_passed, "assert", " passed");
+    buf_str(out, "final state vector:\n");
+    for (size_t i = 0; i < p->var.n; i++) {
+        buf_printf(out, "  %s = ", order[i]->report_name->text);
+        format_cell(out, order[i]->type, r->cell[order[i]->index]);
+        buf_char(out, '\n');
+    }
+}
+
+void trace_step(Buf *out, const Program *p, const Var **order, uint64_t step, const uint64_t *cell)
+{
+    for (size_t i = 0; i < p->var.n; i++) {
+        buf_printf(out, "%" PRIu64 " %s ", step, order[i]->report_name->text);
+        format_cell_trace(out, order[i]->type, cell[order[i]->index]);
+        buf_char(out, '\n');
+    }
+}

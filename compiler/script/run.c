@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a state script (language.md 8): before each step the sections that match write their inputs and note their
+// asserts, then every engine makes the step, then what was noted is judged.  The first engine's values are what the
+// script sees; the others must give the same, bit for bit.
+#include "compiler/script/run.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+void run_end(Run *r, ScriptOutcome outcome)
+{
+    r->result.outcome = outcome;
+    r->over = true;
+}
+
+// ---- before the step ----
+
+static void put_input(Run *r, const Var *v, uint64_t cell)
+{
+    EngineWrite w = {v->index, cell};
+
+    r->cell[v->index] = cell;
+    r->write[r->writes++] = w;
+}
+
+// G, T and S as the step about to run will have them, which guards and inputs may read.
+static void bring_up_to_date(Run *r)
+{
+    const EngineStep *last = &r->answer[0];
+
+    r->state = r->p->state.at[last->next_state - 1];
+    if (last->next_is_first)
+        r->start = r->g;
+    put_input(r, r->p->g, r->g);
+    r->cell[r->p->t->index] = r->g - r->start;
+    r->cell[r->p->s->index] = last->next_state;
+}
+
+static void execute_inputs(Run *r, const ScriptItem *item)
+{
+    for (size_t i = 0; i < item->inputs.n; i++) {
+        const Stmt *s = item->inputs.at[i];
+        put_input(r, s->var, ref_convert(s->var->type, ref_eval(s->value, r->cell, &r->windows)));
+    }
+}
+
+static void note_item(Run *r, const ScriptItem *item, size_t first_number)
+{
+    size_t n = item->asserts.n + item->stop;
+
+    for (size_t i = 0; i < n; i++) {
+        Noted note = {item, i, first_number + i};
+        r->noted[r->notes++] = note;
+    }
+}
+
+static void run_sections(Run *r)
+{
+    size_t number = 0;
+
+    for (size_t i = 0; i < r->s->section.n; i++) {
+        const ScriptSection *section = &r->s->section.at[i];
+        bool matches = !section->state || section->state == r->state;
+
+        for (size_t j = 0; j < section->item.n; j++) {
+            const ScriptItem *item = &section->item.at[j];
+            if (matches && ref_true(ref_eval(item->guard, r->cell, &r->windows))) {
+                execute_inputs(r, item);
+                note_item(r, item, number);
+            }
+            number += item->asserts.n;
+        }
+    }
+}
+
+// ---- the step ----
+
+static Span start_of_script(const Run *r) { return (Span){r->s->src, 0, 0}; }
+
+static void break_run(Run *r, const Engine *e, const char *why)
+{
+    r->result.difference = why;
+    diag_report(r->diags, DIAG_engine_broken, start_of_script(r), e->name, why);
+    run_end(r, SCRIPT_BROKEN);
+}
+
+// What the engines say after init or a step: all well, all the same?
+static void check_answers(Run *r)
+{
+    for (size_t i = 0; i < r->engines && !r->over; i++) {
+        const Engine *e = r->engine[i];
+        const char *difference;
+
+        if (r->answer[i].status == ENGINE_BROKEN) {
+            break_run(r, e, e->error ? e->error : "no reason given");
+        } else if (i > 0 && (difference = engine_compare(r->arena, r->engine[0], &r->answer[0], e, &r->answer[i])) != NULL) {
+            r->result.difference = difference;
+            diag_report(r->diags, DIAG_engines_differ, start_of_script(r),
+                        format_in(r->arena, "%" PRIu64, r->result.steps), difference);
+            run_end(r, SCRIPT_DIFFERENT);
+        }
+    }
+    if (!r->over && r->answer[0].status == ENGINE_REFUSED)
+        break_run(r, r->engine[0], "refused a step although G advanced");
+    if (!r->over && (r->answer[0].next_state < 1 || r->answer[0].next_state > r->p->state.n))
+        break_run(r, r->engine[0], "is in a state that the machine does not have");
+}
+
+static void init_engines(Run *r)
+{
+    for (size_t i = 0; i < r->engines; i++)
+        r->answer[i].status = r->engine[i]->init(r->engine[i], r->s->init_state->number, &r->answer[i]);
+    check_answers(r);
+    memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
+}
+
+static void step_engines(Run *r)
+{
+    for (size_t i = 0; i < r->engines; i++)
+        r->answer[i].status = r->engine[i]->step(r->engine[i], r->write, r->writes, &r->answer[i]);
+    r->result.steps++;
+    check_answers(r);
+    if (!r->over)
+        memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
+}
+
+static void trace(Run *r)
+{
+    if (!r->o->trace)
+        return;
+    trace_step(r->o->trace, r->p, r->order, r->result.steps, r->cell);
+    if (r->o->flush)
+        r->o->flush(r->o->context, r->o->trace);
+}
+
+static void advance_time(Run *r)
+{
+    if (r->g >= UINT64_MAX - r->s->delta_t) {         // G would overflow, or reach 2^64-1
+        diag_report(r->diags, DIAG_script_time_over, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->result.steps));
+        run_end(r, SCRIPT_TIME_OVER);
+        return;
+    }
+    r->g += r->s->delta_t;
+}
+
+static void run_step(Run *r)
+{
+    r->writes = 0;
+    r->notes = 0;
+    bring_up_to_date(r);
+    ref_windows_sample(&r->windows, r->cell);
+    run_sections(r);
+    step_engines(r);
+    if (r->over)
+        return;
+    trace(r);
+    judge_step(r);
+    if (!r->over)
+        advance_time(r);
+}
+
+// ---- the run ----
+
+typedef struct Totals { size_t inputs, asserts, notes; } Totals;
+
+static Totals count_items(const Script *s)
+{
+    Totals t = {0, 0, 0};
+
+    for (size_t i = 0; i < s->section.n; i++)
+        for (size_t j = 0; j < s->section.at[i].item.n; j++) {
+            const ScriptItem *item = &s->section.at[i].item.at[j];
+            t.inputs += item->inputs.n;
+            t.asserts += item->asserts.n;
+            t.notes += item->asserts.n + item->stop;
+        }
+    return t;
+}
+
+static void allocate(Run *r)
+{
+    Totals t = count_items(r->s);
+
+    r->answer = ARENA_ARRAY(r->arena, EngineStep, r->engines);
+    for (size_t i = 0; i < r->engines; i++)
+        engine_step_init(&r->answer[i], r->arena, r->p);
+    r->cell = ARENA_ARRAY(r->arena, uint64_t, r->p->var.n);
+    ref_windows_init(&r->windows, r->arena, &r->s->window);
+    r->write = ARENA_ARRAY(r->arena, EngineWrite, t.inputs + 1);      // and G
+    r->noted = ARENA_ARRAY(r->arena, Noted, t.notes);
+    r->judged = arena_alloc(r->arena, t.asserts);
+    r->order = report_order(r->arena, r->p);
+}
+
+static void report_endless(Run *r)
+{
+    Span place = start_of_script(r);
+
+    for (size_t i = r->s->section.n; i-- > 0;)
+        for (size_t j = r->s->section.at[i].item.n; j-- > 0;)
+            if (r->s->section.at[i].item.at[j].stop)
+                place = r->s->section.at[i].item.at[j].stop_span;           // the first one, in the end
+    diag_report(r->diags, DIAG_script_endless, place, format_in(r->arena, "%" PRIu64, r->o->max_steps));
+    r->result.outcome = SCRIPT_ENDLESS;
+}
+
+ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **engine, size_t engines, const ScriptOptions *o)
+{
+    Run r = {.arena = arena, .diags = diags, .s = s, .p = s->program, .engine = engine, .engines = engines, .o = o};
+
+    allocate(&r);
+    r.result.cell = r.cell;
+    init_engines(&r);
+    while (!r.over && r.result.steps < o->max_steps)
+        run_step(&r);
+    if (!r.over)
+        report_endless(&r);
+    judge_unjudged(&r);
+    return r.result;
+}
