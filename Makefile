@@ -49,7 +49,7 @@ $(EMIT_C:%.c=$(B)/obj/%.o): | $(B)/gen/stdlib_text.h
 UNIT = $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/*.c))
 $(B)/unit/%: tests/unit/%.c $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a
+	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a -lm
 
 clean:
 	rm -rf $(B)
