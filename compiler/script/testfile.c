@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// Splits an .smt file into header and parts, line by line.
+#include "compiler/script/testfile.h"
+
+#include <string.h>
+
+#include "compiler/base/buf.h"
+
+enum { PARTS_MOST = 1000 };
+
+typedef struct Reader {
+    Arena *arena;
+    TestFile *f;
+    const char *at, *end;
+    uint32_t line;            // of the line last read
+} Reader;
+
+typedef struct Line { const char *at; size_t n; } Line;       // without its LF or CR LF
+
+static bool next_line(Reader *r, Line *line)
+{
+    const char *lf;
+
+    if (r->at == r->end)
+        return false;
+    lf = memchr(r->at, '\n', (size_t)(r->end - r->at));
+    line->at = r->at;
+    line->n = (size_t)((lf ? lf : r->end) - r->at);
+    r->at = lf ? lf + 1 : r->end;
+    r->line++;
+    if (line->n && line->at[line->n - 1] == '\r')
+        line->n--;
+    return true;
+}
+
+static const char *copy(Reader *r, const char *at, size_t n)
+{
+    char *text = arena_alloc(r->arena, n + 1);
+
+    memcpy(text, at, n);
+    return text;
+}
+
+static void refuse(Reader *r, uint32_t line, const char *what)
+{
+    if (!r->f->error)
+        r->f->error = format_in(r->arena, "line %lu: %s", (unsigned long)line, what);
+}
+
+static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+static Line trim(Line l)
+{
+    while (l.n && is_blank(l.at[0]))
+        l.at++, l.n--;
+    while (l.n && is_blank(l.at[l.n - 1]))
+        l.n--;
+    return l;
+}
+
+// ---- parts ----
+
+static bool is_part_line(Line l)
+{
+    l = trim(l);
+    return l.n > 6 && memcmp(l.at, "-- ", 3) == 0 && memcmp(l.at + l.n - 3, " --", 3) == 0;
+}
+
+const TestPart *testfile_part(const TestFile *f, const char *name)
+{
+    for (size_t i = 0; i < f->part.n; i++)
+        if (strcmp(f->part.at[i].name, name) == 0)
+            return &f->part.at[i];
+    return NULL;
+}
+
+static void read_part(Reader *r, Line head)
+{
+    Line l = trim((Line){head.at + 3, trim(head).n - 6});
+    TestPart p = {copy(r, l.at, l.n), r->at, 0, r->line + 1};
+    Reader before = *r;
+
+    if (r->f->part.n == PARTS_MOST)
+        refuse(r, r->line, "too many parts");
+    if (testfile_part(r->f, p.name))
+        refuse(r, r->line, "a second part of this name");
+    while (next_line(r, &l)) {
+        if (is_part_line(l)) {
+            *r = before;                              // the next part begins here
+            break;
+        }
+        p.n = (size_t)(r->at - p.text);
+        before = *r;
+    }
+    p.text = copy(r, p.text, p.n);
+    vec_push(r->arena, &r->f->part, p);
+}
+
+// ---- announced diagnostics ----
+
+static bool is_code(Line l)
+{
+    return l.n >= 5 && (l.at[0] == 'E' || l.at[0] == 'W') && is_digit(l.at[1]) && is_digit(l.at[2]) && is_digit(l.at[3]) &&
+           is_digit(l.at[4]) && (l.n == 5 || is_blank(l.at[5]));
+}
+
+static const char *find_mark(Line l)
+{
+    for (size_t i = 0; i + 1 < l.n; i++)
+        if (l.at[i] == '#' && l.at[i + 1] == '!')
+            return l.at + i;
+    return NULL;
+}
+
+static void read_expected(Reader *r, size_t part, uint32_t line, Line l)
+{
+    const char *mark = find_mark(l);
+
+    while (mark) {
+        const char *end = l.at + l.n, *next;
+        Line rest = {mark + 2, (size_t)(end - mark) - 2};
+        TestExpected e = {part, line, NULL, NULL};
+
+        next = find_mark(rest);
+        rest = trim((Line){rest.at, next ? (size_t)(next - rest.at) : rest.n});
+        if (!is_code(rest)) {
+            refuse(r, r->f->part.at[part].line + line - 1, "after #! the code of a diagnostic is expected, as in #! E0204 unknown element");
+            return;
+        }
+        e.id = copy(r, rest.at, 5);
+        rest = trim((Line){rest.at + 5, rest.n - 5});
+        e.text = copy(r, rest.at, rest.n);
+        vec_push(r->arena, &r->f->expected, e);
+        mark = next;
+    }
+}
+
+static void find_expected(Reader *r, size_t part)
+{
+    const TestPart *p = &r->f->part.at[part];
+    Reader lines = {r->arena, r->f, p->text, p->text + p->n, 0};
+    Line l;
+
+    while (next_line(&lines, &l))
+        read_expected(&lines, part, lines.line, l);
+}
+
+// ---- header ----
+
+static void read_header_line(Reader *r, Line l)
+{
+    TestHeader h = {NULL, NULL, r->line};
+    size_t n = 0;
+
+    l = trim(l);
+    if (l.n == 0 || l.at[0] == '#')
+        return;
+    while (n < l.n && !is_blank(l.at[n]))
+        n++;
+    h.key = copy(r, l.at, n);
+    l = trim((Line){l.at + n, l.n - n});
+    h.value = copy(r, l.at, l.n);
+    vec_push(r->arena, &r->f->header, h);
+}
+
+static uint64_t read_number(const char *text)         // 0 when it is none
+{
+    uint64_t n = 0;
+
+    for (; is_digit(*text); text++) {
+        if (n > (UINT64_MAX - 9) / 10)
+            return 0;
+        n = n * 10 + (uint64_t)(*text - '0');
+    }
+    return *text ? 0 : n;
+}
+
+static uint32_t header_line(const TestFile *f, const char *key)
+{
+    for (size_t i = 0; i < f->header.n; i++)
+        if (strcmp(f->header.at[i].key, key) == 0)
+            return f->header.at[i].line;
+    return 0;
+}
+
+// A machine that must not compile announces errors; a script that must fail announces those of a run, E075x.
+static TestOutcome suggested_outcome(const TestFile *f)
+{
+    TestOutcome outcome = TEST_PASS;
+
+    for (size_t i = 0; i < f->expected.n; i++) {
+        const char *id = f->expected.at[i].id;
+        if (id[0] == 'E' && strncmp(id, "E075", 4) != 0)
+            return TEST_ERROR;
+        if (id[0] == 'E')
+            outcome = TEST_FAIL;
+    }
+    return outcome;
+}
+
+static void interpret_header(Reader *r)
+{
+    TestFile *f = r->f;
+    const char *expect = testfile_header(f, "expect"), *steps = testfile_header(f, "steps");
+
+    f->outcome = suggested_outcome(f);
+    if (steps && (f->steps = read_number(steps)) == 0)
+        refuse(r, header_line(f, "steps"), "steps takes a whole number from 1");
+    if (!expect)
+        return;
+    if (strcmp(expect, "pass") == 0)
+        f->outcome = TEST_PASS;
+    else if (strcmp(expect, "fail") == 0)
+        f->outcome = TEST_FAIL;
+    else if (strcmp(expect, "error") == 0)
+        f->outcome = TEST_ERROR;
+    else
+        refuse(r, header_line(f, "expect"), "expect takes pass, fail or error");
+}
+
+// ---- the file ----
+
+TestFile *testfile_parse(Arena *arena, const char *name, const char *text, size_t n)
+{
+    TestFile *f = ARENA_NEW(arena, TestFile);
+    Reader r = {arena, f, text, text + n, 0};
+    Line l;
+
+    f->name = name;
+    while (!f->error && next_line(&r, &l)) {
+        if (is_part_line(l))
+            read_part(&r, l);
+        else
+            read_header_line(&r, l);
+    }
+    for (size_t i = 0; i < f->part.n; i++)
+        if (testfile_is_source(&f->part.at[i]))
+            find_expected(&r, i);
+    interpret_header(&r);
+    if (f->part.n == 0)
+        refuse(&r, r.line, "no part was found: a part begins with a line as -- app.sm --");
+    return f;
+}
+
+const char *testfile_header(const TestFile *f, const char *key)
+{
+    for (size_t i = 0; i < f->header.n; i++)
+        if (strcmp(f->header.at[i].key, key) == 0)
+            return f->header.at[i].value;
+    return NULL;
+}
+
+bool testfile_has_suffix(const TestPart *p, const char *suffix)
+{
+    size_t n = strlen(p->name), m = strlen(suffix);
+
+    return n > m && strcmp(p->name + n - m, suffix) == 0;
+}
+
+bool testfile_is_source(const TestPart *p)
+{
+    return testfile_has_suffix(p, ".sv") || testfile_has_suffix(p, ".sm") || testfile_has_suffix(p, ".ss");
+}
+
+bool testfile_has_word(const char *list, const char *word)
+{
+    size_t n = strlen(word);
+
+    for (const char *at = list; (at = strstr(at, word)) != NULL; at += n)
+        if ((at == list || is_blank(at[-1])) && (at[n] == '\0' || is_blank(at[n])))
+            return true;
+    return false;
+}
