@@ -86,7 +86,7 @@ typedef struct IrVar {
     SmType type;
     uint32_t offset;                  // ELEMENT: in the state vector
     uint64_t init;                    // LOCAL: bit cell
-    bool writable;                    // by the machine
+    bool writable;                    // some function of the machine stores to it
     Span span;
 } IrVar;
 

@@ -210,7 +210,8 @@ static bool check_types(Checker *c, const IrIns *i, IrRef ref)
         return fail(c, "instruction %lu has no type", (unsigned long)ref);
     switch (ir_op_info[i->op].types) {
     case IR_T_CONST: return check_const(c, i, ref);
-    case IR_T_CONVERT: return true;
+    case IR_T_CONVERT:
+        return i->type == SM_F64 || c->f->ins.at[i->a].type == SM_F64 || fail(c, "instruction %lu converts neither from nor to F64", (unsigned long)ref);
     case IR_T_LOGIC: return check_operation(c, i, ref, SM_BOOL, SM_BOOL);
     case IR_T_SAME: return check_operation(c, i, ref, SM_F64, SM_F64);
     case IR_T_COMPARE: return check_operation(c, i, ref, SM_F64, SM_BOOL);

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// Typed program to IR: variables, windows, and a function for each block of statements that has any.
+// Blocks are made in the order control passes them, so that every jump leads forward.
+#include "compiler/ir/build.h"
+
+#include <string.h>
+
+void build_begin_function(Builder *b)
+{
+    b->f = ARENA_NEW(b->arena, IrFn);
+    b->b = ir_block(b->arena, b->f);
+}
+
+// ---- statements ----
+
+// Blocks that end in a jump whose target is not built yet.
+typedef VEC(IrBlkRef) Ends;
+
+static IrJump *jump_of(Builder *b, IrBlkRef blk)
+{
+    return &b->f->blk.at[blk].jump;
+}
+
+static bool build_stmts(Builder *b, const Stmts *list);
+
+static void build_assign(Builder *b, const Stmt *s)
+{
+    IrIns i = {.op = IR_store, .type = s->var->type, .b = IR_NONE, .var = b->var[s->var->index], .span = s->span};
+
+    i.a = build_stored(b, s->value, s->var->type);
+    build_emit(b, i);
+}
+
+static void build_transition(Builder *b, const Stmt *s)
+{
+    IrJump *j = jump_of(b, b->b);
+
+    j->kind = IR_GOTO;
+    j->state = s->target->number;
+    j->span = s->span;
+}
+
+// Ends the block being filled with a branch to the next new block; gives the block, whose `otherwise` is still open.
+static IrBlkRef build_branch(Builder *b, const Stmt *s)
+{
+    IrRef cond = build_truth(b, s->value);
+    IrBlkRef from = b->b;
+    IrJump *j;
+
+    b->b = ir_block(b->arena, b->f);
+    j = jump_of(b, from);
+    j->kind = IR_BR;
+    j->cond = cond;
+    j->then = b->b;
+    j->span = s->value->span;
+    return from;
+}
+
+// Builds one arm; where control can leave it at its end, that is noted.
+static void build_arm(Builder *b, const Stmts *list, Ends *ends)
+{
+    if (build_stmts(b, list))
+        vec_push(b->arena, ends, b->b);
+}
+
+static const Stmt *else_if(const Stmt *s)
+{
+    return s->otherwise.n == 1 && s->otherwise.at[0]->kind == ST_IF ? s->otherwise.at[0] : NULL;
+}
+
+// The block in which the arms meet.
+static void build_join(Builder *b, const Ends *ends, IrBlkRef skips)
+{
+    b->b = ir_block(b->arena, b->f);
+    if (skips != IR_NONE)
+        jump_of(b, skips)->otherwise = b->b;
+    for (size_t i = 0; i < ends->n; i++) {
+        jump_of(b, ends->at[i])->kind = IR_JMP;
+        jump_of(b, ends->at[i])->then = b->b;
+    }
+}
+
+// A conditional with its whole chain of `else if`, by a loop: a chain may be long.  False when no way leads past it.
+static bool build_if(Builder *b, const Stmt *s)
+{
+    Ends ends = {NULL, 0, 0};
+    IrBlkRef skips = build_branch(b, s);
+
+    build_arm(b, &s->then, &ends);
+    while (s->otherwise.n > 0) {
+        b->b = ir_block(b->arena, b->f);
+        jump_of(b, skips)->otherwise = b->b;
+        skips = IR_NONE;
+        if (!else_if(s)) {
+            build_arm(b, &s->otherwise, &ends);
+            break;
+        }
+        s = else_if(s);
+        skips = build_branch(b, s);
+        build_arm(b, &s->then, &ends);
+    }
+    if (skips == IR_NONE && ends.n == 0)
+        return false;
+    build_join(b, &ends, skips);
+    return true;
+}
+
+static bool build_stmt(Builder *b, const Stmt *s)
+{
+    switch (s->kind) {
+    case ST_ASSIGN: build_assign(b, s); return true;
+    case ST_TRANSITION: build_transition(b, s); return false;
+    case ST_IF: return build_if(b, s);
+    }
+    return true;
+}
+
+// False when control cannot get past the list; what stands behind such a statement is not built.
+static bool build_stmts(Builder *b, const Stmts *list)
+{
+    for (size_t i = 0; i < list->n; i++)
+        if (!build_stmt(b, list->at[i]))
+            return false;
+    return true;
+}
+
+static IrFn *build_function(Builder *b, const Stmts *list)
+{
+    if (list->n == 0)
+        return NULL;
+    build_begin_function(b);
+    build_stmts(b, list);                                     // a block that is left open ends in `ret`
+    return b->f;
+}
+
+static void build_state(Builder *b, const State *s)
+{
+    IrState state;
+
+    memset(&state, 0, sizeof state);
+    state.name = s->name;
+    state.span = s->span;
+    for (int k = 0; k < BLOCK_COUNT; k++)
+        state.block[k] = build_function(b, &s->block[k]);
+    vec_push(b->arena, &b->m->state, state);
+}
+
+// ---- variables ----
+
+static IrSpace space_of(VarKind kind)
+{
+    switch (kind) {
+    case VAR_ELEMENT: return IR_ELEMENT;
+    case VAR_LOCAL: return IR_LOCAL;
+    case VAR_TIME: return IR_TIME;
+    }
+    return IR_TIME;
+}
+
+static void build_var_entry(Builder *b, const Var *v)
+{
+    IrVar out = {.space = space_of(v->kind), .name = v->name, .type = v->type, .init = v->init, .writable = v->written, .span = v->span};
+
+    if (v->element)
+        out.offset = v->element->offset;
+    b->var[v->index] = IR_NONE;
+    if (v->is_constant)
+        return;
+    b->var[v->index] = (uint32_t)b->m->var.n;
+    vec_push(b->arena, &b->m->var, out);
+}
+
+static void build_vars(Builder *b)
+{
+    const Program *p = b->p;
+
+    b->var = ARENA_ARRAY(b->arena, uint32_t, p->var.n);
+    for (size_t v = 0; v < p->var.n; v++)
+        build_var_entry(b, p->var.at[v]);
+    b->m->g = b->var[p->g->index];
+    b->m->s = b->var[p->s->index];
+    b->m->t = b->var[p->t->index];
+}
+
+IrMachine *ir_build(Arena *arena, const Program *p)
+{
+    IrMachine *m = ARENA_NEW(arena, IrMachine);
+    Builder b = {arena, p, m, NULL, NULL, NULL, 0};
+
+    m->name = p->name;
+    m->sv_name = p->sv->name;
+    m->sv_size = p->sv->size;
+    m->sv_hash = p->sv->hash;
+    m->program = p;
+    build_vars(&b);
+    build_windows(&b);
+    for (size_t s = 0; s < p->state.n; s++)
+        build_state(&b, p->state.at[s]);
+    return m;
+}

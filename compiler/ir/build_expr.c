@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// Expressions to straight-line IR (language.md 3).  Every value of the language is an F64; here relations, logic and bool
+// variables give a bool, and it is converted where a number is needed.  That loses nothing: a bool is 0 or 1 either way.
+// Recursion is as deep as the tree, which AST_DEPTH_MAX bounds.
+#include <stddef.h>
+
+#include "compiler/ir/build.h"
+#include "stdlib/convert.h"
+
+IrRef build_emit(Builder *b, IrIns ins)
+{
+    return ir_emit(b->arena, b->f, b->b, ins);
+}
+
+static IrRef emit(Builder *b, IrOp op, SmType type, IrRef x, IrRef y, Span span)
+{
+    IrIns i = {.op = op, .type = type, .a = x, .b = y, .span = span};
+
+    return build_emit(b, i);
+}
+
+static IrRef emit_const(Builder *b, SmType type, uint64_t bits, Span span)
+{
+    IrIns i = {.op = IR_const, .type = type, .a = IR_NONE, .b = IR_NONE, .bits = bits, .span = span};
+
+    return build_emit(b, i);
+}
+
+static IrRef convert(Builder *b, IrRef value, SmType to, Span span)
+{
+    return b->f->ins.at[value].type == to ? value : emit(b, IR_cvt, to, value, IR_NONE, span);
+}
+
+static IrRef build_value(Builder *b, const Expr *e);
+
+IrRef build_number(Builder *b, const Expr *e)
+{
+    return convert(b, build_value(b, e), SM_F64, e->span);
+}
+
+IrRef build_truth(Builder *b, const Expr *e)
+{
+    return convert(b, build_value(b, e), SM_BOOL, e->span);
+}
+
+IrRef build_stored(Builder *b, const Expr *e, SmType type)
+{
+    IrRef value = build_value(b, e);
+
+    if (b->f->ins.at[value].type == type && type == SM_BOOL)
+        return value;
+    return emit(b, IR_cvt, type, convert(b, value, SM_F64, e->span), IR_NONE, e->span);   // to F64 too: it makes a NaN 0
+}
+
+static IrRef build_constant(Builder *b, const Var *v, Span span)
+{
+    if (v->type == SM_BOOL)
+        return emit_const(b, SM_BOOL, v->init, span);
+    return emit_const(b, SM_F64, sm_bits(sm_cell_to_f64(v->type, v->init)), span);
+}
+
+static IrRef build_var(Builder *b, const Expr *e)
+{
+    const Var *v = e->var;
+    IrIns i = {.op = IR_load, .type = v->type, .a = IR_NONE, .b = IR_NONE, .var = b->var[v->index], .span = e->span};
+    IrRef value;
+
+    if (i.var == IR_NONE)
+        return build_constant(b, v, e->span);
+    value = build_emit(b, i);
+    return v->type == SM_BOOL ? value : convert(b, value, SM_F64, e->span);
+}
+
+static IrRef build_roll(Builder *b, const Expr *e)
+{
+    IrIns i = {.op = IR_stat, .type = SM_F64, .a = IR_NONE, .b = IR_NONE, .var = b->window[e->window], .stat = e->stat, .span = e->span};
+
+    return build_emit(b, i);
+}
+
+// ---- operators ----
+
+// The operation of an operator; IR_OP_COUNT for unary plus, which is none.
+static IrOp op_of(SmOperator op)
+{
+    switch (op) {
+    case SM_OP_OR: return IR_or;
+    case SM_OP_AND: return IR_and;
+    case SM_OP_EQ: return IR_eq;
+    case SM_OP_NE: return IR_ne;
+    case SM_OP_LT: return IR_lt;
+    case SM_OP_LE: return IR_le;
+    case SM_OP_GT: return IR_gt;
+    case SM_OP_GE: return IR_ge;
+    case SM_OP_ADD: return IR_add;
+    case SM_OP_SUB: return IR_sub;
+    case SM_OP_MUL: return IR_mul;
+    case SM_OP_DIV: return IR_div;
+    case SM_OP_NOT: return IR_not;
+    case SM_OP_NEG: return IR_neg;
+    case SM_OP_PLUS:
+    case SM_OP_COUNT: break;
+    }
+    return IR_OP_COUNT;
+}
+
+static IrRef build_unary(Builder *b, const Expr *e)
+{
+    if (e->op == SM_OP_NOT)
+        return emit(b, IR_not, SM_BOOL, build_truth(b, e->arg[0]), IR_NONE, e->span);
+    if (e->op == SM_OP_NEG)
+        return emit(b, IR_neg, SM_F64, build_number(b, e->arg[0]), IR_NONE, e->span);
+    return build_number(b, e->arg[0]);
+}
+
+static IrRef build_binary(Builder *b, const Expr *e)
+{
+    IrOp op = op_of(e->op);
+    bool logic = ir_op_info[op].types == IR_T_LOGIC;
+    IrRef x = logic ? build_truth(b, e->arg[0]) : build_number(b, e->arg[0]);
+    IrRef y = logic ? build_truth(b, e->arg[1]) : build_number(b, e->arg[1]);
+
+    return emit(b, op, ir_op_info[op].types == IR_T_SAME ? SM_F64 : SM_BOOL, x, y, e->span);
+}
+
+// a < b <= c is a < b and b <= c, with b evaluated once.
+static IrRef build_chain(Builder *b, const Expr *e)
+{
+    IrRef left = build_number(b, e->arg[0]), all = IR_NONE;
+
+    for (uint32_t k = 1; k < e->n; k++) {
+        IrRef right = build_number(b, e->arg[k]);
+        IrRef holds = emit(b, op_of(e->ops[k - 1]), SM_BOOL, left, right, e->span);
+        all = all == IR_NONE ? holds : emit(b, IR_and, SM_BOOL, all, holds, e->span);
+        left = right;
+    }
+    return all;
+}
+
+// ---- builtins ----
+
+// Row for row the pure builtins that are one operation.
+static IrOp op_of_builtin(SmBuiltin fn)
+{
+    switch (fn) {
+    case SM_FN_abs: return IR_abs;
+    case SM_FN_floor: return IR_floor;
+    case SM_FN_ceil: return IR_ceil;
+    case SM_FN_trunc: return IR_trunc;
+    case SM_FN_round: return IR_round;
+    case SM_FN_sqrt: return IR_sqrt;
+    case SM_FN_sign: return IR_sign;
+    case SM_FN_min: return IR_min;
+    case SM_FN_max: return IR_max;
+    case SM_FN_clamp:
+    case SM_FN_roll_avg:
+    case SM_FN_roll_median:
+    case SM_FN_roll_min:
+    case SM_FN_roll_max:
+    case SM_FN_roll_range:
+    case SM_FN_COUNT: break;
+    }
+    return IR_OP_COUNT;
+}
+
+static IrRef build_clamp(Builder *b, const Expr *e)
+{
+    IrRef x = build_number(b, e->arg[0]);
+    IrRef low = build_number(b, e->arg[1]);
+    IrRef high = build_number(b, e->arg[2]);
+
+    return emit(b, IR_min, SM_F64, emit(b, IR_max, SM_F64, x, low, e->span), high, e->span);
+}
+
+static IrRef build_call(Builder *b, const Expr *e)
+{
+    IrOp op = op_of_builtin(e->fn);
+    IrRef x, y;
+
+    if (e->fn == SM_FN_clamp)
+        return build_clamp(b, e);
+    x = build_number(b, e->arg[0]);
+    y = ir_op_info[op].operands > 1 ? build_number(b, e->arg[1]) : IR_NONE;
+    return emit(b, op, SM_F64, x, y, e->span);
+}
+
+static IrRef build_value(Builder *b, const Expr *e)
+{
+    switch (e->kind) {
+    case EX_NUMBER: return emit_const(b, SM_F64, sm_bits(e->number), e->span);
+    case EX_VAR: return build_var(b, e);
+    case EX_UNARY: return build_unary(b, e);
+    case EX_BINARY: return build_binary(b, e);
+    case EX_CHAIN: return build_chain(b, e);
+    case EX_CALL: return build_call(b, e);
+    case EX_ROLL: return build_roll(b, e);
+    }
+    return IR_NONE;
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rolling windows: every roll call of the source has one of its own; calls of one size whose samples have the same shape
+// share one here (language.md 7).  Then the function that gives every window its sample.
+#include <string.h>
+
+#include "compiler/ir/build.h"
+#include "stdlib/convert.h"
+
+// ---- shape ----
+// Two samples have the same shape if they are the same operators on the same numbers, variables and statistics.  An inner
+// roll call is its shared window and its statistic; that it comes before the outer one makes the window known by then.
+
+static uint64_t mix(uint64_t hash, uint64_t x)
+{
+    hash = (hash ^ x) * UINT64_C(0x9e3779b97f4a7c15);
+    return hash ^ hash >> 29;
+}
+
+// What an expression is beside its arguments.
+static uint64_t own_hash(const Builder *b, const Expr *e)
+{
+    uint64_t h = mix((uint64_t)e->kind, e->n);
+
+    switch (e->kind) {
+    case EX_NUMBER: return mix(h, sm_bits(e->number));
+    case EX_VAR: return mix(h, e->var->index);
+    case EX_UNARY:
+    case EX_BINARY: return mix(h, (uint64_t)e->op);
+    case EX_CHAIN:
+        for (uint32_t k = 0; k + 1 < e->n; k++)
+            h = mix(h, (uint64_t)e->ops[k]);
+        return h;
+    case EX_CALL: return mix(h, (uint64_t)e->fn);
+    case EX_ROLL: return mix(mix(h, (uint64_t)e->stat), b->window[e->window]);
+    }
+    return h;
+}
+
+static bool own_equal(const Builder *b, const Expr *x, const Expr *y)
+{
+    if (x->kind != y->kind || x->n != y->n)
+        return false;
+    switch (x->kind) {
+    case EX_NUMBER: return sm_bits(x->number) == sm_bits(y->number);
+    case EX_VAR: return x->var == y->var;
+    case EX_UNARY:
+    case EX_BINARY: return x->op == y->op;
+    case EX_CHAIN: return memcmp(x->ops, y->ops, (x->n - 1) * sizeof *x->ops) == 0;
+    case EX_CALL: return x->fn == y->fn;
+    case EX_ROLL: return x->stat == y->stat && b->window[x->window] == b->window[y->window];
+    }
+    return false;
+}
+
+static uint64_t shape_hash(const Builder *b, const Expr *e)
+{
+    uint64_t h = own_hash(b, e);
+
+    for (uint32_t k = 0; e->kind != EX_ROLL && k < e->n; k++)
+        h = mix(h, shape_hash(b, e->arg[k]));
+    return h;
+}
+
+static bool shape_equal(const Builder *b, const Expr *x, const Expr *y)
+{
+    if (!own_equal(b, x, y))
+        return false;
+    for (uint32_t k = 0; x->kind != EX_ROLL && k < x->n; k++)
+        if (!shape_equal(b, x->arg[k], y->arg[k]))
+            return false;
+    return true;
+}
+
+// ---- sharing ----
+
+typedef struct Shared { const Window *first; uint32_t index; } Shared;     // an open-addressing table's slot; first NULL: empty
+
+static Shared *find_slot(const Builder *b, Shared *table, size_t cap, const Window *w)
+{
+    size_t at = (size_t)mix(shape_hash(b, w->sample), w->size) & (cap - 1);
+
+    while (table[at].first && (table[at].first->size != w->size || !shape_equal(b, table[at].first->sample, w->sample)))
+        at = (at + 1) & (cap - 1);
+    return &table[at];
+}
+
+static void build_sample(Builder *b, const Window *w, uint32_t index)
+{
+    IrIns i = {.op = IR_sample, .type = SM_F64, .b = IR_NONE, .var = index, .span = w->span};
+
+    i.a = build_number(b, w->sample);
+    build_emit(b, i);
+}
+
+static void build_window(Builder *b, const Window *w, Shared *slot, uint32_t number)
+{
+    if (!slot->first) {
+        IrWindow window = {w->size, 0};
+        slot->first = w;
+        slot->index = (uint32_t)b->m->window.n;
+        vec_push(b->arena, &b->m->window, window);
+        build_sample(b, w, slot->index);
+    }
+    b->window[number] = slot->index;
+    b->m->window.at[slot->index].stats |= 1u << w->stat;
+}
+
+void build_windows(Builder *b)
+{
+    const Windows *list = &b->p->window;
+    Shared *table;
+    size_t cap = 16;
+
+    if (list->n == 0)
+        return;
+    while (cap < list->n * 2)
+        cap *= 2;
+    table = ARENA_ARRAY(b->arena, Shared, cap);
+    b->window = ARENA_ARRAY(b->arena, uint32_t, list->n);
+    build_begin_function(b);
+    b->m->sample = b->f;
+    for (uint32_t w = 0; w < list->n; w++)
+        build_window(b, &list->at[w], find_slot(b, table, cap, &list->at[w]), w);
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The optimiser: the passes of passes.def, run in order on a machine.  It changes the machine in place, never what it means,
+// and never reports anything to the user.
+#ifndef SMC_PASS_H
+#define SMC_PASS_H
+
+#include "compiler/ir/ir.h"
+
+// What run.c can compute about a function for passes that need it.
+enum {
+    FACT_NONE = 0,
+    FACT_USES = 1         // how many operands and jumps name each instruction
+};
+
+typedef struct Facts {
+    unsigned valid;       // which of the following hold
+    uint32_t *uses;       // by instruction
+} Facts;
+
+// A pass over one function.  It may change `facts` along with the function.
+typedef void PassFn(Arena *arena, IrFn *f, Facts *facts);
+typedef void PassMachineFn(Arena *arena, IrMachine *m);
+
+typedef struct PassInfo {
+    const char *name;
+    unsigned needs, breaks;
+    int level;
+    const char *sentence;
+    PassFn *on_function;              // one of the two
+    PassMachineFn *on_machine;
+} PassInfo;
+
+typedef enum PassId {
+#define PASS(name, needs, breaks, level, sentence) PASS_##name,
+#define PASS_MACHINE(name, needs, breaks, level, sentence) PASS_##name,
+#include "compiler/passes/passes.def"
+#undef PASS
+#undef PASS_MACHINE
+    PASS_COUNT
+} PassId;
+
+extern const PassInfo pass_info[PASS_COUNT];
+
+const PassInfo *pass_find(const char *name);          // NULL if there is none of that name
+
+typedef struct PassOptions {
+    int level;                                        // -O: passes above it do not run; 0 runs none
+    const char *only;                                 // a comma-separated list: run just these, in this order; or NULL
+    bool verify;                                      // check the machine before the first pass and after each
+    void (*after)(void *context, const PassInfo *pass, const IrMachine *m);    // called after each pass; or NULL
+    void *context;
+} PassOptions;
+
+// Runs the optimiser.  NULL, or with `verify` what a pass broke, as a sentence; or that `only` names no pass.
+const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o);
+
+// ---- the passes, each in its own file ----
+
+#define PASS(name, needs, breaks, level, sentence) void pass_##name(Arena *arena, IrFn *f, Facts *facts);
+#define PASS_MACHINE(name, needs, breaks, level, sentence) void pass_##name(Arena *arena, IrMachine *m);
+#include "compiler/passes/passes.def"
+#undef PASS
+#undef PASS_MACHINE
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the passes in their order, computes the facts they need when those are missing, and checks their work.
+#include <string.h>
+
+#include "compiler/passes/pass.h"
+
+const PassInfo pass_info[PASS_COUNT] = {
+#define PASS(name, needs, breaks, level, sentence) {#name, needs, breaks, level, sentence, pass_##name, NULL},
+#define PASS_MACHINE(name, needs, breaks, level, sentence) {#name, needs, breaks, level, sentence, NULL, pass_##name},
+#include "compiler/passes/passes.def"
+#undef PASS
+#undef PASS_MACHINE
+};
+
+typedef struct Runner {
+    Arena *arena;
+    IrMachine *m;
+    const PassOptions *o;
+    Facts *facts;                     // of the sample function, then of every state's functions
+} Runner;
+
+static const PassInfo *find_n(const char *name, size_t n)
+{
+    for (int p = 0; p < PASS_COUNT; p++)
+        if (strlen(pass_info[p].name) == n && memcmp(pass_info[p].name, name, n) == 0)
+            return &pass_info[p];
+    return NULL;
+}
+
+const PassInfo *pass_find(const char *name)
+{
+    return find_n(name, strlen(name));
+}
+
+static void run_on_function(Runner *r, const PassInfo *pass, IrFn *f, Facts *facts)
+{
+    if (!f)
+        return;
+    if (pass->needs & ~facts->valid & FACT_USES) {
+        facts->uses = ir_count_uses(r->arena, f);
+        facts->valid |= FACT_USES;
+    }
+    pass->on_function(r->arena, f, facts);
+    facts->valid &= ~pass->breaks;
+}
+
+static void run_on_functions(Runner *r, const PassInfo *pass)
+{
+    Facts *facts = r->facts;
+
+    run_on_function(r, pass, r->m->sample, facts++);
+    for (size_t s = 0; s < r->m->state.n; s++)
+        for (int k = 0; k < BLOCK_COUNT; k++)
+            run_on_function(r, pass, r->m->state.at[s].block[k], facts++);
+}
+
+static void run_on_machine(Runner *r, const PassInfo *pass)
+{
+    size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
+
+    pass->on_machine(r->arena, r->m);
+    for (size_t f = 0; f < functions; f++)
+        r->facts[f].valid &= ~pass->breaks;
+}
+
+static const char *check(Runner *r, const char *when)
+{
+    const char *wrong = r->o->verify ? ir_verify(r->arena, r->m) : NULL;
+
+    return wrong ? format_in(r->arena, "%s: %s", when, wrong) : NULL;
+}
+
+static const char *run_pass(Runner *r, const PassInfo *pass)
+{
+    if (pass->on_function)
+        run_on_functions(r, pass);
+    else
+        run_on_machine(r, pass);
+    if (r->o->after)
+        r->o->after(r->o->context, pass, r->m);
+    return check(r, pass->name);
+}
+
+static const char *run_named(Runner *r, const char *list)
+{
+    const char *wrong = NULL;
+
+    while (!wrong && *list) {
+        size_t n = strcspn(list, ",");
+        const PassInfo *pass = find_n(list, n);
+        if (!pass)
+            return format_in(r->arena, "there is no pass '%.*s'", (int)n, list);
+        wrong = run_pass(r, pass);
+        list += n + (list[n] == ',');
+    }
+    return wrong;
+}
+
+const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
+{
+    Runner r = {arena, m, o, NULL};
+    const char *wrong = check(&r, "before the first pass");
+
+    r.facts = ARENA_ARRAY(arena, Facts, 1 + m->state.n * BLOCK_COUNT);
+    if (!wrong && o->only)
+        return run_named(&r, o->only);
+    for (int p = 0; !wrong && p < PASS_COUNT; p++)
+        if (pass_info[p].level <= o->level)
+            wrong = run_pass(&r, &pass_info[p]);
+    return wrong;
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// simplify_cfg: a branch on a known condition becomes a jump; a jump to an empty block that only jumps on leads to where
+// that one leads; a block that has a single predecessor which only leads to it is joined to it; blocks that nothing
+// reaches are dropped.  Conditionals stay properly nested: no way is added, ways only become shorter.
+// Needs nothing; breaks uses: conditions lose their user.
+#include "compiler/passes/pass.h"
+
+static void decide_branch(const IrFn *f, IrJump *j)
+{
+    const IrIns *cond;
+
+    if (j->kind != IR_BR)
+        return;
+    cond = &f->ins.at[j->cond];
+    if (cond->op == IR_const && cond->bits == 0)
+        j->then = j->otherwise;
+    if (cond->op == IR_const || j->then == j->otherwise) {
+        j->kind = IR_JMP;
+        j->cond = j->otherwise = IR_NONE;
+    }
+}
+
+// From the last block to the first: where a jump to it really leads is known of every block behind.
+static void shorten_jumps(Arena *arena, IrFn *f)
+{
+    IrBlkRef *leads_to = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);
+
+    for (size_t b = f->blk.n; b-- > 0;) {
+        IrJump *j = &f->blk.at[b].jump;
+        if (j->kind == IR_JMP || j->kind == IR_BR)
+            j->then = leads_to[j->then];
+        if (j->kind == IR_BR)
+            j->otherwise = leads_to[j->otherwise];
+        decide_branch(f, j);
+        leads_to[b] = j->kind == IR_JMP && f->blk.at[b].ins.n == 0 ? j->then : (IrBlkRef)b;
+    }
+}
+
+static uint32_t *count_predecessors(Arena *arena, const IrFn *f)
+{
+    uint32_t *n = ARENA_ARRAY(arena, uint32_t, f->blk.n);
+    const bool *reached = ir_reachable(arena, f);
+
+    for (size_t b = 0; b < f->blk.n; b++) {
+        const IrJump *j = &f->blk.at[b].jump;
+        if (reached[b] && (j->kind == IR_JMP || j->kind == IR_BR))
+            n[j->then]++;
+        if (reached[b] && j->kind == IR_BR)
+            n[j->otherwise]++;
+    }
+    n[0]++;                           // the function's start; now 0 means that nothing reaches a block
+    return n;
+}
+
+// Moves the code of blocks that only follow b to b's end.
+static void join_followers(Arena *arena, IrFn *f, IrBlkRef b, uint32_t *predecessors)
+{
+    IrBlk *blk = &f->blk.at[b];
+
+    while (blk->jump.kind == IR_JMP && predecessors[blk->jump.then] == 1) {
+        IrBlkRef next = blk->jump.then;
+        for (size_t i = 0; i < f->blk.at[next].ins.n; i++)
+            vec_push(arena, &blk->ins, f->blk.at[next].ins.at[i]);
+        blk->jump = f->blk.at[next].jump;
+        predecessors[next] = 0;
+    }
+}
+
+static void drop_blocks(Arena *arena, IrFn *f, const uint32_t *predecessors)
+{
+    IrBlkRef *number = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);
+    IrBlkRef n = 0;
+
+    for (size_t b = 0; b < f->blk.n; b++)
+        if (predecessors[b] > 0) {
+            number[b] = n;
+            f->blk.at[n++] = f->blk.at[b];
+        }
+    f->blk.n = n;
+    for (size_t b = 0; b < n; b++) {
+        IrJump *j = &f->blk.at[b].jump;
+        if (j->kind == IR_JMP || j->kind == IR_BR)
+            j->then = number[j->then];
+        if (j->kind == IR_BR)
+            j->otherwise = number[j->otherwise];
+    }
+}
+
+void pass_simplify_cfg(Arena *arena, IrFn *f, Facts *facts)
+{
+    uint32_t *predecessors;
+
+    (void)facts;
+    shorten_jumps(arena, f);
+    predecessors = count_predecessors(arena, f);
+    for (IrBlkRef b = 0; b < f->blk.n; b++)
+        if (predecessors[b] > 0)
+            join_followers(arena, f, b, predecessors);
+    drop_blocks(arena, f, predecessors);
+}

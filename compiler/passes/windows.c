@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// windows: a statistic that no code asks for is not kept; a window without statistics is dropped, with the computation of
+// its sample.  That may leave an inner window without one, so the sample function is walked from its end.
+// Needs nothing; breaks uses.
+#include "compiler/passes/pass.h"
+
+static void note_stats(const IrFn *f, uint32_t *wanted)
+{
+    for (size_t b = 0; f && b < f->blk.n; b++)
+        for (size_t i = 0; i < f->blk.at[b].ins.n; i++) {
+            const IrIns *ins = &f->ins.at[f->blk.at[b].ins.at[i]];
+            if (ins->op == IR_stat)
+                wanted[ins->var] |= 1u << ins->stat;
+        }
+}
+
+static void note_stats_of_states(const IrMachine *m, uint32_t *wanted)
+{
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int k = 0; k < BLOCK_COUNT; k++)
+            note_stats(m->state.at[s].block[k], wanted);
+}
+
+static void use_operands(const IrIns *i, bool *used)
+{
+    if (ir_op_info[i->op].operands > 0)
+        used[i->a] = true;
+    if (ir_op_info[i->op].operands > 1)
+        used[i->b] = true;
+}
+
+// Keeps of the sample function what gives wanted windows their samples, and notes what that wants in turn.
+static void clean_samples(Arena *arena, IrFn *f, uint32_t *wanted)
+{
+    IrBlk *blk = &f->blk.at[0];
+    bool *used = ARENA_ARRAY(arena, bool, f->ins.n);
+    size_t kept = blk->ins.n, n = 0;
+
+    for (size_t i = blk->ins.n; i-- > 0;) {
+        const IrIns *ins = &f->ins.at[blk->ins.at[i]];
+        if (ins->op == IR_sample ? wanted[ins->var] == 0 : !used[blk->ins.at[i]])
+            continue;
+        use_operands(ins, used);
+        if (ins->op == IR_stat)
+            wanted[ins->var] |= 1u << ins->stat;
+        blk->ins.at[--kept] = blk->ins.at[i];
+    }
+    while (kept < blk->ins.n)
+        blk->ins.at[n++] = blk->ins.at[kept++];
+    blk->ins.n = n;
+}
+
+static void renumber(IrFn *f, const uint32_t *number)
+{
+    for (size_t b = 0; f && b < f->blk.n; b++)
+        for (size_t i = 0; i < f->blk.at[b].ins.n; i++) {
+            IrIns *ins = &f->ins.at[f->blk.at[b].ins.at[i]];
+            if (ins->op == IR_stat || ins->op == IR_sample)
+                ins->var = number[ins->var];
+        }
+}
+
+static void drop_windows(Arena *arena, IrMachine *m, const uint32_t *wanted)
+{
+    uint32_t *number = ARENA_ARRAY(arena, uint32_t, m->window.n);
+    uint32_t n = 0;
+
+    for (size_t w = 0; w < m->window.n; w++)
+        if (wanted[w]) {
+            number[w] = n;
+            m->window.at[n].size = m->window.at[w].size;
+            m->window.at[n++].stats = wanted[w];
+        }
+    m->window.n = n;
+    renumber(m->sample, number);
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int k = 0; k < BLOCK_COUNT; k++)
+            renumber(m->state.at[s].block[k], number);
+    if (n == 0)
+        m->sample = NULL;
+}
+
+void pass_windows(Arena *arena, IrMachine *m)
+{
+    uint32_t *wanted = ARENA_ARRAY(arena, uint32_t, m->window.n);
+
+    if (m->window.n == 0)
+        return;
+    note_stats_of_states(m, wanted);
+    clean_samples(arena, m->sample, wanted);
+    drop_windows(arena, m, wanted);
+}
