@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+// [state_vector] and [local] of a machine to its variables (language.md 5): a name means one thing, listed elements agree
+// with the state vector, G and S are there, initial values are worked out.
+#include "compiler/sema/sema.h"
+
+#include <string.h>
+
+#include "stdlib/convert.h"
+
+typedef struct LocalDecl { Var *var; const AstDecl *decl; } LocalDecl;
+
+typedef struct Declarations {
+    Sema *s;
+    Program *p;
+    StateVec *sv;                 // the machine's own is filled here
+    const Map *written_outside;
+    VEC(LocalDecl) local;
+    Str time;                     // "T"
+    const AstSection *list;       // [state_vector], or NULL
+} Declarations;
+
+// ---- one name, one meaning ----
+
+static const char *meaning(const Var *v, Str name)
+{
+    if (v->kind == VAR_LOCAL)
+        return "a local";
+    return v->alias == name && v->name != name ? "an alias" : "an element";
+}
+
+static void report_taken(Declarations *k, const Var *v, Str name, Span span)
+{
+    const Var *first = map_find(&k->p->by_name, name);
+    bool same_element = v->kind == VAR_ELEMENT && first->kind == VAR_ELEMENT && v->name == name && first->name == name;
+    Diag *d;
+
+    if (same_element)
+        d = diag_report(k->s->diags, DIAG_element_listed_twice, span, name->text);
+    else
+        d = diag_report(k->s->diags, DIAG_name_taken, span, name->text, meaning(first, name));
+    scope_note_declared(k->s, d, name);
+    map_put(&k->s->doubtful, name, (void *)name);
+}
+
+static void declare(Declarations *k, Var *v, Str name, Span span)
+{
+    if (name == k->time) {
+        diag_report(k->s->diags, DIAG_time_declared, span);
+        map_put(&k->s->doubtful, name, (void *)name);
+    } else if (map_find(&k->p->by_name, name)) {
+        report_taken(k, v, name, span);
+    } else {
+        Span *place = ARENA_NEW(k->s->arena, Span);
+        *place = span;
+        map_put(&k->s->place, name, place);
+        map_put(&k->p->by_name, name, v);
+    }
+}
+
+// ---- annotations ----
+
+static Var *new_var(Declarations *k, VarKind kind, const AstDecl *decl)
+{
+    Var *v = ARENA_NEW(k->s->arena, Var);
+
+    v->kind = kind;
+    v->name = v->report_name = decl->name;
+    v->type = decl->type;
+    v->span = decl->name_span;
+    for (size_t i = 0; i < decl->annotations.n; i++)
+        if (decl->annotations.at[i].kind == AST_READ_ONLY)
+            v->read_only = true;
+    return v;
+}
+
+static void add_alias(Declarations *k, Var *v, const AstAnnotation *a)
+{
+    if (!a->name || v->alias)
+        return;                   // the parser has reported it
+    if (a->name == v->name) {
+        diag_report(k->s->diags, DIAG_alias_own_name, a->span, v->name->text);
+        return;
+    }
+    v->alias = a->name;
+    if (strcmp(v->alias->text, v->name->text) < 0)
+        v->report_name = v->alias;
+    declare(k, v, a->name, a->name_span);
+}
+
+// ---- elements ----
+
+static void guess_element(Declarations *k, Diag *d, Str name)
+{
+    Guess g = guess_start(name);
+
+    if (k->s->guesses == 0)
+        return;
+    k->s->guesses--;
+    for (size_t i = 0; i < k->sv->element.n; i++)
+        guess_try(&g, k->sv->element.at[i]->name);
+    guess_label(k->s->diags, d, &g);
+}
+
+// The element in the .sv that is meant; NULL if there is none of that name.
+static Element *find_element(Declarations *k, const AstDecl *decl)
+{
+    Element *e = map_find(&k->sv->by_name, decl->name);
+    Diag *d;
+
+    if (!e) {
+        d = diag_report(k->s->diags, DIAG_element_not_in_vector, decl->name_span, decl->name->text);
+        guess_element(k, d, decl->name);
+    } else if (e->type != decl->type) {
+        d = diag_report(k->s->diags, DIAG_element_other_type, decl->type_span, e->name->text,
+                        sm_type_info[e->type].spelling, sm_type_info[decl->type].spelling);
+        diag_label(k->s->diags, d, DIAG_label_write_type, sm_type_info[e->type].spelling);
+        diag_note(k->s->diags, d, e->span, DIAG_note_declared_here, e->name->text);
+    }
+    return e;
+}
+
+static Element *add_element(Declarations *k, const AstDecl *decl)
+{
+    Element *e = ARENA_NEW(k->s->arena, Element);
+
+    e->name = decl->name;
+    e->type = decl->type;
+    e->region = k->sv->region.at[0];
+    e->region->count++;
+    e->span = decl->name_span;
+    vec_push(k->s->arena, &k->sv->element, e);
+    map_put(&k->sv->by_name, e->name, e);
+    return e;
+}
+
+static void list_element(Declarations *k, const AstDecl *decl)
+{
+    Var *v = new_var(k, VAR_ELEMENT, decl);
+
+    v->element = k->sv->from_machine ? add_element(k, decl) : find_element(k, decl);
+    declare(k, v, v->name, v->span);
+    for (size_t i = 0; i < decl->annotations.n; i++)
+        if (decl->annotations.at[i].kind == AST_ALIAS)
+            add_alias(k, v, &decl->annotations.at[i]);
+    vec_push(k->s->arena, &k->p->var, v);
+}
+
+// ---- locals ----
+
+static void warn_of_element(Declarations *k, const Var *v)
+{
+    const Element *e = map_find(&k->sv->by_name, v->name);
+    Diag *d;
+
+    if (k->sv->from_machine || !e || map_find(&k->p->by_name, v->name) != v)
+        return;
+    d = diag_report(k->s->diags, DIAG_local_like_element, v->span, v->name->text);
+    diag_note(k->s->diags, d, e->span, DIAG_note_declared_here, e->name->text);
+}
+
+static void declare_local(Declarations *k, const AstDecl *decl)
+{
+    LocalDecl l = {new_var(k, VAR_LOCAL, decl), decl};
+
+    l.var->is_constant = l.var->read_only && !(k->written_outside && map_find(k->written_outside, decl->name));
+    declare(k, l.var, l.var->name, l.var->span);
+    vec_push(k->s->arena, &k->local, l);
+}
+
+// Locals follow the elements, T follows the locals.
+static void number_variables(Declarations *k)
+{
+    Var *t = ARENA_NEW(k->s->arena, Var);
+
+    for (size_t i = 0; i < k->local.n; i++) {
+        vec_push(k->s->arena, &k->p->var, k->local.at[i].var);
+        warn_of_element(k, k->local.at[i].var);
+    }
+    t->kind = VAR_TIME;
+    t->name = t->report_name = k->time;
+    t->type = SM_U64;
+    t->read_only = true;
+    vec_push(k->s->arena, &k->p->var, t);
+    map_put(&k->p->by_name, k->time, t);
+    k->p->t = t;
+    for (size_t i = 0; i < k->p->var.n; i++)
+        k->p->var.at[i]->index = (uint32_t)i;
+}
+
+static void give_initial_values(Declarations *k)
+{
+    Sema *s = k->s;
+
+    s->no_value = ARENA_ARRAY(s->arena, bool, k->p->var.n);
+    s->at = PLACE_INITIAL;
+    for (size_t i = 0; i < k->local.n; i++) {
+        Var *v = k->local.at[i].var;
+        const AstExpr *value = k->local.at[i].decl->value;
+        Expr *e;
+
+        s->local = v;
+        e = value ? check_expr(s, value) : NULL;
+        s->no_value[v->index] = !e;
+        if (e)
+            v->init = sm_cell_from_f64(v->type, const_eval(e));
+    }
+    s->at = PLACE_STEP;
+}
+
+// ---- G and S ----
+
+static Var *find_special(Declarations *k, const char *name, SmType type, DiagCode missing, DiagCode wrong)
+{
+    Str key = str_c(k->s->strings, name);
+    Var *v = map_find(&k->p->by_name, key);
+
+    if (!v && !k->s->names_lost)
+        diag_report(k->s->diags, missing, k->list->header);
+    if (!v || scope_is_doubtful(k->s, key))
+        return v;
+    if (v->kind != VAR_ELEMENT || v->type != type)
+        diag_report(k->s->diags, wrong, v->span, v->kind == VAR_ELEMENT ? sm_type_info[v->type].spelling : "a local");
+    v->read_only = true;
+    return v;
+}
+
+static void find_specials(Declarations *k)
+{
+    bool any = k->p->var.n > k->local.n + 1;       // beside locals and T
+
+    if (any && k->list) {
+        k->p->g = find_special(k, "G", SM_U64, DIAG_no_global_time, DIAG_global_time_type);
+        k->p->s = find_special(k, "S", SM_U32, DIAG_no_state_element, DIAG_state_element_type);
+    } else if (!k->s->names_lost)
+        diag_report(k->s->diags, DIAG_no_elements, k->list ? k->list->header : (Span){k->p->src, 0, 0});
+}
+
+// ---- all of it ----
+
+static void check_declaration_section(Declarations *k, const AstSection *section)
+{
+    if (section->kind == AST_STATE_VECTOR) {
+        k->list = section;
+        for (size_t i = 0; i < section->decls.n; i++)
+            list_element(k, &section->decls.at[i]);
+    } else if (section->kind == AST_LOCAL)
+        for (size_t i = 0; i < section->decls.n; i++)
+            declare_local(k, &section->decls.at[i]);
+}
+
+void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside)
+{
+    Declarations k;
+
+    memset(&k, 0, sizeof k);
+    k.s = s;
+    k.p = p;
+    k.sv = sv;
+    k.written_outside = written_outside;
+    k.time = str_c(s->strings, "T");
+    for (size_t i = 0; i < sm->sections.n; i++)
+        check_declaration_section(&k, sm->sections.at[i]);
+    number_variables(&k);
+    give_initial_values(&k);
+    find_specials(&k);
+}

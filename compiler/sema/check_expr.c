@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+// Expressions (language.md 3): names bound, chains of relations flattened, parentheses and unary plus dropped.
+// Recursion is as deep as the tree, which AST_DEPTH_MAX bounds.
+#include "compiler/sema/sema.h"
+
+Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
+{
+    Expr *e = ARENA_NEW(s->arena, Expr);
+
+    e->kind = kind;
+    e->span = span;
+    e->n = args;
+    e->arg = ARENA_ARRAY(s->arena, Expr *, args);
+    return e;
+}
+
+// Checks all of them, so that each one's mistakes are found; whether all were good.
+static bool check_args(Sema *s, AstExpr *const *in, uint32_t n, Expr **out)
+{
+    bool good = true;
+
+    for (uint32_t i = 0; i < n; i++) {
+        out[i] = check_expr(s, in[i]);
+        good = good && out[i];
+    }
+    return good;
+}
+
+// ---- names ----
+
+// An initial value is worked out when compiling: only what is declared above has a value by then.
+static bool allowed_in_initial(Sema *s, const Var *v, const AstExpr *e)
+{
+    Diag *d;
+
+    if (v->kind != VAR_LOCAL)
+        d = diag_report(s->diags, DIAG_initial_value_varies, e->span, s->local->name->text, e->name->text,
+                        v->kind == VAR_TIME ? "the time in the state" : "an element");
+    else if (v == s->local)
+        d = diag_report(s->diags, DIAG_initial_value_of_itself, e->span, e->name->text);
+    else if (v->index > s->local->index)
+        d = diag_report(s->diags, DIAG_initial_value_later, e->span, s->local->name->text, e->name->text);
+    else
+        return !s->no_value[v->index];
+    if (v != s->local)
+        scope_note_declared(s, d, e->name);
+    return false;
+}
+
+// A window's size is fixed when compiling, from the locals' initial values.
+static bool allowed_in_size(Sema *s, Var *v, const AstExpr *e)
+{
+    SizeUse use = {v, e->span};
+    Diag *d;
+
+    if (v->kind != VAR_LOCAL) {
+        d = diag_report(s->diags, DIAG_window_size_varies, e->span, s->size_of->text, e->name->text,
+                        v->kind == VAR_TIME ? "the time in the state" : "an element");
+        scope_note_declared(s, d, e->name);
+        return false;
+    }
+    vec_push(s->arena, &s->size_use, use);
+    return !s->no_value || !s->no_value[v->index];
+}
+
+static bool allowed(Sema *s, Var *v, const AstExpr *e)
+{
+    switch (s->at) {
+    case PLACE_STEP:    return true;
+    case PLACE_INITIAL: return allowed_in_initial(s, v, e);
+    case PLACE_SIZE:    return allowed_in_size(s, v, e);
+    }
+    return false;
+}
+
+static Expr *check_name(Sema *s, const AstExpr *e)
+{
+    Var *v = scope_find(s, e->name);
+    Expr *out;
+
+    if (!v) {
+        scope_report_unknown(s, e->name, e->span);
+        return NULL;
+    }
+    if (!s->in_script)
+        v->read = true;
+    if (scope_is_doubtful(s, e->name) || !allowed(s, v, e))
+        return NULL;
+    out = expr_new(s, EX_VAR, e->span, 0);
+    out->var = v;
+    return out;
+}
+
+static Expr *check_number(Sema *s, const AstExpr *e)
+{
+    Expr *out = expr_new(s, EX_NUMBER, e->span, 0);
+
+    out->number = e->number;
+    return out;
+}
+
+// ---- operators ----
+
+static SmOpClass class_of(const AstExpr *e)
+{
+    return sm_op_info[e->op].op_class;
+}
+
+static bool is_relation(const AstExpr *e)
+{
+    return e->kind == AST_BINARY && class_of(e) == SM_CLASS_RELATION;
+}
+
+static const char *source_text(Sema *s, Span span)
+{
+    return format_in(s->arena, "%.*s", (int)span.len, span.src->text + span.at);
+}
+
+static Span span_between(uint32_t from, Span to)
+{
+    Span span = {to.src, from, to.at + to.len - from};
+    return span;
+}
+
+// `not a == b` is `(not a) == b`, and rarely meant: both readings are shown (language.md 3.13).
+static void warn_of_not(Sema *s, const AstExpr *whole)
+{
+    enum { LONGEST = 60 };                      // of what is worth quoting
+    const AstExpr *left = whole;
+    Span rest;
+    Diag *d;
+
+    while (left->kind == AST_BINARY)
+        left = left->a;
+    if (left->kind != AST_UNARY || left->op != SM_OP_NOT)
+        return;
+    d = diag_report(s->diags, DIAG_not_binds_tight, left->span);
+    rest = span_between(left->a->span.at, whole->span);
+    if (whole->span.len > LONGEST)
+        return;
+    diag_note(s->diags, d, (Span){0}, DIAG_note_not_as_written, source_text(s, left->a->span),
+              source_text(s, span_between(left->span.at + left->span.len, whole->span)));
+    diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, source_text(s, rest));
+}
+
+static void look_for_not(Sema *s, const AstExpr *e)
+{
+    bool inside = s->spine == e;                // part of a whole that was looked at
+
+    if (class_of(e) == SM_CLASS_LOGIC)
+        return;
+    s->spine = e->a;
+    if (!inside)
+        warn_of_not(s, e);
+}
+
+static Expr *check_binary(Sema *s, const AstExpr *e)
+{
+    Expr *out = expr_new(s, EX_BINARY, e->span, 2);
+    AstExpr *operands[2] = {e->a, e->b};
+
+    out->op = e->op;
+    return check_args(s, operands, 2, out->arg) ? out : NULL;
+}
+
+// (a < b) <= c without parentheses: one EX_CHAIN of a, b, c.
+static Expr *check_chain(Sema *s, const AstExpr *e)
+{
+    uint32_t n = 2, i;
+    const AstExpr *first = e->a;
+    AstExpr **operand;
+    Expr *out;
+
+    for (; is_relation(first); first = first->a)
+        n++;
+    out = expr_new(s, EX_CHAIN, e->span, n);
+    out->ops = ARENA_ARRAY(s->arena, SmOperator, n - 1);
+    operand = ARENA_ARRAY(s->arena, AstExpr *, n);
+    for (i = n - 1; i > 0; i--, e = e->a) {
+        operand[i] = e->b;
+        operand[0] = e->a;
+        out->ops[i - 1] = e->op;
+    }
+    s->spine = operand[0];
+    return check_args(s, operand, n, out->arg) ? out : NULL;
+}
+
+static Expr *check_unary(Sema *s, const AstExpr *e)
+{
+    Expr *out;
+
+    if (e->op == SM_OP_PLUS)
+        return check_expr(s, e->a);
+    out = expr_new(s, EX_UNARY, e->span, 1);
+    out->op = e->op;
+    out->arg[0] = check_expr(s, e->a);
+    return out->arg[0] ? out : NULL;
+}
+
+// ---- calls ----
+
+static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
+{
+    const char *wanted = format_in(s->arena, "%u argument%s", fn->arguments, fn->arguments == 1 ? "" : "s");
+    const char *found = format_in(s->arena, "%lu", (unsigned long)e->args.n);
+    Diag *d = diag_report(s->diags, DIAG_argument_count, e->op_span, fn->name, wanted, found);
+
+    diag_label(s->diags, d, DIAG_label_write_call, fn->name, function_usage(fn));
+}
+
+static Expr *check_pure(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
+{
+    Expr *out = expr_new(s, EX_CALL, e->span, fn->arguments);
+
+    out->fn = (SmBuiltin)(fn - sm_builtin_info);
+    return check_args(s, e->args.at, fn->arguments, out->arg) ? out : NULL;
+}
+
+static Expr *check_call(Sema *s, const AstExpr *e)
+{
+    const SmBuiltinInfo *fn = scope_find_function(s, e->name);
+
+    if (fn && e->args.n == fn->arguments)
+        return fn->is_roll ? check_roll(s, e, fn) : check_pure(s, e, fn);
+    if (fn)
+        report_argument_count(s, e, fn);
+    else
+        scope_report_unknown_function(s, e->name, e->op_span);
+    if (s->at == PLACE_STEP)                    // mistakes of their own; but what is allowed depends on the function
+        for (size_t i = 0; i < e->args.n; i++)
+            check_expr(s, e->args.at[i]);
+    return NULL;
+}
+
+Expr *check_expr(Sema *s, const AstExpr *e)
+{
+    switch (e->kind) {
+    case AST_ERROR:  return NULL;
+    case AST_NUMBER: return check_number(s, e);
+    case AST_NAME:   return check_name(s, e);
+    case AST_UNARY:  return check_unary(s, e);
+    case AST_BINARY:
+        look_for_not(s, e);
+        return is_relation(e) && is_relation(e->a) ? check_chain(s, e) : check_binary(s, e);
+    case AST_PAREN:  return check_expr(s, e->a);
+    case AST_CALL:   return check_call(s, e);
+    }
+    return NULL;
+}

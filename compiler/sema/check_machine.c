@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// A machine file to a Program: its states are numbered, its variables declared, its blocks checked.
+#include "compiler/sema/sema.h"
+
+// ---- states ----
+
+static void report_state_twice(Sema *s, const State *first, const AstSection *section)
+{
+    Diag *d = diag_report(s->diags, DIAG_state_twice, section->name_span, section->name->text);
+
+    diag_note(s->diags, d, first->span, DIAG_note_declared_here, first->name->text);
+}
+
+static void add_state(Sema *s, Program *p, const AstSection *section)
+{
+    State *state = ARENA_NEW(s->arena, State);
+    const State *first = map_find(&p->state_by_name, section->name);
+
+    state->name = section->name;
+    state->span = section->name_span;
+    state->number = (uint32_t)p->state.n + 1;
+    vec_push(s->arena, &p->state, state);
+    if (first)
+        report_state_twice(s, first, section);
+    else
+        map_put(&p->state_by_name, state->name, state);
+}
+
+static void add_states(Sema *s, Program *p, const AstFile *sm)
+{
+    for (size_t i = 0; i < sm->sections.n; i++)
+        if (sm->sections.at[i]->kind == AST_STATE)
+            add_state(s, p, sm->sections.at[i]);
+    if (p->state.n == 0 && !s->names_lost)
+        diag_report(s->diags, DIAG_no_state, (Span){p->src, 0, 0});
+}
+
+// ---- blocks ----
+
+static void check_state(Sema *s, State *state, const AstSection *section)
+{
+    static const BlockKind block_of[AST_LABEL_COUNT] = {[AST_ENTRY] = BLOCK_ENTRY, [AST_STEP] = BLOCK_STEP, [AST_EXIT] = BLOCK_EXIT};
+
+    for (int i = 0; i < AST_LABEL_COUNT; i++) {
+        s->block = block_of[i];
+        state->block_span[s->block] = section->block[i].label;
+        check_stmts(s, &section->block[i].stmts, &state->block[s->block]);
+    }
+}
+
+static void check_states(Sema *s, Program *p, const AstFile *sm)
+{
+    size_t state = 0;
+
+    for (size_t i = 0; i < sm->sections.n; i++)
+        if (sm->sections.at[i]->kind == AST_STATE)
+            check_state(s, p->state.at[state++], sm->sections.at[i]);
+}
+
+// ---- the whole ----
+
+static StateVec *own_state_vector(CheckContext *c, Program *p)
+{
+    StateVec *sv = ARENA_NEW(c->arena, StateVec);
+    Region *r = ARENA_NEW(c->arena, Region);
+
+    r->name = sv->name = p->name;
+    r->span = (Span){p->src, 0, 0};
+    sv->from_machine = true;
+    sv->by_name.arena = c->arena;
+    vec_push(c->arena, &sv->region, r);
+    return sv;
+}
+
+static Program *new_program(CheckContext *c, const AstFile *sm)
+{
+    Program *p = ARENA_NEW(c->arena, Program);
+
+    p->name = sema_stem(c->strings, sm->src);
+    p->src = sm->src;
+    p->by_name.arena = p->state_by_name.arena = c->arena;
+    return p;
+}
+
+Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside)
+{
+    size_t errors = c->diags->errors;
+    Program *p = new_program(c, sm);
+    Sema s;
+
+    sema_init(&s, c, p, &p->window);
+    s.names_lost = sema_lost_names(c->diags, sm);
+    s.sv = sv;
+    p->sv = sv ? sv : own_state_vector(c, p);
+    add_states(&s, p, sm);
+    check_declarations(&s, p, sm, p->sv, written_outside);
+    check_states(&s, p, sm);
+    check_size_uses(&s);
+    if (c->diags->errors > errors)
+        return NULL;
+    if (!sv)
+        layout_state_vector(p->sv, c->arena);
+    return p;
+}

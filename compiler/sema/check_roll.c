@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calls of roll functions (language.md 7): the sampled expression, and a size that is known when compiling.
+#include "compiler/sema/sema.h"
+
+// A number as the user would write it: the fewest digits that give it back.
+static const char *number_text(Sema *s, SmF64 x)
+{
+    enum { ENOUGH = 17 };         // digits that tell any two F64 apart
+    const char *text = "";
+
+    if (sm_is_nan(x))
+        return "not a number";
+    for (int digits = 6; digits <= ENOUGH; digits++) {
+        double back = 0;
+        text = format_in(s->arena, "%.*g", digits, x);
+        if (sscanf(text, "%lf", &back) == 1 && sm_eq(back, x))
+            break;
+    }
+    return text;
+}
+
+static bool is_whole(SmF64 x)
+{
+    return sm_eq(sm_trunc(x), x);
+}
+
+// The size, or 0 when it was reported.
+static uint32_t size_of_window(Sema *s, const AstExpr *n, const Expr *value, const SmBuiltinInfo *fn)
+{
+    SmF64 x = const_eval(value);
+
+    if (!is_whole(x))
+        diag_report(s->diags, DIAG_window_size_not_whole, n->span, fn->name, number_text(s, x));
+    else if (sm_lt(x, sm_from_i32(1)) || sm_lt(sm_from_u32(SM_WINDOW_MAX), x))
+        diag_report(s->diags, DIAG_window_size_range, n->span, fn->name, number_text(s, x));
+    else
+        return sm_to_u32(x);
+    return 0;
+}
+
+static uint32_t check_size(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
+{
+    const AstExpr *n = call->args.at[1];
+    Expr *value;
+
+    s->at = PLACE_SIZE;
+    s->size_of = call->name;
+    value = check_expr(s, n);
+    s->at = PLACE_STEP;
+    return value ? size_of_window(s, n, value, fn) : 0;
+}
+
+static bool allowed_here(Sema *s, const AstExpr *call)
+{
+    if (s->at == PLACE_INITIAL)
+        diag_report(s->diags, DIAG_initial_value_rolls, call->op_span, s->local->name->text, call->name->text);
+    else if (s->at == PLACE_SIZE)
+        diag_report(s->diags, DIAG_window_size_rolls, call->op_span, s->size_of->text, call->name->text);
+    return s->at == PLACE_STEP;
+}
+
+Expr *check_roll(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
+{
+    Window w = {0};
+    Expr *out;
+
+    if (!allowed_here(s, call))
+        return NULL;
+    out = expr_new(s, EX_ROLL, call->span, 1);
+    out->arg[0] = w.sample = check_expr(s, call->args.at[0]);     // windows inside get their place before this one
+    w.size = check_size(s, call, fn);
+    w.stat = out->stat = fn->stat;
+    w.span = call->span;
+    if (!w.sample || !w.size)
+        return NULL;
+    out->window = (uint32_t)s->windows->n;
+    vec_push(s->arena, s->windows, w);
+    return out;
+}
+
+void check_size_uses(Sema *s)
+{
+    for (size_t i = 0; i < s->size_use.n; i++) {
+        const SizeUse *use = &s->size_use.at[i];
+        if (use->local->written) {
+            Diag *d = diag_report(s->diags, DIAG_window_size_of_variable, use->span, use->local->name->text);
+            diag_note(s->diags, d, use->local->span, DIAG_note_declared_here, use->local->name->text);
+        }
+    }
+}

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// A state script (language.md 8) to a Script: options, sections of states that exist, conditionals with their items.
+#include "compiler/sema/sema.h"
+
+#include <string.h>
+
+typedef struct ScriptCheck {
+    Sema s;
+    Script *script;
+    Str delta_t, init_state;      // the options' names
+    bool has_delta_t, has_stop;
+    bool lost;                    // the parser dropped something of the file
+    Map section;                  // state name to the Span of its section
+} ScriptCheck;
+
+// ---- options ----
+
+// One number without a sign, whole, 1 … 2^63.
+static void check_delta_t(ScriptCheck *k, const AstOption *o)
+{
+    SmF64 highest = sm_from_u64(0x8000000000000000u), x;
+
+    k->has_delta_t = true;
+    if (!o->number || o->number->kind != AST_NUMBER)
+        return;                   // the parser has reported it
+    x = o->number->number;
+    if (!sm_eq(sm_trunc(x), x) || sm_lt(x, sm_from_i32(1)) || sm_lt(highest, x))
+        diag_report(k->s.diags, DIAG_delta_t_value, o->value_span);
+    else
+        k->script->delta_t = sm_to_u64(x);
+}
+
+static void check_init_state(ScriptCheck *k, const AstOption *o)
+{
+    State *state = o->word ? scope_find_state(&k->s, o->word, o->value_span) : NULL;
+
+    if (state)
+        k->script->init_state = state;
+}
+
+static void check_option(ScriptCheck *k, const AstOption *o)
+{
+    Guess g = guess_start(o->name);
+
+    if (o->name == k->delta_t)
+        check_delta_t(k, o);
+    else if (o->name == k->init_state)
+        check_init_state(k, o);
+    else {
+        guess_try(&g, k->delta_t);
+        guess_try(&g, k->init_state);
+        guess_label(k->s.diags, diag_report(k->s.diags, DIAG_unknown_script_option, o->name_span, o->name->text), &g);
+    }
+}
+
+// ---- conditionals ----
+
+static void check_assert(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
+{
+    Expr *e = check_expr(&k->s, in->value);
+
+    if (e)
+        vec_push(k->s.arena, &item->asserts, e);
+}
+
+static void check_input(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
+{
+    Stmt *stmt = check_assignment(&k->s, in);
+
+    if (stmt)
+        vec_push(k->s.arena, &item->inputs, stmt);
+}
+
+static void check_after_stop(ScriptCheck *k, const ScriptItem *item, const AstStmt *in)
+{
+    Diag *d = diag_report(k->s.diags, DIAG_after_stop, in->span);
+
+    diag_note(k->s.diags, d, item->stop_span, DIAG_note_stop_here);
+}
+
+static void check_item(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
+{
+    switch (in->kind) {
+    case AST_ASSIGN: check_input(k, item, in); break;
+    case AST_ASSERT: check_assert(k, item, in); break;
+    case AST_STOP:
+        item->stop = k->has_stop = true;
+        item->stop_span = in->span;
+        break;
+    case AST_TRANSITION: case AST_IF: case AST_STMT_ERROR: break;     // the parser has reported them
+    }
+}
+
+static void check_items(ScriptCheck *k, ScriptItem *item, const AstStmts *in)
+{
+    bool told = false;
+
+    for (size_t i = 0; i < in->n; i++) {
+        if (item->stop && !told) {
+            check_after_stop(k, item, in->at[i]);
+            told = true;
+        }
+        check_item(k, item, in->at[i]);
+    }
+}
+
+static void check_conditional(ScriptCheck *k, ScriptSection *section, const AstStmt *in)
+{
+    ScriptItem item;
+
+    memset(&item, 0, sizeof item);
+    item.span = in->span;
+    item.guard = check_expr(&k->s, in->value);
+    if (in->braces && in->then.n == 0)
+        diag_report(k->s.diags, DIAG_empty_conditional, in->body_span);
+    check_items(k, &item, &in->then);
+    vec_push(k->s.arena, &section->item, item);
+}
+
+// ---- sections ----
+
+static void check_section_twice(ScriptCheck *k, const AstSection *in)
+{
+    Span *first = map_find(&k->section, in->name);
+
+    if (first) {
+        Diag *d = diag_report(k->s.diags, DIAG_script_section_twice, in->name_span, in->name->text);
+        diag_note(k->s.diags, d, *first, DIAG_note_first_here);
+        return;
+    }
+    first = ARENA_NEW(k->s.arena, Span);
+    *first = in->name_span;
+    map_put(&k->section, in->name, first);
+}
+
+static void check_section(ScriptCheck *k, const AstSection *in)
+{
+    ScriptSection section;
+
+    memset(&section, 0, sizeof section);
+    if (!in->all_states) {
+        section.state = scope_find_state(&k->s, in->name, in->name_span);
+        check_section_twice(k, in);
+    }
+    for (size_t i = 0; i < in->items.n; i++)
+        if (in->items.at[i]->kind == AST_IF)
+            check_conditional(k, &section, in->items.at[i]);
+    vec_push(k->s.arena, &k->script->section, section);
+}
+
+static void check_any_section(ScriptCheck *k, const AstSection *in)
+{
+    if (in->kind == AST_SCRIPT_STATE)
+        check_section(k, in);
+    else if (in->kind == AST_OPTIONS)
+        for (size_t i = 0; i < in->options.n; i++)
+            check_option(k, &in->options.at[i]);
+}
+
+// ---- the whole ----
+
+static void init_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, const Program *program)
+{
+    memset(k, 0, sizeof *k);
+    k->script = ARENA_NEW(c->arena, Script);
+    k->script->src = ss->src;
+    k->script->program = program;
+    k->script->init_state = program->state.at[0];
+    sema_init(&k->s, c, program, &k->script->window);
+    k->s.in_script = true;
+    k->delta_t = str_c(c->strings, "delta_t");
+    k->init_state = str_c(c->strings, "init_state");
+    k->section.arena = c->arena;
+}
+
+static bool has_errors_in(const Diags *d, const Source *src)
+{
+    for (size_t i = 0; i < d->list.n; i++)
+        if (d->list.at[i]->severity == DIAG_ERROR && d->list.at[i]->span.src == src)
+            return true;
+    return false;
+}
+
+Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
+{
+    size_t errors = c->diags->errors;
+    bool lost = has_errors_in(c->diags, ss->src);
+    Span start = {ss->src, 0, 0};
+    ScriptCheck k;
+
+    init_check(&k, c, ss, program);
+    for (size_t i = 0; i < ss->sections.n; i++)
+        check_any_section(&k, ss->sections.at[i]);
+    if (!k.has_delta_t && !lost)
+        diag_report(c->diags, DIAG_no_delta_t, start);
+    if (!k.has_stop && !lost)
+        diag_report(c->diags, DIAG_no_stop, start);
+    return c->diags->errors > errors ? NULL : k.script;
+}
+
+static void add_written(const AstStmts *stmts, Map *names)
+{
+    for (size_t i = 0; i < stmts->n; i++)
+        if (stmts->at[i]->kind == AST_ASSIGN)
+            map_put(names, stmts->at[i]->name, (void *)stmts->at[i]->name);
+}
+
+void script_written_names(const AstFile *ss, Map *names)
+{
+    for (size_t i = 0; i < ss->sections.n; i++) {
+        const AstStmts *items = &ss->sections.at[i]->items;
+        for (size_t j = 0; j < items->n; j++)
+            if (items->at[j]->kind == AST_IF)
+                add_written(&items->at[j]->then, names);
+    }
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Statements (language.md 5): what may be written, where transitions may stand and lead, what can never run.
+// Recursion is as deep as conditionals nest, which AST_DEPTH_MAX bounds.
+#include "compiler/sema/sema.h"
+
+// ---- assignments ----
+
+static Diag *report_read_only(Sema *s, const Var *v, Span span, Str name)
+{
+    if (v == s->p->t)
+        return diag_report(s->diags, DIAG_write_time, span);
+    if (v == s->p->g)
+        return diag_report(s->diags, DIAG_write_global_time, span, name->text);
+    if (v == s->p->s)
+        return diag_report(s->diags, DIAG_write_state_element, span, name->text);
+    if (v->kind == VAR_LOCAL)
+        return diag_report(s->diags, DIAG_write_constant, span, name->text);
+    return diag_report(s->diags, DIAG_write_read_only, span, name->text);
+}
+
+// G, S and T belong to nobody's assignments; what is marked @read_only a script may write.
+static bool may_write(Sema *s, const Var *v, Str name, Span span)
+{
+    bool own = v == s->p->g || v == s->p->s || v == s->p->t;
+
+    if (scope_is_doubtful(s, name))
+        return false;
+    if (!v->read_only || (s->in_script && !own))
+        return true;
+    scope_note_declared(s, report_read_only(s, v, span, name), name);
+    return false;
+}
+
+static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
+{
+    Diag *d;
+
+    if (!s->in_script || v->kind != VAR_LOCAL || !v->read_only || map_find(&s->unknown_name, in->name))
+        return;
+    map_put(&s->unknown_name, in->name, (void *)in->name);       // said once a script
+    d = diag_report(s->diags, DIAG_script_writes_constant, in->name_span, in->name->text);
+    scope_note_declared(s, d, in->name);
+}
+
+Stmt *check_assignment(Sema *s, const AstStmt *in)
+{
+    Var *v = scope_find(s, in->name);
+    Stmt *out = ARENA_NEW(s->arena, Stmt);
+    bool good = false;
+
+    if (!v)
+        scope_report_unknown(s, in->name, in->name_span);
+    else
+        good = may_write(s, v, in->name, in->name_span);
+    if (good)
+        warn_of_read_only_local(s, v, in);
+    if (v && !s->in_script)
+        v->written = true;
+    out->kind = ST_ASSIGN;
+    out->span = in->span;
+    out->var = v;
+    out->value = check_expr(s, in->value);
+    return good && out->value ? out : NULL;
+}
+
+// ---- transitions ----
+
+static Stmt *check_transition(Sema *s, const AstStmt *in)
+{
+    Stmt *out = ARENA_NEW(s->arena, Stmt);
+
+    out->kind = ST_TRANSITION;
+    out->span = in->span;
+    out->target = scope_find_state(s, in->name, in->name_span);
+    if (s->block == BLOCK_EXIT) {
+        diag_report(s->diags, DIAG_transition_in_exit, in->span);
+        return NULL;
+    }
+    return out->target ? out : NULL;
+}
+
+// ---- conditionals ----
+
+static void warn_of_empty(Sema *s, const AstStmt *in)
+{
+    if (in->braces && in->then.n == 0)
+        diag_report(s->diags, DIAG_empty_braces, in->body_span);
+    if (in->has_else && in->else_braces && in->otherwise.n == 0)
+        diag_report(s->diags, DIAG_empty_braces, in->else_body_span);
+}
+
+static Stmt *check_if(Sema *s, const AstStmt *in)
+{
+    Stmt *out = ARENA_NEW(s->arena, Stmt);
+
+    warn_of_empty(s, in);
+    out->kind = ST_IF;
+    out->span = in->span;
+    out->value = check_expr(s, in->value);
+    check_stmts(s, &in->then, &out->then);
+    check_stmts(s, &in->otherwise, &out->otherwise);
+    return out->value ? out : NULL;
+}
+
+static Stmt *check_stmt(Sema *s, const AstStmt *in)
+{
+    switch (in->kind) {
+    case AST_ASSIGN:     return check_assignment(s, in);
+    case AST_TRANSITION: return check_transition(s, in);
+    case AST_IF:         return check_if(s, in);
+    case AST_ASSERT: case AST_STOP: case AST_STMT_ERROR: break;   // the parser has reported them
+    }
+    return NULL;
+}
+
+// ---- lists ----
+
+static void warn_of_the_rest(Sema *s, const AstStmt *transition, const AstStmt *next)
+{
+    Diag *d = diag_report(s->diags, DIAG_after_transition, next->span);
+
+    diag_note(s->diags, d, transition->span, DIAG_note_transition_here);
+}
+
+void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
+{
+    for (size_t i = 0; i < in->n; i++) {
+        Stmt *stmt = check_stmt(s, in->at[i]);
+        if (stmt)
+            vec_push(s->arena, out, stmt);
+        if (i > 0 && in->at[i - 1]->kind == AST_TRANSITION)
+            warn_of_the_rest(s, in->at[i - 1], in->at[i]);
+    }
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// A state vector file (language.md 4) to a StateVec: names unique, regions not empty, everything placed.
+#include "compiler/sema/sema.h"
+
+typedef struct SvCheck {
+    const CheckContext *c;
+    StateVec *sv;
+    Map region_by_name;
+} SvCheck;
+
+static void check_option(SvCheck *k, const AstOption *o)
+{
+    Str lock = str_c(k->c->strings, "lock");
+    Guess g = guess_start(o->name);
+    Diag *d;
+
+    if (o->name == lock) {
+        k->sv->lock = true;
+        return;
+    }
+    guess_try(&g, lock);
+    d = diag_report(k->c->diags, DIAG_unknown_vector_option, o->name_span, o->name->text);
+    guess_label(k->c->diags, d, &g);
+}
+
+static void check_element(SvCheck *k, Region *r, const AstDecl *decl)
+{
+    const Element *first = map_find(&k->sv->by_name, decl->name);
+    Element *e = ARENA_NEW(k->c->arena, Element);
+
+    if (first) {
+        Diag *d = diag_report(k->c->diags, DIAG_element_twice, decl->name_span, decl->name->text);
+        diag_note(k->c->diags, d, first->span, DIAG_note_declared_here, first->name->text);
+        return;
+    }
+    e->name = decl->name;
+    e->type = decl->type;
+    e->region = r;
+    e->span = decl->name_span;
+    vec_push(k->c->arena, &k->sv->element, e);
+    map_put(&k->sv->by_name, e->name, e);
+    r->count++;
+}
+
+static Region *new_region(SvCheck *k, const AstSection *section)
+{
+    Region *r = ARENA_NEW(k->c->arena, Region);
+
+    r->name = section->name;
+    r->span = section->name_span;
+    r->first = (uint32_t)k->sv->element.n;
+    vec_push(k->c->arena, &k->sv->region, r);
+    return r;
+}
+
+static void check_region(SvCheck *k, const AstSection *section, bool names_lost)
+{
+    const Region *first = map_find(&k->region_by_name, section->name);
+    Region *r = new_region(k, section);
+
+    if (first) {
+        Diag *d = diag_report(k->c->diags, DIAG_region_twice, section->name_span, section->name->text);
+        diag_note(k->c->diags, d, first->span, DIAG_note_declared_here, first->name->text);
+    } else
+        map_put(&k->region_by_name, section->name, r);
+    if (section->decls.n == 0 && !names_lost)
+        diag_report(k->c->diags, DIAG_region_empty, section->header, section->name->text);
+    for (size_t i = 0; i < section->decls.n; i++)
+        check_element(k, r, &section->decls.at[i]);
+}
+
+static void check_section(SvCheck *k, const AstSection *section, bool names_lost)
+{
+    if (section->kind == AST_REGION)
+        check_region(k, section, names_lost);
+    else if (section->kind == AST_OPTIONS)
+        for (size_t i = 0; i < section->options.n; i++)
+            check_option(k, &section->options.at[i]);
+}
+
+StateVec *check_state_vector(CheckContext *c, const AstFile *f)
+{
+    size_t errors = c->diags->errors;
+    bool names_lost = sema_lost_names(c->diags, f);
+    SvCheck k = {c, ARENA_NEW(c->arena, StateVec), {c->arena, NULL, NULL, 0, 0}};
+
+    k.sv->name = sema_stem(c->strings, f->src);
+    k.sv->by_name.arena = c->arena;
+    for (size_t i = 0; i < f->sections.n; i++)
+        check_section(&k, f->sections.at[i], names_lost);
+    if (k.sv->region.n == 0 && !names_lost)
+        diag_report(c->diags, DIAG_no_region, (Span){f->src, 0, 0});
+    if (c->diags->errors > errors)
+        return NULL;
+    layout_state_vector(k.sv, c->arena);
+    return k.sv;
+}

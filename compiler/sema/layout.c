@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Places the elements of a state vector in memory and on the wire, and draws the hash by which machines are bound to a layout.
+#include "compiler/sema/check.h"
+
+#include "stdlib/crc32.h"
+
+// language.md 4: each element at the next multiple of its size.
+static uint32_t align(uint32_t offset, uint32_t to)
+{
+    return (offset + to - 1) / to * to;
+}
+
+static uint32_t place_region(StateVec *sv, Region *r, uint32_t offset)
+{
+    r->offset = align(offset, 8);
+    r->packed_size = 0;
+    offset = r->offset;
+    for (uint32_t i = 0; i < r->count; i++) {
+        Element *e = sv->element.at[r->first + i];
+        uint32_t bytes = sm_type_info[e->type].bytes;
+
+        e->offset = align(offset, bytes);
+        offset = e->offset + bytes;
+        r->packed_size += bytes;
+    }
+    r->size = offset - r->offset;
+    return offset;
+}
+
+static uint32_t crc_text(uint32_t crc, const char *text)
+{
+    for (; *text; text++)
+        crc = sm_crc32_byte(crc, (uint8_t)*text);
+    return crc;
+}
+
+// The text "[Region]\nTYPE name\n…": equal layouts have equal texts, and the other way round.
+static uint32_t hash_regions(const StateVec *sv)
+{
+    uint32_t crc = SM_CRC32_START;
+
+    for (size_t i = 0; i < sv->region.n; i++) {
+        const Region *r = sv->region.at[i];
+        crc = crc_text(crc_text(crc_text(crc, "["), r->name->text), "]\n");
+        for (uint32_t j = 0; j < r->count; j++) {
+            const Element *e = sv->element.at[r->first + j];
+            crc = crc_text(crc_text(crc, sm_type_info[e->type].spelling), " ");
+            crc = crc_text(crc_text(crc, e->name->text), "\n");
+        }
+    }
+    return sm_crc32_end(crc);
+}
+
+void layout_state_vector(StateVec *sv, Arena *arena)
+{
+    uint32_t offset = 0;
+
+    (void)arena;
+    for (size_t i = 0; i < sv->region.n; i++)
+        offset = place_region(sv, sv->region.at[i], offset);
+    sv->size = align(offset, 8);
+    sv->hash = hash_regions(sv);
+}

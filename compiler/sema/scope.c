@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names in force: finds what a name means, and reports one that means nothing, once, with the nearest that does.
+#include "compiler/sema/sema.h"
+
+// ---- guesses ----
+
+static char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+static bool same_but_for_case(const char *a, const char *b)
+{
+    for (; *a && *b; a++, b++)
+        if (lower(*a) != lower(*b))
+            return false;
+    return *a == *b;
+}
+
+// One wrong letter in three is a slip; more is another word.
+Guess guess_start(Str wanted)
+{
+    size_t slips = wanted->len / 3;
+    Guess g = {wanted, NULL, (slips < 3 ? slips : 3) + 1};
+
+    return g;
+}
+
+void guess_try(Guess *g, Str candidate)
+{
+    size_t distance = str_distance(g->wanted->text, candidate->text, g->limit);
+
+    if (distance > 0 && same_but_for_case(g->wanted->text, candidate->text))
+        distance = g->limit > 1 ? 1 : 0;
+    if (distance >= g->limit)
+        return;
+    g->best = candidate;
+    g->limit = distance;
+}
+
+void guess_label(Diags *diags, Diag *d, const Guess *g)
+{
+    if (g->best)
+        diag_label(diags, d, DIAG_label_did_you_mean, g->best->text);
+}
+
+// Comparing with every known name costs; hostile text must not make it cost the square of its length.
+static bool may_guess(Sema *s)
+{
+    if (s->guesses == 0)
+        return false;
+    s->guesses--;
+    return true;
+}
+
+// True the first time, false for a name that is in the map already.
+static bool first_report(Map *reported, Str name)
+{
+    if (map_find(reported, name))
+        return false;
+    map_put(reported, name, (void *)name);
+    return true;
+}
+
+// ---- variables ----
+
+Var *scope_find(const Sema *s, Str name)
+{
+    return map_find(&s->p->by_name, name);
+}
+
+bool scope_is_doubtful(const Sema *s, Str name)
+{
+    return map_find(&s->doubtful, name) != NULL;
+}
+
+void scope_note_declared(Sema *s, Diag *d, Str name)
+{
+    const Span *span = map_find(&s->place, name);
+    const Var *v = scope_find(s, name);
+
+    if (span)
+        diag_note(s->diags, d, *span, DIAG_note_declared_here, name->text);
+    else if (v && v->span.src)
+        diag_note(s->diags, d, v->span, DIAG_note_declared_here, v->name->text);
+}
+
+static void guess_variable(Sema *s, Diag *d, Str name)
+{
+    Guess g = guess_start(name);
+
+    for (size_t i = 0; i < s->p->var.n; i++) {
+        guess_try(&g, s->p->var.at[i]->name);
+        if (s->p->var.at[i]->alias)
+            guess_try(&g, s->p->var.at[i]->alias);
+    }
+    guess_label(s->diags, d, &g);
+    if (g.best)
+        scope_note_declared(s, d, g.best);
+}
+
+const char *function_usage(const SmBuiltinInfo *fn)
+{
+    static const char *const usage[] = {"()", "(x)", "(a, b)", "(x, lo, hi)"};
+
+    return fn->is_roll ? "(x, n)" : usage[fn->arguments];
+}
+
+static void report_unlisted(Sema *s, Diag *d, const Element *e)
+{
+    diag_label(s->diags, d, DIAG_label_list_it, sm_type_info[e->type].spelling, e->name->text);
+    diag_note(s->diags, d, e->span, DIAG_note_declared_here, e->name->text);
+}
+
+void scope_report_unknown(Sema *s, Str name, Span span)
+{
+    const Element *unlisted = s->sv ? map_find(&s->sv->by_name, name) : NULL;
+    const SmBuiltinInfo *fn = scope_find_function(s, name);
+    Diag *d;
+
+    if (s->names_lost || !first_report(&s->unknown_name, name))
+        return;
+    if (fn && !unlisted) {
+        diag_report(s->diags, DIAG_function_without_call, span, name->text, function_usage(fn));
+        return;
+    }
+    d = diag_report(s->diags, DIAG_unknown_element, span, name->text);
+    if (unlisted)
+        report_unlisted(s, d, unlisted);
+    else if (map_find(&s->p->state_by_name, name))
+        diag_label(s->diags, d, DIAG_label_is_a_state, name->text);
+    else if (may_guess(s))
+        guess_variable(s, d, name);
+}
+
+// ---- states ----
+
+State *scope_find_state(Sema *s, Str name, Span span)
+{
+    State *state = map_find(&s->p->state_by_name, name);
+    Guess g = guess_start(name);
+    Diag *d;
+
+    if (state || s->names_lost || !first_report(&s->unknown_state, name))
+        return state;
+    d = diag_report(s->diags, DIAG_unknown_state, span, name->text);
+    if (!may_guess(s))
+        return NULL;
+    for (size_t i = 0; i < s->p->state.n; i++)
+        guess_try(&g, s->p->state.at[i]->name);
+    guess_label(s->diags, d, &g);
+    return NULL;
+}
+
+// ---- functions ----
+
+const SmBuiltinInfo *scope_find_function(const Sema *s, Str name)
+{
+    return map_find(&s->functions, name);
+}
+
+void scope_report_unknown_function(Sema *s, Str name, Span span)
+{
+    Guess g = guess_start(name);
+    Diag *d;
+
+    if (!first_report(&s->unknown_function, name))
+        return;
+    if (scope_find(s, name)) {
+        d = diag_report(s->diags, DIAG_not_a_function, span, name->text);
+        scope_note_declared(s, d, name);
+        return;
+    }
+    d = diag_report(s->diags, DIAG_unknown_function, span, name->text);
+    for (int i = 0; i < SM_FN_COUNT; i++)
+        guess_try(&g, str_c(s->strings, sm_builtin_info[i].name));
+    guess_label(s->diags, d, &g);
+}

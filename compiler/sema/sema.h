@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the files of the checker share.  Inside sema/ only; others include check.h.
+#ifndef SMC_SEMA_H
+#define SMC_SEMA_H
+
+#include "compiler/sema/check.h"
+
+// Where an expression stands, which decides what it may use.
+typedef enum ExprPlace {
+    PLACE_STEP,               // it is evaluated in a step: everything
+    PLACE_INITIAL,            // initial value of a local: earlier locals
+    PLACE_SIZE                // size of a window: locals
+} ExprPlace;
+
+// A local that the size of a window depends on.
+typedef struct SizeUse { Var *local; Span span; } SizeUse;
+
+// One machine or script being checked.
+typedef struct Sema {
+    Arena *arena;
+    StrPool *strings;
+    Diags *diags;
+    const Program *p;         // the machine: being built, or the one that the script is for
+    StateVec *sv;             // of a machine with a .sv: the elements it could list; else NULL
+    Windows *windows;         // where roll calls go: the machine's or the script's
+    bool in_script;
+    bool names_lost;          // the parser dropped declarations or headers: an unknown name proves nothing
+    Map functions;            // name to SmBuiltinInfo
+    Map unknown_name, unknown_state, unknown_function;   // reported already (name to itself)
+    Map doubtful;             // names declared twice: nothing more is said about them
+    Map place;                // name or alias to the Span of its declaration
+    unsigned guesses;         // how many more unknown names are compared with all known ones
+
+    ExprPlace at;
+    const Var *local;         // PLACE_INITIAL: whose initial value it is
+    Str size_of;              // PLACE_SIZE: the function called
+    const AstExpr *spine;     // the left operand of an operator that was already looked at for `not`
+    bool *no_value;           // by Var.index: a local whose initial value has an error
+    VEC(SizeUse) size_use;
+    BlockKind block;          // where the statement being checked stands
+} Sema;
+
+void sema_init(Sema *s, const CheckContext *c, const Program *p, Windows *windows);
+// Whether errors reported so far in this file may have hidden declarations.
+bool sema_lost_names(const Diags *d, const AstFile *f);
+// The file's name without folders and ending.
+Str sema_stem(StrPool *strings, const Source *src);
+
+// ---- scope.c: names ----
+
+Var *scope_find(const Sema *s, Str name);
+bool scope_is_doubtful(const Sema *s, Str name);
+// Reports a name that scope_find does not know; once.
+void scope_report_unknown(Sema *s, Str name, Span span);
+// The state, or NULL: then it was reported, once.
+State *scope_find_state(Sema *s, Str name, Span span);
+const SmBuiltinInfo *scope_find_function(const Sema *s, Str name);
+// How a function's arguments are written: "(x, n)".
+const char *function_usage(const SmBuiltinInfo *fn);
+void scope_report_unknown_function(Sema *s, Str name, Span span);
+// A note at the declaration of a name of the machine.
+void scope_note_declared(Sema *s, Diag *d, Str name);
+
+// The nearest of several words to one that is unknown.
+typedef struct Guess {
+    Str wanted, best;         // best: NULL while nothing is near
+    size_t limit;             // only what is nearer counts
+} Guess;
+
+Guess guess_start(Str wanted);
+void guess_try(Guess *g, Str candidate);
+void guess_label(Diags *diags, Diag *d, const Guess *g);   // "did you mean …?", if there is one
+
+// ---- the chapters ----
+
+// [state_vector] and [local] of a machine: its variables.
+void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside);
+// Each gives NULL when there was an error in it; that was reported.
+Expr *check_expr(Sema *s, const AstExpr *e);
+Expr *check_roll(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
+Stmt *check_assignment(Sema *s, const AstStmt *in);
+void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
+// Warns of windows whose size depends on a local that the machine assigns.
+void check_size_uses(Sema *s);
+
+Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args);
+
+// The value of an expression of numbers, locals (by their initial values), operators and pure functions.
+SmF64 const_eval(const Expr *e);
+
+#endif
