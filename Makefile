@@ -17,7 +17,7 @@ STDLIB   = $(wildcard stdlib/*.c)
 VM       = $(wildcard bytecode-vm/*.c)
 EMIT_C   = $(filter-out %/embed_tool.c,$(wildcard compiler/emit/c/*.c))
 LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
-             compiler/passes/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM)
+             compiler/passes/*.c compiler/analysis/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM)
 COMMAND  = compiler/base/os_posix.c $(wildcard compiler/device/*.c compiler/cli/*.c)
 
 all: $(B)/smc

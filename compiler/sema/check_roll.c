@@ -2,6 +2,11 @@
 // Calls of roll functions (language.md 7): the sampled expression, and a size that is known when compiling.
 #include "compiler/sema/sema.h"
 
+#include <stdio.h>
+
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
 // A number as the user would write it: the fewest digits that give it back.
 static const char *number_text(Sema *s, SmF64 x)
 {

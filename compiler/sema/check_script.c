@@ -4,12 +4,14 @@
 
 #include <string.h>
 
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
 typedef struct ScriptCheck {
     Sema s;
     Script *script;
     Str delta_t, init_state;      // the options' names
     bool has_delta_t, has_stop;
-    bool lost;                    // the parser dropped something of the file
     Map section;                  // state name to the Span of its section
 } ScriptCheck;
 
@@ -40,17 +42,10 @@ static void check_init_state(ScriptCheck *k, const AstOption *o)
 
 static void check_option(ScriptCheck *k, const AstOption *o)
 {
-    Guess g = guess_start(o->name);
-
     if (o->name == k->delta_t)
         check_delta_t(k, o);
     else if (o->name == k->init_state)
         check_init_state(k, o);
-    else {
-        guess_try(&g, k->delta_t);
-        guess_try(&g, k->init_state);
-        guess_label(k->s.diags, diag_report(k->s.diags, DIAG_unknown_script_option, o->name_span, o->name->text), &g);
-    }
 }
 
 // ---- conditionals ----

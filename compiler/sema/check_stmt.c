@@ -35,9 +35,9 @@ static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
 {
     Diag *d;
 
-    if (!s->in_script || v->kind != VAR_LOCAL || !v->read_only || map_find(&s->unknown_name, in->name))
+    if (!s->in_script || v->kind != VAR_LOCAL || !v->read_only || map_find(&s->said, in->name))
         return;
-    map_put(&s->unknown_name, in->name, (void *)in->name);       // said once a script
+    map_put(&s->said, in->name, (void *)in->name);
     d = diag_report(s->diags, DIAG_script_writes_constant, in->name_span, in->name->text);
     scope_note_declared(s, d, in->name);
 }

@@ -5,23 +5,9 @@
 typedef struct SvCheck {
     const CheckContext *c;
     StateVec *sv;
+    Str lock;                     // the option's name
     Map region_by_name;
 } SvCheck;
-
-static void check_option(SvCheck *k, const AstOption *o)
-{
-    Str lock = str_c(k->c->strings, "lock");
-    Guess g = guess_start(o->name);
-    Diag *d;
-
-    if (o->name == lock) {
-        k->sv->lock = true;
-        return;
-    }
-    guess_try(&g, lock);
-    d = diag_report(k->c->diags, DIAG_unknown_vector_option, o->name_span, o->name->text);
-    guess_label(k->c->diags, d, &g);
-}
 
 static void check_element(SvCheck *k, Region *r, const AstDecl *decl)
 {
@@ -75,14 +61,15 @@ static void check_section(SvCheck *k, const AstSection *section, bool names_lost
         check_region(k, section, names_lost);
     else if (section->kind == AST_OPTIONS)
         for (size_t i = 0; i < section->options.n; i++)
-            check_option(k, &section->options.at[i]);
+            if (section->options.at[i].name == k->lock)
+                k->sv->lock = true;
 }
 
 StateVec *check_state_vector(CheckContext *c, const AstFile *f)
 {
     size_t errors = c->diags->errors;
     bool names_lost = sema_lost_names(c->diags, f);
-    SvCheck k = {c, ARENA_NEW(c->arena, StateVec), {c->arena, NULL, NULL, 0, 0}};
+    SvCheck k = {c, ARENA_NEW(c->arena, StateVec), str_c(c->strings, "lock"), {c->arena, NULL, NULL, 0, 0}};
 
     k.sv->name = sema_stem(c->strings, f->src);
     k.sv->by_name.arena = c->arena;

@@ -23,7 +23,7 @@ void sema_init(Sema *s, const CheckContext *c, const Program *p, Windows *window
     s->guesses = GUESSES;
     s->functions.arena = s->arena;
     s->unknown_name.arena = s->unknown_state.arena = s->unknown_function.arena = s->arena;
-    s->doubtful.arena = s->place.arena = s->arena;
+    s->said.arena = s->doubtful.arena = s->place.arena = s->arena;
     add_functions(s);
 }
 

@@ -27,6 +27,7 @@ typedef struct Sema {
     bool names_lost;          // the parser dropped declarations or headers: an unknown name proves nothing
     Map functions;            // name to SmBuiltinInfo
     Map unknown_name, unknown_state, unknown_function;   // reported already (name to itself)
+    Map said;                 // names that a remark was made on, once
     Map doubtful;             // names declared twice: nothing more is said about them
     Map place;                // name or alias to the Span of its declaration
     unsigned guesses;         // how many more unknown names are compared with all known ones
