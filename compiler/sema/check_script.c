@@ -23,6 +23,7 @@ static void check_delta_t(ScriptCheck *k, const AstOption *o)
     SmF64 highest = sm_from_u64(0x8000000000000000u), x;
 
     k->has_delta_t = true;
+    k->script->delta_t_span = o->value_span;
     if (!o->number || o->number->kind != AST_NUMBER)
         return;                   // the parser has reported it
     x = o->number->number;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The data flow of the compiler: text to tree, tree to program, program to IR, IR to what runs.
+// Each stage is one call; what a stage may rely on is said in the header of its folder.
+#include "compiler/pipeline.h"
+
+#include <assert.h>
+#include <string.h>
+
+#include "compiler/passes/pass.h"
+#include "compiler/syntax/parse.h"
+
+void session_init(Session *s, SmcAllocFn alloc, void *context, jmp_buf *oom)
+{
+    memset(s, 0, sizeof *s);
+    arena_init(&s->arena, alloc, context, oom);
+    str_pool_init(&s->strings, &s->arena);
+    diags_init(&s->diags, &s->arena);
+}
+
+void session_free(Session *s)
+{
+    arena_free(&s->arena);
+}
+
+// ---- text to tree to program ----
+
+// Gives a tree even where there were errors, so that checking finds the others in the same run.
+static AstFile *parse(Session *s, const Source *src, FileKind kind)
+{
+    return parse_file(&s->arena, &s->strings, &s->diags, src, kind);
+}
+
+static CheckContext checking(Session *s)
+{
+    CheckContext c = {&s->arena, &s->strings, &s->diags};
+    return c;
+}
+
+AstFile *session_parse(Session *s, const Source *src, FileKind kind)
+{
+    size_t errors = s->diags.errors;
+    AstFile *f = parse(s, src, kind);
+
+    return s->diags.errors > errors ? NULL : f;
+}
+
+StateVec *session_state_vector(Session *s, const Source *sv)
+{
+    size_t errors = s->diags.errors;
+    CheckContext c = checking(s);
+    StateVec *out = check_state_vector(&c, parse(s, sv, FILE_SV));
+
+    return s->diags.errors > errors ? NULL : out;
+}
+
+Program *session_program(Session *s, const MachineInput *in)
+{
+    size_t errors = s->diags.errors;
+    CheckContext c = checking(s);
+    StateVec *sv = in->sv ? session_state_vector(s, in->sv) : NULL;
+    AstFile *sm = parse(s, in->sm, FILE_SM);
+    Program *p = check_machine(&c, sm, sv, in->written_outside);
+
+    return s->diags.errors > errors ? NULL : p;
+}
+
+Script *session_script(Session *s, const Source *ss, const Program *p)
+{
+    size_t errors = s->diags.errors;
+    CheckContext c = checking(s);
+    Script *out = check_script(&c, parse(s, ss, FILE_SS), p);
+
+    return s->diags.errors > errors ? NULL : out;
+}
+
+// ---- program to IR ----
+
+IrMachine *session_ir(Session *s, const Program *p, int opt_level)
+{
+    IrMachine *m = ir_build(&s->arena, p);
+    PassOptions o = {opt_level, NULL, true, NULL, NULL};
+    const char *wrong = passes_run(&s->arena, m, &o);
+
+    assert(!wrong);
+    return wrong ? NULL : m;
+}
