@@ -39,7 +39,9 @@ typedef struct ImageOptions { bool debug; } ImageOptions;      // debug: with na
 bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out);
 
 typedef struct EmitCOptions {
-    const char *prefix;           // NULL: the machine's name
+    const char *prefix;           // what every name starts with; NULL: the machine's (state vector's) name
+    const char *header;           // how the .c includes its .h, as "tank.h"
+    const char *source;           // the source's name without folders, for comments: outputs carry no path
 } EmitCOptions;
 void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code);
 void session_emit_c_state_vector(Session *s, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code);

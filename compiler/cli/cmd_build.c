@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc build: machines to bytecode, C, or the text of a stage.
+#include <string.h>
+
+#include "compiler/cli/cli.h"
+#include "compiler/syntax/lex.h"
+
+typedef enum Emit { EMIT_BYTECODE, EMIT_C, EMIT_IR, EMIT_AST, EMIT_TOKENS, EMIT_COUNT } Emit;
+
+static const char *const emit_name[EMIT_COUNT] = {"bytecode", "c", "ir", "ast", "tokens"};
+
+// What a build writes: at most the C and header of each machine, and the make rule.
+typedef struct Outputs {
+    OsOutput *at;
+    size_t n;
+} Outputs;
+
+static bool find_emit(Cli *c, Emit *emit)
+{
+    *emit = EMIT_BYTECODE;
+    if (!c->given[OPT_EMIT])
+        return true;
+    for (size_t i = 0; i < EMIT_COUNT; i++)
+        if (strcmp(c->value[OPT_EMIT], emit_name[i]) == 0) {
+            *emit = (Emit)i;
+            return true;
+        }
+    cli_usage(c, "--emit is bytecode, c, ir, ast or tokens, not '%s'", c->value[OPT_EMIT]);
+    return false;
+}
+
+static bool source_kind(Cli *c, const char *path, FileKind *kind)
+{
+    *kind = has_suffix(path, ".sv") ? FILE_SV : has_suffix(path, ".ss") ? FILE_SS : FILE_SM;
+    if (has_suffix(path, ".sv") || has_suffix(path, ".ss") || has_suffix(path, ".sm") || strcmp(path, "-") == 0)
+        return true;
+    cli_usage(c, "'%s' is no source: names end in .sm, .sv or .ss", path);
+    return false;
+}
+
+static void add_output(Outputs *o, const char *path, const Buf *bytes)
+{
+    o->at[o->n].path = path;
+    o->at[o->n].bytes = buf_text(bytes);
+    o->at[o->n++].n = bytes->n;
+}
+
+// A fresh buffer that outlives the call.
+static Buf *new_buf(Cli *c)
+{
+    Buf *b = ARENA_NEW(&c->session.arena, Buf);
+    buf_init(b, &c->session.arena);
+    return b;
+}
+
+// ---- stages as text ----
+
+static int emit_tokens_or_ast(Cli *c, Emit emit, Outputs *o)
+{
+    Buf *out = new_buf(c);
+
+    for (size_t i = 0; i < c->files; i++) {
+        FileKind kind;
+        Source *src;
+        if (!source_kind(c, c->file[i], &kind))
+            return EXIT_USAGE;
+        if ((src = cli_load(c, c->file[i])) == NULL)
+            return EXIT_ENVIRONMENT;
+        if (emit == EMIT_TOKENS)
+            session_print_tokens(&c->session, src, kind, out);
+        else {
+            AstFile *f = session_parse(&c->session, src, kind);
+            if (f)
+                ast_print(f, out);
+        }
+    }
+    add_output(o, c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", out);
+    return EXIT_OK;
+}
+
+// ---- compiled machines ----
+
+static const char *output_path(Cli *c, const char *input, const char *suffix)
+{
+    return c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : format_in(&c->session.arena, "%s%s", path_stem(c, input), suffix);
+}
+
+static const char *file_part(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+// The two C files of one input: -o names the .c, or their common stem.
+static void c_paths(Cli *c, const char *input, const char **code, const char **header)
+{
+    const char *path = output_path(c, input, ".c");
+    size_t stem = strlen(path) - (has_suffix(path, ".c") || has_suffix(path, ".h") ? 2 : 0);
+
+    *code = format_in(&c->session.arena, "%.*s.c", (int)stem, path);
+    *header = format_in(&c->session.arena, "%.*s.h", (int)stem, path);
+}
+
+static EmitCOptions c_options(Cli *c, const char *input, const char *header)
+{
+    EmitCOptions e;
+
+    memset(&e, 0, sizeof e);
+    e.prefix = c->given[OPT_PREFIX] ? c->value[OPT_PREFIX] : NULL;
+    e.header = file_part(header);
+    e.source = strcmp(input, "-") == 0 ? "stdin" : file_part(input);
+    return e;
+}
+
+static void emit_c(Cli *c, const char *input, const IrMachine *m, const StateVec *sv, Outputs *o)
+{
+    Buf *header_text = new_buf(c), *code_text = new_buf(c);
+    const char *code, *header;
+    EmitCOptions e;
+
+    c_paths(c, input, &code, &header);
+    e = c_options(c, input, header);
+    if (m)
+        session_emit_c(&c->session, m, &e, header_text, code_text);
+    else
+        session_emit_c_state_vector(&c->session, sv, &e, header_text, code_text);
+    add_output(o, header, header_text);
+    add_output(o, code, code_text);
+}
+
+static int build_machines(Cli *c, Emit emit, const Source *sv, Outputs *o)
+{
+    IrMachine **m = ARENA_ARRAY(&c->session.arena, IrMachine *, c->files);
+    ImageOptions image = {c->given[OPT_DEBUG] && !c->given[OPT_STRIP]};
+    Buf *out = new_buf(c);
+    size_t built = 0;
+
+    for (size_t i = 0; i < c->files; i++) {
+        MachineInput in = {cli_load(c, c->file[i]), sv, NULL, option_level(c)};
+        Program *p;
+        if (!in.sm)
+            return EXIT_ENVIRONMENT;
+        if ((p = session_program(&c->session, &in)) == NULL)
+            continue;
+        analyse_program(&c->session.arena, &c->session.diags, p);
+        m[built++] = session_ir(&c->session, p, in.opt_level);
+    }
+    if (built < c->files)
+        return EXIT_PROBLEM;
+    if (emit == EMIT_BYTECODE) {
+        if (!session_image(&c->session, m, built, &image, out))
+            return EXIT_PROBLEM;
+        add_output(o, output_path(c, c->file[0], ".smb"), out);
+    }
+    for (size_t i = 0; i < built; i++)
+        if (emit == EMIT_C)
+            emit_c(c, c->file[i], m[i], NULL, o);
+        else if (emit == EMIT_IR)
+            ir_print(m[i], out);
+    if (emit == EMIT_IR)
+        add_output(o, c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", out);
+    return EXIT_OK;
+}
+
+static int build_state_vectors(Cli *c, Outputs *o)
+{
+    for (size_t i = 0; i < c->files; i++) {
+        const Source *src = cli_load(c, c->file[i]);
+        const StateVec *sv;
+        if (!src)
+            return EXIT_ENVIRONMENT;
+        if ((sv = session_state_vector(&c->session, src)) != NULL)
+            emit_c(c, c->file[i], NULL, sv, o);
+    }
+    return EXIT_OK;
+}
+
+// ---- -MD: what the output depends on, as a make rule ----
+
+static void put_make_name(Buf *out, const char *name)
+{
+    for (; *name; name++) {
+        if (*name == ' ' || *name == '#')
+            buf_char(out, '\\');
+        if (*name == '$')
+            buf_char(out, '$');
+        buf_char(out, *name);
+    }
+}
+
+static const char *deps_path(Cli *c, const char *output)
+{
+    const char *name = file_part(output), *dot = strrchr(name, '.');
+    size_t stem = dot && dot != name ? (size_t)(dot - output) : strlen(output);
+
+    if (c->given[OPT_DEPS_FILE])
+        return c->value[OPT_DEPS_FILE];
+    return format_in(&c->session.arena, "%.*s.d", (int)stem, output);
+}
+
+static void add_deps(Cli *c, Outputs *o)
+{
+    Buf *out = new_buf(c);
+    size_t products = o->n;
+
+    if (c->given[OPT_DEPS_NAME])
+        put_make_name(out, c->value[OPT_DEPS_NAME]);
+    else
+        for (size_t i = 0; i < products; i++) {
+            buf_str(out, i ? " " : "");
+            put_make_name(out, o->at[i].path);
+        }
+    buf_char(out, ':');
+    for (size_t i = 0; i <= c->files; i++) {
+        const char *input = i < c->files ? c->file[i] : c->value[OPT_SV];
+        if (!input || strcmp(input, "-") == 0)
+            continue;
+        buf_char(out, ' ');
+        put_make_name(out, input);
+    }
+    buf_char(out, '\n');
+    for (size_t i = 0; c->given[OPT_DEPS_PHONY] && i <= c->files; i++) {
+        const char *input = i < c->files ? c->file[i] : c->value[OPT_SV];
+        if (!input || strcmp(input, "-") == 0)
+            continue;
+        buf_char(out, '\n');
+        put_make_name(out, input);
+        buf_str(out, ":\n");
+    }
+    add_output(o, deps_path(c, o->at[products - 1].path), out);
+}
+
+// ---- the command ----
+
+// Whether the inputs, the kind of output and -o go together.
+static int check_use(Cli *c, Emit emit, bool *state_vectors)
+{
+    FileKind first, kind;
+
+    if (c->files == 0)
+        return cli_usage(c, "build wants a machine, as in 'smc build tank.sm'");
+    if (!source_kind(c, c->file[0], &first))
+        return EXIT_USAGE;
+    for (size_t i = 0; i < c->files; i++) {
+        if (!source_kind(c, c->file[i], &kind))
+            return EXIT_USAGE;
+        if (kind != first && emit < EMIT_AST)
+            return cli_usage(c, "'%s' and '%s' cannot be built in one call; name a state vector with --sv", c->file[0], c->file[i]);
+    }
+    *state_vectors = first == FILE_SV;
+    if (first == FILE_SS && emit < EMIT_AST)
+        return cli_usage(c, "a state script is not built; 'smc test MACHINE.sm %s' runs it", c->file[0]);
+    if (*state_vectors && (emit == EMIT_BYTECODE || emit == EMIT_IR))
+        return cli_usage(c, "a state vector alone gives no %s; build its machines, or say --emit=c", emit == EMIT_IR ? "IR" : "bytecode");
+    if (emit == EMIT_C && c->given[OPT_OUTPUT] && strcmp(c->value[OPT_OUTPUT], "-") == 0)
+        return cli_usage(c, "C is two files, a .c and a .h: standard output cannot take both");
+    if (emit == EMIT_C && c->files > 1 && (c->given[OPT_OUTPUT] || c->given[OPT_PREFIX]))
+        return cli_usage(c, "with several inputs %s would name several outputs", c->given[OPT_OUTPUT] ? "-o" : "--prefix");
+    return EXIT_OK;
+}
+
+static int build(Cli *c, Emit emit, bool state_vectors, Outputs *o)
+{
+    const Source *sv = NULL;
+
+    if (emit >= EMIT_AST)
+        return emit_tokens_or_ast(c, emit, o);
+    if (state_vectors)
+        return build_state_vectors(c, o);
+    if (c->given[OPT_SV] && (sv = cli_load(c, c->value[OPT_SV])) == NULL)
+        return EXIT_ENVIRONMENT;
+    return build_machines(c, emit, sv, o);
+}
+
+int cmd_build(Cli *c)
+{
+    bool state_vectors, wants_deps = c->given[OPT_DEPS] || c->given[OPT_DEPS_FILE];
+    Outputs o = {NULL, 0};
+    Emit emit;
+    int code, reported;
+
+    if (!find_emit(c, &emit))
+        return EXIT_USAGE;
+    if ((code = check_use(c, emit, &state_vectors)) != EXIT_OK)
+        return code;
+    o.at = ARENA_ARRAY(&c->session.arena, OsOutput, 2 * c->files + 2);
+    code = build(c, emit, state_vectors, &o);
+    if ((reported = cli_report(c)) != EXIT_OK && code == EXIT_OK)
+        code = reported;
+    if (code != EXIT_OK)
+        return code;
+    if (wants_deps)
+        add_deps(c, &o);
+    return cli_write(c, o.at, o.n) ? EXIT_OK : EXIT_ENVIRONMENT;
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc check: everything that can be said of sources and images without running them.
+#include "compiler/cli/cli.h"
+
+// Checks every script of the call against machine p.
+static int check_scripts(Cli *c, const Program *p)
+{
+    for (size_t i = 0; i < c->files; i++)
+        if (has_suffix(c->file[i], ".ss")) {
+            Source *ss = cli_load(c, c->file[i]);
+            if (!ss)
+                return EXIT_ENVIRONMENT;
+            session_script(&c->session, ss, p);
+        }
+    return EXIT_OK;
+}
+
+// The locals that the scripts of the call write: the machine is checked as they need it.
+static int collect_written(Cli *c, Map *written)
+{
+    Diags real = c->session.diags;
+    int code = EXIT_OK;
+
+    c->session.diags.muted = true;            // a script's own mistakes are reported when it is checked
+    for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
+        if (has_suffix(c->file[i], ".ss")) {
+            Source *ss = cli_load(c, c->file[i]);
+            AstFile *f = ss ? session_parse(&c->session, ss, FILE_SS) : NULL;
+            if (!ss)
+                code = EXIT_ENVIRONMENT;
+            else if (f)
+                script_written_names(f, written);
+        }
+    c->session.diags = real;
+    return code;
+}
+
+static int check_machine_file(Cli *c, const char *path, const Source *sv)
+{
+    Map written = {&c->session.arena, NULL, NULL, 0, 0};
+    MachineInput in = {cli_load(c, path), sv, &written, option_level(c)};
+    Program *p;
+    int code;
+
+    if (!in.sm)
+        return EXIT_ENVIRONMENT;
+    if ((code = collect_written(c, &written)) != EXIT_OK)
+        return code;
+    if ((p = session_program(&c->session, &in)) == NULL)
+        return EXIT_OK;
+    analyse_program(&c->session.arena, &c->session.diags, p);
+    return check_scripts(c, p);
+}
+
+static int check_file(Cli *c, const char *path, const Source *sv)
+{
+    if (has_suffix(path, ".sm") || path[0] == '-')
+        return check_machine_file(c, path, sv);
+    if (has_suffix(path, ".sv")) {
+        Source *src = cli_load(c, path);
+        if (!src)
+            return EXIT_ENVIRONMENT;
+        session_state_vector(&c->session, src);
+    }
+    return EXIT_OK;
+}
+
+static int check_use(Cli *c)
+{
+    size_t machines = 0, scripts = 0;
+
+    if (c->files == 0)
+        return cli_usage(c, "check wants a file, as in 'smc check tank.sm'");
+    for (size_t i = 0; i < c->files; i++) {
+        const char *path = c->file[i];
+        machines += has_suffix(path, ".sm") || (path[0] == '-' && path[1] == '\0');
+        scripts += has_suffix(path, ".ss");
+        if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".sv") && (path[0] != '-' || path[1]))
+            return cli_usage(c, "'%s' is no source: names end in .sm, .sv or .ss", path);
+    }
+    if (scripts && machines != 1)
+        return cli_usage(c, "a script is checked together with its machine, as in 'smc check tank.sm tank.ss'");
+    return EXIT_OK;
+}
+
+int cmd_check(Cli *c)
+{
+    const Source *sv = NULL;
+    int code = check_use(c), reported;
+
+    if (code != EXIT_OK)
+        return code;
+    if (c->given[OPT_SV] && (sv = cli_load(c, c->value[OPT_SV])) == NULL)
+        return EXIT_ENVIRONMENT;
+    for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
+        code = check_file(c, c->file[i], sv);
+    reported = cli_report(c);
+    return code != EXIT_OK ? code : reported;
+}

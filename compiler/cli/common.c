@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every subcommand needs: messages, sources in, outputs out, the report of diagnostics.
+#include "compiler/cli/cli.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+void cli_say(Cli *c, const char *format, ...)
+{
+    va_list args;
+
+    (void)c;
+    fputs("smc: ", stderr);
+    va_start(args, format);
+    vfprintf(stderr, format, args);
+    va_end(args);
+    fputc('\n', stderr);
+}
+
+int cli_usage(Cli *c, const char *format, ...)
+{
+    va_list args;
+
+    fputs("smc: ", stderr);
+    va_start(args, format);
+    vfprintf(stderr, format, args);
+    va_end(args);
+    if (c->command)
+        fprintf(stderr, "\nTry 'smc %s --help'.\n", c->command->name);
+    else
+        fputs("\nTry 'smc --help'.\n", stderr);
+    return EXIT_USAGE;
+}
+
+Source *cli_load(Cli *c, const char *path)
+{
+    const char *why;
+    char *text, *copy;
+    size_t len;
+
+    if (!os_read(path, SOURCE_MAX, &text, &len, &why)) {
+        cli_say(c, "cannot read '%s': %s", path, why);
+        return NULL;
+    }
+    copy = arena_alloc(&c->session.arena, len + 1);
+    memcpy(copy, text, len);
+    os_alloc(NULL, text, 0);
+    return source_new(&c->session.arena, strcmp(path, "-") == 0 ? "<stdin>" : path, copy, len);
+}
+
+bool cli_write(Cli *c, const OsOutput *out, size_t n)
+{
+    const char *path, *why;
+
+    if (os_write(out, n, &path, &why))
+        return true;
+    cli_say(c, "cannot write '%s': %s", strcmp(path, "-") == 0 ? "standard output" : path, why);
+    return false;
+}
+
+bool cli_print(Cli *c, int fd, const Buf *text)
+{
+    const char *why;
+
+    if (os_print(fd, buf_text(text), text->n, &why))
+        return true;
+    if (fd == 1)
+        cli_say(c, "cannot write to standard output: %s", why);
+    return false;
+}
+
+static bool wants_color(const Cli *c)
+{
+    const char *when = c->given[OPT_COLOR] ? c->value[OPT_COLOR] : "auto", *term = os_getenv("TERM"), *force;
+
+    if (strcmp(when, "auto") != 0)
+        return strcmp(when, "always") == 0;
+    if (os_getenv("NO_COLOR"))
+        return false;
+    if ((force = os_getenv("CLICOLOR_FORCE")) != NULL && strcmp(force, "0") != 0)
+        return true;
+    return os_is_terminal(2) && !(term && strcmp(term, "dumb") == 0);
+}
+
+int cli_report(Cli *c)
+{
+    Diags *d = &c->session.diags;
+    DiagStyle style = {wants_color(c), 20};
+    Buf out;
+    int code;
+
+    warnings_apply(c, d);
+    diags_sort(d);
+    buf_init(&out, &c->session.arena);
+    if (c->given[OPT_FORMAT] && strcmp(c->value[OPT_FORMAT], "json") == 0)
+        diags_render_json(d, &out);
+    else
+        diags_render_text(d, &style, &out);
+    code = d->errors ? EXIT_PROBLEM : EXIT_OK;
+    if (!cli_print(c, 2, &out) && !code)
+        code = EXIT_ENVIRONMENT;
+    diags_init(d, &c->session.arena);
+    return code;
+}
+
+bool has_suffix(const char *path, const char *suffix)
+{
+    size_t n = strlen(path), m = strlen(suffix);
+    return n >= m && strcmp(path + n - m, suffix) == 0;
+}
+
+const char *path_stem(Cli *c, const char *path)
+{
+    const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path, *dot = strrchr(start, '.');
+
+    if (strcmp(path, "-") == 0 || strcmp(path, "<stdin>") == 0)
+        return "stdin";
+    return format_in(&c->session.arena, "%.*s", (int)(dot && dot != start ? (size_t)(dot - start) : strlen(start)), start);
+}

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Turns argv into the fields of Cli, as options.def says, and the same table into help.
+#include "compiler/cli/cli.h"
+
+#include <stdio.h>
+#include <string.h>
+
+typedef struct OptionInfo { const char *spelling, *value, *commands, *sentence; } OptionInfo;
+
+static const OptionInfo option_info[OPT_COUNT] = {
+#define OPTION(id, spelling, value, commands, sentence) {spelling, value, commands, sentence},
+#include "compiler/cli/options.def"
+#undef OPTION
+};
+
+static bool is_joined(const OptionInfo *o) { return o->value && o->value[0] == '='; }
+
+static bool applies(const OptionInfo *o, const Command *command)
+{
+    return o->commands[0] == '*' || strchr(o->commands, command->name[0]) != NULL;
+}
+
+const char *nearest_name(const char *name, const char *const *names, size_t n)
+{
+    size_t best = strlen(name) / 3 + 2;       // a third of the letters may be wrong, and one
+    const char *found = NULL;
+
+    for (size_t i = 0; i < n; i++) {
+        size_t d = str_distance(name, names[i], best);
+        if (d < best) {
+            best = d;
+            found = names[i];
+        }
+    }
+    return found;
+}
+
+// Which option `arg` spells, and where its joined value starts (NULL: none).  OPT_COUNT if it is none of ours.
+static OptionId recognise(const char *arg, const char **value)
+{
+    *value = NULL;
+    for (size_t i = 0; i < OPT_COUNT; i++)
+        if (strcmp(arg, option_info[i].spelling) == 0)
+            return (OptionId)i;
+    for (size_t i = 0; i < OPT_COUNT; i++) {
+        const OptionInfo *o = &option_info[i];
+        size_t n = strlen(o->spelling);
+        bool is_long = o->spelling[1] == '-';
+        if (strncmp(arg, o->spelling, n) != 0 || (is_long ? arg[n] != '=' : o->value == NULL))
+            continue;
+        *value = arg + n + (is_long ? 1 : 0);
+        return (OptionId)i;
+    }
+    return OPT_COUNT;
+}
+
+static bool unknown_option(Cli *c, const char *arg)
+{
+    const char *names[OPT_COUNT], *near;
+    char head[64];
+    size_t n = 0;
+
+    snprintf(head, sizeof head, "%.*s", (int)strcspn(arg, "="), arg);
+    for (size_t i = 0; i < OPT_COUNT; i++)
+        if (applies(&option_info[i], c->command))
+            names[n++] = option_info[i].spelling;
+    near = nearest_name(head, names, n);
+    if (near)
+        cli_usage(c, "unknown option '%s'; did you mean '%s'?", arg, near);
+    else
+        cli_usage(c, "unknown option '%s'", arg);
+    return false;
+}
+
+// Stores option `id`; `next` is the following argument or NULL.  Sets *took_next when that was its value.
+static bool take_option(Cli *c, OptionId id, const char *arg, const char *value, const char *next, bool *took_next)
+{
+    const OptionInfo *o = &option_info[id];
+
+    if (!applies(o, c->command))
+        return cli_usage(c, "option '%s' does not go with 'smc %s'", o->spelling, c->command->name), false;
+    if (!o->value && value)
+        return cli_usage(c, "option '%s' takes no value", o->spelling), false;
+    if (o->value && !value) {
+        if (is_joined(o) || !next)
+            return cli_usage(c, "option '%s' wants a %s behind it", arg, o->value + is_joined(o)), false;
+        value = next;
+        *took_next = true;
+    }
+    if (o->value && *value == '\0')
+        return cli_usage(c, "option '%s' has an empty %s", o->spelling, o->value + is_joined(o)), false;
+    c->given[id] = true;
+    c->value[id] = value;
+    if (id == OPT_WARN)
+        c->warn[c->warns++] = value;
+    return true;
+}
+
+static bool one_of(Cli *c, OptionId id, const char *const *allowed, size_t n, const char *list)
+{
+    if (!c->given[id])
+        return true;
+    for (size_t i = 0; i < n; i++)
+        if (strcmp(c->value[id], allowed[i]) == 0)
+            return true;
+    cli_usage(c, "%s is %s, not '%s'", option_info[id].spelling, list, c->value[id]);
+    return false;
+}
+
+static bool check_values(Cli *c)
+{
+    static const char *const levels[] = {"0", "1", "2"};
+    static const char *const formats[] = {"text", "json"};
+    static const char *const whens[] = {"auto", "always", "never"};
+
+    return one_of(c, OPT_OPT, levels, 3, "0, 1 or 2") && one_of(c, OPT_FORMAT, formats, 2, "text or json") &&
+           one_of(c, OPT_COLOR, whens, 3, "auto, always or never") && warnings_known(c);
+}
+
+bool options_parse(Cli *c, int argc, char **argv)
+{
+    bool ended = false;
+
+    c->file = ARENA_ARRAY(&c->session.arena, const char *, (size_t)argc + 1);
+    c->warn = ARENA_ARRAY(&c->session.arena, const char *, (size_t)argc + 1);
+    for (int i = 0; i < argc; i++) {
+        const char *arg = argv[i], *value;
+        bool took_next = false;
+        OptionId id;
+        if (ended || arg[0] != '-' || arg[1] == '\0') {
+            c->file[c->files++] = arg;
+            continue;
+        }
+        if (strcmp(arg, "--") == 0) {
+            ended = true;
+            continue;
+        }
+        if ((id = recognise(arg, &value)) == OPT_COUNT)
+            return unknown_option(c, arg);
+        if (!take_option(c, id, arg, value, i + 1 < argc ? argv[i + 1] : NULL, &took_next))
+            return false;
+        i += took_next;
+    }
+    return c->given[OPT_HELP] || c->given[OPT_VERSION] || check_values(c);
+}
+
+void options_help(const Command *command, Buf *out)
+{
+    for (size_t i = 0; i < OPT_COUNT; i++) {
+        const OptionInfo *o = &option_info[i];
+        char left[64];
+        if (!applies(o, command))
+            continue;
+        snprintf(left, sizeof left, "%s%s%s", o->spelling, !o->value || is_joined(o) ? "" : o->spelling[1] == '-' ? "=" : " ",
+                 o->value ? o->value + is_joined(o) : "");
+        buf_printf(out, "  %-24s %s\n", left, o->sentence);
+    }
+}
+
+int option_level(const Cli *c)
+{
+    return c->given[OPT_OPT] ? c->value[OPT_OPT][0] - '0' : 1;
+}
