@@ -51,8 +51,56 @@ $(B)/unit/%: tests/unit/%.c $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a -lm
 
+# ---- tests ----
+
+# `make check` needs cc and make only; what wants more is skipped and says so (STRICT=1: a skip is a failure).
+# A line a test: its name, a colon, the command; each ends with "N passed, N failed".
+UNIT_LINES = $(foreach u,$(UNIT),"$(notdir $(u)): $(u)")
+
+check: all $(UNIT)
+	@printf '%s\n' $(UNIT_LINES) $(CHECK_LINES) | sh tests/run.sh
+
+# `make test T=folder-or-file` runs some conformance cases.
+T ?= conformance
+test: all
+	$(B)/smc test --engine=all $(T)
+
+CHECK_LINES += "conformance: $(B)/smc test conformance"
+
+# ---- installing ----
+
+DEST = $(DESTDIR)$(PREFIX)
+INSTALLED_HEADERS = $(wildcard stdlib/*.h stdlib/*.def bytecode-vm/*.h bytecode-vm/*.def)
+
+$(B)/libsmvm.a: $(VM:%.c=$(B)/obj/%.o) $(STDLIB:%.c=$(B)/obj/%.o)
+	@rm -f $@
+	$(AR) rcs $@ $^
+
+$(B)/%.pc: %.pc.in compiler/version.h
+	@mkdir -p $(@D)
+	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' $< >$@
+
+install: all $(B)/libsmvm.a $(B)/bytecode-vm/smvm.pc
+	mkdir -p $(DEST)/bin $(DEST)/lib/pkgconfig $(DEST)/share/smc $(DEST)/include/smc/stdlib $(DEST)/include/smc/bytecode-vm
+	cp $(B)/smc $(DEST)/bin/smc
+	cp $(B)/libsmvm.a $(DEST)/lib/libsmvm.a
+	cp $(B)/bytecode-vm/smvm.pc $(DEST)/lib/pkgconfig/smvm.pc
+	cp compiler/smc.mk $(DEST)/share/smc/smc.mk
+	for f in $(INSTALLED_HEADERS); do cp $$f $(DEST)/include/smc/$$f || exit 1; done
+
+uninstall:
+	rm -f $(DEST)/bin/smc $(DEST)/lib/libsmvm.a $(DEST)/lib/pkgconfig/smvm.pc
+	rm -rf $(DEST)/share/smc $(DEST)/include/smc
+
+help:
+	@echo 'make                 builds $(B)/smc'
+	@echo 'make check           runs every test that needs cc and make only; the others say what they need'
+	@echo 'make test T=FILE     runs some conformance cases on every engine'
+	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
+	@echo 'make clean           removes $(B)'
+
 clean:
 	rm -rf $(B)
 
-.PHONY: all clean
+.PHONY: all check test install uninstall help clean
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
