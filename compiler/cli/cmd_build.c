@@ -2,6 +2,7 @@
 // smc build: machines to bytecode, C, or the text of a stage.
 #include <string.h>
 
+#include "compiler/analysis/analysis.h"
 #include "compiler/cli/cli.h"
 #include "compiler/syntax/lex.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc check: everything that can be said of sources and images without running them.
+#include "compiler/analysis/analysis.h"
 #include "compiler/cli/cli.h"
 
 // Checks every script of the call against machine p.
