@@ -67,6 +67,18 @@ test: all
 
 CHECK_LINES += "conformance: $(B)/smc test conformance"
 
+# tests/ir: passes on IR text, the invariants, the reader.
+IR_TESTS = $(B)/ir/run $(B)/ir/verify $(B)/ir/read
+IR_TEXTS = $(wildcard tests/ir/*.smt tests/ir/samples/*.ir)
+$(B)/ir/%: tests/ir/%.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a
+
+check: $(IR_TESTS)
+CHECK_LINES += "ir: $(B)/ir/run $(IR_TEXTS)" "ir-verify: $(B)/ir/verify" "ir-read: $(B)/ir/read"
+check-ir: $(IR_TESTS)
+	$(B)/ir/run $(IR_TEXTS) && $(B)/ir/verify && $(B)/ir/read
+
 # ---- installing ----
 
 DEST = $(DESTDIR)$(PREFIX)
@@ -102,5 +114,5 @@ help:
 clean:
 	rm -rf $(B)
 
-.PHONY: all check test install uninstall help clean
+.PHONY: all check check-ir test install uninstall help clean
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
