@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc test: runs state scripts on a machine, .smt cases, and the cases of folders.
+#include <string.h>
+
+#include "compiler/cli/test.h"
+
+enum { FOLDER_DEPTH_MAX = 40 };       // folders in folders: a link may lead in a circle
+
+static void add_result(TestRun *t, const char *name, TestStatus status, const char *message, int code)
+{
+    TestResult r = {name, status, message, code};
+
+    vec_push(t->arena, &t->result, r);
+}
+
+static const char *indent(Arena *arena, const char *text)
+{
+    Buf b;
+
+    buf_init(&b, arena);
+    for (const char *at = text; *at; at++) {
+        if (at == text || at[-1] == '\n')
+            buf_str(&b, "    ");
+        buf_char(&b, *at);
+    }
+    return buf_text(&b);
+}
+
+// ---- a machine and its scripts ----
+
+typedef struct MachineTest {
+    TestRun *t;
+    Program *p;
+    EngineSet engines;
+    Buf trace, report;        // of the last script
+} MachineTest;
+
+// Prints what the session's diagnostics say and keeps it for the result's message.
+static int report_diagnostics(TestRun *t, const char **text)
+{
+    DiagStyle plain = {false, 20};
+    Buf b;
+
+    buf_init(&b, t->arena);
+    diags_render_text(&t->c->session.diags, &plain, &b);
+    *text = buf_text(&b);
+    return cli_report(t->c);
+}
+
+static int exit_code_of(ScriptOutcome o)
+{
+    switch (o) {
+    case SCRIPT_PASSED: return EXIT_OK;
+    case SCRIPT_FAILED: case SCRIPT_ENDLESS: case SCRIPT_TIME_OVER: return EXIT_PROBLEM;
+    case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: return EXIT_INTERNAL;
+    }
+    return EXIT_INTERNAL;
+}
+
+static void run_script(MachineTest *m, const char *path, const Script *s)
+{
+    TestRun *t = m->t;
+    ScriptOptions o = {t->max_steps, t->c->given[OPT_TRACE] ? &m->trace : NULL, NULL, NULL};
+    ScriptResult r = script_run(t->arena, &t->c->session.diags, s, m->engines.at, m->engines.n, &o);
+    int code = exit_code_of(r.outcome), reported;
+    const char *message;
+
+    script_report(&r, m->p, &m->report);
+    reported = report_diagnostics(t, &message);
+    if (code == EXIT_OK)
+        code = reported;
+    add_result(t, path, code == EXIT_OK ? TEST_PASSED : TEST_FAILED, message, code);
+}
+
+static void test_script(MachineTest *m, const char *path)
+{
+    Source *src = cli_load(m->t->c, path);
+    const char *message;
+    Script *s;
+
+    m->report.n = 0;
+    if (!src) {
+        add_result(m->t, path, TEST_FAILED, "cannot be read", EXIT_ENVIRONMENT);
+        return;
+    }
+    if ((s = session_script(&m->t->c->session, src, m->p)) != NULL) {
+        run_script(m, path, s);
+        return;
+    }
+    report_diagnostics(m->t, &message);
+    add_result(m->t, path, TEST_FAILED, message, EXIT_PROBLEM);
+}
+
+// The locals that the scripts write: the machine is compiled with them as variables.
+static void collect_written(TestRun *t, Map *written)
+{
+    Cli *c = t->c;
+
+    c->session.diags.muted = true;            // a script's own mistakes are reported when it is compiled
+    for (size_t i = 0; i < c->files; i++)
+        if (has_suffix(c->file[i], ".ss")) {
+            Source *ss = os_is_folder(c->file[i]) ? NULL : cli_load(c, c->file[i]);
+            AstFile *f = ss ? session_parse(&c->session, ss, FILE_SS) : NULL;
+            if (f)
+                script_written_names(f, written);
+        }
+    c->session.diags.muted = false;
+}
+
+static int compile_machine(MachineTest *m, const char *path)
+{
+    Cli *c = m->t->c;
+    Map written = {m->t->arena, NULL, NULL, 0, 0};
+    MachineInput in = {NULL, NULL, &written, option_level(c)};
+
+    if ((in.sm = cli_load(c, path)) == NULL)
+        return EXIT_ENVIRONMENT;
+    if (c->given[OPT_SV] && (in.sv = cli_load(c, c->value[OPT_SV])) == NULL)
+        return EXIT_ENVIRONMENT;
+    collect_written(m->t, &written);
+    m->p = session_program(&c->session, &in);
+    return m->p ? EXIT_OK : EXIT_PROBLEM;
+}
+
+static int open_engines(MachineTest *m)
+{
+    TestRun *t = m->t;
+    unsigned which = t->engines ? t->engines : 1u << ENGINE_VM;
+
+    if (t->engines == engines_named("all"))
+        which &= engines_present();
+    if (engines_open(&m->engines, &t->c->session, m->p, which, option_level(t->c)))
+        return EXIT_OK;
+    cli_say(t->c, "%s", m->engines.error);
+    return EXIT_ENVIRONMENT;
+}
+
+static bool is_lone_script(const Cli *c) { return c->files == 2; }
+
+static int print_report(MachineTest *m, const char *path)
+{
+    Cli *c = m->t->c;
+    const TestResult *last = &m->t->result.at[m->t->result.n - 1];
+    Buf out;
+
+    buf_init(&out, m->t->arena);
+    if (!is_lone_script(c))
+        buf_printf(&out, "%s:\n", path);
+    buf_put(&out, buf_text(&m->report), m->report.n);
+    if (c->given[OPT_TAP] || m->report.n == 0 || (!is_lone_script(c) && last->status == TEST_PASSED))
+        return EXIT_OK;
+    return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
+}
+
+static int write_trace(MachineTest *m)
+{
+    OsOutput out = {m->t->c->value[OPT_TRACE], buf_text(&m->trace), m->trace.n};
+
+    if (!m->t->c->given[OPT_TRACE])
+        return EXIT_OK;
+    return cli_write(m->t->c, &out, 1) ? EXIT_OK : EXIT_ENVIRONMENT;
+}
+
+static int test_scripts(MachineTest *m)
+{
+    Cli *c = m->t->c;
+    int code = open_engines(m);
+
+    for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
+        if (has_suffix(c->file[i], ".ss")) {
+            test_script(m, c->file[i]);
+            if ((code = print_report(m, c->file[i])) == EXIT_OK)
+                code = write_trace(m);
+        }
+    engines_close(&m->engines);
+    return code;
+}
+
+static int test_machine(TestRun *t, const char *path)
+{
+    MachineTest m = {.t = t};
+    int code, reported;
+
+    buf_init(&m.trace, t->arena);
+    buf_init(&m.report, t->arena);
+    code = compile_machine(&m, path);
+    reported = cli_report(t->c);
+    if (code == EXIT_OK && (code = reported) == EXIT_OK)
+        return test_scripts(&m);
+    for (size_t i = 0; i < t->c->files; i++)
+        if (has_suffix(t->c->file[i], ".ss"))
+            add_result(t, t->c->file[i], TEST_FAILED, "the machine does not compile", code);
+    return EXIT_OK;
+}
+
+// ---- cases and folders ----
+
+static void say_failed(TestRun *t, const TestResult *r)
+{
+    Buf b;
+
+    buf_init(&b, t->arena);
+    buf_printf(&b, "%s: failed\n%s", r->name, indent(t->arena, r->message));
+    if (b.at[b.n - 1] != '\n')
+        buf_char(&b, '\n');
+    cli_print(t->c, 2, &b);
+}
+
+static void test_file(TestRun *t, const char *path)
+{
+    TestResult r = test_case(t, path);
+
+    vec_push(t->arena, &t->result, r);
+    if (r.status == TEST_FAILED && !t->c->given[OPT_TAP])
+        say_failed(t, &r);
+}
+
+static void test_path(TestRun *t, const char *path, int depth)
+{
+    const char *why;
+    char **names;
+    size_t n;
+
+    if (!os_is_folder(path)) {
+        test_file(t, path);
+        return;
+    }
+    if (depth == FOLDER_DEPTH_MAX || !os_list(path, &names, &n, &why)) {
+        why = depth == FOLDER_DEPTH_MAX ? "folders are nested too deeply" : why;
+        cli_say(t->c, "cannot read '%s': %s", path, why);
+        add_result(t, path, TEST_FAILED, why, EXIT_ENVIRONMENT);
+        return;
+    }
+    for (size_t i = 0; i < n; i++) {
+        const char *inner = format_in(t->arena, "%s%s%s", path, has_suffix(path, "/") ? "" : "/", names[i]);
+        if (names[i][0] != '.' && (has_suffix(inner, ".smt") || os_is_folder(inner)))
+            test_path(t, inner, depth + 1);
+    }
+    os_alloc(NULL, names, 0);
+}
+
+// ---- what comes out ----
+
+static void say_absent(TestRun *t)
+{
+    for (unsigned i = 0; i < ENGINE_KINDS; i++)
+        if (t->absent & 1u << i)
+            cli_say(t->c, "engine %s is not present here; cases ran without it", engine_name[i]);
+}
+
+static size_t count(const TestRun *t, TestStatus status)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < t->result.n; i++)
+        n += t->result.at[i].status == status;
+    return n;
+}
+
+static void put_summary(const TestRun *t, Buf *out)
+{
+    size_t skipped = count(t, TEST_SKIPPED);
+
+    buf_printf(out, "%lu passed, %lu failed", (unsigned long)count(t, TEST_PASSED), (unsigned long)count(t, TEST_FAILED));
+    if (skipped)
+        buf_printf(out, ", %lu skipped", (unsigned long)skipped);
+    buf_char(out, '\n');
+}
+
+static int write_results(TestRun *t, bool summary)
+{
+    OsOutput junit = {t->c->value[OPT_JUNIT], NULL, 0};
+    Buf xml, out;
+
+    buf_init(&out, t->arena);
+    if (t->c->given[OPT_TAP])
+        test_write_tap(t, &out);
+    else if (summary)
+        put_summary(t, &out);
+    if (!cli_print(t->c, 1, &out))
+        return EXIT_ENVIRONMENT;
+    if (!t->c->given[OPT_JUNIT])
+        return EXIT_OK;
+    buf_init(&xml, t->arena);
+    test_write_junit(t, &xml);
+    junit.bytes = buf_text(&xml);
+    junit.n = xml.n;
+    return cli_write(t->c, &junit, 1) ? EXIT_OK : EXIT_ENVIRONMENT;
+}
+
+// The gravest of the results: a bug of ours before a fault of the environment before a problem of the user's.
+static int exit_code(const TestRun *t)
+{
+    int code = EXIT_OK;
+
+    for (size_t i = 0; i < t->result.n; i++)
+        if (code < t->result.at[i].code)
+            code = t->result.at[i].code;
+    return code;
+}
+
+// ---- the command ----
+
+typedef struct Files { size_t machines, scripts, cases; const char *machine; } Files;
+
+static Files sort_files(const Cli *c)
+{
+    Files f = {0, 0, 0, NULL};
+
+    for (size_t i = 0; i < c->files; i++) {
+        bool machine = has_suffix(c->file[i], ".sm") || strcmp(c->file[i], "-") == 0;
+        f.machines += machine;
+        f.scripts += has_suffix(c->file[i], ".ss");
+        f.cases += !machine && !has_suffix(c->file[i], ".ss");
+        f.machine = machine ? c->file[i] : f.machine;
+    }
+    return f;
+}
+
+static int check_use(Cli *c, const Files *f)
+{
+    if (c->files == 0)
+        return cli_usage(c, "test wants a machine and a script, as in 'smc test tank.sm tank.ss', or .smt cases");
+    if (f->machines > 1)
+        return cli_usage(c, "one machine is tested at a time");
+    if (f->machines && !f->scripts)
+        return cli_usage(c, "no script is named to test '%s' with, as in 'smc test %s SCRIPT.ss'", f->machine, f->machine);
+    if (f->scripts && !f->machines)
+        return cli_usage(c, "no machine is named to run the script on, as in 'smc test MACHINE.sm SCRIPT.ss'");
+    if (c->given[OPT_TRACE] && f->scripts != 1)
+        return cli_usage(c, "--trace wants one machine and one script");
+    for (size_t i = 0; i < c->files; i++) {
+        const char *path = c->file[i];
+        if (has_suffix(path, ".sv"))
+            return cli_usage(c, "name the state vector with --sv=%s", path);
+        if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") && strcmp(path, "-") != 0 &&
+            !os_is_folder(path))
+            return cli_usage(c, "'%s' is no machine (.sm), script (.ss), case (.smt) or folder", path);
+    }
+    return EXIT_OK;
+}
+
+static bool read_steps(const char *text, uint64_t *steps)
+{
+    *steps = 0;
+    for (; *text >= '0' && *text <= '9'; text++) {
+        if (*steps > (UINT64_MAX - 9) / 10)
+            return false;
+        *steps = *steps * 10 + (uint64_t)(*text - '0');
+    }
+    return *text == '\0' && *steps > 0;
+}
+
+static int read_options(TestRun *t)
+{
+    Cli *c = t->c;
+
+    t->max_steps = 1000000;
+    if (c->given[OPT_MAX_STEPS] && !read_steps(c->value[OPT_MAX_STEPS], &t->max_steps))
+        return cli_usage(c, "--max-steps wants a whole number from 1, not '%s'", c->value[OPT_MAX_STEPS]);
+    if (c->given[OPT_ENGINE] && (t->engines = engines_named(c->value[OPT_ENGINE])) == 0)
+        return cli_usage(c, "--engine is ref, vm, c or all, not '%s'", c->value[OPT_ENGINE]);
+    return EXIT_OK;
+}
+
+int cmd_test(Cli *c)
+{
+    Files f = sort_files(c);
+    TestRun t = {.c = c, .arena = &c->session.arena};
+    int code = check_use(c, &f), written;
+
+    if (code != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
+        return code;
+    if (f.machine && (code = test_machine(&t, f.machine)) != EXIT_OK)
+        return code;
+    for (size_t i = 0; i < c->files; i++)
+        if (!has_suffix(c->file[i], ".ss") && c->file[i] != f.machine)
+            test_path(&t, c->file[i], 0);
+    say_absent(&t);
+    written = write_results(&t, f.cases > 0 || f.scripts > 1);
+    code = exit_code(&t);
+    return code != EXIT_OK ? code : written;
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The engines that this build has, by name.
+#include <string.h>
+
+#include "compiler/cli/test.h"
+
+const char *const engine_name[ENGINE_KINDS] = {"ref", "vm", "c"};
+
+unsigned engines_named(const char *name)
+{
+    if (strcmp(name, "all") == 0)
+        return (1u << ENGINE_KINDS) - 1;
+    for (unsigned i = 0; i < ENGINE_KINDS; i++)
+        if (strcmp(name, engine_name[i]) == 0)
+            return 1u << i;
+    return 0;
+}
+
+unsigned engines_in_list(const char *list)
+{
+    unsigned which = 0;
+
+    for (unsigned i = 0; i < ENGINE_KINDS; i++)
+        if (testfile_has_word(list, engine_name[i]))
+            which |= 1u << i;
+    return which;
+}
+
+unsigned engines_present(void)
+{
+    return 1u << ENGINE_REF;
+}
+
+static Engine *open_one(EngineKind kind, Session *s, const Program *p, int opt_level, const char **error)
+{
+    (void)opt_level;
+    switch (kind) {
+    case ENGINE_REF: return engine_ref_open(&s->arena, p);
+    case ENGINE_VM: case ENGINE_C: case ENGINE_KINDS: break;
+    }
+    *error = "this build does not have it";
+    return NULL;
+}
+
+bool engines_open(EngineSet *set, Session *s, const Program *p, unsigned which, int opt_level)
+{
+    for (unsigned i = 0; i < ENGINE_KINDS; i++) {
+        const char *error = "";
+        if (!(which & 1u << i))
+            continue;
+        if ((set->at[set->n] = open_one((EngineKind)i, s, p, opt_level, &error)) == NULL) {
+            set->error = format_in(&s->arena, "engine %s: %s", engine_name[i], error);
+            return false;
+        }
+        set->n++;
+    }
+    return true;
+}
+
+void engines_close(EngineSet *set)
+{
+    while (set->n) {
+        Engine *e = set->at[--set->n];
+        e->close(e);
+    }
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc test: what its files share.  A test is one script run on one machine, or one .smt case.
+#ifndef SMC_TEST_H
+#define SMC_TEST_H
+
+#include "compiler/cli/cli.h"
+#include "compiler/script/testfile.h"
+
+// ---- engines.c ----
+
+typedef enum EngineKind { ENGINE_REF, ENGINE_VM, ENGINE_C, ENGINE_KINDS } EngineKind;
+
+extern const char *const engine_name[ENGINE_KINDS];
+
+// The engines of one program, the reference first.  Closing may be done at any time, twice too.
+typedef struct EngineSet {
+    Engine *at[ENGINE_KINDS];
+    size_t n;
+    const char *error;        // why engines_open failed
+} EngineSet;
+
+unsigned engines_named(const char *name);             // a bit of 1u << kind each; "all"; 0 when unknown
+unsigned engines_in_list(const char *list);           // those of a header's `on ref vm c`; others are left out
+unsigned engines_present(void);                       // those that can run here
+bool engines_open(EngineSet *set, Session *s, const Program *p, unsigned which, int opt_level);
+void engines_close(EngineSet *set);
+
+// ---- the results ----
+
+typedef enum TestStatus { TEST_PASSED, TEST_FAILED, TEST_SKIPPED } TestStatus;
+
+typedef struct TestResult {
+    const char *name;         // a path
+    TestStatus status;
+    const char *message;      // lines: why it failed or was skipped; else ""
+    int code;                 // the exit code it asks for
+} TestResult;
+
+typedef struct TestRun {      // one call of smc test
+    Cli *c;
+    Arena *arena;
+    unsigned engines;         // bits asked for; 0: as each case says, or vm
+    unsigned absent;          // engines that a case wanted and that are not here
+    uint64_t max_steps;
+    VEC(TestResult) result;
+} TestRun;
+
+TestResult test_case(TestRun *t, const char *path);                // test_case.c: one .smt file
+
+// ---- test_output.c ----
+
+void test_write_junit(const TestRun *t, Buf *out);
+void test_write_tap(const TestRun *t, Buf *out);
+
+#endif
