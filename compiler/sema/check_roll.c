@@ -14,7 +14,7 @@ static const char *number_text(Sema *s, SmF64 x)
     const char *text = "";
 
     if (sm_is_nan(x))
-        return "not a number";
+        return "NaN";
     for (int digits = 6; digits <= ENOUGH; digits++) {
         double back = 0;
         text = format_in(s->arena, "%.*g", digits, x);

@@ -1,0 +1,4 @@
+spec 5.3, 5.4   A machine lists at least G and S.
+-- app.sm --
+[Hold]                #! E0207
+.step
