@@ -114,5 +114,27 @@ help:
 clean:
 	rm -rf $(B)
 
-.PHONY: all check check-ir test install uninstall help clean
+# ---- the house rules ----
+
+find_code = { find stdlib compiler bytecode-vm runtime-c tests examples -name '*.[ch]' -o -name '*.def' -o -name '*.awk' -o -name '*.sh' \
+              -o -name '*.cpp' -o -name '*.mk'; echo Makefile; } 2>/dev/null | sort
+find_text = { find stdlib compiler bytecode-vm runtime-c tests examples conformance docs editors -type f; ls README.md Makefile; } 2>/dev/null | sort
+find_smt  = find conformance tests -name '*.smt' | sort
+
+check-layers:
+	@$(find_code) | awk -f tests/check/layers.awk tests/check/layers.txt -
+check-codes:
+	@$(find_smt) | awk -f tests/check/codes.awk compiler/diag/codes.def tests/check/codes.txt -
+check-headers: $(B)/gen/stdlib_text.h
+	@CC='$(CC)' sh tests/check/headers.sh -I$(B)/gen
+check-imports: $(VM:%.c=$(B)/obj/%.o) $(STDLIB:%.c=$(B)/obj/%.o)
+	@sh tests/check/imports.sh $^
+check-licence:
+	@$(find_code) | awk -f tests/check/licence.awk
+check-places:
+	@$(find_text) | awk -f tests/check/places.awk
+HOUSE_RULES = check-layers check-codes check-headers check-imports check-licence check-places
+CHECK_LINES += $(foreach rule,$(HOUSE_RULES),"$(rule): $(MAKE) -s --no-print-directory $(rule)")
+
+.PHONY: $(HOUSE_RULES) all check check-ir test install uninstall help clean
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

@@ -1,0 +1,38 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Every header compiles alone: as C99, and those that a target or another program includes (stdlib, bytecode-vm,
+# runtime-c) as C++11 too, since Arduino sketches are C++.     headers.sh FLAGS…     CC and CXX name the compilers.
+CC=${CC:-cc} CXX=${CXX:-c++}
+passed=0 failed=0 skipped=0
+dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-headers.XXXXXX") || exit 1
+trap 'rm -rf "$dir"' EXIT
+
+# compiles NAME COMMAND…: the header alone, twice, so that its include guard is tried as well
+compiles() {
+    header=$1
+    shift
+    printf '#include "%s"\n#include "%s"\nextern int alone;\n' "$header" "$header" >"$dir/$source"
+    if "$@" -I. -fsyntax-only "$dir/$source" >"$dir/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "$header does not compile alone: $*"
+        head -5 "$dir/log"
+    fi
+}
+
+for header in $(find stdlib bytecode-vm compiler runtime-c -name '*.h' 2>/dev/null | sort); do
+    source=alone.c
+    compiles "$header" $CC -std=c99 -pedantic -Wall -Wextra -Werror "$@"
+    case $header in
+    compiler/*) continue ;;
+    esac
+    source=alone.cpp
+    if command -v $CXX >/dev/null 2>&1; then
+        compiles "$header" $CXX -std=c++11 -pedantic -Wall -Wextra -Werror "$@"
+    else
+        skipped=$((skipped + 1))
+    fi
+done
+echo "$passed passed, $failed failed, $skipped skipped"
+[ "$failed" -eq 0 ]
