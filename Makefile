@@ -79,6 +79,19 @@ CHECK_LINES += "ir: $(B)/ir/run $(IR_TEXTS)" "ir-verify: $(B)/ir/verify" "ir-rea
 check-ir: $(IR_TESTS)
 	$(B)/ir/run $(IR_TEXTS) && $(B)/ir/verify && $(B)/ir/read
 
+# tests/golden: what the command prints, writes and exits with.  `make update-golden` writes what it does now into the cases.
+GOLDEN = $(wildcard tests/golden/*.smt)
+$(B)/golden: tests/golden/run.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a
+
+check: $(B)/golden
+CHECK_LINES += "golden: $(B)/golden $(B)/smc $(GOLDEN)"
+check-golden: all $(B)/golden
+	$(B)/golden $(B)/smc $(GOLDEN)
+update-golden: all $(B)/golden
+	UPDATE=1 $(B)/golden $(B)/smc $(GOLDEN)
+
 # ---- installing ----
 
 DEST = $(DESTDIR)$(PREFIX)
@@ -136,5 +149,5 @@ check-places:
 HOUSE_RULES = check-layers check-codes check-headers check-imports check-licence check-places
 CHECK_LINES += $(foreach rule,$(HOUSE_RULES),"$(rule): $(MAKE) -s --no-print-directory $(rule)")
 
-.PHONY: $(HOUSE_RULES) all check check-ir test install uninstall help clean
+.PHONY: $(HOUSE_RULES) all check check-ir check-golden update-golden test install uninstall help clean
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

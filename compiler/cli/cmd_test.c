@@ -259,7 +259,7 @@ static size_t count(const TestRun *t, TestStatus status)
 
 static void put_summary(const TestRun *t, Buf *out)
 {
-    size_t skipped = count(t, TEST_SKIPPED);
+    size_t skipped = count(t, TEST_SKIPPED) + t->left_out;
 
     buf_printf(out, "%lu passed, %lu failed", (unsigned long)count(t, TEST_PASSED), (unsigned long)count(t, TEST_FAILED));
     if (skipped)

@@ -41,6 +41,7 @@ typedef struct TestRun {      // one call of smc test
     Arena *arena;
     unsigned engines;         // bits asked for; 0: as each case says, or vm
     unsigned absent;          // engines that a case wanted and that are not here
+    size_t left_out;          // runs on them that cases did without
     uint64_t max_steps;
     VEC(TestResult) result;
 } TestRun;

@@ -332,14 +332,19 @@ static void run_scripts(Case *c, const Program *p, Script **script, unsigned whi
 
 // ---- the case ----
 
+// Of those the case wants and the call asks for, the ones that are here.
 static unsigned choose_engines(Case *c)
 {
     const char *on = testfile_header(c->f, "on");
-    unsigned wanted = on ? engines_in_list(on) : engines_named("all"), present = engines_present();
+    unsigned wanted = on ? engines_in_list(on) : engines_named("all"), present = engines_present(), absent;
 
     if (c->t->engines)
         wanted &= c->t->engines;
-    c->t->absent |= wanted & ~present;
+    absent = wanted & ~present;
+    c->t->absent |= absent;
+    if (wanted & present)
+        for (unsigned i = 0; i < ENGINE_KINDS; i++)
+            c->t->left_out += absent >> i & 1u;
     return wanted & present;
 }
 
@@ -370,7 +375,7 @@ static TestResult run_case(Case *c)
         return result_of(c, TEST_SKIPPED, "not a case of smc test", EXIT_OK);
     if ((wrong = malformed(c)) != NULL)
         return result_of(c, TEST_FAILED, wrong, EXIT_PROBLEM);
-    which = choose_engines(c);
+    which = count_parts(c->f, ".ss") ? choose_engines(c) : 0;
     if (!which && count_parts(c->f, ".ss"))
         return result_of(c, TEST_SKIPPED, "no engine it can run on", EXIT_OK);
     check_case(c, which);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fuzz target: an .smt text; its machine is compiled and its scripts run on every engine in lock step.  Whatever the text
+// holds, nothing may crash or hang, and the engines must agree.  Any conformance case is a seed.
+#include "compiler/pipeline.h"
+#include "compiler/script/testfile.h"
+#include "tests/fuzz/fuzz.h"
+
+enum { STEPS_MOST = 1000, MEMORY_MOST = 256 << 20 };
+
+static size_t memory_taken;
+
+// A host with little memory: a case that wants more ends, and that is no fault.
+static void *small_heap(void *context, void *old, size_t size)
+{
+    if (size > MEMORY_MOST - memory_taken)
+        return NULL;
+    memory_taken += size;
+    return fuzz_alloc(context, old, size);
+}
+
+static const Source *source_of(Session *s, const TestPart *p) { return p ? source_new(&s->arena, p->name, p->text, p->n) : NULL; }
+
+static const TestPart *find_part(const TestFile *f, const char *suffix)
+{
+    for (size_t i = 0; i < f->part.n; i++)
+        if (testfile_has_suffix(&f->part.at[i], suffix))
+            return &f->part.at[i];
+    return NULL;
+}
+
+static size_t open_engines(Session *s, const Program *p, Engine **engine)
+{
+    IrMachine *m[2] = {session_ir(s, p, 0), session_ir(s, p, 2)};
+    size_t n = 0;
+
+    engine[n++] = engine_ref_open(&s->arena, p);
+    for (int i = 0; i < 2; i++) {
+        ImageOptions o = {i == 0};
+        const char *error = NULL;
+        Buf image;
+        buf_init(&image, &s->arena);
+        if (!session_image(s, &m[i], 1, &o, &image))
+            continue;                                 // larger than an image can be
+        engine[n] = engine_vm_open(&s->arena, p, (const uint8_t *)image.at, image.n, 0, &error);
+        FUZZ_CHECK(engine[n++] != NULL);              // our own verifier takes our own image
+    }
+    return n;
+}
+
+static void run_script(Session *s, const TestFile *f)
+{
+    const Source *ss = source_of(s, find_part(f, ".ss"));
+    Map written = {&s->arena, NULL, NULL, 0, 0};
+    MachineInput in = {source_of(s, find_part(f, ".sm")), source_of(s, find_part(f, ".sv")), &written, 1};
+    AstFile *ast = ss ? session_parse(s, ss, FILE_SS) : NULL;
+    ScriptOptions o = {STEPS_MOST, NULL, NULL, NULL};
+    Engine *engine[3];
+    Program *p;
+    Script *script;
+    ScriptResult r;
+
+    if (ast)
+        script_written_names(ast, &written);
+    if (!in.sm || (p = session_program(s, &in)) == NULL || !ss || (script = session_script(s, ss, p)) == NULL)
+        return;
+    r = script_run(&s->arena, &s->diags, script, engine, open_engines(s, p, engine), &o);
+    if (r.difference)
+        fprintf(stderr, "%s\n", r.difference);
+    FUZZ_CHECK(r.outcome != SCRIPT_DIFFERENT && r.outcome != SCRIPT_BROKEN);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static Session s;
+    jmp_buf oom;
+    DiagStyle style = {true, 0};
+    Buf text;
+
+    memory_taken = 0;
+    if (setjmp(oom) == 0) {
+        session_init(&s, small_heap, NULL, &oom);
+        run_script(&s, testfile_parse(&s.arena, "fuzz.smt", (const char *)data, size));
+        buf_init(&text, &s.arena);
+        diags_sort(&s.diags);
+        diags_render_text(&s.diags, &style, &text);
+    }
+    session_free(&s);
+    return 0;
+}
