@@ -213,12 +213,14 @@ static Var *find_special(Declarations *k, const char *name, SmType type, DiagCod
 {
     Str key = str_c(k->s->strings, name);
     Var *v = map_find(&k->p->by_name, key);
+    bool told;                    // as E0206: the state vector has the right type
 
     if (!v && !k->s->names_lost)
         diag_report(k->s->diags, missing, k->list->header);
     if (!v || scope_is_doubtful(k->s, key))
         return v;
-    if (v->kind != VAR_ELEMENT || v->type != type)
+    told = v->element && v->element->type == type;
+    if ((v->kind != VAR_ELEMENT || v->type != type) && !told)
         diag_report(k->s->diags, wrong, v->span, v->kind == VAR_ELEMENT ? sm_type_info[v->type].spelling : "a local");
     v->read_only = true;
     return v;

@@ -1,0 +1,15 @@
+spec 5.9   A local that nothing uses draws a warning; of constants, which are often lists, nothing is said.
+analyses on
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+[local]
+F64 scale = 2
+F64 limit = scale
+F64 idle  = 1                 #! W0204 'idle'
+F64 pi    = 3.14159 @read_only
+[Hold]
+.step
+    x > limit: -> Hold

@@ -1,0 +1,23 @@
+spec 5.29   A state that no way of transitions leads to from the first one draws a warning.
+analyses on
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+[Idle]
+.entry
+    G > 5 {
+        G > 10: -> Run
+        else: -> Done
+    }
+[Run]
+.step
+    -> Run
+    -> Lost                   #! W0501
+[Done]
+[Lost]                        #! W0503 'Lost'
+.step
+    -> Loop
+[Loop]                        #! W0503 'Loop'
+.step
+    -> Idle
