@@ -59,14 +59,22 @@ static void declare(Declarations *k, Var *v, Str name, Span span)
 
 // ---- annotations ----
 
+// An unknown type was reported by the parser.
+static bool is_known(SmType type)
+{
+    return type < SM_TYPE_COUNT;
+}
+
 static Var *new_var(Declarations *k, VarKind kind, const AstDecl *decl)
 {
     Var *v = ARENA_NEW(k->s->arena, Var);
 
     v->kind = kind;
     v->name = v->report_name = decl->name;
-    v->type = decl->type;
+    v->type = is_known(decl->type) ? decl->type : SM_F64;
     v->span = decl->name_span;
+    if (!is_known(decl->type))
+        map_put(&k->s->doubtful, decl->name, (void *)decl->name);
     for (size_t i = 0; i < decl->annotations.n; i++)
         if (decl->annotations.at[i].kind == AST_READ_ONLY)
             v->read_only = true;
@@ -110,7 +118,7 @@ static Element *find_element(Declarations *k, const AstDecl *decl)
     if (!e) {
         d = diag_report(k->s->diags, DIAG_element_not_in_vector, decl->name_span, decl->name->text);
         guess_element(k, d, decl->name);
-    } else if (e->type != decl->type) {
+    } else if (e->type != decl->type && is_known(decl->type)) {
         d = diag_report(k->s->diags, DIAG_element_other_type, decl->type_span, e->name->text,
                         sm_type_info[e->type].spelling, sm_type_info[decl->type].spelling);
         diag_label(k->s->diags, d, DIAG_label_write_type, sm_type_info[e->type].spelling);
@@ -124,7 +132,7 @@ static Element *add_element(Declarations *k, const AstDecl *decl)
     Element *e = ARENA_NEW(k->s->arena, Element);
 
     e->name = decl->name;
-    e->type = decl->type;
+    e->type = is_known(decl->type) ? decl->type : SM_F64;
     e->region = k->sv->region.at[0];
     e->region->count++;
     e->span = decl->name_span;

@@ -67,13 +67,6 @@ static void check_input(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
         vec_push(k->s.arena, &item->inputs, stmt);
 }
 
-static void check_after_stop(ScriptCheck *k, const ScriptItem *item, const AstStmt *in)
-{
-    Diag *d = diag_report(k->s.diags, DIAG_after_stop, in->span);
-
-    diag_note(k->s.diags, d, item->stop_span, DIAG_note_stop_here);
-}
-
 static void check_item(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
 {
     switch (in->kind) {
@@ -89,15 +82,8 @@ static void check_item(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
 
 static void check_items(ScriptCheck *k, ScriptItem *item, const AstStmts *in)
 {
-    bool told = false;
-
-    for (size_t i = 0; i < in->n; i++) {
-        if (item->stop && !told) {
-            check_after_stop(k, item, in->at[i]);
-            told = true;
-        }
+    for (size_t i = 0; i < in->n; i++)
         check_item(k, item, in->at[i]);
-    }
 }
 
 static void check_conditional(ScriptCheck *k, ScriptSection *section, const AstStmt *in)
@@ -107,8 +93,6 @@ static void check_conditional(ScriptCheck *k, ScriptSection *section, const AstS
     memset(&item, 0, sizeof item);
     item.span = in->span;
     item.guard = check_expr(&k->s, in->value);
-    if (in->braces && in->then.n == 0)
-        diag_report(k->s.diags, DIAG_empty_conditional, in->body_span);
     check_items(k, &item, &in->then);
     vec_push(k->s.arena, &section->item, item);
 }

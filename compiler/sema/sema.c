@@ -42,17 +42,54 @@ static const AstSection *section_at(const AstFile *f, uint32_t at)
     return low ? f->sections.at[low - 1] : NULL;
 }
 
-static bool holds_code(const AstSection *section, uint32_t at)
+// The last declaration that begins at or before a place; NULL if there is none.
+static const AstDecl *decl_at(const AstSection *section, uint32_t at)
 {
-    return section && (section->kind == AST_STATE || section->kind == AST_SCRIPT_STATE)
-           && at >= section->header.at + section->header.len;
+    size_t low = 0, high = section->decls.n;
+
+    while (low < high) {
+        size_t middle = (low + high) / 2;
+        if (section->decls.at[middle].type_span.at <= at)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low ? &section->decls.at[low - 1] : NULL;
+}
+
+// A mistake behind a name, on its line, has lost nothing; but behind an @ it may have lost an alias.
+static bool keeps_names(const AstSection *section, Span error)
+{
+    const AstDecl *decl = decl_at(section, error.at);
+    const char *c, *end = error.src->text + error.at;
+
+    if (!decl)
+        return false;
+    for (c = error.src->text + decl->type_span.at; c < end; c++)
+        if (*c == '\n' || *c == '@')
+            return false;
+    return *end != '@';
+}
+
+// Whether a mistake may have swallowed a declaration or the name of a section.
+static bool may_hide(const AstSection *section, Span error)
+{
+    if (!section || section->name->len == 0)
+        return true;
+    switch (section->kind) {
+    case AST_STATE_VECTOR: case AST_LOCAL: case AST_REGION:
+        return error.at >= section->header.at + section->header.len && !keeps_names(section, error);
+    case AST_STATE: case AST_SCRIPT_STATE: case AST_OPTIONS: case AST_IGNORED:
+        return false;
+    }
+    return true;
 }
 
 bool sema_lost_names(const Diags *d, const AstFile *f)
 {
     for (size_t i = 0; i < d->list.n; i++) {
         const Diag *e = d->list.at[i];
-        if (e->severity == DIAG_ERROR && e->span.src == f->src && !holds_code(section_at(f, e->span.at), e->span.at))
+        if (e->severity == DIAG_ERROR && e->span.src == f->src && may_hide(section_at(f, e->span.at), e->span))
             return true;
     }
     return false;

@@ -1,4 +1,4 @@
-spec 8.7   A conditional without items is an error in a script.
+spec 8.4   In a script a state has one section.
 -- app.sm --
 [state_vector]
 U64 G
@@ -16,6 +16,7 @@ F64 count = 1
 -- app.ss --
 [options]
 delta_t 10
-[all_states]
-G == 0 { }                    #! E0705
+[Hold]
+G == 0: x = 1
+[Hold]                        #! E0704 the first one is here
 G == 10: @stop
