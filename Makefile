@@ -92,6 +92,9 @@ check-golden: all $(B)/golden
 update-golden: all $(B)/golden
 	UPDATE=1 $(B)/golden $(B)/smc $(GOLDEN)
 
+# tests/script: what the script engine does and reports.
+CHECK_LINES += "script: $(B)/smc test tests/script"
+
 # ---- installing ----
 
 DEST = $(DESTDIR)$(PREFIX)

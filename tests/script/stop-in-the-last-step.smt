@@ -1,0 +1,13 @@
+# The limit is reached, but @stop stands in the last step.
+steps 5
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+[Idle]
+-- app.ss --
+[options]
+delta_t 10
+[all_states]
+G == 40: @stop
