@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a target may decide about the VM.  Define SMVM_CONFIG as the name of a header ("my_vm_config.h") that defines any
+// of these; the rest is as below.
+#ifndef SMVM_CONFIG_H
+#define SMVM_CONFIG_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef SMVM_CONFIG
+#include SMVM_CONFIG
+#endif
+
+// Where an image lies, and how its bytes are read: the only access to an image there is.  In flash of a Harvard machine:
+// define SMVM_BYTES as uint16_t and SMVM_FETCH(image, at) as pgm_read_byte((image) + (at)); for EEPROM likewise.
+#ifndef SMVM_FETCH
+#define SMVM_BYTES const uint8_t *
+#define SMVM_FETCH(image, at) ((image)[at])
+#endif
+
+// Holds any offset in an image and any count in a machine: uint16_t where no image exceeds 64 KB.
+#ifndef SMVM_AT
+#define SMVM_AT uint32_t
+#endif
+
+// The largest image, and the most RAM that one machine may need; images beyond are refused.
+#ifndef SMVM_IMAGE_MAX
+#define SMVM_IMAGE_MAX 0x00ffffffu
+#endif
+#ifndef SMVM_RAM_MAX
+#define SMVM_RAM_MAX 0x7fffffffu
+#endif
+
+// How many jumps whose targets are still ahead the verifier follows exactly when it counts the longest step; beyond, it adds
+// up all instructions, which is never less.  Eight bytes of its stack each.
+#ifndef SMVM_JOINS
+#define SMVM_JOINS 32
+#endif
+
+typedef SMVM_BYTES SmvmBytes;
+typedef SMVM_AT SmvmAt;
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// The layout of an image (docs/bytecode.md) as names, and how its bytes are read in place.  Internal to the VM and to the
+// compiler's image writer.
+#ifndef SMVM_IMAGE_H
+#define SMVM_IMAGE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "bytecode-vm/config.h"
+#include "bytecode-vm/smvm.h"
+#include "stdlib/types.h"
+
+enum {
+    SMVM_FORMAT = 1,                  // the version of the whole
+    SMVM_CRC_AT = 4, SMVM_LENGTH_AT = 8, SMVM_SECTIONS_AT = 11, SMVM_HEADER = 12,
+    SMVM_ENTRY = 8,                   // of the section table: id u8, version u8, offset u24, length u24
+    SMVM_MUST_KNOW = 0x80             // a section whose id has this bit cannot be skipped
+};
+
+enum {
+#define SMVM_SECTION(name, id, version, meaning) SMVM_S_##name = id, SMVM_V_##name = version,
+#define SMVM_OPERAND(name, number, meaning)
+#include "bytecode-vm/image.def"
+#undef SMVM_SECTION
+#undef SMVM_OPERAND
+    SMVM_S_NONE = 0
+};
+
+// Kinds of operands.  An entry of the operand table is three bytes: kind in the low 5 bits, payload in the other 19.
+enum {
+#define SMVM_SECTION(name, id, version, meaning)
+#define SMVM_OPERAND(name, number, meaning) SMVM_K_##name = number,
+#include "bytecode-vm/image.def"
+#undef SMVM_SECTION
+#undef SMVM_OPERAND
+    SMVM_KINDS,                       // one more than the last
+    SMVM_KIND_BITS = 5,
+    SMVM_PAYLOADS = 0x80000,          // as many payloads there are
+    SMVM_INT_LEAST = -0x40000, SMVM_INT_MOST = 0x3ffff
+};
+
+enum {
+#define SMVM_RULE(number, name, sentence) SMVM_R_##name = number,
+#include "bytecode-vm/rules.def"
+#undef SMVM_RULE
+    SMVM_R_OK = 0
+};
+
+typedef enum SmvmOp {
+#define SMVM_OP(name, number, shape, meaning) SMVM_##name = number,
+#include "bytecode-vm/opcodes.def"
+#undef SMVM_OP
+    SMVM_OP_LEAST = 0x80              // what is below is no opcode
+} SmvmOp;
+
+// What follows an opcode: see opcodes.def.
+enum {
+    SMVM_SHAPE_D = 1, SMVM_SHAPE_W = 2, SMVM_SHAPE_X = 4, SMVM_SHAPE_Y = 8, SMVM_SHAPE_S = 16, SMVM_SHAPE_J = 32, SMVM_SHAPE_E = 64
+};
+
+// A window in the image: size in the low 17 bits, statistics in the five above.
+enum { SMVM_WINDOW_ENTRY = 3, SMVM_WINDOW_SIZE_BITS = 17 };
+
+// Varints: every number below SMVM_VARINT_END has exactly one form, of 1, 2 or 4 bytes, all of them below 0x80.
+enum { SMVM_VARINT_1 = 0x60, SMVM_VARINT_2 = 0x78 };
+#define SMVM_VARINT_MID 0xc60u                        // the first number that takes four bytes
+#define SMVM_VARINT_END (SMVM_VARINT_MID + 0x1000000u)
+
+// ---- reading ----
+
+static inline uint8_t smvm_u8(SmvmBytes image, uint32_t at) { return (uint8_t)SMVM_FETCH(image, at); }
+
+static inline uint32_t smvm_uint(SmvmBytes image, uint32_t at, uint8_t bytes)         // little-endian, at most 4 bytes
+{
+    uint32_t v = 0;
+    while (bytes-- > 0)
+        v = v << 8 | smvm_u8(image, at + bytes);
+    return v;
+}
+
+// The bits of a value of type `type`.
+static inline uint64_t smvm_cell(SmvmBytes image, uint32_t at, uint8_t bytes)
+{
+    return bytes < 8 ? smvm_uint(image, at, bytes) : (uint64_t)smvm_uint(image, at + 4, 4) << 32 | smvm_uint(image, at, 4);
+}
+
+// The size of a type is 1 << this.
+static inline uint8_t smvm_type_shift(uint32_t type)
+{
+#define SM_TYPE(name, wire, spelling, ctype, bytes, kind) | (uint32_t)((bytes) == 8 ? 3 : (bytes) == 4 ? 2 : (bytes) == 2 ? 1 : 0) << 2 * (wire)
+    return (uint8_t)((0u
+#include "stdlib/types.def"
+                      ) >> 2 * type & 3u);
+#undef SM_TYPE
+}
+
+// Reads a varint that must end before `end`; moves *at behind it.  False if it does not.
+bool smvm_varint(SmvmBytes image, uint32_t *at, uint32_t end, uint32_t *value);
+
+typedef struct SmvmSection { uint8_t id, version; uint32_t at, size; } SmvmSection;
+
+SmvmSection smvm_section(SmvmBytes image, uint32_t index);
+uint8_t smvm_sections(SmvmBytes image);               // how many
+
+// Reads what a MACHINE section says into *m and finds its tables.  Gives 0, or the rule that is broken.  Checks only what it
+// reads; m->image is set already.
+uint8_t smvm_read_machine(SmvmMachine *m, uint32_t at, uint32_t size);
+
+SmvmOperand smvm_operand_at(SmvmBytes image, uint32_t at);     // an entry of the operand table, or one of the same form
+
+// Start of function `index` in the code, from its start: 0 is the sample function, 1 + 3 * (s - 1) + b block b of state s.
+// A function ends where the next one starts.
+static inline uint32_t smvm_function_end(const SmvmMachine *m, uint32_t index)
+{
+    return smvm_uint(m->image, m->functions_at + index * m->width, m->width);
+}
+
+uint8_t smvm_shape(uint8_t opcode);                   // 0 if it is none
+
+#endif

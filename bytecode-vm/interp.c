@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// The interpreter: one step of a machine (language.md 6).  It checks nothing that the verifier has decided: operands exist,
+// code ends, jumps land on instructions, memory is there.
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "bytecode-vm/smvm.h"
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
+// Where the interpreter stands in the code.
+typedef struct Run {
+    SmVm *vm;
+    uint32_t at;
+} Run;
+
+static uint32_t next(Run *r)                          // the next varint
+{
+    SmvmBytes image = r->vm->image;
+    uint32_t b = smvm_u8(image, r->at++);
+
+    if (b < SMVM_VARINT_1)
+        return b;
+    if (b < SMVM_VARINT_2)
+        return SMVM_VARINT_1 + ((b - SMVM_VARINT_1) << 7 | smvm_u8(image, r->at++));
+    b -= SMVM_VARINT_2;
+    for (uint8_t i = 0; i < 3; i++)
+        b = b << 7 | smvm_u8(image, r->at++);
+    return SMVM_VARINT_MID + b;
+}
+
+// ---- operands ----
+
+static SmF64 constant(const SmVm *vm, uint8_t kind, uint32_t payload)
+{
+    switch (kind) {
+    case SMVM_K_TEMP: return vm->temp[payload];
+    case SMVM_K_TIME: return sm_from_u64(vm->last - vm->start);
+    case SMVM_K_INT: return sm_from_i32((int32_t)payload - (payload > SMVM_INT_MOST ? SMVM_PAYLOADS : 0));
+    case SMVM_K_F32: return sm_from_f32(sm_f32_from_bits(smvm_uint(vm->image, vm->f32s + 4 * payload, 4)));
+    default: return sm_from_bits(smvm_cell(vm->image, vm->f64s + 8 * payload, 8));
+    }
+}
+
+static uint8_t *memory_of(const SmVm *vm, uint8_t *kind, uint32_t payload)    // of an element or local; *kind becomes its type
+{
+    uint8_t *base = vm->sv;
+
+    if (*kind >= SMVM_K_LOCAL) {
+        *kind -= SMVM_K_LOCAL;
+        base = vm->local;
+    }
+    return base + ((size_t)payload << smvm_type_shift(*kind));
+}
+
+static SmF64 get(Run *r)
+{
+    const SmVm *vm = r->vm;
+    uint32_t entry = smvm_uint(vm->image, vm->operands + 3 * next(r), 3);
+    uint8_t kind = entry & ((1u << SMVM_KIND_BITS) - 1u);
+    const uint8_t *p;
+
+    if (kind >= SMVM_K_TEMP)
+        return constant(vm, kind, entry >> SMVM_KIND_BITS);
+    p = memory_of(vm, &kind, entry >> SMVM_KIND_BITS);
+    return sm_load((SmType)kind, p);
+}
+
+static void put(const SmVm *vm, uint32_t operand, SmF64 x)
+{
+    uint32_t entry = smvm_uint(vm->image, vm->operands + 3 * operand, 3);
+    uint8_t kind = entry & ((1u << SMVM_KIND_BITS) - 1u);
+    uint8_t *p;
+
+    if (kind == SMVM_K_TEMP) {
+        vm->temp[entry >> SMVM_KIND_BITS] = x;
+        return;
+    }
+    if (kind < SMVM_K_LOCAL)
+        vm->stored[operand >> 3] |= (uint8_t)(1u << (operand & 7u));
+    p = memory_of(vm, &kind, entry >> SMVM_KIND_BITS);
+    sm_store((SmType)kind, p, x);
+}
+
+// ---- operations ----
+
+static SmF64 number(bool b) { return sm_from_i32(b); }
+
+static SmF64 of_one(uint8_t op, SmF64 x)
+{
+    switch (op) {
+    case SMVM_neg: return sm_neg(x);
+    case SMVM_abs: return sm_abs(x);
+    case SMVM_floor: return sm_floor(x);
+    case SMVM_ceil: return sm_ceil(x);
+    case SMVM_trunc: return sm_trunc(x);
+    case SMVM_round: return sm_round(x);
+    case SMVM_sqrt: return sm_sqrt(x);
+    case SMVM_sign: return sm_sign(x);
+    case SMVM_truth: return number(sm_to_bool(x));
+    case SMVM_not: return number(!sm_to_bool(x));
+    default: return x;                                // mov
+    }
+}
+
+static SmF64 of_two(uint8_t op, SmF64 x, SmF64 y)
+{
+    switch (op) {
+    case SMVM_add: return sm_add(x, y);
+    case SMVM_sub: return sm_sub(x, y);
+    case SMVM_mul: return sm_mul(x, y);
+    case SMVM_div: return sm_div(x, y);
+    case SMVM_min: return sm_min(x, y);
+    case SMVM_max: return sm_max(x, y);
+    case SMVM_eq: return number(sm_eq(x, y));
+    case SMVM_ne: return number(!sm_eq(x, y));
+    case SMVM_lt: return number(sm_lt(x, y));
+    case SMVM_le: return number(sm_le(x, y));
+    case SMVM_and: return number(sm_to_bool(x) && sm_to_bool(y));
+    default: return number(sm_to_bool(x) || sm_to_bool(y));
+    }
+}
+
+static bool holds(uint8_t op, SmF64 x, SmF64 y)       // the condition of a jump on two operands
+{
+    switch (op) {
+    case SMVM_jeq: return sm_eq(x, y);
+    case SMVM_jne: return !sm_eq(x, y);
+    case SMVM_jlt: return sm_lt(x, y);
+    case SMVM_jnlt: return !sm_lt(x, y);
+    case SMVM_jle: return sm_le(x, y);
+    default: return !sm_le(x, y);
+    }
+}
+
+static void jump_if(Run *r, bool condition)
+{
+    uint32_t distance = next(r);
+
+    if (condition)
+        r->at += distance;
+}
+
+static void window(Run *r, uint8_t op)
+{
+    uint32_t a = next(r);
+
+    if (op == SMVM_sample)
+        sm_roll_push(&r->vm->window[a], get(r));
+    else
+        put(r->vm, a, sm_roll_stat(&r->vm->window[next(r)], (SmStat)(op - SMVM_avg)));
+}
+
+static void compute(Run *r, uint8_t op)
+{
+    uint32_t d = next(r);
+    SmF64 x = get(r);
+
+    put(r->vm, d, op < SMVM_add ? of_one(op, x) : of_two(op, x, get(r)));
+}
+
+static void jump(Run *r, uint8_t op)
+{
+    SmF64 x = get(r);
+
+    if (op < SMVM_jeq)
+        jump_if(r, sm_to_bool(x) == (op == SMVM_jt));
+    else {
+        SmF64 y = get(r);
+        jump_if(r, holds(op, x, y));
+    }
+}
+
+// Runs a function; gives the state that it goes to, or 0.
+static uint32_t run(SmVm *vm, uint32_t function)
+{
+    uint32_t start = function == 0 ? 0 : smvm_uint(vm->image, vm->functions + (function - 1) * vm->width, vm->width);
+    Run r;
+
+    if (start == smvm_uint(vm->image, vm->functions + function * vm->width, vm->width))
+        return 0;
+    r.vm = vm;
+    r.at = vm->code + start;
+    for (;;) {
+        uint8_t op = smvm_u8(vm->image, r.at++);
+        if (op >= SMVM_avg)
+            window(&r, op);
+        else if (op >= SMVM_mov)
+            compute(&r, op);
+        else if (op > SMVM_jmp)
+            jump(&r, op);
+        else if (op == SMVM_jmp)
+            jump_if(&r, true);
+        else
+            return op == SMVM_goto ? next(&r) : 0;
+    }
+}
+
+// ---- the step ----
+
+static void begin(SmVm *vm, uint64_t g)
+{
+    vm->entered = vm->first;
+    if (vm->first) {
+        vm->start = g;
+        sm_cell_store(SM_U32, vm->sv + vm->s, vm->state);
+    }
+    vm->last = g;
+    vm->ran = true;
+    memset(vm->stored, 0, (vm->outputs + 7u) / 8u);
+}
+
+SmResult smvm_step(SmVm *vm, void *sv)
+{
+    uint64_t g = sm_cell_load(SM_U64, (uint8_t *)sv + vm->g);
+    uint32_t block = 3 * (uint32_t)vm->state - 2, to = 0;      // the functions of the state: entry, step, exit
+
+    if (g == UINT64_MAX || (vm->ran && g <= vm->last))
+        return SM_REFUSED;
+    vm->sv = sv;
+    begin(vm, g);
+    run(vm, 0);
+    if (vm->first)
+        to = run(vm, block);
+    if (to == 0)
+        to = run(vm, block + 1);
+    if (to != 0) {
+        run(vm, block + 2);
+        vm->state = (SmvmAt)to;
+    }
+    vm->first = to != 0;
+    return SM_OK;
+}

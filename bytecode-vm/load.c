@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// From an image to a machine that can run: finds the parts, computes the memory needed, lays it out and fills it.
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "bytecode-vm/smvm.h"
+#include "stdlib/convert.h"
+
+// ---- the image ----
+
+bool smvm_varint(SmvmBytes image, uint32_t *at, uint32_t end, uint32_t *value)
+{
+    uint32_t b, more = 0, base = 0;
+
+    if (*at >= end)
+        return false;
+    b = smvm_u8(image, (*at)++);
+    if (b >= SMVM_VARINT_2) {
+        more = 3;
+        base = SMVM_VARINT_MID;
+        b -= SMVM_VARINT_2;
+    } else if (b >= SMVM_VARINT_1) {
+        more = 1;
+        base = SMVM_VARINT_1;
+        b -= SMVM_VARINT_1;
+    }
+    if (b >= SMVM_VARINT_1 || end - *at < more)
+        return false;
+    for (; more > 0; more--) {
+        uint8_t next = smvm_u8(image, (*at)++);
+        if (next >= SMVM_OP_LEAST)
+            return false;
+        b = b << 7 | next;
+    }
+    *value = base + b;
+    return true;
+}
+
+uint8_t smvm_sections(SmvmBytes image) { return smvm_u8(image, SMVM_SECTIONS_AT); }
+
+SmvmSection smvm_section(SmvmBytes image, uint32_t index)
+{
+    uint32_t at = SMVM_HEADER + index * SMVM_ENTRY;
+    SmvmSection s;
+
+    s.id = smvm_u8(image, at);
+    s.version = smvm_u8(image, at + 1);
+    s.at = smvm_uint(image, at + 2, 3);
+    s.size = smvm_uint(image, at + 5, 3);
+    return s;
+}
+
+// Places a table of count entries at *at; false if it does not end before `end`.
+static bool place(uint32_t *table, uint32_t *at, uint32_t end, uint32_t count, uint32_t bytes)
+{
+    *table = *at;
+    if (count > (end - *at) / bytes)
+        return false;
+    *at += count * bytes;
+    return true;
+}
+
+uint8_t smvm_read_machine(SmvmMachine *m, uint32_t at, uint32_t size)
+{
+    uint32_t end = at + size, width = 0;
+    uint32_t *const number[] = {&m->sv_size, &m->locals, &m->temps, &m->windows, &m->outputs, &m->operands,
+                                &m->states, &width, &m->f32s, &m->f64s};
+
+    if (size < 4)
+        return SMVM_R_RECORD;
+    m->layout = smvm_uint(m->image, at, 4);
+    at += 4;
+    for (uint8_t i = 0; i < sizeof number / sizeof number[0]; i++)
+        if (!smvm_varint(m->image, &at, end, number[i]))
+            return SMVM_R_RECORD;
+    if (m->states == 0 || width < 1 || width > 3)
+        return SMVM_R_STATES;
+    m->sv_size *= 8;
+    m->width = (uint8_t)width;
+    if (!place(&m->windows_at, &at, end, m->windows, SMVM_WINDOW_ENTRY) || !place(&m->operands_at, &at, end, m->operands, 3)
+        || !place(&m->functions_at, &at, end, 3 * m->states + 1, width) || !place(&m->f32s_at, &at, end, m->f32s, 4)
+        || !place(&m->f64s_at, &at, end, m->f64s, 8))
+        return SMVM_R_RECORD;
+    return at == end ? 0 : SMVM_R_RECORD;
+}
+
+// A machine's sections stand behind its MACHINE, before the next one.
+static void take_section(SmvmMachine *m, const SmvmSection *s)
+{
+    if (s->id == SMVM_S_CODE) {
+        m->code_at = s->at;
+        m->code_size = s->size;
+    } else if (s->id == SMVM_S_INIT) {
+        m->init_at = s->at;
+        m->init_size = s->size;
+    } else if (s->id == SMVM_S_DEBUG && s->version == SMVM_V_DEBUG) {
+        m->debug_at = s->at;
+        m->debug_size = s->size;
+    }
+}
+
+bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m)
+{
+    uint32_t machines = 0;
+
+    memset(m, 0, sizeof *m);
+    m->image = image;
+    for (uint8_t i = 0; i < smvm_sections(image); i++) {
+        SmvmSection s = smvm_section(image, i);
+        if (s.id == SMVM_S_MACHINE && machines++ == number)
+            smvm_read_machine(m, s.at, s.size);
+        else if (machines == number + 1)
+            take_section(m, &s);
+    }
+    return machines > number;
+}
+
+SmvmOperand smvm_operand_at(SmvmBytes image, uint32_t at)
+{
+    uint32_t entry = smvm_uint(image, at, 3);
+    SmvmOperand o;
+
+    o.kind = entry & ((1u << SMVM_KIND_BITS) - 1u);
+    o.payload = entry >> SMVM_KIND_BITS;
+    o.type = SM_F64;
+    if (o.kind < SMVM_K_LOCAL)
+        o.type = (SmType)o.kind;
+    else if (o.kind < SMVM_K_TEMP)
+        o.type = (SmType)(o.kind - SMVM_K_LOCAL);
+    o.offset = o.payload << smvm_type_shift(o.type);
+    return o;
+}
+
+SmvmOperand smvm_operand(const SmvmMachine *m, uint32_t index)
+{
+    return smvm_operand_at(m->image, m->operands_at + 3 * index);
+}
+
+// ---- memory: SmVm, then SmRolls, temps, slots of the windows, locals, stored bits ----
+
+static uint32_t up8(uint32_t n) { return (n + 7u) & ~7u; }
+
+static uint32_t plus(uint32_t a, uint32_t b) { return a > UINT32_MAX - b ? UINT32_MAX : a + b; }     // a sum that sticks at the end
+
+static uint32_t window_size(const SmvmMachine *m, uint32_t w, uint32_t *stats)
+{
+    uint32_t entry = smvm_uint(m->image, m->windows_at + w * SMVM_WINDOW_ENTRY, SMVM_WINDOW_ENTRY);
+
+    *stats = entry >> SMVM_WINDOW_SIZE_BITS;
+    return entry & ((1u << SMVM_WINDOW_SIZE_BITS) - 1u);
+}
+
+uint32_t smvm_ram_size(const SmvmMachine *m)
+{
+    uint32_t n = up8(sizeof(SmVm)), stats;
+
+    n = plus(n, up8(m->windows * (uint32_t)sizeof(SmRoll)));
+    n = plus(n, m->temps * (uint32_t)sizeof(SmF64));
+    for (uint32_t w = 0; w < m->windows; w++) {
+        uint32_t size = window_size(m, w, &stats);
+        n = plus(n, up8(sm_roll_bytes(size, stats)));
+    }
+    n = plus(n, m->locals);
+    return plus(n, (m->outputs + 7u) / 8u);
+}
+
+static void *take(uint8_t **next, uint32_t n)
+{
+    uint8_t *p = *next;
+
+    *next += n;
+    return p;
+}
+
+static void lay_out(SmVm *vm, const SmvmMachine *m)
+{
+    uint8_t *next = (uint8_t *)vm + up8(sizeof *vm);
+
+    vm->window = take(&next, up8(m->windows * (uint32_t)sizeof(SmRoll)));
+    vm->temp = take(&next, m->temps * (uint32_t)sizeof(SmF64));
+    for (uint32_t w = 0; w < m->windows; w++) {
+        uint32_t stats, size = window_size(m, w, &stats);
+        sm_roll_init(&vm->window[w], take(&next, up8(sm_roll_bytes(size, stats))), size, stats);
+    }
+    vm->local = take(&next, m->locals);
+    vm->stored = next;
+}
+
+static void set_locals(SmVm *vm, const SmvmMachine *m)
+{
+    uint32_t at = m->init_at;
+
+    while (at < m->init_at + m->init_size) {
+        SmvmOperand o = smvm_operand_at(m->image, at);
+        uint8_t bytes = (uint8_t)(1u << smvm_type_shift(o.type));
+        sm_cell_store(o.type, vm->local + o.offset, smvm_cell(m->image, at + 3, bytes));
+        at += 3u + bytes;
+    }
+}
+
+static void bind(SmVm *vm, const SmvmMachine *m)
+{
+    vm->image = m->image;
+    vm->code = (SmvmAt)m->code_at;
+    vm->functions = (SmvmAt)m->functions_at;
+    vm->operands = (SmvmAt)m->operands_at;
+    vm->f32s = (SmvmAt)m->f32s_at;
+    vm->f64s = (SmvmAt)m->f64s_at;
+    vm->g = (SmvmAt)smvm_operand(m, m->outputs).offset;
+    vm->s = (SmvmAt)smvm_operand(m, m->outputs + 1).offset;
+    vm->outputs = (SmvmAt)m->outputs;
+    vm->width = m->width;
+}
+
+static bool is_aligned(const void *p) { return ((uintptr_t)p & 7u) == 0; }
+
+SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, void *sv, uint32_t state)
+{
+    SmVm *vm = memory;
+
+    if (state < 1 || state > m->states)
+        return SM_E_ARGUMENT;
+    if (!is_aligned(memory) || !is_aligned(sv))
+        return SM_E_ALIGNMENT;
+    if (size < smvm_ram_size(m))
+        return SM_E_MEMORY;
+    memset(memory, 0, smvm_ram_size(m));
+    bind(vm, m);
+    lay_out(vm, m);
+    set_locals(vm, m);
+    vm->state = (SmvmAt)state;
+    vm->first = true;
+    sm_cell_store(SM_U32, (uint8_t *)sv + vm->s, state);
+    return SM_OK;
+}
+
+// ---- looking at it ----
+
+uint32_t smvm_state(const SmVm *vm) { return vm->state; }
+uint64_t smvm_time(const SmVm *vm) { return vm->last - vm->start; }
+bool smvm_stored(const SmVm *vm, uint32_t output) { return (vm->stored[output >> 3] >> (output & 7) & 1) != 0; }
+bool smvm_stored_state(const SmVm *vm) { return vm->entered; }
+void *smvm_locals(SmVm *vm) { return vm->local; }

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bytecode VM: runs the machines of an image (.smb; docs/bytecode.md) in place, from flash, EEPROM or RAM.  C99 without
+// heap, recursion or stdio; to embed it, copy this folder and stdlib.
+//
+//     SmvmVerdict why;
+//     SmvmMachine m;
+//     if (smvm_verify(image, size, &why) != 0)           // once, when the image arrives: why.rule says what is wrong
+//         refuse();
+//     smvm_machine(image, 0, &m);                        // its first machine
+//     if (m.layout != MY_LAYOUT || m.sv_size != sizeof sv)
+//         refuse();                                      // made for another state vector
+//     if (smvm_init(memory, sizeof memory, &m, sv, 1) != SM_OK)
+//         refuse();                                      // memory: smvm_ram_size(&m) bytes, aligned to 8
+//     for (;;) {
+//         …put inputs and G into sv…
+//         smvm_step(memory, sv);                         // SM_OK, or SM_REFUSED when G did not advance
+//         …use what it stored…
+//     }
+//
+// The verifier decides everything once.  Of an image that it accepted the interpreter cannot leave its memory, loop without
+// bound or trap, whatever the state vector holds.  An image that it did not accept must not be given to any other function here.
+#ifndef SMVM_H
+#define SMVM_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "bytecode-vm/config.h"
+#include "stdlib/f64.h"
+#include "stdlib/result.h"
+#include "stdlib/roll.h"
+#include "stdlib/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// ---- images ----
+
+typedef struct SmvmVerdict {
+    uint8_t rule;             // 0: accepted; else the number of the rule that is broken (rules.def)
+    uint32_t at;              // where: offset in the image
+    uint32_t machine;         // in which machine, counted from 0
+    uint32_t longest;         // accepted: instructions in the longest step, of the machine where that is largest
+} SmvmVerdict;
+
+// Checks `size` bytes; an image may be shorter than that.  Gives v->rule.  Linear in size, no memory but ~400 bytes of stack.
+uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v);
+
+// What a machine is and where its parts lie in the image (all offsets count from the image's start).
+typedef struct SmvmMachine {
+    SmvmBytes image;
+    uint32_t layout;          // hash of the layout of the state vector it was made for
+    uint32_t sv_size;         // bytes of that state vector in memory
+    uint32_t locals;          // bytes of locals
+    uint32_t temps, windows, operands, f32s, f64s;   // how many of each
+    uint32_t states;          // numbered from 1
+    uint32_t outputs;         // elements it may store: operands 0 … outputs - 1; then come G and S
+    uint32_t windows_at, operands_at, functions_at, f32s_at, f64s_at;
+    uint32_t code_at, code_size, init_at, init_size, debug_at, debug_size;     // size 0: there is none
+    uint8_t width;            // bytes of an entry in the table of functions
+} SmvmMachine;
+
+// Reads machine `number`, counted from 0.  False if the image has no such machine.
+bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m);
+
+// The instructions of its longest step, not counting the time that statistics take to walk over their windows.
+uint32_t smvm_longest_step(const SmvmMachine *m);
+
+// Where an operand lies: `kind` is a number of image.def, and for elements and locals type and byte offset are given too.
+typedef struct SmvmOperand {
+    uint8_t kind;
+    SmType type;              // F64 where it is neither element nor local
+    uint32_t payload;
+    uint32_t offset;          // payload times the type's size
+} SmvmOperand;
+SmvmOperand smvm_operand(const SmvmMachine *m, uint32_t index);
+
+// ---- running ----
+
+// A machine that runs; lies at the start of the memory given to smvm_init.  Read it through the functions below.
+typedef struct SmVm {
+    SmvmBytes image;
+    SmvmAt code, functions, operands, f32s, f64s, g, s;   // where in the image; g and s: in the state vector
+    SmvmAt outputs, windows, state;                       // state: the one that the next step runs
+    uint8_t width;
+    bool first;               // the next step is the first of `state`
+    bool ran;                 // a step has run since smvm_init
+    bool entered;             // the last step was the first of its state: it stored S
+    uint8_t *sv;              // during a step
+    uint8_t *local;
+    uint8_t *stored;          // one bit an output
+    SmF64 *temp;
+    SmRoll *window;
+    uint64_t start, last;     // G at the first step of `state`; at the last step that ran
+} SmVm;
+
+// Bytes of memory that smvm_init needs for m.
+uint32_t smvm_ram_size(const SmvmMachine *m);
+
+// Puts a machine at state `state` (1 is the initial one) in memory that is the caller's, aligned to 8 and of at least
+// smvm_ram_size(m) bytes: locals at their initial values, windows empty.  Writes the state's number to S.
+// SM_E_ARGUMENT: there is no such state.  SM_E_MEMORY, SM_E_ALIGNMENT: of `memory` or of sv.
+SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, void *sv, uint32_t state);
+
+// One step (language.md 6) on a snapshot of the state vector, aligned to 8.  SM_REFUSED: G did not advance; nothing changed.
+SmResult smvm_step(SmVm *vm, void *sv);
+
+uint32_t smvm_state(const SmVm *vm);                  // the state that the next step runs
+uint64_t smvm_time(const SmVm *vm);                   // T
+bool smvm_stored(const SmVm *vm, uint32_t output);    // whether the last step that ran stored output 0 … m.outputs - 1
+bool smvm_stored_state(const SmVm *vm);               // whether it stored S
+void *smvm_locals(SmVm *vm);                          // the locals, as operands and the debug section place them
+
+// ---- for people; on hosts ----
+
+typedef void (*SmvmWrite)(void *context, const char *text, size_t length);
+
+// Any image that the verifier accepts, as text.
+void smvm_disasm(SmvmBytes image, SmvmWrite write, void *context);
+
+const char *smvm_rule_text(uint8_t rule);             // the sentence of a rule; "" for a number that has none
+
+#ifdef __cplusplus
+}
+#endif
+#endif
