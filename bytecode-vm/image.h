@@ -67,6 +67,10 @@ enum { SMVM_VARINT_1 = 0x60, SMVM_VARINT_2 = 0x78 };
 #define SMVM_VARINT_MID 0xc60u                        // the first number that takes four bytes
 #define SMVM_VARINT_END (SMVM_VARINT_MID + 0x1000000u)
 
+// DEBUG begins with as many numbers of three bytes: variables, start of the lines, name of the machine, name of the source.
+// Then come offsets of names, by state and by operand (0: none), then for each variable its entry and its name's offset.
+enum { SMVM_DEBUG_NUMBERS = 4 };
+
 // ---- reading ----
 
 static inline uint8_t smvm_u8(SmvmBytes image, uint32_t at) { return (uint8_t)SMVM_FETCH(image, at); }
@@ -117,5 +121,21 @@ static inline uint32_t smvm_function_end(const SmvmMachine *m, uint32_t index)
 }
 
 uint8_t smvm_shape(uint8_t opcode);                   // 0 if it is none
+
+// ---- names, for hosts; DEBUG is not verified, so these check what they read (debug.c) ----
+
+typedef struct SmvmName { uint32_t at, size; } SmvmName;         // in the image; size 0: none
+
+enum { SMVM_NAME_MACHINE = 2, SMVM_NAME_SOURCE = 3 };
+SmvmName smvm_name(const SmvmMachine *m, uint32_t which);        // one of the two
+SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state);
+SmvmName smvm_operand_name(const SmvmMachine *m, uint32_t operand);
+
+uint32_t smvm_variables(const SmvmMachine *m);                   // elements, locals and T that have names
+SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmOperand *o);
+
+// Goes through the lines in code order: starts zeroed; false at the end.
+typedef struct SmvmLines { bool open; uint32_t at, left, code, line; } SmvmLines;
+bool smvm_next_line(const SmvmMachine *m, SmvmLines *l);         // l->line holds from l->code (an offset in CODE) on
 
 #endif

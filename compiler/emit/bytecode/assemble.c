@@ -240,7 +240,9 @@ void bc_assemble(Arena *arena, const BcMachine *m, BcFn *f, Buf *out, bool *ok)
             return;
         }
     }
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < n; i++) {
+        f->ins.at[i].at = to_end[0] - to_end[i];
         put_ins(m, &f->ins.at[i], distance[i], out);
+    }
     f->size = to_end[0];
 }

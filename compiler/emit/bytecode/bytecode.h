@@ -44,6 +44,7 @@ typedef struct BcIns {
     BcRef d, x, y;
     uint32_t w, to;
     Span span;
+    uint32_t at;              // offset in its function (assemble.c)
 } BcIns;
 
 typedef struct BcFn {

@@ -102,10 +102,10 @@ static BcRef const_operand(Select *s, uint64_t bits)
     return s->m->const_slot[place];
 }
 
-// The constant as the F64 that it stands for.  (A NaN is one only as an F64, and then stays one.)
-static BcRef const_of(Select *s, const IrIns *i)
+// The F64 that a constant stands for.  (A NaN is one only as an F64, and then stays one.)
+static SmF64 const_value(const IrIns *i)
 {
-    return const_operand(s, i->type == SM_F64 ? i->bits : sm_bits(sm_cell_to_f64(i->type, i->bits)));
+    return i->type == SM_F64 ? sm_from_bits(i->bits) : sm_cell_to_f64(i->type, i->bits);
 }
 
 // ---- slots: temps for numbers as they are, scratch locals for those that a conversion rounds ----
@@ -268,7 +268,7 @@ static BcRef operand(Select *s, IrRef r)
     if (v->placed)
         return v->slot;
     if (ins(s, r)->op == IR_const)
-        return const_of(s, ins(s, r));
+        return const_operand(s, sm_bits(const_value(ins(s, r))));
     if (ins(s, r)->op == IR_load)
         return var_operand(s, ins(s, r)->var);
     compute(s, r, BC_NONE);
@@ -303,7 +303,7 @@ static void compute_stat(Select *s, IrRef r, BcRef d)
     BcIns *i;
 
     d = choose_slot(s, r, d);
-    i = put(s, (uint8_t)(SMVM_avg + ins(s, r)->stat));
+    i = put(s, (uint8_t)((unsigned)SMVM_avg + (unsigned)ins(s, r)->stat));
     i->d = count(s, d);
     s->m->operand.at[d].stored = true;
     i->w = s->m->window_number[ins(s, r)->var];
@@ -376,7 +376,7 @@ static void jump_number(Select *s, IrRef r, bool when, uint32_t label)
     BcRef x;
 
     if (ins(s, r)->op == IR_const) {
-        if (sm_to_bool(sm_from_bits(s->m->operand.at[const_of(s, ins(s, r))].bits)) == when)
+        if (sm_to_bool(const_value(ins(s, r))) == when)
             put_jump(s, SMVM_jmp, BC_NONE, BC_NONE, label);
         return;
     }

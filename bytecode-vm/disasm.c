@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: Apache-2.0
+// An image as text, for people; on hosts.  It prints whatever the verifier accepts.  One line an instruction: offset in the
+// code, opcode, operands; where a line of the source begins, its number behind.
+//
+//     TankVentControl.step:
+//        7  jnlt    775, tankPressure, 20           tank.sm:22
+//       11  mov     valveOpen, 1                    tank.sm:23
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "bytecode-vm/smvm.h"
+#include "stdlib/convert.h"
+
+typedef struct Out {
+    SmvmWrite write;
+    void *context;
+    const SmvmMachine *m;
+    uint32_t column;
+    SmvmLines lines;
+    bool more_lines;
+} Out;
+
+// ---- text ----
+
+static void text(Out *o, const char *s)
+{
+    size_t n = strlen(s);
+
+    o->write(o->context, s, n);
+    o->column = n > 0 && s[n - 1] == '\n' ? 0 : o->column + (uint32_t)n;
+}
+
+static void pad(Out *o, uint32_t column)
+{
+    do
+        text(o, " ");
+    while (o->column < column);
+}
+
+static void number(Out *o, uint64_t v)
+{
+    char digits[21], *p = digits + 20;
+
+    *p = '\0';
+    do
+        *--p = (char)('0' + v % 10);
+    while ((v /= 10) != 0);
+    text(o, p);
+}
+
+static void right(Out *o, uint32_t v, uint32_t width)            // to the right end of so many columns
+{
+    for (uint32_t least = 10, i = 1; i < width; i++, least *= 10)
+        if (v < least)
+            text(o, " ");
+    number(o, v);
+}
+
+static void hex(Out *o, uint64_t v, uint8_t digits)
+{
+    char t[2] = "";
+
+    while (digits-- > 0) {
+        t[0] = "0123456789abcdef"[v >> 4 * digits & 15];
+        text(o, t);
+    }
+}
+
+static void name(Out *o, SmvmName n)
+{
+    char t[2] = "";
+
+    for (uint32_t i = 0; i < n.size; i++) {
+        t[0] = (char)smvm_u8(o->m->image, n.at + i);
+        text(o, t[0] >= ' ' && t[0] <= '~' ? t : "?");
+    }
+}
+
+// ---- numbers and operands ----
+
+static void whole(Out *o, int32_t v)
+{
+    if (v < 0)
+        text(o, "-");
+    number(o, v < 0 ? 0u - (uint32_t)v : (uint32_t)v);
+}
+
+// A number as C99's %a has it; a whole one of moderate size as that.
+static void f64(Out *o, SmF64 x)
+{
+    uint64_t bits = sm_bits(x), fraction = bits & 0xfffffffffffffu;
+    int32_t exponent = (int32_t)(bits >> 52 & 0x7ff);
+    uint8_t digits = 13;
+
+    if (sm_bits(sm_from_i32(sm_to_i32(x))) == bits) {
+        whole(o, sm_to_i32(x));
+        return;
+    }
+    if (bits >> 63 && !sm_is_nan(x))
+        text(o, "-");
+    if (exponent == 0x7ff) {
+        text(o, fraction != 0 ? "nan" : "inf");
+        return;
+    }
+    for (; digits > 0 && (fraction & 15u) == 0; digits--)
+        fraction >>= 4;
+    text(o, exponent == 0 ? "0x0" : "0x1");
+    if (digits > 0)
+        text(o, ".");
+    hex(o, fraction, digits);
+    text(o, "p");
+    if (exponent > 1022 || bits << 1 == 0)
+        text(o, "+");
+    whole(o, exponent == 0 ? (fraction == 0 ? 0 : -1022) : exponent - 1023);
+}
+
+static void place(Out *o, const char *space, const SmvmOperand *p)
+{
+    text(o, space);
+    text(o, sm_type_info[p->type].spelling);
+    text(o, "@");
+    number(o, p->offset);
+}
+
+static void operand(Out *o, uint32_t index)
+{
+    SmvmOperand p = smvm_operand(o->m, index);
+    SmvmName n = smvm_operand_name(o->m, index);
+    uint32_t payload = p.payload;
+
+    if (n.size > 0 && p.kind < SMVM_K_INT)
+        name(o, n);
+    else if (p.kind < SMVM_K_LOCAL)
+        place(o, "", &p);
+    else if (p.kind < SMVM_K_TEMP)
+        place(o, "local ", &p);
+    else if (p.kind == SMVM_K_TIME)
+        text(o, "T");
+    else if (p.kind == SMVM_K_INT)
+        whole(o, (int32_t)payload - (payload > SMVM_INT_MOST ? SMVM_PAYLOADS : 0));
+    else if (p.kind == SMVM_K_F32)
+        f64(o, sm_from_f32(sm_f32_from_bits(smvm_uint(o->m->image, o->m->f32s_at + 4 * payload, 4))));
+    else if (p.kind == SMVM_K_F64)
+        f64(o, sm_from_bits(smvm_cell(o->m->image, o->m->f64s_at + 8 * payload, 8)));
+    else {
+        text(o, "t");
+        number(o, payload);
+    }
+}
+
+static void state(Out *o, uint32_t s)
+{
+    SmvmName n = smvm_state_name(o->m, s);
+
+    if (n.size > 0) {
+        name(o, n);
+    } else {
+        text(o, "state ");
+        number(o, s);
+    }
+}
+
+// ---- instructions ----
+
+static const char *mnemonic(uint8_t op)
+{
+    switch (op) {
+#define SMVM_OP(name, number, shape, meaning) case number: return #name;
+#include "bytecode-vm/opcodes.def"
+#undef SMVM_OP
+    default: return "?";
+    }
+}
+
+static uint32_t take(Out *o, uint32_t *at, const char *between)
+{
+    uint32_t v = 0;
+
+    smvm_varint(o->m->image, at, o->m->code_at + o->m->code_size, &v);
+    text(o, between);
+    return v;
+}
+
+static void source_line(Out *o, uint32_t code)                   // if one begins at this offset
+{
+    uint32_t line = 0;
+
+    for (; o->more_lines && o->lines.code <= code; o->more_lines = smvm_next_line(o->m, &o->lines))
+        if (o->lines.code == code)
+            line = o->lines.line;
+    if (line == 0)
+        return;
+    pad(o, 48);
+    name(o, smvm_name(o->m, SMVM_NAME_SOURCE));
+    text(o, ":");
+    number(o, line);
+}
+
+static uint32_t instruction(Out *o, uint32_t at)                 // gives where the next one is
+{
+    uint8_t op = smvm_u8(o->m->image, at), shape = smvm_shape(op);
+    uint32_t start = at++ - o->m->code_at;
+
+    right(o, start, 6);
+    text(o, "  ");
+    text(o, mnemonic(op));
+    if (shape != SMVM_SHAPE_E)
+        pad(o, 16);
+    if (shape & SMVM_SHAPE_D)
+        operand(o, take(o, &at, ""));
+    if (shape & SMVM_SHAPE_W)
+        number(o, take(o, &at, shape & SMVM_SHAPE_D ? ", w" : "w"));
+    if (shape & SMVM_SHAPE_X)
+        operand(o, take(o, &at, shape & (SMVM_SHAPE_D | SMVM_SHAPE_W) ? ", " : ""));
+    if (shape & SMVM_SHAPE_Y)
+        operand(o, take(o, &at, ", "));
+    if (shape & SMVM_SHAPE_S)
+        state(o, take(o, &at, ""));
+    if (shape & SMVM_SHAPE_J) {
+        uint32_t distance = take(o, &at, shape & SMVM_SHAPE_X ? ", " : "");
+        number(o, at - o->m->code_at + distance);
+    }
+    source_line(o, start);
+    text(o, "\n");
+    return at;
+}
+
+static void function(Out *o, uint32_t index)
+{
+    static const char *const block[] = {".entry", ".step", ".exit"};
+    uint32_t at = o->m->code_at + (index == 0 ? 0 : smvm_function_end(o->m, index - 1));
+    uint32_t end = o->m->code_at + smvm_function_end(o->m, index);
+
+    if (at == end)
+        return;
+    text(o, "\n");
+    if (index == 0)
+        text(o, "sample");
+    else
+        state(o, (index + 2) / 3);
+    text(o, index == 0 ? ":\n" : block[(index - 1) % 3]);
+    text(o, index == 0 ? "" : ":\n");
+    while (at < end)
+        at = instruction(o, at);
+}
+
+// ---- the machine and the image ----
+
+static void line(Out *o, const char *what, uint64_t v, const char *unit)
+{
+    text(o, "    ");
+    text(o, what);
+    pad(o, 20);
+    number(o, v);
+    text(o, unit);
+}
+
+static void window(Out *o, uint32_t w)
+{
+    static const char *const stat[] = {" average", " median", " smallest", " largest", " range"};
+    uint32_t entry = smvm_uint(o->m->image, o->m->windows_at + w * SMVM_WINDOW_ENTRY, SMVM_WINDOW_ENTRY);
+
+    text(o, "    w");
+    number(o, w);
+    pad(o, 20);
+    number(o, entry & ((1u << SMVM_WINDOW_SIZE_BITS) - 1u));
+    text(o, " samples:");
+    for (uint32_t i = 0; i < SM_STAT_COUNT; i++)
+        if (entry >> SMVM_WINDOW_SIZE_BITS >> i & 1u)
+            text(o, stat[i]);
+    text(o, "\n");
+}
+
+static void operands(Out *o)
+{
+    for (uint32_t i = 0; i < o->m->outputs + 2; i++) {
+        SmvmOperand p = smvm_operand(o->m, i);
+        text(o, i < o->m->outputs ? "    output" : i == o->m->outputs ? "    G" : "    S");
+        pad(o, 20);
+        place(o, "", &p);
+        if (smvm_operand_name(o->m, i).size > 0)
+            text(o, " ");
+        name(o, smvm_operand_name(o->m, i));
+        text(o, "\n");
+    }
+}
+
+static void initial_values(Out *o)
+{
+    const SmvmMachine *m = o->m;
+
+    for (uint32_t at = m->init_at; at < m->init_at + m->init_size;) {
+        SmvmOperand p = smvm_operand_at(m->image, at);
+        uint8_t bytes = (uint8_t)(1u << smvm_type_shift(p.type));
+        text(o, "    initial value");
+        pad(o, 20);
+        place(o, "local ", &p);
+        text(o, " = 0x");
+        hex(o, smvm_cell(m->image, at + 3, bytes), (uint8_t)(2 * bytes));
+        text(o, "\n");
+        at += 3u + bytes;
+    }
+}
+
+static void machine(Out *o, uint32_t index)
+{
+    const SmvmMachine *m = o->m;
+
+    text(o, "\nmachine ");
+    number(o, index);
+    text(o, " ");
+    name(o, smvm_name(m, SMVM_NAME_MACHINE));
+    text(o, "\n");
+    line(o, "state vector", m->sv_size, " bytes, layout ");
+    hex(o, m->layout, 8);
+    text(o, "\n");
+    line(o, "states", m->states, "\n");
+    line(o, "memory", smvm_ram_size(m), " bytes on this machine, of these ");
+    number(o, m->locals);
+    text(o, " for locals\n");
+    line(o, "operands", m->operands, "\n");
+    line(o, "longest step", smvm_longest_step(m), " instructions\n");
+    operands(o);
+    initial_values(o);
+    for (uint32_t w = 0; w < m->windows; w++)
+        window(o, w);
+    memset(&o->lines, 0, sizeof o->lines);
+    o->more_lines = smvm_next_line(m, &o->lines);
+    for (uint32_t f = 0; f <= 3 * m->states; f++)
+        function(o, f);
+}
+
+static const char *section_name(uint8_t id)
+{
+    switch (id) {
+#define SMVM_SECTION(name, id_, version, meaning) case id_: return #name;
+#define SMVM_OPERAND(name, number, meaning)
+#include "bytecode-vm/image.def"
+#undef SMVM_SECTION
+#undef SMVM_OPERAND
+    default: return "unknown";
+    }
+}
+
+static void sections(Out *o, SmvmBytes image)
+{
+    for (uint8_t i = 0; i < smvm_sections(image); i++) {
+        SmvmSection s = smvm_section(image, i);
+        text(o, "    section ");
+        hex(o, s.id, 2);
+        text(o, " ");
+        text(o, section_name(s.id));
+        pad(o, 26);
+        number(o, s.size);
+        text(o, " bytes at ");
+        number(o, s.at);
+        if (s.id == SMVM_S_IDENTITY && s.size == 8) {
+            text(o, ": ");
+            hex(o, smvm_cell(image, s.at, 8), 16);
+        }
+        text(o, "\n");
+    }
+}
+
+void smvm_disasm(SmvmBytes image, SmvmWrite write, void *context)
+{
+    SmvmMachine m;
+    Out o;
+
+    memset(&o, 0, sizeof o);
+    o.write = write;
+    o.context = context;
+    o.m = &m;
+    text(&o, "image of ");
+    number(&o, smvm_uint(image, SMVM_LENGTH_AT, 3));
+    text(&o, " bytes, format 1, crc ");
+    hex(&o, smvm_uint(image, SMVM_CRC_AT, 4), 8);
+    text(&o, "\n");
+    sections(&o, image);
+    for (uint32_t i = 0; smvm_machine(image, i, &m); i++)
+        machine(&o, i);
+}
+
+const char *smvm_rule_text(uint8_t rule)
+{
+    switch (rule) {
+#define SMVM_RULE(number, name, sentence) case number: return sentence;
+#include "bytecode-vm/rules.def"
+#undef SMVM_RULE
+    default: return "";
+    }
+}

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: Apache-2.0
+// Puts the sections of an image together (docs/bytecode.md) and has the target's own verifier look at the result.
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "bytecode-vm/smvm.h"
+#include "compiler/emit/bytecode/bytecode.h"
+#include "stdlib/crc32.h"
+
+enum { SECTIONS_MOST = 255 };
+
+typedef struct Writer {
+    Arena *arena;
+    Diags *diags;
+    Buf table, body;          // the section table; what comes behind it, whose offsets count from its own start
+    uint32_t sections;
+} Writer;
+
+static void put_u24(Buf *b, uint32_t v)
+{
+    for (int i = 0; i < 3; i++)
+        buf_char(b, (char)(v >> 8 * i & 0xff));
+}
+
+static void put_name(Buf *b, const char *text, size_t len)
+{
+    if (len >= SMVM_VARINT_MID)
+        len = SMVM_VARINT_MID - 1;
+    bc_varint(b, (uint32_t)len);
+    buf_put(b, text, len);
+}
+
+// Offsets are made to count from the image's start when the size of the table is known.
+static void add_section(Writer *w, uint8_t id, uint8_t version, const Buf *bytes)
+{
+    buf_char(&w->table, (char)id);
+    buf_char(&w->table, (char)version);
+    buf_u32(&w->table, (uint32_t)w->body.n);
+    buf_u32(&w->table, (uint32_t)bytes->n);
+    buf_put(&w->body, bytes->at, bytes->n);
+    w->sections++;
+}
+
+// ---- IDENTITY: FNV-1a, 64 bits, over the texts of the machines ----
+
+static void add_identity(Writer *w, IrMachine *const *m, size_t n)
+{
+    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    Buf b;
+
+    for (size_t i = 0; i < n; i++) {
+        const Source *src = m[i]->program ? m[i]->program->src : NULL;
+        for (uint32_t at = 0; src && at < src->len; at++)
+            hash = (hash ^ (uint8_t)src->text[at]) * UINT64_C(0x100000001b3);
+        hash = (hash ^ m[i]->sv_hash) * UINT64_C(0x100000001b3);
+    }
+    buf_init(&b, w->arena);
+    buf_u64(&b, hash);
+    add_section(w, SMVM_S_IDENTITY, SMVM_V_IDENTITY, &b);
+}
+
+// ---- MACHINE, CODE, INIT ----
+
+static void put_functions(Buf *b, const BcMachine *m, uint8_t width)
+{
+    uint32_t end = 0;
+
+    for (size_t i = 0; i < m->fns; i++) {
+        end += m->fn[i].size;
+        for (uint8_t k = 0; k < width; k++)
+            buf_char(b, (char)(end >> 8 * k & 0xff));
+    }
+}
+
+static void put_windows(Writer *w, Buf *b, const BcMachine *m)
+{
+    uint32_t *of = ARENA_ARRAY(w->arena, uint32_t, m->ir->window.n);
+
+    for (uint32_t i = 0; i < m->ir->window.n; i++)
+        of[m->window_number[i]] = i;
+    for (size_t i = 0; i < m->ir->window.n; i++) {
+        const IrWindow *window = &m->ir->window.at[of[i]];
+        put_u24(b, window->size | window->stats << SMVM_WINDOW_SIZE_BITS);
+    }
+}
+
+static void add_machine(Writer *w, const BcMachine *m, size_t code_size)
+{
+    uint8_t width = code_size < 0x100 ? 1 : code_size < 0x10000 ? 2 : 3;
+    const uint32_t number[] = {m->ir->sv_size / 8, m->locals, m->temps, (uint32_t)m->ir->window.n, m->outputs, (uint32_t)m->operand.n,
+                               (uint32_t)m->ir->state.n, width, (uint32_t)m->f32s.n, (uint32_t)m->f64s.n};
+    Buf b;
+
+    buf_init(&b, w->arena);
+    buf_u32(&b, m->ir->sv_hash);
+    for (size_t i = 0; i < sizeof number / sizeof number[0]; i++)
+        bc_varint(&b, number[i]);
+    put_windows(w, &b, m);
+    for (size_t i = 0; i < m->operand.n; i++)
+        put_u24(&b, bc_operand_entry(m, &m->operand.at[m->order[i]]));
+    put_functions(&b, m, width);
+    for (size_t i = 0; i < m->f32s.n; i++)
+        buf_u32(&b, m->f32s.at[i]);
+    for (size_t i = 0; i < m->f64s.n; i++)
+        buf_u64(&b, m->f64s.at[i]);
+    add_section(w, SMVM_S_MACHINE, SMVM_V_MACHINE, &b);
+}
+
+static void add_init(Writer *w, const BcMachine *m)
+{
+    Buf b;
+
+    buf_init(&b, w->arena);
+    for (uint32_t v = 0; v < m->ir->var.n; v++) {
+        const IrVar *var = &m->ir->var.at[v];
+        if (var->space != IR_LOCAL || var->init == 0)
+            continue;
+        put_u24(&b, bc_var_entry(m, v));
+        for (uint32_t i = 0; i < sm_type_info[var->type].bytes; i++)
+            buf_char(&b, (char)(var->init >> 8 * i & 0xff));
+    }
+    if (b.n > 0)
+        add_section(w, SMVM_S_INIT, SMVM_V_INIT, &b);
+}
+
+// ---- DEBUG ----
+
+static const char *base_name(const char *path)
+{
+    const char *name = path;
+
+    for (; *path; path++)
+        if (*path == '/' || *path == '\\')
+            name = path + 1;
+    return name;
+}
+
+// Lines as steps: how many bytes on in the code, how many lines on (zigzag: 0, -1, 1, -2 …).
+static void put_lines(Writer *w, Buf *out, const BcMachine *m)
+{
+    uint32_t start = 0, last_at = 0, last_line = 0, n = 0;
+    Buf b;
+
+    buf_init(&b, w->arena);
+    for (size_t f = 0; f < m->fns; start += m->fn[f++].size)
+        for (size_t i = 0; i < m->fn[f].ins.n; i++) {
+            const BcIns *ins = &m->fn[f].ins.at[i];
+            uint32_t line = ins->span.src ? source_position(ins->span.src, ins->span.at).line : last_line;
+            if (line == last_line)
+                continue;
+            bc_varint(&b, start + ins->at - last_at);
+            bc_varint(&b, line > last_line ? (line - last_line) * 2 : (last_line - line) * 2 - 1);
+            last_at = start + ins->at;
+            last_line = line;
+            n++;
+        }
+    bc_varint(out, n);
+    buf_put(out, b.at, b.n);
+}
+
+// Three numbers, then tables of offsets of names, then the names, then the lines: see docs/bytecode.md.
+typedef struct Names {
+    Buf tables, names;
+    uint32_t first;           // where the names will start, from the start of the section
+} Names;
+
+static uint32_t add_name(Names *n, const char *text, size_t len)
+{
+    uint32_t at = n->first + (uint32_t)n->names.n;
+
+    put_name(&n->names, text, len);
+    return at;
+}
+
+static void put_var_names(Writer *w, Names *n, const BcMachine *m, uint32_t vars)
+{
+    const IrMachine *ir = m->ir;
+    uint32_t *name = ARENA_ARRAY(w->arena, uint32_t, ir->var.n);
+
+    for (uint32_t v = 0; v < ir->var.n; v++)
+        name[v] = add_name(n, ir->var.at[v].name->text, ir->var.at[v].name->len);
+    for (size_t i = 0; i < m->operand.n; i++) {
+        const BcOperand *o = &m->operand.at[m->order[i]];
+        put_u24(&n->tables, o->kind == BC_VAR ? name[o->var] : 0);
+    }
+    for (uint32_t v = 0; v < vars; v++) {
+        uint32_t entry = bc_var_entry(m, v);
+        put_u24(&n->tables, entry);
+        put_u24(&n->tables, name[v]);
+    }
+}
+
+static void add_debug(Writer *w, const BcMachine *m)
+{
+    const Program *p = m->ir->program;
+    const char *source = p && p->src ? base_name(p->src->name) : "";
+    uint32_t vars = (uint32_t)m->ir->var.n;
+    Names n;
+
+    buf_init(&n.tables, w->arena);
+    buf_init(&n.names, w->arena);
+    n.first = (uint32_t)(3 * (SMVM_DEBUG_NUMBERS + m->ir->state.n + m->operand.n + 2 * vars));
+    put_u24(&n.tables, vars);
+    put_u24(&n.tables, 0);                                       // where the lines start, filled in below
+    put_u24(&n.tables, add_name(&n, m->ir->name->text, m->ir->name->len));
+    put_u24(&n.tables, add_name(&n, source, strlen(source)));
+    for (size_t s = 0; s < m->ir->state.n; s++)
+        put_u24(&n.tables, add_name(&n, m->ir->state.at[s].name->text, m->ir->state.at[s].name->len));
+    put_var_names(w, &n, m, vars);
+    for (int i = 0; i < 3; i++)
+        n.tables.at[3 + i] = (char)((n.first + n.names.n) >> 8 * i & 0xff);
+    buf_put(&n.tables, n.names.at, n.names.n);
+    put_lines(w, &n.tables, m);
+    add_section(w, SMVM_S_DEBUG, SMVM_V_DEBUG, &n.tables);
+}
+
+// ---- the whole ----
+
+static bool too_much(Writer *w, const IrMachine *m, const char *what)
+{
+    Span none;
+
+    memset(&none, 0, sizeof none);
+    diag_report(w->diags, DIAG_image_limit, none, m->name->text, what);
+    return false;
+}
+
+static bool add_sections_of(Writer *w, const IrMachine *ir, bool debug)
+{
+    const char *what;
+    bool ok = true;
+    BcMachine m;
+    Buf code;
+
+    bc_select(w->arena, &m, ir);
+    what = bc_number(w->arena, &m);
+    if (what)
+        return too_much(w, ir, what);
+    buf_init(&code, w->arena);
+    for (size_t i = 0; ok && i < m.fns; i++) {
+        bc_assemble(w->arena, &m, &m.fn[i], &code, &ok);
+        ok = ok && code.n <= SMVM_IMAGE_MAX;
+    }
+    if (!ok)
+        return too_much(w, ir, "statements");
+    add_machine(w, &m, code.n);
+    add_section(w, SMVM_S_CODE, SMVM_V_CODE, &code);
+    add_init(w, &m);
+    if (debug)
+        add_debug(w, &m);
+    return true;
+}
+
+static uint32_t crc_of(const Buf *image)
+{
+    uint32_t crc = SM_CRC32_START;
+
+    for (size_t i = 0; i < image->n; i++)
+        if (i < SMVM_CRC_AT || i >= SMVM_CRC_AT + 4)
+            crc = sm_crc32_byte(crc, (uint8_t)image->at[i]);
+    return sm_crc32_end(crc);
+}
+
+static uint32_t u32_at(const Buf *b, size_t at)
+{
+    const uint8_t *p = (const uint8_t *)b->at + at;
+
+    return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
+}
+
+// Header, table with its offsets made absolute, sections, checksum.
+static bool join(Writer *w, Buf *out)
+{
+    size_t first = SMVM_HEADER + (size_t)SMVM_ENTRY * w->sections, start = out->n;
+    uint32_t crc;
+    Buf image;
+
+    if (w->sections > SECTIONS_MOST || first + w->body.n > SMVM_IMAGE_MAX)
+        return false;
+    buf_init(&image, w->arena);
+    buf_put(&image, "smb\1\0\0\0", 8);
+    put_u24(&image, (uint32_t)(first + w->body.n));
+    buf_char(&image, (char)w->sections);
+    for (size_t i = 0; i < w->sections; i++) {
+        buf_put(&image, w->table.at + 10 * i, 2);
+        put_u24(&image, (uint32_t)first + u32_at(&w->table, 10 * i + 2));
+        put_u24(&image, u32_at(&w->table, 10 * i + 6));
+    }
+    buf_put(&image, w->body.at, w->body.n);
+    crc = crc_of(&image);
+    for (int i = 0; i < 4; i++)
+        image.at[SMVM_CRC_AT + i] = (char)(crc >> 8 * i & 0xff);
+    buf_put(out, image.at, image.n);
+    return out->n - start == image.n;
+}
+
+static bool accepted(Writer *w, IrMachine *const *m, const Buf *out)
+{
+    SmvmVerdict v;
+    Span none;
+
+    if (smvm_verify((const uint8_t *)out->at, (uint32_t)out->n, &v) == 0)
+        return true;
+    memset(&none, 0, sizeof none);
+    diag_report(w->diags, DIAG_image_refused, none, m[v.machine]->name->text, format_in(w->arena, "%u at byte %lu", v.rule, (unsigned long)v.at),
+                smvm_rule_text(v.rule));
+    return false;
+}
+
+bool emit_image(Arena *arena, Diags *diags, IrMachine *const *m, size_t n, bool debug, Buf *out)
+{
+    Writer w;
+    Span none;
+
+    memset(&w, 0, sizeof w);
+    memset(&none, 0, sizeof none);
+    w.arena = arena;
+    w.diags = diags;
+    buf_init(&w.table, arena);
+    buf_init(&w.body, arena);
+    add_identity(&w, m, n);
+    for (size_t i = 0; i < n; i++) {
+        if (!add_sections_of(&w, m[i], debug))
+            return false;
+        if (w.body.n > SMVM_IMAGE_MAX || w.sections > SECTIONS_MOST)
+            break;
+    }
+    if (!join(&w, out)) {
+        diag_report(diags, DIAG_image_size, none, w.sections > SECTIONS_MOST ? "too many machines" : "more than 16 MB");
+        return false;
+    }
+    return accepted(&w, m, out);
+}
