@@ -6,6 +6,7 @@
 #include <assert.h>
 #include <string.h>
 
+#include "compiler/emit/bytecode/bytecode.h"
 #include "compiler/passes/pass.h"
 #include "compiler/syntax/parse.h"
 
@@ -83,4 +84,11 @@ IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 
     assert(!wrong);
     return wrong ? NULL : m;
+}
+
+// ---- IR to what runs ----
+
+bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out)
+{
+    return emit_image(&s->arena, &s->diags, m, n, o->debug, out);
 }

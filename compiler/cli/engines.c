@@ -28,15 +28,28 @@ unsigned engines_in_list(const char *list)
 
 unsigned engines_present(void)
 {
-    return 1u << ENGINE_REF;
+    return 1u << ENGINE_REF | 1u << ENGINE_VM;
+}
+
+static Engine *open_vm(Session *s, const Program *p, int opt_level, const char **error)
+{
+    IrMachine *m = session_ir(s, p, opt_level);
+    const ImageOptions with_names = {true};
+    Buf image;
+
+    buf_init(&image, &s->arena);
+    if (m && session_image(s, &m, 1, &with_names, &image))
+        return engine_vm_open(&s->arena, p, (const uint8_t *)image.at, image.n, 0, error);
+    *error = "the machine could not be made into an image";
+    return NULL;
 }
 
 static Engine *open_one(EngineKind kind, Session *s, const Program *p, int opt_level, const char **error)
 {
-    (void)opt_level;
     switch (kind) {
     case ENGINE_REF: return engine_ref_open(&s->arena, p);
-    case ENGINE_VM: case ENGINE_C: case ENGINE_KINDS: break;
+    case ENGINE_VM: return open_vm(s, p, opt_level, error);
+    case ENGINE_C: case ENGINE_KINDS: break;
     }
     *error = "this build does not have it";
     return NULL;
