@@ -22,7 +22,7 @@ Source *source_new(Arena *arena, const char *name, const char *text, size_t len)
     s->len = (uint32_t)len;
     s->lines = count_lines(text, len);
     s->line = ARENA_ARRAY(arena, uint32_t, s->lines);
-    s->line[n++] = 0;
+    s->line[n++] = len >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;     // a byte-order mark is no part of the line
     for (uint32_t i = 0; i < s->len; i++)
         if (text[i] == '\n')
             s->line[n++] = i + 1;
@@ -40,6 +40,8 @@ LineCol source_position(const Source *s, uint32_t at)
         else
             high = mid;
     }
+    if (at < s->line[low])
+        at = s->line[low];
     return (LineCol){low + 1, at - s->line[low] + 1};
 }
 

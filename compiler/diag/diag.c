@@ -2,7 +2,6 @@
 // Collects diagnostics: fills arguments into the texts of codes.def, drops what was said already, sorts.
 #include "compiler/diag/diag.h"
 
-#include <stdarg.h>
 #include <string.h>
 
 const DiagInfo diag_info[DIAG_COUNT] = {
@@ -106,18 +105,26 @@ static void enlist(Diags *d, Diag *x)
     vec_push(d->arena, &d->list, x);
 }
 
-Diag *diag_report(Diags *d, DiagCode code, Span span, ...)
+Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
 {
     Diag *x = ARENA_NEW(d->arena, Diag);
-    va_list args;
 
     x->code = code;
     x->severity = diag_info[code].severity;
     x->span = span;
-    va_start(args, span);
     x->text = fill_in(d->arena, diag_info[code].message, args);
-    va_end(args);
     enlist(d, x);
+    return x;
+}
+
+Diag *diag_report(Diags *d, DiagCode code, Span span, ...)
+{
+    va_list args;
+    Diag *x;
+
+    va_start(args, span);
+    x = diag_report_list(d, code, span, args);
+    va_end(args);
     return x;
 }
 

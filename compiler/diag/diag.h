@@ -4,6 +4,7 @@
 #ifndef SMC_DIAG_H
 #define SMC_DIAG_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -65,6 +66,7 @@ void diags_init(Diags *d, Arena *arena);
 // Adds a diagnostic.  One `const char *` follows for each {} of its message.  Returns it, so that notes, a label and
 // edits can be added; never NULL.  A second report of one code at one place is dropped (the returned one is not in the list).
 Diag *diag_report(Diags *d, DiagCode code, Span span, ...);
+Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args);     // the same, from a function that has them
 // Adds a note; `text` is a DIAG_NOTE_TEXT row, its arguments follow.
 void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...);
 // Sets the text behind the caret; `text` is a DIAG_NOTE_TEXT row.

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tree as text, for --emit=ast and for tests: one node a line for sections and statements, indented below its owner;
+// an expression on one line with every operation in parentheses.
+#include <string.h>
+
+#include "compiler/syntax/ast.h"
+
+static void put_stmts(Buf *out, const AstStmts *s, unsigned depth);
+
+static void put_line_start(Buf *out, unsigned depth) { buf_spaces(out, depth * 2); }
+
+// ---- expressions ----
+
+static void put_name(Buf *out, Str name) { buf_put(out, name ? name->text : "?", name ? name->len : 1); }
+
+// As written, so that nothing is lost.
+static void put_source(Buf *out, Span span) { buf_put(out, span.src->text + span.at, span.len); }
+
+static void put_expr(Buf *out, const AstExpr *e)
+{
+    if (!e) {
+        buf_str(out, "?");
+        return;
+    }
+    switch (e->kind) {
+    case AST_ERROR:
+        buf_str(out, "error");
+        break;
+    case AST_NUMBER:
+        put_source(out, e->span);
+        break;
+    case AST_NAME:
+        put_name(out, e->name);
+        break;
+    case AST_UNARY:
+        buf_printf(out, "(%s ", sm_op_info[e->op].spelling);
+        put_expr(out, e->a);
+        buf_char(out, ')');
+        break;
+    case AST_BINARY:
+        buf_char(out, '(');
+        put_expr(out, e->a);
+        buf_printf(out, " %s ", sm_op_info[e->op].spelling);
+        put_expr(out, e->b);
+        buf_char(out, ')');
+        break;
+    case AST_PAREN:
+        buf_str(out, "(paren ");
+        put_expr(out, e->a);
+        buf_char(out, ')');
+        break;
+    case AST_CALL:
+        put_name(out, e->name);
+        buf_char(out, '(');
+        for (size_t i = 0; i < e->args.n; i++) {
+            buf_str(out, i ? ", " : "");
+            put_expr(out, e->args.at[i]);
+        }
+        buf_char(out, ')');
+        break;
+    }
+}
+
+// ---- statements ----
+
+static void put_if(Buf *out, const AstStmt *s, unsigned depth)
+{
+    buf_str(out, "if ");
+    put_expr(out, s->value);
+    buf_str(out, s->braces ? " {}\n" : " :\n");
+    put_stmts(out, &s->then, depth + 1);
+    if (!s->has_else)
+        return;
+    put_line_start(out, depth);
+    buf_str(out, s->else_braces ? "else {}\n" : "else :\n");
+    put_stmts(out, &s->otherwise, depth + 1);
+}
+
+static void put_stmt(Buf *out, const AstStmt *s, unsigned depth)
+{
+    put_line_start(out, depth);
+    switch (s->kind) {
+    case AST_STMT_ERROR:
+        buf_str(out, "error\n");
+        break;
+    case AST_ASSIGN:
+        put_name(out, s->name);
+        buf_str(out, " = ");
+        put_expr(out, s->value);
+        buf_char(out, '\n');
+        break;
+    case AST_TRANSITION:
+        buf_str(out, "-> ");
+        put_name(out, s->name);
+        buf_char(out, '\n');
+        break;
+    case AST_IF:
+        put_if(out, s, depth);
+        break;
+    case AST_ASSERT:
+        buf_str(out, "@assert ");
+        put_expr(out, s->value);
+        buf_char(out, '\n');
+        break;
+    case AST_STOP:
+        buf_str(out, "@stop\n");
+        break;
+    }
+}
+
+static void put_stmts(Buf *out, const AstStmts *s, unsigned depth)
+{
+    for (size_t i = 0; i < s->n; i++)
+        put_stmt(out, s->at[i], depth);
+}
+
+// ---- sections ----
+
+static const char *const annotation_words[] = {
+#define ANNOTATION(name, spelling, takes_name, on_element, on_local) spelling,
+#include "compiler/syntax/annotations.def"
+#undef ANNOTATION
+};
+
+static void put_decl(Buf *out, const AstDecl *d)
+{
+    buf_printf(out, "  %s ", sm_type_info[d->type].spelling);
+    put_name(out, d->name);
+    if (d->value) {
+        buf_str(out, " = ");
+        put_expr(out, d->value);
+    }
+    for (size_t i = 0; i < d->annotations.n; i++) {
+        buf_printf(out, " @%s", annotation_words[d->annotations.at[i].kind]);
+        if (d->annotations.at[i].name) {
+            buf_char(out, ' ');
+            put_name(out, d->annotations.at[i].name);
+        }
+    }
+    buf_char(out, '\n');
+}
+
+static void put_option(Buf *out, const AstOption *o)
+{
+    buf_str(out, "  ");
+    put_name(out, o->name);
+    if (o->number || o->word) {
+        buf_char(out, ' ');
+        put_source(out, o->value_span);
+    }
+    buf_char(out, '\n');
+}
+
+static void put_blocks(Buf *out, const AstSection *s)
+{
+    static const char *const label[AST_LABEL_COUNT] = {".entry", ".step", ".exit"};
+
+    for (int i = 0; i < AST_LABEL_COUNT; i++)
+        if (s->block[i].present) {
+            buf_printf(out, "  %s\n", label[i]);
+            put_stmts(out, &s->block[i].stmts, 2);
+        }
+}
+
+static void put_section(Buf *out, const AstSection *s)
+{
+    static const char *const kind[] = {"state_vector", "local", "options", "region", "state", "script", "ignored"};
+
+    buf_printf(out, "%s ", kind[s->kind]);
+    put_name(out, s->name);
+    buf_char(out, '\n');
+    for (size_t i = 0; i < s->decls.n; i++)
+        put_decl(out, &s->decls.at[i]);
+    for (size_t i = 0; i < s->options.n; i++)
+        put_option(out, &s->options.at[i]);
+    put_blocks(out, s);
+    put_stmts(out, &s->items, 1);
+}
+
+void ast_print(const AstFile *f, Buf *out)
+{
+    for (size_t i = 0; i < f->sections.n; i++)
+        put_section(out, f->sections.at[i]);
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Text to tokens.  Line ends are no tokens: a token knows whether it is the first on its line.  Whatever is wrong with
+// single characters, numbers and signs of other languages is reported here, and the nearest sensible token given.
+#ifndef SMC_LEX_H
+#define SMC_LEX_H
+
+#include "compiler/base/str.h"
+#include "compiler/diag/diag.h"
+#include "stdlib/types.h"
+
+typedef enum TokenKind {
+#define TOKEN(kind, name) TOK_##kind,
+#define WORD(kind, spelling) TOK_##kind,
+#define SIGN(kind, spelling) TOK_##kind,
+#define FOREIGN(spelling, kind, native)
+#define ABSENT(spelling, kind, label)
+#include "compiler/syntax/tokens.def"
+#undef TOKEN
+#undef WORD
+#undef SIGN
+#undef FOREIGN
+#undef ABSENT
+    TOK_COUNT
+} TokenKind;
+
+typedef struct Token {
+    TokenKind kind;
+    bool first;               // on its line
+    uint32_t at, len;         // in the source
+    Str text;                 // NAME, TYPE, words: as written; HEADER, LABEL, ANNOTATION: the name without its signs
+    SmType type;              // TYPE
+    SmF64 number;             // NUMBER
+} Token;
+
+typedef struct Lexer {
+    const Source *src;
+    StrPool *strings;
+    Diags *diags;
+    Map words;                // reserved words to their rows
+    uint32_t at;              // what comes next
+    uint32_t line_start;      // just behind the last line end seen
+    uint32_t reported_line;   // 1 + line_start of the line whose stray characters have been reported
+    bool first;               // the next token is the first on its line
+    bool keep_comments;       // give them as tokens
+    bool no_comment_end;      // there is no */ any more
+    TokenKind last;           // kind of the token given last
+} Lexer;
+
+void lex_init(Lexer *l, Arena *arena, StrPool *strings, Diags *diags, const Source *src);
+void lex_next(Lexer *l, Token *t);          // after the last token END, for ever
+
+// How a message names tokens of a kind: "+", "if", "name".
+const char *token_name(TokenKind kind);
+
+bool lex_is_reserved(const Lexer *l, Str word, TokenKind *kind);
+
+bool is_letter(char c);                     // A-Z a-z _
+bool is_digit(char c);
+bool is_identifier(const char *s, size_t n);
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tokens of a source as text: --emit=tokens.  A line each: place, kind, the text as written.
+#include "compiler/syntax/lex.h"
+#include "compiler/syntax/parse.h"
+
+static void put_token(const Source *src, const Token *t, Buf *out)
+{
+    LineCol at = source_position(src, t->at);
+
+    buf_printf(out, "%lu:%lu\t%s\t", (unsigned long)at.line, (unsigned long)at.col, token_name(t->kind));
+    for (uint32_t i = 0; i < t->len; i++) {
+        char c = src->text[t->at + i];
+        buf_char(out, c == '\n' || c == '\r' || c == '\t' ? ' ' : c);
+    }
+    buf_char(out, '\n');
+}
+
+void lex_print(Arena *arena, const Source *src, Buf *out)
+{
+    StrPool strings;
+    Diags diags;
+    Lexer l;
+    Token t;
+
+    str_pool_init(&strings, arena);
+    diags_init(&diags, arena);
+    lex_init(&l, arena, &strings, &diags, src);
+    l.keep_comments = true;
+    do {
+        lex_next(&l, &t);
+        put_token(src, &t, out);
+    } while (t.kind != TOK_END);
+}

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+// A literal is digits times a power of ten.  As a fraction of two big whole numbers it is divided, bit by bit, to 63 or 64
+// bits and a remark whether anything is left; that is rounded once.  Short literals take an exact shortcut.
+#include "compiler/syntax/number.h"
+
+#include <float.h>
+#include <string.h>
+
+// ---- 64 bits to F64 ----
+
+enum { E_MIN = -1022, E_MAX = 1023 };
+
+// Rounds q * 2^e, to which something less than one unit of q is added when `more`.  q is not 0.
+static bool assemble(uint64_t q, long e, bool more, SmF64 *value)
+{
+    uint64_t mantissa, rest, half, bits;
+    long drop = 11;                                   // of the 64 bits, 53 stay
+
+    for (; !(q >> 63); e--)
+        q <<= 1;
+    e += 63;                                          // now 2^e <= value < 2^(e + 1)
+    if (e > E_MAX)
+        return false;
+    if (e < E_MIN) {                                  // subnormal: fewer bits stay
+        drop += E_MIN - e;
+        e = E_MIN;
+    }
+    *value = 0;
+    if (drop > 64)
+        return true;
+    mantissa = drop == 64 ? 0 : q >> drop;
+    rest = drop == 64 ? q : q & (((uint64_t)1 << drop) - 1);
+    half = (uint64_t)1 << (drop - 1);
+    mantissa += rest > half || (rest == half && (more || (mantissa & 1)));
+    bits = ((uint64_t)(e - E_MIN) << 52) + mantissa;  // a carry out of the mantissa raises the exponent, as it should
+    *value = sm_from_bits(bits);
+    return bits < 0x7ff0000000000000u;
+}
+
+// ---- big whole numbers ----
+
+enum { LIMBS = 128 };                                 // 4096 bits: 810 digits, or 10^1140 and 64 bits more
+
+typedef struct Big { uint32_t limb[LIMBS]; int n; } Big;      // least first; n without leading zeros
+
+static void big_multiply_add(Big *b, uint32_t factor, uint32_t add)
+{
+    uint64_t carry = add;
+
+    for (int i = 0; i < b->n; i++) {
+        carry += (uint64_t)b->limb[i] * factor;
+        b->limb[i] = (uint32_t)carry;
+        carry >>= 32;
+    }
+    if (carry)
+        b->limb[b->n++] = (uint32_t)carry;
+}
+
+static void big_times_power_of_ten(Big *b, long power)
+{
+    for (; power >= 9; power -= 9)
+        big_multiply_add(b, 1000000000u, 0);
+    for (; power > 0; power--)
+        big_multiply_add(b, 10, 0);
+}
+
+static long big_bits(const Big *b)
+{
+    long bits = b->n * 32L;
+
+    for (uint32_t top = b->limb[b->n - 1]; !(top >> 31); top <<= 1)
+        bits--;
+    return bits;
+}
+
+static void big_shift_left(Big *b, long by)
+{
+    int limbs = (int)(by / 32), bits = (int)(by % 32);
+
+    if (limbs) {
+        memmove(b->limb + limbs, b->limb, (size_t)b->n * sizeof *b->limb);
+        memset(b->limb, 0, (size_t)limbs * sizeof *b->limb);
+        b->n += limbs;
+    }
+    if (bits)
+        big_multiply_add(b, (uint32_t)1 << bits, 0);
+}
+
+static bool big_at_least(const Big *a, const Big *b)
+{
+    if (a->n != b->n)
+        return a->n > b->n;
+    for (int i = a->n - 1; i >= 0; i--)
+        if (a->limb[i] != b->limb[i])
+            return a->limb[i] > b->limb[i];
+    return true;
+}
+
+static void big_subtract(Big *a, const Big *b)        // a >= b
+{
+    uint64_t borrow = 0;
+
+    for (int i = 0; i < a->n; i++) {
+        uint64_t d = (uint64_t)a->limb[i] - (i < b->n ? b->limb[i] : 0) - borrow;
+        a->limb[i] = (uint32_t)d;
+        borrow = d >> 63;
+    }
+    while (a->n && a->limb[a->n - 1] == 0)
+        a->n--;
+}
+
+// top / bottom < 2^64, rounded down; `top` becomes something that is not 0 exactly when the division leaves a rest.
+static uint64_t big_divide(Big *top, Big *bottom)
+{
+    uint64_t q = 0;
+
+    big_shift_left(bottom, 63);
+    for (int i = 0; i < 64; i++) {
+        q <<= 1;
+        if (big_at_least(top, bottom)) {
+            big_subtract(top, bottom);
+            q |= 1;
+        }
+        big_multiply_add(top, 2, 0);
+    }
+    return q;
+}
+
+// ---- decimal ----
+
+enum {
+    KEPT = 800,               // digits that count: the edge between two F64 has at most 767
+    LARGEST = 310, SMALLEST = -330
+};
+
+typedef struct Decimal {
+    char digit[KEPT + 1];     // '0' … '9', the first not '0'; value: 0.d d d… * 10^point
+    int n;
+    int64_t point;
+    bool more;                // digits were left out, one of them not 0
+} Decimal;
+
+static void add_digit(Decimal *d, char c)
+{
+    if (d->n < KEPT)
+        d->digit[d->n++] = c;
+    else
+        d->more = d->more || c != '0';
+}
+
+static int64_t read_exponent(const char *s, const char *end)
+{
+    bool negative = *s == '-';
+    int64_t e = 0;
+
+    for (s += *s == '-' || *s == '+'; s < end; s++)
+        if (*s != '_' && e < 100000000000)
+            e = e * 10 + (*s - '0');
+    return negative ? -e : e;
+}
+
+static void read_decimal(Decimal *d, const char *s, const char *end)
+{
+    bool fraction = false;
+
+    memset(d, 0, sizeof *d);
+    for (; s < end && *s != 'e' && *s != 'E'; s++) {
+        if (*s == '.')
+            fraction = true;
+        if (*s == '.' || *s == '_')
+            continue;
+        if (d->n || *s != '0') {
+            add_digit(d, *s);
+            d->point += !fraction;
+        } else {
+            d->point -= fraction;
+        }
+    }
+    if (s < end)
+        d->point += read_exponent(s + 1, end);
+    while (d->n && !d->more && d->digit[d->n - 1] == '0')
+        d->n--;
+    if (d->more)
+        d->digit[d->n++] = '1';                       // whatever was left out, it is neither nothing nor a whole unit
+}
+
+// Few digits, a small power of ten: one operation on two exact numbers, so one rounding.
+static bool by_shortcut(const Decimal *d, SmF64 *value)
+{
+#if FLT_EVAL_METHOD == 0
+    static const SmF64 ten[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    int64_t power = d->point - d->n, digits = 0;
+
+    if (d->n > 15 || power < -22 || power > 22)
+        return false;
+    for (int i = 0; i < d->n; i++)
+        digits = digits * 10 + (d->digit[i] - '0');
+    *value = power < 0 ? sm_div((SmF64)digits, ten[-power]) : sm_mul((SmF64)digits, ten[power]);
+    return true;
+#else
+    (void)d, (void)value;
+    return false;
+#endif
+}
+
+static bool by_division(const Decimal *d, SmF64 *value)
+{
+    Big top = {{0}, 0}, bottom = {{1}, 1};
+    long power = (long)(d->point - d->n), shift;
+    uint64_t q;
+
+    for (int i = 0; i < d->n; i++)
+        big_multiply_add(&top, 10, (uint32_t)(d->digit[i] - '0'));
+    big_times_power_of_ten(power < 0 ? &bottom : &top, power < 0 ? -power : power);
+    shift = 63 - (big_bits(&top) - big_bits(&bottom));            // 2^62 < quotient < 2^64
+    big_shift_left(shift < 0 ? &bottom : &top, shift < 0 ? -shift : shift);
+    q = big_divide(&top, &bottom);
+    return assemble(q, -shift, top.n > 0, value);
+}
+
+static bool decimal_value(const char *text, size_t len, SmF64 *value)
+{
+    Decimal d;
+
+    read_decimal(&d, text, text + len);
+    *value = 0;
+    if (d.n == 0 || d.point < SMALLEST)
+        return true;
+    if (d.point > LARGEST)
+        return false;
+    return by_shortcut(&d, value) || by_division(&d, value);
+}
+
+// ---- hexadecimal ----
+
+static unsigned hex_digit(char c)
+{
+    return c <= '9' ? (unsigned)(c - '0') : (unsigned)((c | 0x20) - 'a' + 10);
+}
+
+static bool hex_value(const char *s, const char *end, SmF64 *value)
+{
+    uint64_t q = 0;
+    long e = 0;
+    bool more = false;
+
+    for (; s < end; s++) {
+        if (*s == '_')
+            continue;
+        if (q >> 60) {
+            more = more || *s != '0';
+            e += e < 100000 ? 4 : 0;
+        } else {
+            q = q << 4 | hex_digit(*s);
+        }
+    }
+    *value = 0;
+    return q == 0 || assemble(q, e, more, value);
+}
+
+bool number_value(const char *text, size_t len, SmF64 *value)
+{
+    if (len > 2 && (text[1] == 'x' || text[1] == 'X'))
+        return hex_value(text + 2, text + len, value);
+    return decimal_value(text, len, value);
+}

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: Apache-2.0
+// A file: its sections, and the labels and blocks of a state.
+#include "compiler/syntax/parser.h"
+
+// ---- tokens ----
+
+void parser_next(Parser *p)
+{
+    p->last = p->tok;
+    p->tok = p->ahead;
+    if (!p->stopped)
+        lex_next(&p->lex, &p->ahead);
+}
+
+void parser_stop(Parser *p)
+{
+    Token end = {TOK_END, true, p->tok.at, 0, NULL, SM_TYPE_COUNT, 0};
+
+    p->stopped = true;
+    p->tok = p->ahead = end;
+}
+
+Span parser_span(const Parser *p, const Token *t) { return (Span){p->lex.src, t->at, t->len}; }
+Span parser_here(const Parser *p) { return parser_span(p, &p->tok); }
+Span parser_gap(const Parser *p) { return (Span){p->lex.src, p->last.at + p->last.len, 0}; }
+
+Span parser_since(const Parser *p, uint32_t at)
+{
+    uint32_t end = p->last.at + p->last.len;
+
+    return (Span){p->lex.src, at, end > at ? end - at : 0};
+}
+
+bool parser_at_end_of_block(const Parser *p)
+{
+    TokenKind k = p->tok.kind;
+
+    return k == TOK_RBRACE || k == TOK_LABEL || k == TOK_HEADER || k == TOK_END;
+}
+
+bool parser_at_end_of_statement(const Parser *p)
+{
+    return p->tok.first || parser_at_end_of_block(p) || p->last.kind == TOK_RBRACE;
+}
+
+void skip_line(Parser *p)
+{
+    while (!p->tok.first && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END)
+        parser_next(p);
+}
+
+void skip_section(Parser *p)
+{
+    while (p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END)
+        parser_next(p);
+}
+
+// ---- messages ----
+
+static Diag *report_list(Parser *p, DiagCode code, Span span, va_list args)
+{
+    bool muted = p->diags->muted;
+    Diag *d;
+
+    p->diags->muted = muted || p->failed || p->stopped;
+    d = diag_report_list(p->diags, code, span, args);
+    p->diags->muted = muted;
+    return d;
+}
+
+Diag *parser_report(Parser *p, DiagCode code, Span span, ...)
+{
+    va_list args;
+    Diag *d;
+
+    va_start(args, span);
+    d = report_list(p, code, span, args);
+    va_end(args);
+    return d;
+}
+
+Diag *parser_fail(Parser *p, DiagCode code, Span span, ...)
+{
+    va_list args;
+    Diag *d;
+
+    va_start(args, span);
+    d = report_list(p, code, span, args);
+    va_end(args);
+    p->failed = true;
+    return d;
+}
+
+const char *parser_text(const Parser *p, Span span)
+{
+    enum { MOST = 60 };
+    const char *s = p->lex.src->text + span.at;
+    uint32_t len = 0;
+
+    while (len < span.len && len < MOST && s[len] != '\n' && s[len] != '\r')
+        len++;
+    return format_in(p->arena, "%.*s%s", (int)len, s, len < span.len ? "..." : "");
+}
+
+const char *parser_describe(const Parser *p, const Token *t)
+{
+    const char *text = parser_text(p, parser_span(p, t));
+
+    switch ((int)t->kind) {
+    case TOK_END:    return "the end of the file";
+    case TOK_HEADER: return format_in(p->arena, "the section %s", text);
+    case TOK_LABEL:  return format_in(p->arena, "the label '%s'", text);
+    case TOK_NUMBER: return format_in(p->arena, "the number %s", text);
+    case TOK_TYPE:   return format_in(p->arena, "the type '%s'", text);
+    default:         return format_in(p->arena, "'%s'", text);
+    }
+}
+
+const char *parser_found(const Parser *p)
+{
+    return p->tok.first && p->tok.kind != TOK_END ? "the end of the line" : parser_describe(p, &p->tok);
+}
+
+const char *nearest_word(const char *word, const char *const *among, size_t n)
+{
+    size_t best = strlen(word) / 3 + 1, limit = best < 2 ? 2 : best + 1;
+    const char *found = NULL;
+
+    for (size_t i = 0; i < n; i++) {
+        size_t d = str_distance(word, among[i], limit);
+        if (d < limit) {
+            limit = d;
+            found = among[i];
+        }
+    }
+    return found;
+}
+
+// ---- a state ----
+
+static const char *const labels[AST_LABEL_COUNT] = {"entry", "step", "exit"};
+
+// What others call them.
+static const struct { const char *word; AstLabel label; } synonyms[] = {
+    {"start", AST_ENTRY}, {"enter", AST_ENTRY}, {"init", AST_ENTRY}, {"begin", AST_ENTRY}, {"on_entry", AST_ENTRY},
+    {"loop", AST_STEP}, {"run", AST_STEP}, {"do", AST_STEP}, {"update", AST_STEP}, {"during", AST_STEP},
+    {"main", AST_STEP}, {"leave", AST_EXIT}, {"end", AST_EXIT}, {"stop", AST_EXIT}, {"on_exit", AST_EXIT}};
+
+static int find_label(const char *word)
+{
+    for (int i = 0; i < AST_LABEL_COUNT; i++)
+        if (strcmp(word, labels[i]) == 0)
+            return i;
+    return -1;
+}
+
+static int guess_label(const char *word)
+{
+    const char *near = nearest_word(word, labels, AST_LABEL_COUNT);
+
+    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
+        if (strcmp(word, synonyms[i].word) == 0)
+            return (int)synonyms[i].label;
+    return near ? find_label(near) : -1;
+}
+
+// Reports the unknown label at hand; gives the one it probably means, or -1.
+static int unknown_label(Parser *p)
+{
+    int guess = guess_label(p->tok.text->text);
+    Diag *d = parser_report(p, DIAG_label_unknown, parser_here(p), p->tok.text->text);
+
+    if (guess >= 0)
+        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, ".%s", labels[guess]));
+    return guess;
+}
+
+// The block that the label at hand opens; NULL if its statements belong nowhere.
+static AstBlock *open_block(Parser *p, AstSection *s)
+{
+    int i = find_label(p->tok.text->text);
+    bool known = i >= 0;
+    Diag *d;
+
+    if (!known)
+        i = unknown_label(p);
+    if (i < 0)
+        return NULL;
+    if (s->block[i].present) {
+        if (!known)
+            return NULL;
+        d = parser_report(p, DIAG_label_repeated, parser_here(p), labels[i], s->name->text);
+        diag_note(p->diags, d, s->block[i].label, DIAG_note_first_here);
+        return NULL;
+    }
+    s->block[i].present = true;
+    s->block[i].label = parser_here(p);
+    return &s->block[i];
+}
+
+static void parse_labelled(Parser *p, AstSection *s)
+{
+    AstStmts ignored = {0};
+    AstBlock *b;
+
+    p->failed = false;
+    b = open_block(p, s);
+    parser_next(p);
+    if (p->tok.kind == TOK_COLON && !p->tok.first) {
+        Diag *d = parser_report(p, DIAG_label_colon, parser_here(p), parser_text(p, parser_span(p, &p->last)));
+        diag_edit(p->diags, d, parser_here(p), "");
+        parser_next(p);
+    }
+    parse_block(p, b ? &b->stmts : &ignored);
+}
+
+// Statements (or what else there may be) between a header and the first label.
+static void parse_unlabelled(Parser *p, AstSection *s)
+{
+    AstStmts ignored = {0};
+
+    p->failed = false;
+    if (p->tok.kind != TOK_TYPE && p->tok.kind != TOK_ERROR && p->tok.kind != TOK_RBRACE)
+        parser_report(p, DIAG_code_before_label, parser_here(p), s->name->text);
+    if (!p->tok.first)
+        skip_line(p);
+    parse_block(p, &ignored);
+}
+
+static void parse_state(Parser *p, AstSection *s)
+{
+    if (!parser_at_end_of_block(p) || p->tok.kind == TOK_RBRACE)
+        parse_unlabelled(p, s);
+    while (p->tok.kind == TOK_LABEL)
+        parse_labelled(p, s);
+}
+
+static void parse_script_section(Parser *p, AstSection *s)
+{
+    p->told_unguarded = false;
+    parse_block(p, &s->items);
+    while (p->tok.kind == TOK_LABEL) {
+        parser_report(p, DIAG_label_in_script, parser_here(p));
+        parser_next(p);
+        parse_block(p, &s->items);
+    }
+}
+
+// ---- sections ----
+
+static bool is_called(const AstSection *s, const char *name) { return strcmp(s->name->text, name) == 0; }
+
+static AstSectionKind kind_in_machine(const AstSection *s)
+{
+    if (is_called(s, "state_vector"))
+        return AST_STATE_VECTOR;
+    if (is_called(s, "local"))
+        return AST_LOCAL;
+    return is_called(s, "options") || is_called(s, "all_states") ? AST_IGNORED : AST_STATE;
+}
+
+static AstSectionKind section_kind(FileKind file, const AstSection *s)
+{
+    switch (file) {
+    case FILE_SV: return is_called(s, "options") ? AST_OPTIONS : AST_REGION;
+    case FILE_SM: return kind_in_machine(s);
+    case FILE_SS: break;
+    }
+    if (is_called(s, "options"))
+        return AST_OPTIONS;
+    return is_called(s, "state_vector") || is_called(s, "local") ? AST_IGNORED : AST_SCRIPT_STATE;
+}
+
+// A section that stands only once: tells when it is the second.
+static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
+{
+    if (s->kind != AST_STATE_VECTOR && s->kind != AST_LOCAL && (s->kind != AST_OPTIONS || f->kind == FILE_SS))
+        return;
+    for (size_t i = 0; i < f->sections.n; i++)
+        if (f->sections.at[i]->kind == s->kind) {
+            Diag *d = parser_report(p, DIAG_section_repeated, s->header, s->name->text);
+            diag_note(p->diags, d, f->sections.at[i]->header, DIAG_note_first_here);
+            return;
+        }
+}
+
+static void check_state_name(Parser *p, const AstSection *s)
+{
+    TokenKind reserved;
+
+    if (s->name->len == 0)                              // reported as a header
+        return;
+    if (lex_is_reserved(&p->lex, s->name, &reserved))
+        parser_report(p, DIAG_state_name_reserved, s->name_span, s->name->text);
+    else if (!is_identifier(s->name->text, s->name->len))
+        parser_report(p, DIAG_state_name, s->name_span, s->name->text);
+}
+
+static AstSection *new_section(Parser *p, FileKind file)
+{
+    AstSection *s = ARENA_NEW(p->arena, AstSection);
+    const Token *t = &p->tok;
+
+    s->name = t->text;
+    s->header = parser_here(p);
+    s->name_span = (Span){p->lex.src, t->at + 1, t->len > 1 ? t->len - 1 : 0};
+    if (t->len > 1 && p->lex.src->text[t->at + t->len - 1] == ']')
+        s->name_span.len--;
+    s->kind = section_kind(file, s);
+    s->all_states = file == FILE_SS && is_called(s, "all_states");
+    return s;
+}
+
+static void parse_contents(Parser *p, AstFile *f, AstSection *s)
+{
+    switch (s->kind) {
+    case AST_STATE_VECTOR: case AST_LOCAL: case AST_REGION:
+        parse_decls(p, s);
+        break;
+    case AST_OPTIONS:
+        parse_options(p, s);
+        break;
+    case AST_STATE:
+        check_state_name(p, s);
+        parse_state(p, s);
+        break;
+    case AST_SCRIPT_STATE:
+        check_state_name(p, s);
+        parse_script_section(p, s);
+        break;
+    case AST_IGNORED:
+        parser_report(p, f->kind == FILE_SM ? DIAG_section_not_in_machine : DIAG_section_not_in_script, s->header,
+                      s->name->text);
+        skip_section(p);
+        break;
+    }
+}
+
+static void parse_section(Parser *p, AstFile *f)
+{
+    AstSection *s = new_section(p, f->kind);
+
+    p->failed = false;
+    check_repeated(p, f, s);
+    vec_push(p->arena, &f->sections, s);
+    parser_next(p);
+    parse_contents(p, f, s);
+}
+
+// ---- a file ----
+
+static void start(Parser *p, Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)
+{
+    memset(p, 0, sizeof *p);
+    p->arena = arena;
+    p->strings = strings;
+    p->diags = diags;
+    p->kind = kind;
+    lex_init(&p->lex, arena, strings, diags, src);
+    lex_next(&p->lex, &p->tok);
+    lex_next(&p->lex, &p->ahead);
+}
+
+AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)
+{
+    AstFile *f = ARENA_NEW(arena, AstFile);
+    Parser p;
+
+    f->kind = kind;
+    f->src = src;
+    start(&p, arena, strings, diags, src, kind);
+    if (p.tok.kind != TOK_HEADER && p.tok.kind != TOK_END) {
+        if (p.tok.kind != TOK_ERROR)
+            parser_report(&p, DIAG_text_before_section, parser_here(&p));
+        skip_section(&p);
+    }
+    while (p.tok.kind == TOK_HEADER)
+        parse_section(&p, f);
+    return f;
+}

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lists of declarations and of options: words, in which line ends are blanks.
+#include "compiler/syntax/parser.h"
+
+// ---- types ----
+
+// What types are called elsewhere.
+static const struct { const char *word, *type; } foreign_types[] = {
+    {"int", "I32"}, {"long", "I64"}, {"short", "I16"}, {"char", "I8"}, {"byte", "U8"}, {"unsigned", "U32"},
+    {"uint", "U32"}, {"word", "U16"}, {"float", "F32"}, {"single", "F32"}, {"double", "F64"}, {"real", "F64"},
+    {"number", "F64"}, {"boolean", "bool"}, {"Bool", "bool"}, {"BOOL", "bool"}, {"B", "bool"}, {"bit", "bool"},
+    {"i8", "I8"}, {"i16", "I16"}, {"i32", "I32"}, {"i64", "I64"}, {"u8", "U8"}, {"u16", "U16"}, {"u32", "U32"},
+    {"u64", "U64"}, {"f32", "F32"}, {"f64", "F64"}, {"int8_t", "I8"}, {"int16_t", "I16"}, {"int32_t", "I32"},
+    {"int64_t", "I64"}, {"uint8_t", "U8"}, {"uint16_t", "U16"}, {"uint32_t", "U32"}, {"uint64_t", "U64"},
+    {"int8", "I8"}, {"int16", "I16"}, {"int32", "I32"}, {"int64", "I64"}, {"uint8", "U8"}, {"uint16", "U16"},
+    {"uint32", "U32"}, {"uint64", "U64"}};
+
+static const char *nearest_type(const char *word)
+{
+    static const char *const types[] = {
+#define SM_TYPE(name, wire, spelling, ctype, bytes, kind) spelling,
+#include "stdlib/types.def"
+#undef SM_TYPE
+    };
+
+    for (size_t i = 0; i < sizeof foreign_types / sizeof *foreign_types; i++)
+        if (strcmp(word, foreign_types[i].word) == 0)
+            return foreign_types[i].type;
+    return nearest_word(word, types, sizeof types / sizeof *types);
+}
+
+static void unknown_type(Parser *p)
+{
+    const char *near = nearest_type(p->tok.text->text);
+    Diag *d = parser_report(p, DIAG_type_unknown, parser_here(p), p->tok.text->text);
+
+    if (near)
+        diag_label(p->diags, d, DIAG_label_did_you_mean, near);
+}
+
+// What stands where a declaration should begin, and is no type.  True if a name follows all the same.
+static bool recover_type(Parser *p, const AstSection *s)
+{
+    if (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NAME && !p->ahead.first) {
+        unknown_type(p);
+        parser_next(p);
+        return true;
+    }
+    if (p->tok.kind == TOK_NAME) {
+        Diag *d = parser_fail(p, DIAG_decl_without_type, parser_here(p), p->tok.text->text);
+        diag_label(p->diags, d, DIAG_label_type_first, p->tok.text->text);
+    } else if (p->tok.kind == TOK_LABEL) {
+        parser_fail(p, DIAG_label_outside_state, parser_here(p), p->tok.text->text);
+    } else if (p->tok.kind == TOK_ANNOTATION) {
+        parser_fail(p, DIAG_annotation_before, parser_here(p), p->tok.text->text);
+    } else if (p->tok.kind == TOK_ERROR) {
+        p->failed = true;
+    } else {
+        parser_fail(p, DIAG_expected_decl, parser_here(p), s->name->text, parser_found(p));
+    }
+    parser_next(p);
+    return false;
+}
+
+// ---- annotations ----
+
+static const struct { const char *spelling; bool takes_name, on_element, on_local; } annotations[] = {
+#define ANNOTATION(name, spelling, takes_name, on_element, on_local) {spelling, takes_name, on_element, on_local},
+#include "compiler/syntax/annotations.def"
+#undef ANNOTATION
+};
+
+static const char *const annotation_words[] = {
+#define ANNOTATION(name, spelling, takes_name, on_element, on_local) spelling,
+#include "compiler/syntax/annotations.def"
+#undef ANNOTATION
+};
+
+static void unknown_annotation(Parser *p)
+{
+    const char *near = nearest_word(p->tok.text->text, annotation_words, AST_ANNOTATION_COUNT);
+    Diag *d = parser_report(p, DIAG_annotation_unknown, parser_here(p), p->tok.text->text);
+
+    if (near)
+        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
+    parser_next(p);
+    while (!p->tok.first && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_TYPE && p->tok.kind != TOK_HEADER)
+        parser_next(p);                            // whatever it was given
+}
+
+static void check_annotation(Parser *p, const AstSection *s, const AstDecl *d, const AstAnnotation *a)
+{
+    const char *word = annotations[a->kind].spelling;
+    Diag *x;
+
+    if (s->kind == AST_REGION) {
+        parser_report(p, DIAG_annotation_in_sv, a->span, word);
+        return;
+    }
+    if (s->kind == AST_LOCAL && !annotations[a->kind].on_local)
+        parser_report(p, DIAG_annotation_on_local, a->span, word);
+    for (size_t i = 0; i < d->annotations.n; i++)
+        if (d->annotations.at[i].kind == a->kind) {
+            x = parser_report(p, DIAG_annotation_repeated, a->span, word, d->name->text);
+            diag_note(p->diags, x, d->annotations.at[i].span, DIAG_note_first_here);
+        }
+}
+
+static void take_annotation_name(Parser *p, AstAnnotation *a)
+{
+    if (p->tok.kind == TOK_NAME) {
+        a->name = p->tok.text;
+        a->name_span = parser_here(p);
+        parser_next(p);
+        return;
+    }
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    parser_fail(p, DIAG_annotation_without_name, p->tok.first ? parser_gap(p) : parser_here(p),
+                annotations[a->kind].spelling, parser_found(p));
+}
+
+static void parse_annotation(Parser *p, const AstSection *s, AstDecl *d)
+{
+    AstAnnotation a = {0};
+    int kind = 0;
+
+    while (kind < AST_ANNOTATION_COUNT && strcmp(annotation_words[kind], p->tok.text->text) != 0)
+        kind++;
+    if (kind == AST_ANNOTATION_COUNT) {
+        unknown_annotation(p);
+        return;
+    }
+    a.kind = (AstAnnotationKind)kind;
+    a.span = parser_here(p);
+    parser_next(p);
+    if (annotations[kind].takes_name)
+        take_annotation_name(p, &a);
+    a.span = parser_since(p, a.span.at);
+    if (p->failed)
+        return;
+    check_annotation(p, s, d, &a);
+    vec_push(p->arena, &d->annotations, a);
+}
+
+static void parse_annotations(Parser *p, const AstSection *s, AstDecl *d)
+{
+    while (!p->failed && p->tok.kind == TOK_ANNOTATION)
+        parse_annotation(p, s, d);
+}
+
+// ---- declarations ----
+
+static bool take_name(Parser *p, AstDecl *d)
+{
+    TokenKind reserved;
+
+    d->name = p->tok.text;
+    d->name_span = parser_here(p);
+    if (p->tok.kind == TOK_NAME) {
+        parser_next(p);
+        return true;
+    }
+    if (p->tok.kind == TOK_ERROR) {
+        p->failed = true;
+    } else if (p->tok.text && !p->tok.first && p->tok.kind != TOK_LABEL && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_HEADER &&
+               lex_is_reserved(&p->lex, p->tok.text, &reserved)) {
+        parser_fail(p, DIAG_name_reserved, parser_here(p), p->tok.text->text);
+        parser_next(p);
+    } else {
+        parser_fail(p, DIAG_decl_without_name, p->tok.first ? parser_gap(p) : parser_here(p),
+                    parser_text(p, parser_span(p, &p->last)), parser_found(p));
+    }
+    return false;
+}
+
+static bool begins_value(const Parser *p)
+{
+    return p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_TYPE;
+}
+
+static void parse_initial_value(Parser *p, AstDecl *d)
+{
+    if (p->tok.kind != TOK_ASSIGN) {
+        Diag *x = parser_fail(p, DIAG_local_without_value, d->name_span, d->name->text);
+        diag_label(p->diags, x, DIAG_label_local_value, d->name->text);
+        return;
+    }
+    parser_next(p);
+    d->value = begins_value(p) ? parse_expr(p, false) : parse_value_of(p, false);
+}
+
+static bool ends_decl(const Parser *p, const AstSection *s)
+{
+    if (p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END || p->tok.first)
+        return true;
+    return p->tok.kind == TOK_TYPE && (s->kind != AST_LOCAL || p->last.kind == TOK_ANNOTATION);
+}
+
+// Something more stands behind a declaration.
+static void slip_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
+{
+    if (p->tok.kind == TOK_ASSIGN && s->kind != AST_LOCAL)
+        parser_fail(p, DIAG_element_with_value, parser_here(p), d->name->text);
+    else if (p->tok.kind == TOK_COMMA)
+        parser_fail(p, DIAG_decl_comma, parser_here(p));
+    else if (p->tok.kind == TOK_NAME && s->kind != AST_LOCAL && p->ahead.kind == TOK_NAME && !p->ahead.first)
+        return;                                    // a type, misspelt: the next declaration
+    else
+        slip_at_end(p);
+}
+
+static void parse_decl(Parser *p, AstSection *s)
+{
+    AstDecl d = {0};
+
+    d.type = p->tok.type;
+    d.type_span = parser_here(p);
+    if (p->tok.kind == TOK_TYPE)
+        parser_next(p);
+    else if (!recover_type(p, s))
+        return;
+    if (!take_name(p, &d))
+        return;
+    if (s->kind == AST_LOCAL)
+        parse_initial_value(p, &d);
+    parse_annotations(p, s, &d);
+    if (!p->failed && !ends_decl(p, s))
+        slip_after_decl(p, s, &d);
+    vec_push(p->arena, &s->decls, d);
+}
+
+void parse_decls(Parser *p, AstSection *s)
+{
+    while (p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END) {
+        p->failed = false;
+        parse_decl(p, s);
+        if (p->failed)
+            skip_line(p);
+    }
+    p->failed = false;
+}
+
+// ---- options ----
+
+typedef enum OptionTakes { TAKES_NOTHING, TAKES_NUMBER, TAKES_NAME } OptionTakes;
+
+static const struct { const char *name; OptionTakes takes; bool in_sv, in_ss; } options[] = {
+#define OPTION(name, takes, in_sv, in_ss) {#name, TAKES_##takes, in_sv, in_ss},
+#include "compiler/syntax/options.def"
+#undef OPTION
+};
+
+static const char *const option_words[] = {
+#define OPTION(name, takes, in_sv, in_ss) #name,
+#include "compiler/syntax/options.def"
+#undef OPTION
+};
+
+enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
+
+static void unknown_option(Parser *p)
+{
+    const char *near = nearest_word(p->tok.text->text, option_words, OPTION_COUNT);
+    Diag *d = parser_fail(p, DIAG_option_unknown, parser_here(p), p->tok.text->text);
+
+    if (near)
+        diag_label(p->diags, d, DIAG_label_did_you_mean, near);
+    else if (p->last.kind == TOK_NUMBER && !p->tok.first)
+        diag_label(p->diags, d, DIAG_label_no_unit);
+    parser_next(p);
+}
+
+static bool take_option_value(Parser *p, AstOption *o, OptionTakes takes)
+{
+    o->value_span = parser_here(p);
+    if (takes == TAKES_NUMBER && p->tok.kind == TOK_NUMBER) {
+        o->number = ARENA_NEW(p->arena, AstExpr);
+        o->number->kind = AST_NUMBER;
+        o->number->depth = 1;
+        o->number->number = p->tok.number;
+        o->number->span = o->value_span;
+    } else if (takes == TAKES_NAME && p->tok.kind == TOK_NAME) {
+        o->word = p->tok.text;
+    } else {
+        return false;
+    }
+    parser_next(p);
+    return true;
+}
+
+static void parse_option_value(Parser *p, AstOption *o, OptionTakes takes)
+{
+    if (p->tok.kind == TOK_ASSIGN || p->tok.kind == TOK_COLON) {
+        Diag *d = parser_report(p, DIAG_option_sign, parser_here(p), parser_text(p, parser_here(p)));
+        diag_edit(p->diags, d, parser_here(p), "");
+        parser_next(p);
+    }
+    if (takes == TAKES_NOTHING || take_option_value(p, o, takes))
+        return;
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    parser_fail(p, DIAG_option_value, p->tok.first ? parser_gap(p) : parser_here(p), o->name->text,
+                takes == TAKES_NUMBER ? "a number without a sign" : "the name of a state", parser_found(p));
+}
+
+static void parse_option(Parser *p, AstSection *s)
+{
+    AstOption o = {0};
+    size_t i = 0;
+
+    o.name = p->tok.text;
+    o.name_span = parser_here(p);
+    while (i < OPTION_COUNT && strcmp(option_words[i], o.name->text) != 0)
+        i++;
+    if (i == OPTION_COUNT) {
+        unknown_option(p);
+        return;
+    }
+    if (!(p->kind == FILE_SV ? options[i].in_sv : options[i].in_ss))
+        parser_report(p, DIAG_option_wrong_file, o.name_span, o.name->text, options[i].in_sv ? "state vector" : "state script",
+                      options[i].in_sv ? "sv" : "ss");
+    parser_next(p);
+    parse_option_value(p, &o, options[i].takes);
+    if (!p->failed)
+        vec_push(p->arena, &s->options, o);
+}
+
+void parse_options(Parser *p, AstSection *s)
+{
+    while (p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END) {
+        p->failed = false;
+        if (p->tok.kind == TOK_NAME) {
+            parse_option(p, s);
+        } else {
+            if (p->tok.kind == TOK_ERROR)
+                p->failed = true;
+            parser_fail(p, DIAG_expected_option, parser_here(p), parser_describe(p, &p->tok));
+            parser_next(p);
+        }
+        if (p->failed)
+            skip_line(p);
+    }
+    p->failed = false;
+}

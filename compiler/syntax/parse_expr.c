@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+// Expressions, by precedence climbing over operators.def.  Operators of one level are iterated; only parentheses, calls,
+// operators before a value and tighter levels recurse, and p->depth bounds that.
+#include "compiler/syntax/parser.h"
+
+static AstExpr *parse_level(Parser *p, int least);
+static AstExpr *missing_value(Parser *p);
+
+// ---- nodes ----
+
+static AstExpr *new_expr(Parser *p, AstExprKind kind, Span span)
+{
+    AstExpr *e = ARENA_NEW(p->arena, AstExpr);
+
+    e->kind = kind;
+    e->span = span;
+    e->depth = 1;
+    return e;
+}
+
+static AstExpr *error_expr(Parser *p) { return new_expr(p, AST_ERROR, parser_here(p)); }
+
+static AstExpr *too_deep(Parser *p, Span span)
+{
+    parser_fail(p, DIAG_expression_too_deep, span, format_in(p->arena, "%d", AST_DEPTH_MAX));
+    return error_expr(p);
+}
+
+// Sets the depth of `e`, which has `a` below it; gives an error node in its place where that grows too large.
+static AstExpr *check_depth(Parser *p, AstExpr *e, const AstExpr *a)
+{
+    if (a->depth >= e->depth)
+        e->depth = a->depth + 1;
+    if (e->depth <= AST_DEPTH_MAX)
+        return e;
+    return too_deep(p, e->op_span);
+}
+
+// Counts one level of recursion; false, and reported, if it is one too many.
+static bool enter(Parser *p)
+{
+    if (p->depth < AST_DEPTH_MAX) {
+        p->depth++;
+        return true;
+    }
+    too_deep(p, parser_here(p));
+    return false;
+}
+
+// Outside parentheses the line's end ends the expression.
+static bool line_ends(const Parser *p) { return p->tok.first && p->parens == 0; }
+
+// ---- values ----
+
+static AstExpr *parse_number(Parser *p)
+{
+    AstExpr *e = new_expr(p, AST_NUMBER, parser_here(p));
+
+    e->number = p->tok.kind == TOK_NUMBER ? p->tok.number : p->tok.kind == TOK_TRUE ? 1 : 0;
+    parser_next(p);
+    return e;
+}
+
+// The ) that closes the ( at `open`.
+static void expect_close(Parser *p, Span open)
+{
+    Diag *d;
+
+    p->parens--;
+    if (p->failed)
+        return;
+    if (p->tok.kind == TOK_RPAREN) {
+        parser_next(p);
+        return;
+    }
+    if (p->tok.kind == TOK_ERROR) {
+        p->failed = true;
+        return;
+    }
+    d = parser_fail(p, DIAG_paren_unclosed, p->tok.first ? parser_gap(p) : parser_here(p), parser_found(p));
+    diag_note(p->diags, d, open, DIAG_note_paren_opened);
+}
+
+static AstExpr *parse_paren(Parser *p)
+{
+    Span open = parser_here(p);
+    AstExpr *e = new_expr(p, AST_PAREN, open);
+
+    parser_next(p);
+    p->parens++;
+    e->a = parse_level(p, 1);
+    expect_close(p, open);
+    e->span = e->op_span = parser_since(p, open.at);
+    return check_depth(p, e, e->a);
+}
+
+static void parse_arguments(Parser *p, AstExpr *call, Span open)
+{
+    p->parens++;
+    while (p->tok.kind != TOK_RPAREN) {                // with none, the checker knows how many there should be
+        AstExpr *a = parse_level(p, 1);
+        vec_push(p->arena, &call->args, a);
+        if (a->depth >= call->depth)
+            call->depth = a->depth + 1;
+        if (p->failed || p->tok.kind != TOK_COMMA)
+            break;
+        parser_next(p);
+        if (p->tok.kind == TOK_RPAREN)
+            missing_value(p);
+    }
+    expect_close(p, open);
+}
+
+static AstExpr *parse_call(Parser *p)
+{
+    AstExpr *e = new_expr(p, AST_CALL, parser_here(p));
+    Span open;
+
+    e->name = p->tok.text;
+    e->op_span = e->span;
+    parser_next(p);
+    open = parser_here(p);
+    parser_next(p);
+    parse_arguments(p, e, open);
+    e->span = parser_since(p, e->span.at);
+    if (e->depth <= AST_DEPTH_MAX)
+        return e;
+    return too_deep(p, e->op_span);
+}
+
+static AstExpr *parse_name(Parser *p)
+{
+    AstExpr *e;
+
+    if (p->ahead.kind == TOK_LPAREN && (p->parens || !p->ahead.first))
+        return parse_call(p);
+    e = new_expr(p, AST_NAME, parser_here(p));
+    e->name = p->tok.text;
+    parser_next(p);
+    slip_after_name(p, e);
+    return e;
+}
+
+static AstExpr *missing_value(Parser *p)
+{
+    AstExpr *e = error_expr(p);
+    Diag *d;
+
+    if (p->tok.kind == TOK_ERROR) {                    // the lexer has reported it: goes on as if it were a value
+        parser_next(p);
+        return e;
+    }
+    d = parser_fail(p, DIAG_expected_value, p->tok.first ? parser_gap(p) : parser_here(p),
+                    parser_text(p, parser_span(p, &p->last)), parser_found(p));
+    if (p->tok.first && p->tok.kind != TOK_END && p->last.kind != TOK_ASSIGN)
+        diag_label(p->diags, d, DIAG_label_line_break);
+    return e;
+}
+
+static AstExpr *parse_value(Parser *p)
+{
+    switch ((int)p->tok.kind) {
+    case TOK_NUMBER: case TOK_TRUE: case TOK_FALSE: return parse_number(p);
+    case TOK_NAME:   return parse_name(p);
+    case TOK_LPAREN: return parse_paren(p);
+    default:         return missing_value(p);
+    }
+}
+
+// ---- operators ----
+
+static bool prefix_operator(TokenKind kind, SmOperator *op)
+{
+    if (kind == TOK_NOT || kind == TOK_BANG)
+        return *op = SM_OP_NOT, true;
+    if (kind == TOK_MINUS)
+        return *op = SM_OP_NEG, true;
+    if (kind == TOK_PLUS)
+        return *op = SM_OP_PLUS, true;
+    return false;
+}
+
+static bool infix_operator(TokenKind kind, SmOperator *op)
+{
+    static const struct { TokenKind kind; SmOperator op; } infix[] = {
+        {TOK_PLUS, SM_OP_ADD}, {TOK_MINUS, SM_OP_SUB}, {TOK_STAR, SM_OP_MUL}, {TOK_SLASH, SM_OP_DIV},
+        {TOK_LT, SM_OP_LT}, {TOK_LE, SM_OP_LE}, {TOK_GT, SM_OP_GT}, {TOK_GE, SM_OP_GE},
+        {TOK_EQ, SM_OP_EQ}, {TOK_NE, SM_OP_NE}, {TOK_AND, SM_OP_AND}, {TOK_OR, SM_OP_OR}};
+
+    for (size_t i = 0; i < sizeof infix / sizeof *infix; i++)
+        if (infix[i].kind == kind)
+            return *op = infix[i].op, true;
+    return false;
+}
+
+// A value with the operators before it.
+static AstExpr *parse_prefixed(Parser *p)
+{
+    SmOperator op;
+    AstExpr *e;
+
+    if (!enter(p))
+        return error_expr(p);
+    slip_prefix(p);
+    if (prefix_operator(p->tok.kind, &op)) {
+        e = new_expr(p, AST_UNARY, parser_here(p));
+        e->op = op;
+        e->op_span = e->span;
+        parser_next(p);
+        e->a = line_ends(p) ? missing_value(p) : parse_prefixed(p);
+        e->span = parser_since(p, e->span.at);
+        e = check_depth(p, e, e->a);
+    } else {
+        e = parse_value(p);
+    }
+    p->depth--;
+    return e;
+}
+
+static bool is_equality(const AstExpr *e)
+{
+    return e->kind == AST_BINARY && (e->op == SM_OP_EQ || e->op == SM_OP_NE);
+}
+
+static AstExpr *new_binary(Parser *p, SmOperator op, Span op_span, AstExpr *a, AstExpr *b)
+{
+    AstExpr *e = new_expr(p, AST_BINARY, a->span);
+
+    e->op = op;
+    e->op_span = op_span;
+    e->a = a;
+    e->b = b;
+    e->span = parser_since(p, a->span.at);
+    if (is_equality(e) && is_equality(a) && !p->failed)
+        slip_equality_chain(p, e);
+    return check_depth(p, check_depth(p, e, a), b);
+}
+
+// What stands right of an operator of precedence `above`.
+static AstExpr *parse_right(Parser *p, int above)
+{
+    AstExpr *e;
+
+    if (line_ends(p))
+        return missing_value(p);
+    if (!enter(p))
+        return error_expr(p);
+    e = parse_level(p, above + 1);
+    p->depth--;
+    return e;
+}
+
+// Operators of precedence `least` and above.
+static AstExpr *parse_level(Parser *p, int least)
+{
+    AstExpr *e = parse_prefixed(p);
+    SmOperator op;
+
+    while (!p->failed && !line_ends(p)) {
+        Span op_span;
+        slip_infix(p);
+        if (!infix_operator(p->tok.kind, &op) || sm_op_info[op].precedence < least)
+            break;
+        op_span = parser_here(p);
+        parser_next(p);
+        e = new_binary(p, op, op_span, e, parse_right(p, sm_op_info[op].precedence));
+    }
+    return e;
+}
+
+AstExpr *parse_expr(Parser *p, bool is_guard)
+{
+    AstExpr *e;
+
+    p->is_guard = is_guard;
+    p->parens = p->depth = 0;
+    e = parse_level(p, 1);
+    p->is_guard = false;
+    return e;
+}
+
+AstExpr *parse_value_of(Parser *p, bool is_guard)
+{
+    p->parens = 0;
+    return line_ends(p) || parser_at_end_of_block(p) ? missing_value(p) : parse_expr(p, is_guard);
+}

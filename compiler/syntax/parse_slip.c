@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slips: what people write who know other languages, who do not program, or who type fast.  Where the grammar has no way on,
+// these functions find the likeliest reason and say that instead of what token was expected.
+#include "compiler/syntax/parser.h"
+
+// ---- words ----
+
+static bool same_letters(const char *a, const char *lower)
+{
+    for (; *a && *lower; a++, lower++)
+        if ((*a >= 'A' && *a <= 'Z' ? *a - 'A' + 'a' : *a) != *lower)
+            return false;
+    return !*a && !*lower;
+}
+
+static bool is_word(const Token *t, const char *lower) { return t->kind == TOK_NAME && same_letters(t->text->text, lower); }
+
+static bool begins_value(const Token *t)
+{
+    return t->kind == TOK_NAME || t->kind == TOK_NUMBER || t->kind == TOK_LPAREN || t->kind == TOK_TRUE ||
+           t->kind == TOK_FALSE || t->kind == TOK_NOT || t->kind == TOK_BANG;
+}
+
+// Says how the word at hand is written here, and takes it for that.
+static void replace_word(Parser *p, const char *native, TokenKind kind)
+{
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+
+    diag_label(p->diags, d, DIAG_label_write, native);
+    diag_edit(p->diags, d, parser_here(p), native);
+    p->tok.kind = kind;
+}
+
+// ---- in expressions ----
+
+void slip_prefix(Parser *p)
+{
+    if (is_word(&p->tok, "not") && begins_value(&p->ahead) && p->ahead.kind != TOK_LPAREN &&
+        (p->parens || !p->ahead.first))
+        replace_word(p, "not", TOK_NOT);
+}
+
+static bool infix_word(Parser *p)
+{
+    static const struct { const char *word, *native; TokenKind kind; } infix[] = {
+        {"and", "and", TOK_AND}, {"or", "or", TOK_OR}, {"is", "==", TOK_EQ}, {"equals", "==", TOK_EQ},
+        {"eq", "==", TOK_EQ}, {"ne", "!=", TOK_NE}, {"gt", ">", TOK_GT}, {"lt", "<", TOK_LT}, {"ge", ">=", TOK_GE},
+        {"le", "<=", TOK_LE}};
+
+    for (size_t i = 0; i < sizeof infix / sizeof *infix; i++)
+        if (is_word(&p->tok, infix[i].word) && begins_value(&p->ahead)) {
+            replace_word(p, infix[i].native, infix[i].kind);
+            return true;
+        }
+    return false;
+}
+
+void slip_infix(Parser *p)
+{
+    Diag *d;
+
+    if (p->tok.kind == TOK_NAME) {
+        infix_word(p);
+        return;
+    }
+    if (p->tok.kind != TOK_ASSIGN || (!p->is_guard && p->parens == 0))
+        return;
+    d = parser_report(p, DIAG_assign_in_guard, parser_here(p));
+    diag_label(p->diags, d, DIAG_label_write, "==");
+    diag_edit(p->diags, d, parser_here(p), "==");
+    p->tok.kind = TOK_EQ;
+}
+
+static bool touches(const Token *a, const Token *b) { return a->at + a->len == b->at; }
+
+static bool is_label_word(const char *s)
+{
+    return strcmp(s, "entry") == 0 || strcmp(s, "step") == 0 || strcmp(s, "exit") == 0;
+}
+
+void slip_after_name(Parser *p, const AstExpr *name)
+{
+    Span both = name->span;
+
+    if (!touches(&p->last, &p->tok))
+        return;
+    both.len += p->tok.len;
+    if (p->tok.kind == TOK_LABEL && !is_label_word(p->tok.text->text)) {
+        parser_fail(p, DIAG_name_with_dot, both, parser_text(p, both));
+        parser_next(p);
+    } else if (p->tok.kind == TOK_HEADER && !is_identifier(p->tok.text->text, p->tok.text->len)) {
+        parser_fail(p, DIAG_no_lists, both, parser_text(p, both));
+        parser_next(p);
+    }
+}
+
+void slip_equality_chain(Parser *p, const AstExpr *e)
+{
+    const AstExpr *a = e->a;
+    Diag *d = parser_report(p, DIAG_equality_chain, e->op_span, sm_op_info[a->op].spelling, sm_op_info[e->op].spelling);
+
+    diag_label(p->diags, d, DIAG_label_did_you_mean,
+               format_in(p->arena, "%s and %s %s %s", parser_text(p, a->span), parser_text(p, a->b->span),
+                         sm_op_info[e->op].spelling, parser_text(p, e->b->span)));
+}
+
+// ---- where a statement should end ----
+
+// 3,14
+static bool decimal_comma(Parser *p)
+{
+    Diag *d;
+
+    if (p->tok.kind != TOK_COMMA || p->last.kind != TOK_NUMBER || p->ahead.kind != TOK_NUMBER ||
+        !touches(&p->last, &p->tok) || !touches(&p->tok, &p->ahead))
+        return false;
+    d = parser_fail(p, DIAG_decimal_comma, parser_here(p));
+    diag_label(p->diags, d, DIAG_label_write,
+               format_in(p->arena, "%s.%s", parser_text(p, parser_span(p, &p->last)),
+                         parser_text(p, parser_span(p, &p->ahead))));
+    diag_edit(p->diags, d, parser_here(p), ".");
+    return true;
+}
+
+// x++ and x--: the second sign waits for a value that does not come.
+static bool unit_after_number(const Parser *p)
+{
+    return p->last.kind == TOK_NUMBER && p->tok.kind == TOK_NAME;
+}
+
+void slip_at_end(Parser *p)
+{
+    Diag *d;
+
+    if (p->tok.kind == TOK_ERROR) {
+        p->failed = true;
+        return;
+    }
+    if (decimal_comma(p))
+        return;
+    if (p->tok.kind == TOK_RPAREN) {
+        parser_fail(p, DIAG_stray_paren, parser_here(p));
+        return;
+    }
+    d = parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok));
+    if (p->tok.kind == TOK_ASSIGN)
+        diag_label(p->diags, d, DIAG_label_one_assignment);
+    else if (p->tok.kind == TOK_ELSE)
+        diag_label(p->diags, d, DIAG_label_else_after_if);
+    else if (unit_after_number(p))
+        diag_label(p->diags, d, DIAG_label_no_unit);
+}
+
+// ---- expressions that stand alone ----
+
+// Another statement follows the guard on its line, or a word that other languages have there.
+static bool missing_colon(Parser *p)
+{
+    Diag *d;
+
+    if (p->tok.first)
+        return false;
+    if (is_word(&p->tok, "then") || is_word(&p->tok, "do")) {
+        d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+        diag_label(p->diags, d, DIAG_label_colon_instead);
+        diag_edit(p->diags, d, (Span){p->lex.src, p->last.at + p->last.len, p->tok.at + p->tok.len - p->last.at - p->last.len},
+                  ":");
+        parser_next(p);
+        if (p->tok.kind == TOK_COLON && !p->tok.first)
+            parser_next(p);
+        return true;
+    }
+    if (p->tok.kind != TOK_ARROW && p->tok.kind != TOK_NAME && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_IF)
+        return false;
+    d = parser_report(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
+    diag_label(p->diags, d, DIAG_label_insert_colon);
+    diag_edit(p->diags, d, parser_gap(p), ":");
+    return true;
+}
+
+// The rest of the line holds a : or a {, so that what stands before it is a guard.
+static bool guard_on_line(const Parser *p)
+{
+    const Source *s = p->lex.src;
+
+    for (uint32_t i = p->tok.at; i < s->len && s->text[i] != '\n' && s->text[i] != '#'; i++)
+        if (s->text[i] == ':' || s->text[i] == '{')
+            return true;
+    return false;
+}
+
+static void assign_to_expression(Parser *p, const AstExpr *e)
+{
+    if (guard_on_line(p)) {
+        Diag *d = parser_fail(p, DIAG_assign_in_guard, parser_here(p));
+        diag_label(p->diags, d, DIAG_label_write, "==");
+        diag_edit(p->diags, d, parser_here(p), "==");
+    } else {
+        parser_fail(p, DIAG_assign_target, e->span, parser_text(p, e->span));
+    }
+}
+
+// x - -: a second sign where a line ends, as other languages count down.
+static void no_effect(Parser *p, const AstExpr *e)
+{
+    Diag *d;
+
+    if (e->kind == AST_NAME && is_label_word(e->name->text)) {
+        d = parser_report(p, DIAG_label_without_dot, e->span, e->name->text);
+        diag_edit(p->diags, d, (Span){e->span.src, e->span.at, 0}, ".");
+        return;
+    }
+    d = parser_report(p, DIAG_no_effect, e->span);
+    if (e->kind == AST_BINARY && e->op == SM_OP_EQ && e->a->kind == AST_NAME)
+        diag_label(p->diags, d, DIAG_label_store,
+                   format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
+    else
+        diag_label(p->diags, d, DIAG_label_statements);
+}
+
+void slip_expression(Parser *p, const AstExpr *e, bool has_if)
+{
+    if (p->failed)
+        return;
+    if (p->tok.kind == TOK_ASSIGN && !p->tok.first)
+        assign_to_expression(p, e);
+    else if (!has_if && e->kind == AST_NAME && p->tok.kind == TOK_NAME && !p->tok.first && !is_word(&p->tok, "then"))
+        parser_fail(p, DIAG_no_statement, e->span, e->name->text);
+    else if (missing_colon(p))
+        return;
+    else if (!parser_at_end_of_statement(p))
+        slip_at_end(p);
+    else if (has_if)
+        parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
+    else
+        no_effect(p, e);
+}
+
+void slip_colon(Parser *p, const AstExpr *guard, Span colon)
+{
+    const char *before = guard ? parser_text(p, guard->span) : "else";
+    Diag *d;
+
+    if (guard && guard->kind == AST_NAME && is_label_word(guard->name->text) && p->tok.first) {
+        d = parser_report(p, DIAG_label_without_dot, guard->span, guard->name->text);
+        diag_edit(p->diags, d, (Span){colon.src, guard->span.at, 0}, ".");
+        diag_edit(p->diags, d, colon, "");
+        return;
+    }
+    d = parser_report(p, DIAG_colon_line_break, colon, guard ? "the condition" : "'else'", parser_found(p));
+    diag_label(p->diags, d, DIAG_label_statement_here);
+    diag_note(p->diags, d, (Span){0}, DIAG_note_write_braces, before);
+}
+
+void slip_else(Parser *p)
+{
+    Diag *d = parser_report(p, DIAG_else_without_body, parser_gap(p), parser_found(p));
+
+    if (p->tok.first || parser_at_end_of_block(p))
+        return;
+    diag_label(p->diags, d, DIAG_label_insert_colon);
+    diag_edit(p->diags, d, parser_gap(p), ":");
+}
+
+// ---- statements of other languages ----
+
+void slip_op_assign(Parser *p, Span name)
+{
+    const char *sign = parser_text(p, parser_here(p));
+    Diag *d = parser_report(p, DIAG_op_assign, parser_here(p), sign);
+
+    diag_label(p->diags, d, DIAG_label_write,
+               format_in(p->arena, "%s = %s %c ...", parser_text(p, name), parser_text(p, name), sign[0]));
+}
+
+typedef enum SlipDoes { SLIP_IF, SLIP_ELSE, SLIP_ARROW, SLIP_DROP, SLIP_SKIP } SlipDoes;
+
+// `does`: what the word is taken for; SKIP: the statement is given up.
+static const struct { const char *word; SlipDoes does; const char *say; } slips[] = {
+    {"if", SLIP_IF, "if"}, {"when", SLIP_IF, "if"}, {"elif", SLIP_IF, "else if"}, {"elseif", SLIP_IF, "else if"},
+    {"elsif", SLIP_IF, "else if"}, {"iff", SLIP_IF, "if"},
+    {"else", SLIP_ELSE, "else"}, {"otherwise", SLIP_ELSE, "else"},
+    {"goto", SLIP_ARROW, "->"}, {"go", SLIP_ARROW, "->"}, {"transition", SLIP_ARROW, "->"},
+    {"let", SLIP_DROP, NULL}, {"set", SLIP_DROP, NULL}, {"var", SLIP_DROP, NULL}, {"const", SLIP_DROP, NULL},
+    {"while", SLIP_SKIP, "there are no loops: .step is run again at every step"},
+    {"for", SLIP_SKIP, "there are no loops: .step is run again at every step"},
+    {"repeat", SLIP_SKIP, "there are no loops: .step is run again at every step"},
+    {"loop", SLIP_SKIP, "there are no loops: .step is run again at every step"},
+    {"switch", SLIP_SKIP, "write it as if ... else if ... else"}, {"case", SLIP_SKIP, "write it as if ... else if ... else"},
+    {"return", SLIP_SKIP, "put what follows into an else"}, {"break", SLIP_SKIP, "put what follows into an else"},
+    {"wait", SLIP_SKIP, "compare the time in the state: T >= 100: ..."},
+    {"delay", SLIP_SKIP, "compare the time in the state: T >= 100: ..."},
+    {"sleep", SLIP_SKIP, "compare the time in the state: T >= 100: ..."},
+    {"end", SLIP_SKIP, "braces are closed with }"}, {"endif", SLIP_SKIP, "braces are closed with }"},
+    {"assert", SLIP_SKIP, "it is written @assert"}, {"stop", SLIP_SKIP, "it is written @stop"}};
+
+// Stands as a word of another language would, and not as a name of this one.
+static bool stands_foreign(const Parser *p, SlipDoes does)
+{
+    const Token *next = &p->ahead;
+
+    if (next->first)
+        return does == SLIP_SKIP;
+    if (does == SLIP_ELSE)
+        return next->kind == TOK_COLON || next->kind == TOK_LBRACE || next->kind == TOK_IF || is_word(next, "if");
+    return begins_value(next) && (next->kind != TOK_LPAREN || does == SLIP_IF || does == SLIP_SKIP);
+}
+
+// The declaration of a variable, in the midst of statements.
+static void misplaced_decl(Parser *p)
+{
+    parser_fail(p, DIAG_decl_in_state, parser_here(p));
+}
+
+static bool apply_slip(Parser *p, SlipDoes does, const char *say)
+{
+    Diag *d;
+
+    switch (does) {
+    case SLIP_IF:    replace_word(p, say, TOK_IF); return false;
+    case SLIP_ELSE:  replace_word(p, say, TOK_ELSE); p->lost_body = true; return false;
+    case SLIP_ARROW: replace_word(p, say, TOK_ARROW); return false;
+    case SLIP_DROP:  break;
+    case SLIP_SKIP:
+        d = parser_fail(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+        diag_label(p->diags, d, DIAG_label_text, say);
+        parser_next(p);
+        return true;
+    }
+    d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+    diag_label(p->diags, d, DIAG_label_leave_out);
+    diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, p->ahead.at - p->tok.at}, "");
+    parser_next(p);
+    return false;
+}
+
+bool slip_statement(Parser *p)
+{
+    if (p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME && !p->ahead.first) {
+        misplaced_decl(p);
+        return true;
+    }
+    if (p->tok.kind != TOK_NAME)
+        return false;
+    for (size_t i = 0; i < sizeof slips / sizeof *slips; i++)
+        if (is_word(&p->tok, slips[i].word) && stands_foreign(p, slips[i].does))
+            return apply_slip(p, slips[i].does, slips[i].say);
+    return false;
+}

@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: Apache-2.0
+// Statements of machines and items of scripts: one grammar, with what only one of the two may hold reported here.
+#include "compiler/syntax/parser.h"
+
+static void parse_statement(Parser *p, AstStmts *into);
+
+static AstStmt *new_stmt(Parser *p, AstStmtKind kind, AstStmts *into)
+{
+    AstStmt *s = ARENA_NEW(p->arena, AstStmt);
+
+    s->kind = kind;
+    s->span = parser_here(p);
+    vec_push(p->arena, into, s);
+    return s;
+}
+
+static bool in_script(const Parser *p) { return p->kind == FILE_SS; }
+
+// ---- one mistake, one message ----
+
+static void parse_braces(Parser *p, AstStmts *into, Span *span);
+
+// After a mistake: on to the next statement.  Braces on the way are looked into, so that their } is not a stray one.
+static void recover(Parser *p)
+{
+    AstStmts ignored = {0};
+    Span span;
+
+    p->lost_body = true;
+    while (!parser_at_end_of_block(p) && !p->tok.first) {
+        if (p->tok.kind != TOK_LBRACE) {
+            parser_next(p);
+            continue;
+        }
+        p->failed = false;
+        parse_braces(p, &ignored, &span);
+        p->lost_body = true;
+        break;
+    }
+    p->failed = false;
+}
+
+static void finish_statement(Parser *p)
+{
+    if (!p->failed && !parser_at_end_of_statement(p))
+        slip_at_end(p);
+    if (p->failed && !p->tok.first)
+        recover(p);
+    p->lost_body = p->lost_body || p->failed;
+    p->failed = false;
+}
+
+// ---- blocks ----
+
+static void after_stop(Parser *p, const AstStmts *s)
+{
+    if (s->n && s->at[s->n - 1]->kind == AST_STOP)
+        parser_report(p, DIAG_after_stop, parser_here(p));
+}
+
+void parse_block(Parser *p, AstStmts *into)
+{
+    bool lost_body = p->lost_body;
+    uint32_t at;
+
+    p->lost_body = false;
+    for (;;) {
+        p->failed = false;
+        if (p->tok.kind == TOK_RBRACE && p->braces == 0) {
+            parser_report(p, DIAG_stray_brace, parser_here(p));
+            parser_next(p);
+            continue;
+        }
+        if (parser_at_end_of_block(p))
+            break;
+        at = p->tok.at;
+        after_stop(p, into);
+        parse_statement(p, into);
+        if (p->tok.at == at)                    // nothing was taken: it begins no statement
+            parser_next(p);
+        finish_statement(p);
+    }
+    p->lost_body = lost_body;
+}
+
+static void parse_braces(Parser *p, AstStmts *into, Span *span)
+{
+    Span open = parser_here(p);
+
+    parser_next(p);
+    p->braces++;
+    parse_block(p, into);
+    p->braces--;
+    if (p->tok.kind == TOK_RBRACE) {
+        parser_next(p);
+    } else {
+        Diag *d = parser_report(p, DIAG_brace_unclosed, open);
+        diag_note(p->diags, d, parser_here(p), DIAG_note_brace_until, parser_describe(p, &p->tok));
+    }
+    *span = parser_since(p, open.at);
+}
+
+// One level deeper.  A file that goes too deep is read no further.
+static bool enter_nesting(Parser *p)
+{
+    if (++p->nesting <= AST_DEPTH_MAX)
+        return true;
+    parser_fail(p, DIAG_nested_too_deep, parser_here(p), format_in(p->arena, "%d", AST_DEPTH_MAX));
+    parser_stop(p);
+    return false;
+}
+
+static void unguarded_braces(Parser *p)
+{
+    AstStmts ignored = {0};
+    Span span;
+
+    parser_report(p, DIAG_braces_without_guard, parser_here(p));
+    if (!enter_nesting(p))
+        return;
+    parse_braces(p, &ignored, &span);
+    p->nesting--;
+}
+
+// ---- assignment, transition, assert, stop ----
+
+// An item of a script that stands outside every conditional.
+static void check_guarded(Parser *p, const AstStmt *s)
+{
+    if (!in_script(p) || p->nesting > 0 || p->told_unguarded)
+        return;
+    p->told_unguarded = true;
+    parser_report(p, DIAG_script_unguarded, s->span);
+}
+
+static void parse_if(Parser *p, AstStmts *into, AstExpr *guard);
+
+// `x = 5: …` was meant to compare.
+static void assignment_as_guard(Parser *p, AstStmts *into, AstStmt *s, Span sign)
+{
+    Diag *d = parser_report(p, DIAG_assign_in_guard, sign);
+
+    diag_label(p->diags, d, DIAG_label_write, "==");
+    diag_edit(p->diags, d, sign, "==");
+    into->n--;
+    parse_if(p, into, s->value);
+}
+
+static void parse_assignment(Parser *p, AstStmts *into)
+{
+    AstStmt *s = new_stmt(p, AST_ASSIGN, into);
+    Span sign;
+
+    s->name = p->tok.text;
+    s->name_span = s->span;
+    parser_next(p);
+    sign = parser_here(p);
+    if (p->tok.kind != TOK_ASSIGN)
+        slip_op_assign(p, s->name_span);
+    parser_next(p);
+    s->value = parse_value_of(p, false);
+    s->span = parser_since(p, s->span.at);
+    if (!p->failed && !p->tok.first && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE))
+        assignment_as_guard(p, into, s, sign);
+    else
+        check_guarded(p, s);
+}
+
+static void parse_transition(Parser *p, AstStmts *into)
+{
+    AstStmt *s = new_stmt(p, AST_TRANSITION, into);
+
+    parser_next(p);
+    if (p->tok.kind == TOK_NAME && !p->tok.first) {
+        s->name = p->tok.text;
+        s->name_span = parser_here(p);
+        parser_next(p);
+        s->span = parser_since(p, s->span.at);
+        if (in_script(p))
+            parser_report(p, DIAG_script_transition, s->span);
+        return;
+    }
+    s->kind = AST_STMT_ERROR;
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    parser_fail(p, DIAG_transition_without_state, p->tok.first ? parser_gap(p) : parser_here(p), parser_found(p));
+}
+
+static const char *const script_words[] = {"assert", "stop"};
+
+static void unknown_statement_annotation(Parser *p)
+{
+    const char *near = nearest_word(p->tok.text->text, script_words, 2);
+    Diag *d = parser_fail(p, DIAG_annotation_here, parser_here(p), p->tok.text->text);
+
+    if (near && in_script(p))
+        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
+}
+
+static void parse_annotated(Parser *p, AstStmts *into)
+{
+    bool is_assert = strcmp(p->tok.text->text, "assert") == 0;
+    AstStmt *s;
+
+    if (!is_assert && strcmp(p->tok.text->text, "stop") != 0) {
+        unknown_statement_annotation(p);
+        return;
+    }
+    if (!in_script(p))
+        parser_report(p, DIAG_script_only, parser_here(p), p->tok.text->text);
+    s = new_stmt(p, is_assert ? AST_ASSERT : AST_STOP, into);
+    parser_next(p);
+    if (is_assert)
+        s->value = parse_value_of(p, true);
+    s->span = parser_since(p, s->span.at);
+    check_guarded(p, s);
+}
+
+// ---- conditionals ----
+
+// Something is wrong in the guard: on to what closes it, so that its statements still belong to it.
+static void recover_guard(Parser *p)
+{
+    while (!parser_at_end_of_block(p) && p->tok.kind != TOK_COLON && p->tok.kind != TOK_LBRACE && !p->tok.first)
+        parser_next(p);
+    if (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE)
+        p->failed = false;
+}
+
+static AstExpr *parse_guard(Parser *p)
+{
+    AstExpr *guard;
+
+    if (p->tok.first || p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE || parser_at_end_of_block(p))
+        parser_fail(p, DIAG_if_without_guard, parser_span(p, &p->last));
+    guard = parse_value_of(p, true);
+    return guard;
+}
+
+// The statement that should stand behind the colon is missing.
+static void missing_statement(Parser *p, const AstStmt *s, Span colon, AstStmts *into)
+{
+    bool lines_below = p->tok.first && !parser_at_end_of_block(p) && p->tok.kind != TOK_ELSE;
+
+    slip_colon(p, s->has_else ? NULL : s->value, colon);
+    if (lines_below)                          // most likely it stands there
+        parse_statement(p, into);
+    p->lost_body = true;
+}
+
+static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *braces, Span *span)
+{
+    Span colon = parser_here(p);
+
+    parser_next(p);
+    if (p->tok.kind == TOK_LBRACE) {
+        Diag *d = parser_report(p, DIAG_colon_and_braces, colon);
+        diag_edit(p->diags, d, colon, "");
+        *braces = true;
+        parse_braces(p, into, span);
+        return;
+    }
+    if (p->tok.first || parser_at_end_of_block(p))
+        missing_statement(p, s, colon, into);
+    else
+        parse_statement(p, into);
+    *span = parser_since(p, into->n ? into->at[0]->span.at : colon.at);
+}
+
+static bool may_begin_statement(const Parser *p)
+{
+    return !p->tok.first && (p->tok.kind == TOK_ARROW || p->tok.kind == TOK_NAME || p->tok.kind == TOK_ANNOTATION ||
+                             p->tok.kind == TOK_IF);
+}
+
+// Neither : nor { follows the guard, or `else`.
+static void parse_bare_body(Parser *p, const AstStmt *s, AstStmts *into, bool has_if)
+{
+    if (p->failed)
+        return;
+    if (s->has_else)
+        slip_else(p);
+    else
+        slip_expression(p, s->value, has_if);
+    if (!p->failed && may_begin_statement(p))
+        parse_statement(p, into);
+    else
+        p->failed = true;
+}
+
+static void parse_body(Parser *p, const AstStmt *s, bool has_if, AstStmts *into, bool *braces, Span *span)
+{
+    if (p->tok.kind == TOK_LBRACE) {
+        *braces = true;
+        parse_braces(p, into, span);
+    } else if (p->tok.kind == TOK_COLON && !p->tok.first) {
+        parse_colon_body(p, s, into, braces, span);
+    } else {
+        *span = parser_gap(p);
+        parse_bare_body(p, s, into, has_if);
+    }
+    if (p->failed) {
+        recover(p);
+        p->lost_body = true;
+    }
+}
+
+static void check_script_conditional(Parser *p, const AstStmt *s, size_t errors)
+{
+    if (!in_script(p) || p->diags->errors > errors)
+        return;
+    if (p->nesting > 1)
+        parser_report(p, DIAG_script_nested, s->span);
+    else if (s->then.n == 0)
+        parser_report(p, DIAG_script_empty, s->span);
+}
+
+// `else …` after s.  Returns the conditional of an `else if`, whose guard comes next; else NULL.
+static AstStmt *parse_else(Parser *p, AstStmt *s)
+{
+    if (p->tok.kind != TOK_ELSE)
+        return NULL;
+    s->has_else = true;
+    s->else_span = parser_here(p);
+    if (in_script(p))
+        parser_report(p, DIAG_script_else, s->else_span);
+    parser_next(p);
+    if (p->tok.kind == TOK_IF && !p->tok.first)
+        return new_stmt(p, AST_IF, &s->otherwise);
+    parse_body(p, s, true, &s->otherwise, &s->else_braces, &s->else_body_span);
+    return NULL;
+}
+
+// From the guard on, with all its `else if`.  They nest in the tree, hence the count.
+static void parse_branches(Parser *p, AstStmt *s)
+{
+    for (bool chained = false; s; chained = true) {
+        size_t errors = p->diags->errors;
+        bool has_if = p->tok.kind == TOK_IF;
+        if (!enter_nesting(p)) {
+            s->kind = AST_STMT_ERROR;
+            return;
+        }
+        if (has_if)
+            parser_next(p);
+        if (!s->value)
+            s->value = has_if ? parse_guard(p) : parse_expr(p, false);
+        s->span = parser_since(p, s->span.at);
+        if (p->failed)
+            recover_guard(p);
+        parse_body(p, s, has_if, &s->then, &s->braces, &s->body_span);
+        if (!chained)
+            check_script_conditional(p, s, errors);
+        s = parse_else(p, s);
+    }
+}
+
+// `guard` has been read already, or is NULL.
+static void parse_if(Parser *p, AstStmts *into, AstExpr *guard)
+{
+    unsigned nesting = p->nesting;
+    AstStmt *s = new_stmt(p, AST_IF, into);
+
+    s->value = guard;
+    if (guard)
+        s->span = guard->span;
+    parse_branches(p, s);
+    p->nesting = nesting;
+}
+
+// An `else` that follows no conditional.
+static void stray_else(Parser *p)
+{
+    AstStmt s = {0};
+
+    if (!p->lost_body)
+        parser_report(p, DIAG_else_without_if, parser_here(p));
+    p->lost_body = true;
+    if (!enter_nesting(p))
+        return;
+    s.has_else = true;
+    parser_next(p);
+    if (p->tok.kind == TOK_IF && !p->tok.first)
+        parse_if(p, &s.otherwise, NULL);
+    else
+        parse_body(p, &s, true, &s.otherwise, &s.else_braces, &s.else_body_span);
+    p->nesting--;
+}
+
+// ---- a statement ----
+
+static bool is_assignment_sign(TokenKind k)
+{
+    return k == TOK_ASSIGN || k == TOK_OP_ADD || k == TOK_OP_SUB || k == TOK_OP_MUL || k == TOK_OP_DIV;
+}
+
+static void parse_statement(Parser *p, AstStmts *into)
+{
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    else if (p->tok.kind == TOK_NAME && is_assignment_sign(p->ahead.kind) && !p->ahead.first)
+        parse_assignment(p, into);
+    else if (slip_statement(p))
+        return;
+    else if (p->tok.kind == TOK_ARROW)
+        parse_transition(p, into);
+    else if (p->tok.kind == TOK_ELSE)
+        stray_else(p);
+    else if (p->tok.kind == TOK_LBRACE)
+        unguarded_braces(p);
+    else if (p->tok.kind == TOK_ANNOTATION)
+        parse_annotated(p, into);
+    else
+        parse_if(p, into, NULL);
+}

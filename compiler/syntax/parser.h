@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the parser's files share.  parse.c: files, sections, blocks; parse_decl.c: declarations and options;
+// parse_stmt.c: statements; parse_expr.c: expressions; parse_slip.c: guesses what was meant where something is wrong.
+// A mistake is reported once: p->failed then silences everything up to the next statement, where it is cleared.
+#ifndef SMC_PARSER_H
+#define SMC_PARSER_H
+
+#include <string.h>
+
+#include "compiler/syntax/lex.h"
+#include "compiler/syntax/parse.h"
+
+typedef struct Parser {
+    Lexer lex;
+    Token tok, ahead;             // the next token and the one behind it
+    Token last;                   // the one taken before
+    Arena *arena;
+    StrPool *strings;
+    Diags *diags;
+    FileKind kind;
+    bool failed;                  // reports are dropped until the next statement
+    bool lost_body;               // in this block a conditional lost statements: its `else` will look misplaced
+    bool stopped;                 // gave up: everything further is END and silence
+    unsigned braces;              // open
+    bool told_unguarded;          // SS: this section's unguarded items have been reported
+    unsigned nesting;             // of conditionals
+    unsigned depth;               // of the place in the expression being parsed
+    unsigned parens;              // open around that place: line ends are blanks
+    bool is_guard;                // the expression being parsed decides: an = in it was meant as ==
+} Parser;
+
+// ---- tokens ----
+
+void parser_next(Parser *p);
+void parser_stop(Parser *p);                            // reads no further, says no more
+Span parser_span(const Parser *p, const Token *t);
+Span parser_here(const Parser *p);                      // of the next token
+Span parser_gap(const Parser *p);                       // directly behind the last token
+Span parser_since(const Parser *p, uint32_t at);        // from `at` to the end of the last token
+bool parser_at_end_of_statement(const Parser *p);
+bool parser_at_end_of_block(const Parser *p);           // } label header end
+
+// ---- messages ----
+
+// As diag_report; dropped while p->failed.
+Diag *parser_report(Parser *p, DiagCode code, Span span, ...);
+// The same, and sets p->failed.
+Diag *parser_fail(Parser *p, DiagCode code, Span span, ...);
+const char *parser_text(const Parser *p, Span span);    // the source text, cut to a readable length
+// A token as a message names it: "'>='", "the end of the line", "the section [Idle]".
+const char *parser_describe(const Parser *p, const Token *t);
+const char *parser_found(const Parser *p);              // the next one, or the end of the line before it
+// The nearest of `n` words to `word`, or NULL if none is near.
+const char *nearest_word(const char *word, const char *const *words, size_t n);
+
+// ---- grammar ----
+
+AstExpr *parse_expr(Parser *p, bool is_guard);          // begins with the next token, wherever that stands
+AstExpr *parse_value_of(Parser *p, bool is_guard);      // the same, but must begin on this line
+void parse_block(Parser *p, AstStmts *into);            // statements up to }, a label, a header or the end
+void parse_decls(Parser *p, AstSection *s);
+void parse_options(Parser *p, AstSection *s);
+void skip_section(Parser *p);                           // to the next header
+void skip_line(Parser *p);                              // to the next line, header or the end
+
+// ---- slips: what people write who know other languages, or type too fast ----
+
+void slip_prefix(Parser *p);                            // NOT x
+void slip_infix(Parser *p);                             // x AND y, x = y in a guard
+void slip_after_name(Parser *p, const AstExpr *name);   // tank.pressure, a[3]
+void slip_equality_chain(Parser *p, const AstExpr *e);  // a == b == c
+// A statement is complete, yet something follows on its line.  Reports it.
+void slip_at_end(Parser *p);
+// An expression stands alone where a statement should: x + 1, valveOpen == true, a guard without its colon.
+void slip_expression(Parser *p, const AstExpr *e, bool has_if);
+void slip_op_assign(Parser *p, Span name);              // x += 1, at the sign
+// Nothing stands behind the colon of a guard, or of `else` (guard is NULL).
+void slip_colon(Parser *p, const AstExpr *guard, Span colon);
+void slip_else(Parser *p);                              // neither : nor { nor if behind `else`
+// What comes begins no statement, though it looks like one of another language.  Reports it and returns true, or false.
+bool slip_statement(Parser *p);
+
+#endif
