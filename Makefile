@@ -95,6 +95,14 @@ update-golden: all $(B)/golden
 # tests/script: what the script engine does and reports.
 CHECK_LINES += "script: $(B)/smc test tests/script"
 
+# tests/fuzz: targets that must survive any input; seeds/NAME/ holds what each starts from.
+$(B)/fuzz/%: tests/fuzz/%.c tests/fuzz/driver.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(filter %.c,$^) -o $@ $(B)/libsmc.a
+
+check: $(B)/fuzz/ir
+CHECK_LINES += "fuzz-ir: $(B)/fuzz/ir -n 2000 $(wildcard tests/ir/samples/*.ir)"
+
 # ---- installing ----
 
 DEST = $(DESTDIR)$(PREFIX)

@@ -3,6 +3,9 @@
 //
 //     run FILE.smt…     `passes NAME,NAME` in the header, the parts `ir` and `ir out`.  An `ir` that names no machine gets
 //                       the declarations below in front, and they are taken off what comes out.
+//                       With a part NAME.sm instead of `ir` the machine is built first, unoptimised; `passes` may be absent.
+//                       Without a part `ir out` the machine is built and must come back from its text as it is, at every
+//                       -O: so all cases of conformance/ can be given.
 //     run FILE.ir…      reads, checks, prints, reads again: the text must stay as it is, comment lines apart
 //     run -p FILE.smt   prints what came out, to be looked at and put into the file
 #include <stdio.h>
@@ -10,6 +13,7 @@
 #include <string.h>
 
 #include "compiler/passes/pass.h"
+#include "compiler/pipeline.h"
 #include "compiler/script/testfile.h"
 #include "tests/test.h"
 
@@ -75,31 +79,65 @@ static bool has_suffix(const char *name, const char *suffix)
     return n > m && strcmp(name + n - m, suffix) == 0;
 }
 
-// ---- .ir: there and back ----
+// ---- machines from text ----
 
-static const char *print_of(Arena *a, const char *file, const char *text, size_t n)
+static IrMachine *read_machine(Session *s, const char *file, const char *text, size_t n)
 {
-    StrPool strings;
     const char *error;
-    IrMachine *m;
-    Buf out;
+    IrMachine *m = ir_read(&s->arena, &s->strings, text, n, &error);
 
-    str_pool_init(&strings, a);
-    m = ir_read(a, &strings, text, n, &error);
     if (m)
-        error = ir_verify(a, m);
+        error = ir_verify(&s->arena, m);
     if (error)
         return complain(file, error, NULL), NULL;
-    buf_init(&out, a);
+    return m;
+}
+
+static const char *print_of(Session *s, const IrMachine *m)
+{
+    Buf out;
+
+    buf_init(&out, &s->arena);
     ir_print(m, &out);
     return buf_text(&out);
 }
 
-static const char *without_comment_lines(Arena *a, const char *text)
+static const Source *source_of(Session *s, const TestPart *part)
+{
+    return part ? source_new(&s->arena, part->name, part->text, part->n) : NULL;
+}
+
+static const TestPart *find_part(const TestFile *t, const char *suffix)
+{
+    for (size_t i = 0; i < t->part.n; i++)
+        if (testfile_has_suffix(&t->part.at[i], suffix))
+            return &t->part.at[i];
+    return NULL;
+}
+
+// NULL when it has errors.
+static const Program *program_of(Session *s, const TestFile *t)
+{
+    MachineInput in = {source_of(s, find_part(t, ".sm")), source_of(s, find_part(t, ".sv")), NULL, 0};
+
+    return session_program(s, &in);
+}
+
+// ---- there and back ----
+
+static bool same_after_reading(Session *s, const char *file, const IrMachine *m)
+{
+    const char *once = print_of(s, m);
+    const IrMachine *again = read_machine(s, file, once, strlen(once));
+
+    return again && (strcmp(once, print_of(s, again)) == 0 || complain(file, "printed, read and printed again it is not the same", once));
+}
+
+static const char *without_comment_lines(Session *s, const char *text)
 {
     Buf out;
 
-    buf_init(&out, a);
+    buf_init(&out, &s->arena);
     while (*text) {
         size_t n = strcspn(text, "\n");
         if (*text != '#')
@@ -109,38 +147,26 @@ static const char *without_comment_lines(Arena *a, const char *text)
     return buf_text(&out);
 }
 
-static bool check_round_trip(Arena *a, const char *file, const char *text, size_t n)
+static bool check_ir_file(Session *s, const char *file, const char *text, size_t n)
 {
-    const char *once = print_of(a, file, text, n);
-    const char *twice = once ? print_of(a, file, once, strlen(once)) : NULL;
+    const IrMachine *m = read_machine(s, file, text, n);
 
-    if (!twice)
+    if (!m || !same_after_reading(s, file, m))
         return false;
-    if (strcmp(once, twice) != 0)
-        return complain(file, "printed, read and printed again it is not the same", NULL);
-    return strcmp(without_comment_lines(a, text), once) == 0 || complain(file, "it is not printed as it stands", NULL);
+    return strcmp(without_comment_lines(s, text), print_of(s, m)) == 0 || complain(file, "it is not printed as it stands", NULL);
 }
 
-// ---- .smt: passes ----
-
-static const char *run_passes(Arena *a, const char *file, const char *passes, const char *text)
+static bool check_every_level(Session *s, const char *file, const TestFile *t)
 {
-    PassOptions o = {0, passes, true, NULL, NULL};
-    StrPool strings;
-    const char *error;
-    IrMachine *m;
-    Buf out;
+    const Program *p = program_of(s, t);
 
-    str_pool_init(&strings, a);
-    m = ir_read(a, &strings, text, strlen(text), &error);
-    if (m)
-        error = passes_run(a, m, &o);
-    if (error)
-        return complain(file, error, NULL), NULL;
-    buf_init(&out, a);
-    ir_print(m, &out);
-    return buf_text(&out);
+    for (int level = 0; p && level <= 2; level++)
+        if (!same_after_reading(s, file, session_ir(s, p, level)))
+            return false;
+    return true;
 }
+
+// ---- passes ----
 
 static const char *without_preamble(const char *text)
 {
@@ -154,24 +180,43 @@ static const char *skip_empty_lines(const char *text)
     return text + strspn(text, "\n");
 }
 
-static bool check_passes(Arena *a, const char *file, const char *text, size_t n, bool print)
+static IrMachine *machine_of(Session *s, const TestFile *t)
 {
-    TestFile *t = testfile_parse(a, file, text, n);
-    const TestPart *in = t->error ? NULL : testfile_part(t, "ir"), *out = t->error ? NULL : testfile_part(t, "ir out");
-    const char *passes = t->error ? NULL : testfile_header(t, "passes"), *got;
+    const TestPart *ir = testfile_part(t, "ir");
+    const Program *p;
+    const char *text;
 
-    if (!in || !out || !passes)
-        return complain(file, "no header `passes`, part `ir` or part `ir out`", t->error);
-    got = strstr(in->text, "machine ") ? in->text : format_in(a, "%s%s", preamble, in->text);
-    got = run_passes(a, file, passes, got);
-    if (!got)
-        return false;
-    if (!strstr(in->text, "machine "))
-        got = without_preamble(got);
-    got = skip_empty_lines(got);
+    if (!ir) {
+        p = program_of(s, t);
+        return p ? session_ir(s, p, 0) : (complain(t->name, "the machine does not compile", NULL), NULL);
+    }
+    text = strstr(ir->text, "machine ") ? ir->text : format_in(&s->arena, "%s%s", preamble, ir->text);
+    return read_machine(s, t->name, text, strlen(text));
+}
+
+static bool check_passes(Session *s, const TestFile *t, bool print)
+{
+    PassOptions o = {0, testfile_header(t, "passes"), true, NULL, NULL};
+    IrMachine *m = machine_of(s, t);
+    const char *wrong = m ? passes_run(&s->arena, m, &o) : NULL, *got;
+
+    if (!m || wrong)
+        return wrong ? complain(t->name, wrong, NULL) : false;
+    got = skip_empty_lines(without_preamble(print_of(s, m)));
     if (print)
         fputs(got, stdout);
-    return print || strcmp(got, skip_empty_lines(out->text)) == 0 || complain(file, "something else came out", NULL);
+    return print || strcmp(got, skip_empty_lines(testfile_part(t, "ir out")->text)) == 0 || complain(t->name, "something else came out", got);
+}
+
+static bool check_smt(Session *s, const char *file, const char *text, size_t n, bool print)
+{
+    TestFile *t = testfile_parse(&s->arena, file, text, n);
+
+    if (t->error)
+        return complain(file, t->error, NULL);
+    if (testfile_part(t, "ir out"))
+        return check_passes(s, t, print);
+    return !find_part(t, ".sm") || check_every_level(s, file, t);
 }
 
 static bool check_file(const char *file, bool print)
@@ -180,12 +225,12 @@ static bool check_file(const char *file, bool print)
     char *text = read_all(file, &n);
     volatile bool ok = false;
     jmp_buf oom;
-    Arena a;
+    Session s;
 
-    arena_init(&a, from_heap, NULL, &oom);
+    session_init(&s, from_heap, NULL, &oom);
     if (setjmp(oom) == 0)
-        ok = has_suffix(file, ".ir") ? check_round_trip(&a, file, text, n) : check_passes(&a, file, text, n, print);
-    arena_free(&a);
+        ok = has_suffix(file, ".ir") ? check_ir_file(&s, file, text, n) : check_smt(&s, file, text, n, print);
+    session_free(&s);
     free(text);
     return ok;
 }
