@@ -76,12 +76,27 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
 
 // ---- program to IR ----
 
+static void print_if_asked(Session *s, const char *stage, const IrMachine *m)
+{
+    if (!s->print_after || strcmp(s->print_after, stage) != 0)
+        return;
+    buf_printf(s->print_to, "# after %s\n", stage);
+    ir_print(m, s->print_to);
+}
+
+static void after_pass(void *context, const PassInfo *pass, const IrMachine *m)
+{
+    print_if_asked(context, pass->name, m);
+}
+
 IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 {
     IrMachine *m = ir_build(&s->arena, p);
-    PassOptions o = {opt_level, NULL, true, NULL, NULL};
-    const char *wrong = passes_run(&s->arena, m, &o);
+    PassOptions o = {opt_level, NULL, true, after_pass, s};
+    const char *wrong;
 
+    print_if_asked(s, "build", m);
+    wrong = passes_run(&s->arena, m, &o);
     assert(!wrong);
     return wrong ? NULL : m;
 }

@@ -14,6 +14,8 @@ typedef struct Session {
     Arena arena;
     StrPool strings;
     Diags diags;
+    const char *print_after;      // session_ir prints the machine to print_to after this pass of the optimiser, or after
+    Buf *print_to;                // "build" before the first; NULL: it does not
 } Session;
 
 // What a machine is compiled from and with.

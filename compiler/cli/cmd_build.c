@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/analysis.h"
 #include "compiler/cli/cli.h"
+#include "compiler/passes/pass.h"
 #include "compiler/syntax/lex.h"
 
 typedef enum Emit { EMIT_BYTECODE, EMIT_C, EMIT_IR, EMIT_AST, EMIT_TOKENS, EMIT_COUNT } Emit;
@@ -260,6 +261,23 @@ static int check_use(Cli *c, Emit emit, bool *state_vectors)
     return EXIT_OK;
 }
 
+// --print-after
+static bool set_print(Cli *c)
+{
+    const char *pass = c->value[OPT_PRINT], *known = "build";
+
+    if (!c->given[OPT_PRINT])
+        return true;
+    c->session.print_after = pass;
+    c->session.print_to = new_buf(c);
+    if (pass_find(pass) || strcmp(pass, "build") == 0)
+        return true;
+    for (int i = 0; i < PASS_COUNT; i++)
+        known = format_in(&c->session.arena, "%s, %s", known, pass_info[i].name);
+    cli_usage(c, "there is no pass '%s'; there are %s", pass, known);
+    return false;
+}
+
 static int build(Cli *c, Emit emit, bool state_vectors, Outputs *o)
 {
     const Source *sv = NULL;
@@ -284,8 +302,12 @@ int cmd_build(Cli *c)
         return EXIT_USAGE;
     if ((code = check_use(c, emit, &state_vectors)) != EXIT_OK)
         return code;
+    if (!set_print(c))
+        return EXIT_USAGE;
     o.at = ARENA_ARRAY(&c->session.arena, OsOutput, 2 * c->files + 2);
     code = build(c, emit, state_vectors, &o);
+    if (c->session.print_to && !cli_print(c, 2, c->session.print_to))
+        return EXIT_ENVIRONMENT;
     if ((reported = cli_report(c)) != EXIT_OK && code == EXIT_OK)
         code = reported;
     if (code != EXIT_OK)
