@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// Declarations: the struct of the state vector, that of the machine, its states and statuses, and the prototypes.
+#include <string.h>
+
+#include "compiler/emit/c/unit.h"
+
+const char *c_type_of(SmType type)
+{
+    switch (type) {
+    case SM_I8: return "int8_t";
+    case SM_I16: return "int16_t";
+    case SM_I32: return "int32_t";
+    case SM_I64: return "int64_t";
+    case SM_U8: return "uint8_t";
+    case SM_U16: return "uint16_t";
+    case SM_U32: return "uint32_t";
+    case SM_U64: return "uint64_t";
+    case SM_F32: return "float";
+    case SM_F64: return "double";
+    case SM_BOOL: return "bool";
+    case SM_TYPE_COUNT: break;
+    }
+    return "";
+}
+
+// ---- the state vector ----
+
+static void put_padding(Buf *out, uint32_t from, uint32_t to)
+{
+    if (from < to)
+        buf_printf(out, "    uint8_t  pad_at_%u_[%u];\n", from, to - from);
+}
+
+static void put_element(const CElement *e, Buf *out)
+{
+    // C's bool may have any size, and storing another byte than 0 or 1 in it is undefined.
+    buf_printf(out, "    %-8s %s;", e->type == SM_BOOL ? "uint8_t" : c_type_of(e->type), e->member);
+    if (e->type == SM_BOOL)
+        buf_str(out, "    // bool: 0 is false, anything else true");
+    else if (strcmp(e->member, e->name->text) != 0)
+        buf_printf(out, "    // %s", e->name->text);
+    buf_char(out, '\n');
+}
+
+static void put_vector_members(const CVector *sv, Buf *out)
+{
+    uint32_t at = 0;
+    Str region = NULL;
+
+    for (size_t i = 0; i < sv->n; i++) {
+        const CElement *e = &sv->at[i];
+        put_padding(out, at, e->offset);
+        if (sv->shared && e->region != region)
+            buf_printf(out, "%s    // [%s]\n", i ? "\n" : "", e->region->text);
+        region = e->region;
+        put_element(e, out);
+        at = e->offset + sm_type_info[e->type].bytes;
+    }
+    put_padding(out, at, sv->size);
+}
+
+static void put_vector_comment(const CVector *sv, Buf *out)
+{
+    if (sv->shared)
+        buf_printf(out, "// The state vector of %s.sv.  Every machine built with it declares this struct, and all of them may be used together.\n"
+                        "// ", sv->name);
+    else
+        buf_printf(out, "// The state vector: what the machine reads and writes.\n// ");
+    buf_str(out, "The layout is the same on every target: nothing is hidden between the members.\n");
+}
+
+void put_vector_struct(const CUnit *u, Buf *out)
+{
+    const CNames *n = &u->names;
+
+    put_vector_comment(&u->sv, out);
+    buf_printf(out, "#if !defined(%s_LAYOUT)\n#define %s_LAYOUT 0x%08xu\n", n->sv_macro, n->sv_macro, u->sv.hash);
+    buf_printf(out, "typedef struct %s {\n", n->sv_type);
+    put_vector_members(&u->sv, out);
+    buf_printf(out, "} %s;\n\n", n->sv_type);
+    buf_printf(out, "// Does not compile where the compiler puts gaps between members or has other sizes.\n"
+                    "typedef char %s_layout_check[sizeof(%s) == %u ? 1 : -1];\n", n->sv_type, n->sv_type, u->sv.size);
+    buf_printf(out, "#elif %s_LAYOUT != 0x%08xu\n", n->sv_macro, u->sv.hash);
+    buf_printf(out, "#error \"%s: this header and one included before it were made from different state vectors\"\n#endif\n",
+               n->sv_type);
+}
+
+// ---- the machine ----
+
+static void put_status(const CNames *n, Buf *out)
+{
+    buf_printf(out, "typedef enum %sStatus {\n", n->type);
+    buf_printf(out, "    %s_OK,\n", n->macro);
+    buf_printf(out, "    %s_REFUSED,     // step: time did not advance; nothing changed\n", n->macro);
+    buf_printf(out, "    %s_NO_STATE,    // init: there is no state of that number; step: init has not succeeded\n", n->macro);
+    buf_printf(out, "    %s_UNFIT        // init: built or run in a way that changes what arithmetic means\n", n->macro);
+    buf_printf(out, "} %sStatus;\n", n->type);
+}
+
+static void put_states(const CUnit *u, Buf *out)
+{
+    const CNames *n = &u->names;
+    const size_t states = u->m->state.n;
+
+    buf_printf(out, "// States by number.  The first is where the machine starts if you have no reason to choose another.\n"
+                    "enum {\n");
+    for (size_t i = 0; i < states; i++)
+        buf_printf(out, "    %s_STATE_%s = %u,\n", n->macro, n->state[i], (unsigned)i + 1);
+    buf_printf(out, "    %s_INITIAL_STATE = 1,\n    %s_STATES = %u      // how many there are\n};\n", n->macro, n->macro,
+               (unsigned)states);
+}
+
+// Whether the machine can store it: S, which the step itself stores, or an element that the machine may assign.
+static bool is_output(const IrMachine *m, size_t v)
+{
+    return m->var.at[v].space == IR_ELEMENT && (m->var.at[v].writable || v == m->s);
+}
+
+static void put_stored(const CUnit *u, Buf *out)
+{
+    buf_printf(out, "// Which elements were stored by the last call of init or of a step that was not refused.\n"
+                    "typedef struct %sStored {\n", u->names.type);
+    for (size_t v = 0; v < u->m->var.n; v++)
+        if (is_output(u->m, v))
+            buf_printf(out, "    bool %s;\n", u->names.var[v]);
+    buf_printf(out, "} %sStored;\n", u->names.type);
+}
+
+static void put_local(const CUnit *u, size_t v, Buf *out)
+{
+    const IrVar *var = &u->m->var.at[v];
+
+    buf_printf(out, "    %-8s %s;", c_type_of(var->type), u->names.var[v]);
+    if (strcmp(u->names.var[v], var->name->text) != 0)
+        buf_printf(out, "    // %s", var->name->text);
+    buf_char(out, '\n');
+}
+
+// What was asked of the window, as the source says it: `roll_avg(x, 10)`.
+static void put_window_comment(const IrWindow *w, Buf *out)
+{
+    buf_printf(out, w->size == 1 ? "    // the last sample\n" : "    // the last %u samples\n", w->size);
+}
+
+static void put_window(const CUnit *u, size_t w, Buf *out)
+{
+    const IrWindow *win = &u->m->window.at[w];
+
+    buf_printf(out, "    SmRoll   %s;", u->window[w]);
+    put_window_comment(win, out);
+    buf_printf(out, "    double   %s_slot_[%u];\n", u->window[w], win->size);
+    if (win->stats & 1u << SM_STAT_MEDIAN)
+        buf_printf(out, "    double   %s_sorted_[%u];\n", u->window[w], win->size);
+}
+
+static bool has_locals(const IrMachine *m)
+{
+    for (size_t v = 0; v < m->var.n; v++)
+        if (m->var.at[v].space == IR_LOCAL)
+            return true;
+    return false;
+}
+
+static void put_machine_struct(const CUnit *u, Buf *out)
+{
+    const IrMachine *m = u->m;
+
+    buf_printf(out, "// The machine.  Copying it copies the machine; its members are for reading, and those that end in an underscore are\n"
+                    "// its own business.\ntypedef struct %s {\n", u->names.type);
+    buf_printf(out, "    uint32_t state_;        // what the next step runs; 0 before init\n"
+                    "    bool     first_;        // the next step is the state's first\n"
+                    "    bool     ran_;          // a step has run since init\n"
+                    "    uint64_t start_;        // time of the state's first step\n"
+                    "    uint64_t last_;         // time of the last step that ran\n"
+                    "    uint64_t T;             // time in the state, as of the last step\n");
+    buf_printf(out, "    %sStored stored;\n", u->names.type);
+    if (has_locals(m))
+        buf_str(out, "\n    // [local]\n");
+    for (size_t v = 0; v < m->var.n; v++)
+        if (m->var.at[v].space == IR_LOCAL)
+            put_local(u, v, out);
+    if (m->window.n)
+        buf_str(out, "\n    // rolling windows\n");
+    for (size_t w = 0; w < m->window.n; w++)
+        put_window(u, w, out);
+    buf_printf(out, "} %s;\n", u->names.type);
+}
+
+void put_machine_types(const CUnit *u, Buf *out)
+{
+    put_status(&u->names, out);
+    buf_char(out, '\n');
+    put_states(u, out);
+    buf_char(out, '\n');
+    put_stored(u, out);
+    buf_char(out, '\n');
+    if (u->m->window.n) {
+        helper_type_put("SmRoll", out);
+        buf_char(out, '\n');
+    }
+    put_machine_struct(u, out);
+}
+
+void put_prototypes(const CUnit *u, Buf *out)
+{
+    const CNames *n = &u->names;
+
+    buf_printf(out, "// Puts the machine at a state, writes its number to the state vector and the locals' initial values.  On any other\n"
+                    "// status than %s_OK the machine will not step.\n", n->macro);
+    buf_printf(out, "%sStatus %s_init(%s *m, %s *sv, uint32_t state);\n\n", n->type, n->prefix, n->type, n->sv_type);
+    buf_printf(out, "// Runs one step.  Time, sv->%s, must have advanced since the last step that ran.\n", n->var[u->m->g]);
+    buf_printf(out, "%sStatus %s_step(%s *m, %s *sv);\n\n", n->type, n->prefix, n->type, n->sv_type);
+    buf_printf(out, "// The number of the state that the next step runs.\n");
+    buf_printf(out, "uint32_t %s_state(const %s *m);\n\n", n->prefix, n->type);
+    buf_printf(out, "// A state's name as in the source; \"\" for a number that is no state's.\n");
+    buf_printf(out, "const char *%s_state_name(uint32_t state);\n", n->prefix);
+}

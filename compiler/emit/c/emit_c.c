@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/emit/c/emit_c.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/emit/c/fn.h"
+
+const char *emit_c_prefix_error(const char *prefix)
+{
+    for (const char *p = prefix; *p; p++)
+        if (!strchr("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", *p))
+            return "a prefix is made of letters, digits and underscores";
+    if (prefix[0] == '\0' || strchr("0123456789_", prefix[0]))
+        return "a prefix begins with a letter";
+    if (strstr(prefix, "__") || prefix[strlen(prefix) - 1] == '_')
+        return "a prefix has no two underscores in a row and none at its end";
+    return NULL;
+}
+
+// ---- the state vector ----
+
+static CElement element_of(const Element *e)
+{
+    CElement c = { 0 };
+
+    c.type = e->type;
+    c.offset = e->offset;
+    c.name = e->name;
+    c.region = e->region ? e->region->name : NULL;
+    return c;
+}
+
+static void vector_of(Arena *a, const StateVec *sv, CVector *out)
+{
+    out->at = ARENA_ARRAY(a, CElement, sv->element.n);
+    out->n = sv->element.n;
+    for (size_t i = 0; i < out->n; i++)
+        out->at[i] = element_of(sv->element.at[i]);
+    out->size = sv->size;
+    out->hash = sv->hash;
+    out->name = sv->name->text;
+    out->shared = !sv->from_machine;
+}
+
+static int by_offset(const void *a, const void *b)
+{
+    const uint32_t x = ((const CElement *)a)->offset, y = ((const CElement *)b)->offset;
+
+    return (x > y) - (x < y);
+}
+
+// Of a machine that was read from text: only what it lists is known.
+static void vector_of_machine(Arena *a, const IrMachine *m, CVector *out)
+{
+    out->at = ARENA_ARRAY(a, CElement, m->var.n);
+    for (size_t v = 0; v < m->var.n; v++) {
+        if (m->var.at[v].space != IR_ELEMENT)
+            continue;
+        out->at[out->n].type = m->var.at[v].type;
+        out->at[out->n].offset = m->var.at[v].offset;
+        out->at[out->n++].name = m->var.at[v].name;
+    }
+    qsort(out->at, out->n, sizeof *out->at, by_offset);
+    out->size = m->sv_size;
+    out->hash = m->sv_hash;
+    out->name = m->sv_name->text;
+}
+
+// ---- the unit ----
+
+static const char *prefix_of(Arena *a, const char *wanted, const char *name)
+{
+    return wanted ? c_identifier(a, wanted, strlen(wanted)) : c_identifier(a, name, strlen(name));
+}
+
+static void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const char *sv_prefix)
+{
+    memset(u, 0, sizeof *u);
+    u->arena = a;
+    u->m = m;
+    if (m->program)
+        vector_of(a, m->program->sv, &u->sv);
+    else
+        vector_of_machine(a, m, &u->sv);
+    if (!sv_prefix)
+        sv_prefix = u->sv.shared ? prefix_of(a, NULL, u->sv.name) : prefix;
+    u->names.sv_type = format_in(a, "%sSv", c_type_name(a, sv_prefix));
+    u->names.sv_macro = format_in(a, "%s_SV", c_macro_name(a, sv_prefix));
+    names_init(u, prefix);
+    u->helper = ARENA_ARRAY(a, bool, helper_count());
+    u->var_use = ARENA_ARRAY(a, CVarUse, m->var.n);
+    u->window_sample = ARENA_ARRAY(a, uint32_t, m->window.n);
+    for (size_t w = 0; w < m->window.n; w++)
+        u->window_sample[w] = UINT32_MAX;
+    u->fit = format_in(a, "%s_is_fit", prefix);
+}
+
+static void put_header_start(const char *macro, Buf *out)
+{
+    buf_printf(out, "#ifndef %s_H\n#define %s_H\n\n#include <stdbool.h>\n#include <stdint.h>\n\n", macro, macro);
+    buf_str(out, "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
+}
+
+static void put_header_end(Buf *out) { buf_str(out, "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n"); }
+
+static void put_header(const CUnit *u, Buf *out)
+{
+    buf_printf(out, "// The state machine %s.  Made by smc from %s.sm: change that, not this file.\n", u->m->name->text, u->m->name->text);
+    put_header_start(u->names.macro, out);
+    put_vector_struct(u, out);
+    buf_char(out, '\n');
+    put_machine_types(u, out);
+    buf_char(out, '\n');
+    put_prototypes(u, out);
+    put_header_end(out);
+}
+
+static const char *header_name(Arena *a, const EmitCOptions *o, const char *name)
+{
+    return o && o->header_name ? o->header_name : format_in(a, "%s.h", name);
+}
+
+static void put_code(CUnit *u, const char *header, Buf *out)
+{
+    Buf body;
+
+    buf_init(&body, u->arena);
+    put_machine(u, &body);
+    buf_printf(out, "// The state machine %s.  Made by smc from %s.sm: change that, not this file.\n", u->m->name->text, u->m->name->text);
+    buf_printf(out, "#include \"%s\"\n\n", header);
+    put_guards(out, u->names.prefix);
+    buf_char(out, '\n');
+    put_self_test(u, out);
+    buf_str(out, "\n// ---- what operations mean, where C's own mean something else ----\n\n");
+    helpers_put(u, out);
+    buf_str(out, "// ---- the blocks.  A number that they return is that of the state to go to; 0 is to stay. ----\n\n");
+    buf_str(out, buf_text(&body));
+}
+
+void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)
+{
+    CUnit u;
+
+    unit_init(&u, arena, m, prefix_of(arena, o ? o->prefix : NULL, m->name->text), NULL);
+    put_header(&u, header);
+    put_code(&u, header_name(arena, o, m->name->text), code);
+}
+
+// ---- the state vector alone ----
+
+void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code)
+{
+    const char *prefix = prefix_of(arena, o ? o->prefix : NULL, sv->name->text);
+    CUnit u = { 0 };
+
+    u.arena = arena;
+    vector_of(arena, sv, &u.sv);
+    u.names.sv_type = format_in(arena, "%sSv", c_type_name(arena, prefix));
+    u.names.sv_macro = format_in(arena, "%s_SV", c_macro_name(arena, prefix));
+    names_elements(arena, &u.names, &u.sv);
+    buf_printf(header, "// The state vector %s.  Made by smc from %s.sv: change that, not this file.\n", sv->name->text, sv->name->text);
+    put_header_start(u.names.sv_macro, header);
+    put_vector_struct(&u, header);
+    put_header_end(header);
+    buf_printf(code, "// The state vector %s.  Made by smc from %s.sv: change that, not this file.\n", sv->name->text, sv->name->text);
+    buf_printf(code, "#include \"%s\"\n", header_name(arena, o, sv->name->text));
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// IR to C that stands alone: one header and one source file, C99 and C++11, with no library behind them but the compiler's
+// own headers and memcpy.  docs/embedding-c.md tells what the user of that C may rely on.
+#ifndef SMC_EMIT_C_H
+#define SMC_EMIT_C_H
+
+#include "compiler/base/buf.h"
+#include "compiler/ir/ir.h"
+#include "compiler/sema/program.h"
+
+typedef struct EmitCOptions {
+    const char *prefix;           // what names start with; NULL: the machine's (or vector's) name, made an identifier
+    const char *header_name;      // the file name that the code includes; NULL: the machine's (or vector's) name and ".h"
+} EmitCOptions;
+
+// What is wrong with a prefix, as a sentence for the user; NULL when it is fine: a C identifier that does not start with
+// an underscore and has no two in a row.
+const char *emit_c_prefix_error(const char *prefix);
+
+// One machine.  `o` may be NULL.  The text depends on the arguments alone.
+void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code);
+
+// A state vector alone: the struct that the headers of its machines declare as well.
+void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code);
+
+// Several machines and a main as one translation unit: a program that runs them at the command of its standard input.
+// compiler/device/engine_c.c compiles and drives it.  The exchange, in the host's byte order and without padding:
+//   to it:    u32 machine, u32 command, then
+//             command 0, init:   u32 state                        elements zero, locals at their initial values, then init
+//             command 1, step:   u32 n, n times (u32 variable, u64 cell)
+//   from it:  u32 status (0 ok, 1 refused, 2 cannot start here), u32 next state, u32 whether it will be a first step,
+//             u64 cell of every variable, u8 stored of every variable
+// Variables are numbered as in Program.var, or as in IrMachine.var where there is no program.
+// It ends at the end of its input.
+void emit_c_driver(Arena *arena, const IrMachine *const *m, size_t n, Buf *code);
+
+#endif

@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: Apache-2.0
+// Expressions.  Operators come out as C's own, with the parentheses that C needs and that its compilers ask for; a number is
+// a double, a truth is whatever C's comparisons give, and conversions stand only where they can change something.
+#include <string.h>
+
+#include "compiler/emit/c/fn.h"
+#include "stdlib/convert.h"
+
+static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
+static const IrVar *var(const CFn *fn, uint32_t v) { return &fn->u->m->var.at[v]; }
+
+static bool is_integer(SmType t)
+{
+    return sm_type_info[t].kind == SM_KIND_SIGNED || sm_type_info[t].kind == SM_KIND_UNSIGNED;
+}
+
+static void put(CFn *fn, const char *text) { buf_str(&fn->line, text); }
+
+// Opens a parenthesis if what binds like `own` stands where `wanted` is asked for; `close` closes it.
+static bool open(CFn *fn, int own, int wanted)
+{
+    if (own < wanted)
+        put(fn, "(");
+    return own < wanted;
+}
+
+static void close(CFn *fn, bool opened)
+{
+    if (opened)
+        put(fn, ")");
+}
+
+static void put_call(CFn *fn, const char *helper, IrRef a, IrRef b)
+{
+    put(fn, helper_use(fn->u, helper));
+    put(fn, "(");
+    put_value(fn, a, PREC_ANY);
+    if (b != IR_NONE) {
+        put(fn, ", ");
+        put_value(fn, b, PREC_ANY);
+    }
+    put(fn, ")");
+}
+
+// ---- variables ----
+
+void put_cell(CFn *fn, uint32_t v)
+{
+    const bool element = var(fn, v)->space == IR_ELEMENT;
+
+    if (element)
+        fn->uses_sv = true;
+    else
+        fn->uses_m = true;
+    put(fn, element ? "sv->" : "m->");
+    put(fn, fn->u->names.var[v]);
+}
+
+static bool starts_with(const char *name, const char *start) { return strncmp(name, start, strlen(start)) == 0; }
+
+// Whether a name at the top of the emitted file, or another in the function, is or may be the same.
+static bool is_taken(const CNames *n, const char *name)
+{
+    static const char *const starts[] = { "sm_", "value", "test", "mem" };
+    const size_t prefix = strlen(n->prefix), macro = strlen(n->macro);
+
+    for (size_t i = 0; i < sizeof starts / sizeof *starts; i++)
+        if (starts_with(name, starts[i]))
+            return true;
+    return strcmp(name, "m") == 0 || strcmp(name, "sv") == 0 || starts_with(name, n->type) || starts_with(name, n->sv_type) ||
+           (starts_with(name, n->prefix) && name[prefix] == '_') || (starts_with(name, n->macro) && name[macro] == '_');
+}
+
+// A name for the function's own variable: the element's, where that is free.
+const char *copy_name(CFn *fn, uint32_t v)
+{
+    const char *name = fn->u->names.var[v];
+
+    return is_taken(&fn->u->names, name) ? format_in(fn->u->arena, "m_%s_%u", name, (unsigned)v) : name;
+}
+
+static void put_load(CFn *fn, const IrIns *i)
+{
+    if (fn->var[i->var].stamp == fn->stamp && fn->var[i->var].copy)
+        put(fn, fn->var[i->var].copy);
+    else
+        put_cell(fn, i->var);
+}
+
+static bool is_element(const CFn *fn, const IrIns *i) { return var(fn, i->var)->space == IR_ELEMENT; }
+
+// An F32 element where it is used: its checked reading gives a double.
+static bool is_widened(const CFn *fn, IrRef r)
+{
+    const IrIns *i = ins(fn, r);
+
+    return i->op == IR_load && i->type == SM_F32 && is_element(fn, i) && fn->ins[r].how == C_INLINE;
+}
+
+static bool has_copy(const CFn *fn, const IrIns *i)
+{
+    return fn->var[i->var].stamp == fn->stamp && fn->var[i->var].copy;
+}
+
+static void put_checked_load(CFn *fn, const IrIns *i)
+{
+    if (has_copy(fn, i)) {
+        put_load(fn, i);
+        return;
+    }
+    put(fn, helper_use(fn->u, i->type == SM_F32 ? "sm_read_f32" : "sm_read_f64"));
+    put(fn, "(");
+    put_cell(fn, i->var);
+    put(fn, ")");
+}
+
+static void put_load_value(CFn *fn, const IrIns *i, int prec)
+{
+    bool opened;
+
+    if (!is_element(fn, i) || is_integer(i->type)) {
+        put_load(fn, i);
+        return;
+    }
+    opened = open(fn, i->type == SM_BOOL ? PREC_EQ : i->type == SM_F32 ? PREC_UNARY : PREC_PRIMARY, prec);
+    if (i->type == SM_BOOL)
+        put_load(fn, i);
+    put(fn, i->type == SM_BOOL ? " != 0" : i->type == SM_F32 ? "(float)" : "");
+    if (i->type != SM_BOOL)
+        put_checked_load(fn, i);
+    close(fn, opened);
+}
+
+// ---- conversions ----
+
+static const char *const to_helper[SM_TYPE_COUNT] = {
+    [SM_I8] = "sm_to_i8", [SM_I16] = "sm_to_i16", [SM_I32] = "sm_to_i32", [SM_I64] = "sm_to_i64", [SM_U8] = "sm_to_u8",
+    [SM_U16] = "sm_to_u16", [SM_U32] = "sm_to_u32", [SM_U64] = "sm_to_u64", [SM_F32] = "sm_to_f32", [SM_F64] = "sm_to_f64",
+    [SM_BOOL] = "sm_to_bool",
+};
+
+// A truth as a number, spelled as the type of that number wants it.
+static void put_choice(CFn *fn, IrRef r, const char *one_or_zero, int prec)
+{
+    const bool opened = open(fn, PREC_ANY, prec);
+
+    put_condition(fn, r, false, PREC_OR);
+    put(fn, one_or_zero);
+    close(fn, opened);
+}
+
+// The text of r, whatever its type, as a double.
+static void put_double(CFn *fn, IrRef r, int prec)
+{
+    const IrIns *i = ins(fn, r);
+    bool opened;
+
+    if (fn->ins[r].is_const && i->type != SM_F64) {
+        literal_put(fn->u, &fn->line, SM_F64, sm_bits(sm_cell_to_f64(i->type, fn->ins[r].bits)));
+    } else if (is_widened(fn, r)) {
+        put_checked_load(fn, i);
+    } else if (i->type == SM_F64) {
+        put_value(fn, r, prec);
+    } else if (i->type == SM_BOOL) {
+        put_choice(fn, r, " ? 1.0 : 0.0", prec);
+    } else {
+        opened = open(fn, PREC_UNARY, prec);
+        put(fn, "(double)");
+        put_value(fn, r, PREC_PRIMARY);
+        close(fn, opened);
+    }
+}
+
+static void put_call_on_double(CFn *fn, const char *helper, IrRef r)
+{
+    put(fn, helper_use(fn->u, helper));
+    put(fn, "(");
+    put_double(fn, r, PREC_ANY);
+    put(fn, ")");
+}
+
+static void put_cast(CFn *fn, SmType to, IrRef r, int prec)
+{
+    const bool opened = open(fn, PREC_UNARY, prec);
+
+    put(fn, "(");
+    put(fn, c_type_of(to));
+    put(fn, ")");
+    put_value(fn, r, PREC_PRIMARY);
+    close(fn, opened);
+}
+
+// A truth of a number that is never NaN.
+static void put_not_zero(CFn *fn, IrRef r, bool negated, int prec)
+{
+    const bool opened = open(fn, PREC_EQ, prec);
+
+    put_value(fn, r, PREC_REL);
+    put(fn, negated ? " == " : " != ");
+    put(fn, sm_type_info[ins(fn, r)->type].kind == SM_KIND_FLOAT ? "0.0" : "0");
+    close(fn, opened);
+}
+
+static void put_cvt(CFn *fn, const IrIns *i, int prec)
+{
+    const SmType from = ins(fn, i->a)->type, to = i->type;
+    const CRange r = fn->ins[i->a].range;
+
+    if (to == SM_F64 && (from != SM_F64 || !r.nan))
+        put_double(fn, i->a, prec);
+    else if (from == to && !r.nan)
+        put_value(fn, i->a, prec);
+    else if (from == SM_BOOL)
+        put_choice(fn, i->a, to == SM_F32 ? " ? 1.0f : 0.0f" : " ? 1 : 0", prec);
+    else if (to == SM_BOOL && !r.nan)
+        put_not_zero(fn, i->a, false, prec);
+    else if ((to == SM_F32 && !r.nan) || (to != SM_F32 && to != SM_BOOL && to != SM_F64 && range_fits(r, to)))
+        put_cast(fn, to, i->a, prec);
+    else
+        put_call_on_double(fn, to_helper[to], i->a);
+}
+
+// ---- comparisons ----
+
+// The integer or bool that r converts to F64 in place, or IR_NONE.
+static IrRef converted_from(const CFn *fn, IrRef r)
+{
+    const IrIns *i = ins(fn, r);
+
+    if (fn->ins[r].is_const || fn->ins[r].how != C_INLINE || i->op != IR_cvt || i->type != SM_F64)
+        return IR_NONE;
+    return is_integer(ins(fn, i->a)->type) || ins(fn, i->a)->type == SM_BOOL ? i->a : IR_NONE;
+}
+
+static IrOp mirrored(IrOp op)
+{
+    return op == IR_lt ? IR_gt : op == IR_le ? IR_ge : op == IR_gt ? IR_lt : op == IR_ge ? IR_le : op;
+}
+
+// Whether `integer op constant` can be written with integers: the order is the same as after conversion to F64.  Not where
+// the type's limits decide, since compilers warn about comparisons that hold always or never.
+static bool is_plain_limit(const CFn *fn, IrOp op, IrRef constant, SmType t)
+{
+    const CRange r = range_of_type(t);
+    const double x = sm_from_bits(fn->ins[constant].bits);
+
+    if (!fn->ins[constant].is_const || !(x >= r.lo && x <= r.hi && x >= -9007199254740992.0 && x <= 9007199254740992.0))
+        return false;
+    if ((x == r.lo && (op == IR_lt || op == IR_ge)) || (x == r.hi && (op == IR_gt || op == IR_le)))
+        return false;
+    return (double)(int64_t)x == x;
+}
+
+static const char *const compare_text[] = {
+    [IR_eq - IR_eq] = " == ", [IR_ne - IR_eq] = " != ", [IR_lt - IR_eq] = " < ",
+    [IR_le - IR_eq] = " <= ", [IR_gt - IR_eq] = " > ", [IR_ge - IR_eq] = " >= ",
+};
+
+static void put_integer_operand(CFn *fn, IrRef r, SmType t)
+{
+    if (fn->ins[r].is_const)
+        literal_put(fn->u, &fn->line, t, sm_cell_from_f64(t, sm_from_bits(fn->ins[r].bits)));
+    else
+        put_value(fn, converted_from(fn, r), PREC_ADD);
+}
+
+static SmType integer_compared(const CFn *fn, const IrIns *i)
+{
+    const IrRef a = converted_from(fn, i->a), b = converted_from(fn, i->b);
+
+    if (a != IR_NONE && is_integer(ins(fn, a)->type) && is_plain_limit(fn, i->op, i->b, ins(fn, a)->type))
+        return ins(fn, a)->type;
+    if (b != IR_NONE && is_integer(ins(fn, b)->type) && is_plain_limit(fn, mirrored(i->op), i->a, ins(fn, b)->type))
+        return ins(fn, b)->type;
+    return SM_TYPE_COUNT;
+}
+
+// `flag == true` and its kin: the bool alone.  Gives the bool and whether it is negated.
+static IrRef bool_compared(const CFn *fn, const IrIns *i, bool *negated)
+{
+    for (int side = 0; side < 2; side++) {
+        const IrRef b = side ? i->b : i->a, c = side ? i->a : i->b, flag = converted_from(fn, b);
+        if ((i->op == IR_eq || i->op == IR_ne) && flag != IR_NONE && ins(fn, flag)->type == SM_BOOL && fn->ins[c].is_const &&
+            (sm_from_bits(fn->ins[c].bits) == 1.0 || sm_from_bits(fn->ins[c].bits) == 0.0)) {
+            *negated = (sm_from_bits(fn->ins[c].bits) == 1.0) != (i->op == IR_eq);
+            return flag;
+        }
+    }
+    return IR_NONE;
+}
+
+// Both sides are truths, and cannot be the same text, which compilers warn about.
+static bool are_bools(const CFn *fn, const IrIns *i)
+{
+    const IrRef a = converted_from(fn, i->a), b = converted_from(fn, i->b);
+    const IrIns *x = a != IR_NONE ? ins(fn, a) : NULL, *y = b != IR_NONE ? ins(fn, b) : NULL;
+
+    if ((i->op != IR_eq && i->op != IR_ne) || !x || !y || x->type != SM_BOOL || y->type != SM_BOOL)
+        return false;
+    return (x->op == IR_load) != (y->op == IR_load) || (x->op == IR_load && x->var != y->var);
+}
+
+static void put_side(CFn *fn, IrRef r, SmType integer, bool bools)
+{
+    if (bools)
+        put_value(fn, converted_from(fn, r), PREC_PRIMARY);
+    else if (integer != SM_TYPE_COUNT)
+        put_integer_operand(fn, r, integer);
+    else
+        put_value(fn, r, PREC_ADD);
+}
+
+static void put_compare(CFn *fn, const IrIns *i, bool negated, int prec)
+{
+    const SmType t = integer_compared(fn, i);
+    const bool equality = i->op == IR_eq || i->op == IR_ne;
+    const int own = equality ? PREC_EQ : PREC_REL;
+    const IrOp op = !negated ? i->op : i->op == IR_eq ? IR_ne : i->op == IR_ne ? IR_eq : i->op;
+    const bool inverted = negated && !equality;
+    bool opened, flag_negated;
+    const IrRef flag = bool_compared(fn, i, &flag_negated);
+
+    if (flag != IR_NONE) {
+        put_condition(fn, flag, flag_negated != negated, prec);
+        return;
+    }
+    if (inverted)
+        put(fn, "!");
+    opened = open(fn, own, inverted ? PREC_PRIMARY : prec);
+    put_side(fn, i->a, t, are_bools(fn, i));
+    put(fn, compare_text[op - IR_eq]);
+    put_side(fn, i->b, t, are_bools(fn, i));
+    close(fn, opened);
+}
+
+// ---- the rest ----
+
+static void put_binary(CFn *fn, const IrIns *i, const char *text, int own, int prec)
+{
+    const bool opened = open(fn, own, prec);
+
+    put_value(fn, i->a, own);
+    put(fn, text);
+    put_value(fn, i->b, own + 1);         // floating-point operators do not associate
+    close(fn, opened);
+}
+
+static void put_logic(CFn *fn, const IrIns *i, int prec)
+{
+    const int own = i->op == IR_and ? PREC_AND : PREC_OR;
+    const bool opened = open(fn, own, own == prec ? PREC_ANY : prec > PREC_ANY ? PREC_PRIMARY : PREC_ANY);
+
+    put_condition(fn, i->a, false, own);
+    put(fn, i->op == IR_and ? " && " : " || ");
+    put_condition(fn, i->b, false, own);
+    close(fn, opened);
+}
+
+static void put_negative(CFn *fn, const IrIns *i, int prec)
+{
+    const bool opened = open(fn, PREC_UNARY, prec);
+
+    put(fn, "-");
+    put_value(fn, i->a, PREC_PRIMARY);
+    close(fn, opened);
+}
+
+static const char *const stat_helper[SM_STAT_COUNT] = { "sm_roll_avg", "sm_roll_median", "sm_roll_min", "sm_roll_max", "sm_roll_range" };
+
+static void put_stat(CFn *fn, const IrIns *i)
+{
+    fn->uses_m = true;
+    buf_printf(&fn->line, "%s(&m->%s)", helper_use(fn->u, stat_helper[i->stat]), fn->u->window[i->var]);
+}
+
+static void put_literal(CFn *fn, const IrIns *i, uint64_t bits, int prec)
+{
+    const SmKind kind = sm_type_info[i->type].kind;
+    const bool negative = kind == SM_KIND_FLOAT || kind == SM_KIND_SIGNED ? (bits >> (sm_type_info[i->type].bytes * 8 - 1) & 1) : false;
+    const bool opened = open(fn, negative ? PREC_UNARY : PREC_PRIMARY, prec);
+
+    literal_put(fn->u, &fn->line, i->type, bits);
+    close(fn, opened);
+}
+
+void put_value(CFn *fn, IrRef r, int prec)
+{
+    const IrIns *i = ins(fn, r);
+    const CIns *c = &fn->ins[r];
+
+    if (c->is_const) {
+        put_literal(fn, i, c->bits, prec);
+        return;
+    }
+    if (c->variable) {
+        put(fn, c->variable);
+        return;
+    }
+    switch (i->op) {
+    case IR_load: put_load_value(fn, i, prec); break;
+    case IR_cvt: put_cvt(fn, i, prec); break;
+    case IR_add: put_binary(fn, i, " + ", PREC_ADD, prec); break;
+    case IR_sub: put_binary(fn, i, " - ", PREC_ADD, prec); break;
+    case IR_mul: put_binary(fn, i, " * ", PREC_MUL, prec); break;
+    case IR_div: put_binary(fn, i, " / ", PREC_MUL, prec); break;
+    case IR_neg: put_negative(fn, i, prec); break;
+    case IR_abs: put_call(fn, "sm_abs", i->a, IR_NONE); break;
+    case IR_floor: put_call(fn, "sm_floor", i->a, IR_NONE); break;
+    case IR_ceil: put_call(fn, "sm_ceil", i->a, IR_NONE); break;
+    case IR_trunc: put_call(fn, "sm_trunc", i->a, IR_NONE); break;
+    case IR_round: put_call(fn, "sm_round", i->a, IR_NONE); break;
+    case IR_sqrt: put_call(fn, "sm_sqrt", i->a, IR_NONE); break;
+    case IR_sign: put_call(fn, "sm_sign", i->a, IR_NONE); break;
+    case IR_min: put_call(fn, "sm_min", i->a, i->b); break;
+    case IR_max: put_call(fn, "sm_max", i->a, i->b); break;
+    case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge: put_compare(fn, i, false, prec); break;
+    case IR_and: case IR_or: put_logic(fn, i, prec); break;
+    case IR_not: put_condition(fn, i->a, true, prec); break;
+    case IR_stat: put_stat(fn, i); break;
+    case IR_const: case IR_store: case IR_sample: case IR_OP_COUNT: break;
+    }
+}
+
+// A bool where C wants a truth: an element's byte needs no comparison there.
+void put_condition(CFn *fn, IrRef r, bool negated, int prec)
+{
+    const IrIns *i = ins(fn, r);
+    const bool inside = !fn->ins[r].is_const && !fn->ins[r].variable;
+    const SmType from = inside && i->op == IR_cvt ? ins(fn, i->a)->type : SM_TYPE_COUNT;
+
+    if (inside && i->op == IR_not) {
+        put_condition(fn, i->a, !negated, prec);
+    } else if (inside && i->op >= IR_eq && i->op <= IR_ge) {
+        put_compare(fn, i, negated, prec);
+    } else if (inside && i->op == IR_cvt && from == SM_BOOL) {
+        put_condition(fn, i->a, negated, prec);
+    } else if (inside && i->op == IR_cvt && !fn->ins[i->a].range.nan) {
+        put_not_zero(fn, i->a, negated, prec);
+    } else if (inside && i->op == IR_load) {
+        put(fn, negated ? "!" : "");
+        put_load(fn, i);
+    } else if (negated) {
+        put(fn, "!");
+        put_value(fn, r, PREC_PRIMARY);
+    } else {
+        put_value(fn, r, prec);
+    }
+}

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// The nesting of a function's blocks.  Control only moves forward, so block order is a topological order and every question
+// is answered by one walk.  A block that only one way leads to stands inside the arm of the conditional that leads there;
+// a block where ways meet stands behind the whole of the block that dominates it.
+#include "compiler/emit/c/fn.h"
+
+// Dominators as a tree with shortcuts, so that the meeting point of two blocks is found in logarithmic time.
+typedef struct Tree {
+    uint32_t *parent, *shortcut, *depth;
+} Tree;
+
+static uint32_t meet(const Tree *t, uint32_t a, uint32_t b)
+{
+    while (a != b) {
+        if (t->depth[a] < t->depth[b]) {
+            const uint32_t swap = a;
+            a = b;
+            b = swap;
+        }
+        if (t->depth[a] > t->depth[b])
+            a = t->depth[t->shortcut[a]] >= t->depth[b] ? t->shortcut[a] : t->parent[a];
+        else if (t->shortcut[a] != t->shortcut[b])
+            a = t->shortcut[a], b = t->shortcut[b];
+        else
+            a = t->parent[a], b = t->parent[b];
+    }
+    return a;
+}
+
+// Shortcuts of lengths 1, 1, 3, 1, 1, 3, 7 …
+static void tree_add(Tree *t, uint32_t x, uint32_t parent)
+{
+    const uint32_t s = t->shortcut[parent], ss = t->shortcut[s];
+
+    t->parent[x] = parent;
+    t->depth[x] = t->depth[parent] + 1;
+    t->shortcut[x] = t->depth[parent] - t->depth[s] == t->depth[s] - t->depth[ss] ? ss : parent;
+}
+
+static bool has_effect(const IrFn *f, const IrBlk *b)
+{
+    for (size_t i = 0; i < b->ins.n; i++)
+        if (ir_op_info[f->ins.at[b->ins.at[i]].op].effect)
+            return true;
+    return false;
+}
+
+static void find_ways(CFn *fn)
+{
+    CFlow *w = &fn->flow;
+    const uint32_t end = w->n - 1;
+    uint32_t *thread = ARENA_ARRAY(fn->u->arena, uint32_t, w->n);
+
+    thread[end] = end;
+    w->then[end] = w->other[end] = IR_NONE;
+    for (uint32_t b = end; b-- > 0;) {
+        const IrBlk *blk = &fn->f->blk.at[b];
+        const IrJump *j = &blk->jump;
+        bool taken;
+        w->then[b] = w->other[b] = IR_NONE;
+        switch (j->kind) {
+        case IR_RET: w->then[b] = end; break;
+        case IR_JMP: w->then[b] = thread[j->then]; break;
+        case IR_GOTO: break;
+        case IR_BR:
+            w->then[b] = thread[j->then];
+            w->other[b] = thread[j->otherwise];
+            if (plan_branch(fn, j, &taken))
+                w->then[b] = taken ? w->then[b] : w->other[b];
+            if (plan_branch(fn, j, &taken) || w->then[b] == w->other[b])
+                w->other[b] = IR_NONE;
+            break;
+        }
+        thread[b] = w->then[b] != IR_NONE && w->other[b] == IR_NONE && !has_effect(fn->f, blk) ? w->then[b] : b;
+    }
+}
+
+static void reach(CFlow *w, Tree *t, uint32_t from, uint32_t to)
+{
+    if (to == IR_NONE)
+        return;
+    t->parent[to] = w->reached[to] ? meet(t, t->parent[to], from) : from;
+    w->reached[to] = true;
+    w->preds[to]++;
+}
+
+static void find_dominators(CFlow *w, Tree *t)
+{
+    w->reached[0] = true;
+    for (uint32_t b = 0; b < w->n; b++) {
+        if (!w->reached[b])
+            continue;
+        if (b > 0)
+            tree_add(t, b, t->parent[b]);
+        reach(w, t, b, w->then[b]);
+        reach(w, t, b, w->other[b]);
+    }
+}
+
+static void list_meeting_points(CFlow *w, const Tree *t)
+{
+    for (uint32_t b = 0; b < w->n; b++)
+        w->kid[b] = w->sibling[b] = IR_NONE;
+    for (uint32_t b = w->n; b-- > 1;) {
+        if (w->reached[b] && w->preds[b] > 1) {
+            w->sibling[b] = w->kid[t->parent[b]];
+            w->kid[t->parent[b]] = b;
+        }
+    }
+}
+
+// b falls on to something outside when a way leads from what it dominates to a block that hangs higher in the tree.
+static void find_falls(Arena *arena, CFlow *w, const Tree *t)
+{
+    uint32_t *highest = ARENA_ARRAY(arena, uint32_t, w->n);
+
+    for (uint32_t b = 0; b < w->n; b++)
+        highest[b] = UINT32_MAX;
+    for (uint32_t b = w->n; b-- > 0;) {
+        const uint32_t to[2] = { w->then[b], w->other[b] };
+        if (!w->reached[b])
+            continue;
+        for (int i = 0; i < 2; i++)
+            if (to[i] != IR_NONE && t->depth[t->parent[to[i]]] < highest[b])
+                highest[b] = t->depth[t->parent[to[i]]];
+        w->falls[b] = highest[b] < t->depth[b];
+        if (b > 0 && highest[b] < highest[t->parent[b]])
+            highest[t->parent[b]] = highest[b];
+    }
+}
+
+void flow_init(CFn *fn)
+{
+    Arena *a = fn->u->arena;
+    CFlow *w = &fn->flow;
+    Tree t;
+
+    w->n = (uint32_t)fn->f->blk.n + 1;
+    w->then = ARENA_ARRAY(a, uint32_t, w->n);
+    w->other = ARENA_ARRAY(a, uint32_t, w->n);
+    w->reached = ARENA_ARRAY(a, bool, w->n);
+    w->preds = ARENA_ARRAY(a, uint32_t, w->n);
+    w->kid = ARENA_ARRAY(a, uint32_t, w->n);
+    w->sibling = ARENA_ARRAY(a, uint32_t, w->n);
+    w->falls = ARENA_ARRAY(a, bool, w->n);
+    t.parent = ARENA_ARRAY(a, uint32_t, w->n);
+    t.shortcut = ARENA_ARRAY(a, uint32_t, w->n);
+    t.depth = ARENA_ARRAY(a, uint32_t, w->n);
+    find_ways(fn);
+    find_dominators(w, &t);
+    list_meeting_points(w, &t);
+    find_falls(a, w, &t);
+}

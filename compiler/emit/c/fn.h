@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// One function of the IR on its way to C.  plan.c decides which temporaries stand inside the expressions that use them and
+// which become variables; expr.c writes expressions; flow.c finds the nesting of its blocks; code.c writes statements.
+#ifndef SMC_EMIT_C_FN_H
+#define SMC_EMIT_C_FN_H
+
+#include "compiler/emit/c/unit.h"
+
+// What a temporary's value can be: in [lo, hi], or NaN if `nan`.
+typedef struct CRange {
+    double lo, hi;
+    bool nan;
+} CRange;
+
+typedef enum CHow {
+    C_DEAD,                   // nobody needs it
+    C_INLINE,                 // stands where it is used
+    C_VARIABLE,               // has a variable of its own
+    C_EFFECT                  // a statement
+} CHow;
+
+// What plan.c and expr.c know of an instruction.
+typedef struct CIns {
+    CHow how;
+    bool is_const;            // its value is known: `bits`
+    uint64_t bits;
+    CRange range;
+    uint32_t uses;            // by what is not dead and not a constant itself
+    uint32_t latest;          // position in its block of the last statement in which it stands
+    uint32_t level;           // how deep it stands in that statement's expression
+    const char *variable;
+} CIns;
+
+// What a function does with a variable of the machine.  Valid while `stamp` is the function's.
+typedef struct CVarUse {
+    uint32_t stamp;
+    uint32_t loads;           // how often its value is needed
+    bool stored;
+    const char *copy;         // the function's own variable that holds it
+    uint32_t block_stamp;     // the block for which next_store holds
+    uint32_t next_store;      // position of the next store, seen from where the walk through the block is
+    uint32_t flag_stamp;      // the block that has already said that it stores this
+} CVarUse;
+
+// The shape of the control flow, as code.c writes it.
+typedef struct CFlow {
+    uint32_t n;               // blocks, and behind them one that stands for the function's end
+    uint32_t *then, *other;   // where each goes, empty blocks jumped over; IR_NONE: nowhere
+    bool *reached;
+    uint32_t *preds;          // how many ways lead there
+    uint32_t *kid, *sibling;  // the blocks where ways meet that this one dominates, in order
+    bool *falls;              // something it dominates goes on to something it does not
+} CFlow;
+
+typedef struct CFn {
+    CUnit *u;
+    const IrFn *f;
+    CFlow flow;
+    CIns *ins;
+    CVarUse *var;             // the unit's, by variable
+    uint32_t *window_sample;  // the unit's, by window: as next_store
+    uint32_t stamp;           // of this function
+    uint32_t *block_stamps;   // the unit's counter of blocks
+    uint32_t block;           // stamp of the block in hand
+    VEC(uint32_t) copied;     // variables that have a copy
+    Buf body;
+    Buf line;                 // the statement under construction
+    unsigned indent;
+    unsigned values;          // variables made so far
+    Buf declarations;         // of those, where they must stand at the top
+    bool hoist;               // they must: labels are in use
+    bool labels_used;
+    bool *label;              // by block
+    bool uses_m, uses_sv, writes_m, writes_sv;
+    bool returns_state;
+} CFn;
+
+// ---- flow.c ----
+void flow_init(CFn *fn);
+
+// ---- plan.c ----
+void plan_constants(CFn *fn);             // first: what is constant, and ranges
+bool plan_branch(const CFn *fn, const IrJump *j, bool *taken);   // whether the way is known already
+void plan_function(CFn *fn);              // after flow_init
+
+// ---- range.c ----
+CRange range_of_type(SmType type);
+CRange range_of(const CFn *fn, const IrIns *i);
+bool range_fits(CRange r, SmType type);
+
+// ---- expr.c ----
+enum {
+    PREC_ANY = 0, PREC_OR = 4, PREC_AND = 5, PREC_EQ = 9, PREC_REL = 10, PREC_ADD = 12, PREC_MUL = 13, PREC_UNARY = 14, PREC_PRIMARY = 15
+};
+// Writes the temporary's value to fn->line, in parentheses if it binds less tightly than `prec`.
+void put_value(CFn *fn, IrRef r, int prec);
+void put_condition(CFn *fn, IrRef r, bool negated, int prec);
+void put_cell(CFn *fn, uint32_t var);     // m->x, sv->x
+const char *copy_name(CFn *fn, uint32_t var);
+
+#endif

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Emitted C keeps its meaning under any compiler and any flags, or does not compile, or does not start.  Three lines of
+// defence: pragmas that forbid what can be forbidden, #error for what a macro gives away, and for the rest a self-test at
+// run time whose operands no compiler can know.
+#include "compiler/emit/c/unit.h"
+
+static const char includes[] =
+    "#include <float.h>\n"
+    "#include <stdbool.h>\n"
+    "#include <stddef.h>\n"
+    "#include <stdint.h>\n"
+    "#include <string.h>\n";
+
+static const char guards[] =
+    "// ---- what this file asks of the compiler ----\n"
+    "\n"
+    "#if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128\n"
+    "#error \"this code needs a double that is IEEE binary64 and a float that is IEEE binary32\"\n"
+    "#endif\n"
+    "#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD > 1)\n"
+    "#error \"this code needs arithmetic without excess precision: on 32-bit x86 build with -msse2 -mfpmath=sse\"\n"
+    "#endif\n"
+    "#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(_M_FP_FAST) || \\\n"
+    "    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)\n"
+    "#error \"this code needs IEEE arithmetic: build it without -ffast-math and its parts\"\n"
+    "#endif\n"
+    "\n"
+    "// a * b + c is two operations, each rounded.\n"
+    "#if defined(__clang__)\n"
+    "#pragma STDC FP_CONTRACT OFF\n"
+    "#elif defined(__GNUC__)\n"
+    "#pragma GCC optimize (\"fp-contract=off\")\n"
+    "#elif defined(_MSC_VER)\n"
+    "#pragma fp_contract (off)\n"
+    "#endif\n"
+    "\n"
+    "// A flag can shorten the constants.\n"
+    "typedef char %s_constants_are_double[sizeof 0.1 == sizeof(double) && sizeof(double) == 8 ? 1 : -1];\n";
+
+void put_guards(Buf *out, const char *what)
+{
+    buf_str(out, includes);
+    buf_char(out, '\n');
+    buf_printf(out, guards, what);
+}
+
+// Each line is one way in which a compiler, a flag or the processor's mode can change results.
+static const char self_test[] =
+    "// Tries what no macro tells: the rounding mode, whether numbers near zero survive, and what flags may have allowed the\n"
+    "// compiler to do to arithmetic.  The operands are volatile, so that nothing is known before it runs.\n"
+    "static bool %s_is_fit(void)\n"
+    "{\n"
+    "    const volatile double one = 1.0, three = 3.0, ten = 10.0, big = 9007199254740992.0, tiny = 4.9406564584124654e-324;\n"
+    "    const volatile double tenth = 0.1, small = 1e-17, least = 2.2250738585072014e-308, zero = 0.0, minus_zero = -0.0;\n"
+    "    const volatile float float_least = 1.17549435e-38f, float_half = 0.5f;\n"
+    "    const volatile uint64_t wide = UINT64_C(9223372036854776833);\n"
+    "    const double x = one, y = three, z = big, product = tenth * ten, rest = product - x;\n"
+    "    bool fit = true;\n"
+    "\n"
+    "    fit = fit && one + small == 1.0 && one - small == 1.0 && -one - small == -1.0;       // rounds to nearest\n"
+    "    fit = fit && big + one == 9007199254740992.0 && big + three == 9007199254740996.0;     // ... even\n"
+    "    fit = fit && tiny > 0.0 && tiny + tiny > tiny && least * 0.5 > 0.0;                    // keeps subnormal numbers\n"
+    "    fit = fit && float_least * float_half > 0.0f && (float)(least * 0.5) < float_least;    // ... in float too\n"
+    "    fit = fit && 1.0 / (minus_zero + zero) > 0.0 && 1.0 / (minus_zero * one) < 0.0;        // keeps the sign of zero\n"
+    "    fit = fit && 1.0 / (zero - zero) > 0.0 && 1.0 / -zero < 0.0 && 1.0 / (minus_zero + 0.0) > 0.0;\n"
+    "    fit = fit && tenth * ten - one == 0.0 && one - tenth * ten == 0.0 && rest == 0.0;      // rounds a * b before + and -\n"
+    "    fit = fit && tenth * ten + -one == 0.0 && tenth * tenth - 0.010000000000000002 == 0.0;\n"
+    "    fit = fit && (x + z) - z == 0.0 && (z + y) - z == 4.0 && (x + z) + x == z;             // adds in the order written\n"
+    "    fit = fit && (x + 9007199254740992.0) - 9007199254740992.0 == 0.0 && (tenth * 3.0) * 10.0 == 3.0000000000000004;\n"
+    "    fit = fit && 5.0 * one / 49.0 == 0.10204081632653061 && x / y == 0.33333333333333331;  // divides\n"
+    "    fit = fit && (zero / zero) != (zero / zero) && !(zero / zero == zero / zero);          // knows NaN\n"
+    "    fit = fit && 1.0 / zero > 1.7976931348623157e308 && one / zero - one / zero != 0.0;    // ... and infinity\n"
+    "    fit = fit && (double)wide == 9223372036854777856.0;                                    // rounds integers once\n"
+    "    return fit;\n"
+    "}\n";
+
+void put_self_test(const CUnit *u, Buf *out)
+{
+    buf_printf(out, self_test, u->names.prefix);
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Constants as C writes them, every bit kept.  Decimal, since C++11 has no hexadecimal fractions: the fewest digits that
+// come back as the same number.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/emit/c/unit.h"
+#include "stdlib/convert.h"
+
+// The host may have been told to write a comma.
+static void use_point(char *text)
+{
+    for (; *text; text++)
+        if (!strchr("0123456789+-e.", *text))
+            *text = '.';
+}
+
+// 1e+300 to 1e300; 42 to 42.0.
+static void put_tidy(Buf *out, char *text)
+{
+    char *e = strchr(text, 'e');
+
+    if (e == NULL) {
+        buf_str(out, text);
+        buf_str(out, strchr(text, '.') ? "" : ".0");
+        return;
+    }
+    buf_put(out, text, (size_t)(e - text) + 1);
+    e += e[1] == '+' ? 2 : 1;
+    if (*e == '-')
+        buf_char(out, *e++);
+    while (*e == '0')
+        e++;
+    buf_str(out, e);
+}
+
+static void put_f64(CUnit *u, Buf *out, double x)
+{
+    char text[40];
+
+    if (!(x - x == 0)) {
+        buf_printf(out, "%s(%s)", helper_use(u, "sm_from_bits"), x != x ? "0x7FF8000000000000u" :
+                   x > 0 ? "0x7FF0000000000000u" : "0xFFF0000000000000u");
+        return;
+    }
+    if (x < 1e15 && x > -1e15 && (double)(long long)x == x) {
+        snprintf(text, sizeof text, "%.0f", x);
+    } else {
+        for (int digits = 1; digits <= 17; digits++) {
+            snprintf(text, sizeof text, "%.*g", digits, x);
+            if (strtod(text, NULL) == x)
+                break;
+        }
+    }
+    use_point(text);
+    put_tidy(out, text);
+}
+
+static void put_f32(CUnit *u, Buf *out, float x)
+{
+    char text[40];
+
+    if (!(x - x == 0)) {
+        buf_str(out, "(float)");
+        put_f64(u, out, (double)x);
+        return;
+    }
+    for (int digits = 1; digits <= 9; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, (double)x);
+        if (strtof(text, NULL) == x)
+            break;
+    }
+    use_point(text);
+    put_tidy(out, text);
+    buf_char(out, 'f');
+}
+
+static void put_signed(Buf *out, int64_t v)
+{
+    if (v == INT64_MIN)
+        buf_str(out, "INT64_MIN");
+    else if (v == INT32_MIN)
+        buf_str(out, "INT32_MIN");
+    else
+        buf_printf(out, v > INT32_MAX || v < INT32_MIN ? "INT64_C(%lld)" : "%lld", (long long)v);
+}
+
+static void put_unsigned(Buf *out, uint64_t v)
+{
+    buf_printf(out, v > UINT32_MAX ? "UINT64_C(%llu)" : v > INT32_MAX ? "%lluu" : "%llu", (unsigned long long)v);
+}
+
+void literal_put(CUnit *u, Buf *out, SmType type, uint64_t bits)
+{
+    switch (type) {
+    case SM_I8:
+    case SM_I16:
+    case SM_I32: put_signed(out, sm_to_i64(sm_cell_to_f64(type, bits))); break;
+    case SM_I64: { int64_t v; memcpy(&v, &bits, sizeof v); put_signed(out, v); break; }
+    case SM_U8:
+    case SM_U16:
+    case SM_U32:
+    case SM_U64: put_unsigned(out, bits); break;
+    case SM_F32: put_f32(u, out, sm_f32_from_bits((uint32_t)bits)); break;
+    case SM_F64: put_f64(u, out, sm_from_bits(bits)); break;
+    case SM_BOOL: buf_str(out, bits ? "true" : "false"); break;
+    case SM_TYPE_COUNT: break;
+    }
+}

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names of the source to names of C.  A name stays as it is wherever C and C++ allow it; where they do not it loses what
+// they forbid, or gets an underscore behind it, and a number where that is taken.  Names that stay as they are come first,
+// so that which others a machine has never changes them.
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "compiler/emit/c/unit.h"
+
+static const char *const reserved[] = {
+#define R(word) #word,
+#include "compiler/emit/c/reserved.def"
+#undef R
+};
+
+bool c_is_reserved(const char *name)
+{
+    for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
+        if (name[0] == reserved[i][0] && strcmp(name, reserved[i]) == 0)
+            return true;
+    return name[0] == '_' || strstr(name, "__") != NULL;
+}
+
+static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+static char upper(char c) { return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c; }
+
+const char *c_identifier(Arena *arena, const char *text, size_t len)
+{
+    Buf b;
+
+    buf_init(&b, arena);
+    for (size_t i = 0; i < len; i++) {
+        if (is_letter(text[i]) || (is_digit(text[i]) && b.n > 0))
+            buf_char(&b, text[i]);
+        else if (is_digit(text[i]))
+            buf_printf(&b, "m%c", text[i]);
+        else if (b.n > 0 && b.at[b.n - 1] != '_')
+            buf_char(&b, '_');
+    }
+    while (b.n > 0 && b.at[b.n - 1] == '_')
+        b.at[--b.n] = '\0';
+    return b.n > 0 ? buf_text(&b) : "machine";
+}
+
+const char *c_type_name(Arena *arena, const char *prefix)
+{
+    Buf b;
+
+    buf_init(&b, arena);
+    for (const char *p = prefix; *p; p++)
+        if (*p != '_')
+            buf_char(&b, p == prefix || p[-1] == '_' ? upper(*p) : *p);
+    if (c_is_reserved(buf_text(&b)))
+        buf_str(&b, "Machine");
+    return buf_text(&b);
+}
+
+const char *c_macro_name(Arena *arena, const char *prefix)
+{
+    Buf b;
+
+    buf_init(&b, arena);
+    for (const char *p = prefix; *p; p++)
+        buf_char(&b, upper(*p));
+    return buf_text(&b);
+}
+
+// ---- a set of names, each given once ----
+
+typedef struct NameSet {
+    Arena *arena;
+    StrPool pool;
+    Map taken;
+} NameSet;
+
+static void set_init(NameSet *s, Arena *arena)
+{
+    memset(s, 0, sizeof *s);
+    s->arena = arena;
+    str_pool_init(&s->pool, arena);
+    s->taken.arena = arena;
+}
+
+static bool set_take(NameSet *s, const char *name)
+{
+    Str key = str_c(&s->pool, name);
+
+    if (map_find(&s->taken, key))
+        return false;
+    map_put(&s->taken, key, s);
+    return true;
+}
+
+// `name` if it is free, else with the first number behind it that makes it so.
+static const char *set_take_free(NameSet *s, const char *name)
+{
+    const char *tried = name;
+
+    for (unsigned i = 2; !set_take(s, tried); i++)
+        tried = format_in(s->arena, "%s_%u", name, i);
+    return tried;
+}
+
+// What C allows of a name that it does not allow as it is.
+static const char *tamed(Arena *arena, const char *name)
+{
+    const char *plain = c_identifier(arena, name, strlen(name));
+
+    return strcmp(plain, name) == 0 || c_is_reserved(plain) ? format_in(arena, "%s_", plain) : plain;
+}
+
+// Members for `n` names: first those that can stay, then the others.
+static void take_all(NameSet *s, const char **name, const char **member, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (name[i] && !c_is_reserved(name[i]) && set_take(s, name[i]))
+            member[i] = name[i];
+    for (size_t i = 0; i < n; i++)
+        if (name[i] && !member[i])
+            member[i] = set_take_free(s, tamed(s->arena, name[i]));
+}
+
+// ---- the names of a unit ----
+
+void names_elements(Arena *arena, CNames *names, CVector *sv)
+{
+    const char **name = ARENA_ARRAY(arena, const char *, sv->n), **member = ARENA_ARRAY(arena, const char *, sv->n);
+    NameSet s;
+
+    set_init(&s, arena);
+    set_take(&s, names->sv_type);                     // C++ wants no member of its struct's name
+    set_take(&s, names->sv_macro);
+    set_take(&s, format_in(arena, "%s_LAYOUT", names->sv_macro));
+    for (size_t i = 0; i < sv->n; i++)
+        name[i] = sv->at[i].name->text;
+    take_all(&s, name, member, sv->n);
+    names->element.arena = arena;
+    for (size_t i = 0; i < sv->n; i++) {
+        sv->at[i].member = member[i];
+        map_put(&names->element, sv->at[i].name, (void *)member[i]);
+    }
+}
+
+// What the machine's struct holds beside the locals.
+static void take_own_members(NameSet *s, const CNames *n)
+{
+    static const char *const own[] = { "T", "stored", "state_", "first_", "ran_", "start_", "last_" };
+
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+        set_take(s, own[i]);
+    set_take(s, n->type);
+    set_take(s, n->sv_type);
+    set_take(s, format_in(s->arena, "%sStored", n->type));
+    set_take(s, format_in(s->arena, "%sStatus", n->type));
+    set_take(s, format_in(s->arena, "%s_H", n->macro));
+}
+
+static void name_variables(CUnit *u)
+{
+    const IrMachine *m = u->m;
+    const char **name = ARENA_ARRAY(u->arena, const char *, m->var.n);
+    NameSet s;
+
+    set_init(&s, u->arena);
+    take_own_members(&s, &u->names);
+    u->names.var = ARENA_ARRAY(u->arena, const char *, m->var.n);
+    for (size_t v = 0; v < m->var.n; v++) {
+        switch (m->var.at[v].space) {
+        case IR_ELEMENT: u->names.var[v] = map_find(&u->names.element, m->var.at[v].name); break;
+        case IR_LOCAL: name[v] = m->var.at[v].name->text; break;
+        case IR_TIME: u->names.var[v] = "T"; break;
+        }
+    }
+    take_all(&s, name, u->names.var, m->var.n);
+    u->window = ARENA_ARRAY(u->arena, const char *, m->window.n);
+    for (size_t w = 0; w < m->window.n; w++)
+        u->window[w] = set_take_free(&s, format_in(u->arena, "window%u", (unsigned)w));
+}
+
+static void name_states(CUnit *u)
+{
+    const size_t n = u->m->state.n;
+    const char **name = ARENA_ARRAY(u->arena, const char *, n);
+    NameSet s;
+
+    set_init(&s, u->arena);
+    u->names.state = ARENA_ARRAY(u->arena, const char *, n);
+    for (size_t i = 0; i < n; i++)
+        name[i] = u->m->state.at[i].name->text;
+    for (size_t i = 0; i < n; i++)                    // keywords may stay: they stand in the middle of a name
+        if (name[i][0] != '_' && !strstr(name[i], "__") && name[i][strlen(name[i]) - 1] != '_' && set_take(&s, name[i]))
+            u->names.state[i] = name[i];
+    for (size_t i = 0; i < n; i++)
+        if (!u->names.state[i])
+            u->names.state[i] = set_take_free(&s, c_identifier(u->arena, name[i], strlen(name[i])));
+}
+
+void names_init(CUnit *u, const char *prefix)
+{
+    CNames *n = &u->names;
+
+    n->prefix = prefix;
+    n->type = c_type_name(u->arena, prefix);
+    n->macro = c_macro_name(u->arena, prefix);
+    if (strcmp(n->type, n->sv_type) == 0)
+        n->type = format_in(u->arena, "%sMachine", n->type);
+    names_elements(u->arena, n, &u->sv);
+    name_variables(u);
+    name_states(u);
+}

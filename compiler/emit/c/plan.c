@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which temporaries of a function stand inside the expressions that use them, and which become variables.  A temporary is
+// inlined when it is used once, when nothing between its place and its use stores what it reads, and while the expression
+// is not too deep for compilers.  Also: what is constant, and which elements are read once for the whole function.
+#include "compiler/emit/c/fn.h"
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
+enum { LEVEL_MAX = 40 };      // expressions deeper than this are cut; clang stops at 256 nested parentheses
+
+// ---- constants ----
+
+static uint64_t fold_f64(SmF64 x) { return sm_is_nan(x) ? IR_NAN : sm_bits(x); }
+
+static uint64_t fold(const CFn *fn, const IrIns *i)
+{
+    const uint64_t cell_a = i->a != IR_NONE ? fn->ins[i->a].bits : 0, cell_b = i->b != IR_NONE ? fn->ins[i->b].bits : 0;
+    const SmF64 a = sm_from_bits(cell_a), b = sm_from_bits(cell_b);
+
+    switch (i->op) {
+    case IR_const: return i->bits;
+    case IR_cvt: return sm_cell_from_f64(i->type, sm_cell_to_f64(fn->f->ins.at[i->a].type, cell_a));
+    case IR_add: return fold_f64(sm_add(a, b));
+    case IR_sub: return fold_f64(sm_sub(a, b));
+    case IR_mul: return fold_f64(sm_mul(a, b));
+    case IR_div: return fold_f64(sm_div(a, b));
+    case IR_neg: return fold_f64(sm_neg(a));
+    case IR_abs: return fold_f64(sm_abs(a));
+    case IR_floor: return fold_f64(sm_floor(a));
+    case IR_ceil: return fold_f64(sm_ceil(a));
+    case IR_trunc: return fold_f64(sm_trunc(a));
+    case IR_round: return fold_f64(sm_round(a));
+    case IR_sqrt: return fold_f64(sm_sqrt(a));
+    case IR_sign: return fold_f64(sm_sign(a));
+    case IR_min: return fold_f64(sm_min(a, b));
+    case IR_max: return fold_f64(sm_max(a, b));
+    case IR_eq: return sm_eq(a, b);
+    case IR_ne: return !sm_eq(a, b);
+    case IR_lt: return sm_lt(a, b);
+    case IR_le: return sm_le(a, b);
+    case IR_gt: return sm_lt(b, a);
+    case IR_ge: return sm_le(b, a);
+    case IR_and: return cell_a & cell_b;
+    case IR_or: return cell_a | cell_b;
+    case IR_not: return !cell_a;
+    case IR_load: case IR_store: case IR_stat: case IR_sample: case IR_OP_COUNT: break;
+    }
+    return 0;
+}
+
+static bool can_fold(const CFn *fn, const IrIns *i)
+{
+    if (i->op == IR_const)
+        return true;
+    if (ir_op_info[i->op].effect || i->op == IR_load || i->op == IR_stat)
+        return false;
+    return fn->ins[i->a].is_const && (i->b == IR_NONE || fn->ins[i->b].is_const);
+}
+
+void plan_constants(CFn *fn)
+{
+    const IrFn *f = fn->f;
+
+    for (size_t b = 0; b < f->blk.n; b++) {
+        for (size_t p = 0; p < f->blk.at[b].ins.n; p++) {
+            const IrRef r = f->blk.at[b].ins.at[p];
+            const IrIns *i = &f->ins.at[r];
+            fn->ins[r].is_const = can_fold(fn, i);
+            fn->ins[r].bits = fn->ins[r].is_const ? fold(fn, i) : 0;
+            fn->ins[r].range = range_of(fn, i);
+        }
+    }
+}
+
+bool plan_branch(const CFn *fn, const IrJump *j, bool *taken)
+{
+    *taken = fn->ins[j->cond].bits != 0;
+    return fn->ins[j->cond].is_const;
+}
+
+// ---- who is needed, and how often ----
+
+static void use(CFn *fn, IrRef r)
+{
+    if (r != IR_NONE && !fn->ins[r].is_const)
+        fn->ins[r].uses++;
+}
+
+static CVarUse *var_use(CFn *fn, uint32_t v)
+{
+    CVarUse *w = &fn->var[v];
+
+    if (w->stamp != fn->stamp) {
+        w->loads = 0;
+        w->stored = false;
+        w->copy = NULL;
+        w->stamp = fn->stamp;
+    }
+    return w;
+}
+
+static bool has_two_ways(const CFn *fn, uint32_t b) { return fn->flow.other[b] != IR_NONE; }
+
+static void count_uses(CFn *fn, uint32_t b)
+{
+    const IrBlk *blk = &fn->f->blk.at[b];
+
+    if (has_two_ways(fn, b))
+        use(fn, blk->jump.cond);
+    for (size_t p = blk->ins.n; p-- > 0;) {
+        const IrIns *i = &fn->f->ins.at[blk->ins.at[p]];
+        const CIns *c = &fn->ins[blk->ins.at[p]];
+        if (i->op == IR_store)
+            var_use(fn, i->var)->stored = true;
+        if (i->op == IR_load)
+            var_use(fn, i->var)->loads += c->uses;
+        if ((c->uses == 0 && !ir_op_info[i->op].effect) || c->is_const)
+            continue;
+        use(fn, i->a);
+        use(fn, i->b);
+    }
+}
+
+// ---- elements that are read once for the whole function ----
+
+static bool is_float(SmType t) { return t == SM_F64 || t == SM_F32; }
+
+// Reading one takes a check for NaN.
+static bool is_float_element(const CFn *fn, uint32_t v)
+{
+    return fn->u->m->var.at[v].space == IR_ELEMENT && is_float(fn->u->m->var.at[v].type);
+}
+
+static void choose_copies(CFn *fn, uint32_t b)
+{
+    const IrBlk *blk = &fn->f->blk.at[b];
+
+    for (size_t p = 0; p < blk->ins.n; p++) {
+        const IrIns *i = &fn->f->ins.at[blk->ins.at[p]];
+        CVarUse *w;
+        if (i->op != IR_load || !is_float_element(fn, i->var))
+            continue;
+        w = var_use(fn, i->var);
+        if (w->copy || w->stored || w->loads < 2)
+            continue;
+        w->copy = copy_name(fn, i->var);
+        vec_push(fn->u->arena, &fn->copied, i->var);
+    }
+}
+
+// ---- the place of each temporary ----
+
+static uint32_t later(uint32_t a, uint32_t b) { return a > b ? a : b; }
+
+static void place_operand(CFn *fn, IrRef r, uint32_t at, uint32_t level)
+{
+    if (r == IR_NONE)
+        return;
+    fn->ins[r].latest = later(fn->ins[r].latest, at);
+    fn->ins[r].level = later(fn->ins[r].level, level);
+}
+
+static uint32_t next_store(CFn *fn, const IrIns *i)
+{
+    if (i->op == IR_load)
+        return var_use(fn, i->var)->block_stamp == fn->block ? fn->var[i->var].next_store : UINT32_MAX;
+    return i->op == IR_stat ? fn->window_sample[i->var] : UINT32_MAX;
+}
+
+// Whether writing it twice costs nothing: a plain member.
+static bool is_plain(CFn *fn, const IrIns *i)
+{
+    return i->op == IR_load && (!is_float_element(fn, i->var) || var_use(fn, i->var)->copy);
+}
+
+static CHow how(CFn *fn, const IrIns *i, const CIns *c)
+{
+    if (ir_op_info[i->op].effect)
+        return C_EFFECT;
+    if (c->uses == 0 || c->is_const)
+        return C_DEAD;
+    if (next_store(fn, i) < c->latest)
+        return C_VARIABLE;
+    if (is_plain(fn, i))
+        return C_INLINE;
+    return c->uses > 1 || c->level > LEVEL_MAX ? C_VARIABLE : C_INLINE;
+}
+
+static void note_store(CFn *fn, const IrIns *i, uint32_t at)
+{
+    if (i->op == IR_store) {
+        fn->var[i->var].block_stamp = fn->block;
+        fn->var[i->var].next_store = at;
+    } else if (i->op == IR_sample) {
+        fn->window_sample[i->var] = at;
+    }
+}
+
+static void place(CFn *fn, uint32_t b)
+{
+    const IrBlk *blk = &fn->f->blk.at[b];
+
+    fn->block = ++*fn->block_stamps;
+    if (has_two_ways(fn, b))
+        place_operand(fn, blk->jump.cond, (uint32_t)blk->ins.n, 1);
+    for (size_t p = blk->ins.n; p-- > 0;) {
+        const IrRef r = blk->ins.at[p];
+        const IrIns *i = &fn->f->ins.at[r];
+        CIns *c = &fn->ins[r];
+        c->how = how(fn, i, c);
+        if (c->how != C_DEAD) {
+            const bool own = c->how != C_INLINE;      // a statement of its own
+            place_operand(fn, i->a, own ? (uint32_t)p : c->latest, own ? 1 : c->level + 1);
+            place_operand(fn, i->b, own ? (uint32_t)p : c->latest, own ? 1 : c->level + 1);
+        }
+        note_store(fn, i, (uint32_t)p);
+    }
+}
+
+void plan_function(CFn *fn)
+{
+    const uint32_t end = fn->flow.n - 1;
+
+    for (uint32_t b = 0; b < end; b++)
+        if (fn->flow.reached[b])
+            count_uses(fn, b);
+    for (uint32_t b = 0; b < end; b++)
+        if (fn->flow.reached[b])
+            choose_copies(fn, b);
+    for (uint32_t b = 0; b < end; b++)
+        if (fn->flow.reached[b])
+            place(fn, b);
+}

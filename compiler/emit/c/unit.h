@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the files of the C emitter share: the unit of C that is being written, and its chapters.
+//
+// Words used throughout: an element is a member of the state vector's struct, `sv->name`; a local is a member of the
+// machine's struct, `m->name`.
+#ifndef SMC_EMIT_C_UNIT_H
+#define SMC_EMIT_C_UNIT_H
+
+#include "compiler/base/buf.h"
+#include "compiler/ir/ir.h"
+
+// ---- names.c ----
+
+typedef struct CNames {
+    const char *prefix;           // tank: of functions
+    const char *type;             // Tank: of types
+    const char *macro;            // TANK: of constants
+    const char *sv_type;          // TankSv
+    const char *sv_macro;         // TANK_SV
+    const char **var;             // by IrMachine.var: the member
+    const char **state;           // by state
+    Map element;                  // name to member (const char *): all elements of the state vector
+} CNames;
+
+// An element of the state vector, whether the machine lists it or not.
+typedef struct CElement {
+    const char *member;
+    SmType type;
+    uint32_t offset;
+    Str name;                     // as in the source
+    Str region;                   // NULL when unknown
+} CElement;
+
+typedef struct CVector {
+    CElement *at;
+    size_t n;
+    uint32_t size, hash;
+    const char *name;             // of the .sv file or the machine
+    bool shared;                  // more than one machine may use it: there is a .sv
+} CVector;
+
+typedef struct CUnit {
+    Arena *arena;
+    const IrMachine *m;
+    CNames names;
+    CVector sv;
+    bool *helper;                 // by stdlib_text: this text of stdlib is needed
+    const char **window;          // by window: its member
+    struct CVarUse *var_use;      // by variable: what the function in hand does with it
+    uint32_t *window_sample;      // by window: where the block in hand gives it its sample
+    uint32_t stamps;              // functions and blocks so far
+    const char *fit;              // the name of the self-test
+} CUnit;
+
+// A C identifier made of any text: `my-tank.v2` gives my_tank_v2.
+const char *c_identifier(Arena *arena, const char *text, size_t len);
+// MyTankV2 and MY_TANK_V2 of my_tank_v2.
+const char *c_type_name(Arena *arena, const char *prefix);
+const char *c_macro_name(Arena *arena, const char *prefix);
+// Whether a member or variable of that name would not compile as C99 or C++11 with the usual headers.
+bool c_is_reserved(const char *name);
+void names_init(CUnit *u, const char *prefix);
+// The members of the vector's elements; sv_type must be set.
+void names_elements(Arena *arena, CNames *names, CVector *sv);
+
+// ---- literal.c ----
+
+// A constant of a type as C writes it; `bits` is its cell.  Infinities and NaN use a helper.
+void literal_put(CUnit *u, Buf *out, SmType type, uint64_t bits);
+
+// ---- helpers.c ----
+
+// Notes that a function of stdlib is used, with all it needs, and gives its name back.
+const char *helper_use(CUnit *u, const char *name);
+// The texts of those in use, except types that the header has; empties the list when `once`.
+void helpers_put(const CUnit *u, Buf *out);
+void helper_type_put(const char *name, Buf *out);
+size_t helper_count(void);
+
+// ---- decl.c ----
+
+void put_vector_struct(const CUnit *u, Buf *out);
+void put_machine_types(const CUnit *u, Buf *out);
+void put_prototypes(const CUnit *u, Buf *out);
+const char *c_type_of(SmType type);        // of a member
+
+// ---- guard.c ----
+
+// What stops a compiler that would change the meaning, and the includes.
+void put_guards(Buf *out, const char *what);
+// The function `NAME_is_fit`, which tries the arithmetic at run time.
+void put_self_test(const CUnit *u, Buf *out);
+
+// ---- code.c ----
+
+// How a block's function is called.
+typedef struct CSignature {
+    bool returns_state;           // it may make a transition: gives the state's number, or 0
+    bool m, sv;                   // which of the two it takes
+} CSignature;
+
+// Writes f as a static C function.  `comment` stands in front of it.
+CSignature put_function(CUnit *u, const IrFn *f, const char *name, const char *comment, Buf *out);
+
+// ---- machine.c ----
+
+void put_machine(CUnit *u, Buf *out);      // the functions of all blocks, then init, step, state and state_name
+
+#endif
