@@ -107,3 +107,13 @@ bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions
 {
     return emit_image(&s->arena, &s->diags, m, n, o->debug, out);
 }
+
+void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)
+{
+    emit_c_machine(&s->arena, m, o, header, code);
+}
+
+void session_emit_c_state_vector(Session *s, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code)
+{
+    emit_c_state_vector(&s->arena, sv, o, header, code);
+}

@@ -4,6 +4,7 @@
 #define SMC_PIPELINE_H
 
 #include "compiler/diag/diag.h"
+#include "compiler/emit/c/emit_c.h"
 #include "compiler/ir/ir.h"
 #include "compiler/script/script.h"
 #include "compiler/sema/check.h"
@@ -41,11 +42,7 @@ Script *session_script(Session *s, const Source *ss, const Program *p);
 typedef struct ImageOptions { bool debug; } ImageOptions;      // debug: with names and lines
 bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out);
 
-typedef struct EmitCOptions {
-    const char *prefix;           // what every name starts with; NULL: the machine's (state vector's) name
-    const char *header;           // how the .c includes its .h, as "tank.h"
-    const char *source;           // the source's name without folders, for comments: outputs carry no path
-} EmitCOptions;
+// C that stands alone (emit_c.h): one machine, or a state vector by itself.
 void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code);
 void session_emit_c_state_vector(Session *s, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code);
 

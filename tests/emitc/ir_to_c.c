@@ -57,7 +57,7 @@ int main(int argc, char **argv)
     buf_init(&header, &arena);
     buf_init(&code, &arena);
     o.prefix = argc > 3 ? argv[3] : NULL;
-    o.header_name = format_in(&arena, "%s.h", last_name(argv[2]));
+    o.header = format_in(&arena, "%s.h", last_name(argv[2]));
     emit_c_machine(&arena, m, &o, &header, &code);
     fclose(f);
     return write_file(argv[2], ".h", &header) || write_file(argv[2], ".c", &code);

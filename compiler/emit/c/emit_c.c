@@ -104,9 +104,20 @@ static void put_header_start(const char *macro, Buf *out)
 
 static void put_header_end(Buf *out) { buf_str(out, "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n"); }
 
-static void put_header(const CUnit *u, Buf *out)
+// The first line of a file.
+static void put_title(const char *what, const char *name, const char *source, Buf *out)
 {
-    buf_printf(out, "// The state machine %s.  Made by smc from %s.sm: change that, not this file.\n", u->m->name->text, u->m->name->text);
+    buf_printf(out, "// The state %s %s.  Made by smc from %s: change that, not this file.\n", what, name, source);
+}
+
+static const char *source_name(Arena *a, const EmitCOptions *o, const char *name, const char *ending)
+{
+    return o && o->source ? o->source : format_in(a, "%s.%s", name, ending);
+}
+
+static void put_header(const CUnit *u, const char *source, Buf *out)
+{
+    put_title("machine", u->m->name->text, source, out);
     put_header_start(u->names.macro, out);
     put_vector_struct(u, out);
     buf_char(out, '\n');
@@ -118,16 +129,16 @@ static void put_header(const CUnit *u, Buf *out)
 
 static const char *header_name(Arena *a, const EmitCOptions *o, const char *name)
 {
-    return o && o->header_name ? o->header_name : format_in(a, "%s.h", name);
+    return o && o->header ? o->header : format_in(a, "%s.h", name);
 }
 
-static void put_code(CUnit *u, const char *header, Buf *out)
+static void put_code(CUnit *u, const char *source, const char *header, Buf *out)
 {
     Buf body;
 
     buf_init(&body, u->arena);
     put_machine(u, &body);
-    buf_printf(out, "// The state machine %s.  Made by smc from %s.sm: change that, not this file.\n", u->m->name->text, u->m->name->text);
+    put_title("machine", u->m->name->text, source, out);
     buf_printf(out, "#include \"%s\"\n\n", header);
     put_guards(out, u->names.prefix);
     buf_char(out, '\n');
@@ -140,11 +151,12 @@ static void put_code(CUnit *u, const char *header, Buf *out)
 
 void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)
 {
+    const char *source = source_name(arena, o, m->name->text, "sm");
     CUnit u;
 
     unit_init(&u, arena, m, prefix_of(arena, o ? o->prefix : NULL, m->name->text), NULL);
-    put_header(&u, header);
-    put_code(&u, header_name(arena, o, m->name->text), code);
+    put_header(&u, source, header);
+    put_code(&u, source, header_name(arena, o, m->name->text), code);
 }
 
 // ---- the state vector alone ----
@@ -159,10 +171,10 @@ void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o
     u.names.sv_type = format_in(arena, "%sSv", c_type_name(arena, prefix));
     u.names.sv_macro = format_in(arena, "%s_SV", c_macro_name(arena, prefix));
     names_elements(arena, &u.names, &u.sv);
-    buf_printf(header, "// The state vector %s.  Made by smc from %s.sv: change that, not this file.\n", sv->name->text, sv->name->text);
+    put_title("vector", sv->name->text, source_name(arena, o, sv->name->text, "sv"), header);
     put_header_start(u.names.sv_macro, header);
     put_vector_struct(&u, header);
     put_header_end(header);
-    buf_printf(code, "// The state vector %s.  Made by smc from %s.sv: change that, not this file.\n", sv->name->text, sv->name->text);
+    put_title("vector", sv->name->text, source_name(arena, o, sv->name->text, "sv"), code);
     buf_printf(code, "#include \"%s\"\n", header_name(arena, o, sv->name->text));
 }

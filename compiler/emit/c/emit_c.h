@@ -9,8 +9,9 @@
 #include "compiler/sema/program.h"
 
 typedef struct EmitCOptions {
-    const char *prefix;           // what names start with; NULL: the machine's (or vector's) name, made an identifier
-    const char *header_name;      // the file name that the code includes; NULL: the machine's (or vector's) name and ".h"
+    const char *prefix;           // what every name starts with; NULL: the machine's (state vector's) name
+    const char *header;           // how the .c includes its .h; NULL: the name and ".h"
+    const char *source;           // the source's name without folders, for comments; NULL: the name and its ending
 } EmitCOptions;
 
 // What is wrong with a prefix, as a sentence for the user; NULL when it is fine: a C identifier that does not start with
