@@ -50,12 +50,17 @@ static const Sign signs[] = {
 };
 
 // Characters that word processors and mathematics put where ASCII has a sign.
-static const struct { uint32_t code; const char *ascii; } lookalikes[] = {
-    {0xa0, " "}, {0x2007, " "}, {0x2009, " "}, {0x202f, " "}, {0x2010, "-"}, {0x2011, "-"}, {0x2012, "-"},
-    {0x2013, "-"}, {0x2014, "-"}, {0x2212, "-"}, {0xd7, "*"}, {0xb7, "*"}, {0x22c5, "*"}, {0x2217, "*"},
-    {0xf7, "/"}, {0x2044, "/"}, {0x2215, "/"}, {0x2264, "<="}, {0x2a7d, "<="}, {0x2265, ">="}, {0x2a7e, ">="},
-    {0x2260, "!="}, {0x2192, "->"}, {0x21d2, "->"}, {0xac, "not "}, {0x2227, " and "}, {0x2228, " or "},
-    {0x37e, ";"}, {0x201a, ","}, {0x2236, ":"}, {0xff1a, ":"}, {0xff1d, "="}};
+static const struct { uint32_t code; const char *ascii; TokenKind kind; } lookalikes[] = {
+    {0xa0, " ", TOK_END}, {0x2007, " ", TOK_END}, {0x2009, " ", TOK_END}, {0x202f, " ", TOK_END},
+    {0x2010, "-", TOK_MINUS}, {0x2011, "-", TOK_MINUS}, {0x2012, "-", TOK_MINUS}, {0x2013, "-", TOK_MINUS},
+    {0x2014, "-", TOK_MINUS}, {0x2212, "-", TOK_MINUS}, {0xd7, "*", TOK_STAR}, {0xb7, "*", TOK_STAR},
+    {0x22c5, "*", TOK_STAR}, {0x2217, "*", TOK_STAR}, {0xf7, "/", TOK_SLASH}, {0x2044, "/", TOK_SLASH},
+    {0x2215, "/", TOK_SLASH}, {0x2264, "<=", TOK_LE}, {0x2a7d, "<=", TOK_LE}, {0x2265, ">=", TOK_GE},
+    {0x2a7e, ">=", TOK_GE}, {0x2260, "!=", TOK_NE}, {0x2192, "->", TOK_ARROW}, {0x21d2, "->", TOK_ARROW},
+    {0xac, "!", TOK_BANG}, {0x2227, " and ", TOK_AND}, {0x2228, " or ", TOK_OR}, {0xff1a, ":", TOK_COLON},
+    {0x2236, ":", TOK_COLON}, {0xff1d, "=", TOK_ASSIGN}, {0xff08, "(", TOK_LPAREN}, {0xff09, ")", TOK_RPAREN}};
+
+enum { NO_LOOKALIKE = sizeof lookalikes / sizeof *lookalikes };
 
 const char *token_name(TokenKind kind)
 {
@@ -132,12 +137,13 @@ static void report_control(Lexer *l, uint32_t at)
         diag_label(l->diags, d, DIAG_label_carriage_return);
 }
 
-static const char *lookalike_of(uint32_t code)
+static size_t lookalike_of(uint32_t code)
 {
-    for (size_t i = 0; i < sizeof lookalikes / sizeof *lookalikes; i++)
-        if (lookalikes[i].code == code)
-            return lookalikes[i].ascii;
-    return NULL;
+    size_t i = 0;
+
+    while (i < NO_LOOKALIKE && lookalikes[i].code != code)
+        i++;
+    return i;
 }
 
 static bool is_quote(uint32_t code)
@@ -149,7 +155,8 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
 {
     const char *shown = utf8_is_hidden(code) || code == 0xa0 ? format_in(l->diags->arena, "U+%04X", (unsigned)code)
                                                               : text_of(l, at, at + len);
-    const char *ascii = lookalike_of(code);
+    size_t like = lookalike_of(code);
+    const char *ascii = like < NO_LOOKALIKE ? lookalikes[like].ascii : NULL;
     Diag *d;
 
     if (!ascii && !first_on_line(l))
@@ -259,7 +266,7 @@ static size_t other_letter(const Lexer *l, uint32_t p)
     uint32_t code = 0;
     size_t len = utf8_decode(l->src->text + p, l->src->len - p, &code);
 
-    return len > 1 && !lookalike_of(code) && !is_quote(code) ? len : 0;
+    return len > 1 && lookalike_of(code) == NO_LOOKALIKE && !is_quote(code) ? len : 0;
 }
 
 static void lex_word(Lexer *l, Token *t)
@@ -345,7 +352,7 @@ static void lex_number(Lexer *l, Token *t)
     finish(l, t, TOK_NUMBER, runs_on ? report_run_on(l, l->at, end) : end);
 }
 
-static bool is_header_name(const char *s, size_t n)
+bool lex_is_header_name(const char *s, size_t n)
 {
     for (size_t i = 0; i < n; i++)
         if (!is_word(s[i]) && s[i] != '/')
@@ -375,7 +382,7 @@ static void report_header(Lexer *l, uint32_t from, uint32_t end, Str name)
     Span whole = span_at(l, l->at, end + 1 - l->at);
     Diag *d = diag_report(l->diags, DIAG_header_name, span_at(l, from, end - from), text_of(l, l->at, end + 1));
 
-    if (is_header_name(name->text, name->len)) {
+    if (lex_is_header_name(name->text, name->len)) {
         const char *fixed = format_in(l->diags->arena, "[%s]", name->text);
         diag_label(l->diags, d, DIAG_label_write, fixed);
         diag_edit(l->diags, d, whole, fixed);
@@ -398,7 +405,7 @@ static void lex_header(Lexer *l, Token *t)
     while (from < to && (s[from] == ' ' || s[from] == '\t'))
         from++;
     t->text = str_intern(l->strings, s + from, to - from);
-    if (!is_header_name(s + l->at + 1, end - l->at - 1))
+    if (!lex_is_header_name(s + l->at + 1, end - l->at - 1))
         report_header(l, l->at + 1, end, t->text);
     finish(l, t, TOK_HEADER, end + 1);
 }
@@ -490,6 +497,20 @@ static void skip_semicolon(Lexer *l)
     }
 }
 
+// What looks like a sign is taken for it; a blank, or a byte that is not UTF-8, is skipped.
+static bool lex_lookalike(Lexer *l, Token *t, uint32_t code)
+{
+    size_t like = lookalike_of(code);
+    uint32_t len = report_byte(l, l->at);
+
+    if (like == NO_LOOKALIKE || lookalikes[like].kind == TOK_END) {
+        l->at += len;
+        return false;
+    }
+    finish(l, t, lookalikes[like].kind, l->at + len);
+    return true;
+}
+
 // Something that begins no token.  True if it gave one all the same.
 static bool lex_stray(Lexer *l, Token *t)
 {
@@ -501,14 +522,12 @@ static bool lex_stray(Lexer *l, Token *t)
         lex_string(l, t, (uint32_t)len);
         return true;
     }
-    if (c >= 0x80) {
-        if (other_letter(l, l->at)) {
-            lex_word(l, t);
-            return true;
-        }
-        l->at += report_byte(l, l->at);
-        return false;
+    if (other_letter(l, l->at)) {
+        lex_word(l, t);
+        return true;
     }
+    if (c >= 0x80)
+        return lex_lookalike(l, t, code);
     if (c < 0x20 || c == 0x7f)
         report_control(l, l->at);
     else if (first_on_line(l))

@@ -54,6 +54,8 @@ const char *token_name(TokenKind kind);
 
 bool lex_is_reserved(const Lexer *l, Str word, TokenKind *kind);
 
+bool lex_is_header_name(const char *s, size_t n);
+
 bool is_letter(char c);                     // A-Z a-z _
 bool is_digit(char c);
 bool is_identifier(const char *s, size_t n);

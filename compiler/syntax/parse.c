@@ -214,16 +214,21 @@ static void parse_labelled(Parser *p, AstSection *s)
     parse_block(p, b ? &b->stmts : &ignored);
 }
 
-// Statements (or what else there may be) between a header and the first label.
+// Statements (or what else there may be) between a header and the first label.  If they are wrong in themselves, that is
+// said first.
 static void parse_unlabelled(Parser *p, AstSection *s)
 {
     AstStmts ignored = {0};
+    size_t errors = p->diags->errors;
+    Span here = parser_here(p);
 
     p->failed = false;
-    if (p->tok.kind != TOK_TYPE && p->tok.kind != TOK_ERROR && p->tok.kind != TOK_RBRACE)
-        parser_report(p, DIAG_code_before_label, parser_here(p), s->name->text);
-    if (!p->tok.first)
+    if (p->tok.first)
+        parse_block(p, &ignored);
+    else
         skip_line(p);
+    if (p->diags->errors == errors)
+        parser_report(p, DIAG_code_before_label, here, s->name->text);
     parse_block(p, &ignored);
 }
 
@@ -288,7 +293,7 @@ static void check_state_name(Parser *p, const AstSection *s)
 {
     TokenKind reserved;
 
-    if (s->name->len == 0)                              // reported as a header
+    if (!lex_is_header_name(s->name->text, s->name->len))             // reported as a header
         return;
     if (lex_is_reserved(&p->lex, s->name, &reserved))
         parser_report(p, DIAG_state_name_reserved, s->name_span, s->name->text);

@@ -200,6 +200,8 @@ static bool ends_decl(const Parser *p, const AstSection *s)
 // Something more stands behind a declaration.
 static void slip_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
 {
+    if (slip_decimal_comma(p))
+        return;
     if (p->tok.kind == TOK_ASSIGN && s->kind != AST_LOCAL)
         parser_fail(p, DIAG_element_with_value, parser_here(p), d->name->text);
     else if (p->tok.kind == TOK_COMMA)

@@ -150,6 +150,8 @@ static AstExpr *missing_value(Parser *p)
         parser_next(p);
         return e;
     }
+    if (slip_unit_step(p))
+        return e;
     d = parser_fail(p, DIAG_expected_value, p->tok.first ? parser_gap(p) : parser_here(p),
                     parser_text(p, parser_span(p, &p->last)), parser_found(p));
     if (p->tok.first && p->tok.kind != TOK_END && p->last.kind != TOK_ASSIGN)

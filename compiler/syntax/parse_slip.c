@@ -65,10 +65,27 @@ void slip_infix(Parser *p)
     }
     if (p->tok.kind != TOK_ASSIGN || (!p->is_guard && p->parens == 0))
         return;
+    if (p->last.first && p->parens)                    // a new statement: the parenthesis before was never closed
+        return;
     d = parser_report(p, DIAG_assign_in_guard, parser_here(p));
     diag_label(p->diags, d, DIAG_label_write, "==");
     diag_edit(p->diags, d, parser_here(p), "==");
     p->tok.kind = TOK_EQ;
+}
+
+bool slip_unit_step(Parser *p)
+{
+    const char *text = p->lex.src->text;
+    uint32_t at = p->last.at;
+    char sign[2] = "?";
+    Diag *d;
+
+    if ((p->last.kind != TOK_PLUS && p->last.kind != TOK_MINUS) || at == 0 || text[at - 1] != text[at] || !p->tok.first)
+        return false;
+    sign[0] = text[at];
+    d = parser_fail(p, DIAG_op_assign, (Span){p->lex.src, at - 1, 2}, format_in(p->arena, "%s%s", sign, sign));
+    diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "x = x %s 1", sign));
+    return true;
 }
 
 static bool touches(const Token *a, const Token *b) { return a->at + a->len == b->at; }
@@ -107,7 +124,7 @@ void slip_equality_chain(Parser *p, const AstExpr *e)
 // ---- where a statement should end ----
 
 // 3,14
-static bool decimal_comma(Parser *p)
+bool slip_decimal_comma(Parser *p)
 {
     Diag *d;
 
@@ -122,10 +139,10 @@ static bool decimal_comma(Parser *p)
     return true;
 }
 
-// x++ and x--: the second sign waits for a value that does not come.
+// T > 5 ms
 static bool unit_after_number(const Parser *p)
 {
-    return p->last.kind == TOK_NUMBER && p->tok.kind == TOK_NAME;
+    return p->last.kind == TOK_NUMBER && p->tok.kind == TOK_NAME && (p->ahead.first || p->ahead.kind == TOK_COLON);
 }
 
 void slip_at_end(Parser *p)
@@ -136,7 +153,7 @@ void slip_at_end(Parser *p)
         p->failed = true;
         return;
     }
-    if (decimal_comma(p))
+    if (slip_decimal_comma(p))
         return;
     if (p->tok.kind == TOK_RPAREN) {
         parser_fail(p, DIAG_stray_paren, parser_here(p));
@@ -200,7 +217,6 @@ static void assign_to_expression(Parser *p, const AstExpr *e)
     }
 }
 
-// x - -: a second sign where a line ends, as other languages count down.
 static void no_effect(Parser *p, const AstExpr *e)
 {
     Diag *d;

@@ -67,6 +67,8 @@ void skip_line(Parser *p);                              // to the next line, hea
 
 void slip_prefix(Parser *p);                            // NOT x
 void slip_infix(Parser *p);                             // x AND y, x = y in a guard
+bool slip_unit_step(Parser *p);                         // x++ where a value is missing; true when reported
+bool slip_decimal_comma(Parser *p);                     // 3,14 at the comma; true when reported
 void slip_after_name(Parser *p, const AstExpr *name);   // tank.pressure, a[3]
 void slip_equality_chain(Parser *p, const AstExpr *e);  // a == b == c
 // A statement is complete, yet something follows on its line.  Reports it.
