@@ -31,7 +31,6 @@ void session_init(Session *s, SmcAllocFn alloc, void *context, jmp_buf *oom);
 void session_free(Session *s);
 
 // Each gives NULL when there were errors, which are then in s->diags.
-void session_print_tokens(Session *s, const Source *src, FileKind kind, Buf *out);       // --emit=tokens
 AstFile *session_parse(Session *s, const Source *src, FileKind kind);
 StateVec *session_state_vector(Session *s, const Source *sv);
 Program *session_program(Session *s, const MachineInput *in);

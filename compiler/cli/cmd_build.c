@@ -5,7 +5,7 @@
 #include "compiler/analysis/analysis.h"
 #include "compiler/cli/cli.h"
 #include "compiler/passes/pass.h"
-#include "compiler/syntax/lex.h"
+#include "compiler/syntax/parse.h"
 
 typedef enum Emit { EMIT_BYTECODE, EMIT_C, EMIT_IR, EMIT_AST, EMIT_TOKENS, EMIT_COUNT } Emit;
 
@@ -69,7 +69,7 @@ static int emit_tokens_or_ast(Cli *c, Emit emit, Outputs *o)
         if ((src = cli_load(c, c->file[i])) == NULL)
             return EXIT_ENVIRONMENT;
         if (emit == EMIT_TOKENS)
-            session_print_tokens(&c->session, src, kind, out);
+            lex_print(&c->session.arena, src, out);
         else {
             AstFile *f = session_parse(&c->session, src, kind);
             if (f)
@@ -293,7 +293,7 @@ static int build(Cli *c, Emit emit, bool state_vectors, Outputs *o)
 
 int cmd_build(Cli *c)
 {
-    bool state_vectors, wants_deps = c->given[OPT_DEPS] || c->given[OPT_DEPS_FILE];
+    bool state_vectors = false, wants_deps = c->given[OPT_DEPS] || c->given[OPT_DEPS_FILE];
     Outputs o = {NULL, 0};
     Emit emit;
     int code, reported;

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The smc command: finds the subcommand, reads its options, runs it.  Out of memory anywhere lands here.
+#include <stdio.h>
+#include <string.h>
+
+#include "compiler/cli/cli.h"
+#include "compiler/version.h"
+
+static const Command commands[] = {
+#define COMMAND(name, synopsis, sentence) {#name, synopsis, sentence, cmd_##name},
+#include "compiler/cli/commands.def"
+#undef COMMAND
+};
+
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+static void general_help(Buf *out)
+{
+    buf_str(out, "smc - state machines for rockets: checks them, tests them, compiles them to C and bytecode\n\nUsage:\n");
+    for (size_t i = 0; i < COMMANDS; i++)
+        buf_printf(out, "  smc %s\n      %s\n", commands[i].synopsis, commands[i].sentence);
+    buf_str(out, "\n'smc COMMAND --help' lists a command's options.\n");
+}
+
+static const Command *find_command(Cli *c, const char *name)
+{
+    const char *names[COMMANDS], *near;
+
+    for (size_t i = 0; i < COMMANDS; i++) {
+        names[i] = commands[i].name;
+        if (strcmp(name, names[i]) == 0)
+            return &commands[i];
+    }
+    near = nearest_name(name, names, COMMANDS);
+    if (near)
+        cli_usage(c, "unknown command '%s'; did you mean '%s'?", name, near);
+    else
+        cli_usage(c, "unknown command '%s'", name);
+    return NULL;
+}
+
+static int print(Cli *c, int fd, const Buf *text, int code)
+{
+    return cli_print(c, fd, text) ? code : EXIT_ENVIRONMENT;
+}
+
+static int run_command(Cli *c, int argc, char **argv)
+{
+    Buf out;
+
+    buf_init(&out, &c->session.arena);
+    if ((c->command = find_command(c, argv[1])) == NULL || !options_parse(c, argc - 2, argv + 2))
+        return EXIT_USAGE;
+    if (c->given[OPT_VERSION]) {
+        buf_str(&out, "smc " SMC_VERSION "\n");
+        return print(c, 1, &out, EXIT_OK);
+    }
+    if (c->given[OPT_HELP]) {
+        buf_printf(&out, "Usage: smc %s\n  %s\n\nOptions:\n", c->command->synopsis, c->command->sentence);
+        options_help(c->command, &out);
+        return print(c, 1, &out, EXIT_OK);
+    }
+    return c->command->run(c);
+}
+
+static int dispatch(Cli *c, int argc, char **argv)
+{
+    Buf out;
+
+    buf_init(&out, &c->session.arena);
+    if (argc < 2) {
+        general_help(&out);
+        return print(c, 2, &out, EXIT_USAGE);
+    }
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
+        general_help(&out);
+        return print(c, 1, &out, EXIT_OK);
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        buf_str(&out, "smc " SMC_VERSION "\n");
+        return print(c, 1, &out, EXIT_OK);
+    }
+    if (argv[1][0] == '-')
+        return cli_usage(c, "unknown option '%s'; a command comes first, as in 'smc check tank.sm'", argv[1]);
+    return run_command(c, argc, argv);
+}
+
+int main(int argc, char **argv)
+{
+    static Cli cli;           // survives the longjmp
+    jmp_buf oom;
+    int code;
+
+    if (setjmp(oom) != 0) {
+        fputs("smc: out of memory\n", stderr);
+        session_free(&cli.session);
+        return EXIT_ENVIRONMENT;
+    }
+    session_init(&cli.session, os_alloc, NULL, &oom);
+    code = dispatch(&cli, argc, argv);
+    session_free(&cli.session);
+    return code;
+}
