@@ -15,16 +15,12 @@ static void put_token(const Source *src, const Token *t, Buf *out)
     buf_char(out, '\n');
 }
 
-void lex_print(Arena *arena, const Source *src, Buf *out)
+void lex_print(Arena *arena, StrPool *strings, Diags *diags, const Source *src, Buf *out)
 {
-    StrPool strings;
-    Diags diags;
     Lexer l;
     Token t;
 
-    str_pool_init(&strings, arena);
-    diags_init(&diags, arena);
-    lex_init(&l, arena, &strings, &diags, src);
+    lex_init(&l, arena, strings, diags, src);
     l.keep_comments = true;
     do {
         lex_next(&l, &t);
