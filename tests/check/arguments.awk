@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+# The {} of every diagnostic text get as many arguments where it is reported: the C compiler cannot count them.
+# Input: codes.def, then the names of the source files, one a line.
+
+function complain(what) {
+    print what
+    bad++
+}
+
+function count_holes(text,    n) {
+    n = 0
+    while (sub(/\{\}/, "", text))
+        n++
+    return n
+}
+
+# codes.def: the message stands between the fourth comma and the page, on the row's first or second line.
+FILENAME ~ /codes\.def$/ && /^DIAG_NOTE_TEXT\("?/ {
+    name = $0
+    sub(/^DIAG_NOTE_TEXT\(/, "", name)
+    sub(/,.*/, "", name)
+    holes[name] = count_holes($0)
+    next
+}
+FILENAME ~ /codes\.def$/ && /^DIAG\("/ {
+    name = $2
+    sub(/,$/, "", name)
+    holes[name] = count_holes($0)
+    spans[name] = 1
+    waiting = $0 !~ /"[^"]*",$/ || $0 ~ /(NULL|"[a-z-]*"),$/
+    next
+}
+FILENAME ~ /codes\.def$/ && waiting {
+    holes[name] = count_holes($0)
+    waiting = 0
+}
+
+# Blanks out strings and comments of a line, so that their commas and brackets do not count.
+function plain(line) {
+    gsub(/\\\\/, "", line)
+    gsub(/\\"/, "", line)
+    gsub(/"[^"]*"/, "S", line)
+    gsub(/'[^']*'/, "C", line)
+    sub(/\/\/.*/, "", line)
+    return line
+}
+
+# `text` begins behind the ( of a call.  Splits it into arguments, up to the ) that closes it.
+function split_arguments(text, out,    i, c, depth, n) {
+    n = 1
+    out[1] = ""
+    depth = 0
+    for (i = 1; i <= length(text); i++) {
+        c = substr(text, i, 1)
+        if (c == ")" && depth == 0)
+            return n
+        depth += (c ~ /[({[]/) - (c ~ /[)}\]]/)
+        if (c == "," && depth == 0)
+            out[++n] = ""
+        else
+            out[n] = out[n] c
+    }
+    return n
+}
+
+function check_code(file, code, arguments) {
+    if (!(code in holes))
+        return
+    seen++
+    if (arguments - (code in spans) != holes[code])
+        complain(file ": DIAG_" code " has " holes[code] " {}, and is given " arguments - (code in spans) " arguments")
+}
+
+function check_call(file, text,    n, i, part, rest) {
+    n = split_arguments(text, part)
+    for (i = 1; i <= n; i++) {
+        rest = part[i]
+        while (match(rest, /(^|[^A-Za-z0-9_])DIAG_[a-z][a-z0-9_]*/)) {
+            code = substr(rest, RSTART, RLENGTH)
+            sub(/.*DIAG_/, "", code)
+            check_code(file, code, n - i)
+            rest = substr(rest, RSTART + RLENGTH)
+        }
+    }
+}
+
+FILENAME !~ /codes\.def$/ {
+    text = ""
+    while ((getline line < $0) > 0)
+        text = text " " plain(line)
+    close($0)
+    while (match(text, /(diag_report|diag_note|diag_label|parser_report|parser_fail|lex_report|slip_report)\(/)) {
+        text = substr(text, RSTART + RLENGTH)
+        check_call($0, substr(text, 1, 600))
+    }
+}
+
+END {
+    print seen - bad " passed, " bad + (seen == 0) " failed"
+    exit bad > 0 || seen == 0
+}
