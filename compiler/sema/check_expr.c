@@ -111,9 +111,16 @@ static bool is_relation(const AstExpr *e)
     return e->kind == AST_BINARY && class_of(e) == SM_CLASS_RELATION;
 }
 
-static const char *source_text(Sema *s, Span span)
+// A piece of the source for a message: one line, and no more of it than can be read.
+static const char *quote(Sema *s, Span span)
 {
-    return format_in(s->arena, "%.*s", (int)span.len, span.src->text + span.at);
+    enum { LONGEST = 60 };
+    const char *text = span.src->text + span.at;
+    uint32_t n = 0;
+
+    while (n < span.len && n < LONGEST && text[n] != '\n' && text[n] != '#')
+        n++;
+    return format_in(s->arena, "%.*s%s", (int)n, text, n < span.len ? " ..." : "");
 }
 
 static Span span_between(uint32_t from, Span to)
@@ -125,9 +132,7 @@ static Span span_between(uint32_t from, Span to)
 // `not a == b` is `(not a) == b`, and rarely meant: both readings are shown (language.md 3.13).
 static void warn_of_not(Sema *s, const AstExpr *whole)
 {
-    enum { LONGEST = 60 };                      // of what is worth quoting
     const AstExpr *left = whole;
-    Span rest;
     Diag *d;
 
     while (left->kind == AST_BINARY)
@@ -135,12 +140,9 @@ static void warn_of_not(Sema *s, const AstExpr *whole)
     if (left->kind != AST_UNARY || left->op != SM_OP_NOT)
         return;
     d = diag_report(s->diags, DIAG_not_binds_tight, left->span);
-    rest = span_between(left->a->span.at, whole->span);
-    if (whole->span.len > LONGEST)
-        return;
-    diag_note(s->diags, d, (Span){0}, DIAG_note_not_as_written, source_text(s, left->a->span),
-              source_text(s, span_between(left->span.at + left->span.len, whole->span)));
-    diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, source_text(s, rest));
+    diag_note(s->diags, d, (Span){0}, DIAG_note_not_as_written, quote(s, left->a->span),
+              quote(s, span_between(left->span.at + left->span.len, whole->span)));
+    diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, quote(s, span_between(left->a->span.at, whole->span)));
 }
 
 static void look_for_not(Sema *s, const AstExpr *e)

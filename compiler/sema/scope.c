@@ -149,6 +149,8 @@ State *scope_find_state(Sema *s, Str name, Span span)
     for (size_t i = 0; i < s->p->state.n; i++)
         guess_try(&g, s->p->state.at[i]->name);
     guess_label(s->diags, d, &g);
+    if (g.best)
+        diag_note(s->diags, d, ((State *)map_find(&s->p->state_by_name, g.best))->span, DIAG_note_declared_here, g.best->text);
     return NULL;
 }
 
