@@ -4,6 +4,7 @@
 # line "N passed, N failed" or "N passed, N failed, N skipped", anything before it on that line ignored.
 # Exit 1 if anything failed, or with STRICT=1 if anything was skipped.
 passed=0 failed=0 skipped=0
+unset MAKEFLAGS MFLAGS MAKELEVEL      # a make among the commands is a make of its own
 out=${TMPDIR:-/tmp}/smc-test.$$
 trap 'rm -f "$out"' EXIT
 trap 'exit 130' INT TERM
@@ -13,7 +14,7 @@ while IFS= read -r line; do
     name=${line%%: *} command=${line#*: }
     sh -c "$command" >"$out" 2>&1 </dev/null
     code=$?
-    last=$(tail -n 1 "$out")
+    last=$(grep '[0-9] passed, [0-9]* failed' "$out" | tail -n 1)
     p=$(printf '%s\n' "$last" | sed -n 's/^\(.*[^0-9]\)\{0,1\}\([0-9][0-9]*\) passed, [0-9][0-9]* failed.*/\2/p')
     f=$(printf '%s\n' "$last" | sed -n 's/.* passed, \([0-9][0-9]*\) failed.*/\1/p')
     s=$(printf '%s\n' "$last" | sed -n 's/.* failed, \([0-9][0-9]*\) skipped.*/\1/p')
