@@ -15,5 +15,5 @@ U8 n
 [options]
 delta_t 5
 [Idle]
-true: @assert max(p, q) + n == p + 8 or roll_max(n, 3) > 250  #! E0750 p = 0.30000000000000004, q = 0, max(p, q) = 0.30000000000000004, n = 7, max(p, q) + n = 7.3, p + 8 = 8.3, roll_max(n, 3) = 0
+true: @assert max(p, 1) + n == p + 8 or roll_max(q, 3) > 250  #! E0750 p = 0.30000000000000004, max(p, 1) = 1, n = 7, max(p, 1) + n = 8, p + 8 = 8.3, roll_max(q, 3) = 0
 true: @stop
