@@ -125,7 +125,7 @@ static int compile_machine(MachineTest *m, const char *path)
 static int open_engines(MachineTest *m)
 {
     TestRun *t = m->t;
-    unsigned which = t->engines ? t->engines : 1u << ENGINE_VM;
+    unsigned which = t->engines ? t->engines : engines_default();
 
     if (t->engines == engines_named("all"))
         which &= engines_present();

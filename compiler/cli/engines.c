@@ -44,6 +44,11 @@ static Engine *open_vm(Session *s, const Program *p, int opt_level, const char *
     return NULL;
 }
 
+unsigned engines_default(void)
+{
+    return engines_present() & 1u << ENGINE_VM ? 1u << ENGINE_VM : 1u << ENGINE_REF;
+}
+
 static Engine *open_one(EngineKind kind, Session *s, const Program *p, int opt_level, const char **error)
 {
     switch (kind) {

@@ -22,6 +22,7 @@ typedef struct EngineSet {
 unsigned engines_named(const char *name);             // a bit of 1u << kind each; "all"; 0 when unknown
 unsigned engines_in_list(const char *list);           // those of a header's `on ref vm c`; others are left out
 unsigned engines_present(void);                       // those that can run here
+unsigned engines_default(void);                       // what runs a script when nothing is said: the VM
 bool engines_open(EngineSet *set, Session *s, const Program *p, unsigned which, int opt_level);
 void engines_close(EngineSet *set);
 
