@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random programs that are valid by construction, as trees that can be printed, changed and made smaller, and the inputs
+// they are run with.  Everything about a case follows from its seed.
+//
+// The trees are this generator's own, as is the printing: nothing here shares code with the parser it feeds.
+#ifndef SM_DIFF_GEN_H
+#define SM_DIFF_GEN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "compiler/base/arena.h"
+#include "compiler/base/buf.h"
+#include "compiler/base/vec.h"
+#include "stdlib/types.h"
+
+// ---- random numbers ----
+
+typedef struct Rng { uint64_t state; } Rng;
+
+uint64_t rng_mix(uint64_t a, uint64_t b);             // a number that depends on both and looks random
+uint64_t rng_u64(Rng *r);
+uint32_t rng_below(Rng *r, uint32_t n);               // 0 … n - 1
+bool rng_percent(Rng *r, uint32_t percent);
+
+// ---- the program ----
+
+typedef struct GVar {
+    uint32_t id;              // stays when others are removed: inputs hang on it
+    SmType type;
+    const char *name;
+    const char *alias;        // or NULL
+    const char *old_name, *old_alias;         // before a change
+    bool is_local;
+    bool read_only;
+    bool outside;             // the test writes it between steps
+    uint32_t region;          // element: its region in the .sv
+    bool listed;              // element: the machine lists it; others only fill the .sv
+    bool removed;             // by the reducer
+    uint32_t roll_size;       // local: its value, where it may stand in the size of a window; else 0
+    struct GExpr *init;       // local
+} GVar;
+
+typedef enum GExprKind { G_NUMBER, G_VAR, G_TIME, G_UNARY, G_BINARY, G_CHAIN, G_CALL, G_ROLL } GExprKind;
+
+typedef struct GExpr GExpr;
+struct GExpr {
+    GExprKind kind;
+    const char *text;         // NUMBER
+    GVar *var;                // VAR
+    bool by_alias;            // VAR
+    SmOperator op;            // UNARY, BINARY
+    SmOperator ops[4];        // CHAIN
+    SmBuiltin fn;             // CALL, ROLL: arg[1] is the size
+    uint32_t n;
+    GExpr *arg[5];
+};
+
+typedef struct GStmt GStmt;
+typedef VEC(GStmt *) GStmts;
+typedef enum GStmtKind { G_ASSIGN, G_IF, G_GOTO } GStmtKind;
+
+struct GStmt {
+    GStmtKind kind;
+    GVar *var;                // ASSIGN
+    bool by_alias;
+    GExpr *value;             // ASSIGN, IF
+    GStmts then, otherwise;   // IF
+    bool has_else;
+    struct GState *target;    // GOTO
+};
+
+typedef struct GState {
+    const char *name, *old_name;
+    GStmts block[3];          // entry, step, exit
+    bool present[3];
+    bool removed;
+} GState;
+
+enum { GEN_REGIONS_MAX = 4, GEN_STEPS_MAX = 1000 };
+
+typedef struct Gen {
+    Arena *arena;
+    uint64_t seed;
+    Rng rng;                          // while generating
+    uint32_t mood;                    // what numbers it likes
+    bool with_sv;                     // the elements stand in a .sv of their own
+    uint32_t regions;
+    const char *region_name[GEN_REGIONS_MAX];
+    const char *machine_name;         // the file's stem
+    VEC(GVar *) var;                  // in order of declaration; var.at[0] is G, var.at[1] is S, wherever they stand
+    VEC(GVar *) order;                // the elements as the machine lists them, then the locals
+    VEC(GVar *) sv_order;             // the elements as the .sv declares them
+    VEC(GState *) state;
+    VEC(const char *) used_name;
+    uint64_t layout, old_layout;      // blanks, comments, braces: another one is the same program
+    uint32_t steps;
+    bool skip[GEN_STEPS_MAX];         // steps that the reducer left out
+    uint64_t now[GEN_STEPS_MAX];      // G before each step
+    uint32_t first_state;             // index
+    uint32_t states;                  // as generated
+    bool plain;                       // printed without whims
+} Gen;
+
+Gen *gen_program(Arena *arena, uint64_t seed, uint32_t steps);
+const char *gen_new_name(Gen *g);     // not used yet
+void gen_random_state(Gen *g, GState *s);     // fills its blocks
+
+uint32_t gen_state_number(const Gen *g, uint32_t index);      // as the compiler will number it
+void gen_plan_time(Gen *g);           // fills `now`
+
+void gen_print_sv(Gen *g, Buf *out);
+void gen_print_sm(Gen *g, Buf *out);
+
+// ---- inputs ----
+
+typedef struct GInput { GVar *var; uint64_t cell; } GInput;
+
+// What the test writes before step k; G is among it.  Gives how many; `out` has room for every variable.
+uint32_t gen_inputs(const Gen *g, uint32_t k, GInput *out);
+// Whether the machine is set up anew before step k, and in which state (an index into `state`).
+bool gen_restarts(const Gen *g, uint32_t k, uint32_t *state);
+
+// A cell that a type likes: ends of ranges, zeros, NaN, infinities, small and random ones.
+uint64_t gen_cell(Rng *r, SmType type, uint32_t mood);
+const char *gen_number(Arena *arena, Rng *r, uint32_t mood);
+
+// ---- changes that must not change a trace ----
+
+typedef enum GChange { CHANGE_NAMES, CHANGE_LAYOUT, CHANGE_DEAD_STATE, CHANGE_COUNT } GChange;
+extern const char *const gen_change_name[CHANGE_COUNT];
+void gen_change(Gen *g, GChange what);
+void gen_change_back(Gen *g);         // undoes the last change
+
+#endif

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: Apache-2.0
+// Program tree to text, in any of the ways in which the grammar lets it be written: colon or braces, `if` or not, on one
+// line or several, with needless parentheses, comments and blanks.  What is drawn here never changes what the text means.
+#include "tests/diff/gen.h"
+
+#include <string.h>
+
+typedef struct Printer {
+    Gen *g;
+    Buf *out;
+    Rng rng;
+    uint32_t indent;
+    uint32_t parens;          // inside so many ( )
+    bool crlf;
+} Printer;
+
+static bool chance(Printer *p, uint32_t percent) { return rng_percent(&p->rng, percent) && !p->g->plain; }
+
+static void put(Printer *p, const char *text) { buf_str(p->out, text); }
+
+static void comment(Printer *p)
+{
+    static const char *const text[] = { "", " a comment", " x = 1 }", " -> Nowhere", " 20 \xC2\xB0" "C", "# [no] \"header\" {" };
+    put(p, "#");
+    put(p, text[rng_below(&p->rng, sizeof text / sizeof *text)]);
+}
+
+static void line_end(Printer *p)
+{
+    if (chance(p, 6)) {
+        put(p, "  ");
+        comment(p);
+    }
+    put(p, p->crlf ? "\r\n" : "\n");
+    if (chance(p, 5))
+        put(p, p->crlf ? "\t\r\n" : "\n");
+}
+
+static void margin(Printer *p)
+{
+    if (chance(p, 4))
+        return;
+    for (uint32_t i = 0; i < p->indent; i++)
+        put(p, chance(p, 3) ? "\t" : "    ");
+}
+
+// Between two tokens: a blank most of the time; inside parentheses a line end too.
+static void gap(Printer *p)
+{
+    if (p->parens > 0 && chance(p, 2)) {
+        line_end(p);
+        return;
+    }
+    if (!chance(p, 15) || p->g->plain)
+        put(p, chance(p, 5) ? "  " : " ");
+}
+
+// ---- expressions ----
+
+// The levels of the language reference, tightest last: or, and, equality, relation, sum, product, sign.
+static int level_of(const GExpr *e)
+{
+    if (e->kind == G_NUMBER)
+        return e->text[0] == '-' ? 7 : 8;
+    if (e->kind == G_CHAIN)
+        return 4;
+    if (e->kind == G_UNARY)
+        return 7;
+    if (e->kind != G_BINARY)
+        return 8;
+    switch (e->op) {
+    case SM_OP_OR: return 1;
+    case SM_OP_AND: return 2;
+    case SM_OP_EQ: case SM_OP_NE: return 3;
+    case SM_OP_LT: case SM_OP_LE: case SM_OP_GT: case SM_OP_GE: return 4;
+    case SM_OP_ADD: case SM_OP_SUB: return 5;
+    case SM_OP_MUL: case SM_OP_DIV: return 6;
+    case SM_OP_NOT: case SM_OP_NEG: case SM_OP_PLUS: case SM_OP_COUNT: break;
+    }
+    return 8;
+}
+
+static const char *op_text(Printer *p, SmOperator op)
+{
+    static const char *const text[SM_OP_COUNT] = { "or", "and", "==", "!=", "<", "<=", ">", ">=", "+", "-", "*", "/", "not ", "-", "+" };
+    return op == SM_OP_NOT && chance(p, 30) ? "!" : text[op];
+}
+
+static void print_expr(Printer *p, const GExpr *e, int at_least);
+
+static void print_binary_op(Printer *p, SmOperator op)
+{
+    const bool word = op == SM_OP_OR || op == SM_OP_AND;
+    if (word)
+        put(p, " ");
+    gap(p);
+    put(p, op_text(p, op));
+    if (word)
+        put(p, " ");
+    gap(p);
+}
+
+// Operators of one level go from left to right, so that the right operand needs a tighter level.  Relations and equality
+// must not meet their own level on the left either: it would be a chain.
+static void print_binary(Printer *p, const GExpr *e)
+{
+    const int level = level_of(e);
+    print_expr(p, e->arg[0], level == 3 || level == 4 ? level + 1 : level);
+    print_binary_op(p, e->op);
+    print_expr(p, e->arg[1], level + 1);
+}
+
+static void print_chain(Printer *p, const GExpr *e)
+{
+    print_expr(p, e->arg[0], 5);
+    for (uint32_t i = 1; i < e->n; i++) {
+        print_binary_op(p, e->ops[i - 1]);
+        print_expr(p, e->arg[i], 5);
+    }
+}
+
+static void print_call(Printer *p, const GExpr *e)
+{
+    put(p, sm_builtin_info[e->fn].name);
+    if (chance(p, 3))
+        put(p, " ");
+    put(p, "(");
+    p->parens++;
+    for (uint32_t i = 0; i < e->n; i++) {
+        if (i > 0) {
+            put(p, ",");
+            gap(p);
+        }
+        print_expr(p, e->arg[i], 1);
+    }
+    p->parens--;
+    put(p, ")");
+}
+
+static void print_bare(Printer *p, const GExpr *e)
+{
+    switch (e->kind) {
+    case G_NUMBER: put(p, e->text); break;
+    case G_VAR: put(p, e->by_alias && e->var->alias != NULL ? e->var->alias : e->var->name); break;
+    case G_TIME: put(p, "T"); break;
+    case G_UNARY: put(p, op_text(p, e->op)); print_expr(p, e->arg[0], 7); break;
+    case G_BINARY: print_binary(p, e); break;
+    case G_CHAIN: print_chain(p, e); break;
+    case G_CALL: case G_ROLL: print_call(p, e); break;
+    }
+}
+
+static void print_expr(Printer *p, const GExpr *e, int at_least)
+{
+    const bool parens = level_of(e) < at_least || chance(p, 6);
+    if (!parens) {
+        print_bare(p, e);
+        return;
+    }
+    put(p, "(");
+    p->parens++;
+    gap(p);
+    print_bare(p, e);
+    gap(p);
+    p->parens--;
+    put(p, ")");
+}
+
+// ---- statements ----
+
+static void print_stmt(Printer *p, const GStmt *s);
+
+static void print_stmts(Printer *p, const GStmts *list)
+{
+    for (size_t i = 0; i < list->n; i++) {
+        margin(p);
+        print_stmt(p, list->at[i]);
+        if (list->at[i]->kind == G_IF && p->out->at[p->out->n - 1] == '}' && i + 1 < list->n && chance(p, 10))
+            put(p, " ");      // after a } another statement may follow
+        else
+            line_end(p);
+    }
+}
+
+static void print_braces(Printer *p, const GStmts *list)
+{
+    if (chance(p, 10)) {
+        line_end(p);
+        margin(p);
+    } else {
+        put(p, " ");
+    }
+    put(p, "{");
+    if (list->n == 1 && list->at[0]->kind != G_IF && chance(p, 20)) {
+        put(p, " ");
+        print_stmt(p, list->at[0]);
+        put(p, " }");
+        return;
+    }
+    line_end(p);
+    p->indent++;
+    print_stmts(p, list);
+    p->indent--;
+    margin(p);
+    put(p, "}");
+}
+
+// One statement behind a colon, or braces.  A conditional there would take an `else` that follows.
+static void print_body(Printer *p, const GStmts *list, bool else_follows)
+{
+    const bool colon = list->n == 1 && !(else_follows && list->at[0]->kind == G_IF) && chance(p, 75);
+    if (!colon) {
+        print_braces(p, list);
+        return;
+    }
+    put(p, chance(p, 5) ? " : " : ": ");
+    print_stmt(p, list->at[0]);
+}
+
+static void print_else(Printer *p, const GStmts *list)
+{
+    if (chance(p, 12)) {
+        put(p, " ");
+    } else {
+        line_end(p);
+        margin(p);
+    }
+    put(p, "else");
+    if (list->n == 1 && list->at[0]->kind == G_IF && chance(p, 60)) {
+        put(p, " ");
+        print_stmt(p, list->at[0]);
+    } else {
+        print_body(p, list, false);
+    }
+}
+
+static bool ends_in_word_else(const Printer *p) { return p->out->n >= 5 && memcmp(p->out->at + p->out->n - 5, "else ", 5) == 0; }
+
+static void print_if(Printer *p, const GStmt *s)
+{
+    if (ends_in_word_else(p) || chance(p, 50) || p->g->plain)
+        put(p, "if ");
+    print_expr(p, s->value, 1);
+    print_body(p, &s->then, s->has_else);
+    if (s->has_else)
+        print_else(p, &s->otherwise);
+}
+
+// A state that was removed is replaced by the first that is left.
+static const char *target_name(const Gen *g, const GState *s)
+{
+    for (size_t i = 0; s->removed && i < g->state.n; i++)
+        s = g->state.at[i]->removed ? s : g->state.at[i];
+    return s->name;
+}
+
+static void print_stmt(Printer *p, const GStmt *s)
+{
+    switch (s->kind) {
+    case G_ASSIGN:
+        put(p, s->by_alias && s->var->alias != NULL ? s->var->alias : s->var->name);
+        gap(p);
+        put(p, "=");
+        gap(p);
+        print_expr(p, s->value, 1);
+        break;
+    case G_GOTO:
+        put(p, chance(p, 10) ? "->" : "-> ");
+        put(p, target_name(p->g, s->target));
+        break;
+    case G_IF:
+        print_if(p, s);
+        break;
+    }
+}
+
+// ---- sections ----
+
+static void print_state(Printer *p, const GState *s)
+{
+    static const char *const label[] = { ".entry", ".step", ".exit" };
+    const uint32_t turn = rng_below(&p->rng, 3);
+    buf_printf(p->out, "[%s]", s->name);
+    line_end(p);
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t b = (i + (chance(p, 100) ? turn : 0)) % 3;      // blocks stand in any order
+        if (!s->present[b])
+            continue;
+        put(p, label[b]);
+        if (s->block[b].n > 0 && chance(p, 5))
+            put(p, " ");
+        else
+            line_end(p);
+        print_stmts(p, &s->block[b]);
+    }
+}
+
+static void print_element(Printer *p, const GVar *v)
+{
+    margin(p);
+    put(p, sm_type_info[v->type].spelling);
+    put(p, chance(p, 10) ? "\t" : " ");
+    put(p, v->name);
+    if (v->alias != NULL)
+        buf_printf(p->out, "  @alias %s", v->alias);
+    if (v->read_only && v->id > 1)
+        put(p, " @read_only");
+    if (chance(p, 10))
+        put(p, " ");          // entries of a list may share a line
+    else
+        line_end(p);
+}
+
+static void print_local(Printer *p, const GVar *v)
+{
+    margin(p);
+    buf_printf(p->out, "%s %s = ", sm_type_info[v->type].spelling, v->name);
+    print_expr(p, v->init, 1);
+    if (v->read_only)
+        put(p, " @read_only");
+    line_end(p);
+}
+
+static void start(Printer *p, Gen *g, Buf *out, uint64_t which)
+{
+    *p = (Printer){ .g = g, .out = out, .rng = { rng_mix(g->layout, which) } };
+    p->crlf = chance(p, 10);
+    if (chance(p, 3))
+        put(p, "\xEF\xBB\xBF");
+    p->indent = 1;
+}
+
+void gen_print_sm(Gen *g, Buf *out)
+{
+    Printer p;
+    start(&p, g, out, 0);
+    put(&p, "[state_vector]");
+    line_end(&p);
+    bool local = false;
+    for (size_t i = 0; i < g->order.n; i++) {
+        const GVar *v = g->order.at[i];
+        if (v->removed)
+            continue;
+        if (v->is_local && !local) {
+            line_end(&p);
+            put(&p, "[local]");
+            line_end(&p);
+            local = true;
+        }
+        (v->is_local ? print_local : print_element)(&p, v);
+    }
+    line_end(&p);
+    for (size_t i = 0; i < g->state.n; i++)
+        if (!g->state.at[i]->removed)
+            print_state(&p, g->state.at[i]);
+}
+
+void gen_print_sv(Gen *g, Buf *out)
+{
+    Printer p;
+    start(&p, g, out, 1);
+    if (chance(&p, 20))
+        put(&p, "[options]\nlock\n");
+    for (uint32_t r = 0; r < g->regions; r++) {
+        bool open = false;
+        for (size_t i = 0; i < g->sv_order.n; i++) {
+            const GVar *v = g->sv_order.at[i];
+            if (v->region != r || v->removed)
+                continue;
+            if (!open)
+                buf_printf(out, "[%s]\n", g->region_name[r]);
+            open = true;
+            buf_printf(out, chance(&p, 10) ? "%s %s " : "%s %s\n", sm_type_info[v->type].spelling, v->name);
+        }
+        if (open)
+            line_end(&p);
+    }
+}

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: Apache-2.0
+// The campaign: random programs, one a seed, each run on every engine in lock step.
+//
+//     difftest [--seed=N] [--count=N] [--steps=N] [--jobs=N] [--out=DIR] [--resume] [--print] [--no-reduce] [--no-floors]
+//
+// Workers take blocks of seeds in turn.  Each keeps a file in DIR with how far it is and what its programs met, so that
+// --resume goes on where an interrupted campaign stopped.  A worker that crashes or hangs names its seed and is replaced.
+// A failing program is made smaller and written to DIR/seed-N.  Exit: 0 all agree, 1 not, 2 usage.
+#define _POSIX_C_SOURCE 200809L
+#define _DEFAULT_SOURCE
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "tests/diff/reduce.h"
+
+enum { BLOCK = 500, JOBS_MAX = 64, HANG_SECONDS = 60 };
+
+typedef struct Options {
+    uint64_t seed, count;
+    uint32_t steps, jobs;
+    const char *out;
+    bool resume, print, reduce, floors;
+} Options;
+
+// What a worker has done; it lies in memory that the parent sees too, and in a file for --resume.
+typedef struct Tally {
+    uint64_t next;                    // the block it works on, counted from 0
+    uint64_t seed;                    // the program it works on
+    uint64_t programs, steps, different, rejected, crashed;
+    uint64_t transition, saturation, nan, infinity, full_window, refusal, store, change;
+} Tally;
+
+// ---- one program ----
+
+static void count(Tally *t, const Met *m)
+{
+    t->programs++;
+    t->transition += m->transition;
+    t->saturation += m->saturation;
+    t->nan += m->nan;
+    t->infinity += m->infinity;
+    t->full_window += m->full_window;
+    t->refusal += m->refusal;
+    t->store += m->store;
+}
+
+static void report_failure(const Options *o, Gen *g, const RunOptions *how, RunResult r, Arena *arena)
+{
+    char folder[500];
+    fprintf(stderr, "seed %llu: %s, step %u: %s\n", (unsigned long long)g->seed, r.verdict == VERDICT_REJECTED ? "rejected" : "different", (unsigned)r.step, r.message);
+    snprintf(folder, sizeof folder, "%s/seed-%llu", o->out, (unsigned long long)g->seed);
+    mkdir(folder, 0777);
+    if (o->reduce)
+        r = reduce(g, how, r, arena);
+    run_write_files(g, how, &r, folder);
+    fprintf(stderr, "seed %llu: reduced to %s: %s\n", (unsigned long long)g->seed, folder, r.message);
+}
+
+static void run_seed(const Options *o, uint64_t seed, Tally *t)
+{
+    const RunOptions how = run_options_of(seed);
+    Arena arena;
+    run_arena_init(&arena);
+    Gen *g = gen_program(&arena, seed, o->steps);
+    const RunResult r = run_case(g, &how, &arena);
+    count(t, &r.met);
+    t->steps += g->steps;
+    t->change += how.change;
+    t->different += r.verdict == VERDICT_DIFFERENT;
+    t->rejected += r.verdict == VERDICT_REJECTED;
+    if (r.verdict != VERDICT_SAME && t->different + t->rejected <= 20)
+        report_failure(o, g, &how, r, &arena);
+    arena_free(&arena);
+}
+
+static void print_seed(const Options *o, uint64_t seed)
+{
+    const RunOptions how = run_options_of(seed);
+    RunResult r = { VERDICT_SAME, NULL, 0, { 0 } };
+    Arena arena;
+    run_arena_init(&arena);
+    run_write_files(gen_program(&arena, seed, o->steps), &how, &r, o->out);
+    arena_free(&arena);
+}
+
+// ---- a worker ----
+
+static void tally_path(const Options *o, uint32_t worker, char *path, size_t size) { snprintf(path, size, "%s/worker-%u", o->out, (unsigned)worker); }
+
+static void tally_save(const Options *o, uint32_t worker, const Tally *t)
+{
+    char path[500], fresh[520];
+    tally_path(o, worker, path, sizeof path);
+    snprintf(fresh, sizeof fresh, "%s.new", path);
+    FILE *f = fopen(fresh, "wb");
+    if (f == NULL)
+        return;
+    fwrite(o, sizeof *o, 1, f);
+    fwrite(t, sizeof *t, 1, f);
+    fclose(f);
+    rename(fresh, path);
+}
+
+// Takes up an earlier run of the same campaign.
+static void tally_load(const Options *o, uint32_t worker, Tally *t)
+{
+    char path[500];
+    Options then;
+    Tally read;
+    tally_path(o, worker, path, sizeof path);
+    FILE *f = fopen(path, "rb");
+    if (f == NULL)
+        return;
+    if (fread(&then, sizeof then, 1, f) == 1 && fread(&read, sizeof read, 1, f) == 1 &&
+        then.seed == o->seed && then.jobs == o->jobs && then.steps == o->steps)
+        *t = read;
+    fclose(f);
+}
+
+static void work(const Options *o, uint32_t worker, Tally *t)
+{
+    for (uint64_t block = t->next; block * BLOCK < o->count; block += o->jobs) {
+        const uint64_t last = (block + 1) * BLOCK < o->count ? (block + 1) * BLOCK : o->count;
+        const uint64_t first = t->seed >= o->seed + block * BLOCK && t->next == block ? t->seed - o->seed : block * BLOCK;
+        t->next = block;
+        for (uint64_t i = first; i < last; i++) {
+            t->seed = o->seed + i;
+            run_seed(o, o->seed + i, t);
+        }
+        t->next = block + o->jobs;
+        tally_save(o, worker, t);
+    }
+}
+
+// ---- the parent ----
+
+static pid_t start_worker(const Options *o, uint32_t worker, Tally *t)
+{
+    fflush(NULL);
+    const pid_t pid = fork();
+    if (pid == 0) {
+        work(o, worker, t);
+        _exit(0);
+    }
+    return pid;
+}
+
+static void look_after(const Options *o, Tally *tally, pid_t *pid, uint64_t *seen, time_t *since, uint32_t w)
+{
+    int status;
+    if (waitpid(pid[w], &status, WNOHANG) == pid[w]) {
+        pid[w] = 0;
+        if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
+            return;
+        fprintf(stderr, "seed %llu: crashed or hung (wait status %d)\n", (unsigned long long)tally[w].seed, status);
+        tally[w].crashed++;
+        tally[w].seed++;
+        pid[w] = start_worker(o, w, &tally[w]);
+    } else if (tally[w].seed != seen[w]) {
+        seen[w] = tally[w].seed;
+        since[w] = time(NULL);
+    } else if (time(NULL) - since[w] > HANG_SECONDS) {
+        kill(pid[w], SIGKILL);
+    }
+}
+
+static void run_workers(const Options *o, Tally *tally)
+{
+    pid_t pid[JOBS_MAX];
+    uint64_t seen[JOBS_MAX] = { 0 };
+    time_t since[JOBS_MAX];
+    bool busy = true;
+    for (uint32_t w = 0; w < o->jobs; w++) {
+        since[w] = time(NULL);
+        tally[w].next = w;
+        if (o->resume)
+            tally_load(o, w, &tally[w]);
+        pid[w] = start_worker(o, w, &tally[w]);
+    }
+    while (busy) {
+        nanosleep(&(struct timespec){ 0, 20000000 }, NULL);
+        busy = false;
+        for (uint32_t w = 0; w < o->jobs; w++) {
+            if (pid[w] != 0)
+                look_after(o, tally, pid, seen, since, w);
+            busy |= pid[w] != 0;
+        }
+    }
+}
+
+static void add_up(Tally *sum, const Tally *t)
+{
+    sum->programs += t->programs;
+    sum->steps += t->steps;
+    sum->different += t->different;
+    sum->rejected += t->rejected;
+    sum->crashed += t->crashed;
+    sum->transition += t->transition;
+    sum->saturation += t->saturation;
+    sum->nan += t->nan;
+    sum->infinity += t->infinity;
+    sum->full_window += t->full_window;
+    sum->refusal += t->refusal;
+    sum->store += t->store;
+    sum->change += t->change;
+}
+
+// A share below its floor means that the generator has stopped looking there.  Few programs may stray.
+static bool share(const Options *o, const Tally *t, const char *what, uint64_t n, unsigned floor)
+{
+    const double percent = t->programs != 0 ? 100.0 * (double)n / (double)t->programs : 0;
+    const bool low = o->floors && t->programs >= 1000 && percent < floor;
+    printf("  %-34s %5.1f %%  (at least %u %%)%s\n", what, percent, floor, low ? "  TOO FEW" : "");
+    return !low;
+}
+
+static bool report(const Options *o, const Tally *t, double seconds)
+{
+    bool good = true;
+    printf("%llu programs, %llu steps, %.1f s, %.0f programs a second\n", (unsigned long long)t->programs, (unsigned long long)t->steps, seconds, (double)t->programs / seconds);
+    printf("of these programs\n");
+    good &= share(o, t, "store something", t->store, 90);
+    good &= share(o, t, "make a transition", t->transition, 70);
+    good &= share(o, t, "saturate", t->saturation, 50);
+    good &= share(o, t, "meet NaN", t->nan, 20);
+    good &= share(o, t, "meet an infinity", t->infinity, 30);
+    good &= share(o, t, "fill a window of 2 or more", t->full_window, 25);
+    good &= share(o, t, "have a step refused", t->refusal, 90);
+    good &= share(o, t, "were compared with a changed one", t->change, 15);
+    const uint64_t failed = t->different + t->rejected + t->crashed;
+    printf("difftest: %llu passed, %llu failed (%llu different, %llu rejected, %llu crashed)\n", (unsigned long long)(t->programs - t->different - t->rejected),
+           (unsigned long long)failed, (unsigned long long)t->different, (unsigned long long)t->rejected, (unsigned long long)t->crashed);
+    return good && failed == 0;
+}
+
+// ---- options ----
+
+static bool take_number(const char *arg, const char *name, uint64_t *n)
+{
+    const size_t len = strlen(name);
+    char *end;
+    if (strncmp(arg, name, len) != 0 || arg[len] != '=')
+        return false;
+    *n = strtoull(arg + len + 1, &end, 0);
+    return *end == '\0' && end != arg + len + 1;
+}
+
+static bool take_option(Options *o, const char *arg)
+{
+    uint64_t n = 0;
+    if (take_number(arg, "--seed", &o->seed) || take_number(arg, "--count", &o->count))
+        return true;
+    if (take_number(arg, "--steps", &n) && n >= 1 && n <= GEN_STEPS_MAX)
+        return o->steps = (uint32_t)n, true;
+    if (take_number(arg, "--jobs", &n) && n >= 1 && n <= JOBS_MAX)
+        return o->jobs = (uint32_t)n, true;
+    if (strncmp(arg, "--out=", 6) == 0)
+        return o->out = arg + 6, true;
+    if (strcmp(arg, "--resume") == 0)
+        return o->resume = true;
+    if (strcmp(arg, "--print") == 0)
+        return o->print = true;
+    if (strcmp(arg, "--no-reduce") == 0)
+        return o->reduce = false, true;
+    if (strcmp(arg, "--no-floors") == 0)
+        return o->floors = false, true;
+    return false;
+}
+
+int main(int argc, char **argv)
+{
+    static const Options defaults = { .seed = 1, .count = 10000, .steps = 100, .jobs = 1, .out = "difftest.out", .reduce = true, .floors = true };
+    Options o = defaults;
+    struct timespec from, to;
+    Tally sum = { 0 };
+    for (int i = 1; i < argc; i++)
+        if (!take_option(&o, argv[i])) {
+            fprintf(stderr, "difftest: unknown option '%s'\n", argv[i]);
+            return 2;
+        }
+    mkdir(o.out, 0777);
+    if (o.print)
+        return print_seed(&o, o.seed), 0;
+    Tally *tally = mmap(NULL, JOBS_MAX * sizeof *tally, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (tally == MAP_FAILED)
+        return 3;
+    clock_gettime(CLOCK_MONOTONIC, &from);
+    run_workers(&o, tally);
+    clock_gettime(CLOCK_MONOTONIC, &to);
+    for (uint32_t w = 0; w < o.jobs; w++)
+        add_up(&sum, &tally[w]);
+    return report(&o, &sum, (double)(to.tv_sec - from.tv_sec) + (double)(to.tv_nsec - from.tv_nsec) / 1e9) ? 0 : 1;
+}

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+// One case: texts, compiled; engines, stepped; answers, compared.
+#include "tests/diff/run.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/pipeline.h"
+#include "compiler/script/engine.h"
+#include "tests/diff/watch.h"
+
+enum { ENGINES_MAX = 4, WRITES_MAX = 64 };
+
+static jmp_buf out_of_memory;
+
+static void *heap(void *context, void *old, size_t size)
+{
+    (void)context;
+    if (size == 0) {
+        free(old);
+        return NULL;
+    }
+    void *p = realloc(old, size);
+    if (p == NULL) {
+        fputs("difftest: out of memory\n", stderr);
+        exit(3);
+    }
+    return p;
+}
+
+void run_arena_init(Arena *a) { arena_init(a, heap, NULL, &out_of_memory); }
+
+// ---- compiling ----
+
+// A program as compiled, with where its generated variables are.
+typedef struct Subject {
+    Session session;
+    const Program *program;
+    uint32_t index[WRITES_MAX];       // by GVar.id
+} Subject;
+
+static const Source *source_of(Session *s, const char *name, Buf *text) { return source_new(&s->arena, name, buf_text(text), text->n); }
+
+static Map *written_outside(Session *s, const Gen *g)
+{
+    Map *m = ARENA_NEW(&s->arena, Map);
+    m->arena = &s->arena;
+    for (size_t i = 0; i < g->var.n; i++)
+        if (g->var.at[i]->is_local && g->var.at[i]->outside)
+            map_put(m, str_c(&s->strings, g->var.at[i]->name), (void *)(uintptr_t)1);
+    return m;
+}
+
+static void locate_vars(Subject *s, const Gen *g)
+{
+    for (size_t i = 0; i < g->var.n && i < WRITES_MAX; i++) {
+        const Var *v = map_find(&s->program->by_name, str_c(&s->session.strings, g->var.at[i]->name));
+        s->index[g->var.at[i]->id] = v != NULL ? v->index : 0;
+    }
+}
+
+static const char *compile(Subject *s, Gen *g, Arena *arena)
+{
+    Buf sm, sv;
+    MachineInput in = { 0 };
+    session_init(&s->session, heap, NULL, &out_of_memory);
+    buf_init(&sm, &s->session.arena);
+    buf_init(&sv, &s->session.arena);
+    gen_print_sm(g, &sm);
+    in.sm = source_of(&s->session, format_in(&s->session.arena, "%s.sm", g->machine_name), &sm);
+    if (g->with_sv) {
+        gen_print_sv(g, &sv);
+        in.sv = source_of(&s->session, "bus.sv", &sv);
+    }
+    in.written_outside = written_outside(&s->session, g);
+    s->program = session_program(&s->session, &in);
+    if (s->program == NULL) {
+        Buf text;
+        const DiagStyle style = { false, 3 };
+        buf_init(&text, arena);
+        diags_render_text(&s->session.diags, &style, &text);
+        return buf_text(&text);
+    }
+    locate_vars(s, g);
+    return NULL;
+}
+
+// ---- engines ----
+
+typedef struct Lane {
+    const Subject *subject;
+    Engine *engine;
+    EngineStep answer;
+} Lane;
+
+typedef struct Lanes {
+    Lane at[ENGINES_MAX];
+    uint32_t n;
+} Lanes;
+
+static void add_lane(Lanes *l, Subject *s, Engine *e)
+{
+    Lane *lane = &l->at[l->n++];
+    lane->subject = s;
+    lane->engine = e;
+    engine_step_init(&lane->answer, &s->session.arena, s->program);
+}
+
+static const char *add_vm(Lanes *l, Subject *s, int opt_level)
+{
+    const ImageOptions options = { false };
+    const char *error = "no image";
+    IrMachine *m = session_ir(&s->session, s->program, opt_level);
+    Buf image;
+    buf_init(&image, &s->session.arena);
+    if (m == NULL || !session_image(&s->session, &m, 1, &options, &image))
+        return "the compiler makes no image";
+    Engine *e = engine_vm_open(&s->session.arena, s->program, (const uint8_t *)image.at, image.n, 0, &error);
+    if (e == NULL)
+        return error;
+    add_lane(l, s, e);
+    return NULL;
+}
+
+static void step_lane(Lane *l, const GInput *in, uint32_t n)
+{
+    EngineWrite write[WRITES_MAX];
+    for (uint32_t i = 0; i < n; i++)
+        write[i] = (EngineWrite){ l->subject->index[in[i].var->id], in[i].cell };
+    l->engine->step(l->engine, write, n, &l->answer);
+}
+
+static const char *compare(Lanes *l, Arena *arena)
+{
+    for (uint32_t i = 1; i < l->n; i++) {
+        const Lane *a = &l->at[0], *b = &l->at[i];
+        if (b->answer.status == ENGINE_BROKEN)
+            return format_in(arena, "%s: %s", b->engine->name, b->engine->error);
+        const char *difference = engine_compare(arena, a->engine, &a->answer, b->engine, &b->answer);
+        if (difference != NULL)
+            return format_in(arena, "%s%s", b->subject != a->subject ? "(the second is the changed program) " : "", difference);
+    }
+    return NULL;
+}
+
+static void note(Met *met, const EngineStep *s, uint32_t vars)
+{
+    met->refusal |= s->status == ENGINE_REFUSED;
+    met->transition |= s->status == ENGINE_OK && s->next_is_first;
+    for (uint32_t i = 0; i < vars; i++)
+        met->store |= s->stored[i] != 0;
+}
+
+static void note_watch(Met *met)
+{
+    met->saturation = watch.saturated > 0;
+    met->nan = watch.nan > 0;
+    met->infinity = watch.infinite > 0;
+    met->full_window = watch.filled > 0;
+}
+
+static void restart(Lanes *l, const Gen *g, uint32_t state)
+{
+    for (uint32_t i = 0; i < l->n; i++)
+        l->at[i].engine->init(l->at[i].engine, gen_state_number(g, state), &l->at[i].answer);
+}
+
+static RunResult run_lanes(Lanes *l, const Gen *g, Arena *arena)
+{
+    RunResult r = { VERDICT_SAME, NULL, 0, { 0 } };
+    GInput in[WRITES_MAX];
+    uint32_t state;
+    for (uint32_t k = 0; k < g->steps && r.message == NULL; k++) {
+        r.step = k;
+        if (gen_restarts(g, k, &state)) {
+            restart(l, g, state);
+            r.message = compare(l, arena);
+        }
+        if (g->skip[k] || r.message != NULL)
+            continue;
+        const uint32_t n = gen_inputs(g, k, in);
+        for (uint32_t i = 0; i < l->n; i++)
+            step_lane(&l->at[i], in, n);
+        r.message = compare(l, arena);
+        note(&r.met, &l->at[0].answer, (uint32_t)l->at[0].subject->program->var.n);
+    }
+    r.verdict = r.message == NULL ? VERDICT_SAME : VERDICT_DIFFERENT;
+    return r;
+}
+
+// ---- the case ----
+
+RunOptions run_options_of(uint64_t seed)
+{
+    const uint64_t r = rng_mix(seed, 9);
+    return (RunOptions){ .opt_level = (int)(r % 3), .vm = true, .change = r / 3 % 4 == 0, .what = (GChange)(r / 12 % CHANGE_COUNT) };
+}
+
+static const char *open_lanes(Lanes *l, Subject *s, const RunOptions *o, bool twice)
+{
+    add_lane(l, s, engine_ref_open(&s->session.arena, s->program));
+    return o->vm && !twice ? add_vm(l, s, o->opt_level) : NULL;
+}
+
+static const char *open_changed(Lanes *l, Subject *s, Gen *g, const RunOptions *o, Arena *arena)
+{
+    gen_change(g, o->what);
+    const char *error = compile(s, g, arena);
+    gen_change_back(g);
+    return error != NULL ? error : open_lanes(l, s, o, true);
+}
+
+static void close_all(Lanes *l, Subject *a, Subject *b)
+{
+    for (uint32_t i = 0; i < l->n; i++)
+        l->at[i].engine->close(l->at[i].engine);
+    session_free(&a->session);
+    if (b != NULL)
+        session_free(&b->session);
+}
+
+RunResult run_case(Gen *g, const RunOptions *o, Arena *arena)
+{
+    static Subject plain, changed;
+    Lanes lanes = { .n = 0 };
+    RunResult r = { VERDICT_REJECTED, NULL, 0, { 0 } };
+    memset(&watch, 0, sizeof watch);
+    r.message = compile(&plain, g, arena);
+    if (r.message == NULL)
+        r.message = open_lanes(&lanes, &plain, o, false);
+    const bool more = r.message == NULL && o->change;
+    if (more)
+        r.message = open_changed(&lanes, &changed, g, o, arena);
+    if (r.message == NULL)
+        r = run_lanes(&lanes, g, arena);
+    else
+        r.message = format_in(arena, "%s", r.message);        // out of the session, which ends here
+    note_watch(&r.met);
+    close_all(&lanes, &plain, more ? &changed : NULL);
+    return r;
+}
+
+// ---- files ----
+
+static void write_file(const char *folder, const char *name, Buf *text)
+{
+    char path[600];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *f = fopen(path, "wb");
+    if (f == NULL)
+        return;
+    fwrite(buf_text(text), 1, text->n, f);
+    fclose(f);
+}
+
+static void describe_steps(Gen *g, Buf *out)
+{
+    GInput in[WRITES_MAX];
+    uint32_t state;
+    for (uint32_t k = 0; k < g->steps; k++) {
+        if (gen_restarts(g, k, &state))
+            buf_printf(out, "start in state %u\n", (unsigned)gen_state_number(g, state));
+        if (g->skip[k])
+            continue;
+        const uint32_t n = gen_inputs(g, k, in);
+        buf_printf(out, "step %u:", (unsigned)k);
+        for (uint32_t i = 0; i < n; i++)
+            buf_printf(out, " %s=0x%llx", in[i].var->name, (unsigned long long)in[i].cell);
+        buf_str(out, "\n");
+    }
+}
+
+void run_write_files(Gen *g, const RunOptions *o, const RunResult *r, const char *folder)
+{
+    Arena a;
+    Buf sm, sv, what;
+    run_arena_init(&a);
+    buf_init(&sm, &a);
+    buf_init(&sv, &a);
+    buf_init(&what, &a);
+    gen_print_sm(g, &sm);
+    write_file(folder, format_in(&a, "%s.sm", g->machine_name), &sm);
+    if (g->with_sv) {
+        gen_print_sv(g, &sv);
+        write_file(folder, "bus.sv", &sv);
+    }
+    buf_printf(&what, "seed %llu, step %u, image -O%d%s%s\n%s\n\n", (unsigned long long)g->seed, (unsigned)r->step, o->opt_level,
+               o->change ? ", compared with " : "", o->change ? gen_change_name[o->what] : "", r->message != NULL ? r->message : "");
+    describe_steps(g, &what);
+    write_file(folder, "what.txt", &what);
+    arena_free(&a);
+}
