@@ -103,6 +103,22 @@ $(B)/fuzz/%: tests/fuzz/%.c tests/fuzz/driver.c $(B)/libsmc.a
 check: $(B)/fuzz/ir
 CHECK_LINES += "fuzz-ir: $(B)/fuzz/ir -n 2000 $(wildcard tests/ir/samples/*.ir)"
 
+# tests/diff: random programs on all engines in lock step.  `make diff N=1000000 SEED=1 J=2` is a campaign that goes on where
+# it was stopped.
+N    ?= 20000
+SEED ?= 1
+J    ?= 2
+DIFF_OBJ = $(patsubst %.c,$(B)/obj/%.o,$(wildcard tests/diff/*.c))
+$(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+diff: $(B)/diff/difftest
+	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign --resume
+
+check: $(B)/diff/difftest
+CHECK_LINES += "diff: $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check"
+
 # ---- installing ----
 
 DEST = $(DESTDIR)$(PREFIX)
@@ -132,6 +148,7 @@ help:
 	@echo 'make                 builds $(B)/smc'
 	@echo 'make check           runs every test that needs cc and make only; the others say what they need'
 	@echo 'make test T=FILE     runs some conformance cases on every engine'
+	@echo 'make diff N=100000   runs so many random programs on all engines, from seed SEED=1, in J=2 processes'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
 	@echo 'make clean           removes $(B)'
 

@@ -88,7 +88,7 @@ static GExpr *random_var(Gen *g, const Reach *reach)
 
 static GExpr *random_leaf(Gen *g, const Reach *reach)
 {
-    if (rng_percent(&g->rng, 40))
+    if (rng_percent(&g->rng, 35))
         return random_number(g);
     if (!reach->constant && rng_percent(&g->rng, 8))
         return new_expr(g, G_TIME, 0);
@@ -173,11 +173,31 @@ static GExpr *random_roll(Gen *g, const Reach *reach, uint32_t depth)
     return e;
 }
 
+// What meets NaN, infinities and the ends of ranges: x / x, sqrt(x - y), x / 0, x * 1e308.
+static GExpr *random_spice(Gen *g, const Reach *reach)
+{
+    static const SmOperator op[] = { SM_OP_DIV, SM_OP_SUB, SM_OP_DIV, SM_OP_MUL };
+    static const char *const edge[] = { "0", "0", "1e308", "1e-308", "1e300" };
+    const uint32_t what = rng_below(&g->rng, 4);
+    GExpr *e = new_expr(g, G_BINARY, 2), *root;
+    e->op = op[what];
+    e->arg[0] = random_leaf(g, reach);
+    e->arg[1] = what == 0 ? e->arg[0] : what == 1 ? random_leaf(g, reach) : number_text(g, edge[rng_below(&g->rng, 5)]);
+    if (what != 1)
+        return e;
+    root = new_expr(g, G_CALL, 1);
+    root->fn = SM_FN_sqrt;
+    root->arg[0] = e;
+    return root;
+}
+
 static GExpr *random_expr(Gen *g, const Reach *reach, uint32_t depth)
 {
     const uint32_t what = rng_below(&g->rng, 100);
-    if (depth == 0 || what < 25)
+    if (depth == 0 || what < 20)
         return random_leaf(g, reach);
+    if (what < 25)
+        return random_spice(g, reach);
     if (what < 37)
         return random_unary(g, reach, depth);
     if (what < 78)
@@ -191,7 +211,7 @@ static GExpr *random_expr(Gen *g, const Reach *reach, uint32_t depth)
 
 static const Reach everywhere = { NULL, false, true };
 
-static uint32_t random_depth(Gen *g) { return rng_percent(&g->rng, 3) ? 7 : rng_below(&g->rng, 4); }
+static uint32_t random_depth(Gen *g) { return rng_percent(&g->rng, 3) ? 7 : rng_below(&g->rng, 5); }
 
 // A guard: most compare something, so that both sides get taken.
 static GExpr *random_guard(Gen *g)
@@ -239,12 +259,22 @@ static GStmt *new_stmt(Gen *g, GStmtKind kind)
     return s;
 }
 
+// A number grown or shrunk: counters, and values that run into the end of their type.
+static GExpr *growing_expr(Gen *g)
+{
+    GExpr *e = new_expr(g, G_BINARY, 2);
+    e->op = (SmOperator)(SM_OP_ADD + rng_below(&g->rng, 3));
+    e->arg[0] = random_leaf(g, &everywhere);
+    e->arg[1] = random_leaf(g, &everywhere);
+    return e;
+}
+
 static GStmt *random_assign(Gen *g, GVar *v)
 {
     GStmt *s = new_stmt(g, G_ASSIGN);
     s->var = v;
     s->by_alias = v->alias != NULL && rng_percent(&g->rng, 50);
-    s->value = random_expr(g, &everywhere, random_depth(g));
+    s->value = rng_percent(&g->rng, 20) ? growing_expr(g) : random_expr(g, &everywhere, random_depth(g));
     return s;
 }
 
@@ -280,9 +310,9 @@ static GStmt *random_stmt(Gen *g, uint32_t depth, bool may_leave)
 {
     const uint32_t what = rng_below(&g->rng, 100);
     GVar *v = random_target(g);
-    if (may_leave && what < 12)
+    if (may_leave && what < 15)
         return leaving_if(g);
-    if (may_leave && what < 14)
+    if (may_leave && what < 17)
         return random_goto(g);
     if (depth > 0 && (what < 45 || v == NULL))
         return random_if(g, depth, may_leave);
@@ -307,7 +337,9 @@ void gen_random_state(Gen *g, GState *s)
     if (s->present[0])
         random_stmts(g, &s->block[0], rng_below(&g->rng, 4), depth, rng_percent(&g->rng, 30));
     if (s->present[1])
-        random_stmts(g, &s->block[1], 1 + rng_below(&g->rng, 5), depth, true);
+        random_stmts(g, &s->block[1], 1 + rng_below(&g->rng, 7), depth, true);
+    if (s->present[1] && rng_percent(&g->rng, 60))
+        vec_push(g->arena, &s->block[1], leaving_if(g));
     if (s->present[2])
         random_stmts(g, &s->block[2], rng_below(&g->rng, 4), depth, false);
 }
@@ -439,13 +471,13 @@ Gen *gen_program(Arena *arena, uint64_t seed, uint32_t steps)
     g->seed = seed;
     g->rng.state = rng_mix(seed, 1);
     g->layout = rng_mix(seed, 2);
-    g->mood = rng_below(&g->rng, 3);
+    g->mood = rng_percent(&g->rng, 15) ? 0 : 1;
     g->steps = steps;
     g->machine_name = stem[rng_below(&g->rng, sizeof stem / sizeof *stem)];
     for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
         vec_push(arena, &g->used_name, reserved[i]);
     declare_all(g);
-    const uint32_t states = 1 + rng_below(&g->rng, rng_percent(&g->rng, 5) ? 20 : 5);
+    const uint32_t states = 1 + rng_below(&g->rng, rng_percent(&g->rng, 5) ? 20 : 6);
     for (uint32_t i = 0; i < states; i++)
         vec_push(arena, &g->state, ARENA_NEW(arena, GState));
     for (uint32_t i = 0; i < states; i++) {

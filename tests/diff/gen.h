@@ -83,7 +83,7 @@ typedef struct Gen {
     Arena *arena;
     uint64_t seed;
     Rng rng;                          // while generating
-    uint32_t mood;                    // what numbers it likes
+    uint32_t mood;                    // what numbers it likes: 0 small ones, 1 all
     bool with_sv;                     // the elements stand in a .sv of their own
     uint32_t regions;
     const char *region_name[GEN_REGIONS_MAX];

@@ -22,7 +22,7 @@ static const char *const small_text[] = { "0", "1", "2", "3", "4", "5", "7", "10
 const char *gen_number(Arena *arena, Rng *r, uint32_t mood)
 {
     char text[64];
-    if (rng_percent(r, mood == 0 ? 85 : 45))
+    if (rng_percent(r, mood == 0 ? 85 : 35))
         return small_text[rng_below(r, sizeof small_text / sizeof *small_text)];
     if (rng_percent(r, 60))
         return edge_text[rng_below(r, sizeof edge_text / sizeof *edge_text)];

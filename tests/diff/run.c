@@ -109,7 +109,7 @@ static void add_lane(Lanes *l, Subject *s, Engine *e)
 
 static const char *add_vm(Lanes *l, Subject *s, int opt_level)
 {
-    const ImageOptions options = { false };
+    const ImageOptions options = { .debug = true };      // the engine finds locals by name
     const char *error = "no image";
     IrMachine *m = session_ir(&s->session, s->program, opt_level);
     Buf image;
