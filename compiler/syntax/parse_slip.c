@@ -316,7 +316,7 @@ static bool stands_foreign(const Parser *p, SlipDoes does)
     const Token *next = &p->ahead;
 
     if (next->first)
-        return does == SLIP_SKIP;
+        return does == SLIP_SKIP && next->kind != TOK_LBRACE;     // `stop` and { on the next line: a guard
     if (does == SLIP_ELSE)
         return next->kind == TOK_COLON || next->kind == TOK_LBRACE || next->kind == TOK_IF || is_word(next, "if");
     return begins_value(next) && (next->kind != TOK_LPAREN || does == SLIP_IF || does == SLIP_SKIP);

@@ -194,7 +194,7 @@ static GExpr *random_spice(Gen *g, const Reach *reach)
 static GExpr *random_expr(Gen *g, const Reach *reach, uint32_t depth)
 {
     const uint32_t what = rng_below(&g->rng, 100);
-    if (depth == 0 || what < 20)
+    if (depth == 0 || what < 17)
         return random_leaf(g, reach);
     if (what < 25)
         return random_spice(g, reach);
@@ -274,7 +274,7 @@ static GStmt *random_assign(Gen *g, GVar *v)
     GStmt *s = new_stmt(g, G_ASSIGN);
     s->var = v;
     s->by_alias = v->alias != NULL && rng_percent(&g->rng, 50);
-    s->value = rng_percent(&g->rng, 20) ? growing_expr(g) : random_expr(g, &everywhere, random_depth(g));
+    s->value = rng_percent(&g->rng, 30) ? growing_expr(g) : random_expr(g, &everywhere, random_depth(g));
     return s;
 }
 
@@ -338,7 +338,7 @@ void gen_random_state(Gen *g, GState *s)
         random_stmts(g, &s->block[0], rng_below(&g->rng, 4), depth, rng_percent(&g->rng, 30));
     if (s->present[1])
         random_stmts(g, &s->block[1], 1 + rng_below(&g->rng, 7), depth, true);
-    if (s->present[1] && rng_percent(&g->rng, 60))
+    if (s->present[1] && rng_percent(&g->rng, 75))
         vec_push(g->arena, &s->block[1], leaving_if(g));
     if (s->present[2])
         random_stmts(g, &s->block[2], rng_below(&g->rng, 4), depth, false);
@@ -370,7 +370,7 @@ static void declare_role(Gen *g, const char *role, SmType type)
 
 static SmType random_type(Gen *g)
 {
-    return rng_percent(&g->rng, 25) ? SM_F64 : (SmType)rng_below(&g->rng, SM_TYPE_COUNT);
+    return rng_percent(&g->rng, 20) ? SM_F64 : (SmType)rng_below(&g->rng, SM_TYPE_COUNT);
 }
 
 static void declare_element(Gen *g)

@@ -228,14 +228,14 @@ static bool report(const Options *o, const Tally *t, double seconds)
     bool good = true;
     printf("%llu programs, %llu steps, %.1f s, %.0f programs a second\n", (unsigned long long)t->programs, (unsigned long long)t->steps, seconds, (double)t->programs / seconds);
     printf("of these programs\n");
-    good &= share(o, t, "store something", t->store, 90);
-    good &= share(o, t, "make a transition", t->transition, 70);
-    good &= share(o, t, "saturate", t->saturation, 50);
+    good &= share(o, t, "store something", t->store, 98);
+    good &= share(o, t, "make a transition", t->transition, 65);
+    good &= share(o, t, "saturate", t->saturation, 40);
     good &= share(o, t, "meet NaN", t->nan, 20);
-    good &= share(o, t, "meet an infinity", t->infinity, 30);
-    good &= share(o, t, "fill a window of 2 or more", t->full_window, 25);
-    good &= share(o, t, "have a step refused", t->refusal, 90);
-    good &= share(o, t, "were compared with a changed one", t->change, 15);
+    good &= share(o, t, "meet an infinity", t->infinity, 23);
+    good &= share(o, t, "fill a window of 2 or more", t->full_window, 75);
+    good &= share(o, t, "have a step refused", t->refusal, 95);
+    good &= share(o, t, "were compared with a changed one", t->change, 20);
     const uint64_t failed = t->different + t->rejected + t->crashed;
     printf("difftest: %llu passed, %llu failed (%llu different, %llu rejected, %llu crashed)\n", (unsigned long long)(t->programs - t->different - t->rejected),
            (unsigned long long)failed, (unsigned long long)t->different, (unsigned long long)t->rejected, (unsigned long long)t->crashed);
