@@ -20,28 +20,31 @@ LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wild
              compiler/passes/*.c compiler/analysis/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM)
 COMMAND  = compiler/base/os_posix.c $(wildcard compiler/device/*.c compiler/cli/*.c)
 
+# `make V=1` shows the commands themselves.
+say = $(if $(V),,@echo '  $(1)  $(patsubst $(B)/%,%,$@)';)
+
 all: $(B)/smc
 
 $(B)/obj/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP -c $< -o $@
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP -c $< -o $@
 
 $(B)/libsmc.a: $(LIBSMC:%.c=$(B)/obj/%.o)
 	@rm -f $@
-	$(AR) rcs $@ $^
+	$(call say,AR)$(AR) rcs $@ $^
 
 $(B)/smc: $(COMMAND:%.c=$(B)/obj/%.o) $(B)/libsmc.a
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
 # The texts of the stdlib functions that emitted C quotes.
 EMBEDDED = stdlib/f64.h stdlib/convert.h stdlib/math.h stdlib/roll.h
 $(B)/embed_tool: compiler/emit/c/embed_tool.c
 	@mkdir -p $(@D)
-	$(CC) -std=c99 -pedantic -Wall -Wextra $< -o $@
+	$(call say,CC)$(CC) -std=c99 -pedantic -Wall -Wextra $< -o $@
 
 $(B)/gen/stdlib_text.h: $(B)/embed_tool $(EMBEDDED)
 	@mkdir -p $(@D)
-	$(B)/embed_tool $(EMBEDDED) >$@.new && mv $@.new $@
+	$(call say,GEN)$(B)/embed_tool $(EMBEDDED) >$@.new && mv $@.new $@
 
 $(EMIT_C:%.c=$(B)/obj/%.o): | $(B)/gen/stdlib_text.h
 
@@ -49,7 +52,7 @@ $(EMIT_C:%.c=$(B)/obj/%.o): | $(B)/gen/stdlib_text.h
 UNIT = $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/*.c))
 $(B)/unit/%: tests/unit/%.c $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a -lm
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a -lm
 
 # ---- tests ----
 
@@ -72,7 +75,7 @@ IR_TESTS = $(B)/ir/run $(B)/ir/verify $(B)/ir/read
 IR_TEXTS = $(wildcard tests/ir/*.smt tests/ir/samples/*.ir)
 $(B)/ir/%: tests/ir/%.c $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a
 
 check: $(IR_TESTS)
 CHECK_LINES += "ir: $(B)/ir/run $(IR_TEXTS)" "ir-verify: $(B)/ir/verify" "ir-read: $(B)/ir/read"
@@ -83,7 +86,7 @@ check-ir: $(IR_TESTS)
 GOLDEN = $(wildcard tests/golden/*.smt)
 $(B)/golden: tests/golden/run.c $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a
 
 check: $(B)/golden
 CHECK_LINES += "golden: $(B)/golden $(B)/smc $(GOLDEN)"
@@ -98,7 +101,7 @@ CHECK_LINES += "script: $(B)/smc test tests/script"
 # tests/fuzz: targets that must survive any input; seeds/NAME/ holds what each starts from.
 $(B)/fuzz/%: tests/fuzz/%.c tests/fuzz/driver.c $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(filter %.c,$^) -o $@ $(B)/libsmc.a
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(filter %.c,$^) -o $@ $(B)/libsmc.a
 
 check: $(B)/fuzz/ir
 CHECK_LINES += "fuzz-ir: $(B)/fuzz/ir -n 2000 $(wildcard tests/ir/samples/*.ir)"
@@ -111,13 +114,24 @@ J    ?= 2
 DIFF_OBJ = $(patsubst %.c,$(B)/obj/%.o,$(wildcard tests/diff/*.c))
 $(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
 diff: $(B)/diff/difftest
 	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign --resume
 
 check: $(B)/diff/difftest
 CHECK_LINES += "diff: $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check"
+
+# Coverage-guided, with clang: `make fuzz FUZZ=script FUZZ_SECONDS=3600`.  What it found goes on from where it stopped.
+FUZZ         ?= $(notdir $(basename $(filter-out tests/fuzz/driver.c,$(wildcard tests/fuzz/*.c))))
+FUZZ_SECONDS ?= 60
+FUZZ_CC      ?= clang-19
+$(B)/fuzz-cov/%: tests/fuzz/%.c $(LIBSMC) $(B)/gen/stdlib_text.h
+	@mkdir -p $(@D)
+	$(call say,CC)$(FUZZ_CC) $(STRICT_C) -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined $(filter %.c,$^) -o $@
+fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
+	for f in $(FUZZ); do mkdir -p $(B)/corpus/$$f && $(B)/fuzz-cov/$$f -max_total_time=$(FUZZ_SECONDS) -timeout=10 -rss_limit_mb=2048 \
+	    -artifact_prefix=$(B)/corpus/$$f- $(B)/corpus/$$f $$(ls -d tests/fuzz/seeds/$$f 2>/dev/null) || exit 1; done
 
 # ---- installing ----
 
@@ -126,7 +140,7 @@ INSTALLED_HEADERS = $(wildcard stdlib/*.h stdlib/*.def bytecode-vm/*.h bytecode-
 
 $(B)/libsmvm.a: $(VM:%.c=$(B)/obj/%.o) $(STDLIB:%.c=$(B)/obj/%.o)
 	@rm -f $@
-	$(AR) rcs $@ $^
+	$(call say,AR)$(AR) rcs $@ $^
 
 $(B)/%.pc: %.pc.in compiler/version.h
 	@mkdir -p $(@D)
@@ -149,6 +163,7 @@ help:
 	@echo 'make check           runs every test that needs cc and make only; the others say what they need'
 	@echo 'make test T=FILE     runs some conformance cases on every engine'
 	@echo 'make diff N=100000   runs so many random programs on all engines, from seed SEED=1, in J=2 processes'
+	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
 	@echo 'make clean           removes $(B)'
 
@@ -177,5 +192,5 @@ check-places:
 HOUSE_RULES = check-layers check-codes check-headers check-imports check-licence check-places
 CHECK_LINES += $(foreach rule,$(HOUSE_RULES),"$(rule): $(MAKE) -s --no-print-directory $(rule)")
 
-.PHONY: $(HOUSE_RULES) all check check-ir check-golden update-golden test install uninstall help clean
+.PHONY: $(HOUSE_RULES) all check check-ir check-golden update-golden test fuzz install uninstall help clean
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
