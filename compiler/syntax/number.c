@@ -3,7 +3,6 @@
 // bits and a remark whether anything is left; that is rounded once.  Short literals take an exact shortcut.
 #include "compiler/syntax/number.h"
 
-#include <float.h>
 #include <string.h>
 
 // ---- 64 bits to F64 ----
@@ -25,7 +24,7 @@ static bool assemble(uint64_t q, long e, bool more, SmF64 *value)
         drop += E_MIN - e;
         e = E_MIN;
     }
-    *value = 0;
+    *value = sm_from_bits(0);
     if (drop > 64)
         return true;
     mantissa = drop == 64 ? 0 : q >> drop;
@@ -187,21 +186,18 @@ static void read_decimal(Decimal *d, const char *s, const char *end)
 // Few digits, a small power of ten: one operation on two exact numbers, so one rounding.
 static bool by_shortcut(const Decimal *d, SmF64 *value)
 {
-#if FLT_EVAL_METHOD == 0
-    static const SmF64 ten[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    int64_t power = d->point - d->n, digits = 0;
+    enum { EXACT = 15 };                              // 10^15 < 2^53
+    int64_t power = d->point - d->n;
+    uint64_t digits = 0, ten = 1;
 
-    if (d->n > 15 || power < -22 || power > 22)
+    if (d->n > EXACT || power < -EXACT || power > EXACT)
         return false;
     for (int i = 0; i < d->n; i++)
-        digits = digits * 10 + (d->digit[i] - '0');
-    *value = power < 0 ? sm_div((SmF64)digits, ten[-power]) : sm_mul((SmF64)digits, ten[power]);
+        digits = digits * 10 + (uint64_t)(d->digit[i] - '0');
+    for (int64_t i = power < 0 ? -power : power; i > 0; i--)
+        ten *= 10;
+    *value = power < 0 ? sm_div(sm_from_u64(digits), sm_from_u64(ten)) : sm_mul(sm_from_u64(digits), sm_from_u64(ten));
     return true;
-#else
-    (void)d, (void)value;
-    return false;
-#endif
 }
 
 static bool by_division(const Decimal *d, SmF64 *value)
@@ -224,7 +220,7 @@ static bool decimal_value(const char *text, size_t len, SmF64 *value)
     Decimal d;
 
     read_decimal(&d, text, text + len);
-    *value = 0;
+    *value = sm_from_bits(0);
     if (d.n == 0 || d.point < SMALLEST)
         return true;
     if (d.point > LARGEST)
@@ -255,7 +251,7 @@ static bool hex_value(const char *s, const char *end, SmF64 *value)
             q = q << 4 | hex_digit(*s);
         }
     }
-    *value = 0;
+    *value = sm_from_bits(0);
     return q == 0 || assemble(q, e, more, value);
 }
 

@@ -56,7 +56,7 @@ static AstExpr *parse_number(Parser *p)
 {
     AstExpr *e = new_expr(p, AST_NUMBER, parser_here(p));
 
-    e->number = p->tok.kind == TOK_NUMBER ? p->tok.number : p->tok.kind == TOK_TRUE ? 1 : 0;
+    e->number = p->tok.kind == TOK_NUMBER ? p->tok.number : sm_from_u32(p->tok.kind == TOK_TRUE);
     parser_next(p);
     return e;
 }
