@@ -15,6 +15,8 @@ bool smvm_varint(SmvmBytes image, uint32_t *at, uint32_t end, uint32_t *value)
     if (*at >= end)
         return false;
     b = smvm_u8(image, (*at)++);
+    if (b >= SMVM_OP_LEAST)
+        return false;
     if (b >= SMVM_VARINT_2) {
         more = 3;
         base = SMVM_VARINT_MID;
@@ -24,7 +26,7 @@ bool smvm_varint(SmvmBytes image, uint32_t *at, uint32_t end, uint32_t *value)
         base = SMVM_VARINT_1;
         b -= SMVM_VARINT_1;
     }
-    if (b >= SMVM_VARINT_1 || end - *at < more)
+    if (end - *at < more)
         return false;
     for (; more > 0; more--) {
         uint8_t next = smvm_u8(image, (*at)++);

@@ -229,10 +229,12 @@ static void jump_to(Longest *w, uint32_t at)
     }
 }
 
-static void leave(Longest *w, uint32_t *longest)                 // by end or goto
+static void leave(Longest *w, uint8_t op)                        // control does not go on
 {
-    if (w->live)
-        *longest = larger(*longest, w->cost);
+    if (w->live && op == SMVM_end)
+        w->ends = larger(w->ends, w->cost);
+    if (w->live && op == SMVM_goto)
+        w->leaves = larger(w->leaves, w->cost);
     w->live = w->sum;
 }
 
@@ -327,8 +329,8 @@ static bool check_instruction(Check *c, uint8_t *shape)
         || ((*shape & SMVM_SHAPE_S) && !check_goto(c)) || ((*shape & SMVM_SHAPE_J) && !check_jump(c)))
         return false;
     if (*shape & SMVM_SHAPE_E)
-        leave(&c->way, op == SMVM_end ? &c->way.ends : op == SMVM_goto ? &c->way.leaves : &(uint32_t){0});
-    return true;
+        leave(&c->way, op);
+    return op != SMVM_end || c->in != IN_SAMPLE || c->sampled == c->m.windows || fail(c, SMVM_R_SAMPLE, at);
 }
 
 static bool check_function(Check *c, uint32_t end)

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// Images by hand, for the tests of the VM: written from docs/bytecode.md and sharing no code with the compiler's writer.
+#ifndef VM_BUILD_H
+#define VM_BUILD_H
+
+#include <stdarg.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "stdlib/crc32.h"
+
+typedef struct Build {
+    uint32_t layout, sv_words, locals, temps, outputs, states, width;
+    uint32_t window[8], windows;
+    uint32_t operand[64], operands;
+    uint32_t f32[8], f32s;
+    uint64_t f64[8];
+    uint32_t f64s;
+    uint8_t code[2048];
+    uint32_t size;
+    uint32_t end[64], ends;               // of functions: sample, then entry, step, exit of each state
+    uint8_t init[64];
+    uint32_t init_size;
+} Build;
+
+#define OPERAND(kind, payload) ((uint32_t)(payload) << 5 | (uint32_t)(kind))
+#define ELEMENT(type, offset) OPERAND(SM_##type, (offset) >> smvm_type_shift(SM_##type))
+#define LOCAL(type, offset) OPERAND(11 + SM_##type, (offset) >> smvm_type_shift(SM_##type))
+#define WINDOW(size, stats) ((uint32_t)(size) | (uint32_t)(stats) << 17)
+
+static inline uint32_t put_number(uint8_t *p, uint32_t v)
+{
+    if (v < 96) {
+        p[0] = (uint8_t)v;
+        return 1;
+    }
+    if (v < 96 + 24 * 128) {
+        v -= 96;
+        p[0] = (uint8_t)(96 + v / 128);
+        p[1] = (uint8_t)(v % 128);
+        return 2;
+    }
+    v -= 96 + 24 * 128;
+    p[0] = (uint8_t)(120 + v / (128 * 128 * 128));
+    p[1] = (uint8_t)(v / (128 * 128) % 128);
+    p[2] = (uint8_t)(v / 128 % 128);
+    p[3] = (uint8_t)(v % 128);
+    return 4;
+}
+
+static inline void put_bytes(uint8_t **p, uint64_t v, unsigned n)
+{
+    for (unsigned i = 0; i < n; i++)
+        *(*p)++ = (uint8_t)(v >> 8 * i);
+}
+
+// An instruction: opcode, how many numbers, and these.
+static inline void code(Build *b, unsigned op, int n, ...)
+{
+    va_list numbers;
+
+    b->code[b->size++] = (uint8_t)op;
+    va_start(numbers, n);
+    for (int i = 0; i < n; i++)
+        b->size += put_number(b->code + b->size, va_arg(numbers, unsigned));
+    va_end(numbers);
+}
+
+static inline void end_function(Build *b) { b->end[b->ends++] = b->size; }
+
+static inline void fix_crc(uint8_t *image)
+{
+    uint32_t n = image[8] | (uint32_t)image[9] << 8 | (uint32_t)image[10] << 16, crc = SM_CRC32_START;
+    uint8_t *at = image + 4;
+
+    for (uint32_t i = 0; i < n; i++)
+        if (i < 4 || i > 7)
+            crc = sm_crc32_byte(crc, image[i]);
+    put_bytes(&at, sm_crc32_end(crc), 4);
+}
+
+static inline uint32_t put_machine(const Build *b, uint8_t *p)
+{
+    const uint32_t number[] = {b->sv_words, b->locals, b->temps, b->windows, b->outputs, b->operands, b->states, b->width, b->f32s, b->f64s};
+    uint8_t *start = p;
+
+    put_bytes(&p, b->layout, 4);
+    for (unsigned i = 0; i < 10; i++)
+        p += put_number(p, number[i]);
+    for (uint32_t i = 0; i < b->windows; i++)
+        put_bytes(&p, b->window[i], 3);
+    for (uint32_t i = 0; i < b->operands; i++)
+        put_bytes(&p, b->operand[i], 3);
+    for (uint32_t i = 0; i < b->ends; i++)
+        put_bytes(&p, b->end[i], b->width);
+    for (uint32_t i = 0; i < b->f32s; i++)
+        put_bytes(&p, b->f32[i], 4);
+    for (uint32_t i = 0; i < b->f64s; i++)
+        put_bytes(&p, b->f64[i], 8);
+    return (uint32_t)(p - start);
+}
+
+// Header and section table of n sections whose bytes follow one another; gives the image's length.
+static inline uint32_t put_header(uint8_t *image, unsigned n, const uint8_t *id, const uint32_t *size)
+{
+    uint8_t *p = image + 12;
+    uint32_t at = 12 + 8 * n;
+
+    for (unsigned i = 0; i < n; i++) {
+        *p++ = id[i];
+        *p++ = 1;
+        put_bytes(&p, at, 3);
+        put_bytes(&p, size[i], 3);
+        at += size[i];
+    }
+    memcpy(image, "smb\1", 4);
+    p = image + 8;
+    put_bytes(&p, at, 3);
+    *p = (uint8_t)n;
+    fix_crc(image);
+    return at;
+}
+
+// Sections: one to skip, MACHINE, CODE, INIT.
+static inline uint32_t build_image(const Build *b, uint8_t *image)
+{
+    static const uint8_t id[] = {0x7f, 0x81, 0x82, 0x83};
+    uint32_t size[4] = {2, 0, b->size, b->init_size}, at = 12 + 8 * 4;
+
+    image[at] = image[at + 1] = 0xa5;
+    at += 2;
+    size[1] = put_machine(b, image + at);
+    at += size[1];
+    memcpy(image + at, b->code, b->size);
+    memcpy(image + at + b->size, b->init, b->init_size);
+    return put_header(image, 4, id, size);
+}
+
+// Where section `index` of the image begins, and how long it is.
+static inline uint32_t section_at(const uint8_t *image, unsigned index)
+{
+    const uint8_t *p = image + 12 + 8 * index;
+    return p[2] | (uint32_t)p[3] << 8 | (uint32_t)p[4] << 16;
+}
+
+#endif
