@@ -1,0 +1,15 @@
+spec 1.33  An initial value cannot be continued on the next line outside parentheses.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+
+[local]
+F64 a = 1
+    + 2   #! E
+
+[Run]
+.step
+    x = a

@@ -1,0 +1,11 @@
+spec 1.21  What other languages write is an error here: x ^ 2.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+
+[Run]
+.step
+    x = x ^ 2   #! E

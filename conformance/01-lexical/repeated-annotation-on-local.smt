@@ -1,0 +1,14 @@
+spec 1.26  An annotation that stands twice on one local is an error.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 y
+
+[local]
+F64 k = 1 @read_only @read_only   #! E
+
+[Run]
+.step
+    y = k

@@ -1,0 +1,12 @@
+spec 1.26  An annotation that stands twice on one element is an error.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x @read_only @read_only   #! E
+F64 y
+
+[Run]
+.step
+    y = x

@@ -1,0 +1,14 @@
+spec 1.11  U64 is reserved and cannot name a local.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+
+[local]
+F64 U64 = 1   #! E
+
+[Run]
+.step
+    x = 1

@@ -1,0 +1,11 @@
+spec 1.14  An underscore that does not stand between two digits is an error: 0x_1.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+
+[Run]
+.step
+    x = 0x_1   #! E

@@ -1,0 +1,11 @@
+spec 1.26  An annotation that does not exist is an error.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x @readonly   #! E
+
+[Run]
+.step
+    x = 1

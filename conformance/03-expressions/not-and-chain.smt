@@ -1,0 +1,25 @@
+spec 3.12, 3.13  not a < b < 3 begins with (not a), and is warned about once.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 a
+F64 b
+F64 x
+
+[Run]
+.step
+    x = not a < b < 3   #! W
+
+-- app.ss --
+[options]
+delta_t 1
+
+[all_states]
+true {
+    a = 7
+    b = 1
+    @assert x == 1
+    @stop
+}

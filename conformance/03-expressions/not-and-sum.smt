@@ -1,0 +1,25 @@
+spec 3.12, 3.13  not a + b means (not a) + b, with a warning.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 a
+F64 b
+F64 x
+
+[Run]
+.step
+    x = not a + b   #! W
+
+-- app.ss --
+[options]
+delta_t 1
+
+[all_states]
+true {
+    a = 0
+    b = 4
+    @assert x == 5
+    @stop
+}

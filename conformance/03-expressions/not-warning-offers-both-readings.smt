@@ -1,0 +1,13 @@
+spec 3.13  The warning shows both ways to write it.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 a
+F64 b
+F64 x
+
+[Run]
+.step
+    x = not a == b   #! W not (a == b)

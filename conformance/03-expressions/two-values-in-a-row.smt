@@ -1,0 +1,14 @@
+spec 3.8  Two values need an operator between them.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 a
+F64 b
+F64 c
+F64 x
+
+[Run]
+.step
+    x = a b   #! E

@@ -1,0 +1,6 @@
+spec 4.1  An element stands in a region.
+
+-- app.sv --
+F64 a   #! E
+[R]
+F64 b

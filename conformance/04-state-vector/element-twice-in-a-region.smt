@@ -1,0 +1,7 @@
+spec 4.3  A name stands once in a region.
+
+-- app.sv --
+[R]
+F64 a
+F64 b
+F64 a   #! E

@@ -1,0 +1,7 @@
+spec 4.2  An option of scripts is none of a state vector.
+
+-- app.sv --
+[options]
+delta_t 10   #! E
+[R]
+F64 a

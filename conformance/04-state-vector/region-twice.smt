@@ -1,0 +1,9 @@
+spec 4.4  A region stands once.
+
+-- app.sv --
+[R]
+F64 a
+[Q]
+F64 b
+[R]   #! E
+F64 c

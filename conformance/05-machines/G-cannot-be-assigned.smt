@@ -1,0 +1,10 @@
+spec 5.5  G is kept by others than the machine.
+
+-- app.sm --
+[state_vector]
+U64 time @alias G
+U32 mode @alias S
+
+[Run]
+.step
+    G = 5   #! E

@@ -1,0 +1,11 @@
+spec 5.3  G of another type is an error.
+
+-- app.sm --
+[state_vector]
+U32 G   #! E
+U32 S
+F64 x
+
+[Run]
+.step
+    x = 1

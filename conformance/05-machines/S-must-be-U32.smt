@@ -1,0 +1,11 @@
+spec 5.4  S of another type is an error.
+
+-- app.sm --
+[state_vector]
+U64 G
+U8 S   #! E
+F64 x
+
+[Run]
+.step
+    x = 1

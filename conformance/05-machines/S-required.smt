@@ -1,0 +1,10 @@
+spec 5.4  A machine without S is an error.
+
+-- app.sm --
+[state_vector]   #! E
+U64 G
+F64 x
+
+[Run]
+.step
+    x = 1

@@ -1,0 +1,14 @@
+spec 5.15  A name means one thing; the error stands at the second meaning.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+
+[local]
+U64 T = 1   #! E
+
+[Run]
+.step
+    G == 5: -> Run

@@ -1,0 +1,15 @@
+spec 5.15  A name means one thing; the error stands at the second meaning.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+
+[local]
+F64 k = 1
+U8 k = 2   #! E
+
+[Run]
+.step
+    G == 5: -> Run

@@ -1,0 +1,27 @@
+spec 5.42  What stands after a transition in the same block of statements never runs, and is warned about.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+
+[A]
+.step
+    if T == 0 {
+        x = 1
+        -> B
+        x = 2   #! W
+    }
+    x = 3
+
+[B]
+
+-- app.ss --
+[options]
+delta_t 1
+
+[all_states]
+G == 0: @assert x == 1
+G == 1: @assert x == 1 and S == 2
+G == 1: @stop

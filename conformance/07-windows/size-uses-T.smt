@@ -1,0 +1,12 @@
+spec 7.1  The size cannot depend on what is known only in flight: T.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+F64 p
+
+[Run]
+.step
+    x = roll_avg(p, T)   #! E

@@ -1,0 +1,32 @@
+spec 8.1  A hexadecimal one as well.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p
+F64 x
+F64 ro @read_only @alias q
+
+[local]
+F64 k = 5
+F64 c = 7 @read_only
+
+[A]
+.step
+    x = p
+    p == 99: -> B
+
+[B]
+.step
+    x = p + 1000
+
+-- app.ss --
+[options]
+delta_t 0x10
+
+[all_states]
+G == 32: @stop
+
+-- trace --
+3 G 32

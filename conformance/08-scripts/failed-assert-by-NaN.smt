@@ -1,0 +1,31 @@
+spec 8.19, 2.14  An assert that is NaN does not hold.
+expect fail
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p
+F64 x
+F64 ro @read_only @alias q
+
+[local]
+F64 k = 5
+F64 c = 7 @read_only
+
+[A]
+.step
+    x = p
+    p == 99: -> B
+
+[B]
+.step
+    x = p + 1000
+
+-- app.ss --
+[options]
+delta_t 1
+
+[all_states]
+G == 2: @assert x / x   #! E
+G == 3: @stop

@@ -1,0 +1,32 @@
+spec 8.2  init_state names the state in which the machine starts.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p
+F64 x
+F64 ro @read_only @alias q
+
+[local]
+F64 k = 5
+F64 c = 7 @read_only
+
+[A]
+.step
+    x = p
+    p == 99: -> B
+
+[B]
+.step
+    x = p + 1000
+
+-- app.ss --
+[options]
+init_state B
+delta_t 1
+
+[all_states]
+G == 0: p = 4
+G == 0: @assert x == 1004 and S == 2
+G == 0: @stop

@@ -1,0 +1,43 @@
+spec 8.20, 8.18  An assert noted after @stop is not judged in that step.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p
+F64 x
+F64 ro @read_only @alias q
+
+[local]
+F64 k = 5
+F64 c = 7 @read_only
+
+[A]
+.step
+    x = p
+    p == 99: -> B
+
+[B]
+.step
+    x = p + 1000
+
+-- app.ss --
+[options]
+delta_t 1
+
+[all_states]
+G == 2: @stop
+true: @assert G < 2
+
+-- report --
+state script ran for 3 steps
+2 asserts passed
+final state vector:
+  G = 2
+  S = 1
+  T = 2
+  c = 7.000000
+  k = 5.000000
+  p = 0.000000
+  q = 0.000000
+  x = 0.000000

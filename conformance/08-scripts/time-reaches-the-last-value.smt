@@ -1,0 +1,30 @@
+spec 8.21  G never becomes 18446744073709551615: reaching it is the same error.
+expect fail
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p
+F64 x
+F64 ro @read_only @alias q
+
+[local]
+F64 k = 5
+F64 c = 7 @read_only
+
+[A]
+.step
+    x = p
+    p == 99: -> B
+
+[B]
+.step
+    x = p + 1000
+
+-- app.ss --
+[options]
+delta_t 3689348814741910323   #! E
+
+[all_states]
+G == 7: @stop
