@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = 1   # harmless  x = 2  #! E
+    x = 1   # harmless  x = 2  #! E0101

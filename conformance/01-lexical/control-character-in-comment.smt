@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = 1   # bell  #! E
+    x = 1   # bell  #! E0101

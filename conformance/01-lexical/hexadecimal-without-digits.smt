@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = 0x   #! E
+    x = 0x   #! E0113

@@ -7,5 +7,5 @@ U32 S
 F64 x
 
 [Run]
-.Step   #! E
+.Step   #! E0308
     x = 1

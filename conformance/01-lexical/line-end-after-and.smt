@@ -8,5 +8,5 @@ F64 x
 
 [Run]
 .step
-    x == 1 and   #! E
-        x == 2: x = 3
+    x == 1 and   #! E0312
+    x == 2: x = 3

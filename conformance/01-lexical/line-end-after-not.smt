@@ -8,5 +8,5 @@ F64 x
 
 [Run]
 .step
-    x = not   #! E
-        x
+    x = not   #! E0312
+    x: x = 2

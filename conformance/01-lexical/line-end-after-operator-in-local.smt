@@ -7,8 +7,8 @@ U32 S
 F64 x
 
 [local]
-F64 k = 1 +   #! E
-    2
+F64 k = 1 +   #! E0312
+F64 l = 2
 
 [Run]
 .step

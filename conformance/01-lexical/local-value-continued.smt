@@ -8,7 +8,7 @@ F64 x
 
 [local]
 F64 a = 1
-    + 2   #! E
+    + 2   #! E0350
 
 [Run]
 .step

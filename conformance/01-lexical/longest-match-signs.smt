@@ -14,7 +14,7 @@ F64 z
 .step
     x = a<=b
     y = a<-b
-    z = a>=b==a!=b
+    z = a>=b==a<b
 
 -- app.ss --
 [options]

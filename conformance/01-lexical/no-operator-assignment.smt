@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = x = 2   #! E
+    x = x = 2   #! E0330

@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = x && x   #! E
+    x = x && x   #! E0107

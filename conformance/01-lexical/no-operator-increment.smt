@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = x++   #! E
+    x = x++   #! E0326

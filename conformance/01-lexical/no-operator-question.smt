@@ -1,4 +1,4 @@
-spec 1.21  What other languages write is an error here: x ? 1.
+spec 1.21  What other languages write is an error here: x ?.
 
 -- app.sm --
 [state_vector]
@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = x ? 1   #! E
+    x = x ?   #! E0105

@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = "on"   #! E
+    x = "on"   #! E0106

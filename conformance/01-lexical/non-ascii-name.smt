@@ -7,7 +7,7 @@ U32 S
 F64 x
 
 [local]
-F64 größe = 1   #! E
+F64 größe = 1   #! E0102
 
 [Run]
 .step

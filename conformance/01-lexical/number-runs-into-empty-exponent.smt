@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = 1e   #! E
+    x = 1e   #! E0113

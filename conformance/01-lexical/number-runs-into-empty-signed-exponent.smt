@@ -1,4 +1,4 @@
-spec 1.16  A number directly followed by what cannot belong to it is an error: 1e+.
+spec 1.16  A number directly followed by what cannot belong to it is an error: 1e+x.
 
 -- app.sm --
 [state_vector]
@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = 1e+   #! E
+    x = 1e+x   #! E0113

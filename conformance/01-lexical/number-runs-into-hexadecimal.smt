@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = 0x1G   #! E
+    x = 0x1G   #! E0114

@@ -7,4 +7,4 @@ U32 S
 F64 x
 
 [Run]
-.entry x = 5.step   #! E
+.entry x = 5.step   #! E0114

@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = 3x   #! E
+    x = 3x   #! E0114

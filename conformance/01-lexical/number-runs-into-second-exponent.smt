@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = 1e5e5   #! E
+    x = 1e5e5   #! E0114

@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = 5psi   #! E
+    x = 5psi   #! E0114

@@ -1,4 +1,4 @@
-spec 1.16  A number directly followed by what cannot belong to it is an error: 1and 2.
+spec 1.16  A number directly followed by what cannot belong to it is an error: 1and.
 
 -- app.sm --
 [state_vector]
@@ -8,4 +8,4 @@ F64 x
 
 [Run]
 .step
-    x = 1and 2   #! E
+    x = 1and   #! E0114

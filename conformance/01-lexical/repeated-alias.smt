@@ -4,7 +4,7 @@ spec 1.26  An element has one alias.
 [state_vector]
 U64 G
 U32 S
-F64 x @alias a @alias b   #! E
+F64 x @alias a @alias b   #! E0361
 F64 y
 
 [Run]

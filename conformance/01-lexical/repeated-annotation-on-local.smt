@@ -7,7 +7,7 @@ U32 S
 F64 y
 
 [local]
-F64 k = 1 @read_only @read_only   #! E
+F64 k = 1 @read_only @read_only   #! E0361
 
 [Run]
 .step

@@ -4,7 +4,7 @@ spec 1.26  An annotation that stands twice on one element is an error.
 [state_vector]
 U64 G
 U32 S
-F64 x @read_only @read_only   #! E
+F64 x @read_only @read_only   #! E0361
 F64 y
 
 [Run]

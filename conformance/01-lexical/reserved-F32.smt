@@ -7,7 +7,7 @@ U32 S
 F64 x
 
 [local]
-F64 F32 = 1   #! E
+F64 F32 = 1   #! E0354
 
 [Run]
 .step

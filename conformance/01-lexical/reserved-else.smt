@@ -7,7 +7,7 @@ U32 S
 F64 x
 
 [local]
-F64 else = 1   #! E
+F64 else = 1   #! E0354
 
 [Run]
 .step

@@ -5,6 +5,6 @@ spec 1.24  A state must bear a name that could stand after an arrow; true is non
 U64 G
 U32 S
 
-[true]   #! E
+[true]   #! E0306
 
 [Other]

@@ -5,6 +5,6 @@ spec 1.24  A state must bear a name that could stand after an arrow; pad/hold is
 U64 G
 U32 S
 
-[pad/hold]   #! E
+[pad/hold]   #! E0305
 
 [Other]

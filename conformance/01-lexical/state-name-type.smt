@@ -5,6 +5,6 @@ spec 1.24  A state must bear a name that could stand after an arrow; U8 is none.
 U64 G
 U32 S
 
-[U8]   #! E
+[U8]   #! E0306
 
 [Other]

@@ -7,7 +7,7 @@ U32 S
 F64 x
 
 [local]
-F64 a = 1 F64 b = 2   #! E
+F64 a = 1 F64 b = 2   #! E0330
 
 [Run]
 .step

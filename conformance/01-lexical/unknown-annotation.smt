@@ -4,7 +4,7 @@ spec 1.26  An annotation that does not exist is an error.
 [state_vector]
 U64 G
 U32 S
-F64 x @readonly   #! E
+F64 x @readonly   #! E0360
 
 [Run]
 .step

@@ -15,5 +15,5 @@ F64 y
 delta_t 1
 
 [all_states]
-G == 0: @asert y == 1   #! E
+G == 0: @asert y == 1   #! E0340
 G == 0: @stop

@@ -16,5 +16,5 @@ F64 z
 delta_t 1
 
 [all_states]
-true: @assert z / z   #! E
+true: @assert z / z   #! E0750
 true: @stop

@@ -36,7 +36,7 @@ F64  kb = -0.25 @read_only
     r5 = not a
     r6 = not 0
     r7 = (a and b) + (a and 0)
-    r8 = !b + 5
+    r8 = 5 + !b
     c1 = (ka > kb) + (ka >= ka) + (kb < ka) + (kb <= kb)
     c2 = (ka == ka) * 10 + (ka != ka)
     c3 = ka and kb
@@ -44,7 +44,7 @@ F64  kb = -0.25 @read_only
     c5 = not ka
     c6 = not 0
     c7 = (ka and kb) + (ka and 0)
-    c8 = !kb + 5
+    c8 = 5 + !kb
 
 -- app.ss --
 [options]

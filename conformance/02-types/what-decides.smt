@@ -11,7 +11,9 @@ F64 nan
 [Run]
 .step
     r = 0
-    if nan: x / x { r = 1 }
+    if nan {
+        x / x { r = 1 }
+    }
     else: x { r = 1 }
 
 -- app.ss --

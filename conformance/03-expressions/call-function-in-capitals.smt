@@ -11,4 +11,4 @@ F64 x
 
 [Run]
 .step
-    x = ABS(a)   #! E
+    x = ABS(a)   #! E0217

@@ -11,4 +11,4 @@ F64 x
 
 [Run]
 .step
-    x = roll_avg(a)   #! E
+    x = roll_avg(a)   #! E0401

@@ -11,4 +11,4 @@ F64 x
 
 [Run]
 .step
-    x = abs()   #! E
+    x = abs()   #! E0401

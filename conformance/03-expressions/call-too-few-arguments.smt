@@ -11,4 +11,4 @@ F64 x
 
 [Run]
 .step
-    x = max(a)   #! E
+    x = max(a)   #! E0401

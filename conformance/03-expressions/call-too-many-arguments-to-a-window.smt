@@ -11,4 +11,4 @@ F64 x
 
 [Run]
 .step
-    x = roll_avg(a, 2, 3)   #! E
+    x = roll_avg(a, 2, 3)   #! E0401

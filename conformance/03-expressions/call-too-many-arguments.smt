@@ -11,4 +11,4 @@ F64 x
 
 [Run]
 .step
-    x = abs(a, b)   #! E
+    x = abs(a, b)   #! E0401

@@ -11,4 +11,4 @@ F64 x
 
 [Run]
 .step
-    x = max(a, b,)   #! E
+    x = max(a, b,)   #! E0312

@@ -11,4 +11,4 @@ F64 x
 
 [Run]
 .step
-    x = sine(a)   #! E
+    x = sine(a)   #! E0217

@@ -11,4 +11,4 @@ F64 x
 
 [Run]
 .step
-    x = a != b != c   #! E and
+    x = a != b != c   #! E0331 and

@@ -11,4 +11,4 @@ F64 x
 
 [Run]
 .step
-    x = a and b + 1 == b == c or a   #! E and
+    x = a and b + 1 == b == c or a   #! E0331 and

@@ -10,7 +10,7 @@ F64 x
 
 [Run]
 .step
-    x = !a != b   #! W
+    x = !a != b   #! W0401
 
 -- app.ss --
 [options]

@@ -1,4 +1,4 @@
-spec 3.18, 5.20  Without parentheses abs is a name like any other, and unknown here.
+spec 3.18, 5.20  Without parentheses abs is a name like any other, and here nobody has declared it.
 
 -- app.sm --
 [state_vector]
@@ -11,4 +11,4 @@ F64 x
 
 [Run]
 .step
-    x = abs   #! E0204
+    x = abs   #! E0219

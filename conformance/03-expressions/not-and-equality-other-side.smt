@@ -10,7 +10,7 @@ F64 x
 
 [Run]
 .step
-    x = not a == b   #! W
+    x = not a == b   #! W0401
 
 -- app.ss --
 [options]

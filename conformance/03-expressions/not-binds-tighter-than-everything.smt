@@ -14,7 +14,6 @@ F64  r4
 F64  r5
 F64  r6
 F64  r7
-F64  r8
 F64  c1
 F64  c2
 F64  c3
@@ -22,7 +21,6 @@ F64  c4
 F64  c5
 F64  c6
 F64  c7
-F64  c8
 
 [local]
 F64  ka = 1 @read_only
@@ -34,19 +32,17 @@ F64  kc = 5 @read_only
     r1 = not b and b
     r2 = not (b and b)
     r3 = not a or a
-    r4 = !b * c
-    r5 = !a - 1
-    r6 = not b or a
-    r7 = c * !b
-    r8 = c * not b
+    r4 = -1 + !b
+    r5 = not b or a
+    r6 = c * !b
+    r7 = c * not b
     c1 = not kb and kb
     c2 = not (kb and kb)
     c3 = not ka or ka
-    c4 = !kb * kc
-    c5 = !ka - 1
-    c6 = not kb or ka
-    c7 = kc * !kb
-    c8 = kc * not kb
+    c4 = -1 + !kb
+    c5 = not kb or ka
+    c6 = kc * !kb
+    c7 = kc * not kb
 
 -- app.ss --
 [options]
@@ -60,18 +56,16 @@ true {
     @assert 1 / r1 == 1/0
     @assert r2 == 1
     @assert r3 == 1
-    @assert r4 == 5
-    @assert r5 == -1
-    @assert r6 == 1
+    @assert 1 / r4 == 1/0
+    @assert r5 == 1
+    @assert r6 == 5
     @assert r7 == 5
-    @assert r8 == 5
     @assert 1 / c1 == 1/0
     @assert c2 == 1
     @assert c3 == 1
-    @assert c4 == 5
-    @assert c5 == -1
-    @assert c6 == 1
+    @assert 1 / c4 == 1/0
+    @assert c5 == 1
+    @assert c6 == 5
     @assert c7 == 5
-    @assert c8 == 5
     @stop
 }

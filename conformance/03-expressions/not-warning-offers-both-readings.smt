@@ -10,4 +10,4 @@ F64 x
 
 [Run]
 .step
-    x = not a == b   #! W not (a == b)
+    x = not a == b   #! W0401 not (a == b)

@@ -11,4 +11,4 @@ F64 x
 
 [Run]
 .step
-    x = a + b)   #! E
+    x = a + b)   #! E0314

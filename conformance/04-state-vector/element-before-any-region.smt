@@ -1,6 +1,6 @@
 spec 4.1  An element stands in a region.
 
 -- app.sv --
-F64 a   #! E
+F64 a   #! E0301
 [R]
 F64 b

@@ -5,4 +5,4 @@ spec 4.3  A name stands once in the whole vector, whatever its region and type.
 F64 a
 [Q]
 F64 b
-U8 a   #! E
+U8 a   #! E0602

@@ -4,4 +4,4 @@ spec 4.3  A name stands once in a region.
 [R]
 F64 a
 F64 b
-F64 a   #! E
+F64 a   #! E0602

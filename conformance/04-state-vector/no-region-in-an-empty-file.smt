@@ -1,4 +1,4 @@
 spec 4.6  An empty file is no state vector.
 
 -- app.sv --
-# nothing here   #! E
+# nothing here   #! E0604

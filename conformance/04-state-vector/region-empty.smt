@@ -3,6 +3,6 @@ spec 4.5  A region holds at least one element.
 -- app.sv --
 [R]
 F64 a
-[Q]   #! E
+[Q]   #! E0603
 [P]
 F64 b

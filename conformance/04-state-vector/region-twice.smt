@@ -5,5 +5,5 @@ spec 4.4  A region stands once.
 F64 a
 [Q]
 F64 b
-[R]   #! E
+[R]   #! E0601
 F64 c

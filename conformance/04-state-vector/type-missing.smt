@@ -3,4 +3,4 @@ spec 4.1  An element needs a type.
 -- app.sv --
 [R]
 F64 a
-b   #! E
+b   #! E0352

@@ -7,4 +7,4 @@ U32 mode @alias S
 
 [Run]
 .step
-    G = 5   #! E
+    G = 5   #! E0214

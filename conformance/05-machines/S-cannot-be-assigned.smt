@@ -7,4 +7,4 @@ U32 mode @alias S
 
 [Run]
 .step
-    S = 5   #! E
+    S = 5   #! E0215

@@ -7,4 +7,4 @@ U32 mode @alias S
 
 [Run]
 .step
-    T = 5   #! E
+    T = 5   #! E0216

@@ -11,5 +11,5 @@ F64 b
 
 [Run]
 .step
-    x + 1   #! E
+    x + 1   #! E0327
     -> Run

@@ -4,7 +4,7 @@ spec 5.16  An alias equal to the name of its element is useless, and warned abou
 [state_vector]
 U64 G
 U32 S
-F64 x @alias x   #! W
+F64 x @alias x   #! W0201
 F64 y
 
 [Run]

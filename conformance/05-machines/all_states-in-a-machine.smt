@@ -6,7 +6,7 @@ U64 G
 U32 S
 F64 x
 
-[all_states]   #! E
+[all_states]   #! E0303
 .step
     x = 1
 

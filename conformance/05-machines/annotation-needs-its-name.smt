@@ -4,8 +4,8 @@ spec 5.1  @alias needs a name.
 [state_vector]
 U64 G
 U32 S
-F64 x @alias
+F64 x @alias   #! E0365
 
-[Run]   #! E
+[Run]
 .step
     x = 1

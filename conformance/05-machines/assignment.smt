@@ -22,8 +22,8 @@ delta_t 1
 true {
     n = 5
     x = 2.5 + 1
-    @assert n == 22
-    @assert x == 25.5
+    @assert n == 21
+    @assert x == 24.5
     @assert p
     @stop
 }

@@ -8,5 +8,5 @@ F64 x
 
 [Run]
 .step
-    if true {   #! E
+    if true {   #! E0321
         x = 1

@@ -11,7 +11,7 @@ U8 n
 [state_vector]
 U64 G
 U32 S
-F64 pressure   #! E
+F64 pressure   #! E0205
 
 [Run]
 .step

@@ -11,7 +11,7 @@ U8 n
 [state_vector]
 U64 G
 U32 S
-F32 p   #! E
+F32 p   #! E0206
 
 [Run]
 .step

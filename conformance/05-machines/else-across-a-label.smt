@@ -10,4 +10,4 @@ F64 x
 .entry
     if T: x = 1
 .step
-    else: x = 2   #! E
+    else: x = 2   #! E0318

@@ -13,4 +13,4 @@ F64 b
 .step
     if a: x = 1
     y = 2
-    else: x = 2   #! E
+    else: x = 2   #! E0318

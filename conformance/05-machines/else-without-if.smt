@@ -11,4 +11,4 @@ F64 b
 
 [Run]
 .step
-    else: x = 2   #! E
+    else: x = 2   #! E0318

@@ -9,9 +9,9 @@ F64 x
 
 [Run]
 .step
-    if a { }   #! W
+    if a { }   #! W0502
     else: x = 1
-    a {   #! W
+    a {   #! W0502
     }
     x = x + 1
 

@@ -10,7 +10,7 @@ F64 x
 [Run]
 .step
     if a: x = 1
-    else { }   #! W
+    else { }   #! W0502
 
 -- app.ss --
 [options]

@@ -7,7 +7,7 @@ U32 S
 F64 x
 
 [local]
-F64 k = 1 + G   #! E
+F64 k = 1 + G   #! E0406
 F64 z = 2
 
 [Run]

@@ -7,7 +7,7 @@ U32 S
 F64 x
 
 [local]
-F64 k = 1 + k   #! E
+F64 k = 1 + k   #! E0407
 F64 z = 2
 
 [Run]

@@ -7,7 +7,7 @@ U32 S
 F64 x
 
 [local]
-F64 k = 1 + roll_avg(1, 2)   #! E
+F64 k = 1 + roll_avg(1, 2)   #! E0409
 F64 z = 2
 
 [Run]

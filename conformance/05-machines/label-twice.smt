@@ -9,5 +9,5 @@ F64 x
 [Run]
 .step
     x = 1
-.step   #! E
+.step   #! E0309
     x = 2

@@ -12,5 +12,5 @@ F64 b
 [Run]
 .step
     if a: x = 1
-    else if b:   #! E {
+    else if b:   #! E0316 {
         x = 2

@@ -12,5 +12,5 @@ F64 b
 [Run]
 .step
     if a: x = 1
-    else:   #! E {
+    else:   #! E0316 {
         x = 2

@@ -11,5 +11,5 @@ F64 b
 
 [Run]
 .step
-    a > 5:   # open the valve #! E {
+    a > 5:   # open the valve #! E0316 {
         x = 1

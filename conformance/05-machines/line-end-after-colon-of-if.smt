@@ -11,5 +11,5 @@ F64 b
 
 [Run]
 .step
-    if a > 5:   #! E {
+    if a > 5:   #! E0316 {
         x = 1

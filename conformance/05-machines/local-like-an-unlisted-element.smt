@@ -14,7 +14,7 @@ U32 S
 U8 n
 
 [local]
-F64 p = 4   #! W
+F64 p = 4   #! W0202
 
 [Run]
 .step

@@ -7,7 +7,7 @@ U32 S
 F64 x
 
 [local]
-F64 = 1   #! E
+F64 = 1   #! E0353
 
 [Run]
 .step

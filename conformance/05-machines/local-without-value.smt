@@ -7,7 +7,7 @@ U32 S
 F64 x
 
 [local]
-F64 a   #! E
+F64 a   #! E0355
 F64 b = 1
 
 [Run]

@@ -7,4 +7,4 @@ U32 mode @alias S
 
 [Run]
 .step
-    mode = 5   #! E
+    mode = 5   #! E0215

@@ -11,5 +11,5 @@ F64 b
 
 [Run]
 .step
-    if a { b:   #! E
+    if a { b:   #! E0316
     }

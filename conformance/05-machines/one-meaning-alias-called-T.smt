@@ -4,7 +4,7 @@ spec 5.15  A name means one thing; the error stands at the second meaning.
 [state_vector]
 U64 G
 U32 S
-F64 x @alias T   #! E
+F64 x @alias T   #! E0203
 
 [Run]
 .step

@@ -5,7 +5,7 @@ spec 5.15  A name means one thing; the error stands at the second meaning.
 U64 G
 U32 S
 F64 y @alias x
-F64 x   #! E
+F64 x   #! E0201
 
 [Run]
 .step

@@ -7,7 +7,7 @@ U32 S
 F64 x
 
 [local]
-F64 G = 1   #! E
+F64 G = 1   #! E0201
 
 [Run]
 .step

@@ -7,7 +7,7 @@ U32 S
 F64 x
 
 [local]
-U64 T = 1   #! E
+U64 T = 1   #! E0203
 
 [Run]
 .step

@@ -7,7 +7,7 @@ U32 S
 F64 x @alias p
 
 [local]
-F64 p = 1   #! E
+F64 p = 1   #! E0201
 
 [Run]
 .step

@@ -7,7 +7,7 @@ U32 S
 F64 x
 
 [local]
-F64 x = 1   #! E
+F64 x = 1   #! E0201
 
 [Run]
 .step

@@ -8,7 +8,7 @@ F64 x
 
 [local]
 F64 k = 1
-U8 k = 2   #! E
+U8 k = 2   #! E0201
 
 [Run]
 .step

@@ -5,7 +5,7 @@ spec 5.15  A name means one thing; the error stands at the second meaning.
 U64 G
 U32 S
 F64 x @alias p
-F64 y @alias p   #! E
+F64 y @alias p   #! E0201
 
 [Run]
 .step

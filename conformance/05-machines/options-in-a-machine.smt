@@ -6,7 +6,7 @@ U64 G
 U32 S
 F64 x
 
-[options]   #! E
+[options]   #! E0303
 lock
 
 [Run]

@@ -8,10 +8,10 @@ F64 x @read_only
 
 [Run]
 .entry
-    x = 1   #! E
+    x = 1   #! E0212
 .step
     if T > 5 {
-        T > 6: x = 2   #! E
+        T > 6: x = 2   #! E0212
     }
 .exit
-    x = 3   #! E
+    x = 3   #! E0212

@@ -14,5 +14,5 @@ F64 k = 1 @read_only
 
 [Run]
 .step
-    k = 2   #! E
+    k = 2   #! E0213
     x = k

@@ -21,7 +21,7 @@ delta_t 1
 
 [all_states]
 G == 0: @assert x == 57
-G == 1: limit = 6
+G == 1: limit = 6   #! W0701
 G == 1: @assert x == 67
 G == 2: @assert x == 67 and limit == 6 and twice == 10
 G == 2: @stop

@@ -7,4 +7,4 @@ U32 mode @alias S
 
 [Run]
 .step
-    time = 5   #! E
+    time = 5   #! E0214

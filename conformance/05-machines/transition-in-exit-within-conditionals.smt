@@ -13,7 +13,7 @@ F64 x
     if x > 1 {
         x = 2
         if x > 3: x = 1
-        else: -> A   #! E
+        else: -> A   #! E0504
     }
 
 [B]

@@ -9,6 +9,6 @@ U32 S
 .step
     -> B
 .exit
-    -> A   #! E
+    -> A   #! E0504
 
 [B]

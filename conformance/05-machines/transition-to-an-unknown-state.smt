@@ -11,4 +11,4 @@ F64 b
 
 [Run]
 .step
-    -> Abrot   #! E
+    -> Abrot   #! E0501

@@ -13,4 +13,4 @@ F64 b
 .step
     if a: x = 1
     else: x = 2
-    else: x = 3   #! E
+    else: x = 3   #! E0318

@@ -9,4 +9,4 @@ F64 p
 
 [Run]
 .step
-    x = roll_avg(p, 2.5)   #! E
+    x = roll_avg(p, 2.5)   #! E0404

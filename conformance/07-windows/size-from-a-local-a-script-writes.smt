@@ -21,7 +21,7 @@ delta_t 1
 [all_states]
 G == 0 {
     p = 9
-    n = 4
+    n = 4   #! W0701
 }
 G == 1: p = 1
 G == 2: @assert x == 1 and n == 4

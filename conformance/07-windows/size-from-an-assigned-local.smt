@@ -12,7 +12,7 @@ U8 n = 2
 
 [Run]
 .step
-    x = roll_max(p, n)   #! W
+    x = roll_max(p, n)   #! W0402
     n = 5
 
 -- app.ss --

@@ -9,4 +9,4 @@ F64 p
 
 [Run]
 .step
-    x = roll_avg(p, 100001)   #! E
+    x = roll_avg(p, 100001)   #! E0405

@@ -9,4 +9,4 @@ F64 p
 
 [Run]
 .step
-    x = roll_avg(p, G)   #! E
+    x = roll_avg(p, G)   #! E0402

@@ -9,4 +9,4 @@ F64 p
 
 [Run]
 .step
-    x = roll_avg(p, S)   #! E
+    x = roll_avg(p, S)   #! E0402

@@ -9,4 +9,4 @@ F64 p
 
 [Run]
 .step
-    x = roll_avg(p, T)   #! E
+    x = roll_avg(p, T)   #! E0402

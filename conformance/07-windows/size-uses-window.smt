@@ -9,4 +9,4 @@ F64 p
 
 [Run]
 .step
-    x = roll_avg(p, roll_max(3, 2))   #! E
+    x = roll_avg(p, roll_max(3, 2))   #! E0403

@@ -27,7 +27,7 @@ delta_t 5
 
 [all_states]
 G == 5: p = 99
-S == 2: c = c + 1
+S == 2: c = c + 1   #! W0701
 S == 2 and T == 0: k = 50
 T == 5 and S == 1: ro = 1
 G == 10: @assert S == 2 and c == 8 and k == 50 and ro == 1

@@ -28,5 +28,5 @@ delta_t 1
 [all_states]
 G == 3 {
     @stop
-    @assert x == 0   #! E
+    @assert x == 0   #! E0385
 }

@@ -26,5 +26,5 @@ F64 c = 7 @read_only
 delta_t 1
 
 [all_states]
-G == 0: @assert   #! E
+G == 0: @assert   #! E0312
 G == 3: @stop

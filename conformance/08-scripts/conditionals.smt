@@ -28,7 +28,7 @@ delta_t 1
 [all_states]
 G == 0: p = 1
 if G == 0: k = 2
-G == 0 { c = 3 }
+G == 0 { c = 3 }   #! W0701
 if G == 0
 {
     ro = 4

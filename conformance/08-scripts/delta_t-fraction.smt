@@ -23,7 +23,7 @@ F64 c = 7 @read_only
 
 -- app.ss --
 [options]
-delta_t 0.5   #! E
+delta_t 0.5   #! E0702
 
 [all_states]
 G == 3: @stop

@@ -23,7 +23,7 @@ F64 c = 7 @read_only
 
 -- app.ss --
 [options]
-delta_t
+delta_t   #! E0374
 
-[all_states]   #! E
+[all_states]
 G == 3: @stop

@@ -27,5 +27,5 @@ F64 c = 7 @read_only
 delta_t 1
 
 [all_states]
-G == 2: @assert x / x   #! E
+G == 2: @assert x / x   #! E0750
 G == 3: @stop

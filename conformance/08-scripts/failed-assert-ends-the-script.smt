@@ -27,9 +27,9 @@ F64 c = 7 @read_only
 delta_t 1
 
 [all_states]
-G == 1: @assert x == 5   #! E
+G == 1: @assert x == 5   #! E0750
 G == 1: @assert x == 6
-G == 2: @assert x == 7   #! W
+G == 2: @assert x == 7
 G == 3: @stop
 
 -- report --

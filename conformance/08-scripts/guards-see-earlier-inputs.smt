@@ -28,7 +28,7 @@ delta_t 1
 [all_states]
 p == 5: k = 1
 G == 0: p = 5
-p == 5: c = 2
+p == 5: c = 2   #! W0701
 G == 0: @assert k == 5 and c == 2
 G == 1: @assert k == 1
 G == 1: @stop

@@ -24,7 +24,7 @@ F64 c = 7 @read_only
 -- app.ss --
 [options]
 delta_t 1
-init_state C   #! E
+init_state C   #! E0501
 
 [all_states]
 G == 3: @stop

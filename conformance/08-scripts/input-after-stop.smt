@@ -28,5 +28,5 @@ delta_t 1
 [all_states]
 G == 3 {
     @stop
-    p = 1   #! E
+    p = 1   #! E0385
 }

@@ -12,6 +12,6 @@ U32 mode @alias S
 delta_t 1
 
 [all_states]
-G == 0: time = 5   #! E
-G == 0: mode = 5   #! E
+G == 0: time = 5   #! E0214
+G == 0: mode = 5   #! E0215
 G == 3: @stop

@@ -26,5 +26,5 @@ F64 c = 7 @read_only
 delta_t 1
 
 [all_states]
-G == 0: T = 5   #! E
+G == 0: T = 5   #! E0216
 G == 3: @stop

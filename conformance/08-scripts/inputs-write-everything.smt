@@ -29,7 +29,7 @@ delta_t 1
 G == 0 {
     ro = 1
     k = 2
-    c = 3
+    c = 3   #! W0701
 }
 G == 1: q = ro + 10
 G == 0: @assert ro == 1 and k == 2 and c == 3

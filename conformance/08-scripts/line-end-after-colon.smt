@@ -26,6 +26,6 @@ F64 c = 7 @read_only
 delta_t 1
 
 [all_states]
-G == 0:   #! E
+G == 0:   #! E0316
     p = 5
 G == 3: @stop

@@ -26,5 +26,5 @@ F64 c = 7 @read_only
 delta_t 1
 
 [all_states]
-@assert x == 0   #! E
+@assert x == 0   #! E0380
 G == 3: @stop

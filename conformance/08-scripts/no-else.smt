@@ -27,5 +27,5 @@ delta_t 1
 
 [all_states]
 G == 0: p = 1
-else: p = 2   #! E
+else: p = 2   #! E0381
 G == 3: @stop

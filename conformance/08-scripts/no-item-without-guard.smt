@@ -26,5 +26,5 @@ F64 c = 7 @read_only
 delta_t 1
 
 [all_states]
-p = 5   #! E
+p = 5   #! E0380
 G == 3: @stop

@@ -26,6 +26,6 @@ F64 c = 7 @read_only
 delta_t 1
 
 [all_states]
-.step   #! E
+.step   #! E0386
 G == 0: p = 1
 G == 3: @stop

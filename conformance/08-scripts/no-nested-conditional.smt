@@ -27,6 +27,6 @@ delta_t 1
 
 [all_states]
 G == 0 {
-    p == 1: p = 2   #! E
+    p == 1: p = 2   #! E0382
 }
 G == 3: @stop

@@ -26,5 +26,5 @@ F64 c = 7 @read_only
 delta_t 1
 
 [all_states]
-@stop   #! E
+@stop   #! E0380
 G == 3: @stop

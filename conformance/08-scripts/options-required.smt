@@ -22,5 +22,5 @@ F64 c = 7 @read_only
     x = p + 1000
 
 -- app.ss --
-[all_states]   #! E
+[all_states]   #! E0701
 G == 3: @stop

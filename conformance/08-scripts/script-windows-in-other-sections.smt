@@ -30,7 +30,7 @@ G == 0: p = 9
 G == 1: p = 1
 G == 2: p = 99
 G == 3: p = 2
-G == 4: @stop
+G == 5: @stop
 
 [B]
 G == 4: @assert roll_max(p, 5) == 99 and roll_range(p, 5) == 99 and roll_avg(p, 2) == (99 + 2) / 2

@@ -28,5 +28,5 @@ delta_t 1
 [all_states]
 G == 3: @stop
 
-[C]   #! E
+[C]   #! E0501
 true: p = 1

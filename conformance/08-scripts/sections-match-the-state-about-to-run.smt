@@ -34,6 +34,6 @@ true: k = k + 1
 true: @assert S == 1 and G <= 2
 
 [B]
-true: c = c + 1
+true: c = c + 1   #! W0701
 true: @assert S == 2 and G >= 3
-G == 4: @assert k == 8 and c == 9   #! W
+G == 4: @assert k == 8 and c == 9   #! W0750

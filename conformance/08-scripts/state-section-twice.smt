@@ -34,5 +34,5 @@ true: p = 1
 [B]
 true: p = 2
 
-[A]   #! E
+[A]   #! E0704
 true: p = 3

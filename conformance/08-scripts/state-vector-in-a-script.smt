@@ -28,5 +28,5 @@ delta_t 1
 [all_states]
 G == 3: @stop
 
-[state_vector]   #! E
+[state_vector]   #! E0304
 F64 p

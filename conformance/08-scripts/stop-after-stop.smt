@@ -28,5 +28,5 @@ delta_t 1
 [all_states]
 G == 3 {
     @stop
-    @stop   #! E
+    @stop   #! E0385
 }

@@ -22,7 +22,7 @@ F64 c = 7 @read_only
     x = p + 1000
 
 -- app.ss --
-[options]   #! E
+[options]   #! E0703
 delta_t 1
 
 [all_states]

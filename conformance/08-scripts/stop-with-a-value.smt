@@ -26,4 +26,4 @@ F64 c = 7 @read_only
 delta_t 1
 
 [all_states]
-G == 0: @stop G == 1   #! E
+G == 0: @stop G == 1   #! E0330

@@ -24,7 +24,7 @@ F64 c = 7 @read_only
 
 -- app.ss --
 [options]
-delta_t 5755614375572403   #! E
+delta_t 5755614375572403   #! E0752
 
 [all_states]
 G == 7: @stop

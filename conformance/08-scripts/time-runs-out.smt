@@ -24,7 +24,7 @@ F64 c = 7 @read_only
 
 -- app.ss --
 [options]
-delta_t 9223372036854775808   #! E
+delta_t 9223372036854775808   #! E0752
 
 [all_states]
 G == 5: @stop

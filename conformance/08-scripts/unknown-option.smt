@@ -24,7 +24,7 @@ F64 c = 7 @read_only
 -- app.ss --
 [options]
 delta_t 1
-lock   #! E
+lock   #! E0372
 
 [all_states]
 G == 3: @stop
