@@ -266,7 +266,7 @@ static size_t other_letter(const Lexer *l, uint32_t p)
     uint32_t code = 0;
     size_t len = utf8_decode(l->src->text + p, l->src->len - p, &code);
 
-    return len > 1 && lookalike_of(code) == NO_LOOKALIKE && !is_quote(code) ? len : 0;
+    return len > 1 && lookalike_of(code) == NO_LOOKALIKE && !is_quote(code) && !utf8_is_hidden(code) ? len : 0;
 }
 
 static void lex_word(Lexer *l, Token *t)

@@ -54,7 +54,7 @@ static void finish_statement(Parser *p)
 
 static void after_stop(Parser *p, const AstStmts *s)
 {
-    if (s->n && s->at[s->n - 1]->kind == AST_STOP)
+    if (p->nesting && s->n && s->at[s->n - 1]->kind == AST_STOP)
         parser_report(p, DIAG_after_stop, parser_here(p));
 }
 
