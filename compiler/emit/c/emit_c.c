@@ -74,7 +74,7 @@ static const char *prefix_of(Arena *a, const char *wanted, const char *name)
     return wanted ? c_identifier(a, wanted, strlen(wanted)) : c_identifier(a, name, strlen(name));
 }
 
-static void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const char *sv_prefix)
+void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const char *sv_prefix)
 {
     memset(u, 0, sizeof *u);
     u->arena = a;
@@ -142,7 +142,7 @@ static void put_code(CUnit *u, const char *source, const char *header, Buf *out)
     buf_printf(out, "#include \"%s\"\n\n", header);
     put_guards(out, u->names.prefix);
     buf_char(out, '\n');
-    put_self_test(u, out);
+    put_self_test(u->fit, out);
     buf_str(out, "\n// ---- what operations mean, where C's own mean something else ----\n\n");
     helpers_put(u, out);
     buf_str(out, "// ---- the blocks.  A number that they return is that of the state to go to; 0 is to stay. ----\n\n");

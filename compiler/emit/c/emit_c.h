@@ -29,7 +29,7 @@ void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o
 //   to it:    u32 machine, u32 command, then
 //             command 0, init:   u32 state                        elements zero, locals at their initial values, then init
 //             command 1, step:   u32 n, n times (u32 variable, u64 cell)
-//   from it:  u32 status (0 ok, 1 refused, 2 cannot start here), u32 next state, u32 whether it will be a first step,
+//   from it:  u32 status (0 ok, 1 refused, 2 does not run here), u32 next state, u32 whether it will be a first step,
 //             u64 cell of every variable, u8 stored of every variable
 // Variables are numbered as in Program.var, or as in IrMachine.var where there is no program.
 // It ends at the end of its input.

@@ -52,6 +52,14 @@ typedef struct CUnit {
     const char *fit;              // the name of the self-test
 } CUnit;
 
+// ---- emit_c.c ----
+
+// Makes a unit for m.  `prefix` is an identifier; `sv_prefix` is what the vector's struct is called after, NULL: the .sv file
+// where there is one, else the prefix.
+void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const char *sv_prefix);
+
+// ---- names.c, continued ----
+
 // A C identifier made of any text: `my-tank.v2` gives my_tank_v2.
 const char *c_identifier(Arena *arena, const char *text, size_t len);
 // MyTankV2 and MY_TANK_V2 of my_tank_v2.
@@ -88,8 +96,8 @@ const char *c_type_of(SmType type);        // of a member
 
 // What stops a compiler that would change the meaning, and the includes.
 void put_guards(Buf *out, const char *what);
-// The function `NAME_is_fit`, which tries the arithmetic at run time.
-void put_self_test(const CUnit *u, Buf *out);
+// The function `name`, which tries the arithmetic at run time.
+void put_self_test(const char *name, Buf *out);
 
 // ---- code.c ----
 

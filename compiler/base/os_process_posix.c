@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// os_process.h on POSIX systems.
+#define _XOPEN_SOURCE 700
+
+#include "compiler/base/os_process.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+static bool fails(int error, const char **why)
+{
+    *why = strerror(error);
+    return false;
+}
+
+// ---- folders ----
+
+bool os_temp_folder(char *path, size_t n, const char **why)
+{
+    const char *base = getenv("TMPDIR");
+    const int len = snprintf(path, n, "%s/smc-XXXXXX", base && *base ? base : "/tmp");
+
+    if (len < 0 || (size_t)len >= n)
+        return fails(ENAMETOOLONG, why);
+    return mkdtemp(path) ? true : fails(errno, why);
+}
+
+void os_remove_folder(const char *path)
+{
+    DIR *d = opendir(path);
+    const struct dirent *e;
+
+    while (d && (e = readdir(d)) != NULL)
+        if (strcmp(e->d_name, ".") != 0 && strcmp(e->d_name, "..") != 0)
+            unlinkat(dirfd(d), e->d_name, 0);
+    if (d)
+        closedir(d);
+    rmdir(path);
+}
+
+// ---- processes ----
+
+static int wait_for(pid_t pid)
+{
+    int status;
+
+    while (waitpid(pid, &status, 0) < 0)
+        if (errno != EINTR)
+            return 127;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+bool os_run(const char *const *argv, const char *output, int *exit_code, const char **why)
+{
+    posix_spawn_file_actions_t actions;
+    pid_t pid;
+    int error = posix_spawn_file_actions_init(&actions);
+
+    if (error)
+        return fails(error, why);
+    error = posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    if (!error)
+        error = posix_spawn_file_actions_addopen(&actions, 1, output, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    if (!error)
+        error = posix_spawn_file_actions_adddup2(&actions, 1, 2);
+    if (!error)
+        error = posix_spawnp(&pid, argv[0], &actions, NULL, (char *const *)argv, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error)
+        return fails(error, why);
+    *exit_code = wait_for(pid);
+    return true;
+}
+
+static int spawn_on(int fd, const char *const *argv, pid_t *pid)
+{
+    posix_spawn_file_actions_t actions;
+    int error = posix_spawn_file_actions_init(&actions);
+
+    if (error)
+        return error;
+    error = posix_spawn_file_actions_adddup2(&actions, fd, 0);
+    if (!error)
+        error = posix_spawn_file_actions_adddup2(&actions, fd, 1);
+    if (!error)
+        error = posix_spawnp(pid, argv[0], &actions, NULL, (char *const *)argv, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    return error;
+}
+
+// A socket pair and no pipes: writing to a partner that has died is then an error and no signal.
+bool os_partner_start(OsPartner *p, const char *const *argv, const char **why)
+{
+    int pair[2], error;
+    pid_t pid = 0;
+
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, pair) != 0)
+        return fails(errno, why);
+    fcntl(pair[0], F_SETFD, FD_CLOEXEC);
+    fcntl(pair[1], F_SETFD, FD_CLOEXEC);
+    error = spawn_on(pair[1], argv, &pid);
+    close(pair[1]);
+    if (error) {
+        close(pair[0]);
+        return fails(error, why);
+    }
+    p->fd = pair[0];
+    p->pid = pid;
+    return true;
+}
+
+bool os_partner_write(OsPartner *p, const void *bytes, size_t n, const char **why)
+{
+    for (const char *at = bytes; n > 0;) {
+        const ssize_t put = send(p->fd, at, n, MSG_NOSIGNAL);
+        if (put < 0 && errno != EINTR)
+            return fails(errno, why);
+        at += put > 0 ? put : 0;
+        n -= put > 0 ? (size_t)put : 0;
+    }
+    return true;
+}
+
+bool os_partner_read(OsPartner *p, void *bytes, size_t n, const char **why)
+{
+    for (char *at = bytes; n > 0;) {
+        const ssize_t got = recv(p->fd, at, n, 0);
+        if (got < 0 && errno != EINTR)
+            return fails(errno, why);
+        if (got == 0) {
+            *why = "it ended by itself";
+            return false;
+        }
+        at += got > 0 ? got : 0;
+        n -= got > 0 ? (size_t)got : 0;
+    }
+    return true;
+}
+
+void os_partner_end(OsPartner *p)
+{
+    close(p->fd);
+    wait_for((pid_t)p->pid);
+}

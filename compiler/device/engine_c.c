@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/device/engine_c.h"
+
+#include <string.h>
+
+#include "compiler/base/os.h"
+#include "compiler/base/os_process.h"
+#include "compiler/pipeline.h"
+
+typedef struct EngineC {
+    Engine engine;
+    EngineCBatch *batch;
+    uint32_t machine;         // its number in the batch
+    Buf message;
+    uint8_t *answer;
+} EngineC;
+
+struct EngineCBatch {
+    Arena *arena;
+    OsPartner partner;
+    EngineC *at;
+    size_t n;
+};
+
+enum { PATH_LEN = 512, MESSAGE_MAX = 2000, ARGS_MAX = 60 };
+
+// ---- building ----
+
+typedef struct Workshop {
+    Arena *arena;
+    char folder[PATH_LEN];
+    const char *source, *program, *log;
+    const char **error;
+} Workshop;
+
+static bool failed(Workshop *w, const char *what, const char *why)
+{
+    *w->error = format_in(w->arena, "%s: %s", what, why);
+    return false;
+}
+
+static bool workshop_open(Workshop *w)
+{
+    const char *why;
+
+    if (!os_temp_folder(w->folder, sizeof w->folder, &why))
+        return failed(w, "cannot make a folder for the emitted C", why);
+    w->source = format_in(w->arena, "%s/machine.c", w->folder);
+    w->program = format_in(w->arena, "%s/machine", w->folder);
+    w->log = format_in(w->arena, "%s/log", w->folder);
+    return true;
+}
+
+static bool write_source(Workshop *w, const Buf *code)
+{
+    const OsOutput out = { w->source, code->at, code->n };
+    const char *path, *why;
+
+    return os_write(&out, 1, &path, &why) ? true : failed(w, "cannot write the emitted C", why);
+}
+
+// Words of `text` to argv[*n …].
+static void add_words(Arena *a, const char **argv, size_t *n, const char *text)
+{
+    while (*text && *n < ARGS_MAX) {
+        const size_t len = strcspn(text, " ");
+        if (len > 0)
+            argv[(*n)++] = format_in(a, "%.*s", (int)len, text);
+        text += len + strspn(text + len, " ");
+    }
+}
+
+// What the compiler said, without the folder that nobody knows.
+static const char *read_log(Workshop *w)
+{
+    char *text;
+    const char *why, *result;
+    size_t len;
+
+    if (!os_read(w->log, 1 << 20, &text, &len, &why))
+        return "";
+    result = format_in(w->arena, "%.*s%s", len > MESSAGE_MAX ? MESSAGE_MAX : (int)len, text, len > MESSAGE_MAX ? "…" : "");
+    os_alloc(NULL, text, 0);
+    return result;
+}
+
+static const char *compiler_of(const EngineCOptions *o)
+{
+    if (o && o->cc)
+        return o->cc;
+    return os_getenv("CC") ? os_getenv("CC") : "cc";
+}
+
+static bool compile(Workshop *w, const EngineCOptions *o)
+{
+    const char *argv[ARGS_MAX + 4], *why;
+    size_t n = 0;
+    int exit_code;
+
+    add_words(w->arena, argv, &n, compiler_of(o));
+    if (n == 0)
+        return failed(w, "CC", "it names no compiler");
+    add_words(w->arena, argv, &n, o && o->flags ? o->flags : "-O1");
+    argv[n++] = "-o";
+    argv[n++] = w->program;
+    argv[n++] = w->source;
+    argv[n] = NULL;
+    if (!os_run(argv, w->log, &exit_code, &why))
+        return failed(w, format_in(w->arena, "cannot run the C compiler %s (the variable CC names another)", argv[0]), why);
+    if (exit_code != 0)
+        return failed(w, format_in(w->arena, "the C compiler %s does not take the emitted C", argv[0]), read_log(w));
+    return true;
+}
+
+static bool start(Workshop *w, OsPartner *partner)
+{
+    const char *argv[] = { w->program, NULL }, *why;
+
+    return os_partner_start(partner, argv, &why) ? true : failed(w, "cannot start the compiled machine", why);
+}
+
+// Builds and starts; the folder is gone afterwards, for a program that runs needs its file no more.
+static bool build_and_start(Arena *arena, const Buf *code, const EngineCOptions *o, OsPartner *partner, const char **error)
+{
+    Workshop w = { 0 };
+    bool ok;
+
+    w.arena = arena;
+    w.error = error;
+    if (!workshop_open(&w))
+        return false;
+    ok = write_source(&w, code) && compile(&w, o) && start(&w, partner);
+    os_remove_folder(w.folder);
+    return ok;
+}
+
+// ---- the exchange ----
+
+static EngineStatus broken(EngineC *e, const char *why)
+{
+    e->engine.error = format_in(e->batch->arena, "emitted C: %s", why);
+    return ENGINE_BROKEN;
+}
+
+static void put_word(Buf *b, uint32_t v) { buf_put(b, &v, sizeof v); }
+
+static void message_start(EngineC *e, uint32_t command)
+{
+    e->message.n = 0;
+    put_word(&e->message, e->machine);
+    put_word(&e->message, command);
+}
+
+// Sends the message and takes the answer apart.
+static EngineStatus exchange(EngineC *e, EngineStep *out)
+{
+    const size_t vars = e->engine.program->var.n;
+    uint32_t head[3];
+    const char *why;
+
+    if (!os_partner_write(&e->batch->partner, e->message.at, e->message.n, &why) ||
+        !os_partner_read(&e->batch->partner, e->answer, sizeof head + 9 * vars, &why))
+        return broken(e, why);
+    memcpy(head, e->answer, sizeof head);
+    if (head[0] > 1)
+        return broken(e, "it refuses to start: built or run so that arithmetic means something else");
+    out->status = head[0] == 0 ? ENGINE_OK : ENGINE_REFUSED;
+    out->next_state = head[1];
+    out->next_is_first = head[2] != 0;
+    memcpy(out->cell, e->answer + sizeof head, 8 * vars);
+    memcpy(out->stored, e->answer + sizeof head + 8 * vars, vars);
+    return out->status;
+}
+
+static EngineStatus c_init(Engine *engine, uint32_t state, EngineStep *out)
+{
+    EngineC *e = engine->self;
+
+    message_start(e, 0);
+    put_word(&e->message, state);
+    return exchange(e, out);
+}
+
+static EngineStatus c_step(Engine *engine, const EngineWrite *write, uint32_t n, EngineStep *out)
+{
+    EngineC *e = engine->self;
+
+    message_start(e, 1);
+    put_word(&e->message, n);
+    for (uint32_t i = 0; i < n; i++) {
+        put_word(&e->message, write[i].var);
+        buf_put(&e->message, &write[i].cell, sizeof write[i].cell);
+    }
+    return exchange(e, out);
+}
+
+static void c_close_one_of_many(Engine *engine) { (void)engine; }
+static void c_close(Engine *engine) { engine_c_batch_close(((EngineC *)engine->self)->batch); }
+
+// ---- opening ----
+
+static void engine_init(EngineCBatch *b, size_t i, const Program *p)
+{
+    EngineC *e = &b->at[i];
+
+    e->engine.name = "c";
+    e->engine.program = p;
+    e->engine.self = e;
+    e->engine.init = c_init;
+    e->engine.step = c_step;
+    e->engine.close = c_close_one_of_many;
+    e->batch = b;
+    e->machine = (uint32_t)i;
+    buf_init(&e->message, b->arena);
+    e->answer = arena_alloc(b->arena, 12 + 9 * p->var.n);
+}
+
+EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n,
+                                  const EngineCOptions *o, const char **error)
+{
+    EngineCBatch *b = ARENA_NEW(arena, EngineCBatch);
+    Buf code;
+
+    b->arena = arena;
+    b->at = ARENA_ARRAY(arena, EngineC, n);
+    b->n = n;
+    for (size_t i = 0; i < n; i++)
+        engine_init(b, i, p[i]);
+    buf_init(&code, arena);
+    emit_c_driver(arena, m, n, &code);
+    return build_and_start(arena, &code, o, &b->partner, error) ? b : NULL;
+}
+
+Engine *engine_c_batch_engine(EngineCBatch *b, size_t i) { return &b->at[i].engine; }
+
+void engine_c_batch_close(EngineCBatch *b) { os_partner_end(&b->partner); }
+
+Engine *engine_c_open(Arena *arena, const Program *p, const IrMachine *m, const EngineCOptions *o, const char **error)
+{
+    EngineCBatch *b = engine_c_batch_open(arena, &p, &m, 1, o, error);
+
+    if (!b)
+        return NULL;
+    b->at[0].engine.close = c_close;
+    return &b->at[0].engine;
+}

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program around emitted machines that runs them at the command of its standard input: the other end of
+// compiler/device/engine_c.c.  emit_c.h describes the exchange.
+#include <string.h>
+
+#include "compiler/emit/c/fn.h"
+#include "compiler/emit/c/emit_c.h"
+
+// What every driver begins with, behind the machines themselves.
+static const char common[] =
+    "#include <stdio.h>\n"
+    "#include <stdlib.h>\n"
+    "\n"
+    "typedef struct Cell {\n"
+    "    void *at;                 // NULL: a constant\n"
+    "    const bool *stored;       // NULL: the machine never stores it\n"
+    "    uint64_t value;           // of the constant\n"
+    "    char type;                // 1 2 4 8: an integer or the bits of a float of so many bytes; b: bool\n"
+    "} Cell;\n"
+    "\n"
+    "typedef struct Machine {\n"
+    "    uint32_t (*init)(uint32_t state);\n"
+    "    uint32_t (*step)(void);\n"
+    "    uint32_t (*state)(void);\n"
+    "    const bool *first;\n"
+    "    const Cell *cell;\n"
+    "    uint32_t cells;\n"
+    "} Machine;\n"
+    "\n"
+    "static uint64_t cell_read(const Cell *c)\n"
+    "{\n"
+    "    switch (c->at ? c->type : 0) {\n"
+    "    case 1: { uint8_t v; memcpy(&v, c->at, sizeof v); return v; }\n"
+    "    case 2: { uint16_t v; memcpy(&v, c->at, sizeof v); return v; }\n"
+    "    case 4: { uint32_t v; memcpy(&v, c->at, sizeof v); return v; }\n"
+    "    case 8: { uint64_t v; memcpy(&v, c->at, sizeof v); return v; }\n"
+    "    case 'b': { uint8_t v; memcpy(&v, c->at, sizeof v); return v != 0; }\n"
+    "    default: return c->value;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "static void cell_write(const Cell *c, uint64_t value)\n"
+    "{\n"
+    "    switch (c->at ? c->type : 0) {\n"
+    "    case 1: { const uint8_t v = (uint8_t)value; memcpy(c->at, &v, sizeof v); break; }\n"
+    "    case 2: { const uint16_t v = (uint16_t)value; memcpy(c->at, &v, sizeof v); break; }\n"
+    "    case 4: { const uint32_t v = (uint32_t)value; memcpy(c->at, &v, sizeof v); break; }\n"
+    "    case 8: memcpy(c->at, &value, sizeof value); break;\n"
+    "    case 'b': { const uint8_t v = value != 0; memcpy(c->at, &v, sizeof v); break; }\n"
+    "    default: break;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "static bool take(void *bytes, size_t n) { return fread(bytes, 1, n, stdin) == n; }\n"
+    "static void give(const void *bytes, size_t n) { if (fwrite(bytes, 1, n, stdout) != n) exit(1); }\n"
+    "\n"
+    "static void answer(const Machine *m, uint32_t status)\n"
+    "{\n"
+    "    const uint32_t head[3] = { status, m->state(), *m->first };\n"
+    "    uint32_t i;\n"
+    "\n"
+    "    give(head, sizeof head);\n"
+    "    for (i = 0; i < m->cells; i++) {\n"
+    "        const uint64_t value = cell_read(&m->cell[i]);\n"
+    "        give(&value, sizeof value);\n"
+    "    }\n"
+    "    for (i = 0; i < m->cells; i++) {\n"
+    "        const uint8_t stored = m->cell[i].stored && *m->cell[i].stored;\n"
+    "        give(&stored, sizeof stored);\n"
+    "    }\n"
+    "    fflush(stdout);\n"
+    "}\n"
+    "\n"
+    "static bool run_init(const Machine *m)\n"
+    "{\n"
+    "    uint32_t state;\n"
+    "\n"
+    "    if (!take(&state, sizeof state))\n"
+    "        return false;\n"
+    "    answer(m, m->init(state));\n"
+    "    return true;\n"
+    "}\n"
+    "\n"
+    "static bool run_step(const Machine *m)\n"
+    "{\n"
+    "    uint32_t n, var;\n"
+    "    uint64_t value;\n"
+    "\n"
+    "    if (!take(&n, sizeof n))\n"
+    "        return false;\n"
+    "    for (; n > 0; n--) {\n"
+    "        if (!take(&var, sizeof var) || !take(&value, sizeof value) || var >= m->cells)\n"
+    "            return false;\n"
+    "        cell_write(&m->cell[var], value);\n"
+    "    }\n"
+    "    answer(m, m->step());\n"
+    "    return true;\n"
+    "}\n"
+    "\n";
+
+static const char run[] =
+    "int main(void)\n"
+    "{\n"
+    "    uint32_t head[2];\n"
+    "\n"
+    "    while (take(head, sizeof head) && head[0] < sizeof machine / sizeof *machine)\n"
+    "        if (!(head[1] == 0 ? run_init(&machine[head[0]]) : run_step(&machine[head[0]])))\n"
+    "            break;\n"
+    "    return 0;\n"
+    "}\n";
+
+// ---- one machine's table ----
+
+static char cell_type(SmType t) { return t == SM_BOOL ? 'b' : (char)('0' + sm_type_info[t].bytes); }
+
+// The row of IR variable v.
+static void put_variable_row(const CUnit *u, size_t v, Buf *out)
+{
+    const IrVar *var = &u->m->var.at[v];
+    const char *p = u->names.prefix, *member = u->names.var[v];
+    const bool element = var->space == IR_ELEMENT;
+    const char type = cell_type(var->type);
+
+    buf_printf(out, "    { &%s%s.%s, ", p, element ? "_sv" : "_m", member);
+    if (element && (var->writable || v == u->m->s))
+        buf_printf(out, "&%s_m.stored.%s, ", p, member);
+    else
+        buf_str(out, "NULL, ");
+    buf_printf(out, type == 'b' ? "0, '%c' },\n" : "0, %c },\n", type);
+}
+
+// The row of a variable of the program, which the IR knows by name unless it is a constant.
+static void put_program_row(const CUnit *u, const Map *by_name, const Var *var, Buf *out)
+{
+    const IrVar *v = map_find(by_name, var->name);
+
+    if (v)
+        put_variable_row(u, (size_t)(v - u->m->var.at), out);
+    else
+        buf_printf(out, "    { NULL, NULL, UINT64_C(%llu), 0 },\n", (unsigned long long)var->init);
+}
+
+static void put_rows(const CUnit *u, Buf *out)
+{
+    const Program *p = u->m->program;
+    Map by_name = { 0 };
+
+    by_name.arena = u->arena;
+    for (size_t v = 0; v < u->m->var.n; v++)
+        map_put(&by_name, u->m->var.at[v].name, &u->m->var.at[v]);
+    buf_printf(out, "static const Cell %s_cell[] = {\n", u->names.prefix);
+    for (size_t i = 0; p && i < p->var.n; i++)
+        put_program_row(u, &by_name, p->var.at[i], out);
+    for (size_t v = 0; !p && v < u->m->var.n; v++)
+        put_variable_row(u, v, out);
+    buf_str(out, "};\n");
+}
+
+// The enumerators of TankStatus to what the exchange says: no state and unfit are one to it.
+static void put_calls(const CUnit *u, Buf *out)
+{
+    const char *p = u->names.prefix;
+
+    buf_printf(out, "static uint32_t %s_run_init(uint32_t state)\n{\n", p);
+    buf_printf(out, "    memset(&%s_m, 0, sizeof %s_m);\n    memset(&%s_sv, 0, sizeof %s_sv);\n", p, p, p, p);
+    buf_printf(out, "    return %s_init(&%s_m, &%s_sv, state) == %s_OK ? 0 : 2;\n}\n", p, p, p, u->names.macro);
+    buf_printf(out, "static uint32_t %s_run_step(void)\n{\n", p);
+    buf_printf(out, "    const %sStatus s = %s_step(&%s_m, &%s_sv);\n", u->names.type, p, p, p);
+    buf_printf(out, "    return s == %s_OK ? 0 : s == %s_REFUSED ? 1 : 2;\n}\n", u->names.macro, u->names.macro);
+    buf_printf(out, "static uint32_t %s_run_state(void) { return %s_state(&%s_m); }\n", p, p, p);
+}
+
+static void put_table(const CUnit *u, Buf *out)
+{
+    const CNames *n = &u->names;
+
+    buf_printf(out, "static %s %s_m;\nstatic %s %s_sv;\n", n->type, n->prefix, n->sv_type, n->prefix);
+    put_rows(u, out);
+    put_calls(u, out);
+    buf_char(out, '\n');
+}
+
+static void put_machine_row(const CUnit *u, Buf *out)
+{
+    const char *p = u->names.prefix;
+
+    buf_printf(out, "    { %s_run_init, %s_run_step, %s_run_state, &%s_m.first_, %s_cell, sizeof %s_cell / sizeof *%s_cell },\n", p, p, p, p,
+               p, p, p);
+}
+
+// ---- all of them ----
+
+// Types and code of one machine, behind those before it.  What it needs of stdlib is added to `helper`.
+static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool *helper, const char *fit, Buf *out)
+{
+    CUnit *u = ARENA_NEW(arena, CUnit);
+    const char *prefix = format_in(arena, "m%u", (unsigned)i);
+
+    unit_init(u, arena, m, prefix, prefix);
+    u->helper = helper;
+    u->fit = fit;
+    put_vector_struct(u, out);
+    put_machine_types(u, out);
+    put_prototypes(u, out);
+    buf_char(out, '\n');
+    put_machine(u, out);
+    buf_char(out, '\n');
+    return u;
+}
+
+void emit_c_driver(Arena *arena, const IrMachine *const *m, size_t n, Buf *code)
+{
+    bool *helper = ARENA_ARRAY(arena, bool, helper_count());
+    CUnit **u = ARENA_ARRAY(arena, CUnit *, n);
+    Buf machines;
+
+    buf_init(&machines, arena);
+    for (size_t i = 0; i < n; i++)
+        u[i] = put_one(arena, m[i], i, helper, "machines_are_fit", &machines);
+    put_guards(code, "machines");
+    put_self_test("machines_are_fit", code);
+    if (n == 0)
+        return;
+    helper_type_put("SmRoll", code);
+    helpers_put(u[0], code);
+    buf_str(code, buf_text(&machines));
+    buf_str(code, common);
+    for (size_t i = 0; i < n; i++)
+        put_table(u[i], code);
+    buf_str(code, "static const Machine machine[] = {\n");
+    for (size_t i = 0; i < n; i++)
+        put_machine_row(u[i], code);
+    buf_str(code, "};\n\n");
+    buf_str(code, run);
+}
