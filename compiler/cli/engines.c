@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compiler/cli/test.h"
+#include "compiler/device/engine_c.h"
 
 const char *const engine_name[ENGINE_KINDS] = {"ref", "vm", "c"};
 
@@ -26,9 +27,19 @@ unsigned engines_in_list(const char *list)
     return which;
 }
 
+// Emitted C wants a C compiler: asked for once a run.
+static bool c_is_present(void)
+{
+    static int present = -1;
+
+    if (present < 0)
+        present = engine_c_present(NULL);
+    return present == 1;
+}
+
 unsigned engines_present(void)
 {
-    return 1u << ENGINE_REF | 1u << ENGINE_VM;
+    return 1u << ENGINE_REF | 1u << ENGINE_VM | (c_is_present() ? 1u << ENGINE_C : 0u);
 }
 
 static Engine *open_vm(Session *s, const Program *p, int opt_level, const char **error)
@@ -44,6 +55,16 @@ static Engine *open_vm(Session *s, const Program *p, int opt_level, const char *
     return NULL;
 }
 
+static Engine *open_c(Session *s, const Program *p, int opt_level, const char **error)
+{
+    IrMachine *m = session_ir(s, p, opt_level);
+
+    if (m)
+        return engine_c_open(&s->arena, p, m, NULL, error);
+    *error = "the machine could not be made into C";
+    return NULL;
+}
+
 unsigned engines_default(void)
 {
     return engines_present() & 1u << ENGINE_VM ? 1u << ENGINE_VM : 1u << ENGINE_REF;
@@ -54,7 +75,8 @@ static Engine *open_one(EngineKind kind, Session *s, const Program *p, int opt_l
     switch (kind) {
     case ENGINE_REF: return engine_ref_open(&s->arena, p);
     case ENGINE_VM: return open_vm(s, p, opt_level, error);
-    case ENGINE_C: case ENGINE_KINDS: break;
+    case ENGINE_C: return open_c(s, p, opt_level, error);
+    case ENGINE_KINDS: break;
     }
     *error = "this build does not have it";
     return NULL;

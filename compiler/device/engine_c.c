@@ -91,6 +91,20 @@ static const char *compiler_of(const EngineCOptions *o)
     return os_getenv("CC") ? os_getenv("CC") : "cc";
 }
 
+bool engine_c_present(const EngineCOptions *o)
+{
+    char name[PATH_LEN];
+    const char *argv[] = { name, "--version", NULL }, *cc = compiler_of(o), *why;
+    int exit_code;
+
+    cc += strspn(cc, " ");
+    if (strcspn(cc, " ") >= sizeof name)
+        return false;
+    memcpy(name, cc, strcspn(cc, " "));
+    name[strcspn(cc, " ")] = '\0';
+    return os_run(argv, "/dev/null", &exit_code, &why) && exit_code == 0;
+}
+
 static bool compile(Workshop *w, const EngineCOptions *o)
 {
     const char *argv[ARGS_MAX + 4], *why;

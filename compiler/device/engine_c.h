@@ -12,6 +12,9 @@ typedef struct EngineCOptions {
     const char *flags;        // more options; NULL: -O1
 } EngineCOptions;
 
+// Whether there is such a compiler.
+bool engine_c_present(const EngineCOptions *o);
+
 // One machine.  `o` may be NULL.  NULL and a sentence in *error when it cannot be built or started.
 Engine *engine_c_open(Arena *arena, const Program *p, const IrMachine *m, const EngineCOptions *o, const char **error);
 

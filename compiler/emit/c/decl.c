@@ -118,7 +118,7 @@ static bool is_output(const IrMachine *m, size_t v)
 
 static void put_stored(const CUnit *u, Buf *out)
 {
-    buf_printf(out, "// Which elements were stored by the last call of init or of a step that was not refused.\n"
+    buf_printf(out, "// Which elements the last step that was not refused has stored.\n"
                     "typedef struct %sStored {\n", u->names.type);
     for (size_t v = 0; v < u->m->var.n; v++)
         if (is_output(u->m, v))

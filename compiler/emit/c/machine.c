@@ -105,7 +105,7 @@ static void put_init(CUnit *u, Buf *out)
     put_initial_values(u, out);
     put_empty_windows(u, out);
     buf_printf(out, "    memset(&m->stored, 0, sizeof m->stored);\n"
-                    "    sv->%s = state;\n    m->stored.%s = true;\n    return %s_OK;\n}\n\n", s, s, n->macro);
+                    "    sv->%s = state;\n    return %s_OK;\n}\n\n", s, n->macro);
 }
 
 // ---- step ----
