@@ -215,9 +215,15 @@ static void test_file(TestRun *t, const char *path)
         say_failed(t, &r);
 }
 
+static void refuse_folder(TestRun *t, const char *path, const char *why)
+{
+    cli_say(t->c, "cannot read '%s': %s", path, why);
+    add_result(t, path, TEST_FAILED, why, EXIT_ENVIRONMENT);
+}
+
 static void test_path(TestRun *t, const char *path, int depth)
 {
-    const char *why;
+    const char *why = "folders are nested too deeply";
     char **names;
     size_t n;
 
@@ -226,9 +232,7 @@ static void test_path(TestRun *t, const char *path, int depth)
         return;
     }
     if (depth == FOLDER_DEPTH_MAX || !os_list(path, &names, &n, &why)) {
-        why = depth == FOLDER_DEPTH_MAX ? "folders are nested too deeply" : why;
-        cli_say(t->c, "cannot read '%s': %s", path, why);
-        add_result(t, path, TEST_FAILED, why, EXIT_ENVIRONMENT);
+        refuse_folder(t, path, why);
         return;
     }
     for (size_t i = 0; i < n; i++) {
@@ -237,6 +241,18 @@ static void test_path(TestRun *t, const char *path, int depth)
             test_path(t, inner, depth + 1);
     }
     os_alloc(NULL, names, 0);
+}
+
+// A case or folder that the call names; one without any case is a mistake.
+static void test_argument(TestRun *t, const char *path)
+{
+    size_t before = t->result.n;
+
+    test_path(t, path, 0);
+    if (t->result.n > before)
+        return;
+    cli_say(t->c, "no .smt case is in '%s'", path);
+    add_result(t, path, TEST_FAILED, "no .smt case is in it", EXIT_PROBLEM);
 }
 
 // ---- what comes out ----
@@ -375,7 +391,7 @@ int cmd_test(Cli *c)
         return code;
     for (size_t i = 0; i < c->files; i++)
         if (!has_suffix(c->file[i], ".ss") && c->file[i] != f.machine)
-            test_path(&t, c->file[i], 0);
+            test_argument(&t, c->file[i]);
     say_absent(&t);
     written = write_results(&t, f.cases > 0 || f.scripts > 1);
     code = exit_code(&t);

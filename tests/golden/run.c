@@ -6,7 +6,7 @@
 // The parts of a case are files of an empty folder in which its `args` lines, one command each, are run by the shell one
 // after another with the command's path before them.  Then are compared:
 //     -- stdout --, -- stderr --   all that was printed; without the part, nothing may have been
-//     -- exit --                   the last command's exit code; without the part, 0
+//     -- exit --                   the commands' exit codes; without the part, all 0
 //     -- file NAME --              what stands in that file afterwards
 // In a part NAME.smt a line of that file which would end the part begins with a backslash: `\-- app.sm --`.
 // A line `...` stands for any number of lines, `[..]` in a line for any text.  `-- stdin --` is what commands may read.
@@ -30,7 +30,7 @@ typedef struct Golden {
     const char *folder;
     const char *smc;
     Buf why;
-    char exit_code[16];
+    Buf codes, zeros;         // exit codes, as came and as all well
 } Golden;
 
 static void *heap(void *context, void *old, size_t size)
@@ -165,7 +165,7 @@ static void expect_file(Golden *g, const TestPart *p, const char *name)
 static bool is_special(const TestPart *p)
 {
     return strcmp(p->name, "stdout") == 0 || strcmp(p->name, "stderr") == 0 || strcmp(p->name, "exit") == 0 ||
-           strncmp(p->name, "file ", 5) == 0;
+           strcmp(p->name, "stdin") == 0 || strncmp(p->name, "file ", 5) == 0;
 }
 
 static void make_folders(const char *path)
@@ -195,7 +195,9 @@ static Buf unquoted(Golden *g, const TestPart *p)
 
 static void lay_out(Golden *g)
 {
-    write_file(in_folder(g, "stdin"), "", 0);
+    const TestPart *input = testfile_part(g->f, "stdin");
+
+    write_file(in_folder(g, ".in"), input ? input->text : "", input ? input->n : 0);
     for (size_t i = 0; i < g->f->part.n; i++) {
         const TestPart *p = &g->f->part.at[i];
         Buf text = unquoted(g, p);
@@ -215,14 +217,16 @@ static int shell(const char *command)
 
 static void run_commands(Golden *g)
 {
-    int code = 0;
-
+    buf_init(&g->codes, &g->arena);
+    buf_init(&g->zeros, &g->arena);
     for (size_t i = 0; i < g->f->header.n; i++) {
         const TestHeader *h = &g->f->header.at[i];
-        if (strcmp(h->key, "args") == 0)
-            code = shell(format_in(&g->arena, "cd '%s' && { '%s' %s; } <stdin >>.out 2>>.err", g->folder, g->smc, h->value));
+        if (strcmp(h->key, "args") != 0)
+            continue;
+        buf_printf(&g->zeros, "%s0", g->zeros.n ? " " : "");
+        buf_printf(&g->codes, "%s%d", g->codes.n ? " " : "", shell(format_in(&g->arena, "cd '%s' && SMC='%s' && { \"$SMC\" %s; } <.in >>.out 2>>.err", g->folder,
+                                                                        g->smc, h->value)));
     }
-    snprintf(g->exit_code, sizeof g->exit_code, "%d", code);
 }
 
 static void compare(Golden *g)
@@ -234,7 +238,7 @@ static void compare(Golden *g)
         expect(g, "stdout", "", text, n);
     if ((text = read_file(&g->arena, in_folder(g, ".err"), &n)) != NULL)
         expect(g, "stderr", "", text, n);
-    expect(g, "exit", "0", g->exit_code, strlen(g->exit_code));
+    expect(g, "exit", buf_text(&g->zeros), buf_text(&g->codes), g->codes.n);
     for (size_t i = 0; i < g->f->part.n; i++)
         if (strncmp(g->f->part.at[i].name, "file ", 5) == 0)
             expect_file(g, &g->f->part.at[i], g->f->part.at[i].name + 5);
@@ -272,14 +276,16 @@ static void update(Golden *g, const char *path, const char *text)
         if (!is_special(p)) {
             buf_printf(&out, "-- %s --\n", p->name);
             buf_put(&out, p->text, p->n);
+        } else if (strcmp(p->name, "stdin") == 0) {
+            put_part(&out, p->name, p->text, p->n);
         } else if (strncmp(p->name, "file ", 5) == 0) {
             put_came(g, &out, p->name, p->name + 5);
         }
     }
     put_came(g, &out, "stdout", ".out");
     put_came(g, &out, "stderr", ".err");
-    if (strcmp(g->exit_code, "0") != 0)
-        put_part(&out, "exit", g->exit_code, strlen(g->exit_code));
+    if (strcmp(buf_text(&g->codes), buf_text(&g->zeros)) != 0)
+        put_part(&out, "exit", buf_text(&g->codes), g->codes.n);
     write_file(path, buf_text(&out), out.n);
 }
 
@@ -296,6 +302,8 @@ static bool run_case(Golden *g, const char *path)
         die("cannot read", path);
     g->f = testfile_parse(&g->arena, path, text, n);
     buf_init(&g->why, &g->arena);
+    if (g->f->error && !getenv("UPDATE"))
+        buf_printf(&g->why, "%s\n", g->f->error);
     if (!testfile_header(g->f, "args"))
         buf_str(&g->why, "no args line\n");
     if ((g->folder = mkdtemp(name)) == NULL)

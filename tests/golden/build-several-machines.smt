@@ -1,0 +1,31 @@
+# Several machines over one state vector make one image.
+args build --sv=v.sv a.sm b.sm -o all.smb
+args verify all.smb
+
+-- v.sv --
+[Valves]
+bool open
+bool drain
+[Sensors]
+F32 pressure
+U64 G
+U32 S
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+bool open
+[Idle]
+.step
+    open = true
+-- b.sm --
+[state_vector]
+U64 G
+U32 S
+bool drain
+[Idle]
+.step
+    drain = true
+-- stdout --
+all.smb: machine 1: 1 states, longest step 2 instructions, [..] bytes of RAM, state vector 32 bytes (layout f3fda3e4)
+all.smb: machine 2: 1 states, longest step 2 instructions, [..] bytes of RAM, state vector 32 bytes (layout f3fda3e4)

@@ -1,0 +1,21 @@
+# -w drops warnings, -Wno-name drops one.
+args check -w a.sm
+args check -Wno-unused-element a.sm
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+bool open
+F64 spare
+[Idle]
+.step
+    open = true
+[Lost]
+.step
+    open = false
+-- stderr --
+a.sm:9:2: warning: state 'Lost' cannot be reached [W0503]
+    9 | [Lost]
+      |  ^~~~
+1 warning

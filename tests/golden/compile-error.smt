@@ -1,0 +1,19 @@
+# A diagnostic: place, source line, mark, note, count.
+args check a.sm
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+bool valveOpen
+[Idle]
+.step
+    valve0pen = true
+-- stderr --
+a.sm:7:5: error: unknown element 'valve0pen' [E0204]
+    7 |     valve0pen = true
+      |     ^~~~~~~~~ did you mean 'valveOpen'?
+a.sm:4:6: note: 'valveOpen' is declared here
+1 error
+-- exit --
+1

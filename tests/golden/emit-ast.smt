@@ -1,0 +1,19 @@
+# --emit=ast
+args build --emit=ast a.sm
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+bool open
+[Idle]
+.step
+    open = true
+-- stdout --
+state_vector state_vector
+  U64 G
+  U32 S
+  bool open
+state Idle
+  .step
+    open = true

@@ -1,0 +1,23 @@
+# smc alone prints its help to standard error and fails as misused.
+args
+
+-- stderr --
+smc - state machines for rockets: checks them, tests them, compiles them to C and bytecode
+
+Usage:
+  smc build M.sm... [--sv V.sv] [--emit=KIND] [-o OUT]
+      compile machines to bytecode, or to C with --emit=c
+  smc check FILE...
+      say all that can be said without running
+  smc test M.sm SCRIPT.ss... [--sv V.sv] [--engine=ENGINE]
+      run state scripts, .smt cases and folders of them
+  smc disasm IMAGE
+      print the instructions of an image
+  smc verify IMAGE
+      run the device's own checks on an image
+  smc explain CODE
+      print the page of a diagnostic, as E0204
+
+'smc COMMAND --help' lists a command's options.
+-- exit --
+2

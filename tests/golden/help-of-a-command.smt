@@ -1,0 +1,21 @@
+# --help behind a command lists its options.
+args test --help
+
+-- stdout --
+Usage: smc test M.sm SCRIPT.ss... [--sv V.sv] [--engine=ENGINE]
+  run state scripts, .smt cases and folders of them
+
+Options:
+  --help                   print help and exit
+  --version                print the version and exit
+  --sv=FILE                the application's state vector
+  -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 1)
+  --engine=ENGINE          what runs the machine: vm (default), ref, c or all
+  --trace=FILE             write every value after every step
+  --max-steps=N            give up on a script after N steps (default 1000000)
+  --junit=FILE             write the results as JUnit XML
+  --tap                    print the results in the Test Anything Protocol
+  --message-format=FORMAT  diagnostics as text (default) or json
+  --color=WHEN             auto (default), always or never
+  -w                       no warnings
+  -WNAME                   -Wname, -Wno-name, -Wall, -Werror, -Werror=name

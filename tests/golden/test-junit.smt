@@ -1,0 +1,81 @@
+# The same as JUnit XML.
+args test --junit=r.xml cases a.sm bad.ss >/dev/null 2>&1; cat r.xml
+
+-- cases/good.smt --
+\-- app.sm --
+[state_vector]
+U64 G
+U32 S
+[Idle]
+-- cases/bad.smt --
+\-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+[Idle]
+.step
+    y = 1
+    x = z       #! E0204 unknown element 'z'
+    x = 2       #! W0501 nothing
+-- cases/inner/report.smt --
+on ref
+\-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+[Idle]
+.step
+    x = x + 1
+\-- app.ss --
+[options]
+delta_t 1
+[all_states]
+G == 1: @stop
+\-- report --
+state script ran for 2 steps
+0 asserts passed
+final state vector:
+  G = 2
+  S = 1
+  T = 1
+  x = 2.000000
+\-- trace --
+1 x 0x1p+0
+2 x 0x1p+2
+-- cases/.hidden.smt --
+-- cases/note.txt --
+-- cases/malformed.smt --
+expect perhaps
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+bool open
+[Idle]
+.step
+    open = true
+-- bad.ss --
+[options]
+delta_t 10
+[all_states]
+G == 20: @assert not open
+G == 30: @stop
+-- stdout --
+<?xml version="1.0" encoding="UTF-8"?>
+<testsuite name="smc test" tests="5" failures="4" errors="0" skipped="0">
+  <testcase name="bad.ss" classname="smc">
+    <failure message="bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]">bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]&#10;    4 | G == 20: @assert not open&#10;      |                  ^~~~~~~~ open = true&#10;1 error&#10;</failure>
+  </testcase>
+  <testcase name="cases/bad.smt" classname="smc">
+    <failure message="not announced: app.sm:7:5: error: unknown element 'y' [E0204]">not announced: app.sm:7:5: error: unknown element 'y' [E0204]&#10;announced, but not reported: app.sm:9: W0501 nothing&#10;</failure>
+  </testcase>
+  <testcase name="cases/good.smt" classname="smc"/>
+  <testcase name="cases/inner/report.smt" classname="smc">
+    <failure message="the report differs (- expected, + came):">the report differs (- expected, + came):&#10;  -   G = 2&#10;  +   G = 1&#10;the trace has no line '2 x 0x1p+2' here; it has '2 x 0x1p+1'&#10;</failure>
+  </testcase>
+  <testcase name="cases/malformed.smt" classname="smc">
+    <failure message="line 1: expect takes pass, fail or error">line 1: expect takes pass, fail or error</failure>
+  </testcase>
+</testsuite>

@@ -1,0 +1,42 @@
+# Several scripts: those that fail, and how many.
+args test a.sm a.ss bad.ss
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+bool open
+[Idle]
+.step
+    open = true
+-- a.ss --
+[options]
+delta_t 10
+[all_states]
+G == 20 {
+    @assert open
+    @stop
+}
+-- bad.ss --
+[options]
+delta_t 10
+[all_states]
+G == 20: @assert not open
+G == 30: @stop
+-- stdout --
+bad.ss:
+state script ran for 3 steps
+0 asserts passed
+final state vector:
+  G = 20
+  S = 1
+  T = 20
+  open = true
+1 passed, 1 failed
+-- stderr --
+bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]
+    4 | G == 20: @assert not open
+      |                  ^~~~~~~~ open = true
+1 error
+-- exit --
+1

@@ -1,0 +1,5 @@
+# --version prints the version.
+args --version
+
+-- stdout --
+smc [..]

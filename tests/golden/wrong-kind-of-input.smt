@@ -1,0 +1,10 @@
+# An input that is no source.
+args build a.txt
+
+-- a.txt --
+hello
+-- stderr --
+smc: 'a.txt' is no source: names end in .sm, .sv or .ss
+Try 'smc build --help'.
+-- exit --
+2
