@@ -223,7 +223,7 @@ static Var *find_special(Declarations *k, const char *name, SmType type, DiagCod
     Var *v = map_find(&k->p->by_name, key);
     bool told;                    // as E0206: the state vector has the right type
 
-    if (!v && !k->s->names_lost)
+    if (!v && !k->s->lost->names)
         diag_report(k->s->diags, missing, k->list->header);
     if (!v || scope_is_doubtful(k->s, key))
         return v;
@@ -241,7 +241,7 @@ static void find_specials(Declarations *k)
     if (any && k->list) {
         k->p->g = find_special(k, "G", SM_U64, DIAG_no_global_time, DIAG_global_time_type);
         k->p->s = find_special(k, "S", SM_U32, DIAG_no_state_element, DIAG_state_element_type);
-    } else if (!k->s->names_lost)
+    } else if (!k->s->lost->names)
         diag_report(k->s->diags, DIAG_no_elements, k->list ? k->list->header : (Span){k->p->src, 0, 0});
 }
 

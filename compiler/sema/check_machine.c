@@ -20,6 +20,8 @@ static void add_state(Sema *s, Program *p, const AstSection *section)
     state->span = section->name_span;
     state->number = (uint32_t)p->state.n + 1;
     vec_push(s->arena, &p->state, state);
+    if (state->name->len == 0)
+        return;                   // the parser could not read its header
     if (first)
         report_state_twice(s, first, section);
     else
@@ -31,7 +33,7 @@ static void add_states(Sema *s, Program *p, const AstFile *sm)
     for (size_t i = 0; i < sm->sections.n; i++)
         if (sm->sections.at[i]->kind == AST_STATE)
             add_state(s, p, sm->sections.at[i]);
-    if (p->state.n == 0 && !s->names_lost)
+    if (p->state.n == 0 && !s->lost->sections)
         diag_report(s->diags, DIAG_no_state, (Span){p->src, 0, 0});
 }
 
@@ -88,8 +90,7 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     Program *p = new_program(c, sm);
     Sema s;
 
-    sema_init(&s, c, p, &p->window);
-    s.names_lost = sema_lost_names(c->diags, sm);
+    sema_init(&s, c, lost_names(c, sm), p, &p->window);
     s.sv = sv;
     p->sv = sv ? sv : own_state_vector(c, p);
     add_states(&s, p, sm);

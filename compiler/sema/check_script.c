@@ -118,7 +118,7 @@ static void check_section(ScriptCheck *k, const AstSection *in)
     ScriptSection section;
 
     memset(&section, 0, sizeof section);
-    if (!in->all_states) {
+    if (!in->all_states && in->name->len > 0) {
         section.state = scope_find_state(&k->s, in->name, in->name_span);
         check_section_twice(k, in);
     }
@@ -146,34 +146,25 @@ static void init_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, const
     k->script->src = ss->src;
     k->script->program = program;
     k->script->init_state = program->state.at[0];
-    sema_init(&k->s, c, program, &k->script->window);
+    sema_init(&k->s, c, lost_names(c, ss), program, &k->script->window);
     k->s.in_script = true;
     k->delta_t = str_c(c->strings, "delta_t");
     k->init_state = str_c(c->strings, "init_state");
     k->section.arena = c->arena;
 }
 
-static bool has_errors_in(const Diags *d, const Source *src)
-{
-    for (size_t i = 0; i < d->list.n; i++)
-        if (d->list.at[i]->severity == DIAG_ERROR && d->list.at[i]->span.src == src)
-            return true;
-    return false;
-}
-
 Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
 {
     size_t errors = c->diags->errors;
-    bool lost = has_errors_in(c->diags, ss->src);
     Span start = {ss->src, 0, 0};
     ScriptCheck k;
 
     init_check(&k, c, ss, program);
     for (size_t i = 0; i < ss->sections.n; i++)
         check_any_section(&k, ss->sections.at[i]);
-    if (!k.has_delta_t && !lost)
+    if (!k.has_delta_t && !k.s.lost->any)
         diag_report(c->diags, DIAG_no_delta_t, start);
-    if (!k.has_stop && !lost)
+    if (!k.has_stop && !k.s.lost->any)
         diag_report(c->diags, DIAG_no_stop, start);
     return c->diags->errors > errors ? NULL : k.script;
 }

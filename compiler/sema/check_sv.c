@@ -44,7 +44,7 @@ static void check_region(SvCheck *k, const AstSection *section, bool names_lost)
     const Region *first = map_find(&k->region_by_name, section->name);
     Region *r = new_region(k, section);
 
-    if (first) {
+    if (first && section->name->len > 0) {      // without a name: the parser could not read its header
         Diag *d = diag_report(k->c->diags, DIAG_region_twice, section->name_span, section->name->text);
         diag_note(k->c->diags, d, first->span, DIAG_note_declared_here, first->name->text);
     } else
@@ -68,7 +68,7 @@ static void check_section(SvCheck *k, const AstSection *section, bool names_lost
 StateVec *check_state_vector(CheckContext *c, const AstFile *f)
 {
     size_t errors = c->diags->errors;
-    bool names_lost = sema_lost_names(c->diags, f);
+    bool names_lost = lost_names(c, f)->names;
     SvCheck k = {c, ARENA_NEW(c->arena, StateVec), str_c(c->strings, "lock"), {c->arena, NULL, NULL, 0, 0}};
 
     k.sv->name = sema_stem(c->strings, f->src);

@@ -118,7 +118,7 @@ void scope_report_unknown(Sema *s, Str name, Span span)
     const SmBuiltinInfo *fn = scope_find_function(s, name);
     Diag *d;
 
-    if (s->names_lost || !first_report(&s->unknown_name, name))
+    if (map_find(&s->lost->word, name) || !first_report(&s->unknown_name, name))
         return;
     if (fn && !unlisted) {
         diag_report(s->diags, DIAG_function_without_call, span, name->text, name->text, function_usage(fn));
@@ -141,7 +141,7 @@ State *scope_find_state(Sema *s, Str name, Span span)
     Guess g = guess_start(name);
     Diag *d;
 
-    if (state || s->names_lost || !first_report(&s->unknown_state, name))
+    if (state || map_find(&s->lost->word, name) || !first_report(&s->unknown_state, name))
         return state;
     d = diag_report(s->diags, DIAG_unknown_state, span, name->text);
     if (!may_guess(s))

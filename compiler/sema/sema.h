@@ -15,6 +15,16 @@ typedef enum ExprPlace {
 // A local that the size of a window depends on.
 typedef struct SizeUse { Var *local; Span span; } SizeUse;
 
+// What the parser's errors may have hidden of a file (lost.c).
+typedef struct Lost {
+    bool any;                 // there were errors
+    bool names;               // some may have hidden declarations
+    bool sections;            // some may have hidden whole sections
+    Map word;                 // the words that may have been declared there
+} Lost;
+
+Lost *lost_names(const CheckContext *c, const AstFile *f);
+
 // One machine or script being checked.
 typedef struct Sema {
     Arena *arena;
@@ -24,7 +34,7 @@ typedef struct Sema {
     StateVec *sv;             // of a machine with a .sv: the elements it could list; else NULL
     Windows *windows;         // where roll calls go: the machine's or the script's
     bool in_script;
-    bool names_lost;          // the parser dropped declarations or headers: an unknown name proves nothing
+    const Lost *lost;
     Map functions;            // name to SmBuiltinInfo
     Map unknown_name, unknown_state, unknown_function;   // reported already (name to itself)
     Map said;                 // names that a remark was made on, once
@@ -41,9 +51,7 @@ typedef struct Sema {
     BlockKind block;          // where the statement being checked stands
 } Sema;
 
-void sema_init(Sema *s, const CheckContext *c, const Program *p, Windows *windows);
-// Whether errors reported so far in this file may have hidden declarations.
-bool sema_lost_names(const Diags *d, const AstFile *f);
+void sema_init(Sema *s, const CheckContext *c, const Lost *lost, const Program *p, Windows *windows);
 // The file's name without folders and ending.
 Str sema_stem(StrPool *strings, const Source *src);
 

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the parser's errors may have hidden: the words of a declaration that could not be read, or of a section whose header
+// could not.  If such a word is unknown later, that follows from an error already reported.
+#include "compiler/sema/sema.h"
+
+// How many sections begin at or before a place.
+static size_t sections_up_to(const AstFile *f, uint32_t at)
+{
+    size_t low = 0, high = f->sections.n;
+
+    while (low < high) {
+        size_t middle = (low + high) / 2;
+        if (f->sections.at[middle]->header.at <= at)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+// The last declaration that begins at or before a place; NULL if there is none.
+static const AstDecl *decl_at(const AstSection *section, uint32_t at)
+{
+    size_t low = 0, high = section->decls.n;
+
+    while (low < high) {
+        size_t middle = (low + high) / 2;
+        if (section->decls.at[middle].type_span.at <= at)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low ? &section->decls.at[low - 1] : NULL;
+}
+
+// A mistake behind a name, on its line, has lost nothing; but behind an @ it may have lost an alias.
+static bool keeps_names(const AstSection *section, Span error)
+{
+    const AstDecl *decl = decl_at(section, error.at);
+    const char *c, *end = error.src->text + error.at;
+
+    if (!decl)
+        return false;
+    for (c = error.src->text + decl->type_span.at; c < end; c++)
+        if (*c == '\n' || *c == '@')
+            return false;
+    return *end != '@';
+}
+
+// Whether a mistake may have swallowed a declaration.
+static bool may_hide(const AstSection *section, Span error)
+{
+    switch (section->kind) {
+    case AST_STATE_VECTOR: case AST_LOCAL: case AST_REGION:
+        return error.at >= section->header.at + section->header.len && !keeps_names(section, error);
+    case AST_STATE: case AST_SCRIPT_STATE: case AST_OPTIONS: case AST_IGNORED:
+        return false;
+    }
+    return true;
+}
+
+// ---- words ----
+
+static bool is_word(char c)
+{
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+static void lose_words(Lost *l, StrPool *strings, const Source *src, uint32_t from, uint32_t to)
+{
+    for (uint32_t at = from; at < to; at++) {
+        uint32_t start = at;
+        while (at < to && is_word(src->text[at]))
+            at++;
+        if (at > start) {
+            Str word = str_intern(strings, src->text + start, at - start);
+            map_put(&l->word, word, (void *)word);
+        }
+    }
+}
+
+// ---- all errors of a file ----
+
+typedef struct Losing {
+    Lost *l;
+    StrPool *strings;
+    const AstFile *f;
+    uint32_t done;                // words before this place have been taken
+} Losing;
+
+static void lose(Losing *k, uint32_t from, uint32_t to)
+{
+    k->l->names = true;
+    if (from < k->done)
+        from = k->done;
+    lose_words(k->l, k->strings, k->f->src, from, to);
+    if (to > k->done)
+        k->done = to;
+}
+
+static void lose_line(Losing *k, uint32_t at)
+{
+    const char *text = k->f->src->text;
+    uint32_t from = at, to = at;
+
+    while (from > k->done && text[from - 1] != '\n')
+        from--;
+    while (to < k->f->src->len && text[to] != '\n')
+        to++;
+    lose(k, from, to);
+}
+
+static void look_at_error(Losing *k, Span error)
+{
+    size_t n = sections_up_to(k->f, error.at);
+    const AstSection *section = n > 0 ? k->f->sections.at[n - 1] : NULL;
+    uint32_t end = n < k->f->sections.n ? k->f->sections.at[n]->header.at : k->f->src->len;
+
+    if (!section || section->name->len == 0) {          // its header is missing, or unreadable
+        k->l->sections = true;
+        lose(k, error.at, end);
+    } else if (may_hide(section, error))
+        lose_line(k, error.at);
+}
+
+Lost *lost_names(const CheckContext *c, const AstFile *f)
+{
+    Lost *l = ARENA_NEW(c->arena, Lost);
+    Losing k = {l, c->strings, f, 0};
+
+    l->word.arena = c->arena;
+    for (size_t i = 0; i < c->diags->list.n; i++) {
+        const Diag *e = c->diags->list.at[i];
+        if (e->severity == DIAG_ERROR && e->span.src == f->src) {
+            l->any = true;
+            look_at_error(&k, e->span);
+        }
+    }
+    return l;
+}
