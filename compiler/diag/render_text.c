@@ -69,10 +69,10 @@ typedef struct Excerpt {
 
 static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }
 
-// The place itself, or behind the character it would cut.
+// The place itself, or behind the character it would cut.  The start of a line cuts none, whatever stands there.
 static size_t whole(const Excerpt *e, size_t p)
 {
-    for (int i = 0; i < 3 && p < e->len && ((unsigned char)e->text[p] & 0xc0) == 0x80; i++)
+    for (int i = 0; i < 3 && p > 0 && p < e->len && ((unsigned char)e->text[p] & 0xc0) == 0x80; i++)
         p++;
     return p;
 }
