@@ -133,6 +133,16 @@ fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
 	for f in $(FUZZ); do mkdir -p $(B)/corpus/$$f && $(B)/fuzz-cov/$$f -max_total_time=$(FUZZ_SECONDS) -timeout=10 -rss_limit_mb=2048 \
 	    -artifact_prefix=$(B)/corpus/$$f- $(B)/corpus/$$f $$(ls -d tests/fuzz/seeds/$$f 2>/dev/null) || exit 1; done
 
+# How compile time grows with the input.
+$(B)/bench/%: tests/bench/%.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a
+
+bench-scale: $(B)/bench/scale
+	$(B)/bench/scale
+
+.PHONY: bench-scale
+
 # ---- installing ----
 
 DEST = $(DESTDIR)$(PREFIX)

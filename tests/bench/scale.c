@@ -17,13 +17,22 @@ enum { FACTOR = 4 };
 #define MOST_GROWTH 8.0           // what four times the input may cost; 16 would be quadratic
 #define NOISE 0.02                // seconds: below this a time says nothing
 
-static void *from_heap(void *context, void *old, size_t size)
+// One piece of memory that every session uses anew: what the system takes for handing out pages is none of our time.
+static const size_t pool_size = (size_t)1 << 30;
+static char *pool;
+static size_t pool_used;
+
+static void *from_pool(void *context, void *old, size_t size)
 {
+    char *p = pool + pool_used;
+
     (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
+    (void)old;
+    size = (size + 15) / 16 * 16;
+    if (size == 0 || size > pool_size - pool_used)
+        return NULL;
+    pool_used += size;
+    return p;
 }
 
 // ---- shapes ----
@@ -192,53 +201,107 @@ static void unreachable_states(Buf *b, unsigned n)
         buf_printf(b, "[S%u]\n.step\n    -> S%u\n", i, i);
 }
 
+// ---- state vectors and scripts ----
+
+static void one_state(Buf *b, unsigned n)
+{
+    (void)n;
+    buf_printf(b, "%s[A]\n.step\n    y = x\n", head);
+}
+
+static void write_sv(Buf *b, unsigned n)
+{
+    buf_str(b, "[Base]\nU64 G\nU32 S\nF64 x\nF64 y\nbool p\n");
+    for (unsigned i = 0; i < n; i++)
+        buf_printf(b, "%sU8 e%u\n", i % 10 ? "" : i ? format_in(b->arena, "[R%u]\n", i) : "[R]\n", i);
+}
+
+static void script_items(Buf *b, unsigned n)
+{
+    buf_str(b, "[options]\ndelta_t 1\n[A]\n");
+    for (unsigned i = 0; i < n; i++)
+        buf_printf(b, "G == %u { x = %u\n @assert y == %u }\n", i, i, i);
+    buf_str(b, "G == 100: @stop\n");
+}
+
+static void script_windows(Buf *b, unsigned n)
+{
+    buf_str(b, "[options]\ndelta_t 1\n[all_states]\n");
+    for (unsigned i = 0; i < n; i++)
+        buf_printf(b, "roll_avg(x, %u) > 1: p = 1\n", i % 100 + 1);
+    buf_str(b, "G == 100: @stop\n");
+}
+
+typedef void WriteFn(Buf *b, unsigned n);
+
 typedef struct Shape {
     const char *name;
-    void (*write)(Buf *b, unsigned n);
+    WriteFn *write;           // the machine
     unsigned n;               // the smaller size
+    WriteFn *sv, *ss;         // a state vector and a script beside it; or NULL
 } Shape;
 
 static const Shape shapes[] = {
-    {"states", states, 2500},
-    {"statements", statements, 25000},
-    {"conditionals", conditionals, 15000},
-    {"nested", nested, 400},
-    {"else_ifs", else_ifs, 400},
-    {"locals", locals, 8000},
-    {"constants", constants, 15000},
-    {"elements", elements, 8000},
-    {"windows", windows, 4000},
-    {"same_windows", same_windows, 10000},
-    {"nested_windows", nested_windows, 200},
-    {"deep_expression", deep_expression, 450},
-    {"long_line", long_line, 15000},
-    {"comments", comments, 250000},
-    {"unknown_names", unknown_names, 5000},
-    {"unknown_states", unknown_states, 5000},
-    {"syntax_errors", syntax_errors, 25000},
-    {"warnings", warnings, 10000},
-    {"unreachable_states", unreachable_states, 10000},
+    {"states", states, 2500, NULL, NULL},
+    {"statements", statements, 25000, NULL, NULL},
+    {"conditionals", conditionals, 20000, NULL, NULL},
+    {"nested", nested, 400, NULL, NULL},
+    {"else_ifs", else_ifs, 400, NULL, NULL},
+    {"locals", locals, 8000, NULL, NULL},
+    {"constants", constants, 30000, NULL, NULL},
+    {"elements", elements, 8000, NULL, NULL},
+    {"windows", windows, 4000, NULL, NULL},
+    {"same_windows", same_windows, 15000, NULL, NULL},
+    {"nested_windows", nested_windows, 200, NULL, NULL},
+    {"deep_expression", deep_expression, 450, NULL, NULL},
+    {"long_line", long_line, 25000, NULL, NULL},
+    {"comments", comments, 250000, NULL, NULL},
+    {"unknown_names", unknown_names, 5000, NULL, NULL},
+    {"unknown_states", unknown_states, 5000, NULL, NULL},
+    {"syntax_errors", syntax_errors, 50000, NULL, NULL},
+    {"warnings", warnings, 10000, NULL, NULL},
+    {"unreachable_states", unreachable_states, 10000, NULL, NULL},
+    {"state_vector", one_state, 10000, write_sv, NULL},
+    {"script_items", one_state, 20000, NULL, script_items},
+    {"script_windows", one_state, 20000, NULL, script_windows},
 };
 
 // ---- measuring ----
 
 enum { STAGES = 6 };
-static const char *const stage_name[STAGES] = {"check", "ir -O0", "ir -O2", "image", "C", "report"};
+static const char *const stage_name[STAGES] = {"parse+check", "ir -O0", "ir -O2", "image", "C", "report"};
 
 static double now(void)
 {
     return (double)clock() / CLOCKS_PER_SEC;
 }
 
-static void compile(Session *s, const Source *src, double *at)
+static const Source *written(Session *s, const char *name, WriteFn *write, unsigned n)
 {
-    MachineInput in = {src, NULL, NULL, 0};
+    Buf text;
+
+    if (!write)
+        return NULL;
+    buf_init(&text, &s->arena);
+    write(&text, n);
+    return source_new(&s->arena, name, buf_text(&text), text.n);
+}
+
+// All stages.  What they cost is the time between two entries of `at`.
+static void compile(Session *s, const Shape *shape, unsigned n, double *at)
+{
+    MachineInput in = {written(s, "m.sm", shape->write, n), written(s, "m.sv", shape->sv, n), NULL, 0};
+    const Source *ss = written(s, "m.ss", shape->ss, n);
     ImageOptions image = {true};
     EmitCOptions c;
     IrMachine *m = NULL;
     Buf out, header;
-    Program *p = session_program(s, &in);
+    Program *p;
 
+    *at++ = now();
+    p = session_program(s, &in);
+    if (p && ss)
+        session_script(s, ss, p);
     memset(&c, 0, sizeof c);
     c.header = "m.h";
     c.source = "m.sm";
@@ -270,27 +333,24 @@ static void report(Session *s, double *at)
     diags_sort(&s->diags);
     diags_render_text(&s->diags, &style, &out);
     diags_render_json(&s->diags, &out);
-    at[5] = now();
+    *at = now();
 }
 
 // Seconds a stage took, into took; false when memory ran out.
 static bool measure(const Shape *shape, unsigned n, double *took)
 {
-    double at[STAGES], start;
+    double at[STAGES + 1];
     jmp_buf oom;
     Session s;
-    Buf text;
 
-    session_init(&s, from_heap, NULL, &oom);
+    pool_used = 0;
+    session_init(&s, from_pool, NULL, &oom);
     if (setjmp(oom) != 0)
         return false;
-    buf_init(&text, &s.arena);
-    shape->write(&text, n);
-    start = now();
-    compile(&s, source_new(&s.arena, "m.sm", buf_text(&text), text.n), at);
-    report(&s, at);
+    compile(&s, shape, n, at);
+    report(&s, &at[STAGES]);
     for (int k = 0; k < STAGES; k++)
-        took[k] = at[k] - (k ? at[k - 1] : start);
+        took[k] = at[k + 1] - at[k];
     session_free(&s);
     return true;
 }
@@ -308,31 +368,49 @@ static void print_times(const Shape *shape, unsigned n, const double *took)
 {
     printf("%-18s %7u", shape->name, n);
     for (int k = 0; k < STAGES; k++)
-        printf(" %8.3f", took[k]);
+        printf(k ? " %8.3f" : " %12.3f", took[k]);
     printf(" %8.3f s\n", total(took));
 }
 
-static bool grows_linearly(const Shape *shape, const double *small, const double *large)
+// The stage that grows too fast, or -1.
+static int grows_too_fast(const double *small, const double *large)
 {
-    bool ok = true;
-
     for (int k = 0; k < STAGES; k++)
-        if (large[k] > NOISE && large[k] > MOST_GROWTH * (small[k] > NOISE / FACTOR ? small[k] : NOISE / FACTOR)) {
-            printf("%s: %s takes %.1f times as long for %d times as much\n", shape->name, stage_name[k], large[k] / small[k], FACTOR);
-            ok = false;
-        }
-    return ok;
+        if (large[k] > NOISE && large[k] > MOST_GROWTH * (small[k] > NOISE / FACTOR ? small[k] : NOISE / FACTOR))
+            return k;
+    return -1;
 }
 
+static bool measure_best(const Shape *shape, unsigned n, double *best)
+{
+    double took[STAGES];
+
+    if (!measure(shape, n, took))
+        return false;
+    for (int k = 0; k < STAGES; k++)
+        if (took[k] < best[k])
+            best[k] = took[k];
+    return true;
+}
+
+// A machine that does something else at the same time gets three chances: what counts is the best time of each stage.
 static void check_shape(const Shape *shape)
 {
     double small[STAGES], large[STAGES];
+    int fast = 0;
 
-    CHECK(measure(shape, shape->n, small));
-    CHECK(measure(shape, shape->n * FACTOR, large));
+    for (int k = 0; k < STAGES; k++)
+        small[k] = large[k] = 1e9;
+    for (int chance = 0; chance < 3 && fast >= 0; chance++) {
+        CHECK(measure_best(shape, shape->n, small));
+        CHECK(measure_best(shape, shape->n * FACTOR, large));
+        fast = grows_too_fast(small, large);
+    }
     print_times(shape, shape->n, small);
     print_times(shape, shape->n * FACTOR, large);
-    CHECK(grows_linearly(shape, small, large));
+    if (fast >= 0)
+        printf("%s: %s takes %.1f times as long for %d times as much\n", shape->name, stage_name[fast], large[fast] / small[fast], FACTOR);
+    CHECK(fast < 0);
 }
 
 static const Shape *find_shape(const char *name)
@@ -354,7 +432,7 @@ static int one(const Shape *shape, unsigned n, bool print)
         print_times(shape, n, took);
         return 0;
     }
-    arena_init(&a, from_heap, NULL, &oom);
+    arena_init(&a, from_pool, NULL, &oom);
     if (!print || setjmp(oom) != 0)
         return 3;
     buf_init(&text, &a);
@@ -368,11 +446,13 @@ int main(int argc, char **argv)
 {
     const Shape *shape = argc > 2 ? find_shape(argv[1]) : NULL;
 
+    if (!(pool = malloc(pool_size)))
+        return 3;
     if (shape)
         return one(shape, (unsigned)strtoul(argv[2], NULL, 10), argc > 3);
     printf("%-18s %7s", "", "size");
     for (int k = 0; k < STAGES; k++)
-        printf(" %8s", stage_name[k]);
+        printf(k ? " %8s" : " %12s", stage_name[k]);
     printf("    total\n");
     for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++)
         check_shape(&shapes[i]);
