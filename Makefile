@@ -20,8 +20,8 @@ LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wild
              compiler/passes/*.c compiler/analysis/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM)
 COMMAND  = $(wildcard compiler/base/os_*.c compiler/device/*.c compiler/cli/*.c)
 
-# `make V=1` shows the commands themselves.
-say = $(if $(V),,@echo '  $(1)  $(patsubst $(B)/%,%,$@)';)
+# `make V=1` shows the commands themselves, `make -s` nothing.
+say = $(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),,@echo '  $(1)  $(patsubst $(B)/%,%,$@)';)
 
 all: $(B)/smc
 
