@@ -5,6 +5,7 @@ B       ?= build
 CC      ?= cc
 AR      ?= ar
 CFLAGS  ?= -O2 -g
+DEPFLAGS ?= -MMD -MP
 PREFIX  ?= /usr/local
 WARN     = -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -pedantic
 # The meaning of a program rests on plain IEEE arithmetic: no contraction of a*b+c, whatever CFLAGS says.
@@ -27,7 +28,7 @@ all: $(B)/smc
 
 $(B)/obj/%.o: %.c
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP -c $< -o $@
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) -c $< -o $@
 
 $(B)/libsmc.a: $(LIBSMC:%.c=$(B)/obj/%.o)
 	@rm -f $@
@@ -52,7 +53,7 @@ $(EMIT_C:%.c=$(B)/obj/%.o): | $(B)/gen/stdlib_text.h
 UNIT = $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/*.c))
 $(B)/unit/%: tests/unit/%.c $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a -lm
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/libsmc.a -lm
 
 # ---- tests ----
 
@@ -75,7 +76,7 @@ IR_TESTS = $(B)/ir/run $(B)/ir/verify $(B)/ir/read
 IR_TEXTS = $(wildcard tests/ir/*.smt tests/ir/samples/*.ir)
 $(B)/ir/%: tests/ir/%.c $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/libsmc.a
 
 check: $(IR_TESTS)
 CHECK_LINES += "ir: $(B)/ir/run $(IR_TEXTS)" "ir-verify: $(B)/ir/verify" "ir-read: $(B)/ir/read"
@@ -86,7 +87,7 @@ check-ir: $(IR_TESTS)
 GOLDEN = $(wildcard tests/golden/*.smt)
 $(B)/golden: tests/golden/run.c $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/libsmc.a
 
 check: $(B)/golden
 CHECK_LINES += "golden: $(B)/golden $(B)/smc $(GOLDEN)"
@@ -136,7 +137,7 @@ fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
 # How compile time grows with the input.
 $(B)/bench/%: tests/bench/%.c $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -MMD -MP $< -o $@ $(B)/libsmc.a
+	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/libsmc.a
 
 bench-scale: $(B)/bench/scale
 	$(B)/bench/scale
