@@ -77,7 +77,7 @@ typedef struct GState {
     bool removed;
 } GState;
 
-enum { GEN_REGIONS_MAX = 4, GEN_STEPS_MAX = 1000 };
+enum { GEN_REGIONS_MAX = 4, GEN_STEPS_MAX = 1000, GEN_VARS_MAX = 64 };
 
 typedef struct Gen {
     Arena *arena;

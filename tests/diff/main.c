@@ -20,7 +20,9 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "tests/diff/cbatch.h"
 #include "tests/diff/reduce.h"
+#include "tests/diff/subject.h"
 
 enum { BLOCK = 500, JOBS_MAX = 64, HANG_SECONDS = 60 };
 
@@ -69,7 +71,7 @@ static void run_seed(const Options *o, uint64_t seed, Tally *t)
 {
     const RunOptions how = run_options_of(seed);
     Arena arena;
-    run_arena_init(&arena);
+    diff_arena_init(&arena);
     Gen *g = gen_program(&arena, seed, o->steps);
     const RunResult r = run_case(g, &how, &arena);
     count(t, &r.met);
@@ -87,7 +89,7 @@ static void print_seed(const Options *o, uint64_t seed)
     const RunOptions how = run_options_of(seed);
     RunResult r = { VERDICT_SAME, NULL, 0, { 0 } };
     Arena arena;
-    run_arena_init(&arena);
+    diff_arena_init(&arena);
     run_write_files(gen_program(&arena, seed, o->steps), &how, &r, o->out);
     arena_free(&arena);
 }

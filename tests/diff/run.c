@@ -6,85 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/pipeline.h"
-#include "compiler/script/engine.h"
+#include "tests/diff/cbatch.h"
+#include "tests/diff/subject.h"
 #include "tests/diff/watch.h"
 
-enum { ENGINES_MAX = 4, WRITES_MAX = 64 };
-
-static jmp_buf out_of_memory;
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    void *p = realloc(old, size);
-    if (p == NULL) {
-        fputs("difftest: out of memory\n", stderr);
-        exit(3);
-    }
-    return p;
-}
-
-void run_arena_init(Arena *a) { arena_init(a, heap, NULL, &out_of_memory); }
-
-// ---- compiling ----
-
-// A program as compiled, with where its generated variables are.
-typedef struct Subject {
-    Session session;
-    const Program *program;
-    uint32_t index[WRITES_MAX];       // by GVar.id
-} Subject;
-
-static const Source *source_of(Session *s, const char *name, Buf *text) { return source_new(&s->arena, name, buf_text(text), text->n); }
-
-static Map *written_outside(Session *s, const Gen *g)
-{
-    Map *m = ARENA_NEW(&s->arena, Map);
-    m->arena = &s->arena;
-    for (size_t i = 0; i < g->var.n; i++)
-        if (g->var.at[i]->is_local && g->var.at[i]->outside)
-            map_put(m, str_c(&s->strings, g->var.at[i]->name), (void *)(uintptr_t)1);
-    return m;
-}
-
-static void locate_vars(Subject *s, const Gen *g)
-{
-    for (size_t i = 0; i < g->var.n && i < WRITES_MAX; i++) {
-        const Var *v = map_find(&s->program->by_name, str_c(&s->session.strings, g->var.at[i]->name));
-        s->index[g->var.at[i]->id] = v != NULL ? v->index : 0;
-    }
-}
-
-static const char *compile(Subject *s, Gen *g, Arena *arena)
-{
-    Buf sm, sv;
-    MachineInput in = { 0 };
-    session_init(&s->session, heap, NULL, &out_of_memory);
-    buf_init(&sm, &s->session.arena);
-    buf_init(&sv, &s->session.arena);
-    gen_print_sm(g, &sm);
-    in.sm = source_of(&s->session, format_in(&s->session.arena, "%s.sm", g->machine_name), &sm);
-    if (g->with_sv) {
-        gen_print_sv(g, &sv);
-        in.sv = source_of(&s->session, "bus.sv", &sv);
-    }
-    in.written_outside = written_outside(&s->session, g);
-    s->program = session_program(&s->session, &in);
-    if (s->program == NULL) {
-        Buf text;
-        const DiagStyle style = { false, 3 };
-        buf_init(&text, arena);
-        diags_render_text(&s->session.diags, &style, &text);
-        return buf_text(&text);
-    }
-    locate_vars(s, g);
-    return NULL;
-}
+enum { ENGINES_MAX = 4 };
 
 // ---- engines ----
 
@@ -123,11 +49,10 @@ static const char *add_vm(Lanes *l, Subject *s, int opt_level)
     return NULL;
 }
 
-static void step_lane(Lane *l, const GInput *in, uint32_t n)
+static void step_lane(Lane *l, const Gen *g, uint32_t k)
 {
-    EngineWrite write[WRITES_MAX];
-    for (uint32_t i = 0; i < n; i++)
-        write[i] = (EngineWrite){ l->subject->index[in[i].var->id], in[i].cell };
+    EngineWrite write[GEN_VARS_MAX];
+    const uint32_t n = subject_writes(l->subject, g, k, write);
     l->engine->step(l->engine, write, n, &l->answer);
 }
 
@@ -169,7 +94,6 @@ static void restart(Lanes *l, const Gen *g, uint32_t state)
 static RunResult run_lanes(Lanes *l, const Gen *g, Arena *arena)
 {
     RunResult r = { VERDICT_SAME, NULL, 0, { 0 } };
-    GInput in[WRITES_MAX];
     uint32_t state;
     for (uint32_t k = 0; k < g->steps && r.message == NULL; k++) {
         r.step = k;
@@ -179,9 +103,8 @@ static RunResult run_lanes(Lanes *l, const Gen *g, Arena *arena)
         }
         if (g->skip[k] || r.message != NULL)
             continue;
-        const uint32_t n = gen_inputs(g, k, in);
         for (uint32_t i = 0; i < l->n; i++)
-            step_lane(&l->at[i], in, n);
+            step_lane(&l->at[i], g, k);
         r.message = compare(l, arena);
         note(&r.met, &l->at[0].answer, (uint32_t)l->at[0].subject->program->var.n);
     }
@@ -206,7 +129,7 @@ static const char *open_lanes(Lanes *l, Subject *s, const RunOptions *o, bool tw
 static const char *open_changed(Lanes *l, Subject *s, Gen *g, const RunOptions *o, Arena *arena)
 {
     gen_change(g, o->what);
-    const char *error = compile(s, g, arena);
+    const char *error = subject_compile(s, g, arena);
     gen_change_back(g);
     return error != NULL ? error : open_lanes(l, s, o, true);
 }
@@ -215,9 +138,9 @@ static void close_all(Lanes *l, Subject *a, Subject *b)
 {
     for (uint32_t i = 0; i < l->n; i++)
         l->at[i].engine->close(l->at[i].engine);
-    session_free(&a->session);
+    subject_free(a);
     if (b != NULL)
-        session_free(&b->session);
+        subject_free(b);
 }
 
 RunResult run_case(Gen *g, const RunOptions *o, Arena *arena)
@@ -225,8 +148,10 @@ RunResult run_case(Gen *g, const RunOptions *o, Arena *arena)
     static Subject plain, changed;
     Lanes lanes = { .n = 0 };
     RunResult r = { VERDICT_REJECTED, NULL, 0, { 0 } };
+    if (o->cc != NULL)
+        return run_c_batch(&g, 1, &o->cc, 1, o->folder, arena, &r), r;
     memset(&watch, 0, sizeof watch);
-    r.message = compile(&plain, g, arena);
+    r.message = subject_compile(&plain, g, arena);
     if (r.message == NULL)
         r.message = open_lanes(&lanes, &plain, o, false);
     const bool more = r.message == NULL && o->change;
@@ -256,7 +181,7 @@ static void write_file(const char *folder, const char *name, Buf *text)
 
 static void describe_steps(Gen *g, Buf *out)
 {
-    GInput in[WRITES_MAX];
+    GInput in[GEN_VARS_MAX];
     uint32_t state;
     for (uint32_t k = 0; k < g->steps; k++) {
         if (gen_restarts(g, k, &state))
@@ -275,7 +200,7 @@ void run_write_files(Gen *g, const RunOptions *o, const RunResult *r, const char
 {
     Arena a;
     Buf sm, sv, what;
-    run_arena_init(&a);
+    diff_arena_init(&a);
     buf_init(&sm, &a);
     buf_init(&sv, &a);
     buf_init(&what, &a);
@@ -285,8 +210,9 @@ void run_write_files(Gen *g, const RunOptions *o, const RunResult *r, const char
         gen_print_sv(g, &sv);
         write_file(folder, "bus.sv", &sv);
     }
-    buf_printf(&what, "seed %llu, step %u, image -O%d%s%s\n%s\n\n", (unsigned long long)g->seed, (unsigned)r->step, o->opt_level,
-               o->change ? ", compared with " : "", o->change ? gen_change_name[o->what] : "", r->message != NULL ? r->message : "");
+    buf_printf(&what, "seed %llu, step %u, -O%d%s%s%s%s\n%s\n\n", (unsigned long long)g->seed, (unsigned)r->step, o->opt_level,
+               o->change ? ", compared with " : "", o->change ? gen_change_name[o->what] : "", o->cc != NULL ? ", " : "", o->cc != NULL ? o->cc : "",
+               r->message != NULL ? r->message : "");
     describe_steps(g, &what);
     write_file(folder, "what.txt", &what);
     arena_free(&a);

@@ -21,6 +21,8 @@ typedef struct RunOptions {
     bool vm;                  // run the VM
     bool change;              // compare with a changed program, too
     GChange what;
+    const char *cc;           // NULL, or a C compiler's command: the emitted C is run instead of the VM …
+    const char *folder;       // … and this is where its files go
 } RunOptions;
 
 typedef struct RunResult {
@@ -37,8 +39,5 @@ RunResult run_case(Gen *g, const RunOptions *o, Arena *arena);
 
 // The program and its inputs as files in a folder that exists.
 void run_write_files(Gen *g, const RunOptions *o, const RunResult *r, const char *folder);
-
-// Memory for an arena: the heap, and an end to the program where there is none.
-void run_arena_init(Arena *a);
 
 #endif
