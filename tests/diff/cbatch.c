@@ -180,13 +180,6 @@ static char *read_file(const Batch *b, const char *name, size_t most, size_t *n)
     return text;
 }
 
-static bool shell(const char *format, const char *a, const char *b)
-{
-    char command[2000];
-    snprintf(command, sizeof command, format, b, b, b, a);
-    return system(command) == 0;
-}
-
 static void fail_all(Batch *b, const char *why, const char *cc)
 {
     for (uint32_t i = 0; i < b->n; i++) {
@@ -204,14 +197,17 @@ static void run_with(Batch *b, const char *cc)
         fail_all(b, "does not compile the emitted C; see batch.log", cc);
         return;
     }
-    shell("%s/batch <%s/commands >%s/answers%s", "", b->folder);      // a crash shows as answers that are missing
+    snprintf(command, sizeof command, "%s/batch <%s/commands >%s/answers 2>>%s/batch.log", b->folder, b->folder, b->folder, b->folder);
+    const bool crashed = system(command) != 0;
     const char *got = read_file(b, "answers", b->answers.n, &n);
     compare(b, got, n, cc);
+    if (crashed && n == b->answers.n)
+        fail_all(b, "the emitted C ended badly", cc);
 }
 
 // ---- a batch ----
 
-static bool add(Batch *b, Gen *g, RunResult *r)
+static void add(Batch *b, Gen *g, RunResult *r)
 {
     Part *p = &b->part[b->n];
     p->g = g;
@@ -221,11 +217,10 @@ static bool add(Batch *b, Gen *g, RunResult *r)
         p->ir = session_ir(&p->subject.session, p->subject.program, run_options_of(g->seed).opt_level);
         record(b, b->n++);
         r->verdict = VERDICT_SAME;
-        return true;
+        return;
     }
     r->verdict = VERDICT_REJECTED;
     subject_free(&p->subject);
-    return false;
 }
 
 static void emit(Batch *b)

@@ -105,7 +105,7 @@ void gen_plan_time(Gen *g)
         if (what < 3)
             g->now[i] = now;                          // stands still
         else if (what < 5)
-            g->now[i] = now - rng_below(&r, 50);      // goes back
+            g->now[i] = now - rng_below(&r, now < 50 ? (uint32_t)now + 1 : 50);      // goes back
         else if (what < 6)
             g->now[i] = UINT64_MAX;
         else

@@ -2,9 +2,11 @@
 // The campaign: random programs, one a seed, each run on every engine in lock step.
 //
 //     difftest [--seed=N] [--count=N] [--steps=N] [--jobs=N] [--out=DIR] [--resume] [--print] [--no-reduce] [--no-floors]
+//              [--cc=COMMAND]…
 //
 // Workers take blocks of seeds in turn.  Each keeps a file in DIR with how far it is and what its programs met, so that
 // --resume goes on where an interrupted campaign stopped.  A worker that crashes or hangs names its seed and is replaced.
+// With --cc the emitted C is compiled by each of these commands and compared, instead of the VM.
 // A failing program is made smaller and written to DIR/seed-N.  Exit: 0 all agree, 1 not, 2 usage.
 #define _POSIX_C_SOURCE 200809L
 #define _DEFAULT_SOURCE
@@ -24,13 +26,15 @@
 #include "tests/diff/reduce.h"
 #include "tests/diff/subject.h"
 
-enum { BLOCK = 500, JOBS_MAX = 64, HANG_SECONDS = 60 };
+enum { BLOCK = 500, JOBS_MAX = 64, HANG_SECONDS = 60, COMPILERS_MAX = 8, BATCH = 50 };
 
 typedef struct Options {
     uint64_t seed, count;
     uint32_t steps, jobs;
     const char *out;
     bool resume, print, reduce, floors;
+    uint32_t ccs;
+    const char *cc[COMPILERS_MAX];
 } Options;
 
 // What a worker has done; it lies in memory that the parent sees too, and in a file for --resume.
@@ -84,6 +88,49 @@ static void run_seed(const Options *o, uint64_t seed, Tally *t)
     arena_free(&arena);
 }
 
+// ---- a batch of programs, through C ----
+
+static void count_batch(const Options *o, Gen **g, uint32_t n, RunResult *r, const char *folder, Tally *t, Arena *arena)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        RunOptions how = run_options_of(g[i]->seed);
+        t->programs++;
+        t->steps += g[i]->steps;
+        t->different += r[i].verdict == VERDICT_DIFFERENT;
+        t->rejected += r[i].verdict == VERDICT_REJECTED;
+        how.folder = folder;
+        for (uint32_t c = 0; c < o->ccs && r[i].verdict != VERDICT_SAME && how.cc == NULL; c++)
+            if (strstr(r[i].message, o->cc[c]) != NULL)       // the one that showed it
+                how.cc = o->cc[c];
+        if (r[i].verdict != VERDICT_SAME && t->different + t->rejected <= 5)
+            report_failure(o, g[i], &how, r[i], arena);
+    }
+}
+
+static void run_seeds_in_c(const Options *o, uint64_t first, uint32_t n, Tally *t)
+{
+    Gen *g[BATCH];
+    RunResult r[BATCH];
+    char folder[500];
+    Arena arena;
+    diff_arena_init(&arena);
+    memset(r, 0, sizeof r);
+    snprintf(folder, sizeof folder, "%s/c-%llu", o->out, (unsigned long long)first);
+    mkdir(folder, 0777);
+    for (uint32_t i = 0; i < n; i++)
+        g[i] = gen_program(&arena, first + i, o->steps);
+    run_c_batch(g, n, o->cc, o->ccs, folder, &arena, r);
+    count_batch(o, g, n, r, folder, t, &arena);
+    for (int i = 0; i < 5; i++) {
+        static const char *const made[] = { "batch.c", "batch", "batch.log", "commands", "answers" };
+        char path[600];
+        snprintf(path, sizeof path, "%s/%s", folder, made[i]);
+        remove(path);
+    }
+    rmdir(folder);
+    arena_free(&arena);
+}
+
 static void print_seed(const Options *o, uint64_t seed)
 {
     const RunOptions how = run_options_of(seed);
@@ -134,9 +181,12 @@ static void work(const Options *o, uint32_t worker, Tally *t)
         const uint64_t last = (block + 1) * BLOCK < o->count ? (block + 1) * BLOCK : o->count;
         const uint64_t first = t->seed >= o->seed + block * BLOCK && t->next == block ? t->seed - o->seed : block * BLOCK;
         t->next = block;
-        for (uint64_t i = first; i < last; i++) {
+        for (uint64_t i = first; i < last; i += o->ccs != 0 ? BATCH : 1) {
             t->seed = o->seed + i;
-            run_seed(o, o->seed + i, t);
+            if (o->ccs == 0)
+                run_seed(o, o->seed + i, t);
+            else
+                run_seeds_in_c(o, o->seed + i, last - i < BATCH ? (uint32_t)(last - i) : BATCH, t);
         }
         t->next = block + o->jobs;
         tally_save(o, worker, t);
@@ -170,7 +220,7 @@ static void look_after(const Options *o, Tally *tally, pid_t *pid, uint64_t *see
     } else if (tally[w].seed != seen[w]) {
         seen[w] = tally[w].seed;
         since[w] = time(NULL);
-    } else if (time(NULL) - since[w] > HANG_SECONDS) {
+    } else if (time(NULL) - since[w] > (o->ccs != 0 ? 20 : 1) * HANG_SECONDS) {
         kill(pid[w], SIGKILL);
     }
 }
@@ -225,10 +275,9 @@ static bool share(const Options *o, const Tally *t, const char *what, uint64_t n
     return !low;
 }
 
-static bool report(const Options *o, const Tally *t, double seconds)
+static bool report_shares(const Options *o, const Tally *t)
 {
     bool good = true;
-    printf("%llu programs, %llu steps, %.1f s, %.0f programs a second\n", (unsigned long long)t->programs, (unsigned long long)t->steps, seconds, (double)t->programs / seconds);
     printf("of these programs\n");
     good &= share(o, t, "store something", t->store, 98);
     good &= share(o, t, "make a transition", t->transition, 65);
@@ -238,12 +287,20 @@ static bool report(const Options *o, const Tally *t, double seconds)
     good &= share(o, t, "fill a window of 2 or more", t->full_window, 75);
     good &= share(o, t, "have a step refused", t->refusal, 95);
     good &= share(o, t, "were compared with a changed one", t->change, 20);
+    return good;
+}
+
+static bool report(const Options *o, const Tally *t, double seconds)
+{
+    bool good = true;
     const uint64_t failed = t->different + t->rejected + t->crashed;
+    printf("%llu programs, %llu steps, %.1f s, %.0f programs a second\n", (unsigned long long)t->programs, (unsigned long long)t->steps, seconds, (double)t->programs / seconds);
+    if (o->ccs == 0)
+        good = report_shares(o, t);
     printf("difftest: %llu passed, %llu failed (%llu different, %llu rejected, %llu crashed)\n", (unsigned long long)(t->programs - t->different - t->rejected),
            (unsigned long long)failed, (unsigned long long)t->different, (unsigned long long)t->rejected, (unsigned long long)t->crashed);
     return good && failed == 0;
 }
-
 // ---- options ----
 
 static bool take_number(const char *arg, const char *name, uint64_t *n)
@@ -267,6 +324,8 @@ static bool take_option(Options *o, const char *arg)
         return o->jobs = (uint32_t)n, true;
     if (strncmp(arg, "--out=", 6) == 0)
         return o->out = arg + 6, true;
+    if (strncmp(arg, "--cc=", 5) == 0 && o->ccs < COMPILERS_MAX)
+        return o->cc[o->ccs++] = arg + 5, true;
     if (strcmp(arg, "--resume") == 0)
         return o->resume = true;
     if (strcmp(arg, "--print") == 0)

@@ -40,7 +40,7 @@ static Map *written_outside(Session *s, const Gen *g)
 
 static void locate_vars(Subject *s, const Gen *g)
 {
-    for (size_t i = 0; i < g->var.n && i < WRITES_MAX; i++) {
+    for (size_t i = 0; i < g->var.n; i++) {
         const Var *v = map_find(&s->program->by_name, str_c(&s->session.strings, g->var.at[i]->name));
         s->index[g->var.at[i]->id] = v != NULL ? v->index : 0;
     }

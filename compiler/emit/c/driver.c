@@ -65,7 +65,7 @@ static const char common[] =
     "        give(&value, sizeof value);\n"
     "    }\n"
     "    for (i = 0; i < m->cells; i++) {\n"
-    "        const uint8_t stored = m->cell[i].stored && *m->cell[i].stored;\n"
+    "        const uint8_t stored = status == 0 && m->cell[i].stored && *m->cell[i].stored;\n"
     "        give(&stored, sizeof stored);\n"
     "    }\n"
     "    fflush(stdout);\n"
