@@ -113,6 +113,15 @@ void gen_plan_time(Gen *g)
     }
 }
 
+// A NaN may be found in an element, whoever put it there; a local is only ever stored by the rules, which allow none.
+static uint64_t input_cell(const Gen *g, Rng *r, const GVar *v)
+{
+    const uint64_t cell = gen_cell(r, v->type, g->mood);
+    const bool f32_nan = v->type == SM_F32 && (cell & 0x7fffffffu) > 0x7f800000u;
+    const bool f64_nan = v->type == SM_F64 && (cell & 0x7FFFFFFFFFFFFFFFu) > 0x7FF0000000000000u;
+    return v->is_local && (f32_nan || f64_nan) ? 0 : cell;
+}
+
 uint32_t gen_inputs(const Gen *g, uint32_t k, GInput *out)
 {
     uint32_t n = 0;
@@ -121,7 +130,7 @@ uint32_t gen_inputs(const Gen *g, uint32_t k, GInput *out)
         GVar *v = g->var.at[i];
         Rng r = { rng_mix(rng_mix(g->seed, 5 + v->id), k) };
         if (v->outside && !v->removed && (v->listed || v->is_local) && rng_percent(&r, k == 0 ? 80 : 25))
-            out[n++] = (GInput){ v, gen_cell(&r, v->type, g->mood) };
+            out[n++] = (GInput){ v, input_cell(g, &r, v) };
     }
     return n;
 }
