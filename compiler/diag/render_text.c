@@ -7,7 +7,7 @@
 #include "compiler/diag/diag.h"
 
 enum {
-    WIDEST = 160,             // bytes of a source line that are shown
+    WIDEST = 160,             // columns of a source line that are shown
     BEFORE = 60               // of them before the caret, where a line is cut
 };
 
@@ -69,15 +69,39 @@ typedef struct Excerpt {
 
 static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }
 
-// The place itself, or behind the character it would cut.  The start of a line cuts none, whatever stands there.
-static size_t whole(const Excerpt *e, size_t p)
+// From `from` as many bytes as fill at most `columns`; *left says how many columns are left then.
+static size_t fill(Buf *scratch, const Excerpt *e, size_t from, size_t columns, size_t *left)
 {
-    for (int i = 0; i < 3 && p > 0 && p < e->len && ((unsigned char)e->text[p] & 0xc0) == 0x80; i++)
-        p++;
-    return p;
+    while (from < e->len) {
+        size_t width, len = put_character(scratch, e->text + from, e->len - from, &width);
+        if (width > columns)
+            break;
+        columns -= width;
+        from += len;
+    }
+    scratch->n = 0;
+    *left = columns;
+    return from;
 }
 
-static Excerpt find_excerpt(Span span, LineCol where)
+// Cuts a long line to what stands around the mark.
+static void cut(Buf *scratch, Excerpt *e)
+{
+    size_t left;
+
+    if (fill(scratch, e, 0, WIDEST, &left) == e->len) {
+        e->to = e->len;
+        return;
+    }
+    e->from = e->at > BEFORE ? e->at - BEFORE : 0;
+    while (e->from > 0 && e->from < e->at && ((unsigned char)e->text[e->from] & 0xc0) == 0x80)
+        e->from++;                                                // no character is cut
+    while (fill(scratch, e, e->from, BEFORE, &left) < e->at)
+        e->from++;
+    e->to = fill(scratch, e, e->at, WIDEST - BEFORE + left, &left);
+}
+
+static Excerpt find_excerpt(Buf *scratch, Span span, LineCol where)
 {
     Excerpt e = {0};
     uint32_t len;
@@ -85,13 +109,8 @@ static Excerpt find_excerpt(Span span, LineCol where)
     e.text = source_line(span.src, where.line, &len);
     e.len = len;
     e.at = smaller(where.col - 1, e.len);
-    e.end = smaller(e.at + (span.len ? span.len : 1), e.len);     // of a span over several lines: to the end of the first
-    e.to = e.len;
-    if (e.len > WIDEST) {
-        e.from = whole(&e, e.at > BEFORE ? smaller(e.at - BEFORE, e.len - WIDEST) : 0);
-        e.to = whole(&e, e.from + WIDEST);
-    }
-    e.end = smaller(e.end, e.to);
+    cut(scratch, &e);
+    e.end = smaller(e.at + (span.len ? span.len : 1), e.to);      // of a span over several lines: to the end of the first
     return e;
 }
 
@@ -114,9 +133,12 @@ static void put_line(Buf *out, const Excerpt *e, size_t *indent, size_t *marked)
 
 static void put_snippet(const DiagStyle *style, Buf *out, const Diag *d, LineCol where)
 {
-    Excerpt e = find_excerpt(d->span, where);
+    Excerpt e;
+    Buf scratch;
     size_t indent, marked, start = out->n, gutter;
 
+    buf_init(&scratch, out->arena);
+    e = find_excerpt(&scratch, d->span, where);
     buf_printf(out, "%5lu", (unsigned long)where.line);
     gutter = out->n - start;
     buf_str(out, " | ");

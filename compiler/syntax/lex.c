@@ -601,14 +601,28 @@ void lex_next(Lexer *l, Token *t)
     l->last = t->kind;
 }
 
-// A text in UTF-16 is no text of ours: said once, and nothing of it read.
-static bool is_utf16(const Source *s)
+// What is no text is not read: one message, not one for every byte of it.
+static const char *other_than_text(const Source *s)
 {
-    return s->len >= 2 && (memcmp(s->text, "\xff\xfe", 2) == 0 || memcmp(s->text, "\xfe\xff", 2) == 0);
+    uint32_t n = s->len < 512 ? s->len : 512, controls = 0;
+
+    if (s->len >= 2 && (memcmp(s->text, "\xff\xfe", 2) == 0 || memcmp(s->text, "\xfe\xff", 2) == 0))
+        return "UTF-16";
+    for (uint32_t i = 0; i < n; i++)
+        controls += (unsigned char)s->text[i] < 0x20 && !strchr("\t\n\r\f", s->text[i] ? s->text[i] : '?');
+    return controls > 4 && controls > n / 10 ? "binary data" : NULL;
+}
+
+void lex_skip_to(Lexer *l, uint32_t at)
+{
+    l->at = l->line_start = at;
+    l->first = true;
 }
 
 void lex_init(Lexer *l, Arena *arena, StrPool *strings, Diags *diags, const Source *src)
 {
+    const char *other;
+
     memset(l, 0, sizeof *l);
     l->src = src;
     l->strings = strings;
@@ -619,8 +633,9 @@ void lex_init(Lexer *l, Arena *arena, StrPool *strings, Diags *diags, const Sour
         map_put(&l->words, str_c(strings, words[i].spelling), (void *)(size_t)&words[i]);
     if (src->len >= 3 && memcmp(src->text, "\xef\xbb\xbf", 3) == 0)
         l->at = l->line_start = 3;
-    if (is_utf16(src)) {
-        diag_report(diags, DIAG_utf16, span_at(l, 0, 0));
+    other = other_than_text(src);
+    if (other) {
+        diag_report(diags, DIAG_not_text, span_at(l, 0, 0), other);
         l->at = src->len;
     }
 }

@@ -49,6 +49,8 @@ typedef struct Lexer {
 void lex_init(Lexer *l, Arena *arena, StrPool *strings, Diags *diags, const Source *src);
 void lex_next(Lexer *l, Token *t);          // after the last token END, for ever
 
+void lex_skip_to(Lexer *l, uint32_t at);    // goes on at the start of a line
+
 // How a message names tokens of a kind: "+", "if", "name".
 const char *token_name(TokenKind kind);
 

@@ -49,10 +49,28 @@ void skip_line(Parser *p)
         parser_next(p);
 }
 
+static bool line_begins_with_bracket(const Source *src, uint32_t line)
+{
+    uint32_t len;
+    const char *s = source_line(src, line, &len);
+
+    while (len && (*s == ' ' || *s == '\t'))
+        s++, len--;
+    return len && *s == '[';
+}
+
 void skip_section(Parser *p)
 {
-    while (p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END)
-        parser_next(p);
+    const Source *src = p->lex.src;
+    uint32_t line = source_position(src, p->tok.at).line;
+
+    if (p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END)
+        return;
+    while (line < src->lines && !line_begins_with_bracket(src, line + 1))
+        line++;
+    lex_skip_to(&p->lex, line < src->lines ? src->line[line] : src->len);
+    lex_next(&p->lex, &p->tok);
+    lex_next(&p->lex, &p->ahead);
 }
 
 // ---- messages ----

@@ -120,9 +120,18 @@ static void take_annotation_name(Parser *p, AstAnnotation *a)
                 annotations[a->kind].spelling, parser_found(p));
 }
 
+// A line end is a blank: what looks as if it belonged to the declaration behind it belongs to the one above.
+static void annotation_above(Parser *p, const AstDecl *d, const AstAnnotation *a)
+{
+    Diag *x = parser_report(p, DIAG_annotation_above, a->span, annotations[a->kind].spelling, d->name->text);
+
+    diag_note(p->diags, x, d->name_span, DIAG_note_declared_here, d->name->text);
+}
+
 static void parse_annotation(Parser *p, const AstSection *s, AstDecl *d)
 {
     AstAnnotation a = {0};
+    bool first = p->tok.first;
     int kind = 0;
 
     while (kind < AST_ANNOTATION_COUNT && strcmp(annotation_words[kind], p->tok.text->text) != 0)
@@ -140,6 +149,8 @@ static void parse_annotation(Parser *p, const AstSection *s, AstDecl *d)
     if (p->failed)
         return;
     check_annotation(p, s, d, &a);
+    if (first && p->tok.kind == TOK_TYPE && !p->tok.first)
+        annotation_above(p, d, &a);
     vec_push(p->arena, &d->annotations, a);
 }
 

@@ -106,7 +106,7 @@ static void parse_arguments(Parser *p, AstExpr *call, Span open)
             break;
         parser_next(p);
         if (p->tok.kind == TOK_RPAREN)
-            missing_value(p);
+            vec_push(p->arena, &call->args, missing_value(p));
     }
     expect_close(p, open);
 }

@@ -95,7 +95,7 @@ static bool is_label_word(const char *s)
     return strcmp(s, "entry") == 0 || strcmp(s, "step") == 0 || strcmp(s, "exit") == 0;
 }
 
-void slip_after_name(Parser *p, const AstExpr *name)
+void slip_after_name(Parser *p, AstExpr *name)
 {
     Span both = name->span;
 
@@ -103,9 +103,11 @@ void slip_after_name(Parser *p, const AstExpr *name)
         return;
     both.len += p->tok.len;
     if (p->tok.kind == TOK_LABEL && !is_label_word(p->tok.text->text)) {
+        name->kind = AST_ERROR;
         parser_fail(p, DIAG_name_with_dot, both, parser_text(p, both));
         parser_next(p);
     } else if (p->tok.kind == TOK_HEADER && !is_identifier(p->tok.text->text, p->tok.text->len)) {
+        name->kind = AST_ERROR;
         parser_fail(p, DIAG_no_lists, both, parser_text(p, both));
         parser_next(p);
     }
@@ -234,14 +236,21 @@ static void no_effect(Parser *p, const AstExpr *e)
         diag_label(p->diags, d, DIAG_label_statements);
 }
 
-void slip_expression(Parser *p, const AstExpr *e, bool has_if)
+// Two names in a row: prose, or something of another language.
+static void no_statement(Parser *p, AstExpr *e)
+{
+    parser_fail(p, DIAG_no_statement, e->span, e->name->text);
+    e->kind = AST_ERROR;
+}
+
+void slip_expression(Parser *p, AstExpr *e, bool has_if)
 {
     if (p->failed)
         return;
     if (p->tok.kind == TOK_ASSIGN && !p->tok.first)
         assign_to_expression(p, e);
     else if (!has_if && e->kind == AST_NAME && p->tok.kind == TOK_NAME && !p->tok.first && !is_word(&p->tok, "then"))
-        parser_fail(p, DIAG_no_statement, e->span, e->name->text);
+        no_statement(p, e);
     else if (missing_colon(p))
         return;
     else if (!parser_at_end_of_statement(p))

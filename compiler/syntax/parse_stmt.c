@@ -398,10 +398,10 @@ static void parse_statement(Parser *p, AstStmts *into)
 {
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    else if (p->tok.kind == TOK_NAME && is_assignment_sign(p->ahead.kind) && !p->ahead.first)
-        parse_assignment(p, into);
     else if (slip_statement(p))
         return;
+    else if (p->tok.kind == TOK_NAME && is_assignment_sign(p->ahead.kind) && !p->ahead.first)
+        parse_assignment(p, into);
     else if (p->tok.kind == TOK_ARROW)
         parse_transition(p, into);
     else if (p->tok.kind == TOK_ELSE)

@@ -60,7 +60,7 @@ AstExpr *parse_value_of(Parser *p, bool is_guard);      // the same, but must be
 void parse_block(Parser *p, AstStmts *into);            // statements up to }, a label, a header or the end
 void parse_decls(Parser *p, AstSection *s);
 void parse_options(Parser *p, AstSection *s);
-void skip_section(Parser *p);                           // to the next header
+void skip_section(Parser *p);                           // to the next line that begins with a header; not even tokens are read
 void skip_line(Parser *p);                              // to the next line, header or the end
 
 // ---- slips: what people write who know other languages, or type too fast ----
@@ -69,12 +69,12 @@ void slip_prefix(Parser *p);                            // NOT x
 void slip_infix(Parser *p);                             // x AND y, x = y in a guard
 bool slip_unit_step(Parser *p);                         // x++ where a value is missing; true when reported
 bool slip_decimal_comma(Parser *p);                     // 3,14 at the comma; true when reported
-void slip_after_name(Parser *p, const AstExpr *name);   // tank.pressure, a[3]
+void slip_after_name(Parser *p, AstExpr *name);   // tank.pressure, a[3]
 void slip_equality_chain(Parser *p, const AstExpr *e);  // a == b == c
 // A statement is complete, yet something follows on its line.  Reports it.
 void slip_at_end(Parser *p);
 // An expression stands alone where a statement should: x + 1, valveOpen == true, a guard without its colon.
-void slip_expression(Parser *p, const AstExpr *e, bool has_if);
+void slip_expression(Parser *p, AstExpr *e, bool has_if);
 void slip_op_assign(Parser *p, Span name);              // x += 1, at the sign
 // Nothing stands behind the colon of a guard, or of `else` (guard is NULL).
 void slip_colon(Parser *p, const AstExpr *guard, Span colon);

@@ -1,0 +1,14 @@
+spec 1.1   Outside comments every character is ASCII; a sign that looks like one of the language is named.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+F64 p
+[Hold]
+.step
+    x = p − 1          #! E0102 write -
+    x = p ≤ 5          #! E0102 write <=
+    x = drück          #! E0102 'ü' #! E0204 unknown
+    x = p + 1    #! E0102 plain blank

@@ -1,0 +1,14 @@
+spec 1.21   There are no operators for powers, remainders and bits.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+F64 p
+[Hold]
+.step
+    x = p ** 2      #! E0108 x * x
+    x = p ^ 2       #! E0108 x * x
+    x = p % 2       #! E0108 floor
+    x = p << 2      #! E0108 multiply

@@ -1,0 +1,13 @@
+spec 1.27   A statement ends with its line and takes no semicolon.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+F64 p
+[Hold]
+.step
+    x = 1;              #! E0109 leave it out
+    x = 1; x = 2        #! E0109 ends with its line
+    x = 3

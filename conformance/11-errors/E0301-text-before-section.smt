@@ -1,0 +1,14 @@
+spec 5.21   Nothing but comments stands before the first section.
+
+-- app.sm --
+# a comment
+F64 y           #! E0301 before the first section
+F64 z
+[state_vector]
+U64 G
+U32 S
+F64 x
+F64 p
+[Hold]
+.step
+    x = p

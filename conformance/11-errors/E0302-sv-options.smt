@@ -1,0 +1,8 @@
+spec 4.2   [options] of a state vector stands once.
+
+-- app.sv --
+[options]
+lock
+[A]
+F64 a
+[options]      #! E0302 [options]

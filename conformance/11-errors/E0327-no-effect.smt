@@ -1,0 +1,13 @@
+spec 5.28   A value alone is no statement.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+F64 p
+[Hold]
+.step
+    x == 1              #! E0327 x = 1
+    x + 1               #! E0327 does nothing
+    p                   #! E0327 does nothing

@@ -1,0 +1,17 @@
+spec 8.7   A script makes no transitions.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+F64 p
+[Hold]
+.step
+    x = p
+-- app.ss --
+[options]
+delta_t 10
+[all_states]
+G == 0: -> Hold     #! E0383 transitions
+G == 100: @stop
