@@ -114,7 +114,10 @@ static bool compile(Workshop *w, const EngineCOptions *o)
     add_words(w->arena, argv, &n, compiler_of(o));
     if (n == 0)
         return failed(w, "CC", "it names no compiler");
-    add_words(w->arena, argv, &n, o && o->flags ? o->flags : "-O1");
+    if (o && o->flags)
+        add_words(w->arena, argv, &n, o->flags);
+    else if (!strstr(compiler_of(o), " -O"))
+        argv[n++] = "-O1";
     argv[n++] = "-o";
     argv[n++] = w->program;
     argv[n++] = w->source;
@@ -177,7 +180,7 @@ static EngineStatus exchange(EngineC *e, EngineStep *out)
         return broken(e, why);
     memcpy(head, e->answer, sizeof head);
     if (head[0] > 1)
-        return broken(e, "it refuses to start: built or run so that arithmetic means something else");
+        return broken(e, "it does not start: the C compiler or its options change what arithmetic means");
     out->status = head[0] == 0 ? ENGINE_OK : ENGINE_REFUSED;
     out->next_state = head[1];
     out->next_is_first = head[2] != 0;
@@ -229,6 +232,22 @@ static void engine_init(EngineCBatch *b, size_t i, const Program *p)
     e->answer = arena_alloc(b->arena, 12 + 9 * p->var.n);
 }
 
+// The machines of a batch share a self-test: if one starts, all do.
+static bool is_fit(EngineCBatch *b, const char **error)
+{
+    EngineC *e = &b->at[0];
+    EngineStep s;
+
+    if (b->n == 0)
+        return true;
+    engine_step_init(&s, b->arena, e->engine.program);
+    if (c_init(&e->engine, 1, &s) == ENGINE_OK)
+        return true;
+    *error = e->engine.error;
+    engine_c_batch_close(b);
+    return false;
+}
+
 EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n,
                                   const EngineCOptions *o, const char **error)
 {
@@ -242,7 +261,7 @@ EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const I
         engine_init(b, i, p[i]);
     buf_init(&code, arena);
     emit_c_driver(arena, m, n, &code);
-    return build_and_start(arena, &code, o, &b->partner, error) ? b : NULL;
+    return build_and_start(arena, &code, o, &b->partner, error) && is_fit(b, error) ? b : NULL;
 }
 
 Engine *engine_c_batch_engine(EngineCBatch *b, size_t i) { return &b->at[i].engine; }

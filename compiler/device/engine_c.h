@@ -9,7 +9,7 @@
 
 typedef struct EngineCOptions {
     const char *cc;           // the compiler and first options, separated by blanks; NULL: $CC, or cc
-    const char *flags;        // more options; NULL: -O1
+    const char *flags;        // more options; NULL: -O1, unless cc has one such
 } EngineCOptions;
 
 // Whether there is such a compiler.
