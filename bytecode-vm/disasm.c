@@ -307,7 +307,7 @@ static void machine(Out *o, uint32_t index)
     const SmvmMachine *m = o->m;
 
     text(o, "\nmachine ");
-    number(o, index);
+    number(o, index + 1);
     text(o, " ");
     name(o, smvm_name(m, SMVM_NAME_MACHINE));
     text(o, "\n");
