@@ -107,6 +107,26 @@ $(B)/fuzz/%: tests/fuzz/%.c tests/fuzz/driver.c $(B)/libsmc.a
 check: $(B)/fuzz/ir
 CHECK_LINES += "fuzz-ir: $(B)/fuzz/ir -n 2000 $(wildcard tests/ir/samples/*.ir)"
 
+# Images: their seeds are those that the mutation test works on.  `make check-mutate` changes every byte of them to every value.
+$(B)/corpus/image: $(B)/unit/vm_mutate
+	@mkdir -p $@
+	@$(B)/unit/vm_mutate 1 1 $@ >$(B)/vm_mutate.log 2>&1
+check: $(B)/fuzz/image $(B)/corpus/image
+CHECK_LINES += "fuzz-image: $(B)/fuzz/image -n 20000 $(B)/corpus/image/*.smb"
+
+MUTATE_SRC = tests/unit/vm_mutate.c $(wildcard bytecode-vm/*.c stdlib/*.c compiler/diag/*.c compiler/ir/*.c compiler/emit/bytecode/*.c) \
+             compiler/sema/layout.c $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c))
+$(B)/vm_mutate_san: $(MUTATE_SRC)
+	$(call say,CC)$(CC) $(STRICT_C) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined $(MUTATE_SRC) -lm -o $@
+check-mutate: $(B)/vm_mutate_san
+	$(B)/vm_mutate_san 1000 256
+
+# docs/bytecode.md: its example is compiled and run.
+$(B)/gen/embed.c: docs/bytecode.md
+	@mkdir -p $(@D)
+	@sed -n '/^```c$$/,/^```$$/{/^```/d;p;}' $< >$@
+$(B)/unit/vm_docs: $(B)/gen/embed.c
+
 # tests/diff: random programs on all engines in lock step.  `make diff N=1000000 SEED=1 J=2` is a campaign that goes on where
 # it was stopped.
 N    ?= 20000
@@ -205,5 +225,5 @@ check-arguments:
 HOUSE_RULES = check-layers check-codes check-arguments check-headers check-imports check-licence check-places
 CHECK_LINES += $(foreach rule,$(HOUSE_RULES),"$(rule): $(MAKE) -s --no-print-directory $(rule)")
 
-.PHONY: $(HOUSE_RULES) all check check-ir check-golden update-golden test fuzz install uninstall help clean
+.PHONY: $(HOUSE_RULES) all check check-ir check-golden check-mutate update-golden test fuzz install uninstall help clean
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// docs/bytecode.md says what the tables say, row by row, and its example of embedding compiles and runs.
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "bytecode-vm/smvm.h"
+#include "tests/test.h"
+#include "tests/unit/vm_build.h"
+
+SmVm *start(const uint8_t *image, uint32_t size, uint32_t layout);
+bool cycle(SmVm *vm);
+
+#include "embed.c"            // the page's example
+
+static char page[100000];
+
+static bool says(const char *text)
+{
+    if (!strstr(page, text))
+        fprintf(stderr, "docs/bytecode.md lacks: %s\n", text);
+    return strstr(page, text) != NULL;
+}
+
+static void load_page(void)
+{
+    FILE *f = fopen("docs/bytecode.md", "rb");
+
+    CHECK(f && fread(page, 1, sizeof page - 1, f) > 0);
+    if (f)
+        fclose(f);
+}
+
+// The letters of a shape as the page has them.
+static void put_shape(char *out, unsigned shape)
+{
+    static const char letter[] = "DWXYSJ";
+
+    *out = '\0';
+    for (unsigned i = 0; i < 6; i++)
+        if (shape >> i & 1) {
+            if (*out)
+                strcat(out, " ");
+            strncat(out, letter + i, 1);
+        }
+}
+
+static void opcodes(void)
+{
+    enum { D = SMVM_SHAPE_D, W = SMVM_SHAPE_W, X = SMVM_SHAPE_X, Y = SMVM_SHAPE_Y, S = SMVM_SHAPE_S, J = SMVM_SHAPE_J, E = SMVM_SHAPE_E };
+    char row[100], shape[20];
+
+#define SMVM_OP(name, number, shape_, meaning)                                                     \
+    put_shape(shape, shape_);                                                                      \
+    snprintf(row, sizeof row, "| 0x%02x | `%s` |%s%s |", number, #name, *shape ? " " : "", shape); \
+    CHECK(says(row));
+#include "bytecode-vm/opcodes.def"
+#undef SMVM_OP
+}
+
+// A rule's sentence begins with a capital and quotes code in the page; compared without both.
+static bool same_words(const char *a, const char *b)
+{
+    while (*a && *b) {
+        if (*b == '`') {
+            b++;
+            continue;
+        }
+        if (*a == '\'') {
+            a++;
+            continue;
+        }
+        if (*a != *b && !(*a >= 'a' && *a <= 'z' && *b == *a - 'a' + 'A'))
+            return false;
+        a++;
+        b++;
+    }
+    return !*a;
+}
+
+static void rules(void)
+{
+    const char *at, *list = strstr(page, "## The verifier");
+    char row[20];
+
+#define SMVM_RULE(number, name, sentence)                                                              \
+    snprintf(row, sizeof row, "\n| %d | ", number);                                                    \
+    at = list ? strstr(list, row) : 0;                                                                         \
+    if (!at || !same_words(sentence, at + strlen(row)))                                                \
+        fprintf(stderr, "docs/bytecode.md: rule %d is not: %s\n", number, sentence);                   \
+    CHECK(at && same_words(sentence, at + strlen(row)));                                               \
+    CHECK(strcmp(smvm_rule_text(number), sentence) == 0);
+#include "bytecode-vm/rules.def"
+#undef SMVM_RULE
+}
+
+static void sections_and_kinds(void)
+{
+    char row[100];
+
+#define SMVM_SECTION(name, id, version, meaning)                  \
+    snprintf(row, sizeof row, "| 0x%02x | ", id);                 \
+    CHECK(says(row) && strstr(strstr(page, row), "| " #name " |"));
+#define SMVM_OPERAND(name, number, meaning)                                                                                \
+    snprintf(row, sizeof row, "\n| %d%s | ", number, number == 0 ? " … 10" : number == 11 ? " … 21" : "");                    \
+    CHECK(says(row));
+#include "bytecode-vm/image.def"
+#undef SMVM_SECTION
+#undef SMVM_OPERAND
+}
+
+// ---- the example ----
+
+static void example(void)
+{
+    static uint8_t image[1000];
+    uint32_t n;
+    SmVm *vm;
+    Build b;
+
+    memset(&b, 0, sizeof b);
+    b.layout = 77;
+    b.sv_words = 3;
+    b.outputs = b.states = b.width = 1;
+    b.operands = 4;
+    b.operand[0] = ELEMENT(F64, 16);
+    b.operand[1] = ELEMENT(U64, 0);
+    b.operand[2] = ELEMENT(U32, 8);
+    b.operand[3] = OPERAND(24, 42);
+    end_function(&b);
+    end_function(&b);
+    code(&b, SMVM_mov, 2, 0, 3);
+    code(&b, SMVM_end, 0);
+    end_function(&b);
+    end_function(&b);
+    n = build_image(&b, image);
+    CHECK(start(image, n, 78) == NULL && start(image, n - 1, 77) == NULL);
+    vm = start(image, n, 77);
+    CHECK(vm != NULL);
+    sv[0] = 1;
+    CHECK(cycle(vm) && sm_from_bits(sv[2]) == 42 && smvm_stored(vm, 0));
+    CHECK(!cycle(vm));
+}
+
+int main(void)
+{
+    load_page();
+    opcodes();
+    rules();
+    sections_and_kinds();
+    example();
+    return test_end("vm_docs");
+}
