@@ -57,11 +57,11 @@ static void opcodes(void)
 #undef SMVM_OP
 }
 
-// A rule's sentence begins with a capital and quotes code in the page; compared without both.
+// A rule's sentence begins with a capital and marks code otherwise in the page; compared without quotes and capitals.
 static bool same_words(const char *a, const char *b)
 {
     while (*a && *b) {
-        if (*b == '`') {
+        if (*b == '`' || *b == '\'') {
             b++;
             continue;
         }
