@@ -24,8 +24,10 @@ typedef struct Out {
 
 static void text(Out *o, const char *s)
 {
-    size_t n = strlen(s);
+    size_t n = 0;
 
+    while (s[n])
+        n++;
     o->write(o->context, s, n);
     o->column = n > 0 && s[n - 1] == '\n' ? 0 : o->column + (uint32_t)n;
 }
