@@ -208,6 +208,7 @@ static void give_initial_values(Declarations *k)
 
         s->local = v;
         e = value ? check_expr(s, value) : NULL;
+        v->init_value = e;
         s->no_value[v->index] = !e;
         if (e)
             v->init = sm_cell_from_f64(v->type, const_eval(e));

@@ -2,27 +2,8 @@
 // Calls of roll functions (language.md 7): the sampled expression, and a size that is known when compiling.
 #include "compiler/sema/sema.h"
 
-#include <stdio.h>
-
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
-
-// A number as the user would write it: the fewest digits that give it back.
-static const char *number_text(Sema *s, SmF64 x)
-{
-    enum { ENOUGH = 17 };         // digits that tell any two F64 apart
-    const char *text = "";
-
-    if (sm_is_nan(x))
-        return "NaN";
-    for (int digits = 6; digits <= ENOUGH; digits++) {
-        double back = 0;
-        text = format_in(s->arena, "%.*g", digits, x);
-        if (sscanf(text, "%lf", &back) == 1 && sm_eq(back, x))
-            break;
-    }
-    return text;
-}
 
 static bool is_whole(SmF64 x)
 {
@@ -35,9 +16,9 @@ static uint32_t size_of_window(Sema *s, const AstExpr *n, const Expr *value, con
     SmF64 x = const_eval(value);
 
     if (!is_whole(x))
-        diag_report(s->diags, DIAG_window_size_not_whole, n->span, fn->name, number_text(s, x));
+        diag_report(s->diags, DIAG_window_size_not_whole, n->span, fn->name, const_text(s->arena, x));
     else if (sm_lt(x, sm_from_i32(1)) || sm_lt(sm_from_u32(SM_WINDOW_MAX), x))
-        diag_report(s->diags, DIAG_window_size_range, n->span, fn->name, number_text(s, x));
+        diag_report(s->diags, DIAG_window_size_range, n->span, fn->name, const_text(s->arena, x));
     else
         return sm_to_u32(x);
     return 0;

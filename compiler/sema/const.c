@@ -2,6 +2,8 @@
 // Constant expressions to their value, by the very functions that targets run (stdlib).
 #include "compiler/sema/sema.h"
 
+#include <stdio.h>
+
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
@@ -79,4 +81,30 @@ SmF64 const_eval(const Expr *e)
     case EX_ROLL:   break;
     }
     return sm_from_i32(0);
+}
+
+bool expr_is_constant(const Expr *e)
+{
+    if (e->kind == EX_ROLL || (e->kind == EX_VAR && !e->var->is_constant))
+        return false;
+    for (uint32_t i = 0; i < e->n; i++)
+        if (!expr_is_constant(e->arg[i]))
+            return false;
+    return true;
+}
+
+const char *const_text(Arena *arena, SmF64 x)
+{
+    enum { FEW = 6, ENOUGH = 17 };             // decimal digits; with 17 no two F64 look alike
+    const char *text = "";
+
+    if (sm_is_nan(x))
+        return "NaN";
+    for (int digits = FEW; digits <= ENOUGH; digits++) {
+        double back = 0;
+        text = format_in(arena, "%.*g", digits, x);
+        if (sscanf(text, "%lf", &back) == 1 && sm_eq(back, x))
+            break;
+    }
+    return text;
 }

@@ -52,6 +52,8 @@ typedef enum VarKind {
     VAR_TIME                  // T
 } VarKind;
 
+typedef struct Expr Expr;
+
 typedef struct Var {
     VarKind kind;
     Str name;                 // as listed
@@ -62,6 +64,7 @@ typedef struct Var {
     Element *element;         // ELEMENT
     bool read_only;           // the machine may not write it; true for G, S and T
     uint64_t init;            // LOCAL: its initial value, as a bit cell of its type (convert.h)
+    Expr *init_value;         // LOCAL: what init was worked out from
     bool is_constant;         // LOCAL: read-only and not written from outside: `init` is its value for ever
     bool written;             // an assignment to it stands somewhere in the machine
     bool read;                // it is read somewhere in the machine
@@ -80,7 +83,6 @@ typedef enum ExprKind {
     EX_ROLL                   // statistic `stat` of window `window`; arg[0] is the sampled expression
 } ExprKind;
 
-typedef struct Expr Expr;
 struct Expr {
     ExprKind kind;
     Span span;
@@ -172,5 +174,12 @@ typedef struct Script {
 
 // Does one value or another: `f(expr, context)` for e and everything in it, operands before their owner.
 void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context);
+
+// Whether e has one value for ever: it is made of numbers, constant locals, operators and pure functions.
+bool expr_is_constant(const Expr *e);
+// That value; of other locals than constant ones their initial value counts.
+SmF64 const_eval(const Expr *e);
+// A value for messages: the fewest digits that give it back.
+const char *const_text(Arena *arena, SmF64 x);
 
 #endif

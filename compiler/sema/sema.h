@@ -94,7 +94,4 @@ void check_size_uses(Sema *s);
 
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args);
 
-// The value of an expression of numbers, locals (by their initial values), operators and pure functions.
-SmF64 const_eval(const Expr *e);
-
 #endif
