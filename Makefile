@@ -225,5 +225,34 @@ check-arguments:
 HOUSE_RULES = check-layers check-codes check-arguments check-headers check-imports check-licence check-places
 CHECK_LINES += $(foreach rule,$(HOUSE_RULES),"$(rule): $(MAKE) -s --no-print-directory $(rule)")
 
+# ---- the language and its evidence ----
+
+# tests/clauses: what state scripts cannot show of the language: refused steps, memory, stored NaN.
+HOST         = $(wildcard compiler/base/os_*.c compiler/device/*.c)
+CLAUSE_TESTS = $(B)/clauses/steps $(B)/clauses/memory $(B)/clauses/regions
+$(B)/clauses/probe.c: tests/clauses/probe.sm tests/clauses/probe.sv $(B)/smc
+	@mkdir -p $(@D)
+	@$(B)/smc build tests/clauses/probe.sm --sv=tests/clauses/probe.sv --emit=c -o $@
+$(B)/clauses/probe.smb: tests/clauses/probe.sm tests/clauses/probe.sv $(B)/smc
+	@mkdir -p $(@D)
+	@$(B)/smc build tests/clauses/probe.sm --sv=tests/clauses/probe.sv -o $@
+$(B)/clauses/steps $(B)/clauses/regions: $(B)/clauses/%: tests/clauses/%.c $(HOST:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -o $@ $^
+$(B)/clauses/memory: tests/clauses/memory.c $(B)/clauses/probe.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) -I$(B)/clauses $(WARN) $(CFLAGS) -o $@ $^
+
+check: $(CLAUSE_TESTS) $(B)/clauses/probe.smb
+CHECK_LINES += "clauses-steps: $(B)/clauses/steps" "clauses-memory: $(B)/clauses/memory $(B)/clauses/probe.smb" \
+               "clauses-regions: $(B)/clauses/regions"
+
+# Every clause of docs/language.md has a case, every case names clauses that exist.
+check-clauses:
+	@{ find conformance tests -name '*.smt' | sort; ls tests/clauses/*.c; } | \
+	    awk -f tests/check/clauses.awk docs/language.md tests/check/clauses.txt -
+CHECK_LINES += "check-clauses: $(MAKE) -s --no-print-directory check-clauses"
+.PHONY: check-clauses
+
 .PHONY: $(HOUSE_RULES) all check check-ir check-golden check-mutate update-golden test fuzz install uninstall help clean
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
