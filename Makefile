@@ -104,7 +104,8 @@ $(B)/fuzz/%: tests/fuzz/%.c tests/fuzz/driver.c $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(filter %.c,$^) -o $@ $(B)/libsmc.a
 
-check: $(B)/fuzz/ir
+check: $(B)/fuzz/ir $(B)/fuzz/frontend
+CHECK_LINES += "fuzz-frontend: $(B)/fuzz/frontend -n 5000 $(wildcard tests/fuzz/seeds/frontend/*)"
 CHECK_LINES += "fuzz-ir: $(B)/fuzz/ir -n 2000 $(wildcard tests/ir/samples/*.ir)"
 
 # Images: their seeds are those that the mutation test works on.  `make check-mutate` changes every byte of them to every value.

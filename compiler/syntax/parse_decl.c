@@ -103,6 +103,7 @@ static void check_annotation(Parser *p, const AstSection *s, const AstDecl *d, c
         if (d->annotations.at[i].kind == a->kind) {
             x = parser_report(p, DIAG_annotation_repeated, a->span, word, d->name->text);
             diag_note(p->diags, x, d->annotations.at[i].span, DIAG_note_first_here);
+            return;
         }
 }
 

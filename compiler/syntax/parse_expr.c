@@ -233,7 +233,7 @@ static AstExpr *new_binary(Parser *p, SmOperator op, Span op_span, AstExpr *a, A
     e->a = a;
     e->b = b;
     e->span = parser_since(p, a->span.at);
-    if (is_equality(e) && is_equality(a) && !p->failed)
+    if (is_equality(e) && is_equality(a) && !is_equality(a->a) && !p->failed)
         slip_equality_chain(p, e);
     return check_depth(p, check_depth(p, e, a), b);
 }

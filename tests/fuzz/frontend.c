@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fuzz target: text through lexer, parser, checker and renderers.  The first byte says what the rest is: `v` a state vector,
+// `s` a script (of the machine below), anything else a machine.  Nothing may crash or hang; every place of a diagnostic lies in the text;
+// a tree without an error holds no error node and keeps its depth.
+#include <string.h>
+
+#include "compiler/pipeline.h"
+#include "compiler/syntax/parse.h"
+#include "tests/fuzz/fuzz.h"
+
+enum { MEMORY_MOST = 512 << 20 };
+
+static const char tested[] = "[state_vector]\nU64 G\nU32 S\nF64 x\nbool b\n[local]\nF64 k = 2 @read_only\n"
+                             "[Idle]\n.step\n    x > 1: -> Run\n[Run]\n.entry\n    b = roll_max(x, 3) > k\n";
+
+static size_t memory_taken;
+
+// A host with little memory: a text that wants more ends, and that is no fault.
+static void *small_heap(void *context, void *old, size_t size)
+{
+    if (size > MEMORY_MOST - memory_taken)
+        return NULL;
+    memory_taken += size;
+    return fuzz_alloc(context, old, size);
+}
+
+// ---- what must hold of a tree ----
+
+static bool errors_allowed;
+
+static void check_span(Span span)
+{
+    FUZZ_CHECK(!span.src || (span.at <= span.src->len && span.len <= span.src->len - span.at));
+}
+
+static void check_expr(const AstExpr *e, unsigned depth)
+{
+    FUZZ_CHECK(e && depth <= AST_DEPTH_MAX && e->depth + depth <= AST_DEPTH_MAX + 1);
+    FUZZ_CHECK(errors_allowed || e->kind != AST_ERROR);
+    check_span(e->span);
+    check_span(e->op_span);
+    if (e->kind == AST_NAME || e->kind == AST_CALL)
+        FUZZ_CHECK(e->name);
+    if (e->kind == AST_UNARY || e->kind == AST_BINARY || e->kind == AST_PAREN)
+        check_expr(e->a, depth + 1);
+    if (e->kind == AST_BINARY)
+        check_expr(e->b, depth + 1);
+    for (size_t i = 0; i < e->args.n; i++)
+        check_expr(e->args.at[i], depth + 1);
+}
+
+static void check_stmts(const AstStmts *list, unsigned depth)
+{
+    FUZZ_CHECK(list->n == 0 || depth <= AST_DEPTH_MAX);
+    for (size_t i = 0; i < list->n; i++) {
+        const AstStmt *s = list->at[i];
+        FUZZ_CHECK(errors_allowed || s->kind != AST_STMT_ERROR);
+        check_span(s->span);
+        check_span(s->body_span);
+        check_span(s->else_body_span);
+        if (s->kind == AST_STMT_ERROR)
+            continue;
+        FUZZ_CHECK((s->kind == AST_ASSIGN || s->kind == AST_TRANSITION) == (s->name != NULL));
+        if (s->kind == AST_ASSIGN || s->kind == AST_IF || s->kind == AST_ASSERT)
+            check_expr(s->value, 1);
+        check_stmts(&s->then, depth + 1);
+        check_stmts(&s->otherwise, depth + 1);
+    }
+}
+
+static void check_tree(const AstFile *f)
+{
+    for (size_t i = 0; i < f->sections.n; i++) {
+        const AstSection *s = f->sections.at[i];
+        FUZZ_CHECK(s->name && (errors_allowed || s->kind != AST_IGNORED));
+        check_span(s->header);
+        check_span(s->name_span);
+        for (size_t k = 0; k < s->decls.n; k++) {
+            FUZZ_CHECK(s->decls.at[k].name);
+            if (s->decls.at[k].value)
+                check_expr(s->decls.at[k].value, 1);
+            else
+                FUZZ_CHECK(errors_allowed || s->kind != AST_LOCAL);
+        }
+        for (int k = 0; k < AST_LABEL_COUNT; k++)
+            check_stmts(&s->block[k].stmts, 0);
+        check_stmts(&s->items, 0);
+    }
+}
+
+// ---- what must hold of diagnostics ----
+
+static void check_diags(Session *s)
+{
+    DiagStyle plain = {false, 20};
+    Buf out;
+
+    diags_sort(&s->diags);
+    for (size_t i = 0; i < s->diags.list.n; i++) {
+        const Diag *d = s->diags.list.at[i];
+        check_span(d->span);
+        FUZZ_CHECK(d->text && d->text[0]);
+        for (size_t k = 0; k < d->notes.n; k++)
+            check_span(d->notes.at[k].span);
+        for (size_t k = 0; k < d->edits.n; k++)
+            check_span(d->edits.at[k].span);
+    }
+    buf_init(&out, &s->arena);
+    diags_render_text(&s->diags, &plain, &out);
+    FUZZ_CHECK(strlen(buf_text(&out)) == out.n);              // nothing unprintable has got through
+    diags_render_json(&s->diags, &out);
+    FUZZ_CHECK(strlen(buf_text(&out)) == out.n);
+}
+
+// ---- one text ----
+
+static void try_parse(Session *s, const Source *src, FileKind kind)
+{
+    AstFile *f = parse_file(&s->arena, &s->strings, &s->diags, src, kind);
+    Buf out;
+
+    errors_allowed = s->diags.errors > 0;
+    check_tree(f);
+    check_diags(s);
+    buf_init(&out, &s->arena);
+    ast_print(f, &out);
+    lex_print(&s->arena, &s->strings, &s->diags, src, &out);
+}
+
+static void try_check(Session *s, const Source *src, FileKind kind)
+{
+    MachineInput machine = {src, NULL, NULL, 0};
+
+    if (kind == FILE_SV) {
+        session_state_vector(s, src);
+    } else if (kind == FILE_SM) {
+        session_program(s, &machine);
+    } else {
+        machine.sm = source_new(&s->arena, "tested.sm", tested, sizeof tested - 1);
+        session_script(s, src, session_program(s, &machine));
+    }
+    check_diags(s);
+}
+
+static void run(const uint8_t *data, size_t size, void (*try)(Session *s, const Source *src, FileKind kind))
+{
+    FileKind kind = size && data[0] == 'v' ? FILE_SV : size && data[0] == 's' ? FILE_SS : FILE_SM;
+    Session s;
+    jmp_buf oom;
+    char *text;
+
+    memory_taken = 0;
+    session_init(&s, small_heap, NULL, &oom);
+    if (setjmp(oom) == 0) {
+        text = arena_alloc(&s.arena, size + 1);
+        if (size)
+            memcpy(text, data + 1, size - 1);
+        try(&s, source_new(&s.arena, "fuzz", text, size ? size - 1 : 0), kind);
+    }
+    session_free(&s);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    run(data, size, try_parse);
+    run(data, size, try_check);
+    return 0;
+}
