@@ -118,7 +118,7 @@ static const char *quote(Sema *s, Span span)
     const char *text = span.src->text + span.at;
     uint32_t n = 0;
 
-    while (n < span.len && n < LONGEST && text[n] != '\n' && text[n] != '#')
+    while (n < span.len && n < LONGEST && text[n] != '\n' && text[n] != '\r' && text[n] != '#')
         n++;
     return format_in(s->arena, "%.*s%s", (int)n, text, n < span.len ? " ..." : "");
 }
