@@ -173,6 +173,9 @@ static void label_here(Select *s, uint32_t label) { s->out->label.at[label] = (u
 
 // ---- how an operation is computed ----
 
+// How many operations wait for each other in r; 0 where nothing does.
+static uint32_t depth_of(const Select *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
+
 // The opcode of an operation; *swap when its operands change places.
 static uint8_t opcode(IrOp op, bool *swap)
 {
@@ -280,12 +283,25 @@ static BcRef choose_slot(Select *s, IrRef r, BcRef d)            // d, or a new 
     return d != BC_NONE ? d : (s->value[r].slot = slot_take(s, pool_of(ins(s, r))));
 }
 
+// Both operands; the deeper one is computed first, which keeps the other's slot free for it.
+static void operands(Select *s, IrRef a, IrRef b, BcRef *x, BcRef *y)
+{
+    bool b_first = depth_of(s, source(s, b)) > depth_of(s, source(s, a));
+
+    if (b_first)
+        *y = operand(s, b);
+    *x = operand(s, a);
+    if (!b_first)
+        *y = operand(s, b);
+    used(s, source(s, b), *y);
+    used(s, source(s, a), *x);
+}
+
 static void compute_two(Select *s, IrRef r, BcRef d, IrRef a, IrRef b, uint8_t op, bool swap)
 {
-    BcRef x = operand(s, a), y = operand(s, b);
+    BcRef x, y;
 
-    used(s, source(s, a), x);
-    used(s, source(s, b), y);
+    operands(s, a, b, &x, &y);
     d = choose_slot(s, r, d);
     put_dxy(s, op, d, swap ? y : x, swap ? x : y);
 }
@@ -326,18 +342,27 @@ static void compute(Select *s, IrRef r, BcRef d)
         compute_one(s, r, d, logic ? without_truth(s, i->a) : i->a, op);
 }
 
-// Computes r into the destination d of type `type`, which converts.
+// Whether storing does what a conversion to `to` does, in a destination of type `type`.  NaN becomes 0 in all of them, so
+// conversions of F64 to itself vanish.
+static bool storing_converts(SmType to, SmType type) { return to == type || to == SM_F64; }
+
+// Computes r into an element or local of type `type`.
 static void compute_into(Select *s, IrRef r, BcRef d, SmType type)
 {
-    while (s->value[r].waits && ins(s, r)->op == IR_cvt && (ins(s, r)->type == type || changes_nothing(s, ins(s, r))))
-        r = ins(s, r)->a;
-    if (s->value[r].waits && !s->value[r].placed) {
-        compute(s, r, d);
-    } else {
-        BcRef x = operand(s, r);
-        used(s, r, x);
-        put_dxy(s, SMVM_mov, d, x, BC_NONE);
+    const IrIns *i = ins(s, r);
+    BcRef x;
+
+    while (s->value[r].waits && i->op == IR_cvt && (storing_converts(i->type, type) || changes_nothing(s, i))) {
+        r = i->a;
+        i = ins(s, r);
     }
+    if (s->value[r].waits && (i->op != IR_cvt || i->type == SM_BOOL)) {
+        compute(s, r, d);
+        return;
+    }
+    x = operand(s, r);
+    used(s, source(s, r), x);
+    put_dxy(s, SMVM_mov, d, x, BC_NONE);
 }
 
 // ---- conditions ----
@@ -357,7 +382,7 @@ static void put_jump(Select *s, uint8_t op, BcRef x, BcRef y, uint32_t label)
 static void jump_compare(Select *s, const IrIns *i, bool when, uint32_t label)
 {
     bool swap = i->op == IR_gt || i->op == IR_ge;
-    BcRef x = operand(s, i->a), y = operand(s, i->b);
+    BcRef x, y;
     uint8_t op;
 
     if (i->op == IR_eq || i->op == IR_ne)
@@ -366,8 +391,7 @@ static void jump_compare(Select *s, const IrIns *i, bool when, uint32_t label)
         op = when ? SMVM_jlt : SMVM_jnlt;
     else
         op = when ? SMVM_jle : SMVM_jnle;
-    used(s, source(s, i->a), x);
-    used(s, source(s, i->b), y);
+    operands(s, i->a, i->b, &x, &y);
     put_jump(s, op, swap ? y : x, swap ? x : y, label);
 }
 
@@ -460,8 +484,6 @@ static void count_block(Select *s, const IrBlk *b, bool deep_known, uint32_t blo
             use(s, i->b, at, 1);
     }
 }
-
-static uint32_t depth_of(const Select *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
 
 static void find_depths(Select *s, const IrBlk *b)
 {

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+// From IR to images: that instructions come out as short as they should, that values are those of their moment, and that what
+// does not fit the format is said.  Texts of IR are compiled, compared with the disassembly, and run.
+#include <stdlib.h>
+#include <string.h>
+
+#include "bytecode-vm/smvm.h"
+#include "compiler/emit/bytecode/bytecode.h"
+#include "tests/test.h"
+
+static void *host(void *context, void *old, size_t size)
+{
+    (void)context;
+    if (size)
+        return realloc(old, size);
+    free(old);
+    return NULL;
+}
+
+typedef struct Work {
+    Arena arena;
+    StrPool strings;
+    Diags diags;
+    Buf image, listing;
+    jmp_buf oom;
+    SmvmMachine m;
+    uint64_t sv[16];
+    uint64_t *memory;
+} Work;
+
+static void open_work(Work *w)
+{
+    memset(w, 0, sizeof *w);
+    arena_init(&w->arena, host, NULL, &w->oom);
+    str_pool_init(&w->strings, &w->arena);
+    diags_init(&w->diags, &w->arena);
+    buf_init(&w->image, &w->arena);
+    buf_init(&w->listing, &w->arena);
+}
+
+static IrMachine *read(Work *w, const char *text)
+{
+    const char *error = NULL;
+    IrMachine *m = ir_read(&w->arena, &w->strings, text, strlen(text), &error);
+
+    if (m && !error)
+        error = ir_verify(&w->arena, m);
+    if (error)
+        fprintf(stderr, "%s\n", error);
+    CHECK(m && !error);
+    return m;
+}
+
+static void list(void *context, const char *text, size_t length) { buf_put(context, text, length); }
+
+static bool compile(Work *w, const char *text)
+{
+    IrMachine *m = read(w, text);
+
+    if (!m || !emit_image(&w->arena, &w->diags, &m, 1, true, &w->image))
+        return false;
+    smvm_disasm((const uint8_t *)w->image.at, list, &w->listing);
+    smvm_machine((const uint8_t *)w->image.at, 0, &w->m);
+    w->memory = arena_alloc(&w->arena, smvm_ram_size(&w->m));
+    return smvm_init(w->memory, smvm_ram_size(&w->m), &w->m, w->sv, 1) == SM_OK;
+}
+
+#define HEAD                                             \
+    "machine \"t\"\nvector \"t\" size 128 hash 0x1\n"    \
+    "element U64 G at 0 is G\nelement U32 S at 8 is S\n" \
+    "element F64 a writable at 16\nelement F64 b writable at 24\nelement F32 f writable at 32\nelement U8 n writable at 36\n" \
+    "element bool p writable at 37\nelement bool q writable at 38\nelement I64 i writable at 40\nlocal U16 l writable = 3\ntime U64 T\n"
+#define STEP HEAD "state A\nstep {\nb0:\n"
+
+// The instructions of A.step without offsets, as "mov a, b; end".
+static const char *instructions(Work *w)
+{
+    const char *at = strstr(buf_text(&w->listing), "A.step:\n");
+    Buf out;
+
+    buf_init(&out, &w->arena);
+    for (at = at ? strchr(at, '\n') + 1 : ""; *at && *at != '\n'; at = strchr(at, '\n') + 1) {
+        if (out.n > 0)
+            buf_str(&out, "; ");
+        for (const char *c = at + 8; *c != '\n'; c++)
+            if (*c != ' ' || (c[-1] != ' ' && c[1] != ' ' && c[1] != '\n') || (c[-1] != ' ' && c[1] == ' '))
+                buf_char(&out, *c);
+    }
+    return buf_text(&out);
+}
+
+static void expect(const char *body, const char *expected)
+{
+    Work w;
+
+    open_work(&w);
+    CHECK(compile(&w, format_in(&w.arena, "%s%s", STEP, body)));
+    if (strcmp(instructions(&w), expected) != 0)
+        fprintf(stderr, "of: %s\nexpected: %s\ncame:     %s\n", body, expected, instructions(&w));
+    CHECK(strcmp(instructions(&w), expected) == 0);
+    arena_free(&w.arena);
+}
+
+// ---- what comes out ----
+
+static void folds(void)
+{
+    expect("%0 = load F64 a\n store F64 b, %0\n ret\n}", "mov b, a; end");
+    expect("%0 = load U8 n\n %1 = cvt F64 %0\n %2 = const F64 1\n %3 = add F64 %1, %2\n %4 = cvt U8 %3\n store U8 n, %4\n ret\n}",
+           "add n, n, 1; end");
+    expect("%0 = const bool 1\n store bool p, %0\n ret\n}", "mov p, 1; end");
+    expect("%0 = load U8 n\n %1 = cvt F64 %0\n %2 = cvt bool %1\n store bool p, %2\n ret\n}", "mov p, n; end");
+    expect("%0 = load bool p\n %1 = load bool q\n %2 = and %0, %1\n store bool p, %2\n ret\n}", "and p, p, q; end");
+    expect("%0 = load F64 a\n %1 = cvt bool %0\n %2 = not %1\n store bool p, %2\n ret\n}", "not p, a; end");
+    expect("%0 = load F64 a\n %1 = load F64 b\n %2 = gt F64 %0, %1\n store bool p, %2\n ret\n}", "lt p, b, a; end");
+    expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "sqrt b, a; end");
+    expect("%0 = load U64 T\n %1 = cvt F64 %0\n %2 = const F64 -0\n %3 = div F64 %1, %2\n %4 = cvt F32 %3\n store F32 f, %4\n ret\n}",
+           "div f, T, -0x0p+0; end");
+}
+
+static void rounds(void)
+{
+    // A conversion in the middle of an expression rounds.
+    expect("%0 = load F64 a\n %1 = cvt F32 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "mov local F32@0, a; mov b, local F32@0; end");
+    expect("%0 = load F64 a\n %1 = cvt U8 %0\n %2 = cvt F64 %1\n %3 = cvt U16 %2\n store U16 l, %3\n ret\n}", "mov local U8@2, a; mov l, local U8@2; end");
+    expect("%0 = load F64 a\n %1 = cvt F32 %0\n %2 = cvt F64 %1\n %3 = add F64 %2, %2\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
+           "mov local F32@0, a; add b, local F32@0, local F32@0; end");
+    // NaN to 0 does, where there can be one, and costs nothing where there is none.
+    expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = cvt F64 %1\n %3 = neg F64 %2\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
+           "sqrt t0, a; mov local F64@0, t0; neg b, local F64@0; end");
+    expect("%0 = load F64 a\n %1 = cvt F64 %0\n %2 = neg F64 %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}", "neg b, a; end");
+}
+
+static void moments(void)
+{
+    // A load is of its moment, although a store comes between it and its use.
+    expect("%0 = load F64 a\n %1 = load F64 b\n store F64 a, %1\n store F64 b, %0\n ret\n}", "mov t0, a; mov a, b; mov b, t0; end");
+    expect("%0 = load F64 a\n %1 = neg F64 %0\n %2 = const F64 1\n store F64 a, %2\n %3 = cvt F64 %1\n store F64 b, %3\n ret\n}",
+           "mov t0, a; mov a, 1; neg b, t0; end");
+    expect("%0 = load U8 n\n %1 = cvt F64 %0\n %2 = const U8 1\n store U8 n, %2\n %3 = add F64 %1, %1\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
+           "mov t0, n; mov n, 1; add b, t0, t0; end");
+    // What is used twice is computed once.
+    expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = mul F64 %1, %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}", "sqrt t0, a; mul b, t0, t0; end");
+    // Temps are used again; what nobody uses is not computed.
+    expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = floor F64 %0\n %3 = add F64 %1, %2\n %4 = ceil F64 %0\n %5 = mul F64 %3, %4\n"
+           "%6 = cvt F64 %5\n store F64 b, %6\n %7 = div F64 %5, %5\n ret\n}",
+           "sqrt t0, a; floor t1, a; add t0, t0, t1; ceil t1, a; mul b, t0, t1; end");
+}
+
+static void conditions(void)
+{
+    expect("%0 = load F64 a\n %1 = load F64 b\n %2 = lt F64 %0, %1\n %3 = load bool p\n %4 = or %2, %3\n %5 = not %4\n br %5, b1, b2\n"
+           "b1:\n %6 = const bool 1\n store bool q, %6\n jmp b2\nb2:\n ret\n}",
+           "jlt a, b, 10; jt p, 10; mov q, 1; end");
+    expect("%0 = load F64 a\n %1 = cvt bool %0\n br %1, b1, b2\nb1:\n goto A\nb2:\n ret\n}", "jf a, 5; goto A; end");
+    expect("%0 = const bool 1\n br %0, b1, b2\nb1:\n goto A\nb2:\n ret\n}", "goto A; end");
+    // A condition that is also stored is a number.
+    expect("%0 = load F64 a\n %1 = const F64 1\n %2 = ne F64 %0, %1\n store bool p, %2\n br %2, b1, b2\nb1:\n goto A\nb2:\n ret\n}",
+           "ne t0, a, 1; mov p, t0; jf t0, 12; goto A; end");
+    // A block that only jumps is passed through, one that cannot be reached is left out, and a jump to the end is one.
+    expect("%0 = load bool p\n br %0, b1, b3\nb1:\n jmp b4\nb2:\n goto A\nb3:\n %1 = const bool 0\n store bool q, %1\n jmp b5\nb4:\n"
+           "%2 = const bool 1\n store bool q, %2\n jmp b5\nb5:\n ret\n}",
+           "jt p, 7; mov q, 0; end; mov q, 1; end");
+}
+
+// ---- what runs ----
+
+static void run_step(Work *w, uint64_t g)
+{
+    w->sv[0] = g;
+    CHECK(smvm_step((SmVm *)w->memory, w->sv) == SM_OK);
+}
+
+// 1 + 1/2 + 1/3 + …, one expression a thousand operations deep on the left, or on the right.
+static void deep(bool left)
+{
+    double expected = 0;
+    Buf text;
+    Work w;
+
+    open_work(&w);
+    buf_init(&text, &w.arena);
+    buf_str(&text, STEP "%z0 = load F64 a\n");
+    for (int i = 1; i <= 1000; i++) {
+        buf_printf(&text, "%%c%d = const F64 %d\n %%d%d = div F64 %%z0, %%c%d\n", i, i, i, i);
+        buf_printf(&text, left ? "%%z%d = add F64 %%z%d, %%d%d\n" : "%%z%d = sub F64 %%d%d, %%z%d\n", i, left ? i - 1 : i, left ? i : i - 1);
+    }
+    buf_str(&text, "%r = cvt F64 %z1000\n store F64 b, %r\n ret\n}");
+    if (!compile(&w, buf_text(&text))) {
+        CHECK(!"compiled");
+        return;
+    }
+    w.sv[2] = sm_bits(3);
+    run_step(&w, 1);
+    expected = 3;
+    for (int i = 1; i <= 1000; i++)
+        expected = left ? expected + 3.0 / i : 3.0 / i - expected;
+    CHECK(sm_from_bits(w.sv[3]) == expected);
+    CHECK(w.m.temps < 8);
+    arena_free(&w.arena);
+}
+
+// ((p and q) and p) and …, deeper than operations wait for each other.
+static void deep_condition(void)
+{
+    Buf text;
+    Work w;
+
+    open_work(&w);
+    buf_init(&text, &w.arena);
+    buf_str(&text, STEP "%p = load bool p\n%q = load bool q\n %s0 = or %p, %q\n");
+    for (int i = 1; i <= 1000; i++)
+        buf_printf(&text, "%%s%d = %s %%s%d, %%%s\n", i, i % 3 ? "and" : "or", i - 1, i % 2 ? "p" : "q");
+    buf_str(&text, "br %s1000, b1, b2\nb1:\n %x = const U8 1\n store U8 n, %x\n ret\nb2:\n %y = const U8 2\n store U8 n, %y\n ret\n}");
+    if (!compile(&w, buf_text(&text))) {
+        CHECK(!"compiled");
+        return;
+    }
+    for (unsigned in = 0; in < 4; in++) {
+        bool p = in & 1, q = in >> 1, expected = p || q;
+        for (int i = 1; i <= 1000; i++)
+            expected = i % 3 ? expected && (i % 2 ? p : q) : expected || (i % 2 ? p : q);
+        memcpy((uint8_t *)w.sv + 37, &(const uint8_t[]){p, q}, 2);
+        run_step(&w, in + 1);
+        CHECK(((uint8_t *)w.sv)[36] == (expected ? 1 : 2));
+    }
+    arena_free(&w.arena);
+}
+
+// ---- what does not fit ----
+
+static bool refused_as(const char *text, DiagCode code, const char *words)
+{
+    bool refused;
+    Work w;
+
+    open_work(&w);
+    refused = !compile(&w, text) && w.diags.list.n == 1 && w.diags.list.at[0]->code == code && strstr(w.diags.list.at[0]->text, words);
+    if (w.diags.list.n > 0 && !refused)
+        fprintf(stderr, "%s\n", w.diags.list.at[0]->text);
+    arena_free(&w.arena);
+    return refused;
+}
+
+static void too_many_machines(void)
+{
+    IrMachine *m[90];
+    Work w;
+
+    open_work(&w);
+    m[0] = read(&w, STEP "ret\n}");
+    for (int i = 1; i < 90; i++)
+        m[i] = m[0];
+    CHECK(emit_image(&w.arena, &w.diags, m, 63, true, &w.image));
+    w.image.n = 0;
+    CHECK(!emit_image(&w.arena, &w.diags, m, 90, true, &w.image));
+    CHECK(w.diags.list.n == 1 && w.diags.list.at[0]->code == DIAG_image_size && strstr(w.diags.list.at[0]->text, "machines"));
+    arena_free(&w.arena);
+}
+
+static void too_much_memory(void)
+{
+    Buf text;
+    Work w;
+
+    open_work(&w);
+    buf_init(&text, &w.arena);
+    buf_str(&text, HEAD);
+    for (int i = 0; i < 1400; i++)
+        buf_printf(&text, "window w%d size 100000 stats median\n", i);
+    buf_str(&text, "sample {\nb0:\n %0 = load F64 a\n");
+    for (int i = 0; i < 1400; i++)
+        buf_printf(&text, "sample w%d, %%0\n", i);
+    buf_str(&text, "ret\n}\nstate A\n");
+    CHECK(refused_as(buf_text(&text), DIAG_image_refused, "rule 18"));
+    arena_free(&w.arena);
+}
+
+static void limits(void)
+{
+    CHECK(refused_as("machine \"t\"\nvector \"t\" size 1048576 hash 0x1\nelement U64 G at 0 is G\nelement U32 S at 8 is S\n"
+                     "element bool far writable at 524288\ntime U64 T\nstate A\nstep {\nb0:\n%0 = const bool 1\n store bool far, %0\n ret\n}",
+                     DIAG_image_limit, "elements"));
+    too_many_machines();
+    too_much_memory();
+}
+
+int main(void)
+{
+    folds();
+    rounds();
+    moments();
+    conditions();
+    deep(true);
+    deep(false);
+    deep_condition();
+    limits();
+    return test_end("vm_select");
+}
