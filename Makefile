@@ -73,7 +73,7 @@ CHECK_LINES += "conformance: $(B)/smc test conformance"
 
 # tests/ir: passes on IR text, the invariants, the reader.
 IR_TESTS = $(B)/ir/run $(B)/ir/verify $(B)/ir/read
-IR_TEXTS = $(wildcard tests/ir/*.smt tests/ir/samples/*.ir)
+IR_TEXTS = $(wildcard tests/ir/*.smt tests/ir/samples/*.ir) $(wildcard conformance/*/*.smt)
 $(B)/ir/%: tests/ir/%.c $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/libsmc.a
@@ -152,8 +152,9 @@ $(B)/fuzz-cov/%: tests/fuzz/%.c $(LIBSMC) $(B)/gen/stdlib_text.h
 	@mkdir -p $(@D)
 	$(call say,CC)$(FUZZ_CC) $(STRICT_C) -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined $(filter %.c,$^) -o $@
 fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
-	for f in $(FUZZ); do mkdir -p $(B)/corpus/$$f && $(B)/fuzz-cov/$$f -max_total_time=$(FUZZ_SECONDS) -timeout=10 -rss_limit_mb=2048 \
-	    -artifact_prefix=$(B)/corpus/$$f- $(B)/corpus/$$f $$(ls -d tests/fuzz/seeds/$$f 2>/dev/null) || exit 1; done
+	$(foreach f,$(FUZZ),mkdir -p $(B)/corpus/$(f) && $(B)/fuzz-cov/$(f) -max_total_time=$(FUZZ_SECONDS) -timeout=10 -rss_limit_mb=2048 \
+	    -artifact_prefix=$(B)/corpus/$(f)- $(B)/corpus/$(f) $(FUZZ_SEEDS_$(f)) $(wildcard tests/fuzz/seeds/$(f)) || exit 1;)
+FUZZ_SEEDS_ir = tests/ir/samples
 
 # How compile time grows with the input.
 $(B)/bench/%: tests/bench/%.c $(B)/libsmc.a

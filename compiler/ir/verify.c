@@ -84,6 +84,38 @@ static bool check_element(Checker *c, const IrVar *v)
     return true;
 }
 
+// Elements are at multiples of their size, so each lies in one group of eight bytes; a hash table says which bytes of a
+// group are taken.
+typedef struct Taken { uint32_t group, bytes; } Taken;                // bytes 0: an empty slot
+
+static bool take_bytes(Taken *table, size_t cap, const IrVar *v)
+{
+    uint32_t group = v->offset / 8, bytes = ((1u << sm_type_info[v->type].bytes) - 1) << v->offset % 8;
+    size_t at = group * UINT32_C(2654435761) & (cap - 1);
+
+    while (table[at].bytes && table[at].group != group)
+        at = (at + 1) & (cap - 1);
+    if (table[at].bytes & bytes)
+        return false;
+    table[at].group = group;
+    table[at].bytes |= bytes;
+    return true;
+}
+
+static bool check_overlap(Checker *c)
+{
+    size_t cap = 16;
+    Taken *table;
+
+    while (cap < c->m->var.n * 2)
+        cap *= 2;
+    table = ARENA_ARRAY(c->arena, Taken, cap);
+    for (size_t v = 0; v < c->m->var.n; v++)
+        if (c->m->var.at[v].space == IR_ELEMENT && !take_bytes(table, cap, &c->m->var.at[v]))
+            return fail(c, "element %.80s lies on another", c->m->var.at[v].name->text);
+    return true;
+}
+
 static bool check_local(Checker *c, const IrVar *v)
 {
     if (!cell_fits(v->type, v->init))
@@ -127,7 +159,7 @@ static bool check_vars(Checker *c)
     for (uint32_t v = 0; v < m->var.n; v++)
         if (!check_var(c, &m->var.at[v], v, &names))
             return false;
-    return check_role(c, m->g, "G", IR_ELEMENT, SM_U64) && check_role(c, m->s, "S", IR_ELEMENT, SM_U32)
+    return check_overlap(c) && check_role(c, m->g, "G", IR_ELEMENT, SM_U64) && check_role(c, m->s, "S", IR_ELEMENT, SM_U32)
         && check_role(c, m->t, "T", IR_TIME, SM_U64);
 }
 

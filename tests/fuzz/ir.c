@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any text as IR: it is refused, or it comes back from its text as it is; if it is sound, every pass leaves it sound.
+// Any text as IR: it is refused, or it comes back from its text as it is; if it is sound, every pass leaves it sound, C is
+// made of it, and an image that the VM's verifier takes.
 #include <string.h>
 
-#include "compiler/ir/ir.h"
+#include "bytecode-vm/smvm.h"
 #include "compiler/passes/pass.h"
+#include "compiler/pipeline.h"
 #include "tests/fuzz/fuzz.h"
 
 static const char *print(Arena *a, const IrMachine *m)
@@ -32,43 +34,61 @@ static void check_postdominators(Arena *a, const IrFn *f)
         FUZZ_CHECK(post[b] == IR_NONE || (post[b] > b && post[b] < f->blk.n));
 }
 
-static void check_sound(Arena *a, StrPool *strings, IrMachine *m)
+static void check_backends(Session *s, IrMachine *m)
+{
+    ImageOptions o = {true};
+    EmitCOptions c;
+    SmvmVerdict why;
+    Buf image, header, code;
+
+    memset(&c, 0, sizeof c);
+    c.header = "m.h";
+    c.source = "m.sm";
+    buf_init(&image, &s->arena);
+    buf_init(&header, &s->arena);
+    buf_init(&code, &s->arena);
+    if (session_image(s, &m, 1, &o, &image))
+        FUZZ_CHECK(smvm_verify((SmvmBytes)image.at, (uint32_t)image.n, &why) == 0);
+    session_emit_c(s, m, &c, &header, &code);
+    FUZZ_CHECK(header.n > 0 && code.n > 0);
+}
+
+static void check_sound(Session *s, IrMachine *m)
 {
     PassOptions o = {2, NULL, true, NULL, NULL};
     const char *text;
 
-    for (size_t s = 0; s < m->state.n; s++)
-        for (int k = 0; k < BLOCK_COUNT; k++)
-            check_postdominators(a, m->state.at[s].block[k]);
-    FUZZ_CHECK(passes_run(a, m, &o) == NULL);
-    text = print(a, m);
-    m = read(a, strings, text, strlen(text));
-    FUZZ_CHECK(m && ir_verify(a, m) == NULL);
+    for (size_t k = 0; k < m->state.n * BLOCK_COUNT; k++)
+        check_postdominators(&s->arena, m->state.at[k / BLOCK_COUNT].block[k % BLOCK_COUNT]);
+    check_backends(s, m);
+    FUZZ_CHECK(passes_run(&s->arena, m, &o) == NULL);
+    check_backends(s, m);
+    text = print(&s->arena, m);
+    m = read(&s->arena, &s->strings, text, strlen(text));
+    FUZZ_CHECK(m && ir_verify(&s->arena, m) == NULL);
 }
 
-static void check(Arena *a, const char *text, size_t n)
+static void check(Session *s, const char *text, size_t n)
 {
-    StrPool strings;
     IrMachine *m, *again;
     const char *once;
 
-    str_pool_init(&strings, a);
-    if (!(m = read(a, &strings, text, n)) || ir_verify(a, m))
+    if (!(m = read(&s->arena, &s->strings, text, n)) || ir_verify(&s->arena, m))
         return;
-    once = print(a, m);
-    again = read(a, &strings, once, strlen(once));
-    FUZZ_CHECK(again && strcmp(print(a, again), once) == 0);
-    check_sound(a, &strings, m);
+    once = print(&s->arena, m);
+    again = read(&s->arena, &s->strings, once, strlen(once));
+    FUZZ_CHECK(again && strcmp(print(&s->arena, again), once) == 0);
+    check_sound(s, m);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     jmp_buf oom;
-    Arena a;
+    Session s;
 
-    arena_init(&a, fuzz_alloc, NULL, &oom);
+    session_init(&s, fuzz_alloc, NULL, &oom);
     if (setjmp(oom) == 0)
-        check(&a, (const char *)data, size);
-    arena_free(&a);
+        check(&s, (const char *)data, size);
+    session_free(&s);
     return 0;
 }
