@@ -35,13 +35,15 @@ static size_t open_engines(Session *s, const Program *p, Engine **engine)
 
     engine[n++] = engine_ref_open(&s->arena, p);
     for (int i = 0; i < 2; i++) {
-        ImageOptions o = {i == 0};
+        ImageOptions o = {true};                      // the engine finds locals by name
         const char *error = NULL;
         Buf image;
         buf_init(&image, &s->arena);
         if (!session_image(s, &m[i], 1, &o, &image))
             continue;                                 // larger than an image can be
         engine[n] = engine_vm_open(&s->arena, p, (const uint8_t *)image.at, image.n, 0, &error);
+        if (!engine[n])
+            fprintf(stderr, "%s\n", error);
         FUZZ_CHECK(engine[n++] != NULL);              // our own verifier takes our own image
     }
     return n;
@@ -52,13 +54,16 @@ static void run_script(Session *s, const TestFile *f)
     const Source *ss = source_of(s, find_part(f, ".ss"));
     Map written = {&s->arena, NULL, NULL, 0, 0};
     MachineInput in = {source_of(s, find_part(f, ".sm")), source_of(s, find_part(f, ".sv")), &written, 1};
-    AstFile *ast = ss ? session_parse(s, ss, FILE_SS) : NULL;
+    AstFile *ast;
     ScriptOptions o = {STEPS_MOST, NULL, NULL, NULL};
     Engine *engine[3];
     Program *p;
     Script *script;
     ScriptResult r;
 
+    s->diags.muted = true;                            // mistakes in the script are reported when it is compiled
+    ast = ss ? session_parse(s, ss, FILE_SS) : NULL;
+    s->diags.muted = false;
     if (ast)
         script_written_names(ast, &written);
     if (!in.sm || (p = session_program(s, &in)) == NULL || !ss || (script = session_script(s, ss, p)) == NULL)
