@@ -13,19 +13,6 @@ static void add_result(TestRun *t, const char *name, TestStatus status, const ch
     vec_push(t->arena, &t->result, r);
 }
 
-static const char *indent(Arena *arena, const char *text)
-{
-    Buf b;
-
-    buf_init(&b, arena);
-    for (const char *at = text; *at; at++) {
-        if (at == text || at[-1] == '\n')
-            buf_str(&b, "    ");
-        buf_char(&b, *at);
-    }
-    return buf_text(&b);
-}
-
 // ---- a machine and its scripts ----
 
 typedef struct MachineTest {
@@ -195,40 +182,20 @@ static int test_machine(TestRun *t, const char *path)
 
 // ---- cases and folders ----
 
-static void say_failed(TestRun *t, const TestResult *r)
-{
-    Buf b;
-
-    buf_init(&b, t->arena);
-    buf_printf(&b, "%s: failed\n%s", r->name, indent(t->arena, r->message));
-    if (b.at[b.n - 1] != '\n')
-        buf_char(&b, '\n');
-    cli_print(t->c, 2, &b);
-}
-
-static void test_file(TestRun *t, const char *path)
-{
-    TestResult r = test_case(t, path);
-
-    vec_push(t->arena, &t->result, r);
-    if (r.status == TEST_FAILED && !t->c->given[OPT_TAP])
-        say_failed(t, &r);
-}
-
 static void refuse_folder(TestRun *t, const char *path, const char *why)
 {
     cli_say(t->c, "cannot read '%s': %s", path, why);
     add_result(t, path, TEST_FAILED, why, EXIT_ENVIRONMENT);
 }
 
-static void test_path(TestRun *t, const char *path, int depth)
+static void collect(TestRun *t, const char *path, int depth)
 {
     const char *why = "folders are nested too deeply";
     char **names;
     size_t n;
 
     if (!os_is_folder(path)) {
-        test_file(t, path);
+        vec_push(t->arena, &t->path, path);
         return;
     }
     if (depth == FOLDER_DEPTH_MAX || !os_list(path, &names, &n, &why)) {
@@ -238,18 +205,18 @@ static void test_path(TestRun *t, const char *path, int depth)
     for (size_t i = 0; i < n; i++) {
         const char *inner = format_in(t->arena, "%s%s%s", path, has_suffix(path, "/") ? "" : "/", names[i]);
         if (names[i][0] != '.' && (has_suffix(inner, ".smt") || os_is_folder(inner)))
-            test_path(t, inner, depth + 1);
+            collect(t, inner, depth + 1);
     }
     os_alloc(NULL, names, 0);
 }
 
 // A case or folder that the call names; one without any case is a mistake.
-static void test_argument(TestRun *t, const char *path)
+static void collect_argument(TestRun *t, const char *path)
 {
-    size_t before = t->result.n;
+    size_t before = t->path.n + t->result.n;
 
-    test_path(t, path, 0);
-    if (t->result.n > before)
+    collect(t, path, 0);
+    if (t->path.n + t->result.n > before)
         return;
     cli_say(t->c, "no .smt case is in '%s'", path);
     add_result(t, path, TEST_FAILED, "no .smt case is in it", EXIT_PROBLEM);
@@ -391,7 +358,8 @@ int cmd_test(Cli *c)
         return code;
     for (size_t i = 0; i < c->files; i++)
         if (!has_suffix(c->file[i], ".ss") && c->file[i] != f.machine)
-            test_argument(&t, c->file[i]);
+            collect_argument(&t, c->file[i]);
+    test_cases(&t, t.path.at, t.path.n);
     say_absent(&t);
     written = write_results(&t, f.cases > 0 || f.scripts > 1);
     code = exit_code(&t);

@@ -44,10 +44,29 @@ typedef struct TestRun {      // one call of smc test
     unsigned absent;          // engines that a case wanted and that are not here
     size_t left_out;          // runs on them that cases did without
     uint64_t max_steps;
+    VEC(const char *) path;   // .smt cases to run, in order
     VEC(TestResult) result;
 } TestRun;
 
-TestResult test_case(TestRun *t, const char *path);                // test_case.c: one .smt file
+// ---- test_case.c: one .smt file ----
+
+typedef struct TestCase TestCase;
+
+TestCase *case_open(TestRun *t, const char *path);    // reads and compiles it
+// Whether it is to run on emitted C, and what of.
+bool case_wants_c(const TestCase *c, const Program **p, const IrMachine **ir);
+// Runs it and gives everything back.  `emitted_c` is the engine it wanted; NULL: it opens one of its own.
+TestResult case_close(TestCase *c, Engine *emitted_c);
+
+// ---- test_batch.c ----
+
+void test_cases(TestRun *t, const char *const *path, size_t n);    // many .smt files: adds a result for each
+
+// ---- test_text.c ----
+
+// What differs is added to `why`, a line or more each.
+void test_check_report(const TestPart *part, const Buf *report, Buf *why);
+void test_check_trace(const TestPart *part, const Buf *trace, Buf *why);
 
 // ---- test_output.c ----
 

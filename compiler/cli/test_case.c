@@ -7,7 +7,7 @@
 #include "compiler/analysis/analysis.h"
 #include "compiler/cli/test.h"
 
-typedef struct Case {
+struct TestCase {
     TestRun *t;
     const char *path;
     TestFile *f;
@@ -17,14 +17,26 @@ typedef struct Case {
     char *text;               // of the file, from the heap
     Source **src;             // of each part that is a source
     Buf why;                  // what is wrong, a line or more each
-} Case;
+    unsigned which;           // engines it runs on
+    Program *p;
+    IrMachine *ir;            // of p, where emitted C is among them
+    Script **script;          // by part; NULL where there is none or it has errors
+    bool is_ready;            // compiled without errors, and there are scripts to run
+    bool is_done;             // nothing more to do: `result` stands
+    TestResult result;
+};
+
+typedef TestCase Case;
 
 static void complain(Case *c, const char *what) { buf_printf(&c->why, "%s\n", what); }
 
-static TestResult result_of(const Case *c, TestStatus status, const char *message, int code)
+static void finish(Case *c, TestStatus status, const char *message, int code)
 {
-    return (TestResult){c->path, status, format_in(c->t->arena, "%s", message), code};
+    c->result = (TestResult){c->path, status, format_in(c->t->arena, "%s", message), code};
+    c->is_done = true;
 }
+
+static void out_of_memory(Case *c) { finish(c, TEST_FAILED, "out of memory", EXIT_ENVIRONMENT); }
 
 // ---- is it a case for us? ----
 
@@ -117,15 +129,26 @@ static Program *compile_machine(Case *c)
     return session_program(&c->s, &in);
 }
 
-// The scripts, by part; NULL where there is none or it has errors.
-static Script **compile_scripts(Case *c, const Program *p)
+static void compile_scripts(Case *c)
 {
-    Script **script = ARENA_ARRAY(&c->s.arena, Script *, c->f->part.n);
-
-    for (size_t i = 0; p && i < c->f->part.n; i++)
+    c->script = ARENA_ARRAY(&c->s.arena, Script *, c->f->part.n);
+    for (size_t i = 0; c->p && i < c->f->part.n; i++)
         if (testfile_has_suffix(&c->f->part.at[i], ".ss"))
-            script[i] = session_script(&c->s, c->src[i], p);
-    return script;
+            c->script[i] = session_script(&c->s, c->src[i], c->p);
+}
+
+static void compile_case(Case *c)
+{
+    const char *analyses = testfile_header(c->f, "analyses");
+
+    make_sources(c);
+    c->p = compile_machine(c);
+    if (c->p && analyses && strcmp(analyses, "on") == 0)
+        analyse_program(&c->s.arena, &c->s.diags, c->p);
+    compile_scripts(c);
+    c->is_ready = c->f->outcome != TEST_ERROR && c->s.diags.errors == 0 && count_parts(c->f, ".ss") > 0;
+    if (c->is_ready && c->which & 1u << ENGINE_C)
+        c->ir = session_ir(&c->s, c->p, option_level(c->t->c));
 }
 
 // ---- diagnostics, both ways ----
@@ -183,95 +206,6 @@ static void check_diagnostics(Case *c)
     }
 }
 
-// ---- report and trace ----
-
-typedef struct Lines { const char *at, *end; } Lines;
-typedef struct TextLine { const char *at; size_t n; } TextLine;
-
-static bool next_line(Lines *l, TextLine *line)
-{
-    const char *lf;
-
-    if (l->at == l->end)
-        return false;
-    lf = memchr(l->at, '\n', (size_t)(l->end - l->at));
-    line->at = l->at;
-    line->n = (size_t)((lf ? lf : l->end) - l->at);
-    l->at = lf ? lf + 1 : l->end;
-    return true;
-}
-
-static Lines lines_of_part(const TestPart *p)         // blank lines at its end separate it from the next part
-{
-    size_t n = p->n;
-
-    while (n && (p->text[n - 1] == '\n' || p->text[n - 1] == '\r'))
-        n--;
-    return (Lines){p->text, p->text + n};
-}
-
-static bool equal(TextLine a, TextLine b) { return a.n == b.n && memcmp(a.at, b.at, a.n) == 0; }
-
-static void check_report(Case *c, const TestPart *part, const Buf *report)
-{
-    Lines expected = lines_of_part(part), came = {buf_text(report), buf_text(report) + report->n};
-    TextLine e, r;
-    bool more_e = true, more_r = true, differs = false;
-
-    while (more_e || more_r) {
-        more_e = next_line(&expected, &e);
-        more_r = next_line(&came, &r);
-        if (more_e == more_r && (!more_e || equal(e, r)))
-            continue;
-        if (!differs)
-            complain(c, "the report differs (- expected, + came):");
-        differs = true;
-        if (more_e)
-            buf_printf(&c->why, "  - %.*s\n", (int)e.n, e.at);
-        if (more_r)
-            buf_printf(&c->why, "  + %.*s\n", (int)r.n, r.at);
-    }
-}
-
-static size_t up_to_value(TextLine l)                 // of "STEP NAME VALUE"
-{
-    size_t n = l.n;
-
-    while (n && l.at[n - 1] != ' ')
-        n--;
-    return n;
-}
-
-static void complain_of_trace(Case *c, TextLine wanted, const Buf *trace)
-{
-    Lines all = {buf_text(trace), buf_text(trace) + trace->n};
-    size_t n = up_to_value(wanted);
-    TextLine l;
-
-    buf_printf(&c->why, "the trace has no line '%.*s' here", (int)wanted.n, wanted.at);
-    while (next_line(&all, &l))
-        if (n && up_to_value(l) == n && memcmp(l.at, wanted.at, n) == 0)
-            buf_printf(&c->why, "; it has '%.*s'", (int)l.n, l.at);
-    buf_char(&c->why, '\n');
-}
-
-static void check_trace(Case *c, const TestPart *part, const Buf *trace)
-{
-    Lines expected = lines_of_part(part), came = {buf_text(trace), buf_text(trace) + trace->n};
-    TextLine e, l;
-
-    while (next_line(&expected, &e)) {
-        Lines before = came;
-        bool found = e.n == 0;
-        while (!found && next_line(&came, &l))
-            found = equal(e, l);
-        if (!found) {
-            complain_of_trace(c, e, trace);
-            came = before;
-        }
-    }
-}
-
 // ---- running ----
 
 static const char *outcome_text(ScriptOutcome o)
@@ -295,7 +229,7 @@ static void check_outcome(Case *c, const char *script, ScriptOutcome o)
         buf_printf(&c->why, "%s should %s, but %s\n", script, c->f->outcome == TEST_PASS ? "pass" : "fail", outcome_text(o));
 }
 
-static void run_script(Case *c, const Program *p, const Script *script, const char *name, bool is_first)
+static void run_script(Case *c, const Script *script, const char *name, bool is_first)
 {
     const TestPart *report_part = testfile_part(c->f, "report"), *trace_part = testfile_part(c->f, "trace");
     ScriptOptions o = {c->f->steps ? c->f->steps : c->t->max_steps, NULL, NULL, NULL};
@@ -308,24 +242,26 @@ static void run_script(Case *c, const Program *p, const Script *script, const ch
         o.trace = &trace;
     r = script_run(&c->s.arena, &c->s.diags, script, c->engines.at, c->engines.n, &o);
     check_outcome(c, name, r.outcome);
-    script_report(&r, p, &report);
+    script_report(&r, c->p, &report);
     if (report_part && is_first)
-        check_report(c, report_part, &report);
+        test_check_report(report_part, &report, &c->why);
     if (o.trace)
-        check_trace(c, trace_part, &trace);
+        test_check_trace(trace_part, &trace, &c->why);
 }
 
-static void run_scripts(Case *c, const Program *p, Script **script, unsigned which)
+static void run_scripts(Case *c, Engine *emitted_c)
 {
     bool is_first = true;
 
-    if (!engines_open(&c->engines, &c->s, p, which, option_level(c->t->c))) {
+    if (!engines_open(&c->engines, &c->s, c->p, emitted_c ? c->which & ~(1u << ENGINE_C) : c->which, option_level(c->t->c))) {
         complain(c, c->engines.error);
         return;
     }
+    if (emitted_c)
+        c->engines.at[c->engines.n++] = emitted_c;
     for (size_t i = 0; i < c->f->part.n; i++)
-        if (script[i]) {
-            run_script(c, p, script[i], c->f->part.at[i].name, is_first);
+        if (c->script[i]) {
+            run_script(c, c->script[i], c->f->part.at[i].name, is_first);
             is_first = false;
         }
 }
@@ -348,67 +284,72 @@ static unsigned choose_engines(Case *c)
     return wanted & present;
 }
 
-static void check_case(Case *c, unsigned which)
-{
-    const char *analyses = testfile_header(c->f, "analyses");
-    Script **script;
-    Program *p;
-
-    make_sources(c);
-    p = compile_machine(c);
-    if (p && analyses && strcmp(analyses, "on") == 0)
-        analyse_program(&c->s.arena, &c->s.diags, p);
-    script = compile_scripts(c, p);
-    if (c->f->outcome == TEST_ERROR && c->s.diags.errors == 0)
-        complain(c, "should not compile, but does");
-    else if (c->f->outcome != TEST_ERROR && c->s.diags.errors == 0 && count_parts(c->f, ".ss"))
-        run_scripts(c, p, script, which);
-    check_diagnostics(c);
-}
-
-static TestResult run_case(Case *c)
+static void prepare(Case *c)
 {
     const char *wrong;
-    unsigned which;
 
-    if (!c->f->error && is_golden(c->f))
-        return result_of(c, TEST_SKIPPED, "not a case of smc test", EXIT_OK);
-    if ((wrong = malformed(c)) != NULL)
-        return result_of(c, TEST_FAILED, wrong, EXIT_PROBLEM);
-    which = count_parts(c->f, ".ss") ? choose_engines(c) : 0;
-    if (!which && count_parts(c->f, ".ss"))
-        return result_of(c, TEST_SKIPPED, "no engine it can run on", EXIT_OK);
-    check_case(c, which);
-    return c->why.n ? result_of(c, TEST_FAILED, buf_text(&c->why), EXIT_PROBLEM) : result_of(c, TEST_PASSED, "", EXIT_OK);
+    if (!c->f->error && is_golden(c->f)) {
+        finish(c, TEST_SKIPPED, "not a case of smc test", EXIT_OK);
+    } else if ((wrong = malformed(c)) != NULL) {
+        finish(c, TEST_FAILED, wrong, EXIT_PROBLEM);
+    } else {
+        c->which = count_parts(c->f, ".ss") ? choose_engines(c) : 0;
+        if (c->which || !count_parts(c->f, ".ss"))
+            compile_case(c);
+        else
+            finish(c, TEST_SKIPPED, "no engine it can run on", EXIT_OK);
+    }
 }
 
-static TestResult open_case(Case *c, const char *path)
-{
-    const char *why;
-    char *text;
-    size_t n;
-
-    c->path = path;
-    if (!os_read(path, SOURCE_MAX, &text, &n, &why))
-        return result_of(c, TEST_FAILED, format_in(c->t->arena, "cannot read '%s': %s", path, why), EXIT_ENVIRONMENT);
-    c->text = text;
-    if (setjmp(c->oom))
-        return result_of(c, TEST_FAILED, "out of memory", EXIT_ENVIRONMENT);
-    session_init(&c->s, os_alloc, NULL, &c->oom);
-    buf_init(&c->why, &c->s.arena);
-    c->f = testfile_parse(&c->s.arena, path, text, n);
-    return run_case(c);
-}
-
-TestResult test_case(TestRun *t, const char *path)
+TestCase *case_open(TestRun *t, const char *path)
 {
     Case *c = ARENA_NEW(t->arena, Case);
-    TestResult r;
+    const char *why;
+    size_t n;
 
     c->t = t;
-    r = open_case(c, path);
+    c->path = path;
+    if (!os_read(path, SOURCE_MAX, &c->text, &n, &why)) {
+        finish(c, TEST_FAILED, format_in(t->arena, "cannot read '%s': %s", path, why), EXIT_ENVIRONMENT);
+    } else if (setjmp(c->oom) == 0) {
+        session_init(&c->s, os_alloc, NULL, &c->oom);
+        buf_init(&c->why, &c->s.arena);
+        c->f = testfile_parse(&c->s.arena, path, c->text, n);
+        prepare(c);
+    } else {
+        out_of_memory(c);
+    }
+    return c;
+}
+
+bool case_wants_c(const TestCase *c, const Program **p, const IrMachine **ir)
+{
+    *p = c->p;
+    *ir = c->ir;
+    return !c->is_done && c->ir;
+}
+
+static void judge(Case *c, Engine *emitted_c)
+{
+    if (c->f->outcome == TEST_ERROR && c->s.diags.errors == 0)
+        complain(c, "should not compile, but does");
+    if (c->is_ready)
+        run_scripts(c, emitted_c);
+    check_diagnostics(c);
+    if (c->why.n)
+        finish(c, TEST_FAILED, buf_text(&c->why), EXIT_PROBLEM);
+    else
+        finish(c, TEST_PASSED, "", EXIT_OK);
+}
+
+TestResult case_close(TestCase *c, Engine *emitted_c)
+{
+    if (!c->is_done && setjmp(c->oom) == 0)
+        judge(c, emitted_c);
+    else if (!c->is_done)
+        out_of_memory(c);
     engines_close(&c->engines);
     session_free(&c->s);
     os_alloc(NULL, c->text, 0);
-    return r;
+    return c->result;
 }

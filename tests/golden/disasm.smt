@@ -17,7 +17,7 @@ image of 163 bytes, format 1, crc 4e6bc45e
     section 82 CODE       4 bytes at 82
     section 02 DEBUG      77 bytes at 86
 
-machine 0 a
+machine 1 a
     state vector    16 bytes, layout b1dc9237
     states          1
     memory          [..] bytes on this machine, of these 0 for locals

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many cases.  They are compiled and run by the batch, so that the C emitted for all of a batch is one program and the C
+// compiler, which takes longer than everything else, is started once for it.
+#include "compiler/cli/test.h"
+#include "compiler/device/engine_c.h"
+
+enum { BATCH = 50 };
+
+typedef struct Batch {
+    Arena arena;
+    TestCase *at[BATCH];
+    Engine *engine[BATCH];    // emitted C, of those that want it
+    size_t n;
+    EngineCBatch *c;          // or NULL
+} Batch;
+
+// Where the whole batch cannot be built, each case builds its own and the one to blame tells why.
+static void open_c(Batch *b)
+{
+    const Program *p[BATCH];
+    const IrMachine *ir[BATCH];
+    size_t owner[BATCH], n = 0;
+    const char *error;
+
+    for (size_t i = 0; i < b->n; i++)
+        if (case_wants_c(b->at[i], &p[n], &ir[n]))
+            owner[n++] = i;
+    if (n > 1)
+        b->c = engine_c_batch_open(&b->arena, p, ir, n, NULL, &error);
+    for (size_t i = 0; b->c && i < n; i++)
+        b->engine[owner[i]] = engine_c_batch_engine(b->c, i);
+}
+
+static void say_failed(TestRun *t, const TestResult *r)
+{
+    Buf b;
+
+    buf_init(&b, t->arena);
+    buf_printf(&b, "%s: failed\n", r->name);
+    for (const char *at = r->message; *at; at++) {
+        if (at == r->message || at[-1] == '\n')
+            buf_str(&b, "    ");
+        buf_char(&b, *at);
+    }
+    if (b.at[b.n - 1] != '\n')
+        buf_char(&b, '\n');
+    cli_print(t->c, 2, &b);
+}
+
+static void test_batch(TestRun *t, const char *const *path, size_t n)
+{
+    Batch b = {.n = n};
+
+    arena_init(&b.arena, os_alloc, NULL, t->arena->oom);
+    for (size_t i = 0; i < n; i++)
+        b.at[i] = case_open(t, path[i]);
+    open_c(&b);
+    for (size_t i = 0; i < n; i++) {
+        TestResult r = case_close(b.at[i], b.engine[i]);
+        vec_push(t->arena, &t->result, r);
+        if (r.status == TEST_FAILED && !t->c->given[OPT_TAP])
+            say_failed(t, &r);
+    }
+    if (b.c)
+        engine_c_batch_close(b.c);
+    arena_free(&b.arena);
+}
+
+void test_cases(TestRun *t, const char *const *path, size_t n)
+{
+    for (size_t i = 0; i < n; i += BATCH)
+        test_batch(t, path + i, n - i < BATCH ? n - i : BATCH);
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reports and traces held against what a case expects, line by line.
+#include <string.h>
+
+#include "compiler/cli/test.h"
+
+typedef struct Lines { const char *at, *end; } Lines;
+typedef struct TextLine { const char *at; size_t n; } TextLine;
+
+static bool next_line(Lines *l, TextLine *line)
+{
+    const char *lf;
+
+    if (l->at == l->end)
+        return false;
+    lf = memchr(l->at, '\n', (size_t)(l->end - l->at));
+    line->at = l->at;
+    line->n = (size_t)((lf ? lf : l->end) - l->at);
+    l->at = lf ? lf + 1 : l->end;
+    return true;
+}
+
+static Lines lines_of_part(const TestPart *p)         // blank lines at its end separate it from the next part
+{
+    size_t n = p->n;
+
+    while (n && (p->text[n - 1] == '\n' || p->text[n - 1] == '\r'))
+        n--;
+    return (Lines){p->text, p->text + n};
+}
+
+static bool equal(TextLine a, TextLine b) { return a.n == b.n && memcmp(a.at, b.at, a.n) == 0; }
+
+void test_check_report(const TestPart *part, const Buf *report, Buf *why)
+{
+    Lines expected = lines_of_part(part), came = {buf_text(report), buf_text(report) + report->n};
+    TextLine e, r;
+    bool more_e = true, more_r = true, differs = false;
+
+    while (more_e || more_r) {
+        more_e = next_line(&expected, &e);
+        more_r = next_line(&came, &r);
+        if (more_e == more_r && (!more_e || equal(e, r)))
+            continue;
+        if (!differs)
+            buf_str(why, "the report differs (- expected, + came):\n");
+        differs = true;
+        if (more_e)
+            buf_printf(why, "  - %.*s\n", (int)e.n, e.at);
+        if (more_r)
+            buf_printf(why, "  + %.*s\n", (int)r.n, r.at);
+    }
+}
+
+static size_t up_to_value(TextLine l)                 // of "STEP NAME VALUE"
+{
+    size_t n = l.n;
+
+    while (n && l.at[n - 1] != ' ')
+        n--;
+    return n;
+}
+
+static void complain_of_trace(TextLine wanted, const Buf *trace, Buf *why)
+{
+    Lines all = {buf_text(trace), buf_text(trace) + trace->n};
+    size_t n = up_to_value(wanted);
+    TextLine l;
+
+    buf_printf(why, "the trace has no line '%.*s' here", (int)wanted.n, wanted.at);
+    while (next_line(&all, &l))
+        if (n && up_to_value(l) == n && memcmp(l.at, wanted.at, n) == 0)
+            buf_printf(why, "; it has '%.*s'", (int)l.n, l.at);
+    buf_char(why, '\n');
+}
+
+void test_check_trace(const TestPart *part, const Buf *trace, Buf *why)
+{
+    Lines expected = lines_of_part(part), came = {buf_text(trace), buf_text(trace) + trace->n};
+    TextLine e, l;
+
+    while (next_line(&expected, &e)) {
+        Lines before = came;
+        bool found = e.n == 0;
+        while (!found && next_line(&came, &l))
+            found = equal(e, l);
+        if (!found) {
+            complain_of_trace(e, trace, why);
+            came = before;
+        }
+    }
+}
