@@ -141,8 +141,14 @@ $(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a
 diff: $(B)/diff/difftest
 	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign --resume
 
+# The same through emitted C, by these compilers.
+DIFF_CC ?= --cc='gcc -std=c99 -O0' --cc='gcc -std=gnu11 -O2' --cc='clang -std=c99 -O2' --cc='tcc -std=c99'
+diff-c: $(B)/diff/difftest
+	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign-c --resume $(DIFF_CC)
+
 check: $(B)/diff/difftest
-CHECK_LINES += "diff: $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check"
+CHECK_LINES += "diff: $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check" \
+               "diff-c: $(B)/diff/difftest --count=50 --cc='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c"
 
 # Coverage-guided, with clang: `make fuzz FUZZ=script FUZZ_SECONDS=3600`.  What it found goes on from where it stopped.
 FUZZ         ?= $(notdir $(basename $(filter-out tests/fuzz/driver.c,$(wildcard tests/fuzz/*.c))))

@@ -42,7 +42,7 @@ typedef struct Tally {
     uint64_t next;                    // the block it works on, counted from 0
     uint64_t seed;                    // the program it works on
     uint64_t programs, steps, different, rejected, crashed;
-    uint64_t transition, saturation, nan, infinity, full_window, refusal, store, change;
+    uint64_t transition, saturation, nan, infinity, full_window, refusal, refused, store, change;
 } Tally;
 
 // ---- one program ----
@@ -56,6 +56,7 @@ static void count(Tally *t, const Met *m)
     t->infinity += m->infinity;
     t->full_window += m->full_window;
     t->refusal += m->refusal;
+    t->refused += m->refused;
     t->store += m->store;
 }
 
@@ -262,6 +263,7 @@ static void add_up(Tally *sum, const Tally *t)
     sum->infinity += t->infinity;
     sum->full_window += t->full_window;
     sum->refusal += t->refusal;
+    sum->refused += t->refused;
     sum->store += t->store;
     sum->change += t->change;
 }
@@ -277,7 +279,9 @@ static bool share(const Options *o, const Tally *t, const char *what, uint64_t n
 
 static bool report_shares(const Options *o, const Tally *t)
 {
-    bool good = true;
+    const double refused = 100.0 * (double)t->refused / (double)(t->steps != 0 ? t->steps : 1);
+    bool good = refused < 25 || !o->floors;
+    printf("%.1f %% of the steps are refused (at most 25 %%)\n", refused);
     printf("of these programs\n");
     good &= share(o, t, "store something", t->store, 98);
     good &= share(o, t, "make a transition", t->transition, 65);

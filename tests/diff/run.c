@@ -72,6 +72,7 @@ static const char *compare(Lanes *l, Arena *arena)
 static void note(Met *met, const EngineStep *s, uint32_t vars)
 {
     met->refusal |= s->status == ENGINE_REFUSED;
+    met->refused += s->status == ENGINE_REFUSED;
     met->transition |= s->status == ENGINE_OK && s->next_is_first;
     for (uint32_t i = 0; i < vars; i++)
         met->store |= s->stored[i] != 0;

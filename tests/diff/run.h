@@ -14,6 +14,7 @@ typedef enum Verdict {
 
 typedef struct Met {          // what a program met, as flags to be counted
     bool transition, saturation, nan, infinity, full_window, refusal, store;
+    uint32_t refused;         // steps
 } Met;
 
 typedef struct RunOptions {
