@@ -146,6 +146,11 @@ DIFF_CC ?= --cc='gcc -std=c99 -O0' --cc='gcc -std=gnu11 -O2' --cc='clang -std=c9
 diff-c: $(B)/diff/difftest
 	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign-c --resume $(DIFF_CC)
 
+# Faults put in one at a time, which these tests or the conformance cases must notice; about half an hour.
+faults:
+	sh tests/diff/faults/faults.sh $(B) '$(CC)'
+.PHONY: diff diff-c faults
+
 check: $(B)/diff/difftest
 CHECK_LINES += "diff: $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check" \
                "diff-c: $(B)/diff/difftest --count=50 --cc='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c"
