@@ -132,7 +132,8 @@ static void blame(Batch *b, size_t at, const char *got, size_t got_n, const char
     if (answer + from + size > got_n)
         p->result->message = format_in(b->arena, "c (%s): stopped answering", cc);
     else
-        p->result->message = format_in(b->arena, "%s: ref has 0x%llx, c (%s) has 0x%llx", what, (unsigned long long)number_at(b->answers.at + answer + from, size), cc,
+        p->result->message = format_in(b->arena, "%s: ref has 0x%llx, c (%s) has 0x%llx", what,
+                                       (unsigned long long)number_at(b->answers.at + answer + from, size), cc,
                                        (unsigned long long)number_at(got + answer + from, size));
 }
 
@@ -192,12 +193,12 @@ static void run_with(Batch *b, const char *cc)
 {
     size_t n;
     char command[2000];
-    snprintf(command, sizeof command, "%s -o %s/batch %s/batch.c >%s/batch.log 2>&1", cc, b->folder, b->folder, b->folder);
+    snprintf(command, sizeof command, "cd '%s' && %s -o batch batch.c >batch.log 2>&1", b->folder, cc);
     if (system(command) != 0) {
         fail_all(b, "does not compile the emitted C; see batch.log", cc);
         return;
     }
-    snprintf(command, sizeof command, "%s/batch <%s/commands >%s/answers 2>>%s/batch.log", b->folder, b->folder, b->folder, b->folder);
+    snprintf(command, sizeof command, "cd '%s' && ./batch <commands >answers 2>>batch.log", b->folder);
     const bool crashed = system(command) != 0;
     const char *got = read_file(b, "answers", b->answers.n, &n);
     compare(b, got, n, cc);
@@ -235,7 +236,8 @@ static void emit(Batch *b)
     write_file(b, "commands", &b->commands);
 }
 
-void run_c_batch(Gen *const *g, uint32_t n, const char *const *cc, uint32_t ccs, const char *folder, Arena *arena, RunResult *r)
+void run_c_batch(Gen *const *g, uint32_t n, const char *const *cc, uint32_t ccs, const char *folder, Arena *arena,
+                 RunResult *r)
 {
     Batch b = { .arena = arena, .folder = folder };
     b.part = ARENA_ARRAY(arena, Part, n);

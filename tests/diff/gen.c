@@ -22,10 +22,12 @@ bool rng_percent(Rng *r, uint32_t percent) { return rng_below(r, 100) < percent;
 // ---- names ----
 
 static const char *const odd_name[] = {
-    "int", "while", "double", "errno", "NULL", "EOF", "m", "sv", "x", "X", "i", "self", "state", "step", "init", "start", "stored", "max", "min",
-    "abs", "roll_avg", "sqrt", "orbit", "note", "android", "iffy", "_x", "__y", "_Z", "class", "new", "this", "union", "main", "bool_", "u8", "I9",
-    "inf", "nan", "NAN", "INFINITY", "true_", "t", "g", "s", "flags", "sm_add", "sm_bits", "uint8_t", "size_t", "linux", "unix", "assert", "register",
-    "entry", "exit", "slot", "count", "next", "window", "local", "all_states_", "delta_t", "lock", "a", "b", "c", "d", "e", "e1", "E1", "x0", "x1",
+    "int", "while", "double", "errno", "NULL", "EOF", "m", "sv", "x", "X", "i", "self", "state", "step", "init",
+    "start", "stored", "max", "min", "abs", "roll_avg", "sqrt", "orbit", "note", "android", "iffy", "_x", "__y",
+    "_Z", "class", "new", "this", "union", "main", "bool_", "u8", "I9", "inf", "nan", "NAN", "INFINITY", "true_",
+    "t", "g", "s", "flags", "sm_add", "sm_bits", "uint8_t", "size_t", "linux", "unix", "assert", "register",
+    "entry", "exit", "slot", "count", "next", "window", "local", "all_states_", "delta_t", "lock", "a", "b", "c",
+    "d", "e", "e1", "E1", "x0", "x1",
 };
 
 static bool name_is_used(const Gen *g, const char *name)
@@ -43,7 +45,8 @@ const char *gen_new_name(Gen *g)
         if (rng_percent(&g->rng, 35))
             name = odd_name[rng_below(&g->rng, sizeof odd_name / sizeof *odd_name)];
         else
-            name = format_in(g->arena, "%c%s%u", "vwpqzVWP_"[rng_below(&g->rng, 9)], rng_percent(&g->rng, 50) ? "" : "alue", (unsigned)rng_below(&g->rng, 1000));
+            name = format_in(g->arena, "%c%s%u", "vwpqzVWP_"[rng_below(&g->rng, 9)], rng_percent(&g->rng, 50) ? "" : "alue",
+                             (unsigned)rng_below(&g->rng, 1000));
     } while (name_is_used(g, name));
     vec_push(g->arena, &g->used_name, name);
     return name;
@@ -109,7 +112,7 @@ static GExpr *random_unary(Gen *g, const Reach *reach, uint32_t depth)
 static GExpr *random_binary(Gen *g, const Reach *reach, uint32_t depth)
 {
     GExpr *e = new_expr(g, G_BINARY, 2);
-    e->op = rng_percent(&g->rng, 60) ? (SmOperator)(SM_OP_ADD + rng_below(&g->rng, 4)) : (SmOperator)(SM_OP_OR + rng_below(&g->rng, 8));
+    e->op = (SmOperator)(rng_percent(&g->rng, 60) ? SM_OP_ADD + rng_below(&g->rng, 4) : SM_OP_OR + rng_below(&g->rng, 8));
     e->arg[0] = random_expr(g, reach, depth - 1);
     e->arg[1] = rng_percent(&g->rng, 5) ? e->arg[0] : random_expr(g, reach, depth - 1);      // sometimes x - x, x / x
     return e;
@@ -151,8 +154,9 @@ static GExpr *size_of_local(Gen *g)
 // A constant from 1 to a few dozen; now and then some hundreds.
 static GExpr *random_size(Gen *g)
 {
-    const uint32_t n = rng_percent(&g->rng, 3) ? 1 + rng_below(&g->rng, 600) : 1 + rng_below(&g->rng, rng_percent(&g->rng, 20) ? 40 : 9);
-    GExpr *literal = number_text(g, unsigned_text(g, n)), *local = rng_percent(&g->rng, 30) ? size_of_local(g) : NULL, *e;
+    const uint32_t most = rng_percent(&g->rng, 3) ? 600 : rng_percent(&g->rng, 20) ? 40 : 9;
+    GExpr *literal = number_text(g, unsigned_text(g, 1 + rng_below(&g->rng, most))), *e;
+    GExpr *local = rng_percent(&g->rng, 30) ? size_of_local(g) : NULL;
     if (local == NULL)
         return literal;
     if (rng_percent(&g->rng, 50))

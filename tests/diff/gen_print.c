@@ -20,7 +20,9 @@ static void put(Printer *p, const char *text) { buf_str(p->out, text); }
 
 static void comment(Printer *p)
 {
-    static const char *const text[] = { "", " a comment", " x = 1 }", " -> Nowhere", " 20 \xC2\xB0" "C", "# [no] \"header\" {" };
+    static const char *const text[] = {
+        "", " a comment", " x = 1 }", " -> Nowhere", " 20 \xC2\xB0" "C", "# [no] \"header\" {",
+    };
     put(p, "#");
     put(p, text[rng_below(&p->rng, sizeof text / sizeof *text)]);
 }
@@ -82,7 +84,9 @@ static int level_of(const GExpr *e)
 
 static const char *op_text(Printer *p, SmOperator op)
 {
-    static const char *const text[SM_OP_COUNT] = { "or", "and", "==", "!=", "<", "<=", ">", ">=", "+", "-", "*", "/", "not ", "-", "+" };
+    static const char *const text[SM_OP_COUNT] = {
+        "or", "and", "==", "!=", "<", "<=", ">", ">=", "+", "-", "*", "/", "not ", "-", "+",
+    };
     return op == SM_OP_NOT && chance(p, 30) ? "!" : text[op];
 }
 
@@ -234,7 +238,10 @@ static void print_else(Printer *p, const GStmts *list)
     }
 }
 
-static bool ends_in_word_else(const Printer *p) { return p->out->n >= 5 && memcmp(p->out->at + p->out->n - 5, "else ", 5) == 0; }
+static bool ends_in_word_else(const Printer *p)
+{
+    return p->out->n >= 5 && memcmp(p->out->at + p->out->n - 5, "else ", 5) == 0;
+}
 
 static void print_if(Printer *p, const GStmt *s)
 {

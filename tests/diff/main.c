@@ -63,7 +63,8 @@ static void count(Tally *t, const Met *m)
 static void report_failure(const Options *o, Gen *g, const RunOptions *how, RunResult r, Arena *arena)
 {
     char folder[500];
-    fprintf(stderr, "seed %llu: %s, step %u: %s\n", (unsigned long long)g->seed, r.verdict == VERDICT_REJECTED ? "rejected" : "different", (unsigned)r.step, r.message);
+    fprintf(stderr, "seed %llu: %s, step %u: %s\n", (unsigned long long)g->seed,
+            r.verdict == VERDICT_REJECTED ? "rejected" : "different", (unsigned)r.step, r.message);
     snprintf(folder, sizeof folder, "%s/seed-%llu", o->out, (unsigned long long)g->seed);
     mkdir(folder, 0777);
     if (o->reduce)
@@ -144,7 +145,10 @@ static void print_seed(const Options *o, uint64_t seed)
 
 // ---- a worker ----
 
-static void tally_path(const Options *o, uint32_t worker, char *path, size_t size) { snprintf(path, size, "%s/worker-%u", o->out, (unsigned)worker); }
+static void tally_path(const Options *o, uint32_t worker, char *path, size_t size)
+{
+    snprintf(path, size, "%s/worker-%u", o->out, (unsigned)worker);
+}
 
 static void tally_save(const Options *o, uint32_t worker, const Tally *t)
 {
@@ -298,11 +302,13 @@ static bool report(const Options *o, const Tally *t, double seconds)
 {
     bool good = true;
     const uint64_t failed = t->different + t->rejected + t->crashed;
-    printf("%llu programs, %llu steps, %.1f s, %.0f programs a second\n", (unsigned long long)t->programs, (unsigned long long)t->steps, seconds, (double)t->programs / seconds);
+    printf("%llu programs, %llu steps, %.1f s, %.0f programs a second\n", (unsigned long long)t->programs,
+           (unsigned long long)t->steps, seconds, (double)t->programs / seconds);
     if (o->ccs == 0)
         good = report_shares(o, t);
-    printf("difftest: %llu passed, %llu failed (%llu different, %llu rejected, %llu crashed)\n", (unsigned long long)(t->programs - t->different - t->rejected),
-           (unsigned long long)failed, (unsigned long long)t->different, (unsigned long long)t->rejected, (unsigned long long)t->crashed);
+    printf("difftest: %llu passed, %llu failed (%llu different, %llu rejected, %llu crashed)\n",
+           (unsigned long long)(t->programs - t->different - t->rejected), (unsigned long long)failed,
+           (unsigned long long)t->different, (unsigned long long)t->rejected, (unsigned long long)t->crashed);
     return good && failed == 0;
 }
 // ---- options ----
@@ -343,8 +349,7 @@ static bool take_option(Options *o, const char *arg)
 
 int main(int argc, char **argv)
 {
-    static const Options defaults = { .seed = 1, .count = 10000, .steps = 100, .jobs = 1, .out = "difftest.out", .reduce = true, .floors = true };
-    Options o = defaults;
+    Options o = { .seed = 1, .count = 10000, .steps = 100, .jobs = 1, .out = "difftest.out", .reduce = true, .floors = true };
     struct timespec from, to;
     Tally sum = { 0 };
     for (int i = 1; i < argc; i++)

@@ -57,6 +57,16 @@ static bool try_expr(Reducer *r, GExpr **place, GExpr *other)
     return false;
 }
 
+static void reduce_size(Reducer *r, GExpr **place)
+{
+    static const char *const small[] = { "1", "2", "3", "4" };
+    for (int i = 0; i < 4; i++)
+        if ((*place)->kind == G_NUMBER && strcmp((*place)->text, small[i]) == 0)
+            return;
+        else if (try_expr(r, place, simple_number(r, small[i])))
+            return;
+}
+
 static void reduce_expr(Reducer *r, GExpr **place)
 {
     GExpr *e = *place;
@@ -73,8 +83,7 @@ static void reduce_expr(Reducer *r, GExpr **place)
     for (uint32_t i = 0; i < n; i++)
         reduce_expr(r, &e->arg[i]);
     if (e->kind == G_ROLL)
-        for (uint32_t size = 1; size <= 4 && !try_expr(r, &e->arg[1], simple_number(r, size == 1 ? "1" : size == 2 ? "2" : size == 3 ? "3" : "4")); )
-            size++;
+        reduce_size(r, &e->arg[1]);
 }
 
 // ---- statements ----
@@ -150,7 +159,9 @@ static bool stmts_name(const GStmts *list, const GVar *v)
 {
     for (size_t i = 0; i < list->n; i++) {
         const GStmt *s = list->at[i];
-        if (s->var == v || (s->value != NULL && expr_names(s->value, v)) || stmts_name(&s->then, v) || stmts_name(&s->otherwise, v))
+        if (s->var == v || (s->value != NULL && expr_names(s->value, v)))
+            return true;
+        if (stmts_name(&s->then, v) || stmts_name(&s->otherwise, v))
             return true;
     }
     return false;

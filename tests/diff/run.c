@@ -118,7 +118,9 @@ static RunResult run_lanes(Lanes *l, const Gen *g, Arena *arena)
 RunOptions run_options_of(uint64_t seed)
 {
     const uint64_t r = rng_mix(seed, 9);
-    return (RunOptions){ .opt_level = (int)(r % 3), .vm = true, .change = r / 3 % 4 == 0, .what = (GChange)(r / 12 % CHANGE_COUNT) };
+    return (RunOptions){
+        .opt_level = (int)(r % 3), .vm = true, .change = r / 3 % 4 == 0, .what = (GChange)(r / 12 % CHANGE_COUNT),
+    };
 }
 
 static const char *open_lanes(Lanes *l, Subject *s, const RunOptions *o, bool twice)
@@ -211,9 +213,12 @@ void run_write_files(Gen *g, const RunOptions *o, const RunResult *r, const char
         gen_print_sv(g, &sv);
         write_file(folder, "bus.sv", &sv);
     }
-    buf_printf(&what, "seed %llu, step %u, -O%d%s%s%s%s\n%s\n\n", (unsigned long long)g->seed, (unsigned)r->step, o->opt_level,
-               o->change ? ", compared with " : "", o->change ? gen_change_name[o->what] : "", o->cc != NULL ? ", " : "", o->cc != NULL ? o->cc : "",
-               r->message != NULL ? r->message : "");
+    buf_printf(&what, "seed %llu, step %u, -O%d", (unsigned long long)g->seed, (unsigned)r->step, o->opt_level);
+    if (o->cc != NULL)
+        buf_printf(&what, ", %s", o->cc);
+    else if (o->change)
+        buf_printf(&what, ", compared with %s", gen_change_name[o->what]);
+    buf_printf(&what, "\n%s\n\n", r->message != NULL ? r->message : "");
     describe_steps(g, &what);
     write_file(folder, "what.txt", &what);
     arena_free(&a);

@@ -26,7 +26,10 @@ void diff_arena_init(Arena *a) { arena_init(a, heap, NULL, &out_of_memory); }
 
 // ---- compiling ----
 
-static const Source *source_of(Session *s, const char *name, Buf *text) { return source_new(&s->arena, name, buf_text(text), text->n); }
+static const Source *source_of(Session *s, const char *name, Buf *text)
+{
+    return source_new(&s->arena, name, buf_text(text), text->n);
+}
 
 static Map *written_outside(Session *s, const Gen *g)
 {

@@ -18,24 +18,35 @@ static void test_integer_rows(void)
     const Row row[] = {
         { SM_I8, NAN_, 0 }, { SM_I16, NNAN, 0 }, { SM_I32, SNAN, 0 }, { SM_I64, NAN_, 0 },
         { SM_U8, NNAN, 0 }, { SM_U16, NAN_, 0 }, { SM_U32, NNAN, 0 }, { SM_U64, SNAN, 0 },
-        { SM_I8, 127.9, 127 }, { SM_I8, 128, 127 }, { SM_I8, -128.9, 0x80 }, { SM_I8, -129, 0x80 }, { SM_I8, -127.9, 0x81 },
+        { SM_I8, 127.9, 127 }, { SM_I8, 128, 127 }, { SM_I8, -128.9, 0x80 }, { SM_I8, -129, 0x80 },
+        { SM_I8, -127.9, 0x81 },
         { SM_I8, -0.5, 0 }, { SM_I8, -1, 0xff }, { SM_I8, INF, 127 }, { SM_I8, NINF, 0x80 }, { SM_I8, 1e300, 127 },
         { SM_I16, 32767.5, 0x7fff }, { SM_I16, 32768, 0x7fff }, { SM_I16, -32769, 0x8000 }, { SM_I16, -1.9, 0xffff },
         { SM_I16, INF, 0x7fff }, { SM_I16, NINF, 0x8000 }, { SM_I16, -0.0, 0 },
-        { SM_I32, 2147483647.9, 0x7fffffff }, { SM_I32, 2147483648.0, 0x7fffffff }, { SM_I32, -2147483648.9, 0x80000000 },
+        { SM_I32, 2147483647.9, 0x7fffffff }, { SM_I32, 2147483648.0, 0x7fffffff },
+        { SM_I32, -2147483648.9, 0x80000000 },
         { SM_I32, -2147483649.0, 0x80000000 }, { SM_I32, -2147483647.9, 0x80000001 }, { SM_I32, INF, 0x7fffffff },
         { SM_I32, NINF, 0x80000000 }, { SM_I32, -5e-324, 0 },
-        { SM_I64, 9223372036854774784.0, 9223372036854774784u }, { SM_I64, 9223372036854775808.0, 0x7fffffffffffffffu },
-        { SM_I64, -9223372036854775808.0, 0x8000000000000000u }, { SM_I64, -9223372036854777856.0, 0x8000000000000000u },
-        { SM_I64, -9223372036854774784.0, 0x8000000000000400u }, { SM_I64, INF, 0x7fffffffffffffffu }, { SM_I64, NINF, 0x8000000000000000u },
+        { SM_I64, 9223372036854774784.0, 9223372036854774784u },
+        { SM_I64, 9223372036854775808.0, 0x7fffffffffffffffu },
+        { SM_I64, -9223372036854775808.0, 0x8000000000000000u },
+        { SM_I64, -9223372036854777856.0, 0x8000000000000000u },
+        { SM_I64, -9223372036854774784.0, 0x8000000000000400u }, { SM_I64, INF, 0x7fffffffffffffffu },
+        { SM_I64, NINF, 0x8000000000000000u },
         { SM_I64, -2.9, 0xfffffffffffffffeu },
-        { SM_U8, 300, 255 }, { SM_U8, 255.9, 255 }, { SM_U8, 256, 255 }, { SM_U8, -0.5, 0 }, { SM_U8, -1, 0 }, { SM_U8, INF, 255 },
+        { SM_U8, 300, 255 }, { SM_U8, 255.9, 255 }, { SM_U8, 256, 255 }, { SM_U8, -0.5, 0 }, { SM_U8, -1, 0 },
+        { SM_U8, INF, 255 },
         { SM_U8, NINF, 0 }, { SM_U8, 254.99, 254 },
-        { SM_U16, 65535.9, 65535 }, { SM_U16, 65536, 65535 }, { SM_U16, -1e9, 0 }, { SM_U16, INF, 65535 }, { SM_U16, NINF, 0 },
-        { SM_U32, 4294967295.9, 0xffffffff }, { SM_U32, 4294967296.0, 0xffffffff }, { SM_U32, 4294967294.9, 0xfffffffe },
-        { SM_U32, -0.9, 0 }, { SM_U32, -1, 0 }, { SM_U32, INF, 0xffffffff }, { SM_U32, NINF, 0 }, { SM_U32, 3e9, 3000000000u },
-        { SM_U64, 18446744073709549568.0, 18446744073709549568u }, { SM_U64, 18446744073709551616.0, 0xffffffffffffffffu },
-        { SM_U64, -0.9, 0 }, { SM_U64, -1, 0 }, { SM_U64, INF, 0xffffffffffffffffu }, { SM_U64, NINF, 0 }, { SM_U64, 1.5e19, 15000000000000000000u },
+        { SM_U16, 65535.9, 65535 }, { SM_U16, 65536, 65535 }, { SM_U16, -1e9, 0 }, { SM_U16, INF, 65535 },
+        { SM_U16, NINF, 0 },
+        { SM_U32, 4294967295.9, 0xffffffff }, { SM_U32, 4294967296.0, 0xffffffff },
+        { SM_U32, 4294967294.9, 0xfffffffe },
+        { SM_U32, -0.9, 0 }, { SM_U32, -1, 0 }, { SM_U32, INF, 0xffffffff }, { SM_U32, NINF, 0 },
+        { SM_U32, 3e9, 3000000000u },
+        { SM_U64, 18446744073709549568.0, 18446744073709549568u },
+        { SM_U64, 18446744073709551616.0, 0xffffffffffffffffu },
+        { SM_U64, -0.9, 0 }, { SM_U64, -1, 0 }, { SM_U64, INF, 0xffffffffffffffffu }, { SM_U64, NINF, 0 },
+        { SM_U64, 1.5e19, 15000000000000000000u },
     };
     for (size_t i = 0; i < sizeof row / sizeof *row; i++)
         CHECK(sm_cell_from_f64(row[i].type, row[i].from) == row[i].cell);
@@ -44,14 +55,20 @@ static void test_integer_rows(void)
 static void test_other_rows(void)
 {
     const Row row[] = {
-        { SM_F32, NAN_, 0 }, { SM_F32, NNAN, 0 }, { SM_F32, INF, 0x7f800000 }, { SM_F32, NINF, 0xff800000 }, { SM_F32, -0.0, 0x80000000 },
+        { SM_F32, NAN_, 0 }, { SM_F32, NNAN, 0 }, { SM_F32, INF, 0x7f800000 }, { SM_F32, NINF, 0xff800000 },
+        { SM_F32, -0.0, 0x80000000 },
         { SM_F32, 1e39, 0x7f800000 }, { SM_F32, -1e300, 0xff800000 }, { SM_F32, 3.4028234663852886e38, 0x7f7fffff },
-        { SM_F32, 3.4028235677973362e38, 0x7f7fffff }, { SM_F32, 3.4028235677973366e38, 0x7f800000 },     // below, at the half step over FLT_MAX
-        { SM_F32, 1.000000059604644775390625, 0x3f800000 }, { SM_F32, 1.000000178813934326171875, 0x3f800002 },   // ties to even
-        { SM_F32, 1.401298464324817e-45, 1 }, { SM_F32, -1e-45, 0x80000001 }, { SM_F32, 7.006492321624085e-46, 0 }, { SM_F32, -1e-300, 0x80000000 },
-        { SM_F64, NAN_, 0 }, { SM_F64, SNAN, 0 }, { SM_F64, NINF, 0xFFF0000000000000u }, { SM_F64, -0.0, 0x8000000000000000u },
+        { SM_F32, 3.4028235677973362e38, 0x7f7fffff },
+        { SM_F32, 3.4028235677973366e38, 0x7f800000 },     // below, at the half step over FLT_MAX
+        { SM_F32, 1.000000059604644775390625, 0x3f800000 },
+        { SM_F32, 1.000000178813934326171875, 0x3f800002 },   // ties to even
+        { SM_F32, 1.401298464324817e-45, 1 }, { SM_F32, -1e-45, 0x80000001 }, { SM_F32, 7.006492321624085e-46, 0 },
+        { SM_F32, -1e-300, 0x80000000 },
+        { SM_F64, NAN_, 0 }, { SM_F64, SNAN, 0 }, { SM_F64, NINF, 0xFFF0000000000000u },
+        { SM_F64, -0.0, 0x8000000000000000u },
         { SM_F64, 5e-324, 1 }, { SM_F64, 0.1, 0x3FB999999999999Au },
-        { SM_BOOL, NAN_, 0 }, { SM_BOOL, NNAN, 0 }, { SM_BOOL, 0, 0 }, { SM_BOOL, -0.0, 0 }, { SM_BOOL, 1e-300, 1 }, { SM_BOOL, -5e-324, 1 },
+        { SM_BOOL, NAN_, 0 }, { SM_BOOL, NNAN, 0 }, { SM_BOOL, 0, 0 }, { SM_BOOL, -0.0, 0 }, { SM_BOOL, 1e-300, 1 },
+        { SM_BOOL, -5e-324, 1 },
         { SM_BOOL, INF, 1 }, { SM_BOOL, NINF, 1 }, { SM_BOOL, -3, 1 }, { SM_BOOL, 0.5, 1 },
     };
     for (size_t i = 0; i < sizeof row / sizeof *row; i++)
@@ -61,12 +78,18 @@ static void test_other_rows(void)
 static void test_reading_rows(void)
 {
     const Row row[] = {
-        { SM_I8, -1, 0xff }, { SM_I8, 127, 0x7f }, { SM_I16, -32768, 0x8000 }, { SM_I32, -1, 0xffffffff }, { SM_I64, -1, 0xffffffffffffffffu },
-        { SM_I64, 9007199254740992.0, 9007199254740993u }, { SM_I64, 9007199254740996.0, 9007199254740995u },     // ties to even above 2^53
-        { SM_I64, -9223372036854775808.0, 0x8000000000000000u }, { SM_I64, 9223372036854775808.0, 0x7fffffffffffffffu },
-        { SM_U8, 255, 0xff }, { SM_U16, 65535, 0xffff }, { SM_U32, 4294967295.0, 0xffffffff }, { SM_U64, 18446744073709551616.0, 0xffffffffffffffffu },
-        { SM_U64, 18446744073709549568.0, 18446744073709550591u }, { SM_U64, 18446744073709551616.0, 18446744073709550592u },
-        { SM_F32, 0, 0x7fc00000 }, { SM_F32, 0, 0xff800001 }, { SM_F32, -0.0, 0x80000000 }, { SM_F32, 1.401298464324817e-45, 1 }, { SM_F32, NINF, 0xff800000 },
+        { SM_I8, -1, 0xff }, { SM_I8, 127, 0x7f }, { SM_I16, -32768, 0x8000 }, { SM_I32, -1, 0xffffffff },
+        { SM_I64, -1, 0xffffffffffffffffu },
+        { SM_I64, 9007199254740992.0, 9007199254740993u },
+        { SM_I64, 9007199254740996.0, 9007199254740995u },     // ties to even above 2^53
+        { SM_I64, -9223372036854775808.0, 0x8000000000000000u },
+        { SM_I64, 9223372036854775808.0, 0x7fffffffffffffffu },
+        { SM_U8, 255, 0xff }, { SM_U16, 65535, 0xffff }, { SM_U32, 4294967295.0, 0xffffffff },
+        { SM_U64, 18446744073709551616.0, 0xffffffffffffffffu },
+        { SM_U64, 18446744073709549568.0, 18446744073709550591u },
+        { SM_U64, 18446744073709551616.0, 18446744073709550592u },
+        { SM_F32, 0, 0x7fc00000 }, { SM_F32, 0, 0xff800001 }, { SM_F32, -0.0, 0x80000000 },
+        { SM_F32, 1.401298464324817e-45, 1 }, { SM_F32, NINF, 0xff800000 },
         { SM_F64, 0, 0x7FF8000000000000u }, { SM_F64, 0, 0xFFF0000000000001u }, { SM_F64, -0.0, 0x8000000000000000u },
         { SM_BOOL, 0, 0 }, { SM_BOOL, 1, 1 }, { SM_BOOL, 1, 0x80 }, { SM_BOOL, 1, 2 },
     };
@@ -140,6 +163,13 @@ static uint64_t expected_f64_of(uint64_t magnitude, bool negative)
     return (uint64_t)negative << 63 | (m + ((uint64_t)(top + 1022) << 52));
 }
 
+static uint64_t expected_f64_of_signed(uint64_t u, unsigned width)
+{
+    const uint64_t mask = ((uint64_t)1 << width) - 1;
+    const bool negative = (u >> (width - 1) & 1) != 0;
+    return expected_f64_of((negative ? 0 - u : u) & mask, negative);
+}
+
 static void test_random_storing(void)
 {
     for (int i = 0; i < 1000000; i++) {
@@ -162,10 +192,11 @@ static void test_random_reading(void)
         CHECK(sm_bits(sm_cell_to_f64(SM_U64, u)) == expected_f64_of(u, false));
         CHECK(sm_bits(sm_cell_to_f64(SM_I64, u)) == expected_f64_of(negative ? 0 - u : u, negative));
         CHECK(sm_bits(sm_cell_to_f64(SM_U32, u)) == expected_f64_of(u & 0xffffffffu, false));
-        CHECK(sm_bits(sm_cell_to_f64(SM_I32, u)) == expected_f64_of((u & 0x80000000u) != 0 ? (0 - u) & 0xffffffffu : u & 0xffffffffu, (u & 0x80000000u) != 0));
-        CHECK(sm_bits(sm_cell_to_f64(SM_I16, u)) == expected_f64_of((u & 0x8000u) != 0 ? (0 - u) & 0xffffu : u & 0xffffu, (u & 0x8000u) != 0));
-        CHECK(sm_bits(sm_cell_to_f64(SM_I8, u)) == expected_f64_of((u & 0x80u) != 0 ? (0 - u) & 0xffu : u & 0xffu, (u & 0x80u) != 0));
-        CHECK(sm_cell_from_f64(SM_F32, sm_cell_to_f64(SM_F32, u)) == ((u << 1 & 0xffffffffu) > 0xff000000u ? 0 : u & 0xffffffffu));
+        CHECK(sm_bits(sm_cell_to_f64(SM_I32, u)) == expected_f64_of_signed(u, 32));
+        CHECK(sm_bits(sm_cell_to_f64(SM_I16, u)) == expected_f64_of_signed(u, 16));
+        CHECK(sm_bits(sm_cell_to_f64(SM_I8, u)) == expected_f64_of_signed(u, 8));
+        const bool nan = (u & 0x7fffffffu) > 0x7f800000u;
+        CHECK(sm_cell_from_f64(SM_F32, sm_cell_to_f64(SM_F32, u)) == (nan ? 0 : u & 0xffffffffu));
     }
 }
 

@@ -143,7 +143,8 @@ int main(int argc, char **argv)
     puts("#ifndef STDLIB_TEXT_H\n#define STDLIB_TEXT_H\n");
     puts("typedef struct StdlibText {");
     puts("    const char *name;");
-    printf("    unsigned char deps, dep[%d];   // which others it needs: indices into the table, all smaller than its own\n", DEPS_MAX);
+    puts("    // Which others it needs: indices into the table, all smaller than its own.");
+    printf("    unsigned char deps, dep[%d];\n", DEPS_MAX);
     puts("    const char *text;");
     puts("} StdlibText;\n");
     printf("enum { STDLIB_TEXT_COUNT = %d };\n\n", snippets);
