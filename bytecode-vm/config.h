@@ -18,17 +18,21 @@
 #define SMVM_FETCH(image, at) ((image)[at])
 #endif
 
-// Holds any offset in an image and any count in a machine: uint16_t where no image exceeds 64 KB.
+// Holds any offset in an image and in a state vector: uint16_t where neither exceeds 64 KB.
 #ifndef SMVM_AT
 #define SMVM_AT uint32_t
 #endif
 
-// The largest image, and the most RAM that one machine may need; images beyond are refused.
+// The largest image; and the most RAM that one machine may need, and the largest state vector.  Images beyond are refused.
 #ifndef SMVM_IMAGE_MAX
 #define SMVM_IMAGE_MAX 0x00ffffffu
 #endif
 #ifndef SMVM_RAM_MAX
+#if SIZE_MAX < 0x7fffffff
+#define SMVM_RAM_MAX 0x7fffu
+#else
 #define SMVM_RAM_MAX 0x7fffffffu
+#endif
 #endif
 
 // How many jumps whose targets are still ahead the verifier follows exactly when it counts the longest step; beyond, it adds
@@ -39,5 +43,7 @@
 
 typedef SMVM_BYTES SmvmBytes;
 typedef SMVM_AT SmvmAt;
+
+typedef char smvm_at_is_too_small[SMVM_IMAGE_MAX <= (SMVM_AT)-1 && SMVM_RAM_MAX <= (size_t)-1 / 2 ? 1 : -1];
 
 #endif

@@ -139,7 +139,7 @@ static void operand(Out *o, uint32_t index)
     else if (p.kind == SMVM_K_TIME)
         text(o, "T");
     else if (p.kind == SMVM_K_INT)
-        whole(o, (int32_t)payload - (payload > SMVM_INT_MOST ? SMVM_PAYLOADS : 0));
+        whole(o, (int32_t)payload - (payload > (uint32_t)SMVM_INT_MOST ? SMVM_PAYLOADS : 0));
     else if (p.kind == SMVM_K_F32)
         f64(o, sm_from_f32(sm_f32_from_bits(smvm_uint(o->m->image, o->m->f32s_at + 4 * payload, 4))));
     else if (p.kind == SMVM_K_F64)

@@ -35,10 +35,11 @@ enum {
 #undef SMVM_SECTION
 #undef SMVM_OPERAND
     SMVM_KINDS,                       // one more than the last
-    SMVM_KIND_BITS = 5,
-    SMVM_PAYLOADS = 0x80000,          // as many payloads there are
-    SMVM_INT_LEAST = -0x40000, SMVM_INT_MOST = 0x3ffff
+    SMVM_KIND_BITS = 5
 };
+#define SMVM_PAYLOADS INT32_C(0x80000)                // as many payloads there are
+#define SMVM_INT_LEAST (-INT32_C(0x40000))
+#define SMVM_INT_MOST INT32_C(0x3ffff)
 
 enum {
 #define SMVM_RULE(number, name, sentence) SMVM_R_##name = number,

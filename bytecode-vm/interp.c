@@ -36,7 +36,7 @@ static SmF64 constant(const SmVm *vm, uint8_t kind, uint32_t payload)
     switch (kind) {
     case SMVM_K_TEMP: return vm->temp[payload];
     case SMVM_K_TIME: return sm_from_u64(vm->last - vm->start);
-    case SMVM_K_INT: return sm_from_i32((int32_t)payload - (payload > SMVM_INT_MOST ? SMVM_PAYLOADS : 0));
+    case SMVM_K_INT: return sm_from_i32((int32_t)payload - (payload > (uint32_t)SMVM_INT_MOST ? SMVM_PAYLOADS : 0));
     case SMVM_K_F32: return sm_from_f32(sm_f32_from_bits(smvm_uint(vm->image, vm->f32s + 4 * payload, 4)));
     default: return sm_from_bits(smvm_cell(vm->image, vm->f64s + 8 * payload, 8));
     }

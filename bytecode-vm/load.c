@@ -216,13 +216,15 @@ static void bind(SmVm *vm, const SmvmMachine *m)
 
 static bool is_aligned(const void *p) { return ((uintptr_t)p & 7u) == 0; }
 
-SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, void *sv, uint32_t state)
+SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state)
 {
     SmVm *vm = memory;
 
+    if (sv->layout != m->layout || sv->size != m->sv_size)
+        return SM_E_LAYOUT;
     if (state < 1 || state > m->states)
         return SM_E_ARGUMENT;
-    if (!is_aligned(memory) || !is_aligned(sv))
+    if (!is_aligned(memory) || !is_aligned(sv->at))
         return SM_E_ALIGNMENT;
     if (size < smvm_ram_size(m))
         return SM_E_MEMORY;
@@ -232,7 +234,7 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, void *sv, 
     set_locals(vm, m);
     vm->state = (SmvmAt)state;
     vm->first = true;
-    sm_cell_store(SM_U32, (uint8_t *)sv + vm->s, state);
+    sm_cell_store(SM_U32, (uint8_t *)sv->at + vm->s, state);
     return SM_OK;
 }
 

@@ -7,9 +7,8 @@
 //     if (smvm_verify(image, size, &why) != 0)           // once, when the image arrives: why.rule says what is wrong
 //         refuse();
 //     smvm_machine(image, 0, &m);                        // its first machine
-//     if (m.layout != MY_LAYOUT || m.sv_size != sizeof sv)
-//         refuse();                                      // made for another state vector
-//     if (smvm_init(memory, sizeof memory, &m, sv, 1) != SM_OK)
+//     SmvmVector v = {sv, sizeof sv, MY_LAYOUT};
+//     if (smvm_init(memory, sizeof memory, &m, &v, 1) != SM_OK)
 //         refuse();                                      // memory: smvm_ram_size(&m) bytes, aligned to 8
 //     for (;;) {
 //         …put inputs and G into sv…
@@ -98,12 +97,20 @@ typedef struct SmVm {
 // Bytes of memory that smvm_init needs for m.
 uint32_t smvm_ram_size(const SmvmMachine *m);
 
+// The state vector that there is, or a snapshot of it.
+typedef struct SmvmVector {
+    void *at;                 // aligned to 8
+    uint32_t size;            // in bytes
+    uint32_t layout;          // its hash, as the machine's
+} SmvmVector;
+
 // Puts a machine at state `state` (1 is the initial one) in memory that is the caller's, aligned to 8 and of at least
 // smvm_ram_size(m) bytes: locals at their initial values, windows empty.  Writes the state's number to S.
-// SM_E_ARGUMENT: there is no such state.  SM_E_MEMORY, SM_E_ALIGNMENT: of `memory` or of sv.
-SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, void *sv, uint32_t state);
+// SM_E_LAYOUT: m was made for a state vector of another layout or size.  SM_E_ARGUMENT: there is no such state.
+// SM_E_MEMORY: `size` is too small.  SM_E_ALIGNMENT: memory or state vector is not aligned.
+SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state);
 
-// One step (language.md 6) on a snapshot of the state vector, aligned to 8.  SM_REFUSED: G did not advance; nothing changed.
+// One step (language.md 6) on the state vector or another snapshot of it.  SM_REFUSED: G did not advance; nothing changed.
 SmResult smvm_step(SmVm *vm, void *sv);
 
 uint32_t smvm_state(const SmVm *vm);                  // the state that the next step runs

@@ -422,7 +422,7 @@ static bool check_machine(Check *c, SmvmBytes image, uint32_t *longest)
     smvm_machine(image, c->v->machine, &c->m);
     if (!check_windows(c) || !check_operands(c) || !check_init(c))
         return false;
-    if (smvm_ram_size(&c->m) > SMVM_RAM_MAX)
+    if (smvm_ram_size(&c->m) > SMVM_RAM_MAX || c->m.sv_size > SMVM_RAM_MAX)
         return fail(c, SMVM_R_RAM, c->m.windows_at);
     return check_code(c, longest);
 }

@@ -16,6 +16,7 @@ typedef struct VmEngine {
     SmVm *vm;
     uint32_t size;            // bytes at vm
     uint64_t *sv;             // the state vector
+    SmvmVector vector;        // the same, as the VM wants it
     uint8_t **at;             // by variable: where its value lies; NULL: T and constants
     uint32_t *output;         // by variable: 1 + its number among the outputs; 0: it is none
 } VmEngine;
@@ -60,7 +61,7 @@ static EngineStatus vm_init(Engine *e, uint32_t state, EngineStep *out)
     SmResult result;
 
     memset(v->sv, 0, v->m.sv_size);
-    result = smvm_init(v->vm, v->size, &v->m, v->sv, state);
+    result = smvm_init(v->vm, v->size, &v->m, &v->vector, state);
     if (result != SM_OK) {
         e->error = sm_result_text(result);
         return out->status = ENGINE_BROKEN;
@@ -132,18 +133,23 @@ static const char *check(const VmEngine *v, Arena *arena)
 static const char *bind(VmEngine *v, Arena *arena, const uint8_t *image, size_t size, uint32_t machine)
 {
     SmvmVerdict why;
+    SmResult result;
 
     if (size > SMVM_IMAGE_MAX || smvm_verify(image, (uint32_t)size, &why) != 0)
         return format_in(arena, "the image breaks rule %u: %s", size > SMVM_IMAGE_MAX ? SMVM_R_LENGTH : why.rule,
                          smvm_rule_text(size > SMVM_IMAGE_MAX ? SMVM_R_LENGTH : why.rule));
     if (!smvm_machine(image, machine, &v->m))
         return format_in(arena, "the image has no machine number %lu", (unsigned long)machine);
-    if (v->m.layout != v->p->sv->hash || v->m.sv_size != v->p->sv->size || v->m.states != v->p->state.n)
-        return "the image was made from another machine or for another state vector";
+    if (v->m.states != v->p->state.n)
+        return "the image was made from another machine";
     v->size = smvm_ram_size(&v->m);
     v->vm = arena_alloc(arena, v->size);
-    v->sv = arena_alloc(arena, v->m.sv_size);
-    return smvm_init(v->vm, v->size, &v->m, v->sv, 1) == SM_OK ? NULL : "the machine cannot start";
+    v->sv = arena_alloc(arena, v->p->sv->size);
+    v->vector.at = v->sv;
+    v->vector.size = v->p->sv->size;
+    v->vector.layout = v->p->sv->hash;
+    result = smvm_init(v->vm, v->size, &v->m, &v->vector, 1);
+    return result == SM_OK ? NULL : sm_result_text(result);
 }
 
 Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error)

@@ -85,9 +85,10 @@ static void in_vm(const uint8_t *image, uint32_t size)
     CHECK(smvm_machine(image, 0, &m) && m.sv_size == sizeof(ProbeSv) && m.layout == PROBE_SV_LAYOUT);
     for (size_t i = 0; i < sizeof truths; i++) {
         ProbeSv sv;
+        const SmvmVector vector = {&sv, sizeof sv, PROBE_SV_LAYOUT};
         void *memory = malloc(smvm_ram_size(&m));
         memset(&sv, 0, sizeof sv);
-        CHECK(smvm_init(memory, smvm_ram_size(&m), &m, &sv, 1) == SM_OK);
+        CHECK(smvm_init(memory, smvm_ram_size(&m), &m, &vector, 1) == SM_OK);
         sv.first = truths[i];
         CHECK(smvm_step(memory, &sv) == SM_OK);
         expect(&sv, truths[i]);

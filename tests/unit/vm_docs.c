@@ -119,7 +119,7 @@ static void example(void)
 
     memset(&b, 0, sizeof b);
     b.layout = 77;
-    b.sv_words = 3;
+    b.sv_words = 8;
     b.outputs = b.states = b.width = 1;
     b.operands = 4;
     b.operand[0] = ELEMENT(F64, 16);
@@ -136,6 +136,8 @@ static void example(void)
     CHECK(start(image, n, 78) == NULL && start(image, n - 1, 77) == NULL);
     vm = start(image, n, 77);
     CHECK(vm != NULL);
+    if (!vm)
+        return;
     sv[0] = 1;
     CHECK(cycle(vm) && sm_from_bits(sv[2]) == 42 && smvm_stored(vm, 0));
     CHECK(!cycle(vm));

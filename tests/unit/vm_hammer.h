@@ -53,12 +53,16 @@ static inline void hammer_machine(const SmvmMachine *m, uint32_t steps, uint64_t
 {
     uint32_t size = smvm_ram_size(m), words = m->sv_size / 8, g = smvm_operand(m, m->outputs).offset / 8;
     uint64_t *sv, *memory;
+    SmvmVector v;
 
     if (size > HAMMER_MEMORY || m->sv_size > HAMMER_MEMORY)
         return;
     sv = calloc(1, m->sv_size);
     memory = malloc(size);
-    if (!sv || !memory || smvm_init(memory, size, m, sv, 1 + (uint32_t)(hammer_random(seed) % m->states)) != SM_OK)
+    v.at = sv;
+    v.size = m->sv_size;
+    v.layout = m->layout;
+    if (!sv || !memory || smvm_init(memory, size, m, &v, 1 + (uint32_t)(hammer_random(seed) % m->states)) != SM_OK)
         abort();
     steps = hammer_steps(m, steps);
     for (uint32_t i = 0; i < steps; i++) {

@@ -46,6 +46,13 @@ static void begin(Build *b)
     b->f64[0] = 0x3fb999999999999au;                  // 0.1
 }
 
+static SmResult init(Machine *t, void *memory, uint32_t size, void *sv, uint32_t state)
+{
+    const SmvmVector v = {sv, sizeof t->sv, 0};
+
+    return smvm_init(memory, size, &t->m, &v, state);
+}
+
 static bool open_machine(Machine *t, const Build *b, uint32_t state)
 {
     SmvmVerdict v;
@@ -58,7 +65,7 @@ static bool open_machine(Machine *t, const Build *b, uint32_t state)
     memset(t->sv, 0, sizeof t->sv);
     memset(t->memory, 0xa5, sizeof t->memory);
     return smvm_machine(t->image, 0, &t->m) && smvm_ram_size(&t->m) <= sizeof t->memory
-        && smvm_init(t->memory, sizeof t->memory, &t->m, t->sv, state) == SM_OK;
+        && init(t, t->memory, sizeof t->memory, t->sv, state) == SM_OK;
 }
 
 static double f64_at(const Machine *t, unsigned offset) { return sm_from_bits(t->sv[offset / 8]); }
@@ -246,7 +253,7 @@ static void many_operands(void)
         memcpy(p, b.code, b.size);
         n = put_header(image, 2, id, size);
         CHECK(smvm_verify(image, n, &v) == 0);
-        CHECK(smvm_machine(image, 0, &t.m) && smvm_init(t.memory, sizeof t.memory, &t.m, memset(t.sv, 0, sizeof t.sv), 1) == SM_OK);
+        CHECK(smvm_machine(image, 0, &t.m) && init(&t, t.memory, sizeof t.memory, memset(t.sv, 0, sizeof t.sv), 1) == SM_OK);
         CHECK(smvm_step((SmVm *)t.memory, t.sv) == SM_OK && f64_at(&t, 16) == wanted[k] + 3);
     }
 }
@@ -395,7 +402,7 @@ static void steps(void)
     CHECK(step(&t, 21, 0, 0) == 45 && smvm_time(vm) == 0);           // …and a first step again
     two_states(&t);
     CHECK(step(&t, 0, 1, 1) == 13 && smvm_state(vm) == 2);           // entry goes: no step; G may be 0
-    CHECK(smvm_init(t.memory, sizeof t.memory, &t.m, t.sv, 2) == SM_OK && (uint32_t)t.sv[1] == 2);
+    CHECK(init(&t, t.memory, sizeof t.memory, t.sv, 2) == SM_OK && (uint32_t)t.sv[1] == 2);
     CHECK(step(&t, 0, 0, 0) == 45);
 }
 
@@ -437,12 +444,14 @@ static void starting(void)
     code(&b, SMVM_add, 3, OUT, LOCAL_U8, LOCAL_F32);
     CHECK(run(&t, &b, 0, 0) && f64_at(&t, 16) == 200.25);
     need = smvm_ram_size(&t.m);
-    CHECK(smvm_init(t.memory, need, &t.m, t.sv, 1) == SM_OK);
-    CHECK(smvm_init(t.memory, need - 1, &t.m, t.sv, 1) == SM_E_MEMORY);
-    CHECK(smvm_init(odd, sizeof t.memory - 8, &t.m, t.sv, 1) == SM_E_ALIGNMENT);
-    CHECK(smvm_init(t.memory, need, &t.m, (uint8_t *)t.sv + 4, 1) == SM_E_ALIGNMENT);
-    CHECK(smvm_init(t.memory, need, &t.m, t.sv, 0) == SM_E_ARGUMENT);
-    CHECK(smvm_init(t.memory, need, &t.m, t.sv, 2) == SM_E_ARGUMENT);
+    CHECK(init(&t, t.memory, need, t.sv, 1) == SM_OK);
+    CHECK(init(&t, t.memory, need - 1, t.sv, 1) == SM_E_MEMORY);
+    CHECK(init(&t, odd, sizeof t.memory - 8, t.sv, 1) == SM_E_ALIGNMENT);
+    CHECK(init(&t, t.memory, need, (uint8_t *)t.sv + 4, 1) == SM_E_ALIGNMENT);
+    CHECK(init(&t, t.memory, need, t.sv, 0) == SM_E_ARGUMENT);
+    CHECK(init(&t, t.memory, need, t.sv, 2) == SM_E_ARGUMENT);
+    CHECK(smvm_init(t.memory, need, &t.m, &(SmvmVector){t.sv, 64, 1}, 1) == SM_E_LAYOUT);
+    CHECK(smvm_init(t.memory, need, &t.m, &(SmvmVector){t.sv, 56, 0}, 1) == SM_E_LAYOUT);
     CHECK(!smvm_machine(t.image, 1, &t.m));
 }
 

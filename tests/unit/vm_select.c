@@ -62,7 +62,7 @@ static bool compile(Work *w, const char *text)
     smvm_disasm((const uint8_t *)w->image.at, list, &w->listing);
     smvm_machine((const uint8_t *)w->image.at, 0, &w->m);
     w->memory = arena_alloc(&w->arena, smvm_ram_size(&w->m));
-    return smvm_init(w->memory, smvm_ram_size(&w->m), &w->m, w->sv, 1) == SM_OK;
+    return smvm_init(w->memory, smvm_ram_size(&w->m), &w->m, &(SmvmVector){w->sv, sizeof w->sv, 1}, 1) == SM_OK;
 }
 
 #define HEAD                                             \

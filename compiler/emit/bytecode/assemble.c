@@ -53,7 +53,7 @@ static void place_locals(Arena *arena, BcMachine *m)
 
 static uint32_t entry(uint32_t kind, uint32_t payload)
 {
-    return payload < SMVM_PAYLOADS ? payload << SMVM_KIND_BITS | kind : UINT32_MAX;
+    return payload < (uint32_t)SMVM_PAYLOADS ? payload << SMVM_KIND_BITS | kind : UINT32_MAX;
 }
 
 uint32_t bc_var_entry(const BcMachine *m, uint32_t var)
@@ -82,7 +82,7 @@ static uint32_t const_entry(const BcOperand *o)                  // its index am
     SmF64 x = sm_from_bits(o->bits);
 
     if (is_small(x))
-        return entry(SMVM_K_INT, (uint32_t)sm_to_i32(x) & (SMVM_PAYLOADS - 1u));
+        return entry(SMVM_K_INT, (uint32_t)sm_to_i32(x) & ((uint32_t)SMVM_PAYLOADS - 1u));
     return entry(is_f32(x) ? SMVM_K_F32 : SMVM_K_F64, o->index);
 }
 
