@@ -56,7 +56,7 @@ static bool recover_type(Parser *p, const AstSection *s)
     } else if (p->tok.kind == TOK_ERROR) {
         p->failed = true;
     } else {
-        parser_fail(p, DIAG_expected_decl, parser_here(p), s->name->text, parser_found(p));
+        parser_fail(p, DIAG_expected_decl, parser_here(p), s->name->text, parser_describe(p, &p->tok));
     }
     parser_next(p);
     return false;

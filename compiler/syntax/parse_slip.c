@@ -172,6 +172,23 @@ void slip_at_end(Parser *p)
 
 // ---- expressions that stand alone ----
 
+// `then` and `do`.
+static void colon_word(Parser *p)
+{
+    uint32_t from = p->last.at + p->last.len;
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+
+    if (p->ahead.first) {
+        diag_label(p->diags, d, DIAG_label_braces_instead);
+    } else {
+        diag_label(p->diags, d, DIAG_label_colon_instead);
+        diag_edit(p->diags, d, (Span){p->lex.src, from, p->tok.at + p->tok.len - from}, ":");
+    }
+    parser_next(p);
+    if (p->tok.kind == TOK_COLON && !p->tok.first)
+        parser_next(p);
+}
+
 // Another statement follows the guard on its line, or a word that other languages have there.
 static bool missing_colon(Parser *p)
 {
@@ -180,13 +197,7 @@ static bool missing_colon(Parser *p)
     if (p->tok.first)
         return false;
     if (is_word(&p->tok, "then") || is_word(&p->tok, "do")) {
-        d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
-        diag_label(p->diags, d, DIAG_label_colon_instead);
-        diag_edit(p->diags, d, (Span){p->lex.src, p->last.at + p->last.len, p->tok.at + p->tok.len - p->last.at - p->last.len},
-                  ":");
-        parser_next(p);
-        if (p->tok.kind == TOK_COLON && !p->tok.first)
-            parser_next(p);
+        colon_word(p);
         return true;
     }
     if (p->tok.kind != TOK_ARROW && p->tok.kind != TOK_NAME && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_IF)
@@ -327,7 +338,8 @@ static bool stands_foreign(const Parser *p, SlipDoes does)
     if (next->first)
         return does == SLIP_SKIP && next->kind != TOK_LBRACE;     // `stop` and { on the next line: a guard
     if (does == SLIP_ELSE)
-        return next->kind == TOK_COLON || next->kind == TOK_LBRACE || next->kind == TOK_IF || is_word(next, "if");
+        return next->kind == TOK_COLON || next->kind == TOK_LBRACE || next->kind == TOK_IF || next->kind == TOK_NAME ||
+               next->kind == TOK_ARROW;
     return begins_value(next) && (next->kind != TOK_LPAREN || does == SLIP_IF || does == SLIP_SKIP);
 }
 

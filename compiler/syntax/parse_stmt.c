@@ -260,7 +260,7 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
         parse_braces(p, into, span);
         return;
     }
-    if (p->tok.first || parser_at_end_of_block(p))
+    if (p->tok.first || p->tok.kind == TOK_ELSE || parser_at_end_of_block(p))
         missing_statement(p, s, colon, into);
     else
         parse_statement(p, into);
@@ -380,7 +380,9 @@ static void stray_else(Parser *p)
         return;
     s.has_else = true;
     parser_next(p);
-    if (p->tok.kind == TOK_IF && !p->tok.first)
+    if (p->tok.first)
+        p->failed = true;
+    else if (p->tok.kind == TOK_IF && !p->tok.first)
         parse_if(p, &s.otherwise, NULL);
     else
         parse_body(p, &s, true, &s.otherwise, &s.else_braces, &s.else_body_span);
@@ -388,6 +390,12 @@ static void stray_else(Parser *p)
 }
 
 // ---- a statement ----
+
+static bool begins_guard(TokenKind k)
+{
+    return k == TOK_IF || k == TOK_NAME || k == TOK_NUMBER || k == TOK_LPAREN || k == TOK_TRUE || k == TOK_FALSE ||
+           k == TOK_NOT || k == TOK_BANG || k == TOK_MINUS || k == TOK_PLUS;
+}
 
 static bool is_assignment_sign(TokenKind k)
 {
@@ -410,6 +418,8 @@ static void parse_statement(Parser *p, AstStmts *into)
         unguarded_braces(p);
     else if (p->tok.kind == TOK_ANNOTATION)
         parse_annotated(p, into);
-    else
+    else if (begins_guard(p->tok.kind))
         parse_if(p, into, NULL);
+    else
+        parser_fail(p, DIAG_expected_statement, parser_here(p), parser_describe(p, &p->tok));
 }

@@ -17,4 +17,4 @@ F64 count = 1
 [options]
 delta_t 5 ms               #! E0371
 [all_states]
-G == 5 : : @stop           #! E0312
+G == 5 : : @stop           #! E0341

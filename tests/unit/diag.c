@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+// Diagnostics: how they are collected and sorted, and what renderers make of them, letter by letter.
+#include <string.h>
+
+#include "compiler/diag/diag.h"
+#include "tests/test.h"
+#include "tests/unit/host.h"
+
+static Arena arena;
+static Diags diags;
+
+static const Source *source(const char *name, const char *text, size_t len)
+{
+    return source_new(&arena, name, text, len);
+}
+
+static Span span(const Source *src, const char *what, size_t len)
+{
+    return (Span){src, (uint32_t)(strstr(src->text, what) - src->text), (uint32_t)len};
+}
+
+static void start(void)
+{
+    HOST_ARENA(&arena);
+    diags_init(&diags, &arena);
+}
+
+static const char *rendered(size_t most)
+{
+    DiagStyle style = {false, most};
+    Buf out;
+
+    diags_sort(&diags);
+    buf_init(&out, &arena);
+    diags_render_text(&diags, &style, &out);
+    return buf_text(&out);
+}
+
+static void check_text(const char *found, const char *expected)
+{
+    if (strcmp(found, expected) != 0)
+        fprintf(stderr, "---- found\n%s---- expected\n%s", found, expected);
+    CHECK(strcmp(found, expected) == 0);
+}
+
+// The example of the command's manual.
+static void test_example(void)
+{
+    static const char text[] = "[state_vector]\nU64 G\nU32 S\n\nbool  valveOpen\n\n\n\n\n\n\n\n\n\n\n\n\n    valve0pe = true\n";
+    const Source *s;
+    Diag *d;
+
+    start();
+    s = source("tank.sm", text, sizeof text - 1);
+    d = diag_report(&diags, DIAG_unknown_element, span(s, "valve0pe", 8), "valve0pe");
+    diag_label(&diags, d, DIAG_label_did_you_mean, "valveOpen");
+    diag_note(&diags, d, span(s, "valveOpen", 9), DIAG_note_declared_here, "valveOpen");
+    check_text(rendered(20), "tank.sm:18:5: error: unknown element 'valve0pe' [E0204]\n"
+                             "   18 |     valve0pe = true\n"
+                             "      |     ^~~~~~~~ did you mean 'valveOpen'?\n"
+                             "tank.sm:5:7: note: 'valveOpen' is declared here\n"
+                             "1 error\n");
+    arena_free(&arena);
+}
+
+// A tab is a blank, what cannot be seen is spelled out; the caret stays below what it means.
+static void test_unprintable(void)
+{
+    static const char text[] = "\ta\x01\t\xff \xc3\xa9 \xe2\x80\xae" "bad\tx\n";
+    const Source *s;
+
+    start();
+    s = source("a\033.sm", text, sizeof text - 1);
+    diag_report(&diags, DIAG_unknown_element, span(s, "bad", 3), "b\nd");
+    check_text(rendered(20), "a\\x1B.sm:1:13: error: unknown element 'b\\x0Ad' [E0204]\n"
+                             "    1 |  a\\x01 \\xFF \xc3\xa9 <U+202E>bad x\n"
+                             "      |                       ^~~\n"
+                             "1 error\n");
+    arena_free(&arena);
+}
+
+static void test_places(void)
+{
+    static const char text[] = "\xef\xbb\xbfone\r\ntwo\nlast";
+    const Source *s;
+
+    start();
+    s = source("a.sm", text, sizeof text - 1);
+    diag_report(&diags, DIAG_unknown_element, (Span){s, 3, 99}, "1");                    // over several lines: cut
+    diag_report(&diags, DIAG_unknown_element, (Span){s, (uint32_t)sizeof text - 1, 0}, "2");     // behind the end
+    diag_report(&diags, DIAG_unknown_element, (Span){s, 6, 0}, "3");                     // at the line's end
+    diag_report(&diags, DIAG_unknown_element, (Span){NULL, 0, 0}, "4");                  // nowhere
+    check_text(rendered(20), "a.sm:1:1: error: unknown element '1' [E0204]\n"
+                             "    1 | one\n"
+                             "      | ^~~\n"
+                             "a.sm:1:4: error: unknown element '3' [E0204]\n"
+                             "    1 | one\n"
+                             "      |    ^\n"
+                             "a.sm:3:5: error: unknown element '2' [E0204]\n"
+                             "    3 | last\n"
+                             "      |     ^\n"
+                             "error: unknown element '4' [E0204]\n"
+                             "4 errors\n");
+    arena_free(&arena);
+}
+
+// Of a line of a megabyte the neighbourhood of the caret is shown.
+static void test_long_line(void)
+{
+    enum { N = 1000000, AT = 500000 };
+    static char text[N + 1];
+    const char *out, *line, *end;
+    const Source *s;
+
+    start();
+    memset(text, 'a', N);
+    text[AT] = 'X';
+    s = source("a.sm", text, N);
+    diag_report(&diags, DIAG_unknown_element, (Span){s, AT, 3}, "X");
+    out = rendered(20);
+    line = strstr(out, "    1 | ");
+    CHECK(strlen(out) < 600 && line && strncmp(line + 8, "...aaa", 6) == 0);
+    end = line ? strchr(line, '\n') : NULL;
+    CHECK(end && strncmp(end - 3, "...", 3) == 0 && end - line < 200);
+    CHECK(line && end && strchr(line, 'X') - line == strchr(end, '^') - (end + 1));
+    CHECK(end && strncmp(strchr(end, '^'), "^~~\n", 4) == 0);
+    arena_free(&arena);
+}
+
+static void test_large_line_number(void)
+{
+    enum { N = 123455 };
+    static char text[N + 2];
+    const Source *s;
+
+    start();
+    memset(text, '\n', N);
+    text[N] = 'x';
+    s = source("a.sm", text, N + 1);
+    diag_report(&diags, DIAG_unknown_element, (Span){s, N, 1}, "x");
+    check_text(rendered(20), "a.sm:123456:1: error: unknown element 'x' [E0204]\n"
+                             "123456 | x\n"
+                             "       | ^\n"
+                             "1 error\n");
+    arena_free(&arena);
+}
+
+static void test_collecting(void)
+{
+    static const char text[] = "a b c d";
+    const Source *s, *t;
+
+    start();
+    s = source("s", text, 7);
+    t = source("t", text, 7);
+    diag_report(&diags, DIAG_unknown_element, (Span){t, 2, 1}, "t2");
+    diag_report(&diags, DIAG_unknown_element, (Span){s, 4, 1}, "s4");
+    diag_report(&diags, DIAG_unknown_element, (Span){t, 0, 1}, "t0");
+    diag_report(&diags, DIAG_unknown_element, (Span){t, 0, 2}, "said already");
+    diag_report(&diags, DIAG_expected_end, (Span){t, 0, 2}, "another code");
+    diags.muted = true;
+    diag_report(&diags, DIAG_unknown_element, (Span){t, 6, 1}, "muted");
+    diags.muted = false;
+    diags_sort(&diags);
+    CHECK(diags.errors == 4 && diags.list.n == 4 && diags.warnings == 0);
+    CHECK(strstr(diags.list.at[0]->text, "t0") && strstr(diags.list.at[1]->text, "another"));
+    CHECK(strstr(diags.list.at[2]->text, "t2") && strstr(diags.list.at[3]->text, "s4"));
+    arena_free(&arena);
+}
+
+static void test_limits(void)
+{
+    static char text[30000];
+    const Source *s;
+    const char *out;
+
+    start();
+    memset(text, 'a', sizeof text);
+    s = source("s", text, sizeof text);
+    for (uint32_t i = 0; i < sizeof text; i++)
+        diag_report(&diags, DIAG_unknown_element, (Span){s, i, 1}, "a");
+    diag_report(&diags, DIAG_annotation_above, (Span){s, 0, 1}, "a", "b");
+    CHECK(diags.errors == sizeof text && diags.list.n == DIAG_KEPT_MAX + 1);
+    out = rendered(2);
+    CHECK(strstr(out, "and 29998 more errors\n30000 errors, 1 warning\n"));
+    out = rendered(0);
+    CHECK(strstr(out, "and 20000 more errors\n30000 errors, 1 warning\n"));
+    arena_free(&arena);
+}
+
+static void test_json(void)
+{
+    static const char text[] = "ab\ncd\n";
+    const Source *s;
+    Diag *d;
+    Buf out;
+
+    start();
+    s = source("dir\\a\".sm", text, 6);
+    d = diag_report(&diags, DIAG_unknown_element, (Span){s, 3, 2}, "\xff\xc3\xa9\t");
+    diag_label(&diags, d, DIAG_label_did_you_mean, "ab");
+    diag_note(&diags, d, (Span){s, 0, 2}, DIAG_note_declared_here, "ab");
+    diag_edit(&diags, d, (Span){s, 3, 2}, "ab");
+    diag_report(&diags, DIAG_annotation_above, (Span){0}, "a", "b");
+    buf_init(&out, &arena);
+    diags_render_json(&diags, &out);
+    check_text(buf_text(&out),
+        "{\"severity\":\"error\",\"code\":\"E0204\",\"message\":\"unknown element '\\ufffd\xc3\xa9\\u0009'\","
+        "\"file\":\"dir\\\\a\\\".sm\",\"line\":2,\"column\":1,\"endLine\":2,\"endColumn\":3,\"label\":\"did you mean 'ab'?\","
+        "\"notes\":[{\"message\":\"'ab' is declared here\",\"file\":\"dir\\\\a\\\".sm\",\"line\":1,\"column\":1,\"endLine\":1,"
+        "\"endColumn\":3}],\"edits\":[{\"text\":\"ab\",\"file\":\"dir\\\\a\\\".sm\",\"line\":2,\"column\":1,\"endLine\":2,"
+        "\"endColumn\":3}]}\n"
+        "{\"severity\":\"warning\",\"code\":\"W0301\",\"message\":\"'@a' belongs to 'b' above, not to what follows on its line\","
+        "\"file\":null,\"line\":null,\"column\":null,\"endLine\":null,\"endColumn\":null,\"label\":null,\"notes\":[],\"edits\":[]}\n");
+    arena_free(&arena);
+}
+
+// Ids are unique and in order, every page says something.
+static void test_table(void)
+{
+    char last[8] = "00E000", key[8];
+
+    for (int i = 0; i < DIAG_COUNT; i++) {
+        const DiagInfo *row = &diag_info[i];
+        if (!row->id)
+            continue;
+        CHECK(strlen(row->id) == 5 && row->page && strlen(row->page) > 40 && row->page[strlen(row->page) - 1] == '\n');
+        CHECK((row->id[0] == 'W') == (row->severity == DIAG_WARNING) && (row->id[0] == 'W') == (row->flag != NULL));
+        snprintf(key, sizeof key, "%.2s%c%s", row->id + 1, row->id[0], row->id + 3);     // chapter, E or W, number
+        CHECK(strcmp(key, last) > 0);
+        CHECK(diag_find(row->id) == row);
+        strcpy(last, key);
+    }
+    CHECK(diag_find("e0204") == &diag_info[DIAG_unknown_element]);
+    CHECK(diag_find("annotation-above") == &diag_info[DIAG_annotation_above]);
+    CHECK(!diag_find("E9999") && !diag_find("") && !diag_find("E020"));
+}
+
+int main(void)
+{
+    test_example();
+    test_unprintable();
+    test_places();
+    test_long_line();
+    test_large_line_number();
+    test_collecting();
+    test_limits();
+    test_json();
+    test_table();
+    return test_end("diag");
+}
