@@ -19,6 +19,13 @@ bool os_read(const char *path, size_t most, char **text, size_t *len, const char
 typedef struct OsOutput { const char *path; const void *bytes; size_t n; } OsOutput;
 bool os_write(const OsOutput *out, size_t n, const char **failed_path, const char **why);
 
+// One file that grows while it is open, and appears when it is closed to be kept; standard output and devices as it grows.
+// There is one at a time.
+typedef struct OsStream { const char *path; int fd; bool is_direct; } OsStream;
+bool os_stream_open(OsStream *s, const char *path, const char **why);
+bool os_stream_put(OsStream *s, const void *bytes, size_t n, const char **why);
+bool os_stream_close(OsStream *s, bool keep, const char **why);
+
 // Writes all of it to standard output or standard error (fd 1 or 2).
 bool os_print(int fd, const void *bytes, size_t n, const char **why);
 

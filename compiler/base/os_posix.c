@@ -107,12 +107,12 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why)
 }
 
 // Temporary files that a signal has to remove: written by the main flow, read by the handler.
-enum { MOST_OUTPUTS = 64 };
-static char *volatile temporary[MOST_OUTPUTS];
+enum { MOST_OUTPUTS = 64, STREAM = MOST_OUTPUTS };
+static char *volatile temporary[MOST_OUTPUTS + 1];    // the last one is the stream's
 
 static void remove_temporaries(void)
 {
-    for (int i = 0; i < MOST_OUTPUTS; i++)
+    for (int i = 0; i <= MOST_OUTPUTS; i++)
         if (temporary[i])
             unlink(temporary[i]);
 }
@@ -134,6 +134,7 @@ static void catch_signals(void (*handler)(int))
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
         if (sigaction(numbers[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
             sigaction(numbers[i], &action, NULL);
+    signal(SIGXFSZ, SIG_IGN);                         // a file larger than allowed: write says so instead
 }
 
 static mode_t wanted_mode(const char *path)
@@ -152,29 +153,47 @@ static bool is_special(const char *path)
     return stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode);
 }
 
-static bool write_temporary(const OsOutput *out, char **name, const char **why)
+// A new file beside `path`; its name is known to remove_temporaries from the moment it exists.
+static int open_temporary(const char *path, char *volatile *name, const char **why)
 {
-    bool ok;
+    char *temp;
     int fd;
 
-    if ((*name = malloc(strlen(out->path) + sizeof ".XXXXXX")) == NULL) {
+    if (os_is_folder(path)) {
+        *why = "it is a folder";
+        return -1;
+    }
+    if ((temp = malloc(strlen(path) + sizeof ".XXXXXX")) == NULL) {
         *why = "out of memory";
-        return false;
+        return -1;
     }
-    strcpy(*name, out->path);
-    strcat(*name, ".XXXXXX");
-    if ((fd = mkstemp(*name)) < 0) {
-        ok = fails(why);
-        free(*name);
-        *name = NULL;
-        return ok;
+    strcpy(temp, path);
+    strcat(temp, ".XXXXXX");
+    if ((fd = mkstemp(temp)) < 0) {
+        fails(why);
+        free(temp);
+        return -1;
     }
-    ok = write_all(fd, out->bytes, out->n, why);
-    if (ok && (fchmod(fd, wanted_mode(out->path)) != 0 || fsync(fd) != 0))
+    *name = temp;
+    return fd;
+}
+
+// Gives the finished file the mode that one made in the usual way has, and closes it.
+static bool close_temporary(int fd, const char *path, bool ok, const char **why)
+{
+    if (ok && (fchmod(fd, wanted_mode(path)) != 0 || fsync(fd) != 0))
         ok = fails(why);
     if (close(fd) != 0 && ok)
         ok = fails(why);
     return ok;
+}
+
+static void forget_temporary(char *volatile *name)
+{
+    char *temp = *name;
+
+    *name = NULL;
+    free(temp);
 }
 
 static bool write_directly(const OsOutput *out, const char **why)
@@ -192,18 +211,13 @@ static bool write_directly(const OsOutput *out, const char **why)
 
 static bool write_one(const OsOutput *out, char *volatile *name, const char **why)
 {
-    char *temp = NULL;
-    bool ok;
+    int fd;
 
     if (strcmp(out->path, "-") == 0 || is_special(out->path))
         return write_directly(out, why);
-    if (os_is_folder(out->path)) {
-        *why = "it is a folder";
+    if ((fd = open_temporary(out->path, name, why)) < 0)
         return false;
-    }
-    ok = write_temporary(out, &temp, why);
-    *name = temp;
-    return ok;
+    return close_temporary(fd, out->path, write_all(fd, out->bytes, out->n, why), why);
 }
 
 bool os_write(const OsOutput *out, size_t n, const char **failed_path, const char **why)
@@ -226,10 +240,45 @@ bool os_write(const OsOutput *out, size_t n, const char **failed_path, const cha
     if (!ok)
         remove_temporaries();
     catch_signals(SIG_DFL);
-    for (size_t i = 0; i < n && i < MOST_OUTPUTS; i++) {
-        free(temporary[i]);
-        temporary[i] = NULL;
+    for (size_t i = 0; i < n && i < MOST_OUTPUTS; i++)
+        forget_temporary(&temporary[i]);
+    return ok;
+}
+
+// ---- one file that grows ----
+
+bool os_stream_open(OsStream *s, const char *path, const char **why)
+{
+    s->path = path;
+    s->is_direct = strcmp(path, "-") == 0 || is_special(path);
+    if (s->is_direct) {
+        s->fd = strcmp(path, "-") == 0 ? 1 : open(path, O_WRONLY);
+        return s->fd >= 0 || fails(why);
     }
+    catch_signals(on_signal);
+    atexit(remove_temporaries);
+    s->fd = open_temporary(path, &temporary[STREAM], why);
+    return s->fd >= 0;
+}
+
+bool os_stream_put(OsStream *s, const void *bytes, size_t n, const char **why)
+{
+    return write_all(s->fd, bytes, n, why);
+}
+
+bool os_stream_close(OsStream *s, bool keep, const char **why)
+{
+    bool ok = true;
+
+    if (s->is_direct)
+        return s->fd == 1 || close(s->fd) == 0 || fails(why);
+    ok = close_temporary(s->fd, s->path, true, why);
+    if (ok && keep && rename(temporary[STREAM], s->path) != 0)
+        ok = fails(why);
+    if (!ok || !keep)
+        unlink(temporary[STREAM]);
+    forget_temporary(&temporary[STREAM]);
+    catch_signals(SIG_DFL);
     return ok;
 }
 

@@ -6,178 +6,11 @@
 
 enum { FOLDER_DEPTH_MAX = 40 };       // folders in folders: a link may lead in a circle
 
-static void add_result(TestRun *t, const char *name, TestStatus status, const char *message, int code)
+void test_add_result(TestRun *t, const char *name, TestStatus status, const char *message, int code)
 {
     TestResult r = {name, status, message, code};
 
     vec_push(t->arena, &t->result, r);
-}
-
-// ---- a machine and its scripts ----
-
-typedef struct MachineTest {
-    TestRun *t;
-    Program *p;
-    EngineSet engines;
-    Buf trace, report;        // of the last script
-} MachineTest;
-
-// Prints what the session's diagnostics say and keeps it for the result's message.
-static int report_diagnostics(TestRun *t, const char **text)
-{
-    DiagStyle plain = {false, 20};
-    Buf b;
-
-    buf_init(&b, t->arena);
-    diags_render_text(&t->c->session.diags, &plain, &b);
-    *text = buf_text(&b);
-    return cli_report(t->c);
-}
-
-static int exit_code_of(ScriptOutcome o)
-{
-    switch (o) {
-    case SCRIPT_PASSED: return EXIT_OK;
-    case SCRIPT_FAILED: case SCRIPT_ENDLESS: case SCRIPT_TIME_OVER: return EXIT_PROBLEM;
-    case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: return EXIT_INTERNAL;
-    }
-    return EXIT_INTERNAL;
-}
-
-static void run_script(MachineTest *m, const char *path, const Script *s)
-{
-    TestRun *t = m->t;
-    ScriptOptions o = {t->max_steps, t->c->given[OPT_TRACE] ? &m->trace : NULL, NULL, NULL};
-    ScriptResult r = script_run(t->arena, &t->c->session.diags, s, m->engines.at, m->engines.n, &o);
-    int code = exit_code_of(r.outcome), reported;
-    const char *message;
-
-    script_report(&r, m->p, &m->report);
-    reported = report_diagnostics(t, &message);
-    if (code == EXIT_OK)
-        code = reported;
-    add_result(t, path, code == EXIT_OK ? TEST_PASSED : TEST_FAILED, message, code);
-}
-
-static void test_script(MachineTest *m, const char *path)
-{
-    Source *src = cli_load(m->t->c, path);
-    const char *message;
-    Script *s;
-
-    m->report.n = 0;
-    if (!src) {
-        add_result(m->t, path, TEST_FAILED, "cannot be read", EXIT_ENVIRONMENT);
-        return;
-    }
-    if ((s = session_script(&m->t->c->session, src, m->p)) != NULL) {
-        run_script(m, path, s);
-        return;
-    }
-    report_diagnostics(m->t, &message);
-    add_result(m->t, path, TEST_FAILED, message, EXIT_PROBLEM);
-}
-
-// The locals that the scripts write: the machine is compiled with them as variables.
-static void collect_written(TestRun *t, Map *written)
-{
-    Cli *c = t->c;
-
-    c->session.diags.muted = true;            // a script's own mistakes are reported when it is compiled
-    for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".ss")) {
-            Source *ss = os_is_folder(c->file[i]) ? NULL : cli_load(c, c->file[i]);
-            AstFile *f = ss ? session_parse(&c->session, ss, FILE_SS) : NULL;
-            if (f)
-                script_written_names(f, written);
-        }
-    c->session.diags.muted = false;
-}
-
-static int compile_machine(MachineTest *m, const char *path)
-{
-    Cli *c = m->t->c;
-    Map written = {m->t->arena, NULL, NULL, 0, 0};
-    MachineInput in = {NULL, NULL, &written, option_level(c)};
-
-    if ((in.sm = cli_load(c, path)) == NULL)
-        return EXIT_ENVIRONMENT;
-    if (c->given[OPT_SV] && (in.sv = cli_load(c, c->value[OPT_SV])) == NULL)
-        return EXIT_ENVIRONMENT;
-    collect_written(m->t, &written);
-    m->p = session_program(&c->session, &in);
-    return m->p ? EXIT_OK : EXIT_PROBLEM;
-}
-
-static int open_engines(MachineTest *m)
-{
-    TestRun *t = m->t;
-    unsigned which = t->engines ? t->engines : engines_default();
-
-    if (t->engines == engines_named("all"))
-        which &= engines_present();
-    if (engines_open(&m->engines, &t->c->session, m->p, which, option_level(t->c)))
-        return EXIT_OK;
-    cli_say(t->c, "%s", m->engines.error);
-    return EXIT_ENVIRONMENT;
-}
-
-static bool is_lone_script(const Cli *c) { return c->files == 2; }
-
-static int print_report(MachineTest *m, const char *path)
-{
-    Cli *c = m->t->c;
-    const TestResult *last = &m->t->result.at[m->t->result.n - 1];
-    Buf out;
-
-    buf_init(&out, m->t->arena);
-    if (!is_lone_script(c))
-        buf_printf(&out, "%s:\n", path);
-    buf_put(&out, buf_text(&m->report), m->report.n);
-    if (c->given[OPT_TAP] || m->report.n == 0 || (!is_lone_script(c) && last->status == TEST_PASSED))
-        return EXIT_OK;
-    return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
-}
-
-static int write_trace(MachineTest *m)
-{
-    OsOutput out = {m->t->c->value[OPT_TRACE], buf_text(&m->trace), m->trace.n};
-
-    if (!m->t->c->given[OPT_TRACE])
-        return EXIT_OK;
-    return cli_write(m->t->c, &out, 1) ? EXIT_OK : EXIT_ENVIRONMENT;
-}
-
-static int test_scripts(MachineTest *m)
-{
-    Cli *c = m->t->c;
-    int code = open_engines(m);
-
-    for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
-        if (has_suffix(c->file[i], ".ss")) {
-            test_script(m, c->file[i]);
-            if ((code = print_report(m, c->file[i])) == EXIT_OK)
-                code = write_trace(m);
-        }
-    engines_close(&m->engines);
-    return code;
-}
-
-static int test_machine(TestRun *t, const char *path)
-{
-    MachineTest m = {.t = t};
-    int code, reported;
-
-    buf_init(&m.trace, t->arena);
-    buf_init(&m.report, t->arena);
-    code = compile_machine(&m, path);
-    reported = cli_report(t->c);
-    if (code == EXIT_OK && (code = reported) == EXIT_OK)
-        return test_scripts(&m);
-    for (size_t i = 0; i < t->c->files; i++)
-        if (has_suffix(t->c->file[i], ".ss"))
-            add_result(t, t->c->file[i], TEST_FAILED, "the machine does not compile", code);
-    return EXIT_OK;
 }
 
 // ---- cases and folders ----
@@ -185,7 +18,7 @@ static int test_machine(TestRun *t, const char *path)
 static void refuse_folder(TestRun *t, const char *path, const char *why)
 {
     cli_say(t->c, "cannot read '%s': %s", path, why);
-    add_result(t, path, TEST_FAILED, why, EXIT_ENVIRONMENT);
+    test_add_result(t, path, TEST_FAILED, why, EXIT_ENVIRONMENT);
 }
 
 static void collect(TestRun *t, const char *path, int depth)
@@ -219,7 +52,7 @@ static void collect_argument(TestRun *t, const char *path)
     if (t->path.n + t->result.n > before)
         return;
     cli_say(t->c, "no .smt case is in '%s'", path);
-    add_result(t, path, TEST_FAILED, "no .smt case is in it", EXIT_PROBLEM);
+    test_add_result(t, path, TEST_FAILED, "no .smt case is in it", EXIT_PROBLEM);
 }
 
 // ---- what comes out ----

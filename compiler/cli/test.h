@@ -48,6 +48,11 @@ typedef struct TestRun {      // one call of smc test
     VEC(TestResult) result;
 } TestRun;
 
+void test_add_result(TestRun *t, const char *name, TestStatus status, const char *message, int code);     // cmd_test.c
+
+// Runs every script of the call on the machine `path` and adds a result for each.  EXIT_OK, or what keeps the call from going on.
+int test_machine(TestRun *t, const char *path);                    // test_machine.c
+
 // ---- test_case.c: one .smt file ----
 
 typedef struct TestCase TestCase;
