@@ -199,6 +199,8 @@ install: all $(B)/libsmvm.a $(B)/bytecode-vm/smvm.pc
 	cp compiler/smc.mk $(DEST)/share/smc/smc.mk
 	for f in $(INSTALLED_HEADERS); do cp $$f $(DEST)/include/smc/$$f || exit 1; done
 
+CHECK_LINES += "install: sh tests/install/run.sh $(MAKE) $(B) $(CC)"
+
 uninstall:
 	rm -f $(DEST)/bin/smc $(DEST)/lib/libsmvm.a $(DEST)/lib/pkgconfig/smvm.pc
 	rm -rf $(DEST)/share/smc $(DEST)/include/smc

@@ -1,0 +1,77 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Installs into a scratch folder and uses what is there as its user would: the command, smc.mk in a project of its own, the
+# VM library by pkg-config; then uninstalls and looks for leftovers.    sh tests/install/run.sh MAKE B CC
+make=$1 build=$2 cc=$3
+passed=0 failed=0 skipped=0
+root=$(pwd)
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+inst=$dir/inst/usr
+
+check()     # NAME COMMAND…
+{
+    name=$1
+    shift
+    if "$@" >"$dir/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "install: $name"
+        cat "$dir/log"
+    fi
+}
+
+check "make install" "$make" -s B="$build" CC="$cc" DESTDIR="$dir/inst" PREFIX=/usr install
+check "the command runs" "$inst/bin/smc" --version
+
+# A project that builds a machine both ways with smc.mk.
+mkdir "$dir/project"
+cp examples/tank/tank.sm examples/tank/tank.ss "$dir/project"
+cat >"$dir/project/Makefile" <<EOF
+all: tank.smb tank.o
+SMC = $inst/bin/smc
+tank.o: tank.c tank.h
+include $inst/share/smc/smc.mk
+EOF
+cd "$dir/project" || exit 1
+check "a project builds with smc.mk" "$make" -s CC="$cc"
+check "its image is sound" "$inst/bin/smc" verify tank.smb
+check "nothing is built twice" "$make" -q CC="$cc"
+sleep 1
+touch tank.sm
+check "a changed source is noticed" sh -c "! $make -q CC='$cc'"
+check "and built again" "$make" -s CC="$cc"
+printf 'nonsense\n' >broken.sm
+check "a broken source stops make" sh -c "! $make -s SMC='$inst/bin/smc' broken.smb"
+check "and leaves no output" test ! -e broken.smb
+
+# The VM as a library.
+cat >host.c <<'EOF'
+#include "bytecode-vm/smvm.h"
+
+int main(void)
+{
+    static const uint8_t none[16] = {0};
+    SmvmVerdict why;
+    return smvm_verify(none, sizeof none, &why) != 0 ? 0 : 1;
+}
+EOF
+check "the VM library compiles in" "$cc" -std=c99 -I"$inst/include/smc" host.c -L"$inst/lib" -lsmvm -o host
+check "and runs" ./host
+if command -v pkg-config >/dev/null; then
+    PKG_CONFIG_PATH=$inst/lib/pkgconfig
+    export PKG_CONFIG_PATH
+    check "pkg-config knows smvm" pkg-config --define-prefix --cflags --libs smvm
+    check "and its flags work" sh -c "$cc host.c \$(pkg-config --define-prefix --cflags --libs smvm) -o host2 && ./host2"
+else
+    echo "install: no pkg-config here; apt-get install pkg-config"
+    skipped=$((skipped + 2))
+fi
+
+cd "$root" || exit 1
+check "make uninstall" "$make" -s B="$build" DESTDIR="$dir/inst" PREFIX=/usr uninstall
+check "nothing is left" sh -c "test -z \"\$(find '$dir/inst' -type f)\""
+
+[ "$skipped" -eq 0 ] && echo "install: $passed passed, $failed failed" || echo "install: $passed passed, $failed failed, $skipped skipped"
+[ "$failed" -eq 0 ]
