@@ -144,6 +144,7 @@ static void parse_annotation(Parser *p, const AstSection *s, AstDecl *d)
     a.kind = (AstAnnotationKind)kind;
     a.span = parser_here(p);
     parser_next(p);
+    first = first && !p->tok.first;
     if (annotations[kind].takes_name)
         take_annotation_name(p, &a);
     a.span = parser_since(p, a.span.at);

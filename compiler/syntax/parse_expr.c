@@ -106,7 +106,7 @@ static void parse_arguments(Parser *p, AstExpr *call, Span open)
             break;
         parser_next(p);
         if (p->tok.kind == TOK_RPAREN)
-            vec_push(p->arena, &call->args, missing_value(p));
+            missing_value(p);
     }
     expect_close(p, open);
 }
@@ -123,6 +123,8 @@ static AstExpr *parse_call(Parser *p)
     parser_next(p);
     parse_arguments(p, e, open);
     e->span = parser_since(p, e->span.at);
+    if (p->failed)                                     // how many arguments were meant, nobody knows
+        e->kind = AST_ERROR;
     if (e->depth <= AST_DEPTH_MAX)
         return e;
     return too_deep(p, e->op_span);
