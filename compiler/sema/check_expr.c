@@ -218,15 +218,24 @@ static Expr *check_pure(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
     return check_args(s, e->args.at, fn->arguments, out->arg) ? out : NULL;
 }
 
+// An argument that the parser could not read: there may have been more, or fewer.
+static bool is_broken(const AstExpr *e)
+{
+    for (size_t i = 0; i < e->args.n; i++)
+        if (e->args.at[i]->kind == AST_ERROR)
+            return true;
+    return false;
+}
+
 static Expr *check_call(Sema *s, const AstExpr *e)
 {
     const SmBuiltinInfo *fn = scope_find_function(s, e->name);
 
     if (fn && e->args.n == fn->arguments)
         return fn->is_roll ? check_roll(s, e, fn) : check_pure(s, e, fn);
-    if (fn)
+    if (fn && !is_broken(e))
         report_argument_count(s, e, fn);
-    else
+    else if (!fn)
         scope_report_unknown_function(s, e->name, e->op_span);
     if (s->at == PLACE_STEP)                    // mistakes of their own; but what is allowed depends on the function
         for (size_t i = 0; i < e->args.n; i++)
