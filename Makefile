@@ -211,6 +211,7 @@ help:
 	@echo 'make test T=FILE     runs some conformance cases on every engine'
 	@echo 'make diff N=100000   runs so many random programs on all engines, from seed SEED=1, in J=2 processes'
 	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'
+	@echo 'make docs            makes docs/diagnostics.md'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
 	@echo 'make clean           removes $(B)'
 
@@ -262,6 +263,16 @@ $(B)/clauses/memory: tests/clauses/memory.c $(B)/clauses/probe.c $(B)/libsmc.a
 check: $(CLAUSE_TESTS) $(B)/clauses/probe.smb
 CHECK_LINES += "clauses-steps: $(B)/clauses/steps" "clauses-memory: $(B)/clauses/memory $(B)/clauses/probe.smb" \
                "clauses-regions: $(B)/clauses/regions"
+
+# docs/diagnostics.md is made from codes.def; the copy that is kept must be the one that would be made.
+$(B)/diagnostics: tests/check/diagnostics.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $< -o $@ $(B)/libsmc.a
+docs: $(B)/diagnostics
+	$(B)/diagnostics >docs/diagnostics.md
+check: $(B)/diagnostics
+CHECK_LINES += "diagnostics: $(B)/diagnostics docs/diagnostics.md"
+.PHONY: docs
 
 # Every clause of docs/language.md has a case, every case names clauses that exist.
 check-clauses:

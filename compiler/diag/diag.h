@@ -89,4 +89,7 @@ void diags_render_json(const Diags *d, Buf *out);
 // The row whose id (or warning name) is `id`, upper or lower case; NULL if there is none.
 const DiagInfo *diag_find(const char *id);
 
+// All rows with their pages: docs/diagnostics.md.
+void diags_write_markdown(Buf *out);
+
 #endif
