@@ -98,6 +98,8 @@ update-golden: all $(B)/golden
 
 # tests/script: what the script engine does and reports.
 CHECK_LINES += "script: $(B)/smc test tests/script"
+check: $(B)/fuzz/script
+CHECK_LINES += "fuzz-script: $(B)/fuzz/script -n 2000 $(wildcard conformance/0[678]*/*.smt tests/script/*.smt)"
 
 # tests/fuzz: targets that must survive any input; seeds/NAME/ holds what each starts from.
 $(B)/fuzz/%: tests/fuzz/%.c tests/fuzz/driver.c $(B)/libsmc.a

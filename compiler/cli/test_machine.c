@@ -160,7 +160,7 @@ static int open_engines(MachineTest *m)
     if (engines_open(&m->engines, &t->c->session, m->p, which, option_level(t->c)))
         return EXIT_OK;
     cli_say(t->c, "%s", m->engines.error);
-    return EXIT_ENVIRONMENT;
+    return cli_report(t->c) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // an image may be too large
 }
 
 static bool is_lone_script(const Cli *c) { return c->files == 2; }

@@ -9,7 +9,8 @@
 //     .step
 //         x = nosuch      #! E0204 unknown element
 //
-// A header line is a key and, behind blanks, its value; `#` starts a comment line.  A part's text is all that stands
+// A header line is a key and, behind blanks, its value; `#` starts a comment line.  The keys and what they mean are the
+// reader's business, but for `expect pass|fail|error` and `steps N`, which are read here.  A part's text is all that stands
 // between its `-- NAME --` line and the next, byte for byte.
 #ifndef SMC_TESTFILE_H
 #define SMC_TESTFILE_H

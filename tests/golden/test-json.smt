@@ -1,0 +1,21 @@
+# Diagnostics of a run as JSON.
+args test --message-format=json a.sm bad.ss >/dev/null
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+bool open
+[Idle]
+.step
+    open = true
+-- bad.ss --
+[options]
+delta_t 10
+[all_states]
+G == 20: @assert not open
+G == 30: @stop
+-- stderr --
+{"severity":"error","code":"E0750","message":"assert does not hold after step 3 (G = 20, state Idle)","file":"bad.ss","line":4,"column":18,"endLine":4,"endColumn":26,"label":"open = true","notes":[],"edits":[]}
+-- exit --
+1
