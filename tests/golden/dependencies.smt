@@ -1,5 +1,5 @@
 # -MD writes a make rule beside the output.
-args build -MD --sv=v.sv a.sm && cat a.d
+args build -MD --sv=v.sv a.sm
 
 -- v.sv --
 [Valves]
@@ -17,5 +17,5 @@ bool open
 [Idle]
 .step
     open = true
--- stdout --
+-- file a.d --
 a.smb: a.sm v.sv

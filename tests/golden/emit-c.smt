@@ -13,3 +13,7 @@ bool open
 a.c
 a.h
 a.sm
+-- file a.h --
+...
+AStatus a_step(A *m, ASv *sv);
+...

@@ -1,4 +1,4 @@
-# A trace that cannot be written; the one that was there stays.
+# A trace that cannot be written.
 args test --trace=nowhere/t.txt a.sm a.ss
 
 -- a.sm --
