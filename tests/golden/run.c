@@ -224,7 +224,7 @@ static void run_commands(Golden *g)
         if (strcmp(h->key, "args") != 0)
             continue;
         buf_printf(&g->zeros, "%s0", g->zeros.n ? " " : "");
-        buf_printf(&g->codes, "%s%d", g->codes.n ? " " : "", shell(format_in(&g->arena, "cd '%s' && SMC='%s' && { \"$SMC\" %s; } <.in >>.out 2>>.err", g->folder,
+        buf_printf(&g->codes, "%s%d", g->codes.n ? " " : "", shell(format_in(&g->arena, "ROOT=$PWD; cd '%s' && SMC='%s' && { \"$SMC\" %s; } <.in >>.out 2>>.err", g->folder,
                                                                         g->smc, h->value)));
     }
 }
