@@ -191,6 +191,7 @@ static uint32_t report_byte(Lexer *l, uint32_t at)
 
 static void end_line(Lexer *l)
 {
+    l->parens = 0;
     l->first = true;
     l->line_start = ++l->at;
 }
@@ -473,12 +474,24 @@ static void report_foreign(Lexer *l, Token *t, const Sign *s)
 static void lex_sign(Lexer *l, Token *t, const Sign *s)
 {
     finish(l, t, s->kind, l->at + (uint32_t)s->len);
+    l->parens += t->kind == TOK_LPAREN;
+    l->parens -= t->kind == TOK_RPAREN && l->parens > 0;
     if (s->native)
         report_foreign(l, t, s);
     if (s->label) {
         Diag *d = diag_report(l->diags, DIAG_absent_operator, span_at(l, t->at, t->len), s->spelling);
         diag_label(l->diags, d, DIAG_label_text, s->label);
     }
+}
+
+// f(a; b)
+static void semicolon_for_comma(Lexer *l, Token *t)
+{
+    Diag *d = diag_report(l->diags, DIAG_foreign_operator, span_at(l, l->at, 1), ";", ",");
+
+    diag_label(l->diags, d, DIAG_label_write, ",");
+    diag_edit(l->diags, d, span_at(l, l->at, 1), ",");
+    finish(l, t, TOK_COMMA, l->at + 1);
 }
 
 // ; ends nothing here; what follows it is taken as if it stood on a line of its own.
@@ -495,6 +508,16 @@ static void skip_semicolon(Lexer *l)
         diag_label(l->diags, d, DIAG_label_leave_out);
         diag_edit(l->diags, d, span, "");
     }
+}
+
+// c ? a : b of other languages; what follows belongs to it.
+static void skip_choice(Lexer *l)
+{
+    Diag *d = diag_report(l->diags, DIAG_absent_operator, span_at(l, l->at, 1), "?");
+
+    diag_label(l->diags, d, DIAG_label_text, "write it as if ...: x = a, and on the next line else: x = b");
+    while (l->at < l->src->len && !strchr("\n#}", l->src->text[l->at] ? l->src->text[l->at] : 'x'))
+        l->at++;
 }
 
 // What looks like a sign is taken for it; a blank, or a byte that is not UTF-8, is skipped.
@@ -565,8 +588,12 @@ static bool lex_one(Lexer *l, Token *t)
         lex_prefixed(l, t, TOK_ANNOTATION);
     else if (c == '/' && (byte_at(l, l->at + 1) == '/' || byte_at(l, l->at + 1) == '*'))
         return foreign_comment(l), false;
+    else if (c == ';' && l->parens > 0)
+        semicolon_for_comma(l, t);
     else if (c == ';')
         return skip_semicolon(l), false;
+    else if (c == '?')
+        return skip_choice(l), false;
     else if ((s = find_sign(l)) != NULL)
         lex_sign(l, t, s);
     else

@@ -44,6 +44,7 @@ typedef struct Lexer {
     bool keep_comments;       // give them as tokens
     bool no_comment_end;      // there is no */ any more
     TokenKind last;           // kind of the token given last
+    uint32_t parens;          // opened on this line and still open
 } Lexer;
 
 void lex_init(Lexer *l, Arena *arena, StrPool *strings, Diags *diags, const Source *src);

@@ -156,8 +156,7 @@ static AstExpr *missing_value(Parser *p)
         return e;
     d = parser_fail(p, DIAG_expected_value, p->tok.first ? parser_gap(p) : parser_here(p),
                     parser_text(p, parser_span(p, &p->last)), parser_found(p));
-    if (p->tok.first && p->tok.kind != TOK_END && p->last.kind != TOK_ASSIGN)
-        diag_label(p->diags, d, DIAG_label_line_break);
+    slip_missing_value(p, d);
     return e;
 }
 

@@ -35,8 +35,7 @@ static void replace_word(Parser *p, const char *native, TokenKind kind)
 
 void slip_prefix(Parser *p)
 {
-    if (is_word(&p->tok, "not") && begins_value(&p->ahead) && p->ahead.kind != TOK_LPAREN &&
-        (p->parens || !p->ahead.first))
+    if (is_word(&p->tok, "not") && begins_value(&p->ahead) && (p->parens || !p->ahead.first))
         replace_word(p, "not", TOK_NOT);
 }
 
@@ -123,6 +122,44 @@ void slip_equality_chain(Parser *p, const AstExpr *e)
                          sm_op_info[e->op].spelling, parser_text(p, e->b->span)));
 }
 
+static bool is_comparison(TokenKind k)
+{
+    return k == TOK_LT || k == TOK_LE || k == TOK_GT || k == TOK_GE || k == TOK_EQ || k == TOK_NE;
+}
+
+// The rest of the line, up to a comment, holds a : or a {.
+static bool guard_on_line(const Parser *p)
+{
+    const Source *s = p->lex.src;
+
+    for (uint32_t i = p->tok.at; i < s->len && s->text[i] != '\n' && s->text[i] != '#'; i++)
+        if (s->text[i] == ':' || s->text[i] == '{' || s->text[i] == '}')
+            return true;
+    return false;
+}
+
+// The line ended with an operator, and the next one looks like what should follow it: it has been spoken of then.
+static void skip_continuation(Parser *p)
+{
+    while (begins_value(&p->tok) && p->ahead.kind != TOK_ASSIGN && !guard_on_line(p)) {
+        parser_next(p);
+        while (!p->tok.first)
+            parser_next(p);
+        if (p->last.kind != TOK_AND && p->last.kind != TOK_OR && p->last.kind != TOK_PLUS && p->last.kind != TOK_MINUS)
+            break;
+    }
+}
+
+void slip_missing_value(Parser *p, Diag *d)
+{
+    if (p->tok.first && p->tok.kind != TOK_END && p->last.kind != TOK_ASSIGN) {
+        diag_label(p->diags, d, DIAG_label_line_break);
+        skip_continuation(p);
+    } else if ((p->last.kind == TOK_AND || p->last.kind == TOK_OR) && is_comparison(p->tok.kind)) {
+        diag_label(p->diags, d, DIAG_label_repeat_name, parser_text(p, parser_here(p)));
+    }
+}
+
 // ---- where a statement should end ----
 
 // 3,14
@@ -147,6 +184,14 @@ static bool unit_after_number(const Parser *p)
     return p->last.kind == TOK_NUMBER && p->tok.kind == TOK_NAME && (p->ahead.first || p->ahead.kind == TOK_COLON);
 }
 
+static bool is_function(const Token *t)
+{
+    for (int i = 0; i < SM_FN_COUNT; i++)
+        if (t->kind == TOK_NAME && strcmp(t->text->text, sm_builtin_info[i].name) == 0)
+            return true;
+    return false;
+}
+
 void slip_at_end(Parser *p)
 {
     Diag *d;
@@ -168,9 +213,25 @@ void slip_at_end(Parser *p)
         diag_label(p->diags, d, DIAG_label_else_after_if);
     else if (unit_after_number(p))
         diag_label(p->diags, d, DIAG_label_no_unit);
+    else if (p->tok.kind == TOK_IF)
+        diag_label(p->diags, d, DIAG_label_condition_first);
+    else if (is_function(&p->last) && begins_value(&p->tok))
+        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s(...)", p->last.text->text));
 }
 
 // ---- expressions that stand alone ----
+
+// T > 5 s: ...
+static bool unit_in_guard(Parser *p)
+{
+    if (p->last.kind != TOK_NUMBER || p->tok.kind != TOK_NAME ||
+        (p->ahead.kind != TOK_COLON && p->ahead.kind != TOK_LBRACE))
+        return false;
+    diag_label(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
+               DIAG_label_no_unit);
+    p->failed = true;
+    return true;
+}
 
 // `then` and `do`.
 static void colon_word(Parser *p)
@@ -200,23 +261,14 @@ static bool missing_colon(Parser *p)
         colon_word(p);
         return true;
     }
+    if (unit_in_guard(p))
+        return true;
     if (p->tok.kind != TOK_ARROW && p->tok.kind != TOK_NAME && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_IF)
         return false;
     d = parser_report(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
     diag_label(p->diags, d, DIAG_label_insert_colon);
     diag_edit(p->diags, d, parser_gap(p), ":");
     return true;
-}
-
-// The rest of the line holds a : or a {, so that what stands before it is a guard.
-static bool guard_on_line(const Parser *p)
-{
-    const Source *s = p->lex.src;
-
-    for (uint32_t i = p->tok.at; i < s->len && s->text[i] != '\n' && s->text[i] != '#'; i++)
-        if (s->text[i] == ':' || s->text[i] == '{')
-            return true;
-    return false;
 }
 
 static void assign_to_expression(Parser *p, const AstExpr *e)
@@ -250,7 +302,12 @@ static void no_effect(Parser *p, const AstExpr *e)
 // Two names in a row: prose, or something of another language.
 static void no_statement(Parser *p, AstExpr *e)
 {
-    parser_fail(p, DIAG_no_statement, e->span, e->name->text);
+    Diag *d = parser_fail(p, DIAG_no_statement, e->span, e->name->text);
+
+    if (is_word(&p->tok, "between"))
+        diag_label(p->diags, d, DIAG_label_text, format_in(p->arena, "write 3 <= %s <= 5", e->name->text));
+    else
+        diag_label(p->diags, d, DIAG_label_statements);
     e->kind = AST_ERROR;
 }
 
@@ -286,6 +343,31 @@ void slip_colon(Parser *p, const AstExpr *guard, Span colon)
     d = parser_report(p, DIAG_colon_line_break, colon, guard ? "the condition" : "'else'", parser_found(p));
     diag_label(p->diags, d, DIAG_label_statement_here);
     diag_note(p->diags, d, (Span){0}, DIAG_note_write_braces, before);
+}
+
+// x: = 1
+void slip_colon_assign(Parser *p, const AstExpr *guard, Span colon)
+{
+    Diag *d = parser_fail(p, DIAG_expected_statement, parser_here(p), "'='");
+
+    if (guard && guard->kind == AST_NAME) {
+        diag_label(p->diags, d, DIAG_label_store, format_in(p->arena, "%s = ...", guard->name->text));
+        diag_edit(p->diags, d, colon, "");
+    }
+}
+
+// -> [Idle]
+bool slip_bracketed_state(Parser *p)
+{
+    Diag *d;
+
+    if (p->tok.kind != TOK_HEADER || p->tok.first)
+        return false;
+    d = parser_report(p, DIAG_transition_without_state, parser_here(p), parser_describe(p, &p->tok));
+    diag_label(p->diags, d, DIAG_label_write, p->tok.text->text);
+    diag_edit(p->diags, d, parser_here(p), p->tok.text->text);
+    parser_next(p);
+    return true;
 }
 
 void slip_else(Parser *p)
@@ -349,6 +431,19 @@ static void misplaced_decl(Parser *p)
     parser_fail(p, DIAG_decl_in_state, parser_here(p));
 }
 
+// goto Idle, go to Idle, transition to Idle
+static void replace_arrow(Parser *p)
+{
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+    uint32_t at = p->tok.at;
+
+    if (is_word(&p->ahead, "to") && !p->ahead.first)
+        parser_next(p);
+    diag_label(p->diags, d, DIAG_label_write, "->");
+    diag_edit(p->diags, d, (Span){p->lex.src, at, p->tok.at + p->tok.len - at}, "->");
+    p->tok.kind = TOK_ARROW;
+}
+
 static bool apply_slip(Parser *p, SlipDoes does, const char *say)
 {
     Diag *d;
@@ -356,7 +451,7 @@ static bool apply_slip(Parser *p, SlipDoes does, const char *say)
     switch (does) {
     case SLIP_IF:    replace_word(p, say, TOK_IF); return false;
     case SLIP_ELSE:  replace_word(p, say, TOK_ELSE); p->lost_body = true; return false;
-    case SLIP_ARROW: replace_word(p, say, TOK_ARROW); return false;
+    case SLIP_ARROW: replace_arrow(p); return false;
     case SLIP_DROP:  break;
     case SLIP_SKIP:
         d = parser_fail(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);

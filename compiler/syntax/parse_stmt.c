@@ -181,6 +181,8 @@ static void parse_transition(Parser *p, AstStmts *into)
         return;
     }
     s->kind = AST_STMT_ERROR;
+    if (slip_bracketed_state(p))
+        return;
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
     parser_fail(p, DIAG_transition_without_state, p->tok.first ? parser_gap(p) : parser_here(p), parser_found(p));
@@ -260,7 +262,9 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
         parse_braces(p, into, span);
         return;
     }
-    if (p->tok.first || p->tok.kind == TOK_ELSE || parser_at_end_of_block(p))
+    if (p->tok.kind == TOK_ASSIGN && !p->tok.first)
+        slip_colon_assign(p, s->value, colon);
+    else if (p->tok.first || p->tok.kind == TOK_ELSE || parser_at_end_of_block(p))
         missing_statement(p, s, colon, into);
     else
         parse_statement(p, into);

@@ -68,6 +68,7 @@ void skip_line(Parser *p);                              // to the next line, hea
 void slip_prefix(Parser *p);                            // NOT x
 void slip_infix(Parser *p);                             // x AND y, x = y in a guard
 bool slip_unit_step(Parser *p);                         // x++ where a value is missing; true when reported
+void slip_missing_value(Parser *p, Diag *d);            // adds to the message that a value is missing here
 bool slip_decimal_comma(Parser *p);                     // 3,14 at the comma; true when reported
 void slip_after_name(Parser *p, AstExpr *name);   // tank.pressure, a[3]
 void slip_equality_chain(Parser *p, const AstExpr *e);  // a == b == c
@@ -78,6 +79,8 @@ void slip_expression(Parser *p, AstExpr *e, bool has_if);
 void slip_op_assign(Parser *p, Span name);              // x += 1, at the sign
 // Nothing stands behind the colon of a guard, or of `else` (guard is NULL).
 void slip_colon(Parser *p, const AstExpr *guard, Span colon);
+void slip_colon_assign(Parser *p, const AstExpr *guard, Span colon);      // x: = 1, at the =
+bool slip_bracketed_state(Parser *p);                   // -> [Idle] at the bracket; true when reported
 void slip_else(Parser *p);                              // neither : nor { nor if behind `else`
 // What comes begins no statement, though it looks like one of another language.  Reports it and returns true, or false.
 bool slip_statement(Parser *p);

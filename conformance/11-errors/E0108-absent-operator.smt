@@ -12,3 +12,4 @@ F64 p
     x = p ^ 2       #! E0108 x * x
     x = p % 2       #! E0108 floor
     x = p << 2      #! E0108 multiply
+    x = p > 1 ? 2 : 3   #! E0108 else:

@@ -16,4 +16,5 @@ F64 p
     set x = 3                   #! E0329 leave it out
     x = NOT p                   #! E0329 write not
     p is 3: x = p               #! E0329 write ==
+    x = NOT(p)                  #! E0329 write not
     goto Hold                   #! E0329 write ->

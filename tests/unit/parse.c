@@ -146,7 +146,9 @@ static void test_recovery(void)
         {"a: , x = 1", "E0341"}, {"x = a = b", "E0330"}, {"f(x) = 1", "E0325"}, {"a: b: c", "E0327"}, {"a:: x = 1", "E0341"},
         {"x = a b c d", "E0330"}, {"@assert a\n@stop\n@foo", "E0339 E0339 E0340"}, {"x = 1,\ny = 2", "E0330"}, {"* x\n) = 1\n, a", "E0341 E0341 E0341"},
         {"x == 1\nx != 1: y = 2", "E0327"}, {"x = = 1", "E0312"}, {"x = 1 = 2", "E0330"}, {"(x) = 1", "E0325"}, {"a { x = 1 ) }", "E0314"},
-        {"x++\ny--", "E0326 E0326"}, {"x = a ? b : c", "E0105 E0330"}, {"x = 'a' + 1", "E0106"}, {"if a then\nx = 1\nend", "E0329 E0329"}};
+        {"x++\ny--", "E0326 E0326"}, {"x = a +\n  b and\n  c\ny = *", "E0312 E0312"}, {"x = a +\ny = 1\nz = *", "E0312 E0312"},
+        {"x = a or\nb: y = 1\nz = *", "E0312 E0312"}, {"go to B\ny = 1", "E0329"}, {"-> [B]\ny = 1", "E0323"}, {"x: = 1", "E0341"},
+        {"x = f(a; b)", "E0107"}, {"T > 5 s: x = 1", "E0330"}, {"a < 5 and > 3: x = 1", "E0312"}, {"-> A if x", "E0330"}, {"x = a ? b : c\ny = 1", "E0108"}, {"x = 'a' + 1", "E0106"}, {"if a then\nx = 1\nend", "E0329 E0329"}};
     char text[256];
 
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -226,6 +228,7 @@ static void test_edits(void)
     repaired("a = 5: goto A", "a == 5: -> A");
     repaired("NOT a AND b: set x = 1", "not a and b: x = 1");
     repaired("x = a \xe2\x88\x92\xc2\xa0" "b\na \xe2\x89\xa5 b: x = 1", "x = a - b\na >= b: x = 1");
+    repaired("x = max(a; b)\nNOT(a): go to B\n-> [B]\nx: = 1", "x = max(a, b)\nnot(a): -> B\n-> B\nx = 1");
     repaired("[ B ]\n.exit: x = 1\nentry:\nx = 2", "[B]\n.exit x = 1\n.entry\nx = 2");
 }
 
