@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: Apache-2.0
+// What may be wrong with characters, numbers and signs: reported here, and the nearest sensible token given.
+#include <string.h>
+
+#include "compiler/base/utf8.h"
+#include "compiler/syntax/lexer.h"
+
+// Characters that word processors and mathematics put where ASCII has a sign.
+static const struct { uint32_t code; const char *ascii; TokenKind kind; } lookalikes[] = {
+    {0xa0, " ", TOK_END}, {0x2007, " ", TOK_END}, {0x2009, " ", TOK_END}, {0x202f, " ", TOK_END},
+    {0x2010, "-", TOK_MINUS}, {0x2011, "-", TOK_MINUS}, {0x2012, "-", TOK_MINUS}, {0x2013, "-", TOK_MINUS},
+    {0x2014, "-", TOK_MINUS}, {0x2212, "-", TOK_MINUS}, {0xd7, "*", TOK_STAR}, {0xb7, "*", TOK_STAR},
+    {0x22c5, "*", TOK_STAR}, {0x2217, "*", TOK_STAR}, {0xf7, "/", TOK_SLASH}, {0x2044, "/", TOK_SLASH},
+    {0x2215, "/", TOK_SLASH}, {0x2264, "<=", TOK_LE}, {0x2a7d, "<=", TOK_LE}, {0x2265, ">=", TOK_GE},
+    {0x2a7e, ">=", TOK_GE}, {0x2260, "!=", TOK_NE}, {0x2192, "->", TOK_ARROW}, {0x21d2, "->", TOK_ARROW},
+    {0xac, "!", TOK_BANG}, {0x2227, " and ", TOK_AND}, {0x2228, " or ", TOK_OR}, {0xff1a, ":", TOK_COLON},
+    {0x2236, ":", TOK_COLON}, {0xff1d, "=", TOK_ASSIGN}, {0xff08, "(", TOK_LPAREN}, {0xff09, ")", TOK_RPAREN}};
+
+enum { NO_LOOKALIKE = sizeof lookalikes / sizeof *lookalikes };
+
+const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end)
+{
+    const uint32_t most = 40;
+
+    return format_in(l->diags->arena, "%.*s%s", (int)(end - at < most ? end - at : most), l->src->text + at,
+                     end - at > most ? "..." : "");
+}
+
+// ---- characters that have no place ----
+
+// One report a line will do: what follows on it is mostly of the same kind.
+static bool first_on_line(Lexer *l)
+{
+    bool first = l->reported_line != l->line_start + 1;
+
+    l->reported_line = l->line_start + 1;
+    return first;
+}
+
+void lex_slip_control(Lexer *l, uint32_t at)
+{
+    unsigned char c = (unsigned char)l->src->text[at];
+    Diag *d;
+
+    if (!first_on_line(l))
+        return;
+    d = diag_report(l->diags, DIAG_control_character, lexer_span(l, at, 1), format_in(l->diags->arena, "0x%02X", c));
+    if (c == '\r')
+        diag_label(l->diags, d, DIAG_label_carriage_return);
+}
+
+static size_t lookalike_of(uint32_t code)
+{
+    size_t i = 0;
+
+    while (i < NO_LOOKALIKE && lookalikes[i].code != code)
+        i++;
+    return i;
+}
+
+static bool is_quote(uint32_t code)
+{
+    return code == '"' || code == '\'' || (code >= 0x2018 && code <= 0x201f) || code == 0xab || code == 0xbb;
+}
+
+static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
+{
+    const char *shown = utf8_is_hidden(code) || code == 0xa0 ? format_in(l->diags->arena, "U+%04X", (unsigned)code)
+                                                              : lexer_text(l, at, at + len);
+    size_t like = lookalike_of(code);
+    const char *ascii = like < NO_LOOKALIKE ? lookalikes[like].ascii : NULL;
+    Diag *d;
+
+    if (!ascii && !first_on_line(l))
+        return;
+    d = diag_report(l->diags, DIAG_not_ascii, lexer_span(l, at, len), shown);
+    if (!ascii)
+        return;
+    if (*ascii == ' ' && !ascii[1])
+        diag_label(l->diags, d, DIAG_label_plain_blank);
+    else
+        diag_label(l->diags, d, DIAG_label_write, ascii);
+    diag_edit(l->diags, d, lexer_span(l, at, len), ascii);
+}
+
+// Reports what stands at `at` and is neither ASCII nor, in a comment, UTF-8.  Returns its length.
+uint32_t lex_slip_byte(Lexer *l, uint32_t at)
+{
+    uint32_t code = 0;
+    size_t len = utf8_decode(l->src->text + at, l->src->len - at, &code);
+
+    if (len > 0) {
+        report_non_ascii(l, at, (uint32_t)len, code);
+        return (uint32_t)len;
+    }
+    if (first_on_line(l))
+        diag_report(l->diags, DIAG_not_utf8, lexer_span(l, at, 1),
+                    format_in(l->diags->arena, "0x%02X", (unsigned)(unsigned char)l->src->text[at]));
+    return 1;
+}
+
+// Characters that turn the direction of writing can make a reviewer see another text than the compiler.
+static bool turns_direction(uint32_t code)
+{
+    return (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+}
+
+uint32_t lex_slip_comment_byte(Lexer *l, uint32_t at)
+{
+    uint32_t code = 0;
+    size_t len = utf8_decode(l->src->text + at, l->src->len - at, &code);
+
+    if (len == 0)
+        return lex_slip_byte(l, at);
+    if (turns_direction(code) && first_on_line(l))
+        diag_report(l->diags, DIAG_hidden_direction, lexer_span(l, at, (uint32_t)len),
+                    format_in(l->diags->arena, "U+%04X", (unsigned)code));
+    return (uint32_t)len;
+}
+
+// The letter of another alphabet at p, if there is one: its length.
+size_t lex_slip_letter(const Lexer *l, uint32_t p)
+{
+    uint32_t code = 0;
+    size_t len = utf8_decode(l->src->text + p, l->src->len - p, &code);
+
+    return len > 1 && lookalike_of(code) == NO_LOOKALIKE && !is_quote(code) && !utf8_is_hidden(code) ? len : 0;
+}
+
+// ---- comments, numbers, headers ----
+
+// `// …` and `/* … */` of other languages.
+void lex_slip_comment(Lexer *l)
+{
+    uint32_t at = l->at, p = at + 2;
+    Diag *d = diag_report(l->diags, DIAG_foreign_comment, lexer_span(l, at, 2), lexer_text(l, at, p));
+
+    diag_label(l->diags, d, DIAG_label_comment);
+    if (l->src->text[at + 1] == '*' && !l->no_comment_end) {
+        while (p + 1 < l->src->len && !(l->src->text[p] == '*' && l->src->text[p + 1] == '/'))
+            p++;
+        l->no_comment_end = p + 1 >= l->src->len;
+        for (; !l->no_comment_end && l->at < p + 2; )
+            if (l->src->text[l->at] == '\n')
+                lexer_end_line(l);
+            else
+                l->at++;
+    }
+    if (l->at == at) {
+        diag_edit(l->diags, d, lexer_span(l, at, 2), "#");
+        lexer_skip_comment(l);
+    }
+}
+
+// The number at..end runs on: 5psi, 1__0, 0x, 1e, 1.2.3.  Reports it; returns where it stops.
+uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
+{
+    uint32_t stop = lexer_skip_word(l, end);
+    char c = lexer_byte(l, end), before = lexer_byte(l, end - 1);
+    const char *whole;
+
+    while (lexer_byte(l, stop) == '.' && lexer_is_word(lexer_byte(l, stop + 1)))
+        stop = lexer_skip_word(l, stop + 1);
+    whole = lexer_text(l, at, stop);
+    if (c == '_' || (before == '_' && is_digit(c)))
+        diag_report(l->diags, DIAG_number_underscore, lexer_span(l, end, 1), whole);
+    else if (c == '.')
+        diag_report(l->diags, DIAG_number_point, lexer_span(l, at, stop - at), whole);
+    else if (lexer_is_hex_prefix(l, at) && end == at + 1)
+        diag_report(l->diags, DIAG_number_incomplete, lexer_span(l, at, stop - at), whole, "a hexadecimal digit", "0x");
+    else if ((c | 0x20) == 'e' && end + 1 == stop)
+        diag_report(l->diags, DIAG_number_incomplete, lexer_span(l, at, stop - at), whole, "a digit",
+                    lexer_text(l, end, end + 1));
+    else
+        diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end),
+                    lexer_text(l, end, stop));
+    return stop;
+}
+
+void lex_slip_header(Lexer *l, uint32_t from, uint32_t end, Str name)
+{
+    Span whole = lexer_span(l, l->at, end + 1 - l->at);
+    Diag *d = diag_report(l->diags, DIAG_header_name, lexer_span(l, from, end - from), lexer_text(l, l->at, end + 1));
+
+    if (lex_is_header_name(name->text, name->len)) {
+        const char *fixed = format_in(l->diags->arena, "[%s]", name->text);
+        diag_label(l->diags, d, DIAG_label_write, fixed);
+        diag_edit(l->diags, d, whole, fixed);
+    }
+}
+
+// ---- signs ----
+
+static bool begins_statement(const Lexer *l, const Token *t)
+{
+    return t->first || l->last == TOK_COLON || l->last == TOK_LBRACE || l->last == TOK_LABEL || l->last == TOK_HEADER;
+}
+
+static void report_foreign(Lexer *l, Token *t, const char *spelling, const char *native)
+{
+    bool arrow = strcmp(spelling, "=>") == 0 && begins_statement(l, t), blank;
+    Diag *d;
+
+    if (arrow) {
+        native = "->";
+        t->kind = TOK_ARROW;
+    }
+    blank = is_letter(*native);
+    d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, t->at, t->len), spelling, native);
+    diag_label(l->diags, d, DIAG_label_write, native);
+    diag_edit(l->diags, d, lexer_span(l, t->at, t->len),
+              format_in(l->diags->arena, "%s%s%s", blank && t->at && lexer_is_word(l->src->text[t->at - 1]) ? " " : "",
+                        native, blank && lexer_is_word(lexer_byte(l, t->at + t->len)) ? " " : ""));
+}
+
+void lex_slip_sign(Lexer *l, Token *t, const char *spelling, const char *native, const char *label)
+{
+    if (native) {
+        report_foreign(l, t, spelling, native);
+    } else if (label) {
+        Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling);
+        diag_label(l->diags, d, DIAG_label_text, label);
+    }
+}
+
+// f(a; b)
+static void semicolon_for_comma(Lexer *l, Token *t)
+{
+    Diag *d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, l->at, 1), ";", ",");
+
+    diag_label(l->diags, d, DIAG_label_write, ",");
+    diag_edit(l->diags, d, lexer_span(l, l->at, 1), ",");
+    lexer_finish(l, t, TOK_COMMA, l->at + 1);
+}
+
+// ; ends nothing here; what follows it is taken as if it stood on a line of its own.
+static void skip_semicolon(Lexer *l)
+{
+    Span span = lexer_span(l, l->at, 1);
+    Diag *d = diag_report(l->diags, DIAG_semicolon, span);
+
+    l->at++;
+    l->first = true;
+    while (lexer_byte(l, l->at) == ' ' || lexer_byte(l, l->at) == '\t' || lexer_byte(l, l->at) == '\r')
+        l->at++;
+    if (lexer_byte(l, l->at) == '\n' || lexer_byte(l, l->at) == '#' || l->at == l->src->len) {
+        diag_label(l->diags, d, DIAG_label_leave_out);
+        diag_edit(l->diags, d, span, "");
+    }
+}
+
+bool lex_slip_semicolon(Lexer *l, Token *t)
+{
+    if (l->parens == 0) {
+        skip_semicolon(l);
+        return false;
+    }
+    semicolon_for_comma(l, t);
+    return true;
+}
+
+// c ? a : b of other languages; what follows belongs to it.
+void lex_slip_choice(Lexer *l)
+{
+    Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, l->at, 1), "?");
+
+    diag_label(l->diags, d, DIAG_label_text, "write it as if ...: x = a, and on the next line else: x = b");
+    while (l->at < l->src->len && !strchr("\n#}", l->src->text[l->at] ? l->src->text[l->at] : 'x'))
+        l->at++;
+}
+
+// ---- what begins no token ----
+
+// Text in quotes, to the closing one or the end of the line.
+static void lex_string(Lexer *l, Token *t, uint32_t quote_len)
+{
+    uint32_t p = l->at + quote_len, code, len;
+
+    while (p < l->src->len && l->src->text[p] != '\n') {
+        len = (uint32_t)utf8_decode(l->src->text + p, l->src->len - p, &code);
+        p += len ? len : 1;
+        if (len && is_quote(code))
+            break;
+    }
+    if (first_on_line(l))
+        diag_report(l->diags, DIAG_string, lexer_span(l, l->at, p - l->at));
+    lexer_finish(l, t, TOK_ERROR, p);
+}
+
+// What looks like a sign is taken for it; a blank, or a byte that is not UTF-8, is skipped.
+static bool lex_lookalike(Lexer *l, Token *t, uint32_t code)
+{
+    size_t like = lookalike_of(code);
+    uint32_t len = lex_slip_byte(l, l->at);
+
+    if (like == NO_LOOKALIKE || lookalikes[like].kind == TOK_END) {
+        l->at += len;
+        return false;
+    }
+    lexer_finish(l, t, lookalikes[like].kind, l->at + len);
+    return true;
+}
+
+// Something that begins no token.  True if it gave one all the same.
+bool lex_slip_stray(Lexer *l, Token *t)
+{
+    unsigned char c = (unsigned char)l->src->text[l->at];
+    uint32_t code = c;
+    size_t len = utf8_decode(l->src->text + l->at, l->src->len - l->at, &code);
+
+    if (len && is_quote(code)) {
+        lex_string(l, t, (uint32_t)len);
+        return true;
+    }
+    if (lex_slip_letter(l, l->at)) {
+        lexer_word(l, t);
+        return true;
+    }
+    if (c >= 0x80)
+        return lex_lookalike(l, t, code);
+    if (c < 0x20 || c == 0x7f)
+        lex_slip_control(l, l->at);
+    else if (first_on_line(l))
+        diag_report(l->diags, DIAG_stray_character, lexer_span(l, l->at, 1), lexer_text(l, l->at, l->at + 1));
+    l->at++;
+    return false;
+}
+
+// What is no text is not read: one message, not one for every byte of it.
+const char *lex_slip_no_text(const Source *s)
+{
+    uint32_t n = s->len < 512 ? s->len : 512, controls = 0;
+
+    if (s->len >= 2 && (memcmp(s->text, "\xff\xfe", 2) == 0 || memcmp(s->text, "\xfe\xff", 2) == 0))
+        return "UTF-16";
+    for (uint32_t i = 0; i < n; i++)
+        controls += (unsigned char)s->text[i] < 0x20 && !strchr("\t\n\r\f", s->text[i] ? s->text[i] : '?');
+    return controls > 4 && controls > n / 10 ? "binary data" : NULL;
+}
+

@@ -1,0 +1,12 @@
+spec 1.2   A comment may hold any text; what makes it look like another draws a warning.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+F64 p
+[Hold]
+.step
+    x = p   # ‮ p = x        #! W0101 U+202E
+    x = 1   # אב
