@@ -378,6 +378,8 @@ static void put_body(CFn *fn)
 {
     fn->body.n = fn->declarations.n = 0;
     fn->values = 0;
+    for (size_t i = 0; i < fn->f->ins.n; i++)
+        fn->ins[i].variable = NULL;
     put_tree(fn, 0, fn->returns_state ? IR_NONE : fn->flow.n - 1);
 }
 
