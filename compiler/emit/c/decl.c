@@ -25,38 +25,54 @@ const char *c_type_of(SmType type)
 
 // ---- the state vector ----
 
-static void put_padding(Buf *out, uint32_t from, uint32_t to)
+static void put_padding(Arena *a, Buf *out, uint32_t from, uint32_t to)
 {
     if (from < to)
-        buf_printf(out, "    uint8_t  pad_at_%u_[%u];\n", from, to - from);
+        buf_printf(out, "    uint8_t  %s[%u];\n", c_padding_name(a, from), (unsigned)(to - from));
 }
 
-static void put_element(const CElement *e, Buf *out)
+// `type name;` and what there is to say about it, in columns.
+static void put_member(Buf *out, const char *type, const char *name, const char *comment)
 {
-    // C's bool may have any size, and storing another byte than 0 or 1 in it is undefined.
-    buf_printf(out, "    %-8s %s;", e->type == SM_BOOL ? "uint8_t" : c_type_of(e->type), e->member);
-    if (e->type == SM_BOOL)
-        buf_str(out, "    // bool: 0 is false, anything else true");
-    else if (strcmp(e->member, e->name->text) != 0)
-        buf_printf(out, "    // %s", e->name->text);
+    const size_t start = out->n;
+
+    buf_printf(out, "    %-8s %s;", type, name);
+    if (*comment) {
+        buf_spaces(out, out->n - start < 38 ? 38 - (out->n - start) : 2);
+        buf_printf(out, "// %s", comment);
+    }
     buf_char(out, '\n');
 }
 
-static void put_vector_members(const CVector *sv, Buf *out)
+// The name in the source where C does not allow it.
+static const char *source_name(const char *member, Str name) { return strcmp(member, name->text) != 0 ? name->text : ""; }
+
+static void put_element(Arena *a, const CElement *e, Buf *out)
+{
+    const char *name = source_name(e->member, e->name);
+
+    // C's bool may have any size, and reading another byte than 0 or 1 from it is undefined.
+    if (e->type == SM_BOOL)
+        put_member(out, "uint8_t", e->member, *name ? format_in(a, "bool %s", name) : "bool");
+    else
+        put_member(out, c_type_of(e->type), e->member, name);
+}
+
+static void put_vector_members(Arena *a, const CVector *sv, Buf *out)
 {
     uint32_t at = 0;
     Str region = NULL;
 
     for (size_t i = 0; i < sv->n; i++) {
         const CElement *e = &sv->at[i];
-        put_padding(out, at, e->offset);
+        put_padding(a, out, at, e->offset);
         if (sv->shared && e->region != region)
             buf_printf(out, "%s    // [%s]\n", i ? "\n" : "", e->region->text);
         region = e->region;
-        put_element(e, out);
+        put_element(a, e, out);
         at = e->offset + sm_type_info[e->type].bytes;
     }
-    put_padding(out, at, sv->size);
+    put_padding(a, out, at, sv->size);
 }
 
 static void put_vector_comment(const CVector *sv, Buf *out)
@@ -66,7 +82,8 @@ static void put_vector_comment(const CVector *sv, Buf *out)
                         "// ", sv->name);
     else
         buf_printf(out, "// The state vector: what the machine reads and writes.\n// ");
-    buf_str(out, "The layout is the same on every target: nothing is hidden between the members.\n");
+    buf_str(out, "The layout is the same on every target: nothing is hidden between the members.  A bool is a byte: 0 is false,\n"
+                 "// anything else true.\n");
 }
 
 void put_vector_struct(const CUnit *u, Buf *out)
@@ -76,7 +93,7 @@ void put_vector_struct(const CUnit *u, Buf *out)
     put_vector_comment(&u->sv, out);
     buf_printf(out, "#if !defined(%s_LAYOUT)\n#define %s_LAYOUT 0x%08xu\n", n->sv_macro, n->sv_macro, u->sv.hash);
     buf_printf(out, "typedef struct %s {\n", n->sv_type);
-    put_vector_members(&u->sv, out);
+    put_vector_members(u->arena, &u->sv, out);
     buf_printf(out, "} %s;\n\n", n->sv_type);
     buf_printf(out, "// Does not compile where the compiler puts gaps between members or has other sizes.\n"
                     "typedef char %s_layout_check[sizeof(%s) == %u ? 1 : -1];\n", n->sv_type, n->sv_type, u->sv.size);
@@ -104,8 +121,10 @@ static void put_states(const CUnit *u, Buf *out)
 
     buf_printf(out, "// States by number.  The first is where the machine starts if you have no reason to choose another.\n"
                     "enum {\n");
-    for (size_t i = 0; i < states; i++)
-        buf_printf(out, "    %s_STATE_%s = %u,\n", n->macro, n->state[i], (unsigned)i + 1);
+    for (size_t i = 0; i < states; i++) {
+        const char *name = source_name(n->state[i], u->m->state.at[i].name);
+        buf_printf(out, "    %s_STATE_%s = %u,%s%s\n", n->macro, n->state[i], (unsigned)i + 1, *name ? "     // " : "", name);
+    }
     buf_printf(out, "    %s_INITIAL_STATE = 1,\n    %s_STATES = %u      // how many there are\n};\n", n->macro, n->macro,
                (unsigned)states);
 }
@@ -130,27 +149,17 @@ static void put_local(const CUnit *u, size_t v, Buf *out)
 {
     const IrVar *var = &u->m->var.at[v];
 
-    buf_printf(out, "    %-8s %s;", c_type_of(var->type), u->names.var[v]);
-    if (strcmp(u->names.var[v], var->name->text) != 0)
-        buf_printf(out, "    // %s", var->name->text);
-    buf_char(out, '\n');
-}
-
-// What was asked of the window, as the source says it: `roll_avg(x, 10)`.
-static void put_window_comment(const IrWindow *w, Buf *out)
-{
-    buf_printf(out, w->size == 1 ? "    // the last sample\n" : "    // the last %u samples\n", w->size);
+    put_member(out, c_type_of(var->type), u->names.var[v], source_name(u->names.var[v], var->name));
 }
 
 static void put_window(const CUnit *u, size_t w, Buf *out)
 {
     const IrWindow *win = &u->m->window.at[w];
 
-    buf_printf(out, "    SmRoll   %s;", u->window[w]);
-    put_window_comment(win, out);
-    buf_printf(out, "    double   %s_slot_[%u];\n", u->window[w], win->size);
+    put_member(out, "SmRoll", u->window[w], win->size == 1 ? "the last sample" : format_in(u->arena, "the last %u samples", (unsigned)win->size));
+    buf_printf(out, "    double   %s_slot_[%u];\n", u->window[w], (unsigned)win->size);
     if (win->stats & 1u << SM_STAT_MEDIAN)
-        buf_printf(out, "    double   %s_sorted_[%u];\n", u->window[w], win->size);
+        buf_printf(out, "    double   %s_sorted_[%u];\n", u->window[w], (unsigned)win->size);
 }
 
 static bool has_locals(const IrMachine *m)
@@ -167,13 +176,13 @@ static void put_machine_struct(const CUnit *u, Buf *out)
 
     buf_printf(out, "// The machine.  Copying it copies the machine; its members are for reading, and those that end in an underscore are\n"
                     "// its own business.\ntypedef struct %s {\n", u->names.type);
-    buf_printf(out, "    uint32_t state_;        // what the next step runs; 0 before init\n"
-                    "    bool     first_;        // the next step is the state's first\n"
-                    "    bool     ran_;          // a step has run since init\n"
-                    "    uint64_t start_;        // time of the state's first step\n"
-                    "    uint64_t last_;         // time of the last step that ran\n"
-                    "    uint64_t T;             // time in the state, as of the last step\n");
-    buf_printf(out, "    %sStored stored;\n", u->names.type);
+    put_member(out, "uint32_t", "state_", "what the next step runs; 0 before init");
+    put_member(out, "bool", "first_", "the next step is the state's first");
+    put_member(out, "bool", "ran_", "a step has run since init");
+    put_member(out, "uint64_t", "start_", "time of the state's first step");
+    put_member(out, "uint64_t", "last_", "time of the last step that ran");
+    put_member(out, "uint64_t", "T", "time in the state, as of the last step");
+    put_member(out, format_in(u->arena, "%sStored", u->names.type), "stored", "what that step stored");
     if (has_locals(m))
         buf_str(out, "\n    // [local]\n");
     for (size_t v = 0; v < m->var.n; v++)

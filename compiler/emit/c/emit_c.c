@@ -98,7 +98,7 @@ void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const
 
 static void put_header_start(const char *macro, Buf *out)
 {
-    buf_printf(out, "#ifndef %s_H\n#define %s_H\n\n#include <stdbool.h>\n#include <stdint.h>\n\n", macro, macro);
+    buf_printf(out, "#ifndef %s_H_INCLUDED\n#define %s_H_INCLUDED\n\n#include <stdbool.h>\n#include <stdint.h>\n\n", macro, macro);
     buf_str(out, "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
 }
 

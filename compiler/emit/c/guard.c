@@ -28,6 +28,7 @@ static const char guards[] =
     "// a * b + c is two operations, each rounded.\n"
     "#if defined(__clang__)\n"
     "#pragma STDC FP_CONTRACT OFF\n"
+    "#pragma clang diagnostic ignored \"-Wtautological-compare\"   // conditions are as their author wrote them\n"
     "#elif defined(__GNUC__)\n"
     "#pragma GCC optimize (\"fp-contract=off\")\n"
     "#elif defined(_MSC_VER)\n"

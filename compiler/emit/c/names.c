@@ -14,8 +14,17 @@ static const char *const reserved[] = {
 #undef R
 };
 
+static bool ends_with(const char *name, const char *end)
+{
+    const size_t n = strlen(name), e = strlen(end);
+
+    return n >= e && strcmp(name + n - e, end) == 0;
+}
+
 bool c_is_reserved(const char *name)
 {
+    if (ends_with(name, "_H_INCLUDED") || ends_with(name, "_SV_LAYOUT"))
+        return true;                                  // the emitted headers' own
     for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
         if (name[0] == reserved[i][0] && strcmp(name, reserved[i]) == 0)
             return true;
@@ -124,6 +133,21 @@ static void take_all(NameSet *s, const char **name, const char **member, size_t 
 
 // ---- the names of a unit ----
 
+// The bytes between elements have names too: `pad_at_12_`.
+static void take_padding(NameSet *s, const CVector *sv)
+{
+    uint32_t at = 0;
+
+    for (size_t i = 0; i <= sv->n; i++) {
+        if (i == sv->n || sv->at[i].offset != at)
+            set_take(s, c_padding_name(s->arena, at));
+        if (i < sv->n)
+            at = sv->at[i].offset + sm_type_info[sv->at[i].type].bytes;
+    }
+}
+
+const char *c_padding_name(Arena *arena, uint32_t at) { return format_in(arena, "pad_at_%u_", (unsigned)at); }
+
 void names_elements(Arena *arena, CNames *names, CVector *sv)
 {
     const char **name = ARENA_ARRAY(arena, const char *, sv->n), **member = ARENA_ARRAY(arena, const char *, sv->n);
@@ -131,8 +155,7 @@ void names_elements(Arena *arena, CNames *names, CVector *sv)
 
     set_init(&s, arena);
     set_take(&s, names->sv_type);                     // C++ wants no member of its struct's name
-    set_take(&s, names->sv_macro);
-    set_take(&s, format_in(arena, "%s_LAYOUT", names->sv_macro));
+    take_padding(&s, sv);
     for (size_t i = 0; i < sv->n; i++)
         name[i] = sv->at[i].name->text;
     take_all(&s, name, member, sv->n);
@@ -154,7 +177,6 @@ static void take_own_members(NameSet *s, const CNames *n)
     set_take(s, n->sv_type);
     set_take(s, format_in(s->arena, "%sStored", n->type));
     set_take(s, format_in(s->arena, "%sStatus", n->type));
-    set_take(s, format_in(s->arena, "%s_H", n->macro));
 }
 
 static void name_variables(CUnit *u)

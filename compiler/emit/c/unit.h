@@ -68,6 +68,7 @@ const char *c_macro_name(Arena *arena, const char *prefix);
 // Whether a member or variable of that name would not compile as C99 or C++11 with the usual headers.
 bool c_is_reserved(const char *name);
 void names_init(CUnit *u, const char *prefix);
+const char *c_padding_name(Arena *arena, uint32_t at);
 // The members of the vector's elements; sv_type must be set.
 void names_elements(Arena *arena, CNames *names, CVector *sv);
 

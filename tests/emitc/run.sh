@@ -1,0 +1,215 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Emitted C under many compilers and options: it compiles without a warning, runs as the reference does or refuses to, and
+# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [use]     (all when none is named)
+smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+shift
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+passed=0 failed=0 skipped=0
+dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-emitc.XXXXXX") || exit 1
+trap 'rm -rf "$dir"' EXIT
+trap 'exit 130' INT TERM
+strict="-pedantic -Wall -Wextra -Wconversion -Wshadow"
+
+pass() { passed=$((passed + 1)); }
+fail() { failed=$((failed + 1)); echo "$1"; [ -f "$dir/log" ] && head -8 "$dir/log"; }
+present() { command -v "$1" >/dev/null 2>&1; }
+
+# try COMPILER FUNCTION ARGUMENTS…: calls the function with the compiler command behind the arguments
+try() {
+    compiler=$1
+    shift
+    if present "${compiler%% *}"; then
+        "$@" "$compiler"
+    else
+        skipped=$((skipped + 1))
+    fi
+}
+
+every_compiler() {
+    for each in "gcc -std=c99" "gcc -std=gnu17 -O2" "clang-19 -std=c99 -O1" "clang-19 -std=gnu17" "tcc" "g++ -x c++ -std=c++11 -O1" \
+                "clang++-19 -x c++ -std=c++11"; do
+        try "$each" "$@"
+    done
+}
+
+# For what takes long: those that differ most.
+few_compilers() {
+    for each in "gcc -std=c99" "clang++-19 -x c++ -std=c++11" "tcc"; do
+        try "$each" "$@"
+    done
+}
+
+# ---- matrix: no warning, whatever the machine ----
+
+compile_one() {
+    rm -f "$dir/log"
+    if $2 $strict -c "$dir/$1.c" -o "$dir/$1.o" >"$dir/log" 2>&1 && [ ! -s "$dir/log" ]; then
+        pass
+    else
+        fail "$1: $2 has something to say"
+    fi
+}
+
+# compile_machine COMPILERS NAME ARGUMENTS…: emits and compiles it with all of them
+compile_machine() {
+    compilers=$1 name=$2
+    shift 2
+    if "$smc" build -w "$@" --emit=c -o "$dir/$name.c" >"$dir/log" 2>&1; then
+        $compilers compile_one "$name"
+    else
+        fail "$name: not compiled"
+    fi
+}
+
+# A thousand conditionals in one another, a sum of two thousand, a chain of else-ifs, a thousand states.
+make_large() {
+    awk 'BEGIN {
+        print "[state_vector]\nU64 G\nU32 S\nF64 x\nF64 y\n[A]\n.step"
+        for (i = 0; i < 1000; i++) printf "%*sx > %d {\n", i % 60, "", i
+        print "y = 1"
+        for (i = 999; i >= 0; i--) print i % 3 ? "}" : "} else { y = y + " i " }"
+    }' >"$dir/nested.sm"
+    awk 'BEGIN {
+        print "[state_vector]\nU64 G\nU32 S\nF64 x\nF64 y\nbool b\n[A]\n.step\ny = x"
+        for (i = 0; i < 900; i++) s = s " + x * " i
+        print "y = x" s
+        s = "x"
+        for (i = 0; i < 900; i++) s = "(" s (i % 2 ? " - " : " / ") "y)"
+        print "y = " s
+        s = "x"
+        for (i = 0; i < 400; i++) s = "(" i + 1 " - " s ")"
+        print "x = " s
+        s = "b"
+        for (i = 0; i < 400; i++) s = "(x > " i (i % 2 ? " or " : " and ") "not " s ")"
+        print "b = " s
+        s = "x"
+        for (i = 0; i < 300; i++) s = "max(y, min(x, " s "))"
+        print "y = " s
+    }' >"$dir/deep.sm"
+    awk 'BEGIN {
+        print "[state_vector]\nU64 G\nU32 S\nF64 x\nF64 y\n[A]\n.step\nif x == 0: y = 0"
+        for (i = 1; i < 1000; i++) print "else if x == " i ": y = " i * 7
+        print "else: -> A"
+    }' >"$dir/chain.sm"
+    awk 'BEGIN {
+        print "[state_vector]\nU64 G\nU32 S\nF64 x"
+        for (i = 0; i < 1000; i++) print "[S" i "]\n.entry\nx = " i "\n.step\nT > " i ": -> S" (i * 7 + 1) % 1000 "\n.exit\nx = x + 1"
+    }' >"$dir/states.sm"
+}
+
+matrix() {
+    for machine in "$root"/examples/*/*.sm "$here"/machines/*.sm; do
+        name=$(basename "$machine" .sm)
+        sv=$(ls "$(dirname "$machine")"/*.sv 2>/dev/null | head -1)
+        case $machine in
+        */machines/valve.sm | */machines/pump.sm) compile_machine every_compiler "$name" "$machine" --sv "$sv" ;;
+        */machines/*) compile_machine every_compiler "$name" "$machine" ;;
+        *) compile_machine every_compiler "$name" "$machine" ${sv:+--sv "$sv"} ;;
+        esac
+        if [ "$machine" = "$here/machines/arithmetic.sm" ]; then
+            compile_machine every_compiler arithmetic0 -O0 "$machine"
+        fi
+    done
+    compile_machine every_compiler bus "$here/machines/bus.sv"
+    make_large
+    for name in nested deep chain states; do
+        compile_machine few_compilers $name "$dir/$name.sm"
+    done
+    run_large
+}
+
+# The large ones also run as they should.
+run_large() {
+    printf '[options]\ndelta_t 1\n[all_states]\ntrue: x = x * 3 - T * 700 + G\nG == 300: @stop\n' >"$dir/large.ss"
+    for name in nested deep chain states; do
+        if "$smc" test -w "$dir/$name.sm" "$dir/large.ss" --engine=all >"$dir/out" 2>"$dir/log"; then pass; else fail "$name: not as the reference"; fi
+    done
+}
+
+# ---- flags: the reference's bits, or nothing ----
+
+run_on_all() {      # MACHINE COMPILER: exit code of a run in lock step
+    CC=$2 "$smc" test "$here/machines/$1.sm" "$here/machines/$1.ss" --engine=all >"$dir/out" 2>"$dir/log"
+}
+
+knows() {           # COMPILER OPTIONS: whether it takes them at all
+    echo 'int main(void) { return 0; }' >"$dir/empty.c"
+    $1 $2 "$dir/empty.c" -o "$dir/empty" >"$dir/log" 2>&1 && [ ! -s "$dir/log" ]
+}
+
+try_flags() {       # WANT OPTIONS COMPILER
+    run_on_all arithmetic "$3 $2"
+    code=$?
+    result=different
+    [ $code -eq 0 ] && result=same
+    [ $code -eq 3 ] && grep -q 'this code needs\|constants_are_double\|it does not start' "$dir/log" && result=refused
+    case $1-$result in
+    same-same | refused-refused | either-same | either-refused) pass ;;
+    *) fail "$3 $2: $result, wanted $1" ;;
+    esac
+}
+
+flags() {
+    for compiler in gcc clang-19; do
+        if ! present $compiler; then
+            skipped=$((skipped + 1))
+            continue
+        fi
+        while read -r want options; do
+            case $want in
+            '#' | '') continue ;;
+            fma) grep -q ' fma .* avx2 ' /proc/cpuinfo 2>/dev/null || continue
+                 want=${options%% *} options=${options#* } ;;
+            esac
+            options=$(echo $options)
+            case $options in
+            *fpack-struct*) ;;                        # warns of itself
+            *) knows $compiler "$options" || continue ;;
+            esac
+            try_flags "$want" "$options" $compiler
+        done <"$here/flags.txt"
+    done
+    if present tcc; then
+        try_flags same "" tcc
+    else
+        skipped=$((skipped + 1))
+    fi
+    run_on_all names "${CC:-cc}"
+    if [ $? -eq 0 ]; then pass; else fail "names: not as the reference"; fi
+}
+
+# ---- use: programs around machines ----
+
+build_and_run() {   # PROGRAM SOURCES COMPILER
+    if $3 $strict -I"$dir" -o "$dir/$1" $2 -lm >"$dir/log" 2>&1 && [ ! -s "$dir/log" ] && "$dir/$1" >"$dir/log" 2>&1; then
+        pass
+    else
+        fail "$1: $3"
+    fi
+}
+
+use() {
+    for m in valve pump; do
+        "$smc" build -w "$here/machines/$m.sm" --sv "$here/machines/bus.sv" --emit=c -o "$dir/$m.c" >"$dir/log" 2>&1
+    done
+    "$smc" build "$here/machines/bus.sv" --emit=c -o "$dir/bus.c" >"$dir/log" 2>&1
+    "$smc" build -w "$here/machines/arithmetic.sm" --emit=c -o "$dir/arithmetic.c" >"$dir/log" 2>&1
+    every_compiler build_and_run two_machines "$here/two_machines.c $dir/valve.c $dir/pump.c $dir/bus.c"
+    for compiler in gcc clang-19; do
+        if present $compiler; then
+            build_and_run modes "$here/modes.c $dir/arithmetic.c" "$compiler -O2 -frounding-math"
+            compile_one valve "$compiler -std=c99 -ffreestanding"
+            compile_one valve "$compiler -x c++ -std=c++11 -fno-exceptions -fno-rtti"
+        else
+            skipped=$((skipped + 1))
+        fi
+    done
+}
+
+for part in ${*:-matrix flags use}; do
+    $part
+done
+echo "emitc: $passed passed, $failed failed, $skipped skipped"
+[ $failed -eq 0 ]
