@@ -158,6 +158,18 @@ check: $(B)/diff/difftest
 CHECK_LINES += "diff: $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check" \
                "diff-c: $(B)/diff/difftest --count=50 --cc='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c"
 
+# tests/emitc: emitted C under every compiler that is here, under options that touch arithmetic, in programs that use it; and
+# control flow that no source has.
+ENGINE_C_OBJ = $(patsubst %.c,$(B)/obj/%.o,compiler/device/engine_c.c $(wildcard compiler/base/os_*.c))
+$(B)/emitc/flow: tests/emitc/flow.c $(ENGINE_C_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -o $@ $^
+
+check: $(B)/emitc/flow
+CHECK_LINES += "emitc: sh tests/emitc/run.sh $(B)/smc" "emitc-flow: $(B)/emitc/flow 100"
+check-emitc: all $(B)/emitc/flow
+	sh tests/emitc/run.sh $(B)/smc && $(B)/emitc/flow
+
 # Coverage-guided, with clang: `make fuzz FUZZ=script FUZZ_SECONDS=3600`.  What it found goes on from where it stopped.
 FUZZ         ?= $(notdir $(basename $(filter-out tests/fuzz/driver.c,$(wildcard tests/fuzz/*.c))))
 FUZZ_SECONDS ?= 60
@@ -283,5 +295,5 @@ check-clauses:
 CHECK_LINES += "check-clauses: $(MAKE) -s --no-print-directory check-clauses"
 .PHONY: check-clauses
 
-.PHONY: $(HOUSE_RULES) all check check-ir check-golden check-mutate update-golden test fuzz install uninstall help clean
+.PHONY: $(HOUSE_RULES) all check check-emitc check-ir check-golden check-mutate update-golden test fuzz install uninstall help clean
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
