@@ -87,7 +87,7 @@ typedef struct Gen {
     bool with_sv;                     // the elements stand in a .sv of their own
     uint32_t regions;
     const char *region_name[GEN_REGIONS_MAX];
-    const char *machine_name;         // the file's stem
+    const char *machine_name, *old_machine_name;      // the file's stem
     VEC(GVar *) var;                  // in order of declaration; var.at[0] is G, var.at[1] is S, wherever they stand
     VEC(GVar *) order;                // the elements as the machine lists them, then the locals
     VEC(GVar *) sv_order;             // the elements as the .sv declares them

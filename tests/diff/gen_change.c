@@ -31,6 +31,8 @@ static void add_dead_state(Gen *g)
 static void remember(Gen *g)
 {
     g->old_layout = g->layout;
+    g->old_machine_name = g->machine_name;
+    g->machine_name = "changed";
     for (size_t i = 0; i < g->var.n; i++) {
         g->var.at[i]->old_name = g->var.at[i]->name;
         g->var.at[i]->old_alias = g->var.at[i]->alias;
@@ -42,6 +44,7 @@ static void remember(Gen *g)
 void gen_change_back(Gen *g)
 {
     g->layout = g->old_layout;
+    g->machine_name = g->old_machine_name;
     g->state.n = g->states;
     for (size_t i = 0; i < g->var.n; i++) {
         g->var.at[i]->name = g->var.at[i]->old_name;

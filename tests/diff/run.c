@@ -33,16 +33,21 @@ static void add_lane(Lanes *l, Subject *s, Engine *e)
     engine_step_init(&lane->answer, &s->session.arena, s->program);
 }
 
-static const char *add_vm(Lanes *l, Subject *s, int opt_level)
+// The VM on the last of the machines of an image; the others stand before it.
+static const char *add_vm(Lanes *l, Subject *s, const RunOptions *o, const Subject *before)
 {
     const ImageOptions options = { .debug = true };      // the engine finds locals by name
     const char *error = "no image";
-    IrMachine *m = session_ir(&s->session, s->program, opt_level);
+    IrMachine *m[2];
     Buf image;
+    uint32_t n = 0;
     buf_init(&image, &s->session.arena);
-    if (m == NULL || !session_image(&s->session, &m, 1, &options, &image))
+    if (before != NULL)
+        m[n++] = session_ir(&s->session, before->program, o->opt_level);
+    m[n++] = session_ir(&s->session, s->program, o->opt_level);
+    if (m[0] == NULL || m[n - 1] == NULL || !session_image(&s->session, m, n, &options, &image))
         return "the compiler makes no image";
-    Engine *e = engine_vm_open(&s->session.arena, s->program, (const uint8_t *)image.at, image.n, 0, &error);
+    Engine *e = engine_vm_open(&s->session.arena, s->program, (const uint8_t *)image.at, image.n, n - 1, &error);
     if (e == NULL)
         return error;
     add_lane(l, s, e);
@@ -123,18 +128,21 @@ RunOptions run_options_of(uint64_t seed)
     };
 }
 
-static const char *open_lanes(Lanes *l, Subject *s, const RunOptions *o, bool twice)
+static const char *open_lanes(Lanes *l, Subject *s, const RunOptions *o, const Subject *before)
 {
     add_lane(l, s, engine_ref_open(&s->session.arena, s->program));
-    return o->vm && !twice ? add_vm(l, s, o->opt_level) : NULL;
+    return o->vm ? add_vm(l, s, o, before) : NULL;
 }
 
-static const char *open_changed(Lanes *l, Subject *s, Gen *g, const RunOptions *o, Arena *arena)
+// The changed program; where the state vector is still the same, as second machine in an image with the first.
+static const char *open_changed(Lanes *l, Subject *s, Subject *plain, Gen *g, const RunOptions *o, Arena *arena)
 {
     gen_change(g, o->what);
     const char *error = subject_compile(s, g, arena);
     gen_change_back(g);
-    return error != NULL ? error : open_lanes(l, s, o, true);
+    if (error != NULL)
+        return error;
+    return open_lanes(l, s, o, g->with_sv && o->what != CHANGE_NAMES ? plain : NULL);
 }
 
 static void close_all(Lanes *l, Subject *a, Subject *b)
@@ -156,10 +164,10 @@ RunResult run_case(Gen *g, const RunOptions *o, Arena *arena)
     memset(&watch, 0, sizeof watch);
     r.message = subject_compile(&plain, g, arena);
     if (r.message == NULL)
-        r.message = open_lanes(&lanes, &plain, o, false);
+        r.message = open_lanes(&lanes, &plain, o, NULL);
     const bool more = r.message == NULL && o->change;
     if (more)
-        r.message = open_changed(&lanes, &changed, g, o, arena);
+        r.message = open_changed(&lanes, &changed, &plain, g, o, arena);
     if (r.message == NULL)
         r = run_lanes(&lanes, g, arena);
     else
