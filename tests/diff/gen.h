@@ -111,6 +111,8 @@ void gen_plan_time(Gen *g);           // fills `now`
 
 void gen_print_sv(Gen *g, Buf *out);
 void gen_print_sm(Gen *g, Buf *out);
+// A machine that works the initial values out in its first step, by assignments.
+void gen_print_inits(Gen *g, Buf *out);
 
 // ---- inputs ----
 

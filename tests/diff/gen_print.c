@@ -362,6 +362,23 @@ void gen_print_sm(Gen *g, Buf *out)
             print_state(&p, g->state.at[i]);
 }
 
+void gen_print_inits(Gen *g, Buf *out)
+{
+    Printer p;
+    start(&p, g, out, 2);
+    put(&p, "[state_vector]\nU64 G\nU32 S\n[local]\n");
+    for (size_t i = 0; i < g->var.n; i++)
+        if (g->var.at[i]->is_local && !g->var.at[i]->removed)
+            buf_printf(out, "%s %s = 0\n", sm_type_info[g->var.at[i]->type].spelling, g->var.at[i]->name);
+    put(&p, "[Only]\n.entry\n");
+    for (size_t i = 0; i < g->var.n; i++)
+        if (g->var.at[i]->is_local && !g->var.at[i]->removed) {
+            buf_printf(out, "%s = ", g->var.at[i]->name);
+            print_expr(&p, g->var.at[i]->init, 1);
+            line_end(&p);
+        }
+}
+
 void gen_print_sv(Gen *g, Buf *out)
 {
     Printer p;

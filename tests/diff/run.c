@@ -118,13 +118,46 @@ static RunResult run_lanes(Lanes *l, const Gen *g, Arena *arena)
     return r;
 }
 
+// ---- initial values ----
+
+// What the compiler worked out must be what the reference gives for the same expressions.
+static const char *compare_inits(const Subject *plain, const Subject *s, const Gen *g, const EngineStep *after, Arena *arena)
+{
+    for (size_t i = 0; i < g->var.n; i++) {
+        const GVar *v = g->var.at[i];
+        if (!v->is_local || v->removed)
+            continue;
+        const uint64_t compiled = plain->program->var.at[plain->index[v->id]]->init, run = after->cell[s->index[v->id]];
+        if (compiled != run)
+            return format_in(arena, "initial value of %s: the compiler has 0x%llx, ref has 0x%llx", v->name,
+                             (unsigned long long)compiled, (unsigned long long)run);
+    }
+    return NULL;
+}
+
+static const char *check_inits(const Subject *plain, Gen *g, Arena *arena)
+{
+    static Subject s;
+    EngineStep after;
+    const char *error = subject_compile_inits(&s, g, arena);
+    if (error == NULL) {
+        Engine *e = engine_ref_open(&s.session.arena, s.program);
+        engine_step_init(&after, &s.session.arena, s.program);
+        e->init(e, 1, &after);
+        e->step(e, NULL, 0, &after);
+        error = compare_inits(plain, &s, g, &after, arena);
+    }
+    subject_free(&s);
+    return error;
+}
+
 // ---- the case ----
 
 RunOptions run_options_of(uint64_t seed)
 {
     const uint64_t r = rng_mix(seed, 9);
     return (RunOptions){
-        .opt_level = (int)(r % 3), .vm = true, .change = r / 3 % 4 == 0, .what = (GChange)(r / 12 % CHANGE_COUNT),
+        .opt_level = (int)(r % 3), .vm = true, .change = r / 3 % 4 == 0, .inits = r / 3 % 4 == 1, .what = (GChange)(r / 12 % CHANGE_COUNT),
     };
 }
 
@@ -173,6 +206,8 @@ RunResult run_case(Gen *g, const RunOptions *o, Arena *arena)
     else
         r.message = format_in(arena, "%s", r.message);        // out of the session, which ends here
     note_watch(&r.met);
+    if (r.verdict == VERDICT_SAME && o->inits && (r.message = check_inits(&plain, g, arena)) != NULL)
+        r.verdict = VERDICT_DIFFERENT;
     close_all(&lanes, &plain, more ? &changed : NULL);
     return r;
 }

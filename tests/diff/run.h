@@ -21,6 +21,7 @@ typedef struct RunOptions {
     int opt_level;            // of the image
     bool vm;                  // run the VM
     bool change;              // compare with a changed program, too
+    bool inits;               // work the initial values out a second time, when running
     GChange what;
     const char *cc;           // NULL, or a C compiler's command: the emitted C is run instead of the VM …
     const char *folder;       // … and this is where its files go

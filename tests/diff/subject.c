@@ -49,6 +49,24 @@ static void locate_vars(Subject *s, const Gen *g)
     }
 }
 
+static const char *complaints(const Session *s, Arena *arena)
+{
+    Buf text;
+    const DiagStyle style = { false, 3 };
+    buf_init(&text, arena);
+    diags_render_text(&s->diags, &style, &text);
+    return buf_text(&text);
+}
+
+static const char *compile(Subject *s, const Gen *g, const MachineInput *in, Arena *arena)
+{
+    s->program = session_program(&s->session, in);
+    if (s->program == NULL)
+        return complaints(&s->session, arena);
+    locate_vars(s, g);
+    return NULL;
+}
+
 const char *subject_compile(Subject *s, Gen *g, Arena *arena)
 {
     Buf sm, sv;
@@ -63,16 +81,18 @@ const char *subject_compile(Subject *s, Gen *g, Arena *arena)
         in.sv = source_of(&s->session, "bus.sv", &sv);
     }
     in.written_outside = written_outside(&s->session, g);
-    s->program = session_program(&s->session, &in);
-    if (s->program == NULL) {
-        Buf text;
-        const DiagStyle style = { false, 3 };
-        buf_init(&text, arena);
-        diags_render_text(&s->session.diags, &style, &text);
-        return buf_text(&text);
-    }
-    locate_vars(s, g);
-    return NULL;
+    return compile(s, g, &in, arena);
+}
+
+const char *subject_compile_inits(Subject *s, Gen *g, Arena *arena)
+{
+    Buf sm;
+    MachineInput in = { 0 };
+    session_init(&s->session, heap, NULL, &out_of_memory);
+    buf_init(&sm, &s->session.arena);
+    gen_print_inits(g, &sm);
+    in.sm = source_of(&s->session, "inits.sm", &sm);
+    return compile(s, g, &in, arena);
 }
 
 uint32_t subject_writes(const Subject *s, const Gen *g, uint32_t k, EngineWrite *out)

@@ -15,6 +15,8 @@ typedef struct Subject {
 
 // NULL, or what the compiler has to say against it (in `arena`).  subject_free in both cases.
 const char *subject_compile(Subject *s, Gen *g, Arena *arena);
+// The machine of gen_print_inits.
+const char *subject_compile_inits(Subject *s, Gen *g, Arena *arena);
 void subject_free(Subject *s);
 
 // What is written before step k; gives how many.
