@@ -89,6 +89,10 @@ void diags_render_json(const Diags *d, Buf *out);
 // The row whose id (or warning name) is `id`, upper or lower case; NULL if there is none.
 const DiagInfo *diag_find(const char *id);
 
+// Writes the text of src with all proposed edits made that do not touch each other, a diagnostic's own together.  Returns
+// of how many diagnostics.
+size_t diags_apply_edits(const Diags *d, const Source *src, Buf *out);
+
 // All rows with their pages: docs/diagnostics.md.
 void diags_write_markdown(Buf *out);
 

@@ -215,6 +215,35 @@ static void test_json(void)
     arena_free(&arena);
 }
 
+// A diagnostic's edits are made together or, where another's have touched their places, not at all.
+static void test_edits(void)
+{
+    static const char text[] = "abcdefgh";
+    const Source *s;
+    Diag *d;
+    Buf out;
+
+    start();
+    s = source("s", text, 8);
+    buf_init(&out, &arena);
+    CHECK(diags_apply_edits(&diags, s, &out) == 0 && strcmp(buf_text(&out), text) == 0);
+    d = diag_report(&diags, DIAG_unknown_element, (Span){s, 0, 1}, "1");
+    diag_edit(&diags, d, (Span){s, 6, 1}, "GG");
+    diag_edit(&diags, d, (Span){s, 1, 2}, "");
+    d = diag_report(&diags, DIAG_unknown_element, (Span){s, 1, 1}, "2");            // overlaps the first
+    diag_edit(&diags, d, (Span){s, 2, 2}, "X");
+    diag_edit(&diags, d, (Span){s, 8, 0}, "Y");
+    d = diag_report(&diags, DIAG_unknown_element, (Span){s, 2, 1}, "3");
+    diag_edit(&diags, d, (Span){s, 3, 0}, "<");                                     // an insertion at its end: too close
+    d = diag_report(&diags, DIAG_unknown_element, (Span){s, 3, 1}, "4");
+    diag_edit(&diags, d, (Span){s, 4, 0}, "(");
+    diag_edit(&diags, d, (Span){s, 5, 0}, ")");
+    buf_init(&out, &arena);
+    CHECK(diags_apply_edits(&diags, s, &out) == 2);
+    check_text(buf_text(&out), "ad(e)fGGh");
+    arena_free(&arena);
+}
+
 // Ids are unique and in order, every page says something.
 static void test_table(void)
 {
@@ -246,6 +275,7 @@ int main(void)
     test_collecting();
     test_limits();
     test_json();
+    test_edits();
     test_table();
     return test_end("diag");
 }

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes the edits that diagnostics propose.  The edits of one diagnostic belong together: all are made or none.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/diag/diag.h"
+
+typedef struct Change {
+    const DiagEdit *edit;
+    size_t owner;             // index of its diagnostic
+    size_t order;             // as proposed
+} Change;
+
+typedef VEC(Change) Changes;
+
+static int compare_changes(const void *a, const void *b)
+{
+    const Change *x = a, *y = b;
+
+    if (x->edit->span.at != y->edit->span.at)
+        return x->edit->span.at < y->edit->span.at ? -1 : 1;
+    return x->order < y->order ? -1 : 1;
+}
+
+static bool is_for(const Diag *d, const Source *src)
+{
+    for (size_t i = 0; i < d->edits.n; i++)
+        if (d->edits.at[i].span.src != src)
+            return false;
+    return true;
+}
+
+static Changes collect(const Diags *d, const Source *src)
+{
+    Changes all = {0};
+
+    for (size_t i = 0; i < d->list.n; i++)
+        for (size_t k = 0; is_for(d->list.at[i], src) && k < d->list.at[i]->edits.n; k++) {
+            Change c = {&d->list.at[i]->edits.at[k], i, all.n};
+            vec_push(d->arena, &all, c);
+        }
+    if (all.n)
+        qsort(all.at, all.n, sizeof *all.at, compare_changes);
+    return all;
+}
+
+// Refuses diagnostics whose edits touch those of one before: what they meant is no longer there.
+static void refuse_overlaps(const Changes *all, bool *refused)
+{
+    uint32_t end = 0;
+    size_t last = 0;
+    bool any = false;
+
+    for (size_t i = 0; i < all->n; i++) {
+        const Span *s = &all->at[i].edit->span;
+        size_t owner = all->at[i].owner;
+        if (refused[owner])
+            continue;
+        if (any && owner != last && (s->at < end || (s->at == end && s->len == 0))) {
+            refused[owner] = true;
+            continue;
+        }
+        any = true;
+        end = s->at + s->len;
+        last = owner;
+    }
+}
+
+size_t diags_apply_edits(const Diags *d, const Source *src, Buf *out)
+{
+    Changes all = collect(d, src);
+    bool *refused = ARENA_ARRAY(d->arena, bool, d->list.n + 1), *counted = ARENA_ARRAY(d->arena, bool, d->list.n + 1);
+    uint32_t at = 0;
+    size_t made = 0;
+
+    refuse_overlaps(&all, refused);
+    for (size_t i = 0; i < all.n; i++) {
+        const DiagEdit *e = all.at[i].edit;
+        if (refused[all.at[i].owner])
+            continue;
+        made += !counted[all.at[i].owner];
+        counted[all.at[i].owner] = true;
+        buf_put(out, src->text + at, e->span.at - at);
+        buf_str(out, e->text);
+        at = e->span.at + e->span.len;
+    }
+    buf_put(out, src->text + at, src->len - at);
+    return made;
+}

@@ -1,0 +1,8 @@
+# Only sources can be fixed.
+args fix app.c
+
+-- stderr --
+smc: 'app.c' is no source: names end in .sm, .sv or .ss
+Try 'smc fix --help'.
+-- exit --
+2

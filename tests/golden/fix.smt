@@ -1,0 +1,34 @@
+# The edits of all rounds are made in the file; what nobody can be certain of is left, and said.
+args fix app.sm
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+[Hold]
+.step:
+    IF x > 5 && x < 7 THEN -> Hold;
+    if x = 5: { x = 1,5 }
+    x = max(x; 1)   // larger
+    x == 3
+-- file app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+[Hold]
+.step
+    if x > 5 and x < 7: -> Hold
+    if x == 5 { x = 1.5 }
+    x = max(x, 1)   # larger
+    x == 3
+-- stdout --
+app.sm: 10 fixed
+-- stderr --
+app.sm:10:5: error: this is a value and does nothing [E0327]
+   10 |     x == 3
+      |     ^~~~~~ to store, write x = 3
+1 error
+-- exit --
+1
