@@ -170,6 +170,11 @@ CHECK_LINES += "emitc: sh tests/emitc/run.sh $(B)/smc" "emitc-flow: $(B)/emitc/f
 check-emitc: all $(B)/emitc/flow
 	sh tests/emitc/run.sh $(B)/smc && $(B)/emitc/flow
 
+# Everything again under the sanitizers: compiler, VM and emitted C.
+SANITIZE = -fsanitize=address,undefined -fno-sanitize-recover=all
+asan:
+	$(MAKE) B=$(B)/asan CFLAGS='-O1 -g' CC='$(CC) $(SANITIZE)' check
+
 # Coverage-guided, with clang: `make fuzz FUZZ=script FUZZ_SECONDS=3600`.  What it found goes on from where it stopped.
 FUZZ         ?= $(notdir $(basename $(filter-out tests/fuzz/driver.c,$(wildcard tests/fuzz/*.c))))
 FUZZ_SECONDS ?= 60
@@ -213,7 +218,7 @@ install: all $(B)/libsmvm.a $(B)/bytecode-vm/smvm.pc
 	cp compiler/smc.mk $(DEST)/share/smc/smc.mk
 	for f in $(INSTALLED_HEADERS); do cp $$f $(DEST)/include/smc/$$f || exit 1; done
 
-CHECK_LINES += "install: sh tests/install/run.sh $(MAKE) $(B) $(CC)"
+CHECK_LINES += "install: sh tests/install/run.sh $(MAKE) $(B) '$(CC)'"
 
 uninstall:
 	rm -f $(DEST)/bin/smc $(DEST)/lib/libsmvm.a $(DEST)/lib/pkgconfig/smvm.pc
@@ -224,6 +229,7 @@ help:
 	@echo 'make check           runs every test that needs cc and make only; the others say what they need'
 	@echo 'make test T=FILE     runs some conformance cases on every engine'
 	@echo 'make diff N=100000   runs so many random programs on all engines, from seed SEED=1, in J=2 processes'
+	@echo 'make asan            runs every test under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'
 	@echo 'make docs            makes docs/diagnostics.md'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
@@ -295,5 +301,5 @@ check-clauses:
 CHECK_LINES += "check-clauses: $(MAKE) -s --no-print-directory check-clauses"
 .PHONY: check-clauses
 
-.PHONY: $(HOUSE_RULES) all check check-emitc check-ir check-golden check-mutate update-golden test fuzz install uninstall help clean
+.PHONY: $(HOUSE_RULES) all asan check check-emitc check-ir check-golden check-mutate update-golden test fuzz install uninstall help clean
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Installs into a scratch folder and uses what is there as its user would: the command, smc.mk in a project of its own, the
-# VM library by pkg-config; then uninstalls and looks for leftovers.    sh tests/install/run.sh MAKE B CC
+# VM library by pkg-config; then uninstalls and looks for leftovers.    sh tests/install/run.sh MAKE B CC  (CC may be several words)
 make=$1 build=$2 cc=$3
 passed=0 failed=0 skipped=0
 root=$(pwd)
@@ -57,7 +57,7 @@ int main(void)
     return smvm_verify(none, sizeof none, &why) != 0 ? 0 : 1;
 }
 EOF
-check "the VM library compiles in" "$cc" -std=c99 -I"$inst/include/smc" host.c -L"$inst/lib" -lsmvm -o host
+check "the VM library compiles in" $cc -std=c99 -I"$inst/include/smc" host.c -L"$inst/lib" -lsmvm -o host
 check "and runs" ./host
 if command -v pkg-config >/dev/null; then
     PKG_CONFIG_PATH=$inst/lib/pkgconfig
