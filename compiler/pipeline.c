@@ -39,39 +39,39 @@ static CheckContext checking(Session *s)
 
 AstFile *session_parse(Session *s, const Source *src, FileKind kind)
 {
-    size_t errors = s->diags.errors;
+    size_t errors = s->diags.met;
     AstFile *f = parse(s, src, kind);
 
-    return s->diags.errors > errors ? NULL : f;
+    return s->diags.met > errors ? NULL : f;
 }
 
 StateVec *session_state_vector(Session *s, const Source *sv)
 {
-    size_t errors = s->diags.errors;
+    size_t errors = s->diags.met;
     CheckContext c = checking(s);
     StateVec *out = check_state_vector(&c, parse(s, sv, FILE_SV));
 
-    return s->diags.errors > errors ? NULL : out;
+    return s->diags.met > errors ? NULL : out;
 }
 
 Program *session_program(Session *s, const MachineInput *in)
 {
-    size_t errors = s->diags.errors;
+    size_t errors = s->diags.met;
     CheckContext c = checking(s);
     StateVec *sv = in->sv ? session_state_vector(s, in->sv) : NULL;
     AstFile *sm = parse(s, in->sm, FILE_SM);
     Program *p = check_machine(&c, sm, sv, in->written_outside);
 
-    return s->diags.errors > errors ? NULL : p;
+    return s->diags.met > errors ? NULL : p;
 }
 
 Script *session_script(Session *s, const Source *ss, const Program *p)
 {
-    size_t errors = s->diags.errors;
+    size_t errors = s->diags.met;
     CheckContext c = checking(s);
     Script *out = check_script(&c, parse(s, ss, FILE_SS), p);
 
-    return s->diags.errors > errors ? NULL : out;
+    return s->diags.met > errors ? NULL : out;
 }
 
 // ---- program to IR ----

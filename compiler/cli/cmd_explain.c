@@ -4,7 +4,8 @@
 
 static void page(const DiagInfo *d, Buf *out)
 {
-    buf_printf(out, "%s: %s", d->id, d->message);
+    buf_printf(out, "%s: ", d->id);
+    diag_put_title(d, out);
     if (d->flag)
         buf_printf(out, "  [-W%s]", d->flag);
     buf_printf(out, "\n\n%s", d->page);

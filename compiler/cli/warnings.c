@@ -89,21 +89,22 @@ void warnings_apply(const Cli *c, Diags *d)
 {
     size_t kept = 0;
 
-    d->errors = d->warnings = 0;
     for (size_t i = 0; i < d->list.n; i++) {
         Diag *diag = d->list.at[i];
-        Verdict v = {!c->given[OPT_NO_WARN], false};
+        Verdict v = {true, false};
         const char *flag = diag_info[diag->code].flag;
         if (diag->severity == DIAG_WARNING) {
             for (size_t k = 0; flag && k < c->warns; k++)
                 apply_one(c->warn[k], flag, &v);
-            if (c->given[OPT_NO_WARN] || !v.on)
+            v.on = v.on && !c->given[OPT_NO_WARN];
+            d->warnings -= !v.on || v.error;
+            if (!v.on)
                 continue;
-            if (v.error)
+            if (v.error) {
                 diag->severity = DIAG_ERROR;
+                d->errors++;
+            }
         }
-        d->errors += diag->severity == DIAG_ERROR;
-        d->warnings += diag->severity == DIAG_WARNING;
         d->list.at[kept++] = diag;
     }
     d->list.n = kept;

@@ -97,6 +97,7 @@ static void enlist(Diags *d, Diag *x)
 {
     size_t *count = x->severity == DIAG_ERROR ? &d->errors : &d->warnings;
 
+    d->met += x->severity == DIAG_ERROR;
     if (d->muted || !is_new(d, x->code, x->span))
         return;
     if (++*count > DIAG_KEPT_MAX)

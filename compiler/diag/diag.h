@@ -53,6 +53,7 @@ typedef struct Diags {
     Arena *arena;
     VEC(Diag *) list;                     // in the order reported; diags_sort puts them in source order
     size_t errors, warnings;              // reported; of a flood of errors the list keeps the first DIAG_KEPT_MAX
+    size_t met;                           // errors met, repeated and muted ones too: what tells a caller that it failed
     bool muted;                           // while set, reports are dropped
     VEC(const Source *) files;            // in the order first seen
     struct DiagPlace *place;              // where something was reported already: open addressing, a power of two long
@@ -95,5 +96,6 @@ size_t diags_apply_edits(const Diags *d, const Source *src, Buf *out);
 
 // All rows with their pages: docs/diagnostics.md.
 void diags_write_markdown(Buf *out);
+void diag_put_title(const DiagInfo *row, Buf *out);        // the message, "..." for what is filled in
 
 #endif

@@ -8,9 +8,10 @@ static const struct { char digit; const char *title; } chapters[] = {
     {'1', "Characters and numbers"}, {'2', "Names and declarations"}, {'3', "Grammar"}, {'4', "Expressions and constants"},
     {'5', "States and transitions"}, {'6', "State vector"}, {'7', "Scripts"}, {'8', "Files and images"}};
 
-// The message, "..." for what is filled in.
-static void put_message(Buf *out, const char *message)
+void diag_put_title(const DiagInfo *row, Buf *out)
 {
+    const char *message = row->message;
+
     for (const char *hole; (hole = strstr(message, "{}")) != NULL; message = hole + 2) {
         buf_put(out, message, (size_t)(hole - message));
         buf_str(out, "...");
@@ -21,7 +22,7 @@ static void put_message(Buf *out, const char *message)
 static void put_page(Buf *out, const DiagInfo *row)
 {
     buf_printf(out, "### %s: ", row->id);
-    put_message(out, row->message);
+    diag_put_title(row, out);
     buf_str(out, "\n\n");
     if (row->flag)
         buf_printf(out, "A warning: `-Wno-%s` silences it, `-Werror=%s` makes it an error.\n\n", row->flag, row->flag);

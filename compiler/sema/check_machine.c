@@ -86,7 +86,7 @@ static Program *new_program(CheckContext *c, const AstFile *sm)
 
 Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside)
 {
-    size_t errors = c->diags->errors;
+    size_t errors = c->diags->met;
     Program *p = new_program(c, sm);
     Sema s;
 
@@ -97,7 +97,7 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     check_declarations(&s, p, sm, p->sv, written_outside);
     check_states(&s, p, sm);
     check_size_uses(&s);
-    if (c->diags->errors > errors)
+    if (c->diags->met > errors)
         return NULL;
     if (!sv)
         layout_state_vector(p->sv, c->arena);

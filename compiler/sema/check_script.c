@@ -155,7 +155,7 @@ static void init_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, const
 
 Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
 {
-    size_t errors = c->diags->errors;
+    size_t errors = c->diags->met;
     Span start = {ss->src, 0, 0};
     ScriptCheck k;
 
@@ -166,7 +166,7 @@ Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
         diag_report(c->diags, DIAG_no_delta_t, start);
     if (!k.has_stop && !k.s.lost->any)
         diag_report(c->diags, DIAG_no_stop, start);
-    return c->diags->errors > errors ? NULL : k.script;
+    return c->diags->met > errors ? NULL : k.script;
 }
 
 static void add_written(const AstStmts *stmts, Map *names)

@@ -67,7 +67,7 @@ static void check_section(SvCheck *k, const AstSection *section, bool names_lost
 
 StateVec *check_state_vector(CheckContext *c, const AstFile *f)
 {
-    size_t errors = c->diags->errors;
+    size_t errors = c->diags->met;
     bool names_lost = lost_names(c, f)->names;
     SvCheck k = {c, ARENA_NEW(c->arena, StateVec), str_c(c->strings, "lock"), {c->arena, NULL, NULL, 0, 0}};
 
@@ -77,7 +77,7 @@ StateVec *check_state_vector(CheckContext *c, const AstFile *f)
         check_section(&k, f->sections.at[i], names_lost);
     if (k.sv->region.n == 0 && !names_lost)
         diag_report(c->diags, DIAG_no_region, (Span){f->src, 0, 0});
-    if (c->diags->errors > errors)
+    if (c->diags->met > errors)
         return NULL;
     layout_state_vector(k.sv, c->arena);
     return k.sv;

@@ -4,7 +4,7 @@ args explain w0750
 args explain unused-element | head -n 1
 
 -- stdout --
-E0204: unknown element '{}'
+E0204: unknown element '...'
 
 A name is used that is neither an element listed in [state_vector] nor a local nor T.
 
@@ -25,4 +25,4 @@ assert has tested nothing.
     G == 100: @stop
 
 Correct the guard, or let the script run on until it is true.
-W0203: element '{}' is listed but never used  [-Wunused-element]
+W0203: element '...' is listed but never used  [-Wunused-element]

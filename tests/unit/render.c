@@ -31,6 +31,23 @@ static const char *rendered(Arena *a, const char *text, size_t len, uint32_t at)
     return buf_text(&out);
 }
 
+// A caller learns from `met` that it failed, even when what it met had been said before or nobody listens.
+static void errors_met(Arena *a)
+{
+    Span span = {source_new(a, "x.sm", "p", 1), 0, 1};
+    Diags d;
+
+    diags_init(&d, a);
+    diag_report(&d, DIAG_unknown_element, span, "p");
+    CHECK(d.met == 1 && d.errors == 1 && d.list.n == 1);
+    diag_report(&d, DIAG_unknown_element, span, "p");
+    CHECK(d.met == 2 && d.errors == 1 && d.list.n == 1);
+    d.muted = true;
+    span.at = 1;
+    diag_report(&d, DIAG_unknown_element, span, "q");
+    CHECK(d.met == 3 && d.errors == 1 && d.list.n == 1);
+}
+
 int main(void)
 {
     char line[400];
@@ -51,6 +68,7 @@ int main(void)
     memset(line, 0xBF, sizeof line);                                              // begins inside a character
     CHECK(strstr(rendered(&a, line, sizeof line, 0), "    1 | \\xBF") != NULL);
 
+    errors_met(&a);
     arena_free(&a);
     return test_end("render");
 }

@@ -272,7 +272,7 @@ static void too_much_memory(void)
     for (int i = 0; i < 1400; i++)
         buf_printf(&text, "sample w%d, %%0\n", i);
     buf_str(&text, "ret\n}\nstate A\n");
-    CHECK(refused_as(buf_text(&text), DIAG_image_refused, "rule 18"));
+    CHECK(refused_as(buf_text(&text), DIAG_image_memory, "2 GB"));
     arena_free(&w.arena);
 }
 

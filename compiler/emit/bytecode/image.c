@@ -302,6 +302,10 @@ static bool accepted(Writer *w, IrMachine *const *m, const Buf *out)
     if (smvm_verify((const uint8_t *)out->at, (uint32_t)out->n, &v) == 0)
         return true;
     memset(&none, 0, sizeof none);
+    if (v.rule == SMVM_R_RAM) {
+        diag_report(w->diags, DIAG_image_memory, none, m[v.machine]->name->text);
+        return false;
+    }
     diag_report(w->diags, DIAG_image_refused, none, m[v.machine]->name->text, format_in(w->arena, "%u at byte %lu", v.rule, (unsigned long)v.at),
                 smvm_rule_text(v.rule));
     return false;
