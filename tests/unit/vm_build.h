@@ -122,19 +122,34 @@ static inline uint32_t put_header(uint8_t *image, unsigned n, const uint8_t *id,
     return at;
 }
 
-// Sections: one to skip, MACHINE, CODE, INIT.
+// Puts the sections with these ids, at most 20: each MACHINE, CODE and INIT is that of the next machine of b; others are two
+// bytes of no meaning.
+static inline uint32_t build_sections(const Build *b, unsigned n, const uint8_t *id, uint8_t *image)
+{
+    uint32_t size[20], at = 12 + 8 * n;
+
+    b--;
+    for (unsigned i = 0; i < n; i++) {
+        b += id[i] == 0x81;
+        size[i] = id[i] == 0x82 ? b->size : id[i] == 0x83 ? b->init_size : 2;
+        if (id[i] == 0x81)
+            size[i] = put_machine(b, image + at);
+        else if (id[i] == 0x82)
+            memcpy(image + at, b->code, b->size);
+        else if (id[i] == 0x83)
+            memcpy(image + at, b->init, b->init_size);
+        else
+            image[at] = image[at + 1] = 0xa5;
+        at += size[i];
+    }
+    return put_header(image, n, id, size);
+}
+
 static inline uint32_t build_image(const Build *b, uint8_t *image)
 {
     static const uint8_t id[] = {0x7f, 0x81, 0x82, 0x83};
-    uint32_t size[4] = {2, 0, b->size, b->init_size}, at = 12 + 8 * 4;
 
-    image[at] = image[at + 1] = 0xa5;
-    at += 2;
-    size[1] = put_machine(b, image + at);
-    at += size[1];
-    memcpy(image + at, b->code, b->size);
-    memcpy(image + at + b->size, b->init, b->init_size);
-    return put_header(image, 4, id, size);
+    return build_sections(b, 4, id, image);
 }
 
 // Where section `index` of the image begins, and how long it is.

@@ -258,6 +258,100 @@ static void many_operands(void)
     }
 }
 
+// Where a wrong index would fall on something else: ten outputs, two of each constant, the ends of the whole numbers, G and S
+// not at the start.
+static void wide(void)
+{
+    enum { LOCAL_I8 = 12, LOCAL_BOOL, INT_MOST, INT_LEAST, SECOND_F32, SECOND_F64 };
+    Machine t;
+    SmVm *vm = (SmVm *)t.memory;
+    Build b;
+
+    begin(&b);
+    for (uint32_t i = 0; i < 10; i++)
+        b.operand[i] = ELEMENT(U8, i);
+    b.outputs = 10;
+    b.operand[10] = ELEMENT(U64, 40);
+    b.operand[11] = ELEMENT(U32, 52);
+    b.operand[LOCAL_I8] = LOCAL(I8, 7);
+    b.operand[LOCAL_BOOL] = LOCAL(BOOL, 6);
+    b.operand[INT_MOST] = OPERAND(24, 0x3ffff);
+    b.operand[INT_LEAST] = OPERAND(24, 0x40000);
+    b.operand[SECOND_F32] = OPERAND(25, 1);
+    b.operand[SECOND_F64] = OPERAND(26, 1);
+    b.operands = 18;
+    b.f32[1] = 0x40a00000u;                           // 5
+    b.f64[1] = 0x4018000000000000u;                   // 6
+    b.f64s = 2;
+    end_function(&b);
+    end_function(&b);
+    code(&b, SMVM_mov, 2, LOCAL_I8, INT_LEAST);
+    code(&b, SMVM_mov, 2, LOCAL_BOOL, INT_LEAST);
+    code(&b, SMVM_eq, 3, 9, INT_MOST, INT_MOST);
+    code(&b, SMVM_mov, 2, 8, SECOND_F32);
+    code(&b, SMVM_mov, 2, 1, SECOND_F64);
+    code(&b, SMVM_mov, 2, 2, INT_MOST);
+    code(&b, SMVM_sub, 3, 3, LOCAL_BOOL, LOCAL_I8);
+    code(&b, SMVM_jeq, 3, INT_LEAST, INT_MOST, 4);
+    code(&b, SMVM_neg, 2, 4, LOCAL_I8);
+    code(&b, SMVM_end, 0);
+    code(&b, SMVM_end, 0);
+    end_function(&b);
+    end_function(&b);
+    CHECK(open_machine(&t, &b, 1));
+    CHECK(((uint32_t *)t.sv)[13] == 1);
+    t.sv[5] = 77;
+    CHECK(smvm_step(vm, t.sv) == SM_OK && smvm_time(vm) == 0);
+    CHECK(memcmp(t.sv, (const uint8_t[]){0, 6, 255, 129, 128, 0, 0, 0, 5, 1, 0, 0}, 12) == 0);
+    for (uint32_t i = 0; i < 10; i++)
+        CHECK(smvm_stored(vm, i) == (i == 9 || i == 8 || (i >= 1 && i <= 4)));
+    CHECK(memcmp(smvm_locals(vm), (const uint8_t[]){0, 0, 0, 0, 0, 0, 1, 128}, 8) == 0);
+}
+
+// A step that stores nothing leaves no trace of what the one before stored; a jump of two bytes' distance.
+static void second_step(void)
+{
+    Machine t;
+    SmVm *vm = (SmVm *)t.memory;
+    Build b;
+
+    begin(&b);
+    end_function(&b);
+    end_function(&b);
+    code(&b, SMVM_jt, 2, TIME, 3 * 50);
+    for (int i = 0; i < 50; i++)
+        code(&b, SMVM_mov, 2, OUT, SEVEN);
+    code(&b, SMVM_mov, 2, TEMP, SEVEN);
+    code(&b, SMVM_end, 0);
+    end_function(&b);
+    end_function(&b);
+    CHECK(open_machine(&t, &b, 1));
+    CHECK(smvm_step(vm, t.sv) == SM_OK && smvm_stored(vm, 0));
+    set_f64(&t, 16, 3);
+    t.sv[0] = 1;
+    CHECK(smvm_step(vm, t.sv) == SM_OK && !smvm_stored(vm, 0) && !smvm_stored(vm, 1) && f64_at(&t, 16) == 3);
+}
+
+static uint32_t up8(size_t n) { return (uint32_t)((n + 7) / 8 * 8); }
+
+static void memory_needed(void)
+{
+    Machine t;
+    Build b;
+
+    begin(&b);
+    b.windows = 2;
+    b.window[0] = WINDOW(3, 1u << SM_STAT_AVG);
+    b.window[1] = WINDOW(5, 1u << SM_STAT_MEDIAN);
+    code(&b, SMVM_sample, 2, 0, X);
+    code(&b, SMVM_sample, 2, 1, X);
+    code(&b, SMVM_end, 0);
+    for (int i = 0; i < 4; i++)
+        end_function(&b);
+    CHECK(open_machine(&t, &b, 1));
+    CHECK(smvm_ram_size(&t.m) == up8(sizeof(SmVm)) + up8(2 * sizeof(SmRoll)) + 8 + 8 * 3 + 2 * 8 * 5 + 8 + 1);
+}
+
 // Whether `op x, y` jumps over `OUT = 7`.
 static bool jumps(unsigned op, int operands, double x, double y)
 {
@@ -463,6 +557,9 @@ int main(void)
     types();
     many_operands();
     jumping();
+    wide();
+    second_step();
+    memory_needed();
     windows();
     steps();
     refused();

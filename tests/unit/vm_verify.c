@@ -135,6 +135,54 @@ static void truncated(void)
     }
 }
 
+static void header_alone(void)
+{
+    SmvmVerdict v;
+    uint32_t n = put_header(image, 0, NULL, NULL);
+
+    CHECK(n == 12 && smvm_verify(image, n, &v) == SMVM_R_GROUP);
+}
+
+// Where the rule is broken: the verdict says.
+static void places_told(void)
+{
+    enum { NUMBERS = 14 };
+    Build b = whole();
+    uint32_t machine, code_at;
+    SmvmVerdict v;
+
+    build_image(&b, image);
+    machine = section_at(image, 1);
+    code_at = section_at(image, 2);
+    CHECK(smvm_verify(image, 11, &v) == SMVM_R_LENGTH && v.at == 0);
+    image[0] = 0;
+    CHECK(smvm_verify(image, 500, &v) == SMVM_R_MAGIC && v.at == 0);
+    image[0] = 's';
+    image[3] = 0;
+    CHECK(smvm_verify(image, 500, &v) == SMVM_R_FORMAT && v.at == 3);
+    image[3] = 1;
+    image[28] = 0x8f;
+    fix_crc(image);
+    CHECK(smvm_verify(image, 500, &v) == SMVM_R_UNKNOWN && v.at == 28);
+    b.window[1] = 0;
+    CHECK(verify(&b, &v) == SMVM_R_WINDOW && v.at == machine + NUMBERS + 3);
+    b = whole();
+    b.operand[T1] = OPERAND(31, 0);
+    CHECK(verify(&b, &v) == SMVM_R_OPERAND_KIND && v.at == machine + NUMBERS + 6 + 3 * T1);
+    b = whole();
+    b.operand[S] = b.operand[G];
+    CHECK(verify(&b, &v) == SMVM_R_TIME_STATE && v.at == machine + NUMBERS + 6 + 3 * 2);
+    b = whole();
+    b.end[3] = 0;
+    CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 6 + 3 * OPERANDS + 3);
+    b = whole();
+    b.size++;
+    CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 6 + 3 * OPERANDS + 6);
+    b = whole();
+    b.code[b.end[0] + 1] = SEVEN;
+    CHECK(verify(&b, &v) == SMVM_R_WRITE && v.at == code_at + b.end[0] + 1 && v.machine == 0);
+}
+
 static void container(void)
 {
     CHECK(patched(0, 'S', true) == SMVM_R_MAGIC);
@@ -142,11 +190,21 @@ static void container(void)
     CHECK(patched(2, 0, true) == SMVM_R_MAGIC);
     CHECK(patched(3, 2, true) == SMVM_R_FORMAT);
     CHECK(patched(3, 0, true) == SMVM_R_FORMAT);
+    header_alone();
+    places_told();
     CHECK(patched(10, 1, false) == SMVM_R_LENGTH);
     CHECK(patched(11, 255, false) == SMVM_R_LENGTH);
     CHECK(patched(4, 0, false) == SMVM_R_CRC || patched(4, 1, false) == SMVM_R_CRC);
     CHECK(patched(60, 0xee, false) == SMVM_R_CRC);
     truncated();
+}
+
+static uint8_t arranged(unsigned n, const uint8_t *id)
+{
+    Build b = whole();
+    SmvmVerdict v;
+
+    return smvm_verify(image, build_sections(&b, n, id, image), &v);
 }
 
 static void sections(void)
@@ -162,6 +220,7 @@ static void sections(void)
     CHECK(patched(FOURTH + 5, 6, true) == SMVM_R_SECTION);
     CHECK(patched(FIRST, 0xff, true) == SMVM_R_UNKNOWN);
     CHECK(patched(FIRST, 0x84, true) == SMVM_R_UNKNOWN);
+    CHECK(patched(FIRST, 0x80, true) == SMVM_R_UNKNOWN);
     CHECK(patched(FIRST + 1, 9, true) == 0);                         // one that can be skipped, whatever its version
     CHECK(patched(SECOND + 1, 2, true) == SMVM_R_UNKNOWN);
     CHECK(patched(THIRD + 1, 0, true) == SMVM_R_UNKNOWN);
@@ -174,7 +233,10 @@ static void sections(void)
     CHECK(patched(FIRST, 0x81, true) == SMVM_R_GROUP);               // a MACHINE without CODE
     CHECK(patched(FOURTH, 0x82, true) == SMVM_R_GROUP);              // two CODEs
     CHECK(patched(FOURTH, 0x81, true) == SMVM_R_GROUP);              // the last MACHINE without CODE
-    CHECK(patched(THIRD, 0x83, true) == SMVM_R_GROUP);               // two INITs
+    CHECK(arranged(5, (const uint8_t[]){0x81, 0x82, 0x83, 0x02, 0x83}) == SMVM_R_GROUP);              // two INITs
+    CHECK(arranged(5, (const uint8_t[]){0x81, 0x83, 0x02, 0x01, 0x82}) == 0);
+    CHECK(arranged(5, (const uint8_t[]){0x81, 0x83, 0x82, 0x03, 0x82}) == SMVM_R_GROUP);
+    CHECK(arranged(4, (const uint8_t[]){0x81, 0x83, 0x82, 0x04}) == 0);
     CHECK(patched(11, 0, true) == SMVM_R_GROUP);                     // no section at all
 }
 
@@ -217,13 +279,15 @@ static void record(void)
     CHECK(verify(&b, &v) == 0);
 }
 
-static void short_machine(void)                       // a MACHINE section of 0 … 13 bytes
+static void short_machine(void)                       // a MACHINE section of 0 … 14 bytes; the last number is cut
 {
-    for (uint32_t i = 0; i < 14; i++) {
+    for (uint32_t i = 0; i < 15; i++) {
         static const uint8_t id[] = {0x81, 0x82};
-        uint32_t size[] = {i, 0}, n;
+        uint32_t size[] = {i, 5}, n;
         SmvmVerdict v;
         memset(image + 28, 1, 20);
+        if (i > 4)
+            image[28 + i - 1] = i & 1 ? 0x60 : 0x78;
         n = put_header(image, 2, id, size);
         CHECK(smvm_verify(image, n, &v) == SMVM_R_RECORD);
     }
@@ -231,6 +295,7 @@ static void short_machine(void)                       // a MACHINE section of 0 
 
 static void tables(void)
 {
+    static const uint32_t good_window[] = {WINDOW(1, 4), WINDOW(100000, 7), WINDOW(5, 31), WINDOW(2, 6)};
     static const uint32_t bad_window[] = {WINDOW(0, 1), WINDOW(100001, 1), WINDOW(131071, 1), WINDOW(5, 32), WINDOW(5, 64), 0, 0xffffff};
     static const uint32_t bad_kind[] = {27, 28, 29, 30, 31};
     Build b;
@@ -239,6 +304,15 @@ static void tables(void)
         b = whole();
         b.window[1] = bad_window[i];
         REFUSED(&b, WINDOW);
+        b = whole();
+        b.window[0] = bad_window[i];
+        REFUSED(&b, WINDOW);
+    }
+    for (unsigned i = 0; i < 4; i++) {
+        SmvmVerdict v;
+        b = whole();
+        b.window[1] = good_window[i] | WINDOW(0, 1u << SM_STAT_MEDIAN);
+        CHECK(verify(&b, &v) == 0);
     }
     for (unsigned i = 0; i < sizeof bad_kind / sizeof *bad_kind; i++) {
         b = whole();
@@ -246,12 +320,16 @@ static void tables(void)
         REFUSED(&b, OPERAND_KIND);
     }
     const uint32_t bad_place[] = {
+        OPERAND(SM_F64, 0x1000), OPERAND(SM_F64, 0x10000), OPERAND(SM_I8, 0x800), LOCAL(I8, 4),
         ELEMENT(F64, 40), ELEMENT(U8, 40), ELEMENT(U16, 40), ELEMENT(I32, 40), OPERAND(SM_F64, 0x7ffff), OPERAND(SM_BOOL, 0x7ffff),
         LOCAL(U16, 4), LOCAL(BOOL, 4), LOCAL(U64, 0), LOCAL(F32, 4), OPERAND(11 + SM_I64, 0x7ffff), OPERAND(11 + SM_F32, 0x7ffff),
         OPERAND(22, 2), OPERAND(22, 0x7ffff), OPERAND(23, 1), OPERAND(25, 1), OPERAND(26, 1), OPERAND(26, 0x7ffff)};
     for (unsigned i = 0; i < sizeof bad_place / sizeof *bad_place; i++) {
         b = whole();
         b.operand[T1] = bad_place[i];
+        REFUSED(&b, OPERAND_AT);
+        b = whole();
+        b.operand[FLAG] = bad_place[i];
         REFUSED(&b, OPERAND_AT);
     }
     const uint32_t good_place[] = {ELEMENT(F64, 32), ELEMENT(U8, 39), ELEMENT(I32, 36), LOCAL(U16, 2), LOCAL(F32, 0), LOCAL(U8, 3), OPERAND(24, 0x7ffff)};
@@ -265,7 +343,7 @@ static void tables(void)
 
 static void outputs(void)
 {
-    const uint32_t no_element[] = {LOCAL(U16, 2), OPERAND(22, 0), OPERAND(23, 0), OPERAND(24, 1), OPERAND(25, 0), OPERAND(26, 0)};
+    const uint32_t no_element[] = {LOCAL(I8, 2), OPERAND(22, 0), OPERAND(23, 0), OPERAND(24, 1), OPERAND(25, 0), OPERAND(26, 0)};
     const uint32_t no_g[] = {ELEMENT(I64, 0), ELEMENT(F64, 0), ELEMENT(U32, 12), LOCAL(U16, 0), OPERAND(22, 0), OPERAND(24, 0)};
     const uint32_t no_s[] = {ELEMENT(I32, 8), ELEMENT(F32, 8), ELEMENT(U64, 8), ELEMENT(U16, 8), LOCAL(F32, 0), OPERAND(24, 0)};
     const uint32_t over[] = {ELEMENT(U8, 0), ELEMENT(U8, 7), ELEMENT(F64, 0), ELEMENT(F64, 8), ELEMENT(BOOL, 11), ELEMENT(U32, 4), ELEMENT(I16, 8), ELEMENT(I32, 8)};
@@ -287,6 +365,11 @@ static void outputs(void)
         b.operand[VALUE] = over[i];
         REFUSED(&b, PROTECTED);
     }
+    b = whole();                                      // beside S on both sides
+    b.operand[S] = ELEMENT(U32, 12);
+    b.operand[FLAG] = ELEMENT(U32, 8);
+    b.operand[VALUE] = ELEMENT(U8, 16);
+    CHECK(verify(&b, &(SmvmVerdict){0}) == 0);
     b = whole();
     b.outputs = OPERANDS - 1;                         // no room for G and S behind them
     REFUSED(&b, TIME_STATE);
@@ -339,8 +422,59 @@ static void initial_values(void)
     b = whole();
     for (b.init_size = 1; b.init_size < 5; b.init_size++)
         REFUSED(&b, INIT);
-    b.init_size = 6;
-    REFUSED(&b, INIT);
+    memcpy(b.init + 5, b.init, 5);
+    for (b.init_size = 6; b.init_size < 10; b.init_size++)
+        REFUSED(&b, INIT);
+    CHECK(verify(&b, &(SmvmVerdict){0}) == 0);
+}
+
+// Values that are complete, of what is no local of the machine.
+static void initial_values_elsewhere(void)
+{
+    const uint32_t bad[] = {OPERAND(22, 0), ELEMENT(BOOL, 0), LOCAL(F64, 8), LOCAL(U16, 12), OPERAND(27, 0)};
+    const uint8_t bytes[] = {8, 1, 8, 2, 8};
+    Build b;
+
+    for (unsigned i = 0; i < 5; i++) {
+        uint8_t *p;
+        b = whole();
+        b.locals = 12;
+        p = b.init;
+        put_bytes(&p, bad[i], 3);
+        b.init_size = 3u + bytes[i];
+        REFUSED(&b, INIT);
+    }
+    b = whole();
+    memcpy(b.init, (const uint8_t[]){11, 0, 0, 9}, 4);               // I8 at 0
+    b.init_size = 4;
+    CHECK(verify(&b, &(SmvmVerdict){0}) == 0);
+}
+
+// Of two machines either may be the broken one.
+static void two_machines(void)
+{
+    static const uint8_t id[] = {0x81, 0x82, 0x02, 0x81, 0x82, 0x83, 0x02};
+    SmvmVerdict v;
+    Build b[2];
+
+    for (uint32_t k = 0; k < 2; k++) {
+        b[0] = b[1] = whole();
+        b[k].operand[T1] = OPERAND(22, 5);
+        CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == SMVM_R_OPERAND_AT && v.machine == k);
+        b[k] = whole();
+        b[k].states++;
+        CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == SMVM_R_RECORD && v.machine == k);
+        b[k] = whole();
+        b[k].code[b[k].size - 1] = 0xff;
+        CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == SMVM_R_OPCODE && v.machine == k);
+        b[k] = whole();
+        memmove(b[k].code + b[k].end[0] + 4, b[k].code + b[k].end[0], b[k].size - b[k].end[0]);
+        memcpy(b[k].code + b[k].end[0], (const uint8_t[]){SMVM_add, T0, T0, T0}, 4);
+        b[k].size += 4;
+        for (unsigned i = 1; i < b[k].ends; i++)
+            b[k].end[i] += 4;
+        CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == 0 && v.machine == 0 && v.longest == 12);
+    }
 }
 
 // ---- the code ----
@@ -461,6 +595,7 @@ static void sampling(void)
     SAMPLE_REFUSED(code(&b, SMVM_sample, 2, 0, IN); code(&b, SMVM_sample, 2, 0, IN); code(&b, SMVM_end, 0), SAMPLE);
     SAMPLE_REFUSED(code(&b, SMVM_sample, 2, 0, IN); code(&b, SMVM_sample, 2, 1, IN); code(&b, SMVM_sample, 2, 1, IN); code(&b, SMVM_end, 0), SAMPLE);
     SAMPLE_REFUSED(code(&b, SMVM_avg, 2, T0, 0); code(&b, SMVM_end, 0), SAMPLE);                // read before
+    SAMPLE_REFUSED(code(&b, SMVM_avg, 2, T0, 0); code(&b, SMVM_sample, 2, 0, IN); code(&b, SMVM_sample, 2, 1, IN); code(&b, SMVM_end, 0), SAMPLE);
     SAMPLE_REFUSED(code(&b, SMVM_jt, 2, IN, 3); code(&b, SMVM_sample, 2, 0, IN);                // passed over
                    code(&b, SMVM_sample, 2, 1, IN); code(&b, SMVM_end, 0), SAMPLE);
     SAMPLE_REFUSED(code(&b, SMVM_jt, 2, IN, 1); code(&b, SMVM_end, 0); code(&b, SMVM_sample, 2, 0, IN);     // over by then
@@ -557,6 +692,103 @@ static void many_ways(void)
     }
 }
 
+// ---- the longest step of random functions, found by trying every way ----
+
+typedef struct Random { uint8_t op; unsigned to; } Random;     // `to`: which instruction a jump leads to
+
+static uint64_t seed = 1;
+
+static unsigned below(unsigned n)
+{
+    seed ^= seed << 13;
+    seed ^= seed >> 7;
+    seed ^= seed << 17;
+    return (unsigned)(seed >> 20) % n;
+}
+
+// The longest way from instruction i that ends in `last`, or 0.
+static unsigned try_ways(const Random *r, unsigned i, uint8_t last)
+{
+    unsigned next, jump;
+
+    if (r[i].op == SMVM_end || r[i].op == SMVM_goto)
+        return r[i].op == last;
+    if (r[i].op == SMVM_mov) {
+        next = try_ways(r, i + 1, last);
+        return next ? next + 1 : 0;
+    }
+    jump = try_ways(r, r[i].to, last);
+    next = r[i].op == SMVM_jmp ? 0 : try_ways(r, i + 1, last);
+    next = next > jump ? next : jump;
+    return next ? next + 1 : 0;
+}
+
+static unsigned random_function(Random *r, bool may_go)
+{
+    unsigned n = 1 + below(14);
+
+    for (unsigned i = 0; i < n; i++) {
+        unsigned k = below(10);
+        bool last = i + 1 == n;
+        r[i].op = last || k == 0 ? (may_go && below(2) ? SMVM_goto : SMVM_end) : k < 3 ? SMVM_jmp : k < 7 ? SMVM_jt : SMVM_mov;
+        r[i].to = last ? 0 : i + 1 + below(n - i - 1);
+    }
+    return n;
+}
+
+static void put_random(Build *b, const Random *r, unsigned n)
+{
+    static const unsigned bytes[4] = {1, 2, 2, 3};
+    unsigned at[15] = {0};
+
+    for (unsigned i = 0; i < n; i++)
+        at[i + 1] = at[i] + bytes[r[i].op == SMVM_end ? 0 : r[i].op == SMVM_goto ? 1 : r[i].op == SMVM_jmp ? 2 : 3];
+    for (unsigned i = 0; i < n; i++) {
+        if (r[i].op == SMVM_end)
+            code(b, SMVM_end, 0);
+        else if (r[i].op == SMVM_goto)
+            code(b, SMVM_goto, 1, 1);
+        else if (r[i].op == SMVM_mov)
+            code(b, SMVM_mov, 2, T0, SEVEN);
+        else if (r[i].op == SMVM_jmp)
+            code(b, SMVM_jmp, 1, at[r[i].to] - at[i + 1]);
+        else
+            code(b, SMVM_jt, 2, T0, at[r[i].to] - at[i + 1]);
+    }
+    end_function(b);
+}
+
+static void random_ways(void)
+{
+    for (unsigned k = 0; k < 3000; k++) {
+        unsigned ends[3], leaves[3], longest_of = 0;
+        SmvmVerdict v;
+        Build b;
+        good(&b);
+        for (unsigned f = 0; f < 3; f++) {
+            Random r[15];
+            unsigned n = random_function(r, f < 2);
+            put_random(&b, r, n);
+            ends[f] = try_ways(r, 0, SMVM_end);
+            leaves[f] = try_ways(r, 0, SMVM_goto);
+        }
+        if (leaves[0])                                                           // every way through a step
+            longest_of = leaves[0] + ends[2];
+        for (unsigned first = 0; first < 2; first++) {
+            unsigned before = first ? ends[0] : 0;
+            if (first && !ends[0])
+                continue;
+            if (ends[1] && before + ends[1] > longest_of)
+                longest_of = before + ends[1];
+            if (leaves[1] && before + leaves[1] + ends[2] > longest_of)
+                longest_of = before + leaves[1] + ends[2];
+        }
+        b.states = 1;
+        b.width = 2;
+        CHECK(verify(&b, &v) == 0 && v.longest == 4 + longest_of);
+    }
+}
+
 int main(void)
 {
     accepts();
@@ -568,6 +800,8 @@ int main(void)
     outputs();
     memory();
     initial_values();
+    initial_values_elsewhere();
+    two_machines();
     functions();
     instructions();
     writes();
@@ -578,5 +812,6 @@ int main(void)
     jumps();
     longest_steps();
     many_ways();
+    random_ways();
     return test_end("vm_verify");
 }
