@@ -96,6 +96,9 @@ check-golden: all $(B)/golden
 update-golden: all $(B)/golden
 	UPDATE=1 $(B)/golden $(B)/smc $(GOLDEN)
 
+# examples: checked without a word, and tested on every engine.
+CHECK_LINES += "examples: sh tests/check/examples.sh $(B)/smc $(patsubst %/,%,$(wildcard examples/*/))"
+
 # tests/script: what the script engine does and reports.
 CHECK_LINES += "script: $(B)/smc test tests/script"
 check: $(B)/fuzz/script

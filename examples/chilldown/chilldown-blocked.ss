@@ -1,0 +1,22 @@
+# Ice blocks the bleed valve: the pressure of the first pulse does not leave. No second pulse, and after 20 s the end.
+
+[options]
+delta_t 50
+
+[all_states]
+G == 0 {
+    chill        = true
+    lineTemp     = 290
+    linePressure = 1
+}
+
+[Pulse]
+true: linePressure = 6
+true: @assert pulses == 1
+
+[Soak]
+true: @assert T <= 20050 and not chillValve
+
+[Abort]
+true: @assert pulses == 1 and not sensorFailed and not chillValve
+T == 100: @stop

@@ -1,0 +1,49 @@
+# A chill-down as it should be, by a simple picture of the line: each pulse costs it about 6 K and raises the pressure,
+# steady flow cools it by 8 K a second down to 91 K, and with the valve shut it warms up slowly.
+
+[options]
+delta_t 50
+
+[all_states]
+G == 0: lineTemp = 290
+G == 0: linePressure = 1
+G == 1000: chill = true
+G == 500000: chill = false
+chillValve: lineTemp = max(91, lineTemp - 0.4)
+not chillValve: lineTemp = lineTemp + 0.005
+chillValve: linePressure = min(6, linePressure + 0.8)
+not chillValve: linePressure = max(1, linePressure - 0.2)
+true: @assert bleedValve and not sensorFailed and (S == 5 or not lineReady)
+
+[Warm]
+true: @assert not chillValve and not lineReady
+
+# Never longer than 200 ms into a warm line, never into a line with more than 4 bar, and two seconds between pulses.
+[Pulse]
+chillValve: lineTemp = lineTemp - 1
+T == 0: @assert linePressure < 5 and lineTemp >= 179
+true: @assert T <= 200
+T < 200: @assert chillValve
+T == 200: @assert not chillValve
+
+[Soak]
+true: @assert not chillValve
+true: @assert T <= 2000
+
+[Flow]
+T == 0: @assert lineTemp < 180
+T < 5000: @assert chillValve and not lineReady
+
+# Ready only when the line has been below 95 K for five seconds; and then it is kept so.
+[Ready]
+T == 0: @assert roll_max(lineTemp, 100) < 95
+T > 0 and chill: @assert lineReady and 90 < lineTemp < 98.5
+
+[all_states]
+G ==   900: @assert S == 1
+G == 40000: @assert S == 2 or S == 3
+G == 400000: @assert S == 5
+G == 500100 {
+    @assert S == 1 and not chillValve and not lineReady
+    @stop
+}

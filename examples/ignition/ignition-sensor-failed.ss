@@ -1,0 +1,45 @@
+# One of three pressure sensors fails, each in its own way and at a bad moment: the burn goes on as if nothing had been.
+
+[options]
+delta_t 10
+
+[all_states]
+G == 1000: fire = true
+true: @assert abortReason == 0
+
+[Ignite]
+T == 100: igniterLit = true
+
+# Sensor A says from the start that the chamber is full of pressure. Believed, it would end the ignition at once.
+[Start]
+true {
+    pressureA = 50
+    pressureB = max(0, T - 100) / 5
+    pressureC = max(0, T - 100) / 5
+}
+T < 140: @assert S == 4
+
+# It stays so for half a second; then it works, and sensor C falls to zero, which would be a flame-out.
+[Burn]
+true {
+    pressureA = 50
+    pressureB = min(20, 8 + T / 20)
+    pressureC = min(20, 8 + T / 20)
+}
+T >= 500 {
+    pressureA = 20
+    pressureC = 0
+}
+# For one single step all of them see a spike.
+T == 2000 {
+    pressureA = 35
+    pressureB = 35
+    pressureC = 35
+}
+T < 4000: @assert S == 5 and oxidizerValve and fuelValve
+
+[Shutdown]
+T == 200 {
+    @assert not oxidizerValve and not fuelValve
+    @stop
+}

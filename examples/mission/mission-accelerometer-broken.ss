@@ -1,0 +1,24 @@
+# The accelerometer sticks at 50 from lift-off on, and the navigation filter that lives on it says for ever that the rocket climbs.
+# Burnout and parachutes come by the timers.
+
+[options]
+delta_t 10
+
+[all_states]
+true {
+    acceleration = 50
+    velocity     = 100
+    altitude     = 5000
+}
+
+[Powered]
+true: @assert T <= 4510 and not mayBrake
+T == 4500: @assert S == 2
+
+[Coast]
+true: @assert T <= 22010
+T == 22000: @assert S == 3 and not deployParachutes and mayBrake
+
+[Descent]
+true: @assert deployParachutes and not mayBrake
+T == 5000: @stop

@@ -1,0 +1,10 @@
+# On the pad the accelerometer says what it likes: as long as the plug is in, nothing has been launched.
+
+[options]
+delta_t 10
+
+[all_states]
+G == 0: umbilical = true
+true: acceleration = 60
+true: @assert S == 1 and not mayBrake and not deployParachutes
+G == 60000: @stop

@@ -1,0 +1,59 @@
+# The flight as it should be: plug out at 1 s, lift-off at 2 s, burnout at 6 s, highest point at 21 s.
+
+[options]
+delta_t 10
+
+[all_states]
+G == 0 {
+    umbilical    = true
+    acceleration = 9.8
+}
+G == 1000: umbilical = false
+G == 1500: acceleration = 60           # somebody knocks at the rocket: 50 ms
+G == 1550: acceleration = 9.8
+2000 <= G < 6000 {
+    acceleration = 50
+    velocity     = 40 * (G / 1000 - 2)
+    altitude     = 20 * (G / 1000 - 2) * (G / 1000 - 2)
+}
+3000 <= G < 3500: acceleration = -5    # the motor coughs: half a second
+G == 5000: acceleration = -5           # and once more, for one sample
+6000 <= G < 21000 {
+    acceleration = 0 - velocity / 20
+    velocity     = 160 - 10.6 * (G / 1000 - 6)
+    altitude     = 320 + 160 * (G / 1000 - 6) - 5.3 * (G / 1000 - 6) * (G / 1000 - 6)
+}
+G == 15000: velocity = -500            # the navigation filter jumps, once
+G >= 21000 {
+    velocity     = -20
+    altitude     = max(40, altitude - 0.2)   # a hill, 40 m above the pad
+    acceleration = 9.8
+}
+true: @assert (S == 3 or not mayBrake) and (S == 4 or not deployParachutes)
+
+[Pad]
+true: @assert G <= 2100
+
+[Powered]
+T == 0: @assert 2000 < G < 2150
+true: @assert not mayBrake and not deployParachutes and G <= 6150
+
+[Coast]
+T == 0: @assert 6000 < G < 6150
+G < 21000: @assert mayBrake and not deployParachutes
+true: @assert G <= 21100
+
+[Descent]
+T == 0: @assert deployParachutes and not mayBrake and 21000 < G < 21150
+
+[Landed]
+true: @assert altitude == 40 and not deployParachutes
+
+[all_states]
+G == 3600: @assert S == 2
+G == 10000: @assert S == 3
+G == 60000: @assert S == 4
+G == 110000 {
+    @assert S == 5
+    @stop
+}

@@ -1,0 +1,34 @@
+# Single samples are nonsense: on the pad, while climbing, while falling. Nothing may happen because of them.
+
+[options]
+delta_t 10
+
+[Pad]
+true: altitude = 0
+G == 500: altitude = 9999                # as high as an aircraft, for a hundredth of a second
+G == 800: altitude = 9999
+G > 1000: altitude = 1000 - 5.1 * (G / 1000 - 15) * (G / 1000 - 15)
+
+[Ascent]
+true: altitude = 1000 - 5.1 * (G / 1000 - 15) * (G / 1000 - 15)
+G == 8000: altitude = 9999               # believed, this would be the highest point, and the next sample a fall
+G == 9000: altitude = 40                 # believed, this would be a fall
+G == 9010: altitude = 40
+G < 15000: @assert S == 2 and not drogueCharge
+
+[Drogue]
+true: altitude = 1000 - (G - 15000) * 0.02
+G == 25000: altitude = 9999
+G == 26000: altitude = 0
+G == 50000: altitude = 0                 # near 300 m: believed, it would open the main
+G < 50500: @assert S == 3 and not mainCharge
+
+[Main]
+T == 0: @assert 235 < roll_avg(altitude, 25) < 255
+
+[all_states]
+G < 1000: @assert S == 1
+G == 56000 {
+    @assert S == 4
+    @stop
+}

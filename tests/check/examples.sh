@@ -1,0 +1,61 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Runs the examples as their reader would: examples.sh SMC FOLDER...  Each machine M.sm of a folder is checked, without a word from
+# smc, and tested on every engine by its scripts M.ss and M-*.ss; a state vector (.sv) in the folder is for all its machines.
+# A script that belongs to no machine is a failure, as is a machine without a script.
+smc=$1
+shift
+out=${TMPDIR:-/tmp}/smc-examples.$$
+trap 'rm -f "$out" "$out".smb' EXIT
+passed=0 failed=0
+
+# A test: its name, then the command, which must succeed; with quiet=1 it must say nothing either.
+expect() {
+    name=$1
+    shift
+    if "$@" >"$out" 2>&1 && { [ -z "$quiet" ] || [ ! -s "$out" ]; }; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "$name: $*"
+        cat "$out"
+    fi
+}
+
+# The scripts of the machine $1: M.ss, M-*.ss.
+scripts_of() {
+    for script in "${1%.sm}.ss" "${1%.sm}"-*.ss; do
+        [ -f "$script" ] && echo "$script"
+    done
+}
+
+# Sets `sv` to the option for the folder's state vector, or to nothing.
+find_vector() {
+    sv=
+    for file in "$1"/*.sv; do
+        [ -f "$file" ] && sv=--sv=$file
+    done
+}
+
+for folder; do
+    find_vector "$folder"
+    seen=0
+    for machine in "$folder"/*.sm; do
+        scripts=$(scripts_of "$machine")
+        # shellcheck disable=SC2086
+        set -- $scripts
+        seen=$((seen + $#))
+        quiet=1
+        expect check "$smc" check ${sv:+"$sv"} "$machine" "$@"
+        expect build "$smc" build ${sv:+"$sv"} "$machine" -o "$out".smb
+        quiet=
+        expect scripts test $# -gt 0
+        for script; do
+            expect test "$smc" test --engine=all -Werror ${sv:+"$sv"} "$machine" "$script"
+        done
+    done
+    # shellcheck disable=SC2012
+    expect "a script of no machine in $folder" test "$(ls "$folder"/*.ss | wc -l)" -eq "$seen"
+done
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
