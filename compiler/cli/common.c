@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every subcommand needs: messages, sources in, outputs out, the report of diagnostics.
 #include "compiler/cli/cli.h"
+#include "compiler/version.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -83,20 +84,29 @@ static bool wants_color(const Cli *c)
     return os_is_terminal(2) && !(term && strcmp(term, "dumb") == 0);
 }
 
+static void render(const Cli *c, const Diags *d, Buf *out)
+{
+    const char *format = c->given[OPT_FORMAT] ? c->value[OPT_FORMAT] : "text";
+    DiagStyle style = {wants_color(c), 20};
+
+    if (strcmp(format, "json") == 0)
+        diags_render_json(d, out);
+    else if (strcmp(format, "sarif") == 0)
+        diags_render_sarif(d, SMC_VERSION, out);
+    else
+        diags_render_text(d, &style, out);
+}
+
 int cli_report(Cli *c)
 {
     Diags *d = &c->session.diags;
-    DiagStyle style = {wants_color(c), 20};
     Buf out;
     int code;
 
     warnings_apply(c, d);
     diags_sort(d);
     buf_init(&out, &c->session.arena);
-    if (c->given[OPT_FORMAT] && strcmp(c->value[OPT_FORMAT], "json") == 0)
-        diags_render_json(d, &out);
-    else
-        diags_render_text(d, &style, &out);
+    render(c, d, &out);
     code = d->errors ? EXIT_PROBLEM : EXIT_OK;
     if (!cli_print(c, 2, &out) && !code)
         code = EXIT_ENVIRONMENT;

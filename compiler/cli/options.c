@@ -107,14 +107,24 @@ static bool one_of(Cli *c, OptionId id, const char *const *allowed, size_t n, co
     return false;
 }
 
+// A SARIF document stands for one run: only what reports once can write one.
+static bool sarif_fits(Cli *c)
+{
+    if (!c->given[OPT_FORMAT] || strcmp(c->value[OPT_FORMAT], "sarif") != 0 || strcmp(c->command->name, "check") == 0 ||
+        strcmp(c->command->name, "build") == 0)
+        return true;
+    cli_usage(c, "--message-format=sarif is for check and build");
+    return false;
+}
+
 static bool check_values(Cli *c)
 {
     static const char *const levels[] = {"0", "1", "2"};
-    static const char *const formats[] = {"text", "json"};
+    static const char *const formats[] = {"text", "json", "sarif"};
     static const char *const whens[] = {"auto", "always", "never"};
 
-    return one_of(c, OPT_OPT, levels, 3, "0, 1 or 2") && one_of(c, OPT_FORMAT, formats, 2, "text or json") &&
-           one_of(c, OPT_COLOR, whens, 3, "auto, always or never") && warnings_known(c);
+    return one_of(c, OPT_OPT, levels, 3, "0, 1 or 2") && one_of(c, OPT_FORMAT, formats, 3, "text, json or sarif") &&
+           sarif_fits(c) && one_of(c, OPT_COLOR, whens, 3, "auto, always or never") && warnings_known(c);
 }
 
 bool options_parse(Cli *c, int argc, char **argv)

@@ -86,6 +86,8 @@ typedef struct DiagStyle {
 void diags_render_text(const Diags *d, const DiagStyle *style, Buf *out);
 // One JSON object a line.
 void diags_render_json(const Diags *d, Buf *out);
+// One SARIF 2.1.0 document, with no results when there is nothing to say.  `version`: of the program that speaks.
+void diags_render_sarif(const Diags *d, const char *version, Buf *out);
 
 // The row whose id (or warning name) is `id`, upper or lower case; NULL if there is none.
 const DiagInfo *diag_find(const char *id);

@@ -2,49 +2,13 @@
 // The diagnostics as a machine reads them: one JSON object a line.  The keys and their order are a promise:
 // severity, code, message, file, line, column, endLine, endColumn, label, notes[], edits[].  The end is exclusive; what
 // has no place has null for all five; a label that is absent is null.
-#include <string.h>
-
-#include "compiler/base/utf8.h"
+#include "compiler/base/json.h"
 #include "compiler/diag/diag.h"
-
-// One character of a JSON string; bytes that are not UTF-8 become U+FFFD.
-static size_t put_json_character(Buf *out, const char *s, size_t n)
-{
-    uint32_t code = 0;
-    size_t len = utf8_decode(s, n, &code);
-
-    if (len == 0)
-        buf_str(out, "\\ufffd");
-    else if (*s == '"' || *s == '\\')
-        buf_printf(out, "\\%c", *s);
-    else if (code < 0x20 || code == 0x7f)
-        buf_printf(out, "\\u%04x", (unsigned)code);
-    else
-        buf_put(out, s, len);
-    return len ? len : 1;
-}
-
-static void put_json_string(Buf *out, const char *s)
-{
-    size_t n;
-
-    if (!s) {
-        buf_str(out, "null");
-        return;
-    }
-    buf_char(out, '"');
-    for (n = strlen(s); n; ) {
-        size_t len = put_json_character(out, s, n);
-        s += len;
-        n -= len;
-    }
-    buf_char(out, '"');
-}
 
 static void put_key(Buf *out, const char *key, const char *value)
 {
     buf_printf(out, "\"%s\":", key);
-    put_json_string(out, value);
+    json_put_string(out, value);
     buf_char(out, ',');
 }
 

@@ -15,7 +15,7 @@ Options:
   --max-steps=N            give up on a script after N steps (default 1000000)
   --junit=FILE             write the results as JUnit XML
   --tap                    print the results in the Test Anything Protocol
-  --message-format=FORMAT  diagnostics as text (default) or json
+  --message-format=FORMAT  diagnostics as text (default), json or sarif
   --color=WHEN             auto (default), always or never
   -w                       no warnings
   -WNAME                   -Wname, -Wno-name, -Wall, -Werror, -Werror=name

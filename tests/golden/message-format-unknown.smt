@@ -10,7 +10,7 @@ bool valveOpen
 .step
     valve0pen = true
 -- stderr --
-smc: --message-format is text or json, not 'xml'
+smc: --message-format is text, json or sarif, not 'xml'
 Try 'smc check --help'.
 -- exit --
 2

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// The diagnostics as one document of SARIF 2.1.0, the OASIS format that code-hosting sites and review tools read.
+// Columns count characters there, not bytes, and the end is exclusive.
+#include <string.h>
+
+#include "compiler/base/json.h"
+#include "compiler/base/utf8.h"
+#include "compiler/diag/diag.h"
+
+// ---- places ----
+
+static bool may_stand_in_uri(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c && strchr("-._~/", c));
+}
+
+// A path as a relative reference: what has a meaning in URIs is written as %XX, a backslash as a slash.
+static void put_uri(Buf *out, const char *path)
+{
+    buf_char(out, '"');
+    for (; *path; path++)
+        if (*path == '\\')
+            buf_char(out, '/');
+        else if (may_stand_in_uri(*path))
+            buf_char(out, *path);
+        else
+            buf_printf(out, "%%%02X", (unsigned)(unsigned char)*path);
+    buf_char(out, '"');
+}
+
+static unsigned long column_in_characters(const Source *src, LineCol where)
+{
+    const char *s = src->text + src->line[where.line - 1];
+    uint32_t left = where.col - 1, code;
+    unsigned long column = 1;
+
+    for (; left; column++) {
+        size_t len = utf8_decode(s, left, &code);
+        s += len ? len : 1;
+        left -= len ? (uint32_t)len : 1;
+    }
+    return column;
+}
+
+static void put_region(Buf *out, Span span)
+{
+    LineCol from = source_position(span.src, span.at), to = source_position(span.src, span.at + span.len);
+
+    buf_printf(out, "{\"startLine\":%lu,\"startColumn\":%lu,\"endLine\":%lu,\"endColumn\":%lu}", (unsigned long)from.line,
+               column_in_characters(span.src, from), (unsigned long)to.line, column_in_characters(span.src, to));
+}
+
+static void put_artifact(Buf *out, Span span)
+{
+    buf_str(out, "\"artifactLocation\":{\"uri\":");
+    put_uri(out, span.src->name);
+    buf_char(out, '}');
+}
+
+static void put_physical(Buf *out, Span span)
+{
+    buf_str(out, "\"physicalLocation\":{");
+    put_artifact(out, span);
+    buf_str(out, ",\"region\":");
+    put_region(out, span);
+    buf_char(out, '}');
+}
+
+static void put_message(Buf *out, const char *text)
+{
+    buf_str(out, "{\"text\":");
+    json_put_string(out, text);
+    buf_char(out, '}');
+}
+
+// ---- rules: the codes that were used, each once, in the order of codes.def ----
+
+static void put_rule(Buf *out, const DiagInfo *row)
+{
+    buf_printf(out, "{\"id\":\"%s\",\"name\":\"%s\",\"shortDescription\":", row->id, row->name);
+    put_message(out, row->message);
+    buf_str(out, ",\"help\":");
+    put_message(out, row->page);
+    buf_char(out, '}');
+}
+
+// Sets index[code] of every code that was used.
+static void put_rules(const Diags *d, Buf *out, size_t *index)
+{
+    bool used[DIAG_COUNT] = {false};
+    size_t n = 0;
+
+    for (size_t i = 0; i < d->list.n; i++)
+        used[d->list.at[i]->code] = true;
+    for (int i = 0; i < DIAG_COUNT; i++)
+        if (used[i]) {
+            buf_str(out, n ? ",\n" : "\n");
+            put_rule(out, &diag_info[i]);
+            index[i] = n++;
+        }
+}
+
+// ---- results ----
+
+static void put_locations(Buf *out, const Diag *d)
+{
+    buf_str(out, ",\"locations\":[");
+    if (d->span.src) {
+        buf_char(out, '{');
+        put_physical(out, d->span);
+        buf_char(out, '}');
+    }
+    buf_char(out, ']');
+}
+
+static void put_related(Buf *out, const Diag *d)
+{
+    if (d->notes.n == 0)
+        return;
+    buf_str(out, ",\"relatedLocations\":[");
+    for (size_t i = 0; i < d->notes.n; i++) {
+        buf_str(out, i ? ",{" : "{");
+        if (d->notes.at[i].span.src) {
+            put_physical(out, d->notes.at[i].span);
+            buf_char(out, ',');
+        }
+        buf_str(out, "\"message\":");
+        put_message(out, d->notes.at[i].text);
+        buf_char(out, '}');
+    }
+    buf_char(out, ']');
+}
+
+static void put_fix(Buf *out, const Diag *d)
+{
+    if (d->edits.n == 0)
+        return;
+    buf_str(out, ",\"fixes\":[{\"artifactChanges\":[{");
+    put_artifact(out, d->edits.at[0].span);
+    buf_str(out, ",\"replacements\":[");
+    for (size_t i = 0; i < d->edits.n; i++) {
+        buf_str(out, i ? ",{\"deletedRegion\":" : "{\"deletedRegion\":");
+        put_region(out, d->edits.at[i].span);
+        buf_str(out, ",\"insertedContent\":");
+        put_message(out, d->edits.at[i].text);
+        buf_char(out, '}');
+    }
+    buf_str(out, "]}]}]");
+}
+
+static void put_result(Buf *out, const Diag *d, size_t rule)
+{
+    Buf text;
+
+    buf_init(&text, out->arena);
+    buf_str(&text, d->text);
+    if (d->label)
+        buf_printf(&text, " (%s)", d->label);
+    buf_printf(out, "{\"ruleId\":\"%s\",\"ruleIndex\":%lu,\"level\":\"%s\",\"message\":", diag_info[d->code].id,
+               (unsigned long)rule, d->severity == DIAG_ERROR ? "error" : "warning");
+    put_message(out, buf_text(&text));
+    put_locations(out, d);
+    put_related(out, d);
+    put_fix(out, d);
+    buf_char(out, '}');
+}
+
+void diags_render_sarif(const Diags *d, const char *version, Buf *out)
+{
+    size_t index[DIAG_COUNT] = {0};
+
+    buf_str(out, "{\"$schema\":\"https://json.schemastore.org/sarif-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[{\n"
+                 "\"tool\":{\"driver\":{\"name\":\"smc\",\"version\":");
+    json_put_string(out, version);
+    buf_str(out, ",\"rules\":[");
+    put_rules(d, out, index);
+    buf_str(out, "]}},\n\"columnKind\":\"unicodeCodePoints\",\n\"results\":[");
+    for (size_t i = 0; i < d->list.n; i++) {
+        buf_str(out, i ? ",\n" : "\n");
+        put_result(out, d->list.at[i], index[d->list.at[i]->code]);
+    }
+    buf_str(out, "]}]}\n");
+}

@@ -1,0 +1,16 @@
+# Without anything to say there is a document without results.
+args check --message-format=sarif a.sm
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+bool valveOpen
+[Idle]
+.step
+    valveOpen = true
+-- stderr --
+{"$schema":"https://json.schemastore.org/sarif-2.1.0.json","version":"2.1.0","runs":[{
+"tool":{"driver":{"name":"smc","version":"[..]","rules":[]}},
+"columnKind":"unicodeCodePoints",
+"results":[]}]}
