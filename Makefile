@@ -195,6 +195,7 @@ $(B)/bench/%: tests/bench/%.c $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/libsmc.a
 
+bench: bench-scale
 bench-scale: $(B)/bench/scale
 	$(B)/bench/scale
 
@@ -235,6 +236,7 @@ help:
 	@echo 'make asan            runs every test under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'
 	@echo 'make docs            makes docs/diagnostics.md'
+	@echo 'make bench           measures: how compile time grows with the input'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
 	@echo 'make clean           removes $(B)'
 
@@ -304,5 +306,5 @@ check-clauses:
 CHECK_LINES += "check-clauses: $(MAKE) -s --no-print-directory check-clauses"
 .PHONY: check-clauses
 
-.PHONY: $(HOUSE_RULES) all asan check check-emitc check-ir check-golden check-mutate update-golden test fuzz install uninstall help clean
+.PHONY: $(HOUSE_RULES) all asan bench bench-scale check check-emitc check-ir check-golden check-mutate update-golden test fuzz install uninstall help clean
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
