@@ -1,33 +1,51 @@
-# The wire of the thermometer breaks while oxygen flows: it reads 0 K, which is colder than cold enough. Before that, single
-# samples of 0 and of 9999 have no effect.
+# The wire of the thermometer breaks: it reads 0 K, which is colder than cold enough. Once in a pause, once while oxygen flows, once
+# with the line ready. Before that, single samples of 0 and of 9999 have no effect.
 
 [options]
 delta_t 50
 
 [all_states]
-G == 0: chill = true
+G == 0: lineTemp = 290
+not chill and T >= 500: chill = true
 true: linePressure = 2
 
 [Soak]
 true: lineTemp = 170
+G < 20000: lineTemp = 290
+T == 500: lineTemp = 0
+T == 1000: lineTemp = 9999
+G < 20000 and T >= 1500: lineTemp = 0
+G < 20000: @assert T <= 1650
 
 [Flow]
-true: lineTemp = 150
+true: lineTemp = 92
+G < 60000: lineTemp = 96
 T == 1000: lineTemp = 0
-T == 1500: lineTemp = 9999
-T == 2000: lineTemp = 9999
-T >= 4000: lineTemp = 0
-T < 4000: @assert S == 4 and chillValve
-true: @assert T <= 4100
+T == 1500: lineTemp = 80
+G < 60000 and T >= 4000: lineTemp = 0
+G < 60000: @assert T <= 4150
+T < 4000: @assert chillValve and not lineReady
 
-[all_states]
-true: @assert S != 5 and not lineReady
+[Ready]
+true: lineTemp = 92
+T == 500: lineTemp = 0
+T == 1000: lineTemp = 9999
+T >= 4000: lineTemp = 9999
+T < 4000: @assert lineReady and not chillValve or T == 0
+true: @assert T <= 4150
 
+# The order is withdrawn after ten seconds.
 [Abort]
-T == 60000: chill = false
-T < 60000: @assert sensorFailed and not chillValve and bleedValve
-true: @assert T <= 60000
+T >= 10000: chill = false
+T == 10000: lineTemp = 290
+T < 10000: @assert sensorFailed and not chillValve and bleedValve and not lineReady
+true: @assert T <= 10000
 
 [Warm]
-G > 60000: @assert not sensorFailed and not chillValve and bleedValve
-T == 1000: @stop
+G > 1000: @assert not sensorFailed and not chillValve and bleedValve
+
+[all_states]
+G == 10000: @assert S == 6
+G == 21000: @assert S == 6
+G == 68000: @assert S == 5 or S == 4
+G == 78000: @stop

@@ -7,6 +7,8 @@ delta_t 50
 [all_states]
 G == 0: lineTemp = 290
 G == 0: linePressure = 1
+G == 0: chillValve = true                # at power-on an element may hold anything
+G == 0: lineReady = true
 G == 1000: chill = true
 G == 500000: chill = false
 chillValve: lineTemp = max(91, lineTemp - 0.4)
@@ -38,6 +40,7 @@ T < 5000: @assert chillValve and not lineReady
 [Ready]
 T == 0: @assert roll_max(lineTemp, 100) < 95
 T > 0 and chill: @assert lineReady and 90 < lineTemp < 98.5
+T > 1000 and lineTemp < 94: @assert not chillValve
 
 [all_states]
 G ==   900: @assert S == 1

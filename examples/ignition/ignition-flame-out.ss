@@ -27,8 +27,10 @@ true {
     pressureB = 5
     pressureC = 5
 }
-T < 2080: @assert S == 5 and oxidizerValve and fuelValve and abortReason == 0
 true: @assert T <= 2110
+
+[all_states]
+2700 < G < 4600: @assert S == 5 and oxidizerValve and fuelValve
 
 [Abort]
 true: @assert abortReason == 4 and not oxidizerValve and not fuelValve and purgeValve

@@ -27,8 +27,10 @@ T >= 1500 {
     pressureB = 31
     pressureC = 29
 }
-T < 1500: @assert S == 5 and fuelValve
 true: @assert T <= 1530
+
+[all_states]
+2700 < G < 4100: @assert S == 5 and fuelValve
 
 [Abort]
 true: @assert abortReason == 5 and not oxidizerValve and not fuelValve and purgeValve

@@ -4,6 +4,7 @@
 delta_t 10
 
 [all_states]
+G == 0: pressureA = 50
 G == 1000: fire = true
 true: @assert abortReason == 0
 
@@ -17,7 +18,10 @@ true {
     pressureB = max(0, T - 100) / 5
     pressureC = max(0, T - 100) / 5
 }
-T < 140: @assert S == 4
+T == 90 {                               # for one single step the other two see a spike too
+    pressureB = 35
+    pressureC = 35
+}
 
 # It stays so for half a second; then it works, and sensor C falls to zero, which would be a flame-out.
 [Burn]
@@ -37,6 +41,9 @@ T == 2000 {
     pressureC = 35
 }
 T < 4000: @assert S == 5 and oxidizerValve and fuelValve
+
+[all_states]
+2700 < G < 6500: @assert S == 5
 
 [Shutdown]
 T == 200 {

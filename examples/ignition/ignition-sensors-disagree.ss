@@ -16,17 +16,28 @@ true {
     pressureC = 10
 }
 
-# For a second B alone is wrong, which is no reason to stop.
+# First each of the sensors alone is wrong for 300 ms, with one sample of another one wrong too: no reason to stop. From 2 s on
+# two are wrong, each in its own way.
 [Burn]
 true {
     pressureA = 20
     pressureB = 20
     pressureC = 20
 }
-T >= 1000: pressureB = 27
-T >= 2000: pressureC = 14
-T < 2050: @assert S == 5 and fuelValve
+1000 <= T < 1300: pressureA = 27
+1300 <= T < 1600: pressureB = 27
+1600 <= T < 1900: pressureC = 27
+T == 1200: pressureC = 13
+T == 1500: pressureA = 13
+T == 1800: pressureB = 13
+T >= 2000 {
+    pressureB = 27
+    pressureC = 13
+}
 true: @assert T <= 2120
+
+[all_states]
+2700 < G < 4600: @assert S == 5 and fuelValve
 
 [Abort]
 true: @assert abortReason == 6 and not oxidizerValve and not fuelValve and purgeValve

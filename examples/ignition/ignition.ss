@@ -54,7 +54,10 @@ T < 100: @assert fuelValve and not purgeValve
 T >= 100: @assert not fuelValve and purgeValve
 
 [all_states]
-G == 8000: @assert S == 6
+G ==  1900: @assert S == 2
+G ==  2500: @assert S == 3
+G ==  6500: @assert S == 5
+G ==  8000: @assert S == 6
 G == 11990: @assert S == 6
 G == 12100 {
     @assert S == 1

@@ -1,5 +1,5 @@
 # The flight as it should be: launch after 1 s, highest point of 1000 m after 15 s, 20 m/s under the drogue,
-# 5 m/s under the main. The altimeter is noisy by 2 m up and down.
+# 5 m/s under the main, landing on a hill 60 m above the pad. The altimeter is noisy by 2 m up and down.
 
 [options]
 delta_t 10
@@ -25,13 +25,13 @@ T < 1000: @assert drogueCharge and not mainCharge
 T >= 1000: @assert not drogueCharge and not mainCharge
 
 [Main]
-altitude > 0: altitude = max(altitude - 0.05, 0)
+true: altitude = max(altitude - 0.05, 60)
 T == 0: @assert 235 < altitude < 255
 T < 1000: @assert mainCharge and not drogueCharge
 T >= 1000: @assert not mainCharge and not drogueCharge
 
 [Landed]
-true: @assert altitude == 0 and beacon and not mainCharge
+true: @assert altitude == 60 and beacon and not mainCharge
 
 [all_states]
 G == 500: @assert S == 1
