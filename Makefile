@@ -201,6 +201,19 @@ bench-scale: $(B)/bench/scale
 
 .PHONY: bench-scale
 
+# tests/fault: memory taken away at every request.  FAULT_ALL=1 tries every machine of conformance/ (minutes).
+FAULT_CASES = $(if $(FAULT_ALL),$(wildcard conformance/*/*.smt),$(wildcard tests/fault/*.smt))
+$(B)/fault/memory: tests/fault/memory.c compiler/base/arena.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -DARENA_FIRST_CHUNK=16 -DARENA_LARGEST_CHUNK=16 $(filter %.c,$^) -o $@ $(B)/libsmc.a
+
+$(B)/fault/shim.so: tests/fault/shim.c
+	@mkdir -p $(@D)
+	-$(call say,CC)$(CC) -std=c99 -O1 -Wall -Wextra -shared -fPIC $< -o $@ -ldl || rm -f $@
+
+check: $(B)/fault/memory $(B)/fault/shim.so
+CHECK_LINES += "fault-memory: $(B)/fault/memory $(FAULT_CASES)" "fault-command: sh tests/fault/command.sh $(B)/smc $(B)/fault/shim.so"
+
 # ---- installing ----
 
 DEST = $(DESTDIR)$(PREFIX)

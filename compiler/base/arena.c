@@ -10,7 +10,12 @@ struct ArenaChunk {
     size_t size;          // usable bytes behind this header
 };
 
-enum { ALIGN = 16, FIRST_CHUNK = 32 * 1024, LARGEST_CHUNK = 16 * 1024 * 1024 };
+#ifndef ARENA_FIRST_CHUNK                // a test makes chunks so small that each allocation asks the host
+#define ARENA_FIRST_CHUNK (32 * 1024)
+#define ARENA_LARGEST_CHUNK (16 * 1024 * 1024)
+#endif
+
+enum { ALIGN = 16, FIRST_CHUNK = ARENA_FIRST_CHUNK, LARGEST_CHUNK = ARENA_LARGEST_CHUNK };
 
 #define HEADER ((sizeof(ArenaChunk) + ALIGN - 1) / ALIGN * ALIGN)
 

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// Takes away memory at every place where the library asks for some: compiling, checking, all outputs, and running a script
+// must come back to the session's edge by longjmp, with every piece given back, and touch nothing that they were refused.
+//
+//     memory FILE.smt…      each with a machine; without scripts it is only compiled
+//
+// It is built with arenas whose chunks hold one allocation each, so that "the N-th request fails" hits every call of
+// arena_alloc in turn.
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/analysis/analysis.h"
+#include "compiler/pipeline.h"
+#include "compiler/script/testfile.h"
+#include "tests/test.h"
+
+// ---- a host that refuses the N-th request ----
+
+typedef struct Host {
+    size_t requests, refuse;          // refuse: the number of the request that gets nothing, counted from 1; 0: none
+    size_t live;                      // pieces handed out and not given back
+} Host;
+
+static void *take(void *context, void *old, size_t size)
+{
+    Host *h = context;
+    void *p;
+
+    if (size == 0) {
+        h->live -= old != NULL;
+        free(old);
+        return NULL;
+    }
+    if (++h->requests == h->refuse || (p = realloc(old, size)) == NULL)
+        return NULL;
+    h->live += old == NULL;
+    return p;
+}
+
+static void *from_heap(void *context, void *old, size_t size)
+{
+    (void)context;
+    if (size)
+        return realloc(old, size);
+    free(old);
+    return NULL;
+}
+
+// ---- everything the library does with a machine ----
+
+typedef struct Case { const TestPart *sm, *sv, *ss; } Case;
+
+static const Source *source_of(Session *s, const TestPart *part)
+{
+    return part ? source_new(&s->arena, part->name, part->text, part->n) : NULL;
+}
+
+static void make_outputs(Session *s, IrMachine *m, Buf *out)
+{
+    EmitCOptions c;
+    Buf header;
+    const char *error;
+
+    memset(&c, 0, sizeof c);
+    c.header = "m.h";
+    c.source = "m.sm";
+    buf_init(&header, &s->arena);
+    session_emit_c(s, m, &c, &header, out);
+    buf_put(out, buf_text(&header), header.n);
+    header.n = 0;
+    ir_print(m, &header);
+    ir_read(&s->arena, &s->strings, buf_text(&header), header.n, &error);
+    buf_put(out, buf_text(&header), header.n);
+}
+
+static void run_script(Session *s, const Program *p, const Script *script, const Buf *image, Buf *out)
+{
+    const char *error = NULL;
+    Engine *engine[2] = {engine_ref_open(&s->arena, p), NULL};
+    ScriptOptions o;
+    ScriptResult r;
+
+    engine[1] = engine_vm_open(&s->arena, p, (const uint8_t *)image->at, image->n, 0, &error);
+    memset(&o, 0, sizeof o);
+    o.max_steps = 30;
+    o.trace = out;
+    r = script_run(&s->arena, &s->diags, script, engine, engine[1] ? 2 : 1, &o);
+    script_report(&r, p, out);
+}
+
+static void do_everything(Session *s, const Case *c, Buf *out)
+{
+    const Source *ss = source_of(s, c->ss);
+    Map written = {&s->arena, NULL, NULL, 0, 0};
+    MachineInput in = {source_of(s, c->sm), source_of(s, c->sv), &written, 2};
+    AstFile *ast = ss ? session_parse(s, ss, FILE_SS) : NULL;
+    ImageOptions image = {true};
+    Program *p;
+    IrMachine *m;
+    Script *script;
+    Buf bytes;
+
+    if (ast)
+        script_written_names(ast, &written);
+    if ((p = session_program(s, &in)) == NULL)
+        return;
+    analyse_program(&s->arena, &s->diags, p);
+    m = session_ir(s, p, 0);
+    make_outputs(s, m, out);
+    m = session_ir(s, p, 2);
+    make_outputs(s, m, out);
+    buf_init(&bytes, &s->arena);
+    if (!session_image(s, &m, 1, &image, &bytes))
+        return;
+    buf_put(out, buf_text(&bytes), bytes.n);
+    if (ast && (script = session_script(s, ss, p)) != NULL)
+        run_script(s, p, script, &bytes, out);
+}
+
+static void report(Session *s, Buf *out)
+{
+    DiagStyle style = {true, 20};
+
+    diags_sort(&s->diags);
+    diags_render_text(&s->diags, &style, out);
+    diags_render_json(&s->diags, out);
+}
+
+static uint64_t digest(const Buf *b)
+{
+    uint64_t h = 1469598103934665603u;
+
+    for (size_t i = 0; i < b->n; i++)
+        h = (h ^ (unsigned char)b->at[i]) * 1099511628211u;
+    return h;
+}
+
+// Whether it came to its end; then *result says what it made.
+static bool attempt(Host *h, const Case *c, uint64_t *result)
+{
+    volatile bool done = false;
+    jmp_buf oom;
+    Session s;
+    Buf out;
+
+    session_init(&s, take, h, &oom);
+    if (setjmp(oom) == 0) {
+        buf_init(&out, &s.arena);
+        do_everything(&s, c, &out);
+        report(&s, &out);
+        *result = digest(&out);
+        done = true;
+    }
+    session_free(&s);
+    return done;
+}
+
+// ---- every request in turn ----
+
+static bool refuse_each(const char *file, const Case *c)
+{
+    Host plenty = {0, 0, 0};
+    uint64_t expected = 0, result;
+
+    if (!attempt(&plenty, c, &expected) || plenty.live != 0)
+        return fprintf(stderr, "%s: it does not even work with plenty of memory\n", file), false;
+    for (size_t n = 1; n <= plenty.requests + 1; n++) {
+        Host h = {0, n, 0};
+        bool done = attempt(&h, c, &result);
+        if (h.live != 0)
+            return fprintf(stderr, "%s: request %lu: %lu pieces are not given back\n", file, (unsigned long)n, (unsigned long)h.live), false;
+        if (done != (n > plenty.requests) || (done && result != expected))
+            return fprintf(stderr, "%s: request %lu: refused, and it went on\n", file, (unsigned long)n), false;
+    }
+    return true;
+}
+
+static const TestPart *find_part(const TestFile *t, const char *suffix)
+{
+    for (size_t i = 0; i < t->part.n; i++)
+        if (testfile_has_suffix(&t->part.at[i], suffix))
+            return &t->part.at[i];
+    return NULL;
+}
+
+static char *read_all(const char *path, size_t *n)
+{
+    FILE *f = fopen(path, "rb");
+    char *text = NULL;
+
+    if (!f || fseek(f, 0, SEEK_END) != 0 || !(text = malloc((size_t)ftell(f) + 1))) {
+        fprintf(stderr, "cannot read %s\n", path);
+        exit(3);
+    }
+    *n = (size_t)ftell(f);
+    rewind(f);
+    *n = fread(text, 1, *n, f);
+    fclose(f);
+    return text;
+}
+
+static bool check_file(const char *file)
+{
+    size_t n;
+    char *text = read_all(file, &n);
+    volatile bool ok = false;
+    jmp_buf oom;
+    Arena a;
+    TestFile *t;
+    Case c;
+
+    arena_init(&a, from_heap, NULL, &oom);
+    if (setjmp(oom) == 0) {
+        t = testfile_parse(&a, file, text, n);
+        c = (Case){find_part(t, ".sm"), find_part(t, ".sv"), find_part(t, ".ss")};
+        ok = !t->error && (!c.sm || refuse_each(file, &c));
+    }
+    arena_free(&a);
+    free(text);
+    return ok;
+}
+
+int main(int argc, char **argv)
+{
+    for (int i = 1; i < argc; i++)
+        CHECK(check_file(argv[i]));
+    return test_end("memory");
+}
