@@ -17,6 +17,7 @@ struct TestCase {
     char *text;               // of the file, from the heap
     Source **src;             // of each part that is a source
     Buf why;                  // what is wrong, a line or more each
+    int code;                 // the exit code of that; 0: EXIT_PROBLEM
     unsigned which;           // engines it runs on
     Program *p;
     IrMachine *ir;            // of p, where emitted C is among them
@@ -242,6 +243,8 @@ static void run_script(Case *c, const Script *script, const char *name, bool is_
         o.trace = &trace;
     r = script_run(&c->s.arena, &c->s.diags, script, c->engines.at, c->engines.n, &o);
     check_outcome(c, name, r.outcome);
+    if (r.outcome == SCRIPT_BROKEN)
+        c->code = EXIT_INTERNAL;
     script_report(&r, c->p, &report);
     if (report_part && is_first)
         test_check_report(report_part, &report, &c->why);
@@ -255,6 +258,8 @@ static void run_scripts(Case *c, Engine *emitted_c)
 
     if (!engines_open(&c->engines, &c->s, c->p, emitted_c ? c->which & ~(1u << ENGINE_C) : c->which, option_level(c->t->c))) {
         complain(c, c->engines.error);
+        if (c->s.diags.errors == 0)           // else an image may be too large
+            c->code = EXIT_ENVIRONMENT;
         return;
     }
     if (emitted_c)
@@ -337,7 +342,7 @@ static void judge(Case *c, Engine *emitted_c)
         run_scripts(c, emitted_c);
     check_diagnostics(c);
     if (c->why.n)
-        finish(c, TEST_FAILED, buf_text(&c->why), EXIT_PROBLEM);
+        finish(c, TEST_FAILED, buf_text(&c->why), c->code ? c->code : EXIT_PROBLEM);
     else
         finish(c, TEST_PASSED, "", EXIT_OK);
 }

@@ -8,6 +8,7 @@ typedef struct MachineTest {
     TestRun *t;
     Program *p;
     EngineSet engines;
+    Source **ss;              // by argument: the scripts, read once; NULL: no script, or it cannot be read
     Buf trace, report;        // of the last script
     OsStream trace_file;
     const char *trace_error;  // why the trace could not be written; NULL while it could
@@ -56,7 +57,7 @@ static int close_trace(MachineTest *m)
     if (!m->t->c->given[OPT_TRACE])
         return EXIT_OK;
     put_trace(m);
-    if (!os_stream_close(&m->trace_file, !m->trace_error, &why) && !m->trace_error)
+    if (!os_stream_close(&m->trace_file, !m->trace_error && m->report.n, &why) && !m->trace_error)     // no run, no trace
         m->trace_error = why;
     return m->trace_error ? trace_fails(m, m->trace_error) : EXIT_OK;
 }
@@ -100,9 +101,8 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
     test_add_result(t, path, code == EXIT_OK ? TEST_PASSED : TEST_FAILED, message, code);
 }
 
-static void test_script(MachineTest *m, const char *path)
+static void test_script(MachineTest *m, const char *path, const Source *src)
 {
-    Source *src = cli_load(m->t->c, path);
     const char *message;
     Script *s;
 
@@ -119,16 +119,18 @@ static void test_script(MachineTest *m, const char *path)
     test_add_result(m->t, path, TEST_FAILED, message, EXIT_PROBLEM);
 }
 
-// The locals that the scripts write: the machine is compiled with them as variables.
-static void collect_written(TestRun *t, Map *written)
+// Reads the scripts.  The machine is compiled with the locals that they write as variables.
+static void read_scripts(MachineTest *m, Map *written)
 {
-    Cli *c = t->c;
+    Cli *c = m->t->c;
 
+    m->ss = ARENA_ARRAY(m->t->arena, Source *, c->files);
     c->session.diags.muted = true;            // a script's own mistakes are reported when it is compiled
     for (size_t i = 0; i < c->files; i++)
         if (has_suffix(c->file[i], ".ss")) {
-            Source *ss = os_is_folder(c->file[i]) ? NULL : cli_load(c, c->file[i]);
-            AstFile *f = ss ? session_parse(&c->session, ss, FILE_SS) : NULL;
+            AstFile *f;
+            m->ss[i] = cli_load(c, c->file[i]);
+            f = m->ss[i] ? session_parse(&c->session, m->ss[i], FILE_SS) : NULL;
             if (f)
                 script_written_names(f, written);
         }
@@ -145,7 +147,7 @@ static int compile_machine(MachineTest *m, const char *path)
         return EXIT_ENVIRONMENT;
     if (c->given[OPT_SV] && (in.sv = cli_load(c, c->value[OPT_SV])) == NULL)
         return EXIT_ENVIRONMENT;
-    collect_written(m->t, &written);
+    read_scripts(m, &written);
     m->p = session_program(&c->session, &in);
     return m->p ? EXIT_OK : EXIT_PROBLEM;
 }
@@ -189,7 +191,7 @@ static int test_scripts(MachineTest *m)
         if (has_suffix(c->file[i], ".ss")) {
             if ((code = open_trace(m)) != EXIT_OK)
                 break;
-            test_script(m, c->file[i]);
+            test_script(m, c->file[i], m->ss[i]);
             code = close_trace(m);
             printed = print_report(m, c->file[i]);
             code = code == EXIT_OK ? printed : code;

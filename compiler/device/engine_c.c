@@ -136,18 +136,26 @@ static bool start(Workshop *w, OsPartner *partner)
     return os_partner_start(partner, argv, &why) ? true : failed(w, "cannot start the compiled machine", why);
 }
 
-// Builds and starts; the folder is gone afterwards, for a program that runs needs its file no more.
+// Builds and starts; the folder is gone afterwards, for a program that runs needs its file no more.  It goes even if memory
+// runs out in between: that passes by here on its way to whoever waits for it.
 static bool build_and_start(Arena *arena, const Buf *code, const EngineCOptions *o, OsPartner *partner, const char **error)
 {
-    Workshop w = { 0 };
+    Workshop *w = ARENA_NEW(arena, Workshop);
+    jmp_buf *outer = arena->oom, here;
     bool ok;
 
-    w.arena = arena;
-    w.error = error;
-    if (!workshop_open(&w))
-        return false;
-    ok = write_source(&w, code) && compile(&w, o) && start(&w, partner);
-    os_remove_folder(w.folder);
+    w->arena = arena;
+    w->error = error;
+    if (setjmp(here) != 0) {
+        os_remove_folder(w->folder);
+        arena->oom = outer;
+        longjmp(*outer, 1);
+    }
+    arena->oom = &here;
+    ok = workshop_open(w) && write_source(w, code) && compile(w, o) && start(w, partner);
+    if (w->folder[0])
+        os_remove_folder(w->folder);
+    arena->oom = outer;
     return ok;
 }
 
