@@ -9,7 +9,7 @@ static bool entry(const SmvmMachine *m, uint32_t index, uint32_t *value)       /
 {
     if (m->debug_size / 3 <= index)
         return false;
-    *value = smvm_uint(m->image, m->debug_at + 3 * index, 3);
+    *value = smvm_u24(m->image, m->debug_at + 3 * index);
     return true;
 }
 

@@ -260,7 +260,7 @@ static void line(Out *o, const char *what, uint64_t v, const char *unit)
 static void window(Out *o, uint32_t w)
 {
     static const char *const stat[] = {" average", " median", " smallest", " largest", " range"};
-    uint32_t entry = smvm_uint(o->m->image, o->m->windows_at + w * SMVM_WINDOW_ENTRY, SMVM_WINDOW_ENTRY);
+    uint32_t entry = smvm_u24(o->m->image, o->m->windows_at + w * SMVM_WINDOW_ENTRY);
 
     text(o, "    w");
     number(o, w);
@@ -374,7 +374,7 @@ void smvm_disasm(SmvmBytes image, SmvmWrite write, void *context)
     o.context = context;
     o.m = &m;
     text(&o, "image of ");
-    number(&o, smvm_uint(image, SMVM_LENGTH_AT, 3));
+    number(&o, smvm_u24(image, SMVM_LENGTH_AT));
     text(&o, " bytes, format 1, crc ");
     hex(&o, smvm_uint(image, SMVM_CRC_AT, 4), 8);
     text(&o, "\n");

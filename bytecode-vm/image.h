@@ -84,7 +84,12 @@ static inline uint32_t smvm_uint(SmvmBytes image, uint32_t at, uint8_t bytes)   
     return v;
 }
 
-// The bits of a value of type `type`.
+static inline uint32_t smvm_u24(SmvmBytes image, uint32_t at)
+{
+    return smvm_u8(image, at) | (uint32_t)smvm_u8(image, at + 1) << 8 | (uint32_t)smvm_u8(image, at + 2) << 16;
+}
+
+// The bits of a value of so many bytes.
 static inline uint64_t smvm_cell(SmvmBytes image, uint32_t at, uint8_t bytes)
 {
     return bytes < 8 ? smvm_uint(image, at, bytes) : (uint64_t)smvm_uint(image, at + 4, 4) << 32 | smvm_uint(image, at, 4);

@@ -56,7 +56,7 @@ static uint8_t *memory_of(const SmVm *vm, uint8_t *kind, uint32_t payload)    //
 static SmF64 get(Run *r)
 {
     const SmVm *vm = r->vm;
-    uint32_t entry = smvm_uint(vm->image, vm->operands + 3 * next(r), 3);
+    uint32_t entry = smvm_u24(vm->image, vm->operands + 3 * next(r));
     uint8_t kind = entry & ((1u << SMVM_KIND_BITS) - 1u);
     const uint8_t *p;
 
@@ -68,7 +68,7 @@ static SmF64 get(Run *r)
 
 static void put(const SmVm *vm, uint32_t operand, SmF64 x)
 {
-    uint32_t entry = smvm_uint(vm->image, vm->operands + 3 * operand, 3);
+    uint32_t entry = smvm_u24(vm->image, vm->operands + 3 * operand);
     uint8_t kind = entry & ((1u << SMVM_KIND_BITS) - 1u);
     uint8_t *p;
 

@@ -47,8 +47,8 @@ SmvmSection smvm_section(SmvmBytes image, uint32_t index)
 
     s.id = smvm_u8(image, at);
     s.version = smvm_u8(image, at + 1);
-    s.at = smvm_uint(image, at + 2, 3);
-    s.size = smvm_uint(image, at + 5, 3);
+    s.at = smvm_u24(image, at + 2);
+    s.size = smvm_u24(image, at + 5);
     return s;
 }
 
@@ -119,7 +119,7 @@ bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m)
 
 SmvmOperand smvm_operand_at(SmvmBytes image, uint32_t at)
 {
-    uint32_t entry = smvm_uint(image, at, 3);
+    uint32_t entry = smvm_u24(image, at);
     SmvmOperand o;
 
     o.kind = entry & ((1u << SMVM_KIND_BITS) - 1u);
@@ -146,7 +146,7 @@ static uint32_t plus(uint32_t a, uint32_t b) { return a > UINT32_MAX - b ? UINT3
 
 static uint32_t window_size(const SmvmMachine *m, uint32_t w, uint32_t *stats)
 {
-    uint32_t entry = smvm_uint(m->image, m->windows_at + w * SMVM_WINDOW_ENTRY, SMVM_WINDOW_ENTRY);
+    uint32_t entry = smvm_u24(m->image, m->windows_at + w * SMVM_WINDOW_ENTRY);
 
     *stats = entry >> SMVM_WINDOW_SIZE_BITS;
     return entry & ((1u << SMVM_WINDOW_SIZE_BITS) - 1u);

@@ -52,7 +52,7 @@ static bool check_header(Check *c, SmvmBytes image, uint32_t size)
         return fail(c, SMVM_R_MAGIC, 0);
     if (smvm_u8(image, 3) != SMVM_FORMAT)
         return fail(c, SMVM_R_FORMAT, 3);
-    c->end = smvm_uint(image, SMVM_LENGTH_AT, 3);
+    c->end = smvm_u24(image, SMVM_LENGTH_AT);
     if (c->end > size || c->end > SMVM_IMAGE_MAX || c->end < SMVM_HEADER + (uint32_t)SMVM_ENTRY * smvm_sections(image))
         return fail(c, SMVM_R_LENGTH, SMVM_LENGTH_AT);
     return true;
@@ -112,7 +112,7 @@ static bool check_sections(Check *c, SmvmBytes image)
 static bool check_windows(Check *c)
 {
     for (uint32_t w = 0; w < c->m.windows; w++) {
-        uint32_t at = c->m.windows_at + w * SMVM_WINDOW_ENTRY, entry = smvm_uint(c->m.image, at, SMVM_WINDOW_ENTRY);
+        uint32_t at = c->m.windows_at + w * SMVM_WINDOW_ENTRY, entry = smvm_u24(c->m.image, at);
         uint32_t size = entry & ((1u << SMVM_WINDOW_SIZE_BITS) - 1u);
         if (size < 1 || size > SM_WINDOW_MAX || entry >> SMVM_WINDOW_SIZE_BITS >> SM_STAT_COUNT != 0)
             return fail(c, SMVM_R_WINDOW, at);
@@ -287,7 +287,7 @@ static bool check_window_used(Check *c, uint8_t op)
         return fail(c, SMVM_R_WINDOW_USED, at);
     if (op == SMVM_sample)
         return (c->in == IN_SAMPLE && w == c->sampled++ && c->far <= c->at) || fail(c, SMVM_R_SAMPLE, at);
-    stats = smvm_uint(c->m.image, c->m.windows_at + w * SMVM_WINDOW_ENTRY, SMVM_WINDOW_ENTRY) >> SMVM_WINDOW_SIZE_BITS;
+    stats = smvm_u24(c->m.image, c->m.windows_at + w * SMVM_WINDOW_ENTRY) >> SMVM_WINDOW_SIZE_BITS;
     if (!(stats >> (op - SMVM_avg) & 1u))
         return fail(c, SMVM_R_WINDOW_USED, at);
     return w < c->sampled || fail(c, SMVM_R_SAMPLE, at);
