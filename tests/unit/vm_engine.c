@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// The VM as an engine: which images it takes for a program, and that writes, refusals and the answers after init are right.
+// That it computes what the reference does is for conformance/ and tests/diff to show.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/pipeline.h"
+#include "compiler/script/engine.h"
+#include "tests/test.h"
+
+static const char counter[] = "[state_vector]\nU64 G\nU32 S\nI8 in @read_only\nU16 out\n[local]\nF64 half = 0.5 @read_only\nU8 n = 3\n"
+                              "[A]\n.step\n n = n + in\n out = n\n n > 10: -> B\n[B]\n";
+static const char other[] = "[state_vector]\nU64 G\nU32 S\nI8 inn @read_only\nU16 out\n[local]\nU8 n = 3\n[A]\n.step\n n = n + inn\n out = n\n n > 10: -> B\n[B]\n";
+static const char one_state[] = "[state_vector]\nU64 G\nU32 S\nI8 in @read_only\nU16 out\n[local]\nU8 n = 3\n[A]\n.step\n n = n + in\n out = n\n";
+
+static void *host(void *context, void *old, size_t size)
+{
+    (void)context;
+    if (size)
+        return realloc(old, size);
+    free(old);
+    return NULL;
+}
+
+static Program *program(Session *s, const char *text)
+{
+    MachineInput in;
+
+    memset(&in, 0, sizeof in);
+    in.sm = source_new(&s->arena, "t.sm", text, strlen(text));
+    return session_program(s, &in);
+}
+
+static Buf image(Session *s, const Program *p, bool debug)
+{
+    IrMachine *m = session_ir(s, p, 1);
+    ImageOptions o = {debug};
+    Buf out;
+
+    buf_init(&out, &s->arena);
+    CHECK(session_image(s, &m, 1, &o, &out));
+    return out;
+}
+
+static bool refuses(Session *s, const Program *p, Buf b, uint32_t machine, const char *words)
+{
+    const char *error = NULL;
+    Engine *e = engine_vm_open(&s->arena, p, (const uint8_t *)b.at, b.n, machine, &error);
+
+    if (!e && !strstr(error, words))
+        fprintf(stderr, "%s\n", error);
+    return !e && strstr(error, words);
+}
+
+static void opening(Session *s)
+{
+    Program *p = program(s, counter), *q = program(s, other), *r = program(s, one_state);
+    Buf b = image(s, p, true);
+
+    CHECK(refuses(s, p, b, 1, "no machine number 1"));
+    CHECK(refuses(s, q, b, 0, "another state vector"));
+    CHECK(refuses(s, r, b, 0, "another machine"));
+    CHECK(refuses(s, p, image(s, p, false), 0, "no local named 'n'"));
+    b.at[b.n - 1] ^= 1;
+    CHECK(refuses(s, p, b, 0, "rule 4"));
+    b.n = 3;
+    CHECK(refuses(s, p, b, 0, "rule 3"));
+}
+
+static uint32_t index_of(const Program *p, const char *name)
+{
+    for (uint32_t i = 0; i < p->var.n; i++)
+        if (strcmp(p->var.at[i]->name->text, name) == 0)
+            return i;
+    return 0;
+}
+
+static void running(Session *s)
+{
+    Program *p = program(s, counter);
+    Buf b = image(s, p, true);
+    const char *error = NULL;
+    Engine *e = engine_vm_open(&s->arena, p, (const uint8_t *)b.at, b.n, 0, &error);
+    uint32_t n = index_of(p, "n"), in = index_of(p, "in"), out = index_of(p, "out"), half = index_of(p, "half");
+    EngineStep a;
+
+    CHECK(e != NULL);
+    if (!e)
+        return;
+    engine_step_init(&a, &s->arena, p);
+    CHECK(e->init(e, 3, &a) == ENGINE_BROKEN && e->error);
+    CHECK(e->init(e, 2, &a) == ENGINE_OK && a.next_state == 2 && a.cell[p->s->index] == 2 && a.cell[n] == 3);
+    CHECK(e->init(e, 1, &a) == ENGINE_OK && a.next_state == 1 && a.next_is_first && a.cell[half] == 0x3fe0000000000000 && !a.stored[p->s->index]);
+    CHECK(e->step(e, &(EngineWrite){in, 0xff}, 1, &a) == ENGINE_OK);             // -1
+    CHECK(a.cell[n] == 2 && a.cell[out] == 2 && a.cell[in] == 0xff && a.stored[out] && a.stored[p->s->index] && !a.stored[in] && !a.next_is_first);
+    CHECK(e->step(e, &(EngineWrite){in, 5}, 1, &a) == ENGINE_REFUSED && a.cell[n] == 2 && a.cell[in] == 5 && !a.stored[out]);
+    CHECK(e->step(e, (const EngineWrite[]){{p->g->index, 9}, {n, 200}}, 2, &a) == ENGINE_OK);
+    CHECK(a.cell[n] == 205 && a.cell[p->t->index] == 9 && a.next_state == 2 && a.next_is_first && a.cell[p->s->index] == 1);
+    CHECK(!a.stored[p->s->index] && a.stored[out]);
+    e->close(e);
+}
+
+int main(void)
+{
+    jmp_buf oom;
+    Session s;
+
+    session_init(&s, host, NULL, &oom);
+    opening(&s);
+    running(&s);
+    session_free(&s);
+    return test_end("vm_engine");
+}
