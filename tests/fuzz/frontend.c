@@ -109,6 +109,7 @@ static void check_diags(Session *s)
     diags_render_text(&s->diags, &plain, &out);
     FUZZ_CHECK(strlen(buf_text(&out)) == out.n);              // nothing unprintable has got through
     diags_render_json(&s->diags, &out);
+    diags_render_sarif(&s->diags, "1", &out);
     FUZZ_CHECK(strlen(buf_text(&out)) == out.n);
 }
 
@@ -123,6 +124,8 @@ static void try_parse(Session *s, const Source *src, FileKind kind)
     check_tree(f);
     check_diags(s);
     buf_init(&out, &s->arena);
+    diags_apply_edits(&s->diags, src, &out);
+    parse_file(&s->arena, &s->strings, &s->diags, source_new(&s->arena, "fixed", buf_text(&out), out.n), kind);
     ast_print(f, &out);
     lex_print(&s->arena, &s->strings, &s->diags, src, &out);
 }
