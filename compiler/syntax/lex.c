@@ -192,7 +192,10 @@ static void lex_number(Lexer *l, Token *t)
 
     if (!number_value(l->src->text + l->at, end - l->at, &t->number) && !runs_on)
         diag_report(l->diags, DIAG_number_too_large, lexer_span(l, l->at, end - l->at), lexer_text(l, l->at, end));
-    lexer_finish(l, t, TOK_NUMBER, runs_on ? lex_slip_number(l, l->at, end) : end);
+    if (runs_on)
+        lexer_finish(l, t, TOK_ERROR, lex_slip_number(l, l->at, end));
+    else
+        lexer_finish(l, t, TOK_NUMBER, end);
 }
 
 bool lex_is_header_name(const char *s, size_t n)

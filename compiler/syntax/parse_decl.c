@@ -172,7 +172,7 @@ static bool take_name(Parser *p, AstDecl *d)
     d->name_span = parser_here(p);
     if (p->tok.kind == TOK_NAME) {
         parser_next(p);
-        return true;
+        return !slip_dotted_name(p, d->name_span);
     }
     if (p->tok.kind == TOK_ERROR) {
         p->failed = true;
@@ -221,6 +221,9 @@ static void slip_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
         parser_fail(p, DIAG_decl_comma, parser_here(p));
     else if (p->tok.kind == TOK_NAME && s->kind != AST_LOCAL && p->ahead.kind == TOK_NAME && !p->ahead.first)
         return;                                    // a type, misspelt: the next declaration
+    else if (s->kind != AST_LOCAL && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_MINUS))
+        diag_label(p->diags, parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
+                   DIAG_label_name_letters);
     else
         slip_at_end(p);
 }
@@ -306,6 +309,10 @@ static bool take_option_value(Parser *p, AstOption *o, OptionTakes takes)
 
 static void parse_option_value(Parser *p, AstOption *o, OptionTakes takes)
 {
+    if (takes == TAKES_NOTHING && p->tok.kind == TOK_ASSIGN && !p->tok.first) {
+        parser_fail(p, DIAG_option_value, parser_here(p), o->name->text, "no value", parser_found(p));
+        return;
+    }
     if (p->tok.kind == TOK_ASSIGN || p->tok.kind == TOK_COLON) {
         Diag *d = parser_report(p, DIAG_option_sign, parser_here(p), parser_text(p, parser_here(p)));
         diag_edit(p->diags, d, parser_here(p), "");

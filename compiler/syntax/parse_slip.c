@@ -94,6 +94,16 @@ static bool is_label_word(const char *s)
     return strcmp(s, "entry") == 0 || strcmp(s, "step") == 0 || strcmp(s, "exit") == 0;
 }
 
+bool slip_dotted_name(Parser *p, Span name)
+{
+    if (!touches(&p->last, &p->tok) || p->tok.kind != TOK_LABEL || is_label_word(p->tok.text->text))
+        return false;
+    name.len += p->tok.len;
+    parser_fail(p, DIAG_name_with_dot, name, parser_text(p, name));
+    parser_next(p);
+    return true;
+}
+
 void slip_after_name(Parser *p, AstExpr *name)
 {
     Span both = name->span;
@@ -101,10 +111,8 @@ void slip_after_name(Parser *p, AstExpr *name)
     if (!touches(&p->last, &p->tok))
         return;
     both.len += p->tok.len;
-    if (p->tok.kind == TOK_LABEL && !is_label_word(p->tok.text->text)) {
+    if (slip_dotted_name(p, name->span)) {
         name->kind = AST_ERROR;
-        parser_fail(p, DIAG_name_with_dot, both, parser_text(p, both));
-        parser_next(p);
     } else if (p->tok.kind == TOK_HEADER && !is_identifier(p->tok.text->text, p->tok.text->len)) {
         name->kind = AST_ERROR;
         parser_fail(p, DIAG_no_lists, both, parser_text(p, both));
@@ -196,8 +204,8 @@ void slip_at_end(Parser *p)
 {
     Diag *d;
 
-    if (p->tok.kind == TOK_ERROR) {
-        p->failed = true;
+    if (p->tok.kind == TOK_ERROR || (p->ahead.kind == TOK_ERROR && !p->ahead.first)) {
+        p->failed = true;                              // the line has been spoken of
         return;
     }
     if (slip_decimal_comma(p))

@@ -70,6 +70,7 @@ void slip_infix(Parser *p);                             // x AND y, x = y in a g
 bool slip_unit_step(Parser *p);                         // x++ where a value is missing; true when reported
 void slip_missing_value(Parser *p, Diag *d);            // adds to the message that a value is missing here
 bool slip_decimal_comma(Parser *p);                     // 3,14 at the comma; true when reported
+bool slip_dotted_name(Parser *p, Span name);            // tank.pressure behind `tank`; true when reported
 void slip_after_name(Parser *p, AstExpr *name);   // tank.pressure, a[3]
 void slip_equality_chain(Parser *p, const AstExpr *e);  // a == b == c
 // A statement is complete, yet something follows on its line.  Reports it.
