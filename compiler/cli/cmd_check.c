@@ -17,23 +17,19 @@ static int check_scripts(Cli *c, const Program *p)
 }
 
 // The locals that the scripts of the call write: the machine is checked as they need it.
-static int collect_written(Cli *c, Map *written)
+static void collect_written(Cli *c, Map *written)
 {
     Diags real = c->session.diags;
-    int code = EXIT_OK;
 
     c->session.diags.muted = true;            // a script's own mistakes are reported when it is checked
-    for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
+    for (size_t i = 0; i < c->files; i++)
         if (has_suffix(c->file[i], ".ss")) {
             Source *ss = cli_load(c, c->file[i]);
             AstFile *f = ss ? session_parse(&c->session, ss, FILE_SS) : NULL;
-            if (!ss)
-                code = EXIT_ENVIRONMENT;
-            else if (f)
+            if (f)
                 script_written_names(f, written);
         }
     c->session.diags = real;
-    return code;
 }
 
 static int check_machine_file(Cli *c, const char *path, const Source *sv)
@@ -41,12 +37,10 @@ static int check_machine_file(Cli *c, const char *path, const Source *sv)
     Map written = {&c->session.arena, NULL, NULL, 0, 0};
     MachineInput in = {cli_load(c, path), sv, &written, option_level(c)};
     Program *p;
-    int code;
 
     if (!in.sm)
         return EXIT_ENVIRONMENT;
-    if ((code = collect_written(c, &written)) != EXIT_OK)
-        return code;
+    collect_written(c, &written);
     if ((p = session_program(&c->session, &in)) == NULL)
         return EXIT_OK;
     analyse_program(&c->session.arena, &c->session.diags, p);
@@ -79,8 +73,10 @@ static int check_use(Cli *c)
         if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".sv") && (path[0] != '-' || path[1]))
             return cli_usage(c, "'%s' is no source: names end in .sm, .sv or .ss", path);
     }
-    if (scripts && machines != 1)
+    if (scripts && machines == 0)
         return cli_usage(c, "a script is checked together with its machine, as in 'smc check tank.sm tank.ss'");
+    if (scripts && machines > 1)
+        return cli_usage(c, "scripts are checked with one machine at a time, as in 'smc check tank.sm tank.ss'");
     return EXIT_OK;
 }
 

@@ -41,7 +41,8 @@ Source *cli_load(Cli *c, const char *path)
     size_t len;
 
     if (!os_read(path, SOURCE_MAX, &text, &len, &why)) {
-        cli_say(c, "cannot read '%s': %s", path, why);
+        if (!c->session.diags.muted)
+            cli_say(c, "cannot read '%s': %s", path, why);
         return NULL;
     }
     copy = arena_alloc(&c->session.arena, len + 1);

@@ -170,19 +170,30 @@ void slip_missing_value(Parser *p, Diag *d)
 
 // ---- where a statement should end ----
 
+// 60,000 may be sixty thousand; 0,125 and 3,14 may not.
+static bool may_be_thousands(const Parser *p)
+{
+    return p->ahead.len == 3 && p->lex.src->text[p->last.at] != '0';
+}
+
 // 3,14
 bool slip_decimal_comma(Parser *p)
 {
+    const char *before, *after;
     Diag *d;
 
     if (p->tok.kind != TOK_COMMA || p->last.kind != TOK_NUMBER || p->ahead.kind != TOK_NUMBER ||
         !touches(&p->last, &p->tok) || !touches(&p->tok, &p->ahead))
         return false;
+    before = parser_text(p, parser_span(p, &p->last));
+    after = parser_text(p, parser_span(p, &p->ahead));
     d = parser_fail(p, DIAG_decimal_comma, parser_here(p));
-    diag_label(p->diags, d, DIAG_label_write,
-               format_in(p->arena, "%s.%s", parser_text(p, parser_span(p, &p->last)),
-                         parser_text(p, parser_span(p, &p->ahead))));
-    diag_edit(p->diags, d, parser_here(p), ".");
+    if (may_be_thousands(p)) {
+        diag_label(p->diags, d, DIAG_label_comma_in_number, before, after, before, after);
+    } else {
+        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s.%s", before, after));
+        diag_edit(p->diags, d, parser_here(p), ".");
+    }
     return true;
 }
 

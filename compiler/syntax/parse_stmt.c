@@ -130,7 +130,7 @@ static void check_guarded(Parser *p, const AstStmt *s)
     if (!in_script(p) || p->nesting > 0 || p->told_unguarded)
         return;
     p->told_unguarded = true;
-    parser_report(p, DIAG_script_unguarded, s->span);
+    diag_label(p->diags, parser_report(p, DIAG_script_unguarded, s->span), DIAG_label_say_when);
 }
 
 static void parse_if(Parser *p, AstStmts *into, AstExpr *guard);

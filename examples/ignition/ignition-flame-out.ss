@@ -1,4 +1,4 @@
-# After two seconds the flame goes out: the pressure falls to 5 bar. A dip of 90 ms before that is no flame-out.
+# Sensor A wakes up late: the engine must start by the other two. After two seconds the flame goes out: the pressure falls to 5 bar. A dip of 90 ms before that is no flame-out.
 
 [options]
 delta_t 10
@@ -11,7 +11,7 @@ T == 100: igniterLit = true
 
 [Start]
 true {
-    pressureA = 10
+    pressureA = 0
     pressureB = 10
     pressureC = 10
 }

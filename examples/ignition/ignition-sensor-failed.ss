@@ -23,7 +23,7 @@ T == 90 {                               # for one single step the other two see 
     pressureC = 35
 }
 
-# It stays so for half a second; then it works, and sensor C falls to zero, which would be a flame-out.
+# It stays so for half a second; then it works, and sensor C falls to zero, which would be a flame-out; then A does.
 [Burn]
 true {
     pressureA = 50
@@ -33,6 +33,10 @@ true {
 T >= 500 {
     pressureA = 20
     pressureC = 0
+}
+T >= 2500 {
+    pressureA = 0
+    pressureC = 20
 }
 # For one single step all of them see a spike.
 T == 2000 {
