@@ -24,5 +24,10 @@ assert has tested nothing.
     G == 15: @assert valveOpen            # W0750 when delta_t is 10
     G == 100: @stop
 
-Correct the guard, or let the script run on until it is true.
+Correct the guard, or let the script run on until it is true. What must never be so is asserted at every step, not where it
+would have happened:
+
+    [Start]
+    T > 400: @assert false                # W0750 as long as all is well
+    true: @assert T <= 400
 W0203: element '...' is listed but never used  [-Wunused-element]
