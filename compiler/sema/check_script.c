@@ -113,12 +113,29 @@ static void check_section_twice(ScriptCheck *k, const AstSection *in)
     map_put(&k->section, in->name, first);
 }
 
+// [All_States], [option]: no state, but nearly a section that every script may have.
+static bool is_misspelt(ScriptCheck *k, const AstSection *in)
+{
+    Guess g = guess_start(in->name);
+    Diag *d;
+
+    if (map_find(&k->s.p->state_by_name, in->name))
+        return false;
+    guess_try(&g, str_c(k->s.strings, "all_states"));
+    guess_try(&g, str_c(k->s.strings, "options"));
+    if (!g.best)
+        return false;
+    d = diag_report(k->s.diags, DIAG_unknown_state, in->name_span, in->name->text);
+    diag_label(k->s.diags, d, DIAG_label_did_you_mean, format_in(k->s.arena, "[%s]", g.best->text));
+    return true;
+}
+
 static void check_section(ScriptCheck *k, const AstSection *in)
 {
     ScriptSection section;
 
     memset(&section, 0, sizeof section);
-    if (!in->all_states && in->name->len > 0) {
+    if (!in->all_states && in->name->len > 0 && !is_misspelt(k, in)) {
         section.state = scope_find_state(&k->s, in->name, in->name_span);
         check_section_twice(k, in);
     }

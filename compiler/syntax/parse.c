@@ -307,6 +307,40 @@ static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
         }
 }
 
+// ---- sections with another name than they should have ----
+
+// The line of the next token holds an =, as the declarations of locals do.
+static bool line_assigns(const Parser *p)
+{
+    const Source *s = p->lex.src;
+
+    for (uint32_t i = p->tok.at; i < s->len && s->text[i] != '\n' && s->text[i] != '#'; i++)
+        if (s->text[i] == '=')
+            return true;
+    return false;
+}
+
+// A state of a machine that begins with a declaration is one of the two sections that hold them; a section of a script
+// that begins with an option is [options].
+static void correct_kind(Parser *p, AstSection *s)
+{
+    static const char *const names[] = {[AST_STATE_VECTOR] = "state_vector", [AST_LOCAL] = "local", [AST_OPTIONS] = "options"};
+    AstSectionKind kind = s->kind;
+    Diag *d;
+
+    if (kind == AST_STATE && p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME)
+        kind = line_assigns(p) ? AST_LOCAL : AST_STATE_VECTOR;
+    else if (kind == AST_SCRIPT_STATE && p->tok.kind == TOK_NAME && !p->ahead.first &&
+             (p->ahead.kind == TOK_NUMBER || p->ahead.kind == TOK_NAME) &&
+             (strcmp(p->tok.text->text, "delta_t") == 0 || strcmp(p->tok.text->text, "init_state") == 0))
+        kind = AST_OPTIONS;
+    if (kind == s->kind)
+        return;
+    s->kind = kind;
+    d = parser_report(p, DIAG_section_misspelt, s->header, s->name->text, kind == AST_OPTIONS ? "options" : "declarations");
+    diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "[%s]", names[kind]));
+}
+
 static void check_state_name(Parser *p, const AstSection *s)
 {
     TokenKind reserved;
@@ -367,6 +401,7 @@ static void parse_section(Parser *p, AstFile *f)
     check_repeated(p, f, s);
     vec_push(p->arena, &f->sections, s);
     parser_next(p);
+    correct_kind(p, s);
     parse_contents(p, f, s);
 }
 
