@@ -1,16 +1,13 @@
-# A pass that does not exist.
-args build --print-after=fodl a.sm
+# A pass that does not exist: those that do are named.
+args build a.sm --print-after=folding
 
 -- a.sm --
 [state_vector]
 U64 G
 U32 S
-bool open
 [Idle]
-.step
-    open = true
 -- stderr --
-smc: there is no pass 'fodl'; there are build, fold, identity, simplify_cfg, dce, windows
+smc: there is no pass 'folding'; there are build, fold, identity, simplify_cfg, dce, windows, empty
 Try 'smc build --help'.
 -- exit --
 2
