@@ -47,15 +47,21 @@ static void put_member(Buf *out, const char *type, const char *name, const char 
 // The name in the source where C does not allow it.
 static const char *source_name(const char *member, Str name) { return strcmp(member, name->text) != 0 ? name->text : ""; }
 
+// Two things to say of a member, either of which may be nothing.
+static const char *joined(Arena *a, const char *first, const char *second)
+{
+    return *first && *second ? format_in(a, "%s: %s", first, second) : *first ? first : second;
+}
+
 static void put_element(Arena *a, const CElement *e, Buf *out)
 {
-    const char *name = source_name(e->member, e->name);
+    const char *name = source_name(e->member, e->name), *said = remark_at(a, e->span);
 
     // C's bool may have any size, and reading another byte than 0 or 1 from it is undefined.
     if (e->type == SM_BOOL)
-        put_member(out, "uint8_t", e->member, *name ? format_in(a, "bool %s", name) : "bool");
+        put_member(out, "uint8_t", e->member, joined(a, *name ? format_in(a, "bool %s", name) : "bool", said));
     else
-        put_member(out, c_type_of(e->type), e->member, name);
+        put_member(out, c_type_of(e->type), e->member, joined(a, name, said));
 }
 
 static void put_vector_members(Arena *a, const CVector *sv, Buf *out)
@@ -149,14 +155,15 @@ static void put_local(const CUnit *u, size_t v, Buf *out)
 {
     const IrVar *var = &u->m->var.at[v];
 
-    put_member(out, c_type_of(var->type), u->names.var[v], source_name(u->names.var[v], var->name));
+    put_member(out, c_type_of(var->type), u->names.var[v],
+               joined(u->arena, source_name(u->names.var[v], var->name), remark_at(u->arena, var->span)));
 }
 
-static void put_window(const CUnit *u, size_t w, Buf *out)
+static void put_window(const CUnit *u, size_t w, const char *call, Buf *out)
 {
     const IrWindow *win = &u->m->window.at[w];
 
-    put_member(out, "SmRoll", u->window[w], win->size == 1 ? "the last sample" : format_in(u->arena, "the last %u samples", (unsigned)win->size));
+    put_member(out, "SmRoll", u->window[w], call ? call : format_in(u->arena, "samples of the last %u steps", (unsigned)win->size));
     buf_printf(out, "    double   %s_slot_[%u];\n", u->window[w], (unsigned)win->size);
     if (win->stats & 1u << SM_STAT_MEDIAN)
         buf_printf(out, "    double   %s_sorted_[%u];\n", u->window[w], (unsigned)win->size);
@@ -170,9 +177,10 @@ static bool has_locals(const IrMachine *m)
     return false;
 }
 
-static void put_machine_struct(const CUnit *u, Buf *out)
+static void put_machine_struct(CUnit *u, Buf *out)
 {
     const IrMachine *m = u->m;
+    const char **call = remark_windows(u);
 
     buf_printf(out, "// The machine.  Copying it copies the machine; its members are for reading, and those that end in an underscore are\n"
                     "// its own business.\ntypedef struct %s {\n", u->names.type);
@@ -191,11 +199,11 @@ static void put_machine_struct(const CUnit *u, Buf *out)
     if (m->window.n)
         buf_str(out, "\n    // rolling windows\n");
     for (size_t w = 0; w < m->window.n; w++)
-        put_window(u, w, out);
+        put_window(u, w, call[w], out);
     buf_printf(out, "} %s;\n", u->names.type);
 }
 
-void put_machine_types(const CUnit *u, Buf *out)
+void put_machine_types(CUnit *u, Buf *out)
 {
     put_status(&u->names, out);
     buf_char(out, '\n');
@@ -204,7 +212,7 @@ void put_machine_types(const CUnit *u, Buf *out)
     put_stored(u, out);
     buf_char(out, '\n');
     if (u->m->window.n) {
-        helper_type_put("SmRoll", out);
+        helper_type_put(u, "SmRoll", out);
         buf_char(out, '\n');
     }
     put_machine_struct(u, out);

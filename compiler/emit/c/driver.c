@@ -221,7 +221,7 @@ void emit_c_driver(Arena *arena, const IrMachine *const *m, size_t n, Buf *code)
     put_self_test("machines_are_fit", code);
     if (n == 0)
         return;
-    helper_type_put("SmRoll", code);
+    helper_type_put(u[0], "SmRoll", code);
     helpers_put(u[0], code);
     buf_str(code, buf_text(&machines));
     buf_str(code, common);

@@ -27,6 +27,7 @@ static CElement element_of(const Element *e)
     c.type = e->type;
     c.offset = e->offset;
     c.name = e->name;
+    c.span = e->span;
     c.region = e->region ? e->region->name : NULL;
     return c;
 }
@@ -115,7 +116,7 @@ static const char *source_name(Arena *a, const EmitCOptions *o, const char *name
     return o && o->source ? o->source : format_in(a, "%s.%s", name, ending);
 }
 
-static void put_header(const CUnit *u, const char *source, Buf *out)
+static void put_header(CUnit *u, const char *source, Buf *out)
 {
     put_title("machine", u->m->name->text, source, out);
     put_header_start(u->names.macro, out);
@@ -132,6 +133,20 @@ static const char *header_name(Arena *a, const EmitCOptions *o, const char *name
     return o && o->header ? o->header : format_in(a, "%s.h", name);
 }
 
+static void put_helpers(CUnit *u, Buf *out)
+{
+    Buf texts;
+
+    buf_init(&texts, u->arena);
+    helpers_put(u, &texts);
+    if (texts.n == 0)
+        return;
+    buf_str(out, "// ---- where the language means something else than C ----\n"
+                 "// sm_read_X is what reading a stored X gives: a NaN reads as 0.  sm_to_X is what storing a number in X leaves there:\n"
+                 "// NaN leaves 0; integers lose the fraction and stop at their limits.\n\n");
+    buf_str(out, buf_text(&texts));
+}
+
 static void put_code(CUnit *u, const char *source, const char *header, Buf *out)
 {
     Buf body;
@@ -141,12 +156,12 @@ static void put_code(CUnit *u, const char *source, const char *header, Buf *out)
     put_title("machine", u->m->name->text, source, out);
     buf_printf(out, "#include \"%s\"\n\n", header);
     put_guards(out, u->names.prefix);
-    buf_char(out, '\n');
-    put_self_test(u->fit, out);
-    buf_str(out, "\n// ---- what operations mean, where C's own mean something else ----\n\n");
-    helpers_put(u, out);
-    buf_str(out, "// ---- the blocks.  A number that they return is that of the state to go to; 0 is to stay. ----\n\n");
+    buf_printf(out, "\nstatic bool %s(void);\n\n", u->fit);
+    put_helpers(u, out);
+    buf_str(out, "// ---- the states.  A number that a block returns is that of the state to go to; 0 is to stay. ----\n\n");
     buf_str(out, buf_text(&body));
+    buf_str(out, "\n// ---- whether this program computes as the language says ----\n\n");
+    put_self_test(u->fit, out);
 }
 
 void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)

@@ -15,22 +15,21 @@ static int find(const char *name)
     return -1;
 }
 
-// A text needs only texts before it, so one walk downwards finds all.
-static void mark(bool *used, int i)
-{
-    used[i] = true;
-    for (; i >= 0; i--)
-        for (int d = 0; used[i] && d < stdlib_text[i].deps; d++)
-            used[stdlib_text[i].dep[d]] = true;
-}
-
 const char *helper_use(CUnit *u, const char *name)
 {
     const int i = find(name);
 
-    if (i >= 0 && !u->helper[i])
-        mark(u->helper, i);
+    if (i >= 0)
+        u->helper[i] = true;
     return name;
+}
+
+void helper_type_put(CUnit *u, const char *name, Buf *out)
+{
+    const int i = find(name);
+
+    if (i >= 0)
+        native_put(u, stdlib_text[i].text, out);
 }
 
 static bool is_word(char c)
@@ -38,35 +37,41 @@ static bool is_word(char c)
     return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-// The text with `double` for SmF64: emitted C needs no second name for it.
-static void put_text(const char *text, Buf *out)
+static bool names_word(const char *text, const char *name)
 {
-    for (const char *p = text; *p;) {
-        const bool starts = p == text || !is_word(p[-1]);
-        if (starts && strncmp(p, "SmF64", 5) == 0 && !is_word(p[5])) {
-            buf_str(out, "double");
-            p += 5;
-        } else {
-            buf_char(out, *p++);
-        }
+    const size_t n = strlen(name);
+
+    for (const char *p = text; (p = strstr(p, name)) != NULL; p += n)
+        if ((p == text || !is_word(p[-1])) && !is_word(p[n]))
+            return true;
+    return false;
+}
+
+// What the C of text i still names after its operations have become C's.
+static void use_dependencies(CUnit *u, int i, const char *text)
+{
+    for (int d = 0; d < stdlib_text[i].deps; d++) {
+        const int dep = stdlib_text[i].dep[d];
+        if (names_word(text, stdlib_text[dep].name))
+            u->helper[dep] = true;
     }
 }
 
-void helper_type_put(const char *name, Buf *out)
-{
-    const int i = find(name);
+static bool is_type(int i) { return strncmp(stdlib_text[i].name, "Sm", 2) == 0; }
 
-    if (i >= 0)
-        put_text(stdlib_text[i].text, out);
-}
-
-void helpers_put(const CUnit *u, Buf *out)
+// A text needs only texts before it, so one walk downwards finds all.
+void helpers_put(CUnit *u, Buf *out)
 {
-    for (int i = 0; i < STDLIB_TEXT_COUNT; i++) {
-        const bool is_type = strncmp(stdlib_text[i].name, "Sm", 2) == 0;
-        if (!u->helper[i] || is_type)
+    Buf text[STDLIB_TEXT_COUNT];
+
+    for (int i = STDLIB_TEXT_COUNT - 1; i >= 0; i--) {
+        buf_init(&text[i], u->arena);
+        if (!u->helper[i] || is_type(i))
             continue;
-        put_text(stdlib_text[i].text, out);
-        buf_char(out, '\n');
+        native_put(u, stdlib_text[i].text, &text[i]);
+        use_dependencies(u, i, buf_text(&text[i]));
     }
+    for (int i = 0; i < STDLIB_TEXT_COUNT; i++)
+        if (text[i].n > 0)
+            buf_printf(out, "%s\n", buf_text(&text[i]));
 }

@@ -136,14 +136,13 @@ static void put_case(const CUnit *u, size_t i, const CState *s, Buf *out)
     buf_str(out, "        break;\n");
 }
 
-typedef struct CMachineUse { bool entry, transition, any; } CMachineUse;
+typedef struct CMachineUse { bool transition, any; } CMachineUse;
 
 static CMachineUse machine_use(const CUnit *u, const CState *s)
 {
     CMachineUse use = { 0 };
 
     for (size_t i = 0; i < u->m->state.n; i++) {
-        use.entry |= s[i].has[BLOCK_ENTRY];
         use.any |= s[i].has[BLOCK_ENTRY] || s[i].has[BLOCK_STEP];
         use.transition |= s[i].block[BLOCK_ENTRY].returns_state || s[i].block[BLOCK_STEP].returns_state;
     }
@@ -156,13 +155,12 @@ static void put_step_start(const CUnit *u, CMachineUse use, Buf *out)
     const char *s = n->var[u->m->s];
 
     buf_printf(out, "%sStatus %s_step(%s *m, %s *sv)\n{\n", n->type, n->prefix, n->type, n->sv_type);
-    buf_printf(out, "    const uint64_t now = sv->%s;\n%s%s\n", n->var[u->m->g],
-               use.entry ? "    const bool first = m->first_;\n" : "",
+    buf_printf(out, "    const uint64_t now = sv->%s;\n    const bool first = m->first_;\n%s\n", n->var[u->m->g],
                use.transition ? "    uint32_t next = 0;      // the state to go to\n" : "");
     buf_printf(out, "    if (m->state_ == 0) {\n        return %s_NO_STATE;\n    }\n", n->macro);
     buf_printf(out, "    if (now == UINT64_MAX || (m->ran_ && now <= m->last_)) {\n        return %s_REFUSED;\n    }\n", n->macro);
     buf_str(out, "    m->ran_ = true;\n    m->last_ = now;\n    memset(&m->stored, 0, sizeof m->stored);\n");
-    buf_printf(out, "    if (m->first_) {\n        m->start_ = now;\n        sv->%s = m->state_;\n        m->stored.%s = true;\n    }\n", s, s);
+    buf_printf(out, "    if (first) {\n        m->start_ = now;\n        sv->%s = m->state_;\n        m->stored.%s = true;\n    }\n", s, s);
     buf_str(out, "    m->T = now - m->start_;\n");
 }
 
@@ -213,6 +211,7 @@ void put_machine(CUnit *u, Buf *out)
     for (size_t w = 0; w < u->m->window.n; w++)
         u->window_sample[w] = UINT32_MAX;
     s = put_blocks(u, out);
+    buf_str(out, "// ---- the machine ----\n\n");
     put_init(u, out);
     put_step(u, s, u->m->sample ? &sample : NULL, out);
     put_state(u, out);

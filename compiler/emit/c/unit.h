@@ -29,6 +29,7 @@ typedef struct CElement {
     uint32_t offset;
     Str name;                     // as in the source
     Str region;                   // NULL when unknown
+    Span span;
 } CElement;
 
 typedef struct CVector {
@@ -79,17 +80,29 @@ void literal_put(CUnit *u, Buf *out, SmType type, uint64_t bits);
 
 // ---- helpers.c ----
 
-// Notes that a function of stdlib is used, with all it needs, and gives its name back.
+// Notes that a function of stdlib is used and gives its name back.
 const char *helper_use(CUnit *u, const char *name);
-// The texts of those in use, except types that the header has; empties the list when `once`.
-void helpers_put(const CUnit *u, Buf *out);
-void helper_type_put(const char *name, Buf *out);
+// The texts of those in use and of what they need, but for types, which the header has.
+void helpers_put(CUnit *u, Buf *out);
+void helper_type_put(CUnit *u, const char *name, Buf *out);
 size_t helper_count(void);
+
+// ---- native.c ----
+
+// A text of stdlib with C's own operators in place of its functions on F64.
+void native_put(CUnit *u, const char *text, Buf *out);
+
+// ---- remark.c ----
+
+// The comment at the end of the line of `s`, "" when there is none that could stand in C.
+const char *remark_at(Arena *a, Span s);
+// By window: the first call that asks it, as in the source; NULL where that is not known.
+const char **remark_windows(CUnit *u);
 
 // ---- decl.c ----
 
 void put_vector_struct(const CUnit *u, Buf *out);
-void put_machine_types(const CUnit *u, Buf *out);
+void put_machine_types(CUnit *u, Buf *out);
 void put_prototypes(const CUnit *u, Buf *out);
 const char *c_type_of(SmType type);        // of a member
 

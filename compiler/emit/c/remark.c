@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words of the source that emitted C repeats in its comments: what the author said of an element, what a window was asked.
+#include <string.h>
+
+#include "compiler/emit/c/fn.h"
+
+enum { REMARK_MAX = 60 };
+
+// What can stand in a comment that ends with its line: printable, and no backslash, which would join it to the next.
+static bool is_harmless(const char *text, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if ((text[i] >= 0 && text[i] < ' ') || text[i] == 0x7f || text[i] == '\\' || (text[i] == '?' && i + 1 < n && text[i + 1] == '?'))
+            return false;
+    return n > 0 && n <= REMARK_MAX;
+}
+
+static const char *trimmed(Arena *a, const char *text, size_t n)
+{
+    while (n > 0 && (*text == ' ' || *text == '\t'))
+        text++, n--;
+    while (n > 0 && (text[n - 1] == ' ' || text[n - 1] == '\t' || text[n - 1] == '\r'))
+        n--;
+    return is_harmless(text, n) ? format_in(a, "%.*s", (int)n, text) : "";
+}
+
+const char *remark_at(Arena *a, Span s)
+{
+    const char *line, *hash;
+    uint32_t len;
+
+    if (!s.src)
+        return "";
+    line = source_line(s.src, source_position(s.src, s.at).line, &len);
+    hash = memchr(line, '#', len);
+    return hash ? trimmed(a, hash + 1, (size_t)(line + len - hash - 1)) : "";
+}
+
+static const char *text_of(Arena *a, Span s) { return s.src ? trimmed(a, s.src->text + s.at, s.len) : ""; }
+
+// ---- the calls that ask a window ----
+
+static void note_calls(CUnit *u, const IrFn *f, const char **call)
+{
+    for (size_t i = 0; f && i < f->ins.n; i++) {
+        const IrIns *in = &f->ins.at[i];
+        if (in->op == IR_stat && !call[in->var] && *text_of(u->arena, in->span))
+            call[in->var] = text_of(u->arena, in->span);
+    }
+}
+
+const char **remark_windows(CUnit *u)
+{
+    const IrMachine *m = u->m;
+    const char **call = ARENA_ARRAY(u->arena, const char *, m->window.n);
+
+    if (m->window.n == 0)
+        return call;
+    note_calls(u, m->sample, call);
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int k = 0; k < BLOCK_COUNT; k++)
+            note_calls(u, m->state.at[s].block[k], call);
+    return call;
+}
