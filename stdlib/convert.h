@@ -80,6 +80,28 @@ static inline bool sm_to_bool(SmF64 x)
 {
     return sm_lt(x, sm_from_i32(0)) || sm_lt(sm_from_i32(0), x);   // neither holds for NaN
 }
+//: sm_clip
+// x, or the limit that it is beyond: a whole number of 53 bits on its way to an integer type.
+static inline int64_t sm_clip(int64_t x, int64_t lo, int64_t hi)
+{
+    return x < lo ? lo : x > hi ? hi : x;
+}
+//: sm_count_u64
+// v + n as numbers, stored again: exact while v is small, rounded as every number is beyond 2^53.
+static inline uint64_t sm_count_u64(uint64_t v, int32_t n)
+{
+    if (v <= 0x10000000000000u && (n >= 0 || v >= 0x80000000u))
+        return v + (uint64_t)n;
+    return sm_to_u64(sm_add(sm_from_u64(v), sm_from_i32(n)));
+}
+//: sm_count_i64
+// v + n as numbers, stored again: exact while v is small, rounded as every number is beyond 2^53.
+static inline int64_t sm_count_i64(int64_t v, int32_t n)
+{
+    if (-0x10000000000000 <= v && v <= 0x10000000000000)
+        return v + n;
+    return sm_to_i64(sm_add(sm_from_i64(v), sm_from_i32(n)));
+}
 //: sm_read_f32
 static inline SmF64 sm_read_f32(float v)
 {

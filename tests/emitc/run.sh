@@ -176,8 +176,9 @@ flags() {
     else
         skipped=$((skipped + 1))
     fi
-    run_on_all names "${CC:-cc}"
-    if [ $? -eq 0 ]; then pass; else fail "names: not as the reference"; fi
+    for machine in names integers; do
+        if run_on_all $machine "${CC:-cc}"; then pass; else fail "$machine: not as the reference"; fi
+    done
 }
 
 # ---- use: programs around machines ----

@@ -20,10 +20,13 @@ static bool starts_operator(const char *text)
     return strchr("&|+-*/<>=!?:", text[0]) && (text[1] == ' ' || (text[1] && text[2] == ' ')) && !(text[0] == '=' && text[1] == ' ');
 }
 
-// How little one wants to break before what follows a blank: `||` is better than `&&`, that better than the others.
+// How little one wants to break before what follows a blank: the less tightly an operator binds, the better.
 static unsigned reluctance(const char *text)
 {
-    return text[0] == '|' || text[-2] == ',' ? 0 : text[0] == '&' ? 1 : text[0] == '?' || text[0] == ':' ? 2 : strchr("+-", text[0]) ? 4 : 3;
+    static const char *const order = "||&&?:=!<>+-*/";
+    const char *at = text[-2] == ',' ? order : strchr(order, text[0]);
+
+    return at ? (unsigned)(at - order) / 2 : 0;
 }
 
 // The blank at which `text` is best broken to stay within `width`: outermost first, then late.  0 if there is none.

@@ -206,6 +206,8 @@ static void put_cvt(CFn *fn, const IrIns *i, int prec)
     const SmType from = ins(fn, i->a)->type, to = i->type;
     const CRange r = fn->ins[i->a].range;
 
+    if (from == SM_F64 && integer_put_cvt(fn, i->a, to, prec))
+        return;
     if (to == SM_F64 && (from != SM_F64 || !r.nan))
         put_double(fn, i->a, prec);
     else if (from == to && !r.nan)
@@ -289,30 +291,60 @@ static IrRef bool_compared(const CFn *fn, const IrIns *i, bool *negated)
     return IR_NONE;
 }
 
-// Both sides are truths, and cannot be the same text, which compilers warn about.
+bool is_same_text(const CFn *fn, IrRef a, IrRef b)
+{
+    const IrIns *x = ins(fn, a), *y = ins(fn, b);
+
+    if (a == b)
+        return true;
+    if (fn->ins[a].is_const || fn->ins[b].is_const)
+        return fn->ins[a].is_const && fn->ins[b].is_const && fn->ins[a].bits == fn->ins[b].bits;
+    if (x->op != y->op || x->type != y->type)
+        return false;
+    if (x->op == IR_load || x->op == IR_stat)
+        return x->var == y->var && (x->op == IR_load || x->stat == y->stat);
+    return is_same_text(fn, x->a, y->a) && (x->b == IR_NONE || is_same_text(fn, x->b, y->b));
+}
+
+// Both sides are truths.
 static bool are_bools(const CFn *fn, const IrIns *i)
 {
     const IrRef a = converted_from(fn, i->a), b = converted_from(fn, i->b);
-    const IrIns *x = a != IR_NONE ? ins(fn, a) : NULL, *y = b != IR_NONE ? ins(fn, b) : NULL;
 
-    if ((i->op != IR_eq && i->op != IR_ne) || !x || !y || x->type != SM_BOOL || y->type != SM_BOOL)
-        return false;
-    return (x->op == IR_load) != (y->op == IR_load) || (x->op == IR_load && x->var != y->var);
+    return (i->op == IR_eq || i->op == IR_ne) && a != IR_NONE && b != IR_NONE && ins(fn, a)->type == SM_BOOL &&
+           ins(fn, b)->type == SM_BOOL && !is_same_text(fn, a, b);
 }
 
-static void put_side(CFn *fn, IrRef r, SmType integer, bool bools)
+// How both sides of a comparison are written.
+typedef struct Sides {
+    bool bools;               // as truths
+    SmType integer;           // as this type, one of them being a constant; SM_TYPE_COUNT: not so
+    bool tree, wide;          // as sums and products of integers
+} Sides;
+
+static Sides sides_of(const CFn *fn, const IrIns *i)
 {
-    if (bools)
+    Sides s = { are_bools(fn, i), integer_compared(fn, i), false, false };
+
+    s.tree = !s.bools && s.integer == SM_TYPE_COUNT && integer_compares(fn, i, &s.wide);
+    return s;
+}
+
+static void put_side(CFn *fn, IrRef r, const Sides *s)
+{
+    if (s->bools)
         put_value(fn, converted_from(fn, r), PREC_PRIMARY);
-    else if (integer != SM_TYPE_COUNT)
-        put_integer_operand(fn, r, integer);
+    else if (s->tree)
+        integer_put(fn, r, s->wide, PREC_ADD);
+    else if (s->integer != SM_TYPE_COUNT)
+        put_integer_operand(fn, r, s->integer);
     else
         put_value(fn, r, PREC_ADD);
 }
 
 static void put_compare(CFn *fn, const IrIns *i, bool negated, int prec)
 {
-    const SmType t = integer_compared(fn, i);
+    const Sides sides = sides_of(fn, i);
     const bool equality = i->op == IR_eq || i->op == IR_ne;
     const int own = equality ? PREC_EQ : PREC_REL;
     const IrOp op = !negated ? i->op : i->op == IR_eq ? IR_ne : i->op == IR_ne ? IR_eq : i->op;
@@ -327,9 +359,9 @@ static void put_compare(CFn *fn, const IrIns *i, bool negated, int prec)
     if (inverted)
         put(fn, "!");
     opened = open(fn, own, inverted ? PREC_PRIMARY : prec);
-    put_side(fn, i->a, t, are_bools(fn, i));
+    put_side(fn, i->a, &sides);
     put(fn, compare_text[op - IR_eq]);
-    put_side(fn, i->b, t, are_bools(fn, i));
+    put_side(fn, i->b, &sides);
     close(fn, opened);
 }
 

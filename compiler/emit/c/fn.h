@@ -25,6 +25,7 @@ typedef struct CIns {
     bool is_const;            // its value is known: `bits`
     uint64_t bits;
     CRange range;
+    bool whole;               // a tree of whole numbers that integers can compute (integer.c)
     uint32_t uses;            // by what is not dead and not a constant itself
     uint32_t latest;          // position in its block of the last statement in which it stands
     uint32_t level;           // how deep it stands in that statement's expression
@@ -88,6 +89,14 @@ CRange range_of_type(SmType type);
 CRange range_of(const CFn *fn, const IrIns *i);
 bool range_fits(CRange r, SmType type);
 
+// ---- integer.c ----
+bool integer_is_whole(const CFn *fn, const IrIns *i, const CIns *c);
+// r, an F64, stored in an integer type: writes it with integers if that is the same; else gives false.
+bool integer_put_cvt(CFn *fn, IrRef r, SmType to, int prec);
+// Whether both sides of a comparison can be written with integers, of 64 bits if `wide`; and one of them.
+bool integer_compares(const CFn *fn, const IrIns *i, bool *wide);
+void integer_put(CFn *fn, IrRef r, bool wide, int prec);
+
 // ---- expr.c ----
 enum {
     PREC_ANY = 0, PREC_OR = 4, PREC_AND = 5, PREC_EQ = 9, PREC_REL = 10, PREC_ADD = 12, PREC_MUL = 13, PREC_UNARY = 14, PREC_PRIMARY = 15
@@ -96,6 +105,8 @@ enum {
 void put_value(CFn *fn, IrRef r, int prec);
 void put_condition(CFn *fn, IrRef r, bool negated, int prec);
 void put_cell(CFn *fn, uint32_t var);     // m->x, sv->x
+// Whether two temporaries may come out as the same text, which compilers warn about when it is compared with itself.
+bool is_same_text(const CFn *fn, IrRef a, IrRef b);
 const char *copy_name(CFn *fn, uint32_t var);
 
 #endif

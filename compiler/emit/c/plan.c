@@ -68,6 +68,7 @@ void plan_constants(CFn *fn)
             fn->ins[r].is_const = can_fold(fn, i);
             fn->ins[r].bits = fn->ins[r].is_const ? fold(fn, i) : 0;
             fn->ins[r].range = range_of(fn, i);
+            fn->ins[r].whole = integer_is_whole(fn, i, &fn->ins[r]);
         }
     }
 }
