@@ -27,5 +27,5 @@ bool drain
 .step
     drain = true
 -- stdout --
-all.smb: machine 1: 1 states, longest step 2 instructions, 113 bytes of RAM, state vector 32 bytes (layout f3fda3e4)
-all.smb: machine 2: 1 states, longest step 2 instructions, 113 bytes of RAM, state vector 32 bytes (layout f3fda3e4)
+all.smb: machine 1: 1 states, longest step 2 instructions, [..] bytes of RAM, state vector 32 bytes (layout f3fda3e4)
+all.smb: machine 2: 1 states, longest step 2 instructions, [..] bytes of RAM, state vector 32 bytes (layout f3fda3e4)

@@ -11,8 +11,8 @@ bool valveOpen
 .step
     valve0pen = true
 -- stdout --
-smc 0.1.0
-smc 0.1.0
+smc [..]
+smc [..]
 -- stderr --
 a.sm:7:5: error: unknown element 'valve0pen' [E0204]
     7 |     valve0pen = true

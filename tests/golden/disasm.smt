@@ -20,7 +20,7 @@ image of 163 bytes, format 1, crc 4e6bc45e
 machine 1 a
     state vector    16 bytes, layout b1dc9237
     states          1
-    memory          113 bytes on this machine, of these 0 for locals
+    memory          [..] bytes on this machine, of these 0 for locals
     operands        4
     longest step    2 instructions
     output          bool@12 open

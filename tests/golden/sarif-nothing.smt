@@ -11,6 +11,6 @@ bool valveOpen
     valveOpen = true
 -- stderr --
 {"$schema":"https://json.schemastore.org/sarif-2.1.0.json","version":"2.1.0","runs":[{
-"tool":{"driver":{"name":"smc","version":"0.1.0","rules":[]}},
+"tool":{"driver":{"name":"smc","version":"[..]","rules":[]}},
 "columnKind":"unicodeCodePoints",
 "results":[]}]}

@@ -2,4 +2,4 @@
 args --version
 
 -- stdout --
-smc 0.1.0
+smc [..]
