@@ -26,7 +26,7 @@ int main(void)
 {
     jmp_buf oom;
     Session s;
-    StateVec *sv = NULL;
+    StateVec *volatile sv = NULL;
 
     if (setjmp(oom) == 0) {
         session_init(&s, heap, NULL, &oom);
