@@ -318,7 +318,19 @@ check-clauses:
 	@{ find conformance tests -name '*.smt' | sort; ls tests/clauses/*.c; } | \
 	    awk -f tests/check/clauses.awk docs/language.md tests/check/clauses.txt -
 CHECK_LINES += "check-clauses: $(MAKE) -s --no-print-directory check-clauses"
-.PHONY: check-clauses
+
+# `make mutants` breaks the implementation line by line and demands that the cases notice; `make mutants M="6 7.12"`: some.
+mutants:
+	@CC='$(CC)' sh tests/check/mutants.sh $(B)/mutants $(M)
+
+# The fenced examples of the documentation do what their pages say; examples/ passes on every engine.
+check-docs: all
+	@sh tests/check/docs.sh $(B)/smc $(B)/docs README.md conformance/README.md examples/README.md $(wildcard docs/*.md)
+check-examples: all
+	@sh tests/check/examples.sh $(B)/smc
+CHECK_LINES += "check-docs: $(MAKE) -s --no-print-directory check-docs" \
+               "check-examples: $(MAKE) -s --no-print-directory check-examples"
+.PHONY: check-clauses check-docs check-examples mutants
 
 .PHONY: $(HOUSE_RULES) all asan bench bench-scale check check-emitc check-ir check-golden check-mutate update-golden test fuzz install uninstall help clean
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

@@ -15,7 +15,7 @@ F64 e
     a = 0x1F
     b = 0xabcDEF
     c = 0x0
-    d = 0x1e3
+    d = 0X1e3
     e = 0x00ff
 
 -- app.ss --

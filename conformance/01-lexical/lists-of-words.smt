@@ -13,7 +13,8 @@ S @read_only F64
 x
 @read_only
 @alias
-pressure F64 y
+pressure
+F64 y
 [Run] .step y = pressure
 
 -- app.ss --

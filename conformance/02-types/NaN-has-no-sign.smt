@@ -33,3 +33,10 @@ true {
     @assert 1 / e == 1/0
     @stop
 }
+
+-- trace --
+1 a 0x0p+0
+1 b 0x0p+0
+1 c 0x0p+0
+1 d 0x0p+0
+1 e 0x0p+0

@@ -29,3 +29,9 @@ true {
     @assert x == 0
     @stop
 }
+
+-- trace --
+1 b false
+1 d 0x0p+0
+1 f 0x0p+0
+1 i 0

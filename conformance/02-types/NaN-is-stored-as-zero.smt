@@ -62,3 +62,16 @@ true {
     @assert x10 == 0
     @stop
 }
+
+-- trace --
+1 x0 0
+1 x1 0
+1 x10 false
+1 x2 0
+1 x3 0
+1 x4 0
+1 x5 0
+1 x6 0
+1 x7 0
+1 x8 0x0p+0
+1 x9 0x0p+0

@@ -14,6 +14,8 @@ F64  r4
 F64  r5
 F64  r6
 F64  r7
+F64  r8
+F64  r9
 F64  c1
 F64  c2
 F64  c3
@@ -21,6 +23,8 @@ F64  c4
 F64  c5
 F64  c6
 F64  c7
+F64  c8
+F64  c9
 
 [local]
 F64  ka = 1 @read_only
@@ -36,6 +40,8 @@ F64  kc = 5 @read_only
     r5 = not b or a
     r6 = c * !b
     r7 = c * not b
+    r8 = not b or b or b
+    r9 = !b and !b
     c1 = not kb and kb
     c2 = not (kb and kb)
     c3 = not ka or ka
@@ -43,6 +49,8 @@ F64  kc = 5 @read_only
     c5 = not kb or ka
     c6 = kc * !kb
     c7 = kc * not kb
+    c8 = not kb or kb or kb
+    c9 = !kb and !kb
 
 -- app.ss --
 [options]
@@ -60,6 +68,8 @@ true {
     @assert r5 == 1
     @assert r6 == 5
     @assert r7 == 5
+    @assert r8 == 1
+    @assert r9 == 1
     @assert 1 / c1 == 1/0
     @assert c2 == 1
     @assert c3 == 1
@@ -67,5 +77,7 @@ true {
     @assert c5 == 1
     @assert c6 == 5
     @assert c7 == 5
+    @assert c8 == 1
+    @assert c9 == 1
     @stop
 }

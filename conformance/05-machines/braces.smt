@@ -19,6 +19,8 @@ F64 w
             z = 3
             a > 7 { z = 4 }
         }
+        x = x + 1
+        y = y + 1
     }
     if a > 9 {
         x = 5
@@ -33,8 +35,8 @@ delta_t 1
 [all_states]
 true {
     a = 7
-    @assert x == 1
-    @assert y == 2
+    @assert x == 2
+    @assert y == 3
     @assert z == 3
     @assert w == 1
     @stop

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+# Takes the fenced examples out of a page.  -v out=FOLDER: block N becomes FOLDER/N.block, and for each that is to be run
+# stands a line `N|LINE|KIND|NAME|OTHER` on standard output, from the words behind the fence:
+#   sv|sm|ss NAME [OTHER]   the source file NAME; OTHER `!`: it has mistakes; of a script: the machine that it is run on
+#   smt                     a case as in conformance/
+#   console                 `$ ` commands, and what they print; a line … stands for any lines
+# Other fences (sh, text, c, none) are for reading.
+
+/^```/ && !inside {
+    inside = 1
+    n++
+    split(substr($0, 4), word, " ")
+    file = out "/" n ".block"
+    printf "" >file
+    if (word[1] ~ /^(sv|sm|ss|smt|console)$/)
+        printf "%d|%d|%s|%s|%s\n", n, FNR, word[1], word[2], word[3]
+    delete word
+    next
+}
+/^```/ { inside = 0; close(file); next }
+inside { print >file }
+END { if (inside) { print "a fence is not closed" >"/dev/stderr"; exit 1 } }

@@ -1,0 +1,46 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Runs the examples of the documentation: docs.sh SMC FOLDER PAGE…   Each page has a folder of its own below FOLDER, in which
+# its files stand and its commands run; the examples of the tree are reachable from there.  See docs.awk for the fences.
+smc=$1
+folder=$2
+shift 2
+root=$(pwd)
+case $smc in /*) ;; *) smc=$root/$smc ;; esac
+case $folder in /*) ;; *) folder=$root/$folder ;; esac
+passed=0 failed=0
+
+say_wrong() { echo "$1:$2: this example does not do what the page says"; sed 's/^/    /' "$folder/out"; failed=$((failed + 1)); }
+
+run_block() {                             # NUMBER KIND NAME OTHER, in the page's folder; prints to $folder/out
+    block=$folder/blocks/$1.block
+    case $2 in
+    console) PATH=$folder/bin:$PATH NO_COLOR=1 awk -f "$root/tests/check/console.awk" "$block" ;;
+    smt)     cp "$block" case.smt && "$smc" test case.smt ;;
+    ss)      cp "$block" "$3" && { [ -z "$4" ] || "$smc" test "$4" "$3"; } ;;
+    *)       cp "$block" "$3" && if [ "$4" = ! ]; then ! "$smc" check "$3"; else "$smc" check "$3"; fi ;;
+    esac >"$folder/out" 2>&1
+}
+
+rm -rf "$folder"
+mkdir -p "$folder/blocks" "$folder/bin"
+ln -s "$smc" "$folder/bin/smc"
+for page; do
+    place=$folder/$(printf '%s' "$page" | tr / _)
+    mkdir -p "$place/build"
+    ln -s "$smc" "$place/build/smc"
+    ln -s "$root/examples" "$place/examples"
+    if ! awk -v out="$folder/blocks" -f tests/check/docs.awk "$page" >"$folder/list" 2>"$folder/out"; then
+        say_wrong "$page" 1
+        continue
+    fi
+    while IFS='|' read -r number line kind name other; do
+        if ( cd "$place" && run_block "$number" "$kind" "$name" "$other" ); then
+            passed=$((passed + 1))
+        else
+            say_wrong "$page" "$line"
+        fi
+    done <"$folder/list"
+done
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
