@@ -32,6 +32,8 @@ G == 0 { c = 3 }   #! W0701
 if G == 0
 {
     ro = 4
+    p = p + 10
+    k = k + 10
 }
-G == 0: @assert x == 1 and k == 2 and c == 3 and ro == 4
+G == 0: @assert x == 11 and k == 12 and c == 3 and ro == 4
 G == 0: @stop
