@@ -14,6 +14,8 @@ for part in Makefile stdlib compiler bytecode-vm tests conformance docs; do
     rm -rf "$tree/${part:?}.new"
     cp -Rp "$part" "$tree/$part.new" && { rm -rf "$tree/$part"; mv "$tree/$part.new" "$tree/$part"; } || exit 1
 done
+# Where a run was cut short an object of the broken source may be left: it is older than what touch makes of the source.
+[ -f "$build.broken" ] && touch "$tree/$(cat "$build.broken")"
 root=$(pwd)
 case $build in /*) ;; *) build=$root/$build ;; esac
 case $tree in /*) ;; *) tree=$root/$tree ;; esac
@@ -64,6 +66,7 @@ while IFS='|' read -r number clauses engines file; do
         failed=$((failed + 1))
         continue
     fi
+    echo "$file" >"$build.broken"
     cp "$build.mutant" "$tree/$file"
     targets=all
     case $engines in *host*) targets="all $host_tests" ;; *golden*) targets="all $build/golden" ;; esac
