@@ -31,6 +31,7 @@ static const char guards[] =
     "#pragma clang diagnostic ignored \"-Wtautological-compare\"   // conditions are as their author wrote them\n"
     "#elif defined(__GNUC__)\n"
     "#pragma GCC optimize (\"fp-contract=off\")\n"
+    "#pragma GCC optimize (\"rounding-math\")    // gcc 12 takes 0.0 - (double)i for -(double)i, whose zero is -0, unless told this\n"
     "#elif defined(_MSC_VER)\n"
     "#pragma fp_contract (off)\n"
     "#endif\n"
@@ -55,6 +56,7 @@ static const char self_test[] =
     "    const volatile double tenth = 0.1, small = 1e-17, least = 2.2250738585072014e-308, zero = 0.0, minus_zero = -0.0;\n"
     "    const volatile float float_least = 1.17549435e-38f, float_half = 0.5f;\n"
     "    const volatile uint64_t wide = UINT64_C(9223372036854776833);\n"
+    "    const volatile uint8_t nothing = 0;\n"
     "    const double x = one, y = three, z = big, product = tenth * ten, rest = product - x;\n"
     "    bool fit = true;\n"
     "\n"
@@ -72,6 +74,7 @@ static const char self_test[] =
     "    fit = fit && (zero / zero) != (zero / zero) && !(zero / zero == zero / zero);          // knows NaN\n"
     "    fit = fit && 1.0 / zero > 1.7976931348623157e308 && one / zero - one / zero != 0.0;    // ... and infinity\n"
     "    fit = fit && (double)wide == 9223372036854777856.0;                                    // rounds integers once\n"
+    "    fit = fit && 1.0 / (0.0 - (double)nothing) > 0.0 && 1.0 / (0.0 + -(double)nothing) > 0.0; // takes from zero\n"
     "    return fit;\n"
     "}\n";
 
