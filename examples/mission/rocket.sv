@@ -1,4 +1,3 @@
-<<<<<<< HEAD
 # The state vector of the rocket: everything that its parts tell each other. Each machine lists what it needs of it.
 
 [Time]
@@ -19,31 +18,3 @@ bool deployParachutes   # order to the parachute electronics
 U32  airbrakeState
 F32  brakeOrder         # 0 in, 1 all the way out
 F32  brakePosition      # what the sensor on the drive says
-=======
-# The state vector of the whole rocket: every task reads and writes here.
-
-[options]
-lock
-
-[Clock]
-U64  time                 # ms since power-up
-
-[Sensors]
-F64  altitude             # m above the pad
-F64  acceleration         # m/s^2 along the rocket
-F64  chamberPressure      # bar
-bool umbilical            # true while the cable to the pad is connected
-
-[Commands]
-bool launchCommand        # from the ground
-bool abortCommand
-
-[Tasks]
-U8   engineMode           # 0 off, 1 run, 2 safe
-U8   recoveryMode
-U8   telemetryRate        # frames a second
-
-[Mission]
-U32  missionState
-F64  apogee               # m, the highest altitude of the flight
->>>>>>> 46725a9 (examples: mission, ignition, parachutes, chill-down, with their tests; docs: tour; check-docs, check-examples, mutants)

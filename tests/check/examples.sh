@@ -1,6 +1,5 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-<<<<<<< HEAD
 # Runs the examples as their reader would: examples.sh SMC FOLDER...  Each machine M.sm of a folder is checked, without a word from
 # smc, and tested on every engine by its scripts M.ss and M-*.ss; a state vector (.sv) in the folder is for all its machines.
 # A script that belongs to no machine is a failure, as is a machine without a script.
@@ -57,26 +56,6 @@ for folder; do
     done
     # shellcheck disable=SC2012
     expect "a script of no machine in $folder" test "$(ls "$folder"/*.ss | wc -l)" -eq "$seen"
-=======
-# Runs every state script of examples/ on every engine: examples.sh SMC.  A folder holds one machine, perhaps a state vector,
-# and its scripts.
-smc=$1
-passed=0 failed=0
-for sm in examples/*/*.sm; do
-    place=${sm%/*}
-    sv=
-    for f in "$place"/*.sv; do
-        [ -f "$f" ] && sv=--sv=$f
-    done
-    for ss in "$place"/*.ss; do
-        if out=$("$smc" test $sv --engine=all "$sm" "$ss" 2>&1); then
-            passed=$((passed + 1))
-        else
-            printf '%s\n%s\n' "$ss" "$out"
-            failed=$((failed + 1))
-        fi
-    done
->>>>>>> 46725a9 (examples: mission, ignition, parachutes, chill-down, with their tests; docs: tour; check-docs, check-examples, mutants)
 done
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
