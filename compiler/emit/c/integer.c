@@ -71,7 +71,7 @@ static void put_leaf(CFn *fn, IrRef r, bool wide, int prec)
     put(fn, parens ? "(" : "");
     if (type == SM_BOOL) {
         put_condition(fn, v, false, PREC_OR);
-        put(fn, " ? 1 : 0");
+        put(fn, wide ? " ? INT64_C(1) : 0" : " ? INT32_C(1) : 0");      // an int could be too narrow for the sum
     } else {
         put(fn, as_is ? "" : wide ? "(int64_t)" : "(int32_t)");
         put_value(fn, v, as_is ? prec : PREC_PRIMARY);
