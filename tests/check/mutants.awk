@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Takes mutants.txt apart.  With -v list=1: a line `NUMBER|CLAUSES|ENGINES|FILE` for each mutant, clauses and engines
-# separated by blanks.  With -v number=N and a source file behind it: that file with mutant N applied, exit 2 when the place
-# is not there exactly once.  FILE #2 in mutants.txt takes the second of several equal places.
+# separated by blanks.  With -v show=N: the piece that mutant N replaces.  With -v number=N and a source file behind it:
+# that file with mutant N applied, exit 2 when the place is not there exactly once.  FILE #2 in mutants.txt takes the second of
+# several equal places.
 
 FNR == NR && /^#/ { next }
 FNR == NR && /^[0-9]/ {
@@ -27,4 +28,9 @@ FNR == NR { next }
     print
 }
 
-END { if (!list && done != 1) exit 2 }
+END {
+    if (show)
+        print old[show]
+    else if (!list && done != 1)
+        exit 2
+}

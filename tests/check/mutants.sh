@@ -61,7 +61,11 @@ wanted() {
 awk -v list=1 -f $awk $txt >"$build.list"
 while IFS='|' read -r number clauses engines file; do
     wanted "$clauses" "$*" || continue
-    if ! awk -v number="$number" -f $awk $txt "$file" >"$build.mutant"; then
+    if [ -d "$file" ]; then
+        awk -v show="$number" -f $awk $txt >"$build.old"
+        file=$(grep -rlF -f "$build.old" "$file" | head -n 1)
+    fi
+    if [ ! -f "$file" ] || ! awk -v number="$number" -f $awk $txt "$file" >"$build.mutant"; then
         echo "mutant $number ($clauses, $file): its place is not there exactly once"
         failed=$((failed + 1))
         continue
