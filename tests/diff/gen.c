@@ -168,18 +168,56 @@ static GExpr *random_size(Gen *g)
     return e;
 }
 
+// The last window's sample with another operator or function, or as it is.
+static GExpr *similar_sample(Gen *g)
+{
+    GExpr *e = new_expr(g, G_NUMBER, 0);
+    *e = *g->last_roll->arg[0];
+    if (e->kind == G_BINARY && rng_percent(&g->rng, 70))
+        e->op = e->op >= SM_OP_ADD ? (SmOperator)(SM_OP_ADD + rng_below(&g->rng, 4)) : (SmOperator)rng_below(&g->rng, 8);
+    if (e->kind == G_CALL && e->n == 1)
+        e->fn = (SmBuiltin)rng_below(&g->rng, SM_FN_sign + 1);
+    return e;
+}
+
+static GExpr *similar_roll(Gen *g)
+{
+    GExpr *e = new_expr(g, G_ROLL, 2);
+    e->fn = (SmBuiltin)(SM_FN_roll_avg + rng_below(&g->rng, 5));
+    e->arg[0] = similar_sample(g);
+    e->arg[1] = g->last_roll->arg[1];
+    return e;
+}
+
 static GExpr *random_roll(Gen *g, const Reach *reach, uint32_t depth)
 {
+    if (g->last_roll != NULL && rng_percent(&g->rng, 35))
+        return similar_roll(g);
     GExpr *e = new_expr(g, G_ROLL, 2);
     e->fn = (SmBuiltin)(SM_FN_roll_avg + rng_below(&g->rng, 5));
     e->arg[0] = random_expr(g, reach, depth > 3 ? 2 : depth - 1);
     e->arg[1] = random_size(g);
+    g->last_roll = e;
+    return e;
+}
+
+// An infinity less an infinity, where x is not small.
+static GExpr *lost_difference(Gen *g, const Reach *reach)
+{
+    GExpr *e = new_expr(g, G_BINARY, 2), *far = new_expr(g, G_BINARY, 2);
+    far->op = SM_OP_MUL;
+    far->arg[0] = random_leaf(g, reach);
+    far->arg[1] = number_text(g, "1.5e308");
+    e->op = rng_percent(&g->rng, 50) ? SM_OP_SUB : SM_OP_DIV;
+    e->arg[0] = e->arg[1] = far;
     return e;
 }
 
 // What meets NaN, infinities and the ends of ranges: x / x, sqrt(x - y), x / 0, x * 1e308.
 static GExpr *random_spice(Gen *g, const Reach *reach)
 {
+    if (rng_percent(&g->rng, 15))
+        return lost_difference(g, reach);
     static const SmOperator op[] = { SM_OP_DIV, SM_OP_SUB, SM_OP_DIV, SM_OP_MUL };
     static const char *const edge[] = { "0", "0", "1e308", "1e-308", "1e300" };
     const uint32_t what = rng_below(&g->rng, 4);
@@ -273,12 +311,29 @@ static GExpr *growing_expr(Gen *g)
     return e;
 }
 
+// Within limits that a type may have, NaN apart.
+static GExpr *limited_expr(Gen *g)
+{
+    GExpr *e = new_expr(g, G_CALL, 3);
+    e->fn = SM_FN_clamp;
+    e->arg[0] = rng_percent(&g->rng, 40) ? random_spice(g, &everywhere) : random_expr(g, &everywhere, 2);
+    e->arg[1] = random_number(g);
+    e->arg[2] = random_number(g);
+    return e;
+}
+
+static GExpr *random_value(Gen *g)
+{
+    const uint32_t what = rng_below(&g->rng, 100);
+    return what < 25 ? growing_expr(g) : what < 35 ? limited_expr(g) : random_expr(g, &everywhere, random_depth(g));
+}
+
 static GStmt *random_assign(Gen *g, GVar *v)
 {
     GStmt *s = new_stmt(g, G_ASSIGN);
     s->var = v;
     s->by_alias = v->alias != NULL && rng_percent(&g->rng, 50);
-    s->value = rng_percent(&g->rng, 30) ? growing_expr(g) : random_expr(g, &everywhere, random_depth(g));
+    s->value = random_value(g);
     return s;
 }
 

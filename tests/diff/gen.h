@@ -93,6 +93,7 @@ typedef struct Gen {
     VEC(GVar *) sv_order;             // the elements as the .sv declares them
     VEC(GState *) state;
     VEC(const char *) used_name;
+    GExpr *last_roll;                 // for others that are nearly the same
     uint64_t layout, old_layout;      // blanks, comments, braces: another one is the same program
     uint32_t steps;
     bool skip[GEN_STEPS_MAX];         // steps that the reducer left out

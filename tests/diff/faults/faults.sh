@@ -28,7 +28,7 @@ build() {
 noticed_by() {
     build || { echo "compiler"; return; }
     "$b/obj/diff/difftest" --count=5000 --no-reduce --no-floors --out="$b/out/vm" >"$b/out/log" 2>&1 || { echo "vm: $(head -n 1 "$b/out/log")"; return; }
-    "$b/obj/diff/difftest" --count=200 --seed=7000 --no-reduce --cc="$cc -std=c99 -O0" --out="$b/out/c" >"$b/out/log" 2>&1 || { echo "c: $(head -n 1 "$b/out/log")"; return; }
+    "$b/obj/diff/difftest" --count=400 --seed=7000 --no-reduce --cc="$cc -std=c99 -O0" --out="$b/out/c" >"$b/out/log" 2>&1 || { echo "c: $(head -n 1 "$b/out/log")"; return; }
     conformance
     [ "$result" = "$sound" ] || echo "conformance: $result"
 }
