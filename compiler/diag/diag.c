@@ -93,28 +93,37 @@ static void note_file(Diags *d, const Source *src)
     vec_push(d->arena, &d->files, src);
 }
 
-static void enlist(Diags *d, Diag *x)
+// Counts a report; true if it is to stand in the list.
+static bool is_wanted(Diags *d, DiagCode code, Span span)
 {
-    size_t *count = x->severity == DIAG_ERROR ? &d->errors : &d->warnings;
+    size_t *count = diag_info[code].severity == DIAG_ERROR ? &d->errors : &d->warnings;
 
-    d->met += x->severity == DIAG_ERROR;
-    if (d->muted || !is_new(d, x->code, x->span))
-        return;
-    if (++*count > DIAG_KEPT_MAX)
-        return;
-    note_file(d, x->span.src);
-    vec_push(d->arena, &d->list, x);
+    return !d->muted && is_new(d, code, span) && ++*count <= DIAG_KEPT_MAX;
+}
+
+// What a report that is not wanted gives: one for all, so that a flood of them costs no memory.
+static Diag *dropped(Diags *d)
+{
+    if (!d->dropped) {
+        d->dropped = ARENA_NEW(d->arena, Diag);
+        d->dropped->text = "";
+    }
+    return d->dropped;
 }
 
 Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
 {
-    Diag *x = ARENA_NEW(d->arena, Diag);
+    Diag *x;
 
+    if (!is_wanted(d, code, span))
+        return dropped(d);
+    x = ARENA_NEW(d->arena, Diag);
     x->code = code;
     x->severity = diag_info[code].severity;
     x->span = span;
     x->text = fill_in(d->arena, diag_info[code].message, args);
-    enlist(d, x);
+    note_file(d, span.src);
+    vec_push(d->arena, &d->list, x);
     return x;
 }
 
@@ -134,6 +143,8 @@ void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...)
     DiagNote note = {span, NULL};
     va_list args;
 
+    if (to == d->dropped)
+        return;
     va_start(args, text);
     note.text = fill_in(d->arena, diag_info[text].message, args);
     va_end(args);
@@ -144,6 +155,8 @@ void diag_label(Diags *d, Diag *to, DiagCode text, ...)
 {
     va_list args;
 
+    if (to == d->dropped)
+        return;
     va_start(args, text);
     to->label = fill_in(d->arena, diag_info[text].message, args);
     va_end(args);
@@ -153,7 +166,8 @@ void diag_edit(Diags *d, Diag *to, Span span, const char *text)
 {
     DiagEdit edit = {span, text};
 
-    vec_push(d->arena, &to->edits, edit);
+    if (to != d->dropped)
+        vec_push(d->arena, &to->edits, edit);
 }
 
 // ---- order ----

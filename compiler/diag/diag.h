@@ -55,6 +55,7 @@ typedef struct Diags {
     size_t errors, warnings;              // reported; of a flood of errors the list keeps the first DIAG_KEPT_MAX
     size_t met;                           // errors met, repeated and muted ones too: what tells a caller that it failed
     bool muted;                           // while set, reports are dropped
+    Diag *dropped;                        // stands for every report that is not in the list; its fields mean nothing
     VEC(const Source *) files;            // in the order first seen
     struct DiagPlace *place;              // where something was reported already: open addressing, a power of two long
     size_t place_cap, place_n;
@@ -65,7 +66,8 @@ enum { DIAG_KEPT_MAX = 10000 };
 void diags_init(Diags *d, Arena *arena);
 
 // Adds a diagnostic.  One `const char *` follows for each {} of its message.  Returns it, so that notes, a label and
-// edits can be added; never NULL.  A second report of one code at one place is dropped (the returned one is not in the list).
+// edits can be added; never NULL.  A second report of one code at one place is dropped (what is returned then is not in the
+// list and keeps nothing).
 Diag *diag_report(Diags *d, DiagCode code, Span span, ...);
 Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args);     // the same, from a function that has them
 // Adds a note; `text` is a DIAG_NOTE_TEXT row, its arguments follow.
