@@ -85,11 +85,11 @@ void scope_note_declared(Sema *s, Diag *d, Str name)
         diag_note(s->diags, d, v->span, DIAG_note_declared_here, v->name->text);
 }
 
-// True, TRUE, on, off: words for true and false elsewhere.
-static bool guess_truth(Sema *s, Diag *d, Str name)
+// True, TRUE, on, off, ELSE: words of this language, as others write them.
+static bool guess_word(Sema *s, Diag *d, Str name)
 {
     static const char *const words[][2] = {{"true", "true"}, {"false", "false"}, {"yes", "true"}, {"no", "false"},
-                                           {"on", "true"}, {"off", "false"}};
+                                           {"on", "true"}, {"off", "false"}, {"else", "else"}, {"otherwise", "else"}};
 
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (same_but_for_case(name->text, words[i][0])) {
@@ -143,7 +143,7 @@ void scope_report_unknown(Sema *s, Str name, Span span)
         report_unlisted(s, d, unlisted);
     else if (map_find(&s->p->state_by_name, name))
         diag_label(s->diags, d, DIAG_label_is_a_state, name->text);
-    else if (!guess_truth(s, d, name) && may_guess(s))
+    else if (!guess_word(s, d, name) && may_guess(s))
         guess_variable(s, d, name);
 }
 

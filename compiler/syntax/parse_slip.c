@@ -439,8 +439,7 @@ static bool stands_foreign(const Parser *p, SlipDoes does)
     if (next->first)
         return does == SLIP_SKIP && next->kind != TOK_LBRACE;     // `stop` and { on the next line: a guard
     if (does == SLIP_ELSE)
-        return next->kind == TOK_COLON || next->kind == TOK_LBRACE || next->kind == TOK_IF || next->kind == TOK_NAME ||
-               next->kind == TOK_ARROW;
+        return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // ELSE: may be a guard
     return begins_value(next) && (next->kind != TOK_LPAREN || does == SLIP_IF || does == SLIP_SKIP);
 }
 

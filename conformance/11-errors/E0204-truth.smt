@@ -12,3 +12,5 @@ bool on
     x = FALSE           #! E0204 did you mean 'false'?
     x = off             #! E0204 did you mean 'false'?
     x = on
+    on: x = false
+    ELSE: x = true      #! E0204 did you mean 'else'?
