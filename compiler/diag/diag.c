@@ -98,6 +98,7 @@ static bool is_wanted(Diags *d, DiagCode code, Span span)
 {
     size_t *count = diag_info[code].severity == DIAG_ERROR ? &d->errors : &d->warnings;
 
+    d->met += diag_info[code].severity == DIAG_ERROR;
     return !d->muted && is_new(d, code, span) && ++*count <= DIAG_KEPT_MAX;
 }
 
