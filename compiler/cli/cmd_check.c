@@ -4,47 +4,31 @@
 #include "compiler/cli/cli.h"
 
 // Checks every script of the call against machine p.
-static int check_scripts(Cli *c, const Program *p)
+static int check_scripts(Cli *c, Source *const *ss, const Program *p)
 {
     for (size_t i = 0; i < c->files; i++)
         if (has_suffix(c->file[i], ".ss")) {
-            Source *ss = cli_load(c, c->file[i]);
-            if (!ss)
+            if (!ss[i])
                 return EXIT_ENVIRONMENT;
-            session_script(&c->session, ss, p);
+            session_script(&c->session, ss[i], p);
         }
     return EXIT_OK;
-}
-
-// The locals that the scripts of the call write: the machine is checked as they need it.
-static void collect_written(Cli *c, Map *written)
-{
-    Diags real = c->session.diags;
-
-    c->session.diags.muted = true;            // a script's own mistakes are reported when it is checked
-    for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".ss")) {
-            Source *ss = cli_load(c, c->file[i]);
-            AstFile *f = ss ? session_parse(&c->session, ss, FILE_SS) : NULL;
-            if (f)
-                script_written_names(f, written);
-        }
-    c->session.diags = real;
 }
 
 static int check_machine_file(Cli *c, const char *path, const Source *sv)
 {
     Map written = {&c->session.arena, NULL, NULL, 0, 0};
     MachineInput in = {cli_load(c, path), sv, &written, option_level(c)};
+    Source **ss;
     Program *p;
 
     if (!in.sm)
         return EXIT_ENVIRONMENT;
-    collect_written(c, &written);
+    ss = cli_load_scripts(c, &written);
     if ((p = session_program(&c->session, &in)) == NULL)
         return EXIT_OK;
     analyse_program(&c->session.arena, &c->session.diags, p);
-    return check_scripts(c, p);
+    return check_scripts(c, ss, p);
 }
 
 static int check_file(Cli *c, const char *path, const Source *sv)

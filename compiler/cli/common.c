@@ -41,14 +41,35 @@ Source *cli_load(Cli *c, const char *path)
     size_t len;
 
     if (!os_read(path, SOURCE_MAX, &text, &len, &why)) {
-        if (!c->session.diags.muted)
-            cli_say(c, "cannot read '%s': %s", path, why);
+        cli_say(c, "cannot read '%s': %s", path, why);
         return NULL;
     }
     copy = arena_alloc(&c->session.arena, len + 1);
     memcpy(copy, text, len);
     os_alloc(NULL, text, 0);
     return source_new(&c->session.arena, strcmp(path, "-") == 0 ? "<stdin>" : path, copy, len);
+}
+
+// Notes which locals a script writes.  Its mistakes are reported when it is compiled, not here.
+static void note_written(Cli *c, const Source *ss, Map *written)
+{
+    Diags real = c->session.diags;
+    AstFile *f;
+
+    c->session.diags.muted = true;
+    if ((f = session_parse(&c->session, ss, FILE_SS)) != NULL)
+        script_written_names(f, written);
+    c->session.diags = real;
+}
+
+Source **cli_load_scripts(Cli *c, Map *written)
+{
+    Source **ss = ARENA_ARRAY(&c->session.arena, Source *, c->files);
+
+    for (size_t i = 0; i < c->files; i++)
+        if (has_suffix(c->file[i], ".ss") && (ss[i] = cli_load(c, c->file[i])) != NULL)
+            note_written(c, ss[i], written);
+    return ss;
 }
 
 bool cli_write(Cli *c, const OsOutput *out, size_t n)

@@ -119,24 +119,6 @@ static void test_script(MachineTest *m, const char *path, const Source *src)
     test_add_result(m->t, path, TEST_FAILED, message, EXIT_PROBLEM);
 }
 
-// Reads the scripts.  The machine is compiled with the locals that they write as variables.
-static void read_scripts(MachineTest *m, Map *written)
-{
-    Cli *c = m->t->c;
-
-    m->ss = ARENA_ARRAY(m->t->arena, Source *, c->files);
-    c->session.diags.muted = true;            // a script's own mistakes are reported when it is compiled
-    for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".ss")) {
-            AstFile *f;
-            m->ss[i] = cli_load(c, c->file[i]);
-            f = m->ss[i] ? session_parse(&c->session, m->ss[i], FILE_SS) : NULL;
-            if (f)
-                script_written_names(f, written);
-        }
-    c->session.diags.muted = false;
-}
-
 static int compile_machine(MachineTest *m, const char *path)
 {
     Cli *c = m->t->c;
@@ -147,7 +129,7 @@ static int compile_machine(MachineTest *m, const char *path)
         return EXIT_ENVIRONMENT;
     if (c->given[OPT_SV] && (in.sv = cli_load(c, c->value[OPT_SV])) == NULL)
         return EXIT_ENVIRONMENT;
-    read_scripts(m, &written);
+    m->ss = cli_load_scripts(c, &written);
     m->p = session_program(&c->session, &in);
     return m->p ? EXIT_OK : EXIT_PROBLEM;
 }

@@ -9,12 +9,12 @@ passed=0 failed=0
 dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-fault.XXXXXX") || exit 1
 trap 'rm -rf "$dir"' EXIT
 trap 'exit 130' INT TERM
-mkdir "$dir/tmp" "$dir/expected" "$dir/work"
+mkdir "$dir/tmp" "$dir/expected" "$dir/at"
 export TMPDIR="$dir/tmp"
 
-cp "$examples/tank/tank.sm" "$examples/tank/tank.ss" "$dir/work/"
-mkdir "$dir/work/cases"
-cat >"$dir/work/cases/one.smt" <<'END'
+cp "$examples/tank/tank.sm" "$examples/tank/tank.ss" "$dir/at/"
+mkdir "$dir/at/cases"
+cat >"$dir/at/cases/one.smt" <<'END'
 -- a.sm --
 [state_vector]
 U64 G
@@ -26,7 +26,7 @@ delta_t 1
 [A]
 true: @stop
 END
-"$smc" build "$dir/work/tank.sm" -g -o "$dir/work/image.smb" || exit 1
+"$smc" build "$dir/at/tank.sm" -g -o "$dir/at/image.smb" || exit 1
 
 complain() {
     failed=$((failed + 1))
@@ -41,18 +41,18 @@ is_beginning() { head -c "$(wc -c <"$1")" "$2" | cmp -s - "$1"; }
 
 judge_files() {
     for name in $outputs; do
-        if [ "${name%.xml}" != "$name" ] && [ -e "$dir/work/$name" ]; then
-            [ "$(tail -n 1 "$dir/work/$name")" = "</testsuite>" ] || { complain "$name is not whole"; return 1; }
+        if [ "${name%.xml}" != "$name" ] && [ -e "$dir/at/$name" ]; then
+            [ "$(tail -n 1 "$dir/at/$name")" = "</testsuite>" ] || { complain "$name is not whole"; return 1; }
         elif [ "${name%.trace}" != "$name" ] && [ "$code" -eq 4 ]; then
-            is_beginning "$dir/work/$name" "$dir/expected/$name" || { complain "$name is not the beginning of what it should be"; return 1; }
-        elif [ -e "$dir/work/$name" ]; then
-            cmp -s "$dir/work/$name" "$dir/expected/$name" || cmp -s "$dir/work/$name" "$dir/old" || { complain "$name is neither the old nor the new file"; return 1; }
+            is_beginning "$dir/at/$name" "$dir/expected/$name" || { complain "$name is not the beginning of what it should be"; return 1; }
+        elif [ -e "$dir/at/$name" ]; then
+            cmp -s "$dir/at/$name" "$dir/expected/$name" || cmp -s "$dir/at/$name" "$dir/old" || { complain "$name is neither the old nor the new file"; return 1; }
         elif [ -n "$over" ]; then
             complain "$name is gone"
             return 1
         fi
     done
-    extra=$(cd "$dir/work" && ls -A | grep -vxF "$(printf '%s\n' $inputs $outputs)")
+    extra=$(cd "$dir/at" && ls -A | grep -vxF "$(printf '%s\n' $inputs $outputs)")
     [ -z "$extra" ] || { complain "left behind: $extra"; return 1; }
     case $kind in memory | opendir) rm -rf "$dir/tmp/"* ;; esac      # a folder is emptied by opening it
     [ -z "$(ls -A "$dir/tmp")" ] || { complain "left behind in TMPDIR: $(ls -A "$dir/tmp")"; rm -rf "$dir/tmp/"*; return 1; }
@@ -66,7 +66,7 @@ judge() {
         [ "$missing" -eq 0 ] || { judge_files; return; }
         case $kind in read | write | half-write | fsync | rename) complain "exit 0: nobody noticed"; return 1 ;; esac
         for name in $outputs; do
-            cmp -s "$dir/work/$name" "$dir/expected/$name" || { complain "exit 0, but $name is not what it should be"; return 1; }
+            cmp -s "$dir/at/$name" "$dir/expected/$name" || { complain "exit 0, but $name is not what it should be"; return 1; }
         done
         cmp -s "$dir/out" "$dir/expected.out" || { complain "exit 0, but it printed something else"; return 1; } ;;
     3)
@@ -81,13 +81,13 @@ judge() {
 }
 
 clean_outputs() {
-    rm -f "$dir"/work/out.*
+    rm -f "$dir"/at/out.*
     for name in $outputs; do
-        [ -z "$over" ] || cp "$dir/old" "$dir/work/$name"
+        [ -z "$over" ] || cp "$dir/old" "$dir/at/$name"
     done
 }
 
-run() { (cd "$dir/work" && eval "$1 \"\$smc\" $command" >"$dir/out" 2>"$dir/err" <tank.sm); }
+run() { (cd "$dir/at" && eval "$1 \"\$smc\" $command" >"$dir/out" 2>"$dir/err" <tank.sm); }
 
 # try OUTPUTS COMMAND…: the command with every kind of fault, at every call
 try() {
@@ -102,7 +102,7 @@ try() {
     [ $code -eq 0 ] || { fault="no fault"; complain "exit code $code"; return; }
     cp "$dir/out" "$dir/expected.out"
     for name in $outputs; do
-        cp "$dir/work/$name" "$dir/expected/$name"
+        cp "$dir/at/$name" "$dir/expected/$name"
     done
     for kind in memory open read write half-write close fsync fchmod rename mkstemp mkdtemp opendir spawn socketpair send recv; do
         n=1 most=${MOST:-60}

@@ -19,5 +19,6 @@ G == 0 {
 1 passed, 1 failed
 -- stderr --
 smc: cannot read 'missing.ss': No such file or directory
+smc: cannot read 'missing.ss': No such file or directory
 -- exit --
 3 3
