@@ -18,7 +18,7 @@
 #define SMVM_FETCH(image, at) ((image)[at])
 #endif
 
-// Holds any offset in an image and in a state vector: uint16_t where neither exceeds 64 KB.
+// Holds any offset in an image and in a state vector: uint16_t where neither can exceed 64 KB, as the two limits below say.
 #ifndef SMVM_AT
 #define SMVM_AT uint32_t
 #endif
@@ -44,6 +44,7 @@
 typedef SMVM_BYTES SmvmBytes;
 typedef SMVM_AT SmvmAt;
 
-typedef char smvm_at_is_too_small[SMVM_IMAGE_MAX <= (SMVM_AT)-1 && SMVM_RAM_MAX <= (size_t)-1 / 2 ? 1 : -1];
+typedef char smvm_at_is_too_small[SMVM_IMAGE_MAX <= (SMVM_AT)-1 && SMVM_RAM_MAX <= (SMVM_AT)-1 && SMVM_RAM_MAX <= (size_t)-1 / 2 ? 1 : -1];
+typedef char smvm_joins_are_1_to_255[SMVM_JOINS >= 1 && SMVM_JOINS <= 255 ? 1 : -1];
 
 #endif

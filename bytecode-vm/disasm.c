@@ -20,6 +20,8 @@ typedef struct Out {
     bool more_lines;
 } Out;
 
+enum { NAME_MOST = 250 };
+
 // ---- text ----
 
 static void text(Out *o, const char *s)
@@ -68,11 +70,12 @@ static void hex(Out *o, uint64_t v, uint8_t digits)
     }
 }
 
+// Cut where it is longer than any sane one: the listing's length is in proportion to the image's.
 static void name(Out *o, SmvmName n)
 {
     char t[2] = "";
 
-    for (uint32_t i = 0; i < n.size; i++) {
+    for (uint32_t i = 0; i < n.size && i < NAME_MOST; i++) {
         t[0] = (char)smvm_u8(o->m->image, n.at + i);
         text(o, t[0] >= ' ' && t[0] <= '~' ? t : "?");
     }
@@ -265,7 +268,7 @@ static void window(Out *o, uint32_t w)
     text(o, "    w");
     number(o, w);
     pad(o, 20);
-    number(o, entry & ((1u << SMVM_WINDOW_SIZE_BITS) - 1u));
+    number(o, entry & SMVM_WINDOW_SIZE_MASK);
     text(o, " samples:");
     for (uint32_t i = 0; i < SM_STAT_COUNT; i++)
         if (entry >> SMVM_WINDOW_SIZE_BITS >> i & 1u)

@@ -62,6 +62,7 @@ enum {
 
 // A window in the image: size in the low 17 bits, statistics in the five above.
 enum { SMVM_WINDOW_ENTRY = 3, SMVM_WINDOW_SIZE_BITS = 17 };
+#define SMVM_WINDOW_SIZE_MASK UINT32_C(0x1ffff)       // no `1u << 17`, for an int may have 16 bits
 
 // Varints: every number below SMVM_VARINT_END has exactly one form, of 1, 2 or 4 bytes, all of them below 0x80.
 enum { SMVM_VARINT_1 = 0x60, SMVM_VARINT_2 = 0x78 };

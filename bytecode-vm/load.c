@@ -140,7 +140,7 @@ SmvmOperand smvm_operand(const SmvmMachine *m, uint32_t index)
 
 // ---- memory: SmVm, then SmRolls, temps, slots of the windows, locals, stored bits ----
 
-static uint32_t up8(uint32_t n) { return (n + 7u) & ~7u; }
+static uint32_t up8(uint32_t n) { return (n + 7) / 8 * 8; }
 
 static uint32_t plus(uint32_t a, uint32_t b) { return a > UINT32_MAX - b ? UINT32_MAX : a + b; }     // a sum that sticks at the end
 
@@ -149,7 +149,7 @@ static uint32_t window_size(const SmvmMachine *m, uint32_t w, uint32_t *stats)
     uint32_t entry = smvm_u24(m->image, m->windows_at + w * SMVM_WINDOW_ENTRY);
 
     *stats = entry >> SMVM_WINDOW_SIZE_BITS;
-    return entry & ((1u << SMVM_WINDOW_SIZE_BITS) - 1u);
+    return entry & SMVM_WINDOW_SIZE_MASK;
 }
 
 uint32_t smvm_ram_size(const SmvmMachine *m)
@@ -214,7 +214,13 @@ static void bind(SmVm *vm, const SmvmMachine *m)
     vm->width = m->width;
 }
 
-static bool is_aligned(const void *p) { return ((uintptr_t)p & 7u) == 0; }
+// As the strictest of what lies in there asks for: 8 on most targets, 1 on some.
+static bool is_aligned(const void *p)
+{
+    struct Strict { char c; union { uint64_t time; SmF64 number; void *pointer; } at; };
+
+    return (uintptr_t)p % offsetof(struct Strict, at) == 0;
+}
 
 SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state)
 {

@@ -9,7 +9,7 @@
 //     smvm_machine(image, 0, &m);                        // its first machine
 //     SmvmVector v = {sv, sizeof sv, MY_LAYOUT};
 //     if (smvm_init(memory, sizeof memory, &m, &v, 1) != SM_OK)
-//         refuse();                                      // memory: smvm_ram_size(&m) bytes, aligned to 8
+//         refuse();                                      // memory: smvm_ram_size(&m) bytes, aligned as an array of uint64_t
 //     for (;;) {
 //         …put inputs and G into sv…
 //         smvm_step(memory, sv);                         // SM_OK, or SM_REFUSED when G did not advance
@@ -43,7 +43,7 @@ typedef struct SmvmVerdict {
     uint32_t longest;         // accepted: instructions in the longest step, of the machine where that is largest
 } SmvmVerdict;
 
-// Checks `size` bytes; an image may be shorter than that.  Gives v->rule.  Linear in size, no memory but ~400 bytes of stack.
+// Checks `size` bytes; an image may be shorter than that.  Gives v->rule.  Linear in size, no memory but ~600 bytes of stack.
 uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v);
 
 // What a machine is and where its parts lie in the image (all offsets count from the image's start).
@@ -99,13 +99,13 @@ uint32_t smvm_ram_size(const SmvmMachine *m);
 
 // The state vector that there is, or a snapshot of it.
 typedef struct SmvmVector {
-    void *at;                 // aligned to 8
+    void *at;                 // aligned as a uint64_t
     uint32_t size;            // in bytes
     uint32_t layout;          // its hash, as the machine's
 } SmvmVector;
 
-// Puts a machine at state `state` (1 is the initial one) in memory that is the caller's, aligned to 8 and of at least
-// smvm_ram_size(m) bytes: locals at their initial values, windows empty.  Writes the state's number to S.
+// Puts a machine at state `state` (1 is the initial one) in memory that is the caller's, aligned as an array of uint64_t and of at
+// least smvm_ram_size(m) bytes: locals at their initial values, windows empty.  Writes the state's number to S.
 // SM_E_LAYOUT: m was made for a state vector of another layout or size.  SM_E_ARGUMENT: there is no such state.
 // SM_E_MEMORY: `size` is too small.  SM_E_ALIGNMENT: memory or state vector is not aligned.
 SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state);

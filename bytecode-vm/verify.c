@@ -95,7 +95,7 @@ static bool check_sections(Check *c, SmvmBytes image)
         if (!is_known(&s))
             return fail(c, SMVM_R_UNKNOWN, entry);
         if ((s.id == SMVM_S_MACHINE && !code) || (s.id == SMVM_S_CODE && code) || (s.id == SMVM_S_INIT && init)
-            || (s.id == SMVM_S_DEBUG && !machine))
+            || (s.id == SMVM_S_DEBUG && s.version == SMVM_V_DEBUG && !machine))
             return fail(c, SMVM_R_GROUP, entry);
         if (s.id == SMVM_S_MACHINE) {
             machine = true;
@@ -113,7 +113,7 @@ static bool check_windows(Check *c)
 {
     for (uint32_t w = 0; w < c->m.windows; w++) {
         uint32_t at = c->m.windows_at + w * SMVM_WINDOW_ENTRY, entry = smvm_u24(c->m.image, at);
-        uint32_t size = entry & ((1u << SMVM_WINDOW_SIZE_BITS) - 1u);
+        uint32_t size = entry & SMVM_WINDOW_SIZE_MASK;
         if (size < 1 || size > SM_WINDOW_MAX || entry >> SMVM_WINDOW_SIZE_BITS >> SM_STAT_COUNT != 0)
             return fail(c, SMVM_R_WINDOW, at);
     }
@@ -165,7 +165,9 @@ static bool check_operands(Check *c)
         if (i < m->outputs && (overlap(&o, &g) || overlap(&o, &s)))
             return fail(c, SMVM_R_PROTECTED, at);
     }
-    return (g.kind == SM_U64 && s.kind == SM_U32) || fail(c, SMVM_R_TIME_STATE, m->operands_at + 3 * m->outputs);
+    if (g.kind != SM_U64 || s.kind != SM_U32)
+        return fail(c, SMVM_R_TIME_STATE, m->operands_at + 3 * m->outputs);
+    return !overlap(&g, &s) || fail(c, SMVM_R_PROTECTED, m->operands_at + 3 * m->outputs);
 }
 
 static bool check_init(Check *c)

@@ -98,6 +98,7 @@ static bool is_variable(const VmEngine *v, uint32_t k, SmvmName name, const Smvm
     const Var *var = v->p->var.at[k];
 
     return var->kind == VAR_LOCAL && o->kind == (uint8_t)(SMVM_K_LOCAL + (int)var->type) && var->name->len == name.size
+        && o->offset + sm_type_info[var->type].bytes <= v->m.locals               // names are not verified
         && memcmp(var->name->text, v->m.image + name.at, name.size) == 0;
 }
 

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+// The VM as a small target would build it (vm_small.h), on images that were changed at random: it reads no byte outside the
+// image, writes none outside its memory and the outputs, and no step takes more instructions than the verifier said.
+#define SMVM_CONFIG "tests/unit/vm_small.h"
+#define take load_take
+#include "bytecode-vm/load.c"
+#undef take
+#include "bytecode-vm/verify.c"
+#include "bytecode-vm/interp.c"
+
+#include <stdlib.h>
+
+#include "tests/test.h"
+#include "tests/unit/vm_build.h"
+
+enum { START = 100, SV_WORDS = 8, MEMORY = 4096, GUARD = 8, JUMPS = 10 };
+
+enum { OUT, FLAG, G, S, IN, WORD, NARROW, BIT, T0, TIME, SEVEN, MINUS, SINGLE, DOUBLE, OPERANDS };
+
+static uint64_t seed = 1;
+static uint32_t accepted, exact, most_opcodes;
+
+static uint32_t below(uint32_t n)
+{
+    seed ^= seed << 13;
+    seed ^= seed >> 7;
+    seed ^= seed << 17;
+    return (uint32_t)(seed >> 20) % n;
+}
+
+// ---- machines of random code ----
+
+static void put_instruction(Build *b)
+{
+    static const unsigned written[] = {OUT, FLAG, WORD, NARROW, BIT, T0};
+    const unsigned d = written[below(6)], x = below(OPERANDS), y = below(OPERANDS);
+
+    switch (below(6)) {
+    case 0: code(b, SMVM_mov + below(11), 2, d, x); break;
+    case 1: code(b, SMVM_add + below(12), 3, d, x, y); break;
+    case 2: code(b, SMVM_avg + below(5), 2, d, 0); break;
+    case 3: code(b, SMVM_jt + below(2), 2, x, 0); break;
+    case 4: code(b, SMVM_jeq + below(6), 3, x, y, 0); break;
+    case 5: code(b, SMVM_jmp, 1, 0); break;
+    }
+}
+
+static bool is_jump(uint8_t op) { return op >= SMVM_jmp && op <= SMVM_jnle; }
+
+// Each jump of the function from `start` on leads to some instruction behind it.
+static void aim_jumps(Build *b, uint32_t start)
+{
+    for (uint32_t at = start, next; at < b->size; at = next) {
+        uint32_t to;
+        for (next = at + 1; next < b->size && b->code[next] < 0x80; next++)
+            ;
+        if (!is_jump(b->code[at]))
+            continue;
+        for (to = next + below(b->size - next < 60 ? b->size - next : 60); b->code[to] < 0x80; to--)
+            ;
+        b->code[next - 1] = (uint8_t)(to - next);
+    }
+}
+
+static void put_function(Build *b, bool may_go)
+{
+    const uint32_t start = b->size;
+
+    for (uint32_t n = below(25); n > 0; n--)
+        put_instruction(b);
+    code(b, SMVM_end, 0);
+    if (may_go && below(2))
+        code(b, SMVM_goto, 1, (unsigned)(1 + below(2)));
+    aim_jumps(b, start);
+    end_function(b);
+}
+
+static void random_machine(Build *b)
+{
+    const uint32_t operand[OPERANDS] = {ELEMENT(F64, 16), ELEMENT(BOOL, 24), ELEMENT(U64, 0), ELEMENT(U32, 8), ELEMENT(F64, 32), LOCAL(I64, 0),
+                                        LOCAL(I8, 9), LOCAL(BOOL, 8), OPERAND(22, 0), OPERAND(23, 0), OPERAND(24, 7), OPERAND(24, 0x7ffff),
+                                        OPERAND(25, 0), OPERAND(26, 0)};
+
+    memset(b, 0, sizeof *b);
+    b->sv_words = SV_WORDS;
+    b->locals = 10;
+    b->temps = b->windows = b->f32s = b->f64s = 1;
+    b->outputs = b->states = b->width = 2;
+    b->window[0] = WINDOW(5, 31);
+    b->f32[0] = 0xff800000u;
+    b->f64[0] = 0x7ff8000000000000u;
+    b->operands = OPERANDS;
+    memcpy(b->operand, operand, sizeof operand);
+    code(b, SMVM_sample, 2, 0, IN);
+    put_function(b, false);
+    for (unsigned f = 0; f < 6; f++)
+        put_function(b, f % 3 < 2);
+}
+
+// ---- running what is accepted ----
+
+static uint64_t word(void)
+{
+    static const uint64_t hard[] = {0, UINT64_MAX, 0x7ff0000000000000u, 0x7ff0000000000001u, 0xffffffffffffff00u, 0x8000000000000000u, 1};
+    const uint32_t i = below(9);
+
+    return i < 7 ? hard[i] : seed;
+}
+
+// One step; what is no output and not S must stay as it was.
+static void step(const SmvmMachine *m, SmVm *vm, uint64_t *sv, uint64_t g, uint32_t longest)
+{
+    uint8_t before[8 * SV_WORDS], *bytes = (uint8_t *)sv, written[8 * SV_WORDS] = {0};
+
+    for (uint32_t i = 0; i < SV_WORDS; i++)
+        sv[i] = word();
+    memcpy(bytes + vm->g, &g, 8);
+    memcpy(before, sv, sizeof before);
+    for (uint32_t i = 0; i < m->outputs + 2; i++) {
+        const SmvmOperand o = smvm_operand(m, i);
+        if (i != m->outputs)
+            memset(written + o.offset, 1, (size_t)1 << smvm_type_shift(o.type));
+    }
+    small_opcodes = 0;
+    CHECK(smvm_step(vm, sv) == SM_OK && smvm_state(vm) >= 1 && smvm_state(vm) <= m->states);
+    CHECK(small_opcodes <= longest);
+    most_opcodes = larger(most_opcodes, small_opcodes);
+    for (uint32_t i = 0; i < sizeof before; i++)
+        CHECK(written[i] || bytes[i] == before[i]);
+}
+
+static void run_image(uint32_t longest)
+{
+    static uint64_t memory[MEMORY / 8 + GUARD];
+    uint64_t sv[SV_WORDS];
+    SmvmVector v = {sv, sizeof sv, 0};
+    SmvmMachine m;
+    uint32_t size;
+
+    if (!smvm_machine(START, 0, &m) || m.sv_size != sizeof sv || (size = smvm_ram_size(&m)) > MEMORY)
+        return;
+    small_code = START + m.code_at;
+    small_code_end = small_code + m.code_size;
+    v.layout = m.layout;
+    memset(memory, 0xa5, sizeof memory);
+    CHECK(smvm_init(memory, size, &m, &v, 1 + below(m.states)) == SM_OK);
+    most_opcodes = 0;
+    for (uint64_t g = 0; g < JUMPS; g++)
+        step(&m, (SmVm *)memory, sv, g, longest);
+    for (uint32_t i = size; i < sizeof memory; i++)
+        CHECK(((uint8_t *)memory)[i] == 0xa5);
+    small_code_end = 0;
+    exact += most_opcodes == longest;
+}
+
+static bool try(uint32_t n)
+{
+    SmvmVerdict v;
+
+    small_image = START;
+    small_end = START + n;
+    if (smvm_verify(START, n, &v) != 0)
+        return false;
+    accepted++;
+    run_image(v.longest);
+    return true;
+}
+
+static void random_images(void)
+{
+    for (unsigned k = 0; k < 150; k++) {
+        Build b;
+        uint32_t n, at;
+        random_machine(&b);
+        n = build_image(&b, small_flash + START);
+        CHECK(try(n));
+        for (unsigned i = 0; i < 200; i++) {
+            uint8_t old;
+            at = below(n);
+            old = small_flash[START + at];
+            small_flash[START + at] = (uint8_t)(below(3) ? old ^ 1u << below(8) : below(256));
+            if (at < 8 || at > 10)
+                fix_crc(small_flash + START);
+            try(n);
+            small_flash[START + at] = old;
+        }
+    }
+    CHECK(small_beyond == 0 && accepted > 5000 && exact > 50);
+}
+
+// ---- one by one ----
+
+static uint8_t verdict(const Build *b)
+{
+    SmvmVerdict v;
+    const uint32_t n = build_image(b, small_flash + START);
+
+    small_image = START;
+    small_end = START + n;
+    return smvm_verify(START, n, &v);
+}
+
+// Writing the state's number must not set the clock of all machines.
+static void state_over_time(void)
+{
+    static const unsigned at[] = {0, 4};
+    Build b;
+
+    for (unsigned i = 0; i < 2; i++) {
+        random_machine(&b);
+        b.operand[S] = ELEMENT(U32, at[i]);
+        CHECK(verdict(&b) == SMVM_R_PROTECTED);
+    }
+    b.operand[S] = ELEMENT(U32, 56);
+    CHECK(verdict(&b) == 0);
+}
+
+static void too_much_for_the_target(void)
+{
+    Build b;
+
+    random_machine(&b);
+    b.sv_words = 0x8000 / 8;
+    CHECK(verdict(&b) == 0);
+    b.sv_words++;
+    CHECK(verdict(&b) == SMVM_R_RAM);
+    random_machine(&b);
+    b.window[0] = WINDOW(0x2000 + 1, 1);              // 65544 bytes: a sum of 16 bits would come to 8
+    CHECK(verdict(&b) == SMVM_R_RAM);
+    b.window[0] = WINDOW(100000, 31);
+    CHECK(verdict(&b) == SMVM_R_RAM);
+    b.window[0] = WINDOW(100001, 31);
+    CHECK(verdict(&b) == SMVM_R_WINDOW);
+}
+
+// A section that may be skipped is skipped where it stands if its version is not known.
+static void later_debug(void)
+{
+    static const uint8_t id[] = {0x02, 0x81, 0x82};
+    uint8_t *image = small_flash + START;
+    SmvmVerdict v;
+    Build b;
+
+    random_machine(&b);
+    small_image = START;
+    small_end = START + build_sections(&b, 3, id, image);
+    CHECK(smvm_verify(START, small_end - START, &v) == SMVM_R_GROUP);
+    image[13] = 2;
+    fix_crc(image);
+    CHECK(smvm_verify(START, small_end - START, &v) == 0);
+}
+
+int main(void)
+{
+    random_images();
+    state_over_time();
+    too_much_for_the_target();
+    later_debug();
+    return test_end("vm_hostile");
+}

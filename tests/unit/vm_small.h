@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a small target may decide about the VM (SMVM_CONFIG): numbers of 16 bits, little room in the verifier, and a way of its
+// own to read the image, which here counts what is read where.  For tests/unit/vm_hostile.c.
+#ifndef VM_SMALL_H
+#define VM_SMALL_H
+
+#define SMVM_AT uint16_t
+#define SMVM_IMAGE_MAX 0xffffu
+#define SMVM_RAM_MAX 0x8000u
+#define SMVM_JOINS 2
+#define SMVM_BYTES uint16_t
+#define SMVM_FETCH(image, at) small_fetch((uint32_t)(image) + (at))
+
+static uint8_t small_flash[0x10000];
+static uint32_t small_image, small_end;               // where the image lies
+static uint32_t small_beyond;                         // bytes that were read outside it
+static uint32_t small_code, small_code_end, small_opcodes;    // opcodes that were read between these two
+
+static uint8_t small_fetch(uint32_t at)
+{
+    if (at < small_image || at >= small_end) {
+        small_beyond++;
+        return 0xff;
+    }
+    small_opcodes += at >= small_code && at < small_code_end && small_flash[at] >= 0x80;
+    return small_flash[at];
+}
+
+#endif
