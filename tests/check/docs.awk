@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # Takes the fenced examples out of a page.  -v out=FOLDER: block N becomes FOLDER/N.block, and for each that is to be run
 # stands a line `N|LINE|KIND|NAME|OTHER` on standard output, from the words behind the fence:
-#   sv|sm|ss NAME [OTHER]   the source file NAME; OTHER `!`: it has mistakes; of a script: the machine that it is run on
+#   sv|sm|ss NAME [OTHER]   the source file NAME, of which smc check has nothing to say; OTHER `!`: it has mistakes; of a script:
+#                           the machine that it is run on, without a warning
+#   sm NAME +               the section that stands in the block is put into the file NAME, in the place of the one of that name or
+#                           at the end; `+!`: the file has mistakes then
+#   sm PATH =               the lines stand so in that file of the tree
 #   smt                     a case as in conformance/
 #   console                 `$ ` commands, and what they print; a line … stands for any lines
 # Other fences (sh, text, c, none) are for reading.

@@ -12,13 +12,33 @@ passed=0 failed=0
 
 say_wrong() { echo "$1:$2: this example does not do what the page says"; sed 's/^/    /' "$folder/out"; failed=$((failed + 1)); }
 
+# A source without a mistake or a doubt, or one with mistakes (!).
+check_source() { if [ "$2" = ! ]; then ! "$smc" check "$1"; else "$smc" check -Werror "$1"; fi; }
+
+# Puts a section into a file: in the place of its section of that name, or at the end.
+put_section() {
+    awk 'FNR == NR { if (FNR == 1) header = $1; block = block $0 "\n"; next }
+         /^\[/     { inside = $1 == header; if (inside) { printf "%s\n", block; done = 1 } }
+         !inside   { print }
+         END       { if (!done) printf "\n%s", block }' "$1" "$2" >"$2.new" && mv "$2.new" "$2"
+}
+
+# Whether the lines of a block stand in a file, one after another.
+stands_in() {
+    awk 'FNR == NR { part = part $0 "\n"; next } { all = all $0 "\n" } END { exit index("\n" all, "\n" part) == 0 }' "$1" "$2"
+}
+
 run_block() {                             # NUMBER KIND NAME OTHER, in the page's folder; prints to $folder/out
     block=$folder/blocks/$1.block
     case $2 in
     console) PATH=$folder/bin:$PATH NO_COLOR=1 awk -f "$root/tests/check/console.awk" "$block" ;;
     smt)     cp "$block" case.smt && "$smc" test case.smt ;;
-    ss)      cp "$block" "$3" && { [ -z "$4" ] || "$smc" test "$4" "$3"; } ;;
-    *)       cp "$block" "$3" && if [ "$4" = ! ]; then ! "$smc" check "$3"; else "$smc" check "$3"; fi ;;
+    ss)      cp "$block" "$3" && { [ -z "$4" ] || "$smc" test -Werror "$4" "$3"; } ;;
+    *)       case $4 in
+             =)  stands_in "$block" "$root/$3" ;;
+             +*) put_section "$block" "$3" && check_source "$3" "${4#+}" ;;
+             *)  cp "$block" "$3" && check_source "$3" "$4" ;;
+             esac ;;
     esac >"$folder/out" 2>&1
 }
 
