@@ -128,6 +128,8 @@ static void rounds(void)
     // NaN to 0 does, where there can be one, and costs nothing where there is none.
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = cvt F64 %1\n %3 = neg F64 %2\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
            "sqrt t0, a; mov local F64@0, t0; neg b, local F64@0; end");
+    expect("%0 = const F64 0x7ff8000000000000\n %1 = cvt F64 %0\n %2 = const F64 0\n %3 = eq F64 %1, %2\n store bool p, %3\n ret\n}",
+           "mov local F64@0, nan; eq p, local F64@0, 0; end");
     expect("%0 = load F64 a\n %1 = cvt F64 %0\n %2 = neg F64 %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}", "neg b, a; end");
 }
 
@@ -139,6 +141,9 @@ static void moments(void)
            "mov t0, a; mov a, 1; neg b, t0; end");
     expect("%0 = load U8 n\n %1 = cvt F64 %0\n %2 = const U8 1\n store U8 n, %2\n %3 = add F64 %1, %1\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
            "mov t0, n; mov n, 1; add b, t0, t0; end");
+    expect("%0 = load bool p\n %1 = const bool 1\n store bool p, %1\n br %0, b1, b2\nb1:\n goto A\nb2:\n ret\n}",
+           "mov t0, p; mov p, 1; jf t0, 11; goto A; end");
+    expect("%0 = const U8 1\n store U8 n, %0\n %1 = load U8 n\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "mov n, 1; mov b, n; end");
     // What is used twice is computed once.
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = mul F64 %1, %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}", "sqrt t0, a; mul b, t0, t0; end");
     // Temps are used again; what nobody uses is not computed.
@@ -157,6 +162,11 @@ static void conditions(void)
     // A condition that is also stored is a number.
     expect("%0 = load F64 a\n %1 = const F64 1\n %2 = ne F64 %0, %1\n store bool p, %2\n br %2, b1, b2\nb1:\n goto A\nb2:\n ret\n}",
            "ne t0, a, 1; mov p, t0; jf t0, 12; goto A; end");
+    // A jump to a transition is one.
+    expect("%0 = load bool p\n br %0, b1, b2\nb1:\n %1 = const bool 0\n store bool q, %1\n jmp b3\nb2:\n %2 = const bool 1\n store bool q, %2\n"
+           "jmp b3\nb3:\n goto A\n}",
+           "jf p, 8; mov q, 0; goto A; mov q, 1; goto A");
+    expect("ret\n}", "");
     // A block that only jumps is passed through, one that cannot be reached is left out, and a jump to the end is one.
     expect("%0 = load bool p\n br %0, b1, b3\nb1:\n jmp b4\nb2:\n goto A\nb3:\n %1 = const bool 0\n store bool q, %1\n jmp b5\nb4:\n"
            "%2 = const bool 1\n store bool q, %2\n jmp b5\nb5:\n ret\n}",
@@ -227,6 +237,28 @@ static void deep_condition(void)
     arena_free(&w.arena);
 }
 
+// Each constant stands once in the table of operands, and the one that is used most has a number of one byte.
+static void constants(void)
+{
+    Buf text;
+    Work w;
+
+    open_work(&w);
+    buf_init(&text, &w.arena);
+    buf_str(&text, STEP);
+    for (int i = 0; i < 600; i++)
+        buf_printf(&text, "%%c%d = const F64 %d\n store F64 a, %%c%d\n", i, i % 300, i);
+    for (int i = 0; i < 9; i++)
+        buf_printf(&text, "%%d%d = const F64 0x3fb999999999999a\n store F64 b, %%d%d\n", i, i);
+    buf_str(&text, "ret\n}");
+    CHECK(compile(&w, buf_text(&text)));
+    if (w.memory == NULL)
+        return;
+    CHECK(w.m.operands == 2 + 2 + 300 + 1 && w.m.outputs == 2 && w.m.f64s == 1 && w.m.f32s == 0);
+    CHECK(smvm_operand(&w.m, 4).kind == 26);          // behind outputs, G and S
+    arena_free(&w.arena);
+}
+
 // ---- what does not fit ----
 
 static bool refused_as(const char *text, DiagCode code, const char *words)
@@ -294,6 +326,7 @@ int main(void)
     deep(true);
     deep(false);
     deep_condition();
+    constants();
     limits();
     return test_end("vm_select");
 }

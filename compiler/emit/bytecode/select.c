@@ -219,15 +219,8 @@ static bool may_be_nan(const Select *s, IrRef r)
     return i->type == SM_F64 && i->op != IR_load && i->op != IR_cvt;
 }
 
-// Whether a conversion leaves the number as it is once its operand has been read.
-static bool changes_nothing(const Select *s, const IrIns *cvt)
-{
-    SmType from = ins(s, cvt->a)->type;
-
-    if (cvt->type == SM_F64)
-        return !may_be_nan(s, cvt->a);
-    return cvt->type == from || (from == SM_BOOL && cvt->type != SM_BOOL);
-}
+// Whether a conversion leaves the number as it is once its operand has been read.  (One that is not to F64 is from it.)
+static bool changes_nothing(const Select *s, const IrIns *cvt) { return cvt->type == SM_F64 && !may_be_nan(s, cvt->a); }
 
 // r without conversions that do not matter to who asks only whether it is true.
 static IrRef without_truth(const Select *s, IrRef r)
