@@ -10,6 +10,7 @@
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
 #include "stdlib/convert.h"
+#include "stdlib/math.h"
 
 typedef struct Out {
     SmvmWrite write;
@@ -90,23 +91,55 @@ static void whole(Out *o, int32_t v)
     number(o, v < 0 ? 0u - (uint32_t)v : (uint32_t)v);
 }
 
-// A number as C99's %a has it; a whole one of moderate size as that.
+// m / 10^places, with a point.
+static void decimal(Out *o, uint64_t m, uint8_t places)
+{
+    uint64_t unit = 1;
+
+    for (uint8_t i = 0; i < places; i++)
+        unit *= 10;
+    number(o, m / unit);
+    if (places == 0)
+        return;
+    text(o, ".");
+    for (m %= unit; unit > 10 && m < unit / 10; unit /= 10)
+        text(o, "0");
+    number(o, m);
+}
+
+// The decimal of at most 15 places whose nearest F64 is x >= 0, if there is one.  Dividing one exact number by another rounds
+// as reading the decimal does.
+static bool short_decimal(Out *o, SmF64 x)
+{
+    const SmF64 ten = sm_from_i32(10), limit = sm_from_u64((uint64_t)1 << 53);
+    SmF64 unit = sm_from_i32(1);
+
+    for (uint8_t places = 0; places <= 15 && sm_lt(sm_mul(x, unit), limit); places++) {
+        SmF64 m = sm_round(sm_mul(x, unit));
+        if (sm_eq(sm_div(m, unit), x)) {
+            decimal(o, sm_to_u64(m), places);
+            return true;
+        }
+        unit = sm_mul(unit, ten);
+    }
+    return false;
+}
+
+// A number as a decimal where a short one says it, else as C99's %a has it.
 static void f64(Out *o, SmF64 x)
 {
     uint64_t bits = sm_bits(x), fraction = bits & 0xfffffffffffffu;
     int32_t exponent = (int32_t)(bits >> 52 & 0x7ff);
     uint8_t digits = 13;
 
-    if (sm_bits(sm_from_i32(sm_to_i32(x))) == bits) {
-        whole(o, sm_to_i32(x));
-        return;
-    }
     if (bits >> 63 && !sm_is_nan(x))
         text(o, "-");
     if (exponent == 0x7ff) {
         text(o, fraction != 0 ? "nan" : "inf");
         return;
     }
+    if (short_decimal(o, sm_abs(x)))
+        return;
     for (; digits > 0 && (fraction & 15u) == 0; digits--)
         fraction >>= 4;
     text(o, exponent == 0 ? "0x0" : "0x1");
@@ -114,9 +147,9 @@ static void f64(Out *o, SmF64 x)
         text(o, ".");
     hex(o, fraction, digits);
     text(o, "p");
-    if (exponent > 1022 || bits << 1 == 0)
+    if (exponent > 1022)
         text(o, "+");
-    whole(o, exponent == 0 ? (fraction == 0 ? 0 : -1022) : exponent - 1023);
+    whole(o, exponent == 0 ? -1022 : exponent - 1023);
 }
 
 static void place(Out *o, const char *space, const SmvmOperand *p)

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bytecode-vm/image.h"
 #include "compiler/pipeline.h"
 #include "compiler/script/engine.h"
 #include "tests/test.h"
@@ -27,7 +28,7 @@ static Program *program(Session *s, const char *text)
     MachineInput in;
 
     memset(&in, 0, sizeof in);
-    in.sm = source_new(&s->arena, "t.sm", text, strlen(text));
+    in.sm = source_new(&s->arena, "folder/to\\t.sm", text, strlen(text));
     return session_program(s, &in);
 }
 
@@ -40,6 +41,18 @@ static Buf image(Session *s, const Program *p, bool debug)
     buf_init(&out, &s->arena);
     CHECK(session_image(s, &m, 1, &o, &out));
     return out;
+}
+
+// Outputs carry no path: the source is named without its folders.
+static void source_name(Session *s)
+{
+    Buf b = image(s, program(s, counter), true);
+    SmvmMachine m;
+    SmvmName n;
+
+    CHECK(smvm_machine((const uint8_t *)b.at, 0, &m));
+    n = smvm_name(&m, SMVM_NAME_SOURCE);
+    CHECK(n.size == 4 && memcmp(b.at + n.at, "t.sm", 4) == 0);
 }
 
 static bool refuses(Session *s, const Program *p, Buf b, uint32_t machine, const char *words)
@@ -107,6 +120,7 @@ int main(void)
 
     session_init(&s, host, NULL, &oom);
     opening(&s);
+    source_name(&s);
     running(&s);
     session_free(&s);
     return test_end("vm_engine");

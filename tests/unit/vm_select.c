@@ -4,8 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
 #include "compiler/emit/bytecode/bytecode.h"
+#include "stdlib/convert.h"
 #include "tests/test.h"
 
 static void *host(void *context, void *old, size_t size)
@@ -115,7 +117,7 @@ static void folds(void)
     expect("%0 = load F64 a\n %1 = load F64 b\n %2 = gt F64 %0, %1\n store bool p, %2\n ret\n}", "lt p, b, a; end");
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "sqrt b, a; end");
     expect("%0 = load U64 T\n %1 = cvt F64 %0\n %2 = const F64 -0\n %3 = div F64 %1, %2\n %4 = cvt F32 %3\n store F32 f, %4\n ret\n}",
-           "div f, T, -0x0p+0; end");
+           "div f, T, -0; end");
 }
 
 static void rounds(void)
@@ -237,6 +239,87 @@ static void deep_condition(void)
     arena_free(&w.arena);
 }
 
+// Conversions in the middle of an expression, to all types at once, beside locals of all types: no two share memory.
+static void slots(void)
+{
+    static const double expected[SM_TYPE_COUNT] = {-3, -3, -3, -3, 0, 0, 0, 0, -3.5, -3.5, 1};
+    double sum = 0;
+    Buf text;
+    Work w;
+
+    open_work(&w);
+    buf_init(&text, &w.arena);
+    buf_str(&text, HEAD);
+    for (int t = 0; t < SM_TYPE_COUNT; t++)
+        buf_printf(&text, "local %s l%d writable = %d\n", sm_type_info[t].spelling, t, t > 0);
+    buf_str(&text, "state A\nstep {\nb0:\n%x = load F64 a\n%s = const F64 0\n");
+    for (int t = 0; t < SM_TYPE_COUNT; t++)
+        buf_printf(&text, "%%c%d = cvt %s %%x\n%%d%d = cvt F64 %%c%d\n", t, sm_type_info[t].spelling, t, t);
+    for (int t = 0; t < SM_TYPE_COUNT; t++)
+        buf_printf(&text, "%%e%d = mul F64 %%d%d, %%d%d\n%%f%d = add F64 %%e%d, %%d%d\n", t, t, t, t, t, t);
+    for (int t = 0; t < SM_TYPE_COUNT; t++) {
+        buf_printf(&text, "%%s%d = add F64 %%%s%d, %%f%d\n", t, t ? "s" : "f", t ? t - 1 : 0, t);
+        sum += expected[t] * expected[t] + expected[t] + (t ? 0 : expected[t] * expected[t] + expected[t]);
+    }
+    buf_printf(&text, "%%r = cvt F64 %%s%d\nstore F64 b, %%r\nret\n}", SM_TYPE_COUNT - 1);
+    CHECK(compile(&w, buf_text(&text)));
+    if (w.memory == NULL)
+        return;
+    w.sv[2] = sm_bits(-3.5);
+    run_step(&w, 1);
+    CHECK(sm_from_bits(w.sv[3]) == sum);
+    for (uint32_t i = 0, at = 0; i < smvm_variables(&w.m); i++) {    // the locals still hold what they began with
+        SmvmOperand o;
+        SmvmName name = smvm_variable(&w.m, i, &o);
+        const uint8_t *p = (const uint8_t *)smvm_locals((SmVm *)w.memory) + o.offset;
+        if (name.size >= 2 && o.kind >= SMVM_K_LOCAL && o.kind < SMVM_K_TEMP && at < SM_TYPE_COUNT)
+            CHECK(sm_from_bits(sm_bits(sm_load(o.type, p))) == (double)(at++ > 0));
+    }
+    arena_free(&w.arena);
+}
+
+// Code of more than 64 KB, in which a function begins that far behind the start.
+static void long_code(void)
+{
+    Buf text;
+    Work w;
+
+    open_work(&w);
+    buf_init(&text, &w.arena);
+    buf_str(&text, STEP);
+    for (int i = 0; i < 25000; i++)
+        buf_printf(&text, "%%%d = const F64 %d\n store F64 a, %%%d\n", i, i, i);
+    buf_str(&text, "goto B\n}\nexit {\nb0:\n%0 = const F64 7\nstore F64 b, %0\nret\n}\n"
+                   "state B\nstep {\nb0:\n%0 = const F64 8\nstore F64 b, %0\nret\n}");
+    CHECK(compile(&w, buf_text(&text)));
+    if (w.memory == NULL)
+        return;
+    CHECK(w.m.width == 3 && w.m.code_size > 0x10000);
+    run_step(&w, 1);
+    CHECK(sm_from_bits(w.sv[2]) == 24999 && sm_from_bits(w.sv[3]) == 7);
+    run_step(&w, 2);
+    CHECK(sm_from_bits(w.sv[2]) == 24999 && sm_from_bits(w.sv[3]) == 8);
+    arena_free(&w.arena);
+}
+
+// What is written is read back, in its one form.
+static void varints(void)
+{
+    static const uint32_t at[] = {0, 95, 96, 97, 3167, 3168, 3169, 0x200c5f, 0x200c60, 0x123456, 0xfffff0, 0x1000c5f};
+    Work w;
+
+    open_work(&w);
+    for (unsigned i = 0; i < sizeof at / sizeof *at; i++) {
+        uint32_t from = 0, value = 0;
+        Buf b;
+        buf_init(&b, &w.arena);
+        bc_varint(&b, at[i]);
+        CHECK(smvm_varint((const uint8_t *)b.at, &from, (uint32_t)b.n, &value) && from == b.n && value == at[i]);
+        CHECK(b.n == (at[i] < 96 ? 1 : at[i] < 3168 ? 2 : 4));
+    }
+    arena_free(&w.arena);
+}
+
 // Each constant stands once in the table of operands, and the one that is used most has a number of one byte.
 static void constants(void)
 {
@@ -255,6 +338,7 @@ static void constants(void)
     if (w.memory == NULL)
         return;
     CHECK(w.m.operands == 2 + 2 + 300 + 1 && w.m.outputs == 2 && w.m.f64s == 1 && w.m.f32s == 0);
+    CHECK(w.m.init_size == 3 + 2);                    // the one local that is not zero
     CHECK(smvm_operand(&w.m, 4).kind == 26);          // behind outputs, G and S
     arena_free(&w.arena);
 }
@@ -326,6 +410,9 @@ int main(void)
     deep(true);
     deep(false);
     deep_condition();
+    slots();
+    long_code();
+    varints();
     constants();
     limits();
     return test_end("vm_select");
