@@ -1,4 +1,4 @@
-spec 3.8   An expression nested too deep is one clear error.
+spec 3.8, 5.43   An expression nested too deep is one clear error.
 
 -- app.sm --
 [state_vector]

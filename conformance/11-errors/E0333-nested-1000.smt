@@ -1,4 +1,4 @@
-spec 5.31, 5.32, 3.8   A thousand levels of conditionals, of parentheses and of else if are no trouble.
+spec 5.31, 5.32, 5.35, 5.43, 3.8   A thousand levels of conditionals, of parentheses and of else if are no trouble.
 
 -- app.sm --
 [state_vector]

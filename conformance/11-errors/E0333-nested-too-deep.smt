@@ -1,4 +1,4 @@
-spec 5.31   Conditionals nested too deep are one clear error.
+spec 5.31, 5.43   Conditionals nested too deep are one clear error.
 
 -- app.sm --
 [state_vector]
