@@ -99,6 +99,15 @@ make_large() {
     }' >"$dir/states.sm"
 }
 
+# C and C++ keep names with an underscore in front or two in a row for themselves; some compilers would take them.
+reserved_names() {
+    if sed -e 's,//.*,,' -e '/^#/d' -e 's/"[^"]*"//g' "$@" | grep -v '__GNUC__\|__clang__' | grep -n '\(^\|[^A-Za-z0-9_]\)_[A-Za-z0-9_]\|[A-Za-z0-9]__' >"$dir/log"; then
+        fail "names: some are reserved"
+    else
+        pass
+    fi
+}
+
 matrix() {
     for machine in "$root"/examples/*/*.sm "$here"/machines/*.sm; do
         name=$(basename "$machine" .sm)
@@ -112,6 +121,7 @@ matrix() {
             compile_machine every_compiler arithmetic0 -O0 "$machine"
         fi
     done
+    reserved_names "$dir/names.h" "$dir/names.c"
     compile_machine every_compiler bus "$here/machines/bus.sv"
     make_large
     for name in nested deep chain states; do
