@@ -67,6 +67,8 @@ static bool is_taken(const CNames *n, const char *name)
     for (size_t i = 0; i < sizeof starts / sizeof *starts; i++)
         if (starts_with(name, starts[i]))
             return true;
+    if (name[0] == 'e' && name[1] >= '0' && name[1] <= '9')       // what copy_name makes
+        return true;
     return strcmp(name, "m") == 0 || strcmp(name, "sv") == 0 || starts_with(name, n->type) || starts_with(name, n->sv_type) ||
            (starts_with(name, n->prefix) && name[prefix] == '_') || (starts_with(name, n->macro) && name[macro] == '_');
 }
@@ -76,7 +78,7 @@ const char *copy_name(CFn *fn, uint32_t v)
 {
     const char *name = fn->u->names.var[v];
 
-    return is_taken(&fn->u->names, name) ? format_in(fn->u->arena, "m_%s_%u", name, (unsigned)v) : name;
+    return is_taken(&fn->u->names, name) ? format_in(fn->u->arena, "e%u_%s", (unsigned)v, name) : name;
 }
 
 static void put_load(CFn *fn, const IrIns *i)

@@ -108,7 +108,7 @@ static const char *set_take_free(NameSet *s, const char *name)
     const char *tried = name;
 
     for (unsigned i = 2; !set_take(s, tried); i++)
-        tried = format_in(s->arena, "%s_%u", name, i);
+        tried = format_in(s->arena, ends_with(name, "_") ? "%s%u" : "%s_%u", name, i);
     return tried;
 }
 
