@@ -32,6 +32,7 @@ run_block() {                             # NUMBER KIND NAME OTHER, in the page'
     block=$folder/blocks/$1.block
     case $2 in
     console) PATH=$folder/bin:$PATH NO_COLOR=1 awk -f "$root/tests/check/console.awk" "$block" ;;
+    c)       cp "$block" "$3" ;;
     smt)     cp "$block" case.smt && "$smc" test case.smt ;;
     ss)      cp "$block" "$3" && { [ -z "$4" ] || "$smc" test -Werror "$4" "$3"; } ;;
     *)       case $4 in
