@@ -12,3 +12,6 @@ F64 pi = 3,14      #! E0116 write 3.14
 .step
     x = 1,5        #! E0116 write 1.5
     p > 2,5: x = pi   #! E0116 write 2.5
+    p > 60,000: x = 1       #! E0116 written 60.000, thousands are written 60000
+    x = 0,125               #! E0116 write 0.125
+    x = 1,234,567           #! E0116 thousands

@@ -13,6 +13,6 @@ F64 p
 [options]
 delta_t 10
 [all_states]
-p = 600             #! E0380 condition
+p = 600             #! E0380 say when
 x = 1
 G == 100: @stop
