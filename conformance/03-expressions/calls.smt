@@ -17,6 +17,8 @@ F64  r7
 F64  r8
 F64  r9
 F64  r10
+F64  r11
+F64  r12
 F64  c1
 F64  c2
 F64  c3
@@ -27,6 +29,8 @@ F64  c7
 F64  c8
 F64  c9
 F64  c10
+F64  c11
+F64  c12
 
 [local]
 F64  ka = 2 @read_only
@@ -43,8 +47,10 @@ F64  kc = 5 @read_only
     r6 = max(a < c < 9, 0)
     r7 = max((a), (b and c))
     r8 = clamp(a + 10, b, c)
-    r9 = abs (b)
-    r10 = not abs(b)
+    r9 = clamp(b - 10, b, c)
+    r10 = clamp(a, c, c + 1)
+    r11 = abs (b)
+    r12 = not abs(b)
     c1 = max(ka, kb)
     c2 = max(ka + kb, ka * kc)
     c3 = min(max(ka, kb), abs(kb))
@@ -53,8 +59,10 @@ F64  kc = 5 @read_only
     c6 = max(ka < kc < 9, 0)
     c7 = max((ka), (kb and kc))
     c8 = clamp(ka + 10, kb, kc)
-    c9 = abs (kb)
-    c10 = not abs(kb)
+    c9 = clamp(kb - 10, kb, kc)
+    c10 = clamp(ka, kc, kc + 1)
+    c11 = abs (kb)
+    c12 = not abs(kb)
 
 -- app.ss --
 [options]
@@ -73,8 +81,10 @@ true {
     @assert r6 == 1
     @assert r7 == 2
     @assert r8 == 5
-    @assert r9 == 3
-    @assert 1 / r10 == 1/0
+    @assert r9 == -3
+    @assert r10 == 5
+    @assert r11 == 3
+    @assert 1 / r12 == 1/0
     @assert c1 == 2
     @assert c2 == 10
     @assert c3 == 2
@@ -83,7 +93,9 @@ true {
     @assert c6 == 1
     @assert c7 == 2
     @assert c8 == 5
-    @assert c9 == 3
-    @assert 1 / c10 == 1/0
+    @assert c9 == -3
+    @assert c10 == 5
+    @assert c11 == 3
+    @assert 1 / c12 == 1/0
     @stop
 }
