@@ -81,7 +81,7 @@ SmvmOperand smvm_operand(const SmvmMachine *m, uint32_t index);
 typedef struct SmVm {
     SmvmBytes image;
     SmvmAt code, functions, operands, f32s, f64s, g, s;   // where in the image; g and s: in the state vector
-    SmvmAt outputs, windows, state;                       // state: the one that the next step runs
+    SmvmAt outputs, state;                                // state: the one that the next step runs
     uint8_t width;
     bool first;               // the next step is the first of `state`
     bool ran;                 // a step has run since smvm_init
