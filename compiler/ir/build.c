@@ -159,8 +159,9 @@ static IrSpace space_of(VarKind kind)
 
 static void build_var_entry(Builder *b, const Var *v)
 {
-    IrVar out = {.space = space_of(v->kind), .name = v->name, .type = v->type, .init = v->init, .writable = v->written, .span = v->span};
+    IrVar out = {.space = space_of(v->kind), .name = v->name, .type = v->type, .init = v->init, .span = v->span};
 
+    out.writable = v->written;
     if (v->element)
         out.offset = v->element->offset;
     b->var[v->index] = IR_NONE;

@@ -73,7 +73,8 @@ static bool shape_equal(const Builder *b, const Expr *x, const Expr *y)
 
 // ---- sharing ----
 
-typedef struct Shared { const Window *first; uint32_t index; } Shared;     // an open-addressing table's slot; first NULL: empty
+// A slot of an open-addressing table; empty while first is NULL.
+typedef struct Shared { const Window *first; uint32_t index; } Shared;
 
 static Shared *find_slot(const Builder *b, Shared *table, size_t cap, const Window *w)
 {

@@ -20,6 +20,9 @@ typedef struct Checker {
     bool *sampled;                    // by window: its sample has been given
 } Checker;
 
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
 static bool fail(Checker *c, const char *format, ...)
 {
     char text[200];
@@ -172,7 +175,8 @@ static bool check_windows(Checker *c)
         if (window->stats >> SM_STAT_COUNT != 0)
             return fail(c, "window w%lu has an unknown statistic", (unsigned long)w);
     }
-    return (c->m->window.n == 0) == (c->m->sample == NULL) || fail(c, "there is a sample function without windows, or the other way round");
+    return (c->m->window.n == 0) == (c->m->sample == NULL)
+        || fail(c, "there is a sample function without windows, or the other way round");
 }
 
 // ---- instructions ----
@@ -205,7 +209,8 @@ static bool check_access(Checker *c, const IrIns *i, IrRef ref)
     if (i->var >= c->m->var.n || c->m->var.at[i->var].type != i->type)
         return fail(c, "instruction %lu is not of its variable's type", (unsigned long)ref);
     if (i->op == IR_store && !c->m->var.at[i->var].writable)
-        return fail(c, "instruction %lu writes %.80s, which is not writable", (unsigned long)ref, c->m->var.at[i->var].name->text);
+        return fail(c, "instruction %lu writes %.80s, which is not writable", (unsigned long)ref,
+                    c->m->var.at[i->var].name->text);
     return i->op != IR_store || !!c->state || fail(c, "instruction %lu writes a variable", (unsigned long)ref);
 }
 
@@ -221,11 +226,15 @@ static bool check_sample(Checker *c, const IrIns *i, IrRef ref)
 
 static bool check_stat(Checker *c, const IrIns *i, IrRef ref)
 {
+    if (i->type != SM_F64)
+        return fail(c, "instruction %lu is a statistic and no F64", (unsigned long)ref);
     if (i->var >= c->m->window.n || (int)i->stat < 0 || i->stat >= SM_STAT_COUNT)
         return fail(c, "instruction %lu is a statistic of nothing", (unsigned long)ref);
     if (!(c->m->window.at[i->var].stats >> i->stat & 1))
-        return fail(c, "instruction %lu asks window w%lu for a statistic that it does not list", (unsigned long)ref, (unsigned long)i->var);
-    return c->state || c->sampled[i->var] || fail(c, "instruction %lu reads window w%lu before its sample", (unsigned long)ref, (unsigned long)i->var);
+        return fail(c, "instruction %lu asks window w%lu for a statistic that it does not list", (unsigned long)ref,
+                    (unsigned long)i->var);
+    return c->state || c->sampled[i->var]
+        || fail(c, "instruction %lu reads window w%lu before its sample", (unsigned long)ref, (unsigned long)i->var);
 }
 
 // Today every operation but load, store and cvt works on F64 and bool alone.
@@ -243,14 +252,15 @@ static bool check_types(Checker *c, const IrIns *i, IrRef ref)
     switch (ir_op_info[i->op].types) {
     case IR_T_CONST: return check_const(c, i, ref);
     case IR_T_CONVERT:
-        return i->type == SM_F64 || c->f->ins.at[i->a].type == SM_F64 || fail(c, "instruction %lu converts neither from nor to F64", (unsigned long)ref);
+        return i->type == SM_F64 || c->f->ins.at[i->a].type == SM_F64
+            || fail(c, "instruction %lu converts neither from nor to F64", (unsigned long)ref);
     case IR_T_LOGIC: return check_operation(c, i, ref, SM_BOOL, SM_BOOL);
     case IR_T_SAME: return check_operation(c, i, ref, SM_F64, SM_F64);
     case IR_T_COMPARE: return check_operation(c, i, ref, SM_F64, SM_BOOL);
     case IR_T_LOAD: return check_access(c, i, ref);
     case IR_T_STORE: return check_access(c, i, ref) && operand_type(c, i->a, i->type, ref);
     case IR_T_SAMPLE: return operand_type(c, i->a, SM_F64, ref) && check_sample(c, i, ref);
-    case IR_T_STAT: return (i->type == SM_F64 || fail(c, "instruction %lu is a statistic and no F64", (unsigned long)ref)) && check_stat(c, i, ref);
+    case IR_T_STAT: return check_stat(c, i, ref);
     }
     return false;
 }

@@ -376,7 +376,7 @@ static void print_times(const Shape *shape, unsigned n, const double *took)
 static int grows_too_fast(const double *small, const double *large)
 {
     for (int k = 0; k < STAGES; k++)
-        if (large[k] > NOISE && large[k] > MOST_GROWTH * (small[k] > NOISE / FACTOR ? small[k] : NOISE / FACTOR))
+        if (large[k] > NOISE && large[k] > MOST_GROWTH * (small[k] > NOISE / 4 ? small[k] : NOISE / 4))
             return k;
     return -1;
 }

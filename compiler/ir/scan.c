@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// The words and numbers of IR text, for read.c.
+#include "compiler/ir/scan.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+bool scan_fail(Scan *s, const char *format, ...)
+{
+    va_list args;
+    Buf b;
+    char text[160];
+
+    if (s->error)
+        return false;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    buf_init(&b, s->arena);
+    buf_printf(&b, "line %lu: %s", (unsigned long)s->line, text);
+    s->error = buf_text(&b);
+    return false;
+}
+
+// ---- characters and words ----
+
+static void skip_blanks(Scan *s)
+{
+    while (s->at < s->end && (*s->at == ' ' || *s->at == '\t' || *s->at == '\r'))
+        s->at++;
+    if (s->at < s->end && *s->at == '#')
+        while (s->at < s->end && *s->at != '\n')
+            s->at++;
+}
+
+bool scan_at_line_end(Scan *s)
+{
+    skip_blanks(s);
+    return s->at == s->end || *s->at == '\n';
+}
+
+bool scan_next_line(Scan *s)
+{
+    while (scan_at_line_end(s) && s->at < s->end) {
+        s->at++;
+        s->line++;
+    }
+    return s->at < s->end;
+}
+
+static bool is_word_char(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '%' || c == '-' || c == '.';
+}
+
+Str scan_word(Scan *s, const char *expected)
+{
+    const char *start;
+
+    skip_blanks(s);
+    start = s->at;
+    while (s->at < s->end && is_word_char(*s->at))
+        s->at++;
+    if (s->at == start) {
+        scan_fail(s, "expected %s", expected);
+        return NULL;
+    }
+    return str_intern(s->strings, start, (size_t)(s->at - start));
+}
+
+bool scan_is(Str w, const char *text)
+{
+    return w && strcmp(w->text, text) == 0;
+}
+
+bool scan_optional_char(Scan *s, char c)
+{
+    skip_blanks(s);
+    if (s->at == s->end || *s->at != c)
+        return false;
+    s->at++;
+    return true;
+}
+
+bool scan_char(Scan *s, char c)
+{
+    return scan_optional_char(s, c) || scan_fail(s, "expected '%c'", c);
+}
+
+bool scan_optional(Scan *s, const char *text)
+{
+    size_t n = strlen(text);
+
+    skip_blanks(s);
+    if ((size_t)(s->end - s->at) < n || memcmp(s->at, text, n) != 0 || (s->at + n < s->end && is_word_char(s->at[n])))
+        return false;
+    s->at += n;
+    return true;
+}
+
+bool scan_this(Scan *s, const char *text)
+{
+    return scan_optional(s, text) || scan_fail(s, "expected '%s'", text);
+}
+
+static int hex_digit(char c)
+{
+    if (c >= '0' && c <= '9')
+        return c - '0';
+    if (c >= 'a' && c <= 'f')
+        return c - 'a' + 10;
+    return -1;
+}
+
+bool scan_quoted(Scan *s, Str *out)
+{
+    Buf b;
+
+    buf_init(&b, s->arena);
+    if (!scan_char(s, '"'))
+        return false;
+    while (s->at < s->end && *s->at != '"' && *s->at != '\n') {
+        char c = *s->at++;
+        if (c == '\\') {
+            if (s->end - s->at < 2 || hex_digit(s->at[0]) < 0 || hex_digit(s->at[1]) < 0)
+                return scan_fail(s, "expected two hexadecimal digits behind the backslash");
+            c = (char)(unsigned char)(hex_digit(s->at[0]) * 16 + hex_digit(s->at[1]));
+            s->at += 2;
+        }
+        buf_char(&b, c);
+    }
+    *out = str_intern(s->strings, buf_text(&b), b.n);
+    return scan_char(s, '"');
+}
+
+// ---- numbers ----
+
+bool scan_parse_number(const char *text, uint64_t *out)
+{
+    uint64_t base = 10, v = 0;
+
+    if (text[0] == '0' && text[1] == 'x') {
+        base = 16;
+        text += 2;
+    }
+    if (!*text)
+        return false;
+    for (; *text; text++) {
+        int digit = hex_digit(*text);
+        if (digit < 0 || (uint64_t)digit >= base || v > (UINT64_MAX - (uint64_t)digit) / base)
+            return false;
+        v = v * base + (uint64_t)digit;
+    }
+    *out = v;
+    return true;
+}
+
+bool scan_number(Scan *s, const char *what, uint32_t *out)
+{
+    Str w = scan_word(s, what);
+    uint64_t v;
+
+    if (!w)
+        return false;
+    if (!scan_parse_number(w->text, &v) || v > UINT32_MAX)
+        return scan_fail(s, "expected %s, found '%.40s'", what, w->text);
+    *out = (uint32_t)v;
+    return true;
+}
+
+bool scan_lettered(Scan *s, char letter, const char *what, uint32_t *out)
+{
+    Str w = scan_word(s, what);
+    uint64_t v;
+
+    if (!w)
+        return false;
+    if (w->text[0] != letter || !scan_parse_number(w->text + 1, &v) || v > UINT32_MAX)
+        return scan_fail(s, "expected %s, found '%.40s'", what, w->text);
+    *out = (uint32_t)v;
+    return true;
+}
+
+static bool find_type(Str w, SmType *out)
+{
+    for (int t = 0; t < SM_TYPE_COUNT; t++)
+        if (scan_is(w, sm_type_info[t].spelling)) {
+            *out = (SmType)t;
+            return true;
+        }
+    return false;
+}
+
+bool scan_type(Scan *s, SmType *out)
+{
+    Str w = scan_word(s, "a type");
+
+    return w && (find_type(w, out) || scan_fail(s, "expected a type, found '%.40s'", w->text));
+}
+
+// The cell of a whole number; false when the type cannot hold it exactly.
+static bool whole_cell(SmType type, bool negative, uint64_t magnitude, uint64_t *cell)
+{
+    unsigned bits = 8u * sm_type_info[type].bytes;
+    double d = negative ? -(double)magnitude : (double)magnitude;
+    float f = (float)d;
+    uint32_t low;
+
+    switch (sm_type_info[type].kind) {
+    case SM_KIND_BOOL: *cell = magnitude; return !negative && magnitude <= 1;
+    case SM_KIND_UNSIGNED: *cell = magnitude; return !negative && (bits == 64 || magnitude >> bits == 0);
+    case SM_KIND_SIGNED:
+        *cell = (negative ? ~magnitude + 1 : magnitude) & UINT64_MAX >> (64 - bits);
+        return magnitude <= (UINT64_C(1) << (bits - 1)) - !negative;
+    case SM_KIND_FLOAT:
+        if (type == SM_F32) {
+            memcpy(&low, &f, sizeof low);
+            *cell = low;
+            return magnitude <= UINT64_C(1) << 53 && (double)f == d;
+        }
+        memcpy(cell, &d, sizeof *cell);
+        return magnitude <= UINT64_C(1) << 53;
+    }
+    return false;
+}
+
+bool scan_value(Scan *s, SmType type, uint64_t *cell)
+{
+    Str w = scan_word(s, "a value");
+    uint64_t v;
+    bool negative, hex;
+
+    if (!w)
+        return false;
+    negative = w->text[0] == '-';
+    hex = w->text[0] == '0' && w->text[1] == 'x';
+    if (!scan_parse_number(w->text + negative, &v))
+        return scan_fail(s, "expected a value, found '%.40s'", w->text);
+    if (hex)
+        *cell = v;
+    else if (!whole_cell(type, negative, v, cell))
+        return scan_fail(s, "%.40s is no value of type %s", w->text, sm_type_info[type].spelling);
+    return true;
+}
