@@ -17,7 +17,9 @@ static void put_indent(CFn *fn) { buf_spaces(&fn->body, 4u * fn->indent); }
 
 static bool starts_operator(const char *text)
 {
-    return strchr("&|+-*/<>=!?:", text[0]) && (text[1] == ' ' || (text[1] && text[2] == ' ')) && !(text[0] == '=' && text[1] == ' ');
+    const bool comment = (text[0] == '/' && text[1] == '*') || (text[0] == '*' && text[1] == '/');
+
+    return strchr("&|+-*/<>=!?:", text[0]) && (text[1] == ' ' || (text[1] && text[2] == ' ')) && !(text[0] == '=' && text[1] == ' ') && !comment;
 }
 
 // How little one wants to break before what follows a blank: the less tightly an operator binds, the better.
@@ -98,22 +100,28 @@ static void put_variable(CFn *fn, IrRef r)
 
 static void put_store(CFn *fn, const IrIns *i)
 {
-    const bool element = fn->u->m->var.at[i->var].space == IR_ELEMENT;
-
     put_cell(fn, i->var);
     buf_str(&fn->line, " = ");
     put_value(fn, i->a, PREC_ANY);
     buf_str(&fn->line, ";");
     end_line(fn);
     fn->writes_m = true;
-    if (!element)
+    if (fn->u->m->var.at[i->var].space != IR_ELEMENT || fn->var[i->var].flag_stamp == fn->block)
         return;
     fn->writes_sv = fn->uses_m = true;
-    if (fn->var[i->var].flag_stamp == fn->block)
-        return;
     fn->var[i->var].flag_stamp = fn->block;
-    buf_printf(&fn->line, "m->stored.%s = true;", fn->u->names.var[i->var]);
-    end_line(fn);
+    vec_push(fn->u->arena, &fn->stored, i->var);
+}
+
+// Says which elements the statements of a block have stored: `m->stored.a = m->stored.b = true;`
+static void put_stored(CFn *fn)
+{
+    for (size_t i = 0; i < fn->stored.n; i++) {
+        buf_printf(&fn->line, "m->stored.%s = ", fn->u->names.var[fn->stored.at[i]]);
+        if (i + 1 == fn->stored.n || fn->line.n + 4u * fn->indent > 80)
+            put_line(fn, "true;");
+    }
+    fn->stored.n = 0;
 }
 
 // A window knows its memory by pointers.  Set in each step, they are right in a copy of the machine too.
@@ -153,6 +161,7 @@ static void put_statements(CFn *fn, uint32_t b)
         else if (fn->ins[r].how == C_EFFECT)
             put_sample(fn, ins(fn, r));
     }
+    put_stored(fn);
 }
 
 static bool has_statements(const CFn *fn, uint32_t b)

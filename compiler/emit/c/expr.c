@@ -133,6 +133,18 @@ static void put_load_value(CFn *fn, const IrIns *i, int prec)
     close(fn, opened);
 }
 
+// ---- constants ----
+
+// A local that is a constant has become a number: its name stands behind it as a comment.
+void put_constant(CFn *fn, IrRef r, SmType type, uint64_t bits)
+{
+    const char *name = remark_constant(fn->u, ins(fn, r)->span);
+
+    literal_put(fn->u, &fn->line, type, bits);
+    if (*name)
+        buf_printf(&fn->line, " /* %s */", name);
+}
+
 // ---- conversions ----
 
 static const char *const to_helper[SM_TYPE_COUNT] = {
@@ -158,7 +170,7 @@ static void put_double(CFn *fn, IrRef r, int prec)
     bool opened;
 
     if (fn->ins[r].is_const && i->type != SM_F64) {
-        literal_put(fn->u, &fn->line, SM_F64, sm_bits(sm_cell_to_f64(i->type, fn->ins[r].bits)));
+        put_constant(fn, r, SM_F64, sm_bits(sm_cell_to_f64(i->type, fn->ins[r].bits)));
     } else if (is_widened(fn, r)) {
         put_checked_load(fn, i);
     } else if (i->type == SM_F64) {
@@ -263,7 +275,7 @@ static const char *const compare_text[] = {
 static void put_integer_operand(CFn *fn, IrRef r, SmType t)
 {
     if (fn->ins[r].is_const)
-        literal_put(fn->u, &fn->line, t, sm_cell_from_f64(t, sm_from_bits(fn->ins[r].bits)));
+        put_constant(fn, r, t, sm_cell_from_f64(t, sm_from_bits(fn->ins[r].bits)));
     else
         put_value(fn, converted_from(fn, r), PREC_ADD);
 }
@@ -407,13 +419,14 @@ static void put_stat(CFn *fn, const IrIns *i)
     buf_printf(&fn->line, "%s(&m->%s)", helper_use(fn->u, stat_helper[i->stat]), fn->u->window[i->var]);
 }
 
-static void put_literal(CFn *fn, const IrIns *i, uint64_t bits, int prec)
+static void put_literal(CFn *fn, IrRef r, uint64_t bits, int prec)
 {
+    const IrIns *i = ins(fn, r);
     const SmKind kind = sm_type_info[i->type].kind;
     const bool negative = kind == SM_KIND_FLOAT || kind == SM_KIND_SIGNED ? (bits >> (sm_type_info[i->type].bytes * 8 - 1) & 1) : false;
     const bool opened = open(fn, negative ? PREC_UNARY : PREC_PRIMARY, prec);
 
-    literal_put(fn->u, &fn->line, i->type, bits);
+    put_constant(fn, r, i->type, bits);
     close(fn, opened);
 }
 
@@ -423,7 +436,7 @@ void put_value(CFn *fn, IrRef r, int prec)
     const CIns *c = &fn->ins[r];
 
     if (c->is_const) {
-        put_literal(fn, i, c->bits, prec);
+        put_literal(fn, r, c->bits, prec);
         return;
     }
     if (c->variable) {

@@ -64,6 +64,7 @@ typedef struct CFn {
     uint32_t *block_stamps;   // the unit's counter of blocks
     uint32_t block;           // stamp of the block in hand
     VEC(uint32_t) copied;     // variables that have a copy
+    VEC(uint32_t) stored;     // elements that the block in hand has stored
     Buf body;
     Buf line;                 // the statement under construction
     unsigned indent;
@@ -105,6 +106,7 @@ enum {
 void put_value(CFn *fn, IrRef r, int prec);
 void put_condition(CFn *fn, IrRef r, bool negated, int prec);
 void put_cell(CFn *fn, uint32_t var);     // m->x, sv->x
+void put_constant(CFn *fn, IrRef r, SmType type, uint64_t bits);          // with its name in the source, where it has one
 // Whether two temporaries may come out as the same text, which compilers warn about when it is compared with itself.
 bool is_same_text(const CFn *fn, IrRef a, IrRef b);
 const char *copy_name(CFn *fn, uint32_t var);

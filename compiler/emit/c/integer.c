@@ -79,18 +79,13 @@ static void put_leaf(CFn *fn, IrRef r, bool wide, int prec)
     put(fn, parens ? ")" : "");
 }
 
-static void put_constant(CFn *fn, IrRef r)
-{
-    literal_put(fn->u, &fn->line, SM_I64, sm_cell_from_f64(SM_I64, sm_from_bits(fn->ins[r].bits)));
-}
-
 static void put_tree(CFn *fn, IrRef r, bool wide, int prec)
 {
     const IrIns *i = ins(fn, r);
     const int own = i->op == IR_mul ? PREC_MUL : PREC_ADD;
 
     if (fn->ins[r].is_const) {
-        put_constant(fn, r);
+        put_constant(fn, r, SM_I64, sm_cell_from_f64(SM_I64, sm_from_bits(fn->ins[r].bits)));
     } else if (i->op == IR_cvt) {
         put_leaf(fn, r, wide, prec);
     } else {

@@ -206,8 +206,8 @@ void put_machine(CUnit *u, Buf *out)
 
     if (u->m->sample)
         sample = put_function(u, u->m->sample, format_in(u->arena, "%s_sample", u->names.prefix),
-                              "// Gives every rolling window its sample of this step.  Where a window's memory is, is said in each step anew, so that\n"
-                              "// a copy of the machine uses its own.\n", out);
+                              "// Gives every rolling window its sample of this step.  Its memory is set anew each time, so that a copy of the machine\n"
+                              "// uses its own.\n", out);
     for (size_t w = 0; w < u->m->window.n; w++)
         u->window_sample[w] = UINT32_MAX;
     s = put_blocks(u, out);

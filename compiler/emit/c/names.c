@@ -23,8 +23,11 @@ static bool ends_with(const char *name, const char *end)
 
 bool c_is_reserved(const char *name)
 {
-    if (ends_with(name, "_H_INCLUDED") || ends_with(name, "_SV_LAYOUT"))
-        return true;                                  // the emitted headers' own
+    static const char *const own[] = { "_H_INCLUDED", "_SV_LAYOUT", "_slot_", "_sorted_" };   // the emitted headers'
+
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+        if (ends_with(name, own[i]))
+            return true;
     for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
         if (name[0] == reserved[i][0] && strcmp(name, reserved[i]) == 0)
             return true;
@@ -179,6 +182,33 @@ static void take_own_members(NameSet *s, const CNames *n)
     set_take(s, format_in(s->arena, "%sStatus", n->type));
 }
 
+// `altitude_last_9` of a window that samples a variable, `window2` of one that samples something else.
+static const char *window_name(const CUnit *u, uint32_t w)
+{
+    const IrFn *f = u->m->sample;
+
+    for (size_t i = 0; f && i < f->ins.n; i++) {
+        const IrIns *s = &f->ins.at[i];
+        if (s->op != IR_sample || s->var != w)
+            continue;
+        s = &f->ins.at[s->a];
+        while (s->op == IR_cvt)
+            s = &f->ins.at[s->a];
+        if (s->op == IR_load)
+            return format_in(u->arena, "%s_last_%u", u->names.var[s->var], (unsigned)u->m->window.at[w].size);
+    }
+    return format_in(u->arena, "window%u", (unsigned)w);
+}
+
+static void name_windows(CUnit *u, NameSet *s)
+{
+    u->window = ARENA_ARRAY(u->arena, const char *, u->m->window.n);
+    for (size_t w = 0; w < u->m->window.n; w++) {
+        const char *name = window_name(u, (uint32_t)w);
+        u->window[w] = set_take_free(s, c_is_reserved(name) ? tamed(u->arena, name) : name);
+    }
+}
+
 static void name_variables(CUnit *u)
 {
     const IrMachine *m = u->m;
@@ -196,9 +226,7 @@ static void name_variables(CUnit *u)
         }
     }
     take_all(&s, name, u->names.var, m->var.n);
-    u->window = ARENA_ARRAY(u->arena, const char *, m->window.n);
-    for (size_t w = 0; w < m->window.n; w++)
-        u->window[w] = set_take_free(&s, format_in(u->arena, "window%u", (unsigned)w));
+    name_windows(u, &s);
 }
 
 static void name_states(CUnit *u)

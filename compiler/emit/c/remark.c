@@ -38,6 +38,31 @@ const char *remark_at(Arena *a, Span s)
 
 static const char *text_of(Arena *a, Span s) { return s.src ? trimmed(a, s.src->text + s.at, s.len) : ""; }
 
+// ---- constants ----
+
+static void collect_constants(CUnit *u)
+{
+    const Program *p = u->m->program;
+
+    str_pool_init(&u->constant_names, u->arena);
+    u->constants.arena = u->arena;
+    for (size_t i = 0; p && i < p->var.n; i++)
+        if (p->var.at[i]->is_constant)
+            map_put(&u->constants, str_intern(&u->constant_names, p->var.at[i]->name->text, p->var.at[i]->name->len), p->var.at[i]);
+}
+
+const char *remark_constant(CUnit *u, Span s)
+{
+    Str name;
+
+    if (!u->constants.arena)
+        collect_constants(u);
+    if (!s.src || s.len > REMARK_MAX || u->constants.n == 0)
+        return "";
+    name = str_intern(&u->constant_names, s.src->text + s.at, s.len);
+    return map_find(&u->constants, name) ? name->text : "";
+}
+
 // ---- the calls that ask a window ----
 
 static void note_calls(CUnit *u, const IrFn *f, const char **call)
@@ -60,5 +85,8 @@ const char **remark_windows(CUnit *u)
     for (size_t s = 0; s < m->state.n; s++)
         for (int k = 0; k < BLOCK_COUNT; k++)
             note_calls(u, m->state.at[s].block[k], call);
+    for (size_t w = 0; w < m->window.n; w++)
+        if (call[w] && (m->window.at[w].stats & (m->window.at[w].stats - 1)) != 0)
+            call[w] = format_in(u->arena, "%s and other statistics", call[w]);
     return call;
 }

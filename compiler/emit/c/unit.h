@@ -51,6 +51,8 @@ typedef struct CUnit {
     uint32_t *window_sample;      // by window: where the block in hand gives it its sample
     uint32_t stamps;              // functions and blocks so far
     const char *fit;              // the name of the self-test
+    StrPool constant_names;       // locals that are constants, for remarks
+    Map constants;
 } CUnit;
 
 // ---- emit_c.c ----
@@ -96,6 +98,8 @@ void native_put(CUnit *u, const char *text, Buf *out);
 
 // The comment at the end of the line of `s`, "" when there is none that could stand in C.
 const char *remark_at(Arena *a, Span s);
+// The name of the constant local that stands at `s`, "" if something else does.
+const char *remark_constant(CUnit *u, Span s);
 // By window: the first call that asks it, as in the source; NULL where that is not known.
 const char **remark_windows(CUnit *u);
 
