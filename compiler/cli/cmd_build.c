@@ -258,6 +258,8 @@ static int check_use(Cli *c, Emit emit, bool *state_vectors)
         return cli_usage(c, "C is two files, a .c and a .h: standard output cannot take both");
     if (emit == EMIT_C && c->files > 1 && (c->given[OPT_OUTPUT] || c->given[OPT_PREFIX]))
         return cli_usage(c, "with several inputs %s would name several outputs", c->given[OPT_OUTPUT] ? "-o" : "--prefix");
+    if (c->given[OPT_PREFIX] && emit_c_prefix_error(c->value[OPT_PREFIX]))
+        return cli_usage(c, "'%s' cannot be a prefix: %s", c->value[OPT_PREFIX], emit_c_prefix_error(c->value[OPT_PREFIX]));
     return EXIT_OK;
 }
 

@@ -7,9 +7,10 @@
 #                           at the end; `+!`: the file has mistakes then
 #   sm PATH =               the lines stand so in that file of the tree
 #   c NAME                  the file NAME, for the commands that follow; c alone is for reading, or other tests compile it
+#   c NAME                  the file NAME, for a console block to compile
 #   smt                     a case as in conformance/
 #   console                 `$ ` commands, and what they print; a line … stands for any lines
-# Other fences (sh, text, c, none) are for reading.
+# Other fences (sh, text, c without a name, none) are for reading.
 
 /^```/ && !inside {
     inside = 1

@@ -34,6 +34,7 @@ run_block() {                             # NUMBER KIND NAME OTHER, in the page'
     console) PATH=$folder/bin:$PATH NO_COLOR=1 awk -f "$root/tests/check/console.awk" "$block" ;;
     c)       cp "$block" "$3" ;;
     smt)     cp "$block" case.smt && "$smc" test case.smt ;;
+    c)       cp "$block" "$3" ;;
     ss)      cp "$block" "$3" && { [ -z "$4" ] || "$smc" test -Werror "$4" "$3"; } ;;
     *)       case $4 in
              =)  stands_in "$block" "$root/$3" ;;
