@@ -3,15 +3,19 @@
 #ifndef SM_TEST_H
 #define SM_TEST_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 static int test_passed, test_failed;
 
+// A check in a loop counts once when it holds, and each time when it does not.
 #define CHECK(condition)                                                                      \
     do {                                                                                      \
-        if (condition)                                                                        \
-            test_passed++;                                                                    \
-        else if (test_failed++ < 20)                                                          \
+        static bool counted;                                                                  \
+        if (condition) {                                                                      \
+            test_passed += !counted;                                                          \
+            counted = true;                                                                   \
+        } else if (test_failed++ < 20)                                                        \
             fprintf(stderr, "%s:%d: failed: %s\n", __FILE__, __LINE__, #condition);           \
     } while (0)
 
