@@ -11,10 +11,10 @@ static int test_passed, test_failed;
 // A check in a loop counts once when it holds, and each time when it does not.
 #define CHECK(condition)                                                                      \
     do {                                                                                      \
-        static bool counted;                                                                  \
+        static bool test_held;                                                                  \
         if (condition) {                                                                      \
-            test_passed += !counted;                                                          \
-            counted = true;                                                                   \
+            test_passed += !test_held;                                                          \
+            test_held = true;                                                                   \
         } else if (test_failed++ < 20)                                                        \
             fprintf(stderr, "%s:%d: failed: %s\n", __FILE__, __LINE__, #condition);           \
     } while (0)
