@@ -37,6 +37,15 @@ b0:
     store F64 y, %20
     %21 = cvt F64 %20
     store F64 y, %21
+    %22 = min F64 %10, %12
+    %23 = cvt F64 %22
+    store F64 y, %23
+    %24 = max F64 %12, %10
+    %25 = cvt F64 %24
+    store F64 y, %25
+    %26 = max F64 %10, %10
+    %27 = cvt F64 %26
+    store F64 y, %27
     ret
 }
 -- ir out --
@@ -67,5 +76,13 @@ b0:
     %13 = cvt F64 %12
     store F64 y, %13
     store F64 y, %13
+    %14 = min F64 %7, %8
+    %15 = cvt F64 %14
+    store F64 y, %15
+    %16 = max F64 %8, %7
+    %17 = cvt F64 %16
+    store F64 y, %17
+    %18 = max F64 %7, %7
+    store F64 y, %18
     ret
 }
