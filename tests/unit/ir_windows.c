@@ -51,6 +51,10 @@ static size_t put_all(Buf *b)
     for (size_t i = 0; i < COUNT(statistic); i++)
         for (int inner = 1; inner <= 10; inner++)
             n += put_calls(b, format_in(a, "roll_%s(x, %d)", statistic[i], inner));
+    for (size_t i = 0; i < 7 * 7 * 7 * 7; i++, n++)
+        buf_printf(b, "    z = roll_min(%s(%s(%s(%s(x)))), 9)\n", function[i % 7], function[i / 7 % 7], function[i / 49 % 7], function[i / 343]);
+    for (int size = SIZES + 1; size < 4000; size++, n++)
+        buf_printf(b, "    z = roll_min(x, %d)\n", size);
     n += put_calls(b, "-x");
     n += put_calls(b, "not x");
     return n;
