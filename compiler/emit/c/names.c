@@ -182,29 +182,41 @@ static void take_own_members(NameSet *s, const CNames *n)
     set_take(s, format_in(s->arena, "%sStatus", n->type));
 }
 
-// `altitude_last_9` of a window that samples a variable, `window2` of one that samples something else.
-static const char *window_name(const CUnit *u, uint32_t w)
+// The variable whose value each window samples; IR_NONE of one that samples something else.
+static uint32_t *sampled_variables(const CUnit *u)
 {
+    uint32_t *var = ARENA_ARRAY(u->arena, uint32_t, u->m->window.n);
     const IrFn *f = u->m->sample;
 
+    for (size_t w = 0; w < u->m->window.n; w++)
+        var[w] = IR_NONE;
     for (size_t i = 0; f && i < f->ins.n; i++) {
-        const IrIns *s = &f->ins.at[i];
-        if (s->op != IR_sample || s->var != w)
+        const IrIns *s = &f->ins.at[i], *x = s;
+        if (s->op != IR_sample)
             continue;
-        s = &f->ins.at[s->a];
-        while (s->op == IR_cvt)
-            s = &f->ins.at[s->a];
-        if (s->op == IR_load)
-            return format_in(u->arena, "%s_last_%u", u->names.var[s->var], (unsigned)u->m->window.at[w].size);
+        do
+            x = &f->ins.at[x->a];
+        while (x->op == IR_cvt);
+        if (x->op == IR_load)
+            var[s->var] = x->var;
     }
-    return format_in(u->arena, "window%u", (unsigned)w);
+    return var;
+}
+
+// `altitude_last_9` of a window that samples a variable, `window2` of one that samples something else.
+static const char *window_name(const CUnit *u, size_t w, uint32_t var)
+{
+    return var == IR_NONE ? format_in(u->arena, "window%lu", (unsigned long)w)
+                          : format_in(u->arena, "%s_last_%lu", u->names.var[var], (unsigned long)u->m->window.at[w].size);
 }
 
 static void name_windows(CUnit *u, NameSet *s)
 {
+    const uint32_t *var = sampled_variables(u);
+
     u->window = ARENA_ARRAY(u->arena, const char *, u->m->window.n);
     for (size_t w = 0; w < u->m->window.n; w++) {
-        const char *name = window_name(u, (uint32_t)w);
+        const char *name = window_name(u, w, var[w]);
         u->window[w] = set_take_free(s, c_is_reserved(name) ? tamed(u->arena, name) : name);
     }
 }
