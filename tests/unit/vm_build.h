@@ -42,8 +42,8 @@ static inline uint32_t put_number(uint8_t *p, uint32_t v)
         return 2;
     }
     v -= 96 + 24 * 128;
-    p[0] = (uint8_t)(120 + v / (128 * 128 * 128));
-    p[1] = (uint8_t)(v / (128 * 128) % 128);
+    p[0] = (uint8_t)(120 + (v >> 21));
+    p[1] = (uint8_t)(v >> 14 & 127);
     p[2] = (uint8_t)(v / 128 % 128);
     p[3] = (uint8_t)(v % 128);
     return 4;
