@@ -63,7 +63,7 @@ while IFS='|' read -r number clauses engines file; do
     wanted "$clauses" "$*" || continue
     if [ -d "$file" ]; then
         awk -v show="$number" -f $awk $txt >"$build.old"
-        file=$(grep -rlF -f "$build.old" "$file" | head -n 1)
+        file=$(grep -rlF -f "$build.old" "$file")             # several names are no file's name
     fi
     if [ ! -f "$file" ] || ! awk -v number="$number" -f $awk $txt "$file" >"$build.mutant"; then
         echo "mutant $number ($clauses, $file): its place is not there exactly once"
