@@ -30,3 +30,8 @@ G == 1: @assert x == 0 and y == 1 and z == 0 and w == 1
 G == 2: p = 4
 G == 3: @assert x == 4 and w == 10
 G == 3: @stop
+
+-- trace --
+2 x 0x0p+0
+2 y 0x1p+0
+2 z 0x0p+0
