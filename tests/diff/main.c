@@ -22,6 +22,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "stdlib/crc32.h"
 #include "tests/diff/cbatch.h"
 #include "tests/diff/reduce.h"
 #include "tests/diff/subject.h"
@@ -33,6 +34,7 @@ typedef struct Options {
     uint32_t steps, jobs;
     const char *out;
     bool resume, print, reduce, floors;
+    uint32_t build;                   // of this program: another one has to prove everything anew
     uint32_t ccs;
     const char *cc[COMPILERS_MAX];
 } Options;
@@ -175,14 +177,15 @@ static void tally_load(const Options *o, uint32_t worker, Tally *t)
     if (f == NULL)
         return;
     if (fread(&then, sizeof then, 1, f) == 1 && fread(&read, sizeof read, 1, f) == 1 &&
-        then.seed == o->seed && then.jobs == o->jobs && then.steps == o->steps)
+        then.seed == o->seed && then.jobs == o->jobs && then.steps == o->steps && then.build == o->build && then.ccs == o->ccs)
         *t = read;
     fclose(f);
 }
 
 static void work(const Options *o, uint32_t worker, Tally *t)
 {
-    for (uint64_t block = t->next; block * BLOCK < o->count; block += o->jobs) {
+    const pid_t parent = getppid();
+    for (uint64_t block = t->next; block * BLOCK < o->count && getppid() == parent; block += o->jobs) {
         const uint64_t last = (block + 1) * BLOCK < o->count ? (block + 1) * BLOCK : o->count;
         const uint64_t first = t->seed >= o->seed + block * BLOCK && t->next == block ? t->seed - o->seed : block * BLOCK;
         t->next = block;
@@ -347,6 +350,18 @@ static bool take_option(Options *o, const char *arg)
     return false;
 }
 
+static uint32_t checksum_of(const char *path)
+{
+    uint32_t crc = SM_CRC32_START;
+    FILE *f = fopen(path, "rb");
+    int c;
+    while (f != NULL && (c = getc(f)) != EOF)
+        crc = sm_crc32_byte(crc, (uint8_t)c);
+    if (f != NULL)
+        fclose(f);
+    return sm_crc32_end(crc);
+}
+
 int main(int argc, char **argv)
 {
     Options o = { .seed = 1, .count = 10000, .steps = 100, .jobs = 1, .out = "difftest.out", .reduce = true, .floors = true };
@@ -357,6 +372,7 @@ int main(int argc, char **argv)
             fprintf(stderr, "difftest: unknown option '%s'\n", argv[i]);
             return 2;
         }
+    o.build = checksum_of(argv[0]);
     mkdir(o.out, 0777);
     if (o.print)
         return print_seed(&o, o.seed), 0;
