@@ -4,6 +4,8 @@
 
 #include "compiler/emit/c/fn.h"
 
+enum { CUT_FROM = 400, PART = 100 };      // states
+
 // What the step must know of a state.
 typedef struct CState {
     CSignature block[BLOCK_COUNT];
@@ -136,6 +138,10 @@ static void put_case(const CUnit *u, size_t i, const CState *s, Buf *out)
     buf_str(out, "        break;\n");
 }
 
+// Compilers choke on a function of ten thousand states.  Above some hundreds the switch is cut into functions that a table
+// leads to, for what is called directly would be put together again.
+static bool is_cut(const CUnit *u) { return u->m->state.n > CUT_FROM; }
+
 typedef struct CMachineUse { bool transition, any; } CMachineUse;
 
 static CMachineUse machine_use(const CUnit *u, const CState *s)
@@ -157,28 +163,56 @@ static void put_step_start(const CUnit *u, CMachineUse use, Buf *out)
     buf_printf(out, "%sStatus %s_step(%s *m, %s *sv)\n{\n", n->type, n->prefix, n->type, n->sv_type);
     buf_printf(out, "    const uint64_t now = sv->%s;\n    const bool first = m->first_;\n%s\n", n->var[u->m->g],
                use.transition ? "    uint32_t next = 0;      // the state to go to\n" : "");
-    buf_printf(out, "    if (m->state_ == 0) {\n        return %s_NO_STATE;\n    }\n", n->macro);
+    buf_printf(out, "    if (m->state_ == 0%s) {\n        return %s_NO_STATE;\n    }\n",
+               is_cut(u) ? format_in(u->arena, " || m->state_ > %s_STATES", n->macro) : "", n->macro);
     buf_printf(out, "    if (now == UINT64_MAX || (m->ran_ && now <= m->last_)) {\n        return %s_REFUSED;\n    }\n", n->macro);
     buf_str(out, "    m->ran_ = true;\n    m->last_ = now;\n    memset(&m->stored, 0, sizeof m->stored);\n");
     buf_printf(out, "    if (first) {\n        m->start_ = now;\n        sv->%s = m->state_;\n        m->stored.%s = true;\n    }\n", s, s);
     buf_str(out, "    m->T = now - m->start_;\n");
 }
 
+static void put_switch(const CUnit *u, const CState *s, size_t from, size_t to, Buf *out)
+{
+    buf_str(out, "    switch (m->state_) {\n");
+    for (size_t i = from; i < to; i++)
+        put_case(u, i, &s[i], out);
+    buf_str(out, "    default:\n        break;\n    }\n");
+}
+
+static void put_parts(const CUnit *u, const CState *s, Buf *out)
+{
+    const size_t n = u->m->state.n;
+
+    for (size_t i = 0; i < n; i += PART) {
+        const size_t end = i + PART < n ? i + PART : n;
+        buf_printf(out, "// States %u to %u.\nstatic uint32_t %s_run_%u(%s *m, %s *sv, bool first)\n{\n    uint32_t next = 0;\n\n"
+                        "    (void)sv;\n    (void)first;\n", (unsigned)i + 1, (unsigned)end, u->names.prefix, (unsigned)i + 1,
+                   u->names.type, u->names.sv_type);
+        put_switch(u, s, i, end, out);
+        buf_str(out, "    return next;\n}\n\n");
+    }
+    buf_printf(out, "static uint32_t (*const %s_run[])(%s *m, %s *sv, bool first) = {\n", u->names.prefix, u->names.type, u->names.sv_type);
+    for (size_t i = 0; i < n; i += PART)
+        buf_printf(out, "    %s_run_%u,\n", u->names.prefix, (unsigned)i + 1);
+    buf_str(out, "};\n\n");
+}
+
 static void put_step(const CUnit *u, const CState *s, const CSignature *sample, Buf *out)
 {
-    const CMachineUse use = machine_use(u, s);
+    CMachineUse use = machine_use(u, s);
 
+    use.transition |= is_cut(u);
+    if (is_cut(u))
+        put_parts(u, s, out);
     put_step_start(u, use, out);
     if (sample) {
         buf_str(out, "    ");
         put_call_of(format_in(u->arena, "%s_sample", u->names.prefix), *sample, out);
     }
-    if (use.any) {
-        buf_str(out, "    switch (m->state_) {\n");
-        for (size_t i = 0; i < u->m->state.n; i++)
-            put_case(u, i, &s[i], out);
-        buf_str(out, "    default:\n        break;\n    }\n");
-    }
+    if (is_cut(u))
+        buf_printf(out, "    next = %s_run[(m->state_ - 1) / %d](m, sv, first);\n", u->names.prefix, PART);
+    else if (use.any)
+        put_switch(u, s, 0, u->m->state.n, out);
     if (use.transition)
         buf_str(out, "    m->first_ = next != 0;\n    if (next != 0) {\n        m->state_ = next;\n    }\n");
     else
