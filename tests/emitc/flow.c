@@ -218,6 +218,7 @@ int main(int argc, char **argv)
         m[i] = &s[i].m;
     }
     if (!engine_c_present(NULL)) {
+        arena_free(&arena);
         puts("flow: no C compiler\n0 passed, 0 failed, 1 skipped");
         return 0;
     }
@@ -230,5 +231,6 @@ int main(int argc, char **argv)
             try_inputs(&arena, &s[i], engine_c_batch_engine(batch, i), bits);
     if (batch)
         engine_c_batch_close(batch);
+    arena_free(&arena);
     return test_end("flow");
 }
