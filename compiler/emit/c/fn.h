@@ -99,16 +99,27 @@ bool integer_compares(const CFn *fn, const IrIns *i, bool *wide);
 void integer_put(CFn *fn, IrRef r, bool wide, int prec);
 
 // ---- expr.c ----
-enum {
+
+enum {                                    // how tightly C's operators bind
     PREC_ANY = 0, PREC_OR = 4, PREC_AND = 5, PREC_EQ = 9, PREC_REL = 10, PREC_ADD = 12, PREC_MUL = 13, PREC_UNARY = 14, PREC_PRIMARY = 15
 };
+
 // Writes the temporary's value to fn->line, in parentheses if it binds less tightly than `prec`.
 void put_value(CFn *fn, IrRef r, int prec);
+// The same of a bool where C wants a truth.
 void put_condition(CFn *fn, IrRef r, bool negated, int prec);
-void put_cell(CFn *fn, uint32_t var);     // m->x, sv->x
-void put_constant(CFn *fn, IrRef r, SmType type, uint64_t bits);          // with its name in the source, where it has one
+void put_cell(CFn *fn, uint32_t var);                                 // m->x, sv->x
+void put_constant(CFn *fn, IrRef r, SmType type, uint64_t bits);      // with its name in the source, where it has one
+const char *copy_name(CFn *fn, uint32_t var);
+bool c_is_integer(SmType t);
+// Opens a parenthesis if what binds like `own` stands where `wanted` is asked for, and tells close_parens.
+bool open_parens(CFn *fn, int own, int wanted);
+void close_parens(CFn *fn, bool opened);
+
+// ---- compare.c ----
+
+void put_compare(CFn *fn, const IrIns *i, bool negated, int prec);
 // Whether two temporaries may come out as the same text, which compilers warn about when it is compared with itself.
 bool is_same_text(const CFn *fn, IrRef a, IrRef b);
-const char *copy_name(CFn *fn, uint32_t var);
 
 #endif

@@ -7,11 +7,6 @@
 
 static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 
-static bool is_integer(SmType t)
-{
-    return sm_type_info[t].kind == SM_KIND_SIGNED || sm_type_info[t].kind == SM_KIND_UNSIGNED;
-}
-
 static bool is_within(CRange r, double limit) { return !r.nan && r.lo >= -limit && r.hi <= limit; }
 
 // ---- what is whole ----
@@ -21,19 +16,18 @@ static bool is_whole_constant(const CIns *c)
     return is_within(c->range, 9007199254740992.0) && (double)(int64_t)c->range.lo == c->range.lo;
 }
 
+static bool is_small_integer(SmType t) { return t == SM_BOOL || (c_is_integer(t) && sm_type_info[t].bytes <= 4); }
+
 bool integer_is_whole(const CFn *fn, const IrIns *i, const CIns *c)
 {
     if (i->type != SM_F64)
         return false;
     if (c->is_const)
         return is_whole_constant(c);
-    switch (i->op) {
-    case IR_cvt: return ins(fn, i->a)->type == SM_BOOL || (is_integer(ins(fn, i->a)->type) && sm_type_info[ins(fn, i->a)->type].bytes <= 4);
-    case IR_add:
-    case IR_sub:
-    case IR_mul: return fn->ins[i->a].whole && fn->ins[i->b].whole && is_within(c->range, 9007199254740992.0);
-    default: return false;
-    }
+    if (i->op == IR_cvt)
+        return is_small_integer(ins(fn, i->a)->type);
+    return (i->op == IR_add || i->op == IR_sub || i->op == IR_mul) && fn->ins[i->a].whole && fn->ins[i->b].whole &&
+           is_within(c->range, 9007199254740992.0);
 }
 
 // ---- whether a tree can be written ----
@@ -131,7 +125,7 @@ static bool put_count(CFn *fn, IrRef r, SmType to)
     const IrRef v = swap ? i->b : i->a, n = swap ? i->a : i->b;
     const double x = fn->ins[r].how == C_INLINE && (i->op == IR_add || i->op == IR_sub) ? fn->ins[n].range.lo : 0;
 
-    if (sm_type_info[to].bytes != 8 || !is_integer(to) || x == 0 || !fn->ins[n].is_const || !is_whole_constant(&fn->ins[n]) ||
+    if (sm_type_info[to].bytes != 8 || !c_is_integer(to) || x == 0 || !fn->ins[n].is_const || !is_whole_constant(&fn->ins[n]) ||
         x < -2147483647.0 || x > 2147483647.0 || fn->ins[v].is_const || fn->ins[v].how != C_INLINE || ins(fn, v)->op != IR_cvt ||
         ins(fn, ins(fn, v)->a)->type != to)
         return false;
@@ -148,7 +142,7 @@ bool integer_put_cvt(CFn *fn, IrRef r, SmType to, int prec)
     const bool fits = range_fits(fn->ins[r].range, to);
     bool parens, cast;
 
-    if (!is_integer(to) || fn->ins[r].is_const)
+    if (!c_is_integer(to) || fn->ins[r].is_const)
         return false;
     if (!can_write(fn, r, &t))
         return put_count(fn, r, to);
