@@ -183,9 +183,11 @@ asan:
 FUZZ         ?= $(notdir $(basename $(filter-out tests/fuzz/driver.c,$(wildcard tests/fuzz/*.c))))
 FUZZ_SECONDS ?= 60
 FUZZ_CC      ?= clang-19
+# Arenas whose chunks hold one allocation each: then every request goes to the host, and a sanitizer sees its bounds.
+TINY_CHUNKS   = -DARENA_FIRST_CHUNK=16 -DARENA_LARGEST_CHUNK=16
 $(B)/fuzz-cov/%: tests/fuzz/%.c $(LIBSMC) $(B)/gen/stdlib_text.h
 	@mkdir -p $(@D)
-	$(call say,CC)$(FUZZ_CC) $(STRICT_C) -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined $(filter %.c,$^) -o $@
+	$(call say,CC)$(FUZZ_CC) $(STRICT_C) $(TINY_CHUNKS) -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined $(filter %.c,$^) -o $@
 fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
 	$(foreach f,$(FUZZ),mkdir -p $(B)/corpus/$(f) && $(B)/fuzz-cov/$(f) -max_total_time=$(FUZZ_SECONDS) -timeout=10 -rss_limit_mb=2048 \
 	    -artifact_prefix=$(B)/corpus/$(f)- $(B)/corpus/$(f) $(FUZZ_SEEDS_$(f)) $(wildcard tests/fuzz/seeds/$(f)) || exit 1;)
@@ -206,7 +208,7 @@ bench-scale: $(B)/bench/scale
 FAULT_CASES = $(if $(FAULT_ALL),$(wildcard conformance/*/*.smt),$(wildcard tests/fault/*.smt))
 $(B)/fault/memory: tests/fault/memory.c compiler/base/arena.c $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -DARENA_FIRST_CHUNK=16 -DARENA_LARGEST_CHUNK=16 $(filter %.c,$^) -o $@ $(B)/libsmc.a
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(TINY_CHUNKS) $(filter %.c,$^) -o $@ $(B)/libsmc.a
 
 $(B)/fault/shim.so: tests/fault/shim.c
 	@mkdir -p $(@D)

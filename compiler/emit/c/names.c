@@ -190,8 +190,8 @@ static uint32_t *sampled_variables(const CUnit *u)
 
     for (size_t w = 0; w < u->m->window.n; w++)
         var[w] = IR_NONE;
-    for (size_t i = 0; f && i < f->ins.n; i++) {
-        const IrIns *s = &f->ins.at[i], *x = s;
+    for (size_t i = 0; f && i < f->blk.at[0].ins.n; i++) {
+        const IrIns *s = &f->ins.at[f->blk.at[0].ins.at[i]], *x = s;
         if (s->op != IR_sample)
             continue;
         do

@@ -65,13 +65,17 @@ const char *remark_constant(CUnit *u, Span s)
 
 // ---- the calls that ask a window ----
 
+static void note_call(CUnit *u, const IrIns *in, const char **call)
+{
+    if (in->op == IR_stat && !call[in->var] && *text_of(u->arena, in->span))
+        call[in->var] = text_of(u->arena, in->span);
+}
+
 static void note_calls(CUnit *u, const IrFn *f, const char **call)
 {
-    for (size_t i = 0; f && i < f->ins.n; i++) {
-        const IrIns *in = &f->ins.at[i];
-        if (in->op == IR_stat && !call[in->var] && *text_of(u->arena, in->span))
-            call[in->var] = text_of(u->arena, in->span);
-    }
+    for (size_t b = 0; f && b < f->blk.n; b++)
+        for (size_t i = 0; i < f->blk.at[b].ins.n; i++)
+            note_call(u, &f->ins.at[f->blk.at[b].ins.at[i]], call);
 }
 
 const char **remark_windows(CUnit *u)
