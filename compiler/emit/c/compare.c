@@ -22,14 +22,15 @@ static IrOp mirrored(IrOp op)
     return op == IR_lt ? IR_gt : op == IR_le ? IR_ge : op == IR_gt ? IR_lt : op == IR_ge ? IR_le : op;
 }
 
-// Whether `integer op constant` can be written with integers: the order is the same as after conversion to F64.  Not where
-// the type's limits decide, since compilers warn about comparisons that hold always or never.
+// Whether `integer op constant` can be written with integers: the order is the same as after conversion to F64.  It is for
+// constants below 2^53; 2^53 + 1 is converted to 2^53 itself.  Not where the type's limits decide, since compilers warn
+// about comparisons that hold always or never.
 static bool is_plain_limit(const CFn *fn, IrOp op, IrRef constant, SmType t)
 {
     const CRange r = range_of_type(t);
     const double x = sm_from_bits(fn->ins[constant].bits);
 
-    if (!fn->ins[constant].is_const || !(x >= r.lo && x <= r.hi && x >= -9007199254740992.0 && x <= 9007199254740992.0))
+    if (!fn->ins[constant].is_const || !(x >= r.lo && x <= r.hi && x > -9007199254740992.0 && x < 9007199254740992.0))
         return false;
     if ((x == r.lo && (op == IR_lt || op == IR_ge)) || (x == r.hi && (op == IR_gt || op == IR_le)))
         return false;
