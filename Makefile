@@ -148,8 +148,8 @@ $(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a
 diff: $(B)/diff/difftest
 	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign --resume
 
-# The same through emitted C, by these compilers.
-DIFF_CC ?= --cc='gcc -std=c99 -O0' --cc='gcc -std=gnu11 -O2' --cc='clang -std=c99 -O2' --cc='tcc -std=c99'
+# The same through emitted C, by these compilers; add others as --cc='clang-19 -O2' --cc=tcc.
+DIFF_CC ?= --cc='$(CC) -std=c99 -O0' --cc='$(CC) -std=gnu11 -O2'
 diff-c: $(B)/diff/difftest
 	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign-c --resume $(DIFF_CC)
 
