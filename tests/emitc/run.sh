@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Emitted C under many compilers and options: it compiles without a warning, runs as the reference does or refuses to, and
-# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [use]     (all when none is named)
+# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [use] [cases]     (all but cases when none is named)
 smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 shift
 here=$(cd "$(dirname "$0")" && pwd)
@@ -216,6 +216,23 @@ use() {
         else
             skipped=$((skipped + 1))
         fi
+    done
+}
+
+# ---- cases: every machine of conformance/, at -O0 and -O1; takes minutes ----
+
+cases() {
+    for file in $(find "$root/conformance" -name '*.smt' | sort); do
+        rm -f "$dir"/case.*
+        awk -v dir="$dir" '/^-- .* --$/ { out = $2 ~ /\.s[mv]$/ ? dir "/case" substr($2, length($2) - 2) : ""; next } out { print >out }' "$file"
+        [ -f "$dir/case.sm" ] || continue
+        sv=
+        [ -f "$dir/case.sv" ] && sv="--sv $dir/case.sv"
+        for level in -O0 -O1; do
+            "$smc" build -w $level "$dir/case.sm" $sv --emit=c -o "$dir/case.c" 2>/dev/null || continue
+            echo "$file" >"$dir/log"
+            few_compilers compile_one case
+        done
     done
 }
 
