@@ -172,7 +172,7 @@ typedef struct Script {
     Windows window;           // the script's own, of all sections
 } Script;
 
-// Does one value or another: `f(expr, context)` for e and everything in it, operands before their owner.
+// Calls f(x, context) for e and every expression in it, operands before their owner.
 void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context);
 
 // Whether e has one value for ever: it is made of numbers, constant locals, operators and pure functions.
