@@ -96,7 +96,7 @@ static void build_sample(Builder *b, const Window *w, uint32_t index)
 static void build_window(Builder *b, const Window *w, Shared *slot, uint32_t number)
 {
     if (!slot->first) {
-        IrWindow window = {w->size, 0};
+        IrWindow window = {SM_F64, w->size, 0};
         slot->first = w;
         slot->index = (uint32_t)b->m->window.n;
         vec_push(b->arena, &b->m->window, window);

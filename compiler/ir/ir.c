@@ -3,10 +3,17 @@
 #include "compiler/ir/ir.h"
 
 const IrOpInfo ir_op_info[IR_OP_COUNT] = {
-#define IR_OP(name, operands, types, effect, meaning) {#name, operands, IR_T_##types, effect},
+#define IR_OP(name, operands, types, narrow, effect, meaning) {#name, operands, IR_T_##types, IR_N_##narrow, effect},
 #include "compiler/ir/ops.def"
 #undef IR_OP
 };
+
+bool ir_may_be_of(IrOp op, SmType type)
+{
+    unsigned narrow = ir_op_info[op].narrow;
+
+    return type == SM_F64 || (type == SM_F32 && narrow & IR_N_F32) || ((type == SM_I32 || type == SM_I64) && narrow & IR_N_INT);
+}
 
 IrRef ir_emit(Arena *arena, IrFn *f, IrBlkRef b, IrIns ins)
 {

@@ -21,7 +21,7 @@
 #include "stdlib/types.h"
 
 typedef enum IrOp {
-#define IR_OP(name, operands, types, effect, meaning) IR_##name,
+#define IR_OP(name, operands, types, narrow, effect, meaning) IR_##name,
 #include "compiler/ir/ops.def"
 #undef IR_OP
     IR_OP_COUNT
@@ -29,14 +29,25 @@ typedef enum IrOp {
 
 typedef enum IrTypes { IR_T_CONST, IR_T_CONVERT, IR_T_SAME, IR_T_COMPARE, IR_T_LOGIC, IR_T_LOAD, IR_T_STORE, IR_T_SAMPLE, IR_T_STAT } IrTypes;
 
+// What a SAME operation beside that on F64 may work on.  It then gives the same number as on F64: who narrowed has proved that
+// every operand is exactly of that type and
+//   on I32, I64  that the result is a whole number that fits and is at most 2^53 in magnitude, and no -0 that anyone could tell;
+//   on F32       that all anyone asks of the result is its F32 (rounding to F64 first changes nothing, by the widths of both).
+// Likewise a comparison of operands that are not F64 gives what it gives of them converted to F64: of I64 and U64 beyond 2^53
+// that is not so by itself.
+typedef enum IrNarrow { IR_N_NONE, IR_N_INT, IR_N_F32, IR_N_BOTH } IrNarrow;
+
 typedef struct IrOpInfo {
     const char *name;
     uint8_t operands;
     IrTypes types;
+    IrNarrow narrow;
     bool effect;
 } IrOpInfo;
 
 extern const IrOpInfo ir_op_info[IR_OP_COUNT];
+
+bool ir_may_be_of(IrOp op, SmType type);          // whether a SAME operation may work on this type
 
 typedef uint32_t IrRef;               // a temporary: the number of the instruction that gives it
 typedef uint32_t IrBlkRef;            // index into IrFn.blk
@@ -45,7 +56,7 @@ typedef uint32_t IrBlkRef;            // index into IrFn.blk
 
 typedef struct IrIns {
     IrOp op;
-    SmType type;                      // of the result; of a store: the variable's; of a sample: F64
+    SmType type;                      // of the result; of a store: the variable's; of a sample: unused, F64
     IrRef a, b;                       // operands, or IR_NONE
     uint32_t var;                     // load, store: index into IrMachine.var; stat, sample: into IrMachine.window
     SmStat stat;                      // stat
@@ -91,6 +102,7 @@ typedef struct IrVar {
 } IrVar;
 
 typedef struct IrWindow {
+    SmType type;                      // in which samples are kept: every sample is exactly of it
     uint32_t size;                    // n
     uint32_t stats;                   // 1u << SmStat for each statistic that is asked for
 } IrWindow;

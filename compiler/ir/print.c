@@ -10,7 +10,7 @@
 //     element bool valveOpen writable at 24       by the machine
 //     local U64 counter writable = 0              initial value
 //     time U64 T
-//     window w0 size 10 stats avg max
+//     window w0 F64 size 10 stats avg max
 //
 //     sample {                                    the function that gives every window its sample
 //     b0:
@@ -145,7 +145,7 @@ static void put_var(const IrMachine *m, uint32_t index, Buf *out)
 
 static void put_window(uint32_t number, const IrWindow *w, Buf *out)
 {
-    buf_printf(out, "window w%lu size %lu stats", (unsigned long)number, (unsigned long)w->size);
+    buf_printf(out, "window w%lu %s size %lu stats", (unsigned long)number, sm_type_info[w->type].spelling, (unsigned long)w->size);
     for (int stat = 0; stat < SM_STAT_COUNT; stat++)
         if (w->stats >> stat & 1)
             buf_printf(out, " %s", ir_stat_name[stat]);

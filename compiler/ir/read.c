@@ -102,11 +102,11 @@ static bool stat_word(Reader *r, SmStat *out)
 
 static bool read_window(Reader *r)
 {
-    IrWindow w = {0, 0};
+    IrWindow w = {SM_F64, 0, 0};
     uint32_t number;
     SmStat stat;
 
-    if (!scan_lettered(&r->scan, 'w', "a window", &number) || !scan_this(&r->scan, "size")
+    if (!scan_lettered(&r->scan, 'w', "a window", &number) || !scan_type(&r->scan, &w.type) || !scan_this(&r->scan, "size")
         || !scan_number(&r->scan, "a size", &w.size) || !scan_this(&r->scan, "stats"))
         return false;
     if (number != r->m->window.n)

@@ -170,6 +170,8 @@ static bool check_windows(Checker *c)
 {
     for (size_t w = 0; w < c->m->window.n; w++) {
         const IrWindow *window = &c->m->window.at[w];
+        if (!is_type(window->type))
+            return fail(c, "window w%lu has no type", (unsigned long)w);
         if (window->size < 1 || window->size > SM_WINDOW_MAX)
             return fail(c, "the size of window w%lu is not 1 to %lu", (unsigned long)w, (unsigned long)SM_WINDOW_MAX);
         if (window->stats >> SM_STAT_COUNT != 0)
@@ -237,7 +239,6 @@ static bool check_stat(Checker *c, const IrIns *i, IrRef ref)
         || fail(c, "instruction %lu reads window w%lu before its sample", (unsigned long)ref, (unsigned long)i->var);
 }
 
-// Today every operation but load, store and cvt works on F64 and bool alone.
 static bool check_operation(Checker *c, const IrIns *i, IrRef ref, SmType from, SmType to)
 {
     if (i->type != to)
@@ -251,15 +252,15 @@ static bool check_types(Checker *c, const IrIns *i, IrRef ref)
         return fail(c, "instruction %lu has no type", (unsigned long)ref);
     switch (ir_op_info[i->op].types) {
     case IR_T_CONST: return check_const(c, i, ref);
-    case IR_T_CONVERT:
-        return i->type == SM_F64 || c->f->ins.at[i->a].type == SM_F64
-            || fail(c, "instruction %lu converts neither from nor to F64", (unsigned long)ref);
+    case IR_T_CONVERT: return true;
     case IR_T_LOGIC: return check_operation(c, i, ref, SM_BOOL, SM_BOOL);
-    case IR_T_SAME: return check_operation(c, i, ref, SM_F64, SM_F64);
-    case IR_T_COMPARE: return check_operation(c, i, ref, SM_F64, SM_BOOL);
+    case IR_T_SAME:
+        return check_operation(c, i, ref, i->type, i->type)
+            && (ir_may_be_of(i->op, i->type) || fail(c, "instruction %lu cannot work on its type", (unsigned long)ref));
+    case IR_T_COMPARE: return check_operation(c, i, ref, c->f->ins.at[i->a].type, SM_BOOL);
     case IR_T_LOAD: return check_access(c, i, ref);
     case IR_T_STORE: return check_access(c, i, ref) && operand_type(c, i->a, i->type, ref);
-    case IR_T_SAMPLE: return operand_type(c, i->a, SM_F64, ref) && check_sample(c, i, ref);
+    case IR_T_SAMPLE: return check_sample(c, i, ref);
     case IR_T_STAT: return check_stat(c, i, ref);
     }
     return false;

@@ -29,12 +29,12 @@ element bool armed at 16
 element F64 smooth writable at 24
 local F64 peak writable = 0xfff0000000000000  # -inf
 time U64 T
-window w0 size 5 stats median
-window w1 size 3 stats max range
-window w2 size 4 stats min
-window w3 size 10 stats avg max
-window w4 size 1 stats median
-window w5 size 9 stats avg
+window w0 F64 size 5 stats median
+window w1 F64 size 3 stats max range
+window w2 F64 size 4 stats min
+window w3 F64 size 10 stats avg max
+window w4 F64 size 1 stats median
+window w5 F64 size 9 stats avg
 
 sample {
 b0:

@@ -2,7 +2,7 @@ passes dce
 # A whole expression that nobody uses goes in one walk; stores and what they need stay.
 
 -- ir --
-window w0 size 3 stats avg
+window w0 F64 size 3 stats avg
 sample {
 b0:
     %0 = load F64 x
@@ -27,7 +27,7 @@ b0:
     ret
 }
 -- ir out --
-window w0 size 3 stats avg
+window w0 F64 size 3 stats avg
 
 sample {
 b0:

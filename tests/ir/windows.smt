@@ -2,11 +2,11 @@ passes windows
 # w0 is asked for by w1 alone, which nobody asks for; of w2 only one statistic is.
 
 -- ir --
-window w0 size 3 stats avg
-window w1 size 4 stats avg
-window w2 size 5 stats min max
-window w3 size 6 stats median
-window w4 size 7 stats range
+window w0 F64 size 3 stats avg
+window w1 F64 size 4 stats avg
+window w2 F64 size 5 stats min max
+window w3 F64 size 6 stats median
+window w4 F64 size 7 stats range
 sample {
 b0:
     %0 = load F64 x
@@ -38,9 +38,9 @@ b0:
     ret
 }
 -- ir out --
-window w0 size 5 stats min
-window w1 size 6 stats median
-window w2 size 7 stats range
+window w0 F64 size 5 stats min
+window w1 F64 size 6 stats median
+window w2 F64 size 7 stats range
 
 sample {
 b0:
