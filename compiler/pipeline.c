@@ -95,12 +95,21 @@ static void after_pass(void *context, const PassInfo *pass, const IrMachine *m)
     print_if_asked(context, pass->name, m);
 }
 
+// Scripts and debuggers see locals; in what flies without names nobody does.
+static void hide_locals(IrMachine *m)
+{
+    for (size_t v = 0; v < m->var.n; v++)
+        m->var.at[v].hidden = m->var.at[v].space == IR_LOCAL && !m->var.at[v].outside;
+}
+
 IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 {
     IrMachine *m = ir_build(&s->arena, p);
     PassOptions o = {opt_level, NULL, CHECK_PASSES, after_pass, s};
     const char *wrong;
 
+    if (s->hide_locals)
+        hide_locals(m);
     print_if_asked(s, "build", m);
     wrong = passes_run(&s->arena, m, &o);
     assert(!wrong);

@@ -137,6 +137,7 @@ static int build_machines(Cli *c, Emit emit, const Source *sv, Outputs *o)
     Buf *out = new_buf(c);
     size_t built = 0;
 
+    c->session.hide_locals = !image.debug;
     for (size_t i = 0; i < c->files; i++) {
         MachineInput in = {cli_load(c, c->file[i]), sv, NULL, option_level(c)};
         Program *p;

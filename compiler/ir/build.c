@@ -162,6 +162,7 @@ static void build_var_entry(Builder *b, const Var *v)
     IrVar out = {.space = space_of(v->kind), .name = v->name, .type = v->type, .init = v->init, .span = v->span};
 
     out.writable = v->written;
+    out.outside = v->outside;
     if (v->element)
         out.offset = v->element->offset;
     b->var[v->index] = IR_NONE;

@@ -98,6 +98,8 @@ typedef struct IrVar {
     uint32_t offset;                  // ELEMENT: in the state vector
     uint64_t init;                    // LOCAL: bit cell
     bool writable;                    // some function of the machine stores to it
+    bool outside;                     // LOCAL: somebody beside the machine writes it between steps; else it starts at init
+    bool hidden;                      // LOCAL: nobody beside the machine sees what it holds between steps
     Span span;
 } IrVar;
 

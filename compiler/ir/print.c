@@ -8,7 +8,7 @@
 //     element U32 state at 8 is S
 //     element F64 tankPressure at 16
 //     element bool valveOpen writable at 24       by the machine
-//     local U64 counter writable = 0              initial value
+//     local U64 counter writable = 0              initial value; "outside", "hidden": see ir.h
 //     time U64 T
 //     window w0 F64 size 10 stats avg max
 //
@@ -129,7 +129,8 @@ static void put_var(const IrMachine *m, uint32_t index, Buf *out)
     static const char *const word[] = {"element", "local", "time"};
     const IrVar *v = &m->var.at[index];
 
-    buf_printf(out, "%s %s %s%s", word[v->space], sm_type_info[v->type].spelling, v->name->text, v->writable ? " writable" : "");
+    buf_printf(out, "%s %s %s%s%s%s", word[v->space], sm_type_info[v->type].spelling, v->name->text, v->writable ? " writable" : "",
+               v->outside ? " outside" : "", v->hidden ? " hidden" : "");
     if (v->space == IR_ELEMENT)
         buf_printf(out, " at %lu", (unsigned long)v->offset);
     if (index == m->g)

@@ -60,7 +60,10 @@ static bool read_var_details(Reader *r, IrVar *v, uint32_t index)
     v->writable = scan_optional(&r->scan, "writable");
     switch (v->space) {
     case IR_ELEMENT: return scan_this(&r->scan, "at") && scan_number(&r->scan, "an offset", &v->offset) && read_role(r, index);
-    case IR_LOCAL: return scan_char(&r->scan, '=') && scan_value(&r->scan, v->type, &v->init);
+    case IR_LOCAL:
+        v->outside = scan_optional(&r->scan, "outside");
+        v->hidden = scan_optional(&r->scan, "hidden");
+        return scan_char(&r->scan, '=') && scan_value(&r->scan, v->type, &v->init);
     case IR_TIME:
         if (r->m->t != IR_NONE)
             return scan_fail(&r->scan, "there are two times");

@@ -121,6 +121,8 @@ static bool check_overlap(Checker *c)
 
 static bool check_local(Checker *c, const IrVar *v)
 {
+    if (v->outside && v->hidden)
+        return fail(c, "%.80s is hidden, but written from outside", v->name->text);
     if (!cell_fits(v->type, v->init))
         return fail(c, "the initial value of %.80s does not fit its type", v->name->text);
     return !is_nan_cell(v->type, v->init) || fail(c, "the initial value of %.80s is not a number", v->name->text);

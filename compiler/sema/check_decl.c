@@ -170,7 +170,8 @@ static void declare_local(Declarations *k, const AstDecl *decl)
 {
     LocalDecl l = {new_var(k, VAR_LOCAL, decl), decl};
 
-    l.var->is_constant = l.var->read_only && !(k->written_outside && map_find(k->written_outside, decl->name));
+    l.var->outside = k->written_outside && map_find(k->written_outside, decl->name);
+    l.var->is_constant = l.var->read_only && !l.var->outside;
     declare(k, l.var, l.var->name, l.var->span);
     vec_push(k->s->arena, &k->local, l);
 }

@@ -65,6 +65,7 @@ typedef struct Var {
     bool read_only;           // the machine may not write it; true for G, S and T
     uint64_t init;            // LOCAL: its initial value, as a bit cell of its type (convert.h)
     Expr *init_value;         // LOCAL: what init was worked out from
+    bool outside;             // LOCAL: somebody beside the machine writes it between steps (a state script)
     bool is_constant;         // LOCAL: read-only and not written from outside: `init` is its value for ever
     bool written;             // an assignment to it stands somewhere in the machine
     bool read;                // it is read somewhere in the machine

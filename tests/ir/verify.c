@@ -16,6 +16,7 @@ static const Edit edits[] = {
     {"time U64 T", "time U64 9T", "no identifier"},
     {"n writable = -5", "n writable = 0x10000", "does not fit"},
     {"k = 0x3fb999999999999a", "k = 0x7ff8000000000000", "not a number"},
+    {"local F64 k =", "local F64 k outside hidden =", "hidden, but written from outside"},
     {"local F64 k = 0x3fb999999999999a", "local F64 k = 3\nlocal F32 k2 = 0x7fc00000", "not a number"},
     {"local F64 k = 0x3fb999999999999a", "local F64 k = 3\nlocal bool k2 = 0x2", "does not fit"},
     {"element U64 G at 0 is G\nelement U32 S at 8", "element U32 G at 0 is G\nelement U32 S at 8", "G is not what it must be"},
