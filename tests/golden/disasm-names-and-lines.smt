@@ -43,18 +43,18 @@ U64 G
 U32 S
 [Idle]
 -- stdout --
-image of 460 bytes, format 1, crc 72e948da
+image of 466 bytes, format 1, crc 8715187e
     section 01 IDENTITY   8 bytes at 52: 003740f815ec1432
-    section 81 MACHINE    98 bytes at 60
-    section 82 CODE       68 bytes at 158
-    section 83 INIT       16 bytes at 226
-    section 02 DEBUG      218 bytes at 242
+    section 81 MACHINE    101 bytes at 60
+    section 82 CODE       68 bytes at 161
+    section 83 INIT       16 bytes at 229
+    section 02 DEBUG      221 bytes at 245
 
 machine 1 sub
     state vector    32 bytes, layout f4b2fddc
     states          2
-    memory          [..] bytes on this machine, of these 11 for locals
-    operands        17
+    memory          [..] bytes on this machine, of these 13 for locals
+    operands        18
     longest step    15 instructions
     output          F64@16 rate
     output          I8@24 count
@@ -83,9 +83,9 @@ Hold.step:
     29  jf      armed, 38
     32  add     count, count, 0.5               sub.sm:20
     36  goto    Vent                            sub.sm:21
-    38  le      t0, 10.5, pressure              sub.sm:23
-    42  lt      t1, T, 1000000
-    46  or      armed, t0, t1
+    38  le      local bool@11, 10.5, pressure   sub.sm:23
+    42  lt      local bool@12, T, 1000000
+    46  or      armed, local bool@11, local bool@12
     50  end
 
 Hold.exit:
@@ -98,17 +98,17 @@ Vent.step:
     61  jnlt    limit, count, 67                sub.sm:29
     65  goto    Hold
     67  end
-image of 234 bytes, format 1, crc ec298005
+image of 237 bytes, format 1, crc 024bc8b5
     section 01 IDENTITY   8 bytes at 44: 003740f815ec1432
-    section 81 MACHINE    98 bytes at 52
-    section 82 CODE       68 bytes at 150
-    section 83 INIT       16 bytes at 218
+    section 81 MACHINE    101 bytes at 52
+    section 82 CODE       68 bytes at 153
+    section 83 INIT       16 bytes at 221
 
 machine 1 
     state vector    32 bytes, layout f4b2fddc
     states          2
-    memory          [..] bytes on this machine, of these 11 for locals
-    operands        17
+    memory          [..] bytes on this machine, of these 13 for locals
+    operands        18
     longest step    15 instructions
     output          F64@16
     output          I8@24
@@ -137,9 +137,9 @@ state 1.step:
     29  jf      local bool@10, 38
     32  add     I8@24, I8@24, 0.5
     36  goto    state 2
-    38  le      t0, 10.5, F32@12
-    42  lt      t1, T, 1000000
-    46  or      local bool@10, t0, t1
+    38  le      local bool@11, 10.5, F32@12
+    42  lt      local bool@12, T, 1000000
+    46  or      local bool@10, local bool@11, local bool@12
     50  end
 
 state 1.exit:

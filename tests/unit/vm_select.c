@@ -129,7 +129,7 @@ static void rounds(void)
            "mov local F32@0, a; add b, local F32@0, local F32@0; end");
     // NaN to 0 does, where there can be one, and costs nothing where there is none.
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = cvt F64 %1\n %3 = neg F64 %2\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
-           "sqrt t0, a; mov local F64@0, t0; neg b, local F64@0; end");
+           "sqrt local F64@0, a; neg b, local F64@0; end");
     expect("%0 = const F64 0x7ff8000000000000\n %1 = cvt F64 %0\n %2 = const F64 0\n %3 = eq F64 %1, %2\n store bool p, %3\n ret\n}",
            "mov local F64@0, nan; eq p, local F64@0, 0; end");
     expect("%0 = load F64 a\n %1 = cvt F64 %0\n %2 = neg F64 %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}", "neg b, a; end");
@@ -142,9 +142,9 @@ static void moments(void)
     expect("%0 = load F64 a\n %1 = neg F64 %0\n %2 = const F64 1\n store F64 a, %2\n %3 = cvt F64 %1\n store F64 b, %3\n ret\n}",
            "mov t0, a; mov a, 1; neg b, t0; end");
     expect("%0 = load U8 n\n %1 = cvt F64 %0\n %2 = const U8 1\n store U8 n, %2\n %3 = add F64 %1, %1\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
-           "mov t0, n; mov n, 1; add b, t0, t0; end");
+           "mov local U8@2, n; mov n, 1; add b, local U8@2, local U8@2; end");
     expect("%0 = load bool p\n %1 = const bool 1\n store bool p, %1\n br %0, b1, b2\nb1:\n goto A\nb2:\n ret\n}",
-           "mov t0, p; mov p, 1; jf t0, 11; goto A; end");
+           "mov local bool@2, p; mov p, 1; jf local bool@2, 11; goto A; end");
     expect("%0 = const U8 1\n store U8 n, %0\n %1 = load U8 n\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "mov n, 1; mov b, n; end");
     // What is used twice is computed once.
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = mul F64 %1, %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}", "sqrt t0, a; mul b, t0, t0; end");
@@ -163,7 +163,7 @@ static void conditions(void)
     expect("%0 = const bool 1\n br %0, b1, b2\nb1:\n goto A\nb2:\n ret\n}", "goto A; end");
     // A condition that is also stored is a number.
     expect("%0 = load F64 a\n %1 = const F64 1\n %2 = ne F64 %0, %1\n store bool p, %2\n br %2, b1, b2\nb1:\n goto A\nb2:\n ret\n}",
-           "ne t0, a, 1; mov p, t0; jf t0, 12; goto A; end");
+           "ne local bool@2, a, 1; mov p, local bool@2; jf local bool@2, 12; goto A; end");
     // A jump to a transition is one.
     expect("%0 = load bool p\n br %0, b1, b2\nb1:\n %1 = const bool 0\n store bool q, %1\n jmp b3\nb2:\n %2 = const bool 1\n store bool q, %2\n"
            "jmp b3\nb3:\n goto A\n}",
@@ -175,12 +175,69 @@ static void conditions(void)
            "jt p, 7; mov q, 0; end; mov q, 1; end");
 }
 
+// Narrowed operations need no other opcodes; where their result lies has their type.
+static void narrowed(void)
+{
+    expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = const I32 1\n %3 = add I32 %1, %2\n %4 = cvt U8 %3\n store U8 n, %4\n ret\n}", "add n, n, 1; end");
+    expect("%0 = load U8 n\n %1 = cvt I64 %0\n %2 = cvt F64 %1\n %3 = cvt I16 %1\n %4 = cvt F64 %3\n %5 = sub F64 %2, %4\n store F64 b, %5\n ret\n}",
+           "mov local I16@2, n; sub b, n, local I16@2; end");
+    expect("%0 = load I64 i\n %1 = const I64 -5\n %2 = lt I64 %0, %1\n br %2, b1, b2\nb1:\n goto A\nb2:\n ret\n}", "jnlt i, -5, 6; goto A; end");
+    expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = mul I32 %1, %1\n %3 = add I32 %2, %2\n %4 = cvt I64 %3\n store I64 i, %4\n ret\n}",
+           "mul local I32@0, n, n; add i, local I32@0, local I32@0; end");
+    expect("%0 = load F32 f\n %1 = add F32 %0, %0\n %2 = cvt F32 %1\n %3 = div F32 %2, %0\n %4 = cvt F32 %3\n store F32 f, %4\n ret\n}",
+           "add local F32@0, f, f; div f, local F32@0, f; end");
+    // From any type to any other: what can change the number stays, what is cut again by the destination goes.
+    expect("%0 = load I64 i\n %1 = cvt I32 %0\n %2 = cvt U16 %1\n store U16 l, %2\n ret\n}", "mov l, i; end");
+    expect("%0 = load I64 i\n %1 = cvt I32 %0\n %2 = cvt I8 %1\n %3 = cvt U16 %2\n store U16 l, %3\n ret\n}", "mov local I8@2, i; mov l, local I8@2; end");
+    expect("%0 = load F32 f\n %1 = cvt I8 %0\n %2 = cvt F32 %1\n store F32 f, %2\n ret\n}", "mov local I8@2, f; mov f, local I8@2; end");
+    expect("%0 = load I64 i\n %1 = cvt F32 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "mov local F32@0, i; mov b, local F32@0; end");
+    expect("%0 = load I64 i\n %1 = cvt bool %0\n %2 = cvt I32 %1\n %3 = cvt I64 %2\n store I64 i, %3\n ret\n}", "truth i, i; end");
+    expect("%0 = load I64 i\n %1 = cvt U8 %0\n %2 = cvt bool %1\n br %2, b1, b2\nb1:\n goto A\nb2:\n ret\n}", "mov local U8@2, i; jf local U8@2, 8; goto A; end");
+}
+
 // ---- what runs ----
 
 static void run_step(Work *w, uint64_t g)
 {
     w->sv[0] = g;
     CHECK(smvm_step((SmVm *)w->memory, w->sv) == SM_OK);
+}
+
+// Two bodies, one of them narrowed, do the same whatever they read.
+static void equal(const char *wide, const char *narrow)
+{
+    uint64_t seed = 1;
+    Work w[2];
+
+    for (int k = 0; k < 2; k++) {
+        open_work(&w[k]);
+        CHECK(compile(&w[k], format_in(&w[k].arena, "%s%s", STEP, k ? narrow : wide)));
+    }
+    for (uint64_t g = 1; g < 2000 && w[0].memory && w[1].memory; g++) {
+        for (unsigned i = 2; i < 6; i++) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            w[0].sv[i] = w[1].sv[i] = seed >> (i == 5 ? 12 + seed % 40 : 0);
+        }
+        run_step(&w[0], g);
+        run_step(&w[1], g);
+        CHECK(memcmp(w[0].sv, w[1].sv, sizeof w[0].sv) == 0);
+    }
+    arena_free(&w[0].arena);
+    arena_free(&w[1].arena);
+}
+
+static void runs_narrowed(void)
+{
+    equal("%0 = load U8 n\n %1 = cvt F64 %0\n %2 = const F64 -3\n %3 = mul F64 %1, %2\n %4 = add F64 %3, %1\n %5 = mul F64 %4, %4\n %6 = cvt I64 %5\n store I64 i, %6\n"
+          "%7 = sign F64 %3\n %8 = add F64 %7, %2\n %9 = cvt F64 %8\n store F64 b, %9\n ret\n}",
+          "%0 = load U8 n\n %1 = cvt I32 %0\n %2 = const I32 -3\n %3 = mul I32 %1, %2\n %4 = add I32 %3, %1\n %5 = mul I32 %4, %4\n %6 = cvt I64 %5\n store I64 i, %6\n"
+          "%7 = sign I32 %3\n %8 = add I32 %7, %2\n %9 = cvt F64 %8\n store F64 b, %9\n ret\n}");
+    equal("%0 = load F32 f\n %1 = cvt F64 %0\n %2 = load U8 n\n %3 = cvt F64 %2\n %4 = div F64 %1, %3\n %5 = cvt F32 %4\n store F32 f, %5\n ret\n}",
+          "%0 = load F32 f\n %2 = load U8 n\n %3 = cvt F32 %2\n %4 = div F32 %0, %3\n %5 = cvt F32 %4\n store F32 f, %5\n ret\n}");
+    equal("%0 = load F32 f\n %1 = cvt F64 %0\n %2 = mul F64 %1, %1\n %3 = cvt F32 %2\n %4 = cvt F64 %3\n %5 = sub F64 %4, %1\n %6 = cvt F32 %5\n store F32 f, %6\n ret\n}",
+          "%0 = load F32 f\n %2 = mul F32 %0, %0\n %3 = cvt F32 %2\n %5 = sub F32 %3, %0\n %6 = cvt F32 %5\n store F32 f, %6\n ret\n}");
+    equal("%0 = load I64 i\n %1 = cvt F64 %0\n %2 = const F64 1000\n %3 = ge F64 %1, %2\n store bool p, %3\n %4 = abs F64 %1\n %5 = min F64 %4, %2\n %6 = cvt U16 %5\n store U16 l, %6\n ret\n}",
+          "%0 = load I64 i\n %2 = const I64 1000\n %3 = ge I64 %0, %2\n store bool p, %3\n %4 = abs I64 %0\n %5 = min I64 %4, %2\n %6 = cvt U16 %5\n store U16 l, %6\n ret\n}");
 }
 
 // 1 + 1/2 + 1/3 + …, one expression a thousand operations deep on the left, or on the right.
@@ -383,7 +440,7 @@ static void too_much_memory(void)
     buf_init(&text, &w.arena);
     buf_str(&text, HEAD);
     for (int i = 0; i < 1400; i++)
-        buf_printf(&text, "window w%d size 100000 stats median\n", i);
+        buf_printf(&text, "window w%d F64 size 100000 stats median\n", i);
     buf_str(&text, "sample {\nb0:\n %0 = load F64 a\n");
     for (int i = 0; i < 1400; i++)
         buf_printf(&text, "sample w%d, %%0\n", i);
@@ -407,6 +464,8 @@ int main(void)
     rounds();
     moments();
     conditions();
+    narrowed();
+    runs_narrowed();
     deep(true);
     deep(false);
     deep_condition();

@@ -3,173 +3,15 @@
 // operands of the operation between them: `counter = counter + 1` is one instruction.
 //
 // Within a block an operation whose result is used once waits for its user, which then asks for it; what is used more often
-// is computed where it stands, into a temp.  A load is read by its users directly, unless a store to its variable comes
+// is computed where it stands, into a slot.  A load is read by its users directly, unless a store to its variable comes
 // before the last of them.  Conditions become jumps over jumps, never numbers.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
-#include "compiler/emit/bytecode/bytecode.h"
+#include "compiler/emit/bytecode/select.h"
 #include "stdlib/convert.h"
 
 enum { DEEPEST = 100 };       // how many operations may wait for each other: a bound of this file's recursion
-
-// What is known of one instruction of the IR, in its block.
-typedef struct Value {
-    uint32_t uses;            // by live instructions and the jump
-    uint32_t left;            // of these, not yet selected
-    uint32_t last;            // position + 1 at which the last user is computed
-    uint32_t depth;           // how many operations wait for each other in it
-    bool placed;              // it has been computed where it stands: `slot` holds it
-    bool waits;               // it is computed by its user, or by each if it is a conversion that changes nothing
-    bool early;               // of a load: it must be read where it stands, for a store to its variable follows
-    BcRef slot;
-} Value;
-
-typedef struct Select {
-    Arena *arena;
-    BcMachine *m;
-    const IrFn *f;
-    BcFn *out;
-    Value *value;             // by instruction
-    uint32_t *store_at;       // by variable: position + 1 of the next store to it…
-    uint32_t *store_in;       // …in block store_in - 1
-    VEC(BcRef) free[SM_TYPE_COUNT + 1];       // slots nobody uses; [F64] is typed scratch, the last one temps
-    Span span;                // of what is being selected
-    uint32_t *label;          // by block: its label
-    IrBlkRef *through;        // by block: itself, or where it leads if it only jumps
-} Select;
-
-// ---- operands ----
-
-static BcRef add_operand(Select *s, BcOperandKind kind, SmType type)
-{
-    BcOperand o;
-
-    memset(&o, 0, sizeof o);
-    o.kind = kind;
-    o.type = type;
-    vec_push(s->arena, &s->m->operand, o);
-    return (BcRef)(s->m->operand.n - 1);
-}
-
-static BcRef var_operand(Select *s, uint32_t var)
-{
-    BcRef *r = &s->m->of_var[var];
-
-    if (*r == BC_NONE) {
-        *r = add_operand(s, BC_VAR, s->m->ir->var.at[var].type);
-        s->m->operand.at[*r].var = var;
-    }
-    return *r;
-}
-
-static size_t const_place(const BcMachine *m, const BcRef *table, size_t cap, uint64_t bits)
-{
-    size_t i = (size_t)(bits * UINT64_C(0x9e3779b97f4a7c15) >> 32) & (cap - 1);
-
-    while (table[i] != BC_NONE && m->operand.at[table[i]].bits != bits)
-        i = (i + 1) & (cap - 1);
-    return i;
-}
-
-static void grow_consts(Select *s)
-{
-    BcMachine *m = s->m;
-    size_t cap = m->const_cap ? m->const_cap * 2 : 64;
-    BcRef *table = ARENA_ARRAY(s->arena, BcRef, cap);
-
-    memset(table, 0xff, cap * sizeof *table);
-    for (size_t i = 0; i < m->const_cap; i++)
-        if (m->const_slot[i] != BC_NONE)
-            table[const_place(m, table, cap, m->operand.at[m->const_slot[i]].bits)] = m->const_slot[i];
-    m->const_slot = table;
-    m->const_cap = cap;
-}
-
-static BcRef const_operand(Select *s, uint64_t bits)
-{
-    size_t place;
-
-    if (s->m->consts * 2 >= s->m->const_cap)
-        grow_consts(s);
-    place = const_place(s->m, s->m->const_slot, s->m->const_cap, bits);
-    if (s->m->const_slot[place] == BC_NONE) {
-        BcRef r = add_operand(s, BC_CONST, SM_F64);
-        s->m->operand.at[r].bits = bits;
-        s->m->const_slot[place] = r;
-        s->m->consts++;
-    }
-    return s->m->const_slot[place];
-}
-
-// The F64 that a constant stands for.  (A NaN is one only as an F64, and then stays one.)
-static SmF64 const_value(const IrIns *i)
-{
-    return i->type == SM_F64 ? sm_from_bits(i->bits) : sm_cell_to_f64(i->type, i->bits);
-}
-
-// ---- slots: temps for numbers as they are, scratch locals for those that a conversion rounds ----
-
-static BcRef slot_take(Select *s, size_t pool)
-{
-    BcMachine *m = s->m;
-    BcRef r;
-
-    if (s->free[pool].n > 0)
-        return s->free[pool].at[--s->free[pool].n];
-    r = add_operand(s, pool == SM_TYPE_COUNT ? BC_TEMP : BC_SCRATCH, pool == SM_TYPE_COUNT ? SM_F64 : (SmType)pool);
-    m->operand.at[r].index = pool == SM_TYPE_COUNT ? m->temps++ : m->scratches[pool]++;
-    return r;
-}
-
-static void slot_give(Select *s, BcRef r)                        // back, if it is one
-{
-    const BcOperand *o = &s->m->operand.at[r];
-
-    if (o->kind == BC_TEMP)
-        vec_push(s->arena, &s->free[SM_TYPE_COUNT], r);
-    else if (o->kind == BC_SCRATCH)
-        vec_push(s->arena, &s->free[o->type], r);
-}
-
-// ---- output ----
-
-static BcIns *put(Select *s, uint8_t op)
-{
-    BcIns i;
-
-    memset(&i, 0, sizeof i);
-    i.op = op;
-    i.span = s->span;
-    i.d = i.x = i.y = BC_NONE;
-    vec_push(s->arena, &s->out->ins, i);
-    return &s->out->ins.at[s->out->ins.n - 1];
-}
-
-static BcRef count(Select *s, BcRef r)
-{
-    s->m->operand.at[r].uses++;
-    return r;
-}
-
-static void put_dxy(Select *s, uint8_t op, BcRef d, BcRef x, BcRef y)
-{
-    BcIns *i = put(s, op);
-
-    i->d = count(s, d);
-    s->m->operand.at[d].stored = true;
-    i->x = count(s, x);
-    if (y != BC_NONE)
-        i->y = count(s, y);
-}
-
-static uint32_t label_new(Select *s)
-{
-    vec_push(s->arena, &s->out->label, UINT32_MAX);
-    return (uint32_t)(s->out->label.n - 1);
-}
-
-static void label_here(Select *s, uint32_t label) { s->out->label.at[label] = (uint32_t)s->out->ins.n; }
 
 // ---- how an operation is computed ----
 
@@ -209,18 +51,39 @@ static uint8_t opcode(IrOp op, bool *swap)
 
 static const IrIns *ins(const Select *s, IrRef r) { return &s->f->ins.at[r]; }
 
-// Whether r's number can be NaN.  Only an F64 can be one; what was read, converted or counted is none.
-static bool may_be_nan(const Select *s, IrRef r)
+// The F64 that a constant stands for.  (A NaN is one only as an F64, and then stays one.)
+static SmF64 const_value(const IrIns *i)
+{
+    return i->type == SM_F64 ? sm_from_bits(i->bits) : sm_cell_to_f64(i->type, i->bits);
+}
+
+// Whether r's number can be one that its type has not: a NaN, or of an F32 operation a number that is not yet rounded, for it is
+// computed as F64.  What was read, converted or counted is of its type.
+static bool is_raw(const Select *s, IrRef r)
 {
     const IrIns *i = ins(s, r);
 
     if (i->op == IR_const)
         return i->type == SM_F64 && sm_is_nan(sm_from_bits(i->bits));
-    return i->type == SM_F64 && i->op != IR_load && i->op != IR_cvt;
+    return sm_type_info[i->type].kind == SM_KIND_FLOAT && i->op != IR_load && i->op != IR_cvt;
 }
 
-// Whether a conversion leaves the number as it is once its operand has been read.  (One that is not to F64 is from it.)
-static bool changes_nothing(const Select *s, const IrIns *cvt) { return cvt->type == SM_F64 && !may_be_nan(s, cvt->a); }
+// Whether every number of type `a` is one of type `b`.  (Of I64 and U64 those that the F64 they are read as stands for.)
+static bool is_within(SmType a, SmType b)
+{
+    const SmTypeInfo *x = &sm_type_info[a], *y = &sm_type_info[b];
+
+    if (a == b || a == SM_BOOL || b == SM_F64)
+        return b != SM_BOOL || a == b;
+    if (b == SM_F32)
+        return x->bytes < 4;
+    if (x->kind == SM_KIND_FLOAT || y->kind == SM_KIND_BOOL)
+        return false;
+    return x->kind == y->kind ? x->bytes <= y->bytes : x->kind == SM_KIND_UNSIGNED && x->bytes < y->bytes;
+}
+
+// Whether a conversion leaves the number as it is once its operand has been read.
+static bool changes_nothing(const Select *s, const IrIns *cvt) { return !is_raw(s, cvt->a) && is_within(ins(s, cvt->a)->type, cvt->type); }
 
 // r without conversions that do not matter to who asks only whether it is true.
 static IrRef without_truth(const Select *s, IrRef r)
@@ -230,8 +93,12 @@ static IrRef without_truth(const Select *s, IrRef r)
     return r;
 }
 
-// A conversion that is computed by its user rounds into a slot of its type, unless the user's destination does the same.
-static size_t pool_of(const IrIns *i) { return i->op == IR_cvt && i->type != SM_BOOL ? (size_t)i->type : (size_t)SM_TYPE_COUNT; }
+// Where a result lies that its user does not take into its own destination: in a slot of its type, which converts; in a temp what
+// is to stay as it is.
+static size_t pool_of(const Select *s, IrRef r)
+{
+    return is_raw(s, r) || (ins(s, r)->type == SM_F64 && ins(s, r)->op == IR_load) ? (size_t)BC_TEMPS : (size_t)ins(s, r)->type;
+}
 
 static BcRef operand(Select *s, IrRef r);
 
@@ -241,7 +108,7 @@ static void used(Select *s, IrRef r, BcRef slot)                 // r has been r
 
     if (v->placed && --v->left > 0)
         return;
-    slot_give(s, slot);
+    bc_slot_give(s, slot);
 }
 
 // Which value lies in the slot that operand(r) gives: r, or what it is a mere conversion of.
@@ -252,7 +119,7 @@ static IrRef source(const Select *s, IrRef r)
     return r;
 }
 
-static void compute(Select *s, IrRef r, BcRef d);
+static void compute(Select *s, IrRef r);
 
 // Where r's number is; computes it if it waits.  The slot is given back by used(source(r)).
 static BcRef operand(Select *s, IrRef r)
@@ -264,16 +131,16 @@ static BcRef operand(Select *s, IrRef r)
     if (v->placed)
         return v->slot;
     if (ins(s, r)->op == IR_const)
-        return const_operand(s, sm_bits(const_value(ins(s, r))));
+        return bc_const_operand(s, sm_bits(const_value(ins(s, r))));
     if (ins(s, r)->op == IR_load)
-        return var_operand(s, ins(s, r)->var);
-    compute(s, r, BC_NONE);
+        return bc_var_operand(s, ins(s, r)->var);
+    compute(s, r);
     return v->slot;
 }
 
 static BcRef choose_slot(Select *s, IrRef r, BcRef d)            // d, or a new slot of the right kind
 {
-    return d != BC_NONE ? d : (s->value[r].slot = slot_take(s, pool_of(ins(s, r))));
+    return d != BC_NONE ? d : (s->value[r].slot = bc_slot_take(s, pool_of(s, r)));
 }
 
 // Both operands; the deeper one is computed first, which keeps the other's slot free for it.
@@ -296,7 +163,7 @@ static void compute_two(Select *s, IrRef r, BcRef d, IrRef a, IrRef b, uint8_t o
 
     operands(s, a, b, &x, &y);
     d = choose_slot(s, r, d);
-    put_dxy(s, op, d, swap ? y : x, swap ? x : y);
+    bc_put_dxy(s, op, d, swap ? y : x, swap ? x : y);
 }
 
 static void compute_one(Select *s, IrRef r, BcRef d, IrRef a, uint8_t op)
@@ -304,70 +171,85 @@ static void compute_one(Select *s, IrRef r, BcRef d, IrRef a, uint8_t op)
     BcRef x = operand(s, a);
 
     used(s, source(s, a), x);
-    put_dxy(s, op, choose_slot(s, r, d), x, BC_NONE);
+    bc_put_dxy(s, op, choose_slot(s, r, d), x, BC_NONE);
 }
 
-static void compute_stat(Select *s, IrRef r, BcRef d)
+static void compute_stat(Select *s, const IrIns *stat, IrRef r, BcRef d)
 {
     BcIns *i;
 
     d = choose_slot(s, r, d);
-    i = put(s, (uint8_t)((unsigned)SMVM_avg + (unsigned)ins(s, r)->stat));
-    i->d = count(s, d);
+    i = bc_put(s, (uint8_t)((unsigned)SMVM_avg + (unsigned)stat->stat));
+    i->d = bc_count(s, d);
     s->m->operand.at[d].stored = true;
-    i->w = s->m->window_number[ins(s, r)->var];
+    i->w = s->m->window_number[stat->var];
 }
 
-// Computes r into d, or where that is BC_NONE into a slot that it takes and notes.
-static void compute(Select *s, IrRef r, BcRef d)
+// Whether storing in a destination of type `type` does what a conversion to `to` does before it.  NaN becomes 0 in all of them, so
+// conversions of F64 to itself vanish; and what is cut to a range is cut again to one inside it.
+static bool storing_converts(SmType to, SmType type)
+{
+    return to == type || to == SM_F64 || (sm_type_info[to].kind != SM_KIND_FLOAT && type != SM_BOOL && to != SM_BOOL && is_within(type, to));
+}
+
+// r without conversions that storing in a destination of type `type` does.
+static IrRef stored(const Select *s, IrRef r, SmType type)
 {
     const IrIns *i = ins(s, r);
+
+    for (; s->value[r].waits && i->op == IR_cvt && (storing_converts(i->type, type) || changes_nothing(s, i)); i = ins(s, r))
+        r = i->a;
+    return r;
+}
+
+// Computes an operation into d, or where that is BC_NONE into a slot for r, which is the operation or a conversion of it.
+static void compute_op(Select *s, const IrIns *i, IrRef r, BcRef d)
+{
     bool logic = ir_op_info[i->op].types == IR_T_LOGIC, swap;
     uint8_t op = opcode(i->op, &swap);
 
     if (i->op == IR_stat)
-        compute_stat(s, r, d);
-    else if (i->op == IR_cvt)
-        compute_one(s, r, d, i->a, i->type == SM_BOOL ? SMVM_truth : SMVM_mov);
+        compute_stat(s, i, r, d);
     else if (ir_op_info[i->op].operands == 2)
         compute_two(s, r, d, logic ? without_truth(s, i->a) : i->a, logic ? without_truth(s, i->b) : i->b, op, swap);
     else
-        compute_one(s, r, d, logic ? without_truth(s, i->a) : i->a, op);
+        compute_one(s, r, d, logic ? without_truth(s, i->a) : i->a, i->op == IR_cvt ? SMVM_truth : op);
 }
 
-// Whether storing does what a conversion to `to` does, in a destination of type `type`.  NaN becomes 0 in all of them, so
-// conversions of F64 to itself vanish.
-static bool storing_converts(SmType to, SmType type) { return to == type || to == SM_F64; }
+// Computes r into a destination d of type `type`, which converts; or where d is BC_NONE into a slot of that type for `owner`.
+static void compute_into(Select *s, IrRef r, IrRef owner, BcRef d, SmType type)
+{
+    const IrIns *i;
 
-// Computes r into an element or local of type `type`.
-static void compute_into(Select *s, IrRef r, BcRef d, SmType type)
+    r = stored(s, r, type);
+    i = ins(s, r);
+    if (s->value[r].waits && (i->op != IR_cvt || i->type == SM_BOOL))
+        compute_op(s, i, owner, d);
+    else
+        compute_one(s, owner, d, r, SMVM_mov);
+}
+
+// Computes r into a slot that it takes and notes.
+static void compute(Select *s, IrRef r)
 {
     const IrIns *i = ins(s, r);
-    BcRef x;
 
-    while (s->value[r].waits && i->op == IR_cvt && (storing_converts(i->type, type) || changes_nothing(s, i))) {
-        r = i->a;
-        i = ins(s, r);
-    }
-    if (s->value[r].waits && (i->op != IR_cvt || i->type == SM_BOOL)) {
-        compute(s, r, d);
-        return;
-    }
-    x = operand(s, r);
-    used(s, source(s, r), x);
-    put_dxy(s, SMVM_mov, d, x, BC_NONE);
+    if (i->op == IR_cvt && i->type != SM_BOOL)
+        compute_into(s, i->a, r, BC_NONE, i->type);
+    else
+        compute_op(s, i, r, BC_NONE);
 }
 
 // ---- conditions ----
 
 static void put_jump(Select *s, uint8_t op, BcRef x, BcRef y, uint32_t label)
 {
-    BcIns *i = put(s, op);
+    BcIns *i = bc_put(s, op);
 
     if (x != BC_NONE)
-        i->x = count(s, x);
+        i->x = bc_count(s, x);
     if (y != BC_NONE)
-        i->y = count(s, y);
+        i->y = bc_count(s, y);
     i->to = label;
 }
 
@@ -421,10 +303,10 @@ static void jump_on(Select *s, IrRef r, bool when, uint32_t label)
             jump_on(s, i->a, when, label);
             jump_on(s, i->b, when, label);
         } else {
-            past = label_new(s);
+            past = bc_label_new(s);
             jump_on(s, i->a, !when, past);
             jump_on(s, i->b, when, label);
-            label_here(s, past);
+            bc_label_here(s, past);
         }
     } else if (ir_op_info[i->op].types == IR_T_COMPARE) {
         jump_compare(s, i, when, label);
@@ -513,11 +395,11 @@ static void place(Select *s, IrRef r)                            // computes r w
     BcRef d;
 
     if (ins(s, r)->op == IR_load) {
-        d = slot_take(s, SM_TYPE_COUNT);
-        put_dxy(s, SMVM_mov, d, var_operand(s, ins(s, r)->var), BC_NONE);
+        d = bc_slot_take(s, pool_of(s, r));
+        bc_put_dxy(s, SMVM_mov, d, bc_var_operand(s, ins(s, r)->var), BC_NONE);
         v->slot = d;
     } else {
-        compute(s, r, BC_NONE);
+        compute(s, r);
     }
     v->placed = true;
 }
@@ -528,8 +410,8 @@ static void select_sample(Select *s, const IrIns *i)
     BcIns *b;
 
     used(s, source(s, i->a), x);
-    b = put(s, SMVM_sample);
-    b->x = count(s, x);
+    b = bc_put(s, SMVM_sample);
+    b->x = bc_count(s, x);
     b->w = s->m->window_number[i->var];
 }
 
@@ -540,7 +422,7 @@ static void select_ins(Select *s, IrRef r)
 
     s->span = i->span;
     if (i->op == IR_store)
-        compute_into(s, i->a, var_operand(s, i->var), i->type);
+        compute_into(s, i->a, i->a, bc_var_operand(s, i->var), i->type);
     else if (i->op == IR_sample)
         select_sample(s, i);
     else if (v->uses > 0 && !v->waits && i->op != IR_const && (i->op != IR_load || v->early))
@@ -555,9 +437,9 @@ static void select_jmp(Select *s, IrBlkRef to, IrBlkRef next)
     if (to == next)
         return;
     if (b->ins.n == 0 && b->jump.kind == IR_RET)
-        put(s, SMVM_end);
+        bc_put(s, SMVM_end);
     else if (b->ins.n == 0 && b->jump.kind == IR_GOTO)
-        put(s, SMVM_goto)->to = b->jump.state;
+        bc_put(s, SMVM_goto)->to = b->jump.state;
     else
         put_jump(s, SMVM_jmp, BC_NONE, BC_NONE, s->label[to]);
 }
@@ -577,8 +459,8 @@ static void select_jump(Select *s, const IrJump *j, IrBlkRef next)
     if (j->span.src)
         s->span = j->span;
     switch (j->kind) {
-    case IR_RET: put(s, SMVM_end); break;
-    case IR_GOTO: put(s, SMVM_goto)->to = j->state; break;
+    case IR_RET: bc_put(s, SMVM_end); break;
+    case IR_GOTO: bc_put(s, SMVM_goto)->to = j->state; break;
     case IR_JMP: select_jmp(s, s->through[j->then], next); break;
     case IR_BR: select_br(s, j->cond, s->through[j->then], s->through[j->otherwise], next); break;
     }
@@ -589,7 +471,7 @@ static void select_block(Select *s, uint32_t block, IrBlkRef next)
     const IrBlk *b = &s->f->blk.at[block];
 
     plan_block(s, block);
-    label_here(s, s->label[block]);
+    bc_label_here(s, s->label[block]);
     for (size_t p = 0; p < b->ins.n; p++)
         select_ins(s, b->ins.at[p]);
     select_jump(s, &b->jump, next);
@@ -605,7 +487,7 @@ static bool *plan_blocks(Select *s, const IrFn *f)
     for (size_t b = f->blk.n; b-- > 0;) {
         const IrBlk *blk = &f->blk.at[b];
         bool jumps = blk->ins.n == 0 && blk->jump.kind == IR_JMP;
-        s->label[b] = label_new(s);
+        s->label[b] = bc_label_new(s);
         s->through[b] = jumps ? s->through[blk->jump.then] : (IrBlkRef)b;
         kept[b] = kept[b] && (!jumps || b == 0);
     }
@@ -661,8 +543,8 @@ void bc_select(Arena *arena, BcMachine *out, const IrMachine *m)
     memset(out->of_var, 0xff, m->var.n * sizeof *out->of_var);
     out->fns = 1 + 3 * m->state.n;
     out->fn = ARENA_ARRAY(arena, BcFn, out->fns);
-    var_operand(&s, m->g);
-    var_operand(&s, m->s);
+    bc_var_operand(&s, m->g);
+    bc_var_operand(&s, m->s);
     number_windows(&s);
     if (m->sample)
         select_function(&s, m->sample, &out->fn[0]);
