@@ -165,14 +165,14 @@ CHECK_LINES += "diff: $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/c
 # tests/emitc: emitted C under every compiler that is here, under options that touch arithmetic, in programs that use it; and
 # control flow that no source has.
 ENGINE_C_OBJ = $(patsubst %.c,$(B)/obj/%.o,compiler/device/engine_c.c $(wildcard compiler/base/os_*.c))
-$(B)/emitc/flow: tests/emitc/flow.c $(ENGINE_C_OBJ) $(B)/libsmc.a
+$(B)/emitc/flow $(B)/emitc/typed: $(B)/emitc/%: tests/emitc/%.c $(ENGINE_C_OBJ) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -o $@ $^
 
-check: $(B)/emitc/flow
-CHECK_LINES += "emitc: sh tests/emitc/run.sh $(B)/smc" "emitc-flow: $(B)/emitc/flow 100"
-check-emitc: all $(B)/emitc/flow
-	sh tests/emitc/run.sh $(B)/smc && $(B)/emitc/flow
+check: $(B)/emitc/flow $(B)/emitc/typed
+CHECK_LINES += "emitc: sh tests/emitc/run.sh $(B)/smc" "emitc-flow: $(B)/emitc/flow 100" "emitc-typed: $(B)/emitc/typed 100"
+check-emitc: all $(B)/emitc/flow $(B)/emitc/typed
+	sh tests/emitc/run.sh $(B)/smc && $(B)/emitc/flow && $(B)/emitc/typed
 
 # Everything again under the sanitizers: compiler, VM and emitted C.
 SANITIZE = -fsanitize=address,undefined -fno-sanitize-recover=all

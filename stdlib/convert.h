@@ -4,6 +4,7 @@
 //   sm_to_X(x)     F64 to X, as storing does: NaN gives 0; integers truncate toward zero, then saturate.
 //   sm_from_X(v)   X to F64: exact, except that I64 and U64 round to nearest even above 2^53 (f64.h has the wide ones).
 //   sm_read_X(v)   what reading a stored X gives: as sm_from_X, but a stored NaN reads as 0.
+//   sm_no_nan_f32  the same as an F32.
 //
 // A cell is a value's bits in its own type, zero-extended to 64: I8 -1 is 0xff, F32 its binary32, bool 0 or 1.
 // Memory is in the host's byte order and need not be aligned.  A bool is one byte; any non-zero byte reads as true.
@@ -80,12 +81,15 @@ static inline bool sm_to_bool(SmF64 x)
 {
     return sm_lt(x, sm_from_i32(0)) || sm_lt(sm_from_i32(0), x);   // neither holds for NaN
 }
-//: sm_clip
-// x, or the limit that it is beyond: a whole number of 53 bits on its way to an integer type.
-static inline int64_t sm_clip(int64_t x, int64_t lo, int64_t hi)
-{
-    return x < lo ? lo : x > hi ? hi : x;
-}
+//: sm_clip_i32
+// x, or the limit that it is beyond: an integer on its way to another type of integer.
+static inline int32_t sm_clip_i32(int32_t x, int32_t lo, int32_t hi) { return x < lo ? lo : x > hi ? hi : x; }
+//: sm_clip_i64
+// x, or the limit that it is beyond: an integer on its way to another type of integer.
+static inline int64_t sm_clip_i64(int64_t x, int64_t lo, int64_t hi) { return x < lo ? lo : x > hi ? hi : x; }
+//: sm_clip_u64
+// x, or the limit that it is beyond: an integer on its way to another type of integer.
+static inline uint64_t sm_clip_u64(uint64_t x, uint64_t hi) { return x > hi ? hi : x; }
 //: sm_count_u64
 // v + n as numbers, stored again: exact while v is small, rounded as every number is beyond 2^53.
 static inline uint64_t sm_count_u64(uint64_t v, int32_t n)
@@ -112,6 +116,11 @@ static inline SmF64 sm_read_f32(float v)
 static inline SmF64 sm_read_f64(SmF64 x)
 {
     return sm_is_nan(x) ? sm_from_i32(0) : x;
+}
+//: sm_no_nan_f32
+static inline float sm_no_nan_f32(float v)
+{
+    return sm_is_nan(sm_from_f32(v)) ? 0.0f : v;
 }
 //: end
 

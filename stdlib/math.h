@@ -90,6 +90,33 @@ static inline SmF64 sm_max(SmF64 a, SmF64 b)
         return sm_from_bits(sm_bits(a) & sm_bits(b));
     return sm_lt(b, a) || sm_is_nan(a) ? a : b;
 }
+//: sm_abs_i32
+// Of an integer: stands where that gives the same as of its F64.
+static inline int32_t sm_abs_i32(int32_t x) { return x < 0 ? -x : x; }
+//: sm_abs_i64
+static inline int64_t sm_abs_i64(int64_t x) { return x < 0 ? -x : x; }
+//: sm_abs_f32
+// x without its sign bit.
+static inline float sm_abs_f32(float x)
+{
+    uint32_t u;
+    memcpy(&u, &x, sizeof u);
+    u &= 0x7FFFFFFFu;
+    memcpy(&x, &u, sizeof x);
+    return x;
+}
+//: sm_sign_i32
+static inline int32_t sm_sign_i32(int32_t x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
+//: sm_sign_i64
+static inline int64_t sm_sign_i64(int64_t x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
+//: sm_min_i32
+static inline int32_t sm_min_i32(int32_t a, int32_t b) { return a < b ? a : b; }
+//: sm_min_i64
+static inline int64_t sm_min_i64(int64_t a, int64_t b) { return a < b ? a : b; }
+//: sm_max_i32
+static inline int32_t sm_max_i32(int32_t a, int32_t b) { return a > b ? a : b; }
+//: sm_max_i64
+static inline int64_t sm_max_i64(int64_t a, int64_t b) { return a > b ? a : b; }
 //: sm_clamp
 static inline SmF64 sm_clamp(SmF64 x, SmF64 lo, SmF64 hi) { return sm_min(sm_max(x, lo), hi); }
 //: end

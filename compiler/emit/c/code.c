@@ -92,7 +92,7 @@ static void put_variable(CFn *fn, IrRef r)
     else
         buf_printf(&fn->line, "const %s ", c_type_of(type));
     buf_printf(&fn->line, "%s = ", name);
-    put_value(fn, r, PREC_ANY);
+    put_assigned(fn, r);
     buf_str(&fn->line, ";");
     end_line(fn);
     fn->ins[r].variable = name;
@@ -102,7 +102,7 @@ static void put_store(CFn *fn, const IrIns *i)
 {
     put_cell(fn, i->var);
     buf_str(&fn->line, " = ");
-    put_value(fn, i->a, PREC_ANY);
+    put_assigned(fn, i->a);
     buf_str(&fn->line, ";");
     end_line(fn);
     fn->writes_m = true;
@@ -142,7 +142,7 @@ static void put_sample(CFn *fn, const IrIns *i)
     fn->uses_m = fn->writes_m = true;
     put_window_memory(fn, fn->u->window[i->var], sorted);
     buf_printf(&fn->line, "%s(&m->%s, ", helper_use(fn->u, sorted ? "sm_roll_put_sorted" : "sm_roll_put"), fn->u->window[i->var]);
-    put_value(fn, i->a, PREC_ANY);
+    put_double(fn, i->a, PREC_ANY);
     buf_str(&fn->line, ");");
     end_line(fn);
 }
@@ -377,9 +377,9 @@ static void put_copies(CFn *fn)
 {
     for (size_t i = 0; i < fn->copied.n; i++) {
         const uint32_t v = fn->copied.at[i];
-        const char *copy = fn->var[v].copy;
-        buf_printf(&fn->line, "const double %s = %s(", copy,
-                   helper_use(fn->u, fn->u->m->var.at[v].type == SM_F32 ? "sm_read_f32" : "sm_read_f64"));
+        const SmType as = fn->var[v].copy_type, type = fn->u->m->var.at[v].type;
+        buf_printf(&fn->line, "const %s %s = %s(", c_type_of(as), fn->var[v].copy,
+                   helper_use(fn->u, as == SM_F32 ? "sm_no_nan_f32" : type == SM_F32 ? "sm_read_f32" : "sm_read_f64"));
         put_cell(fn, v);
         buf_str(&fn->line, ");");
         end_line(fn);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions.  Operators come out as C's own, with the parentheses that C needs and that its compilers ask for; a number is
-// a double, a truth is whatever C's comparisons give, and conversions stand only where they can change something.
+// Expressions.  Operators come out as C's own, with the parentheses that C needs and that its compilers ask for.  The text of
+// a temporary is of its type, but for what C does by itself: an integer shorter than int is an int, a truth is whatever
+// comparisons give, and a constant has the type of its digits.
 #include <string.h>
 
 #include "compiler/emit/c/fn.h"
@@ -29,16 +30,25 @@ void close_parens(CFn *fn, bool opened)
         put(fn, ")");
 }
 
-static void put_call(CFn *fn, const char *helper, IrRef a, IrRef b)
+static void put_call(CFn *fn, const char *helper, const IrIns *i)
 {
     put(fn, helper_use(fn->u, helper));
     put(fn, "(");
-    put_value(fn, a, PREC_ANY);
-    if (b != IR_NONE) {
+    put_assigned(fn, i->a);
+    if (i->b != IR_NONE) {
         put(fn, ", ");
-        put_value(fn, b, PREC_ANY);
+        put_assigned(fn, i->b);
     }
     put(fn, ")");
+}
+
+// A builtin's function: its F64 one is called sm_NAME, a narrow one sm_NAME_TYPE.
+static void put_builtin(CFn *fn, const IrIns *i)
+{
+    const char *name = ir_op_info[i->op].name;
+    const char *of = i->type == SM_I32 ? "_i32" : i->type == SM_I64 ? "_i64" : i->type == SM_F32 ? "_f32" : "";
+
+    put_call(fn, format_in(fn->u->arena, "sm_%s%s", name, of), i);
 }
 
 // ---- variables ----
@@ -80,36 +90,24 @@ const char *copy_name(CFn *fn, uint32_t v)
     return is_taken(&fn->u->names, name) ? format_in(fn->u->arena, "e%u_%s", (unsigned)v, name) : name;
 }
 
-static void put_load(CFn *fn, const IrIns *i)
-{
-    if (fn->var[i->var].stamp == fn->stamp && fn->var[i->var].copy)
-        put(fn, fn->var[i->var].copy);
-    else
-        put_cell(fn, i->var);
-}
-
 static bool is_element(const CFn *fn, const IrIns *i) { return var(fn, i->var)->space == IR_ELEMENT; }
-
-// An F32 element where it is used: its checked reading gives a double.
-static bool is_widened(const CFn *fn, IrRef r)
-{
-    const IrIns *i = ins(fn, r);
-
-    return i->op == IR_load && i->type == SM_F32 && is_element(fn, i) && fn->ins[r].how == C_INLINE;
-}
 
 static bool has_copy(const CFn *fn, const IrIns *i)
 {
     return fn->var[i->var].stamp == fn->stamp && fn->var[i->var].copy;
 }
 
-static void put_checked_load(CFn *fn, const IrIns *i)
+void put_checked_load(CFn *fn, const IrIns *i, SmType as)
 {
+    const SmType held = has_copy(fn, i) ? fn->var[i->var].copy_type : as;
+
+    if (held != as)
+        put(fn, as == SM_F64 ? "(double)" : "(float)");
     if (has_copy(fn, i)) {
-        put_load(fn, i);
+        put(fn, fn->var[i->var].copy);
         return;
     }
-    put(fn, helper_use(fn->u, i->type == SM_F32 ? "sm_read_f32" : "sm_read_f64"));
+    put(fn, helper_use(fn->u, as == SM_F32 ? "sm_no_nan_f32" : i->type == SM_F32 ? "sm_read_f32" : "sm_read_f64"));
     put(fn, "(");
     put_cell(fn, i->var);
     put(fn, ")");
@@ -117,18 +115,15 @@ static void put_checked_load(CFn *fn, const IrIns *i)
 
 static void put_load_value(CFn *fn, const IrIns *i, int prec)
 {
-    bool opened;
+    const bool truth = is_element(fn, i) && i->type == SM_BOOL;
+    const bool checked = is_element(fn, i) && sm_type_info[i->type].kind == SM_KIND_FLOAT;
+    const bool opened = open_parens(fn, truth ? PREC_EQ : checked ? PREC_UNARY : PREC_PRIMARY, prec);
 
-    if (!is_element(fn, i) || c_is_integer(i->type)) {
-        put_load(fn, i);
-        return;
-    }
-    opened = open_parens(fn, i->type == SM_BOOL ? PREC_EQ : i->type == SM_F32 ? PREC_UNARY : PREC_PRIMARY, prec);
-    if (i->type == SM_BOOL)
-        put_load(fn, i);
-    put(fn, i->type == SM_BOOL ? " != 0" : i->type == SM_F32 ? "(float)" : "");
-    if (i->type != SM_BOOL)
-        put_checked_load(fn, i);
+    if (checked)
+        put_checked_load(fn, i, i->type);
+    else
+        put_cell(fn, i->var);
+    put(fn, truth ? " != 0" : "");
     close_parens(fn, opened);
 }
 
@@ -144,106 +139,36 @@ void put_constant(CFn *fn, IrRef r, SmType type, uint64_t bits)
         buf_printf(&fn->line, " /* %s */", name);
 }
 
-// ---- conversions ----
-
-static const char *const to_helper[SM_TYPE_COUNT] = {
-    [SM_I8] = "sm_to_i8", [SM_I16] = "sm_to_i16", [SM_I32] = "sm_to_i32", [SM_I64] = "sm_to_i64", [SM_U8] = "sm_to_u8",
-    [SM_U16] = "sm_to_u16", [SM_U32] = "sm_to_u32", [SM_U64] = "sm_to_u64", [SM_F32] = "sm_to_f32", [SM_F64] = "sm_to_f64",
-    [SM_BOOL] = "sm_to_bool",
-};
-
-// A truth as a number, spelled as the type of that number wants it.
-static void put_choice(CFn *fn, IrRef r, const char *one_or_zero, int prec)
-{
-    const bool opened = open_parens(fn, PREC_ANY, prec);
-
-    put_condition(fn, r, false, PREC_OR);
-    put(fn, one_or_zero);
-    close_parens(fn, opened);
-}
-
-// The text of r, whatever its type, as a double.
-static void put_double(CFn *fn, IrRef r, int prec)
-{
-    const IrIns *i = ins(fn, r);
-    bool opened;
-
-    if (fn->ins[r].is_const && i->type != SM_F64) {
-        put_constant(fn, r, SM_F64, sm_bits(sm_cell_to_f64(i->type, fn->ins[r].bits)));
-    } else if (is_widened(fn, r)) {
-        put_checked_load(fn, i);
-    } else if (i->type == SM_F64) {
-        put_value(fn, r, prec);
-    } else if (i->type == SM_BOOL) {
-        put_choice(fn, r, " ? 1.0 : 0.0", prec);
-    } else {
-        opened = open_parens(fn, PREC_UNARY, prec);
-        put(fn, "(double)");
-        put_value(fn, r, PREC_PRIMARY);
-        close_parens(fn, opened);
-    }
-}
-
-static void put_call_on_double(CFn *fn, const char *helper, IrRef r)
-{
-    put(fn, helper_use(fn->u, helper));
-    put(fn, "(");
-    put_double(fn, r, PREC_ANY);
-    put(fn, ")");
-}
-
-static void put_cast(CFn *fn, SmType to, IrRef r, int prec)
-{
-    const bool opened = open_parens(fn, PREC_UNARY, prec);
-
-    put(fn, "(");
-    put(fn, c_type_of(to));
-    put(fn, ")");
-    put_value(fn, r, PREC_PRIMARY);
-    close_parens(fn, opened);
-}
-
-// A truth of a number that is never NaN.
-static void put_not_zero(CFn *fn, IrRef r, bool negated, int prec)
-{
-    const bool opened = open_parens(fn, PREC_EQ, prec);
-
-    put_value(fn, r, PREC_REL);
-    put(fn, negated ? " == " : " != ");
-    put(fn, sm_type_info[ins(fn, r)->type].kind == SM_KIND_FLOAT ? "0.0" : "0");
-    close_parens(fn, opened);
-}
-
-static void put_cvt(CFn *fn, const IrIns *i, int prec)
-{
-    const SmType from = ins(fn, i->a)->type, to = i->type;
-    const CRange r = fn->ins[i->a].range;
-
-    if (from == SM_F64 && integer_put_cvt(fn, i->a, to, prec))
-        return;
-    if (to == SM_F64 && (from != SM_F64 || !r.nan))
-        put_double(fn, i->a, prec);
-    else if (from == to && !r.nan)
-        put_value(fn, i->a, prec);
-    else if (from == SM_BOOL)
-        put_choice(fn, i->a, to == SM_F32 ? " ? 1.0f : 0.0f" : " ? 1 : 0", prec);
-    else if (to == SM_BOOL && !r.nan)
-        put_not_zero(fn, i->a, false, prec);
-    else if ((to == SM_F32 && !r.nan) || (to != SM_F32 && to != SM_BOOL && to != SM_F64 && range_fits(r, to)))
-        put_cast(fn, to, i->a, prec);
-    else
-        put_call_on_double(fn, to_helper[to], i->a);
-}
-
 // ---- the rest ----
+
+// C computes a sum of two integers shorter than int in an int, which may have 16 bits: one operand has to be as wide as the
+// result.  Where the other is, or is being converted, its own conversion may be left to C.
+static void put_integer_binary(CFn *fn, const IrIns *i, const char *text, int own, int prec)
+{
+    const bool a = is_widening(fn, i->a), b = is_widening(fn, i->b), opened = open_parens(fn, own, prec);
+    const bool bare_a = a && !b && !fn->ins[i->b].is_const, bare_b = b && !fn->ins[i->a].is_const;
+
+    put_value(fn, bare_a ? ins(fn, i->a)->a : i->a, own);
+    put(fn, text);
+    put_value(fn, bare_b ? ins(fn, i->b)->a : i->b, own + 1);
+    close_parens(fn, opened);
+}
 
 static void put_binary(CFn *fn, const IrIns *i, const char *text, int own, int prec)
 {
-    const bool opened = open_parens(fn, own, prec);
+    bool opened;
 
+    if (c_is_integer(i->type)) {
+        put_integer_binary(fn, i, text, own, prec);
+        return;
+    }
+    // A float may be computed as a double, as long as it does not stay one.
+    opened = open_parens(fn, i->type == SM_F32 ? PREC_UNARY : own, prec);
+    put(fn, i->type == SM_F32 ? "(float)(" : "");
     put_value(fn, i->a, own);
     put(fn, text);
     put_value(fn, i->b, own + 1);         // floating-point operators do not associate
+    put(fn, i->type == SM_F32 ? ")" : "");
     close_parens(fn, opened);
 }
 
@@ -310,15 +235,9 @@ void put_value(CFn *fn, IrRef r, int prec)
     case IR_mul: put_binary(fn, i, " * ", PREC_MUL, prec); break;
     case IR_div: put_binary(fn, i, " / ", PREC_MUL, prec); break;
     case IR_neg: put_negative(fn, i, prec); break;
-    case IR_abs: put_call(fn, "sm_abs", i->a, IR_NONE); break;
-    case IR_floor: put_call(fn, "sm_floor", i->a, IR_NONE); break;
-    case IR_ceil: put_call(fn, "sm_ceil", i->a, IR_NONE); break;
-    case IR_trunc: put_call(fn, "sm_trunc", i->a, IR_NONE); break;
-    case IR_round: put_call(fn, "sm_round", i->a, IR_NONE); break;
-    case IR_sqrt: put_call(fn, "sm_sqrt", i->a, IR_NONE); break;
-    case IR_sign: put_call(fn, "sm_sign", i->a, IR_NONE); break;
-    case IR_min: put_call(fn, "sm_min", i->a, i->b); break;
-    case IR_max: put_call(fn, "sm_max", i->a, i->b); break;
+    case IR_abs: case IR_floor: case IR_ceil: case IR_trunc: case IR_round: case IR_sqrt: case IR_sign: case IR_min: case IR_max:
+        put_builtin(fn, i);
+        break;
     case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge: put_compare(fn, i, false, prec); break;
     case IR_and: case IR_or: put_logic(fn, i, prec); break;
     case IR_not: put_condition(fn, i->a, true, prec); break;
@@ -344,7 +263,7 @@ void put_condition(CFn *fn, IrRef r, bool negated, int prec)
         put_not_zero(fn, i->a, negated, prec);
     } else if (inside && i->op == IR_load) {
         put(fn, negated ? "!" : "");
-        put_load(fn, i);
+        put_cell(fn, i->var);
     } else if (negated) {
         put(fn, "!");
         put_value(fn, r, PREC_PRIMARY);

@@ -37,7 +37,9 @@ typedef struct CVarUse {
     uint32_t stamp;
     uint32_t loads;           // how often its value is needed
     bool stored;
+    bool as_double;           // some of them want an F32 as a double
     const char *copy;         // the function's own variable that holds it
+    SmType copy_type;         // F64, or F32
     uint32_t block_stamp;     // the block for which next_store holds
     uint32_t next_store;      // position of the next store, seen from where the walk through the block is
     uint32_t flag_stamp;      // the block that has already said that it stores this
@@ -106,6 +108,8 @@ enum {                                    // how tightly C's operators bind
 
 // Writes the temporary's value to fn->line, in parentheses if it binds less tightly than `prec`.
 void put_value(CFn *fn, IrRef r, int prec);
+// The value of a float element, NaN read as 0, as a float or a double.
+void put_checked_load(CFn *fn, const IrIns *i, SmType as);
 // The same of a bool where C wants a truth.
 void put_condition(CFn *fn, IrRef r, bool negated, int prec);
 void put_cell(CFn *fn, uint32_t var);                                 // m->x, sv->x
@@ -115,6 +119,18 @@ bool c_is_integer(SmType t);
 // Opens a parenthesis if what binds like `own` stands where `wanted` is asked for, and tells close_parens.
 bool open_parens(CFn *fn, int own, int wanted);
 void close_parens(CFn *fn, bool opened);
+
+// ---- convert.c ----
+
+void put_cvt(CFn *fn, const IrIns *i, int prec);
+// The value, whatever its type, as a double.
+void put_double(CFn *fn, IrRef r, int prec);
+// The value where C converts it to the temporary's type by itself: an assignment, an argument.
+void put_assigned(CFn *fn, IrRef r);
+// Whether r is a conversion to an integer type that holds every value of the integer it converts, written in place.
+bool is_widening(const CFn *fn, IrRef r);
+// A truth of a number that is never NaN.
+void put_not_zero(CFn *fn, IrRef r, bool negated, int prec);
 
 // ---- compare.c ----
 

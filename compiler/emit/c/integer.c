@@ -111,7 +111,7 @@ static const char *limit_text(SmType t, bool upper)
 
 static void put_clipped(CFn *fn, IrRef r, SmType to, bool wide)
 {
-    put(fn, helper_use(fn->u, "sm_clip"));
+    put(fn, helper_use(fn->u, "sm_clip_i64"));
     put(fn, "(");
     put_tree(fn, r, wide, PREC_ANY);
     buf_printf(&fn->line, ", %s, %s)", limit_text(to, false), limit_text(to, true));

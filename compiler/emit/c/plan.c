@@ -10,30 +10,44 @@ enum { LEVEL_MAX = 40 };      // expressions deeper than this are cut; clang sto
 
 // ---- constants ----
 
-static uint64_t fold_f64(SmF64 x) { return sm_is_nan(x) ? IR_NAN : sm_bits(x); }
+// The number of a constant; unlike an element's, an F64's NaN is kept.
+static SmF64 number(const CFn *fn, IrRef r)
+{
+    if (r == IR_NONE)
+        return sm_from_i32(0);
+    return fn->f->ins.at[r].type == SM_F64 ? sm_from_bits(fn->ins[r].bits) : sm_cell_to_f64(fn->f->ins.at[r].type, fn->ins[r].bits);
+}
+
+// The result of a SAME operation, whatever type it is narrowed to.
+static uint64_t result(SmType type, SmF64 x)
+{
+    if (type == SM_F64)
+        return sm_is_nan(x) ? IR_NAN : sm_bits(x);
+    return sm_cell_from_f64(type, x);
+}
 
 static uint64_t fold(const CFn *fn, const IrIns *i)
 {
     const uint64_t cell_a = i->a != IR_NONE ? fn->ins[i->a].bits : 0, cell_b = i->b != IR_NONE ? fn->ins[i->b].bits : 0;
-    const SmF64 a = sm_from_bits(cell_a), b = sm_from_bits(cell_b);
+    const SmF64 a = number(fn, i->a), b = number(fn, i->b);
 
     switch (i->op) {
     case IR_const: return i->bits;
-    case IR_cvt: return sm_cell_from_f64(i->type, sm_cell_to_f64(fn->f->ins.at[i->a].type, cell_a));
-    case IR_add: return fold_f64(sm_add(a, b));
-    case IR_sub: return fold_f64(sm_sub(a, b));
-    case IR_mul: return fold_f64(sm_mul(a, b));
-    case IR_div: return fold_f64(sm_div(a, b));
-    case IR_neg: return fold_f64(sm_neg(a));
-    case IR_abs: return fold_f64(sm_abs(a));
-    case IR_floor: return fold_f64(sm_floor(a));
-    case IR_ceil: return fold_f64(sm_ceil(a));
-    case IR_trunc: return fold_f64(sm_trunc(a));
-    case IR_round: return fold_f64(sm_round(a));
-    case IR_sqrt: return fold_f64(sm_sqrt(a));
-    case IR_sign: return fold_f64(sm_sign(a));
-    case IR_min: return fold_f64(sm_min(a, b));
-    case IR_max: return fold_f64(sm_max(a, b));
+    case IR_cvt: return sm_cell_from_f64(i->type, a);
+    case IR_add: return result(i->type, sm_add(a, b));
+    case IR_sub: return result(i->type, sm_sub(a, b));
+    case IR_mul: return result(i->type, sm_mul(a, b));
+    case IR_div: return result(i->type, sm_div(a, b));
+    case IR_neg: return result(i->type, sm_neg(a));
+    case IR_abs: return result(i->type, sm_abs(a));
+    case IR_floor: return result(i->type, sm_floor(a));
+    case IR_ceil: return result(i->type, sm_ceil(a));
+    case IR_trunc: return result(i->type, sm_trunc(a));
+    case IR_round: return result(i->type, sm_round(a));
+    case IR_sqrt: return result(i->type, sm_sqrt(a));
+    case IR_sign: return result(i->type, sm_sign(a));
+    case IR_min: return result(i->type, sm_min(a, b));
+    case IR_max: return result(i->type, sm_max(a, b));
     case IR_eq: return sm_eq(a, b);
     case IR_ne: return !sm_eq(a, b);
     case IR_lt: return sm_lt(a, b);
@@ -93,7 +107,7 @@ static CVarUse *var_use(CFn *fn, uint32_t v)
 
     if (w->stamp != fn->stamp) {
         w->loads = 0;
-        w->stored = false;
+        w->stored = w->as_double = false;
         w->copy = NULL;
         w->stamp = fn->stamp;
     }
@@ -101,6 +115,14 @@ static CVarUse *var_use(CFn *fn, uint32_t v)
 }
 
 static bool has_two_ways(const CFn *fn, uint32_t b) { return fn->flow.other[b] != IR_NONE; }
+
+static void note_double(CFn *fn, const IrIns *i)
+{
+    const IrIns *a = i->op == IR_cvt && i->type == SM_F64 ? &fn->f->ins.at[i->a] : i;
+
+    if (a->op == IR_load)
+        var_use(fn, a->var)->as_double = true;
+}
 
 static void count_uses(CFn *fn, uint32_t b)
 {
@@ -119,6 +141,7 @@ static void count_uses(CFn *fn, uint32_t b)
             continue;
         use(fn, i->a);
         use(fn, i->b);
+        note_double(fn, i);
     }
 }
 
@@ -145,6 +168,7 @@ static void choose_copies(CFn *fn, uint32_t b)
         if (w->copy || w->stored || w->loads < 2)
             continue;
         w->copy = copy_name(fn, i->var);
+        w->copy_type = i->type == SM_F32 && !w->as_double ? SM_F32 : SM_F64;
         vec_push(fn->u->arena, &fn->copied, i->var);
     }
 }

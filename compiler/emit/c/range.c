@@ -107,7 +107,9 @@ static CRange convert(CRange a, SmType to)
     return range(sm_min(sm_max(a.lo, t.lo), t.hi), sm_max(sm_min(a.hi, t.hi), t.lo), false);
 }
 
-CRange range_of(const CFn *fn, const IrIns *i)
+static double rounded(double x) { return (double)sm_round_f32(x); }
+
+static CRange range_of_op(const CFn *fn, const IrIns *i)
 {
     const CRange a = i->a != IR_NONE ? fn->ins[i->a].range : anything(true);
     const CRange b = i->b != IR_NONE ? fn->ins[i->b].range : anything(true);
@@ -139,4 +141,11 @@ CRange range_of(const CFn *fn, const IrIns *i)
     case IR_store: case IR_sample: case IR_OP_COUNT: break;
     }
     return anything(true);
+}
+
+CRange range_of(const CFn *fn, const IrIns *i)
+{
+    const CRange r = range_of_op(fn, i);
+
+    return i->type == SM_F32 ? monotonic(rounded, r) : r;
 }

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// Conversions.  C's own stand where they do the same: where nothing can be NaN, saturate or lose more than the fraction.
+// Elsewhere the functions of stdlib do it.
+#include "compiler/emit/c/fn.h"
+#include "stdlib/convert.h"
+
+static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
+static void put(CFn *fn, const char *text) { buf_str(&fn->line, text); }
+static unsigned bits_of(SmType t) { return sm_type_info[t].bytes * 8u; }
+static bool is_signed(SmType t) { return sm_type_info[t].kind == SM_KIND_SIGNED; }
+static bool is_float(SmType t) { return sm_type_info[t].kind == SM_KIND_FLOAT; }
+
+// Whether an integer type holds every value of another.
+static bool holds_all(SmType to, SmType from)
+{
+    if (is_signed(from) && !is_signed(to))
+        return false;
+    return bits_of(to) > bits_of(from) || (bits_of(to) == bits_of(from) && is_signed(to) == is_signed(from));
+}
+
+bool is_widening(const CFn *fn, IrRef r)
+{
+    const IrIns *i = ins(fn, r);
+
+    return !fn->ins[r].is_const && fn->ins[r].how == C_INLINE && i->op == IR_cvt && c_is_integer(i->type) &&
+           c_is_integer(ins(fn, i->a)->type) && holds_all(i->type, ins(fn, i->a)->type);
+}
+
+void put_assigned(CFn *fn, IrRef r)
+{
+    while (is_widening(fn, r))
+        r = ins(fn, r)->a;
+    put_value(fn, r, PREC_ANY);
+}
+
+// ---- pieces ----
+
+static const char *const to_helper[SM_TYPE_COUNT] = {
+    [SM_I8] = "sm_to_i8", [SM_I16] = "sm_to_i16", [SM_I32] = "sm_to_i32", [SM_I64] = "sm_to_i64", [SM_U8] = "sm_to_u8",
+    [SM_U16] = "sm_to_u16", [SM_U32] = "sm_to_u32", [SM_U64] = "sm_to_u64", [SM_F32] = "sm_to_f32", [SM_F64] = "sm_to_f64",
+    [SM_BOOL] = "sm_to_bool",
+};
+
+// A truth as a number, spelled as the type of that number wants it.
+static void put_choice(CFn *fn, IrRef r, SmType to, int prec)
+{
+    const bool opened = open_parens(fn, PREC_ANY, prec);
+
+    put_condition(fn, r, false, PREC_OR);
+    put(fn, to == SM_F64 ? " ? 1.0 : 0.0" : to == SM_F32 ? " ? 1.0f : 0.0f" : to == SM_I64 ? " ? INT64_C(1) : 0" :
+        to == SM_I32 ? " ? INT32_C(1) : 0" : " ? 1 : 0");
+    close_parens(fn, opened);
+}
+
+// An F32 element where it is used: its checked reading gives a double.
+static bool is_read_here(const CFn *fn, IrRef r)
+{
+    const IrIns *i = ins(fn, r);
+
+    return i->op == IR_load && i->type == SM_F32 && fn->u->m->var.at[i->var].space == IR_ELEMENT && fn->ins[r].how == C_INLINE;
+}
+
+static void put_cast(CFn *fn, SmType to, IrRef r, int prec)
+{
+    const bool opened = open_parens(fn, PREC_UNARY, prec);
+
+    put(fn, "(");
+    put(fn, c_type_of(to));
+    put(fn, ")");
+    put_value(fn, r, PREC_PRIMARY);
+    close_parens(fn, opened);
+}
+
+void put_double(CFn *fn, IrRef r, int prec)
+{
+    const IrIns *i = ins(fn, r);
+
+    if (fn->ins[r].is_const && i->type != SM_F64)
+        put_constant(fn, r, SM_F64, sm_bits(sm_cell_to_f64(i->type, fn->ins[r].bits)));
+    else if (is_read_here(fn, r))
+        put_checked_load(fn, i, SM_F64);
+    else if (i->type == SM_F64)
+        put_value(fn, r, prec);
+    else if (i->type == SM_BOOL)
+        put_choice(fn, r, SM_F64, prec);
+    else
+        put_cast(fn, SM_F64, r, prec);
+}
+
+static void put_call_on_double(CFn *fn, const char *helper, IrRef r)
+{
+    put(fn, helper_use(fn->u, helper));
+    put(fn, "(");
+    put_double(fn, r, PREC_ANY);
+    put(fn, ")");
+}
+
+void put_not_zero(CFn *fn, IrRef r, bool negated, int prec)
+{
+    const bool opened = open_parens(fn, PREC_EQ, prec);
+    const SmType type = ins(fn, r)->type;
+
+    put_value(fn, r, PREC_REL);
+    put(fn, negated ? " == " : " != ");
+    put(fn, type == SM_F64 ? "0.0" : type == SM_F32 ? "0.0f" : "0");
+    close_parens(fn, opened);
+}
+
+// ---- integer to integer ----
+
+static const char *const least[SM_TYPE_COUNT] = {
+    [SM_I8] = "INT8_MIN", [SM_I16] = "INT16_MIN", [SM_I32] = "INT32_MIN", [SM_I64] = "INT64_MIN",
+    [SM_U8] = "0", [SM_U16] = "0", [SM_U32] = "0", [SM_U64] = "0",
+};
+static const char *const most[SM_TYPE_COUNT] = {
+    [SM_I8] = "INT8_MAX", [SM_I16] = "INT16_MAX", [SM_I32] = "INT32_MAX", [SM_I64] = "INT64_MAX",
+    [SM_U8] = "UINT8_MAX", [SM_U16] = "UINT16_MAX", [SM_U32] = "UINT32_MAX", [SM_U64] = "UINT64_MAX",
+};
+
+// The narrowest signed type that is computed in and holds all of `from`: I32 or I64.
+static SmType clipping_type(SmType from) { return holds_all(SM_I32, from) ? SM_I32 : SM_I64; }
+
+// r, or the limit of `to` that it is beyond.  Its own limit stands where that is the nearer one.
+static void put_clipped(CFn *fn, IrRef r, SmType to, int prec)
+{
+    const SmType from = ins(fn, r)->type, in = clipping_type(from);
+    const bool opened = open_parens(fn, PREC_UNARY, prec);
+
+    put(fn, "(");
+    put(fn, c_type_of(to));
+    put(fn, ")");
+    put(fn, helper_use(fn->u, from == SM_U64 ? "sm_clip_u64" : in == SM_I32 ? "sm_clip_i32" : "sm_clip_i64"));
+    put(fn, "(");
+    put_assigned(fn, r);
+    if (from != SM_U64)
+        buf_printf(&fn->line, ", %s", is_signed(to) && bits_of(to) > bits_of(in) ? least[in] : least[to]);
+    buf_printf(&fn->line, ", %s)", from == SM_U64 || holds_all(in, to) ? most[to] : most[in]);
+    close_parens(fn, opened);
+}
+
+// What is not exactly an F64 is rounded on its way.
+static bool goes_by_double(const CFn *fn, IrRef r, SmType to)
+{
+    const CRange range = fn->ins[r].range;
+
+    return bits_of(to) == 64 && bits_of(ins(fn, r)->type) == 64 && !(range.lo >= -9007199254740992.0 && range.hi <= 9007199254740992.0);
+}
+
+static void put_integer(CFn *fn, IrRef r, SmType to, int prec)
+{
+    const SmType from = ins(fn, r)->type;
+
+    if (goes_by_double(fn, r, to))
+        put_call_on_double(fn, to_helper[to], r);
+    else if (from == to)
+        put_value(fn, r, prec);
+    else if (holds_all(to, from) || range_fits(fn->ins[r].range, to))
+        put_cast(fn, to, r, prec);
+    else
+        put_clipped(fn, r, to, prec);
+}
+
+// ---- all of them ----
+
+static void put_to_float(CFn *fn, IrRef r, SmType to, int prec)
+{
+    const SmType from = ins(fn, r)->type;
+    const bool nan = is_float(from) && fn->ins[r].range.nan;
+
+    if (from == to && !nan)
+        put_value(fn, r, prec);
+    else if (to == SM_F64 && nan)
+        put_call_on_double(fn, "sm_to_f64", r);
+    else if (to == SM_F64)
+        put_double(fn, r, prec);
+    else if (from == SM_F32) {
+        put(fn, helper_use(fn->u, "sm_no_nan_f32"));
+        put(fn, "(");
+        put_value(fn, r, PREC_ANY);
+        put(fn, ")");
+    } else if (nan)
+        put_call_on_double(fn, "sm_to_f32", r);
+    else if (from == SM_F64 || bits_of(from) < 64)
+        put_cast(fn, SM_F32, r, prec);
+    else {
+        put(fn, "(float)");               // rounded twice, as an F64 on its way
+        put_cast(fn, SM_F64, r, PREC_UNARY);
+    }
+}
+
+static void put_to_bool(CFn *fn, IrRef r, int prec)
+{
+    if (fn->ins[r].range.nan)
+        put_call_on_double(fn, "sm_to_bool", r);
+    else
+        put_not_zero(fn, r, false, prec);
+}
+
+void put_cvt(CFn *fn, const IrIns *i, int prec)
+{
+    const SmType from = ins(fn, i->a)->type, to = i->type;
+
+    if (from == SM_F64 && integer_put_cvt(fn, i->a, to, prec))
+        return;
+    if (from == SM_BOOL && to == SM_BOOL)
+        put_value(fn, i->a, prec);
+    else if (from == SM_BOOL)
+        put_choice(fn, i->a, to, prec);
+    else if (to == SM_BOOL)
+        put_to_bool(fn, i->a, prec);
+    else if (is_float(to))
+        put_to_float(fn, i->a, to, prec);
+    else if (c_is_integer(from))
+        put_integer(fn, i->a, to, prec);
+    else if (range_fits(fn->ins[i->a].range, to))
+        put_cast(fn, to, i->a, prec);
+    else
+        put_call_on_double(fn, to_helper[to], i->a);
+}
