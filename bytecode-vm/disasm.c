@@ -180,7 +180,10 @@ static void operand(Out *o, uint32_t index)
         f64(o, sm_from_f32(sm_f32_from_bits(smvm_uint(o->m->image, o->m->f32s_at + 4 * payload, 4))));
     else if (p.kind == SMVM_K_F64)
         f64(o, sm_from_bits(smvm_cell(o->m->image, o->m->f64s_at + 8 * payload, 8)));
-    else {
+    else if (p.kind == SMVM_K_ACC) {
+        text(o, payload < SMVM_RAW ? "acc " : "acc");
+        text(o, payload < SMVM_RAW ? sm_type_info[p.type].spelling : "");
+    } else {
         text(o, "t");
         number(o, payload);
     }

@@ -38,6 +38,7 @@ enum {
     SMVM_KIND_BITS = 5
 };
 #define SMVM_PAYLOADS INT32_C(0x80000)                // as many payloads there are
+#define SMVM_RAW SM_TYPE_COUNT                        // beside the types: an F64 as it is, NaN included
 #define SMVM_INT_LEAST (-INT32_C(0x40000))
 #define SMVM_INT_MOST INT32_C(0x3ffff)
 

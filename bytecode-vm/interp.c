@@ -12,6 +12,7 @@
 typedef struct Run {
     SmVm *vm;
     uint32_t at;
+    union { uint64_t cell; SmF64 number; } acc;    // the accumulator, as it would lie in memory
 } Run;
 
 static uint32_t next(Run *r)                          // the next varint
@@ -34,7 +35,6 @@ static uint32_t next(Run *r)                          // the next varint
 static SmF64 constant(const SmVm *vm, uint8_t kind, uint32_t payload)
 {
     switch (kind) {
-    case SMVM_K_TEMP: return vm->temp[payload];
     case SMVM_K_TIME: return sm_from_u64(vm->last - vm->start);
     case SMVM_K_INT: return sm_from_i32((int32_t)payload - (payload > (uint32_t)SMVM_INT_MOST ? SMVM_PAYLOADS : 0));
     case SMVM_K_F32: return sm_from_f32(sm_f32_from_bits(smvm_uint(vm->image, vm->f32s + 4 * payload, 4)));
@@ -42,44 +42,61 @@ static SmF64 constant(const SmVm *vm, uint8_t kind, uint32_t payload)
     }
 }
 
-static uint8_t *memory_of(const SmVm *vm, uint8_t *kind, uint32_t payload)    // of an element or local; *kind becomes its type
+// Where an operand lies that can be written, and its type or SMVM_RAW; NULL for others.
+static void *memory_of(Run *r, uint8_t kind, uint32_t payload, uint8_t *type)
 {
+    const SmVm *vm = r->vm;
     uint8_t *base = vm->sv;
 
-    if (*kind >= SMVM_K_LOCAL) {
-        *kind -= SMVM_K_LOCAL;
+    *type = SMVM_RAW;
+    if (kind == SMVM_K_TEMP)
+        return &vm->temp[payload];
+    if (kind == SMVM_K_ACC) {
+        *type = (uint8_t)payload;
+        return &r->acc;
+    }
+    if (kind > SMVM_K_TEMP)
+        return NULL;
+    if (kind >= SMVM_K_LOCAL) {
+        kind -= SMVM_K_LOCAL;
         base = vm->local;
     }
-    return base + ((size_t)payload << smvm_type_shift(*kind));
+    *type = kind;
+    return base + ((size_t)payload << smvm_type_shift(kind));
+}
+
+static void *operand(Run *r, uint32_t index, uint8_t *kind, uint32_t *payload, uint8_t *type)
+{
+    uint32_t entry = smvm_u24(r->vm->image, r->vm->operands + 3 * index);
+
+    *kind = entry & ((1u << SMVM_KIND_BITS) - 1u);
+    *payload = entry >> SMVM_KIND_BITS;
+    return memory_of(r, *kind, *payload, type);
 }
 
 static SmF64 get(Run *r)
 {
-    const SmVm *vm = r->vm;
-    uint32_t entry = smvm_u24(vm->image, vm->operands + 3 * next(r));
-    uint8_t kind = entry & ((1u << SMVM_KIND_BITS) - 1u);
-    const uint8_t *p;
+    uint8_t kind, type;
+    uint32_t payload;
+    const void *p = operand(r, next(r), &kind, &payload, &type);
 
-    if (kind >= SMVM_K_TEMP)
-        return constant(vm, kind, entry >> SMVM_KIND_BITS);
-    p = memory_of(vm, &kind, entry >> SMVM_KIND_BITS);
-    return sm_load((SmType)kind, p);
+    if (p == NULL)
+        return constant(r->vm, kind, payload);
+    return type == SMVM_RAW ? *(const SmF64 *)p : sm_load((SmType)type, p);
 }
 
-static void put(const SmVm *vm, uint32_t operand, SmF64 x)
+static void put(Run *r, uint32_t index, SmF64 x)
 {
-    uint32_t entry = smvm_u24(vm->image, vm->operands + 3 * operand);
-    uint8_t kind = entry & ((1u << SMVM_KIND_BITS) - 1u);
-    uint8_t *p;
+    uint8_t kind, type;
+    uint32_t payload;
+    void *p = operand(r, index, &kind, &payload, &type);
 
-    if (kind == SMVM_K_TEMP) {
-        vm->temp[entry >> SMVM_KIND_BITS] = x;
-        return;
-    }
     if (kind < SMVM_K_LOCAL)
-        vm->stored[operand >> 3] |= (uint8_t)(1u << (operand & 7u));
-    p = memory_of(vm, &kind, entry >> SMVM_KIND_BITS);
-    sm_store((SmType)kind, p, x);
+        r->vm->stored[index >> 3] |= (uint8_t)(1u << (index & 7u));
+    if (type == SMVM_RAW)
+        *(SmF64 *)p = x;
+    else
+        sm_store((SmType)type, p, x);
 }
 
 // ---- operations ----
@@ -148,7 +165,7 @@ static void window(Run *r, uint8_t op)
     if (op == SMVM_sample)
         sm_roll_push(&r->vm->window[a], get(r));
     else
-        put(r->vm, a, sm_roll_stat(&r->vm->window[next(r)], (SmStat)(op - SMVM_avg)));
+        put(r, a, sm_roll_stat(&r->vm->window[next(r)], (SmStat)(op - SMVM_avg)));
 }
 
 static void compute(Run *r, uint8_t op)
@@ -156,7 +173,7 @@ static void compute(Run *r, uint8_t op)
     uint32_t d = next(r);
     SmF64 x = get(r);
 
-    put(r->vm, d, op < SMVM_add ? of_one(op, x) : of_two(op, x, get(r)));
+    put(r, d, op < SMVM_add ? of_one(op, x) : of_two(op, x, get(r)));
 }
 
 static void jump(Run *r, uint8_t op)
@@ -180,6 +197,7 @@ static uint32_t run(SmVm *vm, uint32_t function)
     if (start == smvm_uint(vm->image, vm->functions + function * vm->width, vm->width))
         return 0;
     r.vm = vm;
+    r.acc.cell = 0;
     r.at = vm->code + start;
     for (;;) {
         uint8_t op = smvm_u8(vm->image, r.at++);

@@ -129,6 +129,8 @@ SmvmOperand smvm_operand_at(SmvmBytes image, uint32_t at)
         o.type = (SmType)o.kind;
     else if (o.kind < SMVM_K_TEMP)
         o.type = (SmType)(o.kind - SMVM_K_LOCAL);
+    else if (o.kind == SMVM_K_ACC && o.payload < SMVM_RAW)
+        o.type = (SmType)o.payload;
     o.offset = o.payload << smvm_type_shift(o.type);
     return o;
 }

@@ -69,7 +69,7 @@ uint32_t smvm_longest_step(const SmvmMachine *m);
 // Where an operand lies: `kind` is a number of image.def, and for elements and locals type and byte offset are given too.
 typedef struct SmvmOperand {
     uint8_t kind;
-    SmType type;              // F64 where it is neither element nor local
+    SmType type;              // F64 where it has none
     uint32_t payload;
     uint32_t offset;          // payload times the type's size
 } SmvmOperand;

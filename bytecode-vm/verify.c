@@ -22,6 +22,8 @@ typedef struct Longest {
     uint32_t ends, leaves;    // the longest that ends with `end`, with `goto`; 0: none does
 } Longest;
 
+#define NONE UINT32_MAX                               // no operand
+
 typedef struct Check {
     SmvmVerdict *v;
     SmvmMachine m;
@@ -29,6 +31,7 @@ typedef struct Check {
     uint32_t start, end;      // the function it is in
     uint32_t far;             // how far a jump of the function has led
     uint32_t sampled;         // windows that have their sample
+    uint32_t held, holds;     // accumulators: the operand that the instruction before wrote, that this one writes; or NONE
     enum { IN_SAMPLE, IN_ENTRY, IN_STEP, IN_EXIT } in;
     Longest way;
 } Check;
@@ -135,6 +138,7 @@ static bool operand_exists(const SmvmMachine *m, const SmvmOperand *o)
     case SMVM_K_INT: return true;
     case SMVM_K_F32: return o->payload < m->f32s;
     case SMVM_K_F64: return o->payload < m->f64s;
+    case SMVM_K_ACC: return o->payload <= SMVM_RAW;
     default: return fits(o, o->kind < SMVM_K_LOCAL ? m->sv_size : m->locals);
     }
 }
@@ -259,11 +263,20 @@ static bool take(Check *c, uint32_t *value)
     return smvm_varint(c->m.image, &c->at, c->end, value) || fail(c, SMVM_R_TRUNCATED, c->at);
 }
 
+static bool is_acc(const SmvmMachine *m, uint32_t operand)
+{
+    return operand < m->operands && smvm_operand(m, operand).kind == SMVM_K_ACC;
+}
+
 static bool check_read(Check *c)
 {
     uint32_t at = c->at, operand;
 
-    return take(c, &operand) && (operand < c->m.operands || fail(c, SMVM_R_OPERAND, at));
+    if (!take(c, &operand))
+        return false;
+    if (operand >= c->m.operands)
+        return fail(c, SMVM_R_OPERAND, at);
+    return !is_acc(&c->m, operand) || operand == c->held || fail(c, SMVM_R_ACC, at);
 }
 
 static bool check_write(Check *c)
@@ -276,7 +289,9 @@ static bool check_write(Check *c)
     if (operand >= c->m.operands)
         return fail(c, SMVM_R_OPERAND, at);
     kind = smvm_operand(&c->m, operand).kind;
-    return operand < c->m.outputs || (kind >= SMVM_K_LOCAL && kind <= SMVM_K_TEMP) || fail(c, SMVM_R_WRITE, at);
+    if (kind == SMVM_K_ACC)
+        c->holds = operand;
+    return operand < c->m.outputs || (kind >= SMVM_K_LOCAL && kind <= SMVM_K_TEMP) || kind == SMVM_K_ACC || fail(c, SMVM_R_WRITE, at);
 }
 
 static bool check_window_used(Check *c, uint8_t op)
@@ -304,6 +319,23 @@ static bool check_goto(Check *c)
     return (state >= 1 && state <= c->m.states && (c->in == IN_ENTRY || c->in == IN_STEP)) || fail(c, SMVM_R_GOTO, at);
 }
 
+// Whether the instruction at `at`, if there is one, reads an accumulator.
+static bool reads_acc(const Check *c, uint32_t at)
+{
+    uint8_t shape = smvm_shape(smvm_u8(c->m.image, at++)), read = shape & (SMVM_SHAPE_X | SMVM_SHAPE_Y);
+    uint32_t number;
+
+    for (uint8_t part = SMVM_SHAPE_D; part <= SMVM_SHAPE_Y; part = (uint8_t)(part << 1)) {
+        if (!(shape & part))
+            continue;
+        if (!smvm_varint(c->m.image, &at, c->end, &number))
+            return false;
+        if ((read & part) && is_acc(&c->m, number))
+            return true;
+    }
+    return false;
+}
+
 static bool check_jump(Check *c)
 {
     uint32_t at = c->at, distance;
@@ -312,6 +344,8 @@ static bool check_jump(Check *c)
         return false;
     if (distance >= c->end - c->at || smvm_u8(c->m.image, c->at + distance) < SMVM_OP_LEAST)
         return fail(c, SMVM_R_JUMP, at);
+    if (reads_acc(c, c->at + distance))
+        return fail(c, SMVM_R_ACC, at);
     c->far = larger(c->far, c->at + distance);
     jump_to(&c->way, c->at + distance);
     return true;
@@ -326,6 +360,8 @@ static bool check_instruction(Check *c, uint8_t *shape)
     if (*shape == 0)
         return fail(c, SMVM_R_OPCODE, at);
     arrive(&c->way, at);
+    c->held = c->holds;
+    c->holds = NONE;
     if (((*shape & SMVM_SHAPE_D) && !check_write(c)) || ((*shape & SMVM_SHAPE_W) && !check_window_used(c, op))
         || ((*shape & SMVM_SHAPE_X) && !check_read(c)) || ((*shape & SMVM_SHAPE_Y) && !check_read(c))
         || ((*shape & SMVM_SHAPE_S) && !check_goto(c)) || ((*shape & SMVM_SHAPE_J) && !check_jump(c)))
@@ -340,6 +376,7 @@ static bool check_function(Check *c, uint32_t end)
     uint8_t shape = SMVM_SHAPE_E;
 
     c->at = c->far = c->start;
+    c->holds = NONE;
     c->end = end;
     memset(&c->way, 0, sizeof c->way);
     c->way.live = true;

@@ -43,7 +43,7 @@ U64 G
 U32 S
 [Idle]
 -- stdout --
-image of 466 bytes, format 1, crc 8715187e
+image of 466 bytes, format 1, crc 074c3d33
     section 01 IDENTITY   8 bytes at 52: 003740f815ec1432
     section 81 MACHINE    101 bytes at 60
     section 82 CODE       68 bytes at 161
@@ -53,7 +53,7 @@ image of 466 bytes, format 1, crc 8715187e
 machine 1 sub
     state vector    32 bytes, layout f4b2fddc
     states          2
-    memory          [..] bytes on this machine, of these 13 for locals
+    memory          [..] bytes on this machine, of these 12 for locals
     operands        18
     longest step    15 instructions
     output          F64@16 rate
@@ -67,8 +67,8 @@ machine 1 sub
 
 sample:
      0  sample  w0, pressure                    sub.sm:18
-     3  sub     t0, pressure, rate              sub.sm:19
-     7  sample  w1, t0
+     3  sub     acc, pressure, rate             sub.sm:19
+     7  sample  w1, acc
     10  end
 
 Hold.entry:
@@ -76,16 +76,16 @@ Hold.entry:
     14  end
 
 Hold.step:
-    15  avg     t0, w0                          sub.sm:18
-    18  mul     rate, t0, scale
-    22  range   t0, w1                          sub.sm:19
-    25  jnlt    0x1.7e43c8800759cp+996, t0, 38
+    15  avg     acc, w0                         sub.sm:18
+    18  mul     rate, acc, scale
+    22  range   acc, w1                         sub.sm:19
+    25  jnlt    0x1.7e43c8800759cp+996, acc, 38
     29  jf      armed, 38
     32  add     count, count, 0.5               sub.sm:20
     36  goto    Vent                            sub.sm:21
     38  le      local bool@11, 10.5, pressure   sub.sm:23
-    42  lt      local bool@12, T, 1000000
-    46  or      armed, local bool@11, local bool@12
+    42  lt      acc bool, T, 1000000
+    46  or      armed, local bool@11, acc bool
     50  end
 
 Hold.exit:
@@ -93,12 +93,12 @@ Hold.exit:
     54  end
 
 Vent.step:
-    55  neg     t0, rate                        sub.sm:28
-    58  sqrt    rate, t0
+    55  neg     acc, rate                       sub.sm:28
+    58  sqrt    rate, acc
     61  jnlt    limit, count, 67                sub.sm:29
     65  goto    Hold
     67  end
-image of 237 bytes, format 1, crc 024bc8b5
+image of 237 bytes, format 1, crc b6097a4e
     section 01 IDENTITY   8 bytes at 44: 003740f815ec1432
     section 81 MACHINE    101 bytes at 52
     section 82 CODE       68 bytes at 153
@@ -107,7 +107,7 @@ image of 237 bytes, format 1, crc 024bc8b5
 machine 1 
     state vector    32 bytes, layout f4b2fddc
     states          2
-    memory          [..] bytes on this machine, of these 13 for locals
+    memory          [..] bytes on this machine, of these 12 for locals
     operands        18
     longest step    15 instructions
     output          F64@16
@@ -121,8 +121,8 @@ machine 1
 
 sample:
      0  sample  w0, F32@12
-     3  sub     t0, F32@12, F64@16
-     7  sample  w1, t0
+     3  sub     acc, F32@12, F64@16
+     7  sample  w1, acc
     10  end
 
 state 1.entry:
@@ -130,16 +130,16 @@ state 1.entry:
     14  end
 
 state 1.step:
-    15  avg     t0, w0
-    18  mul     F64@16, t0, local F64@0
-    22  range   t0, w1
-    25  jnlt    0x1.7e43c8800759cp+996, t0, 38
+    15  avg     acc, w0
+    18  mul     F64@16, acc, local F64@0
+    22  range   acc, w1
+    25  jnlt    0x1.7e43c8800759cp+996, acc, 38
     29  jf      local bool@10, 38
     32  add     I8@24, I8@24, 0.5
     36  goto    state 2
     38  le      local bool@11, 10.5, F32@12
-    42  lt      local bool@12, T, 1000000
-    46  or      local bool@10, local bool@11, local bool@12
+    42  lt      acc bool, T, 1000000
+    46  or      local bool@10, local bool@11, acc bool
     50  end
 
 state 1.exit:
@@ -147,8 +147,8 @@ state 1.exit:
     54  end
 
 state 2.step:
-    55  neg     t0, F64@16
-    58  sqrt    F64@16, t0
+    55  neg     acc, F64@16
+    58  sqrt    F64@16, acc
     61  jnlt    local U16@8, I8@24, 67
     65  goto    state 1
     67  end

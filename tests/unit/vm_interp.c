@@ -222,6 +222,33 @@ static void types(void)
         }
 }
 
+// An accumulator of each type gives what a local of that type does; one of none what a temp does.
+static void accumulators(void)
+{
+    static const double in[] = {-300.5, 300.5, 0.1, -0.0, 1e300, NAN, 3, 5000000000};
+
+    for (unsigned type = 0; type <= SM_TYPE_COUNT; type++)
+        for (unsigned i = 0; i < sizeof in / sizeof *in; i++) {
+            double out[2];
+            for (int acc = 0; acc < 2; acc++) {
+                Machine t;
+                Build b;
+                begin(&b);
+                b.locals = 16;
+                b.operand[LOCAL_F32] = LOCAL(F32, 8);
+                b.operand[SINGLE] = acc ? OPERAND(27, type) : type == SM_TYPE_COUNT ? OPERAND(22, 0) : OPERAND(11 + type, 0);
+                code(&b, SMVM_div, 3, TEMP, X, X);    // (so that a NaN comes that is not stored)
+                code(&b, i == 5 ? SMVM_mov : SMVM_add, i == 5 ? 2 : 3, SINGLE, i == 5 ? TEMP : X, Y);
+                code(&b, SMVM_ne, 3, LOCAL_F32, SINGLE, SINGLE);
+                code(&b, i == 5 ? SMVM_mov : SMVM_add, i == 5 ? 2 : 3, SINGLE, i == 5 ? TEMP : X, Y);
+                code(&b, SMVM_add, 3, OUT, SINGLE, LOCAL_F32);
+                CHECK(run(&t, &b, i == 5 ? 0 : in[i], -0.0));
+                out[acc] = f64_at(&t, 16);
+            }
+            CHECK(same(out[0], out[1]));
+        }
+}
+
 // Varints of two and four bytes as operand numbers.
 static void many_operands(void)
 {
@@ -555,6 +582,7 @@ int main(void)
     not_a_number();
     operand_kinds();
     types();
+    accumulators();
     many_operands();
     jumping();
     wide();

@@ -141,7 +141,7 @@ static void every_opcode(void)
 {
     static uint8_t image[4096];
     const uint32_t operand[] = {ELEMENT(F32, 16), ELEMENT(I64, 24), ELEMENT(U64, 0), ELEMENT(U32, 8), LOCAL(I8, 1), LOCAL(F64, 8), OPERAND(22, 0),
-                                OPERAND(23, 0), OPERAND(24, 0x40000), OPERAND(25, 0), OPERAND(26, 0)};
+                                OPERAND(23, 0), OPERAND(24, 0x40000), OPERAND(25, 0), OPERAND(26, 0), OPERAND(27, 11), OPERAND(27, SM_I16)};
     Build b;
 
     memset(&b, 0, sizeof b);
@@ -153,7 +153,7 @@ static void every_opcode(void)
     b.window[0] = WINDOW(100, 31);
     b.f32[0] = 0xff800000;
     b.f64[0] = 1;
-    b.operands = 11;
+    b.operands = 13;
     memcpy(b.operand, operand, sizeof operand);
     code(&b, SMVM_sample, 2, 0, 5);
     code(&b, SMVM_end, 0);
@@ -172,6 +172,9 @@ static void every_opcode(void)
             else if (shape == (SMVM_SHAPE_X | SMVM_SHAPE_Y | SMVM_SHAPE_J))
                 code(&b, op, 3, (op + f) % 11, op % 7, 0);
         }
+        code(&b, SMVM_add, 3, 11, 4, 5);
+        code(&b, SMVM_mul, 3, 12, 11, 11);
+        code(&b, SMVM_jnlt, 3, 12, 5, 0);
         code(&b, SMVM_jt, 2, 4, 1);
         code(&b, SMVM_end, 0);
         code(&b, f % 3 == 2 ? SMVM_end : SMVM_goto, f % 3 == 2 ? 0 : 1, 1 + f % 2);

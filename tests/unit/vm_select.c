@@ -123,15 +123,15 @@ static void folds(void)
 static void rounds(void)
 {
     // A conversion in the middle of an expression rounds.
-    expect("%0 = load F64 a\n %1 = cvt F32 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "mov local F32@0, a; mov b, local F32@0; end");
-    expect("%0 = load F64 a\n %1 = cvt U8 %0\n %2 = cvt F64 %1\n %3 = cvt U16 %2\n store U16 l, %3\n ret\n}", "mov local U8@2, a; mov l, local U8@2; end");
+    expect("%0 = load F64 a\n %1 = cvt F32 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "mov acc F32, a; mov b, acc F32; end");
+    expect("%0 = load F64 a\n %1 = cvt U8 %0\n %2 = cvt F64 %1\n %3 = cvt U16 %2\n store U16 l, %3\n ret\n}", "mov acc U8, a; mov l, acc U8; end");
     expect("%0 = load F64 a\n %1 = cvt F32 %0\n %2 = cvt F64 %1\n %3 = add F64 %2, %2\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
-           "mov local F32@0, a; add b, local F32@0, local F32@0; end");
+           "mov acc F32, a; add b, acc F32, acc F32; end");
     // NaN to 0 does, where there can be one, and costs nothing where there is none.
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = cvt F64 %1\n %3 = neg F64 %2\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
-           "sqrt local F64@0, a; neg b, local F64@0; end");
+           "sqrt acc F64, a; neg b, acc F64; end");
     expect("%0 = const F64 0x7ff8000000000000\n %1 = cvt F64 %0\n %2 = const F64 0\n %3 = eq F64 %1, %2\n store bool p, %3\n ret\n}",
-           "mov local F64@0, nan; eq p, local F64@0, 0; end");
+           "mov acc F64, nan; eq p, acc F64, 0; end");
     expect("%0 = load F64 a\n %1 = cvt F64 %0\n %2 = neg F64 %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}", "neg b, a; end");
 }
 
@@ -147,11 +147,11 @@ static void moments(void)
            "mov local bool@2, p; mov p, 1; jf local bool@2, 11; goto A; end");
     expect("%0 = const U8 1\n store U8 n, %0\n %1 = load U8 n\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "mov n, 1; mov b, n; end");
     // What is used twice is computed once.
-    expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = mul F64 %1, %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}", "sqrt t0, a; mul b, t0, t0; end");
+    expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = mul F64 %1, %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}", "sqrt acc, a; mul b, acc, acc; end");
     // Temps are used again; what nobody uses is not computed.
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = floor F64 %0\n %3 = add F64 %1, %2\n %4 = ceil F64 %0\n %5 = mul F64 %3, %4\n"
            "%6 = cvt F64 %5\n store F64 b, %6\n %7 = div F64 %5, %5\n ret\n}",
-           "sqrt t0, a; floor t1, a; add t0, t0, t1; ceil t1, a; mul b, t0, t1; end");
+           "sqrt t0, a; floor acc, a; add t0, t0, acc; ceil acc, a; mul b, t0, acc; end");
 }
 
 static void conditions(void)
@@ -180,19 +180,19 @@ static void narrowed(void)
 {
     expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = const I32 1\n %3 = add I32 %1, %2\n %4 = cvt U8 %3\n store U8 n, %4\n ret\n}", "add n, n, 1; end");
     expect("%0 = load U8 n\n %1 = cvt I64 %0\n %2 = cvt F64 %1\n %3 = cvt I16 %1\n %4 = cvt F64 %3\n %5 = sub F64 %2, %4\n store F64 b, %5\n ret\n}",
-           "mov local I16@2, n; sub b, n, local I16@2; end");
+           "mov acc I16, n; sub b, n, acc I16; end");
     expect("%0 = load I64 i\n %1 = const I64 -5\n %2 = lt I64 %0, %1\n br %2, b1, b2\nb1:\n goto A\nb2:\n ret\n}", "jnlt i, -5, 6; goto A; end");
     expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = mul I32 %1, %1\n %3 = add I32 %2, %2\n %4 = cvt I64 %3\n store I64 i, %4\n ret\n}",
-           "mul local I32@0, n, n; add i, local I32@0, local I32@0; end");
+           "mul acc I32, n, n; add i, acc I32, acc I32; end");
     expect("%0 = load F32 f\n %1 = add F32 %0, %0\n %2 = cvt F32 %1\n %3 = div F32 %2, %0\n %4 = cvt F32 %3\n store F32 f, %4\n ret\n}",
-           "add local F32@0, f, f; div f, local F32@0, f; end");
+           "add acc F32, f, f; div f, acc F32, f; end");
     // From any type to any other: what can change the number stays, what is cut again by the destination goes.
     expect("%0 = load I64 i\n %1 = cvt I32 %0\n %2 = cvt U16 %1\n store U16 l, %2\n ret\n}", "mov l, i; end");
-    expect("%0 = load I64 i\n %1 = cvt I32 %0\n %2 = cvt I8 %1\n %3 = cvt U16 %2\n store U16 l, %3\n ret\n}", "mov local I8@2, i; mov l, local I8@2; end");
-    expect("%0 = load F32 f\n %1 = cvt I8 %0\n %2 = cvt F32 %1\n store F32 f, %2\n ret\n}", "mov local I8@2, f; mov f, local I8@2; end");
-    expect("%0 = load I64 i\n %1 = cvt F32 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "mov local F32@0, i; mov b, local F32@0; end");
+    expect("%0 = load I64 i\n %1 = cvt I32 %0\n %2 = cvt I8 %1\n %3 = cvt U16 %2\n store U16 l, %3\n ret\n}", "mov acc I8, i; mov l, acc I8; end");
+    expect("%0 = load F32 f\n %1 = cvt I8 %0\n %2 = cvt F32 %1\n store F32 f, %2\n ret\n}", "mov acc I8, f; mov f, acc I8; end");
+    expect("%0 = load I64 i\n %1 = cvt F32 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "mov acc F32, i; mov b, acc F32; end");
     expect("%0 = load I64 i\n %1 = cvt bool %0\n %2 = cvt I32 %1\n %3 = cvt I64 %2\n store I64 i, %3\n ret\n}", "truth i, i; end");
-    expect("%0 = load I64 i\n %1 = cvt U8 %0\n %2 = cvt bool %1\n br %2, b1, b2\nb1:\n goto A\nb2:\n ret\n}", "mov local U8@2, i; jf local U8@2, 8; goto A; end");
+    expect("%0 = load I64 i\n %1 = cvt U8 %0\n %2 = cvt bool %1\n br %2, b1, b2\nb1:\n goto A\nb2:\n ret\n}", "mov acc U8, i; jf acc U8, 8; goto A; end");
 }
 
 // ---- what runs ----

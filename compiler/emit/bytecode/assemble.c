@@ -92,6 +92,7 @@ uint32_t bc_operand_entry(const BcMachine *m, const BcOperand *o)
     case BC_VAR: return bc_var_entry(m, o->var);
     case BC_SCRATCH: return entry(SMVM_K_LOCAL + (uint32_t)o->type, m->scratch_at[o->type] / sm_type_info[o->type].bytes + o->index);
     case BC_TEMP: return entry(SMVM_K_TEMP, o->index);
+    case BC_ACC: return entry(SMVM_K_ACC, o->index);
     case BC_CONST: return const_entry(o);
     }
     return UINT32_MAX;

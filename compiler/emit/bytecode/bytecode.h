@@ -22,6 +22,7 @@ typedef enum BcOperandKind {
     BC_VAR,                   // element, local or T: `var`
     BC_SCRATCH,               // a local that no source names, of type `type`; the `index`-th of its type
     BC_TEMP,                  // the `index`-th temp
+    BC_ACC,                   // what the instruction before wrote, kept as `index`, a type or SMVM_RAW
     BC_CONST                  // the F64 with these `bits`
 } BcOperandKind;
 
@@ -43,6 +44,7 @@ typedef struct BcIns {
     uint8_t op;
     BcRef d, x, y;
     uint32_t w, to;
+    uint32_t reads;           // how often what it writes in a slot is read; 0 where it is no slot
     Span span;
     uint32_t at;              // offset in its function (assemble.c)
 } BcIns;

@@ -143,6 +143,9 @@ static BcRef choose_slot(Select *s, IrRef r, BcRef d)            // d, or a new 
     return d != BC_NONE ? d : (s->value[r].slot = bc_slot_take(s, pool_of(s, r)));
 }
 
+// How often r will be read from the slot that was taken for it; d as above.
+static uint32_t reads_of(const Select *s, IrRef r, BcRef d) { return d != BC_NONE ? 0 : s->value[r].waits ? 1 : s->value[r].left; }
+
 // Both operands; the deeper one is computed first, which keeps the other's slot free for it.
 static void operands(Select *s, IrRef a, IrRef b, BcRef *x, BcRef *y)
 {
@@ -159,11 +162,11 @@ static void operands(Select *s, IrRef a, IrRef b, BcRef *x, BcRef *y)
 
 static void compute_two(Select *s, IrRef r, BcRef d, IrRef a, IrRef b, uint8_t op, bool swap)
 {
-    BcRef x, y;
+    BcRef x, y, slot;
 
     operands(s, a, b, &x, &y);
-    d = choose_slot(s, r, d);
-    bc_put_dxy(s, op, d, swap ? y : x, swap ? x : y);
+    slot = choose_slot(s, r, d);
+    bc_put_dxy(s, op, slot, swap ? y : x, swap ? x : y)->reads = reads_of(s, r, d);
 }
 
 static void compute_one(Select *s, IrRef r, BcRef d, IrRef a, uint8_t op)
@@ -171,17 +174,17 @@ static void compute_one(Select *s, IrRef r, BcRef d, IrRef a, uint8_t op)
     BcRef x = operand(s, a);
 
     used(s, source(s, a), x);
-    bc_put_dxy(s, op, choose_slot(s, r, d), x, BC_NONE);
+    bc_put_dxy(s, op, choose_slot(s, r, d), x, BC_NONE)->reads = reads_of(s, r, d);
 }
 
 static void compute_stat(Select *s, const IrIns *stat, IrRef r, BcRef d)
 {
-    BcIns *i;
+    BcRef slot = choose_slot(s, r, d);
+    BcIns *i = bc_put(s, (uint8_t)((unsigned)SMVM_avg + (unsigned)stat->stat));
 
-    d = choose_slot(s, r, d);
-    i = bc_put(s, (uint8_t)((unsigned)SMVM_avg + (unsigned)stat->stat));
-    i->d = bc_count(s, d);
-    s->m->operand.at[d].stored = true;
+    i->d = bc_count(s, slot);
+    i->reads = reads_of(s, r, d);
+    s->m->operand.at[slot].stored = true;
     i->w = s->m->window_number[stat->var];
 }
 
@@ -396,7 +399,7 @@ static void place(Select *s, IrRef r)                            // computes r w
 
     if (ins(s, r)->op == IR_load) {
         d = bc_slot_take(s, pool_of(s, r));
-        bc_put_dxy(s, SMVM_mov, d, bc_var_operand(s, ins(s, r)->var), BC_NONE);
+        bc_put_dxy(s, SMVM_mov, d, bc_var_operand(s, ins(s, r)->var), BC_NONE)->reads = v->left;
         v->slot = d;
     } else {
         compute(s, r);
@@ -510,6 +513,7 @@ static void select_function(Select *s, const IrFn *f, BcFn *out)
         if (kept[b])
             select_block(s, b, next);
     }
+    bc_use_acc(s);
 }
 
 // A function that does nothing needs no code.
@@ -552,4 +556,5 @@ void bc_select(Arena *arena, BcMachine *out, const IrMachine *m)
         for (int b = 0; b < BLOCK_COUNT; b++)
             if (m->state.at[i].block[b] && !does_nothing(m->state.at[i].block[b]))
                 select_function(&s, m->state.at[i].block[b], &out->fn[1 + 3 * i + (size_t)b]);
+    bc_drop_unused(&s);
 }

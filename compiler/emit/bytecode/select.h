@@ -26,6 +26,7 @@ typedef struct Select {
     uint32_t *store_at;       // by variable: position + 1 of the next store to it…
     uint32_t *store_in;       // …in block store_in - 1
     VEC(BcRef) free[SM_TYPE_COUNT + 1];       // slots nobody uses: scratch of each type, BC_TEMPS
+    BcRef acc[SM_TYPE_COUNT + 1];             // accumulators by pool; 0: none yet, for operand 0 is G
     Span span;                // of what is being selected
     uint32_t *label;          // by block: its label
     IrBlkRef *through;        // by block: itself, or where it leads if it only jumps
@@ -46,6 +47,8 @@ void bc_slot_give(Select *s, BcRef r);                // back, if it is one
 BcIns *bc_put(Select *s, uint8_t op);
 BcRef bc_count(Select *s, BcRef r);                   // r, used once more
 BcIns *bc_put_dxy(Select *s, uint8_t op, BcRef d, BcRef x, BcRef y);
+void bc_use_acc(Select *s);                           // keeps in an accumulator what only the next instruction reads
+void bc_drop_unused(Select *s);                       // operands, when all functions are there
 uint32_t bc_label_new(Select *s);
 void bc_label_here(Select *s, uint32_t label);
 

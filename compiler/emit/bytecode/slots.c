@@ -2,6 +2,7 @@
 // What instructions name: variables, numbers, and slots for what an operation gives; and how they are put out.
 #include <string.h>
 
+#include "bytecode-vm/image.h"
 #include "compiler/emit/bytecode/select.h"
 
 // ---- operands ----
@@ -122,6 +123,77 @@ BcIns *bc_put_dxy(Select *s, uint8_t op, BcRef d, BcRef x, BcRef y)
         i->y = bc_count(s, y);
     return i;
 }
+
+// ---- accumulators ----
+
+static BcRef acc_like(Select *s, BcRef slot)          // the one that keeps a number as the slot does
+{
+    size_t pool = s->m->operand.at[slot].kind == BC_TEMP ? (size_t)BC_TEMPS : (size_t)s->m->operand.at[slot].type;
+
+    if (s->acc[pool] == 0) {
+        s->acc[pool] = add_operand(s, BC_ACC, s->m->operand.at[slot].type);
+        s->m->operand.at[s->acc[pool]].index = (uint32_t)pool;
+    }
+    return s->acc[pool];
+}
+
+static void rename(Select *s, BcRef *r, BcRef from, BcRef to)
+{
+    if (*r != from)
+        return;
+    s->m->operand.at[from].uses--;
+    *r = bc_count(s, to);
+}
+
+void bc_use_acc(Select *s)
+{
+    BcIns *ins = s->out->ins.at;
+    bool *target = ARENA_ARRAY(s->arena, bool, s->out->ins.n + 1);
+
+    for (size_t i = 0; i < s->out->ins.n; i++)
+        if (smvm_shape(ins[i].op) & SMVM_SHAPE_J)
+            target[s->out->label.at[ins[i].to]] = true;
+    for (size_t i = 0; i + 1 < s->out->ins.n; i++) {
+        BcRef d = ins[i].d;
+        if (ins[i].reads == 0 || target[i + 1] || ins[i].reads != (uint32_t)(ins[i + 1].x == d) + (uint32_t)(ins[i + 1].y == d))
+            continue;
+        rename(s, &ins[i].d, d, acc_like(s, d));
+        rename(s, &ins[i + 1].x, d, ins[i].d);
+        rename(s, &ins[i + 1].y, d, ins[i].d);
+    }
+}
+
+static bool is_slot(const BcOperand *o) { return o->kind == BC_TEMP || o->kind == BC_SCRATCH; }
+
+// Slots that accumulators have replaced everywhere; the others get new numbers.
+void bc_drop_unused(Select *s)
+{
+    BcMachine *m = s->m;
+    BcRef *now = ARENA_ARRAY(s->arena, BcRef, m->operand.n);
+    size_t n = 0;
+
+    m->temps = 0;
+    memset(m->scratches, 0, sizeof m->scratches);
+    for (size_t i = 0; i < m->operand.n; i++) {
+        BcOperand *o = &m->operand.at[i];
+        if (is_slot(o) && o->uses == 0)
+            continue;
+        if (is_slot(o))
+            o->index = o->kind == BC_TEMP ? m->temps++ : m->scratches[o->type]++;
+        now[i] = (BcRef)n;
+        m->operand.at[n++] = *o;
+    }
+    m->operand.n = n;
+    for (size_t f = 0; f < m->fns; f++)
+        for (size_t i = 0; i < m->fn[f].ins.n; i++) {
+            BcIns *ins = &m->fn[f].ins.at[i];
+            ins->d = ins->d == BC_NONE ? BC_NONE : now[ins->d];
+            ins->x = ins->x == BC_NONE ? BC_NONE : now[ins->x];
+            ins->y = ins->y == BC_NONE ? BC_NONE : now[ins->y];
+        }
+}
+
+// ---- labels ----
 
 uint32_t bc_label_new(Select *s)
 {
