@@ -12,9 +12,27 @@ enum {
     FACT_USES = 1         // how many operands and jumps name each instruction
 };
 
+// What a pass notes of each variable while it walks a block.  One table serves all functions, for a machine may have as many
+// states as variables: begin_block makes all notes empty at once.
+typedef struct VarNote {
+    uint32_t block;       // in which block it was made: run.c's own count
+    IrRef ref, load;
+    bool stored;
+} VarNote;
+
+typedef struct VarNotes {
+    VarNote *at;          // by variable
+    uint32_t block;       // the present one
+} VarNotes;
+
+void notes_begin_block(VarNotes *n);
+VarNote *notes_of(VarNotes *n, uint32_t var);         // empty (IR_NONE, false) if nothing was noted in this block
+
 typedef struct Facts {
     unsigned valid;       // which of the following hold
     uint32_t *uses;       // by instruction
+    const IrMachine *m;   // whose function it is
+    VarNotes *notes;      // free for use by a pass
 } Facts;
 
 // A pass over one function.  It may change `facts` along with the function.
@@ -24,18 +42,19 @@ typedef void PassMachineFn(Arena *arena, IrMachine *m);
 typedef struct PassInfo {
     const char *name;
     unsigned needs, breaks;
-    int level;
     const char *sentence;
     PassFn *on_function;              // one of the two
     PassMachineFn *on_machine;
 } PassInfo;
 
 typedef enum PassId {
-#define PASS(name, needs, breaks, level, sentence) PASS_##name,
-#define PASS_MACHINE(name, needs, breaks, level, sentence) PASS_##name,
+#define PASS(name, needs, breaks, sentence) PASS_##name,
+#define PASS_MACHINE(name, needs, breaks, sentence) PASS_##name,
+#define RUN(level, name)
 #include "compiler/passes/passes.def"
 #undef PASS
 #undef PASS_MACHINE
+#undef RUN
     PASS_COUNT
 } PassId;
 
@@ -56,10 +75,12 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o);
 
 // ---- the passes, each in its own file ----
 
-#define PASS(name, needs, breaks, level, sentence) void pass_##name(Arena *arena, IrFn *f, Facts *facts);
-#define PASS_MACHINE(name, needs, breaks, level, sentence) void pass_##name(Arena *arena, IrMachine *m);
+#define PASS(name, needs, breaks, sentence) void pass_##name(Arena *arena, IrFn *f, Facts *facts);
+#define PASS_MACHINE(name, needs, breaks, sentence) void pass_##name(Arena *arena, IrMachine *m);
+#define RUN(level, name)
 #include "compiler/passes/passes.def"
 #undef PASS
 #undef PASS_MACHINE
+#undef RUN
 
 #endif

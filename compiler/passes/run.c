@@ -5,11 +5,25 @@
 #include "compiler/passes/pass.h"
 
 const PassInfo pass_info[PASS_COUNT] = {
-#define PASS(name, needs, breaks, level, sentence) {#name, needs, breaks, level, sentence, pass_##name, NULL},
-#define PASS_MACHINE(name, needs, breaks, level, sentence) {#name, needs, breaks, level, sentence, NULL, pass_##name},
+#define PASS(name, needs, breaks, sentence) {#name, needs, breaks, sentence, pass_##name, NULL},
+#define PASS_MACHINE(name, needs, breaks, sentence) {#name, needs, breaks, sentence, NULL, pass_##name},
+#define RUN(level, name)
 #include "compiler/passes/passes.def"
 #undef PASS
 #undef PASS_MACHINE
+#undef RUN
+};
+
+typedef struct PassRun { int level; PassId pass; } PassRun;
+
+static const PassRun runs[] = {
+#define PASS(name, needs, breaks, sentence)
+#define PASS_MACHINE(name, needs, breaks, sentence)
+#define RUN(level, name) {level, PASS_##name},
+#include "compiler/passes/passes.def"
+#undef PASS
+#undef PASS_MACHINE
+#undef RUN
 };
 
 typedef struct Runner {
@@ -17,6 +31,7 @@ typedef struct Runner {
     IrMachine *m;
     const PassOptions *o;
     Facts *facts;                     // of the sample function, then of every state's functions
+    VarNotes notes;
 } Runner;
 
 static const PassInfo *find_n(const char *name, size_t n)
@@ -31,6 +46,24 @@ const PassInfo *pass_find(const char *name)
 {
     return find_n(name, strlen(name));
 }
+
+// ---- notes on variables ----
+
+void notes_begin_block(VarNotes *n) { n->block++; }
+
+VarNote *notes_of(VarNotes *n, uint32_t var)
+{
+    VarNote *note = &n->at[var];
+
+    if (note->block != n->block) {
+        note->block = n->block;
+        note->ref = note->load = IR_NONE;
+        note->stored = false;
+    }
+    return note;
+}
+
+// ---- running ----
 
 static void run_on_function(Runner *r, const PassInfo *pass, IrFn *f, Facts *facts)
 {
@@ -96,16 +129,28 @@ static const char *run_named(Runner *r, const char *list)
     return wrong;
 }
 
+static void prepare_facts(Runner *r)
+{
+    size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
+
+    r->facts = ARENA_ARRAY(r->arena, Facts, functions);
+    r->notes.at = ARENA_ARRAY(r->arena, VarNote, r->m->var.n);
+    for (size_t f = 0; f < functions; f++) {
+        r->facts[f].m = r->m;
+        r->facts[f].notes = &r->notes;
+    }
+}
+
 const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
 {
-    Runner r = {arena, m, o, NULL};
+    Runner r = {arena, m, o, NULL, {NULL, 0}};
     const char *wrong = check(&r, "before the first pass");
 
-    r.facts = ARENA_ARRAY(arena, Facts, 1 + m->state.n * BLOCK_COUNT);
+    prepare_facts(&r);
     if (!wrong && o->only)
         return run_named(&r, o->only);
-    for (int p = 0; !wrong && p < PASS_COUNT; p++)
-        if (pass_info[p].level <= o->level)
-            wrong = run_pass(&r, &pass_info[p]);
+    for (size_t p = 0; !wrong && p < sizeof runs / sizeof runs[0]; p++)
+        if (runs[p].level <= o->level)
+            wrong = run_pass(&r, &pass_info[runs[p].pass]);
     return wrong;
 }
