@@ -11,9 +11,12 @@ static bool is_const(const IrFn *f, IrRef ref)
     return f->ins.at[ref].op == IR_const;
 }
 
+// Of a constant of any type: a narrowed operation gives what it gives on F64.  NaN is one only as an F64, and stays one.
 static SmF64 f64_of(const IrFn *f, IrRef ref)
 {
-    return sm_from_bits(f->ins.at[ref].bits);
+    const IrIns *i = &f->ins.at[ref];
+
+    return i->type == SM_F64 ? sm_from_bits(i->bits) : sm_cell_to_f64(i->type, i->bits);
 }
 
 static void become(IrIns *i, uint64_t bits)
@@ -23,9 +26,13 @@ static void become(IrIns *i, uint64_t bits)
     i->bits = bits;
 }
 
+// The result in the operation's type.  (Of a NaN in F32 all that is asked is its F32, which is 0.)
 static void become_f64(IrIns *i, SmF64 x)
 {
-    become(i, sm_is_nan(x) ? IR_NAN : sm_bits(x));
+    if (i->type == SM_F64)
+        become(i, sm_is_nan(x) ? IR_NAN : sm_bits(x));
+    else
+        become(i, sm_cell_from_f64(i->type, x));
 }
 
 static void fold_cvt(const IrFn *f, IrIns *i)

@@ -1,43 +1,109 @@
 // SPDX-License-Identifier: Apache-2.0
 // identity: an operation that gives a temporary's value unchanged is left out, and its users name that temporary instead.
-//   cvt there and back       U8 to F64 to U8: an F64 holds every value of the type exactly (not of I64 and U64)
-//   cvt of an F64 to F64     when it cannot be NaN: then there is nothing to change
-//   and, or with a number    that does not decide; or with the same operand twice
+//   x * 1, x / 1             exact, signs of zero included
+//   x - 0, x + -0            likewise: -0 - 0 is -0, and 0 + -0 is 0.  x + 0 is not x if x is -0: only of integers, and of what
+//                            comes of a conversion from one or of abs
+//   --x, min(x, x), max(x, x)
+//   floor, ceil, trunc, round of what is whole because such a one or an integer made it: whole numbers, infinities, NaN and
+//                            the sign of zero stay as they are
+//   cvt there and back       U8 to F64 to U8: when the type between holds every value of the other exactly
+//   cvt to the same type     unless of a float that may be NaN, which it would make 0
+//   and, or with a constant  that does not decide; or with the same operand twice
 //   not of a not
+// Operations that become cheaper ones are in algebra.c.
 // Needs nothing; breaks uses.  What became useless is left to dce.
+#include "compiler/passes/identity.h"
+
 #include "compiler/passes/pass.h"
-#include "stdlib/f64.h"
+#include "stdlib/convert.h"
 
-typedef struct Identity {
-    IrFn *f;
-    IrRef *same;          // by instruction: the temporary that has the same value, itself if there is none
-    bool *never_nan;      // by instruction: an F64 that is certainly a number
-} Identity;
+static bool is_float(SmType type) { return type == SM_F64 || type == SM_F32; }
 
-static const IrIns *ins_at(const Identity *d, IrRef ref)
+bool identity_is_integer(SmType type) { return !is_float(type) && type != SM_BOOL; }
+
+SmF64 identity_number(const IrIns *constant)
 {
-    return &d->f->ins.at[ref];
+    return constant->type == SM_F64 ? sm_from_bits(constant->bits) : sm_cell_to_f64(constant->type, constant->bits);
 }
 
-static bool f64_holds_all(SmType type)
+bool identity_is(const Identity *d, IrRef ref, SmF64 number)
 {
-    return type != SM_I64 && type != SM_U64 && type != SM_F64;
+    const IrIns *i = identity_at(d, ref);
+
+    return i->op == IR_const && sm_bits(identity_number(i)) == sm_bits(number);
+}
+
+// ---- arithmetic ----
+
+// Whether it cannot be -0.
+static bool has_no_minus_zero(const Identity *d, IrRef ref)
+{
+    const IrIns *i = identity_at(d, ref);
+
+    return !is_float(i->type) || i->op == IR_abs || (i->op == IR_cvt && !is_float(identity_at(d, i->a)->type));
+}
+
+static IrRef same_as_sum(const Identity *d, const IrIns *i)
+{
+    const SmF64 zero = sm_from_i32(0), neutral = i->op == IR_add ? sm_neg(zero) : zero;
+
+    if (identity_is(d, i->b, neutral) || (i->op == IR_add && identity_is(d, i->b, zero) && has_no_minus_zero(d, i->a)))
+        return i->a;
+    if (i->op == IR_add && (identity_is(d, i->a, neutral) || (identity_is(d, i->a, zero) && has_no_minus_zero(d, i->b))))
+        return i->b;
+    return IR_NONE;
+}
+
+static IrRef same_as_product(const Identity *d, const IrIns *i)
+{
+    if (identity_is(d, i->b, sm_from_i32(1)))
+        return i->a;
+    return i->op == IR_mul && identity_is(d, i->a, sm_from_i32(1)) ? i->b : IR_NONE;
+}
+
+static bool is_rounding(IrOp op) { return op == IR_floor || op == IR_ceil || op == IR_trunc || op == IR_round; }
+
+static IrRef same_as_rounding(const Identity *d, const IrIns *i)
+{
+    const IrIns *from = identity_at(d, i->a);
+
+    return is_rounding(from->op) || (from->op == IR_cvt && !is_float(identity_at(d, from->a)->type)) ? i->a : IR_NONE;
+}
+
+// ---- conversions ----
+
+static unsigned bits_of(SmType type) { return 8u * sm_type_info[type].bytes; }
+
+static bool is_signed(SmType type) { return type <= SM_I64; }
+
+// Whether `wide` has every value of `type`, so that a conversion there and back changes nothing.
+static bool holds_all(SmType wide, SmType type)
+{
+    if (wide == type || type == SM_BOOL)
+        return true;
+    if (is_float(wide))
+        return is_float(type) ? wide == SM_F64 : bits_of(type) <= (wide == SM_F64 ? 32 : 16);
+    if (is_float(type) || wide == SM_BOOL)
+        return false;
+    return bits_of(wide) > bits_of(type) ? is_signed(wide) || !is_signed(type) : false;
 }
 
 static IrRef same_as_cvt(const Identity *d, const IrIns *i)
 {
-    const IrIns *from = ins_at(d, i->a);
+    const IrIns *from = identity_at(d, i->a);
 
-    if (i->type == SM_F64 && from->type == SM_F64 && d->never_nan[i->a])
-        return i->a;
-    if (from->op == IR_cvt && from->type == SM_F64 && ins_at(d, from->a)->type == i->type && f64_holds_all(i->type))
+    if (from->type == i->type)
+        return d->never_nan[i->a] ? i->a : IR_NONE;
+    if (from->op == IR_cvt && identity_at(d, from->a)->type == i->type && d->never_nan[from->a] && holds_all(from->type, i->type))
         return from->a;
     return IR_NONE;
 }
 
+// ---- logic ----
+
 static bool is_bool_const(const Identity *d, IrRef ref, bool value)
 {
-    return ins_at(d, ref)->op == IR_const && ins_at(d, ref)->bits == value;
+    return identity_at(d, ref)->op == IR_const && identity_at(d, ref)->bits == value;
 }
 
 static IrRef same_as_logic(const Identity *d, const IrIns *i)
@@ -52,19 +118,30 @@ static IrRef same_as_logic(const Identity *d, const IrIns *i)
 // The temporary whose value instruction i gives unchanged; IR_NONE if there is none.
 static IrRef same_as(const Identity *d, const IrIns *i)
 {
-    if (i->op == IR_cvt)
-        return same_as_cvt(d, i);
-    if (i->op == IR_and || i->op == IR_or)
-        return same_as_logic(d, i);
-    if (i->op == IR_not && ins_at(d, i->a)->op == IR_not)
-        return ins_at(d, i->a)->a;
+    switch (i->op) {
+    case IR_add:
+    case IR_sub: return same_as_sum(d, i);
+    case IR_mul:
+    case IR_div: return same_as_product(d, i);
+    case IR_neg:
+    case IR_not: return identity_at(d, i->a)->op == i->op ? identity_at(d, i->a)->a : IR_NONE;
+    case IR_abs: return identity_at(d, i->a)->op == IR_abs ? i->a : IR_NONE;
+    case IR_floor: case IR_ceil: case IR_trunc: case IR_round: return same_as_rounding(d, i);
+    case IR_min:
+    case IR_max: return i->a == i->b ? i->a : IR_NONE;
+    case IR_cvt: return same_as_cvt(d, i);
+    case IR_and:
+    case IR_or: return same_as_logic(d, i);
+    case IR_const: case IR_load: case IR_store: case IR_sqrt: case IR_sign: case IR_stat: case IR_sample:
+    case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge: case IR_OP_COUNT: break;
+    }
     return IR_NONE;
 }
 
 static bool is_never_nan(const Identity *d, const IrIns *i)
 {
     switch (i->op) {
-    case IR_const: return !sm_is_nan(sm_from_bits(i->bits));
+    case IR_const: return i->type != SM_F64 || !sm_is_nan(sm_from_bits(i->bits));
     case IR_load:
     case IR_cvt: return true;
     case IR_neg:
@@ -89,30 +166,54 @@ static bool is_never_nan(const Identity *d, const IrIns *i)
     return false;
 }
 
+// Looks at `ref` once its operands are what they will be.  d->made is what must stand before it.
 static void visit(Identity *d, IrRef ref)
 {
     IrIns *i = &d->f->ins.at[ref];
     IrRef same;
 
+    d->made = IR_NONE;
     if (ir_op_info[i->op].operands > 0)
         i->a = d->same[i->a];
     if (ir_op_info[i->op].operands > 1)
         i->b = d->same[i->b];
+    algebra_rewrite(d, ref);
+    i = &d->f->ins.at[ref];
     same = same_as(d, i);
     d->same[ref] = same == IR_NONE ? ref : same;
-    d->never_nan[ref] = i->type == SM_F64 && is_never_nan(d, i);
+    d->never_nan[ref] = !is_float(i->type) || is_never_nan(d, i);
 }
 
+static void visit_block(Identity *d, IrBlk *blk)
+{
+    IrBlk out = {.jump = blk->jump};
+    size_t n = blk->ins.n;
+
+    for (size_t p = 0; p < n; p++) {
+        IrRef ref = blk->ins.at[p];
+        visit(d, ref);
+        if (d->made != IR_NONE && !out.ins.at) {              // the first that was made: from here on the list is a new one
+            for (size_t before = 0; before < p; before++)
+                vec_push(d->arena, &out.ins, blk->ins.at[before]);
+        }
+        if (d->made != IR_NONE)
+            vec_push(d->arena, &out.ins, d->made);
+        if (out.ins.at)
+            vec_push(d->arena, &out.ins, ref);
+    }
+    if (blk->jump.kind == IR_BR)
+        out.jump.cond = d->same[blk->jump.cond];
+    if (out.ins.at)
+        *blk = out;
+    blk->jump = out.jump;
+}
+
+// A constant that is made has but one user, which nobody asks for it again: it needs no place in these arrays.
 void pass_identity(Arena *arena, IrFn *f, Facts *facts)
 {
-    Identity d = {f, ARENA_ARRAY(arena, IrRef, f->ins.n), ARENA_ARRAY(arena, bool, f->ins.n)};
+    Identity d = {arena, f, ARENA_ARRAY(arena, IrRef, f->ins.n), ARENA_ARRAY(arena, bool, f->ins.n), IR_NONE};
 
     (void)facts;
-    for (size_t b = 0; b < f->blk.n; b++) {
-        IrBlk *blk = &f->blk.at[b];
-        for (size_t i = 0; i < blk->ins.n; i++)
-            visit(&d, blk->ins.at[i]);
-        if (blk->jump.kind == IR_BR)
-            blk->jump.cond = d.same[blk->jump.cond];
-    }
+    for (size_t b = 0; b < f->blk.n; b++)
+        visit_block(&d, &f->blk.at[b]);
 }

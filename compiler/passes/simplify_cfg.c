@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// simplify_cfg: a branch on a known condition becomes a jump; a jump to an empty block that only jumps on leads to where
+// simplify_cfg: a branch on a known condition becomes a jump; one on `not c` becomes one on c the other way round; a jump to an empty block that only jumps on leads to where
 // that one leads; a block that has a single predecessor which only leads to it is joined to it; blocks that nothing
 // reaches are dropped.  Conditionals stay properly nested: no way is added, ways only become shorter.
 // Needs nothing; breaks uses: conditions lose their user.
 #include "compiler/passes/pass.h"
+
+static void turn_branch(const IrFn *f, IrJump *j)
+{
+    while (f->ins.at[j->cond].op == IR_not) {
+        IrBlkRef then = j->then;
+        j->then = j->otherwise;
+        j->otherwise = then;
+        j->cond = f->ins.at[j->cond].a;
+    }
+}
 
 static void decide_branch(const IrFn *f, IrJump *j)
 {
@@ -11,6 +21,7 @@ static void decide_branch(const IrFn *f, IrJump *j)
 
     if (j->kind != IR_BR)
         return;
+    turn_branch(f, j);
     cond = &f->ins.at[j->cond];
     if (cond->op == IR_const && cond->bits == 0)
         j->then = j->otherwise;

@@ -82,7 +82,6 @@ b0:
     %16 = max F64 %8, %7
     %17 = cvt F64 %16
     store F64 y, %17
-    %18 = max F64 %7, %7
-    store F64 y, %18
+    store F64 y, %7
     ret
 }

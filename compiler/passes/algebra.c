@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// Part of `identity`: operations that become another one, which gives the same bits for all operands and costs less.  The
+// proof stands beside each rule.  NaN has no sign and no payload that anyone could see (language.md 2).
+#include "compiler/passes/identity.h"
+#include "stdlib/convert.h"
+
+static void become(IrIns *i, IrOp op, IrRef a, IrRef b)
+{
+    i->op = op;
+    i->a = a;
+    i->b = b;
+}
+
+static void become_bool(IrIns *i, bool value)
+{
+    become(i, IR_const, IR_NONE, IR_NONE);
+    i->bits = value;
+}
+
+static bool is_op(const Identity *d, IrRef ref, IrOp op) { return identity_at(d, ref)->op == op; }
+
+static IrRef inner(const Identity *d, IrRef ref) { return identity_at(d, ref)->a; }
+
+static bool is_neg(const Identity *d, IrRef ref) { return is_op(d, ref, IR_neg); }
+
+// IEEE 754 defines a - b as a + (-b); addition commutes.  An integer has no -0 that could come of it.
+static void rewrite_sum(const Identity *d, IrIns *i)
+{
+    if (is_neg(d, i->b))                                      // a + -b, a - -b
+        become(i, i->op == IR_add ? IR_sub : IR_add, i->a, inner(d, i->b));
+    else if (i->op == IR_add && is_neg(d, i->a))              // -a + b
+        become(i, IR_sub, i->b, inner(d, i->a));
+}
+
+// The sign of a product or quotient is that of both operands together, and nothing else depends on signs.
+static bool drop_signs(const Identity *d, IrIns *i)
+{
+    if (!is_neg(d, i->a) || !is_neg(d, i->b))
+        return false;
+    become(i, i->op, inner(d, i->a), inner(d, i->b));
+    return true;
+}
+
+static void rewrite_product(const Identity *d, IrIns *i)
+{
+    if (drop_signs(d, i))
+        return;
+    if (identity_is(d, i->b, sm_from_i32(-1)))                // exact, and only the sign differs
+        become(i, IR_neg, i->a, IR_NONE);
+    else if (identity_is(d, i->a, sm_from_i32(-1)))
+        become(i, IR_neg, i->b, IR_NONE);
+}
+
+// The bits of 1 / x, an F64, if x is 2^k with |k| at most `most`; else 0.
+static uint64_t reciprocal(uint64_t bits, unsigned most)
+{
+    unsigned exponent = (unsigned)(bits >> 52 & 0x7ff);
+
+    if (bits << 12 != 0 || exponent + most < 1023 || exponent > 1023 + most)
+        return 0;
+    return (bits & UINT64_C(0x8000000000000000)) | (uint64_t)(2046 - exponent) << 52;
+}
+
+static IrRef make_const(Identity *d, SmType type, uint64_t bits, Span span)
+{
+    IrIns i = {.op = IR_const, .type = type, .a = IR_NONE, .b = IR_NONE, .bits = bits, .span = span};
+
+    vec_push(d->arena, &d->f->ins, i);
+    return d->made = (IrRef)(d->f->ins.n - 1);
+}
+
+// x / 2^k and x * 2^-k are the same real number, rounded once.
+static void rewrite_quotient(Identity *d, IrRef ref)
+{
+    IrIns i = *identity_at(d, ref);
+    const IrIns *by = identity_at(d, i.b);
+    uint64_t bits;
+
+    if (drop_signs(d, &d->f->ins.at[ref]) || by->op != IR_const)
+        return;
+    bits = reciprocal(sm_bits(identity_number(by)), i.type == SM_F32 ? 126 : 1022);         // both normal numbers
+    if (bits == 0)
+        return;
+    i.b = make_const(d, i.type, sm_cell_from_f64(i.type, sm_from_bits(bits)), i.span);
+    become(&d->f->ins.at[ref], IR_mul, i.a, i.b);
+}
+
+// ---- comparisons ----
+
+static const IrOp opposite[IR_OP_COUNT] = {
+    [IR_eq] = IR_ne, [IR_ne] = IR_eq, [IR_lt] = IR_ge, [IR_le] = IR_gt, [IR_gt] = IR_le, [IR_ge] = IR_lt,
+};
+
+// ne is the opposite of eq always, the others only if there is no NaN, with which all of them are false.
+static bool has_opposite(const Identity *d, const IrIns *i)
+{
+    if (ir_op_info[i->op].types != IR_T_COMPARE)
+        return false;
+    return i->op == IR_eq || i->op == IR_ne || (d->never_nan[i->a] && d->never_nan[i->b]);
+}
+
+static void rewrite_not(const Identity *d, IrIns *i)
+{
+    const IrIns *from = identity_at(d, i->a);
+
+    if (has_opposite(d, from))
+        become(i, opposite[from->op], from->a, from->b);
+}
+
+static bool compare(IrOp op, SmF64 x, SmF64 y)
+{
+    if (op == IR_eq || op == IR_ne)
+        return sm_eq(x, y) == (op == IR_eq);
+    if (op == IR_lt || op == IR_gt)
+        return op == IR_lt ? sm_lt(x, y) : sm_lt(y, x);
+    return op == IR_le ? sm_le(x, y) : sm_le(y, x);
+}
+
+// A bool is 0 or 1: held against a number it gives false, true, itself (`b and b`, which goes as that) or its opposite.
+static void rewrite_bool(IrIns *i, IrRef boolean, SmF64 number, bool first)
+{
+    bool of[2];
+
+    for (int b = 0; b < 2; b++)
+        of[b] = first ? compare(i->op, sm_from_i32(b), number) : compare(i->op, number, sm_from_i32(b));
+    if (of[0] == of[1])
+        become_bool(i, of[0]);
+    else if (of[0])
+        become(i, IR_not, boolean, IR_NONE);
+    else
+        become(i, IR_and, boolean, boolean);
+}
+
+static IrRef bool_under(const Identity *d, IrRef ref)
+{
+    const IrIns *i = identity_at(d, ref);
+
+    if (i->type == SM_BOOL)
+        return ref;
+    return i->op == IR_cvt && identity_at(d, i->a)->type == SM_BOOL ? i->a : IR_NONE;
+}
+
+static bool rewrite_bools(const Identity *d, IrIns *i)
+{
+    const IrIns *a = identity_at(d, i->a), *b = identity_at(d, i->b);
+    bool first = b->op == IR_const;
+    IrRef boolean = bool_under(d, first ? i->a : i->b);
+
+    if (boolean == IR_NONE || (!first && a->op != IR_const))
+        return false;
+    rewrite_bool(i, boolean, identity_number(first ? b : a), first);
+    return true;
+}
+
+static void rewrite_comparison(const Identity *d, IrIns *i)
+{
+    bool holds_of_equals = i->op == IR_eq || i->op == IR_le || i->op == IR_ge;
+
+    if (rewrite_bools(d, i) || i->a != i->b)
+        return;
+    if (i->op == IR_lt || i->op == IR_gt || d->never_nan[i->a])       // x < x is false of NaN too
+        become_bool(i, holds_of_equals);
+}
+
+// ---- conversions ----
+
+static void rewrite_cvt(const Identity *d, IrIns *i)
+{
+    const IrIns *from = identity_at(d, i->a);
+
+    if (i->type != SM_F64 && from->op == IR_cvt && from->type == SM_F64 && identity_at(d, from->a)->type == SM_F64)
+        i->a = from->a;                                       // NaN becomes 0 or false either way
+    else if (from->op == IR_trunc && identity_is_integer(i->type))
+        i->a = from->a;                                       // a conversion to an integer truncates by itself
+    else if ((from->op == IR_neg || from->op == IR_abs) && i->type == SM_BOOL)
+        i->a = from->a;                                       // whether a number is zero does not depend on its sign
+}
+
+void algebra_rewrite(Identity *d, IrRef ref)
+{
+    IrIns *i = &d->f->ins.at[ref];
+
+    switch (i->op) {
+    case IR_add:
+    case IR_sub: rewrite_sum(d, i); break;
+    case IR_mul: rewrite_product(d, i); break;
+    case IR_div: rewrite_quotient(d, ref); break;
+    case IR_abs:
+        if (is_neg(d, i->a) || is_op(d, i->a, IR_abs))
+            i->a = inner(d, i->a);
+        break;
+    case IR_not: rewrite_not(d, i); break;
+    case IR_cvt: rewrite_cvt(d, i); break;
+    case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge: rewrite_comparison(d, i); break;
+    case IR_const: case IR_load: case IR_store: case IR_neg: case IR_floor: case IR_ceil: case IR_trunc: case IR_round:
+    case IR_sqrt: case IR_sign: case IR_min: case IR_max: case IR_and: case IR_or: case IR_stat: case IR_sample: case IR_OP_COUNT: break;
+    }
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What identity.c and algebra.c share: the pass `identity`.
+#ifndef SMC_PASSES_IDENTITY_H
+#define SMC_PASSES_IDENTITY_H
+
+#include "compiler/ir/ir.h"
+#include "stdlib/f64.h"
+
+typedef struct Identity {
+    Arena *arena;
+    IrFn *f;
+    IrRef *same;          // by instruction: the temporary that has the same value, itself if there is none
+    bool *never_nan;      // by instruction: certainly a number, or no float at all
+    IrRef made;           // a constant that a rule has made, to stand before the instruction that is looked at; or IR_NONE
+} Identity;
+
+static inline const IrIns *identity_at(const Identity *d, IrRef ref) { return &d->f->ins.at[ref]; }
+
+SmF64 identity_number(const IrIns *constant);         // as an F64; NaN stays NaN
+// Whether ref is a constant of any type that is this number, told by its bits as an F64: 0 and -0 are two.
+bool identity_is(const Identity *d, IrRef ref, SmF64 number);
+bool identity_is_integer(SmType type);
+
+// Makes another operation of instruction `ref` that gives the same and costs less, or leaves it alone.
+void algebra_rewrite(Identity *d, IrRef ref);
+
+#endif
