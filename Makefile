@@ -69,7 +69,7 @@ T ?= conformance
 test: all
 	$(B)/smc test --engine=all $(T)
 
-CHECK_LINES += "conformance: $(B)/smc test conformance"
+CHECK_LINES += $(foreach level,0 1 2,"conformance-O$(level): $(B)/smc test -O$(level) conformance")
 
 # tests/ir: passes on IR text, the invariants, the reader.
 IR_TESTS = $(B)/ir/run $(B)/ir/verify $(B)/ir/read
@@ -160,7 +160,7 @@ faults:
 
 check: $(B)/diff/difftest
 CHECK_LINES += "diff: $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check" \
-               "diff-c: $(B)/diff/difftest --count=50 --cc='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c"
+               "diff-c: $(B)/diff/difftest --count=25 --forms=012h --cc='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c"
 
 # tests/emitc: emitted C under every compiler that is here, under options that touch arithmetic, in programs that use it; and
 # control flow that no source has.

@@ -9,9 +9,10 @@
 #include "compiler/emit/c/emit_c.h"
 #include "tests/diff/subject.h"
 
-// One program's part of the conversation.
+// The part of the conversation that one form of a program has.
 typedef struct Part {
-    Subject subject;
+    Subject *subject;
+    Form form;
     const Gen *g;
     const IrMachine *ir;
     RunResult *result;
@@ -37,10 +38,10 @@ static void put_answer(Batch *b, Part *p, const EngineStep *s, uint32_t k)
     put_u32(&b->answers, s->status == ENGINE_REFUSED);
     put_u32(&b->answers, s->next_state);
     put_u32(&b->answers, s->next_is_first);
-    for (size_t i = 0; i < p->subject.program->var.n; i++)
+    for (size_t i = 0; i < p->subject->program->var.n; i++)
         put_u64(&b->answers, s->cell[i]);
-    for (size_t i = 0; i < p->subject.program->var.n; i++)
-        buf_char(&b->answers, (char)(s->stored[i] != 0 && p->subject.program->var.at[i]->kind == VAR_ELEMENT));
+    for (size_t i = 0; i < p->subject->program->var.n; i++)
+        buf_char(&b->answers, (char)(s->stored[i] != 0 && p->subject->program->var.at[i]->kind == VAR_ELEMENT));
 }
 
 static void put_step_command(Batch *b, uint32_t machine, const EngineWrite *write, uint32_t n)
@@ -65,13 +66,13 @@ static void put_init_command(Batch *b, uint32_t machine, uint32_t state)
 static void record(Batch *b, uint32_t machine)
 {
     Part *p = &b->part[machine];
-    Engine *e = engine_ref_open(&p->subject.session.arena, p->subject.program);
+    Engine *e = engine_ref_open(&p->subject->session.arena, p->subject->program);
     EngineWrite write[GEN_VARS_MAX];
     EngineStep s;
     uint32_t state;
-    engine_step_init(&s, &p->subject.session.arena, p->subject.program);
+    engine_step_init(&s, &p->subject->session.arena, p->subject->program);
     p->first = b->answers.n;
-    p->answer = 12 + 9 * p->subject.program->var.n;
+    p->answer = 12 + 9 * p->subject->program->var.n;
     for (uint32_t k = 0; k < p->g->steps; k++) {
         if (gen_restarts(p->g, k, &state)) {
             put_init_command(b, machine, gen_state_number(p->g, state));
@@ -80,7 +81,7 @@ static void record(Batch *b, uint32_t machine)
         }
         if (p->g->skip[k])
             continue;
-        const uint32_t n = subject_writes(&p->subject, p->g, k, write);
+        const uint32_t n = subject_writes(p->subject, p->g, k, write);
         put_step_command(b, machine, write, n);
         e->step(e, write, n, &s);
         put_answer(b, p, &s, k);
@@ -102,7 +103,7 @@ static uint64_t number_at(const char *bytes, size_t size)
 static const char *field_at(const Part *p, size_t at, size_t *from, size_t *size, Arena *arena)
 {
     static const char *const head[] = { "status", "next state", "whether the next step is a first one" };
-    const Program *program = p->subject.program;
+    const Program *program = p->subject->program;
     if (at < 12) {
         *from = at / 4 * 4;
         *size = 4;
@@ -130,18 +131,29 @@ static void blame(Batch *b, size_t at, const char *got, size_t got_n, const char
     p->result->verdict = VERDICT_DIFFERENT;
     p->result->step = p->step[(answer - p->first) / p->answer];
     if (answer + from + size > got_n)
-        p->result->message = format_in(b->arena, "c (%s): stopped answering", cc);
+        p->result->message = format_in(b->arena, "%s: c (%s): stopped answering", form_name[p->form], cc);
     else
-        p->result->message = format_in(b->arena, "%s: ref has 0x%llx, c (%s) has 0x%llx", what,
+        p->result->message = format_in(b->arena, "%s: %s: ref has 0x%llx, c (%s) has 0x%llx", form_name[p->form], what,
                                        (unsigned long long)number_at(b->answers.at + answer + from, size), cc,
                                        (unsigned long long)number_at(got + answer + from, size));
 }
 
+// What nobody sees in this form is as the reference has it.
+static void take_unknown(const Batch *b, const Part *p, size_t end, char *got, size_t got_n)
+{
+    const size_t vars = p->subject->program->var.n;
+    for (size_t answer = p->first; answer < end && answer + p->answer <= got_n; answer += p->answer)
+        for (size_t v = 0; v < vars; v++)
+            if (run_is_unknown(p->subject->program->var.at[v], p->form))
+                memcpy(got + answer + 12 + 8 * v, b->answers.at + answer + 12 + 8 * v, 8);
+}
+
 // Every program of which an answer differs gets the first one said; comparing goes on behind its part.
-static void compare(Batch *b, const char *got, size_t got_n, const char *cc)
+static void compare(Batch *b, char *got, size_t got_n, const char *cc)
 {
     for (uint32_t i = 0; i < b->n; i++) {
         const size_t end = i + 1 < b->n ? b->part[i + 1].first : b->answers.n;
+        take_unknown(b, &b->part[i], end, got, got_n);
         for (size_t at = b->part[i].first; at < end; at++)
             if (at >= got_n || got[at] != b->answers.at[at]) {
                 if (b->part[i].result->verdict == VERDICT_SAME)
@@ -200,7 +212,7 @@ static void run_with(Batch *b, const char *cc)
     }
     snprintf(command, sizeof command, "cd '%s' && ./batch <commands >answers 2>>batch.log", b->folder);
     const bool crashed = system(command) != 0;
-    const char *got = read_file(b, "answers", b->answers.n, &n);
+    char *got = read_file(b, "answers", b->answers.n, &n);
     compare(b, got, n, cc);
     if (crashed && n == b->answers.n)
         fail_all(b, "the emitted C ended badly", cc);
@@ -208,25 +220,29 @@ static void run_with(Batch *b, const char *cc)
 
 // ---- a batch ----
 
-static void add(Batch *b, Gen *g, RunResult *r)
+static void add_form(Batch *b, Gen *g, Subject *subject, Form form, RunResult *r)
 {
     Part *p = &b->part[b->n];
+    p->subject = subject;
+    p->form = form;
     p->g = g;
     p->result = r;
-    r->message = subject_compile(&p->subject, g, b->arena);
-    if (r->message == NULL) {
-        p->ir = session_ir(&p->subject.session, p->subject.program, run_options_of(g->seed).opt_level);
-        record(b, b->n++);
-        r->verdict = VERDICT_SAME;
-        return;
-    }
-    r->verdict = VERDICT_REJECTED;
-    subject_free(&p->subject);
+    p->ir = run_machine(subject, subject->program, form);
+    record(b, b->n++);
+}
+
+static void add(Batch *b, Gen *g, Subject *subject, unsigned forms, RunResult *r)
+{
+    r->message = subject_compile(subject, g, b->arena);
+    r->verdict = r->message == NULL ? VERDICT_SAME : VERDICT_REJECTED;
+    for (Form f = FORM_O0; f < FORM_COUNT && r->message == NULL; f++)
+        if (forms >> f & 1)
+            add_form(b, g, subject, f, r);
 }
 
 static void emit(Batch *b)
 {
-    const IrMachine *m[C_BATCH_MAX];
+    const IrMachine *m[C_BATCH_MAX * FORM_COUNT];
     Buf code;
     for (uint32_t i = 0; i < b->n; i++)
         m[i] = b->part[i].ir;
@@ -236,19 +252,20 @@ static void emit(Batch *b)
     write_file(b, "commands", &b->commands);
 }
 
-void run_c_batch(Gen *const *g, uint32_t n, const char *const *cc, uint32_t ccs, const char *folder, Arena *arena,
-                 RunResult *r)
+void run_c_batch(Gen *const *g, const unsigned *forms, uint32_t n, const char *const *cc, uint32_t ccs, const char *folder,
+                 Arena *arena, RunResult *r)
 {
     Batch b = { .arena = arena, .folder = folder };
-    b.part = ARENA_ARRAY(arena, Part, n);
+    Subject *subject = ARENA_ARRAY(arena, Subject, n);
+    b.part = ARENA_ARRAY(arena, Part, n * FORM_COUNT);
     buf_init(&b.commands, arena);
     buf_init(&b.answers, arena);
     for (uint32_t i = 0; i < n; i++)
-        add(&b, g[i], &r[i]);
+        add(&b, g[i], &subject[i], forms[i], &r[i]);
     if (b.n > 0)
         emit(&b);
     for (uint32_t i = 0; i < ccs && b.n > 0; i++)
         run_with(&b, cc[i]);
-    for (uint32_t i = 0; i < b.n; i++)
-        subject_free(&b.part[i].subject);
+    for (uint32_t i = 0; i < n; i++)
+        subject_free(&subject[i]);
 }

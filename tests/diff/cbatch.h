@@ -8,8 +8,9 @@
 
 enum { C_BATCH_MAX = 100 };
 
-// Runs n programs (at most C_BATCH_MAX) with each compiler command; r[i] tells of the i-th.  Files are made in `folder`.
-void run_c_batch(Gen *const *g, uint32_t n, const char *const *cc, uint32_t ccs, const char *folder, Arena *arena,
-                 RunResult *r);
+// Runs n programs (at most C_BATCH_MAX), each in some forms (1u << Form …), with each compiler command; r[i] tells of the i-th.
+// Files are made in `folder`.
+void run_c_batch(Gen *const *g, const unsigned *forms, uint32_t n, const char *const *cc, uint32_t ccs, const char *folder,
+                 Arena *arena, RunResult *r);
 
 #endif

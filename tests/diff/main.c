@@ -2,11 +2,13 @@
 // The campaign: random programs, one a seed, each run on every engine in lock step.
 //
 //     difftest [--seed=N] [--count=N] [--steps=N] [--jobs=N] [--out=DIR] [--resume] [--print] [--no-reduce] [--no-floors]
-//              [--cc=COMMAND]…
+//              [--forms=012h] [--cc=COMMAND]…
 //
 // Workers take blocks of seeds in turn.  Each keeps a file in DIR with how far it is and what its programs met, so that
 // --resume goes on where an interrupted campaign stopped.  A worker that crashes or hangs names its seed and is replaced.
-// With --cc the emitted C is compiled by each of these commands and compared, instead of the VM.
+// Every program is run at -O0, -O1, -O2 and with its locals hidden from everybody (h), or in the --forms that are named.
+// With --cc the emitted C is compiled by each of these commands and compared, instead of the VM: in one form a program, unless
+// --forms names some.
 // A failing program is made smaller and written to DIR/seed-N.  Exit: 0 all agree, 1 not, 2 usage.
 #define _POSIX_C_SOURCE 200809L
 #define _DEFAULT_SOURCE
@@ -34,6 +36,7 @@ typedef struct Options {
     uint32_t steps, jobs;
     const char *out;
     bool resume, print, reduce, floors;
+    unsigned forms;                   // 1u << Form of each that is run; 0: none was named
     uint32_t build;                   // of this program: another one has to prove everything anew
     uint32_t ccs;
     const char *cc[COMPILERS_MAX];
@@ -75,9 +78,20 @@ static void report_failure(const Options *o, Gen *g, const RunOptions *how, RunR
     fprintf(stderr, "seed %llu: reduced to %s: %s\n", (unsigned long long)g->seed, folder, r.message);
 }
 
+// How the program of a seed is run.
+static RunOptions options_of(const Options *o, uint64_t seed)
+{
+    RunOptions how = run_options_of(seed);
+    if (o->forms != 0)
+        how.forms = o->forms;
+    else if (o->ccs != 0)
+        how.forms = 1u << rng_mix(seed, 10) % FORM_COUNT;
+    return how;
+}
+
 static void run_seed(const Options *o, uint64_t seed, Tally *t)
 {
-    const RunOptions how = run_options_of(seed);
+    const RunOptions how = options_of(o, seed);
     Arena arena;
     diff_arena_init(&arena);
     Gen *g = gen_program(&arena, seed, o->steps);
@@ -97,7 +111,7 @@ static void run_seed(const Options *o, uint64_t seed, Tally *t)
 static void count_batch(const Options *o, Gen **g, uint32_t n, RunResult *r, const char *folder, Tally *t, Arena *arena)
 {
     for (uint32_t i = 0; i < n; i++) {
-        RunOptions how = run_options_of(g[i]->seed);
+        RunOptions how = options_of(o, g[i]->seed);
         t->programs++;
         t->steps += g[i]->steps;
         t->different += r[i].verdict == VERDICT_DIFFERENT;
@@ -115,15 +129,18 @@ static void run_seeds_in_c(const Options *o, uint64_t first, uint32_t n, Tally *
 {
     Gen *g[BATCH];
     RunResult r[BATCH];
+    unsigned forms[BATCH];
     char folder[500];
     Arena arena;
     diff_arena_init(&arena);
     memset(r, 0, sizeof r);
     snprintf(folder, sizeof folder, "%s/c-%llu", o->out, (unsigned long long)first);
     mkdir(folder, 0777);
-    for (uint32_t i = 0; i < n; i++)
+    for (uint32_t i = 0; i < n; i++) {
         g[i] = gen_program(&arena, first + i, o->steps);
-    run_c_batch(g, n, o->cc, o->ccs, folder, &arena, r);
+        forms[i] = options_of(o, first + i).forms;
+    }
+    run_c_batch(g, forms, n, o->cc, o->ccs, folder, &arena, r);
     count_batch(o, g, n, r, folder, t, &arena);
     for (int i = 0; i < 5; i++) {
         static const char *const made[] = { "batch.c", "batch", "batch.log", "commands", "answers" };
@@ -137,7 +154,7 @@ static void run_seeds_in_c(const Options *o, uint64_t first, uint32_t n, Tally *
 
 static void print_seed(const Options *o, uint64_t seed)
 {
-    const RunOptions how = run_options_of(seed);
+    const RunOptions how = options_of(o, seed);
     RunResult r = { VERDICT_SAME, NULL, 0, { 0 } };
     Arena arena;
     diff_arena_init(&arena);
@@ -177,7 +194,8 @@ static void tally_load(const Options *o, uint32_t worker, Tally *t)
     if (f == NULL)
         return;
     if (fread(&then, sizeof then, 1, f) == 1 && fread(&read, sizeof read, 1, f) == 1 &&
-        then.seed == o->seed && then.jobs == o->jobs && then.steps == o->steps && then.build == o->build && then.ccs == o->ccs)
+        then.seed == o->seed && then.jobs == o->jobs && then.steps == o->steps && then.build == o->build &&
+        then.ccs == o->ccs && then.forms == o->forms)
         *t = read;
     fclose(f);
 }
@@ -326,6 +344,18 @@ static bool take_number(const char *arg, const char *name, uint64_t *n)
     return *end == '\0' && end != arg + len + 1;
 }
 
+static bool take_forms(Options *o, const char *letters)
+{
+    static const char all[] = "012h";                 // row for row Form
+    for (; *letters; letters++) {
+        const char *at = strchr(all, *letters);
+        if (at == NULL)
+            return false;
+        o->forms |= 1u << (at - all);
+    }
+    return o->forms != 0;
+}
+
 static bool take_option(Options *o, const char *arg)
 {
     uint64_t n = 0;
@@ -339,6 +369,8 @@ static bool take_option(Options *o, const char *arg)
         return o->out = arg + 6, true;
     if (strncmp(arg, "--cc=", 5) == 0 && o->ccs < COMPILERS_MAX)
         return o->cc[o->ccs++] = arg + 5, true;
+    if (strncmp(arg, "--forms=", 8) == 0)
+        return take_forms(o, arg + 8);
     if (strcmp(arg, "--resume") == 0)
         return o->resume = true;
     if (strcmp(arg, "--print") == 0)

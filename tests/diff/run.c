@@ -10,12 +10,15 @@
 #include "tests/diff/subject.h"
 #include "tests/diff/watch.h"
 
-enum { ENGINES_MAX = 4 };
+enum { ENGINES_MAX = 2 + FORM_COUNT + 1 };      // the reference, every form; the reference and one form of the changed program
+
+const char *const form_name[FORM_COUNT] = { "-O0", "-O1", "-O2", "-O2, locals hidden" };
 
 // ---- engines ----
 
 typedef struct Lane {
     const Subject *subject;
+    Form form;                // of all but the reference
     Engine *engine;
     EngineStep answer;
 } Lane;
@@ -25,16 +28,49 @@ typedef struct Lanes {
     uint32_t n;
 } Lanes;
 
-static void add_lane(Lanes *l, Subject *s, Engine *e)
+static void add_lane(Lanes *l, Subject *s, Engine *e, Form form)
 {
     Lane *lane = &l->at[l->n++];
     lane->subject = s;
+    lane->form = form;
     lane->engine = e;
     engine_step_init(&lane->answer, &s->session.arena, s->program);
 }
 
+bool run_is_unknown(const Var *v, Form form)
+{
+    return form == FORM_HIDDEN && v->kind == VAR_LOCAL && !v->outside && !v->is_constant;
+}
+
+IrMachine *run_machine(Subject *s, const Program *p, Form form)
+{
+    s->session.hide_locals = form == FORM_HIDDEN;
+    return session_ir(&s->session, p, form < FORM_O2 ? (int)form : 2);
+}
+
+// The program as who runs a form of it knows it: locals that it may not have are constants to him.
+static const Program *known_program(Subject *s, Form form)
+{
+    Arena *a = &s->session.arena;
+    if (form != FORM_HIDDEN)
+        return s->program;
+    Program *p = ARENA_NEW(a, Program);
+    *p = *s->program;
+    memset(&p->var, 0, sizeof p->var);
+    for (size_t i = 0; i < s->program->var.n; i++) {
+        Var *v = s->program->var.at[i];
+        if (run_is_unknown(v, form)) {
+            v = ARENA_NEW(a, Var);
+            *v = *s->program->var.at[i];
+            v->is_constant = true;
+        }
+        vec_push(a, &p->var, v);
+    }
+    return p;
+}
+
 // The VM on the last of the machines of an image; the others stand before it.
-static const char *add_vm(Lanes *l, Subject *s, const RunOptions *o, const Subject *before)
+static const char *add_vm(Lanes *l, Subject *s, Form form, const Subject *before)
 {
     const ImageOptions options = { .debug = true };      // the engine finds locals by name
     const char *error = "no image";
@@ -43,14 +79,14 @@ static const char *add_vm(Lanes *l, Subject *s, const RunOptions *o, const Subje
     uint32_t n = 0;
     buf_init(&image, &s->session.arena);
     if (before != NULL)
-        m[n++] = session_ir(&s->session, before->program, o->opt_level);
-    m[n++] = session_ir(&s->session, s->program, o->opt_level);
+        m[n++] = run_machine(s, before->program, form);
+    m[n++] = run_machine(s, s->program, form);
     if (m[0] == NULL || m[n - 1] == NULL || !session_image(&s->session, m, n, &options, &image))
         return "the compiler makes no image";
-    Engine *e = engine_vm_open(&s->session.arena, s->program, (const uint8_t *)image.at, image.n, n - 1, &error);
+    Engine *e = engine_vm_open(&s->session.arena, known_program(s, form), (const uint8_t *)image.at, image.n, n - 1, &error);
     if (e == NULL)
         return error;
-    add_lane(l, s, e);
+    add_lane(l, s, e, form);
     return NULL;
 }
 
@@ -61,15 +97,26 @@ static void step_lane(Lane *l, const Gen *g, uint32_t k)
     l->engine->step(l->engine, write, n, &l->answer);
 }
 
+// What nobody sees in this form is as the reference has it.
+static void take_unknown(const Lane *from, Lane *to)
+{
+    for (size_t i = 0; i < from->subject->program->var.n; i++)
+        if (run_is_unknown(from->subject->program->var.at[i], to->form))
+            to->answer.cell[i] = from->answer.cell[i];
+}
+
 static const char *compare(Lanes *l, Arena *arena)
 {
     for (uint32_t i = 1; i < l->n; i++) {
-        const Lane *a = &l->at[0], *b = &l->at[i];
+        const Lane *a = &l->at[0];
+        Lane *b = &l->at[i];
         if (b->answer.status == ENGINE_BROKEN)
             return format_in(arena, "%s: %s", b->engine->name, b->engine->error);
+        if (b->form == FORM_HIDDEN)
+            take_unknown(a, b);
         const char *difference = engine_compare(arena, a->engine, &a->answer, b->engine, &b->answer);
         if (difference != NULL)
-            return format_in(arena, "%s%s", b->subject != a->subject ? "(the second is the changed program) " : "", difference);
+            return format_in(arena, "%s%s: %s", b->subject != a->subject ? "(the second is the changed program) " : "", form_name[b->form], difference);
     }
     return NULL;
 }
@@ -157,14 +204,18 @@ RunOptions run_options_of(uint64_t seed)
 {
     const uint64_t r = rng_mix(seed, 9);
     return (RunOptions){
-        .opt_level = (int)(r % 3), .vm = true, .change = r / 3 % 4 == 0, .inits = r / 3 % 4 == 1, .what = (GChange)(r / 12 % CHANGE_COUNT),
+        .forms = (1u << FORM_COUNT) - 1, .change_form = (Form)(r % 3), .change = r / 3 % 4 == 0, .inits = r / 3 % 4 == 1, .what = (GChange)(r / 12 % CHANGE_COUNT),
     };
 }
 
-static const char *open_lanes(Lanes *l, Subject *s, const RunOptions *o, const Subject *before)
+static const char *open_lanes(Lanes *l, Subject *s, unsigned forms, const Subject *before)
 {
-    add_lane(l, s, engine_ref_open(&s->session.arena, s->program));
-    return o->vm ? add_vm(l, s, o, before) : NULL;
+    const char *error = NULL;
+    add_lane(l, s, engine_ref_open(&s->session.arena, s->program), FORM_O0);
+    for (Form f = FORM_O0; f < FORM_COUNT && error == NULL; f++)
+        if (forms >> f & 1)
+            error = add_vm(l, s, f, before);
+    return error;
 }
 
 // The changed program; where the state vector is still the same, as second machine in an image with the first.
@@ -175,7 +226,7 @@ static const char *open_changed(Lanes *l, Subject *s, Subject *plain, Gen *g, co
     gen_change_back(g);
     if (error != NULL)
         return error;
-    return open_lanes(l, s, o, g->with_sv && o->what != CHANGE_NAMES ? plain : NULL);
+    return open_lanes(l, s, 1u << o->change_form, g->with_sv && o->what != CHANGE_NAMES ? plain : NULL);
 }
 
 static void close_all(Lanes *l, Subject *a, Subject *b)
@@ -193,11 +244,11 @@ RunResult run_case(Gen *g, const RunOptions *o, Arena *arena)
     Lanes lanes = { .n = 0 };
     RunResult r = { VERDICT_REJECTED, NULL, 0, { 0 } };
     if (o->cc != NULL)
-        return run_c_batch(&g, 1, &o->cc, 1, o->folder, arena, &r), r;
+        return run_c_batch(&g, &o->forms, 1, &o->cc, 1, o->folder, arena, &r), r;
     memset(&watch, 0, sizeof watch);
     r.message = subject_compile(&plain, g, arena);
     if (r.message == NULL)
-        r.message = open_lanes(&lanes, &plain, o, NULL);
+        r.message = open_lanes(&lanes, &plain, o->forms, NULL);
     const bool more = r.message == NULL && o->change;
     if (more)
         r.message = open_changed(&lanes, &changed, &plain, g, o, arena);
@@ -256,11 +307,11 @@ void run_write_files(Gen *g, const RunOptions *o, const RunResult *r, const char
         gen_print_sv(g, &sv);
         write_file(folder, "bus.sv", &sv);
     }
-    buf_printf(&what, "seed %llu, step %u, -O%d", (unsigned long long)g->seed, (unsigned)r->step, o->opt_level);
+    buf_printf(&what, "seed %llu, step %u", (unsigned long long)g->seed, (unsigned)r->step);
     if (o->cc != NULL)
         buf_printf(&what, ", %s", o->cc);
     else if (o->change)
-        buf_printf(&what, ", compared with %s", gen_change_name[o->what]);
+        buf_printf(&what, ", compared with %s at %s", gen_change_name[o->what], form_name[o->change_form]);
     buf_printf(&what, "\n%s\n\n", r->message != NULL ? r->message : "");
     describe_steps(g, &what);
     write_file(folder, "what.txt", &what);

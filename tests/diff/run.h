@@ -5,6 +5,7 @@
 #define SM_DIFF_RUN_H
 
 #include "tests/diff/gen.h"
+#include "tests/diff/subject.h"
 
 typedef enum Verdict {
     VERDICT_SAME,
@@ -17,9 +18,17 @@ typedef struct Met {          // what a program met, as flags to be counted
     uint32_t refused;         // steps
 } Met;
 
+// The forms in which the optimiser hands a program on.
+typedef enum Form {
+    FORM_O0, FORM_O1, FORM_O2,
+    FORM_HIDDEN,              // -O2 of a machine whose locals nobody sees: elements, states and statuses are compared
+    FORM_COUNT
+} Form;
+extern const char *const form_name[FORM_COUNT];
+
 typedef struct RunOptions {
-    int opt_level;            // of the image
-    bool vm;                  // run the VM
+    unsigned forms;           // 1u << Form of each that is run; every one is compared with the reference
+    Form change_form;         // in which the changed program is run
     bool change;              // compare with a changed program, too
     bool inits;               // work the initial values out a second time, when running
     GChange what;
@@ -34,8 +43,13 @@ typedef struct RunResult {
     Met met;
 } RunResult;
 
-// What seed decides: level and change.
+// All forms; and what the seed decides: change.
 RunOptions run_options_of(uint64_t seed);
+
+// The machine of a compiled program in some form; NULL if there is none.
+IrMachine *run_machine(Subject *s, const Program *p, Form form);
+// Whether nothing can be said of a local of a machine in this form.
+bool run_is_unknown(const Var *v, Form form);
 
 RunResult run_case(Gen *g, const RunOptions *o, Arena *arena);
 
