@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/facts/fact.h"
+
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
+// ---- small things about numbers ----
+
+static double infinity(void) { return sm_from_bits(0x7FF0000000000000u); }
+static bool has(Fact a, double x) { return a.lo <= x && x <= a.hi; }
+static bool is_finite(Fact a) { return a.lo > -infinity() && a.hi < infinity(); }
+static bool has_infinity(Fact a) { return a.lo == -infinity() || a.hi == infinity(); }
+static bool can_be_negative(Fact a) { return a.lo < 0 || a.minus_zero; }
+static bool is_whole_number(double x) { return sm_trunc(x) == x && x - x == 0; }
+static bool is_f32(double x) { return sm_from_f32(sm_round_f32(x)) == x; }
+
+static double next_up(double x)
+{
+    const uint64_t u = sm_bits(x);
+
+    if (x == infinity())
+        return x;
+    return x == 0 ? sm_from_bits(1) : sm_from_bits(x > 0 ? u + 1 : u - 1);
+}
+
+// What follows from the rest.
+static Fact settle(Fact a)
+{
+    if (a.whole && !is_finite(a))
+        a.whole = false;
+    if (a.lo == a.hi) {
+        a.whole = is_whole_number(a.lo);
+        a.f32 = is_f32(a.lo);
+    }
+    a.f32 |= a.whole && a.lo >= -16777216.0 && a.hi <= 16777216.0;       // 2^24
+    a.minus_zero &= has(a, 0);
+    return a;
+}
+
+static Fact make(double lo, double hi, bool whole, bool nan, bool minus_zero)
+{
+    const Fact a = {lo, hi, whole, false, nan, minus_zero};
+
+    return settle(a);
+}
+
+static Fact anything(void) { return make(-infinity(), infinity(), false, true, true); }
+
+Fact fact_of_type(SmType type)
+{
+    const unsigned bits = sm_type_info[type].bytes * 8u;
+    const double power = bits == 64 ? 18446744073709551616.0 : (double)(UINT64_C(1) << (bits < 64 ? bits : 0));
+    const bool wide = bits == 64;         // 2^63 - 1 and 2^64 - 1 are no F64: the bounds are one above
+    Fact a = make(-infinity(), infinity(), false, false, true);
+
+    switch (sm_type_info[type].kind) {
+    case SM_KIND_SIGNED: return make(-power / 2, wide ? power / 2 : power / 2 - 1, true, false, false);
+    case SM_KIND_UNSIGNED: return make(0, wide ? power : power - 1, true, false, false);
+    case SM_KIND_BOOL: return make(0, 1, true, false, false);
+    case SM_KIND_FLOAT: a.f32 = type == SM_F32; break;
+    }
+    return a;
+}
+
+Fact fact_of_cell(SmType type, uint64_t bits)
+{
+    const SmF64 x = type == SM_F64 ? sm_from_bits(bits) : sm_cell_to_f64(type, bits);
+
+    if (sm_is_nan(x))
+        return make(1, 0, false, true, false);
+    return make(x, x, false, false, x == 0 && sm_bits(x) != 0);
+}
+
+Fact fact_of_bool(bool may_be_false, bool may_be_true)
+{
+    return make(may_be_false ? 0 : 1, may_be_true ? 1 : 0, true, false, false);
+}
+
+// ---- arithmetic ----
+// Bounds that come out NaN (inf - inf, 0 * inf) are none.
+
+static Fact no_number(bool nan) { return make(1, 0, false, nan, false); }
+static bool is_empty(Fact a) { return a.lo > a.hi; }
+
+static Fact add(Fact a, Fact b)
+{
+    const bool nan = a.nan || b.nan || (a.lo == -infinity() && b.hi == infinity()) || (a.hi == infinity() && b.lo == -infinity());
+    const double lo = a.lo + b.lo, hi = a.hi + b.hi;
+
+    return make(lo == lo ? lo : -infinity(), hi == hi ? hi : infinity(), a.whole && b.whole, nan, a.minus_zero && b.minus_zero);
+}
+
+static Fact negate(Fact a)
+{
+    Fact r = make(-a.hi, -a.lo, a.whole, a.nan, has(a, 0));
+
+    r.f32 |= a.f32;
+    return r;
+}
+
+static Fact subtract(Fact a, Fact b)
+{
+    Fact r = add(a, negate(b));
+
+    r.minus_zero = a.minus_zero && has(b, 0) && has(r, 0);
+    return r;
+}
+
+static void stretch(Fact *r, double x)
+{
+    if (x < r->lo)
+        r->lo = x;
+    if (x > r->hi)
+        r->hi = x;
+}
+
+// The hull of the four ways to combine the bounds.
+static Fact corners(SmF64 (*op)(SmF64, SmF64), Fact a, Fact b)
+{
+    Fact r = no_number(false);
+
+    r.lo = infinity();
+    r.hi = -infinity();
+    stretch(&r, op(a.lo, b.lo));
+    stretch(&r, op(a.lo, b.hi));
+    stretch(&r, op(a.hi, b.lo));
+    stretch(&r, op(a.hi, b.hi));
+    return r;
+}
+
+static Fact multiply(Fact a, Fact b)
+{
+    Fact r = corners(sm_mul, a, b);
+    const bool zero_by_infinity = (has(a, 0) && has_infinity(b)) || (has(b, 0) && has_infinity(a));
+
+    if (has(a, 0) || has(b, 0))
+        stretch(&r, 0);
+    r.whole = a.whole && b.whole;
+    r.nan = a.nan || b.nan || zero_by_infinity;
+    // A product of whole numbers is zero only if one of them is; others also come to zero when they are small.
+    r.minus_zero = r.whole ? (has(a, 0) && can_be_negative(b)) || (has(b, 0) && can_be_negative(a))
+                           : can_be_negative(a) || can_be_negative(b);
+    return settle(r);
+}
+
+static Fact divide(Fact a, Fact b)
+{
+    Fact r;
+
+    if (has(b, 0))
+        return make(-infinity(), infinity(), false, a.nan || b.nan || has(a, 0) || has_infinity(a), true);
+    r = corners(sm_div, a, b);
+    r.nan = a.nan || b.nan || (has_infinity(a) && has_infinity(b));
+    if (r.lo > r.hi || r.nan)
+        return make(-infinity(), infinity(), false, r.nan, true);
+    r.minus_zero = can_be_negative(a) || can_be_negative(b);
+    return settle(r);
+}
+
+static Fact monotonic(SmF64 (*op)(SmF64), Fact a, bool minus_zero)
+{
+    return make(op(a.lo), op(a.hi), true, a.nan, minus_zero);
+}
+
+static Fact absolute(Fact a)
+{
+    const double lo = sm_abs(a.lo), hi = sm_abs(a.hi);
+    Fact r = make(has(a, 0) ? 0 : lo < hi ? lo : hi, lo < hi ? hi : lo, a.whole, a.nan, false);
+
+    r.f32 |= a.f32;
+    return r;
+}
+
+static Fact root(Fact a)
+{
+    if (a.hi < 0)
+        return no_number(true);
+    return make(a.lo > 0 ? sm_sqrt(a.lo) : 0, sm_sqrt(a.hi), false, a.nan || a.lo < 0, a.minus_zero);
+}
+
+static Fact extreme(SmF64 (*op)(SmF64, SmF64), Fact a, Fact b)
+{
+    Fact r = make(op(a.lo, b.lo), op(a.hi, b.hi), a.whole && b.whole, a.nan || b.nan, a.minus_zero || b.minus_zero);
+
+    r.f32 |= a.f32 && b.f32;
+    return r;
+}
+
+// ---- conversions ----
+
+static Fact to_bool(Fact a)
+{
+    const bool zero = has(a, 0) || a.nan;
+    const bool other = !is_empty(a) && (a.lo < 0 || a.hi > 0);
+
+    return fact_of_bool(zero, other);
+}
+
+static Fact to_integer(Fact a, SmType to)
+{
+    const Fact t = fact_of_type(to);
+
+    return make(sm_min(sm_max(sm_trunc(a.lo), t.lo), t.hi), sm_max(sm_min(sm_trunc(a.hi), t.hi), t.lo), true, false, false);
+}
+
+// Rounding to F32 is monotonic; what is small and negative becomes -0.
+static Fact to_f32(Fact a)
+{
+    Fact r = make(sm_from_f32(sm_round_f32(a.lo)), sm_from_f32(sm_round_f32(a.hi)), a.whole, false,
+                  a.minus_zero || (a.lo < 0 && !a.whole));
+
+    r.f32 = true;
+    return r;
+}
+
+Fact fact_convert(Fact a, SmType to)
+{
+    if (to == SM_BOOL)
+        return to_bool(a);
+    if (a.nan)                                        // becomes 0
+        a = is_empty(a) ? make(0, 0, true, false, false) : fact_join(a, make(0, 0, true, false, false));
+    a.nan = false;
+    return to == SM_F64 ? a : to == SM_F32 ? to_f32(a) : to_integer(a, to);
+}
+
+// ---- comparisons ----
+
+static Fact truth(bool always, bool never) { return fact_of_bool(!always, !never); }
+
+static Fact less(Fact a, Fact b, bool nan) { return truth(!nan && a.hi < b.lo, a.lo >= b.hi); }
+static Fact less_or_equal(Fact a, Fact b, bool nan) { return truth(!nan && a.hi <= b.lo, a.lo > b.hi); }
+
+// Numbers that no value of both kinds can be.
+static bool never_meets(Fact a, Fact b) { return b.lo == b.hi && ((a.whole && !b.whole) || (a.f32 && !b.f32)); }
+
+static bool always_equal(Fact a, Fact b, bool nan) { return !nan && a.lo == a.hi && b.lo == b.hi && a.lo == b.lo; }
+static bool never_equal(Fact a, Fact b) { return a.hi < b.lo || b.hi < a.lo || never_meets(a, b) || never_meets(b, a); }
+
+// Of I64 and U64 the facts are bounds of the number before it is rounded to F64; 2^53 and beyond may round to each other.
+static bool is_beyond(Fact a, SmType type)
+{
+    return sm_type_info[type].bytes == 8 && type != SM_F64 && !fact_within(a, -FACT_EXACT, FACT_EXACT);
+}
+
+static Fact compare(const IrIns *i, Fact a, Fact b, SmType type)
+{
+    const bool nan = a.nan || b.nan;
+
+    if (is_empty(a) || is_empty(b))
+        return i->op == IR_ne ? fact_of_bool(false, true) : fact_of_bool(true, false);
+    if (is_beyond(a, type) || is_beyond(b, type))
+        return fact_of_bool(true, true);
+    switch ((int)i->op) {
+    case IR_eq: return truth(always_equal(a, b, nan), never_equal(a, b));
+    case IR_ne: return truth(never_equal(a, b), always_equal(a, b, nan));
+    case IR_lt: return less(a, b, nan);
+    case IR_le: return less_or_equal(a, b, nan);
+    case IR_gt: return less(b, a, nan);
+    default: return less_or_equal(b, a, nan);
+    }
+}
+
+// ---- all operations ----
+
+static Fact logic(const IrIns *i, Fact a, Fact b)
+{
+    if (i->op == IR_not)
+        return fact_of_bool(a.hi == 1, a.lo == 0);
+    if (i->op == IR_and)
+        return fact_of_bool(a.lo == 0 || b.lo == 0, a.hi == 1 && b.hi == 1);
+    return fact_of_bool(a.lo == 0 && b.lo == 0, a.hi == 1 || b.hi == 1);
+}
+
+static Fact arithmetic(const IrIns *i, Fact a, Fact b)
+{
+    switch ((int)i->op) {
+    case IR_add: return add(a, b);
+    case IR_sub: return subtract(a, b);
+    case IR_mul: return multiply(a, b);
+    case IR_div: return divide(a, b);
+    case IR_neg: return negate(a);
+    case IR_abs: return absolute(a);
+    case IR_floor: return monotonic(sm_floor, a, a.minus_zero);
+    case IR_ceil: return monotonic(sm_ceil, a, can_be_negative(a));
+    case IR_trunc: return monotonic(sm_trunc, a, can_be_negative(a));
+    case IR_round: return monotonic(sm_round, a, can_be_negative(a));
+    case IR_sqrt: return root(a);
+    case IR_sign: return monotonic(sm_sign, a, a.minus_zero);
+    case IR_min: return extreme(sm_min, a, b);
+    case IR_max: return extreme(sm_max, a, b);
+    }
+    return anything();
+}
+
+// A narrowed operation gives the number that it gives on F64, of which on F32 only the F32 counts.
+static Fact same(const IrIns *i, Fact a, Fact b)
+{
+    const bool two = ir_op_info[i->op].operands == 2;
+    Fact r;
+    bool nan;
+
+    if (is_empty(a) || (two && is_empty(b)))
+        return no_number(true);
+    r = arithmetic(i, a, b);
+    nan = r.nan;
+    if (i->type == SM_F64)
+        return r;
+    r = fact_convert(r, i->type);
+    r.nan = nan && i->type == SM_F32;
+    return r;
+}
+
+Fact fact_of_result(const IrIns *i, Fact a, Fact b, SmType type_of_a)
+{
+    switch (ir_op_info[i->op].types) {
+    case IR_T_CONST: return fact_of_cell(i->type, i->bits);
+    case IR_T_CONVERT: return fact_convert(a, i->type);
+    case IR_T_SAME: return same(i, a, b);
+    case IR_T_COMPARE: return compare(i, a, b, type_of_a);
+    case IR_T_LOGIC: return logic(i, a, b);
+    case IR_T_LOAD: return fact_of_type(i->type);
+    case IR_T_STORE: case IR_T_SAMPLE: case IR_T_STAT: break;
+    }
+    return anything();
+}
+
+// Sums of up to SM_WINDOW_MAX whole numbers of 32 bits are exact.  Others are rounded at 17 levels of pairs, and may overflow.
+static Fact average(Fact a)
+{
+    const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), slip = reach / 1099511627776.0;       // 2^-40
+
+    if (a.whole && reach <= 4294967296.0)
+        return make(a.lo, a.hi, false, false, a.minus_zero);
+    if (!(reach < 1e300))
+        return anything();
+    return make(a.lo - slip, a.hi + slip, false, false, true);
+}
+
+Fact fact_of_stat(SmStat stat, Fact sample)
+{
+    const bool infinite = has_infinity(sample);
+
+    switch (stat) {
+    case SM_STAT_AVG: return average(sample);
+    case SM_STAT_MEDIAN: return make(sample.lo, sample.hi, false, infinite, true);      // of two in the middle, half way
+    case SM_STAT_RANGE: return make(0, infinite ? infinity() : sample.hi - sample.lo, sample.whole, infinite, false);
+    case SM_STAT_MIN: case SM_STAT_MAX: case SM_STAT_COUNT: break;
+    }
+    return sample;
+}
+
+// ---- order ----
+
+Fact fact_join(Fact a, Fact b)
+{
+    Fact r = is_empty(a) ? b : a;
+
+    if (!is_empty(a) && !is_empty(b)) {
+        stretch(&r, b.lo);
+        stretch(&r, b.hi);
+        r.whole = a.whole && b.whole;
+        r.f32 = a.f32 && b.f32;
+        r.minus_zero = a.minus_zero || b.minus_zero;
+    }
+    r.nan = a.nan || b.nan;
+    return r;
+}
+
+Fact fact_meet(Fact a, Fact b)
+{
+    Fact r = {a.lo > b.lo ? a.lo : b.lo, a.hi < b.hi ? a.hi : b.hi, a.whole || b.whole, a.f32 || b.f32, a.nan && b.nan,
+              a.minus_zero && b.minus_zero};
+
+    if (r.lo > r.hi)
+        return a;
+    return settle(r);
+}
+
+bool fact_equal(Fact a, Fact b)
+{
+    return a.lo == b.lo && a.hi == b.hi && a.whole == b.whole && a.f32 == b.f32 && a.nan == b.nan && a.minus_zero == b.minus_zero;
+}
+
+Fact fact_widen(Fact before, Fact now, SmType type)
+{
+    static const double limit[] = {0, 1, 255, 65535, 2147483647.0, 4294967295.0, FACT_EXACT};
+    const Fact t = fact_of_type(type);
+    double lo = t.lo, hi = t.hi;
+
+    for (size_t i = sizeof limit / sizeof *limit; i-- > 0;) {
+        if (now.hi <= limit[i] && limit[i] < hi)
+            hi = limit[i];
+        if (now.lo >= -limit[i] && -limit[i] > lo)
+            lo = -limit[i];
+    }
+    if (now.lo < before.lo)
+        now.lo = lo;
+    if (now.hi > before.hi)
+        now.hi = hi;
+    return settle(now);
+}
+
+// ---- questions ----
+
+bool fact_is_number(Fact a, double *x)
+{
+    *x = a.lo == 0 ? 0 : a.lo;
+    return a.lo == a.hi && !a.nan && !a.minus_zero;
+}
+
+bool fact_within(Fact a, double lo, double hi) { return !a.nan && !is_empty(a) && a.lo >= lo && a.hi <= hi; }
+
+bool fact_fits(Fact a, SmType type)
+{
+    const Fact t = fact_of_type(type);
+
+    // 2^63 and 2^64 are bounds that the 64-bit types themselves do not reach.
+    return fact_within(a, t.lo, t.hi) && (sm_type_info[type].bytes < 8 || type == SM_F64 || a.hi < t.hi);
+}
+
+double fact_above(Fact a, double x)
+{
+    return a.whole && sm_abs(x) < FACT_EXACT ? sm_floor(x) + 1 : next_up(x);
+}
+
+double fact_below(Fact a, double x)
+{
+    return a.whole && sm_abs(x) < FACT_EXACT ? sm_ceil(x) - 1 : -next_up(-x);
+}
