@@ -10,13 +10,15 @@ struct Env {
     } kid[KIDS];
 };
 
+bool env_is_private(const IrVar *v) { return v->space == IR_LOCAL && !v->outside; }
+
 EnvShape env_shape(Arena *arena, const IrMachine *m)
 {
     EnvShape s = {arena, m, 1};
 
     while ((m->var.n - 1) >> (s.levels * BITS))
         s.levels++;
-    s.levels++;                                       // the root: locals apart from the others
+    s.levels++;                                       // the root: private ones apart from the others
     return s;
 }
 
@@ -24,7 +26,7 @@ static bool is_root(const EnvShape *s, unsigned level) { return level == s->leve
 
 static unsigned digit(const EnvShape *s, uint32_t var, unsigned level)
 {
-    return is_root(s, level) ? s->m->var.at[var].space == IR_LOCAL : var >> (level * BITS) & (KIDS - 1u);
+    return is_root(s, level) ? env_is_private(&s->m->var.at[var]) : var >> (level * BITS) & (KIDS - 1u);
 }
 
 Fact env_get(const EnvShape *s, const Env *e, uint32_t var)
@@ -111,7 +113,7 @@ const Env *env_join(const EnvShape *s, const Env *a, const Env *b, bool widen)
     return join(s, a, b, 0, s->levels - 1, widen);
 }
 
-const Env *env_locals(const EnvShape *s, const Env *e)
+const Env *env_private(const EnvShape *s, const Env *e)
 {
     Env *n;
 

@@ -138,7 +138,7 @@ static Fact multiply(Fact a, Fact b)
     r.whole = a.whole && b.whole;
     r.nan = a.nan || b.nan || zero_by_infinity;
     // A product of whole numbers is zero only if one of them is; others also come to zero when they are small.
-    r.minus_zero = r.whole ? (has(a, 0) && can_be_negative(b)) || (has(b, 0) && can_be_negative(a))
+    r.minus_zero = r.whole ? a.minus_zero || b.minus_zero || (has(a, 0) && b.lo < 0) || (has(b, 0) && a.lo < 0)
                            : can_be_negative(a) || can_be_negative(b);
     return settle(r);
 }

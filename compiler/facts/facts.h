@@ -2,9 +2,8 @@
 // Facts about a whole machine: what its locals can hold when each state's functions begin, and from that what every temporary of
 // a function can be, guards on the way to it included.
 //
-// Elements are only known by their type when a step's function begins, since others write them between steps; within a function
-// they are what was last stored or what a guard let pass.  A machine may be started in any state, with its locals at their
-// initial values.
+// Elements, and locals that others write, are only known by their type when a function begins; within a function they are what
+// was last stored or what a guard let pass.  A machine may be started in any state, with its locals at their initial values.
 //
 //     FactMachine *fm = facts_of_machine(arena, m);
 //     FactFlow flow = facts_of_function(fm, f, facts_begin(fm, state, BLOCK_STEP));     // flow.of[ref]

@@ -72,7 +72,7 @@ static void end_of_function(void *context, const IrJump *end, const Env *env)
     Visit *v = context;
     const IrState *s = &v->fm->shape.m->state.at[v->state];
 
-    env = env_locals(&v->fm->shape, env);
+    env = env_private(&v->fm->shape, env);
     if (v->block == BLOCK_EXIT) {
         arrive_at_targets(v, s->block[BLOCK_ENTRY], env);
         arrive_at_targets(v, s->block[BLOCK_STEP], env);
@@ -115,7 +115,7 @@ static const Env *initial(const EnvShape *s, bool writable_too)
 
     for (uint32_t v = 0; v < s->m->var.n; v++) {
         const IrVar *var = &s->m->var.at[v];
-        if (var->space == IR_LOCAL && (writable_too || !var->writable))
+        if (env_is_private(var) && (writable_too || !var->writable))
             env = env_set(s, env, v, fact_convert(fact_of_cell(var->type, var->init), var->type));
     }
     return env;

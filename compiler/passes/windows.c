@@ -68,7 +68,7 @@ static void drop_windows(Arena *arena, IrMachine *m, const uint32_t *wanted)
     for (size_t w = 0; w < m->window.n; w++)
         if (wanted[w]) {
             number[w] = n;
-            m->window.at[n].size = m->window.at[w].size;
+            m->window.at[n] = m->window.at[w];
             m->window.at[n++].stats = wanted[w];
         }
     m->window.n = n;

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// known: what facts decide.  An operation that can only give one number becomes that number: comparisons that come out one way,
+// guards that an earlier guard implies, locals that hold one value.  An operation that changes none of the numbers that reach it
+// is left out: NaN turned into 0 where there is none, rounding of whole numbers, limits that are never reached.
+// Needs nothing; breaks uses.
+#include "compiler/facts/facts.h"
+#include "compiler/passes/pass.h"
+#include "stdlib/convert.h"
+
+typedef struct Known {
+    IrFn *f;
+    const Fact *of;
+    IrRef *same;          // by temporary: the one that has the same value, itself if there is none
+} Known;
+
+static bool is_whole_or_infinite(const IrIns *i) { return i->op == IR_floor || i->op == IR_ceil || i->op == IR_trunc || i->op == IR_round; }
+
+static bool is_never_negative(Fact a) { return a.lo >= 0 && !a.minus_zero; }
+
+// Which operand a min or max always gives: one is never beyond the other.  Zeros of both signs are told apart, NaN spoils it.
+static IrRef decided_extreme(const IrIns *i, Fact a, Fact b)
+{
+    const Fact low = i->op == IR_min ? a : b, high = i->op == IR_min ? b : a;
+
+    if (a.nan || b.nan)
+        return IR_NONE;
+    if (low.hi < high.lo)
+        return i->a;
+    return high.hi < low.lo ? i->b : IR_NONE;
+}
+
+// The operand whose value i gives unchanged, or IR_NONE.
+static IrRef unchanged(const Known *k, const IrIns *i)
+{
+    const Fact a = k->of[i->a];
+
+    if (i->op == IR_cvt)
+        return i->type == SM_F64 && k->f->ins.at[i->a].type == SM_F64 && !a.nan ? i->a : IR_NONE;
+    if (is_whole_or_infinite(i))
+        return a.whole ? i->a : IR_NONE;                         // NaN and -0 stay what they are
+    if (i->op == IR_abs)
+        return is_never_negative(a) ? i->a : IR_NONE;            // a NaN's sign means nothing
+    if (i->op == IR_min || i->op == IR_max)
+        return decided_extreme(i, a, k->of[i->b]);
+    return IR_NONE;
+}
+
+static void become_number(IrIns *i, double x)
+{
+    i->op = IR_const;
+    i->a = i->b = IR_NONE;
+    i->bits = i->type == SM_F64 ? sm_bits(x) : sm_cell_from_f64(i->type, x);
+}
+
+static void rewrite(Known *k, IrRef ref)
+{
+    IrIns *i = &k->f->ins.at[ref];
+    const uint8_t operands = ir_op_info[i->op].operands;
+    IrRef same;
+    double x;
+
+    k->same[ref] = ref;
+    if (operands > 0)
+        i->a = k->same[i->a];
+    if (operands > 1)
+        i->b = k->same[i->b];
+    if (ir_op_info[i->op].effect || i->op == IR_const)
+        return;
+    if (fact_is_number(k->of[ref], &x) && (sm_type_info[i->type].bytes < 8 || i->type == SM_F64 || fact_within(k->of[ref], -FACT_EXACT, FACT_EXACT)))
+        become_number(i, x);
+    else if (operands > 0 && (same = unchanged(k, i)) != IR_NONE)
+        k->same[ref] = same;
+}
+
+static void rewrite_function(Arena *arena, FactMachine *fm, IrFn *f, const Env *begin)
+{
+    const FactFlow flow = facts_of_function(fm, f, begin);
+    Known k = {f, flow.of, ARENA_ARRAY(arena, IrRef, f->ins.n)};
+
+    for (size_t b = 0; b < f->blk.n; b++) {
+        IrBlk *blk = &f->blk.at[b];
+        for (size_t i = 0; flow.reached[b] && i < blk->ins.n; i++)
+            rewrite(&k, blk->ins.at[i]);
+        if (flow.reached[b] && blk->jump.kind == IR_BR)
+            blk->jump.cond = k.same[blk->jump.cond];
+    }
+}
+
+void pass_known(Arena *arena, IrMachine *m)
+{
+    FactMachine *fm = facts_of_machine(arena, m);
+
+    if (m->sample)
+        rewrite_function(arena, fm, m->sample, facts_begin_sample(fm));
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            if (m->state.at[s].block[b])
+                rewrite_function(arena, fm, m->state.at[s].block[b], facts_begin(fm, s, b));
+}

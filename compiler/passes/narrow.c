@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: Apache-2.0
+// narrow: F64 work becomes work on the types that the numbers come in, where facts prove that nobody can tell.
+//   sums, products, …   of whole numbers that stay within 2^53: on I32 or I64.  F64 would be exact too; only the sign of a zero is
+//                       lost, so nobody may ask for it (a store to a float, a division, …)
+//   op, then to F32     of operands that are F32: on F32.  Rounding to F64 in between changes nothing, since F64 has more than twice
+//                       the digits of F32 and two
+//   comparisons         see narrow_compare.c
+//   conversions         of what exists in a narrower type: from that
+//   windows             keep samples in the narrowest type that holds all of them
+// Needs nothing; breaks uses.  What became useless is left to dce.
+#include "compiler/passes/narrow.h"
+
+#include <string.h>
+
+#include "compiler/passes/pass.h"
+#include "stdlib/convert.h"
+
+IrRef narrow_emit(Narrow *n, IrIns i)
+{
+    vec_push(n->arena, &n->f->ins, i);
+    vec_push(n->arena, &n->out, (IrRef)(n->f->ins.n - 1));
+    return (IrRef)(n->f->ins.n - 1);
+}
+
+static IrIns make(IrOp op, SmType type, IrRef a, IrRef b, Span span)
+{
+    const IrIns i = {.op = op, .type = type, .a = a, .b = b, .span = span};
+
+    return i;
+}
+
+IrRef narrow_const(Narrow *n, SmType type, double x, Span span)
+{
+    IrIns i = make(IR_const, type, IR_NONE, IR_NONE, span);
+
+    i.bits = sm_cell_from_f64(type, x);
+    return narrow_emit(n, i);
+}
+
+bool narrow_is_const(const Narrow *n, IrRef r, double *x)
+{
+    const IrIns *i = narrow_ins(n, r);
+
+    if (i->op != IR_const || i->type != SM_F64)
+        return false;
+    *x = sm_from_bits(i->bits);
+    return !sm_is_nan(*x);
+}
+
+// ---- who can tell -0 from 0 ----
+
+static void tell(Narrow *n, IrRef r, bool yes) { n->zero_sign[r] |= yes; }
+
+static bool can_be_zero(Fact a) { return a.lo <= 0 && a.hi >= 0; }
+
+static void tell_two(Narrow *n, const IrIns *i, bool told)
+{
+    const Fact a = n->of[i->a], b = n->of[i->b];
+
+    if (i->op == IR_add) {                            // -0 + -0 alone is -0
+        tell(n, i->a, told && b.minus_zero);
+        tell(n, i->b, told && a.minus_zero);
+    } else if (i->op == IR_sub) {                     // -0 - 0 alone is -0
+        tell(n, i->a, told && can_be_zero(b));
+        tell(n, i->b, told && a.minus_zero);
+    } else if (i->op == IR_div) {
+        tell(n, i->a, told);
+        tell(n, i->b, can_be_zero(b));
+    } else if (ir_op_info[i->op].types == IR_T_SAME) {
+        tell(n, i->a, told);
+        tell(n, i->b, told);
+    }
+}
+
+static bool is_float(SmType t) { return sm_type_info[t].kind == SM_KIND_FLOAT; }
+
+static void tell_operands(Narrow *n, IrRef ref)
+{
+    const IrIns *i = narrow_ins(n, ref);
+
+    if (ir_op_info[i->op].operands == 2)
+        tell_two(n, i, n->zero_sign[ref]);
+    else if (i->op == IR_store || i->op == IR_sample)
+        tell(n, i->a, true);
+    else if (ir_op_info[i->op].operands == 1)
+        tell(n, i->a, n->zero_sign[ref] && is_float(i->type) && i->op != IR_abs);
+}
+
+// ---- integers ----
+
+static bool is_whole_const(const Narrow *n, IrRef r)
+{
+    double x;
+
+    return narrow_is_const(n, r, &x) && n->of[r].whole && fact_within(n->of[r], -FACT_EXACT, FACT_EXACT) && !n->of[r].minus_zero;
+}
+
+bool narrow_has_integer(const Narrow *n, IrRef r)
+{
+    return is_whole_const(n, r) || (n->narrow[r] != IR_NONE && narrow_ins(n, n->narrow[r])->type != SM_F32);
+}
+
+static bool fits_i32(const Narrow *n, IrRef r) { return r == IR_NONE || fact_within(n->of[r], INT32_MIN, INT32_MAX); }
+
+SmType narrow_common(const Narrow *n, IrRef r, IrRef a, IrRef b)
+{
+    return fits_i32(n, r) && fits_i32(n, a) && fits_i32(n, b) ? SM_I32 : SM_I64;
+}
+
+static IrRef make_integer(Narrow *n, IrRef r, SmType type)
+{
+    const Span span = narrow_ins(n, r)->span;
+    const IrRef from = n->narrow[r];
+    double x;
+
+    if (narrow_is_const(n, r, &x))
+        return narrow_const(n, type, x, span);
+    if (narrow_ins(n, from)->type == type)
+        return from;
+    return narrow_emit(n, make(IR_cvt, type, from, IR_NONE, span));
+}
+
+IrRef narrow_integer(Narrow *n, IrRef r, SmType type)
+{
+    IrRef *made = type == SM_I32 ? &n->as_i32[r] : &n->as_i64[r];
+
+    if (*made == IR_NONE)
+        *made = make_integer(n, r, type);
+    return *made;
+}
+
+static bool is_integer_result(const Narrow *n, IrRef ref)
+{
+    const Fact r = n->of[ref];
+
+    return r.whole && fact_within(r, -FACT_EXACT, FACT_EXACT) && !(r.minus_zero && n->zero_sign[ref]);
+}
+
+// ref is computed on integers, and then is their conversion.
+static void narrow_to_integer(Narrow *n, IrRef ref)
+{
+    IrIns i = *narrow_ins(n, ref);
+    const bool two = ir_op_info[i.op].operands == 2;
+
+    if (!(ir_op_info[i.op].narrow & IR_N_INT) || i.type != SM_F64 || !is_integer_result(n, ref) || !narrow_has_integer(n, i.a)
+        || (two && !narrow_has_integer(n, i.b)))
+        return;
+    i.type = narrow_common(n, ref, i.a, two ? i.b : IR_NONE);
+    i.a = narrow_integer(n, i.a, i.type);
+    if (two)
+        i.b = narrow_integer(n, i.b, i.type);
+    n->narrow[ref] = narrow_emit(n, i);
+    *narrow_ins(n, ref) = make(IR_cvt, SM_F64, n->narrow[ref], IR_NONE, i.span);
+}
+
+// ---- F32 ----
+
+static bool has_f32(const Narrow *n, IrRef r, bool *is_variable)
+{
+    double x;
+
+    if (narrow_is_const(n, r, &x))
+        return n->of[r].f32;
+    *is_variable = true;
+    return n->narrow[r] != IR_NONE && narrow_ins(n, n->narrow[r])->type == SM_F32;
+}
+
+static IrRef as_f32(Narrow *n, IrRef r)
+{
+    double x;
+
+    return narrow_is_const(n, r, &x) ? narrow_const(n, SM_F32, x, narrow_ins(n, r)->span) : n->narrow[r];
+}
+
+// `cvt F32` of an operation on F32s that nobody else uses.
+static void narrow_to_f32(Narrow *n, IrRef cvt)
+{
+    const IrRef r = narrow_ins(n, cvt)->a;
+    IrIns i = *narrow_ins(n, r);
+    const bool two = ir_op_info[i.op].operands == 2;
+    bool is_variable = false;
+    IrRef f32;
+
+    if (!(ir_op_info[i.op].narrow & IR_N_F32) || i.type != SM_F64 || n->uses[r] != 1 || !has_f32(n, i.a, &is_variable)
+        || (two && !has_f32(n, i.b, &is_variable)) || !is_variable)
+        return;
+    i.type = SM_F32;
+    i.a = as_f32(n, i.a);
+    if (two)
+        i.b = as_f32(n, i.b);
+    f32 = narrow_emit(n, i);
+    narrow_ins(n, cvt)->a = f32;
+    if (!n->of[r].nan)
+        n->same[cvt] = f32;
+}
+
+// ---- conversions ----
+
+static void narrow_to_f64(Narrow *n, IrRef ref)
+{
+    const IrRef from = narrow_ins(n, ref)->a;
+    const SmType type = narrow_ins(n, from)->type;
+
+    if (type == SM_F64)
+        return;
+    if (sm_type_info[type].bytes < 8 || fact_within(n->of[ref], -FACT_EXACT + 1, FACT_EXACT - 1))
+        n->narrow[ref] = from;
+    else
+        n->wide[ref] = from;
+}
+
+static void narrow_conversion(Narrow *n, IrRef ref)
+{
+    IrIns *i = narrow_ins(n, ref);
+    const IrRef from = narrow_ins(n, i->a)->type == SM_F64 ? n->narrow[i->a] : IR_NONE;
+
+    if (from != IR_NONE && narrow_ins(n, from)->type == i->type) {
+        n->same[ref] = from;
+        return;
+    }
+    if (from != IR_NONE)
+        i->a = from;
+    else if (i->type == SM_F32)
+        narrow_to_f32(n, ref);
+    if (narrow_ins(n, ref)->type == SM_F64)
+        narrow_to_f64(n, ref);
+}
+
+// ---- functions ----
+
+static void narrow_one(Narrow *n, IrRef ref)
+{
+    IrIns *i = narrow_ins(n, ref);
+
+    if (ir_op_info[i->op].operands > 0)
+        i->a = n->same[i->a];
+    if (ir_op_info[i->op].operands > 1)
+        i->b = n->same[i->b];
+    if (i->op == IR_cvt)
+        narrow_conversion(n, ref);
+    else if (i->op == IR_sample && narrow_ins(n, i->a)->type == SM_F64 && n->narrow[i->a] != IR_NONE)
+        i->a = n->narrow[i->a];
+    else if (ir_op_info[i->op].types == IR_T_COMPARE)
+        narrow_compare(n, ref);
+    else if (ir_op_info[i->op].types == IR_T_SAME)
+        narrow_to_integer(n, ref);
+    vec_push(n->arena, &n->out, ref);
+}
+
+static void narrow_block(Narrow *n, IrBlk *blk)
+{
+    n->out.at = NULL;
+    n->out.n = n->out.cap = 0;
+    for (size_t k = blk->ins.n; k-- > 0;)
+        tell_operands(n, blk->ins.at[k]);
+    for (size_t k = 0; k < blk->ins.n; k++)
+        narrow_one(n, blk->ins.at[k]);
+    if (blk->jump.kind == IR_BR)
+        blk->jump.cond = n->same[blk->jump.cond];
+    blk->ins.at = n->out.at;
+    blk->ins.n = n->out.n;
+    blk->ins.cap = n->out.cap;
+}
+
+static IrRef *no_refs(Arena *arena, size_t count)
+{
+    IrRef *r = ARENA_ARRAY(arena, IrRef, count);
+
+    memset(r, 0xff, count * sizeof *r);
+    return r;
+}
+
+static void narrow_function(Arena *arena, IrMachine *m, FactMachine *fm, IrFn *f, const Env *begin)
+{
+    const FactFlow flow = facts_of_function(fm, f, begin);
+    const size_t temps = f->ins.n;
+    Narrow n = {.arena = arena, .m = m, .f = f, .of = flow.of, .uses = ir_count_uses(arena, f)};
+
+    n.same = ARENA_ARRAY(arena, IrRef, temps);
+    for (size_t r = 0; r < temps; r++)
+        n.same[r] = (IrRef)r;
+    n.narrow = no_refs(arena, temps);
+    n.wide = no_refs(arena, temps);
+    n.as_i32 = no_refs(arena, temps);
+    n.as_i64 = no_refs(arena, temps);
+    n.zero_sign = ARENA_ARRAY(arena, bool, temps);
+    for (size_t b = 0; b < f->blk.n; b++)
+        if (flow.reached[b])
+            narrow_block(&n, &f->blk.at[b]);
+}
+
+// ---- windows ----
+
+static SmType narrowest(Fact sample)
+{
+    static const SmType whole[] = {SM_U8, SM_I8, SM_U16, SM_I16, SM_I32, SM_U32};
+
+    for (size_t t = 0; sample.whole && !sample.minus_zero && t < sizeof whole / sizeof *whole; t++)
+        if (fact_fits(sample, whole[t]))
+            return whole[t];
+    return sample.f32 ? SM_F32 : SM_F64;
+}
+
+void pass_narrow(Arena *arena, IrMachine *m)
+{
+    FactMachine *fm = facts_of_machine(arena, m);
+
+    for (uint32_t w = 0; w < m->window.n; w++)
+        m->window.at[w].type = narrowest(facts_of_window(fm, w));
+    if (m->sample)
+        narrow_function(arena, m, fm, m->sample, facts_begin_sample(fm));
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            if (m->state.at[s].block[b])
+                narrow_function(arena, m, fm, m->state.at[s].block[b], facts_begin(fm, s, b));
+}

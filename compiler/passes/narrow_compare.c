@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// narrow: comparisons in the type that the numbers come in.  Against a constant, the constant is moved to the next number that
+// the type has, where the answer changes at the same place.  An I64 or U64 rounds on its way to F64, which keeps the order to every
+// constant below 2^53, where nothing is rounded.
+#include "compiler/passes/narrow.h"
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
+static IrOp mirrored(IrOp op)
+{
+    return op == IR_lt ? IR_gt : op == IR_le ? IR_ge : op == IR_gt ? IR_lt : op == IR_ge ? IR_le : op;
+}
+
+static void become_compare(Narrow *n, IrRef ref, IrOp op, IrRef a, IrRef b)
+{
+    IrIns *i = narrow_ins(n, ref);
+
+    i->op = op;
+    i->a = a;
+    i->b = b;
+}
+
+static bool compares(IrOp op, double x, double c)
+{
+    switch ((int)op) {
+    case IR_eq: return x == c;
+    case IR_ne: return x != c;
+    case IR_lt: return x < c;
+    case IR_le: return x <= c;
+    case IR_gt: return x > c;
+    default: return x >= c;
+    }
+}
+
+// A truth against a constant is itself, its opposite, or known.
+static void compare_bool(Narrow *n, IrRef ref, IrOp op, IrRef flag, double c)
+{
+    const bool of_false = compares(op, 0, c), of_true = compares(op, 1, c);
+    IrIns *i = narrow_ins(n, ref);
+
+    if (of_true && !of_false) {
+        n->same[ref] = flag;
+        return;
+    }
+    i->op = of_false && !of_true ? IR_not : IR_const;
+    i->a = i->op == IR_not ? flag : IR_NONE;
+    i->b = IR_NONE;
+    i->type = SM_BOOL;
+    i->bits = of_true;
+}
+
+// x op c, where the type has no c: `below` is the largest number below c that it has.
+static IrOp beside(IrOp op) { return op == IR_lt || op == IR_le ? IR_le : IR_gt; }
+
+static void compare_at(Narrow *n, IrRef ref, IrOp op, IrRef x, double c, double below)
+{
+    const SmType type = narrow_ins(n, x)->type;
+    IrRef constant;
+
+    if (below != c && (op == IR_eq || op == IR_ne))
+        return;
+    constant = narrow_const(n, type, below, narrow_ins(n, ref)->span);
+    become_compare(n, ref, below == c ? op : beside(op), x, constant);
+}
+
+static void compare_integer(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
+{
+    const double below = sm_floor(c);
+    const Fact type = fact_of_type(narrow_ins(n, x)->type);
+
+    if (below >= type.lo && below <= type.hi && sm_abs(below) < FACT_EXACT)
+        compare_at(n, ref, op, x, c, below);
+}
+
+static void compare_f32(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
+{
+    const float near = sm_round_f32(c);
+    double below = sm_from_f32(near);
+
+    if (below > c) {
+        const uint32_t u = sm_f32_bits(near);         // one step down
+        below = sm_from_f32(sm_f32_from_bits(below > 0 ? u - 1 : u + 1));
+    }
+    compare_at(n, ref, op, x, c, below);
+}
+
+static void compare_constant(Narrow *n, IrRef ref, IrOp op, IrRef r, double c)
+{
+    const IrRef x = n->narrow[r] != IR_NONE ? n->narrow[r] : n->wide[r];
+    const SmType type = x == IR_NONE ? SM_F64 : narrow_ins(n, x)->type;
+
+    if (type == SM_BOOL)
+        compare_bool(n, ref, op, x, c);
+    else if (type == SM_F32)
+        compare_f32(n, ref, op, x, c);
+    else if (type != SM_F64)
+        compare_integer(n, ref, op, x, c);
+}
+
+static void compare_two(Narrow *n, IrRef ref)
+{
+    const IrIns i = *narrow_ins(n, ref);
+    IrRef a = n->narrow[i.a], b = n->narrow[i.b];
+
+    if (a == IR_NONE || b == IR_NONE)
+        return;
+    if (narrow_ins(n, a)->type != narrow_ins(n, b)->type) {
+        const SmType common = narrow_common(n, IR_NONE, i.a, i.b);
+        if (!narrow_has_integer(n, i.a) || !narrow_has_integer(n, i.b))
+            return;
+        a = narrow_integer(n, i.a, common);
+        b = narrow_integer(n, i.b, common);
+    }
+    become_compare(n, ref, i.op, a, b);
+}
+
+void narrow_compare(Narrow *n, IrRef ref)
+{
+    const IrIns i = *narrow_ins(n, ref);
+    double c;
+
+    if (narrow_ins(n, i.a)->type != SM_F64)
+        return;
+    if (narrow_is_const(n, i.b, &c))
+        compare_constant(n, ref, i.op, i.a, c);
+    else if (narrow_is_const(n, i.a, &c))
+        compare_constant(n, ref, mirrored(i.op), i.b, c);
+    else
+        compare_two(n, ref);
+}
