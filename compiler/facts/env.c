@@ -76,7 +76,7 @@ const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact)
     return fact_equal(env_get(s, e, var), fact) ? e : set(s, e, var, keep(s, fact, s->m->var.at[var].type), s->levels - 1);
 }
 
-static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, uint32_t var, bool widen)
+static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, uint32_t var, const FactLimits *widen)
 {
     const SmType type = s->m->var.at[var].type;
     Fact r;
@@ -86,10 +86,10 @@ static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, u
     r = fact_join(*a, *b);
     if (fact_equal(r, *a))
         return a;
-    return keep(s, widen ? fact_widen(*a, r, type) : r, type);
+    return keep(s, widen ? fact_widen(*a, r, type, widen) : r, type);
 }
 
-static const Env *join(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, bool widen)
+static const Env *join(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, const FactLimits *widen)
 {
     Env both;
     bool same = true, empty = true;
@@ -108,7 +108,7 @@ static const Env *join(const EnvShape *s, const Env *a, const Env *b, uint32_t f
     return same ? a : empty ? NULL : copy(s, &both);
 }
 
-const Env *env_join(const EnvShape *s, const Env *a, const Env *b, bool widen)
+const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLimits *widen)
 {
     return join(s, a, b, 0, s->levels - 1, widen);
 }

@@ -18,8 +18,8 @@ EnvShape env_shape(Arena *arena, const IrMachine *m);
 
 Fact env_get(const EnvShape *s, const Env *e, uint32_t var);
 const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact);
-// What holds in both.  Gives `a` itself if b adds nothing; with `widen`, bounds beyond those of a go to the next limit.
-const Env *env_join(const EnvShape *s, const Env *a, const Env *b, bool widen);
+// What holds in both.  Gives `a` itself if b adds nothing; with limits, bounds beyond those of a are widened (else NULL).
+const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLimits *widen);
 
 bool env_is_private(const IrVar *v);                          // a local that nobody beside the machine writes
 const Env *env_private(const EnvShape *s, const Env *e);      // only what it tells of those

@@ -381,17 +381,17 @@ bool fact_equal(Fact a, Fact b)
     return a.lo == b.lo && a.hi == b.hi && a.whole == b.whole && a.f32 == b.f32 && a.nan == b.nan && a.minus_zero == b.minus_zero;
 }
 
-Fact fact_widen(Fact before, Fact now, SmType type)
+Fact fact_widen(Fact before, Fact now, SmType type, const FactLimits *limits)
 {
-    static const double limit[] = {0, 1, 255, 65535, 2147483647.0, 4294967295.0, FACT_EXACT};
     const Fact t = fact_of_type(type);
     double lo = t.lo, hi = t.hi;
 
-    for (size_t i = sizeof limit / sizeof *limit; i-- > 0;) {
-        if (now.hi <= limit[i] && limit[i] < hi)
-            hi = limit[i];
-        if (now.lo >= -limit[i] && -limit[i] > lo)
-            lo = -limit[i];
+    for (size_t i = 0; i < limits->n; i++) {
+        const double x = limits->at[i];
+        if (now.hi <= x && x < hi)
+            hi = x;
+        if (now.lo >= x && x > lo)
+            lo = x;
     }
     if (now.lo < before.lo)
         now.lo = lo;

@@ -34,7 +34,13 @@ Fact fact_of_stat(SmStat stat, Fact sample);
 Fact fact_join(Fact a, Fact b);                       // of a value that is one or the other
 Fact fact_meet(Fact a, Fact b);                       // of a value that is both; a where that leaves nothing
 bool fact_equal(Fact a, Fact b);
-Fact fact_widen(Fact before, Fact now, SmType type);  // bounds that grew go to the next of a few limits, so that growth ends
+
+typedef struct FactLimits {
+    const double *at;
+    size_t n;
+} FactLimits;
+// What `before` has grown to: bounds that grew go on to the next limit, or to the type's own, so that growth ends.
+Fact fact_widen(Fact before, Fact now, SmType type, const FactLimits *limits);
 
 bool fact_is_number(Fact a, double *x);               // whether it is one number; zeros of either sign are two
 bool fact_within(Fact a, double lo, double hi);       // a number, in these bounds

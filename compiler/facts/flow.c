@@ -209,7 +209,7 @@ static const Env *refine(Flow *w, const Env *env, IrRef r, bool holds)
 
 static void go(Flow *w, IrBlkRef to, const Env *env)
 {
-    w->begin[to] = w->out.reached[to] ? env_join(&w->fm->shape, w->begin[to], env, false) : env;
+    w->begin[to] = w->out.reached[to] ? env_join(&w->fm->shape, w->begin[to], env, NULL) : env;
     w->out.reached[to] = true;
 }
 

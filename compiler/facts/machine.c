@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Facts of a machine: what its locals can hold when each function begins, found by following transitions until nothing is added.
-// Bounds that keep growing are widened, so this ends after a few visits of each state.
+// Bounds that keep growing are widened, so this ends after a few visits of each state; one last round of all takes back what
+// widening gave away beyond need.
 #include "compiler/facts/facts.h"
 
-enum { PATIENCE = 3, ENOUGH = 20 };   // changes after which bounds are widened; after which no more is claimed than is constant
+// Changes after which bounds are widened to the program's own numbers; to a few round ones; after which no more is claimed than is
+// constant.
+enum { PATIENCE = 3, IMPATIENCE = 12, ENOUGH = 20, NUMBERS = 64 };
 
 // States that wait for a visit, in a ring.
 typedef struct Queue {
@@ -14,9 +17,11 @@ typedef struct Queue {
 
 typedef struct Visit {
     FactMachine *fm;
+    FactBegin (*to)[BLOCK_COUNT];     // where ways arrive: what is being found, or in the last round, what follows from it
     Queue queue;
     uint32_t state;                   // the one that is looked at
     int block;
+    FactLimits numbers;               // that stand in the program, and their neighbours: where guards stop what counts
 } Visit;
 
 static void enqueue(Queue *q, uint32_t state)
@@ -39,24 +44,31 @@ static uint32_t dequeue(Queue *q)
 
 // ---- ways into functions ----
 
-static const Env *with_more(const FactMachine *fm, const FactBegin *b, const Env *env)
+static const Env *with_more(const Visit *v, const FactBegin *b, const Env *env)
 {
+    static const double round[] = {-FACT_EXACT, -2147483648.0, -32768, -128, 0, 1, 255, 65535, 2147483647.0, FACT_EXACT};
+    static const FactLimits few = {round, sizeof round / sizeof *round};
+    const bool last = v->to != v->fm->begin;
+
     if (!b->found)
         return env;
-    return b->changes > ENOUGH ? fm->constants : env_join(&fm->shape, b->env, env, b->changes > PATIENCE);
+    if (b->changes > ENOUGH && !last)
+        return v->fm->constants;
+    return env_join(&v->fm->shape, b->env, env, last || b->changes <= PATIENCE ? NULL : b->changes <= IMPATIENCE ? &v->numbers : &few);
 }
 
 static void arrive(Visit *v, uint32_t state, int block, const Env *env)
 {
-    FactBegin *b = &v->fm->begin[state][block];
-    const Env *now = with_more(v->fm, b, env);
+    FactBegin *b = &v->to[state][block];
+    const Env *now = with_more(v, b, env);
 
     if (b->found && now == b->env)
         return;
     b->env = now;
     b->found = b->dirty = true;
     b->changes++;
-    enqueue(&v->queue, state);
+    if (v->to == v->fm->begin)
+        enqueue(&v->queue, state);
 }
 
 static void arrive_at_targets(Visit *v, const IrFn *f, const Env *env)
@@ -90,10 +102,8 @@ static void look_at_function(Visit *v, int block)
     const IrFn *f = v->fm->shape.m->state.at[v->state].block[block];
     FactBegin *b = &v->fm->begin[v->state][block];
 
-    if (!b->dirty)
-        return;
-    b->dirty = false;
     v->block = block;
+    b->dirty = false;
     if (f)
         facts_flow(v->fm, f, facts_begin(v->fm, v->state, block), &ends);
     else
@@ -105,8 +115,27 @@ static void visit_states(Visit *v)
     while (v->queue.n > 0) {
         v->state = dequeue(&v->queue);
         for (int block = 0; block < BLOCK_COUNT; block++)
-            look_at_function(v, block);
+            if (v->fm->begin[v->state][block].dirty)
+                look_at_function(v, block);
     }
+}
+
+static void begin_all(Visit *v, const Env *env)       // a machine may be started in any state
+{
+    for (uint32_t s = 0; s < v->fm->shape.m->state.n; s++)
+        arrive(v, s, BLOCK_ENTRY, env);
+}
+
+// What follows from facts that hold holds as well, and may be less.
+static void last_round(Visit *v, const Env *env)
+{
+    v->to = arena_array(v->fm->shape.arena, v->fm->shape.m->state.n, sizeof *v->to);
+    begin_all(v, env);
+    for (v->state = 0; v->state < v->fm->shape.m->state.n; v->state++)
+        for (int block = 0; block < BLOCK_COUNT; block++)
+            if (v->fm->begin[v->state][block].found)
+                look_at_function(v, block);
+    v->fm->begin = v->to;
 }
 
 static const Env *initial(const EnvShape *s, bool writable_too)
@@ -121,17 +150,53 @@ static const Env *initial(const EnvShape *s, bool writable_too)
     return env;
 }
 
+// ---- the program's numbers ----
+
+typedef struct Numbers {
+    double at[NUMBERS + 2];
+    size_t n;
+} Numbers;
+
+static void add_number(Numbers *numbers, double x)
+{
+    for (size_t i = 0; i < numbers->n; i++)
+        if (numbers->at[i] == x)
+            return;
+    if (numbers->n < NUMBERS && x > -FACT_EXACT && x < FACT_EXACT)
+        numbers->at[numbers->n++] = x;
+}
+
+static void add_numbers_of(Numbers *numbers, const IrFn *f)
+{
+    for (size_t i = 0; f && i < f->ins.n && numbers->n < NUMBERS; i++) {
+        const Fact c = f->ins.at[i].op == IR_const ? fact_of_cell(f->ins.at[i].type, f->ins.at[i].bits) : fact_of_type(SM_F64);
+        for (int beside = -1; c.lo == c.hi && beside <= 1; beside++)
+            add_number(numbers, c.lo + beside);
+    }
+}
+
+static FactLimits numbers_of(Arena *arena, const IrMachine *m)
+{
+    Numbers *numbers = ARENA_NEW(arena, Numbers);
+
+    for (size_t s = 0; s < m->state.n && numbers->n < NUMBERS; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            add_numbers_of(numbers, m->state.at[s].block[b]);
+    add_number(numbers, 0);
+    return (FactLimits){numbers->at, numbers->n};
+}
+
 static void visit_all(FactMachine *fm)
 {
     const IrMachine *m = fm->shape.m;
     const Env *env = initial(&fm->shape, true);
-    Visit v = {fm, {NULL, NULL, 0, 0, m->state.n}, 0, 0};
+    Visit v = {fm, fm->begin, {NULL, NULL, 0, 0, m->state.n}, 0, 0, numbers_of(fm->shape.arena, m)};
 
     v.queue.at = ARENA_ARRAY(fm->shape.arena, uint32_t, m->state.n);
     v.queue.waits = ARENA_ARRAY(fm->shape.arena, bool, m->state.n);
-    for (uint32_t s = 0; s < m->state.n; s++)         // a machine may be started in any
-        arrive(&v, s, BLOCK_ENTRY, env);
+    begin_all(&v, env);
     visit_states(&v);
+    last_round(&v, env);
 }
 
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m)
