@@ -193,16 +193,50 @@ fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
 	    -artifact_prefix=$(B)/corpus/$(f)- $(B)/corpus/$(f) $(FUZZ_SEEDS_$(f)) $(wildcard tests/fuzz/seeds/$(f)) || exit 1;)
 FUZZ_SEEDS_ir = tests/ir/samples
 
-# How compile time grows with the input.
+# tests/bench: what a step costs, what code weighs, how compiling grows.  `make bench W=mission`: one workload.  What is measured is
+# built with the options here, whatever CFLAGS says.
+W           ?= tank mission arith bigwindow
+BENCH_FLAGS  = $(STRICT_C) -I$(B)/bench/gen -O2
 $(B)/bench/%: tests/bench/%.c $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/libsmc.a
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/libsmc.a
 
-bench: bench-scale
+# Each machine as C at each level, tank_o0 to bigwindow_o2; their headers declare the same state vector.
+BENCH_EMITTED =
+define bench_emit
+BENCH_EMITTED += $(B)/bench/gen/$(1)_o$(2)
+$(B)/bench/gen/$(1)_o$(2).c: $(3) tests/bench/workloads/$(1).sv $(B)/smc
+	@mkdir -p $$(@D)
+	$$(call say,SMC)$(B)/smc build $(3) --sv tests/bench/workloads/$(1).sv --emit=c -O$(2) --prefix=$(1)_o$(2) -o $$@
+endef
+$(foreach o,0 1 2,$(eval $(call bench_emit,tank,$(o),examples/tank/tank.sm)))
+$(foreach o,0 1 2,$(foreach w,mission arith bigwindow,$(eval $(call bench_emit,$(w),$(o),tests/bench/workloads/$(w).sm))))
+$(BENCH_EMITTED:%=%.h): %.h: %.c ;
+$(BENCH_EMITTED:%=%.o): %.o: %.c
+	$(call say,CC)$(CC) $(BENCH_FLAGS) -c $< -o $@
+
+BENCH_C   = $(wildcard tests/bench/workloads/*.c) $(addprefix tests/bench/,steps.c engines.c lua.c nothing.c)
+BENCH_OBJ = $(patsubst %.c,$(B)/bench/obj/%.o,$(BENCH_C) $(VM) $(STDLIB))
+$(B)/bench/obj/%.o: %.c | $(BENCH_EMITTED:%=%.h)
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(BENCH_FLAGS) $(WARN) $(DEPFLAGS) -c $< -o $@
+$(B)/bench/steps: $(BENCH_OBJ) $(BENCH_EMITTED:%=%.o) $(B)/libsmc.a
+	$(call say,LD)$(CC) -o $@ $^ -lm
+
+check: $(B)/bench/steps
+CHECK_LINES += "bench: $(B)/bench/steps $(B)/bench check"
+
+# All of it, or `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile`; run.sh says what each is.
+BENCH_PARTS = time count sizes
+bench: $(B)/bench/steps
+	sh tests/bench/run.sh $(B) '$(CC)' '$(BENCH_PARTS)' '$(W)'
+$(BENCH_PARTS:%=bench-%): bench-%: $(B)/bench/steps
+	sh tests/bench/run.sh $(B) '$(CC)' $* '$(W)'
+
+# Whether every stage of the compiler grows with its input as it should.
 bench-scale: $(B)/bench/scale
 	$(B)/bench/scale
-
-.PHONY: bench-scale
+.PHONY: bench-scale $(BENCH_PARTS:%=bench-%)
 
 # tests/fault: memory taken away at every request.  FAULT_ALL=1 tries every machine of conformance/ (minutes).
 FAULT_CASES = $(if $(FAULT_ALL),$(wildcard conformance/*/*.smt),$(wildcard tests/fault/*.smt))
@@ -252,7 +286,7 @@ help:
 	@echo 'make asan            runs every test under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'
 	@echo 'make docs            makes docs/diagnostics.md'
-	@echo 'make bench           measures: how compile time grows with the input'
+	@echo 'make bench           measures what a step costs and what code weighs: W=mission, one workload; bench-scale: how compile time grows'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
 	@echo 'make clean           removes $(B)'
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// A workload compiled in this process: images for the VM, and the reference interpreter as a row among others.
+#ifndef BENCH_ENGINES_H
+#define BENCH_ENGINES_H
+
+#include <stdbool.h>
+
+#include "bytecode-vm/smvm.h"
+#include "compiler/pipeline.h"
+#include "compiler/script/engine.h"
+#include "tests/bench/bench.h"
+
+enum { LEVELS = 3 };
+
+typedef struct Compiled {
+    Session session;
+    Program *program;
+    Buf image[LEVELS];                  // at -O0, -O1, -O2, without a debug section
+} Compiled;
+
+// Reads and compiles; says on standard error what is wrong and ends the program if that fails.
+void compile_workload(Compiled *c, const Workload *w);
+
+// A machine of the VM.
+typedef struct VmRow {
+    SmvmMachine m;
+    SmVm *vm;                           // of `size` bytes
+    uint32_t size;
+} VmRow;
+
+void vm_row_open(VmRow *v, Compiled *c, const Buf *image);
+void vm_row_init(void *vm_row, void *sv);
+
+// The reference interpreter on a state vector in memory.
+typedef struct Reference {
+    Engine *engine;
+    EngineStep answer;
+    EngineWrite *write;                 // the elements that are inputs
+    uint32_t inputs;
+} Reference;
+
+void reference_open(Reference *r, Compiled *c, size_t in_size);
+void reference_init(void *reference, void *sv);
+
+#endif

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+# What was measured, as a table with the goals beside it and as JSON.
+#     awk -v json=FILE -f report.awk goals.txt RECORDS
+# Records, by their first word:
+#     time WORKLOAD ROW MEDIAN QUARTER THREE_QUARTERS LEAST SAMPLES TO_NATIVE TO_F64       ns a step; median ratios
+#     insn WORKLOAD ROW N                                                                  instructions a step
+#     value GROUP NAME N UNIT                                                              anything else
+#     note TEXT                                                                            what could not be measured
+/^#/ || NF == 0 { next }
+FNR == NR { goal[++goals] = $0; next }
+
+$1 == "time" {
+    if (!($2 in rows)) { rows[$2] = 0; workload[++workloads] = $2 }
+    row[$2, ++rows[$2]] = $3
+    key = $2 " " $3
+    median[key] = $4; quarter[key] = $5; three[key] = $6; least[key] = $7; samples[key] = $8; native[key] = $9; f64[key] = $10
+}
+$1 == "insn" { insn[$2 " " $3] = $4 }
+$1 == "value" { if (!(($2 " " $3) in value)) name[++values] = $2 " " $3; value[$2 " " $3] = $4; unit[$2 " " $3] = $5 }
+$1 == "note" { sub(/^note /, ""); note[++notes] = $0 }
+
+END {
+    for (i = 1; i <= workloads; i++)
+        print_workload(workload[i])
+    print_values()
+    print_goals()
+    for (i = 1; i <= notes; i++)
+        print (i == 1 ? "\n" : "") note[i]
+    print_json()
+}
+
+function print_workload(w,    i, key) {
+    printf "%s%-12s %8s   %-19s %8s %9s %9s %8s\n", (w == workload[1] ? "" : "\n"), w, "ns/step", "quartiles", "least", "instr.", "/native", "/f64"
+    for (i = 1; i <= rows[w]; i++) {
+        key = w " " row[w, i]
+        printf "  %-10s %8s   %-19s %8s %9s %9s %8s\n", row[w, i], short(median[key]), short(quarter[key]) " … " short(three[key]),
+               short(least[key]), key in insn ? short(insn[key]) : "", short(native[key]), short(f64[key])
+    }
+}
+
+function short(x) {
+    return x >= 10000 ? sprintf("%.0f", x) : x >= 1000 ? sprintf("%.0f", x) : x >= 100 ? sprintf("%.1f", x) : sprintf("%.2f", x)
+}
+
+function print_values(    i, part, group) {
+    for (i = 1; i <= values; i++) {
+        split(name[i], part, " ")
+        if (part[1] != group)
+            printf "\n%s\n", part[1]
+        group = part[1]
+        printf "  %-32s %12s %s\n", part[2], whole(value[name[i]]), unit[name[i]]
+    }
+}
+
+function whole(x) { return x == int(x) ? sprintf("%d", x) : sprintf("%.3g", x) }
+
+# ---- goals ----
+
+# The row of the VM that is the fastest against `native`.
+function best(w,    i, r, found) {
+    for (i = 1; i <= rows[w]; i++) {
+        r = row[w, i]
+        if (r ~ /^(vm|fast)-/ && (found == "" || native[w " " r] < native[w " " found]))
+            found = r
+    }
+    return found
+}
+
+function ratio(w, a, b) {
+    if (!((w " " a) in native) || !((w " " b) in native))
+        return ""
+    if (b == "f64")
+        return f64[w " " a]
+    return native[w " " b] > 0 ? native[w " " a] / native[w " " b] : ""
+}
+
+# Splits goal i into what, got, sign and limit; 0 if it was not measured.
+function judge(i,    g, r) {
+    split(goal[i], g, /[ \t]+/)
+    limit = g[1] == "ratio" ? g[5] : g[4]
+    sign = g[1] == "least" ? ">=" : "<="
+    if (g[1] == "ratio") {
+        r = g[3] == "vm" ? best(g[2]) : g[3]
+        what = g[2] ": " r " / " g[4]
+        got = ratio(g[2], r, g[4])
+    } else {
+        what = g[2] ": " g[3]
+        got = (g[2] " " g[3]) in value ? value[g[2] " " g[3]] : ""
+    }
+    if (got == "")
+        return 0
+    met = sign == "<=" ? got + 0 <= limit + 0 : got + 0 >= limit + 0
+    return 1
+}
+
+function print_goals(    i, n) {
+    for (i = 1; i <= goals; i++)
+        if (judge(i)) {
+            if (n++ == 0)
+                printf "\ngoals\n"
+            printf "  %-32s %12s   %s %-8s %s\n", what, whole(sprintf("%.3g", got)), sign, limit, met ? "met" : "not met"
+        }
+}
+
+# ---- JSON ----
+
+function print_json(    i, k, w, key, n) {
+    if (json == "")
+        return
+    printf("{\n\"time\": [") >json
+    for (i = 1; i <= workloads; i++)
+        for (k = 1; k <= rows[workload[i]]; k++) {
+            w = workload[i]
+            key = w " " row[w, k]
+            printf("%s\n{\"workload\": \"%s\", \"row\": \"%s\", \"ns\": %s, \"quarter\": %s, \"three_quarters\": %s, \"least\": %s, \"samples\": %s, \"to_native\": %s, \"to_f64\": %s%s}",
+                   n++ ? "," : "", w, row[w, k], median[key], quarter[key], three[key], least[key], samples[key], native[key], f64[key],
+                   key in insn ? ", \"instructions\": " insn[key] : "") >json
+        }
+    printf("\n],\n\"values\": [") >json
+    for (i = 1; i <= values; i++) {
+        split(name[i], w_and_name, " ")
+        printf("%s\n{\"group\": \"%s\", \"name\": \"%s\", \"value\": %s, \"unit\": \"%s\"}", i > 1 ? "," : "", w_and_name[1], w_and_name[2],
+               value[name[i]], unit[name[i]]) >json
+    }
+    printf("\n],\n\"goals\": [") >json
+    n = 0
+    for (i = 1; i <= goals; i++)
+        if (judge(i))
+            printf("%s\n{\"goal\": \"%s\", \"value\": %s, \"%s\": %s, \"met\": %s}", n++ ? "," : "", what, got,
+                   sign == "<=" ? "at_most" : "at_least", limit, met ? "true" : "false") >json
+    printf("\n]\n}\n") >json
+}

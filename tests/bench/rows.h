@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of a workload, each driven by a loop of its own: the step is called directly, as a program would call it, and
+// what is copied before it has a size that the compiler knows.
+#ifndef BENCH_ROWS_H
+#define BENCH_ROWS_H
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "bytecode-vm/smvm.h"
+#include "tests/bench/bench.h"
+
+#if defined(__GNUC__)
+#define NOINLINE __attribute__((noinline))    // by its name valgrind finds it
+#else
+#define NOINLINE
+#endif
+
+#define DRIVE(name, In, Sv, Machine, step)                                                                     \
+    static NOINLINE void drive_##name(void *machine, void *vector, const void *inputs, size_t n)               \
+    {                                                                                                          \
+        Machine *m = machine;                                                                                  \
+        Sv *sv = vector;                                                                                       \
+        const In *in = inputs;                                                                                 \
+        for (; n > 0; n--, in++) {                                                                             \
+            memcpy(sv, in, sizeof *in);                                                                        \
+            step(m, sv);                                                                                       \
+        }                                                                                                      \
+    }
+
+#define BY_HAND(name, In, Sv, Machine, function)                                                               \
+    static void init_##name(void *m, void *sv) { function##_init(m, sv); }                                     \
+    DRIVE(name, In, Sv, Machine, function##_step)
+
+#define EMITTED(name, In, Sv, Machine, function)                                                               \
+    static void init_##name(void *m, void *sv)                                                                 \
+    {                                                                                                          \
+        if (function##_init(m, sv, 1) != 0)                                                                    \
+            abort();                                                                                           \
+    }                                                                                                          \
+    DRIVE(name, In, Sv, Machine, function##_step)
+
+// All rows of workload w, W in the names of types.
+#define WORKLOAD_ROWS(w, W)                                                                                    \
+    static void init_empty(void *m, void *sv) { bench_nothing(m, sv); }                                        \
+    DRIVE(empty, W##In, W##Sv, void, bench_nothing)                                                            \
+    BY_HAND(native, W##In, W##Sv, W##Native, w##_native)                                                       \
+    BY_HAND(f64, W##In, W##Sv, W##F64, w##_f64)                                                                \
+    EMITTED(c_o0, W##In, W##Sv, W##O0, w##_o0)                                                                 \
+    EMITTED(c_o1, W##In, W##Sv, W##O1, w##_o1)                                                                 \
+    EMITTED(c_o2, W##In, W##Sv, W##O2, w##_o2)                                                                 \
+    DRIVE(vm, W##In, W##Sv, SmVm, smvm_step)                                                                   \
+    DRIVE(ref, W##In, W##Sv, void, bench_reference_step)                                                       \
+    static const Row row[ROWS] = {                                                                             \
+        {"empty", 0, init_empty, drive_empty, 0},                                                              \
+        {"native", sizeof(W##Native), init_native, drive_native, 0},                                           \
+        {"f64", sizeof(W##F64), init_f64, drive_f64, 1},                                                       \
+        {"c-O0", sizeof(W##O0), init_c_o0, drive_c_o0, 1},                                                     \
+        {"c-O1", sizeof(W##O1), init_c_o1, drive_c_o1, 1},                                                     \
+        {"c-O2", sizeof(W##O2), init_c_o2, drive_c_o2, 1},                                                     \
+    };
+
+#endif

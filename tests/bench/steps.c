@@ -1,0 +1,561 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a step costs: every workload on every row, in short runs that take turns, on the same inputs.
+//
+//     steps FOLDER check [WORKLOAD]...       whether all rows give the outputs of the reference
+//     steps FOLDER time SECONDS WORKLOAD     "time" records on standard output
+//     steps FOLDER count WORKLOAD            under callgrind: each row drives twice, warm and counted; their names and steps
+//     steps FOLDER inputs WORKLOAD           writes FOLDER/WORKLOAD.count, one episode for a Lua under callgrind
+//     steps FOLDER sizes WORKLOAD            "value" records
+//
+// FOLDER: where files may be written.  A record is a line of words that report.awk reads.
+#define _POSIX_C_SOURCE 200809L
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "stdlib/convert.h"
+#include "tests/bench/engines.h"
+#include "tests/bench/lua.h"
+
+static const Workload *const workloads[] = {&workload_tank, &workload_mission, &workload_arith, &workload_bigwindow};
+enum { WORKLOADS = sizeof workloads / sizeof workloads[0] };
+
+static const struct { const char *name, *command; } luas[] = {
+    {"lua", "lua5.4"}, {"luajit-int", "luajit -joff"}, {"luajit", "luajit"},
+};
+enum { LUAS = sizeof luas / sizeof luas[0] };
+
+// ---- runners: rows of all kinds made alike ----
+
+enum { ROUNDS = 2000, MANY = 32, SV_WORDS = 64 };
+
+typedef struct Runner {
+    const char *name;
+    int exact;
+    size_t size;
+    void (*init)(void *self, void *sv);
+    void (*drive)(void *machine, void *sv, const void *in, size_t n);
+    void *self, *machine;             // what init and what drive are given
+    const VmRow *vm;                  // or NULL
+    Lua *lua;                         // or NULL
+    unsigned every;                   // takes part in every so many rounds
+    double ns[ROUNDS];                // a step, by round; below 0: not in that round
+} Runner;
+
+typedef struct Bench {
+    const Workload *w;
+    const char *folder;
+    Compiled compiled;
+    Reference reference;
+    VmRow vm[LEVELS];
+    Lua lua[LUAS];
+    uint8_t *in;                      // all episodes
+    Runner runner[MANY];
+    unsigned runners;
+    unsigned skipped, failed;
+} Bench;
+
+static uint64_t sv[SV_WORDS];
+
+static void *in_heap(size_t size)
+{
+    void *p = calloc(1, size > 0 ? size : 1);
+
+    if (!p) {
+        fprintf(stderr, "bench: out of memory\n");
+        exit(2);
+    }
+    return p;
+}
+
+static Runner *add(Bench *b, const char *name, int exact)
+{
+    Runner *r = &b->runner[b->runners++];
+
+    r->name = name;
+    r->exact = exact;
+    r->every = 1;
+    return r;
+}
+
+static void add_rows(Bench *b)
+{
+    for (int i = 0; i < ROWS; i++) {
+        const Row *row = &b->w->row[i];
+        Runner *r = add(b, row->name, row->exact);
+        r->size = row->size;
+        r->init = row->init;
+        r->drive = row->drive;
+        r->self = r->machine = in_heap(row->size);
+    }
+}
+
+static void add_vm(Bench *b, const char *name, VmRow *vm, const Buf *image)
+{
+    Runner *r = add(b, name, 1);
+
+    vm_row_open(vm, &b->compiled, image);
+    r->init = vm_row_init;
+    r->drive = b->w->drive_vm;
+    r->self = vm;
+    r->machine = vm->vm;
+    r->vm = vm;
+}
+
+static void add_vms(Bench *b)
+{
+    static const char *const name[LEVELS] = {"vm-O0", "vm-O1", "vm-O2"};
+
+    for (int level = 0; level < LEVELS; level++)
+        add_vm(b, name[level], &b->vm[level], &b->compiled.image[level]);
+}
+
+static void add_reference(Bench *b)
+{
+    Runner *r = add(b, "ref", 1);
+
+    reference_open(&b->reference, &b->compiled, b->w->in_size);
+    r->init = reference_init;
+    r->drive = b->w->drive_ref;
+    r->self = r->machine = &b->reference;
+}
+
+// ---- inputs ----
+
+static const void *input(const Bench *b, unsigned episode, unsigned step)
+{
+    return b->in + ((size_t)episode * b->w->steps + step) * b->w->in_size;
+}
+
+static void make_inputs(Bench *b)
+{
+    Rng r = {UINT64_C(0x9e3779b97f4a7c15)};
+
+    b->in = in_heap((size_t)b->w->episodes * b->w->steps * b->w->in_size);
+    for (unsigned e = 0; e < b->w->episodes; e++)
+        b->w->inputs(&r, (void *)(b->in + (size_t)e * b->w->steps * b->w->in_size), b->w->steps, e);
+}
+
+static int is_input(const Bench *b, const Element *e) { return e->offset < b->w->in_size; }
+
+static double value(const Element *e, const void *vector)
+{
+    return sm_load(e->type, (const uint8_t *)vector + e->offset);
+}
+
+static void print_names(const Bench *b, FILE *f, int of_inputs, int types)
+{
+    const StateVec *v = b->compiled.program->sv;
+
+    for (size_t i = 0; i < v->element.n; i++)
+        if (is_input(b, v->element.at[i]) == of_inputs)
+            fprintf(f, "%s ", types ? sm_type_info[v->element.at[i]->type].spelling : v->element.at[i]->name->text);
+    fputs("\n", f);
+}
+
+// As driver.lua reads them.
+static void write_inputs(const Bench *b, const char *path, unsigned episodes)
+{
+    const StateVec *v = b->compiled.program->sv;
+    size_t inputs = 0;
+    FILE *f = fopen(path, "w");
+
+    if (!f) {
+        fprintf(stderr, "bench: cannot write %s\n", path);
+        exit(2);
+    }
+    for (size_t i = 0; i < v->element.n; i++)
+        inputs += (size_t)is_input(b, v->element.at[i]);
+    fprintf(f, "%zu %zu %u %u %u\n", inputs, v->element.n - inputs, episodes, b->w->steps, b->w->warm);
+    print_names(b, f, 1, 0);
+    print_names(b, f, 1, 1);
+    print_names(b, f, 0, 0);
+    for (unsigned i = 0; i < episodes * b->w->steps; i++) {
+        for (size_t k = 0; k < inputs; k++)
+            fprintf(f, "%.17g ", value(v->element.at[k], input(b, 0, i)));
+        fputs("\n", f);
+    }
+    fclose(f);
+}
+
+static void add_luas(Bench *b, unsigned episodes)
+{
+    char path[400];
+
+    snprintf(path, sizeof path, "%s/%s.inputs", b->folder, b->w->name);
+    write_inputs(b, path, episodes);
+    for (int i = 0; i < LUAS; i++) {
+        const LuaIs is = lua_open(&b->lua[i], luas[i].command, b->w->name, path);
+        if (is == LUA_HERE)
+            add(b, luas[i].name, 0)->lua = &b->lua[i];
+        else
+            fprintf(stderr, is == LUA_ABSENT ? "%s: %s is not here: skipped\n" : "%s: %s does not run\n", b->w->name, luas[i].command);
+        b->skipped += is == LUA_ABSENT;
+        b->failed += is == LUA_BROKEN;
+    }
+}
+
+static Bench *begin(const char *folder, const Workload *w)
+{
+    Bench *b = in_heap(sizeof *b);
+
+    b->w = w;
+    b->folder = folder;
+    compile_workload(&b->compiled, w);
+    make_inputs(b);
+    add_rows(b);
+    add_vms(b);
+    add_reference(b);
+    return b;
+}
+
+static void end(Bench *b)
+{
+    for (unsigned i = 0; i < b->runners; i++)
+        if (b->runner[i].lua)
+            lua_close(b->runner[i].lua);
+    session_free(&b->compiled.session);
+    free(b->in);
+    for (int i = 0; i < ROWS; i++)
+        free(b->runner[i].machine);
+    free(b);
+}
+
+static void start(const Runner *r)
+{
+    memset(sv, 0, sizeof sv);
+    r->init(r->self, sv);
+}
+
+// ---- whether they all do the same ----
+
+// What the state vector is after each step of an episode, by this row.
+static uint8_t *trace(const Bench *b, const Runner *r, unsigned episode, unsigned steps)
+{
+    uint8_t *at = in_heap(steps * b->w->sv_size);
+
+    start(r);
+    for (unsigned i = 0; i < steps; i++) {
+        r->drive(r->machine, sv, input(b, episode, i), 1);
+        memcpy(at + i * b->w->sv_size, sv, b->w->sv_size);
+    }
+    return at;
+}
+
+// The same by a Lua.
+static uint8_t *trace_lua(const Bench *b, const Runner *r, unsigned episode, unsigned steps)
+{
+    const StateVec *v = b->compiled.program->sv;
+    uint8_t *at = in_heap(steps * b->w->sv_size);
+    char line[500], path[400], answer[20];
+    FILE *f;
+    double x;
+
+    snprintf(path, sizeof path, "%s/%s.outputs", b->folder, b->w->name);
+    snprintf(line, sizeof line, "check %u %u %s", episode, steps, path);
+    if (!lua_ask(r->lua, answer, sizeof answer, line) || !(f = fopen(path, "r")))
+        return at;
+    for (unsigned i = 0; i < steps; i++)
+        for (size_t k = 0; k < v->element.n; k++)
+            if (!is_input(b, v->element.at[k]) && fscanf(f, "%lf", &x) == 1)
+                sm_store(v->element.at[k]->type, at + i * b->w->sv_size + v->element.at[k]->offset, x);
+    fclose(f);
+    return at;
+}
+
+static int same(const Element *e, const void *a, const void *b, int exact)
+{
+    const double x = value(e, a), y = value(e, b);
+
+    if (exact || (e->type != SM_F32 && e->type != SM_F64))
+        return memcmp((const uint8_t *)a + e->offset, (const uint8_t *)b + e->offset, sm_type_info[e->type].bytes) == 0;
+    return fabs(x - y) <= 1e-4 + 1e-5 * fabs(x);
+}
+
+static int differs(const Bench *b, const Runner *r, const uint8_t *expected, const uint8_t *got, unsigned steps)
+{
+    const StateVec *v = b->compiled.program->sv;
+
+    for (unsigned i = 0; i < steps; i++)
+        for (size_t k = 0; k < v->element.n; k++) {
+            const Element *e = v->element.at[k];
+            const size_t at = i * b->w->sv_size;
+            if (!is_input(b, e) && !same(e, expected + at, got + at, r->exact)) {
+                fprintf(stderr, "%s: %s: step %u: %s is %.17g, not %.17g\n", b->w->name, r->name, i + 1, e->name->text,
+                        value(e, got + at), value(e, expected + at));
+                return 1;
+            }
+        }
+    return 0;
+}
+
+static int checks(const Bench *b, const Runner *r, const uint8_t *expected, unsigned episode)
+{
+    uint8_t *got = r->lua ? trace_lua(b, r, episode, b->w->check) : trace(b, r, episode, b->w->check);
+    const int bad = differs(b, r, expected, got, b->w->check);
+
+    free(got);
+    return bad;
+}
+
+static const Runner *find(const Bench *b, const char *name)
+{
+    for (unsigned i = 0; i < b->runners; i++)
+        if (strcmp(b->runner[i].name, name) == 0)
+            return &b->runner[i];
+    return NULL;
+}
+
+// Rows that fail; the others are counted in *passed.
+static unsigned check_all(const Bench *b, unsigned episode, unsigned *passed)
+{
+    uint8_t *expected = trace(b, find(b, "ref"), episode, b->w->check);
+    unsigned failed = 0;
+
+    for (unsigned i = 0; i < b->runners; i++)
+        if (strcmp(b->runner[i].name, "empty") != 0 && strcmp(b->runner[i].name, "ref") != 0) {
+            const int bad = checks(b, &b->runner[i], expected, episode);
+            failed += (unsigned)bad;
+            *passed += !bad;
+        }
+    free(expected);
+    return failed;
+}
+
+static void check(const char *folder, const Workload *w, unsigned *passed, unsigned *failed, unsigned *skipped)
+{
+    Bench *b = begin(folder, w);
+
+    add_luas(b, 1);
+    *failed += check_all(b, 0, passed) + b->failed;
+    *skipped += b->skipped;
+    end(b);
+}
+
+// ---- time ----
+
+static double seconds(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+static double lua_seconds(const Runner *r, unsigned episode)
+{
+    char line[40], answer[40];
+
+    snprintf(line, sizeof line, "run %u", episode);
+    return lua_ask(r->lua, answer, sizeof answer, line) ? strtod(answer, NULL) : -1;
+}
+
+// Nanoseconds a step.
+static double sample(const Bench *b, const Runner *r, unsigned episode)
+{
+    const unsigned n = b->w->steps - b->w->warm;
+    double before;
+
+    if (r->lua)
+        return lua_seconds(r, episode) * 1e9 / n;
+    start(r);
+    r->drive(r->machine, sv, input(b, episode, 0), b->w->warm);
+    before = seconds();
+    r->drive(r->machine, sv, input(b, episode, b->w->warm), n);
+    return (seconds() - before) * 1e9 / n;
+}
+
+// What takes long does so less often, so that it does not take the time of the others.
+static void set_pace(Bench *b)
+{
+    for (unsigned i = 0; i < b->runners; i++) {
+        const double before = seconds();
+        sample(b, &b->runner[i], 0);
+        b->runner[i].every = 1 + 2 * (unsigned)((seconds() - before) / 0.004);
+    }
+}
+
+static unsigned run_rounds(Bench *b, double time)
+{
+    const double start_time = seconds();
+    unsigned round = 0;
+
+    for (; round < ROUNDS && (round < 20 || seconds() - start_time < time); round++)
+        for (unsigned i = 0; i < b->runners; i++) {
+            Runner *r = &b->runner[(round + i) % b->runners];
+            r->ns[round] = round % r->every == 0 ? sample(b, r, round % b->w->episodes) : -1;
+        }
+    return round;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+typedef struct Spread { double least, quarter, median, three_quarters; unsigned n; } Spread;
+
+static Spread spread(double *x, unsigned n)
+{
+    Spread s = {0, 0, 0, 0, n};
+
+    if (n == 0)
+        return s;
+    qsort(x, n, sizeof *x, ascending);
+    s.least = x[0];
+    s.quarter = x[n / 4];
+    s.median = x[n / 2];
+    s.three_quarters = x[n * 3 / 4];
+    return s;
+}
+
+static Spread times(const Runner *r, unsigned rounds)
+{
+    double x[ROUNDS];
+    unsigned n = 0;
+
+    for (unsigned i = 0; i < rounds; i++)
+        if (r->ns[i] >= 0)
+            x[n++] = r->ns[i];
+    return spread(x, n);
+}
+
+// The median of the ratios in the rounds in which both took part.
+static double ratio(const Runner *r, const Runner *to, unsigned rounds)
+{
+    double x[ROUNDS];
+    unsigned n = 0;
+
+    for (unsigned i = 0; i < rounds; i++)
+        if (r->ns[i] >= 0 && to->ns[i] > 0)
+            x[n++] = r->ns[i] / to->ns[i];
+    return spread(x, n).median;
+}
+
+static void measure(Bench *b, double time)
+{
+    unsigned rounds;
+
+    set_pace(b);
+    rounds = run_rounds(b, time);
+    for (unsigned i = 0; i < b->runners; i++) {
+        const Runner *r = &b->runner[i];
+        const Spread s = times(r, rounds);
+        printf("time %s %s %.4g %.4g %.4g %.4g %u %.4g %.4g\n", b->w->name, r->name, s.median, s.quarter, s.three_quarters, s.least, s.n,
+               ratio(r, find(b, "native"), rounds), ratio(r, find(b, "f64"), rounds));
+    }
+}
+
+static int time_rows(const char *folder, double time, const Workload *w)
+{
+    Bench *b = begin(folder, w);
+    unsigned passed = 0, bad;
+
+    add_luas(b, w->episodes);
+    bad = check_all(b, 0, &passed) + b->failed;
+    if (bad == 0)
+        measure(b, time);
+    end(b);
+    return bad != 0;
+}
+
+// ---- instructions ----
+
+static int count(const char *folder, const Workload *w)
+{
+    Bench *b = begin(folder, w);
+
+    for (unsigned i = 0; i < b->runners; i++) {
+        Runner *r = &b->runner[i];
+        start(r);
+        r->drive(r->machine, sv, input(b, 0, 0), w->warm);
+        r->drive(r->machine, sv, input(b, 0, w->warm), w->count);
+        printf("%s %s %u\n", w->name, r->name, w->count);
+    }
+    end(b);
+    return 0;
+}
+
+static int inputs_only(const char *folder, const Workload *w)
+{
+    Bench *b = begin(folder, w);
+    char path[400];
+
+    snprintf(path, sizeof path, "%s/%s.count", folder, w->name);
+    write_inputs(b, path, 1);
+    end(b);
+    return 0;
+}
+
+// ---- sizes ----
+
+static int sizes(const char *folder, const Workload *w)
+{
+    Bench *b = begin(folder, w);
+
+    for (int level = 0; level < LEVELS; level++)
+        printf("value %s image-O%d %zu bytes\n", w->name, level, b->compiled.image[level].n);
+    for (unsigned i = 0; i < b->runners; i++) {
+        const Runner *r = &b->runner[i];
+        if (r->size > 0)
+            printf("value %s ram-%s %zu bytes\n", w->name, r->name, r->size);
+    }
+    for (int level = 0; level < LEVELS; level++) {
+        const VmRow *v = &b->vm[level];
+        printf("value %s ram-vm-O%d %lu bytes\n", w->name, level, (unsigned long)v->size);
+        if (v->m.windows == 0)
+            printf("value %s ram-beside-locals-O%d %lu bytes\n", w->name, level, (unsigned long)(v->size - v->m.locals));
+    }
+    end(b);
+    return 0;
+}
+
+// ---- the command ----
+
+static const Workload *workload(const char *name)
+{
+    for (int i = 0; i < WORKLOADS; i++)
+        if (strcmp(workloads[i]->name, name) == 0)
+            return workloads[i];
+    fprintf(stderr, "bench: there is no workload '%s'\n", name);
+    exit(2);
+}
+
+static int check_some(const char *folder, char **names, int n)
+{
+    unsigned passed = 0, failed = 0, skipped = 0;
+
+    for (int i = 0; i < n; i++)
+        check(folder, workload(names[i]), &passed, &failed, &skipped);
+    for (int i = 0; n == 0 && i < WORKLOADS; i++)
+        check(folder, workloads[i], &passed, &failed, &skipped);
+    if (skipped > 0)
+        printf("bench: %u passed, %u failed, %u skipped\n", passed, failed, skipped);
+    else
+        printf("bench: %u passed, %u failed\n", passed, failed);
+    return failed != 0;
+}
+
+int main(int argc, char **argv)
+{
+    const char *what = argc > 2 ? argv[2] : "";
+
+    signal(SIGPIPE, SIG_IGN);
+    if (strcmp(what, "check") == 0)
+        return check_some(argv[1], argv + 3, argc - 3);
+    if (strcmp(what, "time") == 0 && argc == 5)
+        return time_rows(argv[1], strtod(argv[3], NULL), workload(argv[4]));
+    if (strcmp(what, "count") == 0 && argc == 4)
+        return count(argv[1], workload(argv[3]));
+    if (strcmp(what, "inputs") == 0 && argc == 4)
+        return inputs_only(argv[1], workload(argv[3]));
+    if (strcmp(what, "sizes") == 0 && argc == 4)
+        return sizes(argv[1], workload(argv[3]));
+    fprintf(stderr, "usage: steps FOLDER check|time|count|inputs|sizes …; see its source\n");
+    return 2;
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The large window as a flight-software engineer writes it: a ring, and beside it the same samples in order.  Binary search
+// finds where the old sample leaves and the new one enters; what lies between moves by one.
+#include <string.h>
+
+#include "tests/bench/workloads/bigwindow.h"
+
+void bigwindow_native_init(BigwindowNative *m, BigwindowSv *sv)
+{
+    memset(m, 0, sizeof *m);
+    m->first = true;
+    sv->state = 1;
+}
+
+static unsigned place(const double *sorted, unsigned n, double x)      // how many are less than x
+{
+    unsigned lo = 0, hi = n;
+
+    while (lo < hi) {
+        const unsigned mid = (lo + hi) / 2;
+        if (sorted[mid] < x)
+            lo = mid + 1;
+        else
+            hi = mid;
+    }
+    return lo;
+}
+
+static void put(BigwindowNative *m, double x)
+{
+    const unsigned from = m->n < WINDOW_OF ? m->n : place(m->sorted, m->n, m->sample[m->next]);
+    unsigned to = place(m->sorted, m->n, x);
+
+    if (from < to) {
+        to--;
+        memmove(m->sorted + from, m->sorted + from + 1, (to - from) * sizeof *m->sorted);
+    } else {
+        memmove(m->sorted + to + 1, m->sorted + to, (from - to) * sizeof *m->sorted);
+    }
+    m->sorted[to] = x;
+    m->sample[m->next] = x;
+    m->next = m->next + 1 < WINDOW_OF ? m->next + 1 : 0;
+    if (m->n < WINDOW_OF)
+        m->n++;
+}
+
+void bigwindow_native_step(BigwindowNative *m, BigwindowSv *sv)
+{
+    if (m->first) {
+        m->first = false;
+        sv->state = 1;
+    }
+    put(m, sv->pressure);
+    sv->middle = m->n % 2 != 0 ? m->sorted[m->n / 2] : (m->sorted[m->n / 2 - 1] + m->sorted[m->n / 2]) / 2;
+    sv->low = m->sorted[0];
+    sv->high = m->sorted[m->n - 1];
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The large window: a pressure that drifts over hundreds of steps, with noise.  The window is full before time is taken.
+#include "tests/bench/workloads/bigwindow.h"
+
+#include "bigwindow_o0.h"
+#include "bigwindow_o1.h"
+#include "bigwindow_o2.h"
+#include "tests/bench/rows.h"
+
+WORKLOAD_ROWS(bigwindow, Bigwindow)
+
+static void inputs(Rng *r, void *at, unsigned n, unsigned episode)
+{
+    BigwindowIn *in = at;
+    double mean = 700;
+
+    (void)episode;
+    for (unsigned i = 0; i < n; i++) {
+        mean += (700 - mean) * 0.002 + rng_noise(r, 1);
+        in[i].time = i + 1;
+        in[i].pressure = mean + rng_noise(r, 20);
+    }
+}
+
+const Workload workload_bigwindow = {
+    "bigwindow", "tests/bench/workloads/bigwindow.sm", sizeof(BigwindowIn), sizeof(BigwindowSv), 4000, 1100, 16, 300, 1500, inputs,
+    row, drive_vm, drive_ref,
+};

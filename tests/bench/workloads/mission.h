@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The mission by hand.
+#ifndef BENCH_MISSION_H
+#define BENCH_MISSION_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "mission_o2.h"
+
+typedef struct MissionIn {
+    uint64_t time;
+    double altitude;
+    float acceleration;
+    uint16_t battery;
+    uint8_t armSwitch, launchButton;
+} MissionIn;
+
+enum { MEDIAN_OF = 11, AVERAGE_OF = 20, RANGE_OF = 15 };
+
+// ---- native types ----
+
+typedef struct Median { double sample[MEDIAN_OF]; unsigned n, next; } Median;
+typedef struct Average { float sample[AVERAGE_OF]; unsigned n, next; } Average;
+typedef struct Range { double sample[RANGE_OF]; unsigned n, next; } Range;
+
+typedef struct MissionNative {
+    uint32_t state;
+    bool first;
+    uint64_t start;
+    uint32_t in_state;        // ms
+    double ground, top;
+    float peak;
+    uint16_t calm;
+    uint8_t ignitions;
+    Median altitude_median;
+    Average acceleration_average;
+    Range altitude_range;
+} MissionNative;
+
+void mission_native_init(MissionNative *m, MissionSv *sv);
+void mission_native_step(MissionNative *m, MissionSv *sv);
+
+// ---- every value a double ----
+
+typedef struct Window { double *slot; uint32_t size, n, next; } Window;
+
+typedef struct MissionF64 {
+    uint32_t state;
+    bool first, ran;
+    uint64_t start, last, T;
+    double ground, top;
+    float peak;
+    uint16_t calm;
+    uint8_t ignitions;
+    Window median, average, range;
+    double slots[MEDIAN_OF + AVERAGE_OF + RANGE_OF];
+} MissionF64;
+
+void mission_f64_init(MissionF64 *m, MissionSv *sv);
+void mission_f64_step(MissionF64 *m, MissionSv *sv);
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tank: the pressure wanders about the vent threshold, drawn back to it, so that no predictor learns the way; at the end
+// of an episode it is lost and the machine aborts.  An episode is too short for the machine to go idle.
+#include "tests/bench/workloads/tank.h"
+
+#include "tank_o0.h"
+#include "tank_o1.h"
+#include "tank_o2.h"
+#include "tests/bench/rows.h"
+
+WORKLOAD_ROWS(tank, Tank)
+
+static void inputs(Rng *r, void *at, unsigned n, unsigned episode)
+{
+    TankIn *in = at;
+    double off = 0;                   // psi above the threshold
+
+    (void)episode;
+    for (unsigned i = 0; i < n; i++) {
+        off = off * 0.98 + rng_noise(r, 3);
+        in[i].time = i + 1;
+        in[i].tankPressure = i + 2 < n ? 775 + (off < -49 ? -49 : off > 49 ? 49 : off) : 400;
+    }
+}
+
+const Workload workload_tank = {
+    "tank", "examples/tank/tank.sm", sizeof(TankIn), sizeof(TankSv), 4000, 400, 16, 3600, 4000, inputs, row, drive_vm, drive_ref,
+};
