@@ -7,10 +7,11 @@
 #include <string.h>
 
 #include "tests/diff/cbatch.h"
+#include "tests/diff/engine_ir.h"
 #include "tests/diff/subject.h"
 #include "tests/diff/watch.h"
 
-enum { ENGINES_MAX = 2 + FORM_COUNT + 1 };      // the reference, every form; the reference and one form of the changed program
+enum { ENGINES_MAX = 2 + 2 * FORM_COUNT + 2 };  // the reference, every form twice; the reference and one form of the changed program
 
 const char *const form_name[FORM_COUNT] = { "-O0", "-O1", "-O2", "-O2, locals hidden" };
 
@@ -87,6 +88,8 @@ static const char *add_vm(Lanes *l, Subject *s, Form form, const Subject *before
     if (e == NULL)
         return error;
     add_lane(l, s, e, form);
+    if (before == NULL)
+        add_lane(l, s, engine_ir_open(&s->session.arena, s->program, m[n - 1]), form);
     return NULL;
 }
 
