@@ -110,6 +110,7 @@ static EmitCOptions c_options(Cli *c, const char *input, const char *header)
     memset(&e, 0, sizeof e);
     e.prefix = c->given[OPT_PREFIX] ? c->value[OPT_PREFIX] : NULL;
     e.header = file_part(header);
+    e.track_stores = c->given[OPT_TRACK];
     e.source = strcmp(input, "-") == 0 ? "stdin" : file_part(input);
     return e;
 }

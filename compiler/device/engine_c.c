@@ -12,7 +12,7 @@ typedef struct EngineC {
     EngineCBatch *batch;
     uint32_t machine;         // its number in the batch
     Buf message;
-    uint8_t *answer;
+    uint8_t *answer;          // two, one behind the other
 } EngineC;
 
 struct EngineCBatch {
@@ -21,6 +21,10 @@ struct EngineCBatch {
     EngineC *at;
     size_t n;
 };
+
+// Each machine is there twice and both make every step: with the flags of stored elements, whose answer is the engine's, and
+// without, as it flies.
+enum { FORMS = 2 };
 
 enum { PATH_LEN = 512, MESSAGE_MAX = 2000, ARGS_MAX = 60 };
 
@@ -169,23 +173,28 @@ static EngineStatus broken(EngineC *e, const char *why)
 
 static void put_word(Buf *b, uint32_t v) { buf_put(b, &v, sizeof v); }
 
-static void message_start(EngineC *e, uint32_t command)
+static void message_start(EngineC *e, uint32_t form, uint32_t command)
 {
-    e->message.n = 0;
-    put_word(&e->message, e->machine);
+    if (form == 0)
+        e->message.n = 0;
+    put_word(&e->message, e->machine * FORMS + form);
     put_word(&e->message, command);
 }
 
-// Sends the message and takes the answer apart.
+static size_t answer_size(const Program *p) { return 12 + 9 * p->var.n; }
+
+// Sends the messages and takes the answer apart.
 static EngineStatus exchange(EngineC *e, EngineStep *out)
 {
-    const size_t vars = e->engine.program->var.n;
+    const size_t vars = e->engine.program->var.n, size = answer_size(e->engine.program);
     uint32_t head[3];
     const char *why;
 
     if (!os_partner_write(&e->batch->partner, e->message.at, e->message.n, &why) ||
-        !os_partner_read(&e->batch->partner, e->answer, sizeof head + 9 * vars, &why))
+        !os_partner_read(&e->batch->partner, e->answer, FORMS * size, &why))
         return broken(e, why);
+    if (memcmp(e->answer, e->answer + size, size - vars) != 0)
+        return broken(e, "with and without --track-stores it does not do the same");
     memcpy(head, e->answer, sizeof head);
     if (head[0] > 1)
         return broken(e, "it does not start: the C compiler or its options change what arithmetic means");
@@ -201,8 +210,10 @@ static EngineStatus c_init(Engine *engine, uint32_t state, EngineStep *out)
 {
     EngineC *e = engine->self;
 
-    message_start(e, 0);
-    put_word(&e->message, state);
+    for (uint32_t form = 0; form < FORMS; form++) {
+        message_start(e, form, 0);
+        put_word(&e->message, state);
+    }
     return exchange(e, out);
 }
 
@@ -210,11 +221,13 @@ static EngineStatus c_step(Engine *engine, const EngineWrite *write, uint32_t n,
 {
     EngineC *e = engine->self;
 
-    message_start(e, 1);
-    put_word(&e->message, n);
-    for (uint32_t i = 0; i < n; i++) {
-        put_word(&e->message, write[i].var);
-        buf_put(&e->message, &write[i].cell, sizeof write[i].cell);
+    for (uint32_t form = 0; form < FORMS; form++) {
+        message_start(e, form, 1);
+        put_word(&e->message, n);
+        for (uint32_t i = 0; i < n; i++) {
+            put_word(&e->message, write[i].var);
+            buf_put(&e->message, &write[i].cell, sizeof write[i].cell);
+        }
     }
     return exchange(e, out);
 }
@@ -237,7 +250,7 @@ static void engine_init(EngineCBatch *b, size_t i, const Program *p)
     e->batch = b;
     e->machine = (uint32_t)i;
     buf_init(&e->message, b->arena);
-    e->answer = arena_alloc(b->arena, 12 + 9 * p->var.n);
+    e->answer = arena_alloc(b->arena, FORMS * answer_size(p));
 }
 
 // The machines of a batch share a self-test: if one starts, all do.
@@ -256,6 +269,18 @@ static bool is_fit(EngineCBatch *b, const char **error)
     return false;
 }
 
+static void emit(Arena *arena, const IrMachine *const *m, size_t n, Buf *code)
+{
+    const IrMachine **form = ARENA_ARRAY(arena, const IrMachine *, FORMS * n);
+    bool *track_stores = ARENA_ARRAY(arena, bool, FORMS * n);
+
+    for (size_t i = 0; i < FORMS * n; i++) {
+        form[i] = m[i / FORMS];
+        track_stores[i] = i % FORMS == 0;
+    }
+    emit_c_driver(arena, form, track_stores, FORMS * n, code);
+}
+
 EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n,
                                   const EngineCOptions *o, const char **error)
 {
@@ -268,7 +293,7 @@ EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const I
     for (size_t i = 0; i < n; i++)
         engine_init(b, i, p[i]);
     buf_init(&code, arena);
-    emit_c_driver(arena, m, n, &code);
+    emit(arena, m, n, &code);
     return build_and_start(arena, &code, o, &b->partner, error) && is_fit(b, error) ? b : NULL;
 }
 

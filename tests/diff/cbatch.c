@@ -32,6 +32,9 @@ typedef struct Batch {
 static void put_u32(Buf *b, uint32_t v) { buf_put(b, &v, sizeof v); }
 static void put_u64(Buf *b, uint64_t v) { buf_put(b, &v, sizeof v); }
 
+// Every other one is emitted with the flags of stored elements.
+static bool tracks_stores(const Batch *b, const Part *p) { return (p - b->part) % 2 != 0; }
+
 static void put_answer(Batch *b, Part *p, const EngineStep *s, uint32_t k)
 {
     p->step[(b->answers.n - p->first) / p->answer] = k;
@@ -41,7 +44,7 @@ static void put_answer(Batch *b, Part *p, const EngineStep *s, uint32_t k)
     for (size_t i = 0; i < p->subject->program->var.n; i++)
         put_u64(&b->answers, s->cell[i]);
     for (size_t i = 0; i < p->subject->program->var.n; i++)
-        buf_char(&b->answers, (char)(s->stored[i] != 0 && p->subject->program->var.at[i]->kind == VAR_ELEMENT));
+        buf_char(&b->answers, !tracks_stores(b, p) ? 2 : s->stored[i] != 0 && p->subject->program->var.at[i]->kind == VAR_ELEMENT);
 }
 
 static void put_step_command(Batch *b, uint32_t machine, const EngineWrite *write, uint32_t n)
@@ -243,11 +246,14 @@ static void add(Batch *b, Gen *g, Subject *subject, unsigned forms, RunResult *r
 static void emit(Batch *b)
 {
     const IrMachine *m[C_BATCH_MAX * FORM_COUNT];
+    bool track[C_BATCH_MAX * FORM_COUNT];
     Buf code;
-    for (uint32_t i = 0; i < b->n; i++)
+    for (uint32_t i = 0; i < b->n; i++) {
         m[i] = b->part[i].ir;
+        track[i] = tracks_stores(b, &b->part[i]);
+    }
     buf_init(&code, b->arena);
-    emit_c_driver(b->arena, m, b->n, &code);
+    emit_c_driver(b->arena, m, track, b->n, &code);
     write_file(b, "batch.c", &code);
     write_file(b, "commands", &b->commands);
 }

@@ -40,7 +40,7 @@ typedef struct Subject {
 
 static void add_var(Arena *a, StrPool *strings, Subject *s, const char *name, IrSpace space, SmType type, uint32_t offset)
 {
-    IrVar v = { space, str_c(strings, name), type, offset, 0, space == IR_LOCAL, { 0 } };
+    IrVar v = { .space = space, .name = str_c(strings, name), .type = type, .offset = offset, .writable = space == IR_LOCAL };
     Var *pv = ARENA_NEW(a, Var);
 
     pv->kind = space == IR_ELEMENT ? VAR_ELEMENT : VAR_LOCAL;

@@ -119,6 +119,7 @@ matrix() {
         esac
         if [ "$machine" = "$here/machines/arithmetic.sm" ]; then
             compile_machine every_compiler arithmetic0 -O0 "$machine"
+            compile_machine every_compiler arithmetic1 --track-stores "$machine"
         fi
     done
     reserved_names "$dir/names.h" "$dir/names.c"
@@ -203,7 +204,7 @@ build_and_run() {   # PROGRAM SOURCES COMPILER
 
 use() {
     for m in valve pump; do
-        "$smc" build -w "$here/machines/$m.sm" --sv "$here/machines/bus.sv" --emit=c -o "$dir/$m.c" >"$dir/log" 2>&1
+        "$smc" build -w "$here/machines/$m.sm" --sv "$here/machines/bus.sv" --emit=c --track-stores -o "$dir/$m.c" >"$dir/log" 2>&1
     done
     "$smc" build "$here/machines/bus.sv" --emit=c -o "$dir/bus.c" >"$dir/log" 2>&1
     "$smc" build -w "$here/machines/arithmetic.sm" --emit=c -o "$dir/arithmetic.c" >"$dir/log" 2>&1

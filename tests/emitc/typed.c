@@ -124,7 +124,7 @@ static IrRef random_value(Arena *a, IrFn *f, SmType type, unsigned depth)
 // Locals, which take any number; elements for the inputs, which may hold a NaN.
 static void add_var(Arena *a, StrPool *strings, Subject *s, const char *name, IrSpace space, SmType type, uint32_t offset)
 {
-    IrVar v = { space, str_c(strings, name), type, offset, 0, space == IR_LOCAL, { 0 } };
+    IrVar v = { .space = space, .name = str_c(strings, name), .type = type, .offset = offset, .writable = space == IR_LOCAL };
     Var *pv = ARENA_NEW(a, Var);
 
     pv->kind = space == IR_ELEMENT ? VAR_ELEMENT : VAR_LOCAL;
@@ -141,7 +141,10 @@ static IrFn *random_function(Arena *a, Subject *s)
     ir_block(a, f);
     for (uint32_t i = 0; i < RESULTS; i++) {
         const SmType type = s->m.var.at[VAR_OUT + i].type;
-        emit(a, f, IR_store, type, random_value(a, f, type, DEPTH), IR_NONE, VAR_OUT + i, 0);
+        IrRef x = random_value(a, f, type, DEPTH);
+        if (type == SM_F64 || type == SM_F32)         // no NaN is stored
+            x = emit(a, f, IR_cvt, type, x, IR_NONE, 0, 0);
+        emit(a, f, IR_store, type, x, IR_NONE, VAR_OUT + i, 0);
     }
     f->blk.at[0].jump.kind = IR_RET;
     return f;
@@ -248,6 +251,20 @@ static void walk(Walk *w)
 
 static unsigned compared;
 
+static void complain(Arena *a, const Subject *s, uint32_t i, uint64_t got, uint64_t want)
+{
+    static bool done;
+    Buf text;
+
+    CHECK(got == want);
+    if (done)
+        return;
+    done = true;
+    buf_init(&text, a);
+    ir_print(&s->m, &text);
+    fprintf(stderr, "%sout%u is %llx, not %llx\n", buf_text(&text), (unsigned)(i - VAR_OUT), (unsigned long long)got, (unsigned long long)want);
+}
+
 static void try_input(Arena *a, const Subject *s, Engine *e, unsigned step)
 {
     EngineWrite write[INPUTS + 1] = { { VAR_G, step } };
@@ -265,14 +282,8 @@ static void try_input(Arena *a, const Subject *s, Engine *e, unsigned step)
     engine_step_init(&got, a, &s->p);
     CHECK(e->step(e, write, INPUTS + 1, &got) == ENGINE_OK);
     for (uint32_t i = VAR_OUT; i < VAR_OUT + RESULTS; i++, compared++)
-        if (got.cell[i] != w.var[i]) {
-            Buf text;
-            buf_init(&text, a);
-            ir_print(&s->m, &text);
-            fprintf(stderr, "%sout%u is %llx, not %llx\n", buf_text(&text), (unsigned)(i - VAR_OUT), (unsigned long long)got.cell[i],
-                    (unsigned long long)w.var[i]);
-            CHECK(got.cell[i] == w.var[i]);
-        }
+        if (got.cell[i] != w.var[i])
+            complain(a, s, i, got.cell[i], w.var[i]);
 }
 
 int main(int argc, char **argv)

@@ -105,10 +105,14 @@ static void put_store(CFn *fn, const IrIns *i)
     put_assigned(fn, i->a);
     buf_str(&fn->line, ";");
     end_line(fn);
-    fn->writes_m = true;
-    if (fn->u->m->var.at[i->var].space != IR_ELEMENT || fn->var[i->var].flag_stamp == fn->block)
+    if (fn->u->m->var.at[i->var].space != IR_ELEMENT) {
+        fn->writes_m = true;
         return;
-    fn->writes_sv = fn->uses_m = true;
+    }
+    fn->writes_sv = true;
+    if (!fn->u->track_stores || fn->var[i->var].flag_stamp == fn->block)
+        return;
+    fn->uses_m = fn->writes_m = true;
     fn->var[i->var].flag_stamp = fn->block;
     vec_push(fn->u->arena, &fn->stored, i->var);
 }
@@ -378,11 +382,15 @@ static void put_copies(CFn *fn)
     for (size_t i = 0; i < fn->copied.n; i++) {
         const uint32_t v = fn->copied.at[i];
         const SmType as = fn->var[v].copy_type, type = fn->u->m->var.at[v].type;
-        buf_printf(&fn->line, "const %s %s = %s(", c_type_of(as), fn->var[v].copy,
-                   helper_use(fn->u, as == SM_F32 ? "sm_no_nan_f32" : type == SM_F32 ? "sm_read_f32" : "sm_read_f64"));
+        buf_printf(&fn->line, "const %s %s = ", c_type_of(as), fn->var[v].copy);
+        if (fn->u->m->var.at[v].space == IR_TIME) {
+            put_time(fn);
+            put_line(fn, ";");
+            continue;
+        }
+        buf_printf(&fn->line, "%s(", helper_use(fn->u, as == SM_F32 ? "sm_no_nan_f32" : type == SM_F32 ? "sm_read_f32" : "sm_read_f64"));
         put_cell(fn, v);
-        buf_str(&fn->line, ");");
-        end_line(fn);
+        put_line(fn, ");");
     }
 }
 

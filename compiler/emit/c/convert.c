@@ -78,7 +78,7 @@ void put_double(CFn *fn, IrRef r, int prec)
     if (fn->ins[r].is_const && i->type != SM_F64)
         put_constant(fn, r, SM_F64, sm_bits(sm_cell_to_f64(i->type, fn->ins[r].bits)));
     else if (is_read_here(fn, r))
-        put_checked_load(fn, i, SM_F64);
+        put_float_load(fn, r, SM_F64);
     else if (i->type == SM_F64)
         put_value(fn, r, prec);
     else if (i->type == SM_BOOL)

@@ -186,11 +186,11 @@ static void put_machine_struct(CUnit *u, Buf *out)
                     "// its own business.\ntypedef struct %s {\n", u->names.type);
     put_member(out, "uint32_t", "state_", "what the next step runs; 0 before init");
     put_member(out, "bool", "first_", "the next step is the state's first");
-    put_member(out, "bool", "ran_", "a step has run since init");
+    put_member(out, "uint64_t", "gate_", "how much time was left at the last step");
+    put_member(out, "uint64_t", "left_", "the same before a first step, when the gate is 0");
     put_member(out, "uint64_t", "start_", "time of the state's first step");
-    put_member(out, "uint64_t", "last_", "time of the last step that ran");
-    put_member(out, "uint64_t", "T", "time in the state, as of the last step");
-    put_member(out, format_in(u->arena, "%sStored", u->names.type), "stored", "what that step stored");
+    if (u->track_stores)
+        put_member(out, format_in(u->arena, "%sStored", u->names.type), "stored", "what the last step that ran stored");
     if (has_locals(m))
         buf_str(out, "\n    // [local]\n");
     for (size_t v = 0; v < m->var.n; v++)
@@ -209,8 +209,10 @@ void put_machine_types(CUnit *u, Buf *out)
     buf_char(out, '\n');
     put_states(u, out);
     buf_char(out, '\n');
-    put_stored(u, out);
-    buf_char(out, '\n');
+    if (u->track_stores) {
+        put_stored(u, out);
+        buf_char(out, '\n');
+    }
     if (u->m->window.n) {
         helper_type_put(u, "SmRoll", out);
         buf_char(out, '\n');
@@ -229,6 +231,8 @@ void put_prototypes(const CUnit *u, Buf *out)
     buf_printf(out, "%sStatus %s_step(%s *m, %s *sv);\n\n", n->type, n->prefix, n->type, n->sv_type);
     buf_printf(out, "// The number of the state that the next step runs.\n");
     buf_printf(out, "uint32_t %s_state(const %s *m);\n\n", n->prefix, n->type);
+    buf_printf(out, "// T: the time in its state, as of the last step that ran.\n");
+    buf_printf(out, "uint64_t %s_T(const %s *m);\n\n", n->prefix, n->type);
     buf_printf(out, "// A state's name as in the source; \"\" for a number that is no state's.\n");
     buf_printf(out, "const char *%s_state_name(uint32_t state);\n", n->prefix);
 }

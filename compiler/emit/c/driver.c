@@ -13,7 +13,7 @@ static const char common[] =
     "\n"
     "typedef struct Cell {\n"
     "    void *at;                 // NULL: a constant\n"
-    "    const bool *stored;       // NULL: the machine never stores it\n"
+    "    const bool *stored;       // NULL: the machine never stores it, or does not tell\n"
     "    uint64_t value;           // of the constant\n"
     "    char type;                // 1 2 4 8: an integer or the bits of a float of so many bytes; b: bool\n"
     "} Cell;\n"
@@ -25,6 +25,7 @@ static const char common[] =
     "    const bool *first;\n"
     "    const Cell *cell;\n"
     "    uint32_t cells;\n"
+    "    bool tracks;              // what it stores\n"
     "} Machine;\n"
     "\n"
     "static uint64_t cell_read(const Cell *c)\n"
@@ -65,7 +66,7 @@ static const char common[] =
     "        give(&value, sizeof value);\n"
     "    }\n"
     "    for (i = 0; i < m->cells; i++) {\n"
-    "        const uint8_t stored = status == 0 && m->cell[i].stored && *m->cell[i].stored;\n"
+    "        const uint8_t stored = !m->tracks ? 2 : status == 0 && m->cell[i].stored && *m->cell[i].stored;\n"
     "        give(&stored, sizeof stored);\n"
     "    }\n"
     "    fflush(stdout);\n"
@@ -121,8 +122,11 @@ static void put_variable_row(const CUnit *u, size_t v, Buf *out)
     const bool element = var->space == IR_ELEMENT;
     const char type = cell_type(var->type);
 
-    buf_printf(out, "    { &%s%s.%s, ", p, element ? "_sv" : "_m", member);
-    if (element && (var->writable || v == u->m->s))
+    if (var->space == IR_TIME)
+        buf_printf(out, "    { &%s_time, ", p);
+    else
+        buf_printf(out, "    { &%s%s.%s, ", p, element ? "_sv" : "_m", member);
+    if (u->track_stores && element && (var->writable || v == u->m->s))
         buf_printf(out, "&%s_m.stored.%s, ", p, member);
     else
         buf_str(out, "NULL, ");
@@ -163,9 +167,11 @@ static void put_calls(const CUnit *u, Buf *out)
 
     buf_printf(out, "static uint32_t %s_run_init(uint32_t state)\n{\n", p);
     buf_printf(out, "    memset(&%s_m, 0, sizeof %s_m);\n    memset(&%s_sv, 0, sizeof %s_sv);\n", p, p, p, p);
+    buf_printf(out, "    %s_time = 0;\n", p);
     buf_printf(out, "    return %s_init(&%s_m, &%s_sv, state) == %s_OK ? 0 : 2;\n}\n", p, p, p, u->names.macro);
     buf_printf(out, "static uint32_t %s_run_step(void)\n{\n", p);
     buf_printf(out, "    const %sStatus s = %s_step(&%s_m, &%s_sv);\n", u->names.type, p, p, p);
+    buf_printf(out, "    %s_time = %s_T(&%s_m);\n", p, p, p);
     buf_printf(out, "    return s == %s_OK ? 0 : s == %s_REFUSED ? 1 : 2;\n}\n", u->names.macro, u->names.macro);
     buf_printf(out, "static uint32_t %s_run_state(void) { return %s_state(&%s_m); }\n", p, p, p);
 }
@@ -174,7 +180,7 @@ static void put_table(const CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
 
-    buf_printf(out, "static %s %s_m;\nstatic %s %s_sv;\n", n->type, n->prefix, n->sv_type, n->prefix);
+    buf_printf(out, "static %s %s_m;\nstatic %s %s_sv;\nstatic uint64_t %s_time;\n", n->type, n->prefix, n->sv_type, n->prefix, n->prefix);
     put_rows(u, out);
     put_calls(u, out);
     buf_char(out, '\n');
@@ -184,21 +190,22 @@ static void put_machine_row(const CUnit *u, Buf *out)
 {
     const char *p = u->names.prefix;
 
-    buf_printf(out, "    { %s_run_init, %s_run_step, %s_run_state, &%s_m.first_, %s_cell, sizeof %s_cell / sizeof *%s_cell },\n", p, p, p, p,
-               p, p, p);
+    buf_printf(out, "    { %s_run_init, %s_run_step, %s_run_state, &%s_m.first_, %s_cell, sizeof %s_cell / sizeof *%s_cell, %s },\n", p, p, p,
+               p, p, p, p, u->track_stores ? "true" : "false");
 }
 
 // ---- all of them ----
 
 // Types and code of one machine, behind those before it.  What it needs of stdlib is added to `helper`.
-static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool *helper, const char *fit, Buf *out)
+static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool track_stores, bool *helper, Buf *out)
 {
     CUnit *u = ARENA_NEW(arena, CUnit);
     const char *prefix = format_in(arena, "m%u", (unsigned)i);
 
     unit_init(u, arena, m, prefix, prefix);
     u->helper = helper;
-    u->fit = fit;
+    u->fit = "machines_are_fit";
+    u->track_stores = track_stores;
     put_vector_struct(u, out);
     put_machine_types(u, out);
     put_prototypes(u, out);
@@ -208,7 +215,7 @@ static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool *helper, 
     return u;
 }
 
-void emit_c_driver(Arena *arena, const IrMachine *const *m, size_t n, Buf *code)
+void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_stores, size_t n, Buf *code)
 {
     bool *helper = ARENA_ARRAY(arena, bool, helper_count());
     CUnit **u = ARENA_ARRAY(arena, CUnit *, n);
@@ -216,7 +223,7 @@ void emit_c_driver(Arena *arena, const IrMachine *const *m, size_t n, Buf *code)
 
     buf_init(&machines, arena);
     for (size_t i = 0; i < n; i++)
-        u[i] = put_one(arena, m[i], i, helper, "machines_are_fit", &machines);
+        u[i] = put_one(arena, m[i], i, track_stores[i], helper, &machines);
     put_guards(code, "machines");
     put_self_test("machines_are_fit", code);
     if (n == 0)

@@ -170,6 +170,7 @@ void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf
     CUnit u;
 
     unit_init(&u, arena, m, prefix_of(arena, o ? o->prefix : NULL, m->name->text), NULL);
+    u.track_stores = o && o->track_stores;
     put_header(&u, source, header);
     put_code(&u, source, header_name(arena, o, m->name->text), code);
 }

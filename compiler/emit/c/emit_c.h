@@ -12,6 +12,7 @@ typedef struct EmitCOptions {
     const char *prefix;           // what every name starts with; NULL: the machine's (state vector's) name
     const char *header;           // how the .c includes its .h; NULL: the name and ".h"
     const char *source;           // the source's name without folders, for comments; NULL: the name and its ending
+    bool track_stores;            // each step tells in m->stored which elements it stored
 } EmitCOptions;
 
 // What is wrong with a prefix, as a sentence for the user; NULL when it is fine: a C identifier that does not start with
@@ -25,14 +26,15 @@ void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf
 void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code);
 
 // Several machines and a main as one translation unit: a program that runs them at the command of its standard input.
-// compiler/device/engine_c.c compiles and drives it.  The exchange, in the host's byte order and without padding:
+// compiler/device/engine_c.c compiles and drives it.  track_stores is by machine.  The exchange, in the host's byte order and
+// without padding:
 //   to it:    u32 machine, u32 command, then
 //             command 0, init:   u32 state                        elements zero, locals at their initial values, then init
 //             command 1, step:   u32 n, n times (u32 variable, u64 cell)
 //   from it:  u32 status (0 ok, 1 refused, 2 does not run here), u32 next state, u32 whether it will be a first step,
-//             u64 cell of every variable, u8 stored of every variable
+//             u64 cell of every variable, u8 stored of every variable: 0 no, 1 yes, 2 not tracked
 // Variables are numbered as in Program.var, or as in IrMachine.var where there is no program.
 // It ends at the end of its input.
-void emit_c_driver(Arena *arena, const IrMachine *const *m, size_t n, Buf *code);
+void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_stores, size_t n, Buf *code);
 
 #endif

@@ -90,6 +90,13 @@ const char *copy_name(CFn *fn, uint32_t v)
     return is_taken(&fn->u->names, name) ? format_in(fn->u->arena, "e%u_%s", (unsigned)v, name) : name;
 }
 
+void put_time(CFn *fn)
+{
+    put_cell(fn, fn->u->m->g);
+    put(fn, " - m->start_");
+    fn->uses_m = true;
+}
+
 static bool is_element(const CFn *fn, const IrIns *i) { return var(fn, i->var)->space == IR_ELEMENT; }
 
 static bool has_copy(const CFn *fn, const IrIns *i)
@@ -97,13 +104,19 @@ static bool has_copy(const CFn *fn, const IrIns *i)
     return fn->var[i->var].stamp == fn->stamp && fn->var[i->var].copy;
 }
 
-void put_checked_load(CFn *fn, const IrIns *i, SmType as)
+void put_float_load(CFn *fn, IrRef r, SmType as)
 {
-    const SmType held = has_copy(fn, i) ? fn->var[i->var].copy_type : as;
+    const IrIns *i = ins(fn, r);
+    const bool copy = !fn->ins[r].unchecked && has_copy(fn, i);
+    const SmType held = fn->ins[r].unchecked ? i->type : copy ? fn->var[i->var].copy_type : as;
 
     if (held != as)
         put(fn, as == SM_F64 ? "(double)" : "(float)");
-    if (has_copy(fn, i)) {
+    if (fn->ins[r].unchecked) {
+        put_cell(fn, i->var);
+        return;
+    }
+    if (copy) {
         put(fn, fn->var[i->var].copy);
         return;
     }
@@ -113,14 +126,26 @@ void put_checked_load(CFn *fn, const IrIns *i, SmType as)
     put(fn, ")");
 }
 
-static void put_load_value(CFn *fn, const IrIns *i, int prec)
+static void put_time_value(CFn *fn, const IrIns *i, int prec)
 {
+    const bool opened = open_parens(fn, has_copy(fn, i) ? PREC_PRIMARY : PREC_ADD, prec);
+
+    if (has_copy(fn, i))
+        put(fn, fn->var[i->var].copy);
+    else
+        put_time(fn);
+    close_parens(fn, opened);
+}
+
+static void put_load_value(CFn *fn, IrRef r, int prec)
+{
+    const IrIns *i = ins(fn, r);
     const bool truth = is_element(fn, i) && i->type == SM_BOOL;
     const bool checked = is_element(fn, i) && sm_type_info[i->type].kind == SM_KIND_FLOAT;
-    const bool opened = open_parens(fn, truth ? PREC_EQ : checked ? PREC_UNARY : PREC_PRIMARY, prec);
+    const bool opened = open_parens(fn, truth ? PREC_EQ : checked && has_copy(fn, i) ? PREC_UNARY : PREC_PRIMARY, prec);
 
     if (checked)
-        put_checked_load(fn, i, i->type);
+        put_float_load(fn, r, i->type);
     else
         put_cell(fn, i->var);
     put(fn, truth ? " != 0" : "");
@@ -228,7 +253,12 @@ void put_value(CFn *fn, IrRef r, int prec)
         return;
     }
     switch (i->op) {
-    case IR_load: put_load_value(fn, i, prec); break;
+    case IR_load:
+        if (var(fn, i->var)->space == IR_TIME)
+            put_time_value(fn, i, prec);
+        else
+            put_load_value(fn, r, prec);
+        break;
     case IR_cvt: put_cvt(fn, i, prec); break;
     case IR_add: put_binary(fn, i, " + ", PREC_ADD, prec); break;
     case IR_sub: put_binary(fn, i, " - ", PREC_ADD, prec); break;

@@ -30,6 +30,11 @@ typedef struct CIns {
     uint32_t latest;          // position in its block of the last statement in which it stands
     uint32_t level;           // how deep it stands in that statement's expression
     const char *variable;
+    bool unchecked;           // the load of a float: nobody sees whether it is NaN or 0
+    uint32_t careless;        // of its uses, those that do not see it
+    bool excused;             // a comparison of which nobody sees what it gives where an operand is NaN or 0
+    IrRef settled_by;         // the load with which, be it NaN or 0, this condition comes out as settled_value; or IR_NONE
+    bool settled_value;
 } CIns;
 
 // What a function does with a variable of the machine.  Valid while `stamp` is the function's.
@@ -39,7 +44,7 @@ typedef struct CVarUse {
     bool stored;
     bool as_double;           // some of them want an F32 as a double
     const char *copy;         // the function's own variable that holds it
-    SmType copy_type;         // F64, or F32
+    SmType copy_type;         // F64, F32, or of T
     uint32_t block_stamp;     // the block for which next_store holds
     uint32_t next_store;      // position of the next store, seen from where the walk through the block is
     uint32_t flag_stamp;      // the block that has already said that it stores this
@@ -87,6 +92,9 @@ void plan_constants(CFn *fn);             // first: what is constant, and ranges
 bool plan_branch(const CFn *fn, const IrJump *j, bool *taken);   // whether the way is known already
 void plan_function(CFn *fn);              // after flow_init
 
+// ---- reading.c ----
+void plan_readings(CFn *fn, uint32_t b);  // after uses are counted: which loads need no check for NaN
+
 // ---- range.c ----
 CRange range_of_type(SmType type);
 CRange range_of(const CFn *fn, const IrIns *i);
@@ -108,11 +116,12 @@ enum {                                    // how tightly C's operators bind
 
 // Writes the temporary's value to fn->line, in parentheses if it binds less tightly than `prec`.
 void put_value(CFn *fn, IrRef r, int prec);
-// The value of a float element, NaN read as 0, as a float or a double.
-void put_checked_load(CFn *fn, const IrIns *i, SmType as);
+// The value of a float element, a NaN read as 0 where somebody could see it, as a float or a double.
+void put_float_load(CFn *fn, IrRef r, SmType as);
 // The same of a bool where C wants a truth.
 void put_condition(CFn *fn, IrRef r, bool negated, int prec);
 void put_cell(CFn *fn, uint32_t var);                                 // m->x, sv->x
+void put_time(CFn *fn);                                               // T: time less the state's start
 void put_constant(CFn *fn, IrRef r, SmType type, uint64_t bits);      // with its name in the source, where it has one
 const char *copy_name(CFn *fn, uint32_t var);
 bool c_is_integer(SmType t);

@@ -11,13 +11,14 @@ static const char includes[] =
     "#include <stdint.h>\n"
     "#include <string.h>\n";
 
+// FLT_EVAL_METHOD 1 widens float alone, from which results are cut back; 16 and more tell of types that are not used.
 static const char guards[] =
     "// ---- what this file asks of the compiler ----\n"
     "\n"
     "#if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128\n"
     "#error \"this code needs a double that is IEEE binary64 and a float that is IEEE binary32\"\n"
     "#endif\n"
-    "#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD > 1)\n"
+    "#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD > 64)\n"
     "#error \"this code needs arithmetic without excess precision: on 32-bit x86 build with -msse2 -mfpmath=sse\"\n"
     "#endif\n"
     "#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(_M_FP_FAST) || \\\n"

@@ -64,9 +64,16 @@ static CState *put_blocks(CUnit *u, Buf *out)
     return s;
 }
 
-static void put_call_of(const char *name, CSignature s, Buf *out)
+static const char *result_type(const CSignature *s) { return s->returns_state ? "uint32_t" : "void"; }
+
+static void put_arguments(const CSignature *s, Buf *out)
 {
-    buf_printf(out, "%s%s(%s%s%s);\n", s.returns_state ? "next = " : "", name, s.m ? "m" : "", s.m && s.sv ? ", " : "", s.sv ? "sv" : "");
+    buf_printf(out, "(%s%s%s);\n", s->m ? "m" : "", s->m && s->sv ? ", " : "", s->sv ? "sv" : "");
+}
+
+static void put_parameters(const CUnit *u, const CSignature *s, Buf *out)
+{
+    buf_printf(out, "(%s *m%s%s%s)", u->names.type, s->sv ? ", " : "", s->sv ? u->names.sv_type : "", s->sv ? " *sv" : "");
 }
 
 // ---- init ----
@@ -99,125 +106,184 @@ static void put_init(CUnit *u, Buf *out)
     const char *s = n->var[u->m->s];
 
     buf_printf(out, "%sStatus %s_init(%s *m, %s *sv, uint32_t state)\n{\n", n->type, n->prefix, n->type, n->sv_type);
-    buf_printf(out, "    m->state_ = 0;\n"
-                    "    if (!%s()) {\n        return %s_UNFIT;\n    }\n", u->fit, n->macro);
+    buf_str(out, "    m->state_ = 0;\n    m->first_ = false;\n    m->gate_ = 0;\n    m->left_ = UINT64_MAX;\n    m->start_ = UINT64_MAX;\n");
+    buf_printf(out, "    if (!%s()) {\n        return %s_UNFIT;\n    }\n", u->fit, n->macro);
     buf_printf(out, "    if (state < 1 || state > %s_STATES) {\n        return %s_NO_STATE;\n    }\n", n->macro, n->macro);
-    buf_str(out, "    m->state_ = state;\n    m->first_ = true;\n    m->ran_ = false;\n    m->start_ = 0;\n    m->last_ = 0;\n"
-                 "    m->T = 0;\n");
+    buf_str(out, "    m->state_ = state;\n    m->first_ = true;\n");
     put_initial_values(u, out);
     put_empty_windows(u, out);
-    buf_printf(out, "    memset(&m->stored, 0, sizeof m->stored);\n"
-                    "    sv->%s = state;\n    return %s_OK;\n}\n\n", s, n->macro);
+    buf_str(out, u->track_stores ? "    memset(&m->stored, 0, sizeof m->stored);\n" : "");
+    buf_printf(out, "    sv->%s = state;\n    return %s_OK;\n}\n\n", s, n->macro);
 }
 
-// ---- step ----
+// ---- the blocks of the state ----
 
-static void put_case(const CUnit *u, size_t i, const CState *s, Buf *out)
+// What a group of blocks, one a state, asks of the function that calls them.
+static CSignature group_signature(const CUnit *u, const CState *s, BlockKind k)
 {
-    const char *name = format_in(u->arena, "%s_%s_", u->names.prefix, u->names.state[i]);
-    const bool guarded = s->has[BLOCK_ENTRY] && s->block[BLOCK_ENTRY].returns_state;
+    CSignature all = { false, true, false };
 
-    if (!s->has[BLOCK_ENTRY] && !s->has[BLOCK_STEP])
+    for (size_t i = 0; i < u->m->state.n; i++) {
+        all.returns_state |= s[i].has[k] && s[i].block[k].returns_state;
+        all.sv |= s[i].has[k] && s[i].block[k].sv;
+    }
+    return all;
+}
+
+static bool has_any(const CUnit *u, const CState *s, BlockKind k)
+{
+    for (size_t i = 0; i < u->m->state.n; i++)
+        if (s[i].has[k])
+            return true;
+    return false;
+}
+
+static void put_case(const CUnit *u, size_t i, BlockKind k, const CState *s, CSignature as, Buf *out)
+{
+    const CSignature *b = &s[i].block[k];
+
+    if (!s[i].has[k])
         return;
-    buf_printf(out, "    case %s_STATE_%s:\n", u->names.macro, u->names.state[i]);
-    if (s->has[BLOCK_ENTRY]) {
-        buf_str(out, "        if (first) {\n            ");
-        put_call_of(format_in(u->arena, "%sentry", name), s->block[BLOCK_ENTRY], out);
-        buf_str(out, "        }\n");
-    }
-    if (s->has[BLOCK_STEP]) {
-        buf_str(out, guarded ? "        if (next == 0) {\n            " : "        ");
-        put_call_of(format_in(u->arena, "%sstep", name), s->block[BLOCK_STEP], out);
-        buf_str(out, guarded ? "        }\n" : "");
-    }
-    if (s->has[BLOCK_EXIT]) {
-        buf_str(out, "        if (next != 0) {\n            ");
-        put_call_of(format_in(u->arena, "%sexit", name), s->block[BLOCK_EXIT], out);
-        buf_str(out, "        }\n");
-    }
-    buf_str(out, "        break;\n");
+    buf_printf(out, "    case %s_STATE_%s:\n        %s%s_%s_%s", u->names.macro, u->names.state[i], b->returns_state ? "return " : "",
+               u->names.prefix, u->names.state[i], block_name[k]);
+    put_arguments(b, out);
+    buf_str(out, b->returns_state ? "" : as.returns_state ? "        return 0;\n" : "        break;\n");
+}
+
+static void put_switch(const CUnit *u, const char *name, BlockKind k, const CState *s, size_t from, size_t to, CSignature as, Buf *out)
+{
+    buf_printf(out, "static %s %s", result_type(&as), name);
+    put_parameters(u, &as, out);
+    buf_str(out, "\n{\n    switch (m->state_) {\n");
+    for (size_t i = from; i < to; i++)
+        put_case(u, i, k, s, as, out);
+    buf_printf(out, "    default:\n        %s;\n    }\n}\n\n", as.returns_state ? "return 0" : "break");
 }
 
 // Compilers choke on a function of ten thousand states.  Above some hundreds the switch is cut into functions that a table
 // leads to, for what is called directly would be put together again.
-static bool is_cut(const CUnit *u) { return u->m->state.n > CUT_FROM; }
-
-typedef struct CMachineUse { bool transition, any; } CMachineUse;
-
-static CMachineUse machine_use(const CUnit *u, const CState *s)
-{
-    CMachineUse use = { 0 };
-
-    for (size_t i = 0; i < u->m->state.n; i++) {
-        use.any |= s[i].has[BLOCK_ENTRY] || s[i].has[BLOCK_STEP];
-        use.transition |= s[i].block[BLOCK_ENTRY].returns_state || s[i].block[BLOCK_STEP].returns_state;
-    }
-    return use;
-}
-
-static void put_step_start(const CUnit *u, CMachineUse use, Buf *out)
-{
-    const CNames *n = &u->names;
-    const char *s = n->var[u->m->s];
-
-    buf_printf(out, "%sStatus %s_step(%s *m, %s *sv)\n{\n", n->type, n->prefix, n->type, n->sv_type);
-    buf_printf(out, "    const uint64_t now = sv->%s;\n    const bool first = m->first_;\n%s\n", n->var[u->m->g],
-               use.transition ? "    uint32_t next = 0;      // the state to go to\n" : "");
-    buf_printf(out, "    if (m->state_ == 0%s) {\n        return %s_NO_STATE;\n    }\n",
-               is_cut(u) ? format_in(u->arena, " || m->state_ > %s_STATES", n->macro) : "", n->macro);
-    buf_printf(out, "    if (now == UINT64_MAX || (m->ran_ && now <= m->last_)) {\n        return %s_REFUSED;\n    }\n", n->macro);
-    buf_str(out, "    m->ran_ = true;\n    m->last_ = now;\n    memset(&m->stored, 0, sizeof m->stored);\n");
-    buf_printf(out, "    if (first) {\n        m->start_ = now;\n        sv->%s = m->state_;\n        m->stored.%s = true;\n    }\n", s, s);
-    buf_str(out, "    m->T = now - m->start_;\n");
-}
-
-static void put_switch(const CUnit *u, const CState *s, size_t from, size_t to, Buf *out)
-{
-    buf_str(out, "    switch (m->state_) {\n");
-    for (size_t i = from; i < to; i++)
-        put_case(u, i, &s[i], out);
-    buf_str(out, "    default:\n        break;\n    }\n");
-}
-
-static void put_parts(const CUnit *u, const CState *s, Buf *out)
+static void put_parts(const CUnit *u, const char *name, BlockKind k, const CState *s, CSignature as, Buf *out)
 {
     const size_t n = u->m->state.n;
 
     for (size_t i = 0; i < n; i += PART) {
         const size_t end = i + PART < n ? i + PART : n;
-        buf_printf(out, "// States %u to %u.\nstatic uint32_t %s_run_%u(%s *m, %s *sv, bool first)\n{\n    uint32_t next = 0;\n\n"
-                        "    (void)sv;\n    (void)first;\n", (unsigned)i + 1, (unsigned)end, u->names.prefix, (unsigned)i + 1,
-                   u->names.type, u->names.sv_type);
-        put_switch(u, s, i, end, out);
-        buf_str(out, "    return next;\n}\n\n");
+        buf_printf(out, "// States %u to %u.\n", (unsigned)i + 1, (unsigned)end);
+        put_switch(u, format_in(u->arena, "%s_%u", name, (unsigned)i + 1), k, s, i, end, as, out);
     }
-    buf_printf(out, "static uint32_t (*const %s_run[])(%s *m, %s *sv, bool first) = {\n", u->names.prefix, u->names.type, u->names.sv_type);
+    buf_printf(out, "static %s (*const %ss[])", result_type(&as), name);
+    put_parameters(u, &as, out);
+    buf_str(out, " = {\n");
     for (size_t i = 0; i < n; i += PART)
-        buf_printf(out, "    %s_run_%u,\n", u->names.prefix, (unsigned)i + 1);
-    buf_str(out, "};\n\n");
+        buf_printf(out, "    %s_%u,\n", name, (unsigned)i + 1);
+    buf_printf(out, "};\n\nstatic %s %s", result_type(&as), name);
+    put_parameters(u, &as, out);
+    buf_printf(out, "\n{\n    %s%ss[(m->state_ - 1) / %d]", as.returns_state ? "return " : "", name, PART);
+    put_arguments(&as, out);
+    buf_str(out, "}\n\n");
 }
 
-static void put_step(const CUnit *u, const CState *s, const CSignature *sample, Buf *out)
+// Who calls the blocks of a kind.
+static const char *group_name(const CUnit *u, BlockKind k)
 {
-    CMachineUse use = machine_use(u, s);
+    return format_in(u->arena, "%s_%s", u->names.prefix, k == BLOCK_ENTRY ? "enter" : k == BLOCK_STEP ? "run" : "leave");
+}
 
-    use.transition |= is_cut(u);
-    if (is_cut(u))
-        put_parts(u, s, out);
-    put_step_start(u, use, out);
-    if (sample) {
-        buf_str(out, "    ");
-        put_call_of(format_in(u->arena, "%s_sample", u->names.prefix), *sample, out);
-    }
-    if (is_cut(u))
-        buf_printf(out, "    next = %s_run[(m->state_ - 1) / %d](m, sv, first);\n", u->names.prefix, PART);
-    else if (use.any)
-        put_switch(u, s, 0, u->m->state.n, out);
-    if (use.transition)
-        buf_str(out, "    m->first_ = next != 0;\n    if (next != 0) {\n        m->state_ = next;\n    }\n");
+static CSignature put_group(const CUnit *u, BlockKind k, const CState *s, Buf *out)
+{
+    const CSignature as = group_signature(u, s, k);
+
+    if (!has_any(u, s, k))
+        return as;
+    buf_printf(out, "// The .%s of the state%s.\n", block_name[k], as.returns_state ? "; gives the state to go to, or 0" : "");
+    if (u->m->state.n > CUT_FROM)
+        put_parts(u, group_name(u, k), k, s, as, out);
     else
-        buf_str(out, "    m->first_ = false;\n");
+        put_switch(u, group_name(u, k), k, s, 0, u->m->state.n, as, out);
+    return as;
+}
+
+// ---- step ----
+
+typedef struct CStep {
+    bool has[BLOCK_COUNT];
+    CSignature group[BLOCK_COUNT];
+    const CSignature *sample;     // NULL: there is none
+    bool first, transition;       // whether it is a first step is asked; there are transitions
+} CStep;
+
+static CStep step_of(CUnit *u, const CState *s, const CSignature *sample, Buf *out)
+{
+    CStep w = { { false }, { { false, false, false } }, sample, false, false };
+
+    for (int k = 0; k < BLOCK_COUNT; k++) {
+        w.group[k] = put_group(u, (BlockKind)k, s, out);
+        w.has[k] = has_any(u, s, (BlockKind)k);
+    }
+    w.first = w.has[BLOCK_ENTRY] || u->track_stores;
+    w.transition = w.group[BLOCK_ENTRY].returns_state || w.group[BLOCK_STEP].returns_state;
+    return w;
+}
+
+static void put_step_start(const CUnit *u, const CStep *w, Buf *out)
+{
+    const CNames *n = &u->names;
+    const char *s = n->var[u->m->s];
+
+    buf_printf(out, "%sStatus %s_step(%s *m, %s *sv)\n{\n", n->type, n->prefix, n->type, n->sv_type);
+    buf_printf(out, "    const uint64_t left = UINT64_MAX - 1 - sv->%s;      // until time ends; more than ever when it has\n",
+               n->var[u->m->g]);
+    buf_str(out, w->first ? "    bool first = false;\n" : "");
+    buf_str(out, w->transition ? "    uint32_t next = 0;      // the state to go to\n" : "");
+    buf_str(out, "\n    // The gate is 0 before a state's first step and where init has not succeeded.\n"
+                 "    if (left >= m->gate_) {\n        if (!m->first_ || left >= m->left_) {\n");
+    buf_printf(out, "            return m->state_ == 0 ? %s_NO_STATE : %s_REFUSED;\n        }\n", n->macro, n->macro);
+    buf_printf(out, "        m->first_ = false;\n%s        m->start_ = sv->%s;\n        sv->%s = m->state_;\n    }\n    m->gate_ = left;\n",
+               w->first ? "        first = true;\n" : "", n->var[u->m->g], s);
+    if (u->track_stores)
+        buf_printf(out, "    memset(&m->stored, 0, sizeof m->stored);\n    m->stored.%s = first;\n", s);
+}
+
+static void put_call_of_group(const CUnit *u, const CStep *w, BlockKind k, const char *result, Buf *out)
+{
+    buf_printf(out, "%s%s", result, group_name(u, k));
+    put_arguments(&w->group[k], out);
+}
+
+static void put_step_end(const CUnit *u, const CStep *w, Buf *out)
+{
+    if (w->has[BLOCK_ENTRY]) {
+        buf_str(out, "    if (first) {\n        ");
+        put_call_of_group(u, w, BLOCK_ENTRY, w->group[BLOCK_ENTRY].returns_state ? "next = " : "", out);
+        buf_str(out, "    }\n");
+    }
+    if (w->has[BLOCK_STEP]) {
+        const bool guarded = w->has[BLOCK_ENTRY] && w->group[BLOCK_ENTRY].returns_state;
+        buf_str(out, guarded ? "    if (next == 0) {\n        " : "    ");
+        put_call_of_group(u, w, BLOCK_STEP, w->group[BLOCK_STEP].returns_state ? "next = " : "", out);
+        buf_str(out, guarded ? "    }\n" : "");
+    }
+    if (w->transition) {
+        buf_str(out, "    if (next != 0) {\n");
+        if (w->has[BLOCK_EXIT]) {
+            buf_str(out, "        ");
+            put_call_of_group(u, w, BLOCK_EXIT, "", out);
+        }
+        buf_str(out, "        m->state_ = next;\n        m->first_ = true;\n        m->left_ = left;\n        m->gate_ = 0;\n    }\n");
+    }
     buf_printf(out, "    return %s_OK;\n}\n\n", u->names.macro);
+}
+
+static void put_step(CUnit *u, const CState *s, const CSignature *sample, Buf *out)
+{
+    const CStep w = step_of(u, s, sample, out);
+
+    put_step_start(u, &w, out);
+    if (w.sample) {
+        buf_printf(out, "    %s_sample", u->names.prefix);
+        put_arguments(w.sample, out);
+    }
+    put_step_end(u, &w, out);
 }
 
 // ---- the rest ----
@@ -227,6 +293,8 @@ static void put_state(const CUnit *u, Buf *out)
     const CNames *n = &u->names;
 
     buf_printf(out, "uint32_t %s_state(const %s *m)\n{\n    return m->state_;\n}\n\n", n->prefix, n->type);
+    buf_printf(out, "uint64_t %s_T(const %s *m)\n{\n    const uint64_t left = m->first_ ? m->left_ : m->gate_;\n\n"
+                    "    return UINT64_MAX - 1 - left - m->start_;\n}\n\n", n->prefix, n->type);
     buf_printf(out, "const char *%s_state_name(uint32_t state)\n{\n    static const char *const name[] = {\n        \"\",\n", n->prefix);
     for (size_t i = 0; i < u->m->state.n; i++)
         buf_printf(out, "        \"%s\",\n", u->m->state.at[i].name->text);

@@ -172,7 +172,7 @@ void names_elements(Arena *arena, CNames *names, CVector *sv)
 // What the machine's struct holds beside the locals.
 static void take_own_members(NameSet *s, const CNames *n)
 {
-    static const char *const own[] = { "T", "stored", "state_", "first_", "ran_", "start_", "last_" };
+    static const char *const own[] = { "T", "stored", "state_", "first_", "gate_", "left_", "start_" };
 
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
         set_take(s, own[i]);

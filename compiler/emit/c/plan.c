@@ -145,14 +145,28 @@ static void count_uses(CFn *fn, uint32_t b)
     }
 }
 
+static void settle_readings(CFn *fn, uint32_t b)
+{
+    const IrBlk *blk = &fn->f->blk.at[b];
+
+    plan_readings(fn, b);
+    for (size_t p = 0; p < blk->ins.n; p++) {
+        const CIns *c = &fn->ins[blk->ins.at[p]];
+        if (c->unchecked)
+            var_use(fn, fn->f->ins.at[blk->ins.at[p]].var)->loads -= c->uses;
+    }
+}
+
 // ---- elements that are read once for the whole function ----
 
 static bool is_float(SmType t) { return t == SM_F64 || t == SM_F32; }
 
-// Reading one takes a check for NaN.
-static bool is_float_element(const CFn *fn, uint32_t v)
+// Reading a float takes a check for NaN, T a subtraction.
+static bool is_computed(const CFn *fn, uint32_t v)
 {
-    return fn->u->m->var.at[v].space == IR_ELEMENT && is_float(fn->u->m->var.at[v].type);
+    const IrVar *var = &fn->u->m->var.at[v];
+
+    return var->space == IR_TIME || (var->space == IR_ELEMENT && is_float(var->type));
 }
 
 static void choose_copies(CFn *fn, uint32_t b)
@@ -162,13 +176,13 @@ static void choose_copies(CFn *fn, uint32_t b)
     for (size_t p = 0; p < blk->ins.n; p++) {
         const IrIns *i = &fn->f->ins.at[blk->ins.at[p]];
         CVarUse *w;
-        if (i->op != IR_load || !is_float_element(fn, i->var))
+        if (i->op != IR_load || !is_computed(fn, i->var))
             continue;
         w = var_use(fn, i->var);
-        if (w->copy || w->stored || w->loads < 2)
+        if (fn->ins[blk->ins.at[p]].unchecked || w->copy || w->stored || w->loads < 2)
             continue;
         w->copy = copy_name(fn, i->var);
-        w->copy_type = i->type == SM_F32 && !w->as_double ? SM_F32 : SM_F64;
+        w->copy_type = i->type == SM_F32 && w->as_double ? SM_F64 : i->type;
         vec_push(fn->u->arena, &fn->copied, i->var);
     }
 }
@@ -193,9 +207,9 @@ static uint32_t next_store(CFn *fn, const IrIns *i)
 }
 
 // Whether writing it twice costs nothing: a plain member.
-static bool is_plain(CFn *fn, const IrIns *i)
+static bool is_plain(CFn *fn, const IrIns *i, const CIns *c)
 {
-    return i->op == IR_load && (!is_float_element(fn, i->var) || var_use(fn, i->var)->copy);
+    return i->op == IR_load && (!is_computed(fn, i->var) || c->unchecked || var_use(fn, i->var)->copy);
 }
 
 static CHow how(CFn *fn, const IrIns *i, const CIns *c)
@@ -206,7 +220,7 @@ static CHow how(CFn *fn, const IrIns *i, const CIns *c)
         return C_DEAD;
     if (next_store(fn, i) < c->latest)
         return C_VARIABLE;
-    if (is_plain(fn, i))
+    if (is_plain(fn, i, c))
         return C_INLINE;
     return c->uses > 1 || c->level > LEVEL_MAX ? C_VARIABLE : C_INLINE;
 }
@@ -249,6 +263,9 @@ void plan_function(CFn *fn)
     for (uint32_t b = 0; b < end; b++)
         if (fn->flow.reached[b])
             count_uses(fn, b);
+    for (uint32_t b = 0; b < end; b++)
+        if (fn->flow.reached[b])
+            settle_readings(fn, b);
     for (uint32_t b = 0; b < end; b++)
         if (fn->flow.reached[b])
             choose_copies(fn, b);

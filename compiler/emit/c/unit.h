@@ -50,6 +50,7 @@ typedef struct CUnit {
     struct CVarUse *var_use;      // by variable: what the function in hand does with it
     uint32_t *window_sample;      // by window: where the block in hand gives it its sample
     uint32_t stamps;              // functions and blocks so far
+    bool track_stores;            // each step tells which elements it stored
     const char *fit;              // the name of the self-test
     StrPool constant_names;       // locals that are constants, for remarks
     Map constants;

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which float elements are read as they are, without a look for NaN.  A NaN reads as 0; where a condition comes out the same
+// for both nobody can tell them apart: x > 775 holds for neither, and neither does 500 < x and x < 825, though 0 < 825.
+#include "compiler/emit/c/fn.h"
+
+static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
+static bool is_compare(IrOp op) { return op >= IR_eq && op <= IR_ge; }
+
+// The load of a float element whose value r is, as an F32 or an F64; or IR_NONE.
+static IrRef read_by(const CFn *fn, IrRef r)
+{
+    const IrIns *i;
+
+    if (r == IR_NONE || fn->ins[r].is_const)
+        return IR_NONE;
+    i = ins(fn, r);
+    if (i->op == IR_cvt && i->type == SM_F64 && ins(fn, i->a)->type == SM_F32)
+        i = ins(fn, r = i->a);
+    return i->op == IR_load && fn->u->m->var.at[i->var].space == IR_ELEMENT && sm_type_info[i->type].kind == SM_KIND_FLOAT ? r : IR_NONE;
+}
+
+// Whether 0 op y comes out as NaN op y does, for all y in a range.
+static bool is_as_nan(IrOp op, CRange y)
+{
+    switch (op) {
+    case IR_lt: return y.hi <= 0;
+    case IR_le: return y.hi < 0;
+    case IR_gt: return y.lo >= 0;
+    case IR_ge: return y.lo > 0;
+    case IR_eq: case IR_ne: return y.lo > 0 || y.hi < 0;
+    default: return false;
+    }
+}
+
+static IrOp mirrored(IrOp op)
+{
+    return op == IR_lt ? IR_gt : op == IR_le ? IR_ge : op == IR_gt ? IR_lt : op == IR_ge ? IR_le : op;
+}
+
+// The operand of a comparison that reads an element, where only one does; else IR_NONE.
+static IrRef reading_side(const CFn *fn, const IrIns *i)
+{
+    const IrRef a = read_by(fn, i->a), b = read_by(fn, i->b);
+
+    return (a == IR_NONE) == (b == IR_NONE) ? IR_NONE : a != IR_NONE ? i->a : i->b;
+}
+
+static void note_compare(CFn *fn, IrRef r)
+{
+    const IrIns *i = ins(fn, r);
+    const IrRef x = reading_side(fn, i);
+    CIns *c = &fn->ins[r];
+
+    if (x == IR_NONE || !is_as_nan(x == i->a ? i->op : mirrored(i->op), fn->ins[x == i->a ? i->b : i->a].range))
+        return;
+    c->settled_by = read_by(fn, x);
+    c->settled_value = i->op == IR_ne;
+    fn->ins[x].careless += c->uses > 0;
+}
+
+// In what hangs on r alone, other comparisons with the same load may come out as they like.
+static void excuse(CFn *fn, IrRef r, IrRef load)
+{
+    const IrIns *i = ins(fn, r);
+    CIns *c = &fn->ins[r];
+    const IrRef x = is_compare(i->op) ? reading_side(fn, i) : IR_NONE;
+
+    if (c->is_const || c->uses != 1 || c->excused)
+        return;
+    if (x != IR_NONE && read_by(fn, x) == load && c->settled_by == IR_NONE) {
+        c->excused = true;
+        fn->ins[x].careless++;
+    } else if (i->op == IR_and || i->op == IR_or || i->op == IR_not) {
+        excuse(fn, i->a, load);
+        if (i->b != IR_NONE)
+            excuse(fn, i->b, load);
+    }
+}
+
+// `and` is false, `or` true, where one operand is, whatever the other.
+static void note_logic(CFn *fn, IrRef r)
+{
+    const IrIns *i = ins(fn, r);
+    CIns *c = &fn->ins[r];
+
+    for (int side = 0; side < 2; side++) {
+        const IrRef x = side ? i->b : i->a, y = side ? i->a : i->b;
+        const CIns *by = &fn->ins[x];
+        if (by->is_const || by->settled_by == IR_NONE || by->settled_value != (i->op == IR_or))
+            continue;
+        excuse(fn, y, by->settled_by);
+        c->settled_by = by->settled_by;
+        c->settled_value = by->settled_value;
+    }
+}
+
+static void note(CFn *fn, IrRef r)
+{
+    const IrIns *i = ins(fn, r);
+    CIns *c = &fn->ins[r];
+
+    c->settled_by = IR_NONE;
+    if (c->is_const)
+        return;
+    if (is_compare(i->op)) {
+        note_compare(fn, r);
+    } else if (i->op == IR_and || i->op == IR_or) {
+        note_logic(fn, r);
+    } else if (i->op == IR_not && !fn->ins[i->a].is_const) {
+        c->settled_by = fn->ins[i->a].settled_by;
+        c->settled_value = !fn->ins[i->a].settled_value;
+    }
+}
+
+void plan_readings(CFn *fn, uint32_t b)
+{
+    const IrBlk *blk = &fn->f->blk.at[b];
+
+    for (size_t p = 0; p < blk->ins.n; p++)
+        note(fn, blk->ins.at[p]);
+    for (size_t p = blk->ins.n; p-- > 0;) {           // conversions before what they convert
+        const IrRef r = blk->ins.at[p], load = read_by(fn, r);
+        CIns *c = &fn->ins[r];
+        if (load == IR_NONE || c->uses == 0 || c->careless != c->uses)
+            continue;
+        if (load == r)
+            c->unchecked = true;
+        else
+            fn->ins[load].careless++;
+    }
+}
