@@ -41,6 +41,15 @@
 #define SMVM_JOINS 32
 #endif
 
+// Whether the decoded form goes from instruction to instruction by addresses of labels, which GNU C has.
+#ifndef SMVM_COMPUTED_GOTO
+#ifdef __GNUC__
+#define SMVM_COMPUTED_GOTO 1
+#else
+#define SMVM_COMPUTED_GOTO 0
+#endif
+#endif
+
 typedef SMVM_BYTES SmvmBytes;
 typedef SMVM_AT SmvmAt;
 

@@ -5,6 +5,7 @@
 
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
+#include "bytecode-vm/step.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
@@ -216,36 +217,20 @@ static uint32_t run(SmVm *vm, uint32_t function)
 
 // ---- the step ----
 
-static void begin(SmVm *vm, uint64_t g)
-{
-    vm->entered = vm->first;
-    if (vm->first) {
-        vm->start = g;
-        sm_cell_store(SM_U32, vm->sv + vm->s, vm->state);
-    }
-    vm->last = g;
-    vm->ran = true;
-    memset(vm->stored, 0, (vm->outputs + 7u) / 8u);
-}
-
 SmResult smvm_step(SmVm *vm, void *sv)
 {
-    uint64_t g = sm_cell_load(SM_U64, (uint8_t *)sv + vm->g);
     uint32_t block = 3 * (uint32_t)vm->state - 2, to = 0;      // the functions of the state: entry, step, exit
 
-    if (g == UINT64_MAX || (vm->ran && g <= vm->last))
+    if (!smvm_begin(vm, sv))
         return SM_REFUSED;
-    vm->sv = sv;
-    begin(vm, g);
+    memset(vm->stored, 0, (vm->outputs + 7u) / 8u);
     run(vm, 0);
     if (vm->first)
         to = run(vm, block);
     if (to == 0)
         to = run(vm, block + 1);
-    if (to != 0) {
+    if (to != 0)
         run(vm, block + 2);
-        vm->state = (SmvmAt)to;
-    }
-    vm->first = to != 0;
+    smvm_finish(vm, to);
     return SM_OK;
 }

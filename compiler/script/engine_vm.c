@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The VM as an engine: what flies, in this process.  Elements lie in a state vector of its own at the program's offsets;
 // locals are found by their names in the image's debug section.
+//
+// The machine runs twice: decoded, which gives the answers, and in place beside it.  Every difference between the two is an error.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
@@ -13,10 +15,10 @@ typedef struct VmEngine {
     Engine engine;
     const Program *p;
     SmvmMachine m;
-    SmVm *vm;
-    uint32_t size;            // bytes at vm
-    uint64_t *sv;             // the state vector
-    SmvmVector vector;        // the same, as the VM wants it
+    SmVm *vm, *beside;        // decoded, in place
+    SmvmDecoded *decoded;
+    uint32_t size;            // bytes at vm, and at beside
+    uint64_t *sv, *sv_beside; // their state vectors
     uint8_t **at;             // by variable: where its value lies; NULL: T and constants
     uint32_t *output;         // by variable: 1 + its number among the outputs; 0: it is none
 } VmEngine;
@@ -40,19 +42,63 @@ static EngineStatus answer(const VmEngine *v, EngineStatus status, EngineStep *o
     return status;
 }
 
+static EngineStatus broken(Engine *e, EngineStep *out, const char *error)
+{
+    e->error = error;
+    return out->status = ENGINE_BROKEN;
+}
+
+static bool both_stored(const VmEngine *v)
+{
+    for (uint32_t i = 0; i < v->m.outputs; i++)
+        if (smvm_stored(v->vm, i) != smvm_stored(v->beside, i))
+            return false;
+    return smvm_stored_state(v->vm) == smvm_stored_state(v->beside);
+}
+
+static bool agree(const VmEngine *v)                  // decoded and in place
+{
+    return memcmp(v->sv, v->sv_beside, v->m.sv_size) == 0 && memcmp(smvm_locals(v->vm), smvm_locals(v->beside), v->m.locals) == 0
+        && smvm_state(v->vm) == smvm_state(v->beside) && v->vm->first == v->beside->first && smvm_time(v->vm) == smvm_time(v->beside)
+        && both_stored(v);
+}
+
+static void write_cell(const VmEngine *v, const EngineWrite *w)
+{
+    uint8_t *at = v->at[w->var], *sv = (uint8_t *)v->sv, *locals = smvm_locals(v->vm);
+    SmType type = v->p->var.at[w->var]->type;
+
+    if (at == NULL)
+        return;
+    sm_cell_store(type, at, w->cell);
+    if (v->p->var.at[w->var]->kind == VAR_ELEMENT)
+        sm_cell_store(type, (uint8_t *)v->sv_beside + (at - sv), w->cell);
+    else
+        sm_cell_store(type, (uint8_t *)smvm_locals(v->beside) + (at - locals), w->cell);
+}
+
 static EngineStatus vm_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     VmEngine *v = e->self;
-    SmResult result;
+    SmResult result, beside;
 
     for (uint32_t i = 0; i < n; i++)
-        if (v->at[write[i].var])
-            sm_cell_store(v->p->var.at[write[i].var]->type, v->at[write[i].var], write[i].cell);
-    result = smvm_step(v->vm, v->sv);
+        write_cell(v, &write[i]);
+    result = smvm_step_decoded(v->decoded, v->sv);
+    beside = smvm_step(v->beside, v->sv_beside);
+    if (result != beside || !agree(v))
+        return broken(e, out, "the decoded form of the image does not do what the image does");
     answer(v, result == SM_OK ? ENGINE_OK : ENGINE_REFUSED, out);
     if (result == SM_OK && smvm_stored_state(v->vm))
         out->stored[v->p->s->index] = 1;
     return out->status;
+}
+
+static SmResult init(const VmEngine *v, SmVm *vm, uint64_t *sv, uint32_t state)
+{
+    const SmvmVector vector = {sv, v->p->sv->size, v->p->sv->hash};
+
+    return smvm_init(vm, v->size, &v->m, &vector, state);
 }
 
 static EngineStatus vm_init(Engine *e, uint32_t state, EngineStep *out)
@@ -61,11 +107,12 @@ static EngineStatus vm_init(Engine *e, uint32_t state, EngineStep *out)
     SmResult result;
 
     memset(v->sv, 0, v->m.sv_size);
-    result = smvm_init(v->vm, v->size, &v->m, &v->vector, state);
-    if (result != SM_OK) {
-        e->error = sm_result_text(result);
-        return out->status = ENGINE_BROKEN;
-    }
+    memset(v->sv_beside, 0, v->m.sv_size);
+    result = init(v, v->vm, v->sv, state);
+    if (result == SM_OK)
+        result = init(v, v->beside, v->sv_beside, state);
+    if (result != SM_OK)
+        return broken(e, out, sm_result_text(result));
     answer(v, ENGINE_OK, out);
     memset(out->stored, 0, v->p->var.n);
     return ENGINE_OK;
@@ -145,11 +192,12 @@ static const char *bind(VmEngine *v, Arena *arena, const uint8_t *image, size_t 
         return "the image was made from another machine";
     v->size = smvm_ram_size(&v->m);
     v->vm = arena_alloc(arena, v->size);
+    v->beside = arena_alloc(arena, v->size);
     v->sv = arena_alloc(arena, v->p->sv->size);
-    v->vector.at = v->sv;
-    v->vector.size = v->p->sv->size;
-    v->vector.layout = v->p->sv->hash;
-    result = smvm_init(v->vm, v->size, &v->m, &v->vector, 1);
+    v->sv_beside = arena_alloc(arena, v->p->sv->size);
+    result = init(v, v->vm, v->sv, 1);
+    if (result == SM_OK)
+        result = smvm_decode(&v->decoded, arena_alloc(arena, smvm_decoded_size(&v->m)), smvm_decoded_size(&v->m), &v->m, v->vm, v->sv);
     return result == SM_OK ? NULL : sm_result_text(result);
 }
 

@@ -13,11 +13,11 @@
 typedef struct Build {
     uint32_t layout, sv_words, locals, temps, outputs, states, width;
     uint32_t window[8], windows;
-    uint32_t operand[64], operands;
+    uint32_t operand[512], operands;
     uint32_t f32[8], f32s;
     uint64_t f64[8];
     uint32_t f64s;
-    uint8_t code[2048];
+    uint8_t code[4096];
     uint32_t size;
     uint32_t end[64], ends;               // of functions: sample, then entry, step, exit of each state
     uint8_t init[64];

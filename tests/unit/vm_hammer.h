@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bytes as an image: they are refused, or every machine in them runs on whatever the state vector holds, in memory of exactly
-// the size it asked for.  What goes wrong is for the sanitizers to see.  Shared by tests/unit/vm_mutate.c and tests/fuzz/image.c.
+// the size it asked for, in place and decoded, with the same results.  What goes wrong is for the sanitizers to see.  Shared by tests/unit/vm_mutate.c and tests/fuzz/image.c.
 #ifndef VM_HAMMER_H
 #define VM_HAMMER_H
 
@@ -49,34 +49,70 @@ static inline uint32_t hammer_steps(const SmvmMachine *m, uint32_t steps)
     return slots * steps < HAMMER_SLOTS ? steps : (uint32_t)(HAMMER_SLOTS / (slots + 1)) + 1;
 }
 
-static inline void hammer_machine(const SmvmMachine *m, uint32_t steps, uint64_t *seed)
+typedef struct Hammered { uint64_t *sv, *memory, *decoded; SmvmDecoded *code; } Hammered;
+
+static inline void hammer_open(Hammered *h, const SmvmMachine *m, uint32_t state, bool decode)
 {
-    uint32_t size = smvm_ram_size(m), words = m->sv_size / 8, g = smvm_operand(m, m->outputs).offset / 8;
-    uint64_t *sv, *memory;
     SmvmVector v;
 
-    if (size > HAMMER_MEMORY || m->sv_size > HAMMER_MEMORY)
-        return;
-    sv = calloc(1, m->sv_size);
-    memory = malloc(size);
-    v.at = sv;
+    memset(h, 0, sizeof *h);
+    h->sv = calloc(1, m->sv_size);
+    h->memory = malloc(smvm_ram_size(m));
+    v.at = h->sv;
     v.size = m->sv_size;
     v.layout = m->layout;
-    if (!sv || !memory || smvm_init(memory, size, m, &v, 1 + (uint32_t)(hammer_random(seed) % m->states)) != SM_OK)
+    if (!h->sv || !h->memory || smvm_init(h->memory, smvm_ram_size(m), m, &v, state) != SM_OK)
         abort();
+    if (!decode)
+        return;
+    h->decoded = malloc(smvm_decoded_size(m));
+    if (!h->decoded || smvm_decode(&h->code, h->decoded, smvm_decoded_size(m), m, (SmVm *)h->memory, h->sv) != SM_OK)
+        abort();
+}
+
+static inline void hammer_close(Hammered *h)
+{
+    free(h->sv);
+    free(h->memory);
+    free(h->decoded);
+}
+
+// In place and decoded: whether everything that can be seen is the same.
+static inline bool hammer_same(const SmvmMachine *m, const Hammered *a, const Hammered *b)
+{
+    SmVm *x = (SmVm *)a->memory, *y = (SmVm *)b->memory;
+
+    for (uint32_t i = 0; i < m->outputs; i++)
+        if (smvm_stored(x, i) != smvm_stored(y, i))
+            return false;
+    return smvm_state(x) == smvm_state(y) && smvm_time(x) == smvm_time(y) && smvm_stored_state(x) == smvm_stored_state(y)
+        && memcmp(a->sv, b->sv, m->sv_size) == 0 && memcmp(smvm_locals(x), smvm_locals(y), m->locals) == 0;
+}
+
+static inline void hammer_machine(const SmvmMachine *m, uint32_t steps, uint64_t *seed)
+{
+    uint32_t words = m->sv_size / 8, g = smvm_operand(m, m->outputs).offset / 8, state = 1 + (uint32_t)(hammer_random(seed) % m->states);
+    Hammered plain, fast;
+
+    if (smvm_ram_size(m) > HAMMER_MEMORY || m->sv_size > HAMMER_MEMORY || smvm_decoded_size(m) > HAMMER_MEMORY)
+        return;
+    hammer_open(&plain, m, state, false);
+    hammer_open(&fast, m, state, true);
     steps = hammer_steps(m, steps);
     for (uint32_t i = 0; i < steps; i++) {
         for (uint32_t w = 0; w < words && w < 64; w++)
             if (hammer_random(seed) % 4 == 0)
-                sv[hammer_random(seed) % words] = hammer_word(seed);
+                plain.sv[hammer_random(seed) % words] = hammer_word(seed);
         if (i % 8 != 7)
-            sv[g] = i;
-        smvm_step((SmVm *)memory, sv);
-        if (smvm_state((SmVm *)memory) < 1 || smvm_state((SmVm *)memory) > m->states)
+            plain.sv[g] = i;
+        memcpy(fast.sv, plain.sv, m->sv_size);
+        if (smvm_step((SmVm *)plain.memory, plain.sv) != smvm_step_decoded(fast.code, fast.sv) || !hammer_same(m, &plain, &fast))
+            abort();
+        if (smvm_state((SmVm *)plain.memory) < 1 || smvm_state((SmVm *)plain.memory) > m->states)
             abort();
     }
-    free(sv);
-    free(memory);
+    hammer_close(&plain);
+    hammer_close(&fast);
 }
 
 // Gives the rule that refused it, or 0.

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The decoded form of a machine, between decode.c, which makes it, and fast.c, which runs it.
+#ifndef SMVM_FAST_H
+#define SMVM_FAST_H
+
+#include "bytecode-vm/smvm.h"
+
+// The types of what lies in memory, by their numbers, and behind them a temp (RAW).  INTS have all values in an int64_t but for
+// the upper half of U64.  An operand may also be a number in the code (C) or what is in F already (A).
+#define FAST_TYPES(M) M(I8) M(I16) M(I32) M(I64) M(U8) M(U16) M(U32) M(U64) M(F32) M(F64) M(BOOL)
+#define FAST_KINDS(M) FAST_TYPES(M) M(RAW)
+#define FAST_SOURCES(M) FAST_KINDS(M) M(C) M(A)
+#define FAST_INTS(M) M(I8) M(I16) M(I32) M(I64) M(U8) M(U16) M(U32) M(U64)
+
+enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
+
+// The families: what each does with one type.
+#define FAST_LD(K) FAST(LD_##K, F = get_##K(ip + 1, F); NEXT(2);)
+#define FAST_ADD(K) FAST(ADD_##K, F = sm_add(F, get_##K(ip + 1, F)); NEXT(2);)
+#define FAST_SUB(K) FAST(SUB_##K, F = sm_sub(F, get_##K(ip + 1, F)); NEXT(2);)
+#define FAST_RSUB(K) FAST(RSUB_##K, F = sm_sub(get_##K(ip + 1, F), F); NEXT(2);)
+#define FAST_MUL(K) FAST(MUL_##K, F = sm_mul(F, get_##K(ip + 1, F)); NEXT(2);)
+#define FAST_DIV(K) FAST(DIV_##K, F = sm_div(F, get_##K(ip + 1, F)); NEXT(2);)
+#define FAST_RDIV(K) FAST(RDIV_##K, F = sm_div(get_##K(ip + 1, F), F); NEXT(2);)
+#define FAST_MIN(K) FAST(MIN_##K, F = sm_min(F, get_##K(ip + 1, F)); NEXT(2);)
+#define FAST_MAX(K) FAST(MAX_##K, F = sm_max(F, get_##K(ip + 1, F)); NEXT(2);)
+#define FAST_EQ(K) FAST(EQ_##K, F = sm_from_bool(sm_eq(F, get_##K(ip + 1, F))); NEXT(2);)
+#define FAST_NE(K) FAST(NE_##K, F = sm_from_bool(!sm_eq(F, get_##K(ip + 1, F))); NEXT(2);)
+#define FAST_LT(K) FAST(LT_##K, F = sm_from_bool(sm_lt(F, get_##K(ip + 1, F))); NEXT(2);)
+#define FAST_LE(K) FAST(LE_##K, F = sm_from_bool(sm_le(F, get_##K(ip + 1, F))); NEXT(2);)
+#define FAST_GT(K) FAST(GT_##K, F = sm_from_bool(sm_lt(get_##K(ip + 1, F), F)); NEXT(2);)
+#define FAST_GE(K) FAST(GE_##K, F = sm_from_bool(sm_le(get_##K(ip + 1, F), F)); NEXT(2);)
+#define FAST_AND(K) FAST(AND_##K, F = sm_from_bool(sm_to_bool(F) && sm_to_bool(get_##K(ip + 1, F))); NEXT(2);)
+#define FAST_OR(K) FAST(OR_##K, F = sm_from_bool(sm_to_bool(F) || sm_to_bool(get_##K(ip + 1, F))); NEXT(2);)
+#define FAST_CVT(K) FAST(CVT_##K, F = convert_##K(F); NEXT(1);)
+
+#define FAST_ADDC(K) FAST(ADDC_##K, F = sm_add(get_##K(ip + 1, F), ip[2].f); NEXT(3);)
+#define FAST_RSUBC(K) FAST(RSUBC_##K, F = sm_sub(ip[2].f, get_##K(ip + 1, F)); NEXT(3);)
+#define FAST_MULC(K) FAST(MULC_##K, F = sm_mul(get_##K(ip + 1, F), ip[2].f); NEXT(3);)
+#define FAST_DIVC(K) FAST(DIVC_##K, F = sm_div(get_##K(ip + 1, F), ip[2].f); NEXT(3);)
+#define FAST_RDIVC(K) FAST(RDIVC_##K, F = sm_div(ip[2].f, get_##K(ip + 1, F)); NEXT(3);)
+#define FAST_ADD2(K) FAST(ADD2_##K, F = sm_add(get_##K(ip + 1, F), get_##K(ip + 2, F)); NEXT(3);)
+#define FAST_SUB2(K) FAST(SUB2_##K, F = sm_sub(get_##K(ip + 1, F), get_##K(ip + 2, F)); NEXT(3);)
+#define FAST_MUL2(K) FAST(MUL2_##K, F = sm_mul(get_##K(ip + 1, F), get_##K(ip + 2, F)); NEXT(3);)
+#define FAST_DIV2(K) FAST(DIV2_##K, F = sm_div(get_##K(ip + 1, F), get_##K(ip + 2, F)); NEXT(3);)
+
+#define FAST_ST(K) FAST(ST_##K, put_##K(ip + 1, F); NEXT(2);)
+#define FAST_STN(K) FAST(STN_##K, NOTE; put_##K(ip + 2, F); NEXT(3);)
+#define FAST_MOV(K) FAST(MOV_##K, move_##K(ip + 1, ip + 2); NEXT(3);)
+#define FAST_MOVN(K) FAST(MOVN_##K, NOTE; move_##K(ip + 2, ip + 3); NEXT(4);)
+#define FAST_INC(K) FAST(INC_##K, count_##K(ip + 1); NEXT(4);)
+#define FAST_INCN(K) FAST(INCN_##K, NOTE; count_##K(ip + 2); NEXT(5);)
+
+#define FAST_JEQ(K) FAST(JEQ_##K, GO_IF(sm_eq(F, get_##K(ip + 2, F)), 3);)
+#define FAST_JNE(K) FAST(JNE_##K, GO_IF(!sm_eq(F, get_##K(ip + 2, F)), 3);)
+#define FAST_JLT(K) FAST(JLT_##K, GO_IF(sm_lt(F, get_##K(ip + 2, F)), 3);)
+#define FAST_JNLT(K) FAST(JNLT_##K, GO_IF(!sm_lt(F, get_##K(ip + 2, F)), 3);)
+#define FAST_JLE(K) FAST(JLE_##K, GO_IF(sm_le(F, get_##K(ip + 2, F)), 3);)
+#define FAST_JNLE(K) FAST(JNLE_##K, GO_IF(!sm_le(F, get_##K(ip + 2, F)), 3);)
+#define FAST_JGT(K) FAST(JGT_##K, GO_IF(sm_lt(get_##K(ip + 2, F), F), 3);)
+#define FAST_JNGT(K) FAST(JNGT_##K, GO_IF(!sm_lt(get_##K(ip + 2, F), F), 3);)
+#define FAST_JGE(K) FAST(JGE_##K, GO_IF(sm_le(get_##K(ip + 2, F), F), 3);)
+#define FAST_JNGE(K) FAST(JNGE_##K, GO_IF(!sm_le(get_##K(ip + 2, F), F), 3);)
+#define FAST_JT(K) FAST(JT_##K, GO_IF(true_##K(ip + 2), 3);)
+#define FAST_JF(K) FAST(JF_##K, GO_IF(!true_##K(ip + 2), 3);)
+#define FAST_JEQ2(K) FAST(JEQ2_##K, GO_IF(sm_eq(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
+#define FAST_JNE2(K) FAST(JNE2_##K, GO_IF(!sm_eq(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
+#define FAST_JLT2(K) FAST(JLT2_##K, GO_IF(sm_lt(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
+#define FAST_JNLT2(K) FAST(JNLT2_##K, GO_IF(!sm_lt(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
+#define FAST_JLE2(K) FAST(JLE2_##K, GO_IF(sm_le(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
+#define FAST_JNLE2(K) FAST(JNLE2_##K, GO_IF(!sm_le(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
+#define FAST_JEQC(K) FAST(JEQC_##K, GO_IF(sm_eq(get_##K(ip + 2, F), ip[3].f), 4);)
+#define FAST_JNEC(K) FAST(JNEC_##K, GO_IF(!sm_eq(get_##K(ip + 2, F), ip[3].f), 4);)
+#define FAST_JLTC(K) FAST(JLTC_##K, GO_IF(sm_lt(get_##K(ip + 2, F), ip[3].f), 4);)
+#define FAST_JNLTC(K) FAST(JNLTC_##K, GO_IF(!sm_lt(get_##K(ip + 2, F), ip[3].f), 4);)
+#define FAST_JLEC(K) FAST(JLEC_##K, GO_IF(sm_le(get_##K(ip + 2, F), ip[3].f), 4);)
+#define FAST_JNLEC(K) FAST(JNLEC_##K, GO_IF(!sm_le(get_##K(ip + 2, F), ip[3].f), 4);)
+#define FAST_JGTC(K) FAST(JGTC_##K, GO_IF(sm_lt(ip[3].f, get_##K(ip + 2, F)), 4);)
+#define FAST_JNGTC(K) FAST(JNGTC_##K, GO_IF(!sm_lt(ip[3].f, get_##K(ip + 2, F)), 4);)
+#define FAST_JGEC(K) FAST(JGEC_##K, GO_IF(sm_le(ip[3].f, get_##K(ip + 2, F)), 4);)
+#define FAST_JNGEC(K) FAST(JNGEC_##K, GO_IF(!sm_le(ip[3].f, get_##K(ip + 2, F)), 4);)
+// With a whole number of less than 53 bits integers compare as their F64 do, rounded or not.
+#define FAST_JEQI(K) FAST(JEQI_##K, GO_IF(whole_##K(ip + 2) == ip[3].i, 4);)
+#define FAST_JNEI(K) FAST(JNEI_##K, GO_IF(whole_##K(ip + 2) != ip[3].i, 4);)
+#define FAST_JLTI(K) FAST(JLTI_##K, GO_IF(whole_##K(ip + 2) < ip[3].i, 4);)
+#define FAST_JLEI(K) FAST(JLEI_##K, GO_IF(whole_##K(ip + 2) <= ip[3].i, 4);)
+#define FAST_JGTI(K) FAST(JGTI_##K, GO_IF(whole_##K(ip + 2) > ip[3].i, 4);)
+#define FAST_JGEI(K) FAST(JGEI_##K, GO_IF(whole_##K(ip + 2) >= ip[3].i, 4);)
+
+typedef enum FastOp {
+#define FAST(name, ...) FAST_##name##_OP,
+#include "bytecode-vm/fast.def"
+#undef FAST
+    FAST_OPS
+} FastOp;
+
+// The code is a row of words: an instruction, then what it works on.
+typedef union SmvmWord {
+    const void *go;           // its instruction: where its code is, or its FastOp
+    void *p;                  // an operand in memory
+    SmF64 f;                  // a number
+    int64_t i;
+    uint64_t u;
+} SmvmWord;
+
+// The functions that a step runs are joined: the sample function leads to what the state has to run, `.entry` to `.step`, a
+// transition to `.exit`.
+struct SmvmDecoded {
+    SmVm *vm;
+    void *sv;                 // the state vector that the code's addresses lie in
+    uint64_t t;               // T
+    SmvmWord *code;           // the sample function first
+    uint32_t *entry, *step;   // by state: where in the code its first step begins, and every other
+};
+
+// Runs a step's code; gives the state that it goes to, or 0.  With d NULL: gives in *places where the code of each FastOp is,
+// or NULL where its number stands for it.
+uint32_t smvm_fast_run(const SmvmDecoded *d, const void *const **places);
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a step begins and ends (language.md 6), whatever runs what lies between.  Internal to the VM.
+#ifndef SMVM_STEP_H
+#define SMVM_STEP_H
+
+#include "bytecode-vm/smvm.h"
+#include "stdlib/convert.h"
+
+// False if G did not advance.  Else what the step before stored is yet to be cleared.
+static inline bool smvm_begin(SmVm *vm, void *sv)
+{
+    uint64_t g = sm_cell_load(SM_U64, (uint8_t *)sv + vm->g);
+
+    if (g == UINT64_MAX || (vm->ran && g <= vm->last))
+        return false;
+    vm->sv = sv;
+    vm->entered = vm->first;
+    if (vm->first) {
+        vm->start = g;
+        sm_cell_store(SM_U32, vm->sv + vm->s, vm->state);
+    }
+    vm->last = g;
+    vm->ran = true;
+    return true;
+}
+
+// `to` is the state that the step went to, or 0.
+static inline void smvm_finish(SmVm *vm, uint32_t to)
+{
+    if (to != 0)
+        vm->state = (SmvmAt)to;
+    vm->first = to != 0;
+}
+
+#endif
