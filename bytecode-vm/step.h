@@ -13,7 +13,7 @@ static inline bool smvm_begin(SmVm *vm, void *sv)
 
     if (g == UINT64_MAX || (vm->ran && g <= vm->last))
         return false;
-    vm->sv = sv;
+    vm->sv = (uint8_t *)sv;
     vm->entered = vm->first;
     if (vm->first) {
         vm->start = g;
