@@ -21,6 +21,7 @@ typedef struct Visit {
     Queue queue;
     uint32_t state;                   // the one that is looked at
     int block;
+    bool widened;                     // somewhere: there may be something to take back
     FactLimits numbers;               // that stand in the program, and their neighbours: where guards stop what counts
 } Visit;
 
@@ -44,7 +45,7 @@ static uint32_t dequeue(Queue *q)
 
 // ---- ways into functions ----
 
-static const Env *with_more(const Visit *v, const FactBegin *b, const Env *env)
+static const Env *with_more(Visit *v, const FactBegin *b, const Env *env)
 {
     static const double round[] = {-FACT_EXACT, -2147483648.0, -32768, -128, 0, 1, 255, 65535, 2147483647.0, FACT_EXACT};
     static const FactLimits few = {round, sizeof round / sizeof *round};
@@ -54,6 +55,7 @@ static const Env *with_more(const Visit *v, const FactBegin *b, const Env *env)
         return env;
     if (b->changes > ENOUGH && !last)
         return v->fm->constants;
+    v->widened |= b->changes > PATIENCE;
     return env_join(&v->fm->shape, b->env, env, last || b->changes <= PATIENCE ? NULL : b->changes <= IMPATIENCE ? &v->numbers : &few);
 }
 
@@ -190,13 +192,14 @@ static void visit_all(FactMachine *fm)
 {
     const IrMachine *m = fm->shape.m;
     const Env *env = initial(&fm->shape, true);
-    Visit v = {fm, fm->begin, {NULL, NULL, 0, 0, m->state.n}, 0, 0, numbers_of(fm->shape.arena, m)};
+    Visit v = {fm, fm->begin, {NULL, NULL, 0, 0, m->state.n}, 0, 0, false, numbers_of(fm->shape.arena, m)};
 
     v.queue.at = ARENA_ARRAY(fm->shape.arena, uint32_t, m->state.n);
     v.queue.waits = ARENA_ARRAY(fm->shape.arena, bool, m->state.n);
     begin_all(&v, env);
     visit_states(&v);
-    last_round(&v, env);
+    if (v.widened)
+        last_round(&v, env);
 }
 
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m)

@@ -7,8 +7,9 @@ static bool does_nothing(const IrFn *f)
     return f->blk.n == 1 && f->blk.at[0].ins.n == 0 && f->blk.at[0].jump.kind == IR_RET;
 }
 
-void pass_empty(Arena *arena, IrMachine *m)
+void pass_empty(Arena *arena, IrMachine *m, FactMachine *values)
 {
+    (void)values;
     (void)arena;
     for (size_t s = 0; s < m->state.n; s++)
         for (int k = 0; k < BLOCK_COUNT; k++)

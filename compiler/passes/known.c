@@ -2,7 +2,7 @@
 // known: what facts decide.  An operation that can only give one number becomes that number: comparisons that come out one way,
 // guards that an earlier guard implies, locals that hold one value.  An operation that changes none of the numbers that reach it
 // is left out: NaN turned into 0 where there is none, rounding of whole numbers, limits that are never reached.
-// Needs nothing; breaks uses.
+// Needs values; breaks uses.
 #include "compiler/facts/facts.h"
 #include "compiler/passes/pass.h"
 #include "stdlib/convert.h"
@@ -86,14 +86,12 @@ static void rewrite_function(Arena *arena, FactMachine *fm, IrFn *f, const Env *
     }
 }
 
-void pass_known(Arena *arena, IrMachine *m)
+void pass_known(Arena *arena, IrMachine *m, FactMachine *values)
 {
-    FactMachine *fm = facts_of_machine(arena, m);
-
     if (m->sample)
-        rewrite_function(arena, fm, m->sample, facts_begin_sample(fm));
+        rewrite_function(arena, values, m->sample, facts_begin_sample(values));
     for (size_t s = 0; s < m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             if (m->state.at[s].block[b])
-                rewrite_function(arena, fm, m->state.at[s].block[b], facts_begin(fm, s, b));
+                rewrite_function(arena, values, m->state.at[s].block[b], facts_begin(values, s, b));
 }

@@ -7,7 +7,7 @@
 //   comparisons         see narrow_compare.c
 //   conversions         of what exists in a narrower type: from that
 //   windows             keep samples in the narrowest type that holds all of them
-// Needs nothing; breaks uses.  What became useless is left to dce.
+// Needs values; breaks uses.  What became useless is left to dce.
 #include "compiler/passes/narrow.h"
 
 #include <string.h>
@@ -301,16 +301,14 @@ static SmType narrowest(Fact sample)
     return sample.f32 ? SM_F32 : SM_F64;
 }
 
-void pass_narrow(Arena *arena, IrMachine *m)
+void pass_narrow(Arena *arena, IrMachine *m, FactMachine *values)
 {
-    FactMachine *fm = facts_of_machine(arena, m);
-
     for (uint32_t w = 0; w < m->window.n; w++)
-        m->window.at[w].type = narrowest(facts_of_window(fm, w));
+        m->window.at[w].type = narrowest(facts_of_window(values, w));
     if (m->sample)
-        narrow_function(arena, m, fm, m->sample, facts_begin_sample(fm));
+        narrow_function(arena, m, values, m->sample, facts_begin_sample(values));
     for (size_t s = 0; s < m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             if (m->state.at[s].block[b])
-                narrow_function(arena, m, fm, m->state.at[s].block[b], facts_begin(fm, s, b));
+                narrow_function(arena, m, values, m->state.at[s].block[b], facts_begin(values, s, b));
 }

@@ -4,12 +4,14 @@
 #ifndef SMC_PASS_H
 #define SMC_PASS_H
 
+#include "compiler/facts/facts.h"
 #include "compiler/ir/ir.h"
 
 // What run.c can compute about a function for passes that need it.
 enum {
     FACT_NONE = 0,
-    FACT_USES = 1         // how many operands and jumps name each instruction
+    FACT_USES = 1,        // how many operands and jumps name each instruction
+    FACT_VALUES = 2       // what values can be (compiler/facts); of the machine.  Who renumbers variables or windows breaks it
 };
 
 // What a pass notes of each variable while it walks a block.  One table serves all functions, for a machine may have as many
@@ -37,7 +39,7 @@ typedef struct Facts {
 
 // A pass over one function.  It may change `facts` along with the function.
 typedef void PassFn(Arena *arena, IrFn *f, Facts *facts);
-typedef void PassMachineFn(Arena *arena, IrMachine *m);
+typedef void PassMachineFn(Arena *arena, IrMachine *m, FactMachine *values);     // values: NULL if the pass does not need them
 
 typedef struct PassInfo {
     const char *name;
@@ -76,7 +78,7 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o);
 // ---- the passes, each in its own file ----
 
 #define PASS(name, needs, breaks, sentence) void pass_##name(Arena *arena, IrFn *f, Facts *facts);
-#define PASS_MACHINE(name, needs, breaks, sentence) void pass_##name(Arena *arena, IrMachine *m);
+#define PASS_MACHINE(name, needs, breaks, sentence) void pass_##name(Arena *arena, IrMachine *m, FactMachine *values);
 #define RUN(level, name)
 #include "compiler/passes/passes.def"
 #undef PASS

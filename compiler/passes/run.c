@@ -32,6 +32,7 @@ typedef struct Runner {
     const PassOptions *o;
     Facts *facts;                     // of the sample function, then of every state's functions
     VarNotes notes;
+    FactMachine *values;              // NULL: not known, or broken
 } Runner;
 
 static const PassInfo *find_n(const char *name, size_t n)
@@ -91,7 +92,9 @@ static void run_on_machine(Runner *r, const PassInfo *pass)
 {
     size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
 
-    pass->on_machine(r->arena, r->m);
+    if (pass->needs & FACT_VALUES && !r->values)
+        r->values = facts_of_machine(r->arena, r->m);
+    pass->on_machine(r->arena, r->m, pass->needs & FACT_VALUES ? r->values : NULL);
     for (size_t f = 0; f < functions; f++)
         r->facts[f].valid &= ~pass->breaks;
 }
@@ -109,6 +112,8 @@ static const char *run_pass(Runner *r, const PassInfo *pass)
         run_on_functions(r, pass);
     else
         run_on_machine(r, pass);
+    if (pass->breaks & FACT_VALUES)
+        r->values = NULL;
     if (r->o->after)
         r->o->after(r->o->context, pass, r->m);
     return check(r, pass->name);
@@ -143,7 +148,7 @@ static void prepare_facts(Runner *r)
 
 const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
 {
-    Runner r = {arena, m, o, NULL, {NULL, 0}};
+    Runner r = {arena, m, o, NULL, {NULL, 0}, NULL};
     const char *wrong = check(&r, "before the first pass");
 
     prepare_facts(&r);

@@ -80,10 +80,11 @@ static void drop_windows(Arena *arena, IrMachine *m, const uint32_t *wanted)
         m->sample = NULL;
 }
 
-void pass_windows(Arena *arena, IrMachine *m)
+void pass_windows(Arena *arena, IrMachine *m, FactMachine *values)
 {
     uint32_t *wanted = ARENA_ARRAY(arena, uint32_t, m->window.n);
 
+    (void)values;
     if (m->window.n == 0)
         return;
     note_stats_of_states(m, wanted);
