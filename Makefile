@@ -197,9 +197,9 @@ FUZZ_SEEDS_ir = tests/ir/samples
 # built with the options here, whatever CFLAGS says.
 W           ?= tank mission arith bigwindow
 BENCH_FLAGS  = $(STRICT_C) -I$(B)/bench/gen -O2
-$(B)/bench/%: tests/bench/%.c $(B)/libsmc.a
+$(B)/bench/scale $(B)/bench/compile: $(B)/bench/%: $(B)/obj/tests/bench/%.o $(B)/obj/tests/bench/shapes.o $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/libsmc.a
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
 # Each machine as C at each level, tank_o0 to bigwindow_o2; their headers declare the same state vector.
 BENCH_EMITTED =
@@ -227,10 +227,10 @@ check: $(B)/bench/steps
 CHECK_LINES += "bench: $(B)/bench/steps $(B)/bench check"
 
 # All of it, or `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile`; run.sh says what each is.
-BENCH_PARTS = time count sizes
-bench: $(B)/bench/steps
+BENCH_PARTS = time count sizes compile
+bench: $(B)/bench/steps $(B)/bench/compile
 	sh tests/bench/run.sh $(B) '$(CC)' '$(BENCH_PARTS)' '$(W)'
-$(BENCH_PARTS:%=bench-%): bench-%: $(B)/bench/steps
+$(BENCH_PARTS:%=bench-%): bench-%: $(B)/bench/steps $(B)/bench/compile
 	sh tests/bench/run.sh $(B) '$(CC)' $* '$(W)'
 
 # Whether every stage of the compiler grows with its input as it should.

@@ -44,6 +44,7 @@ typedef struct Workload {
     unsigned steps, warm;               // an episode: so many steps from init on, the first `warm` of them not measured
     unsigned episodes;                  // so many different ones
     unsigned count, check;              // steps after the warm ones when instructions are counted; steps that are checked
+    unsigned other;                     // an episode that goes another way than the first and is checked too; or 0
     void (*inputs)(Rng *r, void *in, unsigned n, unsigned episode);
     const Row *row;                     // empty, native, f64, C at -O0 to -O2
     void (*drive_vm)(void *machine, void *sv, const void *in, size_t n);     // machine: an SmVm

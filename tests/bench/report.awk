@@ -2,7 +2,7 @@
 # What was measured, as a table with the goals beside it and as JSON.
 #     awk -v json=FILE -f report.awk goals.txt RECORDS
 # Records, by their first word:
-#     time WORKLOAD ROW MEDIAN QUARTER THREE_QUARTERS LEAST SAMPLES TO_NATIVE TO_F64       ns a step; median ratios
+#     time WORKLOAD ROW BEST QUARTER MEDIAN THREE_QUARTERS RUNS TO_NATIVE TO_F64           ns a step; ratios
 #     insn WORKLOAD ROW N                                                                  instructions a step
 #     value GROUP NAME N UNIT                                                              anything else
 #     note TEXT                                                                            what could not be measured
@@ -13,7 +13,7 @@ $1 == "time" {
     if (!($2 in rows)) { rows[$2] = 0; workload[++workloads] = $2 }
     row[$2, ++rows[$2]] = $3
     key = $2 " " $3
-    median[key] = $4; quarter[key] = $5; three[key] = $6; least[key] = $7; samples[key] = $8; native[key] = $9; f64[key] = $10
+    ns[key] = $4; quarter[key] = $5; median[key] = $6; three[key] = $7; runs[key] = $8; native[key] = $9; f64[key] = $10
 }
 $1 == "insn" { insn[$2 " " $3] = $4 }
 $1 == "value" { if (!(($2 " " $3) in value)) name[++values] = $2 " " $3; value[$2 " " $3] = $4; unit[$2 " " $3] = $5 }
@@ -30,11 +30,12 @@ END {
 }
 
 function print_workload(w,    i, key) {
-    printf "%s%-12s %8s   %-19s %8s %9s %9s %8s\n", (w == workload[1] ? "" : "\n"), w, "ns/step", "quartiles", "least", "instr.", "/native", "/f64"
+    printf "%s%-12s %8s   %8s  %-19s %9s %9s %8s\n", (w == workload[1] ? "" : "\n"), w, "ns/step", "median", "quartiles", "instr.",
+           "/native", "/f64"
     for (i = 1; i <= rows[w]; i++) {
         key = w " " row[w, i]
-        printf "  %-10s %8s   %-19s %8s %9s %9s %8s\n", row[w, i], short(median[key]), short(quarter[key]) " … " short(three[key]),
-               short(least[key]), key in insn ? short(insn[key]) : "", short(native[key]), short(f64[key])
+        printf "  %-10s %8s   %8s  %-19s %9s %9s %8s\n", row[w, i], short(ns[key]), short(median[key]),
+               short(quarter[key]) " … " short(three[key]), key in insn ? short(insn[key]) : "", short(native[key]), short(f64[key])
     }
 }
 
@@ -104,7 +105,7 @@ function print_goals(    i, n) {
 
 # ---- JSON ----
 
-function print_json(    i, k, w, key, n) {
+function print_json(    i, k, w, key, n, part) {
     if (json == "")
         return
     printf("{\n\"time\": [") >json
@@ -112,15 +113,17 @@ function print_json(    i, k, w, key, n) {
         for (k = 1; k <= rows[workload[i]]; k++) {
             w = workload[i]
             key = w " " row[w, k]
-            printf("%s\n{\"workload\": \"%s\", \"row\": \"%s\", \"ns\": %s, \"quarter\": %s, \"three_quarters\": %s, \"least\": %s, \"samples\": %s, \"to_native\": %s, \"to_f64\": %s%s}",
-                   n++ ? "," : "", w, row[w, k], median[key], quarter[key], three[key], least[key], samples[key], native[key], f64[key],
-                   key in insn ? ", \"instructions\": " insn[key] : "") >json
+            printf("%s\n{\"workload\": \"%s\", \"row\": \"%s\"", n++ ? "," : "", w, row[w, k]) >json
+            printf(", \"ns\": %s, \"runs\": %s, \"median\": %s", ns[key], runs[key], median[key]) >json
+            printf(", \"quarter\": %s, \"three_quarters\": %s", quarter[key], three[key]) >json
+            printf(", \"to_native\": %s, \"to_f64\": %s", native[key], f64[key]) >json
+            printf("%s}", key in insn ? ", \"instructions\": " insn[key] : "") >json
         }
     printf("\n],\n\"values\": [") >json
     for (i = 1; i <= values; i++) {
-        split(name[i], w_and_name, " ")
-        printf("%s\n{\"group\": \"%s\", \"name\": \"%s\", \"value\": %s, \"unit\": \"%s\"}", i > 1 ? "," : "", w_and_name[1], w_and_name[2],
-               value[name[i]], unit[name[i]]) >json
+        split(name[i], part, " ")
+        printf("%s\n{\"group\": \"%s\", \"name\": \"%s\"", i > 1 ? "," : "", part[1], part[2]) >json
+        printf(", \"value\": %s, \"unit\": \"%s\"}", value[name[i]], unit[name[i]]) >json
     }
     printf("\n],\n\"goals\": [") >json
     n = 0

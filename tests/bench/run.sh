@@ -35,6 +35,10 @@ part_time() {
 
 # ---- instructions ----
 
+record_instructions() {       # record_instructions ROW NONE ALL STEPS
+    echo "$w $*" | awk '{ printf "insn %s %s %.6g\n", $1, $2, ($4 - $3) / $5 }' >>"$records"
+}
+
 # Under callgrind, which dumps what was collected each time a drive returns: first the warm steps, then those that count.
 count_rows() {
     rm -f "$dir"/callgrind.*
@@ -45,10 +49,10 @@ count_rows() {
     valgrind --tool=callgrind --callgrind-out-file="$dir/callgrind" --toggle-collect='drive_*' "$@" \
         "$dir/steps" "$dir" count "$w" >"$dir/counted" 2>"$dir/log" || { cat "$dir/log" >&2; exit 1; }
     n=0
-    while read -r workload row steps; do
+    while read -r _ row steps; do
         n=$((n + 2))
-        awk -v w="$workload" -v row="$row" -v steps="$steps" '/^summary:/ { printf "insn %s %s %.6g\n", w, row, $2 / steps }' \
-            "$dir/callgrind.$n" >>"$records"
+        all=$(awk '/^summary:/ { print $2 }' "$dir/callgrind.$n")
+        record_instructions "$row" 0 "$all" "$steps"
     done <"$dir/counted"
 }
 
@@ -71,7 +75,7 @@ count_lua() {
         command -v "$1" >/dev/null 2>&1 || continue
         none=$(instructions_of 0 "$@") all=$(instructions_of "$steps" "$@")
         if [ -n "$none" ] && [ -n "$all" ]; then
-            echo "$w $row $none $all $steps" | awk '{ printf "insn %s %s %.6g\n", $1, $2, ($4 - $3) / $5 }' >>"$records"
+            record_instructions "$row" "$none" "$all" "$steps"
         else
             note "$1 does not run under valgrind: its instructions were not counted"
         fi
@@ -112,7 +116,7 @@ part_sizes() {
 
 part_compile() {
     echo "bench: compiling" >&2
-    $pin "$dir/compile" "$build/smc" "$cc" "$dir" >>"$records" || exit 1
+    $pin "$dir/compile" "$cc" "$dir" >>"$records" || exit 1
 }
 
 for part in $parts; do

@@ -55,7 +55,8 @@ typedef struct Bench {
     uint8_t *in;                      // all episodes
     Runner runner[MANY];
     unsigned runners;
-    unsigned skipped, failed;
+    unsigned skipped, failed;         // Luas that are not here, or do not run
+    double asking;                    // seconds that the clock takes
 } Bench;
 
 static uint64_t sv[SV_WORDS];
@@ -192,7 +193,7 @@ static void add_luas(Bench *b, unsigned episodes)
         if (is == LUA_HERE)
             add(b, luas[i].name, 0)->lua = &b->lua[i];
         else
-            fprintf(stderr, is == LUA_ABSENT ? "%s: %s is not here: skipped\n" : "%s: %s does not run\n", b->w->name, luas[i].command);
+            fprintf(stderr, "%s: %s %s\n", b->w->name, luas[i].command, is == LUA_ABSENT ? "is not here: skipped" : "does not run");
         b->skipped += is == LUA_ABSENT;
         b->failed += is == LUA_BROKEN;
     }
@@ -329,20 +330,38 @@ static void check(const char *folder, const Workload *w, unsigned *passed, unsig
 {
     Bench *b = begin(folder, w);
 
-    add_luas(b, 1);
+    add_luas(b, w->other + 1);
     *failed += check_all(b, 0, passed) + b->failed;
+    if (w->other != 0)
+        *failed += check_all(b, w->other, passed);
     *skipped += b->skipped;
     end(b);
 }
 
 // ---- time ----
 
-static double seconds(void)
+static double seconds(clockid_t clock)
 {
     struct timespec t;
 
-    clock_gettime(CLOCK_MONOTONIC, &t);
+    clock_gettime(clock, &t);
     return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+static double wall(void) { return seconds(CLOCK_MONOTONIC); }
+static double cpu(void) { return seconds(CLOCK_PROCESS_CPUTIME_ID); }      // others' turns on the core do not count
+
+// What asking for the time takes: it is within every run.
+static double cost_of_asking(void)
+{
+    double least = 1, took;
+
+    for (int i = 0; i < 1000; i++) {
+        took = -cpu();
+        took += cpu();
+        least = took < least ? took : least;
+    }
+    return least;
 }
 
 static double lua_seconds(const Runner *r, unsigned episode)
@@ -357,33 +376,35 @@ static double lua_seconds(const Runner *r, unsigned episode)
 static double sample(const Bench *b, const Runner *r, unsigned episode)
 {
     const unsigned n = b->w->steps - b->w->warm;
-    double before;
+    double took;
 
     if (r->lua)
         return lua_seconds(r, episode) * 1e9 / n;
     start(r);
     r->drive(r->machine, sv, input(b, episode, 0), b->w->warm);
-    before = seconds();
+    took = -cpu();
     r->drive(r->machine, sv, input(b, episode, b->w->warm), n);
-    return (seconds() - before) * 1e9 / n;
+    took += cpu();
+    return (took - b->asking) * 1e9 / n;
 }
 
 // What takes long does so less often, so that it does not take the time of the others.
 static void set_pace(Bench *b)
 {
+    b->asking = cost_of_asking();
     for (unsigned i = 0; i < b->runners; i++) {
-        const double before = seconds();
+        const double before = wall();
         sample(b, &b->runner[i], 0);
-        b->runner[i].every = 1 + 2 * (unsigned)((seconds() - before) / 0.004);
+        b->runner[i].every = 1 + 2 * (unsigned)((wall() - before) / 0.004);
     }
 }
 
 static unsigned run_rounds(Bench *b, double time)
 {
-    const double start_time = seconds();
+    const double before = wall();
     unsigned round = 0;
 
-    for (; round < ROUNDS && (round < 20 || seconds() - start_time < time); round++)
+    for (; round < ROUNDS && (round < 2 * b->w->episodes || wall() - before < time); round++)
         for (unsigned i = 0; i < b->runners; i++) {
             Runner *r = &b->runner[(round + i) % b->runners];
             r->ns[round] = round % r->every == 0 ? sample(b, r, round % b->w->episodes) : -1;
@@ -398,43 +419,65 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-typedef struct Spread { double least, quarter, median, three_quarters; unsigned n; } Spread;
+typedef struct Spread { double quarter, median, three_quarters; unsigned n; } Spread;
 
-static Spread spread(double *x, unsigned n)
+static Spread spread(const Runner *r, unsigned rounds)
 {
-    Spread s = {0, 0, 0, 0, n};
-
-    if (n == 0)
-        return s;
-    qsort(x, n, sizeof *x, ascending);
-    s.least = x[0];
-    s.quarter = x[n / 4];
-    s.median = x[n / 2];
-    s.three_quarters = x[n * 3 / 4];
-    return s;
-}
-
-static Spread times(const Runner *r, unsigned rounds)
-{
+    Spread s = {0, 0, 0, 0};
     double x[ROUNDS];
-    unsigned n = 0;
 
     for (unsigned i = 0; i < rounds; i++)
         if (r->ns[i] >= 0)
-            x[n++] = r->ns[i];
-    return spread(x, n);
+            x[s.n++] = r->ns[i];
+    qsort(x, s.n, sizeof *x, ascending);
+    s.quarter = x[s.n / 4];
+    s.median = x[s.n / 2];
+    s.three_quarters = x[s.n * 3 / 4];
+    return s;
 }
 
-// The median of the ratios in the rounds in which both took part.
-static double ratio(const Runner *r, const Runner *to, unsigned rounds)
+// The best run of an episode; below 0 if there was none.
+static double best_of(const Bench *b, const Runner *r, unsigned episode, unsigned rounds)
 {
-    double x[ROUNDS];
+    double least = -1;
+
+    for (unsigned i = episode; i < rounds; i += b->w->episodes)
+        if (r->ns[i] >= 0 && (least < 0 || r->ns[i] < least))
+            least = r->ns[i];
+    return least;
+}
+
+// The means of the best runs of the episodes that both have run.
+static void best(const Bench *b, const Runner *r, const Runner *other, unsigned rounds, double *of_r, double *of_other)
+{
     unsigned n = 0;
 
-    for (unsigned i = 0; i < rounds; i++)
-        if (r->ns[i] >= 0 && to->ns[i] > 0)
-            x[n++] = r->ns[i] / to->ns[i];
-    return spread(x, n).median;
+    *of_r = *of_other = 0;
+    for (unsigned e = 0; e < b->w->episodes; e++) {
+        const double x = best_of(b, r, e, rounds), y = best_of(b, other, e, rounds);
+        if (x < 0 || y < 0)
+            continue;
+        *of_r += (x - *of_r) / ++n;
+        *of_other += (y - *of_other) / n;
+    }
+}
+
+static double ratio(const Bench *b, const Runner *r, const char *to, unsigned rounds)
+{
+    double x, y;
+
+    best(b, r, find(b, to), rounds, &x, &y);
+    return x / y;
+}
+
+static void print_time(const Bench *b, const Runner *r, unsigned rounds)
+{
+    const Spread s = spread(r, rounds);
+    double x, y;
+
+    best(b, r, r, rounds, &x, &y);
+    printf("time %s %s %.4g %.4g %.4g %.4g %u ", b->w->name, r->name, x, s.quarter, s.median, s.three_quarters, s.n);
+    printf("%.4g %.4g\n", ratio(b, r, "native", rounds), ratio(b, r, "f64", rounds));
 }
 
 static void measure(Bench *b, double time)
@@ -443,12 +486,8 @@ static void measure(Bench *b, double time)
 
     set_pace(b);
     rounds = run_rounds(b, time);
-    for (unsigned i = 0; i < b->runners; i++) {
-        const Runner *r = &b->runner[i];
-        const Spread s = times(r, rounds);
-        printf("time %s %s %.4g %.4g %.4g %.4g %u %.4g %.4g\n", b->w->name, r->name, s.median, s.quarter, s.three_quarters, s.least, s.n,
-               ratio(r, find(b, "native"), rounds), ratio(r, find(b, "f64"), rounds));
-    }
+    for (unsigned i = 0; i < b->runners; i++)
+        print_time(b, &b->runner[i], rounds);
 }
 
 static int time_rows(const char *folder, double time, const Workload *w)

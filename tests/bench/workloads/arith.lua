@@ -104,9 +104,9 @@ return function(sv)
     end
 
     local function init()
-        for name in ([[volts0 volts1 current power celsius rateX rateY rateZ smooth lift energy kelvin altitude integral command density
-                position balance ticks pulses miss product spin total minutes rest turn trimmed mean slow high low errors half direction tilt
-                pwm duty level beats]]):gmatch("%w+") do
+        for name in ([[volts0 volts1 current power celsius rateX rateY rateZ smooth lift energy kelvin altitude integral command
+                density position balance ticks pulses miss product spin total minutes rest turn trimmed mean slow high low errors
+                half direction tilt pwm duty level beats]]):gmatch("%w+") do
             sv[name] = 0
         end
         sv.hot, sv.spinning, sv.steady, sv.alarm, sv.brake = false, false, false, false, false

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The mission as a flight-software engineer writes it.  The windows are rings; a statistic is worked out where it is asked
-// for: the median from a copy that is sorted by insertion, the average by adding up (a sum that runs on would drift), the range in one pass.
+// for: the median from a copy that is sorted by insertion, the average by adding up (a sum that runs on would drift), the
+// range in one pass.
 #include <math.h>
 #include <string.h>
 

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// How fast the compiler is: to bytecode, from memory to memory, as the command does it, warnings and all; and how long a C
+// compiler takes over what it emits.  "value" records on standard output.
+//
+//     compile CC FOLDER      FOLDER: where files may be written
+#define _POSIX_C_SOURCE 200809L
+#define _DEFAULT_SOURCE                   // what getrusage gives
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <time.h>
+
+#include "compiler/analysis/analysis.h"
+#include "tests/bench/shapes.h"
+
+static double now(void) { return (double)clock() / CLOCKS_PER_SEC; }
+
+// What a compilation took.
+typedef struct Cost { double seconds; unsigned lines; size_t memory; } Cost;
+
+static bool compile(const Shape *shape, unsigned n, int level, Cost *cost)
+{
+    MachineInput in = {NULL, NULL, NULL, 0};
+    ImageOptions options = {false};
+    IrMachine *m;
+    jmp_buf oom;
+    Session s;
+    Buf image;
+    Program *p;
+    size_t source;
+
+    pool_empty();
+    session_init(&s, pool_alloc, NULL, &oom);
+    if (setjmp(oom) != 0)
+        return false;
+    in.sm = shape_source(&s, "m.sm", shape->write, n);
+    source = pool_used();
+    cost->seconds = -now();
+    p = session_program(&s, &in);
+    analyse_program(&s.arena, &s.diags, p);
+    m = session_ir(&s, p, level);
+    buf_init(&image, &s.arena);
+    if (!session_image(&s, &m, 1, &options, &image))
+        return false;
+    cost->seconds += now();
+    cost->lines = in.sm->lines;
+    cost->memory = pool_used() - source;
+    return true;
+}
+
+// The best of a few: what else the machine does is none of our time.
+static Cost best(const char *name, unsigned n, int level, int tries)
+{
+    const Shape *shape = shape_find(name);
+    Cost least = {1e9, 0, 0}, cost;
+
+    for (; tries > 0; tries--) {
+        if (!compile(shape, n, level, &cost)) {
+            fprintf(stderr, "compile: %s %u at -O%d does not compile\n", name, n, level);
+            exit(1);
+        }
+        if (cost.seconds < least.seconds)
+            least = cost;
+    }
+    return least;
+}
+
+static void throughput(void)
+{
+    for (int level = 0; level <= 2; level++) {
+        const Cost c = best("states", 10000, level, 3);
+        printf("value compile lines-O%d %.0f lines/s\n", level, c.lines / c.seconds);
+        printf("value compile 10000-states-O%d %.3f s\n", level, c.seconds);
+        printf("value compile 10000-states-memory-O%d %.0f MB\n", level, (double)c.memory / 1e6);
+    }
+}
+
+static void growth(void)
+{
+    for (int level = 0; level <= 2; level++) {
+        const Cost small = best("statements", 1000, level, 20), large = best("statements", 100000, level, 2);
+        printf("value compile 1000-statements-O%d %.5f s\n", level, small.seconds);
+        printf("value compile 100000-statements-O%d %.3f s\n", level, large.seconds);
+        printf("value compile growth-of-100-times-O%d %.0f times\n", level, large.seconds / small.seconds);
+    }
+}
+
+static void extremes(void)
+{
+    for (int level = 0; level <= 2; level += 2) {
+        printf("value compile 16000-variables-O%d %.3f s\n", level, best("locals", 16000, level, 2).seconds);
+        printf("value compile 1000-nested-O%d %.4f s\n", level, best("nested", 1000, level, 5).seconds);
+    }
+}
+
+// ---- the C compiler ----
+
+static bool write_file(const char *path, const Buf *text)
+{
+    FILE *f = fopen(path, "w");
+
+    return f && fwrite(buf_text(text), 1, text->n, f) == text->n && fclose(f) == 0;
+}
+
+static bool emit(const char *folder, unsigned states, int level)
+{
+    EmitCOptions options = {NULL, "m.h", "m.sm"};
+    MachineInput in = {NULL, NULL, NULL, 0};
+    Buf header, code;
+    jmp_buf oom;
+    Program *p;
+    Session s;
+
+    pool_empty();
+    session_init(&s, pool_alloc, NULL, &oom);
+    if (setjmp(oom) != 0)
+        return false;
+    in.sm = shape_source(&s, "m.sm", shape_find("states")->write, states);
+    p = session_program(&s, &in);
+    buf_init(&header, &s.arena);
+    buf_init(&code, &s.arena);
+    session_emit_c(&s, session_ir(&s, p, level), &options, &header, &code);
+    return write_file(format_in(&s.arena, "%s/m.h", folder), &header) && write_file(format_in(&s.arena, "%s/m.c", folder), &code);
+}
+
+static double of(struct timeval t) { return (double)t.tv_sec + (double)t.tv_usec * 1e-6; }
+
+static void c_compiler(const char *cc, const char *folder)
+{
+    char command[600];
+    struct rusage use;
+
+    if (!emit(folder, 1000, 2))
+        exit(1);
+    snprintf(command, sizeof command, "%s -O2 -c %s/m.c -o %s/m.o", cc, folder, folder);
+    if (system(command) != 0)
+        exit(1);
+    getrusage(RUSAGE_CHILDREN, &use);
+    printf("value gcc 1000-states-time %.2f s\n", of(use.ru_utime) + of(use.ru_stime));
+    printf("value gcc 1000-states-memory %.0f MB\n", (double)use.ru_maxrss / 1024);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 3 || !pool_open())
+        return 2;
+    throughput();
+    growth();
+    extremes();
+    c_compiler(argv[1], argv[2]);
+    return 0;
+}

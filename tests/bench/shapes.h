@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Machines of any size, and mistakes in any number, for measuring how the compiler does with them.
+#ifndef BENCH_SHAPES_H
+#define BENCH_SHAPES_H
+
+#include "compiler/pipeline.h"
+
+typedef void WriteFn(Buf *b, unsigned n);
+
+typedef struct Shape {
+    const char *name;
+    WriteFn *write;           // the machine
+    unsigned n;               // the smaller size
+    WriteFn *sv, *ss;         // a state vector and a script beside it; or NULL
+} Shape;
+
+extern const Shape shapes[];
+extern const size_t shapes_n;
+const Shape *shape_find(const char *name);                // NULL when there is none
+
+// What `write` writes at size n, in the session's memory; NULL when write is.
+const Source *shape_source(Session *s, const char *name, WriteFn *write, unsigned n);
+
+// One piece of memory that every session uses anew: what the system takes for handing out pages is none of our time.
+bool pool_open(void);
+void pool_empty(void);
+size_t pool_used(void);
+void *pool_alloc(void *context, void *old, size_t size);  // an SmcAllocFn; nothing is given back
+
+#endif
