@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // CRC-32 as IEEE 802.3 has it (reflected 0xEDB88320, all ones in and out): "123456789" gives 0xCBF43926.
-// Bit by bit, for it needs no table in a small chip's memory.
+// Four bits at a time; on AVR, whose tables lie in RAM, bit by bit.
 #ifndef SM_CRC32_H
 #define SM_CRC32_H
 
@@ -12,11 +12,21 @@
 
 static inline uint32_t sm_crc32_byte(uint32_t crc, uint8_t byte)
 {
+#ifdef __AVR__
     unsigned i;
     crc ^= byte;
     for (i = 0; i < 8; i++)
         crc = crc >> 1 ^ ((crc & 1u) != 0 ? 0xEDB88320u : 0u);
     return crc;
+#else
+    static const uint32_t step[16] = {                // what four bits that leave on the right do to the rest
+        0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu, 0x76DC4190u, 0x6B6B51F4u, 0x4DB26158u, 0x5005713Cu,
+        0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu, 0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu,
+    };
+    crc ^= byte;
+    crc = crc >> 4 ^ step[crc & 15u];
+    return crc >> 4 ^ step[crc & 15u];
+#endif
 }
 
 static inline uint32_t sm_crc32_end(uint32_t crc) { return crc ^ 0xFFFFFFFFu; }
