@@ -138,7 +138,7 @@ static int build_machines(Cli *c, Emit emit, const Source *sv, Outputs *o)
     Buf *out = new_buf(c);
     size_t built = 0;
 
-    c->session.hide_locals = !image.debug;
+    c->session.hide_locals = emit != EMIT_C && !image.debug;     // in C anyone can look at them
     for (size_t i = 0; i < c->files; i++) {
         MachineInput in = {cli_load(c, c->file[i]), sv, NULL, option_level(c)};
         Program *p;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// empty: a state's function that does nothing is no function.  Needs nothing and breaks nothing: what is left stays as it is.
+// empty: a state's function that does nothing is no function; a hidden local that no function names is no variable.
+// Needs nothing; breaks nothing of a function, but gives variables other numbers.
 #include "compiler/passes/pass.h"
 
 static bool does_nothing(const IrFn *f)
@@ -7,12 +8,66 @@ static bool does_nothing(const IrFn *f)
     return f->blk.n == 1 && f->blk.at[0].ins.n == 0 && f->blk.at[0].jump.kind == IR_RET;
 }
 
+static bool names_variable(const IrIns *i) { return i->op == IR_load || i->op == IR_store; }
+
+static void note_names(const IrFn *f, bool *named)
+{
+    for (size_t b = 0; f && b < f->blk.n; b++)
+        for (size_t p = 0; p < f->blk.at[b].ins.n; p++)
+            if (names_variable(&f->ins.at[f->blk.at[b].ins.at[p]]))
+                named[f->ins.at[f->blk.at[b].ins.at[p]].var] = true;
+}
+
+static void rename_in(IrFn *f, const uint32_t *number)
+{
+    for (size_t b = 0; f && b < f->blk.n; b++)
+        for (size_t p = 0; p < f->blk.at[b].ins.n; p++)
+            if (names_variable(&f->ins.at[f->blk.at[b].ins.at[p]]))
+                f->ins.at[f->blk.at[b].ins.at[p]].var = number[f->ins.at[f->blk.at[b].ins.at[p]].var];
+}
+
+// Takes out what is not kept; false if that is nothing.
+static bool drop_variables(IrMachine *m, const bool *named, uint32_t *number)
+{
+    uint32_t n = 0;
+
+    for (size_t v = 0; v < m->var.n; v++)
+        if (named[v] || !m->var.at[v].hidden) {
+            number[v] = n;
+            m->var.at[n++] = m->var.at[v];
+        }
+    if (n == m->var.n)
+        return false;
+    m->var.n = n;
+    m->g = number[m->g];
+    m->s = number[m->s];
+    m->t = number[m->t];
+    return true;
+}
+
+static void drop_locals(Arena *arena, IrMachine *m)
+{
+    bool *named = ARENA_ARRAY(arena, bool, m->var.n);
+    uint32_t *number = ARENA_ARRAY(arena, uint32_t, m->var.n);
+
+    note_names(m->sample, named);
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int k = 0; k < BLOCK_COUNT; k++)
+            note_names(m->state.at[s].block[k], named);
+    if (!drop_variables(m, named, number))
+        return;
+    rename_in(m->sample, number);
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int k = 0; k < BLOCK_COUNT; k++)
+            rename_in(m->state.at[s].block[k], number);
+}
+
 void pass_empty(Arena *arena, IrMachine *m, FactMachine *values)
 {
     (void)values;
-    (void)arena;
     for (size_t s = 0; s < m->state.n; s++)
         for (int k = 0; k < BLOCK_COUNT; k++)
             if (m->state.at[s].block[k] && does_nothing(m->state.at[s].block[k]))
                 m->state.at[s].block[k] = NULL;
+    drop_locals(arena, m);
 }

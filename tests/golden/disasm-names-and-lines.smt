@@ -43,12 +43,12 @@ U64 G
 U32 S
 [Idle]
 -- stdout --
-image of 466 bytes, format 1, crc 074c3d33
+image of 474 bytes, format 1, crc 297e909e
     section 01 IDENTITY   8 bytes at 52: 003740f815ec1432
-    section 81 MACHINE    101 bytes at 60
-    section 82 CODE       68 bytes at 161
-    section 83 INIT       16 bytes at 229
-    section 02 DEBUG      221 bytes at 245
+    section 81 MACHINE    109 bytes at 60
+    section 82 CODE       68 bytes at 169
+    section 83 INIT       16 bytes at 237
+    section 02 DEBUG      221 bytes at 253
 
 machine 1 sub
     state vector    32 bytes, layout f4b2fddc
@@ -77,7 +77,7 @@ Hold.entry:
 
 Hold.step:
     15  avg     acc, w0                         sub.sm:18
-    18  mul     rate, acc, scale
+    18  mul     rate, acc, 0.1
     22  range   acc, w1                         sub.sm:19
     25  jnlt    0x1.7e43c8800759cp+996, acc, 38
     29  jf      armed, 38
@@ -98,24 +98,23 @@ Vent.step:
     61  jnlt    limit, count, 67                sub.sm:29
     65  goto    Hold
     67  end
-image of 237 bytes, format 1, crc b6097a4e
+image of 234 bytes, format 1, crc dd245e5d
     section 01 IDENTITY   8 bytes at 44: 003740f815ec1432
-    section 81 MACHINE    101 bytes at 52
-    section 82 CODE       68 bytes at 153
-    section 83 INIT       16 bytes at 221
+    section 81 MACHINE    109 bytes at 52
+    section 82 CODE       68 bytes at 161
+    section 83 INIT       5 bytes at 229
 
 machine 1 
     state vector    32 bytes, layout f4b2fddc
     states          2
-    memory          [..] bytes on this machine, of these 12 for locals
+    memory          [..] bytes on this machine, of these 4 for locals
     operands        18
     longest step    15 instructions
     output          F64@16
     output          I8@24
     G               U64@0
     S               U32@8
-    initial value   local F64@0 = 0x3fb999999999999a
-    initial value   local U16@8 = 0x0003
+    initial value   local U16@0 = 0x0003
     w0              5 samples: average
     w1              3 samples: range
 
@@ -131,25 +130,25 @@ state 1.entry:
 
 state 1.step:
     15  avg     acc, w0
-    18  mul     F64@16, acc, local F64@0
+    18  mul     F64@16, acc, 0.1
     22  range   acc, w1
     25  jnlt    0x1.7e43c8800759cp+996, acc, 38
-    29  jf      local bool@10, 38
+    29  jf      local bool@2, 38
     32  add     I8@24, I8@24, 0.5
     36  goto    state 2
-    38  le      local bool@11, 10.5, F32@12
+    38  le      local bool@3, 10.5, F32@12
     42  lt      acc bool, T, 1000000
-    46  or      local bool@10, local bool@11, acc bool
+    46  or      local bool@2, local bool@3, acc bool
     50  end
 
 state 1.exit:
-    51  mov     local U16@8, 4
+    51  mov     local U16@0, 4
     54  end
 
 state 2.step:
     55  neg     acc, F64@16
     58  sqrt    F64@16, acc
-    61  jnlt    local U16@8, I8@24, 67
+    61  jnlt    local U16@0, I8@24, 67
     65  goto    state 1
     67  end
 image of 140 bytes, format 1, crc 4d33412d

@@ -45,3 +45,19 @@ b0:
     store U8 x, %3
     ret
 }
+# after fold
+machine "a"
+vector "a" size 16 hash 0x160479d6
+
+element U64 G at 0 is G
+element U32 S at 8 is S
+element U8 x writable at 12
+time U64 T
+
+state Idle
+step {
+b0:
+    %0 = const U8 2
+    store U8 x, %0
+    ret
+}
