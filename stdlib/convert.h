@@ -90,6 +90,9 @@ static inline int64_t sm_clip_i64(int64_t x, int64_t lo, int64_t hi) { return x 
 //: sm_clip_u64
 // x, or the limit that it is beyond: an integer on its way to another type of integer.
 static inline uint64_t sm_clip_u64(uint64_t x, uint64_t hi) { return x > hi ? hi : x; }
+//: sm_count_up
+// v + 1 as a number, for v up to 2^53, where counting by one ends.
+static inline uint64_t sm_count_up(uint64_t v) { return v + (v < 0x20000000000000u); }
 //: sm_count_u64
 // v + n as numbers, stored again: exact while v is small, rounded as every number is beyond 2^53.
 static inline uint64_t sm_count_u64(uint64_t v, int32_t n)

@@ -403,7 +403,7 @@ static void put_body(CFn *fn)
     put_tree(fn, 0, fn->returns_state ? IR_NONE : fn->flow.n - 1);
 }
 
-static CFn *fn_new(CUnit *u, const IrFn *f)
+static CFn *fn_new(CUnit *u, const IrFn *f, const Env *begin)
 {
     CFn *fn = ARENA_NEW(u->arena, CFn);
 
@@ -419,7 +419,7 @@ static CFn *fn_new(CUnit *u, const IrFn *f)
     buf_init(&fn->body, u->arena);
     buf_init(&fn->line, u->arena);
     buf_init(&fn->declarations, u->arena);
-    plan_constants(fn);
+    plan_constants(fn, begin);
     flow_init(fn);
     plan_function(fn);
     fn->returns_state = makes_transition(f, &fn->flow);
@@ -431,9 +431,9 @@ static bool ends_declarations(const CFn *fn, const Buf *copies)
     return (copies->n || fn->declarations.n) && strncmp(buf_text(&fn->body), "    const ", 10) != 0;
 }
 
-CSignature put_function(CUnit *u, const IrFn *f, const char *name, const char *comment, Buf *out)
+CSignature put_function(CUnit *u, const CFunction *what, Buf *out)
 {
-    CFn *fn = fn_new(u, f);
+    CFn *fn = fn_new(u, what->f, what->begin);
     Buf copies;
     CSignature s;
 
@@ -448,7 +448,7 @@ CSignature put_function(CUnit *u, const IrFn *f, const char *name, const char *c
     s.returns_state = fn->returns_state;
     s.m = fn->uses_m;
     s.sv = fn->uses_sv;
-    buf_printf(out, "%sstatic %s %s(", comment, s.returns_state ? "uint32_t" : "void", name);
+    buf_printf(out, "%sstatic %s %s(", what->comment, s.returns_state ? "uint32_t" : "void", what->name);
     buf_printf(out, "%s%s%s%s", s.m ? fn->writes_m ? "" : "const " : "", s.m ? u->names.type : "", s.m ? " *m" : "",
                s.m && s.sv ? ", " : "");
     buf_printf(out, "%s%s%s", s.sv ? fn->writes_sv ? "" : "const " : "", s.sv ? u->names.sv_type : "", s.sv ? " *sv" : "");

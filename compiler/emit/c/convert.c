@@ -141,9 +141,7 @@ static void put_clipped(CFn *fn, IrRef r, SmType to, int prec)
 // What is not exactly an F64 is rounded on its way.
 static bool goes_by_double(const CFn *fn, IrRef r, SmType to)
 {
-    const CRange range = fn->ins[r].range;
-
-    return bits_of(to) == 64 && bits_of(ins(fn, r)->type) == 64 && !(range.lo >= -9007199254740992.0 && range.hi <= 9007199254740992.0);
+    return bits_of(to) == 64 && bits_of(ins(fn, r)->type) == 64 && !fact_within(fn->ins[r].fact, -FACT_EXACT + 1, FACT_EXACT - 1);
 }
 
 static void put_integer(CFn *fn, IrRef r, SmType to, int prec)
@@ -154,7 +152,7 @@ static void put_integer(CFn *fn, IrRef r, SmType to, int prec)
         put_call_on_double(fn, to_helper[to], r);
     else if (from == to)
         put_value(fn, r, prec);
-    else if (holds_all(to, from) || range_fits(fn->ins[r].range, to))
+    else if (holds_all(to, from) || fact_fits(fn->ins[r].fact, to))
         put_cast(fn, to, r, prec);
     else
         put_clipped(fn, r, to, prec);
@@ -165,7 +163,7 @@ static void put_integer(CFn *fn, IrRef r, SmType to, int prec)
 static void put_to_float(CFn *fn, IrRef r, SmType to, int prec)
 {
     const SmType from = ins(fn, r)->type;
-    const bool nan = is_float(from) && fn->ins[r].range.nan;
+    const bool nan = is_float(from) && fn->ins[r].fact.nan;
 
     if (from == to && !nan)
         put_value(fn, r, prec);
@@ -190,7 +188,7 @@ static void put_to_float(CFn *fn, IrRef r, SmType to, int prec)
 
 static void put_to_bool(CFn *fn, IrRef r, int prec)
 {
-    if (fn->ins[r].range.nan)
+    if (fn->ins[r].fact.nan)
         put_call_on_double(fn, "sm_to_bool", r);
     else
         put_not_zero(fn, r, false, prec);
@@ -200,7 +198,7 @@ void put_cvt(CFn *fn, const IrIns *i, int prec)
 {
     const SmType from = ins(fn, i->a)->type, to = i->type;
 
-    if (from == SM_F64 && integer_put_cvt(fn, i->a, to, prec))
+    if (from == SM_F64 && put_count(fn, i->a, to))
         return;
     if (from == SM_BOOL && to == SM_BOOL)
         put_value(fn, i->a, prec);
@@ -212,7 +210,7 @@ void put_cvt(CFn *fn, const IrIns *i, int prec)
         put_to_float(fn, i->a, to, prec);
     else if (c_is_integer(from))
         put_integer(fn, i->a, to, prec);
-    else if (range_fits(fn->ins[i->a].range, to))
+    else if (fact_fits(fn->ins[i->a].fact, to))
         put_cast(fn, to, i->a, prec);
     else
         put_call_on_double(fn, to_helper[to], i->a);

@@ -289,7 +289,7 @@ void put_condition(CFn *fn, IrRef r, bool negated, int prec)
         put_compare(fn, i, negated, prec);
     } else if (inside && i->op == IR_cvt && from == SM_BOOL) {
         put_condition(fn, i->a, negated, prec);
-    } else if (inside && i->op == IR_cvt && !fn->ins[i->a].range.nan) {
+    } else if (inside && i->op == IR_cvt && !fn->ins[i->a].fact.nan) {
         put_not_zero(fn, i->a, negated, prec);
     } else if (inside && i->op == IR_load) {
         put(fn, negated ? "!" : "");

@@ -6,12 +6,6 @@
 
 #include "compiler/emit/c/unit.h"
 
-// What a temporary's value can be: in [lo, hi], or NaN if `nan`.
-typedef struct CRange {
-    double lo, hi;
-    bool nan;
-} CRange;
-
 typedef enum CHow {
     C_DEAD,                   // nobody needs it
     C_INLINE,                 // stands where it is used
@@ -24,8 +18,7 @@ typedef struct CIns {
     CHow how;
     bool is_const;            // its value is known: `bits`
     uint64_t bits;
-    CRange range;
-    bool whole;               // a tree of whole numbers that integers can compute (integer.c)
+    Fact fact;                // what it can be
     uint32_t uses;            // by what is not dead and not a constant itself
     uint32_t latest;          // position in its block of the last statement in which it stands
     uint32_t level;           // how deep it stands in that statement's expression
@@ -88,25 +81,12 @@ typedef struct CFn {
 void flow_init(CFn *fn);
 
 // ---- plan.c ----
-void plan_constants(CFn *fn);             // first: what is constant, and ranges
+void plan_constants(CFn *fn, const Env *begin);   // first: what is constant, and facts
 bool plan_branch(const CFn *fn, const IrJump *j, bool *taken);   // whether the way is known already
 void plan_function(CFn *fn);              // after flow_init
 
 // ---- reading.c ----
 void plan_readings(CFn *fn, uint32_t b);  // after uses are counted: which loads need no check for NaN
-
-// ---- range.c ----
-CRange range_of_type(SmType type);
-CRange range_of(const CFn *fn, const IrIns *i);
-bool range_fits(CRange r, SmType type);
-
-// ---- integer.c ----
-bool integer_is_whole(const CFn *fn, const IrIns *i, const CIns *c);
-// r, an F64, stored in an integer type: writes it with integers if that is the same; else gives false.
-bool integer_put_cvt(CFn *fn, IrRef r, SmType to, int prec);
-// Whether both sides of a comparison can be written with integers, of 64 bits if `wide`; and one of them.
-bool integer_compares(const CFn *fn, const IrIns *i, bool *wide);
-void integer_put(CFn *fn, IrRef r, bool wide, int prec);
 
 // ---- expr.c ----
 
@@ -141,10 +121,13 @@ bool is_widening(const CFn *fn, IrRef r);
 // A truth of a number that is never NaN.
 void put_not_zero(CFn *fn, IrRef r, bool negated, int prec);
 
+// ---- count.c ----
+
+// r, an F64, on its way to a type: if it is a counter's next number, writes that and gives true.
+bool put_count(CFn *fn, IrRef r, SmType to);
+
 // ---- compare.c ----
 
 void put_compare(CFn *fn, const IrIns *i, bool negated, int prec);
-// Whether two temporaries may come out as the same text, which compilers warn about when it is compared with itself.
-bool is_same_text(const CFn *fn, IrRef a, IrRef b);
 
 #endif

@@ -45,12 +45,14 @@ static const char *block_comment(const CUnit *u, size_t state, BlockKind k)
 static void put_state_block(CUnit *u, size_t i, BlockKind k, CState *s, Buf *out)
 {
     const IrFn *f = u->m->state.at[i].block[k];
+    CFunction what = { f, facts_begin(u->facts, i, k), NULL, NULL };
     const bool never = k == BLOCK_EXIT && !s->block[BLOCK_ENTRY].returns_state && !s->block[BLOCK_STEP].returns_state;
 
     if (!f || never)
         return;
-    s->block[k] = put_function(u, f, format_in(u->arena, "%s_%s_%s", u->names.prefix, u->names.state[i], block_name[k]),
-                               block_comment(u, i, k), out);
+    what.name = format_in(u->arena, "%s_%s_%s", u->names.prefix, u->names.state[i], block_name[k]);
+    what.comment = block_comment(u, i, k);
+    s->block[k] = put_function(u, &what, out);
     s->has[k] = true;
 }
 
@@ -306,10 +308,12 @@ void put_machine(CUnit *u, Buf *out)
     CSignature sample = { 0 };
     CState *s;
 
-    if (u->m->sample)
-        sample = put_function(u, u->m->sample, format_in(u->arena, "%s_sample", u->names.prefix),
-                              "// Gives every rolling window its sample of this step.  Its memory is set anew each time, so that a copy of the machine\n"
-                              "// uses its own.\n", out);
+    if (u->m->sample) {
+        const CFunction what = { u->m->sample, facts_begin_sample(u->facts), format_in(u->arena, "%s_sample", u->names.prefix),
+                                 "// Gives every rolling window its sample of this step.  Its memory is set anew each time, so that a copy of the machine\n"
+                                 "// uses its own.\n" };
+        sample = put_function(u, &what, out);
+    }
     for (size_t w = 0; w < u->m->window.n; w++)
         u->window_sample[w] = UINT32_MAX;
     s = put_blocks(u, out);

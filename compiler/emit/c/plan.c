@@ -8,6 +8,8 @@
 
 enum { LEVEL_MAX = 40 };      // expressions deeper than this are cut; clang stops at 256 nested parentheses
 
+static bool is_float(SmType t) { return t == SM_F64 || t == SM_F32; }
+
 // ---- constants ----
 
 // The number of a constant; unlike an element's, an F64's NaN is kept.
@@ -71,9 +73,19 @@ static bool can_fold(const CFn *fn, const IrIns *i)
     return fn->ins[i->a].is_const && (i->b == IR_NONE || fn->ins[i->b].is_const);
 }
 
-void plan_constants(CFn *fn)
+// Nothing is said of blocks to which facts leave no way.
+static Fact fact_of(const FactFlow *flow, size_t b, IrRef r, SmType type)
+{
+    Fact any = fact_of_type(type);
+
+    any.nan = is_float(type);
+    return flow->reached[b] ? flow->of[r] : any;
+}
+
+void plan_constants(CFn *fn, const Env *begin)
 {
     const IrFn *f = fn->f;
+    const FactFlow flow = facts_of_function(fn->u->facts, f, begin);
 
     for (size_t b = 0; b < f->blk.n; b++) {
         for (size_t p = 0; p < f->blk.at[b].ins.n; p++) {
@@ -81,8 +93,7 @@ void plan_constants(CFn *fn)
             const IrIns *i = &f->ins.at[r];
             fn->ins[r].is_const = can_fold(fn, i);
             fn->ins[r].bits = fn->ins[r].is_const ? fold(fn, i) : 0;
-            fn->ins[r].range = range_of(fn, i);
-            fn->ins[r].whole = integer_is_whole(fn, i, &fn->ins[r]);
+            fn->ins[r].fact = fact_of(&flow, b, r, i->type);
         }
     }
 }
@@ -158,8 +169,6 @@ static void settle_readings(CFn *fn, uint32_t b)
 }
 
 // ---- elements that are read once for the whole function ----
-
-static bool is_float(SmType t) { return t == SM_F64 || t == SM_F32; }
 
 // Reading a float takes a check for NaN, T a subtraction.
 static bool is_computed(const CFn *fn, uint32_t v)

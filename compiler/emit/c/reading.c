@@ -20,7 +20,7 @@ static IrRef read_by(const CFn *fn, IrRef r)
 }
 
 // Whether 0 op y comes out as NaN op y does, for all y in a range.
-static bool is_as_nan(IrOp op, CRange y)
+static bool is_as_nan(IrOp op, Fact y)
 {
     switch (op) {
     case IR_lt: return y.hi <= 0;
@@ -51,7 +51,7 @@ static void note_compare(CFn *fn, IrRef r)
     const IrRef x = reading_side(fn, i);
     CIns *c = &fn->ins[r];
 
-    if (x == IR_NONE || !is_as_nan(x == i->a ? i->op : mirrored(i->op), fn->ins[x == i->a ? i->b : i->a].range))
+    if (x == IR_NONE || !is_as_nan(x == i->a ? i->op : mirrored(i->op), fn->ins[x == i->a ? i->b : i->a].fact))
         return;
     c->settled_by = read_by(fn, x);
     c->settled_value = i->op == IR_ne;

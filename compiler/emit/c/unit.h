@@ -7,6 +7,7 @@
 #define SMC_EMIT_C_UNIT_H
 
 #include "compiler/base/buf.h"
+#include "compiler/facts/facts.h"
 #include "compiler/ir/ir.h"
 
 // ---- names.c ----
@@ -50,6 +51,7 @@ typedef struct CUnit {
     struct CVarUse *var_use;      // by variable: what the function in hand does with it
     uint32_t *window_sample;      // by window: where the block in hand gives it its sample
     uint32_t stamps;              // functions and blocks so far
+    FactMachine *facts;    // what values can be
     bool track_stores;            // each step tells which elements it stored
     const char *fit;              // the name of the self-test
     StrPool constant_names;       // locals that are constants, for remarks
@@ -126,8 +128,15 @@ typedef struct CSignature {
     bool m, sv;                   // which of the two it takes
 } CSignature;
 
-// Writes f as a static C function.  `comment` stands in front of it.
-CSignature put_function(CUnit *u, const IrFn *f, const char *name, const char *comment, Buf *out);
+typedef struct CFunction {
+    const IrFn *f;
+    const Env *begin;      // what is known when it begins
+    const char *name;
+    const char *comment;          // stands in front of it
+} CFunction;
+
+// Writes it as a static C function.
+CSignature put_function(CUnit *u, const CFunction *what, Buf *out);
 
 // ---- machine.c ----
 
