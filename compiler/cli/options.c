@@ -169,5 +169,5 @@ void options_help(const Command *command, Buf *out)
 
 int option_level(const Cli *c)
 {
-    return c->given[OPT_OPT] ? c->value[OPT_OPT][0] - '0' : 1;
+    return c->given[OPT_OPT] ? c->value[OPT_OPT][0] - '0' : 2;
 }

@@ -220,7 +220,7 @@ use() {
     done
 }
 
-# ---- cases: every machine of conformance/, at -O0 and -O1; takes minutes ----
+# ---- cases: every machine of conformance/, at -O0, -O1 and -O2; takes minutes ----
 
 cases() {
     for file in $(find "$root/conformance" -name '*.smt' | sort); do
@@ -229,7 +229,7 @@ cases() {
         [ -f "$dir/case.sm" ] || continue
         sv=
         [ -f "$dir/case.sv" ] && sv="--sv $dir/case.sv"
-        for level in -O0 -O1; do
+        for level in -O0 -O1 -O2; do
             "$smc" build -w $level "$dir/case.sm" $sv --emit=c -o "$dir/case.c" 2>/dev/null || continue
             echo "$file" >"$dir/log"
             few_compilers compile_one case

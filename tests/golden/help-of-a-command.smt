@@ -9,7 +9,7 @@ Options:
   --help                   print help and exit
   --version                print the version and exit
   --sv=FILE                the application's state vector
-  -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 1)
+  -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 2)
   --engine=ENGINE          what runs the machine: vm (default), ref, c or all
   --trace=FILE             write every value after every step
   --max-steps=N            give up on a script after N steps (default 1000000)
