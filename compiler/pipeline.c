@@ -76,12 +76,6 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
 
 // ---- program to IR ----
 
-#ifdef NDEBUG
-enum { CHECK_PASSES = 0 };
-#else
-enum { CHECK_PASSES = 1 };                // costs a few per cent of a build
-#endif
-
 static void print_if_asked(Session *s, const char *stage, const IrMachine *m)
 {
     if (!s->print_after || strcmp(s->print_after, stage) != 0)
@@ -105,14 +99,14 @@ static void hide_locals(IrMachine *m)
 IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 {
     IrMachine *m = ir_build(&s->arena, p);
-    PassOptions o = {opt_level, NULL, CHECK_PASSES, after_pass, s};
+    PassOptions o = {opt_level, NULL, s->check_passes, after_pass, s};
     const char *wrong;
 
     if (s->hide_locals)
         hide_locals(m);
     print_if_asked(s, "build", m);
     wrong = passes_run(&s->arena, m, &o);
-    assert(!wrong);
+    assert(!wrong && !ir_verify(&s->arena, m));
     (void)wrong;
     return m;
 }

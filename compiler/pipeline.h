@@ -17,6 +17,7 @@ typedef struct Session {
     Diags diags;
     const char *print_after;      // session_ir prints the machine to print_to after this pass of the optimiser, or after
     Buf *print_to;                // "build" before the first; NULL: it does not
+    bool check_passes;            // session_ir checks the machine after every pass, not only the last: a third of a build's time
     bool hide_locals;             // nobody will look at locals between steps: session_ir marks them as hidden
 } Session;
 
