@@ -13,7 +13,7 @@ typedef struct Operand {
     uint8_t kind;             // a type, FAST_RAW, FAST_C or FAST_A
     uint8_t acc;              // of an accumulator that is written: its type or SMVM_RAW
     bool output;
-    uint64_t note;            // of an output: see note()
+    uint32_t index;           // among the operands: of an output its number
     void *p;
     SmF64 c;
 } Operand;
@@ -25,8 +25,8 @@ typedef struct Decode {
     uint32_t *where;          // by offset in the function: the word where the instruction there begins
     uint32_t words;           // so far
     uint32_t at, start, end;  // in the image: the instruction, the function
-    uint32_t jumps;           // the last word that is the distance of a jump not yet known, or 0
-    uint32_t goes;            // the last GO whose distance is not yet known, or 0
+    uint32_t jumps;           // the last word that is the target of a jump not yet known, or 0
+    uint32_t goes;            // the last GO whose target is not yet known, or 0
     uint32_t longest;         // function, in bytes
     enum { IN_SAMPLE, IN_ENTRY, IN_OTHERS } in;
 } Decode;
@@ -69,7 +69,7 @@ static void put_operand(Decode *d, const Operand *o)             // an address o
     d->words++;
 }
 
-// The distance of a jump, for now where it leads and where the jump before it is, both 32 bits.
+// The target of a jump, for now its offset in the function and where the jump before it is, both 32 bits.
 static void put_target(Decode *d, uint32_t target)
 {
     uint64_t before = d->jumps;
@@ -87,9 +87,6 @@ static uint32_t next(Decode *d)
     smvm_varint(d->m->image, &d->at, d->end, &v);
     return v;
 }
-
-// Which bit of which byte of SmVm.stored stands for an output: byte above, mask in the low eight bits.
-static uint64_t note(uint32_t output) { return (uint64_t)(output >> 3) << 8 | 1u << (output & 7u); }
 
 static SmF64 constant(const Decode *d, const SmvmOperand *o)
 {
@@ -121,7 +118,7 @@ static Operand operand(Decode *d)
 
     memset(&o, 0, sizeof o);
     o.output = from.kind < SMVM_K_LOCAL;
-    o.note = note(index);
+    o.index = index;
     if (from.kind == SMVM_K_ACC) {
         o.kind = FAST_A;
         o.acc = (uint8_t)from.payload;
@@ -173,11 +170,20 @@ static void put_pair(Decode *d, FastOp family, const Operand *x, const Operand *
     put_operand(d, y);
 }
 
-static void put_written(Decode *d, FastOp family, FastOp noting, unsigned which, const Operand *to)    // up to the destination
+// Up to the destination.  That an output is written stands in the first 64 bits, or for others in a bit of a byte: which byte
+// above, mask in the low eight bits.
+static void put_written(Decode *d, FastOp family, FastOp noting, unsigned which, const Operand *to)
 {
-    put_op(d, (unsigned)(to->output ? noting : family) + which);
-    if (to->output)
-        put_u(d, to->note);
+    if (to->output && to->index >= 64) {
+        put_op(d, FAST_NOTE_OP);
+        put_u(d, (uint64_t)(to->index >> 3) << 8 | 1u << (to->index & 7u));
+    }
+    if (to->output && to->index < 64) {
+        put_op(d, (unsigned)noting + which);
+        put_u(d, (uint64_t)1 << to->index);
+    } else {
+        put_op(d, (unsigned)family + which);
+    }
     put_operand(d, to);
 }
 
@@ -322,15 +328,70 @@ static void put_jump(Decode *d, FastOp family, const Operand *x, const Operand *
         put_operand(d, y);
 }
 
+// The ten conditions on x and a number c, each with the one that differs from it only in what it makes of a NaN.
+typedef struct NanForm { uint16_t condition, of_nan_false, of_nan_true; } NanForm;
+
+static const NanForm nan_forms[] = {
+    {FAST_JEQC_I8_OP, FAST_JEQC_I8_OP, 0},
+    {FAST_JNEC_I8_OP, 0, FAST_JNEC_I8_OP},
+    {FAST_JLTC_I8_OP, FAST_JLTC_I8_OP, FAST_JNGEC_I8_OP},
+    {FAST_JNLTC_I8_OP, FAST_JGEC_I8_OP, FAST_JNLTC_I8_OP},
+    {FAST_JLEC_I8_OP, FAST_JLEC_I8_OP, FAST_JNGTC_I8_OP},
+    {FAST_JNLEC_I8_OP, FAST_JGTC_I8_OP, FAST_JNLEC_I8_OP},
+    {FAST_JGTC_I8_OP, FAST_JGTC_I8_OP, FAST_JNLEC_I8_OP},
+    {FAST_JNGTC_I8_OP, FAST_JLEC_I8_OP, FAST_JNGTC_I8_OP},
+    {FAST_JGEC_I8_OP, FAST_JGEC_I8_OP, FAST_JNLTC_I8_OP},
+    {FAST_JNGEC_I8_OP, FAST_JLTC_I8_OP, FAST_JNGEC_I8_OP},
+};
+
+// Whether the condition holds of 0, which is what a stored NaN reads as.
+static bool holds_of_zero(FastOp family, SmF64 c)
+{
+    const SmF64 zero = sm_from_i32(0);
+
+    switch (family) {
+    case FAST_JEQC_I8_OP: return sm_eq(zero, c);
+    case FAST_JNEC_I8_OP: return !sm_eq(zero, c);
+    case FAST_JLTC_I8_OP: return sm_lt(zero, c);
+    case FAST_JNLTC_I8_OP: return !sm_lt(zero, c);
+    case FAST_JLEC_I8_OP: return sm_le(zero, c);
+    case FAST_JNLEC_I8_OP: return !sm_le(zero, c);
+    case FAST_JGTC_I8_OP: return sm_lt(c, zero);
+    case FAST_JNGTC_I8_OP: return !sm_lt(c, zero);
+    case FAST_JGEC_I8_OP: return sm_le(c, zero);
+    default: return !sm_le(c, zero);
+    }
+}
+
+// A float element or local and a number: the form that makes of a NaN what is made of 0; 0 if there is none.
+static uint16_t form_for_nan(FastOp family, SmF64 c)
+{
+    const NanForm *f = nan_forms;
+
+    if (sm_is_nan(c))
+        return 0;
+    while (f->condition != (uint16_t)family)
+        f++;
+    return holds_of_zero(family, c) ? f->of_nan_true : f->of_nan_false;
+}
+
 static void put_jump_number(Decode *d, const Conditions *c, const Operand *x, const Operand *number, bool first)
 {
+    FastOp family = (FastOp)(first ? c->number_first : c->number);
     int64_t v;
 
-    if (is_integer(x) && is_whole(number->c, ((int64_t)1 << 53) - 1, &v)) {
+    if (is_integer(x) && is_whole(number->c, ((int64_t)1 << 53) - 1, &v) && (v >= 0 || x->kind != SM_U64)) {
         put_jump(d, (FastOp)(first ? c->whole_first : c->whole), x, NULL);
         put_u(d, (uint64_t)v);
+        return;
+    }
+    if (x->kind == SM_F32 || x->kind == SM_F64)
+        family = (FastOp)form_for_nan(family, number->c);
+    if (family != 0) {
+        put_jump(d, family, x, number);
     } else {
-        put_jump(d, (FastOp)(first ? c->number_first : c->number), x, number);
+        put_load(d, first ? number : x);
+        put_jump(d, (FastOp)c->with, first ? x : number, NULL);
     }
 }
 
@@ -453,14 +514,13 @@ static void decode_instruction(Decode *d)
     }
 }
 
-// The distances of jumps of a function, when it is known where everything in it lies; they count from the jump's instruction.
+// The targets of the jumps of a function, when it is known where everything in it lies.
 static void link_jumps(Decode *d)
 {
     while (d->jumps != 0) {
         SmvmWord *w = &d->out->code[d->jumps];
-        uint32_t at = d->jumps;
         d->jumps = (uint32_t)(w->u >> 32);
-        w->i = (int64_t)d->where[w->u & UINT32_MAX] - (at - 1);
+        w->to = d->out->code + d->where[w->u & UINT32_MAX];
     }
 }
 
@@ -469,9 +529,8 @@ static void link_goes(Decode *d, uint32_t exit)
 {
     while (d->out != NULL && d->goes != 0) {
         SmvmWord *w = &d->out->code[d->goes];
-        uint32_t at = d->goes;
         d->goes = (uint32_t)w->u;
-        w->i = (int64_t)exit - (at - 1);
+        w->to = d->out->code + exit;
     }
 }
 
@@ -517,11 +576,14 @@ static void decode_state(Decode *d, uint32_t s)
 
 static void decode_machine(Decode *d)
 {
+    bool samples;
+
     d->words = 0;
     put_op(d, FAST_END_OP);                           // THE_END
     d->in = IN_SAMPLE;
-    if (decode_function(d, 0) == THE_END)
-        put_op(d, FAST_BODY_OP);
+    samples = decode_function(d, 0) != THE_END;
+    if (d->out != NULL)
+        d->out->samples = samples;
     for (uint32_t s = 1; s <= d->m->states; s++)
         decode_state(d, s);
 }
@@ -567,7 +629,7 @@ SmResult smvm_decode(SmvmDecoded **decoded, void *memory, uint32_t size, const S
     out->entry = (uint32_t *)(out->code + words);
     out->step = out->entry + m->states + 1;
     d.where = out->step + m->states + 1;
-    smvm_fast_run(NULL, &d.place);
+    d.place = smvm_fast_places();
     decode_machine(&d);
     return SM_OK;
 }

@@ -14,26 +14,29 @@
 #define BRANCH
 #endif
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("no-gcse", "no-crossjumping")   // they bring the jumps from instruction to instruction together again
+#pragma GCC optimize("no-gcse", "no-crossjumping", "no-tree-tail-merge")   // they bring the jumps from instruction to instruction together again
 #endif
 
 // ---- what the instructions of a type are made of; `w` is the word of the operand ----
 //   get      what the language reads; `f` is F         put      stores as the language does
+//   bare     the same, a NaN as it is
 //   convert  what is read again after it was stored    true     whether it is not zero
-//   whole    an integer as it is, U64 from 2^63 on as the last I64
+//   whole    an integer as it is                       number   what it is compared with
 //   move     from one place to another of the type     count    x + c, stored: w[0] = w[1] + w[2]
 
-#define TYPE(K, ctype, from, to)                                                                                        \
+#define TYPE(K, ctype, from, to, bare)                                                                                     \
     static inline ctype cell_##K(const SmvmWord *w) { ctype v; memcpy(&v, w->p, sizeof v); return v; }                  \
     static inline SmF64 get_##K(const SmvmWord *w, SmF64 f) { (void)f; return from(cell_##K(w)); }                      \
     static inline void put_##K(const SmvmWord *w, SmF64 x) { const ctype v = to(x); memcpy(w->p, &v, sizeof v); }       \
+    static inline SmF64 bare_##K(const SmvmWord *w) { return bare(cell_##K(w)); }                                       \
     static inline SmF64 convert_##K(SmF64 x) { return from(to(x)); }                                                    \
     static inline bool true_##K(const SmvmWord *w) { return sm_to_bool(from(cell_##K(w))); }
 
 // Moved, a number of up to 32 bits stays what it is; sums of two are exact in 64 bits, and cut at the same ends.
 #define SMALL(K, ctype, from, to, lo, hi)                                                                               \
-    TYPE(K, ctype, from, to)                                                                                         \
+    TYPE(K, ctype, from, to, from)                                                                                       \
     static inline int64_t whole_##K(const SmvmWord *w) { return cell_##K(w); }                                          \
+    static inline int64_t number_##K(const SmvmWord *w) { return w->i; }                                                \
     static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { const ctype v = cell_##K(x); memcpy(d->p, &v, sizeof v); } \
     static inline void count_##K(const SmvmWord *w)                                                                     \
     {                                                                                                                   \
@@ -42,7 +45,7 @@
     }
 
 #define LARGE(K, ctype, from, to, count)                                                                                \
-    TYPE(K, ctype, from, to)                                                                                         \
+    TYPE(K, ctype, from, to, from)                                                                                       \
     static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { put_##K(d, get_##K(x, sm_from_i32(0))); }       \
     static inline void count_##K(const SmvmWord *w)                                                                     \
     {                                                                                                                   \
@@ -50,8 +53,8 @@
         memcpy(w->p, &v, sizeof v);                                                                                     \
     }
 
-#define FLOATING(K, ctype, from, to)                                                                                    \
-    TYPE(K, ctype, from, to)                                                                                            \
+#define FLOATING(K, ctype, from, to, bare)                                                                                  \
+    TYPE(K, ctype, from, to, bare)                                                                                          \
     static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { put_##K(d, get_##K(x, sm_from_i32(0))); }
 
 static inline int64_t clip(int64_t x, int64_t lo, int64_t hi) { return x < lo ? lo : x > hi ? hi : x; }
@@ -76,17 +79,19 @@ SMALL(U8, uint8_t, sm_from_u8, sm_to_u8, 0, UINT8_MAX)
 SMALL(U16, uint16_t, sm_from_u16, sm_to_u16, 0, UINT16_MAX)
 SMALL(U32, uint32_t, sm_from_u32, sm_to_u32, 0, UINT32_MAX)
 LARGE(U64, uint64_t, sm_from_u64, sm_to_u64, sm_count_u64)
-FLOATING(F32, float, read_f32, sm_to_f32)
-FLOATING(F64, SmF64, read_f64, sm_to_f64)
-FLOATING(BOOL, uint8_t, from_byte, sm_to_bool)
-FLOATING(RAW, SmF64, as_it_is, as_it_is)
+FLOATING(F32, float, read_f32, sm_to_f32, sm_from_f32)
+FLOATING(F64, SmF64, read_f64, sm_to_f64, as_it_is)
+FLOATING(BOOL, uint8_t, from_byte, sm_to_bool, from_byte)
+FLOATING(RAW, SmF64, as_it_is, as_it_is, as_it_is)
 static inline int64_t whole_I64(const SmvmWord *w) { return cell_I64(w); }
-static inline int64_t whole_U64(const SmvmWord *w) { return cell_U64(w) > INT64_MAX ? INT64_MAX : (int64_t)cell_U64(w); }
+static inline uint64_t whole_U64(const SmvmWord *w) { return cell_U64(w); }
+static inline int64_t number_I64(const SmvmWord *w) { return w->i; }
+static inline uint64_t number_U64(const SmvmWord *w) { return w->u; }
 static inline SmF64 get_C(const SmvmWord *w, SmF64 f) { (void)f; return w->f; }
 static inline SmF64 get_A(const SmvmWord *w, SmF64 f) { (void)w; return f; }
 
 #define SET(ctype, n) do { const ctype v_ = (ctype)ip[(n) + 1].u; memcpy(ip[n].p, &v_, sizeof v_); } while (0)
-#define NOTE stored[ip[1].u >> 8] |= (uint8_t)ip[1].u       // an output is written: see note() of decode.c
+#define NOTE notes |= ip[1].u                          // an output is written
 
 // ---- what is too long to stand in the code of an instruction ----
 
@@ -106,11 +111,29 @@ static SmF64 stat(const SmRoll *w, SmStat which) { return sm_roll_stat(w, which)
 #define NEXT(n) ip += (n); continue
 #define BEGIN for (;;) switch ((FastOp)ip->u) {
 #define FAST(name, ...) case FAST_##name##_OP: __VA_ARGS__
-#define FINISH case FAST_OPS: return 0; }
+#define FINISH case FAST_OPS: goto end; }
 #endif
-#define GO_IF(condition, n) if (condition) { NEXT(ip[1].i); } NEXT(n)
+#define GO_IF(condition, n) if (condition) { ip = ip[1].to; NEXT(0); } NEXT(n)
 
-uint32_t smvm_fast_run(const SmvmDecoded *d, const void *const **places)
+// The first 64 outputs are noted in a register, the others in memory at once.
+static inline void clear_notes(SmVm *vm)
+{
+    uint32_t n = (vm->outputs + 7u) / 8u;
+
+    if (n > 8)
+        memset(vm->stored + 8, 0, n - 8);
+}
+
+static inline void keep_notes(SmVm *vm, uint64_t notes)
+{
+    uint32_t n = (vm->outputs + 7u) / 8u;
+
+    for (uint32_t i = 0; i < n && i < 8; i++)
+        vm->stored[i] = (uint8_t)(notes >> 8 * i);
+}
+
+// A step; or with d NULL, where the code of each instruction is, to *places.
+static SmResult run(SmvmDecoded *d, void *sv, const void *const **places)
 {
 #if SMVM_COMPUTED_GOTO
     static const void *const place[] = {
@@ -123,49 +146,38 @@ uint32_t smvm_fast_run(const SmvmDecoded *d, const void *const **places)
 #else
     static const void *const *const place = NULL;
 #endif
-    const SmvmWord *ip;
-    uint8_t *stored;
+    const SmvmWord *ip, *body;
+    uint64_t notes = 0;
     uint32_t to = 0;
     SmF64 F = sm_from_i32(0);
     SmVm *vm;
 
     if (d == NULL) {
         *places = place;
-        return 0;
+        return SM_OK;
     }
     vm = d->vm;
-    stored = vm->stored;
-    ip = d->code + 1;
+    body = d->code + (vm->first ? d->entry : d->step)[vm->state];
+    if (!smvm_begin(vm, sv))
+        return SM_REFUSED;
+    clear_notes(vm);
+    d->t = vm->next - vm->start;
+    ip = d->samples ? d->code + 1 : body;
     BEGIN
 #include "bytecode-vm/fast.def"
     FINISH
-}
-
-// ---- the step ----
-
-// As memset for n bytes; for up to eight without a call.
-static void clear(uint8_t *p, uint32_t n)
-{
-    if (n > 8) {
-        memset(p, 0, n);
-    } else if (n >= 4) {
-        memset(p, 0, 4);
-        memset(p + n - 4, 0, 4);
-    } else if (n > 0) {
-        p[0] = p[n / 2] = p[n - 1] = 0;
-    }
-}
-
-SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
-{
-    SmVm *vm = d->vm;
-
-    if (sv != d->sv)
-        return smvm_step(vm, sv);
-    if (!smvm_begin(vm, sv))
-        return SM_REFUSED;
-    clear(vm->stored, (vm->outputs + 7u) / 8u);
-    d->t = vm->last - vm->start;
-    smvm_finish(vm, smvm_fast_run(d, NULL));
+end:
+    keep_notes(vm, notes);
+    smvm_finish(vm, to);
     return SM_OK;
 }
+
+const void *const *smvm_fast_places(void)
+{
+    const void *const *places;
+
+    run(NULL, NULL, &places);
+    return places;
+}
+
+SmResult smvm_step_decoded(SmvmDecoded *d, void *sv) { return sv == d->sv ? run(d, sv, NULL) : smvm_step(d->vm, sv); }

@@ -69,23 +69,24 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_JNLT2(K) FAST(JNLT2_##K, GO_IF(!sm_lt(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 #define FAST_JLE2(K) FAST(JLE2_##K, GO_IF(sm_le(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 #define FAST_JNLE2(K) FAST(JNLE2_##K, GO_IF(!sm_le(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
-#define FAST_JEQC(K) FAST(JEQC_##K, GO_IF(sm_eq(get_##K(ip + 2, F), ip[3].f), 4);)
-#define FAST_JNEC(K) FAST(JNEC_##K, GO_IF(!sm_eq(get_##K(ip + 2, F), ip[3].f), 4);)
-#define FAST_JLTC(K) FAST(JLTC_##K, GO_IF(sm_lt(get_##K(ip + 2, F), ip[3].f), 4);)
-#define FAST_JNLTC(K) FAST(JNLTC_##K, GO_IF(!sm_lt(get_##K(ip + 2, F), ip[3].f), 4);)
-#define FAST_JLEC(K) FAST(JLEC_##K, GO_IF(sm_le(get_##K(ip + 2, F), ip[3].f), 4);)
-#define FAST_JNLEC(K) FAST(JNLEC_##K, GO_IF(!sm_le(get_##K(ip + 2, F), ip[3].f), 4);)
-#define FAST_JGTC(K) FAST(JGTC_##K, GO_IF(sm_lt(ip[3].f, get_##K(ip + 2, F)), 4);)
-#define FAST_JNGTC(K) FAST(JNGTC_##K, GO_IF(!sm_lt(ip[3].f, get_##K(ip + 2, F)), 4);)
-#define FAST_JGEC(K) FAST(JGEC_##K, GO_IF(sm_le(ip[3].f, get_##K(ip + 2, F)), 4);)
-#define FAST_JNGEC(K) FAST(JNGEC_##K, GO_IF(!sm_le(ip[3].f, get_##K(ip + 2, F)), 4);)
-// With a whole number of less than 53 bits integers compare as their F64 do, rounded or not.
-#define FAST_JEQI(K) FAST(JEQI_##K, GO_IF(whole_##K(ip + 2) == ip[3].i, 4);)
-#define FAST_JNEI(K) FAST(JNEI_##K, GO_IF(whole_##K(ip + 2) != ip[3].i, 4);)
-#define FAST_JLTI(K) FAST(JLTI_##K, GO_IF(whole_##K(ip + 2) < ip[3].i, 4);)
-#define FAST_JLEI(K) FAST(JLEI_##K, GO_IF(whole_##K(ip + 2) <= ip[3].i, 4);)
-#define FAST_JGTI(K) FAST(JGTI_##K, GO_IF(whole_##K(ip + 2) > ip[3].i, 4);)
-#define FAST_JGEI(K) FAST(JGEI_##K, GO_IF(whole_##K(ip + 2) >= ip[3].i, 4);)
+// With a number: a stored NaN stays one here, and decode.c chooses the condition that makes of it what it makes of 0.
+#define FAST_JEQC(K) FAST(JEQC_##K, GO_IF(sm_eq(bare_##K(ip + 2), ip[3].f), 4);)
+#define FAST_JNEC(K) FAST(JNEC_##K, GO_IF(!sm_eq(bare_##K(ip + 2), ip[3].f), 4);)
+#define FAST_JLTC(K) FAST(JLTC_##K, GO_IF(sm_lt(bare_##K(ip + 2), ip[3].f), 4);)
+#define FAST_JNLTC(K) FAST(JNLTC_##K, GO_IF(!sm_lt(bare_##K(ip + 2), ip[3].f), 4);)
+#define FAST_JLEC(K) FAST(JLEC_##K, GO_IF(sm_le(bare_##K(ip + 2), ip[3].f), 4);)
+#define FAST_JNLEC(K) FAST(JNLEC_##K, GO_IF(!sm_le(bare_##K(ip + 2), ip[3].f), 4);)
+#define FAST_JGTC(K) FAST(JGTC_##K, GO_IF(sm_lt(ip[3].f, bare_##K(ip + 2)), 4);)
+#define FAST_JNGTC(K) FAST(JNGTC_##K, GO_IF(!sm_lt(ip[3].f, bare_##K(ip + 2)), 4);)
+#define FAST_JGEC(K) FAST(JGEC_##K, GO_IF(sm_le(ip[3].f, bare_##K(ip + 2)), 4);)
+#define FAST_JNGEC(K) FAST(JNGEC_##K, GO_IF(!sm_le(ip[3].f, bare_##K(ip + 2)), 4);)
+// With a whole number of less than 53 bits integers compare as their F64 do, rounded or not; U64 with one that is not negative.
+#define FAST_JEQI(K) FAST(JEQI_##K, GO_IF(whole_##K(ip + 2) == number_##K(ip + 3), 4);)
+#define FAST_JNEI(K) FAST(JNEI_##K, GO_IF(whole_##K(ip + 2) != number_##K(ip + 3), 4);)
+#define FAST_JLTI(K) FAST(JLTI_##K, GO_IF(whole_##K(ip + 2) < number_##K(ip + 3), 4);)
+#define FAST_JLEI(K) FAST(JLEI_##K, GO_IF(whole_##K(ip + 2) <= number_##K(ip + 3), 4);)
+#define FAST_JGTI(K) FAST(JGTI_##K, GO_IF(whole_##K(ip + 2) > number_##K(ip + 3), 4);)
+#define FAST_JGEI(K) FAST(JGEI_##K, GO_IF(whole_##K(ip + 2) >= number_##K(ip + 3), 4);)
 
 typedef enum FastOp {
 #define FAST(name, ...) FAST_##name##_OP,
@@ -98,6 +99,7 @@ typedef enum FastOp {
 typedef union SmvmWord {
     const void *go;           // its instruction: where its code is, or its FastOp
     void *p;                  // an operand in memory
+    const union SmvmWord *to; // where a jump leads
     SmF64 f;                  // a number
     int64_t i;
     uint64_t u;
@@ -111,10 +113,10 @@ struct SmvmDecoded {
     uint64_t t;               // T
     SmvmWord *code;           // the sample function first
     uint32_t *entry, *step;   // by state: where in the code its first step begins, and every other
+    bool samples;             // the sample function is not empty
 };
 
-// Runs a step's code; gives the state that it goes to, or 0.  With d NULL: gives in *places where the code of each FastOp is,
-// or NULL where its number stands for it.
-uint32_t smvm_fast_run(const SmvmDecoded *d, const void *const **places);
+// Where the code of each FastOp is, or NULL where its number stands for it.
+const void *const *smvm_fast_places(void);
 
 #endif

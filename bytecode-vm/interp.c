@@ -12,6 +12,7 @@
 // Where the interpreter stands in the code.
 typedef struct Run {
     SmVm *vm;
+    uint8_t *sv;
     uint32_t at;
     union { uint64_t cell; SmF64 number; } acc;    // the accumulator, as it would lie in memory
 } Run;
@@ -36,7 +37,7 @@ static uint32_t next(Run *r)                          // the next varint
 static SmF64 constant(const SmVm *vm, uint8_t kind, uint32_t payload)
 {
     switch (kind) {
-    case SMVM_K_TIME: return sm_from_u64(vm->last - vm->start);
+    case SMVM_K_TIME: return sm_from_u64(vm->next - vm->start);
     case SMVM_K_INT: return sm_from_i32((int32_t)payload - (payload > (uint32_t)SMVM_INT_MOST ? SMVM_PAYLOADS : 0));
     case SMVM_K_F32: return sm_from_f32(sm_f32_from_bits(smvm_uint(vm->image, vm->f32s + 4 * payload, 4)));
     default: return sm_from_bits(smvm_cell(vm->image, vm->f64s + 8 * payload, 8));
@@ -47,7 +48,7 @@ static SmF64 constant(const SmVm *vm, uint8_t kind, uint32_t payload)
 static void *memory_of(Run *r, uint8_t kind, uint32_t payload, uint8_t *type)
 {
     const SmVm *vm = r->vm;
-    uint8_t *base = vm->sv;
+    uint8_t *base = r->sv;
 
     *type = SMVM_RAW;
     if (kind == SMVM_K_TEMP)
@@ -190,7 +191,7 @@ static void jump(Run *r, uint8_t op)
 }
 
 // Runs a function; gives the state that it goes to, or 0.
-static uint32_t run(SmVm *vm, uint32_t function)
+static uint32_t run(SmVm *vm, void *sv, uint32_t function)
 {
     uint32_t start = function == 0 ? 0 : smvm_uint(vm->image, vm->functions + (function - 1) * vm->width, vm->width);
     Run r;
@@ -198,6 +199,7 @@ static uint32_t run(SmVm *vm, uint32_t function)
     if (start == smvm_uint(vm->image, vm->functions + function * vm->width, vm->width))
         return 0;
     r.vm = vm;
+    r.sv = sv;
     r.acc.cell = 0;
     r.at = vm->code + start;
     for (;;) {
@@ -224,13 +226,13 @@ SmResult smvm_step(SmVm *vm, void *sv)
     if (!smvm_begin(vm, sv))
         return SM_REFUSED;
     memset(vm->stored, 0, (vm->outputs + 7u) / 8u);
-    run(vm, 0);
+    run(vm, sv, 0);
     if (vm->first)
-        to = run(vm, block);
+        to = run(vm, sv, block);
     if (to == 0)
-        to = run(vm, block + 1);
+        to = run(vm, sv, block + 1);
     if (to != 0)
-        run(vm, block + 2);
+        run(vm, sv, block + 2);
     smvm_finish(vm, to);
     return SM_OK;
 }

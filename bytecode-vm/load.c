@@ -249,7 +249,7 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
 // ---- looking at it ----
 
 uint32_t smvm_state(const SmVm *vm) { return vm->state; }
-uint64_t smvm_time(const SmVm *vm) { return vm->last - vm->start; }
+uint64_t smvm_time(const SmVm *vm) { return vm->next - vm->start; }
 bool smvm_stored(const SmVm *vm, uint32_t output) { return (vm->stored[output >> 3] >> (output & 7) & 1) != 0; }
 bool smvm_stored_state(const SmVm *vm) { return vm->entered; }
 void *smvm_locals(SmVm *vm) { return vm->local; }

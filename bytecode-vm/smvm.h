@@ -84,14 +84,12 @@ typedef struct SmVm {
     SmvmAt outputs, state;                                // state: the one that the next step runs
     uint8_t width;
     bool first;               // the next step is the first of `state`
-    bool ran;                 // a step has run since smvm_init
     bool entered;             // the last step was the first of its state: it stored S
-    uint8_t *sv;              // during a step
     uint8_t *local;
     uint8_t *stored;          // one bit an output
     SmF64 *temp;
     SmRoll *window;
-    uint64_t start, last;     // G at the first step of `state`; at the last step that ran
+    uint64_t start, next;     // 1 more than G at the first step of `state`, and at the last step that ran; 0: there was none
 } SmVm;
 
 // Bytes of memory that smvm_init needs for m.

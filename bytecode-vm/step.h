@@ -9,18 +9,16 @@
 // False if G did not advance.  Else what the step before stored is yet to be cleared.
 static inline bool smvm_begin(SmVm *vm, void *sv)
 {
-    uint64_t g = sm_cell_load(SM_U64, (uint8_t *)sv + vm->g);
+    uint64_t next = sm_cell_load(SM_U64, (uint8_t *)sv + vm->g) + 1;         // 0 for the last one there is
 
-    if (g == UINT64_MAX || (vm->ran && g <= vm->last))
+    if (next <= vm->next)
         return false;
-    vm->sv = (uint8_t *)sv;
     vm->entered = vm->first;
     if (vm->first) {
-        vm->start = g;
-        sm_cell_store(SM_U32, vm->sv + vm->s, vm->state);
+        vm->start = next;
+        sm_cell_store(SM_U32, (uint8_t *)sv + vm->s, vm->state);
     }
-    vm->last = g;
-    vm->ran = true;
+    vm->next = next;
     return true;
 }
 

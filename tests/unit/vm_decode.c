@@ -66,7 +66,7 @@ static void begin(Case *c)
     code(&c->b, SMVM_sub, 3, SOURCE_AT + 2 * SM_TYPE_COUNT, SOURCE_AT + SM_F64, SOURCE_AT + SM_F32);   // infinity less infinity is NaN
 }
 
-static void run(Case *c)
+static void run_case(Case *c)
 {
     static uint8_t image[16384];
     SmvmVerdict v;
@@ -93,7 +93,7 @@ static unsigned result(Case *c, unsigned type)        // the next place, of this
 static void make_room(Case *c)
 {
     if (c->results + 4 > RESULTS || c->b.size + 100 > sizeof c->b.code)
-        run(c);
+        run_case(c);
 }
 
 // An operand to read; where it is an accumulator, of a type that is another each time, writes that.
@@ -165,7 +165,7 @@ static void every_instruction(Case *c)
     for (unsigned x = 0; x <= SOURCES; x++)
         for (unsigned op = SMVM_jt; op <= SMVM_jf; op++)
             put_jump(c, op, x, 0, false);
-    run(c);
+    run_case(c);
 }
 
 // Counting, `x = x + c`, in each type and from values at which the types end.
@@ -181,7 +181,7 @@ static void counting(Case *c)
                 code(&c->b, SMVM_add, 3, OTHERS_AT + t, SOURCE_AT + k, OTHERS_AT + t);
                 code(&c->b, SMVM_mov, 2, result(c, t), OTHERS_AT + t);
             }
-    run(c);
+    run_case(c);
 }
 
 // ---- the step: states, with and without each of their functions, which go here and there ----
