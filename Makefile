@@ -195,9 +195,10 @@ fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
 FUZZ_SEEDS_ir = tests/ir/samples
 
 # tests/bench: what a step costs, what code weighs, how compiling grows.  `make bench W=mission`: one workload.  What is measured is
-# built with the options here, whatever CFLAGS says.
+# built with the options here, whatever CFLAGS says; emitted C, and C that stands for it, as anybody would build it.
 W           ?= tank mission arith bigwindow
 BENCH_FLAGS  = $(STRICT_C) -I$(B)/bench/gen -O2
+BENCH_USER   = -std=c99 -O2
 $(B)/bench/scale $(B)/bench/compile: $(B)/bench/%: $(B)/obj/tests/bench/%.o $(B)/obj/tests/bench/shapes.o $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
@@ -214,13 +215,14 @@ $(foreach o,0 1 2,$(eval $(call bench_emit,tank,$(o),examples/tank/tank.sm)))
 $(foreach o,0 1 2,$(foreach w,mission arith bigwindow,$(eval $(call bench_emit,$(w),$(o),tests/bench/workloads/$(w).sm))))
 $(BENCH_EMITTED:%=%.h): %.h: %.c ;
 $(BENCH_EMITTED:%=%.o): %.o: %.c
-	$(call say,CC)$(CC) $(BENCH_FLAGS) -c $< -o $@
+	$(call say,CC)$(CC) $(BENCH_USER) -c $< -o $@
 
 BENCH_C   = $(wildcard tests/bench/workloads/*.c) $(addprefix tests/bench/,steps.c engines.c lua.c nothing.c)
 BENCH_OBJ = $(patsubst %.c,$(B)/bench/obj/%.o,$(BENCH_C) $(VM) $(STDLIB))
 $(B)/bench/obj/%.o: %.c | $(BENCH_EMITTED:%=%.h)
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(BENCH_FLAGS) $(WARN) $(DEPFLAGS) -c $< -o $@
+$(B)/bench/obj/tests/bench/workloads/%_native.o: BENCH_FLAGS = $(BENCH_USER) -I. -I$(B)/bench/gen
 $(B)/bench/steps: $(BENCH_OBJ) $(BENCH_EMITTED:%=%.o) $(B)/libsmc.a
 	$(call say,LD)$(CC) -o $@ $^ -lm
 

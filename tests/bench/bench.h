@@ -48,6 +48,7 @@ typedef struct Workload {
     void (*inputs)(Rng *r, void *in, unsigned n, unsigned episode);
     const Row *row;                     // empty, native, f64, C at -O0 to -O2
     void (*drive_vm)(void *machine, void *sv, const void *in, size_t n);     // machine: an SmVm
+    void (*drive_fast)(void *machine, void *sv, const void *in, size_t n);   // machine: an SmvmDecoded
     void (*drive_ref)(void *machine, void *sv, const void *in, size_t n);    // machine: a Reference
 } Workload;
 

@@ -105,7 +105,7 @@ static bool write_file(const char *path, const Buf *text)
 
 static bool emit(const char *folder, unsigned states, int level)
 {
-    EmitCOptions options = {NULL, "m.h", "m.sm"};
+    EmitCOptions options;
     MachineInput in = {NULL, NULL, NULL, 0};
     Buf header, code;
     jmp_buf oom;
@@ -118,6 +118,8 @@ static bool emit(const char *folder, unsigned states, int level)
         return false;
     in.sm = shape_source(&s, "m.sm", shape_find("states")->write, states);
     p = session_program(&s, &in);
+    memset(&options, 0, sizeof options);
+    options.header = "m.h";
     buf_init(&header, &s.arena);
     buf_init(&code, &s.arena);
     session_emit_c(&s, session_ir(&s, p, level), &options, &header, &code);

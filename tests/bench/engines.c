@@ -80,6 +80,14 @@ void vm_row_open(VmRow *v, Compiled *c, const Buf *image)
     v->vm = arena_alloc(&c->session.arena, v->size);
 }
 
+void vm_row_decode(VmRow *v, Compiled *c, void *sv)
+{
+    v->decoded_size = smvm_decoded_size(&v->m);
+    vm_row_init(v, sv);
+    if (smvm_decode(&v->decoded, arena_alloc(&c->session.arena, v->decoded_size), v->decoded_size, &v->m, v->vm, sv) != SM_OK)
+        give_up("VM", "does not decode");
+}
+
 void vm_row_init(void *vm_row, void *sv)
 {
     VmRow *v = vm_row;

@@ -21,14 +21,17 @@ typedef struct Compiled {
 // Reads and compiles; says on standard error what is wrong and ends the program if that fails.
 void compile_workload(Compiled *c, const Workload *w);
 
-// A machine of the VM.
+// A machine of the VM, interpreted in place or decoded.
 typedef struct VmRow {
     SmvmMachine m;
     SmVm *vm;                           // of `size` bytes
     uint32_t size;
+    SmvmDecoded *decoded;               // of decoded_size bytes; NULL: in place
+    uint32_t decoded_size;
 } VmRow;
 
 void vm_row_open(VmRow *v, Compiled *c, const Buf *image);
+void vm_row_decode(VmRow *v, Compiled *c, void *sv);      // for steps on sv
 void vm_row_init(void *vm_row, void *sv);
 
 // The reference interpreter on a state vector in memory.

@@ -50,6 +50,7 @@
     EMITTED(c_o1, W##In, W##Sv, W##O1, w##_o1)                                                                 \
     EMITTED(c_o2, W##In, W##Sv, W##O2, w##_o2)                                                                 \
     DRIVE(vm, W##In, W##Sv, SmVm, smvm_step)                                                                   \
+    DRIVE(fast, W##In, W##Sv, SmvmDecoded, smvm_step_decoded)                                                  \
     DRIVE(ref, W##In, W##Sv, void, bench_reference_step)                                                       \
     static const Row row[ROWS] = {                                                                             \
         {"empty", 0, init_empty, drive_empty, 0},                                                              \

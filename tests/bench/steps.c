@@ -50,7 +50,7 @@ typedef struct Bench {
     const char *folder;
     Compiled compiled;
     Reference reference;
-    VmRow vm[LEVELS];
+    VmRow vm[LEVELS], fast[LEVELS];
     Lua lua[LUAS];
     uint8_t *in;                      // all episodes
     Runner runner[MANY];
@@ -106,12 +106,25 @@ static void add_vm(Bench *b, const char *name, VmRow *vm, const Buf *image)
     r->vm = vm;
 }
 
+static void add_fast(Bench *b, const char *name, VmRow *vm, const Buf *image)
+{
+    Runner *r;
+
+    add_vm(b, name, vm, image);
+    vm_row_decode(vm, &b->compiled, sv);
+    r = &b->runner[b->runners - 1];
+    r->drive = b->w->drive_fast;
+    r->machine = vm->decoded;
+}
+
 static void add_vms(Bench *b)
 {
-    static const char *const name[LEVELS] = {"vm-O0", "vm-O1", "vm-O2"};
+    static const char *const name[LEVELS] = {"vm-O0", "vm-O1", "vm-O2"}, *const fast[LEVELS] = {"fast-O0", "fast-O1", "fast-O2"};
 
     for (int level = 0; level < LEVELS; level++)
         add_vm(b, name[level], &b->vm[level], &b->compiled.image[level]);
+    for (int level = 0; level < LEVELS; level++)
+        add_fast(b, fast[level], &b->fast[level], &b->compiled.image[level]);
 }
 
 static void add_reference(Bench *b)
@@ -388,14 +401,13 @@ static double sample(const Bench *b, const Runner *r, unsigned episode)
     return (took - b->asking) * 1e9 / n;
 }
 
-// What takes long does so less often, so that it does not take the time of the others.
+// What takes long does so less often, so that it does not take the time of the others; an odd number, to meet every episode.
 static void set_pace(Bench *b)
 {
     b->asking = cost_of_asking();
     for (unsigned i = 0; i < b->runners; i++) {
-        const double before = wall();
-        sample(b, &b->runner[i], 0);
-        b->runner[i].every = 1 + 2 * (unsigned)((wall() - before) / 0.004);
+        const double ns = sample(b, &b->runner[i], 0) * b->w->steps;
+        b->runner[i].every = 1 + 2 * (unsigned)(ns / 4e6);
     }
 }
 
@@ -436,47 +448,46 @@ static Spread spread(const Runner *r, unsigned rounds)
     return s;
 }
 
-// The best run of an episode; below 0 if there was none.
-static double best_of(const Bench *b, const Runner *r, unsigned episode, unsigned rounds)
+// The best run of an episode among the rounds in which another row took part as well, or else the best of fewer would be
+// held against the best of many.  Below 0 if there was none.
+static double best_of(const Bench *b, const Runner *r, const Runner *other, unsigned episode, unsigned rounds)
 {
     double least = -1;
 
     for (unsigned i = episode; i < rounds; i += b->w->episodes)
-        if (r->ns[i] >= 0 && (least < 0 || r->ns[i] < least))
+        if (r->ns[i] >= 0 && other->ns[i] >= 0 && (least < 0 || r->ns[i] < least))
             least = r->ns[i];
     return least;
 }
 
-// The means of the best runs of the episodes that both have run.
-static void best(const Bench *b, const Runner *r, const Runner *other, unsigned rounds, double *of_r, double *of_other)
+// The mean over the episodes that both have run.
+static double best(const Bench *b, const Runner *r, const Runner *other, unsigned rounds)
 {
+    double sum = 0;
     unsigned n = 0;
 
-    *of_r = *of_other = 0;
     for (unsigned e = 0; e < b->w->episodes; e++) {
-        const double x = best_of(b, r, e, rounds), y = best_of(b, other, e, rounds);
-        if (x < 0 || y < 0)
-            continue;
-        *of_r += (x - *of_r) / ++n;
-        *of_other += (y - *of_other) / n;
+        const double ns = best_of(b, r, other, e, rounds);
+        if (ns >= 0) {
+            sum += ns;
+            n++;
+        }
     }
+    return sum / n;
 }
 
 static double ratio(const Bench *b, const Runner *r, const char *to, unsigned rounds)
 {
-    double x, y;
+    const Runner *other = find(b, to);
 
-    best(b, r, find(b, to), rounds, &x, &y);
-    return x / y;
+    return best(b, r, other, rounds) / best(b, other, r, rounds);
 }
 
 static void print_time(const Bench *b, const Runner *r, unsigned rounds)
 {
     const Spread s = spread(r, rounds);
-    double x, y;
 
-    best(b, r, r, rounds, &x, &y);
-    printf("time %s %s %.4g %.4g %.4g %.4g %u ", b->w->name, r->name, x, s.quarter, s.median, s.three_quarters, s.n);
+    printf("time %s %s %.4g %.4g %.4g %.4g %u ", b->w->name, r->name, best(b, r, r, rounds), s.quarter, s.median, s.three_quarters, s.n);
     printf("%.4g %.4g\n", ratio(b, r, "native", rounds), ratio(b, r, "f64", rounds));
 }
 
@@ -547,6 +558,7 @@ static int sizes(const char *folder, const Workload *w)
     for (int level = 0; level < LEVELS; level++) {
         const VmRow *v = &b->vm[level];
         printf("value %s ram-vm-O%d %lu bytes\n", w->name, level, (unsigned long)v->size);
+        printf("value %s decoded-O%d %lu bytes\n", w->name, level, (unsigned long)b->fast[level].decoded_size);
         if (v->m.windows == 0)
             printf("value %s ram-beside-locals-O%d %lu bytes\n", w->name, level, (unsigned long)(v->size - v->m.locals));
     }

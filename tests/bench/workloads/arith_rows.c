@@ -63,6 +63,6 @@ static void inputs(Rng *r, void *at, unsigned n, unsigned episode)
 }
 
 const Workload workload_arith = {
-    "arith", "tests/bench/workloads/arith.sm", sizeof(ArithIn), sizeof(ArithSv), 4000, 100, 8, 3900, 4000, 0, inputs, row, drive_vm,
-    drive_ref,
+    "arith", "tests/bench/workloads/arith.sm", sizeof(ArithIn), sizeof(ArithSv), 4000, 100, 8, 3900, 4000, 0, inputs, row,
+    drive_vm, drive_fast, drive_ref,
 };

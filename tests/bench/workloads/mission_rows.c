@@ -53,5 +53,5 @@ static void inputs(Rng *r, void *at, unsigned n, unsigned episode)
 
 const Workload workload_mission = {
     "mission", "tests/bench/workloads/mission.sm", sizeof(MissionIn), sizeof(MissionSv), 6500, 40, 8, 6460, 6500, 5, inputs, row,
-    drive_vm, drive_ref,
+    drive_vm, drive_fast, drive_ref,
 };

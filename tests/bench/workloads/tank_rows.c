@@ -24,5 +24,6 @@ static void inputs(Rng *r, void *at, unsigned n, unsigned episode)
 }
 
 const Workload workload_tank = {
-    "tank", "examples/tank/tank.sm", sizeof(TankIn), sizeof(TankSv), 4000, 400, 8, 3600, 4000, 0, inputs, row, drive_vm, drive_ref,
+    "tank", "examples/tank/tank.sm", sizeof(TankIn), sizeof(TankSv), 4000, 400, 8, 3600, 4000, 0, inputs, row,
+    drive_vm, drive_fast, drive_ref,
 };
