@@ -449,6 +449,15 @@ static void decode_jump(Decode *d, uint8_t op)
         d->out->code[d->jumps].u = (uint64_t)before << 32 | (d->at + distance - d->start);
 }
 
+static void put_window(Decode *d, uint32_t w)            // which, of what size and kind
+{
+    uint32_t entry = smvm_window(d->m->image, d->m->windows_at, w);
+
+    put_u(d, w);
+    put_u(d, entry & SMVM_WINDOW_SIZE_MASK);
+    put_u(d, entry >> SMVM_WINDOW_SIZE_BITS);
+}
+
 static void decode_window(Decode *d, uint8_t op)
 {
     Operand o;
@@ -459,12 +468,12 @@ static void decode_window(Decode *d, uint8_t op)
         o = operand(d);
         put_load(d, &o);
         put_op(d, FAST_SAMPLE_OP);
-        put_u(d, w);
+        put_window(d, w);
         return;
     }
     o = operand(d);
     put_op(d, FAST_STAT_OP);
-    put_u(d, next(d));
+    put_window(d, next(d));
     put_u(d, (uint64_t)(op - SMVM_avg));
     put_store(d, &o, false);
 }

@@ -299,15 +299,17 @@ static void line(Out *o, const char *what, uint64_t v, const char *unit)
 static void window(Out *o, uint32_t w)
 {
     static const char *const stat[] = {" average", " median", " smallest", " largest", " range"};
-    uint32_t entry = smvm_u24(o->m->image, o->m->windows_at + w * SMVM_WINDOW_ENTRY);
+    uint32_t entry = smvm_window(o->m->image, o->m->windows_at, w), kind = entry >> SMVM_WINDOW_SIZE_BITS;
 
     text(o, "    w");
     number(o, w);
     pad(o, 20);
     number(o, entry & SMVM_WINDOW_SIZE_MASK);
+    text(o, " ");
+    text(o, sm_type_info[kind & SM_ROLL_TYPE].spelling);
     text(o, " samples:");
     for (uint32_t i = 0; i < SM_STAT_COUNT; i++)
-        if (entry >> SMVM_WINDOW_SIZE_BITS >> i & 1u)
+        if (kind & (uint32_t)SM_ROLL_AVG << i)
             text(o, stat[i]);
     text(o, "\n");
 }

@@ -96,8 +96,8 @@ static inline SmF64 get_A(const SmvmWord *w, SmF64 f) { (void)w; return f; }
 // ---- what is too long to stand in the code of an instruction ----
 
 static SmF64 root(SmF64 x) { return sm_sqrt(x); }
-static void push(SmRoll *w, SmF64 x) { sm_roll_push(w, x); }
-static SmF64 stat(const SmRoll *w, SmStat which) { return sm_roll_stat(w, which); }
+static void push(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(w, n, kind, x); }
+static SmF64 stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat which) { return sm_roll_stat(w, n, kind, which); }
 
 // ---- running: each instruction goes straight to the next, or where C has no such thing through a switch ----
 

@@ -61,8 +61,8 @@ enum {
     SMVM_SHAPE_D = 1, SMVM_SHAPE_W = 2, SMVM_SHAPE_X = 4, SMVM_SHAPE_Y = 8, SMVM_SHAPE_S = 16, SMVM_SHAPE_J = 32, SMVM_SHAPE_E = 64
 };
 
-// A window in the image: size in the low 17 bits, statistics in the five above.
-enum { SMVM_WINDOW_ENTRY = 3, SMVM_WINDOW_SIZE_BITS = 17 };
+// A window in the image, four bytes: its size in the low 17 bits, above them its kind as stdlib/roll.h has it.
+enum { SMVM_WINDOW_ENTRY = 4, SMVM_WINDOW_SIZE_BITS = 17 };
 #define SMVM_WINDOW_SIZE_MASK UINT32_C(0x1ffff)       // no `1u << 17`, for an int may have 16 bits
 
 // Varints: every number below SMVM_VARINT_END has exactly one form, of 1, 2 or 4 bytes, all of them below 0x80.
@@ -120,6 +120,11 @@ uint8_t smvm_sections(SmvmBytes image);               // how many
 uint8_t smvm_read_machine(SmvmMachine *m, uint32_t at, uint32_t size);
 
 SmvmOperand smvm_operand_at(SmvmBytes image, uint32_t at);     // an entry of the operand table, or one of the same form
+
+static inline uint32_t smvm_window(SmvmBytes image, uint32_t windows_at, uint32_t w)       // an entry of the windows' table
+{
+    return smvm_uint(image, windows_at + w * SMVM_WINDOW_ENTRY, SMVM_WINDOW_ENTRY);
+}
 
 // Start of function `index` in the code, from its start: 0 is the sample function, 1 + 3 * (s - 1) + b block b of state s.
 // A function ends where the next one starts.

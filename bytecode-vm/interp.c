@@ -160,14 +160,28 @@ static void jump_if(Run *r, bool condition)
         r->at += distance;
 }
 
+static void push(const SmVm *vm, uint32_t w, SmF64 x)
+{
+    uint32_t entry = smvm_window(vm->image, vm->windows, w);
+
+    sm_roll_sample(vm->window[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, x);
+}
+
+static SmF64 statistic(const SmVm *vm, uint32_t w, SmStat stat)
+{
+    uint32_t entry = smvm_window(vm->image, vm->windows, w);
+
+    return sm_roll_stat(vm->window[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, stat);
+}
+
 static void window(Run *r, uint8_t op)
 {
     uint32_t a = next(r);
 
     if (op == SMVM_sample)
-        sm_roll_push(&r->vm->window[a], get(r));
+        push(r->vm, a, get(r));
     else
-        put(r, a, sm_roll_stat(&r->vm->window[next(r)], (SmStat)(op - SMVM_avg)));
+        put(r, a, statistic(r->vm, next(r), (SmStat)(op - SMVM_avg)));
 }
 
 static void compute(Run *r, uint8_t op)

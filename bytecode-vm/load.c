@@ -140,30 +140,27 @@ SmvmOperand smvm_operand(const SmvmMachine *m, uint32_t index)
     return smvm_operand_at(m->image, m->operands_at + 3 * index);
 }
 
-// ---- memory: SmVm, then SmRolls, temps, slots of the windows, locals, stored bits ----
+// ---- memory: SmVm, then where the windows are, temps, windows, locals, stored bits ----
 
 static uint32_t up8(uint32_t n) { return (n + 7) / 8 * 8; }
 
 static uint32_t plus(uint32_t a, uint32_t b) { return a > UINT32_MAX - b ? UINT32_MAX : a + b; }     // a sum that sticks at the end
 
-static uint32_t window_size(const SmvmMachine *m, uint32_t w, uint32_t *stats)
+static uint32_t window_bytes(const SmvmMachine *m, uint32_t w)
 {
-    uint32_t entry = smvm_u24(m->image, m->windows_at + w * SMVM_WINDOW_ENTRY);
+    uint32_t entry = smvm_window(m->image, m->windows_at, w);
 
-    *stats = entry >> SMVM_WINDOW_SIZE_BITS;
-    return entry & SMVM_WINDOW_SIZE_MASK;
+    return 8 * sm_roll_words(entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS);
 }
 
 uint32_t smvm_ram_size(const SmvmMachine *m)
 {
-    uint32_t n = up8(sizeof(SmVm)), stats;
+    uint32_t n = up8(sizeof(SmVm));
 
-    n = plus(n, up8(m->windows * (uint32_t)sizeof(SmRoll)));
+    n = plus(n, up8(m->windows * (uint32_t)sizeof(uint64_t *)));
     n = plus(n, m->temps * (uint32_t)sizeof(SmF64));
-    for (uint32_t w = 0; w < m->windows; w++) {
-        uint32_t size = window_size(m, w, &stats);
-        n = plus(n, up8(sm_roll_bytes(size, stats)));
-    }
+    for (uint32_t w = 0; w < m->windows; w++)
+        n = plus(n, window_bytes(m, w));
     n = plus(n, m->locals);
     return plus(n, (m->outputs + 7u) / 8u);
 }
@@ -180,12 +177,10 @@ static void lay_out(SmVm *vm, const SmvmMachine *m)
 {
     uint8_t *next = (uint8_t *)vm + up8(sizeof *vm);
 
-    vm->window = take(&next, up8(m->windows * (uint32_t)sizeof(SmRoll)));
+    vm->window = take(&next, up8(m->windows * (uint32_t)sizeof(uint64_t *)));
     vm->temp = take(&next, m->temps * (uint32_t)sizeof(SmF64));
-    for (uint32_t w = 0; w < m->windows; w++) {
-        uint32_t stats, size = window_size(m, w, &stats);
-        sm_roll_init(&vm->window[w], take(&next, up8(sm_roll_bytes(size, stats))), size, stats);
-    }
+    for (uint32_t w = 0; w < m->windows; w++)
+        vm->window[w] = take(&next, window_bytes(m, w));
     vm->local = take(&next, m->locals);
     vm->stored = next;
 }
@@ -210,6 +205,7 @@ static void bind(SmVm *vm, const SmvmMachine *m)
     vm->operands = (SmvmAt)m->operands_at;
     vm->f32s = (SmvmAt)m->f32s_at;
     vm->f64s = (SmvmAt)m->f64s_at;
+    vm->windows = (SmvmAt)m->windows_at;
     vm->g = (SmvmAt)smvm_operand(m, m->outputs).offset;
     vm->s = (SmvmAt)smvm_operand(m, m->outputs + 1).offset;
     vm->outputs = (SmvmAt)m->outputs;

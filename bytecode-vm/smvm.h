@@ -80,7 +80,7 @@ SmvmOperand smvm_operand(const SmvmMachine *m, uint32_t index);
 // A machine that runs; lies at the start of the memory given to smvm_init.  Read it through the functions below.
 typedef struct SmVm {
     SmvmBytes image;
-    SmvmAt code, functions, operands, f32s, f64s, g, s;   // where in the image; g and s: in the state vector
+    SmvmAt code, functions, operands, f32s, f64s, windows, g, s;     // where in the image; g and s: in the state vector
     SmvmAt outputs, state;                                // state: the one that the next step runs
     uint8_t width;
     bool first;               // the next step is the first of `state`
@@ -88,7 +88,7 @@ typedef struct SmVm {
     uint8_t *local;
     uint8_t *stored;          // one bit an output
     SmF64 *temp;
-    SmRoll *window;
+    uint64_t **window;        // each in memory of its own, all zero while empty
     uint64_t start, next;     // 1 more than G at the first step of `state`, and at the last step that ran; 0: there was none
 } SmVm;
 

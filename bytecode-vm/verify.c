@@ -115,10 +115,10 @@ static bool check_sections(Check *c, SmvmBytes image)
 static bool check_windows(Check *c)
 {
     for (uint32_t w = 0; w < c->m.windows; w++) {
-        uint32_t at = c->m.windows_at + w * SMVM_WINDOW_ENTRY, entry = smvm_u24(c->m.image, at);
-        uint32_t size = entry & SMVM_WINDOW_SIZE_MASK;
-        if (size < 1 || size > SM_WINDOW_MAX || entry >> SMVM_WINDOW_SIZE_BITS >> SM_STAT_COUNT != 0)
-            return fail(c, SMVM_R_WINDOW, at);
+        uint32_t entry = smvm_window(c->m.image, c->m.windows_at, w);
+        uint32_t size = entry & SMVM_WINDOW_SIZE_MASK, kind = entry >> SMVM_WINDOW_SIZE_BITS;
+        if (size < 1 || size > SM_WINDOW_MAX || !sm_roll_is_kind(kind))
+            return fail(c, SMVM_R_WINDOW, c->m.windows_at + w * SMVM_WINDOW_ENTRY);
     }
     return true;
 }
@@ -296,7 +296,7 @@ static bool check_write(Check *c)
 
 static bool check_window_used(Check *c, uint8_t op)
 {
-    uint32_t at = c->at, w, stats;
+    uint32_t at = c->at, w, kind;
 
     if (!take(c, &w))
         return false;
@@ -304,8 +304,8 @@ static bool check_window_used(Check *c, uint8_t op)
         return fail(c, SMVM_R_WINDOW_USED, at);
     if (op == SMVM_sample)
         return (c->in == IN_SAMPLE && w == c->sampled++ && c->far <= c->at) || fail(c, SMVM_R_SAMPLE, at);
-    stats = smvm_u24(c->m.image, c->m.windows_at + w * SMVM_WINDOW_ENTRY) >> SMVM_WINDOW_SIZE_BITS;
-    if (!(stats >> (op - SMVM_avg) & 1u))
+    kind = smvm_window(c->m.image, c->m.windows_at, w) >> SMVM_WINDOW_SIZE_BITS;
+    if (!(kind & (uint32_t)SM_ROLL_AVG << (op - SMVM_avg)))
         return fail(c, SMVM_R_WINDOW_USED, at);
     return w < c->sampled || fail(c, SMVM_R_SAMPLE, at);
 }

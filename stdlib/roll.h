@@ -2,115 +2,415 @@
 // Rolling windows (language.md 7) over memory that the caller owns.  Sample k sits in slot k mod n; a statistic is a function
 // of what the slots hold and nothing else, so what has left the window leaves no trace.
 //
-//     SmRoll r;
-//     sm_roll_init(&r, memory, n, 1u << SM_STAT_AVG | 1u << SM_STAT_MEDIAN);   // memory: sm_roll_bytes(n, the same) bytes
-//     sm_roll_push(&r, x);                                                     // once a step
-//     y = sm_roll_stat(&r, SM_STAT_MEDIAN);
+//     uint32_t kind = SM_ROLL_F32 | SM_ROLL_AVG | SM_ROLL_MEDIAN;   // the samples' type; what will be asked
+//     uint64_t w[…];                                                // sm_roll_words(n, kind) of them, all zero: an empty window
+//     sm_roll_push(w, n, kind, sm_roll_of_f32(x));                  // once a step
+//     y = sm_roll_median(w, n, kind);
 //
-// A push costs O(1), with a median O(n) moves; average, and without a median minimum and maximum, cost O(n) when asked.
-// An empty window gives 0.
+// An empty window gives 0.  A sample is handed over as its key, an int64_t in the order of the numbers: a whole number is its
+// own, those of F32 and F64 come from sm_roll_of_…; NaN enters as 0, and -0 is below 0.  I64 and U64 are kept as F64.
+//
+// What it costs, in time and in memory beside the n slots:
+//
+//                        push                              ask      memory
+//     average, integers  O(1)                              O(1)     1 word
+//     average, F32, F64  log2 n additions                  O(1)     n numbers: sums of 2, 4, 8, … slots
+//     smallest, largest  log2 n comparisons                O(1)     n samples each: those of 2, 4, 8, … slots
+//     median             n <= SM_ROLL_PASS: one pass       O(1)     n samples, in order
+//                        else two binary searches and a     …       and 2 bytes for SM_ROLL_BLOCK of them
+//                        move of <= 2 SM_ROLL_BLOCK samples
+//
+// With a median, smallest and largest come for nothing.  With SM_ROLL_SMALL a window keeps its slots and, for a median, the samples
+// in order, no more: average of F32 and F64, smallest and largest then look at all slots when asked, and a median moves up to n.
 #ifndef SM_ROLL_H
 #define SM_ROLL_H
 
 #include <stddef.h>
 
+#include "stdlib/convert.h"
 #include "stdlib/f64.h"
-#include "stdlib/math.h"
 #include "stdlib/types.h"
 
 //: SmRoll
-#ifndef SM_ROLL_TYPE
-#define SM_ROLL_TYPE
-// A rolling window over the last n samples.
-typedef struct SmRoll {
-    SmF64 *slot;              // sample k is in slot k mod n
-    SmF64 *sorted;            // the same samples in order, or NULL; kept where a median is asked for
-    uint32_t n, count, next;  // slots, slots filled, slot of the next sample
-} SmRoll;
+#ifndef SM_ROLL_SMALL
+// 1: rolling windows take as little memory as they can, and more time.  The same for all that is compiled together.
+#ifdef __AVR__
+#define SM_ROLL_SMALL 1
+#else
+#define SM_ROLL_SMALL 0
 #endif
-//: sm_roll_begin
-// An empty window of 1 <= n <= 100000 slots; sorted is NULL or has n as well.
-static inline void sm_roll_begin(SmRoll *r, SmF64 *slot, SmF64 *sorted, uint32_t n)
+#endif
+//: SM_ROLL_INLINE
+// Size and kind of a window are constants where it is used: made for it, these functions are short.
+#if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
+#define SM_ROLL_INLINE static inline __attribute__((always_inline))
+#else
+#define SM_ROLL_INLINE static inline
+#endif
+// The kind of a window: in which type it keeps its samples, and which statistics it is made for.
+enum {
+    SM_ROLL_I8 = 0, SM_ROLL_I16 = 1, SM_ROLL_I32 = 2, SM_ROLL_U8 = 4, SM_ROLL_U16 = 5, SM_ROLL_U32 = 6,
+    SM_ROLL_F32 = 8, SM_ROLL_F64 = 9, SM_ROLL_BOOL = 10, SM_ROLL_TYPE = 15,
+    SM_ROLL_AVG = 16, SM_ROLL_MEDIAN = 32, SM_ROLL_MIN = 64, SM_ROLL_MAX = 128, SM_ROLL_RANGE = 256
+};
+// The longest window whose smallest and largest are looked for among all samples when one leaves; how many samples in order make a
+// block that moves at once.
+#define SM_ROLL_SCAN 64u
+#define SM_ROLL_BLOCK (SM_ROLL_SMALL ? 0x20000u : 2048u)
+//: sm_roll_of_f32
+// The key of a number: ordered as the numbers are, -0 below 0; NaN counts as 0.
+static inline int64_t sm_roll_of_f32(float x)
 {
-    r->slot = slot;
-    r->sorted = sorted;
-    r->n = n;
-    r->count = 0;
-    r->next = 0;
+    int32_t k;
+    memcpy(&k, &x, sizeof k);
+    return x != x ? 0 : k < 0 ? k ^ 0x7FFFFFFF : k;
+}
+//: sm_roll_of_f64
+// The key of a number: ordered as the numbers are, -0 below 0; NaN counts as 0.
+static inline int64_t sm_roll_of_f64(SmF64 x)
+{
+    int64_t k;
+    memcpy(&k, &x, sizeof k);
+    return sm_is_nan(x) ? 0 : k < 0 ? k ^ 0x7FFFFFFFFFFFFFFF : k;
+}
+//: sm_roll_value
+// The number of a key.
+SM_ROLL_INLINE SmF64 sm_roll_value(uint32_t kind, int64_t key)
+{
+    float f;
+    if ((kind & SM_ROLL_TYPE) == SM_ROLL_F64)
+        return sm_from_bits((uint64_t)(key < 0 ? key ^ 0x7FFFFFFFFFFFFFFF : key));
+    if ((kind & SM_ROLL_TYPE) == SM_ROLL_F32) {
+        const int32_t k = (int32_t)(key < 0 ? key ^ 0x7FFFFFFF : key);
+        memcpy(&f, &k, sizeof f);
+        return sm_from_f32(f);
+    }
+    return sm_from_i64(key);
+}
+//: sm_roll_shift
+// A sample takes 1 << this bytes.
+SM_ROLL_INLINE unsigned sm_roll_shift(uint32_t kind)
+{
+    const unsigned type = kind & SM_ROLL_TYPE;
+    return type < 8 ? type & 3u : type == SM_ROLL_BOOL ? 0 : type - 6u;
+}
+//: sm_roll_get
+// Key i of an array.
+SM_ROLL_INLINE int64_t sm_roll_get(const unsigned char *a, uint32_t i, uint32_t kind)
+{
+    switch (kind & SM_ROLL_TYPE) {
+    case SM_ROLL_I8: { int8_t v; memcpy(&v, a + i, 1); return v; }
+    case SM_ROLL_I16: { int16_t v; memcpy(&v, a + (size_t)i * 2, 2); return v; }
+    case SM_ROLL_I32: case SM_ROLL_F32: { int32_t v; memcpy(&v, a + (size_t)i * 4, 4); return v; }
+    case SM_ROLL_U16: { uint16_t v; memcpy(&v, a + (size_t)i * 2, 2); return v; }
+    case SM_ROLL_U32: { uint32_t v; memcpy(&v, a + (size_t)i * 4, 4); return v; }
+    case SM_ROLL_F64: { int64_t v; memcpy(&v, a + (size_t)i * 8, 8); return v; }
+    default: return a[i];
+    }
 }
 //: sm_roll_put
-// Takes a sample into a window without `sorted`; NaN enters as 0.
-static inline void sm_roll_put(SmRoll *r, SmF64 x)
+SM_ROLL_INLINE void sm_roll_put(unsigned char *a, uint32_t i, uint32_t kind, int64_t key)
 {
-    r->slot[r->next] = sm_is_nan(x) ? sm_from_i32(0) : x;
-    r->next = r->next + 1 < r->n ? r->next + 1 : 0;
-    if (r->count < r->n)
-        r->count++;
+    switch (sm_roll_shift(kind)) {
+    case 0: a[i] = (unsigned char)key; break;
+    case 1: { const uint16_t v = (uint16_t)key; memcpy(a + (size_t)i * 2, &v, 2); break; }
+    case 2: { const uint32_t v = (uint32_t)key; memcpy(a + (size_t)i * 4, &v, 4); break; }
+    default: memcpy(a + (size_t)i * 8, &key, 8); break;
+    }
+}
+//: sm_roll_keeps
+// What a window keeps beside its samples: their sum as a whole number (1) or as an F64 (2), the smallest (4), the largest (8).
+SM_ROLL_INLINE unsigned sm_roll_keeps(uint32_t kind)
+{
+    const bool real = (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64;
+    const unsigned sum = (kind & SM_ROLL_AVG) == 0 ? 0 : real ? 2u : 1u;
+    if (SM_ROLL_SMALL)
+        return 0;
+    if ((kind & SM_ROLL_MEDIAN) != 0)
+        return sum;
+    return sum | ((kind & (SM_ROLL_MIN | SM_ROLL_RANGE)) != 0 ? 4u : 0) | ((kind & (SM_ROLL_MAX | SM_ROLL_RANGE)) != 0 ? 8u : 0);
+}
+//: sm_roll_size
+// A word each.
+SM_ROLL_INLINE unsigned sm_roll_size(unsigned keeps) { return ((keeps & 3u) != 0) + (keeps >> 2 & 1u) + (keeps >> 3); }
+//: sm_roll_node_keeps
+// What it keeps of 2, 4, 8, … slots.
+SM_ROLL_INLINE unsigned sm_roll_node_keeps(uint32_t n, uint32_t kind) { return sm_roll_keeps(kind) & (n > SM_ROLL_SCAN ? 14u : 2u); }
+//: sm_roll_slots
+// In which word the slots begin.  Before them: a word that counts the samples and names the next slot; what is kept of them all,
+// in the order of sm_roll_keeps, of the largest the key's complement.  Behind them: the samples in order, for a median; what is kept
+// of two, four, eight, … slots.
+SM_ROLL_INLINE unsigned sm_roll_slots(uint32_t kind) { return 1u + sm_roll_size(sm_roll_keeps(kind)); }
+//: sm_roll_row
+// Bytes of n samples in a row.
+SM_ROLL_INLINE uint32_t sm_roll_row(uint32_t n, uint32_t kind) { return ((n << sm_roll_shift(kind)) + 7u) & ~(uint32_t)7; }
+//: sm_roll_heads
+// Bytes of the numbers that say where the blocks of ordered samples begin.
+SM_ROLL_INLINE uint32_t sm_roll_heads(uint32_t n) { return n <= SM_ROLL_BLOCK ? 0 : (n / SM_ROLL_BLOCK * 2u + 9u) & ~(uint32_t)7; }
+//: sm_roll_nodes
+// In which word what is kept of two slots begins.
+SM_ROLL_INLINE uint32_t sm_roll_nodes(uint32_t n, uint32_t kind)
+{
+    const uint32_t row = sm_roll_row(n, kind);
+    return sm_roll_slots(kind) + ((kind & SM_ROLL_MEDIAN) == 0 ? row : 2 * row + sm_roll_heads(n)) / 8;
+}
+//: sm_roll_count
+// How many samples there are.
+SM_ROLL_INLINE uint32_t sm_roll_count(const uint64_t *w) { return (uint32_t)sm_roll_get((const unsigned char *)w, 0, SM_ROLL_U32); }
+//: sm_roll_next
+// The slot of the next sample.
+SM_ROLL_INLINE uint32_t sm_roll_next(const uint64_t *w) { return (uint32_t)sm_roll_get((const unsigned char *)w, 1, SM_ROLL_U32); }
+//: sm_roll_oldest
+// The key of the sample that leaves when the next one comes, if the window is full.
+SM_ROLL_INLINE int64_t sm_roll_oldest(const uint64_t *w, uint32_t kind)
+{
+    return sm_roll_get((const unsigned char *)(w + sm_roll_slots(kind)), sm_roll_next(w), kind);
+}
+//: sm_roll_push
+// A window of n slots takes a sample, by its key.
+SM_ROLL_INLINE void sm_roll_push(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+{
+    const uint32_t next = sm_roll_next(w), count = sm_roll_count(w);
+    if ((sm_roll_keeps(kind) & 1u) != 0)
+        w[1] += (uint64_t)(key - sm_roll_oldest(w, kind));       // an empty slot holds 0
+    sm_roll_put((unsigned char *)(w + sm_roll_slots(kind)), next, kind, key);
+    sm_roll_put((unsigned char *)w, 1, SM_ROLL_U32, next + 1 < n ? next + 1 : 0);
+    if (count < n)
+        sm_roll_put((unsigned char *)w, 0, SM_ROLL_U32, count + 1);
+}
+//: sm_roll_least
+// The least key of all; of their complements where flip is -1.
+SM_ROLL_INLINE int64_t sm_roll_least(const uint64_t *w, uint32_t kind, int64_t flip)
+{
+    const unsigned char *const slot = (const unsigned char *)(w + sm_roll_slots(kind));
+    int64_t least = INT64_MAX, key;
+    uint32_t i;
+    for (i = sm_roll_count(w); i-- > 0;) {
+        key = sm_roll_get(slot, i, kind) ^ flip;
+        least = key < least ? key : least;
+    }
+    return least;
+}
+//: sm_roll_update
+// A key has come and `old` has left, if the window was full: what is the least of all now.
+SM_ROLL_INLINE void sm_roll_update(const uint64_t *w, uint32_t kind, uint64_t *least, bool full, int64_t old, int64_t key, int64_t flip)
+{
+    if (sm_roll_count(w) == 1 || (key ^ flip) <= (int64_t)*least)
+        *least = (uint64_t)(key ^ flip);
+    else if (full && (old ^ flip) == (int64_t)*least)
+        *least = (uint64_t)sm_roll_least(w, kind, flip);
+}
+//: sm_roll_push_extremes
+// The same for a window that keeps its smallest or largest: it looks at all samples only when that one leaves.  A long window has
+// sm_roll_combine for it.
+SM_ROLL_INLINE void sm_roll_push_extremes(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+{
+    const bool full = sm_roll_count(w) == n;
+    const int64_t old = sm_roll_oldest(w, kind);
+    const unsigned keeps = n <= SM_ROLL_SCAN ? sm_roll_keeps(kind) : 0;
+    uint64_t *const kept = w + 1 + sm_roll_size(keeps & 3u);
+    sm_roll_push(w, n, kind, key);
+    if ((keeps & 4u) != 0)
+        sm_roll_update(w, kind, kept, full, old, key, 0);
+    if ((keeps & 8u) != 0)
+        sm_roll_update(w, kind, kept + (keeps >> 2 & 1u), full, old, key, -1);
+}
+//: sm_roll_push_sorted
+// The same for a short window that keeps its samples in order: one pass without a branch puts the new one in and takes `old` out.
+SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+{
+    unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots(kind)) + sm_roll_row(n, kind);
+    const int64_t old = sm_roll_count(w) < n ? INT64_MAX : sm_roll_oldest(w, kind);
+    int64_t a = sm_roll_get(sorted, 0, kind), next;
+    uint32_t i, count;
+    sm_roll_push(w, n, kind, key);
+    count = sm_roll_count(w);
+    for (i = 0; i + 1 < count; i++) {
+        next = sm_roll_get(sorted, i + 1, kind);
+        a = a < old ? a : next;                      // number i of those that stay
+        sm_roll_put(sorted, i, kind, key < a ? key : a);
+        key = key < a ? a : key;
+        a = next;
+    }
+    sm_roll_put(sorted, i, kind, key);
 }
 //: sm_roll_place
-// How many of the sorted samples come before x; -0 comes before +0.
-static inline uint32_t sm_roll_place(const SmRoll *r, SmF64 x)
+// Where the ordered sample of a rank is.  A long row is a row of blocks, and each of them a ring that begins anywhere.
+SM_ROLL_INLINE uint32_t sm_roll_place(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t rank)
 {
-    uint32_t lo = 0, hi = r->count;
-    while (lo < hi) {
-        const uint32_t mid = lo + (hi - lo) / 2;
-        const SmF64 y = r->sorted[mid];
-        if (sm_lt(y, x) || (sm_eq(y, x) && sm_bits(y) > sm_bits(x)))
-            lo = mid + 1;
-        else
-            hi = mid;
-    }
-    return lo;
+    const uint32_t first = rank & ~(SM_ROLL_BLOCK - 1), end = n - first < SM_ROLL_BLOCK ? n : first + SM_ROLL_BLOCK;
+    if (n <= SM_ROLL_BLOCK)
+        return rank;
+    rank += (uint32_t)sm_roll_get(sorted + sm_roll_row(n, kind), first / SM_ROLL_BLOCK, SM_ROLL_U16);
+    return rank < end ? rank : rank - end + first;
 }
-//: sm_roll_put_sorted
-// Takes a sample into a window with `sorted`; NaN enters as 0.
-static inline void sm_roll_put_sorted(SmRoll *r, SmF64 x)
+//: sm_roll_rank
+// How many of the first `count` ordered samples are below key.
+SM_ROLL_INLINE uint32_t sm_roll_rank(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t count, int64_t key)
 {
-    const SmF64 y = sm_is_nan(x) ? sm_from_i32(0) : x;
-    const uint32_t from = r->count < r->n ? r->count : sm_roll_place(r, r->slot[r->next]);   // the place that becomes free
-    uint32_t to = sm_roll_place(r, y);
-    if (from < to) {
-        to--;
-        memmove(r->sorted + from, r->sorted + from + 1, (size_t)(to - from) * sizeof *r->sorted);
-    } else {
-        memmove(r->sorted + to + 1, r->sorted + to, (size_t)(from - to) * sizeof *r->sorted);
+    uint32_t lo = 0, half;
+    for (; count > 1; count -= half) {
+        half = count / 2;
+        lo += half & (0u - (uint32_t)(sm_roll_get(sorted, sm_roll_place(sorted, n, kind, lo + half - 1), kind) < key));
     }
-    r->sorted[to] = y;
-    sm_roll_put(r, y);
+    return lo + (count == 1 && sm_roll_get(sorted, sm_roll_place(sorted, n, kind, lo), kind) < key);
+}
+//: sm_roll_slide
+// Moves ordered samples by one place so that the free one is no longer `from` but `to`.
+SM_ROLL_INLINE void sm_roll_slide(unsigned char *sorted, uint32_t kind, uint32_t from, uint32_t to)
+{
+    const unsigned shift = sm_roll_shift(kind);
+    unsigned char *const a = sorted + ((size_t)from << shift), *const b = sorted + ((size_t)to << shift);
+    if (from <= to)
+        memmove(a, a + ((size_t)1 << shift), (size_t)(b - a));
+    else
+        memmove(b + ((size_t)1 << shift), b, (size_t)(a - b));
+}
+//: sm_roll_turn
+// The same for ranks of one block: its ring may have to be moved in two pieces.
+SM_ROLL_INLINE void sm_roll_turn(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
+{
+    const uint32_t first = from & ~(SM_ROLL_BLOCK - 1), last = (n - first < SM_ROLL_BLOCK ? n : first + SM_ROLL_BLOCK) - 1;
+    const bool up = from <= to;
+    uint32_t a = sm_roll_place(sorted, n, kind, from);
+    const uint32_t b = sm_roll_place(sorted, n, kind, to);
+    if (n > SM_ROLL_BLOCK && (a <= b) != up) {
+        sm_roll_slide(sorted, kind, a, up ? last : first);
+        a = up ? first : last;
+        sm_roll_put(sorted, up ? last : first, kind, sm_roll_get(sorted, a, kind));
+    }
+    sm_roll_slide(sorted, kind, a, b);
+}
+//: sm_roll_move
+// The same for any ranks: samples cross from block to block at their ends, and blocks between are only turned.
+SM_ROLL_INLINE void sm_roll_move(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
+{
+    unsigned char *const heads = sorted + sm_roll_row(n, kind);
+    const uint32_t mask = SM_ROLL_BLOCK - 1, step = from <= to ? 1u : UINT32_MAX;
+    uint32_t end, head;
+    while (n > SM_ROLL_BLOCK && (from & ~mask) != (to & ~mask)) {
+        end = step == 1 ? from | mask : from & ~mask;
+        sm_roll_turn(sorted, n, kind, from, end);
+        from = end + step;
+        sm_roll_put(sorted, sm_roll_place(sorted, n, kind, end), kind, sm_roll_get(sorted, sm_roll_place(sorted, n, kind, from), kind));
+        if ((from & ~mask) != (to & ~mask)) {
+            head = (uint32_t)sm_roll_get(heads, from / SM_ROLL_BLOCK, SM_ROLL_U16);
+            sm_roll_put(heads, from / SM_ROLL_BLOCK, SM_ROLL_U16, (head + step) & mask);
+            from ^= mask;
+        }
+    }
+    sm_roll_turn(sorted, n, kind, from, to);
+}
+//: sm_roll_push_blocks
+// The same for a longer one: finds the places of both and moves what is between.
+SM_ROLL_INLINE void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+{
+    unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots(kind)) + sm_roll_row(n, kind);
+    const uint32_t count = sm_roll_count(w);
+    const uint32_t from = count < n ? count : sm_roll_rank(sorted, n, kind, count, sm_roll_oldest(w, kind));
+    uint32_t to = sm_roll_rank(sorted, n, kind, count, key);
+    to -= from < to;                                 // without the old one
+    sm_roll_move(sorted, n, kind, from, to);
+    sm_roll_put(sorted, sm_roll_place(sorted, n, kind, to), kind, key);
+    sm_roll_push(w, n, kind, key);
+}
+//: sm_roll_join
+// Joins what is kept of some slots with what is kept of others.
+SM_ROLL_INLINE void sm_roll_join(uint64_t *to, const uint64_t *from, unsigned keeps)
+{
+    unsigned j;
+    if ((keeps & 2u) != 0)
+        to[0] = sm_bits(sm_add(sm_from_bits(to[0]), sm_from_bits(from[0])));
+    for (j = (keeps & 2u) != 0; j < sm_roll_size(keeps); j++)
+        to[j] = (int64_t)from[j] < (int64_t)to[j] ? from[j] : to[j];
+}
+//: sm_roll_leaf
+// What is kept of one slot.
+SM_ROLL_INLINE void sm_roll_leaf(uint64_t *to, uint32_t kind, unsigned keeps, int64_t key)
+{
+    if ((keeps & 2u) != 0)
+        *to++ = sm_bits(sm_roll_value(kind, key));
+    if ((keeps & 4u) != 0)
+        *to++ = (uint64_t)key;
+    if ((keeps & 8u) != 0)
+        *to = ~(uint64_t)key;
+}
+//: sm_roll_combine
+// After a sample has come: works out anew what is kept of the two, four, eight, … slots that it belongs to, and of all of them.  An
+// odd last one passes on as it is.
+SM_ROLL_INLINE void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
+{
+    const unsigned keeps = sm_roll_node_keeps(n, kind), size = sm_roll_size(keeps);
+    const unsigned char *const slot = (unsigned char *)(w + sm_roll_slots(kind));
+    uint32_t i = (sm_roll_next(w) == 0 ? n : sm_roll_next(w)) - 1, count = sm_roll_count(w), end = n;
+    uint64_t part[3], other[3], *node = w + sm_roll_nodes(n, kind);
+    if (keeps == 0)
+        return;
+    sm_roll_leaf(part, kind, keeps, sm_roll_get(slot, i, kind));
+    if ((i ^ 1u) < count) {
+        sm_roll_leaf(other, kind, keeps, sm_roll_get(slot, i ^ 1u, kind));
+        sm_roll_join(part, other, keeps);
+    }
+    while ((end = (end + 1) / 2) > 1) {
+        i /= 2;
+        count = (count + 1) / 2;
+        memcpy(node + i * size, part, size * sizeof *part);
+        if ((i ^ 1u) < count)
+            sm_roll_join(part, node + (i ^ 1u) * size, keeps);
+        node += end * size;
+    }
+    memcpy(w + 1 + (sm_roll_keeps(kind) & 1u), part, size * sizeof *part);
 }
 //: sm_roll_sum
 // Slots are added in pairs, those sums in pairs, and so on: part[i] is the sum of 2^i slots that waits for its other half.
-static inline SmF64 sm_roll_sum(const SmRoll *r)
+SM_ROLL_INLINE SmF64 sm_roll_sum(const uint64_t *w, uint32_t kind)
 {
+    const unsigned char *const slot = (const unsigned char *)(w + sm_roll_slots(kind));
     SmF64 part[17], sum = sm_from_i32(0);
     uint32_t i, left;
     unsigned level;
-    for (i = 0; i < r->count; i++) {
-        sum = r->slot[i];
+    for (i = 0; i < sm_roll_count(w); i++) {
+        sum = sm_roll_value(kind, sm_roll_get(slot, i, kind));
         for (level = 0; (i >> level & 1u) != 0; level++)
             sum = sm_add(part[level], sum);
         part[level] = sum;
     }
-    left = r->count & (r->count - 1);         // the last sum is complete; older ones wait for it
+    left = i & (i - 1);                       // the last sum is complete; older ones wait for it
     for (level = 0; left >> level != 0; level++)
         if ((left >> level & 1u) != 0)
             sum = sm_add(part[level], sum);
     return sum;
 }
 //: sm_roll_avg
-static inline SmF64 sm_roll_avg(const SmRoll *r)
+SM_ROLL_INLINE SmF64 sm_roll_avg(const uint64_t *w, uint32_t kind)
 {
-    return r->count == 0 ? sm_from_i32(0) : sm_div(sm_roll_sum(r), sm_from_u32(r->count));
+    SmF64 sum;
+    if (sm_roll_count(w) == 0)
+        return sm_from_i32(0);
+    if (SM_ROLL_SMALL)
+        sum = sm_roll_sum(w, kind);
+    else
+        sum = (sm_roll_keeps(kind) & 1u) != 0 ? sm_from_i64((int64_t)w[1]) : sm_from_bits(w[1]);
+    return sm_div(sum, sm_from_u32(sm_roll_count(w)));
+}
+//: sm_roll_ordered
+// The ordered sample of a rank.
+SM_ROLL_INLINE SmF64 sm_roll_ordered(const uint64_t *w, uint32_t n, uint32_t kind, uint32_t rank)
+{
+    const unsigned char *const sorted = (const unsigned char *)(w + sm_roll_slots(kind)) + sm_roll_row(n, kind);
+    return sm_roll_value(kind, sm_roll_get(sorted, sm_roll_place(sorted, n, kind, rank), kind));
 }
 //: sm_roll_median
-// Of a window with `sorted`.
-static inline SmF64 sm_roll_median(const SmRoll *r)
+SM_ROLL_INLINE SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind)
 {
+    const uint32_t count = sm_roll_count(w);
     SmF64 a, b, d;
-    if (r->count == 0 || r->sorted == NULL)
+    if (count == 0)
         return sm_from_i32(0);
-    a = r->sorted[(r->count - 1) / 2];
-    b = r->sorted[r->count / 2];
+    a = sm_roll_ordered(w, n, kind, (count - 1) / 2);
+    if (count % 2 != 0)
+        return a;
+    b = sm_roll_ordered(w, n, kind, count / 2);
     if (sm_eq(a, b))
         return a;
     d = sm_sub(b, a);
@@ -120,74 +420,113 @@ static inline SmF64 sm_roll_median(const SmRoll *r)
 }
 //: sm_roll_min
 // The smallest sample; -0 is below +0.
-static inline SmF64 sm_roll_min(const SmRoll *r)
+SM_ROLL_INLINE SmF64 sm_roll_min(const uint64_t *w, uint32_t n, uint32_t kind)
 {
-    SmF64 x;
-    uint32_t i;
-    if (r->count == 0)
+    if (sm_roll_count(w) == 0)
         return sm_from_i32(0);
-    if (r->sorted != NULL)
-        return r->sorted[0];
-    x = r->slot[0];
-    for (i = 1; i < r->count; i++)
-        x = sm_min(x, r->slot[i]);
-    return x;
+    if ((kind & SM_ROLL_MEDIAN) != 0)
+        return sm_roll_ordered(w, n, kind, 0);
+    return sm_roll_value(kind, SM_ROLL_SMALL ? sm_roll_least(w, kind, 0) : (int64_t)w[1 + sm_roll_size(sm_roll_keeps(kind) & 3u)]);
 }
 //: sm_roll_max
 // The largest sample; +0 is above -0.
-static inline SmF64 sm_roll_max(const SmRoll *r)
+SM_ROLL_INLINE SmF64 sm_roll_max(const uint64_t *w, uint32_t n, uint32_t kind)
 {
-    SmF64 x;
-    uint32_t i;
-    if (r->count == 0)
+    if (sm_roll_count(w) == 0)
         return sm_from_i32(0);
-    if (r->sorted != NULL)
-        return r->sorted[r->count - 1];
-    x = r->slot[0];
-    for (i = 1; i < r->count; i++)
-        x = sm_max(x, r->slot[i]);
-    return x;
+    if ((kind & SM_ROLL_MEDIAN) != 0)
+        return sm_roll_ordered(w, n, kind, sm_roll_count(w) - 1);
+    return sm_roll_value(kind, ~(SM_ROLL_SMALL ? sm_roll_least(w, kind, -1) : (int64_t)w[sm_roll_slots(kind) - 1]));
 }
 //: sm_roll_range
 // The largest less the smallest sample; 0 if they are equal, infinities too.
-static inline SmF64 sm_roll_range(const SmRoll *r)
+SM_ROLL_INLINE SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint32_t kind)
 {
-    const SmF64 lo = sm_roll_min(r), hi = sm_roll_max(r);
+    const SmF64 lo = sm_roll_min(w, n, kind), hi = sm_roll_max(w, n, kind);
     return sm_eq(lo, hi) ? sm_from_i32(0) : sm_sub(hi, lo);
 }
 //: end
 
-// How many bytes of memory, aligned for SmF64, a window of n slots needs; stats has the bit 1u << SmStat of each statistic
-// that will be asked for.  n is at most SM_WINDOW_MAX.
-static inline uint32_t sm_roll_bytes(uint32_t n, uint32_t stats)
+// The kind of a window over samples of a type; stats has the bit 1u << SmStat of each statistic that will be asked for.
+static inline uint32_t sm_roll_kind(SmType type, uint32_t stats)
 {
-    const uint32_t copies = (stats & 1u << SM_STAT_MEDIAN) != 0 ? 2 : 1;
-    return n * copies * (uint32_t)sizeof(SmF64);
+    return (type == SM_I64 || type == SM_U64 ? (uint32_t)SM_ROLL_F64 : (uint32_t)type) | stats << 4;
 }
 
-static inline void sm_roll_init(SmRoll *r, void *memory, uint32_t n, uint32_t stats)
+static inline bool sm_roll_is_kind(uint32_t kind)
 {
-    SmF64 *slot = (SmF64 *)memory;
-    sm_roll_begin(r, slot, (stats & 1u << SM_STAT_MEDIAN) != 0 ? slot + n : NULL, n);
+    return kind >> 4 >> SM_STAT_COUNT == 0 && (0x777u >> (kind & SM_ROLL_TYPE) & 1u) != 0;
 }
 
-static inline void sm_roll_push(SmRoll *r, SmF64 x)
+// How many words of memory a window needs.  n is at most SM_WINDOW_MAX.
+static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
 {
-    if (r->sorted != NULL)
-        sm_roll_put_sorted(r, x);
+    const unsigned size = sm_roll_size(sm_roll_node_keeps(n, kind));
+    uint32_t words = sm_roll_nodes(n, kind);
+    while (size > 0 && (n = (n + 1) / 2) > 1)
+        words += n * size;
+    return words;
+}
+
+// The key of a sample that is converted to the window's type, as storing does.
+static inline int64_t sm_roll_key(uint32_t kind, SmF64 x)
+{
+    const uint32_t type = kind & SM_ROLL_TYPE;
+    unsigned char cell[8] = { 0 };
+    int64_t key;
+    sm_store((SmType)type, cell, x);
+    key = sm_roll_get(cell, 0, kind);
+    if (key >= 0 || type < SM_ROLL_F32)
+        return key;
+    return key ^ (type == SM_ROLL_F32 ? 0x7FFFFFFF : 0x7FFFFFFFFFFFFFFF);
+}
+
+// The longest window whose samples are put in order by a pass over all of them.
+#define SM_ROLL_SHORT 32u
+
+// A window of any kind takes a sample.
+SM_ROLL_INLINE void sm_roll_take(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+{
+    if ((kind & SM_ROLL_MEDIAN) == 0)
+        sm_roll_push_extremes(w, n, kind, key);
+#ifndef __OPTIMIZE_SIZE__
+    else if (n <= SM_ROLL_SHORT)
+        sm_roll_push_sorted(w, n, kind, key);
+#endif
     else
-        sm_roll_put(r, x);
+        sm_roll_push_blocks(w, n, kind, key);
+    sm_roll_combine(w, n, kind);
+}
+
+// A window takes a sample, which is converted to its type as storing does.  Where there is room, made for each type.
+static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
+{
+#ifdef __OPTIMIZE_SIZE__
+    sm_roll_take(w, n, kind, sm_roll_key(kind, x));
+#else
+    const uint32_t stats = kind & ~(uint32_t)SM_ROLL_TYPE;
+    switch (kind & SM_ROLL_TYPE) {
+    case SM_ROLL_I8: sm_roll_take(w, n, stats | SM_ROLL_I8, sm_to_i8(x)); break;
+    case SM_ROLL_I16: sm_roll_take(w, n, stats | SM_ROLL_I16, sm_to_i16(x)); break;
+    case SM_ROLL_I32: sm_roll_take(w, n, stats | SM_ROLL_I32, sm_to_i32(x)); break;
+    case SM_ROLL_U16: sm_roll_take(w, n, stats | SM_ROLL_U16, sm_to_u16(x)); break;
+    case SM_ROLL_U32: sm_roll_take(w, n, stats | SM_ROLL_U32, sm_to_u32(x)); break;
+    case SM_ROLL_F32: sm_roll_take(w, n, stats | SM_ROLL_F32, sm_roll_of_f32(sm_to_f32(x))); break;
+    case SM_ROLL_F64: sm_roll_take(w, n, stats | SM_ROLL_F64, sm_roll_of_f64(x)); break;
+    default: sm_roll_take(w, n, stats | SM_ROLL_U8, sm_roll_key(kind, x)); break;
+    }
+#endif
 }
 
 // One of the statistics that the window was made for.
-static inline SmF64 sm_roll_stat(const SmRoll *r, SmStat stat)
+static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
     switch (stat) {
-    case SM_STAT_AVG: return sm_roll_avg(r);
-    case SM_STAT_MEDIAN: return sm_roll_median(r);
-    case SM_STAT_MIN: return sm_roll_min(r);
-    case SM_STAT_MAX: return sm_roll_max(r);
-    case SM_STAT_RANGE: return sm_roll_range(r);
+    case SM_STAT_AVG: return sm_roll_avg(w, kind);
+    case SM_STAT_MEDIAN: return sm_roll_median(w, n, kind);
+    case SM_STAT_MIN: return sm_roll_min(w, n, kind);
+    case SM_STAT_MAX: return sm_roll_max(w, n, kind);
+    case SM_STAT_RANGE: return sm_roll_range(w, n, kind);
     case SM_STAT_COUNT: break;
     }
     return sm_from_i32(0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // windows: a statistic that no code asks for is not kept; a window without statistics is dropped, with the computation of
-// its sample.  That may leave an inner window without one, so the sample function is walked from its end.
+// its sample.  That may leave an inner window without one, so the sample function is walked from its end.  A window whose samples
+// are all of a narrower type than F64 keeps them in that.
 // Needs nothing; breaks uses.
 #include "compiler/passes/pass.h"
 
@@ -29,17 +30,35 @@ static void use_operands(const IrIns *i, bool *used)
         used[i->b] = true;
 }
 
-// Keeps of the sample function what gives wanted windows their samples, and notes what that wants in turn.
-static void clean_samples(Arena *arena, IrFn *f, uint32_t *wanted)
+// Whether every number of the type is one of a window's that is kept in it.  I64 and U64 are rounded to F64.
+static bool is_window_type(SmType t) { return t != SM_I64 && t != SM_U64; }
+
+// The type in which a window keeps its samples: that of what is converted to F64 for it, a NaN being 0 either way.
+static void choose_type(IrMachine *m, IrFn *f, IrIns *sample)
 {
+    const IrIns *x = &f->ins.at[sample->a];
+    IrWindow *w = &m->window.at[sample->var];
+
+    if (x->op == IR_cvt && x->type == SM_F64 && is_window_type(f->ins.at[x->a].type))
+        sample->a = x->a;
+    if (w->type == SM_F64 && is_window_type(f->ins.at[sample->a].type))
+        w->type = f->ins.at[sample->a].type;
+}
+
+// Keeps of the sample function what gives wanted windows their samples, and notes what that wants in turn.
+static void clean_samples(Arena *arena, IrMachine *m, uint32_t *wanted)
+{
+    IrFn *f = m->sample;
     IrBlk *blk = &f->blk.at[0];
     bool *used = ARENA_ARRAY(arena, bool, f->ins.n);
     size_t kept = blk->ins.n, n = 0;
 
     for (size_t i = blk->ins.n; i-- > 0;) {
-        const IrIns *ins = &f->ins.at[blk->ins.at[i]];
+        IrIns *ins = &f->ins.at[blk->ins.at[i]];
         if (ins->op == IR_sample ? wanted[ins->var] == 0 : !used[blk->ins.at[i]])
             continue;
+        if (ins->op == IR_sample)
+            choose_type(m, f, ins);
         use_operands(ins, used);
         if (ins->op == IR_stat)
             wanted[ins->var] |= 1u << ins->stat;
@@ -88,6 +107,6 @@ void pass_windows(Arena *arena, IrMachine *m, FactMachine *values)
     if (m->window.n == 0)
         return;
     note_stats_of_states(m, wanted);
-    clean_samples(arena, m->sample, wanted);
+    clean_samples(arena, m, wanted);
     drop_windows(arena, m, wanted);
 }

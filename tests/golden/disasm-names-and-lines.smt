@@ -43,12 +43,12 @@ U64 G
 U32 S
 [Idle]
 -- stdout --
-image of 474 bytes, format 1, crc 297e909e
+image of 476 bytes, format 1, crc b07e75b5
     section 01 IDENTITY   8 bytes at 52: 003740f815ec1432
-    section 81 MACHINE    109 bytes at 60
-    section 82 CODE       68 bytes at 169
-    section 83 INIT       16 bytes at 237
-    section 02 DEBUG      221 bytes at 253
+    section 81 MACHINE    111 bytes at 60
+    section 82 CODE       68 bytes at 171
+    section 83 INIT       16 bytes at 239
+    section 02 DEBUG      221 bytes at 255
 
 machine 1 sub
     state vector    32 bytes, layout f4b2fddc
@@ -62,8 +62,8 @@ machine 1 sub
     S               U32@8 state
     initial value   local F64@0 = 0x3fb999999999999a
     initial value   local U16@8 = 0x0003
-    w0              5 samples: average
-    w1              3 samples: range
+    w0              5 F32 samples: average
+    w1              3 F64 samples: range
 
 sample:
      0  sample  w0, pressure                    sub.sm:18
@@ -98,11 +98,11 @@ Vent.step:
     61  jnlt    limit, count, 67                sub.sm:29
     65  goto    Hold
     67  end
-image of 234 bytes, format 1, crc dd245e5d
+image of 236 bytes, format 1, crc 61c3ddb4
     section 01 IDENTITY   8 bytes at 44: 003740f815ec1432
-    section 81 MACHINE    109 bytes at 52
-    section 82 CODE       68 bytes at 161
-    section 83 INIT       5 bytes at 229
+    section 81 MACHINE    111 bytes at 52
+    section 82 CODE       68 bytes at 163
+    section 83 INIT       5 bytes at 231
 
 machine 1 
     state vector    32 bytes, layout f4b2fddc
@@ -115,8 +115,8 @@ machine 1
     G               U64@0
     S               U32@8
     initial value   local U16@0 = 0x0003
-    w0              5 samples: average
-    w1              3 samples: range
+    w0              5 F32 samples: average
+    w1              3 F64 samples: range
 
 sample:
      0  sample  w0, F32@12

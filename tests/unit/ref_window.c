@@ -84,19 +84,18 @@ static void check_zeros_and_extremes(void)
 static void compare_with_stdlib(uint32_t size, uint32_t samples)
 {
     static const double values[] = {0.0, -0.0, 1, -1, 0.1, 1e308, -1e308, INFINITY, -INFINITY, NAN, 3, 1e-300};
-    void *memory = arena_alloc(&arena, sm_roll_bytes(size, 31));
+    const uint32_t kind = sm_roll_kind(SM_F64, 31);
+    uint64_t *roll = ARENA_ARRAY(&arena, uint64_t, sm_roll_words(size, kind));
     uint32_t r = size * 2654435761u + 1;
     Fixture f;
-    SmRoll roll;
 
     set_up(&f, size);
-    sm_roll_init(&roll, memory, size, 31);
     for (uint32_t i = 0; i < samples; i++) {
         double x = (r = r * 1664525u + 1013904223u) >> 31 ? values[(r >> 8) % 12] : (double)(r >> 12) / 7;
         push(&f, x);
-        sm_roll_push(&roll, x);
+        sm_roll_sample(roll, size, kind, x);
         for (int s = 0; s < SM_STAT_COUNT; s++)
-            CHECK(same(stat(&f, (SmStat)s), sm_roll_stat(&roll, (SmStat)s)));
+            CHECK(same(stat(&f, (SmStat)s), sm_roll_stat(roll, size, kind, (SmStat)s)));
     }
 }
 

@@ -1,163 +1,252 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rolling windows against a model that keeps the whole history and works each statistic out anew from language.md 7: it
-// fills an array of slots with holes, halves it level by level, and sorts by insertion.
+// fills an array of slots with holes, halves it level by level, and sorts.  stdlib_roll_small.c runs this with SM_ROLL_SMALL.
+#include <stdlib.h>
+
 #include "stdlib/roll.h"
 #include "tests/test.h"
 #include "tests/unit/random.h"
 
-enum { HISTORY = 700 };
+enum { HISTORY = 310000, STATS = 31 };
 
-static double history[HISTORY];
+static double history[HISTORY];          // as the window is to hold them
 
 static bool same(double a, double b) { return (a != a && b != b) || sm_bits(a) == sm_bits(b); }
 
+// ---- the model ----
+
 typedef struct Slot { bool full; double x; } Slot;
 
+static Slot slot[SM_WINDOW_MAX];
+static double sorted[SM_WINDOW_MAX];
+
 // The samples of the last n of `steps` steps, each in its slot.
-static uint32_t model_fill(Slot *slot, uint32_t steps, uint32_t n)
+static uint32_t model_fill(uint32_t steps, uint32_t n)
 {
     const uint32_t first = steps > n ? steps - n : 0;
     for (uint32_t i = 0; i < n; i++)
         slot[i].full = false;
     for (uint32_t k = first; k < steps; k++) {
         slot[k % n].full = true;
-        slot[k % n].x = history[k] != history[k] ? 0.0 : history[k];
+        slot[k % n].x = history[k];
     }
     return steps - first;
 }
 
-static double model_avg(uint32_t steps, uint32_t n)
+static double model_avg(uint32_t count, uint32_t n)
 {
-    Slot slot[HISTORY];
-    const uint32_t count = model_fill(slot, steps, n);
     for (uint32_t width = n; width > 1; width = (width + 1) / 2)
         for (uint32_t i = 0; i < width; i += 2) {
-            const Slot a = slot[i], b = i + 1 < width ? slot[i + 1] : (Slot){ false, 0 };
+            const Slot none = { false, 0 }, a = slot[i], b = i + 1 < width ? slot[i + 1] : none;
             slot[i / 2].full = a.full || b.full;
             slot[i / 2].x = a.full && b.full ? a.x + b.x : a.full ? a.x : b.x;
         }
     return slot[0].x / count;
 }
 
-static bool before(double a, double b) { return a < b || (a == b && sm_bits(a) >> 63 > sm_bits(b) >> 63); }
-
-static uint32_t model_sorted(double *out, uint32_t steps, uint32_t n)
+static int compare(const void *p, const void *q)
 {
-    Slot slot[HISTORY];
-    uint32_t count = 0, j;
-    model_fill(slot, steps, n);
-    for (uint32_t i = 0; i < n; i++) {
-        if (!slot[i].full)
-            continue;
-        for (j = count++; j > 0 && before(slot[i].x, out[j - 1]); j--)
-            out[j] = out[j - 1];
-        out[j] = slot[i].x;
-    }
-    return count;
+    const double a = *(const double *)p, b = *(const double *)q;
+    return a != b ? (a < b ? -1 : 1) : (int)(sm_bits(b) >> 63) - (int)(sm_bits(a) >> 63);
 }
 
-static double model_stat(SmStat stat, uint32_t steps, uint32_t n)
+static void model_sort(uint32_t n)
 {
-    double s[HISTORY], a, b;
-    const uint32_t count = model_sorted(s, steps, n);
-    switch (stat) {
-    case SM_STAT_AVG: return model_avg(steps, n);
-    case SM_STAT_MIN: return s[0];
-    case SM_STAT_MAX: return s[count - 1];
-    case SM_STAT_RANGE: return s[0] == s[count - 1] ? 0.0 : s[count - 1] - s[0];
-    case SM_STAT_MEDIAN:
-        a = s[(count - 1) / 2];
-        b = s[count / 2];
-        if (a == b)
-            return a;
-        return b - a > 1.7976931348623157e308 ? a / 2 + b / 2 : a + (b - a) / 2;
-    case SM_STAT_COUNT: break;
-    }
-    return 0;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < n; i++)
+        if (slot[i].full)
+            sorted[count++] = slot[i].x;
+    qsort(sorted, count, sizeof *sorted, compare);
 }
 
-static double any_sample(int mood)
+static double model_median(uint32_t count)
+{
+    const double a = sorted[(count - 1) / 2], b = sorted[count / 2];
+    if (a == b)
+        return a;
+    return b - a > 1.7976931348623157e308 ? a / 2 + b / 2 : a + (b - a) / 2;
+}
+
+static void model_stats(double *stat, uint32_t steps, uint32_t n)
+{
+    const uint32_t count = model_fill(steps, n);
+    model_sort(n);
+    stat[SM_STAT_AVG] = model_avg(count, n);
+    stat[SM_STAT_MEDIAN] = model_median(count);
+    stat[SM_STAT_MIN] = sorted[0];
+    stat[SM_STAT_MAX] = sorted[count - 1];
+    stat[SM_STAT_RANGE] = sorted[0] == sorted[count - 1] ? 0.0 : sorted[count - 1] - sorted[0];
+}
+
+// ---- samples ----
+
+enum { MOODS = 9 };
+
+static double special(void)
+{
+    static const uint64_t bits[] = {
+        0, 0x8000000000000000, 0x7FF0000000000000, 0xFFF0000000000000, 0x7FF8000000000000, 0xFFF8000000000001, 1, 0x8000000000000001,
+        0x7FEFFFFFFFFFFFFF, 0xFFEFFFFFFFFFFFFF, 0x3FF0000000000000, 0x0010000000000000, 0x47EFFFFFE0000000, 0x36A0000000000000
+    };
+    return sm_from_bits(bits[random_u64() % (sizeof bits / sizeof *bits)]);
+}
+
+static double any_sample(int mood, uint32_t k)
 {
     switch (mood) {
     case 0: return sm_from_bits(random_f64_bits());
     case 1: return (double)(random_u64() % 7) - 3;
     case 2: return random_u64() % 2 != 0 ? 0.0 : -0.0;
     case 3: return random_u64() % 3 != 0 ? 1.7976931348623157e308 : -1.7976931348623157e308;
-    case 4: return random_u64() % 9 == 0 ? sm_from_bits((random_u64() & 0x8000000000000000u) | 0x7FF0000000000000u) : 1.5;
-    default: return (double)(int64_t)random_u64() * 1e-17;
+    case 4: return special();
+    case 5: return (double)k * 0.5;                                       // sorted
+    case 6: return 1000 - (double)k * 0.25;                               // the other way round
+    case 7: return k / 50 % 2 != 0 ? 1e6 + (double)(random_u64() % 100) : -1e6 - (double)(random_u64() % 100);
+    default: return (double)(int64_t)random_u64() * 1e-10;
     }
 }
 
-static void check_window(uint32_t n, uint32_t steps, uint32_t stats, int mood)
+// What an element of the type holds after x was stored to it.
+static double kept(uint32_t kind, double x)
 {
-    static double memory[2 * HISTORY + 1];
-    SmRoll r;
-    memory[sm_roll_bytes(n, stats) / sizeof(double)] = 12345;
-    sm_roll_init(&r, memory, n, stats);
-    for (uint32_t k = 0; k < steps; k++) {
-        history[k] = any_sample(mood);
-        sm_roll_push(&r, history[k]);
-        for (int stat = 0; stat < SM_STAT_COUNT; stat++)
-            if ((stats >> stat & 1u) != 0)
-                CHECK(same(sm_roll_stat(&r, (SmStat)stat), model_stat((SmStat)stat, k + 1, n)));
-    }
-    CHECK(memory[sm_roll_bytes(n, stats) / sizeof(double)] == 12345);
+    return sm_cell_to_f64((SmType)(kind & SM_ROLL_TYPE), sm_cell_from_f64((SmType)(kind & SM_ROLL_TYPE), x));
 }
 
-static void test_against_model(void)
+// ---- comparing ----
+
+static uint64_t memory[5 * SM_WINDOW_MAX];
+
+static void check_stats(uint32_t n, uint32_t kind, uint32_t steps)
+{
+    double stat[SM_STAT_COUNT];
+    model_stats(stat, steps, n);
+    for (int s = 0; s < SM_STAT_COUNT; s++)
+        if ((kind >> 4 >> s & 1u) != 0)
+            CHECK(same(sm_roll_stat(memory, n, kind, (SmStat)s), stat[s]));
+}
+
+// Takes steps, and looks after each of the first `often`, then every `seldom`.
+static void check_window(uint32_t n, uint32_t kind, int mood, uint32_t steps, uint32_t often, uint32_t seldom)
+{
+    const uint32_t words = sm_roll_words(n, kind);
+    memset(memory, 0, words * sizeof *memory);
+    memory[words] = 12345;
+    for (uint32_t k = 0; k < steps; k++) {
+        const double x = any_sample(mood, k);
+        history[k] = kept(kind, x);
+        sm_roll_sample(memory, n, kind, x);
+        if (k < often || k % seldom == 0)
+            check_stats(n, kind, k + 1);
+    }
+    CHECK(memory[words] == 12345);
+}
+
+static const SmType types[] = { SM_I8, SM_I16, SM_I32, SM_U8, SM_U16, SM_U32, SM_F32, SM_F64, SM_BOOL };
+enum { TYPES = sizeof types / sizeof *types };
+
+static void test_small_windows(void)
 {
     for (uint32_t n = 1; n <= 40; n++)
-        for (int mood = 0; mood < 6; mood++) {
-            check_window(n, 3 * n + 2, 31, mood);
-            check_window(n, 3 * n + 2, 31 & ~(1u << SM_STAT_MEDIAN), mood);
+        for (int t = 0; t < TYPES; t++)
+            for (int mood = 0; mood < MOODS; mood++) {
+                check_window(n, sm_roll_kind(types[t], STATS), mood, 3 * n + 2, 3 * n + 2, 1);
+                check_window(n, sm_roll_kind(types[t], STATS & ~(1u << SM_STAT_MEDIAN)), mood, 3 * n + 2, 3 * n + 2, 1);
+            }
+}
+
+// Every set of statistics has its own layout.
+static void test_layouts(void)
+{
+    static const uint32_t size[] = { 1, 2, 7, 20 };
+    for (unsigned i = 0; i < 4; i++)
+        for (int t = 0; t < TYPES; t++)
+            for (uint32_t stats = 0; stats <= STATS; stats++)
+                check_window(size[i], sm_roll_kind(types[t], stats), 8 - (int)stats % 5, 3 * size[i] + 2, 3 * size[i] + 2, 1);
+}
+
+static void test_larger_windows(void)
+{
+    static const uint32_t size[] = { 63, 64, 65, 66, 127, 128, 129, 1001 };
+    for (unsigned i = 0; i < sizeof size / sizeof *size; i++)
+        for (int t = 0; t < TYPES; t++)
+            for (int mood = 0; mood < MOODS; mood++) {
+                check_window(size[i], sm_roll_kind(types[t], STATS), mood, 2 * size[i] + 70, 5, 17);
+                check_window(size[i], sm_roll_kind(types[t], STATS & ~(1u << SM_STAT_MEDIAN)), mood, 2 * size[i] + 70, 5, 31);
+            }
+}
+
+// Longer than one block, and as long as can be.
+static void test_long_windows(void)
+{
+    static const uint32_t size[] = { 2047, 2048, 2049, 4096, 4097, 5000, 6144, 6145 };
+    for (unsigned i = 0; i < sizeof size / sizeof *size; i++)
+        for (int mood = 0; mood < MOODS; mood++) {
+            check_window(size[i], sm_roll_kind(SM_F64, STATS), mood, 3 * size[i], 3, 509);
+            check_window(size[i], sm_roll_kind(types[mood % TYPES], STATS), (mood * 5 + 8) % MOODS, 3 * size[i], 3, 509);
         }
-    for (int mood = 0; mood < 6; mood++)
-        check_window(300, HISTORY, 31, mood);
+    check_window(SM_WINDOW_MAX, sm_roll_kind(SM_F64, STATS), 8, 300000, 2, 29989);
+    check_window(SM_WINDOW_MAX, sm_roll_kind(SM_F32, STATS), 8, 210000, 2, 29989);
+    check_window(SM_WINDOW_MAX, sm_roll_kind(SM_I16, STATS), 7, 210000, 2, 29989);
+    check_window(SM_WINDOW_MAX, sm_roll_kind(SM_F64, STATS & ~(1u << SM_STAT_MEDIAN)), 0, 210000, 2, 29989);
 }
 
 static void test_empty(void)
 {
-    double memory[10];
-    SmRoll r;
-    sm_roll_init(&r, memory, 5, 31);
-    for (int stat = 0; stat < SM_STAT_COUNT; stat++)
-        CHECK(sm_bits(sm_roll_stat(&r, (SmStat)stat)) == 0);
+    for (int t = 0; t < TYPES; t++)
+        for (uint32_t stats = 0; stats <= STATS; stats++) {
+            const uint32_t kind = sm_roll_kind(types[t], stats);
+            memset(memory, 0, sm_roll_words(5, kind) * sizeof *memory);
+            for (int stat = 0; stat < SM_STAT_COUNT; stat++)
+                if ((stats >> stat & 1u) != 0)
+                    CHECK(sm_bits(sm_roll_stat(memory, 5, kind, (SmStat)stat)) == 0);
+        }
+}
+
+// I64 and U64 lose their last bits on the way to F64, so that is how they are kept.
+static void test_kinds(void)
+{
+    CHECK(sm_roll_kind(SM_I64, 3) == (SM_ROLL_F64 | SM_ROLL_AVG | SM_ROLL_MEDIAN) && sm_roll_kind(SM_U64, 0) == SM_ROLL_F64);
+    CHECK(sm_roll_kind(SM_I8, 4) == (SM_ROLL_I8 | SM_ROLL_MIN) && sm_roll_kind(SM_BOOL, 24) == (SM_ROLL_BOOL | SM_ROLL_MAX | SM_ROLL_RANGE));
+}
+
+// In a narrow type a window is that much smaller.
+static void test_memory(void)
+{
+    const bool small = SM_ROLL_SMALL;
+    CHECK(sm_roll_words(11, SM_ROLL_F64 | SM_ROLL_MEDIAN) == 1 + 2 * 11);
+    CHECK(sm_roll_words(11, SM_ROLL_F32 | SM_ROLL_MEDIAN) == 1 + 2 * 6);
+    CHECK(sm_roll_words(11, SM_ROLL_I8 | SM_ROLL_MEDIAN) == 1 + 2 * 2);
+    CHECK(sm_roll_words(20, SM_ROLL_I16 | SM_ROLL_AVG) == (small ? 1 : 2) + 5);
+    CHECK(sm_roll_words(20, SM_ROLL_F64 | SM_ROLL_AVG) == (small ? 1 + 20 : 2 + 20 + 10 + 5 + 3 + 2));
+    CHECK(sm_roll_words(15, SM_ROLL_F32 | SM_ROLL_RANGE) == (small ? 1 : 3) + 8);
+    CHECK(sm_roll_words(100, SM_ROLL_F32 | SM_ROLL_RANGE) == (small ? 1 + 50 : 3 + 50 + 2 * (50 + 25 + 13 + 7 + 4 + 2)));
+    CHECK(sm_roll_words(100000, SM_ROLL_I32 | SM_ROLL_MEDIAN) == 1 + 100000 + (small ? 0 : 13));
 }
 
 // What has left leaves no trace: the same last n samples give the same bits as long as they sit in the same slots.
 static void test_no_trace(void)
 {
-    double memory[2][16];
-    SmRoll r[2];
-    for (int i = 0; i < 2; i++)
-        sm_roll_init(&r[i], memory[i], 8, 31);
+    const uint32_t kind = sm_roll_kind(SM_F64, STATS);
+    uint64_t w[2][64] = { { 0 }, { 0 } };
+    CHECK(sm_roll_words(8, kind) <= 64);
     for (int k = 0; k < 8; k++)
-        sm_roll_push(&r[0], k % 3 == 0 ? sm_from_bits(0x7FF0000000000000u) : 1e300);
-    for (int k = 0; k < 8; k++) {
-        sm_roll_push(&r[0], 0.1 * k);
-        sm_roll_push(&r[1], 0.1 * k);
-    }
+        sm_roll_push(w[0], 8, kind, sm_roll_of_f64(k % 3 == 0 ? sm_from_bits(0x7FF0000000000000u) : 1e300));
+    for (int k = 0; k < 8; k++)
+        for (int i = 0; i < 2; i++)
+            sm_roll_push(w[i], 8, kind, sm_roll_of_f64(0.1 * k));
     for (int stat = 0; stat < SM_STAT_COUNT; stat++)
-        CHECK(same(sm_roll_stat(&r[0], (SmStat)stat), sm_roll_stat(&r[1], (SmStat)stat)));
-}
-
-static void test_largest(void)
-{
-    static double memory[2 * SM_WINDOW_MAX];
-    SmRoll r;
-    CHECK(sm_roll_bytes(SM_WINDOW_MAX, 31) == sizeof memory);
-    sm_roll_init(&r, memory, SM_WINDOW_MAX, 31);
-    for (uint32_t k = 0; k < SM_WINDOW_MAX + 5; k++)
-        sm_roll_push(&r, (double)(k * 7 % 1000));
-    CHECK(sm_roll_min(&r) == 0 && sm_roll_max(&r) == 999 && sm_roll_range(&r) == 999);
-    CHECK(sm_roll_avg(&r) == 499.5 && sm_roll_median(&r) == 499.5);   // 100000 is a hundred times every residue; sums are exact
+        CHECK(same(sm_roll_stat(w[0], 8, kind, (SmStat)stat), sm_roll_stat(w[1], 8, kind, (SmStat)stat)));
 }
 
 int main(void)
 {
-    test_against_model();
+    test_small_windows();
+    test_layouts();
+    test_larger_windows();
+    test_long_windows();
     test_empty();
+    test_kinds();
+    test_memory();
     test_no_trace();
-    test_largest();
     return test_end("stdlib_roll");
 }

@@ -27,7 +27,8 @@ typedef struct Build {
 #define OPERAND(kind, payload) ((uint32_t)(payload) << 5 | (uint32_t)(kind))
 #define ELEMENT(type, offset) OPERAND(SM_##type, (offset) >> smvm_type_shift(SM_##type))
 #define LOCAL(type, offset) OPERAND(11 + SM_##type, (offset) >> smvm_type_shift(SM_##type))
-#define WINDOW(size, stats) ((uint32_t)(size) | (uint32_t)(stats) << 17)
+#define WINDOW(size, stats) WINDOW_OF(SM_ROLL_F64, size, stats)
+#define WINDOW_OF(type, size, stats) ((uint32_t)(size) | (uint32_t)(type) << 17 | (uint32_t)(stats) << 21)
 
 static inline uint32_t put_number(uint8_t *p, uint32_t v)
 {
@@ -89,7 +90,7 @@ static inline uint32_t put_machine(const Build *b, uint8_t *p)
     for (unsigned i = 0; i < 10; i++)
         p += put_number(p, number[i]);
     for (uint32_t i = 0; i < b->windows; i++)
-        put_bytes(&p, b->window[i], 3);
+        put_bytes(&p, b->window[i], 4);
     for (uint32_t i = 0; i < b->operands; i++)
         put_bytes(&p, b->operand[i], 3);
     for (uint32_t i = 0; i < b->ends; i++)

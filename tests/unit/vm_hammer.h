@@ -45,7 +45,7 @@ static inline uint32_t hammer_steps(const SmvmMachine *m, uint32_t steps)
     uint64_t slots = 0;
 
     for (uint32_t w = 0; w < m->windows; w++)
-        slots += smvm_uint(m->image, m->windows_at + 3 * w, 3) & 0x1ffff;
+        slots += smvm_window(m->image, m->windows_at, w) & SMVM_WINDOW_SIZE_MASK;
     return slots * steps < HAMMER_SLOTS ? steps : (uint32_t)(HAMMER_SLOTS / (slots + 1)) + 1;
 }
 

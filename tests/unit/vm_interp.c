@@ -376,7 +376,8 @@ static void memory_needed(void)
     for (int i = 0; i < 4; i++)
         end_function(&b);
     CHECK(open_machine(&t, &b, 1));
-    CHECK(smvm_ram_size(&t.m) == up8(sizeof(SmVm)) + up8(2 * sizeof(SmRoll)) + 8 + 8 * 3 + 2 * 8 * 5 + 8 + 1);
+    CHECK(smvm_ram_size(&t.m) == up8(sizeof(SmVm)) + up8(2 * sizeof(uint64_t *)) + 8
+                               + 8 * (2 + 3 + 2) + 8 * (1 + 2 * 5) + 8 + 1);
 }
 
 // Whether `op x, y` jumps over `OUT = 7`.
@@ -453,6 +454,36 @@ static void windows(void)
             set_f64(&t, 32, in[i]);
             CHECK(smvm_step((SmVm *)t.memory, t.sv) == SM_OK && f64_at(&t, 16) == expected[s][i]);
         }
+    }
+}
+
+// A sample that is not of the window's type becomes what storing it leaves, here in the largest of windows of one sample.
+static void narrow_windows(void)
+{
+    static const struct { SmType type; double in, out; } row[] = {
+        {SM_I8, 300, 127}, {SM_I8, -2.9, -2}, {SM_U8, -1, 0}, {SM_I16, -1e9, -32768}, {SM_U16, 65535.5, 65535}, {SM_I32, 1e300, 2147483647},
+        {SM_U32, 4294967295, 4294967295}, {SM_F32, 1e300, INFINITY}, {SM_F32, 0.1, 0.1f}, {SM_F32, -0.0, -0.0}, {SM_BOOL, -7, 1},
+        {SM_F64, 0.1, 0.1}
+    };
+
+    for (unsigned i = 0; i < sizeof row / sizeof *row; i++) {
+        Machine t;
+        Build b;
+        begin(&b);
+        b.windows = 1;
+        b.window[0] = WINDOW_OF(row[i].type, 1, 1u << SM_STAT_MAX);
+        code(&b, SMVM_sample, 2, 0, X);
+        code(&b, SMVM_end, 0);
+        end_function(&b);
+        end_function(&b);
+        code(&b, SMVM_highest, 2, OUT, 0);
+        code(&b, SMVM_end, 0);
+        end_function(&b);
+        end_function(&b);
+        CHECK(open_machine(&t, &b, 1));
+        t.sv[0] = 1;
+        set_f64(&t, 32, row[i].in);
+        CHECK(smvm_step((SmVm *)t.memory, t.sv) == SM_OK && sm_bits(f64_at(&t, 16)) == sm_bits(row[i].out));
     }
 }
 
@@ -589,6 +620,7 @@ int main(void)
     second_step();
     memory_needed();
     windows();
+    narrow_windows();
     steps();
     refused();
     starting();

@@ -165,19 +165,19 @@ static void places_told(void)
     fix_crc(image);
     CHECK(smvm_verify(image, 500, &v) == SMVM_R_UNKNOWN && v.at == 28);
     b.window[1] = 0;
-    CHECK(verify(&b, &v) == SMVM_R_WINDOW && v.at == machine + NUMBERS + 3);
+    CHECK(verify(&b, &v) == SMVM_R_WINDOW && v.at == machine + NUMBERS + 4);
     b = whole();
     b.operand[T1] = OPERAND(31, 0);
-    CHECK(verify(&b, &v) == SMVM_R_OPERAND_KIND && v.at == machine + NUMBERS + 6 + 3 * T1);
+    CHECK(verify(&b, &v) == SMVM_R_OPERAND_KIND && v.at == machine + NUMBERS + 8 + 3 * T1);
     b = whole();
     b.operand[S] = b.operand[G];
-    CHECK(verify(&b, &v) == SMVM_R_TIME_STATE && v.at == machine + NUMBERS + 6 + 3 * 2);
+    CHECK(verify(&b, &v) == SMVM_R_TIME_STATE && v.at == machine + NUMBERS + 8 + 3 * 2);
     b = whole();
     b.end[3] = 0;
-    CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 6 + 3 * OPERANDS + 3);
+    CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 8 + 3 * OPERANDS + 3);
     b = whole();
     b.size++;
-    CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 6 + 3 * OPERANDS + 6);
+    CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 8 + 3 * OPERANDS + 6);
     b = whole();
     b.code[b.end[0] + 1] = SEVEN;
     CHECK(verify(&b, &v) == SMVM_R_WRITE && v.at == code_at + b.end[0] + 1 && v.machine == 0);
@@ -295,8 +295,10 @@ static void short_machine(void)                       // a MACHINE section of 0 
 
 static void tables(void)
 {
-    static const uint32_t good_window[] = {WINDOW(1, 4), WINDOW(100000, 7), WINDOW(5, 31), WINDOW(2, 6)};
-    static const uint32_t bad_window[] = {WINDOW(0, 1), WINDOW(100001, 1), WINDOW(131071, 1), WINDOW(5, 32), WINDOW(5, 64), 0, 0xffffff};
+    static const uint32_t good_window[] = {WINDOW(1, 4), WINDOW(100000, 7), WINDOW(5, 31), WINDOW(2, 6), WINDOW_OF(SM_I8, 5, 31),
+                                           WINDOW_OF(SM_F32, 5, 1), WINDOW_OF(SM_BOOL, 3, 4)};
+    static const uint32_t bad_window[] = {WINDOW(0, 1), WINDOW(100001, 1), WINDOW(131071, 1), WINDOW(5, 32), WINDOW(5, 64), 0, 0xffffff,
+                                          UINT32_MAX, WINDOW_OF(SM_I64, 5, 1), WINDOW_OF(SM_U64, 5, 1), WINDOW_OF(11, 5, 1), WINDOW_OF(15, 5, 1)};
     static const uint32_t bad_kind[] = {28, 29, 30, 31};
     Build b;
 
@@ -308,10 +310,10 @@ static void tables(void)
         b.window[0] = bad_window[i];
         REFUSED(&b, WINDOW);
     }
-    for (unsigned i = 0; i < 4; i++) {
+    for (unsigned i = 0; i < sizeof good_window / sizeof *good_window; i++) {
         SmvmVerdict v;
         b = whole();
-        b.window[1] = good_window[i] | WINDOW(0, 1u << SM_STAT_MEDIAN);
+        b.window[1] = good_window[i] | (uint32_t)SM_ROLL_MEDIAN << 17;
         CHECK(verify(&b, &v) == 0);
     }
     for (unsigned i = 0; i < sizeof bad_kind / sizeof *bad_kind; i++) {
@@ -385,7 +387,7 @@ static void outputs(void)
 
 static void memory(void)
 {
-    static uint8_t big[12 + 16 + 64 + 3 * 1400];
+    static uint8_t big[12 + 16 + 64 + 4 * 1400];
     static const uint8_t id[] = {0x81, 0x82};
     Build b = whole();
     uint32_t size[2], n;
@@ -396,7 +398,7 @@ static void memory(void)
     for (unsigned i = 0; i < 10; i++)
         p += put_number(p, ((const uint32_t[]){5, 0, 0, 1400, 0, 2, 1, 1, 0, 0})[i]);
     for (unsigned i = 0; i < 1400; i++)
-        put_bytes(&p, WINDOW(100000, 1u << SM_STAT_MEDIAN), 3);
+        put_bytes(&p, WINDOW(100000, 1u << SM_STAT_MEDIAN), 4);
     put_bytes(&p, b.operand[G], 3);
     put_bytes(&p, b.operand[S], 3);
     put_bytes(&p, 0, 4);

@@ -80,7 +80,7 @@ static void put_windows(Writer *w, Buf *b, const BcMachine *m)
         of[m->window_number[i]] = i;
     for (size_t i = 0; i < m->ir->window.n; i++) {
         const IrWindow *window = &m->ir->window.at[of[i]];
-        put_u24(b, window->size | window->stats << SMVM_WINDOW_SIZE_BITS);
+        buf_u32(b, window->size | sm_roll_kind(window->type, window->stats) << SMVM_WINDOW_SIZE_BITS);
     }
 }
 

@@ -51,7 +51,7 @@ static size_t break_at(const char *text, size_t len, size_t width)
 }
 
 // Ends the line under construction and writes it, broken where it is too long.
-static void end_line(CFn *fn)
+void end_line(CFn *fn)
 {
     const char *text = buf_text(&fn->line);
     size_t len = fn->line.n, at, width = LINE_MAX_LEN - 4u * fn->indent % 80;
@@ -126,29 +126,6 @@ static void put_stored(CFn *fn)
             put_line(fn, "true;");
     }
     fn->stored.n = 0;
-}
-
-// A window knows its memory by pointers.  Set in each step, they are right in a copy of the machine too.
-static void put_window_memory(CFn *fn, const char *name, bool sorted)
-{
-    buf_printf(&fn->line, "m->%s.slot = m->%s_slot_;", name, name);
-    end_line(fn);
-    if (sorted) {
-        buf_printf(&fn->line, "m->%s.sorted = m->%s_sorted_;", name, name);
-        end_line(fn);
-    }
-}
-
-static void put_sample(CFn *fn, const IrIns *i)
-{
-    const bool sorted = (fn->u->m->window.at[i->var].stats & 1u << SM_STAT_MEDIAN) != 0;
-
-    fn->uses_m = fn->writes_m = true;
-    put_window_memory(fn, fn->u->window[i->var], sorted);
-    buf_printf(&fn->line, "%s(&m->%s, ", helper_use(fn->u, sorted ? "sm_roll_put_sorted" : "sm_roll_put"), fn->u->window[i->var]);
-    put_double(fn, i->a, PREC_ANY);
-    buf_str(&fn->line, ");");
-    end_line(fn);
 }
 
 static void put_statements(CFn *fn, uint32_t b)

@@ -163,10 +163,8 @@ static void put_window(const CUnit *u, size_t w, const char *call, Buf *out)
 {
     const IrWindow *win = &u->m->window.at[w];
 
-    put_member(out, "SmRoll", u->window[w], call ? call : format_in(u->arena, "samples of the last %u steps", (unsigned)win->size));
-    buf_printf(out, "    double   %s_slot_[%u];\n", u->window[w], (unsigned)win->size);
-    if (win->stats & 1u << SM_STAT_MEDIAN)
-        buf_printf(out, "    double   %s_sorted_[%u];\n", u->window[w], (unsigned)win->size);
+    put_member(out, "uint64_t", window_declaration(u, w),
+               call ? call : format_in(u->arena, "samples of the last %u steps", (unsigned)win->size));
 }
 
 static bool has_locals(const IrMachine *m)

@@ -217,16 +217,6 @@ static void put_negative(CFn *fn, const IrIns *i, int prec)
     close_parens(fn, opened);
 }
 
-static const char *const stat_helper[SM_STAT_COUNT] = {
-    "sm_roll_avg", "sm_roll_median", "sm_roll_min", "sm_roll_max", "sm_roll_range"
-};
-
-static void put_stat(CFn *fn, const IrIns *i)
-{
-    fn->uses_m = true;
-    buf_printf(&fn->line, "%s(&m->%s)", helper_use(fn->u, stat_helper[i->stat]), fn->u->window[i->var]);
-}
-
 static void put_literal(CFn *fn, IrRef r, uint64_t bits, int prec)
 {
     const IrIns *i = ins(fn, r);

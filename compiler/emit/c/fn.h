@@ -126,6 +126,18 @@ void put_not_zero(CFn *fn, IrRef r, bool negated, int prec);
 // r, an F64, on its way to a type: if it is a counter's next number, writes that and gives true.
 bool put_count(CFn *fn, IrRef r, SmType to);
 
+// ---- code.c ----
+
+// Ends the statement in fn->line.
+void end_line(CFn *fn);
+
+// ---- window.c ----
+
+void put_sample(CFn *fn, const IrIns *i);
+// Whether it takes a NaN as 0 by itself.
+bool window_reads_nan(const CFn *fn, const IrIns *i);
+void put_stat(CFn *fn, const IrIns *i);
+
 // ---- compare.c ----
 
 void put_compare(CFn *fn, const IrIns *i, bool negated, int prec);

@@ -92,16 +92,6 @@ static void put_initial_values(CUnit *u, Buf *out)
     }
 }
 
-static void put_empty_windows(CUnit *u, Buf *out)
-{
-    for (size_t w = 0; w < u->m->window.n; w++) {
-        const bool sorted = (u->m->window.at[w].stats & 1u << SM_STAT_MEDIAN) != 0;
-        const char *name = u->window[w];
-        buf_printf(out, "    %s(&m->%s, m->%s_slot_, %s%s%s, %u);\n", helper_use(u, "sm_roll_begin"), name, name,
-                   sorted ? "m->" : "NULL", sorted ? name : "", sorted ? "_sorted_" : "", u->m->window.at[w].size);
-    }
-}
-
 static void put_init(CUnit *u, Buf *out)
 {
     const CNames *n = &u->names;
@@ -310,8 +300,7 @@ void put_machine(CUnit *u, Buf *out)
 
     if (u->m->sample) {
         const CFunction what = { u->m->sample, facts_begin_sample(u->facts), format_in(u->arena, "%s_sample", u->names.prefix),
-                                 "// Gives every rolling window its sample of this step.  Its memory is set anew each time, so that a copy of the machine\n"
-                                 "// uses its own.\n" };
+                                 "// Gives every rolling window its sample of this step.\n" };
         sample = put_function(u, &what, out);
     }
     for (size_t w = 0; w < u->m->window.n; w++)

@@ -102,7 +102,9 @@ static void note(CFn *fn, IrRef r)
     c->settled_by = IR_NONE;
     if (c->is_const)
         return;
-    if (is_compare(i->op)) {
+    if (i->op == IR_sample) {
+        fn->ins[i->a].careless += window_reads_nan(fn, i);
+    } else if (is_compare(i->op)) {
         note_compare(fn, r);
     } else if (i->op == IR_and || i->op == IR_or) {
         note_logic(fn, r);

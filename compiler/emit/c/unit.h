@@ -120,6 +120,13 @@ void put_guards(Buf *out, const char *what);
 // The function `name`, which tries the arithmetic at run time.
 void put_self_test(const char *name, Buf *out);
 
+// ---- window.c ----
+
+// A window's member: its name and how many words it takes.
+const char *window_declaration(const CUnit *u, size_t w);
+void put_empty_windows(const CUnit *u, Buf *out);
+uint32_t small_roll_words(uint32_t n, uint32_t kind);      // sm_roll_words where memory matters most
+
 // ---- code.c ----
 
 // How a block's function is called.

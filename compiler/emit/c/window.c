@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rolling windows in emitted C: an array of words for each, and calls into stdlib/roll.h whose size and kind are constants, so
+// that a compiler makes each of them for the one window.
+#include "compiler/emit/c/fn.h"
+#include "stdlib/roll.h"
+
+static const IrWindow *window(const CUnit *u, size_t w) { return &u->m->window.at[w]; }
+
+static uint32_t kind_of(const IrWindow *w) { return sm_roll_kind(w->type, w->stats); }
+
+// `SM_ROLL_F32 | SM_ROLL_AVG | SM_ROLL_MAX`
+static void put_kind(const IrWindow *w, Buf *out)
+{
+    static const char *const type[] = {
+#define SM_TYPE(name, wire, spelling, ctype, bytes, kind) [wire] = #name,
+#include "stdlib/types.def"
+#undef SM_TYPE
+    };
+    static const char *const stat[SM_STAT_COUNT] = { "AVG", "MEDIAN", "MIN", "MAX", "RANGE" };
+
+    buf_printf(out, "SM_ROLL_%s", type[kind_of(w) & SM_ROLL_TYPE]);
+    for (int s = 0; s < SM_STAT_COUNT; s++)
+        if (w->stats >> s & 1)
+            buf_printf(out, " | SM_ROLL_%s", stat[s]);
+}
+
+const char *window_declaration(const CUnit *u, size_t w)
+{
+    const uint32_t kind = kind_of(window(u, w)), n = window(u, w)->size;
+    const unsigned words = (unsigned)sm_roll_words(n, kind), small = (unsigned)small_roll_words(n, kind);
+
+    return words == small ? format_in(u->arena, "%s[%u]", u->window[w], words)
+                          : format_in(u->arena, "%s[SM_ROLL_SMALL ? %u : %u]", u->window[w], small, words);
+}
+
+void put_empty_windows(const CUnit *u, Buf *out)
+{
+    for (size_t w = 0; w < u->m->window.n; w++)
+        buf_printf(out, "    memset(m->%s, 0, sizeof m->%s);\n", u->window[w], u->window[w]);
+}
+
+bool window_reads_nan(const CFn *fn, const IrIns *i)
+{
+    const uint32_t type = kind_of(window(fn->u, i->var)) & SM_ROLL_TYPE;
+
+    return (type == SM_ROLL_F32 || type == SM_ROLL_F64) && (uint32_t)fn->f->ins.at[i->a].type == type;
+}
+
+// The key of a sample, which is a number of the window's type: an integer is its own.
+static void put_key(CFn *fn, IrRef r, SmType type)
+{
+    const SmType from = fn->f->ins.at[r].type;
+    const IrIns converted = {.op = IR_cvt, .type = type, .a = r, .b = IR_NONE};
+    const bool real = type == SM_F32 || type == SM_F64;
+
+    if (real)
+        buf_printf(&fn->line, "%s(", helper_use(fn->u, type == SM_F32 ? "sm_roll_of_f32" : "sm_roll_of_f64"));
+    if (from == type || (!real && from != SM_F32 && from != SM_F64))
+        put_value(fn, r, PREC_ANY);
+    else
+        put_cvt(fn, &converted, PREC_ANY);
+    if (real)
+        buf_char(&fn->line, ')');
+}
+
+// Which of roll.h's functions takes a sample.
+static const char *push_helper(const IrWindow *w)
+{
+    if (w->stats & 1u << SM_STAT_MEDIAN)
+        return w->size <= SM_ROLL_SHORT ? "sm_roll_push_sorted" : "sm_roll_push_blocks";
+    return w->stats & (1u << SM_STAT_MIN | 1u << SM_STAT_MAX | 1u << SM_STAT_RANGE) ? "sm_roll_push_extremes" : "sm_roll_push";
+}
+
+// `NAME(m->WINDOW, SIZE, KIND`
+static void put_call(CFn *fn, const char *name, uint32_t w, bool sized)
+{
+    buf_printf(&fn->line, "%s(m->%s, ", helper_use(fn->u, name), fn->u->window[w]);
+    if (sized)
+        buf_printf(&fn->line, "%u, ", (unsigned)window(fn->u, w)->size);
+    put_kind(window(fn->u, w), &fn->line);
+}
+
+void put_sample(CFn *fn, const IrIns *i)
+{
+    const IrWindow *w = window(fn->u, i->var);
+
+    fn->uses_m = fn->writes_m = true;
+    put_call(fn, push_helper(w), i->var, true);
+    buf_str(&fn->line, ", ");
+    put_key(fn, i->a, (SmType)(kind_of(w) & SM_ROLL_TYPE));
+    buf_str(&fn->line, ");");
+    end_line(fn);
+    if (sm_roll_node_keeps(w->size, kind_of(w)) == 0)
+        return;
+    put_call(fn, "sm_roll_combine", i->var, true);
+    buf_str(&fn->line, ");");
+    end_line(fn);
+}
+
+void put_stat(CFn *fn, const IrIns *i)
+{
+    static const char *const helper[SM_STAT_COUNT] = { "sm_roll_avg", "sm_roll_median", "sm_roll_min", "sm_roll_max", "sm_roll_range" };
+
+    fn->uses_m = true;
+    put_call(fn, helper[i->stat], i->var, i->stat != SM_STAT_AVG);
+    buf_char(&fn->line, ')');
+}
