@@ -129,11 +129,12 @@ IrRef narrow_integer(Narrow *n, IrRef r, SmType type)
     return *made;
 }
 
+// A bound of 2^53 may have been rounded from beyond it: 1 + 2^53 is 2^53 on F64 and not on I64.
 static bool is_integer_result(const Narrow *n, IrRef ref)
 {
     const Fact r = n->of[ref];
 
-    return r.whole && fact_within(r, -FACT_EXACT, FACT_EXACT) && !(r.minus_zero && n->zero_sign[ref]);
+    return r.whole && fact_within(r, -FACT_EXACT + 1, FACT_EXACT - 1) && !(r.minus_zero && n->zero_sign[ref]);
 }
 
 // ref is computed on integers, and then is their conversion.

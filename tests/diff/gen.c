@@ -54,7 +54,7 @@ const char *gen_new_name(Gen *g)
 
 // ---- expressions ----
 
-static GExpr *new_expr(Gen *g, GExprKind kind, uint32_t n)
+GExpr *gen_expr_new(Gen *g, GExprKind kind, uint32_t n)
 {
     GExpr *e = ARENA_NEW(g->arena, GExpr);
     e->kind = kind;
@@ -64,7 +64,7 @@ static GExpr *new_expr(Gen *g, GExprKind kind, uint32_t n)
 
 static GExpr *number_text(Gen *g, const char *text)
 {
-    GExpr *e = new_expr(g, G_NUMBER, 0);
+    GExpr *e = gen_expr_new(g, G_NUMBER, 0);
     e->text = text;
     return e;
 }
@@ -81,7 +81,7 @@ static GExpr *random_var(Gen *g, const Reach *reach)
         GVar *v = g->var.at[(first + i) % n];
         if (reach->constant ? !v->is_local || v->id >= reach->before->id : !v->is_local && !v->listed)
             continue;
-        GExpr *e = new_expr(g, G_VAR, 0);
+        GExpr *e = gen_expr_new(g, G_VAR, 0);
         e->var = v;
         e->by_alias = v->alias != NULL && rng_percent(&g->rng, 50);
         return e;
@@ -94,7 +94,7 @@ static GExpr *random_leaf(Gen *g, const Reach *reach)
     if (rng_percent(&g->rng, 35))
         return random_number(g);
     if (!reach->constant && rng_percent(&g->rng, 8))
-        return new_expr(g, G_TIME, 0);
+        return gen_expr_new(g, G_TIME, 0);
     return random_var(g, reach);
 }
 
@@ -103,7 +103,7 @@ static GExpr *random_expr(Gen *g, const Reach *reach, uint32_t depth);
 static GExpr *random_unary(Gen *g, const Reach *reach, uint32_t depth)
 {
     static const SmOperator op[] = { SM_OP_NEG, SM_OP_NEG, SM_OP_NOT, SM_OP_PLUS };
-    GExpr *e = new_expr(g, G_UNARY, 1);
+    GExpr *e = gen_expr_new(g, G_UNARY, 1);
     e->op = op[rng_below(&g->rng, 4)];
     e->arg[0] = random_expr(g, reach, depth - 1);
     return e;
@@ -111,7 +111,7 @@ static GExpr *random_unary(Gen *g, const Reach *reach, uint32_t depth)
 
 static GExpr *random_binary(Gen *g, const Reach *reach, uint32_t depth)
 {
-    GExpr *e = new_expr(g, G_BINARY, 2);
+    GExpr *e = gen_expr_new(g, G_BINARY, 2);
     e->op = (SmOperator)(rng_percent(&g->rng, 60) ? SM_OP_ADD + rng_below(&g->rng, 4) : SM_OP_OR + rng_below(&g->rng, 8));
     e->arg[0] = random_expr(g, reach, depth - 1);
     e->arg[1] = rng_percent(&g->rng, 5) ? e->arg[0] : random_expr(g, reach, depth - 1);      // sometimes x - x, x / x
@@ -120,7 +120,7 @@ static GExpr *random_binary(Gen *g, const Reach *reach, uint32_t depth)
 
 static GExpr *random_chain(Gen *g, const Reach *reach, uint32_t depth)
 {
-    GExpr *e = new_expr(g, G_CHAIN, 3 + rng_below(&g->rng, 2));
+    GExpr *e = gen_expr_new(g, G_CHAIN, 3 + rng_below(&g->rng, 2));
     for (uint32_t i = 0; i < e->n; i++)
         e->arg[i] = random_expr(g, reach, depth > 2 ? 2 : depth - 1);
     for (uint32_t i = 0; i + 1 < e->n; i++)
@@ -131,7 +131,7 @@ static GExpr *random_chain(Gen *g, const Reach *reach, uint32_t depth)
 static GExpr *random_call(Gen *g, const Reach *reach, uint32_t depth)
 {
     const SmBuiltin fn = (SmBuiltin)rng_below(&g->rng, SM_FN_clamp + 1);
-    GExpr *e = new_expr(g, G_CALL, sm_builtin_info[fn].arguments);
+    GExpr *e = gen_expr_new(g, G_CALL, sm_builtin_info[fn].arguments);
     e->fn = fn;
     for (uint32_t i = 0; i < e->n; i++)
         e->arg[i] = random_expr(g, reach, depth - 1);
@@ -144,7 +144,7 @@ static GExpr *size_of_local(Gen *g)
 {
     for (size_t i = 0; i < g->var.n; i++)
         if (g->var.at[i]->roll_size != 0 && rng_percent(&g->rng, 60)) {
-            GExpr *e = new_expr(g, G_VAR, 0);
+            GExpr *e = gen_expr_new(g, G_VAR, 0);
             e->var = g->var.at[i];
             return e;
         }
@@ -161,7 +161,7 @@ static GExpr *random_size(Gen *g)
         return literal;
     if (rng_percent(&g->rng, 50))
         return local;
-    e = new_expr(g, G_BINARY, 2);
+    e = gen_expr_new(g, G_BINARY, 2);
     e->op = SM_OP_ADD;
     e->arg[0] = local;
     e->arg[1] = literal;
@@ -171,7 +171,7 @@ static GExpr *random_size(Gen *g)
 // The last window's sample with another operator or function, or as it is.
 static GExpr *similar_sample(Gen *g)
 {
-    GExpr *e = new_expr(g, G_NUMBER, 0);
+    GExpr *e = gen_expr_new(g, G_NUMBER, 0);
     *e = *g->last_roll->arg[0];
     if (e->kind == G_BINARY && rng_percent(&g->rng, 70))
         e->op = e->op >= SM_OP_ADD ? (SmOperator)(SM_OP_ADD + rng_below(&g->rng, 4)) : (SmOperator)rng_below(&g->rng, 8);
@@ -182,7 +182,7 @@ static GExpr *similar_sample(Gen *g)
 
 static GExpr *similar_roll(Gen *g)
 {
-    GExpr *e = new_expr(g, G_ROLL, 2);
+    GExpr *e = gen_expr_new(g, G_ROLL, 2);
     e->fn = (SmBuiltin)(SM_FN_roll_avg + rng_below(&g->rng, 5));
     e->arg[0] = similar_sample(g);
     e->arg[1] = g->last_roll->arg[1];
@@ -193,7 +193,7 @@ static GExpr *random_roll(Gen *g, const Reach *reach, uint32_t depth)
 {
     if (g->last_roll != NULL && rng_percent(&g->rng, 35))
         return similar_roll(g);
-    GExpr *e = new_expr(g, G_ROLL, 2);
+    GExpr *e = gen_expr_new(g, G_ROLL, 2);
     e->fn = (SmBuiltin)(SM_FN_roll_avg + rng_below(&g->rng, 5));
     e->arg[0] = random_expr(g, reach, depth > 3 ? 2 : depth - 1);
     e->arg[1] = random_size(g);
@@ -204,7 +204,7 @@ static GExpr *random_roll(Gen *g, const Reach *reach, uint32_t depth)
 // An infinity less an infinity, where x is not small.
 static GExpr *lost_difference(Gen *g, const Reach *reach)
 {
-    GExpr *e = new_expr(g, G_BINARY, 2), *far = new_expr(g, G_BINARY, 2);
+    GExpr *e = gen_expr_new(g, G_BINARY, 2), *far = gen_expr_new(g, G_BINARY, 2);
     far->op = SM_OP_MUL;
     far->arg[0] = random_leaf(g, reach);
     far->arg[1] = number_text(g, "1.5e308");
@@ -221,13 +221,13 @@ static GExpr *random_spice(Gen *g, const Reach *reach)
     static const SmOperator op[] = { SM_OP_DIV, SM_OP_SUB, SM_OP_DIV, SM_OP_MUL };
     static const char *const edge[] = { "0", "0", "1e308", "1e-308", "1e300" };
     const uint32_t what = rng_below(&g->rng, 4);
-    GExpr *e = new_expr(g, G_BINARY, 2), *root;
+    GExpr *e = gen_expr_new(g, G_BINARY, 2), *root;
     e->op = op[what];
     e->arg[0] = random_leaf(g, reach);
     e->arg[1] = what == 0 ? e->arg[0] : what == 1 ? random_leaf(g, reach) : number_text(g, edge[rng_below(&g->rng, 5)]);
     if (what != 1)
         return e;
-    root = new_expr(g, G_CALL, 1);
+    root = gen_expr_new(g, G_CALL, 1);
     root->fn = SM_FN_sqrt;
     root->arg[0] = e;
     return root;
@@ -236,6 +236,8 @@ static GExpr *random_spice(Gen *g, const Reach *reach)
 static GExpr *random_expr(Gen *g, const Reach *reach, uint32_t depth)
 {
     const uint32_t what = rng_below(&g->rng, 100);
+    if (depth > 0 && !reach->constant && rng_percent(&g->rng, 8))
+        return gen_shape(g);
     if (depth == 0 || what < 17)
         return random_leaf(g, reach);
     if (what < 25)
@@ -259,10 +261,12 @@ static uint32_t random_depth(Gen *g) { return rng_percent(&g->rng, 3) ? 7 : rng_
 static GExpr *random_guard(Gen *g)
 {
     if (rng_percent(&g->rng, 30))
+        return gen_plain_guard(g);
+    if (rng_percent(&g->rng, 30))
         return random_expr(g, &everywhere, random_depth(g));
     if (rng_percent(&g->rng, 15))
         return random_chain(g, &everywhere, 2);
-    GExpr *e = new_expr(g, G_BINARY, 2);
+    GExpr *e = gen_expr_new(g, G_BINARY, 2);
     e->op = (SmOperator)(SM_OP_EQ + rng_below(&g->rng, 6));
     e->arg[0] = random_expr(g, &everywhere, rng_below(&g->rng, 3));
     e->arg[1] = random_expr(g, &everywhere, rng_below(&g->rng, 2));
@@ -274,9 +278,9 @@ static GExpr *leaving_guard(Gen *g)
 {
     if (rng_percent(&g->rng, 60))
         return random_guard(g);
-    GExpr *e = new_expr(g, G_BINARY, 2);
+    GExpr *e = gen_expr_new(g, G_BINARY, 2);
     e->op = rng_percent(&g->rng, 50) ? SM_OP_GE : SM_OP_GT;
-    e->arg[0] = new_expr(g, G_TIME, 0);
+    e->arg[0] = gen_expr_new(g, G_TIME, 0);
     e->arg[1] = number_text(g, unsigned_text(g, rng_below(&g->rng, 60)));
     return e;
 }
@@ -304,7 +308,7 @@ static GStmt *new_stmt(Gen *g, GStmtKind kind)
 // A number grown or shrunk: counters, and values that run into the end of their type.
 static GExpr *growing_expr(Gen *g)
 {
-    GExpr *e = new_expr(g, G_BINARY, 2);
+    GExpr *e = gen_expr_new(g, G_BINARY, 2);
     e->op = (SmOperator)(SM_OP_ADD + rng_below(&g->rng, 3));
     e->arg[0] = random_leaf(g, &everywhere);
     e->arg[1] = random_leaf(g, &everywhere);
@@ -314,7 +318,7 @@ static GExpr *growing_expr(Gen *g)
 // Within limits that a type may have, NaN apart.
 static GExpr *limited_expr(Gen *g)
 {
-    GExpr *e = new_expr(g, G_CALL, 3);
+    GExpr *e = gen_expr_new(g, G_CALL, 3);
     e->fn = SM_FN_clamp;
     e->arg[0] = rng_percent(&g->rng, 40) ? random_spice(g, &everywhere) : random_expr(g, &everywhere, 2);
     e->arg[1] = random_number(g);
@@ -325,7 +329,13 @@ static GExpr *limited_expr(Gen *g)
 static GExpr *random_value(Gen *g)
 {
     const uint32_t what = rng_below(&g->rng, 100);
-    return what < 25 ? growing_expr(g) : what < 35 ? limited_expr(g) : random_expr(g, &everywhere, random_depth(g));
+    GExpr *e;
+    if (what < 15)
+        return gen_shape(g);
+    e = what < 35 ? growing_expr(g) : what < 45 ? limited_expr(g) : random_expr(g, &everywhere, random_depth(g));
+    if (e->kind != G_NUMBER && e->kind != G_VAR)
+        gen_remember(g, e);
+    return e;
 }
 
 static GStmt *random_assign(Gen *g, GVar *v)
@@ -378,12 +388,33 @@ static GStmt *random_stmt(Gen *g, uint32_t depth, bool may_leave)
     return v != NULL ? random_assign(g, v) : NULL;
 }
 
+// What was just stored is used: to store something else, in the same variable or in another one, or in a copy.
+static GStmt *next_assign(Gen *g, const GStmt *before)
+{
+    const uint32_t what = rng_below(&g->rng, 100);
+    GStmt *s = random_assign(g, what < 50 ? before->var : random_target(g));
+    GExpr *e = gen_expr_new(g, G_VAR, 0), *value = gen_expr_new(g, G_BINARY, 2);
+    e->var = before->var;
+    if (what >= 80) {
+        s->value = e;
+    } else if (what >= 25 && s->value->kind == G_BINARY) {
+        *value = *s->value;               // others may share it
+        value->arg[rng_below(&g->rng, 2)] = e;
+        s->value = value;
+    }
+    return s;
+}
+
 static void random_stmts(Gen *g, GStmts *list, uint32_t n, uint32_t depth, bool may_leave)
 {
     for (uint32_t i = 0; i < n; i++) {
         GStmt *s = random_stmt(g, depth, may_leave);
         if (s != NULL)
             vec_push(g->arena, list, s);
+        while (s != NULL && s->kind == G_ASSIGN && rng_percent(&g->rng, 25)) {
+            s = next_assign(g, s);
+            vec_push(g->arena, list, s);
+        }
     }
 }
 

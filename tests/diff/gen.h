@@ -77,7 +77,7 @@ typedef struct GState {
     bool removed;
 } GState;
 
-enum { GEN_REGIONS_MAX = 4, GEN_STEPS_MAX = 1000, GEN_VARS_MAX = 64 };
+enum { GEN_RECENT = 8, GEN_REGIONS_MAX = 4, GEN_STEPS_MAX = 1000, GEN_VARS_MAX = 64 };
 
 typedef struct Gen {
     Arena *arena;
@@ -94,6 +94,9 @@ typedef struct Gen {
     VEC(GState *) state;
     VEC(const char *) used_name;
     GExpr *last_roll;                 // for others that are nearly the same
+    GExpr *last_guard;                // a variable, a relation and a number, likewise
+    GExpr *recent[GEN_RECENT];        // to be repeated
+    size_t recents;                   // how many there were
     uint64_t layout, old_layout;      // blanks, comments, braces: another one is the same program
     uint32_t steps;
     bool skip[GEN_STEPS_MAX];         // steps that the reducer left out
@@ -114,6 +117,13 @@ void gen_print_sv(Gen *g, Buf *out);
 void gen_print_sm(Gen *g, Buf *out);
 // A machine that works the initial values out in its first step, by assignments.
 void gen_print_inits(Gen *g, Buf *out);
+
+// ---- shapes that the optimiser looks for (gen_shapes.c) ----
+
+GExpr *gen_expr_new(Gen *g, GExprKind kind, uint32_t n);
+GExpr *gen_shape(Gen *g);             // an expression that may stand anywhere in a machine's code
+GExpr *gen_plain_guard(Gen *g);
+void gen_remember(Gen *g, GExpr *e);  // it may come again
 
 // ---- inputs ----
 
