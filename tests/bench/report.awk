@@ -13,10 +13,11 @@ $1 == "time" {
     if (!($2 in rows)) { rows[$2] = 0; workload[++workloads] = $2 }
     row[$2, ++rows[$2]] = $3
     key = $2 " " $3
+    measured["ratio", $2]
     ns[key] = $4; quarter[key] = $5; median[key] = $6; three[key] = $7; runs[key] = $8; native[key] = $9; f64[key] = $10
 }
 $1 == "insn" { insn[$2 " " $3] = $4 }
-$1 == "value" { if (!(($2 " " $3) in value)) name[++values] = $2 " " $3; value[$2 " " $3] = $4; unit[$2 " " $3] = $5 }
+$1 == "value" { if (!(($2 " " $3) in value)) name[++values] = $2 " " $3; value[$2 " " $3] = $4; unit[$2 " " $3] = $5; measured[$2] }
 $1 == "note" { sub(/^note /, ""); note[++notes] = $0 }
 
 END {
@@ -35,7 +36,8 @@ function print_workload(w,    i, key) {
     for (i = 1; i <= rows[w]; i++) {
         key = w " " row[w, i]
         printf "  %-10s %8s   %8s  %-19s %9s %9s %8s\n", row[w, i], short(ns[key]), short(median[key]),
-               short(quarter[key]) " … " short(three[key]), key in insn ? short(insn[key]) : "", short(native[key]), short(f64[key])
+               short(quarter[key]) " … " short(three[key]), key in insn ? short(insn[key]) : "",
+               short(native[key]), short(f64[key])
     }
 }
 
@@ -75,7 +77,7 @@ function ratio(w, a, b) {
     return native[w " " b] > 0 ? native[w " " a] / native[w " " b] : ""
 }
 
-# Splits goal i into what, got, sign and limit; 0 if it was not measured.
+# Splits goal i into what, got, sign and limit; 0 if nothing of its workload or group was measured.
 function judge(i,    g, r) {
     split(goal[i], g, /[ \t]+/)
     limit = g[1] == "ratio" ? g[5] : g[4]
@@ -88,8 +90,9 @@ function judge(i,    g, r) {
         what = g[2] ": " g[3]
         got = (g[2] " " g[3]) in value ? value[g[2] " " g[3]] : ""
     }
+    met = 0
     if (got == "")
-        return 0
+        return (g[1] == "ratio" ? "ratio" SUBSEP g[2] : g[2]) in measured
     met = sign == "<=" ? got + 0 <= limit + 0 : got + 0 >= limit + 0
     return 1
 }
@@ -99,7 +102,8 @@ function print_goals(    i, n) {
         if (judge(i)) {
             if (n++ == 0)
                 printf "\ngoals\n"
-            printf "  %-32s %12s   %s %-8s %s\n", what, whole(sprintf("%.3g", got)), sign, limit, met ? "met" : "not met"
+            printf "  %-32s %12s   %s %-8s %s\n", what, got == "" ? "" : whole(sprintf("%.3g", got)), sign, limit,
+                   got == "" ? "not measured" : met ? "met" : "not met"
         }
 }
 
@@ -128,7 +132,7 @@ function print_json(    i, k, w, key, n, part) {
     printf("\n],\n\"goals\": [") >json
     n = 0
     for (i = 1; i <= goals; i++)
-        if (judge(i))
+        if (judge(i) && got != "")
             printf("%s\n{\"goal\": \"%s\", \"value\": %s, \"%s\": %s, \"met\": %s}", n++ ? "," : "", what, got,
                    sign == "<=" ? "at_most" : "at_least", limit, met ? "true" : "false") >json
     printf("\n]\n}\n") >json

@@ -59,7 +59,8 @@ count_rows() {
 instructions_of() {           # instructions_of STEPS COMMAND…
     echo "count 0 $1" >"$dir/asked"
     shift
-    valgrind --tool=callgrind --callgrind-out-file="$dir/callgrind" "$@" $here/driver.lua "$w" "$dir/$w.count" <"$dir/asked" >/dev/null 2>&1 &&
+    valgrind --tool=callgrind --callgrind-out-file="$dir/callgrind" \
+        "$@" $here/driver.lua "$w" "$dir/$w.count" <"$dir/asked" >/dev/null 2>&1 &&
         awk '/^summary:/ { print $2 }' "$dir/callgrind"
 }
 
@@ -73,7 +74,8 @@ count_lua() {
         *) set -- luajit -joff ;;
         esac
         command -v "$1" >/dev/null 2>&1 || continue
-        none=$(instructions_of 0 "$@") all=$(instructions_of "$steps" "$@")
+        none=$(instructions_of 0 "$@")
+        all=$(instructions_of "$steps" "$@")
         if [ -n "$none" ] && [ -n "$all" ]; then
             record_instructions "$row" "$none" "$all" "$steps"
         else

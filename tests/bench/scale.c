@@ -150,7 +150,8 @@ static void check_shape(const Shape *shape)
     print_times(shape, shape->n, small);
     print_times(shape, shape->n * FACTOR, large);
     if (fast >= 0)
-        printf("%s: %s takes %.1f times as long for %d times as much\n", shape->name, stage_name[fast], large[fast] / small[fast], FACTOR);
+        printf("%s: %s takes %.1f times as long for %d times as much\n", shape->name, stage_name[fast], large[fast] / small[fast],
+               FACTOR);
     CHECK(fast < 0);
 }
 

@@ -487,7 +487,8 @@ static void print_time(const Bench *b, const Runner *r, unsigned rounds)
 {
     const Spread s = spread(r, rounds);
 
-    printf("time %s %s %.4g %.4g %.4g %.4g %u ", b->w->name, r->name, best(b, r, r, rounds), s.quarter, s.median, s.three_quarters, s.n);
+    printf("time %s %s %.4g ", b->w->name, r->name, best(b, r, r, rounds));
+    printf("%.4g %.4g %.4g %u ", s.quarter, s.median, s.three_quarters, s.n);
     printf("%.4g %.4g\n", ratio(b, r, "native", rounds), ratio(b, r, "f64", rounds));
 }
 
@@ -544,24 +545,26 @@ static int inputs_only(const char *folder, const Workload *w)
 
 // ---- sizes ----
 
+static void print_size(const Bench *b, const char *what, unsigned long bytes)
+{
+    printf("value %s %s %lu bytes\n", b->w->name, what, bytes);
+}
+
 static int sizes(const char *folder, const Workload *w)
 {
     Bench *b = begin(folder, w);
+    const VmRow *vm = &b->vm[LEVELS - 1];
 
-    for (int level = 0; level < LEVELS; level++)
-        printf("value %s image-O%d %zu bytes\n", w->name, level, b->compiled.image[level].n);
-    for (unsigned i = 0; i < b->runners; i++) {
-        const Runner *r = &b->runner[i];
-        if (r->size > 0)
-            printf("value %s ram-%s %zu bytes\n", w->name, r->name, r->size);
-    }
-    for (int level = 0; level < LEVELS; level++) {
-        const VmRow *v = &b->vm[level];
-        printf("value %s ram-vm-O%d %lu bytes\n", w->name, level, (unsigned long)v->size);
-        printf("value %s decoded-O%d %lu bytes\n", w->name, level, (unsigned long)b->fast[level].decoded_size);
-        if (v->m.windows == 0)
-            printf("value %s ram-beside-locals-O%d %lu bytes\n", w->name, level, (unsigned long)(v->size - v->m.locals));
-    }
+    print_size(b, "image-O0", (unsigned long)b->compiled.image[0].n);
+    print_size(b, "image-O1", (unsigned long)b->compiled.image[1].n);
+    print_size(b, "image-O2", (unsigned long)b->compiled.image[2].n);
+    print_size(b, "ram-native", (unsigned long)find(b, "native")->size);
+    print_size(b, "ram-f64", (unsigned long)find(b, "f64")->size);
+    print_size(b, "ram-c-O2", (unsigned long)find(b, "c-O2")->size);
+    print_size(b, "ram-vm-O2", vm->size);
+    if (vm->m.windows == 0)
+        print_size(b, "ram-vm-O2-beside-locals", vm->size - vm->m.locals);
+    print_size(b, "ram-decoded-O2", b->fast[LEVELS - 1].decoded_size);
     end(b);
     return 0;
 }

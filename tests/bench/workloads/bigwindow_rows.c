@@ -23,6 +23,6 @@ static void inputs(Rng *r, void *at, unsigned n, unsigned episode)
 }
 
 const Workload workload_bigwindow = {
-    "bigwindow", "tests/bench/workloads/bigwindow.sm", sizeof(BigwindowIn), sizeof(BigwindowSv), 4000, 1100, 8, 300, 1500, 0, inputs, row,
-    drive_vm, drive_fast, drive_ref,
+    "bigwindow", "tests/bench/workloads/bigwindow.sm", sizeof(BigwindowIn), sizeof(BigwindowSv), 4000, 1100, 8, 300, 1500, 0,
+    inputs, row, drive_vm, drive_fast, drive_ref,
 };
