@@ -2,6 +2,7 @@
 // narrow: F64 work becomes work on the types that the numbers come in, where facts prove that nobody can tell.
 //   sums, products, …   of whole numbers that stay within 2^53: on I32 or I64.  F64 would be exact too; only the sign of a zero is
 //                       lost, so nobody may ask for it (a store to a float, a division, …)
+//   sign of an F32      neg and abs: on F32
 //   op, then to F32     of operands that are F32: on F32.  Rounding to F64 in between changes nothing, since F64 has more than twice
 //                       the digits of F32 and two
 //   comparisons         see narrow_compare.c
@@ -137,7 +138,13 @@ static bool is_integer_result(const Narrow *n, IrRef ref)
     return r.whole && fact_within(r, -FACT_EXACT + 1, FACT_EXACT - 1) && !(r.minus_zero && n->zero_sign[ref]);
 }
 
-// ref is computed on integers, and then is their conversion.
+// i, which gives ref's number in a narrower type, is computed; ref then is its conversion.
+static void replace_by_narrow(Narrow *n, IrRef ref, IrIns i)
+{
+    n->narrow[ref] = narrow_emit(n, i);
+    *narrow_ins(n, ref) = make(IR_cvt, SM_F64, n->narrow[ref], IR_NONE, i.span);
+}
+
 static void narrow_to_integer(Narrow *n, IrRef ref)
 {
     IrIns i = *narrow_ins(n, ref);
@@ -150,11 +157,22 @@ static void narrow_to_integer(Narrow *n, IrRef ref)
     i.a = narrow_integer(n, i.a, i.type);
     if (two)
         i.b = narrow_integer(n, i.b, i.type);
-    n->narrow[ref] = narrow_emit(n, i);
-    *narrow_ins(n, ref) = make(IR_cvt, SM_F64, n->narrow[ref], IR_NONE, i.span);
+    replace_by_narrow(n, ref, i);
 }
 
 // ---- F32 ----
+
+// An F32's sign is its own, whoever asks for the result.
+static void narrow_sign(Narrow *n, IrRef ref)
+{
+    IrIns i = *narrow_ins(n, ref);
+
+    if ((i.op != IR_neg && i.op != IR_abs) || i.type != SM_F64 || n->narrow[i.a] == IR_NONE || narrow_ins(n, n->narrow[i.a])->type != SM_F32)
+        return;
+    i.type = SM_F32;
+    i.a = n->narrow[i.a];
+    replace_by_narrow(n, ref, i);
+}
 
 static bool has_f32(const Narrow *n, IrRef r, bool *is_variable)
 {
@@ -243,8 +261,10 @@ static void narrow_one(Narrow *n, IrRef ref)
         i->a = n->narrow[i->a];
     else if (ir_op_info[i->op].types == IR_T_COMPARE)
         narrow_compare(n, ref);
-    else if (ir_op_info[i->op].types == IR_T_SAME)
+    else if (ir_op_info[i->op].types == IR_T_SAME) {
+        narrow_sign(n, ref);
         narrow_to_integer(n, ref);
+    }
     vec_push(n->arena, &n->out, ref);
 }
 

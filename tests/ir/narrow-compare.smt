@@ -49,6 +49,10 @@ b0:
     %29 = cvt F64 %28
     %30 = eq F64 %29, %17
     store bool flag, %30
+    %31 = abs F64 %7
+    %32 = const F64 5
+    %33 = lt F64 %31, %32
+    store bool flag, %33
     ret
 }
 -- ir out --
@@ -98,5 +102,9 @@ b0:
     %29 = cvt F64 %28
     %30 = eq F64 %29, %15
     store bool flag, %30
+    %31 = abs F32 %7
+    %32 = const F32 5
+    %33 = lt F32 %31, %32
+    store bool flag, %33
     ret
 }
