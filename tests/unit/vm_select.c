@@ -163,7 +163,7 @@ static void conditions(void)
     expect("%0 = const bool 1\n br %0, b1, b2\nb1:\n goto A\nb2:\n ret\n}", "goto A; end");
     // A condition that is also stored is a number.
     expect("%0 = load F64 a\n %1 = const F64 1\n %2 = ne F64 %0, %1\n store bool p, %2\n br %2, b1, b2\nb1:\n goto A\nb2:\n ret\n}",
-           "ne local bool@2, a, 1; mov p, local bool@2; jf local bool@2, 12; goto A; end");
+           "ne t0, a, 1; mov p, t0; jf t0, 12; goto A; end");
     // A jump to a transition is one.
     expect("%0 = load bool p\n br %0, b1, b2\nb1:\n %1 = const bool 0\n store bool q, %1\n jmp b3\nb2:\n %2 = const bool 1\n store bool q, %2\n"
            "jmp b3\nb3:\n goto A\n}",
@@ -175,7 +175,7 @@ static void conditions(void)
            "jt p, 7; mov q, 0; end; mov q, 1; end");
 }
 
-// Narrowed operations need no other opcodes; where their result lies has their type.
+// Narrowed operations need no other opcodes, and their results no slots of another kind.
 static void narrowed(void)
 {
     expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = const I32 1\n %3 = add I32 %1, %2\n %4 = cvt U8 %3\n store U8 n, %4\n ret\n}", "add n, n, 1; end");
@@ -183,7 +183,7 @@ static void narrowed(void)
            "mov acc I16, n; sub b, n, acc I16; end");
     expect("%0 = load I64 i\n %1 = const I64 -5\n %2 = lt I64 %0, %1\n br %2, b1, b2\nb1:\n goto A\nb2:\n ret\n}", "jnlt i, -5, 6; goto A; end");
     expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = mul I32 %1, %1\n %3 = add I32 %2, %2\n %4 = cvt I64 %3\n store I64 i, %4\n ret\n}",
-           "mul acc I32, n, n; add i, acc I32, acc I32; end");
+           "mul acc, n, n; add i, acc, acc; end");
     expect("%0 = load F32 f\n %1 = add F32 %0, %0\n %2 = cvt F32 %1\n %3 = div F32 %2, %0\n %4 = cvt F32 %3\n store F32 f, %4\n ret\n}",
            "add acc F32, f, f; div f, acc F32, f; end");
     // From any type to any other: what can change the number stays, what is cut again by the destination goes.

@@ -93,11 +93,13 @@ static IrRef without_truth(const Select *s, IrRef r)
     return r;
 }
 
-// Where a result lies that its user does not take into its own destination: in a slot of its type, which converts; in a temp what
-// is to stay as it is.
+// Where a result lies that its user does not take into its own destination: what an operation gives stays as it is, in a temp; what
+// is converted, or read before it is overwritten, lies in a slot of its type.
 static size_t pool_of(const Select *s, IrRef r)
 {
-    return is_raw(s, r) || (ins(s, r)->type == SM_F64 && ins(s, r)->op == IR_load) ? (size_t)BC_TEMPS : (size_t)ins(s, r)->type;
+    const IrIns *i = ins(s, r);
+
+    return i->op == IR_cvt || (i->op == IR_load && i->type != SM_F64) ? (size_t)i->type : (size_t)BC_TEMPS;
 }
 
 static BcRef operand(Select *s, IrRef r);
