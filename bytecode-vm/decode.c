@@ -577,8 +577,8 @@ static void decode_state(Decode *d, uint32_t s)
     if (entry != THE_END && step == THE_END)
         put_op(d, FAST_END_OP);
     if (d->out != NULL) {
-        d->out->entry[s] = entry == THE_END ? step : entry;
-        d->out->step[s] = step;
+        d->out->body[2 * s] = step;
+        d->out->body[2 * s + 1] = entry == THE_END ? step : entry;
     }
     link_goes(d, decode_function(d, 3 * s));
 }
@@ -635,10 +635,9 @@ SmResult smvm_decode(SmvmDecoded **decoded, void *memory, uint32_t size, const S
     out->sv = sv;
     out->t = 0;
     out->code = (SmvmWord *)(out + 1);
-    out->entry = (uint32_t *)(out->code + words);
-    out->step = out->entry + m->states + 1;
-    d.where = out->step + m->states + 1;
-    d.place = smvm_fast_places();
+    out->body = (uint32_t *)(out->code + words);
+    d.where = out->body + 2 * ((size_t)m->states + 1);
+    d.place = out->place = smvm_fast_places();
     decode_machine(&d);
     return SM_OK;
 }

@@ -116,15 +116,13 @@ static SmF64 stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat which) { 
 #define GO_IF(condition, n) if (condition) { ip = ip[1].to; NEXT(0); } NEXT(n)
 
 // The first 64 outputs are noted in a register, the others in memory at once.
-static inline void clear_notes(SmVm *vm)
+static inline void clear_notes(const SmVm *vm)
 {
-    uint32_t n = (vm->outputs + 7u) / 8u;
-
-    if (n > 8)
-        memset(vm->stored + 8, 0, n - 8);
+    if (vm->outputs > 64)
+        memset(vm->stored + 8, 0, (vm->outputs + 7u) / 8u - 8u);
 }
 
-static inline void keep_notes(SmVm *vm, uint64_t notes)
+static inline void keep_notes(const SmVm *vm, uint64_t notes)
 {
     uint32_t n = (vm->outputs + 7u) / 8u;
 
@@ -132,8 +130,19 @@ static inline void keep_notes(SmVm *vm, uint64_t notes)
         vm->stored[i] = (uint8_t)(notes >> 8 * i);
 }
 
-// A step; or with d NULL, where the code of each instruction is, to *places.
-static SmResult run(SmvmDecoded *d, void *sv, const void *const **places)
+// What the state has to run, in its first step and in others.
+static inline const SmvmWord *body(const SmvmDecoded *d, bool first) { return d->code + d->body[2 * (size_t)d->vm->state + first]; }
+
+// A step on another state vector; or for a decoded form without a machine: where the code of each instruction is.
+static SmResult elsewhere(SmvmDecoded *d, void *sv, const void *const *place)
+{
+    if (d->vm != NULL)
+        return smvm_step(d->vm, sv);
+    d->place = place;
+    return SM_OK;
+}
+
+SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
 {
 #if SMVM_COMPUTED_GOTO
     static const void *const place[] = {
@@ -146,38 +155,32 @@ static SmResult run(SmvmDecoded *d, void *sv, const void *const **places)
 #else
     static const void *const *const place = NULL;
 #endif
-    const SmvmWord *ip, *body;
+    SmVm *vm = d->vm;
+    const SmvmWord *ip;
     uint64_t notes = 0;
-    uint32_t to = 0;
     SmF64 F = sm_from_i32(0);
-    SmVm *vm;
 
-    if (d == NULL) {
-        *places = place;
-        return SM_OK;
-    }
-    vm = d->vm;
-    body = d->code + (vm->first ? d->entry : d->step)[vm->state];
+    if (sv != d->sv)
+        return elsewhere(d, sv, place);
     if (!smvm_begin(vm, sv))
         return SM_REFUSED;
+    vm->first = false;                                // until it goes somewhere; `entered` says what it was
     clear_notes(vm);
     d->t = vm->next - vm->start;
-    ip = d->samples ? d->code + 1 : body;
+    ip = d->samples ? d->code + 1 : body(d, vm->entered);
     BEGIN
 #include "bytecode-vm/fast.def"
     FINISH
 end:
     keep_notes(vm, notes);
-    smvm_finish(vm, to);
     return SM_OK;
 }
 
 const void *const *smvm_fast_places(void)
 {
-    const void *const *places;
+    SmvmDecoded none;
 
-    run(NULL, NULL, &places);
-    return places;
+    memset(&none, 0, sizeof none);
+    smvm_step_decoded(&none, &none);
+    return none.place;
 }
-
-SmResult smvm_step_decoded(SmvmDecoded *d, void *sv) { return sv == d->sv ? run(d, sv, NULL) : smvm_step(d->vm, sv); }

@@ -112,7 +112,8 @@ struct SmvmDecoded {
     void *sv;                 // the state vector that the code's addresses lie in
     uint64_t t;               // T
     SmvmWord *code;           // the sample function first
-    uint32_t *entry, *step;   // by state: where in the code its first step begins, and every other
+    uint32_t *body;           // by state, two each: where in the code its steps begin, and its first step
+    const void *const *place; // see smvm_fast_places
     bool samples;             // the sample function is not empty
 };
 
