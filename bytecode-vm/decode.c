@@ -106,8 +106,8 @@ static void *address(const Decode *d, const SmvmOperand *o)
     if (o->kind < SMVM_K_LOCAL)
         return (uint8_t *)d->out->sv + o->offset;
     if (o->kind < SMVM_K_TEMP)
-        return d->out->vm->local + o->offset;
-    return o->kind == SMVM_K_TEMP ? (void *)&d->out->vm->temp[o->payload] : (void *)&d->out->t;
+        return d->out->parts.local + o->offset;
+    return o->kind == SMVM_K_TEMP ? (void *)&d->out->parts.temp[o->payload] : (void *)&d->out->t;
 }
 
 static Operand operand(Decode *d)
@@ -176,7 +176,7 @@ static void put_written(Decode *d, FastOp family, FastOp noting, unsigned which,
 {
     if (to->output && to->index >= 64) {
         put_op(d, FAST_NOTE_OP);
-        put_u(d, (uint64_t)(to->index >> 3) << 8 | 1u << (to->index & 7u));
+        put_u(d, (uint64_t)((to->index - 64) >> 3) << 8 | 1u << (to->index & 7u));
     }
     if (to->output && to->index < 64) {
         put_op(d, (unsigned)noting + which);
@@ -453,7 +453,9 @@ static void put_window(Decode *d, uint32_t w)            // which, of what size 
 {
     uint32_t entry = smvm_window(d->m->image, d->m->windows_at, w);
 
-    put_u(d, w);
+    if (d->out != NULL)
+        word(d)->p = d->out->parts.window[w];
+    d->words++;
     put_u(d, entry & SMVM_WINDOW_SIZE_MASK);
     put_u(d, entry >> SMVM_WINDOW_SIZE_BITS);
 }
@@ -633,6 +635,9 @@ SmResult smvm_decode(SmvmDecoded **decoded, void *memory, uint32_t size, const S
     d.out = *decoded = out;
     out->vm = vm;
     out->sv = sv;
+    out->g = (uint8_t *)sv + smvm_operand(m, m->outputs).offset;
+    out->s = (uint8_t *)sv + smvm_operand(m, m->outputs + 1).offset;
+    out->parts = smvm_parts(vm, m);
     out->t = 0;
     out->code = (SmvmWord *)(out + 1);
     out->body = (uint32_t *)(out->code + words);

@@ -91,7 +91,7 @@ static inline SmF64 get_C(const SmvmWord *w, SmF64 f) { (void)f; return w->f; }
 static inline SmF64 get_A(const SmvmWord *w, SmF64 f) { (void)w; return f; }
 
 #define SET(ctype, n) do { const ctype v_ = (ctype)ip[(n) + 1].u; memcpy(ip[n].p, &v_, sizeof v_); } while (0)
-#define NOTE notes |= ip[1].u                          // an output is written
+#define NOTE notes |= ip[1].u                          // an output is written; of the first 64
 
 // ---- what is too long to stand in the code of an instruction ----
 
@@ -114,21 +114,6 @@ static SmF64 stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat which) { 
 #define FINISH case FAST_OPS: goto end; }
 #endif
 #define GO_IF(condition, n) if (condition) { ip = ip[1].to; NEXT(0); } NEXT(n)
-
-// The first 64 outputs are noted in a register, the others in memory at once.
-static inline void clear_notes(const SmVm *vm)
-{
-    if (vm->outputs > 64)
-        memset(vm->stored + 8, 0, (vm->outputs + 7u) / 8u - 8u);
-}
-
-static inline void keep_notes(const SmVm *vm, uint64_t notes)
-{
-    uint32_t n = (vm->outputs + 7u) / 8u;
-
-    for (uint32_t i = 0; i < n && i < 8; i++)
-        vm->stored[i] = (uint8_t)(notes >> 8 * i);
-}
 
 // What the state has to run, in its first step and in others.
 static inline const SmvmWord *body(const SmvmDecoded *d, bool first) { return d->code + d->body[2 * (size_t)d->vm->state + first]; }
@@ -162,17 +147,19 @@ SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
 
     if (sv != d->sv)
         return elsewhere(d, sv, place);
-    if (!smvm_begin(vm, sv))
+    if (!smvm_begin(vm, d->g, d->s))
         return SM_REFUSED;
     vm->first = false;                                // until it goes somewhere; `entered` says what it was
-    clear_notes(vm);
+    if (d->parts.stored_bytes > 0)
+        memset(d->parts.stored, 0, d->parts.stored_bytes);
     d->t = vm->next - vm->start;
     ip = d->samples ? d->code + 1 : body(d, vm->entered);
     BEGIN
 #include "bytecode-vm/fast.def"
     FINISH
 end:
-    keep_notes(vm, notes);
+    for (uint8_t i = 0; i < 8; i++)                   // one store, where the bytes are in this order
+        vm->stored[i] = (uint8_t)(notes >> 8 * i);
     return SM_OK;
 }
 

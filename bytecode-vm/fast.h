@@ -3,6 +3,7 @@
 #ifndef SMVM_FAST_H
 #define SMVM_FAST_H
 
+#include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
 
 // The types of what lies in memory, by their numbers, and behind them a temp (RAW).  INTS have all values in an int64_t but for
@@ -110,6 +111,9 @@ typedef union SmvmWord {
 struct SmvmDecoded {
     SmVm *vm;
     void *sv;                 // the state vector that the code's addresses lie in
+    const void *g;            // in it: G and S
+    void *s;
+    SmvmParts parts;          // of the machine's memory
     uint64_t t;               // T
     SmvmWord *code;           // the sample function first
     uint32_t *body;           // by state, two each: where in the code its steps begin, and its first step

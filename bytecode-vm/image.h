@@ -119,6 +119,20 @@ uint8_t smvm_sections(SmvmBytes image);               // how many
 // reads; m->image is set already.
 uint8_t smvm_read_machine(SmvmMachine *m, uint32_t at, uint32_t size);
 
+// The same of a machine that runs: all but INIT and DEBUG.
+void smvm_again(const SmVm *vm, SmvmMachine *m);
+
+// Where the parts of a machine's memory are; it lies in one piece behind SmVm.
+typedef struct SmvmParts {
+    uint64_t **window;        // each window's words
+    SmF64 *temp;
+    uint8_t *local;
+    uint8_t *stored;          // bits of the outputs from 64 on
+    uint32_t stored_bytes;
+} SmvmParts;
+
+SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m);
+
 SmvmOperand smvm_operand_at(SmvmBytes image, uint32_t at);     // an entry of the operand table, or one of the same form
 
 static inline uint32_t smvm_window(SmvmBytes image, uint32_t windows_at, uint32_t w)       // an entry of the windows' table

@@ -13,13 +13,15 @@
 typedef struct Run {
     SmVm *vm;
     uint8_t *sv;
+    SmvmMachine m;
+    SmvmParts parts;
     uint32_t at;
     union { uint64_t cell; SmF64 number; } acc;    // the accumulator, as it would lie in memory
 } Run;
 
 static uint32_t next(Run *r)                          // the next varint
 {
-    SmvmBytes image = r->vm->image;
+    SmvmBytes image = r->m.image;
     uint32_t b = smvm_u8(image, r->at++);
 
     if (b < SMVM_VARINT_1)
@@ -34,25 +36,24 @@ static uint32_t next(Run *r)                          // the next varint
 
 // ---- operands ----
 
-static SmF64 constant(const SmVm *vm, uint8_t kind, uint32_t payload)
+static SmF64 constant(const Run *r, uint8_t kind, uint32_t payload)
 {
     switch (kind) {
-    case SMVM_K_TIME: return sm_from_u64(vm->next - vm->start);
+    case SMVM_K_TIME: return sm_from_u64(r->vm->next - r->vm->start);
     case SMVM_K_INT: return sm_from_i32((int32_t)payload - (payload > (uint32_t)SMVM_INT_MOST ? SMVM_PAYLOADS : 0));
-    case SMVM_K_F32: return sm_from_f32(sm_f32_from_bits(smvm_uint(vm->image, vm->f32s + 4 * payload, 4)));
-    default: return sm_from_bits(smvm_cell(vm->image, vm->f64s + 8 * payload, 8));
+    case SMVM_K_F32: return sm_from_f32(sm_f32_from_bits(smvm_uint(r->m.image, r->m.f32s_at + 4 * payload, 4)));
+    default: return sm_from_bits(smvm_cell(r->m.image, r->m.f64s_at + 8 * payload, 8));
     }
 }
 
 // Where an operand lies that can be written, and its type or SMVM_RAW; NULL for others.
 static void *memory_of(Run *r, uint8_t kind, uint32_t payload, uint8_t *type)
 {
-    const SmVm *vm = r->vm;
     uint8_t *base = r->sv;
 
     *type = SMVM_RAW;
     if (kind == SMVM_K_TEMP)
-        return &vm->temp[payload];
+        return &r->parts.temp[payload];
     if (kind == SMVM_K_ACC) {
         *type = (uint8_t)payload;
         return &r->acc;
@@ -61,7 +62,7 @@ static void *memory_of(Run *r, uint8_t kind, uint32_t payload, uint8_t *type)
         return NULL;
     if (kind >= SMVM_K_LOCAL) {
         kind -= SMVM_K_LOCAL;
-        base = vm->local;
+        base = r->parts.local;
     }
     *type = kind;
     return base + ((size_t)payload << smvm_type_shift(kind));
@@ -69,7 +70,7 @@ static void *memory_of(Run *r, uint8_t kind, uint32_t payload, uint8_t *type)
 
 static void *operand(Run *r, uint32_t index, uint8_t *kind, uint32_t *payload, uint8_t *type)
 {
-    uint32_t entry = smvm_u24(r->vm->image, r->vm->operands + 3 * index);
+    uint32_t entry = smvm_u24(r->m.image, r->m.operands_at + 3 * index);
 
     *kind = entry & ((1u << SMVM_KIND_BITS) - 1u);
     *payload = entry >> SMVM_KIND_BITS;
@@ -83,8 +84,19 @@ static SmF64 get(Run *r)
     const void *p = operand(r, next(r), &kind, &payload, &type);
 
     if (p == NULL)
-        return constant(r->vm, kind, payload);
+        return constant(r, kind, payload);
     return type == SMVM_RAW ? *(const SmF64 *)p : sm_load((SmType)type, p);
+}
+
+static void note(Run *r, uint32_t output)             // that it is written
+{
+    uint8_t *bits = r->vm->stored;
+
+    if (output >= 64) {
+        bits = r->parts.stored;
+        output -= 64;
+    }
+    bits[output >> 3] |= (uint8_t)(1u << (output & 7u));
 }
 
 static void put(Run *r, uint32_t index, SmF64 x)
@@ -94,7 +106,7 @@ static void put(Run *r, uint32_t index, SmF64 x)
     void *p = operand(r, index, &kind, &payload, &type);
 
     if (kind < SMVM_K_LOCAL)
-        r->vm->stored[index >> 3] |= (uint8_t)(1u << (index & 7u));
+        note(r, index);
     if (type == SMVM_RAW)
         *(SmF64 *)p = x;
     else
@@ -160,18 +172,18 @@ static void jump_if(Run *r, bool condition)
         r->at += distance;
 }
 
-static void push(const SmVm *vm, uint32_t w, SmF64 x)
+static void push(const Run *r, uint32_t w, SmF64 x)
 {
-    uint32_t entry = smvm_window(vm->image, vm->windows, w);
+    uint32_t entry = smvm_window(r->m.image, r->m.windows_at, w);
 
-    sm_roll_sample(vm->window[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, x);
+    sm_roll_sample(r->parts.window[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, x);
 }
 
-static SmF64 statistic(const SmVm *vm, uint32_t w, SmStat stat)
+static SmF64 statistic(const Run *r, uint32_t w, SmStat stat)
 {
-    uint32_t entry = smvm_window(vm->image, vm->windows, w);
+    uint32_t entry = smvm_window(r->m.image, r->m.windows_at, w);
 
-    return sm_roll_stat(vm->window[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, stat);
+    return sm_roll_stat(r->parts.window[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, stat);
 }
 
 static void window(Run *r, uint8_t op)
@@ -179,9 +191,9 @@ static void window(Run *r, uint8_t op)
     uint32_t a = next(r);
 
     if (op == SMVM_sample)
-        push(r->vm, a, get(r));
+        push(r, a, get(r));
     else
-        put(r, a, statistic(r->vm, next(r), (SmStat)(op - SMVM_avg)));
+        put(r, a, statistic(r, next(r), (SmStat)(op - SMVM_avg)));
 }
 
 static void compute(Run *r, uint8_t op)
@@ -205,48 +217,58 @@ static void jump(Run *r, uint8_t op)
 }
 
 // Runs a function; gives the state that it goes to, or 0.
-static uint32_t run(SmVm *vm, void *sv, uint32_t function)
+static uint32_t run(Run *r, uint32_t function)
 {
-    uint32_t start = function == 0 ? 0 : smvm_uint(vm->image, vm->functions + (function - 1) * vm->width, vm->width);
-    Run r;
+    uint32_t start = function == 0 ? 0 : smvm_function_end(&r->m, function - 1);
 
-    if (start == smvm_uint(vm->image, vm->functions + function * vm->width, vm->width))
+    if (start == smvm_function_end(&r->m, function))
         return 0;
-    r.vm = vm;
-    r.sv = sv;
-    r.acc.cell = 0;
-    r.at = vm->code + start;
+    r->at = r->m.code_at + start;
     for (;;) {
-        uint8_t op = smvm_u8(vm->image, r.at++);
+        uint8_t op = smvm_u8(r->m.image, r->at++);
         if (op >= SMVM_avg)
-            window(&r, op);
+            window(r, op);
         else if (op >= SMVM_mov)
-            compute(&r, op);
+            compute(r, op);
         else if (op > SMVM_jmp)
-            jump(&r, op);
+            jump(r, op);
         else if (op == SMVM_jmp)
-            jump_if(&r, true);
+            jump_if(r, true);
         else
-            return op == SMVM_goto ? next(&r) : 0;
+            return op == SMVM_goto ? next(r) : 0;
     }
 }
 
 // ---- the step ----
 
+static uint8_t *element(const Run *r, uint32_t operand) { return r->sv + smvm_operand(&r->m, operand).offset; }
+
+static void clear_stored(Run *r)
+{
+    memset(r->vm->stored, 0, sizeof r->vm->stored);
+    memset(r->parts.stored, 0, r->parts.stored_bytes);
+}
+
 SmResult smvm_step(SmVm *vm, void *sv)
 {
     uint32_t block = 3 * (uint32_t)vm->state - 2, to = 0;      // the functions of the state: entry, step, exit
+    Run r;
 
-    if (!smvm_begin(vm, sv))
+    memset(&r, 0, sizeof r);
+    r.vm = vm;
+    r.sv = (uint8_t *)sv;
+    smvm_again(vm, &r.m);
+    r.parts = smvm_parts(vm, &r.m);
+    if (!smvm_begin(vm, element(&r, r.m.outputs), element(&r, r.m.outputs + 1)))
         return SM_REFUSED;
-    memset(vm->stored, 0, (vm->outputs + 7u) / 8u);
-    run(vm, sv, 0);
+    clear_stored(&r);
+    run(&r, 0);
     if (vm->first)
-        to = run(vm, sv, block);
+        to = run(&r, block);
     if (to == 0)
-        to = run(vm, sv, block + 1);
+        to = run(&r, block + 1);
     if (to != 0)
-        run(vm, sv, block + 2);
+        run(&r, block + 2);
     smvm_finish(vm, to);
     return SM_OK;
 }

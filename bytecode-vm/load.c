@@ -70,6 +70,7 @@ uint8_t smvm_read_machine(SmvmMachine *m, uint32_t at, uint32_t size)
 
     if (size < 4)
         return SMVM_R_RECORD;
+    m->machine_at = at;
     m->layout = smvm_uint(m->image, at, 4);
     at += 4;
     for (uint8_t i = 0; i < sizeof number / sizeof number[0]; i++)
@@ -84,6 +85,13 @@ uint8_t smvm_read_machine(SmvmMachine *m, uint32_t at, uint32_t size)
         || !place(&m->f64s_at, &at, end, m->f64s, 8))
         return SMVM_R_RECORD;
     return at == end ? 0 : SMVM_R_RECORD;
+}
+
+void smvm_again(const SmVm *vm, SmvmMachine *m)
+{
+    m->image = vm->image;
+    m->code_at = vm->code;
+    smvm_read_machine(m, vm->machine, UINT32_MAX - vm->machine);
 }
 
 // A machine's sections stand behind its MACHINE, before the next one.
@@ -140,7 +148,7 @@ SmvmOperand smvm_operand(const SmvmMachine *m, uint32_t index)
     return smvm_operand_at(m->image, m->operands_at + 3 * index);
 }
 
-// ---- memory: SmVm, then where the windows are, temps, windows, locals, stored bits ----
+// ---- memory: SmVm, then where the windows are, temps, windows, locals, and bits of the outputs from 64 on ----
 
 static uint32_t up8(uint32_t n) { return (n + 7) / 8 * 8; }
 
@@ -153,36 +161,47 @@ static uint32_t window_bytes(const SmvmMachine *m, uint32_t w)
     return 8 * sm_roll_words(entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS);
 }
 
-uint32_t smvm_ram_size(const SmvmMachine *m)
-{
-    uint32_t n = up8(sizeof(SmVm));
+static uint32_t stored_bytes(const SmvmMachine *m) { return m->outputs > 64 ? (m->outputs - 64 + 7) / 8 : 0; }
 
-    n = plus(n, up8(m->windows * (uint32_t)sizeof(uint64_t *)));
-    n = plus(n, m->temps * (uint32_t)sizeof(SmF64));
-    for (uint32_t w = 0; w < m->windows; w++)
-        n = plus(n, window_bytes(m, w));
-    n = plus(n, m->locals);
-    return plus(n, (m->outputs + 7u) / 8u);
+static uint32_t windows_start(const SmvmMachine *m)
+{
+    return plus(up8(sizeof(SmVm)) + up8(m->windows * (uint32_t)sizeof(uint64_t *)), m->temps * (uint32_t)sizeof(SmF64));
 }
 
-static void *take(uint8_t **next, uint32_t n)
+static uint32_t locals_start(const SmvmMachine *m)
 {
-    uint8_t *p = *next;
+    uint32_t n = windows_start(m);
 
-    *next += n;
+    for (uint32_t w = 0; w < m->windows; w++)
+        n = plus(n, window_bytes(m, w));
+    return n;
+}
+
+uint32_t smvm_ram_size(const SmvmMachine *m) { return plus(plus(locals_start(m), m->locals), stored_bytes(m)); }
+
+SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m)
+{
+    uint8_t *start = (uint8_t *)vm + up8(sizeof *vm);
+    SmvmParts p;
+
+    p.window = (uint64_t **)(void *)start;
+    p.temp = (SmF64 *)(void *)(start + up8(m->windows * (uint32_t)sizeof(uint64_t *)));
+    p.local = (uint8_t *)vm + vm->local;
+    p.stored = p.local + m->locals;
+    p.stored_bytes = stored_bytes(m);
     return p;
 }
 
 static void lay_out(SmVm *vm, const SmvmMachine *m)
 {
-    uint8_t *next = (uint8_t *)vm + up8(sizeof *vm);
+    uint64_t **window = smvm_parts(vm, m).window;
+    uint32_t at = windows_start(m);
 
-    vm->window = take(&next, up8(m->windows * (uint32_t)sizeof(uint64_t *)));
-    vm->temp = take(&next, m->temps * (uint32_t)sizeof(SmF64));
-    for (uint32_t w = 0; w < m->windows; w++)
-        vm->window[w] = take(&next, window_bytes(m, w));
-    vm->local = take(&next, m->locals);
-    vm->stored = next;
+    for (uint32_t w = 0; w < m->windows; w++) {
+        window[w] = (uint64_t *)(void *)((uint8_t *)vm + at);
+        at += window_bytes(m, w);
+    }
+    vm->local = (SmvmAt)at;
 }
 
 static void set_locals(SmVm *vm, const SmvmMachine *m)
@@ -192,24 +211,9 @@ static void set_locals(SmVm *vm, const SmvmMachine *m)
     while (at < m->init_at + m->init_size) {
         SmvmOperand o = smvm_operand_at(m->image, at);
         uint8_t bytes = (uint8_t)(1u << smvm_type_shift(o.type));
-        sm_cell_store(o.type, vm->local + o.offset, smvm_cell(m->image, at + 3, bytes));
+        sm_cell_store(o.type, (uint8_t *)vm + vm->local + o.offset, smvm_cell(m->image, at + 3, bytes));
         at += 3u + bytes;
     }
-}
-
-static void bind(SmVm *vm, const SmvmMachine *m)
-{
-    vm->image = m->image;
-    vm->code = (SmvmAt)m->code_at;
-    vm->functions = (SmvmAt)m->functions_at;
-    vm->operands = (SmvmAt)m->operands_at;
-    vm->f32s = (SmvmAt)m->f32s_at;
-    vm->f64s = (SmvmAt)m->f64s_at;
-    vm->windows = (SmvmAt)m->windows_at;
-    vm->g = (SmvmAt)smvm_operand(m, m->outputs).offset;
-    vm->s = (SmvmAt)smvm_operand(m, m->outputs + 1).offset;
-    vm->outputs = (SmvmAt)m->outputs;
-    vm->width = m->width;
 }
 
 // As the strictest of what lies in there asks for: 8 on most targets, 1 on some.
@@ -233,12 +237,14 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
     if (size < smvm_ram_size(m))
         return SM_E_MEMORY;
     memset(memory, 0, smvm_ram_size(m));
-    bind(vm, m);
+    vm->image = m->image;
+    vm->machine = (SmvmAt)m->machine_at;
+    vm->code = (SmvmAt)m->code_at;
     lay_out(vm, m);
     set_locals(vm, m);
     vm->state = (SmvmAt)state;
     vm->first = true;
-    sm_cell_store(SM_U32, (uint8_t *)sv->at + vm->s, state);
+    sm_cell_store(SM_U32, (uint8_t *)sv->at + smvm_operand(m, m->outputs + 1).offset, state);
     return SM_OK;
 }
 
@@ -246,6 +252,18 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
 
 uint32_t smvm_state(const SmVm *vm) { return vm->state; }
 uint64_t smvm_time(const SmVm *vm) { return vm->next - vm->start; }
-bool smvm_stored(const SmVm *vm, uint32_t output) { return (vm->stored[output >> 3] >> (output & 7) & 1) != 0; }
 bool smvm_stored_state(const SmVm *vm) { return vm->entered; }
-void *smvm_locals(SmVm *vm) { return vm->local; }
+void *smvm_locals(SmVm *vm) { return (uint8_t *)vm + vm->local; }
+
+bool smvm_stored(const SmVm *vm, uint32_t output)
+{
+    const uint8_t *bits = vm->stored;
+    SmvmMachine m;
+
+    if (output >= 64) {
+        smvm_again(vm, &m);
+        bits = (const uint8_t *)vm + vm->local + m.locals;
+        output -= 64;
+    }
+    return (bits[output >> 3] >> (output & 7) & 1) != 0;
+}

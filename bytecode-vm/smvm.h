@@ -55,7 +55,7 @@ typedef struct SmvmMachine {
     uint32_t temps, windows, operands, f32s, f64s;   // how many of each
     uint32_t states;          // numbered from 1
     uint32_t outputs;         // elements it may store: operands 0 … outputs - 1; then come G and S
-    uint32_t windows_at, operands_at, functions_at, f32s_at, f64s_at;
+    uint32_t machine_at, windows_at, operands_at, functions_at, f32s_at, f64s_at;
     uint32_t code_at, code_size, init_at, init_size, debug_at, debug_size;     // size 0: there is none
     uint8_t width;            // bytes of an entry in the table of functions
 } SmvmMachine;
@@ -80,16 +80,13 @@ SmvmOperand smvm_operand(const SmvmMachine *m, uint32_t index);
 // A machine that runs; lies at the start of the memory given to smvm_init.  Read it through the functions below.
 typedef struct SmVm {
     SmvmBytes image;
-    SmvmAt code, functions, operands, f32s, f64s, windows, g, s;     // where in the image; g and s: in the state vector
-    SmvmAt outputs, state;                                // state: the one that the next step runs
-    uint8_t width;
+    uint64_t start, next;     // 1 more than G at the first step of `state`, and at the last step that ran; 0: there was none
+    uint8_t stored[8];        // one bit for each of the first 64 outputs; behind the locals are more where there are more
+    SmvmAt machine, code;     // where in the image its MACHINE and CODE are; what they say is read again at each step
+    SmvmAt local;             // how far behind this the locals are
+    SmvmAt state;             // the one that the next step runs
     bool first;               // the next step is the first of `state`
     bool entered;             // the last step was the first of its state: it stored S
-    uint8_t *local;
-    uint8_t *stored;          // one bit an output
-    SmF64 *temp;
-    uint64_t **window;        // each in memory of its own, all zero while empty
-    uint64_t start, next;     // 1 more than G at the first step of `state`, and at the last step that ran; 0: there was none
 } SmVm;
 
 // Bytes of memory that smvm_init needs for m.
