@@ -114,7 +114,7 @@ static void step(const SmvmMachine *m, SmVm *vm, uint64_t *sv, uint64_t g, uint3
 
     for (uint32_t i = 0; i < SV_WORDS; i++)
         sv[i] = word();
-    memcpy(bytes + vm->g, &g, 8);
+    memcpy(bytes + smvm_operand(m, m->outputs).offset, &g, 8);
     memcpy(before, sv, sizeof before);
     for (uint32_t i = 0; i < m->outputs + 2; i++) {
         const SmvmOperand o = smvm_operand(m, i);

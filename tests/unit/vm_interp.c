@@ -377,7 +377,7 @@ static void memory_needed(void)
         end_function(&b);
     CHECK(open_machine(&t, &b, 1));
     CHECK(smvm_ram_size(&t.m) == up8(sizeof(SmVm)) + up8(2 * sizeof(uint64_t *)) + 8
-                               + 8 * (2 + 3 + 2) + 8 * (1 + 2 * 5) + 8 + 1);
+                               + 8 * (2 + 3 + 2) + 8 * (1 + 2 * 5) + 8);
 }
 
 // Whether `op x, y` jumps over `OUT = 7`.
