@@ -43,18 +43,18 @@ U64 G
 U32 S
 [Idle]
 -- stdout --
-image of 476 bytes, format 1, crc b07e75b5
+image of 470 bytes, format 1, crc 762abd09
     section 01 IDENTITY   8 bytes at 52: 003740f815ec1432
-    section 81 MACHINE    111 bytes at 60
-    section 82 CODE       68 bytes at 171
-    section 83 INIT       16 bytes at 239
-    section 02 DEBUG      221 bytes at 255
+    section 81 MACHINE    108 bytes at 60
+    section 82 CODE       68 bytes at 168
+    section 83 INIT       16 bytes at 236
+    section 02 DEBUG      218 bytes at 252
 
 machine 1 sub
     state vector    32 bytes, layout f4b2fddc
     states          2
-    memory          [..] bytes on this machine, of these 12 for locals
-    operands        18
+    memory          [..] bytes on this machine, of these 11 for locals
+    operands        17
     longest step    15 instructions
     output          F64@16 rate
     output          I8@24 count
@@ -83,9 +83,9 @@ Hold.step:
     29  jf      armed, 38
     32  add     count, count, 0.5               sub.sm:20
     36  goto    Vent                            sub.sm:21
-    38  le      local bool@11, 10.5, pressure   sub.sm:23
-    42  lt      acc bool, T, 1000000
-    46  or      armed, local bool@11, acc bool
+    38  le      t0, 10.5, pressure              sub.sm:23
+    42  lt      acc, T, 1000000
+    46  or      armed, t0, acc
     50  end
 
 Hold.exit:
@@ -98,17 +98,17 @@ Vent.step:
     61  jnlt    limit, count, 67                sub.sm:29
     65  goto    Hold
     67  end
-image of 236 bytes, format 1, crc 61c3ddb4
+image of 233 bytes, format 1, crc 1b5cca8b
     section 01 IDENTITY   8 bytes at 44: 003740f815ec1432
-    section 81 MACHINE    111 bytes at 52
-    section 82 CODE       68 bytes at 163
-    section 83 INIT       5 bytes at 231
+    section 81 MACHINE    108 bytes at 52
+    section 82 CODE       68 bytes at 160
+    section 83 INIT       5 bytes at 228
 
 machine 1 
     state vector    32 bytes, layout f4b2fddc
     states          2
-    memory          [..] bytes on this machine, of these 4 for locals
-    operands        18
+    memory          [..] bytes on this machine, of these 3 for locals
+    operands        17
     longest step    15 instructions
     output          F64@16
     output          I8@24
@@ -136,9 +136,9 @@ state 1.step:
     29  jf      local bool@2, 38
     32  add     I8@24, I8@24, 0.5
     36  goto    state 2
-    38  le      local bool@3, 10.5, F32@12
-    42  lt      acc bool, T, 1000000
-    46  or      local bool@2, local bool@3, acc bool
+    38  le      t0, 10.5, F32@12
+    42  lt      acc, T, 1000000
+    46  or      local bool@2, t0, acc
     50  end
 
 state 1.exit:
