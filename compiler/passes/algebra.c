@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Part of `identity`: operations that become another one, which gives the same bits for all operands and costs less.  The
 // proof stands beside each rule.  NaN has no sign and no payload that anyone could see (language.md 2).
+//
+// x / 2^k is exactly x * 2^-k, and not among them: the VM holds 8 in an operand, 0.125 in eight bytes more, and C compilers know.
 #include "compiler/passes/identity.h"
-#include "stdlib/convert.h"
 
 static void become(IrIns *i, IrOp op, IrRef a, IrRef b)
 {
@@ -49,40 +50,6 @@ static void rewrite_product(const Identity *d, IrIns *i)
         become(i, IR_neg, i->a, IR_NONE);
     else if (identity_is(d, i->a, sm_from_i32(-1)))
         become(i, IR_neg, i->b, IR_NONE);
-}
-
-// The bits of 1 / x, an F64, if x is 2^k with |k| at most `most`; else 0.
-static uint64_t reciprocal(uint64_t bits, unsigned most)
-{
-    unsigned exponent = (unsigned)(bits >> 52 & 0x7ff);
-
-    if (bits << 12 != 0 || exponent + most < 1023 || exponent > 1023 + most)
-        return 0;
-    return (bits & UINT64_C(0x8000000000000000)) | (uint64_t)(2046 - exponent) << 52;
-}
-
-static IrRef make_const(Identity *d, SmType type, uint64_t bits, Span span)
-{
-    IrIns i = {.op = IR_const, .type = type, .a = IR_NONE, .b = IR_NONE, .bits = bits, .span = span};
-
-    vec_push(d->arena, &d->f->ins, i);
-    return d->made = (IrRef)(d->f->ins.n - 1);
-}
-
-// x / 2^k and x * 2^-k are the same real number, rounded once.
-static void rewrite_quotient(Identity *d, IrRef ref)
-{
-    IrIns i = *identity_at(d, ref);
-    const IrIns *by = identity_at(d, i.b);
-    uint64_t bits;
-
-    if (drop_signs(d, &d->f->ins.at[ref]) || by->op != IR_const)
-        return;
-    bits = reciprocal(sm_bits(identity_number(by)), i.type == SM_F32 ? 126 : 1022);         // both normal numbers
-    if (bits == 0)
-        return;
-    i.b = make_const(d, i.type, sm_cell_from_f64(i.type, sm_from_bits(bits)), i.span);
-    become(&d->f->ins.at[ref], IR_mul, i.a, i.b);
 }
 
 // ---- comparisons ----
@@ -176,15 +143,13 @@ static void rewrite_cvt(const Identity *d, IrIns *i)
         i->a = from->a;                                       // whether a number is zero does not depend on its sign
 }
 
-void algebra_rewrite(Identity *d, IrRef ref)
+void algebra_rewrite(const Identity *d, IrIns *i)
 {
-    IrIns *i = &d->f->ins.at[ref];
-
     switch (i->op) {
     case IR_add:
     case IR_sub: rewrite_sum(d, i); break;
     case IR_mul: rewrite_product(d, i); break;
-    case IR_div: rewrite_quotient(d, ref); break;
+    case IR_div: drop_signs(d, i); break;
     case IR_abs:
         if (is_neg(d, i->a) || is_op(d, i->a, IR_abs))
             i->a = inner(d, i->a);

@@ -166,54 +166,31 @@ static bool is_never_nan(const Identity *d, const IrIns *i)
     return false;
 }
 
-// Looks at `ref` once its operands are what they will be.  d->made is what must stand before it.
 static void visit(Identity *d, IrRef ref)
 {
     IrIns *i = &d->f->ins.at[ref];
     IrRef same;
 
-    d->made = IR_NONE;
     if (ir_op_info[i->op].operands > 0)
         i->a = d->same[i->a];
     if (ir_op_info[i->op].operands > 1)
         i->b = d->same[i->b];
-    algebra_rewrite(d, ref);
-    i = &d->f->ins.at[ref];
+    algebra_rewrite(d, i);
     same = same_as(d, i);
     d->same[ref] = same == IR_NONE ? ref : same;
     d->never_nan[ref] = !is_float(i->type) || is_never_nan(d, i);
 }
 
-static void visit_block(Identity *d, IrBlk *blk)
-{
-    IrBlk out = {.jump = blk->jump};
-    size_t n = blk->ins.n;
-
-    for (size_t p = 0; p < n; p++) {
-        IrRef ref = blk->ins.at[p];
-        visit(d, ref);
-        if (d->made != IR_NONE && !out.ins.at) {              // the first that was made: from here on the list is a new one
-            for (size_t before = 0; before < p; before++)
-                vec_push(d->arena, &out.ins, blk->ins.at[before]);
-        }
-        if (d->made != IR_NONE)
-            vec_push(d->arena, &out.ins, d->made);
-        if (out.ins.at)
-            vec_push(d->arena, &out.ins, ref);
-    }
-    if (blk->jump.kind == IR_BR)
-        out.jump.cond = d->same[blk->jump.cond];
-    if (out.ins.at)
-        *blk = out;
-    blk->jump = out.jump;
-}
-
-// A constant that is made has but one user, which nobody asks for it again: it needs no place in these arrays.
 void pass_identity(Arena *arena, IrFn *f, Facts *facts)
 {
-    Identity d = {arena, f, ARENA_ARRAY(arena, IrRef, f->ins.n), ARENA_ARRAY(arena, bool, f->ins.n), IR_NONE};
+    Identity d = {f, ARENA_ARRAY(arena, IrRef, f->ins.n), ARENA_ARRAY(arena, bool, f->ins.n)};
 
     (void)facts;
-    for (size_t b = 0; b < f->blk.n; b++)
-        visit_block(&d, &f->blk.at[b]);
+    for (size_t b = 0; b < f->blk.n; b++) {
+        IrBlk *blk = &f->blk.at[b];
+        for (size_t i = 0; i < blk->ins.n; i++)
+            visit(&d, blk->ins.at[i]);
+        if (blk->jump.kind == IR_BR)
+            blk->jump.cond = d.same[blk->jump.cond];
+    }
 }

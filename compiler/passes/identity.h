@@ -7,11 +7,9 @@
 #include "stdlib/f64.h"
 
 typedef struct Identity {
-    Arena *arena;
     IrFn *f;
     IrRef *same;          // by instruction: the temporary that has the same value, itself if there is none
     bool *never_nan;      // by instruction: certainly a number, or no float at all
-    IrRef made;           // a constant that a rule has made, to stand before the instruction that is looked at; or IR_NONE
 } Identity;
 
 static inline const IrIns *identity_at(const Identity *d, IrRef ref) { return &d->f->ins.at[ref]; }
@@ -21,7 +19,7 @@ SmF64 identity_number(const IrIns *constant);         // as an F64; NaN stays Na
 bool identity_is(const Identity *d, IrRef ref, SmF64 number);
 bool identity_is_integer(SmType type);
 
-// Makes another operation of instruction `ref` that gives the same and costs less, or leaves it alone.
-void algebra_rewrite(Identity *d, IrRef ref);
+// Makes another operation of it that gives the same and costs less, or leaves it alone.
+void algebra_rewrite(const Identity *d, IrIns *i);
 
 #endif
