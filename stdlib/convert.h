@@ -45,26 +45,30 @@ static inline uint64_t sm_to_u64(SmF64 x)
 //: sm_to_i16
 static inline int16_t sm_to_i16(SmF64 x)
 {
-    const int32_t v = sm_to_i32(x);
-    return v < INT16_MIN ? (int16_t)INT16_MIN : v > INT16_MAX ? (int16_t)INT16_MAX : (int16_t)v;
+    if (sm_le(sm_from_i32(INT16_MIN), x))
+        return sm_lt(x, sm_from_i32(INT16_MAX)) ? (int16_t)sm_cut_i32(x) : (int16_t)INT16_MAX;
+    return sm_is_nan(x) ? (int16_t)0 : (int16_t)INT16_MIN;
 }
 //: sm_to_i8
 static inline int8_t sm_to_i8(SmF64 x)
 {
-    const int32_t v = sm_to_i32(x);
-    return v < INT8_MIN ? (int8_t)INT8_MIN : v > INT8_MAX ? (int8_t)INT8_MAX : (int8_t)v;
+    if (sm_le(sm_from_i32(INT8_MIN), x))
+        return sm_lt(x, sm_from_i32(INT8_MAX)) ? (int8_t)sm_cut_i32(x) : (int8_t)INT8_MAX;
+    return sm_is_nan(x) ? (int8_t)0 : (int8_t)INT8_MIN;
 }
 //: sm_to_u16
 static inline uint16_t sm_to_u16(SmF64 x)
 {
-    const int32_t v = sm_to_i32(x);
-    return v < 0 ? (uint16_t)0 : v > UINT16_MAX ? (uint16_t)UINT16_MAX : (uint16_t)v;
+    if (sm_lt(sm_from_i32(0), x))
+        return sm_lt(x, sm_from_i32(UINT16_MAX)) ? (uint16_t)sm_cut_i32(x) : (uint16_t)UINT16_MAX;
+    return 0;
 }
 //: sm_to_u8
 static inline uint8_t sm_to_u8(SmF64 x)
 {
-    const int32_t v = sm_to_i32(x);
-    return v < 0 ? (uint8_t)0 : v > UINT8_MAX ? (uint8_t)UINT8_MAX : (uint8_t)v;
+    if (sm_lt(sm_from_i32(0), x))
+        return sm_lt(x, sm_from_i32(UINT8_MAX)) ? (uint8_t)sm_cut_i32(x) : (uint8_t)UINT8_MAX;
+    return 0;
 }
 //: sm_to_f32
 static inline float sm_to_f32(SmF64 x)
@@ -94,20 +98,20 @@ static inline uint64_t sm_clip_u64(uint64_t x, uint64_t hi) { return x > hi ? hi
 // v + 1 as a number, for v up to 2^53, where counting by one ends.
 static inline uint64_t sm_count_up(uint64_t v) { return v + (v < 0x20000000000000u); }
 //: sm_count_u64
-// v + n as numbers, stored again: exact while v is small, rounded as every number is beyond 2^53.
-static inline uint64_t sm_count_u64(uint64_t v, int32_t n)
+// v + n as numbers, stored again: exact while v is small, rounded as every number is beyond 2^53.  n is up to 2^52.
+static inline uint64_t sm_count_u64(uint64_t v, int64_t n)
 {
-    if (v <= 0x10000000000000u && (n >= 0 || v >= 0x80000000u))
+    if (v <= 0x10000000000000u && (n >= 0 || v >= (uint64_t)-n))
         return v + (uint64_t)n;
-    return sm_to_u64(sm_add(sm_from_u64(v), sm_from_i32(n)));
+    return sm_to_u64(sm_add(sm_from_u64(v), sm_from_i64(n)));
 }
 //: sm_count_i64
-// v + n as numbers, stored again: exact while v is small, rounded as every number is beyond 2^53.
-static inline int64_t sm_count_i64(int64_t v, int32_t n)
+// v + n as numbers, stored again: exact while v is small, rounded as every number is beyond 2^53.  n is up to 2^52.
+static inline int64_t sm_count_i64(int64_t v, int64_t n)
 {
     if (-0x10000000000000 <= v && v <= 0x10000000000000)
         return v + n;
-    return sm_to_i64(sm_add(sm_from_i64(v), sm_from_i32(n)));
+    return sm_to_i64(sm_add(sm_from_i64(v), sm_from_i64(n)));
 }
 //: sm_read_f32
 static inline SmF64 sm_read_f32(float v)

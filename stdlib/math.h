@@ -90,6 +90,12 @@ static inline SmF64 sm_max(SmF64 a, SmF64 b)
         return sm_from_bits(sm_bits(a) & sm_bits(b));
     return sm_lt(b, a) || sm_is_nan(a) ? a : b;
 }
+//: sm_lower
+// The smaller, where y is no NaN and zeros of either sign do not meet.
+static inline SmF64 sm_lower(SmF64 x, SmF64 y) { return sm_lt(y, x) ? y : x; }
+//: sm_higher
+// The larger, where y is no NaN and zeros of either sign do not meet.
+static inline SmF64 sm_higher(SmF64 x, SmF64 y) { return sm_lt(x, y) ? y : x; }
 //: sm_abs_i32
 // Of an integer: stands where that gives the same as of its F64.
 static inline int32_t sm_abs_i32(int32_t x) { return x < 0 ? -x : x; }

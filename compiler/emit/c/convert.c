@@ -10,8 +10,7 @@ static unsigned bits_of(SmType t) { return sm_type_info[t].bytes * 8u; }
 static bool is_signed(SmType t) { return sm_type_info[t].kind == SM_KIND_SIGNED; }
 static bool is_float(SmType t) { return sm_type_info[t].kind == SM_KIND_FLOAT; }
 
-// Whether an integer type holds every value of another.
-static bool holds_all(SmType to, SmType from)
+bool c_holds_all(SmType to, SmType from)
 {
     if (is_signed(from) && !is_signed(to))
         return false;
@@ -23,7 +22,7 @@ bool is_widening(const CFn *fn, IrRef r)
     const IrIns *i = ins(fn, r);
 
     return !fn->ins[r].is_const && fn->ins[r].how == C_INLINE && i->op == IR_cvt && c_is_integer(i->type) &&
-           c_is_integer(ins(fn, i->a)->type) && holds_all(i->type, ins(fn, i->a)->type);
+           c_is_integer(ins(fn, i->a)->type) && c_holds_all(i->type, ins(fn, i->a)->type);
 }
 
 void put_assigned(CFn *fn, IrRef r)
@@ -118,7 +117,7 @@ static const char *const most[SM_TYPE_COUNT] = {
 };
 
 // The narrowest signed type that is computed in and holds all of `from`: I32 or I64.
-static SmType clipping_type(SmType from) { return holds_all(SM_I32, from) ? SM_I32 : SM_I64; }
+static SmType clipping_type(SmType from) { return c_holds_all(SM_I32, from) ? SM_I32 : SM_I64; }
 
 // r, or the limit of `to` that it is beyond.  Its own limit stands where that is the nearer one.
 static void put_clipped(CFn *fn, IrRef r, SmType to, int prec)
@@ -134,7 +133,7 @@ static void put_clipped(CFn *fn, IrRef r, SmType to, int prec)
     put_assigned(fn, r);
     if (from != SM_U64)
         buf_printf(&fn->line, ", %s", is_signed(to) && bits_of(to) > bits_of(in) ? least[in] : least[to]);
-    buf_printf(&fn->line, ", %s)", from == SM_U64 || holds_all(in, to) ? most[to] : most[in]);
+    buf_printf(&fn->line, ", %s)", from == SM_U64 || c_holds_all(in, to) ? most[to] : most[in]);
     close_parens(fn, opened);
 }
 
@@ -152,10 +151,97 @@ static void put_integer(CFn *fn, IrRef r, SmType to, int prec)
         put_call_on_double(fn, to_helper[to], r);
     else if (from == to)
         put_value(fn, r, prec);
-    else if (holds_all(to, from) || fact_fits(fn->ins[r].fact, to))
+    else if (c_holds_all(to, from) || fact_fits(fn->ins[r].fact, to))
         put_cast(fn, to, r, prec);
     else
         put_clipped(fn, r, to, prec);
+}
+
+// ---- float to integer ----
+
+// Whether x is in the type's range once its fraction is gone.
+static bool fits_when_cut(Fact x, SmType to)
+{
+    const Fact t = fact_of_type(to);
+
+    return bits_of(to) == 64 ? fact_fits(x, to) : !x.nan && x.lo > t.lo - 1 && x.hi < t.hi + 1;
+}
+
+// x / d of two integers of 32 bits loses its fraction in C as it does on its way from F64: the nearest F64 to a quotient that
+// is not whole is not whole, since that has a distance of 1/d.  So `x * 2^-k` is x / 2^k.
+typedef struct Quotient {
+    IrRef x;                  // an integer
+    double d;
+} Quotient;
+
+static bool find_divisor(const CFn *fn, const IrIns *i, double *d)
+{
+    if (!fact_is_number(fn->ins[i->b].fact, d) || (i->op != IR_div && i->op != IR_mul))
+        return false;
+    if (i->op == IR_mul)
+        *d = 1 / *d;
+    return *d >= 2 && *d <= 2147483647.0 && (double)(int32_t)*d == *d && (i->op == IR_div || ((int32_t)*d & ((int32_t)*d - 1)) == 0);
+}
+
+static bool find_quotient(const CFn *fn, IrRef r, Quotient *q)
+{
+    const IrIns *i = ins(fn, r), *a;
+
+    if (fn->ins[r].is_const || fn->ins[r].how != C_INLINE || i->type != SM_F64 || (i->op != IR_div && i->op != IR_mul))
+        return false;
+    a = ins(fn, i->a);
+    if (fn->ins[i->a].is_const || fn->ins[i->a].how != C_INLINE || a->op != IR_cvt || !fn->ins[i->b].is_const)
+        return false;
+    q->x = a->a;
+    return c_is_integer(ins(fn, q->x)->type) && c_holds_all(SM_I32, ins(fn, q->x)->type) && find_divisor(fn, i, &q->d);
+}
+
+static void put_quotient(CFn *fn, const Quotient *q, int prec)
+{
+    const bool opened = open_parens(fn, PREC_MUL, prec);
+
+    if (ins(fn, q->x)->type != SM_I32)
+        put_cast(fn, SM_I32, q->x, PREC_MUL);
+    else
+        put_value(fn, q->x, PREC_MUL);
+    buf_printf(&fn->line, " / %ld", (long)q->d);
+    close_parens(fn, opened);
+}
+
+// As an I32, where it cannot leave that.
+static void put_cut_i32(CFn *fn, IrRef r, int prec)
+{
+    Quotient q;
+
+    if (find_quotient(fn, r, &q))
+        put_quotient(fn, &q, prec);
+    else
+        put_cast(fn, SM_I32, r, prec);
+}
+
+static void put_cut(CFn *fn, IrRef r, SmType to, int prec)
+{
+    const Fact x = fn->ins[r].fact;
+    const bool fits = fits_when_cut(x, to), in_i32 = fits_when_cut(x, SM_I32);
+    Quotient q;
+    bool opened;
+
+    if ((!fits && !(bits_of(to) < 32 && in_i32)) || (fits && !find_quotient(fn, r, &q))) {
+        if (fits)
+            put_cast(fn, to, r, prec);
+        else
+            put_call_on_double(fn, to_helper[to], r);
+        return;
+    }
+    opened = open_parens(fn, to == SM_I32 ? PREC_MUL : PREC_UNARY, prec);
+    if (to != SM_I32)
+        buf_printf(&fn->line, "(%s)", c_type_of(to));
+    if (!fits)
+        buf_printf(&fn->line, "%s(", helper_use(fn->u, "sm_clip_i32"));
+    put_cut_i32(fn, r, !fits ? PREC_ANY : to == SM_I32 ? PREC_MUL : PREC_PRIMARY);
+    if (!fits)
+        buf_printf(&fn->line, ", %s, %s)", least[to], most[to]);
+    close_parens(fn, opened);
 }
 
 // ---- all of them ----
@@ -210,8 +296,6 @@ void put_cvt(CFn *fn, const IrIns *i, int prec)
         put_to_float(fn, i->a, to, prec);
     else if (c_is_integer(from))
         put_integer(fn, i->a, to, prec);
-    else if (fact_fits(fn->ins[i->a].fact, to))
-        put_cast(fn, to, i->a, prec);
     else
-        put_call_on_double(fn, to_helper[to], i->a);
+        put_cut(fn, i->a, to, prec);
 }

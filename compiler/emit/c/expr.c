@@ -42,13 +42,43 @@ static void put_call(CFn *fn, const char *helper, const IrIns *i)
     put(fn, ")");
 }
 
+static bool can_be_zero(Fact x) { return x.lo <= 0 && x.hi >= 0; }
+
+// Whether the comparison y < x, or y > x, alone tells which to take: no NaN in y, and where they are equal x will do.
+static bool is_simple_choice(IrOp op, Fact x, Fact y)
+{
+    return !y.nan && !(op == IR_max ? x.minus_zero && can_be_zero(y) : y.minus_zero && can_be_zero(x));
+}
+
+// min and max of F64 without NaN and the signs of zeros, where they do not matter.
+static bool put_simple_choice(CFn *fn, const IrIns *i)
+{
+    IrRef x = i->a, y = i->b;
+
+    if ((i->op != IR_min && i->op != IR_max) || i->type != SM_F64)
+        return false;
+    if (!is_simple_choice(i->op, fn->ins[x].fact, fn->ins[y].fact)) {
+        x = i->b;
+        y = i->a;
+    }
+    if (!is_simple_choice(i->op, fn->ins[x].fact, fn->ins[y].fact))
+        return false;
+    buf_printf(&fn->line, "%s(", helper_use(fn->u, i->op == IR_min ? "sm_lower" : "sm_higher"));
+    put_value(fn, x, PREC_ANY);
+    put(fn, ", ");
+    put_value(fn, y, PREC_ANY);
+    put(fn, ")");
+    return true;
+}
+
 // A builtin's function: its F64 one is called sm_NAME, a narrow one sm_NAME_TYPE.
 static void put_builtin(CFn *fn, const IrIns *i)
 {
     const char *name = ir_op_info[i->op].name;
     const char *of = i->type == SM_I32 ? "_i32" : i->type == SM_I64 ? "_i64" : i->type == SM_F32 ? "_f32" : "";
 
-    put_call(fn, format_in(fn->u->arena, "sm_%s%s", name, of), i);
+    if (!put_simple_choice(fn, i))
+        put_call(fn, format_in(fn->u->arena, "sm_%s%s", name, of), i);
 }
 
 // ---- variables ----

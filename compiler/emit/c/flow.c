@@ -4,10 +4,7 @@
 // a block where ways meet stands behind the whole of the block that dominates it.
 #include "compiler/emit/c/fn.h"
 
-// Dominators as a tree with shortcuts, so that the meeting point of two blocks is found in logarithmic time.
-typedef struct Tree {
-    uint32_t *parent, *shortcut, *depth;
-} Tree;
+typedef CDominators Tree;
 
 static uint32_t meet(const Tree *t, uint32_t a, uint32_t b)
 {
@@ -36,6 +33,8 @@ static void tree_add(Tree *t, uint32_t x, uint32_t parent)
     t->depth[x] = t->depth[parent] + 1;
     t->shortcut[x] = t->depth[parent] - t->depth[s] == t->depth[s] - t->depth[ss] ? ss : parent;
 }
+
+bool flow_dominates(const CFlow *w, uint32_t a, uint32_t b) { return meet(&w->dominators, a, b) == a; }
 
 static bool has_effect(const IrFn *f, const IrBlk *b)
 {
@@ -150,4 +149,5 @@ void flow_init(CFn *fn)
     find_dominators(w, &t);
     list_meeting_points(w, &t);
     find_falls(a, w, &t);
+    w->dominators = t;
 }

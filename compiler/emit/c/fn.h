@@ -23,7 +23,7 @@ typedef struct CIns {
     uint32_t latest;          // position in its block of the last statement in which it stands
     uint32_t level;           // how deep it stands in that statement's expression
     const char *variable;
-    bool unchecked;           // the load of a float: nobody sees whether it is NaN or 0
+    bool unchecked;           // the load of a float: it cannot be NaN, or nobody sees whether it is that or 0
     uint32_t careless;        // of its uses, those that do not see it
     bool excused;             // a comparison of which nobody sees what it gives where an operand is NaN or 0
     IrRef settled_by;         // the load with which, be it NaN or 0, this condition comes out as settled_value; or IR_NONE
@@ -36,12 +36,19 @@ typedef struct CVarUse {
     uint32_t loads;           // how often its value is needed
     bool stored;
     bool as_double;           // some of them want an F32 as a double
+    bool settled;             // stored by the function: after block settled_at it is no NaN
+    uint32_t settled_at;
     const char *copy;         // the function's own variable that holds it
     SmType copy_type;         // F64, F32, or of T
     uint32_t block_stamp;     // the block for which next_store holds
     uint32_t next_store;      // position of the next store, seen from where the walk through the block is
     uint32_t flag_stamp;      // the block that has already said that it stores this
 } CVarUse;
+
+// Dominators as a tree with shortcuts, so that the meeting point of two blocks is found in logarithmic time.
+typedef struct CDominators {
+    uint32_t *parent, *shortcut, *depth;
+} CDominators;
 
 // The shape of the control flow, as code.c writes it.
 typedef struct CFlow {
@@ -51,6 +58,7 @@ typedef struct CFlow {
     uint32_t *preds;          // how many ways lead there
     uint32_t *kid, *sibling;  // the blocks where ways meet that this one dominates, in order
     bool *falls;              // something it dominates goes on to something it does not
+    CDominators dominators;
 } CFlow;
 
 typedef struct CFn {
@@ -79,6 +87,7 @@ typedef struct CFn {
 
 // ---- flow.c ----
 void flow_init(CFn *fn);
+bool flow_dominates(const CFlow *w, uint32_t a, uint32_t b);      // both are reached
 
 // ---- plan.c ----
 void plan_constants(CFn *fn, const Env *begin);   // first: what is constant, and facts
@@ -116,6 +125,8 @@ void put_cvt(CFn *fn, const IrIns *i, int prec);
 void put_double(CFn *fn, IrRef r, int prec);
 // The value where C converts it to the temporary's type by itself: an assignment, an argument.
 void put_assigned(CFn *fn, IrRef r);
+// Whether an integer type holds every value of another.
+bool c_holds_all(SmType to, SmType from);
 // Whether r is a conversion to an integer type that holds every value of the integer it converts, written in place.
 bool is_widening(const CFn *fn, IrRef r);
 // A truth of a number that is never NaN.

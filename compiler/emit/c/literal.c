@@ -67,10 +67,14 @@ static void put_f32(CUnit *u, Buf *out, float x)
         put_f64(u, out, (double)x);
         return;
     }
-    for (int digits = 1; digits <= 9; digits++) {
-        snprintf(text, sizeof text, "%.*g", digits, (double)x);
-        if (strtof(text, NULL) == x)
-            break;
+    if (x < 1e6f && x > -1e6f && (float)(int)x == x) {
+        snprintf(text, sizeof text, "%.0f", (double)x);
+    } else {
+        for (int digits = 1; digits <= 9; digits++) {
+            snprintf(text, sizeof text, "%.*g", digits, (double)x);
+            if (strtof(text, NULL) == x)
+                break;
+        }
     }
     use_point(text);
     put_tidy(out, text);

@@ -118,7 +118,7 @@ static CVarUse *var_use(CFn *fn, uint32_t v)
 
     if (w->stamp != fn->stamp) {
         w->loads = 0;
-        w->stored = w->as_double = false;
+        w->stored = w->as_double = w->settled = false;
         w->copy = NULL;
         w->stamp = fn->stamp;
     }
@@ -215,9 +215,13 @@ static uint32_t next_store(CFn *fn, const IrIns *i)
     return i->op == IR_stat ? fn->window_sample[i->var] : UINT32_MAX;
 }
 
-// Whether writing it twice costs nothing: a plain member.
+// Whether writing it twice costs nothing: a plain member, or that as a wider integer.
 static bool is_plain(CFn *fn, const IrIns *i, const CIns *c)
 {
+    const IrIns *from = i->op == IR_cvt ? &fn->f->ins.at[i->a] : i;
+
+    if (i->op == IR_cvt)
+        return from->op == IR_load && c_is_integer(from->type) && c_holds_all(i->type, from->type) && !is_computed(fn, from->var);
     return i->op == IR_load && (!is_computed(fn, i->var) || c->unchecked || var_use(fn, i->var)->copy);
 }
 

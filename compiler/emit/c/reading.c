@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which float elements are read as they are, without a look for NaN.  A NaN reads as 0; where a condition comes out the same
-// for both nobody can tell them apart: x > 775 holds for neither, and neither does 500 < x and x < 825, though 0 < 825.
+// Which float elements are read as they are, without a look for NaN.  What the function itself has stored is none.  A NaN reads
+// as 0; where a condition comes out the same for both nobody can tell them apart: x > 775 holds for neither, and neither does
+// 500 < x and x < 825, though 0 < 825.
 #include "compiler/emit/c/fn.h"
 
 static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
@@ -114,12 +115,33 @@ static void note(CFn *fn, IrRef r)
     }
 }
 
+// Blocks are seen in their order, so what dominates one has been.
+static void note_stored(CFn *fn, uint32_t b, IrRef r)
+{
+    const IrIns *i = ins(fn, r);
+    CVarUse *w;
+
+    if (i->op != IR_store && i->op != IR_load)
+        return;
+    w = &fn->var[i->var];
+    if (w->stamp != fn->stamp)
+        return;
+    if (i->op == IR_load) {
+        fn->ins[r].unchecked = read_by(fn, r) == r && w->settled && flow_dominates(&fn->flow, w->settled_at, b);
+    } else if (!w->settled || !flow_dominates(&fn->flow, w->settled_at, b)) {
+        w->settled = true;
+        w->settled_at = b;
+    }
+}
+
 void plan_readings(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
 
-    for (size_t p = 0; p < blk->ins.n; p++)
+    for (size_t p = 0; p < blk->ins.n; p++) {
+        note_stored(fn, b, blk->ins.at[p]);
         note(fn, blk->ins.at[p]);
+    }
     for (size_t p = blk->ins.n; p-- > 0;) {           // conversions before what they convert
         const IrRef r = blk->ins.at[p], load = read_by(fn, r);
         CIns *c = &fn->ins[r];
