@@ -9,7 +9,7 @@
 
 typedef struct Local {
     bool stored, loaded;
-    bool exposed;             // some load may see what an earlier block or step left
+    bool exposed;             // some load may see what an earlier block or step left, or the temporary stored is not all of it
     uint32_t block;           // the last block that stored it, and what
     IrRef held;
 } Local;
@@ -21,13 +21,17 @@ typedef struct Locals {
     IrRef *same;              // by instruction of a function: what its users name from now on
 } Locals;
 
-static void note_ins(Locals *l, const IrIns *i)
+// Of an operation narrowed to F32 only the F32 may be asked for, as a store does; readers of the local may ask for more.
+static bool is_f32_operation(const IrIns *i) { return i->type == SM_F32 && ir_op_info[i->op].types == IR_T_SAME; }
+
+static void note_ins(Locals *l, const IrFn *f, const IrIns *i)
 {
     Local *v = &l->at[i->var];
 
     if (i->op == IR_store) {
         v->stored = true;
         v->block = l->block;
+        v->exposed |= is_f32_operation(&f->ins.at[i->a]);
     } else if (i->op == IR_load) {
         v->loaded = true;
         v->exposed |= v->block != l->block;
@@ -41,7 +45,7 @@ static void note_function(Locals *l, const IrFn *f)
         for (size_t p = 0; p < f->blk.at[b].ins.n; p++) {
             const IrIns *i = &f->ins.at[f->blk.at[b].ins.at[p]];
             if (i->op == IR_store || i->op == IR_load)
-                note_ins(l, i);
+                note_ins(l, f, i);
         }
     }
 }

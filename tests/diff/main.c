@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The campaign: random programs, one a seed, each run on every engine in lock step.
 //
-//     difftest [--seed=N] [--count=N] [--steps=N] [--jobs=N] [--out=DIR] [--resume] [--print] [--no-reduce] [--no-floors]
+//     difftest [--seed=N] [--count=N] [--steps=N] [--jobs=N] [--out=DIR] [--resume] [--print] [--no-reduce] [--no-floors] [--first]
 //              [--forms=012h] [--cc=COMMAND]…
 //
 // Workers take blocks of seeds in turn.  Each keeps a file in DIR with how far it is and what its programs met, so that
@@ -35,7 +35,7 @@ typedef struct Options {
     uint64_t seed, count;
     uint32_t steps, jobs;
     const char *out;
-    bool resume, print, reduce, floors;
+    bool resume, print, reduce, floors, first;
     unsigned forms;                   // 1u << Form of each that is run; 0: none was named
     uint32_t build;                   // of this program: another one has to prove everything anew
     uint32_t ccs;
@@ -200,14 +200,17 @@ static void tally_load(const Options *o, uint32_t worker, Tally *t)
     fclose(f);
 }
 
+// --first: until something fails.
+static bool goes_on(const Options *o, const Tally *t) { return !o->first || t->different + t->rejected + t->crashed == 0; }
+
 static void work(const Options *o, uint32_t worker, Tally *t)
 {
     const pid_t parent = getppid();
-    for (uint64_t block = t->next; block * BLOCK < o->count && getppid() == parent; block += o->jobs) {
+    for (uint64_t block = t->next; block * BLOCK < o->count && getppid() == parent && goes_on(o, t); block += o->jobs) {
         const uint64_t last = (block + 1) * BLOCK < o->count ? (block + 1) * BLOCK : o->count;
         const uint64_t first = t->seed >= o->seed + block * BLOCK && t->next == block ? t->seed - o->seed : block * BLOCK;
         t->next = block;
-        for (uint64_t i = first; i < last; i += o->ccs != 0 ? BATCH : 1) {
+        for (uint64_t i = first; i < last && goes_on(o, t); i += o->ccs != 0 ? BATCH : 1) {
             t->seed = o->seed + i;
             if (o->ccs == 0)
                 run_seed(o, o->seed + i, t);
@@ -377,6 +380,8 @@ static bool take_option(Options *o, const char *arg)
         return o->print = true;
     if (strcmp(arg, "--no-reduce") == 0)
         return o->reduce = false, true;
+    if (strcmp(arg, "--first") == 0)
+        return o->first = true;
     if (strcmp(arg, "--no-floors") == 0)
         return o->floors = false, true;
     return false;

@@ -27,8 +27,8 @@ build() {
 # The first test that notices, or nothing.
 noticed_by() {
     build || { echo "compiler"; return; }
-    "$b/obj/diff/difftest" --count=5000 --no-reduce --no-floors --out="$b/out/vm" >"$b/out/log" 2>&1 || { echo "vm: $(head -n 1 "$b/out/log")"; return; }
-    "$b/obj/diff/difftest" --count=400 --seed=7000 --no-reduce --cc="$cc -std=c99 -O0" --out="$b/out/c" >"$b/out/log" 2>&1 || { echo "c: $(head -n 1 "$b/out/log")"; return; }
+    "$b/obj/diff/difftest" --count=5000 --first --no-reduce --no-floors --out="$b/out/vm" >"$b/out/log" 2>&1 || { echo "vm: $(head -n 1 "$b/out/log")"; return; }
+    "$b/obj/diff/difftest" --count=400 --seed=7000 --first --no-reduce --cc="$cc -std=c99 -O0" --out="$b/out/c" >"$b/out/log" 2>&1 || { echo "c: $(head -n 1 "$b/out/log")"; return; }
     conformance
     [ "$result" = "$sound" ] || echo "conformance: $result"
 }
