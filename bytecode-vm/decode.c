@@ -460,6 +460,44 @@ static void put_window(Decode *d, uint32_t w)            // which, of what size 
     put_u(d, entry >> SMVM_WINDOW_SIZE_BITS);
 }
 
+// The windows that instructions are made for: of five types, that keep nothing but what one statistic needs, or both ends.
+enum { FOR_MEDIAN, FOR_AVG, FOR_ENDS, FOR_NONE };
+
+static unsigned made_for(uint32_t kind, unsigned *type)
+{
+    static const uint8_t types[] = {SM_ROLL_I16, SM_ROLL_U16, SM_ROLL_I32, SM_ROLL_F32, SM_ROLL_F64};
+    const uint32_t stats = kind & ~(uint32_t)SM_ROLL_TYPE;
+
+    for (*type = 0; *type < sizeof types && (kind & SM_ROLL_TYPE) != types[*type];)
+        ++*type;
+    if (*type == sizeof types)
+        return FOR_NONE;
+    if (stats == SM_ROLL_MEDIAN || stats == SM_ROLL_AVG)
+        return stats == SM_ROLL_AVG ? FOR_AVG : FOR_MEDIAN;
+    return (stats & (SM_ROLL_MEDIAN | SM_ROLL_AVG)) == 0 && (stats & SM_ROLL_RANGE) != 0 ? FOR_ENDS : FOR_NONE;
+}
+
+static unsigned sampling(uint32_t kind)
+{
+    static const uint16_t family[] = {FAST_PUSH_MEDIAN_I16_OP, FAST_PUSH_AVG_I16_OP, FAST_PUSH_ENDS_I16_OP};
+    unsigned type, use = made_for(kind, &type);
+
+    return use == FOR_NONE ? (unsigned)FAST_SAMPLE_OP : family[use] + type;
+}
+
+static unsigned asking(uint32_t kind, uint8_t op)
+{
+    unsigned type, use = made_for(kind, &type);
+
+    if (op == SMVM_median && use == FOR_MEDIAN)
+        return (unsigned)FAST_MEDIAN_I16_OP + type;
+    if (op == SMVM_avg && use == FOR_AVG)
+        return (unsigned)FAST_AVG_I16_OP + type;
+    return op == SMVM_range && use == FOR_ENDS ? (unsigned)FAST_RANGE_I16_OP + type : (unsigned)FAST_STAT_OP;
+}
+
+static uint32_t kind_of(const Decode *d, uint32_t w) { return smvm_window(d->m->image, d->m->windows_at, w) >> SMVM_WINDOW_SIZE_BITS; }
+
 static void decode_window(Decode *d, uint8_t op)
 {
     Operand o;
@@ -469,13 +507,14 @@ static void decode_window(Decode *d, uint8_t op)
         w = next(d);
         o = operand(d);
         put_load(d, &o);
-        put_op(d, FAST_SAMPLE_OP);
+        put_op(d, sampling(kind_of(d, w)));
         put_window(d, w);
         return;
     }
     o = operand(d);
-    put_op(d, FAST_STAT_OP);
-    put_window(d, next(d));
+    w = next(d);
+    put_op(d, asking(kind_of(d, w), op));
+    put_window(d, w);
     put_u(d, (uint64_t)(op - SMVM_avg));
     put_store(d, &o, false);
 }

@@ -96,6 +96,19 @@ static inline SmF64 get_A(const SmvmWord *w, SmF64 f) { (void)w; return f; }
 // ---- what is too long to stand in the code of an instruction ----
 
 static SmF64 root(SmF64 x) { return sm_sqrt(x); }
+static inline int64_t key_of_f32(SmF64 x) { return sm_roll_of_f32(sm_to_f32(x)); }
+
+// Windows of the usual types and statistics: made for them, taking a sample is short.
+#define MADE_FOR(K, key)                                                                                            \
+    static void push_median_##K(uint64_t *w, uint32_t n, SmF64 x) { sm_roll_take(w, n, SM_ROLL_##K | SM_ROLL_MEDIAN, key(x)); } \
+    static void push_avg_##K(uint64_t *w, uint32_t n, SmF64 x) { sm_roll_take(w, n, SM_ROLL_##K | SM_ROLL_AVG, key(x)); }       \
+    static void push_ends_##K(uint64_t *w, uint32_t n, SmF64 x) { sm_roll_take(w, n, SM_ROLL_##K | SM_ROLL_RANGE, key(x)); }
+MADE_FOR(I16, sm_to_i16)
+MADE_FOR(U16, sm_to_u16)
+MADE_FOR(I32, sm_to_i32)
+MADE_FOR(F32, key_of_f32)
+MADE_FOR(F64, sm_roll_of_f64)
+
 static void push(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(w, n, kind, x); }
 static SmF64 stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat which) { return sm_roll_stat(w, n, kind, which); }
 
@@ -114,6 +127,19 @@ static SmF64 stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat which) { 
 #define FINISH case FAST_OPS: goto end; }
 #endif
 #define GO_IF(condition, n) if (condition) { ip = ip[1].to; NEXT(0); } NEXT(n)
+
+// Written like this it is one store on machines that keep bytes in this order.
+static inline void keep(uint8_t *stored, uint64_t notes)
+{
+    stored[0] = (uint8_t)notes;
+    stored[1] = (uint8_t)(notes >> 8);
+    stored[2] = (uint8_t)(notes >> 16);
+    stored[3] = (uint8_t)(notes >> 24);
+    stored[4] = (uint8_t)(notes >> 32);
+    stored[5] = (uint8_t)(notes >> 40);
+    stored[6] = (uint8_t)(notes >> 48);
+    stored[7] = (uint8_t)(notes >> 56);
+}
 
 // What the state has to run, in its first step and in others.
 static inline const SmvmWord *body(const SmvmDecoded *d, bool first) { return d->code + d->body[2 * (size_t)d->vm->state + first]; }
@@ -158,8 +184,7 @@ SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
 #include "bytecode-vm/fast.def"
     FINISH
 end:
-    for (uint8_t i = 0; i < 8; i++)                   // one store, where the bytes are in this order
-        vm->stored[i] = (uint8_t)(notes >> 8 * i);
+    keep(vm->stored, notes);
     return SM_OK;
 }
 

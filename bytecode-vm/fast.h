@@ -52,6 +52,14 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_INC(K) FAST(INC_##K, count_##K(ip + 1); NEXT(4);)
 #define FAST_INCN(K) FAST(INCN_##K, NOTE; count_##K(ip + 2); NEXT(5);)
 
+#define FAST_SAMPLED(M) M(I16) M(U16) M(I32) M(F32) M(F64)
+#define FAST_PUSH_MEDIAN(K) FAST(PUSH_MEDIAN_##K, push_median_##K((uint64_t *)ip[1].p, (uint32_t)ip[2].u, F); NEXT(4);)
+#define FAST_PUSH_AVG(K) FAST(PUSH_AVG_##K, push_avg_##K((uint64_t *)ip[1].p, (uint32_t)ip[2].u, F); NEXT(4);)
+#define FAST_PUSH_ENDS(K) FAST(PUSH_ENDS_##K, push_ends_##K((uint64_t *)ip[1].p, (uint32_t)ip[2].u, F); NEXT(4);)
+#define FAST_MEDIAN(K) FAST(MEDIAN_##K, F = sm_roll_median((const uint64_t *)ip[1].p, (uint32_t)ip[2].u, SM_ROLL_##K | SM_ROLL_MEDIAN); NEXT(5);)
+#define FAST_AVG(K) FAST(AVG_##K, F = sm_roll_avg((const uint64_t *)ip[1].p, SM_ROLL_##K | SM_ROLL_AVG); NEXT(5);)
+#define FAST_RANGE(K) FAST(RANGE_##K, F = sm_roll_range((const uint64_t *)ip[1].p, (uint32_t)ip[2].u, SM_ROLL_##K | SM_ROLL_RANGE); NEXT(5);)
+
 #define FAST_JEQ(K) FAST(JEQ_##K, GO_IF(sm_eq(F, get_##K(ip + 2, F)), 3);)
 #define FAST_JNE(K) FAST(JNE_##K, GO_IF(!sm_eq(F, get_##K(ip + 2, F)), 3);)
 #define FAST_JLT(K) FAST(JLT_##K, GO_IF(sm_lt(F, get_##K(ip + 2, F)), 3);)

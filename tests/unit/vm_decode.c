@@ -214,6 +214,35 @@ static void states(Case *c)
     }
 }
 
+// ---- windows of all types and statistics ----
+
+static void windows(Case *c)
+{
+    static const unsigned size[] = {11, 1, 40, 70};
+    static uint8_t image[16384];
+
+    for (unsigned k = 0; k < SM_TYPE_COUNT * 31; k++) {
+        unsigned type = k / 31, stats = k % 31 + 1;
+        begin(c);
+        c->b.size = c->b.ends = 0;
+        c->b.windows = 1;
+        c->b.window[0] = WINDOW_OF(type == SM_I64 || type == SM_U64 ? SM_ROLL_F64 : type, size[k % 4], stats);
+        code(&c->b, SMVM_sample, 2, 0, SOURCE_AT + (k % 3 ? type : SM_F64));
+        code(&c->b, SMVM_end, 0);
+        end_function(&c->b);
+        end_function(&c->b);
+        for (unsigned s = 0; s < SM_STAT_COUNT; s++)
+            if (stats >> s & 1)
+                code(&c->b, SMVM_avg + s, 2, result(c, SM_F64), 0);
+        for (unsigned i = c->results; i < RESULTS; i++)
+            c->b.operand[i] = OPERAND(SM_F64, 2 + SM_TYPE_COUNT + i);
+        code(&c->b, SMVM_end, 0);
+        end_function(&c->b);
+        end_function(&c->b);
+        CHECK(hammer(image, build_image(&c->b, image), 200, k + 1) == 0);
+    }
+}
+
 // ---- memory, and another state vector ----
 
 static void memory(void)
@@ -258,6 +287,7 @@ int main(void)
     every_instruction(&c);
     counting(&c);
     states(&c);
+    windows(&c);
     memory();
     return test_end(DECODE_TEST);
 }
