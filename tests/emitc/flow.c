@@ -31,7 +31,7 @@ static void *heap(void *context, void *old, size_t size)
 
 // ---- a machine whose first state's step is a random graph ----
 
-enum { VAR_G, VAR_S, VAR_BITS, VAR_TRACE, VAR_LAST };     // the variables, in order
+enum { VAR_G, VAR_S, VAR_T, VAR_BITS, VAR_TRACE, VAR_LAST };      // the variables, in order
 
 typedef struct Subject {
     IrMachine m;
@@ -120,6 +120,7 @@ static void subject_init(Arena *a, StrPool *strings, Subject *s)
     s->m.sv_size = 24;
     add_var(a, strings, s, "G", IR_ELEMENT, SM_U64, 0);
     add_var(a, strings, s, "S", IR_ELEMENT, SM_U32, 8);
+    add_var(a, strings, s, "T", IR_TIME, SM_U64, 0);
     add_var(a, strings, s, "unused", IR_ELEMENT, SM_BOOL, 12);
     add_var(a, strings, s, "trace", IR_LOCAL, SM_F64, 0);
     add_var(a, strings, s, "last", IR_LOCAL, SM_F64, 0);
@@ -127,7 +128,7 @@ static void subject_init(Arena *a, StrPool *strings, Subject *s)
         add_var(a, strings, s, format_in(a, "bit%u", i), IR_ELEMENT, SM_BOOL, 16 + i);
     s->m.g = VAR_G;
     s->m.s = VAR_S;
-    s->m.t = UINT32_MAX;
+    s->m.t = VAR_T;
     for (int i = 0; i < STATES; i++) {
         IrState st = { str_c(strings, state[i]), { NULL, i == 0 ? random_function(a) : NULL, NULL }, { 0 } };
         vec_push(a, &s->m.state, st);
