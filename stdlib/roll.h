@@ -147,6 +147,9 @@ SM_ROLL_INLINE uint32_t sm_roll_row(uint32_t n, uint32_t kind) { return ((n << s
 //: sm_roll_heads
 // Bytes of the numbers that say where the blocks of ordered samples begin.
 SM_ROLL_INLINE uint32_t sm_roll_heads(uint32_t n) { return n <= SM_ROLL_BLOCK ? 0 : (n / SM_ROLL_BLOCK * 2u + 9u) & ~(uint32_t)7; }
+//: sm_roll_tree
+// Words for what is kept of two, four, eight, … slots, all but the last: half of them, a quarter, …, each rounded up.
+SM_ROLL_INLINE uint32_t sm_roll_tree(uint32_t n) { return n + 15; }
 //: sm_roll_nodes
 // In which word what is kept of two slots begins.
 SM_ROLL_INLINE uint32_t sm_roll_nodes(uint32_t n, uint32_t kind)
@@ -314,52 +317,57 @@ SM_ROLL_INLINE void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, 
     sm_roll_put(sorted, sm_roll_place(sorted, n, kind, to), kind, key);
     sm_roll_push(w, n, kind, key);
 }
-//: sm_roll_join
-// Joins what is kept of some slots with what is kept of others.
-SM_ROLL_INLINE void sm_roll_join(uint64_t *to, const uint64_t *from, unsigned keeps)
+//: sm_roll_sum_up
+// The sum of all slots, of which sample i is new; `sum` is that of its pair.  Notes the sums of four, eight, … slots; an odd last one
+// passes on as it is.
+SM_ROLL_INLINE SmF64 sm_roll_sum_up(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, SmF64 sum)
 {
-    unsigned j;
-    if ((keeps & 2u) != 0)
-        to[0] = sm_bits(sm_add(sm_from_bits(to[0]), sm_from_bits(from[0])));
-    for (j = (keeps & 2u) != 0; j < sm_roll_size(keeps); j++)
-        to[j] = (int64_t)from[j] < (int64_t)to[j] ? from[j] : to[j];
-}
-//: sm_roll_leaf
-// What is kept of one slot.
-SM_ROLL_INLINE void sm_roll_leaf(uint64_t *to, uint32_t kind, unsigned keeps, int64_t key)
-{
-    if ((keeps & 2u) != 0)
-        *to++ = sm_bits(sm_roll_value(kind, key));
-    if ((keeps & 4u) != 0)
-        *to++ = (uint64_t)key;
-    if ((keeps & 8u) != 0)
-        *to = ~(uint64_t)key;
-}
-//: sm_roll_combine
-// After a sample has come: works out anew what is kept of the two, four, eight, … slots that it belongs to, and of all of them.  An
-// odd last one passes on as it is.
-SM_ROLL_INLINE void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
-{
-    const unsigned keeps = sm_roll_node_keeps(n, kind), size = sm_roll_size(keeps);
-    const unsigned char *const slot = (unsigned char *)(w + sm_roll_slots(kind));
-    uint32_t i = (sm_roll_next(w) == 0 ? n : sm_roll_next(w)) - 1, count = sm_roll_count(w), end = n;
-    uint64_t part[3], other[3], *node = w + sm_roll_nodes(n, kind);
-    if (keeps == 0)
-        return;
-    sm_roll_leaf(part, kind, keeps, sm_roll_get(slot, i, kind));
-    if ((i ^ 1u) < count) {
-        sm_roll_leaf(other, kind, keeps, sm_roll_get(slot, i ^ 1u, kind));
-        sm_roll_join(part, other, keeps);
-    }
-    while ((end = (end + 1) / 2) > 1) {
+    for (n = (n + 1) / 2; n > 1; n = (n + 1) / 2) {
         i /= 2;
         count = (count + 1) / 2;
-        memcpy(node + i * size, part, size * sizeof *part);
+        node[i] = sm_bits(sum);
         if ((i ^ 1u) < count)
-            sm_roll_join(part, node + (i ^ 1u) * size, keeps);
-        node += end * size;
+            sum = sm_add(sum, sm_from_bits(node[i ^ 1u]));
+        node += n;
     }
-    memcpy(w + 1 + (sm_roll_keeps(kind) & 1u), part, size * sizeof *part);
+    return sum;
+}
+//: sm_roll_least_up
+// The same for the least key.
+SM_ROLL_INLINE int64_t sm_roll_least_up(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, int64_t least)
+{
+    for (n = (n + 1) / 2; n > 1; n = (n + 1) / 2) {
+        i /= 2;
+        count = (count + 1) / 2;
+        node[i] = (uint64_t)least;
+        if ((i ^ 1u) < count && (int64_t)node[i ^ 1u] < least)
+            least = (int64_t)node[i ^ 1u];
+        node += n;
+    }
+    return least;
+}
+//: sm_roll_combine
+// After a sample has come: works out anew what is kept of the two, four, eight, … slots that it belongs to, and of all of them.
+SM_ROLL_INLINE void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
+{
+    const unsigned keeps = sm_roll_node_keeps(n, kind);
+    const unsigned char *const slot = (unsigned char *)(w + sm_roll_slots(kind));
+    const uint32_t next = sm_roll_next(w), i = (next == 0 ? n : next) - 1, count = sm_roll_count(w);
+    const bool paired = (i ^ 1u) < count;
+    const int64_t key = sm_roll_get(slot, i, kind), other = sm_roll_get(slot, paired ? i ^ 1u : i, kind);
+    uint64_t *node = w + sm_roll_nodes(n, kind), *all = w + 1 + (sm_roll_keeps(kind) & 1u);
+    SmF64 sum = sm_roll_value(kind, key);
+    if ((keeps & 2u) != 0) {
+        sum = paired ? sm_add(sum, sm_roll_value(kind, other)) : sum;
+        *all++ = sm_bits(sm_roll_sum_up(node, n, i, count, sum));
+        node += sm_roll_tree(n);
+    }
+    if ((keeps & 4u) != 0) {
+        *all++ = (uint64_t)sm_roll_least_up(node, n, i, count, key < other ? key : other);
+        node += sm_roll_tree(n);
+    }
+    if ((keeps & 8u) != 0)
+        *all = (uint64_t)sm_roll_least_up(node, n, i, count, key > other ? ~key : ~other);
 }
 //: sm_roll_sum
 // Slots are added in pairs, those sums in pairs, and so on: part[i] is the sum of 2^i slots that waits for its other half.
@@ -461,10 +469,13 @@ static inline bool sm_roll_is_kind(uint32_t kind)
 // How many words of memory a window needs.  n is at most SM_WINDOW_MAX.
 static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
 {
-    const unsigned size = sm_roll_size(sm_roll_node_keeps(n, kind));
+    const unsigned keeps = sm_roll_node_keeps(n, kind);
     uint32_t words = sm_roll_nodes(n, kind);
-    while (size > 0 && (n = (n + 1) / 2) > 1)
-        words += n * size;
+    if (keeps == 0)
+        return words;
+    words += (sm_roll_size(keeps) - 1) * sm_roll_tree(n);
+    while ((n = (n + 1) / 2) > 1)
+        words += n;
     return words;
 }
 

@@ -219,7 +219,7 @@ static void test_memory(void)
     CHECK(sm_roll_words(20, SM_ROLL_I16 | SM_ROLL_AVG) == (small ? 1 : 2) + 5);
     CHECK(sm_roll_words(20, SM_ROLL_F64 | SM_ROLL_AVG) == (small ? 1 + 20 : 2 + 20 + 10 + 5 + 3 + 2));
     CHECK(sm_roll_words(15, SM_ROLL_F32 | SM_ROLL_RANGE) == (small ? 1 : 3) + 8);
-    CHECK(sm_roll_words(100, SM_ROLL_F32 | SM_ROLL_RANGE) == (small ? 1 + 50 : 3 + 50 + 2 * (50 + 25 + 13 + 7 + 4 + 2)));
+    CHECK(sm_roll_words(100, SM_ROLL_F32 | SM_ROLL_RANGE) == (small ? 1 + 50 : 3 + 50 + 100 + 15 + 50 + 25 + 13 + 7 + 4 + 2));
     CHECK(sm_roll_words(100000, SM_ROLL_I32 | SM_ROLL_MEDIAN) == 1 + 100000 + (small ? 0 : 13));
 }
 
