@@ -109,9 +109,6 @@ MADE_FOR(I32, sm_to_i32)
 MADE_FOR(F32, key_of_f32)
 MADE_FOR(F64, sm_roll_of_f64)
 
-static void push(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(w, n, kind, x); }
-static SmF64 stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat which) { return sm_roll_stat(w, n, kind, which); }
-
 // ---- running: each instruction goes straight to the next, or where C has no such thing through a switch ----
 
 #if SMVM_COMPUTED_GOTO

@@ -149,6 +149,10 @@ static inline uint32_t smvm_function_end(const SmvmMachine *m, uint32_t index)
 
 uint8_t smvm_shape(uint8_t opcode);                   // 0 if it is none
 
+// Windows, for all that runs code (interp.c): stdlib/roll.h made for each type is long.
+void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x);
+SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat);
+
 // ---- names, for hosts; DEBUG is not verified, so these check what they read (debug.c) ----
 
 typedef struct SmvmName { uint32_t at, size; } SmvmName;         // in the image; size 0: none

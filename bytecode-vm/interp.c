@@ -172,18 +172,21 @@ static void jump_if(Run *r, bool condition)
         r->at += distance;
 }
 
+void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(w, n, kind, x); }
+SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat) { return sm_roll_stat(w, n, kind, stat); }
+
 static void push(const Run *r, uint32_t w, SmF64 x)
 {
     uint32_t entry = smvm_window(r->m.image, r->m.windows_at, w);
 
-    sm_roll_sample(r->parts.window[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, x);
+    smvm_sample(r->parts.window[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, x);
 }
 
 static SmF64 statistic(const Run *r, uint32_t w, SmStat stat)
 {
     uint32_t entry = smvm_window(r->m.image, r->m.windows_at, w);
 
-    return sm_roll_stat(r->parts.window[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, stat);
+    return smvm_statistic(r->parts.window[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, stat);
 }
 
 static void window(Run *r, uint8_t op)

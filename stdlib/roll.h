@@ -2,26 +2,29 @@
 // Rolling windows (language.md 7) over memory that the caller owns.  Sample k sits in slot k mod n; a statistic is a function
 // of what the slots hold and nothing else, so what has left the window leaves no trace.
 //
-//     uint32_t kind = SM_ROLL_F32 | SM_ROLL_AVG | SM_ROLL_MEDIAN;   // the samples' type; what will be asked
-//     uint64_t w[…];                                                // sm_roll_words(n, kind) of them, all zero: an empty window
-//     sm_roll_push(w, n, kind, sm_roll_of_f32(x));                  // once a step
-//     y = sm_roll_median(w, n, kind);
+//     uint32_t kind = sm_roll_kind(SM_F32, stats);      // the samples' type; a bit for each statistic that will be asked
+//     uint64_t w[…];                                    // sm_roll_words(n, kind) of them, all zero: an empty window
+//     sm_roll_sample(w, n, kind, x);                    // once a step
+//     y = sm_roll_stat(w, n, kind, SM_STAT_MEDIAN);
 //
-// An empty window gives 0.  A sample is handed over as its key, an int64_t in the order of the numbers: a whole number is its
-// own, those of F32 and F64 come from sm_roll_of_…; NaN enters as 0, and -0 is below 0.  I64 and U64 are kept as F64.
+// An empty window gives 0.  Inside, a sample is its key, an int64_t in the order of the numbers: a whole number is its own, those of
+// F32 and F64 come from sm_roll_of_…; NaN enters as 0, and -0 is below 0.  I64 and U64 are kept as F64.
 //
-// What it costs, in time and in memory beside the n slots:
+// Emitted C calls the functions below sm_roll_sample, with n and kind as constants: sm_roll_push or one of its kind, then
+// sm_roll_combine where there are parts; and sm_roll_avg and its like.
 //
-//                        push                              ask      memory
-//     average, integers  O(1)                              O(1)     1 word
-//     average, F32, F64  log2 n additions                  O(1)     n numbers: sums of 2, 4, 8, … slots
-//     smallest, largest  log2 n comparisons                O(1)     n samples each: those of 2, 4, 8, … slots
-//     median             n <= SM_ROLL_PASS: one pass       O(1)     n samples, in order
-//                        else two binary searches and a     …       and 2 bytes for SM_ROLL_BLOCK of them
-//                        move of <= 2 SM_ROLL_BLOCK samples
+// What a sample costs, and the memory beside the n slots.  Asking costs nothing that grows with n.
 //
-// With a median, smallest and largest come for nothing.  With SM_ROLL_SMALL a window keeps its slots and, for a median, the samples
-// in order, no more: average of F32 and F64, smallest and largest then look at all slots when asked, and a median moves up to n.
+//     average of integers                       constant                                        a word
+//     average of F32 and F64                    log2 n additions                                n F64: sums of 2, 4, 8, … slots
+//     smallest, largest: n <= SM_ROLL_SCAN      constant; n comparisons when that one leaves    a word each
+//                        longer                 log2 n comparisons                              n words each, of 2, 4, 8, … slots
+//     median:            n <= SM_ROLL_SHORT     n comparisons, no branch                        n samples, in order
+//                        longer                 2 log2 n comparisons, moving at most            n samples, in order, and 2 bytes
+//                                               2 SM_ROLL_BLOCK samples and 1 a block           a block
+//
+// With a median, smallest and largest come for nothing.  With SM_ROLL_SMALL a window has its slots and, for a median, the samples in
+// order, no more: average, smallest and largest then look at all slots when asked, and a sample of a median moves up to n.
 #ifndef SM_ROLL_H
 #define SM_ROLL_H
 
@@ -56,7 +59,8 @@ enum {
 // The longest window whose smallest and largest are looked for among all samples when one leaves; how many samples in order make a
 // block that moves at once.
 #define SM_ROLL_SCAN 64u
-#define SM_ROLL_BLOCK (SM_ROLL_SMALL ? 0x20000u : 2048u)
+#define SM_ROLL_BLOCK 2048u
+#define SM_ROLL_LONG(n) (!SM_ROLL_SMALL && (n) > SM_ROLL_BLOCK)
 //: sm_roll_of_f32
 // The key of a number: ordered as the numbers are, -0 below 0; NaN counts as 0.
 static inline int64_t sm_roll_of_f32(float x)
@@ -135,7 +139,10 @@ SM_ROLL_INLINE unsigned sm_roll_keeps(uint32_t kind)
 SM_ROLL_INLINE unsigned sm_roll_size(unsigned keeps) { return ((keeps & 3u) != 0) + (keeps >> 2 & 1u) + (keeps >> 3); }
 //: sm_roll_node_keeps
 // What it keeps of 2, 4, 8, … slots.
-SM_ROLL_INLINE unsigned sm_roll_node_keeps(uint32_t n, uint32_t kind) { return sm_roll_keeps(kind) & (n > SM_ROLL_SCAN ? 14u : 2u); }
+SM_ROLL_INLINE unsigned sm_roll_node_keeps(uint32_t n, uint32_t kind)
+{
+    return sm_roll_keeps(kind) & (n > SM_ROLL_SCAN ? 14u : 2u);
+}
 //: sm_roll_slots
 // In which word the slots begin.  Before them: a word that counts the samples and names the next slot; what is kept of them all,
 // in the order of sm_roll_keeps, of the largest the key's complement.  Behind them: the samples in order, for a median; what is kept
@@ -146,7 +153,7 @@ SM_ROLL_INLINE unsigned sm_roll_slots(uint32_t kind) { return 1u + sm_roll_size(
 SM_ROLL_INLINE uint32_t sm_roll_row(uint32_t n, uint32_t kind) { return ((n << sm_roll_shift(kind)) + 7u) & ~(uint32_t)7; }
 //: sm_roll_heads
 // Bytes of the numbers that say where the blocks of ordered samples begin.
-SM_ROLL_INLINE uint32_t sm_roll_heads(uint32_t n) { return n <= SM_ROLL_BLOCK ? 0 : (n / SM_ROLL_BLOCK * 2u + 9u) & ~(uint32_t)7; }
+SM_ROLL_INLINE uint32_t sm_roll_heads(uint32_t n) { return SM_ROLL_LONG(n) ? (n / SM_ROLL_BLOCK * 2u + 9u) & ~(uint32_t)7 : 0; }
 //: sm_roll_tree
 // Words for what is kept of two, four, eight, … slots, all but the last: half of them, a quarter, …, each rounded up.
 SM_ROLL_INLINE uint32_t sm_roll_tree(uint32_t n) { return n + 15; }
@@ -196,7 +203,8 @@ SM_ROLL_INLINE int64_t sm_roll_least(const uint64_t *w, uint32_t kind, int64_t f
 }
 //: sm_roll_update
 // A key has come and `old` has left, if the window was full: what is the least of all now.
-SM_ROLL_INLINE void sm_roll_update(const uint64_t *w, uint32_t kind, uint64_t *least, bool full, int64_t old, int64_t key, int64_t flip)
+SM_ROLL_INLINE void sm_roll_update(const uint64_t *w, uint32_t kind, uint64_t *least, bool full, int64_t old, int64_t key,
+                                   int64_t flip)
 {
     if (sm_roll_count(w) == 1 || (key ^ flip) <= (int64_t)*least)
         *least = (uint64_t)(key ^ flip);
@@ -242,7 +250,7 @@ SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, 
 SM_ROLL_INLINE uint32_t sm_roll_place(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t rank)
 {
     const uint32_t first = rank & ~(SM_ROLL_BLOCK - 1), end = n - first < SM_ROLL_BLOCK ? n : first + SM_ROLL_BLOCK;
-    if (n <= SM_ROLL_BLOCK)
+    if (!SM_ROLL_LONG(n))
         return rank;
     rank += (uint32_t)sm_roll_get(sorted + sm_roll_row(n, kind), first / SM_ROLL_BLOCK, SM_ROLL_U16);
     return rank < end ? rank : rank - end + first;
@@ -277,7 +285,7 @@ SM_ROLL_INLINE void sm_roll_turn(unsigned char *sorted, uint32_t n, uint32_t kin
     const bool up = from <= to;
     uint32_t a = sm_roll_place(sorted, n, kind, from);
     const uint32_t b = sm_roll_place(sorted, n, kind, to);
-    if (n > SM_ROLL_BLOCK && (a <= b) != up) {
+    if (SM_ROLL_LONG(n) && (a <= b) != up) {
         sm_roll_slide(sorted, kind, a, up ? last : first);
         a = up ? first : last;
         sm_roll_put(sorted, up ? last : first, kind, sm_roll_get(sorted, a, kind));
@@ -290,12 +298,13 @@ SM_ROLL_INLINE void sm_roll_move(unsigned char *sorted, uint32_t n, uint32_t kin
 {
     unsigned char *const heads = sorted + sm_roll_row(n, kind);
     const uint32_t mask = SM_ROLL_BLOCK - 1, step = from <= to ? 1u : UINT32_MAX;
-    uint32_t end, head;
-    while (n > SM_ROLL_BLOCK && (from & ~mask) != (to & ~mask)) {
+    uint32_t end, head, out;
+    while (SM_ROLL_LONG(n) && (from & ~mask) != (to & ~mask)) {
         end = step == 1 ? from | mask : from & ~mask;
         sm_roll_turn(sorted, n, kind, from, end);
         from = end + step;
-        sm_roll_put(sorted, sm_roll_place(sorted, n, kind, end), kind, sm_roll_get(sorted, sm_roll_place(sorted, n, kind, from), kind));
+        out = sm_roll_place(sorted, n, kind, from);
+        sm_roll_put(sorted, sm_roll_place(sorted, n, kind, end), kind, sm_roll_get(sorted, out, kind));
         if ((from & ~mask) != (to & ~mask)) {
             head = (uint32_t)sm_roll_get(heads, from / SM_ROLL_BLOCK, SM_ROLL_U16);
             sm_roll_put(heads, from / SM_ROLL_BLOCK, SM_ROLL_U16, (head + step) & mask);
@@ -529,7 +538,7 @@ static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 
 #endif
 }
 
-// One of the statistics that the window was made for.
+// One of the statistics that a window was made for.
 static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
     switch (stat) {
