@@ -12,7 +12,7 @@
 //
 // A store of what the variable holds already is dropped: of an element if the block has stored it before (that it was
 // stored is seen), of a local unless others write it.
-// Needs uses; breaks uses.
+// Needs uses and keeps them right while it works.
 #include <string.h>
 
 #include "compiler/passes/pass.h"
@@ -157,8 +157,10 @@ static bool visit_store(Cse *c, const IrIns *i)
     const IrVar *v = &c->facts->m->var.at[i->var];
     bool known = v->space == IR_ELEMENT ? note->stored : !v->outside;
 
-    if (known && note->ref != IR_NONE && note->ref == c->value[i->a])
+    if (known && note->ref != IR_NONE && note->ref == c->value[i->a]) {
+        c->facts->uses[i->a]--;
         return false;
+    }
     if (note->ref != c->value[i->a])
         note->load = IR_NONE;
     note->ref = c->value[i->a];
@@ -182,6 +184,14 @@ static void visit_operation(Cse *c, IrRef ref)
         c->keeper[first] = ref;
 }
 
+// What a user of `ref` names from now on.
+static IrRef renamed(Cse *c, IrRef ref)
+{
+    c->facts->uses[ref]--;
+    c->facts->uses[c->same[ref]]++;
+    return c->same[ref];
+}
+
 // False if the instruction can go at once.
 static bool visit(Cse *c, IrRef ref)
 {
@@ -189,9 +199,9 @@ static bool visit(Cse *c, IrRef ref)
 
     c->same[ref] = c->value[ref] = ref;
     if (ir_op_info[i->op].operands > 0)
-        i->a = c->same[i->a];
+        i->a = renamed(c, i->a);
     if (ir_op_info[i->op].operands > 1)
-        i->b = c->same[i->b];
+        i->b = renamed(c, i->b);
     if (i->op == IR_store)
         return visit_store(c, i);
     if (i->op == IR_load)
@@ -212,7 +222,7 @@ static void visit_block(Cse *c, IrBlk *blk)
             blk->ins.at[kept++] = blk->ins.at[p];
     blk->ins.n = kept;
     if (blk->jump.kind == IR_BR)
-        blk->jump.cond = c->same[blk->jump.cond];
+        blk->jump.cond = renamed(c, blk->jump.cond);
 }
 
 // Room for twice the operations of the longest block.

@@ -99,10 +99,38 @@ static void run_on_machine(Runner *r, const PassInfo *pass)
         r->facts[f].valid &= ~pass->breaks;
 }
 
+// Whether the facts that are said to hold of a function do.
+static bool uses_hold(Runner *r, const IrFn *f, const Facts *facts)
+{
+    const uint32_t *uses;
+
+    if (!f || !(facts->valid & FACT_USES))
+        return true;
+    uses = ir_count_uses(r->arena, f);
+    for (size_t b = 0; b < f->blk.n; b++)
+        for (size_t p = 0; p < f->blk.at[b].ins.n; p++)
+            if (uses[f->blk.at[b].ins.at[p]] != facts->uses[f->blk.at[b].ins.at[p]])
+                return false;
+    return true;
+}
+
+static bool all_uses_hold(Runner *r)
+{
+    const Facts *facts = r->facts;
+    bool hold = uses_hold(r, r->m->sample, facts++);
+
+    for (size_t s = 0; s < r->m->state.n; s++)
+        for (int k = 0; k < BLOCK_COUNT; k++)
+            hold = uses_hold(r, r->m->state.at[s].block[k], facts++) && hold;
+    return hold;
+}
+
 static const char *check(Runner *r, const char *when)
 {
     const char *wrong = r->o->verify ? ir_verify(r->arena, r->m) : NULL;
 
+    if (!wrong && r->o->verify && !all_uses_hold(r))
+        wrong = "the uses it keeps are not right";
     return wrong ? format_in(r->arena, "%s: %s", when, wrong) : NULL;
 }
 
@@ -149,9 +177,10 @@ static void prepare_facts(Runner *r)
 const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
 {
     Runner r = {arena, m, o, NULL, {NULL, 0}, NULL};
-    const char *wrong = check(&r, "before the first pass");
+    const char *wrong;
 
     prepare_facts(&r);
+    wrong = check(&r, "before the first pass");
     if (!wrong && o->only)
         return run_named(&r, o->only);
     for (size_t p = 0; !wrong && p < sizeof runs / sizeof runs[0]; p++)
