@@ -116,8 +116,7 @@ void *smvm_locals(SmVm *vm);                          // the locals, as operands
 
 // ---- running faster, where there is RAM to spare ----
 
-// The code of a machine with its operands looked up, for one state vector; several times as fast as reading the image.  Needs some
-// 20 bytes of memory for each byte of code.
+// The code of a machine with its operands looked up, for one state vector; several times as fast as reading the image.
 typedef struct SmvmDecoded SmvmDecoded;
 
 // Bytes of memory that smvm_decode needs for m.
