@@ -270,8 +270,10 @@ SmResult smvm_step(SmVm *vm, void *sv)
         to = run(&r, block);
     if (to == 0)
         to = run(&r, block + 1);
-    if (to != 0)
+    if (to != 0) {
         run(&r, block + 2);
-    smvm_finish(vm, to);
+        vm->state = (SmvmAt)to;
+    }
+    vm->first = to != 0;
     return SM_OK;
 }

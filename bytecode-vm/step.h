@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a step begins and ends (language.md 6), whatever runs what lies between.  Internal to the VM.
+// How a step begins (language.md 6), whatever runs it.  Internal to the VM.
 #ifndef SMVM_STEP_H
 #define SMVM_STEP_H
 
@@ -20,14 +20,6 @@ static inline bool smvm_begin(SmVm *vm, const void *g, void *s)
     }
     vm->next = next;
     return true;
-}
-
-// `to` is the state that the step went to, or 0.
-static inline void smvm_finish(SmVm *vm, uint32_t to)
-{
-    if (to != 0)
-        vm->state = (SmvmAt)to;
-    vm->first = to != 0;
 }
 
 #endif
