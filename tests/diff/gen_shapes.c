@@ -126,9 +126,25 @@ static GExpr *recent(Gen *g)
     return n != 0 ? g->recent[rng_below(&g->rng, n)] : whole_expr(g, 2);
 }
 
+// An expression beside one that is the same, or nearly: with its operands the other way round, or another operator of its kind.
+static GExpr *twins(Gen *g)
+{
+    GExpr *e = recent(g), *twin = gen_expr_new(g, e->kind, e->n);
+    *twin = *e;
+    if (e->kind == G_BINARY && rng_percent(&g->rng, 60)) {
+        twin->arg[0] = e->arg[1];
+        twin->arg[1] = e->arg[0];
+    }
+    if (e->kind == G_BINARY && rng_percent(&g->rng, 30))
+        twin->op = e->op >= SM_OP_ADD ? pick_operator(g, SM_OP_ADD, 4) : pick_operator(g, SM_OP_EQ, 6);
+    return binary(g, pick_operator(g, SM_OP_ADD, 4), e, twin);
+}
+
 GExpr *gen_shape(Gen *g)
 {
     const uint32_t what = rng_below(&g->rng, 100);
+    if (what < 15)
+        return twins(g);
     if (what < 30)
         return recent(g);
     if (what < 60)
