@@ -170,8 +170,8 @@ static void test_larger_windows(void)
     for (unsigned i = 0; i < sizeof size / sizeof *size; i++)
         for (int t = 0; t < TYPES; t++)
             for (int mood = 0; mood < MOODS; mood++) {
-                check_window(size[i], sm_roll_kind(types[t], STATS), mood, 2 * size[i] + 70, 5, 17);
-                check_window(size[i], sm_roll_kind(types[t], STATS & ~(1u << SM_STAT_MEDIAN)), mood, 2 * size[i] + 70, 5, 31);
+                check_window(size[i], sm_roll_kind(types[t], STATS), mood, 2 * size[i] + 70, 5, size[i] > 500 ? 53 : 17);
+                check_window(size[i], sm_roll_kind(types[t], STATS & ~(1u << SM_STAT_MEDIAN)), mood, 2 * size[i] + 70, 5, size[i] > 500 ? 97 : 31);
             }
 }
 
