@@ -33,6 +33,7 @@ typedef enum IrTypes { IR_T_CONST, IR_T_CONVERT, IR_T_SAME, IR_T_COMPARE, IR_T_L
 // every operand is exactly of that type and
 //   on I32, I64  that the result is a whole number that fits and is at most 2^53 in magnitude, and no -0 that anyone could tell;
 //   on F32       that all anyone asks of the result is its F32 (rounding to F64 first changes nothing, by the widths of both).
+// So a pass may change narrowed operations only in ways that would be right on F64: 0 + x stays, for on F64 it makes 0 of -0.
 // Likewise a comparison of operands that are not F64 gives what it gives of them converted to F64: of I64 and U64 beyond 2^53
 // that is not so by itself.
 typedef enum IrNarrow { IR_N_NONE, IR_N_INT, IR_N_F32, IR_N_BOTH } IrNarrow;

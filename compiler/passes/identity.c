@@ -35,12 +35,20 @@ bool identity_is(const Identity *d, IrRef ref, SmF64 number)
 
 // ---- arithmetic ----
 
+// An integer or truth that is not computed: what was narrowed may still be computed on F64 (ir.h), and be -0 there.
+static bool is_plain_integer(const Identity *d, IrRef ref)
+{
+    const IrIns *i = identity_at(d, ref);
+
+    return !is_float(i->type) && (ir_op_info[i->op].types != IR_T_SAME && i->op != IR_cvt);
+}
+
 // Whether it cannot be -0.
 static bool has_no_minus_zero(const Identity *d, IrRef ref)
 {
     const IrIns *i = identity_at(d, ref);
 
-    return !is_float(i->type) || i->op == IR_abs || (i->op == IR_cvt && !is_float(identity_at(d, i->a)->type));
+    return is_plain_integer(d, ref) || i->op == IR_abs || (i->op == IR_cvt && is_plain_integer(d, i->a));
 }
 
 static IrRef same_as_sum(const Identity *d, const IrIns *i)
