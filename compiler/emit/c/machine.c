@@ -45,7 +45,7 @@ static const char *block_comment(const CUnit *u, size_t state, BlockKind k)
 static void put_state_block(CUnit *u, size_t i, BlockKind k, CState *s, Buf *out)
 {
     const IrFn *f = u->m->state.at[i].block[k];
-    CFunction what = { f, facts_begin(u->facts, i, k), NULL, NULL };
+    CFunction what = { f, facts_begin(u->facts, i, (int)k), NULL, NULL };
     const bool never = k == BLOCK_EXIT && !s->block[BLOCK_ENTRY].returns_state && !s->block[BLOCK_STEP].returns_state;
 
     if (!f || never)
