@@ -15,6 +15,7 @@
 #endif
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-gcse", "no-crossjumping", "no-tree-tail-merge")   // they bring the jumps from instruction to instruction together again
+#pragma GCC optimize("no-tree-fre", "no-tree-pre")     // a third of gcc's time over this file, and nothing gained
 #endif
 
 // ---- what the instructions of a type are made of; `w` is the word of the operand ----
