@@ -183,7 +183,9 @@ static void narrowed(void)
            "mov acc I16, n; sub b, n, acc I16; end");
     expect("%0 = load I64 i\n %1 = const I64 -5\n %2 = lt I64 %0, %1\n br %2, b1, b2\nb1:\n goto A\nb2:\n ret\n}", "jnlt i, -5, 6; goto A; end");
     expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = mul I32 %1, %1\n %3 = add I32 %2, %2\n %4 = cvt I64 %3\n store I64 i, %4\n ret\n}",
-           "mul acc, n, n; add i, acc, acc; end");
+           "mul acc I32, n, n; add i, acc I32, acc I32; end");
+    expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = neg I32 %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}",
+           "neg acc I32, n; mov b, acc I32; end");        // 0, not -0
     expect("%0 = load F32 f\n %1 = add F32 %0, %0\n %2 = cvt F32 %1\n %3 = div F32 %2, %0\n %4 = cvt F32 %3\n store F32 f, %4\n ret\n}",
            "add acc F32, f, f; div f, acc F32, f; end");
     // From any type to any other: what can change the number stays, what is cut again by the destination goes.

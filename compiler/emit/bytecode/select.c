@@ -93,13 +93,22 @@ static IrRef without_truth(const Select *s, IrRef r)
     return r;
 }
 
+// Whether r is an integer that the VM, which computes it as F64, may find to be -0.  As an operand in a slot of its type it is 0, so
+// no other operation on integers can come to -0.
+static bool may_be_minus_zero(const Select *s, IrRef r)
+{
+    const IrIns *i = ins(s, r);
+
+    return sm_type_info[i->type].kind != SM_KIND_FLOAT && (i->op == IR_mul || i->op == IR_neg);
+}
+
 // Where a result lies that its user does not take into its own destination: what an operation gives stays as it is, in a temp; what
-// is converted, or read before it is overwritten, lies in a slot of its type.
+// is converted, or read before it is overwritten, or has to be 0 where it is -0, lies in a slot of its type.
 static size_t pool_of(const Select *s, IrRef r)
 {
     const IrIns *i = ins(s, r);
 
-    return i->op == IR_cvt || (i->op == IR_load && i->type != SM_F64) ? (size_t)i->type : (size_t)BC_TEMPS;
+    return may_be_minus_zero(s, r) || i->op == IR_cvt || (i->op == IR_load && i->type != SM_F64) ? (size_t)i->type : (size_t)BC_TEMPS;
 }
 
 static BcRef operand(Select *s, IrRef r);
@@ -202,8 +211,11 @@ static IrRef stored(const Select *s, IrRef r, SmType type)
 {
     const IrIns *i = ins(s, r);
 
-    for (; s->value[r].waits && i->op == IR_cvt && (storing_converts(i->type, type) || changes_nothing(s, i)); i = ins(s, r))
+    for (; s->value[r].waits && i->op == IR_cvt && (storing_converts(i->type, type) || changes_nothing(s, i)); i = ins(s, r)) {
+        if (sm_type_info[type].kind == SM_KIND_FLOAT && may_be_minus_zero(s, i->a))
+            break;
         r = i->a;
+    }
     return r;
 }
 
