@@ -94,8 +94,8 @@ make_large() {
         print "else: -> A"
     }' >"$dir/chain.sm"
     awk 'BEGIN {
-        print "[state_vector]\nU64 G\nU32 S\nF64 x"
-        for (i = 0; i < 1000; i++) print "[S" i "]\n.entry\nx = " i "\n.step\nT > " i ": -> S" (i * 7 + 1) % 1000 "\n.exit\nx = x + 1"
+        print "[state_vector]\nU64 G\nU32 S\nF64 x\nI32 n"
+        for (i = 0; i < 1000; i++) print "[S" i "]\n.entry\nx = " i "\n.step\nT > " i ": -> S" (i * 7 + 1) % 1000 "\n.exit\nx = x + 1\nn = n * x / 3 - T"
     }' >"$dir/states.sm"
 }
 
@@ -128,6 +128,7 @@ matrix() {
     for name in nested deep chain states; do
         compile_machine few_compilers $name "$dir/$name.sm"
     done
+    if grep -q 'static SM_APART int32_t sm_to_i32' "$dir/states.c"; then pass; else fail 'states: what is called a thousand times is inlined'; fi
     run_large
 }
 

@@ -197,7 +197,7 @@ static void put_machine_row(const CUnit *u, Buf *out)
 // ---- all of them ----
 
 // Types and code of one machine, behind those before it.  What it needs of stdlib is added to `helper`.
-static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool track_stores, bool *helper, Buf *out)
+static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool track_stores, uint32_t *helper, Buf *out)
 {
     CUnit *u = ARENA_NEW(arena, CUnit);
     const char *prefix = format_in(arena, "m%u", (unsigned)i);
@@ -217,7 +217,7 @@ static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool track_sto
 
 void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_stores, size_t n, Buf *code)
 {
-    bool *helper = ARENA_ARRAY(arena, bool, helper_count());
+    uint32_t *helper = ARENA_ARRAY(arena, uint32_t, helper_count());
     CUnit **u = ARENA_ARRAY(arena, CUnit *, n);
     Buf machines;
 

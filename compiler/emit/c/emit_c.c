@@ -89,7 +89,7 @@ void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const
     u->names.sv_type = format_in(a, "%sSv", c_type_name(a, sv_prefix));
     u->names.sv_macro = format_in(a, "%s_SV", c_macro_name(a, sv_prefix));
     names_init(u, prefix);
-    u->helper = ARENA_ARRAY(a, bool, helper_count());
+    u->helper = ARENA_ARRAY(a, uint32_t, helper_count());
     u->var_use = ARENA_ARRAY(a, CVarUse, m->var.n);
     u->window_sample = ARENA_ARRAY(a, uint32_t, m->window.n);
     for (size_t w = 0; w < m->window.n; w++)

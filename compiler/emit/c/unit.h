@@ -46,7 +46,7 @@ typedef struct CUnit {
     const IrMachine *m;
     CNames names;
     CVector sv;
-    bool *helper;                 // by stdlib_text: this text of stdlib is needed
+    uint32_t *helper;             // by stdlib_text: how often this text of stdlib is needed
     const char **window;          // by window: its member
     struct CVarUse *var_use;      // by variable: what the function in hand does with it
     uint32_t *window_sample;      // by window: where the block in hand gives it its sample
