@@ -357,7 +357,8 @@ static void open_code(Ir *r, FactMachine *fm, Code *c, const IrFn *f, const Env 
     c->of = ARENA_ARRAY(r->arena, Fact, f->ins.n);
     c->reached = ARENA_ARRAY(r->arena, bool, f->blk.n);
     c->cell = ARENA_ARRAY(r->arena, uint64_t, f->ins.n);
-    memcpy(c->of, flow.of, f->ins.n * sizeof *c->of);
+    if (f->ins.n > 0)
+        memcpy(c->of, flow.of, f->ins.n * sizeof *c->of);
     memcpy(c->reached, flow.reached, f->blk.n * sizeof *c->reached);
 }
 
