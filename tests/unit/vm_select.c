@@ -186,6 +186,8 @@ static void narrowed(void)
            "mul acc I32, n, n; add i, acc I32, acc I32; end");
     expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = neg I32 %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}",
            "neg acc I32, n; mov b, acc I32; end");        // 0, not -0
+    expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = neg I32 %1\n %3 = cvt F32 %2\n store F32 f, %3\n ret\n}",
+           "neg acc I32, n; mov f, acc I32; end");
     expect("%0 = load F32 f\n %1 = add F32 %0, %0\n %2 = cvt F32 %1\n %3 = div F32 %2, %0\n %4 = cvt F32 %3\n store F32 f, %4\n ret\n}",
            "add acc F32, f, f; div f, acc F32, f; end");
     // From any type to any other: what can change the number stays, what is cut again by the destination goes.

@@ -211,11 +211,8 @@ static IrRef stored(const Select *s, IrRef r, SmType type)
 {
     const IrIns *i = ins(s, r);
 
-    for (; s->value[r].waits && i->op == IR_cvt && (storing_converts(i->type, type) || changes_nothing(s, i)); i = ins(s, r)) {
-        if (sm_type_info[type].kind == SM_KIND_FLOAT && may_be_minus_zero(s, i->a))
-            break;
+    for (; s->value[r].waits && i->op == IR_cvt && (storing_converts(i->type, type) || changes_nothing(s, i)); i = ins(s, r))
         r = i->a;
-    }
     return r;
 }
 
@@ -237,10 +234,12 @@ static void compute_op(Select *s, const IrIns *i, IrRef r, BcRef d)
 static void compute_into(Select *s, IrRef r, IrRef owner, BcRef d, SmType type)
 {
     const IrIns *i;
+    bool sign;                                        // it would take a -0 that is to be 0
 
     r = stored(s, r, type);
     i = ins(s, r);
-    if (s->value[r].waits && (i->op != IR_cvt || i->type == SM_BOOL))
+    sign = sm_type_info[type].kind == SM_KIND_FLOAT && may_be_minus_zero(s, r);
+    if (s->value[r].waits && (i->op != IR_cvt || i->type == SM_BOOL) && !sign)
         compute_op(s, i, owner, d);
     else
         compute_one(s, owner, d, r, SMVM_mov);
