@@ -231,7 +231,7 @@ $(B)/bench/steps: $(BENCH_OBJ) $(BENCH_EMITTED:%=%.o) $(B)/libsmc.a
 	$(call say,LD)$(CC) -o $@ $^ -lm
 
 check: $(B)/bench/steps
-CHECK_LINES += "bench: $(B)/bench/steps $(B)/bench check"
+CHECK_LINES += "bench: $(B)/bench/steps $(B)/bench check" "bench-report: sh tests/check/bench_report.sh"
 
 # All of it, or `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile`; run.sh says what each is.
 BENCH_PARTS = time count sizes compile

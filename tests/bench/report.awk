@@ -9,14 +9,16 @@
 /^#/ || NF == 0 { next }
 FNR == NR { goal[++goals] = $0; next }
 
-$1 == "time" {
+$1 == "time" || $1 == "insn" {
     if (!($2 in rows)) { rows[$2] = 0; workload[++workloads] = $2 }
-    row[$2, ++rows[$2]] = $3
     key = $2 " " $3
-    measured["ratio", $2]
-    ns[key] = $4; quarter[key] = $5; median[key] = $6; three[key] = $7; runs[key] = $8; native[key] = $9; f64[key] = $10
+    if (!(key in known)) { known[key]; row[$2, ++rows[$2]] = $3 }
 }
-$1 == "insn" { insn[$2 " " $3] = $4 }
+$1 == "time" {
+    measured["ratio", $2]
+    timed[key]; ns[key] = $4; quarter[key] = $5; median[key] = $6; three[key] = $7; runs[key] = $8; native[key] = $9; f64[key] = $10
+}
+$1 == "insn" { counted[key]; insn[key] = $4 }
 $1 == "value" { if (!(($2 " " $3) in value)) name[++values] = $2 " " $3; value[$2 " " $3] = $4; unit[$2 " " $3] = $5; measured[$2] }
 $1 == "note" { sub(/^note /, ""); note[++notes] = $0 }
 
@@ -36,13 +38,13 @@ function print_workload(w,    i, key) {
     for (i = 1; i <= rows[w]; i++) {
         key = w " " row[w, i]
         printf "  %-10s %8s   %8s  %-19s %9s %9s %8s\n", row[w, i], short(ns[key]), short(median[key]),
-               short(quarter[key]) " … " short(three[key]), key in insn ? short(insn[key]) : "",
+               key in timed ? short(quarter[key]) " … " short(three[key]) : "", short(insn[key]),
                short(native[key]), short(f64[key])
     }
 }
 
 function short(x) {
-    return x >= 10000 ? sprintf("%.0f", x) : x >= 1000 ? sprintf("%.0f", x) : x >= 100 ? sprintf("%.1f", x) : sprintf("%.2f", x)
+    return x == "" ? "" : x >= 1000 ? sprintf("%.0f", x) : x >= 100 ? sprintf("%.1f", x) : sprintf("%.2f", x)
 }
 
 function print_values(    i, part, group) {
@@ -118,10 +120,12 @@ function print_json(    i, k, w, key, n, part) {
             w = workload[i]
             key = w " " row[w, k]
             printf("%s\n{\"workload\": \"%s\", \"row\": \"%s\"", n++ ? "," : "", w, row[w, k]) >json
-            printf(", \"ns\": %s, \"runs\": %s, \"median\": %s", ns[key], runs[key], median[key]) >json
-            printf(", \"quarter\": %s, \"three_quarters\": %s", quarter[key], three[key]) >json
-            printf(", \"to_native\": %s, \"to_f64\": %s", native[key], f64[key]) >json
-            printf("%s}", key in insn ? ", \"instructions\": " insn[key] : "") >json
+            if (key in timed) {
+                printf(", \"ns\": %s, \"runs\": %s, \"median\": %s", ns[key], runs[key], median[key]) >json
+                printf(", \"quarter\": %s, \"three_quarters\": %s", quarter[key], three[key]) >json
+                printf(", \"to_native\": %s, \"to_f64\": %s", native[key], f64[key]) >json
+            }
+            printf("%s}", key in counted ? ", \"instructions\": " insn[key] : "") >json
         }
     printf("\n],\n\"values\": [") >json
     for (i = 1; i <= values; i++) {
