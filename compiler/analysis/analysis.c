@@ -2,12 +2,7 @@
 // Runs all analyses; what they share.
 #include "compiler/analysis/analysis.h"
 
-void analyse_program(Arena *arena, Diags *diags, const Program *p)
-{
-    analyse_reach(arena, diags, p);
-    analyse_unused(arena, diags, p);
-    analyse_values(arena, diags, p);
-}
+// ---- statements ----
 
 // As deep as conditionals nest: AST_DEPTH_MAX bounds it.
 static void each_in(const Stmts *stmts, void (*f)(const Stmt *stmt, void *context), void *context)
@@ -24,4 +19,85 @@ void each_stmt(const Program *p, void (*f)(const Stmt *stmt, void *context), voi
     for (size_t i = 0; i < p->state.n; i++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             each_in(&p->state.at[i]->block[b], f, context);
+}
+
+// ---- facts of statements ----
+
+void each_flow(Analysis *a, void (*f)(Analysis *a, const FlowPlace *at, void *context), void *context)
+{
+    for (size_t s = 0; s < a->p->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++) {
+            FlowPlace at = {a->p->state.at[s], (BlockKind)b, a->m->state.at[s].block[b], {NULL, NULL}};
+            if (!at.f || !facts_reach(a->facts, s, b))
+                continue;
+            at.flow = facts_of_function(a->facts, at.f, facts_begin(a->facts, s, b));
+            f(a, &at, context);
+        }
+}
+
+// What is stored before its conversion, which is one instruction, or none of a bool.
+static Fact stored(const FlowPlace *at, const IrIns *store)
+{
+    const IrIns *value = &at->f->ins.at[store->a];
+
+    return at->flow.of[value->op == IR_cvt ? value->a : store->a];
+}
+
+static void note_ins(Analysis *a, const FlowPlace *at, const IrIns *i)
+{
+    if (i->op != IR_store)
+        return;
+    a->stmt[i->stmt].reached = true;
+    a->stmt[i->stmt].value = stored(at, i);
+}
+
+static void note_jump(Analysis *a, const FlowPlace *at, const IrJump *j)
+{
+    StmtFact *s = &a->stmt[j->stmt];
+
+    if (j->kind != IR_BR && j->kind != IR_GOTO)
+        return;
+    s->reached = true;
+    if (j->kind == IR_GOTO)
+        return;
+    s->value = at->flow.of[j->cond];
+    s->then = s->value.hi == 1;
+    s->otherwise = s->value.lo == 0;
+}
+
+static void note_flow(Analysis *a, const FlowPlace *at, void *context)
+{
+    (void)context;
+    for (size_t b = 0; b < at->f->blk.n; b++) {
+        const IrBlk *blk = &at->f->blk.at[b];
+        if (!at->flow.reached[b])
+            continue;
+        for (size_t k = 0; k < blk->ins.n; k++)
+            note_ins(a, at, &at->f->ins.at[blk->ins.at[k]]);
+        note_jump(a, at, &blk->jump);
+    }
+}
+
+// ---- the whole ----
+
+void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p)
+{
+    a->arena = arena;
+    a->diags = diags;
+    a->p = p;
+    a->m = ir_build(arena, p);
+    a->facts = facts_from_first_state(arena, a->m);
+    a->stmt = ARENA_ARRAY(arena, StmtFact, p->stmts + 1u);
+    each_flow(a, note_flow, NULL);
+    a->transition = transitions_of(arena, p);
+}
+
+void analyse_program(Arena *arena, Diags *diags, const Program *p)
+{
+    Analysis a;
+
+    analysis_begin(&a, arena, diags, p);
+#define ANALYSIS(name, sentence) analyse_##name(&a);
+#include "compiler/analysis/analyses.def"
+#undef ANALYSIS
 }

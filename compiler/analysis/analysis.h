@@ -1,20 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analyses: what looks wrong in a machine that is no error.  They read a Program, report warnings and change nothing.
+// Analyses: what looks wrong in a machine that is no error.  They read a machine as it was written, with what can be known of its
+// values, and report warnings.  They change nothing, and nothing that is compiled depends on them.
+//
+// What is known (`facts`, `stmt`) comes from compiler/facts on the IR before any pass, of a machine that starts in its first
+// state; elements can be anything their type holds at the start of every step.  So what is called impossible here is
+// impossible, whatever the inputs.  What @range declares is used only where an analysis says so (whatif.h).
 #ifndef SMC_ANALYSIS_H
 #define SMC_ANALYSIS_H
 
+#include "compiler/analysis/transitions.h"
 #include "compiler/diag/diag.h"
+#include "compiler/facts/facts.h"
 #include "compiler/sema/program.h"
 
-// All of them.  `arena` holds their work.
+// What is known of a statement.
+typedef struct StmtFact {
+    bool reached;                 // some run may execute it
+    bool then, otherwise;         // IF: its guard may hold; it may not hold
+    Fact value;                   // ASSIGN: what is stored, before it is converted to the variable's type; IF: its guard, as a bool
+} StmtFact;
+
+typedef struct Analysis {
+    Arena *arena;
+    Diags *diags;
+    const Program *p;
+    const IrMachine *m;           // as built
+    FactMachine *facts;
+    StmtFact *stmt;               // by Stmt.number
+    Transitions transition;       // all that stand in the machine, in file order
+} Analysis;
+
+// Everything but the findings: what the reports use too.  `arena` holds it.
+void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p);
+
+// All analyses of a machine.
 void analyse_program(Arena *arena, Diags *diags, const Program *p);
 
-void analyse_reach(Arena *arena, Diags *diags, const Program *p);      // states and code to which no way leads
-void analyse_unused(Arena *arena, Diags *diags, const Program *p);     // elements and locals that nobody needs
+// ---- for analyses ----
 
-void analyse_values(Arena *arena, Diags *diags, const Program *p);     // constants that do not fit, comparisons decided by types
+#define ANALYSIS(name, sentence) void analyse_##name(Analysis *a);
+#include "compiler/analysis/analyses.def"
+#undef ANALYSIS
 
 // Calls f for every statement of a machine, those inside conditionals after the conditional itself.
 void each_stmt(const Program *p, void (*f)(const Stmt *stmt, void *context), void *context);
+
+// Calls f for every function of a state that can be reached, with the facts of its temporaries, which hold until f returns.
+typedef struct FlowPlace { const State *state; BlockKind block; const IrFn *f; FactFlow flow; } FlowPlace;
+void each_flow(Analysis *a, void (*f)(Analysis *a, const FlowPlace *at, void *context), void *context);
 
 #endif

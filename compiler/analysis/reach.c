@@ -77,9 +77,11 @@ static void look_at_blocks(Diags *diags, const State *state)
         diag_report(diags, DIAG_dead_step, state->block_span[BLOCK_STEP], state->name->text);
 }
 
-void analyse_reach(Arena *arena, Diags *diags, const Program *p)
+void analyse_reach(Analysis *a)
 {
-    Reach r = {arena, ARENA_ARRAY(arena, bool, p->state.n + 1), {NULL, 0, 0}};
+    const Program *p = a->p;
+    Diags *diags = a->diags;
+    Reach r = {a->arena, ARENA_ARRAY(a->arena, bool, p->state.n + 1), {NULL, 0, 0}};
 
     reach_state(&r, p->state.at[0]);
     while (r.waiting.n > 0) {

@@ -17,13 +17,14 @@ static void look_at_element(Diags *diags, const Program *p, const Var *v)
         diag_report(diags, DIAG_unused_element, v->span, v->name->text);
 }
 
-void analyse_unused(Arena *arena, Diags *diags, const Program *p)
+void analyse_unused(Analysis *a)
 {
-    (void)arena;
+    const Program *p = a->p;
+
     for (size_t i = 0; i < p->var.n; i++)
         switch (p->var.at[i]->kind) {
-        case VAR_ELEMENT: look_at_element(diags, p, p->var.at[i]); break;
-        case VAR_LOCAL:   look_at_local(diags, p->var.at[i]); break;
+        case VAR_ELEMENT: look_at_element(a->diags, p, p->var.at[i]); break;
+        case VAR_LOCAL:   look_at_local(a->diags, p->var.at[i]); break;
         case VAR_TIME:    break;
         }
 }

@@ -165,9 +165,10 @@ static void look_at_stmt(const Stmt *stmt, void *context)
         check_stored(context, stmt->var, stmt->value);
 }
 
-void analyse_values(Arena *arena, Diags *diags, const Program *p)
+void analyse_values(Analysis *a)
 {
-    Values k = {arena, diags, p};
+    const Program *p = a->p;
+    Values k = {a->arena, a->diags, p};
 
     for (size_t i = 0; i < p->var.n; i++)
         if (p->var.at[i]->init_value) {

@@ -23,6 +23,10 @@ typedef struct FactFlow {             // holds until the next function is looked
 } FactFlow;
 
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
+// The same of a machine that is only ever started in its first state: what analyses speak of.
+FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m);
+// Whether a way to this function has been found.
+bool facts_reach(const FactMachine *fm, size_t state, int block);
 
 // Before a function of state `state` (from 0) begins; before the sample function.
 const Env *facts_begin(const FactMachine *fm, size_t state, int block);

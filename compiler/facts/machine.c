@@ -21,6 +21,7 @@ typedef struct Visit {
     Queue queue;
     uint32_t state;                   // the one that is looked at
     int block;
+    bool anywhere;                    // the machine may be started in any state
     bool widened;                     // somewhere: there may be something to take back
     FactLimits numbers;               // that stand in the program, and their neighbours: where guards stop what counts
 } Visit;
@@ -99,7 +100,7 @@ static void end_of_function(void *context, const IrJump *end, const Env *env)
 
 static void look_at_function(Visit *v, int block)
 {
-    static const IrJump nothing = {IR_RET, IR_NONE, IR_NONE, IR_NONE, 0, {0}};
+    static const IrJump nothing = {.kind = IR_RET, .cond = IR_NONE};
     const FactEnds ends = {end_of_function, v};
     const IrFn *f = v->fm->shape.m->state.at[v->state].block[block];
     FactBegin *b = &v->fm->begin[v->state][block];
@@ -122,9 +123,9 @@ static void visit_states(Visit *v)
     }
 }
 
-static void begin_all(Visit *v, const Env *env)       // a machine may be started in any state
+static void begin_all(Visit *v, const Env *env)
 {
-    for (uint32_t s = 0; s < v->fm->shape.m->state.n; s++)
+    for (uint32_t s = 0; s < (v->anywhere ? v->fm->shape.m->state.n : 1); s++)
         arrive(v, s, BLOCK_ENTRY, env);
 }
 
@@ -188,11 +189,11 @@ static FactLimits numbers_of(Arena *arena, const IrMachine *m)
     return (FactLimits){numbers->at, numbers->n};
 }
 
-static void visit_all(FactMachine *fm)
+static void visit_all(FactMachine *fm, bool anywhere)
 {
     const IrMachine *m = fm->shape.m;
     const Env *env = initial(&fm->shape, true);
-    Visit v = {fm, fm->begin, {NULL, NULL, 0, 0, m->state.n}, 0, 0, false, numbers_of(fm->shape.arena, m)};
+    Visit v = {fm, fm->begin, {NULL, NULL, 0, 0, m->state.n}, 0, 0, anywhere, false, numbers_of(fm->shape.arena, m)};
 
     v.queue.at = ARENA_ARRAY(fm->shape.arena, uint32_t, m->state.n);
     v.queue.waits = ARENA_ARRAY(fm->shape.arena, bool, m->state.n);
@@ -202,7 +203,7 @@ static void visit_all(FactMachine *fm)
         last_round(&v, env);
 }
 
-FactMachine *facts_of_machine(Arena *arena, const IrMachine *m)
+static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool anywhere)
 {
     FactMachine *fm = ARENA_NEW(arena, FactMachine);
 
@@ -214,9 +215,12 @@ FactMachine *facts_of_machine(Arena *arena, const IrMachine *m)
     fm->constants = initial(&fm->shape, false);
     if (m->sample)
         facts_flow(fm, m->sample, fm->constants, NULL);
-    visit_all(fm);
+    visit_all(fm, anywhere);
     return fm;
 }
+
+FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return find_facts(arena, m, true); }
+FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m) { return find_facts(arena, m, false); }
 
 // ---- answers ----
 
@@ -229,5 +233,6 @@ const Env *facts_begin(const FactMachine *fm, size_t state, int block)
     return block == BLOCK_ENTRY ? env_set(&fm->shape, env, m->t, fact_of_cell(SM_U64, 0)) : env;
 }
 
+bool facts_reach(const FactMachine *fm, size_t state, int block) { return fm->begin[state][block].found; }
 const Env *facts_begin_sample(const FactMachine *fm) { return fm->constants; }
 Fact facts_of_window(const FactMachine *fm, uint32_t window) { return fm->window[window]; }

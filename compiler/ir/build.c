@@ -27,6 +27,7 @@ static void build_assign(Builder *b, const Stmt *s)
 {
     IrIns i = {.op = IR_store, .type = s->var->type, .b = IR_NONE, .var = b->var[s->var->index], .span = s->span};
 
+    b->stmt = s->number;
     i.a = build_stored(b, s->value, s->var->type);
     build_emit(b, i);
 }
@@ -37,13 +38,14 @@ static void build_transition(Builder *b, const Stmt *s)
 
     j->kind = IR_GOTO;
     j->state = s->target->number;
+    j->stmt = s->number;
     j->span = s->span;
 }
 
 // Ends the block being filled with a branch to the next new block; gives the block, whose `otherwise` is still open.
-static IrBlkRef build_branch(Builder *b, const Stmt *s)
+static IrBlkRef build_branch_on(Builder *b, const Expr *guard)
 {
-    IrRef cond = build_truth(b, s->value);
+    IrRef cond = build_truth(b, guard);
     IrBlkRef from = b->b;
     IrJump *j;
 
@@ -52,8 +54,15 @@ static IrBlkRef build_branch(Builder *b, const Stmt *s)
     j->kind = IR_BR;
     j->cond = cond;
     j->then = b->b;
-    j->span = s->value->span;
+    j->stmt = b->stmt;
+    j->span = guard->span;
     return from;
+}
+
+static IrBlkRef build_branch(Builder *b, const Stmt *s)
+{
+    b->stmt = s->number;
+    return build_branch_on(b, s->value);
 }
 
 // Builds one arm; where control can leave it at its end, that is noted.
@@ -187,7 +196,7 @@ static void build_vars(Builder *b)
 IrMachine *ir_build(Arena *arena, const Program *p)
 {
     IrMachine *m = ARENA_NEW(arena, IrMachine);
-    Builder b = {arena, p, m, NULL, NULL, NULL, 0};
+    Builder b = {arena, p, m, NULL, NULL, 0, NULL, 0};
 
     m->name = p->name;
     m->sv_name = p->sv->name;
@@ -196,7 +205,20 @@ IrMachine *ir_build(Arena *arena, const Program *p)
     m->program = p;
     build_vars(&b);
     build_windows(&b);
+    m->var_of = b.var;
+    m->window_of = b.window;
     for (size_t s = 0; s < p->state.n; s++)
         build_state(&b, p->state.at[s]);
     return m;
+}
+
+IrFn *ir_build_guard(Arena *arena, const IrMachine *m, const Expr *guard)
+{
+    Builder b = {arena, m->program, NULL, (uint32_t *)m->var_of, (uint32_t *)m->window_of, 0, NULL, 0};
+    IrJump *j;
+
+    build_begin_function(&b);
+    j = jump_of(&b, build_branch_on(&b, guard));
+    j->otherwise = ir_block(arena, b.f);
+    return b.f;
 }

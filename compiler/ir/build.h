@@ -12,6 +12,7 @@ typedef struct Builder {
     IrMachine *m;
     uint32_t *var;        // by Program.var: index into m->var, or IR_NONE for a local that is a constant
     uint32_t *window;     // by Program.window: index into m->window
+    uint32_t stmt;        // Stmt.number of the statement being built
     IrFn *f;              // the function being built
     IrBlkRef b;           // its block being filled
 } Builder;

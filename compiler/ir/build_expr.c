@@ -9,6 +9,7 @@
 
 IrRef build_emit(Builder *b, IrIns ins)
 {
+    ins.stmt = b->stmt;
     return ir_emit(b->arena, b->f, b->b, ins);
 }
 

@@ -7,8 +7,8 @@
 #include "stdlib/convert.h"
 
 // ---- shape ----
-// Two samples have the same shape if they are the same operators on the same numbers, variables and statistics.  An inner
-// roll call is its shared window and its statistic; that it comes before the outer one makes the window known by then.
+// What expr_equal looks at, as a number.  An inner roll call is its shared window and its statistic; that it comes before the
+// outer one makes the window known by then.
 
 static uint64_t mix(uint64_t hash, uint64_t x)
 {
@@ -36,22 +36,6 @@ static uint64_t own_hash(const Builder *b, const Expr *e)
     return h;
 }
 
-static bool own_equal(const Builder *b, const Expr *x, const Expr *y)
-{
-    if (x->kind != y->kind || x->n != y->n)
-        return false;
-    switch (x->kind) {
-    case EX_NUMBER: return sm_bits(x->number) == sm_bits(y->number);
-    case EX_VAR: return x->var == y->var;
-    case EX_UNARY:
-    case EX_BINARY: return x->op == y->op;
-    case EX_CHAIN: return memcmp(x->ops, y->ops, (x->n - 1) * sizeof *x->ops) == 0;
-    case EX_CALL: return x->fn == y->fn;
-    case EX_ROLL: return x->stat == y->stat && b->window[x->window] == b->window[y->window];
-    }
-    return false;
-}
-
 static uint64_t shape_hash(const Builder *b, const Expr *e)
 {
     uint64_t h = own_hash(b, e);
@@ -59,16 +43,6 @@ static uint64_t shape_hash(const Builder *b, const Expr *e)
     for (uint32_t k = 0; e->kind != EX_ROLL && k < e->n; k++)
         h = mix(h, shape_hash(b, e->arg[k]));
     return h;
-}
-
-static bool shape_equal(const Builder *b, const Expr *x, const Expr *y)
-{
-    if (!own_equal(b, x, y))
-        return false;
-    for (uint32_t k = 0; x->kind != EX_ROLL && k < x->n; k++)
-        if (!shape_equal(b, x->arg[k], y->arg[k]))
-            return false;
-    return true;
 }
 
 // ---- sharing ----
@@ -80,7 +54,7 @@ static Shared *find_slot(const Builder *b, Shared *table, size_t cap, const Wind
 {
     size_t at = (size_t)mix(shape_hash(b, w->sample), w->size) & (cap - 1);
 
-    while (table[at].first && (table[at].first->size != w->size || !shape_equal(b, table[at].first->sample, w->sample)))
+    while (table[at].first && (table[at].first->size != w->size || !expr_equal(table[at].first->sample, w->sample, b->window)))
         at = (at + 1) & (cap - 1);
     return &table[at];
 }

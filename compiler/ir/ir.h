@@ -62,6 +62,7 @@ typedef struct IrIns {
     uint32_t var;                     // load, store: index into IrMachine.var; stat, sample: into IrMachine.window
     SmStat stat;                      // stat
     uint64_t bits;                    // const: the value as a bit cell of `type` (stdlib/convert.h)
+    uint32_t stmt;                    // as built: the statement it comes from (Stmt.number); else 0
     Span span;                        // what in the source it comes from
 } IrIns;
 
@@ -77,6 +78,7 @@ typedef struct IrJump {
     IrRef cond;
     IrBlkRef then, otherwise;
     uint32_t state;
+    uint32_t stmt;                    // as IrIns.stmt
     Span span;
 } IrJump;
 
@@ -126,12 +128,16 @@ typedef struct IrMachine {
     IrFn *sample;                     // gives every window its sample; NULL when there is none
     VEC(IrState) state;               // at[0] is number 1
     const Program *program;           // what it was built from, for names and spans; NULL when read from text
+    const uint32_t *var_of;           // as built: by Program.var, which of `var` it is; IR_NONE: it is a constant
+    const uint32_t *window_of;        // as built: by Program.window, which of `window` it is
 } IrMachine;
 
 // ---- building, text, checks ----
 
 // The whole machine, unoptimised.  Constant locals become constants; equal windows are one.
 IrMachine *ir_build(Arena *arena, const Program *p);
+// A function that decides an expression of the machine that m was built from: block 1 where it holds, block 2 where it does not.
+IrFn *ir_build_guard(Arena *arena, const IrMachine *m, const Expr *guard);
 
 void ir_print(const IrMachine *m, Buf *out);                  // --emit=ir
 // Reads what ir_print wrote.  NULL and a message in *error ("line 7: …") if it cannot.

@@ -97,6 +97,7 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     check_declarations(&s, p, sm, p->sv, written_outside);
     check_states(&s, p, sm);
     check_size_uses(&s);
+    p->stmts = s.stmts;
     if (c->diags->met > errors)
         return NULL;
     if (!sv)

@@ -3,6 +3,16 @@
 // Recursion is as deep as conditionals nest, which AST_DEPTH_MAX bounds.
 #include "compiler/sema/sema.h"
 
+static Stmt *stmt_new(Sema *s, StmtKind kind, const AstStmt *in)
+{
+    Stmt *out = ARENA_NEW(s->arena, Stmt);
+
+    out->kind = kind;
+    out->number = ++s->stmts;
+    out->span = in->span;
+    return out;
+}
+
 // ---- assignments ----
 
 static Diag *report_read_only(Sema *s, const Var *v, Span span, Str name)
@@ -45,7 +55,7 @@ static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
 Stmt *check_assignment(Sema *s, const AstStmt *in)
 {
     Var *v = scope_find(s, in->name);
-    Stmt *out = ARENA_NEW(s->arena, Stmt);
+    Stmt *out = stmt_new(s, ST_ASSIGN, in);
     bool good = false;
 
     if (!v)
@@ -56,8 +66,6 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
         warn_of_read_only_local(s, v, in);
     if (v && !s->in_script)
         v->written = true;
-    out->kind = ST_ASSIGN;
-    out->span = in->span;
     out->var = v;
     out->value = check_expr(s, in->value);
     return good && out->value ? out : NULL;
@@ -67,10 +75,8 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
 
 static Stmt *check_transition(Sema *s, const AstStmt *in)
 {
-    Stmt *out = ARENA_NEW(s->arena, Stmt);
+    Stmt *out = stmt_new(s, ST_TRANSITION, in);
 
-    out->kind = ST_TRANSITION;
-    out->span = in->span;
     out->target = scope_find_state(s, in->name, in->name_span);
     if (s->block == BLOCK_EXIT) {
         diag_report(s->diags, DIAG_transition_in_exit, in->span);
@@ -91,11 +97,9 @@ static void warn_of_empty(Sema *s, const AstStmt *in)
 
 static Stmt *check_if(Sema *s, const AstStmt *in)
 {
-    Stmt *out = ARENA_NEW(s->arena, Stmt);
+    Stmt *out = stmt_new(s, ST_IF, in);
 
     warn_of_empty(s, in);
-    out->kind = ST_IF;
-    out->span = in->span;
     out->value = check_expr(s, in->value);
     check_stmts(s, &in->then, &out->then);
     check_stmts(s, &in->otherwise, &out->otherwise);

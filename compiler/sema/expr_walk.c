@@ -1,10 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// Visits an expression and everything in it.
+// Visits an expression and everything in it; compares two.  Both as deep as trees are: AST_DEPTH_MAX bounds it.
 #include "compiler/sema/program.h"
+
+#include <string.h>
+
+#include "stdlib/f64.h"
 
 void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context)
 {
-    for (uint32_t i = 0; i < e->n; i++)        // as deep as the tree: AST_DEPTH_MAX bounds it
+    for (uint32_t i = 0; i < e->n; i++)
         expr_walk(e->arg[i], f, context);
     f(e, context);
+}
+
+static bool same_node(const Expr *a, const Expr *b, const uint32_t *window_of)
+{
+    if (a->kind != b->kind || a->n != b->n)
+        return false;
+    switch (a->kind) {
+    case EX_NUMBER: return sm_bits(a->number) == sm_bits(b->number);
+    case EX_VAR: return a->var == b->var;
+    case EX_UNARY:
+    case EX_BINARY: return a->op == b->op;
+    case EX_CHAIN: return memcmp(a->ops, b->ops, (a->n - 1) * sizeof *a->ops) == 0;
+    case EX_CALL: return a->fn == b->fn;
+    case EX_ROLL: return a->stat == b->stat && window_of[a->window] == window_of[b->window];
+    }
+    return false;
+}
+
+bool expr_equal(const Expr *a, const Expr *b, const uint32_t *window_of)
+{
+    if (!same_node(a, b, window_of))
+        return false;
+    for (uint32_t i = 0; a->kind != EX_ROLL && i < a->n; i++)
+        if (!expr_equal(a->arg[i], b->arg[i], window_of))
+            return false;
+    return true;
 }

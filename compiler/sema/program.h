@@ -17,9 +17,16 @@
 
 typedef struct Region Region;
 
+// @range: what a sensor delivers while it is healthy.  Nothing relies on it but reports.
+typedef struct Range {
+    SmF64 lo, hi;             // lo <= hi, both finite
+    Span span;                // the annotation
+} Range;
+
 typedef struct Element {
     Str name;
     SmType type;
+    const Range *range;       // or NULL
     uint32_t offset;          // bytes from the start of the state vector in memory (layout.c)
     Region *region;
     Span span;                // its name where it is declared
@@ -62,6 +69,7 @@ typedef struct Var {
     SmType type;
     uint32_t index;           // in Program.var
     Element *element;         // ELEMENT
+    const Range *range;       // ELEMENT: given here, or with the element in the .sv; or NULL
     bool read_only;           // the machine may not write it; true for G, S and T
     uint64_t init;            // LOCAL: its initial value, as a bit cell of its type (convert.h)
     Expr *init_value;         // LOCAL: what init was worked out from
@@ -118,7 +126,8 @@ typedef enum StmtKind { ST_ASSIGN, ST_IF, ST_TRANSITION } StmtKind;
 
 struct Stmt {
     StmtKind kind;
-    Span span;
+    uint32_t number;          // 1, 2, 3 … in file order, in all of the machine, or of the script
+    Span span;                // of an IF up to the end of its guard
     Var *var;                 // ASSIGN: what is written
     Expr *value;              // ASSIGN: converted to var's type; IF: converted to bool
     Stmts then, otherwise;    // IF
@@ -131,9 +140,19 @@ struct State {
     Str name;
     uint32_t number;          // 1, 2, 3 … in file order
     Stmts block[BLOCK_COUNT];
-    Span block_span[BLOCK_COUNT];     // the label
+    Span block_span[BLOCK_COUNT];     // the label; at no source where the block is missing
     Span span;                // the name in its header
+    bool is_abort;            // @abort: where the machine goes when something is wrong
+    bool is_safe;             // @safe: it may stay here for good
 };
+
+// @allow(flag, "reason"): findings of this name in this part of the source are known and wanted.
+typedef struct Allow {
+    const char *flag;         // the warning's name behind -W
+    Str reason;
+    Span span;                // the annotation
+    Span covers;              // the declaration, the state's whole section, or the statement with all that is in it
+} Allow;
 
 typedef struct Program {
     Str name;                 // the file's stem: "tank" of dir/tank.sm
@@ -142,7 +161,9 @@ typedef struct Program {
     VEC(Var *) var;           // listed elements in order, then locals in order, then T
     Var *g, *s, *t;
     VEC(State *) state;       // at[0] is number 1, the initial state
+    uint32_t stmts;           // statements in all its blocks: the largest Stmt.number
     Windows window;
+    VEC(Allow) allow;
     Map by_name;              // name or alias to Var
     Map state_by_name;
 } Program;
@@ -172,6 +193,11 @@ typedef struct Script {
     VEC(ScriptSection) section;       // in file order
     Windows window;           // the script's own, of all sections
 } Script;
+
+// Whether two expressions are the same operators on the same numbers, variables and statistics: they have one value wherever
+// nothing is assigned between them.  window_of: by Window number, something that is equal for windows that hold the same
+// (IrMachine.window_of).
+bool expr_equal(const Expr *a, const Expr *b, const uint32_t *window_of);
 
 // Calls f(x, context) for e and every expression in it, operands before their owner.
 void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context);

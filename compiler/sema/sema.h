@@ -49,6 +49,7 @@ typedef struct Sema {
     bool *no_value;           // by Var.index: a local whose initial value has an error
     VEC(SizeUse) size_use;
     BlockKind block;          // where the statement being checked stands
+    uint32_t stmts;           // how many statements there have been
 } Sema;
 
 void sema_init(Sema *s, const CheckContext *c, const Lost *lost, const Program *p, Windows *windows);

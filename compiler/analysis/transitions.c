@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/analysis/transitions.h"
+
+#include "compiler/base/buf.h"
+
+// ---- finding them ----
+
+typedef struct Finder {
+    Arena *arena;
+    Transitions out;
+    const State *state;
+    BlockKind block;
+} Finder;
+
+static void find_in(Finder *f, const Stmts *stmts, const Condition *when);
+
+static void find_under(Finder *f, const Stmts *stmts, const Stmt *stmt, bool holds, const Condition *outer)
+{
+    Condition *c;
+
+    if (stmts->n == 0)
+        return;
+    c = ARENA_NEW(f->arena, Condition);
+    *c = (Condition){stmt, holds, outer};
+    find_in(f, stmts, c);
+}
+
+// As deep as conditionals nest: AST_DEPTH_MAX bounds it.
+static void find_in(Finder *f, const Stmts *stmts, const Condition *when)
+{
+    for (size_t i = 0; i < stmts->n; i++) {
+        const Stmt *s = stmts->at[i];
+        if (s->kind == ST_TRANSITION) {
+            Transition t = {f->state, s->target, f->block, s, when, (uint32_t)f->out.n};
+            vec_push(f->arena, &f->out, t);
+        } else if (s->kind == ST_IF) {
+            find_under(f, &s->then, s, true, when);
+            find_under(f, &s->otherwise, s, false, when);
+        }
+    }
+}
+
+Transitions transitions_of(Arena *arena, const Program *p)
+{
+    Finder f = {arena, {NULL, 0, 0}, NULL, BLOCK_ENTRY};
+
+    for (size_t s = 0; s < p->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++) {
+            f.state = p->state.at[s];
+            f.block = (BlockKind)b;
+            find_in(&f, &f.state->block[b], NULL);
+        }
+    return f.out;
+}
+
+// ---- text ----
+
+const char *source_text(Arena *arena, Span span)
+{
+    Buf out;
+    bool comment = false, blank = false;
+
+    buf_init(&out, arena);
+    for (uint32_t i = 0; i < span.len; i++) {
+        const char c = span.src->text[span.at + i];
+        comment = c == '#' || (comment && c != '\n');
+        if (comment || c == '\n' || c == ' ' || c == '\t' || c == '\r') {
+            blank = true;
+            continue;
+        }
+        if (blank)
+            buf_char(&out, ' ');
+        blank = false;
+        buf_char(&out, c);
+    }
+    return buf_text(&out);
+}
+
+enum { CONDITIONS_SHOWN = 4 };
+
+static bool needs_parentheses(const Condition *c, bool alone)
+{
+    const Expr *g = c->stmt->value;
+
+    if (!c->holds)
+        return g->kind != EX_VAR && g->kind != EX_CALL && g->kind != EX_ROLL;
+    return !alone && g->kind == EX_BINARY && g->op == SM_OP_OR;
+}
+
+static void put_condition(Arena *arena, Buf *out, const Condition *c, bool alone)
+{
+    const bool parentheses = needs_parentheses(c, alone);
+
+    buf_printf(out, "%s%s%s%s", c->holds ? "" : "not ", parentheses ? "(" : "", source_text(arena, c->stmt->value->span),
+               parentheses ? ")" : "");
+}
+
+const char *condition_text(Arena *arena, const Condition *when)
+{
+    const Condition *shown[CONDITIONS_SHOWN];
+    size_t n = 0;
+    Buf out;
+
+    buf_init(&out, arena);
+    for (; when && n < CONDITIONS_SHOWN; when = when->outer)
+        shown[n++] = when;
+    if (when)
+        buf_str(&out, "… and ");
+    for (size_t i = n; i-- > 0;) {
+        put_condition(arena, &out, shown[i], n == 1 && !when);
+        if (i > 0)
+            buf_str(&out, " and ");
+    }
+    return buf_text(&out);
+}

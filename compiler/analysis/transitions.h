@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// A machine's transitions, each with the conditions it stands under: what graphs, the abort matrix and analyses start from.
+#ifndef SMC_TRANSITIONS_H
+#define SMC_TRANSITIONS_H
+
+#include "compiler/sema/program.h"
+
+typedef struct Condition Condition;
+struct Condition {
+    const Stmt *stmt;             // the conditional
+    bool holds;                   // whether its guard must hold (then) or must not (else)
+    const Condition *outer;       // the one around it; NULL: none
+};
+
+typedef struct Transition {
+    const State *from, *to;
+    BlockKind block;              // of `from`: BLOCK_ENTRY or BLOCK_STEP
+    const Stmt *stmt;
+    const Condition *when;        // innermost first; NULL: it stands alone
+    uint32_t number;              // its place in the list
+} Transition;
+
+typedef VEC(Transition) Transitions;
+
+// In file order.  That an earlier one of the block was not taken is no condition here.
+Transitions transitions_of(Arena *arena, const Program *p);
+
+// An expression as its author wrote it, on one line.
+const char *source_text(Arena *arena, Span span);
+// "pressure > 800 and not (valveOpen)", outermost first; "" of NULL.  Of more than a few, the innermost with "… and" before them.
+const char *condition_text(Arena *arena, const Condition *when);
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/analysis/whatif.h"
+
+#include <string.h>
+
+Fact fact_of_number(SmF64 x) { return fact_of_cell(SM_F64, sm_bits(x)); }
+
+Fact fact_of_range(SmF64 lo, SmF64 hi)
+{
+    Fact f = fact_of_type(SM_F64);
+
+    f.lo = fact_of_number(lo).lo;
+    f.hi = fact_of_number(hi).hi;
+    return f;
+}
+
+const Env *suppose(const Analysis *a, const Env *env, const Var *v, Fact f)
+{
+    const uint32_t var = a->m->var_of[v->index];
+
+    f.nan = false;
+    return var == IR_NONE ? env : env_set(&a->facts->shape, env, var, fact_convert(f, v->type));
+}
+
+// ---- guards ----
+
+typedef struct Answer {
+    const IrFn *f;
+    const Env *env[2];            // where it does not hold, where it does
+    bool possible[2];
+} Answer;
+
+static void note_answer(void *context, const IrJump *end, const Env *env)
+{
+    Answer *out = context;
+    const bool holds = end == &out->f->blk.at[1].jump;
+
+    out->env[holds] = env;
+    out->possible[holds] = true;
+}
+
+static Answer ask(const Analysis *a, const IrFn *f, const Env *env)
+{
+    Answer out = {f, {NULL, NULL}, {false, false}};
+    const FactEnds ends = {note_answer, &out};
+
+    facts_flow(a->facts, f, env, &ends);
+    return out;
+}
+
+// Asked twice: what the first half of `p > 20 and p < 10` leaves is what the second is asked of.
+bool suppose_guard(const Analysis *a, const Env **env, const Expr *guard, bool holds)
+{
+    const IrFn *f = ir_build_guard(a->arena, a->m, guard);
+    Answer first = ask(a, f, *env), second;
+
+    if (!first.possible[holds])
+        return false;
+    second = ask(a, f, first.env[holds]);
+    if (!second.possible[holds])
+        return false;
+    *env = second.env[holds];
+    return true;
+}
+
+bool suppose_condition(const Analysis *a, const Env **env, const Condition *when)
+{
+    const Env *was = *env;
+
+    for (; when; when = when->outer)
+        if (!suppose_guard(a, env, when->stmt->value, when->holds)) {
+            *env = was;
+            return false;
+        }
+    return true;
+}
+
+Fact suppose_value(const Analysis *a, const Env *env, const Expr *e)
+{
+    const IrFn *f = ir_build_guard(a->arena, a->m, e);
+    const FactFlow flow = facts_of_function(a->facts, f, env);
+    const IrIns *cond = &f->ins.at[f->blk.at[0].jump.cond];
+
+    return flow.of[cond->op == IR_cvt ? cond->a : f->blk.at[0].jump.cond];
+}
+
+// ---- sensors ----
+
+Analysis suppose_sensor(const Analysis *a, const Var *v, Fact f)
+{
+    Analysis out = *a;
+    FactMachine *fm = ARENA_NEW(a->arena, FactMachine);
+
+    *fm = *a->facts;
+    out.facts = fm;
+    if (!a->m->sample)
+        return out;
+    fm->epoch = ARENA_ARRAY(a->arena, uint32_t, a->m->var.n);
+    fm->stored = ARENA_ARRAY(a->arena, uint32_t, a->m->var.n);
+    fm->window = ARENA_ARRAY(a->arena, Fact, a->m->window.n);
+    facts_flow(fm, a->m->sample, suppose(a, facts_begin_sample(fm), v, f), NULL);
+    return out;
+}
