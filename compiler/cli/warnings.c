@@ -4,28 +4,26 @@
 
 #include <string.h>
 
-static const char *const groups[] = {"all", "extra", "flight", "everything"};
+// Which groups a name behind -W speaks of, as bits; 0: it names no group.
+typedef struct Group { const char *name; unsigned groups; } Group;
 
-static bool is_group(const char *name)
+enum { ALL = 1u << DIAG_GROUP_ALL, EXTRA = 1u << DIAG_GROUP_EXTRA, FLIGHT = 1u << DIAG_GROUP_FLIGHT };
+
+static const Group groups[] = {{"all", ALL}, {"extra", EXTRA}, {"flight", FLIGHT}, {"everything", ALL | EXTRA | FLIGHT}};
+enum { GROUPS = sizeof groups / sizeof *groups };
+
+static unsigned group_named(const char *name)
 {
-    for (size_t i = 0; i < sizeof groups / sizeof *groups; i++)
-        if (strcmp(name, groups[i]) == 0)
-            return true;
-    return false;
+    for (size_t i = 0; i < GROUPS; i++)
+        if (strcmp(groups[i].name, name) == 0)
+            return groups[i].groups;
+    return 0;
 }
 
 static const char *skip_prefix(const char *text, const char *prefix)
 {
     size_t n = strlen(prefix);
     return strncmp(text, prefix, n) == 0 ? text + n : NULL;
-}
-
-static bool is_flag(const char *name)
-{
-    for (size_t i = 0; i < DIAG_COUNT; i++)
-        if (diag_info[i].flag && strcmp(diag_info[i].flag, name) == 0)
-            return true;
-    return is_group(name);
 }
 
 // The warning's name in "no-x", "error=x", "no-error=x" or "x".
@@ -41,15 +39,16 @@ static const char *flag_in(const char *w)
 
 bool warnings_known(Cli *c)
 {
-    const char *names[DIAG_COUNT + 4], *near;
+    const char **names = ARENA_ARRAY(&c->session.arena, const char *, diag_flag_count + GROUPS), *near;
     size_t n = 0;
 
-    for (size_t i = 0; i < DIAG_COUNT; i++)
-        if (diag_info[i].flag)
-            names[n++] = diag_info[i].flag;
+    for (size_t i = 0; i < diag_flag_count; i++)
+        names[n++] = diag_flag[i].name;
+    for (size_t i = 0; i < GROUPS; i++)
+        names[n++] = groups[i].name;
     for (size_t i = 0; i < c->warns; i++) {
         const char *name = flag_in(c->warn[i]);
-        if (strcmp(c->warn[i], "error") == 0 || strcmp(c->warn[i], "no-error") == 0 || is_flag(name))
+        if (strcmp(c->warn[i], "error") == 0 || strcmp(c->warn[i], "no-error") == 0 || group_named(name) || diag_find_flag(name))
             continue;
         near = nearest_name(name, names, n);
         if (near)
@@ -63,13 +62,13 @@ bool warnings_known(Cli *c)
 
 typedef struct Verdict { bool on, error; } Verdict;
 
-static bool speaks_of(const char *name, const char *flag)
+static bool speaks_of(const char *name, const DiagFlag *flag)
 {
-    return strcmp(name, flag) == 0 || is_group(name);
+    return strcmp(name, flag->name) == 0 || (group_named(name) & 1u << flag->group) != 0;
 }
 
-// Applies one -W… to what is decided so far about the warning `flag`.
-static void apply_one(const char *w, const char *flag, Verdict *v)
+// Applies one -W… to what is decided so far about a warning.
+static void apply_one(const char *w, const DiagFlag *flag, Verdict *v)
 {
     const char *name = flag_in(w);
 
@@ -91,8 +90,8 @@ void warnings_apply(const Cli *c, Diags *d)
 
     for (size_t i = 0; i < d->list.n; i++) {
         Diag *diag = d->list.at[i];
-        Verdict v = {true, false};
-        const char *flag = diag_info[diag->code].flag;
+        const DiagFlag *flag = diag_info[diag->code].flag ? diag_find_flag(diag_info[diag->code].flag) : NULL;
+        Verdict v = {!flag || flag->group == DIAG_GROUP_ALL, false};
         if (diag->severity == DIAG_WARNING) {
             for (size_t k = 0; flag && k < c->warns; k++)
                 apply_one(c->warn[k], flag, &v);

@@ -232,6 +232,21 @@ static bool same_word(const char *a, const char *b)
     return !*a && !*b;
 }
 
+const DiagFlag diag_flag[] = {
+#define FLAG(name, group, sentence) {name, DIAG_GROUP_##group, sentence},
+#include "compiler/diag/flags.def"
+#undef FLAG
+};
+const size_t diag_flag_count = sizeof diag_flag / sizeof *diag_flag;
+
+const DiagFlag *diag_find_flag(const char *name)
+{
+    for (size_t i = 0; i < diag_flag_count; i++)
+        if (strcmp(diag_flag[i].name, name) == 0)
+            return &diag_flag[i];
+    return NULL;
+}
+
 const DiagInfo *diag_find(const char *id)
 {
     for (int i = 0; i < DIAG_COUNT; i++) {

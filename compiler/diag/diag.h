@@ -36,6 +36,18 @@ typedef struct DiagInfo {
 
 extern const DiagInfo diag_info[DIAG_COUNT];
 
+// A row of flags.def.
+typedef enum DiagGroup { DIAG_GROUP_ALL, DIAG_GROUP_EXTRA, DIAG_GROUP_FLIGHT } DiagGroup;
+typedef struct DiagFlag {
+    const char *name;         // behind -W
+    DiagGroup group;
+    const char *sentence;
+} DiagFlag;
+
+extern const DiagFlag diag_flag[];
+extern const size_t diag_flag_count;
+const DiagFlag *diag_find_flag(const char *name);         // NULL if there is none
+
 typedef struct DiagEdit { Span span; const char *text; } DiagEdit;     // replace span by text
 typedef struct DiagNote { Span span; const char *text; } DiagNote;     // span.src may be NULL
 
