@@ -291,11 +291,11 @@ static IrRef *no_refs(Arena *arena, size_t count)
     return r;
 }
 
-static void narrow_function(Arena *arena, IrMachine *m, FactMachine *fm, IrFn *f, const Env *begin)
+static void narrow_function(Arena *arena, FactMachine *fm, IrFn *f, const Env *begin)
 {
     const FactFlow flow = facts_of_function(fm, f, begin);
     const size_t temps = f->ins.n;
-    Narrow n = {.arena = arena, .m = m, .f = f, .of = flow.of, .uses = ir_count_uses(arena, f)};
+    Narrow n = {.arena = arena, .f = f, .of = flow.of, .uses = ir_count_uses(arena, f)};
 
     n.same = ARENA_ARRAY(arena, IrRef, temps);
     for (size_t r = 0; r < temps; r++)
@@ -327,9 +327,9 @@ void pass_narrow(Arena *arena, IrMachine *m, FactMachine *values)
     for (uint32_t w = 0; w < m->window.n; w++)
         m->window.at[w].type = narrowest(facts_of_window(values, w));
     if (m->sample)
-        narrow_function(arena, m, values, m->sample, facts_begin_sample(values));
+        narrow_function(arena, values, m->sample, facts_begin_sample(values));
     for (size_t s = 0; s < m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             if (m->state.at[s].block[b])
-                narrow_function(arena, m, values, m->state.at[s].block[b], facts_begin(values, s, b));
+                narrow_function(arena, values, m->state.at[s].block[b], facts_begin(values, s, b));
 }

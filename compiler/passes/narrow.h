@@ -9,7 +9,6 @@
 // One function being narrowed.  Tables are by temporary of the function as it was; those made on the way are behind them.
 typedef struct Narrow {
     Arena *arena;
-    IrMachine *m;
     IrFn *f;
     const Fact *of;
     uint32_t *uses;
