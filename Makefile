@@ -167,6 +167,15 @@ check: $(B)/diff/difftest
 CHECK_LINES += "diff: $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check" \
                "diff-c: $(B)/diff/difftest --count=25 --forms=012h --cc='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c"
 
+# tests/cost: the longest step as it is reported, against a VM that counts.
+COST_FLAGS = -DSMVM_CONFIG='"tests/cost/config.h"'
+COST_SRC   = tests/cost/run.c $(filter-out %/fast.c %/decode.c %/disasm.c,$(VM))
+$(B)/cost: $(COST_SRC) tests/cost/config.h $(filter-out %/main.o,$(DIFF_OBJ)) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(COST_FLAGS) $(WARN) $(CFLAGS) $(COST_SRC) -o $@ $(filter %/gen.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o %/subject.o,$(DIFF_OBJ)) $(B)/libsmc.a
+check: $(B)/cost
+CHECK_LINES += "cost: $(B)/cost"
+
 # tests/emitc: emitted C under every compiler that is here, under options that touch arithmetic, in programs that use it; and
 # control flow that no source has.
 ENGINE_C_OBJ = $(patsubst %.c,$(B)/obj/%.o,compiler/device/engine_c.c $(wildcard compiler/base/os_*.c))

@@ -88,6 +88,13 @@ const char *path_stem(Cli *c, const char *path);
 void warnings_apply(const Cli *c, Diags *d);
 bool warnings_known(Cli *c);              // false after a message: a -W names no warning
 
+// ---- limits.c: --max-ram and --max-step ----
+
+bool limits_known(Cli *c);                // false after a message: one of them is no number
+bool limits_given(const Cli *c);
+// Reports what machine m, compiled from p as it will fly, takes beyond them.
+void limits_check(Cli *c, const Program *p, IrMachine *m);
+
 // ---- one file each ----
 
 #define COMMAND(name, synopsis, sentence) int cmd_##name(Cli *c);

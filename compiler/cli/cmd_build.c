@@ -147,7 +147,10 @@ static int build_machines(Cli *c, Emit emit, const Source *sv, Outputs *o)
         if ((p = session_program(&c->session, &in)) == NULL)
             continue;
         analyse_program(&c->session.arena, &c->session.diags, p);
-        m[built++] = session_ir(&c->session, p, in.opt_level);
+        m[built] = session_ir(&c->session, p, in.opt_level);
+        if (limits_given(c))
+            limits_check(c, p, m[built]);
+        built++;
     }
     if (built < c->files)
         return EXIT_PROBLEM;
@@ -260,6 +263,10 @@ static int check_use(Cli *c, Emit emit, bool *state_vectors)
         return cli_usage(c, "C is two files, a .c and a .h: standard output cannot take both");
     if (emit == EMIT_C && c->files > 1 && (c->given[OPT_OUTPUT] || c->given[OPT_PREFIX]))
         return cli_usage(c, "with several inputs %s would name several outputs", c->given[OPT_OUTPUT] ? "-o" : "--prefix");
+    if (limits_given(c) && emit != EMIT_BYTECODE)
+        return cli_usage(c, "--max-ram and --max-step speak of bytecode, not of --emit=%s", emit_name[emit]);
+    if (!limits_known(c))
+        return EXIT_USAGE;
     if (c->given[OPT_PREFIX] && emit_c_prefix_error(c->value[OPT_PREFIX]))
         return cli_usage(c, "'%s' cannot be a prefix: %s", c->value[OPT_PREFIX], emit_c_prefix_error(c->value[OPT_PREFIX]));
     return EXIT_OK;

@@ -15,6 +15,18 @@ static int check_scripts(Cli *c, Source *const *ss, const Program *p)
     return EXIT_OK;
 }
 
+// The machine as it will fly: without names, and nobody writes its locals.
+static void check_limits(Cli *c, const Source *sm, const Source *sv)
+{
+    MachineInput in = {sm, sv, NULL, option_level(c)};
+    Program *p;
+
+    c->session.hide_locals = true;
+    if ((p = session_program(&c->session, &in)) != NULL)
+        limits_check(c, p, session_ir(&c->session, p, in.opt_level));
+    c->session.hide_locals = false;
+}
+
 static int check_machine_file(Cli *c, const char *path, const Source *sv)
 {
     Map written = {&c->session.arena, NULL, NULL, 0, 0};
@@ -28,6 +40,8 @@ static int check_machine_file(Cli *c, const char *path, const Source *sv)
     if ((p = session_program(&c->session, &in)) == NULL)
         return EXIT_OK;
     analyse_program(&c->session.arena, &c->session.diags, p);
+    if (limits_given(c))
+        check_limits(c, in.sm, sv);
     return check_scripts(c, ss, p);
 }
 
@@ -57,6 +71,8 @@ static int check_use(Cli *c)
         if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".sv") && (path[0] != '-' || path[1]))
             return cli_usage(c, "'%s' is no source: names end in .sm, .sv or .ss", path);
     }
+    if (!limits_known(c))
+        return EXIT_USAGE;
     if (scripts && machines == 0)
         return cli_usage(c, "a script is checked together with its machine, as in 'smc check tank.sm tank.ss'");
     if (scripts && machines > 1)

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds the longest way through each function.  Jumps only go forward, so a walk from the last instruction to the first knows at
+// each how far the end can be, by ways that end in `end` and by ways that end in `goto`; following the larger number from the
+// start gives the way itself.
+#include "compiler/analysis/cost.h"
+
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "bytecode-vm/smvm.h"
+
+typedef enum WayEnd { WAY_ENDS, WAY_LEAVES, WAYS } WayEnd;        // in `end`, in `goto`
+
+typedef struct Ins {
+    uint32_t at;                  // in the image
+    uint8_t op;
+    uint32_t to;                  // where it jumps, in the image; 0: it does not
+    uint32_t line;
+    uint32_t left[WAYS];          // instructions of the longest way from here on, itself included; 0: there is none
+} Ins;
+
+typedef struct Fn {
+    Ins *ins;
+    uint32_t n;
+    uint32_t longest[WAYS];       // of a function without code: none at all, which ends
+    bool ends;                    // some way ends in `end`
+} Fn;
+
+typedef struct Reader {
+    Arena *arena;
+    SmvmMachine m;
+    SmvmLines lines;              // the next line that has not begun
+    bool more;                    // there is one
+    uint32_t line;                // of the instruction being read
+} Reader;
+
+static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
+
+// ---- reading a function ----
+
+static void find_line(Reader *r, uint32_t at)
+{
+    while (r->more && r->lines.code <= at - r->m.code_at) {
+        r->line = r->lines.line;
+        r->more = smvm_next_line(&r->m, &r->lines);
+    }
+}
+
+// Reads an instruction; gives where the next one begins.
+static uint32_t read_ins(Reader *r, uint32_t at, uint32_t end, Ins *out)
+{
+    const uint8_t op = smvm_u8(r->m.image, at), shape = smvm_shape(op);
+    uint32_t next = at + 1, number = 0;
+
+    find_line(r, at);
+    *out = (Ins){at, op, 0, r->line, {0, 0}};
+    for (uint8_t part = SMVM_SHAPE_D; part <= SMVM_SHAPE_J; part = (uint8_t)(part << 1))
+        if (shape & part)
+            smvm_varint(r->m.image, &next, end, &number);
+    if (shape & SMVM_SHAPE_J)
+        out->to = next + number;
+    return next;
+}
+
+static uint32_t count_ins(const Reader *r, uint32_t at, uint32_t end)
+{
+    uint32_t n = 0;
+
+    for (; at < end; at++)
+        n += smvm_u8(r->m.image, at) >= SMVM_OP_LEAST;
+    return n;
+}
+
+// ---- the longest way ----
+
+static uint32_t find_ins(const Fn *f, uint32_t at)                // the instruction that begins there
+{
+    uint32_t low = 0, high = f->n - 1;
+
+    while (low < high) {
+        const uint32_t middle = low + (high - low) / 2;
+        if (f->ins[middle].at < at)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static bool goes_on(const Ins *i) { return i->op != SMVM_end && i->op != SMVM_goto && i->op != SMVM_jmp; }
+
+static void look_back_from(Fn *f, uint32_t i)
+{
+    Ins *ins = &f->ins[i];
+    const Ins *next = goes_on(ins) ? ins + 1 : NULL, *target = ins->to ? &f->ins[find_ins(f, ins->to)] : NULL;
+
+    ins->left[WAY_ENDS] = ins->op == SMVM_end;
+    ins->left[WAY_LEAVES] = ins->op == SMVM_goto;
+    for (int w = 0; w < WAYS; w++) {
+        const uint32_t most = larger(next ? next->left[w] : 0, target ? target->left[w] : 0);
+        ins->left[w] = most ? most + 1 : ins->left[w];
+    }
+}
+
+static Fn read_function(Reader *r, uint32_t index)
+{
+    uint32_t at = r->m.code_at + (index == 0 ? 0 : smvm_function_end(&r->m, index - 1));
+    const uint32_t end = r->m.code_at + smvm_function_end(&r->m, index);
+    Fn f;
+
+    memset(&f, 0, sizeof f);
+    f.ins = ARENA_ARRAY(r->arena, Ins, count_ins(r, at, end));
+    while (at < end)
+        at = read_ins(r, at, end, &f.ins[f.n++]);
+    for (uint32_t i = f.n; i-- > 0;)
+        look_back_from(&f, i);
+    for (int w = 0; w < WAYS && f.n; w++)
+        f.longest[w] = f.ins[0].left[w];
+    f.ends = f.n == 0 || f.longest[WAY_ENDS] > 0;
+    return f;
+}
+
+// ---- the way as lines ----
+
+static void put_line(Reader *r, StateCost *s, CostPart part, uint32_t line)
+{
+    CostLine *last = s->way.n ? &s->way.at[s->way.n - 1] : NULL, fresh = {part, line, 1};
+
+    if (last && last->part == part && last->line == line)
+        last->instructions++;
+    else
+        vec_push(r->arena, &s->way, fresh);
+}
+
+static void follow(Reader *r, StateCost *s, const Fn *f, CostPart part, WayEnd way)
+{
+    for (uint32_t i = 0; i < f->n;) {
+        const Ins *ins = &f->ins[i];
+        put_line(r, s, part, ins->line);
+        if (ins->left[way] == 1)
+            return;
+        i = goes_on(ins) && ins[1].left[way] + 1 == ins->left[way] ? i + 1 : find_ins(f, ins->to);
+    }
+}
+
+// ---- a state ----
+
+typedef struct Step { uint32_t n; bool entry, step, exit; WayEnd entry_way, step_way; } Step;      // which functions run, how
+
+static void consider(Step *best, Step s)
+{
+    if (s.n > best->n)
+        *best = s;
+}
+
+// The longest of the ways that `.step` can go, after `before` instructions.
+static void consider_step(Step *best, const Fn *f, Step s)
+{
+    const uint32_t before = s.n;
+
+    s.step = true;
+    s.n = before + f[BLOCK_STEP].longest[WAY_ENDS];
+    s.step_way = WAY_ENDS;
+    if (f[BLOCK_STEP].ends)
+        consider(best, s);
+    if (f[BLOCK_STEP].longest[WAY_LEAVES]) {
+        s.n = before + f[BLOCK_STEP].longest[WAY_LEAVES] + f[BLOCK_EXIT].longest[WAY_ENDS];
+        s.step_way = WAY_LEAVES;
+        s.exit = true;
+        consider(best, s);
+    }
+}
+
+static Step longest_first(const Fn *f)
+{
+    Step best = {0, false, false, false, WAY_ENDS, WAY_ENDS};
+    const Step left = {f[BLOCK_ENTRY].longest[WAY_LEAVES] + f[BLOCK_EXIT].longest[WAY_ENDS], true, false, true, WAY_LEAVES, WAY_ENDS};
+    const Step ended = {f[BLOCK_ENTRY].longest[WAY_ENDS], true, false, false, WAY_ENDS, WAY_ENDS};
+
+    if (f[BLOCK_ENTRY].longest[WAY_LEAVES])
+        consider(&best, left);
+    if (f[BLOCK_ENTRY].ends)
+        consider_step(&best, f, ended);
+    return best;
+}
+
+static void follow_step(Reader *r, StateCost *s, const Fn *sample, const Fn *f, const Step *step)
+{
+    follow(r, s, sample, COST_SAMPLE, WAY_ENDS);
+    if (step->entry)
+        follow(r, s, &f[BLOCK_ENTRY], COST_ENTRY, step->entry_way);
+    if (step->step)
+        follow(r, s, &f[BLOCK_STEP], COST_STEP, step->step_way);
+    if (step->exit)
+        follow(r, s, &f[BLOCK_EXIT], COST_EXIT, WAY_ENDS);
+}
+
+static void cost_of_state(Reader *r, uint32_t state, const Fn *sample, StateCost *s)
+{
+    Fn f[BLOCK_COUNT];
+    Step first, later = {0, false, false, false, WAY_ENDS, WAY_ENDS};
+
+    for (uint32_t b = 0; b < BLOCK_COUNT; b++)
+        f[b] = read_function(r, 1 + 3 * state + b);
+    first = longest_first(f);
+    if (f[BLOCK_ENTRY].ends && f[BLOCK_STEP].ends)                // else its first step is its last
+        consider_step(&later, f, later);
+    s->first = sample->longest[WAY_ENDS] + first.n;
+    s->later = f[BLOCK_ENTRY].ends && f[BLOCK_STEP].ends ? sample->longest[WAY_ENDS] + later.n : 0;
+    s->worst = larger(s->first, s->later);
+    follow_step(r, s, sample, f, first.n >= later.n ? &first : &later);
+}
+
+// ---- bytes ----
+
+static void weigh(Reader *r, Cost *out)
+{
+    const SmvmMachine *m = &r->m;
+
+    out->ram = smvm_ram_size(m);
+    out->code = m->code_size;
+    out->locals = m->locals;
+    out->temps = m->temps * (uint32_t)sizeof(SmF64);
+    out->window_count = m->windows;
+    out->window = ARENA_ARRAY(r->arena, CostWindow, m->windows);
+    for (uint32_t w = 0; w < m->windows; w++) {
+        const uint32_t entry = smvm_window(m->image, m->windows_at, w), kind = entry >> SMVM_WINDOW_SIZE_BITS;
+        CostWindow *window = &out->window[w];
+        window->size = entry & SMVM_WINDOW_SIZE_MASK;
+        window->type = (SmType)(kind & SM_ROLL_TYPE);
+        window->bytes = 8 * sm_roll_words(window->size, kind);
+        out->windows += window->bytes;
+    }
+    out->own = out->ram - out->locals - out->temps - out->windows;
+}
+
+void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, Cost *out)
+{
+    Reader r;
+    Fn sample;
+
+    memset(&r, 0, sizeof r);
+    memset(out, 0, sizeof *out);
+    r.arena = arena;
+    smvm_machine(image, number, &r.m);
+    r.more = smvm_next_line(&r.m, &r.lines);
+    sample = read_function(&r, 0);
+    out->sample = sample.longest[WAY_ENDS];
+    out->states = r.m.states;
+    out->state = ARENA_ARRAY(arena, StateCost, r.m.states);
+    for (uint32_t s = 0; s < r.m.states; s++) {
+        cost_of_state(&r, s, &sample, &out->state[s]);
+        if (out->state[s].worst > out->worst || s == 0) {
+            out->worst = out->state[s].worst;
+            out->worst_state = s + 1;
+        }
+    }
+    weigh(&r, out);
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a machine costs on the VM: instructions of its longest step, state by state, and bytes.  Read from the image that flies, so
+// it is what the target's own verifier finds; that a way through the code can be gone by some input is not asked, so a step
+// may be shorter than what is said here, never longer.
+#ifndef SMC_COST_H
+#define SMC_COST_H
+
+#include "compiler/base/vec.h"
+#include "compiler/sema/program.h"
+
+typedef enum CostPart { COST_ENTRY, COST_STEP, COST_EXIT, COST_SAMPLE } CostPart;      // the first three as BlockKind
+
+// A stretch of the longest way.  A unit is an instruction; a table of what each takes on some chip would be another column.
+typedef struct CostLine {
+    CostPart part;
+    uint32_t line;                // of the machine's source; 0: of no line, or the image has no lines
+    uint32_t instructions;
+} CostLine;
+
+typedef struct StateCost {
+    uint32_t first;               // the longest first step of the state: samples, .entry, .step, .exit
+    uint32_t later;               // the longest of its other steps; 0: it has none
+    uint32_t worst;               // the larger of the two
+    VEC(CostLine) way;            // through the worst step, in order
+} StateCost;
+
+typedef struct CostWindow {
+    uint32_t size;                // slots
+    SmType type;
+    uint32_t bytes;               // samples and what answers quickly
+} CostWindow;
+
+typedef struct Cost {
+    uint32_t sample;              // instructions that give the windows their samples: part of every step
+    uint32_t worst;               // the longest step
+    uint32_t worst_state;         // number of the first state that has it
+    StateCost *state;             // at[0] is state 1
+    uint32_t states;
+    uint32_t ram;                 // bytes in all, on this computer's kind of pointers: the VM's own, temps, windows, locals
+    uint32_t own, temps, windows, locals;
+    CostWindow *window;
+    uint32_t window_count;
+    uint32_t code;                // bytes of its instructions in the image
+} Cost;
+
+// Of machine `number`, counted from 0, of an image that the verifier has accepted.
+void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, Cost *out);
+
+#endif
