@@ -104,6 +104,9 @@ update-golden: all $(B)/golden
 # examples: checked without a word, and tested on every engine.
 CHECK_LINES += "examples: sh tests/check/examples.sh $(B)/smc $(patsubst %/,%,$(wildcard examples/*/))"
 
+# tests/analysis: what the analyses find, and what they leave alone.
+CHECK_LINES += "analysis: $(B)/smc test tests/analysis"
+
 # tests/script: what the script engine does and reports.
 CHECK_LINES += "script: $(B)/smc test tests/script"
 check: $(B)/fuzz/script

@@ -33,6 +33,13 @@ typedef struct Command {
     int (*run)(Cli *c);
 } Command;
 
+// -W… as given: each word without its -W, in order.
+typedef struct Warnings {
+    const char **word;
+    size_t n;
+    bool none;                            // -w
+} Warnings;
+
 struct Cli {
     Session session;                      // one compilation; out of memory anywhere ends the command with exit 3
     const Command *command;
@@ -40,8 +47,7 @@ struct Cli {
     size_t files;
     bool given[OPT_COUNT];
     const char *value[OPT_COUNT];         // of an option that takes one; the last one given
-    const char **warn;                    // each -WNAME without its -W, in order
-    size_t warns;
+    Warnings warn;
 };
 
 // ---- options.c ----
@@ -85,8 +91,9 @@ const char *path_stem(Cli *c, const char *path);
 // ---- warnings.c ----
 
 // Drops the warnings that are switched off and makes errors of those that -Werror names.
-void warnings_apply(const Cli *c, Diags *d);
-bool warnings_known(Cli *c);              // false after a message: a -W names no warning
+void warnings_apply(const Warnings *w, Diags *d);
+// What is wrong with the words: "no warning is called 'x'; did you mean 'y'?"; NULL if nothing is.
+const char *warnings_complaint(Arena *arena, const Warnings *w);
 
 // ---- limits.c: --max-ram and --max-step ----
 

@@ -125,7 +125,7 @@ int cli_report(Cli *c)
     Buf out;
     int code;
 
-    warnings_apply(c, d);
+    warnings_apply(&c->warn, d);
     diags_sort(d);
     buf_init(&out, &c->session.arena);
     render(c, d, &out);

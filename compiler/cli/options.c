@@ -92,7 +92,9 @@ static bool take_option(Cli *c, OptionId id, const char *arg, const char *value,
     c->given[id] = true;
     c->value[id] = value;
     if (id == OPT_WARN)
-        c->warn[c->warns++] = value;
+        c->warn.word[c->warn.n++] = value;
+    if (id == OPT_NO_WARN)
+        c->warn.none = true;
     return true;
 }
 
@@ -117,6 +119,15 @@ static bool sarif_fits(Cli *c)
     return false;
 }
 
+static bool warnings_known(Cli *c)
+{
+    const char *wrong = warnings_complaint(&c->session.arena, &c->warn);
+
+    if (wrong)
+        cli_usage(c, "%s", wrong);
+    return !wrong;
+}
+
 static bool check_values(Cli *c)
 {
     static const char *const levels[] = {"0", "1", "2"};
@@ -132,7 +143,7 @@ bool options_parse(Cli *c, int argc, char **argv)
     bool ended = false;
 
     c->file = ARENA_ARRAY(&c->session.arena, const char *, (size_t)argc + 1);
-    c->warn = ARENA_ARRAY(&c->session.arena, const char *, (size_t)argc + 1);
+    c->warn.word = ARENA_ARRAY(&c->session.arena, const char *, (size_t)argc + 1);
     for (int i = 0; i < argc; i++) {
         const char *arg = argv[i], *value;
         bool took_next = false;

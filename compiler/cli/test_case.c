@@ -15,6 +15,7 @@ struct TestCase {
     Session s;
     EngineSet engines;
     char *text;               // of the file, from the heap
+    Warnings warn;            // what its header `warn` asks for
     Source **src;             // of each part that is a source
     Buf why;                  // what is wrong, a line or more each
     int code;                 // the exit code of that; 0: EXIT_PROBLEM
@@ -52,7 +53,7 @@ static size_t count_parts(const TestFile *f, const char *suffix)
 
 static const char *unknown_key(Case *c)
 {
-    static const char keys[] = "spec on expect steps args analyses";
+    static const char keys[] = "spec on expect steps args analyses warn";
 
     for (size_t i = 0; i < c->f->header.n; i++)
         if (!testfile_has_word(keys, c->f->header.at[i].key))
@@ -61,10 +62,26 @@ static const char *unknown_key(Case *c)
     return NULL;
 }
 
+// `warn extra no-dead-code`: what stands behind -W.  Gives what is wrong with it, or NULL.
+static const char *read_warnings(Case *c)
+{
+    const char *words = testfile_header(c->f, "warn");
+
+    c->warn.word = ARENA_ARRAY(&c->s.arena, const char *, words ? strlen(words) + 1 : 1);
+    while (words && *words) {
+        size_t n = strcspn(words, " \t");
+        if (n)
+            c->warn.word[c->warn.n++] = format_in(&c->s.arena, "%.*s", (int)n, words);
+        words += n + (words[n] != '\0');
+    }
+    return warnings_complaint(&c->s.arena, &c->warn);
+}
+
 // What is wrong with the file itself, or NULL.
 static const char *malformed(Case *c)
 {
     const TestFile *f = c->f;
+    const char *wrong;
 
     if (f->error)
         return f->error;
@@ -76,7 +93,7 @@ static const char *malformed(Case *c)
         return "a script needs a machine, as -- app.sm --";
     if (f->outcome == TEST_FAIL && !count_parts(f, ".ss"))
         return "'expect fail' needs a script";
-    return unknown_key(c);
+    return (wrong = unknown_key(c)) != NULL ? wrong : read_warnings(c);
 }
 
 static bool is_golden(const TestFile *f)
@@ -141,10 +158,11 @@ static void compile_scripts(Case *c)
 static void compile_case(Case *c)
 {
     const char *analyses = testfile_header(c->f, "analyses");
+    bool analysed = c->warn.n > 0 || (analyses && strcmp(analyses, "on") == 0);
 
     make_sources(c);
     c->p = compile_machine(c);
-    if (c->p && analyses && strcmp(analyses, "on") == 0)
+    if (c->p && analysed)
         analyse_program(&c->s.arena, &c->s.diags, c->p);
     compile_scripts(c);
     c->is_ready = c->f->outcome != TEST_ERROR && c->s.diags.errors == 0 && count_parts(c->f, ".ss") > 0;
@@ -189,6 +207,7 @@ static void check_diagnostics(Case *c)
 {
     uint8_t *met = arena_alloc(&c->s.arena, c->f->expected.n);
 
+    warnings_apply(&c->warn, &c->s.diags);
     for (size_t i = 0; i < c->s.diags.list.n; i++) {
         const Diag *d = c->s.diags.list.at[i];
         size_t j = 0;

@@ -37,27 +37,36 @@ static const char *flag_in(const char *w)
     return w;
 }
 
-bool warnings_known(Cli *c)
+static bool is_known(const char *word)
 {
-    const char **names = ARENA_ARRAY(&c->session.arena, const char *, diag_flag_count + GROUPS), *near;
+    const char *name = flag_in(word);
+
+    return strcmp(word, "error") == 0 || strcmp(word, "no-error") == 0 || group_named(name) || diag_find_flag(name);
+}
+
+static const char *nearest_warning(Arena *arena, const char *name)
+{
+    const char **names = ARENA_ARRAY(arena, const char *, diag_flag_count + GROUPS);
     size_t n = 0;
 
     for (size_t i = 0; i < diag_flag_count; i++)
         names[n++] = diag_flag[i].name;
     for (size_t i = 0; i < GROUPS; i++)
         names[n++] = groups[i].name;
-    for (size_t i = 0; i < c->warns; i++) {
-        const char *name = flag_in(c->warn[i]);
-        if (strcmp(c->warn[i], "error") == 0 || strcmp(c->warn[i], "no-error") == 0 || group_named(name) || diag_find_flag(name))
+    return nearest_name(name, names, n);
+}
+
+const char *warnings_complaint(Arena *arena, const Warnings *w)
+{
+    for (size_t i = 0; i < w->n; i++) {
+        const char *name = flag_in(w->word[i]), *near;
+        if (is_known(w->word[i]))
             continue;
-        near = nearest_name(name, names, n);
-        if (near)
-            cli_usage(c, "no warning is called '%s'; did you mean '%s'?", name, near);
-        else
-            cli_usage(c, "no warning is called '%s'", name);
-        return false;
+        near = nearest_warning(arena, name);
+        return near ? format_in(arena, "no warning is called '%s'; did you mean '%s'?", name, near)
+                    : format_in(arena, "no warning is called '%s'", name);
     }
-    return true;
+    return NULL;
 }
 
 typedef struct Verdict { bool on, error; } Verdict;
@@ -84,18 +93,25 @@ static void apply_one(const char *w, const DiagFlag *flag, Verdict *v)
         v->on = skip_prefix(w, "no-") == NULL;
 }
 
-void warnings_apply(const Cli *c, Diags *d)
+static Verdict judge(const Warnings *w, const Diag *d)
+{
+    const DiagFlag *flag = diag_info[d->code].flag ? diag_find_flag(diag_info[d->code].flag) : NULL;
+    Verdict v = {!flag || flag->group == DIAG_GROUP_ALL, false};
+
+    for (size_t i = 0; flag && i < w->n; i++)
+        apply_one(w->word[i], flag, &v);
+    v.on = v.on && !w->none;
+    return v;
+}
+
+void warnings_apply(const Warnings *w, Diags *d)
 {
     size_t kept = 0;
 
     for (size_t i = 0; i < d->list.n; i++) {
         Diag *diag = d->list.at[i];
-        const DiagFlag *flag = diag_info[diag->code].flag ? diag_find_flag(diag_info[diag->code].flag) : NULL;
-        Verdict v = {!flag || flag->group == DIAG_GROUP_ALL, false};
         if (diag->severity == DIAG_WARNING) {
-            for (size_t k = 0; flag && k < c->warns; k++)
-                apply_one(c->warn[k], flag, &v);
-            v.on = v.on && !c->given[OPT_NO_WARN];
+            Verdict v = judge(w, diag);
             d->warnings -= !v.on || v.error;
             if (!v.on)
                 continue;

@@ -95,6 +95,53 @@ static void add_alias(Declarations *k, Var *v, const AstAnnotation *a)
     declare(k, v, a->name, a->name_span);
 }
 
+// ---- @range ----
+
+const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type)
+{
+    Range *r = NULL;
+
+    for (size_t i = 0; i < all->n; i++) {
+        const AstAnnotation *a = &all->at[i];
+        if (a->kind != AST_RANGE)
+            continue;
+        if (type == SM_BOOL) {
+            diag_report(c->diags, DIAG_range_of_bool, a->span, name->text);
+        } else if (sm_lt(a->hi.value, a->lo.value)) {
+            diag_report(c->diags, DIAG_range_empty, a->span, name->text, const_text(c->arena, a->lo.value),
+                        const_text(c->arena, a->hi.value));
+        } else {
+            r = ARENA_NEW(c->arena, Range);
+            *r = (Range){a->lo.value, a->hi.value, a->span};
+        }
+    }
+    return r;
+}
+
+static bool same_range(const Range *a, const Range *b)
+{
+    return sm_eq(a->lo, b->lo) && sm_eq(a->hi, b->hi);
+}
+
+// What the machine says counts for the machine, and must be what the .sv says, if that says anything.
+static void give_range(Declarations *k, Var *v, const AstDecl *decl)
+{
+    const CheckContext c = {k->s->arena, k->s->strings, k->s->diags};
+    Diag *d;
+
+    v->range = check_range(&c, &decl->annotations, v->name, v->type);
+    if (!v->element)
+        return;
+    if (k->sv->from_machine)
+        v->element->range = v->range;
+    else if (!v->range)
+        v->range = v->element->range;
+    else if (v->element->range && !same_range(v->range, v->element->range)) {
+        d = diag_report(k->s->diags, DIAG_range_differs, v->range->span, v->name->text);
+        diag_note(k->s->diags, d, v->element->range->span, DIAG_note_range_in_sv);
+    }
+}
+
 // ---- elements ----
 
 static void guess_element(Declarations *k, Diag *d, Str name)
@@ -147,6 +194,7 @@ static void list_element(Declarations *k, const AstDecl *decl)
 
     v->element = k->sv->from_machine ? add_element(k, decl) : find_element(k, decl);
     declare(k, v, v->name, v->span);
+    give_range(k, v, decl);
     for (size_t i = 0; i < decl->annotations.n; i++)
         if (decl->annotations.at[i].kind == AST_ALIAS)
             add_alias(k, v, &decl->annotations.at[i]);

@@ -93,6 +93,9 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
 // Warns of windows whose size depends on a local that the machine assigns.
 void check_size_uses(Sema *s);
 
+// What @range among the annotations says of an element; NULL where it says nothing, or something wrong, which is reported.
+const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
+
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args);
 
 #endif

@@ -69,18 +69,27 @@ struct AstStmt {
 
 // A row of annotations.def: AST_READ_ONLY, AST_ALIAS.
 typedef enum AstAnnotationKind {
-#define ANNOTATION(name, spelling, takes_name, on_element, on_local) AST_##name,
+#define ANNOTATION(name, spelling, takes, listed, in_sv, local, state) AST_##name,
 #include "compiler/syntax/annotations.def"
 #undef ANNOTATION
     AST_ANNOTATION_COUNT
 } AstAnnotationKind;
 
+// What an annotation may stand behind: a column of annotations.def.
+typedef enum AstPlace { AST_ON_ELEMENT, AST_ON_SV_ELEMENT, AST_ON_LOCAL, AST_ON_STATE, AST_PLACES } AstPlace;
+
+// A number with its sign, where no expression may stand.
+typedef struct AstNumber { SmF64 value; Span span; } AstNumber;
+
 typedef struct AstAnnotation {
     AstAnnotationKind kind;
-    Span span;                // with its @ and its argument
+    Span span;                // with its @ and its arguments
     Str name;                 // ALIAS: the other name
     Span name_span;
+    AstNumber lo, hi;         // RANGE
 } AstAnnotation;
+
+typedef VEC(AstAnnotation) AstAnnotations;
 
 typedef struct AstDecl {
     SmType type;
@@ -88,7 +97,7 @@ typedef struct AstDecl {
     Str name;
     Span name_span;
     AstExpr *value;           // of a local: its initial value
-    VEC(AstAnnotation) annotations;
+    AstAnnotations annotations;
 } AstDecl;
 
 // An entry of [options]: `lock`, `delta_t 10`, `init_state Idle`.
@@ -123,6 +132,7 @@ typedef struct AstSection {
     Str name;
     Span name_span;           // between the brackets
     Span header;              // with the brackets
+    AstAnnotations annotations;   // STATE
     VEC(AstDecl) decls;
     VEC(AstOption) options;
     AstBlock block[AST_LABEL_COUNT];

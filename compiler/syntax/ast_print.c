@@ -117,10 +117,28 @@ static void put_stmts(Buf *out, const AstStmts *s, unsigned depth)
 // ---- sections ----
 
 static const char *const annotation_words[] = {
-#define ANNOTATION(name, spelling, takes_name, on_element, on_local) spelling,
+#define ANNOTATION(name, spelling, takes, listed, in_sv, local, state) spelling,
 #include "compiler/syntax/annotations.def"
 #undef ANNOTATION
 };
+
+static void put_annotations(Buf *out, const AstAnnotations *all)
+{
+    for (size_t i = 0; i < all->n; i++) {
+        const AstAnnotation *a = &all->at[i];
+        buf_printf(out, " @%s", annotation_words[a->kind]);
+        if (a->name) {
+            buf_char(out, ' ');
+            put_name(out, a->name);
+        }
+        if (a->kind == AST_RANGE) {
+            buf_char(out, ' ');
+            put_source(out, a->lo.span);
+            buf_char(out, ' ');
+            put_source(out, a->hi.span);
+        }
+    }
+}
 
 static void put_decl(Buf *out, const AstDecl *d)
 {
@@ -130,13 +148,7 @@ static void put_decl(Buf *out, const AstDecl *d)
         buf_str(out, " = ");
         put_expr(out, d->value);
     }
-    for (size_t i = 0; i < d->annotations.n; i++) {
-        buf_printf(out, " @%s", annotation_words[d->annotations.at[i].kind]);
-        if (d->annotations.at[i].name) {
-            buf_char(out, ' ');
-            put_name(out, d->annotations.at[i].name);
-        }
-    }
+    put_annotations(out, &d->annotations);
     buf_char(out, '\n');
 }
 
@@ -168,6 +180,7 @@ static void put_section(Buf *out, const AstSection *s)
 
     buf_printf(out, "%s ", kind[s->kind]);
     put_name(out, s->name);
+    put_annotations(out, &s->annotations);
     buf_char(out, '\n');
     for (size_t i = 0; i < s->decls.n; i++)
         put_decl(out, &s->decls.at[i]);

@@ -177,13 +177,26 @@ uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
     return stop;
 }
 
+// `Abort @abort`: the annotations stand within the brackets.  How it is written; NULL if that is not what is wrong.
+static const char *annotations_outside(Arena *arena, Str name)
+{
+    const char *at = strchr(name->text, '@');
+    size_t n = at ? (size_t)(at - name->text) : 0;
+
+    while (n && (name->text[n - 1] == ' ' || name->text[n - 1] == '\t'))
+        n--;
+    return lex_is_header_name(name->text, n) ? format_in(arena, "[%.*s] %s", (int)n, name->text, at) : NULL;
+}
+
 void lex_slip_header(Lexer *l, uint32_t from, uint32_t end, Str name)
 {
     Span whole = lexer_span(l, l->at, end + 1 - l->at);
     Diag *d = diag_report(l->diags, DIAG_header_name, lexer_span(l, from, end - from), lexer_text(l, l->at, end + 1));
+    const char *fixed = annotations_outside(l->diags->arena, name);
 
-    if (lex_is_header_name(name->text, name->len)) {
-        const char *fixed = format_in(l->diags->arena, "[%s]", name->text);
+    if (lex_is_header_name(name->text, name->len))
+        fixed = format_in(l->diags->arena, "[%s]", name->text);
+    if (fixed) {
         diag_label(l->diags, d, DIAG_label_write, fixed);
         diag_edit(l->diags, d, whole, fixed);
     }

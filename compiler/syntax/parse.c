@@ -250,8 +250,13 @@ static void parse_unlabelled(Parser *p, AstSection *s)
     parse_block(p, &ignored);
 }
 
+// Line ends between a header, its annotations and the first label are blanks.
 static void parse_state(Parser *p, AstSection *s)
 {
+    parse_annotations(p, AST_ON_STATE, s->name, s->name_span, &s->annotations);
+    if (p->failed)
+        skip_line(p);
+    p->failed = false;
     if (!parser_at_end_of_block(p) || p->tok.kind == TOK_RBRACE)
         parse_unlabelled(p, s);
     while (p->tok.kind == TOK_LABEL)

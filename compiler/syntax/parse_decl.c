@@ -52,7 +52,7 @@ static bool recover_type(Parser *p, const AstSection *s)
     } else if (p->tok.kind == TOK_LABEL) {
         parser_fail(p, DIAG_label_outside_state, parser_here(p), p->tok.text->text);
     } else if (p->tok.kind == TOK_ANNOTATION) {
-        parser_fail(p, DIAG_annotation_before, parser_here(p), p->tok.text->text);
+        annotation_before_decl(p);
     } else if (p->tok.kind == TOK_ERROR) {
         p->failed = true;
     } else {
@@ -60,106 +60,6 @@ static bool recover_type(Parser *p, const AstSection *s)
     }
     parser_next(p);
     return false;
-}
-
-// ---- annotations ----
-
-static const struct { const char *spelling; bool takes_name, on_element, on_local; } annotations[] = {
-#define ANNOTATION(name, spelling, takes_name, on_element, on_local) {spelling, takes_name, on_element, on_local},
-#include "compiler/syntax/annotations.def"
-#undef ANNOTATION
-};
-
-static const char *const annotation_words[] = {
-#define ANNOTATION(name, spelling, takes_name, on_element, on_local) spelling,
-#include "compiler/syntax/annotations.def"
-#undef ANNOTATION
-};
-
-static void unknown_annotation(Parser *p)
-{
-    const char *near = nearest_word(p->tok.text->text, annotation_words, AST_ANNOTATION_COUNT);
-    Diag *d = parser_report(p, DIAG_annotation_unknown, parser_here(p), p->tok.text->text);
-
-    if (near)
-        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
-    parser_next(p);
-    while (!p->tok.first && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_TYPE && p->tok.kind != TOK_HEADER)
-        parser_next(p);                            // whatever it was given
-}
-
-static void check_annotation(Parser *p, const AstSection *s, const AstDecl *d, const AstAnnotation *a)
-{
-    const char *word = annotations[a->kind].spelling;
-    Diag *x;
-
-    if (s->kind == AST_REGION) {
-        parser_report(p, DIAG_annotation_in_sv, a->span, word);
-        return;
-    }
-    if (s->kind == AST_LOCAL && !annotations[a->kind].on_local)
-        parser_report(p, DIAG_annotation_on_local, a->span, word);
-    for (size_t i = 0; i < d->annotations.n; i++)
-        if (d->annotations.at[i].kind == a->kind) {
-            x = parser_report(p, DIAG_annotation_repeated, a->span, word, d->name->text);
-            diag_note(p->diags, x, d->annotations.at[i].span, DIAG_note_first_here);
-            return;
-        }
-}
-
-static void take_annotation_name(Parser *p, AstAnnotation *a)
-{
-    if (p->tok.kind == TOK_NAME) {
-        a->name = p->tok.text;
-        a->name_span = parser_here(p);
-        parser_next(p);
-        return;
-    }
-    if (p->tok.kind == TOK_ERROR)
-        p->failed = true;
-    parser_fail(p, DIAG_annotation_without_name, p->tok.first ? parser_gap(p) : parser_here(p),
-                annotations[a->kind].spelling, parser_found(p));
-}
-
-// A line end is a blank: what looks as if it belonged to the declaration behind it belongs to the one above.
-static void annotation_above(Parser *p, const AstDecl *d, const AstAnnotation *a)
-{
-    Diag *x = parser_report(p, DIAG_annotation_above, a->span, annotations[a->kind].spelling, d->name->text);
-
-    diag_note(p->diags, x, d->name_span, DIAG_note_declared_here, d->name->text);
-}
-
-static void parse_annotation(Parser *p, const AstSection *s, AstDecl *d)
-{
-    AstAnnotation a = {0};
-    bool first = p->tok.first;
-    int kind = 0;
-
-    while (kind < AST_ANNOTATION_COUNT && strcmp(annotation_words[kind], p->tok.text->text) != 0)
-        kind++;
-    if (kind == AST_ANNOTATION_COUNT) {
-        unknown_annotation(p);
-        return;
-    }
-    a.kind = (AstAnnotationKind)kind;
-    a.span = parser_here(p);
-    parser_next(p);
-    first = first && !p->tok.first;
-    if (annotations[kind].takes_name)
-        take_annotation_name(p, &a);
-    a.span = parser_since(p, a.span.at);
-    if (p->failed)
-        return;
-    check_annotation(p, s, d, &a);
-    if (first && p->tok.kind == TOK_TYPE && !p->tok.first)
-        annotation_above(p, d, &a);
-    vec_push(p->arena, &d->annotations, a);
-}
-
-static void parse_annotations(Parser *p, const AstSection *s, AstDecl *d)
-{
-    while (!p->failed && p->tok.kind == TOK_ANNOTATION)
-        parse_annotation(p, s, d);
 }
 
 // ---- declarations ----
@@ -228,6 +128,13 @@ static void slip_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
         slip_at_end(p);
 }
 
+static AstPlace place_of_decls(const AstSection *s)
+{
+    if (s->kind == AST_REGION)
+        return AST_ON_SV_ELEMENT;
+    return s->kind == AST_LOCAL ? AST_ON_LOCAL : AST_ON_ELEMENT;
+}
+
 static void parse_decl(Parser *p, AstSection *s)
 {
     AstDecl d = {0};
@@ -242,7 +149,7 @@ static void parse_decl(Parser *p, AstSection *s)
         return;
     if (s->kind == AST_LOCAL)
         parse_initial_value(p, &d);
-    parse_annotations(p, s, &d);
+    parse_annotations(p, place_of_decls(s), d.name, d.name_span, &d.annotations);
     if (!p->failed && !ends_decl(p, s))
         slip_after_decl(p, s, &d);
     vec_push(p->arena, &s->decls, d);

@@ -188,24 +188,13 @@ static void parse_transition(Parser *p, AstStmts *into)
     parser_fail(p, DIAG_transition_without_state, p->tok.first ? parser_gap(p) : parser_here(p), parser_found(p));
 }
 
-static const char *const script_words[] = {"assert", "stop"};
-
-static void unknown_statement_annotation(Parser *p)
-{
-    const char *near = nearest_word(p->tok.text->text, script_words, 2);
-    Diag *d = parser_fail(p, DIAG_annotation_here, parser_here(p), p->tok.text->text);
-
-    if (near && in_script(p))
-        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
-}
-
 static void parse_annotated(Parser *p, AstStmts *into)
 {
     bool is_assert = strcmp(p->tok.text->text, "assert") == 0;
     AstStmt *s;
 
     if (!is_assert && strcmp(p->tok.text->text, "stop") != 0) {
-        unknown_statement_annotation(p);
+        annotation_in_block(p);
         return;
     }
     if (!in_script(p))

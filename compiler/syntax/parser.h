@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the parser's files share.  parse.c: files, sections, blocks; parse_decl.c: declarations and options;
-// parse_stmt.c: statements; parse_expr.c: expressions; parse_slip.c: guesses what was meant where something is wrong.
+// parse_annotation.c: annotations; parse_stmt.c: statements; parse_expr.c: expressions; parse_slip.c: guesses what was meant where something is wrong.
 // A mistake is reported once: p->failed then silences everything up to the next statement, where it is cleared.
 #ifndef SMC_PARSER_H
 #define SMC_PARSER_H
@@ -60,6 +60,10 @@ AstExpr *parse_value_of(Parser *p, bool is_guard);      // the same, but must be
 void parse_block(Parser *p, AstStmts *into);            // statements up to }, a label, a header or the end
 void parse_decls(Parser *p, AstSection *s);
 void parse_options(Parser *p, AstSection *s);
+// All annotations that come, of what is called `owner`.
+void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, AstAnnotations *into);
+void annotation_before_decl(Parser *p);                 // reports the one at hand, where a declaration should begin
+void annotation_in_block(Parser *p);                    // the same, where a statement should
 void skip_section(Parser *p);                           // to the next line that begins with a header; not even tokens are read
 void skip_line(Parser *p);                              // to the next line, header or the end
 

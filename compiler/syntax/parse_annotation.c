@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// Annotations: @read_only and its like, behind declarations and the headers of states.  Where each may stand and what it takes
+// says annotations.def; what follows from one is the checker's business.
+#include "compiler/syntax/parser.h"
+
+typedef enum Takes { TAKES_NOTHING, TAKES_NAME, TAKES_NUMBERS } Takes;
+
+static const struct { const char *spelling; Takes takes; bool on[AST_PLACES]; } rows[] = {
+#define ANNOTATION(name, spelling, takes, listed, in_sv, local, state) {spelling, TAKES_##takes, {listed, in_sv, local, state}},
+#include "compiler/syntax/annotations.def"
+#undef ANNOTATION
+};
+
+// What the annotations being parsed stand behind.
+typedef struct Owner {
+    AstPlace place;
+    Str name;
+    Span span;                // of the name
+    AstAnnotations *all;      // those it has
+} Owner;
+
+// ---- which one it is ----
+
+// AST_ANNOTATION_COUNT if there is none of that name.
+static int find_row(Str word)
+{
+    int i = 0;
+
+    while (i < AST_ANNOTATION_COUNT && strcmp(rows[i].spelling, word->text) != 0)
+        i++;
+    return i;
+}
+
+static bool is_for_states_only(int row)
+{
+    return row < AST_ANNOTATION_COUNT && rows[row].on[AST_ON_STATE] && !rows[row].on[AST_ON_ELEMENT];
+}
+
+// The nearest of those that may stand there: first of all places' own, then of any.
+static const char *nearest_annotation(const char *word, AstPlace place)
+{
+    const char *words[AST_ANNOTATION_COUNT], *near;
+    size_t n = 0;
+
+    for (int i = 0; i < AST_ANNOTATION_COUNT; i++)
+        if (rows[i].on[place])
+            words[n++] = rows[i].spelling;
+    if ((near = nearest_word(word, words, n)) != NULL)
+        return near;
+    for (int i = 0; i < AST_ANNOTATION_COUNT; i++)
+        words[i] = rows[i].spelling;
+    return nearest_word(word, words, AST_ANNOTATION_COUNT);
+}
+
+static bool ends_arguments(const Parser *p)
+{
+    return p->tok.first || p->tok.kind == TOK_ANNOTATION || p->tok.kind == TOK_TYPE || p->tok.kind == TOK_HEADER ||
+           p->tok.kind == TOK_LABEL;
+}
+
+static void unknown_annotation(Parser *p, AstPlace place)
+{
+    const char *near = nearest_annotation(p->tok.text->text, place);
+    Diag *d = parser_report(p, DIAG_annotation_unknown, parser_here(p), p->tok.text->text);
+
+    if (near)
+        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
+    parser_next(p);
+    while (!ends_arguments(p))
+        parser_next(p);
+}
+
+// ---- whether it may stand there ----
+
+static void belongs_to_state(Parser *p, Diag *d, const char *word)
+{
+    diag_label(p->diags, d, DIAG_label_behind_header, word);
+}
+
+// False after a message.
+static bool may_stand(Parser *p, const Owner *o, const AstAnnotation *a)
+{
+    const char *word = rows[a->kind].spelling;
+
+    if (rows[a->kind].on[o->place])
+        return true;
+    if (is_for_states_only(a->kind))
+        belongs_to_state(p, parser_report(p, DIAG_annotation_of_states, a->span, word), word);
+    else if (o->place == AST_ON_STATE)
+        parser_report(p, DIAG_annotation_on_state, a->span, word);
+    else if (o->place == AST_ON_SV_ELEMENT)
+        parser_report(p, DIAG_annotation_in_sv, a->span, word);
+    else
+        parser_report(p, DIAG_annotation_on_local, a->span, word);
+    return false;
+}
+
+static bool is_first_of_its_kind(Parser *p, const Owner *o, const AstAnnotation *a)
+{
+    Diag *d;
+
+    for (size_t i = 0; i < o->all->n; i++)
+        if (o->all->at[i].kind == a->kind) {
+            d = parser_report(p, DIAG_annotation_repeated, a->span, rows[a->kind].spelling, o->name->text);
+            diag_note(p->diags, d, o->all->at[i].span, DIAG_note_first_here);
+            return false;
+        }
+    return true;
+}
+
+// A line end is a blank: what looks as if it belonged to the declaration behind it belongs to the one above.
+static void annotation_above(Parser *p, const Owner *o, const AstAnnotation *a)
+{
+    Diag *d = parser_report(p, DIAG_annotation_above, a->span, rows[a->kind].spelling, o->name->text);
+
+    diag_note(p->diags, d, o->span, DIAG_note_declared_here, o->name->text);
+}
+
+// ---- what it takes ----
+
+static Span found_span(const Parser *p)
+{
+    return p->tok.first ? parser_gap(p) : parser_here(p);
+}
+
+static void take_name(Parser *p, AstAnnotation *a)
+{
+    if (p->tok.kind == TOK_NAME) {
+        a->name = p->tok.text;
+        a->name_span = parser_here(p);
+        parser_next(p);
+        return;
+    }
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    parser_fail(p, DIAG_annotation_without_name, found_span(p), rows[a->kind].spelling, parser_found(p));
+}
+
+static void take_number(Parser *p, AstNumber *into, const char *which)
+{
+    uint32_t at = p->tok.at;
+    bool minus = p->tok.kind == TOK_MINUS;
+    Diag *d;
+
+    if (minus || p->tok.kind == TOK_PLUS)
+        parser_next(p);
+    if (p->tok.kind == TOK_NUMBER) {
+        into->value = minus ? sm_neg(p->tok.number) : p->tok.number;
+        parser_next(p);
+        into->span = parser_since(p, at);
+        return;
+    }
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    d = parser_fail(p, DIAG_range_value, found_span(p), which, parser_found(p));
+    diag_label(p->diags, d, DIAG_label_range_form);
+}
+
+static void take_numbers(Parser *p, AstAnnotation *a)
+{
+    take_number(p, &a->lo, "lowest");
+    if (a->lo.span.src)
+        take_number(p, &a->hi, "highest");
+}
+
+static void take_arguments(Parser *p, AstAnnotation *a)
+{
+    switch (rows[a->kind].takes) {
+    case TAKES_NOTHING: break;
+    case TAKES_NAME:    take_name(p, a); break;
+    case TAKES_NUMBERS: take_numbers(p, a); break;
+    }
+}
+
+// ---- all of them ----
+
+// What one that has no place there takes; whether that is right matters no more.
+static void skip_arguments(Parser *p, AstAnnotation *a)
+{
+    p->failed = true;
+    take_arguments(p, a);
+    p->failed = false;
+}
+
+static void parse_annotation(Parser *p, const Owner *o)
+{
+    AstAnnotation a = {0};
+    bool first = p->tok.first, good;
+    int row = find_row(p->tok.text);
+
+    if (row == AST_ANNOTATION_COUNT) {
+        unknown_annotation(p, o->place);
+        return;
+    }
+    a.kind = (AstAnnotationKind)row;
+    a.span = parser_here(p);
+    good = may_stand(p, o, &a);
+    parser_next(p);
+    first = first && !p->tok.first;
+    if (good)
+        take_arguments(p, &a);
+    else
+        skip_arguments(p, &a);
+    a.span = parser_since(p, a.span.at);
+    if (p->failed)
+        return;
+    if (first && p->tok.kind == TOK_TYPE && !p->tok.first)
+        annotation_above(p, o, &a);
+    if (is_first_of_its_kind(p, o, &a) && good)
+        vec_push(p->arena, o->all, a);
+}
+
+void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, AstAnnotations *into)
+{
+    Owner o = {place, owner, owner_span, into};
+
+    while (!p->failed && p->tok.kind == TOK_ANNOTATION)
+        parse_annotation(p, &o);
+}
+
+// ---- where none may stand ----
+
+void annotation_before_decl(Parser *p)
+{
+    const char *word = p->tok.text->text;
+
+    if (is_for_states_only(find_row(p->tok.text)))
+        belongs_to_state(p, parser_fail(p, DIAG_annotation_of_states, parser_here(p), word), word);
+    else
+        parser_fail(p, DIAG_annotation_before, parser_here(p), word);
+}
+
+void annotation_in_block(Parser *p)
+{
+    static const char *const script_words[] = {"assert", "stop"};
+    const char *word = p->tok.text->text, *near = nearest_word(word, script_words, 2);
+    Diag *d = parser_fail(p, DIAG_annotation_here, parser_here(p), word);
+
+    if (is_for_states_only(find_row(p->tok.text)))
+        belongs_to_state(p, d, word);
+    else if (near && p->kind == FILE_SS)
+        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
+}

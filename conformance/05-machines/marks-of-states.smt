@@ -1,0 +1,25 @@
+spec 5.45, 5.46  @abort and @safe stand behind a header, one or both, in any order, before the first label.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+[A] @abort @safe
+.step
+    x = x + 1
+    -> B
+[B]@safe@abort .step -> C
+[C]
+# no fuel is left
+@abort    # here
+    @safe
+.step
+    -> D
+[D] @safe
+-- app.ss --
+[options]
+delta_t 1
+[all_states]
+G == 4: @assert S == 4 and x == 1
+G == 4: @stop
