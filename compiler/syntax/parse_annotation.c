@@ -84,7 +84,7 @@ static bool may_stand(Parser *p, const Owner *o, const AstAnnotation *a)
 
     if (rows[a->kind].on[o->place])
         return true;
-    if (is_for_states_only(a->kind))
+    if (is_for_states_only((int)a->kind))
         belongs_to_state(p, parser_report(p, DIAG_annotation_of_states, a->span, word), word);
     else if (o->place == AST_ON_STATE)
         parser_report(p, DIAG_annotation_on_state, a->span, word);
