@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+# Judges what smc found in one machine.  Input: codes.def, also.txt, the machine's sources, smc's diagnostics.  -v machine=its path.
+# Fails, and says why, if a mark `#! name` has no finding, or a finding no mark.
+
+FILENAME ~ /codes\.def$/ {
+    if (match($0, /^DIAG\("W[0-9]+", [a-z_0-9]+, DIAG_WARNING, "[a-z-]+"/)) {
+        split(substr($0, RSTART, RLENGTH), part, "\"")
+        flag[part[2]] = part[4]
+    }
+    next
+}
+
+# MACHINE NAME reason: a finding that is right, though it was not seeded.
+FILENAME ~ /also\.txt$/ {
+    if ($0 !~ /^#/ && NF > 2 && index(machine, "/" $1))
+        also[$2]
+    next
+}
+
+FILENAME ~ /\.sm$/ {
+    if (FNR == 1)
+        section = ""
+    if ($0 ~ /^\[/)
+        section = FILENAME " " FNR
+    at[FILENAME ":" FNR] = section
+    rest = $0
+    while (match(rest, /#! [a-z-]+/)) {
+        name = substr(rest, RSTART + 3, RLENGTH - 3)
+        mark[++marks] = name
+        where[marks] = section
+        line[marks] = FILENAME ":" FNR
+        marked[name]
+        rest = substr(rest, RSTART + RLENGTH)
+    }
+    next
+}
+
+/: warning: .*\[W[0-9]+\]$/ {
+    match($0, /\[W[0-9]+\]$/)
+    name = flag[substr($0, RSTART + 1, RLENGTH - 2)]
+    split($0, part, ":")
+    found[name, at[part[1] ":" part[2]]]
+    found[name]
+    if (!(name in marked) && !(name in also)) {
+        print "not seeded: " name ": " $0
+        bad++
+    }
+}
+
+END {
+    for (i = 1; i <= marks; i++) {
+        name = mark[i]
+        anywhere = name == "ping-pong" || name == "two-writers" || name == "cascade" || name == "unused-window"
+        if (anywhere ? !(name in found) : !((name, where[i]) in found)) {
+            print "not found: " name ": " line[i]
+            bad++
+        }
+    }
+    exit bad > 0
+}

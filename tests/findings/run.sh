@@ -1,0 +1,29 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# run.sh SMC [FILE...]: every seeded fault of faulty/ is found and nothing else, nothing in clean/ (README.md).
+smc=$1
+shift
+here=$(dirname "$0")
+out=${TMPDIR:-/tmp}/smc-findings.$$
+trap 'rm -f "$out"' EXIT
+[ $# -gt 0 ] || set -- "$here"/faulty/*[!d] "$here"/clean/*[!d]
+passed=0 failed=0
+
+for machine do
+    case $machine in
+    *.sm) set -- "$machine" ;;
+    *) set -- "$machine"/*.sm ;;
+    esac
+    vector=
+    [ -f "$machine" ] || vector=--sv=$(echo "$machine"/*.sv)
+    "$smc" check -Weverything --color=never $vector "$@" >"$out" 2>&1
+    code=$?
+    if [ $code = 0 ] && awk -v machine="$machine" -f "$here/judge.awk" "$here/../../compiler/diag/codes.def" "$here/also.txt" "$@" "$out"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        [ $code = 0 ] || { echo "$machine: exit $code"; head -3 "$out"; }
+    fi
+done
+echo "findings: $passed passed, $failed failed"
+[ $failed = 0 ]
