@@ -26,14 +26,14 @@ static void add_ways(Analysis *a, AbortMatrix *x, const AbortBound *b)
 
 // ---- verdicts ----
 
-static bool is_sure(const AbortWay *w) { return w->possible && w->steps != ABORT_NOT_BOUNDED; }
+bool abort_is_sure(const AbortWay *w) { return w->possible && w->steps != ABORT_NOT_BOUNDED; }
 
 static uint32_t worst_steps(const AbortRow *r)
 {
     uint32_t worst = 0;
 
     for (size_t w = 0; w < r->way.n; w++)
-        if (is_sure(&r->way.at[w]) && r->way.at[w].steps > worst)
+        if (abort_is_sure(&r->way.at[w]) && r->way.at[w].steps > worst)
             worst = r->way.at[w].steps;
     return worst;
 }
@@ -70,6 +70,8 @@ AbortMatrix abort_matrix(Analysis *a)
         x.declared |= x.row[s].state->is_abort;
     }
     add_ways(a, &x, &b);
+    if (x.declared)
+        abort_ask(a, &x, &b);
     for (size_t s = 0; s < x.n; s++) {
         x.row[s].steps = worst_steps(&x.row[s]);
         x.row[s].verdict = verdict_of(a, &x.row[s]);

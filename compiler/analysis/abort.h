@@ -69,5 +69,9 @@ typedef struct AbortBound {
 
 AbortBound abort_bound(Analysis *a);
 uint32_t abort_one_more(uint32_t steps);
+bool abort_is_sure(const AbortWay *w);         // it can be made, and then the machine is in an @abort state within some steps
+
+// Fills in what the ways of each row look at, `single` and `blind`.
+void abort_ask(Analysis *a, AbortMatrix *x, const AbortBound *b);
 
 #endif

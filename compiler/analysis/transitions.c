@@ -7,9 +7,9 @@
 
 typedef struct Finder {
     Arena *arena;
-    Transitions out;
-    const State *state;
-    BlockKind block;
+    StmtPlace at;
+    void (*f)(const StmtPlace *place, void *context);
+    void *context;
 } Finder;
 
 static void find_in(Finder *f, const Stmts *stmts, const Condition *when);
@@ -30,27 +30,43 @@ static void find_in(Finder *f, const Stmts *stmts, const Condition *when)
 {
     for (size_t i = 0; i < stmts->n; i++) {
         const Stmt *s = stmts->at[i];
-        if (s->kind == ST_TRANSITION) {
-            Transition t = {f->state, s->target, f->block, s, when, (uint32_t)f->out.n};
-            vec_push(f->arena, &f->out, t);
-        } else if (s->kind == ST_IF) {
-            find_under(f, &s->then, s, true, when);
-            find_under(f, &s->otherwise, s, false, when);
-        }
+        f->at.stmt = s;
+        f->at.when = when;
+        f->f(&f->at, f->context);
+        find_under(f, &s->then, s, true, when);
+        find_under(f, &s->otherwise, s, false, when);
     }
+}
+
+void each_place(Arena *arena, const Program *p, void (*f)(const StmtPlace *place, void *context), void *context)
+{
+    Finder finder = {arena, {NULL, NULL, BLOCK_ENTRY, NULL}, f, context};
+
+    for (size_t s = 0; s < p->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++) {
+            finder.at.state = p->state.at[s];
+            finder.at.block = (BlockKind)b;
+            find_in(&finder, &finder.at.state->block[b], NULL);
+        }
+}
+
+typedef struct Found { Arena *arena; Transitions list; } Found;
+
+static void note_transition(const StmtPlace *at, void *context)
+{
+    Found *out = context;
+    const Transition t = {at->state, at->stmt->target, at->block, at->stmt, at->when, (uint32_t)out->list.n};
+
+    if (at->stmt->kind == ST_TRANSITION)
+        vec_push(out->arena, &out->list, t);
 }
 
 Transitions transitions_of(Arena *arena, const Program *p)
 {
-    Finder f = {arena, {NULL, 0, 0}, NULL, BLOCK_ENTRY};
+    Found out = {arena, {NULL, 0, 0}};
 
-    for (size_t s = 0; s < p->state.n; s++)
-        for (int b = 0; b < BLOCK_COUNT; b++) {
-            f.state = p->state.at[s];
-            f.block = (BlockKind)b;
-            find_in(&f, &f.state->block[b], NULL);
-        }
-    return f.out;
+    each_place(arena, p, note_transition, &out);
+    return out.list;
 }
 
 // ---- text ----

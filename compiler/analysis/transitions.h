@@ -22,6 +22,17 @@ typedef struct Transition {
 
 typedef VEC(Transition) Transitions;
 
+// A statement and where it stands.
+typedef struct StmtPlace {
+    const Stmt *stmt;
+    const State *state;
+    BlockKind block;
+    const Condition *when;        // innermost first; NULL: it stands alone
+} StmtPlace;
+
+// Calls f for every statement in file order, a conditional before what is in it.
+void each_place(Arena *arena, const Program *p, void (*f)(const StmtPlace *place, void *context), void *context);
+
 // In file order.  That an earlier one of the block was not taken is no condition here.
 Transitions transitions_of(Arena *arena, const Program *p);
 

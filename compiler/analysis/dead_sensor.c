@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/analysis/dead_sensor.h"
+
+#include <string.h>
+
+#include "stdlib/math.h"
+
+enum { ROUNDS = 3 };              // how long a chain of locals and windows made of each other may be
+
+DeadSensor dead_sensor_new(const Sensors *s)
+{
+    const Analysis *a = s->a;
+    DeadSensor d = {s, *a, NULL, fact_of_number(sm_from_i32(0)), NULL};
+    FactMachine *fm = ARENA_NEW(a->arena, FactMachine);
+
+    *fm = *a->facts;
+    fm->epoch = ARENA_ARRAY(a->arena, uint32_t, a->m->var.n);
+    fm->stored = ARENA_ARRAY(a->arena, uint32_t, a->m->var.n);
+    fm->window = ARENA_ARRAY(a->arena, Fact, a->m->window.n + 1);
+    if (a->m->window.n > 0)
+        memcpy(fm->window, a->facts->window, a->m->window.n * sizeof *fm->window);
+    d.what.facts = fm;
+    return d;
+}
+
+// ---- what is stored in a local ----
+
+static bool is_reached(const DeadSensor *d, const StmtPlace *at) { return d->s->a->stmt[at->stmt->number].reached; }
+
+typedef struct Stored {
+    Fact fact;
+    bool any;                     // something is stored
+    bool always;                  // every store stands alone in its block, none under a guard
+} Stored;
+
+static void add_fact(Stored *out, Fact f)
+{
+    out->fact = out->any ? fact_join(out->fact, f) : f;
+    out->any = true;
+}
+
+// All that is stored in a local, if before it holds what env says.
+static Stored all_stored(const DeadSensor *d, const Var *local, const Env *env)
+{
+    const Stores *list = &d->s->stores[local->index];
+    Stored out = {fact_of_type(local->type), false, true};
+
+    for (size_t i = 0; i < list->n; i++) {
+        const StmtPlace *at = &list->at[i];
+        const Env *here = env;
+        if (!is_reached(d, at))
+            continue;
+        out.always &= at->when == NULL;
+        if (suppose_condition(&d->what, &here, at->when))
+            add_fact(&out, fact_convert(suppose_value(&d->what, here, at->stmt->value), local->type));
+    }
+    return out;
+}
+
+static Fact initial_of(const Var *local) { return fact_convert(fact_of_cell(local->type, local->init), local->type); }
+
+// ---- filters ----
+// A local that is made of itself and of the sensor comes to rest if it forgets: stored from around one value, it comes nearer.
+// The value is found as that of a straight line through two points.
+
+static bool stored_number(const DeadSensor *d, const Var *local, const Env *env, double from, double *to)
+{
+    const Stored s = all_stored(d, local, suppose(&d->what, env, local, fact_of_number(from)));
+
+    return s.any && s.always && fact_is_number(s.fact, to);
+}
+
+static bool comes_nearer(const DeadSensor *d, const Var *local, const Env *env, double rest, double distance)
+{
+    const Stored s = all_stored(d, local, suppose(&d->what, env, local, fact_of_range(rest - distance, rest + distance)));
+
+    return s.any && fact_within(s.fact, rest - distance * 0.9999, rest + distance * 0.9999);
+}
+
+static bool comes_to_rest(const DeadSensor *d, const Var *local, const Env *env, Fact *at)
+{
+    double from_0, from_1, rest, near;
+
+    if (!stored_number(d, local, env, 0, &from_0) || !stored_number(d, local, env, 1, &from_1))
+        return false;
+    rest = from_0 / (1 - (from_1 - from_0));
+    near = 1e-6 * (1 + sm_abs(rest));
+    if (!(sm_abs(from_1 - from_0) < 1) || !comes_nearer(d, local, env, rest, 1) || !comes_nearer(d, local, env, rest, 1000))
+        return false;
+    *at = fact_of_range(rest - near, rest + near);
+    return true;
+}
+
+// ---- settling ----
+
+static const Env *with_any(const DeadSensor *d, const Var *local)
+{
+    return suppose(&d->what, d->env, local, fact_of_type(local->type));
+}
+
+static bool is_one_number(Fact f)
+{
+    double x;
+
+    return fact_is_number(f, &x);
+}
+
+// A flag that only this sensor's other readings would have set: it is as it was at the start.
+static bool stays_initial(const DeadSensor *d, const Var *local)
+{
+    const Fact initial = initial_of(local);
+    const Stored s = all_stored(d, local, suppose(&d->what, d->env, local, initial));
+
+    return !s.any || fact_equal(fact_join(s.fact, initial), initial);
+}
+
+static Fact settled_at(const DeadSensor *d, const Var *local)
+{
+    const Env *any = with_any(d, local);
+    const Stored s = all_stored(d, local, any);
+    const Fact initial = initial_of(local), fact = !s.any ? initial : s.always ? s.fact : fact_join(s.fact, initial);
+    Fact rest;
+
+    if (is_one_number(fact))
+        return fact;
+    if (local->type == SM_BOOL && stays_initial(d, local))
+        return initial;
+    if (s.always && d->s->looks[local->index].n == 1 && comes_to_rest(d, local, any, &rest))
+        return fact_convert(rest, local->type);
+    return fact;
+}
+
+static void settle_windows(DeadSensor *d)
+{
+    const Numbers *list = &d->s->window[d->sensor->index];
+
+    for (size_t i = 0; i < list->n; i++) {
+        const Window *w = &d->s->a->p->window.at[list->at[i]];
+        d->what.facts->window[d->what.m->window_of[list->at[i]]] = fact_convert(suppose_value(&d->what, d->env, w->sample), SM_F64);
+    }
+}
+
+static void settle_locals(DeadSensor *d)
+{
+    const Numbers *list = &d->s->local[d->sensor->index];
+
+    for (size_t i = 0; i < list->n; i++) {
+        const Var *local = d->s->a->p->var.at[list->at[i]];
+        if (!local->outside)
+            d->env = suppose(&d->what, d->env, local, settled_at(d, local));
+    }
+}
+
+size_t dead_sensor_cost(const Sensors *s, const Var *sensor) { return s->local[sensor->index].n + s->window[sensor->index].n; }
+
+void dead_sensor_reads(DeadSensor *d, const Var *sensor, Fact f)
+{
+    const size_t locals = d->s->local[sensor->index].n;
+
+    d->sensor = sensor;
+    d->reads = f;
+    d->env = suppose(&d->what, NULL, sensor, f);
+    settle_windows(d);
+    for (size_t round = 0; round < ROUNDS && round < 2 * locals; round++) {
+        settle_locals(d);
+        settle_windows(d);
+    }
+}
+
+void dead_sensor_heals(DeadSensor *d)
+{
+    const Numbers *list = &d->s->window[d->sensor->index];
+
+    for (size_t i = 0; i < list->n; i++) {
+        const uint32_t w = d->what.m->window_of[list->at[i]];
+        d->what.facts->window[w] = d->s->a->facts->window[w];
+    }
+}
+
+const Env *dead_sensor_begin(const DeadSensor *d, const State *state, BlockKind block)
+{
+    const Env *env = suppose(&d->what, facts_begin(d->what.facts, state->number - 1u, block), d->sensor, d->reads);
+    const Numbers *list = &d->s->local[d->sensor->index];
+    const EnvShape *shape = &d->what.facts->shape;
+
+    for (size_t i = 0; i < list->n; i++) {
+        const uint32_t v = d->what.m->var_of[list->at[i]];
+        if (v != IR_NONE)
+            env = env_set(shape, env, v, fact_meet(env_get(shape, env, v), env_get(shape, d->env, v)));
+    }
+    return env;
+}

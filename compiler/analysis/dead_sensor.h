@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// A machine one of whose sensors has read one thing for ever: windows that sample it hold nothing else, and locals that are made
+// of it hold what is then stored in them.
+//
+//     DeadSensor d = dead_sensor_new(&sensors);
+//     dead_sensor_reads(&d, pressure, fact_of_number(sm_from_i32(0)));
+//     const Env *env = dead_sensor_begin(&d, state, BLOCK_STEP);   // with which the block then begins, in the analysis d.what
+//     …
+//     dead_sensor_heals(&d);                                       // before the next question
+//
+// What can be then is never too little: what is impossible under these facts is impossible.  One thing is taken for granted: that
+// a filter, x = 0.9 * x + 0.1 * pressure, has come to rest.
+#ifndef SMC_DEAD_SENSOR_H
+#define SMC_DEAD_SENSOR_H
+
+#include "compiler/analysis/sensors.h"
+#include "compiler/analysis/whatif.h"
+
+typedef struct DeadSensor {
+    const Sensors *s;
+    Analysis what;                // the analysis, with windows of its own
+    const Var *sensor;
+    Fact reads;
+    const Env *env;               // what the sensor and locals hold
+} DeadSensor;
+
+DeadSensor dead_sensor_new(const Sensors *s);
+void dead_sensor_reads(DeadSensor *d, const Var *sensor, Fact f);
+void dead_sensor_heals(DeadSensor *d);
+// How many locals and windows a question about this sensor goes through.
+size_t dead_sensor_cost(const Sensors *s, const Var *sensor);
+
+// How a block of a state that can be reached begins.
+const Env *dead_sensor_begin(const DeadSensor *d, const State *state, BlockKind block);
+
+#endif
