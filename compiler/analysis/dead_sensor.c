@@ -5,7 +5,10 @@
 
 #include "stdlib/math.h"
 
-enum { ROUNDS = 3 };              // how long a chain of locals and windows made of each other may be
+enum {
+    ROUNDS = 3,                   // how long a chain of locals and windows made of each other may be
+    LOCALS = 32                   // so many of one sensor are added to what is known of a state; of more, these replace it
+};
 
 DeadSensor dead_sensor_new(const Sensors *s)
 {
@@ -183,6 +186,8 @@ const Env *dead_sensor_begin(const DeadSensor *d, const State *state, BlockKind 
     const Numbers *list = &d->s->local[d->sensor->index];
     const EnvShape *shape = &d->what.facts->shape;
 
+    if (list->n > LOCALS)
+        return d->env;
     for (size_t i = 0; i < list->n; i++) {
         const uint32_t v = d->what.m->var_of[list->at[i]];
         if (v != IR_NONE)

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// Outputs that go on because a sensor reads 0, which is what a broken one reads: `pressure < 5: heater = true`.
+//
+// A store is looked at with what has to hold for it, cut into parts that all must hold.  One part holds because the sensor reads 0
+// and would not hold of every reading; no part is left to another sensor; and with that reading a run does come to the store
+// and ends with the output on.
+#include "compiler/analysis/dead_sensor.h"
+
+enum {
+    PARTS = 32,                   // of the innermost guards
+    FLOWS = 50                    // sensors asked about in one block
+};
+
+typedef struct Part {
+    const Expr *e;
+    bool holds;
+} Part;
+
+typedef struct Parts {
+    Part at[PARTS];
+    size_t n;
+} Parts;
+
+typedef struct Flowed {           // how a block runs when the sensor reads 0
+    const IrFn *f;                // NULL: not asked
+    const State *state;
+    BlockKind block;
+    const Env *end;               // what holds at all its ends
+    bool ends;
+} Flowed;
+
+typedef struct Zero {
+    Analysis *a;
+    const Sensors *s;
+    DeadSensor dead;
+    Stores *ask;                  // by Var.index: stores that a sensor may bring about
+    uint32_t *reached;            // by Stmt.number: the flow that came to it last
+    uint32_t flow;                // its number
+    uint8_t (*flows)[BLOCK_COUNT];    // by state
+    Flowed last;
+} Zero;
+
+// ---- what has to hold ----
+
+static void add_part(Parts *p, const Expr *e, bool holds)
+{
+    if (e->kind == EX_UNARY && e->op == SM_OP_NOT) {
+        add_part(p, e->arg[0], !holds);
+    } else if (e->kind == EX_BINARY && e->op == (holds ? SM_OP_AND : SM_OP_OR)) {
+        add_part(p, e->arg[0], holds);
+        add_part(p, e->arg[1], holds);
+    } else if (p->n < PARTS) {
+        p->at[p->n++] = (Part){e, holds};
+    }
+}
+
+// A flag that is assigned a condition goes on when it holds.
+static bool is_guarded_by_value(const StmtPlace *at) { return at->stmt->var->type == SM_BOOL && !expr_is_constant(at->stmt->value); }
+
+static Parts parts_of(const StmtPlace *at)
+{
+    Parts p = {{{NULL, false}}, 0};
+
+    if (is_guarded_by_value(at))
+        add_part(&p, at->stmt->value, true);
+    for (const Condition *when = at->when; when && p.n < PARTS; when = when->outer)
+        add_part(&p, when->stmt->value, when->holds);
+    return p;
+}
+
+// ---- what holds ----
+
+static Fact truth(const Analysis *a, const Env *env, const Part *p)
+{
+    const Fact f = fact_convert(suppose_value(a, env, p->e), SM_BOOL);
+
+    return p->holds ? f : fact_of_bool(f.hi == 1, f.lo == 0);
+}
+
+static bool is_sure(Fact truth) { return truth.lo == 1; }
+
+static bool wants_another(const Zero *z, const Part *p, const Var *sensor)
+{
+    const Looks l = looks_of_value(z->s, p->e);
+
+    return l.more || l.n > (looks_at(&l, sensor) ? 1u : 0u);
+}
+
+// The part that holds because the sensor reads 0; NULL if there is none, or something is left to another sensor.
+static const Part *part_because(const Zero *z, const Parts *p, const Var *sensor)
+{
+    const Part *because = NULL;
+
+    for (size_t i = 0; i < p->n; i++) {
+        const Part *part = &p->at[i];
+        if (!is_sure(truth(&z->dead.what, z->dead.env, part))) {
+            if (wants_another(z, part, sensor))
+                return NULL;
+        } else if (!because && !is_sure(truth(z->a, NULL, part))) {
+            because = part;
+        }
+    }
+    return because;
+}
+
+static bool goes_on(const Zero *z, const StmtPlace *at)
+{
+    const Fact f = fact_convert(suppose_value(&z->dead.what, z->dead.env, at->stmt->value), at->stmt->var->type);
+
+    return is_guarded_by_value(at) ? f.hi == 1 : f.lo > 0 || f.hi < 0;
+}
+
+// ---- how the block runs ----
+
+static void note_end(void *context, const IrJump *end, const Env *env)
+{
+    Zero *z = context;
+
+    (void)end;
+    z->last.end = z->last.ends ? env_join(&z->dead.what.facts->shape, z->last.end, env, NULL) : env;
+    z->last.ends = true;
+}
+
+static void note_stores(Zero *z, const IrFn *f, const FactFlow *flow)
+{
+    z->flow++;
+    for (size_t b = 0; b < f->blk.n; b++)
+        for (size_t i = 0; flow->reached[b] && i < f->blk.at[b].ins.n; i++)
+            z->reached[f->ins.at[f->blk.at[b].ins.at[i]].stmt] = z->flow;
+}
+
+static void run_block(Zero *z, const StmtPlace *at)
+{
+    const FactEnds ends = {note_end, z};
+    FactFlow flow;
+
+    if (z->last.f && z->last.state == at->state && z->last.block == at->block)
+        return;
+    z->last = (Flowed){z->a->m->state.at[at->state->number - 1u].block[at->block], at->state, at->block, NULL, false};
+    z->flows[at->state->number - 1u][at->block]++;
+    flow = facts_flow(z->dead.what.facts, z->last.f, dead_sensor_begin(&z->dead, at->state, at->block), &ends);
+    note_stores(z, z->last.f, &flow);
+}
+
+static bool ends_on(Zero *z, const StmtPlace *at)
+{
+    Fact f;
+
+    if (z->flows[at->state->number - 1u][at->block] > FLOWS)
+        return false;
+    run_block(z, at);
+    f = env_get(&z->dead.what.facts->shape, z->last.end, z->a->m->var_of[at->stmt->var->index]);
+    return z->reached[at->stmt->number] == z->flow && (f.lo < 0 || f.hi > 0);
+}
+
+// ---- findings ----
+
+static void ask(Zero *z, const StmtPlace *at, const Var *sensor)
+{
+    const Parts parts = parts_of(at);
+    const Part *because = part_because(z, &parts, sensor);
+    Diag *d;
+
+    if (!because || !goes_on(z, at) || !ends_on(z, at))
+        return;
+    d = diag_report(z->a->diags, DIAG_output_on_zero, at->stmt->span, at->stmt->var->name->text, sensor->name->text);
+    diag_note(z->a->diags, d, because->e->span, because->holds ? DIAG_note_holds_at_zero : DIAG_note_fails_at_zero, sensor->name->text);
+    diag_note(z->a->diags, d, (Span){0}, DIAG_note_zero_advice, sensor->name->text);
+}
+
+static void ask_about(Zero *z, const Var *sensor)
+{
+    const Stores *list = &z->ask[sensor->index];
+
+    if (list->n == 0)
+        return;
+    z->last.f = NULL;
+    dead_sensor_reads(&z->dead, sensor, fact_of_number(sm_from_i32(0)));
+    for (size_t i = 0; i < list->n; i++)
+        ask(z, &list->at[i], sensor);
+    dead_sensor_heals(&z->dead);
+}
+
+static void note_store(const StmtPlace *at, void *context)
+{
+    Zero *z = context;
+    Looks l;
+
+    if (at->stmt->kind != ST_ASSIGN || !is_output(at->stmt->var) || !z->a->stmt[at->stmt->number].reached)
+        return;
+    l = is_guarded_by_value(at) ? looks_of_value(z->s, at->stmt->value) : looks_of_condition(z->s, at->when);
+    for (uint32_t i = 0; i < l.n; i++)
+        vec_push(z->a->arena, &z->ask[l.sensor[i]->index], *at);
+}
+
+void analyse_output_on_zero(Analysis *a)
+{
+    const Sensors s = sensors_of(a);
+    const size_t n = a->p->var.n;
+    Zero z = {a, &s, dead_sensor_new(&s), ARENA_ARRAY(a->arena, Stores, n), ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 1), 0,
+              arena_array(a->arena, a->p->state.n, sizeof(uint8_t[BLOCK_COUNT])), {NULL, NULL, BLOCK_ENTRY, NULL, false}};
+
+    each_place(a->arena, a->p, note_store, &z);
+    for (size_t v = 0; v < n; v++)
+        ask_about(&z, a->p->var.at[v]);
+}
