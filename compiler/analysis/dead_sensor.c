@@ -63,43 +63,41 @@ static Stored all_stored(const DeadSensor *d, const Var *local, const Env *env)
 static Fact initial_of(const Var *local) { return fact_convert(fact_of_cell(local->type, local->init), local->type); }
 
 // ---- filters ----
-// A local that is made of itself and of the sensor comes to rest if it forgets: stored from around one value, it comes nearer.
-// The value is found as that of a straight line through two points.
+// A local that is made of itself and of the sensor comes to rest if it forgets: stored from some way off, it comes nearer.  Where,
+// is found as that of a straight line through two points.
 
-static bool stored_number(const DeadSensor *d, const Var *local, const Env *env, double from, double *to)
+static bool stored_number(const DeadSensor *d, const Var *local, double from, double *to)
 {
-    const Stored s = all_stored(d, local, suppose(&d->what, env, local, fact_of_number(from)));
+    const Stored s = all_stored(d, local, suppose(&d->what, d->env, local, fact_of_number(from)));
 
     return s.any && s.always && fact_is_number(s.fact, to);
 }
 
-static bool comes_nearer(const DeadSensor *d, const Var *local, const Env *env, double rest, double distance)
+static bool comes_nearer(const DeadSensor *d, const Var *local, double rest, double distance)
 {
-    const Stored s = all_stored(d, local, suppose(&d->what, env, local, fact_of_range(rest - distance, rest + distance)));
+    const double from = fact_convert(fact_of_number(rest + distance), local->type).lo;
+    double to;
 
-    return s.any && fact_within(s.fact, rest - distance * 0.9999, rest + distance * 0.9999);
+    return stored_number(d, local, from, &to) && (from == rest || sm_abs(to - rest) < sm_abs(from - rest));
 }
 
-static bool comes_to_rest(const DeadSensor *d, const Var *local, const Env *env, Fact *at)
+static bool comes_to_rest(const DeadSensor *d, const Var *local, Fact *at)
 {
+    static const double distance[] = {-1e6, -1000, -1, 1, 1000, 1e6};
     double from_0, from_1, rest, near;
 
-    if (!stored_number(d, local, env, 0, &from_0) || !stored_number(d, local, env, 1, &from_1))
+    if (!stored_number(d, local, 0, &from_0) || !stored_number(d, local, 1, &from_1) || !(sm_abs(from_1 - from_0) < 1))
         return false;
     rest = from_0 / (1 - (from_1 - from_0));
     near = 1e-6 * (1 + sm_abs(rest));
-    if (!(sm_abs(from_1 - from_0) < 1) || !comes_nearer(d, local, env, rest, 1) || !comes_nearer(d, local, env, rest, 1000))
-        return false;
+    for (size_t i = 0; i < sizeof distance / sizeof *distance; i++)
+        if (!comes_nearer(d, local, rest, distance[i]))
+            return false;
     *at = fact_of_range(rest - near, rest + near);
     return true;
 }
 
 // ---- settling ----
-
-static const Env *with_any(const DeadSensor *d, const Var *local)
-{
-    return suppose(&d->what, d->env, local, fact_of_type(local->type));
-}
 
 static bool is_one_number(Fact f)
 {
@@ -119,8 +117,7 @@ static bool stays_initial(const DeadSensor *d, const Var *local)
 
 static Fact settled_at(const DeadSensor *d, const Var *local)
 {
-    const Env *any = with_any(d, local);
-    const Stored s = all_stored(d, local, any);
+    const Stored s = all_stored(d, local, suppose(&d->what, d->env, local, fact_of_type(local->type)));
     const Fact initial = initial_of(local), fact = !s.any ? initial : s.always ? s.fact : fact_join(s.fact, initial);
     Fact rest;
 
@@ -128,7 +125,7 @@ static Fact settled_at(const DeadSensor *d, const Var *local)
         return fact;
     if (local->type == SM_BOOL && stays_initial(d, local))
         return initial;
-    if (s.always && d->s->looks[local->index].n == 1 && comes_to_rest(d, local, any, &rest))
+    if (s.always && d->s->looks[local->index].n == 1 && comes_to_rest(d, local, &rest))
         return fact_convert(rest, local->type);
     return fact;
 }

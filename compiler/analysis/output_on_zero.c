@@ -3,8 +3,11 @@
 //
 // A store is looked at with what has to hold for it, cut into parts that all must hold.  One part holds because the sensor reads 0
 // and would not hold of every reading; no part is left to another sensor; and with that reading a run does come to the store
-// and ends with the output on.
+// and ends with the output on.  Who answers a broken sensor on purpose is no case: where that part holds of a reading far above
+// and of one far below too, or of none within the @range, or where the machine goes to an @abort state.
+#include "compiler/analysis/abort.h"
 #include "compiler/analysis/dead_sensor.h"
+#include "stdlib/math.h"
 
 enum {
     PARTS = 32,                   // of the innermost guards
@@ -32,8 +35,11 @@ typedef struct Flowed {           // how a block runs when the sensor reads 0
 typedef struct Zero {
     Analysis *a;
     const Sensors *s;
-    DeadSensor dead;
+    DeadSensor dead;              // reads 0
+    DeadSensor high, low, healthy;    // reads something far above or far below; something within its @range
+    AbortBound bound;
     Stores *ask;                  // by Var.index: stores that a sensor may bring about
+    bool *aborts;                 // by arm: a transition to an @abort state stands in it
     uint32_t *reached;            // by Stmt.number: the flow that came to it last
     uint32_t flow;                // its number
     uint8_t (*flows)[BLOCK_COUNT];    // by state
@@ -110,6 +116,29 @@ static bool goes_on(const Zero *z, const StmtPlace *at)
     return is_guarded_by_value(at) ? f.hi == 1 : f.lo > 0 || f.hi < 0;
 }
 
+// ---- answers on purpose ----
+
+static size_t arm_of(const Condition *c) { return 2u * c->stmt->number + c->holds; }
+
+static Fact far_off(const Var *v, bool above)
+{
+    const Fact type = fact_of_type(v->type);
+
+    return fact_of_number(above ? sm_min(type.hi, 1e30) : sm_max(type.lo, -1e30));
+}
+
+static bool is_test_of_reading(const Zero *z, const Part *p, const Var *sensor)
+{
+    if (is_sure(truth(&z->high.what, z->high.env, p)) && is_sure(truth(&z->low.what, z->low.env, p)))
+        return true;
+    return sensor->range && truth(&z->healthy.what, z->healthy.env, p).hi == 0;
+}
+
+static bool is_answer(const Zero *z, const StmtPlace *at, const Part *because, const Var *sensor)
+{
+    return (at->when && z->aborts[arm_of(at->when)]) || is_test_of_reading(z, because, sensor);
+}
+
 // ---- how the block runs ----
 
 static void note_end(void *context, const IrJump *end, const Env *env)
@@ -161,11 +190,29 @@ static void ask(Zero *z, const StmtPlace *at, const Var *sensor)
     const Part *because = part_because(z, &parts, sensor);
     Diag *d;
 
-    if (!because || !goes_on(z, at) || !ends_on(z, at))
+    if (!because || is_answer(z, at, because, sensor) || !goes_on(z, at) || !ends_on(z, at))
         return;
     d = diag_report(z->a->diags, DIAG_output_on_zero, at->stmt->span, at->stmt->var->name->text, sensor->name->text);
     diag_note(z->a->diags, d, because->e->span, because->holds ? DIAG_note_holds_at_zero : DIAG_note_fails_at_zero, sensor->name->text);
     diag_note(z->a->diags, d, (Span){0}, DIAG_note_zero_advice, sensor->name->text);
+}
+
+static void suppose_readings(Zero *z, const Var *sensor)
+{
+    dead_sensor_reads(&z->dead, sensor, fact_of_number(sm_from_i32(0)));
+    dead_sensor_reads(&z->high, sensor, far_off(sensor, true));
+    dead_sensor_reads(&z->low, sensor, far_off(sensor, false));
+    if (sensor->range)
+        dead_sensor_reads(&z->healthy, sensor, fact_of_range(sensor->range->lo, sensor->range->hi));
+}
+
+static void heal(Zero *z, const Var *sensor)
+{
+    dead_sensor_heals(&z->dead);
+    dead_sensor_heals(&z->high);
+    dead_sensor_heals(&z->low);
+    if (sensor->range)
+        dead_sensor_heals(&z->healthy);
 }
 
 static void ask_about(Zero *z, const Var *sensor)
@@ -175,32 +222,44 @@ static void ask_about(Zero *z, const Var *sensor)
     if (list->n == 0)
         return;
     z->last.f = NULL;
-    dead_sensor_reads(&z->dead, sensor, fact_of_number(sm_from_i32(0)));
+    suppose_readings(z, sensor);
     for (size_t i = 0; i < list->n; i++)
         ask(z, &list->at[i], sensor);
-    dead_sensor_heals(&z->dead);
+    heal(z, sensor);
 }
 
-static void note_store(const StmtPlace *at, void *context)
+static void note_store(Zero *z, const StmtPlace *at)
+{
+    const Looks l = is_guarded_by_value(at) ? looks_of_value(z->s, at->stmt->value) : looks_of_condition(z->s, at->when);
+
+    for (uint32_t i = 0; is_output(at->stmt->var) && i < l.n; i++)
+        vec_push(z->a->arena, &z->ask[l.sensor[i]->index], *at);
+}
+
+static void note_place(const StmtPlace *at, void *context)
 {
     Zero *z = context;
-    Looks l;
 
-    if (at->stmt->kind != ST_ASSIGN || !is_output(at->stmt->var) || !z->a->stmt[at->stmt->number].reached)
+    if (!z->a->stmt[at->stmt->number].reached)
         return;
-    l = is_guarded_by_value(at) ? looks_of_value(z->s, at->stmt->value) : looks_of_condition(z->s, at->when);
-    for (uint32_t i = 0; i < l.n; i++)
-        vec_push(z->a->arena, &z->ask[l.sensor[i]->index], *at);
+    if (at->stmt->kind == ST_ASSIGN)
+        note_store(z, at);
+    else if (at->stmt->kind == ST_TRANSITION && at->when && z->bound.bound[at->stmt->target->number - 1u])
+        z->aborts[arm_of(at->when)] = true;
 }
 
 void analyse_output_on_zero(Analysis *a)
 {
     const Sensors s = sensors_of(a);
     const size_t n = a->p->var.n;
-    Zero z = {a, &s, dead_sensor_new(&s), ARENA_ARRAY(a->arena, Stores, n), ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 1), 0,
-              arena_array(a->arena, a->p->state.n, sizeof(uint8_t[BLOCK_COUNT])), {NULL, NULL, BLOCK_ENTRY, NULL, false}};
+    Zero z = {.a = a, .s = &s, .bound = abort_bound(a), .dead = dead_sensor_new(&s), .high = dead_sensor_new(&s),
+              .low = dead_sensor_new(&s), .healthy = dead_sensor_new(&s)};
 
-    each_place(a->arena, a->p, note_store, &z);
+    z.ask = ARENA_ARRAY(a->arena, Stores, n);
+    z.aborts = ARENA_ARRAY(a->arena, bool, 2 * (a->p->stmts + 1u));
+    z.reached = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 1u);
+    z.flows = arena_array(a->arena, a->p->state.n, sizeof *z.flows);
+    each_place(a->arena, a->p, note_place, &z);
     for (size_t v = 0; v < n; v++)
         ask_about(&z, a->p->var.at[v]);
 }
