@@ -179,7 +179,7 @@ void dead_sensor_heals(DeadSensor *d)
 
 const Env *dead_sensor_begin(const DeadSensor *d, const State *state, BlockKind block)
 {
-    const Env *env = suppose(&d->what, facts_begin(d->what.facts, state->number - 1u, block), d->sensor, d->reads);
+    const Env *env = suppose(&d->what, facts_begin(d->what.facts, state->number - 1u, (int)block), d->sensor, d->reads);
     const Numbers *list = &d->s->local[d->sensor->index];
     const EnvShape *shape = &d->what.facts->shape;
 
