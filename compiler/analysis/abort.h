@@ -18,11 +18,11 @@
 typedef struct AbortWay {
     const Transition *first;      // its condition is first->when, its place first->stmt->span
     const char *guard;            // condition_text of it; "" where it stands alone
-    uint32_t steps;               // at worst, from the step in which the guard holds to the one that begins in an @abort state: 1 directly
+    uint32_t steps;               // at worst, from the step in which the guard holds to the first in an @abort state: 1 directly
     const Var **sensor;           // that its guard looks at, through windows and locals too
     size_t sensors;
     bool by_time;                 // its guard looks at T or G
-    bool by_input;                // at an element that is no sensor: a bool, a command (an integer that is only compared by == or !=)
+    bool by_input;                // at a bool or a command (an integer that is only compared by == or !=), which are no sensors
     bool possible;                // it can be made at all
 } AbortWay;
 

@@ -61,7 +61,10 @@ static void add_part(Parts *p, const Expr *e, bool holds)
 }
 
 // A flag that is assigned a condition goes on when it holds.
-static bool is_guarded_by_value(const StmtPlace *at) { return at->stmt->var->type == SM_BOOL && !expr_is_constant(at->stmt->value); }
+static bool is_guarded_by_value(const StmtPlace *at)
+{
+    return at->stmt->var->type == SM_BOOL && !expr_is_constant(at->stmt->value);
+}
 
 static Parts parts_of(const StmtPlace *at)
 {
@@ -193,7 +196,8 @@ static void ask(Zero *z, const StmtPlace *at, const Var *sensor)
     if (!because || is_answer(z, at, because, sensor) || !goes_on(z, at) || !ends_on(z, at))
         return;
     d = diag_report(z->a->diags, DIAG_output_on_zero, at->stmt->span, at->stmt->var->name->text, sensor->name->text);
-    diag_note(z->a->diags, d, because->e->span, because->holds ? DIAG_note_holds_at_zero : DIAG_note_fails_at_zero, sensor->name->text);
+    diag_note(z->a->diags, d, because->e->span, because->holds ? DIAG_note_holds_at_zero : DIAG_note_fails_at_zero,
+              sensor->name->text);
     diag_note(z->a->diags, d, (Span){0}, DIAG_note_zero_advice, sensor->name->text);
 }
 
