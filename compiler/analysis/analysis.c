@@ -100,4 +100,5 @@ void analyse_program(Arena *arena, Diags *diags, const Program *p)
 #define ANALYSIS(name, sentence) analyse_##name(&a);
 #include "compiler/analysis/analyses.def"
 #undef ANALYSIS
+    diags->analysed = true;
 }

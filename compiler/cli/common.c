@@ -125,6 +125,7 @@ int cli_report(Cli *c)
     Buf out;
     int code;
 
+    diags_apply_allows(d);
     warnings_apply(&c->warn, d);
     diags_sort(d);
     buf_init(&out, &c->session.arena);

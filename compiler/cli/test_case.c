@@ -207,6 +207,7 @@ static void check_diagnostics(Case *c)
 {
     uint8_t *met = arena_alloc(&c->s.arena, c->f->expected.n);
 
+    diags_apply_allows(&c->s.diags);
     warnings_apply(&c->warn, &c->s.diags);
     for (size_t i = 0; i < c->s.diags.list.n; i++) {
         const Diag *d = c->s.diags.list.at[i];

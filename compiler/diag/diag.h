@@ -51,6 +51,14 @@ const DiagFlag *diag_find_flag(const char *name);         // NULL if there is no
 typedef struct DiagEdit { Span span; const char *text; } DiagEdit;     // replace span by text
 typedef struct DiagNote { Span span; const char *text; } DiagNote;     // span.src may be NULL
 
+// @allow: warnings of one flag in one part of a source are known and wanted.
+typedef struct DiagAllow {
+    const char *flag, *reason;
+    Span span, covers;        // the annotation; what it is about
+    bool shared;              // it stands in a file that other machines use too
+    bool used;
+} DiagAllow;
+
 typedef struct Diag {
     DiagCode code;
     DiagSeverity severity;                // as reported: -Werror may have raised it
@@ -59,6 +67,7 @@ typedef struct Diag {
     const char *label;                    // behind the caret, as "did you mean 'valveOpen'?"; or NULL
     VEC(DiagNote) notes;
     VEC(DiagEdit) edits;                  // together one proposed fix
+    const char *allowed;                  // the reason of the @allow that covers it; else NULL
 } Diag;
 
 typedef struct Diags {
@@ -66,6 +75,9 @@ typedef struct Diags {
     VEC(Diag *) list;                     // in the order reported; diags_sort puts them in source order
     size_t errors, warnings;              // reported; of a flood of errors the list keeps the first DIAG_KEPT_MAX
     size_t met;                           // errors met, repeated and muted ones too: what tells a caller that it failed
+    VEC(DiagAllow) allow;
+    VEC(Diag *) allowed;                  // what diags_apply_allows took out of the list
+    bool analysed;                        // analyses have run: every warning that there is has been reported
     bool muted;                           // while set, reports are dropped
     Diag *dropped;                        // stands for every report that is not in the list; its fields mean nothing
     VEC(const Source *) files;            // in the order first seen
@@ -88,6 +100,13 @@ void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...);
 void diag_label(Diags *d, Diag *to, DiagCode text, ...);
 // Proposes an edit that is certain to be meant.  `text` must live as long as the diagnostics.
 void diag_edit(Diags *d, Diag *to, Span span, const char *text);
+
+// An @allow.  One that is shared is never said to be useless: another machine may need it.
+void diag_allow(Diags *d, const char *flag, const char *reason, Span span, Span covers);
+void diag_allow_shared(Diags *d, const char *flag, const char *reason, Span span, Span covers);
+// Takes the warnings that are allowed out of the list, into `allowed`; once everything has been reported.  Where analyses have
+// run and there is no error, what no warning needed is reported.
+void diags_apply_allows(Diags *d);
 
 void diags_sort(Diags *d);                // by file as first seen, then place; stable
 

@@ -195,6 +195,9 @@ static void list_element(Declarations *k, const AstDecl *decl)
     v->element = k->sv->from_machine ? add_element(k, decl) : find_element(k, decl);
     declare(k, v, v->name, v->span);
     give_range(k, v, decl);
+    allow_decl(k->s, decl);
+    if (v->element && !k->sv->from_machine)
+        allow_listed(k->s, v->element, decl);
     for (size_t i = 0; i < decl->annotations.n; i++)
         if (decl->annotations.at[i].kind == AST_ALIAS)
             add_alias(k, v, &decl->annotations.at[i]);
@@ -221,6 +224,7 @@ static void declare_local(Declarations *k, const AstDecl *decl)
     l.var->outside = k->written_outside && map_find(k->written_outside, decl->name);
     l.var->is_constant = l.var->read_only && !l.var->outside;
     declare(k, l.var, l.var->name, l.var->span);
+    allow_decl(k->s, decl);
     vec_push(k->s->arena, &k->local, l);
 }
 

@@ -60,13 +60,20 @@ static void check_state(Sema *s, State *state, const AstSection *section)
     }
 }
 
+static uint32_t end_of_section(const AstFile *sm, size_t i)
+{
+    return i + 1 < sm->sections.n ? sm->sections.at[i + 1]->header.at : sm->src->len;
+}
+
 static void check_states(Sema *s, Program *p, const AstFile *sm)
 {
     size_t state = 0;
 
     for (size_t i = 0; i < sm->sections.n; i++)
-        if (sm->sections.at[i]->kind == AST_STATE)
+        if (sm->sections.at[i]->kind == AST_STATE) {
             check_state(s, p->state.at[state++], sm->sections.at[i]);
+            allow_state(s, sm->sections.at[i], end_of_section(sm, i));
+        }
 }
 
 // ---- the whole ----
@@ -102,6 +109,7 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
 
     sema_init(&s, c, lost_names(c, sm), p, &p->window);
     s.sv = sv;
+    s.making = p;
     p->sv = sv ? sv : own_state_vector(c, p);
     add_states(&s, p, sm);
     check_declarations(&s, p, sm, p->sv, written_outside);

@@ -76,7 +76,7 @@ static void check_item(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
         item->stop = k->has_stop = true;
         item->stop_span = in->span;
         break;
-    case AST_TRANSITION: case AST_IF: case AST_STMT_ERROR: break;     // the parser has reported them
+    case AST_TRANSITION: case AST_IF: case AST_STMT_ERROR: case AST_ALLOWED: break;     // the parser has reported them
     }
 }
 

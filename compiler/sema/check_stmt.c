@@ -112,7 +112,7 @@ static Stmt *check_stmt(Sema *s, const AstStmt *in)
     case AST_ASSIGN:     return check_assignment(s, in);
     case AST_TRANSITION: return check_transition(s, in);
     case AST_IF:         return check_if(s, in);
-    case AST_ASSERT: case AST_STOP: case AST_STMT_ERROR: break;   // the parser has reported them
+    case AST_ASSERT: case AST_STOP: case AST_STMT_ERROR: case AST_ALLOWED: break;     // the parser has reported them
     }
     return NULL;
 }
@@ -126,13 +126,26 @@ static void warn_of_the_rest(Sema *s, const AstStmt *transition, const AstStmt *
     diag_note(s->diags, d, transition->span, DIAG_note_transition_here);
 }
 
+// Those @allow that stand directly before statement i.
+static void check_allows(Sema *s, const AstStmts *in, size_t i)
+{
+    for (size_t k = i; s->making && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )
+        allow_stmt(s, in->at[k]->allow, in->at[i]);
+}
+
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
 {
+    const AstStmt *before = NULL;
+
     for (size_t i = 0; i < in->n; i++) {
-        Stmt *stmt = check_stmt(s, in->at[i]);
-        if (stmt)
+        Stmt *stmt;
+        if (in->at[i]->kind == AST_ALLOWED)
+            continue;
+        if ((stmt = check_stmt(s, in->at[i])) != NULL)
             vec_push(s->arena, out, stmt);
-        if (i > 0 && in->at[i - 1]->kind == AST_TRANSITION)
-            warn_of_the_rest(s, in->at[i - 1], in->at[i]);
+        check_allows(s, in, i);
+        if (before && before->kind == AST_TRANSITION)
+            warn_of_the_rest(s, before, in->at[i]);
+        before = in->at[i];
     }
 }

@@ -23,6 +23,9 @@ static void check_element(SvCheck *k, Region *r, const AstDecl *decl)
     e->type = decl->type;
     e->region = r;
     e->span = decl->name_span;
+    e->first_allow = (uint32_t)k->sv->allow.n;
+    allow_in_sv(k->c, k->sv, decl);
+    e->allows = (uint32_t)k->sv->allow.n - e->first_allow;
     e->range = check_range(k->c, &decl->annotations, e->name, e->type);
     vec_push(k->c->arena, &k->sv->element, e);
     map_put(&k->sv->by_name, e->name, e);

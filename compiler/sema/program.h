@@ -23,10 +23,19 @@ typedef struct Range {
     Span span;                // the annotation
 } Range;
 
+// @allow(flag, "reason"): findings of this name in this part of the source are known and wanted.
+typedef struct Allow {
+    const char *flag;         // the warning's name behind -W
+    Str reason;
+    Span span;                // the annotation
+    Span covers;              // the declaration, the state's whole section, or the statement with all that is in it
+} Allow;
+
 typedef struct Element {
     Str name;
     SmType type;
     const Range *range;       // or NULL
+    uint32_t first_allow, allows;     // StateVec.allow: those that stand behind it
     uint32_t offset;          // bytes from the start of the state vector in memory (layout.c)
     Region *region;
     Span span;                // its name where it is declared
@@ -46,6 +55,7 @@ typedef struct StateVec {
     bool from_machine;        // no .sv was given: [state_vector] of the machine is the vector, one region of that name
     VEC(Element *) element;   // in declaration order
     VEC(Region *) region;
+    VEC(Allow) allow;         // of a .sv: what stands behind its elements
     Map by_name;              // name to Element
     uint32_t size;            // bytes in memory, a multiple of 8
     uint32_t hash;            // of names, types and order: machines are bound to a layout by it
@@ -146,14 +156,6 @@ struct State {
     bool is_safe;             // @safe: it may stay here for good
 };
 
-// @allow(flag, "reason"): findings of this name in this part of the source are known and wanted.
-typedef struct Allow {
-    const char *flag;         // the warning's name behind -W
-    Str reason;
-    Span span;                // the annotation
-    Span covers;              // the declaration, the state's whole section, or the statement with all that is in it
-} Allow;
-
 typedef struct Program {
     Str name;                 // the file's stem: "tank" of dir/tank.sm
     const Source *src;
@@ -163,7 +165,7 @@ typedef struct Program {
     VEC(State *) state;       // at[0] is number 1, the initial state
     uint32_t stmts;           // statements in all its blocks: the largest Stmt.number
     Windows window;
-    VEC(Allow) allow;
+    VEC(Allow) allow;         // those of the .sv are there once more, covering the element where it is listed
     Map by_name;              // name or alias to Var
     Map state_by_name;
 } Program;

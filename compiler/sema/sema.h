@@ -50,6 +50,7 @@ typedef struct Sema {
     VEC(SizeUse) size_use;
     BlockKind block;          // where the statement being checked stands
     uint32_t stmts;           // how many statements there have been
+    Program *making;          // the machine being built; NULL of a script
 } Sema;
 
 void sema_init(Sema *s, const CheckContext *c, const Lost *lost, const Program *p, Windows *windows);
@@ -95,6 +96,17 @@ void check_size_uses(Sema *s);
 
 // What @range among the annotations says of an element; NULL where it says nothing, or something wrong, which is reported.
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
+
+// ---- check_allow.c: what @allow covers ----
+
+// Those among the annotations of a declaration, of its .sv and of a machine.
+void allow_in_sv(const CheckContext *c, StateVec *sv, const AstDecl *decl);
+void allow_decl(Sema *s, const AstDecl *decl);
+// Those behind the header of a state: `end` is where its section ends.
+void allow_state(Sema *s, const AstSection *section, uint32_t end);
+void allow_stmt(Sema *s, const AstAnnotation *a, const AstStmt *stmt);
+// Those of the element in the .sv, which count where a machine lists it too.
+void allow_listed(Sema *s, const Element *e, const AstDecl *listed);
 
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args);
 

@@ -39,33 +39,7 @@ struct AstExpr {
 
 enum { AST_DEPTH_MAX = 2000 };    // of expressions and of nested conditionals
 
-// ---- statements ----
-
-typedef enum AstStmtKind {
-    AST_STMT_ERROR,
-    AST_ASSIGN,       // name = value
-    AST_TRANSITION,   // -> name
-    AST_IF,           // [if] value: … or { … }, else …
-    AST_ASSERT,       // @assert value     (scripts)
-    AST_STOP          // @stop             (scripts)
-} AstStmtKind;
-
-typedef struct AstStmt AstStmt;
-typedef VEC(AstStmt *) AstStmts;
-struct AstStmt {
-    AstStmtKind kind;
-    Span span;                // the whole statement; of IF: up to the end of its guard
-    Str name;                 // ASSIGN: what is written; TRANSITION: the state
-    Span name_span;
-    AstExpr *value;           // ASSIGN, ASSERT: the expression; IF: the guard
-    AstStmts then, otherwise; // IF
-    bool braces, else_braces; // IF: written { } rather than with a colon
-    bool has_else;            // IF
-    Span else_span;           // IF: the word `else`
-    Span body_span, else_body_span;   // IF: the colon's statement, or { … } braces included
-};
-
-// ---- declarations and sections ----
+// ---- annotations ----
 
 // A row of annotations.def: AST_READ_ONLY, AST_ALIAS.
 typedef enum AstAnnotationKind {
@@ -84,12 +58,43 @@ typedef struct AstNumber { SmF64 value; Span span; } AstNumber;
 typedef struct AstAnnotation {
     AstAnnotationKind kind;
     Span span;                // with its @ and its arguments
-    Str name;                 // ALIAS: the other name
+    Str name;                 // ALIAS: the other name; ALLOW: the warning's, as behind -W
     Span name_span;
+    Str reason;               // ALLOW
     AstNumber lo, hi;         // RANGE
 } AstAnnotation;
 
 typedef VEC(AstAnnotation) AstAnnotations;
+
+// ---- statements ----
+
+typedef enum AstStmtKind {
+    AST_STMT_ERROR,
+    AST_ASSIGN,       // name = value
+    AST_TRANSITION,   // -> name
+    AST_ALLOWED,      // @allow(name, "reason"), of the next statement
+    AST_IF,           // [if] value: … or { … }, else …
+    AST_ASSERT,       // @assert value     (scripts)
+    AST_STOP          // @stop             (scripts)
+} AstStmtKind;
+
+typedef struct AstStmt AstStmt;
+typedef VEC(AstStmt *) AstStmts;
+struct AstStmt {
+    AstStmtKind kind;
+    Span span;                // the whole statement; of IF: up to the end of its guard
+    Str name;                 // ASSIGN: what is written; TRANSITION: the state
+    Span name_span;
+    const AstAnnotation *allow;       // ALLOWED
+    AstExpr *value;           // ASSIGN, ASSERT: the expression; IF: the guard
+    AstStmts then, otherwise; // IF
+    bool braces, else_braces; // IF: written { } rather than with a colon
+    bool has_else;            // IF
+    Span else_span;           // IF: the word `else`
+    Span body_span, else_body_span;   // IF: the colon's statement, or { … } braces included
+};
+
+// ---- declarations and sections ----
 
 typedef struct AstDecl {
     SmType type;

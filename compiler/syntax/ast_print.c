@@ -61,6 +61,38 @@ static void put_expr(Buf *out, const AstExpr *e)
     }
 }
 
+// ---- annotations ----
+
+static const char *const annotation_words[] = {
+#define ANNOTATION(name, spelling, takes, listed, in_sv, local, state) spelling,
+#include "compiler/syntax/annotations.def"
+#undef ANNOTATION
+};
+
+static void put_annotation(Buf *out, const AstAnnotation *a)
+{
+    buf_printf(out, "@%s", annotation_words[a->kind]);
+    if (a->kind == AST_ALLOW) {
+        buf_printf(out, "(%s, \"%s\")", a->name->text, a->reason->text);
+    } else if (a->kind == AST_RANGE) {
+        buf_char(out, ' ');
+        put_source(out, a->lo.span);
+        buf_char(out, ' ');
+        put_source(out, a->hi.span);
+    } else if (a->name) {
+        buf_char(out, ' ');
+        put_name(out, a->name);
+    }
+}
+
+static void put_annotations(Buf *out, const AstAnnotations *all)
+{
+    for (size_t i = 0; i < all->n; i++) {
+        buf_char(out, ' ');
+        put_annotation(out, &all->at[i]);
+    }
+}
+
 // ---- statements ----
 
 static void put_if(Buf *out, const AstStmt *s, unsigned depth)
@@ -94,6 +126,10 @@ static void put_stmt(Buf *out, const AstStmt *s, unsigned depth)
         put_name(out, s->name);
         buf_char(out, '\n');
         break;
+    case AST_ALLOWED:
+        put_annotation(out, s->allow);
+        buf_char(out, '\n');
+        break;
     case AST_IF:
         put_if(out, s, depth);
         break;
@@ -115,30 +151,6 @@ static void put_stmts(Buf *out, const AstStmts *s, unsigned depth)
 }
 
 // ---- sections ----
-
-static const char *const annotation_words[] = {
-#define ANNOTATION(name, spelling, takes, listed, in_sv, local, state) spelling,
-#include "compiler/syntax/annotations.def"
-#undef ANNOTATION
-};
-
-static void put_annotations(Buf *out, const AstAnnotations *all)
-{
-    for (size_t i = 0; i < all->n; i++) {
-        const AstAnnotation *a = &all->at[i];
-        buf_printf(out, " @%s", annotation_words[a->kind]);
-        if (a->name) {
-            buf_char(out, ' ');
-            put_name(out, a->name);
-        }
-        if (a->kind == AST_RANGE) {
-            buf_char(out, ' ');
-            put_source(out, a->lo.span);
-            buf_char(out, ' ');
-            put_source(out, a->hi.span);
-        }
-    }
-}
 
 static void put_decl(Buf *out, const AstDecl *d)
 {

@@ -103,13 +103,22 @@ static bool is_control(const Lexer *l, uint32_t at)
     return (c < 0x20 && c != '\t' && !(c == '\r' && lexer_byte(l, at + 1) == '\n')) || c == 0x7f;
 }
 
+void lexer_check_comment(Lexer *l, uint32_t at, uint32_t end)
+{
+    for (; at < end; at++)
+        if ((unsigned char)l->src->text[at] >= 0x80)
+            at += lex_slip_comment_byte(l, at) - 1;
+        else if (is_control(l, at))
+            lex_slip_control(l, at);
+}
+
 void lexer_skip_comment(Lexer *l)
 {
-    for (; l->at < l->src->len && l->src->text[l->at] != '\n'; l->at++)
-        if ((unsigned char)l->src->text[l->at] >= 0x80)
-            l->at += lex_slip_comment_byte(l, l->at) - 1;
-        else if (is_control(l, l->at))
-            lex_slip_control(l, l->at);
+    const char *s = l->src->text + l->at, *end = memchr(s, '\n', l->src->len - l->at);
+    uint32_t len = end ? (uint32_t)(end - s) : l->src->len - l->at;
+
+    lexer_check_comment(l, l->at, l->at + len);
+    l->at += len;
 }
 
 // Blanks, line ends and, unless they are wanted, comments.
@@ -316,6 +325,19 @@ static bool lex_one(Lexer *l, Token *t)
     return true;
 }
 
+// What follows an @allow, up to what cannot be in it.
+static LexAllow allow_after(const Lexer *l, const Token *t)
+{
+    static const char word[] = "allow";
+
+    if (t->kind == TOK_ANNOTATION)
+        return t->text->len == sizeof word - 1 && memcmp(t->text->text, word, t->text->len) == 0 ? LEX_ALLOW : LEX_NO_ALLOW;
+    if (l->allow == LEX_ALLOW && (t->kind == TOK_LPAREN || t->first))
+        return t->first ? LEX_NO_ALLOW : LEX_IN_ALLOW;
+    return t->kind == TOK_RPAREN || t->kind == TOK_HEADER || t->kind == TOK_LABEL || t->kind == TOK_LBRACE || t->kind == TOK_RBRACE ||
+           t->kind == TOK_END ? LEX_NO_ALLOW : l->allow;
+}
+
 static void lex_comment(Lexer *l, Token *t)
 {
     lexer_skip_comment(l);
@@ -341,6 +363,7 @@ void lex_next(Lexer *l, Token *t)
         t->first = true;
     l->first = false;
     l->last = t->kind;
+    l->allow = allow_after(l, t);
 }
 
 void lex_skip_to(Lexer *l, uint32_t at)

@@ -27,10 +27,17 @@ typedef struct Token {
     TokenKind kind;
     bool first;               // on its line
     uint32_t at, len;         // in the source
-    Str text;                 // NAME, TYPE, words: as written; HEADER, LABEL, ANNOTATION: the name without its signs
+    Str text;                 // NAME, TYPE, words: as written; HEADER, LABEL, ANNOTATION: the name without its signs; TEXT: without quotes
     SmType type;              // TYPE
     SmF64 number;             // NUMBER
 } Token;
+
+// A text in quotes exists in an @allow( ), and nowhere else.
+typedef enum LexAllow {
+    LEX_NO_ALLOW,
+    LEX_ALLOW,                // behind its name: to the end of the line
+    LEX_IN_ALLOW              // in its parentheses
+} LexAllow;
 
 typedef struct Lexer {
     const Source *src;
@@ -44,6 +51,7 @@ typedef struct Lexer {
     bool keep_comments;       // give them as tokens
     bool no_comment_end;      // there is no */ any more
     TokenKind last;           // kind of the token given last
+    LexAllow allow;           // where in an @allow( ) this is
     uint32_t parens;          // opened on this line and still open
 } Lexer;
 

@@ -284,20 +284,51 @@ void lex_slip_choice(Lexer *l)
 
 // ---- what begins no token ----
 
+// Where the quote that closes the text from p on stands, or the end of its line; *len: of the quote, 0 if there is none.
+static uint32_t find_quote(const Lexer *l, uint32_t p, bool plain, uint32_t *len)
+{
+    uint32_t code = 0;
+
+    *len = 0;
+    for (; p < l->src->len && l->src->text[p] != '\n'; p += *len ? *len : 1) {
+        *len = (uint32_t)utf8_decode(l->src->text + p, l->src->len - p, &code);
+        if (*len && (plain ? code == '"' : is_quote(code)))
+            return p;
+    }
+    *len = 0;
+    return p;
+}
+
+// The reason of an @allow.  It may hold what a comment may hold.
+static void lex_reason(Lexer *l, Token *t, uint32_t quote_len)
+{
+    bool plain = l->src->text[l->at] == '"';
+    uint32_t from = l->at + quote_len, closing = 0, end = find_quote(l, from, plain, &closing);
+    Diag *d = NULL;
+
+    if (!plain || closing == 0)
+        d = diag_report(l->diags, DIAG_reason_quotes, lexer_span(l, l->at, end + closing - l->at));
+    if (d && closing) {
+        diag_edit(l->diags, d, lexer_span(l, l->at, quote_len), "\"");
+        diag_edit(l->diags, d, lexer_span(l, end, closing), "\"");
+    }
+    t->text = str_intern(l->strings, l->src->text + from, end - from);
+    lexer_check_comment(l, from, end);
+    lexer_finish(l, t, d ? TOK_ERROR : TOK_TEXT, end + closing);
+}
+
 // Text in quotes, to the closing one or the end of the line.
 static void lex_string(Lexer *l, Token *t, uint32_t quote_len)
 {
-    uint32_t p = l->at + quote_len, code, len;
+    uint32_t closing = 0, p = find_quote(l, l->at + quote_len, false, &closing);
 
-    while (p < l->src->len && l->src->text[p] != '\n') {
-        len = (uint32_t)utf8_decode(l->src->text + p, l->src->len - p, &code);
-        p += len ? len : 1;
-        if (len && is_quote(code))
-            break;
+    if (l->allow != LEX_NO_ALLOW) {
+        lex_reason(l, t, quote_len);
+        return;
     }
     if (first_on_line(l))
-        diag_report(l->diags, DIAG_string, lexer_span(l, l->at, p - l->at));
-    lexer_finish(l, t, TOK_ERROR, p);
+        diag_report(l->diags, DIAG_string, lexer_span(l, l->at, p + closing - l->at));
+    lexer_finish(l, t, TOK_ERROR, p + closing);
 }
 
 // What looks like a sign is taken for it; a blank, or a byte that is not UTF-8, is skipped.

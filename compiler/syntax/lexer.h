@@ -14,6 +14,7 @@ static inline Span lexer_span(const Lexer *l, uint32_t at, uint32_t len) { retur
 uint32_t lexer_skip_word(const Lexer *l, uint32_t p);       // letters, digits and _
 const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end);      // of the source, cut to a readable length
 void lexer_skip_comment(Lexer *l);                          // to the end of the line
+void lexer_check_comment(Lexer *l, uint32_t at, uint32_t end);  // reports what may not stand in a comment
 void lexer_end_line(Lexer *l);                              // takes the line end
 void lexer_finish(Lexer *l, Token *t, TokenKind kind, uint32_t end);
 void lexer_word(Lexer *l, Token *t);                        // a name, or a reserved word

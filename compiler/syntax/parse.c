@@ -238,6 +238,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
 {
     AstStmts ignored = {0};
     size_t errors = p->diags->errors;
+    bool told = p->tok.kind == TOK_ERROR;
     Span here = parser_here(p);
 
     p->failed = false;
@@ -245,7 +246,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
         parse_block(p, &ignored);
     else
         skip_line(p);
-    if (p->diags->errors == errors)
+    if (p->diags->errors == errors && !told)
         parser_report(p, DIAG_code_before_label, here, s->name->text);
     parse_block(p, &ignored);
 }

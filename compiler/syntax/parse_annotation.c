@@ -3,7 +3,7 @@
 // says annotations.def; what follows from one is the checker's business.
 #include "compiler/syntax/parser.h"
 
-typedef enum Takes { TAKES_NOTHING, TAKES_NAME, TAKES_NUMBERS } Takes;
+typedef enum Takes { TAKES_NOTHING, TAKES_NAME, TAKES_NUMBERS, TAKES_FINDING } Takes;
 
 static const struct { const char *spelling; Takes takes; bool on[AST_PLACES]; } rows[] = {
 #define ANNOTATION(name, spelling, takes, listed, in_sv, local, state) {spelling, TAKES_##takes, {listed, in_sv, local, state}},
@@ -99,7 +99,7 @@ static bool is_first_of_its_kind(Parser *p, const Owner *o, const AstAnnotation 
 {
     Diag *d;
 
-    for (size_t i = 0; i < o->all->n; i++)
+    for (size_t i = 0; rows[a->kind].takes != TAKES_FINDING && i < o->all->n; i++)
         if (o->all->at[i].kind == a->kind) {
             d = parser_report(p, DIAG_annotation_repeated, a->span, rows[a->kind].spelling, o->name->text);
             diag_note(p->diags, d, o->all->at[i].span, DIAG_note_first_here);
@@ -116,7 +116,7 @@ static void annotation_above(Parser *p, const Owner *o, const AstAnnotation *a)
     diag_note(p->diags, d, o->span, DIAG_note_declared_here, o->name->text);
 }
 
-// ---- what it takes ----
+// ---- a name, numbers ----
 
 static Span found_span(const Parser *p)
 {
@@ -163,12 +163,114 @@ static void take_numbers(Parser *p, AstAnnotation *a)
         take_number(p, &a->hi, "highest");
 }
 
+// ---- @allow(name, "reason") ----
+
+static void wrong_form(Parser *p, const char *expected)
+{
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    diag_label(p->diags, parser_fail(p, DIAG_allow_form, found_span(p), expected, parser_found(p)), DIAG_label_allow_form);
+}
+
+static bool take_sign(Parser *p, TokenKind kind, const char *expected)
+{
+    if (p->tok.kind != kind) {
+        wrong_form(p, expected);
+        return false;
+    }
+    parser_next(p);
+    return true;
+}
+
+static const char *nearest_flag(Parser *p, const char *word)
+{
+    const char **names = ARENA_ARRAY(p->arena, const char *, diag_flag_count);
+    const DiagInfo *code = diag_find(word);
+
+    if (code)
+        return code->flag;
+    for (size_t i = 0; i < diag_flag_count; i++)
+        names[i] = diag_flag[i].name;
+    return nearest_word(word, names, diag_flag_count);
+}
+
+static void unknown_flag(Parser *p, const AstAnnotation *a)
+{
+    const char *near = nearest_flag(p, a->name->text);
+    const DiagInfo *code = diag_find(a->name->text);
+    Diag *d = parser_report(p, DIAG_allow_unknown, a->name_span, a->name->text);
+
+    if (near) {
+        diag_label(p->diags, d, DIAG_label_did_you_mean, near);
+        if (code)
+            diag_edit(p->diags, d, a->name_span, near);
+    } else if (code)
+        diag_label(p->diags, d, DIAG_label_error_stays);
+}
+
+// A warning's name is words with dashes between them, some of which are words of the language.
+static bool is_part_of_flag(const Token *t)
+{
+    return t->kind == TOK_MINUS || (t->text && t->kind != TOK_TEXT && t->kind != TOK_HEADER && t->kind != TOK_LABEL &&
+                                    t->kind != TOK_ANNOTATION);
+}
+
+static void take_flag(Parser *p, AstAnnotation *a)
+{
+    uint32_t at = p->tok.at;
+
+    if (!is_part_of_flag(&p->tok) || p->tok.kind == TOK_MINUS) {
+        wrong_form(p, "the name of a warning");
+        return;
+    }
+    while (is_part_of_flag(&p->tok))
+        parser_next(p);
+    a->name_span = parser_since(p, at);
+    a->name = str_intern(p->strings, p->lex.src->text + at, a->name_span.len);
+    if (!p->failed && !diag_find_flag(a->name->text))
+        unknown_flag(p, a);
+}
+
+static bool is_blank_text(Str s)
+{
+    return strspn(s->text, " \t") == s->len;
+}
+
+static void take_reason(Parser *p, AstAnnotation *a)
+{
+    if (p->tok.kind == TOK_RPAREN || (p->tok.kind == TOK_TEXT && is_blank_text(p->tok.text))) {
+        diag_label(p->diags, parser_report(p, DIAG_allow_without_reason, parser_here(p)), DIAG_label_allow_form);
+        a->reason = str_c(p->strings, "");
+        if (p->tok.kind == TOK_TEXT)
+            parser_next(p);
+        return;
+    }
+    a->reason = p->tok.text;
+    take_sign(p, TOK_TEXT, "a reason between quotes");
+}
+
+static void take_finding(Parser *p, AstAnnotation *a)
+{
+    if (!take_sign(p, TOK_LPAREN, "'('"))
+        return;
+    take_flag(p, a);
+    if (!p->failed && p->tok.kind != TOK_RPAREN)
+        take_sign(p, TOK_COMMA, "a comma");
+    if (!p->failed)
+        take_reason(p, a);
+    if (!p->failed)
+        take_sign(p, TOK_RPAREN, "')'");
+}
+
+// ---- what it takes ----
+
 static void take_arguments(Parser *p, AstAnnotation *a)
 {
     switch (rows[a->kind].takes) {
     case TAKES_NOTHING: break;
     case TAKES_NAME:    take_name(p, a); break;
     case TAKES_NUMBERS: take_numbers(p, a); break;
+    case TAKES_FINDING: take_finding(p, a); break;
     }
 }
 
@@ -230,6 +332,23 @@ void annotation_before_decl(Parser *p)
         parser_fail(p, DIAG_annotation_before, parser_here(p), word);
 }
 
+bool annotation_is_allow(const Token *t)
+{
+    return t->kind == TOK_ANNOTATION && strcmp(t->text->text, rows[AST_ALLOW].spelling) == 0;
+}
+
+const AstAnnotation *parse_allow(Parser *p)
+{
+    AstAnnotation *a = ARENA_NEW(p->arena, AstAnnotation);
+    Span span = parser_here(p);
+
+    a->kind = AST_ALLOW;
+    parser_next(p);
+    take_finding(p, a);
+    a->span = parser_since(p, span.at);
+    return p->failed ? NULL : a;
+}
+
 void annotation_in_block(Parser *p)
 {
     static const char *const script_words[] = {"assert", "stop"};
@@ -238,6 +357,8 @@ void annotation_in_block(Parser *p)
 
     if (is_for_states_only(find_row(p->tok.text)))
         belongs_to_state(p, d, word);
+    else if (annotation_is_allow(&p->tok))
+        diag_label(p->diags, d, DIAG_label_not_in_script);
     else if (near && p->kind == FILE_SS)
         diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
 }

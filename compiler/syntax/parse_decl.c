@@ -103,11 +103,11 @@ static void parse_initial_value(Parser *p, AstDecl *d)
     d->value = begins_value(p) ? parse_expr(p, false) : parse_value_of(p, false);
 }
 
-static bool ends_decl(const Parser *p, const AstSection *s)
+static bool ends_decl(const Parser *p, const AstSection *s, const AstDecl *d)
 {
     if (p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END || p->tok.first)
         return true;
-    return p->tok.kind == TOK_TYPE && (s->kind != AST_LOCAL || p->last.kind == TOK_ANNOTATION);
+    return p->tok.kind == TOK_TYPE && (s->kind != AST_LOCAL || d->annotations.n > 0 || p->last.kind == TOK_ANNOTATION);
 }
 
 // Something more stands behind a declaration.
@@ -150,7 +150,7 @@ static void parse_decl(Parser *p, AstSection *s)
     if (s->kind == AST_LOCAL)
         parse_initial_value(p, &d);
     parse_annotations(p, place_of_decls(s), d.name, d.name_span, &d.annotations);
-    if (!p->failed && !ends_decl(p, s))
+    if (!p->failed && !ends_decl(p, s, &d))
         slip_after_decl(p, s, &d);
     vec_push(p->arena, &s->decls, d);
 }

@@ -234,6 +234,8 @@ void slip_at_end(Parser *p)
         diag_label(p->diags, d, DIAG_label_no_unit);
     else if (p->tok.kind == TOK_IF)
         diag_label(p->diags, d, DIAG_label_condition_first);
+    else if (annotation_is_allow(&p->tok))
+        diag_label(p->diags, d, DIAG_label_allow_before);
     else if (is_function(&p->last) && begins_value(&p->tok))
         diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s(...)", p->last.text->text));
 }

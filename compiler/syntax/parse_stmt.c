@@ -58,6 +58,20 @@ static void after_stop(Parser *p, const AstStmts *s)
         parser_report(p, DIAG_after_stop, parser_here(p));
 }
 
+static const AstStmt *last_of(const AstStmts *list)
+{
+    return list->n ? list->at[list->n - 1] : NULL;
+}
+
+// A list has ended: an @allow at its end allows nothing.
+static void check_allows(Parser *p, const AstStmts *list)
+{
+    const AstStmt *s = last_of(list);
+
+    if (s && s->kind == AST_ALLOWED && !p->lost_body)
+        parser_report(p, DIAG_allow_of_nothing, s->span);
+}
+
 void parse_block(Parser *p, AstStmts *into)
 {
     bool lost_body = p->lost_body;
@@ -80,6 +94,7 @@ void parse_block(Parser *p, AstStmts *into)
             parser_next(p);
         finish_statement(p);
     }
+    check_allows(p, into);
     p->lost_body = lost_body;
 }
 
@@ -207,6 +222,23 @@ static void parse_annotated(Parser *p, AstStmts *into)
     check_guarded(p, s);
 }
 
+// ---- @allow ----
+
+// Those that stand here; the statement may follow on their line.
+static void parse_allows(Parser *p, AstStmts *into)
+{
+    while (annotation_is_allow(&p->tok) && !p->failed) {
+        AstStmt *s = new_stmt(p, AST_ALLOWED, into);
+        if ((s->allow = parse_allow(p)) == NULL) {
+            s->kind = AST_STMT_ERROR;
+            return;
+        }
+        s->span = s->allow->span;
+        if (p->tok.first)
+            return;
+    }
+}
+
 // ---- conditionals ----
 
 // Something is wrong in the guard: on to what closes it, so that its statements still belong to it.
@@ -257,6 +289,7 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
         missing_statement(p, s, colon, into);
     else
         parse_statement(p, into);
+    check_allows(p, into);
     *span = parser_since(p, into->n ? into->at[0]->span.at : colon.at);
 }
 
@@ -397,6 +430,11 @@ static bool is_assignment_sign(TokenKind k)
 
 static void parse_statement(Parser *p, AstStmts *into)
 {
+    if (!in_script(p) && annotation_is_allow(&p->tok)) {
+        parse_allows(p, into);
+        if (p->failed || p->tok.first || parser_at_end_of_block(p))
+            return;
+    }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
     else if (slip_statement(p))

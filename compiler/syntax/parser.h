@@ -62,6 +62,8 @@ void parse_decls(Parser *p, AstSection *s);
 void parse_options(Parser *p, AstSection *s);
 // All annotations that come, of what is called `owner`.
 void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, AstAnnotations *into);
+bool annotation_is_allow(const Token *t);
+const AstAnnotation *parse_allow(Parser *p);            // an @allow before a statement; NULL after a message
 void annotation_before_decl(Parser *p);                 // reports the one at hand, where a declaration should begin
 void annotation_in_block(Parser *p);                    // the same, where a statement should
 void skip_section(Parser *p);                           // to the next line that begins with a header; not even tokens are read

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// What @allow does: takes warnings that are known and wanted out of the list, and tells of an @allow that nothing needs.
+// The parts of a source that are covered lie within each other or apart, so one walk over allows and warnings in the order of
+// the file, with a stack of those that are open, finds the innermost for each.
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/diag/diag.h"
+
+static void add(Diags *d, DiagAllow a)
+{
+    vec_push(d->arena, &d->allow, a);
+}
+
+void diag_allow(Diags *d, const char *flag, const char *reason, Span span, Span covers)
+{
+    add(d, (DiagAllow){flag, reason, span, covers, false, false});
+}
+
+void diag_allow_shared(Diags *d, const char *flag, const char *reason, Span span, Span covers)
+{
+    add(d, (DiagAllow){flag, reason, span, covers, true, false});
+}
+
+// ---- order ----
+
+static int compare_places(const Span *a, const Span *b)
+{
+    uintptr_t x = (uintptr_t)a->src, y = (uintptr_t)b->src;
+
+    if (x != y)
+        return x < y ? -1 : 1;
+    return (a->at > b->at) - (a->at < b->at);
+}
+
+// By what is covered; of two that begin at one place the wider first.
+static int compare_covers(const void *a, const void *b)
+{
+    const DiagAllow *x = *(DiagAllow *const *)a, *y = *(DiagAllow *const *)b;
+    int order = compare_places(&x->covers, &y->covers);
+
+    return order ? order : (x->covers.len < y->covers.len) - (x->covers.len > y->covers.len);
+}
+
+static int compare_spans(const void *a, const void *b)
+{
+    const DiagAllow *x = *(DiagAllow *const *)a, *y = *(DiagAllow *const *)b;
+
+    return compare_places(&x->span, &y->span);
+}
+
+static int compare_diags(const void *a, const void *b)
+{
+    const Diag *x = *(Diag *const *)a, *y = *(Diag *const *)b;
+
+    return compare_places(&x->span, &y->span);
+}
+
+static DiagAllow **sorted_allows(const Diags *d, int (*compare)(const void *, const void *))
+{
+    DiagAllow **all = ARENA_ARRAY(d->arena, DiagAllow *, d->allow.n);
+
+    for (size_t i = 0; i < d->allow.n; i++)
+        all[i] = &d->allow.at[i];
+    qsort(all, d->allow.n, sizeof *all, compare);
+    return all;
+}
+
+// ---- taking out ----
+
+typedef struct Walk {
+    DiagAllow **all;          // by compare_covers
+    size_t n, next;           // all[next] is the first that has not begun
+    DiagAllow **open;
+    size_t depth;
+} Walk;
+
+static bool has_ended(const DiagAllow *a, const Span *at)
+{
+    return a->covers.src != at->src || a->covers.at + a->covers.len <= at->at;
+}
+
+static void walk_to(Walk *w, const Span *at)
+{
+    for (; w->next < w->n && compare_places(&w->all[w->next]->covers, at) <= 0; w->next++) {
+        while (w->depth && has_ended(w->open[w->depth - 1], &w->all[w->next]->covers))
+            w->depth--;
+        w->open[w->depth++] = w->all[w->next];
+    }
+    while (w->depth && has_ended(w->open[w->depth - 1], at))
+        w->depth--;
+}
+
+static void allow_one(Walk *w, Diag *x)
+{
+    const char *flag = diag_info[x->code].flag;
+
+    walk_to(w, &x->span);
+    for (size_t i = w->depth; i-- > 0; )
+        if (!x->allowed && strcmp(w->open[i]->flag, flag) == 0) {
+            w->open[i]->used = true;
+            x->allowed = w->open[i]->reason;
+        }
+}
+
+static void find_allowed(Diags *d)
+{
+    Walk w = {sorted_allows(d, compare_covers), d->allow.n, 0, ARENA_ARRAY(d->arena, DiagAllow *, d->allow.n), 0};
+    Diag **warning = ARENA_ARRAY(d->arena, Diag *, d->list.n + 1);
+    size_t n = 0;
+
+    for (size_t i = 0; i < d->list.n; i++)
+        if (d->list.at[i]->severity == DIAG_WARNING && diag_info[d->list.at[i]->code].flag && !d->list.at[i]->allowed)
+            warning[n++] = d->list.at[i];
+    qsort(warning, n, sizeof *warning, compare_diags);
+    for (size_t i = 0; i < n; i++)
+        allow_one(&w, warning[i]);
+}
+
+static void take_out(Diags *d)
+{
+    size_t kept = 0;
+
+    for (size_t i = 0; i < d->list.n; i++)
+        if (d->list.at[i]->allowed) {
+            vec_push(d->arena, &d->allowed, d->list.at[i]);
+            d->warnings--;
+        } else {
+            d->list.at[kept++] = d->list.at[i];
+        }
+    d->list.n = kept;
+}
+
+// ---- those that nothing needed ----
+
+static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+// The annotation with the blanks before it; where it is all that stands on its line, the line.
+static Span without(Span s)
+{
+    const char *text = s.src->text;
+    uint32_t at = s.at, end = s.at + s.len;
+
+    while (at && is_blank(text[at - 1]))
+        at--;
+    if (at && text[at - 1] != '\n')
+        return (Span){s.src, at, s.at + s.len - at};
+    while (end < s.src->len && is_blank(text[end]))
+        end++;
+    if (end < s.src->len && text[end] == '\r')
+        end++;
+    if (end == s.src->len || text[end] == '\n')
+        return (Span){s.src, at, end + (end < s.src->len) - at};
+    return (Span){s.src, s.at, end - s.at};                       // a statement follows on its line
+}
+
+static void report_useless(Diags *d, const DiagAllow *a)
+{
+    Diag *x = diag_report(d, DIAG_unused_allow, a->span, a->flag);
+
+    diag_label(d, x, DIAG_label_leave_out);
+    diag_edit(d, x, without(a->span), "");
+}
+
+// One annotation may be there several times, for each place that it covers.  `about_itself`: those that allow this very warning.
+static void report_unused(Diags *d, bool about_itself)
+{
+    DiagAllow **all = sorted_allows(d, compare_spans);
+    const char *itself = diag_info[DIAG_unused_allow].flag;
+    bool used = false;
+
+    for (size_t i = 0; i < d->allow.n; i++) {
+        used = used || all[i]->used || all[i]->shared;
+        if (i + 1 < d->allow.n && compare_spans(&all[i], &all[i + 1]) == 0)
+            continue;
+        if (!used && (strcmp(all[i]->flag, itself) == 0) == about_itself)
+            report_useless(d, all[i]);
+        used = false;
+    }
+}
+
+void diags_apply_allows(Diags *d)
+{
+    if (d->allow.n == 0)
+        return;
+    find_allowed(d);
+    if (d->analysed && d->errors == 0) {
+        report_unused(d, false);
+        find_allowed(d);
+        report_unused(d, true);
+    }
+    take_out(d);
+    d->allow.n = 0;
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// @allow (language.md 5): which part of the source each one covers.  The diagnostics know it from then on (diag/allow.c), even
+// where errors keep a program from being made; Program.allow is for reports.
+#include "compiler/sema/sema.h"
+
+static Span from_to(const Source *src, uint32_t at, uint32_t end)
+{
+    return (Span){src, at, end - at};
+}
+
+static uint32_t end_of(Span s) { return s.at + s.len; }
+
+static Allow allow_of(const AstAnnotation *a, Span covers)
+{
+    Allow out = {a->name->text, a->reason, a->span, covers};
+
+    return out;
+}
+
+static void add(Sema *s, Allow a)
+{
+    vec_push(s->arena, &s->making->allow, a);
+    diag_allow(s->diags, a.flag, a.reason->text, a.span, a.covers);
+}
+
+// ---- declarations ----
+
+static Span decl_span(const AstDecl *decl)
+{
+    Span all = span_join(decl->type_span, decl->name_span);
+
+    if (decl->value)
+        all = span_join(all, decl->value->span);
+    if (decl->annotations.n)
+        all = span_join(all, decl->annotations.at[decl->annotations.n - 1].span);
+    return all;
+}
+
+void allow_in_sv(const CheckContext *c, StateVec *sv, const AstDecl *decl)
+{
+    for (size_t i = 0; i < decl->annotations.n; i++) {
+        const AstAnnotation *a = &decl->annotations.at[i];
+        if (a->kind != AST_ALLOW)
+            continue;
+        vec_push(c->arena, &sv->allow, allow_of(a, decl_span(decl)));
+        diag_allow_shared(c->diags, a->name->text, a->reason->text, a->span, decl_span(decl));
+    }
+}
+
+void allow_decl(Sema *s, const AstDecl *decl)
+{
+    for (size_t i = 0; i < decl->annotations.n; i++)
+        if (decl->annotations.at[i].kind == AST_ALLOW)
+            add(s, allow_of(&decl->annotations.at[i], decl_span(decl)));
+}
+
+void allow_listed(Sema *s, const Element *e, const AstDecl *listed)
+{
+    for (uint32_t i = 0; i < e->allows; i++) {
+        Allow a = s->sv->allow.at[e->first_allow + i];
+        a.covers = decl_span(listed);
+        vec_push(s->arena, &s->making->allow, a);
+        diag_allow_shared(s->diags, a.flag, a.reason->text, a.span, a.covers);
+    }
+}
+
+// ---- states and statements ----
+
+void allow_state(Sema *s, const AstSection *section, uint32_t end)
+{
+    for (size_t i = 0; i < section->annotations.n; i++)
+        if (section->annotations.at[i].kind == AST_ALLOW)
+            add(s, allow_of(&section->annotations.at[i], from_to(section->header.src, section->header.at, end)));
+}
+
+// The end of a conditional with all that belongs to it.
+static uint32_t end_of_if(const AstStmt *s)
+{
+    while (s->has_else && !s->else_body_span.src && s->otherwise.n)           // else if
+        s = s->otherwise.at[0];
+    return end_of(s->has_else && s->else_body_span.src ? s->else_body_span : s->body_span);
+}
+
+void allow_stmt(Sema *s, const AstAnnotation *a, const AstStmt *stmt)
+{
+    uint32_t end = stmt->kind == AST_IF && stmt->body_span.src ? end_of_if(stmt) : end_of(stmt->span);
+
+    add(s, allow_of(a, from_to(a->span.src, a->span.at, end)));
+}

@@ -1,0 +1,14 @@
+spec 5.51  Other warnings of what is covered are reported.
+analyses on
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+U8 y
+[A] @allow(constant-range, "saturates on purpose")
+.step
+    y = 300
+    y = 1.5                               #! W0404
+    x > 1 { }                             #! W0502
