@@ -27,7 +27,7 @@ void each_flow(Analysis *a, void (*f)(Analysis *a, const FlowPlace *at, void *co
 {
     for (size_t s = 0; s < a->p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++) {
-            FlowPlace at = {a->p->state.at[s], (BlockKind)b, a->m->state.at[s].block[b], {NULL, NULL}};
+            FlowPlace at = {a->p->state.at[s], (BlockKind)b, a->m->state.at[s].block[b], {NULL, NULL, NULL}};
             if (!at.f || !facts_reach(a->facts, s, b))
                 continue;
             at.flow = facts_of_function(a->facts, at.f, facts_begin(a->facts, s, b));
@@ -51,18 +51,19 @@ static void note_ins(Analysis *a, const FlowPlace *at, const IrIns *i)
     a->stmt[i->stmt].value = stored(at, i);
 }
 
-static void note_jump(Analysis *a, const FlowPlace *at, const IrJump *j)
+static void note_jump(Analysis *a, const FlowPlace *at, const IrJump *j, const FactExit *exit)
 {
     StmtFact *s = &a->stmt[j->stmt];
 
     if (j->kind != IR_BR && j->kind != IR_GOTO)
         return;
     s->reached = true;
+    s->env = exit->env;
     if (j->kind == IR_GOTO)
         return;
-    s->value = at->flow.of[j->cond];
-    s->then = s->value.hi == 1;
-    s->otherwise = s->value.lo == 0;
+    s->then = exit->then;
+    s->otherwise = exit->otherwise;
+    s->value = fact_meet(at->flow.of[j->cond], fact_of_bool(s->otherwise, s->then));
 }
 
 static void note_flow(Analysis *a, const FlowPlace *at, void *context)
@@ -74,7 +75,7 @@ static void note_flow(Analysis *a, const FlowPlace *at, void *context)
             continue;
         for (size_t k = 0; k < blk->ins.n; k++)
             note_ins(a, at, &at->f->ins.at[blk->ins.at[k]]);
-        note_jump(a, at, &blk->jump);
+        note_jump(a, at, &blk->jump, &at->flow.exit[b]);
     }
 }
 

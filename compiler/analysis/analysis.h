@@ -18,6 +18,7 @@ typedef struct StmtFact {
     bool reached;                 // some run may execute it
     bool then, otherwise;         // IF: its guard may hold; it may not hold
     Fact value;                   // ASSIGN: what is stored, before it is converted to the variable's type; IF: its guard, as a bool
+    const Env *env;               // IF: what is known where its guard decides; TRANSITION: where it is made
 } StmtFact;
 
 typedef struct Analysis {

@@ -17,9 +17,15 @@
 
 typedef struct FactMachine FactMachine;
 
+typedef struct FactExit {             // where a block ends
+    const Env *env;                   // what is known there, before the branch
+    bool then, otherwise;             // IR_BR: whether facts leave that way
+} FactExit;
+
 typedef struct FactFlow {             // holds until the next function is looked at
     Fact *of;                         // by temporary of the function; nothing of those in blocks that are not reached
     bool *reached;                    // by block: whether facts leave a way to it
+    FactExit *exit;                   // by block; nothing of those that are not reached
 } FactFlow;
 
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
@@ -64,6 +70,7 @@ struct FactMachine {
     Fact *of;
     FactHome *home;
     bool *reached;
+    FactExit *exit;
     const Env **block_begin;
 };
 

@@ -15,6 +15,7 @@ typedef struct Flow {
     uint32_t epoch;                   // of the block
     FactHome *home;                   // by temporary
     unsigned budget;
+    bool impossible;                  // the way that is looked at: what it demands contradicts itself
 } Flow;
 
 static const IrIns *ins(const Flow *w, IrRef r) { return &w->f->ins.at[r]; }
@@ -89,12 +90,24 @@ static Fact before_conversion(Fact bounds, SmType type)
     return bounds;
 }
 
-// r is within bounds: its variable too, and what it is a conversion of.
-static const Env *confine(const Flow *w, const Env *env, IrRef r, Fact bounds)
+// Variable var holds a value within bounds, and is no NaN.  Where that leaves nothing, nobody comes this way: so
+// `p > 20 and p < 10` is known never to hold, which neither half is.
+static const Env *confine_var(Flow *w, const Env *env, uint32_t var, Fact bounds)
 {
+    const Fact known = env_get(&w->fm->shape, env, var);
+
+    if (known.lo > bounds.hi || bounds.lo > known.hi)
+        w->impossible = true;
+    return env_set(&w->fm->shape, env, var, fact_meet(known, bounds));
+}
+
+// r is within bounds: its variable too, and what it is a conversion of.
+static const Env *confine(Flow *w, const Env *env, IrRef r, Fact bounds)
+{
+    w->impossible |= bounds.lo > bounds.hi;
     for (;; r = ins(w, r)->a) {
         if (is_home(w, r))
-            env = env_set(&w->fm->shape, env, w->home[r].var, fact_meet(env_get(&w->fm->shape, env, w->home[r].var), bounds));
+            env = confine_var(w, env, w->home[r].var, bounds);
         if (ins(w, r)->op != IR_cvt || ins(w, r)->type != SM_F64 || w->out.of[ins(w, r)->a].nan)
             return env;
         bounds = before_conversion(bounds, ins(w, ins(w, r)->a)->type);
@@ -171,7 +184,7 @@ static bool is_exact(const Flow *w, IrRef r)
     return sm_type_info[type].bytes < 8 || type == SM_F64 || fact_within(w->out.of[r], -FACT_EXACT + 1, FACT_EXACT - 1);
 }
 
-static const Env *refine_compare(const Flow *w, const Env *env, const IrIns *i, bool holds)
+static const Env *refine_compare(Flow *w, const Env *env, const IrIns *i, bool holds)
 {
     Pair p = {w->out.of[i->a], w->out.of[i->b]};
     const bool nan = p.a.nan || p.b.nan;
@@ -185,8 +198,7 @@ static const Env *refine_compare(const Flow *w, const Env *env, const IrIns *i, 
         return env;
     refine_pair(&p, holds ? i->op : opposite(i->op));
     p.a.nan = p.b.nan = false;
-    env = p.a.lo <= p.a.hi ? confine(w, env, i->a, p.a) : env;
-    return p.b.lo <= p.b.hi ? confine(w, env, i->b, p.b) : env;
+    return confine(w, confine(w, env, i->a, p.a), i->b, p.b);
 }
 
 static const Env *refine(Flow *w, const Env *env, IrRef r, bool holds)
@@ -213,26 +225,33 @@ static void go(Flow *w, IrBlkRef to, const Env *env)
     w->out.reached[to] = true;
 }
 
-static void branch(Flow *w, const IrJump *j)
+// Whether facts leave the way that is taken when cond holds, or does not.
+static bool take_way(Flow *w, IrRef cond, bool holds, IrBlkRef to)
 {
-    const Fact cond = w->out.of[j->cond];
+    const Fact f = w->out.of[cond];
+    const Env *env = w->env;
 
+    if (holds ? f.hi < 1 : f.lo > 0)
+        return false;
     w->budget = REFINEMENTS;
-    if (cond.hi == 1)
-        go(w, j->then, refine(w, w->env, j->cond, true));
-    w->budget = REFINEMENTS;
-    if (cond.lo == 0)
-        go(w, j->otherwise, refine(w, w->env, j->cond, false));
+    w->impossible = false;
+    env = refine(w, env, cond, holds);
+    if (!w->impossible)
+        go(w, to, env);
+    return !w->impossible;
 }
 
-static void leave(Flow *w, const IrJump *j, const FactEnds *ends)
+static void leave(Flow *w, const IrJump *j, FactExit *exit, const FactEnds *ends)
 {
-    if (j->kind == IR_JMP)
+    exit->env = w->env;
+    if (j->kind == IR_JMP) {
         go(w, j->then, w->env);
-    else if (j->kind == IR_BR)
-        branch(w, j);
-    else if (ends)
+    } else if (j->kind == IR_BR) {
+        exit->then = take_way(w, j->cond, true, j->then);
+        exit->otherwise = take_way(w, j->cond, false, j->otherwise);
+    } else if (ends) {
         ends->at(ends->context, j, w->env);
+    }
 }
 
 // The tables of a flow are the machine's, and used again: thousands of functions are looked at several times.
@@ -249,33 +268,35 @@ static void take_tables(Flow *w)
     if (w->f->blk.n > fm->blocks) {
         fm->blocks = w->f->blk.n * 2;
         fm->reached = ARENA_ARRAY(arena, bool, fm->blocks);
+        fm->exit = ARENA_ARRAY(arena, FactExit, fm->blocks);
         fm->block_begin = ARENA_ARRAY(arena, const Env *, fm->blocks);
     }
     memset(fm->reached, 0, w->f->blk.n * sizeof *fm->reached);
     w->out.of = fm->of;
     w->out.reached = fm->reached;
+    w->out.exit = fm->exit;
     w->home = fm->home;
     w->begin = fm->block_begin;
 }
 
-static void look_at_block(Flow *w, const IrBlk *b, const FactEnds *ends)
+static void look_at_block(Flow *w, const IrBlk *b, FactExit *exit, const FactEnds *ends)
 {
     w->epoch = ++w->fm->epochs;
     for (uint32_t k = 0; k < b->ins.n; k++)
         step_over(w, b->ins.at[k], k);
-    leave(w, &b->jump, ends);
+    leave(w, &b->jump, exit, ends);
 }
 
 FactFlow facts_flow(FactMachine *fm, const IrFn *f, const Env *begin, const FactEnds *ends)
 {
-    Flow w = {fm, f, {NULL, NULL}, NULL, NULL, 0, NULL, 0};
+    Flow w = {.fm = fm, .f = f};
 
     take_tables(&w);
     go(&w, 0, begin);
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (w.out.reached[b]) {
             w.env = w.begin[b];
-            look_at_block(&w, &f->blk.at[b], ends);
+            look_at_block(&w, &f->blk.at[b], &w.out.exit[b], ends);
         }
     return w.out;
 }
