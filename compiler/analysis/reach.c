@@ -1,98 +1,202 @@
 // SPDX-License-Identifier: Apache-2.0
-// States that no way of transitions from the first state leads to, and code behind conditionals that always leave.  Guards
-// are not looked at: a transition that stands in a state, and not behind another in its block, counts as a way.
-#include "compiler/analysis/analysis.h"
+// States to which no transition leads that can be made.  Told of the first of them on each way: what only they lead to follows.
+#include "compiler/analysis/structure.h"
 
-// Whether every way through these statements ends in a transition.
-static bool always_leaves(const Stmts *stmts)
-{
-    for (size_t i = 0; i < stmts->n; i++) {
-        const Stmt *stmt = stmts->at[i];
-        if (stmt->kind == ST_TRANSITION)
-            return true;
-        if (stmt->kind == ST_IF && always_leaves(&stmt->then) && always_leaves(&stmt->otherwise))
-            return true;
-    }
-    return false;
-}
-
-// ---- states ----
+enum { NAMED = 3 };                   // followers, or transitions, that notes name
 
 typedef struct Reach {
-    Arena *arena;
-    bool *reached;                // by state number
-    VEC(const State *) waiting;   // reached, their transitions not yet looked at
+    Structure *k;
+    const Transitions *t;             // a state's stand together
+    size_t *first;                    // by state (from 0), one more: where its transitions begin
+    uint32_t *waiting;                // a stack of states
+    size_t n;
+    bool *reached, *known;            // by state: a way leads to it; nothing more is to be told of it
 } Reach;
 
-static void reach_state(Reach *r, const State *state)
+typedef bool (*Follow)(const Reach *r, const Transition *t);
+
+static bool is_made(const Reach *r, const Transition *t) { return r->k->why[t->stmt->number] == 0; }
+static bool any(const Reach *r, const Transition *t) { return r != NULL && t != NULL; }
+
+static void push(Reach *r, bool *seen, uint32_t s)
 {
-    if (r->reached[state->number])
+    if (seen[s])
         return;
-    r->reached[state->number] = true;
-    vec_push(r->arena, &r->waiting, state);
+    seen[s] = true;
+    r->waiting[r->n++] = s;
 }
 
-static void follow(Reach *r, const Stmts *stmts)
+static void spread(Reach *r, bool *seen, Follow follow)
 {
-    for (size_t i = 0; i < stmts->n; i++) {
-        const Stmt *stmt = stmts->at[i];
-        if (stmt->kind == ST_TRANSITION) {
-            reach_state(r, stmt->target);
-            return;               // what follows is never executed
-        }
-        if (stmt->kind == ST_IF) {
-            follow(r, &stmt->then);
-            follow(r, &stmt->otherwise);
-        }
+    while (r->n > 0) {
+        const uint32_t s = r->waiting[--r->n];
+        for (size_t i = r->first[s]; i < r->first[s + 1]; i++)
+            if (follow(r, &r->t->at[i]))
+                push(r, seen, r->t->at[i].to->number - 1);
     }
 }
 
-// ---- code ----
-
-// Warns of what follows a conditional that leaves in both its branches; true if these statements always leave.
-// (What follows a transition directly has been reported when it was checked.)
-static bool look_for_dead(Diags *diags, const Stmts *stmts)
+static void find_reached(Reach *r)
 {
-    bool leaves = false, told = false;
-
-    for (size_t i = 0; i < stmts->n; i++) {
-        const Stmt *stmt = stmts->at[i];
-        bool then = look_for_dead(diags, &stmt->then), otherwise = look_for_dead(diags, &stmt->otherwise);
-        if (leaves && !told && stmts->at[i - 1]->kind == ST_IF) {
-            Diag *d = diag_report(diags, DIAG_dead_code, stmt->span);
-            diag_note(diags, d, stmts->at[i - 1]->span, DIAG_note_leaves_here);
-        }
-        told = told || leaves;
-        leaves = leaves || stmt->kind == ST_TRANSITION || (stmt->kind == ST_IF && then && otherwise);
-    }
-    return leaves;
+    push(r, r->reached, 0);
+    spread(r, r->reached, is_made);
+    for (size_t s = 0; s < r->k->a->p->state.n; s++)
+        r->known[s] = r->reached[s];
 }
 
-// .step runs unless .entry left; so a state whose .entry always leaves has a .step for nothing.
-static void look_at_blocks(Diags *diags, const State *state)
+// ---- explained ----
+
+static const Dead *dead_at(const Reach *r, const Transition *t)
 {
-    for (int i = 0; i < BLOCK_COUNT; i++)
-        look_for_dead(diags, &state->block[i]);
-    if (state->block[BLOCK_STEP].n > 0 && always_leaves(&state->block[BLOCK_ENTRY]))
-        diag_report(diags, DIAG_dead_step, state->block_span[BLOCK_STEP], state->name->text);
+    const uint32_t why = r->k->why[t->stmt->number];
+
+    return why != 0 && r->reached[t->from->number - 1] ? &r->k->dead.at[why - 1] : NULL;
+}
+
+// States behind transitions that a finding, or a switch, has explained.
+static void spread_explained(Reach *r)
+{
+    for (size_t i = 0; i < r->t->n; i++) {
+        const Transition *t = &r->t->at[i];
+        const Dead *d = dead_at(r, t);
+        if (!d || d->cause == CAUSE_NEVER || r->known[t->to->number - 1])
+            continue;
+        if (d->told)
+            diag_note(r->k->a->diags, d->told, t->to->span, DIAG_note_so_unreachable, t->to->name->text);
+        push(r, r->known, t->to->number - 1);
+    }
+    spread(r, r->known, any);
+}
+
+// ---- told ----
+
+static void note_followers(Reach *r, Diag *d, uint32_t state)
+{
+    const Program *p = r->k->a->p;
+    unsigned named = 0;
+
+    for (size_t i = r->first[state]; i < r->first[state + 1] && named < NAMED; i++) {
+        const State *to = r->t->at[i].to;
+        if (r->known[to->number - 1] || to == p->state.at[state])
+            continue;
+        diag_note(r->k->a->diags, d, to->span, DIAG_note_so_unreachable, to->name->text);
+        named++;
+    }
+}
+
+static void tell_state(Reach *r, uint32_t state, DiagCode code, Diag **out)
+{
+    const State *s = r->k->a->p->state.at[state];
+
+    *out = diag_report(r->k->a->diags, code, s->span, s->name->text);
+    note_followers(r, *out, state);
+    push(r, r->known, state);
+    spread(r, r->known, any);
+}
+
+// Those to which guards lead that never hold.  What is told at the state is not told at the guard.
+static void tell_impossible(Reach *r)
+{
+    Diag **told = ARENA_ARRAY(r->k->a->arena, Diag *, r->k->a->p->state.n);
+
+    for (size_t i = 0; i < r->t->n; i++) {
+        const Transition *t = &r->t->at[i];
+        const uint32_t to = t->to->number - 1;
+        Dead *d = (Dead *)dead_at(r, t);
+        if (!d || d->cause != CAUSE_NEVER)
+            continue;
+        if (!r->known[to])
+            tell_state(r, to, DIAG_impossible_state, &told[to]);
+        if (!told[to])
+            continue;
+        note_never(r->k, told[to], d);
+        d->folded = true;
+    }
+}
+
+// Postorder of the states that are left: the last of it leads to others and is led to by none but its own cycle.
+static size_t order_left(const Reach *r, uint32_t *order)
+{
+    const size_t states = r->k->a->p->state.n;
+    uint32_t *stack = ARENA_ARRAY(r->k->a->arena, uint32_t, states);
+    size_t *next = ARENA_ARRAY(r->k->a->arena, size_t, states);
+    size_t n = 0, depth = 0;
+
+    for (uint32_t s = 0; s < states; s++) {
+        if (r->known[s] || next[s])
+            continue;
+        for (stack[depth++] = s, next[s] = r->first[s] + 1; depth > 0;) {
+            const uint32_t top = stack[depth - 1];
+            uint32_t to;
+            if (next[top] > r->first[top + 1]) {
+                order[n++] = top;
+                depth--;
+                continue;
+            }
+            to = r->t->at[next[top]++ - 1].to->number - 1;
+            if (!r->known[to] && !next[to]) {
+                next[to] = r->first[to] + 1;
+                stack[depth++] = to;
+            }
+        }
+    }
+    return n;
+}
+
+static void tell_left(Reach *r)
+{
+    uint32_t *order = ARENA_ARRAY(r->k->a->arena, uint32_t, r->k->a->p->state.n);
+    Diag *d;
+
+    for (size_t n = order_left(r, order); n > 0; n--)
+        if (!r->known[order[n - 1]])
+            tell_state(r, order[n - 1], DIAG_unreachable_state, &d);
+}
+
+static void tell_states(Structure *k)
+{
+    const Program *p = k->a->p;
+    Arena *arena = k->a->arena;
+    Reach r = {.k = k, .t = &k->a->transition};
+    size_t i = 0;
+
+    r.first = ARENA_ARRAY(arena, size_t, p->state.n + 1);
+    r.waiting = ARENA_ARRAY(arena, uint32_t, p->state.n);
+    r.reached = ARENA_ARRAY(arena, bool, p->state.n);
+    r.known = ARENA_ARRAY(arena, bool, p->state.n);
+    for (uint32_t s = 0; s < p->state.n; r.first[++s] = i)
+        while (i < r.t->n && r.t->at[i].from->number == s + 1)
+            i++;
+    find_reached(&r);
+    spread_explained(&r);
+    tell_impossible(&r);
+    tell_left(&r);
+}
+
+// ---- labels ----
+
+static void look_for_empty(Diags *diags, const State *s)
+{
+    static const char *const label[BLOCK_COUNT] = {".entry", ".step", ".exit"};
+
+    for (int b = 0; b < BLOCK_COUNT; b++)
+        if (s->block_span[b].src && s->block[b].n == 0)
+            diag_report(diags, DIAG_empty_block, s->block_span[b], label[b], s->name->text);
 }
 
 void analyse_reach(Analysis *a)
 {
-    const Program *p = a->p;
-    Diags *diags = a->diags;
-    Reach r = {a->arena, ARENA_ARRAY(a->arena, bool, p->state.n + 1), {NULL, 0, 0}};
+    Structure k = {.a = a};
 
-    reach_state(&r, p->state.at[0]);
-    while (r.waiting.n > 0) {
-        const State *state = r.waiting.at[--r.waiting.n];
-        follow(&r, &state->block[BLOCK_ENTRY]);
-        if (!always_leaves(&state->block[BLOCK_ENTRY]))
-            follow(&r, &state->block[BLOCK_STEP]);
-    }
-    for (size_t i = 0; i < p->state.n; i++)
-        if (!r.reached[p->state.at[i]->number])
-            diag_report(diags, DIAG_unreachable_state, p->state.at[i]->span, p->state.at[i]->name->text);
-    for (size_t i = 0; i < p->state.n; i++)
-        look_at_blocks(diags, p->state.at[i]);
+    k.why = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 1u);
+    k.order = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 1u);
+    k.written = ARENA_ARRAY(a->arena, uint32_t, a->p->var.n);
+    k.stamp = ARENA_ARRAY(a->arena, uint32_t, a->p->var.n);
+    find_dead(&k);
+    tell_states(&k);
+    for (size_t i = 0; i < k.dead.n; i++)
+        if (k.dead.at[i].cause == CAUSE_NEVER && !k.dead.at[i].folded)
+            report_never(&k, &k.dead.at[i]);
+    for (size_t s = 0; s < a->p->state.n; s++)
+        look_for_empty(a->diags, a->p->state.at[s]);
 }

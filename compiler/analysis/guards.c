@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: Apache-2.0
+// Guards that always or never hold, and why: a switch of constants, a type, a part that contradicts another, an earlier guard
+// that has let nothing else pass, or what is known of the variables.
+#include "compiler/analysis/implies.h"
+#include "compiler/analysis/structure.h"
+#include "compiler/analysis/whatif.h"
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
+enum { LOOK_BACK = 16 };              // earlier guards that one is compared with
+
+typedef enum Answer { SOMETIMES, NEVER, ALWAYS } Answer;
+
+uint32_t dead_of(Structure *k, Cause cause, const Stmt *stmt, const Stmt *earlier, Diag *told)
+{
+    const Dead d = {cause, stmt, earlier, told, false};
+
+    vec_push(k->a->arena, &k->dead, d);
+    return (uint32_t)k->dead.n;
+}
+
+// ---- what others explain ----
+
+// Made of numbers and of locals that never change: those that are not marked @read_only have a finding of their own.
+static bool is_fixed(const Expr *e)
+{
+    if (e->kind == EX_ROLL || (e->kind == EX_VAR && (e->var->kind != VAR_LOCAL || e->var->written || e->var->outside)))
+        return false;
+    for (uint32_t i = 0; i < e->n; i++)
+        if (!is_fixed(e->arg[i]))
+            return false;
+    return true;
+}
+
+static Answer either(Answer a, Answer b, Answer decides) { return a == decides || b == decides ? decides : a == b ? a : SOMETIMES; }
+
+// What constants alone make of a guard.
+static Answer switched(const Expr *e)
+{
+    if (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR))
+        return either(switched(e->arg[0]), switched(e->arg[1]), e->op == SM_OP_AND ? NEVER : ALWAYS);
+    if (!is_fixed(e))
+        return SOMETIMES;
+    return sm_to_bool(const_eval(e)) ? ALWAYS : NEVER;
+}
+
+static bool is_comparison(SmOperator op)
+{
+    return sm_op_info[op].op_class == SM_CLASS_RELATION || sm_op_info[op].op_class == SM_CLASS_EQUALITY;
+}
+
+static bool is_bare(const Expr *e)
+{
+    for (uint32_t i = 0; i < e->n; i++)
+        if (e->arg[i]->kind != EX_VAR && !expr_is_constant(e->arg[i]))
+            return false;
+    return true;
+}
+
+// A comparison in it that comes out one way whatever the variable holds.
+static bool type_decides(const Analysis *a, const Expr *e)
+{
+    Fact f;
+
+    if (e->kind == EX_CHAIN || (e->kind == EX_BINARY && is_comparison(e->op))) {
+        if (!is_bare(e))
+            return false;
+        f = suppose_value(a, NULL, e);
+        return f.lo == f.hi;
+    }
+    for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
+        if (type_decides(a, e->arg[i]))
+            return true;
+    return false;
+}
+
+// A local that still has its initial value here and is assigned elsewhere: that it is read too early is told at it.
+static bool reads_initial(const Structure *k, const Expr *e, const Env *env)
+{
+    const Var *v = e->var;
+    double x;
+
+    if (e->kind == EX_VAR && v->kind == VAR_LOCAL && v->written && !v->outside && !k->written[v->index])
+        return fact_is_number(env_get(&k->a->facts->shape, env, k->a->m->var_of[v->index]), &x) &&
+               sm_eq(x, sm_cell_to_f64(v->type, v->init));
+    for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
+        if (reads_initial(k, e->arg[i], env))
+            return true;
+    return false;
+}
+
+// ---- earlier guards ----
+
+// One that decided before: it held, or did not, on every way that gets here.
+typedef struct Before {
+    const Stmt *stmt;
+    bool holds;                       // what is excluded here: that it holds
+    bool left;                        // where it is so, a transition has been made; of guards around it: to be asked
+} Before;
+
+typedef struct Befores {
+    Before at[2 * LOOK_BACK];
+    size_t n;
+} Befores;
+
+// No variable of e has been assigned since statement s decided.
+static bool is_unchanged(const Structure *k, const Stmt *s, const Expr *e)
+{
+    if (e->kind == EX_VAR && k->written[e->var->index] > k->order[s->number])
+        return false;
+    for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
+        if (!is_unchanged(k, s, e->arg[i]))
+            return false;
+    return true;
+}
+
+// Whether what stands on `way` comes after all of the arm: it is in the same list as the arm's conditional, or deeper.
+static bool is_beside(const Way *arm, const Way *way)
+{
+    for (unsigned n = 0; way && way->depth >= arm->depth && n < LOOK_BACK; n++)
+        way = way->outer;
+    return way == arm->outer;
+}
+
+static void add_before(const Structure *k, Befores *b, const Stmt *s, bool holds, bool left)
+{
+    const Before add = {s, holds, left};
+
+    if (is_unchanged(k, s, s->value))
+        b->at[b->n++] = add;
+}
+
+static Befores befores_of(const Structure *k, const Way *way)
+{
+    Befores b = {.n = 0};
+    unsigned n = 0;
+    const Way *w;
+
+    for (w = way; w && n < LOOK_BACK; w = w->outer, n++)
+        if (!w->holds)
+            add_before(k, &b, w->stmt, true, false);
+    for (size_t i = k->left.n; i > 0 && k->left.n - i < LOOK_BACK; i--) {
+        w = k->left.at[i - 1];
+        if (is_beside(w, way))
+            add_before(k, &b, w->stmt, w->holds, true);
+    }
+    return b;
+}
+
+static bool excluded(const Structure *k, const Expr *guard, const Before *b)
+{
+    return b->holds ? guard_implies(k->a, guard, b->stmt->value) : guard_excludes(k->a, guard, b->stmt->value);
+}
+
+// Whether the guard can hold only where b has been so, by what values can be.
+static bool covered(const Structure *k, const Expr *guard, const Before *b)
+{
+    const Env *env = k->a->stmt[b->stmt->number].env;
+
+    return is_unchanged(k, b->stmt, guard) && suppose_guard(k->a, &env, guard, true) &&
+           !suppose_guard(k->a, &env, b->stmt->value, !b->holds);
+}
+
+static const Before *find_before(const Structure *k, const Expr *guard, const Befores *b,
+                                 bool (*f)(const Structure *k, const Expr *guard, const Before *b))
+{
+    for (size_t i = 0; i < b->n; i++)
+        if (f(k, guard, &b->at[i]))
+            return &b->at[i];
+    return NULL;
+}
+
+// ---- the rest of what guards before have left over ----
+
+static void stamp_vars(Structure *k, const Expr *e)
+{
+    if (e->kind == EX_VAR)
+        k->stamp[e->var->index] = k->stamps;
+    for (uint32_t i = 0; i < e->n; i++)
+        stamp_vars(k, e->arg[i]);
+}
+
+static bool is_stamped(const Structure *k, const Expr *e)
+{
+    if (e->kind == EX_VAR && k->stamp[e->var->index] == k->stamps)
+        return true;
+    for (uint32_t i = 0; i < e->n; i++)
+        if (is_stamped(k, e->arg[i]))
+            return true;
+    return false;
+}
+
+static bool is_apart(const Structure *k, const Expr *guard, const Before *b)
+{
+    const Env *env = k->a->stmt[b->stmt->number].env;
+
+    return !suppose_guard(k->a, &env, b->stmt->value, b->holds) || !suppose_guard(k->a, &env, guard, true);
+}
+
+// `p > 10: -> A` and then `p <= 10: -> B`: the guard says in full for which case it is.
+static bool is_the_rest(Structure *k, const Expr *guard, const Befores *b)
+{
+    bool any = false;
+
+    k->stamps++;
+    stamp_vars(k, guard);
+    for (size_t i = 0; i < b->n; i++) {
+        if (!is_stamped(k, b->at[i].stmt->value))
+            continue;
+        if (!is_apart(k, guard, &b->at[i]))
+            return false;
+        any = true;
+    }
+    return any;
+}
+
+// ---- what is known of it here ----
+
+static const Expr *compared(const Expr *e)
+{
+    const bool comparison = e->kind == EX_CHAIN || (e->kind == EX_BINARY && is_comparison(e->op));
+    const Expr *found = NULL;
+
+    if (e->kind == EX_VAR && !expr_is_constant(e))
+        return e;
+    for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n && !found; i++)
+        found = comparison && !expr_is_constant(e->arg[i]) ? e->arg[i] : comparison ? NULL : compared(e->arg[i]);
+    return found;
+}
+
+static const char *range_text(Arena *arena, const char *what, Fact f)
+{
+    const char *lo = const_text(arena, f.lo), *hi = const_text(arena, f.hi);
+
+    if (f.lo == f.hi)
+        return format_in(arena, "here '%s' is always %s", what, lo);
+    if (f.lo - f.lo != 0)
+        return format_in(arena, "here '%s' is never above %s", what, hi);
+    if (f.hi - f.hi != 0)
+        return format_in(arena, "here '%s' is never below %s", what, lo);
+    return format_in(arena, "here '%s' is never below %s and never above %s", what, lo, hi);
+}
+
+// "here 'mode' is never above 2", or NULL if no more is known than that it is a number.
+static const char *known_text(const Structure *k, const Stmt *s)
+{
+    const Expr *e = compared(s->value);
+    Fact f;
+
+    if (!e)
+        return NULL;
+    f = suppose_value(k->a, k->a->stmt[s->number].env, e);
+    if (f.lo > f.hi || f.nan || (f.lo - f.lo != 0 && f.hi - f.hi != 0))
+        return NULL;
+    return range_text(k->a->arena, source_text(k->a->arena, e->span), f);
+}
+
+static bool contradicts_itself(const Structure *k, const Expr *guard, bool holds)
+{
+    const Env *env = NULL;
+
+    if (guard->kind != EX_BINARY && guard->kind != EX_CHAIN && guard->kind != EX_UNARY)
+        return false;
+    return (holds ? guard_always(k->a, guard) : guard_never(k->a, guard)) || !suppose_guard(k->a, &env, guard, !holds);
+}
+
+// ---- reports ----
+
+static DiagCode never_code(const Structure *k, const Stmt *s)
+{
+    return contradicts_itself(k, s->value, false) ? DIAG_guard_contradiction : DIAG_guard_never;
+}
+
+void report_never(Structure *k, const Dead *d)
+{
+    const Expr *g = d->stmt->value;
+    const DiagCode code = never_code(k, d->stmt);
+    const char *known = code == DIAG_guard_never ? known_text(k, d->stmt) : NULL;
+    Diag *told = diag_report(k->a->diags, code, g->span);
+
+    if (known)
+        diag_label(k->a->diags, told, DIAG_label_text, known);
+    if (d->earlier)
+        diag_note(k->a->diags, told, d->earlier->span, DIAG_note_guard_before);
+}
+
+void note_never(Structure *k, Diag *to, const Dead *d)
+{
+    const char *known = never_code(k, d->stmt) == DIAG_guard_never ? known_text(k, d->stmt) : "its parts exclude each other";
+
+    if (known)
+        diag_note(k->a->diags, to, d->stmt->value->span, DIAG_note_never_because, known);
+    else
+        diag_note(k->a->diags, to, d->stmt->value->span, DIAG_note_never_holds);
+}
+
+static void report_always(Structure *k, const Stmt *s)
+{
+    const bool itself = contradicts_itself(k, s->value, true);
+    const char *known = itself ? NULL : known_text(k, s);
+    Diag *told = diag_report(k->a->diags, itself ? DIAG_guard_tautology : DIAG_guard_always, s->value->span);
+
+    if (known)
+        diag_label(k->a->diags, told, DIAG_label_text, known);
+}
+
+static bool makes_transition(const Stmts *list)
+{
+    for (size_t i = 0; i < list->n; i++)
+        if (list->at[i]->kind == ST_TRANSITION || makes_transition(&list->at[i]->then) || makes_transition(&list->at[i]->otherwise))
+            return true;
+    return false;
+}
+
+// s can only hold where b has been so.
+static uint32_t forestalled(Structure *k, const Stmt *s, const Before *b)
+{
+    const bool same = b->holds && expr_equal(s->value, b->stmt->value, k->a->m->window_of);
+    Diag *d;
+
+    if (!same && !((b->left || always_leaves(&b->stmt->then)) && makes_transition(&s->then)))
+        return dead_of(k, CAUSE_NEVER, s, b->stmt, NULL);
+    d = diag_report(k->a->diags, same ? DIAG_duplicate_guard : DIAG_shadowed_transition, s->value->span);
+    diag_note(k->a->diags, d, b->stmt->span, same ? DIAG_note_same_guard : DIAG_note_left_before);
+    return dead_of(k, CAUSE_TOLD, s, NULL, d);
+}
+
+// ---- judging ----
+
+static Verdict judge_never(Structure *k, const Stmt *s, const Befores *b)
+{
+    const bool itself = contradicts_itself(k, s->value, false);
+    const Before *before = itself ? NULL : find_before(k, s->value, b, excluded);
+    Verdict v = {false, true, 0};
+
+    if (!before && !itself)
+        before = find_before(k, s->value, b, covered);
+    if (switched(s->value) != SOMETIMES)
+        v.dead = dead_of(k, CAUSE_SWITCH, s, NULL, NULL);
+    else if (type_decides(k->a, s->value))
+        v.dead = dead_of(k, CAUSE_TOLD, s, NULL, NULL);
+    else if (before)
+        v.dead = forestalled(k, s, before);
+    else
+        v.dead = dead_of(k, reads_initial(k, s->value, k->a->stmt[s->number].env) ? CAUSE_TOLD : CAUSE_NEVER, s, NULL, NULL);
+    return v;
+}
+
+static Verdict judge_always(Structure *k, const Stmt *s, const Befores *b)
+{
+    Verdict v = {true, false, 0};
+
+    if (switched(s->value) != SOMETIMES) {
+        v.dead = dead_of(k, CAUSE_SWITCH, s, NULL, NULL);
+        return v;
+    }
+    if (!type_decides(k->a, s->value) && !reads_initial(k, s->value, k->a->stmt[s->number].env)) {
+        if (is_the_rest(k, s->value, b))
+            return v;
+        report_always(k, s);
+    }
+    v.dead = dead_of(k, CAUSE_TOLD, s, NULL, NULL);
+    return v;
+}
+
+// Whether an outer guard that holds implies it, as `a > b { a > b: … }`.
+static bool is_implied(const Structure *k, const Stmt *s, const Way *way)
+{
+    for (unsigned n = 0; way && n < LOOK_BACK; way = way->outer, n++)
+        if (way->holds && guard_implies(k->a, way->stmt->value, s->value) && is_unchanged(k, way->stmt, s->value))
+            return true;
+    return false;
+}
+
+Verdict judge(Structure *k, const Stmt *s, const Way *way)
+{
+    const StmtFact *f = &k->a->stmt[s->number];
+    const Befores b = befores_of(k, way);
+    const Verdict both = {true, true, 0};
+
+    if (!f->reached)
+        return both;
+    if (!f->then || guard_never(k->a, s->value) || find_before(k, s->value, &b, excluded))
+        return judge_never(k, s, &b);
+    if (!f->otherwise || guard_always(k->a, s->value) || is_implied(k, s, way))
+        return judge_always(k, s, &b);
+    return both;
+}

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/analysis/implies.h"
+
+#include "stdlib/math.h"
+
+enum { BUDGET = 64 };                 // pairs of parts that are looked at: `and` and `or` multiply
+
+typedef struct Ask {
+    const uint32_t *window_of;
+    unsigned budget;
+} Ask;
+
+// ---- comparisons ----
+
+// One side: base + plus, or the number plus alone.  Adding a constant keeps the order of what it is added to, rounded or not.
+typedef struct Side {
+    const Expr *base;                 // NULL: none
+    SmF64 plus;
+} Side;
+
+// small < large, or small <= large.
+typedef struct Order {
+    Side small, large;
+    bool or_equal;
+} Order;
+
+static bool is_finite(SmF64 x) { return sm_eq(sm_sub(x, x), sm_from_i32(0)); }
+
+static Side side_of(const Expr *e)
+{
+    Side s = {e, sm_from_i32(0)};
+
+    if (expr_is_constant(e)) {
+        s.plus = const_eval(e);
+        s.base = is_finite(s.plus) ? NULL : e;
+    } else if (e->kind == EX_BINARY && (e->op == SM_OP_ADD || e->op == SM_OP_SUB) && expr_is_constant(e->arg[1])) {
+        s.plus = const_eval(e->arg[1]);
+        s.base = is_finite(s.plus) ? e->arg[0] : e;
+        if (e->op == SM_OP_SUB)
+            s.plus = sm_neg(s.plus);
+    }
+    if (s.base == e)
+        s.plus = sm_from_i32(0);
+    return s;
+}
+
+static bool same_base(const Ask *k, const Side *p, const Side *q)
+{
+    return p->base && q->base ? expr_equal(p->base, q->base, k->window_of) : p->base == q->base;
+}
+
+static bool at_most(const Ask *k, const Side *p, const Side *q) { return sm_le(p->plus, q->plus) && same_base(k, p, q); }
+static bool below(const Side *p, const Side *q) { return !p->base && !q->base && sm_lt(p->plus, q->plus); }
+
+// a.small <= a.large gives b.small <= b.large if b's sides lie no nearer to each other than a's.
+static bool order_implies(const Ask *k, const Order *a, const Order *b)
+{
+    if (!at_most(k, &b->small, &a->small) || !at_most(k, &a->large, &b->large))
+        return false;
+    return b->or_equal || !a->or_equal || below(&b->small, &a->small) || below(&a->large, &b->large);
+}
+
+typedef struct Comparison {
+    const Expr *a, *b;
+    SmOperator op;
+} Comparison;
+
+static Order order_of(const Expr *small, const Expr *large, bool or_equal)
+{
+    const Order o = {side_of(small), side_of(large), or_equal};
+
+    return o;
+}
+
+static bool is_relation(SmOperator op) { return sm_op_info[op].op_class == SM_CLASS_RELATION; }
+static bool is_comparison(SmOperator op) { return is_relation(op) || sm_op_info[op].op_class == SM_CLASS_EQUALITY; }
+
+static Order relation_of(const Comparison *c)
+{
+    const bool less = c->op == SM_OP_LT || c->op == SM_OP_LE;
+
+    return order_of(less ? c->a : c->b, less ? c->b : c->a, c->op == SM_OP_LE || c->op == SM_OP_GE);
+}
+
+// What a comparison says: one order of its sides, or of == both.
+static bool comparison_gives(const Ask *k, const Comparison *c, const Order *o)
+{
+    Order one, other;
+
+    if (c->op == SM_OP_NE)
+        return false;
+    if (c->op != SM_OP_EQ) {
+        one = relation_of(c);
+        return order_implies(k, &one, o);
+    }
+    one = order_of(c->a, c->b, true);
+    other = order_of(c->b, c->a, true);
+    return order_implies(k, &one, o) || order_implies(k, &other, o);
+}
+
+static bool comparison_implies(const Ask *k, const Comparison *x, const Comparison *y)
+{
+    Order one, other;
+
+    if (is_relation(y->op)) {
+        one = relation_of(y);
+        return comparison_gives(k, x, &one);
+    }
+    one = order_of(y->a, y->b, y->op == SM_OP_EQ);
+    other = order_of(y->b, y->a, y->op == SM_OP_EQ);
+    if (y->op == SM_OP_EQ)
+        return comparison_gives(k, x, &one) && comparison_gives(k, x, &other);
+    return comparison_gives(k, x, &one) || comparison_gives(k, x, &other);
+}
+
+// ---- guards ----
+
+static bool is_logic(const Expr *e, SmOperator op) { return e->kind == EX_BINARY && e->op == op; }
+static bool is_not(const Expr *e) { return e->kind == EX_UNARY && e->op == SM_OP_NOT; }
+
+// What of a chain is asked one by one; of anything else that is a comparison, it alone.
+static uint32_t comparisons(const Expr *e)
+{
+    return e->kind == EX_CHAIN ? e->n - 1 : e->kind == EX_BINARY && is_comparison(e->op) ? 1 : 0;
+}
+
+static Comparison comparison_at(const Expr *e, uint32_t i)
+{
+    const Comparison c = {e->arg[i], e->arg[i + 1], e->kind == EX_CHAIN ? e->ops[i] : e->op};
+
+    return c;
+}
+
+static bool any_implies(Ask *k, const Expr *x, const Comparison *y)
+{
+    for (uint32_t i = 0; i < comparisons(x) && k->budget > 0; i++, k->budget--) {
+        const Comparison c = comparison_at(x, i);
+        if (comparison_implies(k, &c, y))
+            return true;
+    }
+    return false;
+}
+
+static bool parts_imply(Ask *k, const Expr *x, const Expr *y)
+{
+    for (uint32_t i = 0; i < comparisons(y); i++) {
+        const Comparison c = comparison_at(y, i);
+        if (!any_implies(k, x, &c))
+            return false;
+    }
+    return comparisons(y) > 0;
+}
+
+static bool implies(Ask *k, const Expr *x, const Expr *y)
+{
+    if (k->budget == 0)
+        return false;
+    k->budget--;
+    if (expr_equal(x, y, k->window_of))
+        return true;
+    if (is_logic(x, SM_OP_OR))
+        return implies(k, x->arg[0], y) && implies(k, x->arg[1], y);
+    if (is_logic(y, SM_OP_AND))
+        return implies(k, x, y->arg[0]) && implies(k, x, y->arg[1]);
+    if (is_logic(x, SM_OP_AND) && (implies(k, x->arg[0], y) || implies(k, x->arg[1], y)))
+        return true;
+    if (is_logic(y, SM_OP_OR))
+        return implies(k, x, y->arg[0]) || implies(k, x, y->arg[1]);
+    if (is_not(x) && is_not(y))
+        return implies(k, y->arg[0], x->arg[0]);
+    return parts_imply(k, x, y);
+}
+
+// ---- contradictions ----
+
+static SmOperator opposite(SmOperator op)
+{
+    switch ((int)op) {
+    case SM_OP_LT: return SM_OP_GE;
+    case SM_OP_LE: return SM_OP_GT;
+    case SM_OP_GT: return SM_OP_LE;
+    case SM_OP_GE: return SM_OP_LT;
+    case SM_OP_EQ: return SM_OP_NE;
+    default: return SM_OP_EQ;
+    }
+}
+
+// Of two comparisons that both hold nobody is NaN but in !=, so one that implies the opposite of the other excludes it.
+static bool parts_exclude(Ask *k, const Expr *x, const Expr *y)
+{
+    for (uint32_t i = 0; i < comparisons(y); i++) {
+        Comparison c = comparison_at(y, i);
+        c.op = opposite(c.op);
+        if (any_implies(k, x, &c))
+            return true;
+    }
+    return false;
+}
+
+static bool excludes(Ask *k, const Expr *x, const Expr *y)
+{
+    if (k->budget == 0)
+        return false;
+    k->budget--;
+    if (is_not(y))
+        return implies(k, x, y->arg[0]);
+    if (is_not(x))
+        return implies(k, y, x->arg[0]);
+    if (is_logic(x, SM_OP_OR))
+        return excludes(k, x->arg[0], y) && excludes(k, x->arg[1], y);
+    if (is_logic(y, SM_OP_OR))
+        return excludes(k, x, y->arg[0]) && excludes(k, x, y->arg[1]);
+    if (is_logic(x, SM_OP_AND))
+        return excludes(k, x->arg[0], y) || excludes(k, x->arg[1], y);
+    if (is_logic(y, SM_OP_AND))
+        return excludes(k, x, y->arg[0]) || excludes(k, x, y->arg[1]);
+    return parts_exclude(k, x, y);
+}
+
+// What is read is never NaN; what is worked out may be.
+static bool is_read(const Expr *e) { return e->kind == EX_VAR || e->kind == EX_NUMBER; }
+
+// Whether one of two comparisons always holds.
+static bool covers(Ask *k, const Expr *x, const Expr *y)
+{
+    Comparison a, b;
+
+    if (is_not(x))
+        return implies(k, x->arg[0], y);
+    if (is_not(y))
+        return implies(k, y->arg[0], x);
+    if (x->kind == EX_CHAIN || y->kind == EX_CHAIN || !comparisons(x) || !comparisons(y))
+        return false;
+    a = comparison_at(x, 0);
+    b = comparison_at(y, 0);
+    a.op = opposite(a.op);
+    return is_read(a.a) && is_read(a.b) && comparison_implies(k, &a, &b);
+}
+
+// x < x, x == x.
+static bool is_reflexive(const Ask *k, const Expr *e, bool holds)
+{
+    if (e->kind != EX_BINARY || !is_comparison(e->op) || !expr_equal(e->arg[0], e->arg[1], k->window_of))
+        return false;
+    if (holds)
+        return is_read(e->arg[0]) && (e->op == SM_OP_LE || e->op == SM_OP_GE || e->op == SM_OP_EQ);
+    return e->op == SM_OP_LT || e->op == SM_OP_GT || (e->op == SM_OP_NE && is_read(e->arg[0]));
+}
+
+static bool never(Ask *k, const Expr *e);
+
+static bool always(Ask *k, const Expr *e)
+{
+    if (is_not(e))
+        return never(k, e->arg[0]);
+    if (is_logic(e, SM_OP_AND))
+        return always(k, e->arg[0]) && always(k, e->arg[1]);
+    if (is_logic(e, SM_OP_OR))
+        return always(k, e->arg[0]) || always(k, e->arg[1]) || covers(k, e->arg[0], e->arg[1]);
+    return is_reflexive(k, e, true);
+}
+
+static bool never(Ask *k, const Expr *e)
+{
+    if (is_not(e))
+        return always(k, e->arg[0]);
+    if (is_logic(e, SM_OP_OR))
+        return never(k, e->arg[0]) && never(k, e->arg[1]);
+    if (is_logic(e, SM_OP_AND))
+        return never(k, e->arg[0]) || never(k, e->arg[1]) || excludes(k, e->arg[0], e->arg[1]);
+    return is_reflexive(k, e, false);
+}
+
+// ---- questions ----
+
+bool guard_implies(const Analysis *a, const Expr *x, const Expr *y)
+{
+    Ask k = {a->m->window_of, BUDGET};
+
+    return implies(&k, x, y);
+}
+
+bool guard_excludes(const Analysis *a, const Expr *x, const Expr *y)
+{
+    Ask k = {a->m->window_of, BUDGET};
+
+    return excludes(&k, x, y);
+}
+
+bool guard_never(const Analysis *a, const Expr *x)
+{
+    Ask k = {a->m->window_of, BUDGET};
+
+    return never(&k, x);
+}
+
+bool guard_always(const Analysis *a, const Expr *x)
+{
+    Ask k = {a->m->window_of, BUDGET};
+
+    return always(&k, x);
+}
