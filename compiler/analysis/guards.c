@@ -74,13 +74,13 @@ static bool type_decides(const Analysis *a, const Expr *e)
     return false;
 }
 
-// A local that still has its initial value here and is assigned elsewhere: that it is read too early is told at it.
+// A local that still has its initial value here and gets others elsewhere: that it is read too early is told at it.
 static bool reads_initial(const Structure *k, const Expr *e, const Env *env)
 {
     const Var *v = e->var;
     double x;
 
-    if (e->kind == EX_VAR && v->kind == VAR_LOCAL && v->written && !v->outside && !k->written[v->index])
+    if (e->kind == EX_VAR && k->changes[v->index] && !k->written[v->index])
         return fact_is_number(env_get(&k->a->facts->shape, env, k->a->m->var_of[v->index]), &x) &&
                sm_eq(x, sm_cell_to_f64(v->type, v->init));
     for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
@@ -255,20 +255,26 @@ static const char *known_text(const Structure *k, const Stmt *s)
     return range_text(k->a->arena, source_text(k->a->arena, e->span), f);
 }
 
-static bool contradicts_itself(const Structure *k, const Expr *guard, bool holds)
+// Whether it holds, or does not, whatever the variables are.
+static bool decides_itself(const Structure *k, const Expr *guard, bool holds)
 {
     const Env *env = NULL;
 
-    if (guard->kind != EX_BINARY && guard->kind != EX_CHAIN && guard->kind != EX_UNARY)
-        return false;
     return (holds ? guard_always(k->a, guard) : guard_never(k->a, guard)) || !suppose_guard(k->a, &env, guard, !holds);
 }
 
 // ---- reports ----
 
+static bool has_parts(const Expr *e)
+{
+    if (e->kind == EX_UNARY && e->op == SM_OP_NOT)
+        return has_parts(e->arg[0]);
+    return e->kind == EX_CHAIN || (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR));
+}
+
 static DiagCode never_code(const Structure *k, const Stmt *s)
 {
-    return contradicts_itself(k, s->value, false) ? DIAG_guard_contradiction : DIAG_guard_never;
+    return has_parts(s->value) && decides_itself(k, s->value, false) ? DIAG_guard_contradiction : DIAG_guard_never;
 }
 
 void report_never(Structure *k, const Dead *d)
@@ -296,7 +302,7 @@ void note_never(Structure *k, Diag *to, const Dead *d)
 
 static void report_always(Structure *k, const Stmt *s)
 {
-    const bool itself = contradicts_itself(k, s->value, true);
+    const bool itself = has_parts(s->value) && decides_itself(k, s->value, true);
     const char *known = itself ? NULL : known_text(k, s);
     Diag *told = diag_report(k->a->diags, itself ? DIAG_guard_tautology : DIAG_guard_always, s->value->span);
 
@@ -329,7 +335,7 @@ static uint32_t forestalled(Structure *k, const Stmt *s, const Before *b)
 
 static Verdict judge_never(Structure *k, const Stmt *s, const Befores *b)
 {
-    const bool itself = contradicts_itself(k, s->value, false);
+    const bool itself = decides_itself(k, s->value, false);
     const Before *before = itself ? NULL : find_before(k, s->value, b, excluded);
     Verdict v = {false, true, 0};
 

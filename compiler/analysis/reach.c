@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // States to which no transition leads that can be made.  Told of the first of them on each way: what only they lead to follows.
 #include "compiler/analysis/structure.h"
+#include "stdlib/convert.h"
 
 enum { NAMED = 3 };                   // followers, or transitions, that notes name
 
@@ -184,14 +185,39 @@ static void look_for_empty(Diags *diags, const State *s)
             diag_report(diags, DIAG_empty_block, s->block_span[b], label[b], s->name->text);
 }
 
+// ---- all of it ----
+
+static void note_change(const Stmt *s, void *context)
+{
+    Structure *k = context;
+    const Var *v = s->var;
+    Fact value;
+    double x;
+
+    if (s->kind != ST_ASSIGN || v->kind != VAR_LOCAL || v->outside || k->changes[v->index])
+        return;
+    value = fact_convert(k->a->stmt[s->number].value, v->type);
+    k->changes[v->index] = !k->a->stmt[s->number].reached || !fact_is_number(value, &x) || x != sm_cell_to_f64(v->type, v->init);
+}
+
+static void prepare(Structure *k)
+{
+    const Program *p = k->a->p;
+    Arena *arena = k->a->arena;
+
+    k->why = ARENA_ARRAY(arena, uint32_t, p->stmts + 1u);
+    k->order = ARENA_ARRAY(arena, uint32_t, p->stmts + 1u);
+    k->written = ARENA_ARRAY(arena, uint32_t, p->var.n);
+    k->changes = ARENA_ARRAY(arena, bool, p->var.n);
+    k->stamp = ARENA_ARRAY(arena, uint32_t, p->var.n);
+    each_stmt(p, note_change, k);
+}
+
 void analyse_reach(Analysis *a)
 {
     Structure k = {.a = a};
 
-    k.why = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 1u);
-    k.order = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 1u);
-    k.written = ARENA_ARRAY(a->arena, uint32_t, a->p->var.n);
-    k.stamp = ARENA_ARRAY(a->arena, uint32_t, a->p->var.n);
+    prepare(&k);
     find_dead(&k);
     tell_states(&k);
     for (size_t i = 0; i < k.dead.n; i++)

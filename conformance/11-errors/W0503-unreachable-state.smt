@@ -13,11 +13,12 @@ U32 S
 [Run]
 .step
     -> Run
-    -> Lost                   #! W0501
+    -> Behind                 #! W0501
 [Done]
+[Behind]                      # W0501 says so
 [Lost]                        #! W0503 'Lost'
 .step
     -> Loop
-[Loop]                        #! W0503 'Loop'
+[Loop]                        # only Lost leads here
 .step
     -> Idle

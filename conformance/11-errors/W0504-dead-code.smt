@@ -20,7 +20,7 @@ F64 x
     x > 1 {
         x > 2: -> Hold
         else: -> Never
-        x = 3                 #! W0504
+        x = 3
     }
     x > 5: -> Hold
     x = 4

@@ -16,4 +16,4 @@ F64 x
     x > 5: -> Choose
 .step
     x = 1
-[Lost]                        #! W0503
+[Lost]                        # a note of W0505 says so

@@ -1,0 +1,52 @@
+spec 5.29   A state to which no transition leads that can be made is told once, with why.
+warn no-constant-guard
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p
+bool cmd
+[local]
+U8 mode = 0
+U8 test = 0 @read_only
+U8 tries = 0
+[Idle]
+.step
+    p > 1 { mode = 1 }
+    else { mode = 0 }
+    mode == 2: -> Abort
+    tries > 3: -> Abort
+    tries = 0
+    test == 1: -> Bench          # a switch, set on purpose
+    cmd and p > 3: -> Run
+    p > 5 and p < 4 {
+        p < 3: -> Deep
+    }
+[Run]
+.step
+    -> Idle
+[Abort]                          #! W0515 'Abort'
+.step
+    p < 0: -> Safing
+[Safing]
+[Bench]
+.step
+    p > 3: -> BenchTwo
+[BenchTwo]
+[Deep]                           #! W0515 'Deep'
+[Lost]                           #! W0503 so state 'Loop' cannot be reached
+.step
+    p > 2: -> Loop
+    p > 1: -> Run
+[Loop]
+.step
+    -> Lost2
+[Lost2]
+.step
+    -> Loop
+[Ring]                           #! W0503 'Ring'
+.step
+    -> Ring2
+[Ring2]
+.step
+    -> Ring
