@@ -135,11 +135,8 @@ static void check_allows(Sema *s, const AstStmts *in, size_t i)
 
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
 {
-<<<<<<< HEAD
     const AstStmt *before = NULL;
-=======
-    const AstStmt *transition = NULL;                         // the first, behind which nothing is executed
->>>>>>> dc3c52b (analysis: cases of what structure finds and leaves alone; after-transition is told once a list)
+    bool told = false;
 
     for (size_t i = 0; i < in->n; i++) {
         Stmt *stmt;
@@ -147,16 +144,11 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
             continue;
         if ((stmt = check_stmt(s, in->at[i])) != NULL)
             vec_push(s->arena, out, stmt);
-<<<<<<< HEAD
         check_allows(s, in, i);
-        if (before && before->kind == AST_TRANSITION)
+        if (before && before->kind == AST_TRANSITION && !told) {
             warn_of_the_rest(s, before, in->at[i]);
+            told = true;
+        }
         before = in->at[i];
-=======
-        if (transition && transition == in->at[i - 1])
-            warn_of_the_rest(s, transition, in->at[i]);
-        if (!transition && in->at[i]->kind == AST_TRANSITION)
-            transition = in->at[i];
->>>>>>> dc3c52b (analysis: cases of what structure finds and leaves alone; after-transition is told once a list)
     }
 }
