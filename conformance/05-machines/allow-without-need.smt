@@ -19,6 +19,6 @@ U8 n = 1 @allow(never-written, "x") @allow(unused-local, "not true")  #! W0210 '
 .step
     x = n
     @allow(empty-braces, "inner")
-    x > 1 { }
+    y > 1 { }
     @allow(dead-code, "not true")         #! W0210
     y = 1
