@@ -179,6 +179,9 @@ $(B)/cost: $(COST_SRC) tests/cost/config.h $(filter-out %/main.o,$(DIFF_OBJ)) $(
 check: $(B)/cost
 CHECK_LINES += "cost: $(B)/cost"
 
+# tests/report: pages of smc report, looked at by a browser where one is.
+CHECK_LINES += "report: sh tests/report/run.sh $(B)/smc $(B)/report"
+
 # tests/emitc: emitted C under every compiler that is here, under options that touch arithmetic, in programs that use it; and
 # control flow that no source has.
 ENGINE_C_OBJ = $(patsubst %.c,$(B)/obj/%.o,compiler/device/engine_c.c $(wildcard compiler/base/os_*.c))

@@ -11,6 +11,8 @@ Usage:
       say all that can be said without running
   smc test M.sm SCRIPT.ss... [--sv V.sv] [--engine=ENGINE]
       run state scripts, .smt cases and folders of them
+  smc report M.sm [SCRIPT.ss...] [--sv V.sv] [-o FILE.html]
+      write one page about a machine for a design review
   smc disasm IMAGE
       print the instructions of an image
   smc verify IMAGE

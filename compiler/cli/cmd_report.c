@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc report: one page about a machine for a design review.  The machine is looked at as `smc build` makes it; its scripts are run on
+// the VM, on an image with names.
+#include <string.h>
+
+#include "bytecode-vm/smvm.h"
+#include "compiler/analysis/analysis.h"
+#include "compiler/cli/cli.h"
+#include "compiler/emit/report/report.h"
+#include "compiler/version.h"
+
+typedef enum ReportFormat { REPORT_HTML, REPORT_TEXT, REPORT_JSON, REPORT_FORMATS } ReportFormat;
+
+static const char *const format_name[REPORT_FORMATS] = {"html", "text", "json"};
+
+enum { STEPS_MOST = 1000000 };        // of a script, as in smc test
+
+typedef struct ReportCommand {
+    Cli *c;
+    const char *machine;
+    const Source *sm, *sv;
+    Report r;
+    bool failed;                      // a script did
+} ReportCommand;
+
+// ---- the machine as it flies ----
+
+static bool make_image(ReportCommand *x, IrMachine *m, bool debug, Buf *image)
+{
+    const ImageOptions o = {debug};
+
+    buf_init(image, &x->c->session.arena);
+    return session_image(&x->c->session, &m, 1, &o, image);
+}
+
+static Program *compile(ReportCommand *x)
+{
+    Session *s = &x->c->session;
+    const MachineInput in = {x->sm, x->sv, NULL, option_level(x->c)};
+    Program *p = session_program(s, &in);
+    Buf image, with_lines;
+    IrMachine *m;
+
+    if (!p)
+        return NULL;
+    s->hide_locals = true;
+    m = session_ir(s, p, in.opt_level);
+    s->hide_locals = false;
+    if (!make_image(x, m, false, &image) || !make_image(x, m, true, &with_lines))
+        return NULL;
+    cost_of_machine(&s->arena, (const uint8_t *)with_lines.at, 0, &x->r.cost);
+    x->r.image = (const uint8_t *)image.at;
+    x->r.image_size = image.n;
+    return p;
+}
+
+static int look_at_machine(ReportCommand *x)
+{
+    Session *s = &x->c->session;
+    Program *p = compile(x);
+
+    if (!p)
+        return EXIT_PROBLEM;
+    x->r.arena = &s->arena;
+    x->r.maker = "smc " SMC_VERSION;
+    analyse_program(&s->arena, &s->diags, p);
+    diags_sort(&s->diags);
+    analysis_begin(&x->r.analysis, &s->arena, &s->diags, p);
+    return EXIT_OK;
+}
+
+// ---- its scripts ----
+
+static Engine *open_engine(ReportCommand *x, const Program *p, const char **error)
+{
+    Session *s = &x->c->session;
+    Buf image;
+
+    *error = "the image cannot be made";
+    if (!make_image(x, session_ir(s, p, option_level(x->c)), true, &image))
+        return NULL;
+    return engine_vm_open(&s->arena, p, (const uint8_t *)image.at, image.n, 0, error);
+}
+
+static void run_script(ReportCommand *x, ReportRun *run, const Source *ss, const Program *p, Engine *vm)
+{
+    Session *s = &x->c->session;
+    const ScriptOptions o = {STEPS_MOST, NULL, NULL, NULL};
+    const Diags machine = s->diags;
+    Engine *traced;
+
+    run->name = report_file_name(ss->name);
+    trace_init(&run->trace, &s->arena, p);
+    diags_init(&s->diags, &s->arena);
+    if ((run->script = session_script(s, ss, p)) != NULL) {
+        traced = trace_engine(&run->trace, vm);
+        run->result = script_run(&s->arena, &s->diags, run->script, &traced, 1, &o);
+    }
+    x->failed = x->failed || !run->script || run->result.outcome != SCRIPT_PASSED;
+    run->diags = s->diags;
+    s->diags = machine;
+}
+
+static Program *compile_for_scripts(ReportCommand *x, const Map *written)
+{
+    Session *s = &x->c->session;
+    const MachineInput in = {x->sm, x->sv, written, option_level(x->c)};
+    const Diags machine = s->diags;               // what there is to say has been said
+    Program *p;
+
+    diags_init(&s->diags, &s->arena);
+    p = session_program(s, &in);
+    s->diags = machine;
+    return p;
+}
+
+static int run_scripts(ReportCommand *x)
+{
+    Cli *c = x->c;
+    Map written = {&c->session.arena, NULL, NULL, 0, 0};
+    Source **ss = cli_load_scripts(c, &written);
+    const char *error;
+    Program *p;
+    Engine *vm;
+
+    if (c->files < 2)
+        return EXIT_OK;
+    for (size_t i = 0; i < c->files; i++)
+        if (has_suffix(c->file[i], ".ss") && !ss[i])
+            return EXIT_ENVIRONMENT;
+    if ((p = compile_for_scripts(x, &written)) == NULL)
+        return EXIT_PROBLEM;
+    if ((vm = open_engine(x, p, &error)) == NULL) {
+        cli_say(c, "%s", error);
+        return EXIT_PROBLEM;
+    }
+    x->r.run = ARENA_ARRAY(&c->session.arena, ReportRun, c->files);
+    for (size_t i = 0; i < c->files; i++)
+        if (ss[i])
+            run_script(x, &x->r.run[x->r.runs++], ss[i], p, vm);
+    vm->close(vm);
+    return EXIT_OK;
+}
+
+// ---- the command ----
+
+static int check_use(Cli *c, ReportCommand *x)
+{
+    size_t machines = 0;
+
+    for (size_t i = 0; i < c->files; i++) {
+        const bool script = has_suffix(c->file[i], ".ss");
+        if (!script && !has_suffix(c->file[i], ".sm") && strcmp(c->file[i], "-") != 0)
+            return cli_usage(c, "'%s' is no machine (.sm) and no script (.ss)%s", c->file[i],
+                             has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
+        if (!script) {
+            x->machine = c->file[i];
+            machines++;
+        }
+    }
+    if (machines != 1)
+        return cli_usage(c, machines ? "one machine is reported on at a time" : "report wants a machine, as in 'smc report tank.sm -o tank.html'");
+    return EXIT_OK;
+}
+
+static bool find_format(Cli *c, ReportFormat *format)
+{
+    *format = REPORT_HTML;
+    if (!c->given[OPT_AS])
+        return true;
+    for (size_t i = 0; i < REPORT_FORMATS; i++)
+        if (strcmp(c->value[OPT_AS], format_name[i]) == 0) {
+            *format = (ReportFormat)i;
+            return true;
+        }
+    cli_usage(c, "--format is html, text or json, not '%s'", c->value[OPT_AS]);
+    return false;
+}
+
+static int write_report(ReportCommand *x, ReportFormat format)
+{
+    static void (*const writer[REPORT_FORMATS])(const Doc *d, Buf *out) = {doc_write_html, doc_write_text, doc_write_json};
+    OsOutput file = {x->c->given[OPT_OUTPUT] ? x->c->value[OPT_OUTPUT] : "-", NULL, 0};
+    Buf out;
+
+    buf_init(&out, &x->c->session.arena);
+    writer[format](report_build(&x->r), &out);
+    file.bytes = buf_text(&out);
+    file.n = out.n;
+    return cli_write(x->c, &file, 1) ? EXIT_OK : EXIT_ENVIRONMENT;
+}
+
+static void say_failed(const ReportCommand *x)
+{
+    for (size_t i = 0; i < x->r.runs; i++)
+        if (!x->r.run[i].script || x->r.run[i].result.outcome != SCRIPT_PASSED)
+            cli_say(x->c, "%s failed; the report says why", x->r.run[i].name);
+}
+
+int cmd_report(Cli *c)
+{
+    ReportCommand x;
+    ReportFormat format;
+    int code;
+
+    memset(&x, 0, sizeof x);
+    x.c = c;
+    if ((code = check_use(c, &x)) != EXIT_OK)
+        return code;
+    if (!find_format(c, &format))
+        return EXIT_USAGE;
+    if ((x.sm = cli_load(c, x.machine)) == NULL || (c->given[OPT_SV] && (x.sv = cli_load(c, c->value[OPT_SV])) == NULL))
+        return EXIT_ENVIRONMENT;
+    if ((code = look_at_machine(&x)) != EXIT_OK || (code = run_scripts(&x)) != EXIT_OK) {
+        cli_report(c);
+        return code;
+    }
+    if ((code = write_report(&x, format)) != EXIT_OK)
+        return code;
+    say_failed(&x);
+    return x.failed ? EXIT_PROBLEM : EXIT_OK;
+}

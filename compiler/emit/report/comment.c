@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The comments of a source, found again by their lines: the compiler has thrown them away.
+#include "compiler/emit/report/words.h"
+
+bool comment_starts(const char *line, uint32_t len, uint32_t *at)
+{
+    bool quoted = false;              // the reason of an @allow
+
+    for (uint32_t i = 0; i < len; i++) {
+        quoted ^= line[i] == '"';
+        if (line[i] == '#' && !quoted) {
+            *at = i;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+// The text behind the mark, without blanks around it.
+static void put_comment(Buf *out, const char *line, uint32_t len, uint32_t at)
+{
+    while (at < len && (line[at] == '#' || is_blank(line[at])))
+        at++;
+    while (len > at && is_blank(line[len - 1]))
+        len--;
+    buf_put(out, line + at, len - at);
+}
+
+static const char *text_or_null(const Buf *b) { return b->n ? buf_text(b) : NULL; }
+
+const char *comment_behind(Arena *arena, Span span)
+{
+    uint32_t len, at;
+    const char *line;
+    Buf out;
+
+    if (!span.src)
+        return NULL;
+    line = source_line(span.src, source_position(span.src, span.at).line, &len);
+    if (!comment_starts(line, len, &at))
+        return NULL;
+    buf_init(&out, arena);
+    put_comment(&out, line, len, at);
+    return text_or_null(&out);
+}
+
+// Whether the line holds a comment and nothing else.
+static bool is_comment(const Source *src, uint32_t number)
+{
+    uint32_t len, at, i = 0;
+    const char *line = source_line(src, number, &len);
+
+    while (i < len && is_blank(line[i]))
+        i++;
+    return comment_starts(line, len, &at) && at == i;
+}
+
+static const char *comment_of_lines(Arena *arena, const Source *src, uint32_t from, uint32_t to)
+{
+    Buf out;
+
+    buf_init(&out, arena);
+    for (; from < to; from++) {
+        uint32_t len, at = 0;
+        const char *line = source_line(src, from, &len);
+        comment_starts(line, len, &at);
+        if (out.n)
+            buf_char(&out, '\n');
+        put_comment(&out, line, len, at);
+    }
+    return text_or_null(&out);
+}
+
+const char *comment_above(Arena *arena, Span span)
+{
+    const uint32_t line = span.src ? source_position(span.src, span.at).line : 1;
+    uint32_t from = line;
+
+    while (from > 1 && is_comment(span.src, from - 1))
+        from--;
+    return from < line ? comment_of_lines(arena, span.src, from, line) : NULL;
+}
+
+const char *comment_of_file(Arena *arena, const Source *src)
+{
+    uint32_t to = 1;
+
+    while (to <= src->lines && is_comment(src, to))
+        to++;
+    return comment_of_lines(arena, src, 1, to);
+}

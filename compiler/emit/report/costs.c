@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// What it costs: the longest steps with the lines that make them, and bytes.
+#include "compiler/emit/report/report.h"
+#include "compiler/emit/report/words.h"
+
+static const DocColumn step_columns[] = {{"state", "State"}, {"first", "Its first step"}, {"later", "Any other step"}, {"dearest", "Dearest lines of its longest step"}};
+static const DocColumn byte_columns[] = {{"part", "Part"}, {"bytes", "Bytes"}};
+static const DocColumn way_columns[] = {{"block", "In"}, {"line", "Line"}, {"text", "Statement"}, {"instructions", "Instructions"}};
+
+// ---- where the time goes ----
+
+static const CostLine *next_dearest(const StateCost *s, const CostLine *before)
+{
+    const CostLine *most = NULL;
+
+    for (size_t i = 0; i < s->way.n; i++) {
+        const CostLine *l = &s->way.at[i];
+        if (before && (l->instructions > before->instructions || (l->instructions == before->instructions && l <= before)))
+            continue;
+        if (l->line && (!most || l->instructions > most->instructions))
+            most = l;
+    }
+    return most;
+}
+
+static const char *dearest(const Report *r, const StateCost *s)
+{
+    enum { SHOWN = 3 };
+    const CostLine *l = NULL;
+    Buf b;
+
+    buf_init(&b, r->arena);
+    for (int i = 0; i < SHOWN && (l = next_dearest(s, l)) != NULL; i++)
+        buf_printf(&b, "%sline %lu%s: %lu", b.n ? ", " : "", (unsigned long)l->line, l->part == COST_SAMPLE ? " (samples)" : "",
+                   (unsigned long)l->instructions);
+    return buf_text(&b);
+}
+
+static void put_steps(const Report *r, Doc *d)
+{
+    const Cost *c = &r->cost;
+    DocTable *t = DOC_TABLE_OF(d, "steps", step_columns);
+
+    for (uint32_t i = 0; i < c->states; i++) {
+        cell_state(t, r->analysis.p->state.at[i]->name->text);
+        cell_bar(t, c->state[i].first, c->worst);
+        cell_bar(t, c->state[i].later, c->worst);
+        cell_plain(t, dearest(r, &c->state[i]));
+    }
+}
+
+// ---- the longest way of all ----
+
+static const char *line_text(const Report *r, uint32_t line)
+{
+    uint32_t len, at;
+    const char *text;
+
+    if (line == 0)
+        return "";
+    text = source_line(r->analysis.p->src, line, &len);
+    if (comment_starts(text, len, &at))
+        len = at;
+    while (len > 0 && (text[len - 1] == ' ' || text[len - 1] == '\t'))
+        len--;
+    while (len > 0 && (*text == ' ' || *text == '\t'))
+        text++, len--;
+    return format_in(r->arena, "%.*s", (int)len, text);
+}
+
+static void put_way(const Report *r, Doc *d)
+{
+    enum { SHOWN = 60 };
+    static const char *const block[] = {".entry", ".step", ".exit", "samples"};
+    const StateCost *s = &r->cost.state[r->cost.worst_state - 1];
+    DocTable *t;
+
+    doc_heading(d, "longest", format_in(r->arena, "The longest step, in `%s`", r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
+    t = DOC_TABLE_OF(d, "longest", way_columns);
+    for (size_t i = 0; i < s->way.n && i < SHOWN; i++) {
+        cell_plain(t, block[s->way.at[i].part]);
+        cell_line(t, s->way.at[i].line);
+        cell_code(t, line_text(r, s->way.at[i].line));
+        cell_number(t, s->way.at[i].instructions);
+    }
+    if (s->way.n > SHOWN)
+        doc_paragraph(d, format_in(r->arena, "And %lu more.", (unsigned long)(s->way.n - SHOWN)));
+}
+
+// ---- bytes ----
+
+static void bytes(DocTable *t, const char *part, uint32_t n)
+{
+    cell_plain(t, part);
+    cell_number(t, n);
+}
+
+static void put_bytes(const Report *r, Doc *d)
+{
+    const Cost *c = &r->cost;
+    DocTable *t;
+
+    doc_heading(d, "bytes", "Memory");
+    doc_paragraph(d, "RAM of this machine on the VM of a computer with pointers of 64 bits; a board with shorter ones needs a little less. "
+                     "The state vector, which the application shares, comes on top.");
+    t = DOC_TABLE_OF(d, "bytes", byte_columns);
+    t->narrow = true;
+    bytes(t, "Windows of rolling statistics", c->windows);
+    bytes(t, "Locals", c->locals);
+    bytes(t, "Values on the way", c->temps);
+    bytes(t, "The VM's own", c->own);
+    bytes(t, "RAM in all", c->ram);
+    bytes(t, "State vector", r->analysis.p->sv->size);
+    bytes(t, "Image, in flash or RAM", (uint32_t)r->image_size);
+    bytes(t, "of which code", c->code);
+}
+
+void report_cost(Report *r, Doc *d)
+{
+    doc_section(d, "cost", "What it costs");
+    doc_paragraph(d, "Instructions of the VM in the longest step of each state, found on the very image that flies; no step can take more. "
+                     "The first step of a state runs `.entry` too, and a step that leaves runs `.exit`.");
+    if (r->cost.sample)
+        doc_paragraph(d, format_in(r->arena, "%s of each step give the windows their samples; what a sample takes beyond its instruction depends on "
+                                   "the window.", words_count(r->arena, r->cost.sample, "instruction", "instructions")));
+    put_steps(r, d);
+    put_way(r, d);
+    put_bytes(r, d);
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first page: what the machine is, what it is made of, and the diagram.
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "compiler/emit/report/graph.h"
+#include "compiler/emit/report/report.h"
+#include "compiler/emit/report/words.h"
+
+static const DocColumn fact_columns[] = {{"name", "Name"}, {"value", "Value"}};
+
+static const char *identity(const Report *r)          // as the image has it
+{
+    for (uint32_t i = 0; i < smvm_sections(r->image); i++) {
+        const SmvmSection s = smvm_section(r->image, i);
+        if (s.id == SMVM_S_IDENTITY && s.size == 8)
+            return format_in(r->arena, "%016llx", (unsigned long long)smvm_cell(r->image, s.at, 8));
+    }
+    return "";
+}
+
+static const char *scripts_text(const Report *r)
+{
+    size_t passed = 0;
+
+    for (size_t i = 0; i < r->runs; i++)
+        passed += r->run[i].script && r->run[i].result.outcome == SCRIPT_PASSED;
+    if (r->runs == 0)
+        return "none were run";
+    return format_in(r->arena, "%lu of %lu passed", (unsigned long)passed, (unsigned long)r->runs);
+}
+
+static const char *findings_text(const Report *r)
+{
+    const FindingCount n = report_count_findings(r);
+
+    if (n.allowed == 0)
+        return n.open ? words_count(r->arena, n.open, "finding", "findings") : "none";
+    return format_in(r->arena, "%lu, and %lu allowed with a reason", (unsigned long)n.open, (unsigned long)n.allowed);
+}
+
+static void fact(DocTable *t, const char *name, const char *value)
+{
+    cell_plain(t, name);
+    cell_plain(t, value);
+}
+
+static void put_facts(const Report *r, Doc *d)
+{
+    const Program *p = r->analysis.p;
+    DocTable *t = DOC_TABLE_OF(d, "facts", fact_columns);
+    const char *state = p->state.at[r->cost.worst_state - 1]->name->text;
+
+    t->facts = true;
+    fact(t, "States", format_in(r->arena, "%lu", (unsigned long)p->state.n));
+    fact(t, "Transitions", format_in(r->arena, "%lu", (unsigned long)r->analysis.transition.n));
+    fact(t, "Findings", findings_text(r));
+    fact(t, "Scripts", scripts_text(r));
+    fact(t, "Longest step", format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, state));
+    fact(t, "Memory on the VM", format_in(r->arena, "%lu bytes", (unsigned long)r->cost.ram));
+    fact(t, "Image", format_in(r->arena, "%lu bytes", (unsigned long)r->image_size));
+    fact(t, "Image CRC", format_in(r->arena, "%08lx", (unsigned long)smvm_uint(r->image, SMVM_CRC_AT, 4)));
+    fact(t, "Source identity", identity(r));
+    fact(t, "State vector", p->sv->from_machine ? "the machine's own" : format_in(r->arena, "%s (layout %08lx)", p->sv->name->text,
+                                                                               (unsigned long)p->sv->hash));
+}
+
+// ---- in words ----
+
+// The names of variables that `wanted` picks, in backticks, with "and" before the last.
+static const char *names(const Report *r, bool (*wanted)(const Program *p, const Var *v), size_t *n)
+{
+    const Program *p = r->analysis.p;
+    size_t left;
+    Buf out;
+
+    *n = 0;
+    buf_init(&out, r->arena);
+    for (size_t i = 0; i < p->var.n; i++)
+        *n += wanted(p, p->var.at[i]);
+    left = *n;
+    for (size_t i = 0; i < p->var.n; i++)
+        if (wanted(p, p->var.at[i])) {
+            buf_printf(&out, "`%s`", p->var.at[i]->name->text);
+            left--;
+            buf_str(&out, left > 1 ? ", " : left == 1 ? " and " : "");
+        }
+    return buf_text(&out);
+}
+
+static bool is_element(const Program *p, const Var *v) { return v->kind == VAR_ELEMENT && v != p->g && v != p->s; }
+static bool is_input(const Program *p, const Var *v) { return is_element(p, v) && !v->written; }
+static bool is_output(const Program *p, const Var *v) { return is_element(p, v) && v->written; }
+
+static const char *final_states(const Report *r, size_t *n)
+{
+    const Program *p = r->analysis.p;
+    bool *left = ARENA_ARRAY(r->arena, bool, p->state.n + 1u);
+    Buf out;
+
+    *n = 0;
+    for (size_t i = 0; i < r->analysis.transition.n; i++)
+        if (r->analysis.transition.at[i].from != r->analysis.transition.at[i].to)
+            left[r->analysis.transition.at[i].from->number] = true;
+    buf_init(&out, r->arena);
+    for (size_t i = 0; i < p->state.n; i++)
+        if (!left[i + 1])
+            buf_printf(&out, "%s`%s`", (*n)++ ? ", " : "", p->state.at[i]->name->text);
+    return buf_text(&out);
+}
+
+static void put_words(Report *r, Doc *d)
+{
+    const Program *p = r->analysis.p;
+    size_t reads, writes, final;
+    const char *read = names(r, is_input, &reads), *written = names(r, is_output, &writes), *last = final_states(r, &final);
+    Buf b;
+
+    buf_init(&b, r->arena);
+    buf_printf(&b, "The machine has %s and begins in `%s`. ", words_count(r->arena, p->state.n, "state", "states"), p->state.at[0]->name->text);
+    if (reads)
+        buf_printf(&b, "It watches %s. ", read);
+    buf_printf(&b, writes ? "It drives %s. " : "It writes no element of the state vector%s. ", writes ? written : "");
+    if (final)
+        buf_printf(&b, final == 1 ? "Once in %s, it stays there." : "Once in one of %s, it stays there.", last);
+    doc_paragraph(d, buf_text(&b));
+}
+
+static void put_diagram(Report *r, Doc *d)
+{
+    GraphOptions o;
+    Buf svg;
+
+    memset(&o, 0, sizeof o);
+    buf_init(&svg, r->arena);
+    o.findings = r->analysis.diags;
+    graph_svg(&r->analysis, &o, &svg);
+    doc_section(d, "diagram", "State diagram");
+    doc_figure(d, buf_text(&svg), NULL);
+}
+
+void report_overview(Report *r, Doc *d)
+{
+    doc_section(d, "overview", "At a glance");
+    doc_quote(d, comment_of_file(r->arena, r->analysis.p->src));
+    put_words(r, d);
+    put_facts(r, d);
+    put_diagram(r, d);
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The report of a machine for a design review: what it is, what it does in words, its diagram, tables and findings, what it costs,
+// and how its scripts went.  Same inputs, same bytes; no time, path or host is in it.
+#ifndef SMC_REPORT_H
+#define SMC_REPORT_H
+
+#include "compiler/analysis/analysis.h"
+#include "compiler/analysis/cost.h"
+#include "compiler/emit/report/doc.h"
+#include "compiler/emit/report/trace.h"
+#include "compiler/script/script.h"
+
+// One script's run.
+typedef struct ReportRun {
+    const char *name;             // its file, without folders
+    const Script *script;         // NULL: it does not compile
+    ScriptResult result;          // of a script that ran
+    Trace trace;
+    Diags diags;                  // what is to be said of it
+} ReportRun;
+
+typedef struct Report {
+    Arena *arena;
+    Analysis analysis;            // its diags hold all findings; those that an @allow covers are told apart here
+    Cost cost;
+    const uint8_t *image;         // as `smc build` writes it
+    size_t image_size;
+    ReportRun *run;
+    size_t runs;
+    const char *maker;            // "smc 0.1"
+} Report;
+
+Doc *report_build(Report *r);
+
+// ---- the sections, a file each ----
+
+void report_overview(Report *r, Doc *d);
+void report_states(Report *r, Doc *d);
+void report_transitions(Report *r, Doc *d);
+void report_variables(Report *r, Doc *d);
+void report_findings(Report *r, Doc *d);
+void report_abort(Report *r, Doc *d);
+void report_cost(Report *r, Doc *d);
+void report_scripts(Report *r, Doc *d);
+
+// How many findings count, and how many an @allow covers.
+typedef struct FindingCount { size_t open, allowed; } FindingCount;
+FindingCount report_count_findings(const Report *r);
+
+// ---- plots (plot.c) ----
+
+// The states of a run over time, and below each other the series that change.  Uses the patterns of plot_patterns.
+const char *plot_run(Arena *arena, const Trace *t);
+const char *plot_patterns(Arena *arena);      // an invisible drawing that plots refer to; once in a page
+
+// ---- things that several need ----
+
+uint32_t report_line(Span span);              // of the source; 0: nowhere
+const char *report_number(Arena *arena, double x);
+const char *report_cell(Arena *arena, SmType type, uint64_t cell);
+const char *report_file_name(const char *path);
+
+#endif

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the scripts went: results, what they visited, and a plot of each.
+#include "compiler/emit/report/report.h"
+#include "compiler/emit/report/words.h"
+
+static const DocColumn run_columns[] = {
+    {"script", "Script"}, {"result", "Result"}, {"steps", "Steps"}, {"asserts", "Asserts that held"}, {"states", "States it was in"}};
+static const DocColumn visit_columns[] = {{"step", "Step"}, {"g", "G"}, {"state", "State that began"}, {"stayed", "Stayed for"}};
+static const DocColumn cover_columns[] = {{"state", "State"}, {"entered", "Times it began"}, {"steps", "Steps in it"}, {"scripts", "Scripts that were there"}};
+
+static const char *outcome_text(const ReportRun *run)
+{
+    if (!run->script)
+        return "does not compile";
+    switch (run->result.outcome) {
+    case SCRIPT_PASSED: return "passed";
+    case SCRIPT_FAILED: return "failed: an assert did not hold";
+    case SCRIPT_ENDLESS: return "failed: it did not end";
+    case SCRIPT_TIME_OVER: return "failed: the time ran out";
+    case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: return "failed: the engine broke";
+    }
+    return "";
+}
+
+static bool passed(const ReportRun *run) { return run->script && run->result.outcome == SCRIPT_PASSED; }
+
+// ---- tables ----
+
+static void put_runs(const Report *r, Doc *d)
+{
+    DocTable *t = DOC_TABLE_OF(d, "runs", run_columns);
+
+    for (size_t i = 0; i < r->runs; i++) {
+        const ReportRun *run = &r->run[i];
+        size_t visited = 0;
+        for (size_t s = 0; run->script && s < r->analysis.p->state.n; s++)
+            visited += run->trace.entered[s] > 0;
+        cell_plain(t, run->name);
+        cell_plain(t, outcome_text(run));
+        cell_number(t, run->result.steps);
+        cell_number(t, run->result.asserts_passed);
+        cell_plain(t, format_in(r->arena, "%lu of %lu", (unsigned long)visited, (unsigned long)r->analysis.p->state.n));
+    }
+}
+
+static void put_cover(const Report *r, Doc *d)
+{
+    const Program *p = r->analysis.p;
+    DocTable *t;
+
+    doc_heading(d, "cover", "States that the scripts have seen");
+    t = DOC_TABLE_OF(d, "cover", cover_columns);
+    for (size_t s = 0; s < p->state.n; s++) {
+        uint64_t entered = 0, spent = 0, scripts = 0;
+        for (size_t i = 0; i < r->runs; i++)
+            if (r->run[i].script) {
+                entered += r->run[i].trace.entered[s];
+                spent += r->run[i].trace.spent[s];
+                scripts += r->run[i].trace.entered[s] > 0;
+            }
+        cell_state(t, p->state.at[s]->name->text);
+        cell_number(t, entered);
+        cell_number(t, spent);
+        if (scripts)
+            cell_number(t, scripts);
+        else
+            cell_plain(t, "none");
+    }
+}
+
+// ---- one script ----
+
+static void put_visits(const Report *r, Doc *d, const ReportRun *run)
+{
+    enum { SHOWN = 40 };
+    const Trace *t = &run->trace;
+    DocTable *table = DOC_TABLE_OF(d, format_in(r->arena, "visits.%s", run->name), visit_columns);
+
+    for (size_t i = 0; i < t->visit.n && i < SHOWN; i++) {
+        cell_number(table, t->visit.at[i].step + 1);
+        cell_number(table, t->visit.at[i].g);
+        cell_state(table, t->visit.at[i].state->name->text);
+        if (i + 1 < t->visit.n)
+            cell_number(table, t->visit.at[i + 1].g - t->visit.at[i].g);
+        else
+            cell_plain(table, "the end");
+    }
+    table->narrow = true;
+    if (t->visits > SHOWN)
+        doc_paragraph(d, format_in(r->arena, "And %llu more.", (unsigned long long)(t->visits - SHOWN)));
+}
+
+static const char *unchanged(const Report *r, const ReportRun *run)
+{
+    const Trace *t = &run->trace;
+    Buf b;
+
+    buf_init(&b, r->arena);
+    for (size_t i = 0; i < t->series.n; i++)
+        if (!t->series.at[i]->changes && t->steps > 0)
+            buf_printf(&b, "%s`%s` = %s", b.n ? ", " : "", t->series.at[i]->v->name->text,
+                       report_cell(r->arena, t->series.at[i]->v->type, run->result.cell[t->series.at[i]->v->index]));
+    return buf_text(&b);
+}
+
+static void put_plot(const Report *r, Doc *d, const ReportRun *run)
+{
+    const char *same = unchanged(r, run);
+
+    doc_figure(d, plot_run(r->arena, &run->trace),
+               format_in(r->arena, "Values after each step; circles mark where a state began.%s%s%s", *same ? " Unchanged: " : "", same, *same ? "." : ""));
+}
+
+static void put_run(const Report *r, Doc *d, const ReportRun *run, size_t number)
+{
+    DocPart *heading = doc_heading(d, format_in(r->arena, "script-%lu", (unsigned long)number), run->name);
+
+    heading->badge = passed(run) ? "passed" : "failed";
+    heading->tone = passed(run) ? "good" : "bad";
+    if (run->script)
+        doc_quote(d, comment_of_file(r->arena, run->script->src));
+    for (size_t i = 0; i < run->diags.list.n; i++) {
+        doc_paragraph(d, format_in(r->arena, "%s [%s]", run->diags.list.at[i]->text, diag_info[run->diags.list.at[i]->code].id));
+        doc_excerpt(d, run->diags.list.at[i]->span, run->diags.list.at[i]->label);
+    }
+    if (!run->script || run->trace.steps == 0)
+        return;
+    put_plot(r, d, run);
+    put_visits(r, d, run);
+}
+
+void report_scripts(Report *r, Doc *d)
+{
+    doc_section(d, "scripts", "Scripts");
+    if (r->runs == 0) {
+        doc_paragraph(d, "No script was run. Name some behind the machine, as in `smc report tank.sm tank.ss`.");
+        return;
+    }
+    put_runs(r, d);
+    put_cover(r, d);
+    doc_figure(d, plot_patterns(r->arena), NULL);
+    for (size_t i = 0; i < r->runs; i++)
+        put_run(r, d, &r->run[i], i + 1);
+}

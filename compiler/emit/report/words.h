@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a machine does, in sentences; and what its author wrote beside it.
+#ifndef SMC_WORDS_H
+#define SMC_WORDS_H
+
+#include "compiler/emit/report/doc.h"
+#include "compiler/sema/program.h"
+
+// Adds what a block does, a line a statement: "leaves for `Hold` if `pressure > 500`".
+void words_block(DocList *l, const Stmts *block);
+
+// "the average of `pressure` over the last 10 steps".
+const char *words_window(Arena *arena, const Window *w);
+// "1 state", "2 states".
+const char *words_count(Arena *arena, size_t n, const char *one, const char *many);
+
+// ---- comments; NULL where there is none ----
+
+const char *comment_behind(Arena *arena, Span span);      // on its line
+const char *comment_above(Arena *arena, Span span);       // on the lines directly above it that hold nothing else
+const char *comment_of_file(Arena *arena, const Source *src);     // on its first lines
+bool comment_starts(const char *line, uint32_t len, uint32_t *at);        // where on a line; false: it has none
+
+#endif

@@ -1,0 +1,22 @@
+# Wrong uses of smc report.
+args report
+args report a.sm b.sm
+args report a.sm --format=pdf
+args report a.sm a.sv
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+[Idle]
+-- stderr --
+smc: report wants a machine, as in 'smc report tank.sm -o tank.html'
+Try 'smc report --help'.
+smc: one machine is reported on at a time
+Try 'smc report --help'.
+smc: --format is html, text or json, not 'pdf'
+Try 'smc report --help'.
+smc: 'a.sv' is no machine (.sm) and no script (.ss); name the state vector with --sv
+Try 'smc report --help'.
+-- exit --
+2 2 2 2

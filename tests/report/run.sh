@@ -1,0 +1,87 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Pages of smc report: run.sh SMC FOLDER.  Well-formed, with nothing in them that is fetched or runs, the same bytes wherever they are made, and
+# shown and printed by a browser (chromium; without one that part is skipped).
+smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+out=$2
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+passed=0 failed=0 skipped=0
+rm -rf "$out" && mkdir -p "$out/other" || exit 3
+out=$(cd "$out" && pwd)
+
+expect() {
+    test_name=$1
+    shift
+    if "$@" >"$out/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "$test_name: $*"
+        head -20 "$out/log"
+    fi
+}
+
+ends_with() { want=$1; shift; "$@"; test $? -eq "$want"; }
+
+# page NAME EXIT ARGUMENT...: makes NAME.html twice, in two folders, from sources under two paths.
+page() {
+    name=$1 want=$2
+    shift 2
+    expect "report $name" ends_with "$want" "$smc" report "$@" -o "$out/$name.html"
+    expect "wellformed $name" awk -f "$here/wellformed.awk" "$out/$name.html"
+    case $1 in "$root"/*) cp -r "$(dirname "$1")" "$out/other/$name" ;; esac
+    twin=
+    for argument; do
+        case $argument in
+            -*) twin="$twin --sv=$out/other/$name/$(basename "${argument#--sv=}")" ;;
+            *) twin="$twin $out/other/$name/$(basename "$argument")" ;;
+        esac
+    done
+    # shellcheck disable=SC2086
+    (cd "$out/other" && "$smc" report $twin -o twin.html >/dev/null 2>&1)
+    expect "same bytes $name" cmp "$out/$name.html" "$out/other/twin.html"
+}
+
+examples=$root/examples
+page tank 0 "$examples/tank/tank.sm" "$examples/tank/tank.ss"
+page chilldown 0 "$examples/chilldown/chilldown.sm" "$examples"/chilldown/chilldown*.ss
+page ignition 0 "$examples/ignition/ignition.sm" "$examples"/ignition/ignition*.ss
+page parachutes 0 "$examples/parachutes/parachutes.sm" "$examples"/parachutes/parachutes*.ss
+page mission 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/mission*.ss
+page airbrakes 0 "$examples/mission/airbrakes.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/airbrakes*.ss
+page hostile 1 "$here/hostile.sm" "$here/hostile.ss" "$here/failing.ss"
+page alone 0 "$examples/tank/tank.sm"
+
+# JSON that is JSON, where something is here to tell.
+if command -v python3 >/dev/null; then
+    for machine in tank/tank ignition/ignition; do
+        expect "json $machine" sh -c "'$smc' report '$examples/$machine.sm' '$examples/$machine.ss' --format=json | python3 -m json.tool"
+    done
+    expect "json hostile" sh -c "'$smc' report '$here/hostile.sm' '$here/hostile.ss' --format=json | python3 -m json.tool"
+fi
+
+# A browser draws it, and prints it on paper.
+browser=
+for b in chromium chromium-browser google-chrome; do
+    command -v $b >/dev/null && { browser=$b; break; }
+done
+shown() {
+    timeout 120 "$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,4000 "$2" "file://$1" >/dev/null 2>&1
+}
+if [ -n "$browser" ] && timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom about:blank >/dev/null 2>&1; then
+    for name in hostile mission; do
+        expect "screenshot $name" shown "$out/$name.html" "--screenshot=$out/$name.png"
+        expect "screenshot of $name is one" test "$(wc -c <"$out/$name.png")" -gt 50000
+        expect "print $name" shown "$out/$name.html" "--print-to-pdf=$out/$name.pdf"
+        expect "print of $name is one" sh -c "head -c 5 '$out/$name.pdf' | grep -q %PDF-"
+    done
+    # The browser's own tree has the hostile texts as texts: no element came of them.
+    timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom "file://$out/hostile.html" >"$out/dom.html" 2>/dev/null
+    expect "no script in the tree" sh -c "! grep -Ei '<script|<img|onerror=[^ ]*alert[^&]*\"' '$out/dom.html' | grep -v '&lt;'"
+else
+    skipped=$((skipped + 1))
+    echo "no browser is here (chromium): pages are not looked at"
+fi
+echo "$passed passed, $failed failed, $skipped skipped"
+[ "$failed" -eq 0 ]
