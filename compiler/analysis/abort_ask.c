@@ -8,7 +8,7 @@
 enum {
     CONSTANTS = 12,               // numbers in a state's guards from which values to stick at are made
     CANDIDATES = 2 * CONSTANTS + 4,
-    STUCK_BUDGET = 50000          // locals and windows looked at for one sensor that sticks, in all states together
+    ENOUGH = 50000                // stores and samples looked at: after that no sensor is supposed to stick
 };
 
 typedef enum Reading { READS_0, READS_ABOVE, READS_BELOW, READINGS } Reading;
@@ -23,7 +23,6 @@ typedef struct Asking {
     Rows *ask;                    // by Var.index: the rows all of whose ways look at that sensor
     unsigned *no_way;             // by state: of the sensor being asked about, the readings that leave no way
     bool fires;                   // what a flow has found out
-    size_t budget;
 } Asking;
 
 static size_t at(const State *s) { return s->number - 1u; }
@@ -124,7 +123,6 @@ static void ask_reading(Asking *k, const Var *v, Reading reading)
     for (size_t i = 0; i < rows->n; i++)
         if (!can_abort(k, rows->at[i]->state))
             k->no_way[at(rows->at[i]->state)] |= 1u << reading;
-    dead_sensor_heals(&k->dead);
 }
 
 static bool is_outside(const Var *v, Reading reading)
@@ -252,50 +250,52 @@ static Candidates candidates_of(const Constants *c, const Var *v)
     return out;
 }
 
+// Rows that ask about one value after the other ask one question.
 static bool no_way_at(Asking *k, const AbortRow *r, const Var *v, double x)
 {
-    bool none;
-
-    dead_sensor_reads(&k->dead, v, fact_of_number(x));
-    none = !can_abort(k, r->state);
-    dead_sensor_heals(&k->dead);
-    return none;
+    if (k->dead.sensor != v || k->dead.reads.lo != x || k->dead.reads.hi != x)
+        dead_sensor_reads(&k->dead, v, fact_of_number(x));
+    return !can_abort(k, r->state);
 }
 
-static void ask_stuck(Asking *k, AbortRow *r, const Var *v)
+static void ask_stuck(Asking *k, AbortRow *r, const Var *v, double x)
 {
-    const Constants constants = constants_of(k, r);
-    const Candidates c = candidates_of(&constants, v);
-    const size_t cost = dead_sensor_cost(k->s, v);
+    if (r->single || k->dead.work > ENOUGH || !no_way_at(k, r, v, x))
+        return;
+    r->single = v;
+    r->stuck = x;
+}
 
-    for (size_t i = 0; i < c.n && !r->single && cost <= k->budget; i++) {
-        k->budget -= cost;
-        if (!no_way_at(k, r, v, c.at[i]))
-            continue;
-        r->single = v;
-        r->stuck = c.at[i];
+static void ask_single(Asking *k, const Var *v)
+{
+    const Rows *rows = &k->ask[v->index];
+    Candidates *c = ARENA_ARRAY(k->a->arena, Candidates, rows->n);
+
+    for (size_t i = 0; i < rows->n; i++) {
+        const Constants constants = constants_of(k, rows->at[i]);
+        c[i] = candidates_of(&constants, v);
     }
+    for (size_t n = 0; n < CANDIDATES; n++)
+        for (size_t i = 0; i < rows->n; i++)
+            if (n < c[i].n)
+                ask_stuck(k, rows->at[i], v, c[i].at[n]);
 }
 
 // ---- the whole ----
 
 static void ask_about(Asking *k, const Var *v)
 {
-    const Rows *rows = &k->ask[v->index];
-
-    if (rows->n == 0)
+    if (k->ask[v->index].n == 0)
         return;
     ask_blind(k, v);
-    k->budget = STUCK_BUDGET;
-    for (size_t i = 0; i < rows->n; i++)
-        ask_stuck(k, rows->at[i], v);
+    ask_single(k, v);
 }
 
 void abort_ask(Analysis *a, AbortMatrix *x, const AbortBound *b)
 {
     const Sensors sensors = sensors_of(a);
     Asking k = {a, b, &sensors, dead_sensor_new(&sensors), ARENA_ARRAY(a->arena, Rows, a->p->var.n),
-                ARENA_ARRAY(a->arena, unsigned, x->n), false, 0};
+                ARENA_ARRAY(a->arena, unsigned, x->n), false};
 
     for (size_t s = 0; s < x->n; s++)
         look_at_row(&k, &x->row[s]);

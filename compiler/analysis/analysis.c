@@ -89,6 +89,7 @@ void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p)
     a->m = ir_build(arena, p);
     a->facts = facts_from_first_state(arena, a->m);
     a->stmt = ARENA_ARRAY(arena, StmtFact, p->stmts + 1u);
+    a->asked = ARENA_ARRAY(arena, const IrFn *, p->stmts + 1u);
     each_flow(a, note_flow, NULL);
     a->transition = transitions_of(arena, p);
 }

@@ -29,6 +29,7 @@ typedef struct Analysis {
     FactMachine *facts;
     StmtFact *stmt;               // by Stmt.number
     Transitions transition;       // all that stand in the machine, in file order
+    const IrFn **asked;           // by Stmt.number: what whatif.h has built of its guard or value; NULL: not yet
 } Analysis;
 
 // Everything but the findings: what the reports use too.  `arena` holds it.

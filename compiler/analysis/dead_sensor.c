@@ -5,15 +5,12 @@
 
 #include "stdlib/math.h"
 
-enum {
-    ROUNDS = 3,                   // how long a chain of locals and windows made of each other may be
-    LOCALS = 32                   // so many of one sensor are added to what is known of a state; of more, these replace it
-};
+enum { DEPTH = 100 };             // how long a chain of locals and windows made of each other may be
 
 DeadSensor dead_sensor_new(const Sensors *s)
 {
     const Analysis *a = s->a;
-    DeadSensor d = {s, *a, NULL, fact_of_number(sm_from_i32(0)), NULL};
+    DeadSensor d = {.s = s, .what = *a};
     FactMachine *fm = ARENA_NEW(a->arena, FactMachine);
 
     *fm = *a->facts;
@@ -23,6 +20,8 @@ DeadSensor dead_sensor_new(const Sensors *s)
     if (a->m->window.n > 0)
         memcpy(fm->window, a->facts->window, a->m->window.n * sizeof *fm->window);
     d.what.facts = fm;
+    d.local = ARENA_ARRAY(a->arena, uint32_t, a->p->var.n);
+    d.window = ARENA_ARRAY(a->arena, uint32_t, a->m->window.n + 1);
     return d;
 }
 
@@ -43,7 +42,7 @@ static void add_fact(Stored *out, Fact f)
 }
 
 // All that is stored in a local, if before it holds what env says.
-static Stored all_stored(const DeadSensor *d, const Var *local, const Env *env)
+static Stored all_stored(DeadSensor *d, const Var *local, const Env *env)
 {
     const Stores *list = &d->s->stores[local->index];
     Stored out = {fact_of_type(local->type), false, true};
@@ -54,8 +53,9 @@ static Stored all_stored(const DeadSensor *d, const Var *local, const Env *env)
         if (!is_reached(d, at))
             continue;
         out.always &= at->when == NULL;
+        d->work++;
         if (suppose_condition(&d->what, &here, at->when))
-            add_fact(&out, fact_convert(suppose_value(&d->what, here, at->stmt->value), local->type));
+            add_fact(&out, fact_convert(suppose_stored(&d->what, here, at->stmt), local->type));
     }
     return out;
 }
@@ -66,14 +66,14 @@ static Fact initial_of(const Var *local) { return fact_convert(fact_of_cell(loca
 // A local that is made of itself and of the sensor comes to rest if it forgets: stored from some way off, it comes nearer.  Where,
 // is found as that of a straight line through two points.
 
-static bool stored_number(const DeadSensor *d, const Var *local, double from, double *to)
+static bool stored_number(DeadSensor *d, const Var *local, double from, double *to)
 {
     const Stored s = all_stored(d, local, suppose(&d->what, d->env, local, fact_of_number(from)));
 
     return s.any && s.always && fact_is_number(s.fact, to);
 }
 
-static bool comes_nearer(const DeadSensor *d, const Var *local, double rest, double distance)
+static bool comes_nearer(DeadSensor *d, const Var *local, double rest, double distance)
 {
     const double from = fact_convert(fact_of_number(rest + distance), local->type).lo;
     double to;
@@ -81,7 +81,7 @@ static bool comes_nearer(const DeadSensor *d, const Var *local, double rest, dou
     return stored_number(d, local, from, &to) && (from == rest || sm_abs(to - rest) < sm_abs(from - rest));
 }
 
-static bool comes_to_rest(const DeadSensor *d, const Var *local, Fact *at)
+static bool comes_to_rest(DeadSensor *d, const Var *local, Fact *at)
 {
     static const double distance[] = {-1e6, -1000, -1, 1, 1000, 1e6};
     double from_0, from_1, rest, near;
@@ -107,7 +107,7 @@ static bool is_one_number(Fact f)
 }
 
 // A flag that only this sensor's other readings would have set: it is as it was at the start.
-static bool stays_initial(const DeadSensor *d, const Var *local)
+static bool stays_initial(DeadSensor *d, const Var *local)
 {
     const Fact initial = initial_of(local);
     const Stored s = all_stored(d, local, suppose(&d->what, d->env, local, initial));
@@ -115,7 +115,7 @@ static bool stays_initial(const DeadSensor *d, const Var *local)
     return !s.any || fact_equal(fact_join(s.fact, initial), initial);
 }
 
-static Fact settled_at(const DeadSensor *d, const Var *local)
+static Fact settled_at(DeadSensor *d, const Var *local)
 {
     const Stored s = all_stored(d, local, suppose(&d->what, d->env, local, fact_of_type(local->type)));
     const Fact initial = initial_of(local), fact = !s.any ? initial : s.always ? s.fact : fact_join(s.fact, initial);
@@ -130,64 +130,92 @@ static Fact settled_at(const DeadSensor *d, const Var *local)
     return fact;
 }
 
-static void settle_windows(DeadSensor *d)
-{
-    const Numbers *list = &d->s->window[d->sensor->index];
+// What an expression reads is looked into before the expression is.
+static void settle(Expr *e, void *context);
 
-    for (size_t i = 0; i < list->n; i++) {
-        const Window *w = &d->s->a->p->window.at[list->at[i]];
-        d->what.facts->window[d->what.m->window_of[list->at[i]]] = fact_convert(suppose_value(&d->what, d->env, w->sample), SM_F64);
-    }
+static void settle_window(DeadSensor *d, const Window *w, uint32_t ir)
+{
+    const Looks looks = looks_of_value(d->s, w->sample);
+    Fact *fact = &d->what.facts->window[ir];
+
+    if (d->window[ir] == d->question || !looks_at(&looks, d->sensor))
+        return;
+    d->window[ir] = d->question;
+    d->work++;
+    *fact = fact_meet(*fact, fact_convert(suppose_value(&d->what, d->env, w->sample), SM_F64));
+    vec_push(d->what.arena, &d->changed, ir);
 }
 
-static void settle_locals(DeadSensor *d)
+static void settle_local(DeadSensor *d, const Var *local)
 {
-    const Numbers *list = &d->s->local[d->sensor->index];
+    const Stores *list = &d->s->stores[local->index];
 
+    if (d->local[local->index] == d->question || d->depth == DEPTH || local->outside)
+        return;
+    d->local[local->index] = d->question;
+    d->depth++;
     for (size_t i = 0; i < list->n; i++) {
-        const Var *local = d->s->a->p->var.at[list->at[i]];
-        if (!local->outside)
-            d->env = suppose(&d->what, d->env, local, settled_at(d, local));
+        expr_walk(list->at[i].stmt->value, settle, d);
+        for (const Condition *when = list->at[i].when; when; when = when->outer)
+            expr_walk(when->stmt->value, settle, d);
     }
+    d->depth--;
+    d->env = suppose(&d->what, d->env, local, settled_at(d, local));
 }
 
-size_t dead_sensor_cost(const Sensors *s, const Var *sensor) { return s->local[sensor->index].n + s->window[sensor->index].n; }
+static void settle(Expr *e, void *context)
+{
+    DeadSensor *d = context;
+
+    if (e->kind == EX_ROLL)
+        settle_window(d, &d->s->a->p->window.at[e->window], d->what.m->window_of[e->window]);
+    else if (e->kind == EX_VAR && e->var->kind == VAR_LOCAL && looks_at(&d->s->looks[e->var->index], d->sensor))
+        settle_local(d, e->var);
+}
+
+// ---- questions ----
 
 void dead_sensor_reads(DeadSensor *d, const Var *sensor, Fact f)
 {
-    const size_t locals = d->s->local[sensor->index].n;
-
+    for (size_t i = 0; i < d->changed.n; i++)
+        d->what.facts->window[d->changed.at[i]] = d->s->a->facts->window[d->changed.at[i]];
+    d->changed.n = 0;
+    d->question++;
     d->sensor = sensor;
     d->reads = f;
     d->env = suppose(&d->what, NULL, sensor, f);
-    settle_windows(d);
-    for (size_t round = 0; round < ROUNDS && round < 2 * locals; round++) {
-        settle_locals(d);
-        settle_windows(d);
-    }
 }
 
-void dead_sensor_heals(DeadSensor *d)
+static bool is_looked_into(const DeadSensor *d, uint32_t var)
 {
-    const Numbers *list = &d->s->window[d->sensor->index];
-
-    for (size_t i = 0; i < list->n; i++) {
-        const uint32_t w = d->what.m->window_of[list->at[i]];
-        d->what.facts->window[w] = d->s->a->facts->window[w];
-    }
+    return d->local[var] == d->question && d->what.m->var_of[var] != IR_NONE;
 }
 
-const Env *dead_sensor_begin(const DeadSensor *d, const State *state, BlockKind block)
+void dead_sensor_look(DeadSensor *d, const State *state)
 {
-    const Env *env = suppose(&d->what, facts_begin(d->what.facts, state->number - 1u, (int)block), d->sensor, d->reads);
-    const Numbers *list = &d->s->local[d->sensor->index];
+    const Numbers *locals = &d->s->local[state->number - 1u], *windows = &d->s->window[state->number - 1u];
+    const Program *p = d->s->a->p;
+
+    for (size_t i = 0; i < windows->n; i++) {
+        const Window *w = &p->window.at[windows->at[i]];
+        expr_walk(w->sample, settle, d);
+        settle_window(d, w, d->what.m->window_of[windows->at[i]]);
+    }
+    for (size_t i = 0; i < locals->n; i++)
+        if (looks_at(&d->s->looks[locals->at[i]], d->sensor))
+            settle_local(d, p->var.at[locals->at[i]]);
+}
+
+const Env *dead_sensor_begin(DeadSensor *d, const State *state, BlockKind block)
+{
+    const Numbers *list = &d->s->local[state->number - 1u];
     const EnvShape *shape = &d->what.facts->shape;
+    const Env *env = suppose(&d->what, facts_begin(d->what.facts, state->number - 1u, (int)block), d->sensor, d->reads);
 
-    if (list->n > LOCALS)
-        return d->env;
+    dead_sensor_look(d, state);
     for (size_t i = 0; i < list->n; i++) {
         const uint32_t v = d->what.m->var_of[list->at[i]];
-        if (v != IR_NONE)
+        if (is_looked_into(d, list->at[i]))
             env = env_set(shape, env, v, fact_meet(env_get(shape, env, v), env_get(shape, d->env, v)));
     }
     return env;

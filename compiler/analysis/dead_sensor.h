@@ -5,9 +5,8 @@
 //     DeadSensor d = dead_sensor_new(&sensors);
 //     dead_sensor_reads(&d, pressure, fact_of_number(sm_from_i32(0)));
 //     const Env *env = dead_sensor_begin(&d, state, BLOCK_STEP);   // with which the block then begins, in the analysis d.what
-//     …
-//     dead_sensor_heals(&d);                                       // before the next question
 //
+// Only what a state reads is looked into, and once a question: the next one begins with dead_sensor_reads.
 // What can be then is never too little: what is impossible under these facts is impossible.  One thing is taken for granted: that
 // a filter, x = 0.9 * x + 0.1 * pressure, has come to rest.
 #ifndef SMC_DEAD_SENSOR_H
@@ -21,16 +20,20 @@ typedef struct DeadSensor {
     Analysis what;                // the analysis, with windows of its own
     const Var *sensor;
     Fact reads;
-    const Env *env;               // what the sensor and locals hold
+    const Env *env;               // what the sensor holds, and the locals that have been looked into
+    uint32_t question;            // counts from 1
+    uint32_t *local, *window;     // by Var.index, by IrMachine.window: the question in which it was looked into
+    Numbers changed;              // windows of this question
+    unsigned depth;
+    size_t work;                  // stores and samples looked at, in all questions
 } DeadSensor;
 
 DeadSensor dead_sensor_new(const Sensors *s);
 void dead_sensor_reads(DeadSensor *d, const Var *sensor, Fact f);
-void dead_sensor_heals(DeadSensor *d);
-// How many locals and windows a question about this sensor goes through.
-size_t dead_sensor_cost(const Sensors *s, const Var *sensor);
 
 // How a block of a state that can be reached begins.
-const Env *dead_sensor_begin(const DeadSensor *d, const State *state, BlockKind block);
+const Env *dead_sensor_begin(DeadSensor *d, const State *state, BlockKind block);
+// Only adds to d->env what the state reads.
+void dead_sensor_look(DeadSensor *d, const State *state);
 
 #endif

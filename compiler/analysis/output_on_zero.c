@@ -187,12 +187,23 @@ static bool ends_on(Zero *z, const StmtPlace *at)
 
 // ---- findings ----
 
+static void look(Zero *z, const State *state, const Var *sensor)
+{
+    dead_sensor_look(&z->dead, state);
+    dead_sensor_look(&z->high, state);
+    dead_sensor_look(&z->low, state);
+    if (sensor->range)
+        dead_sensor_look(&z->healthy, state);
+}
+
 static void ask(Zero *z, const StmtPlace *at, const Var *sensor)
 {
     const Parts parts = parts_of(at);
-    const Part *because = part_because(z, &parts, sensor);
+    const Part *because;
     Diag *d;
 
+    look(z, at->state, sensor);
+    because = part_because(z, &parts, sensor);
     if (!because || is_answer(z, at, because, sensor) || !goes_on(z, at) || !ends_on(z, at))
         return;
     d = diag_report(z->a->diags, DIAG_output_on_zero, at->stmt->span, at->stmt->var->name->text, sensor->name->text);
@@ -210,15 +221,6 @@ static void suppose_readings(Zero *z, const Var *sensor)
         dead_sensor_reads(&z->healthy, sensor, fact_of_range(sensor->range->lo, sensor->range->hi));
 }
 
-static void heal(Zero *z, const Var *sensor)
-{
-    dead_sensor_heals(&z->dead);
-    dead_sensor_heals(&z->high);
-    dead_sensor_heals(&z->low);
-    if (sensor->range)
-        dead_sensor_heals(&z->healthy);
-}
-
 static void ask_about(Zero *z, const Var *sensor)
 {
     const Stores *list = &z->ask[sensor->index];
@@ -229,7 +231,6 @@ static void ask_about(Zero *z, const Var *sensor)
     suppose_readings(z, sensor);
     for (size_t i = 0; i < list->n; i++)
         ask(z, &list->at[i], sensor);
-    heal(z, sensor);
 }
 
 static void note_store(Zero *z, const StmtPlace *at)

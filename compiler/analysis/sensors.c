@@ -203,29 +203,58 @@ Looks looks_of_value(const Sensors *s, const Expr *e)
     return sum.looks;
 }
 
-static void list_lookers(Sensors *s)
+// ---- what states read ----
+
+typedef struct Reads {
+    Sensors *s;
+    uint32_t state;               // its number
+    uint32_t *local, *window;     // by Var.index, by Program.window: the state that read it last
+} Reads;
+
+static void note_read_in(const Reads *r, Numbers *list, uint32_t *last, uint32_t x)
+{
+    if (last[x] == r->state)
+        return;
+    last[x] = r->state;
+    vec_push(r->s->a->arena, list, x);
+}
+
+static void note_use(Expr *e, void *context)
+{
+    Reads *r = context;
+
+    if (e->kind == EX_VAR && e->var->kind == VAR_LOCAL && !e->var->is_constant)
+        note_read_in(r, &r->s->local[r->state - 1], r->local, e->var->index);
+    else if (e->kind == EX_ROLL)
+        note_read_in(r, &r->s->window[r->state - 1], r->window, e->window);
+}
+
+static void note_uses(const StmtPlace *at, void *context)
+{
+    Reads *r = context;
+
+    r->state = at->state->number;
+    if (at->stmt->value)
+        expr_walk(at->stmt->value, note_use, r);
+}
+
+static void list_reads(Sensors *s)
 {
     const Program *p = s->a->p;
+    Reads r = {s, 0, ARENA_ARRAY(s->a->arena, uint32_t, p->var.n), ARENA_ARRAY(s->a->arena, uint32_t, p->window.n + 1)};
 
-    for (size_t v = 0; v < p->var.n; v++)
-        for (uint32_t i = 0; p->var.at[v]->kind == VAR_LOCAL && i < s->looks[v].n; i++)
-            vec_push(s->a->arena, &s->local[s->looks[v].sensor[i]->index], (uint32_t)v);
-    for (size_t w = 0; w < p->window.n; w++) {
-        const Looks l = looks_of_value(s, p->window.at[w].sample);
-        for (uint32_t i = 0; i < l.n; i++)
-            vec_push(s->a->arena, &s->window[l.sensor[i]->index], (uint32_t)w);
-    }
+    each_place(s->a->arena, p, note_uses, &r);
 }
 
 Sensors sensors_of(Analysis *a)
 {
     Arena *arena = a->arena;
-    const size_t n = a->p->var.n;
+    const size_t n = a->p->var.n, states = a->p->state.n;
     Sensors s = {a, ARENA_ARRAY(arena, bool, n), ARENA_ARRAY(arena, Looks, n + a->p->stmts + 1), ARENA_ARRAY(arena, Stores, n),
-                 ARENA_ARRAY(arena, Numbers, n), ARENA_ARRAY(arena, Numbers, n)};
+                 ARENA_ARRAY(arena, Numbers, states), ARENA_ARRAY(arena, Numbers, states)};
 
     find_commands(&s);
     spread(&s);
-    list_lookers(&s);
+    list_reads(&s);
     return s;
 }

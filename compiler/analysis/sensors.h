@@ -25,7 +25,7 @@ typedef struct Sensors {
     bool *command;                // by Var.index: an integer that is only ever compared with constants by == or !=
     Looks *looks;                 // by Var.index, and behind these by Stmt.number, of a conditional: its guard and those around it
     Stores *stores;               // by Var.index
-    Numbers *local, *window;      // by Var.index, of a sensor: the locals that look at it, the windows that sample it
+    Numbers *local, *window;      // by state (State.number - 1): the locals and the windows that its blocks read, each once
 } Sensors;
 
 Sensors sensors_of(Analysis *a);

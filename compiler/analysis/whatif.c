@@ -49,9 +49,8 @@ static Answer ask(const Analysis *a, const IrFn *f, const Env *env)
 }
 
 // Asked twice: what the first half of `p > 20 and p < 10` leaves is what the second is asked of.
-bool suppose_guard(const Analysis *a, const Env **env, const Expr *guard, bool holds)
+static bool suppose_function(const Analysis *a, const Env **env, const IrFn *f, bool holds)
 {
-    const IrFn *f = ir_build_guard(a->arena, a->m, guard);
     Answer first = ask(a, f, *env), second;
 
     if (!first.possible[holds])
@@ -63,26 +62,45 @@ bool suppose_guard(const Analysis *a, const Env **env, const Expr *guard, bool h
     return true;
 }
 
+bool suppose_guard(const Analysis *a, const Env **env, const Expr *guard, bool holds)
+{
+    return suppose_function(a, env, ir_build_guard(a->arena, a->m, guard), holds);
+}
+
+// Of a statement it is built once: what-if questions come by the dozen.
+static const IrFn *function_of(const Analysis *a, const Stmt *stmt)
+{
+    if (!a->asked[stmt->number])
+        a->asked[stmt->number] = ir_build_guard(a->arena, a->m, stmt->value);
+    return a->asked[stmt->number];
+}
+
 bool suppose_condition(const Analysis *a, const Env **env, const Condition *when)
 {
     const Env *was = *env;
 
     for (; when; when = when->outer)
-        if (!suppose_guard(a, env, when->stmt->value, when->holds)) {
+        if (!suppose_function(a, env, function_of(a, when->stmt), when->holds)) {
             *env = was;
             return false;
         }
     return true;
 }
 
-Fact suppose_value(const Analysis *a, const Env *env, const Expr *e)
+static Fact value_of(const Analysis *a, const Env *env, const IrFn *f)
 {
-    const IrFn *f = ir_build_guard(a->arena, a->m, e);
     const FactFlow flow = facts_of_function(a->facts, f, env);
     const IrIns *cond = &f->ins.at[f->blk.at[0].jump.cond];
 
     return flow.of[cond->op == IR_cvt ? cond->a : f->blk.at[0].jump.cond];
 }
+
+Fact suppose_value(const Analysis *a, const Env *env, const Expr *e)
+{
+    return value_of(a, env, ir_build_guard(a->arena, a->m, e));
+}
+
+Fact suppose_stored(const Analysis *a, const Env *env, const Stmt *assign) { return value_of(a, env, function_of(a, assign)); }
 
 // ---- sensors ----
 

@@ -20,6 +20,8 @@ bool suppose_condition(const Analysis *a, const Env **env, const Condition *when
 
 // What an expression can be there; of one that is true or false, as a bool.
 Fact suppose_value(const Analysis *a, const Env *env, const Expr *e);
+// The same of the value that an assignment stores, before its conversion.
+Fact suppose_stored(const Analysis *a, const Env *env, const Stmt *assign);
 
 // The analysis of a machine whose sensor v has been within f for longer than any window is: windows that sample it hold nothing
 // else.  Begin its functions with suppose(…, facts_begin(…), v, f).
