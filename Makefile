@@ -371,6 +371,12 @@ check: $(B)/diagnostics
 CHECK_LINES += "diagnostics: $(B)/diagnostics docs/diagnostics.md"
 .PHONY: docs
 
+# What --message-format=sarif writes is valid.  `make sarif-schema` gets the schema that says what that is.
+CHECK_LINES += "sarif: sh tests/check/sarif.sh $(B)/smc $(B)/sarif $(wildcard conformance/11-errors/*.smt tests/analysis/*.smt)"
+sarif-schema:
+	sh tests/check/sarif_schema.sh $(B)/sarif/schema.json
+.PHONY: sarif-schema
+
 # Every clause of docs/language.md has a case, every case names clauses that exist.
 check-clauses:
 	@{ find conformance tests -name '*.smt' | sort; ls tests/clauses/*.c; } | \

@@ -104,6 +104,17 @@ static Verdict judge(const Warnings *w, const Diag *d)
     return v;
 }
 
+// What is switched off needs no @allow either.
+static void drop_allowed(const Warnings *w, Diags *d)
+{
+    size_t kept = 0;
+
+    for (size_t i = 0; i < d->allowed.n; i++)
+        if (judge(w, d->allowed.at[i]).on)
+            d->allowed.at[kept++] = d->allowed.at[i];
+    d->allowed.n = kept;
+}
+
 void warnings_apply(const Warnings *w, Diags *d)
 {
     size_t kept = 0;
@@ -123,4 +134,5 @@ void warnings_apply(const Warnings *w, Diags *d)
         d->list.at[kept++] = diag;
     }
     d->list.n = kept;
+    drop_allowed(w, d);
 }

@@ -139,17 +139,35 @@ Diag *diag_report(Diags *d, DiagCode code, Span span, ...)
     return x;
 }
 
-void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...)
+static void add_note(Diags *d, Diag *to, Span span, unsigned step, DiagCode text, va_list args)
 {
-    DiagNote note = {span, NULL};
-    va_list args;
+    DiagNote note = {span, NULL, step};
 
     if (to == d->dropped)
         return;
-    va_start(args, text);
     note.text = fill_in(d->arena, diag_info[text].message, args);
-    va_end(args);
     vec_push(d->arena, &to->notes, note);
+}
+
+void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...)
+{
+    va_list args;
+
+    va_start(args, text);
+    add_note(d, to, span, 0, text, args);
+    va_end(args);
+}
+
+void diag_step(Diags *d, Diag *to, Span span, DiagCode text, ...)
+{
+    unsigned step = 1;
+    va_list args;
+
+    for (size_t i = 0; i < to->notes.n; i++)
+        step += to->notes.at[i].step > 0;
+    va_start(args, text);
+    add_note(d, to, span, step, text, args);
+    va_end(args);
 }
 
 void diag_label(Diags *d, Diag *to, DiagCode text, ...)
@@ -237,6 +255,7 @@ const DiagFlag diag_flag[] = {
 #include "compiler/diag/flags.def"
 #undef FLAG
 };
+const char *const diag_group_name[] = {"all", "extra", "flight"};
 const size_t diag_flag_count = sizeof diag_flag / sizeof *diag_flag;
 
 const DiagFlag *diag_find_flag(const char *name)

@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "compiler/base/arena.h"
 #include "compiler/base/buf.h"
@@ -47,9 +48,14 @@ typedef struct DiagFlag {
 extern const DiagFlag diag_flag[];
 extern const size_t diag_flag_count;
 const DiagFlag *diag_find_flag(const char *name);         // NULL if there is none
+extern const char *const diag_group_name[];               // by DiagGroup, as behind -W: "all", "extra", "flight"
 
 typedef struct DiagEdit { Span span; const char *text; } DiagEdit;     // replace span by text
-typedef struct DiagNote { Span span; const char *text; } DiagNote;     // span.src may be NULL
+typedef struct DiagNote {
+    Span span;                // span.src may be NULL
+    const char *text;
+    unsigned step;            // 1, 2, 3 … of a finding that takes several; 0: no step
+} DiagNote;
 
 // @allow: warnings of one flag in one part of a source are known and wanted.
 typedef struct DiagAllow {
@@ -96,6 +102,8 @@ Diag *diag_report(Diags *d, DiagCode code, Span span, ...);
 Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args);     // the same, from a function that has them
 // Adds a note; `text` is a DIAG_NOTE_TEXT row, its arguments follow.
 void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...);
+// The same, as the next step on the way to what was found.
+void diag_step(Diags *d, Diag *to, Span span, DiagCode text, ...);
 // Sets the text behind the caret; `text` is a DIAG_NOTE_TEXT row.
 void diag_label(Diags *d, Diag *to, DiagCode text, ...);
 // Proposes an edit that is certain to be meant.  `text` must live as long as the diagnostics.
@@ -121,6 +129,14 @@ void diags_render_text(const Diags *d, const DiagStyle *style, Buf *out);
 void diags_render_json(const Diags *d, Buf *out);
 // One SARIF 2.1.0 document, with no results when there is nothing to say.  `version`: of the program that speaks.
 void diags_render_sarif(const Diags *d, const char *version, Buf *out);
+
+// What tells a finding again in a later version of its file.
+typedef struct DiagPrint {
+    uint64_t hash;
+    unsigned long twin;                   // 1, 2, 3 … of those with one hash
+} DiagPrint;
+
+const DiagPrint *diags_fingerprints(const Diags *d, Arena *arena);        // of the list, then of `allowed`
 
 // The row whose id (or warning name) is `id`, upper or lower case; NULL if there is none.
 const DiagInfo *diag_find(const char *id);

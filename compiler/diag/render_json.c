@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The diagnostics as a machine reads them: one JSON object a line.  The keys and their order are a promise:
-// severity, code, message, file, line, column, endLine, endColumn, label, notes[], edits[].  The end is exclusive; what
-// has no place has null for all five; a label that is absent is null.
+// severity, code, message, file, line, column, endLine, endColumn, label, notes[], edits[], flag, group.  The end is exclusive;
+// what has no place has null for all five; a label that is absent is null.  A note that is a step has its number, others null.
+// An error has null for flag (what stands behind -W) and group.
 #include "compiler/base/json.h"
 #include "compiler/diag/diag.h"
 
@@ -34,7 +35,11 @@ static void put_notes(Buf *out, const Diag *d)
         buf_str(out, i ? ",{" : "{");
         put_key(out, "message", d->notes.at[i].text);
         put_span(out, d->notes.at[i].span);
-        buf_char(out, '}');
+        buf_str(out, ",\"step\":");
+        if (d->notes.at[i].step)
+            buf_printf(out, "%u}", d->notes.at[i].step);
+        else
+            buf_str(out, "null}");
     }
     buf_str(out, "],");
 }
@@ -48,7 +53,16 @@ static void put_edits(Buf *out, const Diag *d)
         put_span(out, d->edits.at[i].span);
         buf_char(out, '}');
     }
-    buf_char(out, ']');
+    buf_str(out, "],");
+}
+
+static void put_flag(Buf *out, const char *name)
+{
+    const DiagFlag *flag = name ? diag_find_flag(name) : NULL;
+
+    put_key(out, "flag", name);
+    buf_str(out, "\"group\":");
+    json_put_string(out, flag ? diag_group_name[flag->group] : NULL);
 }
 
 void diags_render_json(const Diags *d, Buf *out)
@@ -64,6 +78,7 @@ void diags_render_json(const Diags *d, Buf *out)
         put_key(out, "label", x->label);
         put_notes(out, x);
         put_edits(out, x);
+        put_flag(out, diag_info[x->code].flag);
         buf_str(out, "}\n");
     }
 }

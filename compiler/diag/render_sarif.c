@@ -75,12 +75,55 @@ static void put_message(Buf *out, const char *text)
 
 // ---- rules: the codes that were used, each once, in the order of codes.def ----
 
+// The first paragraph of a page that is no example, on one line; the message where there is none.
+static const char *first_paragraph(Arena *arena, const DiagInfo *row)
+{
+    const char *at = row->page, *end;
+    Buf out;
+
+    buf_init(&out, arena);
+    while (*at == ' ' && (end = strstr(at, "\n\n")) != NULL)
+        at = end + 2;
+    if (*at == ' ' || *at == '\0') {
+        diag_put_title(row, &out);
+        return buf_text(&out);
+    }
+    for (; *at && !(at[0] == '\n' && (at[1] == '\n' || at[1] == '\0')); at++)
+        buf_char(&out, *at == '\n' ? ' ' : *at);
+    return buf_text(&out);
+}
+
+static const char *title(Arena *arena, const DiagInfo *row)
+{
+    Buf out;
+
+    buf_init(&out, arena);
+    diag_put_title(row, &out);
+    return buf_text(&out);
+}
+
+static void put_rule_defaults(Buf *out, const DiagInfo *row)
+{
+    const DiagFlag *flag = row->flag ? diag_find_flag(row->flag) : NULL;
+
+    buf_printf(out, ",\"defaultConfiguration\":{\"enabled\":%s,\"level\":\"%s\"}",
+               flag && flag->group != DIAG_GROUP_ALL ? "false" : "true", row->severity == DIAG_ERROR ? "error" : "warning");
+    if (flag)
+        buf_printf(out, ",\"properties\":{\"tags\":[\"%s\",\"%s\"]}", diag_group_name[flag->group], flag->name);
+}
+
 static void put_rule(Buf *out, const DiagInfo *row)
 {
     buf_printf(out, "{\"id\":\"%s\",\"name\":\"%s\",\"shortDescription\":", row->id, row->name);
-    put_message(out, row->message);
-    buf_str(out, ",\"help\":");
-    put_message(out, row->page);
+    put_message(out, title(out->arena, row));
+    buf_str(out, ",\"fullDescription\":");
+    put_message(out, first_paragraph(out->arena, row));
+    buf_str(out, ",\"help\":{\"text\":");
+    json_put_string(out, row->page);
+    buf_str(out, ",\"markdown\":");
+    json_put_string(out, row->page);
+    buf_char(out, '}');
+    put_rule_defaults(out, row);
     buf_char(out, '}');
 }
 
@@ -92,6 +135,8 @@ static void put_rules(const Diags *d, Buf *out, size_t *index)
 
     for (size_t i = 0; i < d->list.n; i++)
         used[d->list.at[i]->code] = true;
+    for (size_t i = 0; i < d->allowed.n; i++)
+        used[d->allowed.at[i]->code] = true;
     for (int i = 0; i < DIAG_COUNT; i++)
         if (used[i]) {
             buf_str(out, n ? ",\n" : "\n");
@@ -113,22 +158,59 @@ static void put_locations(Buf *out, const Diag *d)
     buf_char(out, ']');
 }
 
+static void put_note(Buf *out, const DiagNote *n)
+{
+    buf_char(out, '{');
+    if (n->span.src) {
+        put_physical(out, n->span);
+        buf_char(out, ',');
+    }
+    buf_str(out, "\"message\":");
+    put_message(out, n->text);
+    buf_char(out, '}');
+}
+
+static size_t count_steps(const Diag *d)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < d->notes.n; i++)
+        n += d->notes.at[i].step > 0;
+    return n;
+}
+
 static void put_related(Buf *out, const Diag *d)
 {
-    if (d->notes.n == 0)
+    bool any = false;
+
+    if (d->notes.n == count_steps(d))
         return;
     buf_str(out, ",\"relatedLocations\":[");
-    for (size_t i = 0; i < d->notes.n; i++) {
-        buf_str(out, i ? ",{" : "{");
-        if (d->notes.at[i].span.src) {
-            put_physical(out, d->notes.at[i].span);
-            buf_char(out, ',');
+    for (size_t i = 0; i < d->notes.n; i++)
+        if (!d->notes.at[i].step) {
+            buf_str(out, any ? "," : "");
+            put_note(out, &d->notes.at[i]);
+            any = true;
         }
-        buf_str(out, "\"message\":");
-        put_message(out, d->notes.at[i].text);
-        buf_char(out, '}');
-    }
     buf_char(out, ']');
+}
+
+// Steps are one flow that leads to the finding.
+static void put_flow(Buf *out, const Diag *d)
+{
+    bool any = false;
+
+    if (count_steps(d) == 0)
+        return;
+    buf_str(out, ",\"codeFlows\":[{\"threadFlows\":[{\"locations\":[");
+    for (size_t i = 0; i < d->notes.n; i++)
+        if (d->notes.at[i].step) {
+            buf_str(out, any ? ",{\"location\":" : "{\"location\":");
+            put_note(out, &d->notes.at[i]);
+            buf_char(out, '}');
+            any = true;
+        }
+    buf_str(out, "]}]}]");
 }
 
 static void put_fix(Buf *out, const Diag *d)
@@ -148,7 +230,26 @@ static void put_fix(Buf *out, const Diag *d)
     buf_str(out, "]}]}]");
 }
 
-static void put_result(Buf *out, const Diag *d, size_t rule)
+// The name is the one that code-hosting sites look for.
+static void put_fingerprint(Buf *out, const DiagPrint *p)
+{
+    buf_printf(out, ",\"partialFingerprints\":{\"primaryLocationLineHash\":\"%08lx%08lx:%lu\"}", (unsigned long)(p->hash >> 32),
+               (unsigned long)(p->hash & 0xffffffffu), p->twin);
+}
+
+static void put_suppressions(Buf *out, const Diag *d)
+{
+    buf_str(out, ",\"suppressions\":[");
+    if (d->allowed) {
+        buf_str(out, "{\"kind\":\"inSource\",\"justification\":");
+        json_put_string(out, d->allowed);
+        buf_char(out, '}');
+    }
+    buf_char(out, ']');
+}
+
+// `suppressions`: some result of the run is suppressed, and then each has to say whether it is.
+static void put_result(Buf *out, const Diag *d, const DiagPrint *print, size_t rule, bool suppressions)
 {
     Buf text;
 
@@ -161,8 +262,24 @@ static void put_result(Buf *out, const Diag *d, size_t rule)
     put_message(out, buf_text(&text));
     put_locations(out, d);
     put_related(out, d);
+    put_flow(out, d);
+    put_fingerprint(out, print);
+    if (suppressions)
+        put_suppressions(out, d);
     put_fix(out, d);
     buf_char(out, '}');
+}
+
+// What is reported, then what is allowed.
+static void put_results(const Diags *d, Buf *out, const size_t *index)
+{
+    const DiagPrint *print = diags_fingerprints(d, out->arena);
+
+    for (size_t i = 0; i < d->list.n + d->allowed.n; i++) {
+        const Diag *x = i < d->list.n ? d->list.at[i] : d->allowed.at[i - d->list.n];
+        buf_str(out, i ? ",\n" : "\n");
+        put_result(out, x, &print[i], index[x->code], d->allowed.n > 0);
+    }
 }
 
 void diags_render_sarif(const Diags *d, const char *version, Buf *out)
@@ -175,9 +292,6 @@ void diags_render_sarif(const Diags *d, const char *version, Buf *out)
     buf_str(out, ",\"rules\":[");
     put_rules(d, out, index);
     buf_str(out, "]}},\n\"columnKind\":\"unicodeCodePoints\",\n\"results\":[");
-    for (size_t i = 0; i < d->list.n; i++) {
-        buf_str(out, i ? ",\n" : "\n");
-        put_result(out, d->list.at[i], index[d->list.at[i]->code]);
-    }
+    put_results(d, out, index);
     buf_str(out, "]}]}\n");
 }

@@ -200,6 +200,8 @@ static void put_note(const DiagStyle *style, Buf *out, const DiagNote *n)
 {
     put_place(style, out, n->span);
     put_severity(style, out, DIAG_NOTE);
+    if (n->step)
+        buf_printf(out, "step %u: ", n->step);
     put_text(out, n->text);
     buf_char(out, '\n');
 }

@@ -16,6 +16,6 @@ delta_t 10
 G == 20: @assert not open
 G == 30: @stop
 -- stderr --
-{"severity":"error","code":"E0750","message":"assert does not hold after step 3 (G = 20, state Idle)","file":"bad.ss","line":4,"column":18,"endLine":4,"endColumn":26,"label":"open = true","notes":[],"edits":[]}
+{"severity":"error","code":"E0750","message":"assert does not hold after step 3 (G = 20, state Idle)","file":"bad.ss","line":4,"column":18,"endLine":4,"endColumn":26,"label":"open = true","notes":[],"edits":[],"flag":null,"group":null}
 -- exit --
 1

@@ -200,6 +200,7 @@ static void test_json(void)
     d = diag_report(&diags, DIAG_unknown_element, (Span){s, 3, 2}, "\xff\xc3\xa9\t");
     diag_label(&diags, d, DIAG_label_did_you_mean, "ab");
     diag_note(&diags, d, (Span){s, 0, 2}, DIAG_note_declared_here, "ab");
+    diag_step(&diags, d, (Span){0}, DIAG_note_declared_here, "c");
     diag_edit(&diags, d, (Span){s, 3, 2}, "ab");
     diag_report(&diags, DIAG_annotation_above, (Span){0}, "a", "b");
     buf_init(&out, &arena);
@@ -208,10 +209,76 @@ static void test_json(void)
         "{\"severity\":\"error\",\"code\":\"E0204\",\"message\":\"unknown element '\\ufffd\xc3\xa9\\u0009'\","
         "\"file\":\"dir\\\\a\\\".sm\",\"line\":2,\"column\":1,\"endLine\":2,\"endColumn\":3,\"label\":\"did you mean 'ab'?\","
         "\"notes\":[{\"message\":\"'ab' is declared here\",\"file\":\"dir\\\\a\\\".sm\",\"line\":1,\"column\":1,\"endLine\":1,"
-        "\"endColumn\":3}],\"edits\":[{\"text\":\"ab\",\"file\":\"dir\\\\a\\\".sm\",\"line\":2,\"column\":1,\"endLine\":2,"
-        "\"endColumn\":3}]}\n"
+        "\"endColumn\":3,\"step\":null},{\"message\":\"'c' is declared here\",\"file\":null,\"line\":null,\"column\":null,"
+        "\"endLine\":null,\"endColumn\":null,\"step\":1}],\"edits\":[{\"text\":\"ab\",\"file\":\"dir\\\\a\\\".sm\",\"line\":2,\"column\":1,\"endLine\":2,"
+        "\"endColumn\":3}],\"flag\":null,\"group\":null}\n"
         "{\"severity\":\"warning\",\"code\":\"W0301\",\"message\":\"'@a' belongs to 'b' above, not to what follows on its line\","
-        "\"file\":null,\"line\":null,\"column\":null,\"endLine\":null,\"endColumn\":null,\"label\":null,\"notes\":[],\"edits\":[]}\n");
+        "\"file\":null,\"line\":null,\"column\":null,\"endLine\":null,\"endColumn\":null,\"label\":null,\"notes\":[],\"edits\":[],"
+        "\"flag\":\"annotation-above\",\"group\":\"all\"}\n");
+    arena_free(&arena);
+}
+
+// Steps are numbered among the notes, and are a flow of their own in SARIF.
+static void test_steps(void)
+{
+    const Source *s;
+    Diag *d;
+    Buf out;
+
+    start();
+    s = source("a.sm", "one two\n", 8);
+    d = diag_report(&diags, DIAG_annotation_above, (Span){s, 0, 3}, "x", "y");
+    diag_step(&diags, d, (Span){s, 0, 3}, DIAG_note_declared_here, "first");
+    diag_note(&diags, d, (Span){s, 4, 3}, DIAG_note_declared_here, "aside");
+    diag_step(&diags, d, (Span){0}, DIAG_note_declared_here, "second");
+    check_text(rendered(0),
+        "a.sm:1:1: warning: '@x' belongs to 'y' above, not to what follows on its line [W0301]\n"
+        "    1 | one two\n"
+        "      | ^~~\n"
+        "a.sm:1:1: note: step 1: 'first' is declared here\n"
+        "a.sm:1:5: note: 'aside' is declared here\n"
+        "note: step 2: 'second' is declared here\n"
+        "1 warning\n");
+    buf_init(&out, &arena);
+    diags_render_sarif(&diags, "1", &out);
+    CHECK(strstr(buf_text(&out), "\"codeFlows\":[{\"threadFlows\":[{\"locations\":[{\"location\":{\"physicalLocation\":{"
+        "\"artifactLocation\":{\"uri\":\"a.sm\"},\"region\":{\"startLine\":1,\"startColumn\":1,\"endLine\":1,\"endColumn\":4}},"
+        "\"message\":{\"text\":\"'first' is declared here\"}}},{\"location\":{\"message\":{\"text\":\"'second' is declared here\"}}}]}]}]"));
+    CHECK(strstr(buf_text(&out), "\"relatedLocations\":[{\"physicalLocation\":{\"artifactLocation\":{\"uri\":\"a.sm\"},\"region\":{"
+        "\"startLine\":1,\"startColumn\":5,\"endLine\":1,\"endColumn\":8}},\"message\":{\"text\":\"'aside' is declared here\"}}]"));
+    arena_free(&arena);
+}
+
+static DiagPrint print_of(const char *name, const char *text, uint32_t at)
+{
+    const Source *s = source(name, text, (uint32_t)strlen(text));
+    DiagPrint p;
+
+    diags_init(&diags, &arena);
+    diag_report(&diags, DIAG_annotation_above, (Span){s, at, 1}, "x", "y");
+    p = *diags_fingerprints(&diags, &arena);
+    return p;
+}
+
+// A fingerprint knows the line's words, not where it stands, how it is indented or remarked on, nor in which folder.
+static void test_fingerprints(void)
+{
+    DiagPrint one, twins[2];
+    const Source *s;
+
+    start();
+    one = print_of("a/b.sm", "x = 1 + 2", 4);
+    CHECK(one.twin == 1);
+    CHECK(print_of("b.sm", "\n\n  x  = 1\t+ 2  # why\n", 10).hash == one.hash);
+    CHECK(print_of("a/b.sm", "x = 1 +2", 4).hash != one.hash);
+    CHECK(print_of("a/c.sm", "x = 1 + 2", 4).hash != one.hash);
+    CHECK(print_of("b.sm", "x \"#1\"", 0).hash != print_of("b.sm", "x \"#2\"", 0).hash);
+    diags_init(&diags, &arena);
+    s = source("b.sm", "x = 1 + 2\n\nx = 1 + 2", 20);
+    diag_report(&diags, DIAG_annotation_above, (Span){s, 12, 1}, "x", "y");
+    diag_report(&diags, DIAG_annotation_above, (Span){s, 0, 1}, "x", "y");
+    memcpy(twins, diags_fingerprints(&diags, &arena), sizeof twins);
+    CHECK(twins[0].hash == one.hash && twins[1].hash == one.hash && twins[0].twin == 2 && twins[1].twin == 1);
     arena_free(&arena);
 }
 
@@ -275,6 +342,8 @@ int main(void)
     test_collecting();
     test_limits();
     test_json();
+    test_steps();
+    test_fingerprints();
     test_edits();
     test_table();
     return test_end("diag");

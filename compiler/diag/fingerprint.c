@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// What tells a finding again when lines above it come and go: a hash of its code, its file's name and the text of its line, and a
+// number where several have the same.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/diag/diag.h"
+
+typedef struct Item { const Diag *diag; DiagPrint *print; } Item;
+
+static uint64_t hash_text(uint64_t h, const char *s, size_t n)         // FNV-1a
+{
+    for (size_t i = 0; i < n; i++)
+        h = (h ^ (unsigned char)s[i]) * 1099511628211u;
+    return h;
+}
+
+static const char *without_folders(const char *path)
+{
+    for (const char *at = path; *at; at++)
+        if (*at == '/' || *at == '\\')
+            path = at + 1;
+    return path;
+}
+
+static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+// Where the comment begins, or the end of the line.
+static size_t without_comment(const char *s, size_t n)
+{
+    bool quoted = false;
+
+    for (size_t i = 0; i < n; i++)
+        if (s[i] == '"')
+            quoted = !quoted;
+        else if (s[i] == '#' && !quoted)
+            return i;
+    return n;
+}
+
+// Of blanks it counts only that there are some between words, of a comment nothing.
+static uint64_t hash_line(uint64_t h, const char *s, size_t n)
+{
+    n = without_comment(s, n);
+    while (n && is_blank(s[n - 1]))
+        n--;
+    while (n && is_blank(*s))
+        s++, n--;
+    for (size_t i = 0; i < n; i++)
+        if (!is_blank(s[i]))
+            h = hash_text(h, s + i, 1);
+        else if (!is_blank(s[i - 1]))
+            h = hash_text(h, " ", 1);
+    return h;
+}
+
+static uint64_t hash_of(const Diag *d)
+{
+    const char *id = diag_info[d->code].id, *file, *line;
+    uint64_t h = hash_text(14695981039346656037u, id, strlen(id) + 1);
+    uint32_t len;
+
+    if (!d->span.src)
+        return hash_text(h, d->text, strlen(d->text));
+    file = without_folders(d->span.src->name);
+    line = source_line(d->span.src, source_position(d->span.src, d->span.at).line, &len);
+    return hash_line(hash_text(h, file, strlen(file) + 1), line, len);
+}
+
+// Twins stand in the order of the file, allowed ones among the others.
+static int compare_items(const void *a, const void *b)
+{
+    const Item *x = a, *y = b;
+
+    if (x->print->hash != y->print->hash)
+        return x->print->hash < y->print->hash ? -1 : 1;
+    if (x->diag->span.at != y->diag->span.at)
+        return x->diag->span.at < y->diag->span.at ? -1 : 1;
+    return (x->print > y->print) - (x->print < y->print);
+}
+
+const DiagPrint *diags_fingerprints(const Diags *d, Arena *arena)
+{
+    size_t n = d->list.n + d->allowed.n;
+    DiagPrint *all = ARENA_ARRAY(arena, DiagPrint, n + 1);
+    Item *item = ARENA_ARRAY(arena, Item, n + 1);
+
+    for (size_t i = 0; i < n; i++) {
+        item[i].diag = i < d->list.n ? d->list.at[i] : d->allowed.at[i - d->list.n];
+        item[i].print = &all[i];
+        all[i].hash = hash_of(item[i].diag);
+    }
+    qsort(item, n, sizeof *item, compare_items);
+    for (size_t i = 0; i < n; i++)
+        item[i].print->twin = i && item[i - 1].print->hash == item[i].print->hash ? item[i - 1].print->twin + 1 : 1;
+    return all;
+}
