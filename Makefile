@@ -156,7 +156,12 @@ $(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a
 diff: $(B)/diff/difftest
 	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign --resume
 
-# The same through emitted C, by these compilers; add others as --cc='clang-19 -O2' --cc=tcc.
+# Whether anything happens that the analyses call impossible: random programs alone, a thousand steps each.
+SOUND = $(B)/diff/difftest --sound --steps=1000
+sound: $(B)/diff/difftest
+	$(SOUND) --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign-sound --resume
+
+# Programs on all engines through emitted C, by these compilers; add others as --cc='clang-19 -O2' --cc=tcc.
 DIFF_CC ?= --cc='$(CC) -std=c99 -O0' --cc='$(CC) -std=gnu11 -O2'
 diff-c: $(B)/diff/difftest
 	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign-c --resume $(DIFF_CC)
@@ -164,10 +169,11 @@ diff-c: $(B)/diff/difftest
 # Faults put in one at a time, which these tests or the conformance cases must notice; about half an hour.
 faults:
 	sh tests/diff/faults/faults.sh $(B) '$(CC)'
-.PHONY: diff diff-c faults
+.PHONY: diff diff-c sound faults
 
 check: $(B)/diff/difftest
-CHECK_LINES += "diff: $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check" \
+CHECK_LINES += "sound: $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound" \
+               "diff: $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check" \
                "diff-c: $(B)/diff/difftest --count=25 --forms=012h --cc='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c"
 
 # tests/cost: the longest step as it is reported, against a VM that counts.
@@ -305,6 +311,7 @@ help:
 	@echo 'make check           runs every test that needs cc and make only; the others say what they need'
 	@echo 'make test T=FILE     runs some conformance cases on every engine'
 	@echo 'make diff N=100000   runs so many random programs on all engines, from seed SEED=1, in J=2 processes'
+	@echo 'make sound N=100000  runs so many random programs and holds them against what the analyses say of them'
 	@echo 'make asan            runs every test under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'
 	@echo 'make docs            makes docs/diagnostics.md'

@@ -2,13 +2,14 @@
 // The campaign: random programs, one a seed, each run on every engine in lock step.
 //
 //     difftest [--seed=N] [--count=N] [--steps=N] [--jobs=N] [--out=DIR] [--resume] [--print] [--no-reduce] [--no-floors] [--first]
-//              [--forms=012h] [--cc=COMMAND]…
+//              [--forms=012h] [--cc=COMMAND]… [--sound]
 //
 // Workers take blocks of seeds in turn.  Each keeps a file in DIR with how far it is and what its programs met, so that
 // --resume goes on where an interrupted campaign stopped.  A worker that crashes or hangs names its seed and is replaced.
 // Every program is run at -O0, -O1, -O2 and with its locals hidden from everybody (h), or in the --forms that are named.
 // With --cc the emitted C is compiled by each of these commands and compared, instead of the VM: in one form a program, unless
 // --forms names some.
+// With --sound each program runs alone, from its first state, held against what analyses say of it (sound.h).
 // A failing program is made smaller and written to DIR/seed-N.  Exit: 0 all agree, 1 not, 2 usage.
 #define _POSIX_C_SOURCE 200809L
 #define _DEFAULT_SOURCE
@@ -27,6 +28,7 @@
 #include "stdlib/crc32.h"
 #include "tests/diff/cbatch.h"
 #include "tests/diff/reduce.h"
+#include "tests/diff/sound.h"
 #include "tests/diff/subject.h"
 
 enum { BLOCK = 500, JOBS_MAX = 64, HANG_SECONDS = 60, COMPILERS_MAX = 8, BATCH = 50 };
@@ -35,7 +37,7 @@ typedef struct Options {
     uint64_t seed, count;
     uint32_t steps, jobs;
     const char *out;
-    bool resume, print, reduce, floors, first;
+    bool resume, print, reduce, floors, first, sound;
     unsigned forms;                   // 1u << Form of each that is run; 0: none was named
     uint32_t build;                   // of this program: another one has to prove everything anew
     uint32_t ccs;
@@ -47,7 +49,7 @@ typedef struct Tally {
     uint64_t next;                    // the block it works on, counted from 0
     uint64_t seed;                    // the program it works on
     uint64_t programs, steps, different, rejected, crashed;
-    uint64_t transition, saturation, nan, infinity, full_window, refusal, refused, store, change;
+    uint64_t transition, saturation, nan, infinity, full_window, refusal, refused, store, change, impossible, finding;
 } Tally;
 
 // ---- one program ----
@@ -63,6 +65,8 @@ static void count(Tally *t, const Met *m)
     t->refusal += m->refusal;
     t->refused += m->refused;
     t->store += m->store;
+    t->impossible += m->impossible;
+    t->finding += m->finding;
 }
 
 static void report_failure(const Options *o, Gen *g, const RunOptions *how, RunResult r, Arena *arena)
@@ -82,6 +86,7 @@ static void report_failure(const Options *o, Gen *g, const RunOptions *how, RunR
 static RunOptions options_of(const Options *o, uint64_t seed)
 {
     RunOptions how = run_options_of(seed);
+    how.sound = o->sound;
     if (o->forms != 0)
         how.forms = o->forms;
     else if (o->ccs != 0)
@@ -89,12 +94,20 @@ static RunOptions options_of(const Options *o, uint64_t seed)
     return how;
 }
 
+static Gen *gen_of(Arena *arena, const Options *o, uint64_t seed)
+{
+    Gen *g = gen_program(arena, seed, o->steps);
+    if (o->sound)
+        gen_bias(g);
+    return g;
+}
+
 static void run_seed(const Options *o, uint64_t seed, Tally *t)
 {
     const RunOptions how = options_of(o, seed);
     Arena arena;
     diff_arena_init(&arena);
-    Gen *g = gen_program(&arena, seed, o->steps);
+    Gen *g = gen_of(&arena, o, seed);
     const RunResult r = run_case(g, &how, &arena);
     count(t, &r.met);
     t->steps += g->steps;
@@ -158,7 +171,7 @@ static void print_seed(const Options *o, uint64_t seed)
     RunResult r = { VERDICT_SAME, NULL, 0, { 0 } };
     Arena arena;
     diff_arena_init(&arena);
-    run_write_files(gen_program(&arena, seed, o->steps), &how, &r, o->out);
+    run_write_files(gen_of(&arena, o, seed), &how, &r, o->out);
     arena_free(&arena);
 }
 
@@ -195,7 +208,7 @@ static void tally_load(const Options *o, uint32_t worker, Tally *t)
         return;
     if (fread(&then, sizeof then, 1, f) == 1 && fread(&read, sizeof read, 1, f) == 1 &&
         then.seed == o->seed && then.jobs == o->jobs && then.steps == o->steps && then.build == o->build &&
-        then.ccs == o->ccs && then.forms == o->forms)
+        then.ccs == o->ccs && then.forms == o->forms && then.sound == o->sound)
         *t = read;
     fclose(f);
 }
@@ -294,6 +307,8 @@ static void add_up(Tally *sum, const Tally *t)
     sum->refused += t->refused;
     sum->store += t->store;
     sum->change += t->change;
+    sum->impossible += t->impossible;
+    sum->finding += t->finding;
 }
 
 // A share below its floor means that the generator has stopped looking there.  Few programs may stray.
@@ -322,13 +337,26 @@ static bool report_shares(const Options *o, const Tally *t)
     return good;
 }
 
+static bool report_sound(const Options *o, const Tally *t)
+{
+    bool good = true;
+    printf("of these programs\n");
+    good &= share(o, t, "make a transition", t->transition, 60);
+    good &= share(o, t, "meet NaN", t->nan, 20);
+    good &= share(o, t, "have a guard that facts decide", t->impossible, 40);
+    good &= share(o, t, "have something that a finding calls dead", t->finding, 40);
+    return good;
+}
+
 static bool report(const Options *o, const Tally *t, double seconds)
 {
     bool good = true;
     const uint64_t failed = t->different + t->rejected + t->crashed;
     printf("%llu programs, %llu steps, %.1f s, %.0f programs a second\n", (unsigned long long)t->programs,
            (unsigned long long)t->steps, seconds, (double)t->programs / seconds);
-    if (o->ccs == 0)
+    if (o->sound)
+        good = report_sound(o, t);
+    else if (o->ccs == 0)
         good = report_shares(o, t);
     printf("difftest: %llu passed, %llu failed (%llu different, %llu rejected, %llu crashed)\n",
            (unsigned long long)(t->programs - t->different - t->rejected), (unsigned long long)failed,
@@ -378,6 +406,8 @@ static bool take_option(Options *o, const char *arg)
         return o->resume = true;
     if (strcmp(arg, "--print") == 0)
         return o->print = true;
+    if (strcmp(arg, "--sound") == 0)
+        return o->sound = true;
     if (strcmp(arg, "--no-reduce") == 0)
         return o->reduce = false, true;
     if (strcmp(arg, "--first") == 0)

@@ -8,6 +8,7 @@
 
 #include "tests/diff/cbatch.h"
 #include "tests/diff/engine_ir.h"
+#include "tests/diff/sound.h"
 #include "tests/diff/subject.h"
 #include "tests/diff/watch.h"
 
@@ -247,6 +248,8 @@ RunResult run_case(Gen *g, const RunOptions *o, Arena *arena)
     static Subject plain, changed;
     Lanes lanes = { .n = 0 };
     RunResult r = { VERDICT_REJECTED, NULL, 0, { 0 } };
+    if (o->sound)
+        return run_sound(g, arena);
     if (o->cc != NULL)
         return run_c_batch(&g, &o->forms, 1, &o->cc, 1, o->folder, arena, &r), r;
     memset(&watch, 0, sizeof watch);

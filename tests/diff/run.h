@@ -15,6 +15,7 @@ typedef enum Verdict {
 
 typedef struct Met {          // what a program met, as flags to be counted
     bool transition, saturation, nan, infinity, full_window, refusal, store;
+    bool impossible, finding; // run_sound: facts exclude a way of a guard; a finding calls something dead
     uint32_t refused;         // steps
 } Met;
 
@@ -30,6 +31,7 @@ typedef struct RunOptions {
     unsigned forms;           // 1u << Form of each that is run; every one is compared with the reference
     Form change_form;         // in which the changed program is run
     bool change;              // compare with a changed program, too
+    bool sound;               // hold it against what analyses say of it, instead of comparing engines (sound.h)
     bool inits;               // work the initial values out a second time, when running
     GChange what;
     const char *cc;           // NULL, or a C compiler's command: the emitted C is run instead of the VM …

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Puts the faults of faults.list into a copy of the sources, one at a time, and runs the tests that must notice:
-# random programs on the VM, random programs in emitted C, and the conformance cases, in this order, until one fails.
+# random programs on the VM, alone against what analyses say of them, in emitted C, and the conformance cases, in this order, until one fails.
 #     faults.sh BUILD-FOLDER CC [FIRST [LAST]]
 # Exit 1 if a fault was noticed by none of them.
 b=$1/faults cc=$2 first=${3:-1} last=${4:-100000}
@@ -28,6 +28,7 @@ build() {
 noticed_by() {
     build || { echo "compiler"; return; }
     "$b/obj/diff/difftest" --count=5000 --first --no-reduce --no-floors --out="$b/out/vm" >"$b/out/log" 2>&1 || { echo "vm: $(head -n 1 "$b/out/log")"; return; }
+    "$b/obj/diff/difftest" --sound --steps=1000 --count=3000 --first --no-reduce --no-floors --out="$b/out/sound" >"$b/out/log" 2>&1 || { echo "sound: $(head -n 1 "$b/out/log")"; return; }
     "$b/obj/diff/difftest" --count=400 --seed=7000 --first --no-reduce --cc="$cc -std=c99 -O0" --out="$b/out/c" >"$b/out/log" 2>&1 || { echo "c: $(head -n 1 "$b/out/log")"; return; }
     conformance
     [ "$result" = "$sound" ] || echo "conformance: $result"
