@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sizes of the runtime's static tables.  Define SM_CONFIG as the name of a header ("my_config.h") that defines any of
+// these; the rest is as below.  Nothing of the runtime grows while it runs: what does not fit is refused at start.
+#ifndef SM_CONFIG_H
+#define SM_CONFIG_H
+
+#ifdef SM_CONFIG
+#include SM_CONFIG
+#endif
+
+// How many of each may be open at once, 1 to 254.
+#ifndef PAL_LOCKS
+#define PAL_LOCKS 8
+#endif
+#ifndef PAL_THREADS
+#define PAL_THREADS 8
+#endif
+#ifndef PAL_SOCKETS
+#define PAL_SOCKETS 16
+#endif
+#ifndef PAL_DIOS
+#define PAL_DIOS 64
+#endif
+#ifndef PAL_AIOS
+#define PAL_AIOS 32
+#endif
+#ifndef PAL_SERIALS
+#define PAL_SERIALS 4
+#endif
+#ifndef PAL_NVMS
+#define PAL_NVMS 4
+#endif
+
+// Bytes of stack of a thread whose creator does not say.
+#ifndef PAL_THREAD_STACK
+#define PAL_THREAD_STACK 65536u
+#endif
+
+// How often a lock that is held is tried again before its taker goes to sleep.  Critical sections are a few memory accesses,
+// shorter than two changes of thread; on one core spinning never helps, so a small number costs least.
+#ifndef PAL_LOCK_SPINS
+#define PAL_LOCK_SPINS 100
+#endif
+
+// The longest a name or path may be, with the zero at its end.
+#ifndef PAL_NAME
+#define PAL_NAME 128
+#endif
+
+typedef char pal_tables_hold_1_to_254[PAL_LOCKS >= 1 && PAL_LOCKS <= 254 && PAL_THREADS >= 1 && PAL_THREADS <= 254 &&
+    PAL_SOCKETS >= 1 && PAL_SOCKETS <= 254 && PAL_DIOS >= 1 && PAL_DIOS <= 254 && PAL_AIOS >= 1 && PAL_AIOS <= 254 &&
+    PAL_SERIALS >= 1 && PAL_SERIALS <= 254 && PAL_NVMS >= 1 && PAL_NVMS <= 254 ? 1 : -1];
+
+#endif

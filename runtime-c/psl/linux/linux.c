@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the files of this platform share.
+#define _GNU_SOURCE
+#include <errno.h>
+#include <poll.h>
+#include <pthread.h>
+
+#include "runtime-c/psl/linux/linux.h"
+
+static pthread_mutex_t guard = PTHREAD_MUTEX_INITIALIZER;
+
+void psl_guard(void)
+{
+    pthread_mutex_lock(&guard);
+}
+
+void psl_unguard(void)
+{
+    pthread_mutex_unlock(&guard);
+}
+
+SmResult psl_result(int error)
+{
+    switch (error) {
+    case 0: return SM_OK;
+    case EAGAIN: case ETIMEDOUT: return SM_E_TIMEOUT;
+    case EBUSY: case EADDRINUSE: return SM_E_BUSY;
+    case EPIPE: case ECONNRESET: case ECONNABORTED: case ENOTCONN: return SM_E_CLOSED;
+    case ENOENT: case ENODEV: case ENXIO: case ENOTDIR: case EADDRNOTAVAIL: return SM_E_MISSING;
+    case EPERM: case EACCES: case EROFS: return SM_E_DENIED;
+    case ENOSPC: case EDQUOT: case EFBIG: return SM_E_SPACE;
+    case ENOMEM: return SM_E_MEMORY;
+    case EMFILE: case ENFILE: return SM_E_FULL;
+    case ECONNREFUSED: case EHOSTUNREACH: case ENETUNREACH: case ENETDOWN: return SM_E_UNREACHABLE;
+    case ENOSYS: case EOPNOTSUPP: case ENOTTY: case ELOOP: return SM_E_UNSUPPORTED;
+    default: return SM_E_DEVICE;
+    }
+}
+
+struct timespec psl_timespec(uint64_t ns)
+{
+    struct timespec t;
+
+    t.tv_sec = (time_t)(ns / PAL_SECOND);
+    t.tv_nsec = (long)(ns % PAL_SECOND);
+    return t;
+}
+
+SmResult psl_wait(int fd, short events, uint64_t deadline)
+{
+    struct pollfd p = {fd, events, 0};
+
+    for (;;) {
+        uint64_t now = pal_clock_now();
+        struct timespec left = psl_timespec(now < deadline ? deadline - now : 0);
+        int ready = ppoll(&p, 1, &left, NULL);
+
+        if (ready > 0)
+            return SM_OK;
+        if (ready < 0 && errno != EINTR)
+            return psl_result(errno);
+        if (ready == 0 && pal_clock_now() >= deadline)
+            return SM_E_TIMEOUT;
+    }
+}

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Threads: SCHED_FIFO where it is permitted (root, CAP_SYS_NICE or a limit on rtprio), else ordinary ones.  Stacks have a guard
+// page: one that overflows ends the program instead of overwriting its neighbour.
+#define _GNU_SOURCE
+#include <errno.h>
+#include <limits.h>
+#include <pthread.h>
+#include <sched.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "runtime-c/pal/thread.h"
+#include "runtime-c/psl/linux/linux.h"
+
+#define STACK_MAX 0x40000000u
+
+typedef struct Entry {
+    pthread_t thread;
+    PalThreadMain *run;
+    void *argument;
+    bool realtime, joining, ended;
+} Entry;
+
+static bool used[PAL_THREADS];
+static Entry entries[PAL_THREADS];
+
+// Both for `ended` and what else changes of an entry.
+static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+static pthread_cond_t changed;
+static pthread_once_t once = PTHREAD_ONCE_INIT;
+
+static void start(void)
+{
+    pthread_condattr_t kind;
+
+    pthread_condattr_init(&kind);
+    pthread_condattr_setclock(&kind, CLOCK_MONOTONIC);
+    pthread_cond_init(&changed, &kind);
+    pthread_condattr_destroy(&kind);
+}
+
+static void *run(void *of)
+{
+    Entry *e = of;
+
+    e->run(e->argument);
+    pthread_mutex_lock(&mutex);
+    e->ended = true;
+    pthread_cond_broadcast(&changed);
+    pthread_mutex_unlock(&mutex);
+    return NULL;
+}
+
+static size_t stack_size(uint32_t wanted)
+{
+    size_t page = (size_t)sysconf(_SC_PAGESIZE), least = (size_t)PTHREAD_STACK_MIN, n = wanted ? wanted : PAL_THREAD_STACK;
+
+    return ((n > least ? n : least) + page - 1) / page * page;
+}
+
+static int launch(Entry *e, const PalThreadPlan *plan, bool realtime)
+{
+    pthread_attr_t a;
+    struct sched_param p = {0};
+    int error = pthread_attr_init(&a);
+
+    if (error)
+        return error;
+    p.sched_priority = realtime ? plan->priority : 0;
+    pthread_attr_setinheritsched(&a, PTHREAD_EXPLICIT_SCHED);
+    pthread_attr_setschedpolicy(&a, realtime ? SCHED_FIFO : SCHED_OTHER);
+    pthread_attr_setschedparam(&a, &p);
+    error = pthread_attr_setstacksize(&a, stack_size(plan->stack));
+    if (!error)
+        error = pthread_create(&e->thread, &a, run, e);
+    pthread_attr_destroy(&a);
+    e->realtime = realtime && !error;
+    return error;
+}
+
+static void name(pthread_t thread, const char *text)
+{
+    char short_name[16] = "";
+
+    if (text) {
+        strncat(short_name, text, sizeof short_name - 1);
+        pthread_setname_np(thread, short_name);
+    }
+}
+
+// With the mutex held: the entry's creator and its joiner see all of it or nothing.
+static SmResult create(Entry *e, const PalThreadPlan *plan)
+{
+    int error = launch(e, plan, plan->priority > 0);
+
+    if (error == EPERM)
+        error = launch(e, plan, false);
+    if (error)
+        return error == EAGAIN ? SM_E_MEMORY : psl_result(error);
+    name(e->thread, plan->name);
+    return SM_OK;
+}
+
+SmResult pal_thread_create(PalThread *thread, const PalThreadPlan *plan, PalThreadMain *function, void *argument)
+{
+    SmResult r = SM_E_FULL;
+    uint8_t id;
+
+    if (!thread || !plan || !function || plan->priority > PAL_PRIORITY_MAX || plan->stack > STACK_MAX)
+        return SM_E_ARGUMENT;
+    pthread_once(&once, start);
+    pthread_mutex_lock(&mutex);
+    id = psl_table_take(used, PAL_THREADS);
+    if (id != 0) {
+        Entry *e = &entries[id - 1];
+
+        memset(e, 0, sizeof *e);
+        e->run = function;
+        e->argument = argument;
+        r = create(e, plan);
+        used[id - 1] = r == SM_OK;
+    }
+    pthread_mutex_unlock(&mutex);
+    if (r == SM_OK)
+        thread->id = id;
+    return r;
+}
+
+// With the mutex held; lets go of it while it waits.
+static SmResult wait(Entry *e, uint64_t deadline)
+{
+    struct timespec end = psl_timespec(deadline);
+    int error = 0;
+
+    if (e->joining || pthread_equal(e->thread, pthread_self()))
+        return SM_E_BUSY;
+    e->joining = true;
+    while (!e->ended && !error)
+        error = pthread_cond_timedwait(&changed, &mutex, &end);
+    e->joining = e->ended;
+    return e->ended ? SM_OK : psl_result(error);
+}
+
+SmResult pal_thread_join(PalThread thread, uint64_t timeout)
+{
+    uint64_t deadline = pal_clock_now() + timeout;
+    SmResult r = SM_E_HANDLE;
+
+    if (timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    pthread_mutex_lock(&mutex);
+    if (psl_table_holds(used, PAL_THREADS, thread.id))
+        r = wait(&entries[thread.id - 1], deadline);
+    if (r == SM_OK) {
+        pthread_mutex_unlock(&mutex);
+        pthread_join(entries[thread.id - 1].thread, NULL);     // it has run to its end: this takes no time
+        pthread_mutex_lock(&mutex);
+        used[thread.id - 1] = false;
+    }
+    pthread_mutex_unlock(&mutex);
+    return r;
+}
+
+bool pal_thread_is_realtime(PalThread thread)
+{
+    bool is;
+
+    pthread_mutex_lock(&mutex);
+    is = psl_table_holds(used, PAL_THREADS, thread.id) && entries[thread.id - 1].realtime;
+    pthread_mutex_unlock(&mutex);
+    return is;
+}
+
+SmResult pal_thread_set_priority(uint8_t priority)
+{
+    struct sched_param p = {0};
+
+    if (priority > PAL_PRIORITY_MAX)
+        return SM_E_ARGUMENT;
+    p.sched_priority = priority;
+    return psl_result(pthread_setschedparam(pthread_self(), priority > 0 ? SCHED_FIFO : SCHED_OTHER, &p));
+}

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+// No console here.
+#include "runtime-c/pal/console.h"
+
+SmResult pal_console_write(const char *text, size_t n)
+{
+    (void)text, (void)n;
+    return SM_E_UNSUPPORTED;
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// No network here.
+#include "runtime-c/pal/socket.h"
+
+SmResult pal_socket_udp(PalSocket *socket, const PalAddress *own)
+{
+    (void)socket, (void)own;
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_socket_send_to(PalSocket socket, const PalAddress *to, const void *bytes, size_t n)
+{
+    (void)socket, (void)to, (void)bytes, (void)n;
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_socket_receive_from(PalSocket socket, PalAddress *from, void *bytes, size_t room, size_t *n, uint64_t timeout)
+{
+    (void)socket, (void)from, (void)bytes, (void)room, (void)n, (void)timeout;
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_socket_listen(PalSocket *socket, const PalAddress *own)
+{
+    (void)socket, (void)own;
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *peer, uint64_t timeout)
+{
+    (void)listening, (void)stream, (void)peer, (void)timeout;
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t timeout)
+{
+    (void)stream, (void)to, (void)timeout;
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
+{
+    (void)stream, (void)bytes, (void)n, (void)sent, (void)timeout;
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *n, uint64_t timeout)
+{
+    (void)stream, (void)bytes, (void)room, (void)n, (void)timeout;
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_socket_own(PalSocket socket, PalAddress *own)
+{
+    (void)socket, (void)own;
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_socket_close(PalSocket socket)
+{
+    (void)socket;
+    return SM_E_UNSUPPORTED;
+}

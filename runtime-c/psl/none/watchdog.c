@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// No watchdog here.
+#include "runtime-c/pal/watchdog.h"
+
+SmResult pal_watchdog_start(uint64_t period, uint64_t *actual)
+{
+    (void)period, (void)actual;
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_watchdog_feed(void)
+{
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_watchdog_stop(void)
+{
+    return SM_E_UNSUPPORTED;
+}
+
+SmResult pal_watchdog_bit(bool *bit)
+{
+    (void)bit;
+    return SM_E_UNSUPPORTED;
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What console.h promises of every platform; that text arrives is each platform's own test.
+#include "runtime-c/pal/console.h"
+#include "tests/psl/suite.h"
+
+Tally contract_console(void)
+{
+    if (!bench.console) {
+        CHECK(pal_console_write("x", 1) == SM_E_UNSUPPORTED);
+        CHECK(pal_console_write(NULL, 0) == SM_E_UNSUPPORTED);
+        return TALLY();
+    }
+    CHECK(pal_console_write(NULL, 1) == SM_E_ARGUMENT);
+    CHECK(pal_console_write("", 0) == SM_OK);
+    CHECK(pal_console_write("console: a line\n", 16) == SM_OK);
+    return TALLY();
+}
