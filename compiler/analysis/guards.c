@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Guards that always or never hold, and why: a switch of constants, a type, a part that contradicts another, an earlier guard
 // that has let nothing else pass, or what is known of the variables.
+#include "compiler/analysis/compare.h"
 #include "compiler/analysis/implies.h"
 #include "compiler/analysis/structure.h"
 #include "compiler/analysis/whatif.h"
@@ -47,31 +48,6 @@ static Answer switched(const Expr *e)
 static bool is_comparison(SmOperator op)
 {
     return sm_op_info[op].op_class == SM_CLASS_RELATION || sm_op_info[op].op_class == SM_CLASS_EQUALITY;
-}
-
-static bool is_bare(const Expr *e)
-{
-    for (uint32_t i = 0; i < e->n; i++)
-        if (e->arg[i]->kind != EX_VAR && !expr_is_constant(e->arg[i]))
-            return false;
-    return true;
-}
-
-// A comparison in it that comes out one way whatever the variable holds.
-static bool type_decides(const Analysis *a, const Expr *e)
-{
-    Fact f;
-
-    if (e->kind == EX_CHAIN || (e->kind == EX_BINARY && is_comparison(e->op))) {
-        if (!is_bare(e))
-            return false;
-        f = suppose_value(a, NULL, e);
-        return f.lo == f.hi;
-    }
-    for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
-        if (type_decides(a, e->arg[i]))
-            return true;
-    return false;
 }
 
 // A local that still has its initial value here and gets others elsewhere: that it is read too early is told at it.
@@ -343,7 +319,7 @@ static Verdict judge_never(Structure *k, const Stmt *s, const Befores *b)
         before = find_before(k, s->value, b, covered);
     if (switched(s->value) != SOMETIMES)
         v.dead = dead_of(k, CAUSE_SWITCH, s, NULL, NULL);
-    else if (type_decides(k->a, s->value))
+    else if (types_decide_in(k->a, s->value))
         v.dead = dead_of(k, CAUSE_TOLD, s, NULL, NULL);
     else if (before)
         v.dead = forestalled(k, s, before);
@@ -360,7 +336,7 @@ static Verdict judge_always(Structure *k, const Stmt *s, const Befores *b)
         v.dead = dead_of(k, CAUSE_SWITCH, s, NULL, NULL);
         return v;
     }
-    if (!type_decides(k->a, s->value) && !reads_initial(k, s->value, k->a->stmt[s->number].env)) {
+    if (!types_decide_in(k->a, s->value) && !reads_initial(k, s->value, k->a->stmt[s->number].env)) {
         if (is_the_rest(k, s->value, b))
             return v;
         report_always(k, s);

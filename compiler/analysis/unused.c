@@ -1,30 +1,200 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements that a machine lists and never uses, and locals that it never reads.
+// What has no effect on anything that the machine shows or decides: elements that it lists and never uses, locals that nothing
+// but themselves needs, rolling statistics that feed only such.  And locals that never change, which are constants.
+//
+// What has an effect: a transition and an assignment to an element, with every guard around them.  From there it goes back: of a
+// local that is needed, every assignment is, with its guards; of a statistic that is needed, what it samples.
 #include "compiler/analysis/analysis.h"
+#include "compiler/analysis/edits.h"
 
-// @read_only locals are named constants, and a list of them may be longer than what one machine needs.
-static void look_at_local(Diags *diags, const Var *v)
+// ---- what is needed ----
+
+typedef struct Place Place;
+struct Place {                    // of an assignment
+    const Stmt *stmt;
+    const Condition *when;
+    const Place *next;            // of the same variable
+};
+
+typedef struct Needs {
+    Analysis *a;
+    bool everywhere;              // what is never executed counts too
+    bool *var, *window;           // by Var.index, by index of window: it is needed
+    bool *guard;                  // by Stmt.number: the guard is
+    const Place **place;          // by Var.index: where it is assigned
+    VEC(const Var *) waiting;     // needed, their assignments not yet looked at
+} Needs;
+
+static void need_expr(Needs *n, const Expr *e)
 {
-    if (v->read || v->read_only)
-        return;
-    diag_report(diags, v->written ? DIAG_unread_local : DIAG_unused_local, v->span, v->name->text);
+    const Var *v = e->var;
+
+    if (e->kind == EX_VAR && !n->var[v->index]) {
+        n->var[v->index] = true;
+        vec_push(n->a->arena, &n->waiting, v);
+    }
+    if (e->kind == EX_ROLL)
+        n->window[e->window] = true;
+    for (uint32_t i = 0; i < e->n; i++)
+        need_expr(n, e->arg[i]);
 }
 
-// G and S have their use without being named.
-static void look_at_element(Diags *diags, const Program *p, const Var *v)
+static void need_guards(Needs *n, const Condition *when)
 {
-    if (!v->read && !v->written && v != p->g && v != p->s)
-        diag_report(diags, DIAG_unused_element, v->span, v->name->text);
+    for (; when && !n->guard[when->stmt->number]; when = when->outer) {
+        n->guard[when->stmt->number] = true;
+        need_expr(n, when->stmt->value);
+    }
+}
+
+// A transition, or an assignment that others see.  (A conditional without statements is an oversight of its own.)
+static bool has_effect(const Stmt *stmt)
+{
+    switch (stmt->kind) {
+    case ST_TRANSITION: return true;
+    case ST_ASSIGN: return stmt->var->kind != VAR_LOCAL || stmt->var->outside;
+    case ST_IF: return stmt->then.n == 0 && stmt->otherwise.n == 0;
+    }
+    return true;
+}
+
+static void need_stmt(Needs *n, const Stmt *stmt, const Condition *when)
+{
+    need_guards(n, when);
+    if (stmt->value)
+        need_expr(n, stmt->value);
+}
+
+static void look_at_stmts(Needs *n, const Stmts *stmts, const Condition *when);
+
+static void look_under(Needs *n, const Stmts *stmts, const Stmt *stmt, bool holds, const Condition *outer)
+{
+    Condition *c;
+
+    if (stmts->n == 0)
+        return;
+    c = ARENA_NEW(n->a->arena, Condition);
+    *c = (Condition){stmt, holds, outer};
+    look_at_stmts(n, stmts, c);
+}
+
+static void note_place(Needs *n, const Stmt *stmt, const Condition *when)
+{
+    Place *p = ARENA_NEW(n->a->arena, Place);
+
+    *p = (Place){stmt, when, n->place[stmt->var->index]};
+    n->place[stmt->var->index] = p;
+}
+
+// As deep as conditionals nest: AST_DEPTH_MAX bounds it.  Where only what is executed counts, every guard does: that one is
+// decided is a finding of its own.
+static void look_at_stmts(Needs *n, const Stmts *stmts, const Condition *when)
+{
+    for (size_t i = 0; i < stmts->n; i++) {
+        const Stmt *stmt = stmts->at[i];
+        if (!n->everywhere && !n->a->stmt[stmt->number].reached)
+            continue;
+        if (has_effect(stmt) || (stmt->kind == ST_IF && !n->everywhere))
+            need_stmt(n, stmt, when);
+        else if (stmt->kind == ST_ASSIGN)
+            note_place(n, stmt, when);
+        look_under(n, &stmt->then, stmt, true, when);
+        look_under(n, &stmt->otherwise, stmt, false, when);
+    }
+}
+
+static void need_feeders(Needs *n)
+{
+    while (n->waiting.n > 0) {
+        const Var *v = n->waiting.at[--n->waiting.n];
+        for (const Place *p = n->place[v->index]; p; p = p->next)
+            need_stmt(n, p->stmt, p->when);
+    }
+}
+
+static Needs needs_of(Analysis *a, bool everywhere)
+{
+    const Program *p = a->p;
+    Needs n = {.a = a, .everywhere = everywhere};
+
+    n.var = ARENA_ARRAY(a->arena, bool, p->var.n);
+    n.window = ARENA_ARRAY(a->arena, bool, p->window.n);
+    n.guard = ARENA_ARRAY(a->arena, bool, p->stmts + 1u);
+    n.place = ARENA_ARRAY(a->arena, const Place *, p->var.n);
+    for (size_t s = 0; s < p->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            look_at_stmts(&n, &p->state.at[s]->block[b], NULL);
+    need_feeders(&n);
+    return n;
+}
+
+// ---- variables ----
+
+// G and S have their use without being named.
+static void look_at_element(Analysis *a, const Var *v)
+{
+    if (!v->read && !v->written && v != a->p->g && v != a->p->s)
+        diag_report(a->diags, DIAG_unused_element, v->span, v->name->text);
+}
+
+static void report_never_written(Analysis *a, const Var *v)
+{
+    Diag *d = diag_report(a->diags, DIAG_never_written, v->span, v->name->text);
+
+    edit_mark_read_only(a->diags, d, v);
+}
+
+// @read_only locals are named constants, and a list of them may be longer than what one machine needs.
+static void look_at_local(Analysis *a, const Var *v, bool needed)
+{
+    if (v->read_only || v->outside)
+        return;
+    if (!v->read)
+        diag_report(a->diags, v->written ? DIAG_unread_local : DIAG_unused_local, v->span, v->name->text);
+    else if (!v->written)
+        report_never_written(a, v);
+    else if (!needed)
+        diag_report(a->diags, DIAG_feeds_itself, v->span, v->name->text);
+}
+
+static void need_var(Expr *e, void *context)
+{
+    bool *needed = context;
+
+    if (e->kind == EX_VAR)
+        needed[e->var->index] = true;
+}
+
+// Initial values and sizes of windows need what they are made of.
+static void need_constants(const Program *p, bool *needed)
+{
+    for (size_t i = 0; i < p->var.n; i++) {
+        needed[i] |= p->var.at[i]->sizes;
+        if (p->var.at[i]->init_value)
+            expr_walk(p->var.at[i]->init_value, need_var, needed);
+    }
+}
+
+static void look_at_window(Analysis *a, const Window *w, bool needed, bool executed)
+{
+    if (!needed)
+        diag_report(a->diags, DIAG_unused_window, w->span, "nothing depends on what it feeds");
+    else if (!executed)
+        diag_report(a->diags, DIAG_unused_window, w->span, "what uses it is never executed");
 }
 
 void analyse_unused(Analysis *a)
 {
     const Program *p = a->p;
+    Needs all = needs_of(a, true), executed = needs_of(a, false);
 
+    for (size_t i = 0; i < p->window.n; i++)
+        look_at_window(a, &p->window.at[i], all.window[i], executed.window[i]);
+    need_constants(p, all.var);
     for (size_t i = 0; i < p->var.n; i++)
         switch (p->var.at[i]->kind) {
-        case VAR_ELEMENT: look_at_element(a->diags, p, p->var.at[i]); break;
-        case VAR_LOCAL:   look_at_local(a->diags, p->var.at[i]); break;
+        case VAR_ELEMENT: look_at_element(a, p->var.at[i]); break;
+        case VAR_LOCAL:   look_at_local(a, p->var.at[i], all.var[i]); break;
         case VAR_TIME:    break;
         }
 }

@@ -119,3 +119,18 @@ Analysis suppose_sensor(const Analysis *a, const Var *v, Fact f)
     facts_flow(fm, a->m->sample, suppose(a, facts_begin_sample(fm), v, f), NULL);
     return out;
 }
+
+Analysis suppose_ranges(const Analysis *a)
+{
+    Analysis out = *a;
+    const Env *env = NULL;
+
+    for (size_t i = 0; i < a->p->var.n; i++) {
+        const Var *v = a->p->var.at[i];
+        if (v->range && !v->written)
+            env = suppose(a, env, v, fact_of_range(v->range->lo, v->range->hi));
+    }
+    if (env)
+        out.facts = facts_supposing(a->arena, a->m, env);
+    return out;
+}

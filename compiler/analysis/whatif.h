@@ -27,6 +27,9 @@ Fact suppose_stored(const Analysis *a, const Env *env, const Stmt *assign);
 // else.  Begin its functions with suppose(…, facts_begin(…), v, f).
 Analysis suppose_sensor(const Analysis *a, const Var *v, Fact f);
 
+// The analysis of a machine whose sensors stay in their @range for ever, with its locals; a itself if there is no @range.
+Analysis suppose_ranges(const Analysis *a);
+
 Fact fact_of_number(SmF64 x);                 // one number
 Fact fact_of_range(SmF64 lo, SmF64 hi);       // anything between
 

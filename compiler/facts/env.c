@@ -113,13 +113,13 @@ const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLim
     return join(s, a, b, 0, s->levels - 1, widen);
 }
 
-const Env *env_private(const EnvShape *s, const Env *e)
+const Env *env_begin(const EnvShape *s, const Env *e, const Env *outside)
 {
     Env *n;
 
     if (!e || !e->kid[1].env)
-        return NULL;
-    n = copy(s, NULL);
+        return outside;
+    n = copy(s, outside);
     n->kid[1] = e->kid[1];
     return n;
 }

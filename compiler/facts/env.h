@@ -22,6 +22,7 @@ const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact);
 const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLimits *widen);
 
 bool env_is_private(const IrVar *v);                          // a local that nobody beside the machine writes
-const Env *env_private(const EnvShape *s, const Env *e);      // only what it tells of those
+// What e tells of those, and `outside` of all others.
+const Env *env_begin(const EnvShape *s, const Env *e, const Env *outside);
 
 #endif

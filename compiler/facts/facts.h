@@ -31,6 +31,8 @@ typedef struct FactFlow {             // holds until the next function is looked
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
 // The same of a machine that is only ever started in its first state: what analyses speak of.
 FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m);
+// The same, where `outside` says of elements what they are whenever a step begins.
+FactMachine *facts_supposing(Arena *arena, const IrMachine *m, const Env *outside);
 // Whether a way to this function has been found.
 bool facts_reach(const FactMachine *fm, size_t state, int block);
 
@@ -61,7 +63,8 @@ typedef struct FactBegin {            // of a function
 
 struct FactMachine {
     EnvShape shape;
-    const Env *constants;             // locals that nobody writes
+    const Env *outside;               // what is supposed of elements, or NULL
+    const Env *constants;             // that, and locals that nobody writes
     FactBegin (*begin)[BLOCK_COUNT];  // by state
     Fact *window;                     // by window: its samples
     uint32_t *epoch, *stored;         // by variable: the block that wrote it last (counted from 1), and where in it

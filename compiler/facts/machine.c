@@ -87,7 +87,7 @@ static void end_of_function(void *context, const IrJump *end, const Env *env)
     Visit *v = context;
     const IrState *s = &v->fm->shape.m->state.at[v->state];
 
-    env = env_private(&v->fm->shape, env);
+    env = env_begin(&v->fm->shape, env, v->fm->outside);
     if (v->block == BLOCK_EXIT) {
         arrive_at_targets(v, s->block[BLOCK_ENTRY], env);
         arrive_at_targets(v, s->block[BLOCK_STEP], env);
@@ -141,9 +141,10 @@ static void last_round(Visit *v, const Env *env)
     v->fm->begin = v->to;
 }
 
-static const Env *initial(const EnvShape *s, bool writable_too)
+static const Env *initial(const FactMachine *fm, bool writable_too)
 {
-    const Env *env = NULL;
+    const EnvShape *s = &fm->shape;
+    const Env *env = fm->outside;
 
     for (uint32_t v = 0; v < s->m->var.n; v++) {
         const IrVar *var = &s->m->var.at[v];
@@ -192,7 +193,7 @@ static FactLimits numbers_of(Arena *arena, const IrMachine *m)
 static void visit_all(FactMachine *fm, bool anywhere)
 {
     const IrMachine *m = fm->shape.m;
-    const Env *env = initial(&fm->shape, true);
+    const Env *env = initial(fm, true);
     Visit v = {fm, fm->begin, {NULL, NULL, 0, 0, m->state.n}, 0, 0, anywhere, false, numbers_of(fm->shape.arena, m)};
 
     v.queue.at = ARENA_ARRAY(fm->shape.arena, uint32_t, m->state.n);
@@ -203,24 +204,27 @@ static void visit_all(FactMachine *fm, bool anywhere)
         last_round(&v, env);
 }
 
-static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool anywhere)
+static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool anywhere, const Env *outside)
 {
     FactMachine *fm = ARENA_NEW(arena, FactMachine);
 
     fm->shape = env_shape(arena, m);
+    fm->outside = outside;
     fm->begin = arena_array(arena, m->state.n, sizeof *fm->begin);
     fm->window = ARENA_ARRAY(arena, Fact, m->window.n);
     fm->epoch = ARENA_ARRAY(arena, uint32_t, m->var.n);
     fm->stored = ARENA_ARRAY(arena, uint32_t, m->var.n);
-    fm->constants = initial(&fm->shape, false);
+    fm->constants = initial(fm, false);
     if (m->sample)
         facts_flow(fm, m->sample, fm->constants, NULL);
     visit_all(fm, anywhere);
     return fm;
 }
 
-FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return find_facts(arena, m, true); }
-FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m) { return find_facts(arena, m, false); }
+FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return find_facts(arena, m, true, NULL); }
+FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m) { return find_facts(arena, m, false, NULL); }
+
+FactMachine *facts_supposing(Arena *arena, const IrMachine *m, const Env *outside) { return find_facts(arena, m, false, outside); }
 
 // ---- answers ----
 

@@ -59,6 +59,7 @@ static bool allowed_in_size(Sema *s, Var *v, const AstExpr *e)
         scope_note_declared(s, d, e->name);
         return false;
     }
+    v->sizes |= !s->in_script;
     vec_push(s->arena, &s->size_use, use);
     return !s->no_value || !s->no_value[v->index];
 }

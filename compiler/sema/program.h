@@ -87,6 +87,7 @@ typedef struct Var {
     bool is_constant;         // LOCAL: read-only and not written from outside: `init` is its value for ever
     bool written;             // an assignment to it stands somewhere in the machine
     bool read;                // it is read somewhere in the machine
+    bool sizes;               // LOCAL: the size of a window is made of it
     Span span;                // its name where it is listed
 } Var;
 

@@ -14,7 +14,7 @@ U32 S
 F64 x
 F64 y @allow(unused-element, "not true")  #! W0210 '@allow(unused-element)'
 [local]
-U8 n = 1 @allow(never-written, "x") @allow(unused-local, "not true")  #! W0210 '@allow(unused-local)' #! W0210 '@allow(never-written)'
+U8 n = 1 @allow(never-written, "x") @allow(unused-local, "not true")  #! W0210 '@allow(unused-local)'
 [A] @allow(empty-braces, "outer")         #! W0210 '@allow(empty-braces)'
 .step
     x = n

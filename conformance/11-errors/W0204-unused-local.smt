@@ -6,8 +6,8 @@ U64 G
 U32 S
 F64 x
 [local]
-F64 scale = 2
-F64 limit = scale
+F64 scale = 2 @read_only
+F64 limit = scale @read_only
 F64 idle  = 1                 #! W0204 'idle'
 F64 pi    = 3.14159 @read_only
 [Hold]

@@ -7,11 +7,13 @@ U64 G
 U32 S
 F64 a @allow(unused-element, "x")         #! W0210 leave it out
 F64 b @allow(unused-element, "x") @allow(unused-element, "y")     #! W0210
+F64 c
+F64 d
 [A]
 .step
     a = 1
     @allow(unused-allow, "x")
     @allow(dead-code, "x")
-    a = 2
+    c = 2
     @allow(unused-allow, "x")             #! W0210 '@allow(unused-allow)'
-    a = 3
+    d = 3

@@ -13,7 +13,7 @@ F64 f
     x > 255: -> Hold          #! W0405 'x' is U8, a whole number from 0 to 255
     y < -128: -> Hold         #! W0405 'y'
     300 == x: -> Hold         #! W0405
-    x == 2.5: -> Hold         #! W0405
+    x == 2.5: -> Hold         #! W0414
     b == 2: -> Hold           #! W0405 bool
     0 > x: -> Hold            #! W0405
     f > 3 and 10 < x < 500 < y: -> Hold   #! W0405 'y'

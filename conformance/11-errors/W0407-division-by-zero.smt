@@ -1,4 +1,4 @@
-spec 2.9   Dividing by a constant zero draws a warning.
+spec 2.9   Dividing by what is always zero draws a warning.
 analyses on
 -- app.sm --
 [state_vector]
@@ -12,4 +12,5 @@ F64 some = 0
 .step
     x = x / 0                 #! W0407
     x = x / (none * 2)        #! W0407
-    x = x / some
+    x = x / some              #! W0407
+    some = 0

@@ -7,7 +7,7 @@ U32 S
 [Hold]
 .step
     T == 5000: -> Hold        #! W0408 'T' may never be exactly 5000
-    100 == time: -> Hold      #! W0408 'G'
+    100 == time: -> Hold      #! W0408 'time'
     T == 0: -> Hold
     T >= 5000: -> Hold
     S == 2: -> Hold

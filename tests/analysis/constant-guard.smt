@@ -31,7 +31,7 @@ F64 gain = 2 @read_only
         p > q: valve = true              #! W0509
     }
     abs(p) < 0: valve = false            #! W0508
-    level * 2 > 600: valve = false       #! W0508
+    level * 2 > 600: valve = false       #! W0418
     q > 9: -> B
     q < 12: valve = true                 #! W0509
 [B]

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which variables' values may still be read: backward over every function, and for locals over the states.
+//
+// Elements are read by others at the end of each step, and so is a local that somebody outside writes; what windows sample is
+// read when the next step begins.  Guards are not looked at: every way counts.
+#ifndef SMC_LIVENESS_H
+#define SMC_LIVENESS_H
+
+#include "compiler/analysis/analysis.h"
+
+typedef struct Liveness Liveness;
+
+Liveness *liveness_of(Analysis *a);
+
+// Calls f for each store of a state that can be reached whose value nothing can read.
+typedef struct DeadStore {
+    size_t state;                 // from 0
+    BlockKind block;
+    const IrFn *f;
+    IrBlkRef blk;                 // the store is at blk's ins.at[at]
+    size_t at;
+    const IrIns *store;
+} DeadStore;
+void each_dead_store(Liveness *l, void (*f)(Analysis *a, const DeadStore *dead, void *context), void *context);
+
+#endif

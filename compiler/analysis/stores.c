@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// Assignments that change nothing anybody could see: a variable's own value, or one that is overwritten on every way before
+// anything reads it.
+#include "compiler/analysis/edits.h"
+#include "compiler/analysis/liveness.h"
+
+enum { STATES_TRIED = 100 };      // how far the assignment that overwrites is looked for
+
+typedef struct Home {             // where a statement stands
+    const Stmt *stmt;
+    const Stmts *list;
+    bool is_block;                // the list is a label's
+} Home;
+
+typedef struct Stores {
+    Analysis *a;
+    Home *home;                   // by Stmt.number
+    size_t *first;                // by state: where its transitions begin in the list of all; one more for the end
+    uint32_t *seen, searches;     // by state: the last search that has come there
+} Stores;
+
+// ---- itself ----
+
+static bool is_itself(const Stmt *stmt)
+{
+    return stmt->kind == ST_ASSIGN && stmt->value->kind == EX_VAR && stmt->value->var == stmt->var;
+}
+
+static void look_at_stmts(Stores *k, const Stmts *list, bool is_block)
+{
+    for (size_t i = 0; i < list->n; i++) {
+        const Stmt *stmt = list->at[i];
+        k->home[stmt->number] = (Home){stmt, list, is_block};
+        if (is_itself(stmt)) {
+            Diag *d = diag_report(k->a->diags, DIAG_self_assignment, stmt->span, stmt->var->name->text);
+            edit_remove(k->a->diags, d, stmt, list, is_block);
+        }
+        look_at_stmts(k, &stmt->then, false);
+        look_at_stmts(k, &stmt->otherwise, false);
+    }
+}
+
+// ---- what overwrites ----
+
+// The first store to var in f behind ins.at[at] of block blk that control can come to; NULL if there is none.
+static const IrIns *store_behind(Arena *arena, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var)
+{
+    bool *reached = ARENA_ARRAY(arena, bool, f->blk.n);
+
+    reached[blk] = true;
+    for (size_t b = blk; b < f->blk.n; b++) {
+        const IrJump *j = &f->blk.at[b].jump;
+        if (!reached[b])
+            continue;
+        for (size_t k = b == blk ? at : 0; k < f->blk.at[b].ins.n; k++) {
+            const IrIns *i = &f->ins.at[f->blk.at[b].ins.at[k]];
+            if (i->op == IR_store && i->var == var)
+                return i;
+        }
+        if (j->kind == IR_BR || j->kind == IR_JMP)
+            reached[j->then] = true;
+        if (j->kind == IR_BR)
+            reached[j->otherwise] = true;
+    }
+    return NULL;
+}
+
+static const IrIns *store_from(const Stores *k, size_t state, int block, uint32_t var)
+{
+    const IrIns *found = NULL;
+
+    for (; block < BLOCK_COUNT && !found; block++)
+        if (k->a->m->state.at[state].block[block])
+            found = store_behind(k->a->arena, k->a->m->state.at[state].block[block], 0, 0, var);
+    return found;
+}
+
+static size_t enqueue_next(Stores *k, size_t *queue, size_t n, size_t state)
+{
+    for (size_t t = k->first[state]; t < k->first[state + 1] && n < STATES_TRIED; t++) {
+        const size_t to = k->a->transition.at[t].to->number - 1;
+        if (k->seen[to] != k->searches)
+            queue[n++] = to;
+        k->seen[to] = k->searches;
+    }
+    return n;
+}
+
+static const IrIns *store_in_later_state(Stores *k, size_t from, uint32_t var)
+{
+    size_t queue[STATES_TRIED], n = 0;
+    const IrIns *found = NULL;
+
+    k->searches++;
+    n = enqueue_next(k, queue, n, from);
+    for (size_t i = 0; i < n && !found; i++) {
+        found = store_from(k, queue[i], BLOCK_ENTRY, var);
+        n = enqueue_next(k, queue, n, queue[i]);
+    }
+    return found;
+}
+
+// Elements are overwritten in the same step; of a local that is never again assigned nothing is said.
+static const IrIns *overwriter(Stores *k, const DeadStore *dead)
+{
+    const uint32_t var = dead->store->var;
+    const IrIns *found = store_behind(k->a->arena, dead->f, dead->blk, dead->at + 1, var);
+
+    if (!found)
+        found = store_from(k, dead->state, (int)dead->block + 1, var);
+    if (k->a->m->var.at[var].space != IR_LOCAL)
+        return found;
+    if (!found && dead->block != BLOCK_EXIT)
+        found = store_from(k, dead->state, BLOCK_STEP, var);                 // in the next step
+    if (!found)
+        found = store_in_later_state(k, dead->state, var);
+    return found;
+}
+
+static void look_at_dead(Analysis *a, const DeadStore *dead, void *context)
+{
+    Stores *k = context;
+    const Home *home = &k->home[dead->store->stmt];
+    const Var *v = home->stmt->var;
+    const IrIns *other;
+    Diag *d;
+
+    if (!a->stmt[home->stmt->number].reached || is_itself(home->stmt) || (v->kind == VAR_LOCAL && !v->read))
+        return;
+    if ((other = overwriter(k, dead)) == NULL)
+        return;
+    d = diag_report(a->diags, DIAG_dead_store, home->stmt->span, v->name->text);
+    diag_note(a->diags, d, other->span, DIAG_note_overwritten_here);
+    edit_remove(a->diags, d, home->stmt, home->list, home->is_block);
+}
+
+// Transitions stand in file order, so those of a state stand together.
+static size_t *first_transitions(const Analysis *a)
+{
+    size_t *first = ARENA_ARRAY(a->arena, size_t, a->p->state.n + 1), t = 0;
+
+    for (size_t s = 0; s <= a->p->state.n; s++) {
+        while (t < a->transition.n && a->transition.at[t].from->number - 1 < s)
+            t++;
+        first[s] = t;
+    }
+    return first;
+}
+
+void analyse_stores(Analysis *a)
+{
+    Stores k = {a, ARENA_ARRAY(a->arena, Home, a->p->stmts + 1u), first_transitions(a),
+                ARENA_ARRAY(a->arena, uint32_t, a->m->state.n), 0};
+
+    for (size_t s = 0; s < a->p->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            look_at_stmts(&k, &a->p->state.at[s]->block[b], true);
+    each_dead_store(liveness_of(a), look_at_dead, &k);
+}
