@@ -1,7 +1,7 @@
 # A machine with names and lines, in a folder; then without, and one that does nothing.
-args build -g sub.sm
+args build -g -Wno-never-written sub.sm
 args disasm sub.smb
-args build --strip sub.sm
+args build --strip -Wno-never-written sub.sm
 args disasm sub.smb
 args build -g idle.sm
 args disasm idle.smb
