@@ -401,6 +401,16 @@ check: $(B)/diagnostics
 CHECK_LINES += "diagnostics: $(B)/diagnostics docs/diagnostics.md"
 .PHONY: docs
 
+# Every edit that a finding proposes helps.
+$(B)/fixes: tests/check/fixes.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/libsmc.a
+check: $(B)/fixes
+CHECK_LINES += "fixes: $(B)/fixes $(wildcard conformance/*/*.smt tests/analysis/*.smt)"
+check-fixes: $(B)/fixes
+	$(B)/fixes $(wildcard conformance/*/*.smt tests/analysis/*.smt)
+.PHONY: check-fixes
+
 # What --message-format=sarif writes is valid.  `make sarif-schema` gets the schema that says what that is.
 CHECK_LINES += "sarif: sh tests/check/sarif.sh $(B)/smc $(B)/sarif $(wildcard conformance/11-errors/*.smt tests/analysis/*.smt)"
 sarif-schema:

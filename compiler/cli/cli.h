@@ -77,6 +77,7 @@ Source *cli_load(Cli *c, const char *path);
 // Reads the scripts of the call, once each: by argument, NULL for what is no script or cannot be read (after a message).
 // The names that they assign go into `written`: a machine is compiled with those locals as variables.
 Source **cli_load_scripts(Cli *c, Map *written);
+void cli_note_written(Cli *c, const Source *ss, Map *written);     // the names that one script assigns
 bool cli_write(Cli *c, const OsOutput *out, size_t n);    // false after a message
 bool cli_print(Cli *c, int fd, const Buf *text);          // to standard output or error; false after a message
 

@@ -1,92 +1,188 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc fix FILE…: makes the edits that the diagnostics of the sources propose, and says what is left.
+// smc fix FILE…: makes the edits that the findings of `smc check` propose, and says what is left.
+#include <string.h>
+
+#include "compiler/analysis/analysis.h"
 #include "compiler/cli/cli.h"
 #include "compiler/syntax/parse.h"
 
 enum { ROUNDS = 10 };         // one edit may bring another mistake to light
 
-static bool kind_of(const char *path, FileKind *kind)
-{
-    static const struct { const char *suffix; FileKind kind; } kinds[] = {{".sm", FILE_SM}, {".sv", FILE_SV}, {".ss", FILE_SS}};
+typedef struct Fix {
+    Cli *c;
+    Source **src;             // of each argument, as it is by now
+    size_t *fixed;            // findings of each that are gone
+    const Source *sv;         // of --sv; NULL: none
+    size_t machines;
+} Fix;
 
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        if (has_suffix(path, kinds[i].suffix)) {
-            *kind = kinds[i].kind;
+// ---- what there is to say ----
+
+static const Source *state_vector(const Fix *f)
+{
+    const Cli *c = f->c;
+
+    for (size_t i = 0; f->sv && i < c->files; i++)
+        if (strcmp(c->file[i], c->value[OPT_SV]) == 0)
+            return f->src[i];
+    return f->sv;
+}
+
+static bool is_script_of_machine(const Fix *f, size_t i)
+{
+    return f->machines == 1 && has_suffix(f->c->file[i], ".ss");
+}
+
+static void diagnose_machine(Fix *f, size_t machine)
+{
+    Cli *c = f->c;
+    Map written = {&c->session.arena, NULL, NULL, 0, 0};
+    MachineInput in = {f->src[machine], state_vector(f), &written, option_level(c)};
+    Program *p;
+
+    for (size_t i = 0; i < c->files; i++)
+        if (is_script_of_machine(f, i))
+            cli_note_written(c, f->src[i], &written);
+    if ((p = session_program(&c->session, &in)) != NULL)
+        analyse_program(&c->session.arena, &c->session.diags, p);
+    for (size_t i = 0; i < c->files; i++)
+        if (is_script_of_machine(f, i) && p)
+            session_script(&c->session, f->src[i], p);
+        else if (is_script_of_machine(f, i))
+            session_parse(&c->session, f->src[i], FILE_SS);
+}
+
+static void diagnose(Fix *f)
+{
+    Cli *c = f->c;
+    Diags *d = &c->session.diags;
+
+    diags_init(d, &c->session.arena);
+    for (size_t i = 0; i < c->files; i++)
+        if (has_suffix(c->file[i], ".sm"))
+            diagnose_machine(f, i);
+        else if (has_suffix(c->file[i], ".sv"))
+            session_state_vector(&c->session, f->src[i]);
+        else if (!is_script_of_machine(f, i))
+            session_parse(&c->session, f->src[i], FILE_SS);
+    diags_apply_allows(d);
+    warnings_apply(&c->warn, d);
+    diags_sort(d);
+}
+
+// ---- edits ----
+
+static size_t count(const Diags *d, DiagCode code)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < d->list.n; i++)
+        n += d->list.at[i]->code == code;
+    return n;
+}
+
+// Some mistakes are gone, and as far as errors go no others have come: less of something that could be edited is left.
+static bool is_better(const Diags *now, const Diags *before)
+{
+    if (now->errors != before->errors)
+        return now->errors < before->errors;
+    for (size_t i = 0; i < before->list.n; i++) {
+        const Diag *d = before->list.at[i];
+        if (d->edits.n && count(now, d->code) < count(before, d->code))
             return true;
-        }
+    }
     return false;
 }
 
-static void diagnose(Cli *c, const Source *src, FileKind kind)
+// One round on one file; false if there was nothing to do, or it did not help.
+static bool improve(Fix *f, size_t i)
 {
-    diags_init(&c->session.diags, &c->session.arena);
-    parse_file(&c->session.arena, &c->session.strings, &c->session.diags, src, kind);
-    diags_sort(&c->session.diags);
-}
+    Cli *c = f->c;
+    Diags before = c->session.diags;
+    Source *was = f->src[i];
+    Buf text;
+    size_t made;
 
-// The text after as many rounds as make it better; *fixed counts the diagnostics that are gone.
-static Source *improve(Cli *c, Source *src, FileKind kind, size_t *fixed)
-{
-    for (int i = 0; i < ROUNDS; i++) {
-        size_t errors = c->session.diags.errors, made;
-        Source *better;
-        Buf text;
-        buf_init(&text, &c->session.arena);
-        made = diags_apply_edits(&c->session.diags, src, &text);
-        if (made == 0)
-            break;
-        better = source_new(&c->session.arena, src->name, buf_text(&text), text.n);
-        diagnose(c, better, kind);
-        if (c->session.diags.errors >= errors) {          // it did not help: the text before stands
-            diagnose(c, src, kind);
-            break;
-        }
-        *fixed += made;
-        src = better;
+    buf_init(&text, &c->session.arena);
+    if ((made = diags_apply_edits(&before, was, &text)) == 0)
+        return false;
+    f->src[i] = source_new(&c->session.arena, was->name, buf_text(&text), text.n);
+    diagnose(f);
+    if (!is_better(&c->session.diags, &before)) {
+        f->src[i] = was;
+        c->session.diags = before;
+        return false;
     }
-    return src;
+    f->fixed[i] += made;
+    return true;
 }
 
-static int fix_file(Cli *c, const char *path, Buf *report)
+static void improve_all(Fix *f)
 {
-    Source *src = cli_load(c, path), *better;
-    FileKind kind = FILE_SM;
-    size_t fixed = 0;
-    int left;
+    bool any = true;
 
-    if (!src)
-        return EXIT_ENVIRONMENT;
-    kind_of(path, &kind);
-    diagnose(c, src, kind);
-    better = improve(c, src, kind, &fixed);
-    if (better != src) {
-        OsOutput out = {path, better->text, better->len};
+    for (int round = 0; round < ROUNDS && any; round++) {
+        any = false;
+        for (size_t i = 0; i < f->c->files; i++)
+            any = improve(f, i) || any;
+    }
+}
+
+// ---- the command ----
+
+static bool load(Fix *f)
+{
+    Cli *c = f->c;
+
+    f->src = ARENA_ARRAY(&c->session.arena, Source *, c->files);
+    f->fixed = ARENA_ARRAY(&c->session.arena, size_t, c->files);
+    for (size_t i = 0; i < c->files; i++) {
+        f->machines += has_suffix(c->file[i], ".sm");
+        if ((f->src[i] = cli_load(c, c->file[i])) == NULL)
+            return false;
+    }
+    return !c->given[OPT_SV] || (f->sv = cli_load(c, c->value[OPT_SV])) != NULL;
+}
+
+static bool write_fixed(Fix *f, Buf *report)
+{
+    Cli *c = f->c;
+
+    for (size_t i = 0; i < c->files; i++) {
+        OsOutput out = {c->file[i], f->src[i]->text, f->src[i]->len};
+        if (f->fixed[i] == 0)
+            continue;
         if (!cli_write(c, &out, 1))
-            return EXIT_ENVIRONMENT;
-        buf_printf(report, "%s: %lu fixed\n", path, (unsigned long)fixed);
+            return false;
+        buf_printf(report, "%s: %lu fixed\n", c->file[i], (unsigned long)f->fixed[i]);
     }
-    left = cli_report(c);
-    return left;
+    return true;
+}
+
+static int check_use(Cli *c)
+{
+    if (c->files == 0)
+        return cli_usage(c, "fix wants a file, as in 'smc fix tank.sm'");
+    for (size_t i = 0; i < c->files; i++)
+        if (!has_suffix(c->file[i], ".sm") && !has_suffix(c->file[i], ".ss") && !has_suffix(c->file[i], ".sv"))
+            return cli_usage(c, "'%s' is no source: names end in .sm, .sv or .ss", c->file[i]);
+    return EXIT_OK;
 }
 
 int cmd_fix(Cli *c)
 {
-    int code = EXIT_OK;
-    FileKind kind;
+    Fix f = {.c = c};
+    int code = check_use(c), left;
     Buf report;
 
-    if (c->files == 0)
-        return cli_usage(c, "fix wants a file, as in 'smc fix tank.sm'");
-    for (size_t i = 0; i < c->files; i++)
-        if (!kind_of(c->file[i], &kind))
-            return cli_usage(c, "'%s' is no source: names end in .sm, .sv or .ss", c->file[i]);
+    if (code != EXIT_OK)
+        return code;
+    if (!load(&f))
+        return EXIT_ENVIRONMENT;
+    diagnose(&f);
+    improve_all(&f);
     buf_init(&report, &c->session.arena);
-    for (size_t i = 0; i < c->files; i++) {
-        int one = fix_file(c, c->file[i], &report);
-        if (one > code)
-            code = one;
-        if (one == EXIT_ENVIRONMENT)
-            break;
-    }
-    return cli_print(c, 1, &report) ? code : EXIT_ENVIRONMENT;
+    code = write_fixed(&f, &report) ? EXIT_OK : EXIT_ENVIRONMENT;
+    left = cli_report(c);
+    return cli_print(c, 1, &report) && code == EXIT_OK ? left : EXIT_ENVIRONMENT;
 }

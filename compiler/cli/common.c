@@ -50,8 +50,8 @@ Source *cli_load(Cli *c, const char *path)
     return source_new(&c->session.arena, strcmp(path, "-") == 0 ? "<stdin>" : path, copy, len);
 }
 
-// Notes which locals a script writes.  Its mistakes are reported when it is compiled, not here.
-static void note_written(Cli *c, const Source *ss, Map *written)
+// Its mistakes are reported when it is compiled, not here.
+void cli_note_written(Cli *c, const Source *ss, Map *written)
 {
     Diags real = c->session.diags;
     AstFile *f;
@@ -68,7 +68,7 @@ Source **cli_load_scripts(Cli *c, Map *written)
 
     for (size_t i = 0; i < c->files; i++)
         if (has_suffix(c->file[i], ".ss") && (ss[i] = cli_load(c, c->file[i])) != NULL)
-            note_written(c, ss[i], written);
+            cli_note_written(c, ss[i], written);
     return ss;
 }
 

@@ -17,8 +17,8 @@ Usage:
       print the instructions of an image
   smc verify IMAGE
       run the device's own checks on an image
-  smc fix FILE...
-      make the edits that diagnostics propose with certainty
+  smc fix FILE... [--sv V.sv]
+      make the edits that the findings of check propose with certainty
   smc explain CODE
       print the page of a diagnostic, as E0204
 

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// fixes CASE.smt…   Makes the edits of every finding of the cases, one finding at a time, and demands that they help: the finding is
+// gone, and nothing has come instead, neither an error nor, where there was no error, a warning of the default ones.
+#include <string.h>
+
+#include "compiler/analysis/analysis.h"
+#include "compiler/pipeline.h"
+#include "compiler/script/testfile.h"
+#include "tests/unit/host.h"
+
+typedef struct Run {
+    Session s;
+    Source **src;             // by part; NULL for what is no source
+} Run;
+
+static size_t passed, failed;
+
+// ---- what there is to say of a case ----
+
+static const Source *find_source(const TestFile *f, const Run *r, const char *suffix)
+{
+    for (size_t i = 0; i < f->part.n; i++)
+        if (testfile_has_suffix(&f->part.at[i], suffix))
+            return r->src[i];
+    return NULL;
+}
+
+static void note_written(Run *r, const TestFile *f, Map *written)
+{
+    r->s.diags.muted = true;
+    for (size_t i = 0; i < f->part.n; i++)
+        if (testfile_has_suffix(&f->part.at[i], ".ss")) {
+            AstFile *ss = session_parse(&r->s, r->src[i], FILE_SS);
+            if (ss)
+                script_written_names(ss, written);
+        }
+    diags_init(&r->s.diags, &r->s.arena);
+}
+
+static void diagnose_machine(Run *r, const TestFile *f)
+{
+    Map written = {&r->s.arena, NULL, NULL, 0, 0};
+    MachineInput in = {find_source(f, r, ".sm"), find_source(f, r, ".sv"), &written, 2};
+    Program *p;
+
+    note_written(r, f, &written);
+    if ((p = session_program(&r->s, &in)) == NULL)
+        return;
+    analyse_program(&r->s.arena, &r->s.diags, p);
+    for (size_t i = 0; i < f->part.n; i++)
+        if (testfile_has_suffix(&f->part.at[i], ".ss"))
+            session_script(&r->s, r->src[i], p);
+}
+
+// The case, part `changed` of which has another text; changed == the number of parts: none has.
+static void open_run(Run *r, const TestFile *f, size_t changed, const Buf *text)
+{
+    session_init(&r->s, host_alloc, NULL, &host_oom);
+    r->src = ARENA_ARRAY(&r->s.arena, Source *, f->part.n + 1);
+    for (size_t i = 0; i < f->part.n; i++) {
+        const TestPart *p = &f->part.at[i];
+        if (testfile_is_source(p))
+            r->src[i] = source_new(&r->s.arena, p->name, i == changed ? text->at : p->text, i == changed ? text->n : p->n);
+    }
+    if (find_source(f, r, ".sm"))
+        diagnose_machine(r, f);
+    else if (find_source(f, r, ".sv"))
+        session_state_vector(&r->s, find_source(f, r, ".sv"));
+    diags_apply_allows(&r->s.diags);
+}
+
+// ---- one finding ----
+
+static size_t count(const Diags *d, int code)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < d->list.n; i++)
+        n += (int)d->list.at[i]->code == code;
+    return n;
+}
+
+static bool is_on(int code)
+{
+    const DiagFlag *flag = diag_info[code].flag ? diag_find_flag(diag_info[code].flag) : NULL;
+
+    return flag && flag->group == DIAG_GROUP_ALL;
+}
+
+// What is wrong with what the edit of x has made of it, or NULL.
+static const char *wrong(const Diags *before, const Diags *after, const Diag *x)
+{
+    if (count(after, x->code) >= count(before, x->code))
+        return "is still there after its edit";
+    if (after->errors > before->errors)
+        return "has an edit that brings an error";
+    for (int i = 0; before->errors == 0 && i < DIAG_COUNT; i++)
+        if (is_on(i) && count(after, i) > count(before, i))
+            return format_in(after->arena, "has an edit that brings %s", diag_info[i].id);
+    return NULL;
+}
+
+static void check_finding(const TestFile *f, Run *was, const Diag *x, size_t part)
+{
+    Diags one;
+    const char *why;
+    Buf text;
+    Run now;
+
+    diags_init(&one, &was->s.arena);
+    vec_push(&was->s.arena, &one.list, (Diag *)x);
+    buf_init(&text, &was->s.arena);
+    if (diags_apply_edits(&one, was->src[part], &text) == 0)
+        return;
+    buf_text(&text);
+    open_run(&now, f, part, &text);
+    if ((why = wrong(&was->s.diags, &now.s.diags, x)) != NULL) {
+        LineCol at = source_position(x->span.src, x->span.at);
+        printf("%s: %s:%lu: %s %s: %s\n", f->name, x->span.src->name, (unsigned long)at.line, diag_info[x->code].id, why, x->text);
+        failed++;
+    } else {
+        passed++;
+    }
+    session_free(&now.s);
+}
+
+static void check_case(Arena *arena, const char *path)
+{
+    FILE *in = fopen(path, "rb");
+    static char text[1 << 20];
+    size_t n = in ? fread(text, 1, sizeof text, in) : 0;
+    TestFile *f = testfile_parse(arena, path, text, n);
+    Run was;
+
+    if (in)
+        fclose(in);
+    if (!in || f->error) {
+        printf("%s: %s\n", path, in ? f->error : "cannot be read");
+        failed++;
+        return;
+    }
+    open_run(&was, f, f->part.n, NULL);
+    for (size_t i = 0; i < was.s.diags.list.n; i++)
+        for (size_t k = 0; was.s.diags.list.at[i]->edits.n && k < f->part.n; k++)
+            if (was.src[k] && was.s.diags.list.at[i]->edits.at[0].span.src == was.src[k])
+                check_finding(f, &was, was.s.diags.list.at[i], k);
+    session_free(&was.s);
+}
+
+int main(int argc, char **argv)
+{
+    Arena arena;
+
+    for (int i = 1; i < argc; i++) {
+        HOST_ARENA(&arena);
+        check_case(&arena, argv[i]);
+        arena_free(&arena);
+    }
+    printf("%lu passed, %lu failed\n", (unsigned long)passed, (unsigned long)(failed + (passed == 0)));
+    return failed > 0 || passed == 0;
+}
