@@ -17,6 +17,7 @@ enum {
 typedef struct Part {
     const Expr *e;
     bool holds;
+    bool passed;                  // it is that an earlier branch of an `else if` was not taken: whether it was is up to the run
 } Part;
 
 typedef struct Parts {
@@ -48,16 +49,23 @@ typedef struct Zero {
 
 // ---- what has to hold ----
 
-static void add_part(Parts *p, const Expr *e, bool holds)
+static void add_part(Parts *p, Part part)
 {
+    const Expr *e = part.e;
+
     if (e->kind == EX_UNARY && e->op == SM_OP_NOT) {
-        add_part(p, e->arg[0], !holds);
-    } else if (e->kind == EX_BINARY && e->op == (holds ? SM_OP_AND : SM_OP_OR)) {
-        add_part(p, e->arg[0], holds);
-        add_part(p, e->arg[1], holds);
+        add_part(p, (Part){e->arg[0], !part.holds, part.passed});
+    } else if (e->kind == EX_BINARY && e->op == (part.holds ? SM_OP_AND : SM_OP_OR)) {
+        add_part(p, (Part){e->arg[0], part.holds, part.passed});
+        add_part(p, (Part){e->arg[1], part.holds, part.passed});
     } else if (p->n < PARTS) {
-        p->at[p->n++] = (Part){e, holds};
+        p->at[p->n++] = part;
     }
+}
+
+static bool is_passed(const Condition *c)
+{
+    return !c->holds && c->stmt->otherwise.n == 1 && c->stmt->otherwise.at[0]->kind == ST_IF;
 }
 
 // A flag that is assigned a condition goes on when it holds.
@@ -68,12 +76,12 @@ static bool is_guarded_by_value(const StmtPlace *at)
 
 static Parts parts_of(const StmtPlace *at)
 {
-    Parts p = {{{NULL, false}}, 0};
+    Parts p = {{{NULL, false, false}}, 0};
 
     if (is_guarded_by_value(at))
-        add_part(&p, at->stmt->value, true);
+        add_part(&p, (Part){at->stmt->value, true, false});
     for (const Condition *when = at->when; when && p.n < PARTS; when = when->outer)
-        add_part(&p, when->stmt->value, when->holds);
+        add_part(&p, (Part){when->stmt->value, when->holds, is_passed(when)});
     return p;
 }
 
@@ -102,6 +110,8 @@ static const Part *part_because(const Zero *z, const Parts *p, const Var *sensor
 
     for (size_t i = 0; i < p->n; i++) {
         const Part *part = &p->at[i];
+        if (part->passed)
+            continue;
         if (!is_sure(truth(&z->dead.what, z->dead.env, part))) {
             if (wants_another(z, part, sensor))
                 return NULL;

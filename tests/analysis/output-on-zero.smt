@@ -41,7 +41,19 @@ F64  least = 5 @read_only
         pressure < 5: heater = true                     # asks it around
     }
     temp > 20: valve = false
-    else if pressure < 5: valve = true
+    else if pressure < 5: valve = true                  #! W0903 'pressure' reads 0
+    T > 5000: -> Branches
+[Branches]
+.step
+    pressure > 40: valve = false
+    else if armed: heater = true                        # the switch does, pressure only forbids
+    else if temp > 5: valve = false
+    else: valve = true                                  #! W0903 'valve' goes on when 'temp'
+    wall > 40: setting = 0
+    else {
+        setting = 7                                     #! W0903 'wall'
+        armed: setting = 8                              #! W0903 'wall'
+    }
     T > 5000: -> Disjunctions
 [Disjunctions]
 .step
