@@ -61,7 +61,7 @@ static AbortVerdict verdict_of(const Analysis *a, const AbortRow *r)
 
 AbortMatrix abort_matrix(Analysis *a)
 {
-    AbortMatrix x = {false, ARENA_ARRAY(a->arena, AbortRow, a->p->state.n), a->p->state.n};
+    AbortMatrix x = {false, ARENA_ARRAY(a->arena, AbortRow, a->p->state.n), a->p->state.n, NULL};
     const AbortBound b = abort_bound(a);
 
     for (size_t s = 0; s < x.n; s++) {

@@ -51,6 +51,7 @@ typedef struct AbortMatrix {
     bool declared;                // some state is marked @abort; else every row says ABORT_NO_PATH or ABORT_UNREACHED
     AbortRow *row;
     size_t n;
+    const struct Sensors *sensors;    // where some state is marked (sensors.h)
 } AbortMatrix;
 
 AbortMatrix abort_matrix(Analysis *a);

@@ -293,10 +293,11 @@ static void ask_about(Asking *k, const Var *v)
 
 void abort_ask(Analysis *a, AbortMatrix *x, const AbortBound *b)
 {
-    const Sensors sensors = sensors_of(a);
-    Asking k = {a, b, &sensors, dead_sensor_new(&sensors), ARENA_ARRAY(a->arena, Rows, a->p->var.n),
+    const Sensors *sensors = sensors_of(a);
+    Asking k = {a, b, sensors, dead_sensor_new(sensors), ARENA_ARRAY(a->arena, Rows, a->p->var.n),
                 ARENA_ARRAY(a->arena, unsigned, x->n), false};
 
+    x->sensors = sensors;
     for (size_t s = 0; s < x->n; s++)
         look_at_row(&k, &x->row[s]);
     for (size_t v = 0; v < a->p->var.n; v++)

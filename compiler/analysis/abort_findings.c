@@ -1,37 +1,61 @@
 // SPDX-License-Identifier: Apache-2.0
 // States from which a broken sensor leaves no way to an @abort state: what the abort matrix says, one finding a state and kind.
 #include "compiler/analysis/abort.h"
+#include "compiler/analysis/sensors.h"
 
-enum { WAYS_SHOWN = 3 };
+enum { WAYS_SHOWN = 3, STATES_FOLLOWED = 50 };
 
-// The transitions that fail, each with what it leads through.
-static void show_ways(Analysis *a, Diag *d, const AbortRow *r, const Var *sensor)
+// Where a way ends that leads through others.
+static const State *end_of(const AbortMatrix *x, const State *s)
 {
-    size_t shown = 0;
-
-    for (size_t w = 0; w < r->way.n && shown < WAYS_SHOWN; w++)
-        if (abort_is_sure(&r->way.at[w])) {
-            const Transition *t = r->way.at[w].first;
-            diag_note(a->diags, d, t->when ? t->when->stmt->span : t->stmt->span, DIAG_note_abort_way, t->to->name->text,
-                      sensor->name->text);
-            shown++;
-        }
+    for (int i = 0; i < STATES_FOLLOWED && !s->is_abort; i++)
+        s = abort_onward(x, s);
+    return s;
 }
 
-static void report_blind(Analysis *a, const AbortRow *r)
+static void show_way(Analysis *a, Diag *d, const AbortMatrix *x, const AbortWay *w, const Condition *when, const Var *sensor)
+{
+    const Stmt *store = looks_through(x->sensors, when->stmt->value, sensor);
+    const char *name = sensor->name->text, *to = w->first->to->name->text;
+
+    if (w->first->to->is_abort)
+        diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_way, to, name);
+    else
+        diag_note(a->diags, d, when->stmt->span, DIAG_note_abort_way_through, to, end_of(x, w->first->to)->name->text, name);
+    if (store)
+        diag_note(a->diags, d, store->span, DIAG_note_made_of_sensor, store->var->name->text, name);
+}
+
+// The transitions that fail, each with what it leads through; one of those that wait for the same guard.
+static void show_ways(Analysis *a, Diag *d, const AbortMatrix *x, const AbortRow *r, const Var *sensor)
+{
+    const Stmt *last = NULL;
+    size_t shown = 0;
+
+    for (size_t w = 0; w < r->way.n && shown < WAYS_SHOWN; w++) {
+        const Condition *when = abort_is_sure(&r->way.at[w]) ? condition_on(x->sensors, r->way.at[w].first->when, sensor) : NULL;
+        if (!when || when->stmt == last)
+            continue;
+        show_way(a, d, x, &r->way.at[w], when, sensor);
+        last = when->stmt;
+        shown++;
+    }
+}
+
+static void report_blind(Analysis *a, const AbortMatrix *x, const AbortRow *r)
 {
     Diag *d = diag_report(a->diags, DIAG_abort_blind, r->state->span, r->state->name->text, r->blind->name->text, r->blind_at);
 
-    show_ways(a, d, r, r->blind);
+    show_ways(a, d, x, r, r->blind);
     diag_note(a->diags, d, (Span){0}, DIAG_note_abort_blind_advice, r->blind->name->text);
 }
 
-static void report_single(Analysis *a, const AbortRow *r)
+static void report_single(Analysis *a, const AbortMatrix *x, const AbortRow *r)
 {
     Diag *d = diag_report(a->diags, DIAG_abort_single_sensor, r->state->span, r->state->name->text, r->single->name->text,
                           const_text(a->arena, r->stuck));
 
-    show_ways(a, d, r, r->single);
+    show_ways(a, d, x, r, r->single);
     diag_note(a->diags, d, (Span){0}, DIAG_note_abort_single_advice);
 }
 
@@ -41,8 +65,8 @@ void analyse_abort(Analysis *a)
 
     for (size_t s = 0; s < x.n; s++) {
         if (x.row[s].verdict == ABORT_ONE_SENSOR && x.row[s].blind)
-            report_blind(a, &x.row[s]);
+            report_blind(a, &x, &x.row[s]);
         if (x.row[s].verdict == ABORT_ONE_SENSOR && x.row[s].single)
-            report_single(a, &x.row[s]);
+            report_single(a, &x, &x.row[s]);
     }
 }

@@ -184,11 +184,41 @@ static void run_block(Zero *z, const StmtPlace *at)
     note_stores(z, z->last.f, &flow);
 }
 
+// The first store behind one; stores stand in file order.
+static size_t next_store(const Stores *list, const StmtPlace *at)
+{
+    size_t first = 0, end = list->n;
+
+    while (first < end) {
+        const size_t middle = first + (end - first) / 2;
+        if (list->at[middle].stmt->number > at->stmt->number)
+            end = middle;
+        else
+            first = middle + 1;
+    }
+    return first;
+}
+
+// A later store, in the same arm or alone in the block, has the last word.
+static bool is_overwritten(const Zero *z, const StmtPlace *at)
+{
+    const Stores *list = &z->s->stores[at->stmt->var->index];
+
+    for (size_t i = next_store(list, at); i < list->n; i++) {
+        const StmtPlace *later = &list->at[i];
+        if (later->state != at->state || later->block != at->block)
+            return false;
+        if (!later->when || (at->when && arm_of(later->when) == arm_of(at->when)))
+            return true;
+    }
+    return false;
+}
+
 static bool ends_on(Zero *z, const StmtPlace *at)
 {
     Fact f;
 
-    if (z->flows[at->state->number - 1u][at->block] > FLOWS)
+    if (is_overwritten(z, at) || z->flows[at->state->number - 1u][at->block] > FLOWS)
         return false;
     run_block(z, at);
     f = env_get(&z->dead.what.facts->shape, z->last.end, z->a->m->var_of[at->stmt->var->index]);
@@ -206,20 +236,32 @@ static void look(Zero *z, const State *state, const Var *sensor)
         dead_sensor_look(&z->healthy, state);
 }
 
+// From the sensor to the output, in order; a part that reads the sensor itself needs no steps.
+static void report(Zero *z, const StmtPlace *at, const Var *sensor, const Part *because)
+{
+    const char *name = sensor->name->text;
+    const DiagCode text = because->holds ? DIAG_note_holds_at_zero : DIAG_note_fails_at_zero;
+    const Stmt *store = looks_through(z->s, because->e, sensor);
+    Diag *d = diag_report(z->a->diags, DIAG_output_on_zero, at->stmt->span, at->stmt->var->name->text, name);
+
+    if (store) {
+        diag_step(z->a->diags, d, store->span, DIAG_note_made_of_sensor, store->var->name->text, name);
+        diag_step(z->a->diags, d, because->e->span, text, name);
+    } else {
+        diag_note(z->a->diags, d, because->e->span, text, name);
+    }
+    diag_note(z->a->diags, d, (Span){0}, DIAG_note_zero_advice, name);
+}
+
 static void ask(Zero *z, const StmtPlace *at, const Var *sensor)
 {
     const Parts parts = parts_of(at);
     const Part *because;
-    Diag *d;
 
     look(z, at->state, sensor);
     because = part_because(z, &parts, sensor);
-    if (!because || is_answer(z, at, because, sensor) || !goes_on(z, at) || !ends_on(z, at))
-        return;
-    d = diag_report(z->a->diags, DIAG_output_on_zero, at->stmt->span, at->stmt->var->name->text, sensor->name->text);
-    diag_note(z->a->diags, d, because->e->span, because->holds ? DIAG_note_holds_at_zero : DIAG_note_fails_at_zero,
-              sensor->name->text);
-    diag_note(z->a->diags, d, (Span){0}, DIAG_note_zero_advice, sensor->name->text);
+    if (because && !is_answer(z, at, because, sensor) && goes_on(z, at) && ends_on(z, at))
+        report(z, at, sensor, because);
 }
 
 static void suppose_readings(Zero *z, const Var *sensor)
@@ -265,10 +307,10 @@ static void note_place(const StmtPlace *at, void *context)
 
 void analyse_output_on_zero(Analysis *a)
 {
-    const Sensors s = sensors_of(a);
+    const Sensors *s = sensors_of(a);
     const size_t n = a->p->var.n;
-    Zero z = {.a = a, .s = &s, .bound = abort_bound(a), .dead = dead_sensor_new(&s), .high = dead_sensor_new(&s),
-              .low = dead_sensor_new(&s), .healthy = dead_sensor_new(&s)};
+    Zero z = {.a = a, .s = s, .bound = abort_bound(a), .dead = dead_sensor_new(s), .high = dead_sensor_new(s),
+              .low = dead_sensor_new(s), .healthy = dead_sensor_new(s)};
 
     z.ask = ARENA_ARRAY(a->arena, Stores, n);
     z.aborts = ARENA_ARRAY(a->arena, bool, 2 * (a->p->stmts + 1u));

@@ -203,6 +203,43 @@ Looks looks_of_value(const Sensors *s, const Expr *e)
     return sum.looks;
 }
 
+const Condition *condition_on(const Sensors *s, const Condition *when, const Var *sensor)
+{
+    for (; when; when = when->outer) {
+        const Looks l = looks_of_value(s, when->stmt->value);
+        if (looks_at(&l, sensor))
+            return when;
+    }
+    return NULL;
+}
+
+typedef struct Through {
+    const Sensors *s;
+    const Var *sensor;
+    const Stmt *store;
+    bool itself;                  // the sensor is read
+} Through;
+
+static void look_through(Expr *e, void *context)
+{
+    Through *t = context;
+
+    if (e->kind != EX_VAR)
+        return;
+    t->itself |= e->var == t->sensor;
+    if (!t->store && e->var->kind == VAR_LOCAL && t->s->stores[e->var->index].n > 0 &&
+        looks_at(&t->s->looks[e->var->index], t->sensor))
+        t->store = t->s->stores[e->var->index].at[0].stmt;
+}
+
+const Stmt *looks_through(const Sensors *s, const Expr *e, const Var *sensor)
+{
+    Through t = {s, sensor, NULL, false};
+
+    expr_walk((Expr *)e, look_through, &t);
+    return t.itself ? NULL : t.store;
+}
+
 // ---- what states read ----
 
 typedef struct Reads {
@@ -246,15 +283,20 @@ static void list_reads(Sensors *s)
     each_place(s->a->arena, p, note_uses, &r);
 }
 
-Sensors sensors_of(Analysis *a)
+const Sensors *sensors_of(Analysis *a)
 {
     Arena *arena = a->arena;
     const size_t n = a->p->var.n, states = a->p->state.n;
-    Sensors s = {a, ARENA_ARRAY(arena, bool, n), ARENA_ARRAY(arena, Looks, n + a->p->stmts + 1), ARENA_ARRAY(arena, Stores, n),
-                 ARENA_ARRAY(arena, Numbers, states), ARENA_ARRAY(arena, Numbers, states)};
+    Sensors *s = ARENA_NEW(arena, Sensors);
 
-    find_commands(&s);
-    spread(&s);
-    list_reads(&s);
+    s->a = a;
+    s->command = ARENA_ARRAY(arena, bool, n);
+    s->looks = ARENA_ARRAY(arena, Looks, n + a->p->stmts + 1);
+    s->stores = ARENA_ARRAY(arena, Stores, n);
+    s->local = ARENA_ARRAY(arena, Numbers, states);
+    s->window = ARENA_ARRAY(arena, Numbers, states);
+    find_commands(s);
+    spread(s);
+    list_reads(s);
     return s;
 }

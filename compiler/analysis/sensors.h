@@ -28,7 +28,7 @@ typedef struct Sensors {
     Numbers *local, *window;      // by state (State.number - 1): the locals and the windows that its blocks read, each once
 } Sensors;
 
-Sensors sensors_of(Analysis *a);
+const Sensors *sensors_of(Analysis *a);
 
 bool is_sensor(const Sensors *s, const Var *v);       // a numeric element that the machine only reads; no command, no G, S, T
 bool is_output(const Var *v);                         // an element that the machine writes
@@ -37,5 +37,9 @@ bool is_output(const Var *v);                         // an element that the mac
 Looks looks_of_condition(const Sensors *s, const Condition *when);
 Looks looks_of_value(const Sensors *s, const Expr *e);
 bool looks_at(const Looks *l, const Var *sensor);
+// The innermost condition whose own guard looks at a sensor; NULL if none does.
+const Condition *condition_on(const Sensors *s, const Condition *when, const Var *sensor);
+// Where an expression that does not read the sensor itself reads a local that looks at it: what is stored in that.  NULL: nowhere.
+const Stmt *looks_through(const Sensors *s, const Expr *e, const Var *sensor);
 
 #endif

@@ -98,7 +98,13 @@ F64  least = 5 @read_only
     pressure < 5: heater = true
     pressure < 1: heater = false                        # switches it off again
     pressure < 5: setting = 3
-    setting = 0
+    setting = wall
+    armed {
+        pressure < 5 {
+            fault = 3                                   # the next one has the last word
+            fault = 4 * armed
+        }
+    }
     T > 5000: -> Derived
 [Derived]
 .step
