@@ -64,9 +64,10 @@ static int look_at_machine(ReportCommand *x)
     x->r.arena = &s->arena;
     x->r.maker = "smc " SMC_VERSION;
     analyse_program(&s->arena, &s->diags, p);
+    diags_apply_allows(&s->diags);
     diags_sort(&s->diags);
     analysis_begin(&x->r.analysis, &s->arena, &s->diags, p);
-    return EXIT_OK;
+    return s->diags.errors ? EXIT_PROBLEM : EXIT_OK;
 }
 
 // ---- its scripts ----
@@ -90,7 +91,7 @@ static void run_script(ReportCommand *x, ReportRun *run, const Source *ss, const
     Engine *traced;
 
     run->name = report_file_name(ss->name);
-    trace_init(&run->trace, &s->arena, p);
+    trace_init(&run->trace, &s->arena, p, &x->r.analysis.transition);
     diags_init(&s->diags, &s->arena);
     if ((run->script = session_script(s, ss, p)) != NULL) {
         traced = trace_engine(&run->trace, vm);

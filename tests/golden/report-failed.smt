@@ -73,11 +73,11 @@ There are none: the machine stays in its first state.
 Inputs, outputs and parameters
 ------------------------------
 
-  Element  Type  Role                 Healthy range  Meaning, as its author wrote  Read in  Written in
+  Element  Type  Role                 Read in  Written in
   G        U64   time
   S        U32   number of the state
-  x        F32   input                                                             Idle
-  valve    bool  output                                                                     Idle
+  x        F32   input                Idle
+  valve    bool  output                        Idle
 
 Findings
 --------

@@ -147,8 +147,8 @@ Numbers with a name that the machine itself never changes.
 What it remembers
 Variables of the machine's own. They keep their values from step to step and from state to state.
 
-  Local   Type  Begins as  Meaning, as its author wrote  Read in  Written in  Line
-  pulses  U32   0                                        Idle     Idle          12
+  Local   Type  Begins as  Read in  Written in  Line
+  pulses  U32   0          Idle     Idle          12
 
 Rolling statistics
 Every window takes a sample at the start of every step, in whatever state the machine is. Until it
@@ -162,18 +162,6 @@ Findings
 ...
 Abort matrix
 ------------
-
-From which states the machine can abort, and whether it still can when one sensor is dead, sticks,
-or leaves its range. Steps are counted from the one in which the condition holds to the first in
-the abort state.
-
-  State  Can it abort?         Steps at worst  What it hangs on
-  Idle   no
-  Fill   yes                   1
-  Done   no
-  Abort  it is an abort state
-
-The ways to abort
 ...
 What it costs
 -------------
@@ -225,6 +213,12 @@ States that the scripts have seen
   Fill                1           94                        1
   Done                1           95                        1
   Abort               0            0  none
+
+Ways that the scripts have gone
+  From  To     Times  Remark
+  Idle  Fill       1
+  Fill  Done       1
+  Fill  Abort      0  never gone
 
 fill.ss [passed]
 A tank that fills.

@@ -57,6 +57,22 @@ static bool is_comment(const Source *src, uint32_t number)
     return comment_starts(line, len, &at) && at == i;
 }
 
+// Lines of one paragraph become one; an empty line, and one that begins as an item of a list, begin a new one.
+static void join(Buf *out, size_t before)
+{
+    const char first = before < out->n ? out->at[before] : '\0';
+    const bool apart = first == '\0' || first == '-' || first == '*' || (before && out->at[before - 1] == '\n');
+    Buf line;
+
+    if (before == 0)
+        return;
+    buf_init(&line, out->arena);
+    buf_put(&line, out->at + before, out->n - before);
+    out->n = before;
+    buf_char(out, apart ? '\n' : ' ');
+    buf_put(out, line.at, line.n);
+}
+
 static const char *comment_of_lines(Arena *arena, const Source *src, uint32_t from, uint32_t to)
 {
     Buf out;
@@ -65,10 +81,10 @@ static const char *comment_of_lines(Arena *arena, const Source *src, uint32_t fr
     for (; from < to; from++) {
         uint32_t len, at = 0;
         const char *line = source_line(src, from, &len);
+        const size_t before = out.n;
         comment_starts(line, len, &at);
-        if (out.n)
-            buf_char(&out, '\n');
         put_comment(&out, line, len, at);
+        join(&out, before);
     }
     return text_or_null(&out);
 }

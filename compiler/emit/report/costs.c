@@ -75,7 +75,7 @@ static void put_way(const Report *r, Doc *d)
     const StateCost *s = &r->cost.state[r->cost.worst_state - 1];
     DocTable *t;
 
-    doc_heading(d, "longest", format_in(r->arena, "The longest step, in `%s`", r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
+    doc_heading(d, "longest", format_in(r->arena, "The longest step, in ^%s^", r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
     t = DOC_TABLE_OF(d, "longest", way_columns);
     for (size_t i = 0; i < s->way.n && i < SHOWN; i++) {
         cell_plain(t, block[s->way.at[i].part]);

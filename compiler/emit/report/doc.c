@@ -31,6 +31,14 @@ DocPart *doc_heading(Doc *d, const char *id, const char *text)
 
 void doc_paragraph(Doc *d, const char *text) { add(d, DOC_PARAGRAPH)->text = text; }
 
+void doc_plain(Doc *d, const char *text)
+{
+    DocPart *p = add(d, DOC_PARAGRAPH);
+
+    p->text = text;
+    p->plain = true;
+}
+
 void doc_quote(Doc *d, const char *plain)
 {
     if (plain && *plain)
@@ -79,6 +87,28 @@ DocList *doc_list(Doc *d, const char *key, const char *label)
     l->label = label;
     add(d, DOC_LIST)->list = l;
     return l;
+}
+
+bool *doc_columns_used(const DocTable *t)
+{
+    bool *used = ARENA_ARRAY(t->arena, bool, t->columns);
+
+    for (size_t i = 0; i < t->cell.n; i++) {
+        const DocCell *c = &t->cell.at[i];
+        if (*c->text || c->number || c->kind == CELL_NUMBER || c->kind == CELL_BAR)
+            used[i % t->columns] = true;
+    }
+    return used;
+}
+
+const char *doc_unmarked(Arena *arena, const char *text)
+{
+    Buf b;
+
+    buf_init(&b, arena);
+    for (; *text; text++)
+        buf_char(&b, *text == '^' ? '`' : *text);
+    return buf_text(&b);
 }
 
 // ---- cells ----

@@ -2,7 +2,7 @@
 // A report between what is said and how it looks: sections of paragraphs, tables, lists and figures.  Who has something to say
 // builds it; doc_html.c, doc_text.c and doc_json.c each write all of it.
 //
-// Texts may hold `code` in backticks, so they are ours; what an author of a machine wrote goes in as plain text or code.
+// Texts may hold `code` in backticks, and ^Name^ for a state, so they are ours; what an author of a machine wrote goes in as plain text or code.
 #ifndef SMC_DOC_H
 #define SMC_DOC_H
 
@@ -68,6 +68,7 @@ typedef enum DocKind {
 typedef struct DocPart {
     DocKind kind;
     const char *id, *text;
+    bool plain;               // HEADING, PARAGRAPH: the text has no marks
     const char *state;        // HEADING: of a state
     const char *tone;         // HEADING: "good", "bad", "note": a badge's colour; badge: its text; or NULL
     const char *badge;
@@ -95,6 +96,7 @@ typedef struct Doc {
 void doc_section(Doc *d, const char *id, const char *title);
 DocPart *doc_heading(Doc *d, const char *id, const char *text);        // good until the next part
 void doc_paragraph(Doc *d, const char *text);
+void doc_plain(Doc *d, const char *text);             // a paragraph without marks
 void doc_quote(Doc *d, const char *plain);            // nothing of NULL and ""
 void doc_excerpt(Doc *d, Span span, const char *label);
 void doc_figure(Doc *d, const char *svg, const char *caption);
@@ -117,6 +119,10 @@ void list_line(DocList *l, unsigned depth, uint32_t line, const char *text);
 void list_comment(DocList *l, const char *plain);     // to the line before
 
 // ---- writing ----
+
+// By column, whether any row says something in it.  JSON has them all.
+bool *doc_columns_used(const DocTable *t);
+const char *doc_unmarked(Arena *arena, const char *text);         // ^Name^ as `Name`, for who has no links
 
 void doc_write_html(const Doc *d, Buf *out);
 void doc_write_text(const Doc *d, Buf *out);

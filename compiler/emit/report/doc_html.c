@@ -42,22 +42,36 @@ void html_put(Buf *out, const char *text, size_t n)
 
 void html_str(Buf *out, const char *text) { html_put(out, text, strlen(text)); }
 
-// `code` in backticks.
+static void put_state_link(Buf *out, const char *name, size_t n)
+{
+    buf_str(out, "<a class=\"st\" href=\"#state-");
+    html_put(out, name, n);
+    buf_str(out, "\">");
+    html_put(out, name, n);
+    buf_str(out, "</a>");
+}
+
+// `code` in backticks, ^a state^.
 static void put_marked(Buf *out, const char *text)
 {
-    bool code = false;
-
     while (*text) {
-        const size_t n = strcspn(text, "`");
+        const size_t n = strcspn(text, "`^");
+        const char mark = text[n];
+        size_t inner;
         html_put(out, text, n);
-        text += n;
-        if (!*text)
+        if (!mark)
             break;
-        code = !code;
-        buf_str(out, code ? "<code>" : "</code>");
-        text++;
+        text += n + 1;
+        inner = strcspn(text, mark == '`' ? "`" : "^");
+        if (mark == '^')
+            put_state_link(out, text, inner);
+        else {
+            buf_str(out, "<code>");
+            html_put(out, text, inner);
+            buf_str(out, "</code>");
+        }
+        text += inner + (text[inner] != '\0');
     }
-    buf_str(out, code ? "</code>" : "");
 }
 
 static void put_line_link(Buf *out, uint32_t line)
@@ -91,11 +105,7 @@ static void put_cell(Buf *out, const DocCell *c)
     case CELL_BAR: put_bar(out, c->number, c->most); break;
     case CELL_LINE: put_line_link(out, (uint32_t)c->number); break;
     case CELL_STATE:
-        buf_str(out, "<a class=\"st\" href=\"#state-");
-        html_str(out, c->text);
-        buf_str(out, "\">");
-        html_str(out, c->text);
-        buf_str(out, "</a>");
+        put_state_link(out, c->text, strlen(c->text));
         break;
     }
 }
@@ -120,22 +130,31 @@ static void put_facts(Buf *out, const DocTable *t)
 
 static void put_table(Buf *out, const DocTable *t)
 {
+    const bool *used = doc_columns_used(t);
+
     if (t->facts) {
         put_facts(out, t);
         return;
     }
     buf_printf(out, "<div class=\"wide\"><table%s>\n<thead><tr>", t->narrow ? " class=\"narrow\"" : "");
     for (size_t i = 0; i < t->columns; i++) {
+        if (!used[i])
+            continue;
         buf_printf(out, "<th scope=\"col\"%s>", t->cell.n ? class_of(&t->cell.at[i]) : "");
         html_str(out, t->column[i].title);
         buf_str(out, "</th>");
     }
     buf_str(out, "</tr></thead>\n<tbody>\n");
     for (size_t i = 0; i < t->cell.n; i++) {
-        buf_printf(out, "%s<td%s>", i % t->columns ? "" : "<tr>", class_of(&t->cell.at[i]));
+        if (i % t->columns == 0)
+            buf_str(out, i ? "</tr>\n<tr>" : "<tr>");
+        if (!used[i % t->columns])
+            continue;
+        buf_printf(out, "<td%s>", class_of(&t->cell.at[i]));
         put_cell(out, &t->cell.at[i]);
-        buf_str(out, (i + 1) % t->columns ? "</td>" : "</td></tr>\n");
+        buf_str(out, "</td>");
     }
+    buf_str(out, t->cell.n ? "</tr>\n" : "");
     buf_str(out, "</tbody>\n</table></div>\n");
 }
 
@@ -246,7 +265,10 @@ static void put_heading(Buf *out, const DocPart *p)
         buf_char(out, '"');
     }
     buf_char(out, '>');
-    put_marked(out, p->text);
+    if (p->plain)
+        html_str(out, p->text);
+    else
+        put_marked(out, p->text);
     if (p->badge) {
         buf_printf(out, " <span class=\"badge %s\">", p->tone ? p->tone : "note");
         html_str(out, p->badge);
@@ -278,7 +300,7 @@ static void put_part(Buf *out, const DocPart *p)
 {
     switch (p->kind) {
     case DOC_HEADING: put_heading(out, p); break;
-    case DOC_PARAGRAPH: put_in(out, "<p>", p->text, true, "</p>\n"); break;
+    case DOC_PARAGRAPH: put_in(out, "<p>", p->text, !p->plain, "</p>\n"); break;
     case DOC_QUOTE: put_in(out, "<blockquote>", p->text, false, "</blockquote>\n"); break;
     case DOC_TABLE: put_table(out, p->table); break;
     case DOC_LIST: put_list(out, p->list); break;

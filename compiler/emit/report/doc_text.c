@@ -47,7 +47,7 @@ static void put_underlined(Buf *out, const char *text, char line)
 }
 
 // A paragraph in lines of at most WIDE columns; line ends in it stay.
-static void put_wrapped(Buf *out, const char *text, const char *before)
+static void put_wrapped(Buf *out, const char *text)
 {
     size_t column = 0;
 
@@ -57,7 +57,7 @@ static void put_wrapped(Buf *out, const char *text, const char *before)
             buf_char(out, '\n');
             column = 0;
         }
-        buf_str(out, column ? " " : before);
+        buf_str(out, column ? " " : "");
         put_seen(out, text, n);
         column += columns + 1;
         text += n;
@@ -82,7 +82,7 @@ static const char *cell_of(const DocTable *t, size_t i)
     if (c->kind == CELL_NUMBER || c->kind == CELL_BAR || c->kind == CELL_LINE)
         return format_in(t->arena, "%llu", (unsigned long long)c->number);
     buf_init(&b, t->arena);
-    for (const char *s = c->text; *s;) {
+    for (const char *s = c->kind == CELL_TEXT ? doc_unmarked(t->arena, c->text) : c->text; *s;) {
         const size_t n = strcspn(s, "\n");
         put_seen(&b, s, n);
         s += n;
@@ -99,13 +99,13 @@ static bool is_right(const DocTable *t, size_t i)     // numbers stand below eac
     return k == CELL_NUMBER || k == CELL_BAR || k == CELL_LINE;
 }
 
-static void put_padded(Buf *out, const char *text, size_t wide, bool right, bool last)
+static void put_padded(Buf *out, const char *text, size_t wide, bool right)
 {
     const size_t n = columns_in(text, strlen(text)), pad = wide > n ? wide - n : 0;
 
     buf_spaces(out, right ? pad : 0);
     buf_str(out, text);
-    buf_spaces(out, right || last ? 0 : pad);
+    buf_spaces(out, right ? 0 : pad);
 }
 
 static void end_row(Buf *out)                         // without blanks that nobody sees
@@ -115,10 +115,9 @@ static void end_row(Buf *out)                         // without blanks that nob
     buf_char(out, '\n');
 }
 
-static void put_table(Buf *out, const DocTable *t)
+static size_t *widths(const DocTable *t, const char **text)
 {
     size_t *wide = ARENA_ARRAY(t->arena, size_t, t->columns);
-    const char **text = ARENA_ARRAY(t->arena, const char *, t->cell.n);
 
     for (size_t i = 0; i < t->columns && !t->facts; i++)
         wide[i] = strlen(t->column[i].title);
@@ -128,17 +127,34 @@ static void put_table(Buf *out, const DocTable *t)
         n = columns_in(text[i], strlen(text[i]));
         wide[i % t->columns] = wide[i % t->columns] > n ? wide[i % t->columns] : n;
     }
-    for (size_t i = 0; i < t->columns && !t->facts; i++) {
-        buf_str(out, "  ");
-        put_padded(out, t->column[i].title, wide[i], t->cell.n && is_right(t, i), i + 1 == t->columns);
-    }
+    return wide;
+}
+
+static void put_head(Buf *out, const DocTable *t, const bool *used, const size_t *wide)
+{
+    for (size_t i = 0; i < t->columns; i++)
+        if (used[i]) {
+            buf_str(out, "  ");
+            put_padded(out, t->column[i].title, wide[i], t->cell.n && is_right(t, i));
+        }
+    end_row(out);
+}
+
+static void put_table(Buf *out, const DocTable *t)
+{
+    const char **text = ARENA_ARRAY(t->arena, const char *, t->cell.n);
+    const size_t *wide = widths(t, text);
+    const bool *used = doc_columns_used(t);
+
     if (!t->facts)
-        end_row(out);
+        put_head(out, t, used, wide);
     for (size_t i = 0; i < t->cell.n; i++) {
-        const bool last = (i + 1) % t->columns == 0;
-        buf_str(out, "  ");
-        put_padded(out, text[i], wide[i % t->columns], is_right(t, i) && !t->facts, last);
-        if (last)
+        const size_t column = i % t->columns;
+        if (used[column]) {
+            buf_str(out, "  ");
+            put_padded(out, text[i], wide[column], is_right(t, i) && !t->facts);
+        }
+        if (column + 1 == t->columns)
             end_row(out);
     }
     buf_char(out, '\n');
@@ -152,7 +168,7 @@ static void put_list(Buf *out, const DocList *l)
         buf_printf(out, "  %s\n", l->label);
     for (size_t i = 0; i < l->line.n; i++) {
         buf_spaces(out, 4 + 2 * l->line.at[i].depth);
-        buf_printf(out, "- %s\n", l->line.at[i].text);
+        buf_printf(out, "- %s\n", doc_unmarked(out->arena, l->line.at[i].text));
     }
     buf_char(out, '\n');
 }
@@ -170,14 +186,18 @@ static void put_excerpt(Buf *out, const DocPart *p)
     buf_str(out, "\n\n");
 }
 
+static const char *text_of(const Buf *out, const DocPart *p)
+{
+    return p->plain || p->kind == DOC_QUOTE ? p->text : doc_unmarked(out->arena, p->text);
+}
+
 static void put_part(Buf *out, const DocPart *p)
 {
     switch (p->kind) {
     case DOC_HEADING:
-        buf_printf(out, "%s%s%s%s\n", p->text, p->badge ? " [" : "", p->badge ? p->badge : "", p->badge ? "]" : "");
+        buf_printf(out, "%s%s%s%s\n", text_of(out, p), p->badge ? " [" : "", p->badge ? p->badge : "", p->badge ? "]" : "");
         break;
-    case DOC_PARAGRAPH: put_wrapped(out, p->text, ""); break;
-    case DOC_QUOTE: put_wrapped(out, p->text, ""); break;
+    case DOC_PARAGRAPH: case DOC_QUOTE: put_wrapped(out, text_of(out, p)); break;
     case DOC_TABLE: put_table(out, p->table); break;
     case DOC_LIST: put_list(out, p->list); break;
     case DOC_EXCERPT: put_excerpt(out, p); break;

@@ -1,39 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the analyses found: all groups of warnings, whatever is switched on elsewhere, and those that an @allow covers with its reason.
-#include <string.h>
-
 #include "compiler/emit/report/report.h"
-
-static bool covers(const Allow *a, const Diag *diag)
-{
-    const char *flag = diag_info[diag->code].flag;
-
-    return flag && strcmp(flag, a->flag) == 0 && diag->span.src == a->covers.src && diag->span.at >= a->covers.at
-        && diag->span.at <= a->covers.at + a->covers.len;
-}
-
-// The @allow that covers a finding, or NULL.
-static const Allow *allow_of(const Report *r, const Diag *diag)
-{
-    const Program *p = r->analysis.p;
-
-    for (size_t i = 0; i < p->allow.n; i++)
-        if (covers(&p->allow.at[i], diag))
-            return &p->allow.at[i];
-    return NULL;
-}
 
 FindingCount report_count_findings(const Report *r)
 {
-    const Diags *diags = r->analysis.diags;
-    FindingCount n = {0, 0};
-
-    for (size_t i = 0; i < diags->list.n; i++)
-        if (allow_of(r, diags->list.at[i]))
-            n.allowed++;
-        else
-            n.open++;
-    return n;
+    return (FindingCount){r->analysis.diags->list.n, r->analysis.diags->allowed.n};
 }
 
 static const char *group_of(const Diag *diag)
@@ -71,13 +42,13 @@ static void put_notes(const Report *r, Doc *d, const Diag *diag, size_t number)
 
 static void put_finding(const Report *r, Doc *d, const Diag *diag, size_t number)
 {
-    const Allow *allow = allow_of(r, diag);
     DocPart *heading = doc_heading(d, format_in(r->arena, "finding-%lu", (unsigned long)number), diag->text);
 
-    heading->badge = allow ? "allowed" : format_in(r->arena, "%s %s", diag_info[diag->code].id, name_of(diag));
-    heading->tone = allow ? "good" : diag->severity == DIAG_ERROR ? "bad" : "note";
-    if (allow)
-        doc_quote(d, format_in(r->arena, "Allowed: %s", allow->reason->text));
+    heading->plain = true;
+    heading->badge = diag->allowed ? "allowed" : format_in(r->arena, "%s %s", diag_info[diag->code].id, name_of(diag));
+    heading->tone = diag->allowed ? "good" : diag->severity == DIAG_ERROR ? "bad" : "note";
+    if (diag->allowed)
+        doc_quote(d, format_in(r->arena, "Allowed: %s", diag->allowed));
     doc_excerpt(d, diag->span, diag->label);
     put_notes(r, d, diag, number);
 }
@@ -89,43 +60,44 @@ static const DocColumn finding_columns[] = {
 static const DocColumn allowed_columns[] = {
     {"number", "No."}, {"name", "Name"}, {"place", "Place"}, {"message", "What was found"}, {"reason", "Why it is allowed"}};
 
-static void put_row(const Report *r, DocTable *t, const Diag *diag, const Allow *allow, size_t number)
+static void put_row(const Report *r, DocTable *t, const Diag *diag, size_t number)
 {
     cell_number(t, number);
     cell_code(t, name_of(diag));
-    if (!allow)
+    if (!diag->allowed)
         cell_plain(t, group_of(diag));
     cell_plain(t, place_of(r, diag->span));
-    cell_text(t, diag->text);
-    cell_plain(t, allow ? allow->reason->text : diag_info[diag->code].id);
+    cell_plain(t, diag->text);
+    cell_plain(t, diag->allowed ? diag->allowed : diag_info[diag->code].id);
 }
 
-static void put_table(const Report *r, Doc *d, bool allowed)
+// Findings at length, with numbers from `first` on.
+static void put_all(const Report *r, Doc *d, Diag *const *diag, size_t n, size_t first)
 {
-    const Diags *diags = r->analysis.diags;
-    DocTable *t = allowed ? DOC_TABLE_OF(d, "allowed", allowed_columns) : DOC_TABLE_OF(d, "findings", finding_columns);
-
-    for (size_t i = 0; i < diags->list.n; i++) {
-        const Allow *allow = allow_of(r, diags->list.at[i]);
-        if ((allow != NULL) == allowed)
-            put_row(r, t, diags->list.at[i], allow, i + 1);
-    }
+    for (size_t i = 0; i < n; i++)
+        put_finding(r, d, diag[i], first + i);
 }
 
 void report_findings(Report *r, Doc *d)
 {
     const Diags *diags = r->analysis.diags;
-    const FindingCount n = report_count_findings(r);
+    const size_t open = diags->list.n, allowed = diags->allowed.n;
+    DocTable *t;
 
     doc_section(d, "findings", "Findings");
-    doc_paragraph(d, n.open ? "What the analyses found, of all groups. `smc explain` with a name or code prints what it means and what to do."
-                            : "The analyses of all groups found nothing that is not allowed with a reason.");
-    if (n.open)
-        put_table(r, d, false);
-    if (n.allowed) {
-        doc_heading(d, "allowed", "Allowed with a reason");
-        put_table(r, d, true);
+    doc_paragraph(d, open ? "What the analyses found, of all groups. `smc explain` with a name or code prints what it means and what to do."
+                     : allowed ? "The analyses of all groups found nothing that is not allowed with a reason." : "The analyses of all groups found nothing.");
+    if (open) {
+        t = DOC_TABLE_OF(d, "findings", finding_columns);
+        for (size_t i = 0; i < open; i++)
+            put_row(r, t, diags->list.at[i], i + 1);
     }
-    for (size_t i = 0; i < diags->list.n; i++)
-        put_finding(r, d, diags->list.at[i], i + 1);
+    if (allowed) {
+        doc_heading(d, "allowed", "Allowed with a reason");
+        t = DOC_TABLE_OF(d, "allowed", allowed_columns);
+        for (size_t i = 0; i < allowed; i++)
+            put_row(r, t, diags->allowed.at[i], open + i + 1);
+    }
+    put_all(r, d, diags->list.at, open, 1);
+    put_all(r, d, diags->allowed.at, allowed, open + 1);
 }

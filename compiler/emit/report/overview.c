@@ -105,7 +105,7 @@ static const char *final_states(const Report *r, size_t *n)
     buf_init(&out, r->arena);
     for (size_t i = 0; i < p->state.n; i++)
         if (!left[i + 1])
-            buf_printf(&out, "%s`%s`", (*n)++ ? ", " : "", p->state.at[i]->name->text);
+            buf_printf(&out, "%s^%s^", (*n)++ ? ", " : "", p->state.at[i]->name->text);
     return buf_text(&out);
 }
 
@@ -117,7 +117,7 @@ static void put_words(Report *r, Doc *d)
     Buf b;
 
     buf_init(&b, r->arena);
-    buf_printf(&b, "The machine has %s and begins in `%s`. ", words_count(r->arena, p->state.n, "state", "states"), p->state.at[0]->name->text);
+    buf_printf(&b, "The machine has %s and begins in ^%s^. ", words_count(r->arena, p->state.n, "state", "states"), p->state.at[0]->name->text);
     if (reads)
         buf_printf(&b, "It watches %s. ", read);
     buf_printf(&b, writes ? "It drives %s. " : "It writes no element of the state vector%s. ", writes ? written : "");

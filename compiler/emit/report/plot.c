@@ -134,7 +134,7 @@ static void put_title(Plot *p, const Var *v, long top)
     if (!comment && v->element)
         comment = comment_behind(p->out->arena, v->element->span);
     buf_str(p->out, "<text class=\"t\"");
-    put_length(p->out, "x", PLOT_LEFT);
+    put_length(p->out, "x", PLOT_LEFT + 40);
     put_length(p->out, "y", top + PLOT_TITLE - 50);
     buf_printf(p->out, "><tspan font-weight=\"600\">%s</tspan>", v->name->text);
     if (comment) {

@@ -21,7 +21,7 @@ typedef struct ReportRun {
 
 typedef struct Report {
     Arena *arena;
-    Analysis analysis;            // its diags hold all findings; those that an @allow covers are told apart here
+    Analysis analysis;            // its diags hold all findings, and what an @allow covers
     Cost cost;
     const uint8_t *image;         // as `smc build` writes it
     size_t image_size;

@@ -43,6 +43,25 @@ static void put_runs(const Report *r, Doc *d)
     }
 }
 
+static const DocColumn way_columns[] = {{"from", "From"}, {"to", "To"}, {"times", "Times"}, {"note", "Remark"}};
+
+// Whether no transition before number i leads from its state to its target; *same: how many do.  Looks at one state's.
+static bool is_first_way(const Transitions *t, size_t i, size_t *same)
+{
+    size_t first = i, last = i;
+
+    while (first > 0 && t->at[first - 1].from == t->at[i].from)
+        first--;
+    while (last < t->n && t->at[last].from == t->at[i].from)
+        last++;
+    for (; first < i; first++)
+        if (t->at[first].to == t->at[i].to)
+            return false;
+    for (; i < last; i++)
+        *same += t->at[i].to == t->at[first].to;
+    return true;
+}
+
 static void put_cover(const Report *r, Doc *d)
 {
     const Program *p = r->analysis.p;
@@ -68,11 +87,35 @@ static void put_cover(const Report *r, Doc *d)
     }
 }
 
+// The ways between states that the scripts have gone: of several transitions from one state to another, which was made is not seen.
+static void put_ways(const Report *r, Doc *d)
+{
+    const Transitions *t = &r->analysis.transition;
+    DocTable *table;
+
+    if (t->n == 0)
+        return;
+    doc_heading(d, "ways", "Ways that the scripts have gone");
+    table = DOC_TABLE_OF(d, "ways", way_columns);
+    for (size_t i = 0; i < t->n; i++) {
+        uint64_t taken = 0;
+        size_t same = 0;
+        if (!is_first_way(t, i, &same))
+            continue;
+        for (size_t k = 0; k < r->runs; k++)
+            taken += r->run[k].trace.taken[i];
+        cell_state(table, t->at[i].from->name->text);
+        cell_state(table, t->at[i].to->name->text);
+        cell_number(table, taken);
+        cell_plain(table, taken == 0 ? "never gone" : same > 1 ? format_in(r->arena, "by %lu transitions", (unsigned long)same) : "");
+    }
+}
+
 // ---- one script ----
 
 static void put_visits(const Report *r, Doc *d, const ReportRun *run)
 {
-    enum { SHOWN = 40 };
+    enum { SHOWN = 20 };
     const Trace *t = &run->trace;
     DocTable *table = DOC_TABLE_OF(d, format_in(r->arena, "visits.%s", run->name), visit_columns);
 
@@ -115,12 +158,13 @@ static void put_run(const Report *r, Doc *d, const ReportRun *run, size_t number
 {
     DocPart *heading = doc_heading(d, format_in(r->arena, "script-%lu", (unsigned long)number), run->name);
 
+    heading->plain = true;
     heading->badge = passed(run) ? "passed" : "failed";
     heading->tone = passed(run) ? "good" : "bad";
     if (run->script)
         doc_quote(d, comment_of_file(r->arena, run->script->src));
     for (size_t i = 0; i < run->diags.list.n; i++) {
-        doc_paragraph(d, format_in(r->arena, "%s [%s]", run->diags.list.at[i]->text, diag_info[run->diags.list.at[i]->code].id));
+        doc_plain(d, format_in(r->arena, "%s [%s]", run->diags.list.at[i]->text, diag_info[run->diags.list.at[i]->code].id));
         doc_excerpt(d, run->diags.list.at[i]->span, run->diags.list.at[i]->label);
     }
     if (!run->script || run->trace.steps == 0)
@@ -138,6 +182,7 @@ void report_scripts(Report *r, Doc *d)
     }
     put_runs(r, d);
     put_cover(r, d);
+    put_ways(r, d);
     doc_figure(d, plot_patterns(r->arena), NULL);
     for (size_t i = 0; i < r->runs; i++)
         put_run(r, d, &r->run[i], i + 1);

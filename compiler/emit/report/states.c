@@ -51,7 +51,7 @@ static void put_sources(const Report *r, Doc *d, const Sources *s)
     buf_init(&b, r->arena);
     buf_str(&b, "Entered from ");
     for (size_t i = 0; i < s->from.n; i++)
-        buf_printf(&b, "%s`%s`", i == 0 ? "" : i + 1 < s->from.n ? ", " : " and ", s->from.at[i]->name->text);
+        buf_printf(&b, "%s^%s^", i == 0 ? "" : i + 1 < s->from.n ? ", " : " and ", s->from.at[i]->name->text);
     buf_char(&b, '.');
     doc_paragraph(d, buf_text(&b));
 }

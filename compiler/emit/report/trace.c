@@ -27,11 +27,26 @@ static void add_series(Trace *t, const Var *v)
     vec_push(t->arena, &t->series, s);
 }
 
-void trace_init(Trace *t, Arena *arena, const Program *p)
+static void find_first(Trace *t)
+{
+    size_t i = 0;
+
+    for (size_t s = 0; s < t->p->state.n; s++) {
+        while (i < t->transition->n && t->transition->at[i].from->number < s + 1)
+            i++;
+        t->first[s] = i;
+    }
+}
+
+void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *transition)
 {
     memset(t, 0, sizeof *t);
     t->arena = arena;
     t->p = p;
+    t->transition = transition;
+    t->first = ARENA_ARRAY(arena, size_t, p->state.n);
+    t->taken = ARENA_ARRAY(arena, uint64_t, transition->n);
+    find_first(t);
     t->per = 1;
     t->entered = ARENA_ARRAY(arena, uint64_t, p->state.n);
     t->spent = ARENA_ARRAY(arena, uint64_t, p->state.n);
@@ -70,10 +85,21 @@ static void put_value(Trace *t, TraceSeries *s, double x)
 
 // ---- a step ----
 
+static void note_way(Trace *t, uint32_t from, uint32_t to)
+{
+    for (size_t i = t->first[from - 1]; i < t->transition->n && t->transition->at[i].from->number == from; i++)
+        if (t->transition->at[i].to->number == to) {
+            t->taken[i]++;
+            return;
+        }
+}
+
 static void note_visit(Trace *t, const State *state, uint64_t g)
 {
     TraceVisit v = {state, t->steps, g};
 
+    if (t->steps > 0)
+        note_way(t, t->last, state->number);
     t->entered[state->number - 1]++;
     if (t->visits++ < TRACE_VISITS_MAX)
         vec_push(t->arena, &t->visit, v);
@@ -92,6 +118,7 @@ static void note_step(Trace *t, const uint64_t *cell)
     t->last_g = g;
     if (cell[t->p->t->index] == 0)                    // T is 0 in the first step of a state and in no other
         note_visit(t, t->p->state.at[number - 1], g);
+    t->last = (uint32_t)number;
     t->spent[number - 1]++;
     for (size_t i = 0; i < t->series.n; i++)
         put_value(t, t->series.at[i], trace_number(t->series.at[i]->v->type, cell[t->series.at[i]->v->index]));

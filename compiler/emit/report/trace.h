@@ -4,6 +4,7 @@
 #ifndef SMC_REPORT_TRACE_H
 #define SMC_REPORT_TRACE_H
 
+#include "compiler/analysis/transitions.h"
 #include "compiler/base/vec.h"
 #include "compiler/script/engine.h"
 
@@ -29,14 +30,19 @@ typedef struct Trace {
     uint64_t steps;
     uint64_t per;                 // steps in a bucket
     uint64_t first_g, last_g;
+    uint32_t last;                // number of the state of the last step
     VEC(TraceSeries *) series;    // elements but G and S, then locals that are no constants
     VEC(TraceVisit) visit;
     uint64_t visits;              // those that are not in the list any more included
     uint64_t *entered;            // by state, from 0: how often it began
     uint64_t *spent;              // by state: steps
+    const Transitions *transition;
+    size_t *first;                // by state, from 0: its first transition
+    uint64_t *taken;              // by transition: how often one from its state to its target was made, at the first that does it
 } Trace;
 
-void trace_init(Trace *t, Arena *arena, const Program *p);
+// t: of the machine, from its analysis; its states have the numbers of p's.
+void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *transition);
 // An engine that does what `inner` does and notes every step in t.
 Engine *trace_engine(Trace *t, Engine *inner);
 

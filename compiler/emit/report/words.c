@@ -62,7 +62,7 @@ static const char *assignment(Arena *arena, const Stmt *s)
 
 static const char *simple(Arena *arena, const Stmt *s)
 {
-    return s->kind == ST_ASSIGN ? assignment(arena, s) : format_in(arena, "leaves for `%s`", s->target->name->text);
+    return s->kind == ST_ASSIGN ? assignment(arena, s) : format_in(arena, "leaves for ^%s^", s->target->name->text);
 }
 
 // ---- conditionals ----

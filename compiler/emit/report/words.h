@@ -6,7 +6,7 @@
 #include "compiler/emit/report/doc.h"
 #include "compiler/sema/program.h"
 
-// Adds what a block does, a line a statement: "leaves for `Hold` if `pressure > 500`".
+// Adds what a block does, a line a statement: "leaves for ^Hold^ if `pressure > 500`".
 void words_block(DocList *l, const Stmts *block);
 
 // "the average of `pressure` over the last 10 steps".

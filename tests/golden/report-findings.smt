@@ -1,0 +1,39 @@
+# What the analyses found, and what is allowed with a reason.
+args report a.sm --format=text
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+F32 spare @read_only @allow(unused-element, "wired, for the next flight")
+F32 unused @read_only
+bool valve
+[Idle]
+.step
+    valve = not valve
+    T > 100: -> Idle
+-- stdout --
+...
+Findings
+--------
+
+What the analyses found, of all groups. `smc explain` with a name or code prints what it means and
+what to do.
+
+  No.  Name            Group          Place     What was found                             Code
+    1  unused-element  on by default  a.sm:5:5  element 'unused' is listed but never used  W0203
+
+Allowed with a reason
+  No.  Name            Place     What was found                            Why it is allowed
+    2  unused-element  a.sm:4:5  element 'spare' is listed but never used  wired, for the next flight
+
+element 'unused' is listed but never used [W0203 unused-element]
+      5 | F32 unused @read_only
+
+element 'spare' is listed but never used [allowed]
+Allowed: wired, for the next flight
+
+      4 | F32 spare @read_only @allow(unused-element, "wired, for the next flight")
+
+Abort matrix
+...
