@@ -20,8 +20,8 @@ enum { FACTOR = 4 };
 
 // ---- measuring ----
 
-enum { STAGES = 6 };
-static const char *const stage_name[STAGES] = {"parse+check", "ir -O0", "ir -O2", "image", "C", "report"};
+enum { STAGES = 7 };
+static const char *const stage_name[STAGES] = {"parse+check", "analysis", "ir -O0", "ir -O2", "image", "C", "report"};
 
 static double now(void)
 {
@@ -48,21 +48,22 @@ static void compile(Session *s, const Shape *shape, unsigned n, double *at)
     c.source = "m.sm";
     buf_init(&out, &s->arena);
     buf_init(&header, &s->arena);
+    *at++ = now();
     if (p)
         analyse_program(&s->arena, &s->diags, p);
-    at[0] = now();
+    *at++ = now();
     if (p)
         session_ir(s, p, 0);
-    at[1] = now();
+    *at++ = now();
     if (p)
         m = session_ir(s, p, 2);
-    at[2] = now();
+    *at++ = now();
     if (m)
         session_image(s, &m, 1, &image, &out);
-    at[3] = now();
+    *at++ = now();
     if (m)
         session_emit_c(s, m, &c, &header, &out);
-    at[4] = now();
+    *at = now();
 }
 
 static void report(Session *s, double *at)

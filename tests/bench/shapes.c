@@ -6,7 +6,7 @@
 
 // ---- memory ----
 
-static const size_t pool_size = (size_t)1 << 30;
+static const size_t pool_size = (size_t)1 << 31;
 static char *pool;
 static size_t used;
 
@@ -40,6 +40,27 @@ static void states(Buf *b, unsigned n)
             buf_printf(b, "    x = x * %u + y\n", k + 2);
         buf_printf(b, "    x > %u: -> S%u\n    y > x: -> S%u\n", i, (i + 1) % n, i * 7 % n);
     }
+}
+
+// What every analysis has something to look at: sensors with ranges, outputs, timers, windows, aborts; ten statements a state.
+static void mission(Buf *b, unsigned n)
+{
+    buf_str(b, "[state_vector]\nU64 G\nU32 S\nF64 tank @read_only @range 0 40\nF32 flow @read_only @range -1 9\nbool arm @read_only\n"
+               "bool valve\nU8 fin\n[local]\nU16 tries = 0\nF64 mean = 0\n");
+    for (unsigned i = 0; i < n; i++) {
+        buf_printf(b, "[S%u]\n.entry\n    valve = true\n    tries = tries + 1\n.step\n    mean = roll_avg(tank, 10)\n", i);
+        buf_printf(b, "    tank > %u or tank < 1: -> Abort\n    fin = tank / flow\n    mean > 30 and arm { fin = %u }\n", 35 + i % 5, i % 256);
+        buf_printf(b, "    flow > 8: -> Abort\n    T > %u: -> S%u\n    tries > 3 and arm: -> S%u\n.exit\n    valve = false\n", 100 + i,
+                   (i + 1) % n, i * 7 % n);
+    }
+    buf_str(b, "[Abort] @abort @safe\n.entry\n    valve = false\n");
+}
+
+static void guards(Buf *b, unsigned n)
+{
+    buf_printf(b, "%s[A]\n.step\n", head);
+    for (unsigned i = 0; i < n; i++)
+        buf_printf(b, "    x > y + %u and p: -> A\n    y > x + %u and not p: y = %u\n", n - i, n - i, i);
 }
 
 static void statements(Buf *b, unsigned n)
@@ -226,6 +247,8 @@ static void script_windows(Buf *b, unsigned n)
 
 const Shape shapes[] = {
     {"states", states, 2500, NULL, NULL},
+    {"mission", mission, 1000, NULL, NULL},
+    {"guards", guards, 5000, NULL, NULL},
     {"statements", statements, 25000, NULL, NULL},
     {"conditionals", conditionals, 20000, NULL, NULL},
     {"nested", nested, 400, NULL, NULL},
