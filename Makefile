@@ -355,7 +355,7 @@ find_smt  = find conformance tests -name '*.smt' | sort
 check-layers:
 	@$(find_code) | awk -f tests/check/layers.awk tests/check/layers.txt -
 check-codes:
-	@$(find_smt) | awk -f tests/check/codes.awk compiler/diag/codes.def tests/check/codes.txt -
+	@$(find_smt) | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -
 check-headers: $(B)/gen/stdlib_text.h
 	@CC='$(CC)' sh tests/check/headers.sh -I$(B)/gen
 check-imports: $(patsubst %.c,$(B)/obj/%.o,$(filter-out %/disasm.c,$(VM))) $(STDLIB:%.c=$(B)/obj/%.o)

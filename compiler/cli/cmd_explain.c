@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc explain CODE: the page of a diagnostic.
+// smc explain CODE or NAME: the page of a diagnostic, or those of a warning.
+#include <string.h>
+
 #include "compiler/cli/cli.h"
 
 static void page(const DiagInfo *d, Buf *out)
@@ -13,18 +15,27 @@ static void page(const DiagInfo *d, Buf *out)
 
 static int unknown_code(Cli *c, const char *name)
 {
-    const char *names[2 * DIAG_COUNT], *near;
+    const char **names = ARENA_ARRAY(&c->session.arena, const char *, DIAG_COUNT + diag_flag_count), *near;
     size_t n = 0;
 
-    for (size_t i = 0; i < DIAG_COUNT; i++) {
+    for (size_t i = 0; i < DIAG_COUNT; i++)
         if (diag_info[i].id)
             names[n++] = diag_info[i].id;
-        if (diag_info[i].flag)
-            names[n++] = diag_info[i].flag;
-    }
+    for (size_t i = 0; i < diag_flag_count; i++)
+        names[n++] = diag_flag[i].name;
     near = nearest_name(name, names, n);
     return near ? cli_usage(c, "no diagnostic is called '%s'; did you mean '%s'?", name, near)
                 : cli_usage(c, "no diagnostic is called '%s'", name);
+}
+
+static void explain_flag(const DiagFlag *flag, Buf *out)
+{
+    diag_put_flag(out, flag);
+    for (size_t i = 0; i < DIAG_COUNT; i++)
+        if (diag_info[i].flag && strcmp(diag_info[i].flag, flag->name) == 0) {
+            buf_char(out, '\n');
+            page(&diag_info[i], out);
+        }
 }
 
 int cmd_explain(Cli *c)
@@ -43,12 +54,16 @@ int cmd_explain(Cli *c)
     if (c->files == 0)
         return cli_usage(c, "explain wants the code of a diagnostic, as in 'smc explain E0204'");
     for (size_t i = 0; i < c->files; i++) {
+        const DiagFlag *flag = diag_find_flag(c->file[i]);
         const DiagInfo *d = diag_find(c->file[i]);
-        if (!d)
+        if (!d && !flag)
             return unknown_code(c, c->file[i]);
         if (i > 0)
             buf_char(&out, '\n');
-        page(d, &out);
+        if (flag)
+            explain_flag(flag, &out);
+        else
+            page(d, &out);
     }
     return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }

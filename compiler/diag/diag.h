@@ -147,6 +147,8 @@ size_t diags_apply_edits(const Diags *d, const Source *src, Buf *out);
 
 // All rows with their pages: docs/diagnostics.md.
 void diags_write_markdown(Buf *out);
+// A warning's name, what it finds, and how it is switched: what stands before the pages of its codes.
+void diag_put_flag(Buf *out, const DiagFlag *flag);
 void diag_put_title(const DiagInfo *row, Buf *out);        // the message, "..." for what is filled in
 
 #endif

@@ -6,7 +6,7 @@
 
 static const struct { char digit; const char *title; } chapters[] = {
     {'1', "Characters and numbers"}, {'2', "Names and declarations"}, {'3', "Grammar"}, {'4', "Expressions and constants"},
-    {'5', "States and transitions"}, {'6', "State vector"}, {'7', "Scripts"}, {'8', "Files and images"}};
+    {'5', "States and transitions"}, {'6', "State vector"}, {'7', "Scripts"}, {'8', "Files and images"}, {'9', "Flight"}};
 
 void diag_put_title(const DiagInfo *row, Buf *out)
 {
@@ -19,13 +19,63 @@ void diag_put_title(const DiagInfo *row, Buf *out)
     buf_str(out, message);
 }
 
+static const struct { const char *title, *words; } groups[] = {
+    [DIAG_GROUP_ALL]    = {"On unless switched off", "`-Wno-all` switches all of them off. Something is certainly not as it was meant."},
+    [DIAG_GROUP_EXTRA]  = {"-Wextra", "What is untidy."},
+    [DIAG_GROUP_FLIGHT] = {"-Wflight", "What a review before flight asks for. The marks `@abort`, `@safe` and `@range` tell it what a machine cannot know."}};
+
+// How a warning is switched.
+static void put_switches(Buf *out, const DiagFlag *flag)
+{
+    if (flag->group == DIAG_GROUP_ALL)
+        buf_printf(out, "A warning: `-Wno-%s` silences it, `-Werror=%s` makes it an error.\n\n", flag->name, flag->name);
+    else
+        buf_printf(out, "A warning of `-W%s`, or alone of `-W%s`; `-Werror=%s` makes it an error.\n\n", diag_group_name[flag->group],
+                   flag->name, flag->name);
+}
+
+static void put_codes_of(Buf *out, const DiagFlag *flag)
+{
+    bool any = false;
+
+    for (size_t i = 0; i < DIAG_COUNT; i++)
+        if (diag_info[i].flag && strcmp(diag_info[i].flag, flag->name) == 0) {
+            buf_printf(out, "%s%s", any ? " " : "", diag_info[i].id);
+            any = true;
+        }
+}
+
+static void put_group(Buf *out, DiagGroup group)
+{
+    buf_printf(out, "### %s\n\n%s\n\n| name | what it finds | codes |\n|---|---|---|\n", groups[group].title, groups[group].words);
+    for (size_t i = 0; i < diag_flag_count; i++)
+        if (diag_flag[i].group == group) {
+            buf_printf(out, "| `%s` | %s | ", diag_flag[i].name, diag_flag[i].sentence);
+            put_codes_of(out, &diag_flag[i]);
+            buf_str(out, " |\n");
+        }
+    buf_char(out, '\n');
+}
+
+void diag_put_flag(Buf *out, const DiagFlag *flag)
+{
+    const char *name = flag->name;
+
+    buf_printf(out, "%s: %s\n\n", name, flag->sentence);
+    if (flag->group == DIAG_GROUP_ALL)
+        buf_printf(out, "This warning is on: -Wno-%s switches it off", name);
+    else
+        buf_printf(out, "This warning is one of -W%s: -W%s switches it on alone", diag_group_name[flag->group], name);
+    buf_printf(out, ", and -Werror=%s makes it an error.\nWhere it is right as it is: @allow(%s, \"the reason\")\n", name, name);
+}
+
 static void put_page(Buf *out, const DiagInfo *row)
 {
     buf_printf(out, "### %s: ", row->id);
     diag_put_title(row, out);
     buf_str(out, "\n\n");
     if (row->flag)
-        buf_printf(out, "A warning: `-Wno-%s` silences it, `-Werror=%s` makes it an error.\n\n", row->flag, row->flag);
+        put_switches(out, diag_find_flag(row->flag));
     buf_str(out, row->page);
     buf_char(out, '\n');
 }
@@ -35,7 +85,13 @@ void diags_write_markdown(Buf *out)
     buf_str(out, "# Diagnostics\n\n"
                  "Every error and warning of the compiler, by its code. `smc explain E0204` prints one of these pages. A code never\n"
                  "changes its meaning and is never used again for something else.\n\n"
-                 "This page is made from `compiler/diag/codes.def` by `make docs`.\n\n");
+                 "This page is made from `compiler/diag/codes.def` and `flags.def` by `make docs`.\n\n"
+                 "## Warnings\n\n"
+                 "Warnings have names. `-Wname` switches one on, `-Wno-name` off, `-Werror=name` makes it an error; the words `all`, `extra`,\n"
+                 "`flight` and `everything` stand for groups of them. `@allow(name, \"reason\")` says that one is right as it is, in one place\n"
+                 "([language.md](language.md), 5.49). `smc explain` with a name prints the pages of its codes.\n\n");
+    for (int g = DIAG_GROUP_ALL; g <= DIAG_GROUP_FLIGHT; g++)
+        put_group(out, (DiagGroup)g);
     for (size_t c = 0; c < sizeof chapters / sizeof *chapters; c++) {
         buf_printf(out, "## %c %s\n\n", chapters[c].digit, chapters[c].title);
         for (size_t i = 0; i < DIAG_COUNT; i++)

@@ -1,21 +1,35 @@
 # SPDX-License-Identifier: Apache-2.0
-# Checks that every row of codes.def has an id of its own and the page and test that it promises.
-# Input: codes.def, codes.txt (exceptions), then the names of the test files, one a line.
+# Checks that every row of codes.def has an id of its own and the page and test that it promises, and that its flag is in flags.def.
+# Input: flags.def, codes.def, codes.txt (exceptions), then the names of the test files, one a line.
 
 function complain(what) {
     print what
     bad++
 }
 
+# flags.def: FLAG("dead-code", ALL, …
+FILENAME ~ /flags\.def$/ && /^FLAG\("/ {
+    split($0, word, "\"")
+    if (word[2] in flag)
+        complain("flags.def:" FNR ": " word[2] " stands twice")
+    flag[word[2]] = FNR
+}
+
 # codes.def: DIAG("E0204", unknown_element, …
 FILENAME ~ /codes\.def$/ && /^DIAG\("/ {
+    if (split($0, word, "DIAG_WARNING, \"") > 1) {
+        split(word[2], word, "\"")
+        used[word[1]] = 1
+        if (!(word[1] in flag))
+            complain("codes.def:" FNR ": " word[1] " is no flag of flags.def")
+    }
     id = substr($0, 7, 5)
     if (id in row)
         complain("codes.def:" FNR ": " id " stands twice")
     row[id] = FNR
 }
 
-FILENAME ~ /codes\.txt$/ && /^[EW][0-9]/ {
+FILENAME ~ /codes\.txt$/ && /^([EW][0-9]|[a-z])/ {
     if (NF < 2)
         complain("codes.txt:" FNR ": no reason given")
     excused[$1] = 1
@@ -37,7 +51,7 @@ function look(file, line,    rest, id) {
     }
 }
 
-FILENAME !~ /codes\.(def|txt)$/ {
+FILENAME !~ /(codes|flags)\.(def|txt)$/ {
     while ((getline line < $0) > 0)
         look($0, line)
     close($0)
@@ -51,8 +65,16 @@ END {
             complain("codes.txt: " id " is provoked by a test; remove the excuse")
         else
             good++
+    for (name in flag)
+        if (name in used)
+            good++
+        else if (!(name in excused))
+            complain("flags.def:" flag[name] ": no diagnostic is called " name)
     for (id in excused)
-        if (!(id in row))
+        if (id in flag) {
+            if (LATER && id in used)
+                complain("codes.txt: " id " is used; remove the excuse")
+        } else if (!(id in row))
             complain("codes.txt: " id " is no row of codes.def")
     print good + 0 " passed, " bad + 0 " failed"
     exit bad > 0

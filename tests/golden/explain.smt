@@ -30,4 +30,4 @@ would have happened:
     [Start]
     T > 400: @assert false                # W0750 as long as all is well
     true: @assert T <= 400
-W0203: element '...' is listed but never used  [-Wunused-element]
+unused-element: an element that is listed and not used

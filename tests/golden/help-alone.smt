@@ -19,8 +19,8 @@ Usage:
       run the device's own checks on an image
   smc fix FILE... [--sv V.sv]
       make the edits that the findings of check propose with certainty
-  smc explain CODE
-      print the page of a diagnostic, as E0204
+  smc explain CODE...
+      print the page of a diagnostic, by its code (E0204) or a warning's name (dead-code)
 
 'smc COMMAND --help' lists a command's options.
 -- exit --

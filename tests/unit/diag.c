@@ -332,6 +332,24 @@ static void test_table(void)
     CHECK(!diag_find("E9999") && !diag_find("") && !diag_find("E020"));
 }
 
+// The document holds the page of every row.
+static void test_markdown(void)
+{
+    size_t rows = 0, pages = 0;
+    const char *at;
+    Buf out;
+
+    start();
+    buf_init(&out, &arena);
+    diags_write_markdown(&out);
+    for (int i = 0; i < DIAG_COUNT; i++)
+        rows += diag_info[i].id != NULL;
+    for (at = strstr(buf_text(&out), "\n## Characters"); (at = strstr(at, "\n### ")) != NULL; at++)
+        pages++;
+    CHECK(rows == pages);
+    arena_free(&arena);
+}
+
 int main(void)
 {
     test_example();
@@ -346,5 +364,6 @@ int main(void)
     test_fingerprints();
     test_edits();
     test_table();
+    test_markdown();
     return test_end("diag");
 }
