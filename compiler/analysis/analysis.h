@@ -38,6 +38,9 @@ void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p);
 // All analyses of a machine.
 void analyse_program(Arena *arena, Diags *diags, const Program *p);
 
+// What can be said of several machines over one state vector only: who writes what.  Their names come from one pool.
+void analyse_together(Arena *arena, Diags *diags, const Program *const *p, size_t n);
+
 // ---- for analyses ----
 
 #define ANALYSIS(name, sentence) void analyse_##name(Analysis *a);

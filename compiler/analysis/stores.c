@@ -134,22 +134,9 @@ static void look_at_dead(Analysis *a, const DeadStore *dead, void *context)
     edit_remove(a->diags, d, home->stmt, home->list, home->is_block);
 }
 
-// Transitions stand in file order, so those of a state stand together.
-static size_t *first_transitions(const Analysis *a)
-{
-    size_t *first = ARENA_ARRAY(a->arena, size_t, a->p->state.n + 1), t = 0;
-
-    for (size_t s = 0; s <= a->p->state.n; s++) {
-        while (t < a->transition.n && a->transition.at[t].from->number - 1 < s)
-            t++;
-        first[s] = t;
-    }
-    return first;
-}
-
 void analyse_stores(Analysis *a)
 {
-    Stores k = {a, ARENA_ARRAY(a->arena, Home, a->p->stmts + 1u), first_transitions(a),
+    Stores k = {a, ARENA_ARRAY(a->arena, Home, a->p->stmts + 1u), transitions_by_state(a->arena, a->p, &a->transition),
                 ARENA_ARRAY(a->arena, uint32_t, a->m->state.n), 0};
 
     for (size_t s = 0; s < a->p->state.n; s++)

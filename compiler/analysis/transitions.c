@@ -69,6 +69,18 @@ Transitions transitions_of(Arena *arena, const Program *p)
     return out.list;
 }
 
+size_t *transitions_by_state(Arena *arena, const Program *p, const Transitions *all)
+{
+    size_t *first = ARENA_ARRAY(arena, size_t, p->state.n + 1), t = 0;
+
+    for (size_t s = 0; s <= p->state.n; s++) {
+        while (t < all->n && all->at[t].from->number - 1 < s)
+            t++;
+        first[s] = t;
+    }
+    return first;
+}
+
 // ---- text ----
 
 const char *source_text(Arena *arena, Span span)

@@ -36,6 +36,9 @@ void each_place(Arena *arena, const Program *p, void (*f)(const StmtPlace *place
 // In file order.  That an earlier one of the block was not taken is no condition here.
 Transitions transitions_of(Arena *arena, const Program *p);
 
+// By state, from 0: where its transitions begin in the list of all, for they stand together; one more for the end.
+size_t *transitions_by_state(Arena *arena, const Program *p, const Transitions *all);
+
 // An expression as its author wrote it, on one line.
 const char *source_text(Arena *arena, Span span);
 // "pressure > 800 and not (valveOpen)", outermost first; "" of NULL.  Of more than a few, the innermost with "… and" before them.

@@ -136,6 +136,7 @@ static int build_machines(Cli *c, Emit emit, const Source *sv, Outputs *o)
     IrMachine **m = ARENA_ARRAY(&c->session.arena, IrMachine *, c->files);
     ImageOptions image = {c->given[OPT_DEBUG] && !c->given[OPT_STRIP]};
     Buf *out = new_buf(c);
+    const Program **programs = ARENA_ARRAY(&c->session.arena, const Program *, c->files);
     size_t built = 0;
 
     c->session.hide_locals = emit != EMIT_C && !image.debug;     // in C anyone can look at them
@@ -147,11 +148,14 @@ static int build_machines(Cli *c, Emit emit, const Source *sv, Outputs *o)
         if ((p = session_program(&c->session, &in)) == NULL)
             continue;
         analyse_program(&c->session.arena, &c->session.diags, p);
+        programs[built] = p;
         m[built] = session_ir(&c->session, p, in.opt_level);
         if (limits_given(c))
             limits_check(c, p, m[built]);
         built++;
     }
+    if (sv)
+        analyse_together(&c->session.arena, &c->session.diags, programs, built);
     if (built < c->files)
         return EXIT_PROBLEM;
     if (emit == EMIT_BYTECODE) {

@@ -27,7 +27,9 @@ static void check_limits(Cli *c, const Source *sm, const Source *sv)
     c->session.hide_locals = false;
 }
 
-static int check_machine_file(Cli *c, const char *path, const Source *sv)
+typedef VEC(const Program *) Programs;
+
+static int check_machine_file(Cli *c, const char *path, const Source *sv, Programs *all)
 {
     Map written = {&c->session.arena, NULL, NULL, 0, 0};
     MachineInput in = {cli_load(c, path), sv, &written, option_level(c)};
@@ -39,16 +41,17 @@ static int check_machine_file(Cli *c, const char *path, const Source *sv)
     ss = cli_load_scripts(c, &written);
     if ((p = session_program(&c->session, &in)) == NULL)
         return EXIT_OK;
+    vec_push(&c->session.arena, all, p);
     analyse_program(&c->session.arena, &c->session.diags, p);
     if (limits_given(c))
         check_limits(c, in.sm, sv);
     return check_scripts(c, ss, p);
 }
 
-static int check_file(Cli *c, const char *path, const Source *sv)
+static int check_file(Cli *c, const char *path, const Source *sv, Programs *all)
 {
     if (has_suffix(path, ".sm") || path[0] == '-')
-        return check_machine_file(c, path, sv);
+        return check_machine_file(c, path, sv, all);
     if (has_suffix(path, ".sv")) {
         Source *src = cli_load(c, path);
         if (!src)
@@ -83,6 +86,7 @@ static int check_use(Cli *c)
 int cmd_check(Cli *c)
 {
     const Source *sv = NULL;
+    Programs all = {NULL, 0, 0};
     int code = check_use(c), reported;
 
     if (code != EXIT_OK)
@@ -90,7 +94,9 @@ int cmd_check(Cli *c)
     if (c->given[OPT_SV] && (sv = cli_load(c, c->value[OPT_SV])) == NULL)
         return EXIT_ENVIRONMENT;
     for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
-        code = check_file(c, c->file[i], sv);
+        code = check_file(c, c->file[i], sv, &all);
+    if (sv)
+        analyse_together(&c->session.arena, &c->session.diags, all.at, all.n);
     reported = cli_report(c);
     return code != EXIT_OK ? code : reported;
 }

@@ -10,6 +10,7 @@ bool drain
 F32 pressure
 U64 G
 U32 S
+U32 drainState
 -- a.sm --
 [state_vector]
 U64 G
@@ -21,11 +22,11 @@ bool open
 -- b.sm --
 [state_vector]
 U64 G
-U32 S
+U32 drainState @alias S
 bool drain
 [Idle]
 .step
     drain = true
 -- stdout --
-all.smb: machine 1: 1 states, longest step 2 instructions, [..] bytes of RAM, state vector 32 bytes (layout f3fda3e4)
-all.smb: machine 2: 1 states, longest step 2 instructions, [..] bytes of RAM, state vector 32 bytes (layout f3fda3e4)
+all.smb: machine 1: 1 states, longest step 2 instructions, [..] bytes of RAM, state vector 32 bytes (layout fb8d6fee)
+all.smb: machine 2: 1 states, longest step 2 instructions, [..] bytes of RAM, state vector 32 bytes (layout fb8d6fee)
