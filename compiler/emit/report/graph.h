@@ -22,5 +22,7 @@ typedef struct GraphOptions {
 
 // Appends the diagram of a->p to `out`.  `a` comes from analysis_begin; its arena takes what is needed on the way.
 void graph_svg(const Analysis *a, const GraphOptions *o, Buf *out);
+void graph_dot(const Analysis *a, const GraphOptions *o, Buf *out);
+void graph_mermaid(const Analysis *a, const GraphOptions *o, Buf *out);
 
 #endif

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// A machine as a diagram: transitions gathered into edges, their guards as text.
+#include "compiler/emit/report/diagram.h"
+
+// ---- what can happen ----
+
+typedef VEC(uint32_t) Waiting;
+
+static void reach(Diagram *d, Waiting *waiting, uint32_t node)
+{
+    if (d->node[node].reached)
+        return;
+    d->node[node].reached = true;
+    vec_push(d->a->arena, waiting, node);
+}
+
+// A state can be reached if it is the first, or a transition leads to it that can be made and whose state can be reached.
+static void note_reached(Diagram *d)
+{
+    Waiting waiting = {NULL, 0, 0};
+
+    reach(d, &waiting, 0);
+    while (waiting.n > 0) {
+        const DiagramNode *n = &d->node[waiting.at[--waiting.n]];
+        for (uint32_t e = n->first_edge; e < n->first_edge + n->edges; e++)
+            if (d->edge.at[e].possible)
+                reach(d, &waiting, d->edge.at[e].to);
+    }
+    for (size_t e = 0; e < d->edge.n; e++)
+        d->edge.at[e].possible = d->edge.at[e].possible && d->node[d->edge.at[e].from].reached;
+}
+
+// ---- guards ----
+
+// Of a transition without a guard: what is before it in its block decides.
+static const char *unguarded(const Analysis *a, const Transition *t)
+{
+    const Transition *before = t->number > 0 ? &a->transition.at[t->number - 1] : NULL;
+
+    return before && before->from == t->from && before->block == t->block ? "otherwise" : "at once";
+}
+
+static const char *guard_text(const Analysis *a, const Transition *t)
+{
+    const char *text = t->when ? condition_text(a->arena, t->when) : unguarded(a, t);
+
+    if (t->block != BLOCK_ENTRY)
+        return text;
+    return t->when ? format_in(a->arena, "on entry, %s", text) : "on entry";
+}
+
+static void add_guard(const Analysis *a, DiagramEdge *e, const Transition *t)
+{
+    Guard g = {t, guard_text(a, t), {NULL, 0, 0}, a->stmt[t->stmt->number].reached, {NULL, 0, 0}};
+
+    g.line = text_wrap(a->arena, g.text, GUARD_SIZE, GUARD_W, GUARD_LINES);
+    e->possible = e->possible || g.possible;
+    vec_push(a->arena, &e->guard, g);
+}
+
+static void size_label(DiagramEdge *e)
+{
+    for (size_t g = 0; g < e->guard.n; g++) {
+        const TextLines *line = &e->guard.at[g].line;
+        e->label.h += (int32_t)line->n * GUARD_LINE + (g ? GUARD_GAP : 0);
+        for (size_t i = 0; i < line->n; i++)
+            if (line->at[i].w > e->label.w)
+                e->label.w = line->at[i].w;
+    }
+}
+
+// ---- edges ----
+
+// last[s]: 1 + the edge of the state at hand that leads to s, if it is not below the state's first edge.
+static DiagramEdge *edge_to(Diagram *d, size_t *last, const Transition *t)
+{
+    const uint32_t from = t->from->number - 1, to = t->to->number - 1;
+
+    if (last[to] <= d->node[from].first_edge) {
+        DiagramEdge e = {0};
+        e.from = from;
+        e.to = to;
+        e.form = from == to ? EDGE_LOOP : EDGE_LINE;
+        vec_push(d->a->arena, &d->edge, e);
+        d->node[from].edges++;
+        last[to] = d->edge.n;
+    }
+    return &d->edge.at[last[to] - 1];
+}
+
+// Transitions come state by state.
+static void gather(Diagram *d)
+{
+    size_t *last = ARENA_ARRAY(d->a->arena, size_t, d->nodes), next = 0;
+
+    for (size_t s = 0; s < d->nodes; s++) {
+        d->node[s].first_edge = (uint32_t)d->edge.n;
+        for (; next < d->a->transition.n && d->a->transition.at[next].from == d->node[s].state; next++)
+            add_guard(d->a, edge_to(d, last, &d->a->transition.at[next]), &d->a->transition.at[next]);
+    }
+}
+
+// ---- counts ----
+
+uint64_t edge_count(const Diagram *d, const DiagramEdge *e)
+{
+    uint64_t sum = 0;
+
+    for (size_t g = 0; d->o->counts && g < e->guard.n; g++)
+        sum += d->o->counts->transition[e->guard.at[g].transition->number];
+    return sum;
+}
+
+uint64_t node_count(const Diagram *d, const DiagramNode *n)
+{
+    return d->o->counts ? d->o->counts->state[n->state->number - 1] : 0;
+}
+
+// ---- the whole ----
+
+enum { NAME_W = 220 };
+
+Diagram *diagram_of(const Analysis *a, const GraphOptions *o)
+{
+    Diagram *d = ARENA_NEW(a->arena, Diagram);
+
+    d->a = a;
+    d->o = o;
+    d->nodes = a->p->state.n;
+    d->node = ARENA_ARRAY(a->arena, DiagramNode, d->nodes);
+    for (size_t s = 0; s < d->nodes; s++) {
+        DiagramNode *n = &d->node[s];
+        n->state = a->p->state.at[s];
+        n->name = text_cut(a->arena, n->state->name->text, NAME_SIZE, true, NAME_W);
+        n->name_w = text_width(n->name, NAME_SIZE, true);
+    }
+    gather(d);
+    note_reached(d);
+    for (size_t e = 0; e < d->edge.n; e++)
+        size_label(&d->edge.at[e]);
+    if (o->findings)
+        diagram_mark(d, o->findings);
+    return d;
+}

@@ -1,0 +1,52 @@
+# The state diagram for Mermaid.
+args graph -w --format=mermaid -o - tank.sm
+
+-- tank.sm --
+[state_vector]
+U64 G
+U32 S
+F64 pressure @read_only
+bool armed   @read_only
+bool valve
+[Idle]
+.step
+    armed: -> Fill
+[Fill]
+.entry
+    valve = true
+.step
+    pressure > 800 or pressure < 1: -> Abort
+    T > 60000: -> Abort
+    pressure > 500 and armed: -> Done
+    pressure == 499: -> Fill
+.exit
+    valve = false
+[Abort] @abort
+.step
+    1 > 2: -> Idle
+[Done] @safe
+[Lost]
+.entry
+    -> Idle
+-- stdout --
+stateDiagram-v2
+    classDef abort fill:#fdeae4,stroke:#b5320f,stroke-width:3px,color:#1c2430
+    classDef safe fill:#e3f3f1,stroke:#0c7268,stroke-width:3px,color:#1c2430
+    classDef never stroke-dasharray:5
+    classDef unrun stroke-dasharray:1
+    state "Idle" as s1
+    state "Fill" as s2
+    state "Abort" as s3
+    state "Done" as s4
+    state "Lost" as s5
+    [*] --> s1
+    s1 --> s2 : armed
+    s2 --> s3 : pressure #62; 800 or pressure #60; 1
+    s2 --> s3 : T #62; 60000
+    s2 --> s4 : pressure #62; 500 and armed
+    s2 --> s2 : pressure == 499
+    s3 --> s1 : 1 #62; 2 (never)
+    s5 --> s1 : on entry (never)
+    class s3 abort
+    class s4 safe
+    class s5 never
