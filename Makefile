@@ -280,13 +280,15 @@ check: $(B)/fault/memory $(B)/fault/shim.so
 CHECK_LINES += "fault-memory: $(B)/fault/memory $(FAULT_CASES)" "fault-command: sh tests/fault/command.sh $(B)/smc $(B)/fault/shim.so"
 
 # tests/psl: what the headers of runtime-c/pal promise, on each platform; with threads also under the thread sanitizer.
-PSL_SUITE = $(filter-out tests/psl/bench_%,$(wildcard tests/psl/*.c))
+, := ,
+PSL_SUITE = $(filter-out tests/psl/bench_% tests/psl/own_%,$(wildcard tests/psl/*.c))
+PSL_WRAP_linux = $(patsubst %,-Wl$(,)--wrap=%,write fsync rename unlink)
 define psl_test
 include runtime-c/psl/$(1)/psl.mk
-PSL_OBJ_$(1)  := $$(patsubst %.c,$$(B)/psl/$(1)/%.o,$$(PSL) $$(PSL_SUITE) tests/psl/bench_$(1).c stdlib/result.c)
+PSL_OBJ_$(1)  := $$(patsubst %.c,$$(B)/psl/$(1)/%.o,$$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c)
 PSL_LIBS_$(1) := $$(PSL_LIBS)
 $$(B)/psl/$(1)/suite: $$(PSL_OBJ_$(1))
-	$$(call say,LD)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(PSL_LIBS_$(1))
+	$$(call say,LD)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(PSL_WRAP_$(1)) $$(PSL_LIBS_$(1))
 $$(B)/psl/$(1)/%.o: %.c
 	@mkdir -p $$(@D)
 	$$(call say,CC)$$(CC) $$(STRICT_C) $$(WARN) $$(CFLAGS) $$(DEPFLAGS) -c $$< -o $$@
@@ -298,7 +300,7 @@ $(foreach platform,linux none,$(eval $(call psl_test,$(platform))))
 # The same sources again; a compiler without the thread sanitizer makes nothing.  (The suite gives back locks that it does not hold.)
 $(B)/psl/tsan: $(PSL_OBJ_linux:$(B)/psl/linux/%.o=%.c)
 	@mkdir -p $(@D)
-	-$(call say,CC)$(CC) $(STRICT_C) -O1 -g -fsanitize=thread $^ -o $@ $(PSL_LIBS_linux) 2>/dev/null || rm -f $@
+	-$(call say,CC)$(CC) $(STRICT_C) -O1 -g -fsanitize=thread $^ -o $@ $(PSL_WRAP_linux) $(PSL_LIBS_linux) 2>/dev/null || rm -f $@
 check: $(B)/psl/tsan
 CHECK_LINES += "psl-tsan: if test -x $(B)/psl/tsan; then TSAN_OPTIONS=report_mutex_bugs=0 $(B)/psl/tsan; else echo 0 passed, 0 failed, 1 skipped; fi"
 

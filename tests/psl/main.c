@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the contracts one after another: main [NAME...], all of them or those named.
+// Runs the contracts one after another: main [NAME...], all of them or those named (own: the platform's own tests).
 #include "tests/psl/suite.h"
 
 static const struct {
@@ -7,6 +7,7 @@ static const struct {
     Tally (*run)(void);
 } contracts[] = {
     {"clock", contract_clock}, {"console", contract_console}, {"lock", contract_lock}, {"thread", contract_thread},
+    {"nvm", contract_nvm},
 };
 
 static bool is_wanted(const char *name, int argc, char *argv[])
@@ -17,17 +18,23 @@ static bool is_wanted(const char *name, int argc, char *argv[])
     return argc < 2;
 }
 
+static void add(Tally *all, Tally t)
+{
+    all->passed += t.passed;
+    all->failed += t.failed;
+}
+
 int main(int argc, char *argv[])
 {
     Tally all = {0, 0};
 
+    bench_begin();
     for (size_t i = 0; i < COUNT(contracts); i++)
-        if (is_wanted(contracts[i].name, argc, argv)) {
-            Tally t = contracts[i].run();
-
-            all.passed += t.passed;
-            all.failed += t.failed;
-        }
+        if (is_wanted(contracts[i].name, argc, argv))
+            add(&all, contracts[i].run());
+    if (bench.own && is_wanted("own", argc, argv))
+        add(&all, bench.own());
+    add(&all, bench_end());
     printf("psl-%s: %d passed, %d failed\n", bench.name, all.passed, all.failed);
     return all.failed != 0;
 }

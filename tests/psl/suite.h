@@ -22,14 +22,26 @@ typedef struct Tally {
 Tally contract_clock(void);
 Tally contract_console(void);
 Tally contract_lock(void);
+Tally contract_nvm(void);
 Tally contract_thread(void);
+
+// The platforms' own tests.
+Tally own_linux(void);
 
 // The platform under test, and what it is said to have: what it has must work, what it has not must say so.
 typedef struct Bench {
     const char *name;
     bool clock, console, threads, locks;
+    const char *nvm;          // the name of a memory of nvm_size bytes that may be overwritten; NULL: it has none
+    uint32_t nvm_size;
+    const char *nvm_missing;  // a name that stands for none
+    Tally (*own)(void);       // the platform's own tests, or NULL
 } Bench;
 
 extern const Bench bench;
+
+// Called before and after everything.
+void bench_begin(void);
+Tally bench_end(void);
 
 #endif

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+// Non-volatile memory: a regular file.  Each write makes a new file beside the old one (NAME.new), waits until it is on the
+// medium, gives it the old one's name and waits for the folder: after a power cut the file is the old one or the new one as a
+// whole, on every file system that renames at once (all journalled ones).  A write costs a copy of the memory: fit for some
+// kilobytes of settings and counters, not for a log.
+#define _GNU_SOURCE
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "runtime-c/pal/nvm.h"
+#include "runtime-c/psl/linux/linux.h"
+
+#define BLANK 0xff
+
+typedef struct Entry {
+    int fd;                   // holds the system's lock on the file as long as it is open
+    uint32_t size;
+    char path[PAL_NAME];
+} Entry;
+
+// What is to be stored: n bytes from place `at` on, blank ones where bytes is NULL.
+typedef struct Change {
+    uint32_t at, n;
+    const uint8_t *bytes;
+} Change;
+
+static bool used[PAL_NVMS];
+static Entry entries[PAL_NVMS];
+
+// ---- descriptors ----
+
+static int read_all(int fd, uint8_t *to, size_t n, uint32_t at)
+{
+    while (n > 0) {
+        ssize_t got = pread(fd, to, n, (off_t)at);
+
+        if (got == 0 || (got < 0 && errno != EINTR))
+            return got == 0 ? EIO : errno;
+        if (got > 0) {
+            to += got;
+            n -= (size_t)got;
+            at += (uint32_t)got;
+        }
+    }
+    return 0;
+}
+
+static int write_all(int fd, const uint8_t *from, size_t n)
+{
+    while (n > 0) {
+        ssize_t taken = write(fd, from, n);
+
+        if (taken < 0 && errno != EINTR)
+            return errno;
+        if (taken > 0) {
+            from += taken;
+            n -= (size_t)taken;
+        }
+    }
+    return 0;
+}
+
+// The file's size, or -1 if it is no regular file or beyond what a place can count.
+static int64_t size_of(int fd)
+{
+    struct stat s;
+
+    return fstat(fd, &s) == 0 && S_ISREG(s.st_mode) && s.st_size <= INT32_MAX ? (int64_t)s.st_size : -1;
+}
+
+// ---- a new file in place of the old one ----
+
+static void lay_over(uint8_t *block, uint32_t at, uint32_t n, const Change *c)
+{
+    for (uint32_t i = 0; i < n; i++)
+        if (at + i - c->at < c->n)                         // at + i ≥ c->at as well: the difference wraps
+            block[i] = c->bytes ? c->bytes[at + i - c->at] : BLANK;
+}
+
+// Copies the first `size` bytes of `old`, blank where it is shorter, with the change laid over them.
+static int copy(int to, int old, uint32_t old_size, uint32_t size, const Change *c)
+{
+    uint8_t block[512];
+    int error = 0;
+
+    for (uint32_t at = 0; at < size && !error; at += (uint32_t)sizeof block) {
+        uint32_t n = size - at < sizeof block ? size - at : (uint32_t)sizeof block;
+
+        memset(block, BLANK, sizeof block);
+        if (at < old_size)
+            error = read_all(old, block, n < old_size - at ? n : old_size - at, at);
+        lay_over(block, at, n, c);
+        if (!error)
+            error = write_all(to, block, n);
+    }
+    return error;
+}
+
+// The name of the folder that a path is in; to: PAL_NAME bytes.
+static void folder_of(char *to, const char *path)
+{
+    char *slash;
+
+    strcpy(to, path);
+    slash = strrchr(to, '/');
+    if (slash)
+        slash[slash == to] = '\0';
+    else
+        strcpy(to, ".");
+}
+
+static int sync_folder(const char *path)
+{
+    char folder[PAL_NAME];
+    int fd, error = 0;
+
+    folder_of(folder, path);
+    fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd < 0)
+        return errno;
+    if (fsync(fd) != 0)
+        error = errno;
+    close(fd);
+    return error;
+}
+
+// An empty NAME.new that nobody else has.
+static int open_new(const char *name, int *error)
+{
+    int fd = open(name, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
+
+    *error = fd < 0 ? errno : 0;
+    if (fd >= 0 && (flock(fd, LOCK_EX | LOCK_NB) != 0 || ftruncate(fd, 0) != 0)) {
+        *error = errno == EWOULDBLOCK ? EBUSY : errno;
+        close(fd);
+        fd = -1;
+    }
+    return fd;
+}
+
+// Replaces the file by one with the change; e->fd is -1 where there is none yet.
+static int replace(Entry *e, uint32_t old_size, const Change *c)
+{
+    char name[PAL_NAME + 4];
+    int error, fd;
+
+    snprintf(name, sizeof name, "%s.new", e->path);
+    fd = open_new(name, &error);
+    if (fd < 0)
+        return error;
+    error = copy(fd, e->fd, old_size, e->size, c);
+    if (!error && (fsync(fd) != 0 || rename(name, e->path) != 0))
+        error = errno;
+    if (error) {
+        unlink(name);
+        close(fd);
+        return error;
+    }
+    if (e->fd >= 0)
+        close(e->fd);
+    e->fd = fd;
+    return sync_folder(e->path);
+}
+
+// ---- opening ----
+
+// Whether the locked file still has its name: another program may have replaced it in between.
+static bool is_current(int fd, const char *path)
+{
+    struct stat a, b;
+
+    return fstat(fd, &a) == 0 && stat(path, &b) == 0 && a.st_ino == b.st_ino && a.st_dev == b.st_dev;
+}
+
+static SmResult open_old(Entry *e, int64_t *size)
+{
+    *size = 0;
+    e->fd = open(e->path, O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+    if (e->fd < 0)
+        return errno == ENOENT ? SM_OK : errno == EISDIR ? SM_E_UNSUPPORTED : psl_result(errno);
+    *size = size_of(e->fd);
+    if (*size < 0)
+        return SM_E_UNSUPPORTED;
+    return flock(e->fd, LOCK_EX | LOCK_NB) == 0 && is_current(e->fd, e->path) ? SM_OK : SM_E_BUSY;
+}
+
+// Fills in an entry that has been taken.
+static SmResult enter(Entry *e, const char *path, uint32_t size)
+{
+    const Change nothing = {0, 0, NULL};
+    int64_t old;
+    SmResult r;
+
+    strcpy(e->path, path);
+    r = open_old(e, &old);
+    e->size = old > (int64_t)size ? (uint32_t)old : size;
+    if (r == SM_OK && old < (int64_t)size)
+        r = psl_result(replace(e, (uint32_t)old, &nothing));
+    if (r != SM_OK && e->fd >= 0)
+        close(e->fd);
+    return r;
+}
+
+SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
+{
+    SmResult r = SM_E_FULL;
+    uint8_t id;
+
+    if (!memory || !name || size == 0 || size > INT32_MAX || name[0] == '\0' || strlen(name) >= PAL_NAME)
+        return SM_E_ARGUMENT;
+    psl_guard();
+    id = psl_table_take(used, PAL_NVMS);
+    if (id != 0) {
+        r = enter(&entries[id - 1], name, size);
+        used[id - 1] = r == SM_OK;
+    }
+    psl_unguard();
+    if (r == SM_OK)
+        memory->id = id;
+    return r;
+}
+
+// ---- using ----
+
+SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
+{
+    const PalNvmInfo file = {0, 1, 0, 0, 0, BLANK};
+
+    if (!info)
+        return SM_E_ARGUMENT;
+    if (!psl_table_holds(used, PAL_NVMS, memory.id))
+        return SM_E_HANDLE;
+    *info = file;
+    info->size = info->atomic = entries[memory.id - 1].size;
+    return SM_OK;
+}
+
+// Whether the handle is open and the range within.
+static SmResult look(PalNvm memory, uint32_t at, uint32_t n)
+{
+    if (!psl_table_holds(used, PAL_NVMS, memory.id))
+        return SM_E_HANDLE;
+    return at <= entries[memory.id - 1].size && n <= entries[memory.id - 1].size - at ? SM_OK : SM_E_ARGUMENT;
+}
+
+SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
+{
+    SmResult r = look(memory, at, n);
+
+    if (r == SM_OK && !bytes)
+        r = SM_E_ARGUMENT;
+    return r == SM_OK ? psl_result(read_all(entries[memory.id - 1].fd, bytes, n, at)) : r;
+}
+
+static SmResult change(PalNvm memory, uint32_t at, const void *bytes, uint32_t n)
+{
+    const Change c = {at, n, bytes};
+    SmResult r = look(memory, at, n);
+
+    if (r != SM_OK || n == 0)
+        return r;
+    return psl_result(replace(&entries[memory.id - 1], entries[memory.id - 1].size, &c));
+}
+
+SmResult pal_nvm_write(PalNvm memory, uint32_t at, const void *bytes, uint32_t n)
+{
+    return bytes ? change(memory, at, bytes, n) : SM_E_ARGUMENT;
+}
+
+SmResult pal_nvm_erase(PalNvm memory, uint32_t at, uint32_t n)
+{
+    return change(memory, at, NULL, n);
+}
+
+SmResult pal_nvm_close(PalNvm memory)
+{
+    SmResult r = SM_E_HANDLE;
+
+    psl_guard();
+    if (psl_table_holds(used, PAL_NVMS, memory.id)) {
+        close(entries[memory.id - 1].fd);
+        used[memory.id - 1] = false;
+        r = SM_OK;
+    }
+    psl_unguard();
+    return r;
+}

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the Linux platform promises beyond the headers: files of non-volatile memory after a cut at any moment and on a full
+// disk.  The system's calls come here first (ld's --wrap), so that each of them can be made to fail.
+#define _GNU_SOURCE
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "runtime-c/pal/nvm.h"
+#include "tests/psl/suite.h"
+
+ssize_t __real_write(int fd, const void *from, size_t n);
+int __real_fsync(int fd);
+int __real_rename(const char *from, const char *to);
+int __real_unlink(const char *path);
+ssize_t __wrap_write(int fd, const void *from, size_t n);
+int __wrap_fsync(int fd);
+int __wrap_rename(const char *from, const char *to);
+int __wrap_unlink(const char *path);
+
+static struct {
+    int left;                 // calls that still work; below 0: all
+    int error;                // what the next one fails with
+    bool for_good;            // and all after it: the power is gone
+    char log[64];             // a letter for each call
+} faults = {-1, 0, false, ""};
+
+static bool fails(char letter)
+{
+    size_t n = strlen(faults.log);
+
+    if (n + 1 < sizeof faults.log)
+        faults.log[n] = letter, faults.log[n + 1] = '\0';
+    if (faults.left < 0 || faults.left-- > 0)
+        return false;
+    if (faults.for_good)
+        faults.left = 0;
+    errno = faults.error;
+    return true;
+}
+
+// Half of what is to be written, then nothing: as a disk that fills up.
+ssize_t __wrap_write(int fd, const void *from, size_t n)
+{
+    if (!fails('w'))
+        return __real_write(fd, from, n);
+    if (n > 1)
+        (void)!__real_write(fd, from, n / 2);
+    return -1;
+}
+
+int __wrap_fsync(int fd) { return fails('f') ? -1 : __real_fsync(fd); }
+int __wrap_rename(const char *from, const char *to) { return fails('r') ? -1 : __real_rename(from, to); }
+int __wrap_unlink(const char *path) { return fails('u') ? -1 : __real_unlink(path); }
+
+static void fault(int left, int error, bool for_good)
+{
+    faults.left = left;
+    faults.error = error;
+    faults.for_good = for_good;
+    faults.log[0] = '\0';
+}
+
+static void no_fault(void)
+{
+    faults.left = -1;
+}
+
+// ---- non-volatile memory ----
+
+#define SIZE 1200u            // three blocks of the copy: no power of two, no multiple
+
+static char memory_name[64];
+
+static PalNvm reopened(void)
+{
+    PalNvm memory = {0};
+
+    CHECK(pal_nvm_open(&memory, memory_name, SIZE) == SM_OK);
+    return memory;
+}
+
+static void fill(PalNvm memory, uint8_t value)
+{
+    uint8_t bytes[SIZE];
+
+    memset(bytes, value, SIZE);
+    CHECK(pal_nvm_write(memory, 0, bytes, SIZE) == SM_OK);
+}
+
+// The value of all bytes, or -1 if they are not the same.
+static int value_of(PalNvm memory)
+{
+    uint8_t bytes[SIZE];
+
+    memset(bytes, 0, SIZE);
+    CHECK(pal_nvm_read(memory, 0, bytes, SIZE) == SM_OK);
+    for (uint32_t i = 1; i < SIZE; i++)
+        if (bytes[i] != bytes[0])
+            return -1;
+    return bytes[0];
+}
+
+// The new file is on the medium before it gets the name, and the name before the call returns.
+static void in_this_order(void)
+{
+    PalNvm memory = reopened();
+
+    fault(-1, 0, false);
+    fill(memory, 3);
+    CHECK(strcmp(faults.log, "wwwfrf") == 0);
+    CHECK(pal_nvm_close(memory) == SM_OK);
+}
+
+// Cuts the power before each call in turn; when it is back, all is old or all is new.
+static void cut_anywhere(void)
+{
+    const uint8_t bytes[SIZE] = {0};
+    bool done = false, was_old = false, was_new = false;
+
+    for (int calls = 0; calls < 20 && !done; calls++) {
+        PalNvm memory = reopened();
+        int value;
+
+        fill(memory, 1);
+        fault(calls, EIO, true);
+        done = pal_nvm_write(memory, 0, bytes, SIZE) == SM_OK;
+        no_fault();
+        CHECK(pal_nvm_close(memory) == SM_OK);
+        memory = reopened();
+        value = value_of(memory);
+        CHECK(value == (done ? 0 : 1) || value == 0);
+        was_old = was_old || value == 1;
+        was_new = was_new || (value == 0 && !done);
+        CHECK(pal_nvm_close(memory) == SM_OK);
+    }
+    CHECK(done && was_old && was_new);
+}
+
+// A write that fails leaves the memory usable and nothing lying about.
+static void full_disk(void)
+{
+    PalNvm memory = reopened();
+    const uint8_t bytes[SIZE] = {0};
+    char name[80];
+
+    snprintf(name, sizeof name, "%s.new", memory_name);
+    fill(memory, 1);
+    for (int calls = 0; calls < 3; calls++) {
+        fault(calls, ENOSPC, false);
+        CHECK(pal_nvm_write(memory, 0, bytes, SIZE) == SM_E_SPACE);
+        CHECK(strchr(faults.log, 'u') != NULL);
+        no_fault();
+        CHECK(value_of(memory) == 1);
+        CHECK(access(name, F_OK) != 0);
+    }
+    fill(memory, 2);
+    CHECK(value_of(memory) == 2);
+    CHECK(pal_nvm_close(memory) == SM_OK);
+}
+
+static void size_on_disk(off_t expected)
+{
+    struct stat s;
+
+    CHECK(stat(memory_name, &s) == 0 && s.st_size == expected);
+}
+
+static void lengthens(void)
+{
+    PalNvm memory = {0};
+    uint8_t x = 5, two[2] = {0, 0};
+
+    CHECK(__real_unlink(memory_name) == 0);
+    CHECK(pal_nvm_open(&memory, memory_name, 1) == SM_OK);
+    CHECK(pal_nvm_write(memory, 0, &x, 1) == SM_OK);
+    CHECK(pal_nvm_close(memory) == SM_OK);
+    size_on_disk(1);
+    CHECK(pal_nvm_open(&memory, memory_name, 1000) == SM_OK);
+    CHECK(pal_nvm_read(memory, 0, two, 2) == SM_OK && two[0] == 5 && two[1] == 0xff);
+    CHECK(pal_nvm_close(memory) == SM_OK);
+    size_on_disk(1000);
+    CHECK(pal_nvm_open(&memory, memory_name, 10) == SM_OK);       // and never shortens
+    CHECK(pal_nvm_read(memory, 999, two, 1) == SM_OK);
+    CHECK(pal_nvm_close(memory) == SM_OK);
+    size_on_disk(1000);
+}
+
+static void no_file(void)
+{
+    PalNvm memory = {0};
+
+    CHECK(pal_nvm_open(&memory, ".", 1) == SM_E_UNSUPPORTED);
+    CHECK(mkfifo("pipe", 0600) == 0 && symlink("pipe", "link") == 0);
+    CHECK(pal_nvm_open(&memory, "pipe", 1) == SM_E_UNSUPPORTED);
+    CHECK(pal_nvm_open(&memory, "link", 1) == SM_E_UNSUPPORTED);
+    CHECK(pal_nvm_open(&memory, "pipe/x", 1) == SM_E_MISSING);
+    CHECK(__real_unlink("pipe") == 0 && __real_unlink("link") == 0);
+    for (int i = 0; i < 2 * PAL_NVMS; i++)                // failing leaves no entry taken
+        CHECK(pal_nvm_open(&memory, ".", 1) == SM_E_UNSUPPORTED);
+}
+
+static void nvm(void)
+{
+    snprintf(memory_name, sizeof memory_name, "%s.own", bench.nvm);
+    in_this_order();
+    cut_anywhere();
+    full_disk();
+    lengthens();
+    no_file();
+    unlink(memory_name);
+}
+
+Tally own_linux(void)
+{
+    nvm();
+    return TALLY();
+}
