@@ -44,7 +44,7 @@ Tally contract_clock(void)
 {
     uint64_t tick = 0;
 
-    if (!bench.clock) {
+    if (bench.clock == HAS_NONE) {
         without();
         return TALLY();
     }

@@ -5,7 +5,7 @@
 
 Tally contract_console(void)
 {
-    if (!bench.console) {
+    if (bench.console == HAS_NONE) {
         CHECK(pal_console_write("x", 1) == SM_E_UNSUPPORTED);
         CHECK(pal_console_write(NULL, 0) == SM_E_UNSUPPORTED);
         return TALLY();

@@ -146,14 +146,14 @@ static void held_by_another(void)
 
 Tally contract_lock(void)
 {
-    if (!bench.locks) {
+    if (bench.locks == HAS_NONE) {
         without();
         return TALLY();
     }
     one_thread();
     bad_handles();
     table_is_full();
-    if (bench.threads) {
+    if (bench.threads == HAS) {
         keeps_apart();
         held_by_another();
     }

@@ -7,7 +7,7 @@ static const struct {
     Tally (*run)(void);
 } contracts[] = {
     {"clock", contract_clock}, {"console", contract_console}, {"lock", contract_lock}, {"thread", contract_thread},
-    {"nvm", contract_nvm},
+    {"nvm", contract_nvm}, {"serial", contract_serial}, {"socket", contract_socket}, {"dio", contract_dio},
 };
 
 static bool is_wanted(const char *name, int argc, char *argv[])

@@ -22,7 +22,7 @@ static PalNvm opened(void)
 {
     PalNvm memory = {0};
 
-    CHECK(pal_nvm_open(&memory, bench.nvm, bench.nvm_size) == SM_OK && memory.id != 0);
+    CHECK(pal_nvm_open(&memory, bench.nvm_name, bench.nvm_size) == SM_OK && memory.id != 0);
     return memory;
 }
 
@@ -155,9 +155,9 @@ static void bad_arguments(void)
 
     memset(name, 'x', PAL_NAME);
     name[PAL_NAME] = '\0';
-    CHECK(pal_nvm_open(NULL, bench.nvm, 1) == SM_E_ARGUMENT);
+    CHECK(pal_nvm_open(NULL, bench.nvm_name, 1) == SM_E_ARGUMENT);
     CHECK(pal_nvm_open(&memory, NULL, 1) == SM_E_ARGUMENT);
-    CHECK(pal_nvm_open(&memory, bench.nvm, 0) == SM_E_ARGUMENT);
+    CHECK(pal_nvm_open(&memory, bench.nvm_name, 0) == SM_E_ARGUMENT);
     CHECK(pal_nvm_open(&memory, name, 1) == SM_E_ARGUMENT);
     CHECK(pal_nvm_open(&memory, bench.nvm_missing, 1) == SM_E_MISSING);
     CHECK(memory.id == 0);
@@ -184,7 +184,7 @@ static void one_at_a_time(void)
 {
     PalNvm memory = opened(), again = {0};
 
-    CHECK(pal_nvm_open(&again, bench.nvm, 1) == SM_E_BUSY && again.id == 0);
+    CHECK(pal_nvm_open(&again, bench.nvm_name, 1) == SM_E_BUSY && again.id == 0);
     CHECK(pal_nvm_close(memory) == SM_OK);
     CHECK(pal_nvm_close(memory) == SM_E_HANDLE);
     memory = opened();
@@ -195,7 +195,7 @@ Tally contract_nvm(void)
 {
     PalNvm memory;
 
-    if (!bench.nvm) {
+    if (bench.nvm == HAS_NONE) {
         without();
         return TALLY();
     }

@@ -204,7 +204,7 @@ static void no_file(void)
 
 static void nvm(void)
 {
-    snprintf(memory_name, sizeof memory_name, "%s.own", bench.nvm);
+    snprintf(memory_name, sizeof memory_name, "%s.own", bench.nvm_name);
     in_this_order();
     cut_anywhere();
     full_disk();

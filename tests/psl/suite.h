@@ -21,24 +21,44 @@ typedef struct Tally {
 
 Tally contract_clock(void);
 Tally contract_console(void);
+Tally contract_dio(void);
 Tally contract_lock(void);
 Tally contract_nvm(void);
+Tally contract_serial(void);
+Tally contract_socket(void);
 Tally contract_thread(void);
 
 // The platforms' own tests.
 Tally own_linux(void);
 
-// The platform under test, and what it is said to have: what it has must work, what it has not must say so.
+// Whether a platform has a thing: it works; it says SM_E_UNSUPPORTED; it would work, but nothing is connected (SM_E_MISSING).
+typedef enum Has { HAS_NONE, HAS, HAS_NOTHING_THERE } Has;
+
+// The platform under test and what it is said to have.
 typedef struct Bench {
     const char *name;
-    bool clock, console, threads, locks;
-    const char *nvm;          // the name of a memory of nvm_size bytes that may be overwritten; NULL: it has none
+    Has clock, console, threads, locks, sockets;
+
+    Has nvm;
+    const char *nvm_name;     // a memory of nvm_size bytes that may be overwritten
     uint32_t nvm_size;
     const char *nvm_missing;  // a name that stands for none
+
+    Has serial;
+    const char *serial_name;
+    void (*far_send)(const void *bytes, size_t n);        // the other end of that line
+    size_t (*far_receive)(void *bytes, size_t room);      // what there is, at once
+    void (*far_unplug)(void);                             // the line is gone until the suite ends
+
+    Has dio;
+    uint16_t pins[2];         // two that may be used
+    bool wired;               // the second follows the first
+    uint16_t pin_missing;
+
     Tally (*own)(void);       // the platform's own tests, or NULL
 } Bench;
 
-extern const Bench bench;
+extern Bench bench;
 
 // Called before and after everything.
 void bench_begin(void);

@@ -156,7 +156,7 @@ Tally contract_thread(void)
 {
     const PalThreadPlan small = {NULL, 0, 1};
 
-    if (!bench.threads) {
+    if (bench.threads == HAS_NONE) {
         without();
         return TALLY();
     }

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Serial lines: terminal devices (/dev/ttyS0, /dev/ttyUSB0), set to pass every byte as it is.
+#define _GNU_SOURCE
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include "runtime-c/pal/serial.h"
+#include "runtime-c/psl/linux/linux.h"
+
+static bool used[PAL_SERIALS];
+static int lines[PAL_SERIALS];
+
+static const struct {
+    uint32_t bits_per_second;
+    speed_t speed;
+} speeds[] = {
+    {1200, B1200}, {2400, B2400}, {4800, B4800}, {9600, B9600}, {19200, B19200}, {38400, B38400}, {57600, B57600},
+    {115200, B115200}, {230400, B230400}, {460800, B460800}, {500000, B500000}, {576000, B576000}, {921600, B921600},
+    {1000000, B1000000}, {1500000, B1500000}, {2000000, B2000000}, {3000000, B3000000}, {4000000, B4000000},
+};
+
+// B0, which hangs up, for a speed that there is not.
+static speed_t speed_of(uint32_t bits_per_second)
+{
+    for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++)
+        if (speeds[i].bits_per_second == bits_per_second)
+            return speeds[i].speed;
+    return B0;
+}
+
+// tcsetattr is content if it could do anything at all: what came of the speed is looked at again.
+static SmResult set_up(int fd, speed_t speed)
+{
+    struct termios t;
+
+    if (tcgetattr(fd, &t) != 0)
+        return psl_result(errno);
+    cfmakeraw(&t);
+    t.c_cflag &= ~(tcflag_t)(CSTOPB | CRTSCTS);
+    t.c_cflag |= CLOCAL | CREAD;                           // no modem to wait for
+    t.c_iflag &= ~(tcflag_t)(IXOFF | IXANY);
+    if (cfsetspeed(&t, speed) != 0 || tcsetattr(fd, TCSANOW, &t) != 0 || tcgetattr(fd, &t) != 0)
+        return psl_result(errno);
+    tcflush(fd, TCIOFLUSH);
+    return cfgetospeed(&t) == speed ? SM_OK : SM_E_ARGUMENT;
+}
+
+static SmResult open_line(const char *name, speed_t speed, int *fd)
+{
+    SmResult r;
+
+    *fd = open(name, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (*fd < 0)
+        return psl_result(errno);
+    r = !isatty(*fd) ? SM_E_UNSUPPORTED : flock(*fd, LOCK_EX | LOCK_NB) != 0 ? SM_E_BUSY : set_up(*fd, speed);
+    if (r == SM_OK)
+        ioctl(*fd, TIOCEXCL);                             // also against programs that do not lock
+    else
+        close(*fd);
+    return r;
+}
+
+SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_second)
+{
+    speed_t speed = speed_of(bits_per_second);
+    SmResult r = SM_E_FULL;
+    uint8_t id;
+
+    if (!line || !name || strlen(name) >= PAL_NAME || speed == B0)
+        return SM_E_ARGUMENT;
+    psl_guard();
+    id = psl_table_take(used, PAL_SERIALS);
+    if (id != 0) {
+        r = open_line(name, speed, &lines[id - 1]);
+        used[id - 1] = r == SM_OK;
+    }
+    psl_unguard();
+    if (r == SM_OK)
+        line->id = id;
+    return r;
+}
+
+// A line that hung up reads as ended or as EIO.
+static SmResult failed(ssize_t got)
+{
+    return got == 0 || errno == EIO ? SM_E_CLOSED : psl_result(errno);
+}
+
+static SmResult look(PalSerial line, const void *bytes, const size_t *n, uint64_t timeout)
+{
+    if (!bytes || !n || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    return psl_table_holds(used, PAL_SERIALS, line.id) ? SM_OK : SM_E_HANDLE;
+}
+
+SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
+{
+    uint64_t deadline = pal_clock_now() + timeout;
+    const uint8_t *next = bytes;
+    SmResult r;
+
+    if (sent)
+        *sent = 0;
+    r = look(line, bytes, sent, timeout);
+    while (r == SM_OK && *sent < n) {
+        ssize_t taken = write(lines[line.id - 1], next + *sent, n - *sent);
+
+        if (taken > 0)
+            *sent += (size_t)taken;
+        else if (taken < 0 && errno == EAGAIN)
+            r = psl_wait(lines[line.id - 1], POLLOUT, deadline);
+        else if (taken == 0 || errno != EINTR)
+            r = failed(taken);
+    }
+    return r;
+}
+
+SmResult pal_serial_receive(PalSerial line, void *bytes, size_t room, size_t *n, uint64_t timeout)
+{
+    uint64_t deadline = pal_clock_now() + timeout;
+    SmResult r = look(line, bytes, n, timeout);
+
+    if (r == SM_OK && room == 0)
+        r = SM_E_ARGUMENT;
+    while (r == SM_OK && (r = psl_wait(lines[line.id - 1], POLLIN, deadline)) == SM_OK) {
+        ssize_t got = read(lines[line.id - 1], bytes, room);
+
+        if (got > 0) {
+            *n = (size_t)got;
+            break;
+        }
+        if (got == 0 || (errno != EINTR && errno != EAGAIN))
+            r = failed(got);
+    }
+    return r;
+}
+
+SmResult pal_serial_close(PalSerial line)
+{
+    SmResult r = SM_E_HANDLE;
+
+    psl_guard();
+    if (psl_table_holds(used, PAL_SERIALS, line.id)) {
+        tcflush(lines[line.id - 1], TCOFLUSH);            // or close would wait until all has gone
+        close(lines[line.id - 1]);
+        used[line.id - 1] = false;
+        r = SM_OK;
+    }
+    psl_unguard();
+    return r;
+}

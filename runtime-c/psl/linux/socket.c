@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sockets: those of the system, never blocking; whoever waits does so in psl_wait.
+#define _GNU_SOURCE
+#include <arpa/inet.h>
+#include <errno.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "runtime-c/pal/socket.h"
+#include "runtime-c/psl/linux/linux.h"
+
+typedef enum Kind { DATAGRAMS, LISTENING, STREAM } Kind;
+
+typedef struct Entry {
+    int fd;
+    Kind kind;
+} Entry;
+
+static bool used[PAL_SOCKETS];
+static Entry entries[PAL_SOCKETS];
+
+// ---- addresses ----
+
+static struct sockaddr_in to_system(const PalAddress *a)
+{
+    struct sockaddr_in s;
+
+    memset(&s, 0, sizeof s);
+    s.sin_family = AF_INET;
+    s.sin_port = htons(a->port);
+    memcpy(&s.sin_addr, a->ip, sizeof a->ip);              // both in the order in which they are written
+    return s;
+}
+
+static PalAddress from_system(const struct sockaddr_in *s)
+{
+    PalAddress a;
+
+    memcpy(a.ip, &s->sin_addr, sizeof a.ip);
+    a.port = ntohs(s->sin_port);
+    return a;
+}
+
+// ---- the table ----
+
+// Whether the handle is open and of that kind; *fd is its descriptor.
+static SmResult look(PalSocket socket, Kind kind, int *fd)
+{
+    if (!psl_table_holds(used, PAL_SOCKETS, socket.id))
+        return SM_E_HANDLE;
+    *fd = entries[socket.id - 1].fd;
+    return entries[socket.id - 1].kind == kind ? SM_OK : SM_E_ARGUMENT;
+}
+
+static uint8_t take(void)
+{
+    uint8_t id;
+
+    psl_guard();
+    id = psl_table_take(used, PAL_SOCKETS);
+    if (id != 0)
+        entries[id - 1].fd = -1;
+    psl_unguard();
+    return id;
+}
+
+static void release(uint8_t id)
+{
+    psl_guard();
+    used[id - 1] = false;
+    psl_unguard();
+}
+
+// Gives the descriptor to the entry, or closes it where r says that it is of no use.
+static SmResult settle(PalSocket *s, uint8_t id, int fd, Kind kind, SmResult r)
+{
+    if (r == SM_OK) {
+        entries[id - 1].fd = fd;
+        entries[id - 1].kind = kind;
+        s->id = id;
+        return SM_OK;
+    }
+    if (fd >= 0)
+        close(fd);
+    release(id);
+    return r;
+}
+
+// ---- opening ----
+
+static int new_socket(int type)
+{
+    return socket(AF_INET, type | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+}
+
+static SmResult set(int fd, int level, int option)
+{
+    int on = 1;
+
+    return setsockopt(fd, level, option, &on, sizeof on) == 0 ? SM_OK : psl_result(errno);
+}
+
+static SmResult bind_to(int fd, const PalAddress *own)
+{
+    struct sockaddr_in a = to_system(own);
+
+    return bind(fd, (struct sockaddr *)&a, sizeof a) == 0 ? SM_OK : psl_result(errno);
+}
+
+SmResult pal_socket_udp(PalSocket *s, const PalAddress *own)
+{
+    uint8_t id;
+    SmResult r;
+    int fd;
+
+    if (!s || !own)
+        return SM_E_ARGUMENT;
+    id = take();
+    if (id == 0)
+        return SM_E_FULL;
+    fd = new_socket(SOCK_DGRAM);
+    r = fd < 0 ? psl_result(errno) : set(fd, SOL_SOCKET, SO_BROADCAST);
+    if (r == SM_OK)
+        r = bind_to(fd, own);
+    return settle(s, id, fd, DATAGRAMS, r);
+}
+
+// The port of a program that has just ended may be taken again at once.
+SmResult pal_socket_listen(PalSocket *s, const PalAddress *own)
+{
+    uint8_t id;
+    SmResult r;
+    int fd;
+
+    if (!s || !own)
+        return SM_E_ARGUMENT;
+    id = take();
+    if (id == 0)
+        return SM_E_FULL;
+    fd = new_socket(SOCK_STREAM);
+    r = fd < 0 ? psl_result(errno) : set(fd, SOL_SOCKET, SO_REUSEADDR);
+    if (r == SM_OK)
+        r = bind_to(fd, own);
+    if (r == SM_OK && listen(fd, PAL_SOCKETS) != 0)
+        r = psl_result(errno);
+    return settle(s, id, fd, LISTENING, r);
+}
+
+// Whether the connection that was begun is there.
+static SmResult connected(int fd, uint64_t deadline)
+{
+    SmResult r = psl_wait(fd, POLLOUT, deadline);
+    int error = 0;
+    socklen_t n = sizeof error;
+
+    if (r != SM_OK)
+        return r;
+    return getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &n) == 0 ? psl_result(error) : psl_result(errno);
+}
+
+static SmResult connect_to(int fd, const PalAddress *to, uint64_t deadline)
+{
+    struct sockaddr_in a = to_system(to);
+
+    if (connect(fd, (struct sockaddr *)&a, sizeof a) == 0)
+        return SM_OK;
+    return errno == EINPROGRESS || errno == EINTR ? connected(fd, deadline) : psl_result(errno);
+}
+
+SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t timeout)
+{
+    uint64_t deadline = pal_clock_now() + timeout;
+    uint8_t id;
+    SmResult r;
+    int fd;
+
+    if (!stream || !to || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    id = take();
+    if (id == 0)
+        return SM_E_FULL;
+    fd = new_socket(SOCK_STREAM);
+    r = fd < 0 ? psl_result(errno) : set(fd, IPPROTO_TCP, TCP_NODELAY);
+    if (r == SM_OK)
+        r = connect_to(fd, to, deadline);
+    return settle(stream, id, fd, STREAM, r == SM_E_CLOSED ? SM_E_UNREACHABLE : r);
+}
+
+// Who connected and went away again before we looked is not worth a word: wait for the next.
+static SmResult accept_one(int listening, int *fd, struct sockaddr_in *a, uint64_t deadline)
+{
+    for (;;) {
+        socklen_t n = sizeof *a;
+
+        *fd = accept4(listening, (struct sockaddr *)a, &n, SOCK_NONBLOCK | SOCK_CLOEXEC);
+        if (*fd >= 0)
+            return set(*fd, IPPROTO_TCP, TCP_NODELAY);
+        if (errno == EAGAIN) {
+            SmResult r = psl_wait(listening, POLLIN, deadline);
+
+            if (r != SM_OK)
+                return r;
+        } else if (errno != EINTR && errno != ECONNABORTED)
+            return psl_result(errno);
+    }
+}
+
+SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *peer, uint64_t timeout)
+{
+    uint64_t deadline = pal_clock_now() + timeout;
+    struct sockaddr_in a;
+    int fd, from;
+    SmResult r;
+    uint8_t id;
+
+    if (!stream || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = look(listening, LISTENING, &from);
+    if (r != SM_OK)
+        return r;
+    id = take();
+    if (id == 0)
+        return SM_E_FULL;
+    memset(&a, 0, sizeof a);
+    r = accept_one(from, &fd, &a, deadline);
+    r = settle(stream, id, fd, STREAM, r);
+    if (r == SM_OK && peer)
+        *peer = from_system(&a);
+    return r;
+}
+
+// ---- datagrams ----
+
+SmResult pal_socket_send_to(PalSocket s, const PalAddress *to, const void *bytes, size_t n)
+{
+    struct sockaddr_in a;
+    SmResult r;
+    int fd;
+
+    if (!to || !bytes || n > PAL_DATAGRAM_MAX)
+        return SM_E_ARGUMENT;
+    r = look(s, DATAGRAMS, &fd);
+    if (r != SM_OK)
+        return r;
+    a = to_system(to);
+    while (sendto(fd, bytes, n, MSG_NOSIGNAL, (struct sockaddr *)&a, sizeof a) < 0)
+        if (errno != EINTR)
+            return errno == EAGAIN || errno == ENOBUFS ? SM_E_BUSY : psl_result(errno);
+    return SM_OK;
+}
+
+// Of a stream whose peer no longer answers the system says that it timed out or cannot be reached.
+static SmResult lost(int error)
+{
+    SmResult r = psl_result(error);
+
+    return r == SM_E_TIMEOUT || r == SM_E_UNREACHABLE ? SM_E_CLOSED : r;
+}
+
+// Receives on what is ready or becomes so; -1 with *r set when it does not.
+static ssize_t receive(int fd, struct msghdr *m, uint64_t deadline, SmResult *r)
+{
+    for (;;) {
+        ssize_t got = recvmsg(fd, m, 0);
+
+        if (got >= 0)
+            return got;
+        if (errno == EAGAIN)
+            *r = psl_wait(fd, POLLIN, deadline);
+        else if (errno != EINTR)
+            *r = lost(errno);
+        if (*r != SM_OK)
+            return -1;
+    }
+}
+
+SmResult pal_socket_receive_from(PalSocket s, PalAddress *from, void *bytes, size_t room, size_t *n, uint64_t timeout)
+{
+    uint64_t deadline = pal_clock_now() + timeout;
+    struct sockaddr_in a;
+    struct iovec part = {bytes, room};
+    struct msghdr m;
+    SmResult r;
+    ssize_t got;
+    int fd;
+
+    if (!bytes || !n || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = look(s, DATAGRAMS, &fd);
+    if (r != SM_OK)
+        return r;
+    memset(&a, 0, sizeof a);
+    memset(&m, 0, sizeof m);
+    m.msg_name = &a;
+    m.msg_namelen = sizeof a;
+    m.msg_iov = &part;
+    m.msg_iovlen = 1;
+    got = receive(fd, &m, deadline, &r);
+    if (got < 0)
+        return r;
+    *n = (size_t)got;
+    if (from)
+        *from = from_system(&a);
+    return m.msg_flags & MSG_TRUNC ? SM_E_SIZE : SM_OK;
+}
+
+// ---- streams ----
+
+SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
+{
+    uint64_t deadline = pal_clock_now() + timeout;
+    const uint8_t *next = bytes;
+    SmResult r;
+    int fd;
+
+    if (sent)
+        *sent = 0;
+    if (!bytes || !sent || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = look(stream, STREAM, &fd);
+    while (r == SM_OK && *sent < n) {
+        ssize_t taken = send(fd, next + *sent, n - *sent, MSG_NOSIGNAL);
+
+        if (taken > 0)
+            *sent += (size_t)taken;
+        else if (errno == EAGAIN)
+            r = psl_wait(fd, POLLOUT, deadline);
+        else if (errno != EINTR)
+            r = lost(errno);
+    }
+    return r;
+}
+
+SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *n, uint64_t timeout)
+{
+    uint64_t deadline = pal_clock_now() + timeout;
+    struct iovec part = {bytes, room};
+    struct msghdr m;
+    SmResult r;
+    ssize_t got;
+    int fd;
+
+    if (!bytes || !n || room == 0 || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = look(stream, STREAM, &fd);
+    if (r != SM_OK)
+        return r;
+    memset(&m, 0, sizeof m);
+    m.msg_iov = &part;
+    m.msg_iovlen = 1;
+    got = receive(fd, &m, deadline, &r);
+    if (got == 0)
+        return SM_E_CLOSED;
+    if (got > 0)
+        *n = (size_t)got;
+    return r;
+}
+
+// ---- all ----
+
+SmResult pal_socket_own(PalSocket s, PalAddress *own)
+{
+    struct sockaddr_in a;
+    socklen_t n = sizeof a;
+
+    if (!own)
+        return SM_E_ARGUMENT;
+    if (!psl_table_holds(used, PAL_SOCKETS, s.id))
+        return SM_E_HANDLE;
+    if (getsockname(entries[s.id - 1].fd, (struct sockaddr *)&a, &n) != 0)
+        return psl_result(errno);
+    *own = from_system(&a);
+    return SM_OK;
+}
+
+SmResult pal_socket_close(PalSocket s)
+{
+    SmResult r = SM_E_HANDLE;
+
+    psl_guard();
+    if (psl_table_holds(used, PAL_SOCKETS, s.id)) {
+        close(entries[s.id - 1].fd);
+        used[s.id - 1] = false;
+        r = SM_OK;
+    }
+    psl_unguard();
+    return r;
+}
