@@ -279,28 +279,32 @@ $(B)/fault/shim.so: tests/fault/shim.c
 check: $(B)/fault/memory $(B)/fault/shim.so
 CHECK_LINES += "fault-memory: $(B)/fault/memory $(FAULT_CASES)" "fault-command: sh tests/fault/command.sh $(B)/smc $(B)/fault/shim.so"
 
-# tests/psl: what the headers of runtime-c/pal promise, on each platform; with threads also under the thread sanitizer.
-, := ,
-PSL_SUITE = $(filter-out tests/psl/bench_% tests/psl/own_%,$(wildcard tests/psl/*.c))
-PSL_WRAP_linux = $(patsubst %,-Wl$(,)--wrap=%,write fsync rename unlink)
+# tests/psl: what the headers of runtime-c/pal promise, on each platform.  Linux: with IIO devices in a folder of the test, and with
+# calls that the test can let fail; the other watchdog is only compiled.
+,               := ,
+PSL_SUITE       = $(filter-out tests/psl/bench_% tests/psl/own_%,$(wildcard tests/psl/*.c))
+PSL_WATCHDOG    = watchdog_process
+PSL_FLAGS_linux = -DPSL_LINUX_IIO='"iio"'
+PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync rename unlink)
 define psl_test
 include runtime-c/psl/$(1)/psl.mk
-PSL_OBJ_$(1)  := $$(patsubst %.c,$$(B)/psl/$(1)/%.o,$$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c)
+PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c
 PSL_LIBS_$(1) := $$(PSL_LIBS)
-$$(B)/psl/$(1)/suite: $$(PSL_OBJ_$(1))
+$$(B)/psl/$(1)/suite: $$(PSL_SRC_$(1):%.c=$$(B)/psl/$(1)/%.o)
 	$$(call say,LD)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(PSL_WRAP_$(1)) $$(PSL_LIBS_$(1))
 $$(B)/psl/$(1)/%.o: %.c
 	@mkdir -p $$(@D)
-	$$(call say,CC)$$(CC) $$(STRICT_C) $$(WARN) $$(CFLAGS) $$(DEPFLAGS) -c $$< -o $$@
+	$$(call say,CC)$$(CC) $$(STRICT_C) $$(WARN) $$(CFLAGS) $$(PSL_FLAGS_$(1)) $$(DEPFLAGS) -c $$< -o $$@
 check: $$(B)/psl/$(1)/suite
 CHECK_LINES += "psl-$(1): $$(B)/psl/$(1)/suite"
 endef
-$(foreach platform,linux none,$(eval $(call psl_test,$(platform))))
+$(foreach platform,linux sim none,$(eval $(call psl_test,$(platform))))
+check: $(B)/psl/linux/runtime-c/psl/linux/watchdog.o
 
-# The same sources again; a compiler without the thread sanitizer makes nothing.  (The suite gives back locks that it does not hold.)
-$(B)/psl/tsan: $(PSL_OBJ_linux:$(B)/psl/linux/%.o=%.c)
+# Linux again under the thread sanitizer, if the compiler has it.  (The suite also gives back locks that it does not hold.)
+$(B)/psl/tsan: $(PSL_SRC_linux)
 	@mkdir -p $(@D)
-	-$(call say,CC)$(CC) $(STRICT_C) -O1 -g -fsanitize=thread $^ -o $@ $(PSL_WRAP_linux) $(PSL_LIBS_linux) 2>/dev/null || rm -f $@
+	-$(call say,CC)$(CC) $(STRICT_C) -O1 -g $(PSL_FLAGS_linux) -fsanitize=thread $^ -o $@ $(PSL_WRAP_linux) $(PSL_LIBS_linux) 2>/dev/null || rm -f $@
 check: $(B)/psl/tsan
 CHECK_LINES += "psl-tsan: if test -x $(B)/psl/tsan; then TSAN_OPTIONS=report_mutex_bugs=0 $(B)/psl/tsan; else echo 0 passed, 0 failed, 1 skipped; fi"
 

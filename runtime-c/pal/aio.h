@@ -34,7 +34,8 @@ SmResult pal_aio_info(PalAio channel, PalAioInfo *info);
 // converter is behind a slow bus).  SM_E_ARGUMENT: it is an output.  SM_E_DEVICE: there was no measurement.
 SmResult pal_aio_read(PalAio channel, int32_t *millionths);
 
-// Sets an output.  A value that the output cannot give becomes the nearest that it can.  SM_E_ARGUMENT: it is an input.
+// Sets an output.  A value beyond info's range becomes the nearest within it; where the platform does not know the range, such a
+// value may give SM_E_DEVICE and change nothing.  SM_E_ARGUMENT: it is an input.
 SmResult pal_aio_write(PalAio channel, int32_t millionths);
 
 // Gives the channel back.  What an output does from here on is the platform's: give it its safe value first.

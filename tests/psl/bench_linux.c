@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bench of the Linux platform: this computer, with a pseudo-terminal as a serial line.  What leaves files works in a folder
-// of its own.  Digital pins are tried where there is a /dev/gpiochip0 whose lines may be used: PSL_PINS=1 says so.
+// The bench of the Linux platform: this computer, with a pseudo-terminal as a serial line and files for analog channels (built
+// with PSL_LINUX_IIO="iio").  What leaves files works in a folder of its own.  Digital pins are tried where there is a
+// /dev/gpiochip0 whose lines may be used: PSL_PINS=1 says so.
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "tests/psl/suite.h"
@@ -33,8 +35,38 @@ Bench bench = {
     .nvm = HAS, .nvm_name = "nvm", .nvm_size = 1000, .nvm_missing = "no-such-folder/nvm",
     .serial = HAS, .serial_name = line, .far_send = far_send, .far_receive = far_receive, .far_unplug = far_unplug,
     .dio = HAS_NOTHING_THERE, .pins = {2, 3}, .pin_missing = 999,
+    .aio = HAS, .channel_in = 1, .channel_out = 0, .channel_missing = 2000, .analog_wired = true,
+    .watchdog = HAS,
     .own = own_linux,
 };
+
+static void put_file(const char *name, const char *text)
+{
+    FILE *f = fopen(name, "w");
+
+    CHECK(f != NULL && fputs(text, f) >= 0 && fclose(f) == 0);
+}
+
+static void put_channels(void)
+{
+    CHECK(mkdir("iio", 0700) == 0 && mkdir("iio/iio:device0", 0700) == 0);
+    put_file("iio/iio:device0/out_voltage0_raw", "0\n");
+    put_file("iio/iio:device0/out_voltage_scale", "0.125\n");
+    put_file("iio/iio:device0/in_voltage1_scale", "0.125000000\n");
+    CHECK(symlink("out_voltage0_raw", "iio/iio:device0/in_voltage1_raw") == 0);
+}
+
+static void remove_channels(void)
+{
+    const char *files[] = {"out_voltage0_raw", "out_voltage_scale", "in_voltage1_scale", "in_voltage1_raw"};
+    char name[64];
+
+    for (size_t i = 0; i < COUNT(files); i++) {
+        snprintf(name, sizeof name, "iio/iio:device0/%s", files[i]);
+        CHECK(unlink(name) == 0);
+    }
+    CHECK(rmdir("iio/iio:device0") == 0 && rmdir("iio") == 0);
+}
 
 void bench_begin(void)
 {
@@ -44,6 +76,7 @@ void bench_begin(void)
     CHECK(mkdtemp(folder) != NULL && chdir(folder) == 0);
     far_end = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
     CHECK(far_end >= 0 && grantpt(far_end) == 0 && unlockpt(far_end) == 0 && ptsname_r(far_end, line, sizeof line) == 0);
+    put_channels();
     if (getenv("PSL_PINS"))
         bench.dio = HAS;
 }
@@ -51,6 +84,7 @@ void bench_begin(void)
 Tally bench_end(void)
 {
     unlink("nvm");
+    remove_channels();
     CHECK(chdir("/") == 0 && rmdir(folder) == 0);         // fails if a test left a file
     return TALLY();
 }

@@ -8,6 +8,7 @@ static const struct {
 } contracts[] = {
     {"clock", contract_clock}, {"console", contract_console}, {"lock", contract_lock}, {"thread", contract_thread},
     {"nvm", contract_nvm}, {"serial", contract_serial}, {"socket", contract_socket}, {"dio", contract_dio},
+    {"aio", contract_aio}, {"watchdog", contract_watchdog},
 };
 
 static bool is_wanted(const char *name, int argc, char *argv[])

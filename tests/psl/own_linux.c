@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the Linux platform promises beyond the headers: files of non-volatile memory after a cut at any moment and on a full
-// disk.  The system's calls come here first (ld's --wrap), so that each of them can be made to fail.
+// disk; what the console, analog channels and the watchdog really do.  The system's calls come here first (ld's --wrap), so
+// that each of them can be made to fail.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include "runtime-c/pal/aio.h"
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/pal/console.h"
 #include "runtime-c/pal/nvm.h"
+#include "runtime-c/pal/watchdog.h"
 #include "tests/psl/suite.h"
 
 ssize_t __real_write(int fd, const void *from, size_t n);
@@ -213,8 +220,117 @@ static void nvm(void)
     unlink(memory_name);
 }
 
+// ---- the console ----
+
+// What a write to standard output puts into a pipe; and that a full pipe is not waited for.
+static void console(void)
+{
+    static char text[1000], in[1000];
+    int pipe_ends[2], saved = dup(STDOUT_FILENO);
+    SmResult r = SM_OK;
+    size_t calls = 0;
+
+    fflush(stdout);
+    memset(text, 'x', sizeof text);
+    CHECK(pipe(pipe_ends) == 0 && dup2(pipe_ends[1], STDOUT_FILENO) == STDOUT_FILENO);
+    CHECK(pal_console_write(text, sizeof text) == SM_OK);
+    CHECK(read(pipe_ends[0], in, sizeof in) == sizeof in && memcmp(in, text, sizeof in) == 0);
+    for (; r == SM_OK && calls < 10000; calls++)
+        r = pal_console_write(text, sizeof text);
+    CHECK(r == SM_E_BUSY && calls > 1);
+    CHECK(dup2(saved, STDOUT_FILENO) == STDOUT_FILENO);
+    CHECK(close(saved) == 0 && close(pipe_ends[0]) == 0 && close(pipe_ends[1]) == 0);
+}
+
+// ---- analog ----
+
+static void put_value(const char *kind, const char *text)
+{
+    char name[64];
+    FILE *f;
+
+    snprintf(name, sizeof name, "iio/iio:device3/%s", kind);
+    f = fopen(name, "w");
+    CHECK(f != NULL && fputs(text, f) >= 0 && fclose(f) == 0);
+}
+
+// What channel 3007 measures with these files: raw value, offset and scale, NULL for one that is not there.
+static int32_t measured(const char *raw, const char *offset, const char *scale)
+{
+    PalAio channel = {0};
+    int32_t x = -1;
+
+    put_value("in_current7_raw", raw);
+    if (offset)
+        put_value("in_current_offset", offset);
+    if (scale)
+        put_value("in_current7_scale", scale);
+    CHECK(pal_aio_open(&channel, 3007, PAL_AIO_INPUT) == SM_OK);
+    if (pal_aio_read(channel, &x) == SM_E_DEVICE)
+        x = -2;
+    CHECK(pal_aio_close(channel) == SM_OK);
+    return x;
+}
+
+static void aio(void)
+{
+    CHECK(mkdir("iio/iio:device3", 0700) == 0);
+    CHECK(measured("12\n", NULL, NULL) == 12000);         // millionths of what the kernel gives in thousandths
+    CHECK(measured("2048\n", NULL, "1.220703125\n") == 2500000);
+    CHECK(measured("-4\n", NULL, "0.001\n") == -4);
+    CHECK(measured("100\n", "-40.5\n", "2\n") == 119000);
+    CHECK(measured("99999999\n", "0\n", "1\n") == INT32_MAX);
+    CHECK(measured("-99999999\n", "0\n", "1\n") == INT32_MIN);
+    CHECK(measured("", "0\n", "1\n") == -2);
+    CHECK(measured("nothing\n", "0\n", "1\n") == -2);
+    __real_unlink("iio/iio:device3/in_current7_raw");
+    __real_unlink("iio/iio:device3/in_current_offset");
+    __real_unlink("iio/iio:device3/in_current7_scale");
+    CHECK(rmdir("iio/iio:device3") == 0);
+}
+
+// ---- the watchdog ----
+
+static void child(uint64_t period)
+{
+    uint64_t actual;
+
+    if (pal_watchdog_start(period, &actual) != SM_OK)
+        _exit(1);
+    for (int i = 0; i < 3; i++) {
+        pal_clock_sleep_until(pal_clock_now() + 10 * MS);
+        pal_watchdog_feed();
+    }
+    if (period < PAL_SECOND)
+        pal_clock_sleep_until(pal_clock_now() + 20 * (uint64_t)PAL_SECOND);
+    _exit(0);
+}
+
+// The signal that ended a program with such a watchdog, or 0.
+static int end_of(uint64_t period)
+{
+    int status = 0;
+    pid_t pid;
+
+    fflush(NULL);
+    pid = fork();
+    if (pid == 0)
+        child(period);
+    CHECK(pid > 0 && waitpid(pid, &status, 0) == pid);
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+
+static void watchdog(void)
+{
+    CHECK(end_of(100 * MS) == SIGKILL);
+    CHECK(end_of(PAL_TIMEOUT_MAX) == 0);
+}
+
 Tally own_linux(void)
 {
     nvm();
+    console();
+    aio();
+    watchdog();
     return TALLY();
 }

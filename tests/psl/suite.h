@@ -21,15 +21,18 @@ typedef struct Tally {
 
 Tally contract_clock(void);
 Tally contract_console(void);
+Tally contract_aio(void);
 Tally contract_dio(void);
 Tally contract_lock(void);
 Tally contract_nvm(void);
 Tally contract_serial(void);
 Tally contract_socket(void);
 Tally contract_thread(void);
+Tally contract_watchdog(void);
 
 // The platforms' own tests.
 Tally own_linux(void);
+Tally own_sim(void);
 
 // Whether a platform has a thing: it works; it says SM_E_UNSUPPORTED; it would work, but nothing is connected (SM_E_MISSING).
 typedef enum Has { HAS_NONE, HAS, HAS_NOTHING_THERE } Has;
@@ -54,6 +57,12 @@ typedef struct Bench {
     uint16_t pins[2];         // two that may be used
     bool wired;               // the second follows the first
     uint16_t pin_missing;
+
+    Has aio;
+    uint16_t channel_in, channel_out, channel_missing;
+    bool analog_wired;        // channel_in measures what channel_out gives
+
+    Has watchdog;
 
     Tally (*own)(void);       // the platform's own tests, or NULL
 } Bench;

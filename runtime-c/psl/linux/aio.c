@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// Analog channels: the IIO subsystem through sysfs, one file a value.  Channel 1000 × device + channel is voltage or else current
+// `channel` of iio:device`device`.  What the file says becomes millivolts or milliamperes as (raw + offset) × scale.
+#define _GNU_SOURCE
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "runtime-c/pal/aio.h"
+#include "runtime-c/psl/linux/linux.h"
+
+#define CHANNELS_OF_A_DEVICE 1000u
+
+typedef struct Entry {
+    int fd;                   // the raw value's file
+    bool output;
+    uint16_t number;
+    double offset, scale;     // scale: millionths a step
+} Entry;
+
+static bool used[PAL_AIOS];
+static Entry entries[PAL_AIOS];
+
+// ---- texts of sysfs ----
+
+// A decimal number at the start of a text, whatever the locale; 0 where there is none.
+static double number_in(const char *text)
+{
+    double x = 0, unit = 1;
+    bool negative = *text == '-', fraction = false;
+
+    for (text += negative; (*text >= '0' && *text <= '9') || (*text == '.' && !fraction); text++) {
+        if (*text == '.') {
+            fraction = true;
+            continue;
+        }
+        x = x * 10 + (*text - '0');
+        unit = fraction ? unit * 10 : unit;
+    }
+    return (negative ? -x : x) / unit;
+}
+
+static SmResult read_number(int fd, double *x)
+{
+    char text[64];
+    ssize_t n = pread(fd, text, sizeof text - 1, 0);
+
+    if (n <= 0)
+        return n < 0 && errno == EAGAIN ? SM_E_DEVICE : n < 0 ? psl_result(errno) : SM_E_DEVICE;
+    text[n] = '\0';
+    if (text[0] != '-' && (text[0] < '0' || text[0] > '9'))
+        return SM_E_DEVICE;
+    *x = number_in(text);
+    return SM_OK;
+}
+
+static SmResult write_number(int fd, long long x)
+{
+    char text[32];
+    int n = snprintf(text, sizeof text, "%lld\n", x);
+
+    return pwrite(fd, text, (size_t)n, 0) == n ? SM_OK : errno == EINVAL ? SM_E_DEVICE : psl_result(errno);
+}
+
+// Opens DEVICE/NAME of the channel's device; -1 and errno if there is none.
+static int open_file(uint16_t number, const char *name, int flags)
+{
+    char path[PAL_NAME + 64];
+
+    snprintf(path, sizeof path, "%s/iio:device%u/%s", PSL_LINUX_IIO, number / CHANNELS_OF_A_DEVICE, name);
+    return open(path, flags | O_CLOEXEC);
+}
+
+// The channel's own number of a kind ("in_voltage3_scale"), or the device's ("in_voltage_scale"), or the one given.
+static double setting(uint16_t number, const char *what, const char *kind, double otherwise)
+{
+    char name[64];
+    double x = otherwise;
+    int fd;
+
+    snprintf(name, sizeof name, "%s%u_%s", what, number % CHANNELS_OF_A_DEVICE, kind);
+    fd = open_file(number, name, O_RDONLY);
+    if (fd < 0) {
+        snprintf(name, sizeof name, "%s_%s", what, kind);
+        fd = open_file(number, name, O_RDONLY);
+    }
+    if (fd >= 0) {
+        if (read_number(fd, &x) != SM_OK)
+            x = otherwise;
+        close(fd);
+    }
+    return x;
+}
+
+// ---- opening ----
+
+static SmResult open_channel(Entry *e, const char *const *what)
+{
+    for (; *what; what++) {
+        char name[64];
+
+        snprintf(name, sizeof name, "%s%u_raw", *what, e->number % CHANNELS_OF_A_DEVICE);
+        e->fd = open_file(e->number, name, e->output ? O_WRONLY : O_RDONLY);
+        if (e->fd >= 0) {
+            e->scale = setting(e->number, *what, "scale", 1) * 1000;
+            e->offset = setting(e->number, *what, "offset", 0);
+            return e->scale != 0 ? SM_OK : SM_E_DEVICE;
+        }
+        if (errno != ENOENT)
+            return psl_result(errno);
+    }
+    return SM_E_MISSING;
+}
+
+static SmResult enter(Entry *e, uint16_t number, PalAioMode mode)
+{
+    static const char *const inputs[] = {"in_voltage", "in_current", NULL}, *const outputs[] = {"out_voltage", "out_current", NULL};
+    SmResult r;
+
+    for (uint8_t i = 0; i < PAL_AIOS; i++)
+        if (used[i] && &entries[i] != e && entries[i].number == number && entries[i].output == (mode == PAL_AIO_OUTPUT))
+            return SM_E_BUSY;
+    e->fd = -1;
+    e->number = number;
+    e->output = mode == PAL_AIO_OUTPUT;
+    r = open_channel(e, e->output ? outputs : inputs);
+    if (r != SM_OK && e->fd >= 0)
+        close(e->fd);
+    return r;
+}
+
+SmResult pal_aio_open(PalAio *channel, uint16_t number, PalAioMode mode)
+{
+    SmResult r = SM_E_FULL;
+    uint8_t id;
+
+    if (!channel || (unsigned)mode > PAL_AIO_OUTPUT)
+        return SM_E_ARGUMENT;
+    psl_guard();
+    id = psl_table_take(used, PAL_AIOS);
+    if (id != 0) {
+        r = enter(&entries[id - 1], number, mode);
+        used[id - 1] = r == SM_OK;
+    }
+    psl_unguard();
+    if (r == SM_OK)
+        channel->id = id;
+    return r;
+}
+
+// ---- using ----
+
+static int32_t saturated(double x)
+{
+    return x >= INT32_MAX ? INT32_MAX : x <= INT32_MIN ? INT32_MIN : (int32_t)(x < 0 ? x - 0.5 : x + 0.5);
+}
+
+SmResult pal_aio_info(PalAio channel, PalAioInfo *info)
+{
+    double step;
+
+    if (!info)
+        return SM_E_ARGUMENT;
+    if (!psl_table_holds(used, PAL_AIOS, channel.id))
+        return SM_E_HANDLE;
+    step = entries[channel.id - 1].scale < 0 ? -entries[channel.id - 1].scale : entries[channel.id - 1].scale;
+    info->lowest = INT32_MIN;                             // sysfs tells the range of few channels
+    info->highest = INT32_MAX;
+    info->step = step >= UINT32_MAX ? UINT32_MAX : (uint32_t)step;
+    return SM_OK;
+}
+
+SmResult pal_aio_read(PalAio channel, int32_t *millionths)
+{
+    const Entry *e;
+    double raw;
+    SmResult r;
+
+    if (!millionths)
+        return SM_E_ARGUMENT;
+    if (!psl_table_holds(used, PAL_AIOS, channel.id))
+        return SM_E_HANDLE;
+    e = &entries[channel.id - 1];
+    if (e->output)
+        return SM_E_ARGUMENT;
+    r = read_number(e->fd, &raw);
+    if (r == SM_OK)
+        *millionths = saturated((raw + e->offset) * e->scale);
+    return r;
+}
+
+SmResult pal_aio_write(PalAio channel, int32_t millionths)
+{
+    const Entry *e;
+
+    if (!psl_table_holds(used, PAL_AIOS, channel.id))
+        return SM_E_HANDLE;
+    e = &entries[channel.id - 1];
+    if (!e->output)
+        return SM_E_ARGUMENT;
+    return write_number(e->fd, saturated(millionths / e->scale - e->offset));
+}
+
+SmResult pal_aio_close(PalAio channel)
+{
+    SmResult r = SM_E_HANDLE;
+
+    psl_guard();
+    if (psl_table_holds(used, PAL_AIOS, channel.id)) {
+        close(entries[channel.id - 1].fd);
+        used[channel.id - 1] = false;
+        r = SM_OK;
+    }
+    psl_unguard();
+    return r;
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// The watchdog: /dev/watchdog, hardware that restarts the computer.  Periods are whole seconds.  A driver that is set to run for
+// ever (nowayout) runs on after stop, which Linux does not tell us; one that cannot be stopped at all is asked first.
+// A program that merely ends does not stop it: the computer restarts, which is what a watchdog is for.
+#define _GNU_SOURCE
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/watchdog.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "runtime-c/pal/watchdog.h"
+#include "runtime-c/psl/linux/linux.h"
+
+// Where the kernel says why the computer started; asking the device itself would start the watchdog.
+#ifndef PSL_LINUX_BOOTSTATUS
+#define PSL_LINUX_BOOTSTATUS "/sys/class/watchdog/watchdog0/bootstatus"
+#endif
+
+static int device = -1;
+
+// 'V' before the close says that it is meant.
+static void stop(void)
+{
+    while (write(device, "V", 1) < 0 && errno == EINTR) {}
+    close(device);
+    device = -1;
+}
+
+static SmResult set_period(uint64_t period, uint64_t *actual)
+{
+    int seconds = (int)((period + PAL_SECOND - 1) / PAL_SECOND), wanted = seconds;
+
+    if (ioctl(device, WDIOC_SETTIMEOUT, &seconds) != 0)
+        return errno == EINVAL ? SM_E_ARGUMENT : psl_result(errno);
+    if (seconds < wanted)
+        return SM_E_ARGUMENT;
+    *actual = (uint64_t)seconds * PAL_SECOND;
+    return SM_OK;
+}
+
+SmResult pal_watchdog_start(uint64_t period, uint64_t *actual)
+{
+    SmResult r;
+
+    if (!actual || period == 0 || period > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    if (device >= 0)
+        return SM_E_BUSY;
+    device = open(PSL_LINUX_WATCHDOG, O_WRONLY | O_CLOEXEC);
+    if (device < 0)
+        return psl_result(errno);
+    r = set_period(period, actual);
+    if (r != SM_OK)
+        stop();
+    return r;
+}
+
+SmResult pal_watchdog_feed(void)
+{
+    if (device < 0)
+        return SM_E_HANDLE;
+    return ioctl(device, WDIOC_KEEPALIVE, 0) == 0 ? SM_OK : psl_result(errno);
+}
+
+SmResult pal_watchdog_stop(void)
+{
+    struct watchdog_info info;
+
+    if (device < 0)
+        return SM_E_HANDLE;
+    memset(&info, 0, sizeof info);
+    if (ioctl(device, WDIOC_GETSUPPORT, &info) != 0 || !(info.options & WDIOF_MAGICCLOSE))
+        return SM_E_DENIED;
+    stop();
+    return SM_OK;
+}
+
+SmResult pal_watchdog_bit(bool *bit)
+{
+    char text[32] = "";
+    unsigned long status;
+    FILE *f;
+
+    if (!bit)
+        return SM_E_ARGUMENT;
+    f = fopen(PSL_LINUX_BOOTSTATUS, "re");
+    if (!f)
+        return SM_E_UNSUPPORTED;
+    if (!fgets(text, sizeof text, f) || sscanf(text, "%lu", &status) != 1) {
+        fclose(f);
+        return SM_E_DEVICE;
+    }
+    fclose(f);
+    *bit = (status & WDIOF_CARDRESET) != 0;
+    return SM_OK;
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The simulated clock: stands still until somebody sleeps, waits, or a test moves it.
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/psl/sim/world.h"
+
+static uint64_t now = PAL_SECOND, late;
+
+void sim_clock_reset(void)
+{
+    now = PAL_SECOND;
+    late = 0;
+}
+
+void sim_advance(uint64_t ns)
+{
+    now += ns;
+    sim_watchdog_look(now);
+}
+
+void sim_move_to(uint64_t time)
+{
+    if (time > now)
+        sim_advance(time - now);
+}
+
+void sim_oversleep(uint64_t ns)
+{
+    late = ns;
+}
+
+SmResult pal_clock_resolution(uint64_t *ns)
+{
+    if (!ns)
+        return SM_E_ARGUMENT;
+    *ns = 1;
+    return SM_OK;
+}
+
+uint64_t pal_clock_now(void)
+{
+    return now;
+}
+
+SmResult pal_clock_sleep_until(uint64_t time)
+{
+    SmResult r;
+
+    if (time > now && time - now > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = sim_enter(SIM_clock_sleep_until);
+    if (r == SM_OK && time > now)
+        sim_move_to(time + late);
+    return r;
+}

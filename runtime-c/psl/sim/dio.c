@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Simulated digital pins, 0 to SIM_PINS - 1.  A pin has what drives it from outside and, as an output, what it drives itself.
+#include <string.h>
+
+#include "runtime-c/pal/dio.h"
+#include "runtime-c/psl/sim/world.h"
+
+typedef struct Pin {
+    bool open, output, level;      // level: of an output
+    bool driven, outside;          // whether somebody drives it, and how
+    bool pulled_up;
+    uint16_t source;               // 1 more than the pin it is wired to; 0: none
+    uint32_t edges;
+} Pin;
+
+static Pin pins[SIM_PINS];
+static bool used[PAL_DIOS];
+static uint8_t number_of[PAL_DIOS];
+
+void sim_dio_reset(void)
+{
+    memset(pins, 0, sizeof pins);
+    memset(used, 0, sizeof used);
+}
+
+// What stands at a pin that drives nothing itself.  A wire leads to an output, not to another wire.
+static bool arriving(const Pin *p)
+{
+    if (p->source != 0 && pins[p->source - 1].output)
+        return pins[p->source - 1].level;
+    return p->driven ? p->outside : p->pulled_up;
+}
+
+bool sim_pin(uint16_t pin)
+{
+    return pins[pin].output ? pins[pin].level : arriving(&pins[pin]);
+}
+
+uint32_t sim_edges(uint16_t pin)
+{
+    return pins[pin].edges;
+}
+
+void sim_drive(uint16_t pin, bool level)
+{
+    bool before = sim_pin(pin);
+
+    pins[pin].driven = true;
+    pins[pin].outside = level;
+    pins[pin].edges += sim_pin(pin) != before;
+}
+
+void sim_wire(uint16_t from, uint16_t to)
+{
+    pins[to].source = (uint16_t)(from + 1);
+}
+
+static void set(Pin *p, bool output, bool level)
+{
+    uint16_t number = (uint16_t)(p - pins);
+    bool before = sim_pin(number);
+
+    p->output = output;
+    p->level = level;
+    if (sim_pin(number) == before)
+        return;
+    p->edges++;
+    for (uint16_t i = 0; i < SIM_PINS; i++)
+        pins[i].edges += pins[i].source == number + 1 && !pins[i].output;
+}
+
+SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
+{
+    SmResult r;
+    uint8_t id;
+
+    if (!pin || (unsigned)mode > PAL_DIO_OUTPUT)
+        return SM_E_ARGUMENT;
+    if (number >= SIM_PINS)
+        return SM_E_MISSING;
+    r = pins[number].open ? SM_E_BUSY : sim_enter(SIM_dio_open);
+    if (r != SM_OK)
+        return r;
+    id = psl_table_take(used, PAL_DIOS);
+    if (id == 0)
+        return SM_E_FULL;
+    number_of[id - 1] = (uint8_t)number;
+    pins[number].open = true;
+    pins[number].pulled_up = mode == PAL_DIO_PULL_UP;
+    set(&pins[number], mode == PAL_DIO_OUTPUT, level);
+    pin->id = id;
+    return SM_OK;
+}
+
+SmResult pal_dio_read(PalDio pin, bool *level)
+{
+    SmResult r;
+
+    if (!level)
+        return SM_E_ARGUMENT;
+    if (!psl_table_holds(used, PAL_DIOS, pin.id))
+        return SM_E_HANDLE;
+    r = sim_enter(SIM_dio_read);
+    if (r == SM_OK)
+        *level = sim_pin(number_of[pin.id - 1]);
+    return r;
+}
+
+SmResult pal_dio_write(PalDio pin, bool level)
+{
+    Pin *p;
+    SmResult r;
+
+    if (!psl_table_holds(used, PAL_DIOS, pin.id))
+        return SM_E_HANDLE;
+    p = &pins[number_of[pin.id - 1]];
+    if (!p->output)
+        return SM_E_ARGUMENT;
+    r = sim_enter(SIM_dio_write);
+    if (r == SM_OK)
+        set(p, true, level);
+    return r;
+}
+
+// An output keeps its level, as most hardware does.
+SmResult pal_dio_close(PalDio pin)
+{
+    if (!psl_table_holds(used, PAL_DIOS, pin.id))
+        return SM_E_HANDLE;
+    used[pin.id - 1] = false;
+    pins[number_of[pin.id - 1]].open = false;
+    return SM_OK;
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is under way between simulated sockets.
+#include <string.h>
+
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/psl/sim/network.h"
+
+#define IN_THE_AIR 64
+
+static Datagram air[IN_THE_AIR], held;
+static SimNetwork network;
+static uint32_t sent;
+static uint64_t order;
+
+void sim_air_reset(void)
+{
+    const SimNetwork perfect = {0, 0, 0, 0};
+
+    memset(air, 0, sizeof air);
+    held.used = false;
+    sim_network(perfect);
+    order = 0;
+}
+
+void sim_network(SimNetwork n)
+{
+    network = n;
+    sent = 0;
+}
+
+static bool is_turn(uint32_t every)
+{
+    return every != 0 && sent % every == 0;
+}
+
+static bool put(const Datagram *d)
+{
+    for (size_t i = 0; i < IN_THE_AIR; i++)
+        if (!air[i].used) {
+            air[i] = *d;
+            air[i].used = true;
+            air[i].arrives = pal_clock_now() + network.delay;
+            air[i].order = order++;
+            return true;
+        }
+    return false;
+}
+
+static bool release(void)
+{
+    bool was = held.used;
+
+    held.used = false;
+    return was && put(&held);
+}
+
+bool sim_air_send(const Datagram *d)
+{
+    bool flies = true;
+
+    sent++;
+    if (is_turn(network.reorder) && !held.used) {          // waits for the next
+        held = *d;
+        held.used = true;
+        return true;
+    }
+    if (!is_turn(network.lose))
+        flies = put(d);
+    if (is_turn(network.repeat))
+        flies = put(d) && flies;
+    release();
+    return flies;
+}
+
+bool sim_reaches(const PalAddress *to, const PalAddress *own)
+{
+    const uint8_t any[4] = {0, 0, 0, 0};
+
+    return to->port == own->port && (memcmp(own->ip, any, 4) == 0 || memcmp(own->ip, to->ip, 4) == 0);
+}
+
+static Datagram *earliest(const PalAddress *at)
+{
+    Datagram *next = NULL;
+
+    for (Datagram *d = air; d < air + IN_THE_AIR; d++)
+        if (d->used && sim_reaches(&d->to, at))
+            if (!next || d->arrives < next->arrives || (d->arrives == next->arrives && d->order < next->order))
+                next = d;
+    return next;
+}
+
+// Where no next one came, the one that waited for it goes on.
+Datagram *sim_air_next(const PalAddress *at)
+{
+    Datagram *next = earliest(at);
+
+    return !next && release() ? earliest(at) : next;
+}
+
+// ---- streams ----
+
+static Stream streams[PAL_SOCKETS];
+
+void sim_streams_reset(void)
+{
+    memset(streams, 0, sizeof streams);
+}
+
+Stream *sim_stream_new(uint8_t listening)
+{
+    for (Stream *s = streams; s < streams + PAL_SOCKETS; s++)
+        if (!s->used) {
+            memset(s, 0, sizeof *s);
+            s->used = s->open[0] = true;
+            s->listening = listening;
+            s->order = order++;
+            return s;
+        }
+    return NULL;
+}
+
+Stream *sim_stream_waiting(uint8_t listening)
+{
+    Stream *oldest = NULL;
+
+    for (Stream *s = streams; s < streams + PAL_SOCKETS; s++)
+        if (s->used && s->listening == listening && (!oldest || s->order < oldest->order))
+            oldest = s;
+    return oldest;
+}
+
+size_t sim_stream_put(Stream *s, int end, const void *bytes, size_t n)
+{
+    size_t room = SIM_STREAM_ROOM - s->n[end], taken = n < room ? n : room;
+
+    memcpy(s->bytes[end] + s->n[end], bytes, taken);
+    s->n[end] += taken;
+    return taken;
+}
+
+size_t sim_stream_take(Stream *s, int end, void *bytes, size_t room)
+{
+    size_t n = s->n[end] < room ? s->n[end] : room;
+
+    memcpy(bytes, s->bytes[end], n);
+    s->n[end] -= n;
+    memmove(s->bytes[end], s->bytes[end] + n, s->n[end]);
+    return n;
+}
+
+static void free_if_unused(Stream *s)
+{
+    s->used = s->open[0] || s->open[1] || s->listening != 0;
+}
+
+void sim_stream_close(Stream *s, int end)
+{
+    s->open[end] = false;
+    free_if_unused(s);
+}
+
+void sim_streams_forget(uint8_t listening)
+{
+    for (Stream *s = streams; s < streams + PAL_SOCKETS; s++)
+        if (s->used && s->listening == listening) {
+            s->listening = 0;
+            free_if_unused(s);
+        }
+}

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// Simulated non-volatile memory: "eeprom", which takes any byte at any time, and "flash", which is written in units that must
+// have been erased.  A power cut stops a write in its middle and leaves one byte that may be anything.
+#include <string.h>
+
+#include "runtime-c/pal/nvm.h"
+#include "runtime-c/psl/sim/world.h"
+
+#define BLANK 0xff
+#define TORN  0xa5            // what the byte becomes in which the cut came: neither old nor new, if the test chose its bytes so
+
+static struct {
+    const char *name;
+    PalNvmInfo info;
+    bool open;
+    uint8_t bytes[SIM_NVM_SIZE];
+} media[] = {
+    {"eeprom", {SIM_NVM_SIZE, 1, 0, 0, 3400000, BLANK}, false, {0}},
+    {"flash", {SIM_NVM_SIZE, 8, 32, 0, 20000000, BLANK}, false, {0}},
+};
+
+static bool used[PAL_NVMS];
+static uint8_t medium_of[PAL_NVMS];
+
+static struct {
+    bool planned, gone;
+    uint32_t after, bytes;
+} cut;
+
+static void close_all(void)
+{
+    memset(used, 0, sizeof used);
+    for (size_t i = 0; i < sizeof media / sizeof *media; i++)
+        media[i].open = false;
+    memset(&cut, 0, sizeof cut);
+}
+
+void sim_nvm_reset(void)
+{
+    close_all();
+    for (size_t i = 0; i < sizeof media / sizeof *media; i++)
+        memset(media[i].bytes, BLANK, SIM_NVM_SIZE);
+}
+
+void sim_cut_power(uint32_t after, uint32_t bytes)
+{
+    cut.planned = true;
+    cut.after = after;
+    cut.bytes = bytes;
+}
+
+void sim_power_on(void)
+{
+    close_all();
+}
+
+// How many of n bytes are done before the power goes: all, if it stays.
+static uint32_t bytes_done(uint32_t n)
+{
+    if (!cut.planned || cut.after-- > 0)
+        return n;
+    cut.planned = false;
+    cut.gone = true;
+    return cut.bytes < n ? cut.bytes : n;
+}
+
+// ---- the PAL ----
+
+static SmResult open_medium(const char *name, uint32_t size, uint8_t *medium)
+{
+    for (uint8_t i = 0; i < sizeof media / sizeof *media; i++)
+        if (strcmp(media[i].name, name) == 0) {
+            *medium = i;
+            return size > SIM_NVM_SIZE ? SM_E_SPACE : media[i].open ? SM_E_BUSY : sim_enter(SIM_nvm_open);
+        }
+    return SM_E_MISSING;
+}
+
+SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
+{
+    uint8_t id, medium = 0;
+    SmResult r;
+
+    if (!memory || !name || size == 0 || strlen(name) >= PAL_NAME)
+        return SM_E_ARGUMENT;
+    r = open_medium(name, size, &medium);
+    if (r != SM_OK)
+        return r;
+    id = psl_table_take(used, PAL_NVMS);
+    if (id == 0)
+        return SM_E_FULL;
+    media[medium].open = true;
+    medium_of[id - 1] = medium;
+    memory->id = id;
+    return SM_OK;
+}
+
+SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
+{
+    if (!info)
+        return SM_E_ARGUMENT;
+    if (!psl_table_holds(used, PAL_NVMS, memory.id))
+        return SM_E_HANDLE;
+    *info = media[medium_of[memory.id - 1]].info;
+    return SM_OK;
+}
+
+// The bytes from place `at` on, if the handle is open and the range lies within and on multiples of `unit`.
+static SmResult look(PalNvm memory, uint32_t at, uint32_t n, uint32_t unit, uint8_t **bytes)
+{
+    if (!psl_table_holds(used, PAL_NVMS, memory.id))
+        return SM_E_HANDLE;
+    if (at > SIM_NVM_SIZE || n > SIM_NVM_SIZE - at || at % unit != 0 || n % unit != 0)
+        return SM_E_ARGUMENT;
+    *bytes = media[medium_of[memory.id - 1]].bytes + at;
+    return SM_OK;
+}
+
+static const PalNvmInfo *info_of(PalNvm memory)
+{
+    return &media[psl_table_holds(used, PAL_NVMS, memory.id) ? medium_of[memory.id - 1] : 0].info;
+}
+
+SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
+{
+    uint8_t *here;
+    SmResult r = look(memory, at, n, 1, &here);
+
+    if (r == SM_OK && !bytes)
+        r = SM_E_ARGUMENT;
+    if (r == SM_OK)
+        r = cut.gone ? SM_E_DEVICE : sim_enter(SIM_nvm_read);
+    if (r == SM_OK)
+        memcpy(bytes, here, n);
+    return r;
+}
+
+static bool is_blank(const uint8_t *bytes, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        if (bytes[i] != BLANK)
+            return false;
+    return true;
+}
+
+// Stores n bytes, blank ones where `bytes` is NULL, as far as the power lasts.
+static SmResult store(uint8_t *here, const uint8_t *bytes, uint32_t n, SimCall call)
+{
+    SmResult r = cut.gone ? SM_E_DEVICE : sim_enter(call);
+    uint32_t done;
+
+    if (r != SM_OK)
+        return r;
+    done = bytes_done(n);
+    if (bytes)
+        memcpy(here, bytes, done);
+    else
+        memset(here, BLANK, done);
+    if (done < n)
+        here[done] = TORN;
+    return cut.gone ? SM_E_DEVICE : SM_OK;
+}
+
+SmResult pal_nvm_write(PalNvm memory, uint32_t at, const void *bytes, uint32_t n)
+{
+    uint8_t *here;
+    SmResult r = look(memory, at, n, info_of(memory)->write, &here);
+
+    if (r == SM_OK && (!bytes || (info_of(memory)->erase != 0 && !is_blank(here, n))))
+        r = SM_E_ARGUMENT;
+    return r == SM_OK && n > 0 ? store(here, bytes, n, SIM_nvm_write) : r;
+}
+
+SmResult pal_nvm_erase(PalNvm memory, uint32_t at, uint32_t n)
+{
+    uint32_t unit = info_of(memory)->erase;
+    uint8_t *here;
+    SmResult r = look(memory, at, n, unit ? unit : 1, &here);
+
+    return r == SM_OK && n > 0 ? store(here, NULL, n, SIM_nvm_erase) : r;
+}
+
+SmResult pal_nvm_close(PalNvm memory)
+{
+    if (!psl_table_holds(used, PAL_NVMS, memory.id))
+        return SM_E_HANDLE;
+    media[medium_of[memory.id - 1]].open = false;
+    used[memory.id - 1] = false;
+    return SM_OK;
+}

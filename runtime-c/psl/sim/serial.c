@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Simulated serial lines, "serial0" and "serial1", of any usual speed: what is sent arrives at once, as far as there is room.
+#include <string.h>
+
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/pal/serial.h"
+#include "runtime-c/psl/sim/world.h"
+
+#define LINES 2
+#define ROOM  4096
+
+typedef struct Queue {
+    size_t n;
+    uint8_t bytes[ROOM];
+} Queue;
+
+static struct {
+    bool open, unplugged;
+    Queue in, out;
+} lines[LINES];
+
+static bool used[PAL_SERIALS];
+static uint8_t line_of[PAL_SERIALS];
+
+void sim_serial_reset(void)
+{
+    memset(lines, 0, sizeof lines);
+    memset(used, 0, sizeof used);
+}
+
+// ---- queues ----
+
+static size_t put(Queue *q, const void *bytes, size_t n)
+{
+    if (n > ROOM - q->n)
+        n = ROOM - q->n;
+    memcpy(q->bytes + q->n, bytes, n);
+    q->n += n;
+    return n;
+}
+
+static size_t take(Queue *q, void *bytes, size_t room)
+{
+    size_t n = q->n < room ? q->n : room;
+
+    memcpy(bytes, q->bytes, n);
+    q->n -= n;
+    memmove(q->bytes, q->bytes + n, q->n);
+    return n;
+}
+
+// ---- the far end ----
+
+// The line's number, or LINES.
+static uint8_t find(const char *name)
+{
+    return strcmp(name, "serial0") == 0 ? 0 : strcmp(name, "serial1") == 0 ? 1 : LINES;
+}
+
+void sim_serial_send(const char *name, const void *bytes, size_t n)
+{
+    put(&lines[find(name)].in, bytes, n);
+}
+
+size_t sim_serial_take(const char *name, void *bytes, size_t room)
+{
+    return take(&lines[find(name)].out, bytes, room);
+}
+
+void sim_serial_plug(const char *name, bool in)
+{
+    lines[find(name)].unplugged = !in;
+}
+
+// ---- the PAL ----
+
+static bool is_usual(uint32_t bits_per_second)
+{
+    static const uint32_t usual[] = {9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600};
+
+    for (size_t i = 0; i < sizeof usual / sizeof *usual; i++)
+        if (usual[i] == bits_per_second)
+            return true;
+    return false;
+}
+
+SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_second)
+{
+    uint8_t id, number;
+    SmResult r;
+
+    if (!line || !name || strlen(name) >= PAL_NAME || !is_usual(bits_per_second))
+        return SM_E_ARGUMENT;
+    number = find(name);
+    if (number == LINES || lines[number].unplugged)
+        return SM_E_MISSING;
+    r = lines[number].open ? SM_E_BUSY : sim_enter(SIM_serial_open);
+    if (r != SM_OK)
+        return r;
+    id = psl_table_take(used, PAL_SERIALS);
+    if (id == 0)
+        return SM_E_FULL;
+    lines[number].open = true;
+    lines[number].in.n = 0;
+    line_of[id - 1] = number;
+    line->id = id;
+    return SM_OK;
+}
+
+static SmResult look(PalSerial line, const void *bytes, const size_t *n, uint64_t timeout)
+{
+    if (!bytes || !n || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    if (!psl_table_holds(used, PAL_SERIALS, line.id))
+        return SM_E_HANDLE;
+    return lines[line_of[line.id - 1]].unplugged ? SM_E_CLOSED : SM_OK;
+}
+
+SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
+{
+    SmResult r;
+
+    if (sent)
+        *sent = 0;
+    r = look(line, bytes, sent, timeout);
+    if (r == SM_OK)
+        r = sim_enter(SIM_serial_send);
+    if (r != SM_OK)
+        return r;
+    *sent = put(&lines[line_of[line.id - 1]].out, bytes, n);
+    if (*sent == n)
+        return SM_OK;
+    sim_advance(timeout);
+    return SM_E_TIMEOUT;
+}
+
+SmResult pal_serial_receive(PalSerial line, void *bytes, size_t room, size_t *n, uint64_t timeout)
+{
+    SmResult r = room == 0 ? SM_E_ARGUMENT : look(line, bytes, n, timeout);
+    size_t got;
+
+    if (r == SM_OK)
+        r = sim_enter(SIM_serial_receive);
+    if (r != SM_OK)
+        return r;
+    got = take(&lines[line_of[line.id - 1]].in, bytes, room);
+    if (got > 0) {
+        *n = got;
+        return SM_OK;
+    }
+    sim_advance(timeout);
+    return SM_E_TIMEOUT;
+}
+
+SmResult pal_serial_close(PalSerial line)
+{
+    if (!psl_table_holds(used, PAL_SERIALS, line.id))
+        return SM_E_HANDLE;
+    lines[line_of[line.id - 1]].open = false;
+    used[line.id - 1] = false;
+    return SM_OK;
+}

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+// Simulated sockets.  This computer has the addresses 127.x.x.x and 10.x.x.x: a test plays the others of its network itself.
+#include <string.h>
+
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/psl/sim/network.h"
+
+#define FIRST_PORT 49152u
+
+typedef enum Kind { DATAGRAMS, LISTENING, STREAM } Kind;
+
+typedef struct Entry {
+    Kind kind;
+    PalAddress own;
+    Stream *stream;
+    int end;                  // of the stream
+} Entry;
+
+static bool used[PAL_SOCKETS];
+static Entry entries[PAL_SOCKETS];
+
+void sim_socket_reset(void)
+{
+    memset(used, 0, sizeof used);
+    sim_air_reset();
+    sim_streams_reset();
+}
+
+// ---- addresses ----
+
+static bool is_any(const PalAddress *a)
+{
+    return (a->ip[0] | a->ip[1] | a->ip[2] | a->ip[3]) == 0;
+}
+
+static bool is_taken(const PalAddress *a, Kind kind)
+{
+    for (uint8_t i = 0; i < PAL_SOCKETS; i++)
+        if (used[i] && entries[i].kind == kind && entries[i].own.port == a->port &&
+            (is_any(a) || is_any(&entries[i].own) || memcmp(a->ip, entries[i].own.ip, 4) == 0))
+            return true;
+    return false;
+}
+
+static SmResult choose(PalAddress *a, Kind kind)
+{
+    if (!is_any(a) && a->ip[0] != 127 && a->ip[0] != 10)
+        return SM_E_MISSING;
+    if (a->port != 0)
+        return is_taken(a, kind) ? SM_E_BUSY : SM_OK;
+    a->port = FIRST_PORT;
+    while (is_taken(a, kind))                              // there are more ports than sockets
+        a->port++;
+    return SM_OK;
+}
+
+// What others see as the sender: an address that is not "any".
+static PalAddress shown(const PalAddress *own)
+{
+    PalAddress a = *own;
+
+    if (is_any(own)) {
+        a.ip[0] = 127;
+        a.ip[3] = 1;
+    }
+    return a;
+}
+
+// ---- opening ----
+
+// Takes an entry for a socket at `own`, or gives the reason why not.
+static SmResult take(PalSocket *s, Kind kind, const PalAddress *own)
+{
+    PalAddress a = *own;
+    SmResult r = choose(&a, kind);
+    uint8_t id;
+
+    if (r != SM_OK)
+        return r;
+    id = psl_table_take(used, PAL_SOCKETS);
+    if (id == 0)
+        return SM_E_FULL;
+    memset(&entries[id - 1], 0, sizeof entries[0]);
+    entries[id - 1].kind = kind;
+    entries[id - 1].own = a;
+    s->id = id;
+    return SM_OK;
+}
+
+static bool is_full(void)
+{
+    for (uint8_t i = 0; i < PAL_SOCKETS; i++)
+        if (!used[i])
+            return false;
+    return true;
+}
+
+SmResult pal_socket_udp(PalSocket *s, const PalAddress *own)
+{
+    SmResult r;
+
+    if (!s || !own)
+        return SM_E_ARGUMENT;
+    r = sim_enter(SIM_socket_udp);
+    return r == SM_OK ? take(s, DATAGRAMS, own) : r;
+}
+
+SmResult pal_socket_listen(PalSocket *s, const PalAddress *own)
+{
+    SmResult r;
+
+    if (!s || !own)
+        return SM_E_ARGUMENT;
+    r = sim_enter(SIM_socket_listen);
+    return r == SM_OK ? take(s, LISTENING, own) : r;
+}
+
+static uint8_t find_listening(const PalAddress *to)
+{
+    for (uint8_t i = 0; i < PAL_SOCKETS; i++)
+        if (used[i] && entries[i].kind == LISTENING && sim_reaches(to, &entries[i].own))
+            return (uint8_t)(i + 1);
+    return 0;
+}
+
+SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t timeout)
+{
+    const PalAddress local = {{127, 0, 0, 1}, 0};
+    uint8_t listening;
+    Stream *s;
+    SmResult r;
+
+    if (!stream || !to || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = sim_enter(SIM_socket_connect);
+    if (r != SM_OK)
+        return r;
+    if (is_full())
+        return SM_E_FULL;
+    listening = find_listening(to);
+    if (listening == 0)
+        return SM_E_UNREACHABLE;
+    s = sim_stream_new(listening);
+    if (!s)
+        return SM_E_FULL;
+    take(stream, STREAM, &local);
+    entries[stream->id - 1].stream = s;
+    s->address[0] = entries[stream->id - 1].own;
+    s->address[1] = *to;
+    return SM_OK;
+}
+
+// ---- looking up ----
+
+static SmResult look(PalSocket s, Kind kind, Entry **e)
+{
+    if (!psl_table_holds(used, PAL_SOCKETS, s.id))
+        return SM_E_HANDLE;
+    *e = &entries[s.id - 1];
+    return (*e)->kind == kind ? SM_OK : SM_E_ARGUMENT;
+}
+
+SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *peer, uint64_t timeout)
+{
+    Entry *e;
+    Stream *s;
+    SmResult r;
+
+    if (!stream || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = look(listening, LISTENING, &e);
+    if (r == SM_OK)
+        r = is_full() ? SM_E_FULL : sim_enter(SIM_socket_accept);
+    if (r != SM_OK)
+        return r;
+    s = sim_stream_waiting(listening.id);
+    if (!s) {
+        sim_advance(timeout);
+        return SM_E_TIMEOUT;
+    }
+    stream->id = psl_table_take(used, PAL_SOCKETS);
+    e = &entries[stream->id - 1];
+    e->kind = STREAM;
+    e->own = s->address[1];
+    e->stream = s;
+    e->end = 1;
+    s->open[1] = true;
+    s->listening = 0;
+    if (peer)
+        *peer = s->address[0];
+    return SM_OK;
+}
+
+// ---- datagrams ----
+
+SmResult pal_socket_send_to(PalSocket s, const PalAddress *to, const void *bytes, size_t n)
+{
+    Datagram d;
+    Entry *e;
+    SmResult r;
+
+    if (!to || !bytes || n > PAL_DATAGRAM_MAX)
+        return SM_E_ARGUMENT;
+    r = look(s, DATAGRAMS, &e);
+    if (r == SM_OK)
+        r = sim_enter(SIM_socket_send_to);
+    if (r != SM_OK)
+        return r;
+    memset(&d, 0, sizeof d);
+    d.from = shown(&e->own);
+    d.to = *to;
+    d.n = n;
+    memcpy(d.bytes, bytes, n);
+    return sim_air_send(&d) ? SM_OK : SM_E_BUSY;
+}
+
+static SmResult deliver(Datagram *d, PalAddress *from, void *bytes, size_t room, size_t *n)
+{
+    *n = d->n < room ? d->n : room;
+    memcpy(bytes, d->bytes, *n);
+    if (from)
+        *from = d->from;
+    d->used = false;
+    return d->n > room ? SM_E_SIZE : SM_OK;
+}
+
+SmResult pal_socket_receive_from(PalSocket s, PalAddress *from, void *bytes, size_t room, size_t *n, uint64_t timeout)
+{
+    uint64_t deadline = pal_clock_now() + timeout;
+    Datagram *d;
+    Entry *e;
+    SmResult r;
+
+    if (!bytes || !n || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = look(s, DATAGRAMS, &e);
+    if (r == SM_OK)
+        r = sim_enter(SIM_socket_receive_from);
+    if (r != SM_OK)
+        return r;
+    d = sim_air_next(&e->own);
+    if (!d || d->arrives > deadline) {
+        sim_move_to(deadline);
+        return SM_E_TIMEOUT;
+    }
+    sim_move_to(d->arrives);
+    return deliver(d, from, bytes, room, n);
+}
+
+// ---- streams ----
+
+SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
+{
+    Entry *e;
+    SmResult r;
+
+    if (sent)
+        *sent = 0;
+    if (!bytes || !sent || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = look(stream, STREAM, &e);
+    if (r == SM_OK)
+        r = sim_enter(SIM_socket_send);
+    if (r != SM_OK)
+        return r;
+    if (!e->stream->open[!e->end] && e->stream->listening == 0)
+        return SM_E_CLOSED;
+    *sent = sim_stream_put(e->stream, !e->end, bytes, n);
+    if (*sent == n)
+        return SM_OK;
+    sim_advance(timeout);
+    return SM_E_TIMEOUT;
+}
+
+SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *n, uint64_t timeout)
+{
+    size_t got;
+    Entry *e;
+    SmResult r;
+
+    if (!bytes || !n || room == 0 || timeout > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    r = look(stream, STREAM, &e);
+    if (r == SM_OK)
+        r = sim_enter(SIM_socket_receive);
+    if (r != SM_OK)
+        return r;
+    got = sim_stream_take(e->stream, e->end, bytes, room);
+    if (got > 0) {
+        *n = got;
+        return SM_OK;
+    }
+    if (!e->stream->open[!e->end] && e->stream->listening == 0)
+        return SM_E_CLOSED;
+    sim_advance(timeout);
+    return SM_E_TIMEOUT;
+}
+
+// ---- all ----
+
+SmResult pal_socket_own(PalSocket s, PalAddress *own)
+{
+    if (!own)
+        return SM_E_ARGUMENT;
+    if (!psl_table_holds(used, PAL_SOCKETS, s.id))
+        return SM_E_HANDLE;
+    *own = entries[s.id - 1].own;
+    return SM_OK;
+}
+
+SmResult pal_socket_close(PalSocket s)
+{
+    Entry *e;
+
+    if (!psl_table_holds(used, PAL_SOCKETS, s.id))
+        return SM_E_HANDLE;
+    e = &entries[s.id - 1];
+    if (e->kind == STREAM)
+        sim_stream_close(e->stream, e->end);
+    if (e->kind == LISTENING)
+        sim_streams_forget(s.id);
+    used[s.id - 1] = false;
+    return SM_OK;
+}

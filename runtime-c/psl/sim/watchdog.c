@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The simulated watchdog: bites when time has gone by unfed, and remembers it; the program goes on, for the test to look.
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/pal/watchdog.h"
+#include "runtime-c/psl/sim/world.h"
+
+#define LONGEST (60 * (uint64_t)PAL_SECOND)
+
+static bool running, bitten;
+static uint64_t period, fed;
+
+void sim_watchdog_reset(void)
+{
+    running = bitten = false;
+}
+
+void sim_watchdog_look(uint64_t now)
+{
+    if (running && now - fed > period)
+        bitten = true;
+}
+
+bool sim_watchdog_bitten(void)
+{
+    return bitten;
+}
+
+// Periods are whole milliseconds.
+SmResult pal_watchdog_start(uint64_t wanted, uint64_t *actual)
+{
+    SmResult r;
+
+    if (!actual || wanted == 0 || wanted > LONGEST)
+        return SM_E_ARGUMENT;
+    r = running ? SM_E_BUSY : sim_enter(SIM_watchdog_start);
+    if (r != SM_OK)
+        return r;
+    running = true;
+    fed = pal_clock_now();
+    *actual = period = (wanted + PAL_MILLISECOND - 1) / PAL_MILLISECOND * PAL_MILLISECOND;
+    return SM_OK;
+}
+
+SmResult pal_watchdog_feed(void)
+{
+    SmResult r = running ? sim_enter(SIM_watchdog_feed) : SM_E_HANDLE;
+
+    if (r == SM_OK)
+        fed = pal_clock_now();
+    return r;
+}
+
+SmResult pal_watchdog_stop(void)
+{
+    if (!running)
+        return SM_E_HANDLE;
+    running = false;
+    return SM_OK;
+}
+
+SmResult pal_watchdog_bit(bool *bit)
+{
+    if (!bit)
+        return SM_E_ARGUMENT;
+    *bit = bitten;
+    return SM_OK;
+}

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the simulated platform promises beyond the headers: a hand on time, and faults on demand.
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/pal/console.h"
+#include "runtime-c/pal/aio.h"
+#include "runtime-c/pal/dio.h"
+#include "runtime-c/pal/lock.h"
+#include "runtime-c/pal/nvm.h"
+#include "runtime-c/pal/watchdog.h"
+#include "runtime-c/psl/sim/sim.h"
+#include "tests/psl/suite.h"
+
+static void time_moves_by_hand(void)
+{
+    uint64_t start;
+
+    sim_reset();
+    start = pal_clock_now();
+    CHECK(start == PAL_SECOND && pal_clock_now() == start);
+    sim_advance(5);
+    CHECK(pal_clock_now() == start + 5);
+    CHECK(pal_clock_sleep_until(start + 100) == SM_OK && pal_clock_now() == start + 100);
+    sim_oversleep(7);
+    CHECK(pal_clock_sleep_until(start + 200) == SM_OK && pal_clock_now() == start + 207);
+    CHECK(pal_clock_sleep_until(start) == SM_OK && pal_clock_now() == start + 207);
+    sim_delay(SIM_console_write, 1000);                   // a call that takes its time
+    CHECK(pal_console_write("hello", 5) == SM_OK && pal_clock_now() == start + 1207);
+    CHECK(strcmp(sim_console(), "hello") == 0);
+}
+
+static void console_is_full(void)
+{
+    const char text[100] = {'x'};
+    SmResult r = SM_OK;
+
+    sim_reset();
+    CHECK(sim_console()[0] == '\0');
+    for (int i = 0; i < 100 && r == SM_OK; i++)
+        r = pal_console_write(text, sizeof text);
+    CHECK(r == SM_E_BUSY && sim_count(SIM_console_write) == 41);
+}
+
+static void faults(void)
+{
+    PalDio pin = {0};
+    PalLock lock = {0};
+
+    sim_reset();
+    CHECK(pal_dio_open(&pin, 4, PAL_DIO_OUTPUT, false) == SM_OK);
+    sim_fail(SIM_dio_write, 2, SM_E_DEVICE);
+    CHECK(pal_dio_write(pin, true) == SM_OK);
+    CHECK(pal_dio_write(pin, false) == SM_OK);
+    CHECK(pal_dio_write(pin, true) == SM_E_DEVICE && !sim_pin(4));
+    CHECK(pal_dio_write(pin, true) == SM_OK && sim_pin(4));
+    sim_break(SIM_dio_write, 1, SM_E_DEVICE);
+    CHECK(pal_dio_write(pin, false) == SM_OK);
+    for (int i = 0; i < 3; i++)
+        CHECK(pal_dio_write(pin, true) == SM_E_DEVICE && !sim_pin(4));
+    sim_break(SIM_dio_write, 0, SM_OK);
+    CHECK(pal_dio_write(pin, true) == SM_OK);
+    CHECK(sim_count(SIM_dio_write) == 9 && sim_count(SIM_dio_read) == 0);
+    CHECK(pal_lock_open(&lock) == SM_OK);
+    sim_fail(SIM_lock_take, 0, SM_E_TIMEOUT);
+    CHECK(pal_lock_take(lock, 0) == SM_E_TIMEOUT && pal_lock_take(lock, 0) == SM_OK);
+    sim_reset();
+    CHECK(pal_dio_write(pin, true) == SM_E_HANDLE && sim_count(SIM_dio_write) == 0);
+}
+
+static bool reads(uint16_t number, PalDioMode mode)
+{
+    PalDio pin = {0};
+    bool level = false;
+
+    CHECK(pal_dio_open(&pin, number, mode, false) == SM_OK);
+    CHECK(pal_dio_read(pin, &level) == SM_OK);
+    CHECK(pal_dio_close(pin) == SM_OK);
+    return level;
+}
+
+static void pins(void)
+{
+    PalDio pin = {0};
+
+    sim_reset();
+    CHECK(!reads(5, PAL_DIO_INPUT) && !reads(5, PAL_DIO_PULL_DOWN) && reads(5, PAL_DIO_PULL_UP));
+    sim_drive(5, true);
+    CHECK(reads(5, PAL_DIO_INPUT) && reads(5, PAL_DIO_PULL_DOWN));
+    sim_drive(5, false);
+    CHECK(!reads(5, PAL_DIO_PULL_UP));
+    sim_wire(6, 7);
+    CHECK(pal_dio_open(&pin, 6, PAL_DIO_OUTPUT, false) == SM_OK);
+    CHECK(sim_edges(6) == 0);                             // low from the start: no pulse
+    for (int i = 0; i < 3; i++)
+        CHECK(pal_dio_write(pin, true) == SM_OK);
+    CHECK(sim_edges(6) == 1 && sim_edges(7) == 1 && sim_pin(7));
+    CHECK(pal_dio_close(pin) == SM_OK && sim_pin(6));     // close changes nothing
+}
+
+static void channels(void)
+{
+    PalAio in = {0};
+    int32_t x = 7;
+
+    sim_reset();
+    CHECK(pal_aio_open(&in, 3, PAL_AIO_INPUT) == SM_OK);
+    sim_set_analog(3, -1234567);
+    CHECK(pal_aio_read(in, &x) == SM_OK && x == -1234565 && sim_analog(3) == x);
+    sim_fail(SIM_aio_read, 0, SM_E_DEVICE);
+    CHECK(pal_aio_read(in, &x) == SM_E_DEVICE && x == -1234565);
+}
+
+// ---- the network ----
+
+static PalSocket socket_at(uint16_t port)
+{
+    PalSocket s = {0};
+    PalAddress a = {{10, 0, 0, 1}, 0};
+
+    a.port = port;
+    CHECK(pal_socket_udp(&s, &a) == SM_OK);
+    return s;
+}
+
+static void send_numbers(PalSocket s, int n)
+{
+    const PalAddress to = {{10, 0, 0, 1}, 2000};
+
+    for (int i = 0; i < n; i++) {
+        uint8_t x = (uint8_t)('a' + i);
+
+        CHECK(pal_socket_send_to(s, &to, &x, 1) == SM_OK);
+    }
+}
+
+// What arrives within the timeout, in order.
+static const char *received(PalSocket s, uint64_t timeout)
+{
+    static char text[32];
+    size_t n = 0, got;
+
+    while (n + 1 < sizeof text && pal_socket_receive_from(s, NULL, text + n, 1, &got, timeout) == SM_OK)
+        n += got;
+    text[n] = '\0';
+    return text;
+}
+
+static void datagrams(void)
+{
+    const SimNetwork lossy = {0, 3, 0, 0}, doubling = {0, 0, 2, 0}, swapping = {0, 0, 0, 2}, slow = {10 * MS, 0, 0, 0};
+    PalSocket a, b;
+
+    sim_reset();
+    a = socket_at(1000);
+    b = socket_at(2000);
+    send_numbers(a, 4);
+    CHECK(strcmp(received(b, 0), "abcd") == 0);
+    sim_network(lossy);
+    send_numbers(a, 6);
+    CHECK(strcmp(received(b, 0), "abde") == 0);
+    sim_network(doubling);
+    send_numbers(a, 4);
+    CHECK(strcmp(received(b, 0), "abbcdd") == 0);
+    sim_network(swapping);
+    send_numbers(a, 6);
+    CHECK(strcmp(received(b, 0), "acbedf") == 0);         // the last has nothing to come after
+    sim_network(slow);
+    send_numbers(a, 2);
+    CHECK(strcmp(received(b, 9 * MS), "") == 0);
+    CHECK(strcmp(received(b, MS), "ab") == 0);
+}
+
+// ---- non-volatile memory ----
+
+// A write of eight bytes over 'o's, cut after so many: what is there when the power is back.
+static const char *after_cut(uint32_t bytes)
+{
+    static char text[11];
+    PalNvm memory = {0};
+
+    sim_reset();
+    CHECK(pal_nvm_open(&memory, "eeprom", 16) == SM_OK);
+    CHECK(pal_nvm_write(memory, 0, "oooooooooo", 10) == SM_OK);
+    sim_cut_power(1, bytes);
+    CHECK(pal_nvm_write(memory, 9, "e", 1) == SM_OK);     // this one is still whole
+    CHECK(pal_nvm_write(memory, 1, "nnnnnnnn", 8) == SM_E_DEVICE);
+    CHECK(pal_nvm_read(memory, 0, text, 10) == SM_E_DEVICE);
+    CHECK(pal_nvm_write(memory, 0, "x", 1) == SM_E_DEVICE);
+    sim_power_on();
+    CHECK(pal_nvm_read(memory, 0, text, 10) == SM_E_HANDLE);
+    CHECK(pal_nvm_open(&memory, "eeprom", 16) == SM_OK);
+    CHECK(pal_nvm_read(memory, 0, text, 10) == SM_OK);
+    return text;
+}
+
+static void torn_writes(void)
+{
+    CHECK(strcmp(after_cut(0), "o\xa5" "ooooooo" "e") == 0);
+    CHECK(strcmp(after_cut(3), "onnn\xa5" "oooo" "e") == 0);
+    CHECK(strcmp(after_cut(8), "onnnnnnnn" "e") == 0);    // all is done, and yet the call failed
+}
+
+// What the flash allows and what it refuses.
+static void flash(void)
+{
+    PalNvm memory = {0};
+    PalNvmInfo info;
+    uint8_t x[32] = {0};
+
+    sim_reset();
+    CHECK(pal_nvm_open(&memory, "flash", SIM_NVM_SIZE) == SM_OK);
+    CHECK(pal_nvm_info(memory, &info) == SM_OK && info.write == 8 && info.erase == 32);
+    CHECK(pal_nvm_write(memory, 8, x, 8) == SM_OK);
+    CHECK(pal_nvm_write(memory, 8, x, 8) == SM_E_ARGUMENT);       // not erased
+    CHECK(pal_nvm_write(memory, 4, x, 8) == SM_E_ARGUMENT);
+    CHECK(pal_nvm_erase(memory, 0, 16) == SM_E_ARGUMENT);
+    CHECK(pal_nvm_erase(memory, 0, 32) == SM_OK);
+    CHECK(pal_nvm_write(memory, 8, x, 8) == SM_OK);
+    sim_cut_power(0, 9);
+    CHECK(pal_nvm_erase(memory, 0, 32) == SM_E_DEVICE);
+    sim_power_on();
+    CHECK(pal_nvm_open(&memory, "flash", 1) == SM_OK);
+    CHECK(pal_nvm_read(memory, 0, x, 32) == SM_OK && x[8] == 0xff && x[9] == 0xa5 && x[10] == 0);
+    CHECK(pal_nvm_close(memory) == SM_OK);
+    CHECK(pal_nvm_open(&memory, "flash", SIM_NVM_SIZE + 1) == SM_E_SPACE);
+}
+
+static void bites(void)
+{
+    uint64_t actual;
+    bool bit = true;
+
+    sim_reset();
+    CHECK(pal_watchdog_start(10 * MS - 1, &actual) == SM_OK && actual == 10 * MS);
+    for (int i = 0; i < 5; i++) {
+        sim_advance(actual);
+        CHECK(!sim_watchdog_bitten() && pal_watchdog_feed() == SM_OK);
+    }
+    CHECK(pal_watchdog_bit(&bit) == SM_OK && !bit);
+    sim_advance(actual + 1);
+    CHECK(sim_watchdog_bitten() && pal_watchdog_bit(&bit) == SM_OK && bit);
+    sim_reset();
+    CHECK(!sim_watchdog_bitten());
+}
+
+Tally own_sim(void)
+{
+    time_moves_by_hand();
+    console_is_full();
+    faults();
+    pins();
+    channels();
+    datagrams();
+    torn_writes();
+    flash();
+    bites();
+    return TALLY();
+}
