@@ -2,13 +2,13 @@
 // Guards that always or never hold, and why: a switch of constants, a type, a part that contradicts another, an earlier guard
 // that has let nothing else pass, or what is known of the variables.
 #include "compiler/analysis/compare.h"
+#include <string.h>
+
+#include "compiler/analysis/before.h"
 #include "compiler/analysis/implies.h"
-#include "compiler/analysis/structure.h"
 #include "compiler/analysis/whatif.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
-
-enum { LOOK_BACK = 16 };              // earlier guards that one is compared with
 
 typedef enum Answer { SOMETIMES, NEVER, ALWAYS } Answer;
 
@@ -65,131 +65,6 @@ static bool reads_initial(const Structure *k, const Expr *e, const Env *env)
     return false;
 }
 
-// ---- earlier guards ----
-
-// One that decided before: it held, or did not, on every way that gets here.
-typedef struct Before {
-    const Stmt *stmt;
-    bool holds;                       // what is excluded here: that it holds
-    bool left;                        // where it is so, a transition has been made; of guards around it: to be asked
-} Before;
-
-typedef struct Befores {
-    Before at[2 * LOOK_BACK];
-    size_t n;
-} Befores;
-
-// No variable of e has been assigned since statement s decided.
-static bool is_unchanged(const Structure *k, const Stmt *s, const Expr *e)
-{
-    if (e->kind == EX_VAR && k->written[e->var->index] > k->order[s->number])
-        return false;
-    for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
-        if (!is_unchanged(k, s, e->arg[i]))
-            return false;
-    return true;
-}
-
-// Whether what stands on `way` comes after all of the arm: it is in the same list as the arm's conditional, or deeper.
-static bool is_beside(const Way *arm, const Way *way)
-{
-    for (unsigned n = 0; way && way->depth >= arm->depth && n < LOOK_BACK; n++)
-        way = way->outer;
-    return way == arm->outer;
-}
-
-static void add_before(const Structure *k, Befores *b, const Stmt *s, bool holds, bool left)
-{
-    const Before add = {s, holds, left};
-
-    if (is_unchanged(k, s, s->value))
-        b->at[b->n++] = add;
-}
-
-static Befores befores_of(const Structure *k, const Way *way)
-{
-    Befores b = {.n = 0};
-    unsigned n = 0;
-    const Way *w;
-
-    for (w = way; w && n < LOOK_BACK; w = w->outer, n++)
-        if (!w->holds)
-            add_before(k, &b, w->stmt, true, false);
-    for (size_t i = k->left.n; i > 0 && k->left.n - i < LOOK_BACK; i--) {
-        w = k->left.at[i - 1];
-        if (is_beside(w, way))
-            add_before(k, &b, w->stmt, w->holds, true);
-    }
-    return b;
-}
-
-static bool excluded(const Structure *k, const Expr *guard, const Before *b)
-{
-    return b->holds ? guard_implies(k->a, guard, b->stmt->value) : guard_excludes(k->a, guard, b->stmt->value);
-}
-
-// Whether the guard can hold only where b has been so, by what values can be.
-static bool covered(const Structure *k, const Expr *guard, const Before *b)
-{
-    const Env *env = k->a->stmt[b->stmt->number].env;
-
-    return is_unchanged(k, b->stmt, guard) && suppose_guard(k->a, &env, guard, true) &&
-           !suppose_guard(k->a, &env, b->stmt->value, !b->holds);
-}
-
-static const Before *find_before(const Structure *k, const Expr *guard, const Befores *b,
-                                 bool (*f)(const Structure *k, const Expr *guard, const Before *b))
-{
-    for (size_t i = 0; i < b->n; i++)
-        if (f(k, guard, &b->at[i]))
-            return &b->at[i];
-    return NULL;
-}
-
-// ---- the rest of what guards before have left over ----
-
-static void stamp_vars(Structure *k, const Expr *e)
-{
-    if (e->kind == EX_VAR)
-        k->stamp[e->var->index] = k->stamps;
-    for (uint32_t i = 0; i < e->n; i++)
-        stamp_vars(k, e->arg[i]);
-}
-
-static bool is_stamped(const Structure *k, const Expr *e)
-{
-    if (e->kind == EX_VAR && k->stamp[e->var->index] == k->stamps)
-        return true;
-    for (uint32_t i = 0; i < e->n; i++)
-        if (is_stamped(k, e->arg[i]))
-            return true;
-    return false;
-}
-
-static bool is_apart(const Structure *k, const Expr *guard, const Before *b)
-{
-    const Env *env = k->a->stmt[b->stmt->number].env;
-
-    return !suppose_guard(k->a, &env, b->stmt->value, b->holds) || !suppose_guard(k->a, &env, guard, true);
-}
-
-// `p > 10: -> A` and then `p <= 10: -> B`: the guard says in full for which case it is.
-static bool is_the_rest(Structure *k, const Expr *guard, const Befores *b)
-{
-    bool any = false;
-
-    k->stamps++;
-    stamp_vars(k, guard);
-    for (size_t i = 0; i < b->n; i++) {
-        if (!is_stamped(k, b->at[i].stmt->value))
-            continue;
-        if (!is_apart(k, guard, &b->at[i]))
-            return false;
-        any = true;
-    }
-    return any;
-}
-
 // ---- what is known of it here ----
 
 static const Expr *compared(const Expr *e)
@@ -204,20 +79,26 @@ static const Expr *compared(const Expr *e)
     return found;
 }
 
-static const char *range_text(Arena *arena, const char *what, Fact f)
+// "above 400" where facts say from 400.00000000000006 on.
+static const char *bound_text(Arena *arena, double x, double beside, const char *strict, const char *or_equal)
 {
-    const char *lo = const_text(arena, f.lo), *hi = const_text(arena, f.hi);
+    const char *text = const_text(arena, x), *other = const_text(arena, beside);
 
-    if (f.lo == f.hi)
-        return format_in(arena, "here '%s' is always %s", what, lo);
-    if (f.lo - f.lo != 0)
-        return format_in(arena, "here '%s' is never above %s", what, hi);
-    if (f.hi - f.hi != 0)
-        return format_in(arena, "here '%s' is never below %s", what, lo);
-    return format_in(arena, "here '%s' is never below %s and never above %s", what, lo, hi);
+    return strlen(other) < strlen(text) ? format_in(arena, "%s %s", strict, other) : format_in(arena, "%s %s", or_equal, text);
 }
 
-// "here 'mode' is never above 2", or NULL if no more is known than that it is a number.
+static const char *range_text(Arena *arena, const char *what, Fact f)
+{
+    const bool open = f.lo - f.lo != 0, endless = f.hi - f.hi != 0;
+    const char *lo = bound_text(arena, f.lo, fact_below(f, f.lo), "above", "at least");
+    const char *hi = bound_text(arena, f.hi, fact_above(f, f.hi), "below", "at most");
+
+    if (f.lo == f.hi)
+        return format_in(arena, "here '%s' is always %s", what, const_text(arena, f.lo));
+    return format_in(arena, "here '%s' is always %s%s%s", what, open ? "" : lo, open || endless ? "" : " and ", endless ? "" : hi);
+}
+
+// "here 'mode' is always at most 2", or NULL if no more is known than that it is a number.
 static const char *known_text(const Structure *k, const Stmt *s)
 {
     const Expr *e = compared(s->value);
@@ -297,7 +178,7 @@ static bool makes_transition(const Stmts *list)
 // s can only hold where b has been so.
 static uint32_t forestalled(Structure *k, const Stmt *s, const Before *b)
 {
-    const bool same = b->holds && expr_equal(s->value, b->stmt->value, k->a->m->window_of);
+    const bool same = is_same(k, s->value, b);
     Diag *d;
 
     if (!same && !((b->left || always_leaves(&b->stmt->then)) && makes_transition(&s->then)))
@@ -312,11 +193,9 @@ static uint32_t forestalled(Structure *k, const Stmt *s, const Before *b)
 static Verdict judge_never(Structure *k, const Stmt *s, const Befores *b)
 {
     const bool itself = decides_itself(k, s->value, false);
-    const Before *before = itself ? NULL : find_before(k, s->value, b, excluded);
+    const Before *before = itself ? NULL : the_one_before(k, s->value, b);
     Verdict v = {false, true, 0};
 
-    if (!before && !itself)
-        before = find_before(k, s->value, b, covered);
     if (switched(s->value) != SOMETIMES)
         v.dead = dead_of(k, CAUSE_SWITCH, s, NULL, NULL);
     else if (types_decide_in(k->a, s->value))
@@ -362,7 +241,7 @@ Verdict judge(Structure *k, const Stmt *s, const Way *way)
 
     if (!f->reached)
         return both;
-    if (!f->then || guard_never(k->a, s->value) || find_before(k, s->value, &b, excluded))
+    if (!f->then || guard_never(k->a, s->value) || written_before(k, s->value, &b))
         return judge_never(k, s, &b);
     if (!f->otherwise || guard_always(k->a, s->value) || is_implied(k, s, way))
         return judge_always(k, s, &b);

@@ -21,7 +21,7 @@ F64 gain = 2 @read_only
     p > 10 or p < 20: valve = false      #! W0511 cover every case
     p > q or p <= q: valve = true        #! W0511
     p > 5 {
-        p > 3: valve = false             #! W0509 here 'p' is never below 5
+        p > 3: valve = false             #! W0509 here 'p' is always above 5
         p < 4: valve = true              #! W0508
     }
     else if p > 6: valve = false         #! W0508 where it would hold, this one has held before

@@ -14,6 +14,10 @@ F64 x = 0
     if p > q: x = 1
     else if q > 5: x = 2
     else if p > q: x = 3                 #! W0507
+    if p > q + 9: x = 5
+    else if p > 50: x = 6
+    else if q > 3: x = 7
+    else if p > 50: x = 8                #! W0507
     if p > 3: x = x + 1
     else if p > 3: -> Row                #! W0507
     ready: -> Row
