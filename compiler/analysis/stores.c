@@ -117,6 +117,35 @@ static const IrIns *overwriter(Stores *k, const DeadStore *dead)
     return found;
 }
 
+// On every way from ins.at[at] of block blk to the end of f var is stored; `after`: and where f returns, it is behind.
+static bool is_always_stored(Arena *arena, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var, bool after)
+{
+    bool *stored = ARENA_ARRAY(arena, bool, f->blk.n);
+
+    for (size_t b = f->blk.n; b-- > blk;) {
+        const IrJump *j = &f->blk.at[b].jump;
+        stored[b] = j->kind == IR_RET ? after : j->kind != IR_GOTO && stored[j->then] && (j->kind == IR_JMP || stored[j->otherwise]);
+        for (size_t k = b == blk ? at : 0; k < f->blk.at[b].ins.n; k++) {
+            const IrIns *i = &f->ins.at[f->blk.at[b].ins.at[k]];
+            stored[b] |= i->op == IR_store && i->var == var;
+        }
+    }
+    return stored[blk];
+}
+
+// An output set to a number in .entry is begun in order, even if all ways through .step and .exit together assign it again.
+static bool is_beginning(const Stores *k, const DeadStore *dead, const Stmt *stmt)
+{
+    const IrFn *step = k->a->m->state.at[dead->state].block[BLOCK_STEP];
+    const uint32_t var = dead->store->var;
+    bool after;
+
+    if (dead->block != BLOCK_ENTRY || stmt->var->kind != VAR_ELEMENT || !expr_is_constant(stmt->value))
+        return false;
+    after = step && is_always_stored(k->a->arena, step, 0, 0, var, false);
+    return !is_always_stored(k->a->arena, dead->f, dead->blk, dead->at + 1, var, after);
+}
+
 static void look_at_dead(Analysis *a, const DeadStore *dead, void *context)
 {
     Stores *k = context;
@@ -127,7 +156,7 @@ static void look_at_dead(Analysis *a, const DeadStore *dead, void *context)
 
     if (!a->stmt[home->stmt->number].reached || is_itself(home->stmt) || (v->kind == VAR_LOCAL && !v->read))
         return;
-    if ((other = overwriter(k, dead)) == NULL)
+    if (is_beginning(k, dead, home->stmt) || (other = overwriter(k, dead)) == NULL)
         return;
     d = diag_report(a->diags, DIAG_dead_store, home->stmt->span, v->name->text);
     diag_note(a->diags, d, other->span, DIAG_note_overwritten_here);

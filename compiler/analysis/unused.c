@@ -144,13 +144,14 @@ static void report_never_written(Analysis *a, const Var *v)
     edit_mark_read_only(a->diags, d, v);
 }
 
-// @read_only locals are named constants, and a list of them may be longer than what one machine needs.
 static void look_at_local(Analysis *a, const Var *v, bool needed)
 {
-    if (v->read_only || v->outside)
+    if (v->outside)
         return;
     if (!v->read)
         diag_report(a->diags, v->written ? DIAG_unread_local : DIAG_unused_local, v->span, v->name->text);
+    else if (v->read_only)
+        return;
     else if (!v->written)
         report_never_written(a, v);
     else if (!needed)

@@ -1,4 +1,4 @@
-spec 5.9   A local that nothing uses draws a warning; of constants, which are often lists, nothing is said.
+spec 5.9   A local that nothing uses draws a warning, a constant too.
 analyses on
 -- app.sm --
 [state_vector]
@@ -9,7 +9,7 @@ F64 x
 F64 scale = 2 @read_only
 F64 limit = scale @read_only
 F64 idle  = 1                 #! W0204 'idle'
-F64 pi    = 3.14159 @read_only
+F64 pi    = 3.14159 @read_only    #! W0204 'pi'
 [Hold]
 .step
     x > limit: -> Hold

@@ -10,7 +10,6 @@ bool valve
 U8 level
 [local]
 U8 mode = 0
-F64 gain = 2 @read_only
 [A]
 .step
     p > 20 and p < 10: valve = true      #! W0510 exclude each other

@@ -12,18 +12,22 @@ bool horn
 F64 shown
 F64 twice
 F64 out
+F64 heat
 [local]
 F64 mean = 0
 F64 held = 0
 F64 old = 0
 U64 start = 0
 U32 count = 0
+F64 duty = 0
 U32 loops = 0
 [Fill]
 .entry
     valve = false             #! W0410 'valve'
     pump = false
     start = G                 #! W0410 'start'
+    heat = 0
+    duty = 0                  #! W0410 'duty'
     count = 0
 .step
     valve = p > 5
@@ -43,12 +47,15 @@ U32 loops = 0
     mean = 0                  #! W0410 'mean'
     count = count + 1
     count > 100: -> Run
+    duty = p * 2
+    heat = duty
     old = held
     held = p
     shown = shown + old
     loops = loops + 1
 .exit
     loops = loops * 2
+    heat = 0
     lamp = true               #! W0410 'lamp'
     lamp = loops > 5
 [Run]

@@ -11,7 +11,6 @@ F64 y
 [local]
 F64 zero = 0
 F64 some = 0
-F64 never = 1 / 0 @read_only
 [Hold]
 .entry
     x = p / some              #! W0407

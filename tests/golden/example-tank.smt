@@ -11,6 +11,5 @@ final state vector:
   S = 1
   T = 1000
   counter = 0
-  pi = 3.141590
   tankPressure = 701.000000
   valveOpen = false
