@@ -107,6 +107,18 @@ CHECK_LINES += "examples: sh tests/check/examples.sh $(B)/smc $(patsubst %/,%,$(
 # tests/analysis: what the analyses find, and what they leave alone.
 CHECK_LINES += "analysis: $(B)/smc test tests/analysis"
 
+# tests/graph: state diagrams, how they are laid out; and that others can read them, where Graphviz and librsvg are installed.
+GRAPH_MACHINES = $(wildcard tests/graph/machines/*.sm)
+$(B)/graph/layout: tests/graph/layout.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/libsmc.a
+check: $(B)/graph/layout
+CHECK_LINES += "graph-layout: $(B)/graph/layout $(GRAPH_MACHINES)" "graph-read: sh tests/graph/read.sh $(B)/smc $(GRAPH_MACHINES)"
+check-graph: all $(B)/graph/layout
+	$(B)/graph/layout $(GRAPH_MACHINES)
+	sh tests/graph/read.sh $(B)/smc $(GRAPH_MACHINES)
+.PHONY: check-graph
+
 # tests/script: what the script engine does and reports.
 CHECK_LINES += "script: $(B)/smc test tests/script"
 check: $(B)/fuzz/script

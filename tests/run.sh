@@ -29,7 +29,7 @@ while IFS= read -r line; do
     passed=$((passed + ${p:-0})) failed=$((failed + ${f:-0})) skipped=$((skipped + ${s:-0}))
 done
 if [ "$skipped" -ne 0 ]; then
-    echo "skipped tests need tools that are not here; on Debian or Ubuntu: apt-get install clang tcc g++ lua5.4 luajit chromium"
+    echo "skipped tests need tools that are not here; on Debian or Ubuntu: apt-get install clang tcc g++ lua5.4 luajit chromium graphviz librsvg2-bin"
     echo "  python3-jsonschema; and: make sarif-schema"
     echo "$passed passed, $failed failed, $skipped skipped"
     [ "${STRICT:-0}" = 1 ] && exit 1

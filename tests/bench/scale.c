@@ -10,6 +10,7 @@
 #include <time.h>
 
 #include "compiler/analysis/analysis.h"
+#include "compiler/emit/report/graph.h"
 #include "compiler/pipeline.h"
 #include "tests/bench/shapes.h"
 #include "tests/test.h"
@@ -20,12 +21,28 @@ enum { FACTOR = 4 };
 
 // ---- measuring ----
 
-enum { STAGES = 7 };
-static const char *const stage_name[STAGES] = {"parse+check", "analysis", "ir -O0", "ir -O2", "image", "C", "report"};
+enum { STAGES = 8 };
+static const char *const stage_name[STAGES] = {"parse+check", "analysis", "ir -O0", "ir -O2", "image", "C", "graph", "report"};
 
 static double now(void)
 {
     return (double)clock() / CLOCKS_PER_SEC;
+}
+
+// The diagram without the facts that it starts from: those are part of the analysis.
+static void draw(Session *s, const Program *p, Buf *out)
+{
+    const GraphOptions o = {NULL, NULL};
+    Analysis a;
+
+    memset(&a, 0, sizeof a);
+    a.arena = &s->arena;
+    a.p = p;
+    a.stmt = ARENA_ARRAY(&s->arena, StmtFact, p->stmts + 1u);
+    for (size_t i = 0; i <= p->stmts; i++)
+        a.stmt[i].reached = true;
+    a.transition = transitions_of(&s->arena, p);
+    graph_svg(&a, &o, out);
 }
 
 // All stages.  What they cost is the time between two entries of `at`.
@@ -63,6 +80,9 @@ static void compile(Session *s, const Shape *shape, unsigned n, double *at)
     *at++ = now();
     if (m)
         session_emit_c(s, m, &c, &header, &out);
+    *at++ = now();
+    if (p)
+        draw(s, p, &out);
     *at = now();
 }
 

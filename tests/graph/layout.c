@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: Apache-2.0
+// State diagrams as they are laid out: nothing lies on anything else, lines pass by everything, few lines cross, and it takes time
+// in proportion to the machine.
+//
+//     layout MACHINE.sm…       besides random machines.  "most crossings: N" in a machine's first line is a bound.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/emit/report/layout.h"
+#include "compiler/pipeline.h"
+#include "tests/test.h"
+#include "tests/unit/random.h"
+
+// ---- machines ----
+
+static Session session;
+static jmp_buf oom;
+
+static void *heap(void *context, void *old, size_t size)
+{
+    (void)context;
+    if (size)
+        return realloc(old, size);
+    free(old);
+    return NULL;
+}
+
+static Program *compile(const char *name, const char *text, size_t len)
+{
+    MachineInput in = {source_new(&session.arena, name, text, len), NULL, NULL, 2};
+    Program *p = session_program(&session, &in);
+
+    if (!p)
+        fprintf(stderr, "%s does not compile:\n%.*s\n", name, len < 2000 ? (int)len : 2000, text);
+    CHECK(p != NULL);
+    return p;
+}
+
+static Analysis analysed(const Program *p)
+{
+    Analysis a;
+
+    analysis_begin(&a, &session.arena, &session.diags, p);
+    return a;
+}
+
+// ---- boxes ----
+
+typedef struct Thing { Box box; const char *what; const DiagramEdge *label_of; } Thing;
+typedef VEC(Thing) Things;
+
+static void add_thing(Things *t, Box box, const char *what, const DiagramEdge *label_of)
+{
+    Thing x = {box, what, label_of};
+
+    vec_push(&session.arena, t, x);
+}
+
+// A state's line to what stands beside it belongs to that.
+static Things things_of(const Diagram *d)
+{
+    Things t = {NULL, 0, 0};
+
+    for (size_t n = 0; n < d->nodes; n++) {
+        const DiagramNode *node = &d->node[n];
+        const Box from = {node->box.x - 28 - node->from_w, node->box.y, node->from_w, node->box.h};
+        add_thing(&t, node->box, node->name, NULL);
+        if (node->from)
+            add_thing(&t, from, node->from, NULL);
+    }
+    for (size_t e = 0; e < d->edge.n; e++) {
+        const DiagramEdge *edge = &d->edge.at[e];
+        add_thing(&t, edge->label, edge->guard.at[0].text, edge);
+        if (edge->form == EDGE_STUB)
+            add_thing(&t, edge->name, "stub", NULL);
+    }
+    return t;
+}
+
+static bool overlap(Box a, Box b)
+{
+    return a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
+}
+
+static void check_boxes(const Diagram *d, const Things *t)
+{
+    for (size_t i = 0; i < t->n; i++) {
+        const Box a = t->at[i].box;
+        CHECK(a.w > 0 && a.h > 0);
+        CHECK(a.x >= 0 && a.y >= 0 && a.x + a.w <= d->w && a.y + a.h <= d->h);
+        for (size_t j = 0; j < i; j++) {
+            if (overlap(a, t->at[j].box))
+                fprintf(stderr, "%s: '%s' lies on '%s'\n", d->a->p->name->text, t->at[i].what, t->at[j].what);
+            CHECK(!overlap(a, t->at[j].box));
+        }
+    }
+}
+
+// Text is no wider than its box, even in the widest font.
+static void check_text(const Diagram *d)
+{
+    for (size_t n = 0; n < d->nodes; n++)
+        CHECK(d->node[n].name_w + 8 <= d->node[n].box.w);
+    for (size_t e = 0; e < d->edge.n; e++)
+        for (size_t g = 0; g < d->edge.at[e].guard.n; g++) {
+            const TextLines *line = &d->edge.at[e].guard.at[g].line;
+            CHECK(line->n >= 1 && line->n <= GUARD_LINES);
+            for (size_t i = 0; i < line->n; i++)
+                CHECK(line->at[i].w <= d->edge.at[e].label.w && line->at[i].w <= GUARD_W);
+        }
+}
+
+// ---- lines ----
+
+static Box around(Point a, Point b)
+{
+    Box box = {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, abs(a.x - b.x) + 1, abs(a.y - b.y)};
+    return box;
+}
+
+// Begins and ends at its states, and touches nothing on the way but its own label.
+static void check_way(const Diagram *d, const DiagramEdge *e, const Things *t)
+{
+    const Box from = d->node[e->from].box, to = d->node[e->to].box;
+    const Point *p = e->way.at;
+    const size_t n = e->way.n;
+
+    CHECK(n >= 4 && n % 2 == 0);
+    CHECK(p[0].x > from.x && p[0].x < from.x + from.w && p[0].y == from.y + (e->up ? 0 : from.h));
+    CHECK(p[n - 1].x > to.x && p[n - 1].x < to.x + to.w && p[n - 1].y == to.y + (e->up ? to.h : 0));
+    for (size_t i = 0; i + 1 < n; i++) {
+        const Box piece = around(p[i], p[i + 1]);
+        CHECK(i % 2 == 1 || p[i].x == p[i + 1].x);
+        CHECK(e->up ? p[i].y >= p[i + 1].y : p[i].y <= p[i + 1].y);
+        for (size_t k = 0; k < t->n; k++) {
+            const bool touches = t->at[k].label_of != e && overlap(piece, t->at[k].box);
+            if (touches)
+                fprintf(stderr, "%s: a line touches '%s'\n", d->a->p->name->text, t->at[k].what);
+            CHECK(!touches);
+        }
+    }
+}
+
+// Lines that end at one state end apart, so that heads can be told apart.
+static void check_ends(const Diagram *d)
+{
+    for (size_t e = 0; e < d->edge.n; e++)
+        for (size_t f = 0; f < e; f++) {
+            const DiagramEdge *x = &d->edge.at[e], *y = &d->edge.at[f];
+            if (x->form == EDGE_LINE && y->form == EDGE_LINE && x->to == y->to && x->up == y->up)
+                CHECK(abs(x->way.at[x->way.n - 1].x - y->way.at[y->way.n - 1].x) >= 8);
+        }
+}
+
+// Every transition is drawn once.
+static void check_complete(const Diagram *d)
+{
+    size_t guards = 0;
+
+    for (size_t e = 0; e < d->edge.n; e++) {
+        guards += d->edge.at[e].guard.n;
+        CHECK((d->edge.at[e].form == EDGE_LINE) == (d->edge.at[e].way.n > 0));
+    }
+    CHECK(guards == d->a->transition.n);
+}
+
+static const Diagram *check_layout(const Program *p)
+{
+    const GraphOptions none = {NULL, NULL};
+    Analysis a = analysed(p);
+    Diagram *d = diagram_of(&a, &none);
+    Things t;
+
+    layout_diagram(d);
+    t = things_of(d);
+    check_boxes(d, &t);
+    check_text(d);
+    check_complete(d);
+    check_ends(d);
+    for (size_t e = 0; e < d->edge.n; e++)
+        if (d->edge.at[e].form == EDGE_LINE)
+            check_way(d, &d->edge.at[e], &t);
+    return d;
+}
+
+// ---- SVG: opened tags are closed, nothing is left unescaped ----
+
+static bool well_formed(const char *s)
+{
+    int depth = 0;
+
+    for (; *s; s++) {
+        const char *end;
+        if (*s == '&' && strncmp(s, "&amp;", 5) && strncmp(s, "&lt;", 4) && strncmp(s, "&gt;", 4) && strncmp(s, "&quot;", 6) &&
+            strncmp(s, "&#39;", 5))
+            return false;
+        if (*s != '<')
+            continue;
+        if ((end = strchr(s, '>')) == NULL)
+            return false;
+        depth += s[1] == '/' ? -1 : end[-1] == '/' ? 0 : 1;
+        if (depth < 0)
+            return false;
+        s = end;
+    }
+    return depth == 0;
+}
+
+static const char *drawn(const Analysis *a, const GraphOptions *o)
+{
+    Buf out;
+
+    buf_init(&out, &session.arena);
+    graph_svg(a, o, &out);
+    CHECK(well_formed(buf_text(&out)));
+    return buf_text(&out);
+}
+
+static void check_svg(const Program *p)
+{
+    const GraphOptions none = {NULL, NULL};
+    Analysis a = analysed(p), b = analysed(p);
+
+    CHECK(strcmp(drawn(&a, &none), drawn(&b, &none)) == 0);
+}
+
+// ---- machines from files ----
+
+static char *read_file(const char *path, size_t *len)
+{
+    FILE *f = fopen(path, "rb");
+    char *text = arena_alloc(&session.arena, 100001);
+
+    CHECK(f != NULL);
+    *len = f ? fread(text, 1, 100000, f) : 0;
+    if (f)
+        fclose(f);
+    return text;
+}
+
+static void check_file(const char *path)
+{
+    const char *most, *name = strrchr(path, '/');
+    size_t len;
+    char *text = read_file(path, &len);
+    Program *p = compile(name ? name + 1 : path, text, len);
+    const Diagram *d;
+
+    if (!p)
+        return;
+    d = check_layout(p);
+    check_svg(p);
+    most = strstr(text, "most crossings: ");
+    if (most && d->crossings > strtoul(most + 16, NULL, 10))
+        fprintf(stderr, "%s: %lu crossings\n", path, (unsigned long)d->crossings);
+    CHECK(!most || d->crossings <= strtoul(most + 16, NULL, 10));
+}
+
+// ---- random machines ----
+
+static unsigned below(unsigned n) { return (unsigned)(random_u64() >> 33) % n; }
+
+static void put_machine(Buf *out, unsigned states, unsigned transitions, uint64_t seed)
+{
+    random_state = 0x9E3779B97F4A7C15u ^ seed << 32;
+    buf_str(out, "[state_vector]\nU64 G\nU32 S\nF64 pressure\n");
+    for (unsigned s = 0; s < states; s++) {
+        buf_printf(out, "[State%u]%s\n.step\n", s, below(12) == 0 ? " @abort" : below(12) == 0 ? " @safe" : "");
+        for (unsigned t = below(transitions + 1); t > 0; t--)
+            buf_printf(out, "    pressure > %u%s: -> State%u\n", below(1000),
+                       below(3) ? "" : " and roll_min(pressure, 10) > 7 or pressure == 3", below(states));
+    }
+}
+
+static Program *random_machine(unsigned states, unsigned transitions, uint64_t seed)
+{
+    Buf text;
+
+    buf_init(&text, &session.arena);
+    put_machine(&text, states, transitions, seed);
+    return compile("random.sm", buf_text(&text), text.n);
+}
+
+static void check_random(void)
+{
+    for (unsigned seed = 1; seed <= 150; seed++) {
+        check_layout(random_machine(1 + seed % 30, seed % 5, seed));
+        session_free(&session);
+        session_init(&session, heap, NULL, &oom);
+    }
+}
+
+// ---- what is drawn over it ----
+
+static const char plain[] = "[state_vector]\nU64 G\nU32 S\nF64 pressure\n"
+                            "[Idle]\n.step\n    pressure > 5: -> Run\n[Run]\n.step\n    pressure < 2: -> Idle\n    pressure > 9: -> Idle\n";
+
+static void check_counts(void)
+{
+    const uint64_t states[] = {3, 0}, transitions[] = {2, 0, 0};
+    const GraphCounts counts = {states, transitions};
+    const GraphOptions o = {NULL, &counts}, none = {NULL, NULL};
+    Program *p = compile("plain.sm", plain, strlen(plain));
+    Analysis a = analysed(p);
+    const char *with = drawn(&a, &o), *without = drawn(&a, &none);
+
+    CHECK(strstr(with, "entered 3 times") && strstr(with, "taken 2 times") && strstr(with, "taken 0 times"));
+    CHECK(strstr(with, "g-edge\" stroke-width=\"2.4\"") && strstr(with, "class=\"g-edge g-unrun\"") && strstr(with, "class=\"g-node g-unrun\""));
+    CHECK(!strstr(without, "times") && !strstr(without, "class=\"g-edge g-unrun\""));
+}
+
+static unsigned times(const char *text, const char *word)
+{
+    unsigned n = 0;
+
+    for (; (text = strstr(text, word)) != NULL; text++)
+        n++;
+    return n;
+}
+
+// Of three findings one is at a guard, one at a transition, one at a state; one in the state vector is not shown.
+static void check_findings(void)
+{
+    Diags found;
+    const GraphOptions o = {&found, NULL};
+    Program *p = compile("plain.sm", plain, strlen(plain));
+    Analysis a = analysed(p);
+    const char *svg;
+    Diag *raised;
+
+    diags_init(&found, &session.arena);
+    diag_report(&found, DIAG_unreachable_state, p->state.at[1]->span, "<&\"'\x01\xff>");
+    diag_report(&found, DIAG_unreachable_state, a.transition.at[0].when->stmt->span, "guard");
+    raised = diag_report(&found, DIAG_unreachable_state, a.transition.at[2].stmt->span, "transition");
+    raised->severity = DIAG_ERROR;
+    diag_report(&found, DIAG_unreachable_state, p->var.at[2]->span, "nowhere");
+    svg = drawn(&a, &o);
+    CHECK(times(svg, "\"g-mark\"") == 2 && times(svg, "\"g-mark g-error\"") == 1);
+    CHECK(strstr(svg, "state &#39;&lt;&amp;&quot;&#39;\xef\xbf\xbd\xef\xbf\xbd&gt;&#39; cannot be reached"));
+    CHECK(strstr(svg, "guard&#39; cannot") && strstr(svg, "transition&#39; cannot") && !strstr(svg, "nowhere"));
+}
+
+// A file may have any name.
+static void check_name(void)
+{
+    const GraphOptions none = {NULL, NULL};
+    Program *p = compile("a<b>&\"c.sm", plain, strlen(plain));
+    Analysis a = analysed(p);
+    Buf dot;
+
+    CHECK(strstr(drawn(&a, &none), "State diagram of a&lt;b&gt;&amp;&quot;c"));
+    buf_init(&dot, &session.arena);
+    graph_dot(&a, &none, &dot);
+    CHECK(strstr(buf_text(&dot), "digraph \"a<b>&amp;\\\"c\""));
+}
+
+// ---- text ----
+
+static void check_wrapping(void)
+{
+    TextLines t = text_wrap(&session.arena, "T > 500 and roll_avg(pressure, 10) > 3", GUARD_SIZE, 190, 3);
+
+    CHECK(t.n == 2 && strcmp(t.at[0].text, "T > 500") == 0 && strcmp(t.at[1].text, "and roll_avg(pressure, 10) > 3") == 0);
+    t = text_wrap(&session.arena, "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", GUARD_SIZE, 100, 2);
+    CHECK(t.n == 2 && t.at[0].w <= 100 && t.at[1].w <= 100 && strstr(t.at[1].text, "\xe2\x80\xa6"));
+    t = text_wrap(&session.arena, "go", GUARD_SIZE, 100, 2);
+    CHECK(t.n == 1 && strcmp(t.at[0].text, "go") == 0);
+}
+
+int main(int argc, char **argv)
+{
+    if (setjmp(oom)) {
+        puts("out of memory: 0 passed, 1 failed");
+        return 1;
+    }
+    session_init(&session, heap, NULL, &oom);
+    for (int i = 1; i < argc; i++)
+        check_file(argv[i]);
+    check_wrapping();
+    check_counts();
+    check_findings();
+    check_name();
+    check_random();
+    session_free(&session);
+    return test_end("layout");
+}
