@@ -46,6 +46,7 @@ stays there.
   Transitions       0
   Findings          [..]
   Scripts           0 of 2 passed
+  Seen by scripts   1 of 1 states, 0 of 0 ways
   Longest step      2 instructions, in Idle
   Memory on the VM  56 bytes
   Image             82 bytes
@@ -126,6 +127,9 @@ Scripts
 States that the scripts have seen
   State  Times it began  Steps in it  Scripts that were there
   Idle                1            6                        1
+
+Where no script has been
+Nowhere: the scripts have been in every state and gone every way from one state to another.
 
 bad.ss [failed]
 assert does not hold after step 6 (G = 50, state Idle) [E0750]

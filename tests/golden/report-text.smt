@@ -69,6 +69,7 @@ of `Done`, `Abort`, it stays there.
   Transitions       3
   Findings          [..]
   Scripts           1 of 1 passed
+  Seen by scripts   3 of 4 states, 2 of 3 ways
   Longest step      10 instructions, in Fill
   Memory on the VM  120 bytes
   Image             172 bytes
@@ -220,6 +221,7 @@ Ways that the scripts have gone
   Fill  Done       1
   Fill  Abort      0  never gone
 
+Where no script has been
 fill.ss [passed]
 A tank that fills.
 

@@ -57,11 +57,16 @@ static bool is_comment(const Source *src, uint32_t number)
     return comment_starts(line, len, &at) && at == i;
 }
 
-// Lines of one paragraph become one; an empty line, and one that begins as an item of a list, begin a new one.
-static void join(Buf *out, size_t before)
+static bool is_indented(const char *line, uint32_t len, uint32_t at)
+{
+    return at + 2 < len && is_blank(line[at + 1]) && is_blank(line[at + 2]);
+}
+
+// Lines of one paragraph become one; an empty line, an indented one, and one that begins as an item of a list stand for themselves.
+static void join(Buf *out, size_t before, bool indented)
 {
     const char first = before < out->n ? out->at[before] : '\0';
-    const bool apart = first == '\0' || first == '-' || first == '*' || (before && out->at[before - 1] == '\n');
+    const bool apart = indented || first == '\0' || first == '-' || first == '*' || (before && out->at[before - 1] == '\n');
     Buf line;
 
     if (before == 0)
@@ -84,7 +89,7 @@ static const char *comment_of_lines(Arena *arena, const Source *src, uint32_t fr
         const size_t before = out.n;
         comment_starts(line, len, &at);
         put_comment(&out, line, len, at);
-        join(&out, before);
+        join(&out, before, is_indented(line, len, at));
     }
     return text_or_null(&out);
 }

@@ -30,6 +30,14 @@ static const char *scripts_text(const Report *r)
     return format_in(r->arena, "%lu of %lu passed", (unsigned long)passed, (unsigned long)r->runs);
 }
 
+static const char *coverage_text(const Report *r)
+{
+    const Coverage c = report_coverage(r);
+
+    return format_in(r->arena, "%lu of %lu states, %lu of %lu ways", (unsigned long)c.states_seen, (unsigned long)c.states,
+                     (unsigned long)c.ways_seen, (unsigned long)c.ways);
+}
+
 static const char *findings_text(const Report *r)
 {
     const FindingCount n = report_count_findings(r);
@@ -56,6 +64,8 @@ static void put_facts(const Report *r, Doc *d)
     fact(t, "Transitions", format_in(r->arena, "%lu", (unsigned long)r->analysis.transition.n));
     fact(t, "Findings", findings_text(r));
     fact(t, "Scripts", scripts_text(r));
+    if (r->runs)
+        fact(t, "Seen by scripts", coverage_text(r));
     fact(t, "Longest step", format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, state));
     fact(t, "Memory on the VM", format_in(r->arena, "%lu bytes", (unsigned long)r->cost.ram));
     fact(t, "Image", format_in(r->arena, "%lu bytes", (unsigned long)r->image_size));

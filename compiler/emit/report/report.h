@@ -47,6 +47,10 @@ void report_scripts(Report *r, Doc *d);
 typedef struct FindingCount { size_t open, allowed; } FindingCount;
 FindingCount report_count_findings(const Report *r);
 
+// What the scripts have seen of the machine.  A way leads from one state to another, by one transition or several.
+typedef struct Coverage { size_t states_seen, states, ways_seen, ways; } Coverage;
+Coverage report_coverage(const Report *r);
+
 // ---- plots (plot.c) ----
 
 // The states of a run over time, and below each other the series that change.  Uses the patterns of plot_patterns.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the scripts went: results, what they visited, and a plot of each.
+#include "compiler/emit/report/graph.h"
 #include "compiler/emit/report/report.h"
 #include "compiler/emit/report/words.h"
 
@@ -107,8 +108,59 @@ static void put_ways(const Report *r, Doc *d)
         cell_state(table, t->at[i].from->name->text);
         cell_state(table, t->at[i].to->name->text);
         cell_number(table, taken);
-        cell_plain(table, taken == 0 ? "never gone" : same > 1 ? format_in(r->arena, "by %lu transitions", (unsigned long)same) : "");
+        cell_plain(table, taken == 0 ? "never gone" : same > 1 ? format_in(r->arena, "%lu transitions, counted together", (unsigned long)same) : "");
     }
+}
+
+// How often the scripts were where, all together, for the diagram.  It draws one arrow from a state to another, so what several
+// transitions share is counted once.
+static GraphCounts count_all(const Report *r)
+{
+    const size_t states = r->analysis.p->state.n, ways = r->analysis.transition.n;
+    uint64_t *state = ARENA_ARRAY(r->arena, uint64_t, states), *way = ARENA_ARRAY(r->arena, uint64_t, ways);
+
+    for (size_t i = 0; i < r->runs; i++) {
+        for (size_t s = 0; s < states; s++)
+            state[s] += r->run[i].trace.entered[s];
+        for (size_t w = 0; w < ways; w++)
+            way[w] += r->run[i].trace.taken[w];
+    }
+    return (GraphCounts){state, way};
+}
+
+Coverage report_coverage(const Report *r)
+{
+    const GraphCounts counts = count_all(r);
+    const Transitions *t = &r->analysis.transition;
+    Coverage c = {0, r->analysis.p->state.n, 0, 0};
+
+    for (size_t s = 0; s < c.states; s++)
+        c.states_seen += counts.state[s] > 0;
+    for (size_t i = 0; i < t->n; i++) {
+        size_t same = 0;
+        if (!is_first_way(t, i, &same))
+            continue;
+        c.ways++;
+        c.ways_seen += counts.transition[i] > 0;
+    }
+    return c;
+}
+
+static void put_diagram(Report *r, Doc *d)
+{
+    const Coverage c = report_coverage(r);
+    const GraphCounts counts = count_all(r);
+    const GraphOptions o = {NULL, &counts};
+    Buf svg;
+
+    doc_heading(d, "seen", "Where no script has been");
+    if (c.states_seen == c.states && c.ways_seen == c.ways) {
+        doc_paragraph(d, "Nowhere: the scripts have been in every state and gone every way from one state to another.");
+        return;
+    }
+    buf_init(&svg, r->arena);
+    graph_svg(&r->analysis, &o, &svg);
+    doc_figure(d, buf_text(&svg), "Dotted: states in which no script has been, and ways that none has gone.");
 }
 
 // ---- one script ----
@@ -183,6 +235,7 @@ void report_scripts(Report *r, Doc *d)
     put_runs(r, d);
     put_cover(r, d);
     put_ways(r, d);
+    put_diagram(r, d);
     doc_figure(d, plot_patterns(r->arena), NULL);
     for (size_t i = 0; i < r->runs; i++)
         put_run(r, d, &r->run[i], i + 1);

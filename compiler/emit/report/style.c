@@ -17,7 +17,7 @@ const char *const report_style[] = {
     "a{color:var(--link);text-decoration:none}a:hover{text-decoration:underline}\n",
     "header{border-bottom:3px solid var(--accent);margin-bottom:1.5rem;padding-top:2rem}\n",
     "h1{font-size:2.4rem;line-height:1.1;margin:0}header>p{color:var(--dim);margin:.3rem 0 1rem}\n",
-    "nav ol{columns:14rem;margin:0 0 1rem;padding:0 0 0 1.4rem;font-size:.95rem}\n",
+    "nav ol{columns:16rem;margin:0 0 1rem;padding:0 0 0 1.4rem;font-size:.95rem}\n",
     "section{margin:2.5rem 0}h2{font-size:1.5rem;border-bottom:1px solid var(--line);padding-bottom:.25rem;margin:0 0 1rem}\n",
     "h3{font-size:1.1rem;margin:1.4rem 0 .4rem}article{margin-bottom:1.2rem}p{margin:.5rem 0}\n",
     "blockquote{margin:.4rem 0 .6rem;padding:.1rem 0 .1rem .8rem;border-left:3px solid var(--line);color:var(--dim);"
@@ -25,7 +25,7 @@ const char *const report_style[] = {
     ".wide{overflow-x:auto}table{border-collapse:collapse;width:100%;font-size:.93rem;margin:.4rem 0 1rem}\n",
     "th,td{text-align:left;vertical-align:top;padding:.35rem .6rem;border-bottom:1px solid var(--line)}\n",
     "th{color:var(--dim);font-weight:600;border-bottom:2px solid var(--line)}tbody tr:hover{background:var(--soft)}\n",
-    "table.narrow{width:auto}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td.b,th.b{white-space:nowrap;font-variant-numeric:tabular-nums}\n",
+    "table.narrow{width:auto}td code{overflow-wrap:anywhere}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td.b,th.b{white-space:nowrap;font-variant-numeric:tabular-nums}\n",
     ".bar{display:inline-block;width:7rem;height:.7em;background:var(--soft);border:1px solid var(--line);margin-right:.4em}"
     ".bar i{display:block;height:100%;background:var(--accent)}\n",
     "dl{display:grid;grid-template-columns:repeat(auto-fill,minmax(15rem,1fr));gap:.6rem;margin:.8rem 0 1.2rem}\n",
