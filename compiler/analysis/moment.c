@@ -17,11 +17,12 @@ static bool is_beginning(const TimeSum *s)
 static void look_at_expr(Expr *e, void *context)
 {
     Look *k = context;
-    const Expr *time = e->arg[0], *other;
+    const Expr *time, *other;
     TimeSum s;
 
     if (e->kind != EX_BINARY || (e->op != SM_OP_EQ && e->op != SM_OP_NE))
         return;
+    time = e->arg[0];
     s = time_sum(&k->m, time);
     if (!s.time && !s.moment)
         time = e->arg[1];
