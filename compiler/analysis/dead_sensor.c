@@ -21,6 +21,8 @@ DeadSensor dead_sensor_new(const Sensors *s)
         memcpy(fm->window, a->facts->window, a->m->window.n * sizeof *fm->window);
     d.what.facts = fm;
     d.local = ARENA_ARRAY(a->arena, uint32_t, a->p->var.n);
+    d.kept = ARENA_ARRAY(a->arena, uint32_t, a->p->var.n);
+    d.rest = ARENA_ARRAY(a->arena, Fact, a->p->var.n);
     d.window = ARENA_ARRAY(a->arena, uint32_t, a->m->window.n + 1);
     return d;
 }
@@ -115,19 +117,36 @@ static bool stays_initial(DeadSensor *d, const Var *local)
     return !s.any || fact_equal(fact_join(s.fact, initial), initial);
 }
 
-static Fact settled_at(DeadSensor *d, const Var *local)
+// Where a state keeps storing it.
+static Fact at_rest(DeadSensor *d, const Var *local, const Stored *s)
 {
-    const Stored s = all_stored(d, local, suppose(&d->what, d->env, local, fact_of_type(local->type)));
-    const Fact initial = initial_of(local), fact = !s.any ? initial : s.always ? s.fact : fact_join(s.fact, initial);
     Fact rest;
 
-    if (is_one_number(fact))
-        return fact;
-    if (local->type == SM_BOOL && stays_initial(d, local))
+    if (!s->always || is_one_number(s->fact) || d->s->looks[local->index].n > 1 || !comes_to_rest(d, local, &rest))
+        return s->fact;
+    return fact_convert(rest, local->type);
+}
+
+// Elsewhere it may still hold its initial value.
+static Fact anywhere(DeadSensor *d, const Var *local, const Stored *s)
+{
+    const Fact initial = initial_of(local);
+
+    if (!s->any || (local->type == SM_BOOL && stays_initial(d, local)))
         return initial;
-    if (s.always && d->s->looks[local->index].n == 1 && comes_to_rest(d, local, &rest))
-        return fact_convert(rest, local->type);
-    return fact;
+    return fact_join(d->rest[local->index], initial);
+}
+
+static void settle_at(DeadSensor *d, const Var *local)
+{
+    const Stored s = all_stored(d, local, suppose(&d->what, d->env, local, fact_of_type(local->type)));
+    Fact *rest = &d->rest[local->index], all;
+
+    *rest = s.any ? at_rest(d, local, &s) : initial_of(local);
+    all = anywhere(d, local, &s);
+    if (!s.always)
+        *rest = all;
+    d->env = suppose(&d->what, d->env, local, all);
 }
 
 // What an expression reads is looked into before the expression is.
@@ -160,7 +179,7 @@ static void settle_local(DeadSensor *d, const Var *local)
             expr_walk(when->stmt->value, settle, d);
     }
     d->depth--;
-    d->env = suppose(&d->what, d->env, local, settled_at(d, local));
+    settle_at(d, local);
 }
 
 static void settle(Expr *e, void *context)
@@ -186,12 +205,7 @@ void dead_sensor_reads(DeadSensor *d, const Var *sensor, Fact f)
     d->env = suppose(&d->what, NULL, sensor, f);
 }
 
-static bool is_looked_into(const DeadSensor *d, uint32_t var)
-{
-    return d->local[var] == d->question && d->what.m->var_of[var] != IR_NONE;
-}
-
-void dead_sensor_look(DeadSensor *d, const State *state)
+static void look_into(DeadSensor *d, const State *state)
 {
     const Numbers *locals = &d->s->local[state->number - 1u], *windows = &d->s->window[state->number - 1u];
     const Program *p = d->s->a->p;
@@ -206,17 +220,43 @@ void dead_sensor_look(DeadSensor *d, const State *state)
             settle_local(d, p->var.at[locals->at[i]]);
 }
 
+static void note_kept(DeadSensor *d, const State *state)
+{
+    const Numbers *list = &d->s->kept[state->number - 1u];
+
+    d->keeps++;
+    for (size_t i = 0; i < list->n; i++)
+        d->kept[list->at[i]] = d->keeps;
+}
+
+const Env *dead_sensor_settled(DeadSensor *d, const State *state)
+{
+    const Numbers *list = &d->s->local[state->number - 1u];
+    const Program *p = d->s->a->p;
+    const Env *env;
+
+    look_into(d, state);
+    note_kept(d, state);
+    env = d->env;
+    for (size_t i = 0; i < list->n; i++) {
+        const uint32_t v = list->at[i];
+        if (d->local[v] == d->question && d->kept[v] == d->keeps)
+            env = suppose(&d->what, env, p->var.at[v], d->rest[v]);
+    }
+    return env;
+}
+
 const Env *dead_sensor_begin(DeadSensor *d, const State *state, BlockKind block)
 {
     const Numbers *list = &d->s->local[state->number - 1u];
     const EnvShape *shape = &d->what.facts->shape;
+    const Env *settled = dead_sensor_settled(d, state);
     const Env *env = suppose(&d->what, facts_begin(d->what.facts, state->number - 1u, (int)block), d->sensor, d->reads);
 
-    dead_sensor_look(d, state);
     for (size_t i = 0; i < list->n; i++) {
         const uint32_t v = d->what.m->var_of[list->at[i]];
-        if (is_looked_into(d, list->at[i]))
-            env = env_set(shape, env, v, fact_meet(env_get(shape, env, v), env_get(shape, d->env, v)));
+        if (d->local[list->at[i]] == d->question)
+            env = env_set(shape, env, v, fact_meet(env_get(shape, env, v), env_get(shape, settled, v)));
     }
     return env;
 }

@@ -23,6 +23,8 @@ typedef struct DeadSensor {
     const Env *env;               // what the sensor holds, and the locals that have been looked into
     uint32_t question;            // counts from 1
     uint32_t *local, *window;     // by Var.index, by IrMachine.window: the question in which it was looked into
+    Fact *rest;                   // by Var.index, of one that was looked into: what it holds where a state keeps storing it
+    uint32_t *kept, keeps;        // by Var.index: the last count of blocks that began in which the state keeps storing it
     Numbers changed;              // windows of this question
     unsigned depth;
     size_t work;                  // stores and samples looked at, in all questions
@@ -33,7 +35,7 @@ void dead_sensor_reads(DeadSensor *d, const Var *sensor, Fact f);
 
 // How a block of a state that can be reached begins.
 const Env *dead_sensor_begin(DeadSensor *d, const State *state, BlockKind block);
-// Only adds to d->env what the state reads.
-void dead_sensor_look(DeadSensor *d, const State *state);
+// What the sensor and the locals that the state reads hold there, and nothing else.
+const Env *dead_sensor_settled(DeadSensor *d, const State *state);
 
 #endif

@@ -45,6 +45,8 @@ typedef struct Zero {
     uint32_t flow;                // its number
     uint8_t (*flows)[BLOCK_COUNT];    // by state
     Flowed last;
+    const State *settled;         // the state that the following are of
+    const Env *zero, *far_above, *far_below, *in_range;
 } Zero;
 
 // ---- what has to hold ----
@@ -112,7 +114,7 @@ static const Part *part_because(const Zero *z, const Parts *p, const Var *sensor
         const Part *part = &p->at[i];
         if (part->passed)
             continue;
-        if (!is_sure(truth(&z->dead.what, z->dead.env, part))) {
+        if (!is_sure(truth(&z->dead.what, z->zero, part))) {
             if (wants_another(z, part, sensor))
                 return NULL;
         } else if (!because && !is_sure(truth(z->a, NULL, part))) {
@@ -124,7 +126,7 @@ static const Part *part_because(const Zero *z, const Parts *p, const Var *sensor
 
 static bool goes_on(const Zero *z, const StmtPlace *at)
 {
-    const Fact f = fact_convert(suppose_value(&z->dead.what, z->dead.env, at->stmt->value), at->stmt->var->type);
+    const Fact f = fact_convert(suppose_stored(&z->dead.what, z->zero, at->stmt), at->stmt->var->type);
 
     return is_guarded_by_value(at) ? f.hi == 1 : f.lo > 0 || f.hi < 0;
 }
@@ -142,9 +144,9 @@ static Fact far_off(const Var *v, bool above)
 
 static bool is_test_of_reading(const Zero *z, const Part *p, const Var *sensor)
 {
-    if (is_sure(truth(&z->high.what, z->high.env, p)) && is_sure(truth(&z->low.what, z->low.env, p)))
+    if (is_sure(truth(&z->high.what, z->far_above, p)) && is_sure(truth(&z->low.what, z->far_below, p)))
         return true;
-    return sensor->range && truth(&z->healthy.what, z->healthy.env, p).hi == 0;
+    return sensor->range && truth(&z->healthy.what, z->in_range, p).hi == 0;
 }
 
 static bool is_answer(const Zero *z, const StmtPlace *at, const Part *because, const Var *sensor)
@@ -227,13 +229,16 @@ static bool ends_on(Zero *z, const StmtPlace *at)
 
 // ---- findings ----
 
-static void look(Zero *z, const State *state, const Var *sensor)
+static void settle(Zero *z, const State *state, const Var *sensor)
 {
-    dead_sensor_look(&z->dead, state);
-    dead_sensor_look(&z->high, state);
-    dead_sensor_look(&z->low, state);
+    if (z->settled == state)
+        return;
+    z->settled = state;
+    z->zero = dead_sensor_settled(&z->dead, state);
+    z->far_above = dead_sensor_settled(&z->high, state);
+    z->far_below = dead_sensor_settled(&z->low, state);
     if (sensor->range)
-        dead_sensor_look(&z->healthy, state);
+        z->in_range = dead_sensor_settled(&z->healthy, state);
 }
 
 // From the sensor to the output, in order; a part that reads the sensor itself needs no steps.
@@ -258,7 +263,7 @@ static void ask(Zero *z, const StmtPlace *at, const Var *sensor)
     const Parts parts = parts_of(at);
     const Part *because;
 
-    look(z, at->state, sensor);
+    settle(z, at->state, sensor);
     because = part_because(z, &parts, sensor);
     if (because && !is_answer(z, at, because, sensor) && goes_on(z, at) && ends_on(z, at))
         report(z, at, sensor, because);
@@ -280,6 +285,7 @@ static void ask_about(Zero *z, const Var *sensor)
     if (list->n == 0)
         return;
     z->last.f = NULL;
+    z->settled = NULL;
     suppose_readings(z, sensor);
     for (size_t i = 0; i < list->n; i++)
         ask(z, &list->at[i], sensor);

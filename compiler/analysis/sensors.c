@@ -273,6 +273,8 @@ static void note_uses(const StmtPlace *at, void *context)
     r->state = at->state->number;
     if (at->stmt->value)
         expr_walk(at->stmt->value, note_use, r);
+    if (at->stmt->kind == ST_ASSIGN && !at->when && at->block != BLOCK_EXIT)
+        vec_push(r->s->a->arena, &r->s->kept[r->state - 1], at->stmt->var->index);
 }
 
 static void list_reads(Sensors *s)
@@ -295,6 +297,7 @@ const Sensors *sensors_of(Analysis *a)
     s->stores = ARENA_ARRAY(arena, Stores, n);
     s->local = ARENA_ARRAY(arena, Numbers, states);
     s->window = ARENA_ARRAY(arena, Numbers, states);
+    s->kept = ARENA_ARRAY(arena, Numbers, states);
     find_commands(s);
     spread(s);
     list_reads(s);

@@ -26,6 +26,7 @@ typedef struct Sensors {
     Looks *looks;                 // by Var.index, and behind these by Stmt.number, of a conditional: its guard and those around it
     Stores *stores;               // by Var.index
     Numbers *local, *window;      // by state (State.number - 1): the locals and the windows that its blocks read, each once
+    Numbers *kept;                // by state: the locals that it stores at each step or when it begins, under no guard
 } Sensors;
 
 const Sensors *sensors_of(Analysis *a);

@@ -20,6 +20,7 @@ F64  last = 0
 U16  same = 0
 bool over = false
 F64  limit = 40
+F64  noted = -1
 F64  most = 40 @read_only
 
 [Both]                      #! W0902 state 'Both' can abort only by 'pressure': if this sensor sticks, say at 20.25,
@@ -110,6 +111,14 @@ F64  most = 40 @read_only
 .step
     level > limit: -> Abort
     limit = 40 - G
+    T > 5000: -> Noted
+[Noted]                     # may still hold its initial value
+.step
+    noted < 0 or noted > 90: -> Abort
+    T > 5000: -> Note
+[Note]
+.step
+    noted = level
     T > 5000: -> Named
 [Named]                     #! W0902 'level'
 .step

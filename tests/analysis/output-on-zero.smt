@@ -17,7 +17,8 @@ bool valve
 F64  setting
 U8   fault
 [local]
-F64  filtered = 20
+F64  filtered = 0
+F64  later = 20
 F64  low = 5
 bool cold = false
 F64  least = 5 @read_only
@@ -112,10 +113,12 @@ F64  least = 5 @read_only
     cold = wall < 10
     cold: valve = true                                  #! W0903 'wall'
     filtered = filtered + 0.1 * (pressure - filtered)
+    later = pressure
     T > 5000: -> Filter
 [Filter]
 .step
     filtered < 15: heater = true                        #! W0903 'pressure'
+    later < 15: valve = true                            # not said to be stored before
     pressure < low: valve = true                        # low can be anything
     low = G
     pressure < least: setting = 3                       #! W0903
