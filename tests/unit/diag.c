@@ -344,7 +344,7 @@ static void test_markdown(void)
     diags_write_markdown(&out);
     for (int i = 0; i < DIAG_COUNT; i++)
         rows += diag_info[i].id != NULL;
-    for (at = strstr(buf_text(&out), "\n## Characters"); (at = strstr(at, "\n### ")) != NULL; at++)
+    for (at = strstr(buf_text(&out), "\n## 1 "); (at = strstr(at, "\n### ")) != NULL; at++)
         pages++;
     CHECK(rows == pages);
     arena_free(&arena);
