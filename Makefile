@@ -294,10 +294,10 @@ CHECK_LINES += "fault-memory: $(B)/fault/memory $(FAULT_CASES)" "fault-command: 
 # tests/psl: what the headers of runtime-c/pal promise, on each platform.  Linux: with IIO devices in a folder of the test, and with
 # calls that the test can let fail; the other watchdog is only compiled.
 ,               := ,
-PSL_SUITE       = $(filter-out tests/psl/bench_% tests/psl/own_%,$(wildcard tests/psl/*.c))
+PSL_SUITE       = $(filter-out tests/psl/bench_% tests/psl/own_% tests/psl/qemu_%,$(wildcard tests/psl/*.c))
 PSL_WATCHDOG    = watchdog_process
 PSL_FLAGS_linux = -DPSL_LINUX_IIO='"iio"'
-PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync rename unlink)
+PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync rename unlink pthread_mutex_timedlock)
 define psl_test
 include runtime-c/psl/$(1)/psl.mk
 PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c
@@ -319,6 +319,19 @@ $(B)/psl/tsan: $(PSL_SRC_linux)
 	-$(call say,CC)$(CC) $(STRICT_C) -O1 -g $(PSL_FLAGS_linux) -fsanitize=thread $^ -o $@ $(PSL_WRAP_linux) $(PSL_LIBS_linux) 2>/dev/null || rm -f $@
 check: $(B)/psl/tsan
 CHECK_LINES += "psl-tsan: if test -x $(B)/psl/tsan; then TSAN_OPTIONS=report_mutex_bugs=0 $(B)/psl/tsan; else echo 0 passed, 0 failed, 1 skipped; fi"
+
+# `make psl-qemu KERNEL=FOLDER`: Linux with real pins and a real watchdog, in an emulator (qemu-system-arm gcc-arm-linux-gnueabihf
+# libc6-dev-armhf-cross cpio; FOLDER: where a linux-image-*-armmp:armhf of Debian was unpacked by dpkg-deb -x).
+ARM_CC   ?= arm-linux-gnueabihf-gcc
+PSL_ARM   = $(ARM_CC) $(STRICT_C) $(WARN) -O1 -static
+PSL_HARD  = $(patsubst %/watchdog_process.c,%/watchdog.c,$(PSL_SRC_linux))
+psl-qemu:
+	@mkdir -p $(B)/psl/qemu
+	$(PSL_ARM) $(PSL_FLAGS_linux) $(PSL_SRC_linux) -o $(B)/psl/qemu/suite $(PSL_WRAP_linux) $(PSL_LIBS_linux)
+	$(PSL_ARM) $(PSL_FLAGS_linux) $(PSL_HARD) -o $(B)/psl/qemu/suite-watchdog $(PSL_WRAP_linux) $(PSL_LIBS_linux)
+	$(PSL_ARM) tests/psl/qemu_init.c -o $(B)/psl/qemu/init
+	@KERNEL='$(KERNEL)' sh tests/psl/qemu.sh $(B)/psl/qemu $(B)/psl/qemu/suite $(B)/psl/qemu/suite-watchdog $(B)/psl/qemu/init
+.PHONY: psl-qemu
 
 # ---- installing ----
 

@@ -34,7 +34,7 @@ Bench bench = {
     .name = "linux", .clock = HAS, .console = HAS, .threads = HAS, .locks = HAS, .sockets = HAS,
     .nvm = HAS, .nvm_name = "nvm", .nvm_size = 1000, .nvm_missing = "no-such-folder/nvm",
     .serial = HAS, .serial_name = line, .far_send = far_send, .far_receive = far_receive, .far_unplug = far_unplug,
-    .dio = HAS_NOTHING_THERE, .pins = {2, 3}, .pin_missing = 999,
+    .dio = HAS_NOTHING_THERE, .pins = {4, 5}, .pin_missing = 999,
     .aio = HAS, .channel_in = 1, .channel_out = 0, .channel_missing = 2000, .analog_wired = true,
     .watchdog = HAS,
     .own = own_linux,

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the Linux platform promises beyond the headers: files of non-volatile memory after a cut at any moment and on a full
-// disk; what the console, analog channels and the watchdog really do.  The system's calls come here first (ld's --wrap), so
-// that each of them can be made to fail.
+// disk; what signals, rights and a time of day that is set must not change; what console, analog channels and watchdog really
+// do.  The system's calls come here first (ld's --wrap), so that each of them can be made to fail.
 #define _GNU_SOURCE
 #include <errno.h>
-#include <stdio.h>
-#include <stdlib.h>
+#include <pthread.h>
 #include <signal.h>
+#include <stdio.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "runtime-c/pal/aio.h"
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/console.h"
+#include "runtime-c/pal/lock.h"
 #include "runtime-c/pal/nvm.h"
+#include "runtime-c/pal/socket.h"
+#include "runtime-c/pal/thread.h"
 #include "runtime-c/pal/watchdog.h"
 #include "tests/psl/suite.h"
 
@@ -22,22 +27,28 @@ ssize_t __real_write(int fd, const void *from, size_t n);
 int __real_fsync(int fd);
 int __real_rename(const char *from, const char *to);
 int __real_unlink(const char *path);
+int __real_pthread_mutex_timedlock(pthread_mutex_t *mutex, const struct timespec *end);
 ssize_t __wrap_write(int fd, const void *from, size_t n);
 int __wrap_fsync(int fd);
 int __wrap_rename(const char *from, const char *to);
 int __wrap_unlink(const char *path);
+int __wrap_pthread_mutex_timedlock(pthread_mutex_t *mutex, const struct timespec *end);
 
 static struct {
+    bool watching;            // whether a test looks at the calls
     int left;                 // calls that still work; below 0: all
     int error;                // what the next one fails with
     bool for_good;            // and all after it: the power is gone
     char log[64];             // a letter for each call
-} faults = {-1, 0, false, ""};
+} faults = {false, -1, 0, false, ""};
 
 static bool fails(char letter)
 {
-    size_t n = strlen(faults.log);
+    size_t n;
 
+    if (!faults.watching)
+        return false;
+    n = strlen(faults.log);
     if (n + 1 < sizeof faults.log)
         faults.log[n] = letter, faults.log[n + 1] = '\0';
     if (faults.left < 0 || faults.left-- > 0)
@@ -62,8 +73,15 @@ int __wrap_fsync(int fd) { return fails('f') ? -1 : __real_fsync(fd); }
 int __wrap_rename(const char *from, const char *to) { return fails('r') ? -1 : __real_rename(from, to); }
 int __wrap_unlink(const char *path) { return fails('u') ? -1 : __real_unlink(path); }
 
+// As if the time of day were set beyond `end` while it waits.
+int __wrap_pthread_mutex_timedlock(pthread_mutex_t *mutex, const struct timespec *end)
+{
+    return fails('l') ? ETIMEDOUT : __real_pthread_mutex_timedlock(mutex, end);
+}
+
 static void fault(int left, int error, bool for_good)
 {
+    faults.watching = true;
     faults.left = left;
     faults.error = error;
     faults.for_good = for_good;
@@ -72,7 +90,7 @@ static void fault(int left, int error, bool for_good)
 
 static void no_fault(void)
 {
-    faults.left = -1;
+    faults.watching = false;
 }
 
 // ---- non-volatile memory ----
@@ -117,6 +135,7 @@ static void in_this_order(void)
 
     fault(-1, 0, false);
     fill(memory, 3);
+    no_fault();
     CHECK(strcmp(faults.log, "wwwfrf") == 0);
     CHECK(pal_nvm_close(memory) == SM_OK);
 }
@@ -200,7 +219,7 @@ static void no_file(void)
     PalNvm memory = {0};
 
     CHECK(pal_nvm_open(&memory, ".", 1) == SM_E_UNSUPPORTED);
-    CHECK(mkfifo("pipe", 0600) == 0 && symlink("pipe", "link") == 0);
+    CHECK(mkfifo("pipe", 0600) == 0 && symlink(memory_name, "link") == 0);
     CHECK(pal_nvm_open(&memory, "pipe", 1) == SM_E_UNSUPPORTED);
     CHECK(pal_nvm_open(&memory, "link", 1) == SM_E_UNSUPPORTED);
     CHECK(pal_nvm_open(&memory, "pipe/x", 1) == SM_E_MISSING);
@@ -218,6 +237,93 @@ static void nvm(void)
     lengthens();
     no_file();
     unlink(memory_name);
+}
+
+// ---- time ----
+
+static void on_alarm(int number)
+{
+    (void)number;
+}
+
+// Signals come all the time: sleeps and waits are as long as ever.
+static void signals(void)
+{
+    const struct itimerval often = {{0, 1000}, {0, 1000}}, never = {{0, 0}, {0, 0}};
+    const PalAddress here = {{127, 0, 0, 1}, 0};
+    PalSocket s = {0};
+    uint64_t before;
+    uint8_t x;
+    size_t n;
+
+    CHECK(pal_socket_udp(&s, &here) == SM_OK);
+    CHECK(signal(SIGALRM, on_alarm) != SIG_ERR && setitimer(ITIMER_REAL, &often, NULL) == 0);
+    before = pal_clock_now();
+    CHECK(pal_clock_sleep_until(before + 20 * MS) == SM_OK && pal_clock_now() >= before + 20 * MS);
+    before = pal_clock_now();
+    CHECK(pal_socket_receive_from(s, NULL, &x, 1, &n, 20 * MS) == SM_E_TIMEOUT && pal_clock_now() >= before + 20 * MS);
+    CHECK(setitimer(ITIMER_REAL, &never, NULL) == 0);
+    CHECK(pal_socket_close(s) == SM_OK);
+}
+
+static void hold(void *lock)
+{
+    pal_lock_take(*(PalLock *)lock, PAL_SECOND);
+    pal_clock_sleep_until(pal_clock_now() + 20 * MS);
+    pal_lock_give(*(PalLock *)lock);
+}
+
+// A lock is waited for by the monotonic clock, whatever happens to the time of day.
+static void time_is_set(void)
+{
+    const PalThreadPlan plan = {NULL, 0, 0};
+    PalThread thread = {0};
+    PalLock lock = {0};
+
+    CHECK(pal_lock_open(&lock) == SM_OK);
+    CHECK(pal_thread_create(&thread, &plan, hold, &lock) == SM_OK);
+    pal_clock_sleep_until(pal_clock_now() + 5 * MS);
+    fault(0, 0, false);
+    CHECK(pal_lock_take(lock, 20 * (uint64_t)PAL_SECOND) == SM_OK);
+    no_fault();
+    CHECK(pal_lock_give(lock) == SM_OK);
+    CHECK(pal_thread_join(thread, PAL_SECOND) == SM_OK);
+    CHECK(pal_lock_close(lock) == SM_OK);
+}
+
+// ---- priorities ----
+
+static void nothing(void *argument)
+{
+    (void)argument;
+}
+
+// 0 if everything is as it should be for somebody who may not have a real-time priority.
+static int without_rights(void)
+{
+    const struct rlimit none = {0, 0};
+    const PalThreadPlan plan = {NULL, 10, 0};
+    PalThread thread = {0};
+
+    if (setrlimit(RLIMIT_RTPRIO, &none) != 0 || setuid(65534) != 0)
+        return 1;
+    if (pal_thread_set_priority(10) != SM_E_DENIED || pal_thread_create(&thread, &plan, nothing, NULL) != SM_OK)
+        return 2;
+    return pal_thread_is_realtime(thread) || pal_thread_join(thread, PAL_SECOND) != SM_OK ? 3 : 0;
+}
+
+static void priorities(void)
+{
+    int status = 0;
+    pid_t pid;
+
+    if (geteuid() != 0)                                   // then the contract has shown it
+        return;
+    fflush(NULL);
+    pid = fork();
+    if (pid == 0)
+        _exit(without_rights());
+    CHECK(pid > 0 && waitpid(pid, &status, 0) == pid && status == 0);
 }
 
 // ---- the console ----
@@ -329,6 +435,9 @@ static void watchdog(void)
 Tally own_linux(void)
 {
     nvm();
+    signals();
+    time_is_set();
+    priorities();
     console();
     aio();
     watchdog();

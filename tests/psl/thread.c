@@ -80,10 +80,10 @@ static bool is_stopped(Loop *l)
     return stop;
 }
 
-static void stop(Loop *l)
+static void set_stop(Loop *l, bool to)
 {
     pal_lock_take(l->lock, PAL_SECOND);
-    l->stop = true;
+    l->stop = to;
     pal_lock_give(l->lock);
 }
 
@@ -93,8 +93,32 @@ static void loop(void *of)
 
     while (!is_stopped(l))
         pal_clock_sleep_until(pal_clock_now() + MS);
-    if (l->self.id != 0)                                  // written before stop, under the lock
-        l->joined = pal_thread_join(l->self, 0);
+    if (l->self.id == 0)
+        return;
+    pal_lock_take(l->lock, PAL_SECOND);
+    l->joined = pal_thread_join(l->self, 0);
+    pal_lock_give(l->lock);
+    while (is_stopped(l))                                  // until another has looked at it
+        pal_clock_sleep_until(pal_clock_now() + MS);
+}
+
+// Lets the thread join itself while nobody else does.
+static void join_itself(Loop *l, PalThread thread)
+{
+    SmResult joined = SM_OK;
+
+    pal_lock_take(l->lock, PAL_SECOND);
+    l->self = thread;
+    l->stop = true;
+    pal_lock_give(l->lock);
+    while (joined == SM_OK) {
+        pal_clock_sleep_until(pal_clock_now() + MS);
+        pal_lock_take(l->lock, PAL_SECOND);
+        joined = l->joined;
+        pal_lock_give(l->lock);
+    }
+    CHECK(joined == SM_E_BUSY);
+    set_stop(l, false);
 }
 
 static void join_waits(void)
@@ -109,12 +133,8 @@ static void join_waits(void)
     before = pal_clock_now();
     CHECK(pal_thread_join(thread, 5 * MS) == SM_E_TIMEOUT);
     CHECK(pal_clock_now() - before >= 5 * MS);
-    pal_lock_take(l.lock, PAL_SECOND);
-    l.self = thread;
-    pal_lock_give(l.lock);
-    stop(&l);
+    join_itself(&l, thread);
     CHECK(pal_thread_join(thread, LONG) == SM_OK);
-    CHECK(l.joined == SM_E_BUSY);
     CHECK(pal_lock_close(l.lock) == SM_OK);
 }
 
@@ -127,7 +147,7 @@ static void table_is_full(void)
     for (int i = 0; i < PAL_THREADS; i++)
         CHECK(pal_thread_create(&threads[i], &plain, loop, &l) == SM_OK);
     CHECK(pal_thread_create(&more, &plain, loop, &l) == SM_E_FULL && more.id == 0);
-    stop(&l);
+    set_stop(&l, true);
     for (int i = 0; i < PAL_THREADS; i++)
         CHECK(pal_thread_join(threads[i], LONG) == SM_OK);
     CHECK(pal_thread_create(&more, &plain, loop, &l) == SM_OK);
