@@ -2,6 +2,7 @@
 // What socket.h promises, by way of this computer's own address 127.0.0.1.
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/socket.h"
+#include "runtime-c/pal/thread.h"
 #include "tests/psl/suite.h"
 
 #define SOON PAL_SECOND
@@ -219,7 +220,7 @@ static void peer_goes(void)
 // The peer reads nothing: send gives up in time, says how far it came, and nothing of that is lost.
 static void peer_is_slow(void)
 {
-    static uint8_t bytes[65536], in[65536];
+    static uint8_t bytes[8192], in[8192];
     Pair p = connected();
     size_t all = 0, n = 0, came = 0;
     bool same_bytes = true;
@@ -227,7 +228,7 @@ static void peer_is_slow(void)
 
     for (size_t i = 0; i < sizeof bytes; i++)
         bytes[i] = (uint8_t)(i % 251);
-    for (int i = 0; i < 1000 && r == SM_OK; i++) {
+    for (int i = 0; i < 10000 && r == SM_OK; i++) {
         r = pal_socket_send(p.near, bytes, sizeof bytes, &n, 5 * MS);
         all += n;
     }
@@ -237,6 +238,46 @@ static void peer_is_slow(void)
             same_bytes = same_bytes && in[i] == bytes[came % sizeof bytes];
     CHECK(came == all && same_bytes);
     close_all(p);
+}
+
+typedef struct Reader {
+    PalSocket socket;
+    size_t came;
+    bool same_bytes;
+} Reader;
+
+// Takes what comes, in small pieces, until the peer closes.
+static void read_all(void *of)
+{
+    Reader *r = of;
+    uint8_t in[1000];
+    size_t n = 0;
+
+    while (pal_socket_receive(r->socket, in, sizeof in, &n, SOON) == SM_OK)
+        for (size_t i = 0; i < n; i++, r->came++)
+            r->same_bytes = r->same_bytes && in[i] == r->came % 251;
+}
+
+// More than there is room for on the way: one call of send hands it over bit by bit, while another thread reads.
+static void peer_reads(void)
+{
+    static uint8_t bytes[251 * 40000];
+    const PalThreadPlan plan = {NULL, 0, 0};
+    PalThread thread = {0};
+    Pair p = connected();
+    Reader r = {{0}, 0, true};
+    size_t n = 0;
+
+    for (size_t i = 0; i < sizeof bytes; i++)
+        bytes[i] = (uint8_t)(i % 251);
+    r.socket = p.far;
+    CHECK(pal_thread_create(&thread, &plan, read_all, &r) == SM_OK);
+    CHECK(pal_socket_send(p.near, bytes, sizeof bytes, &n, 60 * (uint64_t)PAL_SECOND) == SM_OK && n == sizeof bytes);
+    CHECK(pal_socket_close(p.near) == SM_OK);
+    CHECK(pal_thread_join(thread, 60 * (uint64_t)PAL_SECOND) == SM_OK);
+    CHECK(r.came == sizeof bytes && r.same_bytes);
+    CHECK(pal_socket_close(p.far) == SM_OK);
+    CHECK(pal_socket_close(p.listening) == SM_OK);
 }
 
 static void nobody_there(void)
@@ -318,6 +359,8 @@ Tally contract_socket(void)
     streams_arrive();
     peer_goes();
     peer_is_slow();
+    if (bench.threads == HAS)
+        peer_reads();
     nobody_there();
     bad_stream_arguments();
     table_is_full();
