@@ -121,15 +121,13 @@ static PalSocket socket_at(uint16_t port)
     return s;
 }
 
-static void send_numbers(PalSocket s, int n)
+// One datagram for each letter.
+static void send_letters(PalSocket s, const char *letters)
 {
     const PalAddress to = {{10, 0, 0, 1}, 2000};
 
-    for (int i = 0; i < n; i++) {
-        uint8_t x = (uint8_t)('a' + i);
-
-        CHECK(pal_socket_send_to(s, &to, &x, 1) == SM_OK);
-    }
+    for (; *letters; letters++)
+        CHECK(pal_socket_send_to(s, &to, letters, 1) == SM_OK);
 }
 
 // What arrives within the timeout, in order.
@@ -144,6 +142,24 @@ static const char *received(PalSocket s, uint64_t timeout)
     return text;
 }
 
+// What is sent later over a faster network arrives first; whoever waits is woken when it arrives.
+static void overtaking(PalSocket a, PalSocket b)
+{
+    const SimNetwork slow = {10 * MS, 0, 0, 0}, fast = {MS, 0, 0, 0};
+    uint64_t before = pal_clock_now();
+    uint8_t x = 0;
+    size_t n = 0;
+
+    sim_network(slow);
+    send_letters(a, "a");
+    sim_network(fast);
+    send_letters(a, "b");
+    CHECK(pal_socket_receive_from(b, NULL, &x, 1, &n, PAL_SECOND) == SM_OK && x == 'b');
+    CHECK(pal_clock_now() == before + MS);
+    CHECK(pal_socket_receive_from(b, NULL, &x, 1, &n, PAL_SECOND) == SM_OK && x == 'a');
+    CHECK(pal_clock_now() == before + 10 * MS);
+}
+
 static void datagrams(void)
 {
     const SimNetwork lossy = {0, 3, 0, 0}, doubling = {0, 0, 2, 0}, swapping = {0, 0, 0, 2}, slow = {10 * MS, 0, 0, 0};
@@ -152,21 +168,22 @@ static void datagrams(void)
     sim_reset();
     a = socket_at(1000);
     b = socket_at(2000);
-    send_numbers(a, 4);
+    send_letters(a, "abcd");
     CHECK(strcmp(received(b, 0), "abcd") == 0);
     sim_network(lossy);
-    send_numbers(a, 6);
+    send_letters(a, "abcdef");
     CHECK(strcmp(received(b, 0), "abde") == 0);
     sim_network(doubling);
-    send_numbers(a, 4);
+    send_letters(a, "abcd");
     CHECK(strcmp(received(b, 0), "abbcdd") == 0);
     sim_network(swapping);
-    send_numbers(a, 6);
+    send_letters(a, "abcdef");
     CHECK(strcmp(received(b, 0), "acbedf") == 0);         // the last has nothing to come after
     sim_network(slow);
-    send_numbers(a, 2);
+    send_letters(a, "ab");
     CHECK(strcmp(received(b, 9 * MS), "") == 0);
     CHECK(strcmp(received(b, MS), "ab") == 0);
+    overtaking(a, b);
 }
 
 // ---- non-volatile memory ----
