@@ -202,7 +202,7 @@ void dead_sensor_reads(DeadSensor *d, const Var *sensor, Fact f)
     d->question++;
     d->sensor = sensor;
     d->reads = f;
-    d->env = suppose(&d->what, NULL, sensor, f);
+    d->env = suppose(&d->what, d->what.facts->constants, sensor, f);
 }
 
 static void look_into(DeadSensor *d, const State *state)

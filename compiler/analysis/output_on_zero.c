@@ -117,7 +117,7 @@ static const Part *part_because(const Zero *z, const Parts *p, const Var *sensor
         if (!is_sure(truth(&z->dead.what, z->zero, part))) {
             if (wants_another(z, part, sensor))
                 return NULL;
-        } else if (!because && !is_sure(truth(z->a, NULL, part))) {
+        } else if (!because && !is_sure(truth(z->a, z->a->facts->constants, part))) {
             because = part;
         }
     }

@@ -22,6 +22,7 @@ F64  later = 20
 F64  low = 5
 bool cold = false
 F64  least = 5 @read_only
+F64  unmarked = 5
 
 [Guards]
 .step
@@ -122,6 +123,7 @@ F64  least = 5 @read_only
     pressure < low: valve = true                        # low can be anything
     low = G
     pressure < least: setting = 3                       #! W0903
+    pressure < unmarked: fault = 3                      #! W0903
     T > 5000: -> Others
 [Others]
 .step
