@@ -48,11 +48,11 @@ const char *const report_style[] = {
     ".plot .both{fill:var(--trace-soft)}.plot .begin{fill:var(--bg);stroke:var(--bad);stroke-width:1.6}"
     ".plot .cut{stroke:var(--dim);stroke-width:.7;stroke-dasharray:2 3}.plot .hatch{stroke:#000;stroke-opacity:.35;stroke-width:1}"
     ".plot .tint{fill-opacity:.13}.plot .name{fill:#10202e;font-weight:600}\n",
-    ".s0{fill:#a9c8ea}.s1{fill:#f6c88f}.s2{fill:#a8d8b0}.s3{fill:#e3a9b8}.s4{fill:#d6c6f0}.s5{fill:#f3e48c}.s6{fill:#9ad5d8}.s7{fill:#cfcfcf}\n",
-    "@media print{html{font-size:10pt}body{max-width:none;padding:0;font-size:10pt;line-height:1.35}th,td{padding:.2rem .5rem}header{padding-top:0}section{margin:0 0 8mm}"
-    "#states,#variables,#scripts,#source{break-before:page}article,tr,figure,.ex,dl div,.do li{break-inside:avoid}"
+    ".s0{fill:#d6e6f7}.s1{fill:#e2a55e}.s2{fill:#bfe5c7}.s3{fill:#cf8aa2}.s4{fill:#ece2fb}.s5{fill:#d3bd45}.s6{fill:#8fcbcf}.s7{fill:#a3a3a3}\n",
+    "@media print{html{font-size:10pt}body{max-width:none;padding:0 1px;font-size:10pt;line-height:1.35}th,td{padding:.2rem .5rem}header{padding-top:0}section{margin:0 0 8mm}"
+    "#states,#variables,#scripts,#source{break-before:page}article,tr,figure,blockquote,.ex,dl div,.do li{break-inside:avoid}"
     "h2,h3,.do b{break-after:avoid}#scripts article{break-inside:auto}#scripts blockquote{break-after:avoid}nav ol{columns:3}a{color:inherit}.wide,pre,figure{overflow:visible}"
     "pre{white-space:pre-wrap}.source{font-size:8.5pt;border:0;background:none;padding:0}thead{display:table-header-group}"
-    "dl{grid-template-columns:repeat(3,1fr)}tbody tr:hover{background:none}.badge{border:1px solid #000}\n"
+    "dl{grid-template-columns:repeat(3,minmax(0,1fr))}tbody tr:hover{background:none}.badge{border:1px solid #000}\n"
     "@page{margin:16mm 14mm;@bottom-right{content:counter(page) \" of \" counter(pages);font:9pt sans-serif}}}\n",
     0};
