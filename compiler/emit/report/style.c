@@ -25,7 +25,7 @@ const char *const report_style[] = {
     ".wide{overflow-x:auto}table{border-collapse:collapse;width:100%;font-size:.93rem;margin:.4rem 0 1rem}\n",
     "th,td{text-align:left;vertical-align:top;padding:.35rem .6rem;border-bottom:1px solid var(--line)}\n",
     "th{color:var(--dim);font-weight:600;border-bottom:2px solid var(--line)}tbody tr:hover{background:var(--soft)}\n",
-    "table.narrow{width:auto}td code{overflow-wrap:anywhere}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td.b,th.b{white-space:nowrap;font-variant-numeric:tabular-nums}\n",
+    "table.narrow{width:auto}td code{overflow-wrap:break-word}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td.b,th.b{white-space:nowrap;font-variant-numeric:tabular-nums}\n",
     ".bar{display:inline-block;width:7rem;height:.7em;background:var(--soft);border:1px solid var(--line);margin-right:.4em}"
     ".bar i{display:block;height:100%;background:var(--accent)}\n",
     "dl{display:grid;grid-template-columns:repeat(auto-fill,minmax(15rem,1fr));gap:.6rem;margin:.8rem 0 1.2rem}\n",
@@ -49,7 +49,7 @@ const char *const report_style[] = {
     ".plot .cut{stroke:var(--dim);stroke-width:.7;stroke-dasharray:2 3}.plot .hatch{stroke:#000;stroke-opacity:.35;stroke-width:1}"
     ".plot .tint{fill-opacity:.13}.plot .name{fill:#10202e;font-weight:600}\n",
     ".s0{fill:#d6e6f7}.s1{fill:#e2a55e}.s2{fill:#bfe5c7}.s3{fill:#cf8aa2}.s4{fill:#ece2fb}.s5{fill:#d3bd45}.s6{fill:#8fcbcf}.s7{fill:#a3a3a3}\n",
-    "@media print{html{font-size:10pt}body{max-width:none;padding:0 1px;font-size:10pt;line-height:1.35}th,td{padding:.2rem .5rem}header{padding-top:0}section{margin:0 0 8mm}"
+    "@media print{td code{overflow-wrap:anywhere}html{font-size:10pt}body{max-width:none;padding:0 1px;font-size:10pt;line-height:1.35}th,td{padding:.2rem .5rem}header{padding-top:0}section{margin:0 0 8mm}"
     "#states,#variables,#scripts,#source{break-before:page}article,tr,figure,blockquote,.ex,dl div,.do li{break-inside:avoid}"
     "h2,h3,.do b{break-after:avoid}#scripts article{break-inside:auto}#scripts blockquote{break-after:avoid}nav ol{columns:3}a{color:inherit}.wide,pre,figure{overflow:visible}"
     "pre{white-space:pre-wrap}.source{font-size:8.5pt;border:0;background:none;padding:0}thead{display:table-header-group}"
