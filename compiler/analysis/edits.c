@@ -18,6 +18,16 @@ static uint32_t skip_blanks(const Source *src, uint32_t at)
     return at;
 }
 
+// Whether the line above begins with an annotation: it belongs to what stands here.
+static bool is_annotated(const Source *src, uint32_t at)
+{
+    while (at > 0 && (is_blank(src->text[at - 1]) || src->text[at - 1] == '\n'))
+        at--;
+    while (at > 0 && src->text[at - 1] != '\n')
+        at--;
+    return src->text[skip_blanks(src, at)] == '@';
+}
+
 // The whole line goes; a remark behind the statement stays, on a line of its own.
 void edit_remove(Diags *diags, Diag *d, const Stmt *stmt, const Stmts *list, bool is_block)
 {
@@ -25,7 +35,7 @@ void edit_remove(Diags *diags, Diag *d, const Stmt *stmt, const Stmts *list, boo
     const uint32_t begin = line_begin(src, stmt->span.at), end = skip_blanks(src, stmt->span.at + stmt->span.len);
     Span span = {src, stmt->span.at, 0};
 
-    if ((!is_block && list->n == 1) || begin == UINT32_MAX || end >= src->len)
+    if ((!is_block && list->n == 1) || begin == UINT32_MAX || end >= src->len || is_annotated(src, begin))
         return;
     if (src->text[end] == '\n') {
         span.at = begin;

@@ -202,7 +202,7 @@ static void test_analyses(void)
     CHECK(s.diags.warnings == 6);
     CHECK(warns(&s, DIAG_unused_element, "'unused'") && warns(&s, DIAG_unused_local, "'never'"));
     CHECK(warns(&s, DIAG_unread_local, "'b'"));
-    CHECK(warns(&s, DIAG_unreachable_state, "'Three'") && warns(&s, DIAG_unreachable_state, "'Four'"));
+    CHECK(warns(&s, DIAG_never_written, "'a'") && warns(&s, DIAG_unused_local, "'pi'"));
     CHECK(warns(&s, DIAG_unreachable_state, "'Five'"));
     session_free(&s);
 }
