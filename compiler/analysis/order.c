@@ -10,7 +10,7 @@
 #include "stdlib/convert.h"
 
 typedef uint64_t Word;
-enum { WORD_BITS = 64 };
+enum { WORD_BITS = 64, STATES_TRIED = 1000 };      // how far the one that writes is looked for
 
 typedef VEC(const State *) States;
 
@@ -23,6 +23,7 @@ typedef struct Order {
     const States *next;           // by State.number: where it leads
     Word *here;                   // what may have been stored when the statement at hand is executed
     bool *told;                   // by Var.index
+    uint32_t *seen, searches;     // by State.number: the last search that has come there
     const State *state;           // at hand
     BlockKind block;
 } Order;
@@ -170,20 +171,20 @@ static void writer_in(Writer *w, const Stmts *stmts)
 }
 
 // The state nearest behind the one at hand that stores the variable, or this one in its .exit.
-static const State *find_later(const Order *o, Writer *w)
+static const State *find_later(Order *o, Writer *w)
 {
     const Analysis *a = o->a;
-    bool *seen = ARENA_ARRAY(a->arena, bool, a->p->state.n + 1);
     States queue = {NULL, 0, 0};
 
+    o->searches++;
     writer_in(w, &o->state->block[BLOCK_EXIT]);
     vec_push(a->arena, &queue, o->state);
-    for (size_t i = 0; i < queue.n && !w->found; i++) {
+    for (size_t i = 0; i < queue.n && i < STATES_TRIED && !w->found; i++) {
         for (size_t t = 0; t < o->next[queue.at[i]->number].n; t++) {
             const State *to = o->next[queue.at[i]->number].at[t];
-            if (!seen[to->number])
+            if (o->seen[to->number] != o->searches)
                 vec_push(a->arena, &queue, to);
-            seen[to->number] = true;
+            o->seen[to->number] = o->searches;
         }
         for (int b = 0; i + 1 < queue.n && b < BLOCK_COUNT; b++)
             writer_in(w, &queue.at[i + 1]->block[b]);
@@ -281,6 +282,7 @@ void analyse_order(Analysis *a)
     o.after = spread(&o, true);
     o.here = ARENA_ARRAY(a->arena, Word, o.words);
     o.told = ARENA_ARRAY(a->arena, bool, a->p->var.n);
+    o.seen = ARENA_ARRAY(a->arena, uint32_t, a->p->state.n + 1);
     for (size_t s = 0; s < a->p->state.n; s++) {
         o.state = a->p->state.at[s];
         look_at_state(&o);

@@ -4,7 +4,8 @@
 #include "compiler/analysis/edits.h"
 #include "compiler/analysis/liveness.h"
 
-enum { STATES_TRIED = 100 };      // how far the assignment that overwrites is looked for
+// How far the assignment that overwrites is looked for; how many blocks are walked for all of them together.
+enum { STATES_TRIED = 100, BLOCKS_WALKED = 10000000 };
 
 typedef struct Home {             // where a statement stands
     const Stmt *stmt;
@@ -17,6 +18,8 @@ typedef struct Stores {
     Home *home;                   // by Stmt.number
     size_t *first;                // by state: where its transitions begin in the list of all; one more for the end
     uint32_t *seen, searches;     // by state: the last search that has come there
+    uint32_t *walked, walks;      // by block of a function: the last walk that has come there
+    size_t work;                  // blocks that may still be walked
 } Stores;
 
 // ---- itself ----
@@ -42,36 +45,42 @@ static void look_at_stmts(Stores *k, const Stmts *list, bool is_block)
 
 // ---- what overwrites ----
 
-// The first store to var in f behind ins.at[at] of block blk that control can come to; NULL if there is none.
-static const IrIns *store_behind(Arena *arena, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var)
+static const IrIns *store_in(const IrFn *f, size_t blk, size_t at, uint32_t var)
 {
-    bool *reached = ARENA_ARRAY(arena, bool, f->blk.n);
-
-    reached[blk] = true;
-    for (size_t b = blk; b < f->blk.n; b++) {
-        const IrJump *j = &f->blk.at[b].jump;
-        if (!reached[b])
-            continue;
-        for (size_t k = b == blk ? at : 0; k < f->blk.at[b].ins.n; k++) {
-            const IrIns *i = &f->ins.at[f->blk.at[b].ins.at[k]];
-            if (i->op == IR_store && i->var == var)
-                return i;
-        }
-        if (j->kind == IR_BR || j->kind == IR_JMP)
-            reached[j->then] = true;
-        if (j->kind == IR_BR)
-            reached[j->otherwise] = true;
+    for (size_t k = at; k < f->blk.at[blk].ins.n; k++) {
+        const IrIns *i = &f->ins.at[f->blk.at[blk].ins.at[k]];
+        if (i->op == IR_store && i->var == var)
+            return i;
     }
     return NULL;
 }
 
-static const IrIns *store_from(const Stores *k, size_t state, int block, uint32_t var)
+// The first store to var in f behind ins.at[at] of block blk that control can come to; NULL if there is none.
+static const IrIns *store_behind(Stores *k, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var)
+{
+    const IrIns *found = NULL;
+
+    k->walked[blk] = ++k->walks;
+    for (size_t b = blk; b < f->blk.n && !found && k->work > 0; b++, k->work--) {
+        const IrJump *j = &f->blk.at[b].jump;
+        if (k->walked[b] != k->walks)
+            continue;
+        found = store_in(f, b, b == blk ? at : 0, var);
+        if (j->kind == IR_BR || j->kind == IR_JMP)
+            k->walked[j->then] = k->walks;
+        if (j->kind == IR_BR)
+            k->walked[j->otherwise] = k->walks;
+    }
+    return found;
+}
+
+static const IrIns *store_from(Stores *k, size_t state, int block, uint32_t var)
 {
     const IrIns *found = NULL;
 
     for (; block < BLOCK_COUNT && !found; block++)
         if (k->a->m->state.at[state].block[block])
-            found = store_behind(k->a->arena, k->a->m->state.at[state].block[block], 0, 0, var);
+            found = store_behind(k, k->a->m->state.at[state].block[block], 0, 0, var);
     return found;
 }
 
@@ -104,7 +113,7 @@ static const IrIns *store_in_later_state(Stores *k, size_t from, uint32_t var)
 static const IrIns *overwriter(Stores *k, const DeadStore *dead)
 {
     const uint32_t var = dead->store->var;
-    const IrIns *found = store_behind(k->a->arena, dead->f, dead->blk, dead->at + 1, var);
+    const IrIns *found = store_behind(k, dead->f, dead->blk, dead->at + 1, var);
 
     if (!found)
         found = store_from(k, dead->state, (int)dead->block + 1, var);
@@ -118,23 +127,21 @@ static const IrIns *overwriter(Stores *k, const DeadStore *dead)
 }
 
 // On every way from ins.at[at] of block blk to the end of f var is stored; `after`: and where f returns, it is behind.
-static bool is_always_stored(Arena *arena, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var, bool after)
+static bool is_always_stored(Stores *k, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var, bool after)
 {
-    bool *stored = ARENA_ARRAY(arena, bool, f->blk.n);
+    const uint32_t yes = ++k->walks;
 
-    for (size_t b = f->blk.n; b-- > blk;) {
+    for (size_t b = f->blk.n; b-- > blk && k->work > 0; k->work--) {
         const IrJump *j = &f->blk.at[b].jump;
-        stored[b] = j->kind == IR_RET ? after : j->kind != IR_GOTO && stored[j->then] && (j->kind == IR_JMP || stored[j->otherwise]);
-        for (size_t k = b == blk ? at : 0; k < f->blk.at[b].ins.n; k++) {
-            const IrIns *i = &f->ins.at[f->blk.at[b].ins.at[k]];
-            stored[b] |= i->op == IR_store && i->var == var;
-        }
+        const bool both = j->kind == IR_JMP || (j->kind == IR_BR && k->walked[j->otherwise] == yes);
+        const bool later = j->kind == IR_RET ? after : both && k->walked[j->then] == yes;
+        k->walked[b] = later || store_in(f, b, b == blk ? at : 0, var) ? yes : 0;
     }
-    return stored[blk];
+    return k->walked[blk] == yes;
 }
 
 // An output set to a number in .entry is begun in order, even if all ways through .step and .exit together assign it again.
-static bool is_beginning(const Stores *k, const DeadStore *dead, const Stmt *stmt)
+static bool is_beginning(Stores *k, const DeadStore *dead, const Stmt *stmt)
 {
     const IrFn *step = k->a->m->state.at[dead->state].block[BLOCK_STEP];
     const uint32_t var = dead->store->var;
@@ -142,8 +149,8 @@ static bool is_beginning(const Stores *k, const DeadStore *dead, const Stmt *stm
 
     if (dead->block != BLOCK_ENTRY || stmt->var->kind != VAR_ELEMENT || !expr_is_constant(stmt->value))
         return false;
-    after = step && is_always_stored(k->a->arena, step, 0, 0, var, false);
-    return !is_always_stored(k->a->arena, dead->f, dead->blk, dead->at + 1, var, after);
+    after = step && is_always_stored(k, step, 0, 0, var, false);
+    return !is_always_stored(k, dead->f, dead->blk, dead->at + 1, var, after);
 }
 
 static void look_at_dead(Analysis *a, const DeadStore *dead, void *context)
@@ -163,11 +170,25 @@ static void look_at_dead(Analysis *a, const DeadStore *dead, void *context)
     edit_remove(a->diags, d, home->stmt, home->list, home->is_block);
 }
 
+static size_t most_blocks(const IrMachine *m)
+{
+    size_t most = 1;
+
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            if (m->state.at[s].block[b] && m->state.at[s].block[b]->blk.n > most)
+                most = m->state.at[s].block[b]->blk.n;
+    return most;
+}
+
 void analyse_stores(Analysis *a)
 {
-    Stores k = {a, ARENA_ARRAY(a->arena, Home, a->p->stmts + 1u), transitions_by_state(a->arena, a->p, &a->transition),
-                ARENA_ARRAY(a->arena, uint32_t, a->m->state.n), 0};
+    Stores k = {.a = a, .work = BLOCKS_WALKED};
 
+    k.home = ARENA_ARRAY(a->arena, Home, a->p->stmts + 1u);
+    k.first = transitions_by_state(a->arena, a->p, &a->transition);
+    k.seen = ARENA_ARRAY(a->arena, uint32_t, a->m->state.n);
+    k.walked = ARENA_ARRAY(a->arena, uint32_t, most_blocks(a->m));
     for (size_t s = 0; s < a->p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             look_at_stmts(&k, &a->p->state.at[s]->block[b], true);

@@ -62,7 +62,8 @@ F64 c = a + b @read_only
         @allow(not-precedence, "it is meant")
         x = not v + 2
     }
-    x = 5-- stdout --
+    x = 5
+-- stdout --
 app.sm: 10 fixed
 -- stderr --
 app.sm:18:12: warning: 'y' is assigned to itself [W0412]
