@@ -11,6 +11,7 @@ enum { APART = 14 };              // between neighbours in a layer
 typedef struct Columns {
     Layout *l;
     bool from_below, mirrored;
+    const Link **above, **below;  // by item: its link there that should be straight; or NULL
     uint32_t *root;               // by item: the item that its column is named after
     uint32_t *next;               // by item: the next of its column, in a circle
     int64_t *x;                   // by item, when they are placed
@@ -24,26 +25,29 @@ static bool is_inner(const Layout *l, const Link *k)
     return l->spine[k->edge] || (l->item.at[k->above].kind != ITEM_NODE && l->item.at[k->below].kind != ITEM_NODE);
 }
 
-// An item's link that should be straight, of those above or below; NULL if there is none.
-static const Link *inner_of(const Layout *l, const Links *links, uint32_t item)
+// Of the links above each item, or below, the one that should be straight, the first if there are several.
+static const Link **find_inner(const Layout *l, const Links *links)
 {
-    for (uint32_t k = links->first[item]; k < links->first[item + 1]; k++)
-        if (is_inner(l, &l->link.at[links->at[k]]))
-            return &l->link.at[links->at[k]];
-    return NULL;
+    const Link **out = ARENA_ARRAY(l->arena, const Link *, l->item.n);
+
+    for (size_t i = 0; i < l->item.n; i++)
+        for (uint32_t k = links->first[i]; k < links->first[i + 1] && !out[i]; k++)
+            if (is_inner(l, &l->link.at[links->at[k]]))
+                out[i] = &l->link.at[links->at[k]];
+    return out;
 }
 
 static int64_t pos_of(const Layout *l, uint32_t item) { return l->item.at[item].pos; }
 
 // What crosses a link that is to be straight is not straight itself; of two such that cross each other that is not said.
-static void mark_gap(Layout *l, uint32_t y)
+static void mark_gap(Layout *l, uint32_t y, const Link *const *above)
 {
     const Layer *lower = &l->layer[y + 1];
     int64_t left = -1;
     uint32_t start = 0;
 
     for (uint32_t p = 0; p < lower->n; p++) {
-        const Link *inner = inner_of(l, &l->above, lower->item[p]);
+        const Link *inner = above[lower->item[p]];
         int64_t right = l->layer[y].n;
         if (!inner && p + 1 < lower->n)
             continue;
@@ -86,19 +90,21 @@ static bool try_link(Columns *c, uint32_t item, const Link *link, int64_t *used)
     return true;
 }
 
-// An item joins the neighbour to which its link should be straight, else the middle one; of two, the one further left first.
+// An item joins the neighbour to which its link should be straight, else the middle one; of two, the one further left first.  One
+// that should be straight with another item is left to that.
 static void align(Columns *c, uint32_t item, int64_t *used)
 {
     const Layout *l = c->l;
     const Links *links = c->from_below ? &l->below : &l->above;
     const uint32_t first = links->first[item], n = links->first[item + 1] - first;
-    const Link *inner = inner_of(l, links, item);
+    const Link *inner = (c->from_below ? c->below : c->above)[item];
 
     if (inner && try_link(c, item, inner, used))
         return;
     for (uint32_t k = 0; k < 2 && n > 0; k++) {
         const uint32_t m = (k == 0) != c->mirrored ? (n - 1) / 2 : n / 2;
-        if (try_link(c, item, &l->link.at[links->at[first + m]], used))
+        const Link *link = &l->link.at[links->at[first + m]], *theirs = c->from_below ? c->above[link->below] : c->below[link->above];
+        if ((!theirs || theirs == link) && try_link(c, item, link, used))
             return;
     }
 }
@@ -245,10 +251,11 @@ void layout_place(Layout *l)
 {
     const size_t n = l->item.n;
     int64_t *x[4], narrowest = INT64_MAX;
-    Columns c = {l, false, false, ARENA_ARRAY(l->arena, uint32_t, n), ARENA_ARRAY(l->arena, uint32_t, n), NULL};
+    Columns c = {l, false, false, find_inner(l, &l->above), find_inner(l, &l->below),
+                 ARENA_ARRAY(l->arena, uint32_t, n), ARENA_ARRAY(l->arena, uint32_t, n), NULL};
 
     for (uint32_t y = 0; y + 1 < l->layers; y++)
-        mark_gap(l, y);
+        mark_gap(l, y, c.above);
     for (int k = 0; k < 4; k++) {
         Extent e;
         c.from_below = k & 1;
