@@ -102,14 +102,18 @@ static const char *range_text(Arena *arena, const char *what, Fact f)
 static const char *known_text(const Structure *k, const Stmt *s)
 {
     const Expr *e = compared(s->value);
+    const char *name;
     Fact f;
 
     if (!e)
         return NULL;
+    name = source_text(k->a->arena, e->span);
     f = suppose_value(k->a, k->a->stmt[s->number].env, e);
     if (f.lo > f.hi || f.nan || (f.lo - f.lo != 0 && f.hi - f.hi != 0))
         return NULL;
-    return range_text(k->a->arena, source_text(k->a->arena, e->span), f);
+    if (e->kind == EX_VAR && e->var->type == SM_BOOL)
+        return f.lo < f.hi ? NULL : format_in(k->a->arena, "here '%s' is always %s", name, f.hi > 0 ? "true" : "false");
+    return range_text(k->a->arena, name, f);
 }
 
 // Whether it holds, or does not, whatever the variables are.
@@ -157,7 +161,7 @@ void note_never(Structure *k, Diag *to, const Dead *d)
         diag_note(k->a->diags, to, d->stmt->value->span, DIAG_note_never_holds);
 }
 
-static void report_always(Structure *k, const Stmt *s)
+static void report_always(Structure *k, const Stmt *s, const Stmt *around)
 {
     const bool itself = has_parts(s->value) && decides_itself(k, s->value, true);
     const char *known = itself ? NULL : known_text(k, s);
@@ -165,6 +169,8 @@ static void report_always(Structure *k, const Stmt *s)
 
     if (known)
         diag_label(k->a->diags, told, DIAG_label_text, known);
+    if (around)
+        diag_note(k->a->diags, told, around->span, DIAG_note_guard_around);
 }
 
 static bool makes_transition(const Stmts *list)
@@ -207,7 +213,7 @@ static Verdict judge_never(Structure *k, const Stmt *s, const Befores *b)
     return v;
 }
 
-static Verdict judge_always(Structure *k, const Stmt *s, const Befores *b)
+static Verdict judge_always(Structure *k, const Stmt *s, const Befores *b, const Stmt *around)
 {
     Verdict v = {true, false, 0};
 
@@ -218,32 +224,33 @@ static Verdict judge_always(Structure *k, const Stmt *s, const Befores *b)
     if (!types_decide_in(k->a, s->value) && !reads_initial(k, s->value, k->a->stmt[s->number].env)) {
         if (is_the_rest(k, s->value, b))
             return v;
-        report_always(k, s);
+        report_always(k, s, around);
     }
     v.dead = dead_of(k, CAUSE_TOLD, s, NULL, NULL);
     return v;
 }
 
-// Whether an outer guard that holds implies it, as `a > b { a > b: … }`.
-static bool is_implied(const Structure *k, const Stmt *s, const Way *way)
+// One around it that holds and implies it, as in `a > b { a > b: … }`; or NULL.
+static const Stmt *implied_by(const Structure *k, const Stmt *s, const Way *way)
 {
     for (unsigned n = 0; way && n < LOOK_BACK; way = way->outer, n++)
         if (way->holds && guard_implies(k->a, way->stmt->value, s->value) && is_unchanged(k, way->stmt, s->value))
-            return true;
-    return false;
+            return way->stmt;
+    return NULL;
 }
 
 Verdict judge(Structure *k, const Stmt *s, const Way *way)
 {
     const StmtFact *f = &k->a->stmt[s->number];
     const Befores b = befores_of(k, way);
+    const Stmt *around = implied_by(k, s, way);
     const Verdict both = {true, true, 0};
 
     if (!f->reached)
         return both;
     if (!f->then || guard_never(k->a, s->value) || written_before(k, s->value, &b))
         return judge_never(k, s, &b);
-    if (!f->otherwise || guard_always(k->a, s->value) || is_implied(k, s, way))
-        return judge_always(k, s, &b);
+    if (!f->otherwise || guard_always(k->a, s->value) || around)
+        return judge_always(k, s, &b, around);
     return both;
 }
