@@ -56,7 +56,7 @@ static bool reads_initial(const Structure *k, const Expr *e, const Env *env)
     const Var *v = e->var;
     double x;
 
-    if (e->kind == EX_VAR && k->changes[v->index] && !k->written[v->index])
+    if (e->kind == EX_VAR && k->stored[v->index] == STORED_OTHER && !k->written[v->index])
         return fact_is_number(env_get(&k->a->facts->shape, env, k->a->m->var_of[v->index]), &x) &&
                sm_eq(x, sm_cell_to_f64(v->type, v->init));
     for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)

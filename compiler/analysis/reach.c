@@ -190,14 +190,16 @@ static void look_for_empty(Diags *diags, const State *s)
 static void note_change(const Stmt *s, void *context)
 {
     Structure *k = context;
+    const StmtFact *f = &k->a->stmt[s->number];
     const Var *v = s->var;
-    Fact value;
     double x;
 
-    if (s->kind != ST_ASSIGN || v->kind != VAR_LOCAL || v->outside || k->changes[v->index])
+    if (s->kind != ST_ASSIGN || v->kind != VAR_LOCAL || v->outside || !f->reached)
         return;
-    value = fact_convert(k->a->stmt[s->number].value, v->type);
-    k->changes[v->index] = !k->a->stmt[s->number].reached || !fact_is_number(value, &x) || x != sm_cell_to_f64(v->type, v->init);
+    if (fact_is_number(fact_convert(f->value, v->type), &x) && x == sm_cell_to_f64(v->type, v->init))
+        k->stored[v->index] |= STORED_INITIAL;
+    else
+        k->stored[v->index] |= STORED_OTHER;
 }
 
 static void prepare(Structure *k)
@@ -208,7 +210,7 @@ static void prepare(Structure *k)
     k->why = ARENA_ARRAY(arena, uint32_t, p->stmts + 1u);
     k->order = ARENA_ARRAY(arena, uint32_t, p->stmts + 1u);
     k->written = ARENA_ARRAY(arena, uint32_t, p->var.n);
-    k->changes = ARENA_ARRAY(arena, bool, p->var.n);
+    k->stored = ARENA_ARRAY(arena, uint8_t, p->var.n);
     k->stamp = ARENA_ARRAY(arena, uint32_t, p->var.n);
     each_stmt(p, note_change, k);
 }

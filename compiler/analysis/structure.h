@@ -34,6 +34,8 @@ typedef struct Wrote {            // to be undone
     uint32_t var, was;
 } Wrote;
 
+enum { STORED_INITIAL = 1, STORED_OTHER = 2 };    // what a local begins with; something else
+
 typedef struct Structure {
     Analysis *a;
     const State *state;           // at which the walk is
@@ -44,7 +46,7 @@ typedef struct Structure {
     uint32_t *order, passed;      // by Stmt.number: when it was walked over; how many were
     uint32_t *written;            // by Program.var: when this block wrote it last; 0: never
     VEC(Wrote) log;
-    bool *changes;                // by Program.var: a local of the machine's own that is assigned what it does not begin with
+    uint8_t *stored;              // by Program.var: what is stored in locals of the machine's own, STORED_…
     uint32_t *stamp, stamps;      // by Program.var: in the guard that is looked at
     size_t explained;             // conditionals so far of which an arm is dead and explained
 } Structure;

@@ -2,6 +2,8 @@
 // Facts of a machine: what its locals can hold when each function begins, found by following transitions until nothing is added.
 // Bounds that keep growing are widened, so this ends after a few visits of each state; one last round of all takes back what
 // widening gave away beyond need.
+#include <stddef.h>
+
 #include "compiler/facts/facts.h"
 
 // Changes after which bounds are widened to the program's own numbers; to a few round ones; after which no more is claimed than is
@@ -18,6 +20,7 @@ typedef struct Queue {
 typedef struct Visit {
     FactMachine *fm;
     FactBegin (*to)[BLOCK_COUNT];     // where ways arrive: what is being found, or in the last round, what follows from it
+    bool *(*made)[BLOCK_COUNT];       // by state with an .exit, of a function by block: the transition there is possible
     Queue queue;
     uint32_t state;                   // the one that is looked at
     int block;
@@ -74,25 +77,49 @@ static void arrive(Visit *v, uint32_t state, int block, const Env *env)
         enqueue(&v->queue, state);
 }
 
-static void arrive_at_targets(Visit *v, const IrFn *f, const Env *env)
+// Where .exit ends, for the transitions that have been found possible.
+static void arrive_at_targets(Visit *v, int block, const Env *env)
 {
-    for (size_t b = 0; f && b < f->blk.n; b++)
-        if (f->blk.at[b].jump.kind == IR_GOTO)
+    const IrFn *f = v->fm->shape.m->state.at[v->state].block[block];
+    const bool *made = v->made[v->state][block];
+
+    for (size_t b = 0; made && b < f->blk.n; b++)
+        if (made[b])
             arrive(v, f->blk.at[b].jump.state - 1, BLOCK_ENTRY, env);
+}
+
+// A transition is possible: .exit is to be looked at for it even if that begins with nothing new.
+static void make_transition(Visit *v, const IrJump *j, const Env *env)
+{
+    const IrFn *f = v->fm->shape.m->state.at[v->state].block[v->block];
+    const IrBlk *blk = (const IrBlk *)((const char *)j - offsetof(IrBlk, jump));
+    bool **made = &v->made[v->state][v->block];
+    const size_t b = (size_t)(blk - f->blk.at);
+
+    arrive(v, v->state, BLOCK_EXIT, env);
+    if (!v->fm->shape.m->state.at[v->state].block[BLOCK_EXIT]) {
+        arrive(v, j->state - 1, BLOCK_ENTRY, env);
+        return;
+    }
+    if (!*made)
+        *made = ARENA_ARRAY(v->fm->shape.arena, bool, f->blk.n);
+    v->to[v->state][BLOCK_EXIT].dirty |= !(*made)[b];
+    (*made)[b] = true;
 }
 
 // The function that is looked at ends; elements are others' from now on.
 static void end_of_function(void *context, const IrJump *end, const Env *env)
 {
     Visit *v = context;
-    const IrState *s = &v->fm->shape.m->state.at[v->state];
 
     env = env_begin(&v->fm->shape, env, v->fm->outside);
-    if (v->block == BLOCK_EXIT) {
-        arrive_at_targets(v, s->block[BLOCK_ENTRY], env);
-        arrive_at_targets(v, s->block[BLOCK_STEP], env);
-    } else {
-        arrive(v, v->state, end->kind == IR_GOTO ? BLOCK_EXIT : BLOCK_STEP, env);
+    if (v->block == BLOCK_EXIT && v->fm->shape.m->state.at[v->state].block[BLOCK_EXIT]) {
+        arrive_at_targets(v, BLOCK_ENTRY, env);
+        arrive_at_targets(v, BLOCK_STEP, env);
+    } else if (end->kind == IR_GOTO) {
+        make_transition(v, end, env);
+    } else if (v->block != BLOCK_EXIT) {
+        arrive(v, v->state, BLOCK_STEP, env);
     }
 }
 
@@ -194,8 +221,10 @@ static void visit_all(FactMachine *fm, bool anywhere)
 {
     const IrMachine *m = fm->shape.m;
     const Env *env = initial(fm, true);
-    Visit v = {fm, fm->begin, {NULL, NULL, 0, 0, m->state.n}, 0, 0, anywhere, false, numbers_of(fm->shape.arena, m)};
+    Visit v = {.fm = fm, .to = fm->begin, .anywhere = anywhere, .numbers = numbers_of(fm->shape.arena, m)};
 
+    v.made = arena_array(fm->shape.arena, m->state.n, sizeof *v.made);
+    v.queue.size = m->state.n;
     v.queue.at = ARENA_ARRAY(fm->shape.arena, uint32_t, m->state.n);
     v.queue.waits = ARENA_ARRAY(fm->shape.arena, bool, m->state.n);
     begin_all(&v, env);

@@ -37,6 +37,6 @@ F64 x = 0
     p > 4: -> Row
     p = q
     p > 4: -> Row                        # another p
-    x > 9: -> Row
+    x > 4: -> Row
     q > 2: x = q
-    x > 9: -> Chain
+    x > 4: -> Chain

@@ -10,6 +10,8 @@ bool cmd
 U8 mode = 0
 U8 test = 0 @read_only
 U8 tries = 0
+U8 late = 0
+U8 first = 0
 [Idle]
 .step
     p > 1 { mode = 1 }
@@ -19,6 +21,7 @@ U8 tries = 0
     tries = 0
     test == 1: -> Bench          # a switch, set on purpose
     cmd and p > 3: -> Run
+    cmd: -> Late
     p > 5 and p < 4 {
         p < 3: -> Deep
     }
@@ -34,6 +37,18 @@ U8 tries = 0
     p > 3: -> BenchTwo
 [BenchTwo]
 [Deep]                           #! W0515 'Deep'
+[Late]
+.step
+    late == 1: -> Idle                   # read-before-write says it
+    first == 1: -> Never
+    p > 3 {
+        late = 1
+        -> Idle
+    }
+[Never]                          #! W0515 'Never'
+.step
+    first = 1
+    -> Idle
 [Lost]                           #! W0503 so state 'Loop' cannot be reached
 .step
     p > 2: -> Loop

@@ -8,7 +8,7 @@ b=$1/faults cc=$2 first=${3:-1} last=${4:-100000}
 here=$(dirname "$0")
 src=$b/src out=$b/out
 mkdir -p "$src" "$out" "$b/obj"
-tar cf - Makefile stdlib bytecode-vm compiler tests conformance examples | tar xf - -C "$src"
+tar cf - Makefile stdlib bytecode-vm runtime-c compiler tests conformance examples | tar xf - -C "$src"
 b=$(cd "$b" && pwd)
 
 # replace FILE: its first stretch $old becomes $new
