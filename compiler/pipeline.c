@@ -6,6 +6,7 @@
 #include <assert.h>
 #include <string.h>
 
+#include "compiler/analysis/analysis.h"
 #include "compiler/emit/bytecode/bytecode.h"
 #include "compiler/passes/pass.h"
 #include "compiler/syntax/parse.h"
@@ -14,12 +15,16 @@ void session_init(Session *s, SmcAllocFn alloc, void *context, jmp_buf *oom)
 {
     memset(s, 0, sizeof *s);
     arena_init(&s->arena, alloc, context, oom);
+    arena_init(&s->work, alloc, context, oom);
+    arena_init(&s->scratch, alloc, context, oom);
     str_pool_init(&s->strings, &s->arena);
     diags_init(&s->diags, &s->arena);
 }
 
 void session_free(Session *s)
 {
+    arena_free(&s->scratch);
+    arena_free(&s->work);
     arena_free(&s->arena);
 }
 
@@ -72,6 +77,12 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
     Script *out = check_script(&c, parse(s, ss, FILE_SS), p);
 
     return s->diags.met > errors ? NULL : out;
+}
+
+void session_analyse(Session *s, const Program *p)
+{
+    analyse_program(&s->work, &s->scratch, &s->diags, p);
+    arena_free(&s->work);
 }
 
 // ---- program to IR ----

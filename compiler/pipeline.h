@@ -13,6 +13,7 @@
 // One compilation: everything it makes lives in its arena.
 typedef struct Session {
     Arena arena;
+    Arena work, scratch;          // given back when a stage ends, and when a part of it does
     StrPool strings;
     Diags diags;
     const char *print_after;      // session_ir prints the machine to print_to after this pass of the optimiser, or after
@@ -38,6 +39,7 @@ StateVec *session_state_vector(Session *s, const Source *sv);
 Program *session_program(Session *s, const MachineInput *in);
 IrMachine *session_ir(Session *s, const Program *p, int opt_level);
 Script *session_script(Session *s, const Source *ss, const Program *p);
+void session_analyse(Session *s, const Program *p);           // warns of what looks wrong in a machine that is no error
 
 // Several machines over one state vector make one image.
 typedef struct ImageOptions { bool debug; } ImageOptions;      // debug: with names and lines

@@ -2,6 +2,8 @@
 // Runs all analyses; what they share.
 #include "compiler/analysis/analysis.h"
 
+#include <string.h>
+
 // ---- statements ----
 
 // As deep as conditionals nest: AST_DEPTH_MAX bounds it.
@@ -94,13 +96,27 @@ void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p)
     a->transition = transitions_of(arena, p);
 }
 
-void analyse_program(Arena *arena, Diags *diags, const Program *p)
+static void work_in(Analysis *a, Arena *arena)
 {
+    a->arena = arena;
+    facts_work_in(a->facts, arena);
+    memset(a->asked, 0, (a->p->stmts + 1u) * sizeof *a->asked);      // what the last arena held
+}
+
+void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *p)
+{
+    static void (*const all[])(Analysis *a) = {
+#define ANALYSIS(name, sentence) analyse_##name,
+#include "compiler/analysis/analyses.def"
+#undef ANALYSIS
+    };
     Analysis a;
 
     analysis_begin(&a, arena, diags, p);
-#define ANALYSIS(name, sentence) analyse_##name(&a);
-#include "compiler/analysis/analyses.def"
-#undef ANALYSIS
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        work_in(&a, scratch);
+        all[i](&a);
+        arena_free(scratch);
+    }
     diags->analysed = true;
 }

@@ -22,7 +22,8 @@ typedef struct StmtFact {
 } StmtFact;
 
 typedef struct Analysis {
-    Arena *arena;
+    Arena *arena;                 // for the work of one analysis: given back after it.  What a diagnostic keeps (the text of an
+                                  // edit) lives in diags->arena
     Diags *diags;
     const Program *p;
     const IrMachine *m;           // as built
@@ -35,8 +36,8 @@ typedef struct Analysis {
 // Everything but the findings: what the reports use too.  `arena` holds it.
 void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p);
 
-// All analyses of a machine.
-void analyse_program(Arena *arena, Diags *diags, const Program *p);
+// All analyses of a machine.  Nothing in `arena` is needed afterwards; `scratch` is empty before and after.
+void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *p);
 
 // What can be said of several machines over one state vector only: who writes what.  Their names come from one pool.
 void analyse_together(Arena *arena, Diags *diags, const Program *const *p, size_t n);

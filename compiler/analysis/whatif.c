@@ -22,6 +22,16 @@ const Env *suppose(const Analysis *a, const Env *env, const Var *v, Fact f)
     return var == IR_NONE ? env : env_set(&a->facts->shape, env, var, fact_convert(f, v->type));
 }
 
+const Var **whatif_vars(const Analysis *a)
+{
+    const Var **out = ARENA_ARRAY(a->arena, const Var *, a->m->var.n);
+
+    for (size_t v = 0; v < a->p->var.n; v++)
+        if (a->m->var_of[v] != IR_NONE)
+            out[a->m->var_of[v]] = a->p->var.at[v];
+    return out;
+}
+
 // ---- guards ----
 
 typedef struct Answer {

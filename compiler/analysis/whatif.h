@@ -18,6 +18,9 @@ bool suppose_guard(const Analysis *a, const Env **env, const Expr *guard, bool h
 // *env, and all conditions are as they must be.
 bool suppose_condition(const Analysis *a, const Env **env, const Condition *when);
 
+// By IR variable: which of Program.var it is.
+const Var **whatif_vars(const Analysis *a);
+
 // What an expression can be there; of one that is true or false, as a bool.
 Fact suppose_value(const Analysis *a, const Env *env, const Expr *e);
 // The same of the value that an assignment stores, before its conversion.

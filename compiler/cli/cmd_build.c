@@ -147,7 +147,7 @@ static int build_machines(Cli *c, Emit emit, const Source *sv, Outputs *o)
             return EXIT_ENVIRONMENT;
         if ((p = session_program(&c->session, &in)) == NULL)
             continue;
-        analyse_program(&c->session.arena, &c->session.diags, p);
+        session_analyse(&c->session, p);
         programs[built] = p;
         m[built] = session_ir(&c->session, p, in.opt_level);
         if (limits_given(c))

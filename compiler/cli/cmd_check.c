@@ -42,7 +42,7 @@ static int check_machine_file(Cli *c, const char *path, const Source *sv, Progra
     if ((p = session_program(&c->session, &in)) == NULL)
         return EXIT_OK;
     vec_push(&c->session.arena, all, p);
-    analyse_program(&c->session.arena, &c->session.diags, p);
+    session_analyse(&c->session, p);
     if (limits_given(c))
         check_limits(c, in.sm, sv);
     return check_scripts(c, ss, p);

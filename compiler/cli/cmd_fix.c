@@ -2,7 +2,6 @@
 // smc fix FILE…: makes the edits that the findings of `smc check` propose, and says what is left.
 #include <string.h>
 
-#include "compiler/analysis/analysis.h"
 #include "compiler/cli/cli.h"
 #include "compiler/syntax/parse.h"
 
@@ -44,7 +43,7 @@ static void diagnose_machine(Fix *f, size_t machine)
         if (is_script_of_machine(f, i))
             cli_note_written(c, f->src[i], &written);
     if ((p = session_program(&c->session, &in)) != NULL)
-        analyse_program(&c->session.arena, &c->session.diags, p);
+        session_analyse(&c->session, p);
     for (size_t i = 0; i < c->files; i++)
         if (is_script_of_machine(f, i) && p)
             session_script(&c->session, f->src[i], p);

@@ -32,7 +32,7 @@ static int draw(Cli *c, const Program *p, PutGraph *put)
     Buf out;
     int code;
 
-    analyse_program(&c->session.arena, &c->session.diags, p);
+    session_analyse(&c->session, p);
     warnings_apply(&c->warn, &c->session.diags);
     found = c->session.diags;
     if ((code = cli_report(c)) != EXIT_OK)

@@ -63,7 +63,7 @@ static int look_at_machine(ReportCommand *x)
         return EXIT_PROBLEM;
     x->r.arena = &s->arena;
     x->r.maker = "smc " SMC_VERSION;
-    analyse_program(&s->arena, &s->diags, p);
+    session_analyse(s, p);
     diags_apply_allows(&s->diags);
     diags_sort(&s->diags);
     analysis_begin(&x->r.analysis, &s->arena, &s->diags, p);

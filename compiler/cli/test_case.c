@@ -4,7 +4,6 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "compiler/analysis/analysis.h"
 #include "compiler/cli/test.h"
 
 struct TestCase {
@@ -163,7 +162,7 @@ static void compile_case(Case *c)
     make_sources(c);
     c->p = compile_machine(c);
     if (c->p && analysed)
-        analyse_program(&c->s.arena, &c->s.diags, c->p);
+        session_analyse(&c->s, c->p);
     compile_scripts(c);
     c->is_ready = c->f->outcome != TEST_ERROR && c->s.diags.errors == 0 && count_parts(c->f, ".ss") > 0;
     if (c->is_ready && c->which & 1u << ENGINE_C)

@@ -33,6 +33,8 @@ FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
 FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m);
 // The same, where `outside` says of elements what they are whenever a step begins.
 FactMachine *facts_supposing(Arena *arena, const IrMachine *m, const Env *outside);
+// Where the work of flows goes from now on.
+void facts_work_in(FactMachine *fm, Arena *arena);
 // Whether a way to this function has been found.
 bool facts_reach(const FactMachine *fm, size_t state, int block);
 

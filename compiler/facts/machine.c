@@ -266,6 +266,12 @@ const Env *facts_begin(const FactMachine *fm, size_t state, int block)
     return block == BLOCK_ENTRY ? env_set(&fm->shape, env, m->t, fact_of_cell(SM_U64, 0)) : env;
 }
 
+void facts_work_in(FactMachine *fm, Arena *arena)
+{
+    fm->shape.arena = arena;
+    fm->temps = fm->blocks = 0;       // its tables were the last arena's
+}
+
 bool facts_reach(const FactMachine *fm, size_t state, int block) { return fm->begin[state][block].found; }
 const Env *facts_begin_sample(const FactMachine *fm) { return fm->constants; }
 Fact facts_of_window(const FactMachine *fm, uint32_t window) { return fm->window[window]; }

@@ -11,7 +11,6 @@
 #include <sys/resource.h>
 #include <time.h>
 
-#include "compiler/analysis/analysis.h"
 #include "tests/bench/shapes.h"
 
 static double now(void) { return (double)clock() / CLOCKS_PER_SEC; }
@@ -38,7 +37,7 @@ static bool compile(const Shape *shape, unsigned n, int level, Cost *cost)
     source = pool_used();
     cost->seconds = -now();
     p = session_program(&s, &in);
-    analyse_program(&s.arena, &s.diags, p);
+    session_analyse(&s, p);
     m = session_ir(&s, p, level);
     buf_init(&image, &s.arena);
     if (!session_image(&s, &m, 1, &options, &image))

@@ -9,7 +9,6 @@
 #include <string.h>
 #include <time.h>
 
-#include "compiler/analysis/analysis.h"
 #include "compiler/emit/report/graph.h"
 #include "compiler/pipeline.h"
 #include "tests/bench/shapes.h"
@@ -67,7 +66,7 @@ static void compile(Session *s, const Shape *shape, unsigned n, double *at)
     buf_init(&header, &s->arena);
     *at++ = now();
     if (p)
-        analyse_program(&s->arena, &s->diags, p);
+        session_analyse(s, p);
     *at++ = now();
     if (p)
         session_ir(s, p, 0);

@@ -8,23 +8,42 @@
 
 static const size_t pool_size = (size_t)1 << 31;
 static char *pool;
-static size_t used;
+static size_t used, most;
+
+typedef struct Block { size_t before; size_t given_back; } Block;    // stands before each piece that was handed out
+static Block *last;
 
 bool pool_open(void) { return (pool = malloc(pool_size)) != NULL; }
-void pool_empty(void) { used = 0; }
-size_t pool_used(void) { return used; }
+void pool_empty(void) { used = most = 0; last = NULL; }
+size_t pool_used(void) { return most; }
+
+// What was given back is used again once nothing handed out later is left.
+static void *give_back(void *old)
+{
+    if (old)
+        ((Block *)old - 1)->given_back = 1;
+    while (last && last->given_back) {
+        used = (size_t)((char *)last - pool);
+        last = last->before ? (Block *)(void *)(pool + last->before - 1) : NULL;
+    }
+    return NULL;
+}
 
 void *pool_alloc(void *context, void *old, size_t size)
 {
-    char *p = pool + used;
+    Block *b = (Block *)(void *)(pool + used);
 
     (void)context;
-    (void)old;
     size = (size + 15) / 16 * 16;
-    if (size == 0 || size > pool_size - used)
+    if (size == 0)
+        return give_back(old);
+    if (size + sizeof *b > pool_size - used)
         return NULL;
-    used += size;
-    return p;
+    *b = (Block){last ? (size_t)((char *)last - pool) + 1 : 0, 0};
+    last = b;
+    used += sizeof *b + size;
+    most = used > most ? used : most;
+    return b + 1;
 }
 
 // ---- shapes ----

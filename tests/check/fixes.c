@@ -46,7 +46,7 @@ static void diagnose_machine(Run *r, const TestFile *f)
     note_written(r, f, &written);
     if ((p = session_program(&r->s, &in)) == NULL)
         return;
-    analyse_program(&r->s.arena, &r->s.diags, p);
+    session_analyse(&r->s, p);
     for (size_t i = 0; i < f->part.n; i++)
         if (testfile_has_suffix(&f->part.at[i], ".ss"))
             session_script(&r->s, r->src[i], p);

@@ -10,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/analysis/analysis.h"
 #include "compiler/pipeline.h"
 #include "compiler/script/testfile.h"
 #include "tests/test.h"
@@ -105,7 +104,7 @@ static void do_everything(Session *s, const Case *c, Buf *out)
         script_written_names(ast, &written);
     if ((p = session_program(s, &in)) == NULL)
         return;
-    analyse_program(&s->arena, &s->diags, p);
+    session_analyse(s, p);
     m = session_ir(s, p, 0);
     make_outputs(s, m, out);
     m = session_ir(s, p, 2);

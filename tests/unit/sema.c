@@ -4,7 +4,6 @@
 #include <string.h>
 #include <time.h>
 
-#include "compiler/analysis/analysis.h"
 #include "compiler/pipeline.h"
 #include "compiler/sema/sema.h"
 #include "stdlib/convert.h"
@@ -198,7 +197,7 @@ static void test_analyses(void)
     if (!p)
         return;
     s.diags.list.n = s.diags.warnings = 0;
-    analyse_program(&s.arena, &s.diags, p);
+    session_analyse(&s, p);
     CHECK(s.diags.warnings == 6);
     CHECK(warns(&s, DIAG_unused_element, "'unused'") && warns(&s, DIAG_unused_local, "'never'"));
     CHECK(warns(&s, DIAG_unread_local, "'b'"));
