@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/analysis/whatif.h"
 
-#include <string.h>
-
 Fact fact_of_number(SmF64 x) { return fact_of_cell(SM_F64, sm_bits(x)); }
 
 Fact fact_of_range(SmF64 lo, SmF64 hi)
@@ -113,22 +111,6 @@ Fact suppose_value(const Analysis *a, const Env *env, const Expr *e)
 Fact suppose_stored(const Analysis *a, const Env *env, const Stmt *assign) { return value_of(a, env, function_of(a, assign)); }
 
 // ---- sensors ----
-
-Analysis suppose_sensor(const Analysis *a, const Var *v, Fact f)
-{
-    Analysis out = *a;
-    FactMachine *fm = ARENA_NEW(a->arena, FactMachine);
-
-    *fm = *a->facts;
-    out.facts = fm;
-    if (!a->m->sample)
-        return out;
-    fm->epoch = ARENA_ARRAY(a->arena, uint32_t, a->m->var.n);
-    fm->stored = ARENA_ARRAY(a->arena, uint32_t, a->m->var.n);
-    fm->window = ARENA_ARRAY(a->arena, Fact, a->m->window.n);
-    facts_flow(fm, a->m->sample, suppose(a, facts_begin_sample(fm), v, f), NULL);
-    return out;
-}
 
 Analysis suppose_ranges(const Analysis *a)
 {

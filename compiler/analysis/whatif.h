@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What would follow if something were so: a sensor that reads 0 for ever, two guards that hold at once.  Asked of the same facts
-// as everything else (compiler/facts), so an answer "impossible" is certain, and "possible" may be too careful.
+// What would follow if something were so: a sensor that reads 0, two guards that hold at once.  Asked of the same facts as
+// everything else (compiler/facts), so an answer "impossible" is certain, and "possible" may be too careful.
 //
 //     const Env *env = facts_begin(a->facts, state, BLOCK_STEP);
 //     env = suppose(a, env, pressure, fact_of_cell(SM_F64, 0));
@@ -25,10 +25,6 @@ const Var **whatif_vars(const Analysis *a);
 Fact suppose_value(const Analysis *a, const Env *env, const Expr *e);
 // The same of the value that an assignment stores, before its conversion.
 Fact suppose_stored(const Analysis *a, const Env *env, const Stmt *assign);
-
-// The analysis of a machine whose sensor v has been within f for longer than any window is: windows that sample it hold nothing
-// else.  Begin its functions with suppose(…, facts_begin(…), v, f).
-Analysis suppose_sensor(const Analysis *a, const Var *v, Fact f);
 
 // The analysis of a machine whose sensors stay in their @range for ever, with its locals; a itself if there is no @range.
 Analysis suppose_ranges(const Analysis *a);
