@@ -22,6 +22,8 @@ DeadSensor dead_sensor_new(const Sensors *s)
     d.what.facts = fm;
     d.local = ARENA_ARRAY(a->arena, uint32_t, a->p->var.n);
     d.kept = ARENA_ARRAY(a->arena, uint32_t, a->p->var.n);
+    d.stored = ARENA_ARRAY(a->arena, uint32_t, a->p->var.n);
+    d.always = ARENA_ARRAY(a->arena, bool, a->p->var.n);
     d.rest = ARENA_ARRAY(a->arena, Fact, a->p->var.n);
     d.window = ARENA_ARRAY(a->arena, uint32_t, a->m->window.n + 1);
     return d;
@@ -146,6 +148,7 @@ static void settle_at(DeadSensor *d, const Var *local)
     all = anywhere(d, local, &s);
     if (!s.always)
         *rest = all;
+    d->always[local->index] = s.always;
     d->env = suppose(&d->what, d->env, local, all);
 }
 
@@ -220,29 +223,39 @@ static void look_into(DeadSensor *d, const State *state)
             settle_local(d, p->var.at[locals->at[i]]);
 }
 
-static void note_kept(DeadSensor *d, const State *state)
+static void note_stores(DeadSensor *d, const State *state)
 {
-    const Numbers *list = &d->s->kept[state->number - 1u];
+    const Numbers *kept = &d->s->kept[state->number - 1u], *stored = &d->s->stored[state->number - 1u];
 
-    d->keeps++;
-    for (size_t i = 0; i < list->n; i++)
-        d->kept[list->at[i]] = d->keeps;
+    d->looks++;
+    for (size_t i = 0; i < kept->n; i++)
+        d->kept[kept->at[i]] = d->looks;
+    for (size_t i = 0; i < stored->n; i++)
+        d->stored[stored->at[i]] = d->looks;
+}
+
+static const Env *settled_here(const DeadSensor *d, const Env *env, const Var *local)
+{
+    const uint32_t v = local->index;
+
+    if (d->kept[v] == d->looks)
+        return suppose(&d->what, env, local, d->rest[v]);
+    if (!d->always[v] && d->stored[v] != d->looks)
+        return suppose(&d->what, env, local, fact_of_type(local->type));
+    return env;
 }
 
 const Env *dead_sensor_settled(DeadSensor *d, const State *state)
 {
     const Numbers *list = &d->s->local[state->number - 1u];
-    const Program *p = d->s->a->p;
     const Env *env;
 
     look_into(d, state);
-    note_kept(d, state);
+    note_stores(d, state);
     env = d->env;
-    for (size_t i = 0; i < list->n; i++) {
-        const uint32_t v = list->at[i];
-        if (d->local[v] == d->question && d->kept[v] == d->keeps)
-            env = suppose(&d->what, env, p->var.at[v], d->rest[v]);
-    }
+    for (size_t i = 0; i < list->n; i++)
+        if (d->local[list->at[i]] == d->question)
+            env = settled_here(d, env, d->s->a->p->var.at[list->at[i]]);
     return env;
 }
 

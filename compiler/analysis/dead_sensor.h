@@ -8,7 +8,8 @@
 //
 // Only what a state reads is looked into, and once a question: the next one begins with dead_sensor_reads.
 // What can be then is never too little: what is impossible under these facts is impossible.  One thing is taken for granted: that
-// a filter, x = 0.9 * x + 0.1 * pressure, has come to rest.
+// a filter, x = 0.9 * x + 0.1 * pressure, has come to rest.  What an earlier state has noted under a guard is history: it may
+// be from before the sensor died, and is left open.
 #ifndef SMC_DEAD_SENSOR_H
 #define SMC_DEAD_SENSOR_H
 
@@ -24,7 +25,9 @@ typedef struct DeadSensor {
     uint32_t question;            // counts from 1
     uint32_t *local, *window;     // by Var.index, by IrMachine.window: the question in which it was looked into
     Fact *rest;                   // by Var.index, of one that was looked into: what it holds where a state keeps storing it
-    uint32_t *kept, keeps;        // by Var.index: the last count of blocks that began in which the state keeps storing it
+    bool *always;                 // by Var.index, likewise: none of its stores stands under a guard
+    uint32_t *kept, *stored;      // by Var.index: the last look at a state that keeps storing it; at one that stores it at all
+    uint32_t looks;               // counts looks at states
     Numbers changed;              // windows of this question
     unsigned depth;
     size_t work;                  // stores and samples looked at, in all questions

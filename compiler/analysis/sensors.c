@@ -273,7 +273,10 @@ static void note_uses(const StmtPlace *at, void *context)
     r->state = at->state->number;
     if (at->stmt->value)
         expr_walk(at->stmt->value, note_use, r);
-    if (at->stmt->kind == ST_ASSIGN && !at->when && at->block != BLOCK_EXIT)
+    if (at->stmt->kind != ST_ASSIGN)
+        return;
+    vec_push(r->s->a->arena, &r->s->stored[r->state - 1], at->stmt->var->index);
+    if (!at->when && at->block != BLOCK_EXIT)
         vec_push(r->s->a->arena, &r->s->kept[r->state - 1], at->stmt->var->index);
 }
 
@@ -298,6 +301,7 @@ const Sensors *sensors_of(Analysis *a)
     s->local = ARENA_ARRAY(arena, Numbers, states);
     s->window = ARENA_ARRAY(arena, Numbers, states);
     s->kept = ARENA_ARRAY(arena, Numbers, states);
+    s->stored = ARENA_ARRAY(arena, Numbers, states);
     find_commands(s);
     spread(s);
     list_reads(s);

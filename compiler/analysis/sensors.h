@@ -27,6 +27,7 @@ typedef struct Sensors {
     Stores *stores;               // by Var.index
     Numbers *local, *window;      // by state (State.number - 1): the locals and the windows that its blocks read, each once
     Numbers *kept;                // by state: the locals that it stores at each step or when it begins, under no guard
+    Numbers *stored;              // by state: all that it stores
 } Sensors;
 
 const Sensors *sensors_of(Analysis *a);

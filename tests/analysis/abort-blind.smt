@@ -15,12 +15,17 @@ bool valve
 F64  filtered = 0
 F64  smooth = 0
 bool over = false
+bool launched = false
 U8   count = 0
 F64  ground = 0
 F64  peak = 0
 F64  scale = 0
 U32  weird = 0
 
+[Launch]
+.step
+    thrust > 500: launched = true
+    T > 100: -> Plain
 [Plain]                     #! W0901 state 'Plain' cannot abort while 'pressure' reads less than 0.5: no
 .step
     pressure > 38: -> Abort
@@ -115,6 +120,10 @@ U32  weird = 0
 .step
     over: -> Abort
     thrust > 1000: over = true
+    T > 5000: -> Noted
+[Noted]                     # noted by an earlier state, perhaps before the sensor died
+.step
+    launched and thrust < 10: -> Abort
     T > 5000: -> Debounced
 [Debounced]                 #! W0901 'thrust' reads 0
 .step
