@@ -28,6 +28,8 @@ int __real_fsync(int fd);
 int __real_rename(const char *from, const char *to);
 int __real_unlink(const char *path);
 int __real_pthread_mutex_timedlock(pthread_mutex_t *mutex, const struct timespec *end);
+int __real_timer_settime(timer_t timer, int flags, const struct itimerspec *to, struct itimerspec *old);
+int __wrap_timer_settime(timer_t timer, int flags, const struct itimerspec *to, struct itimerspec *old);
 ssize_t __wrap_write(int fd, const void *from, size_t n);
 int __wrap_fsync(int fd);
 int __wrap_rename(const char *from, const char *to);
@@ -77,6 +79,11 @@ int __wrap_unlink(const char *path) { return fails('u') ? -1 : __real_unlink(pat
 int __wrap_pthread_mutex_timedlock(pthread_mutex_t *mutex, const struct timespec *end)
 {
     return fails('l') ? ETIMEDOUT : __real_pthread_mutex_timedlock(mutex, end);
+}
+
+int __wrap_timer_settime(timer_t timer, int flags, const struct itimerspec *to, struct itimerspec *old)
+{
+    return fails('t') ? -1 : __real_timer_settime(timer, flags, to, old);
 }
 
 static void fault(int left, int error, bool for_good)
@@ -266,6 +273,30 @@ static void signals(void)
     CHECK(pal_socket_close(s) == SM_OK);
 }
 
+static uint64_t processor_time(void)
+{
+    struct timespec t = {0, 0};
+
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (uint64_t)t.tv_sec * PAL_SECOND + (uint64_t)t.tv_nsec;
+}
+
+// Who waits leaves the processor to others.
+static void waiting_is_free(void)
+{
+    const PalAddress here = {{127, 0, 0, 1}, 0};
+    PalSocket s = {0};
+    uint64_t before = processor_time();
+    uint8_t x;
+    size_t n;
+
+    CHECK(pal_socket_udp(&s, &here) == SM_OK);
+    CHECK(pal_socket_receive_from(s, NULL, &x, 1, &n, 50 * MS) == SM_E_TIMEOUT);
+    CHECK(pal_clock_sleep_until(pal_clock_now() + 50 * MS) == SM_OK);
+    CHECK(processor_time() - before < 25 * MS);
+    CHECK(pal_socket_close(s) == SM_OK);
+}
+
 static void hold(void *lock)
 {
     pal_lock_take(*(PalLock *)lock, PAL_SECOND);
@@ -426,8 +457,24 @@ static int end_of(uint64_t period)
     return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }
 
+// Starting and each feeding set the timer anew.
+static void feeding(void)
+{
+    uint64_t actual;
+
+    fault(-1, 0, false);
+    CHECK(pal_watchdog_start(PAL_TIMEOUT_MAX, &actual) == SM_OK && actual == PAL_TIMEOUT_MAX);
+    CHECK(pal_watchdog_feed() == SM_OK && pal_watchdog_feed() == SM_OK);
+    CHECK(strcmp(faults.log, "ttt") == 0);
+    fault(0, EINVAL, false);
+    CHECK(pal_watchdog_feed() == SM_E_DEVICE);
+    no_fault();
+    CHECK(pal_watchdog_stop() == SM_OK);
+}
+
 static void watchdog(void)
 {
+    feeding();
     CHECK(end_of(100 * MS) == SIGKILL);
     CHECK(end_of(PAL_TIMEOUT_MAX) == 0);
 }
@@ -436,6 +483,7 @@ Tally own_linux(void)
 {
     nvm();
     signals();
+    waiting_is_free();
     time_is_set();
     priorities();
     console();

@@ -261,7 +261,7 @@ static void read_all(void *of)
 // More than there is room for on the way: one call of send hands it over bit by bit, while another thread reads.
 static void peer_reads(void)
 {
-    static uint8_t bytes[251 * 40000];
+    static uint8_t bytes[251 * 16000];
     const PalThreadPlan plan = {NULL, 0, 0};
     PalThread thread = {0};
     Pair p = connected();
