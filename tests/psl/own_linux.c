@@ -4,9 +4,11 @@
 // do.  The system's calls come here first (ld's --wrap), so that each of them can be made to fail.
 #define _GNU_SOURCE
 #include <errno.h>
+#include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/time.h>
@@ -293,7 +295,7 @@ static void waiting_is_free(void)
     CHECK(pal_socket_udp(&s, &here) == SM_OK);
     CHECK(pal_socket_receive_from(s, NULL, &x, 1, &n, 50 * MS) == SM_E_TIMEOUT);
     CHECK(pal_clock_sleep_until(pal_clock_now() + 50 * MS) == SM_OK);
-    CHECK(processor_time() - before < 25 * MS);
+    CHECK(processor_time() - before < 10 * MS);
     CHECK(pal_socket_close(s) == SM_OK);
 }
 
@@ -359,24 +361,36 @@ static void priorities(void)
 
 // ---- the console ----
 
-// What a write to standard output puts into a pipe; and that a full pipe is not waited for.
-static void console(void)
+// With `near` as standard output: what is written comes to `far`, and if nobody reads there that is not waited for.
+static void console_on(int near, int far)
 {
-    static char text[1000], in[1000];
-    int pipe_ends[2], saved = dup(STDOUT_FILENO);
+    static char text[997], in[997];
+    int saved = dup(STDOUT_FILENO);
     SmResult r = SM_OK;
     size_t calls = 0;
 
     fflush(stdout);
     memset(text, 'x', sizeof text);
-    CHECK(pipe(pipe_ends) == 0 && dup2(pipe_ends[1], STDOUT_FILENO) == STDOUT_FILENO);
+    CHECK(dup2(near, STDOUT_FILENO) == STDOUT_FILENO);
     CHECK(pal_console_write(text, sizeof text) == SM_OK);
-    CHECK(read(pipe_ends[0], in, sizeof in) == sizeof in && memcmp(in, text, sizeof in) == 0);
+    CHECK(read(far, in, sizeof in) == sizeof in && memcmp(in, text, sizeof in) == 0);
+    memset(text, '\n', sizeof text);                      // a terminal makes two bytes of it: room for one is too little
     for (; r == SM_OK && calls < 10000; calls++)
         r = pal_console_write(text, sizeof text);
     CHECK(r == SM_E_BUSY && calls > 1);
     CHECK(dup2(saved, STDOUT_FILENO) == STDOUT_FILENO);
-    CHECK(close(saved) == 0 && close(pipe_ends[0]) == 0 && close(pipe_ends[1]) == 0);
+    CHECK(close(saved) == 0 && close(near) == 0 && close(far) == 0);
+}
+
+static void console(void)
+{
+    int ends[2], terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    char name[64];
+
+    CHECK(pipe(ends) == 0);
+    console_on(ends[1], ends[0]);
+    CHECK(grantpt(terminal) == 0 && unlockpt(terminal) == 0 && ptsname_r(terminal, name, sizeof name) == 0);
+    console_on(open(name, O_RDWR | O_NOCTTY), terminal);
 }
 
 // ---- analog ----

@@ -2,8 +2,9 @@
 // The console: standard output.  It may be a terminal, a pipe or a file; where it would make us wait, text is dropped.
 #define _GNU_SOURCE
 #include <errno.h>
-#include <unistd.h>
+#include <fcntl.h>
 #include <poll.h>
+#include <unistd.h>
 
 #include "runtime-c/pal/console.h"
 #include "runtime-c/psl/linux/linux.h"
@@ -11,16 +12,23 @@
 // A pipe that is ready takes so many bytes at once without waiting (PIPE_BUF of POSIX), and does not mix them with others.
 #define CHUNK 512u
 
-SmResult pal_console_write(const char *text, size_t n)
+// A terminal that is ready takes one byte, perhaps no more.  So it is opened once more, not to be waited for; standard output itself
+// may be shared with programs that would not expect that of it.
+static int open_console(void)
 {
-    if (!text)
-        return SM_E_ARGUMENT;
+    int fd = isatty(STDOUT_FILENO) ? open("/proc/self/fd/1", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC) : -1;
+
+    return fd >= 0 ? fd : STDOUT_FILENO;
+}
+
+static SmResult write_all(int fd, const char *text, size_t n)
+{
     while (n > 0) {
         ssize_t taken;
 
-        if (psl_wait(STDOUT_FILENO, POLLOUT, 0) != SM_OK)
+        if (psl_wait(fd, POLLOUT, 0) != SM_OK)
             return SM_E_BUSY;
-        taken = write(STDOUT_FILENO, text, n < CHUNK ? n : CHUNK);
+        taken = write(fd, text, n < CHUNK ? n : CHUNK);
         if (taken < 0 && errno != EINTR)
             return errno == EAGAIN ? SM_E_BUSY : psl_result(errno);
         if (taken > 0) {
@@ -29,4 +37,18 @@ SmResult pal_console_write(const char *text, size_t n)
         }
     }
     return SM_OK;
+}
+
+SmResult pal_console_write(const char *text, size_t n)
+{
+    SmResult r;
+    int fd;
+
+    if (!text)
+        return SM_E_ARGUMENT;
+    fd = open_console();
+    r = write_all(fd, text, n);
+    if (fd != STDOUT_FILENO)
+        close(fd);
+    return r;
 }
