@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
+#include <sched.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -359,6 +360,80 @@ static void priorities(void)
     CHECK(pid > 0 && waitpid(pid, &status, 0) == pid && status == 0);
 }
 
+// Three threads on one processor: a low one holds the lock and has work to do, a high one wants it, a middle one keeps the
+// processor busy.  Without inheritance the middle one would keep the low one, and so the high one, waiting.
+typedef struct Inversion {
+    PalLock lock;
+    bool high_has_it, middle_is_done, high_waited_for_middle;
+} Inversion;
+
+static bool get(bool *flag) { return __atomic_load_n(flag, __ATOMIC_SEQ_CST); }
+static void raise_flag(bool *flag) { __atomic_store_n(flag, true, __ATOMIC_SEQ_CST); }
+
+static void low(void *of)
+{
+    Inversion *v = of;
+    uint64_t start;
+
+    pal_lock_take(v->lock, PAL_SECOND);
+    start = processor_time();
+    while (processor_time() - start < 10 * MS) {}
+    pal_lock_give(v->lock);
+}
+
+static void middle(void *of)
+{
+    Inversion *v = of;
+    uint64_t end = pal_clock_now() + 200 * MS;
+
+    while (!get(&v->high_has_it) && pal_clock_now() < end) {}
+    raise_flag(&v->middle_is_done);
+}
+
+static void high(void *of)
+{
+    Inversion *v = of;
+
+    if (pal_lock_take(v->lock, 5 * (uint64_t)PAL_SECOND) != SM_OK || get(&v->middle_is_done))
+        raise_flag(&v->high_waited_for_middle);
+    raise_flag(&v->high_has_it);
+    pal_lock_give(v->lock);
+}
+
+// With the highest priority of all, so that the order of the beginning is ours.
+static void invert(Inversion *v)
+{
+    const PalThreadPlan plans[] = {{"low", 1, 0}, {"high", 10, 0}, {"middle", 5, 0}};
+    PalThreadMain *const mains[] = {low, high, middle};
+    PalThread threads[3];
+
+    for (size_t i = 0; i < COUNT(threads); i++) {
+        CHECK(pal_thread_create(&threads[i], &plans[i], mains[i], v) == SM_OK && pal_thread_is_realtime(threads[i]));
+        if (i == 0)
+            pal_clock_sleep_until(pal_clock_now() + 2 * MS);       // until it holds the lock
+    }
+    for (size_t i = 0; i < COUNT(threads); i++)
+        CHECK(pal_thread_join(threads[i], 10 * (uint64_t)PAL_SECOND) == SM_OK);
+}
+
+static void inheritance(void)
+{
+    Inversion v = {{0}, false, false, false};
+    cpu_set_t all, one;
+
+    if (pal_thread_set_priority(20) != SM_OK)              // not permitted here
+        return;
+    CPU_ZERO(&one);
+    CPU_SET(0, &one);
+    CHECK(pal_lock_open(&v.lock) == SM_OK);
+    CHECK(sched_getaffinity(0, sizeof all, &all) == 0 && sched_setaffinity(0, sizeof one, &one) == 0);
+    invert(&v);
+    CHECK(sched_setaffinity(0, sizeof all, &all) == 0);
+    CHECK(pal_thread_set_priority(0) == SM_OK);
+    CHECK(!v.high_waited_for_middle);
+    CHECK(pal_lock_close(v.lock) == SM_OK);
+}
+
 // ---- the console ----
 
 // With `near` as standard output: what is written comes to `far`, and if nobody reads there that is not waited for.
@@ -500,6 +575,7 @@ Tally own_linux(void)
     waiting_is_free();
     time_is_set();
     priorities();
+    inheritance();
     console();
     aio();
     watchdog();

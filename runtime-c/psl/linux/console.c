@@ -12,8 +12,8 @@
 // A pipe that is ready takes so many bytes at once without waiting (PIPE_BUF of POSIX), and does not mix them with others.
 #define CHUNK 512u
 
-// A terminal that is ready takes one byte, perhaps no more.  So it is opened once more, not to be waited for; standard output itself
-// may be shared with programs that would not expect that of it.
+// A terminal that is ready takes one byte, perhaps no more.  So it is opened once more, not to be waited for; standard output
+// itself may be shared with programs that would not expect that of it.
 static int open_console(void)
 {
     int fd = isatty(STDOUT_FILENO) ? open("/proc/self/fd/1", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC) : -1;

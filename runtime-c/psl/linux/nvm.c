@@ -206,22 +206,39 @@ static SmResult enter(Entry *e, const char *path, uint32_t size)
     return r;
 }
 
+static uint8_t take(void)
+{
+    uint8_t id;
+
+    psl_guard();
+    id = psl_table_take(used, PAL_NVMS);
+    psl_unguard();
+    return id;
+}
+
+static void release(uint8_t id)
+{
+    psl_guard();
+    used[id - 1] = false;
+    psl_unguard();
+}
+
 SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
 {
     SmResult r = SM_E_FULL;
     uint8_t id;
 
-    if (!memory || !name || size == 0 || size > INT32_MAX || name[0] == '\0' || strlen(name) >= PAL_NAME)
+    if (!memory || !name || size == 0 || name[0] == '\0' || strlen(name) >= PAL_NAME)
         return SM_E_ARGUMENT;
-    psl_guard();
-    id = psl_table_take(used, PAL_NVMS);
-    if (id != 0) {
-        r = enter(&entries[id - 1], name, size);
-        used[id - 1] = r == SM_OK;
-    }
-    psl_unguard();
+    if (size > INT32_MAX)
+        return SM_E_SPACE;
+    id = take();
+    if (id != 0)
+        r = enter(&entries[id - 1], name, size);           // takes its time: nobody else has to wait for it
     if (r == SM_OK)
         memory->id = id;
+    else if (id != 0)
+        release(id);
     return r;
 }
 
