@@ -302,7 +302,7 @@ CHECK_LINES += "fault-memory: $(B)/fault/memory $(FAULT_CASES)" "fault-command: 
 PSL_SUITE       = $(filter-out tests/psl/bench_% tests/psl/own_% tests/psl/qemu_%,$(wildcard tests/psl/*.c))
 PSL_WATCHDOG    = watchdog_process
 PSL_FLAGS_linux = -DPSL_LINUX_IIO='"iio"'
-PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync rename unlink pthread_mutex_timedlock timer_settime)
+PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync rename unlink pthread_mutex_timedlock timer_settime ppoll)
 define psl_test
 include runtime-c/psl/$(1)/psl.mk
 PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c
