@@ -97,8 +97,9 @@ static void note_all_stores(Order *o)
 typedef struct Spread {
     Order *o;
     States *next;                 // by state: where what it has goes on to
-    States waiting;
+    const State **ring;           // states that wait for a visit
     bool *waits;
+    size_t head, n;
 } Spread;
 
 static void wait_for(Spread *w, const State *s)
@@ -106,7 +107,17 @@ static void wait_for(Spread *w, const State *s)
     if (w->waits[s->number])
         return;
     w->waits[s->number] = true;
-    vec_push(w->o->a->arena, &w->waiting, s);
+    w->ring[(w->head + w->n++) % w->o->a->p->state.n] = s;
+}
+
+static const State *next_waiting(Spread *w)
+{
+    const State *s = w->ring[w->head];
+
+    w->head = (w->head + 1) % w->o->a->p->state.n;
+    w->n--;
+    w->waits[s->number] = false;
+    return s;
 }
 
 static void spread_one(Spread *w, Word *sets, const State *from)
@@ -137,13 +148,11 @@ static Word *spread(Order *o, bool backwards)
         if (a->stmt[way->stmt->number].reached)
             vec_push(a->arena, &w.next[(backwards ? way->to : way->from)->number], backwards ? way->from : way->to);
     }
-    for (size_t s = 0; s < a->p->state.n; s++)
-        wait_for(&w, a->p->state.at[s]);
-    while (w.waiting.n > 0) {
-        const State *from = w.waiting.at[--w.waiting.n];
-        w.waits[from->number] = false;
-        spread_one(&w, sets, from);
-    }
+    w.ring = ARENA_ARRAY(a->arena, const State *, a->p->state.n);
+    for (size_t s = 0; s < a->p->state.n; s++)                // mostly transitions lead on in the order of the file
+        wait_for(&w, a->p->state.at[backwards ? a->p->state.n - 1 - s : s]);
+    while (w.n > 0)
+        spread_one(&w, sets, next_waiting(&w));
     if (!backwards)
         o->next = w.next;
     return sets;
