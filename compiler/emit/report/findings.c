@@ -51,6 +51,8 @@ static void put_finding(const Report *r, Doc *d, const Diag *diag, size_t number
         doc_quote(d, format_in(r->arena, "Allowed: %s", diag->allowed));
     doc_excerpt(d, diag->span, diag->label);
     put_notes(r, d, diag, number);
+    if (diag->edits.n)
+        doc_paragraph(d, "What to do is certain: `smc fix` makes the edit.");
 }
 
 // ---- the tables ----

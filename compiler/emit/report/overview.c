@@ -43,8 +43,8 @@ static const char *findings_text(const Report *r)
     const FindingCount n = report_count_findings(r);
 
     if (n.allowed == 0)
-        return n.open ? words_count(r->arena, n.open, "finding", "findings") : "none";
-    return format_in(r->arena, "%lu, and %lu allowed with a reason", (unsigned long)n.open, (unsigned long)n.allowed);
+        return n.open ? format_in(r->arena, "%lu", (unsigned long)n.open) : "none";
+    return format_in(r->arena, "%lu, and %lu allowed", (unsigned long)n.open, (unsigned long)n.allowed);
 }
 
 static void fact(DocTable *t, const char *name, const char *value)
