@@ -12,6 +12,7 @@ U8 test = 0 @read_only
 U8 tries = 0
 U8 late = 0
 U8 first = 0
+U8 second = 0
 [Idle]
 .step
     p > 1 { mode = 1 }
@@ -45,6 +46,17 @@ U8 first = 0
         late = 1
         -> Idle
     }
+    p < -3: -> Leave
+[Leave]
+.step
+    second == 1: -> Unlikely
+    p > 3: -> Idle
+.exit
+    cmd = false
+[Unlikely]                       #! W0515 'Unlikely'
+.step
+    second = 1
+    -> Idle
 [Never]                          #! W0515 'Never'
 .step
     first = 1
