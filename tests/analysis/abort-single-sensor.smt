@@ -111,6 +111,7 @@ F64  most = 40 @read_only
 .step
     level > limit: -> Abort
     limit = 40 - G
+    T > 6000: -> Note
     T > 5000: -> Noted
 [Noted]                     # may still hold its initial value
 .step
@@ -123,8 +124,8 @@ F64  most = 40 @read_only
 [Named]                     #! W0902 'level'
 .step
     level > most or level < most - 30: -> Abort
-    T > 5000: -> Ways
     T > 6000: -> Chain
+    T > 5000: -> Ways
 [Chain]                     # the limit to T leads to an @abort state through Always
 .step
     level > 50: -> Abort

@@ -9,11 +9,11 @@ F32 p @read_only
 U8  n @read_only
 [Start]
 .step
-    p > 1: -> Alone
-    p > 2: -> Itself
-    p > 3: -> Locked
-    p > 4: -> Kept
     p > 5: -> Failed
+    p > 4: -> Kept
+    p > 3: -> Locked
+    p > 2: -> Itself
+    p > 1: -> Alone
 [Alone]                 #! W0920 the machine can never leave 'Alone'
 [Itself]                #! W0920
 .step
