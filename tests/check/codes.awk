@@ -72,7 +72,7 @@ END {
             complain("flags.def:" flag[name] ": no diagnostic is called " name)
     for (id in excused)
         if (id in flag) {
-            if (LATER && id in used)
+            if (id in used)
                 complain("codes.txt: " id " is used; remove the excuse")
         } else if (!(id in row))
             complain("codes.txt: " id " is no row of codes.def")
