@@ -10,7 +10,7 @@ awk=tests/check/mutants.awk
 tree=$folder/tree
 build=$folder/build
 mkdir -p "$tree"
-for part in Makefile stdlib compiler bytecode-vm tests conformance docs; do
+for part in Makefile stdlib compiler bytecode-vm runtime-c tests conformance docs; do
     rm -rf "$tree/${part:?}.new"
     cp -Rp "$part" "$tree/$part.new" && { rm -rf "$tree/$part"; mv "$tree/$part.new" "$tree/$part"; } || exit 1
 done
