@@ -32,7 +32,8 @@ typedef struct PalNvmInfo {
 // Opens a memory by the name that the platform has for it (a path, "eeprom"), of which the caller needs `size` bytes.
 // Where the platform can make it (a file), it is made, blank, if it is not there, and lengthened with blank bytes if it is too
 // short.  SM_E_MISSING: there is none.  SM_E_SPACE: it is smaller than that.  SM_E_DENIED: not permitted.  SM_E_BUSY: it is
-// open already, here or in another program.  SM_E_ARGUMENT: size 0, the name is as long as PAL_NAME.  SM_E_FULL.
+// open already, here or in another program.  SM_E_UNSUPPORTED: what has that name is no memory (a folder, a device).
+// SM_E_ARGUMENT: size 0, an empty name, one as long as PAL_NAME.  SM_E_FULL.
 SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size);
 
 SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info);

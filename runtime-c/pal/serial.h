@@ -15,7 +15,7 @@ typedef struct PalSerial { uint8_t id; } PalSerial;
 
 // Opens a line by the name that the platform has for it ("/dev/ttyUSB0", "Serial1").  What was received before is dropped.
 // SM_E_MISSING: no such line.  SM_E_DENIED: not permitted.  SM_E_BUSY: it is open already.  SM_E_ARGUMENT: the line cannot
-// do that many bits a second, or the name is as long as PAL_NAME.  SM_E_FULL.
+// do that many bits a second, or the name is as long as PAL_NAME.  SM_E_UNSUPPORTED: what has that name is no line.  SM_E_FULL.
 SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_second);
 
 // Hands over n bytes.  SM_OK: all are on their way, in the platform's buffer or the wire.  SM_E_TIMEOUT: the buffer was full;

@@ -159,6 +159,7 @@ static void bad_arguments(void)
     CHECK(pal_nvm_open(&memory, NULL, 1) == SM_E_ARGUMENT);
     CHECK(pal_nvm_open(&memory, bench.nvm_name, 0) == SM_E_ARGUMENT);
     CHECK(pal_nvm_open(&memory, name, 1) == SM_E_ARGUMENT);
+    CHECK(pal_nvm_open(&memory, "", 1) == SM_E_ARGUMENT);
     CHECK(pal_nvm_open(&memory, bench.nvm_missing, 1) == SM_E_MISSING);
     CHECK(memory.id == 0);
 }

@@ -22,6 +22,7 @@
 #include "runtime-c/pal/console.h"
 #include "runtime-c/pal/lock.h"
 #include "runtime-c/pal/nvm.h"
+#include "runtime-c/pal/serial.h"
 #include "runtime-c/pal/socket.h"
 #include "runtime-c/pal/thread.h"
 #include "runtime-c/pal/watchdog.h"
@@ -246,6 +247,13 @@ static void no_file(void)
         CHECK(pal_nvm_open(&memory, ".", 1) == SM_E_UNSUPPORTED);
 }
 
+static void no_line(void)
+{
+    PalSerial line = {0};
+
+    CHECK(pal_serial_open(&line, memory_name, 9600) == SM_E_UNSUPPORTED && line.id == 0);
+}
+
 static void nvm(void)
 {
     snprintf(memory_name, sizeof memory_name, "%s.own", bench.nvm_name);
@@ -254,6 +262,7 @@ static void nvm(void)
     full_disk();
     lengthens();
     no_file();
+    no_line();
     unlink(memory_name);
 }
 

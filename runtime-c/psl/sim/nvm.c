@@ -81,7 +81,7 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
     uint8_t id, medium = 0;
     SmResult r;
 
-    if (!memory || !name || size == 0 || strlen(name) >= PAL_NAME)
+    if (!memory || !name || size == 0 || name[0] == '\0' || strlen(name) >= PAL_NAME)
         return SM_E_ARGUMENT;
     r = open_medium(name, size, &medium);
     if (r != SM_OK)
