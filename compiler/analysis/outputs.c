@@ -28,7 +28,7 @@ static void add_value(Given *g, double x)
         g->least = x;
     if (g->n == 0 || x > g->most)
         g->most = x;
-    for (unsigned i = 0; i < g->n; i++)
+    for (unsigned i = 0; i < g->n && i < VALUES; i++)
         if (g->value[i] == x)
             return;
     if (g->n < VALUES)
