@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc report: one page about a machine for a design review.  The machine is looked at as `smc build` makes it; its scripts are run on
-// the VM, on an image with names.
+// smc report: one page about a machine for a design review.  Findings are those of `smc check` with the same files; costs are of the image
+// that `smc build` makes; the scripts are run on the VM, on an image with names.
 #include <string.h>
 
 #include "bytecode-vm/smvm.h"
@@ -33,31 +33,47 @@ static bool make_image(ReportCommand *x, IrMachine *m, bool debug, Buf *image)
     return session_image(&x->c->session, &m, 1, &o, image);
 }
 
-static Program *compile(ReportCommand *x)
+// Compiled once more, without regard to what scripts write: all that can be said of it has been said.
+static Program *compile_alone(ReportCommand *x)
 {
     Session *s = &x->c->session;
     const MachineInput in = {x->sm, x->sv, NULL, option_level(x->c)};
-    Program *p = session_program(s, &in);
+    const Diags said = s->diags;
+    Program *p;
+
+    diags_init(&s->diags, &s->arena);
+    p = session_program(s, &in);
+    s->diags = said;
+    return p;
+}
+
+static bool weigh(ReportCommand *x)
+{
+    Session *s = &x->c->session;
+    Program *p = compile_alone(x);
     Buf image, with_lines;
     IrMachine *m;
 
     if (!p)
-        return NULL;
+        return false;
     s->hide_locals = true;
-    m = session_ir(s, p, in.opt_level);
+    m = session_ir(s, p, option_level(x->c));
     s->hide_locals = false;
     if (!make_image(x, m, false, &image) || !make_image(x, m, true, &with_lines))
-        return NULL;
+        return false;
     cost_of_machine(&s->arena, (const uint8_t *)with_lines.at, 0, &x->r.cost);
     x->r.image = (const uint8_t *)image.at;
     x->r.image_size = image.n;
-    return p;
+    return true;
 }
 
-static int look_at_machine(ReportCommand *x)
+// ---- what is found in it ----
+
+static int look_at_machine(ReportCommand *x, const Map *written)
 {
     Session *s = &x->c->session;
-    Program *p = compile(x);
+    const MachineInput in = {x->sm, x->sv, written, option_level(x->c)};
+    Program *p = session_program(s, &in);
 
     if (!p)
         return EXIT_PROBLEM;
@@ -67,7 +83,7 @@ static int look_at_machine(ReportCommand *x)
     diags_apply_allows(&s->diags);
     diags_sort(&s->diags);
     analysis_begin(&x->r.analysis, &s->arena, &s->diags, p);
-    return s->diags.errors ? EXIT_PROBLEM : EXIT_OK;
+    return s->diags.errors == 0 && weigh(x) ? EXIT_OK : EXIT_PROBLEM;
 }
 
 // ---- its scripts ----
@@ -102,35 +118,15 @@ static void run_script(ReportCommand *x, ReportRun *run, const Source *ss, const
     s->diags = machine;
 }
 
-static Program *compile_for_scripts(ReportCommand *x, const Map *written)
-{
-    Session *s = &x->c->session;
-    const MachineInput in = {x->sm, x->sv, written, option_level(x->c)};
-    const Diags machine = s->diags;               // what there is to say has been said
-    Program *p;
-
-    diags_init(&s->diags, &s->arena);
-    p = session_program(s, &in);
-    s->diags = machine;
-    return p;
-}
-
-static int run_scripts(ReportCommand *x)
+static int run_scripts(ReportCommand *x, Source *const *ss)
 {
     Cli *c = x->c;
-    Map written = {&c->session.arena, NULL, NULL, 0, 0};
-    Source **ss = cli_load_scripts(c, &written);
+    const Program *p = x->r.analysis.p;
     const char *error;
-    Program *p;
     Engine *vm;
 
     if (c->files < 2)
         return EXIT_OK;
-    for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".ss") && !ss[i])
-            return EXIT_ENVIRONMENT;
-    if ((p = compile_for_scripts(x, &written)) == NULL)
-        return EXIT_PROBLEM;
     if ((vm = open_engine(x, p, &error)) == NULL) {
         cli_say(c, "%s", error);
         return EXIT_PROBLEM;
@@ -200,8 +196,10 @@ static void say_failed(const ReportCommand *x)
 
 int cmd_report(Cli *c)
 {
+    Map written = {&c->session.arena, NULL, NULL, 0, 0};
     ReportCommand x;
     ReportFormat format;
+    Source **ss;
     int code;
 
     memset(&x, 0, sizeof x);
@@ -212,7 +210,11 @@ int cmd_report(Cli *c)
         return EXIT_USAGE;
     if ((x.sm = cli_load(c, x.machine)) == NULL || (c->given[OPT_SV] && (x.sv = cli_load(c, c->value[OPT_SV])) == NULL))
         return EXIT_ENVIRONMENT;
-    if ((code = look_at_machine(&x)) != EXIT_OK || (code = run_scripts(&x)) != EXIT_OK) {
+    ss = cli_load_scripts(c, &written);
+    for (size_t i = 0; i < c->files; i++)
+        if (has_suffix(c->file[i], ".ss") && !ss[i])
+            return EXIT_ENVIRONMENT;
+    if ((code = look_at_machine(&x, &written)) != EXIT_OK || (code = run_scripts(&x, ss)) != EXIT_OK) {
         cli_report(c);
         return code;
     }

@@ -1,5 +1,5 @@
-# What the analyses found, and what is allowed with a reason.
-args report a.sm --format=text
+# What the analyses found, and what is allowed with a reason. A local that a script writes is no constant.
+args report a.sm a.ss --format=text
 
 -- a.sm --
 [state_vector]
@@ -8,10 +8,18 @@ U32 S
 F32 spare @read_only @allow(unused-element, "wired, for the next flight")
 F32 unused @read_only
 bool valve
+[local]
+F64 wait = 100
 [Idle]
 .step
     valve = not valve
-    T > 100: -> Idle
+    T > wait: -> Idle
+-- a.ss --
+[options]
+delta_t 10
+[all_states]
+G == 0: wait = 50
+G == 500: @stop
 -- stdout --
 ...
 Findings
