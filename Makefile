@@ -105,7 +105,7 @@ update-golden: all $(B)/golden
 CHECK_LINES += "examples: sh tests/check/examples.sh $(B)/smc $(patsubst %/,%,$(wildcard examples/*/))"
 
 # tests/analysis: what the analyses find, and what they leave alone.
-CHECK_LINES += "analysis: $(B)/smc test tests/analysis"
+CHECK_LINES += "analysis: $(B)/smc test tests/analysis" "findings: sh tests/findings/run.sh $(B)/smc"
 
 # tests/graph: state diagrams, how they are laid out; and that others can read them, where Graphviz and librsvg are installed.
 GRAPH_MACHINES = $(wildcard tests/graph/machines/*.sm)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ability to abort hangs on.  Of each state only those sensors are asked about that every way to an @abort state looks at:
-// another way is left whatever they read.  Questions are sorted by sensor, since what a dead one does to windows and locals is
-// the same for all states.
+// What the ability to abort hangs on.  Of each state only those sensors can be the one that it hangs on that every way to an @abort
+// state looks at: another way is left whatever they read.  But any that a way looks at may, when it reads nonsense, make another
+// transition before that way's turn comes.  Questions are sorted by sensor, since what a dead one does to windows and locals is the
+// same for all states.
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/dead_sensor.h"
 
@@ -20,7 +21,7 @@ typedef struct Asking {
     const AbortBound *b;
     const Sensors *s;
     DeadSensor dead;
-    Rows *ask;                    // by Var.index: the rows all of whose ways look at that sensor
+    Rows *ask, *watch;            // by Var.index: the rows all of whose ways, any of whose ways look at that sensor
     unsigned *no_way;             // by state: of the sensor being asked about, the readings that leave no way
     bool fires;                   // what a flow has found out
 } Asking;
@@ -60,12 +61,23 @@ static const AbortWay *first_sure(const AbortRow *r)
     return NULL;
 }
 
+static void note_watched(Asking *k, AbortRow *r, const AbortWay *w)
+{
+    for (size_t i = 0; i < w->sensors; i++) {
+        Rows *rows = &k->watch[w->sensor[i]->index];
+        if (rows->n == 0 || rows->at[rows->n - 1] != r)
+            vec_push(k->a->arena, rows, r);
+    }
+}
+
 static void look_at_row(Asking *k, AbortRow *r)
 {
     const AbortWay *first;
 
-    for (size_t w = 0; w < r->way.n; w++)
+    for (size_t w = 0; w < r->way.n; w++) {
         note_looks(k, &r->way.at[w]);
+        note_watched(k, r, &r->way.at[w]);
+    }
     first = first_sure(r);
     for (size_t i = 0; first && i < first->sensors; i++)
         if (all_look_at(r, first->sensor[i]))
@@ -114,7 +126,7 @@ static bool reading_of(const Var *v, Reading reading, Fact *f)
 
 static void ask_reading(Asking *k, const Var *v, Reading reading)
 {
-    const Rows *rows = &k->ask[v->index];
+    const Rows *rows = &k->watch[v->index];
     Fact f;
 
     if (!reading_of(v, reading, &f))
@@ -150,7 +162,7 @@ static const char *text_of(Asking *k, const Var *v, unsigned no_way)
 
 static void ask_blind(Asking *k, const Var *v)
 {
-    const Rows *rows = &k->ask[v->index];
+    const Rows *rows = &k->watch[v->index];
 
     for (size_t i = 0; i < rows->n; i++)
         k->no_way[at(rows->at[i]->state)] = 0;
@@ -285,17 +297,17 @@ static void ask_single(Asking *k, const Var *v)
 
 static void ask_about(Asking *k, const Var *v)
 {
-    if (k->ask[v->index].n == 0)
-        return;
-    ask_blind(k, v);
-    ask_single(k, v);
+    if (k->watch[v->index].n > 0)
+        ask_blind(k, v);
+    if (k->ask[v->index].n > 0)
+        ask_single(k, v);
 }
 
 void abort_ask(Analysis *a, AbortMatrix *x, const AbortBound *b)
 {
     const Sensors *sensors = sensors_of(a);
     Asking k = {a, b, sensors, dead_sensor_new(sensors), ARENA_ARRAY(a->arena, Rows, a->p->var.n),
-                ARENA_ARRAY(a->arena, unsigned, x->n), false};
+                ARENA_ARRAY(a->arena, Rows, a->p->var.n), ARENA_ARRAY(a->arena, unsigned, x->n), false};
 
     x->sensors = sensors;
     for (size_t s = 0; s < x->n; s++)

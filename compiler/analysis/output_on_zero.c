@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs that go on because a sensor reads 0, which is what a broken one reads: `pressure < 5: heater = true`.
+// Outputs that go on because a sensor reads 0, which is what a broken one reads: `pressure < 5: heater = true`, or, where Heat
+// switches it on when it begins, `pressure < 5: -> Heat`.
 //
 // A store is looked at with what has to hold for it, cut into parts that all must hold.  One part holds because the sensor reads 0
 // and would not hold of every reading; no part is left to another sensor; and with that reading a run does come to the store
@@ -7,6 +8,7 @@
 // and of one far below too, or of none within the @range, or where the machine goes to an @abort state.
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/dead_sensor.h"
+#include "compiler/analysis/outputs.h"
 #include "stdlib/math.h"
 
 enum {
@@ -73,7 +75,7 @@ static bool is_passed(const Condition *c)
 // A flag that is assigned a condition goes on when it holds.
 static bool is_guarded_by_value(const StmtPlace *at)
 {
-    return at->stmt->var->type == SM_BOOL && !expr_is_constant(at->stmt->value);
+    return at->stmt->kind == ST_ASSIGN && at->stmt->var->type == SM_BOOL && !expr_is_constant(at->stmt->value);
 }
 
 static Parts parts_of(const StmtPlace *at)
@@ -169,8 +171,11 @@ static void note_stores(Zero *z, const IrFn *f, const FactFlow *flow)
 {
     z->flow++;
     for (size_t b = 0; b < f->blk.n; b++)
-        for (size_t i = 0; flow->reached[b] && i < f->blk.at[b].ins.n; i++)
-            z->reached[f->ins.at[f->blk.at[b].ins.at[i]].stmt] = z->flow;
+        if (flow->reached[b]) {
+            z->reached[f->blk.at[b].jump.stmt] = z->flow;
+            for (size_t i = 0; i < f->blk.at[b].ins.n; i++)
+                z->reached[f->ins.at[f->blk.at[b].ins.at[i]].stmt] = z->flow;
+        }
 }
 
 static void run_block(Zero *z, const StmtPlace *at)
@@ -227,6 +232,37 @@ static bool ends_on(Zero *z, const StmtPlace *at)
     return z->reached[at->stmt->number] == z->flow && (f.lo < 0 || f.hi > 0);
 }
 
+// ---- transitions ----
+
+static const Stmt *first_switched_on(const Zero *z, const Stmts *stmts)
+{
+    for (size_t i = 0; i < stmts->n; i++) {
+        const Stmt *s = stmts->at[i];
+        if (s->kind == ST_ASSIGN && is_output(s->var) && z->a->stmt[s->number].reached && is_on(z->a->stmt[s->number].value))
+            return s;
+    }
+    return NULL;
+}
+
+// What the state switches on when it begins, and was not on before; NULL: nothing.
+static const Stmt *begun_by(const Zero *z, const StmtPlace *at)
+{
+    const Stmt *on = first_switched_on(z, &at->stmt->target->block[BLOCK_ENTRY]);
+
+    for (int b = BLOCK_ENTRY; on && b <= BLOCK_STEP; b++)
+        if (outputs_switch(z->a, &at->state->block[b], on->var, true))
+            return NULL;
+    return on;
+}
+
+static bool is_made(Zero *z, const StmtPlace *at)
+{
+    if (z->flows[at->state->number - 1u][at->block] > FLOWS)
+        return false;
+    run_block(z, at);
+    return z->reached[at->stmt->number] == z->flow;
+}
+
 // ---- findings ----
 
 static void settle(Zero *z, const State *state, const Var *sensor)
@@ -242,12 +278,12 @@ static void settle(Zero *z, const State *state, const Var *sensor)
 }
 
 // From the sensor to the output, in order; a part that reads the sensor itself needs no steps.
-static void report(Zero *z, const StmtPlace *at, const Var *sensor, const Part *because)
+static void report(Zero *z, const StmtPlace *at, const Stmt *on, const Var *sensor, const Part *because)
 {
     const char *name = sensor->name->text;
     const DiagCode text = because->holds ? DIAG_note_holds_at_zero : DIAG_note_fails_at_zero;
     const Stmt *store = looks_through(z->s, because->e, sensor);
-    Diag *d = diag_report(z->a->diags, DIAG_output_on_zero, at->stmt->span, at->stmt->var->name->text, name);
+    Diag *d = diag_report(z->a->diags, DIAG_output_on_zero, at->stmt->span, on->var->name->text, name);
 
     if (store) {
         diag_step(z->a->diags, d, store->span, DIAG_note_made_of_sensor, store->var->name->text, name);
@@ -255,18 +291,22 @@ static void report(Zero *z, const StmtPlace *at, const Var *sensor, const Part *
     } else {
         diag_note(z->a->diags, d, because->e->span, text, name);
     }
+    if (on != at->stmt)
+        diag_note(z->a->diags, d, on->span, DIAG_note_switched_on, on->var->name->text);
     diag_note(z->a->diags, d, (Span){0}, DIAG_note_zero_advice, name);
 }
 
 static void ask(Zero *z, const StmtPlace *at, const Var *sensor)
 {
     const Parts parts = parts_of(at);
+    const bool moves = at->stmt->kind == ST_TRANSITION;
+    const Stmt *on = moves ? begun_by(z, at) : at->stmt;
     const Part *because;
 
     settle(z, at->state, sensor);
-    because = part_because(z, &parts, sensor);
-    if (because && !is_answer(z, at, because, sensor) && goes_on(z, at) && ends_on(z, at))
-        report(z, at, sensor, because);
+    because = on ? part_because(z, &parts, sensor) : NULL;
+    if (because && !is_answer(z, at, because, sensor) && (moves ? is_made(z, at) : goes_on(z, at) && ends_on(z, at)))
+        report(z, at, on, sensor, because);
 }
 
 static void suppose_readings(Zero *z, const Var *sensor)
@@ -295,7 +335,7 @@ static void note_store(Zero *z, const StmtPlace *at)
 {
     const Looks l = is_guarded_by_value(at) ? looks_of_value(z->s, at->stmt->value) : looks_of_condition(z->s, at->when);
 
-    for (uint32_t i = 0; is_output(at->stmt->var) && i < l.n; i++)
+    for (uint32_t i = 0; i < l.n; i++)
         vec_push(z->a->arena, &z->ask[l.sensor[i]->index], *at);
 }
 
@@ -305,10 +345,14 @@ static void note_place(const StmtPlace *at, void *context)
 
     if (!z->a->stmt[at->stmt->number].reached)
         return;
-    if (at->stmt->kind == ST_ASSIGN)
+    if (at->stmt->kind == ST_ASSIGN && is_output(at->stmt->var))
         note_store(z, at);
-    else if (at->stmt->kind == ST_TRANSITION && at->when && z->bound.bound[at->stmt->target->number - 1u])
+    if (at->stmt->kind != ST_TRANSITION || !at->when)
+        return;
+    if (z->bound.bound[at->stmt->target->number - 1u])
         z->aborts[arm_of(at->when)] = true;
+    else
+        note_store(z, at);
 }
 
 void analyse_output_on_zero(Analysis *a)

@@ -115,8 +115,8 @@ F64  most = 40 @read_only
     T > 5000: -> Noted
 [Noted]                     # may still hold its initial value
 .step
-    noted < 0 or noted > 90: -> Abort
     T > 5000: -> Note
+    noted < 0 or noted > 90: -> Abort
 [Note]
 .step
     noted = level
