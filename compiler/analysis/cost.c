@@ -174,7 +174,8 @@ static void consider_step(Step *best, const Fn *f, Step s)
 static Step longest_first(const Fn *f)
 {
     Step best = {0, false, false, false, WAY_ENDS, WAY_ENDS};
-    const Step left = {f[BLOCK_ENTRY].longest[WAY_LEAVES] + f[BLOCK_EXIT].longest[WAY_ENDS], true, false, true, WAY_LEAVES, WAY_ENDS};
+    const Step left = {
+        f[BLOCK_ENTRY].longest[WAY_LEAVES] + f[BLOCK_EXIT].longest[WAY_ENDS], true, false, true, WAY_LEAVES, WAY_ENDS};
     const Step ended = {f[BLOCK_ENTRY].longest[WAY_ENDS], true, false, false, WAY_ENDS, WAY_ENDS};
 
     if (f[BLOCK_ENTRY].longest[WAY_LEAVES])

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc report: one page about a machine for a design review.  Findings are those of `smc check` with the same files; costs are of the image
-// that `smc build` makes; the scripts are run on the VM, on an image with names.
+// smc report: one page about a machine for a design review.  Findings are those of `smc check` with the same files; costs are of
+// the image that `smc build` makes; the scripts are run on the VM, on an image with names.
 #include <string.h>
 
 #include "bytecode-vm/smvm.h"
@@ -156,7 +156,8 @@ static int check_use(Cli *c, ReportCommand *x)
         }
     }
     if (machines != 1)
-        return cli_usage(c, machines ? "one machine is reported on at a time" : "report wants a machine, as in 'smc report tank.sm -o tank.html'");
+        return cli_usage(c, machines ? "one machine is reported on at a time"
+                                     : "report wants a machine, as in 'smc report tank.sm -o tank.html'");
     return EXIT_OK;
 }
 

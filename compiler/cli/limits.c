@@ -69,8 +69,8 @@ static void check_ram(Cli *c, const Program *p, const Cost *cost, uint32_t most)
     diag = diag_report(d, DIAG_limit_ram, place_of_window(p, w), p->name->text, number_text(c, cost->ram), number_text(c, most));
     if (w)
         diag_label(d, diag, DIAG_label_largest_window, number_text(c, w->size), number_text(c, w->bytes));
-    diag_note(d, diag, (Span){NULL, 0, 0}, DIAG_note_ram_parts, number_text(c, cost->windows), number_text(c, cost->locals + cost->temps),
-              number_text(c, cost->own));
+    diag_note(d, diag, (Span){NULL, 0, 0}, DIAG_note_ram_parts, number_text(c, cost->windows),
+              number_text(c, cost->locals + cost->temps), number_text(c, cost->own));
 }
 
 // ---- the longest step ----
@@ -105,8 +105,8 @@ static void note_lines(Cli *c, const Program *p, const StateCost *s, Diag *diag)
     const CostLine *l = NULL;
 
     for (int i = 0; i < LINES_SHOWN && (l = next_heaviest(s, l)) != NULL; i++)
-        diag_note(&c->session.diags, diag, span_of_line(p->src, l->line), l->part == COST_SAMPLE ? DIAG_note_line_samples : DIAG_note_line_takes,
-                  number_text(c, l->instructions));
+        diag_note(&c->session.diags, diag, span_of_line(p->src, l->line),
+                  l->part == COST_SAMPLE ? DIAG_note_line_samples : DIAG_note_line_takes, number_text(c, l->instructions));
 }
 
 static void check_step(Cli *c, const Program *p, const Cost *cost, uint32_t most)
@@ -116,8 +116,8 @@ static void check_step(Cli *c, const Program *p, const Cost *cost, uint32_t most
 
     if (cost->worst <= most)
         return;
-    diag = diag_report(&c->session.diags, DIAG_limit_step, state->span, p->name->text, state->name->text, number_text(c, cost->worst),
-                       number_text(c, most));
+    diag = diag_report(&c->session.diags, DIAG_limit_step, state->span, p->name->text, state->name->text,
+                       number_text(c, cost->worst), number_text(c, most));
     note_lines(c, p, &cost->state[cost->worst_state - 1], diag);
 }
 

@@ -147,13 +147,17 @@ static const char *const reachable[] = {
     // nothing at all
     HEAD "[A]\n",
     // if, else, a jump over the rest
-    HEAD "[A]\n.step\n if x > 1 { y = z + x * 2\n a = 3 }\n else: a = 4\n z > 5: -> B\n.exit\n n = n + 1\n a = n\n[B]\n.entry\n a = 9\n.step\n x < 1: -> A\n y = x\n",
+    HEAD "[A]\n.step\n if x > 1 { y = z + x * 2\n a = 3 }\n else: a = 4\n z > 5: -> B\n.exit\n n = n + 1\n a = n\n[B]\n.entry\n a "
+         "= 9\n.step\n x < 1: -> A\n y = x\n",
     // leaving in .entry is the longest step; its state has no later step at all
-    HEAD "[A]\n.entry\n x > 0 { y = x * x + z\n z = y / 3\n -> B }\n -> C\n.exit\n a = 1\n[B]\n.step\n x > 3: -> A\n[C]\n.step\n -> A\n",
+    HEAD
+    "[A]\n.entry\n x > 0 { y = x * x + z\n z = y / 3\n -> B }\n -> C\n.exit\n a = 1\n[B]\n.step\n x > 3: -> A\n[C]\n.step\n -> A\n",
     // windows are sampled in every step; statistics are read where they stand
-    HEAD "[A]\n.step\n roll_avg(x, 3) > 1 and roll_max(y, 4) < 2: -> B\n y = roll_median(x, 3)\n[B]\n.entry\n n = 0\n.step\n n = n + 1\n n > 3: -> A\n",
+    HEAD "[A]\n.step\n roll_avg(x, 3) > 1 and roll_max(y, 4) < 2: -> B\n y = roll_median(x, 3)\n[B]\n.entry\n n = 0\n.step\n n = n "
+         "+ 1\n n > 3: -> A\n",
     // conditionals in conditionals
-    HEAD "[A]\n.step\n if x > 0 {\n  if y > 0 { a = 1\n z = x + y + z }\n  else if z > 0 { a = 2 }\n  else { a = 3\n z = x - y\n y = z * x }\n }\n x > 2 and y > 2: -> B\n[B]\n.step\n -> A\n.exit\n z = 0\n",
+    HEAD "[A]\n.step\n if x > 0 {\n  if y > 0 { a = 1\n z = x + y + z }\n  else if z > 0 { a = 2 }\n  else { a = 3\n z = x - y\n y "
+         "= z * x }\n }\n x > 2 and y > 2: -> B\n[B]\n.step\n -> A\n.exit\n z = 0\n",
 };
 
 static void put_random(const Counted *c, const Program *p, Rng *r, uint64_t now)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a report keeps of a run: a single wild sample of a long run stays visible, visits and ways are counted, memory does not grow.
+// What a report keeps of a run: a single wild sample of a long run stays visible, visits and ways are counted, memory does not
+// grow.
 #include <setjmp.h>
 #include <string.h>
 
@@ -9,8 +10,9 @@
 #include "tests/test.h"
 #include "tests/unit/host.h"
 
-static const char text[] = "[state_vector]\nU64 G\nU32 S\nF64 x @read_only\nbool b\n[local]\nF64 fixed = 2 @read_only\nU8 n = 0\n"
-                           "[A]\n.step\n n = n + 1\n b = x > 5\n x > 5: -> B\n x < -5: -> B\n[B]\n.step\n x < 5: -> A\n T > 100: -> B\n";
+static const char text[] =
+    "[state_vector]\nU64 G\nU32 S\nF64 x @read_only\nbool b\n[local]\nF64 fixed = 2 @read_only\nU8 n = 0\n"
+    "[A]\n.step\n n = n + 1\n b = x > 5\n x > 5: -> B\n x < -5: -> B\n[B]\n.step\n x < 5: -> A\n T > 100: -> B\n";
 
 typedef struct Fake { Engine engine; const Program *p; uint64_t step; } Fake;
 

@@ -5,7 +5,8 @@
 #include "compiler/emit/report/report.h"
 #include "compiler/emit/report/words.h"
 
-static const DocColumn abort_columns[] = {{"state", "State"}, {"verdict", "Can it abort?"}, {"steps", "Steps at worst"}, {"hangs_on", "What it hangs on"}};
+static const DocColumn abort_columns[] = {
+    {"state", "State"}, {"verdict", "Can it abort?"}, {"steps", "Steps at worst"}, {"hangs_on", "What it hangs on"}};
 static const DocColumn way_columns[] = {
     {"state", "State"}, {"to", "To"}, {"guard", "When"}, {"watches", "Watches"}, {"steps", "Steps at worst"}, {"line", "Line"}};
 
@@ -82,11 +83,13 @@ void report_abort(Report *r, Doc *d)
 
     doc_section(d, "abort", "Abort matrix");
     if (!x.declared) {
-        doc_paragraph(d, "No state is marked `@abort`, so nothing can be said about how this machine aborts. Write the mark behind the header of the "
+        doc_paragraph(d, "No state is marked `@abort`, so nothing can be said about how this machine aborts. Write the mark behind "
+                         "the header of the "
                          "state where it goes when something is wrong, as in `[Abort] @abort`.");
         return;
     }
-    doc_paragraph(d, "From which states the machine can abort, and whether it still can when one sensor is dead, sticks, or leaves its range. Steps are "
+    doc_paragraph(d, "From which states the machine can abort, and whether it still can when one sensor is dead, sticks, or leaves "
+                     "its range. Steps are "
                      "counted from the one in which the condition holds to the first in the abort state.");
     t = DOC_TABLE_OF(d, "abort", abort_columns);
     for (size_t i = 0; i < x.n; i++)

@@ -3,7 +3,8 @@
 #include "compiler/emit/report/report.h"
 #include "compiler/emit/report/words.h"
 
-static const DocColumn step_columns[] = {{"state", "State"}, {"first", "Its first step"}, {"later", "Any other step"}, {"dearest", "Dearest lines of its longest step"}};
+static const DocColumn step_columns[] = {
+    {"state", "State"}, {"first", "Its first step"}, {"later", "Any other step"}, {"dearest", "Dearest lines of its longest step"}};
 static const DocColumn byte_columns[] = {{"part", "Part"}, {"bytes", "Bytes"}};
 static const DocColumn way_columns[] = {{"block", "In"}, {"line", "Line"}, {"text", "Statement"}, {"instructions", "Instructions"}};
 
@@ -75,7 +76,8 @@ static void put_way(const Report *r, Doc *d)
     const StateCost *s = &r->cost.state[r->cost.worst_state - 1];
     DocTable *t;
 
-    doc_heading(d, "longest", format_in(r->arena, "The longest step, in ^%s^", r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
+    doc_heading(d, "longest",
+                format_in(r->arena, "The longest step, in ^%s^", r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
     t = DOC_TABLE_OF(d, "longest", way_columns);
     for (size_t i = 0; i < s->way.n && i < SHOWN; i++) {
         cell_plain(t, block[s->way.at[i].part]);
@@ -101,8 +103,9 @@ static void put_bytes(const Report *r, Doc *d)
     DocTable *t;
 
     doc_heading(d, "bytes", "Memory");
-    doc_paragraph(d, "RAM of this machine on the VM of a computer with pointers of 64 bits; a board with shorter ones needs a little less. "
-                     "The state vector, which the application shares, comes on top.");
+    doc_paragraph(
+        d, "RAM of this machine on the VM of a computer with pointers of 64 bits; a board with shorter ones needs a little less. "
+           "The state vector, which the application shares, comes on top.");
     t = DOC_TABLE_OF(d, "bytes", byte_columns);
     t->narrow = true;
     bytes(t, "Windows of rolling statistics", c->windows);
@@ -118,11 +121,15 @@ static void put_bytes(const Report *r, Doc *d)
 void report_cost(Report *r, Doc *d)
 {
     doc_section(d, "cost", "What it costs");
-    doc_paragraph(d, "Instructions of the VM in the longest step of each state, found on the very image that flies; no step can take more. "
-                     "The first step of a state runs `.entry` too, and a step that leaves runs `.exit`.");
+    doc_paragraph(
+        d, "Instructions of the VM in the longest step of each state, found on the very image that flies; no step can take more. "
+           "The first step of a state runs `.entry` too, and a step that leaves runs `.exit`.");
     if (r->cost.sample)
-        doc_paragraph(d, format_in(r->arena, "%s of each step give the windows their samples; what a sample takes beyond its instruction depends on "
-                                   "the window.", words_count(r->arena, r->cost.sample, "instruction", "instructions")));
+        doc_paragraph(
+            d, format_in(r->arena,
+                         "%s of each step give the windows their samples; what a sample takes beyond its instruction depends on "
+                         "the window.",
+                         words_count(r->arena, r->cost.sample, "instruction", "instructions")));
     put_steps(r, d);
     put_way(r, d);
     put_bytes(r, d);

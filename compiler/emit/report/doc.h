@@ -2,7 +2,8 @@
 // A report between what is said and how it looks: sections of paragraphs, tables, lists and figures.  Who has something to say
 // builds it; doc_html.c, doc_text.c and doc_json.c each write all of it.
 //
-// Texts may hold `code` in backticks, and ^Name^ for a state, so they are ours; what an author of a machine wrote goes in as plain text or code.
+// Texts may hold `code` in backticks, and ^Name^ for a state, so they are ours; what an author of a machine wrote goes in as plain
+// text or code.
 #ifndef SMC_DOC_H
 #define SMC_DOC_H
 

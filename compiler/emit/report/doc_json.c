@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A report as one JSON object: by section {"title", "text": […], "tables": {KEY: [{…}]}, "lists": {KEY: [{…}]}}.  Figures and sources
-// are left out.
+// A report as one JSON object: by section {"title", "text": […], "tables": {KEY: [{…}]}, "lists": {KEY: [{…}]}}.  Figures and
+// sources are left out.
 #include "compiler/base/json.h"
 #include "compiler/emit/report/doc.h"
 

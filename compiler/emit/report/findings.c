@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the analyses found: all groups of warnings, whatever is switched on elsewhere, and those that an @allow covers with its reason.
+// What the analyses found: all groups of warnings, whatever is switched on elsewhere, and those that an @allow covers with its
+// reason.
 #include "compiler/emit/report/report.h"
 
 FindingCount report_count_findings(const Report *r)
@@ -37,7 +38,8 @@ static void put_notes(const Report *r, Doc *d, const Diag *diag, size_t number)
         return;
     l = doc_list(d, format_in(r->arena, "notes.%lu", (unsigned long)number), NULL);
     for (size_t i = 0; i < diag->notes.n; i++)
-        list_line(l, 0, diag->notes.at[i].span.src == r->analysis.p->src ? report_line(diag->notes.at[i].span) : 0, diag->notes.at[i].text);
+        list_line(l, 0, diag->notes.at[i].span.src == r->analysis.p->src ? report_line(diag->notes.at[i].span) : 0,
+                  diag->notes.at[i].text);
 }
 
 static void put_finding(const Report *r, Doc *d, const Diag *diag, size_t number)
@@ -87,8 +89,10 @@ void report_findings(Report *r, Doc *d)
     DocTable *t;
 
     doc_section(d, "findings", "Findings");
-    doc_paragraph(d, open ? "What the analyses found, of all groups. `smc explain` with a name or code prints what it means and what to do."
-                     : allowed ? "The analyses of all groups found nothing that is not allowed with a reason." : "The analyses of all groups found nothing.");
+    doc_paragraph(
+        d, open ? "What the analyses found, of all groups. `smc explain` with a name or code prints what it means and what to do."
+           : allowed ? "The analyses of all groups found nothing that is not allowed with a reason."
+                     : "The analyses of all groups found nothing.");
     if (open) {
         t = DOC_TABLE_OF(d, "findings", finding_columns);
         for (size_t i = 0; i < open; i++)

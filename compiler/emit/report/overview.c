@@ -127,7 +127,8 @@ static void put_words(Report *r, Doc *d)
     Buf b;
 
     buf_init(&b, r->arena);
-    buf_printf(&b, "The machine has %s and begins in ^%s^. ", words_count(r->arena, p->state.n, "state", "states"), p->state.at[0]->name->text);
+    buf_printf(&b, "The machine has %s and begins in ^%s^. ", words_count(r->arena, p->state.n, "state", "states"),
+               p->state.at[0]->name->text);
     if (reads)
         buf_printf(&b, "It watches %s. ", read);
     buf_printf(&b, writes ? "It drives %s. " : "It writes no element of the state vector%s. ", writes ? written : "");

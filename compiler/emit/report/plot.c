@@ -280,9 +280,11 @@ static void put_time(Plot *p)
     const char *comment = comment_behind(p->out->arena, t->p->g->span);
 
     for (int i = 0; step > 0 && i < 20 && i * step <= span; i++) {
-        const long x = PLOT_LEFT + (long)((double)(PLOT_RIGHT - PLOT_LEFT) * (i * step / span) * ((double)(t->steps - 1) / (double)t->steps));
+        const long x =
+            PLOT_LEFT + (long)((double)(PLOT_RIGHT - PLOT_LEFT) * (i * step / span) * ((double)(t->steps - 1) / (double)t->steps));
         plot_line(p, "grid", x, p->bottom, x, p->bottom + 50);
-        plot_text(p, "dim", x > PLOT_RIGHT - 150 ? "end" : "middle", x, p->bottom + 170, plot_label(p->out->arena, from + i * step));
+        plot_text(p, "dim", x > PLOT_RIGHT - 150 ? "end" : "middle", x, p->bottom + 170,
+                  plot_label(p->out->arena, from + i * step));
     }
     if (!comment && t->p->g->element)
         comment = comment_behind(p->out->arena, t->p->g->element->span);
@@ -304,7 +306,9 @@ const char *plot_run(Arena *arena, const Trace *t)
     put_rows(&p, true, true, y);
     put_time(&p);
     y = plot_legend(&p, p.bottom + 420);
-    buf_printf(&out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" role=\"img\" aria-label=\"States and values over time\" viewBox=\"0 0 %d ",
+    buf_printf(&out,
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" role=\"img\" aria-label=\"States and values over time\" "
+               "viewBox=\"0 0 %d ",
                PLOT_WIDE / 10);
     plot_tenths(&out, y);
     buf_str(&out, "\">\n");

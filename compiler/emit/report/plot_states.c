@@ -10,9 +10,12 @@ const char *plot_patterns(Arena *arena)
 {
     (void)arena;
     return "<svg class=\"plot\" aria-hidden=\"true\" style=\"position:absolute;width:0;height:0\"><defs>\n"
-           "<pattern id=\"hatch1\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 6L6 0\"/></pattern>\n"
-           "<pattern id=\"hatch2\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 2.5H5\"/></pattern>\n"
-           "<pattern id=\"hatch3\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 0L6 6\"/></pattern>\n"
+           "<pattern id=\"hatch1\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 6L6 "
+           "0\"/></pattern>\n"
+           "<pattern id=\"hatch2\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 "
+           "2.5H5\"/></pattern>\n"
+           "<pattern id=\"hatch3\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 0L6 "
+           "6\"/></pattern>\n"
            "</defs></svg>\n";
 }
 
@@ -57,7 +60,8 @@ static void put_band(Plot *p, size_t i)
         return;
     put_swatch(p, v->state, from, 0, wide, PLOT_BAND);
     if (t->visits <= TINTS_MOST) {
-        plot_rect(p, format_in(p->out->arena, "tint s%u", (unsigned)(v->state->number - 1u) % COLOURS), from, p->top, wide, p->bottom - p->top);
+        plot_rect(p, format_in(p->out->arena, "tint s%u", (unsigned)(v->state->number - 1u) % COLOURS), from, p->top, wide,
+                  p->bottom - p->top);
         if (i > 0)
             plot_line(p, "cut", from, PLOT_BAND, from, p->bottom);
     }

@@ -42,7 +42,8 @@ static void report_source(Report *r, Doc *d)
     doc_source(d, r->analysis.p->src);
     if (!sv->from_machine && sv->element.n) {
         doc_heading(d, NULL, format_in(r->arena, "State vector `%s`", report_file_name(sv->element.at[0]->span.src->name)));
-        doc_paragraph(d, "The elements that this machine lists are described above; the whole state vector is not part of this report.");
+        doc_paragraph(
+            d, "The elements that this machine lists are described above; the whole state vector is not part of this report.");
     }
 }
 

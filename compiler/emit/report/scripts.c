@@ -4,10 +4,14 @@
 #include "compiler/emit/report/report.h"
 #include "compiler/emit/report/words.h"
 
-static const DocColumn run_columns[] = {
-    {"script", "Script"}, {"result", "Result"}, {"steps", "Steps"}, {"asserts", "Asserts that held"}, {"states", "States it was in"}};
+static const DocColumn run_columns[] = {{"script", "Script"},
+                                        {"result", "Result"},
+                                        {"steps", "Steps"},
+                                        {"asserts", "Asserts that held"},
+                                        {"states", "States it was in"}};
 static const DocColumn visit_columns[] = {{"step", "Step"}, {"g", "G"}, {"state", "State that began"}, {"stayed", "Stayed for"}};
-static const DocColumn cover_columns[] = {{"state", "State"}, {"entered", "Times it began"}, {"steps", "Steps in it"}, {"scripts", "Scripts that were there"}};
+static const DocColumn cover_columns[] = {
+    {"state", "State"}, {"entered", "Times it began"}, {"steps", "Steps in it"}, {"scripts", "Scripts that were there"}};
 
 static const char *outcome_text(const ReportRun *run)
 {
@@ -108,7 +112,9 @@ static void put_ways(const Report *r, Doc *d)
         cell_state(table, t->at[i].from->name->text);
         cell_state(table, t->at[i].to->name->text);
         cell_number(table, taken);
-        cell_plain(table, taken == 0 ? "never gone" : same > 1 ? format_in(r->arena, "%lu transitions, counted together", (unsigned long)same) : "");
+        cell_plain(table, taken == 0 ? "never gone"
+                          : same > 1 ? format_in(r->arena, "%lu transitions, counted together", (unsigned long)same)
+                                     : "");
     }
 }
 
@@ -203,7 +209,8 @@ static void put_plot(const Report *r, Doc *d, const ReportRun *run)
     const char *same = unchanged(r, run);
 
     doc_figure(d, plot_run(r->arena, &run->trace),
-               format_in(r->arena, "Values after each step; circles mark where a state began.%s%s%s", *same ? " Unchanged: " : "", same, *same ? "." : ""));
+               format_in(r->arena, "Values after each step; circles mark where a state began.%s%s%s", *same ? " Unchanged: " : "",
+                         same, *same ? "." : ""));
 }
 
 static void put_run(const Report *r, Doc *d, const ReportRun *run, size_t number)

@@ -79,9 +79,11 @@ void report_states(Report *r, Doc *d)
     const Sources *from = find_sources(r);
 
     doc_section(d, "states", "What it does in each state");
-    doc_paragraph(d, "The machine is run again and again; each time is a step. What stands under \"at each step\" is done from top to bottom, in "
-                     "the step in which the machine enters too. The first way out whose condition holds is taken, and nothing behind it is "
-                     "done any more; the state it leads to begins with the next step. `T` is the time since the state began, `G` the time.");
+    doc_paragraph(
+        d, "The machine is run again and again; each time is a step. What stands under \"at each step\" is done from top to "
+           "bottom, in "
+           "the step in which the machine enters too. The first way out whose condition holds is taken, and nothing behind it is "
+           "done any more; the state it leads to begins with the next step. `T` is the time since the state began, `G` the time.");
     for (size_t i = 0; i < p->state.n; i++) {
         const State *s = p->state.at[i];
         put_badge(r, s, doc_heading(d, NULL, format_in(r->arena, "%u. %s", (unsigned)s->number, s->name->text)));

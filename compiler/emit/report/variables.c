@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine reads, writes and remembers: elements, parameters, other locals, windows; with what its author wrote beside them.
+// What the machine reads, writes and remembers: elements, parameters, other locals, windows; with what its author wrote beside
+// them.
 #include "compiler/emit/report/report.h"
 #include "compiler/emit/report/words.h"
 
@@ -62,9 +63,13 @@ static Use *find_uses(const Report *r)
 
 // ---- elements ----
 
-static const DocColumn element_columns[] = {
-    {"name", "Element"}, {"type", "Type"}, {"role", "Role"}, {"range", "Healthy range"}, {"comment", "Meaning, as its author wrote"},
-    {"read", "Read in"}, {"written", "Written in"}};
+static const DocColumn element_columns[] = {{"name", "Element"},
+                                            {"type", "Type"},
+                                            {"role", "Role"},
+                                            {"range", "Healthy range"},
+                                            {"comment", "Meaning, as its author wrote"},
+                                            {"read", "Read in"},
+                                            {"written", "Written in"}};
 
 static const char *role(const Program *p, const Var *v)
 {
@@ -91,7 +96,8 @@ static const char *range_of(Arena *arena, const Var *v)
 {
     if (!v->range)
         return "";
-    return format_in(arena, "%s to %s", report_number(arena, number_of(v->range->lo)), report_number(arena, number_of(v->range->hi)));
+    return format_in(arena, "%s to %s", report_number(arena, number_of(v->range->lo)),
+                     report_number(arena, number_of(v->range->hi)));
 }
 
 // Beside the machine's own declaration, else beside that of the state vector.
@@ -123,9 +129,13 @@ static void put_elements(const Report *r, Doc *d, const Use *use)
 
 // ---- locals ----
 
-static const DocColumn parameter_columns[] = {
-    {"name", "Parameter"}, {"type", "Type"}, {"value", "Value"}, {"formula", "Written as"}, {"comment", "Meaning, as its author wrote"},
-    {"read", "Read in"}, {"line", "Line"}};
+static const DocColumn parameter_columns[] = {{"name", "Parameter"},
+                                              {"type", "Type"},
+                                              {"value", "Value"},
+                                              {"formula", "Written as"},
+                                              {"comment", "Meaning, as its author wrote"},
+                                              {"read", "Read in"},
+                                              {"line", "Line"}};
 
 static const DocColumn local_columns[] = {
     {"name", "Local"}, {"type", "Type"}, {"value", "Begins as"}, {"comment", "Meaning, as its author wrote"}, {"read", "Read in"},
@@ -203,7 +213,8 @@ static void put_windows(const Report *r, Doc *d)
     if (w->n == 0)
         return;
     doc_heading(d, "windows", "Rolling statistics");
-    doc_paragraph(d, "Every window takes a sample at the start of every step, in whatever state the machine is. Until it is full, statistics are "
+    doc_paragraph(d, "Every window takes a sample at the start of every step, in whatever state the machine is. Until it is full, "
+                     "statistics are "
                      "over the samples there are.");
     t = DOC_TABLE_OF(d, "windows", window_columns);
     for (size_t i = 0; i < w->n; i++) {

@@ -16,7 +16,8 @@ const char *words_window(Arena *arena, const Window *w)
 {
     static const char *const name[SM_STAT_COUNT] = {"the average", "the median", "the smallest", "the largest", "the range"};
 
-    return format_in(arena, "%s of `%s` over the last %lu steps", name[w->stat], source_text(arena, w->sample->span), (unsigned long)w->size);
+    return format_in(arena, "%s of `%s` over the last %lu steps", name[w->stat], source_text(arena, w->sample->span),
+                     (unsigned long)w->size);
 }
 
 // What its author wrote above the statement, given to the sentence before.
