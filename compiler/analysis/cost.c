@@ -258,3 +258,17 @@ void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, Cost *
     }
     weigh(&r, out);
 }
+
+const CostLine *cost_next_dearest(const StateCost *s, const CostLine *before)
+{
+    const CostLine *most = NULL;
+
+    for (size_t i = 0; i < s->way.n; i++) {
+        const CostLine *l = &s->way.at[i];
+        if (before && (l->instructions > before->instructions || (l->instructions == before->instructions && l <= before)))
+            continue;
+        if (l->line && (!most || l->instructions > most->instructions))
+            most = l;
+    }
+    return most;
+}

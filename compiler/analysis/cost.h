@@ -46,4 +46,7 @@ typedef struct Cost {
 // Of machine `number`, counted from 0, of an image that the verifier has accepted.
 void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, Cost *out);
 
+// The stretch of the longest way that takes most, of those with a line; after `before`, the next.  NULL: there is none.
+const CostLine *cost_next_dearest(const StateCost *s, const CostLine *before);
+
 #endif

@@ -85,26 +85,11 @@ static Span span_of_line(const Source *src, uint32_t line)
     return (Span){src, at + skip, 0};
 }
 
-// The line of the way that takes most, of those that take less than `below`, or as much and stand behind `behind`.
-static const CostLine *next_heaviest(const StateCost *s, const CostLine *before)
-{
-    const CostLine *most = NULL;
-
-    for (size_t i = 0; i < s->way.n; i++) {
-        const CostLine *l = &s->way.at[i];
-        if (before && (l->instructions > before->instructions || (l->instructions == before->instructions && l <= before)))
-            continue;
-        if (l->line > 0 && (!most || l->instructions > most->instructions))
-            most = l;
-    }
-    return most;
-}
-
 static void note_lines(Cli *c, const Program *p, const StateCost *s, Diag *diag)
 {
     const CostLine *l = NULL;
 
-    for (int i = 0; i < LINES_SHOWN && (l = next_heaviest(s, l)) != NULL; i++)
+    for (int i = 0; i < LINES_SHOWN && (l = cost_next_dearest(s, l)) != NULL; i++)
         diag_note(&c->session.diags, diag, span_of_line(p->src, l->line),
                   l->part == COST_SAMPLE ? DIAG_note_line_samples : DIAG_note_line_takes, number_text(c, l->instructions));
 }

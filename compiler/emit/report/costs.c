@@ -10,20 +10,6 @@ static const DocColumn way_columns[] = {{"block", "In"}, {"line", "Line"}, {"tex
 
 // ---- where the time goes ----
 
-static const CostLine *next_dearest(const StateCost *s, const CostLine *before)
-{
-    const CostLine *most = NULL;
-
-    for (size_t i = 0; i < s->way.n; i++) {
-        const CostLine *l = &s->way.at[i];
-        if (before && (l->instructions > before->instructions || (l->instructions == before->instructions && l <= before)))
-            continue;
-        if (l->line && (!most || l->instructions > most->instructions))
-            most = l;
-    }
-    return most;
-}
-
 static const char *dearest(const Report *r, const StateCost *s)
 {
     enum { SHOWN = 3 };
@@ -31,7 +17,7 @@ static const char *dearest(const Report *r, const StateCost *s)
     Buf b;
 
     buf_init(&b, r->arena);
-    for (int i = 0; i < SHOWN && (l = next_dearest(s, l)) != NULL; i++)
+    for (int i = 0; i < SHOWN && (l = cost_next_dearest(s, l)) != NULL; i++)
         buf_printf(&b, "%sline %lu%s: %lu", b.n ? ", " : "", (unsigned long)l->line, l->part == COST_SAMPLE ? " (samples)" : "",
                    (unsigned long)l->instructions);
     return buf_text(&b);
