@@ -19,6 +19,7 @@ void session_init(Session *s, SmcAllocFn alloc, void *context, jmp_buf *oom)
     arena_init(&s->scratch, alloc, context, oom);
     str_pool_init(&s->strings, &s->arena);
     diags_init(&s->diags, &s->arena);
+    s->warnings = DIAG_GROUPS_ALL;
 }
 
 void session_free(Session *s)
@@ -81,7 +82,7 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
 
 void session_analyse(Session *s, const Program *p)
 {
-    analyse_program(&s->work, &s->scratch, &s->diags, p);
+    analyse_program(&s->work, &s->scratch, &s->diags, p, s->warnings);
     arena_free(&s->work);
 }
 

@@ -19,6 +19,7 @@ typedef struct Session {
     const char *print_after;      // session_ir prints the machine to print_to after this pass of the optimiser, or after
     Buf *print_to;                // "build" before the first; NULL: it does not
     bool check_passes;            // session_ir checks the machine after every pass, not only the last: a third of a build's time
+    unsigned warnings;            // 1u << DiagGroup of each that session_analyse is to look for
     bool hide_locals;             // nobody will look at locals between steps: session_ir marks them as hidden
 } Session;
 

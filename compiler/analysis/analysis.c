@@ -85,6 +85,7 @@ static void note_flow(Analysis *a, const FlowPlace *at, void *context)
 
 void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p)
 {
+    a->groups = DIAG_GROUPS_ALL;
     a->arena = arena;
     a->diags = diags;
     a->p = p;
@@ -103,20 +104,26 @@ static void work_in(Analysis *a, Arena *arena)
     memset(a->asked, 0, (a->p->stmts + 1u) * sizeof *a->asked);      // what the last arena held
 }
 
-void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *p)
+typedef struct Row { void (*run)(Analysis *a); DiagGroup group; } Row;
+
+void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *p, unsigned groups)
 {
-    static void (*const all[])(Analysis *a) = {
-#define ANALYSIS(name, sentence) analyse_##name,
+    static const Row all[] = {
+#define ANALYSIS(name, group, sentence) {analyse_##name, DIAG_GROUP_##group},
 #include "compiler/analysis/analyses.def"
 #undef ANALYSIS
     };
     Analysis a;
 
+    diags->analysed |= groups;
+    if (groups == 0)
+        return;
     analysis_begin(&a, arena, diags, p);
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        work_in(&a, scratch);
-        all[i](&a);
-        arena_free(scratch);
-    }
-    diags->analysed = true;
+    a.groups = groups;
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        if (groups & 1u << all[i].group) {
+            work_in(&a, scratch);
+            all[i].run(&a);
+            arena_free(scratch);
+        }
 }

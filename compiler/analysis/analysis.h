@@ -22,6 +22,7 @@ typedef struct StmtFact {
 } StmtFact;
 
 typedef struct Analysis {
+    unsigned groups;              // 1u << DiagGroup of each whose warnings are wanted
     Arena *arena;                 // for the work of one analysis: given back after it.  What a diagnostic keeps (the text of an
                                   // edit) lives in diags->arena
     Diags *diags;
@@ -36,15 +37,15 @@ typedef struct Analysis {
 // Everything but the findings: what the reports use too.  `arena` holds it.
 void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p);
 
-// All analyses of a machine.  Nothing in `arena` is needed afterwards; `scratch` is empty before and after.
-void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *p);
+// All analyses of a machine whose warnings are of these groups (1u << DiagGroup of each).  Nothing in `arena` is needed afterwards; `scratch` is empty before and after.
+void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *p, unsigned groups);
 
 // What can be said of several machines over one state vector only: who writes what.  Their names come from one pool.
 void analyse_together(Arena *arena, Diags *diags, const Program *const *p, size_t n);
 
 // ---- for analyses ----
 
-#define ANALYSIS(name, sentence) void analyse_##name(Analysis *a);
+#define ANALYSIS(name, group, sentence) void analyse_##name(Analysis *a);
 #include "compiler/analysis/analyses.def"
 #undef ANALYSIS
 

@@ -131,7 +131,25 @@ static void look_at_stmt(void *context, const Stmt *stmt, const Known *known)
         known_within(k->a, stmt->value, known, is_division, judge, k);
 }
 
-void analyse_divide(Analysis *a)
+static bool divides(const IrFn *f)
+{
+    for (size_t i = 0; f && i < f->ins.n; i++)
+        if (f->ins.at[i].op == IR_div)
+            return true;
+    return false;
+}
+
+static bool divides_anywhere(const IrMachine *m)
+{
+    bool found = divides(m->sample);
+
+    for (size_t s = 0; s < m->state.n && !found; s++)
+        for (int b = 0; b < BLOCK_COUNT && !found; b++)
+            found = divides(m->state.at[s].block[b]);
+    return found;
+}
+
+static void look_at_divisions(Analysis *a)
 {
     const Program *p = a->p;
     Analysis in_range = suppose_ranges(a);
@@ -146,4 +164,10 @@ void analyse_divide(Analysis *a)
     for (size_t s = 0; any && s < p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             known_each(a, &p->state.at[s]->block[b], look_at_stmt, &k);
+}
+
+void analyse_divide(Analysis *a)
+{
+    if (divides_anywhere(a->m))
+        look_at_divisions(a);
 }

@@ -91,6 +91,8 @@ const char *path_stem(Cli *c, const char *path);
 
 // ---- warnings.c ----
 
+// 1u << DiagGroup of each group of which some warning is wanted.
+unsigned warnings_groups(const Warnings *w);
 // Drops the warnings that are switched off and makes errors of those that -Werror names.
 void warnings_apply(const Warnings *w, Diags *d);
 // What is wrong with the words: "no warning is called 'x'; did you mean 'y'?"; NULL if nothing is.

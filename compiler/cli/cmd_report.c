@@ -79,6 +79,7 @@ static int look_at_machine(ReportCommand *x, const Map *written)
         return EXIT_PROBLEM;
     x->r.arena = &s->arena;
     x->r.maker = "smc " SMC_VERSION;
+    s->warnings = DIAG_GROUPS_ALL;
     session_analyse(s, p);
     diags_apply_allows(&s->diags);
     diags_sort(&s->diags);

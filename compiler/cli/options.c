@@ -125,6 +125,7 @@ static bool warnings_known(Cli *c)
 
     if (wrong)
         cli_usage(c, "%s", wrong);
+    c->session.warnings = warnings_groups(&c->warn);
     return !wrong;
 }
 

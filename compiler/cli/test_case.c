@@ -161,8 +161,10 @@ static void compile_case(Case *c)
 
     make_sources(c);
     c->p = compile_machine(c);
-    if (c->p && analysed)
+    if (c->p && analysed) {
+        c->s.warnings = warnings_groups(&c->warn);
         session_analyse(&c->s, c->p);
+    }
     compile_scripts(c);
     c->is_ready = c->f->outcome != TEST_ERROR && c->s.diags.errors == 0 && count_parts(c->f, ".ss") > 0;
     if (c->is_ready && c->which & 1u << ENGINE_C)

@@ -93,15 +93,29 @@ static void apply_one(const char *w, const DiagFlag *flag, Verdict *v)
         v->on = skip_prefix(w, "no-") == NULL;
 }
 
-static Verdict judge(const Warnings *w, const Diag *d)
+static Verdict judge_flag(const Warnings *w, const DiagFlag *flag)
 {
-    const DiagFlag *flag = diag_info[d->code].flag ? diag_find_flag(diag_info[d->code].flag) : NULL;
     Verdict v = {!flag || flag->group == DIAG_GROUP_ALL, false};
 
     for (size_t i = 0; flag && i < w->n; i++)
         apply_one(w->word[i], flag, &v);
     v.on = v.on && !w->none;
     return v;
+}
+
+static Verdict judge(const Warnings *w, const Diag *d)
+{
+    return judge_flag(w, diag_info[d->code].flag ? diag_find_flag(diag_info[d->code].flag) : NULL);
+}
+
+unsigned warnings_groups(const Warnings *w)
+{
+    unsigned wanted = 0;
+
+    for (size_t i = 0; i < diag_flag_count; i++)
+        if (judge_flag(w, &diag_flag[i]).on)
+            wanted |= 1u << diag_flag[i].group;
+    return wanted;
 }
 
 // What is switched off needs no @allow either.

@@ -163,6 +163,8 @@ static void report_useless(Diags *d, const DiagAllow *a)
     diag_edit(d, x, without(a->span), "");
 }
 
+static bool was_looked_for(const Diags *d, const DiagAllow *a) { return (d->analysed >> diag_find_flag(a->flag)->group & 1u) != 0; }
+
 // One annotation may be there several times, for each place that it covers.  `about_itself`: those that allow this very warning.
 static void report_unused(Diags *d, bool about_itself)
 {
@@ -174,7 +176,7 @@ static void report_unused(Diags *d, bool about_itself)
         used = used || all[i]->used || all[i]->shared;
         if (i + 1 < d->allow.n && compare_spans(&all[i], &all[i + 1]) == 0)
             continue;
-        if (!used && (strcmp(all[i]->flag, itself) == 0) == about_itself)
+        if (!used && was_looked_for(d, all[i]) && (strcmp(all[i]->flag, itself) == 0) == about_itself)
             report_useless(d, all[i]);
         used = false;
     }

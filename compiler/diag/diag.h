@@ -38,7 +38,8 @@ typedef struct DiagInfo {
 extern const DiagInfo diag_info[DIAG_COUNT];
 
 // A row of flags.def.
-typedef enum DiagGroup { DIAG_GROUP_ALL, DIAG_GROUP_EXTRA, DIAG_GROUP_FLIGHT } DiagGroup;
+typedef enum DiagGroup { DIAG_GROUP_ALL, DIAG_GROUP_EXTRA, DIAG_GROUP_FLIGHT, DIAG_GROUPS } DiagGroup;
+#define DIAG_GROUPS_ALL ((1u << DIAG_GROUPS) - 1u)        // all of them, as bits
 typedef struct DiagFlag {
     const char *name;         // behind -W
     DiagGroup group;
@@ -83,7 +84,7 @@ typedef struct Diags {
     size_t met;                           // errors met, repeated and muted ones too: what tells a caller that it failed
     VEC(DiagAllow) allow;
     VEC(Diag *) allowed;                  // what diags_apply_allows took out of the list
-    bool analysed;                        // analyses have run: every warning that there is has been reported
+    unsigned analysed;                    // 1u << DiagGroup of each group whose every warning has been reported: analyses have run
     bool muted;                           // while set, reports are dropped
     Diag *dropped;                        // stands for every report that is not in the list; its fields mean nothing
     VEC(const Source *) files;            // in the order first seen

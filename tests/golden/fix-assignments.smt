@@ -32,7 +32,7 @@ F64 c = a + b
         @allow(not-precedence, "it is meant")
         x = not v + 2
     }
-    @allow(empty-block, "x")
+    @allow(dead-code, "x")
     x = x
     x = 5
 -- file app.sm --
