@@ -2,8 +2,9 @@
 // Guards that can hold while the window of a statistic they use cannot be full yet: in the machine's first step, and in states that
 // are reached for sure after fewer steps than the window holds, because every state before leaves in its first step.
 //
-// What is asked is whether the transition can be made in the state's first step, where T is 0 (G is supposed to be, too): a limit
-// of T or G, a count of steps, or a state before that waits, gives the window its time.
+// What is asked is whether the transition can be made when the state has just begun (G is supposed to be 0, locals are as in its
+// first step): a limit of G, a count of steps, or a state before that waits, gives the window its time.  So does a limit of T, but not
+// one below the window's size: time advances with every step, so by T = 20 there have been at most 20 more.
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/whatif.h"
 
@@ -19,7 +20,7 @@ typedef struct Filling {
     Arrival *arrival;             // by state, from 0
     VEC(uint32_t) queue;
     const Expr **fed;             // by Var.index: the statistic that all assignments to it are made of
-    bool *fires;                  // by Stmt.number: this transition can be made in the state's first step
+    double *fires;                // by Stmt.number: from which T on this transition can be made, and 1; 0: it cannot
     size_t *first;                // by state: where its transitions begin in the list of all
 } Filling;
 
@@ -52,7 +53,7 @@ static void note_end(void *context, const IrJump *end, const Env *env)
     join(s, &s->leaves, env);
     vec_push(s->k->a->arena, &s->targets, end->state - 1);
     if (s->note)
-        s->k->fires[end->stmt] = true;
+        s->k->fires[end->stmt] = 1 + env_get(&s->k->a->facts->shape, env, s->k->a->m->t).lo;
 }
 
 static void run_block(Step *s, uint32_t state, BlockKind block)
@@ -67,7 +68,7 @@ static void run_block(Step *s, uint32_t state, BlockKind block)
     facts_flow(s->k->a->facts, f, env, &ends);
 }
 
-// .entry and .step of a state's first step.
+// .entry and .step of a state's first step; where ways are noted, .step also of those that follow soon.
 static Step first_step(Filling *k, uint32_t state, const Env *env, bool note)
 {
     Step s = {.k = k, .note = note};
@@ -75,6 +76,8 @@ static Step first_step(Filling *k, uint32_t state, const Env *env, bool note)
     s.stays.env = suppose(k->a, env, k->a->p->t, fact_of_number(sm_from_i32(0)));
     s.stays.found = true;
     run_block(&s, state, BLOCK_ENTRY);
+    if (note && s.stays.found)
+        s.stays.env = suppose(k->a, s.stays.env, k->a->p->t, fact_of_range(sm_from_i32(0), sm_from_i32(SM_WINDOW_MAX)));
     run_block(&s, state, BLOCK_STEP);
     return s;
 }
@@ -137,11 +140,13 @@ static void report(const Filling *k, const Condition *when, const Expr *roll, co
         diag_note(k->a->diags, d, roll->span, DIAG_note_statistic_here, from->var->name->text);
 }
 
-static void look_at_transitions(const Filling *k, uint32_t state, uint32_t steps)
+static void look_at_transitions(const Filling *k, uint32_t state, uint32_t before)
 {
     for (size_t t = k->first[state]; t < k->first[state + 1]; t++) {
         const Transition *way = &k->a->transition.at[t];
-        if (!k->fires[way->stmt->number])
+        const double fires = k->fires[way->stmt->number];
+        const uint32_t steps = before + (uint32_t)(fires > 0 ? fires - 1 : 0);
+        if (fires <= 0)
             continue;
         for (const Condition *when = way->when; when; when = when->outer) {
             const Expr *from = NULL, *roll = unfilled(k, when->stmt->value, when->holds, steps, &from);
@@ -237,7 +242,7 @@ void analyse_filling(Analysis *a)
         return;
     k.arrival = arena_array(a->arena, a->p->state.n, sizeof *k.arrival);
     k.fed = find_feeds(a);
-    k.fires = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
+    k.fires = ARENA_ARRAY(a->arena, double, a->p->stmts + 1u);
     k.first = transitions_by_state(a->arena, a->p, &a->transition);
     arrive(&k, 0, at_the_start(a), 1);
     for (size_t i = 0; i < k.queue.n; i++)

@@ -19,7 +19,8 @@ typedef struct LeftOn {
     bool **stays;                 // by output and state: nothing from there on sees to it before the machine rests for good
     bool **rests;                 // the same, or before it rests: in its first state, in one marked @safe or @abort
     size_t *at;                   // by Stmt.number: the transition it is
-    const Env **env;              // by transition: behind it, before .exit
+    const Env **env;              // by transition: behind it, before .exit; then behind .exit
+    const Env **gone;             // by transition: behind it, before .exit
     bool *made;                   // by transition
     size_t first, first_from;     // transitions of the state looked at
     const Env *begin;             // of its .step
@@ -291,13 +292,22 @@ static bool is_off_behind(const LeftOn *l, const Transition *t, const Var *v)
     return assigns(&t->to->block[BLOCK_ENTRY], v) || !may_be_on(output_fact(l, l->env[t->number], v));
 }
 
-// Whether another way out of its state sees to what this one leaves on.
+// Whether this way out takes v, which may be on, and switches it off.
+static bool switches_off(const LeftOn *l, const Transition *t, const Var *v)
+{
+    if (!may_be_on(output_fact(l, l->gone[t->number], v)))
+        return switched(l, t->from, v, false);
+    return outputs_switch(l->a, &t->to->block[BLOCK_ENTRY], v, false) || !may_be_on(output_fact(l, l->env[t->number], v));
+}
+
+// Whether another way out of its state sees to what this one leaves on.  That an @abort state switches everything off says nothing
+// about other ways.
 static bool others_see(LeftOn *l, const Transition *t, const Var *v)
 {
     for (size_t i = l->first; i < l->first_from; i++) {
         const Transition *u = &l->a->transition.at[i];
-        if (l->made[i] && u->to != t->to && u->to != u->from && is_off_behind(l, u, v))
-            return assigns(&u->to->block[BLOCK_ENTRY], v) || switched(l, u->from, v, false);
+        if (l->made[i] && u->to != t->to && u->to != u->from && !u->to->is_abort && switches_off(l, u, v))
+            return true;
     }
     return false;
 }
@@ -323,8 +333,10 @@ static void look_at_state(LeftOn *l, size_t state)
     run_state(l, state);
     l->first = l->first_from;
     for (; l->first_from < list->n && list->at[l->first_from].from->number - 1 == state; l->first_from++)
-        if (l->made[l->first_from])
+        if (l->made[l->first_from]) {
+            l->gone[l->first_from] = l->env[l->first_from];
             l->env[l->first_from] = run(l, exit, l->env[l->first_from]).env;
+        }
     for (size_t t = l->first; t < l->first_from; t++)
         if (l->made[t] && list->at[t].to != list->at[t].from)
             look_at_transition(l, &list->at[t]);
@@ -338,6 +350,7 @@ void analyse_left_on(Analysis *a)
 
     l.at = ARENA_ARRAY(a->arena, size_t, a->p->stmts + 1u);
     l.env = ARENA_ARRAY(a->arena, const Env *, a->transition.n + 1);
+    l.gone = ARENA_ARRAY(a->arena, const Env *, a->transition.n + 1);
     l.made = ARENA_ARRAY(a->arena, bool, a->transition.n + 1);
     left = ARENA_ARRAY(a->arena, bool, a->p->state.n);
     for (size_t t = 0; t < a->transition.n; t++) {

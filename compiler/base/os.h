@@ -30,6 +30,7 @@ bool os_stream_close(OsStream *s, bool keep, const char **why);
 bool os_print(int fd, const void *bytes, size_t n, const char **why);
 
 bool os_is_folder(const char *path);
+bool os_same_file(const char *a, const char *b);   // two names of one regular file that exists; "-" is none
 // Names in a folder without . and .., sorted; *names and its strings are one block from the heap.
 bool os_list(const char *path, char ***names, size_t *n, const char **why);
 

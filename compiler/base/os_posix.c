@@ -284,6 +284,15 @@ bool os_stream_close(OsStream *s, bool keep, const char **why)
 
 // ---- folders and surroundings ----
 
+bool os_same_file(const char *a, const char *b)
+{
+    struct stat x, y;
+
+    if (strcmp(a, "-") == 0 || strcmp(b, "-") == 0 || stat(a, &x) != 0 || stat(b, &y) != 0)
+        return false;
+    return S_ISREG(x.st_mode) && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
+}
+
 bool os_is_folder(const char *path)
 {
     struct stat st;
