@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the ability to abort hangs on.  Of each state only those sensors can be the one that it hangs on that every way to an @abort
-// state looks at: another way is left whatever they read.  But any that a way looks at may, when it reads nonsense, make another
-// transition before that way's turn comes.  Questions are sorted by sensor, since what a dead one does to windows and locals is the
+// state looks at: another way is left whatever they read.  But any that a way looks at may, when it reads 0, make another transition
+// before that way's turn comes.  Questions are sorted by sensor, since what a dead one does to windows and locals is the
 // same for all states.
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/dead_sensor.h"
@@ -126,7 +126,7 @@ static bool reading_of(const Var *v, Reading reading, Fact *f)
 
 static void ask_reading(Asking *k, const Var *v, Reading reading)
 {
-    const Rows *rows = &k->watch[v->index];
+    const Rows *rows = reading == READS_0 ? &k->watch[v->index] : &k->ask[v->index];
     Fact f;
 
     if (!reading_of(v, reading, &f))

@@ -46,6 +46,7 @@ typedef struct Zero {
     uint32_t *reached;            // by Stmt.number: the flow that came to it last
     uint32_t flow;                // its number
     uint8_t (*flows)[BLOCK_COUNT];    // by state
+    size_t *first;                // by state: its first transition in the list of all
     Flowed last;
     const State *settled;         // the state that the following are of
     const Env *zero, *far_above, *far_below, *in_range;
@@ -255,9 +256,21 @@ static const Stmt *begun_by(const Zero *z, const StmtPlace *at)
     return on;
 }
 
+// Whether the same state is gone to without a sensor too, by time or by command: then it goes on anyway.
+static bool goes_anyway(const Zero *z, const StmtPlace *at)
+{
+    for (size_t t = z->first[at->state->number - 1u]; t < z->first[at->state->number]; t++) {
+        const Transition *other = &z->a->transition.at[t];
+        const Looks l = looks_of_condition(z->s, other->when);
+        if (other->to == at->stmt->target && l.n == 0 && !l.more)
+            return true;
+    }
+    return false;
+}
+
 static bool is_made(Zero *z, const StmtPlace *at)
 {
-    if (z->flows[at->state->number - 1u][at->block] > FLOWS)
+    if (z->flows[at->state->number - 1u][at->block] > FLOWS || goes_anyway(z, at))
         return false;
     run_block(z, at);
     return z->reached[at->stmt->number] == z->flow;
@@ -364,6 +377,7 @@ void analyse_output_on_zero(Analysis *a)
 
     z.ask = ARENA_ARRAY(a->arena, Stores, n);
     z.aborts = ARENA_ARRAY(a->arena, bool, 2 * (a->p->stmts + 1u));
+    z.first = transitions_by_state(a->arena, a->p, &a->transition);
     z.reached = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 1u);
     z.flows = arena_array(a->arena, a->p->state.n, sizeof *z.flows);
     each_place(a->arena, a->p, note_place, &z);

@@ -24,7 +24,12 @@ bool lamp
 [Plausible]
 .step
     20 < altitude < 250: -> Fire        # 0 is excluded
-    T > 500: -> Lit
+    T > 500: -> Anyway
+[Anyway]
+.step
+    altitude < 250: -> Fire             # time brings it about too
+    T > 500 and arm: -> Fire
+    T > 600: -> Lit
 [Lit]
 .entry
     charge = true                       # it is on already
