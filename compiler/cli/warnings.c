@@ -148,5 +148,7 @@ void warnings_apply(const Warnings *w, Diags *d)
         d->list.at[kept++] = diag;
     }
     d->list.n = kept;
+    if (w->none)
+        d->warnings = 0;              // those too that were too many to be kept
     drop_allowed(w, d);
 }

@@ -66,7 +66,9 @@ END {
         else
             good++
     for (name in flag)
-        if (name in used)
+        if (name in used && name in excused)
+            complain("codes.txt: " name " is used; remove the excuse")
+        else if (name in used)
             good++
         else if (!(name in excused))
             complain("flags.def:" flag[name] ": no diagnostic is called " name)
