@@ -201,7 +201,7 @@ static void complain_of_diagnostic(Case *c, const Diag *d)
     buf_printf(b, "%s: %s", d->severity == DIAG_ERROR ? "error" : "warning", d->text);
     if (d->label)
         buf_printf(b, " (%s)", d->label);
-    buf_printf(b, " [%s]\n", diag_info[d->code].id);
+    buf_printf(b, " [%s]\n", diag_code_and_name(d, b->arena));
 }
 
 static void check_diagnostics(Case *c)

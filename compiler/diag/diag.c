@@ -275,3 +275,10 @@ const DiagInfo *diag_find(const char *id)
     }
     return NULL;
 }
+
+const char *diag_code_and_name(const Diag *d, Arena *arena)
+{
+    const DiagInfo *row = &diag_info[d->code];
+
+    return row->flag ? format_in(arena, "%s %s", row->id, row->flag) : row->id;
+}

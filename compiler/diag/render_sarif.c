@@ -112,9 +112,10 @@ static void put_rule_defaults(Buf *out, const DiagInfo *row)
         buf_printf(out, ",\"properties\":{\"tags\":[\"%s\",\"%s\"]}", diag_group_name[flag->group], flag->name);
 }
 
+// The name of a warning is the one behind -W, which `smc explain` and @allow take.
 static void put_rule(Buf *out, const DiagInfo *row)
 {
-    buf_printf(out, "{\"id\":\"%s\",\"name\":\"%s\",\"shortDescription\":", row->id, row->name);
+    buf_printf(out, "{\"id\":\"%s\",\"name\":\"%s\",\"shortDescription\":", row->id, row->flag ? row->flag : row->name);
     put_message(out, title(out->arena, row));
     buf_str(out, ",\"fullDescription\":");
     put_message(out, first_paragraph(out->arena, row));

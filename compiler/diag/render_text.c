@@ -186,14 +186,10 @@ static void put_severity(const DiagStyle *style, Buf *out, DiagSeverity severity
 
 static void put_head(const DiagStyle *style, Buf *out, const Diag *d)
 {
-    const DiagInfo *row = &diag_info[d->code];
-
     put_place(style, out, d->span);
     put_severity(style, out, d->severity);
     put_text(out, d->text);
-    if (row->id)
-        buf_printf(out, " [%s]", row->id);
-    buf_char(out, '\n');
+    buf_printf(out, " [%s]\n", diag_code_and_name(d, out->arena));
 }
 
 static void put_note(const DiagStyle *style, Buf *out, const DiagNote *n)

@@ -35,12 +35,12 @@ FILENAME ~ /codes\.txt$/ && /^([EW][0-9]|[a-z])/ {
     excused[$1] = 1
 }
 
-# A test provokes a code by `#! E0204 …` behind the line, or shows it as the command prints it: [E0204], "code":"E0204".
+# A test provokes a code by `#! E0204 …` behind the line, or shows it as the command prints it: [E0204], [W0503 unreachable-state], "code":"E0204".
 function look(file, line,    rest, id) {
     rest = line
     while (match(rest, /[EW][0-9][0-9][0-9][0-9]/)) {
         id = substr(rest, RSTART, 5)
-        if (line ~ "#! *([EW][0-9].*#! *)?" id || line ~ "\\[" id "\\]" || line ~ "\"" id "\"") {
+        if (line ~ "#! *([EW][0-9].*#! *)?" id || line ~ "\\[" id "[] ]" || line ~ "\"" id "\"") {
             provoked[id] = 1
             if (!(id in row) && !(id in unknown)) {
                 unknown[id] = 1

@@ -1,14 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Judges what smc found in one machine.  Input: codes.def, also.txt, the machine's sources, smc's diagnostics.  -v machine=its path.
+# Judges what smc found in one machine.  Input: also.txt, missed.txt, the machine's sources, smc's diagnostics.  -v machine=its path.
 # Fails, and says why, if a mark `#! name` has no finding, or a finding no mark.
-
-FILENAME ~ /codes\.def$/ {
-    if (match($0, /^DIAG\("W[0-9]+", [a-z_0-9]+, DIAG_WARNING, "[a-z-]+"/)) {
-        split(substr($0, RSTART, RLENGTH), part, "\"")
-        flag[part[2]] = part[4]
-    }
-    next
-}
 
 # MACHINE NAME reason: a finding that is right, though it was not seeded.
 FILENAME ~ /also\.txt$/ {
@@ -42,9 +34,9 @@ FILENAME ~ /\.sm$/ {
     next
 }
 
-/: warning: .*\[W[0-9]+\]$/ {
-    match($0, /\[W[0-9]+\]$/)
-    name = flag[substr($0, RSTART + 1, RLENGTH - 2)]
+/: warning: .*\[W[0-9]+ [a-z-]+\]$/ {
+    match($0, /\[W[0-9]+ [a-z-]+\]$/)
+    name = substr($0, RSTART + 7, RLENGTH - 8)
     split($0, part, ":")
     found[name, at[part[1] ":" part[2]]]
     found[name]

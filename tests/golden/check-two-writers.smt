@@ -46,23 +46,23 @@ bool lamp @read_only
 .step
     valve and lamp: clock = G
 -- stderr --
-b.sm:11:5: warning: machine 'b' writes 'valve', as machine 'a' does [W0960]
+b.sm:11:5: warning: machine 'b' writes 'valve', as machine 'a' does [W0960 two-writers]
    11 |     door = true
       |     ^~~~~~~~~~~
 a.sm:8:5: note: machine 'a' writes it here
-b.sm:12:5: warning: machine 'b' writes 'time', which is the time, G, of machine 'a' [W0962]
+b.sm:12:5: warning: machine 'b' writes 'time', which is the time, G, of machine 'a' [W0962 two-writers]
    12 |     time = clock
       |     ^~~~~~~~~~~~
 a.sm:2:5: note: machine 'a' lists it here
-b.sm:13:5: warning: machine 'b' writes 'aState', which is the state, S, of machine 'a' [W0963]
+b.sm:13:5: warning: machine 'b' writes 'aState', which is the state, S, of machine 'a' [W0963 two-writers]
    13 |     aState = 2
       |     ^~~~~~~~~~
 a.sm:3:5: note: machine 'a' lists it here
-c.sm:3:5: warning: machine 'c' keeps its state in 'S', as machine 'b' does [W0961]
+c.sm:3:5: warning: machine 'c' keeps its state in 'S', as machine 'b' does [W0961 two-writers]
     3 | U32 S
       |     ^
 b.sm:3:5: note: machine 'b' lists it here
-c.sm:9:21: warning: machine 'c' writes 'clock', which is the time, G, of machine 'b' [W0962]
+c.sm:9:21: warning: machine 'c' writes 'clock', which is the time, G, of machine 'b' [W0962 two-writers]
     9 |     valve and lamp: clock = G
       |                     ^~~~~~~~~
 b.sm:2:5: note: machine 'b' lists it here

@@ -66,24 +66,24 @@ F64 c = a + b @read_only
 -- stdout --
 app.sm: 10 fixed
 -- stderr --
-app.sm:18:12: warning: 'y' is assigned to itself [W0412]
+app.sm:18:12: warning: 'y' is assigned to itself [W0412 self-assignment]
    18 |     p > a: y = y
       |            ^~~~~
-app.sm:20:9: warning: 'v' is assigned to itself [W0412]
+app.sm:20:9: warning: 'v' is assigned to itself [W0412 self-assignment]
    20 |         v = v
       |         ^~~~~
-app.sm:25:9: warning: what is stored in 'x' here is overwritten before anything reads it [W0410]
+app.sm:25:9: warning: what is stored in 'x' here is overwritten before anything reads it [W0410 dead-store]
    25 |         x = not v + 2
       |         ^~~~~~~~~~~~~
 app.sm:27:5: note: it is overwritten here
 3 warnings
-app.sm:18:12: warning: 'y' is assigned to itself [W0412]
+app.sm:18:12: warning: 'y' is assigned to itself [W0412 self-assignment]
    18 |     p > a: y = y
       |            ^~~~~
-app.sm:20:9: warning: 'v' is assigned to itself [W0412]
+app.sm:20:9: warning: 'v' is assigned to itself [W0412 self-assignment]
    20 |         v = v
       |         ^~~~~
-app.sm:25:9: warning: what is stored in 'x' here is overwritten before anything reads it [W0410]
+app.sm:25:9: warning: what is stored in 'x' here is overwritten before anything reads it [W0410 dead-store]
    25 |         x = not v + 2
       |         ^~~~~~~~~~~~~
 app.sm:27:5: note: it is overwritten here

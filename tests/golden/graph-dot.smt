@@ -48,7 +48,7 @@ digraph "tank" {
     "Lost" -> "Idle" [label="on entry", style=dashed];
 }
 -- stderr --
-tank.sm:24:2: warning: state 'Lost' cannot be reached [W0503]
+tank.sm:24:2: warning: state 'Lost' cannot be reached [W0503 unreachable-state]
    24 | [Lost]
       |  ^~~~
 1 warning

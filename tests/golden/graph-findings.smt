@@ -52,7 +52,7 @@ stateDiagram-v2
     class s5 never
     note right of s5 : W0503 state #39;Lost#39; cannot be reached
 -- stderr --
-tank.sm:24:2: warning: state 'Lost' cannot be reached [W0503]
+tank.sm:24:2: warning: state 'Lost' cannot be reached [W0503 unreachable-state]
    24 | [Lost]
       |  ^~~~
 1 warning

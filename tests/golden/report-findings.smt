@@ -1,4 +1,4 @@
-# What the analyses found, and what is allowed with a reason. A local that a script writes is no constant.
+# What the analyses found, and what is allowed with a reason. A local that a script writes is no constant. What the run found stands there too.
 args report a.sm a.ss --format=text
 
 -- a.sm --
@@ -19,6 +19,7 @@ F64 wait = 100
 delta_t 10
 [all_states]
 G == 0: wait = 50
+G == 5: @assert valve
 G == 500: @stop
 -- stdout --
 ...
@@ -44,4 +45,7 @@ Allowed: wired, for the next flight
       4 | F32 spare @read_only @allow(unused-element, "wired, for the next flight")
 
 Abort matrix
+...
+a.ss [passed]
+this assert was never judged [W0750 unjudged-assert]
 ...

@@ -26,7 +26,7 @@ final state vector:
   T = 10
   open = true
 -- stderr --
-a.ss:5:13: warning: this assert was never judged [W0750]
+a.ss:5:13: warning: this assert was never judged [W0750 unjudged-assert]
     5 |     @assert open
       |             ^~~~
 a.ss:6:5: error: the script did not reach @stop within 2 steps [E0751]

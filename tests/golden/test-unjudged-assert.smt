@@ -40,11 +40,11 @@ final state vector:
   T = 20
   open = true
 -- stderr --
-a.ss:4:18: warning: this assert was never judged [W0750]
+a.ss:4:18: warning: this assert was never judged [W0750 unjudged-assert]
     4 | G == 15: @assert open
       |                  ^~~~
 1 warning
-a.ss:4:18: error: this assert was never judged [W0750]
+a.ss:4:18: error: this assert was never judged [W0750 unjudged-assert]
     4 | G == 15: @assert open
       |                  ^~~~
 1 error

@@ -232,7 +232,7 @@ static void test_steps(void)
     diag_note(&diags, d, (Span){s, 4, 3}, DIAG_note_declared_here, "aside");
     diag_step(&diags, d, (Span){0}, DIAG_note_declared_here, "second");
     check_text(rendered(0),
-        "a.sm:1:1: warning: '@x' belongs to 'y' above, not to what follows on its line [W0301]\n"
+        "a.sm:1:1: warning: '@x' belongs to 'y' above, not to what follows on its line [W0301 annotation-above]\n"
         "    1 | one two\n"
         "      | ^~~\n"
         "a.sm:1:1: note: step 1: 'first' is declared here\n"

@@ -47,7 +47,7 @@ static void put_finding(const Report *r, Doc *d, const Diag *diag, size_t number
     DocPart *heading = doc_heading(d, format_in(r->arena, "finding-%lu", (unsigned long)number), diag->text);
 
     heading->plain = true;
-    heading->badge = diag->allowed ? "allowed" : format_in(r->arena, "%s %s", diag_info[diag->code].id, name_of(diag));
+    heading->badge = diag->allowed ? "allowed" : diag_code_and_name(diag, r->arena);
     heading->tone = diag->allowed ? "good" : diag->severity == DIAG_ERROR ? "bad" : "note";
     if (diag->allowed)
         doc_quote(d, format_in(r->arena, "Allowed: %s", diag->allowed));
