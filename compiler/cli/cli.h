@@ -86,6 +86,12 @@ bool cli_print(Cli *c, int fd, const Buf *text);          // to standard output 
 int cli_report(Cli *c);
 
 bool has_suffix(const char *path, const char *suffix);
+
+// What a command can write, the default first.
+typedef struct CliFormat { const char *name, *ending[3]; } CliFormat;     // ".dot"; NULL: no more
+// Which of `formats` --format names; without it, which one the name behind -o ends like; else the first.  false after a message.
+bool cli_format(Cli *c, const CliFormat *format, size_t formats, size_t *found);
+
 // "tank" of "dir/tank.sm"; of "-" it is "stdin".  Lives in the session.
 const char *path_stem(Cli *c, const char *path);
 

@@ -6,20 +6,17 @@
 #include "compiler/emit/report/graph.h"
 
 typedef void PutGraph(const Analysis *a, const GraphOptions *o, Buf *out);
-typedef struct GraphFormat { const char *name; PutGraph *put; } GraphFormat;
 
-static const GraphFormat formats[] = {{"svg", graph_svg}, {"dot", graph_dot}, {"mermaid", graph_mermaid}};
+static const CliFormat formats[] = {
+    {"svg", {".svg", NULL, NULL}}, {"dot", {".dot", ".gv", NULL}}, {"mermaid", {".mmd", ".mermaid", NULL}}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
 static PutGraph *find_format(Cli *c)
 {
-    if (!c->given[OPT_AS])
-        return graph_svg;
-    for (size_t i = 0; i < FORMATS; i++)
-        if (strcmp(c->value[OPT_AS], formats[i].name) == 0)
-            return formats[i].put;
-    cli_usage(c, "--format is svg, dot or mermaid, not '%s'", c->value[OPT_AS]);
-    return NULL;
+    static PutGraph *const put[FORMATS] = {graph_svg, graph_dot, graph_mermaid};
+    size_t i;
+
+    return cli_format(c, formats, FORMATS, &i) ? put[i] : NULL;
 }
 
 // The diagram shows what the report says: warnings that are switched off are not marked.

@@ -9,9 +9,11 @@
 #include "compiler/emit/report/report.h"
 #include "compiler/version.h"
 
-typedef enum ReportFormat { REPORT_HTML, REPORT_TEXT, REPORT_JSON, REPORT_FORMATS } ReportFormat;
+typedef void WriteReport(const Doc *d, Buf *out);
 
-static const char *const format_name[REPORT_FORMATS] = {"html", "text", "json"};
+static const CliFormat formats[] = {
+    {"html", {".html", ".htm", NULL}}, {"text", {".txt", NULL, NULL}}, {"json", {".json", NULL, NULL}}};
+enum { FORMATS = sizeof formats / sizeof *formats };
 
 enum { STEPS_MOST = 1000000 };        // of a script, as in smc test
 
@@ -162,28 +164,21 @@ static int check_use(Cli *c, ReportCommand *x)
     return EXIT_OK;
 }
 
-static bool find_format(Cli *c, ReportFormat *format)
+static WriteReport *find_format(Cli *c)
 {
-    *format = REPORT_HTML;
-    if (!c->given[OPT_AS])
-        return true;
-    for (size_t i = 0; i < REPORT_FORMATS; i++)
-        if (strcmp(c->value[OPT_AS], format_name[i]) == 0) {
-            *format = (ReportFormat)i;
-            return true;
-        }
-    cli_usage(c, "--format is html, text or json, not '%s'", c->value[OPT_AS]);
-    return false;
+    static WriteReport *const writer[FORMATS] = {doc_write_html, doc_write_text, doc_write_json};
+    size_t i;
+
+    return cli_format(c, formats, FORMATS, &i) ? writer[i] : NULL;
 }
 
-static int write_report(ReportCommand *x, ReportFormat format)
+static int write_report(ReportCommand *x, WriteReport *writer)
 {
-    static void (*const writer[REPORT_FORMATS])(const Doc *d, Buf *out) = {doc_write_html, doc_write_text, doc_write_json};
     OsOutput file = {x->c->given[OPT_OUTPUT] ? x->c->value[OPT_OUTPUT] : "-", NULL, 0};
     Buf out;
 
     buf_init(&out, &x->c->session.arena);
-    writer[format](report_build(&x->r), &out);
+    writer(report_build(&x->r), &out);
     file.bytes = buf_text(&out);
     file.n = out.n;
     return cli_write(x->c, &file, 1) ? EXIT_OK : EXIT_ENVIRONMENT;
@@ -200,7 +195,7 @@ int cmd_report(Cli *c)
 {
     Map written = {&c->session.arena, NULL, NULL, 0, 0};
     ReportCommand x;
-    ReportFormat format;
+    WriteReport *writer;
     Source **ss;
     int code;
 
@@ -208,7 +203,7 @@ int cmd_report(Cli *c)
     x.c = c;
     if ((code = check_use(c, &x)) != EXIT_OK)
         return code;
-    if (!find_format(c, &format))
+    if ((writer = find_format(c)) == NULL)
         return EXIT_USAGE;
     if ((x.sm = cli_load(c, x.machine)) == NULL || (c->given[OPT_SV] && (x.sv = cli_load(c, c->value[OPT_SV])) == NULL))
         return EXIT_ENVIRONMENT;
@@ -220,7 +215,7 @@ int cmd_report(Cli *c)
         cli_report(c);
         return code;
     }
-    if ((code = write_report(&x, format)) != EXIT_OK)
+    if ((code = write_report(&x, writer)) != EXIT_OK)
         return code;
     say_failed(&x);
     return x.failed ? EXIT_PROBLEM : EXIT_OK;

@@ -143,6 +143,41 @@ bool has_suffix(const char *path, const char *suffix)
     return n >= m && strcmp(path + n - m, suffix) == 0;
 }
 
+// ---- formats ----
+
+static bool ends_like(const char *path, const CliFormat *f)
+{
+    for (size_t i = 0; i < sizeof f->ending / sizeof *f->ending && f->ending[i]; i++)
+        if (has_suffix(path, f->ending[i]))
+            return true;
+    return false;
+}
+
+static bool format_unknown(Cli *c, const CliFormat *format, size_t formats)
+{
+    Buf list;
+
+    buf_init(&list, &c->session.arena);
+    for (size_t i = 0; i < formats; i++)
+        buf_printf(&list, "%s%s", i == 0 ? "" : i + 1 < formats ? ", " : " or ", format[i].name);
+    cli_usage(c, "--format is %s, not '%s'", buf_text(&list), c->value[OPT_AS]);
+    return false;
+}
+
+bool cli_format(Cli *c, const CliFormat *format, size_t formats, size_t *found)
+{
+    *found = 0;
+    for (size_t i = 0; i < formats; i++)
+        if (c->given[OPT_AS] ? strcmp(c->value[OPT_AS], format[i].name) == 0
+                             : c->given[OPT_OUTPUT] && ends_like(c->value[OPT_OUTPUT], &format[i])) {
+            *found = i;
+            return true;
+        }
+    return !c->given[OPT_AS] || format_unknown(c, format, formats);
+}
+
+// ---- names ----
+
 const char *path_stem(Cli *c, const char *path)
 {
     const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path, *dot = strrchr(start, '.');

@@ -44,7 +44,7 @@ bool valve    # lets "fuel" in
     "In the order of the file. Of two that could be made in one step, the upper one is made."],
    "tables": {
     "transitions": [
-      {"number": 1, "from": "Idle", "to": "Done", "when": "T > 1000", "block": ".step", "line": 8, "note": ""}
+      {"number": 1, "from": "Idle", "to": "Done", "when": "T > 1000", "block": ".step", "line": 8, "note": "", "comment": ""}
     ]}},
  "variables": {"title": "Inputs, outputs and parameters",
    "tables": {

@@ -99,6 +99,7 @@ Nothing flows.
 
   At each step, it
     - leaves for `Done` if `roll_median(level, 5) > full - margin`
+      # The gauge is noisy.
     - leaves for `Abort` if `T > 60000`
     - otherwise, if `T > 50000`: sets `valve` to `false`
     - otherwise: sets `valve` to `T < 40000`

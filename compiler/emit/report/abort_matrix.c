@@ -6,9 +6,9 @@
 #include "compiler/emit/report/words.h"
 
 static const DocColumn abort_columns[] = {
-    {"state", "State"}, {"verdict", "Can it abort?"}, {"steps", "Steps at worst"}, {"hangs_on", "What it hangs on"}};
+    {"state", "State"}, {"verdict", "Can it abort?"}, {"steps", "Steps, once a condition holds"}, {"hangs_on", "What it hangs on"}};
 static const DocColumn way_columns[] = {
-    {"state", "State"}, {"to", "To"}, {"guard", "When"}, {"watches", "Watches"}, {"steps", "Steps at worst"}, {"line", "Line"}};
+    {"state", "State"}, {"to", "To"}, {"guard", "When"}, {"watches", "Watches"}, {"steps", "Steps, once it holds"}, {"line", "Line"}};
 
 static const char *verdict_text(const AbortRow *row)
 {
@@ -59,7 +59,7 @@ static const char *watches(const Report *r, const AbortWay *w)
     if (w->by_time)
         buf_str(&b, b.n ? ", time" : "time");
     if (w->by_input)
-        buf_str(&b, b.n ? ", a command" : "a command");
+        buf_str(&b, b.n ? ", a switch or command" : "a switch or command");
     return buf_text(&b);
 }
 
@@ -76,6 +76,29 @@ static void put_way(const Report *r, DocTable *t, const AbortRow *row, const Abo
     cell_line(t, report_line(w->first->stmt->span));
 }
 
+static bool has_unbounded(const AbortMatrix *x)
+{
+    for (size_t i = 0; i < x->n; i++)
+        for (size_t w = 0; w < x->row[i].way.n; w++)
+            if (x->row[i].way.at[w].steps == ABORT_NOT_BOUNDED)
+                return true;
+    return false;
+}
+
+static void put_ways(const Report *r, Doc *d, const AbortMatrix *x)
+{
+    DocTable *t;
+
+    doc_heading(d, "abort-ways", "The ways to abort");
+    if (has_unbounded(x))
+        doc_paragraph(d, "\"Not bounded\": from the state that such a way leads to, the machine can go nowhere but to an abort state, "
+                         "but may first wait there, or on the way, for something that need not come.");
+    t = DOC_TABLE_OF(d, "ways", way_columns);
+    for (size_t i = 0; i < x->n; i++)
+        for (size_t w = 0; w < x->row[i].way.n; w++)
+            put_way(r, t, &x->row[i], &x->row[i].way.at[w]);
+}
+
 void report_abort(Report *r, Doc *d)
 {
     const AbortMatrix x = abort_matrix(&r->analysis);
@@ -89,14 +112,11 @@ void report_abort(Report *r, Doc *d)
         return;
     }
     doc_paragraph(d, "From which states the machine can abort, and whether it still can when one sensor is dead, sticks, or leaves "
-                     "its range. Steps are "
-                     "counted from the one in which the condition holds to the first in the abort state.");
+                     "its range. Steps are those at worst, from the one in which the condition holds to the first in the abort "
+                     "state. How long a counter, a timer or a rolling statistic takes until its condition holds comes before, "
+                     "and is not counted.");
     t = DOC_TABLE_OF(d, "abort", abort_columns);
     for (size_t i = 0; i < x.n; i++)
         put_row(r, t, &x.row[i]);
-    doc_heading(d, "abort-ways", "The ways to abort");
-    t = DOC_TABLE_OF(d, "ways", way_columns);
-    for (size_t i = 0; i < x.n; i++)
-        for (size_t w = 0; w < x.row[i].way.n; w++)
-            put_way(r, t, &x.row[i], &x.row[i].way.at[w]);
+    put_ways(r, d, &x);
 }

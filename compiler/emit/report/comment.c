@@ -30,19 +30,39 @@ static void put_comment(Buf *out, const char *line, uint32_t len, uint32_t at)
 
 static const char *text_or_null(const Buf *b) { return b->n ? buf_text(b) : NULL; }
 
-const char *comment_behind(Arena *arena, Span span)
+static const char *behind(Arena *arena, const Source *src, uint32_t number)
 {
     uint32_t len, at;
-    const char *line;
+    const char *line = source_line(src, number, &len);
     Buf out;
 
-    if (!span.src)
-        return NULL;
-    line = source_line(span.src, source_position(span.src, span.at).line, &len);
     if (!comment_starts(line, len, &at))
         return NULL;
     buf_init(&out, arena);
     put_comment(&out, line, len, at);
+    return text_or_null(&out);
+}
+
+const char *comment_behind(Arena *arena, Span span)
+{
+    return span.src ? behind(arena, span.src, source_position(span.src, span.at).line) : NULL;
+}
+
+const char *comment_beside(Arena *arena, Span span)
+{
+    uint32_t line, last;
+    Buf out;
+
+    if (!span.src)
+        return NULL;
+    line = source_position(span.src, span.at).line;
+    last = source_position(span.src, span.at + span.len).line;
+    buf_init(&out, arena);
+    for (; line <= last; line++) {
+        const char *text = behind(arena, span.src, line);
+        if (text)
+            buf_printf(&out, "%s%s", out.n ? "\n" : "", text);
+    }
     return text_or_null(&out);
 }
 
@@ -55,6 +75,34 @@ static bool is_comment(const Source *src, uint32_t number)
     while (i < len && is_blank(line[i]))
         i++;
     return comment_starts(line, len, &at) && at == i;
+}
+
+// Whether nothing, or a brace alone, stands before a comment or column `len`.
+static bool is_bare(const char *line, uint32_t len)
+{
+    uint32_t i = 0;
+
+    while (i < len && (is_blank(line[i]) || line[i] == '{'))
+        i++;
+    return i == len || line[i] == '#';
+}
+
+Span comment_else(Span first)
+{
+    uint32_t line, len;
+    const char *text;
+    LineCol at;
+
+    if (!first.src)
+        return first;
+    at = source_position(first.src, first.at);
+    text = source_line(first.src, at.line, &len);
+    if (at.line == 1 || !is_bare(text, at.col - 1u))
+        return first;
+    for (line = at.line - 1; line > 1 && is_bare(source_line(first.src, line, &len), len);)
+        line--;
+    text = source_line(first.src, line, &len);
+    return (Span){first.src, (uint32_t)(text - first.src->text), 0};
 }
 
 static bool is_indented(const char *line, uint32_t len, uint32_t at)
@@ -102,6 +150,13 @@ const char *comment_above(Arena *arena, Span span)
     while (from > 1 && is_comment(span.src, from - 1))
         from--;
     return from < line ? comment_of_lines(arena, span.src, from, line) : NULL;
+}
+
+const char *comment_at(Arena *arena, Span span)
+{
+    const char *above = comment_above(arena, span), *beside = comment_beside(arena, span);
+
+    return above && beside ? format_in(arena, "%s\n%s", above, beside) : above ? above : beside;
 }
 
 const char *comment_of_file(Arena *arena, const Source *src)

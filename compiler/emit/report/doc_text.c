@@ -162,6 +162,18 @@ static void put_table(Buf *out, const DocTable *t)
 
 // ---- the rest ----
 
+static void put_comment(Buf *out, const char *comment, size_t indent)
+{
+    while (*comment) {
+        const size_t n = strcspn(comment, "\n");
+        buf_spaces(out, indent);
+        buf_str(out, "# ");
+        put_seen(out, comment, n);
+        buf_char(out, '\n');
+        comment += n + (comment[n] == '\n');
+    }
+}
+
 static void put_list(Buf *out, const DocList *l)
 {
     if (l->label)
@@ -169,6 +181,8 @@ static void put_list(Buf *out, const DocList *l)
     for (size_t i = 0; i < l->line.n; i++) {
         buf_spaces(out, 4 + 2 * l->line.at[i].depth);
         buf_printf(out, "- %s\n", doc_unmarked(out->arena, l->line.at[i].text));
+        if (l->line.at[i].comment)
+            put_comment(out, l->line.at[i].comment, 6 + 2 * l->line.at[i].depth);
     }
     buf_char(out, '\n');
 }

@@ -99,7 +99,7 @@ static const char *names(const Report *r, bool (*wanted)(const Program *p, const
 }
 
 static bool is_element(const Program *p, const Var *v) { return v->kind == VAR_ELEMENT && v != p->g && v != p->s; }
-static bool is_input(const Program *p, const Var *v) { return is_element(p, v) && !v->written; }
+static bool is_input(const Program *p, const Var *v) { return is_element(p, v) && v->read && !v->written; }
 static bool is_output(const Program *p, const Var *v) { return is_element(p, v) && v->written; }
 
 static const char *final_states(const Report *r, size_t *n)

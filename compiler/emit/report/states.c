@@ -87,7 +87,7 @@ void report_states(Report *r, Doc *d)
     for (size_t i = 0; i < p->state.n; i++) {
         const State *s = p->state.at[i];
         put_badge(r, s, doc_heading(d, NULL, format_in(r->arena, "%u. %s", (unsigned)s->number, s->name->text)));
-        doc_quote(d, comment_above(r->arena, s->span));
+        doc_quote(d, comment_at(r->arena, s->span));
         put_blocks(r, d, s);
         put_sources(r, d, &from[s->number]);
     }
@@ -96,13 +96,23 @@ void report_states(Report *r, Doc *d)
 // ---- transitions ----
 
 static const DocColumn transition_columns[] = {
-    {"number", "No."}, {"from", "From"}, {"to", "To"}, {"when", "When"}, {"block", "In"}, {"line", "Line"}, {"note", "Remark"}};
+    {"number", "No."}, {"from", "From"}, {"to", "To"}, {"when", "When"}, {"block", "In"}, {"line", "Line"}, {"note", "Remark"},
+    {"comment", "What its author wrote"}};
 
 static const char *remark(const Report *r, const Transition *t)
 {
     if (!r->analysis.stmt[t->stmt->number].reached)
         return "can never be made";
     return t->to->is_abort ? "abort" : "";
+}
+
+// Behind it, or behind the guard of which it is all there is.
+static const char *comment_of_transition(const Report *r, const Transition *t)
+{
+    const char *own = comment_beside(r->arena, t->stmt->span);
+    const Stmt *guard = t->when && t->when->holds ? t->when->stmt : NULL;
+
+    return own || !guard || guard->then.n != 1 ? own : comment_beside(r->arena, guard->span);
 }
 
 static void put_transition(const Report *r, DocTable *table, const Transition *t)
@@ -120,6 +130,7 @@ static void put_transition(const Report *r, DocTable *table, const Transition *t
     cell_code(table, block[t->block]);
     cell_line(table, report_line(t->stmt->span));
     cell_plain(table, remark(r, t));
+    cell_plain(table, comment_of_transition(r, t));
 }
 
 void report_transitions(Report *r, Doc *d)

@@ -20,16 +20,18 @@ const char *words_window(Arena *arena, const Window *w)
                      (unsigned long)w->size);
 }
 
-// What its author wrote above the statement, given to the sentence before.
-static void put_comment(DocList *l, const Stmt *s)
+static uint32_t line_of(Span span) { return source_position(span.src, span.at).line; }
+
+// A sentence, with what the author wrote above and behind the statement.  Of several on one line the first has it.
+static void put_line(DocList *l, unsigned depth, Span span, const char *text)
 {
-    const char *comment = comment_above(l->arena, s->span);
+    const uint32_t line = line_of(span);
+    const bool first = l->line.n == 0 || l->line.at[l->line.n - 1].line != line;
 
-    if (comment)
-        list_comment(l, comment);
+    list_line(l, depth, line, text);
+    if (first)
+        list_comment(l, comment_at(l->arena, span));
 }
-
-static uint32_t line_of(const Stmt *s) { return source_position(s->span.src, s->span.at).line; }
 
 // ---- assignments ----
 
@@ -70,20 +72,29 @@ static const char *simple(Arena *arena, const Stmt *s)
 
 static void put_stmts(DocList *l, const Stmts *stmts, unsigned depth);
 
-static void put_branch(DocList *l, const char *when, const Stmts *stmts, const Stmt *head, unsigned depth)
+// What stands under the sentence of a branch: its only statement is part of it.
+static void put_only(DocList *l, unsigned depth, Span span, const char *text, const Stmt *only)
+{
+    DocLine *line;
+    const char *comment;
+
+    put_line(l, depth, span, text);
+    line = &l->line.at[l->line.n - 1];
+    comment = line_of(only->span) == line->line ? NULL : comment_at(l->arena, only->span);
+    if (comment)
+        line->comment = line->comment ? format_in(l->arena, "%s\n%s", line->comment, comment) : comment;
+}
+
+static void put_branch(DocList *l, const char *when, const Stmts *stmts, Span span, unsigned depth)
 {
     const Stmt *only = stmts->n == 1 ? stmts->at[0] : NULL;
-    const uint32_t line = line_of(head);
 
-    if (only && only->kind == ST_TRANSITION) {
-        list_line(l, depth, line, format_in(l->arena, "%s %s", simple(l->arena, only), when));
-        put_comment(l, head);
-    } else if (only && only->kind == ST_ASSIGN) {
-        list_line(l, depth, line, format_in(l->arena, "%s: %s", when, simple(l->arena, only)));
-        put_comment(l, head);
-    } else {
-        list_line(l, depth, line, format_in(l->arena, stmts->n ? "%s:" : "%s: does nothing", when));
-        put_comment(l, head);
+    if (only && only->kind == ST_TRANSITION)
+        put_only(l, depth, span, format_in(l->arena, "%s %s", simple(l->arena, only), when), only);
+    else if (only && only->kind == ST_ASSIGN)
+        put_only(l, depth, span, format_in(l->arena, "%s: %s", when, simple(l->arena, only)), only);
+    else {
+        put_line(l, depth, span, format_in(l->arena, stmts->n ? "%s:" : "%s: does nothing", when));
         put_stmts(l, stmts, depth + 1);
     }
 }
@@ -95,13 +106,13 @@ static void put_if(DocList *l, const Stmt *s, unsigned depth)
     const Stmt *last = s;
 
     for (;; s = s->otherwise.at[0], when = "otherwise, if") {
-        put_branch(l, format_in(l->arena, "%s `%s`", when, source_text(l->arena, s->value->span)), &s->then, s, depth);
+        put_branch(l, format_in(l->arena, "%s `%s`", when, source_text(l->arena, s->value->span)), &s->then, s->span, depth);
         last = s;
         if (s->otherwise.n != 1 || s->otherwise.at[0]->kind != ST_IF)
             break;
     }
     if (last->otherwise.n)
-        put_branch(l, "otherwise", &last->otherwise, last->otherwise.at[0], depth);
+        put_branch(l, "otherwise", &last->otherwise, comment_else(last->otherwise.at[0]->span), depth);
 }
 
 // As deep as conditionals nest: AST_DEPTH_MAX bounds it.
@@ -110,10 +121,8 @@ static void put_stmts(DocList *l, const Stmts *stmts, unsigned depth)
     for (size_t i = 0; i < stmts->n; i++)
         if (stmts->at[i]->kind == ST_IF)
             put_if(l, stmts->at[i], depth);
-        else {
-            list_line(l, depth, line_of(stmts->at[i]), simple(l->arena, stmts->at[i]));
-            put_comment(l, stmts->at[i]);
-        }
+        else
+            put_line(l, depth, stmts->at[i]->span, simple(l->arena, stmts->at[i]));
 }
 
 void words_block(DocList *l, const Stmts *block) { put_stmts(l, block, 0); }

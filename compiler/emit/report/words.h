@@ -18,7 +18,11 @@ const char *words_count(Arena *arena, size_t n, const char *one, const char *man
 
 const char *comment_behind(Arena *arena, Span span);      // on its line
 const char *comment_above(Arena *arena, Span span);       // on the lines directly above it that hold nothing else
+const char *comment_beside(Arena *arena, Span span);      // behind, on each of its lines
+const char *comment_at(Arena *arena, Span span);          // above and beside
 const char *comment_of_file(Arena *arena, const Source *src);     // on its first lines
+// Where the line of an `else` begins of which `first` is the first statement; `first` itself if it stands on that line.
+Span comment_else(Span first);
 bool comment_starts(const char *line, uint32_t len, uint32_t *at);        // where on a line; false: it has none
 
 #endif
