@@ -45,8 +45,12 @@ static Fact stored(const FlowPlace *at, const IrIns *store)
     return at->flow.of[value->op == IR_cvt ? value->a : store->a];
 }
 
+static bool is_large(Fact f) { return f.lo >= FACT_EXACT || f.hi <= -FACT_EXACT; }
+
 static void note_ins(Analysis *a, const FlowPlace *at, const IrIns *i)
 {
+    if (i->op == IR_add || i->op == IR_sub)
+        a->large_sums |= is_large(at->flow.of[i->a]) || is_large(at->flow.of[i->b]);
     if (i->op != IR_store)
         return;
     a->stmt[i->stmt].reached = true;
@@ -85,6 +89,7 @@ static void note_flow(Analysis *a, const FlowPlace *at, void *context)
 
 void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p)
 {
+    memset(a, 0, sizeof *a);
     a->groups = DIAG_GROUPS_ALL;
     a->arena = arena;
     a->diags = diags;

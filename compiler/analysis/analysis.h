@@ -30,6 +30,7 @@ typedef struct Analysis {
     const IrMachine *m;           // as built
     FactMachine *facts;
     StmtFact *stmt;               // by Stmt.number
+    bool large_sums;              // somewhere a sum has an operand that is surely 2^53 or beyond
     Transitions transition;       // all that stand in the machine, in file order
     const IrFn **asked;           // by Stmt.number: what whatif.h has built of its guard or value; NULL: not yet
 } Analysis;

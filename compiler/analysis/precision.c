@@ -109,5 +109,6 @@ void analyse_precision(Analysis *a)
         if (a->p->var.at[i]->init_value)
             expr_walk(a->p->var.at[i]->init_value, look_at_number, a);
     each_stmt(a->p, look_at_stmt, a);
-    each_flow(a, look_at_flow, NULL);
+    if (a->large_sums)
+        each_flow(a, look_at_flow, NULL);
 }

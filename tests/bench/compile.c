@@ -37,6 +37,7 @@ static bool compile(const Shape *shape, unsigned n, int level, Cost *cost)
     source = pool_used();
     cost->seconds = -now();
     p = session_program(&s, &in);
+    s.warnings = 1u << DIAG_GROUP_ALL;                // as `smc build` without -W
     session_analyse(&s, p);
     m = session_ir(&s, p, level);
     buf_init(&image, &s.arena);
