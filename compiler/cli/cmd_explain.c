@@ -38,32 +38,46 @@ static void explain_flag(const DiagFlag *flag, Buf *out)
         }
 }
 
-int cmd_explain(Cli *c)
+static void explain_all(Buf *out)
 {
-    Buf out;
+    for (size_t i = 0; i < DIAG_COUNT; i++)
+        if (diag_info[i].id) {
+            page(&diag_info[i], out);
+            buf_char(out, '\n');
+        }
+}
 
-    buf_init(&out, &c->session.arena);
-    if (c->given[OPT_ALL_PAGES]) {
-        for (size_t i = 0; i < DIAG_COUNT; i++)
-            if (diag_info[i].id) {
-                page(&diag_info[i], &out);
-                buf_char(&out, '\n');
-            }
-        return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
-    }
-    if (c->files == 0)
-        return cli_usage(c, "explain wants the code of a diagnostic, as in 'smc explain E0204'");
+// Of several names those that are known are explained.
+static int explain_names(Cli *c, Buf *out)
+{
+    int code = EXIT_OK;
+
     for (size_t i = 0; i < c->files; i++) {
         const DiagFlag *flag = diag_find_flag(c->file[i]);
         const DiagInfo *d = diag_find(c->file[i]);
-        if (!d && !flag)
-            return unknown_code(c, c->file[i]);
-        if (i > 0)
-            buf_char(&out, '\n');
+        if (out->n > 0 && (flag || d))
+            buf_char(out, '\n');
         if (flag)
-            explain_flag(flag, &out);
+            explain_flag(flag, out);
+        else if (d)
+            page(d, out);
         else
-            page(d, &out);
+            code = unknown_code(c, c->file[i]);
     }
-    return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
+    return code;
+}
+
+int cmd_explain(Cli *c)
+{
+    int code = EXIT_OK;
+    Buf out;
+
+    buf_init(&out, &c->session.arena);
+    if (c->given[OPT_ALL_PAGES])
+        explain_all(&out);
+    else if (c->files == 0)
+        return cli_usage(c, "explain wants the code of a diagnostic, as in 'smc explain E0204'");
+    else
+        code = explain_names(c, &out);
+    return cli_print(c, 1, &out) ? code : EXIT_ENVIRONMENT;
 }

@@ -18,4 +18,4 @@ Options:
   --message-format=FORMAT  diagnostics as text (default), json or sarif
   --color=WHEN             auto (default), always or never
   -w                       no warnings
-  -WNAME                   -Wname, -Wno-name, -Wextra, -Wflight, -Werror, -Werror=name
+  -WNAME                   -Wextra, -Wflight, -Weverything, -Wname, -Wno-name, -Werror, -Werror=name
