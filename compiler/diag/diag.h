@@ -151,7 +151,7 @@ void diags_write_markdown(Buf *out);
 // A warning's name, what it finds, and how it is switched: what stands before the pages of its codes.
 void diag_put_flag(Buf *out, const DiagFlag *flag);
 void diag_put_title(const DiagInfo *row, Buf *out);        // the message, "..." for what is filled in
-// What stands behind the message where people read it: "E0204", of a warning with the name that switches it, "W0404 constant-fraction".
+// What stands behind the message where people read it: "E0204"; of a warning with its name too, "W0503 unreachable-state".
 const char *diag_code_and_name(const Diag *d, Arena *arena);
 
 #endif

@@ -88,8 +88,9 @@ void diags_write_markdown(Buf *out)
                  "This page is made from `compiler/diag/codes.def` and `flags.def` by `make docs`.\n\n"
                  "## Warnings\n\n"
                  "Warnings have names, which stand behind the code: `[W0921 missing-timeout]`. `-Wname` switches one on, `-Wno-name` off,\n"
-                 "`-Werror=name` makes it an error; the words `all`, `extra`, `flight` and `everything` stand for groups of them. `@allow(name, \"reason\")` says that one is right as it is, in one place\n"
-                 "([language.md](language.md), 5.49). `smc explain` with a name prints the pages of its codes.\n\n");
+                 "`-Werror=name` makes it an error; the words `all`, `extra`, `flight` and `everything` stand for groups of them.\n"
+                 "`@allow(name, \"reason\")` says that one is right as it is, in one place ([language.md](language.md), 5.49).\n"
+                 "`smc explain` with a name prints the pages of its codes.\n\n");
     for (int g = DIAG_GROUP_ALL; g <= DIAG_GROUP_FLIGHT; g++)
         put_group(out, (DiagGroup)g);
     for (size_t c = 0; c < sizeof chapters / sizeof *chapters; c++) {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Judges what smc found in one machine.  Input: also.txt, missed.txt, the machine's sources, smc's diagnostics.  -v machine=its path.
+# Judges what smc found in one machine.  Input: also.txt, missed.txt, the machine's sources, what smc printed.  -v machine=its path.
 # Fails, and says why, if a mark `#! name` has no finding, or a finding no mark.
 
 # MACHINE NAME reason: a finding that is right, though it was not seeded.

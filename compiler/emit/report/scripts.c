@@ -223,8 +223,9 @@ static void put_run(const Report *r, Doc *d, const ReportRun *run, size_t number
     if (run->script)
         doc_quote(d, comment_of_file(r->arena, run->script->src));
     for (size_t i = 0; i < run->diags.list.n; i++) {
-        doc_plain(d, format_in(r->arena, "%s [%s]", run->diags.list.at[i]->text, diag_code_and_name(run->diags.list.at[i], r->arena)));
-        doc_excerpt(d, run->diags.list.at[i]->span, run->diags.list.at[i]->label);
+        const Diag *said = run->diags.list.at[i];
+        doc_plain(d, format_in(r->arena, "%s [%s]", said->text, diag_code_and_name(said, r->arena)));
+        doc_excerpt(d, said->span, said->label);
     }
     if (!run->script || run->trace.steps == 0)
         return;
