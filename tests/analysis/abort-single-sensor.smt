@@ -23,7 +23,7 @@ F64  limit = 40
 F64  noted = -1
 F64  most = 40 @read_only
 
-[Both]                      #! W0902 state 'Both' can abort only by 'pressure': if this sensor sticks, say at 20.25,
+[Both]                      #! W0902 state 'Both' cannot abort if 'pressure' sticks, say at 20.25
 .step
     pressure > 40: -> Abort
     pressure < 0.5: -> Abort

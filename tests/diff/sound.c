@@ -289,7 +289,7 @@ static void prepare(Sound *r, Subject *s, Arena *arena)
     r->no_state = ARENA_ARRAY(a, bool, p->state.n);
     r->no_block = arena_array(a, p->state.n, sizeof *r->no_block);
     analysis_begin(&r->a, a, &s->session.diags, p);
-#define ANALYSIS(name, sentence) analyse_##name(&r->a);
+#define ANALYSIS(name, group, sentence) analyse_##name(&r->a);
 #include "compiler/analysis/analyses.def"
 #undef ANALYSIS
     claim_all(r);

@@ -29,7 +29,7 @@ F64  smooth = 0
     -> Abort
 [Abort] @abort @safe
 -- stderr --
-a.sm:10:2: warning: state 'Burn' can abort only by 'pressure': if this sensor sticks, say at 30.5, no transition to an @abort state is left [W0902 abort-single-sensor]
+a.sm:10:2: warning: state 'Burn' cannot abort if 'pressure' sticks, say at 30.5: no transition to an @abort state is left [W0902 abort-single-sensor]
    10 | [Burn]
       |  ^~~~
 a.sm:15:5: note: this way to 'Close', and from there to 'Abort', waits for 'pressure'
