@@ -23,7 +23,7 @@ static PutGraph *find_format(Cli *c)
 static int draw(Cli *c, const Program *p, PutGraph *put)
 {
     Diags found;
-    GraphOptions o = {&found, NULL};
+    GraphOptions o = {&found, NULL, NULL};
     OsOutput file = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0};
     Analysis a;
     Buf out;

@@ -53,6 +53,10 @@ page airbrakes 0 "$examples/mission/airbrakes.sm" "--sv=$examples/mission/rocket
 page hostile 1 "$here/hostile.sm" "$here/hostile.ss" "$here/failing.ss"
 page alone 0 "$examples/tank/tank.sm"
 
+# A diagram that can be read in a part of a page is told from one that has to have its own.
+expect "a low diagram" grep -q '<figure class="low">' "$out/mission.html"
+expect "a diagram that is not low" sh -c "! grep -q '<figure class=\"low\">' '$out/ignition.html'"
+
 # JSON that is JSON, where something is here to tell.
 if command -v python3 >/dev/null; then
     for machine in tank/tank ignition/ignition; do
@@ -76,6 +80,8 @@ if [ -n "$browser" ] && timeout 60 "$browser" --headless --no-sandbox --disable-
         expect "print $name" shown "$out/$name.html" "--print-to-pdf=$out/$name.pdf"
         expect "print of $name is one" sh -c "head -c 5 '$out/$name.pdf' | grep -q %PDF-"
     done
+    # On paper the diagram stands on the first page, and no section begins a new one: 12 pages without.
+    expect "pages of mission" test "$(grep -ac '/Type /Page$' "$out/mission.pdf")" -le 10
     # The browser's own tree has the hostile texts as texts: no element came of them.
     timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom "file://$out/hostile.html" >"$out/dom.html" 2>/dev/null
     expect "no script in the tree" sh -c "! grep -Ei '<script|<img|onerror=[^ ]*alert[^&]*\"' '$out/dom.html' | grep -v '&lt;'"

@@ -56,12 +56,13 @@ void doc_excerpt(Doc *d, Span span, const char *label)
     p->text = label;
 }
 
-void doc_figure(Doc *d, const char *svg, const char *caption)
+DocPart *doc_figure(Doc *d, const char *svg, const char *caption)
 {
     DocPart *p = add(d, DOC_FIGURE);
 
     p->text = svg;
     p->badge = caption;
+    return p;
 }
 
 void doc_source(Doc *d, const Source *src) { add(d, DOC_SOURCE)->source = src; }

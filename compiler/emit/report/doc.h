@@ -73,6 +73,7 @@ typedef struct DocPart {
     const char *state;        // HEADING: of a state
     const char *tone;         // HEADING: "good", "bad", "note": a badge's colour; badge: its text; or NULL
     const char *badge;
+    bool low;                 // FIGURE: on paper it takes a part of a page, so that it need not begin a new one
     DocTable *table;
     DocList *list;
     Span span;                // EXCERPT
@@ -100,7 +101,7 @@ void doc_paragraph(Doc *d, const char *text);
 void doc_plain(Doc *d, const char *text);             // a paragraph without marks
 void doc_quote(Doc *d, const char *plain);            // nothing of NULL and ""
 void doc_excerpt(Doc *d, Span span, const char *label);
-void doc_figure(Doc *d, const char *svg, const char *caption);
+DocPart *doc_figure(Doc *d, const char *svg, const char *caption);     // good until the next part
 void doc_source(Doc *d, const Source *src);
 DocTable *doc_table(Doc *d, const char *key, const DocColumn *column, size_t columns);
 DocList *doc_list(Doc *d, const char *key, const char *label);

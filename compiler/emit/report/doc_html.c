@@ -289,7 +289,7 @@ static void put_in(Buf *out, const char *open, const char *text, bool marked, co
 
 static void put_figure(Buf *out, const DocPart *p)
 {
-    buf_str(out, "<figure>\n");
+    buf_str(out, p->low ? "<figure class=\"low\">\n" : "<figure>\n");
     buf_str(out, p->text);
     if (p->badge)
         put_in(out, "<figcaption>", p->badge, true, "</figcaption>\n");

@@ -14,10 +14,13 @@ typedef struct GraphCounts {
     const uint64_t *transition;   // by Transition.number: times taken
 } GraphCounts;
 
+typedef struct GraphSize { int32_t w, h; } GraphSize;         // CSS pixels, 1/96 inch
+
 // What is drawn over the diagram; all zero: nothing.
 typedef struct GraphOptions {
     const Diags *findings;        // marked on the states and transitions that they point at; or NULL
     const GraphCounts *counts;    // or NULL
+    GraphSize *size;              // where graph_svg puts the size of the picture; or NULL
 } GraphOptions;
 
 // Appends the diagram of a->p to `out`.  `a` comes from analysis_begin; its arena takes what is needed on the way.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The first page: what the machine is, what it is made of, and the diagram.
-#include <string.h>
-
 #include "bytecode-vm/image.h"
 #include "compiler/emit/report/graph.h"
 #include "compiler/emit/report/report.h"
@@ -137,17 +135,26 @@ static void put_words(Report *r, Doc *d)
     doc_paragraph(d, buf_text(&b));
 }
 
+// Smaller, its letters would be too small to read on paper.
+enum { PAPER_W = 688, LOW = 416, LEGIBLE = 65 };      // pixels between the margins of A4; 110 mm, as style.c has it; percent
+
+bool report_is_low(GraphSize s)
+{
+    const int64_t h = s.w > PAPER_W ? (int64_t)s.h * PAPER_W / s.w : s.h;
+
+    return h * LEGIBLE <= LOW * 100;
+}
+
 static void put_diagram(Report *r, Doc *d)
 {
-    GraphOptions o;
+    GraphSize size;
+    const GraphOptions o = {r->analysis.diags, NULL, &size};
     Buf svg;
 
-    memset(&o, 0, sizeof o);
     buf_init(&svg, r->arena);
-    o.findings = r->analysis.diags;
     graph_svg(&r->analysis, &o, &svg);
     doc_section(d, "diagram", "State diagram");
-    doc_figure(d, buf_text(&svg), NULL);
+    doc_figure(d, buf_text(&svg), NULL)->low = report_is_low(size);
 }
 
 void report_overview(Report *r, Doc *d)

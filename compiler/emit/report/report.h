@@ -7,6 +7,7 @@
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/cost.h"
 #include "compiler/emit/report/doc.h"
+#include "compiler/emit/report/graph.h"
 #include "compiler/emit/report/trace.h"
 #include "compiler/script/script.h"
 
@@ -59,6 +60,7 @@ const char *plot_patterns(Arena *arena);      // an invisible drawing that plots
 
 // ---- things that several need ----
 
+bool report_is_low(GraphSize s);              // a diagram of this size can be read in a part of a page of paper
 uint32_t report_line(Span span);              // of the source; 0: nowhere
 const char *report_number(Arena *arena, double x);
 const char *report_cell(Arena *arena, SmType type, uint64_t cell);

@@ -156,7 +156,9 @@ static void put_diagram(Report *r, Doc *d)
 {
     const Coverage c = report_coverage(r);
     const GraphCounts counts = count_all(r);
-    const GraphOptions o = {NULL, &counts};
+    GraphSize size;
+    DocPart *figure;
+    const GraphOptions o = {NULL, &counts, &size};
     Buf svg;
 
     doc_heading(d, "seen", "Where no script has been");
@@ -166,7 +168,8 @@ static void put_diagram(Report *r, Doc *d)
     }
     buf_init(&svg, r->arena);
     graph_svg(&r->analysis, &o, &svg);
-    doc_figure(d, buf_text(&svg), "Dotted: states in which no script has been, and ways that none has gone.");
+    figure = doc_figure(d, buf_text(&svg), "Dotted: states in which no script has been, and ways that none has gone.");
+    figure->low = report_is_low(size);
 }
 
 // ---- one script ----

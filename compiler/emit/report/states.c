@@ -127,7 +127,7 @@ static void put_transition(const Report *r, DocTable *table, const Transition *t
         cell_code(table, when);
     else
         cell_plain(table, "always");
-    cell_code(table, block[t->block]);
+    cell_plain(table, block[t->block]);
     cell_line(table, report_line(t->stmt->span));
     cell_plain(table, remark(r, t));
     cell_plain(table, comment_of_transition(r, t));

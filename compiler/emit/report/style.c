@@ -58,11 +58,13 @@ const char *const report_style[] = {
     ".s0{fill:#d6e6f7}.s1{fill:#e2a55e}.s2{fill:#bfe5c7}.s3{fill:#cf8aa2}.s4{fill:#ece2fb}.s5{fill:#d3bd45}.s6{fill:#8fcbcf}.s7{"
     "fill:#a3a3a3}\n",
     "@media print{td code{overflow-wrap:anywhere}html{font-size:10pt}body{max-width:none;padding:0 "
-    "1px;font-size:10pt;line-height:1.35}th,td{padding:.2rem .5rem}header{padding-top:0}section{margin:0 0 8mm}"
-    "#states,#variables,#scripts,#source{break-before:page}article,tr,figure,blockquote,.ex,dl div,.do li{break-inside:avoid}"
-    "h2,h3,.do b{break-after:avoid}#scripts article{break-inside:auto}#scripts blockquote{break-after:avoid}nav "
-    "ol{columns:3}a{color:inherit}.wide,pre,figure{overflow:visible}"
+    "1px;font-size:10pt;line-height:1.35}th,td{padding:.2rem .5rem}header{padding-top:0;margin-bottom:.8rem}section{margin:0 0 5mm}"
+    "article,tr,figure,blockquote,.ex,dl div,.do li{break-inside:avoid}"
+    "h2,h3,.do b{break-after:avoid}#scripts article{break-inside:auto}#scripts blockquote{break-after:avoid}"
+    "a{color:inherit}.wide,pre,figure{overflow:visible}"
     "pre{white-space:pre-wrap}.source{font-size:8.5pt;border:0;background:none;padding:0}thead{display:table-header-group}"
-    "dl{grid-template-columns:repeat(3,minmax(0,1fr))}tbody tr:hover{background:none}.badge{border:1px solid #000}\n"
+    "nav{display:none}figure{margin:.3rem 0}figure svg{width:auto;max-height:225mm}figure.low svg{max-height:110mm}"
+    "dl{grid-template-columns:repeat(4,minmax(0,1fr));gap:.3rem;margin:.5rem 0 .8rem}dl div{padding:.2rem .5rem}"
+    "tbody tr:hover{background:none}.badge{border:1px solid #000}\n"
     "@page{margin:16mm 14mm;@bottom-right{content:counter(page) \" of \" counter(pages);font:9pt sans-serif}}}\n",
     0};

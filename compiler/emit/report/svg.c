@@ -340,6 +340,8 @@ void graph_svg(const Analysis *a, const GraphOptions *o, Buf *out)
     Diagram *d = diagram_of(a, o);
 
     layout_diagram(d);
+    if (o->size)
+        *o->size = (GraphSize){d->w, d->h};
     buf_str(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"smc-graph\" role=\"img\" stroke-width=\"1.4\"");
     buf_printf(out, " width=\"%ld\" height=\"%ld\" viewBox=\"0 0 %ld %ld\">\n", (long)d->w, (long)d->h, (long)d->w, (long)d->h);
     put_description(out, d);
