@@ -7,7 +7,10 @@
 // A state that is left without a condition is one step long on purpose.
 #include "compiler/analysis/way.h"
 
-enum { PAIRS_MOST = 4096 };       // of one state, ways in times ways out: beyond that some are not looked at
+enum {
+    PAIRS_MOST = 4096,            // of one state, ways in times ways out: beyond that some are not looked at
+    FAR = 300                     // statements of a block before a transition: one that stands further down is not looked at
+};
 
 typedef struct Pairs {
     Analysis *a;
@@ -27,7 +30,15 @@ static Pairs find_pairs(Analysis *a)
     return p;
 }
 
-static bool is_conditional(const Analysis *a, const Transition *t) { return t->when && a->stmt[t->stmt->number].reached && t->to != t->from; }
+static bool is_far_down(const Transition *t)
+{
+    return t->stmt->number - t->from->block[t->block].at[0]->number > FAR;
+}
+
+static bool is_conditional(const Analysis *a, const Transition *t)
+{
+    return t->when && a->stmt[t->stmt->number].reached && t->to != t->from && !is_far_down(t);
+}
 
 // ---- there and back ----
 
