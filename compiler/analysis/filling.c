@@ -104,10 +104,12 @@ static bool takes_the_smallest(const Expr *e) { return e->kind == EX_ROLL && e->
 static bool is_foregone(const Expr *e, bool holds)
 {
     const bool less = e->op == SM_OP_LT || e->op == SM_OP_LE, more = e->op == SM_OP_GT || e->op == SM_OP_GE;
-    const Expr *small = less == holds ? e->arg[0] : e->arg[1], *large = less == holds ? e->arg[1] : e->arg[0];
+    const Expr *small, *large;
 
     if (e->kind != EX_BINARY || !(less || more))
         return false;
+    small = less == holds ? e->arg[0] : e->arg[1];
+    large = less == holds ? e->arg[1] : e->arg[0];
     return (takes_the_largest(large) && expr_is_constant(small)) || (takes_the_smallest(small) && expr_is_constant(large));
 }
 

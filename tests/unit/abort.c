@@ -101,6 +101,7 @@ static void test_nothing_declared(void)
     const AbortMatrix x = abort_matrix(&a);
 
     CHECK(!x.declared && x.n == 2 && x.row[0].way.n == 0 && x.row[0].verdict == ABORT_NO_PATH);
+    session_free(&s);
 }
 
 int main(void)
@@ -117,5 +118,6 @@ int main(void)
     test_looks(&x);
     test_verdicts(&x);
     test_nothing_declared();
+    session_free(&s);
     return test_end("abort");
 }
