@@ -4,6 +4,31 @@
 
 #include <string.h>
 
+// ---- comparisons ----
+
+SmOperator relation_opposite(SmOperator op)
+{
+    switch ((int)op) {
+    case SM_OP_LT: return SM_OP_GE;
+    case SM_OP_LE: return SM_OP_GT;
+    case SM_OP_GT: return SM_OP_LE;
+    case SM_OP_GE: return SM_OP_LT;
+    case SM_OP_EQ: return SM_OP_NE;
+    default: return SM_OP_EQ;
+    }
+}
+
+SmOperator relation_mirrored(SmOperator op)
+{
+    switch ((int)op) {
+    case SM_OP_LT: return SM_OP_GT;
+    case SM_OP_LE: return SM_OP_GE;
+    case SM_OP_GT: return SM_OP_LT;
+    case SM_OP_GE: return SM_OP_LE;
+    default: return op;
+    }
+}
+
 // ---- statements ----
 
 // As deep as conditionals nest: AST_DEPTH_MAX bounds it.

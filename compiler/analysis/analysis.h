@@ -50,6 +50,13 @@ void analyse_together(Arena *arena, Diags *diags, const Program *const *p, size_
 #include "compiler/analysis/analyses.def"
 #undef ANALYSIS
 
+// The comparison that holds where this one does not (of numbers: NaN apart), and the one with its operands exchanged.
+SmOperator relation_opposite(SmOperator op);
+SmOperator relation_mirrored(SmOperator op);
+
+// Whether every way through these statements ends in a transition, as written, whatever guards say (dead.c).
+bool always_leaves(const Stmts *stmts);
+
 // Calls f for every statement of a machine, those inside conditionals after the conditional itself.
 void each_stmt(const Program *p, void (*f)(const Stmt *stmt, void *context), void *context);
 

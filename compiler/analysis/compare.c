@@ -63,17 +63,6 @@ typedef struct Pair {
     Answer answer;
 } Pair;
 
-static SmOperator mirrored(SmOperator op)
-{
-    switch ((int)op) {
-    case SM_OP_LT: return SM_OP_GT;
-    case SM_OP_LE: return SM_OP_GE;
-    case SM_OP_GT: return SM_OP_LT;
-    case SM_OP_GE: return SM_OP_LE;
-    }
-    return op;
-}
-
 // An equality that the bounds alone would allow: it is the kind of number that rules it out.
 static bool is_no_such_number(const Pair *p)
 {
@@ -93,7 +82,7 @@ static bool make_pair(const Analysis *a, Pair *p, const Expr *x, SmOperator op, 
         const Side was = p->a;
         p->a = p->b;
         p->b = was;
-        p->op = mirrored(op);
+        p->op = relation_mirrored(op);
     }
     p->answer = p->a.is_constant || p->b.fact.nan ? SOMETIMES : answer_of(p->op, p->a.fact, p->b.fact);
     return p->answer != SOMETIMES && (is_bounded(p->a.fact) || is_no_such_number(p));
@@ -114,7 +103,7 @@ static bool is_half_of_range(const Pair *p)
             continue;
         for (int side = 0; side < 2; side++)
             if (other->arg[side]->kind == EX_VAR && other->arg[side]->var == p->a.e->var &&
-                is_upper(side ? mirrored(other->op) : other->op) != is_upper(p->op))
+                is_upper(side ? relation_mirrored(other->op) : other->op) != is_upper(p->op))
                 return true;
     }
     return false;

@@ -173,24 +173,12 @@ static bool implies(Ask *k, const Expr *x, const Expr *y)
 
 // ---- contradictions ----
 
-static SmOperator opposite(SmOperator op)
-{
-    switch ((int)op) {
-    case SM_OP_LT: return SM_OP_GE;
-    case SM_OP_LE: return SM_OP_GT;
-    case SM_OP_GT: return SM_OP_LE;
-    case SM_OP_GE: return SM_OP_LT;
-    case SM_OP_EQ: return SM_OP_NE;
-    default: return SM_OP_EQ;
-    }
-}
-
 // Of two comparisons that both hold nobody is NaN but in !=, so one that implies the opposite of the other excludes it.
 static bool parts_exclude(Ask *k, const Expr *x, const Expr *y)
 {
     for (uint32_t i = 0; i < comparisons(y); i++) {
         Comparison c = comparison_at(y, i);
-        c.op = opposite(c.op);
+        c.op = relation_opposite(c.op);
         if (any_implies(k, x, &c))
             return true;
     }
@@ -233,7 +221,7 @@ static bool covers(Ask *k, const Expr *x, const Expr *y)
         return false;
     a = comparison_at(x, 0);
     b = comparison_at(y, 0);
-    a.op = opposite(a.op);
+    a.op = relation_opposite(a.op);
     return is_read(a.a) && is_read(a.b) && comparison_implies(k, &a, &b);
 }
 

@@ -53,7 +53,6 @@ typedef struct Structure {
 
 // dead.c: all statements of the states that facts reach.
 void find_dead(Structure *k);
-bool always_leaves(const Stmts *stmts);       // as written, whatever guards say
 
 // guards.c: which arms of a conditional may be executed, and what explains it if one may not.
 typedef struct Verdict {

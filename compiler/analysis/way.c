@@ -48,16 +48,6 @@ static void forget(Way *w, const Stmts *stmts)
 
 static void demand(Way *w, const WayFormula *f) { vec_push(w->a->arena, &w->demand, f); }
 
-static bool always_leaves(const Stmts *stmts)
-{
-    for (size_t i = 0; i < stmts->n; i++) {
-        const Stmt *s = stmts->at[i];
-        if (s->kind == ST_TRANSITION || (s->kind == ST_IF && always_leaves(&s->then) && always_leaves(&s->otherwise)))
-            return true;
-    }
-    return false;
-}
-
 static void pass(Way *w, const Stmts *stmts);
 
 // Past a conditional without leaving in it.

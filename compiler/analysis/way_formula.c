@@ -41,29 +41,6 @@ static bool compare(double x, SmOperator op, double y)
     }
 }
 
-static SmOperator opposite(SmOperator op)
-{
-    switch ((int)op) {
-    case SM_OP_LT: return SM_OP_GE;
-    case SM_OP_LE: return SM_OP_GT;
-    case SM_OP_GT: return SM_OP_LE;
-    case SM_OP_GE: return SM_OP_LT;
-    case SM_OP_EQ: return SM_OP_NE;
-    default: return SM_OP_EQ;
-    }
-}
-
-static SmOperator mirrored(SmOperator op)
-{
-    switch ((int)op) {
-    case SM_OP_LT: return SM_OP_GT;
-    case SM_OP_LE: return SM_OP_GE;
-    case SM_OP_GT: return SM_OP_LT;
-    case SM_OP_GE: return SM_OP_LE;
-    default: return op;
-    }
-}
-
 // sum op 0, with the first term taken once and the number on the other side.
 static const WayFormula *bound(Way *w, WaySum s, SmOperator op)
 {
@@ -75,7 +52,7 @@ static const WayFormula *bound(Way *w, WaySum s, SmOperator op)
     f = ARENA_NEW(w->a->arena, WayFormula);
     first = s.term[0].times;
     f->kind = WAY_BOUND;
-    f->op = first < 0 ? mirrored(op) : op;
+    f->op = first < 0 ? relation_mirrored(op) : op;
     f->limit = -s.constant / first;
     for (unsigned i = 0; i < s.n; i++)
         s.term[i].times /= first;
@@ -90,7 +67,7 @@ static const WayFormula *relation(Way *w, const Expr *a, SmOperator op, const Ex
 
     if (!way_subtract(&x, &y))
         x = way_unknown(w, false);
-    return bound(w, x, holds ? op : opposite(op));
+    return bound(w, x, holds ? op : relation_opposite(op));
 }
 
 static const WayFormula *chain(Way *w, const Expr *e, bool holds)
