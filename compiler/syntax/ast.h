@@ -145,7 +145,7 @@ typedef struct AstSection {
     bool all_states;          // SCRIPT_STATE: it is [all_states]
 } AstSection;
 
-typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS } FileKind;
+typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP } FileKind;     // .io, .app: docs/config.md
 
 typedef struct AstFile {
     FileKind kind;

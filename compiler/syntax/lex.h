@@ -50,6 +50,7 @@ typedef struct Lexer {
     bool first;               // the next token is the first on its line
     bool keep_comments;       // give them as tokens
     bool no_comment_end;      // there is no */ any more
+    bool config;              // a .io or .app: names of files stand in quotes, and behind numbers units
     TokenKind last;           // kind of the token given last
     LexAllow allow;           // where in an @allow( ) this is
     uint32_t parens;          // opened on this line and still open

@@ -322,7 +322,7 @@ static void lex_string(Lexer *l, Token *t, uint32_t quote_len)
 {
     uint32_t closing = 0, p = find_quote(l, l->at + quote_len, false, &closing);
 
-    if (l->allow != LEX_NO_ALLOW) {
+    if (l->allow != LEX_NO_ALLOW || l->config) {
         lex_reason(l, t, quote_len);
         return;
     }

@@ -293,7 +293,7 @@ static AstSectionKind section_kind(FileKind file, const AstSection *s)
     switch (file) {
     case FILE_SV: return is_called(s, "options") ? AST_OPTIONS : AST_REGION;
     case FILE_SM: return kind_in_machine(s);
-    case FILE_SS: break;
+    case FILE_SS: case FILE_IO: case FILE_APP: break;
     }
     if (is_called(s, "options"))
         return AST_OPTIONS;
@@ -421,6 +421,7 @@ static void start(Parser *p, Arena *arena, StrPool *strings, Diags *diags, const
     p->diags = diags;
     p->kind = kind;
     lex_init(&p->lex, arena, strings, diags, src);
+    p->lex.config = kind == FILE_IO || kind == FILE_APP;
     lex_next(&p->lex, &p->tok);
     lex_next(&p->lex, &p->ahead);
 }
