@@ -146,9 +146,8 @@ check: $(B)/fuzz/image $(B)/corpus/image
 $(B)/fuzz-cov/image: | $(B)/corpus/image
 CHECK_LINES += "fuzz-image: $(B)/fuzz/image -n 20000 $(B)/corpus/image/*.smb"
 
-MUTATE_SRC = tests/unit/vm_mutate.c $(wildcard bytecode-vm/*.c stdlib/*.c compiler/diag/*.c compiler/ir/*.c compiler/emit/bytecode/*.c) \
-             compiler/sema/layout.c $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c))
-$(B)/vm_mutate_san: $(MUTATE_SRC)
+MUTATE_SRC = tests/unit/vm_mutate.c $(LIBSMC)
+$(B)/vm_mutate_san: $(MUTATE_SRC) | $(B)/gen/stdlib_text.h
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined $(MUTATE_SRC) -lm -o $@
 check-mutate: $(B)/vm_mutate_san
