@@ -111,6 +111,7 @@ static EmitCOptions c_options(Cli *c, const char *input, const char *header)
     e.prefix = c->given[OPT_PREFIX] ? c->value[OPT_PREFIX] : NULL;
     e.header = file_part(header);
     e.track_stores = c->given[OPT_TRACK];
+    e.runtime = c->given[OPT_RUNTIME];
     e.source = strcmp(input, "-") == 0 ? "stdin" : file_part(input);
     return e;
 }
@@ -267,6 +268,8 @@ static int check_use(Cli *c, Emit emit, bool *state_vectors)
         return cli_usage(c, "C is two files, a .c and a .h: standard output cannot take both");
     if (emit == EMIT_C && c->files > 1 && (c->given[OPT_OUTPUT] || c->given[OPT_PREFIX]))
         return cli_usage(c, "with several inputs %s would name several outputs", c->given[OPT_OUTPUT] ? "-o" : "--prefix");
+    if (c->given[OPT_RUNTIME] && emit != EMIT_C)
+        return cli_usage(c, "--runtime speaks of emitted C: say --emit=c too");
     if (limits_given(c) && emit != EMIT_BYTECODE)
         return cli_usage(c, "--max-ram and --max-step speak of bytecode, not of --emit=%s", emit_name[emit]);
     if (!limits_known(c))

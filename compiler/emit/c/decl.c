@@ -135,8 +135,7 @@ static void put_states(const CUnit *u, Buf *out)
                (unsigned)states);
 }
 
-// Whether the machine can store it: S, which the step itself stores, or an element that the machine may assign.
-static bool is_output(const IrMachine *m, size_t v)
+bool c_is_output(const IrMachine *m, size_t v)
 {
     return m->var.at[v].space == IR_ELEMENT && (m->var.at[v].writable || v == m->s);
 }
@@ -146,7 +145,7 @@ static void put_stored(const CUnit *u, Buf *out)
     buf_printf(out, "// Which elements the last step that was not refused has stored.\n"
                     "typedef struct %sStored {\n", u->names.type);
     for (size_t v = 0; v < u->m->var.n; v++)
-        if (is_output(u->m, v))
+        if (c_is_output(u->m, v))
             buf_printf(out, "    bool %s;\n", u->names.var[v]);
     buf_printf(out, "} %sStored;\n", u->names.type);
 }

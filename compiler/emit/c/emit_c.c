@@ -98,9 +98,12 @@ void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const
     u->fit = format_in(a, "%s_is_fit", prefix);
 }
 
-static void put_header_start(const char *macro, Buf *out)
+// `include`: a header beside the usual ones, or NULL.
+static void put_header_start(const char *macro, const char *include, Buf *out)
 {
     buf_printf(out, "#ifndef %s_H_INCLUDED\n#define %s_H_INCLUDED\n\n#include <stdbool.h>\n#include <stdint.h>\n\n", macro, macro);
+    if (include)
+        buf_printf(out, "#include \"%s\"\n\n", include);
     buf_str(out, "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
 }
 
@@ -120,12 +123,14 @@ static const char *source_name(Arena *a, const EmitCOptions *o, const char *name
 static void put_header(CUnit *u, const char *source, Buf *out)
 {
     put_title("machine", u->m->name->text, source, out);
-    put_header_start(u->names.macro, out);
+    put_header_start(u->names.macro, u->runtime ? "runtime-c/machine_type.h" : NULL, out);
     put_vector_struct(u, out);
     buf_char(out, '\n');
     put_machine_types(u, out);
     buf_char(out, '\n');
     put_prototypes(u, out);
+    if (u->runtime)
+        put_machine_type_prototype(u, out);
     put_header_end(out);
 }
 
@@ -161,6 +166,8 @@ static void put_code(CUnit *u, const char *source, const char *header, Buf *out)
     put_helpers(u, out);
     buf_str(out, "// ---- the states.  A number that a block returns is that of the state to go to; 0 is to stay. ----\n\n");
     buf_str(out, buf_text(&body));
+    if (u->runtime)
+        put_machine_type(u, out);
     buf_str(out, "\n// ---- whether this program computes as the language says ----\n\n");
     put_self_test(u->fit, out);
 }
@@ -171,7 +178,8 @@ void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf
     CUnit u;
 
     unit_init(&u, arena, m, prefix_of(arena, o ? o->prefix : NULL, m->name->text), NULL);
-    u.track_stores = o && o->track_stores;
+    u.runtime = o && o->runtime;
+    u.track_stores = (o && o->track_stores) || (u.runtime && m->program && m->program->sv->lock);
     put_header(&u, source, header);
     put_code(&u, source, header_name(arena, o, m->name->text), code);
 }
@@ -189,7 +197,7 @@ void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o
     u.names.sv_macro = format_in(arena, "%s_SV", c_macro_name(arena, prefix));
     names_elements(arena, &u.names, &u.sv);
     put_title("vector", sv->name->text, source_name(arena, o, sv->name->text, "sv"), header);
-    put_header_start(u.names.sv_macro, header);
+    put_header_start(u.names.sv_macro, NULL, header);
     put_vector_struct(&u, header);
     put_header_end(header);
     put_title("vector", sv->name->text, source_name(arena, o, sv->name->text, "sv"), code);

@@ -13,6 +13,7 @@ typedef struct EmitCOptions {
     const char *header;           // how the .c includes its .h; NULL: the name and ".h"
     const char *source;           // the source's name without folders, for comments; NULL: the name and its ending
     bool track_stores;            // each step tells in m->stored which elements it stored
+    bool runtime;                 // for runtime-c: also PREFIX_machine (runtime-c/machine_type.h); tracks stores where the vector has `lock`
 } EmitCOptions;
 
 // What is wrong with a prefix, as a sentence for the user; NULL when it is fine: a C identifier that does not start with

@@ -53,6 +53,7 @@ typedef struct CUnit {
     uint32_t stamps;              // functions and blocks so far
     FactMachine *facts;    // what values can be
     bool track_stores;            // each step tells which elements it stored
+    bool runtime;                 // for runtime-c
     const char *fit;              // the name of the self-test
     StrPool constant_names;       // locals that are constants, for remarks
     Map constants;
@@ -112,6 +113,7 @@ void put_vector_struct(const CUnit *u, Buf *out);
 void put_machine_types(CUnit *u, Buf *out);
 void put_prototypes(const CUnit *u, Buf *out);
 const char *c_type_of(SmType type);        // of a member
+bool c_is_output(const IrMachine *m, size_t v);      // whether the machine can store it: S, or an element that it may assign
 
 // ---- guard.c ----
 
@@ -148,5 +150,10 @@ CSignature put_function(CUnit *u, const CFunction *what, Buf *out);
 // ---- machine.c ----
 
 void put_machine(CUnit *u, Buf *out);      // the functions of all blocks, then init, step, state and state_name
+
+// ---- machine_type.c ----
+
+void put_machine_type(const CUnit *u, Buf *out);
+void put_machine_type_prototype(const CUnit *u, Buf *out);
 
 #endif

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a machine as a task: in place, or on a snapshot of a guarded state vector; and tells what happened as events.
+#include "runtime-c/machine.h"
+
+#include <string.h>
+
+static uint8_t *place(void *vector, SmPlace p) { return (uint8_t *)vector + p.offset; }
+
+static void tell(const SmMachine *m, SmEventKind kind, uint64_t time, uint32_t a, uint32_t b)
+{
+    SmEvent e;
+
+    e.time = time;
+    e.a = a;
+    e.b = b;
+    e.source = m->number;
+    e.kind = (uint8_t)kind;
+    sm_event(m->events, &e);
+}
+
+// ---- init ----
+
+static bool is_aligned(const void *p)
+{
+    struct Strict { char c; union { uint64_t time; SmF64 number; } at; };
+
+    return (uintptr_t)p % offsetof(struct Strict, at) == 0;
+}
+
+static SmResult check(const SmMachine *m)
+{
+    if (!is_aligned(m->sv->at) || !is_aligned(m->copy))
+        return SM_E_ALIGNMENT;
+    if (!m->sv->guarded)
+        return SM_OK;
+    if (m->copy == NULL)
+        return SM_E_ARGUMENT;
+    return m->type->publish != NULL ? SM_OK : SM_E_UNSUPPORTED;
+}
+
+// The state that S tells; 0 if it tells none.
+static SmResult kept_state(const SmMachine *m, uint32_t *state)
+{
+    SmResult r = sm_enter(m->sv);
+
+    if (r != SM_OK)
+        return r;
+    memcpy(state, place(m->sv->at, m->type->number(m->self)), sizeof *state);
+    sm_leave(m->sv);
+    if (*state > m->type->states(m->self))
+        *state = 0;
+    return SM_OK;
+}
+
+static SmResult first_state(const SmMachine *m, uint32_t *state)
+{
+    SmResult r = SM_OK;
+
+    *state = 0;
+    if (m->resume && m->restored != NULL && *m->restored)
+        r = kept_state(m, state);
+    if (*state == 0)
+        *state = m->initial != 0 ? m->initial : 1;
+    return r;
+}
+
+static SmResult start(SmMachine *m, uint32_t state)
+{
+    SmPlace number = m->type->number(m->self);
+    SmResult r;
+
+    if (!m->sv->guarded)
+        return m->type->init(m->self, m->sv->at, state);
+    r = m->type->init(m->self, m->copy, state);
+    if (r == SM_OK)
+        r = sm_enter(m->sv);
+    if (r != SM_OK)
+        return r;
+    memcpy(place(m->sv->at, number), place(m->copy, number), (size_t)number.size);
+    sm_leave(m->sv);
+    return SM_OK;
+}
+
+SmResult sm_machine_init(void *machine)
+{
+    SmMachine *m = machine;
+    SmResult r = check(m);
+    uint32_t state;
+
+    m->last = m->refused = 0;
+    m->standing = m->owed = false;
+    if (r == SM_OK)
+        r = m->type->open(m->self, m->sv->layout->hash, m->sv->layout->whole.size);
+    if (r == SM_OK)
+        r = first_state(m, &state);
+    if (r == SM_OK)
+        r = start(m, state);
+    if (r != SM_OK)
+        return r;
+    m->last = state;
+    tell(m, SM_EVENT_STATE, 0, 0, state);
+    return SM_OK;
+}
+
+// ---- step ----
+
+// What others see of the last step; to be called inside the critical section.
+static void publish(SmMachine *m)
+{
+    m->type->publish(m->self, m->copy, m->sv->at);
+    m->owed = false;
+}
+
+static SmResult take_snapshot(SmMachine *m)
+{
+    SmPlace uses = m->type->uses(m->self);
+    SmResult r = sm_enter(m->sv);
+
+    if (r != SM_OK)
+        return r;
+    if (m->owed)
+        publish(m);
+    memcpy(place(m->copy, uses), place(m->sv->at, uses), (size_t)uses.size);
+    sm_leave(m->sv);
+    return SM_OK;
+}
+
+static SmResult deliver(SmMachine *m)
+{
+    SmResult r = sm_enter(m->sv);
+
+    if (r != SM_OK)
+        return r;
+    publish(m);
+    sm_leave(m->sv);
+    return SM_OK;
+}
+
+// How the step went; *delivered: how writing it went.
+static SmResult step_on_copy(SmMachine *m, SmResult *delivered)
+{
+    SmResult r = take_snapshot(m);
+
+    if (r == SM_OK)
+        r = m->type->step(m->self, m->copy);
+    if (r != SM_OK)
+        return r;
+    m->owed = true;
+    *delivered = deliver(m);
+    return SM_OK;
+}
+
+static void tell_refused(SmMachine *m, const SmTick *tick)
+{
+    m->refused++;
+    if (!m->standing)
+        tell(m, SM_EVENT_REFUSED, tick->time, m->refused, 0);
+    m->standing = true;
+}
+
+static void tell_stepped(SmMachine *m, const SmTick *tick)
+{
+    uint32_t state = m->type->state(m->self);
+
+    m->standing = false;
+    if (m->type->moved(m->self))
+        tell(m, SM_EVENT_STATE, tick->time, m->last, state);
+    m->last = state;
+}
+
+SmResult sm_machine_step(void *machine, const SmTick *tick)
+{
+    SmMachine *m = machine;
+    SmResult delivered = SM_OK, r;
+
+    if (m->last == 0)                     // init has not succeeded
+        return SM_E_ARGUMENT;
+    r = m->sv->guarded ? step_on_copy(m, &delivered) : m->type->step(m->self, m->sv->at);
+    if (r == SM_REFUSED)
+        tell_refused(m, tick);
+    else if (r == SM_OK)
+        tell_stepped(m, tick);
+    return r != SM_OK ? r : delivered;
+}
+
+// ---- looking at it ----
+
+uint32_t sm_machine_state(const SmMachine *m) { return m->type->state(m->self); }
+uint64_t sm_machine_time(const SmMachine *m) { return m->type->time(m->self); }
+const char *sm_machine_state_name(const SmMachine *m, uint32_t state) { return m->type->state_name(m->self, state); }
