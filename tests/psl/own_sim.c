@@ -28,6 +28,37 @@ static void time_moves_by_hand(void)
     CHECK(strcmp(sim_console(), "hello") == 0);
 }
 
+static uint64_t world_at[8];
+static unsigned world_calls;
+
+static void world(void)
+{
+    world_at[world_calls++ % COUNT(world_at)] = pal_clock_now();
+}
+
+// The world keeps its own period, whoever moves time and however far.
+static void world_goes_on(void)
+{
+    sim_reset();
+    world_calls = 0;
+    sim_every(10, world);
+    sim_advance(9);
+    CHECK(world_calls == 0);
+    sim_advance(1);
+    CHECK(world_calls == 1 && world_at[0] == PAL_SECOND + 10);
+    CHECK(pal_clock_sleep_until(PAL_SECOND + 35) == SM_OK && pal_clock_now() == PAL_SECOND + 35);
+    CHECK(world_calls == 3 && world_at[1] == PAL_SECOND + 20 && world_at[2] == PAL_SECOND + 30);
+    sim_delay(SIM_console_write, 5);
+    CHECK(pal_console_write("x", 1) == SM_OK && world_calls == 4 && world_at[3] == PAL_SECOND + 40);
+    sim_every(0, world);
+    sim_advance(100);
+    CHECK(world_calls == 4);
+    sim_every(10, world);
+    sim_reset();
+    sim_advance(100);
+    CHECK(world_calls == 4);
+}
+
 static void console_is_full(void)
 {
     const char text[100] = {'x'};
@@ -262,6 +293,7 @@ static void bites(void)
 Tally own_sim(void)
 {
     time_moves_by_hand();
+    world_goes_on();
     console_is_full();
     faults();
     pins();

@@ -5,15 +5,35 @@
 
 static uint64_t now = PAL_SECOND, late;
 
+static struct {
+    void (*step)(void);       // or NULL
+    uint64_t period, next;
+} world;
+
 void sim_clock_reset(void)
 {
     now = PAL_SECOND;
     late = 0;
+    world.step = NULL;
+}
+
+void sim_every(uint64_t period, void (*step)(void))
+{
+    world.step = period > 0 ? step : NULL;
+    world.period = period;
+    world.next = now + period;
 }
 
 void sim_advance(uint64_t ns)
 {
-    now += ns;
+    uint64_t end = now + ns;
+
+    while (world.step && world.next <= end) {
+        now = world.next;
+        world.next += world.period;
+        world.step();
+    }
+    now = end;
     sim_watchdog_look(now);
 }
 

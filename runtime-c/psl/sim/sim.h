@@ -49,6 +49,11 @@ void sim_advance(uint64_t ns);
 // Each sleep ends so much later than it should.
 void sim_oversleep(uint64_t ns);
 
+// The world outside: from now on, whatever moves time, `world` is called at every multiple of `period` nanoseconds from here, when
+// the clock shows just that, before whoever sleeps until then wakes.  It drives pins and looks at them; it must not wait or sleep.
+// NULL, or a period of 0: none.
+void sim_every(uint64_t period, void (*world)(void));
+
 // ---- the console ----
 
 // What was written since sim_reset, up to 4095 bytes of it.
