@@ -1,0 +1,17 @@
+# The accelerometer delivers nothing, but the rocket rises: the flight goes on.
+
+[options]
+delta_t 10
+
+[all_states]
+G == 0: tankPressure = 40
+3000 <= G < 6000 {
+    velocity = 50
+    altitude = altitude + 0.5
+}
+true: @assert S != 6
+G == 5000: @assert S == 2
+G == 8000 {
+    @assert S == 3
+    @stop
+}

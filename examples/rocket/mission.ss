@@ -1,0 +1,59 @@
+# The flight as it should be: ignition after 3 s, the tank is empty at 6 s, the highest point is reached at 14 s.
+
+[options]
+delta_t 10
+
+[all_states]
+G == 0 {
+    tankPressure = 40
+    acceleration = 9.8
+}
+3000 <= G < 6000 {
+    tankPressure = 40 - 19.5 * (G - 3000) / 3000
+    acceleration = 36
+    velocity     = 80 * (G - 3000) / 3000
+    altitude     = altitude + velocity / 100
+}
+G >= 6000: tankPressure = 20
+6000 <= G < 14000 {
+    acceleration = 0
+    velocity     = 80 - (G - 6000) / 100
+    altitude     = altitude + velocity / 100
+}
+G >= 14000 {
+    acceleration = 9.8
+    velocity     = -10
+    altitude     = max(0, altitude - 0.1)
+}
+G == 10000: velocity = -300             # the navigation jumps, for three steps
+10000 < G <= 10020: velocity = -300
+true {
+    @assert engineMode == 1 or S == 2
+    @assert parachuteMode == 1 or S == 4
+    @assert engineMode > 0 and parachuteMode > 0
+}
+
+[Countdown]
+true: @assert engineMode == 1 and parachuteMode == 1 and not flying and G <= 3000
+
+[Powered]
+T == 0: @assert engineMode == 2 and flying and G == 3010
+
+[Coast]
+true: @assert engineMode == 1 and parachuteMode == 1
+T == 0: @assert 5900 < G < 6100
+
+[Recovery]
+T == 0: @assert parachuteMode == 2 and 14000 < G < 14100
+
+[Landed]
+true: @assert altitude == 0 and parachuteMode == 1 and engineMode == 1
+
+[all_states]
+G == 5000: @assert S == 2
+G == 10500: @assert S == 3
+G == 20000: @assert S == 4
+G == 80000 {
+    @assert S == 5
+    @stop
+}
