@@ -295,6 +295,22 @@ $(B)/fault/shim.so: tests/fault/shim.c
 check: $(B)/fault/memory $(B)/fault/shim.so
 CHECK_LINES += "fault-memory: $(B)/fault/memory $(FAULT_CASES)" "fault-command: sh tests/fault/command.sh $(B)/smc $(B)/fault/shim.so"
 
+# tests/soft: soft binary64 against the computer's own.  `make f64-campaign N=1000000000` tries so many random operands of each
+# operation and goes on where it was stopped; f64-f32 tries every binary32.
+SOFT_OBJ = $(patsubst %.c,$(B)/obj/%.o,$(wildcard tests/soft/*.c))
+$(B)/obj/tests/soft/subject.o: STRICT_C += -DSM_F64_SOFT=1
+$(B)/soft/run: $(SOFT_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+check: $(B)/soft/run
+CHECK_LINES += "soft: $(B)/soft/run"
+f64-campaign: $(B)/soft/run
+	$(B)/soft/run $(N) $(SEED) $(B)/soft/campaign
+f64-f32: $(B)/soft/run
+	$(B)/soft/run f32
+.PHONY: f64-campaign f64-f32
+
 # tests/psl: what the headers of runtime-c/pal promise, on each platform.  Linux: with IIO devices in a folder of the test, and with
 # calls that the test can let fail; the other watchdog is only compiled.
 ,               := ,
@@ -369,6 +385,7 @@ help:
 	@echo 'make check           runs every test that needs cc and make only; the others say what they need'
 	@echo 'make test T=FILE     runs some conformance cases on every engine'
 	@echo 'make diff N=100000   runs so many random programs on all engines, from seed SEED=1, in J=2 processes'
+	@echo 'make f64-campaign N=100000000  tries soft binary64 on so many random operands for each operation'
 	@echo 'make sound N=100000  runs so many random programs and holds them against what the analyses say of them'
 	@echo 'make asan            runs every test under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'

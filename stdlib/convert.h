@@ -14,6 +14,23 @@
 #include "stdlib/f64.h"
 #include "stdlib/types.h"
 
+#if SM_F64_SOFT
+// Soft conversions saturate already.
+static inline int32_t sm_to_i32(SmF64 x) { return sm_cut_i32(x); }
+static inline uint32_t sm_to_u32(SmF64 x) { return sm_cut_u32(x); }
+static inline int64_t sm_to_i64(SmF64 x) { return sm_cut_i64(x); }
+static inline uint64_t sm_to_u64(SmF64 x) { return sm_cut_u64(x); }
+static inline int32_t sm_to_within(SmF64 x, int32_t lo, int32_t hi)
+{
+    const int32_t v = sm_cut_i32(x);
+    return v < lo ? lo : v > hi ? hi : v;
+}
+static inline int16_t sm_to_i16(SmF64 x) { return (int16_t)sm_to_within(x, INT16_MIN, INT16_MAX); }
+static inline int8_t sm_to_i8(SmF64 x) { return (int8_t)sm_to_within(x, INT8_MIN, INT8_MAX); }
+static inline uint16_t sm_to_u16(SmF64 x) { return (uint16_t)sm_to_within(x, 0, UINT16_MAX); }
+static inline uint8_t sm_to_u8(SmF64 x) { return (uint8_t)sm_to_within(x, 0, UINT8_MAX); }
+static inline bool sm_to_bool(SmF64 x) { return !sm_is_nan(x) && x.bits << 1 != 0; }
+#else
 //: sm_to_i32
 static inline int32_t sm_to_i32(SmF64 x)
 {
@@ -70,6 +87,8 @@ static inline uint8_t sm_to_u8(SmF64 x)
         return sm_lt(x, sm_from_i32(UINT8_MAX)) ? (uint8_t)sm_cut_i32(x) : (uint8_t)UINT8_MAX;
     return 0;
 }
+//: end
+#endif
 //: sm_to_f32
 static inline float sm_to_f32(SmF64 x)
 {
@@ -80,11 +99,15 @@ static inline SmF64 sm_to_f64(SmF64 x)
 {
     return sm_is_nan(x) ? sm_from_i32(0) : x;
 }
+//: end
+#if !SM_F64_SOFT
 //: sm_to_bool
 static inline bool sm_to_bool(SmF64 x)
 {
     return sm_lt(x, sm_from_i32(0)) || sm_lt(sm_from_i32(0), x);   // neither holds for NaN
 }
+//: end
+#endif
 //: sm_clip_i32
 // x, or the limit that it is beyond: an integer on its way to another type of integer.
 static inline int32_t sm_clip_i32(int32_t x, int32_t lo, int32_t hi) { return x < lo ? lo : x > hi ? hi : x; }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SmF64: the one number of the language, IEEE binary64, and its operators.  The only file that decides how it is
-// represented: here a C `double`; on chips whose double is shorter a soft type will take its place.  Callers use the
-// functions below and never C's operators, so that they need not change.
+// represented: a C `double` where that is binary64; where it is not, as on AVR, the bits, and arithmetic in software (soft.h).
+// -DSM_F64_SOFT=1 chooses the latter anywhere; all that is compiled together must agree on it.  Callers use the functions below
+// and never C's operators, which the soft type does not have.
 // All functions are exact IEEE: round to nearest even, no trap, no errno.  The sign and payload of a NaN carry no meaning.
 //
 // Emitted C carries the text of the functions that it uses.  A line `//: NAME` opens the text of NAME, which runs to the
@@ -14,14 +15,21 @@
 #include <stdint.h>
 #include <string.h>
 
-#if DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024
-#error "smc: this compiler's double is not IEEE binary64"
+#ifndef SM_F64_SOFT
+#if DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024
+#define SM_F64_SOFT 0
+#else
+#define SM_F64_SOFT 1
+#endif
+#endif
+#if !SM_F64_SOFT && (DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024)
+#error "smc: this compiler's double is not IEEE binary64; build with -DSM_F64_SOFT=1"
 #endif
 #if FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128
 #error "smc: this compiler's float is not IEEE binary32"
 #endif
 // 1 is harmless: it widens float alone, and no float arithmetic is done here.
-#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)
+#if !SM_F64_SOFT && defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)
 #error "smc: this compiler computes doubles with excess precision; on 32-bit x86 build with -msse2 -mfpmath=sse"
 #endif
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \
@@ -29,6 +37,9 @@
 #error "smc: fast-math changes what programs mean; build without it"
 #endif
 
+#if SM_F64_SOFT
+#include "stdlib/f64_soft.h"
+#else
 //: SmF64
 #ifndef SM_F64_TYPE
 #define SM_F64_TYPE
@@ -78,5 +89,6 @@ static inline uint64_t sm_cut_u64(SmF64 x) { return (uint64_t)x; }  // toward ze
 //: sm_round_f32
 static inline float sm_round_f32(SmF64 x) { return (float)x; }      // to nearest even, too large to infinity
 //: end
+#endif
 
 #endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// SmF64 without a `double`: the functions of f64.h made of those of soft.h.  Included by f64.h alone.
+#ifndef SM_F64_SOFT_H
+#define SM_F64_SOFT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "stdlib/soft.h"
+
+// A struct, so that C's operators do not compile.
+typedef struct SmF64 { uint64_t bits; } SmF64;
+
+static inline uint64_t sm_bits(SmF64 x) { return x.bits; }
+static inline SmF64 sm_from_bits(uint64_t u) { SmF64 x; x.bits = u; return x; }
+static inline SmF64 sm_add(SmF64 a, SmF64 b) { return sm_from_bits(sm_soft_add(a.bits, b.bits)); }
+static inline SmF64 sm_sub(SmF64 a, SmF64 b) { return sm_from_bits(sm_soft_sub(a.bits, b.bits)); }
+static inline SmF64 sm_mul(SmF64 a, SmF64 b) { return sm_from_bits(sm_soft_mul(a.bits, b.bits)); }
+static inline SmF64 sm_div(SmF64 a, SmF64 b) { return sm_from_bits(sm_soft_div(a.bits, b.bits)); }
+static inline SmF64 sm_neg(SmF64 a) { return sm_from_bits(a.bits ^ 0x8000000000000000u); }
+static inline bool sm_lt(SmF64 a, SmF64 b) { return sm_soft_lt(a.bits, b.bits); }
+static inline bool sm_le(SmF64 a, SmF64 b) { return sm_soft_le(a.bits, b.bits); }
+static inline bool sm_eq(SmF64 a, SmF64 b) { return sm_soft_eq(a.bits, b.bits); }
+static inline bool sm_is_nan(SmF64 a) { return !sm_soft_eq(a.bits, a.bits); }
+static inline SmF64 sm_from_i32(int32_t v) { return sm_from_bits(sm_soft_from_i32(v)); }
+static inline SmF64 sm_from_u32(uint32_t v) { return sm_from_bits(sm_soft_from_u32(v)); }
+static inline SmF64 sm_from_i64(int64_t v) { return sm_from_bits(sm_soft_from_i64(v)); }
+static inline SmF64 sm_from_u64(uint64_t v) { return sm_from_bits(sm_soft_from_u64(v)); }
+static inline SmF64 sm_from_f32(float v) { uint32_t u; memcpy(&u, &v, sizeof u); return sm_from_bits(sm_soft_from_f32(u)); }
+static inline float sm_round_f32(SmF64 x) { const uint32_t u = sm_soft_to_f32(x.bits); float v; memcpy(&v, &u, sizeof v); return v; }
+
+// These saturate already, so convert.h takes them as they are.
+static inline int32_t sm_cut_i32(SmF64 x) { return sm_soft_to_i32(x.bits); }
+static inline uint32_t sm_cut_u32(SmF64 x) { return sm_soft_to_u32(x.bits); }
+static inline int64_t sm_cut_i64(SmF64 x) { return sm_soft_to_i64(x.bits); }
+static inline uint64_t sm_cut_u64(SmF64 x) { return sm_soft_to_u64(x.bits); }
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Soft binary64: the operations of f64.h on the bits of numbers, without a `double`.  f64.h is made of them where a C `double` is
+// not IEEE binary64.  In portable C: soft_arith.c, soft_convert.c.
+//
+// Rounded to nearest even, with subnormals, signed zeros and infinities; a NaN that comes out is SM_SOFT_NAN, whatever went in.
+#ifndef SM_SOFT_H
+#define SM_SOFT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SM_SOFT_NAN UINT64_C(0x7FF8000000000000)
+
+uint64_t sm_soft_add(uint64_t a, uint64_t b);
+uint64_t sm_soft_sub(uint64_t a, uint64_t b);
+uint64_t sm_soft_mul(uint64_t a, uint64_t b);
+uint64_t sm_soft_div(uint64_t a, uint64_t b);
+
+bool sm_soft_lt(uint64_t a, uint64_t b);      // these three are false if either is NaN
+bool sm_soft_le(uint64_t a, uint64_t b);
+bool sm_soft_eq(uint64_t a, uint64_t b);
+
+uint64_t sm_soft_from_i32(int32_t v);
+uint64_t sm_soft_from_u32(uint32_t v);
+uint64_t sm_soft_from_i64(int64_t v);         // rounds above 2^53
+uint64_t sm_soft_from_u64(uint64_t v);        // rounds above 2^53
+uint64_t sm_soft_from_f32(uint32_t v);        // from the bits of a binary32: exact
+
+int32_t sm_soft_to_i32(uint64_t a);           // toward zero, then to the nearest that fits; NaN gives 0
+uint32_t sm_soft_to_u32(uint64_t a);
+int64_t sm_soft_to_i64(uint64_t a);
+uint64_t sm_soft_to_u64(uint64_t a);
+uint32_t sm_soft_to_f32(uint64_t a);          // the bits of a binary32: to nearest even, too large to infinity
+
+#ifdef __cplusplus
+}
+#endif
+#endif

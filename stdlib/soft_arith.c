@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Soft binary64 in portable C: add, subtract, multiply, divide (soft.h).  Plain rather than fast.
+#include "stdlib/soft.h"
+#include "stdlib/soft_pack.h"
+
+// ---- add, subtract ----
+
+// |a| and |b| together, or |a| less |b|, with the sign of a; |a| is not below |b|, and both are finite.
+static uint64_t add_ordered(uint64_t a, uint64_t b, bool less)
+{
+    SmSoft x = sm_soft_unpack(a), y = sm_soft_unpack(b);
+
+    y.digits = sm_soft_shift(y.digits, (int16_t)(x.exponent - y.exponent));
+    x.digits += less ? ~y.digits + 1 : y.digits;
+    if (less)
+        return x.digits == 0 ? 0 : sm_soft_pack(sm_soft_normal(x));      // a number less itself is 0, not -0
+    if (x.digits >> 63 != 0) {
+        x.digits = sm_soft_shift(x.digits, 1);
+        x.exponent++;
+    }
+    return sm_soft_pack(x);
+}
+
+uint64_t sm_soft_add(uint64_t a, uint64_t b)
+{
+    const bool less = (a ^ b) >> 63 != 0;
+
+    if (a << 1 < b << 1) {
+        const uint64_t larger = b;
+        b = a;
+        a = larger;
+    }
+    if (sm_soft_is_finite(a))
+        return add_ordered(a, b, less);
+    return sm_soft_is_nan(a) || (less && !sm_soft_is_finite(b)) ? SM_SOFT_NAN : a;      // a NaN is larger than all others
+}
+
+uint64_t sm_soft_sub(uint64_t a, uint64_t b) { return sm_soft_add(a, b ^ SM_SOFT_SIGN); }
+
+// ---- multiply, divide ----
+
+// The upper half of a product of 128 bits; its lowest bit is set, too, if the lower half is not zero.
+static uint64_t upper_half(uint64_t a, uint64_t b)
+{
+    const uint64_t mask = 0xFFFFFFFFu, a0 = a & mask, a1 = a >> 32, b0 = b & mask, b1 = b >> 32;
+    const uint64_t low = a0 * b0, mid = a1 * b0 + (low >> 32), middle = (mid & mask) + a0 * b1;
+
+    return (a1 * b1 + (mid >> 32) + (middle >> 32)) | ((middle & mask) != 0 || (low & mask) != 0);
+}
+
+uint64_t sm_soft_mul(uint64_t a, uint64_t b)
+{
+    const uint64_t sign = (a ^ b) & SM_SOFT_SIGN;
+    const bool zero = a << 1 == 0 || b << 1 == 0;
+    SmSoft x, y;
+
+    if (sm_soft_is_nan(a) || sm_soft_is_nan(b))
+        return SM_SOFT_NAN;
+    if (!sm_soft_is_finite(a) || !sm_soft_is_finite(b))
+        return zero ? SM_SOFT_NAN : sign | SM_SOFT_INFINITY;
+    if (zero)
+        return sign;
+    x = sm_soft_normal(sm_soft_unpack(a));
+    y = sm_soft_normal(sm_soft_unpack(b));
+    x.sign = sign;
+    x.exponent = (int16_t)(x.exponent + y.exponent - 1022);
+    x.digits = upper_half(x.digits << 1, y.digits);
+    return sm_soft_pack(sm_soft_normal(x));
+}
+
+// a / b, both with their first digit at bit 62, digit by digit; it is less than 2, and its 1 is at bit 62.  What is left over marks
+// the lowest bit.
+static uint64_t quotient(uint64_t a, uint64_t b)
+{
+    uint64_t q = 0;
+
+    for (uint8_t i = 0; i < 56; i++) {
+        q <<= 1;
+        if (a >= b) {
+            a -= b;
+            q |= 1;
+        }
+        a <<= 1;
+    }
+    return q << 7 | (a != 0);
+}
+
+uint64_t sm_soft_div(uint64_t a, uint64_t b)
+{
+    const uint64_t sign = (a ^ b) & SM_SOFT_SIGN;
+    SmSoft x, y;
+
+    if (sm_soft_is_nan(a) || sm_soft_is_nan(b) || a << 1 == b << 1) {      // or 1 of either sign, but for 0/0 and the like
+        const bool one = sm_soft_is_finite(a) && sm_soft_is_finite(b) && a << 1 != 0;
+        return one ? sign | UINT64_C(0x3FF0000000000000) : SM_SOFT_NAN;
+    }
+    if (!sm_soft_is_finite(a) || b << 1 == 0)
+        return sign | SM_SOFT_INFINITY;
+    if (!sm_soft_is_finite(b) || a << 1 == 0)
+        return sign;
+    x = sm_soft_normal(sm_soft_unpack(a));
+    y = sm_soft_normal(sm_soft_unpack(b));
+    x.sign = sign;
+    x.exponent = (int16_t)(x.exponent - y.exponent + 1023);
+    x.digits = quotient(x.digits, y.digits);
+    return sm_soft_pack(sm_soft_normal(x));
+}
