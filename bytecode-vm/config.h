@@ -16,6 +16,12 @@
 #ifndef SMVM_FETCH
 #define SMVM_BYTES const uint8_t *
 #define SMVM_FETCH(image, at) ((image)[at])
+#define SMVM_TEXT(image, at) ((const char *)(image) + (at))
+#endif
+
+// Names in an image as text, where an image lies in memory like any other.
+#ifndef SMVM_TEXT
+#define SMVM_TEXT(image, at) ""
 #endif
 
 // Holds any offset in an image and in a state vector: uint16_t where neither can exceed 64 KB, as the two limits below say.

@@ -43,12 +43,12 @@ U64 G
 U32 S
 [Idle]
 -- stdout --
-image of 470 bytes, format 1, crc 762abd09
+image of 483 bytes, format 1, crc db9303e7
     section 01 IDENTITY   8 bytes at 52: 003740f815ec1432
     section 81 MACHINE    108 bytes at 60
     section 82 CODE       68 bytes at 168
     section 83 INIT       16 bytes at 236
-    section 02 DEBUG      218 bytes at 252
+    section 02 DEBUG      231 bytes at 252
 
 machine 1 sub
     state vector    32 bytes, layout f4b2fddc
@@ -151,11 +151,11 @@ state 2.step:
     61  jnlt    local U16@0, I8@24, 67
     65  goto    state 1
     67  end
-image of 140 bytes, format 1, crc 4d33412d
+image of 146 bytes, format 1, crc 54f41514
     section 01 IDENTITY   8 bytes at 44: 9d78ceec3f98183c
     section 81 MACHINE    24 bytes at 52
     section 82 CODE       0 bytes at 76
-    section 02 DEBUG      64 bytes at 76
+    section 02 DEBUG      70 bytes at 76
 
 machine 1 idle
     state vector    16 bytes, layout ddcc0f93

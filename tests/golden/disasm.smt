@@ -11,11 +11,11 @@ bool open
 .step
     open = true
 -- stdout --
-image of 163 bytes, format 1, crc 4e6bc45e
+image of 170 bytes, format 1, crc a4957f16
     section 01 IDENTITY   8 bytes at 44: ae101c3ae1e46017
     section 81 MACHINE    30 bytes at 52
     section 82 CODE       4 bytes at 82
-    section 02 DEBUG      77 bytes at 86
+    section 02 DEBUG      84 bytes at 86
 
 machine 1 a
     state vector    16 bytes, layout b1dc9237

@@ -22,12 +22,14 @@ static void put_u24(Buf *b, uint32_t v)
         buf_char(b, (char)(v >> 8 * i & 0xff));
 }
 
+// The 0 behind it is not counted: it lets a name be read in place, as text.
 static void put_name(Buf *b, const char *text, size_t len)
 {
     if (len >= SMVM_VARINT_MID)
         len = SMVM_VARINT_MID - 1;
     bc_varint(b, (uint32_t)len);
     buf_put(b, text, len);
+    buf_char(b, 0);
 }
 
 // Offsets are made to count from the image's start when the size of the table is known.

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// An image behind the interface of runtime-c/machine_type.h.
+#include "bytecode-vm/target/machine.h"
+
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+
+// ---- open, init ----
+
+static uint32_t bytes_of(const SmvmOperand *o) { return (uint32_t)1 << smvm_type_shift(o->type); }
+
+static SmPlace place_of(const SmvmOperand *o)
+{
+    SmPlace p;
+
+    p.offset = o->offset;
+    p.size = bytes_of(o);
+    return p;
+}
+
+// From the first element that it names to the last.
+static SmPlace span_of(const SmvmMachine *m)
+{
+    SmvmOperand o = smvm_operand(m, m->outputs);
+    SmPlace p = place_of(&o);
+    uint32_t end = p.offset + p.size;
+
+    for (uint32_t i = 0; i < m->operands; i++) {
+        o = smvm_operand(m, i);
+        if (o.kind >= SMVM_K_LOCAL)
+            continue;
+        p.offset = o.offset < p.offset ? o.offset : p.offset;
+        end = o.offset + bytes_of(&o) > end ? o.offset + bytes_of(&o) : end;
+    }
+    p.size = end - p.offset;
+    return p;
+}
+
+static void note(SmvmTarget *t, const SmvmMachine *m)
+{
+    SmvmOperand s = smvm_operand(m, m->outputs + 1);
+
+    t->states = m->states;
+    t->outputs = m->outputs;
+    t->operands_at = m->operands_at;
+    t->uses = span_of(m);
+    t->number = place_of(&s);
+}
+
+static SmResult target_open(void *self, uint32_t layout, uint32_t size)
+{
+    SmvmTarget *t = self;
+    SmvmMachine m;
+
+    t->vm = NULL;
+    t->fast = NULL;
+    if (smvm_verify(t->image, t->size, &t->why) != 0)
+        return SM_E_IMAGE;
+    if (!smvm_machine(t->image, t->machine, &m))
+        return SM_E_MISSING;
+    if (m.layout != layout || m.sv_size != size)
+        return SM_E_LAYOUT;
+    note(t, &m);
+    return SM_OK;
+}
+
+static SmResult target_init(void *self, void *sv, uint32_t state)
+{
+    SmvmTarget *t = self;
+    SmvmMachine m;
+    SmvmVector v;
+    SmResult r;
+
+    t->vm = NULL;
+    smvm_machine(t->image, t->machine, &m);
+    v.at = sv;
+    v.size = m.sv_size;
+    v.layout = m.layout;
+    r = smvm_init(t->memory, t->memory_size, &m, &v, state);
+    if (r == SM_OK && t->decoder != NULL)
+        r = t->decoder->decode(&t->fast, t->decoded, t->decoded_size, &m, t->memory, sv);
+    if (r != SM_OK)
+        return r;
+    t->vm = t->memory;
+    t->more = smvm_parts(t->vm, &m).stored;
+    return SM_OK;
+}
+
+// ---- step ----
+
+static SmResult target_step(void *self, void *sv)
+{
+    SmvmTarget *t = self;
+
+    if (t->vm == NULL)
+        return SM_E_ARGUMENT;
+    return t->fast != NULL ? t->decoder->step(t->fast, sv) : smvm_step(t->vm, sv);
+}
+
+static void copy(const void *from, void *to, SmPlace p)
+{
+    memcpy((uint8_t *)to + p.offset, (const uint8_t *)from + p.offset, (size_t)p.size);
+}
+
+static void target_publish(const void *self, const void *from, void *to)
+{
+    const SmvmTarget *t = self;
+    SmvmOperand o;
+
+    if (smvm_stored_state(t->vm))
+        copy(from, to, t->number);
+    for (uint32_t i = 0; i < t->outputs; i++) {
+        uint8_t bits = i < 64 ? t->vm->stored[i >> 3] : t->more[(i - 64) >> 3];
+        if ((bits >> (i & 7) & 1) == 0)
+            continue;
+        o = smvm_operand_at(t->image, t->operands_at + 3 * i);
+        copy(from, to, place_of(&o));
+    }
+}
+
+// ---- looking at it ----
+
+static uint32_t target_state(const void *self) { return smvm_state(((const SmvmTarget *)self)->vm); }
+static bool target_moved(const void *self) { return ((const SmvmTarget *)self)->vm->first; }
+static uint64_t target_time(const void *self) { return smvm_time(((const SmvmTarget *)self)->vm); }
+static uint32_t target_states(const void *self) { return ((const SmvmTarget *)self)->states; }
+static SmPlace target_uses(const void *self) { return ((const SmvmTarget *)self)->uses; }
+static SmPlace target_number(const void *self) { return ((const SmvmTarget *)self)->number; }
+
+// The verifier does not look at names: one that does not end in 0 where it says is none.
+static const char *target_state_name(const void *self, uint32_t state)
+{
+    const SmvmTarget *t = self;
+    SmvmMachine m;
+    SmvmName n;
+
+    if (state < 1 || state > t->states || !smvm_machine(t->image, t->machine, &m))
+        return "";
+    n = smvm_state_name(&m, state);
+    if (n.size == 0 || n.at + n.size >= m.debug_at + m.debug_size || smvm_u8(t->image, n.at + n.size) != 0)
+        return "";
+    return SMVM_TEXT(t->image, n.at);
+}
+
+const SmMachineType smvm_machine_type = {
+    target_open, target_init, target_step, target_state, target_moved, target_time, target_state_name, target_states, target_uses, target_number,
+    target_publish,
+};
+
+uint32_t smvm_target_memory(SmvmBytes image, uint32_t size, uint32_t machine)
+{
+    SmvmVerdict why;
+    SmvmMachine m;
+
+    return smvm_verify(image, size, &why) == 0 && smvm_machine(image, machine, &m) ? smvm_ram_size(&m) : 0;
+}
