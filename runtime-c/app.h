@@ -2,13 +2,18 @@
 // A whole application: its state vector, its executors with their tasks, what is kept and logged.  Made by smc from a .app file
 // (docs/config.md), with a main that is one call: sm_app_main(&rocket_app).
 //
-// Start, in this order: the state vector's lock; the values of [start]; the kept vector, where there is one; init of all tasks, executor by
-// executor; the watchdog; tick 0.  What is refused on the way is told on the console, and nothing runs.
+// Start, in this order: the clock; the locks of state vector and events; the values of [start]; the kept vector, where there is one; init
+// of all tasks, executor by executor; the threads; the watchdog; tick 0 of all executors, at one moment.  What is refused on the way
+// is told on the console, and nothing runs.
 //
-// Each executor has a thread, where the platform has threads; the thread that called writes logs and kept vectors and feeds the
-// watchdog, as long as every executor has finished a tick since it was fed last.  Where there is one thread, or one executor only
-// and nothing to write, it runs all executors itself, whichever is due first, of several the first in the file; that is also how a
-// simulation runs, the same in every run.
+// Each executor has a thread, where the platform has threads; the thread that called writes logs and kept vectors, for which it
+// may have to wait.  Where there is one thread, or one executor only and nothing to write, it runs all executors itself, and writes
+// while none is due.  It takes the one that has waited longest, since its tick was due or since its last tick ended, whichever
+// was later; of several the first in the file.  So an executor that is always late keeps no other waiting for more than one tick of
+// each, and a simulation runs the same in every run.
+//
+// The watchdog is fed as long as no executor is stuck: each has finished a tick since it was fed last, or has none that was due by
+// then.  It bites when a tick takes longer than it, or when a thread has died.  (A thread feeds it that is more urgent than all others.)
 #ifndef SM_APP_H
 #define SM_APP_H
 
@@ -33,17 +38,28 @@ typedef struct SmApp {
     bool one_thread;          // runs all executors in the calling thread even where there are threads
     // What follows is the runtime's; all zero at first.
     bool restored;
-    volatile bool stop;       // read and written through sm_app_stop and sm_app_stopping
+    uint32_t stop;            // read and written through sm_app_stop and sm_app_stopping
     const SmTask *failed;     // the task whose init refused
+    const SmExecutor *refused;            // the executor that did not start, or whose task it was
+    const char *what, *why;   // what else did not start; why, where the result does not say it
+    bool tell;                // on the console
+    uint64_t start;           // on the PAL clock: when tick 0 is due
+    uint64_t fed;             // on the PAL clock: when the watchdog was fed last
+    PalThread watch;          // the thread that feeds it
+    uint32_t gate;            // run.c
 } SmApp;
 
-// Starts it and runs it until sm_app_stop.  Any result but SM_OK is from the start: nothing has run.
+// Starts it and runs it until sm_app_stop.  Any result but SM_OK is from the start: nothing has run.  Once in a program.
 SmResult sm_app_run(SmApp *app);
 
-// Ends the application: executors finish their tick, logs are written, sm_app_run returns.  From any task or thread.
+// Ends the application: executors finish their tick, within a tenth of a second if they wait; the watchdog is stopped; logs are written;
+// sm_app_run returns.  From any task or thread, from a signal handler or an interrupt as well.  Outputs stay as they are.
 void sm_app_stop(SmApp *app);
 
+bool sm_app_stopping(const SmApp *app);
+
 // sm_app_run with messages on the console; 0, or 1 when it did not start.
+//     rocket: task 'engine' does not start: it is in use
 int sm_app_main(SmApp *app);
 
 #ifdef __cplusplus

@@ -4,7 +4,8 @@
 //
 // A U8 element may say how it runs, and anybody may change it at any time: SM_DISABLED nothing is called; SM_SAFED `safe` is called
 // (nothing, where there is none): whatever brings a dangerous device to rest; SM_ENABLED `step` is called.  Any other value is taken
-// for SM_SAFED.  A state vector that is all zero has its tasks disabled.
+// for SM_SAFED.  A state vector that is all zero has its tasks disabled.  While the element cannot be read (statevec.h: a thread died
+// inside a critical section) the task stays in the mode it had.
 #ifndef SM_TASK_H
 #define SM_TASK_H
 
@@ -37,16 +38,17 @@ typedef struct SmTask {
     const SmElement *mode;    // of type U8; NULL: always enabled
     uint16_t number;          // of the task in its application: SmEvent.source
     // What follows is the runtime's; all zero at first.
-    uint8_t last_mode;
-    SmResult last;            // of the last step
-    uint32_t steps, safings, failures;        // how many calls of step, of safe, of both that failed
-    uint32_t failing;         // failures in a row
+    uint8_t last_mode;        // in which it ran last, or was left alone
+    SmResult last;            // of the last call of step or safe
+    uint32_t steps, safings, failures;        // how many calls of step, of safe, of both that failed; modulo 2^32
+    uint32_t failing;         // failures in a row, up to UINT32_MAX
 } SmTask;
 
 // Calls init.  SM_E_ARGUMENT: there is no step, or `mode` is not a U8.
 SmResult sm_task_init(SmTask *t);
 
-// Runs it once, as its mode in sv says.  Events FAULT when failing begins and ends, MODE when the mode has changed.
+// Runs it once, as its mode in sv says.  Event MODE when the mode has changed (before the first time it was SM_DISABLED); event FAULT
+// when failing begins and when it ends, not in between.
 void sm_task_run(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick);
 
 #ifdef __cplusplus

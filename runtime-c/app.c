@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// The start of an application, what is said when it is refused, and its end.  (How it runs: run.c.)
+#include "runtime-c/app.h"
+
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/pal/console.h"
+#include "runtime-c/pal/watchdog.h"
+#include "runtime-c/run.h"
+#include "runtime-c/shared.h"
+
+// ---- messages ----
+
+void sm_run_say(const SmApp *app, const char *const part[])
+{
+    for (; app->tell && *part; part++) {
+        size_t n = 0;
+
+        while ((*part)[n])
+            n++;
+        pal_console_write(*part, n);
+    }
+}
+
+static void tell_refused(const SmApp *app, SmResult r)
+{
+    const char *const kind = app->failed ? "task '" : app->refused ? "executor '" : app->what;
+    const char *const name = app->failed ? app->failed->name : app->refused ? app->refused->name : "";
+    const char *const rest = app->failed || app->refused ? "' does not start: " : " does not start: ";
+    const char *const text[] = {app->name, ": ", kind, name, rest, app->why ? app->why : sm_result_text(r), "\n", NULL};
+
+    sm_run_say(app, text);
+}
+
+static SmResult refuse(SmApp *app, SmResult r, const char *what, const char *why)
+{
+    if (r != SM_OK) {
+        app->what = what;
+        app->why = why;
+    }
+    return r;
+}
+
+// ---- start ----
+
+static SmResult check_clock(SmApp *app)
+{
+    uint64_t ns, then;
+    SmResult r = pal_clock_resolution(&ns);
+
+    if (r != SM_OK)
+        return refuse(app, r, "the clock", NULL);
+    then = pal_clock_now() + ns;
+    pal_clock_sleep_until(then);
+    r = (int64_t)(pal_clock_now() - then) < 0 ? SM_E_DEVICE : SM_OK;
+    return refuse(app, r, "the clock", "it stands still");
+}
+
+static SmResult check(SmApp *app)
+{
+    const bool shared = app->executors > 1 && sm_run_wants_threads(app);
+
+    if (app->executors == 0 || !app->executor)
+        return refuse(app, SM_E_ARGUMENT, "the application", "it has no executor");
+    if (shared && app->sv && !app->sv->guarded)
+        return refuse(app, SM_E_ARGUMENT, "the state vector", "several threads use it, so its .sv must say `lock`");
+    if (shared && app->events && !app->events->guarded)
+        return refuse(app, SM_E_ARGUMENT, "the ring of events", "several threads use it, so it must be guarded");
+    return check_clock(app);
+}
+
+static SmResult open_vector(SmApp *app)
+{
+    SmResult r = app->sv ? sm_statevec_init(app->sv) : SM_OK;
+
+    if (r != SM_OK)
+        return refuse(app, r, "the state vector", NULL);
+    r = app->events ? sm_events_init(app->events) : SM_OK;
+    return refuse(app, r, "the ring of events", NULL);
+}
+
+static SmResult fill_vector(SmApp *app)
+{
+    if (app->set && app->sv)
+        app->set(app->sv->at);
+    return SM_OK;
+}
+
+static SmResult init_executors(SmApp *app)
+{
+    SmResult r = SM_OK;
+
+    for (uint16_t i = 0; i < app->executors && r == SM_OK; i++) {
+        r = sm_executor_init(app->executor[i], &app->failed);
+        if (r != SM_OK) {
+            app->refused = app->executor[i];
+            app->why = app->failed ? NULL : "its plan is wrong";
+        }
+    }
+    return r;
+}
+
+static SmResult start(SmApp *app)
+{
+    SmResult r = check(app);
+
+    r = r == SM_OK ? open_vector(app) : r;
+    r = r == SM_OK ? fill_vector(app) : r;
+    r = r == SM_OK ? init_executors(app) : r;
+    return r == SM_OK ? sm_run_prepare(app) : r;
+}
+
+// ---- from start to end ----
+
+static void tell_event(const SmApp *app, SmEventKind kind, uint64_t time, uint32_t a, uint32_t b)
+{
+    SmEvent e = {time, a, b, 0, 0};
+
+    e.kind = (uint8_t)kind;
+    sm_event(app->events, &e);
+}
+
+static void tell_start(const SmApp *app, bool bit)
+{
+    tell_event(app, SM_EVENT_START, 0, app->restored, bit);
+}
+
+static bool has_bitten(void)
+{
+    bool bit = false;
+
+    return pal_watchdog_bit(&bit) == SM_OK && bit;
+}
+
+void sm_run_write(SmApp *app, uint64_t budget)
+{
+    (void)app;
+    (void)budget;
+}
+
+SmResult sm_app_run(SmApp *app)
+{
+    const bool bit = has_bitten();
+    const SmResult r = start(app);
+
+    if (r != SM_OK)
+        return r;
+    tell_start(app, bit);
+    sm_run(app);
+    tell_event(app, SM_EVENT_STOP, pal_clock_now() - app->start, 0, 0);
+    return SM_OK;
+}
+
+void sm_app_stop(SmApp *app)
+{
+    sm_shared_write(&app->stop, 1);
+}
+
+bool sm_app_stopping(const SmApp *app)
+{
+    return sm_shared_read(&app->stop) != 0;
+}
+
+int sm_app_main(SmApp *app)
+{
+    SmResult r;
+
+    app->tell = true;
+    r = sm_app_run(app);
+    if (r != SM_OK)
+        tell_refused(app, r);
+    return r != SM_OK;
+}

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the executors of an application, all in one thread or each in its own.  Moments on the PAL clock are compared by their difference.
+#include "runtime-c/run.h"
+
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/pal/thread.h"
+#include "runtime-c/pal/watchdog.h"
+#include "runtime-c/shared.h"
+
+// How long nobody looks whether the application is to stop; how often logs are looked after; how long threads sleep before the gate.
+#define SLICE    (100 * (uint64_t)PAL_MILLISECOND)
+#define WRITING  (10 * (uint64_t)PAL_MILLISECOND)
+#define OPENING  ((uint64_t)PAL_MILLISECOND)
+
+// SmApp.gate: threads wait until it is open; then those that run executors do, and the watchdog's until it is closed.
+enum { GATE_WAIT, GATE_OPEN, GATE_CLOSED };
+
+static uint64_t least(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+static uint64_t until(uint64_t now, uint64_t then)
+{
+    return (int64_t)(then - now) > 0 ? then - now : 0;
+}
+
+// ---- the watchdog ----
+
+// How often its thread looks.
+static uint64_t look(const SmApp *app)
+{
+    return app->watchdog / 8 > PAL_MILLISECOND ? app->watchdog / 8 : PAL_MILLISECOND;
+}
+
+static uint64_t next_tick(const SmExecutor *e)
+{
+    return e->seen + (uint32_t)(sm_shared_read(&e->alive) - (uint32_t)e->seen);
+}
+
+static bool is_stuck(const SmExecutor *e, uint64_t fed)
+{
+    const uint64_t next = next_tick(e);
+
+    return next == e->seen && until(fed, e->start + next * e->period) == 0 && !sm_shared_read(&e->done);
+}
+
+static void feed(SmApp *app, uint64_t now)
+{
+    if (app->watchdog == 0 || now - app->fed < app->watchdog / 4)
+        return;
+    for (uint16_t i = 0; i < app->executors; i++)
+        if (is_stuck(app->executor[i], app->fed))
+            return;
+    if (pal_watchdog_feed() != SM_OK)
+        return;
+    for (uint16_t i = 0; i < app->executors; i++)
+        app->executor[i]->seen = next_tick(app->executor[i]);
+    app->fed = now;
+}
+
+static SmResult start_watchdog(SmApp *app)
+{
+    uint64_t actual;
+    SmResult r;
+
+    if (app->watchdog == 0)
+        return SM_OK;
+    r = pal_watchdog_start(app->watchdog, &actual);
+    if (r != SM_OK)
+        app->what = "the watchdog";
+    return r;
+}
+
+// ---- one thread ----
+
+static void tick(SmExecutor *e)
+{
+    sm_executor_tick(e);
+    sm_shared_write(&e->alive, (uint32_t)e->next);
+}
+
+// How long after the start e could have had its turn.
+static uint64_t turn(const SmApp *app, const SmExecutor *e)
+{
+    const uint64_t due = sm_executor_due(e) - app->start, ended = e->ended - app->start;
+
+    return due > ended ? due : ended;
+}
+
+static SmExecutor *first(const SmApp *app)
+{
+    SmExecutor *best = app->executor[0];
+
+    for (uint16_t i = 1; i < app->executors; i++)
+        if (turn(app, app->executor[i]) < turn(app, best))
+            best = app->executor[i];
+    return best;
+}
+
+// One step of waiting until then; what is to be written is, in that time.
+static void idle(SmApp *app, uint64_t now, uint64_t then)
+{
+    const uint64_t slice = app->watchdog > 0 ? least(SLICE, look(app)) : SLICE;
+    const uint64_t end = now + least(slice, until(now, then));
+
+    sm_run_write(app, end - now);
+    pal_clock_sleep_until(end);
+}
+
+static void run_here(SmApp *app)
+{
+    while (!sm_app_stopping(app)) {
+        SmExecutor *const e = first(app);
+        const uint64_t now = pal_clock_now(), due = sm_executor_due(e);
+
+        feed(app, now);
+        if (until(now, due) > 0)
+            idle(app, now, due);
+        else
+            tick(e);
+    }
+}
+
+// ---- several threads ----
+
+static void sleep(uint64_t ns)
+{
+    pal_clock_sleep_until(pal_clock_now() + ns);
+}
+
+static void wait_at_gate(const SmApp *app)
+{
+    while (sm_shared_read(&app->gate) == GATE_WAIT)
+        sleep(OPENING);
+}
+
+// Until the next tick is due; false: the application is to stop.
+static bool wait(const SmExecutor *e)
+{
+    while (!sm_app_stopping(e->app)) {
+        const uint64_t now = pal_clock_now(), left = until(now, sm_executor_due(e));
+
+        if (left == 0)
+            return true;
+        pal_clock_sleep_until(now + least(left, SLICE));
+    }
+    return false;
+}
+
+static void run_executor(void *of)
+{
+    SmExecutor *const e = of;
+
+    wait_at_gate(e->app);
+    if (sm_shared_read(&e->app->gate) == GATE_OPEN)
+        while (wait(e))
+            tick(e);
+    sm_shared_write(&e->done, 1);
+}
+
+static void run_watch(void *of)
+{
+    SmApp *const app = of;
+
+    wait_at_gate(app);
+    while (sm_shared_read(&app->gate) == GATE_OPEN) {
+        feed(app, pal_clock_now());
+        sleep(look(app));
+    }
+}
+
+static void run_threads(SmApp *app)
+{
+    while (!sm_app_stopping(app)) {
+        sm_run_write(app, WRITING);
+        sleep(app->log || app->keep ? WRITING : SLICE);
+    }
+    for (uint16_t i = 0; i < app->executors; i++)
+        while (pal_thread_join(app->executor[i]->thread, WRITING) == SM_E_TIMEOUT)
+            sm_run_write(app, WRITING);
+}
+
+// ---- making threads ----
+
+bool sm_run_wants_threads(const SmApp *app)
+{
+    return !app->one_thread && (app->executors > 1 || app->log || app->keep);
+}
+
+static uint8_t highest(const SmApp *app)
+{
+    uint8_t p = 0;
+
+    for (uint16_t i = 0; i < app->executors; i++)
+        p = app->executor[i]->priority > p ? app->executor[i]->priority : p;
+    return p;
+}
+
+static void tell_denied(const SmApp *app, const char *name)
+{
+    const char *const text[] = {app->name, ": executor '", name, "' runs without its real-time priority: ", sm_result_text(SM_E_DENIED), "\n", NULL};
+
+    sm_run_say(app, text);
+}
+
+static SmResult create(SmApp *app, SmExecutor *e)
+{
+    const PalThreadPlan plan = {e->name, e->priority, 0};
+    const SmResult r = pal_thread_create(&e->thread, &plan, run_executor, e);
+
+    if (r == SM_OK && e->priority > 0 && !pal_thread_is_realtime(e->thread))
+        tell_denied(app, e->name);
+    if (r != SM_OK) {
+        app->refused = e;
+        app->why = r == SM_E_FULL ? "there are more executors than threads (PAL_THREADS)" : NULL;
+    }
+    return r;
+}
+
+// More urgent than all executors: one that is always busy is not stuck.
+static SmResult create_watch(SmApp *app)
+{
+    PalThreadPlan plan = {"watchdog", 0, 0};
+    SmResult r;
+
+    plan.priority = highest(app);
+    plan.priority = (uint8_t)(plan.priority + (plan.priority > 0 && plan.priority < PAL_PRIORITY_MAX));
+    r = pal_thread_create(&app->watch, &plan, run_watch, app);
+    if (r != SM_OK)
+        app->what = "the watchdog's thread";
+    return r;
+}
+
+static void join(PalThread thread)
+{
+    while (thread.id != 0 && pal_thread_join(thread, SLICE) == SM_E_TIMEOUT) {}
+}
+
+static void close_gate(SmApp *app)
+{
+    sm_shared_write(&app->gate, GATE_CLOSED);
+    for (uint16_t i = 0; i < app->executors; i++)
+        join(app->executor[i]->thread);
+    join(app->watch);
+    app->watch.id = 0;
+}
+
+static SmResult create_all(SmApp *app)
+{
+    SmResult r = SM_OK;
+
+    for (uint16_t i = 0; i < app->executors && r == SM_OK; i++)
+        r = create(app, app->executor[i]);
+    if (r == SM_OK && app->watchdog > 0)
+        r = create_watch(app);
+    return r;
+}
+
+// ---- all of it ----
+
+SmResult sm_run_prepare(SmApp *app)
+{
+    SmResult r = SM_E_UNSUPPORTED;
+
+    for (uint16_t i = 0; i < app->executors; i++)
+        app->executor[i]->app = app;
+    if (sm_run_wants_threads(app))
+        r = create_all(app);
+    if (r == SM_E_UNSUPPORTED) {          // one thread
+        app->refused = NULL;
+        r = SM_OK;
+    }
+    if (r == SM_OK)
+        r = start_watchdog(app);
+    if (r != SM_OK)
+        close_gate(app);
+    return r;
+}
+
+// Tick 0 is due when all threads have seen the gate open.
+static void open_gate(SmApp *app, bool threads)
+{
+    app->start = app->fed = pal_clock_now();
+    app->start += threads ? 5 * OPENING : 0;
+    for (uint16_t i = 0; i < app->executors; i++)
+        sm_executor_start(app->executor[i], app->start);
+    sm_shared_write(&app->gate, GATE_OPEN);
+}
+
+// The calling thread is as urgent as the most urgent of its executors.
+static void run_alone(SmApp *app)
+{
+    const uint8_t priority = highest(app);
+    const SmResult r = priority > 0 ? pal_thread_set_priority(priority) : SM_E_UNSUPPORTED;
+
+    if (r != SM_OK && r != SM_E_UNSUPPORTED)
+        tell_denied(app, app->executor[0]->name);
+    open_gate(app, false);
+    run_here(app);
+    if (r == SM_OK)
+        pal_thread_set_priority(0);
+}
+
+void sm_run(SmApp *app)
+{
+    if (app->executor[0]->thread.id == 0) {
+        run_alone(app);
+    } else {
+        open_gate(app, true);
+        run_threads(app);
+        close_gate(app);
+    }
+    if (app->watchdog > 0)
+        pal_watchdog_stop();
+}
