@@ -353,6 +353,46 @@ psl-qemu:
 	@KERNEL='$(KERNEL)' sh tests/psl/qemu.sh $(B)/psl/qemu $(B)/psl/qemu/suite $(B)/psl/qemu/suite-watchdog $(B)/psl/qemu/init
 .PHONY: psl-qemu
 
+# tests/runtime: what the headers of runtime-c promise, one program a file: NAME_linux.c on Linux, with threads, and once more under the
+# thread sanitizer if the compiler has it; the others in the simulation.  V.sv of the folder is there as "V.h", M.sm too, with
+# the vector that RUNTIME_SV_M names.
+RUNTIME_SRC   = $(wildcard runtime-c/*.c bytecode-vm/target/*.c) $(VM) $(STDLIB)
+RUNTIME_MADE  = $(patsubst tests/runtime/%,$(B)/runtime/made/%.c,$(basename $(wildcard tests/runtime/*.sv tests/runtime/*.sm)))
+RUNTIME_TESTS = $(patsubst tests/runtime/%.c,$(B)/runtime/%,$(wildcard tests/runtime/*.c))
+RUNTIME_TSAN  = $(patsubst %_linux,%_tsan,$(filter %_linux,$(RUNTIME_TESTS)))
+RUNTIME_C     = $(STRICT_C) -I$(B)/runtime/made $(WARN)
+$(B)/runtime/made/%.c: tests/runtime/%.sv $(B)/smc
+	@mkdir -p $(@D)
+	$(call say,SMC)$(B)/smc build --emit=c --runtime -w -o $@ $<
+$(B)/runtime/made/%.c: tests/runtime/%.sm $(B)/smc
+	@mkdir -p $(@D)
+	$(call say,SMC)$(B)/smc build --emit=c --runtime -w $(if $(RUNTIME_SV_$*),--sv tests/runtime/$(RUNTIME_SV_$*).sv) -o $@ $<
+$(RUNTIME_MADE:%.c=%.o): %.o: %.c | $(RUNTIME_MADE)
+	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) -c $< -o $@
+define runtime_platform
+include runtime-c/psl/$(1)/psl.mk
+RUNTIME_SRC_$(1) := $$(PSL) $$(RUNTIME_SRC)
+$$(B)/runtime/$(1).a: $$(RUNTIME_SRC_$(1):%.c=$$(B)/runtime/$(1)/%.o) $$(RUNTIME_MADE:%.c=%.o)
+	@rm -f $$@
+	$$(call say,AR)$$(AR) rcs $$@ $$^
+$$(B)/runtime/$(1)/%.o: %.c
+	@mkdir -p $$(@D)
+	$$(call say,CC)$$(CC) $$(STRICT_C) $$(WARN) $$(CFLAGS) $$(DEPFLAGS) -c $$< -o $$@
+endef
+$(foreach platform,linux sim,$(eval $(call runtime_platform,$(platform))))
+$(B)/runtime/%_linux: tests/runtime/%_linux.c $(B)/runtime/linux.a
+	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/linux.a -pthread -lrt
+$(B)/runtime/%: tests/runtime/%.c $(B)/runtime/sim.a
+	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/sim.a
+$(B)/runtime/%_tsan: tests/runtime/%_linux.c $(RUNTIME_SRC_linux) $(RUNTIME_MADE)
+	-$(call say,CC)$(CC) $(RUNTIME_C) -O1 -g -fsanitize=thread $^ -o $@ -pthread -lrt 2>/dev/null || rm -f $@
+check: $(RUNTIME_TESTS) $(RUNTIME_TSAN)
+CHECK_LINES += $(foreach t,$(RUNTIME_TESTS),"runtime-$(notdir $(t)): $(t)") \
+               $(foreach t,$(RUNTIME_TSAN),"runtime-$(notdir $(t)): if test -x $(t); then $(t); else echo 0 passed, 0 failed, 1 skipped; fi")
+check-runtime: $(RUNTIME_TESTS) $(RUNTIME_TSAN)
+	@for t in $(RUNTIME_TESTS) $(RUNTIME_TSAN); do test ! -x $$t || $$t || exit 1; done
+.PHONY: check-runtime
+
 # ---- installing ----
 
 DEST = $(DESTDIR)$(PREFIX)
@@ -410,7 +450,8 @@ check-codes:
 	@$(find_smt) | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -
 check-headers: $(B)/gen/stdlib_text.h
 	@CC='$(CC)' sh tests/check/headers.sh -I$(B)/gen
-check-imports: $(patsubst %.c,$(B)/obj/%.o,$(filter-out %/disasm.c,$(VM))) $(STDLIB:%.c=$(B)/obj/%.o)
+check-imports: $(patsubst %.c,$(B)/obj/%.o,$(filter-out %/disasm.c,$(VM))) $(STDLIB:%.c=$(B)/obj/%.o) \
+               $(patsubst %.c,$(B)/runtime/sim/%.o,$(wildcard runtime-c/*.c bytecode-vm/target/*.c))
 	@sh tests/check/imports.sh $^
 check-licence:
 	@$(find_code) | awk -f tests/check/licence.awk

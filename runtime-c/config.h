@@ -42,6 +42,12 @@
 #define PAL_LOCK_SPINS 100
 #endif
 
+// How long the state vector and the events wait for their lock, in nanoseconds.  It is held for a few memory accesses; whoever waits as
+// long as this waits for a thread that is no more.
+#ifndef SM_LOCK_WAIT
+#define SM_LOCK_WAIT 1000000000u
+#endif
+
 // The longest a name or path may be, with the zero at its end.
 #ifndef PAL_NAME
 #define PAL_NAME 128

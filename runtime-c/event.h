@@ -3,7 +3,8 @@
 // A reader that is too slow loses the oldest and is told how many.  Nobody waits for readers.
 //
 //     static SmEvent storage[64];
-//     SmEvents events = {storage, 64, true};
+//     SmEvents events = {storage, 64, true, {0}, 0, 0};
+//     sm_events_init(&events);
 //     uint32_t cursor = 0, lost;
 //     n = sm_events_read(&events, &cursor, out, 8, &lost);
 #ifndef SM_EVENT_H
@@ -38,15 +39,17 @@ typedef struct SmEvents {
     bool guarded;             // several threads use it
     PalLock lock;
     uint32_t next;            // how many there have been, modulo 2^32
+    uint32_t faults;          // how often the lock could not be had within SM_LOCK_WAIT: an event was dropped, or none was read
 } SmEvents;
 
+// Empties it and opens its lock.  SM_E_ARGUMENT: `room` is no power of two, or there is no storage.  SM_E_FULL: no lock left.
 SmResult sm_events_init(SmEvents *e);
 
 // Never fails: the newest takes the place of the oldest.  e may be NULL: then it is dropped.
 void sm_event(SmEvents *e, const SmEvent *event);
 
 // Takes up to n events from *cursor on, the oldest first, and moves *cursor behind them; gives how many.  *lost, where it is not
-// NULL: how many between the cursor and them are gone.  A cursor starts at 0.
+// NULL: how many between the cursor and them are gone.  A cursor starts at 0.  All counts are modulo 2^32.
 uint32_t sm_events_read(SmEvents *e, uint32_t *cursor, SmEvent *out, uint32_t n, uint32_t *lost);
 
 // "STATE", …; "" for a number that is no kind.

@@ -15,6 +15,7 @@ extern "C" {
 typedef struct SmLog {
     const char *file;         // a name as pal/log.h takes it
     SmStateVec *sv;
+    const SmNames *names;     // of sv
     SmEvents *events;
     const SmMachine *const *machine;      // whose names of states the log tells
     uint16_t machines;

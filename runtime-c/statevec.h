@@ -6,13 +6,17 @@
 //
 //     rocket_set_altitude(120.5);                        // typed, guarded where the .sv says `lock`
 //     double altitude = rocket_altitude();
+//     sm_find_element(&rocket_names, "altitude") == &rocket_element[ROCKET_E_altitude]
+//     sm_read_region(&rocket_vector, &rocket_layout.region[ROCKET_R_Sensors], &copy);
 //
 // Without `lock` the vector belongs to one thread, and its members (rocket_sv.altitude) may as well be used as they are.  With `lock` any
 // thread may call anything here: every call is one critical section of a few memory accesses.  Several elements that belong together
 // are read and written together: as a region, as a snapshot.
 //
-// A lock that cannot be had within SM_LOCK_WAIT means that a thread died inside a critical section.  Then a call does not touch the
-// vector, says SM_E_TIMEOUT (typed functions read 0) and counts in `faults`.
+// A lock that cannot be had within SM_LOCK_WAIT (config.h) means that a thread died inside a critical section.  Then a call does not
+// touch the vector, says SM_E_TIMEOUT and counts in `faults`.  A value that could not be read is 0, whatever the reason.
+//
+// Wrong arguments are refused (SM_E_ARGUMENT) and change nothing: a null pointer, an element or a region that is not in the vector's own table.
 #ifndef SM_STATEVEC_H
 #define SM_STATEVEC_H
 
@@ -31,28 +35,35 @@ extern "C" {
 
 // ---- what a vector is: constant tables, made by smc ----
 
+extern const uint8_t sm_type_bytes[SM_TYPE_COUNT];     // by SmType: how many it takes, in memory and on the wire
+
 typedef struct SmElement {
-    const char *name;
     uint32_t offset;          // bytes from the start of the vector
     uint8_t type;             // SmType
     uint16_t region;          // which: SmLayout.region[region]
 } SmElement;
 
 typedef struct SmRegion {
-    const char *name;
     uint32_t offset, size;    // in memory
     uint32_t packed;          // bytes on the wire: its elements without gaps, least significant byte first (language.md 4.12)
     uint16_t first, count;    // its elements: SmLayout.element[first …]
 } SmRegion;
 
 typedef struct SmLayout {
-    const char *name;         // of the .sv
     uint32_t hash;            // of names, types and order: what has another was made from another .sv
     uint16_t elements, regions;
     const SmElement *element;
     const SmRegion *region;
-    SmRegion whole;           // the whole vector as a region; its name is "*"
+    SmRegion whole;           // the whole vector as a region
 } SmLayout;
+
+// The names stand apart, and nothing else refers to them: in a program that asks for none they take no memory.
+typedef struct SmNames {
+    const SmLayout *layout;
+    const char *vector;               // of the .sv
+    const char *const *element;       // in the order of SmLayout.element
+    const char *const *region;
+} SmNames;
 
 // ---- one vector ----
 
@@ -64,25 +75,26 @@ typedef struct SmStateVec {
     uint32_t faults;          // how often the lock could not be had
 } SmStateVec;
 
-// Opens the lock of a guarded vector.  Changes no element.  SM_E_FULL: no lock left (config.h, PAL_LOCKS).
+// Opens the lock of a guarded vector.  Changes no element.  SM_E_FULL: no lock left (config.h, PAL_LOCKS).  SM_E_ALIGNMENT: sv->at.
 SmResult sm_statevec_init(SmStateVec *sv);
 
 // Around accesses to sv->at that belong together: nothing but memory accesses in between, no other call of this header.
-// SM_E_TIMEOUT: not entered.  Without `lock` these do nothing.
+// SM_E_TIMEOUT: not entered; do not leave then.  SM_E_BUSY: the caller is inside already.  Without `lock` these do nothing.
 SmResult sm_enter(SmStateVec *sv);
 void sm_leave(SmStateVec *sv);
 
 // ---- elements ----
 
 // By name; NULL if there is none.  Linear: do it at start.
-const SmElement *sm_find_element(const SmStateVec *sv, const char *name);
+const SmElement *sm_find_element(const SmNames *names, const char *name);
 
-// Any element as a number, converted as the language converts: NaN is 0 in integers, which saturate.
-// SM_E_ARGUMENT: no such element (NULL).
+// Any element as a number, converted as the language converts (language.md 2): a NaN is read and stored as 0, integers lose the
+// fraction and saturate.
 SmResult sm_read_number(SmStateVec *sv, const SmElement *e, SmF64 *value);
 SmResult sm_write_number(SmStateVec *sv, const SmElement *e, SmF64 value);
 
-// sm_read_U8(sv, e, &value), sm_write_U8(sv, e, value), and so for each type of stdlib/types.def.  SM_E_ARGUMENT: e is not of that type.
+// sm_read_U8(sv, e, &value), sm_write_U8(sv, e, value), and so for each type of stdlib/types.def: the value as it lies in memory, a NaN
+// too, but a bool is 0 or 1.  SM_E_ARGUMENT: e is not of that type.
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) \
     SmResult sm_read_##name(SmStateVec *sv, const SmElement *e, ctype *value); \
     SmResult sm_write_##name(SmStateVec *sv, const SmElement *e, ctype value);
@@ -92,13 +104,13 @@ SmResult sm_write_number(SmStateVec *sv, const SmElement *e, SmF64 value);
 // ---- regions, and the whole vector ----
 
 // By name, "*" is the whole vector; NULL if there is none.
-const SmRegion *sm_find_region(const SmStateVec *sv, const char *name);
+const SmRegion *sm_find_region(const SmNames *names, const char *name);
 
-// Copies r->size bytes as they lie in memory, in one go.
+// Copies r->size bytes as they lie in memory, in one go.  (What is written has zeros between its elements, as memory has.)
 SmResult sm_read_region(SmStateVec *sv, const SmRegion *r, void *bytes);
 SmResult sm_write_region(SmStateVec *sv, const SmRegion *r, const void *bytes);
 
-// The same in wire form, r->packed bytes, equal on every computer.  SM_E_SIZE: room or n is not enough, or too much.
+// The same in wire form, r->packed bytes, equal on every computer.  SM_E_SIZE: room is less than that, n is another number.
 SmResult sm_pack_region(SmStateVec *sv, const SmRegion *r, void *bytes, size_t room);
 SmResult sm_unpack_region(SmStateVec *sv, const SmRegion *r, const void *bytes, size_t n);
 

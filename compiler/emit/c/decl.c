@@ -53,19 +53,24 @@ static const char *joined(Arena *a, const char *first, const char *second)
     return *first && *second ? format_in(a, "%s: %s", first, second) : *first ? first : second;
 }
 
-static void put_element(Arena *a, const CElement *e, Buf *out)
+// A vector for the runtime has the runtime's headers; a machine stands alone.
+static bool knows_f64(const CUnit *u) { return u->runtime && !u->m; }
+
+static void put_element(const CUnit *u, const CElement *e, Buf *out)
 {
+    Arena *a = u->arena;
     const char *name = source_name(e->member, e->name), *said = remark_at(a, e->span);
 
     // C's bool may have any size, and reading another byte than 0 or 1 from it is undefined.
     if (e->type == SM_BOOL)
         put_member(out, "uint8_t", e->member, joined(a, *name ? format_in(a, "bool %s", name) : "bool", said));
     else
-        put_member(out, c_type_of(e->type), e->member, joined(a, name, said));
+        put_member(out, knows_f64(u) && e->type == SM_F64 ? "SmF64" : c_type_of(e->type), e->member, joined(a, name, said));
 }
 
-static void put_vector_members(Arena *a, const CVector *sv, Buf *out)
+static void put_vector_members(const CUnit *u, const CVector *sv, Buf *out)
 {
+    Arena *a = u->arena;
     uint32_t at = 0;
     Str region = NULL;
 
@@ -75,7 +80,7 @@ static void put_vector_members(Arena *a, const CVector *sv, Buf *out)
         if (sv->shared && e->region != region)
             buf_printf(out, "%s    // [%s]\n", i ? "\n" : "", e->region->text);
         region = e->region;
-        put_element(a, e, out);
+        put_element(u, e, out);
         at = e->offset + sm_type_info[e->type].bytes;
     }
     put_padding(a, out, at, sv->size);
@@ -99,7 +104,7 @@ void put_vector_struct(const CUnit *u, Buf *out)
     put_vector_comment(&u->sv, out);
     buf_printf(out, "#if !defined(%s_LAYOUT)\n#define %s_LAYOUT 0x%08xu\n", n->sv_macro, n->sv_macro, u->sv.hash);
     buf_printf(out, "typedef struct %s {\n", n->sv_type);
-    put_vector_members(u->arena, &u->sv, out);
+    put_vector_members(u, &u->sv, out);
     buf_printf(out, "} %s;\n\n", n->sv_type);
     buf_printf(out, "// Does not compile where the compiler puts gaps between members or has other sizes.\n"
                     "typedef char %s_layout_check[sizeof(%s) == %u ? 1 : -1];\n", n->sv_type, n->sv_type, u->sv.size);

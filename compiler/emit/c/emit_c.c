@@ -186,20 +186,42 @@ void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf
 
 // ---- the state vector alone ----
 
+static void put_runtime_header(CUnit *u, const StateVec *sv, CVectorNames *names, Buf *header)
+{
+    names_runtime(u->arena, &u->names, sv, names);
+    put_vector_struct(u, header);
+    put_vector_interface(u, sv, names, header);
+}
+
+static void vector_unit_init(CUnit *u, Arena *arena, const StateVec *sv, const char *prefix)
+{
+    memset(u, 0, sizeof *u);
+    u->arena = arena;
+    vector_of(arena, sv, &u->sv);
+    u->names.prefix = prefix;
+    u->names.macro = c_macro_name(arena, prefix);
+    u->names.sv_type = format_in(arena, "%sSv", c_type_name(arena, prefix));
+    u->names.sv_macro = format_in(arena, "%s_SV", u->names.macro);
+    names_elements(arena, &u->names, &u->sv);
+}
+
 void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code)
 {
-    const char *prefix = prefix_of(arena, o ? o->prefix : NULL, sv->name->text);
-    CUnit u = { 0 };
+    const char *source = source_name(arena, o, sv->name->text, "sv");
+    CVectorNames names;
+    CUnit u;
 
-    u.arena = arena;
-    vector_of(arena, sv, &u.sv);
-    u.names.sv_type = format_in(arena, "%sSv", c_type_name(arena, prefix));
-    u.names.sv_macro = format_in(arena, "%s_SV", c_macro_name(arena, prefix));
-    names_elements(arena, &u.names, &u.sv);
-    put_title("vector", sv->name->text, source_name(arena, o, sv->name->text, "sv"), header);
-    put_header_start(u.names.sv_macro, NULL, header);
-    put_vector_struct(&u, header);
+    vector_unit_init(&u, arena, sv, prefix_of(arena, o ? o->prefix : NULL, sv->name->text));
+    u.runtime = o && o->runtime;
+    put_title("vector", sv->name->text, source, header);
+    put_header_start(u.names.sv_macro, u.runtime ? "runtime-c/statevec.h" : NULL, header);
+    if (u.runtime)
+        put_runtime_header(&u, sv, &names, header);
+    else
+        put_vector_struct(&u, header);
     put_header_end(header);
-    put_title("vector", sv->name->text, source_name(arena, o, sv->name->text, "sv"), code);
+    put_title("vector", sv->name->text, source, code);
     buf_printf(code, "#include \"%s\"\n", header_name(arena, o, sv->name->text));
+    if (u.runtime)
+        put_vector_tables(&u, sv, &names, code);
 }

@@ -13,7 +13,8 @@ typedef struct EmitCOptions {
     const char *header;           // how the .c includes its .h; NULL: the name and ".h"
     const char *source;           // the source's name without folders, for comments; NULL: the name and its ending
     bool track_stores;            // each step tells in m->stored which elements it stored
-    bool runtime;                 // for runtime-c: also PREFIX_machine (runtime-c/machine_type.h); tracks stores where the vector has `lock`
+    bool runtime;                 // for runtime-c.  A vector: what statevec.h says.  A machine: also PREFIX_machine (machine_type.h); tracks
+                                  // stores where the vector has `lock`
 } EmitCOptions;
 
 // What is wrong with a prefix, as a sentence for the user; NULL when it is fine: a C identifier that does not start with
@@ -23,7 +24,8 @@ const char *emit_c_prefix_error(const char *prefix);
 // One machine.  `o` may be NULL.  The text depends on the arguments alone.
 void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code);
 
-// A state vector alone: the struct that the headers of its machines declare as well.
+// A state vector alone: the struct that the headers of its machines declare as well; with `runtime` its storage, its tables and a
+// function to read and one to write for each element.
 void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code);
 
 // Several machines and a main as one translation unit: a program that runs them at the command of its standard input.

@@ -169,6 +169,60 @@ void names_elements(Arena *arena, CNames *names, CVector *sv)
     }
 }
 
+// ---- the names of a vector's runtime view ----
+
+// A name that stands in the middle or at the end of another: keywords may stay.
+static const char *within(Arena *a, const char *name)
+{
+    return name[0] != '_' && !strstr(name, "__") ? name : c_identifier(a, name, strlen(name));
+}
+
+// What an application made from files of one name calls its own things: elements give way.
+static void take_vector_own(NameSet *s, const char *prefix)
+{
+    static const char *const own[] = { "sv", "vector", "layout", "element", "names", "regions", "element_names", "region_names",
+                                       "app", "io", "inputs", "outputs" };
+
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+        set_take(s, format_in(s->arena, "%s_%s", prefix, own[i]));
+}
+
+// PREFIX_kind_name for each of n names.
+static const char **enumerators(NameSet *s, const char *macro, char kind, const char **name, size_t n)
+{
+    const char **out = ARENA_ARRAY(s->arena, const char *, n);
+
+    for (size_t i = 0; i < n; i++)
+        out[i] = set_take_free(s, format_in(s->arena, "%s_%c_%s", macro, kind, within(s->arena, name[i])));
+    return out;
+}
+
+static const char **functions(NameSet *s, const char *prefix, const char *verb, const char **name, size_t n)
+{
+    const char **out = ARENA_ARRAY(s->arena, const char *, n);
+
+    for (size_t i = 0; i < n; i++)
+        out[i] = set_take_free(s, format_in(s->arena, "%s_%s%s", prefix, verb, within(s->arena, name[i])));
+    return out;
+}
+
+void names_runtime(Arena *arena, const CNames *names, const StateVec *sv, CVectorNames *out)
+{
+    const char **element = ARENA_ARRAY(arena, const char *, sv->element.n), **region = ARENA_ARRAY(arena, const char *, sv->region.n);
+    NameSet s;
+
+    for (size_t i = 0; i < sv->element.n; i++)
+        element[i] = sv->element.at[i]->name->text;
+    for (size_t i = 0; i < sv->region.n; i++)
+        region[i] = sv->region.at[i]->name->text;
+    set_init(&s, arena);
+    take_vector_own(&s, names->prefix);
+    out->getter = functions(&s, names->prefix, "", element, sv->element.n);
+    out->setter = functions(&s, names->prefix, "set_", element, sv->element.n);
+    out->element = enumerators(&s, names->macro, 'E', element, sv->element.n);
+    out->region = enumerators(&s, names->macro, 'R', region, sv->region.n);
+}
+
 // What the machine's struct holds beside the locals.
 static void take_own_members(NameSet *s, const CNames *n)
 {

@@ -41,6 +41,13 @@ typedef struct CVector {
     bool shared;                  // more than one machine may use it: there is a .sv
 } CVector;
 
+// The names of the runtime's view of a vector: functions for its elements, enumerators for elements and regions.
+typedef struct CVectorNames {
+    const char **getter, **setter;    // by element: rocket_altitude, rocket_set_altitude
+    const char **element;             // by element: ROCKET_E_altitude
+    const char **region;              // by region: ROCKET_R_Sensors
+} CVectorNames;
+
 typedef struct CUnit {
     Arena *arena;
     const IrMachine *m;
@@ -78,6 +85,7 @@ void names_init(CUnit *u, const char *prefix);
 const char *c_padding_name(Arena *arena, uint32_t at);
 // The members of the vector's elements; sv_type must be set.
 void names_elements(Arena *arena, CNames *names, CVector *sv);
+void names_runtime(Arena *arena, const CNames *names, const StateVec *sv, CVectorNames *out);
 
 // ---- literal.c ----
 
@@ -128,6 +136,12 @@ void put_self_test(const char *name, Buf *out);
 const char *window_declaration(const CUnit *u, size_t w);
 void put_empty_windows(const CUnit *u, Buf *out);
 uint32_t small_roll_words(uint32_t n, uint32_t kind);      // sm_roll_words where memory matters most
+
+// ---- vector.c ----
+
+// What goes behind the struct into the header, and into the code.
+void put_vector_interface(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out);
+void put_vector_tables(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out);
 
 // ---- code.c ----
 

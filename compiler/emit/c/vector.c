@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// A state vector for the flight runtime (runtime-c/statevec.h): its storage, the tables that describe it, and two functions for each
+// element.  They take the lock of a vector that has one; without, they are what an access to the member is.
+#include "compiler/emit/c/unit.h"
+
+// What the functions take and give.
+static const char *value_type(SmType type) { return type == SM_F64 ? "SmF64" : c_type_of(type); }
+
+// ---- the header ----
+
+static void put_enum(Buf *out, const char *const *name, size_t n, const char *count)
+{
+    buf_str(out, "enum {\n");
+    for (size_t i = 0; i < n; i++)
+        buf_printf(out, "    %s,\n", name[i]);
+    buf_printf(out, "    %s        // how many there are\n};\n\n", count);
+}
+
+static void put_plain(const char *p, const CElement *e, const char *getter, const char *setter, Buf *out)
+{
+    const char *type = value_type(e->type), *truth = e->type == SM_BOOL ? " != 0" : "";
+
+    buf_printf(out, "static inline %s %s(void) { return %s_sv.%s%s; }\n", type, getter, p, e->member, truth);
+    buf_printf(out, "static inline void %s(%s value) { %s_sv.%s = value; }\n\n", setter, type, p, e->member);
+}
+
+static void put_guarded(const char *p, const CElement *e, const char *getter, const char *setter, Buf *out)
+{
+    const char *type = value_type(e->type), *truth = e->type == SM_BOOL ? " != 0" : "";
+    const char *zero = e->type == SM_BOOL ? "false" : e->type == SM_F64 ? "sm_from_i32(0)" : "0";
+
+    buf_printf(out, "static inline %s %s(void)\n{\n    %s value = %s;\n\n", type, getter, type, zero);
+    buf_printf(out, "    if (sm_enter(&%s_vector) == SM_OK) {\n", p);
+    buf_printf(out, "        value = %s_sv.%s%s;\n        sm_leave(&%s_vector);\n    }\n    return value;\n}\n", p, e->member, truth, p);
+    buf_printf(out, "static inline void %s(%s value)\n{\n    if (sm_enter(&%s_vector) == SM_OK) {\n", setter, type, p);
+    buf_printf(out, "        %s_sv.%s = value;\n        sm_leave(&%s_vector);\n    }\n}\n\n", p, e->member, p);
+}
+
+static void put_variables(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
+{
+    const char *p = u->names.prefix;
+
+    buf_printf(out, "\n// ---- for the flight runtime: runtime-c/statevec.h tells what may be done with these ----\n\n");
+    buf_printf(out, "extern %s %s_sv;        // %s\n", u->names.sv_type, p,
+               sv->lock ? "where the elements are; for those who hold its lock" : "where the elements are; for one thread");
+    buf_printf(out, "extern SmStateVec %s_vector;\nextern const SmLayout %s_layout;\n", p, p);
+    buf_printf(out, "extern const SmElement %s_element[];        // by the numbers that follow\n", p);
+    buf_printf(out, "extern const SmNames %s_names;\n\n", p);
+    put_enum(out, n->element, sv->element.n, format_in(u->arena, "%s_ELEMENTS", u->names.macro));
+    put_enum(out, n->region, sv->region.n, format_in(u->arena, "%s_REGIONS", u->names.macro));
+}
+
+void put_vector_interface(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
+{
+    const char *p = u->names.prefix;
+
+    put_variables(u, sv, n, out);
+    if (sv->lock)
+        buf_printf(out, "// Each of these takes and gives back the lock.  One that cannot have it reads 0, writes nothing, and counts in %s_vector.faults.\n\n", p);
+    for (size_t i = 0; i < u->sv.n; i++)
+        (sv->lock ? put_guarded : put_plain)(p, &u->sv.at[i], n->getter[i], n->setter[i], out);
+    out->n--;                        // the blank line behind the last
+    out->at[out->n] = '\0';
+}
+
+// ---- the code ----
+
+static void put_storage(const CUnit *u, const StateVec *sv, Buf *out)
+{
+    const char *p = u->names.prefix;
+    bool wide = false;
+
+    for (size_t i = 0; i < u->sv.n; i++)
+        wide = wide || sm_type_info[u->sv.at[i].type].bytes == 8;
+    if (!wide)
+        buf_str(out, "// Nothing in it asks for the alignment of a uint64_t; images do.  (Elsewhere sm_statevec_init tells.)\n"
+                     "#ifdef __GNUC__\n__attribute__((aligned(8)))\n#endif\n");
+    buf_printf(out, "%s %s_sv;\n\n", u->names.sv_type, p);
+    buf_printf(out, "SmStateVec %s_vector = {&%s_layout, &%s_sv, %s, {0}, 0};\n\n", p, p, p, sv->lock ? "true" : "false");
+}
+
+static void put_elements(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
+{
+    buf_printf(out, "const SmElement %s_element[] = {        // offset, type, region\n", u->names.prefix);
+    for (size_t i = 0; i < sv->element.n; i++)
+        for (size_t r = 0; r < sv->region.n; r++)
+            if (sv->element.at[i]->region == sv->region.at[r])
+                buf_printf(out, "    {%u, SM_%s, %s},        // %s\n", sv->element.at[i]->offset,
+                           sv->element.at[i]->type == SM_BOOL ? "BOOL" : sm_type_info[sv->element.at[i]->type].spelling, n->region[r],
+                           sv->element.at[i]->name->text);
+    buf_str(out, "};\n\n");
+}
+
+static void put_layout(const CUnit *u, const StateVec *sv, Buf *out)
+{
+    const char *p = u->names.prefix, *m = u->names.macro;
+    uint32_t packed = 0;
+
+    buf_printf(out, "static const SmRegion %s_regions[] = {        // offset and size, size on the wire, first element and how many\n", p);
+    for (size_t r = 0; r < sv->region.n; r++) {
+        const Region *at = sv->region.at[r];
+        buf_printf(out, "    {%u, %u, %u, %u, %u},        // %s\n", at->offset, at->size, at->packed_size, at->first, at->count, at->name->text);
+        packed += at->packed_size;
+    }
+    buf_printf(out, "};\n\nconst SmLayout %s_layout = {\n    0x%08xu, %s_ELEMENTS, %s_REGIONS, %s_element, %s_regions,\n", p, sv->hash, m, m, p, p);
+    buf_printf(out, "    {0, %u, %u, 0, %s_ELEMENTS}\n};\n\n", sv->size, packed, m);
+}
+
+static void put_name_table(const CUnit *u, const char *what, Buf *out)
+{
+    buf_printf(out, "static const char *const %s_%s_names[] = {\n", u->names.prefix, what);
+}
+
+static void put_names(const CUnit *u, const StateVec *sv, Buf *out)
+{
+    const char *p = u->names.prefix;
+
+    put_name_table(u, "element", out);
+    for (size_t i = 0; i < sv->element.n; i++)
+        buf_printf(out, "    \"%s\",\n", sv->element.at[i]->name->text);
+    buf_str(out, "};\n\n");
+    put_name_table(u, "region", out);
+    for (size_t r = 0; r < sv->region.n; r++)
+        buf_printf(out, "    \"%s\",\n", sv->region.at[r]->name->text);
+    buf_printf(out, "};\n\nconst SmNames %s_names = {&%s_layout, \"%s\", %s_element_names, %s_region_names};\n", p, p, sv->name->text, p, p);
+}
+
+void put_vector_tables(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
+{
+    buf_char(out, '\n');
+    put_storage(u, sv, out);
+    put_elements(u, sv, n, out);
+    put_layout(u, sv, out);
+    put_names(u, sv, out);
+}

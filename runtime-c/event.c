@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ring of events.  Event number n lies at n modulo the room, which divides 2^32: so counting may wrap.
+#include "runtime-c/event.h"
+
+#include "runtime-c/tally.h"
+
+SmResult sm_events_init(SmEvents *e)
+{
+    if (!e || !e->at || e->room == 0 || (e->room & (e->room - 1u)) != 0)
+        return SM_E_ARGUMENT;
+    e->next = 0;
+    e->faults = 0;
+    return e->guarded ? pal_lock_open(&e->lock) : SM_OK;
+}
+
+static bool enter(SmEvents *e)
+{
+    if (!e->guarded || pal_lock_take(e->lock, SM_LOCK_WAIT) == SM_OK)
+        return true;
+    sm_tally(&e->faults);
+    return false;
+}
+
+static void leave(SmEvents *e)
+{
+    if (e->guarded)
+        pal_lock_give(e->lock);
+}
+
+void sm_event(SmEvents *e, const SmEvent *event)
+{
+    if (!e || !event || !enter(e))
+        return;
+    e->at[e->next & (e->room - 1u)] = *event;
+    e->next++;
+    leave(e);
+}
+
+// What has gone between a cursor and the oldest that is still there.
+static uint32_t gone(const SmEvents *e, uint32_t cursor)
+{
+    const uint32_t behind = e->next - cursor;
+
+    return behind > e->room ? behind - e->room : 0;
+}
+
+uint32_t sm_events_read(SmEvents *e, uint32_t *cursor, SmEvent *out, uint32_t n, uint32_t *lost)
+{
+    uint32_t missing, taken = 0;
+
+    if (lost)
+        *lost = 0;
+    if (!e || !cursor || (!out && n > 0) || !enter(e))
+        return 0;
+    missing = gone(e, *cursor);
+    *cursor += missing;
+    for (; taken < n && *cursor != e->next; taken++)
+        out[taken] = e->at[(*cursor)++ & (e->room - 1u)];
+    leave(e);
+    if (lost)
+        *lost = missing;
+    return taken;
+}
+
+const char *sm_event_name(uint8_t kind)
+{
+    switch (kind) {
+#define SM_EVENT(name, number, source, a, b, text) case number: return #name;
+#include "runtime-c/events.def"
+#undef SM_EVENT
+    default: return "";
+    }
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Regions of the state vector, in memory's form and in wire form (language.md 4.12, 4.13).
+#include "runtime-c/statevec.h"
+
+#include <string.h>
+
+#include "stdlib/convert.h"
+
+// Where r lies; NULL: not a region of the vector.  Those are in its table, whose places and counts are right.
+static uint8_t *place(const SmStateVec *sv, const SmRegion *r)
+{
+    if (!sv || (r != &sv->layout->whole && (uintptr_t)r - (uintptr_t)sv->layout->region >= sv->layout->regions * sizeof *r))
+        return NULL;
+    return (uint8_t *)sv->at + r->offset;
+}
+
+SmResult sm_read_region(SmStateVec *sv, const SmRegion *r, void *bytes)
+{
+    const uint8_t *at = place(sv, r);
+    SmResult result = at && bytes ? sm_enter(sv) : SM_E_ARGUMENT;
+
+    if (result != SM_OK)
+        return result;
+    memcpy(bytes, at, r->size);
+    sm_leave(sv);
+    return SM_OK;
+}
+
+SmResult sm_write_region(SmStateVec *sv, const SmRegion *r, const void *bytes)
+{
+    uint8_t *at = place(sv, r);
+    SmResult result = at && bytes ? sm_enter(sv) : SM_E_ARGUMENT;
+
+    if (result != SM_OK)
+        return result;
+    memcpy(at, bytes, r->size);
+    sm_leave(sv);
+    return SM_OK;
+}
+
+// ---- the wire ----
+
+// Elements to their places on the wire, still as they are in memory: those that follow each other without a gap in one go, so that
+// the lock is held for no longer than copying takes.
+static void gather(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
+{
+    const SmElement *e = &sv->layout->element[r->first], *end = e + r->count;
+
+    while (e < end) {
+        const uint32_t from = e->offset;
+        uint32_t to = from;
+
+        for (; e < end && e->offset == to; e++)
+            to += sm_type_bytes[e->type];
+        memcpy(out, (const uint8_t *)sv->at + from, to - from);
+        out += to - from;
+    }
+}
+
+// Each element's bytes to the order of the wire, in place: shifts mean the same on every computer.
+static void order(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
+{
+    const SmElement *e = &sv->layout->element[r->first];
+
+    for (uint16_t i = 0; i < r->count; i++) {
+        uint64_t cell = sm_cell_load((SmType)e[i].type, out);
+
+        for (uint8_t n = sm_type_bytes[e[i].type]; n > 0; n--, cell >>= 8)
+            *out++ = (uint8_t)cell;
+    }
+}
+
+SmResult sm_pack_region(SmStateVec *sv, const SmRegion *r, void *bytes, size_t room)
+{
+    SmResult result = place(sv, r) && bytes ? SM_OK : SM_E_ARGUMENT;
+
+    if (result == SM_OK && room < r->packed)
+        result = SM_E_SIZE;
+    if (result == SM_OK)
+        result = sm_enter(sv);
+    if (result != SM_OK)
+        return result;
+    gather(sv, r, (uint8_t *)bytes);
+    sm_leave(sv);
+    order(sv, r, (uint8_t *)bytes);
+    return SM_OK;
+}
+
+static void scatter(const SmStateVec *sv, const SmRegion *r, const uint8_t *in)
+{
+    const SmElement *e = &sv->layout->element[r->first];
+
+    for (uint16_t i = 0; i < r->count; i++) {
+        const uint8_t n = sm_type_bytes[e[i].type];
+        uint64_t cell = 0;
+
+        for (uint8_t k = n; k > 0; k--)
+            cell = cell << 8 | in[k - 1];
+        sm_cell_store((SmType)e[i].type, (uint8_t *)sv->at + e[i].offset, cell);
+        in += n;
+    }
+}
+
+SmResult sm_unpack_region(SmStateVec *sv, const SmRegion *r, const void *bytes, size_t n)
+{
+    SmResult result = place(sv, r) && bytes ? SM_OK : SM_E_ARGUMENT;
+
+    if (result == SM_OK && n != r->packed)
+        result = SM_E_SIZE;
+    if (result == SM_OK)
+        result = sm_enter(sv);
+    if (result != SM_OK)
+        return result;
+    scatter(sv, r, (const uint8_t *)bytes);
+    sm_leave(sv);
+    return SM_OK;
+}
