@@ -5,7 +5,7 @@
 #include "compiler/cli/test.h"
 #include "compiler/device/engine_c.h"
 
-const char *const engine_name[ENGINE_KINDS] = {"ref", "vm", "c"};
+const char *const engine_name[ENGINE_KINDS] = {"ref", "vm", "vm-soft", "c"};
 
 unsigned engines_named(const char *name)
 {
@@ -39,10 +39,12 @@ static bool c_is_present(void)
 
 unsigned engines_present(void)
 {
-    return 1u << ENGINE_REF | 1u << ENGINE_VM | (c_is_present() ? 1u << ENGINE_C : 0u);
+    return 1u << ENGINE_REF | 1u << ENGINE_VM | 1u << ENGINE_VM_SOFT | (c_is_present() ? 1u << ENGINE_C : 0u);
 }
 
-static Engine *open_vm(Session *s, const Program *p, int opt_level, const char **error)
+typedef Engine *OpenVm(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
+
+static Engine *open_vm(OpenVm *open, Session *s, const Program *p, int opt_level, const char **error)
 {
     IrMachine *m = session_ir(s, p, opt_level);
     const ImageOptions with_names = {true};
@@ -50,7 +52,7 @@ static Engine *open_vm(Session *s, const Program *p, int opt_level, const char *
 
     buf_init(&image, &s->arena);
     if (m && session_image(s, &m, 1, &with_names, &image))
-        return engine_vm_open(&s->arena, p, (const uint8_t *)image.at, image.n, 0, error);
+        return open(&s->arena, p, (const uint8_t *)image.at, image.n, 0, error);
     *error = "the machine could not be made into an image";
     return NULL;
 }
@@ -74,7 +76,8 @@ static Engine *open_one(EngineKind kind, Session *s, const Program *p, int opt_l
 {
     switch (kind) {
     case ENGINE_REF: return engine_ref_open(&s->arena, p);
-    case ENGINE_VM: return open_vm(s, p, opt_level, error);
+    case ENGINE_VM: return open_vm(engine_vm_open, s, p, opt_level, error);
+    case ENGINE_VM_SOFT: return open_vm(engine_vm_soft_open, s, p, opt_level, error);
     case ENGINE_C: return open_c(s, p, opt_level, error);
     case ENGINE_KINDS: break;
     }

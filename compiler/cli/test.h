@@ -8,7 +8,7 @@
 
 // ---- engines.c ----
 
-typedef enum EngineKind { ENGINE_REF, ENGINE_VM, ENGINE_C, ENGINE_KINDS } EngineKind;
+typedef enum EngineKind { ENGINE_REF, ENGINE_VM, ENGINE_VM_SOFT, ENGINE_C, ENGINE_KINDS } EngineKind;
 
 extern const char *const engine_name[ENGINE_KINDS];
 

@@ -30,7 +30,7 @@ typedef struct EngineStep {
 
 typedef struct Engine Engine;
 struct Engine {
-    const char *name;         // "ref", "vm", "c"
+    const char *name;         // "ref", "vm", "vm-soft", "c"
     const Program *program;
     const char *error;        // after ENGINE_BROKEN: what happened
     void *self;
@@ -51,5 +51,7 @@ const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a
 Engine *engine_ref_open(Arena *arena, const Program *p);
 // The VM, on an image that holds p as machine number `machine`.
 Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
+// The VM as it is on a chip without binary64: engine_vm.c and bytecode-vm/, compiled once more with the soft type (see the Makefile).
+Engine *engine_vm_soft_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
 
 #endif

@@ -216,7 +216,7 @@ Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, siz
     *error = check(v, arena);
     if (*error)
         return NULL;
-    v->engine.name = "vm";
+    v->engine.name = SM_F64_SOFT ? "vm-soft" : "vm";
     v->engine.program = p;
     v->engine.self = v;
     v->engine.init = vm_init;

@@ -1,5 +1,5 @@
 spec 7.2  A window of 100000 is allowed.
-on   ref vm c
+on   ref vm vm-soft c
 
 -- app.sm --
 [state_vector]

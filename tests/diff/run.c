@@ -12,7 +12,8 @@
 #include "tests/diff/subject.h"
 #include "tests/diff/watch.h"
 
-enum { ENGINES_MAX = 2 + 2 * FORM_COUNT + 2 };  // the reference, every form twice; the reference and one form of the changed program
+// The reference, every form twice and in the VM with soft numbers; the reference and one form of the changed program.
+enum { ENGINES_MAX = 2 + 3 * FORM_COUNT + 2 };
 
 const char *const form_name[FORM_COUNT] = { "-O0", "-O1", "-O2", "-O2, locals hidden" };
 
@@ -90,8 +91,15 @@ static const char *add_vm(Lanes *l, Subject *s, Form form, const Subject *before
     if (e == NULL)
         return error;
     add_lane(l, s, e, form);
-    if (before == NULL)
-        add_lane(l, s, engine_ir_open(&s->session.arena, s->program, m[n - 1]), form);
+    if (before != NULL)
+        return NULL;
+    add_lane(l, s, engine_ir_open(&s->session.arena, s->program, m[n - 1]), form);
+    if (form == FORM_O0 || form == FORM_O2) {
+        e = engine_vm_soft_open(&s->session.arena, s->program, (const uint8_t *)image.at, image.n, 0, &error);
+        if (e == NULL)
+            return error;
+        add_lane(l, s, e, form);
+    }
     return NULL;
 }
 

@@ -1,6 +1,7 @@
-# Every engine that can be named; ref and vm are always there.
+# Every engine that can be named; all but c are always there.
 args test --engine=ref a.sm a.ss
 args test --engine vm a.sm a.ss
+args test --engine vm-soft a.sm a.ss
 args test --engine=warp a.sm a.ss
 
 -- a.sm --
@@ -34,8 +35,15 @@ final state vector:
   S = 1
   T = 20
   open = true
+state script ran for 3 steps
+1 assert passed
+final state vector:
+  G = 20
+  S = 1
+  T = 20
+  open = true
 -- stderr --
-smc: --engine is ref, vm, c or all, not 'warp'
+smc: --engine is ref, vm, vm-soft, c or all, not 'warp'
 Try 'smc test --help'.
 -- exit --
-0 0 2
+0 0 0 2
