@@ -351,6 +351,24 @@ $(B)/psl/tsan: $(PSL_SRC_linux)
 check: $(B)/psl/tsan
 CHECK_LINES += "psl-tsan: if test -x $(B)/psl/tsan; then TSAN_OPTIONS=report_mutex_bugs=0 $(B)/psl/tsan; else echo 0 passed, 0 failed, 1 skipped; fi"
 
+# tests/store: updates of images with the power cut at every byte.  `make store-cuts`: all pairs of cuts.
+STORE_SRC = tests/store/cuts.c bytecode-vm/target/store.c $(filter-out %/fast.c %/decode.c %/disasm.c,$(VM)) stdlib/tables.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
+STORE_SMB = $(B)/store/old.smb $(B)/store/new.smb
+$(B)/store/cuts: $(STORE_SRC:%.c=$(B)/obj/%.o)
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+$(B)/store/old.smb: examples/tank/tank.sm $(B)/smc
+	@mkdir -p $(@D)
+	$(B)/smc build -w $< -o $@
+$(B)/store/new.smb: examples/chilldown/chilldown.sm $(B)/smc
+	@mkdir -p $(@D)
+	$(B)/smc build -w $< -o $@
+check: $(B)/store/cuts $(STORE_SMB)
+CHECK_LINES += "store: $(B)/store/cuts $(STORE_SMB)"
+store-cuts: $(B)/store/cuts $(STORE_SMB)
+	$(B)/store/cuts $(STORE_SMB) all
+.PHONY: store-cuts
+
 # `make psl-qemu KERNEL=FOLDER`: Linux with real pins and a real watchdog, in an emulator (qemu-system-arm gcc-arm-linux-gnueabihf
 # libc6-dev-armhf-cross cpio; FOLDER: where a linux-image-*-armmp:armhf of Debian was unpacked by dpkg-deb -x).
 ARM_CC   ?= arm-linux-gnueabihf-gcc

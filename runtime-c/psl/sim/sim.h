@@ -106,6 +106,12 @@ void sim_network(SimNetwork network);
 void sim_cut_power(uint32_t after, uint32_t bytes);
 void sim_power_on(void);
 
+// The SIM_NVM_SIZE bytes of a memory, to be looked at and damaged.
+uint8_t *sim_nvm(const char *name);
+
+// From now on those of `bits` at a place of that memory read as `value` has them, whatever is written.  0 bits: it is mended.
+void sim_stick(const char *name, uint32_t at, uint8_t bits, uint8_t value);
+
 // ---- the watchdog ----
 
 // Whether it has bitten: time went by without food.
