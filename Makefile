@@ -539,10 +539,10 @@ sarif-schema:
 	sh tests/check/sarif_schema.sh $(B)/sarif/schema.json
 .PHONY: sarif-schema
 
-# Every clause of docs/language.md has a case, every case names clauses that exist.
+# Every clause of docs/language.md and docs/config.md has a case, every case names clauses that exist.
 check-clauses:
-	@{ find conformance tests -name '*.smt' | sort; ls tests/clauses/*.c; } | \
-	    awk -f tests/check/clauses.awk docs/language.md tests/check/clauses.txt -
+	@{ find conformance tests -name '*.smt' | sort; ls tests/clauses/*.c tests/runtime/*.c 2>/dev/null; } | \
+	    awk -f tests/check/clauses.awk docs/language.md docs/config.md tests/check/clauses.txt -
 CHECK_LINES += "check-clauses: $(MAKE) -s --no-print-directory check-clauses"
 
 # `make mutants` breaks the implementation line by line and demands that the cases notice; `make mutants M="6 7.12"`: some.
