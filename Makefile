@@ -328,7 +328,7 @@ f64-f32: $(B)/soft/run
 PSL_SUITE       = $(filter-out tests/psl/bench_% tests/psl/own_% tests/psl/qemu_%,$(wildcard tests/psl/*.c))
 PSL_WATCHDOG    = watchdog_process
 PSL_FLAGS_linux = -DPSL_LINUX_IIO='"iio"'
-PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync rename unlink pthread_mutex_timedlock timer_settime ppoll)
+PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync fdatasync rename unlink pthread_mutex_timedlock timer_settime ppoll)
 define psl_test
 include runtime-c/psl/$(1)/psl.mk
 PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c

@@ -86,10 +86,15 @@ void sim_cut_power(uint32_t after, uint32_t bytes)
 void sim_power_on(void)
 {
     close_all();
+    sim_log_power_on();
 }
 
-// How many of n bytes are done before the power goes: all, if it stays.
-static uint32_t bytes_done(uint32_t n)
+bool sim_power_gone(void)
+{
+    return cut.gone;
+}
+
+uint32_t sim_power_lasts(uint32_t n)
 {
     if (!cut.planned || cut.after-- > 0)
         return n;
@@ -185,7 +190,7 @@ static SmResult store(uint8_t *here, const uint8_t *bytes, uint32_t n, SimCall c
 
     if (r != SM_OK)
         return r;
-    done = bytes_done(n);
+    done = sim_power_lasts(n);
     if (bytes)
         memcpy(here, bytes, done);
     else
