@@ -17,9 +17,10 @@ VERSION := $(shell sed -n 's/.*SMC_VERSION "\(.*\)".*/\1/p' compiler/version.h)
 # Sources, folder by folder in the order data flows through them.
 STDLIB   = $(wildcard stdlib/*.c)
 VM       = $(wildcard bytecode-vm/*.c)
+LINK     = $(wildcard runtime-c/link/*.c)
 EMIT_C   = $(filter-out %/embed_tool.c,$(wildcard compiler/emit/c/*.c))
 LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
-             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/emit/report/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM)
+             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/emit/report/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
 COMMAND  = $(wildcard compiler/base/os_*.c compiler/device/*.c compiler/cli/*.c)
 
 # `make V=1` shows the commands themselves, `make -s` nothing.

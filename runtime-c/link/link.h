@@ -22,7 +22,7 @@ extern "C" {
 #define LINK_HEAD     2u      // sequence, message
 #define LINK_TAIL     4u      // CRC-32
 #define LINK_BODY_MAX 200u    // the largest body that any device may ask for; what it takes it says in HELLO
-#define LINK_ROOM(body) (LINK_HEAD + (body) + LINK_TAIL + 2u)   // bytes of buffer for a frame on its way, with COBS and zero
+#define LINK_ROOM(body) (LINK_HEAD + (body) + LINK_TAIL + 2u)   // bytes of buffer for a frame on its way, with COBS and zero, or for one that arrives
 #define LINK_ANSWER   0x80u
 
 typedef enum LinkMessage {
@@ -37,7 +37,8 @@ typedef struct LinkReceiver {
     uint8_t *buffer;          // LINK_ROOM(body) bytes
     uint16_t room, n;         // n: bytes of the frame so far; of a whole one, without its checksum
     uint8_t left, code;       // COBS: bytes up to the next stuffed zero; the code it began with
-    bool lost;                // this frame is too long or broken: dropped up to the next zero
+    bool lost;                // this frame is too long: dropped up to the next zero
+    bool done;                // a frame is in the buffer
 } LinkReceiver;
 
 void link_receiver(LinkReceiver *r, uint8_t *buffer, uint16_t room);
@@ -49,7 +50,7 @@ bool link_receive(LinkReceiver *r, uint8_t byte);
 // Gives the bytes to be sent, from frame[0] on.
 uint16_t link_frame(uint8_t *frame, uint16_t n);
 
-// Fields.
+// Fields of 1 to 4 bytes, the least significant first.
 uint32_t link_get(const uint8_t *at, unsigned bytes);
 void link_put(uint8_t *at, uint32_t value, unsigned bytes);
 

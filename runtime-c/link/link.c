@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// COBS (Cheshire and Baker, 1999), in place in both directions.  A frame is shorter than 254 bytes, so one code byte more than it holds
+// zeros is all that stuffing adds.
+#include "runtime-c/link/link.h"
+
+#include "stdlib/crc32.h"
+
+typedef char link_frame_is_one_run[LINK_HEAD + LINK_BODY_MAX + LINK_TAIL < 254 ? 1 : -1];
+
+void link_put(uint8_t *at, uint32_t value, unsigned bytes)
+{
+    for (unsigned i = 0; i < bytes; i++) {
+        at[i] = (uint8_t)value;
+        value >>= 8;
+    }
+}
+
+uint32_t link_get(const uint8_t *at, unsigned bytes)
+{
+    uint32_t value = 0;
+
+    while (bytes-- > 0)
+        value = value << 8 | at[bytes];
+    return value;
+}
+
+// ---- sending ----
+
+uint16_t link_frame(uint8_t *frame, uint16_t n)
+{
+    const uint16_t end = (uint16_t)(1 + n + LINK_TAIL);
+    uint16_t zero = end;      // the next zero behind the byte that is looked at
+
+    link_put(frame + 1 + n, sm_crc32(frame + 1, n), LINK_TAIL);
+    frame[end] = 0;
+    for (uint16_t i = end; i-- > 1;)
+        if (frame[i] == 0) {
+            frame[i] = (uint8_t)(zero - i);
+            zero = i;
+        }
+    frame[0] = (uint8_t)zero;
+    return (uint16_t)(end + 1);
+}
+
+// ---- receiving ----
+
+static void start(LinkReceiver *r)
+{
+    r->n = 0;
+    r->left = 0;
+    r->code = 0xff;           // no zero stands before the first run
+    r->lost = false;
+}
+
+void link_receiver(LinkReceiver *r, uint8_t *buffer, uint16_t room)
+{
+    r->buffer = buffer;
+    r->room = room;
+    r->done = false;
+    start(r);
+}
+
+static void keep(LinkReceiver *r, uint8_t byte)
+{
+    if (r->n < r->room)
+        r->buffer[r->n++] = byte;
+    else
+        r->lost = true;
+}
+
+// Whether what arrived up to the zero is a frame; its checksum is taken off then.
+static bool is_frame(LinkReceiver *r)
+{
+    if (r->lost || r->left != 0 || r->n < LINK_HEAD + LINK_TAIL)
+        return false;
+    r->n = (uint16_t)(r->n - LINK_TAIL);
+    return sm_crc32(r->buffer, r->n) == link_get(r->buffer + r->n, LINK_TAIL);
+}
+
+bool link_receive(LinkReceiver *r, uint8_t byte)
+{
+    if (r->done) {
+        r->done = false;
+        start(r);
+    }
+    if (byte == 0) {
+        r->done = is_frame(r);
+        if (!r->done)
+            start(r);
+        return r->done;
+    }
+    if (r->left > 0) {
+        keep(r, byte);
+        r->left--;
+        return false;
+    }
+    if (r->code != 0xff)
+        keep(r, 0);
+    r->code = byte;
+    r->left = (uint8_t)(byte - 1);
+    return false;
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames of the link: what is sent arrives, what is damaged does not, and after any damage the next frame arrives.
+#include <string.h>
+
+#include "runtime-c/link/link.h"
+#include "tests/test.h"
+#include "tests/unit/random.h"
+
+enum { BODY = LINK_BODY_MAX, ROOM = LINK_ROOM(BODY) };
+
+typedef struct Line { uint8_t bytes[ROOM]; uint16_t n, payload; uint8_t sent[ROOM]; } Line;
+
+// A frame of n payload bytes; kind 0: random, 1: all zero, 2: without a zero, 3: mostly zero
+static void make(Line *l, uint16_t n, unsigned kind)
+{
+    l->payload = n;
+    for (uint16_t i = 0; i < n; i++) {
+        const uint8_t r = (uint8_t)random_u64();
+        l->sent[i] = kind == 1 ? 0 : kind == 2 ? (uint8_t)(r | 1) : kind == 3 ? (uint8_t)(r & r >> 3 & r >> 5 & 1) : r;
+    }
+    memcpy(l->bytes + 1, l->sent, n);
+    l->n = link_frame(l->bytes, n);
+}
+
+static bool arrives(LinkReceiver *r, const Line *l)
+{
+    bool whole = false;
+
+    for (uint16_t i = 0; i < l->n; i++)
+        whole = link_receive(r, l->bytes[i]);
+    return whole && r->n == l->payload && memcmp(r->buffer, l->sent, l->payload) == 0;
+}
+
+static void what_is_sent_arrives(void)
+{
+    uint8_t buffer[ROOM];
+    LinkReceiver r;
+    Line l;
+
+    link_receiver(&r, buffer, sizeof buffer);
+    for (uint16_t n = LINK_HEAD; n <= LINK_HEAD + BODY; n++)
+        for (unsigned kind = 0; kind < 4; kind++) {
+            make(&l, n, kind);
+            CHECK(l.n == n + LINK_TAIL + 2 && memchr(l.bytes, 0, l.n) == l.bytes + l.n - 1);
+            CHECK(arrives(&r, &l));
+        }
+}
+
+// Damage: a byte is lost, comes twice, is another; what was sent never arrives as something else.
+static void damage(Line *l)
+{
+    const uint16_t at = (uint16_t)(random_u64() % l->n);
+
+    switch (random_u64() % 3) {
+    case 0: memmove(l->bytes + at, l->bytes + at + 1, l->n - at - 1u); l->n--; break;
+    case 1: memmove(l->bytes + at + 1, l->bytes + at, l->n - at - 1u); break;
+    default: l->bytes[at] ^= (uint8_t)(1 + random_u64() % 255); break;
+    }
+}
+
+static void what_is_damaged_does_not(void)
+{
+    uint8_t buffer[ROOM];
+    LinkReceiver r;
+    Line good, bad;
+
+    link_receiver(&r, buffer, sizeof buffer);
+    for (unsigned i = 0; i < 20000; i++) {
+        make(&good, (uint16_t)(LINK_HEAD + random_u64() % BODY), i % 4);
+        bad = good;
+        damage(&bad);
+        for (uint16_t k = 0; k < bad.n; k++)
+            CHECK(!link_receive(&r, bad.bytes[k]) || (r.n == bad.payload && memcmp(r.buffer, bad.sent, r.n) == 0));
+        link_receive(&r, 0);
+        CHECK(arrives(&r, &good));
+    }
+}
+
+static void what_is_too_long_is_dropped(void)
+{
+    uint8_t buffer[LINK_ROOM(16)];
+    LinkReceiver r;
+    Line l;
+
+    link_receiver(&r, buffer, LINK_HEAD + 16 + LINK_TAIL);
+    make(&l, LINK_HEAD + 17, 0);
+    CHECK(!arrives(&r, &l));
+    make(&l, LINK_HEAD + 16, 0);
+    CHECK(arrives(&r, &l));
+    for (unsigned i = 0; i < 100000; i++)
+        CHECK(!link_receive(&r, (uint8_t)(1 + random_u64() % 255)));
+    link_receive(&r, 0);
+    CHECK(arrives(&r, &l));
+    CHECK(!link_receive(&r, 0) && !link_receive(&r, 0));
+}
+
+static void fields(void)
+{
+    uint8_t at[4];
+
+    link_put(at, 0x01020304u, 4);
+    CHECK(at[0] == 4 && at[3] == 1 && link_get(at, 4) == 0x01020304u && link_get(at, 3) == 0x020304u);
+}
+
+int main(void)
+{
+    what_is_sent_arrives();
+    what_is_damaged_does_not();
+    what_is_too_long_is_dropped();
+    fields();
+    return test_end("link");
+}
