@@ -40,6 +40,16 @@ static SmResult refuse(SmApp *app, SmResult r, const char *what, const char *why
     return r;
 }
 
+// ---- events ----
+
+static void tell_event(const SmApp *app, SmEventKind kind, uint64_t time, uint32_t a, uint32_t b)
+{
+    SmEvent e = {time, a, b, 0, 0};
+
+    e.kind = (uint8_t)kind;
+    sm_event(app->events, &e);
+}
+
 // ---- start ----
 
 static SmResult check_clock(SmApp *app)
@@ -99,37 +109,27 @@ static SmResult init_executors(SmApp *app)
     return r;
 }
 
-static SmResult start(SmApp *app)
-{
-    SmResult r = check(app);
-
-    r = r == SM_OK ? open_vector(app) : r;
-    r = r == SM_OK ? fill_vector(app) : r;
-    r = r == SM_OK ? init_executors(app) : r;
-    return r == SM_OK ? sm_run_prepare(app) : r;
-}
-
-// ---- from start to end ----
-
-static void tell_event(const SmApp *app, SmEventKind kind, uint64_t time, uint32_t a, uint32_t b)
-{
-    SmEvent e = {time, a, b, 0, 0};
-
-    e.kind = (uint8_t)kind;
-    sm_event(app->events, &e);
-}
-
-static void tell_start(const SmApp *app, bool bit)
-{
-    tell_event(app, SM_EVENT_START, 0, app->restored, bit);
-}
-
 static bool has_bitten(void)
 {
     bool bit = false;
 
     return pal_watchdog_bit(&bit) == SM_OK && bit;
 }
+
+static SmResult start(SmApp *app)
+{
+    SmResult r = check(app);
+
+    r = r == SM_OK ? open_vector(app) : r;
+    r = r == SM_OK ? fill_vector(app) : r;
+    if (r != SM_OK)
+        return r;
+    tell_event(app, SM_EVENT_START, 0, app->restored, has_bitten());
+    r = init_executors(app);
+    return r == SM_OK ? sm_run_prepare(app) : r;
+}
+
+// ---- from start to end ----
 
 void sm_run_write(SmApp *app, uint64_t budget)
 {
@@ -139,12 +139,10 @@ void sm_run_write(SmApp *app, uint64_t budget)
 
 SmResult sm_app_run(SmApp *app)
 {
-    const bool bit = has_bitten();
     const SmResult r = start(app);
 
     if (r != SM_OK)
         return r;
-    tell_start(app, bit);
     sm_run(app);
     tell_event(app, SM_EVENT_STOP, pal_clock_now() - app->start, 0, 0);
     return SM_OK;

@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: Apache-2.0
+// What runtime-c/executor.h promises: order, time, overruns, G, vitals, what is refused.
+#include "runtime-c/executor.h"
+#include "runtime-c/pal/clock.h"
+#include "tests/runtime/parts.h"
+
+static Part part[3];
+static SmTask task[3];
+static SmTask *const a_and_b[] = {&task[0], &task[1]}, *const c[] = {&task[2]};
+static SmRate rates[2];
+static SmExecutor e;
+
+// Tasks A and B every tick of 10 ms, C every second one.
+static void start(void)
+{
+    const SmRate plan[2] = {{1, 2, a_and_b}, {2, 1, c}};
+    const SmExecutor fresh = {.name = "e", .period = 10 * MS, .rate = rates, .rates = 2, .sv = &crew_vector, .events = &events,
+                              .time = CREW(time), .unit = MS, .number = 4};
+
+    parts_reset();
+    memcpy(rates, plan, sizeof rates);
+    for (int i = 0; i < 3; i++) {
+        const Part p = {(char)('A' + i), 0, SM_OK};
+        const SmTask t = {.name = "t", .init = part_init, .step = part_step, .context = &part[i], .number = (uint16_t)i};
+
+        part[i] = p;
+        task[i] = t;
+    }
+    e = fresh;
+    CHECK(sm_statevec_init(&crew_vector) == SM_OK && sm_events_init(&events) == SM_OK);
+}
+
+static void begin(void)
+{
+    CHECK(sm_executor_init(&e, NULL) == SM_OK);
+    parts_forget();
+    sm_executor_start(&e, pal_clock_now());
+}
+
+// As an application does: waits for the tick, then runs it.
+static void tick(void)
+{
+    pal_clock_sleep_until(sm_executor_due(&e));
+    sm_executor_tick(&e);
+}
+
+static void ticks_until(uint64_t number)
+{
+    while (e.next < number)
+        tick();
+}
+
+// ---- the plan ----
+
+static bool is_refused(void)
+{
+    const SmTask *failed = &task[0];
+    const bool refused = sm_executor_init(&e, &failed) == SM_E_ARGUMENT && failed == NULL && called == 0;
+
+    start();
+    return refused;
+}
+
+#define REFUSED(change) (start(), change, is_refused())
+
+static void test_plan(void)
+{
+    static const SmElement foreign = {0, SM_U64, 0};
+    static SmTask *const holes[] = {&task[0], NULL};
+
+    CHECK(sm_executor_init(NULL, NULL) == SM_E_ARGUMENT);
+    CHECK(REFUSED(e.period = 0));
+    CHECK(REFUSED(e.rates = 0));
+    CHECK(REFUSED(e.rate = NULL));
+    CHECK(REFUSED(rates[1].every = 0));
+    CHECK(REFUSED(rates[1].tasks = 0));
+    CHECK(REFUSED(rates[1].task = NULL));
+    CHECK(REFUSED(rates[0].task = holes));
+    CHECK(REFUSED(e.unit = 0));
+    CHECK(REFUSED(e.time = CREW(v_u32)));
+    CHECK(REFUSED(e.time = &foreign));
+    CHECK(REFUSED(e.sv = NULL));
+    CHECK(REFUSED((e.sv = NULL, e.time = NULL, e.vitals.late = CREW(v_u8))));
+    CHECK(REFUSED((e.sv = NULL, e.time = NULL, task[2].mode = CREW(first))));
+    CHECK(REFUSED(task[2].mode = &foreign));
+    CHECK(REFUSED(e.vitals.ticks = CREW(number)));
+    CHECK(REFUSED(e.vitals.overruns = CREW(flag)));
+    CHECK(REFUSED(e.vitals.skipped = &foreign));
+    CHECK(REFUSED(e.vitals.late = CREW(number)));
+    CHECK(REFUSED(e.vitals.busy = CREW(number)));
+    start();
+    e.sv = NULL;
+    e.time = NULL;
+    e.events = NULL;
+    CHECK(sm_executor_init(&e, NULL) == SM_OK && strcmp(calls, "012") == 0);
+    begin();
+    tick();
+    CHECK(strcmp(calls, "ABC") == 0);
+}
+
+static void test_task_refuses(void)
+{
+    const SmTask *failed = NULL;
+
+    start();
+    part[1].gives = SM_E_MISSING;
+    CHECK(sm_executor_init(&e, &failed) == SM_E_MISSING && failed == &task[1] && strcmp(calls, "01") == 0);
+    CHECK(sm_executor_init(&e, NULL) == SM_E_MISSING);
+    part[1].gives = SM_OK;
+    task[2].step = NULL;
+    CHECK(sm_executor_init(&e, &failed) == SM_E_ARGUMENT && failed == &task[2]);
+}
+
+// ---- order and time ----
+
+static void test_order(void)
+{
+    start();
+    begin();
+    ticks_until(5);
+    CHECK(strcmp(calls, "ABCABABCABABC") == 0 && pal_clock_now() == S + 40 * MS);
+    for (unsigned i = 0; i < called; i++)
+        CHECK(ticks[i].time == ticks[i].number * 10 * MS);
+    CHECK(ticks[0].number == 0 && ticks[12].number == 4 && e.ticks == 5 && e.skipped == 0 && e.overruns == 0 && e.late_most == 0);
+}
+
+// What a tick takes does not move those after it.
+static void test_absolute(void)
+{
+    start();
+    begin();
+    part[0].takes = 9 * MS;
+    ticks_until(1000);
+    CHECK(pal_clock_now() == S + 999 * 10 * MS + 9 * MS && e.overruns == 0 && e.busy == 9 * MS && e.late_most == 0);
+}
+
+// A little late is no overrun, and is caught up.
+static void test_late(void)
+{
+    start();
+    begin();
+    part[0].takes = 19 * MS;
+    tick();
+    part[0].takes = 0;
+    tick();
+    CHECK(e.late == 9 * MS && e.busy_most == 19 * MS && e.overruns == 0);
+    tick();
+    CHECK(e.late == 0 && e.late_most == 9 * MS && e.next == 3 && pal_clock_now() == S + 20 * MS && is_no_event());
+}
+
+// ---- overruns ----
+
+static void test_skip(void)
+{
+    start();
+    begin();
+    part[0].takes = 35 * MS;
+    tick();                                                // 0, until 35
+    part[0].takes = 0;
+    tick();                                                // 1, due at 10: an overrun; 2 and 3 have been missed
+    CHECK(e.next == 4 && e.overruns == 1 && e.skipped == 2 && e.late == 25 * MS && e.ticks == 2);
+    CHECK(is_event(SM_EVENT_OVERRUN, 4, 2, 25000) && is_no_event());
+    tick();
+    CHECK(pal_clock_now() == S + 40 * MS && e.late == 0 && crew_sv.time == 40);
+    CHECK(strcmp(calls, "ABCABABC") == 0 && ticks[7].number == 4);
+}
+
+// What is due at this very moment has not been missed.
+static void test_skip_exactly(void)
+{
+    start();
+    begin();
+    part[0].takes = 30 * MS;
+    tick();
+    part[0].takes = 0;
+    tick();
+    CHECK(e.next == 3 && e.skipped == 1 && sm_executor_due(&e) == pal_clock_now());
+}
+
+// A tick that begins late by its period and not less is an overrun.
+static void test_border(void)
+{
+    start();
+    begin();
+    sim_advance(10 * MS - 1);
+    sm_executor_tick(&e);
+    CHECK(e.overruns == 0 && e.next == 1);
+    sim_advance(10 * MS + 1);
+    sm_executor_tick(&e);
+    CHECK(e.overruns == 1 && e.next == 2 && e.skipped == 0);
+}
+
+// Groups count ticks: if theirs is left out they wait for the next.
+static void test_group_left_out(void)
+{
+    start();
+    rates[1].every = 5;
+    begin();
+    ticks_until(4);
+    sim_advance(29 * MS);                                  // 59: tick 4 begins 19 late, 5 is missed
+    ticks_until(11);
+    CHECK(strcmp(calls, "ABCABABABABABABABABC") == 0 && e.skipped == 1);
+}
+
+static void test_catch_up(void)
+{
+    start();
+    e.overrun = SM_CATCH_UP;
+    e.most = 3;
+    begin();
+    part[0].takes = 35 * MS;
+    tick();
+    part[0].takes = 0;
+    for (int i = 0; i < 3; i++)
+        tick();
+    CHECK(pal_clock_now() == S + 35 * MS && e.next == 4 && e.skipped == 0 && e.overruns == 2 && e.late == 5 * MS);
+    tick();
+    CHECK(e.late == 0 && strcmp(calls, "ABCABABCABABC") == 0);
+}
+
+static void test_catch_up_most(void)
+{
+    start();
+    e.overrun = SM_CATCH_UP;
+    e.most = 3;
+    begin();
+    sim_advance(95 * MS);                                  // ticks 1 to 9 are behind: 1 to 6 are left out
+    tick();
+    CHECK(e.next == 7 && e.skipped == 6);
+    tick();
+    tick();
+    tick();
+    CHECK(e.next == 10 && e.skipped == 6 && pal_clock_now() == S + 95 * MS && is_event(SM_EVENT_OVERRUN, 4, 6, 95000) && is_no_event());
+    e.most = 0;                                            // as SM_SKIP
+    sim_advance(55 * MS);
+    tick();
+    CHECK(e.next == 15 && e.skipped == 10);
+}
+
+// However late, the first tick runs, and no tick twice.
+static void test_first_late(void)
+{
+    start();
+    begin();
+    sim_advance(3 * 3600 * S + 1);
+    tick();
+    CHECK(strcmp(calls, "ABC") == 0 && ticks[0].number == 0 && e.next == 3 * 3600 * 100 + 1 && e.ticks + e.skipped == e.next);
+    CHECK(is_event(SM_EVENT_OVERRUN, 4, 3 * 3600 * 100, UINT32_MAX));
+    tick();
+    CHECK(e.late == 0 && crew_sv.time == (3 * 3600 * 100 + 1) * 10);
+}
+
+// One event a second at most; nothing that was left out is untold as long as there are overruns.
+static void test_told(void)
+{
+    SmEvent event;
+    uint64_t told = 0, last = 0, n = 0;
+
+    start();
+    begin();
+    part[0].takes = 35 * MS;
+    ticks_until(1000);
+    while (sm_events_read(&events, &event_cursor, &event, 1, NULL) == 1) {
+        CHECK(event.kind == SM_EVENT_OVERRUN && (n == 0 || event.time - last >= S));
+        told += event.a;
+        last = event.time;
+        n++;
+    }
+    CHECK(n == 10 && told == e.told_skipped && e.skipped > told && e.skipped - told < 100);
+}
+
+// ---- G ----
+
+static void test_time(void)
+{
+    start();
+    crew_sv.time = 500;
+    begin();
+    tick();
+    CHECK(crew_sv.time == 500);
+    tick();
+    CHECK(crew_sv.time == 510);
+    crew_sv.time = 600;                                    // never backwards
+    tick();
+    CHECK(crew_sv.time == 600);
+    ticks_until(12);
+    CHECK(crew_sv.time == 610);
+}
+
+static void test_time_uneven(void)
+{
+    start();
+    e.unit = 3 * MS;
+    begin();
+    ticks_until(8);
+    CHECK(crew_sv.time == 70 / 3);
+    start();
+    e.unit = 1;
+    begin();
+    ticks_until(8);
+    CHECK(crew_sv.time == 70 * MS);
+}
+
+static void test_time_ends(void)
+{
+    start();
+    crew_sv.time = UINT64_MAX - 15;
+    begin();
+    ticks_until(2);
+    CHECK(crew_sv.time == UINT64_MAX - 5);
+    ticks_until(5);
+    CHECK(crew_sv.time == UINT64_MAX);
+}
+
+// Far beyond any mission: numbers, and moments on the clock, that reach 2^64.
+static void test_far(void)
+{
+    start();
+    begin();
+    e.next = (UINT64_MAX / e.period) - 1;
+    e.start -= e.next * e.period;                          // due now
+    tick();
+    CHECK(e.ticks == 1 && e.overruns == 0 && crew_sv.time == UINT64_MAX / e.period * 10 - 10);
+    for (int i = 0; i < 5; i++) {                          // times wrap: G stays, and nothing is an overrun
+        const uint64_t g = crew_sv.time;
+
+        sim_advance(10 * MS);
+        sm_executor_tick(&e);
+        CHECK(crew_sv.time >= g && e.overruns == 0 && e.late == 0);
+    }
+    CHECK(e.ticks == 6);
+}
+
+static void test_far_clock(void)
+{
+    start();
+    sim_advance(UINT64_MAX - pal_clock_now() - 25 * MS);
+    begin();
+    for (int i = 0; i < 6; i++) {
+        sm_executor_tick(&e);
+        CHECK(e.late == 0);
+        sim_advance(10 * MS);
+    }
+    CHECK(e.ticks == 6 && e.overruns == 0 && crew_sv.time == 50);
+    sim_advance(35 * MS);
+    sm_executor_tick(&e);
+    CHECK(e.late == 35 * MS && e.skipped == 3);
+}
+
+// ---- vitals ----
+
+static void test_vitals(void)
+{
+    const SmVitals v = {CREW(v_u64), CREW(v_u8), CREW(v_i16), CREW(v_i8), CREW(v_u32)};
+
+    start();
+    e.vitals = v;
+    begin();
+    part[0].takes = 35 * MS + 999;
+    tick();
+    CHECK(crew_sv.v_u64 == 1 && crew_sv.v_u8 == 0 && crew_sv.v_i8 == 0 && crew_sv.v_u32 == 35000);
+    part[0].takes = 0;
+    tick();
+    CHECK(crew_sv.v_u64 == 2 && crew_sv.v_u8 == 1 && crew_sv.v_i16 == 2 && crew_sv.v_i8 == INT8_MAX && crew_sv.v_u32 == 0);
+    e.overruns = 1000;
+    e.skipped = 100000;
+    sim_advance(3600 * S * 2);
+    tick();
+    CHECK(crew_sv.v_u8 == UINT8_MAX && crew_sv.v_i16 == INT16_MAX);
+}
+
+static void test_vitals_of_all_types(void)
+{
+    const SmVitals v = {CREW(v_i8), CREW(v_i32), CREW(v_i64), CREW(v_u16), CREW(v_i16)};
+
+    start();
+    e.vitals = v;
+    begin();
+    e.ticks = e.overruns = e.skipped = UINT64_MAX - 2;
+    part[0].takes = 40 * MS;
+    sim_advance(80 * MS);
+    tick();
+    CHECK(crew_sv.v_i8 == INT8_MAX && crew_sv.v_i32 == INT32_MAX && crew_sv.v_u16 == UINT16_MAX && crew_sv.v_i16 == INT16_MAX);
+    CHECK(crew_sv.v_i64 == 8);                             // it wrapped: 2^64 - 3 + 11
+}
+
+// A vector that cannot be entered: tasks run, G and vitals stay.
+static void test_locked_out(void)
+{
+    start();
+    e.vitals.ticks = CREW(v_u64);
+    begin();
+    tick();
+    sim_break(SIM_lock_take, 0, SM_E_TIMEOUT);
+    tick();
+    CHECK(strcmp(calls, "ABCAB") == 0 && crew_sv.time == 0 && crew_sv.v_u64 == 1 && crew_vector.faults == 2);
+    sim_break(SIM_lock_take, 0, SM_OK);
+    tick();
+    CHECK(crew_sv.time == 20 && crew_sv.v_u64 == 3);
+    crew_vector.faults = 0;
+}
+
+// One thread and a vector without `lock`: nobody takes a lock.
+static void test_no_locks(void)
+{
+    start();
+    crew_vector.guarded = false;
+    task[0].mode = CREW(first);
+    crew_sv.first = SM_ENABLED;
+    e.vitals.ticks = CREW(v_u64);
+    begin();
+    ticks_until(100);
+    CHECK(sim_count(SIM_lock_take) == 0 && crew_sv.v_u64 == 100);
+}
+
+int main(void)
+{
+    test_plan();
+    test_task_refuses();
+    test_order();
+    test_absolute();
+    test_late();
+    test_skip();
+    test_skip_exactly();
+    test_border();
+    test_group_left_out();
+    test_catch_up();
+    test_catch_up_most();
+    test_first_late();
+    test_told();
+    test_time();
+    test_time_uneven();
+    test_time_ends();
+    test_far();
+    test_far_clock();
+    test_vitals();
+    test_vitals_of_all_types();
+    test_locked_out();
+    test_no_locks();
+    return test_end("executor");
+}
