@@ -199,7 +199,7 @@ static void test_group_left_out(void)
     ticks_until(4);
     sim_advance(29 * MS);                                  // 59: tick 4 begins 19 late, 5 is missed
     ticks_until(11);
-    CHECK(strcmp(calls, "ABCABABABABABABABABC") == 0 && e.skipped == 1);
+    CHECK(strcmp(calls, "ABCABABABABABABABABABC") == 0 && e.skipped == 1);
 }
 
 static void test_catch_up(void)
