@@ -19,28 +19,21 @@ typedef struct SmKeep {
     uint8_t *buffer;          // SM_KEEP_SIZE(packed size of the vector) bytes, twice
     // What follows is the runtime's; all zero at first.
     PalNvm nvm;
-    PalLock lock;             // around `full` and `busy`
-    uint32_t slot;            // bytes from the first slot to the second
     uint32_t number;          // of the newest slot
-    uint8_t full, busy;       // the half of the buffer, 1 or 2, that waits to be written, that is being written; 0: none
-    uint32_t pending, stored, missed;     // snapshots taken, written, replaced by a later one before they were written
+    uint32_t pending, stored, missed;         // snapshots taken, written, not taken because the one before was still being written
     bool restored;
 } SmKeep;
 
 #define SM_KEEP_HEAD 16u      // bytes beside the packed vector: number, hash, length, checksum
-// (Rounded up to what memories are written in multiples of: config.h.)
-#define SM_KEEP_SIZE(packed) (((packed) + SM_KEEP_HEAD + SM_KEEP_UNIT - 1u) / SM_KEEP_UNIT * SM_KEEP_UNIT)
+#define SM_KEEP_SIZE(packed) ((packed) + SM_KEEP_HEAD)
 
 // Opens the memory and, where a slot is whole and of this layout, brings the vector back: keep->restored.  No slot is no error.
-// To be called before the tasks' init.  SM_E_SPACE: two slots do not fit.  SM_E_UNSUPPORTED: it is written in multiples of something that
-// SM_KEEP_UNIT is no multiple of.  Otherwise as pal_nvm_open.
+// To be called before the tasks' init.
 SmResult sm_keep_restore(SmKeep *keep);
-// As SmTaskStep.  Takes a snapshot; one that still waits is replaced.
 SmResult sm_keep_step(void *keep, const SmTick *tick);
-// Writes the snapshot that waits, if one does; waits for the medium; from one thread only, any.  After an error it waits again, if no later
-// one does, and the slot that was there before still counts.
+// Writes the pending snapshot; waits for the medium; from one thread only, any.
 SmResult sm_keep_write(SmKeep *keep);
-// Forgets what is kept and what waits: the next start is a fresh one.  From the thread that writes.
+// Forgets what is kept: the next start is a fresh one.
 SmResult sm_keep_forget(SmKeep *keep);
 
 #ifdef __cplusplus

@@ -2,9 +2,9 @@
 // A state machine as a task runs it, whether it is C that smc emitted or an image on the VM (machine_type.h).
 //
 //     static Mission mission;
-//     static uint64_t mission_copy[sizeof(RocketSv) / 8];                       // where the .sv says `lock`
-//     SmMachine m = {"mission", &mission_machine, &mission, &rocket_vector, &events, mission_copy, 0, false, NULL, 0};
-//     SmTask task = {"mission", sm_machine_init, sm_machine_step, NULL, &m, NULL, 0};
+//     static uint64_t copy[sizeof(RocketSv) / 8];                       // where the .sv says `lock`
+//     static SmMachine m = {.name = "mission", .type = &mission_machine, .self = &mission, .sv = &rocket_vector, .events = &events, .copy = copy};
+//     static SmTask task = {.name = "mission", .init = sm_machine_init, .step = sm_machine_step, .context = &m};
 //
 // On a guarded state vector a step works on a snapshot: what the machine may read is copied in one critical section, the step runs
 // without the lock, and in a second one those elements are written that it stored, no others.  So whatever others write meanwhile stays;

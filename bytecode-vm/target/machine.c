@@ -65,21 +65,40 @@ static SmResult target_open(void *self, uint32_t layout, uint32_t size)
     return SM_OK;
 }
 
+static void copy(const void *from, void *to, SmPlace p)
+{
+    memcpy((uint8_t *)to + p.offset, (const uint8_t *)from + p.offset, (size_t)p.size);
+}
+
+// What is refused stores nothing: not the S that smvm_init has stored before the decoded form was refused.
+static SmResult decode(SmvmTarget *t, const SmvmMachine *m, void *sv, uint32_t s)
+{
+    SmResult r = SM_OK;
+
+    if (t->decoder != NULL)
+        r = t->decoder->decode(&t->fast, t->decoded, t->decoded_size, m, t->memory, sv);
+    if (r != SM_OK)
+        memcpy((uint8_t *)sv + t->number.offset, &s, sizeof s);
+    return r;
+}
+
 static SmResult target_init(void *self, void *sv, uint32_t state)
 {
     SmvmTarget *t = self;
     SmvmMachine m;
     SmvmVector v;
     SmResult r;
+    uint32_t s;
 
     t->vm = NULL;
     smvm_machine(t->image, t->machine, &m);
     v.at = sv;
     v.size = m.sv_size;
     v.layout = m.layout;
+    memcpy(&s, (uint8_t *)sv + t->number.offset, sizeof s);
     r = smvm_init(t->memory, t->memory_size, &m, &v, state);
-    if (r == SM_OK && t->decoder != NULL)
-        r = t->decoder->decode(&t->fast, t->decoded, t->decoded_size, &m, t->memory, sv);
+    if (r == SM_OK)
+        r = decode(t, &m, sv, s);
     if (r != SM_OK)
         return r;
     t->vm = t->memory;
@@ -96,11 +115,6 @@ static SmResult target_step(void *self, void *sv)
     if (t->vm == NULL)
         return SM_E_ARGUMENT;
     return t->fast != NULL ? t->decoder->step(t->fast, sv) : smvm_step(t->vm, sv);
-}
-
-static void copy(const void *from, void *to, SmPlace p)
-{
-    memcpy((uint8_t *)to + p.offset, (const uint8_t *)from + p.offset, (size_t)p.size);
 }
 
 static void target_publish(const void *self, const void *from, void *to)

@@ -3,8 +3,8 @@
 //
 //     static const uint8_t image[] = { … };                             // a .smb: in flash, in memory, read from a file
 //     static uint64_t memory[SMVM_WORDS(0, 0, 2, 16, 3)];
-//     static SmvmTarget mission = {image, sizeof image, 0, memory, sizeof memory, NULL, NULL, 0};
-//     SmMachine m = {"mission", &smvm_machine_type, &mission, &rocket_vector, …};
+//     static SmvmTarget mission = {.image = image, .size = sizeof image, .memory = memory, .memory_size = sizeof memory};
+//     static SmMachine m = {.name = "mission", .type = &smvm_machine_type, .self = &mission, .sv = &rocket_vector, …};
 //
 // The image is verified in sm_machine_init, whoever made it.  An image of several machines has an SmvmTarget for each.
 // Link load.c, interp.c, verify.c, debug.c and this folder's machine.c.

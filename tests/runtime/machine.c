@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// What runtime-c/machine.h promises of a machine that runs, whatever it is made of.
+#include "machine_stage.h"
+
+enum { IDLE = 1, BUSY, HELD };
+
+// ---- starting ----
+
+static void start_touches_S_alone(Kind kind, bool guarded)
+{
+    StandSv before, after;
+
+    set_stage(kind, guarded);
+    before = stand_sv;
+    stage.tick.time = 0;
+    CHECK(sm_machine_init(&stage.machine) == SM_OK);
+    CHECK(stand_sv.testerState == IDLE && sm_machine_state(&stage.machine) == IDLE && sm_machine_time(&stage.machine) == 0);
+    CHECK(happened(SM_EVENT_STATE, 0, IDLE) && nothing_happened());
+    after = stand_sv;
+    after.testerState = before.testerState;
+    CHECK(memcmp(&before, &after, sizeof before) == 0);
+}
+
+static void starts_where_told(Kind kind, bool guarded)
+{
+    set_stage(kind, guarded);
+    stage.tick.time = 0;
+    stage.machine.initial = HELD;
+    CHECK(sm_machine_init(&stage.machine) == SM_OK && stand_sv.testerState == HELD);
+    CHECK(happened(SM_EVENT_STATE, 0, HELD));
+}
+
+// S holds `kept`; the state that it starts in.
+static uint32_t state_after(Kind kind, bool guarded, bool resume, const bool *restored, uint32_t kept)
+{
+    set_stage(kind, guarded);
+    stage.machine.initial = HELD;
+    stage.machine.resume = resume;
+    stage.machine.restored = restored;
+    stand_sv.testerState = kept;
+    CHECK(sm_machine_init(&stage.machine) == SM_OK && stand_sv.testerState == sm_machine_state(&stage.machine));
+    return sm_machine_state(&stage.machine);
+}
+
+static void resumes_only_what_was_restored(Kind kind, bool guarded)
+{
+    static const bool yes = true, no = false;
+
+    CHECK(state_after(kind, guarded, true, &yes, BUSY) == BUSY);
+    CHECK(state_after(kind, guarded, true, &no, BUSY) == HELD);
+    CHECK(state_after(kind, guarded, true, NULL, BUSY) == HELD);
+    CHECK(state_after(kind, guarded, false, &yes, BUSY) == HELD);
+    CHECK(state_after(kind, guarded, true, &yes, 0) == HELD);
+    CHECK(state_after(kind, guarded, true, &yes, HELD + 1) == HELD);
+    CHECK(state_after(kind, guarded, true, &yes, UINT32_MAX) == HELD);
+}
+
+// What is started again has forgotten: locals, windows, refusals.
+static void starts_afresh(Kind kind, bool guarded)
+{
+    start_stage(kind, guarded);
+    stand_sv.pressure = 8;
+    step(2);
+    step(0);
+    CHECK(stand_sv.sum == 8 && stand_sv.flow == 8);
+    sm_machine_step(&stage.machine, &stage.tick);
+    CHECK(stage.machine.refused == 1);
+    CHECK(sm_machine_init(&stage.machine) == SM_OK && stage.machine.refused == 0);
+    stand_sv.clock = 0;                   // earlier than at the last step: it has forgotten that as well
+    stand_sv.pressure = 1;
+    CHECK(step(2) == SM_OK && step(0) == SM_OK && stand_sv.sum == 1);
+}
+
+// ---- stepping ----
+
+static void steps(Kind kind, bool guarded)
+{
+    start_stage(kind, guarded);
+    CHECK(step(1) == SM_OK && stand_sv.valve == 1 && stand_sv.fin == 0);
+    CHECK(step(2) == SM_OK && stand_sv.testerState == IDLE && sm_machine_state(&stage.machine) == BUSY);
+    stand_sv.pressure = 2.5;
+    CHECK(step(0) == SM_OK && stand_sv.testerState == BUSY && stand_sv.fin == -3 && stand_sv.level == 1000 && stand_sv.sum == 2.5);
+    CHECK(step(0) == SM_OK && stand_sv.sum == 5 && stand_sv.flow == 1.25f && sm_machine_time(&stage.machine) == 1);
+    CHECK(step(4) == SM_OK && stand_sv.fin == 0 && stand_sv.torn == 0);
+}
+
+static void transitions_are_told(Kind kind, bool guarded)
+{
+    start_stage(kind, guarded);
+    CHECK(step(0) == SM_OK && nothing_happened());
+    CHECK(step(2) == SM_OK && happened(SM_EVENT_STATE, IDLE, BUSY) && nothing_happened());
+    CHECK(step(0) == SM_OK && nothing_happened());
+    CHECK(step(4) == SM_OK && happened(SM_EVENT_STATE, BUSY, IDLE) && nothing_happened());
+    CHECK(step(3) == SM_OK && happened(SM_EVENT_STATE, IDLE, IDLE) && nothing_happened());
+    CHECK(step(0) == SM_OK && nothing_happened());
+}
+
+static SmResult step_again(void) { return sm_machine_step(&stage.machine, &stage.tick); }
+
+static void time_that_stands(Kind kind, bool guarded)
+{
+    StandSv before;
+
+    start_stage(kind, guarded);
+    CHECK(step(1) == SM_OK);
+    before = stand_sv;
+    CHECK(step_again() == SM_REFUSED && happened(SM_EVENT_REFUSED, 1, 0) && nothing_happened());
+    CHECK(step_again() == SM_REFUSED && nothing_happened() && stage.machine.refused == 2);
+    CHECK(memcmp(&before, &stand_sv, sizeof before) == 0);
+    CHECK(step(1) == SM_OK && stand_sv.valve == 0 && nothing_happened());
+    stand_sv.clock = 0;
+    CHECK(step_again() == SM_REFUSED && happened(SM_EVENT_REFUSED, 3, 0) && nothing_happened());
+    stand_sv.clock = UINT64_MAX;
+    CHECK(step_again() == SM_REFUSED && nothing_happened());
+}
+
+// What others wrote over it since stays, where the refused step stores nothing.
+static void refused_writes_nothing(Kind kind, bool guarded)
+{
+    start_stage(kind, guarded);
+    CHECK(step(1) == SM_OK && stand_sv.valve == 1);
+    stand_sv.valve = 0;
+    stand_sv.testerState = 99;
+    CHECK(step_again() == SM_REFUSED && stand_sv.valve == 0 && stand_sv.testerState == 99);
+}
+
+static void needs_no_events(Kind kind, bool guarded)
+{
+    set_stage(kind, guarded);
+    stage.machine.events = NULL;
+    CHECK(sm_machine_init(&stage.machine) == SM_OK && step(2) == SM_OK && step_again() == SM_REFUSED);
+}
+
+// ---- names ----
+
+static void states_have_names(Kind kind, bool guarded)
+{
+    const SmMachine *m = &stage.machine;
+
+    start_stage(kind, guarded);
+    CHECK(strcmp(sm_machine_state_name(m, IDLE), "Idle") == 0 && strcmp(sm_machine_state_name(m, HELD), "Held") == 0);
+    CHECK(*sm_machine_state_name(m, 0) == '\0' && *sm_machine_state_name(m, HELD + 1) == '\0' && *sm_machine_state_name(m, UINT32_MAX) == '\0');
+}
+
+static void places_are_known(Kind kind, bool guarded)
+{
+    const SmPlace uses = (start_stage(kind, guarded), stage.machine.type->uses(stage.machine.self));
+    const SmPlace number = stage.machine.type->number(stage.machine.self);
+
+    CHECK(uses.offset == offsetof(StandSv, clock) && uses.offset + uses.size == offsetof(StandSv, torn) + 4);
+    CHECK(number.offset == offsetof(StandSv, testerState) && number.size == 4);
+    CHECK(stage.machine.type->states(stage.machine.self) == TESTER_STATES);
+}
+
+int main(void)
+{
+    for_all(start_touches_S_alone);
+    for_all(starts_where_told);
+    for_all(resumes_only_what_was_restored);
+    for_all(starts_afresh);
+    for_all(steps);
+    for_all(transitions_are_told);
+    for_all(time_that_stands);
+    for_all(refused_writes_nothing);
+    for_all(needs_no_events);
+    for_all(states_have_names);
+    for_all(places_are_known);
+    return test_end("machine");
+}

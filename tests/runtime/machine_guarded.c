@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// A machine on a guarded state vector: what others do while it steps, and locks that cannot be had.
+#include "machine_stage.h"
+#include "many.h"
+#include "store.h"
+
+static const SmMachineType *inner;
+static SmMachineType around;              // as `inner`, but others act before and after the step itself
+static void (*others)(void);
+
+static SmResult step_among_others(void *self, void *sv)
+{
+    SmResult r;
+
+    others();
+    r = inner->step(self, sv);
+    others();
+    return r;
+}
+
+static void put_among_others(SmMachine *m, void (*act)(void))
+{
+    inner = m->type;
+    around = *inner;
+    around.step = step_among_others;
+    others = act;
+    m->type = &around;
+}
+
+// ---- elements that it does not store ----
+
+static StandSv theirs;                    // what others write: everything, again and again
+
+static void write_everything(void)
+{
+    CHECK(sm_enter(&stage.vector) == SM_OK);          // the lock is free while a machine steps
+    stand_sv = theirs;
+    sm_leave(&stage.vector);
+}
+
+static void check_stored_alone(Kind kind)
+{
+    StandSv expected;
+
+    start_stage(kind, true);
+    memset(&theirs, 0x33, sizeof theirs);
+    put_among_others(&stage.machine, write_everything);
+    expected = theirs;
+    expected.testerState = 1;             // the first step of a state stores S
+    expected.valve = 1;
+    CHECK(step(1) == SM_OK && memcmp(&stand_sv, &expected, sizeof expected) == 0);
+    CHECK(step(1) == SM_OK);              // its own valve is on now, whatever they write meanwhile
+    expected = theirs;
+    expected.valve = 0;
+    CHECK(memcmp(&stand_sv, &expected, sizeof expected) == 0);
+}
+
+// Nothing that is written during a step is seen in it.
+static void check_snapshot(Kind kind)
+{
+    start_stage(kind, true);
+    stand_sv.pressure = 4;
+    CHECK(step(2) == SM_OK);
+    memset(&theirs, 0, sizeof theirs);
+    theirs.left = 1;
+    theirs.pressure = 100;
+    put_among_others(&stage.machine, write_everything);
+    stand_sv.pressure = 4;
+    CHECK(step(0) == SM_OK && stand_sv.sum == 4 && stand_sv.torn == 0);
+}
+
+// Of the copy no byte is written outside of what the machine uses.
+static void check_copy(Kind kind)
+{
+    const uint8_t *copy = (const uint8_t *)stage.copy;
+
+    start_stage(kind, true);
+    step(1);
+    step(2);
+    for (size_t i = 0; i < sizeof stage.copy; i++)
+        if (i < offsetof(StandSv, clock) || i >= offsetof(StandSv, torn) + 4)
+            CHECK(copy[i] == 0x5a);
+}
+
+// ---- locks ----
+
+static void check_lock_before(Kind kind)
+{
+    StandSv before;
+
+    start_stage(kind, true);
+    before = stand_sv;
+    sim_fail(SIM_lock_take, 0, SM_E_TIMEOUT);
+    CHECK(step(2) == SM_E_TIMEOUT && sm_machine_state(&stage.machine) == 1 && nothing_happened());
+    before.clock = stand_sv.clock;
+    before.order = stand_sv.order;
+    CHECK(memcmp(&before, &stand_sv, sizeof before) == 0 && stage.vector.faults == 1);
+    CHECK(sm_machine_step(&stage.machine, &stage.tick) == SM_OK && happened(SM_EVENT_STATE, 1, 2));
+}
+
+// The step was run, and its stores come when they can, even if the next step is refused.
+static void check_lock_behind(Kind kind)
+{
+    start_stage(kind, true);
+    sim_fail(SIM_lock_take, 1, SM_E_TIMEOUT);
+    CHECK(step(1) == SM_E_TIMEOUT && stand_sv.valve == 0);
+    CHECK(sm_machine_step(&stage.machine, &stage.tick) == SM_REFUSED && stand_sv.valve == 1 && happened(SM_EVENT_REFUSED, 1, 0));
+    stand_sv.valve = 0;
+    CHECK(sm_machine_step(&stage.machine, &stage.tick) == SM_REFUSED && stand_sv.valve == 0);      // they come once
+    sim_fail(SIM_lock_take, 1, SM_E_TIMEOUT);
+    CHECK(step(2) == SM_E_TIMEOUT && sm_machine_state(&stage.machine) == 2);
+    CHECK(happened(SM_EVENT_STATE, 1, 2));
+    CHECK(step(1) == SM_OK && stand_sv.testerState == 2 && stand_sv.level == 1000);
+}
+
+static void check_lock_at_start(Kind kind)
+{
+    set_stage(kind, true);
+    sim_fail(SIM_lock_take, 0, SM_E_TIMEOUT);
+    CHECK(sm_machine_init(&stage.machine) == SM_E_TIMEOUT && sm_machine_step(&stage.machine, &stage.tick) == SM_E_ARGUMENT);
+    stage.machine.resume = true;
+    stage.machine.restored = &stage.machine.resume;
+    sim_fail(SIM_lock_take, 0, SM_E_TIMEOUT);
+    CHECK(sm_machine_init(&stage.machine) == SM_E_TIMEOUT && nothing_happened());
+    CHECK(sm_machine_init(&stage.machine) == SM_OK);
+}
+
+// ---- more outputs than one word notes ----
+
+static Store store;
+static uint64_t many_memory[64], many_copy[sizeof(ManySv) / 8];
+
+static ManySv many_theirs;
+
+static void write_many(void) { many_sv = many_theirs; }
+
+static void check_many(Kind kind)
+{
+    SmvmTarget target = {.image = store_image, .size = sizeof store_image, .memory = many_memory, .memory_size = sizeof many_memory};
+    SmMachine m = {.name = "store", .type = &store_machine, .self = &store, .sv = &many_vector, .copy = many_copy};
+    uint16_t *const e = &many_sv.e0;
+    SmTick tick = {0, 0};
+
+    if (kind == IMAGE) {
+        m.type = &smvm_machine_type;
+        m.self = &target;
+    }
+    sim_reset();
+    memset(&many_sv, 0, sizeof many_sv);
+    CHECK(sm_statevec_init(&many_vector) == SM_OK && sm_machine_init(&m) == SM_OK);
+    put_among_others(&m, write_many);
+    for (uint8_t i = 0; i < 70; i++) {
+        memset(&many_theirs, 0x11, sizeof many_theirs);
+        many_sv.which = i;
+        many_sv.G = i + 1u;
+        e[i] = (uint16_t)(1000 + i);
+        CHECK(sm_machine_step(&m, &tick) == SM_OK);
+        for (uint8_t k = 0; k < 70; k++)
+            CHECK(e[k] == (k == i ? 1001 + i : 0x1111));
+        CHECK(many_sv.S == (i == 0 ? 1 : 0x11111111u) && many_sv.which == 0x11);
+    }
+}
+
+int main(void)
+{
+    for (int kind = EMITTED; kind < KINDS; kind++) {
+        check_stored_alone((Kind)kind);
+        check_snapshot((Kind)kind);
+        check_copy((Kind)kind);
+        check_lock_before((Kind)kind);
+        check_lock_behind((Kind)kind);
+        check_lock_at_start((Kind)kind);
+    }
+    check_many(EMITTED);
+    check_many(IMAGE);
+    return test_end("machine_guarded");
+}

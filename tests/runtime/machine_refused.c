@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// What sm_machine_init refuses, and with which result; and images that nobody should trust.
+#include "bytecode-vm/image.h"
+#include "machine_stage.h"
+#include "plain_tester.h"
+#include "stdlib/crc32.h"
+
+// Refused with `expected`, without a byte written or an event told; and then it does not step.
+static void refuses(SmResult expected)
+{
+    StandSv before = stand_sv;
+
+    stage.cursor = 0;
+    CHECK(sm_machine_init(&stage.machine) == expected);
+    CHECK(sm_machine_step(&stage.machine, &stage.tick) == SM_E_ARGUMENT);
+    CHECK(memcmp(&before, &stand_sv, sizeof before) == 0 && nothing_happened());
+}
+
+static void other_layout(Kind kind, bool guarded)
+{
+    SmLayout layout = *stand_vector.layout;
+
+    set_stage(kind, guarded);
+    stage.vector.layout = &layout;
+    layout.hash++;
+    refuses(SM_E_LAYOUT);
+    layout.hash--;
+    layout.whole.size -= 8;
+    refuses(SM_E_LAYOUT);
+    layout.whole.size += 16;
+    refuses(SM_E_LAYOUT);
+    layout.whole.size -= 8;
+    CHECK(sm_machine_init(&stage.machine) == SM_OK);
+}
+
+static void no_such_state(Kind kind, bool guarded)
+{
+    set_stage(kind, guarded);
+    stage.machine.initial = TESTER_STATES + 1;
+    refuses(SM_E_ARGUMENT);
+    stage.machine.initial = UINT32_MAX;
+    refuses(SM_E_ARGUMENT);
+    stage.machine.initial = TESTER_STATES;
+    CHECK(sm_machine_init(&stage.machine) == SM_OK);
+}
+
+// What ran before an init that was refused runs no more.
+static void stops_when_refused(Kind kind, bool guarded)
+{
+    start_stage(kind, guarded);
+    CHECK(step(1) == SM_OK);
+    stage.machine.initial = TESTER_STATES + 1;
+    CHECK(sm_machine_init(&stage.machine) == SM_E_ARGUMENT && step(1) == SM_E_ARGUMENT && stand_sv.valve == 1);
+    CHECK(stage.machine.type->step(stage.machine.self, &stand_sv) == SM_E_ARGUMENT);
+}
+
+static void misaligned(Kind kind, bool guarded)
+{
+    static uint64_t room[sizeof(StandSv) / 8 + 1];
+
+    set_stage(kind, guarded);
+    stage.vector.at = (uint8_t *)room + 4;
+    refuses(SM_E_ALIGNMENT);
+    stage.vector.at = &stand_sv;
+    if (!guarded)
+        return;
+    stage.machine.copy = (uint8_t *)room + 1;
+    refuses(SM_E_ALIGNMENT);
+    stage.machine.copy = NULL;
+    refuses(SM_E_ARGUMENT);
+}
+
+// Emitted without --track-stores: in place it runs, on a guarded vector nobody would know what to write back.
+static void untracked(void)
+{
+    static PlainTester self;
+
+    set_stage(EMITTED, true);
+    stage.machine.type = &plain_tester_machine;
+    stage.machine.self = &self;
+    refuses(SM_E_UNSUPPORTED);
+    set_stage(EMITTED, false);
+    stage.machine.type = &plain_tester_machine;
+    stage.machine.self = &self;
+    CHECK(sm_machine_init(&stage.machine) == SM_OK);
+}
+
+// ---- images ----
+
+static void bad_image(Kind kind, bool guarded)
+{
+    static uint8_t image[sizeof tester_image];
+
+    memcpy(image, tester_image, sizeof image);
+    set_stage(kind, guarded);
+    stage.target.image = image;
+    image[sizeof image / 2] ^= 1;
+    refuses(SM_E_IMAGE);
+    CHECK(stage.target.why.rule == SMVM_R_CRC);
+    image[sizeof image / 2] ^= 1;
+    stage.target.size--;
+    refuses(SM_E_IMAGE);
+    CHECK(stage.target.why.rule == SMVM_R_LENGTH);
+    stage.target.size = 0;
+    refuses(SM_E_IMAGE);
+    stage.target.size = sizeof image + 100;       // more than it takes is no matter
+    stage.target.machine = 2;
+    refuses(SM_E_MISSING);
+    stage.target.machine = UINT32_MAX;
+    refuses(SM_E_MISSING);
+    stage.target.machine = 0;
+    CHECK(sm_machine_init(&stage.machine) == SM_OK);
+}
+
+static void little_memory(Kind kind, bool guarded)
+{
+    SmvmMachine m;
+
+    smvm_machine(tester_image, 0, &m);
+    set_stage(kind, guarded);
+    stage.target.memory_size = smvm_ram_size(&m) - 1;
+    refuses(SM_E_MEMORY);
+    stage.target.memory_size++;
+    stage.target.memory = (uint8_t *)stage.memory + 4;
+    refuses(SM_E_ALIGNMENT);
+    stage.target.memory = stage.memory;
+    if (kind == DECODED) {
+        stage.target.decoded_size = smvm_decoded_size(&m) - 1;
+        refuses(SM_E_MEMORY);
+        stage.target.decoded_size++;
+        stage.target.decoded = (uint8_t *)stage.decoded + 4;
+        refuses(SM_E_ALIGNMENT);
+        stage.target.decoded = stage.decoded;
+    }
+    CHECK(sm_machine_init(&stage.machine) == SM_OK);
+}
+
+static void for_images(void (*test)(Kind kind, bool guarded))
+{
+    for (int guarded = 0; guarded < 2; guarded++) {
+        test(IMAGE, guarded != 0);
+        test(DECODED, guarded != 0);
+    }
+}
+
+// The second machine of an image with two; and one without names.
+static void other_images(void)
+{
+    set_stage(IMAGE, true);
+    stage.target.image = pair_image;
+    stage.target.size = sizeof pair_image;
+    stage.target.machine = 1;
+    CHECK(sm_machine_init(&stage.machine) == SM_OK && strcmp(sm_machine_state_name(&stage.machine, 2), "Busy") == 0);
+    set_stage(IMAGE, true);
+    stage.target.image = stripped_image;
+    stage.target.size = sizeof stripped_image;
+    CHECK(sm_machine_init(&stage.machine) == SM_OK && strcmp(sm_machine_state_name(&stage.machine, 2), "") == 0);
+    CHECK(step(2) == SM_OK && sm_machine_state(&stage.machine) == 2);
+}
+
+static void memory_is_known(void)
+{
+    SmvmMachine m;
+    uint32_t words = 0;
+
+    smvm_machine(tester_image, 0, &m);
+    for (uint32_t w = 0; w < m.windows; w++) {
+        uint32_t entry = smvm_window(tester_image, m.windows_at, w);
+        words += sm_roll_words(entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS);
+    }
+    CHECK(m.windows == 1 && smvm_target_memory(tester_image, sizeof tester_image, 0) == smvm_ram_size(&m));
+    CHECK(SMVM_WORDS(m.windows, words, m.temps, m.locals, m.outputs) == (smvm_ram_size(&m) + 7) / 8);
+    CHECK(smvm_target_memory(tester_image, sizeof tester_image, 2) == 0 && smvm_target_memory(tester_image, 10, 0) == 0);
+    smvm_machine(store_image, 0, &m);
+    CHECK(m.outputs == 70 && SMVM_WORDS(0, 0, m.temps, m.locals, m.outputs) == (smvm_ram_size(&m) + 7) / 8);
+}
+
+// ---- names are not verified ----
+
+static void fix_crc(uint8_t *image, uint32_t size)
+{
+    uint32_t crc = SM_CRC32_START;
+
+    for (uint32_t i = 0; i < size; i++)
+        if (i < SMVM_CRC_AT || i >= SMVM_CRC_AT + 4)
+            crc = sm_crc32_byte(crc, image[i]);
+    crc = sm_crc32_end(crc);
+    for (uint32_t i = 0; i < 4; i++)
+        image[SMVM_CRC_AT + i] = (uint8_t)(crc >> 8 * i);
+}
+
+// Each byte of the names changed to several others: what is taken for a name lies in the image, and ends there.
+static void hostile_names(void)
+{
+    static uint8_t image[sizeof tester_image];
+    const char *name;
+    SmvmMachine m;
+
+    smvm_machine(tester_image, 0, &m);
+    memcpy(image, tester_image, sizeof image);
+    for (uint32_t i = 0; i < m.debug_size; i++)
+        for (unsigned flip = 1; flip < 256; flip *= 2) {
+            image[m.debug_at + i] ^= (uint8_t)flip;
+            fix_crc(image, sizeof image);
+            set_stage(IMAGE, false);
+            stage.target.image = image;
+            CHECK(sm_machine_init(&stage.machine) == SM_OK);
+            for (uint32_t s = 0; s < 5; s++) {
+                name = sm_machine_state_name(&stage.machine, s);
+                CHECK(*name == '\0' || (name >= (char *)image + m.debug_at && name + strlen(name) < (char *)image + sizeof image));
+            }
+            image[m.debug_at + i] ^= (uint8_t)flip;
+        }
+}
+
+int main(void)
+{
+    for_all(other_layout);
+    for_all(no_such_state);
+    for_all(stops_when_refused);
+    for_all(misaligned);
+    untracked();
+    for_images(bad_image);
+    for_images(little_memory);
+    other_images();
+    memory_is_known();
+    hostile_names();
+    return test_end("machine_refused");
+}
