@@ -29,7 +29,7 @@ static inline int16_t sm_to_i16(SmF64 x) { return (int16_t)sm_to_within(x, INT16
 static inline int8_t sm_to_i8(SmF64 x) { return (int8_t)sm_to_within(x, INT8_MIN, INT8_MAX); }
 static inline uint16_t sm_to_u16(SmF64 x) { return (uint16_t)sm_to_within(x, 0, UINT16_MAX); }
 static inline uint8_t sm_to_u8(SmF64 x) { return (uint8_t)sm_to_within(x, 0, UINT8_MAX); }
-static inline bool sm_to_bool(SmF64 x) { return !sm_is_nan(x) && x.bits << 1 != 0; }
+static inline bool sm_to_bool(SmF64 x) { return sm_soft_truth(x.bits); }
 #else
 //: sm_to_i32
 static inline int32_t sm_to_i32(SmF64 x)

@@ -22,7 +22,7 @@ static inline SmF64 sm_neg(SmF64 a) { return sm_from_bits(a.bits ^ 0x80000000000
 static inline bool sm_lt(SmF64 a, SmF64 b) { return sm_soft_lt(a.bits, b.bits); }
 static inline bool sm_le(SmF64 a, SmF64 b) { return sm_soft_le(a.bits, b.bits); }
 static inline bool sm_eq(SmF64 a, SmF64 b) { return sm_soft_eq(a.bits, b.bits); }
-static inline bool sm_is_nan(SmF64 a) { return !sm_soft_eq(a.bits, a.bits); }
+static inline bool sm_is_nan(SmF64 a) { return sm_soft_is_nan(a.bits); }
 static inline SmF64 sm_from_i32(int32_t v) { return sm_from_bits(sm_soft_from_i32(v)); }
 static inline SmF64 sm_from_u32(uint32_t v) { return sm_from_bits(sm_soft_from_u32(v)); }
 static inline SmF64 sm_from_i64(int64_t v) { return sm_from_bits(sm_soft_from_i64(v)); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Soft binary64: the operations of f64.h on the bits of numbers, without a `double`.  f64.h is made of them where a C `double` is
-// not IEEE binary64.  In portable C: soft_arith.c, soft_convert.c.
+// not IEEE binary64.  In portable C: soft_arith.c, soft_convert.c; for AVR in its
+// assembly, to the same bits: soft_avr.S.
 //
 // Rounded to nearest even, with subnormals, signed zeros and infinities; a NaN that comes out is SM_SOFT_NAN, whatever went in.
 #ifndef SM_SOFT_H
@@ -23,6 +24,8 @@ uint64_t sm_soft_div(uint64_t a, uint64_t b);
 bool sm_soft_lt(uint64_t a, uint64_t b);      // these three are false if either is NaN
 bool sm_soft_le(uint64_t a, uint64_t b);
 bool sm_soft_eq(uint64_t a, uint64_t b);
+bool sm_soft_is_nan(uint64_t a);
+bool sm_soft_truth(uint64_t a);               // neither zero nor NaN
 
 uint64_t sm_soft_from_i32(int32_t v);
 uint64_t sm_soft_from_u32(uint32_t v);

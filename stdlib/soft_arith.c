@@ -3,6 +3,7 @@
 #include "stdlib/soft.h"
 #include "stdlib/soft_pack.h"
 
+#ifndef SM_SOFT_ASSEMBLY
 // ---- add, subtract ----
 
 // |a| and |b| together, or |a| less |b|, with the sign of a; |a| is not below |b|, and both are finite.
@@ -105,3 +106,6 @@ uint64_t sm_soft_div(uint64_t a, uint64_t b)
     x.digits = quotient(x.digits, y.digits);
     return sm_soft_pack(sm_soft_normal(x));
 }
+#else
+extern int sm_soft_arith_is_assembly;         // C wants something in a file
+#endif

@@ -3,7 +3,11 @@
 #include "stdlib/soft.h"
 #include "stdlib/soft_pack.h"
 
+#ifndef SM_SOFT_ASSEMBLY
 // ---- compare ----
+
+bool sm_soft_is_nan(uint64_t a) { return a << 1 > SM_SOFT_INFINITY << 1; }
+bool sm_soft_truth(uint64_t a) { return a << 1 != 0 && !sm_soft_is_nan(a); }
 
 bool sm_soft_eq(uint64_t a, uint64_t b)
 {
@@ -114,3 +118,6 @@ uint32_t sm_soft_to_f32(uint64_t a)
         kept &= ~(uint32_t)1;
     return sign | (((uint32_t)(x.exponent < 1 ? 0 : x.exponent - 1) << 23) + kept);
 }
+#else
+extern int sm_soft_convert_is_assembly;       // C wants something in a file
+#endif

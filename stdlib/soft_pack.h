@@ -7,6 +7,12 @@
 #ifndef SM_SOFT_PACK_H
 #define SM_SOFT_PACK_H
 
+// AVR has assembly (soft_avr.S); SM_SOFT_PORTABLE takes the portable C there too, for comparing.
+#if defined(__AVR_HAVE_MUL__) && !defined(SM_SOFT_PORTABLE)
+#define SM_SOFT_ASSEMBLY
+#endif
+
+#ifndef __ASSEMBLER__
 #include "stdlib/soft.h"
 
 #define SM_SOFT_SIGN UINT64_C(0x8000000000000000)
@@ -19,7 +25,6 @@ typedef struct SmSoft {
     uint64_t digits;
 } SmSoft;
 
-static inline bool sm_soft_is_nan(uint64_t a) { return a << 1 > SM_SOFT_INFINITY << 1; }
 static inline bool sm_soft_is_finite(uint64_t a) { return a << 1 < SM_SOFT_INFINITY << 1; }
 
 // Shifts to the right; what falls out leaves its mark in the lowest bit.
@@ -71,4 +76,5 @@ static inline uint64_t sm_soft_pack(SmSoft x)
     return x.sign | (((uint64_t)(x.exponent - 1) << 52) + kept);
 }
 
+#endif
 #endif

@@ -1,0 +1,42 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Builds firmware for an ATmega328P and runs it in simavr.     run.sh BUILD CC [N [SEED]]: N random operands for each operation
+# Wants gcc-avr avr-libc libsimavr-dev libelf-dev; AVR_CC names the compiler.
+B=$1/avr CC=$2 N=${3:-150} SEED=${4:-1}
+AVR_CC=${AVR_CC:-avr-gcc}
+mkdir -p "$B" || exit 1
+if ! command -v "$AVR_CC" >/dev/null 2>&1; then
+    echo "no $AVR_CC here: 0 passed, 0 failed, 1 skipped"
+    exit 0
+fi
+if ! echo '#include <simavr/sim_avr.h>' | $CC -fsyntax-only -x c - 2>/dev/null; then
+    echo "no simavr here: 0 passed, 0 failed, 1 skipped"
+    exit 0
+fi
+passed=0 failed=0
+
+count() {
+    if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "failed: $*"; fi
+}
+
+# avr NAME OPTION-OR-SOURCE…: the firmware NAME
+avr() {
+    name=$1
+    shift
+    "$AVR_CC" -mmcu=atmega328p -Os -std=c99 -Wall -Wextra -Wconversion -Wshadow -Werror -ffunction-sections -fdata-sections -Wl,--gc-sections \
+        -I. "$@" -o "$B/$name.elf"
+}
+
+SOFT="stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S"
+$CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_soft.c tests/soft/hardware.c tests/soft/vectors.c -o "$B/run_soft" \
+    -lsimavr -lelf -lm || exit 1
+avr soft tests/avr/soft.c $SOFT || exit 1
+avr soft_portable -DSM_SOFT_PORTABLE tests/avr/soft.c $SOFT || exit 1
+count "$B/run_soft" "$B/soft.elf" "$N" "$SEED"
+count "$B/run_soft" "$B/soft_portable.elf" 20 "$SEED" free >"$B/soft_portable.txt"
+"$AVR_CC" -mmcu=atmega328p -I. -c stdlib/soft_avr.S -o "$B/soft_avr.o" || exit 1
+size=$(avr-size "$B/soft_avr.o" | awk 'NR == 2 { print $1 }')
+echo "soft binary64: $size bytes of flash"
+count test "$size" -le 2816
+echo "avr: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// See sim.h.
+#include "tests/avr/sim.h"
+
+#include <simavr/sim_avr.h>
+#include <simavr/sim_elf.h>
+#include <simavr/sim_io.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "tests/avr/mailbox.h"
+
+enum { HERTZ = 16000000, GPIOR0 = 0x3E, GPIOR1 = 0x4A, GPIOR2 = 0x4B };
+
+static void on_write(struct avr_t *avr, avr_io_addr_t address, uint8_t value, void *param)
+{
+    Sim *s = param;
+
+    avr->data[address] = value;
+    s->said = value;
+    if (value == AVR_BEGIN)
+        s->begin = avr->cycle;
+    else if (value == AVR_END)
+        s->cycles = avr->cycle - s->begin - 2;        // loading AVR_END and writing it
+}
+
+static void say_errors(struct avr_t *avr, const int level, const char *format, va_list args)
+{
+    (void)avr;
+    if (level <= LOG_ERROR)
+        vfprintf(stderr, format, args);
+}
+
+bool sim_open(Sim *s, const char *elf)
+{
+    elf_firmware_t firmware = {0};
+    avr_t *avr;
+
+    avr_global_logger_set(say_errors);
+    s->avr = avr = avr_make_mcu_by_name("atmega328p");
+    if (avr == NULL || elf_read_firmware(elf, &firmware) != 0) {
+        fprintf(stderr, "%s: cannot be run\n", elf);
+        return false;
+    }
+    avr_init(avr);
+    firmware.frequency = HERTZ;
+    avr_load_firmware(avr, &firmware);
+    avr_register_io_write(avr, GPIOR0, on_write, s);
+    return true;
+}
+
+bool sim_until_ready(Sim *s)
+{
+    avr_t *avr = s->avr;
+    const avr_cycle_count_t limit = avr->cycle + HERTZ;
+
+    s->said = 0;
+    while (avr->cycle < limit) {
+        const int state = avr_run(avr);
+        if (state == cpu_Done || state == cpu_Crashed)
+            break;
+        if (s->said == AVR_READY)
+            return true;
+    }
+    fprintf(stderr, "the firmware does not answer\n");
+    return false;
+}
+
+void *sim_mailbox(const Sim *s)
+{
+    const avr_t *avr = s->avr;
+
+    return avr->data + (avr->data[GPIOR1] | avr->data[GPIOR2] << 8);
+}
