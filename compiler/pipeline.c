@@ -82,7 +82,7 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
 
 void session_analyse(Session *s, const Program *p)
 {
-    analyse_program(&s->work, &s->scratch, &s->diags, p, s->warnings);
+    analyse_program(&s->work, &s->scratch, &s->diags, p, s->warnings, s->step);
     arena_free(&s->work);
 }
 

@@ -20,6 +20,7 @@ typedef struct Session {
     Buf *print_to;                // "build" before the first; NULL: it does not
     bool check_passes;            // session_ir checks the machine after every pass, not only the last: a third of a build's time
     unsigned warnings;            // 1u << DiagGroup of each that session_analyse is to look for
+    uint64_t step;                // how much G advances from step to step, for session_analyse; 0: not known
     bool hide_locals;             // nobody will look at locals between steps: session_ir marks them as hidden
 } Session;
 

@@ -136,7 +136,7 @@ static void work_in(Analysis *a, Arena *arena)
 
 typedef struct Row { void (*run)(Analysis *a); DiagGroup group; } Row;
 
-void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *p, unsigned groups)
+void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *p, unsigned groups, uint64_t step)
 {
     static const Row all[] = {
 #define ANALYSIS(name, group, sentence) {analyse_##name, DIAG_GROUP_##group},
@@ -150,6 +150,7 @@ void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *
         return;
     analysis_begin(&a, arena, diags, p);
     a.groups = groups;
+    a.step = step;
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         if (groups & 1u << all[i].group) {
             work_in(&a, scratch);

@@ -23,6 +23,7 @@ typedef struct StmtFact {
 
 typedef struct Analysis {
     unsigned groups;              // 1u << DiagGroup of each whose warnings are wanted
+    uint64_t step;                // how much G advances from one step to the next; 0: not known
     Arena *arena;                 // for the work of one analysis: given back after it.  What a diagnostic keeps (the text of an
                                   // edit) lives in diags->arena
     Diags *diags;
@@ -38,8 +39,9 @@ typedef struct Analysis {
 // Everything but the findings: what the reports use too.  `arena` holds it.
 void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p);
 
-// All analyses of a machine whose warnings are of these groups (1u << DiagGroup of each).  Nothing in `arena` is needed afterwards; `scratch` is empty before and after.
-void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *p, unsigned groups);
+// All analyses of a machine whose warnings are of these groups (1u << DiagGroup of each); `step` as above.  Nothing in `arena` is needed
+// afterwards; `scratch` is empty before and after.
+void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *p, unsigned groups, uint64_t step);
 
 // What can be said of several machines over one state vector only: who writes what.  Their names come from one pool.
 void analyse_together(Arena *arena, Diags *diags, const Program *const *p, size_t n);

@@ -4,7 +4,8 @@
 //
 // What is asked is whether the transition can be made when the state has just begun (G is supposed to be 0, locals are as in its
 // first step): a limit of G, a count of steps, or a state before that waits, gives the window its time.  So does a limit of T, but not
-// one below the window's size: time advances with every step, so by T = 20 there have been at most 20 more.
+// one below the window's size: time advances with every step, so by T = 20 there have been at most 20 more; and where it is known
+// to advance by 10, two.
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/whatif.h"
 
@@ -142,12 +143,20 @@ static void report(const Filling *k, const Condition *when, const Expr *roll, co
         diag_note(k->a->diags, d, roll->span, DIAG_note_statistic_here, from->var->name->text);
 }
 
+// The steps behind the first one when T has come to t: where nobody knows how far T advances in each, there may be as many.
+static uint32_t steps_until(const Filling *k, double t)
+{
+    const double d = k->a->step > 0 ? (double)k->a->step : 1;
+
+    return (uint32_t)sm_ceil(t / d);
+}
+
 static void look_at_transitions(const Filling *k, uint32_t state, uint32_t before)
 {
     for (size_t t = k->first[state]; t < k->first[state + 1]; t++) {
         const Transition *way = &k->a->transition.at[t];
         const double fires = k->fires[way->stmt->number];
-        const uint32_t steps = before + (uint32_t)(fires > 0 ? fires - 1 : 0);
+        const uint32_t steps = before + steps_until(k, fires > 0 ? fires - 1 : 0);
         if (fires <= 0)
             continue;
         for (const Condition *when = way->when; when; when = when->outer) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// --max-ram and --max-step: a machine that takes more than a board gives is an error, found where it is built.
+// --step, and --max-ram and --max-step: a machine that takes more than a board gives is an error, found where it is built.
 #include "compiler/analysis/cost.h"
 #include "compiler/cli/cli.h"
 
@@ -30,7 +30,9 @@ static bool limit_is_number(Cli *c, OptionId id, const char *spelling)
 
 bool limits_known(Cli *c)
 {
-    return limit_is_number(c, OPT_MAX_RAM, "--max-ram") && limit_is_number(c, OPT_MAX_STEP, "--max-step");
+    if (c->given[OPT_STEP])
+        c->session.step = number_in(c->value[OPT_STEP]);
+    return limit_is_number(c, OPT_STEP, "--step") && limit_is_number(c, OPT_MAX_RAM, "--max-ram") && limit_is_number(c, OPT_MAX_STEP, "--max-step");
 }
 
 bool limits_given(const Cli *c) { return c->given[OPT_MAX_RAM] || c->given[OPT_MAX_STEP]; }

@@ -52,7 +52,7 @@ static size_t count_parts(const TestFile *f, const char *suffix)
 
 static const char *unknown_key(Case *c)
 {
-    static const char keys[] = "spec on expect steps args analyses warn";
+    static const char keys[] = "spec on expect steps args analyses warn advance";
 
     for (size_t i = 0; i < c->f->header.n; i++)
         if (!testfile_has_word(keys, c->f->header.at[i].key))
@@ -163,6 +163,7 @@ static void compile_case(Case *c)
     c->p = compile_machine(c);
     if (c->p && analysed) {
         c->s.warnings = warnings_groups(&c->warn);
+        c->s.step = c->f->advance;
         session_analyse(&c->s, c->p);
     }
     compile_scripts(c);

@@ -199,14 +199,24 @@ static TestOutcome suggested_outcome(const TestFile *f)
     return outcome;
 }
 
+static uint64_t header_number(Reader *r, const char *key)
+{
+    const char *value = testfile_header(r->f, key);
+    uint64_t n = value ? read_number(value) : 0;
+
+    if (value && n == 0)
+        refuse(r, header_line(r->f, key), format_in(r->arena, "%s takes a whole number from 1", key));
+    return n;
+}
+
 static void interpret_header(Reader *r)
 {
     TestFile *f = r->f;
-    const char *expect = testfile_header(f, "expect"), *steps = testfile_header(f, "steps");
+    const char *expect = testfile_header(f, "expect");
 
     f->outcome = suggested_outcome(f);
-    if (steps && (f->steps = read_number(steps)) == 0)
-        refuse(r, header_line(f, "steps"), "steps takes a whole number from 1");
+    f->steps = header_number(r, "steps");
+    f->advance = header_number(r, "advance");
     if (!expect)
         return;
     if (strcmp(expect, "pass") == 0)

@@ -10,7 +10,7 @@
 //         x = nosuch      #! E0204 unknown element
 //
 // A header line is a key and, behind blanks, its value; `#` starts a comment line.  The keys and what they mean are the
-// reader's business, but for `expect pass|fail|error` and `steps N`, which are read here.  A part's text is all that stands
+// reader's business, but for `expect pass|fail|error`, `steps N` and `advance N`, which are read here.  A part's text is all that stands
 // between its `-- NAME --` line and the next, byte for byte.
 #ifndef SMC_TESTFILE_H
 #define SMC_TESTFILE_H
@@ -52,6 +52,7 @@ typedef struct TestFile {
     VEC(TestExpected) expected;       // in file order
     TestOutcome outcome;      // as `expect` says, or what the announced diagnostics suggest
     uint64_t steps;           // `steps N`; 0 when it is not given
+    uint64_t advance;         // `advance N`, likewise: how much G advances in each step, for the analyses
 } TestFile;
 
 // Takes text (not copied).  Everything lives in the arena.

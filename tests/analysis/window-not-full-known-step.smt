@@ -1,0 +1,18 @@
+# Where it is known how far time advances in a step, a limit to T is so many steps: 6000 are 60 of 100.
+warn window-not-full
+advance 100
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F32 wind @read_only
+[Hold]
+.step
+    T > 6000 and roll_avg(wind, 600) < 5: -> Load        #! W0965 it has 62 of 600 samples
+    T > 6000 and roll_avg(wind, 63) < 5: -> Load         #! W0965 it has 62 of 63
+    T > 6000 and roll_avg(wind, 62) < 5: -> Load
+    T >= 6000 and roll_avg(wind, 62) < 5: -> Load        #! W0965 it has 61 of 62
+[Load]
+.step
+    T > 5950 and roll_avg(wind, 61) < 4: -> Hold
+    T > 20: -> Hold
