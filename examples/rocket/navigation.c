@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The navigation task: altitude and velocity from accelerometer and barometer, the one quick and drifting, the other slow and true.
-// A filter of second order: the accelerometer moves the estimate, what the barometer says otherwise pulls it back, by a critically damped
-// spring of 1.5 rad/s.  On the pad it learns the pressure of the day.
+// A filter of second order: the accelerometer moves the estimate, what the barometer says otherwise pulls it back, by a critically
+// damped spring of 1.5 rad/s.  On the pad it learns the pressure of the day.
 #include "rocket_app.h"
 
 static const double step        = 0.01;      // s, the period of this task

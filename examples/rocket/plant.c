@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plant: stands for the rocket, its tank, the air and the converters behind the sensors, so that the application flies on a desk.
-// One dimension, 10 ms at a time, and nothing but + - * /, so that a flight is the same on every computer.  All it remembers is in the state
-// vector, region World.  On a rocket this file is not there, and drivers write what it writes into region Raw.
+// The plant: stands for the rocket, its tank, the air and the converters behind the sensors, so that the application flies on a
+// desk.  One dimension, 10 ms at a time, and nothing but + - * /, so that a flight is the same on every computer.  All it remembers
+// is in the state vector, region World.  On a rocket this file is not there, and drivers write what it writes into region Raw.
 #include "rocket_app.h"
 
 static const double step    = 0.01;          // s

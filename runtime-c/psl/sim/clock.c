@@ -31,6 +31,7 @@ void sim_advance(uint64_t ns)
     while (world.step && world.next <= end) {
         now = world.next;
         world.next += world.period;
+        sim_watchdog_look(now);
         world.step();
     }
     now = end;

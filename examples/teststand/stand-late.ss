@@ -1,0 +1,47 @@
+# What takes too long ends in Abort: a line that does not get cold, an igniter that does not light, an engine that does not.
+
+[options]
+delta_t 10
+
+[all_states]
+G == 0 {
+    chamberPressureA = 1
+    chamberPressureB = 1
+    tankPressure     = 40
+    lineTemperature  = 293
+    key              = true
+}
+G == 14000: @assert S == 2
+G == 14200 {
+    @assert S == 7 and abortReason == 3
+    @assert ventValve and purgeValve and not chillValve
+}
+# The key is let go: back to Idle when the tank is empty, and nothing starts by itself.
+G == 15000 {
+    tankPressure    = 2
+    lineTemperature = 95
+}
+G == 20000: @assert S == 7
+G == 20000: key = false
+G == 20100: @assert S == 1 and abortReason == 3 and not ventValve
+G == 21000: key = true
+G == 24000: @assert S == 1
+G == 25000: tankPressure = 40
+G == 26000: @assert S == 3
+G == 27500 {
+    @assert S == 7
+    @assert abortReason == 4 and not igniter
+}
+G == 28000: key = false
+G == 28000: tankPressure = 2
+G == 33000: @assert S == 1
+G == 33000 {
+    key          = true
+    tankPressure = 40
+}
+G > 30000 and S == 3: flame = true
+G == 36500 {
+    @assert S == 7
+    @assert abortReason == 5 and not oxidizerValve and not fuelValve and not igniter
+    @stop
+}

@@ -1,0 +1,61 @@
+# A firing as it should be: key at 3 s, cold at 7 s, a burn of four seconds, the key let go at 15 s.
+
+[options]
+delta_t 10
+
+[all_states]
+G == 0 {
+    chamberPressureA = 1
+    chamberPressureB = 1
+    tankPressure     = 40
+    lineTemperature  = 293
+}
+G == 3000: key = true
+3000 <= G < 7000: lineTemperature = max(95, lineTemperature - 0.8)
+igniter and T > 200: flame = true
+fuelValve and T > 80 {
+    chamberPressureA = 20
+    chamberPressureB = 20.3
+}
+oxidizerValve: flow = 0.9
+not oxidizerValve: flow = 0
+not fuelValve {
+    chamberPressureA = 1
+    chamberPressureB = 1
+}
+not fuelValve and not igniter: flame = false
+G == 9000: chamberPressureB = 45             # one wild sample in the burn
+G == 15000: key = false
+true {
+    @assert abortReason == 0 and not ventValve
+    @assert not fuelValve or oxidizerValve or S == 6
+    @assert not chillValve or S == 2
+}
+
+[Idle]
+true: @assert G <= 3000 or G > 14900
+
+[Chill]
+true: @assert chillValve or lineTemperature == 95
+true: @assert not igniter and not oxidizerValve and not fuelValve
+
+[Ignite]
+T < 300: @assert igniter and not oxidizerValve and not fuelValve
+
+[Start]
+T == 0: @assert igniter and oxidizerValve and not fuelValve
+
+[Burn]
+T < 4000: @assert oxidizerValve and fuelValve and not igniter and not purgeValve
+
+[Shutdown]
+T == 0: @assert not oxidizerValve and fuelValve
+T >= 100: @assert not fuelValve and purgeValve
+
+[all_states]
+G == 9500: @assert S == 5
+G == 14000: @assert S == 6
+G == 16000 {
+    @assert S == 1 and not purgeValve
+    @stop
+}
