@@ -335,7 +335,7 @@ check-avr:
 PSL_SUITE       = $(filter-out tests/psl/bench_% tests/psl/own_% tests/psl/qemu_%,$(wildcard tests/psl/*.c))
 PSL_WATCHDOG    = watchdog_process
 PSL_FLAGS_linux = -DPSL_LINUX_IIO='"iio"'
-PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync rename unlink pthread_mutex_timedlock timer_settime ppoll)
+PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync fdatasync rename unlink pthread_mutex_timedlock timer_settime ppoll)
 define psl_test
 include runtime-c/psl/$(1)/psl.mk
 PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c
@@ -357,6 +357,24 @@ $(B)/psl/tsan: $(PSL_SRC_linux)
 	-$(call say,CC)$(CC) $(STRICT_C) -O1 -g $(PSL_FLAGS_linux) -fsanitize=thread $^ -o $@ $(PSL_WRAP_linux) $(PSL_LIBS_linux) 2>/dev/null || rm -f $@
 check: $(B)/psl/tsan
 CHECK_LINES += "psl-tsan: if test -x $(B)/psl/tsan; then TSAN_OPTIONS=report_mutex_bugs=0 $(B)/psl/tsan; else echo 0 passed, 0 failed, 1 skipped; fi"
+
+# tests/store: updates of images with the power cut at every byte.  `make store-cuts`: all pairs of cuts.
+STORE_SRC = tests/store/cuts.c bytecode-vm/target/store.c $(filter-out %/fast.c %/decode.c %/disasm.c,$(VM)) stdlib/tables.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
+STORE_SMB = $(B)/store/old.smb $(B)/store/new.smb
+$(B)/store/cuts: $(STORE_SRC:%.c=$(B)/obj/%.o)
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+$(B)/store/old.smb: examples/tank/tank.sm $(B)/smc
+	@mkdir -p $(@D)
+	$(B)/smc build -w $< -o $@
+$(B)/store/new.smb: examples/chilldown/chilldown.sm $(B)/smc
+	@mkdir -p $(@D)
+	$(B)/smc build -w $< -o $@
+check: $(B)/store/cuts $(STORE_SMB)
+CHECK_LINES += "store: $(B)/store/cuts $(STORE_SMB)"
+store-cuts: $(B)/store/cuts $(STORE_SMB)
+	$(B)/store/cuts $(STORE_SMB) all
+.PHONY: store-cuts
 
 # `make psl-qemu KERNEL=FOLDER`: Linux with real pins and a real watchdog, in an emulator (qemu-system-arm gcc-arm-linux-gnueabihf
 # libc6-dev-armhf-cross cpio; FOLDER: where a linux-image-*-armmp:armhf of Debian was unpacked by dpkg-deb -x).
@@ -543,10 +561,10 @@ sarif-schema:
 	sh tests/check/sarif_schema.sh $(B)/sarif/schema.json
 .PHONY: sarif-schema
 
-# Every clause of docs/language.md has a case, every case names clauses that exist.
+# Every clause of docs/language.md and docs/config.md has a case, every case names clauses that exist.
 check-clauses:
-	@{ find conformance tests -name '*.smt' | sort; ls tests/clauses/*.c; } | \
-	    awk -f tests/check/clauses.awk docs/language.md tests/check/clauses.txt -
+	@{ find conformance tests -name '*.smt' | sort; ls tests/clauses/*.c tests/runtime/*.c 2>/dev/null; } | \
+	    awk -f tests/check/clauses.awk docs/language.md docs/config.md tests/check/clauses.txt -
 CHECK_LINES += "check-clauses: $(MAKE) -s --no-print-directory check-clauses"
 
 # `make mutants` breaks the implementation line by line and demands that the cases notice; `make mutants M="6 7.12"`: some.

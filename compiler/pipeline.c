@@ -60,6 +60,17 @@ StateVec *session_state_vector(Session *s, const Source *sv)
     return s->diags.met > errors ? NULL : out;
 }
 
+IoMap *session_io(Session *s, const Source *io, const Source *sv)
+{
+    size_t errors = s->diags.met;
+    CheckContext c = checking(s);
+    StateVec *vector = session_state_vector(s, sv);
+    AstFile *f = parse(s, io, FILE_IO);
+    IoMap *out = vector ? check_io(&c, f, vector) : NULL;
+
+    return s->diags.met > errors ? NULL : out;
+}
+
 Program *session_program(Session *s, const MachineInput *in)
 {
     size_t errors = s->diags.met;
@@ -133,6 +144,11 @@ bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions
 void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)
 {
     emit_c_machine(&s->arena, m, o, header, code);
+}
+
+void session_emit_c_io(Session *s, const IoMap *io, const EmitCOptions *o, Buf *header, Buf *code)
+{
+    emit_c_io(&s->arena, io, o, header, code);
 }
 
 void session_emit_c_state_vector(Session *s, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code)

@@ -38,6 +38,8 @@ void session_free(Session *s);
 // Each gives NULL when there were errors, which are then in s->diags.
 AstFile *session_parse(Session *s, const Source *src, FileKind kind);
 StateVec *session_state_vector(Session *s, const Source *sv);
+// The pins of `io`; gives NULL too where the state vector has errors.
+IoMap *session_io(Session *s, const Source *io, const Source *sv);
 Program *session_program(Session *s, const MachineInput *in);
 IrMachine *session_ir(Session *s, const Program *p, int opt_level);
 Script *session_script(Session *s, const Source *ss, const Program *p);
@@ -47,8 +49,9 @@ void session_analyse(Session *s, const Program *p);           // warns of what l
 typedef struct ImageOptions { bool debug; } ImageOptions;      // debug: with names and lines
 bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out);
 
-// C that stands alone (emit_c.h): one machine, or a state vector by itself.
+// C (emit_c.h): one machine, or a state vector by itself, which stand alone; pins, for runtime-c.
 void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code);
+void session_emit_c_io(Session *s, const IoMap *io, const EmitCOptions *o, Buf *header, Buf *code);
 void session_emit_c_state_vector(Session *s, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code);
 
 #endif

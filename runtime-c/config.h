@@ -30,6 +30,9 @@
 #ifndef PAL_NVMS
 #define PAL_NVMS 4
 #endif
+#ifndef PAL_LOGS
+#define PAL_LOGS 2
+#endif
 
 // Bytes of stack of a thread whose creator does not say.
 #ifndef PAL_THREAD_STACK
@@ -53,8 +56,26 @@
 #define PAL_NAME 128
 #endif
 
+// The log (log.h): bytes that go to the medium at once; after how many the description is repeated; after how many nanoseconds the
+// medium is waited for, which is what a power cut may cost.
+#ifndef SM_LOG_PIECE
+#define SM_LOG_PIECE 4096u
+#endif
+#ifndef SM_LOG_AGAIN
+#define SM_LOG_AGAIN 1048576u
+#endif
+#ifndef SM_LOG_SYNC
+#define SM_LOG_SYNC 1000000000u
+#endif
+
+// What is kept (keep.h) is stored in pieces that a memory may want to be multiples of up to so many bytes (pal/nvm.h, write): 1 is
+// enough for an EEPROM.
+#ifndef SM_KEEP_UNIT
+#define SM_KEEP_UNIT 32u
+#endif
+
 typedef char pal_tables_hold_1_to_254[PAL_LOCKS >= 1 && PAL_LOCKS <= 254 && PAL_THREADS >= 1 && PAL_THREADS <= 254 &&
     PAL_SOCKETS >= 1 && PAL_SOCKETS <= 254 && PAL_DIOS >= 1 && PAL_DIOS <= 254 && PAL_AIOS >= 1 && PAL_AIOS <= 254 &&
-    PAL_SERIALS >= 1 && PAL_SERIALS <= 254 && PAL_NVMS >= 1 && PAL_NVMS <= 254 ? 1 : -1];
+    PAL_SERIALS >= 1 && PAL_SERIALS <= 254 && PAL_NVMS >= 1 && PAL_NVMS <= 254 && PAL_LOGS >= 1 && PAL_LOGS <= 254 ? 1 : -1];
 
 #endif

@@ -19,21 +19,28 @@ typedef struct SmKeep {
     uint8_t *buffer;          // SM_KEEP_SIZE(packed size of the vector) bytes, twice
     // What follows is the runtime's; all zero at first.
     PalNvm nvm;
+    PalLock lock;             // around `full` and `busy`
+    uint32_t slot;            // bytes from the first slot to the second
     uint32_t number;          // of the newest slot
-    uint32_t pending, stored, missed;         // snapshots taken, written, not taken because the one before was still being written
+    uint8_t full, busy;       // the half of the buffer, 1 or 2, that waits to be written, that is being written; 0: none
+    uint32_t pending, stored, missed;     // snapshots taken, written, replaced by a later one before they were written
     bool restored;
 } SmKeep;
 
 #define SM_KEEP_HEAD 16u      // bytes beside the packed vector: number, hash, length, checksum
-#define SM_KEEP_SIZE(packed) ((packed) + SM_KEEP_HEAD)
+// (Rounded up to what memories are written in multiples of: config.h.)
+#define SM_KEEP_SIZE(packed) (((packed) + SM_KEEP_HEAD + SM_KEEP_UNIT - 1u) / SM_KEEP_UNIT * SM_KEEP_UNIT)
 
 // Opens the memory and, where a slot is whole and of this layout, brings the vector back: keep->restored.  No slot is no error.
-// To be called before the tasks' init.
+// To be called before the tasks' init.  SM_E_SPACE: two slots do not fit.  SM_E_UNSUPPORTED: it is written in multiples of something that
+// SM_KEEP_UNIT is no multiple of.  Otherwise as pal_nvm_open.
 SmResult sm_keep_restore(SmKeep *keep);
+// As SmTaskStep.  Takes a snapshot; one that still waits is replaced.
 SmResult sm_keep_step(void *keep, const SmTick *tick);
-// Writes the pending snapshot; waits for the medium; from one thread only, any.
+// Writes the snapshot that waits, if one does; waits for the medium; from one thread only, any.  After an error it waits again, if no later
+// one does, and the slot that was there before still counts.
 SmResult sm_keep_write(SmKeep *keep);
-// Forgets what is kept: the next start is a fresh one.
+// Forgets what is kept and what waits: the next start is a fresh one.  From the thread that writes.
 SmResult sm_keep_forget(SmKeep *keep);
 
 #ifdef __cplusplus

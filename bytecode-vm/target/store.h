@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Images in non-volatile memory, so that an update cut off at any byte leaves the old image or the new one, never neither.
 //
-// Two records of a selector stand at the start, written in turn, each with a number and a checksum: the newest whole one counts.  Behind it
-// are one slot or two.  An image is written to the slot that does not run, verified where it lies, and only then chosen, by one write of a
-// selector record.  It starts as a trial: each start counts down before the image runs; when none is left, or it is refused, the one before it
-// runs again, or the image that is built into the firmware.  Confirmed, it stays.
+//     StorePlan plan = {1024, 2, {SLOT_0, SLOT_1}};
+//     store_open(&store, nvm, &plan);
+//     store_boot(&store, &slot);                         // which image to run: a slot, or STORE_BUILT_IN
 //
-// With one slot (an Uno's EEPROM has 1 KB) an update overwrites the image; until the new one is chosen the built-in image is what runs.
+// Two records of a selector stand at the start of the memory.  They are written in turn, each with a number and a checksum: the newest whole
+// one counts, so that one write changes everything at once.  Behind them are two slots, or one.
+//
+// An update writes the slot that does not run, verifies it where it lies, and only then chooses it.  It starts as a trial: every start
+// counts it down before it runs, and when nothing is left the image before it runs again.  Confirmed, it stays.
+//
+// With one slot (the EEPROM of an Uno has 1 KB) there is no image before it but the one that is built into the firmware: it runs from the first byte
+// of an update to its choice, and whoever runs the image in the slot must have changed to it before.
 #ifndef SMVM_STORE_H
 #define SMVM_STORE_H
 
@@ -17,47 +23,85 @@
 extern "C" {
 #endif
 
-enum { STORE_TRIES = 3, STORE_BUILT_IN = 0xff };
+enum {
+    STORE_TRIES = 3,          // starts that a trial has
+    STORE_RECORD = 32,        // bytes of a selector record, before it is rounded up to what the memory erases
+    STORE_UNIT = 32           // the largest unit of writing that is supported
+};
+#define STORE_BUILT_IN 0xffu  // stands for a slot: the image that is part of the firmware
 
-typedef enum StoreState {
-    STORE_EMPTY,              // nothing, or not whole
-    STORE_WHOLE,              // a whole image that is not chosen
-    STORE_TRIAL,              // chosen, not yet confirmed
-    STORE_CONFIRMED
-} StoreState;
+typedef struct StorePlan {
+    uint32_t size;            // bytes of the memory that may be used
+    uint8_t slots;            // 1 or 2
+    SmvmBytes image[2];       // how the VM reads the slots (SMVM_FETCH)
+} StorePlan;
+
+// What the selector says.
+typedef struct StoreChoice {
+    uint32_t number;          // of the record; each is one larger
+    uint8_t active;           // what runs: a slot or STORE_BUILT_IN
+    uint8_t before;           // what runs again if the trial fails
+    uint8_t tries;            // starts that are left to a trial
+    bool confirmed;
+    uint32_t checksum;        // of the active image: a slot that holds another is not run
+    uint32_t checksum_before; // the same for `before`
+    uint32_t newest;          // the highest number (image section AUTH) of an image that was confirmed
+} StoreChoice;
 
 typedef struct Store {
     PalNvm nvm;
-    uint32_t slot_at[2], slot_size;
-    uint8_t slots;
-    // What the newest selector record says.
-    uint32_t number;          // of the record
-    uint8_t active;           // slot, or STORE_BUILT_IN
-    uint8_t before;           // what runs again if the trial fails
-    uint8_t tries;            // left; of a confirmed image 0
-    bool confirmed;
-    uint32_t counter;         // of the newest image that was ever chosen, for those that carry one (AUTH): older ones are refused
+    PalNvmInfo info;
+    StorePlan plan;
+    uint32_t record_size, slot_size, slot_at[2];
+    StoreChoice now;
+    uint8_t running;          // what store_boot gave
     // An update under way.
-    uint16_t session;         // 0: none
+    uint16_t session;         // as the host numbers it; 0: none
     uint8_t target;
+    bool whole;               // store_end has accepted it
     uint32_t length, checksum, next;
 } Store;
 
-// Reads the selector.  Where both records are broken, as in a new chip, the built-in image runs.
-SmResult store_open(Store *s, PalNvm nvm);
+// Reads the selector; where no record is whole, as in a new chip, the built-in image is chosen.  SM_E_SPACE: the memory has no room for
+// records and slots.  SM_E_UNSUPPORTED: it writes in units larger than STORE_UNIT.
+SmResult store_open(Store *s, PalNvm nvm, const StorePlan *plan);
 
-// Which image to run now; counts a trial down, on the medium, before it returns.  To be called once a start.
+// Which image to run; once a start.  A trial is counted down on the medium before this returns.  An image that is not whole any more is
+// passed over: the one before it, then the built-in one.
 SmResult store_boot(Store *s, uint8_t *slot);
 
-// An update.  SM_E_SPACE: larger than a slot.  SM_E_BUSY from begin: never; it ends another one that was under way.
-SmResult store_begin(Store *s, uint32_t length, uint32_t checksum);
-SmResult store_write(Store *s, uint32_t at, const uint8_t *bytes, uint8_t n);      // repeated writes of what is there are no writes
-SmResult store_end(Store *s, SmvmVerdict *why);                                    // reads it back and verifies it where it lies
-SmResult store_activate(Store *s);
+// The caller does not run the image in the slot any more, but the built-in one.
+void store_leave(Store *s);
 
+// ---- an update, step by step; each step may be repeated ----
+
+// SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is on trial, it is to be confirmed or erased first; or every slot is chosen
+// or running.
+SmResult store_begin(Store *s, uint16_t session, uint32_t length, uint32_t checksum);
+
+// n bytes from place `at` on, which is s->next or, of what was written before, less; a multiple of info.write, and so is n but at the end.
+// SM_E_HANDLE: no such session.  SM_E_ARGUMENT: not the next bytes, and not the same as before.
+SmResult store_write(Store *s, uint16_t session, uint32_t at, const uint8_t *bytes, uint8_t n);
+
+// Reads it back and verifies it where it lies.  SM_E_DEVICE: it is not what was sent.  SM_E_ARGUMENT: the verifier refuses it, *why says.
+SmResult store_end(Store *s, uint16_t session, SmvmVerdict *why);
+
+// Chooses it: from the next start on it is on trial.  SM_E_HANDLE: store_end has not accepted it.
+SmResult store_activate(Store *s, uint16_t session);
+
+// ---- afterwards ----
+
+// The running image stays.  SM_E_ARGUMENT: another one runs.
 SmResult store_confirm(Store *s, uint32_t checksum);
+
+// From the next start on the image with this checksum is not run: the one before it or the built-in one is.  SM_E_MISSING: no slot holds it.
 SmResult store_erase(Store *s, uint32_t checksum);
-StoreState store_state(const Store *s, uint8_t slot);
+
+// ---- what there is ----
+
+typedef enum StoreState { STORE_EMPTY, STORE_WHOLE, STORE_TRIAL, STORE_CONFIRMED } StoreState;
+
+StoreState store_state(const Store *s, uint8_t slot, uint32_t *checksum, uint32_t *length);
 
 #ifdef __cplusplus
 }

@@ -11,6 +11,7 @@
 #include "compiler/analysis/transitions.h"
 #include "compiler/diag/diag.h"
 #include "compiler/facts/facts.h"
+#include "compiler/sema/iomap.h"
 #include "compiler/sema/program.h"
 
 // What is known of a statement.
@@ -45,6 +46,9 @@ void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *
 
 // What can be said of several machines over one state vector only: who writes what.  Their names come from one pool.
 void analyse_together(Arena *arena, Diags *diags, const Program *const *p, size_t n);
+
+// The same of a machine and the pins of its elements (config.md 9.13): G and S are nobody's inputs, which are errors.
+void analyse_pins(Arena *arena, Diags *diags, const IoMap *io, const Program *p);
 
 // ---- for analyses ----
 

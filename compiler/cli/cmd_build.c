@@ -33,10 +33,10 @@ static bool find_emit(Cli *c, Emit *emit)
 
 static bool source_kind(Cli *c, const char *path, FileKind *kind)
 {
-    *kind = has_suffix(path, ".sv") ? FILE_SV : has_suffix(path, ".ss") ? FILE_SS : FILE_SM;
-    if (has_suffix(path, ".sv") || has_suffix(path, ".ss") || has_suffix(path, ".sm") || strcmp(path, "-") == 0)
+    *kind = FILE_SM;
+    if (strcmp(path, "-") == 0 || (file_kind(path, kind) && *kind != FILE_APP))
         return true;
-    cli_usage(c, "'%s' is no source: names end in .sm, .sv or .ss", path);
+    cli_usage(c, "'%s' is no source: names end in .sm, .sv, .ss or .io", path);
     return false;
 }
 
@@ -69,7 +69,7 @@ static int emit_tokens_or_ast(Cli *c, Emit emit, Outputs *o)
         if ((src = cli_load(c, c->file[i])) == NULL)
             return EXIT_ENVIRONMENT;
         if (emit == EMIT_TOKENS)
-            lex_print(&c->session.arena, &c->session.strings, &c->session.diags, src, out);
+            lex_print(&c->session.arena, &c->session.strings, &c->session.diags, src, kind, out);
         else {
             AstFile *f = session_parse(&c->session, src, kind);
             if (f)
@@ -94,9 +94,9 @@ static const char *file_part(const char *path)
 }
 
 // The two C files of one input: -o names the .c, or their common stem.
-static void c_paths(Cli *c, const char *input, const char **code, const char **header)
+static void c_paths(Cli *c, const char *input, const char *suffix, const char **code, const char **header)
 {
-    const char *path = output_path(c, input, ".c");
+    const char *path = output_path(c, input, suffix);
     size_t stem = strlen(path) - (has_suffix(path, ".c") || has_suffix(path, ".h") ? 2 : 0);
 
     *code = format_in(&c->session.arena, "%.*s.c", (int)stem, path);
@@ -122,7 +122,7 @@ static void emit_c(Cli *c, const char *input, const IrMachine *m, const StateVec
     const char *code, *header;
     EmitCOptions e;
 
-    c_paths(c, input, &code, &header);
+    c_paths(c, input, ".c", &code, &header);
     e = c_options(c, input, header);
     if (m)
         session_emit_c(&c->session, m, &e, header_text, code_text);
@@ -130,6 +130,28 @@ static void emit_c(Cli *c, const char *input, const IrMachine *m, const StateVec
         session_emit_c_state_vector(&c->session, sv, &e, header_text, code_text);
     add_output(o, header, header_text);
     add_output(o, code, code_text);
+}
+
+static int build_pins(Cli *c, const Source *sv, Outputs *o)
+{
+    for (size_t i = 0; i < c->files; i++) {
+        Buf *header_text = new_buf(c), *code_text = new_buf(c);
+        const Source *src = cli_load(c, c->file[i]);
+        const char *code, *header;
+        EmitCOptions e;
+        IoMap *io;
+
+        if (!src)
+            return EXIT_ENVIRONMENT;
+        if ((io = session_io(&c->session, src, sv)) == NULL)
+            continue;
+        c_paths(c, c->file[i], "_io.c", &code, &header);
+        e = c_options(c, c->file[i], header);
+        session_emit_c_io(&c->session, io, &e, header_text, code_text);
+        add_output(o, header, header_text);
+        add_output(o, code, code_text);
+    }
+    return EXIT_OK;
 }
 
 static int build_machines(Cli *c, Emit emit, const Source *sv, Outputs *o)
@@ -245,24 +267,27 @@ static void add_deps(Cli *c, Outputs *o)
 // ---- the command ----
 
 // Whether the inputs, the kind of output and -o go together.
-static int check_use(Cli *c, Emit emit, bool *state_vectors)
+static int check_use(Cli *c, Emit emit, FileKind *first)
 {
-    FileKind first, kind;
+    FileKind kind;
 
     if (c->files == 0)
         return cli_usage(c, "build wants a machine, as in 'smc build tank.sm'");
-    if (!source_kind(c, c->file[0], &first))
+    if (!source_kind(c, c->file[0], first))
         return EXIT_USAGE;
     for (size_t i = 0; i < c->files; i++) {
         if (!source_kind(c, c->file[i], &kind))
             return EXIT_USAGE;
-        if (kind != first && emit < EMIT_AST)
+        if (kind != *first && emit < EMIT_AST)
             return cli_usage(c, "'%s' and '%s' cannot be built in one call; name a state vector with --sv", c->file[0], c->file[i]);
     }
-    *state_vectors = first == FILE_SV;
-    if (first == FILE_SS && emit < EMIT_AST)
+    if (*first == FILE_IO && emit < EMIT_AST && !c->given[OPT_SV])
+        return cli_usage(c, "pins are built with their state vector, as in 'smc build %s --sv app.sv --emit=c'", c->file[0]);
+    if (*first == FILE_IO && emit < EMIT_AST && emit != EMIT_C)
+        return cli_usage(c, "pins alone give C only; say --emit=c");
+    if (*first == FILE_SS && emit < EMIT_AST)
         return cli_usage(c, "a state script is not built; 'smc test MACHINE.sm %s' runs it", c->file[0]);
-    if (*state_vectors && (emit == EMIT_BYTECODE || emit == EMIT_IR))
+    if (*first == FILE_SV && (emit == EMIT_BYTECODE || emit == EMIT_IR))
         return cli_usage(c, "a state vector alone gives no %s; build its machines, or say --emit=c", emit == EMIT_IR ? "IR" : "bytecode");
     if (emit == EMIT_C && c->given[OPT_OUTPUT] && strcmp(c->value[OPT_OUTPUT], "-") == 0)
         return cli_usage(c, "C is two files, a .c and a .h: standard output cannot take both");
@@ -296,34 +321,35 @@ static bool set_print(Cli *c)
     return false;
 }
 
-static int build(Cli *c, Emit emit, bool state_vectors, Outputs *o)
+static int build(Cli *c, Emit emit, FileKind first, Outputs *o)
 {
     const Source *sv = NULL;
 
     if (emit >= EMIT_AST)
         return emit_tokens_or_ast(c, emit, o);
-    if (state_vectors)
+    if (first == FILE_SV)
         return build_state_vectors(c, o);
     if (c->given[OPT_SV] && (sv = cli_load(c, c->value[OPT_SV])) == NULL)
         return EXIT_ENVIRONMENT;
-    return build_machines(c, emit, sv, o);
+    return first == FILE_IO ? build_pins(c, sv, o) : build_machines(c, emit, sv, o);
 }
 
 int cmd_build(Cli *c)
 {
-    bool state_vectors = false, wants_deps = c->given[OPT_DEPS] || c->given[OPT_DEPS_FILE];
+    bool wants_deps = c->given[OPT_DEPS] || c->given[OPT_DEPS_FILE];
     Outputs o = {NULL, 0};
+    FileKind first = FILE_SM;
     Emit emit;
     int code, reported;
 
     if (!find_emit(c, &emit))
         return EXIT_USAGE;
-    if ((code = check_use(c, emit, &state_vectors)) != EXIT_OK)
+    if ((code = check_use(c, emit, &first)) != EXIT_OK)
         return code;
     if (!set_print(c))
         return EXIT_USAGE;
     o.at = ARENA_ARRAY(&c->session.arena, OsOutput, 2 * c->files + 2);
-    code = build(c, emit, state_vectors, &o);
+    code = build(c, emit, first, &o);
     if (c->session.print_to && !cli_print(c, 2, c->session.print_to))
         return EXIT_ENVIRONMENT;
     if ((reported = cli_report(c)) != EXIT_OK && code == EXIT_OK)

@@ -28,6 +28,7 @@ static void check_limits(Cli *c, const Source *sm, const Source *sv)
 }
 
 typedef VEC(const Program *) Programs;
+typedef VEC(const IoMap *) IoMaps;
 
 static int check_machine_file(Cli *c, const char *path, const Source *sv, Programs *all)
 {
@@ -48,22 +49,37 @@ static int check_machine_file(Cli *c, const char *path, const Source *sv, Progra
     return check_scripts(c, ss, p);
 }
 
-static int check_file(Cli *c, const char *path, const Source *sv, Programs *all)
+static int check_file(Cli *c, const char *path, const Source *sv, Programs *all, IoMaps *pins)
 {
+    Source *src;
+    IoMap *io;
+
     if (has_suffix(path, ".sm") || path[0] == '-')
         return check_machine_file(c, path, sv, all);
-    if (has_suffix(path, ".sv")) {
-        Source *src = cli_load(c, path);
-        if (!src)
-            return EXIT_ENVIRONMENT;
+    if (!has_suffix(path, ".sv") && !has_suffix(path, ".io"))
+        return EXIT_OK;
+    if ((src = cli_load(c, path)) == NULL)
+        return EXIT_ENVIRONMENT;
+    if (has_suffix(path, ".sv"))
         session_state_vector(&c->session, src);
-    }
+    else if ((io = session_io(&c->session, src, sv)) != NULL)
+        vec_push(&c->session.arena, pins, io);
     return EXIT_OK;
+}
+
+// What can be said of all of them only together.
+static void check_together(Cli *c, const Programs *all, const IoMaps *pins)
+{
+    analyse_together(&c->session.arena, &c->session.diags, all->at, all->n);
+    for (size_t i = 0; i < pins->n; i++)
+        for (size_t m = 0; m < all->n; m++)
+            analyse_pins(&c->session.arena, &c->session.diags, pins->at[i], all->at[m]);
 }
 
 static int check_use(Cli *c)
 {
     size_t machines = 0, scripts = 0;
+    const char *pins = NULL;
 
     if (c->files == 0)
         return cli_usage(c, "check wants a file, as in 'smc check tank.sm'");
@@ -71,9 +87,13 @@ static int check_use(Cli *c)
         const char *path = c->file[i];
         machines += has_suffix(path, ".sm") || (path[0] == '-' && path[1] == '\0');
         scripts += has_suffix(path, ".ss");
-        if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".sv") && (path[0] != '-' || path[1]))
-            return cli_usage(c, "'%s' is no source: names end in .sm, .sv or .ss", path);
+        pins = has_suffix(path, ".io") ? path : pins;
+        if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".sv") && !has_suffix(path, ".io") &&
+            (path[0] != '-' || path[1]))
+            return cli_usage(c, "'%s' is no source: names end in .sm, .sv, .ss or .io", path);
     }
+    if (pins && !c->given[OPT_SV])
+        return cli_usage(c, "pins are checked with their state vector, as in 'smc check %s --sv app.sv'", pins);
     if (!limits_known(c))
         return EXIT_USAGE;
     if (scripts && machines == 0)
@@ -87,6 +107,7 @@ int cmd_check(Cli *c)
 {
     const Source *sv = NULL;
     Programs all = {NULL, 0, 0};
+    IoMaps pins = {NULL, 0, 0};
     int code = check_use(c), reported;
 
     if (code != EXIT_OK)
@@ -94,9 +115,9 @@ int cmd_check(Cli *c)
     if (c->given[OPT_SV] && (sv = cli_load(c, c->value[OPT_SV])) == NULL)
         return EXIT_ENVIRONMENT;
     for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
-        code = check_file(c, c->file[i], sv, &all);
+        code = check_file(c, c->file[i], sv, &all, &pins);
     if (sv)
-        analyse_together(&c->session.arena, &c->session.diags, all.at, all.n);
+        check_together(c, &all, &pins);
     reported = cli_report(c);
     return code != EXIT_OK ? code : reported;
 }

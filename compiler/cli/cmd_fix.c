@@ -62,6 +62,10 @@ static void diagnose(Fix *f)
             diagnose_machine(f, i);
         else if (has_suffix(c->file[i], ".sv"))
             session_state_vector(&c->session, f->src[i]);
+        else if (has_suffix(c->file[i], ".io") && f->sv)
+            session_io(&c->session, f->src[i], f->sv);
+        else if (has_suffix(c->file[i], ".io"))
+            session_parse(&c->session, f->src[i], FILE_IO);
         else if (!is_script_of_machine(f, i))
             session_parse(&c->session, f->src[i], FILE_SS);
     diags_apply_allows(d);
@@ -163,8 +167,9 @@ static int check_use(Cli *c)
     if (c->files == 0)
         return cli_usage(c, "fix wants a file, as in 'smc fix tank.sm'");
     for (size_t i = 0; i < c->files; i++)
-        if (!has_suffix(c->file[i], ".sm") && !has_suffix(c->file[i], ".ss") && !has_suffix(c->file[i], ".sv"))
-            return cli_usage(c, "'%s' is no source: names end in .sm, .sv or .ss", c->file[i]);
+        if (!has_suffix(c->file[i], ".sm") && !has_suffix(c->file[i], ".ss") && !has_suffix(c->file[i], ".sv") &&
+            !has_suffix(c->file[i], ".io"))
+            return cli_usage(c, "'%s' is no source: names end in .sm, .sv, .ss or .io", c->file[i]);
     return EXIT_OK;
 }
 

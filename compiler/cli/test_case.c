@@ -4,6 +4,7 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "compiler/analysis/analysis.h"
 #include "compiler/cli/test.h"
 
 struct TestCase {
@@ -84,8 +85,10 @@ static const char *malformed(Case *c)
 
     if (f->error)
         return f->error;
-    if (count_parts(f, ".sm") > 1 || count_parts(f, ".sv") > 1)
-        return "a case has at most one .sm and one .sv";
+    if (count_parts(f, ".sm") > 1 || count_parts(f, ".sv") > 1 || count_parts(f, ".io") > 1)
+        return "a case has at most one .sm, one .sv and one .io";
+    if (count_parts(f, ".io") && !count_parts(f, ".sv"))
+        return "pins need a state vector, as -- app.sv --";
     if (count_parts(f, ".sm") + count_parts(f, ".sv") == 0)
         return "a case needs a machine, as -- app.sm --";
     if (count_parts(f, ".ss") && !count_parts(f, ".sm"))
@@ -146,6 +149,15 @@ static Program *compile_machine(Case *c)
     return session_program(&c->s, &in);
 }
 
+static void compile_pins(Case *c)
+{
+    const Source *src = find_source(c, ".io");
+    const IoMap *io = src ? session_io(&c->s, src, find_source(c, ".sv")) : NULL;
+
+    if (io && c->p)
+        analyse_pins(&c->s.arena, &c->s.diags, io, c->p);
+}
+
 static void compile_scripts(Case *c)
 {
     c->script = ARENA_ARRAY(&c->s.arena, Script *, c->f->part.n);
@@ -166,6 +178,7 @@ static void compile_case(Case *c)
         c->s.step = c->f->advance;
         session_analyse(&c->s, c->p);
     }
+    compile_pins(c);
     compile_scripts(c);
     c->is_ready = c->f->outcome != TEST_ERROR && c->s.diags.errors == 0 && count_parts(c->f, ".ss") > 0;
     if (c->is_ready && c->which & 1u << ENGINE_C)

@@ -270,7 +270,8 @@ bool testfile_has_suffix(const TestPart *p, const char *suffix)
 
 bool testfile_is_source(const TestPart *p)
 {
-    return testfile_has_suffix(p, ".sv") || testfile_has_suffix(p, ".sm") || testfile_has_suffix(p, ".ss");
+    return testfile_has_suffix(p, ".sv") || testfile_has_suffix(p, ".sm") || testfile_has_suffix(p, ".ss") ||
+           testfile_has_suffix(p, ".io");
 }
 
 bool testfile_has_word(const char *list, const char *word)

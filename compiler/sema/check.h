@@ -4,6 +4,7 @@
 #define SMC_CHECK_H
 
 #include "compiler/diag/diag.h"
+#include "compiler/sema/iomap.h"
 #include "compiler/sema/program.h"
 #include "compiler/syntax/ast.h"
 
@@ -21,6 +22,9 @@ StateVec *check_state_vector(CheckContext *c, const AstFile *sv);
 Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside);
 
 Script *check_script(CheckContext *c, const AstFile *ss, const Program *program);
+
+// The pins of elements of `sv`.
+IoMap *check_io(CheckContext *c, const AstFile *io, const StateVec *sv);
 
 // Puts the names that the script assigns into `names` (name to itself): what check_machine wants as written_outside.
 void script_written_names(const AstFile *ss, Map *names);

@@ -53,7 +53,7 @@ static bool may_hide(const AstSection *section, Span error)
     switch (section->kind) {
     case AST_STATE_VECTOR: case AST_LOCAL: case AST_REGION:
         return error.at >= section->header.at + section->header.len && !keeps_names(section, error);
-    case AST_STATE: case AST_SCRIPT_STATE: case AST_OPTIONS: case AST_IGNORED:
+    case AST_STATE: case AST_SCRIPT_STATE: case AST_OPTIONS: case AST_PINS: case AST_IGNORED:
         return false;
     }
     return true;

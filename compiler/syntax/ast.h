@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree exactly as written: one shape for .sv, .sm and .ss.  The parser builds it, nobody changes it afterwards.
+// The tree exactly as written: one shape for every kind of file.  The parser builds it, nobody changes it afterwards.
 // Where the source was wrong an error node stands; whoever meets one stays silent, for it has been reported.
 #ifndef SMC_AST_H
 #define SMC_AST_H
@@ -43,14 +43,21 @@ enum { AST_DEPTH_MAX = 2000 };    // of expressions and of nested conditionals
 
 // A row of annotations.def: AST_READ_ONLY, AST_ALIAS.
 typedef enum AstAnnotationKind {
-#define ANNOTATION(name, spelling, takes, listed, in_sv, local, state) AST_##name,
+#define ANNOTATION(name, spelling, takes, where) AST_##name,
 #include "compiler/syntax/annotations.def"
 #undef ANNOTATION
     AST_ANNOTATION_COUNT
 } AstAnnotationKind;
 
 // What an annotation may stand behind: a column of annotations.def.
-typedef enum AstPlace { AST_ON_ELEMENT, AST_ON_SV_ELEMENT, AST_ON_LOCAL, AST_ON_STATE, AST_PLACES } AstPlace;
+typedef enum AstPlace {
+    AST_ON_ELEMENT,           // listed in [state_vector] of a machine
+    AST_ON_SV_ELEMENT,        // of a .sv
+    AST_ON_LOCAL,
+    AST_ON_STATE,             // behind its header
+    AST_ON_ANALOG_INPUT, AST_ON_ANALOG_OUTPUT, AST_ON_DIGITAL_INPUT, AST_ON_DIGITAL_OUTPUT,       // of a .io
+    AST_PLACES
+} AstPlace;
 
 // A number with its sign, where no expression may stand.
 typedef struct AstNumber { SmF64 value; Span span; } AstNumber;
@@ -61,7 +68,8 @@ typedef struct AstAnnotation {
     Str name;                 // ALIAS: the other name; ALLOW: the warning's, as behind -W
     Span name_span;
     Str reason;               // ALLOW
-    AstNumber lo, hi;         // RANGE
+    AstNumber lo, hi;         // RANGE; what takes one number, or a value: lo
+    bool is_truth;            // lo was written as true or false
 } AstAnnotation;
 
 typedef VEC(AstAnnotation) AstAnnotations;
@@ -114,6 +122,15 @@ typedef struct AstOption {
     Span value_span;
 } AstOption;
 
+// A line of a .io: `i 0 tankPressure @scale 250`.
+typedef struct AstPin {
+    bool output;
+    AstNumber number;         // as written
+    Str element;
+    Span element_span;
+    AstAnnotations annotations;
+} AstPin;
+
 typedef enum AstLabel { AST_ENTRY, AST_STEP, AST_EXIT, AST_LABEL_COUNT } AstLabel;
 
 typedef struct AstBlock {
@@ -129,6 +146,7 @@ typedef enum AstSectionKind {
     AST_REGION,               // [Region] of a .sv: decls
     AST_STATE,                // a state of a machine: blocks
     AST_SCRIPT_STATE,         // a state's section in a script, or [all_states]: items
+    AST_PINS,                 // [analog] and [digital] of a .io: pins
     AST_IGNORED               // reported already
 } AstSectionKind;
 
@@ -140,12 +158,17 @@ typedef struct AstSection {
     AstAnnotations annotations;   // STATE
     VEC(AstDecl) decls;
     VEC(AstOption) options;
+    VEC(AstPin) pins;
+    bool digital;             // PINS
     AstBlock block[AST_LABEL_COUNT];
     AstStmts items;           // SCRIPT_STATE: conditionals (AST_IF)
     bool all_states;          // SCRIPT_STATE: it is [all_states]
 } AstSection;
 
 typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP } FileKind;     // .io, .app: docs/config.md
+
+// Which one a file of that name is; false: none.
+bool file_kind(const char *path, FileKind *kind);
 
 typedef struct AstFile {
     FileKind kind;

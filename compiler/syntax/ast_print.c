@@ -64,7 +64,7 @@ static void put_expr(Buf *out, const AstExpr *e)
 // ---- annotations ----
 
 static const char *const annotation_words[] = {
-#define ANNOTATION(name, spelling, takes, listed, in_sv, local, state) spelling,
+#define ANNOTATION(name, spelling, takes, where) spelling,
 #include "compiler/syntax/annotations.def"
 #undef ANNOTATION
 };
@@ -79,6 +79,9 @@ static void put_annotation(Buf *out, const AstAnnotation *a)
         put_source(out, a->lo.span);
         buf_char(out, ' ');
         put_source(out, a->hi.span);
+    } else if (a->lo.span.src) {
+        buf_char(out, ' ');
+        put_source(out, a->lo.span);
     } else if (a->name) {
         buf_char(out, ' ');
         put_name(out, a->name);
@@ -175,6 +178,16 @@ static void put_option(Buf *out, const AstOption *o)
     buf_char(out, '\n');
 }
 
+static void put_pin(Buf *out, const AstPin *p)
+{
+    buf_printf(out, "  %s ", p->output ? "o" : "i");
+    put_source(out, p->number.span);
+    buf_char(out, ' ');
+    put_name(out, p->element);
+    put_annotations(out, &p->annotations);
+    buf_char(out, '\n');
+}
+
 static void put_blocks(Buf *out, const AstSection *s)
 {
     static const char *const label[AST_LABEL_COUNT] = {".entry", ".step", ".exit"};
@@ -188,7 +201,7 @@ static void put_blocks(Buf *out, const AstSection *s)
 
 static void put_section(Buf *out, const AstSection *s)
 {
-    static const char *const kind[] = {"state_vector", "local", "options", "region", "state", "script", "ignored"};
+    static const char *const kind[] = {"state_vector", "local", "options", "region", "state", "script", "pins", "ignored"};
 
     buf_printf(out, "%s ", kind[s->kind]);
     put_name(out, s->name);
@@ -198,6 +211,8 @@ static void put_section(Buf *out, const AstSection *s)
         put_decl(out, &s->decls.at[i]);
     for (size_t i = 0; i < s->options.n; i++)
         put_option(out, &s->options.at[i]);
+    for (size_t i = 0; i < s->pins.n; i++)
+        put_pin(out, &s->pins.at[i]);
     put_blocks(out, s);
     put_stmts(out, &s->items, 1);
 }

@@ -32,7 +32,7 @@ typedef struct Token {
     SmF64 number;             // NUMBER
 } Token;
 
-// A text in quotes exists in an @allow( ), and nowhere else.
+// A text in quotes exists in an @allow( ), and where Lexer.config says so.
 typedef enum LexAllow {
     LEX_NO_ALLOW,
     LEX_ALLOW,                // behind its name: to the end of the line

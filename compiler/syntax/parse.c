@@ -293,7 +293,8 @@ static AstSectionKind section_kind(FileKind file, const AstSection *s)
     switch (file) {
     case FILE_SV: return is_called(s, "options") ? AST_OPTIONS : AST_REGION;
     case FILE_SM: return kind_in_machine(s);
-    case FILE_SS: case FILE_IO: case FILE_APP: break;
+    case FILE_IO: return is_called(s, "analog") || is_called(s, "digital") ? AST_PINS : AST_IGNORED;
+    case FILE_SS: case FILE_APP: break;
     }
     if (is_called(s, "options"))
         return AST_OPTIONS;
@@ -303,10 +304,10 @@ static AstSectionKind section_kind(FileKind file, const AstSection *s)
 // A section that stands only once: tells when it is the second.
 static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 {
-    if (s->kind != AST_STATE_VECTOR && s->kind != AST_LOCAL && (s->kind != AST_OPTIONS || f->kind == FILE_SS))
+    if (s->kind != AST_STATE_VECTOR && s->kind != AST_LOCAL && s->kind != AST_PINS && (s->kind != AST_OPTIONS || f->kind == FILE_SS))
         return;
     for (size_t i = 0; i < f->sections.n; i++)
-        if (f->sections.at[i]->kind == s->kind) {
+        if (f->sections.at[i]->kind == s->kind && f->sections.at[i]->digital == s->digital) {
             Diag *d = parser_report(p, DIAG_section_repeated, s->header, s->name->text);
             diag_note(p->diags, d, f->sections.at[i]->header, DIAG_note_first_here);
             return;
@@ -370,8 +371,17 @@ static AstSection *new_section(Parser *p, FileKind file)
     if (t->len > 1 && p->lex.src->text[t->at + t->len - 1] == ']')
         s->name_span.len--;
     s->kind = section_kind(file, s);
+    s->digital = s->kind == AST_PINS && is_called(s, "digital");
     s->all_states = file == FILE_SS && is_called(s, "all_states");
     return s;
+}
+
+static void refuse_section(Parser *p, const AstFile *f, const AstSection *s)
+{
+    if (f->kind == FILE_IO)
+        refuse_pin_section(p, s);
+    else
+        parser_report(p, f->kind == FILE_SM ? DIAG_section_not_in_machine : DIAG_section_not_in_script, s->header, s->name->text);
 }
 
 static void parse_contents(Parser *p, AstFile *f, AstSection *s)
@@ -391,9 +401,11 @@ static void parse_contents(Parser *p, AstFile *f, AstSection *s)
         check_state_name(p, s);
         parse_script_section(p, s);
         break;
+    case AST_PINS:
+        parse_pins(p, s);
+        break;
     case AST_IGNORED:
-        parser_report(p, f->kind == FILE_SM ? DIAG_section_not_in_machine : DIAG_section_not_in_script, s->header,
-                      s->name->text);
+        refuse_section(p, f, s);
         skip_section(p);
         break;
     }

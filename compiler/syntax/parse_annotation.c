@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Annotations: @read_only and its like, behind declarations and the headers of states.  Where each may stand and what it takes
-// says annotations.def; what follows from one is the checker's business.
+// Annotations: @read_only and its like, behind declarations, the headers of states, pins.  Where each may stand and what it
+// takes says annotations.def; what follows from one is the checker's business.
 #include "compiler/syntax/parser.h"
 
-typedef enum Takes { TAKES_NOTHING, TAKES_NAME, TAKES_NUMBERS, TAKES_FINDING } Takes;
+typedef enum Takes { TAKES_NOTHING, TAKES_NAME, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_FINDING } Takes;
 
-static const struct { const char *spelling; Takes takes; bool on[AST_PLACES]; } rows[] = {
-#define ANNOTATION(name, spelling, takes, listed, in_sv, local, state) {spelling, TAKES_##takes, {listed, in_sv, local, state}},
+#define ON(place) (1u << AST_ON_##place)
+#define ON_PINS (ON(ANALOG_INPUT) | ON(ANALOG_OUTPUT) | ON(DIGITAL_INPUT) | ON(DIGITAL_OUTPUT))
+
+static const struct { const char *spelling; Takes takes; unsigned where; } rows[] = {
+#define ANNOTATION(name, spelling, takes, where) {spelling, TAKES_##takes, where},
 #include "compiler/syntax/annotations.def"
 #undef ANNOTATION
 };
+
+// The places of one sort of file: what may stand at none of them is unknown there.
+static const unsigned families[] = {ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE), ON_PINS};
 
 // What the annotations being parsed stand behind.
 typedef struct Owner {
@@ -21,19 +27,31 @@ typedef struct Owner {
 
 // ---- which one it is ----
 
-// AST_ANNOTATION_COUNT if there is none of that name.
-static int find_row(Str word)
+static unsigned family_of(AstPlace place)
 {
-    int i = 0;
+    for (size_t i = 0; i < sizeof families / sizeof *families; i++)
+        if (families[i] >> place & 1u)
+            return families[i];
+    return 0;
+}
 
-    while (i < AST_ANNOTATION_COUNT && strcmp(rows[i].spelling, word->text) != 0)
-        i++;
-    return i;
+static bool may_be_on(int row, AstPlace place) { return rows[row].where >> place & 1u; }
+
+// The row of that name that stands at such a place, else one of the same sort of file; AST_ANNOTATION_COUNT if there is none.
+static int find_row(Str word, AstPlace place)
+{
+    int found = AST_ANNOTATION_COUNT;
+
+    for (int i = AST_ANNOTATION_COUNT - 1; i >= 0; i--)
+        if (strcmp(rows[i].spelling, word->text) == 0 && rows[i].where & family_of(place) &&
+            (found == AST_ANNOTATION_COUNT || may_be_on(i, place)))
+            found = i;
+    return found;
 }
 
 static bool is_for_states_only(int row)
 {
-    return row < AST_ANNOTATION_COUNT && rows[row].on[AST_ON_STATE] && !rows[row].on[AST_ON_ELEMENT];
+    return row < AST_ANNOTATION_COUNT && may_be_on(row, AST_ON_STATE) && !may_be_on(row, AST_ON_ELEMENT);
 }
 
 // The nearest of those that may stand there: first of all places' own, then of any.
@@ -43,13 +61,15 @@ static const char *nearest_annotation(const char *word, AstPlace place)
     size_t n = 0;
 
     for (int i = 0; i < AST_ANNOTATION_COUNT; i++)
-        if (rows[i].on[place])
+        if (may_be_on(i, place))
             words[n++] = rows[i].spelling;
     if ((near = nearest_word(word, words, n)) != NULL)
         return near;
+    n = 0;
     for (int i = 0; i < AST_ANNOTATION_COUNT; i++)
-        words[i] = rows[i].spelling;
-    return nearest_word(word, words, AST_ANNOTATION_COUNT);
+        if (rows[i].where & family_of(place))
+            words[n++] = rows[i].spelling;
+    return nearest_word(word, words, n);
 }
 
 static bool ends_arguments(const Parser *p)
@@ -77,14 +97,35 @@ static void belongs_to_state(Parser *p, Diag *d, const char *word)
     diag_label(p->diags, d, DIAG_label_behind_header, word);
 }
 
+static const char *pin_name(AstPlace place)
+{
+    static const char *const name[] = {"an analog input", "an analog output", "a digital input", "a digital output"};
+
+    return name[place - AST_ON_ANALOG_INPUT];
+}
+
+// Names the pins that it is for.
+static void annotation_of_other_pins(Parser *p, const Owner *o, const AstAnnotation *a)
+{
+    Diag *d = parser_report(p, DIAG_annotation_on_pin, a->span, rows[a->kind].spelling, pin_name(o->place));
+    const char *list = NULL;
+
+    for (AstPlace k = AST_ON_ANALOG_INPUT; k <= AST_ON_DIGITAL_OUTPUT; k++)
+        if (may_be_on((int)a->kind, k))
+            list = list ? format_in(p->arena, "%s or %s", list, pin_name(k)) : pin_name(k);
+    diag_label(p->diags, d, DIAG_label_of_pins, list);
+}
+
 // False after a message.
 static bool may_stand(Parser *p, const Owner *o, const AstAnnotation *a)
 {
     const char *word = rows[a->kind].spelling;
 
-    if (rows[a->kind].on[o->place])
+    if (may_be_on((int)a->kind, o->place))
         return true;
-    if (is_for_states_only((int)a->kind))
+    if (ON_PINS >> o->place & 1u)
+        annotation_of_other_pins(p, o, a);
+    else if (is_for_states_only((int)a->kind))
         belongs_to_state(p, parser_report(p, DIAG_annotation_of_states, a->span, word), word);
     else if (o->place == AST_ON_STATE)
         parser_report(p, DIAG_annotation_on_state, a->span, word);
@@ -136,22 +177,29 @@ static void take_name(Parser *p, AstAnnotation *a)
     parser_fail(p, DIAG_annotation_without_name, found_span(p), rows[a->kind].spelling, parser_found(p));
 }
 
-static void take_number(Parser *p, AstNumber *into, const char *which)
+bool parse_signed_number(Parser *p, AstNumber *into)
 {
     uint32_t at = p->tok.at;
     bool minus = p->tok.kind == TOK_MINUS;
-    Diag *d;
 
     if (minus || p->tok.kind == TOK_PLUS)
         parser_next(p);
-    if (p->tok.kind == TOK_NUMBER) {
-        into->value = minus ? sm_neg(p->tok.number) : p->tok.number;
-        parser_next(p);
-        into->span = parser_since(p, at);
-        return;
-    }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
+    if (p->tok.kind != TOK_NUMBER)
+        return false;
+    into->value = minus ? sm_neg(p->tok.number) : p->tok.number;
+    parser_next(p);
+    into->span = parser_since(p, at);
+    return true;
+}
+
+static void take_number(Parser *p, AstNumber *into, const char *which)
+{
+    Diag *d;
+
+    if (parse_signed_number(p, into))
+        return;
     d = parser_fail(p, DIAG_range_value, found_span(p), which, parser_found(p));
     diag_label(p->diags, d, DIAG_label_range_form);
 }
@@ -161,6 +209,19 @@ static void take_numbers(Parser *p, AstAnnotation *a)
     take_number(p, &a->lo, "lowest");
     if (a->lo.span.src)
         take_number(p, &a->hi, "highest");
+}
+
+// One number; of a VALUE true or false may stand for it.
+static void take_value(Parser *p, AstAnnotation *a, bool truth)
+{
+    if (truth && (p->tok.kind == TOK_TRUE || p->tok.kind == TOK_FALSE)) {
+        a->is_truth = true;
+        a->lo.value = sm_from_i32(p->tok.kind == TOK_TRUE);
+        a->lo.span = parser_here(p);
+        parser_next(p);
+    } else if (!parse_signed_number(p, &a->lo)) {
+        parser_fail(p, DIAG_annotation_without_number, found_span(p), rows[a->kind].spelling, parser_found(p));
+    }
 }
 
 // ---- @allow(name, "reason") ----
@@ -269,7 +330,9 @@ static void take_arguments(Parser *p, AstAnnotation *a)
     switch (rows[a->kind].takes) {
     case TAKES_NOTHING: break;
     case TAKES_NAME:    take_name(p, a); break;
+    case TAKES_NUMBER:  take_value(p, a, false); break;
     case TAKES_NUMBERS: take_numbers(p, a); break;
+    case TAKES_VALUE:   take_value(p, a, true); break;
     case TAKES_FINDING: take_finding(p, a); break;
     }
 }
@@ -284,11 +347,19 @@ static void skip_arguments(Parser *p, AstAnnotation *a)
     p->failed = false;
 }
 
+// What comes is declared like the owner.
+static bool begins_another(const Parser *p, AstPlace place)
+{
+    if (ON_PINS >> place & 1u)
+        return p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NUMBER;
+    return p->tok.kind == TOK_TYPE;
+}
+
 static void parse_annotation(Parser *p, const Owner *o)
 {
     AstAnnotation a = {0};
     bool first = p->tok.first, good;
-    int row = find_row(p->tok.text);
+    int row = find_row(p->tok.text, o->place);
 
     if (row == AST_ANNOTATION_COUNT) {
         unknown_annotation(p, o->place);
@@ -306,7 +377,7 @@ static void parse_annotation(Parser *p, const Owner *o)
     a.span = parser_since(p, a.span.at);
     if (p->failed)
         return;
-    if (first && p->tok.kind == TOK_TYPE && !p->tok.first)
+    if (first && !p->tok.first && begins_another(p, o->place))
         annotation_above(p, o, &a);
     if (is_first_of_its_kind(p, o, &a) && good)
         vec_push(p->arena, o->all, a);
@@ -326,7 +397,7 @@ void annotation_before_decl(Parser *p)
 {
     const char *word = p->tok.text->text;
 
-    if (is_for_states_only(find_row(p->tok.text)))
+    if (is_for_states_only(find_row(p->tok.text, AST_ON_ELEMENT)))
         belongs_to_state(p, parser_fail(p, DIAG_annotation_of_states, parser_here(p), word), word);
     else
         parser_fail(p, DIAG_annotation_before, parser_here(p), word);
@@ -355,7 +426,7 @@ void annotation_in_block(Parser *p)
     const char *word = p->tok.text->text, *near = nearest_word(word, script_words, 2);
     Diag *d = parser_fail(p, DIAG_annotation_here, parser_here(p), word);
 
-    if (is_for_states_only(find_row(p->tok.text)))
+    if (is_for_states_only(find_row(p->tok.text, AST_ON_STATE)))
         belongs_to_state(p, d, word);
     else if (annotation_is_allow(&p->tok))
         diag_label(p->diags, d, DIAG_label_not_in_script);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the parser's files share.  parse.c: files, sections, blocks; parse_decl.c: declarations and options;
-// parse_annotation.c: annotations; parse_stmt.c: statements; parse_expr.c: expressions; parse_slip.c: guesses what was meant where something is wrong.
+// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions; parse_slip.c: guesses what was meant where something is wrong.
 // A mistake is reported once: p->failed then silences everything up to the next statement, where it is cleared.
 #ifndef SMC_PARSER_H
 #define SMC_PARSER_H
@@ -62,6 +62,9 @@ void parse_decls(Parser *p, AstSection *s);
 void parse_options(Parser *p, AstSection *s);
 // All annotations that come, of what is called `owner`.
 void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, AstAnnotations *into);
+bool parse_signed_number(Parser *p, AstNumber *into);   // a number with or without a sign; false: there is none
+void parse_pins(Parser *p, AstSection *s);
+void refuse_pin_section(Parser *p, const AstSection *s);
 bool annotation_is_allow(const Token *t);
 const AstAnnotation *parse_allow(Parser *p);            // an @allow before a statement; NULL after a message
 void annotation_before_decl(Parser *p);                 // reports the one at hand, where a declaration should begin

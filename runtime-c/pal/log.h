@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that only grow: the flight log.  (Rules for all of these headers: pal.h.)
 //
-// A power cut or a killed program leaves a file that begins with what was stored by the last pal_log_sync; of what came later any part
-// may be missing from some byte on.  What is stored there says itself where it is whole.
+// A program that is killed loses nothing that was appended.  A power cut leaves a file that begins with what was there at the last
+// pal_log_sync; of what came later anything may be missing or wrong.  What is stored there says itself where it is whole.
 #ifndef PAL_LOG_H
 #define PAL_LOG_H
 
@@ -16,14 +16,15 @@ typedef struct PalLogFile { uint8_t id; } PalLogFile;
 
 // Opens a file by the name that the platform has for it (a path), to write behind what it holds; made if it is not there.
 // SM_E_MISSING: no such folder.  SM_E_DENIED.  SM_E_BUSY: it is open already, here or in another program.
-// SM_E_UNSUPPORTED: no files, or what has that name is none.  SM_E_ARGUMENT: an empty name, one as long as PAL_NAME.  SM_E_FULL.
+// SM_E_UNSUPPORTED: no files, or what has that name is none (a folder, a device).  SM_E_SPACE: no room for another file.
+// SM_E_ARGUMENT: an empty name, one as long as PAL_NAME.  SM_E_FULL.
 SmResult pal_log_open(PalLogFile *file, const char *name);
 
 // Writes n bytes behind the others.  Waits for the system, not for the medium.  SM_E_SPACE: the medium is full.
-// After an error some of the bytes may be there.
+// After an error the first of the bytes may be there: pal_log_size tells how many.
 SmResult pal_log_append(PalLogFile file, const void *bytes, size_t n);
 
-// Waits until all that was appended is on the medium.
+// Waits until all that was appended is on the medium: tens of milliseconds, seconds for an SD card that tidies up.
 SmResult pal_log_sync(PalLogFile file);
 
 // How many bytes the file holds.

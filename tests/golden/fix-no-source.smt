@@ -2,7 +2,7 @@
 args fix app.c
 
 -- stderr --
-smc: 'app.c' is no source: names end in .sm, .sv or .ss
+smc: 'app.c' is no source: names end in .sm, .sv, .ss or .io
 Try 'smc fix --help'.
 -- exit --
 2

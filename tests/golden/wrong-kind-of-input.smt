@@ -4,7 +4,7 @@ args build a.txt
 -- a.txt --
 hello
 -- stderr --
-smc: 'a.txt' is no source: names end in .sm, .sv or .ss
+smc: 'a.txt' is no source: names end in .sm, .sv, .ss or .io
 Try 'smc build --help'.
 -- exit --
 2

@@ -7,8 +7,8 @@ static const struct {
     Tally (*run)(void);
 } contracts[] = {
     {"clock", contract_clock}, {"console", contract_console}, {"lock", contract_lock}, {"thread", contract_thread},
-    {"nvm", contract_nvm}, {"serial", contract_serial}, {"socket", contract_socket}, {"dio", contract_dio},
-    {"aio", contract_aio}, {"watchdog", contract_watchdog},
+    {"nvm", contract_nvm}, {"log", contract_log}, {"serial", contract_serial}, {"socket", contract_socket},
+    {"dio", contract_dio}, {"aio", contract_aio}, {"watchdog", contract_watchdog},
 };
 
 static bool is_wanted(const char *name, int argc, char *argv[])

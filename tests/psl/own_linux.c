@@ -21,6 +21,7 @@
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/console.h"
 #include "runtime-c/pal/lock.h"
+#include "runtime-c/pal/log.h"
 #include "runtime-c/pal/nvm.h"
 #include "runtime-c/pal/serial.h"
 #include "runtime-c/pal/socket.h"
@@ -30,6 +31,8 @@
 
 ssize_t __real_write(int fd, const void *from, size_t n);
 int __real_fsync(int fd);
+int __real_fdatasync(int fd);
+int __wrap_fdatasync(int fd);
 int __real_rename(const char *from, const char *to);
 int __real_unlink(const char *path);
 int __real_pthread_mutex_timedlock(pthread_mutex_t *mutex, const struct timespec *end);
@@ -79,6 +82,7 @@ ssize_t __wrap_write(int fd, const void *from, size_t n)
 }
 
 int __wrap_fsync(int fd) { return fails('f') ? -1 : __real_fsync(fd); }
+int __wrap_fdatasync(int fd) { return fails('d') ? -1 : __real_fdatasync(fd); }
 int __wrap_rename(const char *from, const char *to) { return fails('r') ? -1 : __real_rename(from, to); }
 int __wrap_unlink(const char *path) { return fails('u') ? -1 : __real_unlink(path); }
 
@@ -264,6 +268,69 @@ static void nvm(void)
     no_file();
     no_line();
     unlink(memory_name);
+}
+
+// ---- logs ----
+
+#define LOG_NAME "own.log"
+
+static PalLogFile log_opened(void)
+{
+    PalLogFile file = {0};
+
+    CHECK(pal_log_open(&file, LOG_NAME) == SM_OK);
+    return file;
+}
+
+// A new file's name is on the medium when open returns; bytes go on from where they stopped; only sync waits.
+static void log_order(void)
+{
+    PalLogFile file;
+
+    fault(-1, 0, false);
+    file = log_opened();
+    CHECK(pal_log_append(file, "abcd", 4) == SM_OK && pal_log_sync(file) == SM_OK);
+    CHECK(pal_log_close(file) == SM_OK);
+    file = log_opened();
+    CHECK(pal_log_close(file) == SM_OK);
+    no_fault();
+    CHECK(strcmp(faults.log, "fwd") == 0);
+}
+
+static void log_full(void)
+{
+    PalLogFile file = log_opened();
+    uint64_t size = 0;
+
+    fault(0, ENOSPC, false);
+    CHECK(pal_log_append(file, "efgh", 4) == SM_E_SPACE);
+    no_fault();
+    CHECK(pal_log_size(file, &size) == SM_OK && size == 6);
+    fault(0, EINTR, false);
+    CHECK(pal_log_append(file, "gh", 2) == SM_OK);
+    fault(0, EINTR, false);
+    CHECK(pal_log_sync(file) == SM_OK);
+    fault(0, EIO, false);
+    CHECK(pal_log_sync(file) == SM_E_DEVICE);
+    no_fault();
+    CHECK(pal_log_close(file) == SM_OK);
+}
+
+static void no_log(void)
+{
+    PalLogFile file = {0};
+
+    CHECK(mkfifo("pipe", 0600) == 0 && symlink(LOG_NAME, "link") == 0);
+    CHECK(pal_log_open(&file, ".") == SM_E_UNSUPPORTED);
+    CHECK(pal_log_open(&file, "pipe") == SM_E_UNSUPPORTED);
+    CHECK(pal_log_open(&file, "pipe/x") == SM_E_MISSING);
+    CHECK(pal_log_open(&file, "/dev/null") == SM_E_UNSUPPORTED);
+    CHECK(file.id == 0);
+    CHECK(pal_log_open(&file, "link") == SM_OK && pal_log_close(file) == SM_OK);      // a log may be a link
+    fault(0, EIO, false);
+    CHECK(pal_log_open(&file, "new.log") == SM_E_DEVICE);
+    no_fault();
+    CHECK(__real_unlink("pipe") == 0 && __real_unlink("link") == 0 && __real_unlink(LOG_NAME) == 0 && __real_unlink("new.log") == 0);
 }
 
 // ---- time ----
@@ -588,6 +655,9 @@ static void watchdog(void)
 Tally own_linux(void)
 {
     nvm();
+    log_order();
+    log_full();
+    no_log();
     signals();
     waiting_is_free();
     time_is_set();

@@ -5,6 +5,7 @@
 #include "runtime-c/pal/aio.h"
 #include "runtime-c/pal/dio.h"
 #include "runtime-c/pal/lock.h"
+#include "runtime-c/pal/log.h"
 #include "runtime-c/pal/nvm.h"
 #include "runtime-c/pal/watchdog.h"
 #include "runtime-c/psl/sim/sim.h"
@@ -272,6 +273,30 @@ static void flash(void)
     CHECK(pal_nvm_open(&memory, "flash", SIM_NVM_SIZE + 1) == SM_E_SPACE);
 }
 
+// A log after a cut in its second append.
+static void torn_log(void)
+{
+    PalLogFile file = {0}, more = {0}, third = {0};
+    const uint8_t *bytes;
+    size_t n;
+
+    sim_reset();
+    CHECK(sim_log("a", &n) == NULL && n == 0);
+    CHECK(pal_log_open(&file, "a") == SM_OK && pal_log_append(file, "12", 2) == SM_OK && pal_log_sync(file) == SM_OK);
+    sim_cut_power(1, 2);
+    CHECK(pal_log_append(file, "34", 2) == SM_OK && sim_log_synced("a") == 2);
+    CHECK(pal_log_append(file, "5678", 4) == SM_E_DEVICE && pal_log_append(file, "9", 1) == SM_E_DEVICE);
+    CHECK(pal_log_sync(file) == SM_E_DEVICE);
+    sim_power_on();
+    bytes = sim_log("a", &n);
+    CHECK(n == 7 && memcmp(bytes, "123456\xa5", 7) == 0);
+    CHECK(pal_log_append(file, "x", 1) == SM_E_HANDLE);
+    CHECK(pal_log_open(&file, "a") == SM_OK && pal_log_open(&more, "b") == SM_OK);
+    CHECK(pal_log_close(more) == SM_OK && pal_log_open(&third, "c") == SM_E_SPACE);
+    sim_log_space(9);
+    CHECK(pal_log_append(file, "wxyz", 4) == SM_E_SPACE && memcmp(sim_log("a", &n) + 7, "wx", 2) == 0 && n == 9);
+}
+
 static void bites(void)
 {
     uint64_t actual;
@@ -300,6 +325,7 @@ Tally own_sim(void)
     channels();
     datagrams();
     torn_writes();
+    torn_log();
     flash();
     bites();
     return TALLY();

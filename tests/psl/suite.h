@@ -24,6 +24,7 @@ Tally contract_console(void);
 Tally contract_aio(void);
 Tally contract_dio(void);
 Tally contract_lock(void);
+Tally contract_log(void);
 Tally contract_nvm(void);
 Tally contract_serial(void);
 Tally contract_socket(void);
@@ -46,6 +47,11 @@ typedef struct Bench {
     const char *nvm_name;     // a memory of nvm_size bytes that may be overwritten
     uint32_t nvm_size;
     const char *nvm_missing;  // a name that stands for none
+
+    Has log;
+    const char *log_name;     // a file that may be made
+    const char *log_missing;  // a name in a folder that is not there
+    size_t (*log_read)(void *bytes, size_t room);         // what the file of log_name holds
 
     Has serial;
     const char *serial_name;

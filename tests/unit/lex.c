@@ -117,7 +117,7 @@ static void test_print(void)
     Buf out;
 
     buf_init(&out, &arena);
-    lex_print(&arena, &strings, &diags, src, &out);
+    lex_print(&arena, &strings, &diags, src, FILE_SM, &out);
     CHECK(strcmp(buf_text(&out), "1:1\theader\t[Idle]\n2:3\tname\tx\n2:5\t=\t=\n2:7\tnumber\t0x1F\n2:12\tcomment\t# hi\n"
                                  "3:1\tend\t\n") == 0);
     arena_free(&arena);

@@ -6,6 +6,7 @@
 
 #include "compiler/base/buf.h"
 #include "compiler/ir/ir.h"
+#include "compiler/sema/iomap.h"
 #include "compiler/sema/program.h"
 
 typedef struct EmitCOptions {
@@ -27,6 +28,9 @@ void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf
 // A state vector alone: the struct that the headers of its machines declare as well; with `runtime` its storage, its tables and a
 // function to read and one to write for each element.
 void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code);
+
+// The pins of a .io: tables for runtime-c/io.h.
+void emit_c_io(Arena *arena, const IoMap *io, const EmitCOptions *o, Buf *header, Buf *code);
 
 // Several machines and a main as one translation unit: a program that runs them at the command of its standard input.
 // compiler/device/engine_c.c compiles and drives it.  track_stores is by machine.  The exchange, in the host's byte order and

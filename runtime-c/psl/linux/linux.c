@@ -2,8 +2,11 @@
 // What the files of this platform share.
 #define _GNU_SOURCE
 #include <errno.h>
+#include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
+#include <string.h>
+#include <unistd.h>
 
 #include "runtime-c/psl/linux/linux.h"
 
@@ -62,4 +65,32 @@ SmResult psl_wait(int fd, short events, uint64_t deadline)
         if (ready == 0 && pal_clock_now() >= deadline)
             return SM_E_TIMEOUT;
     }
+}
+
+// The name of the folder that a path is in; to: PAL_NAME bytes.
+static void folder_of(char *to, const char *path)
+{
+    char *slash;
+
+    strcpy(to, path);
+    slash = strrchr(to, '/');
+    if (slash)
+        slash[slash == to] = '\0';
+    else
+        strcpy(to, ".");
+}
+
+int psl_sync_folder(const char *path)
+{
+    char folder[PAL_NAME];
+    int fd, error = 0;
+
+    folder_of(folder, path);
+    fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd < 0)
+        return errno;
+    if (fsync(fd) != 0)
+        error = errno;
+    close(fd);
+    return error;
 }

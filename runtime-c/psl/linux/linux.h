@@ -31,4 +31,7 @@ struct timespec psl_timespec(uint64_t ns);
 // Waits until `events` (of poll) are there or the clock shows `deadline`: SM_OK, SM_E_TIMEOUT.  A descriptor that hung up is ready.
 SmResult psl_wait(int fd, short events, uint64_t deadline);
 
+// Waits until the folder that `path` is in knows its files: 0, or an errno.
+int psl_sync_folder(const char *path);
+
 #endif

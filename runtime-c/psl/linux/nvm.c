@@ -101,34 +101,6 @@ static int copy(int to, int old, uint32_t old_size, uint32_t size, const Change 
     return error;
 }
 
-// The name of the folder that a path is in; to: PAL_NAME bytes.
-static void folder_of(char *to, const char *path)
-{
-    char *slash;
-
-    strcpy(to, path);
-    slash = strrchr(to, '/');
-    if (slash)
-        slash[slash == to] = '\0';
-    else
-        strcpy(to, ".");
-}
-
-static int sync_folder(const char *path)
-{
-    char folder[PAL_NAME];
-    int fd, error = 0;
-
-    folder_of(folder, path);
-    fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (fd < 0)
-        return errno;
-    if (fsync(fd) != 0)
-        error = errno;
-    close(fd);
-    return error;
-}
-
 // An empty NAME.new that nobody else has.
 static int open_new(const char *name, int *error)
 {
@@ -164,7 +136,7 @@ static int replace(Entry *e, uint32_t old_size, const Change *c)
     if (e->fd >= 0)
         close(e->fd);
     e->fd = fd;
-    return sync_folder(e->path);
+    return psl_sync_folder(e->path);
 }
 
 // ---- opening ----

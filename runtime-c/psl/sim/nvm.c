@@ -14,10 +14,13 @@ static struct {
     PalNvmInfo info;
     bool open;
     uint8_t bytes[SIM_NVM_SIZE];
+    uint32_t stuck_at;
+    uint8_t stuck_bits, stuck_value;
 } media[] = {
-    {"eeprom", {SIM_NVM_SIZE, 1, 0, 0, 3400000, BLANK}, false, {0}},
-    {"flash", {SIM_NVM_SIZE, 8, 32, 0, 20000000, BLANK}, false, {0}},
+    {"eeprom", {SIM_NVM_SIZE, 1, 0, 0, 3400000, BLANK}, false, {0}, 0, 0, 0},
+    {"flash", {SIM_NVM_SIZE, 8, 32, 0, 20000000, BLANK}, false, {0}, 0, 0, 0},
 };
+enum { MEDIA = sizeof media / sizeof *media };
 
 static bool used[PAL_NVMS];
 static uint8_t medium_of[PAL_NVMS];
@@ -30,7 +33,7 @@ static struct {
 static void close_all(void)
 {
     memset(used, 0, sizeof used);
-    for (size_t i = 0; i < sizeof media / sizeof *media; i++)
+    for (size_t i = 0; i < MEDIA; i++)
         media[i].open = false;
     memset(&cut, 0, sizeof cut);
 }
@@ -38,8 +41,39 @@ static void close_all(void)
 void sim_nvm_reset(void)
 {
     close_all();
-    for (size_t i = 0; i < sizeof media / sizeof *media; i++)
+    for (size_t i = 0; i < MEDIA; i++) {
         memset(media[i].bytes, BLANK, SIM_NVM_SIZE);
+        media[i].stuck_bits = 0;
+    }
+}
+
+static void apply_stuck(size_t medium)
+{
+    uint8_t *b = &media[medium].bytes[media[medium].stuck_at];
+    const uint8_t bits = media[medium].stuck_bits;
+
+    *b = (uint8_t)((*b & ~bits) | (media[medium].stuck_value & bits));
+}
+
+static size_t find_medium(const char *name)
+{
+    size_t i = 0;
+
+    while (i < MEDIA - 1 && strcmp(media[i].name, name) != 0)
+        i++;
+    return i;
+}
+
+uint8_t *sim_nvm(const char *name) { return media[find_medium(name)].bytes; }
+
+void sim_stick(const char *name, uint32_t at, uint8_t bits, uint8_t value)
+{
+    const size_t i = find_medium(name);
+
+    media[i].stuck_at = at % SIM_NVM_SIZE;
+    media[i].stuck_bits = bits;
+    media[i].stuck_value = value;
+    apply_stuck(i);
 }
 
 void sim_cut_power(uint32_t after, uint32_t bytes)
@@ -52,10 +86,15 @@ void sim_cut_power(uint32_t after, uint32_t bytes)
 void sim_power_on(void)
 {
     close_all();
+    sim_log_power_on();
 }
 
-// How many of n bytes are done before the power goes: all, if it stays.
-static uint32_t bytes_done(uint32_t n)
+bool sim_power_gone(void)
+{
+    return cut.gone;
+}
+
+uint32_t sim_power_lasts(uint32_t n)
 {
     if (!cut.planned || cut.after-- > 0)
         return n;
@@ -68,7 +107,7 @@ static uint32_t bytes_done(uint32_t n)
 
 static SmResult open_medium(const char *name, uint32_t size, uint8_t *medium)
 {
-    for (uint8_t i = 0; i < sizeof media / sizeof *media; i++)
+    for (uint8_t i = 0; i < MEDIA; i++)
         if (strcmp(media[i].name, name) == 0) {
             *medium = i;
             return size > SIM_NVM_SIZE ? SM_E_SPACE : media[i].open ? SM_E_BUSY : sim_enter(SIM_nvm_open);
@@ -151,13 +190,15 @@ static SmResult store(uint8_t *here, const uint8_t *bytes, uint32_t n, SimCall c
 
     if (r != SM_OK)
         return r;
-    done = bytes_done(n);
+    done = sim_power_lasts(n);
     if (bytes)
         memcpy(here, bytes, done);
     else
         memset(here, BLANK, done);
     if (done < n)
         here[done] = TORN;
+    for (size_t i = 0; i < MEDIA; i++)
+        apply_stuck(i);
     return cut.gone ? SM_E_DEVICE : SM_OK;
 }
 

@@ -100,11 +100,32 @@ void sim_network(SimNetwork network);
 // The kinds of memory: "eeprom" (each byte on its own, no erase), "flash" (writes of 8, erase 32 at a time, to 0xff).
 #define SIM_NVM_SIZE 2048u
 
-// The power goes in the write or erase that comes after `after` more of them, when `bytes` bytes of it are done (and one byte
-// more is anything).  That call and all after it give SM_E_DEVICE until sim_power_on, which closes all memories and keeps what
-// they hold.
+// The power goes in the write, erase or append to a log that comes after `after` more of them, when `bytes` bytes of it are done (and
+// one byte more is anything).  That call and all after it give SM_E_DEVICE until sim_power_on, which closes all memories and
+// logs and keeps what they hold.
 void sim_cut_power(uint32_t after, uint32_t bytes);
 void sim_power_on(void);
+
+// The SIM_NVM_SIZE bytes of a memory, to be looked at and damaged.
+uint8_t *sim_nvm(const char *name);
+
+// From now on those of `bits` at a place of that memory read as `value` has them, whatever is written.  0 bits: it is mended.
+void sim_stick(const char *name, uint32_t at, uint8_t bits, uint8_t value);
+
+// ---- logs ----
+
+// How many there can be, and how many bytes each holds.
+#define SIM_LOGS 2
+#ifndef SIM_LOG_SIZE
+#define SIM_LOG_SIZE 1048576u
+#endif
+
+// What the log of that name holds, *n bytes, until sim_reset; NULL: there is none.  How many of them a sync has brought to the medium.
+const uint8_t *sim_log(const char *name, size_t *n);
+size_t sim_log_synced(const char *name);
+
+// From now on a log takes no more than so many bytes in all.
+void sim_log_space(uint32_t bytes);
 
 // ---- the watchdog ----
 

@@ -22,6 +22,7 @@ void sim_reset(void)
     sim_serial_reset();
     sim_socket_reset();
     sim_nvm_reset();
+    sim_log_reset();
     sim_watchdog_reset();
 }
 

@@ -21,7 +21,15 @@ void sim_aio_reset(void);
 void sim_serial_reset(void);
 void sim_socket_reset(void);
 void sim_nvm_reset(void);
+void sim_log_reset(void);
 void sim_watchdog_reset(void);
+
+// Each write, erase or append of n bytes that is about to happen: how many of them the power lasts for.  Once it is gone nothing works.
+uint32_t sim_power_lasts(uint32_t n);
+bool sim_power_gone(void);
+
+// The power comes back: all is closed, the rest is as it was.
+void sim_log_power_on(void);
 
 // Feeds nothing: tells the watchdog what time it is.
 void sim_watchdog_look(uint64_t now);

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// A pin file (config.md 9) to an IoMap: elements known and of the right type, pins and inputs taken once, annotations sensible.
+#include "compiler/sema/sema.h"
+
+#include <string.h>
+
+typedef struct IoCheck {
+    const CheckContext *c;
+    IoMap *io;
+    Map taken[2];                 // analog, digital: the number to its first AstPin
+    Map input;                    // elements that an input is read into, to the first AstPin
+    Map unknown;                  // names reported already
+    unsigned guesses;             // how many more unknown names are compared with all known ones
+} IoCheck;
+
+static const AstAnnotation *find(const AstPin *pin, AstAnnotationKind kind)
+{
+    for (size_t i = 0; i < pin->annotations.n; i++)
+        if (pin->annotations.at[i].kind == kind)
+            return &pin->annotations.at[i];
+    return NULL;
+}
+
+static const char *source_text(const CheckContext *c, Span s)
+{
+    return format_in(c->arena, "%.*s", (int)(s.len < 40 ? s.len : 40), s.src->text + s.at);
+}
+
+// ---- the element ----
+
+static void unknown_element(IoCheck *k, const AstPin *pin)
+{
+    Diag *d;
+    Guess g = guess_start(pin->element);
+
+    if (map_find(&k->unknown, pin->element))
+        return;
+    map_put(&k->unknown, pin->element, (void *)pin->element);
+    d = diag_report(k->c->diags, DIAG_element_not_in_vector, pin->element_span, pin->element->text);
+    if (k->guesses == 0)
+        return;
+    k->guesses--;
+    for (size_t i = 0; i < k->io->sv->element.n; i++)
+        guess_try(&g, k->io->sv->element.at[i]->name);
+    guess_label(k->c->diags, d, &g);
+}
+
+// 9.4, 9.5
+static const Element *check_element(IoCheck *k, const AstPin *pin, bool digital)
+{
+    const Element *e = map_find(&k->io->sv->by_name, pin->element);
+    Diag *d;
+
+    if (!e) {
+        unknown_element(k, pin);
+        return NULL;
+    }
+    if (digital == (e->type == SM_BOOL))
+        return e;
+    if (digital)
+        d = diag_report(k->c->diags, DIAG_digital_not_bool, pin->element_span, e->name->text, sm_type_info[e->type].spelling);
+    else
+        d = diag_report(k->c->diags, DIAG_analog_bool, pin->element_span, e->name->text);
+    diag_note(k->c->diags, d, e->span, DIAG_note_declared_here, e->name->text);
+    return e;
+}
+
+// 9.7
+static void check_input(IoCheck *k, const AstPin *pin, const Element *e)
+{
+    const AstPin *first = map_find(&k->input, e->name);
+    Diag *d;
+
+    if (!first) {
+        map_put(&k->input, e->name, (void *)(size_t)pin);
+        return;
+    }
+    d = diag_report(k->c->diags, DIAG_two_inputs, pin->element_span, e->name->text);
+    diag_note(k->c->diags, d, first->element_span, DIAG_note_first_here);
+}
+
+// ---- numbers ----
+
+// Whether x is a whole number from 0 to `most`; then *out is it.
+static bool whole(SmF64 x, uint32_t most, uint32_t *out)
+{
+    if (!sm_le(sm_from_i32(0), x) || !sm_le(x, sm_from_u32(most)))
+        return false;
+    *out = sm_cut_u32(x);
+    return sm_eq(sm_from_u32(*out), x);
+}
+
+// 9.3, 9.6
+static uint16_t check_number(IoCheck *k, const AstPin *pin, bool digital)
+{
+    const AstPin *first;
+    uint32_t n = 0;
+    Str key;
+    Diag *d;
+
+    if (!whole(pin->number.value, UINT16_MAX, &n)) {
+        diag_report(k->c->diags, DIAG_pin_range, pin->number.span, source_text(k->c, pin->number.span));
+        return 0;
+    }
+    key = str_c(k->c->strings, format_in(k->c->arena, "%lu", (unsigned long)n));
+    if ((first = map_find(&k->taken[digital], key)) != NULL) {
+        d = diag_report(k->c->diags, DIAG_pin_twice, pin->number.span, digital ? "digital" : "analog",
+                        source_text(k->c, pin->number.span));
+        diag_note(k->c->diags, d, first->number.span, DIAG_note_first_here);
+    } else {
+        map_put(&k->taken[digital], key, (void *)(size_t)pin);
+    }
+    return (uint16_t)n;
+}
+
+// ---- annotations ----
+
+// 9.8
+static void check_scale(IoCheck *k, const AstPin *pin, Pin *out)
+{
+    const AstAnnotation *scale = find(pin, AST_SCALE), *offset = find(pin, AST_OFFSET);
+
+    out->scale = scale ? scale->lo.value : sm_from_i32(1);
+    out->offset = offset ? offset->lo.value : sm_from_i32(0);
+    if (scale && sm_eq(out->scale, sm_from_i32(0)))
+        diag_report(k->c->diags, DIAG_scale_zero, scale->span, pin->element->text);
+}
+
+// 9.9
+static void check_safe(IoCheck *k, const AstPin *pin, Pin *out)
+{
+    const AstAnnotation *safe = find(pin, AST_SAFE_VALUE);
+    const char *edit;
+    Diag *d;
+
+    out->safe = safe ? safe->lo.value : sm_from_i32(0);
+    if (!safe || safe->is_truth == pin_is_digital(out))
+        return;
+    d = diag_report(k->c->diags, safe->is_truth ? DIAG_safe_of_analog : DIAG_safe_of_digital, safe->lo.span,
+                    source_text(k->c, safe->lo.span));
+    edit = sm_eq(safe->lo.value, sm_from_i32(0)) ? "false" : sm_eq(safe->lo.value, sm_from_i32(1)) ? "true" : NULL;
+    if (edit && pin_is_digital(out)) {
+        diag_label(k->c->diags, d, DIAG_label_write, edit);
+        diag_edit(k->c->diags, d, safe->lo.span, edit);
+    }
+}
+
+// 9.11
+static void check_hold(IoCheck *k, const AstPin *pin, Pin *out)
+{
+    const AstAnnotation *hold = find(pin, AST_HOLD);
+    uint32_t n = 0;
+
+    if (hold && !whole(hold->lo.value, UINT8_MAX, &n))
+        diag_report(k->c->diags, DIAG_hold_value, hold->lo.span, source_text(k->c, hold->lo.span));
+    out->hold = (uint8_t)n;
+}
+
+// 9.10
+static void check_level(IoCheck *k, const AstPin *pin, Pin *out)
+{
+    const AstAnnotation *up = find(pin, AST_PULL_UP), *down = find(pin, AST_PULL_DOWN);
+    Diag *d;
+
+    out->inverted = find(pin, AST_INVERTED) != NULL;
+    out->pull_up = up != NULL;
+    out->pull_down = down != NULL;
+    if (!up || !down)
+        return;
+    d = diag_report(k->c->diags, DIAG_two_pulls, up->span.at > down->span.at ? up->span : down->span, pin->element->text);
+    diag_note(k->c->diags, d, up->span.at > down->span.at ? down->span : up->span, DIAG_note_first_here);
+}
+
+// Whether one is needed shows only when machines are known: none is called useless.
+static void note_allows(IoCheck *k, const AstPin *pin)
+{
+    Span covers = pin->element_span;
+
+    if (pin->annotations.n)
+        covers = span_join(covers, pin->annotations.at[pin->annotations.n - 1].span);
+    for (size_t i = 0; i < pin->annotations.n; i++) {
+        const AstAnnotation *a = &pin->annotations.at[i];
+        if (a->kind == AST_ALLOW)
+            diag_allow_shared(k->c->diags, a->name->text, a->reason->text, a->span, covers);
+    }
+}
+
+// ---- the file ----
+
+static PinKind kind_of(const AstPin *pin, bool digital)
+{
+    if (digital)
+        return pin->output ? PIN_DIGITAL_OUT : PIN_DIGITAL_IN;
+    return pin->output ? PIN_ANALOG_OUT : PIN_ANALOG_IN;
+}
+
+static void check_pin(IoCheck *k, const AstPin *pin, bool digital)
+{
+    Pin p = {kind_of(pin, digital), 0, NULL, false, false, false, 0, sm_from_i32(1), sm_from_i32(0), sm_from_i32(0), pin->element_span};
+
+    p.number = check_number(k, pin, digital);
+    p.element = check_element(k, pin, digital);
+    if (p.element && !pin->output)
+        check_input(k, pin, p.element);
+    check_scale(k, pin, &p);
+    check_safe(k, pin, &p);
+    check_hold(k, pin, &p);
+    check_level(k, pin, &p);
+    note_allows(k, pin);
+    vec_push(k->c->arena, &k->io->pin, p);
+}
+
+IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
+{
+    enum { GUESSES = 30 };            // more than are shown
+    size_t errors = c->diags->met;
+    const Map none = {c->arena, NULL, NULL, 0, 0};
+    IoCheck k = {c, ARENA_NEW(c->arena, IoMap), {none, none}, none, none, GUESSES};
+
+    k.io->name = sema_stem(c->strings, f->src);
+    k.io->src = f->src;
+    k.io->sv = sv;
+    if (f->sections.n == 0 && !lost_names(c, f)->any)
+        diag_report(c->diags, DIAG_no_pins, (Span){f->src, 0, 0});
+    for (size_t i = 0; i < f->sections.n; i++)
+        for (size_t j = 0; j < f->sections.at[i]->pins.n; j++)
+            check_pin(&k, &f->sections.at[i]->pins.at[j], f->sections.at[i]->digital);
+    return c->diags->met > errors ? NULL : k.io;
+}

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pins of a .io (config.md 9): lines of a direction, a pin and an element, in which line ends are blanks.
+#include "compiler/syntax/parser.h"
+
+// ---- sections ----
+
+void refuse_pin_section(Parser *p, const AstSection *s)
+{
+    static const char *const sections[] = {"analog", "digital"};
+    const char *near = nearest_word(s->name->text, sections, 2);
+    Diag *d;
+
+    if (s->name->len == 0)                    // the lexer has said what is wrong with it
+        return;
+    d = parser_report(p, DIAG_pin_section, s->header, s->name->text);
+    if (near)
+        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "[%s]", near));
+}
+
+// ---- one pin ----
+
+// What others call the two directions.
+static const struct { const char *word; const char *direction; } directions[] = {
+    {"in", "i"}, {"input", "i"}, {"inputs", "i"}, {"I", "i"}, {"IN", "i"}, {"ai", "i"}, {"di", "i"}, {"AI", "i"}, {"DI", "i"},
+    {"read", "i"}, {"sensor", "i"}, {"out", "o"}, {"output", "o"}, {"outputs", "o"}, {"O", "o"}, {"OUT", "o"}, {"ao", "o"},
+    {"do", "o"}, {"AO", "o"}, {"DO", "o"}, {"write", "o"}, {"actuator", "o"}};
+
+static const char *guess_direction(const char *word)
+{
+    for (size_t i = 0; i < sizeof directions / sizeof *directions; i++)
+        if (strcmp(word, directions[i].word) == 0)
+            return directions[i].direction;
+    return NULL;
+}
+
+static bool is_direction(const Token *t)
+{
+    return t->kind == TOK_NAME && t->text->len == 1 && (t->text->text[0] == 'i' || t->text->text[0] == 'o');
+}
+
+// The pin at hand begins with another word: tells.  True if a number follows all the same, and it is read as a pin.
+static bool recover_direction(Parser *p, AstPin *pin)
+{
+    const char *guess = p->tok.kind == TOK_NAME ? guess_direction(p->tok.text->text) : NULL;
+    bool goes_on = p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NUMBER && !p->ahead.first;
+    Diag *d;
+
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    d = parser_report(p, DIAG_pin_direction, parser_here(p), parser_describe(p, &p->tok));
+    if (guess) {
+        diag_label(p->diags, d, DIAG_label_did_you_mean, guess);
+        diag_edit(p->diags, d, parser_here(p), guess);
+    }
+    pin->output = guess && *guess == 'o';
+    p->failed = p->failed || !goes_on;
+    return goes_on;
+}
+
+static bool take_direction(Parser *p, AstPin *pin)
+{
+    bool known = is_direction(&p->tok);
+
+    if (known)
+        pin->output = p->tok.text->text[0] == 'o';
+    else if (!recover_direction(p, pin))
+        return false;
+    parser_next(p);
+    return true;
+}
+
+// The next pin begins here: what this one lacks is not to be looked for in it.
+static bool at_next_pin(const Parser *p)
+{
+    return p->tok.first && is_direction(&p->tok) && p->ahead.kind == TOK_NUMBER;
+}
+
+static Span where_missing(const Parser *p) { return p->tok.first ? parser_gap(p) : parser_here(p); }
+
+static bool take_number(Parser *p, AstPin *pin)
+{
+    Span at = where_missing(p);
+    const char *found = parser_found(p);
+
+    if (parse_signed_number(p, &pin->number))
+        return true;
+    parser_fail(p, DIAG_pin_number, at, found);
+    return false;
+}
+
+static bool take_element(Parser *p, AstPin *pin)
+{
+    if (p->tok.kind == TOK_NAME && !at_next_pin(p)) {
+        pin->element = p->tok.text;
+        pin->element_span = parser_here(p);
+        parser_next(p);
+        return !slip_dotted_name(p, pin->element_span);
+    }
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    parser_fail(p, DIAG_pin_element, where_missing(p), parser_text(p, pin->number.span), parser_found(p));
+    return false;
+}
+
+static AstPlace place_of(const AstSection *s, const AstPin *pin)
+{
+    if (s->digital)
+        return pin->output ? AST_ON_DIGITAL_OUTPUT : AST_ON_DIGITAL_INPUT;
+    return pin->output ? AST_ON_ANALOG_OUTPUT : AST_ON_ANALOG_INPUT;
+}
+
+static bool ends_pin(const Parser *p)
+{
+    return p->tok.first || p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END || (is_direction(&p->tok) && p->ahead.kind == TOK_NUMBER);
+}
+
+static void parse_pin(Parser *p, AstSection *s)
+{
+    AstPin pin = {0};
+
+    if (!take_direction(p, &pin) || !take_number(p, &pin) || !take_element(p, &pin))
+        return;
+    parse_annotations(p, place_of(s, &pin), pin.element, pin.element_span, &pin.annotations);
+    if (!p->failed && !ends_pin(p) && !slip_decimal_comma(p))
+        parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok));
+    vec_push(p->arena, &s->pins, pin);
+}
+
+void parse_pins(Parser *p, AstSection *s)
+{
+    while (p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END) {
+        uint32_t at = p->tok.at;
+        p->failed = false;
+        parse_pin(p, s);
+        if (p->failed && p->tok.at == at)
+            parser_next(p);
+        if (p->failed)
+            skip_line(p);
+    }
+    p->failed = false;
+}

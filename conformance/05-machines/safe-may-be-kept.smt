@@ -1,0 +1,14 @@
+spec 5.46  A state that is never left is warned of, unless @safe says that the machine may stay in it.
+warn no-all missing-way-out
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F32 p @read_only
+[Start]
+.step
+    p > 5: -> Failed
+    p > 4: -> Kept
+[Kept] @safe
+[Failed] @abort         #! W0920 'Failed'

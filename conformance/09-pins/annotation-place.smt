@@ -1,0 +1,21 @@
+spec 9.12  An annotation stands only where its clause says.
+
+-- app.sv --
+[Sensors]
+F64 pressure
+F32 flow
+U16 count
+bool limit
+[Valves]
+bool open
+bool vent
+F32 heater
+-- app.io --
+[analog]
+i 0 pressure @safe 5           #! E0879 '@safe' has no place behind an analog input
+i 1 flow @inverted             #! E0879 it is for a digital input or a digital output
+o 2 heater @hold 3             #! E0879 '@hold' has no place behind an analog output
+[digital]
+i 0 limit @scale 2             #! E0879 '@scale' has no place behind a digital input
+i 1 vent @safe true            #! E0879 it is for an analog output or a digital output
+o 2 open @pull_up @offset 5    #! E0879 '@pull_up' #! E0879 '@offset'

@@ -1,0 +1,17 @@
+spec 9.12  An annotation stands once behind a line.
+
+-- app.sv --
+[Sensors]
+F64 pressure
+F32 flow
+U16 count
+bool limit
+[Valves]
+bool open
+bool vent
+F32 heater
+-- app.io --
+[analog]
+i 0 pressure @scale 2 @hold 1 @scale 3       #! E0361 a second '@scale' on 'pressure'
+[digital]
+i 0 limit @inverted @inverted                #! E0361

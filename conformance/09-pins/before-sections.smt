@@ -1,0 +1,16 @@
+spec 9.1  Nothing stands before the first section.
+
+-- app.sv --
+[Sensors]
+F64 pressure
+F32 flow
+U16 count
+bool limit
+[Valves]
+bool open
+bool vent
+F32 heater
+-- app.io --
+i 0 pressure      #! E0301
+[digital]
+o 0 open

@@ -1,0 +1,17 @@
+spec 9.2  Behind the pin stands an element.
+
+-- app.sv --
+[Sensors]
+F64 pressure
+F32 flow
+U16 count
+bool limit
+[Valves]
+bool open
+bool vent
+F32 heater
+-- app.io --
+[analog]
+i 0                #! E0874 expected the element of pin 0, found the end of the line
+i 1 @scale 5       #! E0874 expected the element of pin 1, found '@scale'
+o 3 heater

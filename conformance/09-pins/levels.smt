@@ -1,0 +1,17 @@
+spec 9.10  @inverted stands behind digital pins, @pull_up and @pull_down behind digital inputs.
+
+-- app.sv --
+[Sensors]
+F64 pressure
+F32 flow
+U16 count
+bool limit
+[Valves]
+bool open
+bool vent
+F32 heater
+-- app.io --
+[digital]
+i 0 limit @pull_up @inverted
+o 1 open @inverted
+i 2 vent @inverted @pull_down

@@ -1,0 +1,17 @@
+spec 9.2, 9.3  Behind the direction stands a pin.
+
+-- app.sv --
+[Sensors]
+F64 pressure
+F32 flow
+U16 count
+bool limit
+[Valves]
+bool open
+bool vent
+F32 heater
+-- app.io --
+[analog]
+i pressure         #! E0873 found 'pressure'
+o A1 heater        #! E0873 found 'A1'
+i                  #! E0873 found the end of the file

@@ -1,0 +1,17 @@
+spec 9.3  No other number is a pin.
+
+-- app.sv --
+[Sensors]
+F64 pressure
+F32 flow
+U16 count
+bool limit
+[Valves]
+bool open
+bool vent
+F32 heater
+-- app.io --
+[analog]
+i 65536 pressure       #! E0881 65536 is no pin
+i -1 flow              #! E0881 -1 is no pin
+i 1.5 count            #! E0881 1.5 is no pin

@@ -1,0 +1,22 @@
+spec 9.6  A pin stands once in a section, whatever its direction and however it is written.
+
+-- app.sv --
+[Sensors]
+F64 pressure
+F32 flow
+U16 count
+bool limit
+[Valves]
+bool open
+bool vent
+F32 heater
+-- app.io --
+[analog]
+i 0 pressure
+o 0 heater         #! E0877 analog pin 0 stands twice
+i 16 flow
+i 0x10 count       #! E0877 analog pin 0x10 stands twice
+[digital]
+o 0 open
+o 16 vent
+o 16 open          #! E0877 digital pin 16 stands twice

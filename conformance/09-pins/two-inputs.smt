@@ -1,0 +1,19 @@
+spec 9.7  An element stands behind one input at most.
+
+-- app.sv --
+[Sensors]
+F64 pressure
+F32 flow
+U16 count
+bool limit
+[Valves]
+bool open
+bool vent
+F32 heater
+-- app.io --
+[analog]
+i 0 pressure
+i 1 pressure       #! E0878 'pressure' is read from two pins
+[digital]
+i 0 limit
+i 1 limit          #! E0878

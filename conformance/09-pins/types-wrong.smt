@@ -1,0 +1,19 @@
+spec 9.5  An analog bool and a digital number are errors.
+
+-- app.sv --
+[Sensors]
+F64 pressure
+F32 flow
+U16 count
+bool limit
+[Valves]
+bool open
+bool vent
+F32 heater
+-- app.io --
+[analog]
+i 0 limit        #! E0876 'limit' is bool
+o 1 open         #! E0876
+[digital]
+i 0 count        #! E0875 'count' is U16: a digital pin goes with a bool
+o 1 heater       #! E0875 'heater' is F32

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inside of log and keep: a task's step hands over to a thread without a deadline.  Around the few numbers that both look at there is a
+// lock, where the platform has locks; where it has none there are no threads.
+#ifndef SM_HANDOVER_H
+#define SM_HANDOVER_H
+
+#include "runtime-c/pal/lock.h"
+
+static inline SmResult sm_handover_open(PalLock *lock)
+{
+    SmResult r = lock->id != 0 ? SM_OK : pal_lock_open(lock);
+
+    if (r == SM_E_UNSUPPORTED)
+        lock->id = 0;
+    return r == SM_E_UNSUPPORTED ? SM_OK : r;
+}
+
+static inline SmResult sm_handover_take(PalLock lock)
+{
+    return lock.id != 0 ? pal_lock_take(lock, SM_LOCK_WAIT) : SM_OK;
+}
+
+static inline void sm_handover_give(PalLock lock)
+{
+    if (lock.id != 0)
+        (void)pal_lock_give(lock);
+}
+
+#endif

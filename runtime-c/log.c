@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// The step's side of the log: blocks into the ring.  A block lies in one piece: where it does not fit before the end of the ring,
+// `end` notes where the last one ended, and the ring begins anew.  head == tail is an empty ring, so it is never filled up.
+#include "runtime-c/log.h"
+
+#include "runtime-c/handover.h"
+#include "runtime-c/log_block.h"
+
+enum { EVENTS_AT_ONCE = 4 };
+
+SmResult sm_log_init(void *context)
+{
+    SmLog *log = (SmLog *)context;
+    SmResult r;
+
+    if (!log || !log->file || !log->sv || !log->buffer || !log->names || log->names->layout != log->sv->layout)
+        return SM_E_ARGUMENT;
+    if (log->room < SM_LOG_LEAST(log->sv->layout->whole.packed))
+        return SM_E_MEMORY;
+    r = sm_handover_open(&log->lock);
+    if (r == SM_OK)
+        r = pal_log_open(&log->out, log->file);
+    if (r == SM_OK)
+        r = pal_log_size(log->out, &log->start);
+    log->written = log->start;
+    return r;
+}
+
+// ---- room in the ring ----
+
+// Where a block of n bytes finds room; false: nowhere.
+static bool find_room(SmLog *log, uint32_t n, uint32_t *at)
+{
+    uint32_t tail;
+
+    if (sm_handover_take(log->lock) != SM_OK)
+        return false;
+    tail = log->tail;
+    sm_handover_give(log->lock);
+    *at = log->head;
+    if (log->head < tail)
+        return n < tail - log->head;
+    if (n <= log->room - log->head)
+        return true;
+    *at = 0;
+    return n < tail;
+}
+
+// Hands the block of n bytes at `at` over to the drain.
+static bool hand_over(SmLog *log, uint32_t at, uint32_t n)
+{
+    if (sm_handover_take(log->lock) != SM_OK)
+        return false;
+    if (at == 0)
+        log->end = log->head;
+    log->head = at + n;
+    sm_handover_give(log->lock);
+    return true;
+}
+
+// ---- blocks ----
+
+static void put_event(uint8_t *to, const SmEvent *e)
+{
+    log_put64(to, e->time);
+    to[8] = e->kind;
+    log_put16(to + 9, e->source);
+    log_put32(to + 11, e->a);
+    log_put32(to + 15, e->b);
+}
+
+// Up to EVENTS_AT_ONCE of them as a block; gives how many.  Without room they stay where they are.
+static uint32_t put_some_events(SmLog *log)
+{
+    SmEvent e[EVENTS_AT_ONCE];
+    uint32_t at, n, lost = 0;
+    uint8_t *to;
+
+    if (!find_room(log, SM_LOG_BLOCK + EVENTS_AT_ONCE * LOG_EVENT, &at))
+        return 0;
+    n = sm_events_read(log->events, &log->cursor, e, EVENTS_AT_ONCE, &lost);
+    log->lost += lost;
+    if (n == 0)
+        return 0;
+    to = log->buffer + at;
+    log_put_head(to, LOG_EVENTS, n * LOG_EVENT);
+    for (uint32_t i = 0; i < n; i++)
+        put_event(to + LOG_HEAD + i * LOG_EVENT, &e[i]);
+    if (!hand_over(log, at, SM_LOG_BLOCK + n * LOG_EVENT))
+        log->lost += n;
+    return n;
+}
+
+// Those that there are now, not those that come meanwhile.
+static void put_events(SmLog *log)
+{
+    uint32_t left = log->events ? log->events->room : 0, n = 1;
+
+    while (left > 0 && n > 0) {
+        n = put_some_events(log);
+        left -= n < left ? n : left;
+    }
+}
+
+// How much is missing here, if anything is that has not been told.
+static void put_gap(SmLog *log)
+{
+    uint32_t at;
+
+    if ((log->dropped == log->dropped_told && log->lost == log->lost_told) || !find_room(log, SM_LOG_BLOCK + LOG_DROPPED, &at))
+        return;
+    log_put_head(log->buffer + at, LOG_GAP, LOG_DROPPED);
+    log_put32(log->buffer + at + LOG_HEAD, log->dropped - log->dropped_told);
+    log_put32(log->buffer + at + LOG_HEAD + 4, log->lost - log->lost_told);
+    if (hand_over(log, at, SM_LOG_BLOCK + LOG_DROPPED)) {
+        log->dropped_told = log->dropped;
+        log->lost_told = log->lost;
+    }
+}
+
+static SmResult put_record(SmLog *log, uint64_t time)
+{
+    const SmRegion *whole = &log->sv->layout->whole;
+    uint32_t at;
+    SmResult r;
+
+    if (!find_room(log, SM_LOG_RECORD(whole->packed), &at))
+        return SM_E_FULL;
+    log_put_head(log->buffer + at, LOG_RECORD, 8 + whole->packed);
+    log_put64(log->buffer + at + LOG_HEAD, time);
+    r = sm_pack_region(log->sv, whole, log->buffer + at + LOG_HEAD + 8, (size_t)whole->packed);
+    if (r == SM_OK && !hand_over(log, at, SM_LOG_RECORD(whole->packed)))
+        r = SM_E_TIMEOUT;
+    return r;
+}
+
+SmResult sm_log_step(void *context, const SmTick *tick)
+{
+    SmLog *log = (SmLog *)context;
+    SmResult r;
+
+    put_gap(log);
+    put_events(log);
+    r = put_record(log, tick->time);
+    log->dropped += r != SM_OK;
+    return r;
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The format of the log, for who writes it and who reads it; docs/log.md explains it.  Numbers have their least significant byte first.
+//
+// A block is a mark, its kind, the length of what it holds, that, and a CRC-32 of all of it, which of all kinds but the description
+// goes on from the CRC-32 of the session's identity: so no block is ever taken for one of another session or another layout.
+#ifndef SM_LOG_BLOCK_H
+#define SM_LOG_BLOCK_H
+
+#include <stdint.h>
+
+#include "stdlib/crc32.h"
+
+enum {
+    LOG_VERSION = 1,
+    LOG_MARK = 0xA5,
+    LOG_HEAD = 6,             // mark, kind, four bytes of length
+    LOG_CHECK = 4,            // the CRC
+    LOG_IDENTITY = 13,        // the first bytes of a description: version, where it began in the file (8), layout hash (4)
+    LOG_EVENT = 19,           // time (8), kind, source (2), a (4), b (4)
+    LOG_DROPPED = 8           // records, events
+};
+
+typedef enum LogKind { LOG_DESCRIPTION = 'D', LOG_RECORD = 'R', LOG_EVENTS = 'E', LOG_GAP = 'G' } LogKind;
+
+static inline void log_put16(uint8_t *to, uint16_t x)
+{
+    to[0] = (uint8_t)x;
+    to[1] = (uint8_t)(x >> 8);
+}
+
+static inline void log_put32(uint8_t *to, uint32_t x)
+{
+    log_put16(to, (uint16_t)x);
+    log_put16(to + 2, (uint16_t)(x >> 16));
+}
+
+static inline void log_put64(uint8_t *to, uint64_t x)
+{
+    log_put32(to, (uint32_t)x);
+    log_put32(to + 4, (uint32_t)(x >> 32));
+}
+
+static inline uint16_t log_get16(const uint8_t *from)
+{
+    return (uint16_t)(from[0] | (unsigned)from[1] << 8);
+}
+
+static inline uint32_t log_get32(const uint8_t *from)
+{
+    return log_get16(from) | (uint32_t)log_get16(from + 2) << 16;
+}
+
+static inline uint64_t log_get64(const uint8_t *from)
+{
+    return log_get32(from) | (uint64_t)log_get32(from + 4) << 32;
+}
+
+// The CRC of n bytes that goes on from `crc`, which is SM_CRC32_START or a CRC that has not been ended.
+static inline uint32_t log_check(uint32_t crc, const uint8_t *bytes, uint32_t n)
+{
+    while (n-- > 0)
+        crc = sm_crc32_byte(crc, *bytes++);
+    return crc;
+}
+
+static inline void log_put_head(uint8_t *to, LogKind kind, uint32_t length)
+{
+    to[0] = LOG_MARK;
+    to[1] = (uint8_t)kind;
+    log_put32(to + 2, length);
+}
+
+#endif

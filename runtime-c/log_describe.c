@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// The description: the same bytes are made again for each piece of it that is written, so that it needs no memory.
+#include <string.h>
+
+#include "runtime-c/log_block.h"
+#include "runtime-c/log_describe.h"
+
+// Takes all bytes in order and keeps those from `from` on for which there is room.
+typedef struct Sink {
+    uint32_t at, from, room;
+    uint8_t *out;
+    uint32_t crc;
+} Sink;
+
+static void put(Sink *s, uint8_t byte)
+{
+    if (s->at >= s->from && s->at - s->from < s->room)
+        s->out[s->at - s->from] = byte;
+    s->crc = sm_crc32_byte(s->crc, byte);
+    s->at++;
+}
+
+static void put_bytes(Sink *s, const uint8_t *bytes, uint32_t n)
+{
+    while (n-- > 0)
+        put(s, *bytes++);
+}
+
+static void put_u16(Sink *s, uint16_t x)
+{
+    uint8_t bytes[2];
+
+    log_put16(bytes, x);
+    put_bytes(s, bytes, 2);
+}
+
+static void put_u32(Sink *s, uint32_t x)
+{
+    uint8_t bytes[4];
+
+    log_put32(bytes, x);
+    put_bytes(s, bytes, 4);
+}
+
+static void put_name(Sink *s, const char *name)
+{
+    const size_t n = name ? strlen(name) : 0;
+    const uint16_t length = n < UINT16_MAX ? (uint16_t)n : UINT16_MAX;
+
+    put_u16(s, length);
+    put_bytes(s, (const uint8_t *)name, length);
+}
+
+// ---- its parts ----
+
+static void make_identity(const SmLog *log, uint8_t *to)
+{
+    to[0] = LOG_VERSION;
+    log_put64(to + 1, log->start);
+    log_put32(to + 9, log->sv->layout->hash);
+}
+
+static void put_layout(Sink *s, const SmNames *names)
+{
+    const SmLayout *l = names->layout;
+
+    put_name(s, names->vector);
+    put_u32(s, l->whole.packed);
+    put_u16(s, l->regions);
+    for (uint16_t i = 0; i < l->regions; i++) {
+        put_name(s, names->region[i]);
+        put_u16(s, l->region[i].count);
+    }
+    put_u16(s, l->elements);
+    for (uint16_t i = 0; i < l->elements; i++) {
+        put(s, l->element[i].type);
+        put_name(s, names->element[i]);
+    }
+}
+
+// Which element a machine's S is; 0xFFFF: none.
+static uint16_t number_of(const SmLayout *l, const SmMachine *m)
+{
+    const SmPlace at = m->type->number(m->self);
+    uint16_t i = 0;
+
+    while (i < l->elements && l->element[i].offset != at.offset)
+        i++;
+    return i < l->elements ? i : UINT16_MAX;
+}
+
+static void put_machine(Sink *s, const SmLayout *l, const SmMachine *m)
+{
+    const uint32_t states = m->type->states(m->self);
+
+    put_u16(s, m->number);
+    put_name(s, m->name);
+    put_u16(s, number_of(l, m));
+    put_u32(s, states);
+    for (uint32_t i = 1; i <= states; i++)
+        put_name(s, m->type->state_name(m->self, i));
+}
+
+static void put_names(Sink *s, const char *const *name, uint16_t n)
+{
+    put_u16(s, name ? n : 0);
+    for (uint16_t i = 0; name && i < n; i++)
+        put_name(s, name[i]);
+}
+
+static void put_kinds(Sink *s)
+{
+    static const uint8_t kinds[] = {
+#define SM_EVENT(name, number, source, a, b, text) number,
+#include "runtime-c/events.def"
+#undef SM_EVENT
+    };
+
+    put_u16(s, sizeof kinds);
+    for (uint16_t i = 0; i < sizeof kinds; i++) {
+        put(s, kinds[i]);
+        put_name(s, sm_event_name(kinds[i]));
+    }
+}
+
+static void put_all(Sink *s, const SmLog *log, uint32_t length)
+{
+    uint8_t bytes[LOG_IDENTITY];
+
+    log_put_head(bytes, LOG_DESCRIPTION, length);
+    put_bytes(s, bytes, LOG_HEAD);
+    make_identity(log, bytes);
+    put_bytes(s, bytes, LOG_IDENTITY);
+    put_layout(s, log->names);
+    put_u16(s, log->machines);
+    for (uint16_t i = 0; i < log->machines; i++)
+        put_machine(s, log->sv->layout, log->machine[i]);
+    put_names(s, log->task, log->tasks);
+    put_names(s, log->executor, log->executors);
+    put_kinds(s);
+    put_u32(s, sm_crc32_end(s->crc));
+}
+
+// ---- for the log ----
+
+uint32_t log_description_size(const SmLog *log)
+{
+    Sink s = {0, 0, 0, NULL, SM_CRC32_START};
+
+    put_all(&s, log, 0);
+    return s.at;
+}
+
+uint32_t log_describe(const SmLog *log, uint32_t size, uint32_t from, uint8_t *out, uint32_t room)
+{
+    Sink s = {0, 0, 0, NULL, SM_CRC32_START};
+
+    s.from = from;
+    s.room = room < size - from ? room : size - from;
+    s.out = out;
+    put_all(&s, log, size - LOG_HEAD - LOG_CHECK);
+    return s.room;
+}
+
+uint32_t log_identity(const SmLog *log)
+{
+    uint8_t bytes[LOG_IDENTITY];
+
+    make_identity(log, bytes);
+    return log_check(SM_CRC32_START, bytes, LOG_IDENTITY);
+}

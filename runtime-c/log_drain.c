@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// The drain's side of the log: what is in the ring, with checksums filled in, to the medium; and the description, first of all and
+// again from time to time, so that a log whose beginning is damaged can still be read.
+//
+// What the medium took of a piece before it refused is known by the file's size, so that the rest follows where it stopped.
+#include "runtime-c/handover.h"
+#include "runtime-c/log_block.h"
+#include "runtime-c/log_describe.h"
+#include "runtime-c/pal/clock.h"
+
+enum { DESCRIBE_AT_ONCE = 64 };
+
+// Gives how many of the bytes are in the file now.
+static uint32_t append(SmLog *log, const uint8_t *bytes, uint32_t n)
+{
+    uint64_t size = log->written;
+    uint32_t done = n;
+
+    log->result = pal_log_append(log->out, bytes, (size_t)n);
+    if (log->result != SM_OK) {
+        (void)pal_log_size(log->out, &size);
+        done = size < log->written || size - log->written > n ? 0 : (uint32_t)(size - log->written);
+    }
+    log->written += done;
+    log->unsynced = log->unsynced || done > 0;
+    return done;
+}
+
+// ---- the description ----
+
+static bool is_describing(const SmLog *log)
+{
+    return log->describing < log->description;
+}
+
+static void begin_description(SmLog *log)
+{
+    log->description = log_description_size(log);
+    log->describing = 0;
+    log->described = log->written;
+}
+
+static void describe(SmLog *log)
+{
+    uint8_t bytes[DESCRIBE_AT_ONCE];
+    const uint32_t n = log_describe(log, log->description, log->describing, bytes, DESCRIBE_AT_ONCE);
+
+    log->describing += append(log, bytes, n);
+}
+
+static bool is_description_due(const SmLog *log)
+{
+    return log->description == 0 || log->written - log->described >= SM_LOG_AGAIN;
+}
+
+// ---- the ring ----
+
+// Up to where there are blocks from the tail on; moves the tail to the front of the ring when it is at its end.
+static uint32_t look(SmLog *log)
+{
+    uint32_t limit;
+
+    if (sm_handover_take(log->lock) != SM_OK)
+        return log->tail;
+    if (log->head < log->tail && log->tail == log->end)
+        log->tail = log->closed = 0;
+    limit = log->head < log->tail ? log->end : log->head;
+    sm_handover_give(log->lock);
+    return limit;
+}
+
+// Fills in checksums up to `limit`, of no more than SM_LOG_PIECE bytes but at least of one block; of no further one when the next is to be
+// the description.
+static void close_blocks(SmLog *log, uint32_t limit)
+{
+    const uint32_t identity = log_identity(log), most = is_description_due(log) ? 0 : SM_LOG_PIECE;
+
+    while (log->closed < limit && (log->closed == log->tail || log->closed - log->tail < most)) {
+        uint8_t *block = log->buffer + log->closed;
+        const uint32_t n = LOG_HEAD + log_get32(block + 2);
+
+        log_put32(block + n, sm_crc32_end(log_check(identity, block, n)));
+        log->closed += n + LOG_CHECK;
+    }
+}
+
+static void give_room(SmLog *log, uint32_t n)
+{
+    if (sm_handover_take(log->lock) != SM_OK)
+        return;                                           // seen the next time: the bytes will be there twice
+    log->tail += n;
+    sm_handover_give(log->lock);
+}
+
+// Something is left in the ring or of the description.
+static bool drain_piece(SmLog *log)
+{
+    uint32_t limit, n;
+
+    if (!is_describing(log) && is_description_due(log) && log->tail == log->closed)       // between blocks
+        begin_description(log);
+    if (is_describing(log)) {
+        describe(log);
+        return true;
+    }
+    limit = look(log);
+    if (log->tail == limit)
+        return false;
+    close_blocks(log, limit);
+    n = log->closed - log->tail;
+    n = n < SM_LOG_PIECE ? n : SM_LOG_PIECE;
+    give_room(log, append(log, log->buffer + log->tail, n));
+    return true;
+}
+
+// ---- for the application ----
+
+static void sync(SmLog *log, uint64_t now)
+{
+    SmResult r = log->unsynced ? pal_log_sync(log->out) : SM_OK;
+
+    if (r != SM_OK)
+        log->result = r;
+    log->unsynced = log->unsynced && r != SM_OK;
+    log->synced_at = now;
+}
+
+static bool drain_until(SmLog *log, uint64_t start, uint64_t budget)
+{
+    bool left;
+
+    do {
+        log->result = SM_OK;
+        left = drain_piece(log) && log->result == SM_OK;
+    } while (left && pal_clock_now() - start < budget);
+    return left;
+}
+
+bool sm_log_drain(SmLog *log, uint64_t budget)
+{
+    const uint64_t start = pal_clock_now();
+    const bool left = drain_until(log, start, budget);
+
+    if (pal_clock_now() - log->synced_at >= SM_LOG_SYNC)
+        sync(log, pal_clock_now());
+    return left;
+}
+
+SmResult sm_log_close(SmLog *log)
+{
+    (void)sm_log_drain(log, UINT64_MAX);
+    sync(log, pal_clock_now());
+    (void)pal_log_close(log->out);
+    log->out.id = 0;
+    return log->result;
+}

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that only grow: regular files, opened to append.  The system's lock on the file keeps other programs out as long as it is open.
+#define _GNU_SOURCE
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "runtime-c/pal/log.h"
+#include "runtime-c/psl/linux/linux.h"
+
+static bool used[PAL_LOGS];
+static int descriptors[PAL_LOGS];
+
+// O_NONBLOCK: a pipe without a reader is refused rather than waited for.
+static SmResult open_file(const char *name, int *fd)
+{
+    *fd = open(name, O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0644);
+    if (*fd >= 0)
+        return SM_OK;
+    return errno == EISDIR || errno == ENXIO || errno == ENODEV ? SM_E_UNSUPPORTED : psl_result(errno);
+}
+
+// A regular file that nobody else has, with its name on the medium.
+static SmResult claim(int fd, const char *name)
+{
+    struct stat s;
+
+    if (fstat(fd, &s) != 0)
+        return psl_result(errno);
+    if (!S_ISREG(s.st_mode))
+        return SM_E_UNSUPPORTED;
+    if (flock(fd, LOCK_EX | LOCK_NB) != 0)
+        return errno == EWOULDBLOCK ? SM_E_BUSY : psl_result(errno);
+    return s.st_size == 0 ? psl_result(psl_sync_folder(name)) : SM_OK;
+}
+
+static uint8_t take(void)
+{
+    uint8_t id;
+
+    psl_guard();
+    id = psl_table_take(used, PAL_LOGS);
+    psl_unguard();
+    return id;
+}
+
+static void release(uint8_t id)
+{
+    psl_guard();
+    used[id - 1] = false;
+    psl_unguard();
+}
+
+static SmResult enter(uint8_t id, const char *name)
+{
+    int fd;
+    SmResult r = open_file(name, &fd);
+
+    if (r != SM_OK)
+        return r;
+    r = claim(fd, name);
+    if (r != SM_OK)
+        close(fd);
+    descriptors[id - 1] = fd;
+    return r;
+}
+
+SmResult pal_log_open(PalLogFile *file, const char *name)
+{
+    SmResult r;
+    uint8_t id;
+
+    if (!file || !name || name[0] == '\0' || strlen(name) >= PAL_NAME)
+        return SM_E_ARGUMENT;
+    id = take();
+    if (id == 0)
+        return SM_E_FULL;
+    r = enter(id, name);
+    if (r == SM_OK)
+        file->id = id;
+    else
+        release(id);
+    return r;
+}
+
+SmResult pal_log_append(PalLogFile file, const void *bytes, size_t n)
+{
+    const uint8_t *from = (const uint8_t *)bytes;
+
+    if (!psl_table_holds(used, PAL_LOGS, file.id))
+        return SM_E_HANDLE;
+    if (!bytes)
+        return SM_E_ARGUMENT;
+    while (n > 0) {
+        ssize_t taken = write(descriptors[file.id - 1], from, n);
+
+        if (taken < 0 && errno != EINTR)
+            return psl_result(errno);
+        if (taken > 0) {
+            from += taken;
+            n -= (size_t)taken;
+        }
+    }
+    return SM_OK;
+}
+
+SmResult pal_log_sync(PalLogFile file)
+{
+    if (!psl_table_holds(used, PAL_LOGS, file.id))
+        return SM_E_HANDLE;
+    while (fdatasync(descriptors[file.id - 1]) != 0)          // the new length as well: without it the bytes could not be read
+        if (errno != EINTR)
+            return psl_result(errno);
+    return SM_OK;
+}
+
+SmResult pal_log_size(PalLogFile file, uint64_t *size)
+{
+    struct stat s;
+
+    if (!size)
+        return SM_E_ARGUMENT;
+    if (!psl_table_holds(used, PAL_LOGS, file.id))
+        return SM_E_HANDLE;
+    if (fstat(descriptors[file.id - 1], &s) != 0)
+        return psl_result(errno);
+    *size = (uint64_t)s.st_size;
+    return SM_OK;
+}
+
+SmResult pal_log_close(PalLogFile file)
+{
+    SmResult r = SM_E_HANDLE;
+
+    psl_guard();
+    if (psl_table_holds(used, PAL_LOGS, file.id)) {
+        close(descriptors[file.id - 1]);
+        used[file.id - 1] = false;
+        r = SM_OK;
+    }
+    psl_unguard();
+    return r;
+}

@@ -1,0 +1,30 @@
+# Pins want their state vector, and give C.
+args build a.io --emit=c
+args build a.io --sv v.sv
+args check a.io
+args check a.io --sv v.sv
+args a.io
+args build a.io --emit=ast && cat a.io >/dev/null
+
+-- v.sv --
+[Valves]
+bool open
+-- a.io --
+[digital]
+o 0 open @safe true
+o 1 open @allow(two-writers, "why")
+-- stdout --
+pins digital
+  o 0 open @safe true
+  o 1 open @allow(two-writers, "why")
+-- stderr --
+smc: pins are built with their state vector, as in 'smc build a.io --sv app.sv --emit=c'
+Try 'smc build --help'.
+smc: pins alone give C only; say --emit=c
+Try 'smc build --help'.
+smc: pins are checked with their state vector, as in 'smc check a.io --sv app.sv'
+Try 'smc check --help'.
+smc: a command comes before the file, as in 'smc check a.io'
+Try 'smc --help'.
+-- exit --
+2 2 2 0 2 0

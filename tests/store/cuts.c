@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: Apache-2.0
+// Updates of images with the power cut before, inside and after every write and erase: one cut, and then another in what follows.
+// Whatever was cut, the old image or the new one runs; with one slot, the built-in one where the old one had to give way.
+//   cuts OLD.smb NEW.smb          all single cuts, and one in 65 pairs
+//   cuts OLD.smb NEW.smb all      all pairs
+#include <stdio.h>
+#include <string.h>
+
+#include "bytecode-vm/target/store.h"
+#include "runtime-c/psl/sim/sim.h"
+#include "tests/test.h"
+
+enum { ROOM = 1024, BLOCK = 32 };
+
+typedef struct Image {
+    uint8_t bytes[ROOM];
+    uint32_t length, checksum;
+} Image;
+
+// The device: what a restart forgets is in `store`, what it keeps in the simulated memory.
+typedef struct Device {
+    const char *memory;
+    uint8_t slots;
+    Store store;
+    uint8_t slot;             // what runs
+} Device;
+
+typedef enum Runs { RUNS_OLD, RUNS_NEW, RUNS_BUILT_IN, RUNS_NOTHING } Runs;
+
+static Image old_image, new_image;
+
+static bool load(const char *path, Image *image)
+{
+    FILE *f = fopen(path, "rb");
+
+    if (!f)
+        return false;
+    image->length = (uint32_t)fread(image->bytes, 1, ROOM, f);
+    fclose(f);
+    image->checksum = (uint32_t)image->bytes[4] | (uint32_t)image->bytes[5] << 8 | (uint32_t)image->bytes[6] << 16 |
+                      (uint32_t)image->bytes[7] << 24;
+    return image->length > 12 && image->length < ROOM;
+}
+
+// ---- what happens to it ----
+
+static bool opens(Device *d)
+{
+    StorePlan plan = {SIM_NVM_SIZE, d->slots, {NULL, NULL}};
+    PalNvm nvm;
+    PalNvmInfo info;
+    uint32_t unit, record;
+
+    if (pal_nvm_open(&nvm, d->memory, SIM_NVM_SIZE) != SM_OK || pal_nvm_info(nvm, &info) != SM_OK)
+        return false;
+    unit = info.erase ? info.erase : info.write;
+    record = (STORE_RECORD + unit - 1) / unit * unit;
+    plan.image[0] = sim_nvm(d->memory) + 2 * record;
+    plan.image[1] = plan.image[0] + (SIM_NVM_SIZE - 2 * record) / d->slots / unit * unit;
+    return store_open(&d->store, nvm, &plan) == SM_OK;
+}
+
+// A start: gives what runs.  The choice may be cut off as well, then nothing runs yet.
+static Runs start(Device *d)
+{
+    uint32_t checksum, length;
+
+    sim_power_on();
+    if (!opens(d) || store_boot(&d->store, &d->slot) != SM_OK)
+        return RUNS_NOTHING;
+    if (d->slot == STORE_BUILT_IN)
+        return RUNS_BUILT_IN;
+    if (store_state(&d->store, d->slot, &checksum, &length) == STORE_EMPTY)
+        return RUNS_NOTHING;
+    if (checksum == old_image.checksum && memcmp(d->store.plan.image[d->slot], old_image.bytes, length) == 0)
+        return RUNS_OLD;
+    return checksum == new_image.checksum && memcmp(d->store.plan.image[d->slot], new_image.bytes, length) == 0 ? RUNS_NEW : RUNS_NOTHING;
+}
+
+static bool sends(Device *d, const Image *image)
+{
+    SmvmVerdict why;
+
+    if (d->slots == 1)
+        store_leave(&d->store);
+    if (store_begin(&d->store, 7, image->length, image->checksum) != SM_OK)
+        return false;
+    for (uint32_t at = 0; at < image->length; at += BLOCK) {
+        const uint32_t n = image->length - at < BLOCK ? image->length - at : BLOCK;
+        if (store_write(&d->store, 7, at, image->bytes + at, (uint8_t)n) != SM_OK)
+            return false;
+    }
+    return store_end(&d->store, 7, &why) == SM_OK;
+}
+
+static bool updates(Device *d, const Image *image) { return sends(d, image) && store_activate(&d->store, 7) == SM_OK; }
+
+// How far an update came before the power went.
+typedef struct Progress { bool chosen, confirmed; } Progress;
+
+// The whole story: send, choose, start, confirm.  It ends where the power goes.
+static Progress update_and_confirm(Device *d)
+{
+    Progress p = {false, false};
+
+    if (!updates(d, &new_image))
+        return p;
+    p.chosen = true;
+    pal_nvm_close(d->store.nvm);
+    if (!opens(d) || store_boot(&d->store, &d->slot) != SM_OK)
+        return p;
+    p.confirmed = store_confirm(&d->store, new_image.checksum) == SM_OK;
+    return p;
+}
+
+// A device on which the old image is confirmed, and runs.
+static void prepare(Device *d, const char *memory, uint8_t slots)
+{
+    memset(d, 0, sizeof *d);
+    d->memory = memory;
+    d->slots = slots;
+    sim_reset();
+    CHECK(opens(d) && updates(d, &old_image));
+    CHECK(start(d) == RUNS_OLD);
+    CHECK(store_confirm(&d->store, old_image.checksum) == SM_OK);
+}
+
+// ---- cuts ----
+
+// Whether a device that comes back after a cut is as it must be.
+static bool is_sound(const Device *d, Runs runs, Progress p)
+{
+    if (p.chosen || runs == RUNS_NEW)
+        return runs == RUNS_NEW;
+    return runs == RUNS_OLD || (d->slots == 1 && runs == RUNS_BUILT_IN);
+}
+
+// With the update cut, then a start, then the same again with a second cut, then without: it always ends with the new image.
+static bool survives_both(const char *memory, uint8_t slots, const uint32_t first[2], const uint32_t second[2])
+{
+    Device d;
+    Progress p;
+    Runs runs;
+
+    prepare(&d, memory, slots);
+    sim_cut_power(first[0], first[1]);
+    p = update_and_confirm(&d);
+    runs = start(&d);
+    if (!is_sound(&d, runs, p))
+        return false;
+    if (runs == RUNS_NEW)
+        return store_confirm(&d.store, new_image.checksum) == SM_OK && start(&d) == RUNS_NEW;
+    if (second) {
+        sim_cut_power(second[0], second[1]);
+        p = update_and_confirm(&d);
+        runs = start(&d);
+        if (!is_sound(&d, runs, p))
+            return false;
+    }
+    if (runs != RUNS_NEW && (!updates(&d, &new_image) || start(&d) != RUNS_NEW))
+        return false;
+    return store_confirm(&d.store, new_image.checksum) == SM_OK && start(&d) == RUNS_NEW;
+}
+
+// Every place at which the power can go in an update: in which write or erase, and after how many of its bytes.
+typedef struct Cuts { uint32_t at[2048][2]; uint32_t n; } Cuts;
+
+static uint32_t writes_of_an_update(const char *memory, uint8_t slots)
+{
+    uint32_t before;
+    Device d;
+
+    prepare(&d, memory, slots);
+    before = sim_count(SIM_nvm_write) + sim_count(SIM_nvm_erase);
+    CHECK(update_and_confirm(&d).confirmed);
+    return sim_count(SIM_nvm_write) + sim_count(SIM_nvm_erase) - before;
+}
+
+static void memory_after(const char *memory, uint8_t slots, uint32_t call, uint32_t byte, uint8_t *bytes)
+{
+    Device d;
+
+    prepare(&d, memory, slots);
+    sim_cut_power(call, byte);
+    update_and_confirm(&d);
+    memcpy(bytes, sim_nvm(memory), SIM_NVM_SIZE);
+}
+
+static void list_cuts(const char *memory, uint8_t slots, Cuts *cuts)
+{
+    static uint8_t done[SIM_NVM_SIZE], now[SIM_NVM_SIZE];
+    const uint32_t calls = writes_of_an_update(memory, slots);
+
+    cuts->n = 0;
+    for (uint32_t call = 0; call < calls; call++) {
+        memory_after(memory, slots, call, SIM_NVM_SIZE, done);
+        for (uint32_t byte = 0;; byte++) {
+            memory_after(memory, slots, call, byte, now);
+            cuts->at[cuts->n][0] = call;
+            cuts->at[cuts->n++][1] = byte;
+            if (memcmp(now, done, sizeof now) == 0 || cuts->n == 2048)
+                break;
+        }
+    }
+    CHECK(cuts->n < 2048);
+}
+
+static void try_cuts(const char *memory, uint8_t slots, bool all)
+{
+    static Cuts cuts;
+    uint32_t pairs = 0;
+
+    list_cuts(memory, slots, &cuts);
+    for (uint32_t i = 0; i < cuts.n; i++) {
+        CHECK(survives_both(memory, slots, cuts.at[i], NULL));
+        for (uint32_t k = 0; k < cuts.n; k++)
+            if (all || (i % 13 == 0 && k % 5 == 0)) {
+                CHECK(survives_both(memory, slots, cuts.at[i], cuts.at[k]));
+                pairs++;
+            }
+    }
+    printf("%s, %u slots: %u single cuts, %u pairs\n", memory, slots, (unsigned)cuts.n, (unsigned)pairs);
+}
+
+// ---- trials ----
+
+static void a_trial_that_is_not_confirmed_ends(void)
+{
+    Device d;
+
+    prepare(&d, "eeprom", 2);
+    CHECK(updates(&d, &new_image));
+    CHECK(store_confirm(&d.store, new_image.checksum) == SM_E_ARGUMENT);       // it does not run yet
+    for (int i = 0; i < STORE_TRIES; i++) {
+        CHECK(start(&d) == RUNS_NEW);
+        CHECK(store_begin(&d.store, 8, old_image.length, old_image.checksum) == SM_E_BUSY);
+    }
+    CHECK(start(&d) == RUNS_OLD);
+    CHECK(start(&d) == RUNS_OLD && d.store.now.confirmed);
+}
+
+// A start that cannot be counted would be one of any number: the trial is not run.
+static void a_trial_that_cannot_be_counted_does_not_run(void)
+{
+    Device d;
+
+    prepare(&d, "eeprom", 2);
+    CHECK(updates(&d, &new_image));
+    sim_break(SIM_nvm_write, 0, SM_E_DEVICE);
+    sim_power_on();
+    CHECK(opens(&d) && store_boot(&d.store, &d.slot) == SM_E_DEVICE && d.slot == 0);
+    sim_break(SIM_nvm_write, 0, SM_OK);
+    CHECK(start(&d) == RUNS_NEW);
+}
+
+static void an_erased_trial_gives_way(void)
+{
+    Device d;
+
+    prepare(&d, "flash", 2);
+    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
+    CHECK(store_erase(&d.store, 1) == SM_E_MISSING);
+    CHECK(store_erase(&d.store, new_image.checksum) == SM_OK);
+    CHECK(store_begin(&d.store, 8, new_image.length, new_image.checksum) == SM_E_BUSY);   // one slot is chosen, the other runs
+    CHECK(start(&d) == RUNS_OLD);
+    CHECK(store_erase(&d.store, old_image.checksum) == SM_OK);
+    CHECK(start(&d) == RUNS_BUILT_IN);
+    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
+}
+
+// A step that is repeated because its answer was lost does no harm; what does not belong to the update is refused.
+static void steps_may_be_repeated(void)
+{
+    Device d;
+    uint32_t writes;
+    SmvmVerdict why;
+
+    prepare(&d, "eeprom", 2);
+    CHECK(sends(&d, &new_image));
+    writes = sim_count(SIM_nvm_write);
+    CHECK(store_begin(&d.store, 7, new_image.length, new_image.checksum) == SM_OK);
+    CHECK(store_write(&d.store, 7, 0, new_image.bytes, BLOCK) == SM_OK);
+    CHECK(store_write(&d.store, 7, 0, old_image.bytes + 32, BLOCK) == SM_E_ARGUMENT);
+    CHECK(store_write(&d.store, 6, 0, new_image.bytes, BLOCK) == SM_E_HANDLE);
+    CHECK(store_write(&d.store, 7, new_image.length, new_image.bytes, 1) == SM_E_ARGUMENT);
+    CHECK(store_end(&d.store, 7, &why) == SM_OK && sim_count(SIM_nvm_write) == writes);
+    CHECK(store_activate(&d.store, 7) == SM_OK && store_activate(&d.store, 7) == SM_OK);
+    CHECK(sim_count(SIM_nvm_write) == writes + 1);
+    CHECK(start(&d) == RUNS_NEW);
+    CHECK(store_confirm(&d.store, new_image.checksum) == SM_OK && store_confirm(&d.store, new_image.checksum) == SM_OK);
+    CHECK(store_activate(&d.store, 7) == SM_E_HANDLE && store_end(&d.store, 7, &why) == SM_E_HANDLE);
+}
+
+static void what_does_not_fit_is_refused(void)
+{
+    Device d;
+    StorePlan plan = {64, 2, {NULL, NULL}};
+    Image damaged = new_image;
+    Store s;
+
+    prepare(&d, "eeprom", 2);
+    CHECK(store_begin(&d.store, 9, d.store.slot_size + 1, 0) == SM_E_SPACE);
+    CHECK(store_begin(&d.store, 0, 100, 0) == SM_E_ARGUMENT);
+    damaged.bytes[damaged.length - 1] ^= 1;
+    CHECK(!sends(&d, &damaged) && store_activate(&d.store, 7) == SM_E_HANDLE);
+    CHECK(start(&d) == RUNS_OLD);
+    CHECK(store_open(&s, d.store.nvm, &plan) == SM_E_SPACE);
+    plan.slots = 3;
+    CHECK(store_open(&s, d.store.nvm, &plan) == SM_E_ARGUMENT);
+}
+
+// ---- memory that goes bad ----
+
+// Any bit of the memory flips while the power is off: an image that is whole runs, and never a damaged one.
+static void flipped_bits_are_noticed(const char *memory)
+{
+    Device d;
+    static uint8_t kept[SIM_NVM_SIZE];
+    unsigned built_in = 0;
+
+    prepare(&d, memory, 2);
+    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW && store_confirm(&d.store, new_image.checksum) == SM_OK);
+    memcpy(kept, sim_nvm(memory), sizeof kept);
+    for (uint32_t bit = 0; bit < 8 * SIM_NVM_SIZE; bit++) {
+        Runs runs;
+        memcpy(sim_nvm(memory), kept, sizeof kept);
+        sim_nvm(memory)[bit / 8] ^= (uint8_t)(1u << bit % 8);
+        runs = start(&d);
+        CHECK(runs == RUNS_NEW || runs == RUNS_OLD || runs == RUNS_BUILT_IN);
+        built_in += runs == RUNS_BUILT_IN;
+    }
+    CHECK(built_in == 0);              // of two images and two records one was always whole
+}
+
+// One bit of the memory is stuck during the whole story: the update is refused, or it works.
+static void stuck_bits_are_noticed(void)
+{
+    for (uint32_t bit = 0; bit < 8 * SIM_NVM_SIZE; bit++)
+        for (unsigned value = 0; value < 2; value++) {
+            Device d;
+            Runs runs;
+            bool chosen;
+            prepare(&d, "eeprom", 2);
+            sim_stick("eeprom", bit / 8, (uint8_t)(1u << bit % 8), value ? 0xff : 0);
+            chosen = updates(&d, &new_image);
+            runs = start(&d);
+            CHECK(runs == RUNS_NEW || runs == RUNS_OLD);
+            CHECK(chosen || runs == RUNS_OLD || bit / 8 < 2 * STORE_RECORD);
+        }
+}
+
+int main(int argc, char **argv)
+{
+    const bool all = argc > 3 && strcmp(argv[3], "all") == 0;
+
+    if (argc < 3 || !load(argv[1], &old_image) || !load(argv[2], &new_image)) {
+        fprintf(stderr, "cuts OLD.smb NEW.smb [all]\n");
+        return 2;
+    }
+    a_trial_that_is_not_confirmed_ends();
+    a_trial_that_cannot_be_counted_does_not_run();
+    an_erased_trial_gives_way();
+    steps_may_be_repeated();
+    what_does_not_fit_is_refused();
+    flipped_bits_are_noticed("eeprom");
+    flipped_bits_are_noticed("flash");
+    stuck_bits_are_noticed();
+    for (uint8_t slots = 1; slots <= 2; slots++) {
+        try_cuts("eeprom", slots, all);
+        try_cuts("flash", slots, all);
+    }
+    return test_end("store");
+}
