@@ -440,9 +440,15 @@ $(B)/runtime/%_tsan: tests/runtime/%_linux.c $(RUNTIME_SRC_linux) $(RUNTIME_MADE
 check: $(RUNTIME_TESTS) $(RUNTIME_TSAN)
 CHECK_LINES += $(foreach t,$(RUNTIME_TESTS),"runtime-$(notdir $(t)): $(t)") \
                $(foreach t,$(RUNTIME_TSAN),"runtime-$(notdir $(t)): if test -x $(t); then $(t); else echo 0 passed, 0 failed, 1 skipped; fi")
+CHECK_LINES += "runtime-targets: CC='$(CC)' sh tests/runtime/targets.sh $(B)/smc"
 check-runtime: $(RUNTIME_TESTS) $(RUNTIME_TSAN)
 	@for t in $(RUNTIME_TESTS) $(RUNTIME_TSAN); do test ! -x $$t || $$t || exit 1; done
 .PHONY: check-runtime
+
+# What an access to the state vector costs, and what it weighs.
+bench-runtime: $(RUNTIME_MADE)
+	sh tests/bench/runtime.sh $(B) '$(CC)'
+.PHONY: bench-runtime
 
 # ---- installing ----
 

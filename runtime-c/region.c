@@ -21,7 +21,7 @@ SmResult sm_read_region(SmStateVec *sv, const SmRegion *r, void *bytes)
 
     if (result != SM_OK)
         return result;
-    memcpy(bytes, at, r->size);
+    memcpy(bytes, at, (size_t)r->size);
     sm_leave(sv);
     return SM_OK;
 }
@@ -33,7 +33,7 @@ SmResult sm_write_region(SmStateVec *sv, const SmRegion *r, const void *bytes)
 
     if (result != SM_OK)
         return result;
-    memcpy(at, bytes, r->size);
+    memcpy(at, bytes, (size_t)r->size);
     sm_leave(sv);
     return SM_OK;
 }
@@ -52,21 +52,48 @@ static void gather(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
 
         for (; e < end && e->offset == to; e++)
             to += sm_type_bytes[e->type];
-        memcpy(out, (const uint8_t *)sv->at + from, to - from);
+        memcpy(out, (const uint8_t *)sv->at + from, (size_t)(to - from));
         out += to - from;
     }
 }
 
-// Each element's bytes to the order of the wire, in place: shifts mean the same on every computer.
+// A cell's n bytes in the order of the wire, and back: shifts mean the same on every computer.
+static void put(uint8_t *out, uint64_t cell, uint8_t n)
+{
+    switch (n) {
+    case 8:
+        out[7] = (uint8_t)(cell >> 56), out[6] = (uint8_t)(cell >> 48), out[5] = (uint8_t)(cell >> 40), out[4] = (uint8_t)(cell >> 32);
+        // fall through
+    case 4:
+        out[3] = (uint8_t)(cell >> 24), out[2] = (uint8_t)(cell >> 16);
+        // fall through
+    case 2:
+        out[1] = (uint8_t)(cell >> 8);
+        // fall through
+    default:
+        out[0] = (uint8_t)cell;
+    }
+}
+
+static uint64_t get(const uint8_t *in, uint8_t n)
+{
+    uint64_t cell = 0;
+
+    while (n > 0)
+        cell = cell << 8 | in[--n];
+    return cell;
+}
+
+// Each element's bytes to their order on the wire, in place.
 static void order(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
 {
     const SmElement *e = &sv->layout->element[r->first];
 
     for (uint16_t i = 0; i < r->count; i++) {
-        uint64_t cell = sm_cell_load((SmType)e[i].type, out);
+        const uint8_t n = sm_type_bytes[e[i].type];
 
-        for (uint8_t n = sm_type_bytes[e[i].type]; n > 0; n--, cell >>= 8)
-            *out++ = (uint8_t)cell;
+        put(out, sm_cell_load((SmType)e[i].type, out), n);
+        out += n;
     }
 }
 
@@ -92,11 +119,8 @@ static void scatter(const SmStateVec *sv, const SmRegion *r, const uint8_t *in)
 
     for (uint16_t i = 0; i < r->count; i++) {
         const uint8_t n = sm_type_bytes[e[i].type];
-        uint64_t cell = 0;
 
-        for (uint8_t k = n; k > 0; k--)
-            cell = cell << 8 | in[k - 1];
-        sm_cell_store((SmType)e[i].type, (uint8_t *)sv->at + e[i].offset, cell);
+        sm_cell_store((SmType)e[i].type, (uint8_t *)sv->at + e[i].offset, get(in, n));
         in += n;
     }
 }

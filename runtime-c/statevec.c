@@ -2,8 +2,6 @@
 // The state vector: its lock, and its elements one by one.  (Regions and the wire: region.c; names: names.c.)
 #include "runtime-c/statevec.h"
 
-#include <string.h>
-
 #include "runtime-c/tally.h"
 #include "stdlib/convert.h"
 
@@ -95,30 +93,28 @@ static SmResult read_typed(SmStateVec *sv, const SmElement *e, SmType type, void
 {
     const uint8_t *at = place(sv, e);
     SmResult r = at && value && e->type == type ? sm_enter(sv) : SM_E_ARGUMENT;
+    uint64_t cell = 0;
 
+    if (r == SM_OK) {
+        cell = sm_cell_load(type, at);
+        sm_leave(sv);
+    }
     if (value)
-        memset(value, 0, sm_type_bytes[type]);
-    if (r != SM_OK)
-        return r;
-    memcpy(value, at, sm_type_bytes[type]);
-    sm_leave(sv);
-    if (type == SM_BOOL)
-        *(uint8_t *)value = *(uint8_t *)value != 0;
-    return SM_OK;
+        sm_cell_store(type, value, cell);
+    return r;
 }
 
-static SmResult write_typed(SmStateVec *sv, const SmElement *e, SmType type, void *value)
+static SmResult write_typed(SmStateVec *sv, const SmElement *e, SmType type, const void *value)
 {
     uint8_t *at = place(sv, e);
+    uint64_t cell = sm_cell_load(type, value);
     SmResult r = at && e->type == type ? sm_enter(sv) : SM_E_ARGUMENT;
 
-    if (r != SM_OK)
-        return r;
-    if (type == SM_BOOL)
-        *(uint8_t *)value = *(uint8_t *)value != 0;
-    memcpy(at, value, sm_type_bytes[type]);
-    sm_leave(sv);
-    return SM_OK;
+    if (r == SM_OK) {
+        sm_cell_store(type, at, cell);
+        sm_leave(sv);
+    }
+    return r;
 }
 
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) \

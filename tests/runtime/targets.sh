@@ -1,0 +1,74 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# State vector and events for small targets: they compile there without a warning; and names that nobody looks up are not linked.
+#     targets.sh SMC     CC names the host's compiler.
+smc=$1 CC=${CC:-cc}
+here=tests/runtime
+passed=0 failed=0 skipped=0
+dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-targets.XXXXXX") || exit 1
+trap 'rm -rf "$dir"' EXIT
+strict='-std=c99 -Os -ffunction-sections -fdata-sections -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
+        -pedantic -Werror -I.'
+sources='runtime-c/statevec.c runtime-c/region.c runtime-c/names.c runtime-c/event.c'
+
+check() {                     # check SENTENCE COMMAND…
+    what=$1
+    shift
+    if "$@" >"$dir/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "$what: failed"
+        head -5 "$dir/log"
+    fi
+}
+
+for v in wide plain; do
+    "$smc" build "$here/$v.sv" --emit=c --runtime -o "$dir/$v.c" || failed=$((failed + 1))
+done
+
+compiles() {                  # compiles COMPILER FLAGS…
+    if ! command -v "$1" >/dev/null 2>&1; then
+        skipped=$((skipped + 1))
+        return
+    fi
+    for source in $sources "$dir/wide.c" "$dir/plain.c"; do
+        check "$* $source" "$@" $strict -I"$dir" -c "$source" -o "$dir/x.o"
+    done
+}
+compiles avr-gcc -mmcu=atmega328p
+compiles avr-gcc -mmcu=atmega2560
+compiles arm-none-eabi-gcc -mcpu=cortex-m0 -mthumb
+compiles arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb
+
+# ---- what a program does not use is not in it ----
+
+# program NAME STATEMENT: links a main of that statement; the PAL's locks are empty.
+program() {
+    {
+        echo '#include "wide.h"'
+        echo 'SmResult pal_lock_open(PalLock *lock) { lock->id = 1; return SM_OK; }'
+        echo 'SmResult pal_lock_take(PalLock lock, uint64_t timeout) { (void)lock, (void)timeout; return SM_OK; }'
+        echo 'SmResult pal_lock_give(PalLock lock) { (void)lock; return SM_OK; }'
+        echo "int main(void) { if (sm_statevec_init(&wide_vector) != SM_OK) return 1; $2 return (int)wide_f64(); }"
+    } >"$dir/$1.c"
+    $CC -std=c99 -Os -ffunction-sections -fdata-sections -Wl,--gc-sections -I. -I"$dir" "$dir/$1.c" "$dir/wide.c" $sources \
+        -o "$dir/$1" 2>"$dir/log"
+}
+has() { nm "$dir/$1" | grep -q " $2\$"; }
+has_not() { ! has "$1" "$2"; }
+holds() { grep -q "$2" "$dir/$1"; }
+holds_not() { ! holds "$1" "$2"; }
+
+if program few '' && command -v nm >/dev/null 2>&1; then
+    check 'names are looked up where they are asked for' program names 'if (!sm_find_element(&wide_names, "f64")) return 2;'
+    check 'a program that looks up names has them' holds names set_class
+    check 'a program that looks up none has none' holds_not few set_class
+    check '... nor the table' has_not few wide_names
+    check 'who only reads elements has no regions' has_not few sm_pack_region
+    check 'but has the description' has few wide_layout
+else
+    skipped=$((skipped + 1))
+fi
+echo "targets: $passed passed, $failed failed, $skipped skipped"
+[ "$failed" -eq 0 ]
