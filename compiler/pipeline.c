@@ -82,6 +82,64 @@ Program *session_program(Session *s, const MachineInput *in)
     return s->diags.met > errors ? NULL : p;
 }
 
+// ---- an application ----
+
+static const Source *source_of(const AppFiles *files, FileKind kind)
+{
+    for (size_t i = 0; i < files->n; i++)
+        if (files->at[i].kind == kind)
+            return files->at[i].src;
+    return NULL;
+}
+
+// Without the state vector only what is wrong in a machine's text itself can be said.
+static const Program *app_program(Session *s, const Source *sm, StateVec *sv)
+{
+    size_t errors = s->diags.met;
+    CheckContext c = checking(s);
+    AstFile *f = parse(s, sm, FILE_SM);
+    Program *p = sv ? check_machine(&c, f, sv, NULL) : NULL;
+
+    if (s->diags.met > errors)
+        return NULL;
+    if (p)
+        session_analyse(s, p);
+    return p;
+}
+
+// What can be said of its machines together.
+static void analyse_app(Session *s, const App *a)
+{
+    const Program **p = ARENA_ARRAY(&s->arena, const Program *, a->machine.n);
+
+    for (size_t i = 0; i < a->machine.n; i++)
+        p[i] = a->machine.at[i]->program;
+    analyse_together(&s->arena, &s->diags, p, a->machine.n);
+    for (size_t i = 0; a->pins && i < a->machine.n; i++)
+        analyse_pins(&s->arena, &s->diags, a->pins, p[i]);
+}
+
+App *session_app(Session *s, const AstFile *app, AppFiles *files)
+{
+    size_t errors = s->diags.met;
+    CheckContext c = checking(s);
+    const Source *vector = source_of(files, FILE_SV), *pins = source_of(files, FILE_IO);
+    StateVec *sv = vector ? session_state_vector(s, vector) : NULL;
+    AstFile *io = pins ? parse(s, pins, FILE_IO) : NULL;
+    IoMap *map = io && sv ? check_io(&c, io, sv) : NULL;
+    App *a;
+
+    for (size_t i = 0; i < files->n; i++)
+        if (files->at[i].kind == FILE_SM && files->at[i].src)
+            files->at[i].program = app_program(s, files->at[i].src, sv);
+    a = check_app(&c, app, sv, files);
+    if (!a || s->diags.met > errors)
+        return NULL;
+    a->pins = map;
+    analyse_app(s, a);
+    return s->diags.met > errors ? NULL : a;
+}
+
 Script *session_script(Session *s, const Source *ss, const Program *p)
 {
     size_t errors = s->diags.met;

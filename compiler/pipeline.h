@@ -41,6 +41,9 @@ StateVec *session_state_vector(Session *s, const Source *sv);
 // The pins of `io`; gives NULL too where the state vector has errors.
 IoMap *session_io(Session *s, const Source *io, const Source *sv);
 Program *session_program(Session *s, const MachineInput *in);
+// An application and all that it names, analyses included: app_files of its tree tells which files are wanted; who called has
+// given their texts.  NULL when there were errors in any of them.
+App *session_app(Session *s, const AstFile *app, AppFiles *files);
 IrMachine *session_ir(Session *s, const Program *p, int opt_level);
 Script *session_script(Session *s, const Source *ss, const Program *p);
 void session_analyse(Session *s, const Program *p);           // warns of what looks wrong in a machine that is no error

@@ -3,7 +3,9 @@
 #include <string.h>
 
 #include "compiler/analysis/analysis.h"
+#include "compiler/cli/app.h"
 #include "compiler/cli/cli.h"
+#include "compiler/cli/deps.h"
 #include "compiler/passes/pass.h"
 #include "compiler/syntax/parse.h"
 
@@ -209,61 +211,6 @@ static int build_state_vectors(Cli *c, Outputs *o)
     return EXIT_OK;
 }
 
-// ---- -MD: what the output depends on, as a make rule ----
-
-static void put_make_name(Buf *out, const char *name)
-{
-    for (; *name; name++) {
-        if (*name == ' ' || *name == '#')
-            buf_char(out, '\\');
-        if (*name == '$')
-            buf_char(out, '$');
-        buf_char(out, *name);
-    }
-}
-
-static const char *deps_path(Cli *c, const char *output)
-{
-    const char *name = file_part(output), *dot = strrchr(name, '.');
-    size_t stem = dot && dot != name ? (size_t)(dot - output) : strlen(output);
-
-    if (c->given[OPT_DEPS_FILE])
-        return c->value[OPT_DEPS_FILE];
-    return format_in(&c->session.arena, "%.*s.d", (int)stem, output);
-}
-
-static void add_deps(Cli *c, Outputs *o)
-{
-    Buf *out = new_buf(c);
-    size_t products = o->n;
-
-    if (c->given[OPT_DEPS_NAME])
-        put_make_name(out, c->value[OPT_DEPS_NAME]);
-    else
-        for (size_t i = 0; i < products; i++) {
-            buf_str(out, i ? " " : "");
-            put_make_name(out, o->at[i].path);
-        }
-    buf_char(out, ':');
-    for (size_t i = 0; i <= c->files; i++) {
-        const char *input = i < c->files ? c->file[i] : c->value[OPT_SV];
-        if (!input || strcmp(input, "-") == 0)
-            continue;
-        buf_char(out, ' ');
-        put_make_name(out, input);
-    }
-    buf_char(out, '\n');
-    for (size_t i = 0; c->given[OPT_DEPS_PHONY] && i <= c->files; i++) {
-        const char *input = i < c->files ? c->file[i] : c->value[OPT_SV];
-        if (!input || strcmp(input, "-") == 0)
-            continue;
-        buf_char(out, '\n');
-        put_make_name(out, input);
-        buf_str(out, ":\n");
-    }
-    add_output(o, deps_path(c, o->at[products - 1].path), out);
-}
-
 // ---- the command ----
 
 // Whether the inputs, the kind of output and -o go together.
@@ -334,14 +281,27 @@ static int build(Cli *c, Emit emit, FileKind first, Outputs *o)
     return first == FILE_IO ? build_pins(c, sv, o) : build_machines(c, emit, sv, o);
 }
 
+// What -MD names: all files of the call, and the state vector.
+static Inputs build_inputs(Cli *c)
+{
+    Inputs in = {ARENA_ARRAY(&c->session.arena, const char *, c->files + 1), 0};
+
+    for (size_t i = 0; i <= c->files; i++)
+        if (i < c->files || c->value[OPT_SV])
+            in.at[in.n++] = i < c->files ? c->file[i] : c->value[OPT_SV];
+    return in;
+}
+
 int cmd_build(Cli *c)
 {
-    bool wants_deps = c->given[OPT_DEPS] || c->given[OPT_DEPS_FILE];
+    bool wants_deps = deps_wanted(c);
     Outputs o = {NULL, 0};
     FileKind first = FILE_SM;
     Emit emit;
     int code, reported;
 
+    if (c->files && has_suffix(c->file[0], ".app"))
+        return build_app(c);
     if (!find_emit(c, &emit))
         return EXIT_USAGE;
     if ((code = check_use(c, emit, &first)) != EXIT_OK)
@@ -357,6 +317,6 @@ int cmd_build(Cli *c)
     if (code != EXIT_OK)
         return code;
     if (wants_deps)
-        add_deps(c, &o);
+        deps_add(c, o.at, &o.n, build_inputs(c));
     return cli_write(c, o.at, o.n) ? EXIT_OK : EXIT_ENVIRONMENT;
 }

@@ -6,6 +6,7 @@
 
 #include "compiler/analysis/analysis.h"
 #include "compiler/cli/test.h"
+#include "compiler/syntax/parse.h"
 
 struct TestCase {
     TestRun *t;
@@ -85,6 +86,9 @@ static const char *malformed(Case *c)
 
     if (f->error)
         return f->error;
+    if (count_parts(f, ".app"))
+        return count_parts(f, ".app") > 1 || count_parts(f, ".ss") ? "a case has at most one .app, and no script beside it"
+             : (wrong = unknown_key(c)) != NULL ? wrong : read_warnings(c);
     if (count_parts(f, ".sm") > 1 || count_parts(f, ".sv") > 1 || count_parts(f, ".io") > 1)
         return "a case has at most one .sm, one .sv and one .io";
     if (count_parts(f, ".io") && !count_parts(f, ".sv"))
@@ -166,12 +170,33 @@ static void compile_scripts(Case *c)
             c->script[i] = session_script(&c->s, c->src[i], c->p);
 }
 
+// The files that an application names are the parts of those names.
+static void compile_app(Case *c)
+{
+    AstFile *tree = parse_file(&c->s.arena, &c->s.strings, &c->s.diags, find_source(c, ".app"), FILE_APP);
+    AppFiles files;
+
+    app_files(&c->s.arena, tree, &files);
+    for (size_t i = 0; i < files.n; i++) {
+        files.at[i].problem = "the case has no such part";
+        for (size_t k = 0; k < c->f->part.n && !files.at[i].wrong_kind; k++)
+            if (strcmp(c->f->part.at[k].name, files.at[i].name.text->text) == 0)
+                files.at[i].src = c->src[k];
+    }
+    session_app(&c->s, tree, &files);
+}
+
 static void compile_case(Case *c)
 {
     const char *analyses = testfile_header(c->f, "analyses");
     bool analysed = c->warn.n > 0 || (analyses && strcmp(analyses, "on") == 0);
 
     make_sources(c);
+    if (count_parts(c->f, ".app")) {
+        c->s.warnings = warnings_groups(&c->warn);
+        compile_app(c);
+        return;
+    }
     c->p = compile_machine(c);
     if (c->p && analysed) {
         c->s.warnings = warnings_groups(&c->warn);

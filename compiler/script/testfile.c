@@ -270,8 +270,12 @@ bool testfile_has_suffix(const TestPart *p, const char *suffix)
 
 bool testfile_is_source(const TestPart *p)
 {
-    return testfile_has_suffix(p, ".sv") || testfile_has_suffix(p, ".sm") || testfile_has_suffix(p, ".ss") ||
-           testfile_has_suffix(p, ".io");
+    static const char *const endings[] = {".sv", ".sm", ".ss", ".io", ".app"};
+
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+        if (testfile_has_suffix(p, endings[i]))
+            return true;
+    return false;
 }
 
 bool testfile_has_word(const char *list, const char *word)

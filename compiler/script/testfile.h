@@ -60,7 +60,7 @@ TestFile *testfile_parse(Arena *arena, const char *name, const char *text, size_
 
 const char *testfile_header(const TestFile *f, const char *key);          // the first one's value; NULL when absent
 const TestPart *testfile_part(const TestFile *f, const char *name);       // NULL when absent
-bool testfile_is_source(const TestPart *p);                               // NAME.sv, NAME.sm, NAME.ss or NAME.io
+bool testfile_is_source(const TestPart *p);                               // NAME.sv, .sm, .ss, .io or .app
 bool testfile_has_suffix(const TestPart *p, const char *suffix);
 // Does a header's value, a list of words, hold this one?
 bool testfile_has_word(const char *list, const char *word);

@@ -4,6 +4,7 @@
 #define SMC_CHECK_H
 
 #include "compiler/diag/diag.h"
+#include "compiler/sema/app.h"
 #include "compiler/sema/iomap.h"
 #include "compiler/sema/program.h"
 #include "compiler/syntax/ast.h"
@@ -25,6 +26,11 @@ Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
 
 // The pins of elements of `sv`.
 IoMap *check_io(CheckContext *c, const AstFile *io, const StateVec *sv);
+
+// The files that an application names: whoever can opens them before it is checked.
+void app_files(Arena *arena, const AstFile *app, AppFiles *out);
+// `sv` is NULL where it, and a machine's program where that, has errors, which were reported; then the rest is checked.
+App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const AppFiles *files);
 
 // Puts the names that the script assigns into `names` (name to itself): what check_machine wants as written_outside.
 void script_written_names(const AstFile *ss, Map *names);

@@ -174,6 +174,7 @@ typedef struct AstFile {
     FileKind kind;
     const Source *src;
     VEC(AstSection *) sections;       // in file order
+    struct AstApp *app;               // of a .app instead (ast_app.h)
 } AstFile;
 
 void ast_print(const AstFile *f, Buf *out);      // --emit=ast

@@ -171,6 +171,9 @@ uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
     else if ((c | 0x20) == 'e' && end + 1 == stop)
         diag_report(l->diags, DIAG_number_incomplete, lexer_span(l, at, stop - at), whole, "a digit",
                     lexer_text(l, end, end + 1));
+    else if (l->config)
+        diag_label(l->diags, diag_report(l->diags, DIAG_unit_apart, lexer_span(l, at, stop - at), whole), DIAG_label_write,
+                   format_in(l->diags->arena, "%s %s", lexer_text(l, at, end), lexer_text(l, end, stop)));
     else
         diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end),
                     lexer_text(l, end, stop));
@@ -299,7 +302,7 @@ static uint32_t find_quote(const Lexer *l, uint32_t p, bool plain, uint32_t *len
     return p;
 }
 
-// The reason of an @allow.  It may hold what a comment may hold.
+// The reason of an @allow, or the name of a file.  It may hold what a comment may hold.
 static void lex_reason(Lexer *l, Token *t, uint32_t quote_len)
 {
     bool plain = l->src->text[l->at] == '"';
@@ -307,7 +310,7 @@ static void lex_reason(Lexer *l, Token *t, uint32_t quote_len)
     Diag *d = NULL;
 
     if (!plain || closing == 0)
-        d = diag_report(l->diags, DIAG_reason_quotes, lexer_span(l, l->at, end + closing - l->at));
+        d = diag_report(l->diags, l->config ? DIAG_file_quotes : DIAG_reason_quotes, lexer_span(l, l->at, end + closing - l->at));
     if (d && closing) {
         diag_edit(l->diags, d, lexer_span(l, l->at, quote_len), "\"");
         diag_edit(l->diags, d, lexer_span(l, end, closing), "\"");

@@ -261,3 +261,36 @@ bool number_value(const char *text, size_t len, SmF64 *value)
         return hex_value(text + 2, text + len, value);
     return decimal_value(text, len, value);
 }
+
+// ---- as written ----
+
+static bool hex_decimal(const char *s, const char *end, uint64_t *digits)
+{
+    for (*digits = 0; s < end; s++) {
+        if (*s == '_')
+            continue;
+        if (*digits >> 56)
+            return false;
+        *digits = *digits << 4 | hex_digit(*s);
+    }
+    return true;
+}
+
+bool number_decimal(const char *text, size_t len, uint64_t *digits, int *exponent)
+{
+    enum { MOST = 18 };
+    Decimal d;
+
+    *digits = 0;
+    *exponent = 0;
+    if (len > 2 && (text[1] == 'x' || text[1] == 'X'))
+        return hex_decimal(text + 2, text + len, digits);
+    read_decimal(&d, text, text + len);
+    if (d.n > MOST || d.point < SMALLEST || d.point > LARGEST)
+        return d.n == 0;
+    for (int i = 0; i < d.n; i++)
+        *digits = *digits * 10 + (uint64_t)(d.digit[i] - '0');
+    if (d.n)
+        *exponent = (int)d.point - d.n;
+    return true;
+}

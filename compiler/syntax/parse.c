@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A file: its sections, and the labels and blocks of a state.
+#include "compiler/syntax/ast_app.h"
 #include "compiler/syntax/parser.h"
 
 // ---- tokens ----
@@ -445,6 +446,8 @@ AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *
 
     f->kind = kind;
     f->src = src;
+    if (kind == FILE_APP)
+        f->app = ARENA_NEW(arena, AstApp);
     start(&p, arena, strings, diags, src, kind);
     if (p.tok.kind != TOK_HEADER && p.tok.kind != TOK_END) {
         if (p.tok.kind != TOK_ERROR)
@@ -452,6 +455,9 @@ AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *
         skip_section(&p);
     }
     while (p.tok.kind == TOK_HEADER)
-        parse_section(&p, f);
+        if (kind == FILE_APP)
+            parse_app_section(&p, f->app);
+        else
+            parse_section(&p, f);
     return f;
 }

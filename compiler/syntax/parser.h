@@ -69,6 +69,7 @@ bool annotation_is_allow(const Token *t);
 const AstAnnotation *parse_allow(Parser *p);            // an @allow before a statement; NULL after a message
 void annotation_before_decl(Parser *p);                 // reports the one at hand, where a declaration should begin
 void annotation_in_block(Parser *p);                    // the same, where a statement should
+void parse_app_section(Parser *p, struct AstApp *app);  // at its header
 void skip_section(Parser *p);                           // to the next line that begins with a header; not even tokens are read
 void skip_line(Parser *p);                              // to the next line, header or the end
 

@@ -205,6 +205,11 @@ static void vector_unit_init(CUnit *u, Arena *arena, const StateVec *sv, const c
     names_elements(arena, &u->names, &u->sv);
 }
 
+void c_vector_names(Arena *arena, const StateVec *sv, CUnit *u)
+{
+    vector_unit_init(u, arena, sv, prefix_of(arena, NULL, sv->name->text));
+}
+
 void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code)
 {
     const char *source = source_name(arena, o, sv->name->text, "sv");

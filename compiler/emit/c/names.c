@@ -313,15 +313,20 @@ static void name_states(CUnit *u)
             u->names.state[i] = set_take_free(&s, c_identifier(u->arena, name[i], strlen(name[i])));
 }
 
+const char *c_machine_type(Arena *arena, const char *prefix, const char *sv_type)
+{
+    const char *type = c_type_name(arena, prefix);
+
+    return strcmp(type, sv_type) == 0 ? format_in(arena, "%sMachine", type) : type;
+}
+
 void names_init(CUnit *u, const char *prefix)
 {
     CNames *n = &u->names;
 
     n->prefix = prefix;
-    n->type = c_type_name(u->arena, prefix);
+    n->type = c_machine_type(u->arena, prefix, n->sv_type);
     n->macro = c_macro_name(u->arena, prefix);
-    if (strcmp(n->type, n->sv_type) == 0)
-        n->type = format_in(u->arena, "%sMachine", n->type);
     names_elements(u->arena, n, &u->sv);
     name_variables(u);
     name_states(u);

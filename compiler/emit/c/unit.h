@@ -87,6 +87,11 @@ const char *c_padding_name(Arena *arena, uint32_t at);
 void names_elements(Arena *arena, CNames *names, CVector *sv);
 void names_runtime(Arena *arena, const CNames *names, const StateVec *sv, CVectorNames *out);
 
+// The names of a vector alone, sv_type and members among them; `u` is empty before.
+void c_vector_names(Arena *arena, const StateVec *sv, CUnit *u);
+// How the struct of a machine is called whose names begin with `prefix`.
+const char *c_machine_type(Arena *arena, const char *prefix, const char *sv_type);
+
 // ---- literal.c ----
 
 // A constant of a type as C writes it; `bits` is its cell.  Infinities and NaN use a helper.

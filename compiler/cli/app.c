@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// An application and the files that it names, from the disk: relative to the .app, each read once.
+#include <string.h>
+
+#include "compiler/cli/app.h"
+#include "compiler/syntax/parse.h"
+
+// A file beside `app`: its folder and the name.
+static const char *beside(Cli *c, const char *app, Str name)
+{
+    const char *slash = strrchr(app, '/');
+
+    if (name->text[0] == '/' || !slash)
+        return name->text;
+    return format_in(&c->session.arena, "%.*s%s", (int)(slash + 1 - app), app, name->text);
+}
+
+static void load_file(Cli *c, const char *app, AppFile *f)
+{
+    const char *path = beside(c, app, f->name.text);
+    char *text, *copy;
+    size_t len;
+
+    if (strcmp(path, "-") == 0 || strlen(f->name.text->text) != f->name.text->len) {
+        f->problem = "that is no name of a file";
+        return;
+    }
+    if (!os_read(path, SOURCE_MAX, &text, &len, &f->problem))
+        return;
+    copy = arena_alloc(&c->session.arena, len + 1);
+    memcpy(copy, text, len);
+    os_alloc(NULL, text, 0);
+    f->src = source_new(&c->session.arena, path, copy, len);
+}
+
+bool cli_load_app(Cli *c, const char *path, CliApp *out)
+{
+    Source *src = cli_load(c, path);
+
+    memset(out, 0, sizeof *out);
+    if (!src)
+        return false;
+    out->tree = parse_file(&c->session.arena, &c->session.strings, &c->session.diags, src, FILE_APP);
+    app_files(&c->session.arena, out->tree, &out->files);
+    for (size_t i = 0; i < out->files.n; i++)
+        if (!out->files.at[i].wrong_kind)
+            load_file(c, src->name, &out->files.at[i]);
+    return true;
+}

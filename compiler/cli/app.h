@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Applications on the command line: what build and check share.
+#ifndef SMC_CLI_APP_H
+#define SMC_CLI_APP_H
+
+#include "compiler/cli/cli.h"
+
+typedef struct CliApp {
+    AstFile *tree;
+    AppFiles files;
+} CliApp;
+
+// Reads and parses `path` and loads what it names; what cannot be read is reported when it is checked.  False after a message: `path` itself.
+bool cli_load_app(Cli *c, const char *path, CliApp *out);
+
+int build_app(Cli *c);        // smc build NAME.app
+
+#endif

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc build NAME.app: everything that an application is made of, as C in one folder.
+#include <string.h>
+
+#include "compiler/cli/app.h"
+#include "compiler/cli/deps.h"
+#include "compiler/emit/c/app.h"
+
+typedef struct AppBuild {
+    Cli *c;
+    const App *app;
+    OsOutput *out;
+    size_t n;
+} AppBuild;
+
+static const char *in_folder(AppBuild *b, const char *name)
+{
+    const char *folder = b->c->given[OPT_OUTPUT] ? b->c->value[OPT_OUTPUT] : "";
+    size_t n = strlen(folder);
+
+    return format_in(&b->c->session.arena, "%s%s%s", folder, n && folder[n - 1] != '/' ? "/" : "", name);
+}
+
+static const char *plus(AppBuild *b, const char *stem, const char *end) { return format_in(&b->c->session.arena, "%s%s", stem, end); }
+
+static Buf *new_buf(AppBuild *b)
+{
+    Buf *out = ARENA_NEW(&b->c->session.arena, Buf);
+    buf_init(out, &b->c->session.arena);
+    return out;
+}
+
+static void add(AppBuild *b, const char *name, const Buf *text)
+{
+    b->out[b->n++] = (OsOutput){in_folder(b, name), buf_text(text), text->n};
+}
+
+// Header and code called after `stem`.
+static void add_pair(AppBuild *b, const char *stem, const Buf *header, const Buf *code)
+{
+    add(b, plus(b, stem, ".h"), header);
+    add(b, plus(b, stem, ".c"), code);
+}
+
+static EmitCOptions options(AppBuild *b, const char *stem, const char *ending)
+{
+    EmitCOptions e;
+
+    memset(&e, 0, sizeof e);
+    e.header = plus(b, stem, ".h");
+    e.source = plus(b, stem, ending);
+    e.runtime = true;
+    return e;
+}
+
+static void add_vector(AppBuild *b)
+{
+    const char *stem = b->app->sv->name->text;
+    EmitCOptions e = options(b, stem, ".sv");
+    Buf *header = new_buf(b), *code = new_buf(b);
+
+    session_emit_c_state_vector(&b->c->session, b->app->sv, &e, header, code);
+    add_pair(b, stem, header, code);
+}
+
+static bool is_first(const App *a, size_t i)
+{
+    for (size_t k = 0; k < i; k++)
+        if (a->machine.at[k]->program == a->machine.at[i]->program)
+            return false;
+    return true;
+}
+
+static void add_machine(AppBuild *b, const Program *p)
+{
+    const char *stem = p->name->text;
+    EmitCOptions e = options(b, stem, ".sm");
+    Buf *header = new_buf(b), *code = new_buf(b);
+
+    session_emit_c(&b->c->session, session_ir(&b->c->session, p, option_level(b->c)), &e, header, code);
+    add_pair(b, stem, header, code);
+}
+
+static void add_pins(AppBuild *b)
+{
+    const char *stem = plus(b, b->app->io_name->text, "_io");
+    EmitCOptions e = options(b, stem, ".io");
+    Buf *header = new_buf(b), *code = new_buf(b);
+
+    e.source = plus(b, b->app->io_name->text, ".io");
+    session_emit_c_io(&b->c->session, b->app->pins, &e, header, code);
+    add_pair(b, stem, header, code);
+}
+
+static void add_app(AppBuild *b)
+{
+    Buf *header = new_buf(b), *code = new_buf(b);
+
+    emit_c_app(&b->c->session.arena, b->app, header, code);
+    add_pair(b, plus(b, b->app->name->text, "_app"), header, code);
+}
+
+static void add_all(AppBuild *b)
+{
+    b->out = ARENA_ARRAY(&b->c->session.arena, OsOutput, 2 * b->app->machine.n + 7);
+    add_vector(b);
+    for (size_t i = 0; i < b->app->machine.n; i++)
+        if (is_first(b->app, i))
+            add_machine(b, b->app->machine.at[i]->program);
+    if (b->app->pins)
+        add_pins(b);
+    add_app(b);
+}
+
+// What -MD names: the application, and every file that it names and that is there.
+static Inputs all_inputs(Cli *c, const AppFiles *files)
+{
+    Inputs in = {ARENA_ARRAY(&c->session.arena, const char *, files->n + 1), 1};
+
+    in.at[0] = c->file[0];
+    for (size_t i = 0; i < files->n; i++)
+        in.at[in.n++] = files->at[i].src->name;
+    return in;
+}
+
+static int check_use(Cli *c)
+{
+    if (c->files > 1)
+        return cli_usage(c, "an application is built alone: it names its files itself");
+    if (c->given[OPT_SV])
+        return cli_usage(c, "'%s' names its state vector itself: --sv has no place here", c->file[0]);
+    if (c->given[OPT_EMIT] && strcmp(c->value[OPT_EMIT], "c") != 0)
+        return cli_usage(c, "an application becomes C, not %s", c->value[OPT_EMIT]);
+    if (c->given[OPT_PREFIX])
+        return cli_usage(c, "the names of an application's C come from its files: --prefix has no place here");
+    if (c->given[OPT_OUTPUT] && strcmp(c->value[OPT_OUTPUT], "-") == 0)
+        return cli_usage(c, "an application is several files: -o names the folder for them");
+    return EXIT_OK;
+}
+
+int build_app(Cli *c)
+{
+    AppBuild b = {c, NULL, NULL, 0};
+    CliApp files;
+    int code = check_use(c), reported;
+
+    if (code != EXIT_OK)
+        return code;
+    if (!cli_load_app(c, c->file[0], &files))
+        return EXIT_ENVIRONMENT;
+    if ((b.app = session_app(&c->session, files.tree, &files.files)) != NULL)
+        add_all(&b);
+    reported = cli_report(c);
+    if (!b.app || reported != EXIT_OK)
+        return reported != EXIT_OK ? reported : EXIT_PROBLEM;
+    if (deps_wanted(c))
+        deps_add(c, b.out, &b.n, all_inputs(c, &files.files));
+    return cli_write(c, b.out, b.n) ? EXIT_OK : EXIT_ENVIRONMENT;
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// -MD, -MF, -MT, -MP: what an output depends on, as a make rule.
+#include "compiler/cli/deps.h"
+
+#include <string.h>
+
+bool deps_wanted(const Cli *c) { return c->given[OPT_DEPS] || c->given[OPT_DEPS_FILE]; }
+
+static void put_make_name(Buf *out, const char *name)
+{
+    for (; *name; name++) {
+        if (*name == ' ' || *name == '#')
+            buf_char(out, '\\');
+        if (*name == '$')
+            buf_char(out, '$');
+        buf_char(out, *name);
+    }
+}
+
+// Beside the output, its ending replaced.
+static const char *deps_path(Cli *c, const char *output)
+{
+    const char *slash = strrchr(output, '/'), *name = slash ? slash + 1 : output, *dot = strrchr(name, '.');
+    size_t stem = dot && dot != name ? (size_t)(dot - output) : strlen(output);
+
+    if (c->given[OPT_DEPS_FILE])
+        return c->value[OPT_DEPS_FILE];
+    return format_in(&c->session.arena, "%.*s.d", (int)stem, output);
+}
+
+static void put_targets(Cli *c, const OsOutput *products, size_t n, Buf *out)
+{
+    if (c->given[OPT_DEPS_NAME])
+        put_make_name(out, c->value[OPT_DEPS_NAME]);
+    else
+        for (size_t i = 0; i < n; i++) {
+            buf_str(out, i ? " " : "");
+            put_make_name(out, products[i].path);
+        }
+    buf_char(out, ':');
+}
+
+void deps_add(Cli *c, OsOutput *o, size_t *n, Inputs in)
+{
+    Buf *out = ARENA_NEW(&c->session.arena, Buf);
+
+    buf_init(out, &c->session.arena);
+    put_targets(c, o, *n, out);
+    for (size_t i = 0; i < in.n; i++)
+        if (strcmp(in.at[i], "-") != 0) {
+            buf_char(out, ' ');
+            put_make_name(out, in.at[i]);
+        }
+    buf_char(out, '\n');
+    for (size_t i = 0; c->given[OPT_DEPS_PHONY] && i < in.n; i++)
+        if (strcmp(in.at[i], "-") != 0) {
+            buf_char(out, '\n');
+            put_make_name(out, in.at[i]);
+            buf_str(out, ":\n");
+        }
+    o[*n] = (OsOutput){deps_path(c, o[*n - 1].path), buf_text(out), out->n};
+    ++*n;
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// -MD: what an output depends on, as a make rule.
+#ifndef SMC_CLI_DEPS_H
+#define SMC_CLI_DEPS_H
+
+#include "compiler/cli/cli.h"
+
+typedef struct Inputs { const char **at; size_t n; } Inputs;      // "-" among them is no file
+
+bool deps_wanted(const Cli *c);
+// Adds the rule behind the *n outputs, of which there are some; there is room for one more.
+void deps_add(Cli *c, OsOutput *out, size_t *n, Inputs in);
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the files of the checker of applications share.  Inside sema/ only.
+#ifndef SMC_APP_CHECK_H
+#define SMC_APP_CHECK_H
+
+#include "compiler/sema/app.h"
+#include "compiler/sema/sema.h"
+
+typedef struct AppCheck {
+    const CheckContext *c;
+    const AstApp *ast;
+    App *app;
+    const AppFiles *files;
+    const StateVec *sv;           // NULL: it has errors; then elements are not looked for
+    unsigned guesses;             // how many more unknown names are compared with all known ones
+    Map file_index;               // of machines: name as written to 1 + its place in files
+    Map task, executor;           // name to the Span of the first
+    Map vital;                    // element's name to what it holds: const char *
+    Map start;                    // element's name to the Span of its first value
+    Span service[AST_APP_TASK_COUNT];     // where inputs, outputs, log, keep stand
+} AppCheck;
+
+// The element, or NULL after a message (or where the state vector has errors).
+const Element *app_find_element(AppCheck *k, const AstWord *name);
+
+// ---- check_app_time.c ----
+
+typedef struct AppRange { uint64_t least, most; bool power_of_two; const char *text; } AppRange;
+
+// The amount as a whole number; false after a message: `what` is not what `r` says.
+bool app_whole(AppCheck *k, const AstAmount *a, const AppRange *r, const char *what, uint64_t *value);
+void check_app_rates(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);
+
+// ---- check_app_task.c ----
+
+void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);      // behind its rates
+
+// ---- check_app_start.c ----
+
+void check_app_start(AppCheck *k);
+
+#endif

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: Apache-2.0
+// An application (docs/config.md 10) to an App: its files, options and executors.  Tasks are check_app_task.c's, times check_app_time.c's,
+// values at the start check_app_start.c's.
+#include "compiler/sema/app_check.h"
+
+#include <string.h>
+
+// ---- files ----
+
+static const char *const ending[] = {[FILE_SV] = ".sv", [FILE_SM] = ".sm", [FILE_IO] = ".io"};
+
+static bool ends_with(const char *name, const char *end)
+{
+    size_t n = strlen(name), e = strlen(end);
+
+    return n > e && strcmp(name + n - e, end) == 0;
+}
+
+typedef struct Listing { AppFiles *out; Map seen[FILE_APP]; } Listing;
+
+static void add_file(Listing *l, FileKind kind, const AstWord *name)
+{
+    AppFile *f = &l->out->at[l->out->n];
+
+    if (map_find(&l->seen[kind], name->text))
+        return;
+    map_put(&l->seen[kind], name->text, f);
+    f->kind = kind;
+    f->name = *name;
+    f->wrong_kind = !ends_with(name->text->text, ending[kind]);
+    l->out->n++;
+}
+
+static size_t count_tasks(const AstApp *ast)
+{
+    size_t n = 0;
+
+    for (size_t e = 0; e < ast->executors.n; e++)
+        for (size_t r = 0; r < ast->executors.at[e]->rates.n; r++)
+            n += ast->executors.at[e]->rates.at[r].tasks.n;
+    return n;
+}
+
+static void add_machines(Listing *l, const AstAppExecutor *e)
+{
+    for (size_t r = 0; r < e->rates.n; r++)
+        for (size_t t = 0; t < e->rates.at[r].tasks.n; t++)
+            if (e->rates.at[r].tasks.at[t].kind == AST_TASK_machine)
+                add_file(l, FILE_SM, &e->rates.at[r].tasks.at[t].file);
+}
+
+static const AstAppOption *find_option(const AstApp *ast, AstAppOptionKind kind)
+{
+    for (size_t i = 0; i < ast->options.n; i++)
+        if (ast->options.at[i].kind == kind)
+            return &ast->options.at[i];
+    return NULL;
+}
+
+void app_files(Arena *arena, const AstFile *f, AppFiles *out)
+{
+    const AstAppOption *sv = find_option(f->app, AST_APP_state_vector), *io = find_option(f->app, AST_APP_io);
+    Listing l;
+
+    memset(&l, 0, sizeof l);
+    l.out = out;
+    for (size_t i = 0; i < sizeof l.seen / sizeof *l.seen; i++)
+        l.seen[i].arena = arena;
+    out->n = 0;
+    out->at = ARENA_ARRAY(arena, AppFile, count_tasks(f->app) + 2);
+    if (sv)
+        add_file(&l, FILE_SV, &sv->file);
+    if (io)
+        add_file(&l, FILE_IO, &io->file);
+    for (size_t e = 0; e < f->app->executors.n; e++)
+        add_machines(&l, f->app->executors.at[e]);
+}
+
+static void check_file(AppCheck *k, const AppFile *f)
+{
+    static const char *const what[] = {[FILE_SV] = "state vector", [FILE_SM] = "machine", [FILE_IO] = "file of pins"};
+
+    if (f->wrong_kind)
+        diag_report(k->c->diags, DIAG_app_file_kind, f->name.span, f->name.text->text, what[f->kind], ending[f->kind]);
+    else if (!f->src)
+        diag_report(k->c->diags, DIAG_app_file, f->name.span, f->name.text->text, f->problem);
+}
+
+static void check_files(AppCheck *k)
+{
+    for (size_t i = 0; i < k->files->n; i++) {
+        check_file(k, &k->files->at[i]);
+        if (k->files->at[i].kind == FILE_SM)
+            map_put(&k->file_index, k->files->at[i].name.text, (void *)(i + 1));
+    }
+}
+
+// ---- elements ----
+
+const Element *app_find_element(AppCheck *k, const AstWord *name)
+{
+    const Element *e = k->sv ? map_find(&k->sv->by_name, name->text) : NULL;
+    Guess g = guess_start(name->text);
+    Diag *d;
+
+    if (e || !k->sv)
+        return e;
+    d = diag_report(k->c->diags, DIAG_unknown_element, name->span, name->text->text);
+    if (k->guesses == 0)
+        return NULL;
+    k->guesses--;
+    for (size_t i = 0; i < k->sv->element.n; i++)
+        guess_try(&g, k->sv->element.at[i]->name);
+    guess_label(k->c->diags, d, &g);
+    if (g.best)
+        diag_note(k->c->diags, d, ((const Element *)map_find(&k->sv->by_name, g.best))->span, DIAG_note_declared_here, g.best->text);
+    return NULL;
+}
+
+// ---- options ----
+
+static void missing(AppCheck *k, Span span, const char *what)
+{
+    diag_report(k->c->diags, DIAG_app_missing, span.src ? span : (Span){k->app->src, 0, 0}, what);
+}
+
+static void check_time(AppCheck *k, const AstAppOption *o)
+{
+    static const AppRange range = {1, 3600000000000u, false, "1 ns to 1 h"};
+    const Element *e = app_find_element(k, &o->element);
+
+    app_whole(k, &o->amount, &range, "what 1 of the time is", &k->app->unit);
+    if (e && e->type != SM_U64) {
+        Diag *d = diag_report(k->c->diags, DIAG_app_element_type, o->element.span, e->name->text, sm_type_info[e->type].spelling,
+                              "the time", "a U64");
+        diag_note(k->c->diags, d, e->span, DIAG_note_declared_here, e->name->text);
+    }
+    k->app->time = e;
+    k->app->time_span = o->element.span;
+}
+
+static Str stem(AppCheck *k, Str path)
+{
+    Source named = {0};
+
+    named.name = path->text;
+    return sema_stem(k->c->strings, &named);
+}
+
+static void check_option(AppCheck *k, const AstAppOption *o)
+{
+    static const AppRange watchdog = {1000000u, 3600000000000u, false, "1 ms to 1 h"};
+    static const AppRange events = {8, 32768, true, "a power of two from 8 to 32768"};
+    static const AppRange room = {256, 1u << 30, true, "a power of two from 256 B to 1048576 KB"};
+    uint64_t n = 0;
+
+    switch (o->kind) {
+    case AST_APP_state_vector: break;
+    case AST_APP_io:           k->app->io = o->file.text; k->app->io_name = stem(k, o->file.text); break;
+    case AST_APP_time:         check_time(k, o); break;
+    case AST_APP_watchdog:     app_whole(k, &o->amount, &watchdog, "the watchdog's time", &k->app->watchdog); break;
+    case AST_APP_events:       app_whole(k, &o->amount, &events, "the room for events", &n); k->app->events = (uint32_t)n; break;
+    case AST_APP_log:          app_whole(k, &o->amount, &room, "the memory of the log", &n); k->app->log_room = (uint32_t)n;
+                               k->app->log = o->file.text; break;
+    case AST_APP_keep:         k->app->keep = o->file.text; break;
+    case AST_APP_OPTION_COUNT: break;
+    }
+}
+
+// The platform opens these names; runtime-c/config.h PAL_NAME.
+static void check_name_length(AppCheck *k, const AstAppOption *o)
+{
+    enum { MOST = 127 };
+
+    if ((o->kind == AST_APP_log || o->kind == AST_APP_keep) && (o->file.text->len == 0 || o->file.text->len > MOST))
+        diag_report(k->c->diags, DIAG_app_range, o->file.span, "the length of a name for the platform", "1 to 127 characters");
+}
+
+static void check_options(AppCheck *k)
+{
+    k->app->events = 64;
+    for (size_t i = 0; i < k->ast->options.n; i++) {
+        check_option(k, &k->ast->options.at[i]);
+        check_name_length(k, &k->ast->options.at[i]);
+    }
+    if (!find_option(k->ast, AST_APP_state_vector) && !k->ast->lost)
+        missing(k, k->ast->options_header, "an application needs a state vector: in [options], state_vector \"FILE.sv\"");
+}
+
+// ---- executors ----
+
+static const char *const vitals[] = {"its ticks", "its overruns", "its skipped ticks", "its lateness", "how long it was busy"};
+
+static void check_vital(AppCheck *k, const AstAppAnnotation *a, AppExecutor *out)
+{
+    AppVital which = (AppVital)(a->kind - AST_ON_ticks);
+    const Element *e = app_find_element(k, &a->word);
+    const char *holds = e ? map_find(&k->vital, e->name) : NULL;
+    Diag *d;
+
+    if (!e)
+        return;
+    out->vital[which] = e;
+    if (e->type == SM_F32 || e->type == SM_F64 || e->type == SM_BOOL) {
+        d = diag_report(k->c->diags, DIAG_app_element_type, a->word.span, e->name->text, sm_type_info[e->type].spelling,
+                        "what an executor tells of itself", "of an integer type");
+        diag_note(k->c->diags, d, e->span, DIAG_note_declared_here, e->name->text);
+    } else if (holds || e == k->app->time) {
+        diag_report(k->c->diags, DIAG_vitals_twice, a->word.span, e->name->text, vitals[which], holds ? holds : "the time");
+    } else {
+        map_put(&k->vital, e->name, (void *)(size_t)format_in(k->c->arena, "%s of [%s]", vitals[which], out->name->text));
+    }
+}
+
+static void check_executor_annotation(AppCheck *k, const AstAppAnnotation *a, AppExecutor *out)
+{
+    static const AppRange priority = {1, 99, false, "1 to 99"}, ticks = {1, 1000000, false, "1 to 1000000 ticks"};
+    uint64_t n = 0;
+
+    if (a->kind >= AST_ON_ticks && a->kind <= AST_ON_busy) {
+        check_vital(k, a, out);
+    } else if (a->kind == AST_ON_priority) {
+        app_whole(k, &a->amount, &priority, "the priority", &n);
+        out->priority = (uint32_t)n;
+    } else if (a->kind == AST_ON_overrun && a->amount.of != APP_NOTHING) {
+        app_whole(k, &a->amount, &ticks, "what catch_up catches up", &n);
+        out->catch_up = true;
+        out->most = (uint32_t)n;
+    }
+}
+
+static void check_executor_name(AppCheck *k, const AstAppExecutor *in)
+{
+    const Span *first = map_find(&k->executor, in->name.text);
+
+    if (first)
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_name_twice, in->name.span, "executor", in->name.text->text), *first,
+                  DIAG_note_first_here);
+    else
+        map_put(&k->executor, in->name.text, (void *)(size_t)&in->name.span);
+}
+
+static void check_executor(AppCheck *k, const AstAppExecutor *in)
+{
+    AppExecutor *out = ARENA_NEW(k->c->arena, AppExecutor);
+
+    out->name = in->name.text;
+    out->span = in->header;
+    check_executor_name(k, in);
+    vec_push(k->c->arena, &k->app->executor, out);
+    for (size_t i = 0; i < in->annotations.n; i++)
+        check_executor_annotation(k, &in->annotations.at[i], out);
+    if (in->rates.n == 0 && !in->lost)
+        missing(k, in->header, format_in(k->c->arena, "executor [%s] has nothing to do: it needs a rate, as 'every 10 ms:', with tasks",
+                                         in->name.text->text));
+    check_app_rates(k, in, out);
+    check_app_tasks(k, in, out);
+}
+
+static void check_executors(AppCheck *k)
+{
+    enum { MOST = 254 };                          // threads that a platform can be built for (runtime-c/config.h)
+    size_t n = k->ast->executors.n;
+
+    for (size_t i = 0; i < n; i++)
+        check_executor(k, k->ast->executors.at[i]);
+    if (n == 0 && !k->ast->lost)
+        missing(k, k->ast->options_header, "an application needs an executor, a section such as [flight] with rates and tasks");
+    if (n > MOST)
+        diag_report(k->c->diags, DIAG_app_too_many, k->ast->executors.at[MOST]->header, "executors", "254");
+    if (n > 1 && k->sv && !k->sv->lock)
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_no_lock, k->ast->executors.at[1]->header,
+                                           format_in(k->c->arena, "%lu", (unsigned long)n), k->sv->name->text),
+                  find_option(k->ast, AST_APP_state_vector)->file.span, DIAG_note_named_here);
+}
+
+// ---- all together ----
+
+// What an option is for, and nothing does.
+static void check_unused(AppCheck *k)
+{
+    static const struct { AstAppOptionKind option; AstAppTaskKind a, b; const char *missing; } uses[] = {
+        {AST_APP_io, AST_TASK_inputs, AST_TASK_outputs, "neither 'inputs' nor 'outputs' is a task of an executor"},
+        {AST_APP_log, AST_TASK_log, AST_TASK_log, "'log' is a task of no executor"},
+        {AST_APP_keep, AST_TASK_keep, AST_TASK_keep, "'keep' is a task of no executor"}};
+
+    for (size_t i = 0; i < sizeof uses / sizeof *uses; i++) {
+        const AstAppOption *o = find_option(k->ast, uses[i].option);
+        if (o && !k->service[uses[i].a].src && !k->service[uses[i].b].src && !k->ast->lost)
+            diag_report(k->c->diags, DIAG_app_option_unused, o->name_span, app_option_name(o->kind), uses[i].missing);
+    }
+}
+
+App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const AppFiles *files)
+{
+    enum { GUESSES = 30 };        // more than are shown
+    size_t errors = c->diags->met;
+    AppCheck k;
+
+    memset(&k, 0, sizeof k);
+    k.c = c;
+    k.ast = f->app;
+    k.files = files;
+    k.sv = sv;
+    k.guesses = GUESSES;
+    k.file_index.arena = k.task.arena = k.executor.arena = k.vital.arena = k.start.arena = c->arena;
+    k.app = ARENA_NEW(c->arena, App);
+    k.app->name = sema_stem(c->strings, f->src);
+    k.app->src = f->src;
+    k.app->sv = sv;
+    check_files(&k);
+    check_options(&k);
+    check_app_start(&k);
+    check_executors(&k);
+    check_unused(&k);
+    return c->diags->met > errors || !sv ? NULL : k.app;
+}

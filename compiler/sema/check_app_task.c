@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tasks of an application: their names, modes, machines, and what they need (docs/config.md 10.13 to 10.18).
+#include "compiler/sema/app_check.h"
+
+#include <string.h>
+
+// ---- names ----
+
+// What is wrong with it as the beginning of names of C functions; NULL: nothing.
+static const char *name_problem(const char *name)
+{
+    static const char *const taken[] = {"sm", "pal", "smvm", "main"};
+    size_t n = strlen(name);
+
+    for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
+        if (strcmp(name, taken[i]) == 0)
+            return "it belongs to the runtime";
+    if (name[0] == '_' || name[n - 1] == '_')
+        return "it begins or ends with an underscore";
+    return strstr(name, "__") ? "it has two underscores in a row" : NULL;
+}
+
+static void check_name(AppCheck *k, const AstAppTask *in)
+{
+    const char *what = in->kind == AST_TASK_machine ? "machine" : "task", *problem = name_problem(in->name.text->text);
+    const Span *first = map_find(&k->task, in->name.text);
+
+    if (problem)
+        diag_report(k->c->diags, DIAG_task_name_reserved, in->name.span, in->name.text->text, what, problem);
+    if (first)
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_name_twice, in->name.span, "task or machine", in->name.text->text), *first,
+                  DIAG_note_first_here);
+    else
+        map_put(&k->task, in->name.text, (void *)(size_t)&in->name.span);
+}
+
+// inputs, outputs, log, keep: once, and not without their option.
+static void check_service(AppCheck *k, const AstAppTask *in)
+{
+    AstAppOptionKind needs = app_task_needs(in->kind);
+    const char *word = app_task_word(in->kind);
+    bool found = k->ast->lost;
+
+    for (size_t i = 0; i < k->ast->options.n; i++)
+        found = found || k->ast->options.at[i].kind == needs;
+    if (!found)
+        diag_report(k->c->diags, DIAG_app_missing, in->name.span, format_in(k->c->arena, "'%s' needs '%s' in [options]", word,
+                                                                          app_option_name(needs)));
+    if (k->service[in->kind].src)
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_name_twice, in->name.span, "task", word), k->service[in->kind],
+                  DIAG_note_first_here);
+    else
+        k->service[in->kind] = in->name.span;
+}
+
+// ---- machines ----
+
+static const State *find_state(AppCheck *k, const Program *p, const AstWord *name)
+{
+    const State *s = map_find(&p->state_by_name, name->text);
+    Guess g = guess_start(name->text);
+    Diag *d;
+
+    if (s)
+        return s;
+    d = diag_report(k->c->diags, DIAG_unknown_state, name->span, name->text->text);
+    if (k->guesses == 0)
+        return NULL;
+    k->guesses--;
+    for (size_t i = 0; i < p->state.n; i++)
+        guess_try(&g, p->state.at[i]->name);
+    guess_label(k->c->diags, d, &g);
+    return NULL;
+}
+
+static void check_time_of(AppCheck *k, const AstAppTask *in, const Program *p)
+{
+    const Element *time = k->app->time;
+    Diag *d;
+
+    for (size_t i = 0; i < k->ast->options.n; i++)
+        if (k->ast->options.at[i].kind == AST_APP_time && !time)
+            return;                               // reported: there is no such element
+    if (!time) {
+        if (!k->ast->lost)
+            diag_report(k->c->diags, DIAG_app_missing, in->name.span,
+                        format_in(k->c->arena, "machine '%s' needs the time: in [options], time %s 1 ms", in->name.text->text,
+                                  p && p->g && p->g->element ? p->g->element->name->text : "ELEMENT"));
+        return;
+    }
+    if (!p || !p->g || p->g->element == time)
+        return;
+    d = diag_report(k->c->diags, DIAG_app_time_element, in->file.span, in->name.text->text, p->g->name->text, time->name->text);
+    diag_note(k->c->diags, d, p->g->span, DIAG_note_listed_there, p->name->text);
+    diag_note(k->c->diags, d, k->app->time_span, DIAG_note_named_here);
+}
+
+static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in)
+{
+    AppMachine *m = ARENA_NEW(k->c->arena, AppMachine);
+
+    m->name = in->name.text;
+    m->file = (uint32_t)((size_t)map_find(&k->file_index, in->file.text) - 1);
+    m->program = k->files->at[m->file].program;
+    m->number = (uint16_t)k->app->machine.n;
+    vec_push(k->c->arena, &k->app->machine, m);
+    check_time_of(k, in, m->program);
+    for (size_t i = 0; i < in->annotations.n; i++) {
+        const AstAppAnnotation *a = &in->annotations.at[i];
+        m->bytecode = m->bytecode || a->kind == AST_ON_bytecode;
+        m->resume = m->resume || a->kind == AST_ON_resume;
+        if (a->kind == AST_ON_state && m->program)
+            m->initial = find_state(k, m->program, &a->word);
+    }
+    return m;
+}
+
+// ---- one task ----
+
+static const Element *check_mode(AppCheck *k, const AstWord *name)
+{
+    const Element *e = app_find_element(k, name);
+
+    if (e && e->type != SM_U8) {
+        Diag *d = diag_report(k->c->diags, DIAG_app_element_type, name->span, e->name->text, sm_type_info[e->type].spelling, "a mode",
+                              "a U8");
+        diag_note(k->c->diags, d, e->span, DIAG_note_declared_here, e->name->text);
+    }
+    return e;
+}
+
+static void check_annotation(AppCheck *k, const AstAppAnnotation *a, AppTask *t)
+{
+    if (a->kind == AST_ON_mode)
+        t->mode = check_mode(k, &a->word);
+    t->has_init = t->has_init || a->kind == AST_ON_init;
+    t->has_safe = t->has_safe || a->kind == AST_ON_safe;
+}
+
+static AppTask *check_task(AppCheck *k, const AstAppTask *in)
+{
+    AppTask *t = ARENA_NEW(k->c->arena, AppTask);
+
+    t->kind = in->kind;
+    t->name = in->name.text;
+    t->span = in->name.span;
+    t->number = (uint16_t)k->app->task.n;
+    if (in->kind == AST_TASK_task || in->kind == AST_TASK_machine)
+        check_name(k, in);
+    else
+        check_service(k, in);
+    for (size_t i = 0; i < in->annotations.n; i++)
+        check_annotation(k, &in->annotations.at[i], t);
+    if (in->kind == AST_TASK_machine)
+        t->machine = check_machine_task(k, in);
+    return t;
+}
+
+void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out)
+{
+    enum { MOST = 65535 };
+
+    for (size_t r = 0; r < in->rates.n; r++) {
+        if (in->rates.at[r].tasks.n == 0 && !in->lost)
+            diag_report(k->c->diags, DIAG_app_missing, in->rates.at[r].span, "this rate has no task");
+        for (size_t t = 0; t < in->rates.at[r].tasks.n; t++) {
+            AppTask *task = check_task(k, &in->rates.at[r].tasks.at[t]);
+            if (k->app->task.n == MOST)
+                diag_report(k->c->diags, DIAG_app_too_many, task->span, "tasks", "65535");
+            vec_push(k->c->arena, &k->app->task, task);
+            vec_push(k->c->arena, &out->rate.at[r]->task, (const AppTask *)task);
+        }
+    }
+}

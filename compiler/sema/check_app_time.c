@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// The times and counts of an application, exactly: whole nanoseconds, whole multiples of the tick (docs/config.md 10.11, 10.12).
+#include "compiler/sema/app_check.h"
+
+// ---- amounts ----
+
+static bool multiply(uint64_t *x, uint64_t by)
+{
+    if (by && *x > UINT64_MAX / by)
+        return false;
+    *x *= by;
+    return true;
+}
+
+static bool times_ten(uint64_t *x, int power)
+{
+    for (; power > 0; power--)
+        if (*x && !multiply(x, 10))
+            return false;
+        else if (*x == 0)
+            return true;
+    return true;
+}
+
+typedef enum Exactness { EXACT, FRACTION, TOO_LARGE } Exactness;
+
+// digits * 10^exponent * factor
+static Exactness amount_value(const AstAmount *a, uint64_t *value)
+{
+    uint64_t divisor = 1;
+
+    *value = a->digits;
+    if (!a->is_exact || a->exponent > 20)
+        return a->is_exact && a->digits == 0 ? EXACT : TOO_LARGE;
+    if (!multiply(value, a->factor) || !times_ten(value, a->exponent))
+        return TOO_LARGE;
+    if (a->exponent < 0 && (!times_ten(&divisor, -a->exponent) || *value % divisor))
+        return *value ? FRACTION : EXACT;
+    *value /= divisor;
+    return EXACT;
+}
+
+static const char *amount_text(AppCheck *k, const AstAmount *a)
+{
+    return format_in(k->c->arena, "%.*s", (int)a->span.len, a->span.src->text + a->span.at);
+}
+
+bool app_whole(AppCheck *k, const AstAmount *a, const AppRange *r, const char *what, uint64_t *value)
+{
+    Exactness e = amount_value(a, value);
+    bool good = e == EXACT && *value >= r->least && *value <= r->most && (!r->power_of_two || (*value & (*value - 1)) == 0);
+
+    if (!good) {
+        diag_report(k->c->diags, DIAG_app_range, a->span, what, r->text);
+        *value = r->least;
+    }
+    return good;
+}
+
+const char *app_time_text(Arena *arena, uint64_t ns)
+{
+    static const struct { const char *unit; uint64_t ns; } units[] = {{"s", 1000000000u}, {"ms", 1000000u}, {"us", 1000u}, {"ns", 1u}};
+    size_t i = 0;
+
+    while (ns % units[i].ns)
+        i++;
+    return format_in(arena, "%llu %s", (unsigned long long)(ns / units[i].ns), units[i].unit);
+}
+
+// ---- periods ----
+
+enum { SECOND = 1000000000 };
+static const uint64_t shortest = 1000, longest = (uint64_t)3600 * SECOND;
+
+// 10^9 / (digits * 10^exponent * factor); of a FRACTION the whole part.
+static Exactness frequency_period(const AstAmount *a, uint64_t *period)
+{
+    uint64_t numerator = SECOND, hertz = a->digits;
+
+    if (!a->is_exact || a->digits == 0 || a->exponent > 6)
+        return TOO_LARGE;
+    if (!times_ten(&numerator, -a->exponent) || !times_ten(&hertz, a->exponent) || !multiply(&hertz, a->factor))
+        return TOO_LARGE;
+    *period = numerator / hertz;
+    return numerator % hertz ? FRACTION : EXACT;
+}
+
+static void report_fraction(AppCheck *k, const AstAppRate *r, uint64_t period)
+{
+    Diag *d = diag_report(k->c->diags, DIAG_period_fraction, r->amount.span, amount_text(k, &r->amount));
+
+    if (r->amount.of == APP_FREQUENCY)
+        diag_label(k->c->diags, d, DIAG_label_every_instead, app_time_text(k->c->arena, period));
+}
+
+// 0 after a message.
+static uint64_t period_of(AppCheck *k, const AstAppRate *r)
+{
+    uint64_t period = 0;
+    Exactness e = r->amount.of == APP_FREQUENCY ? frequency_period(&r->amount, &period) : amount_value(&r->amount, &period);
+
+    if (e == FRACTION && (r->amount.of == APP_TIME || (period >= shortest && period < longest))) {
+        report_fraction(k, r, period);
+        return 0;
+    }
+    if (e == EXACT && period >= shortest && period <= longest)
+        return period;
+    diag_report(k->c->diags, DIAG_app_range, r->amount.span, "a period", "1 us to 1 h");
+    return 0;
+}
+
+// ---- groups ----
+
+static void check_multiple(AppCheck *k, const AppExecutor *e, const AppRate *r)
+{
+    uint64_t below = r->period / e->period * e->period;
+    Diag *d;
+
+    if (r->period % e->period == 0)
+        return;
+    d = diag_report(k->c->diags, DIAG_period_multiple, r->span, app_time_text(k->c->arena, r->period),
+                    app_time_text(k->c->arena, e->period), e->name->text);
+    diag_label(k->c->diags, d, DIAG_label_multiples, app_time_text(k->c->arena, below),
+               app_time_text(k->c->arena, below + e->period));
+}
+
+// Groups of one period; sorted by it they are neighbours.
+static void check_twice(AppCheck *k, const AppExecutor *e, const AppRate *r, Map *seen)
+{
+    Str key = str_c(k->c->strings, app_time_text(k->c->arena, r->period));
+    const AppRate *first = map_find(seen, key);
+
+    if (first)
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_period_twice, r->span, key->text, e->name->text), first->span,
+                  DIAG_note_first_here);
+    else
+        map_put(seen, key, (void *)(size_t)r);
+}
+
+void check_app_rates(AppCheck *k, const AstAppExecutor *in, AppExecutor *out)
+{
+    Map seen = {k->c->arena, NULL, NULL, 0, 0};
+
+    for (size_t i = 0; i < in->rates.n; i++) {
+        AppRate *r = ARENA_NEW(k->c->arena, AppRate);
+        r->span = in->rates.at[i].span;
+        r->period = period_of(k, &in->rates.at[i]);
+        if (r->period && (out->period == 0 || r->period < out->period))
+            out->period = r->period;
+        vec_push(k->c->arena, &out->rate, r);
+    }
+    for (size_t i = 0; i < out->rate.n; i++)
+        if (out->rate.at[i]->period) {
+            check_multiple(k, out, out->rate.at[i]);
+            check_twice(k, out, out->rate.at[i], &seen);
+            out->rate.at[i]->every = (uint32_t)(out->rate.at[i]->period / out->period);
+        }
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tree of an application (.app) as written: options, values at the start, executors with their rate groups.  app.def has its words.
+// What could not be read was reported, and is not there.
+#ifndef SMC_AST_APP_H
+#define SMC_AST_APP_H
+
+#include "compiler/syntax/ast.h"
+
+typedef struct AstWord { Str text; Span span; } AstWord;      // text NULL: it is not there
+
+typedef enum AppMeasure { APP_NOTHING, APP_NUMBER, APP_TIME, APP_FREQUENCY, APP_SIZE } AppMeasure;
+
+// 10 ms, 1 kHz, 64 KB, 80: exactly digits * 10^exponent * factor in ns, Hz, bytes or one by one.
+typedef struct AstAmount {
+    AppMeasure of;            // NOTHING: it is not there
+    uint64_t digits;
+    int exponent;
+    uint64_t factor;
+    bool is_exact;            // false: more digits than anything needs; the others are 0 then
+    Span span;
+} AstAmount;
+
+typedef enum AstAppOptionKind {
+#define APP_OPTION(name, element, file, amount, form) AST_APP_##name,
+#include "compiler/syntax/app.def"
+    AST_APP_OPTION_COUNT
+} AstAppOptionKind;
+
+typedef struct AstAppOption {
+    AstAppOptionKind kind;
+    Span name_span;
+    AstWord element, file;
+    AstAmount amount;
+} AstAppOption;
+
+typedef enum AstAppAnnotationKind {
+#define APP_ANNOTATION(name, takes, executor, task, machine, outputs, service, form) AST_ON_##name,
+#include "compiler/syntax/app.def"
+    AST_APP_ANNOTATION_COUNT
+} AstAppAnnotationKind;
+
+typedef struct AstAppAnnotation {
+    AstAppAnnotationKind kind;
+    Span span;                // with its @ and what it takes
+    AstWord word;             // an element, a state, `skip`, `catch_up`
+    AstAmount amount;
+} AstAppAnnotation;
+
+typedef VEC(AstAppAnnotation) AstAppAnnotations;
+
+typedef enum AstAppTaskKind {
+#define APP_TASK(word, named, file, option, form) AST_TASK_##word,
+#include "compiler/syntax/app.def"
+    AST_APP_TASK_COUNT
+} AstAppTaskKind;
+
+typedef struct AstAppTask {
+    AstAppTaskKind kind;
+    AstWord name;             // of log: "log"
+    AstWord file;
+    AstAppAnnotations annotations;
+} AstAppTask;
+
+typedef struct AstAppRate {
+    AstAmount amount;         // TIME after `every`, FREQUENCY after `at`
+    Span span;
+    VEC(AstAppTask) tasks;
+} AstAppRate;
+
+typedef struct AstAppExecutor {
+    AstWord name;
+    Span header;
+    AstAppAnnotations annotations;
+    VEC(AstAppRate) rates;
+    bool lost;                // something in it could not be read
+} AstAppExecutor;
+
+typedef struct AstApp AstApp;
+struct AstApp {
+    Span options_header, start_header;    // src NULL: there is none
+    VEC(AstAppOption) options;
+    AstStmts start;           // AST_ASSIGN
+    VEC(AstAppExecutor *) executors;
+    bool lost;                // something could not be read
+};
+
+const char *app_option_name(AstAppOptionKind kind);
+const char *app_task_word(AstAppTaskKind kind);
+const char *app_annotation_name(AstAppAnnotationKind kind);
+AstAppOptionKind app_task_needs(AstAppTaskKind kind);         // AST_APP_OPTION_COUNT: nothing
+
+#endif

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+// An application: its sections, options, values at the start, executors, rate groups and tasks (docs/config.md 10).
+#include "compiler/syntax/parser_app.h"
+
+static bool at_section_end(const Parser *p) { return p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END; }
+
+// After a mistake in an entry: on to the next line.
+static void next_entry(Parser *p, AstApp *app)
+{
+    if (!p->failed)
+        return;
+    app->lost = true;
+    skip_line(p);
+    p->failed = false;
+}
+
+// Something begins no entry.  Reports it with the nearest of the words that would.
+static void unknown_entry(Parser *p, DiagCode code, const char *const *words, size_t n)
+{
+    const char *near = p->tok.kind == TOK_NAME ? nearest_word(p->tok.text->text, words, n) : NULL;
+    Diag *d;
+
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    d = parser_fail(p, code, parser_here(p), parser_describe(p, &p->tok));
+    if (near)
+        diag_label(p->diags, d, DIAG_label_did_you_mean, near);
+    parser_next(p);
+}
+
+// ---- [options] ----
+
+static const struct { bool element, file; AppMeasure amount; const char *form; } options[] = {
+#define APP_OPTION(name, element, file, amount, form) {element, file, APP_##amount, form},
+#include "compiler/syntax/app.def"
+};
+
+static const char *const option_words[] = {
+#define APP_OPTION(name, element, file, amount, form) #name,
+#include "compiler/syntax/app.def"
+};
+
+static void add_option(Parser *p, AstApp *app, AstAppOption o)
+{
+    for (size_t i = 0; i < app->options.n; i++)
+        if (app->options.at[i].kind == o.kind) {
+            Diag *d = parser_report(p, DIAG_app_option_twice, o.name_span, app_option_name(o.kind));
+            diag_note(p->diags, d, app->options.at[i].name_span, DIAG_note_first_here);
+            return;
+        }
+    vec_push(p->arena, &app->options, o);
+}
+
+static void parse_option(Parser *p, AstApp *app)
+{
+    AstAppOption o = {0};
+    const char *form;
+
+    if (!app_at_option(p, &o.kind)) {
+        unknown_entry(p, DIAG_app_option_unknown, option_words, AST_APP_OPTION_COUNT);
+        return;
+    }
+    form = options[o.kind].form;
+    o.name_span = parser_here(p);
+    parser_next(p);
+    if (options[o.kind].element && !app_take_name(p, &o.element, "the name of an element", form))
+        return;
+    if (options[o.kind].file && !app_take_file(p, &o.file, form))
+        return;
+    if (options[o.kind].amount != APP_NOTHING && !app_take_amount(p, &o.amount, options[o.kind].amount, form))
+        return;
+    add_option(p, app, o);
+}
+
+// ---- [start] ----
+
+static void parse_value(Parser *p, AstApp *app)
+{
+    AstStmt *s = ARENA_NEW(p->arena, AstStmt);
+    AstWord name = {0};
+
+    s->kind = AST_ASSIGN;
+    if (!app_take_name(p, &name, "the name of an element", "engineMode = 2"))
+        return;
+    s->name = name.text;
+    s->span = s->name_span = name.span;
+    if (p->tok.kind != TOK_ASSIGN) {
+        app_wrong_form(p, "'='", "engineMode = 2");
+        return;
+    }
+    parser_next(p);
+    s->value = parse_value_of(p, false);
+    s->span = parser_since(p, s->span.at);
+    if (!p->failed && !p->tok.first && !at_section_end(p))
+        slip_at_end(p);
+    if (!p->failed)
+        vec_push(p->arena, &app->start, s);
+}
+
+// ---- executors ----
+
+static const struct { bool named, file; AppPlace place; const char *form; } tasks[] = {
+#define APP_ON_task    APP_ON_TASK
+#define APP_ON_machine APP_ON_MACHINE
+#define APP_ON_inputs  APP_ON_INPUTS
+#define APP_ON_outputs APP_ON_OUTPUTS
+#define APP_ON_log     APP_ON_SERVICE
+#define APP_ON_keep    APP_ON_SERVICE
+#define APP_TASK(word, named, file, option, form) {named, file, APP_ON_##word, form},
+#include "compiler/syntax/app.def"
+};
+
+static const char *const task_words[] = {
+    "every", "at",
+#define APP_TASK(word, named, file, option, form) #word,
+#include "compiler/syntax/app.def"
+};
+
+// Adds the task at hand, of which app_at_task has told the kind.
+static void parse_task(Parser *p, AstAppTaskKind kind, AstAppRate *r)
+{
+    AstAppTask t = {0};
+
+    t.kind = kind;
+    t.name.text = p->tok.text;
+    t.name.span = parser_here(p);
+    parser_next(p);
+    if (tasks[kind].named && !app_take_name(p, &t.name, kind == AST_TASK_task ? "the task's name" : "the machine's name", tasks[kind].form))
+        return;
+    if (tasks[kind].file && !app_take_file(p, &t.file, tasks[kind].form))
+        return;
+    app_take_annotations(p, tasks[kind].place, t.name.text->text, &t.annotations);
+    if (!p->failed && r)
+        vec_push(p->arena, &r->tasks, t);
+}
+
+// every 10 ms:   at 100 Hz:
+static void parse_rate(Parser *p, AstAppExecutor *e)
+{
+    AstAppRate r = {0};
+    uint32_t at = p->tok.at;
+    bool every = p->tok.text->text[0] == 'e';
+    const char *form = every ? "every 10 ms:" : "at 100 Hz:";
+
+    parser_next(p);
+    if (!app_take_amount(p, &r.amount, every ? APP_TIME : APP_FREQUENCY, form))
+        return;
+    if (p->tok.kind == TOK_COLON)
+        parser_next(p);
+    else
+        app_wrong_form(p, "':'", form);
+    r.span = parser_since(p, at);
+    vec_push(p->arena, &e->rates, r);
+}
+
+static void parse_entry(Parser *p, AstAppExecutor *e)
+{
+    AstAppTaskKind kind;
+
+    if (app_at_rate(p)) {
+        parse_rate(p, e);
+    } else if (!app_at_task(p, &kind)) {
+        unknown_entry(p, DIAG_app_task_unknown, task_words, sizeof task_words / sizeof *task_words);
+    } else {
+        if (e->rates.n == 0 && !e->lost)
+            diag_label(p->diags, parser_report(p, DIAG_app_task_without_rate, parser_here(p), parser_text(p, parser_here(p))),
+                       DIAG_label_as_in, "every 10 ms:");
+        e->lost = e->lost || e->rates.n == 0;
+        parse_task(p, kind, e->rates.n ? &e->rates.at[e->rates.n - 1] : NULL);
+    }
+}
+
+static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
+{
+    AstAppExecutor *e = ARENA_NEW(p->arena, AstAppExecutor);
+    TokenKind reserved;
+
+    e->name = name;
+    e->header = header;
+    if (lex_is_header_name(name.text->text, name.text->len) &&          // else reported as a header
+        (!is_identifier(name.text->text, name.text->len) || lex_is_reserved(&p->lex, name.text, &reserved)))
+        parser_report(p, DIAG_executor_name, name.span, name.text->text);
+    vec_push(p->arena, &app->executors, e);
+    app_take_annotations(p, APP_ON_EXECUTOR, name.text->text, &e->annotations);
+    while (p->failed || !at_section_end(p)) {
+        e->lost = e->lost || p->failed;
+        next_entry(p, app);
+        if (!at_section_end(p))
+            parse_entry(p, e);
+    }
+}
+
+// ---- sections ----
+
+static void parse_entries(Parser *p, AstApp *app, void (*entry)(Parser *p, AstApp *app))
+{
+    while (!at_section_end(p)) {
+        entry(p, app);
+        next_entry(p, app);
+    }
+}
+
+// A section that begins with a line of [options] or of [start] is misspelt.
+static const char *probably(const Parser *p)
+{
+    AstAppOptionKind option;
+
+    if (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN)
+        return "start";
+    if (p->ahead.first || !app_at_option(p, &option) || (options[option].file && p->ahead.kind != TOK_TEXT))
+        return NULL;
+    return "options";
+}
+
+static bool is_first(Parser *p, const Span *seen, Span header, const char *name)
+{
+    if (!seen->src)
+        return true;
+    diag_note(p->diags, parser_report(p, DIAG_section_repeated, header, name), *seen, DIAG_note_first_here);
+    return false;
+}
+
+static bool is_options(Parser *p, const AstWord *name, Span header, const char *which)
+{
+    const char *meant = probably(p);
+
+    if (strcmp(name->text->text, which) == 0)
+        return true;
+    if (!meant || strcmp(meant, which) != 0 || strcmp(name->text->text, "options") == 0 || strcmp(name->text->text, "start") == 0)
+        return false;
+    diag_label(p->diags, parser_report(p, DIAG_app_section_misspelt, header, name->text->text, format_in(p->arena, "[%s]", which)), DIAG_label_did_you_mean,
+               format_in(p->arena, "[%s]", which));
+    return true;
+}
+
+void parse_app_section(Parser *p, AstApp *app)
+{
+    AstWord name = {p->tok.text, {p->lex.src, p->tok.at + 1, p->tok.len > 2 ? p->tok.len - 2 : 0}};
+    Span header = parser_here(p);
+
+    p->failed = false;
+    parser_next(p);
+    if (is_options(p, &name, header, "options")) {
+        if (is_first(p, &app->options_header, header, "options"))
+            app->options_header = header;
+        parse_entries(p, app, parse_option);
+    } else if (is_options(p, &name, header, "start")) {
+        if (is_first(p, &app->start_header, header, "start"))
+            app->start_header = header;
+        parse_entries(p, app, parse_value);
+    } else {
+        parse_executor(p, app, name, header);
+    }
+}

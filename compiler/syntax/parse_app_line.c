@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pieces of an application's lines: words, names of files, amounts with their units, annotations.
+#include "compiler/syntax/parser_app.h"
+
+#include "compiler/syntax/number.h"
+
+// ---- words ----
+
+static const char *const options[] = {
+#define APP_OPTION(name, element, file, amount, form) #name,
+#include "compiler/syntax/app.def"
+};
+
+static const char *const tasks[] = {
+#define APP_TASK(word, named, file, option, form) #word,
+#include "compiler/syntax/app.def"
+};
+
+static const char *const annotations[] = {
+#define APP_ANNOTATION(name, takes, executor, task, machine, outputs, service, form) #name,
+#include "compiler/syntax/app.def"
+};
+
+const char *app_option_name(AstAppOptionKind kind) { return options[kind]; }
+const char *app_task_word(AstAppTaskKind kind) { return tasks[kind]; }
+const char *app_annotation_name(AstAppAnnotationKind kind) { return annotations[kind]; }
+
+AstAppOptionKind app_task_needs(AstAppTaskKind kind)
+{
+    static const AstAppOptionKind needs[] = {
+#define AST_APP_COUNT AST_APP_OPTION_COUNT
+#define APP_TASK(word, named, file, option, form) AST_APP_##option,
+#include "compiler/syntax/app.def"
+#undef AST_APP_COUNT
+    };
+    return needs[kind];
+}
+
+static int find_word(const Parser *p, const char *const *words, int n)
+{
+    int i = 0;
+
+    while (i < n && (p->tok.kind != TOK_NAME || strcmp(p->tok.text->text, words[i]) != 0))
+        i++;
+    return i;
+}
+
+bool app_at_option(const Parser *p, AstAppOptionKind *kind)
+{
+    *kind = (AstAppOptionKind)find_word(p, options, AST_APP_OPTION_COUNT);
+    return *kind < AST_APP_OPTION_COUNT;
+}
+
+bool app_at_task(const Parser *p, AstAppTaskKind *kind)
+{
+    *kind = (AstAppTaskKind)find_word(p, tasks, AST_APP_TASK_COUNT);
+    return *kind < AST_APP_TASK_COUNT;
+}
+
+bool app_at_rate(const Parser *p)
+{
+    static const char *const words[] = {"every", "at"};
+
+    return find_word(p, words, 2) < 2;
+}
+
+// The first word of a line that begins another entry is not the name that is missing in this one.
+static bool begins_entry(const Parser *p)
+{
+    AstAppOptionKind option;
+    AstAppTaskKind task;
+
+    return p->tok.first && (app_at_option(p, &option) || app_at_task(p, &task) || app_at_rate(p));
+}
+
+// ---- pieces ----
+
+void app_wrong_form(Parser *p, const char *expected, const char *form)
+{
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    diag_label(p->diags, parser_fail(p, DIAG_app_form, p->tok.first ? parser_gap(p) : parser_here(p), expected, parser_found(p)),
+               DIAG_label_as_in, form);
+}
+
+bool app_take_name(Parser *p, AstWord *into, const char *expected, const char *form)
+{
+    TokenKind reserved;
+
+    if (p->tok.kind == TOK_NAME && !begins_entry(p)) {
+        into->text = p->tok.text;
+        into->span = parser_here(p);
+        parser_next(p);
+        return true;
+    }
+    if (!p->tok.first && p->tok.text && p->tok.kind != TOK_TEXT && lex_is_reserved(&p->lex, p->tok.text, &reserved))
+        parser_fail(p, DIAG_name_reserved, parser_here(p), p->tok.text->text);
+    else
+        app_wrong_form(p, expected, form);
+    return false;
+}
+
+bool app_take_file(Parser *p, AstWord *into, const char *form)
+{
+    if (p->tok.kind != TOK_TEXT) {
+        app_wrong_form(p, "the name of a file in quotes", form);
+        return false;
+    }
+    into->text = p->tok.text;
+    into->span = parser_here(p);
+    parser_next(p);
+    return true;
+}
+
+typedef struct Unit { const char *spelling; AppMeasure of; uint64_t factor; } Unit;
+
+static const Unit units[] = {
+#define APP_UNIT(spelling, of, factor) {spelling, APP_##of, factor},
+#include "compiler/syntax/app.def"
+};
+
+static const char *const measure_units[] = {"", "", "ns, us, ms or s", "Hz or kHz", "B or KB"};
+
+// What others write: sec, msec, MS, seconds.
+static const char *near_unit(Parser *p, AppMeasure of)
+{
+    static const struct { const char *word, *unit; } others[] = {
+        {"sec", "s"}, {"secs", "s"}, {"second", "s"}, {"seconds", "s"}, {"S", "s"}, {"msec", "ms"}, {"MS", "ms"}, {"milliseconds", "ms"},
+        {"usec", "us"}, {"US", "us"}, {"microseconds", "us"}, {"nsec", "ns"}, {"hz", "Hz"}, {"HZ", "Hz"}, {"KHz", "kHz"}, {"khz", "kHz"},
+        {"b", "B"}, {"bytes", "B"}, {"Bytes", "B"}, {"kB", "KB"}, {"kb", "KB"}, {"Kb", "KB"}, {"K", "KB"}, {"k", "KB"}, {"KiB", "KB"}};
+
+    for (size_t i = 0; p->tok.kind == TOK_NAME && i < sizeof others / sizeof *others; i++)
+        for (size_t k = 0; strcmp(p->tok.text->text, others[i].word) == 0 && k < sizeof units / sizeof *units; k++)
+            if (units[k].of == of && strcmp(units[k].spelling, others[i].unit) == 0)
+                return others[i].unit;
+    return NULL;
+}
+
+static const Unit *find_unit(const Parser *p)
+{
+    for (size_t i = 0; p->tok.kind == TOK_NAME && i < sizeof units / sizeof *units; i++)
+        if (strcmp(p->tok.text->text, units[i].spelling) == 0)
+            return &units[i];
+    return NULL;
+}
+
+static bool take_unit(Parser *p, AstAmount *into, const char *form)
+{
+    const Unit *u = find_unit(p);
+    const char *near;
+    Diag *d;
+
+    if (u && u->of == into->of) {
+        into->factor = u->factor;
+        parser_next(p);
+        return true;
+    }
+    if (p->tok.kind != TOK_NAME || begins_entry(p)) {
+        app_wrong_form(p, format_in(p->arena, "a unit: %s", measure_units[into->of]), form);
+        return false;
+    }
+    d = parser_fail(p, DIAG_unit_unknown, parser_here(p), p->tok.text->text, measure_units[into->of]);
+    near = near_unit(p, into->of);
+    if (near)
+        diag_label(p->diags, d, DIAG_label_did_you_mean, near);
+    return false;
+}
+
+bool app_take_amount(Parser *p, AstAmount *into, AppMeasure of, const char *form)
+{
+    uint32_t at = p->tok.at;
+
+    if (p->tok.kind != TOK_NUMBER) {
+        app_wrong_form(p, "a number", form);
+        return false;
+    }
+    into->of = of;
+    into->factor = 1;
+    into->is_exact = number_decimal(p->lex.src->text + at, p->tok.len, &into->digits, &into->exponent);
+    parser_next(p);
+    if (of != APP_NUMBER && !take_unit(p, into, form))
+        return false;
+    into->span = parser_since(p, at);
+    return true;
+}
+
+// ---- annotations ----
+
+typedef enum Takes { TAKES_NOTHING, TAKES_ELEMENT, TAKES_STATE, TAKES_NUMBER, TAKES_OVERRUN } Takes;
+
+static const struct { Takes takes; bool on[APP_PLACES]; const char *form; } rows[] = {
+#define APP_ANNOTATION(name, takes, executor, task, machine, outputs, service, form) \
+    {TAKES_##takes, {executor, task, machine, outputs, service, false}, form},
+#include "compiler/syntax/app.def"
+};
+
+static void unknown_annotation(Parser *p, AppPlace place)
+{
+    const char *words[AST_APP_ANNOTATION_COUNT], *near;
+    Diag *d = parser_fail(p, DIAG_annotation_unknown, parser_here(p), p->tok.text->text);
+    size_t n = 0;
+
+    for (int i = 0; i < AST_APP_ANNOTATION_COUNT; i++)
+        if (rows[i].on[place])
+            words[n++] = annotations[i];
+    if ((near = nearest_word(p->tok.text->text, words, n)) != NULL ||
+        (near = nearest_word(p->tok.text->text, annotations, AST_APP_ANNOTATION_COUNT)) != NULL)
+        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
+}
+
+// `skip`, or `catch_up` and a number.
+static bool take_overrun(Parser *p, AstAppAnnotation *a)
+{
+    const char *form = rows[a->kind].form;
+
+    if (p->tok.kind != TOK_NAME || (strcmp(p->tok.text->text, "skip") != 0 && strcmp(p->tok.text->text, "catch_up") != 0)) {
+        app_wrong_form(p, "skip or catch_up", form);
+        return false;
+    }
+    app_take_name(p, &a->word, "", form);
+    return a->word.text->text[0] == 's' || app_take_amount(p, &a->amount, APP_NUMBER, form);
+}
+
+static bool take_arguments(Parser *p, AstAppAnnotation *a)
+{
+    switch (rows[a->kind].takes) {
+    case TAKES_NOTHING: return true;
+    case TAKES_ELEMENT: return app_take_name(p, &a->word, "the name of an element", rows[a->kind].form);
+    case TAKES_STATE:   return app_take_name(p, &a->word, "the name of a state", rows[a->kind].form);
+    case TAKES_NUMBER:  return app_take_amount(p, &a->amount, APP_NUMBER, rows[a->kind].form);
+    case TAKES_OVERRUN: return take_overrun(p, a);
+    }
+    return true;
+}
+
+static bool is_first_of_its_kind(Parser *p, const AstAppAnnotation *a, const char *owner, const AstAppAnnotations *all)
+{
+    for (size_t i = 0; i < all->n; i++)
+        if (all->at[i].kind == a->kind) {
+            Diag *d = parser_report(p, DIAG_annotation_repeated, a->span, annotations[a->kind], owner);
+            diag_note(p->diags, d, all->at[i].span, DIAG_note_first_here);
+            return false;
+        }
+    return true;
+}
+
+static void take_annotation(Parser *p, AppPlace place, const char *owner, AstAppAnnotations *into)
+{
+    static const char *const places[] = {"an executor", "a task", "a machine", "'outputs'", "'log' and 'keep'", "'inputs'"};
+    AstAppAnnotation a = {0};
+    int row = 0;
+
+    while (row < AST_APP_ANNOTATION_COUNT && strcmp(p->tok.text->text, annotations[row]) != 0)
+        row++;
+    if (row == AST_APP_ANNOTATION_COUNT) {
+        unknown_annotation(p, place);
+        return;
+    }
+    a.kind = (AstAppAnnotationKind)row;
+    a.span = parser_here(p);
+    if (!rows[row].on[place])
+        parser_fail(p, DIAG_app_annotation_place, a.span, annotations[row], places[place]);
+    parser_next(p);
+    if (!take_arguments(p, &a) || p->failed)
+        return;
+    a.span = parser_since(p, a.span.at);
+    if (is_first_of_its_kind(p, &a, owner, into))
+        vec_push(p->arena, into, a);
+}
+
+void app_take_annotations(Parser *p, AppPlace place, const char *owner, AstAppAnnotations *into)
+{
+    while (!p->failed && p->tok.kind == TOK_ANNOTATION)
+        take_annotation(p, place, owner, into);
+}

@@ -1,0 +1,32 @@
+spec 10.10   Annotations of an executor stand once, behind its header.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+[flight] @priority 1 @priority 2     #! E0361 priority
+every 10 ms:
+    task a @priority 3        #! E0824 behind a task
+    task b @mod mode          #! E0360 @mode
+    log @safe                 #! E0824 'log' and 'keep'
+    inputs @mode mode         #! E0824 'inputs'
+    machine m "m.sm" @safe    #! E0824 behind a machine
+    outputs @init             #! E0824 'outputs'
+[slow] @mode mode             #! E0824 an executor
+every 10 ms:
+    task c
+[other] @overrun later        #! E0820 skip or catch_up
+every 10 ms:
+    task d
+-- rocket.sv --
+[options]
+lock
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small

@@ -1,0 +1,23 @@
+spec 10.9   An executor has tasks.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+[flight]              #! E0830 nothing to do
+[slow]
+every 10 ms:          #! E0830 no task
+every 20 ms:
+    task a
+-- rocket.sv --
+[options]
+lock
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small

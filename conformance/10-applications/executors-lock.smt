@@ -1,0 +1,22 @@
+spec 10.13   With several executors the state vector says lock.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+[flight]
+every 10 ms:
+    task navigation
+[slow]                #! E0838 'rocket' must say 'lock'
+every 1 s:
+    task b
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small

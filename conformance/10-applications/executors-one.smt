@@ -1,0 +1,19 @@
+spec 10.13   With one executor it need not.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+[flight]
+every 10 ms:
+    task navigation
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small

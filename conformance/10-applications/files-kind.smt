@@ -1,0 +1,35 @@
+spec 10.1, 10.2, 10.15   Files are called after what they are.
+
+-- rocket.app --
+[options]
+state_vector "mission.sm"     #! E0832 .sv
+io "rocket.sv"     #! E0832 .io
+time time 1 ms
+[flight]
+every 10 ms:
+    machine mission "rocket.io"     #! E0832 .sm
+    inputs
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small
+-- mission.sm --
+[state_vector]
+U64  time          @alias G
+U32  missionState  @alias S
+F64  altitude      @read_only
+[Boost]
+.step
+    altitude > 100: -> Coast
+[Coast]
+-- rocket.io --
+[analog]
+i 0 altitude
+o 1 target

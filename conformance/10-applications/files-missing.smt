@@ -1,0 +1,9 @@
+spec 10.1, 10.2, 10.15   A file that cannot be read is an error where it is named.
+
+-- rocket.app --
+[options]
+state_vector "nosuch.sv"     #! E0831 nosuch.sv
+time time 1 ms
+[flight]
+every 10 ms:
+    machine mission "gone.sm"     #! E0831 gone.sm

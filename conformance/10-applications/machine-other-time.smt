@@ -1,0 +1,30 @@
+spec 10.3   It is the element that is G in them.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+time other 1 ms
+[flight]
+every 10 ms:
+    machine mission "mission.sm"     #! E0840 'other'
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small
+U64  other
+-- mission.sm --
+[state_vector]
+U64  time          @alias G
+U32  missionState  @alias S
+F64  altitude      @read_only
+[Boost]
+.step
+    altitude > 100: -> Coast
+[Coast]

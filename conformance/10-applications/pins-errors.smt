@@ -1,0 +1,35 @@
+spec 10.2   Mistakes among the pins are reported there.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+io "rocket.io"
+time time 1 ms
+[flight]
+every 10 ms:
+    inputs
+    machine mission "mission.sm"
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small
+-- rocket.io --
+[analog]
+i 0 missionState     #! E0888 mission
+o 1 target
+-- mission.sm --
+[state_vector]
+U64  time          @alias G
+U32  missionState  @alias S
+F64  altitude      @read_only
+[Boost]
+.step
+    altitude > 100: -> Coast
+[Coast]

@@ -1,0 +1,31 @@
+spec 10.11   A rate is `every` and a time, or `at` and a frequency.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+[flight]
+every ms:                     #! E0820 every 10 ms:
+    task a
+every 10 ms                   #! E0820 ':'
+    task b
+at 10:                        #! E0820 Hz or kHz
+    task c
+evry 10 ms:                   #! E0823 every
+    task d
+navigation                    #! E0823 'navigation'
+tsk e                         #! E0823 task
+task                          #! E0820 the task's name
+task 5                        #! E0820 the task's name
+task if                       #! E0354 if
+machine mission               #! E0820 "mission.sm"
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small

@@ -1,0 +1,31 @@
+spec 10.12   A period is 1 us to 1 h.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+[flight]
+every 10 ms:
+    task a
+every 999 ns:                 #! E0834 1 us to 1 h
+    task b
+every 3600.01 s:              #! E0834 1 us to 1 h
+    task c
+at 0 Hz:                      #! E0834 1 us to 1 h
+    task d
+at 1e300 kHz:                 #! E0834
+    task e
+at 1e-300 Hz:                 #! E0834
+    task f
+every 0 ms:                   #! E0834
+    task g
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small

@@ -1,0 +1,29 @@
+spec 10.13   inputs, outputs, log and keep stand once in an application.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+log "f" 4 KB
+keep "k"
+[flight]
+every 10 ms:
+    log
+    keep
+every 20 ms:
+    log                       #! E0839 'log'
+[slow]
+every 1 s:
+    keep                      #! E0839 'keep'
+-- rocket.sv --
+[options]
+lock
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small

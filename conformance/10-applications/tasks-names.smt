@@ -1,0 +1,33 @@
+spec 10.17   Names of tasks and machines are unique.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+time time 1 ms
+[flight]
+every 10 ms:
+    task mission
+    machine mission "mission.sm"     #! E0839 'mission'
+    task a
+    task a                    #! E0839 'a'
+    task A
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small
+-- mission.sm --
+[state_vector]
+U64  time          @alias G
+U32  missionState  @alias S
+F64  altitude      @read_only
+[Boost]
+.step
+    altitude > 100: -> Coast
+[Coast]

@@ -1,0 +1,21 @@
+spec 10.10   An element holds one of what an executor tells.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+time time 1 ms
+[flight] @late late @busy late     #! E0847 late
+    @ticks time                    #! E0847 the time
+every 10 ms:
+    task navigation
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small
