@@ -324,9 +324,10 @@ f64-f32: $(B)/soft/run
 .PHONY: f64-campaign f64-f32
 
 # tests/avr: on an emulated ATmega328P: the same bits as here, and cycles.  `make check-avr N=100000 SEED=2`: more of it.
+check: $(B)/diff/difftest
 CHECK_LINES += "avr: sh tests/avr/run.sh $(B) '$(CC)'"
-check-avr:
-	sh tests/avr/run.sh $(B) '$(CC)' $(N) $(SEED)
+check-avr: all $(B)/diff/difftest
+	sh tests/avr/run.sh $(B) '$(CC)' $(N) $(SEED) 300
 .PHONY: check-avr
 
 # tests/psl: what the headers of runtime-c/pal promise, on each platform.  Linux: with IIO devices in a folder of the test, and with

@@ -61,7 +61,7 @@ static void *memory_of(Run *r, uint8_t kind, uint32_t payload, uint8_t *type)
     if (kind > SMVM_K_TEMP)
         return NULL;
     if (kind >= SMVM_K_LOCAL) {
-        kind -= SMVM_K_LOCAL;
+        kind = (uint8_t)(kind - SMVM_K_LOCAL);
         base = r->parts.local;
     }
     *type = kind;
@@ -96,7 +96,7 @@ static void note(Run *r, uint32_t output)             // that it is written
         bits = r->parts.stored;
         output -= 64;
     }
-    bits[output >> 3] |= (uint8_t)(1u << (output & 7u));
+    bits[output >> 3] = (uint8_t)(bits[output >> 3] | 1u << (output & 7u));
 }
 
 static void put(Run *r, uint32_t index, SmF64 x)
@@ -249,7 +249,7 @@ static uint8_t *element(const Run *r, uint32_t operand) { return r->sv + smvm_op
 static void clear_stored(Run *r)
 {
     memset(r->vm->stored, 0, sizeof r->vm->stored);
-    memset(r->parts.stored, 0, r->parts.stored_bytes);
+    memset(r->parts.stored, 0, (size_t)r->parts.stored_bytes);
 }
 
 SmResult smvm_step(SmVm *vm, void *sv)

@@ -236,7 +236,7 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
         return SM_E_ALIGNMENT;
     if (size < smvm_ram_size(m))
         return SM_E_MEMORY;
-    memset(memory, 0, smvm_ram_size(m));
+    memset(memory, 0, (size_t)smvm_ram_size(m));
     vm->image = m->image;
     vm->machine = (SmvmAt)m->machine_at;
     vm->code = (SmvmAt)m->code_at;

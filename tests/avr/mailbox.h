@@ -8,9 +8,21 @@
 
 enum { AVR_READY = 3, AVR_BEGIN = 1, AVR_END = 2 };    // READY: the computer may look into the mailbox and change it
 
+// soft.c: one operation.
 typedef struct Mailbox {
     uint64_t a, b, result;
     uint8_t op;
 } Mailbox;
+
+// vm.c: an image at a place in flash that the computer fills, a state vector and memory in RAM.
+enum { VM_VERIFY, VM_INIT, VM_STEP };
+typedef struct VmBox {
+    uint16_t image, image_size, sv, sv_size, memory, memory_size, free;      // addresses and sizes; free: behind all that is static
+    uint16_t local, state;    // of the machine after VM_INIT and VM_STEP: where its locals are behind `memory`, the next state
+    uint8_t what;             // in: one of these
+    int8_t result;            // out: as of smvm_verify, smvm_init, smvm_step
+    uint8_t begins;           // in: the state to begin at
+    uint8_t stored[8];        // bits of the first 64 outputs
+} VmBox;
 
 #endif

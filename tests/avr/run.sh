@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Builds firmware for an ATmega328P and runs it in simavr.     run.sh BUILD CC [N [SEED]]: N random operands for each operation
+# Builds firmware for an ATmega328P and runs it in simavr.     run.sh BUILD CC [N [SEED [PROGRAMS]]]: N random operands for each operation, and
+# so many random programs.
 # Wants gcc-avr avr-libc libsimavr-dev libelf-dev; AVR_CC names the compiler.
-B=$1/avr CC=$2 N=${3:-150} SEED=${4:-1}
+B=$1/avr CC=$2 N=${3:-150} SEED=${4:-1} PROGRAMS=${5:-20}
 AVR_CC=${AVR_CC:-avr-gcc}
 mkdir -p "$B" || exit 1
 if ! command -v "$AVR_CC" >/dev/null 2>&1; then
@@ -14,6 +15,7 @@ if ! echo '#include <simavr/sim_avr.h>' | $CC -fsyntax-only -x c - 2>/dev/null; 
     exit 0
 fi
 passed=0 failed=0
+export ASAN_OPTIONS=detect_leaks=0             # libsimavr forgets what it read of the firmware
 
 count() {
     if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "failed: $*"; fi
@@ -38,5 +40,26 @@ count "$B/run_soft" "$B/soft_portable.elf" 20 "$SEED" free >"$B/soft_portable.tx
 size=$(avr-size "$B/soft_avr.o" | awk 'NR == 2 { print $1 }')
 echo "soft binary64: $size bytes of flash"
 count test "$size" -le 2816
+# The VM: examples and random programs, in lock step with the VM here.
+avr vm -DSMVM_CONFIG='"tests/avr/vm_config.h"' tests/avr/vm.c bytecode-vm/load.c bytecode-vm/verify.c bytecode-vm/interp.c $SOFT || exit 1
+$CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_vm.c "$1/libsmc.a" -o "$B/run_vm" -lsimavr -lelf -lm || exit 1
+rm -rf "$B/images" "$B/program"
+mkdir -p "$B/images"
+"$1/smc" build -w examples/tank/tank.sm -o "$B/tank.smb" || exit 1
+for workload in arith mission; do
+    "$1/smc" build -w tests/bench/workloads/$workload.sm --sv tests/bench/workloads/$workload.sv -o "$B/images/$workload.smb" || exit 1
+done
+program=$SEED
+while [ $program -lt $((SEED + PROGRAMS)) ]; do
+    "$1/diff/difftest" --seed=$program --print --out="$B/program" >/dev/null || exit 1
+    sv=$(ls "$B"/program/*.sv 2>/dev/null)
+    "$1/smc" build -w "$B"/program/*.sm ${sv:+--sv "$sv"} -O$((program % 3)) -o "$B/images/$program.smb" || exit 1
+    rm -rf "$B/program"
+    program=$((program + 1))
+done
+echo "VM and verifier with soft binary64: $(avr-size "$B/vm.elf" | awk 'NR == 2 { print $1 - 1024 }') bytes of flash"
+count "$B/run_vm" "$B/vm.elf" 500 700 820 "$B/tank.smb"                # in its band: never Abort
+count "$B/run_vm" "$B/vm.elf" 200 0 0 "$B"/images/*.smb >"$B/vm.txt"
+tail -1 "$B/vm.txt"
 echo "avr: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -10,7 +10,7 @@
 
 #include "tests/avr/mailbox.h"
 
-enum { HERTZ = 16000000, GPIOR0 = 0x3E, GPIOR1 = 0x4A, GPIOR2 = 0x4B };
+enum { HERTZ = 16000000, GPIOR0 = 0x3E, GPIOR1 = 0x4A, GPIOR2 = 0x4B, PAINT = 0xA5 };
 
 static void on_write(struct avr_t *avr, avr_io_addr_t address, uint8_t value, void *param)
 {
@@ -71,4 +71,25 @@ void *sim_mailbox(const Sim *s)
     const avr_t *avr = s->avr;
 
     return avr->data + (avr->data[GPIOR1] | avr->data[GPIOR2] << 8);
+}
+
+uint8_t *sim_ram(const Sim *s) { return ((avr_t *)s->avr)->data; }
+uint8_t *sim_flash(const Sim *s) { return ((avr_t *)s->avr)->flash; }
+
+void sim_paint(Sim *s, uint16_t from)
+{
+    const avr_t *avr = s->avr;
+    const unsigned sp = avr->data[R_SPL] | avr->data[R_SPH] << 8;
+
+    for (unsigned i = from; i < sp; i++)
+        avr->data[i] = PAINT;
+}
+
+uint16_t sim_deepest(const Sim *s, uint16_t from)
+{
+    const avr_t *avr = s->avr;
+
+    while (avr->data[from] == PAINT)
+        from++;
+    return (uint16_t)(avr->ramend + 1 - from);
 }

@@ -8,12 +8,16 @@
 
 typedef struct Sim {
     void *avr;
-    uint64_t begin, cycles;   // of the last AVR_BEGIN; from there to the last AVR_END, both writes not counted
+    uint64_t begin, cycles;   // of the last AVR_BEGIN; from it to the last AVR_END, both writes not counted
     uint8_t said;             // the last thing written to GPIOR0
 } Sim;
 
 bool sim_open(Sim *s, const char *elf);               // says on standard error why not
 bool sim_until_ready(Sim *s);                         // false: it has stopped, or takes longer than a second
 void *sim_mailbox(const Sim *s);                      // where in its memory
+uint8_t *sim_ram(const Sim *s);                       // from address 0
+uint8_t *sim_flash(const Sim *s);
+void sim_paint(Sim *s, uint16_t from);                // the RAM from there to the stack, for sim_deepest
+uint16_t sim_deepest(const Sim *s, uint16_t from);    // bytes of stack that have been used since
 
 #endif
