@@ -349,7 +349,7 @@ $$(B)/psl/$(1)/%.o: %.c
 check: $$(B)/psl/$(1)/suite
 CHECK_LINES += "psl-$(1): $$(B)/psl/$(1)/suite"
 endef
-$(foreach platform,linux sim none,$(eval $(call psl_test,$(platform))))
+$(foreach platform,linux sim desk none,$(eval $(call psl_test,$(platform))))
 check: $(B)/psl/linux/runtime-c/psl/linux/watchdog.o
 
 # Linux again under the thread sanitizer, if the compiler has it.  (The suite also gives back locks that it does not hold.)
@@ -431,7 +431,7 @@ $$(B)/runtime/$(1)/%.o: %.c
 	@mkdir -p $$(@D)
 	$$(call say,CC)$$(CC) $$(STRICT_C) $$(WARN) $$(CFLAGS) $$(DEPFLAGS) -c $$< -o $$@
 endef
-$(foreach platform,linux sim,$(eval $(call runtime_platform,$(platform))))
+$(foreach platform,linux sim desk,$(eval $(call runtime_platform,$(platform))))
 $(B)/runtime/%_linux: tests/runtime/%_linux.c $(B)/runtime/linux.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/linux.a -pthread -lrt
 $(B)/runtime/%: tests/runtime/%.c $(B)/runtime/sim.a
