@@ -451,6 +451,35 @@ bench-runtime: $(RUNTIME_MADE)
 	sh tests/bench/runtime.sh $(B) '$(CC)'
 .PHONY: bench-runtime
 
+# tests/runtime/flights: the example machines as tasks, over the flights of their scripts.
+FLIGHTS        = $(B)/runtime/flights
+FLIGHT_TRACES  = $(patsubst examples/mission/%.ss,$(FLIGHTS)/%.trace,$(wildcard examples/mission/*.ss))
+FLIGHT_RUNTIME = $(FLIGHTS)/rocket.c $(FLIGHTS)/mission.c $(FLIGHTS)/airbrakes.c
+$(FLIGHTS)/rocket.sv: examples/mission/rocket.sv
+	@mkdir -p $(@D)
+	@{ printf '[options]\nlock\n'; cat $<; } >$@
+$(FLIGHTS)/rocket.c: $(FLIGHTS)/rocket.sv $(B)/smc
+	$(call say,SMC)$(B)/smc build --emit=c --runtime -o $@ $<
+$(FLIGHTS)/mission.c $(FLIGHTS)/airbrakes.c: $(FLIGHTS)/%.c: examples/mission/%.sm $(FLIGHTS)/rocket.sv $(B)/smc
+	$(call say,SMC)$(B)/smc build --emit=c --runtime --sv $(FLIGHTS)/rocket.sv -o $@ $<
+$(FLIGHTS)/flight.smb: examples/mission/mission.sm examples/mission/airbrakes.sm $(FLIGHTS)/rocket.sv $(B)/smc
+	$(call say,SMC)$(B)/smc build --sv $(FLIGHTS)/rocket.sv -o $@ examples/mission/mission.sm examples/mission/airbrakes.sm
+$(FLIGHTS)/%.trace: examples/mission/%.ss examples/mission/mission.sm examples/mission/airbrakes.sm $(FLIGHTS)/rocket.sv $(B)/smc
+	@$(B)/smc test --sv $(FLIGHTS)/rocket.sv --trace=$@ examples/mission/$(firstword $(subst -, ,$*)).sm $< >$@.log
+$(FLIGHTS)/flights: tests/runtime/flights/flights.c $(FLIGHT_RUNTIME) $(B)/runtime/sim.a
+	$(call say,CC)$(CC) $(STRICT_C) -I$(FLIGHTS) $(WARN) $(CFLAGS) $^ -o $@
+check: $(FLIGHTS)/flights $(FLIGHTS)/flight.smb $(FLIGHT_TRACES)
+CHECK_LINES += "runtime-flights: $(FLIGHTS)/flights $(FLIGHTS)/flight.smb $(FLIGHT_TRACES)"
+
+# `make bench-machine`: what a step costs as a task of the runtime, in instructions.
+$(FLIGHTS)/plain_mission.c: examples/mission/mission.sm examples/mission/rocket.sv $(B)/smc
+	$(call say,SMC)$(B)/smc build --emit=c --runtime --prefix=plain_mission --sv examples/mission/rocket.sv -o $@ $<
+BENCH_MACHINE = tests/bench/machine.c $(FLIGHTS)/rocket.c $(FLIGHTS)/mission.c $(FLIGHTS)/plain_mission.c $(RUNTIME_SRC_linux)
+bench-machine: $(BENCH_MACHINE) $(FLIGHTS)/flight.smb
+	$(CC) $(STRICT_C) -O2 -I$(FLIGHTS) $(BENCH_MACHINE) -o $(FLIGHTS)/bench -pthread -lrt
+	@sh tests/bench/machine_cost.sh $(FLIGHTS)/bench $(FLIGHTS)/flight.smb
+.PHONY: bench-machine
+
 # ---- installing ----
 
 DEST = $(DESTDIR)$(PREFIX)

@@ -160,11 +160,13 @@ static void tell_refused(SmMachine *m, const SmTick *tick)
 
 static void tell_stepped(SmMachine *m, const SmTick *tick)
 {
-    uint32_t state = m->type->state(m->self);
+    uint32_t state;
 
     m->standing = false;
-    if (m->type->moved(m->self))
-        tell(m, SM_EVENT_STATE, tick->time, m->last, state);
+    if (!m->type->moved(m->self))
+        return;
+    state = m->type->state(m->self);
+    tell(m, SM_EVENT_STATE, tick->time, m->last, state);
     m->last = state;
 }
 

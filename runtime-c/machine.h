@@ -31,7 +31,7 @@ typedef struct SmMachine {
     const bool *restored;     // whether the vector was restored; or NULL
     uint16_t number;          // of the machine in its application: SmEvent.source
     // What follows is the runtime's; all zero at first.
-    uint32_t last;            // the state that the last step ran, or that it was started in
+    uint32_t last;            // the state that the next step runs; 0 where init has not succeeded
     uint32_t refused;         // steps
     bool standing;            // the last step was refused
     bool owed;                // `copy` holds stores that could not be written yet

@@ -54,7 +54,6 @@ static SmResult target_open(void *self, uint32_t layout, uint32_t size)
     SmvmMachine m;
 
     t->vm = NULL;
-    t->fast = NULL;
     if (smvm_verify(t->image, t->size, &t->why) != 0)
         return SM_E_IMAGE;
     if (!smvm_machine(t->image, t->machine, &m))
@@ -91,6 +90,7 @@ static SmResult target_init(void *self, void *sv, uint32_t state)
     uint32_t s;
 
     t->vm = NULL;
+    t->fast = NULL;
     smvm_machine(t->image, t->machine, &m);
     v.at = sv;
     v.size = m.sv_size;

@@ -158,6 +158,16 @@ static void other_images(void)
     CHECK(step(2) == SM_OK && sm_machine_state(&stage.machine) == 2);
 }
 
+// What was decoded is not run once it is started without.
+static void decoder_taken_away(void)
+{
+    start_stage(DECODED, false);
+    CHECK(step(1) == SM_OK);
+    stage.target.decoder = NULL;
+    memset(stage.decoded, 0, sizeof stage.decoded);
+    CHECK(sm_machine_init(&stage.machine) == SM_OK && step(1) == SM_OK && stand_sv.valve == 0);
+}
+
 static void memory_is_known(void)
 {
     SmvmMachine m;
@@ -213,6 +223,36 @@ static void hostile_names(void)
         }
 }
 
+// The first state's name in the last three bytes: of a length, ending in `last`.
+static const char *name_at_the_end(uint8_t length, uint8_t last)
+{
+    static uint8_t image[sizeof tester_image + 1];        // and a 0 behind it
+    SmvmMachine m;
+    uint8_t *names;
+
+    smvm_machine(tester_image, 0, &m);
+    memcpy(image, tester_image, sizeof tester_image);
+    names = image + m.debug_at;
+    names[3 * SMVM_DEBUG_NUMBERS] = (uint8_t)(m.debug_size - 3);
+    names[3 * SMVM_DEBUG_NUMBERS + 1] = (uint8_t)((m.debug_size - 3) >> 8);
+    names[m.debug_size - 3] = length;
+    names[m.debug_size - 2] = 'a';
+    names[m.debug_size - 1] = last;
+    fix_crc(image, sizeof tester_image);
+    set_stage(IMAGE, false);
+    stage.target.image = image;
+    CHECK(m.debug_at + m.debug_size == sizeof tester_image && sm_machine_init(&stage.machine) == SM_OK);
+    return sm_machine_state_name(&stage.machine, 1);
+}
+
+static void names_without_end(void)
+{
+    CHECK(strcmp(name_at_the_end(1, 0), "a") == 0);
+    CHECK(strcmp(name_at_the_end(1, 'b'), "") == 0);      // no 0 behind it
+    CHECK(strcmp(name_at_the_end(2, 'b'), "") == 0);      // the 0 would be behind the section
+    CHECK(strcmp(name_at_the_end(9, 'b'), "") == 0);
+}
+
 int main(void)
 {
     for_all(other_layout);
@@ -223,7 +263,9 @@ int main(void)
     for_images(bad_image);
     for_images(little_memory);
     other_images();
+    decoder_taken_away();
     memory_is_known();
     hostile_names();
+    names_without_end();
     return test_end("machine_refused");
 }
