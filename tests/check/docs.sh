@@ -52,6 +52,7 @@ for page; do
     mkdir -p "$place/build"
     ln -s "$smc" "$place/build/smc"
     ln -s "$root/examples" "$place/examples"
+    ln -s "$root" "$place/smc"
     if ! awk -v out="$folder/blocks" -f tests/check/docs.awk "$page" >"$folder/list" 2>"$folder/out"; then
         say_wrong "$page" 1
         continue
