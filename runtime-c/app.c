@@ -75,6 +75,8 @@ static SmResult check(SmApp *app)
         return refuse(app, SM_E_ARGUMENT, "the state vector", "several threads use it, so its .sv must say `lock`");
     if (shared && app->events && !app->events->guarded)
         return refuse(app, SM_E_ARGUMENT, "the ring of events", "several threads use it, so it must be guarded");
+    if ((app->keep || app->log) && !app->writing)
+        return refuse(app, SM_E_ARGUMENT, "the log or kept state vector", "SmApp.writing is missing");
     return check_clock(app);
 }
 
@@ -92,7 +94,7 @@ static SmResult fill_vector(SmApp *app)
 {
     if (app->set && app->sv)
         app->set(app->sv->at);
-    return SM_OK;
+    return refuse(app, app->writing ? app->writing->restore(app) : SM_OK, "the kept state vector", NULL);
 }
 
 static SmResult init_executors(SmApp *app)
@@ -131,10 +133,14 @@ static SmResult start(SmApp *app)
 
 // ---- from start to end ----
 
-void sm_run_write(SmApp *app, uint64_t budget)
+// STOP is in the last record of the log.
+static void end(SmApp *app)
 {
-    (void)app;
-    (void)budget;
+    const SmTick last = {pal_clock_now() - app->start, 0};
+
+    tell_event(app, SM_EVENT_STOP, last.time, 0, 0);
+    if (app->writing)
+        app->writing->close(app, &last);
 }
 
 SmResult sm_app_run(SmApp *app)
@@ -144,7 +150,7 @@ SmResult sm_app_run(SmApp *app)
     if (r != SM_OK)
         return r;
     sm_run(app);
-    tell_event(app, SM_EVENT_STOP, pal_clock_now() - app->start, 0, 0);
+    end(app);
     return SM_OK;
 }
 

@@ -8,7 +8,7 @@
 //
 // Each executor has a thread, where the platform has threads; the thread that called writes logs and kept vectors, for which it
 // may have to wait.  Where there is one thread, or one executor only and nothing to write, it runs all executors itself, and writes
-// while none is due.  It takes the one that has waited longest, since its tick was due or since its last tick ended, whichever
+// while none is due (ten times a second whatever is due).  It takes the one that has waited longest, since its tick was due or since its last tick ended, whichever
 // was later; of several the first in the file.  So an executor that is always late keeps no other waiting for more than one tick of
 // each, and a simulation runs the same in every run.
 //
@@ -25,6 +25,17 @@
 extern "C" {
 #endif
 
+struct SmApp;
+
+// What brings kept vectors and logs to their media: apart, so that a program that has neither does not carry it.
+typedef struct SmWriting {
+    SmResult (*restore)(struct SmApp *app);               // before the tasks' init
+    void (*write)(struct SmApp *app, uint64_t budget);    // what waits; logs for at most `budget` nanoseconds
+    void (*close)(struct SmApp *app, const SmTick *last); // a last record, then all that waits
+} SmWriting;
+
+extern const SmWriting sm_writing;
+
 typedef struct SmApp {
     const char *name;
     SmStateVec *sv;
@@ -34,6 +45,7 @@ typedef struct SmApp {
     void (*set)(void *sv);    // writes the values of [start]; or NULL
     SmKeep *keep;             // or NULL
     SmLog *log;               // or NULL
+    const SmWriting *writing; // &sm_writing where there is `keep` or `log`; else NULL
     uint64_t watchdog;        // nanoseconds; 0: none
     bool one_thread;          // runs all executors in the calling thread even where there are threads
     // What follows is the runtime's; all zero at first.
@@ -44,7 +56,7 @@ typedef struct SmApp {
     const char *what, *why;   // what else did not start; why, where the result does not say it
     bool tell;                // on the console
     uint64_t start;           // on the PAL clock: when tick 0 is due
-    uint64_t fed;             // on the PAL clock: when the watchdog was fed last
+    uint64_t fed, wrote;      // on the PAL clock: when the watchdog was fed last; when logs and kept vectors were looked after last
     PalThread watch;          // the thread that feeds it
     uint32_t gate;            // run.c
 } SmApp;

@@ -72,6 +72,13 @@ static SmResult start_watchdog(SmApp *app)
     return r;
 }
 
+static void write(SmApp *app, uint64_t now, uint64_t budget)
+{
+    app->wrote = now;
+    if (app->writing)
+        app->writing->write(app, budget);
+}
+
 // ---- one thread ----
 
 static void tick(SmExecutor *e)
@@ -104,7 +111,7 @@ static void idle(SmApp *app, uint64_t now, uint64_t then)
     const uint64_t slice = app->watchdog > 0 ? least(SLICE, look(app)) : SLICE;
     const uint64_t end = now + least(slice, until(now, then));
 
-    sm_run_write(app, end - now);
+    write(app, now, end - now);
     pal_clock_sleep_until(end);
 }
 
@@ -119,6 +126,8 @@ static void run_here(SmApp *app)
             idle(app, now, due);
         else
             tick(e);
+        if (now - app->wrote >= SLICE)
+            write(app, now, 0);
     }
 }
 
@@ -173,19 +182,19 @@ static void run_watch(void *of)
 static void run_threads(SmApp *app)
 {
     while (!sm_app_stopping(app)) {
-        sm_run_write(app, WRITING);
-        sleep(app->log || app->keep ? WRITING : SLICE);
+        write(app, app->start, WRITING);
+        sleep(app->writing ? WRITING : SLICE);
     }
     for (uint16_t i = 0; i < app->executors; i++)
         while (pal_thread_join(app->executor[i]->thread, WRITING) == SM_E_TIMEOUT)
-            sm_run_write(app, WRITING);
+            write(app, app->start, WRITING);
 }
 
 // ---- making threads ----
 
 bool sm_run_wants_threads(const SmApp *app)
 {
-    return !app->one_thread && (app->executors > 1 || app->log || app->keep);
+    return !app->one_thread && (app->executors > 1 || app->writing);
 }
 
 static uint8_t highest(const SmApp *app)
@@ -281,7 +290,7 @@ SmResult sm_run_prepare(SmApp *app)
 // Tick 0 is due when all threads have seen the gate open.
 static void open_gate(SmApp *app, bool threads)
 {
-    app->start = app->fed = pal_clock_now();
+    app->start = app->fed = app->wrote = pal_clock_now();
     app->start += threads ? 5 * OPENING : 0;
     for (uint16_t i = 0; i < app->executors; i++)
         sm_executor_start(app->executor[i], app->start);

@@ -18,9 +18,6 @@ SmResult sm_run_prepare(SmApp *app);
 // Runs until the application is to stop and all ticks have ended; then stops the watchdog.
 void sm_run(SmApp *app);
 
-// Brings to the medium what is to be written, logs for at most `budget` nanoseconds.
-void sm_run_write(SmApp *app, uint64_t budget);
-
 // Text on the console, if it is wanted: all parts up to the first that is NULL.
 void sm_run_say(const SmApp *app, const char *const part[]);
 

@@ -216,6 +216,37 @@ static void test_too_fast(void)
     }
 }
 
+// ---- a log and a kept vector: the thread that called writes them ----
+
+static void test_written(void)
+{
+    static uint8_t ring[65536], slots[2 * SM_KEEP_SIZE(sizeof crew_sv)];
+    char folder[] = P_tmpdir "/smc-app.XXXXXX";
+    SmLog log = {.file = "flight", .sv = &crew_vector, .names = &crew_names, .events = &events, .buffer = ring, .room = sizeof ring};
+    SmKeep keep = {.memory = "kept", .sv = &crew_vector, .buffer = slots};
+    const SmTask record = {.name = "log", .init = sm_log_init, .step = sm_log_step, .context = &log},
+                 snapshot = {.name = "keep", .step = sm_keep_step, .context = &keep};
+
+    CHECK(mkdtemp(folder) != NULL && chdir(folder) == 0);
+    start(3);
+    task[1] = record;
+    task[2] = snapshot;
+    app.log = &log;
+    app.keep = &keep;
+    app.writing = &sm_writing;
+    seen[0].stop_at = 100;
+    CHECK(run() == SM_OK && adds_up(0) && !pthread_equal(seen[0].thread, pthread_self()));
+    CHECK(log.cursor == events.next && log.written > 1000 && log.dropped == 0 && keep.stored > 0 && keep.stored + keep.missed == keep.pending);
+    start(1);                                              // one executor that is not alone: still a thread of its own, no locks
+    crew_vector.guarded = events.guarded = false;
+    app.keep = &keep;
+    app.writing = &sm_writing;
+    CHECK(pal_nvm_close(keep.nvm) == SM_OK);
+    seen[0].stop_at = 10;
+    CHECK(run() == SM_OK && app.restored && crew_sv.number > 0 && !pthread_equal(seen[0].thread, pthread_self()));
+    CHECK(unlink("flight") == 0 && unlink("kept") == 0 && chdir("/") == 0 && rmdir(folder) == 0);
+}
+
 // ---- refused ----
 
 static void test_refused(void)
@@ -297,6 +328,7 @@ int main(void)
     test_alone();
     test_one_thread();
     test_too_fast();
+    test_written();
     test_refused();
     test_priorities();
     return test_end("app");

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an application does for its log and its kept state vector: the only file of those that refers to them (app.h).
+#include "runtime-c/app.h"
+
+static SmResult restore(SmApp *app)
+{
+    const SmResult r = app->keep ? sm_keep_restore(app->keep) : SM_OK;
+
+    app->restored = r == SM_OK && app->keep && app->keep->restored;
+    return r;
+}
+
+// A medium that refuses is asked again the next time.
+static void write(SmApp *app, uint64_t budget)
+{
+    if (app->keep)
+        (void)sm_keep_write(app->keep);
+    if (app->log && app->log->out.id != 0)
+        (void)sm_log_drain(app->log, budget);
+}
+
+static void close(SmApp *app, const SmTick *last)
+{
+    if (app->keep)
+        (void)sm_keep_write(app->keep);
+    if (!app->log || app->log->out.id == 0)               // no task of its own has opened it
+        return;
+    (void)sm_log_step(app->log, last);
+    (void)sm_log_close(app->log);
+}
+
+const SmWriting sm_writing = {restore, write, close};
