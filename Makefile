@@ -393,7 +393,7 @@ psl-qemu:
 # tests/runtime: what the headers of runtime-c promise, one program a file: NAME_linux.c on Linux, with threads, and once more under the
 # thread sanitizer if the compiler has it; the others in the simulation.  V.sv of the folder is there as "V.h", M.sm too, with
 # the vector that RUNTIME_SV_M names.
-RUNTIME_SRC   = $(wildcard runtime-c/*.c bytecode-vm/target/*.c) $(VM) $(STDLIB)
+RUNTIME_SRC   = $(wildcard runtime-c/*.c) $(filter-out %/store.c,$(wildcard bytecode-vm/target/*.c)) $(VM) $(STDLIB)
 RUNTIME_MADE  = $(patsubst tests/runtime/%,$(B)/runtime/made/%.c,$(basename $(wildcard tests/runtime/*.sv tests/runtime/*.sm)))
 RUNTIME_TESTS = $(patsubst tests/runtime/%.c,$(B)/runtime/%,$(wildcard tests/runtime/*.c))
 RUNTIME_TSAN  = $(patsubst %_linux,%_tsan,$(filter %_linux,$(RUNTIME_TESTS)))
