@@ -20,7 +20,7 @@ VM       = $(wildcard bytecode-vm/*.c)
 LINK     = $(wildcard runtime-c/link/*.c)
 EMIT_C   = $(filter-out %/embed_tool.c,$(wildcard compiler/emit/c/*.c))
 LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
-             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/emit/report/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
+             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/emit/report/*.c compiler/script/*.c compiler/log/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
 COMMAND  = $(wildcard compiler/base/os_*.c compiler/device/*.c compiler/cli/*.c)
 
 # `make V=1` shows the commands themselves, `make -s` nothing.
@@ -435,7 +435,10 @@ $(foreach platform,linux sim desk,$(eval $(call runtime_platform,$(platform))))
 $(B)/runtime/%_linux: tests/runtime/%_linux.c $(B)/runtime/linux.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/linux.a -pthread -lrt
 $(B)/runtime/%: tests/runtime/%.c $(B)/runtime/sim.a
-	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/sim.a
+	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/sim.a $(RUNTIME_LIBS)
+# What logs hold is read by what `smc log` reads them with.
+$(B)/runtime/log: RUNTIME_LIBS = $(B)/libsmc.a
+$(B)/runtime/log: $(B)/libsmc.a
 $(B)/runtime/%_tsan: tests/runtime/%_linux.c $(RUNTIME_SRC_linux) $(RUNTIME_MADE)
 	-$(call say,CC)$(CC) $(RUNTIME_C) -O1 -g -fsanitize=thread $^ -o $@ -pthread -lrt 2>/dev/null || rm -f $@
 check: $(RUNTIME_TESTS) $(RUNTIME_TSAN)

@@ -152,5 +152,8 @@ SmResult sm_log_close(SmLog *log)
     sync(log, pal_clock_now());
     (void)pal_log_close(log->out);
     log->out.id = 0;
+    if (log->lock.id != 0)
+        (void)pal_lock_close(log->lock);
+    log->lock.id = 0;
     return log->result;
 }

@@ -19,6 +19,8 @@ Usage:
       print the instructions of an image
   smc verify IMAGE
       run the device's own checks on an image
+  smc log FILE [ELEMENT...] [--format=FORMAT] [-o OUT]
+      show what a flight log holds, in words, as a table or as a plot
   smc fix FILE... [--sv V.sv]
       make the edits that the findings of check propose with certainty
   smc explain CODE...

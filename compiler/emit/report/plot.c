@@ -273,11 +273,23 @@ static long put_rows(Plot *p, bool strips, bool draw, long y)
     return y;
 }
 
+static const char *axis_of(const Plot *p)
+{
+    const Var *g = p->t->p->g;
+    const char *comment = p->t->axis ? NULL : comment_behind(p->out->arena, g->span);
+
+    if (p->t->axis)
+        return p->t->axis;
+    if (!comment && g->element)
+        comment = comment_behind(p->out->arena, g->element->span);
+    return format_in(p->out->arena, "Time, G%s%s", comment ? ": " : "", comment ? comment : "");
+}
+
 static void put_time(Plot *p)
 {
     const Trace *t = p->t;
-    const double span = (double)(t->last_g - t->first_g), from = (double)t->first_g, step = plot_round_step(0, span, 8);
-    const char *comment = comment_behind(p->out->arena, t->p->g->span);
+    const double unit = t->unit > 0 ? t->unit : 1, span = (double)(t->last_g - t->first_g) * unit, from = (double)t->first_g * unit;
+    const double step = plot_round_step(0, span, 8);
 
     for (int i = 0; step > 0 && i < 20 && i * step <= span; i++) {
         const long x =
@@ -286,26 +298,29 @@ static void put_time(Plot *p)
         plot_text(p, "dim", x > PLOT_RIGHT - 150 ? "end" : "middle", x, p->bottom + 170,
                   plot_label(p->out->arena, from + i * step));
     }
-    if (!comment && t->p->g->element)
-        comment = comment_behind(p->out->arena, t->p->g->element->span);
-    plot_text(p, "dim", "start", PLOT_LEFT, p->bottom + 310, format_in(p->out->arena, "Time, G%s%s", comment ? ": " : "",
-                                                                      comment ? comment : ""));
+    plot_text(p, "dim", "start", PLOT_LEFT, p->bottom + 310, axis_of(p));
 }
 
-const char *plot_run(Arena *arena, const Trace *t)
+long plot_body(Arena *arena, const Trace *t, Buf *out)
 {
-    Buf body, out;
-    Plot p = {&body, t, PLOT_BAND + PLOT_GAP, 0};
+    Plot p = {out, t, PLOT_BAND + PLOT_GAP, 0};
     long y;
 
-    buf_init(&body, arena);
-    buf_init(&out, arena);
+    buf_init(out, arena);
     p.bottom = put_rows(&p, true, false, put_rows(&p, false, false, p.top));
     plot_bands(&p);
     y = put_rows(&p, false, true, p.top);
     put_rows(&p, true, true, y);
     put_time(&p);
-    y = plot_legend(&p, p.bottom + 420);
+    return plot_legend(&p, p.bottom + 420);
+}
+
+const char *plot_run(Arena *arena, const Trace *t)
+{
+    Buf body, out;
+    const long y = plot_body(arena, t, &body);
+
+    buf_init(&out, arena);
     buf_printf(&out,
                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" role=\"img\" aria-label=\"States and values over time\" "
                "viewBox=\"0 0 %d ",

@@ -28,6 +28,9 @@ void plot_text(Plot *p, const char *class_name, const char *anchor, long x, long
 double plot_round_step(double lo, double hi, int about);
 const char *plot_label(Arena *arena, double x);       // five digits at most
 
+extern const char plot_defs[];                        // the patterns, for the head of a drawing
+long plot_body(Arena *arena, const Trace *t, Buf *out);       // all but the <svg> around it; gives how high it is
+
 void plot_bands(Plot *p);                             // on top, and tinted behind the rows
 long plot_legend(Plot *p, long y);                    // gives where it ends
 

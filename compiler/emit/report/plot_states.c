@@ -6,17 +6,16 @@
 
 enum { COLOURS = 8, PATTERNS = 4, TINTS_MOST = 200, LETTER = 68 };    // LETTER: about as wide as one is
 
+const char plot_defs[] =
+    "<defs>\n"
+    "<pattern id=\"hatch1\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 6L6 0\"/></pattern>\n"
+    "<pattern id=\"hatch2\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 2.5H5\"/></pattern>\n"
+    "<pattern id=\"hatch3\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 0L6 6\"/></pattern>\n"
+    "</defs>";
+
 const char *plot_patterns(Arena *arena)
 {
-    (void)arena;
-    return "<svg class=\"plot\" aria-hidden=\"true\" style=\"position:absolute;width:0;height:0\"><defs>\n"
-           "<pattern id=\"hatch1\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 6L6 "
-           "0\"/></pattern>\n"
-           "<pattern id=\"hatch2\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 "
-           "2.5H5\"/></pattern>\n"
-           "<pattern id=\"hatch3\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 0L6 "
-           "6\"/></pattern>\n"
-           "</defs></svg>\n";
+    return format_in(arena, "<svg class=\"plot\" aria-hidden=\"true\" style=\"position:absolute;width:0;height:0\">%s</svg>\n", plot_defs);
 }
 
 static void put_swatch(Plot *p, const State *s, long x, long y, long wide, long high)

@@ -3,9 +3,24 @@
 // lightness of their own each, and patterns over them (plot.c), so that they can be told apart in grey.
 #include "compiler/emit/report/style.h"
 
+#define LIGHT \
+    ":root{--bg:#fff;--fg:#1b2733;--dim:#5b6b7a;--line:#d5dde4;--soft:#f3f6f9;--link:#0b5cad;--accent:#0b5cad;--mark:#ffe08a;" \
+    "--good:#1a7f4b;--bad:#b3261e;--note:#8a5a00;--trace:#123f73;--trace-soft:#9db8d6;color-scheme:light dark}\n"
+
+#define PLOTS \
+    ".plot{display:block;width:100%;font-size:12px}.plot text{fill:var(--fg)}.plot .dim{fill:var(--dim)}" \
+    ".plot .frame{fill:none;stroke:var(--line)}.plot .grid{stroke:var(--line);stroke-width:.6}" \
+    ".plot .trace{fill:none;stroke:var(--trace);stroke-width:1.4;stroke-linejoin:round}.plot .on{fill:var(--trace)}" \
+    ".plot .both{fill:var(--trace-soft)}.plot .begin{fill:var(--bg);stroke:var(--bad);stroke-width:1.6}" \
+    ".plot .cut{stroke:var(--dim);stroke-width:.7;stroke-dasharray:2 3}.plot .hatch{stroke:#000;stroke-opacity:.35;stroke-width:1}" \
+    ".plot .tint{fill-opacity:.13}.plot .name{fill:#10202e;font-weight:600}\n" \
+    ".s0{fill:#d6e6f7}.s1{fill:#e2a55e}.s2{fill:#bfe5c7}.s3{fill:#cf8aa2}.s4{fill:#ece2fb}.s5{fill:#d3bd45}.s6{fill:#8fcbcf}.s7{" \
+    "fill:#a3a3a3}\n"
+
+const char plot_style_light[] = LIGHT, plot_style[] = PLOTS;
+
 const char *const report_style[] = {
-    ":root{--bg:#fff;--fg:#1b2733;--dim:#5b6b7a;--line:#d5dde4;--soft:#f3f6f9;--link:#0b5cad;--accent:#0b5cad;--mark:#ffe08a;"
-    "--good:#1a7f4b;--bad:#b3261e;--note:#8a5a00;--trace:#123f73;--trace-soft:#9db8d6;color-scheme:light dark}\n",
+    LIGHT,
     "@media (prefers-color-scheme:dark){:root{--bg:#12181f;--fg:#dfe7ee;--dim:#93a3b3;--line:#2f3a45;--soft:#1a222b;--link:#7db8f5;"
     "--accent:#7db8f5;--mark:#6b5410;--good:#5cc48e;--bad:#ff8a80;--note:#e8b04b;--trace:#9ccaff;--trace-soft:#3f5d80}}\n",
     "@media "
@@ -48,15 +63,7 @@ const char *const report_style[] = {
     ".source span:target{background:var(--mark)}.label{color:var(--dim);margin:.2rem 0 .6rem}\n",
     "figure{margin:1rem 0;overflow-x:auto}figcaption{color:var(--dim);font-size:.9rem}figure svg{max-width:100%;height:auto}\n",
     "footer{border-top:1px solid var(--line);color:var(--dim);font-size:.85rem;margin-top:3rem}\n",
-    // plots
-    ".plot{display:block;width:100%;font-size:12px}.plot text{fill:var(--fg)}.plot .dim{fill:var(--dim)}"
-    ".plot .frame{fill:none;stroke:var(--line)}.plot .grid{stroke:var(--line);stroke-width:.6}"
-    ".plot .trace{fill:none;stroke:var(--trace);stroke-width:1.4;stroke-linejoin:round}.plot .on{fill:var(--trace)}"
-    ".plot .both{fill:var(--trace-soft)}.plot .begin{fill:var(--bg);stroke:var(--bad);stroke-width:1.6}"
-    ".plot .cut{stroke:var(--dim);stroke-width:.7;stroke-dasharray:2 3}.plot .hatch{stroke:#000;stroke-opacity:.35;stroke-width:1}"
-    ".plot .tint{fill-opacity:.13}.plot .name{fill:#10202e;font-weight:600}\n",
-    ".s0{fill:#d6e6f7}.s1{fill:#e2a55e}.s2{fill:#bfe5c7}.s3{fill:#cf8aa2}.s4{fill:#ece2fb}.s5{fill:#d3bd45}.s6{fill:#8fcbcf}.s7{"
-    "fill:#a3a3a3}\n",
+    PLOTS,
     "@media print{td code{overflow-wrap:anywhere}html{font-size:10pt}body{max-width:none;padding:0 "
     "1px;font-size:10pt;line-height:1.35}th,td{padding:.2rem .5rem}header{padding-top:0;margin-bottom:.8rem}section{margin:0 0 5mm}"
     "article,tr,figure,blockquote,.ex,dl div,.do li{break-inside:avoid}"

@@ -5,4 +5,7 @@
 
 extern const char *const report_style[];              // NULL closes it
 
+// Of these, for a plot that stands alone: ":root{--name:value;…}" of the light page, and rules that use them.
+extern const char plot_style_light[], plot_style[];
+
 #endif

@@ -30,6 +30,8 @@ typedef struct Trace {
     uint64_t steps;
     uint64_t per;                 // steps in a bucket
     uint64_t first_g, last_g;
+    double unit;                  // of the time axis that 1 in G is; 0: 1
+    const char *axis;             // what the axis is called; NULL: G and its comment
     uint32_t last;                // number of the state of the last step
     VEC(TraceSeries *) series;    // elements but G and S, then locals that are no constants
     VEC(TraceVisit) visit;

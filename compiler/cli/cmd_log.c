@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc log: what a flight log holds.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/cli/cli.h"
+#include "compiler/emit/report/flight.h"
+
+typedef void PutFlight(const Flight *f, Buf *out);
+
+static const CliFormat formats[] = {
+    {"text", {".txt", NULL, NULL}}, {"csv", {".csv", NULL, NULL}}, {"json", {".json", ".jsonl", NULL}}, {"svg", {".svg", NULL, NULL}}};
+enum { FORMATS = sizeof formats / sizeof *formats, TEXT = 0, SVG = 3 };
+
+static const uint32_t size_most = 0x7FFFFFFF;
+
+// ---- the file ----
+
+static Log *read_log(Cli *c, const char *path)
+{
+    const char *why;
+    char *bytes;
+    size_t n;
+
+    if (!os_read(path, size_most, &bytes, &n, &why)) {
+        cli_say(c, "cannot read '%s': %s", path, why);
+        return NULL;
+    }
+    return log_read(&c->session.arena, (const uint8_t *)bytes, (uint32_t)n);
+}
+
+// What is to be said of damage; 0, or EXIT_PROBLEM when there is nothing else.
+static int judge(Cli *c, const char *path, const Log *log)
+{
+    if (log->newer)
+        cli_say(c, "%s: a part of it was written in a later format than this smc knows", path);
+    if (log->session.n == 0) {
+        cli_say(c, log->size == 0 ? "%s: it is empty" : "%s: it holds nothing that a flight log begins with", path);
+        return EXIT_PROBLEM;
+    }
+    if (log->damaged > log->torn)
+        cli_say(c, "%s: %llu bytes are damaged; what is whole is shown", path, (unsigned long long)log->damaged);
+    else if (log->torn)
+        cli_say(c, "%s: its last %llu bytes are no whole block; all before them is shown", path, (unsigned long long)log->torn);
+    return EXIT_OK;
+}
+
+// ---- what is asked for ----
+
+static int choose_session(Cli *c, Flight *f, size_t format)
+{
+    const size_t n = f->log->session.n;
+    const char *word = c->given[OPT_SESSION] ? c->value[OPT_SESSION] : NULL;
+    unsigned long wanted = n;
+    char *end;
+
+    if (word) {
+        wanted = strtoul(word, &end, 10);
+        if (word[0] < '0' || word[0] > '9' || *end)
+            return cli_usage(c, "--session wants a number, not '%s'", word);
+    }
+    if (wanted < 1 || wanted > n) {
+        cli_say(c, "%s: there is no session %s; it has %lu", f->name, word, (unsigned long)n);
+        return EXIT_PROBLEM;
+    }
+    if (word || format != TEXT)
+        f->session = f->log->session.at[wanted - 1];
+    if (!word && format != TEXT && n > 1)
+        cli_say(c, "%s: this is the last of %lu sessions; --session=N gives another", f->name, (unsigned long)n);
+    return EXIT_OK;
+}
+
+static int unknown(Cli *c, const Flight *f, const char *what, const char *name, const char *const *names, size_t n)
+{
+    const char *near = nearest_name(name, names, n);
+
+    cli_say(c, near ? "%s: unknown %s '%s'; did you mean '%s'?" : "%s: unknown %s '%s'", f->name, what, name, near);
+    return EXIT_PROBLEM;
+}
+
+// Of the session that is shown; of the last, where all are.
+static const LogDescription *described(const Flight *f)
+{
+    return f->session ? f->session->d : f->log->session.at[f->log->session.n - 1]->d;
+}
+
+static int choose_elements(Cli *c, Flight *f)
+{
+    const LogDescription *d = described(f);
+    const LogElement **element = ARENA_ARRAY(f->arena, const LogElement *, c->files);
+    const char **names = ARENA_ARRAY(f->arena, const char *, d->elements + 1);
+
+    for (uint32_t i = 0; i < d->elements; i++)
+        names[i] = d->element[i].name;
+    for (size_t i = 1; i < c->files; i++)
+        if ((element[i - 1] = log_find_element(d, c->file[i])) == NULL)
+            return unknown(c, f, "element", c->file[i], names, d->elements);
+    f->element = element;
+    f->elements = c->files - 1;
+    if (f->elements)
+        f->session = f->session ? f->session : f->log->session.at[f->log->session.n - 1];
+    return EXIT_OK;
+}
+
+static int choose_machine(Cli *c, Flight *f)
+{
+    const LogDescription *d = described(f);
+    const char **names = ARENA_ARRAY(f->arena, const char *, d->machines + 1);
+
+    for (uint32_t i = 0; i < d->machines; i++)
+        names[i] = d->machine[i].name;
+    if (!c->given[OPT_MACHINE])
+        f->machine = d->machines ? &d->machine[0] : NULL;
+    else if ((f->machine = log_find_machine(d, c->value[OPT_MACHINE])) == NULL)
+        return unknown(c, f, "machine", c->value[OPT_MACHINE], names, d->machines);
+    return EXIT_OK;
+}
+
+static int choose(Cli *c, Flight *f, size_t format)
+{
+    int code = choose_session(c, f, format);
+
+    if (code == EXIT_OK)
+        code = choose_elements(c, f);
+    if (code == EXIT_OK)
+        code = choose_machine(c, f);
+    if (code == EXIT_OK && format == SVG && f->session->records == 0) {
+        cli_say(c, "%s: the session has no record to draw", f->name);
+        code = EXIT_PROBLEM;
+    }
+    return code;
+}
+
+// ---- the command ----
+
+static int write_out(Cli *c, const Flight *f, PutFlight *put)
+{
+    OsOutput file = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0};
+    Buf out;
+
+    buf_init(&out, f->arena);
+    put(f, &out);
+    file.bytes = buf_text(&out);
+    file.n = out.n;
+    return cli_write(c, &file, 1) ? EXIT_OK : EXIT_ENVIRONMENT;
+}
+
+int cmd_log(Cli *c)
+{
+    static PutFlight *const writer[FORMATS] = {flight_text, flight_csv, flight_json, flight_svg};
+    Flight f;
+    size_t format;
+    int code;
+
+    memset(&f, 0, sizeof f);
+    if (c->files == 0)
+        return cli_usage(c, "log wants a flight log, as in 'smc log flight.log'");
+    if (!cli_format(c, formats, FORMATS, &format))
+        return EXIT_USAGE;
+    f.arena = &c->session.arena;
+    f.name = strcmp(c->file[0], "-") == 0 ? "<stdin>" : c->file[0];
+    if ((f.log = read_log(c, c->file[0])) == NULL)
+        return EXIT_ENVIRONMENT;
+    if ((code = judge(c, f.name, f.log)) == EXIT_OK)
+        code = choose(c, &f, format);
+    return code == EXIT_OK ? write_out(c, &f, writer[format]) : code;
+}

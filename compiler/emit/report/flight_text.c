@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// A flight log in words: how long, how much, what happened, between which values elements were.
+#include <string.h>
+
+#include "compiler/emit/report/flight.h"
+#include "compiler/emit/report/report.h"
+#include "stdlib/result.h"
+
+// ---- shared ----
+
+void flight_time(Buf *out, uint64_t ns)
+{
+    unsigned long fraction = (unsigned long)(ns % 1000000000u);
+    int digits = 9;
+
+    buf_printf(out, "%llu", (unsigned long long)(ns / 1000000000u));
+    if (fraction == 0)
+        return;
+    for (; fraction % 10 == 0; digits--)
+        fraction /= 10;
+    buf_printf(out, ".%0*lu", digits, fraction);
+}
+
+size_t flight_elements(const Flight *f, const LogDescription *d) { return f->elements ? f->elements : d->elements; }
+
+const LogElement *flight_element(const Flight *f, const LogDescription *d, size_t i)
+{
+    return f->elements ? f->element[i] : &d->element[i];
+}
+
+// ---- events ----
+
+static const char *name_of(const Flight *f, const LogNames *names, const char *what, uint16_t number)
+{
+    return number < names->n && names->name[number][0] ? format_in(f->arena, "%s %s", what, names->name[number])
+                                                       : format_in(f->arena, "%s %u", what, (unsigned)number);
+}
+
+static const char *machine_name(const Flight *f, const LogDescription *d, uint16_t number)
+{
+    const LogMachine *m = log_machine(d, number);
+
+    return m && m->name[0] ? m->name : format_in(f->arena, "machine %u", (unsigned)number);
+}
+
+static const char *mode_name(Arena *arena, uint32_t mode)
+{
+    static const char *const names[] = {"disabled", "safed", "enabled"};
+
+    return mode < 3 ? names[mode] : format_in(arena, "mode %lu (safed)", (unsigned long)mode);
+}
+
+static void put_state(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
+{
+    const LogMachine *m = log_machine(d, e->source);
+
+    buf_printf(out, "%s: ", machine_name(f, d, e->source));
+    if (e->a == 0)
+        buf_printf(out, "starts in %s", log_state_name(f->arena, m, e->b));
+    else
+        buf_printf(out, "%s -> %s", log_state_name(f->arena, m, e->a), log_state_name(f->arena, m, e->b));
+}
+
+static void put_fault(const char *task, const LogEvent *e, Buf *out)
+{
+    if (e->a == 0)
+        buf_printf(out, "%s works again, after %lu failures", task, (unsigned long)e->b);
+    else
+        buf_printf(out, "%s fails: %s", task, e->a <= 0x7FFFFFFF ? sm_result_text((SmResult)-(int32_t)e->a) : "?");
+}
+
+// What a kind of event is called that was not known when this was written.
+static void put_unknown(const LogDescription *d, const LogEvent *e, Buf *out)
+{
+    const char *name = "event";
+
+    for (uint32_t i = 0; i < d->kinds; i++)
+        if (d->kind[i].kind == e->kind)
+            name = d->kind[i].name;
+    buf_printf(out, "%s %u: source %u, a %lu, b %lu", name, (unsigned)e->kind, (unsigned)e->source, (unsigned long)e->a,
+               (unsigned long)e->b);
+}
+
+void flight_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
+{
+    const char *task = name_of(f, &d->task, "task", e->source);
+
+    switch (e->kind) {
+    case LOG_EVENT_START:
+        buf_printf(out, "the application started%s%s", e->a ? ", with the state vector that was kept" : "",
+                   e->b ? ", after the watchdog bit" : "");
+        break;
+    case LOG_EVENT_STATE: put_state(f, d, e, out); break;
+    case LOG_EVENT_MODE: buf_printf(out, "%s: %s -> %s", task, mode_name(f->arena, e->a), mode_name(f->arena, e->b)); break;
+    case LOG_EVENT_FAULT: put_fault(task, e, out); break;
+    case LOG_EVENT_OVERRUN:
+        buf_printf(out, "%s is late by %lu us, and left out %lu ticks", name_of(f, &d->executor, "executor", e->source),
+                   (unsigned long)e->b, (unsigned long)e->a);
+        break;
+    case LOG_EVENT_REFUSED:
+        buf_printf(out, "%s does not step: time does not advance (%lu so far)", machine_name(f, d, e->source), (unsigned long)e->a);
+        break;
+    case LOG_EVENT_STOP: buf_str(out, "the application was stopped"); break;
+    default: put_unknown(d, e, out); break;
+    }
+}
+
+// ---- the summary ----
+
+static const char *count(Arena *arena, uint64_t n, const char *one, const char *many)
+{
+    return format_in(arena, "%llu %s", (unsigned long long)n, n == 1 ? one : many);
+}
+
+static void put_file(const Flight *f, Buf *out)
+{
+    const Log *log = f->log;
+
+    buf_printf(out, "%s: %s, %s", f->name, count(f->arena, log->size, "byte", "bytes"),
+               count(f->arena, log->session.n, "session", "sessions"));
+    if (log->damaged)
+        buf_printf(out, ", %s damaged in %s", count(f->arena, log->damaged, "byte", "bytes"),
+                   count(f->arena, log->places, "place", "places"));
+    buf_char(out, '\n');
+}
+
+static void put_extent(const Flight *f, const LogSession *s, Buf *out)
+{
+    buf_printf(out, "  %s", count(f->arena, s->records, "record", "records"));
+    if (s->records > 0) {
+        buf_str(out, " from ");
+        flight_time(out, s->first);
+        buf_str(out, " s to ");
+        flight_time(out, s->last);
+        buf_str(out, " s");
+    }
+    buf_printf(out, ", %s", count(f->arena, s->events, "event", "events"));
+    if (s->dropped)
+        buf_printf(out, "; %s dropped", count(f->arena, s->dropped, "record", "records"));
+    if (s->lost)
+        buf_printf(out, "; %s lost", count(f->arena, s->lost, "event", "events"));
+    buf_char(out, '\n');
+}
+
+static void put_events(const Flight *f, const LogSession *s, Buf *out)
+{
+    if (s->events)
+        buf_str(out, "\n  events\n");
+    for (size_t i = 0; i < s->item.n; i++)
+        for (uint32_t k = 0; s->item.at[i].kind == ITEM_EVENTS && k < s->item.at[i].n; k++) {
+            const LogEvent e = log_event(&s->item.at[i], k);
+            buf_str(out, "    ");
+            flight_time(out, e.time);
+            buf_str(out, " s  ");
+            flight_event(f, s->d, &e, out);
+            buf_char(out, '\n');
+        }
+}
+
+// ---- values ----
+
+typedef struct Extremes { uint64_t first, lo, hi, last; bool any; } Extremes;
+
+static void widen(Extremes *x, SmType type, uint64_t cell)
+{
+    const double value = trace_number(type, cell);
+
+    if (!x->any)
+        x->first = x->lo = x->hi = cell;
+    x->any = true;
+    if (value < trace_number(type, x->lo))
+        x->lo = cell;
+    if (value > trace_number(type, x->hi))
+        x->hi = cell;
+    x->last = cell;
+}
+
+static void put_values(const Flight *f, const LogSession *s, const LogElement *e, Buf *out)
+{
+    Extremes x = {0, 0, 0, 0, false};
+
+    for (size_t i = 0; i < s->item.n; i++)
+        if (s->item.at[i].kind == ITEM_RECORD)
+            widen(&x, e->type, log_cell(&s->item.at[i], e));
+    buf_printf(out, "    %-24s %-5s %s .. %s, from %s to %s\n", e->name, sm_type_info[e->type].spelling, report_cell(f->arena, e->type, x.lo),
+               report_cell(f->arena, e->type, x.hi), report_cell(f->arena, e->type, x.first), report_cell(f->arena, e->type, x.last));
+}
+
+static void put_session(const Flight *f, size_t number, const LogSession *s, Buf *out)
+{
+    buf_printf(out, "\nsession %lu: %s, %s, layout %08lx\n", (unsigned long)number, s->d->vector,
+               count(f->arena, s->d->elements, "element", "elements"), (unsigned long)s->d->layout);
+    put_extent(f, s, out);
+    put_events(f, s, out);
+    if (s->records == 0)
+        return;
+    buf_str(out, "\n  elements: smallest .. largest, from first to last\n");
+    for (size_t i = 0; i < flight_elements(f, s->d); i++)
+        put_values(f, s, flight_element(f, s->d, i), out);
+}
+
+void flight_text(const Flight *f, Buf *out)
+{
+    put_file(f, out);
+    for (size_t i = 0; i < f->log->session.n; i++)
+        if (!f->session || f->session == f->log->session.at[i])
+            put_session(f, i + 1, f->log->session.at[i], out);
+}

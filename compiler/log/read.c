@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds what is whole in the bytes of a log.  First all descriptions, whose checksums stand by themselves; then block after block, each
+// tried as one of the session that it would belong to, and of the next where its own beginning may be damaged.  What is no
+// block is stepped over byte by byte.
+//
+// A file made for it could have a checksum tried at each byte over all that follows; after a number of fruitless bytes that
+// no damage reaches, reading ends.
+#include <string.h>
+
+#include "compiler/base/buf.h"
+#include "compiler/log/log.h"
+#include "runtime-c/log_block.h"
+
+typedef struct Reader {
+    Arena *arena;
+    const uint8_t *bytes;
+    uint32_t n;
+    VEC(LogDescription *) found;
+    size_t next;                  // of found: the first that has not been passed
+    VEC(LogSession *) sessions;   // of found, in the same order; one that is described again is there again
+    LogSession *now;
+    uint64_t fruitless;
+    uint32_t damage;              // where the stretch began that belongs to nothing
+    Log *log;
+} Reader;
+
+static bool has_patience(const Reader *r) { return r->fruitless <= 16 * (uint64_t)r->n + 65536; }
+
+// The length of what a block at `pos` would hold; false: there is none.
+static bool is_head(const Reader *r, uint32_t pos, uint32_t *length)
+{
+    if (r->n - pos < LOG_HEAD + LOG_CHECK || r->bytes[pos] != LOG_MARK)
+        return false;
+    *length = log_get32(r->bytes + pos + 2);
+    return *length <= r->n - pos - LOG_HEAD - LOG_CHECK;
+}
+
+static bool is_checked(Reader *r, uint32_t pos, uint32_t length, uint32_t crc)
+{
+    const bool good = sm_crc32_end(log_check(crc, r->bytes + pos, LOG_HEAD + length)) == log_get32(r->bytes + pos + LOG_HEAD + length);
+
+    r->fruitless += good ? 0 : LOG_HEAD + length;
+    return good;
+}
+
+// ---- descriptions ----
+
+static bool try_description(Reader *r, uint32_t pos, uint32_t length)
+{
+    LogDescription *d;
+
+    if (r->bytes[pos + 1] != LOG_DESCRIPTION || !is_checked(r, pos, length, SM_CRC32_START))
+        return false;
+    d = ARENA_NEW(r->arena, LogDescription);
+    d->pos = pos;
+    d->size = LOG_HEAD + length + LOG_CHECK;
+    if (log_parse(r->arena, r->bytes + pos + LOG_HEAD, length, d))
+        vec_push(r->arena, &r->found, d);
+    else
+        r->log->newer = r->log->newer || d->version > LOG_VERSION;
+    return true;
+}
+
+static void find_descriptions(Reader *r)
+{
+    uint32_t pos = 0, length;
+
+    while (pos < r->n && has_patience(r)) {
+        const uint8_t *mark = memchr(r->bytes + pos, LOG_MARK, r->n - pos);
+        if (!mark)
+            return;
+        pos = (uint32_t)(mark - r->bytes);
+        if (is_head(r, pos, &length) && try_description(r, pos, length))
+            pos += LOG_HEAD + length + LOG_CHECK;
+        else
+            pos++;
+    }
+}
+
+// ---- sessions ----
+
+static bool is_same(const LogDescription *a, const LogDescription *b)
+{
+    return a->start == b->start && a->layout == b->layout && a->packed == b->packed;
+}
+
+static LogSession *session_of(Reader *r, LogDescription *d)
+{
+    LogSession *s;
+
+    if (r->sessions.n > 0 && is_same(r->sessions.at[r->sessions.n - 1]->d, d))
+        return r->sessions.at[r->sessions.n - 1];
+    s = ARENA_NEW(r->arena, LogSession);
+    s->d = d;
+    return s;
+}
+
+static void make_sessions(Reader *r)
+{
+    for (size_t i = 0; i < r->found.n; i++) {
+        LogSession *s = session_of(r, r->found.at[i]);
+        vec_push(r->arena, &r->sessions, s);
+    }
+}
+
+static void enter(Reader *r, LogSession *s)
+{
+    if (!s->entered)
+        vec_push(r->arena, &r->log->session, s);
+    s->entered = true;
+    r->now = s;
+}
+
+// ---- blocks ----
+
+// How long a block of this kind is in a session; false: it cannot be.
+static bool is_length(const LogSession *s, uint8_t kind, uint32_t length)
+{
+    switch (kind) {
+    case LOG_RECORD: return length == 8 + (uint64_t)s->d->packed;
+    case LOG_EVENTS: return length > 0 && length % LOG_EVENT == 0;
+    case LOG_GAP: return length == LOG_DROPPED;
+    default: return false;
+    }
+}
+
+static void note_record(LogSession *s, uint64_t time)
+{
+    if (s->records++ == 0)
+        s->first = s->last = time;
+    s->first = time < s->first ? time : s->first;
+    s->last = time > s->last ? time : s->last;
+}
+
+static void put_item(Reader *r, LogSession *s, uint32_t pos, uint32_t length)
+{
+    LogItem item = {ITEM_RECORD, 0, r->bytes + pos + LOG_HEAD};
+
+    if (r->bytes[pos + 1] == LOG_RECORD) {
+        note_record(s, log_get64(item.at));
+    } else if (r->bytes[pos + 1] == LOG_EVENTS) {
+        item.kind = ITEM_EVENTS;
+        item.n = length / LOG_EVENT;
+        s->events += item.n;
+    } else {
+        item.kind = ITEM_GAP;
+        s->dropped += log_gap(&item).records;
+        s->lost += log_gap(&item).events;
+    }
+    vec_push(r->arena, &s->item, item);
+}
+
+static bool try_block(Reader *r, LogSession *s, uint32_t pos, uint32_t length)
+{
+    if (!s || !is_length(s, r->bytes[pos + 1], length) || !is_checked(r, pos, length, s->d->identity))
+        return false;
+    enter(r, s);
+    put_item(r, s, pos, length);
+    return true;
+}
+
+// The session that begins next, if its first blocks may stand here without the description in front of them.
+static LogSession *coming(const Reader *r)
+{
+    for (size_t i = r->next; i < r->sessions.n; i++)
+        if (r->sessions.at[i] != r->now)
+            return r->sessions.at[i];
+    return NULL;
+}
+
+// The size of the whole block at pos; 0: there is none.
+static uint32_t take_block(Reader *r, uint32_t pos)
+{
+    uint32_t length;
+
+    if (r->next < r->found.n && r->found.at[r->next]->pos == pos) {
+        enter(r, r->sessions.at[r->next]);
+        return r->found.at[r->next++]->size;
+    }
+    if (!is_head(r, pos, &length) || (!try_block(r, r->now, pos, length) && !try_block(r, coming(r), pos, length)))
+        return 0;
+    return LOG_HEAD + length + LOG_CHECK;
+}
+
+static void end_damage(Reader *r, uint32_t pos)
+{
+    if (pos == r->damage)
+        return;
+    r->log->damaged += pos - r->damage;
+    r->log->places++;
+    if (pos == r->n)
+        r->log->torn = pos - r->damage;
+}
+
+static void walk(Reader *r)
+{
+    uint32_t pos = 0;
+
+    while (pos < r->n && has_patience(r)) {
+        const uint32_t size = take_block(r, pos);
+        if (size > 0) {
+            end_damage(r, pos);
+            r->damage = pos + size;
+        }
+        pos += size > 0 ? size : 1;
+        while (r->next < r->found.n && r->found.at[r->next]->pos < pos)
+            r->next++;                                    // it lay within a block
+    }
+    end_damage(r, r->n);
+}
+
+Log *log_read(Arena *arena, const uint8_t *bytes, uint32_t n)
+{
+    Reader r;
+
+    memset(&r, 0, sizeof r);
+    r.arena = arena;
+    r.bytes = bytes;
+    r.n = n;
+    r.log = ARENA_NEW(arena, Log);
+    r.log->size = n;
+    find_descriptions(&r);
+    make_sessions(&r);
+    walk(&r);
+    return r.log;
+}
+
+// ---- what is in it ----
+
+LogEvent log_event(const LogItem *item, uint32_t i)
+{
+    const uint8_t *at = item->at + (size_t)i * LOG_EVENT;
+
+    return (LogEvent){log_get64(at), at[8], log_get16(at + 9), log_get32(at + 11), log_get32(at + 15)};
+}
+
+LogGap log_gap(const LogItem *item) { return (LogGap){log_get32(item->at), log_get32(item->at + 4)}; }
+uint64_t log_time(const LogItem *record) { return log_get64(record->at); }
+
+uint64_t log_cell(const LogItem *record, const LogElement *e)
+{
+    const uint8_t *at = record->at + 8 + e->at;
+    uint64_t cell = 0;
+
+    for (unsigned i = 0; i < sm_type_info[e->type].bytes; i++)
+        cell |= (uint64_t)at[i] << 8 * i;
+    return e->type == SM_BOOL ? cell != 0 : cell;
+}
+
+// ---- names ----
+
+const LogElement *log_find_element(const LogDescription *d, const char *name)
+{
+    for (uint32_t i = 0; i < d->elements; i++)
+        if (strcmp(d->element[i].name, name) == 0)
+            return &d->element[i];
+    return NULL;
+}
+
+const LogMachine *log_find_machine(const LogDescription *d, const char *name)
+{
+    for (uint32_t i = 0; i < d->machines; i++)
+        if (strcmp(d->machine[i].name, name) == 0)
+            return &d->machine[i];
+    return NULL;
+}
+
+const LogMachine *log_machine(const LogDescription *d, uint16_t number)
+{
+    for (uint32_t i = 0; i < d->machines; i++)
+        if (d->machine[i].number == number)
+            return &d->machine[i];
+    return NULL;
+}
+
+const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state)
+{
+    if (m && state >= 1 && state <= m->state.n && m->state.name[state - 1][0])
+        return m->state.name[state - 1];
+    return format_in(arena, "state %lu", (unsigned long)state);
+}

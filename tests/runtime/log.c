@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: Apache-2.0
+// The flight log in the simulation, from the step to what `smc log` reads: what was logged and only that comes back, whatever the medium
+// does and whatever becomes of the file.
+#include <setjmp.h>
+#include <stdlib.h>
+
+#include "compiler/log/log.h"
+#include "log_parts.h"
+#include "runtime-c/psl/sim/sim.h"
+
+#define NAME "flight.log"
+
+// ---- reading ----
+
+static Arena arena;
+static jmp_buf oom;
+
+static void *heap(void *context, void *old, size_t size)
+{
+    (void)context;
+    if (size)
+        return realloc(old, size);
+    free(old);
+    return NULL;
+}
+
+static Log *read_bytes(const uint8_t *bytes, size_t n)
+{
+    arena_free(&arena);
+    return log_read(&arena, bytes, (uint32_t)n);
+}
+
+static Log *read_all(void)
+{
+    size_t n;
+    const uint8_t *bytes = sim_log(NAME, &n);
+
+    return read_bytes(bytes, n);
+}
+
+// What a record says, beyond its time: false, if it is not as the step of that tick had it.
+static bool is_true(const LogSession *s, const LogItem *r, uint32_t salt)
+{
+    const uint64_t k = log_time(r) / TICK;
+    const LogElement *e = s->d->element;
+    double f64;
+    uint64_t bits;
+
+    bits = log_cell(r, &e[WIDE_E_f64]);
+    memcpy(&f64, &bits, sizeof f64);
+    return log_time(r) % TICK == 0 && log_cell(r, &e[WIDE_E_time]) == k * TICK && log_cell(r, &e[WIDE_E_state]) == k % 2 + 1 &&
+        f64 == (double)k * 0.25 + salt && log_cell(r, &e[WIDE_E_i64]) == (uint64_t)-(int64_t)k && log_cell(r, &e[WIDE_E_u32]) == salt &&
+        log_cell(r, &e[WIDE_E_flag]) == (k % 3 == 0) && log_cell(r, &e[WIDE_E_u8]) == (uint8_t)(0xA5 + k);
+}
+
+// All records of a session are true and in order.
+static bool holds(const LogSession *s, uint32_t salt)
+{
+    uint64_t last = 0, n = 0;
+
+    for (size_t i = 0; i < s->item.n; i++)
+        if (s->item.at[i].kind == ITEM_RECORD) {
+            if (!is_true(s, &s->item.at[i], salt) || (n > 0 && log_time(&s->item.at[i]) <= last))
+                return false;
+            last = log_time(&s->item.at[i]);
+            n++;
+        }
+    return n == s->records;
+}
+
+static void tell(uint8_t kind, uint16_t source, uint32_t a, uint32_t b, uint64_t time)
+{
+    SmEvent e = {time, a, b, 0, 0};
+
+    e.kind = kind;
+    e.source = source;
+    sm_event(&events, &e);
+}
+
+// ---- the plain case ----
+
+static void begin(void)
+{
+    sim_reset();
+    new_log(NAME);
+    CHECK(sm_log_init(&flight) == SM_OK);
+}
+
+static void check_description(const LogDescription *d)
+{
+    const LogElement *e = d->element;
+
+    CHECK(strcmp(d->vector, "wide") == 0 && d->layout == wide_layout.hash && d->packed == wide_layout.whole.packed && d->start == 0);
+    CHECK(d->elements == wide_layout.elements && strcmp(e[WIDE_E_f64].name, "f64") == 0 && e[WIDE_E_f64].type == SM_F64);
+    CHECK(d->machines == 1 && d->machine[0].number == 3 && strcmp(d->machine[0].name, "mission") == 0);
+    CHECK(d->machine[0].s == WIDE_E_state && d->machine[0].state.n == 2 && strcmp(d->machine[0].state.name[1], "Landed") == 0);
+    CHECK(d->task.n == 2 && strcmp(d->task.name[1], "engine") == 0 && d->executor.n == 0);
+    CHECK(d->kinds >= 7 && d->kind[1].kind == SM_EVENT_STATE && strcmp(d->kind[1].name, "STATE") == 0);
+}
+
+static void test_plain(void)
+{
+    Log *log;
+    LogEvent e;
+
+    begin();
+    tell(SM_EVENT_STATE, 3, 0, 1, 0);
+    for (uint64_t k = 0; k < 100; k++) {
+        CHECK(step(k, 7) == SM_OK);
+        CHECK(!sm_log_drain(&flight, PAL_SECOND));
+    }
+    CHECK(sm_log_close(&flight) == SM_OK);
+    log = read_all();
+    CHECK(log->session.n == 1 && log->damaged == 0 && log->places == 0 && !log->newer);
+    check_description(log->session.at[0]->d);
+    CHECK(log->session.at[0]->records == 100 && log->session.at[0]->events == 1 && holds(log->session.at[0], 7));
+    CHECK(log->session.at[0]->first == 0 && log->session.at[0]->last == 99 * TICK);
+    CHECK(log->session.at[0]->item.at[0].kind == ITEM_EVENTS);
+    e = log_event(&log->session.at[0]->item.at[0], 0);
+    CHECK(e.kind == SM_EVENT_STATE && e.source == 3 && e.a == 0 && e.b == 1 && e.time == 0);
+}
+
+static void test_refused(void)
+{
+    begin();
+    CHECK(sm_log_init(&flight) == SM_E_BUSY);
+    CHECK(sm_log_close(&flight) == SM_OK);
+    new_log(NAME);
+    flight.room = SM_LOG_LEAST(wide_layout.whole.packed) - 1;
+    CHECK(sm_log_init(&flight) == SM_E_MEMORY);
+    flight.room++;
+    CHECK(sm_log_init(&flight) == SM_OK && sm_log_close(&flight) == SM_OK);
+    new_log("no/such");
+    CHECK(sm_log_init(&flight) == SM_E_MISSING);
+    flight.names = NULL;
+    CHECK(sm_log_init(&flight) == SM_E_ARGUMENT && sm_log_init(NULL) == SM_E_ARGUMENT);
+}
+
+// ---- a medium that is too slow, full, broken ----
+
+// Nothing is brought to the medium for some ticks: records are dropped and counted, and those that come back are true.
+static void test_too_slow(void)
+{
+    uint32_t dropped = 0;
+    Log *log;
+
+    begin();
+    for (uint64_t k = 0; k < 1000; k++) {
+        const SmResult r = step(k, 1);
+        CHECK(r == SM_OK || r == SM_E_FULL);
+        dropped += r != SM_OK;
+        if (k % 50 > 30)
+            sm_log_drain(&flight, PAL_SECOND);
+    }
+    sm_log_drain(&flight, PAL_SECOND);
+    CHECK(step(1000, 1) == SM_OK && sm_log_close(&flight) == SM_OK);
+    CHECK(dropped > 100 && dropped < 900 && flight.dropped == dropped);
+    log = read_all();
+    CHECK(log->session.n == 1 && log->damaged == 0 && holds(log->session.at[0], 1));
+    CHECK(log->session.at[0]->records == 1001 - dropped && log->session.at[0]->dropped == dropped);
+}
+
+// More events than the ring of events holds between two steps.
+static void test_lost_events(void)
+{
+    Log *log;
+
+    begin();
+    for (uint32_t i = 0; i < 21; i++)
+        tell(SM_EVENT_MODE, 1, i, 2, i);
+    CHECK(step(0, 0) == SM_OK && step(1, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
+    log = read_all();
+    CHECK(log->session.at[0]->events == 16 && log->session.at[0]->lost == 5 && log->session.at[0]->records == 2);
+    CHECK(log_event(&log->session.at[0]->item.at[0], 0).a == 5);
+}
+
+// The medium refuses now and then, in the middle of what it was given: the file is whole all the same.
+static void test_refusals(void)
+{
+    Log *log;
+
+    for (uint32_t room = 0; room < 3000; room += 7) {
+        begin();
+        for (uint64_t k = 0; k < 40; k++) {
+            (void)step(k, room);
+            if (k == 30)
+                sim_log_space(SIM_LOG_SIZE);
+            if (k == 3)
+                sim_log_space(room);
+            CHECK(!sm_log_drain(&flight, PAL_SECOND));
+            CHECK(flight.result == (k >= 3 && k < 30 && sim_log(NAME, &(size_t){0}) && flight.written >= room ? flight.result : SM_OK));
+        }
+        CHECK(sm_log_close(&flight) == SM_OK);
+        log = read_all();
+        CHECK(log->session.n == 1 && log->damaged == 0 && holds(log->session.at[0], room));
+        CHECK(log->session.at[0]->records + flight.dropped == 40);
+    }
+}
+
+static void test_full_for_good(void)
+{
+    Log *log;
+
+    begin();
+    sim_log_space(1500);
+    for (uint64_t k = 0; k < 200; k++) {
+        (void)step(k, 2);
+        CHECK(!sm_log_drain(&flight, UINT64_MAX));        // and it does not go on for ever
+    }
+    CHECK(sm_log_close(&flight) == SM_E_SPACE);
+    log = read_all();
+    CHECK(log->session.n == 1 && holds(log->session.at[0], 2) && log->damaged == log->torn);
+}
+
+// ---- time ----
+
+// A piece at least, and not more than the budget allows.
+static void test_budget(void)
+{
+    begin();
+    sim_delay(SIM_log_append, PAL_MILLISECOND);
+    CHECK(step(0, 0) == SM_OK);
+    CHECK(sm_log_drain(&flight, 0) && sim_count(SIM_log_append) == 1);
+    CHECK(sm_log_drain(&flight, 3 * PAL_MILLISECOND) && sim_count(SIM_log_append) == 4);
+    CHECK(!sm_log_drain(&flight, PAL_SECOND));
+}
+
+// The medium is waited for once a second, and at the end.
+static void test_sync(void)
+{
+    begin();
+    for (uint64_t k = 0; k < 1000; k++) {
+        CHECK(step(k, 0) == SM_OK);
+        sm_log_drain(&flight, PAL_SECOND);
+        sim_advance(TICK);
+    }
+    CHECK(sim_count(SIM_log_sync) >= 9 && sim_count(SIM_log_sync) <= 11);
+    sim_fail(SIM_log_sync, 0, SM_E_DEVICE);
+    CHECK(sm_log_close(&flight) == SM_E_DEVICE);
+}
+
+// ---- sessions ----
+
+static void fly(uint64_t from, uint64_t to, uint32_t salt)
+{
+    new_log(NAME);
+    CHECK(sm_log_init(&flight) == SM_OK);
+    for (uint64_t k = from; k < to; k++) {
+        CHECK(step(k, salt) == SM_OK);
+        sm_log_drain(&flight, PAL_SECOND);
+    }
+    CHECK(sm_log_close(&flight) == SM_OK);
+}
+
+static void test_sessions(void)
+{
+    Log *log;
+
+    sim_reset();
+    for (uint32_t i = 0; i < 5; i++)
+        fly(0, 10 + i, i);
+    log = read_all();
+    CHECK(log->session.n == 5 && log->damaged == 0);
+    for (uint32_t i = 0; i < 5 && i < log->session.n; i++)
+        CHECK(log->session.at[i]->records == 10 + i && holds(log->session.at[i], i));
+}
+
+// ---- damage ----
+
+enum { BLOCKS_MOST = 20000 };
+static uint8_t copy[SIM_LOG_SIZE];
+static struct { uint32_t at, size; bool is_record; } block[BLOCKS_MOST];
+static size_t blocks;
+
+static void take_copy(size_t *n)
+{
+    const uint8_t *bytes = sim_log(NAME, n);
+    uint32_t at = 0;
+
+    memcpy(copy, bytes, *n);
+    for (blocks = 0; at < *n && blocks < BLOCKS_MOST; blocks++) {
+        const uint32_t length = bytes[at + 2] + 256u * bytes[at + 3] + 65536u * bytes[at + 4];
+        block[blocks].at = at;
+        block[blocks].size = length + SM_LOG_BLOCK;
+        block[blocks].is_record = bytes[at + 1] == 'R';
+        at += block[blocks].size;
+    }
+    CHECK(at == *n);
+}
+
+// Records that lie outside of [from, to).
+static uint64_t whole_records(uint32_t from, uint32_t to)
+{
+    uint64_t n = 0;
+
+    for (size_t i = 0; i < blocks; i++)
+        n += block[i].is_record && (block[i].at + block[i].size <= from || block[i].at >= to);
+    return n;
+}
+
+static uint64_t all_records(const Log *log)
+{
+    uint64_t n = 0;
+
+    for (size_t i = 0; i < log->session.n; i++) {
+        CHECK(holds(log->session.at[i], (uint32_t)(log->session.at[i]->d->start ? 1 : 0)));
+        n += log->session.at[i]->records;
+    }
+    return n;
+}
+
+static void make_two_sessions(size_t *n)
+{
+    sim_reset();
+    fly(0, 30, 0);
+    fly(0, 30, 1);
+    take_copy(n);
+}
+
+// Cut anywhere: all whole blocks before the cut are there.
+static void test_cut(void)
+{
+    size_t n;
+
+    make_two_sessions(&n);
+    for (uint32_t at = 0; at <= n; at++) {
+        Log *log = read_bytes(copy, at);
+        CHECK(all_records(log) == whole_records(at, (uint32_t)n));
+        CHECK(log->damaged == log->torn && log->torn < 2000);
+    }
+}
+
+// One byte wrong, at each place and in several ways: it costs the block that it is in.
+static void test_one_byte(void)
+{
+    size_t n;
+
+    make_two_sessions(&n);
+    for (uint32_t at = block[0].size; at < n; at++)
+        for (uint8_t flip = 1; flip; flip = (uint8_t)(flip << 3)) {
+            Log *log;
+            copy[at] ^= flip;
+            log = read_bytes(copy, n);
+            if (at < block[32].at || at >= block[32].at + block[32].size || !log->damaged)
+                CHECK(all_records(log) == whole_records(at, at + 1) || log->session.n < 2);
+            CHECK(log->places == 1 && log->session.n >= 1);
+            copy[at] ^= flip;
+        }
+}
+
+static uint32_t seed = 1;
+
+static uint32_t next(uint32_t below)
+{
+    seed = seed * 1664525u + 1013904223u;
+    return (uint32_t)((uint64_t)seed * below >> 32);
+}
+
+// A stretch overwritten, taken out, or put in twice.
+static void test_stretch(void)
+{
+    static uint8_t changed[2 * sizeof copy];
+    size_t n;
+
+    make_two_sessions(&n);
+    for (int i = 0; i < 2000; i++) {
+        const uint32_t at = block[0].size + next((uint32_t)n - block[0].size), size = next((uint32_t)n - at), kind = next(3);
+        size_t m = n;
+        memcpy(changed, copy, n);
+        if (kind == 0) {
+            for (uint32_t k = 0; k < size; k++)
+                changed[at + k] = (uint8_t)next(256);
+        } else if (kind == 1) {
+            memmove(changed + at, copy + at + size, n - at - size);
+            m -= size;
+        } else {
+            memcpy(changed + at + size, copy + at, n - at);
+            m += size;
+        }
+        {
+            Log *log = read_bytes(changed, m);
+            for (size_t s = 0; kind < 2 && s < log->session.n; s++)
+                CHECK(holds(log->session.at[s], log->session.at[s]->d->start ? 1 : 0));
+            if (kind < 2 && log->session.n == 2)
+                CHECK(log->session.at[0]->records + log->session.at[1]->records >= whole_records(at, at + size + (size == 0)) - (size == 0));
+        }
+    }
+}
+
+// The description is repeated, so that a damaged beginning costs its own bytes alone.
+static void test_repeated(void)
+{
+    size_t n;
+    Log *log;
+
+    sim_reset();
+    fly(0, 8000, 0);
+    take_copy(&n);
+    CHECK(n > 500000 && n < SM_LOG_AGAIN);                // not yet
+    sim_reset();
+    new_log(NAME);
+    CHECK(sm_log_init(&flight) == SM_OK);
+    for (uint64_t k = 0; k < 9000; k++) {
+        if (k == 10)
+            flight.described -= SM_LOG_AGAIN;             // as if so many bytes had come in between
+        CHECK(step(k, 0) == SM_OK);
+        sm_log_drain(&flight, PAL_SECOND);
+    }
+    CHECK(sm_log_close(&flight) == SM_OK);
+    take_copy(&n);
+    log = read_bytes(copy, n);
+    CHECK(log->session.n == 1 && log->damaged == 0 && log->session.at[0]->records == 9000);
+    copy[100] ^= 1;
+    log = read_bytes(copy, n);
+    CHECK(log->session.n == 1 && log->places == 1 && log->session.at[0]->records == 9000 && holds(log->session.at[0], 0));
+}
+
+// The power goes in each append in turn, at several bytes: the next start goes on, and all records before and after are true.
+static void test_power(void)
+{
+    for (uint32_t appends = 0; appends < 60; appends++)
+        for (uint32_t bytes = 0; bytes < 130; bytes += 1 + bytes / 4) {
+            uint64_t written = 0;
+            Log *log;
+            begin();
+            sim_cut_power(appends, bytes);
+            for (uint64_t k = 0; k < 45; k++) {
+                (void)step(k, 0);
+                sm_log_drain(&flight, PAL_SECOND);
+            }
+            sim_power_on();
+            fly(0, 10, 1);
+            log = read_all();
+            CHECK(log->session.n >= 1);
+            for (size_t s = 0; s < log->session.n; s++) {
+                CHECK(holds(log->session.at[s], log->session.at[s]->d->start ? 1 : 0));
+                written = log->session.at[s]->records;
+            }
+            CHECK(written == 10);
+        }
+}
+
+int main(void)
+{
+    arena_init(&arena, heap, NULL, &oom);
+    if (setjmp(oom))
+        return 1;
+    test_plain();
+    test_refused();
+    test_too_slow();
+    test_lost_events();
+    test_refusals();
+    test_full_for_good();
+    test_budget();
+    test_sync();
+    test_sessions();
+    test_cut();
+    test_one_byte();
+    test_stretch();
+    test_repeated();
+    test_power();
+    arena_free(&arena);
+    return test_end("log");
+}
