@@ -8,6 +8,7 @@
 
 #include "compiler/analysis/analysis.h"
 #include "compiler/emit/bytecode/bytecode.h"
+#include "compiler/emit/c/app.h"
 #include "compiler/passes/pass.h"
 #include "compiler/syntax/parse.h"
 
@@ -132,10 +133,10 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files)
     for (size_t i = 0; i < files->n; i++)
         if (files->at[i].kind == FILE_SM && files->at[i].src)
             files->at[i].program = app_program(s, files->at[i].src, sv);
-    a = check_app(&c, app, sv, files);
+    a = check_app(&c, app, sv, map, files);
     if (!a || s->diags.met > errors)
         return NULL;
-    a->pins = map;
+    emit_c_app_names(&s->arena, &s->diags, a);
     analyse_app(s, a);
     return s->diags.met > errors ? NULL : a;
 }

@@ -33,6 +33,28 @@ static void load_file(Cli *c, const char *app, AppFile *f)
     f->src = source_new(&c->session.arena, path, copy, len);
 }
 
+int check_app_file(Cli *c)
+{
+    CliApp files;
+    App *a;
+
+    if (c->files > 1)
+        return cli_usage(c, "an application is checked alone: it names its files itself");
+    if (c->given[OPT_SV])
+        return cli_usage(c, "'%s' names its state vector itself: --sv has no place here", c->file[0]);
+    if (!limits_known(c))
+        return EXIT_USAGE;
+    if (!cli_load_app(c, c->file[0], &files))
+        return EXIT_ENVIRONMENT;
+    a = session_app(&c->session, files.tree, &files.files);
+    c->session.hide_locals = true;
+    for (size_t i = 0; a && limits_given(c) && i < a->machine.n; i++)
+        if (a->machine.at[i]->bytecode)
+            limits_check(c, a->machine.at[i]->program, session_ir(&c->session, a->machine.at[i]->program, option_level(c)));
+    c->session.hide_locals = false;
+    return cli_report(c);
+}
+
 bool cli_load_app(Cli *c, const char *path, CliApp *out)
 {
     Source *src = cli_load(c, path);

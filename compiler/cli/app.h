@@ -14,5 +14,6 @@ typedef struct CliApp {
 bool cli_load_app(Cli *c, const char *path, CliApp *out);
 
 int build_app(Cli *c);        // smc build NAME.app
+int check_app_file(Cli *c);   // smc check NAME.app
 
 #endif

@@ -63,12 +63,13 @@ static void add_vector(AppBuild *b)
     add_pair(b, stem, header, code);
 }
 
+// As C a machine is there once, however many run it.
 static bool is_first(const App *a, size_t i)
 {
     for (size_t k = 0; k < i; k++)
-        if (a->machine.at[k]->program == a->machine.at[i]->program)
+        if (!a->machine.at[k]->bytecode && a->machine.at[k]->program == a->machine.at[i]->program)
             return false;
-    return true;
+    return !a->machine.at[i]->bytecode;
 }
 
 static void add_machine(AppBuild *b, const Program *p)
@@ -92,11 +93,31 @@ static void add_pins(AppBuild *b)
     add_pair(b, stem, header, code);
 }
 
+// With names, which a log wants, unless they are to be left out.
+static bool make_image(AppBuild *b, const Program *p, Buf *out)
+{
+    ImageOptions o = {!b->c->given[OPT_STRIP]};
+    IrMachine *m;
+
+    b->c->session.hide_locals = !o.debug;
+    m = session_ir(&b->c->session, p, option_level(b->c));
+    b->c->session.hide_locals = false;
+    return session_image(&b->c->session, &m, 1, &o, out);
+}
+
 static void add_app(AppBuild *b)
 {
     Buf *header = new_buf(b), *code = new_buf(b);
+    const Buf **image = ARENA_ARRAY(&b->c->session.arena, const Buf *, b->app->machine.n);
 
-    emit_c_app(&b->c->session.arena, b->app, header, code);
+    for (size_t i = 0; i < b->app->machine.n; i++)
+        if (b->app->machine.at[i]->bytecode) {
+            Buf *bytes = new_buf(b);
+            image[i] = bytes;
+            if (!make_image(b, b->app->machine.at[i]->program, bytes))
+                return;
+        }
+    emit_c_app(&b->c->session.arena, b->app, image, header, code);
     add_pair(b, plus(b, b->app->name->text, "_app"), header, code);
 }
 

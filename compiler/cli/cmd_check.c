@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc check: everything that can be said of sources and images without running them.
 #include "compiler/analysis/analysis.h"
+#include "compiler/cli/app.h"
 #include "compiler/cli/cli.h"
 
 // Checks every script of the call against machine p.
@@ -108,8 +109,11 @@ int cmd_check(Cli *c)
     const Source *sv = NULL;
     Programs all = {NULL, 0, 0};
     IoMaps pins = {NULL, 0, 0};
-    int code = check_use(c), reported;
+    int code, reported;
 
+    if (c->files && has_suffix(c->file[0], ".app"))
+        return check_app_file(c);
+    code = check_use(c);
     if (code != EXIT_OK)
         return code;
     if (c->given[OPT_SV] && (sv = cli_load(c, c->value[OPT_SV])) == NULL)

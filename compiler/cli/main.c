@@ -32,7 +32,7 @@ static const Command *find_command(Cli *c, const char *name)
             return &commands[i];
     }
     near = nearest_name(name, names, COMMANDS);
-    if (has_suffix(name, ".sm") || has_suffix(name, ".sv") || has_suffix(name, ".io"))
+    if (has_suffix(name, ".sm") || has_suffix(name, ".sv") || has_suffix(name, ".io") || has_suffix(name, ".app"))
         cli_usage(c, "a command comes before the file, as in 'smc check %s'", name);
     else if (near)
         cli_usage(c, "unknown command '%s'; did you mean '%s'?", name, near);

@@ -12,6 +12,7 @@ typedef struct AppCheck {
     App *app;
     const AppFiles *files;
     const StateVec *sv;           // NULL: it has errors; then elements are not looked for
+    const IoMap *pins;            // or NULL
     unsigned guesses;             // how many more unknown names are compared with all known ones
     Map file_index;               // of machines: name as written to 1 + its place in files
     Map task, executor;           // name to the Span of the first
@@ -23,6 +24,12 @@ typedef struct AppCheck {
 // The element, or NULL after a message (or where the state vector has errors).
 const Element *app_find_element(AppCheck *k, const AstWord *name);
 
+Str app_stem(AppCheck *k, Str path);      // "rocket" of pins/rocket.io
+
+// ---- check_app_names.c ----
+
+void check_app_products(AppCheck *k);
+
 // ---- check_app_time.c ----
 
 typedef struct AppRange { uint64_t least, most; bool power_of_two; const char *text; } AppRange;
@@ -32,6 +39,8 @@ bool app_whole(AppCheck *k, const AstAmount *a, const AppRange *r, const char *w
 void check_app_rates(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);
 
 // ---- check_app_task.c ----
+
+bool app_is_of_runtime(const char *name);       // what begins with it may be a name of runtime-c
 
 void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);      // behind its rates
 

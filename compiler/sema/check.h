@@ -29,8 +29,8 @@ IoMap *check_io(CheckContext *c, const AstFile *io, const StateVec *sv);
 
 // The files that an application names: whoever can opens them before it is checked.
 void app_files(Arena *arena, const AstFile *app, AppFiles *out);
-// `sv` is NULL where it, and a machine's program where that, has errors, which were reported; then the rest is checked.
-App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const AppFiles *files);
+// `sv` and `pins` are NULL where they, and a machine's program where that, has errors, which were reported; then the rest is checked.
+App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const IoMap *pins, const AppFiles *files);
 
 // Puts the names that the script assigns into `names` (name to itself): what check_machine wants as written_outside.
 void script_written_names(const AstFile *ss, Map *names);

@@ -135,11 +135,15 @@ static void check_time(AppCheck *k, const AstAppOption *o)
                               "the time", "a U64");
         diag_note(k->c->diags, d, e->span, DIAG_note_declared_here, e->name->text);
     }
+    for (size_t i = 0; e && k->pins && i < k->pins->pin.n; i++)
+        if (k->pins->pin.at[i].element == e && !pin_is_output(&k->pins->pin.at[i]))
+            diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_two_writers, o->element.span, "the runtime", e->name->text, "an input"),
+                      k->pins->pin.at[i].span, DIAG_note_input_here);
     k->app->time = e;
     k->app->time_span = o->element.span;
 }
 
-static Str stem(AppCheck *k, Str path)
+Str app_stem(AppCheck *k, Str path)
 {
     Source named = {0};
 
@@ -156,7 +160,7 @@ static void check_option(AppCheck *k, const AstAppOption *o)
 
     switch (o->kind) {
     case AST_APP_state_vector: break;
-    case AST_APP_io:           k->app->io = o->file.text; k->app->io_name = stem(k, o->file.text); break;
+    case AST_APP_io:           k->app->io = o->file.text; k->app->io_name = app_stem(k, o->file.text); break;
     case AST_APP_time:         check_time(k, o); break;
     case AST_APP_watchdog:     app_whole(k, &o->amount, &watchdog, "the watchdog's time", &k->app->watchdog); break;
     case AST_APP_events:       app_whole(k, &o->amount, &events, "the room for events", &n); k->app->events = (uint32_t)n; break;
@@ -191,6 +195,23 @@ static void check_options(AppCheck *k)
 
 static const char *const vitals[] = {"its ticks", "its overruns", "its skipped ticks", "its lateness", "how long it was busy"};
 
+// An element that an executor writes and a machine or an input too.
+static void check_writers(AppCheck *k, const AstAppAnnotation *a, const Element *e)
+{
+    for (size_t i = 0; i < k->files->n; i++) {
+        const Program *p = k->files->at[i].program;
+        for (size_t v = 0; p && v < p->var.n; v++)
+            if (p->var.at[v]->element == e && p->var.at[v]->written)
+                diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_two_writers, a->word.span, "the executor", e->name->text,
+                                                   format_in(k->c->arena, "machine '%s'", p->name->text)),
+                          p->var.at[v]->span, DIAG_note_listed_there, p->name->text);
+    }
+    for (size_t i = 0; k->pins && i < k->pins->pin.n; i++)
+        if (k->pins->pin.at[i].element == e && !pin_is_output(&k->pins->pin.at[i]))
+            diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_two_writers, a->word.span, "the executor", e->name->text, "an input"),
+                      k->pins->pin.at[i].span, DIAG_note_input_here);
+}
+
 static void check_vital(AppCheck *k, const AstAppAnnotation *a, AppExecutor *out)
 {
     AppVital which = (AppVital)(a->kind - AST_ON_ticks);
@@ -201,6 +222,7 @@ static void check_vital(AppCheck *k, const AstAppAnnotation *a, AppExecutor *out
     if (!e)
         return;
     out->vital[which] = e;
+    check_writers(k, a, e);
     if (e->type == SM_F32 || e->type == SM_F64 || e->type == SM_BOOL) {
         d = diag_report(k->c->diags, DIAG_app_element_type, a->word.span, e->name->text, sm_type_info[e->type].spelling,
                         "what an executor tells of itself", "of an integer type");
@@ -291,7 +313,7 @@ static void check_unused(AppCheck *k)
     }
 }
 
-App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const AppFiles *files)
+App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMap *pins, const AppFiles *files)
 {
     enum { GUESSES = 30 };        // more than are shown
     size_t errors = c->diags->met;
@@ -302,13 +324,16 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const AppF
     k.ast = f->app;
     k.files = files;
     k.sv = sv;
+    k.pins = pins;
     k.guesses = GUESSES;
     k.file_index.arena = k.task.arena = k.executor.arena = k.vital.arena = k.start.arena = c->arena;
     k.app = ARENA_NEW(c->arena, App);
     k.app->name = sema_stem(c->strings, f->src);
     k.app->src = f->src;
     k.app->sv = sv;
+    k.app->pins = pins;
     check_files(&k);
+    check_app_products(&k);
     check_options(&k);
     check_app_start(&k);
     check_executors(&k);

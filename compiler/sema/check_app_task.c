@@ -6,15 +6,25 @@
 
 // ---- names ----
 
+bool app_is_of_runtime(const char *name)
+{
+    static const char *const taken[] = {"sm", "pal", "smvm"};
+
+    for (size_t i = 0; i < sizeof taken / sizeof *taken; i++) {
+        size_t n = strlen(taken[i]);
+        if (strncmp(name, taken[i], n) == 0 && (name[n] == '\0' || name[n] == '_'))
+            return true;
+    }
+    return false;
+}
+
 // What is wrong with it as the beginning of names of C functions; NULL: nothing.
 static const char *name_problem(const char *name)
 {
-    static const char *const taken[] = {"sm", "pal", "smvm", "main"};
     size_t n = strlen(name);
 
-    for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
-        if (strcmp(name, taken[i]) == 0)
-            return "it belongs to the runtime";
+    if (app_is_of_runtime(name))
+        return "it belongs to the runtime";
     if (name[0] == '_' || name[n - 1] == '_')
         return "it begins or ends with an underscore";
     return strstr(name, "__") ? "it has two underscores in a row" : NULL;

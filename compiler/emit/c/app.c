@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An application as C: a header with what the user writes, and one source of static tables on top of runtime-c, whose headers tell what
 // stands in them.  Names of its own have no underscore or end in Step, Init, Safe, Self, Copy behind the user's, so that none is another's.
-#include "compiler/emit/c/app.h"
+#include "compiler/emit/c/app_emit.h"
 
 #include <string.h>
 
@@ -17,6 +17,7 @@ typedef struct Emitter {
     const char *io;               // rocket: of rocket_inputs, rocket_io.h
     CUnit vector;                 // with the names of its members
     CVectorNames names;           // of its elements' numbers
+    const Buf *const *image;      // by machine; NULL: it is C
     Buf *out;
 } Emitter;
 
@@ -103,9 +104,10 @@ static bool is_guarded(const Emitter *e) { return e->app->sv->lock; }
 
 static void put_one_machine(const Emitter *e, const AppMachine *m)
 {
-    const char *n = m->name->text, *prefix = identifier(e->arena, m->program->name->text);
+    const char *n = m->name->text, *type = format_in(e->arena, "%s_machine", identifier(e->arena, m->program->name->text));
 
-    buf_printf(e->out, "    {.name = \"%s\", .type = &%s_machine, .self = &%sSelf, .sv = &%s_vector, .events = &events", n, prefix, n, e->sv);
+    buf_printf(e->out, "    {.name = \"%s\", .type = &%s, .self = &%sSelf, .sv = &%s_vector, .events = &events", n,
+               m->bytecode ? "smvm_machine_type" : type, n, e->sv);
     if (is_guarded(e))
         buf_printf(e->out, ", .copy = %sCopy", n);
     if (m->initial)
@@ -122,7 +124,10 @@ static void put_machines(const Emitter *e)
     buf_str(e->out, "\n// ---- machines ----\n\n");
     for (size_t i = 0; i < e->app->machine.n; i++) {
         const AppMachine *m = e->app->machine.at[i];
-        buf_printf(e->out, "static %s %sSelf;\n", type_of_machine(e, m), m->name->text);
+        if (m->bytecode)
+            put_app_image(m, e->image[i], e->out);
+        else
+            buf_printf(e->out, "static %s %sSelf;\n", type_of_machine(e, m), m->name->text);
         if (is_guarded(e))
             buf_printf(e->out, "static uint64_t %sCopy[(sizeof(%s) + 7) / 8];        // its snapshot of the state vector\n", m->name->text,
                        e->vector.names.sv_type);
@@ -400,27 +405,34 @@ static void put_app(const Emitter *e)
 static void put_code_includes(const Emitter *e)
 {
     Map seen = {e->arena, NULL, NULL, 0, 0};
+    bool bytecode = false;
 
     buf_printf(e->out, "#include \"%s_app.h\"\n\n", e->app->name->text);
     if (e->app->io)
         buf_printf(e->out, "#include \"%s_io.h\"\n", e->app->io_name->text);
     for (size_t i = 0; i < e->app->machine.n; i++) {
         Str name = e->app->machine.at[i]->program->name;
+        bytecode = bytecode || e->app->machine.at[i]->bytecode;
+        if (e->app->machine.at[i]->bytecode)
+            continue;
         if (!map_find(&seen, name))
             buf_printf(e->out, "#include \"%s.h\"\n", name->text);
         map_put(&seen, name, (void *)(size_t)name);
     }
+    if (bytecode)
+        buf_str(e->out, "#include \"bytecode-vm/target/machine.h\"\n");
     if (e->app->start.n)
         buf_str(e->out, "#include \"stdlib/convert.h\"\n");
 }
 
-void emit_c_app(Arena *arena, const App *app, Buf *header, Buf *code)
+void emit_c_app(Arena *arena, const App *app, const Buf *const *image, Buf *header, Buf *code)
 {
     Emitter e;
 
     begin(&e, arena, app, header);
     put_header(&e);
     e.out = code;
+    e.image = image;
     title(&e);
     put_code_includes(&e);
     buf_printf(code, "\nstatic SmEvent ring[%u];\nstatic SmEvents events = {.at = ring, .room = %u, .guarded = %s};\n", (unsigned)app->events,

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files that an application becomes: none may be called like another (docs/config.md 10.17).
+#include "compiler/sema/app_check.h"
+
+#include <string.h>
+
+typedef struct Product { const char *what; Span span; } Product;
+
+// As names of files that do not tell upper from lower case.
+static Str folded(AppCheck *k, const char *name)
+{
+    char *copy = arena_alloc(k->c->arena, strlen(name) + 1);
+
+    strcpy(copy, name);
+    for (char *c = copy; *c; c++)
+        if (*c >= 'A' && *c <= 'Z')
+            *c = (char)(*c - 'A' + 'a');
+    return str_c(k->c->strings, copy);
+}
+
+static void add_product(AppCheck *k, Map *seen, const char *stem, const char *what, Span span)
+{
+    Str key = folded(k, stem);
+    const Product *first = map_find(seen, key);
+    Product *p = ARENA_NEW(k->c->arena, Product);
+    Diag *d;
+
+    p->what = what;
+    p->span = span;
+    if (!first) {
+        map_put(seen, key, p);
+        return;
+    }
+    d = diag_report(k->c->diags, DIAG_app_product_twice, span, format_in(k->c->arena, "%s.c", stem), first->what, what);
+    diag_note(k->c->diags, d, first->span, DIAG_note_first_here);
+}
+
+// sm.sv would give sm_vector, which may be the runtime's.
+static void check_stem(AppCheck *k, const char *stem, const char *what, Span span)
+{
+    if (app_is_of_runtime(stem))
+        diag_report(k->c->diags, DIAG_task_name_reserved, span, stem, what, "it belongs to the runtime");
+}
+
+void check_app_products(AppCheck *k)
+{
+    static const char *const end[] = {[FILE_SV] = "", [FILE_SM] = "", [FILE_IO] = "_io"};
+    static const char *const what[] = {[FILE_SV] = "the state vector", [FILE_SM] = "a machine", [FILE_IO] = "the pins"};
+    Map seen = {k->c->arena, NULL, NULL, 0, 0};
+
+    check_stem(k, k->app->name->text, "application", (Span){k->app->src, 0, 0});
+    add_product(k, &seen, format_in(k->c->arena, "%s_app", k->app->name->text), "the application", (Span){k->app->src, 0, 0});
+    for (size_t i = 0; i < k->files->n; i++) {
+        const AppFile *f = &k->files->at[i];
+        const char *stem = app_stem(k, f->name.text)->text;
+        check_stem(k, stem, "file", f->name.span);
+        add_product(k, &seen, format_in(k->c->arena, "%s%s", stem, end[f->kind]),
+                    format_in(k->c->arena, "%s '%s'", what[f->kind], f->name.text->text), f->name.span);
+    }
+}

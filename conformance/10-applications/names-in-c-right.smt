@@ -1,0 +1,31 @@
+spec 10.17   What an image does not need as C may be called like it.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+time time 1 ms
+[flight]
+every 10 ms:
+    task mission @safe
+    machine nav "mission.sm" @bytecode
+    task rocket
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small
+-- mission.sm --
+[state_vector]
+U64  time          @alias G
+U32  missionState  @alias S
+F64  altitude      @read_only
+[Boost]
+.step
+    altitude > 100: -> Coast
+[Coast]
