@@ -449,6 +449,13 @@ check-runtime: $(RUNTIME_TESTS) $(RUNTIME_TSAN)
 	@for t in $(RUNTIME_TESTS) $(RUNTIME_TSAN); do test ! -x $$t || $$t || exit 1; done
 .PHONY: check-runtime
 
+# tests/app: applications (.app) from source to a flight in simulated time, and everything that can be wrong with one.
+check: $(B)/runtime/sim.a
+CHECK_LINES += "app: sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)'"
+check-app: all $(B)/runtime/sim.a
+	sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)'
+.PHONY: check-app
+
 # What an access to the state vector costs, and what it weighs.
 bench-runtime: $(RUNTIME_MADE)
 	sh tests/bench/runtime.sh $(B) '$(CC)'
@@ -487,6 +494,8 @@ bench-machine: $(BENCH_MACHINE) $(FLIGHTS)/flight.smb
 
 DEST = $(DESTDIR)$(PREFIX)
 INSTALLED_HEADERS = $(wildcard stdlib/*.h stdlib/*.def bytecode-vm/*.h bytecode-vm/*.def)
+# What smc.mk builds applications from, as it lies here.
+INSTALLED_RUNTIME = $(sort $(shell find runtime-c stdlib bytecode-vm -type f ! -name "*.in"))
 
 $(B)/libsmvm.a: $(VM:%.c=$(B)/obj/%.o) $(STDLIB:%.c=$(B)/obj/%.o)
 	@rm -f $@
@@ -503,6 +512,7 @@ install: all $(B)/libsmvm.a $(B)/bytecode-vm/smvm.pc
 	cp $(B)/bytecode-vm/smvm.pc $(DEST)/lib/pkgconfig/smvm.pc
 	cp compiler/smc.mk $(DEST)/share/smc/smc.mk
 	for f in $(INSTALLED_HEADERS); do cp $$f $(DEST)/include/smc/$$f || exit 1; done
+	for f in $(INSTALLED_RUNTIME); do mkdir -p $(DEST)/share/smc/$$(dirname $$f) && cp $$f $(DEST)/share/smc/$$f || exit 1; done
 
 CHECK_LINES += "install: sh tests/install/run.sh $(MAKE) $(B) '$(CC)'"
 

@@ -46,6 +46,31 @@ printf 'nonsense\n' >broken.sm
 check "a broken source stops make" sh -c "! $make -s SMC='$inst/bin/smc' broken.smb"
 check "and leaves no output" test ! -e broken.smb
 
+# A project that builds an application, away from this tree: its machine as C, then as an image.
+mkdir "$dir/app"
+cp "$root"/tests/app/probe.* "$root"/tests/app/*.sm "$root/tests/app/tasks.c" "$root/tests/app/expected.txt" "$dir/app"
+cd "$dir/app" || exit 1
+cat >Makefile <<EOF
+SMC          = $inst/bin/smc
+SMC_APP      = probe
+SMC_SOURCES  = tasks.c
+SMC_PLATFORM = sim
+include $inst/share/smc/smc.mk
+EOF
+check "an application builds with smc.mk" "$make" -s CC="$cc" CFLAGS=-O1
+check "and flies" sh -c "./probe | cmp - expected.txt"
+check "nothing of it is built twice" "$make" -q CC="$cc" CFLAGS=-O1
+sleep 1
+sed 's/"rise.sm"/& @bytecode/' probe.app >new && mv new probe.app
+check "a changed application is noticed" sh -c "! $make -q CC='$cc' CFLAGS=-O1"
+check "and built again" "$make" -s CC="$cc" CFLAGS=-O1
+check "and flies on the VM" sh -c "./probe | cmp - expected.txt"
+sleep 1
+echo nonsense >>probe.app
+check "a broken application stops make" sh -c "! $make -s CC='$cc' CFLAGS=-O1"
+check "on Linux it links too" sh -c "sed /nonsense/d probe.app >new && mv new probe.app && $make -s CC='$cc' CFLAGS=-O1 SMC_PLATFORM=linux SMC_OUT=real"
+cd "$dir/project" || exit 1
+
 # The VM as a library.
 cat >host.c <<'EOF'
 #include "bytecode-vm/smvm.h"

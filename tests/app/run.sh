@@ -1,0 +1,133 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Builds applications and runs them in simulated time: as C and on the VM, in place and guarded.  And what is wrong, missing or large:
+# a message at its place, the exit code that is promised, and nothing half written.        sh tests/app/run.sh SMC SIM.a CC
+smc=$1 sim=$2 cc=$3
+passed=0 failed=0 skipped=0
+root=$(pwd)
+here=$root/tests/app
+dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-app.XXXXXX") || exit 1
+trap 'rm -rf "$dir"' EXIT
+case $smc in /*) ;; *) smc=$root/$smc ;; esac
+case $sim in /*) ;; *) sim=$root/$sim ;; esac
+warn="-Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -pedantic -Werror"
+
+good() { passed=$((passed + 1)); }
+bad() { failed=$((failed + 1)); echo "app: $1"; }
+
+# fresh NAME: an empty folder with the test's application, and goes there.
+fresh()
+{
+    mkdir "$dir/$1" && cd "$dir/$1" || exit 1
+    cp "$here/probe.app" "$here/probe.sv" "$here/rise.sm" .
+}
+
+# flies NAME: builds the application of this folder, runs it, and compares.
+flies()
+{
+    mkdir out
+    if "$smc" build probe.app -Werror -o out 2>log && $cc -std=c99 $warn -I"$root" -Iout -c out/probe_app.c -o out/probe_app.o 2>>log &&
+       $cc -std=c99 -O1 $warn -I"$root" -Iout -o run out/*.c "$here/tasks.c" "$sim" 2>>log && ./run >trace 2>>log &&
+       diff "$here/expected.txt" trace >>log; then
+        good
+    else
+        bad "$1"
+        head -20 log
+    fi
+}
+
+fresh plain;    flies "machines as C"
+fresh bytecode; sed -i.old 's/"rise.sm"/& @bytecode/' probe.app; flies "machines on the VM"
+fresh guarded;  printf '[options]\nlock\n' | cat - probe.sv >new && mv new probe.sv; flies "a guarded vector"
+fresh both;     printf '[options]\nlock\n' | cat - probe.sv >new && mv new probe.sv
+sed -i.old 's/"rise.sm"/& @bytecode/' probe.app; flies "a guarded vector, on the VM"
+
+# Other compilers take the sources without a word, C++ the header.
+for other in gcc clang clang-19; do
+    if command -v $other >/dev/null 2>&1; then
+        if $other -std=c99 $warn -I"$root" -I"$dir/both/out" -fsyntax-only "$dir/both/out/probe_app.c" "$dir/plain/out/probe_app.c" 2>"$dir/log"; then
+            good
+        else
+            bad "$other"
+            head -20 "$dir/log"
+        fi
+    fi
+done
+if command -v g++ >/dev/null 2>&1; then
+    echo '#include "probe_app.h"' >"$dir/header.cpp"
+    if g++ -std=c++11 -Wall -Wextra -Wconversion -Wshadow -pedantic -Werror -I"$root" -I"$dir/plain/out" -fsyntax-only "$dir/header.cpp" 2>"$dir/log"; then
+        good
+    else
+        bad "the header as C++"
+        head -20 "$dir/log"
+    fi
+else
+    skipped=$((skipped + 1))
+fi
+
+# ---- what is built ----
+
+# refuses NAME CODE TEXT: the build ends with CODE, says TEXT, writes nothing.
+refuses()
+{
+    rm -rf out && mkdir out
+    "$smc" build probe.app -o out >log 2>&1
+    code=$?
+    if test $code = "$2" && grep -q -- "$3" log && test -z "$(ls out)"; then
+        good
+    else
+        bad "$1: exit $code, where $2 was expected, and '$3'"
+        head -5 log
+    fi
+}
+
+# A second build gives the same bytes, wherever it is called from.
+fresh again; mkdir out other
+"$smc" build probe.app -o out && cd / && "$smc" build "$dir/again/probe.app" -o "$dir/again/other"
+if diff -r "$dir/again/out" "$dir/again/other"; then good; else bad "the same bytes from elsewhere"; fi
+
+cd "$dir/again" && "$smc" build probe.app -o out -MD -MF deps -MP
+for f in probe.app probe.sv rise.sm; do
+    if grep -q "^out.*probe_app.c.*:.* $f" deps && grep -q "^$f:\$" deps; then good; else bad "-MD names $f"; cat deps; fi
+done
+if head -1 deps | grep -q 'out/probe.h out/probe.c out/rise.h out/rise.c out/probe_app.h out/probe_app.c:'; then good; else bad "-MD's targets"; cat deps; fi
+
+fresh missing;    rm rise.sm;            refuses "a missing machine" 1 "probe.app:19:18: error: cannot read 'rise.sm': .*E0831"
+fresh nosv;       rm probe.sv;           refuses "a missing state vector" 1 "probe.app:3:14: error: cannot read 'probe.sv': .*E0831"
+fresh folder;     rm rise.sm; mkdir rise.sm; refuses "a folder" 1 "cannot read 'rise.sm': .*E0831"
+fresh wrong;      echo '    nosuch = 1' >>rise.sm; refuses "a mistake in a machine" 1 "rise.sm:14:5: error: unknown element 'nosuch'"
+fresh wrongsv;    echo 'F64' >>probe.sv; refuses "a mistake in the state vector" 1 "probe.sv:.*error"
+fresh werror;     sed -i.old 's/^    log$//' probe.app; rm -rf out; mkdir out
+if ! "$smc" build probe.app -o out -Werror 2>log && grep -q W0840 log && test -z "$(ls out)"; then good; else bad "-Werror"; fi
+if "$smc" build probe.app -o out -Wno-option-without-task 2>log && ! test -s log; then good; else bad "-Wno-option-without-task"; cat log; fi
+fresh binary;     head -c 3000 "$smc" >probe.app; refuses "a program in place of an application" 1 "E0104"
+fresh empty;      : >probe.app;          refuses "an empty application" 1 "probe.app:1:1: error: an application needs a state vector.*E0830"
+fresh absent;     rm probe.app;          refuses "no application" 3 "cannot read 'probe.app'"
+fresh nodir
+"$smc" build probe.app -o nosuch/folder 2>log
+if test $? = 3 && grep -q "cannot write 'nosuch/folder/" log; then good; else bad "a folder that is not there"; cat log; fi
+
+# Names that lead out of the folder, and into others.
+fresh paths; mkdir parts out; mv probe.sv parts/probe.sv; sed -i.old 's/"probe.sv"/"parts\/..\/parts\/probe.sv"/' probe.app
+if "$smc" build probe.app -o out && test -f out/probe.c; then good; else bad "a file in another folder"; fi
+
+# ---- large ones ----
+
+fresh large
+{
+    printf '[options]\nstate_vector "probe.sv"\ntime time 1 ms\n[flight]\nevery 1 ms:\n'
+    awk 'BEGIN { for (i = 0; i < 10000; i++) printf "task t%d @mode mode\n", i
+                 for (i = 2; i < 1000; i++) printf "every %d ms:\ntask r%d\n", i, i }'
+} >probe.app
+mkdir out
+if "$smc" build probe.app -o out 2>log && test "$(grep -c '^    {.name = ' out/probe_app.c)" = 10999 &&
+   $cc -std=c99 -I"$root" -Iout -c out/probe_app.c -o large.o 2>>log; then good; else bad "11,000 tasks"; head -5 log; fi
+awk 'BEGIN { printf "[options]\nstate_vector \"probe.sv\"\n[flight]\nevery 1 ms:\n"; for (i = 0; i < 65536; i++) printf "task t%d\n", i }' >probe.app
+refuses "65,536 tasks" 1 E0845
+awk 'BEGIN { printf "[options]\nstate_vector \"probe.sv\"\n[flight]\nevery 1 ms:\n"; for (i = 0; i < 20000; i++) printf "task t%d @mode mod%d\n", i, i }' >probe.app
+refuses "20,000 unknown elements" 1 "20000 errors"
+awk 'BEGIN { for (i = 0; i < 100000; i++) printf "(" }' | cat "$here/probe.app" - >probe.app; refuses "parentheses" 1 "E0823"
+{ cat "$here/probe.app"; printf '[more]\nevery 1 s:\ntask a @mode '; awk 'BEGIN { for (i = 0; i < 100000; i++) printf "x" }'; } >probe.app; refuses "a long name" 1 "E0"
+
+echo "$passed passed, $failed failed$(test $skipped = 0 || echo ", $skipped skipped")"
+test $failed = 0
