@@ -41,6 +41,16 @@
 #endif
 #endif
 
+// 1: a machine that runs keeps in RAM where its tables are, ten SMVM_AT and a byte; 0: it reads that out of the image at each step,
+// which takes an 8-bit computer several thousand cycles.
+#ifndef SMVM_KEEP_TABLES
+#if SIZE_MAX < 0x7fffffff
+#define SMVM_KEEP_TABLES 1
+#else
+#define SMVM_KEEP_TABLES 0
+#endif
+#endif
+
 // How many jumps whose targets are still ahead the verifier follows exactly when it counts the longest step; beyond, it adds
 // up all instructions, which is never less.  Eight bytes of its stack each.
 #ifndef SMVM_JOINS
@@ -54,6 +64,13 @@
 #else
 #define SMVM_COMPUTED_GOTO 0
 #endif
+#endif
+
+// Of functions that are seldom called by those that are called at every turn: not made part of them where code is to be small.
+#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
+#define SMVM_APART __attribute__((noinline))
+#else
+#define SMVM_APART
 #endif
 
 typedef SMVM_BYTES SmvmBytes;

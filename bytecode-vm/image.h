@@ -97,15 +97,12 @@ static inline uint64_t smvm_cell(SmvmBytes image, uint32_t at, uint8_t bytes)
     return bytes < 8 ? smvm_uint(image, at, bytes) : (uint64_t)smvm_uint(image, at + 4, 4) << 32 | smvm_uint(image, at, 4);
 }
 
-// The size of a type is 1 << this.
-static inline uint8_t smvm_type_shift(uint32_t type)
-{
-#define SM_TYPE(name, wire, spelling, ctype, bytes, kind) | (uint32_t)((bytes) == 8 ? 3 : (bytes) == 4 ? 2 : (bytes) == 2 ? 1 : 0) << 2 * (wire)
-    return (uint8_t)((0u
+// The size of a type is 1 << this.  By the numbers that types have, which an 8-bit computer finds sooner than anything in a table.
+#define SMVM_TYPE_SHIFT(type) ((type) < SM_F32 ? (type) & 3 : (type) == SM_BOOL ? 0 : (type) - SM_F32 + 2)
+static inline uint8_t smvm_type_shift(uint32_t type) { return (uint8_t)SMVM_TYPE_SHIFT((uint8_t)type); }
+#define SM_TYPE(name, wire, spelling, ctype, bytes, kind) typedef char smvm_shift_of_##name[1 << SMVM_TYPE_SHIFT(wire) == (bytes) ? 1 : -1];
 #include "stdlib/types.def"
-                      ) >> 2 * type & 3u);
 #undef SM_TYPE
-}
 
 // Reads a varint that must end before `end`; moves *at behind it.  False if it does not.
 bool smvm_varint(SmvmBytes image, uint32_t *at, uint32_t end, uint32_t *value);
@@ -122,6 +119,9 @@ uint8_t smvm_read_machine(SmvmMachine *m, uint32_t at, uint32_t size);
 // The same of a machine that runs: all but INIT and DEBUG.
 void smvm_again(const SmVm *vm, SmvmMachine *m);
 
+// What a step needs of it, for the memory and the state vector that it was put in.
+void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t);
+
 // Where the parts of a machine's memory are; it lies in one piece behind SmVm.
 typedef struct SmvmParts {
     uint64_t **window;        // each window's words
@@ -131,6 +131,8 @@ typedef struct SmvmParts {
     uint32_t stored_bytes;
 } SmvmParts;
 
+// The windows stand first behind it.
+static inline uint64_t **smvm_windows_of(SmVm *vm) { return (uint64_t **)(void *)((uint8_t *)vm + (sizeof *vm + 7) / 8 * 8); }
 SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m);
 
 SmvmOperand smvm_operand_at(SmvmBytes image, uint32_t at);     // an entry of the operand table, or one of the same form

@@ -13,104 +13,112 @@
 typedef struct Run {
     SmVm *vm;
     uint8_t *sv;
-    SmvmMachine m;
-    SmvmParts parts;
-    uint32_t at;
+    SmvmBytes image;
+    const SmvmTables *t;
+    SmvmAt at, entry, payload;                     // in the code; of the operand that was looked up last
     union { uint64_t cell; SmF64 number; } acc;    // the accumulator, as it would lie in memory
 } Run;
 
-static uint32_t next(Run *r)                          // the next varint
+SMVM_APART static SmvmAt long_next(Run *r, uint8_t first)        // a varint of two or four bytes
 {
-    SmvmBytes image = r->m.image;
-    uint32_t b = smvm_u8(image, r->at++);
+    uint32_t b = first;
 
-    if (b < SMVM_VARINT_1)
-        return b;
     if (b < SMVM_VARINT_2)
-        return SMVM_VARINT_1 + ((b - SMVM_VARINT_1) << 7 | smvm_u8(image, r->at++));
+        return (SmvmAt)(SMVM_VARINT_1 + ((b - SMVM_VARINT_1) << 7 | smvm_u8(r->image, r->at++)));
     b -= SMVM_VARINT_2;
     for (uint8_t i = 0; i < 3; i++)
-        b = b << 7 | smvm_u8(image, r->at++);
-    return SMVM_VARINT_MID + b;
+        b = b << 7 | smvm_u8(r->image, r->at++);
+    return (SmvmAt)(SMVM_VARINT_MID + b);
+}
+
+// The next varint: it numbers or measures something in this image, so an SmvmAt holds it.
+static SmvmAt next(Run *r)
+{
+    uint8_t b = smvm_u8(r->image, r->at++);
+
+    return b < SMVM_VARINT_1 ? b : long_next(r, b);
 }
 
 // ---- operands ----
 
-static SmF64 constant(const Run *r, uint8_t kind, uint32_t payload)
+// Finds an entry of the table of operands; gives its kind.  The payload is whole where it says where something lies in memory or in a
+// table; integer() looks again.
+static uint8_t look_up(Run *r, SmvmAt index)
+{
+    SmvmAt at = (SmvmAt)(r->t->operands + index + index + index);
+    uint8_t low = smvm_u8(r->image, at), mid = smvm_u8(r->image, at + 1), high = smvm_u8(r->image, at + 2);
+
+    r->entry = at;
+    r->payload = (SmvmAt)((SmvmAt)(mid | (SmvmAt)high << 8) << (8 - SMVM_KIND_BITS) | (SmvmAt)(low >> SMVM_KIND_BITS));
+    return low & ((1u << SMVM_KIND_BITS) - 1u);
+}
+
+static SmF64 integer(const Run *r)                    // its payload again, with its sign
+{
+    SmvmAt at = r->entry;
+    int32_t v = smvm_u8(r->image, at + 1) | (int32_t)smvm_u8(r->image, at + 2) << 8;
+
+    if (v > SMVM_INT_MOST >> (8 - SMVM_KIND_BITS))
+        v -= SMVM_PAYLOADS >> (8 - SMVM_KIND_BITS);
+    return sm_from_i32(v * (1 << (8 - SMVM_KIND_BITS)) + (smvm_u8(r->image, at) >> SMVM_KIND_BITS));
+}
+
+SMVM_APART static SmF64 constant(const Run *r, uint8_t kind)
 {
     switch (kind) {
     case SMVM_K_TIME: return sm_from_u64(r->vm->next - r->vm->start);
-    case SMVM_K_INT: return sm_from_i32((int32_t)payload - (payload > (uint32_t)SMVM_INT_MOST ? SMVM_PAYLOADS : 0));
-    case SMVM_K_F32: return sm_from_f32(sm_f32_from_bits(smvm_uint(r->m.image, r->m.f32s_at + 4 * payload, 4)));
-    default: return sm_from_bits(smvm_cell(r->m.image, r->m.f64s_at + 8 * payload, 8));
+    case SMVM_K_F32: return sm_from_f32(sm_f32_from_bits(smvm_uint(r->image, r->t->f32s + (SmvmAt)(4 * r->payload), 4)));
+    default: return sm_from_bits(smvm_cell(r->image, r->t->f64s + (SmvmAt)(8 * r->payload), 8));
     }
 }
 
-// Where an operand lies that can be written, and its type or SMVM_RAW; NULL for others.
-static void *memory_of(Run *r, uint8_t kind, uint32_t payload, uint8_t *type)
-{
-    uint8_t *base = r->sv;
-
-    *type = SMVM_RAW;
-    if (kind == SMVM_K_TEMP)
-        return &r->parts.temp[payload];
-    if (kind == SMVM_K_ACC) {
-        *type = (uint8_t)payload;
-        return &r->acc;
-    }
-    if (kind > SMVM_K_TEMP)
-        return NULL;
-    if (kind >= SMVM_K_LOCAL) {
-        kind = (uint8_t)(kind - SMVM_K_LOCAL);
-        base = r->parts.local;
-    }
-    *type = kind;
-    return base + ((size_t)payload << smvm_type_shift(kind));
-}
-
-static void *operand(Run *r, uint32_t index, uint8_t *kind, uint32_t *payload, uint8_t *type)
-{
-    uint32_t entry = smvm_u24(r->m.image, r->m.operands_at + 3 * index);
-
-    *kind = entry & ((1u << SMVM_KIND_BITS) - 1u);
-    *payload = entry >> SMVM_KIND_BITS;
-    return memory_of(r, *kind, *payload, type);
-}
+static uint8_t *placed(uint8_t *base, uint8_t type, SmvmAt at) { return base + (SmvmAt)(at << smvm_type_shift(type)); }
+static uint8_t *locals(const Run *r) { return (uint8_t *)r->vm + r->vm->local; }
+static SmF64 *temp(const Run *r, SmvmAt at) { return (SmF64 *)(void *)((uint8_t *)r->vm + r->t->temps) + at; }
 
 static SmF64 get(Run *r)
 {
-    uint8_t kind, type;
-    uint32_t payload;
-    const void *p = operand(r, next(r), &kind, &payload, &type);
+    uint8_t kind = look_up(r, next(r));
 
-    if (p == NULL)
-        return constant(r, kind, payload);
-    return type == SMVM_RAW ? *(const SmF64 *)p : sm_load((SmType)type, p);
+    if (kind < SMVM_K_LOCAL)
+        return sm_load((SmType)kind, placed(r->sv, kind, r->payload));
+    if (kind == SMVM_K_TEMP)
+        return *temp(r, r->payload);
+    if (kind == SMVM_K_ACC)
+        return r->payload == SMVM_RAW ? r->acc.number : sm_load((SmType)r->payload, &r->acc);
+    if (kind > SMVM_K_TEMP)
+        return kind == SMVM_K_INT ? integer(r) : constant(r, kind);
+    kind = (uint8_t)(kind - SMVM_K_LOCAL);
+    return sm_load((SmType)kind, placed(locals(r), kind, r->payload));
 }
 
-static void note(Run *r, uint32_t output)             // that it is written
+static void note(Run *r, SmvmAt output)               // that it is written
 {
     uint8_t *bits = r->vm->stored;
 
     if (output >= 64) {
-        bits = r->parts.stored;
-        output -= 64;
+        bits = (uint8_t *)r->vm + r->t->more;
+        output = (SmvmAt)(output - 64);
     }
     bits[output >> 3] = (uint8_t)(bits[output >> 3] | 1u << (output & 7u));
 }
 
-static void put(Run *r, uint32_t index, SmF64 x)
+static void put(Run *r, SmvmAt index, SmF64 x)
 {
-    uint8_t kind, type;
-    uint32_t payload;
-    void *p = operand(r, index, &kind, &payload, &type);
+    uint8_t kind = look_up(r, index);
 
-    if (kind < SMVM_K_LOCAL)
+    if (kind < SMVM_K_LOCAL) {
         note(r, index);
-    if (type == SMVM_RAW)
-        *(SmF64 *)p = x;
+        sm_store((SmType)kind, placed(r->sv, kind, r->payload), x);
+    } else if (kind == SMVM_K_TEMP)
+        *temp(r, r->payload) = x;
+    else if (kind != SMVM_K_ACC) {
+        kind = (uint8_t)(kind - SMVM_K_LOCAL);
+        sm_store((SmType)kind, placed(locals(r), kind, r->payload), x);
+    } else if (r->payload == SMVM_RAW)
+        r->acc.number = x;
     else
-        sm_store((SmType)type, p, x);
+        sm_store((SmType)r->payload, &r->acc, x);
 }
 
 // ---- operations ----
@@ -152,46 +160,46 @@ static SmF64 of_two(uint8_t op, SmF64 x, SmF64 y)
     }
 }
 
-static bool holds(uint8_t op, SmF64 x, SmF64 y)       // the condition of a jump on two operands
+// The condition of a jump on two operands; its opposite has the number behind it.
+static bool holds(uint8_t op, SmF64 x, SmF64 y)
 {
-    switch (op) {
-    case SMVM_jeq: return sm_eq(x, y);
-    case SMVM_jne: return !sm_eq(x, y);
-    case SMVM_jlt: return sm_lt(x, y);
-    case SMVM_jnlt: return !sm_lt(x, y);
-    case SMVM_jle: return sm_le(x, y);
-    default: return !sm_le(x, y);
-    }
+    const bool opposite = ((op - SMVM_jeq) & 1) != 0;
+
+    if (op < SMVM_jlt)
+        return sm_eq(x, y) != opposite;
+    return (op < SMVM_jle ? sm_lt(x, y) : sm_le(x, y)) != opposite;
 }
 
 static void jump_if(Run *r, bool condition)
 {
-    uint32_t distance = next(r);
+    SmvmAt distance = next(r);
 
     if (condition)
-        r->at += distance;
+        r->at = (SmvmAt)(r->at + distance);
 }
 
 void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(w, n, kind, x); }
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat) { return sm_roll_stat(w, n, kind, stat); }
 
-static void push(const Run *r, uint32_t w, SmF64 x)
-{
-    uint32_t entry = smvm_window(r->m.image, r->m.windows_at, w);
+static uint64_t *words_of(const Run *r, SmvmAt w) { return smvm_windows_of(r->vm)[w]; }
 
-    smvm_sample(r->parts.window[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, x);
+static void push(const Run *r, SmvmAt w, SmF64 x)
+{
+    uint32_t entry = smvm_window(r->image, r->t->windows, w);
+
+    smvm_sample(words_of(r, w), entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, x);
 }
 
-static SmF64 statistic(const Run *r, uint32_t w, SmStat stat)
+static SmF64 statistic(const Run *r, SmvmAt w, SmStat stat)
 {
-    uint32_t entry = smvm_window(r->m.image, r->m.windows_at, w);
+    uint32_t entry = smvm_window(r->image, r->t->windows, w);
 
-    return smvm_statistic(r->parts.window[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, stat);
+    return smvm_statistic(words_of(r, w), entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, stat);
 }
 
 static void window(Run *r, uint8_t op)
 {
-    uint32_t a = next(r);
+    SmvmAt a = next(r);
 
     if (op == SMVM_sample)
         push(r, a, get(r));
@@ -201,7 +209,7 @@ static void window(Run *r, uint8_t op)
 
 static void compute(Run *r, uint8_t op)
 {
-    uint32_t d = next(r);
+    SmvmAt d = next(r);
     SmF64 x = get(r);
 
     put(r, d, op < SMVM_add ? of_one(op, x) : of_two(op, x, get(r)));
@@ -219,16 +227,29 @@ static void jump(Run *r, uint8_t op)
     }
 }
 
-// Runs a function; gives the state that it goes to, or 0.
-static uint32_t run(Run *r, uint32_t function)
+// Where function `index` ends (image.h).
+static SmvmAt end_of(const Run *r, SmvmAt index)
 {
-    uint32_t start = function == 0 ? 0 : smvm_function_end(&r->m, function - 1);
+    SmvmAt at = (SmvmAt)(r->t->functions + index), end;
 
-    if (start == smvm_function_end(&r->m, function))
+    for (uint8_t i = 1; i < r->t->width; i++)
+        at = (SmvmAt)(at + index);
+    end = smvm_u8(r->image, at);
+    for (uint8_t i = 1; i < r->t->width; i++)
+        end = (SmvmAt)(end + ((SmvmAt)smvm_u8(r->image, at + i) << 8 * i));
+    return end;
+}
+
+// Runs a function; gives the state that it goes to, or 0.
+static SmvmAt run(Run *r, SmvmAt function)
+{
+    SmvmAt start = function == 0 ? 0 : end_of(r, (SmvmAt)(function - 1));
+
+    if (start == end_of(r, function))
         return 0;
-    r->at = r->m.code_at + start;
+    r->at = (SmvmAt)(r->vm->code + start);
     for (;;) {
-        uint8_t op = smvm_u8(r->m.image, r->at++);
+        uint8_t op = smvm_u8(r->image, r->at++);
         if (op >= SMVM_avg)
             window(r, op);
         else if (op >= SMVM_mov)
@@ -244,36 +265,51 @@ static uint32_t run(Run *r, uint32_t function)
 
 // ---- the step ----
 
-static uint8_t *element(const Run *r, uint32_t operand) { return r->sv + smvm_operand(&r->m, operand).offset; }
-
 static void clear_stored(Run *r)
 {
     memset(r->vm->stored, 0, sizeof r->vm->stored);
-    memset(r->parts.stored, 0, (size_t)r->parts.stored_bytes);
+    if (r->t->more_bytes != 0)
+        memset((uint8_t *)r->vm + r->t->more, 0, r->t->more_bytes);
+}
+
+static SmResult one_step(Run *r)
+{
+    SmVm *vm = r->vm;
+    SmvmAt block = (SmvmAt)(3 * vm->state - 2), to = 0;        // the functions of the state: entry, step, exit
+
+    if (!smvm_begin(vm, r->sv + r->t->g, r->sv + r->t->s))
+        return SM_REFUSED;
+    clear_stored(r);
+    run(r, 0);
+    if (vm->first)
+        to = run(r, block);
+    if (to == 0)
+        to = run(r, (SmvmAt)(block + 1));
+    if (to != 0) {
+        run(r, (SmvmAt)(block + 2));
+        vm->state = to;
+    }
+    vm->first = to != 0;
+    return SM_OK;
 }
 
 SmResult smvm_step(SmVm *vm, void *sv)
 {
-    uint32_t block = 3 * (uint32_t)vm->state - 2, to = 0;      // the functions of the state: entry, step, exit
     Run r;
+#if SMVM_KEEP_TABLES
+    r.t = &vm->tables;
+#else
+    SmvmTables tables;
+    SmvmMachine m;
 
-    memset(&r, 0, sizeof r);
+    smvm_again(vm, &m);
+    smvm_tables(&m, vm, &tables);
+    r.t = &tables;
+#endif
     r.vm = vm;
     r.sv = (uint8_t *)sv;
-    smvm_again(vm, &r.m);
-    r.parts = smvm_parts(vm, &r.m);
-    if (!smvm_begin(vm, element(&r, r.m.outputs), element(&r, r.m.outputs + 1)))
-        return SM_REFUSED;
-    clear_stored(&r);
-    run(&r, 0);
-    if (vm->first)
-        to = run(&r, block);
-    if (to == 0)
-        to = run(&r, block + 1);
-    if (to != 0) {
-        run(&r, block + 2);
-        vm->state = (SmvmAt)to;
-    }
-    vm->first = to != 0;
-    return SM_OK;
+    r.image = vm->image;
+    r.at = 0;
+    r.acc.cell = 0;
+    return one_step(&r);
 }

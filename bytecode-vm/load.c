@@ -163,10 +163,8 @@ static uint32_t window_bytes(const SmvmMachine *m, uint32_t w)
 
 static uint32_t stored_bytes(const SmvmMachine *m) { return m->outputs > 64 ? (m->outputs - 64 + 7) / 8 : 0; }
 
-static uint32_t windows_start(const SmvmMachine *m)
-{
-    return plus(up8(sizeof(SmVm)) + up8(m->windows * (uint32_t)sizeof(uint64_t *)), m->temps * (uint32_t)sizeof(SmF64));
-}
+static uint32_t temps_start(const SmvmMachine *m) { return up8(sizeof(SmVm)) + up8(m->windows * (uint32_t)sizeof(uint64_t *)); }
+static uint32_t windows_start(const SmvmMachine *m) { return plus(temps_start(m), m->temps * (uint32_t)sizeof(SmF64)); }
 
 static uint32_t locals_start(const SmvmMachine *m)
 {
@@ -181,15 +179,29 @@ uint32_t smvm_ram_size(const SmvmMachine *m) { return plus(plus(locals_start(m),
 
 SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m)
 {
-    uint8_t *start = (uint8_t *)vm + up8(sizeof *vm);
     SmvmParts p;
 
-    p.window = (uint64_t **)(void *)start;
-    p.temp = (SmF64 *)(void *)(start + up8(m->windows * (uint32_t)sizeof(uint64_t *)));
+    p.window = smvm_windows_of(vm);
+    p.temp = (SmF64 *)(void *)((uint8_t *)vm + temps_start(m));
     p.local = (uint8_t *)vm + vm->local;
     p.stored = p.local + m->locals;
     p.stored_bytes = stored_bytes(m);
     return p;
+}
+
+void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t)
+{
+    t->windows = (SmvmAt)m->windows_at;
+    t->operands = (SmvmAt)m->operands_at;
+    t->functions = (SmvmAt)m->functions_at;
+    t->f32s = (SmvmAt)m->f32s_at;
+    t->f64s = (SmvmAt)m->f64s_at;
+    t->width = m->width;
+    t->temps = (SmvmAt)temps_start(m);
+    t->more = (SmvmAt)(vm->local + m->locals);
+    t->more_bytes = (SmvmAt)stored_bytes(m);
+    t->g = (SmvmAt)smvm_operand(m, m->outputs).offset;
+    t->s = (SmvmAt)smvm_operand(m, m->outputs + 1).offset;
 }
 
 static void lay_out(SmVm *vm, const SmvmMachine *m)
@@ -242,6 +254,9 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
     vm->code = (SmvmAt)m->code_at;
     lay_out(vm, m);
     set_locals(vm, m);
+#if SMVM_KEEP_TABLES
+    smvm_tables(m, vm, &vm->tables);
+#endif
     vm->state = (SmvmAt)state;
     vm->first = true;
     sm_cell_store(SM_U32, (uint8_t *)sv->at + smvm_operand(m, m->outputs + 1).offset, state);

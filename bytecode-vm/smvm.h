@@ -77,6 +77,14 @@ SmvmOperand smvm_operand(const SmvmMachine *m, uint32_t index);
 
 // ---- running ----
 
+// Where in its image, its memory and the state vector a machine that runs has what.
+typedef struct SmvmTables {
+    SmvmAt windows, operands, functions, f32s, f64s;      // in the image
+    SmvmAt temps, more, more_bytes;                       // behind the SmVm: temps; bits of the outputs from 64 on
+    SmvmAt g, s;                                          // in the state vector
+    uint8_t width;            // bytes of an entry in the table of functions
+} SmvmTables;
+
 // A machine that runs; lies at the start of the memory given to smvm_init.  Read it through the functions below.
 typedef struct SmVm {
     SmvmBytes image;
@@ -85,6 +93,9 @@ typedef struct SmVm {
     SmvmAt machine, code;     // where in the image its MACHINE and CODE are; what they say is read again at each step
     SmvmAt local;             // how far behind this the locals are
     SmvmAt state;             // the one that the next step runs
+#if SMVM_KEEP_TABLES
+    SmvmTables tables;
+#endif
     bool first;               // the next step is the first of `state`
     bool entered;             // the last step was the first of its state: it stored S
 } SmVm;

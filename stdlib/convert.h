@@ -230,8 +230,42 @@ static inline void sm_cell_store(SmType type, void *p, uint64_t cell)
     }
 }
 
-// Reading and assigning an element at p.
-static inline SmF64 sm_load(SmType type, const void *p) { return sm_cell_to_f64(type, sm_cell_load(type, p)); }
-static inline void sm_store(SmType type, void *p, SmF64 x) { sm_cell_store(type, p, sm_cell_from_f64(type, x)); }
+// Reading and assigning an element at p: as through a cell, but an 8-bit computer need not make 64 bits of what has 8.
+static inline SmF64 sm_load(SmType type, const void *p)
+{
+    switch (type) {
+    case SM_I8: { int8_t v; memcpy(&v, p, sizeof v); return sm_from_i32(v); }
+    case SM_I16: { int16_t v; memcpy(&v, p, sizeof v); return sm_from_i32(v); }
+    case SM_I32: { int32_t v; memcpy(&v, p, sizeof v); return sm_from_i32(v); }
+    case SM_I64: { int64_t v; memcpy(&v, p, sizeof v); return sm_from_i64(v); }
+    case SM_U8: { uint8_t v; memcpy(&v, p, sizeof v); return sm_from_u32(v); }
+    case SM_U16: { uint16_t v; memcpy(&v, p, sizeof v); return sm_from_u32(v); }
+    case SM_U32: { uint32_t v; memcpy(&v, p, sizeof v); return sm_from_u32(v); }
+    case SM_U64: { uint64_t v; memcpy(&v, p, sizeof v); return sm_from_u64(v); }
+    case SM_F32: { float v; memcpy(&v, p, sizeof v); return sm_read_f32(v); }
+    case SM_F64: { SmF64 v; memcpy(&v, p, sizeof v); return sm_read_f64(v); }
+    case SM_BOOL: return sm_from_i32(*(const uint8_t *)p != 0);
+    case SM_TYPE_COUNT: break;
+    }
+    return sm_from_i32(0);
+}
+
+static inline void sm_store(SmType type, void *p, SmF64 x)
+{
+    switch (type) {
+    case SM_I8: { const int8_t v = sm_to_i8(x); memcpy(p, &v, sizeof v); break; }
+    case SM_I16: { const int16_t v = sm_to_i16(x); memcpy(p, &v, sizeof v); break; }
+    case SM_I32: { const int32_t v = sm_to_i32(x); memcpy(p, &v, sizeof v); break; }
+    case SM_I64: { const int64_t v = sm_to_i64(x); memcpy(p, &v, sizeof v); break; }
+    case SM_U8: *(uint8_t *)p = sm_to_u8(x); break;
+    case SM_U16: { const uint16_t v = sm_to_u16(x); memcpy(p, &v, sizeof v); break; }
+    case SM_U32: { const uint32_t v = sm_to_u32(x); memcpy(p, &v, sizeof v); break; }
+    case SM_U64: { const uint64_t v = sm_to_u64(x); memcpy(p, &v, sizeof v); break; }
+    case SM_F32: { const float v = sm_to_f32(x); memcpy(p, &v, sizeof v); break; }
+    case SM_F64: { const SmF64 v = sm_to_f64(x); memcpy(p, &v, sizeof v); break; }
+    case SM_BOOL: *(uint8_t *)p = sm_to_bool(x); break;
+    case SM_TYPE_COUNT: break;
+    }
+}
 
 #endif
