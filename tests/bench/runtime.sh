@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # `make bench-runtime`:  runtime.sh BUILD CC
 # What an access to the state vector costs, in instructions (callgrind: of one call, without the loop around it) and nanoseconds,
-# and what code and tables of state vector and events weigh on x86-64 and Cortex-M3.
+# and what code and tables of state vector and events weigh.
 build=$1 cc=$2
 dir=$build/bench/runtime made=$build/runtime/made
 mkdir -p "$dir"
@@ -38,18 +38,43 @@ awk '
 
 # ---- what it weighs ----
 
-weigh() {                     # weigh NAME SIZE COMPILER FLAGS…
-    name=$1 size=$2
+# What stands in which group; a program carries those that it uses (-ffunction-sections -fdata-sections, --gc-sections).
+groups='
+function hex(text,    n, i) { for (i = 1; i <= length(text); i++) n = n * 16 + index("0123456789abcdef", substr(text, i, 1)) - 1; return n }
+function group(name) {
+    if (name ~ /^sm_(enter|leave|statevec_init)$/) return "lock"
+    if (name ~ /^sm_read_number$/) return "reading a number"
+    if (name ~ /^sm_write_number$/) return "writing a number"
+    if (name ~ /^(sm_read_[A-Z]|read_typed)/) return "reading typed, all 11"
+    if (name ~ /^(sm_write_[A-Z]|write_typed)/) return "writing typed, all 11"
+    if (name ~ /^sm_(un)?pack_region$|^(gather|order|scatter|put|get)$/) return "wire form"
+    if (name ~ /region$/) return "regions"
+    if (name ~ /^sm_find|^find$|^same$/) return "names"
+    if (name ~ /^sm_event_name$/) return "names of events"
+    if (name ~ /^sm_event|^enter$|^leave$|^gone$/) return "events"
+    if (name ~ /_names$/) return "V: names, without texts"
+    if (name ~ /_sv$/) return "V: elements (RAM)"
+    if (name ~ /_vector$/) return "V: SmStateVec (RAM)"
+    if (name ~ /^fight_/) return "V: layout"
+    return "shared: places, sizes, cells"
+}
+NF == 4 { bytes[group($4)] += hex($2) }
+END { for (g in bytes) printf "%-12s %-32s %6d\n", name, g, bytes[g] }'
+
+weigh() {                     # weigh NAME NM COMPILER FLAGS…
+    name=$1 nm=$2
     shift 2
     command -v "$1" >/dev/null 2>&1 || { echo "$1 is not here: $name is left out"; return; }
+    objects=
     for source in $ours "$made/fight.c"; do
-        "$@" $strict -Os -ffunction-sections -fdata-sections -I"$made" -c "$source" -o "$dir/$(basename "$source" .c).o" || return
+        object=$dir/$(basename "$source" .c).o
+        "$@" $strict -Os -ffunction-sections -fdata-sections -I"$made" -c "$source" -o "$object" || return
+        objects="$objects $object"
     done
-    for part in statevec region names event fight; do
-        $size "$dir/$part.o" | awk -v name="$name" -v part="$part" 'NR == 2 { printf "%-12s %-10s %8d %8d\n", name, part, $1, $2 + $3 }'
-    done
+    $nm -S $objects | awk -v name="$name" "$groups" | sort
 }
 
-printf '\n%-12s %-10s %8s %8s\n' '' '' 'ROM' 'RAM'
-weigh x86-64 size $cc
-weigh cortex-m3 arm-none-eabi-size arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb
+echo
+weigh x86-64 nm $cc
+weigh cortex-m3 arm-none-eabi-nm arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb
+weigh atmega328p avr-nm avr-gcc -mmcu=atmega328p

@@ -9,6 +9,7 @@ dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-targets.XXXXXX") || exit 1
 trap 'rm -rf "$dir"' EXIT
 strict='-std=c99 -Os -ffunction-sections -fdata-sections -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
         -pedantic -Werror -I.'
+strict_cpp='-std=c++11 -Wall -Wextra -Wconversion -Wshadow -pedantic -Werror -I.'
 sources='runtime-c/statevec.c runtime-c/region.c runtime-c/names.c runtime-c/event.c'
 
 check() {                     # check SENTENCE COMMAND…
@@ -23,7 +24,7 @@ check() {                     # check SENTENCE COMMAND…
     fi
 }
 
-for v in wide plain; do
+for v in wide plain narrow; do
     "$smc" build "$here/$v.sv" --emit=c --runtime -o "$dir/$v.c" || failed=$((failed + 1))
 done
 
@@ -32,14 +33,30 @@ compiles() {                  # compiles COMPILER FLAGS…
         skipped=$((skipped + 1))
         return
     fi
-    for source in $sources "$dir/wide.c" "$dir/plain.c"; do
+    for source in $sources "$dir/wide.c" "$dir/plain.c" "$dir/narrow.c"; do
         check "$* $source" "$@" $strict -I"$dir" -c "$source" -o "$dir/x.o"
     done
 }
+compiles gcc
+compiles clang-19
 compiles avr-gcc -mmcu=atmega328p
 compiles avr-gcc -mmcu=atmega2560
 compiles arm-none-eabi-gcc -mcpu=cortex-m0 -mthumb
 compiles arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb
+
+# What smc makes is C++ as well.
+for cpp in g++ clang++-19; do
+    command -v $cpp >/dev/null 2>&1 || { skipped=$((skipped + 1)); continue; }
+    for v in wide plain narrow; do
+        check "$cpp $v" $cpp -x c++ $strict_cpp -I"$dir" -c "$dir/$v.c" -o "$dir/x.o"
+    done
+done
+
+# More elements than the runtime has numbers for: the C says so.
+{ echo '[All]'; awk 'BEGIN { for (i = 0; i < 65536; i++) print "U8 e" i }'; } >"$dir/vast.sv"
+"$smc" build "$dir/vast.sv" --emit=c --runtime -o "$dir/vast.c" || failed=$((failed + 1))
+refuses() { ! "$@" 2>"$dir/errors" && grep -q '65,535' "$dir/errors"; }
+check 'too many elements are refused' refuses $CC -std=c99 -I. -I"$dir" -c "$dir/vast.c" -o "$dir/x.o"
 
 # ---- what a program does not use is not in it ----
 

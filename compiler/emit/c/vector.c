@@ -128,6 +128,8 @@ static void put_names(const CUnit *u, const StateVec *sv, Buf *out)
 void put_vector_tables(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
 {
     buf_char(out, '\n');
+    if (sv->element.n > UINT16_MAX)
+        buf_str(out, "#error \"smc: the flight runtime numbers elements with 16 bits: 65,535 of them at most\"\n");
     put_storage(u, sv, out);
     put_elements(u, sv, n, out);
     put_layout(u, sv, out);
