@@ -331,7 +331,7 @@ check-avr: all $(B)/diff/difftest
 	sh tests/avr/run.sh $(B) '$(CC)' $(N) $(SEED) 300
 .PHONY: check-avr
 
-# tests/psl: what the headers of runtime-c/pal promise, on each platform.  Linux: with IIO devices in a folder of the test, and with
+# tests/psl: what the headers of runtime-c/pal promise, on each platform, and what io.h makes of its pins.  Linux: with IIO devices in a folder of the test, and with
 # calls that the test can let fail; the other watchdog is only compiled.
 ,               := ,
 PSL_SUITE       = $(filter-out tests/psl/bench_% tests/psl/own_% tests/psl/qemu_%,$(wildcard tests/psl/*.c))
@@ -340,7 +340,7 @@ PSL_FLAGS_linux = -DPSL_LINUX_IIO='"iio"'
 PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync fdatasync rename unlink pthread_mutex_timedlock timer_settime ppoll)
 define psl_test
 include runtime-c/psl/$(1)/psl.mk
-PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c
+PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c runtime-c/io.c runtime-c/statevec.c
 PSL_LIBS_$(1) := $$(PSL_LIBS)
 $$(B)/psl/$(1)/suite: $$(PSL_SRC_$(1):%.c=$$(B)/psl/$(1)/%.o)
 	$$(call say,LD)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(PSL_WRAP_$(1)) $$(PSL_LIBS_$(1))
@@ -392,10 +392,11 @@ psl-qemu:
 .PHONY: psl-qemu
 
 # tests/runtime: what the headers of runtime-c promise, one program a file: NAME_linux.c on Linux, with threads, and once more under the
-# thread sanitizer if the compiler has it; the others in the simulation.  V.sv of the folder is there as "V.h", M.sm too, with
-# the vector that RUNTIME_SV_M names.
+# thread sanitizer if the compiler has it; the others in the simulation.  V.sv of the folder is there as "V.h", V.io as "V_io.h", M.sm
+# too, with the vector that RUNTIME_SV_M names.
 RUNTIME_SRC   = $(wildcard runtime-c/*.c) $(filter-out %/store.c,$(wildcard bytecode-vm/target/*.c)) $(VM) $(STDLIB)
-RUNTIME_MADE  = $(patsubst tests/runtime/%,$(B)/runtime/made/%.c,$(basename $(wildcard tests/runtime/*.sv tests/runtime/*.sm)))
+RUNTIME_MADE  = $(patsubst tests/runtime/%,$(B)/runtime/made/%.c,$(basename $(wildcard tests/runtime/*.sv tests/runtime/*.sm))) \
+                $(patsubst tests/runtime/%.io,$(B)/runtime/made/%_io.c,$(wildcard tests/runtime/*.io))
 RUNTIME_TESTS = $(patsubst tests/runtime/%.c,$(B)/runtime/%,$(wildcard tests/runtime/*.c))
 RUNTIME_TSAN  = $(patsubst %_linux,%_tsan,$(filter %_linux,$(RUNTIME_TESTS)))
 RUNTIME_C     = $(STRICT_C) -I$(B)/runtime/made $(WARN)
@@ -403,6 +404,7 @@ RUNTIME_C     = $(STRICT_C) -I$(B)/runtime/made $(WARN)
 RUNTIME_SV_tester = stand
 RUNTIME_SV_bystander = stand
 RUNTIME_SV_store  = many
+RUNTIME_SV_pinned = pins
 RUNTIME_SV_first  = shared
 RUNTIME_SV_second = shared
 $(B)/runtime/made/plain_tester.c: tests/runtime/tester.sm tests/runtime/stand.sv $(B)/smc
@@ -410,13 +412,16 @@ $(B)/runtime/made/plain_tester.c: tests/runtime/tester.sm tests/runtime/stand.sv
 	@sed '/^\[options\]/d; /^lock/d' tests/runtime/stand.sv >$(@D)/unlocked/stand.sv
 	$(call say,SMC)$(B)/smc build --emit=c --runtime -w --prefix=plain_tester --sv $(@D)/unlocked/stand.sv -o $@ $<
 RUNTIME_MADE += $(B)/runtime/made/plain_tester.c
-$(B)/runtime/made/images.h: tests/runtime/images.sh $(wildcard tests/runtime/*.sm tests/runtime/*.sv) $(B)/smc
+$(B)/runtime/made/images.h: tests/runtime/images.sh $(wildcard tests/runtime/*.sm tests/runtime/*.sv tests/runtime/*.io) $(B)/smc
 	@mkdir -p $(@D)
 	$(call say,SMC)sh tests/runtime/images.sh $(B)/smc >$@.new && mv $@.new $@
 $(RUNTIME_TESTS) $(RUNTIME_TSAN): | $(B)/runtime/made/images.h
 $(B)/runtime/made/%.c: tests/runtime/%.sv $(B)/smc
 	@mkdir -p $(@D)
 	$(call say,SMC)$(B)/smc build --emit=c --runtime -w -o $@ $<
+$(B)/runtime/made/%_io.c: tests/runtime/%.io tests/runtime/%.sv $(B)/smc
+	@mkdir -p $(@D)
+	$(call say,SMC)$(B)/smc build --emit=c --sv tests/runtime/$*.sv -o $@ $<
 $(B)/runtime/made/%.c: tests/runtime/%.sm $(B)/smc
 	@mkdir -p $(@D)
 	$(call say,SMC)$(B)/smc build --emit=c --runtime -w $(if $(RUNTIME_SV_$*),--sv tests/runtime/$(RUNTIME_SV_$*).sv) -o $@ $<

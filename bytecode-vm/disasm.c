@@ -373,6 +373,57 @@ static void machine(Out *o, uint32_t index)
         function(o, f);
 }
 
+// ---- pins ----
+
+static void real(Out *o, const char *before, SmF64 x)
+{
+    text(o, before);
+    if (sm_eq(sm_trunc(x), x) && sm_le(sm_abs(x), sm_from_i32(INT32_MAX))) {
+        text(o, sm_lt(x, sm_from_i32(0)) ? "-" : "");
+        number(o, sm_cut_u32(sm_abs(x)));
+    } else {
+        text(o, "0x");
+        hex(o, sm_bits(x), 16);
+    }
+}
+
+static void pin(Out *o, const SmvmPin *p)
+{
+    text(o, p->kind & 2 ? "    digital " : "    analog ");
+    text(o, p->kind & 1 ? "o " : "i ");
+    number(o, p->pin);
+    pad(o, 20);
+    text(o, sm_type_info[p->type].spelling);
+    text(o, " at ");
+    number(o, p->offset);
+    if (!sm_eq(p->scale, sm_from_i32(1)))
+        real(o, " @scale ", p->scale);
+    if (!sm_eq(p->zero, sm_from_i32(0)))
+        real(o, " @offset ", p->zero);
+    if (!sm_eq(p->safe, sm_from_i32(0)))
+        real(o, " @safe ", p->safe);
+    text(o, p->flags & 1 ? " @inverted" : "");
+    text(o, p->flags & 2 ? " @pull_up" : p->flags & 4 ? " @pull_down" : "");
+    if (p->hold)
+        real(o, " @hold ", sm_from_u32(p->hold));
+    text(o, "\n");
+}
+
+static void pins(Out *o, SmvmBytes image)
+{
+    SmvmPins all;
+    SmvmPin p;
+
+    if (!smvm_pins(image, &all))
+        return;
+    text(o, "\npins\n");
+    line(o, "state vector", 8 * all.sv_size, " bytes, layout ");
+    hex(o, all.layout, 8);
+    text(o, "\n");
+    while (smvm_next_pin(&all, &p))
+        pin(o, &p);
+}
+
 static const char *section_name(uint8_t id)
 {
     switch (id) {
@@ -420,6 +471,7 @@ void smvm_disasm(SmvmBytes image, SmvmWrite write, void *context)
     hex(&o, smvm_uint(image, SMVM_CRC_AT, 4), 8);
     text(&o, "\n");
     sections(&o, image);
+    pins(&o, image);
     for (uint32_t i = 0; smvm_machine(image, i, &m); i++)
         machine(&o, i);
 }

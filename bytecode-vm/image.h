@@ -151,6 +151,9 @@ static inline uint32_t smvm_function_end(const SmvmMachine *m, uint32_t index)
 
 uint8_t smvm_shape(uint8_t opcode);                   // 0 if it is none
 
+// Gives 0, or the rule that the IO section breaks, and where (pins.c).
+uint8_t smvm_check_pins(SmvmBytes image, uint32_t *at);
+
 // Windows, for all that runs code (interp.c): stdlib/roll.h made for each type is long.
 void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x);
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat);

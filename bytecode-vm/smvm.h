@@ -75,6 +75,35 @@ typedef struct SmvmOperand {
 } SmvmOperand;
 SmvmOperand smvm_operand(const SmvmMachine *m, uint32_t index);
 
+// ---- pins ----
+
+// A pin that an image carries, as config.md 9 says; numbers of kinds and flags are those of runtime-c/io.h.
+typedef struct SmvmPin {
+    uint8_t kind;             // bit 0: an output; bit 1: digital
+    uint8_t type;             // of the element
+    uint8_t flags;            // 1 inverted, 2 pulled up, 4 pulled down
+    uint8_t hold;             // inputs: steps that the last measurement is kept
+    uint32_t pin;             // 0 to 65535
+    uint32_t offset;          // the element's place in the state vector
+    SmF64 scale, zero;        // analog: element = volts * scale + zero
+    SmF64 safe;               // outputs
+} SmvmPin;
+
+// Stands before the next of them.
+typedef struct SmvmPins {
+    SmvmBytes image;
+    uint32_t layout;          // hash of the layout of the state vector they are for
+    uint32_t sv_size;         // of that, in units of 8 bytes
+    uint32_t left;            // how many are still to come
+    uint32_t at, end;
+} SmvmPins;
+
+// Before the first pin of an image; false if it carries none.
+bool smvm_pins(SmvmBytes image, SmvmPins *p);
+
+// Reads the next one, in the order of the .io; false at the end.
+bool smvm_next_pin(SmvmPins *p, SmvmPin *pin);
+
 // ---- running ----
 
 // Where in its image, its memory and the state vector a machine that runs has what.

@@ -87,7 +87,7 @@ static bool is_known(const SmvmSection *s)
 static bool check_sections(Check *c, SmvmBytes image)
 {
     uint32_t n = smvm_sections(image), free_from = SMVM_HEADER + n * SMVM_ENTRY, i;
-    bool machine = false, code = true, init = true;
+    bool machine = false, code = true, init = true, pins = false;
 
     for (i = 0; i < n; i++) {
         const uint32_t entry = SMVM_HEADER + i * SMVM_ENTRY;
@@ -98,8 +98,10 @@ static bool check_sections(Check *c, SmvmBytes image)
         if (!is_known(&s))
             return fail(c, SMVM_R_UNKNOWN, entry);
         if ((s.id == SMVM_S_MACHINE && !code) || (s.id == SMVM_S_CODE && code) || (s.id == SMVM_S_INIT && init)
-            || (s.id == SMVM_S_DEBUG && s.version == SMVM_V_DEBUG && !machine))
+            || (s.id == SMVM_S_DEBUG && s.version == SMVM_V_DEBUG && !machine)
+            || (s.id == SMVM_S_IO && s.version == SMVM_V_IO && (machine || pins)))
             return fail(c, SMVM_R_GROUP, entry);
+        pins = pins || (s.id == SMVM_S_IO && s.version == SMVM_V_IO);
         if (s.id == SMVM_S_MACHINE) {
             machine = true;
             code = init = false;
@@ -480,6 +482,14 @@ uint32_t smvm_longest_step(const SmvmMachine *m)
     return longest;
 }
 
+static bool check_pins(Check *c, SmvmBytes image)
+{
+    uint32_t at;
+    uint8_t rule = smvm_check_pins(image, &at);
+
+    return rule == 0 || fail(c, rule, at);
+}
+
 uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v)
 {
     Check c;
@@ -488,7 +498,7 @@ uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v)
     memset(v, 0, sizeof *v);
     memset(&c, 0, sizeof c);
     c.v = v;
-    if (!check_header(&c, image, size) || !check_crc(&c, image) || !check_sections(&c, image))
+    if (!check_header(&c, image, size) || !check_crc(&c, image) || !check_sections(&c, image) || !check_pins(&c, image))
         return v->rule;
     // The number of machines is at most that of sections, 255: asking for each by its number stays linear in practice and bound.
     while (smvm_machine(image, v->machine, &c.m)) {

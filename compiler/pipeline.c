@@ -197,7 +197,7 @@ IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 
 bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out)
 {
-    return emit_image(&s->arena, &s->diags, m, n, o->debug, out);
+    return emit_image(&s->arena, &s->diags, m, n, o->io, o->debug, out);
 }
 
 void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)

@@ -49,7 +49,10 @@ Script *session_script(Session *s, const Source *ss, const Program *p);
 void session_analyse(Session *s, const Program *p);           // warns of what looks wrong in a machine that is no error
 
 // Several machines over one state vector make one image.
-typedef struct ImageOptions { bool debug; } ImageOptions;      // debug: with names and lines
+typedef struct ImageOptions {
+    bool debug;               // with names and lines
+    const IoMap *io;          // the pins that it carries; or NULL
+} ImageOptions;
 bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out);
 
 // C (emit_c.h): one machine, or a state vector by itself, which stand alone; pins, for runtime-c.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Rules for projects that build state machines, or whole applications:  include smc.mk
-#   tank.smb from tank.sm: bytecode.      tank.c and tank.h from tank.sm: C99.
+#   tank.smb from tank.sm: bytecode.      tank.c and tank.h from tank.sm: C99.      app_io.c and app_io.h from app.io: C99 for runtime-c.
 # Set SMC_SV to the application's state vector (app.sv) if there is one, SMCFLAGS to further options.
 #   rocket from rocket.app: a program.  Set before the include
 #     SMC_APP       rocket
@@ -20,7 +20,10 @@ SMC_ARGS  = $(SMCFLAGS) $(if $(SMC_SV),--sv=$(SMC_SV))
 %.c %.h: %.sm $(SMC_SV)
 	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*.c -MD -MP -MF $*.sm.d -MT '$*.c $*.h'
 
--include $(wildcard *.smb.d *.sm.d)
+%_io.c %_io.h: %.io $(SMC_SV)
+	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*_io.c -MD -MP -MF $*.io.d -MT '$*_io.c $*_io.h'
+
+-include $(wildcard *.smb.d *.sm.d *.io.d)
 
 # ---- an application ----
 

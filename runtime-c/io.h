@@ -23,6 +23,7 @@
 extern "C" {
 #endif
 
+// Bit 0: an output; bit 1: digital.
 typedef enum SmIoKind { SM_ANALOG_IN, SM_ANALOG_OUT, SM_DIGITAL_IN, SM_DIGITAL_OUT } SmIoKind;
 
 enum { SM_IO_INVERTED = 1, SM_IO_PULL_UP = 2, SM_IO_PULL_DOWN = 4 };     // SmIoPin.flags
@@ -44,7 +45,7 @@ typedef struct SmIo {
     uint16_t pins;
     SmStateVec *sv;
     uint8_t *handle;          // one byte a pin: the PAL's handles
-    uint8_t *missed;          // one byte a pin: failed steps in a row, up to 255; any value before init
+    uint16_t *missed;         // one a pin: failed steps in a row, up to 65535; any value before init
     uint64_t *value;          // one a pin: the element's bits on their way
     // What follows is the runtime's.
     uint16_t failed;          // INIT: which of `pin` could not be opened; afterwards the last one that failed

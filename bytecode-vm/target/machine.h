@@ -7,7 +7,7 @@
 //     static SmMachine m = {.name = "mission", .type = &smvm_machine_type, .self = &mission, .sv = &rocket_vector, …};
 //
 // The image is verified in sm_machine_init, whoever made it.  An image of several machines has an SmvmTarget for each.
-// Link load.c, interp.c, verify.c, debug.c and this folder's machine.c.
+// Link load.c, pins.c, interp.c, verify.c, debug.c and this folder's machine.c.
 #ifndef SMVM_TARGET_MACHINE_H
 #define SMVM_TARGET_MACHINE_H
 

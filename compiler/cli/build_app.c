@@ -96,7 +96,7 @@ static void add_pins(AppBuild *b)
 // With names, which a log wants, unless they are to be left out.
 static bool make_image(AppBuild *b, const Program *p, Buf *out)
 {
-    ImageOptions o = {!b->c->given[OPT_STRIP]};
+    ImageOptions o = {!b->c->given[OPT_STRIP], NULL};
     IrMachine *m;
 
     b->c->session.hide_locals = !o.debug;

@@ -156,13 +156,28 @@ static int build_pins(Cli *c, const Source *sv, Outputs *o)
     return EXIT_OK;
 }
 
+// The pins of --io beside the machines; *io is NULL where there were mistakes.
+static int load_pins(Cli *c, const Source *sv, const Program *const *programs, size_t n, const IoMap **io)
+{
+    const Source *src = cli_load(c, c->value[OPT_IO]);
+
+    if (!src)
+        return EXIT_ENVIRONMENT;
+    if ((*io = session_io(&c->session, src, sv)) == NULL)
+        return EXIT_PROBLEM;
+    for (size_t i = 0; i < n; i++)
+        analyse_pins(&c->session.arena, &c->session.diags, *io, programs[i]);
+    return EXIT_OK;
+}
+
 static int build_machines(Cli *c, Emit emit, const Source *sv, Outputs *o)
 {
     IrMachine **m = ARENA_ARRAY(&c->session.arena, IrMachine *, c->files);
-    ImageOptions image = {c->given[OPT_DEBUG] && !c->given[OPT_STRIP]};
+    ImageOptions image = {c->given[OPT_DEBUG] && !c->given[OPT_STRIP], NULL};
     Buf *out = new_buf(c);
     const Program **programs = ARENA_ARRAY(&c->session.arena, const Program *, c->files);
     size_t built = 0;
+    int code;
 
     c->session.hide_locals = emit != EMIT_C && !image.debug;     // in C anyone can look at them
     for (size_t i = 0; i < c->files; i++) {
@@ -181,6 +196,8 @@ static int build_machines(Cli *c, Emit emit, const Source *sv, Outputs *o)
     }
     if (sv)
         analyse_together(&c->session.arena, &c->session.diags, programs, built);
+    if (c->given[OPT_IO] && (code = load_pins(c, sv, programs, built, &image.io)) != EXIT_OK)
+        return code;
     if (built < c->files)
         return EXIT_PROBLEM;
     if (emit == EMIT_BYTECODE) {
@@ -232,6 +249,8 @@ static int check_use(Cli *c, Emit emit, FileKind *first)
         return cli_usage(c, "pins are built with their state vector, as in 'smc build %s --sv app.sv --emit=c'", c->file[0]);
     if (*first == FILE_IO && emit < EMIT_AST && emit != EMIT_C)
         return cli_usage(c, "pins alone give C only; say --emit=c");
+    if (c->given[OPT_IO] && (*first != FILE_SM || emit != EMIT_BYTECODE || !c->given[OPT_SV]))
+        return cli_usage(c, "--io puts pins into an image, as in 'smc build tank.sm --sv app.sv --io %s'", c->value[OPT_IO]);
     if (*first == FILE_SS && emit < EMIT_AST)
         return cli_usage(c, "a state script is not built; 'smc test MACHINE.sm %s' runs it", c->file[0]);
     if (*first == FILE_SV && (emit == EMIT_BYTECODE || emit == EMIT_IR))
@@ -281,14 +300,17 @@ static int build(Cli *c, Emit emit, FileKind first, Outputs *o)
     return first == FILE_IO ? build_pins(c, sv, o) : build_machines(c, emit, sv, o);
 }
 
-// What -MD names: all files of the call, and the state vector.
+// What -MD names: all files of the call, the state vector and the pins.
 static Inputs build_inputs(Cli *c)
 {
-    Inputs in = {ARENA_ARRAY(&c->session.arena, const char *, c->files + 1), 0};
+    Inputs in = {ARENA_ARRAY(&c->session.arena, const char *, c->files + 2), 0};
 
-    for (size_t i = 0; i <= c->files; i++)
-        if (i < c->files || c->value[OPT_SV])
-            in.at[in.n++] = i < c->files ? c->file[i] : c->value[OPT_SV];
+    for (size_t i = 0; i < c->files; i++)
+        in.at[in.n++] = c->file[i];
+    if (c->value[OPT_SV])
+        in.at[in.n++] = c->value[OPT_SV];
+    if (c->value[OPT_IO])
+        in.at[in.n++] = c->value[OPT_IO];
     return in;
 }
 

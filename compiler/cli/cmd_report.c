@@ -29,7 +29,7 @@ typedef struct ReportCommand {
 
 static bool make_image(ReportCommand *x, IrMachine *m, bool debug, Buf *image)
 {
-    const ImageOptions o = {debug};
+    const ImageOptions o = {debug, NULL};
 
     buf_init(image, &x->c->session.arena);
     return session_image(&x->c->session, &m, 1, &o, image);

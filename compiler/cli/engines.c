@@ -47,7 +47,7 @@ typedef Engine *OpenVm(Arena *arena, const Program *p, const uint8_t *image, siz
 static Engine *open_vm(OpenVm *open, Session *s, const Program *p, int opt_level, const char **error)
 {
     IrMachine *m = session_ir(s, p, opt_level);
-    const ImageOptions with_names = {true};
+    const ImageOptions with_names = {true, NULL};
     Buf image;
 
     buf_init(&image, &s->arena);

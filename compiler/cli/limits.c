@@ -112,7 +112,7 @@ static void check_step(Cli *c, const Program *p, const Cost *cost, uint32_t most
 
 void limits_check(Cli *c, const Program *p, IrMachine *m)
 {
-    const ImageOptions with_lines = {true};
+    const ImageOptions with_lines = {true, NULL};
     Cost cost;
     Buf image;
 

@@ -144,7 +144,7 @@ static bool is_input(const Cli *c, const char *path)
     for (size_t i = 0; i < c->files; i++)
         if (os_same_file(c->file[i], path))
             return true;
-    return c->given[OPT_SV] && os_same_file(c->value[OPT_SV], path);
+    return (c->given[OPT_SV] && os_same_file(c->value[OPT_SV], path)) || (c->given[OPT_IO] && os_same_file(c->value[OPT_IO], path));
 }
 
 // What somebody has written by hand is not lost to a slip of the pen.

@@ -41,7 +41,7 @@ size=$(avr-size "$B/soft_avr.o" | awk 'NR == 2 { print $1 }')
 echo "soft binary64: $size bytes of flash"
 count test "$size" -le 2816
 # The VM: examples and random programs, in lock step with the VM here.
-avr vm -DSMVM_CONFIG='"tests/avr/vm_config.h"' tests/avr/vm.c bytecode-vm/load.c bytecode-vm/verify.c bytecode-vm/interp.c $SOFT || exit 1
+avr vm -DSMVM_CONFIG='"tests/avr/vm_config.h"' tests/avr/vm.c bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/verify.c bytecode-vm/interp.c $SOFT || exit 1
 $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_vm.c "$1/libsmc.a" -o "$B/run_vm" -lsimavr -lelf -lm || exit 1
 rm -rf "$B/images" "$B/program"
 mkdir -p "$B/images"

@@ -21,7 +21,7 @@ typedef struct Cost { double seconds; unsigned lines; size_t memory; } Cost;
 static bool compile(const Shape *shape, unsigned n, int level, Cost *cost)
 {
     MachineInput in = {NULL, NULL, NULL, 0};
-    ImageOptions options = {false};
+    ImageOptions options = {false, NULL};
     IrMachine *m;
     jmp_buf oom;
     Session s;

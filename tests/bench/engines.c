@@ -40,7 +40,7 @@ static const Source *read_source(Session *s, const char *path)
 
 static void make_image(Compiled *c, int level)
 {
-    ImageOptions options = {false};
+    ImageOptions options = {false, NULL};
     IrMachine *m = session_ir(&c->session, c->program, level);
 
     buf_init(&c->image[level], &c->session.arena);

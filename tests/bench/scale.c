@@ -49,7 +49,7 @@ static void compile(Session *s, const Shape *shape, unsigned n, double *at)
 {
     MachineInput in = {shape_source(s, "m.sm", shape->write, n), shape_source(s, "m.sv", shape->sv, n), NULL, 0};
     const Source *ss = shape_source(s, "m.ss", shape->ss, n);
-    ImageOptions image = {true};
+    ImageOptions image = {true, NULL};
     EmitCOptions c;
     IrMachine *m = NULL;
     Buf out, header;

@@ -39,7 +39,7 @@ static bool open_engine(Rig *r, const char *name)
 {
     IrMachine *ir = session_ir(&r->s, r->p, 2);
     Buf image;
-    ImageOptions options = {true};          // locals are compared by name
+    ImageOptions options = {true, NULL};          // locals are compared by name
     const char *error = NULL;
 
     if (strcmp(name, "ref") == 0)

@@ -57,7 +57,7 @@ static void check_cost(const Counted *c)
 
 static bool open_machine(Counted *c, Session *s, const Program *p, int level, bool debug)
 {
-    const ImageOptions o = {debug};
+    const ImageOptions o = {debug, NULL};
     IrMachine *m = session_ir(s, p, level);
 
     buf_init(&c->image, &s->arena);

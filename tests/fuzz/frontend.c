@@ -130,6 +130,9 @@ static void try_parse(Session *s, const Source *src, FileKind kind)
     lex_print(&s->arena, &s->strings, &s->diags, src, kind, &out);
 }
 
+// The state vector that pins are of.
+static const char wired[] = "[R]\nF64 x\nbool b\nU8 i\nF32 o\n";
+
 static void try_check(Session *s, const Source *src, FileKind kind)
 {
     MachineInput machine = {src, NULL, NULL, 0};
@@ -138,6 +141,8 @@ static void try_check(Session *s, const Source *src, FileKind kind)
         session_state_vector(s, src);
     } else if (kind == FILE_SM) {
         session_program(s, &machine);
+    } else if (kind == FILE_IO) {
+        session_io(s, src, source_new(&s->arena, "wired.sv", wired, sizeof wired - 1));
     } else {
         machine.sm = source_new(&s->arena, "tested.sm", tested, sizeof tested - 1);
         session_script(s, src, session_program(s, &machine));
@@ -147,7 +152,7 @@ static void try_check(Session *s, const Source *src, FileKind kind)
 
 static void run(const uint8_t *data, size_t size, void (*try)(Session *s, const Source *src, FileKind kind))
 {
-    FileKind kind = size && data[0] == 'v' ? FILE_SV : size && data[0] == 's' ? FILE_SS : FILE_SM;
+    FileKind kind = size && data[0] == 'v' ? FILE_SV : size && data[0] == 's' ? FILE_SS : size && data[0] == 'p' ? FILE_IO : FILE_SM;
     Session s;
     jmp_buf oom;
     char *text;

@@ -36,7 +36,7 @@ static void check_postdominators(Arena *a, const IrFn *f)
 
 static void check_backends(Session *s, IrMachine *m)
 {
-    ImageOptions o = {true};
+    ImageOptions o = {true, NULL};
     EmitCOptions c;
     SmvmVerdict why;
     Buf image, header, code;

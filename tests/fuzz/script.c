@@ -35,7 +35,7 @@ static size_t open_engines(Session *s, const Program *p, Engine **engine)
 
     engine[n++] = engine_ref_open(&s->arena, p);
     for (int i = 0; i < 2; i++) {
-        ImageOptions o = {true};                      // the engine finds locals by name
+        ImageOptions o = {true, NULL};                      // the engine finds locals by name
         const char *error = NULL;
         Buf image;
         buf_init(&image, &s->arena);

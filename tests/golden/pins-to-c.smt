@@ -49,7 +49,8 @@ static const SmIoPin input[2] = {
     {SM_ANALOG_IN, SM_F64, 0, 0, 0, 0, 0x406f400000000000u, 0xc05f400000000000u, 0},   // tankPressure, scale 250, offset -125
     {SM_DIGITAL_IN, SM_BOOL, SM_IO_INVERTED | SM_IO_PULL_UP, 3, 2, 8, 0, 0, 0},   // limitSwitch
 };
-static uint8_t input_handle[2], input_missed[2];
+static uint8_t input_handle[2];
+static uint16_t input_missed[2];
 static uint64_t input_value[2];
 
 SmIo rocket_inputs = {input, 2, &rocket_vector, input_handle, input_missed, input_value, 0};
@@ -58,7 +59,8 @@ static const SmIoPin output[2] = {
     {SM_ANALOG_OUT, SM_F32, 0, 0, 3, 20, 0x3ff0000000000000u, 0, 0x3fe0000000000000u},   // heaterVoltage, safe 0.5
     {SM_DIGITAL_OUT, SM_BOOL, 0, 0, 0, 16, 0, 0, 0},   // valveOpen
 };
-static uint8_t output_handle[2], output_missed[2];
+static uint8_t output_handle[2];
+static uint16_t output_missed[2];
 static uint64_t output_value[2];
 
 SmIo rocket_outputs = {output, 2, &rocket_vector, output_handle, output_missed, output_value, 0};

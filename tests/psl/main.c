@@ -8,7 +8,7 @@ static const struct {
 } contracts[] = {
     {"clock", contract_clock}, {"console", contract_console}, {"lock", contract_lock}, {"thread", contract_thread},
     {"nvm", contract_nvm}, {"log", contract_log}, {"serial", contract_serial}, {"socket", contract_socket},
-    {"dio", contract_dio}, {"aio", contract_aio}, {"watchdog", contract_watchdog},
+    {"dio", contract_dio}, {"aio", contract_aio}, {"io", contract_io}, {"watchdog", contract_watchdog},
 };
 
 static bool is_wanted(const char *name, int argc, char *argv[])

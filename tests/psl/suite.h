@@ -23,6 +23,7 @@ Tally contract_clock(void);
 Tally contract_console(void);
 Tally contract_aio(void);
 Tally contract_dio(void);
+Tally contract_io(void);
 Tally contract_lock(void);
 Tally contract_log(void);
 Tally contract_nvm(void);

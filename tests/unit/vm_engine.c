@@ -35,7 +35,7 @@ static Program *program(Session *s, const char *text)
 static Buf image(Session *s, const Program *p, bool debug)
 {
     IrMachine *m = session_ir(s, p, 1);
-    ImageOptions o = {debug};
+    ImageOptions o = {debug, NULL};
     Buf out;
 
     buf_init(&out, &s->arena);

@@ -9,6 +9,7 @@
 
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
+#include "stdlib/convert.h"
 #include "tests/unit/vm_build.h"
 
 enum { HAMMER_MEMORY = 1 << 24, HAMMER_SLOTS = 1 << 20 };
@@ -115,6 +116,28 @@ static inline void hammer_machine(const SmvmMachine *m, uint32_t steps, uint64_t
     hammer_close(&fast);
 }
 
+// What the pins say can be done: their elements lie in a vector of just that size.
+static inline void hammer_pins(const uint8_t *image)
+{
+    SmvmPins all;
+    SmvmPin p;
+    uint8_t *sv;
+
+    if (!smvm_pins(image, &all) || all.sv_size > HAMMER_MEMORY / 8)
+        return;
+    sv = (uint8_t *)calloc(1, 8 * all.sv_size + !all.sv_size);
+    if (!sv)
+        abort();
+    while (smvm_next_pin(&all, &p)) {
+        sm_store((SmType)p.type, sv + p.offset, sm_mul(p.scale, p.zero));
+        if (p.kind > 3 || p.pin > UINT16_MAX || sm_eq(p.scale, sm_from_i32(0)))
+            abort();
+    }
+    if (all.left > 0)
+        abort();
+    free(sv);
+}
+
 // Gives the rule that refused it, or 0.
 static inline uint8_t hammer(const uint8_t *image, uint32_t n, uint32_t steps, uint64_t seed)
 {
@@ -126,6 +149,7 @@ static inline uint8_t hammer(const uint8_t *image, uint32_t n, uint32_t steps, u
         return v.rule;
     for (uint32_t i = 0; smvm_machine(image, i, &m); i++)
         hammer_machine(&m, steps, &seed);
+    hammer_pins(image);
     smvm_disasm(image, hammer_sink, &sum);
     return 0;
 }

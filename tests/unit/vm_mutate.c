@@ -110,7 +110,7 @@ static void hammer_images_of(Arena *a, IrMachine *const *m, size_t n, bool debug
 
     diags_init(&diags, a);
     buf_init(&image, a);
-    CHECK(emit_image(a, &diags, m, n, debug, &image));
+    CHECK(emit_image(a, &diags, m, n, NULL, debug, &image));
     mutate((const uint8_t *)image.at, (uint32_t)image.n);
     cut((const uint8_t *)image.at, (uint32_t)image.n);
 }

@@ -59,7 +59,7 @@ static bool compile(Work *w, const char *text)
 {
     IrMachine *m = read(w, text);
 
-    if (!m || !emit_image(&w->arena, &w->diags, &m, 1, true, &w->image))
+    if (!m || !emit_image(&w->arena, &w->diags, &m, 1, NULL, true, &w->image))
         return false;
     smvm_disasm((const uint8_t *)w->image.at, list, &w->listing);
     smvm_machine((const uint8_t *)w->image.at, 0, &w->m);
@@ -428,9 +428,9 @@ static void too_many_machines(void)
     m[0] = read(&w, STEP "ret\n}");
     for (int i = 1; i < 90; i++)
         m[i] = m[0];
-    CHECK(emit_image(&w.arena, &w.diags, m, 63, true, &w.image));
+    CHECK(emit_image(&w.arena, &w.diags, m, 63, NULL, true, &w.image));
     w.image.n = 0;
-    CHECK(!emit_image(&w.arena, &w.diags, m, 90, true, &w.image));
+    CHECK(!emit_image(&w.arena, &w.diags, m, 90, NULL, true, &w.image));
     CHECK(w.diags.list.n == 1 && w.diags.list.at[0]->code == DIAG_image_size && strstr(w.diags.list.at[0]->text, "machines"));
     arena_free(&w.arena);
 }

@@ -12,9 +12,10 @@
 #include "compiler/base/vec.h"
 #include "compiler/diag/diag.h"
 #include "compiler/ir/ir.h"
+#include "compiler/sema/iomap.h"
 
-// Makes one image of n machines.  False if they exceed what the format can hold, which is then reported.
-bool emit_image(Arena *arena, Diags *diags, IrMachine *const *m, size_t n, bool debug, Buf *out);
+// Makes one image of n machines, and of pins (io may be NULL).  False if they exceed what the format can hold, which is then reported.
+bool emit_image(Arena *arena, Diags *diags, IrMachine *const *m, size_t n, const IoMap *io, bool debug, Buf *out);
 
 // ---- between the three files ----
 

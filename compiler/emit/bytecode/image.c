@@ -5,6 +5,7 @@
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
 #include "compiler/emit/bytecode/bytecode.h"
+#include "stdlib/convert.h"
 #include "stdlib/crc32.h"
 
 enum { SECTIONS_MOST = 255 };
@@ -59,6 +60,72 @@ static void add_identity(Writer *w, IrMachine *const *m, size_t n)
     buf_init(&b, w->arena);
     buf_u64(&b, hash);
     add_section(w, SMVM_S_IDENTITY, SMVM_V_IDENTITY, &b);
+}
+
+// ---- IO ----
+
+enum { PIN_SCALE = 0x20, PIN_OFFSET = 0x40, PIN_MORE = 0x80 };
+
+static bool is_whole_entry(SmF64 x)
+{
+    return sm_le(sm_from_i32(SMVM_INT_LEAST), x) && sm_le(x, sm_from_i32(SMVM_INT_MOST)) && sm_eq(sm_from_i32(sm_cut_i32(x)), x);
+}
+
+static void put_number(Buf *b, SmF64 x)
+{
+    if (is_whole_entry(x)) {
+        put_u24(b, ((uint32_t)sm_cut_i32(x) << SMVM_KIND_BITS | SMVM_K_INT) & 0xffffffu);
+    } else if (sm_eq(sm_from_f32(sm_to_f32(x)), x)) {
+        put_u24(b, SMVM_K_F32);
+        buf_u32(b, sm_f32_bits(sm_to_f32(x)));
+    } else {
+        put_u24(b, SMVM_K_F64);
+        buf_u64(b, sm_bits(x));
+    }
+}
+
+static bool is_zero(SmF64 x) { return sm_eq(x, sm_from_i32(0)); }
+
+static uint8_t front_of(const Pin *p)
+{
+    bool scale = !pin_is_digital(p) && !sm_eq(p->scale, sm_from_i32(1)), more = pin_is_output(p) ? !is_zero(p->safe) : p->hold > 0;
+
+    return (uint8_t)((unsigned)p->kind | (p->inverted ? 4u : 0u) | (p->pull_up ? 8u : 0u) | (p->pull_down ? 16u : 0u) | (scale ? PIN_SCALE : 0u)
+                     | (is_zero(p->offset) ? 0u : PIN_OFFSET) | (more ? PIN_MORE : 0u));
+}
+
+// False if the element lies too far behind for an operand.
+static bool put_pin(Buf *b, const Pin *p)
+{
+    const uint32_t at = p->element->offset >> smvm_type_shift(p->element->type), front = front_of(p);
+
+    buf_char(b, (char)front);
+    put_u24(b, at << SMVM_KIND_BITS | (uint32_t)p->element->type);
+    bc_varint(b, p->number);
+    if (front & PIN_SCALE)
+        put_number(b, p->scale);
+    if (front & PIN_OFFSET)
+        put_number(b, p->offset);
+    if (front & PIN_MORE && pin_is_output(p))
+        put_number(b, p->safe);
+    else if (front & PIN_MORE)
+        buf_char(b, (char)p->hold);
+    return at < (uint32_t)SMVM_PAYLOADS;
+}
+
+static bool add_pins(Writer *w, const IoMap *io)
+{
+    bool ok = true;
+    Buf b;
+
+    buf_init(&b, w->arena);
+    buf_u32(&b, io->sv->hash);
+    bc_varint(&b, io->sv->size / 8);
+    bc_varint(&b, (uint32_t)io->pin.n);
+    for (size_t i = 0; i < io->pin.n; i++)
+        ok = put_pin(&b, &io->pin.at[i]) && ok;
+    add_section(w, SMVM_S_IO, SMVM_V_IO, &b);
+    return ok;
 }
 
 // ---- MACHINE, CODE, INIT ----
@@ -313,7 +380,7 @@ static bool accepted(Writer *w, IrMachine *const *m, const Buf *out)
     return false;
 }
 
-bool emit_image(Arena *arena, Diags *diags, IrMachine *const *m, size_t n, bool debug, Buf *out)
+bool emit_image(Arena *arena, Diags *diags, IrMachine *const *m, size_t n, const IoMap *io, bool debug, Buf *out)
 {
     Writer w;
     Span none;
@@ -325,6 +392,8 @@ bool emit_image(Arena *arena, Diags *diags, IrMachine *const *m, size_t n, bool 
     buf_init(&w.table, arena);
     buf_init(&w.body, arena);
     add_identity(&w, m, n);
+    if (io && !add_pins(&w, io))
+        return too_much(&w, m[0], "elements");
     for (size_t i = 0; i < n; i++) {
         if (!add_sections_of(&w, m[i], debug))
             return false;

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pins that an image carries (docs/bytecode.md, IO), read in place and row by row.
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "bytecode-vm/smvm.h"
+#include "stdlib/convert.h"
+
+// What stands in front of a row.
+enum {
+    KIND = 3, DIGITAL = 2, OUTPUT = 1,        // bits 0 and 1, as SmvmPin.kind
+    FLAGS_AT = 2, FLAGS = 7,                  // bits 2 to 4, as SmvmPin.flags
+    SCALED = 0x20, SHIFTED = 0x40, MORE = 0x80        // scale; offset; hold of an input, safe value of an output
+};
+
+bool smvm_pins(SmvmBytes image, SmvmPins *p)
+{
+    memset(p, 0, sizeof *p);
+    p->image = image;
+    for (uint8_t i = 0; i < smvm_sections(image); i++) {
+        SmvmSection s = smvm_section(image, i);
+        if (s.id != SMVM_S_IO || s.version != SMVM_V_IO)
+            continue;
+        p->at = s.at;
+        p->end = s.at + s.size;
+        if (s.size < 4)
+            return false;
+        p->layout = smvm_uint(image, p->at, 4);
+        p->at += 4;
+        return smvm_varint(image, &p->at, p->end, &p->sv_size) && smvm_varint(image, &p->at, p->end, &p->left);
+    }
+    return false;
+}
+
+static bool take(SmvmPins *p, uint32_t bytes, uint32_t *at)
+{
+    *at = p->at;
+    if (p->end - p->at < bytes)
+        return false;
+    p->at += bytes;
+    return true;
+}
+
+// A constant: an operand of the kinds INT, F32 and F64; the latter two have payload 0, and their bits stand behind them.
+static bool take_number(SmvmPins *p, SmF64 *x)
+{
+    SmvmOperand o;
+    uint32_t at;
+
+    if (!take(p, 3, &at))
+        return false;
+    o = smvm_operand_at(p->image, at);
+    if (o.kind == SMVM_K_INT) {
+        *x = sm_from_i32(o.payload > (uint32_t)SMVM_INT_MOST ? (int32_t)o.payload - SMVM_PAYLOADS : (int32_t)o.payload);
+        return true;
+    }
+    if ((o.kind != SMVM_K_F32 && o.kind != SMVM_K_F64) || o.payload != 0 || !take(p, o.kind == SMVM_K_F32 ? 4 : 8, &at))
+        return false;
+    *x = o.kind == SMVM_K_F32 ? sm_from_f32(sm_f32_from_bits(smvm_uint(p->image, at, 4))) : sm_from_bits(smvm_cell(p->image, at, 8));
+    return true;
+}
+
+static bool take_element(SmvmPins *p, SmvmPin *pin)
+{
+    SmvmOperand o;
+    uint32_t at;
+
+    if (!take(p, 3, &at))
+        return false;
+    o = smvm_operand_at(p->image, at);
+    pin->type = o.kind < SM_TYPE_COUNT ? (uint8_t)o.kind : (uint8_t)SM_TYPE_COUNT;
+    pin->offset = o.offset;
+    return true;
+}
+
+// What bit MORE announces.
+static bool take_more(SmvmPins *p, SmvmPin *pin)
+{
+    uint32_t at;
+
+    if (pin->kind & OUTPUT)
+        return take_number(p, &pin->safe);
+    if (!take(p, 1, &at))
+        return false;
+    pin->hold = smvm_u8(p->image, at);
+    return true;
+}
+
+bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
+{
+    uint32_t at;
+    uint8_t front;
+
+    if (p->left == 0 || !take(p, 1, &at))
+        return false;
+    front = smvm_u8(p->image, at);
+    memset(pin, 0, sizeof *pin);
+    pin->kind = front & KIND;
+    pin->flags = front >> FLAGS_AT & FLAGS;
+    pin->scale = sm_from_i32(1);
+    pin->zero = pin->safe = sm_from_i32(0);
+    if (!take_element(p, pin) || !smvm_varint(p->image, &p->at, p->end, &pin->pin))
+        return false;
+    if ((front & SCALED && !take_number(p, &pin->scale)) || (front & SHIFTED && !take_number(p, &pin->zero))
+        || (front & MORE && !take_more(p, pin)))
+        return false;
+    p->left--;
+    return true;
+}
+
+// ---- for the verifier ----
+
+static bool is_finite(SmF64 x) { return (sm_bits(x) & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
+
+static bool is_in_vector(const SmvmPins *p, const SmvmPin *pin)
+{
+    const uint32_t size = 1u << smvm_type_shift(pin->type);
+
+    return size <= 8 * p->sv_size && pin->offset <= 8 * p->sv_size - size;
+}
+
+// Pulls are of digital inputs, one at most; inversion is of digital pins.
+static bool are_flags_of(const SmvmPin *pin)
+{
+    if (pin->kind & DIGITAL)
+        return pin->kind & OUTPUT ? pin->flags <= 1 : pin->flags <= 5;
+    return pin->flags == 0;
+}
+
+static uint8_t check_pin(const SmvmPins *p, const SmvmPin *pin)
+{
+    if (pin->pin > UINT16_MAX || pin->type >= SM_TYPE_COUNT || !are_flags_of(pin) || (pin->type == SM_BOOL) != ((pin->kind & DIGITAL) != 0)
+        || !is_in_vector(p, pin))
+        return SMVM_R_PIN;
+    if (!is_finite(pin->scale) || !is_finite(pin->zero) || !is_finite(pin->safe) || sm_eq(pin->scale, sm_from_i32(0)))
+        return SMVM_R_PIN_NUMBER;
+    return 0;
+}
+
+uint8_t smvm_check_pins(SmvmBytes image, uint32_t *at)
+{
+    SmvmPins p;
+    SmvmPin pin;
+    bool there = smvm_pins(image, &p);
+
+    *at = p.at;
+    if (!there)
+        return p.at == 0 ? 0 : SMVM_R_IO;             // none at all, or one that is cut short
+    while (p.left > 0) {
+        uint8_t rule;
+        *at = p.at;
+        if (!smvm_next_pin(&p, &pin))
+            return SMVM_R_IO;
+        if ((rule = check_pin(&p, &pin)) != 0)
+            return rule;
+    }
+    *at = p.at;
+    return p.at == p.end ? 0 : SMVM_R_IO;
+}
