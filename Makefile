@@ -462,6 +462,17 @@ check-app: all $(B)/runtime/sim.a
 	sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)'
 .PHONY: check-app
 
+# Random applications in random trouble, held against a model: some steps in check, N of them here.
+stress-runtime: $(B)/runtime/stress
+	$(B)/runtime/stress $(or $(N),1000000) $(or $(SEED),1)
+
+# How late ticks begin on this computer: SECONDS=5 without real-time priorities, and with.
+$(B)/runtime/lateness: tests/bench/lateness.c $(B)/runtime/linux.a
+	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/linux.a -pthread -lrt
+lateness: $(B)/runtime/lateness
+	$(B)/runtime/lateness $(or $(SECONDS),5)
+.PHONY: stress-runtime lateness
+
 # What an access to the state vector costs, and what it weighs.
 bench-runtime: $(RUNTIME_MADE)
 	sh tests/bench/runtime.sh $(B) '$(CC)'
@@ -533,6 +544,7 @@ help:
 	@echo 'make diff N=100000   runs so many random programs on all engines, from seed SEED=1, in J=2 processes'
 	@echo 'make f64-campaign N=100000000  tries soft binary64 on so many random operands for each operation'
 	@echo 'make sound N=100000  runs so many random programs and holds them against what the analyses say of them'
+	@echo 'make stress-runtime  N=1000000 steps of random applications of the flight runtime, from SEED=1; make lateness: how late ticks begin here'
 	@echo 'make asan            runs every test under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'
 	@echo 'make docs            makes docs/diagnostics.md'

@@ -196,7 +196,7 @@ static void tell(SmExecutor *e, uint64_t time)
     event.a = (uint32_t)at_most(e->skipped - e->told_skipped, UINT32_MAX);
     event.b = (uint32_t)at_most(e->late / PAL_MICROSECOND, UINT32_MAX);
     e->told = time;
-    e->told_skipped = e->skipped;
+    e->told_skipped += event.a;
     sm_event(e->events, &event);
 }
 

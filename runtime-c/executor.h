@@ -61,7 +61,7 @@ typedef struct SmExecutor {
     uint64_t ticks, overruns, skipped;
     uint64_t late, late_most, busy, busy_most;    // nanoseconds
     uint64_t ended;           // on the PAL clock: when the last tick ended
-    uint64_t told, told_skipped;                  // time and `skipped` of the last event OVERRUN
+    uint64_t told, told_skipped;                  // time of the last event OVERRUN, and what has been told
     // Of the application that runs it (run.c).
     struct SmApp *app;
     PalThread thread;

@@ -28,7 +28,7 @@ typedef struct Part {
     SmResult gives;
 } Part;
 
-static void note(char letter, const SmTick *tick)
+static inline void note(char letter, const SmTick *tick)
 {
     if (called < CALLS) {
         calls[called] = letter;
@@ -37,7 +37,7 @@ static void note(char letter, const SmTick *tick)
     called++;
 }
 
-static SmResult part_step(void *context, const SmTick *tick)
+static inline SmResult part_step(void *context, const SmTick *tick)
 {
     const Part *const p = context;
 
@@ -63,7 +63,7 @@ static inline SmResult part_init(void *context)
     return p->gives;
 }
 
-static void parts_forget(void)
+static inline void parts_forget(void)
 {
     memset(calls, 0, sizeof calls);
     called = 0;
@@ -74,7 +74,7 @@ static SmEvents events;
 static uint32_t event_cursor;
 
 // Time at 1 s, nothing called, no event, a vector of zeros that is guarded as its .sv says.
-static void parts_reset(void)
+static inline void parts_reset(void)
 {
     sim_reset();
     parts_forget();
