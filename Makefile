@@ -473,9 +473,10 @@ lateness: $(B)/runtime/lateness
 	$(B)/runtime/lateness $(or $(SECONDS),5)
 .PHONY: stress-runtime lateness
 
-# What an access to the state vector costs, and what it weighs.
+# What an access to the state vector and a tick cost, and what they weigh.
 bench-runtime: $(RUNTIME_MADE)
 	sh tests/bench/runtime.sh $(B) '$(CC)'
+	sh tests/bench/ticks.sh $(B) '$(CC)'
 .PHONY: bench-runtime
 
 # tests/runtime/flights: the example machines as tasks, over the flights of their scripts.

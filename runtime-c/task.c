@@ -24,8 +24,10 @@ static uint8_t mode_of(const SmTask *t, SmStateVec *sv)
 
     if (!t->mode)
         return SM_ENABLED;
-    if (sm_read_U8(sv, t->mode, &mode) != SM_OK)
+    if (sm_enter(sv) != SM_OK)
         return t->last_mode;
+    mode = ((const uint8_t *)sv->at)[t->mode->offset];     // that it is one of sv, executor.c has seen to
+    sm_leave(sv);
     return mode <= SM_ENABLED ? mode : (uint8_t)SM_SAFED;
 }
 
