@@ -396,6 +396,8 @@ static void put_app(const Emitter *e)
         buf_str(e->out, "    .keep = &keeper,\n");
     if (has_task(e, AST_TASK_log))
         buf_str(e->out, "    .log = &flightLog,\n");
+    if (has_task(e, AST_TASK_keep) || has_task(e, AST_TASK_log))
+        buf_str(e->out, "    .writing = &sm_writing,\n");
     if (e->app->watchdog)
         buf_printf(e->out, "    .watchdog = %lluu,\n", (unsigned long long)e->app->watchdog);
     buf_str(e->out, "};\n\n#ifndef SM_NO_MAIN\nint main(void)\n{\n");
