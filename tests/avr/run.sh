@@ -3,7 +3,7 @@
 # Builds firmware for an ATmega328P and runs it in simavr.     run.sh BUILD CC [N [SEED [PROGRAMS]]]: N random operands for each operation, and
 # so many random programs.
 # Wants gcc-avr avr-libc libsimavr-dev libelf-dev; AVR_CC names the compiler.
-B=$1/avr CC=$2 N=${3:-150} SEED=${4:-1} PROGRAMS=${5:-20}
+B=$1/avr CC=$2 N=${3:-600} SEED=${4:-1} PROGRAMS=${5:-20}
 AVR_CC=${AVR_CC:-avr-gcc}
 mkdir -p "$B" || exit 1
 if ! command -v "$AVR_CC" >/dev/null 2>&1; then

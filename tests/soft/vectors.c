@@ -79,6 +79,21 @@ static uint64_t beside(SoftOp op, uint64_t *state, uint64_t a)
     return random_number(state, (uint64_t)want, 1);
 }
 
+// Where a digit decides that is far below the others: a power of two less what hardly reaches its last digit; results whose first
+// digit is about at the last place of the smallest number.
+static uint64_t far_below(SoftOp op, uint64_t *state, uint64_t *a)
+{
+    const int64_t e = (int64_t)(*a >> 52 & 0x7FF);
+    int64_t want = e - 49 - (int64_t)(next(state) % 9);
+
+    if (op == SOFT_mul || op == SOFT_div)
+        want = op == SOFT_mul ? 974 - e + (int64_t)(next(state) % 8) - 7 : e + 1023 + 46 + (int64_t)(next(state) % 8);
+    else
+        *a = *a >> 52 << 52;
+    want = want < 0 ? 0 : want > 2046 ? 2046 : want;
+    return random_number(state, (uint64_t)want, 1);
+}
+
 void soft_random(SoftOp op, uint64_t *state, uint64_t *a, uint64_t *b)
 {
     const uint64_t r = next(state);
@@ -91,6 +106,8 @@ void soft_random(SoftOp op, uint64_t *state, uint64_t *a, uint64_t *b)
     }
     *a = (r & 15) == 0 ? next(state) : (r & 15) < 8 ? random_number(state, 0, 2047) : random_number(state, 1023 - 40, 120);
     *b = (r >> 4 & 15) == 0 ? next(state) : beside(op, state, *a);
-    if ((r >> 8 & 31) == 0)                            // the same, or nearly
+    if ((r >> 8 & 7) == 1)
+        *b = far_below(op, state, a);
+    if ((r >> 8 & 7) == 0)                             // the same, or nearly
         *b = (*a ^ (r & 0x8000000000000000u)) + (r >> 16 & 3) - 1;
 }
