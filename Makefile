@@ -178,7 +178,7 @@ N    ?= 20000
 SEED ?= 1
 J    ?= 2
 DIFF_OBJ = $(patsubst %.c,$(B)/obj/%.o,$(wildcard tests/diff/*.c))
-$(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a
+$(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a $(B)/runtime/sim.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 

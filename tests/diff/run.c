@@ -8,12 +8,13 @@
 
 #include "tests/diff/cbatch.h"
 #include "tests/diff/engine_ir.h"
+#include "tests/diff/engine_task.h"
 #include "tests/diff/sound.h"
 #include "tests/diff/subject.h"
 #include "tests/diff/watch.h"
 
-// The reference, every form twice and in the VM with soft numbers; the reference and one form of the changed program.
-enum { ENGINES_MAX = 2 + 3 * FORM_COUNT + 2 };
+// The reference, every form twice, in the VM with soft numbers and as a task; the reference and one form of the changed program, likewise.
+enum { ENGINES_MAX = 2 + 4 * FORM_COUNT + 5 };
 
 const char *const form_name[FORM_COUNT] = { "-O0", "-O1", "-O2", "-O2, locals hidden" };
 
@@ -94,6 +95,12 @@ static const char *add_vm(Lanes *l, Subject *s, Form form, const Subject *before
     if (before != NULL)
         return NULL;
     add_lane(l, s, engine_ir_open(&s->session.arena, s->program, m[n - 1]), form);
+    if (form == FORM_O2 || form == FORM_HIDDEN) {
+        e = engine_task_open(&s->session.arena, known_program(s, form), (const uint8_t *)image.at, image.n, form == FORM_O2, &error);
+        if (e == NULL)
+            return error;
+        add_lane(l, s, e, form);
+    }
     if (form == FORM_O0 || form == FORM_O2) {
         e = engine_vm_soft_open(&s->session.arena, s->program, (const uint8_t *)image.at, image.n, 0, &error);
         if (e == NULL)
