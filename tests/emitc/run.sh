@@ -120,6 +120,8 @@ matrix() {
         if [ "$machine" = "$here/machines/arithmetic.sm" ]; then
             compile_machine every_compiler arithmetic0 -O0 "$machine"
             compile_machine every_compiler arithmetic1 --track-stores "$machine"
+            strict="$strict -I$root" compile_machine every_compiler arithmetic2 --runtime "$machine"
+            strict="$strict -I$root" compile_machine every_compiler arithmetic3 --runtime --track-stores "$machine"
         fi
     done
     reserved_names "$dir/names.h" "$dir/names.c"
