@@ -403,7 +403,7 @@ RUNTIME_C     = $(STRICT_C) -I$(B)/runtime/made $(WARN)
 # What the tests of machines take: machines that run on these vectors, one built without `lock`, and images as arrays.
 RUNTIME_SV_tester = stand
 RUNTIME_SV_bystander = stand
-RUNTIME_SV_store  = many
+RUNTIME_SV_picker = many
 RUNTIME_SV_pinned = pins
 RUNTIME_SV_first  = shared
 RUNTIME_SV_second = shared

@@ -20,6 +20,6 @@ here=tests/runtime
 image tester -g --sv $here/stand.sv $here/tester.sm
 image stripped --sv $here/stand.sv $here/tester.sm
 image pair -g --sv $here/stand.sv $here/bystander.sm $here/tester.sm
-image store --sv $here/many.sv $here/store.sm
+image picker --sv $here/many.sv $here/picker.sm
 image pins --sv $here/pins.sv --io $here/pins.io $here/pinned.sm
 image second --sv $here/shared.sv $here/second.sm

@@ -2,7 +2,7 @@
 // A machine on a guarded state vector: what others do while it steps, and locks that cannot be had.
 #include "machine_stage.h"
 #include "many.h"
-#include "store.h"
+#include "picker.h"
 
 static const SmMachineType *inner;
 static SmMachineType around;              // as `inner`, but others act before and after the step itself
@@ -127,7 +127,7 @@ static void check_lock_at_start(Kind kind)
 
 // ---- more outputs than one word notes ----
 
-static Store store;
+static Picker picker;
 static uint64_t many_memory[64], many_copy[sizeof(ManySv) / 8];
 
 static ManySv many_theirs;
@@ -136,8 +136,8 @@ static void write_many(void) { many_sv = many_theirs; }
 
 static void check_many(Kind kind)
 {
-    SmvmTarget target = {.image = store_image, .size = sizeof store_image, .memory = many_memory, .memory_size = sizeof many_memory};
-    SmMachine m = {.name = "store", .type = &store_machine, .self = &store, .sv = &many_vector, .copy = many_copy};
+    SmvmTarget target = {.image = picker_image, .size = sizeof picker_image, .memory = many_memory, .memory_size = sizeof many_memory};
+    SmMachine m = {.name = "picker", .type = &picker_machine, .self = &picker, .sv = &many_vector, .copy = many_copy};
     uint16_t *const e = &many_sv.e0;
     SmTick tick = {0, 0};
 
