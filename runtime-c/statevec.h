@@ -6,8 +6,10 @@
 //
 //     rocket_set_altitude(120.5);                        // typed, guarded where the .sv says `lock`
 //     double altitude = rocket_altitude();
+//     RocketSv copy;
+//     rocket_read_Sensors(&copy);                        // the region [Sensors] of it, in one go; rocket_write_Sensors the other way
 //     sm_find_element(&rocket_names, "altitude") == &rocket_element[ROCKET_E_altitude]
-//     sm_read_region(&rocket_vector, &rocket_layout.region[ROCKET_R_Sensors], &copy);
+//     sm_read_region(&rocket_vector, &rocket_layout.whole, &copy);
 //
 // Without `lock` the vector belongs to one thread, and its members (rocket_sv.altitude) may as well be used as they are.  With `lock` any
 // thread may call anything here: every call is one critical section of a few memory accesses.  Several elements that belong together
@@ -72,7 +74,7 @@ typedef struct SmStateVec {
     void *at;                 // layout->whole.size bytes, aligned as a uint64_t
     bool guarded;             // the .sv says `lock`
     PalLock lock;
-    uint32_t faults;          // how often the lock could not be had
+    uint32_t faults;          // how often the lock could not be had; others read it by sm_shared_read (shared.h)
 } SmStateVec;
 
 // Opens the lock of a guarded vector.  Changes no element.  SM_E_FULL: no lock left (config.h, PAL_LOCKS).  SM_E_ALIGNMENT: sv->at.

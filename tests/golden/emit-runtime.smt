@@ -79,6 +79,26 @@ static inline void open_set_pressure(SmF64 value) { open_sv.pressure = value; }
 static inline uint8_t open_class(void) { return open_sv.class_; }
 static inline void open_set_class(uint8_t value) { open_sv.class_ = value; }
 
+// A whole region, in one go, from and to its members in a copy of the vector; the others are left as they are.
+
+static inline SmResult open_read_Valves(OpenSv *copy)
+{
+    return sm_read_region(&open_vector, &open_layout.region[OPEN_R_Valves], (uint8_t *)copy + 0);
+}
+static inline SmResult open_write_Valves(const OpenSv *copy)
+{
+    return sm_write_region(&open_vector, &open_layout.region[OPEN_R_Valves], (const uint8_t *)copy + 0);
+}
+
+static inline SmResult open_read_Sensors(OpenSv *copy)
+{
+    return sm_read_region(&open_vector, &open_layout.region[OPEN_R_Sensors], (uint8_t *)copy + 8);
+}
+static inline SmResult open_write_Sensors(const OpenSv *copy)
+{
+    return sm_write_region(&open_vector, &open_layout.region[OPEN_R_Sensors], (const uint8_t *)copy + 8);
+}
+
 #ifdef __cplusplus
 }
 #endif
@@ -174,6 +194,17 @@ static inline void shut_set_set_vector(uint8_t value)
         shut_sv.set_vector = value;
         sm_leave(&shut_vector);
     }
+}
+
+// A whole region, in one go, from and to its members in a copy of the vector; the others are left as they are.
+
+static inline SmResult shut_read_Bytes(ShutSv *copy)
+{
+    return sm_read_region(&shut_vector, &shut_layout.region[SHUT_R_Bytes], (uint8_t *)copy + 0);
+}
+static inline SmResult shut_write_Bytes(const ShutSv *copy)
+{
+    return sm_write_region(&shut_vector, &shut_layout.region[SHUT_R_Bytes], (const uint8_t *)copy + 0);
 }
 
 #ifdef __cplusplus

@@ -78,6 +78,25 @@ static void test_memory(void)
     CHECK(wide_vector.faults == 0);
 }
 
+// The functions that smc makes for a region touch its members of the copy alone.
+static void test_functions(void)
+{
+    WideSv copy, was;
+
+    start();
+    memset(&copy, 0xA5, sizeof copy);
+    was = copy;
+    CHECK(wide_read_All(&copy) == SM_OK && copy.i8 == -2 && copy.f64 == -1.5 && is_free());
+    CHECK(memcmp(&copy, &was, ALL->offset) == 0 && copy.class_ == 0xA5);
+    copy.u16 = 99;
+    CHECK(wide_write_All(&copy) == SM_OK && wide_sv.u16 == 99 && wide_sv.time == 7 && wide_sv.class_ == 9 && is_free());
+    sim_break(SIM_lock_take, 0, SM_E_TIMEOUT);
+    was = copy;
+    CHECK(wide_read_Names(&copy) == SM_E_TIMEOUT && memcmp(&copy, &was, sizeof was) == 0);
+    CHECK(wide_write_Names(&copy) == SM_E_TIMEOUT && wide_sv.class_ == 9 && wide_vector.faults == 2);
+    wide_vector.faults = 0;
+}
+
 static void test_wire(void)
 {
     uint8_t bytes[sizeof wire + 8];
@@ -172,6 +191,7 @@ static void test_arguments(void)
 int main(void)
 {
     test_memory();
+    test_functions();
     test_wire();
     test_whole_on_the_wire();
     test_bools();

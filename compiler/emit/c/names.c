@@ -219,6 +219,8 @@ void names_runtime(Arena *arena, const CNames *names, const StateVec *sv, CVecto
     take_vector_own(&s, names->prefix);
     out->getter = functions(&s, names->prefix, "", element, sv->element.n);
     out->setter = functions(&s, names->prefix, "set_", element, sv->element.n);
+    out->reader = functions(&s, names->prefix, "read_", region, sv->region.n);
+    out->writer = functions(&s, names->prefix, "write_", region, sv->region.n);
     out->element = enumerators(&s, names->macro, 'E', element, sv->element.n);
     out->region = enumerators(&s, names->macro, 'R', region, sv->region.n);
 }

@@ -46,6 +46,7 @@ typedef struct CVectorNames {
     const char **getter, **setter;    // by element: rocket_altitude, rocket_set_altitude
     const char **element;             // by element: ROCKET_E_altitude
     const char **region;              // by region: ROCKET_R_Sensors
+    const char **reader, **writer;    // by region: rocket_read_Sensors, rocket_write_Sensors
 } CVectorNames;
 
 typedef struct CUnit {

@@ -50,6 +50,17 @@ static void put_variables(const CUnit *u, const StateVec *sv, const CVectorNames
     put_enum(out, n->region, sv->region.n, format_in(u->arena, "%s_REGIONS", u->names.macro));
 }
 
+// A region from and to its place in a copy of the vector: no buffer that could be too small, no cast.
+static void put_region(const CUnit *u, const char *region, const char *reader, const char *writer, uint32_t offset, Buf *out)
+{
+    const char *p = u->names.prefix, *type = u->names.sv_type;
+
+    buf_printf(out, "static inline SmResult %s(%s *copy)\n{\n", reader, type);
+    buf_printf(out, "    return sm_read_region(&%s_vector, &%s_layout.region[%s], (uint8_t *)copy + %u);\n}\n", p, p, region, offset);
+    buf_printf(out, "static inline SmResult %s(const %s *copy)\n{\n", writer, type);
+    buf_printf(out, "    return sm_write_region(&%s_vector, &%s_layout.region[%s], (const uint8_t *)copy + %u);\n}\n\n", p, p, region, offset);
+}
+
 void put_vector_interface(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
 {
     const char *p = u->names.prefix;
@@ -59,6 +70,9 @@ void put_vector_interface(const CUnit *u, const StateVec *sv, const CVectorNames
         buf_printf(out, "// Each of these takes and gives back the lock.  One that cannot have it reads 0, writes nothing, and counts in %s_vector.faults.\n\n", p);
     for (size_t i = 0; i < u->sv.n; i++)
         (sv->lock ? put_guarded : put_plain)(p, &u->sv.at[i], n->getter[i], n->setter[i], out);
+    buf_str(out, "// A whole region, in one go, from and to its members in a copy of the vector; the others are left as they are.\n\n");
+    for (size_t r = 0; r < sv->region.n; r++)
+        put_region(u, n->region[r], n->reader[r], n->writer[r], sv->region.at[r]->offset, out);
     out->n--;                        // the blank line behind the last
     out->at[out->n] = '\0';
 }
