@@ -151,6 +151,14 @@ check: $(B)/fuzz/ir $(B)/fuzz/frontend
 CHECK_LINES += "fuzz-frontend: $(B)/fuzz/frontend -n 5000 $(wildcard tests/fuzz/seeds/frontend/*)"
 CHECK_LINES += "fuzz-ir: $(B)/fuzz/ir -n 2000 $(wildcard tests/ir/samples/*.ir)"
 
+# Flight logs: the seed is a flight that the test of logs writes.
+$(B)/corpus/log/flight.log: $(B)/runtime/log
+	@mkdir -p $(@D)
+	@$(B)/runtime/log $@.new && head -c 4000 $@.new >$@ && rm $@.new
+check: $(B)/fuzz/log $(B)/corpus/log/flight.log
+$(B)/fuzz-cov/log: | $(B)/corpus/log/flight.log
+CHECK_LINES += "fuzz-log: $(B)/fuzz/log -n 1000 $(B)/corpus/log/flight.log" "log: sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log"
+
 # Images: their seeds are those that the mutation test works on.  `make check-mutate` changes every byte of them to every value.
 $(B)/corpus/image: $(B)/unit/vm_mutate
 	@mkdir -p $@
@@ -439,18 +447,23 @@ $$(B)/runtime/$(1)/%.o: %.c
 endef
 $(foreach platform,linux sim desk,$(eval $(call runtime_platform,$(platform))))
 $(B)/runtime/%_linux: tests/runtime/%_linux.c $(B)/runtime/linux.a
-	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/linux.a -pthread -lrt
+	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/linux.a $(RUNTIME_LIBS) -pthread -lrt
 $(B)/runtime/%: tests/runtime/%.c $(B)/runtime/sim.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/sim.a $(RUNTIME_LIBS)
 # What logs hold is read by what `smc log` reads them with.
-$(B)/runtime/log: RUNTIME_LIBS = $(B)/libsmc.a
-$(B)/runtime/log: $(B)/libsmc.a
+RUNTIME_READS = $(patsubst %,$(B)/runtime/%,log log_linux log_tsan kill_linux kill_tsan)
+$(RUNTIME_READS): RUNTIME_LIBS = $(B)/libsmc.a
+$(RUNTIME_READS): | $(B)/libsmc.a
 $(B)/runtime/%_tsan: tests/runtime/%_linux.c $(RUNTIME_SRC_linux) $(RUNTIME_MADE)
-	-$(call say,CC)$(CC) $(RUNTIME_C) -O1 -g -fsanitize=thread $^ -o $@ -pthread -lrt 2>/dev/null || rm -f $@
+	-$(call say,CC)$(CC) $(RUNTIME_C) -O1 -g -fsanitize=thread $^ -o $@ $(RUNTIME_LIBS) -pthread -lrt 2>/dev/null || rm -f $@
 check: $(RUNTIME_TESTS) $(RUNTIME_TSAN)
 CHECK_LINES += $(foreach t,$(RUNTIME_TESTS),"runtime-$(notdir $(t)): $(t)") \
                $(foreach t,$(RUNTIME_TSAN),"runtime-$(notdir $(t)): if test -x $(t); then $(t); else echo 0 passed, 0 failed, 1 skipped; fi")
 CHECK_LINES += "runtime-targets: CC='$(CC)' sh tests/runtime/targets.sh $(B)/smc"
+# `make kill-runtime N=10000`: a program killed so often, at random moments.
+kill-runtime: $(B)/runtime/kill_linux
+	$(B)/runtime/kill_linux $(N)
+.PHONY: kill-runtime
 check-runtime: $(RUNTIME_TESTS) $(RUNTIME_TSAN)
 	@for t in $(RUNTIME_TESTS) $(RUNTIME_TSAN); do test ! -x $$t || $$t || exit 1; done
 .PHONY: check-runtime

@@ -139,8 +139,8 @@ SmResult sm_log_step(void *context, const SmTick *tick)
     SmLog *log = (SmLog *)context;
     SmResult r;
 
-    put_gap(log);
     put_events(log);
+    put_gap(log);
     r = put_record(log, tick->time);
     log->dropped += r != SM_OK;
     return r;

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # `make bench-runtime`:  runtime.sh BUILD CC
 # What an access to the state vector costs, in instructions (callgrind: of one call, without the loop around it) and nanoseconds,
-# and what code and tables of state vector and events weigh.
+# and what code and tables of state vector, events, log and keep weigh.
 build=$1 cc=$2
 dir=$build/bench/runtime made=$build/runtime/made
 mkdir -p "$dir"
 strict='-std=c99 -ffp-contract=off -fno-tree-slp-vectorize -I.'
 ours='runtime-c/statevec.c runtime-c/region.c runtime-c/names.c runtime-c/event.c'
+others='runtime-c/log.c runtime-c/log_drain.c runtime-c/log_describe.c runtime-c/keep.c'
 psl='runtime-c/psl/linux/lock.c runtime-c/psl/linux/clock.c runtime-c/psl/linux/linux.c'
 
 $cc $strict -O2 -I"$made" tests/bench/runtime.c "$made/plain.c" "$made/fight.c" $ours $psl -pthread -o "$dir/run" || exit 1
@@ -66,7 +67,7 @@ weigh() {                     # weigh NAME NM COMPILER FLAGS…
     shift 2
     command -v "$1" >/dev/null 2>&1 || { echo "$1 is not here: $name is left out"; return; }
     objects=
-    for source in $ours "$made/fight.c"; do
+    for source in $ours $others "$made/fight.c"; do
         object=$dir/$(basename "$source" .c).o
         "$@" $strict -Os -ffunction-sections -fdata-sections -I"$made" -c "$source" -o "$object" || return
         objects="$objects $object"

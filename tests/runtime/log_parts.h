@@ -9,7 +9,7 @@
 #include "tests/test.h"
 #include "wide.h"
 
-enum { ROOM = 1024 };
+enum { ROOM = 1024, GUARD = 64 };     // GUARD: bytes behind the ring that nobody may touch
 #define TICK ((uint64_t)10 * PAL_MILLISECOND)
 
 static SmResult fake_open(void *self, uint32_t layout, uint32_t size) { return (void)self, (void)layout, (void)size, SM_OK; }
@@ -35,7 +35,7 @@ static const char *const tasks[] = {"inputs", "engine"};
 
 static SmEvent event_at[16];
 static SmEvents events;
-static uint8_t ring[ROOM];
+static uint8_t ring[ROOM + GUARD];
 static SmLog flight;
 
 // A log that nothing was written to, over a vector and events that are new.
@@ -49,6 +49,7 @@ static void new_log(const char *name)
     events.at = event_at;
     events.room = 16;
     CHECK(sm_statevec_init(&wide_vector) == SM_OK && sm_events_init(&events) == SM_OK);
+    memset(ring, 0x77, sizeof ring);
     flight.file = name;
     flight.sv = &wide_vector;
     flight.names = &wide_names;
@@ -71,14 +72,6 @@ static void fill(uint64_t k, uint32_t salt)
     wide_sv.u32 = salt;
     wide_sv.flag = k % 3 == 0;
     wide_sv.u8 = (uint8_t)(0xA5 + k);                     // looks like the mark of a block
-}
-
-static SmResult step(uint64_t k, uint32_t salt)
-{
-    const SmTick tick = {k * TICK, k};
-
-    fill(k, salt);
-    return sm_log_step(&flight, &tick);
 }
 
 #endif

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# State vector and events for small targets: they compile there without a warning; and names that nobody looks up are not linked.
+# State vector, events, log and keep for small targets: they compile there without a warning; and names that nobody looks up are not linked.
 #     targets.sh SMC     CC names the host's compiler.
 smc=$1 CC=${CC:-cc}
 here=tests/runtime
@@ -11,6 +11,7 @@ strict='-std=c99 -Os -ffunction-sections -fdata-sections -Wall -Wextra -Wconvers
         -pedantic -Werror -I.'
 strict_cpp='-std=c++11 -Wall -Wextra -Wconversion -Wshadow -pedantic -Werror -I.'
 sources='runtime-c/statevec.c runtime-c/region.c runtime-c/names.c runtime-c/event.c'
+more='runtime-c/log.c runtime-c/log_drain.c runtime-c/log_describe.c runtime-c/keep.c'      # log and keep
 
 check() {                     # check SENTENCE COMMAND…
     what=$1
@@ -33,7 +34,7 @@ compiles() {                  # compiles COMPILER FLAGS…
         skipped=$((skipped + 1))
         return
     fi
-    for source in $sources "$dir/wide.c" "$dir/plain.c" "$dir/narrow.c"; do
+    for source in $sources $more "$dir/wide.c" "$dir/plain.c" "$dir/narrow.c"; do
         check "$* $source" "$@" $strict -I"$dir" -c "$source" -o "$dir/x.o"
     done
 }

@@ -26,7 +26,7 @@ void flight_csv(const Flight *f, Buf *out)
 {
     const LogSession *s = f->session;
 
-    buf_str(out, "time");
+    buf_str(out, "seconds");
     for (size_t i = 0; i < flight_elements(f, s->d); i++)
         buf_printf(out, ",%s", flight_element(f, s->d, i)->name);
     buf_char(out, '\n');

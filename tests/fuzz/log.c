@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as a flight log, once as they are and once with the checksums of what looks like blocks put right; and all that
+// is shown of what is read.
+#include <setjmp.h>
+
+#include "compiler/emit/report/flight.h"
+#include "runtime-c/log_block.h"
+#include "tests/fuzz/fuzz.h"
+
+static void *heap(void *context, void *old, size_t size)
+{
+    (void)context;
+    if (size)
+        return realloc(old, size);
+    free(old);
+    return NULL;
+}
+
+static void show(Flight *f, Buf *out)
+{
+    flight_text(f, out);
+    for (size_t i = 0; i < f->log->session.n; i++) {
+        f->session = f->log->session.at[i];
+        f->machine = f->session->d->machines ? &f->session->d->machine[0] : NULL;
+        flight_csv(f, out);
+        flight_json(f, out);
+        if (f->session->records > 0 && f->session->d->elements < 20)
+            flight_svg(f, out);
+    }
+}
+
+static void read_and_show(const uint8_t *data, size_t size)
+{
+    static jmp_buf oom;
+    Arena arena;
+    Flight f;
+    Buf out;
+
+    arena_init(&arena, heap, NULL, &oom);
+    if (setjmp(oom) == 0) {
+        memset(&f, 0, sizeof f);
+        f.arena = &arena;
+        f.name = "log";
+        f.log = log_read(&arena, data, (uint32_t)size);
+        buf_init(&out, &arena);
+        show(&f, &out);
+    }
+    arena_free(&arena);
+}
+
+// One after another, the other blocks as if they were of the last description.
+static void put_right(uint8_t *data, size_t size)
+{
+    uint32_t identity = SM_CRC32_START;
+    size_t at = 0;
+
+    while (at + LOG_HEAD + LOG_CHECK <= size) {
+        const uint32_t length = log_get32(data + at + 2) % 2048;
+        const bool first = data[at + 1] == LOG_DESCRIPTION;
+        if (at + LOG_HEAD + LOG_CHECK + length > size)
+            return;
+        data[at] = LOG_MARK;
+        log_put32(data + at + 2, length);
+        log_put32(data + at + LOG_HEAD + length, sm_crc32_end(log_check(first ? SM_CRC32_START : identity, data + at, LOG_HEAD + length)));
+        if (first && length >= LOG_IDENTITY)
+            identity = log_check(SM_CRC32_START, data + at + LOG_HEAD, LOG_IDENTITY);
+        at += LOG_HEAD + LOG_CHECK + length;
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    uint8_t *copy;
+
+    if (size > 65536)
+        return 0;
+    read_and_show(data, size);
+    copy = malloc(size + 1);
+    memcpy(copy, data, size);
+    put_right(copy, size);
+    read_and_show(copy, size);
+    free(copy);
+    return 0;
+}

@@ -1,0 +1,58 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# run.sh SMC WRITER FOLDER: what `smc log` shows of a flight that is the same each time (WRITER FILE writes it), and of what is no log.
+# UPDATE=1: what came becomes what is expected.
+smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1"); writer=$(cd "$(dirname "$2")" && pwd)/$(basename "$2"); here=$(cd "$(dirname "$0")" && pwd)
+passed=0; failed=0
+mkdir -p "$3" && cd "$3" || exit 1
+
+ok() { passed=$((passed + 1)); }
+no() { failed=$((failed + 1)); echo "tests/log: $1" >&2; }
+
+# same FILE ARGUMENT...: prints what stands in FILE of this folder, exit 0.
+same()
+{
+    name=$1; shift
+    "$smc" log "$@" >out 2>err || no "$name: exit $?"
+    [ "${UPDATE:-}" = 1 ] && cp out "$here/$name"
+    cmp -s out "$here/$name" && ok || no "$name differs: $(diff out "$here/$name" | head -5)"
+}
+
+# says CODE TEXT ARGUMENT...: exits with CODE, and TEXT is in what it says.
+says()
+{
+    code=$1; text=$2; shift 2
+    "$smc" log "$@" >out 2>err; got=$?
+    [ $got = "$code" ] || no "log $*: exit $got, not $code"
+    if grep -qF -- "$text" err; then ok; else no "log $*: '$text' is not in '$(cat err)'"; fi
+}
+
+"$writer" flight.log || no "the flight was not written"
+same text.txt flight.log
+same element.txt flight.log --session 1 f64 flag
+same table.csv flight.log --format csv --session 2 f64 flag i16
+same lines.json flight.log --format json --session=2 f64
+same plot.svg flight.log --format svg --session 1 f64 flag
+"$smc" log flight.log -o out.csv 2>err && head -1 out.csv | grep -q '^seconds,time,state' && ok || no "the format is not taken from the ending"
+
+says 0 "this is the last of 2 sessions" flight.log --format csv
+says 1 "unknown element 'f65'; did you mean 'f64'?" flight.log f65
+says 1 "unknown machine 'mision'; did you mean 'mission'?" flight.log --machine mision
+says 1 "there is no session 3; it has 2" flight.log --session 3
+says 2 "--session wants a number" flight.log --session first
+says 2 "as in 'smc log flight.log'"
+says 2 "csv" flight.log --format html
+says 3 "cannot read 'nothing.log'" nothing.log
+
+# What is damaged is told, what is whole is shown.
+head -c 20000 flight.log >torn.log
+says 0 "are no whole block" torn.log
+{ head -c 9000 flight.log; printf xxxx; tail -c +9005 flight.log; } >damaged.log
+says 0 "bytes are damaged; what is whole is shown" damaged.log
+: >empty.log
+says 1 "it is empty" empty.log
+printf 'time,altitude\n0,1\n' >other.log
+says 1 "nothing that a flight log begins with" other.log
+says 1 "nothing that a flight log begins with" - <other.log
+echo "log: $passed passed, $failed failed"
+[ $failed = 0 ]

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+// What runtime-c/keep.h promises, in the simulation: power cut at every byte of every write, bits that flip, other layouts, memories
+// that refuse.
+#include <string.h>
+
+#include "many.h"
+#include "runtime-c/keep.h"
+#include "runtime-c/psl/sim/sim.h"
+#include "tests/test.h"
+#include "wide.h"
+
+enum { PACKED_MOST = 1000 };
+
+static uint8_t buffer[2 * SM_KEEP_SIZE(PACKED_MOST)];
+static SmKeep keep;
+static const SmTick tick = {0, 0};
+
+// A program starts on memory `name`: the vector is 0, what is kept comes back.
+static SmResult start(const char *name, SmStateVec *sv)
+{
+    (void)pal_lock_close(keep.lock);
+    (void)pal_lock_close(sv->lock);
+    memset(&keep, 0, sizeof keep);
+    memset(buffer, 0x5a, sizeof buffer);
+    memset(sv->at, 0, sv->layout->whole.size);
+    keep.memory = name;
+    keep.sv = sv;
+    keep.buffer = buffer;
+    CHECK(sm_statevec_init(sv) == SM_OK);
+    return sm_keep_restore(&keep);
+}
+
+// The same after the power was gone.
+static SmResult restart(const char *name, SmStateVec *sv)
+{
+    sim_power_on();
+    return start(name, sv);
+}
+
+// A vector in which everything says that it is number k.
+static void fill(uint32_t k)
+{
+    wide_sv.time = k;
+    wide_sv.i64 = -(int64_t)k;
+    wide_sv.f64 = k;
+    wide_sv.flag = k % 2;
+    wide_sv.app = k % 3 == 0;
+    wide_sv.u16 = (uint16_t)k;
+}
+
+// Which it is; -1: a mixture.
+static int64_t number(void)
+{
+    const uint64_t k = wide_sv.time;
+
+    return wide_sv.i64 == -(int64_t)k && wide_sv.f64 == (double)k && wide_sv.flag == k % 2 && wide_sv.app == (k % 3 == 0 && k > 0) &&
+            wide_sv.u16 == (uint16_t)k ? (int64_t)k : -1;
+}
+
+static SmResult store(uint32_t k)
+{
+    fill(k);
+    CHECK(sm_keep_step(&keep, &tick) == SM_OK);
+    return sm_keep_write(&keep);
+}
+
+static const char *const memories[] = {"eeprom", "flash"};
+
+static void test_plain(const char *name)
+{
+    sim_reset();
+    CHECK(start(name, &wide_vector) == SM_OK && !keep.restored);
+    CHECK(sm_keep_write(&keep) == SM_OK && sim_count(SIM_nvm_write) == 0);    // nothing waits
+    for (uint32_t k = 1; k < 10; k++) {
+        CHECK(store(k) == SM_OK && keep.pending == k && keep.stored == k && keep.missed == 0);
+        CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && number() == k);
+        keep.pending = keep.stored = k;
+    }
+    CHECK(restart(name, &wide_vector) == SM_OK && number() == 9);     // reading changes nothing
+}
+
+// ---- the power goes ----
+
+// Stores from number `from` on until the power goes; gives the last that was stored.
+static uint32_t store_until_cut(uint32_t from)
+{
+    uint32_t k = from;
+
+    while (k < from + 10 && store(k) == SM_OK)
+        k++;
+    return k - 1;
+}
+
+// Cut in the write or erase that comes after so many more, at so many bytes; and once more, after the restart.
+static void cut(const char *name, uint32_t after, uint32_t bytes, uint32_t again, uint32_t bytes_again)
+{
+    uint32_t last;
+
+    sim_reset();
+    CHECK(start(name, &wide_vector) == SM_OK);
+    CHECK(store(1) == SM_OK);
+    sim_cut_power(after, bytes);
+    last = store_until_cut(2);
+    CHECK(restart(name, &wide_vector) == SM_OK);
+    CHECK(keep.restored && (number() == last || number() == last + 1));
+    sim_cut_power(again, bytes_again);
+    last = (uint32_t)number();
+    last = store_until_cut(last + 1);
+    CHECK(restart(name, &wide_vector) == SM_OK);
+    CHECK(keep.restored && (number() == last || number() == last + 1));
+    CHECK(store(50) == SM_OK && restart(name, &wide_vector) == SM_OK && number() == 50);
+}
+
+static void test_cuts(const char *name)
+{
+    const uint32_t size = SM_KEEP_SIZE(wide_layout.whole.packed);
+
+    for (uint32_t after = 0; after < 5; after++)
+        for (uint32_t bytes = 0; bytes <= size; bytes++)
+            for (uint32_t again = 0; again < 3; again++)
+                cut(name, after, bytes, again, (bytes * 7 + again) % (size + 1));
+}
+
+// Before the first snapshot is stored: it is there or it is not, and what is there is whole.
+static void test_first_cut(const char *name)
+{
+    for (uint32_t bytes = 0; bytes <= SM_KEEP_SIZE(wide_layout.whole.packed); bytes++) {
+        sim_reset();
+        CHECK(start(name, &wide_vector) == SM_OK);
+        sim_cut_power(0, bytes);
+        (void)store(1);
+        CHECK(restart(name, &wide_vector) == SM_OK && number() == (keep.restored ? 1 : 0));
+    }
+}
+
+// ---- bits flip ----
+
+static void test_flips(const char *name)
+{
+    const uint32_t size = SM_KEEP_HEAD + wide_layout.whole.packed;
+    uint8_t *bytes;
+
+    sim_reset();
+    CHECK(start(name, &wide_vector) == SM_OK && store(1) == SM_OK && store(2) == SM_OK && store(3) == SM_OK);
+    bytes = sim_nvm(name);
+    for (uint32_t bit = 0; bit < 8 * size; bit++) {
+        const uint32_t slot = keep.slot;                  // the third went where the first had been: the number is odd
+        bytes[slot + bit / 8] ^= (uint8_t)(1 << bit % 8);
+        CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && number() == 2);
+        bytes[bit / 8] ^= 1;
+        CHECK(restart(name, &wide_vector) == SM_OK && !keep.restored && number() == 0);
+        bytes[bit / 8] ^= 1;
+        bytes[slot + bit / 8] ^= (uint8_t)(1 << bit % 8);
+        CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && number() == 3);
+    }
+}
+
+// The numbers go on over 2^32.
+static void test_wrap(const char *name)
+{
+    sim_reset();
+    CHECK(start(name, &wide_vector) == SM_OK);
+    keep.number = UINT32_MAX - 3;
+    for (uint32_t k = 1; k < 8; k++) {
+        CHECK(store(k) == SM_OK);
+        CHECK(restart(name, &wide_vector) == SM_OK && number() == k);
+    }
+}
+
+// ---- another layout ----
+
+static void test_layouts(void)
+{
+    SmLayout other = wide_layout;
+    SmStateVec as_other = wide_vector;
+
+    sim_reset();
+    CHECK(start("eeprom", &many_vector) == SM_OK && sm_keep_step(&keep, &tick) == SM_OK && sm_keep_write(&keep) == SM_OK);
+    CHECK(restart("eeprom", &wide_vector) == SM_OK && !keep.restored && number() == 0);
+    CHECK(store(1) == SM_OK && restart("eeprom", &wide_vector) == SM_OK && number() == 1);
+    other.hash ^= 1;                                      // as long, and yet another
+    as_other.layout = &other;
+    CHECK(restart("eeprom", &as_other) == SM_OK && !keep.restored && number() == 0);
+    CHECK(restart("eeprom", &wide_vector) == SM_OK && keep.restored && number() == 1);
+}
+
+// ---- memories that refuse ----
+
+static void test_refused(void)
+{
+    SmLayout large = wide_layout;
+    SmStateVec as_large = wide_vector;
+
+    sim_reset();
+    large.whole.packed = SIM_NVM_SIZE / 2 - SM_KEEP_HEAD;
+    as_large.layout = &large;
+    keep.memory = "eeprom";
+    keep.sv = &as_large;
+    keep.buffer = buffer;
+    CHECK(sm_keep_restore(&keep) == SM_OK);               // to the last byte
+    CHECK(pal_nvm_close(keep.nvm) == SM_OK);
+    large.whole.packed++;
+    CHECK(sm_keep_restore(&keep) == SM_E_SPACE);
+    CHECK(start("tape", &wide_vector) == SM_E_MISSING);
+    sim_break(SIM_nvm_read, 0, SM_E_DEVICE);
+    CHECK(start("eeprom", &wide_vector) == SM_OK && !keep.restored);
+    CHECK(sm_keep_restore(NULL) == SM_E_ARGUMENT);
+    keep.buffer = NULL;
+    CHECK(sm_keep_restore(&keep) == SM_E_ARGUMENT);
+}
+
+// What could not be written waits, until there is something newer.
+static void test_failed_write(const char *name)
+{
+    sim_reset();
+    CHECK(start(name, &wide_vector) == SM_OK && store(1) == SM_OK);
+    sim_fail(SIM_nvm_write, 0, SM_E_DEVICE);
+    CHECK(store(2) == SM_E_DEVICE && keep.stored == 1 && keep.missed == 0);
+    CHECK(sm_keep_write(&keep) == SM_OK && keep.stored == 2);
+    CHECK(restart(name, &wide_vector) == SM_OK && number() == 2);
+    sim_fail(SIM_nvm_write, 0, SM_E_DEVICE);
+    CHECK(store(3) == SM_E_DEVICE);
+    fill(4);
+    CHECK(sm_keep_step(&keep, &tick) == SM_OK && keep.missed == 1);
+    fill(5);
+    CHECK(sm_keep_step(&keep, &tick) == SM_OK && keep.missed == 2);
+    CHECK(sm_keep_write(&keep) == SM_OK && keep.pending == 3 && keep.stored == 1);
+    CHECK(restart(name, &wide_vector) == SM_OK && number() == 5);
+}
+
+// The write after one that failed goes to the same slot: cut there, the one that was stored is still whole.
+static void test_cut_after_failure(const char *name)
+{
+    sim_reset();
+    CHECK(start(name, &wide_vector) == SM_OK && store(1) == SM_OK);
+    sim_fail(SIM_nvm_write, 0, SM_E_DEVICE);
+    CHECK(store(2) == SM_E_DEVICE);
+    sim_cut_power(0, 20);
+    CHECK(sm_keep_write(&keep) == SM_E_DEVICE);
+    CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && number() == 1);
+}
+
+static void test_forget(const char *name)
+{
+    for (uint32_t after = 0; after < 3; after++)
+        for (uint32_t bytes = 0; bytes < 130; bytes += 13) {
+            SmResult r;
+            sim_reset();
+            CHECK(start(name, &wide_vector) == SM_OK && store(1) == SM_OK && store(2) == SM_OK);
+            fill(3);
+            CHECK(sm_keep_step(&keep, &tick) == SM_OK);
+            sim_cut_power(after, bytes);
+            r = sm_keep_forget(&keep);
+            CHECK(r != SM_OK || (sm_keep_write(&keep) == SM_OK && keep.stored == 2));
+            CHECK(restart(name, &wide_vector) == SM_OK && (keep.restored ? r != SM_OK && number() == 2 : number() == 0));
+            CHECK(store(7) == SM_OK && restart(name, &wide_vector) == SM_OK && number() == 7);
+        }
+}
+
+int main(void)
+{
+    for (size_t i = 0; i < sizeof memories / sizeof *memories; i++) {
+        test_plain(memories[i]);
+        test_cuts(memories[i]);
+        test_first_cut(memories[i]);
+        test_flips(memories[i]);
+        test_wrap(memories[i]);
+        test_failed_write(memories[i]);
+        test_cut_after_failure(memories[i]);
+        test_forget(memories[i]);
+    }
+    test_layouts();
+    test_refused();
+    return test_end("keep");
+}

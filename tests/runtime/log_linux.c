@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// The flight log with a step in one thread and a drain in another, on real files; what is kept, likewise.
+#define _GNU_SOURCE
+#include <setjmp.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "compiler/log/log.h"
+#include "log_parts.h"
+#include "runtime-c/keep.h"
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/pal/thread.h"
+#include "runtime-c/shared.h"
+
+enum { STEPS = 20000 };
+
+static char folder[256];
+static uint32_t ended, dropped, trouble;
+static uint8_t kept[2 * SM_KEEP_SIZE(200)];
+static SmKeep keep;
+
+static void run_steps(void *argument)
+{
+    (void)argument;
+    for (uint64_t k = 0; k < STEPS; k++) {
+        const SmTick tick = {k * TICK, k};
+        const SmEvent e = {k * TICK, (uint32_t)k, 0, 1, SM_EVENT_MODE};
+
+        trouble += sm_enter(&wide_vector) != SM_OK;
+        fill(k, 5);
+        sm_leave(&wide_vector);
+        if (k % 5 == 0)
+            sm_event(&events, &e);
+        dropped += sm_log_step(&flight, &tick) != SM_OK;
+        trouble += sm_keep_step(&keep, &tick) != SM_OK;
+        if (k % 16 == 0)
+            pal_clock_sleep_until(pal_clock_now() + 20 * PAL_MICROSECOND);
+    }
+    sm_shared_write(&ended, 1);
+}
+
+static void run_both(void)
+{
+    const SmTick end = {STEPS * TICK, STEPS};
+    const PalThreadPlan plan = {"steps", 0, 0};
+    PalThread thread = {0};
+
+    CHECK(pal_thread_create(&thread, &plan, run_steps, NULL) == SM_OK);
+    for (int i = 0; !sm_shared_read(&ended); i++) {
+        (void)sm_log_drain(&flight, PAL_MILLISECOND);
+        if (i % 64 == 0)
+            CHECK(sm_keep_write(&keep) == SM_OK);
+    }
+    CHECK(pal_thread_join(thread, 100 * (uint64_t)PAL_SECOND) == SM_OK && trouble == 0);
+    (void)sm_log_drain(&flight, PAL_SECOND);
+    fill(STEPS, 5);
+    CHECK(sm_log_step(&flight, &end) == SM_OK && sm_log_close(&flight) == SM_OK);
+    CHECK(sm_keep_write(&keep) == SM_OK && keep.pending == STEPS && keep.stored + keep.missed == STEPS);
+    CHECK(pal_nvm_close(keep.nvm) == SM_OK);
+}
+
+// ---- what is there afterwards ----
+
+static jmp_buf oom;
+
+static void *heap(void *context, void *old, size_t size)
+{
+    (void)context;
+    if (size)
+        return realloc(old, size);
+    free(old);
+    return NULL;
+}
+
+static void check_log(const uint8_t *bytes, size_t n)
+{
+    Arena arena;
+    Log *log;
+    static uint64_t seen;
+
+    arena_init(&arena, heap, NULL, &oom);
+    if (setjmp(oom))
+        abort();
+    log = log_read(&arena, bytes, (uint32_t)n);
+    CHECK(log->session.n == 1 && log->damaged == 0);
+    for (size_t i = 0; log->session.n == 1 && i < log->session.at[0]->item.n; i++)
+        if (log->session.at[0]->item.at[i].kind == ITEM_RECORD) {
+            const LogItem *r = &log->session.at[0]->item.at[i];
+            const LogElement *e = log->session.at[0]->d->element;
+            const uint64_t k = log_time(r) / TICK;
+            CHECK(log_cell(r, &e[WIDE_E_time]) == k * TICK && log_cell(r, &e[WIDE_E_i64]) == (uint64_t)-(int64_t)k);
+            CHECK(log_cell(r, &e[WIDE_E_u8]) == (uint8_t)(0xA5 + k));
+            seen++;
+        }
+    CHECK(seen == STEPS + 1 - dropped && log->session.at[0]->dropped == dropped);
+    CHECK(log->session.at[0]->events + log->session.at[0]->lost == STEPS / 5);
+    arena_free(&arena);
+}
+
+static void read_file(const char *name)
+{
+    FILE *f = fopen(name, "rb");
+    uint8_t *bytes = malloc(64u << 20);
+    const size_t n = f && bytes ? fread(bytes, 1, 64u << 20, f) : 0;
+
+    CHECK(n > 0);
+    check_log(bytes, n);
+    free(bytes);
+    if (f)
+        fclose(f);
+}
+
+static void check_kept(void)
+{
+    (void)pal_lock_close(keep.lock);
+    memset(&keep.nvm, 0, sizeof keep.nvm);
+    keep.lock.id = 0;
+    memset(&wide_sv, 0, sizeof wide_sv);
+    CHECK(sm_keep_restore(&keep) == SM_OK && keep.restored && wide_sv.time == (STEPS - 1) * TICK && wide_sv.i64 == 1 - STEPS);
+    CHECK(pal_nvm_close(keep.nvm) == SM_OK);
+}
+
+int main(void)
+{
+    snprintf(folder, sizeof folder, "%s/smc-log.XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : P_tmpdir);
+    CHECK(mkdtemp(folder) != NULL && chdir(folder) == 0);
+    new_log("flight.log");
+    events.guarded = true;
+    CHECK(sm_events_init(&events) == SM_OK);
+    keep.memory = "kept";
+    keep.sv = &wide_vector;
+    keep.buffer = kept;
+    CHECK(sm_log_init(&flight) == SM_OK && sm_keep_restore(&keep) == SM_OK);
+    run_both();
+    read_file("flight.log");
+    check_kept();
+    CHECK(unlink("flight.log") == 0 && unlink("kept") == 0 && chdir("/") == 0 && rmdir(folder) == 0);
+    return test_end("log_linux");
+}
