@@ -117,6 +117,24 @@ update-golden: all $(B)/golden
 # examples: checked without a word, and tested on every engine.
 CHECK_LINES += "examples: sh tests/check/examples.sh $(B)/smc $(patsubst %/,%,$(wildcard examples/*/))"
 
+# Applications among them: built, and flown or tried on their bench.
+RUNTIME_ARCHIVES = $(foreach platform,linux sim desk,$(B)/runtime/$(platform).a)
+check: $(RUNTIME_ARCHIVES)
+CHECK_LINES += "applications: sh tests/check/applications.sh $(B)/smc '$(CC)' $(B)/runtime $(patsubst %/,%,$(dir $(wildcard examples/*/*.app)))"
+check-applications: all $(RUNTIME_ARCHIVES)
+	sh tests/check/applications.sh $(B)/smc '$(CC)' $(B)/runtime $(patsubst %/,%,$(dir $(wildcard examples/*/*.app)))
+# docs/flight.svg is the flight of the rocket as it would be drawn now; `make docs` draws it.
+FLIGHT_SVG = $(B)/smc log $(B)/flight/flight.log --format=svg altitude velocity tankPressure
+$(B)/flight/flight.log: $(wildcard examples/rocket/*.[csa]*) $(B)/smc $(B)/runtime/desk.a
+	@rm -rf $(@D) && mkdir -p $(@D)/made
+	$(call say,FLY)$(B)/smc build examples/rocket/rocket.app -o $(@D)/made && $(CC) -std=c99 -O1 -ffp-contract=off -I. -I$(@D)/made \
+	    examples/rocket/*.c $(@D)/made/*.c $(B)/runtime/desk.a -o $(@D)/rocket -pthread && cd $(@D) && ./rocket
+check: $(B)/flight/flight.log
+CHECK_LINES += "flight-docs: $(FLIGHT_SVG) | cmp - docs/flight.svg && echo 1 passed, 0 failed"
+docs: docs/flight.svg
+docs/flight.svg: $(B)/flight/flight.log
+	$(FLIGHT_SVG) -o $@
+
 # tests/analysis: what the analyses find, and what they leave alone.
 CHECK_LINES += "analysis: $(B)/smc test tests/analysis" "findings: sh tests/findings/run.sh $(B)/smc"
 

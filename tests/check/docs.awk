@@ -7,8 +7,7 @@
 #   sm NAME +               the section that stands in the block is put into the file NAME, in the place of the one of that name or
 #                           at the end; `+!`: the file has mistakes then
 #   sm PATH =               the lines stand so in that file of the tree
-#   c NAME                  the file NAME, for the commands that follow; c alone is for reading, or other tests compile it
-#   c NAME                  the file NAME, for a console block to compile
+#   c|app|make NAME         the file NAME, for the commands that follow; without a name it is for reading, or other tests compile it
 #   smt                     a case as in conformance/
 #   console                 `$ ` commands, and what they print; a line … stands for any lines
 # Other fences (sh, text, c without a name, none) are for reading.
@@ -19,7 +18,7 @@
     split(substr($0, 4), word, " ")
     file = out "/" n ".block"
     printf "" >file
-    if (word[1] ~ /^(sv|sm|ss|smt|console)$/ || (word[1] == "io" && word[3] != "") || (word[1] == "c" && word[2] != ""))
+    if (word[1] ~ /^(sv|sm|ss|smt|console)$/ || (word[1] == "io" && word[3] != "") || (word[1] ~ /^(c|app|make)$/ && word[2] != ""))
         printf "%d|%d|%s|%s|%s\n", n, FNR, word[1], word[2], word[3]
     delete word
     next

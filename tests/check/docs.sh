@@ -32,9 +32,8 @@ run_block() {                             # NUMBER KIND NAME OTHER, in the page'
     block=$folder/blocks/$1.block
     case $2 in
     console) PATH=$folder/bin:$PATH NO_COLOR=1 awk -f "$root/tests/check/console.awk" "$block" ;;
-    c)       cp "$block" "$3" ;;
+    c|app|make) cp "$block" "$3" ;;
     smt)     cp "$block" case.smt && "$smc" test case.smt ;;
-    c)       cp "$block" "$3" ;;
     io)      cp "$block" "$3" && "$smc" check -Werror "$3" --sv "$4" ;;
     ss)      cp "$block" "$3" && { [ -z "$4" ] || "$smc" test -Werror "$4" "$3"; } ;;
     *)       case $4 in
