@@ -54,7 +54,9 @@ static bool take_number(SmvmPins *p, SmF64 *x)
         *x = sm_from_i32(o.payload > (uint32_t)SMVM_INT_MOST ? (int32_t)o.payload - SMVM_PAYLOADS : (int32_t)o.payload);
         return true;
     }
-    if ((o.kind != SMVM_K_F32 && o.kind != SMVM_K_F64) || o.payload != 0 || !take(p, o.kind == SMVM_K_F32 ? 4 : 8, &at))
+    if ((o.kind != SMVM_K_F32 && o.kind != SMVM_K_F64) || o.payload != 0)
+        return false;
+    if (!take(p, o.kind == SMVM_K_F32 ? 4 : 8, &at))
         return false;
     *x = o.kind == SMVM_K_F32 ? sm_from_f32(sm_f32_from_bits(smvm_uint(p->image, at, 4))) : sm_from_bits(smvm_cell(p->image, at, 8));
     return true;

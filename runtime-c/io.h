@@ -5,13 +5,13 @@
 //     SmResult r = sm_inputs_init(&rocket_inputs);                  // once; the same of the outputs
 //     r = sm_inputs_step(&rocket_inputs, &tick);                    // then in every tick: inputs, tasks, outputs
 //
-// A number at an analog pin is in volts (or amperes): millionths of pal/aio.h divided by 1,000,000.  The element is that times scale, plus
-// offset; an output goes the other way, and the nearest millionth is set, halves away from 0, as far as an int32_t reaches.  A pin that
-// cannot be read gives no measurement: for `hold` steps the element stays as it is, then it becomes NaN, which is 0 in integers and
-// false in bool (language.md).  The other pins are read all the same.
+// A number at an analog pin is in volts (or amperes): millionths of pal/aio.h divided by 1,000,000.  The element is that times
+// scale, plus offset; an output goes the other way, and the nearest millionth is set, halves away from 0, as far as an int32_t
+// reaches.  A pin that cannot be read gives no measurement: for `hold` steps the element stays as it is, then it becomes NaN,
+// which is 0 in integers and false in bool (language.md).  The other pins are read all the same.
 //
-// All elements of one direction are stored, or read, in one critical section, and nothing else happens in it: no pin is touched while
-// the lock is held.
+// All elements of one direction are stored, or read, in one critical section, and nothing else happens in it: no pin is touched
+// while the lock is held.
 #ifndef SM_IO_H
 #define SM_IO_H
 
@@ -54,8 +54,8 @@ typedef struct SmIo {
 // As SmTaskInit and SmTaskStep; the context is an SmIo.  A table may hold both directions: each of these minds its own.
 
 // Opens all pins, outputs at their safe value.  The result is that of the first that fails: then `failed` tells which, and those
-// opened are closed again.  SM_E_ARGUMENT: a row that nothing could be done with (an element beyond the vector, a type or a kind that there
-// is not, a scale of 0).
+// opened are closed again.  SM_E_ARGUMENT: a row that nothing could be done with (an element beyond the vector, a type or a kind
+// that there is not, a scale of 0).
 SmResult sm_inputs_init(void *io);
 SmResult sm_outputs_init(void *io);
 
