@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# State vector, events, log and keep for small targets: they compile there without a warning; and names that nobody looks up are not linked.
+# The runtime for small targets: it compiles there without a warning; and names that nobody looks up are not linked.
 #     targets.sh SMC     CC names the host's compiler.
 smc=$1 CC=${CC:-cc}
 here=tests/runtime

@@ -2,11 +2,13 @@
 // Threads: SCHED_FIFO where it is permitted (root, CAP_SYS_NICE or a limit on rtprio), else ordinary ones.  Stacks have a guard
 // page: one that overflows ends the program instead of overwriting its neighbour.
 #define _GNU_SOURCE
+#include <alloca.h>
 #include <errno.h>
 #include <limits.h>
 #include <pthread.h>
 #include <sched.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include "runtime-c/pal/thread.h"
@@ -19,6 +21,7 @@ typedef struct Entry {
     PalThreadMain *run;
     void *argument;
     bool realtime, joining, ended;
+    size_t settle;            // bytes of its stack, if it is a real-time thread
 } Entry;
 
 static bool used[PAL_THREADS];
@@ -39,10 +42,24 @@ static void start(void)
     pthread_condattr_destroy(&kind);
 }
 
+// A real-time thread does not wait for memory: most of its stack is touched, and what the program has by now stays in memory where
+// that is permitted.  (What it may ask for later does not: beyond a limit that would be refused.)
+static void settle(size_t stack)
+{
+    const size_t page = 4096, n = stack / 4 * 3;
+    volatile char *room = alloca(n);
+
+    for (size_t i = 0; i < n; i += page)
+        room[i] = 0;
+    (void)mlockall(MCL_CURRENT);
+}
+
 static void *run(void *of)
 {
     Entry *e = of;
 
+    if (e->settle > 0)
+        settle(e->settle);
     e->run(e->argument);
     pthread_mutex_lock(&mutex);
     e->ended = true;
@@ -70,6 +87,7 @@ static int launch(Entry *e, const PalThreadPlan *plan, bool realtime)
     pthread_attr_setinheritsched(&a, PTHREAD_EXPLICIT_SCHED);
     pthread_attr_setschedpolicy(&a, realtime ? SCHED_FIFO : SCHED_OTHER);
     pthread_attr_setschedparam(&a, &p);
+    e->settle = realtime ? stack_size(plan->stack) : 0;
     error = pthread_attr_setstacksize(&a, stack_size(plan->stack));
     if (!error)
         error = pthread_create(&e->thread, &a, run, e);
@@ -174,9 +192,13 @@ bool pal_thread_is_realtime(PalThread thread)
 SmResult pal_thread_set_priority(uint8_t priority)
 {
     struct sched_param p = {0};
+    SmResult r;
 
     if (priority > PAL_PRIORITY_MAX)
         return SM_E_ARGUMENT;
     p.sched_priority = priority;
-    return psl_result(pthread_setschedparam(pthread_self(), priority > 0 ? SCHED_FIFO : SCHED_OTHER, &p));
+    r = psl_result(pthread_setschedparam(pthread_self(), priority > 0 ? SCHED_FIFO : SCHED_OTHER, &p));
+    if (r == SM_OK && priority > 0)
+        settle(PAL_THREAD_STACK);
+    return r;
 }
