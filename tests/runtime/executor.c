@@ -269,6 +269,22 @@ static void test_told(void)
     CHECK(n == 10 && told == e.told_skipped && e.skipped > told && e.skipped - told < 100);
 }
 
+// More than an event can tell is told with the next.
+static void test_told_late(void)
+{
+    start();
+    e.period = 1000;
+    e.unit = 1;
+    begin();
+    sim_advance(3 * 3600 * S);                             // 10,800,000,000 ticks
+    tick();
+    CHECK(is_event(SM_EVENT_OVERRUN, 4, UINT32_MAX, UINT32_MAX) && is_no_event());
+    ticks_until(e.next + 1000000);
+    sim_advance(5000);
+    tick();
+    CHECK(is_event(SM_EVENT_OVERRUN, 4, UINT32_MAX, 4));
+}
+
 // ---- G ----
 
 static void test_time(void)
@@ -345,6 +361,12 @@ static void test_far_clock(void)
     sim_advance(35 * MS);
     sm_executor_tick(&e);
     CHECK(e.late == 35 * MS && e.skipped == 3);
+    start();                                               // late across the end
+    sim_advance(UINT64_MAX - pal_clock_now() - 5 * MS);
+    begin();
+    sim_advance(35 * MS);
+    sm_executor_tick(&e);
+    CHECK(e.late == 35 * MS && e.skipped == 3 && e.overruns == 1);
 }
 
 // ---- vitals ----
@@ -428,6 +450,7 @@ int main(void)
     test_catch_up_most();
     test_first_late();
     test_told();
+    test_told_late();
     test_time();
     test_time_uneven();
     test_time_ends();
