@@ -11,7 +11,8 @@ strict='-std=c99 -Os -ffunction-sections -fdata-sections -Wall -Wextra -Wconvers
         -pedantic -Werror -I.'
 strict_cpp='-std=c++11 -Wall -Wextra -Wconversion -Wshadow -pedantic -Werror -I.'
 sources='runtime-c/statevec.c runtime-c/region.c runtime-c/names.c runtime-c/event.c'
-more='runtime-c/log.c runtime-c/log_drain.c runtime-c/log_describe.c runtime-c/keep.c'      # log and keep
+more='runtime-c/log.c runtime-c/log_drain.c runtime-c/log_describe.c runtime-c/keep.c
+      runtime-c/task.c runtime-c/executor.c runtime-c/app.c runtime-c/run.c runtime-c/writing.c'      # log, keep, tasks, applications
 
 check() {                     # check SENTENCE COMMAND…
     what=$1
