@@ -124,7 +124,7 @@ static long y_of(const Row *r, double x)
 {
     const double share = (x / 2 - r->lo / 2) / (r->hi / 2 - r->lo / 2);       // halves: the difference of two numbers may be none
 
-    return r->top + PLOT_ROW - (long)((double)PLOT_ROW * (share < 0 ? 0 : share > 1 ? 1 : share));
+    return r->top + PLOT_ROW - (long)((double)PLOT_ROW * (!(share > 0) ? 0 : share > 1 ? 1 : share));
 }
 
 static void put_title(Plot *p, const Var *v, long top)
