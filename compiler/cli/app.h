@@ -10,7 +10,8 @@ typedef struct CliApp {
     AppFiles files;
 } CliApp;
 
-// Reads and parses `path` and loads what it names; what cannot be read is reported when it is checked.  False after a message: `path` itself.
+// Reads and parses `path` and loads what it names; what cannot be read is reported when it is checked.  False after a message:
+// `path` itself.
 bool cli_load_app(Cli *c, const char *path, CliApp *out);
 
 int build_app(Cli *c);        // smc build NAME.app

@@ -21,7 +21,10 @@ static const char *in_folder(AppBuild *b, const char *name)
     return format_in(&b->c->session.arena, "%s%s%s", folder, n && folder[n - 1] != '/' ? "/" : "", name);
 }
 
-static const char *plus(AppBuild *b, const char *stem, const char *end) { return format_in(&b->c->session.arena, "%s%s", stem, end); }
+static const char *plus(AppBuild *b, const char *stem, const char *end)
+{
+    return format_in(&b->c->session.arena, "%s%s", stem, end);
+}
 
 static Buf *new_buf(AppBuild *b)
 {

@@ -36,9 +36,9 @@ static bool find_emit(Cli *c, Emit *emit)
 static bool source_kind(Cli *c, const char *path, FileKind *kind)
 {
     *kind = FILE_SM;
-    if (strcmp(path, "-") == 0 || (file_kind(path, kind) && *kind != FILE_APP))
+    if (strcmp(path, "-") == 0 || file_kind(path, kind))
         return true;
-    cli_usage(c, "'%s' is no source: names end in .sm, .sv, .ss or .io", path);
+    cli_usage(c, "'%s' is no source: names end in .sm, .sv, .ss, .io or .app", path);
     return false;
 }
 
@@ -242,6 +242,8 @@ static int check_use(Cli *c, Emit emit, FileKind *first)
     for (size_t i = 0; i < c->files; i++) {
         if (!source_kind(c, c->file[i], &kind))
             return EXIT_USAGE;
+        if (kind == FILE_APP && emit < EMIT_AST)
+            return cli_usage(c, "an application is built alone: it names its files itself");
         if (kind != *first && emit < EMIT_AST)
             return cli_usage(c, "'%s' and '%s' cannot be built in one call; name a state vector with --sv", c->file[0], c->file[i]);
     }
@@ -322,10 +324,10 @@ int cmd_build(Cli *c)
     Emit emit;
     int code, reported;
 
-    if (c->files && has_suffix(c->file[0], ".app"))
-        return build_app(c);
     if (!find_emit(c, &emit))
         return EXIT_USAGE;
+    if (c->files && has_suffix(c->file[0], ".app") && emit < EMIT_AST)
+        return build_app(c);
     if ((code = check_use(c, emit, &first)) != EXIT_OK)
         return code;
     if (!set_print(c))

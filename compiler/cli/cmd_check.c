@@ -89,9 +89,11 @@ static int check_use(Cli *c)
         machines += has_suffix(path, ".sm") || (path[0] == '-' && path[1] == '\0');
         scripts += has_suffix(path, ".ss");
         pins = has_suffix(path, ".io") ? path : pins;
+        if (has_suffix(path, ".app"))
+            return cli_usage(c, "an application is checked alone: it names its files itself");
         if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".sv") && !has_suffix(path, ".io") &&
             (path[0] != '-' || path[1]))
-            return cli_usage(c, "'%s' is no source: names end in .sm, .sv, .ss or .io", path);
+            return cli_usage(c, "'%s' is no source: names end in .sm, .sv, .ss, .io or .app", path);
     }
     if (pins && !c->given[OPT_SV])
         return cli_usage(c, "pins are checked with their state vector, as in 'smc check %s --sv app.sv'", pins);

@@ -66,6 +66,8 @@ static void diagnose(Fix *f)
             session_io(&c->session, f->src[i], f->sv);
         else if (has_suffix(c->file[i], ".io"))
             session_parse(&c->session, f->src[i], FILE_IO);
+        else if (has_suffix(c->file[i], ".app"))
+            session_parse(&c->session, f->src[i], FILE_APP);
         else if (!is_script_of_machine(f, i))
             session_parse(&c->session, f->src[i], FILE_SS);
     diags_apply_allows(d);
@@ -168,8 +170,8 @@ static int check_use(Cli *c)
         return cli_usage(c, "fix wants a file, as in 'smc fix tank.sm'");
     for (size_t i = 0; i < c->files; i++)
         if (!has_suffix(c->file[i], ".sm") && !has_suffix(c->file[i], ".ss") && !has_suffix(c->file[i], ".sv") &&
-            !has_suffix(c->file[i], ".io"))
-            return cli_usage(c, "'%s' is no source: names end in .sm, .sv, .ss or .io", c->file[i]);
+            !has_suffix(c->file[i], ".io") && !has_suffix(c->file[i], ".app"))
+            return cli_usage(c, "'%s' is no source: names end in .sm, .sv, .ss, .io or .app", c->file[i]);
     return EXIT_OK;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A typed application: what the checker makes of a .app whose files have no errors (docs/config.md 10).  Elements and states are bound,
-// times are exact.  Read by the C backend and the command, changed by nobody.
+// A typed application: what the checker makes of a .app whose files have no errors (docs/config.md 10).  Elements and states are
+// bound, times are exact.  Read by the C backend and the command, changed by nobody.
 #ifndef SMC_APP_H
 #define SMC_APP_H
 

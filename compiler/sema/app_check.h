@@ -15,6 +15,7 @@ typedef struct AppCheck {
     const IoMap *pins;            // or NULL
     unsigned guesses;             // how many more unknown names are compared with all known ones
     Map file_index;               // of machines: name as written to 1 + its place in files
+    Map machine_file;             // name as written to the Span where it is named first
     Map task, executor;           // name to the Span of the first
     Map vital;                    // element's name to what it holds: const char *
     Map start;                    // element's name to the Span of its first value

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An application (docs/config.md 10) to an App: its files, options and executors.  Tasks are check_app_task.c's, times check_app_time.c's,
-// values at the start check_app_start.c's.
+// An application (docs/config.md 10) to an App: its files, options and executors.  Tasks are check_app_task.c's, times
+// check_app_time.c's, values at the start check_app_start.c's.
 #include "compiler/sema/app_check.h"
 
 #include <string.h>
@@ -113,7 +113,8 @@ const Element *app_find_element(AppCheck *k, const AstWord *name)
         guess_try(&g, k->sv->element.at[i]->name);
     guess_label(k->c->diags, d, &g);
     if (g.best)
-        diag_note(k->c->diags, d, ((const Element *)map_find(&k->sv->by_name, g.best))->span, DIAG_note_declared_here, g.best->text);
+        diag_note(k->c->diags, d, ((const Element *)map_find(&k->sv->by_name, g.best))->span, DIAG_note_declared_here,
+                  g.best->text);
     return NULL;
 }
 
@@ -137,7 +138,8 @@ static void check_time(AppCheck *k, const AstAppOption *o)
     }
     for (size_t i = 0; e && k->pins && i < k->pins->pin.n; i++)
         if (k->pins->pin.at[i].element == e && !pin_is_output(&k->pins->pin.at[i]))
-            diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_two_writers, o->element.span, "the runtime", e->name->text, "an input"),
+            diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_two_writers, o->element.span, "the runtime", e->name->text,
+                                               "an input"),
                       k->pins->pin.at[i].span, DIAG_note_input_here);
     k->app->time = e;
     k->app->time_span = o->element.span;
@@ -171,6 +173,19 @@ static void check_option(AppCheck *k, const AstAppOption *o)
     }
 }
 
+// The smallest ring that the runtime takes: runtime-c/log.h, SM_LOG_LEAST.
+static void check_log_room(AppCheck *k, const AstAppOption *o)
+{
+    uint32_t least = 0;
+
+    for (size_t i = 0; k->sv && i < k->sv->region.n; i++)
+        least += k->sv->region.at[i]->packed_size;
+    least = 2 * (least + 18) + 192;
+    if (k->sv && k->app->log_room >= 256 && k->app->log_room < least)
+        diag_report(k->c->diags, DIAG_app_range, o->amount.span, "the memory of the log",
+                    format_in(k->c->arena, "for this state vector at least %lu B", (unsigned long)least));
+}
+
 // The platform opens these names; runtime-c/config.h PAL_NAME.
 static void check_name_length(AppCheck *k, const AstAppOption *o)
 {
@@ -186,6 +201,8 @@ static void check_options(AppCheck *k)
     for (size_t i = 0; i < k->ast->options.n; i++) {
         check_option(k, &k->ast->options.at[i]);
         check_name_length(k, &k->ast->options.at[i]);
+        if (k->ast->options.at[i].kind == AST_APP_log)
+            check_log_room(k, &k->ast->options.at[i]);
     }
     if (!find_option(k->ast, AST_APP_state_vector) && !k->ast->lost)
         missing(k, k->ast->options_header, "an application needs a state vector: in [options], state_vector \"FILE.sv\"");
@@ -208,7 +225,8 @@ static void check_writers(AppCheck *k, const AstAppAnnotation *a, const Element 
     }
     for (size_t i = 0; k->pins && i < k->pins->pin.n; i++)
         if (k->pins->pin.at[i].element == e && !pin_is_output(&k->pins->pin.at[i]))
-            diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_two_writers, a->word.span, "the executor", e->name->text, "an input"),
+            diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_two_writers, a->word.span, "the executor", e->name->text,
+                                               "an input"),
                       k->pins->pin.at[i].span, DIAG_note_input_here);
 }
 
@@ -256,7 +274,8 @@ static void check_executor_name(AppCheck *k, const AstAppExecutor *in)
     const Span *first = map_find(&k->executor, in->name.text);
 
     if (first)
-        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_name_twice, in->name.span, "executor", in->name.text->text), *first,
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_name_twice, in->name.span, "executor", in->name.text->text),
+                  *first,
                   DIAG_note_first_here);
     else
         map_put(&k->executor, in->name.text, (void *)(size_t)&in->name.span);
@@ -273,7 +292,8 @@ static void check_executor(AppCheck *k, const AstAppExecutor *in)
     for (size_t i = 0; i < in->annotations.n; i++)
         check_executor_annotation(k, &in->annotations.at[i], out);
     if (in->rates.n == 0 && !in->lost)
-        missing(k, in->header, format_in(k->c->arena, "executor [%s] has nothing to do: it needs a rate, as 'every 10 ms:', with tasks",
+        missing(k, in->header, format_in(k->c->arena,
+                                         "executor [%s] has nothing to do: it needs a rate, as 'every 10 ms:', with tasks",
                                          in->name.text->text));
     check_app_rates(k, in, out);
     check_app_tasks(k, in, out);
@@ -326,7 +346,7 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     k.sv = sv;
     k.pins = pins;
     k.guesses = GUESSES;
-    k.file_index.arena = k.task.arena = k.executor.arena = k.vital.arena = k.start.arena = c->arena;
+    k.file_index.arena = k.machine_file.arena = k.task.arena = k.executor.arena = k.vital.arena = k.start.arena = c->arena;
     k.app = ARENA_NEW(c->arena, App);
     k.app->name = sema_stem(c->strings, f->src);
     k.app->src = f->src;
@@ -338,5 +358,5 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     check_app_start(&k);
     check_executors(&k);
     check_unused(&k);
-    return c->diags->met > errors || !sv ? NULL : k.app;
+    return c->diags->met > errors || !sv || f->app->lost ? NULL : k.app;
 }

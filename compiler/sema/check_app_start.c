@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// [start] of an application: what elements hold before anything runs (docs/config.md 10.8).  Values are checked as those of a machine,
-// of which no variable is known.
+// [start] of an application: what elements hold before anything runs (docs/config.md 10.8).  Values are checked as those of a
+// machine, of which no variable is known.
 #include "compiler/sema/app_check.h"
 
 #include <string.h>
@@ -42,7 +42,8 @@ static bool is_first(AppCheck *k, const AstStmt *in)
     const Span *first = map_find(&k->start, in->name);
 
     if (first) {
-        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_start_twice, in->name_span, in->name->text), *first, DIAG_note_first_here);
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_start_twice, in->name_span, in->name->text), *first,
+                  DIAG_note_first_here);
         return false;
     }
     map_put(&k->start, in->name, &((AstStmt *)(size_t)in)->name_span);

@@ -38,7 +38,8 @@ static void check_name(AppCheck *k, const AstAppTask *in)
     if (problem)
         diag_report(k->c->diags, DIAG_task_name_reserved, in->name.span, in->name.text->text, what, problem);
     if (first)
-        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_name_twice, in->name.span, "task or machine", in->name.text->text), *first,
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_name_twice, in->name.span, "task or machine", in->name.text->text),
+                  *first,
                   DIAG_note_first_here);
     else
         map_put(&k->task, in->name.text, (void *)(size_t)&in->name.span);
@@ -105,6 +106,18 @@ static void check_time_of(AppCheck *k, const AstAppTask *in, const Program *p)
     diag_note(k->c->diags, d, k->app->time_span, DIAG_note_named_here);
 }
 
+// Two of one file would write the same elements, S among them.
+static void check_machine_file(AppCheck *k, const AstAppTask *in)
+{
+    const Span *first = map_find(&k->machine_file, in->file.text);
+
+    if (first)
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_machine_twice, in->file.span, in->file.text->text), *first,
+                  DIAG_note_first_here);
+    else
+        map_put(&k->machine_file, in->file.text, (void *)(size_t)&in->file.span);
+}
+
 static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in)
 {
     AppMachine *m = ARENA_NEW(k->c->arena, AppMachine);
@@ -114,11 +127,14 @@ static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in)
     m->program = k->files->at[m->file].program;
     m->number = (uint16_t)k->app->machine.n;
     vec_push(k->c->arena, &k->app->machine, m);
+    check_machine_file(k, in);
     check_time_of(k, in, m->program);
     for (size_t i = 0; i < in->annotations.n; i++) {
         const AstAppAnnotation *a = &in->annotations.at[i];
         m->bytecode = m->bytecode || a->kind == AST_ON_bytecode;
         m->resume = m->resume || a->kind == AST_ON_resume;
+        if (a->kind == AST_ON_resume && !k->app->keep && !k->ast->lost)
+            diag_report(k->c->diags, DIAG_resume_without_keep, a->span);
         if (a->kind == AST_ON_state && m->program)
             m->initial = find_state(k, m->program, &a->word);
     }
@@ -132,7 +148,8 @@ static const Element *check_mode(AppCheck *k, const AstWord *name)
     const Element *e = app_find_element(k, name);
 
     if (e && e->type != SM_U8) {
-        Diag *d = diag_report(k->c->diags, DIAG_app_element_type, name->span, e->name->text, sm_type_info[e->type].spelling, "a mode",
+        Diag *d = diag_report(k->c->diags, DIAG_app_element_type, name->span, e->name->text, sm_type_info[e->type].spelling,
+                              "a mode",
                               "a U8");
         diag_note(k->c->diags, d, e->span, DIAG_note_declared_here, e->name->text);
     }

@@ -59,7 +59,8 @@ bool app_whole(AppCheck *k, const AstAmount *a, const AppRange *r, const char *w
 
 const char *app_time_text(Arena *arena, uint64_t ns)
 {
-    static const struct { const char *unit; uint64_t ns; } units[] = {{"s", 1000000000u}, {"ms", 1000000u}, {"us", 1000u}, {"ns", 1u}};
+    static const struct { const char *unit; uint64_t ns; } units[] = {{"s", 1000000000u}, {"ms", 1000000u}, {"us", 1000u},
+                                                                      {"ns", 1u}};
     size_t i = 0;
 
     while (ns % units[i].ns)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree of an application (.app) as written: options, values at the start, executors with their rate groups.  app.def has its words.
-// What could not be read was reported, and is not there.
+// The tree of an application (.app) as written: options, values at the start, executors with their rate groups.  app.def has its
+// words.  What could not be read was reported, and is not there.
 #ifndef SMC_AST_APP_H
 #define SMC_AST_APP_H
 
@@ -81,8 +81,10 @@ struct AstApp {
     VEC(AstAppOption) options;
     AstStmts start;           // AST_ASSIGN
     VEC(AstAppExecutor *) executors;
-    bool lost;                // something could not be read
+    bool lost;                // there were errors: something may not be here
 };
+
+void ast_print_app(const AstApp *app, Buf *out);
 
 const char *app_option_name(AstAppOptionKind kind);
 const char *app_task_word(AstAppTaskKind kind);

@@ -3,7 +3,7 @@
 // an expression on one line with every operation in parentheses.
 #include <string.h>
 
-#include "compiler/syntax/ast.h"
+#include "compiler/syntax/ast_app.h"
 
 static void put_stmts(Buf *out, const AstStmts *s, unsigned depth);
 
@@ -221,4 +221,6 @@ void ast_print(const AstFile *f, Buf *out)
 {
     for (size_t i = 0; i < f->sections.n; i++)
         put_section(out, f->sections.at[i]);
+    if (f->app)
+        ast_print_app(f->app, out);
 }

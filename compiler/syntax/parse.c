@@ -442,6 +442,7 @@ static void start(Parser *p, Arena *arena, StrPool *strings, Diags *diags, const
 AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)
 {
     AstFile *f = ARENA_NEW(arena, AstFile);
+    size_t met = diags->met;
     Parser p;
 
     f->kind = kind;
@@ -459,5 +460,7 @@ AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *
             parse_app_section(&p, f->app);
         else
             parse_section(&p, f);
+    if (f->app)
+        f->app->lost = f->app->lost || diags->met > met;
     return f;
 }

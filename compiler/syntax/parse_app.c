@@ -4,12 +4,14 @@
 
 static bool at_section_end(const Parser *p) { return p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END; }
 
-// After a mistake in an entry: on to the next line.
-static void next_entry(Parser *p, AstApp *app)
+// After a mistake in the entry that began at `at`: on to the next line, and on in any case.
+static void next_entry(Parser *p, AstApp *app, uint32_t at)
 {
     if (!p->failed)
         return;
     app->lost = true;
+    if (p->tok.at == at && !at_section_end(p))
+        parser_next(p);
     skip_line(p);
     p->failed = false;
 }
@@ -80,8 +82,16 @@ static void parse_value(Parser *p, AstApp *app)
     AstWord name = {0};
 
     s->kind = AST_ASSIGN;
-    if (!app_take_name(p, &name, "the name of an element", "engineMode = 2"))
+    if (p->tok.kind != TOK_NAME) {
+        if (p->tok.kind == TOK_ERROR)
+            p->failed = true;
+        diag_label(p->diags, parser_fail(p, DIAG_app_form, parser_here(p), "the name of an element", parser_describe(p, &p->tok)),
+                   DIAG_label_as_in, "engineMode = 2");
         return;
+    }
+    name.text = p->tok.text;                      // an element may be called like a word of another section
+    name.span = parser_here(p);
+    parser_next(p);
     s->name = name.text;
     s->span = s->name_span = name.span;
     if (p->tok.kind != TOK_ASSIGN) {
@@ -125,7 +135,8 @@ static void parse_task(Parser *p, AstAppTaskKind kind, AstAppRate *r)
     t.name.text = p->tok.text;
     t.name.span = parser_here(p);
     parser_next(p);
-    if (tasks[kind].named && !app_take_name(p, &t.name, kind == AST_TASK_task ? "the task's name" : "the machine's name", tasks[kind].form))
+    if (tasks[kind].named && !app_take_name(p, &t.name, kind == AST_TASK_task ? "the task's name" : "the machine's name",
+                                            tasks[kind].form))
         return;
     if (tasks[kind].file && !app_take_file(p, &t.file, tasks[kind].form))
         return;
@@ -182,11 +193,13 @@ static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
         parser_report(p, DIAG_executor_name, name.span, name.text->text);
     vec_push(p->arena, &app->executors, e);
     app_take_annotations(p, APP_ON_EXECUTOR, name.text->text, &e->annotations);
-    while (p->failed || !at_section_end(p)) {
+    e->lost = e->lost || p->failed;
+    next_entry(p, app, header.at);
+    while (!at_section_end(p)) {
+        uint32_t at = p->tok.at;
+        parse_entry(p, e);
         e->lost = e->lost || p->failed;
-        next_entry(p, app);
-        if (!at_section_end(p))
-            parse_entry(p, e);
+        next_entry(p, app, at);
     }
 }
 
@@ -195,8 +208,9 @@ static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
 static void parse_entries(Parser *p, AstApp *app, void (*entry)(Parser *p, AstApp *app))
 {
     while (!at_section_end(p)) {
+        uint32_t at = p->tok.at;
         entry(p, app);
-        next_entry(p, app);
+        next_entry(p, app, at);
     }
 }
 
@@ -228,7 +242,8 @@ static bool is_options(Parser *p, const AstWord *name, Span header, const char *
         return true;
     if (!meant || strcmp(meant, which) != 0 || strcmp(name->text->text, "options") == 0 || strcmp(name->text->text, "start") == 0)
         return false;
-    diag_label(p->diags, parser_report(p, DIAG_app_section_misspelt, header, name->text->text, format_in(p->arena, "[%s]", which)), DIAG_label_did_you_mean,
+    diag_label(p->diags, parser_report(p, DIAG_app_section_misspelt, header, name->text->text, format_in(p->arena, "[%s]", which)),
+               DIAG_label_did_you_mean,
                format_in(p->arena, "[%s]", which));
     return true;
 }

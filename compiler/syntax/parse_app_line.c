@@ -125,9 +125,12 @@ static const char *const measure_units[] = {"", "", "ns, us, ms or s", "Hz or kH
 static const char *near_unit(Parser *p, AppMeasure of)
 {
     static const struct { const char *word, *unit; } others[] = {
-        {"sec", "s"}, {"secs", "s"}, {"second", "s"}, {"seconds", "s"}, {"S", "s"}, {"msec", "ms"}, {"MS", "ms"}, {"milliseconds", "ms"},
-        {"usec", "us"}, {"US", "us"}, {"microseconds", "us"}, {"nsec", "ns"}, {"hz", "Hz"}, {"HZ", "Hz"}, {"KHz", "kHz"}, {"khz", "kHz"},
-        {"b", "B"}, {"bytes", "B"}, {"Bytes", "B"}, {"kB", "KB"}, {"kb", "KB"}, {"Kb", "KB"}, {"K", "KB"}, {"k", "KB"}, {"KiB", "KB"}};
+        {"sec", "s"}, {"secs", "s"}, {"second", "s"}, {"seconds", "s"}, {"S", "s"}, {"msec", "ms"}, {"MS", "ms"},
+        {"milliseconds", "ms"},
+        {"usec", "us"}, {"US", "us"}, {"microseconds", "us"}, {"nsec", "ns"}, {"hz", "Hz"}, {"HZ", "Hz"}, {"KHz", "kHz"},
+        {"khz", "kHz"},
+        {"b", "B"}, {"bytes", "B"}, {"Bytes", "B"}, {"kB", "KB"}, {"kb", "KB"}, {"Kb", "KB"}, {"K", "KB"}, {"k", "KB"},
+        {"KiB", "KB"}};
 
     for (size_t i = 0; p->tok.kind == TOK_NAME && i < sizeof others / sizeof *others; i++)
         for (size_t k = 0; strcmp(p->tok.text->text, others[i].word) == 0 && k < sizeof units / sizeof *units; k++)

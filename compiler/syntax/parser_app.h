@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the two files of the parser of applications share.  parse_app.c: sections, options, executors; parse_app_line.c: the pieces of a line.
-// Pieces may stand on lines of their own: a word that begins the next entry ends the one before it.
+// What the two files of the parser of applications share.  parse_app.c: sections, options, executors; parse_app_line.c: the pieces
+// of a line.  Pieces may stand on lines of their own: a word that begins the next entry ends the one before it.
 #ifndef SMC_PARSER_APP_H
 #define SMC_PARSER_APP_H
 
@@ -8,7 +8,8 @@
 #include "compiler/syntax/parser.h"
 
 // What a line is of, as far as its annotations go.
-typedef enum AppPlace { APP_ON_EXECUTOR, APP_ON_TASK, APP_ON_MACHINE, APP_ON_OUTPUTS, APP_ON_SERVICE, APP_ON_INPUTS, APP_PLACES } AppPlace;
+typedef enum AppPlace { APP_ON_EXECUTOR, APP_ON_TASK, APP_ON_MACHINE, APP_ON_OUTPUTS, APP_ON_SERVICE, APP_ON_INPUTS,
+                       APP_PLACES } AppPlace;
 
 // Reports that `expected` is missing here, with how such a line is written.
 void app_wrong_form(Parser *p, const char *expected, const char *form);

@@ -10,7 +10,6 @@ every 10 ms:
     machine a "rocket.sm"             #! E0843 rocket.c
     machine b "rocket_APP.sm"         #! E0843 the application
     machine c "mission.sm"
-    machine d "mission.sm"
     inputs
 -- rocket.sv --
 [A]

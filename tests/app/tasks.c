@@ -6,7 +6,8 @@
 
 SmResult first_init(void)
 {
-    printf("init %.6g %d %d %d %.6g\n", probe_pressure(), (int)probe_mode(), (int)probe_offset(), (int)probe_armed(), (double)probe_gain());
+    printf("init %.6g %d %d %d %.6g\n", probe_pressure(), (int)probe_mode(), (int)probe_offset(), (int)probe_armed(),
+           (double)probe_gain());
     return SM_OK;
 }
 

@@ -7,6 +7,7 @@
 #include "compiler/analysis/analysis.h"
 #include "compiler/pipeline.h"
 #include "compiler/script/testfile.h"
+#include "compiler/syntax/parse.h"
 #include "tests/unit/host.h"
 
 typedef struct Run {
@@ -53,6 +54,21 @@ static void diagnose_machine(Run *r, const TestFile *f)
             session_script(&r->s, r->src[i], p);
 }
 
+static void diagnose_app(Run *r, const TestFile *f)
+{
+    AstFile *tree = parse_file(&r->s.arena, &r->s.strings, &r->s.diags, find_source(f, r, ".app"), FILE_APP);
+    AppFiles files;
+
+    app_files(&r->s.arena, tree, &files);
+    for (size_t i = 0; i < files.n; i++) {
+        files.at[i].problem = "the case has no such part";
+        for (size_t k = 0; k < f->part.n; k++)
+            if (strcmp(f->part.at[k].name, files.at[i].name.text->text) == 0)
+                files.at[i].src = r->src[k];
+    }
+    session_app(&r->s, tree, &files);
+}
+
 // The case, part `changed` of which has another text; changed == the number of parts: none has.
 static void open_run(Run *r, const TestFile *f, size_t changed, const Buf *text)
 {
@@ -63,7 +79,9 @@ static void open_run(Run *r, const TestFile *f, size_t changed, const Buf *text)
         if (testfile_is_source(p))
             r->src[i] = source_new(&r->s.arena, p->name, i == changed ? text->at : p->text, i == changed ? text->n : p->n);
     }
-    if (find_source(f, r, ".sm"))
+    if (find_source(f, r, ".app"))
+        diagnose_app(r, f);
+    else if (find_source(f, r, ".sm"))
         diagnose_machine(r, f);
     else if (find_source(f, r, ".sv"))
         session_state_vector(&r->s, find_source(f, r, ".sv"));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fuzz target: text through lexer, parser, checker and renderers.  The first byte says what the rest is: `v` a state vector,
-// `s` a script (of the machine below), anything else a machine.  Nothing may crash or hang; every place of a diagnostic lies in the text;
-// a tree without an error holds no error node and keeps its depth.
+// `s` a script (of the machine below), `p` pins, `a` an application (of the files below), anything else a machine.  Nothing may
+// crash or hang; every place of a diagnostic lies in the text; a tree without an error holds no error node and keeps its depth.
 #include <string.h>
 
+#include "compiler/emit/c/app.h"
 #include "compiler/pipeline.h"
 #include "compiler/syntax/parse.h"
 #include "tests/fuzz/fuzz.h"
@@ -133,12 +134,62 @@ static void try_parse(Session *s, const Source *src, FileKind kind)
 // The state vector that pins are of.
 static const char wired[] = "[R]\nF64 x\nbool b\nU8 i\nF32 o\n";
 
+// Whatever file an application names is one of these.
+static const char *file_text(FileKind kind)
+{
+    static const char vector[] = "[options]\nlock\n[A]\nU64 time\nU32 state\nF64 x\nbool b\nU8 mode\nU32 late\n";
+    static const char machine[] = "[state_vector]\nU64 time @alias G\nU32 state @alias S\nF64 x\n[Idle]\n.step\n    T > 5: -> Run\n"
+                                  "[Run]\n.step\n    x = roll_avg(x, 5)\n";
+
+    return kind == FILE_SV ? vector : kind == FILE_SM ? machine : "[analog]\ni 0 x\n[digital]\no 0 b @safe true\n";
+}
+
+static void emit_app(Session *s, const App *a)
+{
+    const Buf **image = ARENA_ARRAY(&s->arena, const Buf *, a->machine.n);
+    ImageOptions o = {true, NULL};
+    Buf header, code;
+
+    buf_init(&header, &s->arena);
+    buf_init(&code, &s->arena);
+    for (size_t i = 0; i < a->machine.n; i++)
+        if (a->machine.at[i]->bytecode) {
+            IrMachine *m = session_ir(s, a->machine.at[i]->program, 2);
+            Buf *bytes = ARENA_NEW(&s->arena, Buf);
+            buf_init(bytes, &s->arena);
+            FUZZ_CHECK(session_image(s, &m, 1, &o, bytes));
+            image[i] = bytes;
+        }
+    emit_c_app(&s->arena, a, image, &header, &code);
+    FUZZ_CHECK(strlen(buf_text(&header)) == header.n && strlen(buf_text(&code)) == code.n);
+}
+
+static void try_app(Session *s, const Source *src)
+{
+    AstFile *tree = parse_file(&s->arena, &s->strings, &s->diags, src, FILE_APP);
+    AppFiles files;
+    App *a;
+
+    app_files(&s->arena, tree, &files);
+    for (size_t i = 0; i < files.n; i++) {
+        const char *text = file_text(files.at[i].kind);
+        if (!files.at[i].wrong_kind)
+            files.at[i].src = source_new(&s->arena, files.at[i].name.text->text, text, strlen(text));
+    }
+    a = session_app(s, tree, &files);
+    FUZZ_CHECK((a != NULL) == (s->diags.errors == 0));
+    if (a)
+        emit_app(s, a);
+}
+
 static void try_check(Session *s, const Source *src, FileKind kind)
 {
     MachineInput machine = {src, NULL, NULL, 0};
 
     if (kind == FILE_SV) {
         session_state_vector(s, src);
+    } else if (kind == FILE_APP) {
+        try_app(s, src);
     } else if (kind == FILE_SM) {
         session_program(s, &machine);
     } else if (kind == FILE_IO) {
@@ -150,9 +201,20 @@ static void try_check(Session *s, const Source *src, FileKind kind)
     check_diags(s);
 }
 
+static FileKind kind_of(char letter)
+{
+    switch (letter) {
+    case 'v': return FILE_SV;
+    case 's': return FILE_SS;
+    case 'p': return FILE_IO;
+    case 'a': return FILE_APP;
+    }
+    return FILE_SM;
+}
+
 static void run(const uint8_t *data, size_t size, void (*try)(Session *s, const Source *src, FileKind kind))
 {
-    FileKind kind = size && data[0] == 'v' ? FILE_SV : size && data[0] == 's' ? FILE_SS : size && data[0] == 'p' ? FILE_IO : FILE_SM;
+    FileKind kind = size ? kind_of((char)data[0]) : FILE_SM;
     Session s;
     jmp_buf oom;
     char *text;

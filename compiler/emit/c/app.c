@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// An application as C: a header with what the user writes, and one source of static tables on top of runtime-c, whose headers tell what
-// stands in them.  Names of its own have no underscore or end in Step, Init, Safe, Self, Copy behind the user's, so that none is another's.
+// An application as C: a header with what the user writes, and one source of static tables on top of runtime-c, whose headers tell
+// what stands in them.  Names of its own have no underscore or end in Step, Init, Safe, Self, Copy behind the user's, so that none
+// is another's.
 #include "compiler/emit/c/app_emit.h"
 
 #include <string.h>
@@ -48,7 +49,8 @@ static const char *element_of(const Emitter *e, const Element *x)
 
 static void title(const Emitter *e)
 {
-    buf_printf(e->out, "// The application %s.  Made by smc from %s.app: change that, not this file.\n", e->app->name->text, e->app->name->text);
+    buf_printf(e->out, "// The application %s.  Made by smc from %s.app: change that, not this file.\n", e->app->name->text,
+               e->app->name->text);
 }
 
 // ---- the header ----
@@ -88,7 +90,8 @@ static void put_header(const Emitter *e)
     buf_printf(e->out, "#ifndef %s_APP_H_INCLUDED\n#define %s_APP_H_INCLUDED\n\n", macro, macro);
     put_includes(e);
     buf_str(e->out, "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
-    buf_printf(e->out, "extern SmApp %s_app;\n\n// ---- to be written by you: runtime-c/task.h tells what is expected ----\n", e->prefix);
+    buf_printf(e->out, "extern SmApp %s_app;\n\n// ---- to be written by you: runtime-c/task.h tells what is expected ----\n",
+               e->prefix);
     put_user_prototypes(e);
     buf_str(e->out, "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
 }
@@ -129,8 +132,8 @@ static void put_machines(const Emitter *e)
         else
             buf_printf(e->out, "static %s %sSelf;\n", type_of_machine(e, m), m->name->text);
         if (is_guarded(e))
-            buf_printf(e->out, "static uint64_t %sCopy[(sizeof(%s) + 7) / 8];        // its snapshot of the state vector\n", m->name->text,
-                       e->vector.names.sv_type);
+            buf_printf(e->out, "static uint64_t %sCopy[(sizeof(%s) + 7) / 8];        // its snapshot of the state vector\n",
+                       m->name->text, e->vector.names.sv_type);
     }
     buf_str(e->out, "\nstatic SmMachine machines[] = {\n");
     for (size_t i = 0; i < e->app->machine.n; i++)
@@ -201,8 +204,8 @@ static void put_log(const Emitter *e)
     put_name_table(e, "taskNames", true);
     put_name_table(e, "executorNames", false);
     buf_printf(e->out, "static uint8_t logBuffer[%u];\n", (unsigned)a->log_room);
-    buf_printf(e->out, "static SmLog flightLog = {\n    .file = \"%s\", .sv = &%s_vector, .names = &%s_names, .events = &events,\n", quoted(e, a->log),
-               e->sv, e->sv);
+    buf_printf(e->out, "static SmLog flightLog = {\n    .file = \"%s\", .sv = &%s_vector, .names = &%s_names, .events = &events,\n",
+               quoted(e, a->log), e->sv, e->sv);
     if (a->machine.n)
         buf_printf(e->out, "    .machine = logged, .machines = %u,\n", (unsigned)a->machine.n);
     buf_printf(e->out, "    .task = taskNames, .tasks = %u, .executor = executorNames, .executors = %u,\n", (unsigned)a->task.n,
@@ -216,7 +219,8 @@ static void put_keep(const Emitter *e)
         return;
     buf_str(e->out, "\n// ---- the kept state vector ----\n\n");
     buf_printf(e->out, "static uint8_t keepBuffer[2 * SM_KEEP_SIZE(%uu)];\n", packed_size(e->app->sv));
-    buf_printf(e->out, "static SmKeep keeper = {.memory = \"%s\", .sv = &%s_vector, .buffer = keepBuffer};\n", quoted(e, e->app->keep), e->sv);
+    buf_printf(e->out, "static SmKeep keeper = {.memory = \"%s\", .sv = &%s_vector, .buffer = keepBuffer};\n",
+               quoted(e, e->app->keep), e->sv);
 }
 
 // ---- tasks ----
@@ -258,13 +262,15 @@ static void put_functions(const Emitter *e, const AppTask *t)
             buf_printf(e->out, ", .safe = %sSafe", n);
         break;
     case AST_TASK_machine:
-        buf_printf(e->out, ".init = sm_machine_init, .step = sm_machine_step, .context = &machines[%u]", (unsigned)t->machine->number);
+        buf_printf(e->out, ".init = sm_machine_init, .step = sm_machine_step, .context = &machines[%u]",
+                   (unsigned)t->machine->number);
         break;
     case AST_TASK_inputs:
         buf_printf(e->out, ".init = sm_inputs_init, .step = sm_inputs_step, .context = &%s_inputs", e->io);
         break;
     case AST_TASK_outputs:
-        buf_printf(e->out, ".init = sm_outputs_init, .step = sm_outputs_step, .safe = sm_outputs_safe, .context = &%s_outputs", e->io);
+        buf_printf(e->out, ".init = sm_outputs_init, .step = sm_outputs_step, .safe = sm_outputs_safe, .context = &%s_outputs",
+                   e->io);
         break;
     case AST_TASK_log:
         buf_str(e->out, ".init = sm_log_init, .step = sm_log_step, .context = &flightLog");
@@ -309,8 +315,9 @@ static void put_rates(const Emitter *e)
     for (size_t x = 0; x < e->app->executor.n; x++)
         for (size_t r = 0; r < e->app->executor.at[x]->rate.n; r++) {
             const AppRate *rate = e->app->executor.at[x]->rate.at[r];
-            buf_printf(e->out, "    {.every = %u, .tasks = %u, .task = &order[%u]},        // [%s] every %s\n", (unsigned)rate->every,
-                       (unsigned)rate->task.n, (unsigned)task, e->app->executor.at[x]->name->text, app_time_text(e->arena, rate->period));
+            buf_printf(e->out, "    {.every = %u, .tasks = %u, .task = &order[%u]},        // [%s] every %s\n",
+                       (unsigned)rate->every, (unsigned)rate->task.n, (unsigned)task, e->app->executor.at[x]->name->text,
+                       app_time_text(e->arena, rate->period));
             task += rate->task.n;
         }
     buf_str(e->out, "};\n");
@@ -332,7 +339,8 @@ static void put_vitals(const Emitter *e, const AppExecutor *x)
 
 static void put_executor(const Emitter *e, const AppExecutor *x, size_t number, size_t first_rate)
 {
-    buf_printf(e->out, "    {.name = \"%s\", .period = %lluu, .rate = &rates[%u], .rates = %u", x->name->text, (unsigned long long)x->period,
+    buf_printf(e->out, "    {.name = \"%s\", .period = %lluu, .rate = &rates[%u], .rates = %u", x->name->text,
+               (unsigned long long)x->period,
                (unsigned)first_rate, (unsigned)x->rate.n);
     if (x->priority)
         buf_printf(e->out, ", .priority = %u", (unsigned)x->priority);
@@ -368,7 +376,8 @@ static void put_value(const Emitter *e, const AppStart *s)
 {
     const Element *x = s->element;
 
-    buf_printf(e->out, "    sm_cell_store(SM_%s, &sv->%s, 0x%llxu);        // %s\n", x->type == SM_BOOL ? "BOOL" : sm_type_info[x->type].spelling,
+    buf_printf(e->out, "    sm_cell_store(SM_%s, &sv->%s, 0x%llxu);        // %s\n",
+               x->type == SM_BOOL ? "BOOL" : sm_type_info[x->type].spelling,
                (const char *)map_find(&e->vector.names.element, x->name), (unsigned long long)s->cell,
                const_text(e->arena, sm_cell_to_f64(x->type, s->cell)));
 }
@@ -377,7 +386,9 @@ static void put_start(const Emitter *e)
 {
     if (e->app->start.n == 0)
         return;
-    buf_printf(e->out, "\n// ---- what elements hold before anything runs ----\n\nstatic void setValues(void *vector)\n{\n    %s *sv = (%s *)vector;\n\n",
+    buf_printf(e->out,
+               "\n// ---- what elements hold before anything runs ----\n\n"
+               "static void setValues(void *vector)\n{\n    %s *sv = (%s *)vector;\n\n",
                e->vector.names.sv_type, e->vector.names.sv_type);
     for (size_t i = 0; i < e->app->start.n; i++)
         put_value(e, &e->app->start.at[i]);
@@ -388,7 +399,8 @@ static void put_start(const Emitter *e)
 
 static void put_app(const Emitter *e)
 {
-    buf_printf(e->out, "\n// ---- the application ----\n\nSmApp %s_app = {\n    .name = \"%s\", .sv = &%s_vector, .events = &events,\n"
+    buf_printf(e->out,
+               "\n// ---- the application ----\n\nSmApp %s_app = {\n    .name = \"%s\", .sv = &%s_vector, .events = &events,\n"
                "    .executor = threads, .executors = %u,\n", e->prefix, e->app->name->text, e->sv, (unsigned)e->app->executor.n);
     if (e->app->start.n)
         buf_str(e->out, "    .set = setValues,\n");
@@ -437,7 +449,8 @@ void emit_c_app(Arena *arena, const App *app, const Buf *const *image, Buf *head
     e.image = image;
     title(&e);
     put_code_includes(&e);
-    buf_printf(code, "\nstatic SmEvent ring[%u];\nstatic SmEvents events = {.at = ring, .room = %u, .guarded = %s};\n", (unsigned)app->events,
+    buf_printf(code, "\nstatic SmEvent ring[%u];\nstatic SmEvents events = {.at = ring, .room = %u, .guarded = %s};\n",
+               (unsigned)app->events,
                (unsigned)app->events, is_guarded(&e) ? "true" : "false");
     put_machines(&e);
     put_log(&e);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names that an application has in C: each stands for one thing.  What the files of an application declare for each other, what the
-// user writes, and what the application's own file holds beside names without an underscore, which nothing else has.
+// The names that an application has in C: each stands for one thing.  What the files of an application declare for each other,
+// what the user writes, and what the application's own file holds beside names without an underscore, which nothing else has.
 #include "compiler/emit/c/app.h"
 
 #include <string.h>
@@ -53,7 +53,8 @@ static void claim_all(Claims *k, const char *before, const char *const *ends, si
 
 static void claim_vector(Claims *k)
 {
-    static const char *const ends[] = {"_sv", "_vector", "_layout", "_element", "_names"}, *const counts[] = {"_ELEMENTS", "_REGIONS"};
+    static const char *const ends[] = {"_sv", "_vector", "_layout", "_element", "_names"};
+    static const char *const counts[] = {"_ELEMENTS", "_REGIONS"};
     const StateVec *sv = k->app->sv;
     const Owner *o = owner(k, (Span){0}, format_in(k->arena, "the state vector '%s'", sv->name->text));
     CUnit u;
@@ -76,7 +77,8 @@ static void claim_vector(Claims *k)
 
 static void claim_machine(Claims *k, const Program *p)
 {
-    static const char *const functions[] = {"_init", "_step", "_state", "_T", "_state_name", "_machine"}, *const types[] = {"", "Status", "Stored"};
+    static const char *const functions[] = {"_init", "_step", "_state", "_T", "_state_name", "_machine"};
+    static const char *const types[] = {"", "Status", "Stored"};
     static const char *const numbers[] = {"_OK", "_REFUSED", "_NO_STATE", "_UNFIT", "_INITIAL_STATE", "_STATES"};
     const char *prefix = c_identifier(k->arena, p->name->text, p->name->len);
     const Owner *o = owner(k, p->state.n ? p->state.at[0]->span : (Span){0}, format_in(k->arena, "machine '%s'", p->name->text));
@@ -138,8 +140,10 @@ bool emit_c_app_names(Arena *arena, Diags *diags, const App *app)
     claim_vector(&k);
     claim_machines(&k);
     if (app->pins)
-        CLAIM_ALL(&k, c_identifier(arena, app->io_name->text, app->io_name->len), pins, owner(&k, (Span){app->pins->src, 0, 0}, "the pins"));
-    claim(&k, format_in(arena, "%s_app", c_identifier(arena, name, strlen(name))), owner(&k, (Span){app->src, 0, 0}, "the application"));
+        CLAIM_ALL(&k, c_identifier(arena, app->io_name->text, app->io_name->len), pins,
+                  owner(&k, (Span){app->pins->src, 0, 0}, "the pins"));
+    claim(&k, format_in(arena, "%s_app", c_identifier(arena, name, strlen(name))),
+          owner(&k, (Span){app->src, 0, 0}, "the application"));
     for (size_t i = 0; i < app->task.n; i++)
         claim_task(&k, app->task.at[i]);
     return !k.clash;

@@ -1,0 +1,29 @@
+spec 10.15   A machine goes on after a restart only where the state vector is kept.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+time time 1 ms
+[flight]
+every 10 ms:
+    machine mission "mission.sm" @resume     #! W0843
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+U8   otherMode
+U32  late
+U32  busy
+F64  target
+I16  small
+-- mission.sm --
+[state_vector]
+U64  time          @alias G
+U32  missionState  @alias S
+F64  altitude      @read_only
+[Boost]
+.step
+    altitude > 100: -> Coast
+[Coast]
