@@ -13,7 +13,7 @@
 
 static const uint8_t image[VM_IMAGE] PROGMEM = {1};
 static uint64_t sv[32], memory[96];
-static VmBox box;
+static VmBox box __attribute__((aligned(2)));       // so that the computer may look at it as it is
 extern char __heap_start;
 
 #define BARRIER __asm__ volatile("" ::: "memory")

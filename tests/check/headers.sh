@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Every header compiles alone: as C99, and those that a target or another program includes (stdlib, bytecode-vm,
-# runtime-c) as C++11 too, since Arduino sketches are C++.     headers.sh FLAGS…     CC and CXX name the compilers.
+# runtime-c) with soft numbers and as C++11 too, since Arduino sketches are C++.     headers.sh FLAGS…     CC and CXX name the compilers.
 CC=${CC:-cc} CXX=${CXX:-c++}
 passed=0 failed=0 skipped=0
 dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-headers.XXXXXX") || exit 1
@@ -27,6 +27,7 @@ for header in $(find stdlib bytecode-vm compiler runtime-c -name '*.h' 2>/dev/nu
     case $header in
     compiler/*) continue ;;
     esac
+    compiles "$header" $CC -std=c99 -pedantic -Wall -Wextra -Werror -DSM_F64_SOFT=1 "$@"
     source=alone.cpp
     if command -v $CXX >/dev/null 2>&1; then
         compiles "$header" $CXX -std=c++11 -pedantic -Wall -Wextra -Werror "$@"
