@@ -50,9 +50,10 @@ ln -s "$smc" "$folder/bin/smc"
 for page; do
     place=$folder/$(printf '%s' "$page" | tr / _)
     mkdir -p "$place/build"
-    ln -s "$smc" "$place/build/smc"
-    ln -s "$root/examples" "$place/examples"
-    ln -s "$root" "$place/smc"
+    # (-n: where two of these run at once, a link is not made inside of what the other's leads to.)
+    ln -sfn "$smc" "$place/build/smc"
+    ln -sfn "$root/examples" "$place/examples"
+    ln -sfn "$root" "$place/smc"
     if ! awk -v out="$folder/blocks" -f tests/check/docs.awk "$page" >"$folder/list" 2>"$folder/out"; then
         say_wrong "$page" 1
         continue
