@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Builds the applications among the examples and flies them: applications.sh SMC CC ARCHIVES FOLDER...  (ARCHIVES/PLATFORM.a: the runtime on
-# that platform.)  Each is checked without a word from smc and compiles without one.  One with a bench (bench.c) is tried on it.  The
-# others fly on a desk, twice as C and once as bytecode, and leave the same log, byte for byte.  FOLDER/check.sh then looks at that flight.
+# Builds the applications among the examples and flies them: applications.sh SMC CC ARCHIVES FOLDER...  (ARCHIVES/PLATFORM.a: the
+# runtime on that platform.)  Each is checked without a word from smc and compiles without one.  One with a bench (bench.c) is tried
+# on it.  The others fly on a desk, twice as C and once as bytecode, and leave the same log, byte for byte.  FOLDER/check.sh then
+# looks at that flight.
 smc=$1 cc=$2 archives=$3
 shift 3
 root=$(pwd)
