@@ -64,7 +64,8 @@ typedef struct SmApp {
 // Starts it and runs it until sm_app_stop.  Any result but SM_OK is from the start: nothing has run.  Once in a program.
 SmResult sm_app_run(SmApp *app);
 
-// Ends the application: executors finish their tick, within a tenth of a second if they wait; the watchdog is stopped; logs are written;
+// Ends the application: executors finish their tick, within a tenth of a second if they wait; what is dangerous is brought to rest: every
+// task that has `safe` and is not disabled is called so once, executor by executor, outputs too; the watchdog is stopped; logs are written;
 // sm_app_run returns.  From any task or thread, from a signal handler or an interrupt as well.  Outputs stay as they are.
 void sm_app_stop(SmApp *app);
 

@@ -234,3 +234,12 @@ void sm_executor_tick(SmExecutor *e)
         overrun(e, &tick, e->ended);
     put_vitals(e);
 }
+
+void sm_executor_rest(SmExecutor *e)
+{
+    const SmTick tick = {e->next * e->period, e->next};
+
+    for (uint16_t i = 0; i < e->rates; i++)
+        for (uint16_t t = 0; t < e->rate[i].tasks; t++)
+            sm_task_rest(e->rate[i].task[t], e->sv, e->events, &tick);
+}

@@ -84,6 +84,9 @@ uint64_t sm_executor_due(const SmExecutor *e);
 // Runs the next tick, now, and decides which one comes after it.
 void sm_executor_tick(SmExecutor *e);
 
+// When no tick comes any more: brings all its tasks to rest, in order (sm_task_rest).
+void sm_executor_rest(SmExecutor *e);
+
 #ifdef __cplusplus
 }
 #endif

@@ -320,6 +320,8 @@ void sm_run(SmApp *app)
         run_threads(app);
         close_gate(app);
     }
+    for (uint16_t i = 0; i < app->executors; i++)
+        sm_executor_rest(app->executor[i]);
     if (app->watchdog > 0)
         pal_watchdog_stop();
 }

@@ -59,17 +59,29 @@ static void note_result(SmTask *t, SmResult r, SmEvents *events, const SmTick *t
         tell(t, events, tick, SM_EVENT_FAULT, fault_number(r), 1);
 }
 
+static void call_safe(SmTask *t, SmEvents *events, const SmTick *tick)
+{
+    if (!t->safe)
+        return;
+    t->safings++;
+    note_result(t, t->safe(t->context, tick), events, tick);
+}
+
 void sm_task_run(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick)
 {
     const uint8_t mode = mode_of(t, sv);
-    SmTaskStep *const call = mode == SM_ENABLED ? t->step : mode == SM_SAFED ? t->safe : NULL;
 
     note_mode(t, mode, events, tick);
-    if (!call)
+    if (mode == SM_SAFED)
+        call_safe(t, events, tick);
+    if (mode != SM_ENABLED)
         return;
-    if (mode == SM_ENABLED)
-        t->steps++;
-    else
-        t->safings++;
-    note_result(t, call(t->context, tick), events, tick);
+    t->steps++;
+    note_result(t, t->step(t->context, tick), events, tick);
+}
+
+void sm_task_rest(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick)
+{
+    if (mode_of(t, sv) != SM_DISABLED)
+        call_safe(t, events, tick);
 }

@@ -51,6 +51,9 @@ SmResult sm_task_init(SmTask *t);
 // when failing begins and when it ends, not in between.
 void sm_task_run(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick);
 
+// The end of the application: `safe` is called once, whatever the mode but SM_DISABLED.
+void sm_task_rest(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick);
+
 #ifdef __cplusplus
 }
 #endif

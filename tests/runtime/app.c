@@ -265,6 +265,20 @@ static void test_stop(void)
     CHECK(sm_app_run(&app) == SM_OK && strcmp(calls, "0A") == 0 && pal_clock_now() <= S + 1500 * S + 100 * MS);
 }
 
+// At the end what can be safed is, once, in order; not what is disabled.
+static void test_rest(void)
+{
+    start(4);
+    most = 1;
+    task[0].safe = task[1].safe = task[3].safe = part_safe;
+    task[1].mode = CREW(first);
+    task[3].mode = CREW(second);
+    crew_sv.first = SM_DISABLED;
+    crew_sv.second = SM_SAFED;
+    CHECK(sm_app_run(&app) == SM_OK && strcmp(calls, "0123Aad") == 0);
+    CHECK(task[0].safings == 1 && task[1].safings == 0 && task[3].safings == 1 && ticks[5].number == 1);
+}
+
 // A sleep that fails is no reason to run early.
 static void test_sleep_fails(void)
 {
@@ -347,6 +361,7 @@ int main(void)
     test_fair();
     test_all_late();
     test_stop();
+    test_rest();
     test_sleep_fails();
     test_oversleep();
     test_fed();
