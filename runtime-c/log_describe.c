@@ -44,9 +44,10 @@ static void put_u32(Sink *s, uint32_t x)
 
 static void put_name(Sink *s, const char *name)
 {
-    const size_t n = name ? strlen(name) : 0;
-    const uint16_t length = n < UINT16_MAX ? (uint16_t)n : UINT16_MAX;
+    uint16_t length = 0;
 
+    while (name && name[length] != '\0' && length < UINT16_MAX)
+        length++;
     put_u16(s, length);
     put_bytes(s, (const uint8_t *)name, length);
 }
@@ -143,7 +144,7 @@ static void put_all(Sink *s, const SmLog *log, uint32_t length)
 
 // ---- for the log ----
 
-uint32_t log_description_size(const SmLog *log)
+uint32_t sm_log_description_size(const SmLog *log)
 {
     Sink s = {0, 0, 0, NULL, SM_CRC32_START};
 
@@ -151,7 +152,7 @@ uint32_t log_description_size(const SmLog *log)
     return s.at;
 }
 
-uint32_t log_describe(const SmLog *log, uint32_t size, uint32_t from, uint8_t *out, uint32_t room)
+uint32_t sm_log_describe(const SmLog *log, uint32_t size, uint32_t from, uint8_t *out, uint32_t room)
 {
     Sink s = {0, 0, 0, NULL, SM_CRC32_START};
 
@@ -162,7 +163,7 @@ uint32_t log_describe(const SmLog *log, uint32_t size, uint32_t from, uint8_t *o
     return s.room;
 }
 
-uint32_t log_identity(const SmLog *log)
+uint32_t sm_log_identity(const SmLog *log)
 {
     uint8_t bytes[LOG_IDENTITY];
 

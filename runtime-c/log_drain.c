@@ -35,7 +35,7 @@ static bool is_describing(const SmLog *log)
 
 static void begin_description(SmLog *log)
 {
-    log->description = log_description_size(log);
+    log->description = sm_log_description_size(log);
     log->describing = 0;
     log->described = log->written;
 }
@@ -43,7 +43,7 @@ static void begin_description(SmLog *log)
 static void describe(SmLog *log)
 {
     uint8_t bytes[DESCRIBE_AT_ONCE];
-    const uint32_t n = log_describe(log, log->description, log->describing, bytes, DESCRIBE_AT_ONCE);
+    const uint32_t n = sm_log_describe(log, log->description, log->describing, bytes, DESCRIBE_AT_ONCE);
 
     log->describing += append(log, bytes, n);
 }
@@ -73,7 +73,7 @@ static uint32_t look(SmLog *log)
 // the description.
 static void close_blocks(SmLog *log, uint32_t limit)
 {
-    const uint32_t identity = log_identity(log), most = is_description_due(log) ? 0 : SM_LOG_PIECE;
+    const uint32_t identity = sm_log_identity(log), most = is_description_due(log) ? 0 : SM_LOG_PIECE;
 
     while (log->closed < limit && (log->closed == log->tail || log->closed - log->tail < most)) {
         uint8_t *block = log->buffer + log->closed;
