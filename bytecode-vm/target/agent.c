@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// Requests and their answers, one function a message (runtime-c/link/link.def).  One buffer serves both: a request has been used up when
+// its answer is written.
+#include "bytecode-vm/target/agent.h"
+
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+
+enum { DATA_HEAD = 5, EVENT = 19, BODY_LEAST = 27, RESULT_AT = 1 + LINK_HEAD, ANSWER_AT = RESULT_AT + 1 };
+
+void agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body)
+{
+    const uint32_t unit = store->info.write > 1 ? store->info.write : 1;
+
+    memset(a, 0, sizeof *a);
+    a->store = store;
+    a->board = board;
+    a->events = events;
+    a->frame = frame;
+    a->body = body > LINK_BODY_MAX ? LINK_BODY_MAX : body;
+    a->block = (uint8_t)((a->body - DATA_HEAD) / unit * unit);
+    link_receiver(&a->in, frame + 1, (uint16_t)(LINK_HEAD + a->body + LINK_TAIL));
+}
+
+// A request's body, and how long the answer's is behind its result.
+typedef struct Exchange {
+    Agent *a;
+    const uint8_t *body;
+    uint8_t n;
+    uint8_t *answer;          // lies over the body
+    uint8_t length;
+} Exchange;
+
+static void put(Exchange *x, uint32_t value, unsigned bytes)
+{
+    link_put(x->answer + x->length, value, bytes);
+    x->length = (uint8_t)(x->length + bytes);
+}
+
+// ---- what there is ----
+
+static SmResult hello(Exchange *x)
+{
+    const Agent *a = x->a;
+
+    put(x, LINK_PROTOCOL, 1);
+    put(x, a->body, 1);
+    put(x, a->block, 1);
+    put(x, a->store->plan.slots, 1);
+    put(x, a->store->slot_size, 3);
+    put(x, a->board->ram, 3);
+    put(x, a->board->longest_step, 4);
+    put(x, (uint32_t)a->board->may_update(a->board->context), 1);
+    return SM_OK;
+}
+
+static SmvmBytes image_of(const Agent *a, uint8_t slot)
+{
+    return slot == STORE_BUILT_IN ? a->board->built_in : a->store->plan.image[slot];
+}
+
+// The eight bytes that tell sources apart; zeros where the image has none.
+static void put_identity(Exchange *x, SmvmBytes image)
+{
+    const uint8_t sections = smvm_u8(image, SMVM_SECTIONS_AT);
+    uint32_t at = 0;
+
+    for (uint8_t i = 0; i < sections && at == 0; i++) {
+        const SmvmSection s = smvm_section(image, i);
+        at = s.id == SMVM_S_IDENTITY && s.size == 8 ? s.at : 0;
+    }
+    for (uint8_t i = 0; i < 8; i++)
+        put(x, at ? smvm_u8(image, at + i) : 0, 1);
+}
+
+static StoreState state_of(const Agent *a, uint8_t slot, uint32_t *checksum, uint32_t *length)
+{
+    if (slot != STORE_BUILT_IN)
+        return store_state(a->store, slot, checksum, length);
+    *checksum = smvm_uint(a->board->built_in, SMVM_CRC_AT, 4);
+    *length = smvm_uint(a->board->built_in, SMVM_LENGTH_AT, 3);
+    return a->store->now.active == STORE_BUILT_IN ? STORE_CONFIRMED : STORE_WHOLE;
+}
+
+static bool is_slot(const Agent *a, uint8_t slot) { return slot < a->store->plan.slots || slot == STORE_BUILT_IN; }
+
+static SmResult image(Exchange *x)
+{
+    const Agent *a = x->a;
+    const uint8_t slot = x->body[0];
+    uint32_t checksum, length;
+    StoreState state;
+
+    if (!is_slot(a, slot))
+        return SM_E_MISSING;
+    state = state_of(a, slot, &checksum, &length);
+    put(x, state, 1);
+    put(x, length, 3);
+    put(x, checksum, 4);
+    if (state == STORE_EMPTY) {
+        memset(x->answer + x->length, 0, 8);
+        x->length = (uint8_t)(x->length + 8);
+    } else {
+        put_identity(x, image_of(a, slot));
+    }
+    put(x, (slot == a->store->running ? 1u : 0u) | (slot == a->store->now.active ? 2u : 0u), 1);
+    put(x, state == STORE_TRIAL ? a->store->now.tries : 0, 1);
+    return SM_OK;
+}
+
+// ---- an update ----
+
+static uint16_t session_of(const Exchange *x) { return (uint16_t)link_get(x->body, 2); }
+
+static SmResult begin(Exchange *x)
+{
+    const Agent *a = x->a;
+    const SmResult may = a->board->may_update(a->board->context);
+
+    if (may != SM_OK)
+        return may;
+    if (a->store->plan.slots == 1 && a->store->running != STORE_BUILT_IN) {
+        a->board->leave_slot(a->board->context);
+        store_leave(a->store);
+    }
+    return store_begin(a->store, session_of(x), link_get(x->body + 2, 3), link_get(x->body + 5, 4));
+}
+
+static SmResult data(Exchange *x)
+{
+    Store *s = x->a->store;
+    const SmResult r = store_write(s, session_of(x), link_get(x->body + 2, 3), x->body + DATA_HEAD, (uint8_t)(x->n - DATA_HEAD));
+
+    put(x, s->next, 3);
+    return r;
+}
+
+static SmResult end(Exchange *x)
+{
+    const Agent *a = x->a;
+    SmvmVerdict why;
+    SmResult r = store_end(a->store, session_of(x), &why);
+
+    if (r == SM_OK) {
+        r = a->board->longest_step != 0 && why.longest > a->board->longest_step
+                ? SM_E_SIZE : a->board->fits(a->board->context, a->store->plan.image[a->store->target]);
+        a->store->whole = r == SM_OK;
+    } else if (why.rule != 0) {
+        r = SM_E_IMAGE;
+    }
+    put(x, why.rule, 1);
+    put(x, why.at, 3);
+    return r;
+}
+
+static SmResult activate(Exchange *x)
+{
+    const AgentBoard *board = x->a->board;
+    const SmResult may = board->may_update(board->context);
+
+    return may != SM_OK ? may : store_activate(x->a->store, session_of(x));
+}
+
+static SmResult confirm(Exchange *x) { return store_confirm(x->a->store, link_get(x->body, 4)); }
+
+static SmResult erase(Exchange *x)
+{
+    const AgentBoard *board = x->a->board;
+    const SmResult may = board->may_update(board->context);
+
+    return may != SM_OK ? may : store_erase(x->a->store, link_get(x->body, 4));
+}
+
+static SmResult read(Exchange *x)
+{
+    const Agent *a = x->a;
+    const uint8_t slot = x->body[0], n = x->body[4];
+    const uint32_t at = link_get(x->body + 1, 3), size = slot == STORE_BUILT_IN ? a->board->built_in_size : a->store->slot_size;
+
+    if (!is_slot(a, slot))
+        return SM_E_MISSING;
+    if (n > a->body - 1 || at > size || n > size - at)
+        return SM_E_ARGUMENT;
+    for (uint8_t i = 0; i < n; i++)
+        put(x, smvm_u8(image_of(a, slot), at + i), 1);
+    return SM_OK;
+}
+
+static SmResult restart(Exchange *x)
+{
+    const AgentBoard *board = x->a->board;
+    const SmResult may = board->may_update(board->context);
+
+    x->a->restart = may == SM_OK;
+    return may;
+}
+
+// ---- events ----
+
+static SmResult events(Exchange *x)
+{
+    Agent *a = x->a;
+    uint32_t cursor = link_get(x->body, 4), lost = 0, gone;
+    SmEvent e;
+
+    if (!a->events)
+        return SM_E_UNSUPPORTED;
+    x->length = 8;
+    while (x->length + EVENT < a->body && sm_events_read(a->events, &cursor, &e, 1, &gone) == 1) {
+        lost += gone;
+        put(x, (uint32_t)e.time, 4);
+        put(x, (uint32_t)(e.time >> 32), 4);
+        put(x, e.kind, 1);
+        put(x, e.source, 2);
+        put(x, e.a, 4);
+        put(x, e.b, 4);
+    }
+    link_put(x->answer, cursor, 4);
+    link_put(x->answer + 4, lost, 4);
+    return SM_OK;
+}
+
+// ---- all of them ----
+
+typedef struct Handler {
+    uint8_t message, least;   // the shortest body
+    SmResult (*run)(Exchange *x);
+} Handler;
+
+static const Handler handlers[] = {
+    {LINK_HELLO, 0, hello}, {LINK_IMAGE, 1, image}, {LINK_BEGIN, 9, begin}, {LINK_DATA, DATA_HEAD + 1, data}, {LINK_END, 2, end},
+    {LINK_ACTIVATE, 2, activate}, {LINK_CONFIRM, 4, confirm}, {LINK_ERASE, 4, erase}, {LINK_READ, 5, read}, {LINK_RESTART, 0, restart},
+    {LINK_EVENTS, 4, events},
+};
+
+static SmResult answer(Exchange *x, uint8_t message)
+{
+    for (size_t i = 0; i < sizeof handlers / sizeof *handlers; i++)
+        if (handlers[i].message == message)
+            return x->n < handlers[i].least ? SM_E_ARGUMENT : handlers[i].run(x);
+    return SM_E_UNSUPPORTED;
+}
+
+uint16_t agent_receive(Agent *a, uint8_t byte)
+{
+    uint8_t *const frame = a->frame;
+    Exchange x = {a, frame + RESULT_AT, 0, frame + ANSWER_AT, 0};
+    uint8_t message;
+    SmResult r;
+
+    if (!link_receive(&a->in, byte) || ((message = frame[2]) & LINK_ANSWER) != 0)
+        return 0;
+    x.n = (uint8_t)(a->in.n - LINK_HEAD);
+    r = answer(&x, message);
+    frame[2] = (uint8_t)(message | LINK_ANSWER);
+    frame[RESULT_AT] = (uint8_t)(int8_t)r;
+    return link_frame(frame, (uint16_t)(LINK_HEAD + 1 + x.length));
+}
