@@ -405,6 +405,20 @@ $(B)/store/new.smb: examples/chilldown/chilldown.sm $(B)/smc
 	$(B)/smc build -w $< -o $@
 check: $(B)/store/cuts $(STORE_SMB)
 CHECK_LINES += "store: $(B)/store/cuts $(STORE_SMB)"
+
+# The link between a host and a board, over lines that lose and damage what they carry.  `make link-trouble N=100000 SEED=2`: more of it.
+BOARD_SRC = bytecode-vm/target/agent.c bytecode-vm/target/store.c runtime-c/event.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
+AGENT_SRC = tests/store/agent.c compiler/device/device.c compiler/device/link_host.c $(BOARD_SRC)
+$(B)/store/agent: $(AGENT_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+check: $(B)/store/agent $(STORE_SMB)
+CHECK_LINES += "link: $(B)/store/agent $(STORE_SMB)"
+link-trouble: $(B)/store/agent $(STORE_SMB)
+	$(B)/store/agent $(STORE_SMB) $(or $(N),100000) $(or $(SEED),1)
+$(B)/fuzz/link $(B)/fuzz-cov/link: $(BOARD_SRC)
+check: $(B)/fuzz/link
+CHECK_LINES += "fuzz-link: $(B)/fuzz/link -n 20000 tests/fuzz/seeds/link/*"
+.PHONY: link-trouble
 store-cuts: $(B)/store/cuts $(STORE_SMB)
 	$(B)/store/cuts $(STORE_SMB) all
 .PHONY: store-cuts
@@ -425,7 +439,7 @@ psl-qemu:
 # tests/runtime: what the headers of runtime-c promise, one program a file: NAME_linux.c on Linux, with threads, and once more under the
 # thread sanitizer if the compiler has it; the others in the simulation.  V.sv of the folder is there as "V.h", V.io as "V_io.h", M.sm
 # too, with the vector that RUNTIME_SV_M names.
-RUNTIME_SRC   = $(wildcard runtime-c/*.c) $(filter-out %/store.c,$(wildcard bytecode-vm/target/*.c)) $(VM) $(STDLIB)
+RUNTIME_SRC   = $(wildcard runtime-c/*.c) $(filter-out %/store.c %/agent.c,$(wildcard bytecode-vm/target/*.c)) $(VM) $(STDLIB)
 RUNTIME_MADE  = $(patsubst tests/runtime/%,$(B)/runtime/made/%.c,$(basename $(wildcard tests/runtime/*.sv tests/runtime/*.sm))) \
                 $(patsubst tests/runtime/%.io,$(B)/runtime/made/%_io.c,$(wildcard tests/runtime/*.io))
 RUNTIME_TESTS = $(patsubst tests/runtime/%.c,$(B)/runtime/%,$(wildcard tests/runtime/*.c))

@@ -7,7 +7,7 @@
 
 #include "bytecode-vm/image.h"
 
-enum { DATA_HEAD = 5, EVENT = 19, BODY_LEAST = 27, RESULT_AT = 1 + LINK_HEAD, ANSWER_AT = RESULT_AT + 1 };
+enum { DATA_HEAD = 5, EVENT = 19, RESULT_AT = 1 + LINK_HEAD, ANSWER_AT = RESULT_AT + 1 };
 
 void agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body)
 {
@@ -60,16 +60,23 @@ static SmvmBytes image_of(const Agent *a, uint8_t slot)
     return slot == STORE_BUILT_IN ? a->board->built_in : a->store->plan.image[slot];
 }
 
-// The eight bytes that tell sources apart; zeros where the image has none.
-static void put_identity(Exchange *x, SmvmBytes image)
+// Where the eight bytes are that tell sources apart; 0: the image has none.
+static uint32_t identity_at(SmvmBytes image)
 {
     const uint8_t sections = smvm_u8(image, SMVM_SECTIONS_AT);
-    uint32_t at = 0;
 
-    for (uint8_t i = 0; i < sections && at == 0; i++) {
+    for (uint8_t i = 0; i < sections; i++) {
         const SmvmSection s = smvm_section(image, i);
-        at = s.id == SMVM_S_IDENTITY && s.size == 8 ? s.at : 0;
+        if (s.id == SMVM_S_IDENTITY && s.size == 8)
+            return s.at;
     }
+    return 0;
+}
+
+static void put_identity(Exchange *x, SmvmBytes image, bool there)
+{
+    const uint32_t at = there ? identity_at(image) : 0;
+
     for (uint8_t i = 0; i < 8; i++)
         put(x, at ? smvm_u8(image, at + i) : 0, 1);
 }
@@ -78,6 +85,9 @@ static StoreState state_of(const Agent *a, uint8_t slot, uint32_t *checksum, uin
 {
     if (slot != STORE_BUILT_IN)
         return store_state(a->store, slot, checksum, length);
+    *checksum = *length = 0;
+    if (a->board->built_in_size == 0)
+        return STORE_EMPTY;
     *checksum = smvm_uint(a->board->built_in, SMVM_CRC_AT, 4);
     *length = smvm_uint(a->board->built_in, SMVM_LENGTH_AT, 3);
     return a->store->now.active == STORE_BUILT_IN ? STORE_CONFIRMED : STORE_WHOLE;
@@ -98,12 +108,7 @@ static SmResult image(Exchange *x)
     put(x, state, 1);
     put(x, length, 3);
     put(x, checksum, 4);
-    if (state == STORE_EMPTY) {
-        memset(x->answer + x->length, 0, 8);
-        x->length = (uint8_t)(x->length + 8);
-    } else {
-        put_identity(x, image_of(a, slot));
-    }
+    put_identity(x, image_of(a, slot), state != STORE_EMPTY);
     put(x, (slot == a->store->running ? 1u : 0u) | (slot == a->store->now.active ? 2u : 0u), 1);
     put(x, state == STORE_TRIAL ? a->store->now.tries : 0, 1);
     return SM_OK;
@@ -116,15 +121,16 @@ static uint16_t session_of(const Exchange *x) { return (uint16_t)link_get(x->bod
 static SmResult begin(Exchange *x)
 {
     const Agent *a = x->a;
-    const SmResult may = a->board->may_update(a->board->context);
+    const uint32_t length = link_get(x->body + 2, 3);
+    const SmResult r = store_may_begin(a->store, length);
 
-    if (may != SM_OK)
-        return may;
+    if (r != SM_OK)
+        return r;                      // before a machine is stopped for nothing
     if (a->store->plan.slots == 1 && a->store->running != STORE_BUILT_IN) {
         a->board->leave_slot(a->board->context);
         store_leave(a->store);
     }
-    return store_begin(a->store, session_of(x), link_get(x->body + 2, 3), link_get(x->body + 5, 4));
+    return store_begin(a->store, session_of(x), length, link_get(x->body + 5, 4));
 }
 
 static SmResult data(Exchange *x)
@@ -154,23 +160,9 @@ static SmResult end(Exchange *x)
     return r;
 }
 
-static SmResult activate(Exchange *x)
-{
-    const AgentBoard *board = x->a->board;
-    const SmResult may = board->may_update(board->context);
-
-    return may != SM_OK ? may : store_activate(x->a->store, session_of(x));
-}
-
+static SmResult activate(Exchange *x) { return store_activate(x->a->store, session_of(x)); }
 static SmResult confirm(Exchange *x) { return store_confirm(x->a->store, link_get(x->body, 4)); }
-
-static SmResult erase(Exchange *x)
-{
-    const AgentBoard *board = x->a->board;
-    const SmResult may = board->may_update(board->context);
-
-    return may != SM_OK ? may : store_erase(x->a->store, link_get(x->body, 4));
-}
+static SmResult erase(Exchange *x) { return store_erase(x->a->store, link_get(x->body, 4)); }
 
 static SmResult read(Exchange *x)
 {
@@ -189,11 +181,8 @@ static SmResult read(Exchange *x)
 
 static SmResult restart(Exchange *x)
 {
-    const AgentBoard *board = x->a->board;
-    const SmResult may = board->may_update(board->context);
-
-    x->a->restart = may == SM_OK;
-    return may;
+    x->a->restart = true;
+    return SM_OK;
 }
 
 // ---- events ----
@@ -225,20 +214,30 @@ static SmResult events(Exchange *x)
 
 typedef struct Handler {
     uint8_t message, least;   // the shortest body
+    bool guarded;             // it changes something, or keeps the board busy: only while may_update agrees
     SmResult (*run)(Exchange *x);
 } Handler;
 
 static const Handler handlers[] = {
-    {LINK_HELLO, 0, hello}, {LINK_IMAGE, 1, image}, {LINK_BEGIN, 9, begin}, {LINK_DATA, DATA_HEAD + 1, data}, {LINK_END, 2, end},
-    {LINK_ACTIVATE, 2, activate}, {LINK_CONFIRM, 4, confirm}, {LINK_ERASE, 4, erase}, {LINK_READ, 5, read}, {LINK_RESTART, 0, restart},
-    {LINK_EVENTS, 4, events},
+    {LINK_HELLO, 0, false, hello},      {LINK_IMAGE, 1, false, image},      {LINK_BEGIN, 9, true, begin},
+    {LINK_DATA, DATA_HEAD + 1, true, data},     {LINK_END, 2, true, end},   {LINK_ACTIVATE, 2, true, activate},
+    {LINK_CONFIRM, 4, true, confirm},   {LINK_ERASE, 4, true, erase},       {LINK_READ, 5, false, read},
+    {LINK_RESTART, 0, true, restart},   {LINK_EVENTS, 4, false, events},
 };
+
+static SmResult run(const Handler *h, Exchange *x)
+{
+    const AgentBoard *board = x->a->board;
+    const SmResult may = h->guarded ? board->may_update(board->context) : SM_OK;
+
+    return x->n < h->least ? SM_E_ARGUMENT : may != SM_OK ? may : h->run(x);
+}
 
 static SmResult answer(Exchange *x, uint8_t message)
 {
     for (size_t i = 0; i < sizeof handlers / sizeof *handlers; i++)
         if (handlers[i].message == message)
-            return x->n < handlers[i].least ? SM_E_ARGUMENT : handlers[i].run(x);
+            return run(&handlers[i], x);
     return SM_E_UNSUPPORTED;
 }
 

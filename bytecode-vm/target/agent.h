@@ -27,7 +27,7 @@ typedef struct AgentBoard {
     SmResult (*fits)(void *context, SmvmBytes image);             // whether this board can run it: RAM, pins; SM_E_MEMORY, SM_E_MISSING
     void (*leave_slot)(void *context);                            // from now on the built-in image runs (boards with one slot)
     SmvmBytes built_in;
-    uint32_t built_in_size;
+    uint32_t built_in_size;   // 0: there is none
 } AgentBoard;
 
 typedef struct Agent {
@@ -40,7 +40,7 @@ typedef struct Agent {
     bool restart;             // somebody asked for it
 } Agent;
 
-// `body` is 24 to LINK_BODY_MAX; block: body less the head of DATA, rounded down to what the memory writes.
+// `body` is 28 (an event) to LINK_BODY_MAX; block: body less the head of DATA, rounded down to what the memory writes.
 void agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body);
 
 // Takes a byte; gives the length of the answer in a->frame, 0 if there is none to send.  Sent it must be before the next byte is taken.

@@ -246,18 +246,23 @@ static bool is_same_update(const Store *s, uint16_t session, uint32_t length, ui
     return session == s->session && length == s->length && checksum == s->checksum;
 }
 
+SmResult store_may_begin(const Store *s, uint32_t length)
+{
+    return length < HEADER ? SM_E_ARGUMENT : length > s->slot_size ? SM_E_SPACE : on_trial(s) ? SM_E_BUSY : SM_OK;
+}
+
 SmResult store_begin(Store *s, uint16_t session, uint32_t length, uint32_t checksum)
 {
     SmResult r;
 
-    if (session == 0 || length < HEADER)
+    if (session == 0)
         return SM_E_ARGUMENT;
     if (is_same_update(s, session, length, checksum))
         return SM_OK;
-    if (length > s->slot_size)
-        return SM_E_SPACE;
+    if ((r = store_may_begin(s, length)) != SM_OK)
+        return r;
     s->session = 0;
-    if (on_trial(s) || !find_target(s, &s->target))
+    if (!find_target(s, &s->target))
         return SM_E_BUSY;
     if (s->info.erase && (r = pal_nvm_erase(s->nvm, s->slot_at[s->target], round_up(length, s->info.erase))) != SM_OK)
         return r;

@@ -75,6 +75,10 @@ void store_leave(Store *s);
 
 // ---- an update, step by step; each step may be repeated ----
 
+// Whether an update may begin once a slot is free (with one slot: left).  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image
+// is on trial.
+SmResult store_may_begin(const Store *s, uint32_t length);
+
 // SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is on trial, it is to be confirmed or erased first; or every slot is chosen
 // or running.
 SmResult store_begin(Store *s, uint16_t session, uint32_t length, uint32_t checksum);

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/device/device.h"
+
+#include <string.h>
+
+enum { HELLO_BYTES = 15, IMAGE_BYTES = 18, DATA_HEAD = 5, RESTARTS = 3 };
+
+// An answer that is shorter than it must be is none of this protocol.
+static bool ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n, size_t least)
+{
+    if (!link_ask(h, message, body, n))
+        return false;
+    if (h->result == SM_OK && h->n < least)
+        h->result = SM_E_UNSUPPORTED;
+    return h->result == SM_OK;
+}
+
+// ---- what there is ----
+
+bool device_hello(LinkHost *h, DeviceInfo *info)
+{
+    const uint8_t *b;
+
+    if (!ask(h, LINK_HELLO, NULL, 0, HELLO_BYTES))
+        return false;
+    b = h->body;
+    info->protocol = b[0];
+    info->body = b[1];
+    info->block = b[2];
+    info->slots = b[3];
+    info->slot_size = link_get(b + 4, 3);
+    info->ram = link_get(b + 7, 3);
+    info->longest = link_get(b + 10, 4);
+    info->may = (SmResult)(int8_t)b[14];
+    return true;
+}
+
+bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image)
+{
+    const uint8_t *b;
+
+    if (!ask(h, LINK_IMAGE, &slot, 1, IMAGE_BYTES))
+        return false;
+    b = h->body;
+    image->slot = slot;
+    image->state = b[0];
+    image->length = link_get(b + 1, 3);
+    image->checksum = link_get(b + 4, 4);
+    memcpy(image->identity, b + 8, 8);
+    image->runs = (b[16] & 1) != 0;
+    image->chosen = (b[16] & 2) != 0;
+    image->starts = b[17];
+    return true;
+}
+
+bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
+{
+    for (uint8_t slot = 0; slot < info->slots; slot++) {
+        if (!device_image(h, slot, image))
+            return false;
+        if (image->runs)
+            return true;
+    }
+    return device_image(h, DEVICE_BUILT_IN, image);
+}
+
+bool device_ask_about(LinkHost *h, LinkMessage message, uint32_t checksum)
+{
+    uint8_t body[4];
+
+    link_put(body, checksum, 4);
+    return ask(h, message, body, sizeof body, 0);
+}
+
+// The answer may be lost: that the board answers to HELLO afterwards is all that is wanted.
+bool device_restart(LinkHost *h, DeviceInfo *info)
+{
+    const unsigned tries = h->tries;
+    bool refused;
+
+    h->tries = 1;
+    refused = link_ask(h, LINK_RESTART, NULL, 0) && h->result != SM_OK;
+    h->tries = tries;
+    return !refused && device_hello(h, info);
+}
+
+// ---- an update ----
+
+// With the session in front of it.
+static bool ask_session(LinkHost *h, const Update *u, LinkMessage message)
+{
+    uint8_t body[2];
+
+    link_put(body, u->session, 2);
+    return ask(h, message, body, sizeof body, 0);
+}
+
+static bool begin(LinkHost *h, const Update *u)
+{
+    uint8_t body[9];
+
+    link_put(body, u->session, 2);
+    link_put(body + 2, u->length, 3);
+    link_put(body + 5, u->checksum, 4);
+    return ask(h, LINK_BEGIN, body, sizeof body, 0);
+}
+
+static bool data(LinkHost *h, const DeviceInfo *info, Update *u)
+{
+    uint8_t body[LINK_BODY_MAX];
+
+    for (uint32_t at = 0; at < u->length;) {
+        const uint32_t n = u->length - at < info->block ? u->length - at : info->block;
+        link_put(body, u->session, 2);
+        link_put(body + 2, at, 3);
+        memcpy(body + DATA_HEAD, u->bytes + at, n);
+        if (!ask(h, LINK_DATA, body, DATA_HEAD + n, 0))
+            return false;
+        at += n;
+        if (u->progress)
+            u->progress(u->context, at);
+    }
+    return true;
+}
+
+static bool end(LinkHost *h, Update *u)
+{
+    const bool ok = ask_session(h, u, LINK_END);
+
+    u->rule = h->answered && h->n >= 4 ? h->body[0] : 0;
+    u->at = h->answered && h->n >= 4 ? link_get(h->body + 1, 3) : 0;
+    return ok;
+}
+
+// Compares what lies in the slot, byte by byte.
+static bool same_bytes(LinkHost *h, const DeviceInfo *info, const Update *u, uint8_t slot)
+{
+    for (uint32_t at = 0; at < u->length;) {
+        const uint32_t most = info->body - 1u, n = u->length - at < most ? u->length - at : most;
+        uint8_t body[5] = {slot, 0, 0, 0, (uint8_t)n};
+        link_put(body + 1, at, 3);
+        if (!ask(h, LINK_READ, body, sizeof body, n))
+            return false;
+        if (h->n != n || memcmp(h->body, u->bytes + at, n) != 0) {
+            h->result = SM_E_DEVICE;
+            return false;
+        }
+        at += n;
+    }
+    return true;
+}
+
+// What it runs is left out: an update never goes there.
+static bool read_back(LinkHost *h, const DeviceInfo *info, const Update *u)
+{
+    DeviceImage image;
+
+    for (uint8_t slot = 0; slot < info->slots; slot++) {
+        if (!device_image(h, slot, &image))
+            return false;
+        if (!image.runs && image.state != DEVICE_EMPTY && image.length == u->length && image.checksum == u->checksum)
+            return same_bytes(h, info, u, slot);
+    }
+    h->result = SM_E_DEVICE;
+    return false;
+}
+
+static DeviceStep store(LinkHost *h, const DeviceInfo *info, Update *u)
+{
+    if (!begin(h, u))
+        return DEVICE_BEGIN;
+    if (!data(h, info, u))
+        return DEVICE_DATA;
+    if (!end(h, u))
+        return DEVICE_END;
+    if (!read_back(h, info, u))
+        return DEVICE_READ;
+    return ask_session(h, u, LINK_ACTIVATE) ? DEVICE_DONE : DEVICE_ACTIVATE;
+}
+
+// Whether the image is the chosen one already, and whether it runs.
+static bool look(LinkHost *h, const DeviceInfo *info, const Update *u, bool *chosen, bool *runs)
+{
+    DeviceImage image;
+
+    *chosen = *runs = false;
+    for (uint8_t slot = 0; slot < info->slots; slot++) {
+        if (!device_image(h, slot, &image))
+            return false;
+        if (image.state != DEVICE_EMPTY && image.length == u->length && image.checksum == u->checksum) {
+            *chosen |= image.chosen;
+            *runs |= image.runs && image.chosen;
+        }
+    }
+    return true;
+}
+
+// A board that restarted on its own has forgotten the session: all begins anew, if it was not chosen already.
+static DeviceStep store_again(LinkHost *h, const DeviceInfo *info, Update *u, bool *runs)
+{
+    DeviceStep step = DEVICE_LOOK;
+    bool chosen;
+
+    for (unsigned i = 0; i < RESTARTS; i++) {
+        if (!look(h, info, u, &chosen, runs))
+            return DEVICE_LOOK;
+        if (chosen)
+            return DEVICE_DONE;
+        step = store(h, info, u);
+        if (step == DEVICE_DONE || !h->answered || h->result != SM_E_HANDLE)
+            return step;
+    }
+    return step;
+}
+
+DeviceStep device_update(LinkHost *h, DeviceInfo *info, Update *u)
+{
+    bool chosen, runs;
+    DeviceStep step;
+
+    u->rule = 0;
+    step = store_again(h, info, u, &runs);
+    u->was_there = step == DEVICE_DONE && runs;
+    if (step != DEVICE_DONE || runs)
+        return step;
+    for (unsigned i = 0; i < RESTARTS; i++) {
+        if (!device_restart(h, info))
+            return DEVICE_RESTART;
+        if (!look(h, info, u, &chosen, &runs))
+            return DEVICE_RUN;
+        if (runs)
+            return DEVICE_DONE;
+        if (!chosen)
+            break;                         // the board went back by itself
+    }
+    return DEVICE_RUN;
+}

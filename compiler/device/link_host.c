@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/device/link_host.h"
+
+#include <string.h>
+
+void link_host(LinkHost *h, const Line *line, uint32_t wait, unsigned tries, uint8_t sequence)
+{
+    memset(h, 0, sizeof *h);
+    h->line = line;
+    h->wait = wait;
+    h->tries = tries;
+    h->sequence = sequence;
+    link_receiver(&h->in, h->arrived, sizeof h->arrived);
+}
+
+// Whether what arrived answers the request that is under way: an answer to an earlier one may still come.
+static bool is_answer(LinkHost *h, LinkMessage message)
+{
+    const uint8_t *b = h->in.buffer;
+
+    if (h->in.n <= LINK_HEAD || b[0] != h->sequence || b[1] != ((uint8_t)message | LINK_ANSWER))
+        return false;
+    h->result = (SmResult)(int8_t)b[LINK_HEAD];
+    h->body = b + LINK_HEAD + 1;
+    h->n = h->in.n - LINK_HEAD - 1u;
+    return true;
+}
+
+// One byte a time: what comes behind an answer stays on the line.
+static bool wait_for(LinkHost *h, LinkMessage message)
+{
+    const uint32_t start = h->line->now(h->line->context);
+    uint32_t gone = 0;
+    uint8_t byte;
+
+    while (gone < h->wait) {
+        const int n = h->line->receive(h->line->context, &byte, 1, h->wait - gone);
+        if (n < 0) {
+            h->gone = true;
+            return false;
+        }
+        if (n == 1 && link_receive(&h->in, byte) && is_answer(h, message))
+            return true;
+        gone = h->line->now(h->line->context) - start;
+    }
+    return false;
+}
+
+bool link_ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n)
+{
+    uint8_t frame[LINK_ROOM(LINK_BODY_MAX) + 1] = {0};           // a zero first, which ends whatever noise stands before it
+    uint16_t length;
+
+    if (n > LINK_BODY_MAX)
+        return false;
+    h->sequence++;
+    h->answered = false;
+    frame[2] = h->sequence;
+    frame[3] = (uint8_t)message;
+    if (n > 0)
+        memcpy(frame + 4, body, n);
+    length = link_frame(frame + 1, (uint16_t)(LINK_HEAD + n));
+    for (unsigned i = 0; i < h->tries && !h->gone && !h->answered; i++) {
+        if (!h->line->send(h->line->context, frame, length + 1u))
+            h->gone = true;
+        else if (wait_for(h, message))
+            h->answered = true;
+    }
+    return h->answered;
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes on the line to a board: as they are, and then as bodies of sound frames.  Nothing is written outside its memory (under
+// the sanitizers), every answer is a sound frame, and whatever was asked for, the board starts again with an image that is whole.
+#include "tests/fuzz/fuzz.h"
+#include "tests/store/board.h"
+
+static void answer_is_sound(const Board *b, uint16_t n)
+{
+    uint8_t buffer[LINK_ROOM(BOARD_BODY)];
+    LinkReceiver in;
+    bool whole = false;
+
+    FUZZ_CHECK(n <= sizeof b->frame);
+    link_receiver(&in, buffer, sizeof buffer);
+    for (uint16_t i = 0; i < n; i++) {
+        FUZZ_CHECK(!whole);
+        whole = link_receive(&in, b->frame[i]);
+    }
+    FUZZ_CHECK(whole && (in.buffer[1] & LINK_ANSWER) != 0 && in.n > LINK_HEAD);
+}
+
+static void give(Board *b, const uint8_t *bytes, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        const uint16_t length = board_takes(b, bytes[i]);
+        if (length > 0)
+            answer_is_sound(b, length);
+        if (b->agent.restart)
+            FUZZ_CHECK(board_start(b));
+    }
+}
+
+// The first byte says how long it is, the second what it asks for.
+static size_t give_frame(Board *b, const uint8_t *data, size_t size)
+{
+    static const uint8_t messages[] = {
+#define LINK_MESSAGE(name, number, request, answer) number,
+#include "runtime-c/link/link.def"
+#undef LINK_MESSAGE
+    };
+    uint8_t frame[LINK_ROOM(BOARD_BODY) + 1] = {0};
+    const size_t n = data[0] % (BOARD_BODY + 1u);
+
+    if (size < n + 2)
+        return size;
+    frame[1] = (uint8_t)size;
+    frame[2] = data[1] & 0x80 ? data[1] : messages[data[1] % sizeof messages];
+    memcpy(frame + 3, data + 2, n);
+    give(b, frame, link_frame(frame, (uint16_t)(LINK_HEAD + n)));
+    return n + 2;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static Board b;
+    uint32_t checksum, length;
+
+    if (size < 2 || size > 65536)
+        return 0;
+    FUZZ_CHECK(board_new(&b, data[0] & 1 ? "flash" : "eeprom", (uint8_t)(1 + (data[0] >> 1 & 1))));
+    give(&b, data, size);
+    for (size_t at = 1; at + 1 < size;)
+        at += give_frame(&b, data + at, size - at);
+    FUZZ_CHECK(board_start(&b));
+    FUZZ_CHECK(b.slot == STORE_BUILT_IN || store_state(&b.store, b.slot, &checksum, &length) != STORE_EMPTY);
+    return 0;
+}

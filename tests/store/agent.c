@@ -1,0 +1,456 @@
+// SPDX-License-Identifier: Apache-2.0
+// The board's end of the link and the host's, with a line between them that loses, repeats, delays, cuts and damages what it carries,
+// and a board that restarts or loses its power at any byte.  Whatever happened: the old image runs or the new one, and the next update
+// over a good line succeeds.
+//   agent OLD.smb NEW.smb [RUNS [SEED]]
+#include <stdlib.h>
+
+#include "compiler/device/device.h"
+#include "tests/store/board.h"
+#include "tests/test.h"
+
+enum { ROOM = 1024, QUEUE = 4096 };
+
+typedef struct Image { uint8_t bytes[ROOM]; uint32_t length, checksum; } Image;
+
+static Image old_image, new_image;
+static uint64_t random_state;
+
+static uint32_t below(uint32_t n)
+{
+    random_state ^= random_state << 13;
+    random_state ^= random_state >> 7;
+    random_state ^= random_state << 17;
+    return n ? (uint32_t)(random_state >> 11) % n : 0;
+}
+
+// ---- the line ----
+
+typedef struct Way { uint8_t byte[QUEUE]; uint32_t first, n; uint8_t late[LINK_ROOM(LINK_BODY_MAX) + 1]; size_t lates; } Way;
+
+typedef struct Wire {
+    Board *board;
+    Way to_board, to_host;
+    uint32_t now;             // milliseconds
+    uint32_t trouble;         // one frame in so many meets it; 0: none
+    uint32_t restart;         // the board restarts when so many bytes have come to it; 0: never
+    uint32_t taken;           // bytes that came to the board
+} Wire;
+
+static void put(Way *w, const uint8_t *bytes, size_t n)
+{
+    for (size_t i = 0; i < n && w->n < QUEUE; i++)
+        w->byte[(w->first + w->n++) % QUEUE] = bytes[i];
+}
+
+static uint8_t take(Way *w)
+{
+    const uint8_t byte = w->byte[w->first];
+
+    w->first = (w->first + 1) % QUEUE;
+    w->n--;
+    return byte;
+}
+
+static void noise(Way *w)
+{
+    for (uint32_t n = below(40); n > 0; n--) {
+        const uint8_t byte = (uint8_t)below(256);
+        put(w, &byte, 1);
+    }
+}
+
+// What becomes of a frame.
+static void carry(Way *w, const uint8_t *bytes, size_t n, uint32_t trouble)
+{
+    uint8_t copy[LINK_ROOM(LINK_BODY_MAX) + 1];
+
+    memcpy(copy, bytes, n);
+    switch (trouble && below(trouble) == 0 ? 1 + below(7) : 0) {
+    case 1: break;                                             // lost
+    case 2: put(w, copy, n); put(w, copy, n); break;           // twice
+    case 3: put(w, copy, below((uint32_t)n)); break;           // its end is lost
+    case 4: copy[below((uint32_t)n)] ^= (uint8_t)(1u << below(8)); put(w, copy, n); break;
+    case 5: noise(w); put(w, copy, n); noise(w); break;
+    case 6: memcpy(w->late, copy, n); w->lates = n; break;     // after the next one
+    case 7: put(w, copy + 1 + below((uint32_t)n - 1), 1); put(w, copy, n); break;
+    default:
+        put(w, copy, n);
+        if (w->lates && below(2)) {
+            put(w, w->late, w->lates);
+            w->lates = 0;
+        }
+    }
+}
+
+static void board_restarts(Wire *w)
+{
+    w->to_board.n = 0;
+    CHECK(board_start(w->board));
+}
+
+// The board works off what has come.
+static void pump(Wire *w)
+{
+    while (w->to_board.n > 0) {
+        const uint16_t n = board_takes(w->board, take(&w->to_board));
+        if (n > 0)
+            carry(&w->to_host, w->board->frame, n, w->trouble);
+        if (!w->board->up || ++w->taken == w->restart || w->board->agent.restart)
+            board_restarts(w);
+    }
+}
+
+static bool wire_send(void *context, const uint8_t *bytes, size_t n)
+{
+    Wire *w = context;
+
+    carry(&w->to_board, bytes, n, w->trouble);
+    return true;
+}
+
+static int wire_receive(void *context, uint8_t *bytes, size_t room, uint32_t wait)
+{
+    Wire *w = context;
+    size_t n = 0;
+
+    pump(w);
+    while (n < room && w->to_host.n > 0)
+        bytes[n++] = take(&w->to_host);
+    w->now += n > 0 ? 0 : wait;
+    return (int)n;
+}
+
+static uint32_t wire_now(void *context) { return ((const Wire *)context)->now; }
+
+// ---- a board and a host ----
+
+typedef struct Pair { Board board; Wire wire; Line line; LinkHost host; } Pair;
+
+static void pair(Pair *p, const char *memory, uint8_t slots)
+{
+    memset(p, 0, sizeof *p);
+    CHECK(board_new(&p->board, memory, slots));
+    p->wire.board = &p->board;
+    p->line.context = &p->wire;
+    p->line.send = wire_send;
+    p->line.receive = wire_receive;
+    p->line.now = wire_now;
+    link_host(&p->host, &p->line, 100, 8, (uint8_t)below(256));
+}
+
+static DeviceStep update(Pair *p, const Image *image, Update *u)
+{
+    DeviceInfo info;
+
+    memset(u, 0, sizeof *u);
+    u->bytes = image->bytes;
+    u->length = image->length;
+    u->checksum = image->checksum;
+    u->session = (uint16_t)(1 + below(65535));
+    return device_hello(&p->host, &info) ? device_update(&p->host, &info, u) : DEVICE_LOOK;
+}
+
+static bool runs(const Board *b, const Image *image)
+{
+    return b->slot != STORE_BUILT_IN && memcmp(b->store.plan.image[b->slot], image->bytes, image->length) == 0;
+}
+
+// The old image is confirmed and runs.
+static void prepare(Pair *p, const char *memory, uint8_t slots)
+{
+    Update u;
+
+    pair(p, memory, slots);
+    CHECK(update(p, &old_image, &u) == DEVICE_DONE && runs(&p->board, &old_image));
+    CHECK(device_ask_about(&p->host, LINK_CONFIRM, old_image.checksum));
+}
+
+// A good line again.
+static void repair(Pair *p)
+{
+    memset(&p->wire.to_board, 0, sizeof p->wire.to_board);
+    memset(&p->wire.to_host, 0, sizeof p->wire.to_host);
+    p->wire.trouble = p->wire.restart = 0;
+    p->board.may = p->board.fits = SM_OK;
+}
+
+// ---- trouble ----
+
+typedef struct Ends { unsigned succeeded, refused, silent; } Ends;
+
+static void check_soundness(Pair *p, DeviceStep step)
+{
+    const bool is_old = runs(&p->board, &old_image), is_new = runs(&p->board, &new_image);
+
+    CHECK(is_old || is_new || p->board.slots == 1);
+    CHECK(step != DEVICE_DONE || is_new);
+    CHECK(step >= DEVICE_ACTIVATE || step == DEVICE_DONE || step == DEVICE_LOOK || !is_new);
+}
+
+static void check_recovery(Pair *p)
+{
+    Update u;
+
+    CHECK(update(p, &new_image, &u) == DEVICE_DONE && runs(&p->board, &new_image));
+    CHECK(device_ask_about(&p->host, LINK_CONFIRM, new_image.checksum));
+    for (int i = 0; i < STORE_TRIES + 1; i++)
+        CHECK(board_start(&p->board) && runs(&p->board, &new_image));
+}
+
+static void one_update_in_trouble(const char *memory, uint8_t slots, Ends *ends)
+{
+    DeviceStep step;
+    Update u;
+    Pair p;
+
+    prepare(&p, memory, slots);
+    p.wire.trouble = below(4) ? 2 + below(12) : 0;
+    p.wire.restart = below(3) ? 0 : p.wire.taken + 1 + below(1200);
+    if (below(3) == 0) {
+        const uint32_t after = below(24);
+        sim_cut_power(after, below(40));
+    }
+    if (below(16) == 0)
+        p.board.fits = SM_E_MEMORY;
+    step = update(&p, &new_image, &u);
+    ends->succeeded += step == DEVICE_DONE;
+    ends->refused += step != DEVICE_DONE && p.host.answered;
+    ends->silent += step != DEVICE_DONE && !p.host.answered;
+    check_soundness(&p, step);
+    repair(&p);
+    CHECK(board_start(&p.board));
+    check_soundness(&p, step == DEVICE_DONE ? DEVICE_LOOK : step);
+    check_recovery(&p);
+}
+
+// ---- a good line ----
+
+static void what_is_armed_is_not_touched(const char *memory, uint8_t slots)
+{
+    static uint8_t kept[SIM_NVM_SIZE];
+    static const SmResult reasons[] = {SM_E_ARMED, SM_E_UNSAFE};
+    DeviceInfo info;
+    DeviceImage image;
+    Update u;
+    Pair p;
+
+    for (size_t i = 0; i < 2; i++) {
+        prepare(&p, memory, slots);
+        memcpy(kept, sim_nvm(memory), sizeof kept);
+        p.board.may = reasons[i];
+        CHECK(device_hello(&p.host, &info) && info.may == reasons[i]);
+        CHECK(update(&p, &new_image, &u) == DEVICE_BEGIN && p.host.answered && p.host.result == reasons[i]);
+        CHECK(!device_ask_about(&p.host, LINK_ERASE, old_image.checksum) && p.host.result == reasons[i]);
+        CHECK(!device_ask_about(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == reasons[i]);
+        CHECK(!device_restart(&p.host, &info) && p.host.answered && p.host.result == reasons[i]);
+        CHECK(device_running(&p.host, &info, &image) && image.checksum == old_image.checksum);
+        CHECK(memcmp(kept, sim_nvm(memory), sizeof kept) == 0 && p.board.left == 0);
+    }
+}
+
+// It may be armed while an update is under way.
+static void an_update_stops_when_it_is_armed(void)
+{
+    uint8_t body[9], data[5 + 8];
+    Pair p;
+
+    prepare(&p, "eeprom", 2);
+    link_put(body, 5, 2);
+    link_put(body + 2, new_image.length, 3);
+    link_put(body + 5, new_image.checksum, 4);
+    CHECK(link_ask(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_OK);
+    link_put(data, 5, 2);
+    link_put(data + 2, 0, 3);
+    memcpy(data + 5, new_image.bytes, 8);
+    p.board.may = SM_E_ARMED;
+    CHECK(link_ask(&p.host, LINK_DATA, data, sizeof data) && p.host.result == SM_E_ARMED);
+    CHECK(link_ask(&p.host, LINK_END, body, 2) && p.host.result == SM_E_ARMED);
+    CHECK(link_ask(&p.host, LINK_ACTIVATE, body, 2) && p.host.result == SM_E_ARMED);
+    p.board.may = SM_OK;
+    CHECK(link_ask(&p.host, LINK_DATA, data, sizeof data) && p.host.result == SM_OK && link_get(p.host.body, 3) == 8);
+}
+
+static void what_does_not_fit_is_refused(void)
+{
+    Image damaged = new_image;
+    uint8_t body[9] = {1};
+    Update u;
+    Pair p;
+
+    prepare(&p, "eeprom", 1);
+    link_put(body + 2, SIM_NVM_SIZE, 3);
+    CHECK(link_ask(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_E_SPACE && p.board.left == 0);
+    damaged.bytes[damaged.length - 1] ^= 1;
+    CHECK(update(&p, &damaged, &u) == DEVICE_END && p.host.result == SM_E_IMAGE && u.rule != 0);
+    prepare(&p, "eeprom", 2);
+    p.board.fits = SM_E_MEMORY;
+    CHECK(update(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_MEMORY && u.rule == 0);
+    CHECK(link_ask(&p.host, LINK_ACTIVATE, (const uint8_t[]){(uint8_t)u.session, (uint8_t)(u.session >> 8)}, 2) &&
+          p.host.result == SM_E_HANDLE);
+    p.board.fits = SM_OK;
+    p.board.board.longest_step = 1;
+    CHECK(update(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_SIZE);
+    CHECK(board_start(&p.board) && runs(&p.board, &old_image));
+}
+
+// With one slot, an image on trial keeps running: a BEGIN that is refused must not have stopped it.
+static void a_trial_is_not_stopped_for_nothing(void)
+{
+    Update u;
+    Pair p;
+
+    prepare(&p, "eeprom", 1);
+    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && p.board.left == 1);
+    CHECK(update(&p, &old_image, &u) == DEVICE_BEGIN && p.host.result == SM_E_BUSY);
+    CHECK(p.board.left == 1 && runs(&p.board, &new_image));
+    CHECK(device_ask_about(&p.host, LINK_CONFIRM, new_image.checksum));
+}
+
+static void images_are_listed_and_erased(void)
+{
+    DeviceInfo info;
+    DeviceImage image;
+    Update u;
+    Pair p;
+
+    prepare(&p, "flash", 2);
+    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && !u.was_there);
+    CHECK(device_hello(&p.host, &info) && info.protocol == LINK_PROTOCOL && info.slots == 2 && info.ram == 1000 && info.block % 8 == 0);
+    CHECK(device_image(&p.host, 0, &image) && image.state == DEVICE_WHOLE && image.checksum == old_image.checksum && !image.runs);
+    CHECK(device_image(&p.host, 1, &image) && image.state == DEVICE_TRIAL && image.runs && image.chosen && image.starts == STORE_TRIES - 1);
+    CHECK(device_image(&p.host, DEVICE_BUILT_IN, &image) && image.state == DEVICE_EMPTY && !image.runs);
+    CHECK(!device_image(&p.host, 2, &image) && p.host.result == SM_E_MISSING);
+    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && u.was_there);
+    CHECK(!device_ask_about(&p.host, LINK_CONFIRM, old_image.checksum) && p.host.result == SM_E_ARGUMENT);
+    CHECK(!device_ask_about(&p.host, LINK_ERASE, 1) && p.host.result == SM_E_MISSING);
+    CHECK(device_ask_about(&p.host, LINK_ERASE, new_image.checksum) && device_restart(&p.host, &info));
+    CHECK(runs(&p.board, &old_image) && device_running(&p.host, &info, &image) && image.checksum == old_image.checksum);
+    CHECK(device_ask_about(&p.host, LINK_ERASE, old_image.checksum) && device_restart(&p.host, &info));
+    CHECK(device_running(&p.host, &info, &image) && image.slot == DEVICE_BUILT_IN);
+}
+
+static void what_is_no_request_is_said_to_be_none(void)
+{
+    static const uint8_t far[5] = {0, 0xff, 0xff, 0xff, 10};
+    uint8_t body[5] = {0, 0, 0, 0, BOARD_BODY};
+    Pair p;
+
+    prepare(&p, "eeprom", 2);
+    CHECK(link_ask(&p.host, (LinkMessage)0x7e, NULL, 0) && p.host.result == SM_E_UNSUPPORTED);
+    CHECK(link_ask(&p.host, LINK_BEGIN, body, 3) && p.host.result == SM_E_ARGUMENT);
+    CHECK(link_ask(&p.host, LINK_READ, body, 5) && p.host.result == SM_E_ARGUMENT);
+    CHECK(link_ask(&p.host, LINK_READ, far, 5) && p.host.result == SM_E_ARGUMENT);
+    p.host.tries = 2;
+    CHECK(!link_ask(&p.host, LINK_READ, new_image.bytes, BOARD_BODY + 1) && !p.host.gone);       // longer than it takes
+    CHECK(!link_ask(&p.host, (LinkMessage)0x81, NULL, 0));                                      // an answer is no request
+}
+
+// Noise before a request takes the first zero behind it for its end: that zero is not the request's.
+static void noise_before_a_request_does_not_spoil_it(void)
+{
+    static const uint8_t rubbish[] = {40, 1, 2, 3};
+    DeviceInfo info;
+    Pair p;
+
+    prepare(&p, "eeprom", 2);
+    p.host.tries = 1;
+    put(&p.wire.to_board, rubbish, sizeof rubbish);
+    CHECK(device_hello(&p.host, &info));
+}
+
+// A board that restarts in the middle of an update has forgotten it; the host begins anew.
+static void an_update_goes_on_after_a_restart(void)
+{
+    Update u;
+    Pair p;
+
+    prepare(&p, "flash", 2);
+    for (uint32_t at = 50; at < 800; at += 50) {
+        Image *image = runs(&p.board, &old_image) ? &new_image : &old_image;
+        p.wire.taken = 0;
+        p.wire.restart = at;
+        CHECK(update(&p, image, &u) == DEVICE_DONE && runs(&p.board, image));
+        CHECK(device_ask_about(&p.host, LINK_CONFIRM, image->checksum));
+    }
+}
+
+// ---- events ----
+
+static uint32_t drain(Pair *p, uint32_t *cursor, uint32_t *next)
+{
+    uint8_t body[4];
+    uint32_t events;
+
+    link_put(body, *cursor, 4);
+    if (!link_ask(&p->host, LINK_EVENTS, body, 4) || p->host.result != SM_OK)
+        return 0;
+    *cursor = link_get(p->host.body, 4);
+    *next += link_get(p->host.body + 4, 4);
+    events = (uint32_t)(p->host.n - 8) / 19;
+    for (uint32_t i = 0; i < events; i++, ++*next)
+        CHECK(link_get(p->host.body + 8 + 19 * i + 11, 4) == *next);
+    return events;
+}
+
+// Over any line each event comes once and in order, or is counted as lost.
+static void events_come_once_and_in_order(void)
+{
+    uint32_t cursor = 0, next = 0, made = 0, came = 0;
+    Pair p;
+
+    prepare(&p, "eeprom", 2);
+    p.wire.trouble = 4;
+    p.host.tries = 40;
+    for (int round = 0; round < 200; round++) {
+        for (uint32_t n = below(12); n > 0; n--) {
+            SmEvent e = {0, 0, 0, 7, SM_EVENT_STATE};
+            e.a = made++;
+            sm_event(&p.board.events, &e);
+        }
+        came += drain(&p, &cursor, &next);
+    }
+    while (drain(&p, &cursor, &next) > 0)
+        came++;
+    CHECK(next == made && came > 100);
+}
+
+static bool load(const char *path, Image *image)
+{
+    FILE *f = fopen(path, "rb");
+
+    if (!f)
+        return false;
+    image->length = (uint32_t)fread(image->bytes, 1, ROOM, f);
+    fclose(f);
+    image->checksum = link_get(image->bytes + 4, 4);
+    return image->length > 12 && image->length < ROOM;
+}
+
+int main(int argc, char **argv)
+{
+    const unsigned long number = argc > 3 ? strtoul(argv[3], NULL, 10) : 400;
+    static const char *const memories[] = {"eeprom", "flash"};
+    Ends ends = {0, 0, 0};
+
+    if (argc < 3 || !load(argv[1], &old_image) || !load(argv[2], &new_image)) {
+        fprintf(stderr, "agent OLD.smb NEW.smb [RUNS [SEED]]\n");
+        return 2;
+    }
+    random_state = UINT64_C(88172645463325252) * (argc > 4 ? strtoul(argv[4], NULL, 10) : 1);
+    for (unsigned i = 0; i < 4; i++)
+        what_is_armed_is_not_touched(memories[i % 2], (uint8_t)(1 + i / 2));
+    an_update_stops_when_it_is_armed();
+    what_does_not_fit_is_refused();
+    a_trial_is_not_stopped_for_nothing();
+    images_are_listed_and_erased();
+    what_is_no_request_is_said_to_be_none();
+    noise_before_a_request_does_not_spoil_it();
+    an_update_goes_on_after_a_restart();
+    events_come_once_and_in_order();
+    for (unsigned long i = 0; i < number; i++)
+        one_update_in_trouble(memories[i % 2], (uint8_t)(1 + i / 2 % 2), &ends);
+    printf("%lu updates: %u succeeded, %u refused, %u without an answer\n", number, ends.succeeded, ends.refused, ends.silent);
+    CHECK(number < 100 || (ends.succeeded > number / 8 && ends.refused > 0 && ends.silent > 0));
+    return test_end("agent");
+}
