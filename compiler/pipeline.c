@@ -101,20 +101,33 @@ static const Program *app_program(Session *s, const Source *sm, StateVec *sv)
     AstFile *f = parse(s, sm, FILE_SM);
     Program *p = sv ? check_machine(&c, f, sv, NULL) : NULL;
 
-    if (s->diags.met > errors)
-        return NULL;
-    if (p)
-        session_analyse(s, p);
-    return p;
+    return s->diags.met > errors ? NULL : p;
 }
 
-// What can be said of its machines together.
+// How much time advances from step to step of a machine.
+static uint64_t step_of(const App *a, const AppMachine *m)
+{
+    for (size_t e = 0; e < a->executor.n; e++)
+        for (size_t r = 0; r < a->executor.at[e]->rate.n; r++) {
+            const AppRate *rate = a->executor.at[e]->rate.at[r];
+            for (size_t t = 0; t < rate->task.n; t++)
+                if (rate->task.at[t]->machine == m && a->unit > 0 && rate->period % a->unit == 0)
+                    return rate->period / a->unit;
+        }
+    return 0;
+}
+
+// What can be said of each machine at its rate, and of all together.
 static void analyse_app(Session *s, const App *a)
 {
     const Program **p = ARENA_ARRAY(&s->arena, const Program *, a->machine.n);
 
-    for (size_t i = 0; i < a->machine.n; i++)
+    for (size_t i = 0; i < a->machine.n; i++) {
         p[i] = a->machine.at[i]->program;
+        s->step = step_of(a, a->machine.at[i]);
+        session_analyse(s, p[i]);
+    }
+    s->step = 0;
     analyse_together(&s->arena, &s->diags, p, a->machine.n);
     for (size_t i = 0; a->pins && i < a->machine.n; i++)
         analyse_pins(&s->arena, &s->diags, a->pins, p[i]);
