@@ -419,6 +419,21 @@ $(B)/fuzz/link $(B)/fuzz-cov/link: $(BOARD_SRC)
 check: $(B)/fuzz/link
 CHECK_LINES += "fuzz-link: $(B)/fuzz/link -n 20000 tests/fuzz/seeds/link/*"
 .PHONY: link-trouble
+
+# tests/device: smc flash and smc device, and a board that is a program.  `make device-trouble N=1000 SEED=2`: more of it.
+DEVICE_SRC = tests/device/board.c bytecode-vm/target/agent.c bytecode-vm/target/store.c runtime-c/event.c $(filter runtime-c/psl/linux/%,$(PSL_SRC_linux))
+$(B)/device/board: $(DEVICE_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread -lrt
+$(B)/device/link: tests/device/link.c
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $< -o $@
+DEVICE_RUN = $(B)/device/link $(B)/smc $(B)/device/board $(B)/device $(STORE_SMB)
+check: $(B)/device/link $(B)/device/board
+CHECK_LINES += "device: $(DEVICE_RUN)"
+device-trouble: $(B)/device/link $(B)/device/board $(STORE_SMB)
+	$(DEVICE_RUN) $(or $(N),1000) $(or $(SEED),1)
+.PHONY: device-trouble
 store-cuts: $(B)/store/cuts $(STORE_SMB)
 	$(B)/store/cuts $(STORE_SMB) all
 .PHONY: store-cuts

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Rules for projects that build state machines, or whole applications:  include smc.mk
 #   tank.smb from tank.sm: bytecode.      tank.c and tank.h from tank.sm: C99.      app_io.c and app_io.h from app.io: C99 for runtime-c.
+#   make flash-tank PORT=/dev/ttyACM0: tank.smb onto a board; it is on trial until `smc device confirm`.
 # Set SMC_SV to the application's state vector (app.sv) if there is one, SMCFLAGS to further options.
 #   rocket from rocket.app: a program.  Set before the include
 #     SMC_APP       rocket
@@ -22,6 +23,10 @@ SMC_ARGS  = $(SMCFLAGS) $(if $(SMC_SV),--sv=$(SMC_SV))
 
 %_io.c %_io.h: %.io $(SMC_SV)
 	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*_io.c -MD -MP -MF $*.io.d -MT '$*_io.c $*_io.h'
+
+# Not %.smb alone: make wants a name that is no file.
+flash-%: %.smb
+	$(SMC) flash $< --port=$(or $(PORT),$(error PORT=/dev/ttyACM0 says where the board is))
 
 -include $(wildcard *.smb.d *.sm.d *.io.d)
 

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "bytecode-vm/smvm.h"
 #include "compiler/base/os.h"
 #include "compiler/pipeline.h"
 
@@ -74,6 +75,8 @@ CLI_PRINTF int cli_usage(Cli *c, const char *format, ...);
 
 // Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT).  The name stands in diagnostics as given.
 Source *cli_load(Cli *c, const char *path);
+// Reads an image and runs the device's own verifier on it.  EXIT_OK, or the exit code after a message.
+int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v);
 // Reads the scripts of the call, once each: by argument, NULL for what is no script or cannot be read (after a message).
 // The names that they assign go into `written`: a machine is compiled with those locals as variables.
 Source **cli_load_scripts(Cli *c, Map *written);

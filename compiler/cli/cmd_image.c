@@ -8,8 +8,7 @@ static void put_text(void *context, const char *text, size_t length)
     buf_put(context, text, length);
 }
 
-// Reads an image and runs the verifier on it.  EXIT_OK, or the exit code after a message.
-static int load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v)
+int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v)
 {
     if ((*image = cli_load(c, path)) == NULL)
         return EXIT_ENVIRONMENT;
@@ -30,7 +29,7 @@ int cmd_disasm(Cli *c)
     for (size_t i = 0; i < c->files; i++) {
         Source *image;
         SmvmVerdict v;
-        int code = load_image(c, c->file[i], &image, &v);
+        int code = cli_load_image(c, c->file[i], &image, &v);
         if (code != EXIT_OK)
             return code;
         smvm_disasm((SmvmBytes)image->text, put_text, &out);
@@ -59,7 +58,7 @@ int cmd_verify(Cli *c)
     for (size_t i = 0; i < c->files; i++) {
         Source *image;
         SmvmVerdict v;
-        int code = load_image(c, c->file[i], &image, &v);
+        int code = cli_load_image(c, c->file[i], &image, &v);
         if (code == EXIT_OK)
             describe(image->name, image, &out);
         worst = code > worst ? code : worst;

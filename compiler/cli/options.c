@@ -15,9 +15,15 @@ static const OptionInfo option_info[OPT_COUNT] = {
 
 static bool is_joined(const OptionInfo *o) { return o->value && o->value[0] == '='; }
 
+// A subcommand's letter in options.def: its first, a capital one where another began with that before.
+static char letter(const Command *command)
+{
+    return strcmp(command->name, "flash") == 0 ? 'F' : strcmp(command->name, "device") == 0 ? 'D' : command->name[0];
+}
+
 static bool applies(const OptionInfo *o, const Command *command)
 {
-    return o->commands[0] == '*' || strchr(o->commands, command->name[0]) != NULL;
+    return o->commands[0] == '*' || strchr(o->commands, letter(command)) != NULL;
 }
 
 const char *nearest_name(const char *name, const char *const *names, size_t n)

@@ -21,6 +21,10 @@ Usage:
       run the device's own checks on an image
   smc log FILE [ELEMENT...] [--format=FORMAT] [-o OUT]
       show what a flight log holds, in words, as a table or as a plot
+  smc flash IMAGE --port=PORT [--confirm]
+      put an image on a running board, over a serial line
+  smc device info|list|confirm|erase|log --port=PORT
+      ask a board what it runs and what happened; keep or erase its images
   smc fix FILE... [--sv V.sv]
       make the edits that the findings of check propose with certainty
   smc explain CODE...

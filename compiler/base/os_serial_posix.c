@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// os_serial.h on POSIX systems.
+#define _DEFAULT_SOURCE
+#define _DARWIN_C_SOURCE
+#define _XOPEN_SOURCE 700
+
+#include "compiler/base/os_serial.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <time.h>
+#include <unistd.h>
+
+static const struct { unsigned long bits_per_second; speed_t speed; } speeds[] = {
+    {1200, B1200}, {2400, B2400}, {4800, B4800}, {9600, B9600}, {19200, B19200}, {38400, B38400},
+#ifdef B57600
+    {57600, B57600}, {115200, B115200},
+#endif
+#ifdef B230400
+    {230400, B230400},
+#endif
+#ifdef B460800
+    {460800, B460800}, {921600, B921600},
+#endif
+#ifdef B1000000
+    {500000, B500000}, {1000000, B1000000}, {2000000, B2000000},
+#endif
+};
+
+static bool find_speed(unsigned long bits_per_second, speed_t *speed)
+{
+    for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++)
+        if (speeds[i].bits_per_second == bits_per_second) {
+            *speed = speeds[i].speed;
+            return true;
+        }
+    return false;
+}
+
+static bool set_up(int fd, speed_t speed)
+{
+    struct termios t;
+
+    if (tcgetattr(fd, &t) != 0)
+        return false;
+    t.c_iflag &= ~(tcflag_t)(IGNBRK | BRKINT | PARMRK | ISTRIP | INLCR | IGNCR | ICRNL | IXON | IXOFF);
+    t.c_oflag &= ~(tcflag_t)OPOST;
+    t.c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | ISIG | IEXTEN);
+    t.c_cflag &= ~(tcflag_t)(CSIZE | PARENB | CSTOPB);
+    t.c_cflag |= CS8 | CLOCAL | CREAD;
+    t.c_cc[VMIN] = 1;
+    t.c_cc[VTIME] = 0;
+    if (cfsetispeed(&t, speed) != 0 || cfsetospeed(&t, speed) != 0 || tcsetattr(fd, TCSANOW, &t) != 0)
+        return false;
+    tcflush(fd, TCIFLUSH);
+#ifdef TIOCEXCL
+    ioctl(fd, TIOCEXCL);                   // nobody else may talk in between
+#endif
+    return true;
+}
+
+bool os_serial_open(const char *path, unsigned long bits_per_second, int *fd, const char **why)
+{
+    speed_t speed;
+
+    if (!find_speed(bits_per_second, &speed)) {
+        *why = "there is no such speed";
+        return false;
+    }
+    if ((*fd = open(path, O_RDWR | O_NOCTTY | O_NONBLOCK)) < 0) {
+        *why = errno == EBUSY ? "another program uses it" : strerror(errno);
+        return false;
+    }
+    if (isatty(*fd) && set_up(*fd, speed))
+        return true;
+    *why = isatty(*fd) ? strerror(errno) : "it is no serial line";
+    close(*fd);
+    return false;
+}
+
+bool os_serial_send(int fd, const uint8_t *bytes, size_t n)
+{
+    while (n > 0) {
+        const ssize_t put = write(fd, bytes, n);
+        struct pollfd p = {fd, POLLOUT, 0};
+        if (put > 0) {
+            bytes += put;
+            n -= (size_t)put;
+        } else if (put == 0 || (errno != EAGAIN && errno != EINTR) || (errno == EAGAIN && poll(&p, 1, 5000) == 0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+int os_serial_receive(int fd, uint8_t *bytes, size_t room, uint32_t wait)
+{
+    struct pollfd p = {fd, POLLIN, 0};
+    const int ready = poll(&p, 1, wait > 60000 ? 60000 : (int)wait);
+    ssize_t got;
+
+    if (ready <= 0)
+        return ready == 0 || errno == EINTR ? 0 : -1;
+    got = read(fd, bytes, room);
+    return got > 0 ? (int)got : got < 0 && (errno == EAGAIN || errno == EINTR) ? 0 : -1;
+}
+
+void os_serial_close(int fd) { close(fd); }
+
+uint32_t os_milliseconds(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (uint32_t)((uint64_t)t.tv_sec * 1000 + (uint64_t)t.tv_nsec / 1000000);
+}
+
+uint16_t os_unlike(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_REALTIME, &t);
+    return (uint16_t)((uint64_t)t.tv_sec * 7919 + (uint64_t)t.tv_nsec / 1000 + (uint64_t)getpid() * 31);
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/cli/board_line.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/base/os_serial.h"
+
+// An Arduino begins anew when its line is opened, and its boot loader listens for two seconds: patience for six.
+enum { WAIT = 500, TRIES = 12, SPEED = 115200 };
+
+static bool line_send(void *context, const uint8_t *bytes, size_t n) { return os_serial_send(((BoardLine *)context)->fd, bytes, n); }
+
+static int line_receive(void *context, uint8_t *bytes, size_t room, uint32_t wait)
+{
+    return os_serial_receive(((BoardLine *)context)->fd, bytes, room, wait);
+}
+
+static uint32_t line_now(void *context)
+{
+    (void)context;
+    return os_milliseconds();
+}
+
+// ---- what is said ----
+
+static const struct { SmResult result; const char *text; } reasons[] = {
+    {SM_E_ARMED, "the board is armed; disarm it first"},
+    {SM_E_UNSAFE, "a machine is in a state that is not marked @safe; bring it into one that is"},
+    {SM_E_BUSY, "the image that it runs is on trial; 'smc device confirm' keeps it, 'smc device erase' gives it up"},
+    {SM_E_SPACE, "the image is longer than a slot of the board"},
+    {SM_E_IMAGE, "the board's own verifier refuses the image"},
+    {SM_E_MEMORY, "the board has too little RAM for its machines"},
+    {SM_E_SIZE, "one of its steps takes longer than the board allows"},
+    {SM_E_MISSING, "the board has no such thing"},
+    {SM_E_DEVICE, "its memory does not hold what was written; it may be worn out"},
+    {SM_E_LAYOUT, "it was made for another state vector than the board's"},
+    {SM_E_HANDLE, "the board has restarted again and again"},
+    {SM_E_UNSUPPORTED, "the board does not know this request"},
+};
+
+static const char *reason(SmResult result)
+{
+    for (size_t i = 0; i < sizeof reasons / sizeof *reasons; i++)
+        if (reasons[i].result == result)
+            return reasons[i].text;
+    return sm_result_text(result);
+}
+
+int board_failed(BoardLine *b, const char *what)
+{
+    if (b->host.answered)
+        return cli_say(b->c, "%s: %s", what, reason(b->host.result)), EXIT_PROBLEM;
+    cli_say(b->c, b->host.gone ? "%s: the line is gone; is the cable still in?" : "%s: the board does not answer any more", what);
+    return EXIT_ENVIRONMENT;
+}
+
+static void put_state(Buf *out, const DeviceImage *i)
+{
+    if (i->runs)
+        buf_str(out, ", runs");
+    if (i->chosen && !i->runs)
+        buf_str(out, ", runs from the next start on");
+    if (i->state == DEVICE_TRIAL)
+        buf_printf(out, ", on trial (%u starts left)", (unsigned)i->starts);
+    else if (i->state == DEVICE_CONFIRMED && i->slot != DEVICE_BUILT_IN)
+        buf_str(out, ", confirmed");
+}
+
+void board_describe(Buf *out, const DeviceImage *i)
+{
+    if (i->slot == DEVICE_BUILT_IN)
+        buf_str(out, "built in: ");
+    else
+        buf_printf(out, "slot %u: ", (unsigned)i->slot);
+    if (i->state == DEVICE_EMPTY) {
+        buf_str(out, i->runs ? "no image; nothing runs" : "no image");
+    } else {
+        buf_printf(out, "%lu bytes, checksum %08lx, identity ", (unsigned long)i->length, (unsigned long)i->checksum);
+        for (size_t k = 0; k < sizeof i->identity; k++)
+            buf_printf(out, "%02x", i->identity[k]);
+        put_state(out, i);
+    }
+    buf_str(out, "\n");
+}
+
+// ---- opening ----
+
+static bool speed_known(Cli *c, unsigned long *speed)
+{
+    const char *word = c->given[OPT_SPEED] ? c->value[OPT_SPEED] : NULL;
+    char *end;
+
+    *speed = SPEED;
+    if (!word)
+        return true;
+    *speed = strtoul(word, &end, 10);
+    return *end == '\0' && word[0] >= '0' && word[0] <= '9';
+}
+
+static int greet(Cli *c, BoardLine *b, const char *port, unsigned long speed)
+{
+    if (!device_hello(&b->host, &b->info)) {
+        cli_say(c, b->host.answered ? "what is at '%s' is no board of this kind" :
+                "no answer from '%s' at %lu bits a second: is it the right port, does the board run, is the speed right?", port, speed);
+        return EXIT_ENVIRONMENT;
+    }
+    if (b->info.protocol == LINK_PROTOCOL && b->info.block > 0 && b->info.body <= LINK_BODY_MAX && b->info.block + 5u <= b->info.body &&
+        b->info.slots >= 1 && b->info.slots <= 2)
+        return EXIT_OK;
+    cli_say(c, "the board at '%s' speaks version %u of the link, this smc knows version %u", port, (unsigned)b->info.protocol,
+            (unsigned)LINK_PROTOCOL);
+    return EXIT_PROBLEM;
+}
+
+int board_open(Cli *c, BoardLine *b)
+{
+    const char *port = c->value[OPT_PORT], *why;
+    unsigned long speed;
+    int code;
+
+    if (!c->given[OPT_PORT])
+        return cli_usage(c, "%s wants --port, the serial line to the board, as in --port=/dev/ttyACM0", c->command->name);
+    if (!speed_known(c, &speed))
+        return cli_usage(c, "--speed wants a number of bits a second, not '%s'", c->value[OPT_SPEED]);
+    memset(b, 0, sizeof *b);
+    b->c = c;
+    if (!os_serial_open(port, speed, &b->fd, &why))
+        return cli_say(c, "cannot open '%s': %s", port, why), EXIT_ENVIRONMENT;
+    b->line.context = b;
+    b->line.send = line_send;
+    b->line.receive = line_receive;
+    b->line.now = line_now;
+    link_host(&b->host, &b->line, WAIT, TRIES, (uint8_t)os_unlike());
+    if ((code = greet(c, b, port, speed)) != EXIT_OK)
+        board_close(b);
+    return code;
+}
+
+void board_close(BoardLine *b) { os_serial_close(b->fd); }

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc device: what a board runs and says.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/cli/board_line.h"
+
+// ---- info and list ----
+
+static void put_may(Buf *out, const DeviceInfo *i)
+{
+    if (i->may == SM_OK)
+        buf_str(out, "an update may begin\n");
+    else
+        buf_printf(out, "no update may begin: %s\n", sm_result_text(i->may));
+}
+
+static int list(BoardLine *b, Buf *out)
+{
+    DeviceImage image;
+
+    for (uint8_t i = 0; i <= b->info.slots; i++) {
+        if (!device_image(&b->host, i < b->info.slots ? i : DEVICE_BUILT_IN, &image))
+            return board_failed(b, "asking what is there");
+        board_describe(out, &image);
+    }
+    return EXIT_OK;
+}
+
+static int info(BoardLine *b, Buf *out)
+{
+    const DeviceInfo *i = &b->info;
+
+    buf_printf(out, "%u slot%s of %lu bytes, %lu bytes of RAM for machines", (unsigned)i->slots, i->slots == 1 ? "" : "s",
+               (unsigned long)i->slot_size, (unsigned long)i->ram);
+    if (i->longest)
+        buf_printf(out, ", steps of up to %lu instructions", (unsigned long)i->longest);
+    buf_str(out, "\n");
+    put_may(out, i);
+    return list(b, out);
+}
+
+// ---- confirm and erase ----
+
+static int confirm(BoardLine *b, Buf *out)
+{
+    DeviceImage image;
+
+    if (!device_running(&b->host, &b->info, &image))
+        return board_failed(b, "asking what runs");
+    if (image.slot == DEVICE_BUILT_IN) {
+        cli_say(b->c, "the board runs its built-in image: there is nothing to confirm");
+        return EXIT_PROBLEM;
+    }
+    if (!device_ask_about(&b->host, LINK_CONFIRM, image.checksum) || !device_image(&b->host, image.slot, &image))
+        return board_failed(b, "it was not confirmed");
+    board_describe(out, &image);
+    return EXIT_OK;
+}
+
+static int erase(BoardLine *b, Buf *out)
+{
+    char *end;
+    const char *word = b->c->files == 2 ? b->c->file[1] : "";
+    const unsigned long checksum = strtoul(word, &end, 16);
+
+    if (strlen(word) != 8 || *end)
+        return cli_usage(b->c, "erase wants the checksum of the image, as 'smc device list' shows it: eight digits");
+    if (!device_ask_about(&b->host, LINK_ERASE, (uint32_t)checksum))
+        return b->host.answered && b->host.result == SM_E_MISSING
+                   ? (cli_say(b->c, "no slot holds an image with the checksum %s", word), EXIT_PROBLEM) : board_failed(b, "it was not erased");
+    return list(b, out);
+}
+
+// ---- log ----
+
+static const struct { uint8_t kind; const char *name, *source, *a, *b; } kinds[] = {
+#define SM_EVENT(name, number, source, a, b, text) {number, #name, source, a, b},
+#include "runtime-c/events.def"
+#undef SM_EVENT
+};
+
+enum { EVENT = 19, EVENT_HEAD = 8 };
+
+static void put_event(Buf *out, const uint8_t *e)
+{
+    const double seconds = ((double)link_get(e + 4, 4) * 4294967296.0 + (double)link_get(e, 4)) * 1e-9;
+    const unsigned long a = link_get(e + 11, 4), b = link_get(e + 15, 4), source = link_get(e + 9, 2);
+
+    buf_printf(out, "%12.6f s  ", seconds);
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (kinds[i].kind == e[8]) {
+            buf_printf(out, "%s of %s %lu", kinds[i].name, kinds[i].source, source);
+            if (*kinds[i].a)
+                buf_printf(out, ", %s %lu", kinds[i].a, a);
+            if (*kinds[i].b)
+                buf_printf(out, ", %s %lu", kinds[i].b, b);
+            buf_str(out, "\n");
+            return;
+        }
+    buf_printf(out, "event %u of %lu: %lu, %lu\n", (unsigned)e[8], source, a, b);
+}
+
+static int show_log(BoardLine *b, Buf *out)
+{
+    uint8_t body[4] = {0};
+    size_t events;
+
+    do {
+        if (!link_ask(&b->host, LINK_EVENTS, body, sizeof body) || b->host.result != SM_OK || b->host.n < EVENT_HEAD)
+            return board_failed(b, "reading events");
+        memcpy(body, b->host.body, sizeof body);
+        if (link_get(b->host.body + 4, 4) > 0)
+            buf_printf(out, "%lu earlier events are gone\n", (unsigned long)link_get(b->host.body + 4, 4));
+        events = (b->host.n - EVENT_HEAD) / EVENT;
+        for (size_t i = 0; i < events; i++)
+            put_event(out, b->host.body + EVENT_HEAD + i * EVENT);
+    } while (events > 0);
+    return EXIT_OK;
+}
+
+// ---- all of them ----
+
+static const struct { const char *name; int (*run)(BoardLine *b, Buf *out); } actions[] = {
+    {"info", info}, {"list", list}, {"confirm", confirm}, {"erase", erase}, {"log", show_log}};
+enum { ACTIONS = sizeof actions / sizeof *actions };
+
+static int run(Cli *c, size_t action)
+{
+    BoardLine b;
+    Buf out;
+    int code = board_open(c, &b);
+
+    if (code != EXIT_OK)
+        return code;
+    buf_init(&out, &c->session.arena);
+    code = actions[action].run(&b, &out);
+    board_close(&b);
+    return cli_print(c, 1, &out) || code != EXIT_OK ? code : EXIT_ENVIRONMENT;
+}
+
+int cmd_device(Cli *c)
+{
+    const char *names[ACTIONS], *near;
+
+    for (size_t i = 0; i < ACTIONS; i++)
+        names[i] = actions[i].name;
+    if (c->files == 0)
+        return cli_usage(c, "device wants to know what: info, list, confirm, erase or log");
+    for (size_t i = 0; i < ACTIONS; i++)
+        if (strcmp(c->file[0], names[i]) == 0 && c->files <= (actions[i].run == erase ? 2u : 1u))
+            return run(c, i);
+    near = nearest_name(c->file[0], names, ACTIONS);
+    return near && strcmp(near, c->file[0]) == 0 ? cli_usage(c, "device %s takes nothing more than --port", near)
+           : near ? cli_usage(c, "'%s' is nothing to ask a device; did you mean '%s'?", c->file[0], near)
+                  : cli_usage(c, "'%s' is nothing to ask a device: info, list, confirm, erase or log is", c->file[0]);
+}

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc flash: an image to a board, over a serial line.  Until the board has it whole and verified, what ran before stays chosen.
+#include <stdio.h>
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "compiler/base/os_serial.h"
+#include "compiler/cli/board_line.h"
+
+// What the image asks for, wherever it runs: what the VM itself needs differs from computer to computer.
+typedef struct Needs { uint32_t ram, longest; } Needs;
+
+static Needs needs_of(const Source *image, const SmvmVerdict *v)
+{
+    Needs n = {0, v->longest};
+    SmvmMachine m;
+
+    for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
+        n.ram += m.locals + 8 * m.temps;
+    return n;
+}
+
+// Before a byte is sent.
+static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdict *v)
+{
+    const Needs n = needs_of(image, v);
+
+    if (image->len > b->info.slot_size)
+        cli_say(c, "%s has %lu bytes, a slot of the board %lu; nothing was sent", image->name, (unsigned long)image->len,
+                (unsigned long)b->info.slot_size);
+    else if (n.ram > b->info.ram)
+        cli_say(c, "%s needs more than %lu bytes of RAM, the board has %lu for machines; nothing was sent", image->name,
+                (unsigned long)n.ram, (unsigned long)b->info.ram);
+    else if (b->info.longest != 0 && n.longest > b->info.longest)
+        cli_say(c, "the longest step of %s takes %lu instructions, the board allows %lu; nothing was sent", image->name,
+                (unsigned long)n.longest, (unsigned long)b->info.longest);
+    else
+        return EXIT_OK;
+    return EXIT_PROBLEM;
+}
+
+// ---- the update ----
+
+typedef struct Progress { uint32_t length; bool shown; } Progress;
+
+static void show(void *context, uint32_t done)
+{
+    const Progress *p = context;
+    const char *why;
+    char line[64];
+
+    if (p->shown) {
+        snprintf(line, sizeof line, "\r%lu of %lu bytes%s", (unsigned long)done, (unsigned long)p->length, done == p->length ? "\n" : "");
+        os_print(2, line, strlen(line), &why);
+    }
+}
+
+static int say_failed(BoardLine *b, const Update *u, DeviceStep step)
+{
+    static const char *const what[] = {
+        "", "asking what is there", "the update was not begun", "sending", "the image was not accepted", "reading back",
+        "the image was not chosen", "it is chosen, but the restart failed"};
+
+    if (step == DEVICE_RUN) {
+        cli_say(b->c, "the board does not run the new image: it went back to the one before");
+        return EXIT_PROBLEM;
+    }
+    if (step == DEVICE_END && b->host.answered && u->rule != 0) {
+        cli_say(b->c, "the board's verifier refuses the image by rule %u at byte %lu: %s", (unsigned)u->rule, (unsigned long)u->at,
+                smvm_rule_text(u->rule));
+        return EXIT_PROBLEM;
+    }
+    return board_failed(b, what[step]);
+}
+
+static int say_done(BoardLine *b, const Update *u, const DeviceImage *before)
+{
+    DeviceImage now;
+    Buf out;
+
+    if (!device_running(&b->host, &b->info, &now))
+        return board_failed(b, "asking what runs");
+    buf_init(&out, &b->c->session.arena);
+    buf_str(&out, u->was_there ? "it runs already: " : "before: ");
+    board_describe(&out, u->was_there ? &now : before);
+    if (!u->was_there) {
+        buf_str(&out, "now: ");
+        board_describe(&out, &now);
+    }
+    if (now.state == DEVICE_TRIAL)
+        buf_printf(&out, "it is on trial: 'smc device confirm --port=%s' keeps it; without that, the image before it runs again after "
+                   "%u more starts\n", b->c->value[OPT_PORT], (unsigned)now.starts);
+    return cli_print(b->c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
+}
+
+static int update(BoardLine *b, const Source *image)
+{
+    Progress p = {(uint32_t)image->len, os_is_terminal(2)};
+    Update u;
+    DeviceImage before;
+    DeviceStep step;
+
+    memset(&u, 0, sizeof u);
+    u.bytes = (const uint8_t *)image->text;
+    u.length = (uint32_t)image->len;
+    u.checksum = smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4);
+    u.session = (uint16_t)(os_unlike() | 1u);
+    u.progress = show;
+    u.context = &p;
+    if (!device_running(&b->host, &b->info, &before))
+        return board_failed(b, "asking what runs");
+    if ((step = device_update(&b->host, &b->info, &u)) != DEVICE_DONE)
+        return say_failed(b, &u, step);
+    if (b->c->given[OPT_CONFIRM] && !device_ask_about(&b->host, LINK_CONFIRM, u.checksum))
+        return board_failed(b, "it runs, but was not confirmed");
+    return say_done(b, &u, &before);
+}
+
+static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v)
+{
+    const int code = fits(c, b, image, v);
+
+    if (code != EXIT_OK)
+        return code;
+    if (b->info.may != SM_OK) {
+        b->host.result = b->info.may;
+        return board_failed(b, "nothing was sent");
+    }
+    if (!c->given[OPT_DRY_RUN])
+        return update(b, image);
+    cli_say(c, "%s would go onto the board; nothing was sent", image->name);
+    return EXIT_OK;
+}
+
+int cmd_flash(Cli *c)
+{
+    BoardLine b;
+    Source *image;
+    SmvmVerdict v;
+    int code;
+
+    if (c->files != 1)
+        return cli_usage(c, "flash wants one image, as in 'smc flash tank.smb --port=/dev/ttyACM0'");
+    if (has_suffix(c->file[0], ".sm"))
+        return cli_usage(c, "flash wants an image: 'smc build %s' makes one", c->file[0]);
+    if ((code = cli_load_image(c, c->file[0], &image, &v)) != EXIT_OK || (code = board_open(c, &b)) != EXIT_OK)
+        return code;
+    code = flash(c, &b, image, &v);
+    board_close(&b);
+    return code;
+}

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// A board to talk to without hardware: VM, store and agent as a program, on a terminal device and a file as non-volatile memory.  It
+// may be killed at any moment and started again.
+//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "bytecode-vm/target/agent.h"
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/pal/nvm.h"
+#include "runtime-c/pal/serial.h"
+
+enum { MEMORY = 4096, BODY = 64, SLOTS = 2, EVENTS = 16, VECTOR = 1024, RAM = 8192, PERIOD = 10000000 };
+
+typedef struct Machine {
+    SmvmMachine m;
+    uint64_t memory[RAM / 8], vector[VECTOR / 8], *time;
+    uint32_t state;           // 0: none runs
+} Machine;
+
+static uint8_t shadow[MEMORY];       // what the memory holds, where the VM can read it
+static Machine machine;
+static SmEvent storage[EVENTS];
+static SmEvents events;
+static Store store;
+static Agent agent;
+static char armed_path[256];
+
+static void report(uint8_t kind, uint32_t a, uint32_t b)
+{
+    SmEvent e;
+
+    memset(&e, 0, sizeof e);
+    e.time = pal_clock_now();
+    e.kind = kind;
+    e.a = a;
+    e.b = b;
+    sm_event(&events, &e);
+}
+
+// ---- the machine ----
+
+static SmResult fits(void *context, SmvmBytes image)
+{
+    SmvmMachine m;
+
+    (void)context;
+    if (!smvm_machine(image, 0, &m) || smvm_ram_size(&m) > RAM)
+        return SM_E_MEMORY;
+    return m.sv_size <= VECTOR ? SM_OK : SM_E_LAYOUT;
+}
+
+static void machine_start(SmvmBytes image)
+{
+    SmvmVector v = {machine.vector, 0, 0};
+
+    memset(&machine, 0, sizeof machine);
+    if (fits(NULL, image) != SM_OK || !smvm_machine(image, 0, &machine.m))
+        return;
+    v.size = machine.m.sv_size;
+    v.layout = machine.m.layout;
+    if (smvm_init(machine.memory, RAM, &machine.m, &v, 1) != SM_OK)
+        return;
+    machine.time = (uint64_t *)(void *)((char *)machine.vector + smvm_operand(&machine.m, machine.m.outputs).offset);
+    machine.state = 1;
+    report(SM_EVENT_STATE, 0, 1);
+}
+
+static void machine_step(void)
+{
+    SmVm *const vm = (SmVm *)(void *)machine.memory;
+
+    if (machine.state == 0)
+        return;
+    ++*machine.time;
+    smvm_step(vm, machine.vector);
+    if (smvm_state(vm) != machine.state)
+        report(SM_EVENT_STATE, machine.state, smvm_state(vm));
+    machine.state = smvm_state(vm);
+}
+
+// ---- the board ----
+
+static SmResult may_update(void *context)
+{
+    (void)context;
+    return access(armed_path, F_OK) == 0 ? SM_E_ARMED : SM_OK;
+}
+
+static void leave_slot(void *context)
+{
+    (void)context;
+    machine.state = 0;
+}
+
+static bool look_again(void) { return pal_nvm_read(store.nvm, 0, shadow, MEMORY) == SM_OK; }
+
+static const AgentBoard board = {NULL, RAM, 100000, may_update, fits, leave_slot, shadow, 0};
+
+static bool start(PalNvm nvm, uint8_t *frame)
+{
+    StorePlan plan = {MEMORY, SLOTS, {shadow + 2 * STORE_RECORD, shadow + 2 * STORE_RECORD + (MEMORY - 2 * STORE_RECORD) / SLOTS}};
+    uint8_t slot;
+
+    store.nvm = nvm;
+    events.at = storage;
+    events.room = EVENTS;
+    if (!look_again() || sm_events_init(&events) != SM_OK || store_open(&store, nvm, &plan) != SM_OK || store_boot(&store, &slot) != SM_OK)
+        return false;
+    agent_init(&agent, &store, &board, &events, frame, BODY);
+    report(SM_EVENT_START, 0, 0);
+    machine.state = 0;
+    if (slot != STORE_BUILT_IN)
+        machine_start(plan.image[slot]);
+    return true;
+}
+
+static bool serve(PalSerial line, uint8_t byte)
+{
+    const uint16_t n = agent_receive(&agent, byte);
+    size_t sent;
+
+    return n == 0 || (look_again() && pal_serial_send(line, agent.frame, n, &sent, PERIOD * 100u) == SM_OK);
+}
+
+int main(int argc, char **argv)
+{
+    static uint8_t frame[LINK_ROOM(BODY)];
+    PalSerial line;
+    PalNvm nvm;
+    uint8_t byte;
+    size_t n;
+
+    if (argc != 3 || snprintf(armed_path, sizeof armed_path, "%s.armed", argv[2]) < 0)
+        return 2;
+    if (pal_serial_open(&line, argv[1], 115200) != SM_OK || pal_nvm_open(&nvm, argv[2], MEMORY) != SM_OK || !start(nvm, frame))
+        return 3;
+    for (;;) {
+        const SmResult r = pal_serial_receive(line, &byte, 1, &n, PERIOD);
+        if (r == SM_OK ? !serve(line, byte) : r != SM_E_TIMEOUT)
+            return 3;
+        machine_step();
+        if (agent.restart && !start(nvm, frame))
+            return 3;
+    }
+}

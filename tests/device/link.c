@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc flash and smc device against a board that is a program (board.c), over terminals with this program in between: it loses and
+// damages bytes, and kills the board or smc in the middle.  Always the old or the new image runs afterwards, and is replaced again.
+//   link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]
+#define _XOPEN_SOURCE 700
+#define _DEFAULT_SOURCE
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "tests/test.h"
+
+enum { TEXT = 4096, ARGS = 8, PATH = 512 };
+
+typedef struct Terminal { int master, slave; char name[128]; } Terminal;
+
+typedef struct Trouble {
+    unsigned bad;             // one byte in so many is lost or damaged; 0: none
+    long kill_board, kill_smc;        // after so many bytes in both directions; 0: never
+} Trouble;
+
+static Terminal at_board, at_smc;
+static const char *smc, *board, *images[2];
+static char memory[PATH], output[PATH], said[TEXT];
+static pid_t board_pid;
+static uint64_t random_state = 88172645463325252u;
+
+static unsigned below(unsigned n)
+{
+    random_state ^= random_state << 13;
+    random_state ^= random_state >> 7;
+    random_state ^= random_state << 17;
+    return (unsigned)(random_state >> 11) % n;
+}
+
+// ---- terminals and programs ----
+
+static bool open_terminal(Terminal *t)
+{
+    struct termios raw;
+
+    t->master = posix_openpt(O_RDWR | O_NOCTTY);
+    if (t->master < 0 || grantpt(t->master) != 0 || unlockpt(t->master) != 0)
+        return false;
+    snprintf(t->name, sizeof t->name, "%s", ptsname(t->master));
+    t->slave = open(t->name, O_RDWR | O_NOCTTY);             // held, so that the line stays when a program goes
+    if (t->slave < 0 || tcgetattr(t->slave, &raw) != 0)
+        return false;
+    cfmakeraw(&raw);
+    return tcsetattr(t->slave, TCSANOW, &raw) == 0 && fcntl(t->master, F_SETFD, FD_CLOEXEC) == 0 && fcntl(t->slave, F_SETFD, FD_CLOEXEC) == 0;
+}
+
+static pid_t start(const char *const *argv, const char *to)
+{
+    const pid_t pid = fork();
+
+    if (pid == 0) {
+        const int fd = open(to, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+        dup2(fd, 1);
+        dup2(fd, 2);
+        execv(argv[0], (char *const *)(size_t)argv);
+        _exit(127);
+    }
+    return pid;
+}
+
+static void start_board(void)
+{
+    const char *const argv[] = {board, at_board.name, memory, NULL};
+
+    ioctl(at_board.slave, TIOCNXCL);                         // what the one before it had asked for
+    board_pid = start(argv, "/dev/null");
+}
+
+static void kill_board(void)
+{
+    int status;
+
+    kill(board_pid, SIGKILL);
+    waitpid(board_pid, &status, 0);
+}
+
+// ---- the line ----
+
+static long carry(int from, int to, const Trouble *t)
+{
+    unsigned char bytes[256], out[256];
+    const ssize_t got = read(from, bytes, sizeof bytes);
+    size_t n = 0;
+
+    for (ssize_t i = 0; i < got; i++) {
+        const unsigned bad = t->bad ? below(t->bad * 2) : 2;
+        if (bad != 0)
+            out[n++] = bad == 1 ? (unsigned char)(bytes[i] ^ (1u << below(8))) : bytes[i];
+    }
+    return n > 0 && write(to, out, n) != (ssize_t)n ? 0 : got > 0 ? got : 0;
+}
+
+static void read_output(void)
+{
+    FILE *f = fopen(output, "r");
+    const size_t n = f ? fread(said, 1, TEXT - 1, f) : 0;
+
+    said[n] = '\0';
+    if (f)
+        fclose(f);
+}
+
+// Runs smc with these arguments and the port; gives its exit code, 128 + the signal where one ended it.
+static int run(const Trouble *t, const char *a, const char *b, const char *c)
+{
+    char port[160];
+    const char *const argv[ARGS] = {smc, a, b, port, c, NULL};
+    struct pollfd p[2] = {{at_board.master, POLLIN, 0}, {at_smc.master, POLLIN, 0}};
+    long carried = 0;
+    int status;
+    pid_t pid;
+
+    snprintf(port, sizeof port, "--port=%s", at_smc.name);
+    tcflush(at_smc.slave, TCIOFLUSH);
+    ioctl(at_smc.slave, TIOCNXCL);
+    pid = start(argv, output);
+    while (waitpid(pid, &status, WNOHANG) == 0) {
+        const long before = carried;
+        if (poll(p, 2, 5) > 0) {
+            carried += p[0].revents & POLLIN ? carry(at_board.master, at_smc.master, t) : 0;
+            carried += p[1].revents & POLLIN ? carry(at_smc.master, at_board.master, t) : 0;
+        }
+        if (t->kill_smc && before < t->kill_smc && carried >= t->kill_smc)
+            kill(pid, below(2) ? SIGKILL : SIGINT);
+        if (t->kill_board && before < t->kill_board && carried >= t->kill_board) {
+            kill_board();
+            start_board();
+        }
+    }
+    read_output();
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+static const Trouble none;
+static int quiet(const char *a, const char *b, const char *c) { return run(&none, a, b, c); }
+static bool says(const char *text) { return strstr(said, text) != NULL; }
+
+// ---- tests ----
+
+static void checksum_of(const char *path, char text[9])
+{
+    unsigned char head[8] = {0};
+    FILE *f = fopen(path, "rb");
+
+    if (f) {
+        CHECK(fread(head, 1, 8, f) == 8);
+        fclose(f);
+    }
+    snprintf(text, 9, "%02x%02x%02x%02x", head[7], head[6], head[5], head[4]);
+}
+
+// Whether the line of the list with this checksum says so.
+static bool listed(const char *path, const char *what)
+{
+    char checksum[9];
+    const char *line, *end, *found;
+
+    checksum_of(path, checksum);
+    if ((line = strstr(said, checksum)) == NULL || (end = strchr(line, '\n')) == NULL)
+        return false;
+    found = strstr(line, what);
+    return found && found < end;
+}
+
+static void an_image_is_sent_and_kept(void)
+{
+    CHECK(quiet("device", "list", NULL) == 0 && says("slot 0: no image") && says("built in: no image; nothing runs"));
+    CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing to confirm"));
+    CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("nothing was sent"));
+    CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)") && says("smc device confirm"));
+    CHECK(quiet("flash", images[1], NULL) == 1 && says("on trial; 'smc device confirm' keeps it"));
+    CHECK(quiet("device", "confirm", NULL) == 0 && listed(images[0], ", confirmed"));
+    CHECK(quiet("flash", images[0], NULL) == 0 && says("it runs already"));
+    CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
+    CHECK(quiet("device", "info", NULL) == 0 && says("2 slots of ") && says("an update may begin"));
+    CHECK(quiet("device", "log", NULL) == 0 && says("START of app 0") && says("STATE of machine 0, from 0, to 1"));
+}
+
+static void what_is_armed_is_left_alone(void)
+{
+    char path[PATH + 8];
+    FILE *f;
+
+    snprintf(path, sizeof path, "%s.armed", memory);
+    f = fopen(path, "w");
+    CHECK(f && fclose(f) == 0);
+    CHECK(quiet("flash", images[0], NULL) == 1 && says("nothing was sent: the board is armed; disarm it first"));
+    CHECK(quiet("device", "confirm", NULL) == 1 && says("the board is armed"));
+    CHECK(quiet("device", "info", NULL) == 0 && says("no update may begin: it is armed"));
+    CHECK(remove(path) == 0 && quiet("device", "list", NULL) == 0 && listed(images[1], ", runs"));
+}
+
+// A trial that nobody confirms is over after its starts.
+static void a_trial_ends(void)
+{
+    CHECK(quiet("flash", images[0], NULL) == 0 && listed(images[0], "on trial"));
+    for (int i = 0; i < 3; i++) {
+        kill_board();
+        start_board();
+        CHECK(quiet("device", "list", NULL) == 0 && (i == 2 || listed(images[0], ", runs")));
+    }
+    CHECK(listed(images[1], ", runs, confirmed"));
+}
+
+static void an_image_is_erased(void)
+{
+    char path[9];
+
+    checksum_of(images[0], path);
+    CHECK(quiet("device", "erase", "12345678") == 1 && says("no slot holds an image with the checksum 12345678"));
+    CHECK(quiet("device", "erase", path) == 0 && !listed(images[0], "bytes") && listed(images[1], ", runs"));
+    CHECK(quiet("device", "erase", "x") == 2);
+}
+
+static void nobody_answers(void)
+{
+    kill_board();
+    CHECK(quiet("device", "info", NULL) == 3 && says("no answer from '"));
+    start_board();
+}
+
+// In trouble the update succeeds or not; then, without it, it does.
+static void an_update_in_trouble(int target)
+{
+    Trouble t = {0, 0, 0};
+    int code;
+
+    switch (below(4)) {
+    case 0: t.bad = 300 + below(2000); break;
+    case 1: t.kill_board = 1 + (long)below(2200); break;
+    case 2: t.kill_smc = 1 + (long)below(2200); break;
+    default: t.bad = 1000; t.kill_board = 1 + (long)below(2200);
+    }
+    code = run(&t, "flash", images[target], NULL);
+    CHECK(code == 0 || code == 1 || code == 3 || code == 128 + SIGINT || code == 128 + SIGKILL);
+    CHECK(quiet("device", "list", NULL) == 0 && (listed(images[0], ", runs") || listed(images[1], ", runs")));
+    CHECK(code != 0 || listed(images[target], ", runs"));
+    if (listed(images[1 - target], "on trial"))
+        CHECK(quiet("device", "confirm", NULL) == 0);
+    CHECK(quiet("flash", images[target], "--confirm") == 0 && listed(images[target], ", runs, confirmed"));
+}
+
+int main(int argc, char **argv)
+{
+    const int runs = argc > 6 ? atoi(argv[6]) : 12;
+
+    if (argc < 6)
+        return fprintf(stderr, "link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]\n"), 2;
+    smc = argv[1];
+    board = argv[2];
+    images[0] = argv[4];
+    images[1] = argv[5];
+    random_state *= argc > 7 ? strtoul(argv[7], NULL, 10) : 1;
+    snprintf(memory, sizeof memory, "%s/board.memory", argv[3]);
+    snprintf(output, sizeof output, "%s/board.output", argv[3]);
+    remove(memory);
+    if (!open_terminal(&at_board) || !open_terminal(&at_smc))
+        return printf("device: 0 passed, 0 failed, 1 skipped: no terminals here\n"), 0;
+    start_board();
+    an_image_is_sent_and_kept();
+    what_is_armed_is_left_alone();
+    a_trial_ends();
+    an_image_is_erased();
+    nobody_answers();
+    for (int i = 0; i < runs; i++)
+        an_update_in_trouble(i % 2);
+    kill_board();
+    return test_end("device");
+}
