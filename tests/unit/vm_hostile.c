@@ -168,13 +168,13 @@ static bool try(uint32_t n)
 
 static void random_images(void)
 {
-    for (unsigned k = 0; k < 150; k++) {
+    for (unsigned k = 0; k < 600; k++) {
         Build b;
         uint32_t n, at;
         random_machine(&b);
         n = build_image(&b, small_flash + START);
         CHECK(try(n));
-        for (unsigned i = 0; i < 200; i++) {
+        for (unsigned i = 0; i < 50; i++) {
             uint8_t old;
             at = below(n);
             old = small_flash[START + at];
