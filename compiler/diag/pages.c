@@ -4,9 +4,12 @@
 
 #include "compiler/diag/diag.h"
 
-static const struct { char digit; const char *title; } chapters[] = {
-    {'1', "Characters and numbers"}, {'2', "Names and declarations"}, {'3', "Grammar"}, {'4', "Expressions and constants"},
-    {'5', "States and transitions"}, {'6', "State vector"}, {'7', "Scripts"}, {'8', "Files and images"}, {'9', "Flight"}};
+// By the first two digits of the codes, from 01.
+static const char *const chapters[] = {
+    "Characters and numbers", "Names and declarations", "Grammar", "Expressions and constants", "States and transitions", "State vector",
+    "Scripts", "Files and images", "Flight", "Applications", "Pins"};
+
+static size_t chapter_of(const DiagInfo *row) { return (size_t)(row->id[1] - '0') * 10 + (size_t)(row->id[2] - '0'); }
 
 void diag_put_title(const DiagInfo *row, Buf *out)
 {
@@ -94,9 +97,9 @@ void diags_write_markdown(Buf *out)
     for (int g = DIAG_GROUP_ALL; g <= DIAG_GROUP_FLIGHT; g++)
         put_group(out, (DiagGroup)g);
     for (size_t c = 0; c < sizeof chapters / sizeof *chapters; c++) {
-        buf_printf(out, "## %c %s\n\n", chapters[c].digit, chapters[c].title);
+        buf_printf(out, "## %u %s\n\n", (unsigned)c + 1, chapters[c]);
         for (size_t i = 0; i < DIAG_COUNT; i++)
-            if (diag_info[i].id && diag_info[i].id[2] == chapters[c].digit)
+            if (diag_info[i].id && chapter_of(&diag_info[i]) == c + 1)
                 put_page(out, &diag_info[i]);
     }
     out->n--;                                             // one line end at the end of the file

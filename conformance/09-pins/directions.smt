@@ -13,8 +13,8 @@ F32 heater
 F64 limits
 -- app.io --
 [analog]
-in 0 pressure      #! E0872 did you mean 'i'?
-output 1 heater    #! E0872 did you mean 'o'?
-x 2 flow           #! E0872 found 'x'
-3 count            #! E0872 found the number 3
+in 0 pressure      #! E1172 did you mean 'i'?
+output 1 heater    #! E1172 did you mean 'o'?
+x 2 flow           #! E1172 found 'x'
+3 count            #! E1172 found the number 3
 i 4 limits

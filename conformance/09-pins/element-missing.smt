@@ -12,6 +12,6 @@ bool vent
 F32 heater
 -- app.io --
 [analog]
-i 0                #! E0874 expected the element of pin 0, found the end of the line
-i 1 @scale 5       #! E0874 expected the element of pin 1, found '@scale'
+i 0                #! E1174 expected the element of pin 0, found the end of the line
+i 1 @scale 5       #! E1174 expected the element of pin 1, found '@scale'
 o 3 heater

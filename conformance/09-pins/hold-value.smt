@@ -12,6 +12,6 @@ bool vent
 F32 heater
 -- app.io --
 [analog]
-i 0 pressure @hold 256         #! E0885 not 256
-i 1 flow @hold -1              #! E0885 not -1
-i 2 count @hold 1.5            #! E0885 not 1.5
+i 0 pressure @hold 256         #! E1185 not 256
+i 1 flow @hold -1              #! E1185 not -1
+i 2 count @hold 1.5            #! E1185 not 1.5

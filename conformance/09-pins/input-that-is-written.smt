@@ -22,8 +22,8 @@ bool open
 -- app.io --
 [analog]
 i 0 pressure
-i 1 limit        #! W0890 machine 'app' writes 'limit', which is an input
+i 1 limit        #! W1190 machine 'app' writes 'limit', which is an input
 i 2 other
 [digital]
 o 0 open
-i 1 open         #! W0890 'open'
+i 1 open         #! W1190 'open'

@@ -11,4 +11,4 @@ bool open
 bool vent
 F32 heater
 -- app.io --
-#! E0871
+#! E1171

@@ -11,9 +11,9 @@ bool open
 bool vent
 F32 heater
 -- app.io --
-[analogue]         #! E0870 did you mean '[analog]'?
+[analogue]         #! E1170 did you mean '[analog]'?
 i 0 pressure
-[options]          #! E0870 [options] has no place among pins
+[options]          #! E1170 [options] has no place among pins
 lock
 [digital]
 o 0 open

@@ -12,6 +12,6 @@ bool vent
 F32 heater
 -- app.io --
 [analog]
-i pressure         #! E0873 found 'pressure'
-o A1 heater        #! E0873 found 'A1'
-i                  #! E0873 found the end of the file
+i pressure         #! E1173 found 'pressure'
+o A1 heater        #! E1173 found 'A1'
+i                  #! E1173 found the end of the file

@@ -12,9 +12,9 @@ bool vent
 F32 heater
 -- app.io --
 [analog]
-o 0 heater @safe false        #! E0884 not false
+o 0 heater @safe false        #! E1184 not false
 [digital]
-o 0 open @safe 1              #! E0883 write true
-o 1 vent @safe -0             #! E0883 write false
-o 2 open @safe 5              #! E0883 not 5
-o 3 open @safe                #! E0880 expected a number after '@safe'
+o 0 open @safe 1              #! E1183 write true
+o 1 vent @safe -0             #! E1183 write false
+o 2 open @safe 5              #! E1183 not 5
+o 3 open @safe                #! E1180 expected a number after '@safe'

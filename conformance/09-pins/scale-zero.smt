@@ -12,6 +12,6 @@ bool vent
 F32 heater
 -- app.io --
 [analog]
-i 0 pressure @scale 0      #! E0882 '@scale' of 'pressure' is 0
-o 1 heater @scale -0.0     #! E0882
+i 0 pressure @scale 0      #! E1182 '@scale' of 'pressure' is 0
+o 1 heater @scale -0.0     #! E1182
 o 2 flow @scale 1e-300

@@ -21,7 +21,7 @@ bool open
     limit = pressure / 2
 -- app.io --
 [analog]
-i 0 clock        #! E0887 'clock' is the time, G, of machine 'app'
-i 1 S            #! E0888 'S' is the state, S, of machine 'app'
+i 0 clock        #! E1187 'clock' is the time, G, of machine 'app'
+i 1 S            #! E1188 'S' is the state, S, of machine 'app'
 o 2 clock
 o 3 S

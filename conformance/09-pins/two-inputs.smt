@@ -13,7 +13,7 @@ F32 heater
 -- app.io --
 [analog]
 i 0 pressure
-i 1 pressure       #! E0878 'pressure' is read from two pins
+i 1 pressure       #! E1178 'pressure' is read from two pins
 [digital]
 i 0 limit
-i 1 limit          #! E0878
+i 1 limit          #! E1178

@@ -12,5 +12,5 @@ bool vent
 F32 heater
 -- app.io --
 [digital]
-i 0 limit @pull_up @pull_down                #! E0886 'limit' has both
-i 1 open @pull_down @inverted @pull_up       #! E0886
+i 0 limit @pull_up @pull_down                #! E1186 'limit' has both
+i 1 open @pull_down @inverted @pull_up       #! E1186

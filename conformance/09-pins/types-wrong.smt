@@ -12,8 +12,8 @@ bool vent
 F32 heater
 -- app.io --
 [analog]
-i 0 limit        #! E0876 'limit' is bool
-o 1 open         #! E0876
+i 0 limit        #! E1176 'limit' is bool
+o 1 open         #! E1176
 [digital]
-i 0 count        #! E0875 'count' is U16: a digital pin goes with a bool
-o 1 heater       #! E0875 'heater' is F32
+i 0 count        #! E1175 'count' is U16: a digital pin goes with a bool
+o 1 heater       #! E1175 'heater' is F32

@@ -3,11 +3,11 @@ spec 10.3, 10.10, 10.16   Elements with a meaning for the runtime have a type.
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-time missionState 1 ms       #! E0833 a U64
-[flight] @late altitude      #! E0833 of an integer type
+time missionState 1 ms       #! E1033 a U64
+[flight] @late altitude      #! E1033 of an integer type
     @busy small
 every 10 ms:
-    task navigation @mode small     #! E0833 a U8
+    task navigation @mode small     #! E1033 a U8
     task other @mode mode
 -- rocket.sv --
 [A]

@@ -5,16 +5,16 @@ spec 10.10   Annotations of an executor stand once, behind its header.
 state_vector "rocket.sv"
 [flight] @priority 1 @priority 2     #! E0361 priority
 every 10 ms:
-    task a @priority 3        #! E0824 behind a task
+    task a @priority 3        #! E1024 behind a task
     task b @mod mode          #! E0360 @mode
-    log @safe                 #! E0824 'log' and 'keep'
-    inputs @mode mode         #! E0824 'inputs'
-    machine m "m.sm" @safe    #! E0824 behind a machine
-    outputs @init             #! E0824 'outputs'
-[slow] @mode mode             #! E0824 an executor
+    log @safe                 #! E1024 'log' and 'keep'
+    inputs @mode mode         #! E1024 'inputs'
+    machine m "m.sm" @safe    #! E1024 behind a machine
+    outputs @init             #! E1024 'outputs'
+[slow] @mode mode             #! E1024 an executor
 every 10 ms:
     task c
-[other] @overrun later        #! E0820 skip or catch_up
+[other] @overrun later        #! E1020 skip or catch_up
 every 10 ms:
     task d
 -- rocket.sv --

@@ -3,9 +3,9 @@ spec 10.9   An executor has tasks.
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-[flight]              #! E0830 nothing to do
+[flight]              #! E1030 nothing to do
 [slow]
-every 10 ms:          #! E0830 no task
+every 10 ms:          #! E1030 no task
 every 20 ms:
     task a
 -- rocket.sv --

@@ -257,7 +257,7 @@ state_vector "rocket.sv"
 [e252] every 1 s: task t252
 [e253] every 1 s: task t253
 [e254] every 1 s: task t254
-[e255] every 1 s: task t255     #! E0845 254
+[e255] every 1 s: task t255     #! E1045 254
 [e256] every 1 s: task t256
 -- rocket.sv --
 [options]

@@ -6,16 +6,16 @@ state_vector "rocket.sv"
 [flight]
 every 10 ms:
     task a
-[flight]              #! E0839 executor called 'flight'
+[flight]              #! E1039 executor called 'flight'
 every 10 ms:
     task b
-[10Hz]                #! E0826 10Hz
+[10Hz]                #! E1026 10Hz
 every 10 ms:
     task c
-[a/b]                 #! E0826 a/b
+[a/b]                 #! E1026 a/b
 every 10 ms:
     task d
-[not]                 #! E0826 not
+[not]                 #! E1026 not
 every 10 ms:
     task e
 -- rocket.sv --

@@ -1,7 +1,7 @@
 spec 10.9   An application has an executor.
 
 -- rocket.app --
-[options]     #! E0830 needs an executor
+[options]     #! E1030 needs an executor
 state_vector "rocket.sv"
 -- rocket.sv --
 [A]

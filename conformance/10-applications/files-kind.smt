@@ -2,12 +2,12 @@ spec 10.1, 10.2, 10.15   Files are called after what they are.
 
 -- rocket.app --
 [options]
-state_vector "mission.sm"     #! E0832 .sv
-io "rocket.sv"     #! E0832 .io
+state_vector "mission.sm"     #! E1032 .sv
+io "rocket.sv"     #! E1032 .io
 time time 1 ms
 [flight]
 every 10 ms:
-    machine mission "rocket.io"     #! E0832 .sm
+    machine mission "rocket.io"     #! E1032 .sm
     inputs
 -- rocket.sv --
 [A]

@@ -2,8 +2,8 @@ spec 10.1   Names of files stand between quotation marks of the keyboard.
 
 -- rocket.app --
 [options]
-state_vector 'rocket.sv'     #! E0829
-keep "open                    #! E0829
+state_vector 'rocket.sv'     #! E1029
+keep "open                    #! E1029
 [flight]
 every 10 ms:
     task navigation

@@ -3,18 +3,18 @@ spec 10.1, 10.11   Whatever stands where a line begins, the next line is read ag
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-"x"                          #! E0821 "x"
-events 1                     #! E0834
-[flight] 7                   #! E0823 7
-"y"                          #! E0823 "y"
+"x"                          #! E1021 "x"
+events 1                     #! E1034
+[flight] 7                   #! E1023 7
+"y"                          #! E1023 "y"
 every
-8                            #! E0820 a unit
-task                         #! E0820 the task's name
+8                            #! E1020 a unit
+task                         #! E1020 the task's name
 every 10 ms:
     task a
 machine
-m                            #! E0820 name of a file
-5                            #! E0823 number 5
+m                            #! E1020 name of a file
+5                            #! E1023 number 5
 -- rocket.sv --
 [A]
 U64  time

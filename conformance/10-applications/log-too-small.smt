@@ -3,7 +3,7 @@ spec 10.6   The memory of the log takes two records of the state vector at least
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-log "f" 256 B                 #! E0834 at least 308 B
+log "f" 256 B                 #! E1034 at least 308 B
 [flight]
 every 10 ms:
     log

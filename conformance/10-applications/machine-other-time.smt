@@ -6,7 +6,7 @@ state_vector "rocket.sv"
 time other 1 ms
 [flight]
 every 10 ms:
-    machine mission "mission.sm"     #! E0840 'other'
+    machine mission "mission.sm"     #! E1040 'other'
 -- rocket.sv --
 [A]
 U64  time

@@ -5,7 +5,7 @@ spec 10.3   Machines need the time.
 state_vector "rocket.sv"
 [flight]
 every 10 ms:
-    machine mission "mission.sm"     #! E0830 time time 1 ms
+    machine mission "mission.sm"     #! E1030 time time 1 ms
 -- rocket.sv --
 [A]
 U64  time

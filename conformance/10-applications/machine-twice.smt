@@ -7,7 +7,7 @@ time time 1 ms
 [flight]
 every 10 ms:
     machine a "mission.sm"
-    machine b "mission.sm" @bytecode     #! E0849 mission.sm
+    machine b "mission.sm" @bytecode     #! E1049 mission.sm
 -- rocket.sv --
 [A]
 U64  time

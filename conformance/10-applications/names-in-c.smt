@@ -7,8 +7,8 @@ time time 1 ms
 [flight]
 every 10 ms:
     task navigation @init
-    task mission @safe                #! E0844 mission_step
-    task rocket @safe                 #! E0844 rocket_step
+    task mission @safe                #! E1044 mission_step
+    task rocket @safe                 #! E1044 rocket_step
     machine nav "mission.sm"
     task navigation2
 -- rocket.sv --

@@ -7,8 +7,8 @@ io "ROCKET_app.io"
 time time 1 ms
 [flight]
 every 10 ms:
-    machine a "rocket.sm"             #! E0843 rocket.c
-    machine b "rocket_APP.sm"         #! E0843 the application
+    machine a "rocket.sm"             #! E1043 rocket.c
+    machine b "rocket_APP.sm"         #! E1043 the application
     machine c "mission.sm"
     inputs
 -- rocket.sv --

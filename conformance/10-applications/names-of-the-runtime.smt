@@ -2,10 +2,10 @@ spec 10.17   Files that would be called like the runtime are refused.
 
 -- rocket.app --
 [options]
-state_vector "sm.sv"     #! E0846 runtime
+state_vector "sm.sv"     #! E1046 runtime
 [flight]
 every 10 ms:
-    task pal_x     #! E0846 runtime
+    task pal_x     #! E1046 runtime
 -- sm.sv --
 [A]
 U64  time

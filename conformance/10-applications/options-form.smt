@@ -2,12 +2,12 @@ spec 10.1   An option that is not complete is an error that shows a complete one
 
 -- rocket.app --
 [options]
-state_vector rocket.sv     #! E0820 state_vector "rocket.sv"
-events many                  #! E0820 events 64
-log "flight.log"             #! E0820 64 KB
-time 1 ms                    #! E0820 time flightTime 1 ms
-keep                         #! E0820 keep "rocket.state"
-watchdog 500                 #! E0820 a unit: ns, us, ms or s
+state_vector rocket.sv     #! E1020 state_vector "rocket.sv"
+events many                  #! E1020 events 64
+log "flight.log"             #! E1020 64 KB
+time 1 ms                    #! E1020 time flightTime 1 ms
+keep                         #! E1020 keep "rocket.state"
+watchdog 500                 #! E1020 a unit: ns, us, ms or s
 [flight]
 every 10 ms:
     task navigation

@@ -1,7 +1,7 @@
 spec 10.1   A section of options under another name is told as such.
 
 -- rocket.app --
-[option]     #! E0848 [options]
+[option]     #! E1048 [options]
 state_vector "rocket.sv"
 [flight]
 every 10 ms:

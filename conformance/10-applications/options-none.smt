@@ -1,6 +1,6 @@
 spec 10.1   A state vector is required, where there are no options as well.
 
 -- rocket.app --
-[flight]     #! E0830 state_vector "FILE.sv"
+[flight]     #! E1030 state_vector "FILE.sv"
 every 10 ms:
     task navigation

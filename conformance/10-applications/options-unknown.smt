@@ -3,9 +3,9 @@ spec 10.1   Other options are an error; the nearest is named.
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-watch_dog 500 ms       #! E0821 watchdog
-io_file "x"            #! E0821
-5                      #! E0821 number 5
+watch_dog 500 ms       #! E1021 watchdog
+io_file "x"            #! E1021
+5                      #! E1021 number 5
 [flight]
 every 10 ms:
     task navigation

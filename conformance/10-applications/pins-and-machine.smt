@@ -22,7 +22,7 @@ F64  target
 I16  small
 -- rocket.io --
 [analog]
-i 0 target     #! W0890 mission
+i 0 target     #! W1190 mission
 o 1 target
 -- mission.sm --
 [state_vector]

@@ -22,7 +22,7 @@ F64  target
 I16  small
 -- rocket.io --
 [analog]
-i 0 missionState     #! E0888 mission
+i 0 missionState     #! E1188 mission
 o 1 target
 -- mission.sm --
 [state_vector]

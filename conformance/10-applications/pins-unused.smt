@@ -3,7 +3,7 @@ spec 10.13   Pins that nobody reads or sets are a warning.
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-io "rocket.io"     #! W0840 neither
+io "rocket.io"     #! W1040 neither
 [flight]
 every 10 ms:
     task navigation

@@ -3,10 +3,10 @@ spec 10.4, 10.5, 10.6   Fractions and numbers beyond every range are errors as w
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-watchdog 0.5 us              #! E0834 1 ms to 1 h
-events   8.5                 #! E0834 32768
-log      "f" 1e300 KB        #! E0834 1048576 KB
-[flight] @priority 1234567890123456789012345     #! E0834 1 to 99
+watchdog 0.5 us              #! E1034 1 ms to 1 h
+events   8.5                 #! E1034 32768
+log      "f" 1e300 KB        #! E1034 1048576 KB
+[flight] @priority 1234567890123456789012345     #! E1034 1 to 99
 every 10 ms:
     task navigation
     log

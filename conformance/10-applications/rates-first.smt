@@ -4,7 +4,7 @@ spec 10.11   A task stands behind a rate.
 [options]
 state_vector "rocket.sv"
 [flight]
-    task a                    #! E0825 every 10 ms:
+    task a                    #! E1025 every 10 ms:
     task b
 every 10 ms:
     task c

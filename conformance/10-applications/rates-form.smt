@@ -4,20 +4,20 @@ spec 10.11   A rate is `every` and a time, or `at` and a frequency.
 [options]
 state_vector "rocket.sv"
 [flight]
-every ms:                     #! E0820 every 10 ms:
+every ms:                     #! E1020 every 10 ms:
     task a
-every 10 ms                   #! E0820 ':'
+every 10 ms                   #! E1020 ':'
     task b
-at 10:                        #! E0820 Hz or kHz
+at 10:                        #! E1020 Hz or kHz
     task c
-evry 10 ms:                   #! E0823 every
+evry 10 ms:                   #! E1023 every
     task d
-navigation                    #! E0823 'navigation'
-tsk e                         #! E0823 task
-task                          #! E0820 the task's name
-task 5                        #! E0820 the task's name
+navigation                    #! E1023 'navigation'
+tsk e                         #! E1023 task
+task                          #! E1020 the task's name
+task 5                        #! E1020 the task's name
 task if                       #! E0354 if
-machine mission               #! E0820 "mission.sm"
+machine mission               #! E1020 "mission.sm"
 -- rocket.sv --
 [A]
 U64  time

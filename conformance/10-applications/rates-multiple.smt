@@ -4,13 +4,13 @@ spec 10.12   Periods are whole multiples of the shortest.
 [options]
 state_vector "rocket.sv"
 [flight]
-every 25 ms:                  #! E0835 20 ms or 30 ms
+every 25 ms:                  #! E1035 20 ms or 30 ms
     task a
 every 10 ms:
     task b
-at 3 Hz:                      #! E0836 333333333 ns
+at 3 Hz:                      #! E1036 333333333 ns
     task c
-every 1.5 ns:                 #! E0836
+every 1.5 ns:                 #! E1036
     task d
 every 20 ms:
     task e

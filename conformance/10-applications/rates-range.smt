@@ -6,17 +6,17 @@ state_vector "rocket.sv"
 [flight]
 every 10 ms:
     task a
-every 999 ns:                 #! E0834 1 us to 1 h
+every 999 ns:                 #! E1034 1 us to 1 h
     task b
-every 3600.01 s:              #! E0834 1 us to 1 h
+every 3600.01 s:              #! E1034 1 us to 1 h
     task c
-at 0 Hz:                      #! E0834 1 us to 1 h
+at 0 Hz:                      #! E1034 1 us to 1 h
     task d
-at 1e300 kHz:                 #! E0834
+at 1e300 kHz:                 #! E1034
     task e
-at 1e-300 Hz:                 #! E0834
+at 1e-300 Hz:                 #! E1034
     task f
-every 0 ms:                   #! E0834
+every 0 ms:                   #! E1034
     task g
 -- rocket.sv --
 [A]

@@ -6,7 +6,7 @@ state_vector "rocket.sv"
 [flight]
 every 10 ms:
     task a
-at 100 Hz:                    #! E0837 10 ms
+at 100 Hz:                    #! E1037 10 ms
     task b
 -- rocket.sv --
 [A]

@@ -6,7 +6,7 @@ state_vector "rocket.sv"
 time time 1 ms
 [flight]
 every 10 ms:
-    machine mission "mission.sm" @resume     #! W0843
+    machine mission "mission.sm" @resume     #! W1043
 -- rocket.sv --
 [A]
 U64  time

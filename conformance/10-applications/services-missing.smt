@@ -5,9 +5,9 @@ spec 10.2, 10.6, 10.13   They need their option.
 state_vector "rocket.sv"
 [flight]
 every 10 ms:
-    inputs                    #! E0830 'io' in [options]
-    log                       #! E0830 'log' in [options]
-    keep                      #! E0830 'keep' in [options]
+    inputs                    #! E1030 'io' in [options]
+    log                       #! E1030 'log' in [options]
+    keep                      #! E1030 'keep' in [options]
     task a
 -- rocket.sv --
 [A]

@@ -10,10 +10,10 @@ every 10 ms:
     log
     keep
 every 20 ms:
-    log                       #! E0839 'log'
+    log                       #! E1039 'log'
 [slow]
 every 1 s:
-    keep                      #! E0839 'keep'
+    keep                      #! E1039 'keep'
 -- rocket.sv --
 [options]
 lock

@@ -3,8 +3,8 @@ spec 10.13   An option that no task uses is a warning.
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-log "f" 4 KB                  #! W0840 'log' is a task of no executor
-keep "k"                      #! W0840
+log "f" 4 KB                  #! W1040 'log' is a task of no executor
+keep "k"                      #! W1040
 [flight]
 every 10 ms:
     task navigation

@@ -4,8 +4,8 @@ spec 10.8   A value that does not fit is a warning.
 [options]
 state_vector "rocket.sv"
 [start]
-mode  = 300                  #! W0842 a U8: it will be 255
-small = 1.5                  #! W0842 it will be 1
+mode  = 300                  #! W1042 a U8: it will be 255
+small = 1.5                  #! W1042 it will be 1
 late  = 7
 altitude = 0.1
 [flight]

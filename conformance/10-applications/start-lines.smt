@@ -6,10 +6,10 @@ state_vector "rocket.sv"
 [start]
 time = 5
 log = 1
-5 = 6                        #! E0820 the name of an element
-"x" = 7                      #! E0820 the name of an element
-+                            #! E0820 the name of an element
-@late late                   #! E0820 the name of an element
+5 = 6                        #! E1020 the name of an element
+"x" = 7                      #! E1020 the name of an element
++                            #! E1020 the name of an element
+@late late                   #! E1020 the name of an element
 every = 2
 [flight]
 every 10 ms:

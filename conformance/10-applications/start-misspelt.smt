@@ -3,7 +3,7 @@ spec 10.8   A section of values under another name is told as such.
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-[begin]     #! E0848 [start]
+[begin]     #! E1048 [start]
 mode = 2
 [flight]
 every 10 ms:

@@ -4,14 +4,14 @@ spec 10.8   Values are made of numbers, once for each element.
 [options]
 state_vector "rocket.sv"
 [start]
-altitude = target * 2        #! E0841 made of numbers
+altitude = target * 2        #! E1041 made of numbers
 mode     = 1
-mode     = 2                 #! E0842 second value
-target   = roll_avg(1, 3)    #! E0841
+mode     = 2                 #! E1042 second value
+target   = roll_avg(1, 3)    #! E1041
 otherMode = (1 +             
 late 5                       #! E0313
 busy = max(1)                #! E0401
-small 5                      #! E0820 engineMode = 2
+small 5                      #! E1020 engineMode = 2
 [flight]
 every 10 ms:
     task navigation

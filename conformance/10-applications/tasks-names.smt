@@ -7,9 +7,9 @@ time time 1 ms
 [flight]
 every 10 ms:
     task mission
-    machine mission "mission.sm"     #! E0839 'mission'
+    machine mission "mission.sm"     #! E1039 'mission'
     task a
-    task a                    #! E0839 'a'
+    task a                    #! E1039 'a'
     task A
 -- rocket.sv --
 [A]

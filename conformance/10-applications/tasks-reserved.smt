@@ -5,9 +5,9 @@ spec 10.17   Some names C or the runtime has taken.
 state_vector "rocket.sv"
 [flight]
 every 10 ms:
-    task sm                   #! E0846 belongs to the runtime
-    task _a                   #! E0846 underscore
-    task b__c                 #! E0846 two underscores
+    task sm                   #! E1046 belongs to the runtime
+    task _a                   #! E1046 underscore
+    task b__c                 #! E1046 two underscores
     task inputs
     task every
     task machine

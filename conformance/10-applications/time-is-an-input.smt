@@ -4,7 +4,7 @@ spec 10.18   Nor is the time an input.
 [options]
 state_vector "rocket.sv"
 io "rocket.io"
-time time 1 ms                        #! W0841 an input
+time time 1 ms                        #! W1041 an input
 [flight]
 every 10 ms:
     inputs

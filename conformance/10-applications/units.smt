@@ -3,15 +3,15 @@ spec 10.3, 10.4, 10.6, 10.11   An unknown unit is an error that names those that
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-watchdog 500 msec            #! E0827 ms
-time time 1 tick             #! E0827 ns, us, ms or s
-log "f" 4 kB                 #! E0827 KB
+watchdog 500 msec            #! E1027 ms
+time time 1 tick             #! E1027 ns, us, ms or s
+log "f" 4 kB                 #! E1027 KB
 [flight]
-every 10 Hz:                 #! E0827 ns, us, ms or s
+every 10 Hz:                 #! E1027 ns, us, ms or s
     task a
-at 10 hz:                    #! E0827 Hz
+at 10 hz:                    #! E1027 Hz
     task b
-every 20ms:                  #! E0828 20 ms
+every 20ms:                  #! E1028 20 ms
     task c
 -- rocket.sv --
 [A]

@@ -4,8 +4,8 @@ spec 10.10   An element holds one of what an executor tells.
 [options]
 state_vector "rocket.sv"
 time time 1 ms
-[flight] @late late @busy late     #! E0847 late
-    @ticks time                    #! E0847 the time
+[flight] @late late @busy late     #! E1047 late
+    @ticks time                    #! E1047 the time
 every 10 ms:
     task navigation
 -- rocket.sv --

@@ -5,7 +5,7 @@ spec 10.18   An element that the runtime writes is written by nobody else.
 state_vector "rocket.sv"
 io "rocket.io"
 time time 1 ms
-[flight] @late late @busy busy        #! W0841 machine 'mission' #! W0841 an input
+[flight] @late late @busy busy        #! W1041 machine 'mission' #! W1041 an input
 every 10 ms:
     inputs
     machine mission "mission.sm"

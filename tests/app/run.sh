@@ -92,16 +92,16 @@ for f in probe.app probe.sv rise.sm; do
 done
 if head -1 deps | grep -q 'out/probe.h out/probe.c out/rise.h out/rise.c out/probe_app.h out/probe_app.c:'; then good; else bad "-MD's targets"; cat deps; fi
 
-fresh missing;    rm rise.sm;            refuses "a missing machine" 1 "probe.app:19:18: error: cannot read 'rise.sm': .*E0831"
-fresh nosv;       rm probe.sv;           refuses "a missing state vector" 1 "probe.app:3:14: error: cannot read 'probe.sv': .*E0831"
-fresh folder;     rm rise.sm; mkdir rise.sm; refuses "a folder" 1 "cannot read 'rise.sm': .*E0831"
+fresh missing;    rm rise.sm;            refuses "a missing machine" 1 "probe.app:19:18: error: cannot read 'rise.sm': .*E1031"
+fresh nosv;       rm probe.sv;           refuses "a missing state vector" 1 "probe.app:3:14: error: cannot read 'probe.sv': .*E1031"
+fresh folder;     rm rise.sm; mkdir rise.sm; refuses "a folder" 1 "cannot read 'rise.sm': .*E1031"
 fresh wrong;      echo '    nosuch = 1' >>rise.sm; refuses "a mistake in a machine" 1 "rise.sm:14:5: error: unknown element 'nosuch'"
 fresh wrongsv;    echo 'F64' >>probe.sv; refuses "a mistake in the state vector" 1 "probe.sv:.*error"
 fresh werror;     sed -i.old 's/^    log$//' probe.app; rm -rf out; mkdir out
-if ! "$smc" build probe.app -o out -Werror 2>log && grep -q W0840 log && test -z "$(ls out)"; then good; else bad "-Werror"; fi
+if ! "$smc" build probe.app -o out -Werror 2>log && grep -q W1040 log && test -z "$(ls out)"; then good; else bad "-Werror"; fi
 if "$smc" build probe.app -o out -Wno-option-without-task 2>log && ! test -s log; then good; else bad "-Wno-option-without-task"; cat log; fi
 fresh binary;     head -c 3000 "$smc" >probe.app; refuses "a program in place of an application" 1 "E0104"
-fresh empty;      : >probe.app;          refuses "an empty application" 1 "probe.app:1:1: error: an application needs a state vector.*E0830"
+fresh empty;      : >probe.app;          refuses "an empty application" 1 "probe.app:1:1: error: an application needs a state vector.*E1030"
 fresh absent;     rm probe.app;          refuses "no application" 3 "cannot read 'probe.app'"
 fresh nodir
 "$smc" build probe.app -o nosuch/folder 2>log
@@ -123,10 +123,10 @@ mkdir out
 if "$smc" build probe.app -o out 2>log && test "$(grep -c '^    {.name = ' out/probe_app.c)" = 10999 &&
    $cc -std=c99 -I"$root" -Iout -c out/probe_app.c -o large.o 2>>log; then good; else bad "11,000 tasks"; head -5 log; fi
 awk 'BEGIN { printf "[options]\nstate_vector \"probe.sv\"\n[flight]\nevery 1 ms:\n"; for (i = 0; i < 65536; i++) printf "task t%d\n", i }' >probe.app
-refuses "65,536 tasks" 1 E0845
+refuses "65,536 tasks" 1 E1045
 awk 'BEGIN { printf "[options]\nstate_vector \"probe.sv\"\n[flight]\nevery 1 ms:\n"; for (i = 0; i < 20000; i++) printf "task t%d @mode mod%d\n", i, i }' >probe.app
 refuses "20,000 unknown elements" 1 "20000 errors"
-awk 'BEGIN { for (i = 0; i < 100000; i++) printf "(" }' | cat "$here/probe.app" - >probe.app; refuses "parentheses" 1 "E0823"
+awk 'BEGIN { for (i = 0; i < 100000; i++) printf "(" }' | cat "$here/probe.app" - >probe.app; refuses "parentheses" 1 "E1023"
 { cat "$here/probe.app"; printf '[more]\nevery 1 s:\ntask a @mode '; awk 'BEGIN { for (i = 0; i < 100000; i++) printf "x" }'; } >probe.app; refuses "a long name" 1 "E0"
 
 echo "$passed passed, $failed failed$(test $skipped = 0 || echo ", $skipped skipped")"

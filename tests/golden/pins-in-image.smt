@@ -37,7 +37,7 @@ pins
     analog i 0      F64 at 0 @scale 250 @offset -125 @hold 3
     digital i 1     bool at 8 @inverted @pull_up
 -- stderr --
-time.io:2:5: error: 'G' is the time, G, of machine 'hold', and cannot be an input [E0887]
+time.io:2:5: error: 'G' is the time, G, of machine 'hold', and cannot be an input [E1187]
     2 | i 0 G
       |     ^
 hold.sm:2:5: note: machine 'hold' lists it here
