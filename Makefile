@@ -392,7 +392,7 @@ check: $(B)/psl/tsan
 CHECK_LINES += "psl-tsan: if test -x $(B)/psl/tsan; then TSAN_OPTIONS=report_mutex_bugs=0 $(B)/psl/tsan; else echo 0 passed, 0 failed, 1 skipped; fi"
 
 # tests/store: updates of images with the power cut at every byte.  `make store-cuts`: all pairs of cuts.
-STORE_SRC = tests/store/cuts.c bytecode-vm/target/store.c $(filter-out %/fast.c %/decode.c %/disasm.c,$(VM)) stdlib/tables.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
+STORE_SRC = tests/store/cuts.c bytecode-vm/target/store.c $(LINK) $(filter-out %/fast.c %/decode.c %/disasm.c,$(VM)) stdlib/tables.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
 STORE_SMB = $(B)/store/old.smb $(B)/store/new.smb
 $(B)/store/cuts: $(STORE_SRC:%.c=$(B)/obj/%.o)
 	@mkdir -p $(@D)

@@ -7,19 +7,17 @@
 
 #include "bytecode-vm/image.h"
 
-enum { DATA_HEAD = 5, EVENT = 19, RESULT_AT = 1 + LINK_HEAD, ANSWER_AT = RESULT_AT + 1 };
+enum { DATA_HEAD = 5, EVENT = 19, IMAGE = 18, RESULT_AT = 1 + LINK_HEAD, ANSWER_AT = RESULT_AT + 1 };
 
 void agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body)
 {
-    const uint32_t unit = store->info.write > 1 ? store->info.write : 1;
-
     memset(a, 0, sizeof *a);
     a->store = store;
     a->board = board;
     a->events = events;
     a->frame = frame;
     a->body = body > LINK_BODY_MAX ? LINK_BODY_MAX : body;
-    a->block = (uint8_t)((a->body - DATA_HEAD) / unit * unit);
+    a->block = (uint8_t)((a->body - DATA_HEAD) & ~(store->write - 1u));
     link_receiver(&a->in, frame + 1, (uint16_t)(LINK_HEAD + a->body + LINK_TAIL));
 }
 
@@ -60,57 +58,64 @@ static SmvmBytes image_of(const Agent *a, uint8_t slot)
     return slot == STORE_BUILT_IN ? a->board->built_in : a->store->plan.image[slot];
 }
 
+// Of an image, as they lie there.
+static void put_bytes(Exchange *x, SmvmBytes image, SmvmAt at, uint8_t n)
+{
+    while (n-- > 0)
+        x->answer[x->length++] = smvm_u8(image, at++);
+}
+
 // Where the eight bytes are that tell sources apart; 0: the image has none.
-static uint32_t identity_at(SmvmBytes image)
+static SmvmAt identity_at(SmvmBytes image)
 {
     const uint8_t sections = smvm_u8(image, SMVM_SECTIONS_AT);
 
     for (uint8_t i = 0; i < sections; i++) {
         const SmvmSection s = smvm_section(image, i);
         if (s.id == SMVM_S_IDENTITY && s.size == 8)
-            return s.at;
+            return (SmvmAt)s.at;
     }
     return 0;
 }
 
-static void put_identity(Exchange *x, SmvmBytes image, bool there)
+// What an image says of itself: length, checksum, identity; zeros where there is none.
+static void put_image(Exchange *x, SmvmBytes image)
 {
-    const uint32_t at = there ? identity_at(image) : 0;
+    const SmvmAt at = identity_at(image);
 
-    for (uint8_t i = 0; i < 8; i++)
-        put(x, at ? smvm_u8(image, at + i) : 0, 1);
+    put_bytes(x, image, SMVM_LENGTH_AT, 3);
+    put_bytes(x, image, SMVM_CRC_AT, 4);
+    if (at)
+        put_bytes(x, image, at, 8);
 }
 
-static StoreState state_of(const Agent *a, uint8_t slot, uint32_t *checksum, uint32_t *length)
+static StoreState state_of(const Agent *a, uint8_t slot)
 {
+    uint32_t checksum, length;
+
     if (slot != STORE_BUILT_IN)
-        return store_state(a->store, slot, checksum, length);
-    *checksum = *length = 0;
-    if (a->board->built_in_size == 0)
-        return STORE_EMPTY;
-    *checksum = smvm_uint(a->board->built_in, SMVM_CRC_AT, 4);
-    *length = smvm_uint(a->board->built_in, SMVM_LENGTH_AT, 3);
-    return a->store->now.active == STORE_BUILT_IN ? STORE_CONFIRMED : STORE_WHOLE;
+        return store_state(a->store, slot, &checksum, &length);
+    return a->board->built_in_size == 0 ? STORE_EMPTY : a->store->now.active == slot ? STORE_CONFIRMED : STORE_WHOLE;
 }
 
 static bool is_slot(const Agent *a, uint8_t slot) { return slot < a->store->plan.slots || slot == STORE_BUILT_IN; }
 
 static SmResult image(Exchange *x)
 {
-    const Agent *a = x->a;
+    const Store *s = x->a->store;
     const uint8_t slot = x->body[0];
-    uint32_t checksum, length;
     StoreState state;
 
-    if (!is_slot(a, slot))
+    if (!is_slot(x->a, slot))
         return SM_E_MISSING;
-    state = state_of(a, slot, &checksum, &length);
+    state = state_of(x->a, slot);
+    memset(x->answer, 0, IMAGE);
     put(x, state, 1);
-    put(x, length, 3);
-    put(x, checksum, 4);
-    put_identity(x, image_of(a, slot), state != STORE_EMPTY);
-    put(x, (slot == a->store->running ? 1u : 0u) | (slot == a->store->now.active ? 2u : 0u), 1);
-    put(x, state == STORE_TRIAL ? a->store->now.tries : 0, 1);
+    if (state != STORE_EMPTY)
+        put_image(x, image_of(x->a, slot));
+    x->answer[IMAGE - 2] = (uint8_t)((slot == s->running ? 1 : 0) | (slot == s->now.active ? 2 : 0));
+    x->answer[IMAGE - 1] = state == STORE_TRIAL ? s->now.tries : 0;
+    x->length = IMAGE;
     return SM_OK;
 }
 
@@ -174,8 +179,7 @@ static SmResult read(Exchange *x)
         return SM_E_MISSING;
     if (n > a->body - 1 || at > size || n > size - at)
         return SM_E_ARGUMENT;
-    for (uint8_t i = 0; i < n; i++)
-        put(x, smvm_u8(image_of(a, slot), at + i), 1);
+    put_bytes(x, image_of(a, slot), (SmvmAt)at, n);
     return SM_OK;
 }
 

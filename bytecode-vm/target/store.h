@@ -36,34 +36,40 @@ typedef struct StorePlan {
     SmvmBytes image[2];       // how the VM reads the slots (SMVM_FETCH)
 } StorePlan;
 
-// What the selector says.
+// What the selector says: a record, byte for byte as it lies on the medium; numbers have their least significant byte first.
 typedef struct StoreChoice {
-    uint32_t number;          // of the record; each is one larger
+    uint8_t number[4];        // of the record; each is one larger
+    uint8_t version;
     uint8_t active;           // what runs: a slot or STORE_BUILT_IN
     uint8_t before;           // what runs again if the trial fails
     uint8_t tries;            // starts that are left to a trial
-    bool confirmed;
-    uint32_t checksum;        // of the active image: a slot that holds another is not run
-    uint32_t checksum_before; // the same for `before`
-    uint32_t newest;          // the highest number (image section AUTH) of an image that was confirmed
+    uint8_t confirmed;        // 0 or 1
+    uint8_t zeros[3];
+    uint8_t checksum[4];      // of the active image: a slot that holds another is not run
+    uint8_t checksum_before[4];   // the same for `before`
+    uint8_t newest[4];        // the highest number (image section AUTH) of an image that was confirmed
+    uint8_t more[4];          // zeros
+    uint8_t crc[4];           // CRC-32 of all before it
 } StoreChoice;
 
 typedef struct Store {
     PalNvm nvm;
-    PalNvmInfo info;
     StorePlan plan;
-    uint32_t record_size, slot_size, slot_at[2];
+    SmvmAt record_size, slot_size, slot_at[2];
+    SmvmAt erase;             // of the memory: PalNvmInfo; write is 1 at least
+    uint8_t write, blank;
     StoreChoice now;
     uint8_t running;          // what store_boot gave
     // An update under way.
     uint16_t session;         // as the host numbers it; 0: none
     uint8_t target;
     bool whole;               // store_end has accepted it
-    uint32_t length, checksum, next;
+    SmvmAt length, next;
+    uint32_t checksum;
 } Store;
 
 // Reads the selector; where no record is whole, as in a new chip, the built-in image is chosen.  SM_E_SPACE: the memory has no room for
-// records and slots.  SM_E_UNSUPPORTED: it writes in units larger than STORE_UNIT.
+// records and slots.  SM_E_UNSUPPORTED: it writes in units larger than STORE_UNIT, or its units are no powers of two.
 SmResult store_open(Store *s, PalNvm nvm, const StorePlan *plan);
 
 // Which image to run; once a start.  A trial is counted down on the medium before this returns.  An image that is not whole any more is
@@ -83,7 +89,7 @@ SmResult store_may_begin(const Store *s, uint32_t length);
 // or running.
 SmResult store_begin(Store *s, uint16_t session, uint32_t length, uint32_t checksum);
 
-// n bytes from place `at` on, which is s->next or, of what was written before, less; a multiple of info.write, and so is n but at the end.
+// n bytes from place `at` on, which is s->next or, of what was written before, less; a multiple of s->write, and so is n but at the end.
 // SM_E_HANDLE: no such session.  SM_E_ARGUMENT: not the next bytes, and not the same as before.
 SmResult store_write(Store *s, uint16_t session, uint32_t at, const uint8_t *bytes, uint8_t n);
 

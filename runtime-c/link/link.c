@@ -24,6 +24,8 @@ uint32_t link_get(const uint8_t *at, unsigned bytes)
     return value;
 }
 
+uint32_t link_check(const uint8_t *bytes, uint16_t n) { return sm_crc32(bytes, n); }
+
 // ---- sending ----
 
 uint16_t link_frame(uint8_t *frame, uint16_t n)
@@ -31,7 +33,7 @@ uint16_t link_frame(uint8_t *frame, uint16_t n)
     const uint16_t end = (uint16_t)(1 + n + LINK_TAIL);
     uint16_t zero = end;      // the next zero behind the byte that is looked at
 
-    link_put(frame + 1 + n, sm_crc32(frame + 1, n), LINK_TAIL);
+    link_put(frame + 1 + n, link_check(frame + 1, n), LINK_TAIL);
     frame[end] = 0;
     for (uint16_t i = end; i-- > 1;)
         if (frame[i] == 0) {
@@ -74,7 +76,7 @@ static bool is_frame(LinkReceiver *r)
     if (r->lost || r->left != 0 || r->n < LINK_HEAD + LINK_TAIL)
         return false;
     r->n = (uint16_t)(r->n - LINK_TAIL);
-    return sm_crc32(r->buffer, r->n) == link_get(r->buffer + r->n, LINK_TAIL);
+    return link_check(r->buffer, r->n) == link_get(r->buffer + r->n, LINK_TAIL);
 }
 
 bool link_receive(LinkReceiver *r, uint8_t byte)

@@ -50,6 +50,8 @@ bool link_receive(LinkReceiver *r, uint8_t byte);
 // Gives the bytes to be sent, from frame[0] on.
 uint16_t link_frame(uint8_t *frame, uint16_t n);
 
+uint32_t link_check(const uint8_t *bytes, uint16_t n);           // their CRC-32
+
 // Fields of 1 to 4 bytes, the least significant first.
 uint32_t link_get(const uint8_t *at, unsigned bytes);
 void link_put(uint8_t *at, uint32_t value, unsigned bytes);
