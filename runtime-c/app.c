@@ -133,10 +133,11 @@ static SmResult start(SmApp *app)
 
 // ---- from start to end ----
 
-// STOP is in the last record of the log.
+// STOP is in the last record of the log.  Threads that are stopped before tick 0 is due end before the start.
 static void end(SmApp *app)
 {
-    const SmTick last = {pal_clock_now() - app->start, 0};
+    const uint64_t now = pal_clock_now();
+    const SmTick last = {(int64_t)(now - app->start) > 0 ? now - app->start : 0, 0};
 
     tell_event(app, SM_EVENT_STOP, last.time, 0, 0);
     if (app->writing)

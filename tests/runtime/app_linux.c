@@ -158,6 +158,19 @@ static void test_stop_at_random(void)
     }
 }
 
+// Even before tick 0 is due, which is a little after the start: time does not begin before 0.
+static void test_stop_at_once(void)
+{
+    uint32_t cursor = 0;
+    SmEvent told[3];
+
+    start(2);
+    sm_app_stop(&app);
+    CHECK(run() == SM_OK && seen[0].calls == 0);
+    events.guarded = false;                                // its lock is closed
+    CHECK(sm_events_read(&events, &cursor, told, 3, NULL) == 2 && told[1].kind == SM_EVENT_STOP && told[1].time < PAL_SECOND);
+}
+
 static void on_alarm(int signal)
 {
     (void)signal;
@@ -323,6 +336,7 @@ int main(void)
     test_watchdog();
     test_stop_by_task();
     test_stop_at_random();
+    test_stop_at_once();
     test_stop_by_signal();
     test_stop_asleep();
     test_alone();
