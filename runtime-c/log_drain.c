@@ -48,9 +48,10 @@ static void describe(SmLog *log)
     log->describing += append(log, bytes, n);
 }
 
+// Not before something else has been written since, however long it is itself.
 static bool is_description_due(const SmLog *log)
 {
-    return log->description == 0 || log->written - log->described >= SM_LOG_AGAIN;
+    return log->description == 0 || log->written - log->described > (uint64_t)log->description + SM_LOG_AGAIN;
 }
 
 // ---- the ring ----

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// A log whose description is longer than what it is repeated after: all else has its turn, and closing comes to an end.
+#define SM_LOG_AGAIN 16u
+#include "runtime-c/log_drain.c"
+
+#include "log_parts.h"
+#include "runtime-c/psl/sim/sim.h"
+
+int main(void)
+{
+    SmTick tick = {0, 0};
+    uint64_t before;
+
+    sim_reset();
+    new_log("flight.log");
+    CHECK(sm_log_init(&flight) == SM_OK);
+    for (; tick.number < 20; tick.number++, tick.time += TICK) {
+        fill(tick.number, 0);
+        CHECK(sm_log_step(&flight, &tick) == SM_OK && !sm_log_drain(&flight, PAL_SECOND) && flight.tail == flight.head);
+    }
+    before = flight.written;
+    CHECK(before > 20 * flight.description);              // it was repeated
+    CHECK(sm_log_close(&flight) == SM_OK && flight.written - before <= flight.description);
+    return test_end("log again");
+}
