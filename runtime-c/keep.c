@@ -105,6 +105,7 @@ static uint8_t claim(SmKeep *k)
     return into;
 }
 
+// The result is that of the medium.
 static SmResult hand_over(SmKeep *k, uint8_t snapshot)
 {
     SmResult r = sm_handover_take(k->lock);
@@ -114,8 +115,9 @@ static SmResult hand_over(SmKeep *k, uint8_t snapshot)
     k->missed += k->full != 0;
     k->full = snapshot;
     k->pending++;
+    r = k->result;
     sm_handover_give(k->lock);
-    return SM_OK;
+    return r;
 }
 
 SmResult sm_keep_step(void *context, const SmTick *tick)
@@ -143,11 +145,12 @@ static uint8_t begin(SmKeep *k)
     return k->busy;
 }
 
-static void end(SmKeep *k, bool stored)
+static void end(SmKeep *k, SmResult r)
 {
     if (sm_handover_take(k->lock) != SM_OK)
         return;
-    if (stored)
+    k->result = r;
+    if (r == SM_OK)
         k->stored++;
     else if (k->full == 0)
         k->full = k->busy;
@@ -191,7 +194,7 @@ SmResult sm_keep_write(SmKeep *k)
         return SM_OK;
     r = store(k, half(k, snapshot), k->number + 1);
     k->number += r == SM_OK;
-    end(k, r == SM_OK);
+    end(k, r);
     return r;
 }
 

@@ -19,11 +19,12 @@ typedef struct SmKeep {
     uint8_t *buffer;          // SM_KEEP_SIZE(packed size of the vector) bytes, twice
     // What follows is the runtime's; all zero at first.
     PalNvm nvm;
-    PalLock lock;             // around `full` and `busy`
+    PalLock lock;             // around `full`, `busy` and `result`
     uint32_t slot;            // bytes from the first slot to the second
     uint32_t number;          // of the newest slot
     uint8_t full, busy;       // the half of the buffer, 1 or 2, that waits to be written, that is being written; 0: none
     uint32_t pending, stored, missed;     // snapshots taken, written, replaced by a later one before they were written
+    SmResult result;          // of the medium, the last time
     bool restored;
 } SmKeep;
 
@@ -35,7 +36,8 @@ typedef struct SmKeep {
 // To be called before the tasks' init.  SM_E_SPACE: two slots do not fit.  SM_E_UNSUPPORTED: it is written in multiples of something that
 // SM_KEEP_UNIT is no multiple of.  Otherwise as pal_nvm_open.
 SmResult sm_keep_restore(SmKeep *keep);
-// As SmTaskStep.  Takes a snapshot; one that still waits is replaced.
+// As SmTaskStep.  Takes a snapshot; one that still waits is replaced.  When that is done and the medium refused the last one that it was
+// given, the result is what it said: so it is told as the task's fault, until it takes one again.
 SmResult sm_keep_step(void *keep, const SmTick *tick);
 // Writes the snapshot that waits, if one does; waits for the medium; from one thread only, any.  After an error it waits again, if no later
 // one does, and the slot that was there before still counts.

@@ -221,9 +221,9 @@ static void test_failed_write(const char *name)
     sim_fail(SIM_nvm_write, 0, SM_E_DEVICE);
     CHECK(store(3) == SM_E_DEVICE);
     fill(4);
-    CHECK(sm_keep_step(&keep, &tick) == SM_OK && keep.missed == 1);
+    CHECK(sm_keep_step(&keep, &tick) == SM_E_DEVICE && keep.missed == 1);
     fill(5);
-    CHECK(sm_keep_step(&keep, &tick) == SM_OK && keep.missed == 2);
+    CHECK(sm_keep_step(&keep, &tick) == SM_E_DEVICE && keep.missed == 2);
     CHECK(sm_keep_write(&keep) == SM_OK && keep.pending == 3 && keep.stored == 1);
     CHECK(restart(name, &wide_vector) == SM_OK && number() == 5);
 }
@@ -238,6 +238,18 @@ static void test_cut_after_failure(const char *name)
     sim_cut_power(0, 20);
     CHECK(sm_keep_write(&keep) == SM_E_DEVICE);
     CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && number() == 1);
+}
+
+// What the medium refuses is told by the steps that follow, until it takes one again.
+static void test_told(const char *name)
+{
+    sim_reset();
+    CHECK(start(name, &wide_vector) == SM_OK && store(1) == SM_OK);
+    fill(2);
+    sim_fail(SIM_nvm_write, 0, SM_E_SPACE);
+    CHECK(sm_keep_step(&keep, &tick) == SM_OK && sm_keep_write(&keep) == SM_E_SPACE);
+    CHECK(sm_keep_step(&keep, &tick) == SM_E_SPACE && sm_keep_step(&keep, &tick) == SM_E_SPACE && keep.pending == 4);
+    CHECK(sm_keep_write(&keep) == SM_OK && sm_keep_step(&keep, &tick) == SM_OK);
 }
 
 static void test_forget(const char *name)
@@ -267,6 +279,7 @@ int main(void)
         test_wrap(memories[i]);
         test_failed_write(memories[i]);
         test_cut_after_failure(memories[i]);
+        test_told(memories[i]);
         test_forget(memories[i]);
     }
     test_layouts();
