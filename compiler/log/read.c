@@ -19,6 +19,7 @@ typedef struct Reader {
     size_t next;                  // of found: the first that has not been passed
     VEC(LogSession *) sessions;   // of found, in the same order; one that is described again is there again
     LogSession *now;
+    size_t *other;                // by row of sessions: the next row that is of another one
     uint64_t fruitless;
     uint32_t damage;              // where the stretch began that belongs to nothing
     Log *log;
@@ -101,6 +102,9 @@ static void make_sessions(Reader *r)
         LogSession *s = session_of(r, r->found.at[i]);
         vec_push(r->arena, &r->sessions, s);
     }
+    r->other = ARENA_ARRAY(r->arena, size_t, r->sessions.n + 1);
+    for (size_t i = r->sessions.n; i-- > 0;)
+        r->other[i] = i + 1 < r->sessions.n && r->sessions.at[i + 1] == r->sessions.at[i] ? r->other[i + 1] : i + 1;
 }
 
 static void enter(Reader *r, LogSession *s)
@@ -162,10 +166,11 @@ static bool try_block(Reader *r, LogSession *s, uint32_t pos, uint32_t length)
 // The session that begins next, if its first blocks may stand here without the description in front of them.
 static LogSession *coming(const Reader *r)
 {
-    for (size_t i = r->next; i < r->sessions.n; i++)
-        if (r->sessions.at[i] != r->now)
-            return r->sessions.at[i];
-    return NULL;
+    size_t i = r->next;
+
+    if (i < r->sessions.n && r->sessions.at[i] == r->now)
+        i = r->other[i];
+    return i < r->sessions.n ? r->sessions.at[i] : NULL;
 }
 
 // The size of the whole block at pos; 0: there is none.

@@ -3,9 +3,11 @@
 // does and whatever becomes of the file.
 #include <setjmp.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include "compiler/log/log.h"
 #include "log_parts.h"
+#include "runtime-c/log_block.h"
 #include "runtime-c/psl/sim/sim.h"
 
 #define NAME "flight.log"
@@ -427,6 +429,51 @@ static void test_repeated(void)
     CHECK(log->session.n == 1 && log->places == 1 && log->session.at[0]->records == 9000 && holds(log->session.at[0], 0));
 }
 
+enum { BLOCKS = 300000, DESCRIPTIONS = 4000 };
+
+// A description, what may be blocks, and the other descriptions: of two sessions in turn or all of one.
+static void lay_out(uint8_t *at, const uint8_t *description, uint32_t size, bool in_turn)
+{
+    for (uint32_t i = 0; i < DESCRIPTIONS; i++, at += size) {
+        memcpy(at, description, size);
+        at[LOG_HEAD + 1] = in_turn && i % 2;              // where it begins: tells sessions apart
+        log_put32(at + size - LOG_CHECK, sm_crc32_end(log_check(SM_CRC32_START, at, size - LOG_CHECK)));
+        for (uint32_t b = 0; i == 0 && b < BLOCKS; b++, at += LOG_HEAD)
+            log_put_head(at + size, LOG_RECORD, 0);
+    }
+}
+
+static clock_t time_to_read(const uint8_t *description, uint32_t size, bool in_turn)
+{
+    const uint32_t n = BLOCKS * LOG_HEAD + DESCRIPTIONS * size;
+    uint8_t *bytes = malloc(n);
+    clock_t began;
+
+    CHECK(bytes != NULL);
+    if (!bytes)
+        return 0;
+    lay_out(bytes, description, size, in_turn);
+    began = clock();
+    CHECK(read_bytes(bytes, n)->session.n == (in_turn ? DESCRIPTIONS : 1));
+    began = clock() - began;
+    free(bytes);
+    return began;
+}
+
+// A file made for it does not make reading slow.
+static void test_many_descriptions(void)
+{
+    size_t n;
+    const uint8_t *bytes;
+    clock_t in_turn;
+
+    begin();
+    while (sm_log_drain(&flight, PAL_SECOND)) {}
+    bytes = sim_log(NAME, &n);
+    in_turn = time_to_read(bytes, (uint32_t)n, true);
+    CHECK(time_to_read(bytes, (uint32_t)n, false) < 4 * in_turn + CLOCKS_PER_SEC / 20);
+}
+
 // The power goes in each append in turn, at several bytes: the next start goes on, and all records before and after are true.
 static void test_power(void)
 {
@@ -522,6 +569,7 @@ int main(int argc, char **argv)
     test_one_byte();
     test_stretch();
     test_repeated();
+    test_many_descriptions();
     test_power();
     arena_free(&arena);
     return test_end("log");
