@@ -322,8 +322,8 @@ SmResult store_activate(Store *s, uint16_t session)
 
     if (session == 0 || session != s->session || !s->whole)
         return SM_E_HANDLE;
-    if (c.active == s->target && get32(c.checksum) == s->checksum && !c.confirmed)
-        return SM_OK;                  // the answer was lost
+    if (c.active == s->target && get32(c.checksum) == s->checksum)
+        return SM_OK;                  // the answer was lost; it may even be confirmed by now
     c.before = c.active;
     memcpy(c.checksum_before, c.checksum, 4);
     c.active = s->target;

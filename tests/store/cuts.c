@@ -291,6 +291,18 @@ static void steps_may_be_repeated(void)
     CHECK(store_activate(&d.store, 7) == SM_E_HANDLE && store_end(&d.store, 7, &why) == SM_E_HANDLE);
 }
 
+// The answer to the choice was lost, and it comes again after the image was confirmed: it stays so, and what was before it is not forgotten.
+static void a_late_repetition_does_no_harm(void)
+{
+    Device d;
+
+    prepare(&d, "eeprom", 2);
+    CHECK(updates(&d, &new_image));
+    d.store.running = d.store.now.active;
+    CHECK(store_confirm(&d.store, new_image.checksum) == SM_OK && store_activate(&d.store, 7) == SM_OK);
+    CHECK(d.store.now.confirmed && d.store.now.before != d.store.now.active);
+}
+
 static void what_does_not_fit_is_refused(void)
 {
     Device d;
@@ -360,6 +372,7 @@ int main(int argc, char **argv)
     a_trial_that_is_not_confirmed_ends();
     a_trial_that_cannot_be_counted_does_not_run();
     an_erased_trial_gives_way();
+    a_late_repetition_does_no_harm();
     steps_may_be_repeated();
     what_does_not_fit_is_refused();
     flipped_bits_are_noticed("eeprom");
