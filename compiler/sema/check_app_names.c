@@ -35,11 +35,45 @@ static void add_product(AppCheck *k, Map *seen, const char *stem, const char *wh
     diag_note(k->c->diags, d, first->span, DIAG_note_first_here);
 }
 
-// sm.sv would give sm_vector, which may be the runtime's.
-static void check_stem(AppCheck *k, const char *stem, const char *what, Span span)
+static bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+static bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+static bool is_letter(char c) { return is_lower(c) || is_upper(c); }
+
+// Whether it begins with this word: sm, SM_x, sm-x, SmX; but not smoke, SMOKE.
+static bool begins_with_word(const char *stem, const char *word)
 {
-    if (app_is_of_runtime(stem))
-        diag_report(k->c->diags, DIAG_task_name_reserved, span, stem, what, "it belongs to the runtime");
+    size_t n = 0;
+
+    while (word[n] && is_letter(stem[n]) && (stem[n] | 0x20) == word[n])
+        n++;
+    if (word[n])
+        return false;
+    return !is_letter(stem[n]) || (is_upper(stem[n]) && is_lower(stem[n - 1]));
+}
+
+// sm.sv would give sm_vector, which may be the runtime's; SM.sm SM_OK, SmApp.sm a struct SmApp.
+static bool is_of_runtime(const char *stem)
+{
+    while (*stem && !is_letter(*stem) && !(*stem >= '0' && *stem <= '9'))
+        stem++;
+    return begins_with_word(stem, "sm") || begins_with_word(stem, "pal") || begins_with_word(stem, "smvm");
+}
+
+// Whether it can stand in #include "…" and in a comment of one line.
+static bool is_printable(const char *stem)
+{
+    for (; *stem; stem++)
+        if ((unsigned char)*stem < 0x20 || *stem == 0x7f || *stem == '"')
+            return false;
+    return true;
+}
+
+static void check_stem(AppCheck *k, const char *stem, Span span)
+{
+    const char *problem = is_of_runtime(stem) ? "it belongs to the runtime" : is_printable(stem) ? NULL : "C could not include its header";
+
+    if (problem)
+        diag_report(k->c->diags, DIAG_task_name_reserved, span, stem, "file", problem);
 }
 
 void check_app_products(AppCheck *k)
@@ -48,12 +82,12 @@ void check_app_products(AppCheck *k)
     static const char *const what[] = {[FILE_SV] = "the state vector", [FILE_SM] = "a machine", [FILE_IO] = "the pins"};
     Map seen = {k->c->arena, NULL, NULL, 0, 0};
 
-    check_stem(k, k->app->name->text, "application", (Span){k->app->src, 0, 0});
+    check_stem(k, k->app->name->text, (Span){k->app->src, 0, 0});
     add_product(k, &seen, format_in(k->c->arena, "%s_app", k->app->name->text), "the application", (Span){k->app->src, 0, 0});
     for (size_t i = 0; i < k->files->n; i++) {
         const AppFile *f = &k->files->at[i];
         const char *stem = app_stem(k, f->name.text)->text;
-        check_stem(k, stem, "file", f->name.span);
+        check_stem(k, stem, f->name.span);
         add_product(k, &seen, format_in(k->c->arena, "%s%s", stem, end[f->kind]),
                     format_in(k->c->arena, "%s '%s'", what[f->kind], f->name.text->text), f->name.span);
     }
