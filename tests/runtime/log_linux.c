@@ -3,6 +3,7 @@
 #define _GNU_SOURCE
 #include <setjmp.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "compiler/log/log.h"
@@ -120,6 +121,26 @@ static void check_kept(void)
     CHECK(pal_nvm_close(keep.nvm) == SM_OK);
 }
 
+// A file that may grow no more is full; the program goes on.
+static void test_limit(void)
+{
+    struct rlimit before, now;
+    static const uint8_t bytes[100];
+    uint64_t size = 0;
+    PalLogFile file = {0};
+    SmResult r = SM_OK;
+
+    CHECK(getrlimit(RLIMIT_FSIZE, &before) == 0);
+    now = before;
+    now.rlim_cur = 1000;
+    CHECK(pal_log_open(&file, "limited") == SM_OK && setrlimit(RLIMIT_FSIZE, &now) == 0);
+    for (int i = 0; i < 11 && r == SM_OK; i++)
+        r = pal_log_append(file, bytes, sizeof bytes);
+    CHECK(r == SM_E_SPACE && pal_log_size(file, &size) == SM_OK && size == 1000);
+    CHECK(setrlimit(RLIMIT_FSIZE, &before) == 0 && pal_log_append(file, bytes, sizeof bytes) == SM_OK);
+    CHECK(pal_log_close(file) == SM_OK && unlink("limited") == 0);
+}
+
 int main(void)
 {
     snprintf(folder, sizeof folder, "%s/smc-log.XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : P_tmpdir);
@@ -132,6 +153,7 @@ int main(void)
     keep.buffer = kept;
     CHECK(sm_log_init(&flight) == SM_OK && sm_keep_restore(&keep) == SM_OK);
     run_both();
+    test_limit();
     read_file("flight.log");
     check_kept();
     CHECK(unlink("flight.log") == 0 && unlink("kept") == 0 && chdir("/") == 0 && rmdir(folder) == 0);

@@ -3,6 +3,7 @@
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -68,6 +69,16 @@ static SmResult enter(uint8_t id, const char *name)
     return r;
 }
 
+// A file that has grown to its limit (ulimit -f) is refused, as a full medium is; what the system does unless told otherwise is to
+// end the program.
+static void refuse_large_files(void)
+{
+    struct sigaction now;
+
+    if (sigaction(SIGXFSZ, NULL, &now) == 0 && !(now.sa_flags & SA_SIGINFO) && now.sa_handler == SIG_DFL)
+        signal(SIGXFSZ, SIG_IGN);
+}
+
 SmResult pal_log_open(PalLogFile *file, const char *name)
 {
     SmResult r;
@@ -78,6 +89,7 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
     id = take();
     if (id == 0)
         return SM_E_FULL;
+    refuse_large_files();
     r = enter(id, name);
     if (r == SM_OK)
         file->id = id;
