@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests and their answers, one function a message (runtime-c/link/link.def).  One buffer serves both: a request has been used up when
-// its answer is written.
+// Requests and their answers, one function a message (runtime-c/link/link.def).  One buffer serves both: a request has been used up
+// when its answer is written.
 #include "bytecode-vm/target/agent.h"
 
 #include <string.h>
@@ -9,7 +9,7 @@
 
 enum { DATA_HEAD = 5, EVENT = 19, IMAGE = 18, RESULT_AT = 1 + LINK_HEAD, ANSWER_AT = RESULT_AT + 1 };
 
-void agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body)
+void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body)
 {
     memset(a, 0, sizeof *a);
     a->store = store;
@@ -18,7 +18,7 @@ void agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *event
     a->frame = frame;
     a->body = body > LINK_BODY_MAX ? LINK_BODY_MAX : body;
     a->block = (uint8_t)((a->body - DATA_HEAD) & ~(store->write - 1u));
-    link_receiver(&a->in, frame + 1, (uint16_t)(LINK_HEAD + a->body + LINK_TAIL));
+    sm_link_receiver(&a->in, frame + 1, (uint16_t)(LINK_HEAD + a->body + LINK_TAIL));
 }
 
 // A request's body, and how long the answer's is behind its result.
@@ -32,7 +32,7 @@ typedef struct Exchange {
 
 static void put(Exchange *x, uint32_t value, unsigned bytes)
 {
-    link_put(x->answer + x->length, value, bytes);
+    sm_link_put(x->answer + x->length, value, bytes);
     x->length = (uint8_t)(x->length + bytes);
 }
 
@@ -94,7 +94,7 @@ static StoreState state_of(const Agent *a, uint8_t slot)
     uint32_t checksum, length;
 
     if (slot != STORE_BUILT_IN)
-        return store_state(a->store, slot, &checksum, &length);
+        return smvm_store_state(a->store, slot, &checksum, &length);
     return a->board->built_in_size == 0 ? STORE_EMPTY : a->store->now.active == slot ? STORE_CONFIRMED : STORE_WHOLE;
 }
 
@@ -121,27 +121,28 @@ static SmResult image(Exchange *x)
 
 // ---- an update ----
 
-static uint16_t session_of(const Exchange *x) { return (uint16_t)link_get(x->body, 2); }
+static uint16_t session_of(const Exchange *x) { return (uint16_t)sm_link_get(x->body, 2); }
 
 static SmResult begin(Exchange *x)
 {
     const Agent *a = x->a;
-    const uint32_t length = link_get(x->body + 2, 3);
-    const SmResult r = store_may_begin(a->store, length);
+    const uint32_t length = sm_link_get(x->body + 2, 3);
+    const SmResult r = smvm_store_may_begin(a->store, length);
 
     if (r != SM_OK)
         return r;                      // before a machine is stopped for nothing
     if (a->store->plan.slots == 1 && a->store->running != STORE_BUILT_IN) {
         a->board->leave_slot(a->board->context);
-        store_leave(a->store);
+        smvm_store_leave(a->store);
     }
-    return store_begin(a->store, session_of(x), length, link_get(x->body + 5, 4));
+    return smvm_store_begin(a->store, session_of(x), length, sm_link_get(x->body + 5, 4));
 }
 
 static SmResult data(Exchange *x)
 {
     Store *s = x->a->store;
-    const SmResult r = store_write(s, session_of(x), link_get(x->body + 2, 3), x->body + DATA_HEAD, (uint8_t)(x->n - DATA_HEAD));
+    const uint8_t n = (uint8_t)(x->n - DATA_HEAD);
+    const SmResult r = smvm_store_write(s, session_of(x), sm_link_get(x->body + 2, 3), x->body + DATA_HEAD, n);
 
     put(x, s->next, 3);
     return r;
@@ -151,7 +152,7 @@ static SmResult end(Exchange *x)
 {
     const Agent *a = x->a;
     SmvmVerdict why;
-    SmResult r = store_end(a->store, session_of(x), &why);
+    SmResult r = smvm_store_end(a->store, session_of(x), &why);
 
     if (r == SM_OK) {
         r = a->board->longest_step != 0 && why.longest > a->board->longest_step
@@ -165,15 +166,15 @@ static SmResult end(Exchange *x)
     return r;
 }
 
-static SmResult activate(Exchange *x) { return store_activate(x->a->store, session_of(x)); }
-static SmResult confirm(Exchange *x) { return store_confirm(x->a->store, link_get(x->body, 4)); }
-static SmResult erase(Exchange *x) { return store_erase(x->a->store, link_get(x->body, 4)); }
+static SmResult activate(Exchange *x) { return smvm_store_activate(x->a->store, session_of(x)); }
+static SmResult confirm(Exchange *x) { return smvm_store_confirm(x->a->store, sm_link_get(x->body, 4)); }
+static SmResult erase(Exchange *x) { return smvm_store_erase(x->a->store, sm_link_get(x->body, 4)); }
 
 static SmResult read(Exchange *x)
 {
     const Agent *a = x->a;
     const uint8_t slot = x->body[0], n = x->body[4];
-    const uint32_t at = link_get(x->body + 1, 3), size = slot == STORE_BUILT_IN ? a->board->built_in_size : a->store->slot_size;
+    const uint32_t at = sm_link_get(x->body + 1, 3), size = slot == STORE_BUILT_IN ? a->board->built_in_size : a->store->slot_size;
 
     if (!is_slot(a, slot))
         return SM_E_MISSING;
@@ -194,7 +195,7 @@ static SmResult restart(Exchange *x)
 static SmResult events(Exchange *x)
 {
     Agent *a = x->a;
-    uint32_t cursor = link_get(x->body, 4), lost = 0, gone;
+    uint32_t cursor = sm_link_get(x->body, 4), lost = 0, gone;
     SmEvent e;
 
     if (!a->events)
@@ -209,8 +210,8 @@ static SmResult events(Exchange *x)
         put(x, e.a, 4);
         put(x, e.b, 4);
     }
-    link_put(x->answer, cursor, 4);
-    link_put(x->answer + 4, lost, 4);
+    sm_link_put(x->answer, cursor, 4);
+    sm_link_put(x->answer + 4, lost, 4);
     return SM_OK;
 }
 
@@ -245,18 +246,18 @@ static SmResult answer(Exchange *x, uint8_t message)
     return SM_E_UNSUPPORTED;
 }
 
-uint16_t agent_receive(Agent *a, uint8_t byte)
+uint16_t smvm_agent_receive(Agent *a, uint8_t byte)
 {
     uint8_t *const frame = a->frame;
     Exchange x = {a, frame + RESULT_AT, 0, frame + ANSWER_AT, 0};
     uint8_t message;
     SmResult r;
 
-    if (!link_receive(&a->in, byte) || ((message = frame[2]) & LINK_ANSWER) != 0)
+    if (!sm_link_receive(&a->in, byte) || ((message = frame[2]) & LINK_ANSWER) != 0)
         return 0;
     x.n = (uint8_t)(a->in.n - LINK_HEAD);
     r = answer(&x, message);
     frame[2] = (uint8_t)(message | LINK_ANSWER);
     frame[RESULT_AT] = (uint8_t)(int8_t)r;
-    return link_frame(frame, (uint16_t)(LINK_HEAD + 1 + x.length));
+    return sm_link_frame(frame, (uint16_t)(LINK_HEAD + 1 + x.length));
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The device's end of the link (docs/link.md): takes bytes, answers requests, updates the store.
 //
-//     if (pal_serial_read(line, &byte, 1, &n, 0) == SM_OK && n == 1 && (length = agent_receive(&agent, byte)) > 0)
-//         pal_serial_write(line, agent.frame, length, …);
+//     if (pal_serial_receive(line, &byte, 1, &n, 0) == SM_OK && (length = smvm_agent_receive(&agent, byte)) > 0)
+//         pal_serial_send(line, agent.frame, length, &sent, …);
 //     if (agent.restart)
 //         …start anew, once the answer is out…
 //
-// Every request may come twice.  What is armed, or in a state that is not @safe, is not touched: the board decides, with `may_update`.
+// Every request may come twice.  What is armed, or in a state that is not @safe, is not touched: the board decides, with
+// `may_update`.
 #ifndef SMVM_AGENT_H
 #define SMVM_AGENT_H
 
@@ -24,7 +25,8 @@ typedef struct AgentBoard {
     uint32_t ram;             // bytes that machines may need
     uint32_t longest_step;    // instructions that a step may take; 0: nobody minds
     SmResult (*may_update)(void *context);                        // SM_OK, SM_E_ARMED, SM_E_UNSAFE
-    SmResult (*fits)(void *context, SmvmBytes image);             // whether this board can run it: RAM, pins; SM_E_MEMORY, SM_E_MISSING
+    // Whether this board can run it: RAM, pins, state vector.  SM_E_MEMORY, SM_E_MISSING, SM_E_LAYOUT.
+    SmResult (*fits)(void *context, SmvmBytes image);
     void (*leave_slot)(void *context);                            // from now on the built-in image runs (boards with one slot)
     SmvmBytes built_in;
     uint32_t built_in_size;   // 0: there is none
@@ -41,10 +43,11 @@ typedef struct Agent {
 } Agent;
 
 // `body` is 28 (an event) to LINK_BODY_MAX; block: body less the head of DATA, rounded down to what the memory writes.
-void agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body);
+void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body);
 
-// Takes a byte; gives the length of the answer in a->frame, 0 if there is none to send.  Sent it must be before the next byte is taken.
-uint16_t agent_receive(Agent *a, uint8_t byte);
+// Takes a byte; gives the length of the answer in a->frame, 0 if there is none to send.  Sent it must be before the next byte is
+// taken.
+uint16_t smvm_agent_receive(Agent *a, uint8_t byte);
 
 #ifdef __cplusplus
 }

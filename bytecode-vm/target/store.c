@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Selector records and slots.  What is chosen changes by one write of the older record; everything before it touches only what is not chosen.
+// Selector records and slots.  What is chosen changes by one write of the older record; everything before it touches only what is
+// not chosen.
 #include "bytecode-vm/target/store.h"
 
 #include <string.h>
@@ -13,14 +14,14 @@ typedef char store_choice_is_a_record[sizeof(StoreChoice) == STORE_RECORD ? 1 : 
 
 // ---- the selector ----
 
-static uint32_t get32(const uint8_t *at) { return link_get(at, 4); }
-static void put32(uint8_t *at, uint32_t value) { link_put(at, value, 4); }
+static uint32_t get32(const uint8_t *at) { return sm_link_get(at, 4); }
+static void put32(uint8_t *at, uint32_t value) { sm_link_put(at, value, 4); }
 
 static bool is_choice(uint8_t slot, const Store *s) { return slot < s->plan.slots || slot == STORE_BUILT_IN; }
 
 static bool is_record(const Store *s, const StoreChoice *c)
 {
-    return c->version == VERSION && get32(c->crc) == link_check(c->number, CHECKED) && is_choice(c->active, s) &&
+    return c->version == VERSION && get32(c->crc) == sm_link_check(c->number, CHECKED) && is_choice(c->active, s) &&
            is_choice(c->before, s) && c->tries <= STORE_TRIES;
 }
 
@@ -48,7 +49,7 @@ static SmResult choose(Store *s, StoreChoice *c)
 
     put32(c->number, get32(c->number) + 1);
     c->version = VERSION;
-    put32(c->crc, link_check(c->number, CHECKED));
+    put32(c->crc, sm_link_check(c->number, CHECKED));
     at = record_at(s, c->number);
     if (s->erase)
         r = pal_nvm_erase(s->nvm, at, s->record_size);
@@ -99,7 +100,7 @@ static SmResult look_at_memory(Store *s)
     return place_slots(s);
 }
 
-SmResult store_open(Store *s, PalNvm nvm, const StorePlan *plan)
+SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan)
 {
     SmResult r;
 
@@ -122,11 +123,11 @@ static bool read_header(const Store *s, uint8_t slot, uint32_t *checksum, uint32
 {
     uint8_t head[HEADER];
 
-    if (slot >= s->plan.slots || pal_nvm_read(s->nvm, s->slot_at[slot], head, HEADER) != SM_OK || head[0] != 's' || head[1] != 'm' ||
-        head[2] != 'b')
+    if (slot >= s->plan.slots || pal_nvm_read(s->nvm, s->slot_at[slot], head, HEADER) != SM_OK ||
+        head[0] != 's' || head[1] != 'm' || head[2] != 'b')
         return false;
     *checksum = get32(head + SMVM_CRC_AT);
-    *length = link_get(head + SMVM_LENGTH_AT, 3);
+    *length = sm_link_get(head + SMVM_LENGTH_AT, 3);
     return *length >= HEADER && *length <= s->slot_size;
 }
 
@@ -144,7 +145,7 @@ static bool holds(const Store *s, uint8_t slot, uint32_t wanted)
     return is_whole(s, slot, &checksum, &length) && checksum == wanted;
 }
 
-StoreState store_state(const Store *s, uint8_t slot, uint32_t *checksum, uint32_t *length)
+StoreState smvm_store_state(const Store *s, uint8_t slot, uint32_t *checksum, uint32_t *length)
 {
     *checksum = *length = 0;
     if (!is_whole(s, slot, checksum, length))
@@ -183,7 +184,7 @@ static bool may_run(Store *s)
     return c.confirmed || (c.tries-- > 0 && choose(s, &c) == SM_OK);
 }
 
-SmResult store_boot(Store *s, uint8_t *slot)
+SmResult smvm_store_boot(Store *s, uint8_t *slot)
 {
     SmResult r = SM_OK;
 
@@ -197,7 +198,7 @@ SmResult store_boot(Store *s, uint8_t *slot)
     return r;
 }
 
-void store_leave(Store *s) { s->running = STORE_BUILT_IN; }
+void smvm_store_leave(Store *s) { s->running = STORE_BUILT_IN; }
 
 // ---- an update ----
 
@@ -215,12 +216,12 @@ static bool find_target(const Store *s, uint8_t *target)
     return false;
 }
 
-SmResult store_may_begin(const Store *s, uint32_t length)
+SmResult smvm_store_may_begin(const Store *s, uint32_t length)
 {
     return length < HEADER ? SM_E_ARGUMENT : length > s->slot_size ? SM_E_SPACE : on_trial(s) ? SM_E_BUSY : SM_OK;
 }
 
-SmResult store_begin(Store *s, uint16_t session, uint32_t length, uint32_t checksum)
+SmResult smvm_store_begin(Store *s, uint16_t session, uint32_t length, uint32_t checksum)
 {
     SmResult r;
 
@@ -228,7 +229,7 @@ SmResult store_begin(Store *s, uint16_t session, uint32_t length, uint32_t check
         return SM_E_ARGUMENT;
     if (session == s->session && length == s->length && checksum == s->checksum)
         return SM_OK;
-    if ((r = store_may_begin(s, length)) != SM_OK)
+    if ((r = smvm_store_may_begin(s, length)) != SM_OK)
         return r;
     s->session = 0;
     if (!find_target(s, &s->target))
@@ -268,16 +269,18 @@ static SmResult write_padded(const Store *s, SmvmAt place, const uint8_t *bytes,
     return pal_nvm_write(s->nvm, (uint32_t)place + whole, last, s->write);
 }
 
-// Whether n bytes at `at`, which is not beyond s->next, go on from what there is or lie within it, in whole units but at the image's end.
+// Whether n bytes at `at`, which is not beyond s->next, go on from what there is or lie within it, in whole units but at the
+// image's end.
 static bool is_part(const Store *s, SmvmAt at, uint8_t n)
 {
     const uint8_t rest = (uint8_t)(s->write - 1);
     const SmvmAt left = (SmvmAt)(s->length - at);
 
-    return n != 0 && n <= left && ((uint8_t)at & rest) == 0 && ((n & rest) == 0 || n == left) && (at == s->next || n <= s->next - at);
+    return n != 0 && n <= left && ((uint8_t)at & rest) == 0 && ((n & rest) == 0 || n == left) &&
+           (at == s->next || n <= s->next - at);
 }
 
-SmResult store_write(Store *s, uint16_t session, uint32_t at, const uint8_t *bytes, uint8_t n)
+SmResult smvm_store_write(Store *s, uint16_t session, uint32_t at, const uint8_t *bytes, uint8_t n)
 {
     const bool again = at < s->next;
     const SmvmAt place = (SmvmAt)(s->slot_at[s->target] + (SmvmAt)at);
@@ -301,7 +304,7 @@ SmResult store_write(Store *s, uint16_t session, uint32_t at, const uint8_t *byt
     return SM_OK;
 }
 
-SmResult store_end(Store *s, uint16_t session, SmvmVerdict *why)
+SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
 {
     uint32_t checksum, length;
 
@@ -316,7 +319,7 @@ SmResult store_end(Store *s, uint16_t session, SmvmVerdict *why)
     return s->whole ? SM_OK : SM_E_ARGUMENT;
 }
 
-SmResult store_activate(Store *s, uint16_t session)
+SmResult smvm_store_activate(Store *s, uint16_t session)
 {
     StoreChoice c = s->now;
 
@@ -335,7 +338,7 @@ SmResult store_activate(Store *s, uint16_t session)
 
 // ---- afterwards ----
 
-SmResult store_confirm(Store *s, uint32_t checksum)
+SmResult smvm_store_confirm(Store *s, uint32_t checksum)
 {
     StoreChoice c = s->now;
 
@@ -376,7 +379,7 @@ static SmResult forget(Store *s, uint8_t slot)
     return r == SM_OK ? blank(s, slot) : r;
 }
 
-SmResult store_erase(Store *s, uint32_t checksum)
+SmResult smvm_store_erase(Store *s, uint32_t checksum)
 {
     uint32_t there, length;
     SmResult r = SM_E_MISSING;

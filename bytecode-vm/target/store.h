@@ -2,17 +2,17 @@
 // Images in non-volatile memory, so that an update cut off at any byte leaves the old image or the new one, never neither.
 //
 //     StorePlan plan = {1024, 2, {SLOT_0, SLOT_1}};
-//     store_open(&store, nvm, &plan);
-//     store_boot(&store, &slot);                         // which image to run: a slot, or STORE_BUILT_IN
+//     smvm_store_open(&store, nvm, &plan);
+//     smvm_store_boot(&store, &slot);                         // which image to run: a slot, or STORE_BUILT_IN
 //
-// Two records of a selector stand at the start of the memory.  They are written in turn, each with a number and a checksum: the newest whole
-// one counts, so that one write changes everything at once.  Behind them are two slots, or one.
+// Two records of a selector stand at the start of the memory.  They are written in turn, each with a number and a checksum: the
+// newest whole one counts, so that one write changes everything at once.  Behind them are two slots, or one.
 //
-// An update writes the slot that does not run, verifies it where it lies, and only then chooses it.  It starts as a trial: every start
-// counts it down before it runs, and when nothing is left the image before it runs again.  Confirmed, it stays.
+// An update writes the slot that does not run, verifies it where it lies, and only then chooses it.  It starts as a trial: every
+// start counts it down before it runs, and when nothing is left the image before it runs again.  Confirmed, it stays.
 //
-// With one slot (the EEPROM of an Uno has 1 KB) there is no image before it but the one that is built into the firmware: it runs from the first byte
-// of an update to its choice, and whoever runs the image in the slot must have changed to it before.
+// With one slot (the EEPROM of an Uno has 1 KB) there is no image before it but the one that is built into the firmware: it runs
+// from the first byte of an update to its choice, and whoever runs the image in the slot must have changed to it before.
 #ifndef SMVM_STORE_H
 #define SMVM_STORE_H
 
@@ -59,59 +59,61 @@ typedef struct Store {
     SmvmAt erase;             // of the memory: PalNvmInfo; write is 1 at least
     uint8_t write, blank;
     StoreChoice now;
-    uint8_t running;          // what store_boot gave
+    uint8_t running;          // what smvm_store_boot gave
     // An update under way.
     uint16_t session;         // as the host numbers it; 0: none
     uint8_t target;
-    bool whole;               // store_end has accepted it
+    bool whole;               // smvm_store_end has accepted it
     SmvmAt length, next;
     uint32_t checksum;
 } Store;
 
-// Reads the selector; where no record is whole, as in a new chip, the built-in image is chosen.  SM_E_SPACE: the memory has no room for
-// records and slots.  SM_E_UNSUPPORTED: it writes in units larger than STORE_UNIT, or its units are no powers of two.
-SmResult store_open(Store *s, PalNvm nvm, const StorePlan *plan);
+// Reads the selector; where no record is whole, as in a new chip, the built-in image is chosen.  SM_E_SPACE: the memory has no room
+// for records and slots.  SM_E_UNSUPPORTED: it writes in units larger than STORE_UNIT, or its units are no powers of two.
+SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan);
 
-// Which image to run; once a start.  A trial is counted down on the medium before this returns.  An image that is not whole any more is
-// passed over: the one before it, then the built-in one.
-SmResult store_boot(Store *s, uint8_t *slot);
+// Which image to run; once a start.  A trial is counted down on the medium before this returns.  An image that is not whole any
+// more is passed over: the one before it, then the built-in one.
+SmResult smvm_store_boot(Store *s, uint8_t *slot);
 
 // The caller does not run the image in the slot any more, but the built-in one.
-void store_leave(Store *s);
+void smvm_store_leave(Store *s);
 
 // ---- an update, step by step; each step may be repeated ----
 
-// Whether an update may begin once a slot is free (with one slot: left).  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image
-// is on trial.
-SmResult store_may_begin(const Store *s, uint32_t length);
+// Whether an update may begin once a slot is free (with one slot: left).  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen
+// image is on trial.
+SmResult smvm_store_may_begin(const Store *s, uint32_t length);
 
-// SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is on trial, it is to be confirmed or erased first; or every slot is chosen
-// or running.
-SmResult store_begin(Store *s, uint16_t session, uint32_t length, uint32_t checksum);
+// SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is on trial, it is to be confirmed or erased first; or every slot is
+// chosen or running.
+SmResult smvm_store_begin(Store *s, uint16_t session, uint32_t length, uint32_t checksum);
 
-// n bytes from place `at` on, which is s->next or, of what was written before, less; a multiple of s->write, and so is n but at the end.
-// SM_E_HANDLE: no such session.  SM_E_ARGUMENT: not the next bytes, and not the same as before.
-SmResult store_write(Store *s, uint16_t session, uint32_t at, const uint8_t *bytes, uint8_t n);
+// n bytes from place `at` on, which is s->next or, of what was written before, less; a multiple of s->write, and so is n but at the
+// end.  SM_E_HANDLE: no such session.  SM_E_ARGUMENT: not the next bytes, and not the same as before.
+SmResult smvm_store_write(Store *s, uint16_t session, uint32_t at, const uint8_t *bytes, uint8_t n);
 
-// Reads it back and verifies it where it lies.  SM_E_DEVICE: it is not what was sent.  SM_E_ARGUMENT: the verifier refuses it, *why says.
-SmResult store_end(Store *s, uint16_t session, SmvmVerdict *why);
+// Reads it back and verifies it where it lies.  SM_E_DEVICE: it is not what was sent.  SM_E_ARGUMENT: the verifier refuses it, *why
+// says.
+SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why);
 
-// Chooses it: from the next start on it is on trial.  SM_E_HANDLE: store_end has not accepted it.
-SmResult store_activate(Store *s, uint16_t session);
+// Chooses it: from the next start on it is on trial.  SM_E_HANDLE: smvm_store_end has not accepted it.
+SmResult smvm_store_activate(Store *s, uint16_t session);
 
 // ---- afterwards ----
 
 // The running image stays.  SM_E_ARGUMENT: another one runs.
-SmResult store_confirm(Store *s, uint32_t checksum);
+SmResult smvm_store_confirm(Store *s, uint32_t checksum);
 
-// From the next start on the image with this checksum is not run: the one before it or the built-in one is.  SM_E_MISSING: no slot holds it.
-SmResult store_erase(Store *s, uint32_t checksum);
+// From the next start on the image with this checksum is not run: the one before it or the built-in one is.  SM_E_MISSING: no slot
+// holds it.
+SmResult smvm_store_erase(Store *s, uint32_t checksum);
 
 // ---- what there is ----
 
 typedef enum StoreState { STORE_EMPTY, STORE_WHOLE, STORE_TRIAL, STORE_CONFIRMED } StoreState;
 
-StoreState store_state(const Store *s, uint8_t slot, uint32_t *checksum, uint32_t *length);
+StoreState smvm_store_state(const Store *s, uint8_t slot, uint32_t *checksum, uint32_t *length);
 
 #ifdef __cplusplus
 }

@@ -9,7 +9,10 @@
 // An Arduino begins anew when its line is opened, and its boot loader listens for two seconds: patience for six.
 enum { WAIT = 500, TRIES = 12, SPEED = 115200 };
 
-static bool line_send(void *context, const uint8_t *bytes, size_t n) { return os_serial_send(((BoardLine *)context)->fd, bytes, n); }
+static bool line_send(void *context, const uint8_t *bytes, size_t n)
+{
+    return os_serial_send(((BoardLine *)context)->fd, bytes, n);
+}
 
 static int line_receive(void *context, uint8_t *bytes, size_t room, uint32_t wait)
 {
@@ -102,11 +105,12 @@ static int greet(Cli *c, BoardLine *b, const char *port, unsigned long speed)
 {
     if (!device_hello(&b->host, &b->info)) {
         cli_say(c, b->host.answered ? "what is at '%s' is no board of this kind" :
-                "no answer from '%s' at %lu bits a second: is it the right port, does the board run, is the speed right?", port, speed);
+                "no answer from '%s' at %lu bits a second: is it the right port, does the board run, is the speed right?",
+                port, speed);
         return EXIT_ENVIRONMENT;
     }
-    if (b->info.protocol == LINK_PROTOCOL && b->info.block > 0 && b->info.body <= LINK_BODY_MAX && b->info.block + 5u <= b->info.body &&
-        b->info.slots >= 1 && b->info.slots <= 2)
+    if (b->info.protocol == LINK_PROTOCOL && b->info.block > 0 && b->info.body <= LINK_BODY_MAX &&
+        b->info.block + 5u <= b->info.body && b->info.slots >= 1 && b->info.slots <= 2)
         return EXIT_OK;
     cli_say(c, "the board at '%s' speaks version %u of the link, this smc knows version %u", port, (unsigned)b->info.protocol,
             (unsigned)LINK_PROTOCOL);

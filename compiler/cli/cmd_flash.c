@@ -50,7 +50,8 @@ static void show(void *context, uint32_t done)
     char line[64];
 
     if (p->shown) {
-        snprintf(line, sizeof line, "\r%lu of %lu bytes%s", (unsigned long)done, (unsigned long)p->length, done == p->length ? "\n" : "");
+        snprintf(line, sizeof line, "\r%lu of %lu bytes%s", (unsigned long)done, (unsigned long)p->length,
+                 done == p->length ? "\n" : "");
         os_print(2, line, strlen(line), &why);
     }
 }
@@ -88,8 +89,8 @@ static int say_done(BoardLine *b, const Update *u, const DeviceImage *before)
         board_describe(&out, &now);
     }
     if (now.state == DEVICE_TRIAL)
-        buf_printf(&out, "it is on trial: 'smc device confirm --port=%s' keeps it; without that, the image before it runs again after "
-                   "%u more starts\n", b->c->value[OPT_PORT], (unsigned)now.starts);
+        buf_printf(&out, "it is on trial: 'smc device confirm --port=%s' keeps it; without that, the image before it runs again "
+                   "after %u more starts\n", b->c->value[OPT_PORT], (unsigned)now.starts);
     return cli_print(b->c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 

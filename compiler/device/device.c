@@ -28,9 +28,9 @@ bool device_hello(LinkHost *h, DeviceInfo *info)
     info->body = b[1];
     info->block = b[2];
     info->slots = b[3];
-    info->slot_size = link_get(b + 4, 3);
-    info->ram = link_get(b + 7, 3);
-    info->longest = link_get(b + 10, 4);
+    info->slot_size = sm_link_get(b + 4, 3);
+    info->ram = sm_link_get(b + 7, 3);
+    info->longest = sm_link_get(b + 10, 4);
     info->may = (SmResult)(int8_t)b[14];
     return true;
 }
@@ -44,8 +44,8 @@ bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image)
     b = h->body;
     image->slot = slot;
     image->state = b[0];
-    image->length = link_get(b + 1, 3);
-    image->checksum = link_get(b + 4, 4);
+    image->length = sm_link_get(b + 1, 3);
+    image->checksum = sm_link_get(b + 4, 4);
     memcpy(image->identity, b + 8, 8);
     image->runs = (b[16] & 1) != 0;
     image->chosen = (b[16] & 2) != 0;
@@ -68,7 +68,7 @@ bool device_ask_about(LinkHost *h, LinkMessage message, uint32_t checksum)
 {
     uint8_t body[4];
 
-    link_put(body, checksum, 4);
+    sm_link_put(body, checksum, 4);
     return ask(h, message, body, sizeof body, 0);
 }
 
@@ -91,7 +91,7 @@ static bool ask_session(LinkHost *h, const Update *u, LinkMessage message)
 {
     uint8_t body[2];
 
-    link_put(body, u->session, 2);
+    sm_link_put(body, u->session, 2);
     return ask(h, message, body, sizeof body, 0);
 }
 
@@ -99,9 +99,9 @@ static bool begin(LinkHost *h, const Update *u)
 {
     uint8_t body[9];
 
-    link_put(body, u->session, 2);
-    link_put(body + 2, u->length, 3);
-    link_put(body + 5, u->checksum, 4);
+    sm_link_put(body, u->session, 2);
+    sm_link_put(body + 2, u->length, 3);
+    sm_link_put(body + 5, u->checksum, 4);
     return ask(h, LINK_BEGIN, body, sizeof body, 0);
 }
 
@@ -111,8 +111,8 @@ static bool data(LinkHost *h, const DeviceInfo *info, Update *u)
 
     for (uint32_t at = 0; at < u->length;) {
         const uint32_t n = u->length - at < info->block ? u->length - at : info->block;
-        link_put(body, u->session, 2);
-        link_put(body + 2, at, 3);
+        sm_link_put(body, u->session, 2);
+        sm_link_put(body + 2, at, 3);
         memcpy(body + DATA_HEAD, u->bytes + at, n);
         if (!ask(h, LINK_DATA, body, DATA_HEAD + n, 0))
             return false;
@@ -128,7 +128,7 @@ static bool end(LinkHost *h, Update *u)
     const bool ok = ask_session(h, u, LINK_END);
 
     u->rule = h->answered && h->n >= 4 ? h->body[0] : 0;
-    u->at = h->answered && h->n >= 4 ? link_get(h->body + 1, 3) : 0;
+    u->at = h->answered && h->n >= 4 ? sm_link_get(h->body + 1, 3) : 0;
     return ok;
 }
 
@@ -138,7 +138,7 @@ static bool same_bytes(LinkHost *h, const DeviceInfo *info, const Update *u, uin
     for (uint32_t at = 0; at < u->length;) {
         const uint32_t most = info->body - 1u, n = u->length - at < most ? u->length - at : most;
         uint8_t body[5] = {slot, 0, 0, 0, (uint8_t)n};
-        link_put(body + 1, at, 3);
+        sm_link_put(body + 1, at, 3);
         if (!ask(h, LINK_READ, body, sizeof body, n))
             return false;
         if (h->n != n || memcmp(h->body, u->bytes + at, n) != 0) {

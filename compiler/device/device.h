@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a host can ask of a board, and an update from its first byte to its first start.  Prints nothing; all results say what to tell.
+// What a host can ask of a board, and an update from its first byte to its first start.  Prints nothing; all results say what to
+// tell.
 #ifndef SMC_DEVICE_H
 #define SMC_DEVICE_H
 
@@ -49,8 +50,9 @@ typedef struct Update {
     uint32_t at;
 } Update;
 
-// Sends it, has it verified, reads it back, chooses it, restarts the board and looks what runs.  DEVICE_DONE: it does; else the step
-// that failed.  Unless that is DEVICE_RESTART or DEVICE_RUN, or the answer to ACTIVATE was lost, what ran before is still chosen.
+// Sends it, has it verified, reads it back, chooses it, restarts the board and looks what runs.  DEVICE_DONE: it does; else the
+// step that failed.  Unless that is DEVICE_RESTART or DEVICE_RUN, or the answer to ACTIVATE was lost, what ran before is still
+// chosen.
 DeviceStep device_update(LinkHost *h, DeviceInfo *info, Update *u);
 
 #endif

@@ -30,7 +30,8 @@ typedef struct LinkHost {
 
 void link_host(LinkHost *h, const Line *line, uint32_t wait, unsigned tries, uint8_t sequence);
 
-// Sends a request with a body of n bytes.  True: it was answered, with h->result and h->body.  False: nobody answers, or the line is gone.
+// Sends a request with a body of n bytes.  True: it was answered, with h->result and h->body.  False: nobody answers, or the line
+// is gone.
 bool link_ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n);
 
 #endif

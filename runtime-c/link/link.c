@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// COBS (Cheshire and Baker, 1999), in place in both directions.  A frame is shorter than 254 bytes, so one code byte more than it holds
-// zeros is all that stuffing adds.
+// COBS (Cheshire and Baker, 1999), in place in both directions.  A frame is shorter than 254 bytes, so one code byte more than it
+// holds zeros is all that stuffing adds.
 #include "runtime-c/link/link.h"
 
 #include "stdlib/crc32.h"
 
 typedef char link_frame_is_one_run[LINK_HEAD + LINK_BODY_MAX + LINK_TAIL < 254 ? 1 : -1];
 
-void link_put(uint8_t *at, uint32_t value, unsigned bytes)
+void sm_link_put(uint8_t *at, uint32_t value, unsigned bytes)
 {
     for (unsigned i = 0; i < bytes; i++) {
         at[i] = (uint8_t)value;
@@ -15,7 +15,7 @@ void link_put(uint8_t *at, uint32_t value, unsigned bytes)
     }
 }
 
-uint32_t link_get(const uint8_t *at, unsigned bytes)
+uint32_t sm_link_get(const uint8_t *at, unsigned bytes)
 {
     uint32_t value = 0;
 
@@ -24,16 +24,16 @@ uint32_t link_get(const uint8_t *at, unsigned bytes)
     return value;
 }
 
-uint32_t link_check(const uint8_t *bytes, uint16_t n) { return sm_crc32(bytes, n); }
+uint32_t sm_link_check(const uint8_t *bytes, uint16_t n) { return sm_crc32(bytes, n); }
 
 // ---- sending ----
 
-uint16_t link_frame(uint8_t *frame, uint16_t n)
+uint16_t sm_link_frame(uint8_t *frame, uint16_t n)
 {
     const uint16_t end = (uint16_t)(1 + n + LINK_TAIL);
     uint16_t zero = end;      // the next zero behind the byte that is looked at
 
-    link_put(frame + 1 + n, link_check(frame + 1, n), LINK_TAIL);
+    sm_link_put(frame + 1 + n, sm_link_check(frame + 1, n), LINK_TAIL);
     frame[end] = 0;
     for (uint16_t i = end; i-- > 1;)
         if (frame[i] == 0) {
@@ -54,7 +54,7 @@ static void start(LinkReceiver *r)
     r->lost = false;
 }
 
-void link_receiver(LinkReceiver *r, uint8_t *buffer, uint16_t room)
+void sm_link_receiver(LinkReceiver *r, uint8_t *buffer, uint16_t room)
 {
     r->buffer = buffer;
     r->room = room;
@@ -76,10 +76,10 @@ static bool is_frame(LinkReceiver *r)
     if (r->lost || r->left != 0 || r->n < LINK_HEAD + LINK_TAIL)
         return false;
     r->n = (uint16_t)(r->n - LINK_TAIL);
-    return link_check(r->buffer, r->n) == link_get(r->buffer + r->n, LINK_TAIL);
+    return sm_link_check(r->buffer, r->n) == sm_link_get(r->buffer + r->n, LINK_TAIL);
 }
 
-bool link_receive(LinkReceiver *r, uint8_t byte)
+bool sm_link_receive(LinkReceiver *r, uint8_t byte)
 {
     if (r->done) {
         r->done = false;

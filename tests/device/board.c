@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A board to talk to without hardware: VM, store and agent as a program, on a terminal device and a file as non-volatile memory.  It
-// may be killed at any moment and started again.
+// A board to talk to without hardware: VM, store and agent as a program, on a terminal device and a file as non-volatile memory.
+// It may be killed at any moment and started again.
 //   board LINE MEMORY        while there is a file MEMORY.armed, it is armed
 #include <stdio.h>
 #include <string.h>
@@ -106,9 +106,10 @@ static bool start(PalNvm nvm, uint8_t *frame)
     store.nvm = nvm;
     events.at = storage;
     events.room = EVENTS;
-    if (!look_again() || sm_events_init(&events) != SM_OK || store_open(&store, nvm, &plan) != SM_OK || store_boot(&store, &slot) != SM_OK)
+    if (!look_again() || sm_events_init(&events) != SM_OK || smvm_store_open(&store, nvm, &plan) != SM_OK ||
+        smvm_store_boot(&store, &slot) != SM_OK)
         return false;
-    agent_init(&agent, &store, &board, &events, frame, BODY);
+    smvm_agent_init(&agent, &store, &board, &events, frame, BODY);
     report(SM_EVENT_START, 0, 0);
     machine.state = 0;
     if (slot != STORE_BUILT_IN)
@@ -118,7 +119,7 @@ static bool start(PalNvm nvm, uint8_t *frame)
 
 static bool serve(PalSerial line, uint8_t byte)
 {
-    const uint16_t n = agent_receive(&agent, byte);
+    const uint16_t n = smvm_agent_receive(&agent, byte);
     size_t sent;
 
     return n == 0 || (look_again() && pal_serial_send(line, agent.frame, n, &sent, PERIOD * 100u) == SM_OK);

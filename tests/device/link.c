@@ -55,7 +55,8 @@ static bool open_terminal(Terminal *t)
     if (t->slave < 0 || tcgetattr(t->slave, &raw) != 0)
         return false;
     cfmakeraw(&raw);
-    return tcsetattr(t->slave, TCSANOW, &raw) == 0 && fcntl(t->master, F_SETFD, FD_CLOEXEC) == 0 && fcntl(t->slave, F_SETFD, FD_CLOEXEC) == 0;
+    return tcsetattr(t->slave, TCSANOW, &raw) == 0 && fcntl(t->master, F_SETFD, FD_CLOEXEC) == 0 &&
+           fcntl(t->slave, F_SETFD, FD_CLOEXEC) == 0;
 }
 
 static pid_t start(const char *const *argv, const char *to)

@@ -11,10 +11,10 @@ static void answer_is_sound(const Board *b, uint16_t n)
     bool whole = false;
 
     FUZZ_CHECK(n <= sizeof b->frame);
-    link_receiver(&in, buffer, sizeof buffer);
+    sm_link_receiver(&in, buffer, sizeof buffer);
     for (uint16_t i = 0; i < n; i++) {
         FUZZ_CHECK(!whole);
-        whole = link_receive(&in, b->frame[i]);
+        whole = sm_link_receive(&in, b->frame[i]);
     }
     FUZZ_CHECK(whole && (in.buffer[1] & LINK_ANSWER) != 0 && in.n > LINK_HEAD);
 }
@@ -46,7 +46,7 @@ static size_t give_frame(Board *b, const uint8_t *data, size_t size)
     frame[1] = (uint8_t)size;
     frame[2] = data[1] & 0x80 ? data[1] : messages[data[1] % sizeof messages];
     memcpy(frame + 3, data + 2, n);
-    give(b, frame, link_frame(frame, (uint16_t)(LINK_HEAD + n)));
+    give(b, frame, sm_link_frame(frame, (uint16_t)(LINK_HEAD + n)));
     return n + 2;
 }
 
@@ -62,6 +62,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (size_t at = 1; at + 1 < size;)
         at += give_frame(&b, data + at, size - at);
     FUZZ_CHECK(board_start(&b));
-    FUZZ_CHECK(b.slot == STORE_BUILT_IN || store_state(&b.store, b.slot, &checksum, &length) != STORE_EMPTY);
+    FUZZ_CHECK(b.slot == STORE_BUILT_IN || smvm_store_state(&b.store, b.slot, &checksum, &length) != STORE_EMPTY);
     return 0;
 }

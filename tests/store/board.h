@@ -54,14 +54,14 @@ static bool board_opens(Board *b)
     record = (STORE_RECORD + unit - 1) / unit * unit;
     plan.image[0] = sim_nvm(b->memory) + 2 * record;
     plan.image[1] = plan.image[0] + (SIM_NVM_SIZE - 2 * record) / b->slots / unit * unit;
-    return store_open(&b->store, nvm, &plan) == SM_OK;
+    return smvm_store_open(&b->store, nvm, &plan) == SM_OK;
 }
 
 // Power on: what is in RAM is forgotten.
 static bool board_start(Board *b)
 {
     sim_power_on();
-    b->up = board_opens(b) && store_boot(&b->store, &b->slot) == SM_OK;
+    b->up = board_opens(b) && smvm_store_boot(&b->store, &b->slot) == SM_OK;
     if (b->up) {
         memset(&b->board, 0, sizeof b->board);
         b->board.context = b;
@@ -69,7 +69,7 @@ static bool board_start(Board *b)
         b->board.fits = board_fits;
         b->board.leave_slot = board_leave;
         b->board.ram = 1000;
-        agent_init(&b->agent, &b->store, &b->board, &b->events, b->frame, BOARD_BODY);
+        smvm_agent_init(&b->agent, &b->store, &b->board, &b->events, b->frame, BOARD_BODY);
     }
     return b->up;
 }
@@ -89,7 +89,7 @@ static bool board_new(Board *b, const char *memory, uint8_t slots)
 // Gives the length of the answer in b->frame; 0: none.  A memory that cannot be read is one whose power went: nobody answers then.
 static uint16_t board_takes(Board *b, uint8_t byte)
 {
-    const uint16_t n = b->up ? agent_receive(&b->agent, byte) : 0;
+    const uint16_t n = b->up ? smvm_agent_receive(&b->agent, byte) : 0;
     uint8_t probe;
 
     if (n > 0)

@@ -57,7 +57,7 @@ static bool opens(Device *d)
     record = (STORE_RECORD + unit - 1) / unit * unit;
     plan.image[0] = sim_nvm(d->memory) + 2 * record;
     plan.image[1] = plan.image[0] + (SIM_NVM_SIZE - 2 * record) / d->slots / unit * unit;
-    return store_open(&d->store, nvm, &plan) == SM_OK;
+    return smvm_store_open(&d->store, nvm, &plan) == SM_OK;
 }
 
 // A start: gives what runs.  The choice may be cut off as well, then nothing runs yet.
@@ -66,15 +66,16 @@ static Runs start(Device *d)
     uint32_t checksum, length;
 
     sim_power_on();
-    if (!opens(d) || store_boot(&d->store, &d->slot) != SM_OK)
+    if (!opens(d) || smvm_store_boot(&d->store, &d->slot) != SM_OK)
         return RUNS_NOTHING;
     if (d->slot == STORE_BUILT_IN)
         return RUNS_BUILT_IN;
-    if (store_state(&d->store, d->slot, &checksum, &length) == STORE_EMPTY)
+    if (smvm_store_state(&d->store, d->slot, &checksum, &length) == STORE_EMPTY)
         return RUNS_NOTHING;
     if (checksum == old_image.checksum && memcmp(d->store.plan.image[d->slot], old_image.bytes, length) == 0)
         return RUNS_OLD;
-    return checksum == new_image.checksum && memcmp(d->store.plan.image[d->slot], new_image.bytes, length) == 0 ? RUNS_NEW : RUNS_NOTHING;
+    return checksum == new_image.checksum && memcmp(d->store.plan.image[d->slot], new_image.bytes, length) == 0
+               ? RUNS_NEW : RUNS_NOTHING;
 }
 
 static bool sends(Device *d, const Image *image)
@@ -82,18 +83,18 @@ static bool sends(Device *d, const Image *image)
     SmvmVerdict why;
 
     if (d->slots == 1)
-        store_leave(&d->store);
-    if (store_begin(&d->store, 7, image->length, image->checksum) != SM_OK)
+        smvm_store_leave(&d->store);
+    if (smvm_store_begin(&d->store, 7, image->length, image->checksum) != SM_OK)
         return false;
     for (uint32_t at = 0; at < image->length; at += BLOCK) {
         const uint32_t n = image->length - at < BLOCK ? image->length - at : BLOCK;
-        if (store_write(&d->store, 7, at, image->bytes + at, (uint8_t)n) != SM_OK)
+        if (smvm_store_write(&d->store, 7, at, image->bytes + at, (uint8_t)n) != SM_OK)
             return false;
     }
-    return store_end(&d->store, 7, &why) == SM_OK;
+    return smvm_store_end(&d->store, 7, &why) == SM_OK;
 }
 
-static bool updates(Device *d, const Image *image) { return sends(d, image) && store_activate(&d->store, 7) == SM_OK; }
+static bool updates(Device *d, const Image *image) { return sends(d, image) && smvm_store_activate(&d->store, 7) == SM_OK; }
 
 // How far an update came before the power went.
 typedef struct Progress { bool chosen, confirmed; } Progress;
@@ -107,9 +108,9 @@ static Progress update_and_confirm(Device *d)
         return p;
     p.chosen = true;
     pal_nvm_close(d->store.nvm);
-    if (!opens(d) || store_boot(&d->store, &d->slot) != SM_OK)
+    if (!opens(d) || smvm_store_boot(&d->store, &d->slot) != SM_OK)
         return p;
-    p.confirmed = store_confirm(&d->store, new_image.checksum) == SM_OK;
+    p.confirmed = smvm_store_confirm(&d->store, new_image.checksum) == SM_OK;
     return p;
 }
 
@@ -122,7 +123,7 @@ static void prepare(Device *d, const char *memory, uint8_t slots)
     sim_reset();
     CHECK(opens(d) && updates(d, &old_image));
     CHECK(start(d) == RUNS_OLD);
-    CHECK(store_confirm(&d->store, old_image.checksum) == SM_OK);
+    CHECK(smvm_store_confirm(&d->store, old_image.checksum) == SM_OK);
 }
 
 // ---- cuts ----
@@ -149,7 +150,7 @@ static bool survives_both(const char *memory, uint8_t slots, const uint32_t firs
     if (!is_sound(&d, runs, p))
         return false;
     if (runs == RUNS_NEW)
-        return store_confirm(&d.store, new_image.checksum) == SM_OK && start(&d) == RUNS_NEW;
+        return smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && start(&d) == RUNS_NEW;
     if (second) {
         sim_cut_power(second[0], second[1]);
         p = update_and_confirm(&d);
@@ -159,7 +160,7 @@ static bool survives_both(const char *memory, uint8_t slots, const uint32_t firs
     }
     if (runs != RUNS_NEW && (!updates(&d, &new_image) || start(&d) != RUNS_NEW))
         return false;
-    return store_confirm(&d.store, new_image.checksum) == SM_OK && start(&d) == RUNS_NEW;
+    return smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && start(&d) == RUNS_NEW;
 }
 
 // Every place at which the power can go in an update: in which write or erase, and after how many of its bytes.
@@ -230,10 +231,10 @@ static void a_trial_that_is_not_confirmed_ends(void)
 
     prepare(&d, "eeprom", 2);
     CHECK(updates(&d, &new_image));
-    CHECK(store_confirm(&d.store, new_image.checksum) == SM_E_ARGUMENT);       // it does not run yet
+    CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_E_ARGUMENT);       // it does not run yet
     for (int i = 0; i < STORE_TRIES; i++) {
         CHECK(start(&d) == RUNS_NEW);
-        CHECK(store_begin(&d.store, 8, old_image.length, old_image.checksum) == SM_E_BUSY);
+        CHECK(smvm_store_begin(&d.store, 8, old_image.length, old_image.checksum) == SM_E_BUSY);
     }
     CHECK(start(&d) == RUNS_OLD);
     CHECK(start(&d) == RUNS_OLD && d.store.now.confirmed);
@@ -248,7 +249,7 @@ static void a_trial_that_cannot_be_counted_does_not_run(void)
     CHECK(updates(&d, &new_image));
     sim_break(SIM_nvm_write, 0, SM_E_DEVICE);
     sim_power_on();
-    CHECK(opens(&d) && store_boot(&d.store, &d.slot) == SM_E_DEVICE && d.slot == 0);
+    CHECK(opens(&d) && smvm_store_boot(&d.store, &d.slot) == SM_E_DEVICE && d.slot == 0);
     sim_break(SIM_nvm_write, 0, SM_OK);
     CHECK(start(&d) == RUNS_NEW);
 }
@@ -259,11 +260,11 @@ static void an_erased_trial_gives_way(void)
 
     prepare(&d, "flash", 2);
     CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
-    CHECK(store_erase(&d.store, 1) == SM_E_MISSING);
-    CHECK(store_erase(&d.store, new_image.checksum) == SM_OK);
-    CHECK(store_begin(&d.store, 8, new_image.length, new_image.checksum) == SM_E_BUSY);   // one slot is chosen, the other runs
+    CHECK(smvm_store_erase(&d.store, 1) == SM_E_MISSING);
+    CHECK(smvm_store_erase(&d.store, new_image.checksum) == SM_OK);
+    CHECK(smvm_store_begin(&d.store, 8, new_image.length, new_image.checksum) == SM_E_BUSY);   // one slot is chosen, the other runs
     CHECK(start(&d) == RUNS_OLD);
-    CHECK(store_erase(&d.store, old_image.checksum) == SM_OK);
+    CHECK(smvm_store_erase(&d.store, old_image.checksum) == SM_OK);
     CHECK(start(&d) == RUNS_BUILT_IN);
     CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
 }
@@ -278,17 +279,30 @@ static void steps_may_be_repeated(void)
     prepare(&d, "eeprom", 2);
     CHECK(sends(&d, &new_image));
     writes = sim_count(SIM_nvm_write);
-    CHECK(store_begin(&d.store, 7, new_image.length, new_image.checksum) == SM_OK);
-    CHECK(store_write(&d.store, 7, 0, new_image.bytes, BLOCK) == SM_OK);
-    CHECK(store_write(&d.store, 7, 0, old_image.bytes + 32, BLOCK) == SM_E_ARGUMENT);
-    CHECK(store_write(&d.store, 6, 0, new_image.bytes, BLOCK) == SM_E_HANDLE);
-    CHECK(store_write(&d.store, 7, new_image.length, new_image.bytes, 1) == SM_E_ARGUMENT);
-    CHECK(store_end(&d.store, 7, &why) == SM_OK && sim_count(SIM_nvm_write) == writes);
-    CHECK(store_activate(&d.store, 7) == SM_OK && store_activate(&d.store, 7) == SM_OK);
+    CHECK(smvm_store_begin(&d.store, 7, new_image.length, new_image.checksum) == SM_OK);
+    CHECK(smvm_store_write(&d.store, 7, 0, new_image.bytes, BLOCK) == SM_OK);
+    CHECK(smvm_store_write(&d.store, 7, 0, old_image.bytes + 32, BLOCK) == SM_E_ARGUMENT);
+    CHECK(smvm_store_write(&d.store, 6, 0, new_image.bytes, BLOCK) == SM_E_HANDLE);
+    CHECK(smvm_store_write(&d.store, 7, new_image.length, new_image.bytes, 1) == SM_E_ARGUMENT);
+    CHECK(smvm_store_end(&d.store, 7, &why) == SM_OK && sim_count(SIM_nvm_write) == writes);
+    CHECK(smvm_store_activate(&d.store, 7) == SM_OK && smvm_store_activate(&d.store, 7) == SM_OK);
     CHECK(sim_count(SIM_nvm_write) == writes + 1);
     CHECK(start(&d) == RUNS_NEW);
-    CHECK(store_confirm(&d.store, new_image.checksum) == SM_OK && store_confirm(&d.store, new_image.checksum) == SM_OK);
-    CHECK(store_activate(&d.store, 7) == SM_E_HANDLE && store_end(&d.store, 7, &why) == SM_E_HANDLE);
+    CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
+    CHECK(smvm_store_activate(&d.store, 7) == SM_E_HANDLE && smvm_store_end(&d.store, 7, &why) == SM_E_HANDLE);
+}
+
+// After a write that failed nobody knows what lies there.
+static void a_write_that_failed_ends_the_update(void)
+{
+    Device d;
+
+    prepare(&d, "flash", 2);
+    CHECK(smvm_store_begin(&d.store, 7, new_image.length, new_image.checksum) == SM_OK);
+    sim_fail(SIM_nvm_write, 0, SM_E_DEVICE);
+    CHECK(smvm_store_write(&d.store, 7, 0, new_image.bytes, BLOCK) == SM_E_DEVICE);
+    CHECK(smvm_store_write(&d.store, 7, 0, new_image.bytes, BLOCK) == SM_E_HANDLE);
+    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
 }
 
 // The answer to the choice was lost, and it comes again after the image was confirmed: it stays so, and what was before it is not forgotten.
@@ -311,14 +325,14 @@ static void what_does_not_fit_is_refused(void)
     Store s;
 
     prepare(&d, "eeprom", 2);
-    CHECK(store_begin(&d.store, 9, d.store.slot_size + 1, 0) == SM_E_SPACE);
-    CHECK(store_begin(&d.store, 0, 100, 0) == SM_E_ARGUMENT);
+    CHECK(smvm_store_begin(&d.store, 9, d.store.slot_size + 1, 0) == SM_E_SPACE);
+    CHECK(smvm_store_begin(&d.store, 0, 100, 0) == SM_E_ARGUMENT);
     damaged.bytes[damaged.length - 1] ^= 1;
-    CHECK(!sends(&d, &damaged) && store_activate(&d.store, 7) == SM_E_HANDLE);
+    CHECK(!sends(&d, &damaged) && smvm_store_activate(&d.store, 7) == SM_E_HANDLE);
     CHECK(start(&d) == RUNS_OLD);
-    CHECK(store_open(&s, d.store.nvm, &plan) == SM_E_SPACE);
+    CHECK(smvm_store_open(&s, d.store.nvm, &plan) == SM_E_SPACE);
     plan.slots = 3;
-    CHECK(store_open(&s, d.store.nvm, &plan) == SM_E_ARGUMENT);
+    CHECK(smvm_store_open(&s, d.store.nvm, &plan) == SM_E_ARGUMENT);
 }
 
 // ---- memory that goes bad ----
@@ -331,7 +345,7 @@ static void flipped_bits_are_noticed(const char *memory)
     unsigned built_in = 0;
 
     prepare(&d, memory, 2);
-    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW && store_confirm(&d.store, new_image.checksum) == SM_OK);
+    CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
     memcpy(kept, sim_nvm(memory), sizeof kept);
     for (uint32_t bit = 0; bit < 8 * SIM_NVM_SIZE; bit++) {
         Runs runs;
@@ -374,6 +388,7 @@ int main(int argc, char **argv)
     an_erased_trial_gives_way();
     a_late_repetition_does_no_harm();
     steps_may_be_repeated();
+    a_write_that_failed_ends_the_update();
     what_does_not_fit_is_refused();
     flipped_bits_are_noticed("eeprom");
     flipped_bits_are_noticed("flash");

@@ -19,7 +19,7 @@ static void make(Line *l, uint16_t n, unsigned kind)
         l->sent[i] = kind == 1 ? 0 : kind == 2 ? (uint8_t)(r | 1) : kind == 3 ? (uint8_t)(r & r >> 3 & r >> 5 & 1) : r;
     }
     memcpy(l->bytes + 1, l->sent, n);
-    l->n = link_frame(l->bytes, n);
+    l->n = sm_link_frame(l->bytes, n);
 }
 
 static bool arrives(LinkReceiver *r, const Line *l)
@@ -27,7 +27,7 @@ static bool arrives(LinkReceiver *r, const Line *l)
     bool whole = false;
 
     for (uint16_t i = 0; i < l->n; i++)
-        whole = link_receive(r, l->bytes[i]);
+        whole = sm_link_receive(r, l->bytes[i]);
     return whole && r->n == l->payload && memcmp(r->buffer, l->sent, l->payload) == 0;
 }
 
@@ -37,7 +37,7 @@ static void what_is_sent_arrives(void)
     LinkReceiver r;
     Line l;
 
-    link_receiver(&r, buffer, sizeof buffer);
+    sm_link_receiver(&r, buffer, sizeof buffer);
     for (uint16_t n = LINK_HEAD; n <= LINK_HEAD + BODY; n++)
         for (unsigned kind = 0; kind < 4; kind++) {
             make(&l, n, kind);
@@ -64,14 +64,14 @@ static void what_is_damaged_does_not(void)
     LinkReceiver r;
     Line good, bad;
 
-    link_receiver(&r, buffer, sizeof buffer);
+    sm_link_receiver(&r, buffer, sizeof buffer);
     for (unsigned i = 0; i < 20000; i++) {
         make(&good, (uint16_t)(LINK_HEAD + random_u64() % BODY), i % 4);
         bad = good;
         damage(&bad);
         for (uint16_t k = 0; k < bad.n; k++)
-            CHECK(!link_receive(&r, bad.bytes[k]) || (r.n == bad.payload && memcmp(r.buffer, bad.sent, r.n) == 0));
-        link_receive(&r, 0);
+            CHECK(!sm_link_receive(&r, bad.bytes[k]) || (r.n == bad.payload && memcmp(r.buffer, bad.sent, r.n) == 0));
+        sm_link_receive(&r, 0);
         CHECK(arrives(&r, &good));
     }
 }
@@ -82,24 +82,24 @@ static void what_is_too_long_is_dropped(void)
     LinkReceiver r;
     Line l;
 
-    link_receiver(&r, buffer, LINK_HEAD + 16 + LINK_TAIL);
+    sm_link_receiver(&r, buffer, LINK_HEAD + 16 + LINK_TAIL);
     make(&l, LINK_HEAD + 17, 0);
     CHECK(!arrives(&r, &l));
     make(&l, LINK_HEAD + 16, 0);
     CHECK(arrives(&r, &l));
     for (unsigned i = 0; i < 100000; i++)
-        CHECK(!link_receive(&r, (uint8_t)(1 + random_u64() % 255)));
-    link_receive(&r, 0);
+        CHECK(!sm_link_receive(&r, (uint8_t)(1 + random_u64() % 255)));
+    sm_link_receive(&r, 0);
     CHECK(arrives(&r, &l));
-    CHECK(!link_receive(&r, 0) && !link_receive(&r, 0));
+    CHECK(!sm_link_receive(&r, 0) && !sm_link_receive(&r, 0));
 }
 
 static void fields(void)
 {
     uint8_t at[4];
 
-    link_put(at, 0x01020304u, 4);
-    CHECK(at[0] == 4 && at[3] == 1 && link_get(at, 4) == 0x01020304u && link_get(at, 3) == 0x020304u);
+    sm_link_put(at, 0x01020304u, 4);
+    CHECK(at[0] == 4 && at[3] == 1 && sm_link_get(at, 4) == 0x01020304u && sm_link_get(at, 3) == 0x020304u);
 }
 
 int main(void)
