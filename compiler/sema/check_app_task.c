@@ -183,6 +183,16 @@ static AppTask *check_task(AppCheck *k, const AstAppTask *in)
     return t;
 }
 
+// Between two steps of a machine its time advances, or the second is refused.
+static void check_pace(AppCheck *k, const AstAppTask *in, const AppRate *rate)
+{
+    if (in->kind == AST_TASK_machine && k->app->time && rate->period && rate->period < k->app->unit)
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_time_coarse, in->name.span, in->name.text->text,
+                                           app_time_text(k->c->arena, rate->period), k->app->time->name->text,
+                                           app_time_text(k->c->arena, k->app->unit)),
+                  k->app->time_span, DIAG_note_named_here);
+}
+
 void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out)
 {
     enum { MOST = 65535 };
@@ -194,6 +204,7 @@ void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out)
             AppTask *task = check_task(k, &in->rates.at[r].tasks.at[t]);
             if (k->app->task.n == MOST)
                 diag_report(k->c->diags, DIAG_app_too_many, task->span, "tasks", "65535");
+            check_pace(k, &in->rates.at[r].tasks.at[t], out->rate.at[r]);
             vec_push(k->c->arena, &k->app->task, task);
             vec_push(k->c->arena, &out->rate.at[r]->task, (const AppTask *)task);
         }

@@ -210,6 +210,15 @@ static void check_pin(IoCheck *k, const AstPin *pin, bool digital)
     vec_push(k->c->arena, &k->io->pin, p);
 }
 
+// runtime-c/io.h counts them with 16 bits.
+static void check_count(IoCheck *k)
+{
+    enum { MOST = 65535 };
+
+    if (k->io->pin.n > MOST)
+        diag_report(k->c->diags, DIAG_app_too_many, k->io->pin.at[MOST].span, "pins", "65535");
+}
+
 IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
 {
     enum { GUESSES = 30 };            // more than are shown
@@ -225,5 +234,6 @@ IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
     for (size_t i = 0; i < f->sections.n; i++)
         for (size_t j = 0; j < f->sections.at[i]->pins.n; j++)
             check_pin(&k, &f->sections.at[i]->pins.at[j], f->sections.at[i]->digital);
+    check_count(&k);
     return c->diags->met > errors ? NULL : k.io;
 }

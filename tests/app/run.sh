@@ -124,6 +124,9 @@ if "$smc" build probe.app -o out 2>log && test "$(grep -c '^    {.name = ' out/p
    $cc -std=c99 -I"$root" -Iout -c out/probe_app.c -o large.o 2>>log; then good; else bad "11,000 tasks"; head -5 log; fi
 awk 'BEGIN { printf "[options]\nstate_vector \"probe.sv\"\n[flight]\nevery 1 ms:\n"; for (i = 0; i < 65536; i++) printf "task t%d\n", i }' >probe.app
 refuses "65,536 tasks" 1 E1045
+printf '[options]\nstate_vector "probe.sv"\nio "probe.io"\n[flight]\nevery 1 ms:\noutputs\n' >probe.app
+awk 'BEGIN { printf "[analog]\n"; for (i = 0; i < 65536; i++) printf "o %d mode\n", i }' >probe.io
+refuses "65,536 pins" 1 E1045
 awk 'BEGIN { printf "[options]\nstate_vector \"probe.sv\"\n[flight]\nevery 1 ms:\n"; for (i = 0; i < 20000; i++) printf "task t%d @mode mod%d\n", i, i }' >probe.app
 refuses "20,000 unknown elements" 1 "20000 errors"
 awk 'BEGIN { for (i = 0; i < 100000; i++) printf "(" }' | cat "$here/probe.app" - >probe.app; refuses "parentheses" 1 "E1023"
