@@ -70,8 +70,10 @@ static bool is_printable(const char *stem)
 
 static void check_stem(AppCheck *k, const char *stem, Span span)
 {
-    const char *problem = is_of_runtime(stem) ? "it belongs to the runtime" : is_printable(stem) ? NULL : "C could not include its header";
+    const char *problem = is_of_runtime(stem) ? "it belongs to the runtime" : NULL;
 
+    if (!is_printable(stem))
+        problem = "C could not include its header";
     if (problem)
         diag_report(k->c->diags, DIAG_task_name_reserved, span, stem, "file", problem);
 }
