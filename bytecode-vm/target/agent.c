@@ -17,7 +17,7 @@ void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *
     a->events = events;
     a->frame = frame;
     a->body = body > LINK_BODY_MAX ? LINK_BODY_MAX : body;
-    a->block = (uint8_t)((a->body - DATA_HEAD) & ~(store->write - 1u));
+    a->block = (uint8_t)((unsigned)(a->body - DATA_HEAD) & ~(store->write - 1u));
     sm_link_receiver(&a->in, frame + 1, (uint16_t)(LINK_HEAD + a->body + LINK_TAIL));
 }
 

@@ -61,6 +61,7 @@ static int say_failed(BoardLine *b, const Update *u, DeviceStep step)
     static const char *const what[] = {
         "", "asking what is there", "the update was not begun", "sending", "the image was not accepted", "reading back",
         "the image was not chosen", "it is chosen, but the restart failed"};
+    int code;
 
     if (step == DEVICE_RUN) {
         cli_say(b->c, "the board does not run the new image: it went back to the one before");
@@ -69,9 +70,14 @@ static int say_failed(BoardLine *b, const Update *u, DeviceStep step)
     if (step == DEVICE_END && b->host.answered && u->rule != 0) {
         cli_say(b->c, "the board's verifier refuses the image by rule %u at byte %lu: %s", (unsigned)u->rule, (unsigned long)u->at,
                 smvm_rule_text(u->rule));
-        return EXIT_PROBLEM;
+        code = EXIT_PROBLEM;
+    } else {
+        code = board_failed(b, what[step]);
     }
-    return board_failed(b, what[step]);
+    if (step < DEVICE_ACTIVATE)
+        cli_say(b->c, b->info.slots > 1 ? "the board keeps what it ran before"
+                                        : "the board has one slot: 'smc device list' says whether its image had to give way");
+    return code;
 }
 
 static int say_done(BoardLine *b, const Update *u, const DeviceImage *before)

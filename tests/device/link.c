@@ -25,6 +25,7 @@ typedef struct Terminal { int master, slave; char name[128]; } Terminal;
 typedef struct Trouble {
     unsigned bad;             // one byte in so many is lost or damaged; 0: none
     long kill_board, kill_smc;        // after so many bytes in both directions; 0: never
+    bool for_good;            // the board is not started again
 } Trouble;
 
 static Terminal at_board, at_smc;
@@ -139,7 +140,8 @@ static int run(const Trouble *t, const char *a, const char *b, const char *c)
             kill(pid, below(2) ? SIGKILL : SIGINT);
         if (t->kill_board && before < t->kill_board && carried >= t->kill_board) {
             kill_board();
-            start_board();
+            if (!t->for_good)
+                start_board();
         }
     }
     read_output();
@@ -229,15 +231,19 @@ static void an_image_is_erased(void)
 
 static void nobody_answers(void)
 {
-    kill_board();
+    const Trouble gone = {0, 400, 0, true};
+
+    CHECK(run(&gone, "flash", images[0], NULL) == 3 && says("sending: the board does not answer any more"));
+    CHECK(says("the board keeps what it ran before"));
     CHECK(quiet("device", "info", NULL) == 3 && says("no answer from '"));
     start_board();
+    CHECK(quiet("device", "list", NULL) == 0 && listed(images[1], ", runs, confirmed"));
 }
 
 // In trouble the update succeeds or not; then, without it, it does.
 static void an_update_in_trouble(int target)
 {
-    Trouble t = {0, 0, 0};
+    Trouble t = {0, 0, 0, false};
     int code;
 
     switch (below(4)) {
@@ -257,7 +263,7 @@ static void an_update_in_trouble(int target)
 
 int main(int argc, char **argv)
 {
-    const int runs = argc > 6 ? atoi(argv[6]) : 12;
+    const int runs = argc > 6 ? atoi(argv[6]) : 8;
 
     if (argc < 6)
         return fprintf(stderr, "link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]\n"), 2;
