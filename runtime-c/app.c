@@ -126,7 +126,7 @@ static SmResult start(SmApp *app)
     r = r == SM_OK ? fill_vector(app) : r;
     if (r != SM_OK)
         return r;
-    tell_event(app, SM_EVENT_START, 0, app->restored, has_bitten());
+    tell_event(app, SM_EVENT_START, 0, app->restored ? 1 : app->keep && app->keep->unusable ? 2 : 0, has_bitten());
     r = init_executors(app);
     return r == SM_OK ? sm_run_prepare(app) : r;
 }

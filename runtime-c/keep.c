@@ -3,6 +3,8 @@
 // least significant byte first.  The slot with an even number is the first one: so a slot is written while the newest stays.
 #include "runtime-c/keep.h"
 
+#include <string.h>
+
 #include "runtime-c/handover.h"
 #include "runtime-c/log_block.h"
 
@@ -33,12 +35,90 @@ static SmResult lay_out(SmKeep *k)
     return k->slot <= info.size / 2 ? SM_OK : SM_E_SPACE;
 }
 
-static SmResult open_memory(SmKeep *k)
+// ---- is it ours? ----
+
+// A power cut can leave anything in the slot that was being written, and nothing else in the other; so of a memory of ours one head at
+// least can be known again, and a bit that flips in each does not hide both hash and length.  What is not ours is never written.
+
+// The head at `at`, with `blank` where the memory is shorter; false: it cannot be read.
+static bool read_head(const SmKeep *k, const PalNvmInfo *info, uint32_t at, uint8_t head[SM_KEEP_HEAD])
 {
-    SmResult r = pal_nvm_open(&k->nvm, k->memory, 2 * size_of(k));
+    const uint32_t there = at < info->size ? info->size - at : 0;
+
+    memset(head, info->blank, SM_KEEP_HEAD);
+    return pal_nvm_read(k->nvm, there ? at : 0, head, there < SM_KEEP_HEAD ? there : SM_KEEP_HEAD) == SM_OK;
+}
+
+static bool is_blank(const uint8_t *bytes, uint32_t n, uint8_t blank)
+{
+    while (n > 0 && bytes[n - 1] == blank)
+        n--;
+    return n == 0;
+}
+
+static bool is_known(const SmKeep *k, const uint8_t *head)
+{
+    return log_get32(head + 4) == k->sv->layout->hash || log_get32(head + 8) == packed_of(k);
+}
+
+// A whole slot of any layout at the memory's beginning.
+static bool is_whole(const SmKeep *k, const PalNvmInfo *info, const uint8_t *head)
+{
+    const uint32_t n = log_get32(head + 8);
+    uint32_t crc = log_check(SM_CRC32_START, head, 12);
+    uint8_t piece[SM_KEEP_HEAD];
+
+    if (info->size < SM_KEEP_HEAD || n > info->size - SM_KEEP_HEAD)
+        return false;
+    for (uint32_t at = 0; at < n; at += SM_KEEP_HEAD) {
+        if (!read_head(k, info, SM_KEEP_HEAD + at, piece))
+            return false;
+        crc = log_check(crc, piece, n - at < SM_KEEP_HEAD ? n - at : SM_KEEP_HEAD);
+    }
+    return n > 0 && log_get32(head + 12) == sm_crc32_end(crc);
+}
+
+// Blank: number and hash alone, for an erase may have been cut behind them.
+static bool is_ours(const SmKeep *k, const PalNvmInfo *info)
+{
+    uint8_t first[SM_KEEP_HEAD], second[SM_KEEP_HEAD];
+
+    if (!read_head(k, info, 0, first) || !read_head(k, info, round_up(size_of(k), info->erase), second))
+        return true;                                      // a medium that cannot be read now: nothing can be said of it
+    return is_blank(first, 8, info->blank) || is_known(k, first) || is_known(k, second) || is_whole(k, info, first) ||
+        (info->erase != 0 && is_blank(second, SM_KEEP_HEAD, info->blank));        // a cut erase of the first leaves anything there
+}
+
+// ---- opening ----
+
+// As it is: whoever opens it for more than it has lengthens it.
+static SmResult look_first(SmKeep *k, bool *fits)
+{
+    PalNvmInfo info;
+    SmResult r = pal_nvm_open(&k->nvm, k->memory, 1);
 
     if (r != SM_OK)
         return r;
+    r = pal_nvm_info(k->nvm, &info);
+    if (r == SM_OK && !is_ours(k, &info))
+        r = SM_E_FOREIGN;
+    *fits = r == SM_OK && info.size >= 2 * size_of(k);
+    if (!*fits)
+        (void)pal_nvm_close(k->nvm);
+    return r;
+}
+
+static SmResult open_memory(SmKeep *k)
+{
+    bool fits = false;
+    SmResult r = look_first(k, &fits);
+
+    if (r == SM_OK && !fits)
+        r = pal_nvm_open(&k->nvm, k->memory, 2 * size_of(k));
+    if (r != SM_OK) {
+        k->nvm.id = 0;
+        return r;
+    }
     r = lay_out(k);
     if (r == SM_OK)
         r = sm_handover_open(&k->lock);
@@ -49,6 +129,8 @@ static SmResult open_memory(SmKeep *k)
     return r;
 }
 
+// ---- what is kept ----
+
 // Reads slot 0 or 1 into its half; whether it is whole and of this layout.
 static bool read_slot(SmKeep *k, uint8_t which)
 {
@@ -56,6 +138,15 @@ static bool read_slot(SmKeep *k, uint8_t which)
 
     return pal_nvm_read(k->nvm, which * k->slot, slot, SM_KEEP_HEAD + packed_of(k)) == SM_OK && log_get32(slot) % 2 == which &&
         log_get32(slot + 4) == k->sv->layout->hash && log_get32(slot + 8) == packed_of(k) && log_get32(slot + 12) == check_of(k, slot);
+}
+
+// Something was kept once: what is read of the slots is not blank.
+static bool holds_something(const SmKeep *k)
+{
+    const uint32_t n = SM_KEEP_HEAD + packed_of(k);
+    PalNvmInfo info;
+
+    return pal_nvm_info(k->nvm, &info) == SM_OK && !(is_blank(half(k, 1), n, info.blank) && is_blank(half(k, 2), n, info.blank));
 }
 
 // The half of the buffer that holds the newest slot; 0: there is none.
@@ -79,8 +170,10 @@ SmResult sm_keep_restore(SmKeep *k)
     if (r != SM_OK)
         return r;
     found = newest(k);
-    if (found == 0)
+    if (found == 0) {
+        k->unusable = holds_something(k);
         return SM_OK;
+    }
     k->number = log_get32(half(k, found));
     r = sm_unpack_region(k->sv, &k->sv->layout->whole, half(k, found) + SM_KEEP_HEAD, (size_t)packed_of(k));
     k->restored = r == SM_OK;

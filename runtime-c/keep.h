@@ -26,13 +26,16 @@ typedef struct SmKeep {
     uint32_t pending, stored, missed;     // snapshots taken, written, replaced by a later one before they were written
     SmResult result;          // of the medium, the last time
     bool restored;
+    bool unusable;            // there was one, damaged or of another layout
 } SmKeep;
 
 #define SM_KEEP_HEAD 16u      // bytes beside the packed vector: number, hash, length, checksum
 // (Rounded up to what memories are written in multiples of: config.h.)
 #define SM_KEEP_SIZE(packed) (((packed) + SM_KEEP_HEAD + SM_KEEP_UNIT - 1u) / SM_KEEP_UNIT * SM_KEEP_UNIT)
 
-// Opens the memory and, where a slot is whole and of this layout, brings the vector back: keep->restored.  No slot is no error.
+// Opens the memory and, where a slot is whole and of this layout, brings the vector back: keep->restored.  No slot is no error, a damaged one
+// or one of another layout is none either: keep->unusable.
+// SM_E_FOREIGN: the memory is neither blank nor does it hold a slot; it stays as it is, to the byte.
 // To be called before the tasks' init.  SM_E_SPACE: two slots do not fit.  SM_E_UNSUPPORTED: it is written in multiples of something that
 // SM_KEEP_UNIT is no multiple of.  Otherwise as pal_nvm_open.
 SmResult sm_keep_restore(SmKeep *keep);

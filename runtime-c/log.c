@@ -3,10 +3,49 @@
 // `end` notes where the last one ended, and the ring begins anew.  head == tail is an empty ring, so it is never filled up.
 #include "runtime-c/log.h"
 
+#include <string.h>
+
 #include "runtime-c/handover.h"
 #include "runtime-c/log_block.h"
 
 enum { EVENTS_AT_ONCE = 4 };
+
+// Whether the file begins as a log does.  Damage to one byte does not hide it; a file system that lost what it had not stored yet gives
+// zeros; a log that was cut in its first bytes has its mark.
+static bool is_log(const SmLog *log)
+{
+    enum { LOOK = LOG_HEAD + 9 };                         // up to the end of the first session's beginning, which is 0
+    const uint8_t beginning[9] = {LOG_VERSION};
+    const uint32_t n = log->start < LOOK ? (uint32_t)log->start : LOOK;
+    uint8_t b[LOOK] = {0};
+    bool zeros = true;
+
+    if (n == 0 || pal_log_read(log->out, b, (size_t)n) != SM_OK)
+        return n == 0;
+    for (uint32_t i = 0; i < n; i++)
+        zeros = zeros && b[i] == 0;
+    if (zeros || n < LOOK)
+        return zeros || b[0] == LOG_MARK;
+    if (b[0] == LOG_MARK || b[1] == LOG_DESCRIPTION)
+        return (b[0] == LOG_MARK && b[1] == LOG_DESCRIPTION) || memcmp(b + LOG_HEAD, beginning, sizeof beginning) == 0;
+    return false;
+}
+
+static SmResult open_file(SmLog *log)
+{
+    SmResult r = pal_log_open(&log->out, log->file);
+
+    if (r != SM_OK)
+        return r;
+    r = pal_log_size(log->out, &log->start);
+    if (r == SM_OK && !is_log(log))
+        r = SM_E_FOREIGN;
+    if (r != SM_OK) {
+        (void)pal_log_close(log->out);
+        log->out.id = 0;
+    }
+    return r;
+}
 
 SmResult sm_log_init(void *context)
 {
@@ -19,9 +58,7 @@ SmResult sm_log_init(void *context)
         return SM_E_MEMORY;
     r = sm_handover_open(&log->lock);
     if (r == SM_OK)
-        r = pal_log_open(&log->out, log->file);
-    if (r == SM_OK)
-        r = pal_log_size(log->out, &log->start);
+        r = open_file(log);
     log->written = log->start;
     return r;
 }

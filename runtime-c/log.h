@@ -51,7 +51,8 @@ typedef struct SmLog {
 #define SM_LOG_LEAST(packed) (2u * SM_LOG_RECORD(packed) + 192u)
 
 // Opens the file.  As SmTaskInit and SmTaskStep; the context is an SmLog.
-// SM_E_MEMORY: the ring is smaller than SM_LOG_LEAST.  Otherwise as pal_log_open.
+// SM_E_MEMORY: the ring is smaller than SM_LOG_LEAST.  SM_E_FOREIGN: the file holds something that is no log; it stays as it is.
+// Otherwise as pal_log_open.
 SmResult sm_log_init(void *log);
 
 // Puts the events since the last step and the state vector into the ring.  SM_E_FULL: there was no room for the record.

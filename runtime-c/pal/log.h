@@ -27,6 +27,9 @@ SmResult pal_log_append(PalLogFile file, const void *bytes, size_t n);
 // Waits until all that was appended is on the medium: tens of milliseconds, seconds for an SD card that tidies up.
 SmResult pal_log_sync(PalLogFile file);
 
+// Reads the first n bytes of those that the file holds.  SM_E_ARGUMENT: it holds fewer.
+SmResult pal_log_read(PalLogFile file, void *bytes, size_t n);
+
 // How many bytes the file holds.
 SmResult pal_log_size(PalLogFile file, uint64_t *size);
 

@@ -33,6 +33,16 @@ same element.txt flight.log --session 1 f64 flag
 same table.csv flight.log --format csv --session 2 f64 flag i16
 same lines.json flight.log --format json --session=2 f64
 same plot.svg flight.log --format svg --session 1 f64 flag
+
+# A record a second: states begin where their events say, and one shorter than that is there.
+"$writer" flight.log rare.log || no "the rare flight was not written"
+"$smc" log rare.log --format svg f64 >rare.svg || no "the rare flight was not drawn"
+for part in '<rect class="s0" x="64" y="0" width="266.9" height="22"/>' '<rect class="s1" x="330.9" y="0" width="44.2" height="22"/>' \
+    '<circle class="begin" cx="330.9" cy="98.9"' '<circle class="begin" cx="375.1" cy="98.9"'; do
+    grep -qF -- "$part" rare.svg && ok || no "rare.svg: no $part"
+done
+"$smc" log rare.log | grep -q 'started; what was kept of the state vector could not be used' && ok || no "a kept vector that was not used is not told"
+
 "$smc" log flight.log -o out.csv 2>err && head -1 out.csv | grep -q '^seconds,time,state' && ok || no "the format is not taken from the ending"
 
 says 0 "this is the last of 2 sessions" flight.log --format csv

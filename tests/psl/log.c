@@ -13,6 +13,7 @@ static void without(void)
     CHECK(pal_log_append(file, "x", 1) == SM_E_UNSUPPORTED);
     CHECK(pal_log_sync(file) == SM_E_UNSUPPORTED);
     CHECK(pal_log_size(file, &size) == SM_E_UNSUPPORTED);
+    CHECK(pal_log_read(file, &size, 1) == SM_E_UNSUPPORTED);
     CHECK(pal_log_close(file) == SM_E_UNSUPPORTED);
 }
 
@@ -41,6 +42,7 @@ static bool holds(const char *text)
 
 static void grows(void)
 {
+    char first[8];
     PalLogFile file = opened();
 
     CHECK(size_of(file) == 0 && holds(""));               // made, empty
@@ -50,7 +52,10 @@ static void grows(void)
     CHECK(pal_log_append(file, "\0two", 4) == SM_OK);
     CHECK(pal_log_sync(file) == SM_OK);
     CHECK(size_of(file) == 7);
+    CHECK(pal_log_read(file, first, 5) == SM_OK && memcmp(first, "one\0t", 5) == 0);
+    CHECK(pal_log_read(file, first, 8) == SM_E_ARGUMENT && pal_log_read(file, NULL, 1) == SM_E_ARGUMENT);
     CHECK(pal_log_close(file) == SM_OK);
+    CHECK(pal_log_read(file, first, 1) == SM_E_HANDLE);
     file = opened();                                      // behind what it holds
     CHECK(size_of(file) == 7);
     CHECK(pal_log_append(file, "3", 1) == SM_OK && size_of(file) == 8);

@@ -184,6 +184,48 @@ static void test_layouts(void)
     CHECK(restart("eeprom", &wide_vector) == SM_OK && keep.restored && number() == 1);
 }
 
+// ---- what is not ours ----
+
+// A memory that begins so and is the same all over is left as it is.
+static void refuses(const char *name, const char *begins)
+{
+    uint8_t before[1024];
+    uint8_t *bytes = sim_nvm(name);
+
+    sim_reset();
+    memset(bytes, 'x', sizeof before);
+    memcpy(bytes, begins, strlen(begins));
+    memcpy(before, bytes, sizeof before);
+    CHECK(start(name, &wide_vector) == SM_E_FOREIGN && !keep.restored && keep.nvm.id == 0);
+    CHECK(memcmp(before, bytes, sizeof before) == 0 && sim_count(SIM_nvm_write) == 0 && sim_count(SIM_nvm_erase) == 0);
+    sim_reset();
+    CHECK(start(name, &wide_vector) == SM_OK && !keep.unusable);
+}
+
+// An erase of the first slot that was cut leaves anything there; the other is blank, for it was erased before.
+static void test_torn_erase(void)
+{
+    sim_reset();
+    memset(sim_nvm("flash"), 'x', 32);
+    CHECK(start("flash", &wide_vector) == SM_OK && !keep.restored && keep.unusable);
+    CHECK(store(1) == SM_OK && restart("flash", &wide_vector) == SM_OK && number() == 1);
+}
+
+// Something was kept and cannot be used: no error, and told.
+static void test_unusable(const char *name)
+{
+    sim_reset();
+    CHECK(start(name, &wide_vector) == SM_OK && !keep.unusable && store(1) == SM_OK && store(2) == SM_OK);
+    CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && !keep.unusable);
+    sim_nvm(name)[SM_KEEP_HEAD] ^= 1;
+    sim_nvm(name)[keep.slot + SM_KEEP_HEAD] ^= 1;
+    CHECK(restart(name, &wide_vector) == SM_OK && !keep.restored && keep.unusable);
+    sim_reset();
+    CHECK(start(name, &many_vector) == SM_OK && sm_keep_step(&keep, &tick) == SM_OK && sm_keep_write(&keep) == SM_OK);
+    CHECK(sm_keep_step(&keep, &tick) == SM_OK && sm_keep_write(&keep) == SM_OK);
+    CHECK(restart(name, &wide_vector) == SM_OK && !keep.restored && keep.unusable);
+}
+
 // ---- memories that refuse ----
 
 static void test_refused(void)
@@ -281,8 +323,12 @@ int main(void)
         test_cut_after_failure(memories[i]);
         test_told(memories[i]);
         test_forget(memories[i]);
+        test_unusable(memories[i]);
+        refuses(memories[i], "[regions]\nSensors\n");
+        refuses(memories[i], "");
     }
     test_layouts();
+    test_torn_erase();
     test_refused();
     return test_end("keep");
 }

@@ -146,6 +146,57 @@ static void test_refused(void)
     CHECK(sm_log_init(&flight) == SM_E_ARGUMENT && sm_log_init(NULL) == SM_E_ARGUMENT);
 }
 
+// ---- files that are no logs ----
+
+static void put_file(const void *bytes, size_t n)
+{
+    PalLogFile file = {0};
+
+    sim_reset();
+    CHECK(pal_log_open(&file, NAME) == SM_OK && pal_log_append(file, bytes, n) == SM_OK && pal_log_close(file) == SM_OK);
+}
+
+static void test_foreign(void)
+{
+    static const char *const other[] = {"x", "[regions]\nSensors\n", "time,altitude\n0,1\n", "\x7f" "ELF\2\1\1\0\0\0\0\0\0\0\0\0\0\0"};
+    static const size_t size[] = {1, 18, 18, 18};
+    const uint8_t *bytes;
+    size_t n;
+
+    for (size_t i = 0; i < sizeof size / sizeof *size; i++) {
+        put_file(other[i], size[i]);
+        new_log(NAME);
+        CHECK(sm_log_init(&flight) == SM_E_FOREIGN && flight.out.id == 0);
+        bytes = sim_log(NAME, &n);
+        CHECK(n == size[i] && memcmp(bytes, other[i], n) == 0);
+    }
+}
+
+// What was a log once, whatever one byte of it has become or the power has left of it.
+static void test_damaged_beginning(void)
+{
+    uint8_t bytes[200];
+    size_t n;
+
+    begin();
+    CHECK(step(0, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
+    memcpy(bytes, sim_log(NAME, &n), sizeof bytes);
+    for (size_t i = 0; i < 40; i++) {
+        bytes[i] ^= 0xff;
+        put_file(bytes, sizeof bytes);
+        bytes[i] ^= 0xff;
+        new_log(NAME);
+        CHECK(sm_log_init(&flight) == SM_OK && sm_log_close(&flight) == SM_OK);
+        put_file(bytes, i);
+        new_log(NAME);
+        CHECK(sm_log_init(&flight) == SM_OK && sm_log_close(&flight) == SM_OK);
+    }
+    memset(bytes, 0, sizeof bytes);
+    put_file(bytes, sizeof bytes);
+    new_log(NAME);
+    CHECK(sm_log_init(&flight) == SM_OK && sm_log_close(&flight) == SM_OK);
+}
+
 // ---- a medium that is too slow, full, broken ----
 
 // Nothing is brought to the medium for some ticks: records are dropped and counted, and those that come back are true.
@@ -521,12 +572,34 @@ static void fly_up(uint64_t from, uint64_t to)
     }
 }
 
-static int make_sample(const char *path)
+static int write_sample(const char *path)
 {
     FILE *f = fopen(path, "wb");
-    const uint8_t *bytes;
     size_t n;
+    const uint8_t *bytes = sim_log(NAME, &n);
 
+    return !f || fwrite(bytes, 1, n, f) != n || fclose(f) != 0 || test_failed != 0;
+}
+
+// One record a second, and states that begin in between, one of them shorter than that.
+static int make_rare(const char *path)
+{
+    begin();
+    tell(SM_EVENT_START, 0, 2, 0, 0);
+    tell(SM_EVENT_STATE, 3, 0, 1, 0);
+    for (uint64_t k = 0; k < 10; k++) {
+        if (k == 4) {
+            tell(SM_EVENT_STATE, 3, 1, 2, 302 * TICK);
+            tell(SM_EVENT_STATE, 3, 2, 1, 352 * TICK);
+        }
+        CHECK(step(100 * k, 0) == SM_OK && !sm_log_drain(&flight, PAL_SECOND));
+    }
+    CHECK(sm_log_close(&flight) == SM_OK);
+    return write_sample(path);
+}
+
+static int make_sample(const char *path)
+{
     begin();
     tell(SM_EVENT_START, 0, 0, 0, 0);
     tell(SM_EVENT_STATE, 3, 0, 1, 0);
@@ -545,19 +618,20 @@ static int make_sample(const char *path)
     tell(SM_EVENT_STOP, 0, 0, 0, 3 * TICK);
     fly_up(3, 4);
     CHECK(sm_log_close(&flight) == SM_OK);
-    bytes = sim_log(NAME, &n);
-    return !f || fwrite(bytes, 1, n, f) != n || fclose(f) != 0 || test_failed != 0;
+    return write_sample(path);
 }
 
 int main(int argc, char **argv)
 {
     if (argc > 1)
-        return make_sample(argv[1]);
+        return argc > 2 ? make_rare(argv[2]) : make_sample(argv[1]);
     arena_init(&arena, heap, NULL, &oom);
     if (setjmp(oom))
         return 1;
     test_plain();
     test_refused();
+    test_foreign();
+    test_damaged_beginning();
     test_too_slow();
     test_lost_events();
     test_refusals();

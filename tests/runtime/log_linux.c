@@ -141,6 +141,27 @@ static void test_limit(void)
     CHECK(pal_log_close(file) == SM_OK && unlink("limited") == 0);
 }
 
+// ---- files that hold something else ----
+
+// A source that somebody named by mistake, shorter than two slots: not even lengthened.
+static void test_foreign(void)
+{
+    static const char text[] = "[regions]\nSensors\n[elements]\nF64 temperature Sensors\n";
+    char now[2 * sizeof text] = {0};
+    FILE *f = fopen("kettle.sv", "wb");
+
+    CHECK(f && fputs(text, f) >= 0 && fclose(f) == 0);
+    keep.memory = flight.file = "kettle.sv";
+    CHECK(sm_keep_restore(&keep) == SM_E_FOREIGN && keep.nvm.id == 0 && sm_log_init(&flight) == SM_E_FOREIGN);
+    f = fopen("kettle.sv", "rb");
+    CHECK(f && fread(now, 1, sizeof now, f) == strlen(text) && fclose(f) == 0 && strcmp(now, text) == 0);
+    CHECK(unlink("kettle.sv") == 0);
+    keep.memory = "kept";
+    new_log("flight.log");
+    events.guarded = true;
+    CHECK(sm_events_init(&events) == SM_OK);
+}
+
 int main(void)
 {
     snprintf(folder, sizeof folder, "%s/smc-log.XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : P_tmpdir);
@@ -151,6 +172,7 @@ int main(void)
     keep.memory = "kept";
     keep.sv = &wide_vector;
     keep.buffer = kept;
+    test_foreign();
     CHECK(sm_log_init(&flight) == SM_OK && sm_keep_restore(&keep) == SM_OK);
     run_both();
     test_limit();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A flight as a drawing: the states of a machine as bands, elements below them, over time (thesis, Figure 4.1).  It is the plot of a
-// script's run: a session's records are laid into as many slots of time as that plot has.
+// script's run: a session's records are laid into as many slots of time as that plot has.  States begin where their events say, to the
+// nanosecond; the circle there is on the curve, at the last value of the slot.
 #include <string.h>
 
 #include "compiler/emit/report/flight.h"
@@ -19,10 +20,18 @@ typedef struct Drawing {
 
 // ---- time ----
 
-static uint64_t slot_of(const Drawing *d, uint64_t time)
+// In slots, and parts of one.
+static double place_of(const Drawing *d, uint64_t time)
 {
     const double share = time <= d->s->first ? 0 : (double)(time - d->s->first) / d->span;
-    const uint64_t slot = (uint64_t)((share < 1 ? share : 1) * (double)d->t.steps);
+
+    return (share < 1 ? share : 1) * (double)d->t.steps;
+}
+
+// A record that comes a millionth of a slot too early is of the next one: what is divided and multiplied again has been rounded.
+static uint64_t slot_of(const Drawing *d, uint64_t time)
+{
+    const uint64_t slot = (uint64_t)(place_of(d, time) + 1e-6);
 
     return slot < d->t.steps ? slot : d->t.steps - 1;
 }
@@ -109,7 +118,7 @@ static void add_states(Drawing *d)
 
 static void add_visit(Drawing *d, uint32_t state, uint64_t time)
 {
-    TraceVisit v = {NULL, slot_of(d, time), time};
+    TraceVisit v = {NULL, slot_of(d, time), time, place_of(d, time)};
 
     if (state < 1 || state > d->p.state.n)
         return;

@@ -81,13 +81,19 @@ static void put_unknown(const LogDescription *d, const LogEvent *e, Buf *out)
                (unsigned long)e->b);
 }
 
+static const char *kept_words(uint32_t a)
+{
+    return a == 0 ? "" : a == 1 ? ", with the state vector that was kept" :
+        "; what was kept of the state vector could not be used: it is damaged or of another layout";
+}
+
 void flight_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
 {
     const char *task = name_of(f, &d->task, "task", e->source);
 
     switch (e->kind) {
     case LOG_EVENT_START:
-        buf_printf(out, "the application started%s%s", e->a ? ", with the state vector that was kept" : "",
+        buf_printf(out, "the application started%s%s", kept_words(e->a),
                    e->b ? ", after the watchdog bit" : "");
         break;
     case LOG_EVENT_STATE: put_state(f, d, e, out); break;

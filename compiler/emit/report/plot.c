@@ -17,9 +17,9 @@ void plot_tenths(Buf *out, long x)
         buf_printf(out, ".%ld", (x < 0 ? -x : x) % 10);
 }
 
-long plot_x(const Trace *t, uint64_t step)
+long plot_x(const Trace *t, double step)
 {
-    return PLOT_LEFT + (long)((double)(PLOT_RIGHT - PLOT_LEFT) * ((double)step / (double)t->steps));
+    return PLOT_LEFT + (long)((double)(PLOT_RIGHT - PLOT_LEFT) * (step / (double)t->steps));
 }
 
 static void put_length(Buf *out, const char *name, long x)
@@ -187,7 +187,7 @@ static void put_trace(Plot *p, const Row *r)
     buf_char(p->out, ' ');
     plot_tenths(p->out, pen.y);
     for (size_t i = 0; i < trace_buckets(p->t); i++) {
-        const long x = plot_x(p->t, i * p->t->per);
+        const long x = plot_x(p->t, (double)(i * p->t->per));
         draw_to(&pen, x, y_of(r, b[i].first));
         draw_to(&pen, x, y_of(r, b[i].lo));
         draw_to(&pen, x, y_of(r, b[i].hi));
@@ -203,10 +203,10 @@ static void put_circles(Plot *p, const Row *r)
     enum { MOST = 100 };
 
     for (size_t i = 0; i < p->t->visit.n && p->t->visits <= MOST; i++) {
-        const uint64_t step = p->t->visit.at[i].step;
+        const TraceVisit *v = &p->t->visit.at[i];
         buf_str(p->out, "<circle class=\"begin\"");
-        put_length(p->out, "cx", plot_x(p->t, step));
-        put_length(p->out, "cy", y_of(r, r->s->at[step / p->t->per].last));
+        put_length(p->out, "cx", plot_x(p->t, v->place));
+        put_length(p->out, "cy", y_of(r, r->s->at[v->step / p->t->per].last));
         buf_str(p->out, " r=\"3.4\"/>\n");
     }
 }
@@ -229,9 +229,9 @@ static void put_row(Plot *p, const TraceSeries *s, long top)
 static void put_stretch(Plot *p, const char *class_name, size_t from, size_t to, long top)
 {
     const uint64_t end = to * p->t->per < p->t->steps ? to * p->t->per : p->t->steps;
-    const long x = plot_x(p->t, from * p->t->per);
+    const long x = plot_x(p->t, (double)(from * p->t->per));
 
-    plot_rect(p, class_name, x, top, plot_x(p->t, end) - x, PLOT_STRIP);
+    plot_rect(p, class_name, x, top, plot_x(p->t, (double)end) - x, PLOT_STRIP);
 }
 
 static int is_on(const TraceBucket *b) { return b->lo > 0 ? 2 : b->hi > 0 ? 1 : 0; }       // 1: at times

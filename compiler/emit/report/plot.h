@@ -18,7 +18,7 @@ typedef struct Plot {
 } Plot;
 
 void plot_tenths(Buf *out, long x);                   // 123 as 12.3
-long plot_x(const Trace *t, uint64_t step);           // where a step begins
+long plot_x(const Trace *t, double step);             // where a step begins, or a part of one
 void plot_line(Plot *p, const char *class_name, long x1, long y1, long x2, long y2);
 void plot_rect(Plot *p, const char *class_name, long x, long y, long wide, long high);
 // Text in its class, at its start, middle or end.

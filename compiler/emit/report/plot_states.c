@@ -52,8 +52,8 @@ static void put_band(Plot *p, size_t i)
 {
     const Trace *t = p->t;
     const TraceVisit *v = &t->visit.at[i];
-    const uint64_t end = i + 1 < t->visit.n ? v[1].step : t->steps;
-    const long from = plot_x(t, v->step), wide = plot_x(t, end) - from;
+    const double end = i + 1 < t->visit.n ? v[1].place : (double)t->steps;
+    const long from = plot_x(t, v->place), wide = plot_x(t, end) - from;
 
     if (wide <= 0)
         return;

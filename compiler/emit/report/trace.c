@@ -96,7 +96,7 @@ static void note_way(Trace *t, uint32_t from, uint32_t to)
 
 static void note_visit(Trace *t, const State *state, uint64_t g)
 {
-    TraceVisit v = {state, t->steps, g};
+    TraceVisit v = {state, t->steps, g, (double)t->steps};
 
     if (t->steps > 0)
         note_way(t, t->last, state->number);

@@ -22,6 +22,7 @@ typedef struct TraceSeries {
 typedef struct TraceVisit {       // of a state, from its first step on
     const State *state;
     uint64_t step, g;             // steps counted from 0
+    double place;                 // on the time axis, in steps: where a plot draws its beginning
 } TraceVisit;
 
 typedef struct Trace {

@@ -18,7 +18,7 @@ static int descriptors[PAL_LOGS];
 // O_NONBLOCK: a pipe without a reader is refused rather than waited for.
 static SmResult open_file(const char *name, int *fd)
 {
-    *fd = open(name, O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0644);
+    *fd = open(name, O_RDWR | O_APPEND | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0644);
     if (*fd >= 0)
         return SM_OK;
     return errno == EISDIR || errno == ENXIO || errno == ENODEV ? SM_E_UNSUPPORTED : psl_result(errno);
@@ -126,6 +126,30 @@ SmResult pal_log_sync(PalLogFile file)
     while (fdatasync(descriptors[file.id - 1]) != 0)          // the new length as well: without it the bytes could not be read
         if (errno != EINTR)
             return psl_result(errno);
+    return SM_OK;
+}
+
+SmResult pal_log_read(PalLogFile file, void *bytes, size_t n)
+{
+    uint8_t *to = (uint8_t *)bytes;
+    off_t at = 0;
+
+    if (!psl_table_holds(used, PAL_LOGS, file.id))
+        return SM_E_HANDLE;
+    if (!bytes)
+        return SM_E_ARGUMENT;
+    while (n > 0) {
+        ssize_t got = pread(descriptors[file.id - 1], to + at, n, at);
+
+        if (got == 0)
+            return SM_E_ARGUMENT;
+        if (got < 0 && errno != EINTR)
+            return psl_result(errno);
+        if (got > 0) {
+            at += got;
+            n -= (size_t)got;
+        }
+    }
     return SM_OK;
 }
 

@@ -20,6 +20,12 @@ SmResult pal_log_sync(PalLogFile file)
     return SM_E_UNSUPPORTED;
 }
 
+SmResult pal_log_read(PalLogFile file, void *bytes, size_t n)
+{
+    (void)file, (void)bytes, (void)n;
+    return SM_E_UNSUPPORTED;
+}
+
 SmResult pal_log_size(PalLogFile file, uint64_t *size)
 {
     (void)file, (void)size;

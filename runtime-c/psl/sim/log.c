@@ -139,6 +139,16 @@ SmResult pal_log_sync(PalLogFile file)
     return r;
 }
 
+SmResult pal_log_read(PalLogFile file, void *bytes, size_t n)
+{
+    if (!psl_table_holds(used, PAL_LOGS, file.id))
+        return SM_E_HANDLE;
+    if (!bytes || n > logs[log_of[file.id - 1]].size)
+        return SM_E_ARGUMENT;
+    memcpy(bytes, logs[log_of[file.id - 1]].bytes, n);
+    return SM_OK;
+}
+
 SmResult pal_log_size(PalLogFile file, uint64_t *size)
 {
     if (!size)
