@@ -6,8 +6,12 @@
 #   rocket from rocket.app: a program.  Set before the include
 #     SMC_APP       rocket
 #     SMC_SOURCES   what you wrote: navigation.c engine.c
-#     SMC_PLATFORM  linux (default), or sim: time that nobody waits for (runtime-c/psl)
+#     SMC_PLATFORM  desk: simulated time, real files; begin with it.  linux (default): the real one.  sim: nothing real, for tests
 #     SMC_OUT       the folder for what is made: made
+#   make smc-clean removes what these rules made; your own `clean:` may ask for it.
+
+# Nothing here is what plain `make` makes, but the application.
+SMC_GOAL := $(.DEFAULT_GOAL)
 
 SMC      ?= smc
 SMC_SV   ?=
@@ -28,7 +32,20 @@ SMC_ARGS  = $(SMCFLAGS) $(if $(SMC_SV),--sv=$(SMC_SV))
 flash-%: %.smb
 	$(SMC) flash $< --port=$(or $(PORT),$(error PORT=/dev/ttyACM0 says where the board is))
 
--include $(wildcard *.smb.d *.sm.d *.io.d)
+SMC_DEPS := $(wildcard *.smb.d *.sm.d *.io.d)
+-include $(SMC_DEPS)
+
+# Each list of dependencies was written with what it is of.
+SMC_WASTE = $(SMC_DEPS) $(patsubst %.smb.d,%.smb,$(filter %.smb.d,$(SMC_DEPS))) \
+            $(foreach d,$(patsubst %.sm.d,%,$(filter %.sm.d,$(SMC_DEPS))),$d.c $d.h) \
+            $(foreach d,$(patsubst %.io.d,%,$(filter %.io.d,$(SMC_DEPS))),$d_io.c $d_io.h)
+.PHONY: smc-clean smc-changed
+smc-clean:
+	rm -f $(SMC_WASTE)
+	$(if $(SMC_APP),rm -rf $(addprefix $(SMC_OUT)/obj/,made own $(notdir $(wildcard $(SMC_TREE)/runtime-c/psl/*))))
+	$(if $(SMC_APP),@rmdir $(SMC_OUT)/obj $(SMC_OUT) 2>/dev/null || true)
+
+.DEFAULT_GOAL := $(SMC_GOAL)
 
 # ---- an application ----
 
@@ -41,17 +58,24 @@ SMC_TREE     ?= $(patsubst %/,%,$(if $(wildcard $(SMC_HERE)runtime-c/runtime.mk)
 SMC_PLATFORM ?= linux
 SMC_OUT      ?= made
 SMC_CFLAGS   ?= -O2 -g -Wall -Wextra
+SMC_STAMP     = $(SMC_OUT)/obj/settings
+SMC_WASTE    += $(SMC_APP) $(SMC_STAMP) $(SMC_MADE) $(addprefix $(SMC_OUT)/$(SMC_APP).mk,.d .new) $(SMC_OUT)/$(SMC_APP).mk
 
-# What smc makes of it, and what that depends on: SMC_MADE, SMC_IMAGES and a rule.
+# What smc makes of it, and what that depends on: SMC_MADE, SMC_IMAGES and a rule.  (To clean is possible where the .app is broken.)
+ifeq ($(filter-out %clean,$(or $(MAKECMDGOALS),all)),)
+-include $(SMC_OUT)/$(SMC_APP).mk
+else
 include $(SMC_OUT)/$(SMC_APP).mk
-$(SMC_OUT)/$(SMC_APP).mk: $(SMC_APP).app
+$(SMC_OUT)/$(SMC_APP).mk: $(SMC_APP).app $(SMC_STAMP)
 	@mkdir -p $(SMC_OUT)
 	$(SMC) build $< $(SMCFLAGS) -o $(SMC_OUT) -MD -MP -MF $@.d
 	@sed -n '1s/\(.*\): .*/SMC_MADE = \1/p' $@.d >$@.new
 	@sed '1s|.*: |$@: |' $@.d >>$@.new
 	@if grep -q bytecode-vm $(SMC_OUT)/$(SMC_APP)_app.c; then echo 'SMC_IMAGES = yes' >>$@.new; fi
+	@for f in $(SMC_MADE); do grep -qwF $$f $@.new || rm -f $$f; done
 	@mv $@.new $@
 $(SMC_MADE): | $(SMC_OUT)/$(SMC_APP).mk
+endif
 
 include $(SMC_TREE)/runtime-c/runtime.mk
 include $(SMC_TREE)/runtime-c/psl/$(SMC_PLATFORM)/psl.mk
@@ -61,15 +85,24 @@ SMC_OBJECTS  = $(patsubst $(SMC_OUT)/%.c,$(SMC_OUT)/obj/made/%.o,$(filter %.c,$(
 # The meaning of a program rests on plain IEEE arithmetic.
 SMC_COMPILE  = $(CC) -std=c99 -ffp-contract=off -fno-tree-slp-vectorize -I$(SMC_OUT) -I. -I$(SMC_TREE) $(SMC_CFLAGS) $(CFLAGS) -ffunction-sections -MMD -MP -c $< -o $@
 
-$(SMC_APP): $(SMC_OBJECTS)
-	$(CC) $(SMC_CFLAGS) $(CFLAGS) $(LDFLAGS) -Wl,--gc-sections -o $@ $^ $(PSL_LIBS) $(LDLIBS)
-$(SMC_OUT)/obj/made/%.o: $(SMC_OUT)/%.c
+# What all of it was made with: another platform, watchdog, compiler or option makes it anew.
+SMC_SETTINGS = $(strip $(SMC_PLATFORM) $(PSL_WATCHDOG) $(SMC_SOURCES) $(SMCFLAGS) $(CC) $(SMC_CFLAGS) $(CFLAGS) $(LDFLAGS) $(LDLIBS))
+ifneq ($(SMC_SETTINGS),$(strip $(shell cat $(SMC_STAMP) 2>/dev/null)))
+$(SMC_STAMP): smc-changed
+endif
+$(SMC_STAMP):
+	@mkdir -p $(@D)
+	@printf '%s\n' '$(subst ','\'',$(SMC_SETTINGS))' >$@
+
+$(SMC_APP): $(SMC_OBJECTS) $(SMC_STAMP)
+	$(CC) $(SMC_CFLAGS) $(CFLAGS) $(LDFLAGS) -Wl,--gc-sections -o $@ $(SMC_OBJECTS) $(PSL_LIBS) $(LDLIBS)
+$(SMC_OUT)/obj/made/%.o: $(SMC_OUT)/%.c $(SMC_STAMP)
 	@mkdir -p $(@D)
 	$(SMC_COMPILE)
-$(SMC_OUT)/obj/own/%.o: %.c | $(SMC_MADE)
+$(SMC_OUT)/obj/own/%.o: %.c $(SMC_STAMP) | $(SMC_MADE)
 	@mkdir -p $(@D)
 	$(SMC_COMPILE)
-$(SMC_OUT)/obj/$(SMC_PLATFORM)/%.o: $(SMC_TREE)/%.c
+$(SMC_OUT)/obj/$(SMC_PLATFORM)/%.o: $(SMC_TREE)/%.c $(SMC_STAMP)
 	@mkdir -p $(@D)
 	$(SMC_COMPILE)
 -include $(SMC_OBJECTS:.o=.d)

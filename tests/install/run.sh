@@ -45,6 +45,9 @@ check "and built again" "$make" -s CC="$cc"
 printf 'nonsense\n' >broken.sm
 check "a broken source stops make" sh -c "! $make -s SMC='$inst/bin/smc' broken.smb"
 check "and leaves no output" test ! -e broken.smb
+check "smc-clean removes what was made, and nothing else" sh -c "$make -s smc-clean && test ! -e tank.c -a ! -e tank.h -a ! -e tank.smb -a -e tank.sm -a -e broken.sm"
+printf 'include %s/share/smc/smc.mk\nmine:\n\t@echo mine\n' "$inst" >own.mk
+check "nothing of it is what plain make makes" sh -c "$make -s -f own.mk | grep -qx mine"
 
 # A project that builds an application, away from this tree: its machine as C, then as an image.
 mkdir "$dir/app"
@@ -69,6 +72,28 @@ sleep 1
 echo nonsense >>probe.app
 check "a broken application stops make" sh -c "! $make -s CC='$cc' CFLAGS=-O1"
 check "on Linux it links too" sh -c "sed /nonsense/d probe.app >new && mv new probe.app && $make -s CC='$cc' CFLAGS=-O1 SMC_PLATFORM=linux SMC_OUT=real"
+cd "$dir/project" || exit 1
+
+# One program, other settings: each time it is the one that was asked for.
+cd "$dir/app" || exit 1
+programs()
+{
+    rm -f probe.log
+    "$make" -s CC="$cc" CFLAGS=-O1 && ./probe | cmp - expected.txt && test ! -e probe.log || return 1
+    "$make" -s CC="$cc" CFLAGS=-O1 SMC_PLATFORM=linux && grep -q /dev/watchdog probe || return 1
+    "$make" -s CC="$cc" CFLAGS=-O1 SMC_PLATFORM=linux PSL_WATCHDOG=watchdog_process && ! grep -q /dev/watchdog probe || return 1
+    "$make" -s CC="$cc" CFLAGS=-O1 SMC_PLATFORM=desk && ./probe | cmp - expected.txt && test -s probe.log
+}
+other_flags()
+{
+    ! "$make" -q CC="$cc" CFLAGS="-O1 -DMARK='\"a b\"'" && "$make" -s CC="$cc" CFLAGS="-O1 -DMARK='\"a b\"'" &&
+        "$make" -q CC="$cc" CFLAGS="-O1 -DMARK='\"a b\"'"
+}
+check "each platform has its program" programs
+check "other flags make it anew, once" other_flags
+echo nonsense >>probe.app
+printf 'clean: smc-clean\n\trm -f probe.log\n' >>Makefile
+check "smc-clean, behind a clean of one's own, removes what was made" sh -c "$make -s clean && test ! -e made -a ! -e probe -a -e tasks.c -a -e probe.app -a -e real"
 cd "$dir/project" || exit 1
 
 # The VM as a library.
