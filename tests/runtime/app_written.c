@@ -95,6 +95,22 @@ static void test_restored(void)
     CHECK(executor.base == 900 && crew_sv.time == 910 && is_event(SM_EVENT_START, 0, 1, 0));
 }
 
+// What was kept is damaged: [start] counts, and the event says that there was something.
+static void test_unusable(void)
+{
+    start();
+    CHECK(sm_app_run(&app) == SM_OK);
+    sim_cut_power(0, 0);
+    sim_power_on();
+    sim_nvm(keeper.memory)[SM_KEEP_HEAD] ^= 1;
+    sim_nvm(keeper.memory)[keeper.slot + SM_KEEP_HEAD] ^= 1;
+    memset(&crew_sv, 0, sizeof crew_sv);
+    parts_forget();
+    prepare();
+    most = 2;
+    CHECK(sm_app_run(&app) == SM_OK && !app.restored && is_event(SM_EVENT_START, 0, 2, 0));
+}
+
 static void test_refused(void)
 {
     start();
@@ -144,6 +160,7 @@ int main(void)
 {
     test_written();
     test_restored();
+    test_unusable();
     test_refused();
     test_without_tasks();
     test_busy();
