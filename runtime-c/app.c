@@ -26,7 +26,8 @@ static void tell_refused(const SmApp *app, SmResult r)
     const char *const kind = app->failed ? "task '" : app->refused ? "executor '" : app->what;
     const char *const name = app->failed ? app->failed->name : app->refused ? app->refused->name : "";
     const char *const rest = app->failed || app->refused ? "' does not start: " : " does not start: ";
-    const char *const text[] = {app->name, ": ", kind, name, rest, app->why ? app->why : sm_result_text(r), "\n", NULL};
+    const char *const file = app->file ? app->file : "";
+    const char *const text[] = {app->name, ": ", kind, name, rest, file, *file ? ": " : "", app->why ? app->why : sm_result_text(r), "\n", NULL};
 
     sm_run_say(app, text);
 }
@@ -92,9 +93,13 @@ static SmResult open_vector(SmApp *app)
 
 static SmResult fill_vector(SmApp *app)
 {
+    SmResult r;
+
     if (app->set && app->sv)
         app->set(app->sv->at);
-    return refuse(app, app->writing ? app->writing->restore(app) : SM_OK, "the kept state vector", NULL);
+    r = refuse(app, app->writing ? app->writing->restore(app) : SM_OK, "the kept state vector", NULL);
+    app->file = r != SM_OK && app->keep ? app->keep->memory : NULL;
+    return r;
 }
 
 static SmResult init_executors(SmApp *app)
@@ -106,6 +111,7 @@ static SmResult init_executors(SmApp *app)
         if (r != SM_OK) {
             app->refused = app->executor[i];
             app->why = app->failed ? NULL : "its plan is wrong";
+            app->file = app->failed && app->log && app->failed->context == app->log ? app->log->file : NULL;
         }
     }
     return r;

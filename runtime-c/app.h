@@ -54,6 +54,7 @@ typedef struct SmApp {
     const SmTask *failed;     // the task whose init refused
     const SmExecutor *refused;            // the executor that did not start, or whose task it was
     const char *what, *why;   // what else did not start; why, where the result does not say it
+    const char *file;         // that it is about; or NULL
     bool tell;                // on the console
     uint64_t start;           // on the PAL clock: when tick 0 is due
     uint64_t fed, wrote;      // on the PAL clock: when the watchdog was fed last; when logs and kept vectors were looked after last
@@ -73,6 +74,7 @@ bool sm_app_stopping(const SmApp *app);
 
 // sm_app_run with messages on the console; 0, or 1 when it did not start.
 //     rocket: task 'engine' does not start: it is in use
+//     rocket: task 'log' does not start: flight.log: there is no such device, file or address
 int sm_app_main(SmApp *app);
 
 #ifdef __cplusplus
