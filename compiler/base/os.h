@@ -29,7 +29,11 @@ bool os_stream_close(OsStream *s, bool keep, const char **why);
 // Writes all of it to standard output or standard error (fd 1 or 2).
 bool os_print(int fd, const void *bytes, size_t n, const char **why);
 
+// The first bytes of a regular file, at most n: how many.  0: there is none, it is empty or not to be read.
+size_t os_read_head(const char *path, char *into, size_t n);
+
 bool os_is_folder(const char *path);
+bool os_make_folder(const char *path, const char **why);     // the folder alone, not those it lies in; true if it is there already
 bool os_same_file(const char *a, const char *b);   // two names of one regular file that exists; "-" is none
 // Names in a folder without . and .., sorted; *names and its strings are one block from the heap.
 bool os_list(const char *path, char ***names, size_t *n, const char **why);

@@ -83,6 +83,20 @@ bool os_read(const char *path, size_t most, char **text, size_t *len, const char
     return ok;
 }
 
+size_t os_read_head(const char *path, char *into, size_t n)
+{
+    struct stat st;
+    ssize_t got;
+    int fd;
+
+    if (stat(path, &st) != 0 || !S_ISREG(st.st_mode) || (fd = open(path, O_RDONLY)) < 0)
+        return 0;
+    while ((got = read(fd, into, n)) < 0 && errno == EINTR)
+        continue;
+    close(fd);
+    return got > 0 ? (size_t)got : 0;
+}
+
 // ---- writing ----
 
 static bool write_all(int fd, const void *bytes, size_t n, const char **why)
@@ -297,6 +311,11 @@ bool os_is_folder(const char *path)
 {
     struct stat st;
     return stat(path, &st) == 0 && S_ISDIR(st.st_mode);
+}
+
+bool os_make_folder(const char *path, const char **why)
+{
+    return os_is_folder(path) || mkdir(path, 0777) == 0 || os_is_folder(path) || fails(why);
 }
 
 static int by_name(const void *a, const void *b)

@@ -162,6 +162,17 @@ static int check_use(Cli *c)
     return EXIT_OK;
 }
 
+// The folder of -o, where it is not there yet.
+static bool make_folder(Cli *c)
+{
+    const char *folder = c->value[OPT_OUTPUT], *why;
+
+    if (!c->given[OPT_OUTPUT] || *folder == '\0' || os_make_folder(folder, &why))
+        return true;
+    cli_say(c, "cannot make the folder '%s': %s", folder, why);
+    return false;
+}
+
 int build_app(Cli *c)
 {
     AppBuild b = {c, NULL, NULL, 0};
@@ -179,5 +190,5 @@ int build_app(Cli *c)
         return reported != EXIT_OK ? reported : EXIT_PROBLEM;
     if (deps_wanted(c))
         deps_add(c, b.out, &b.n, all_inputs(c, &files.files));
-    return cli_write(c, b.out, b.n) ? EXIT_OK : EXIT_ENVIRONMENT;
+    return make_folder(c) && cli_write(c, b.out, b.n) ? EXIT_OK : EXIT_ENVIRONMENT;
 }

@@ -72,10 +72,26 @@ Source **cli_load_scripts(Cli *c, Map *written)
     return ss;
 }
 
+// C that somebody wrote: what smc makes says so at its head.
+static bool is_handwritten(const char *path)
+{
+    char head[512];
+    size_t n = has_suffix(path, ".c") || has_suffix(path, ".h") ? os_read_head(path, head, sizeof head - 1) : 0;
+
+    head[n] = '\0';
+    return n > 0 && strstr(head, "Made by smc from ") == NULL;
+}
+
 bool cli_write(Cli *c, const OsOutput *out, size_t n)
 {
     const char *path, *why;
 
+    for (size_t i = 0; i < n; i++)
+        if (is_handwritten(out[i].path)) {
+            cli_say(c, "'%s' is there, and smc did not make it: say -o %s, or rename it", out[i].path,
+                    c->files && has_suffix(c->file[0], ".app") ? "FOLDER for another place" : "FILE for another name");
+            return false;
+        }
     if (os_write(out, n, &path, &why))
         return true;
     cli_say(c, "cannot write '%s': %s", strcmp(path, "-") == 0 ? "standard output" : path, why);

@@ -30,6 +30,7 @@ Str app_stem(AppCheck *k, Str path);      // "rocket" of pins/rocket.io
 // ---- check_app_names.c ----
 
 void check_app_products(AppCheck *k);
+void check_app_platform_files(AppCheck *k);     // the log's and keep's
 
 // ---- check_app_time.c ----
 

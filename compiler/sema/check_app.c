@@ -333,6 +333,21 @@ static void check_unused(AppCheck *k)
     }
 }
 
+// Pins of one direction, of which only the other's task is there.
+static void check_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, AstAppTaskKind other)
+{
+    const AstAppOption *o = find_option(k->ast, AST_APP_io);
+    size_t i = 0;
+
+    if (!o || !k->pins || k->ast->lost || k->service[task].src || !k->service[other].src)
+        return;
+    while (i < k->pins->pin.n && pin_is_output(&k->pins->pin.at[i]) != output)
+        i++;
+    if (i < k->pins->pin.n)
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_pins_without_task, o->name_span, app_task_word(task), app_task_word(task)),
+                  k->pins->pin.at[i].span, output ? DIAG_note_output_here : DIAG_note_input_here);
+}
+
 App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMap *pins, const AppFiles *files)
 {
     enum { GUESSES = 30 };        // more than are shown
@@ -358,5 +373,8 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     check_app_start(&k);
     check_executors(&k);
     check_unused(&k);
+    check_unused_pins(&k, false, AST_TASK_inputs, AST_TASK_outputs);
+    check_unused_pins(&k, true, AST_TASK_outputs, AST_TASK_inputs);
+    check_app_platform_files(&k);
     return c->diags->met > errors || !sv || f->app->lost ? NULL : k.app;
 }

@@ -78,6 +78,27 @@ static void check_stem(AppCheck *k, const char *stem, Span span)
         diag_report(k->c->diags, DIAG_task_name_reserved, span, stem, "file", problem);
 }
 
+static bool has_bytecode(const AstAppTask *t)
+{
+    for (size_t i = 0; i < t->annotations.n; i++)
+        if (t->annotations.at[i].kind == AST_ON_bytecode)
+            return true;
+    return false;
+}
+
+// A machine with @bytecode is an array in the application's C.
+static bool becomes_c(AppCheck *k, const AppFile *f)
+{
+    for (size_t e = 0; e < k->ast->executors.n; e++)
+        for (size_t r = 0; r < k->ast->executors.at[e]->rates.n; r++)
+            for (size_t t = 0; t < k->ast->executors.at[e]->rates.at[r].tasks.n; t++) {
+                const AstAppTask *task = &k->ast->executors.at[e]->rates.at[r].tasks.at[t];
+                if (task->kind == AST_TASK_machine && task->file.text == f->name.text && !has_bytecode(task))
+                    return true;
+            }
+    return false;
+}
+
 void check_app_products(AppCheck *k)
 {
     static const char *const end[] = {[FILE_SV] = "", [FILE_SM] = "", [FILE_IO] = "_io"};
@@ -90,7 +111,45 @@ void check_app_products(AppCheck *k)
         const AppFile *f = &k->files->at[i];
         const char *stem = app_stem(k, f->name.text)->text;
         check_stem(k, stem, f->name.span);
+        if (f->kind == FILE_SM && !becomes_c(k, f))
+            continue;
         add_product(k, &seen, format_in(k->c->arena, "%s%s", stem, end[f->kind]),
                     format_in(k->c->arena, "%s '%s'", what[f->kind], f->name.text->text), f->name.span);
+    }
+}
+
+// ---- files of the running application ----
+
+// ./a is a.
+static const char *plain(const char *name)
+{
+    while (name[0] == '.' && name[1] == '/')
+        name += 2;
+    return name;
+}
+
+static void check_taken(AppCheck *k, const AstAppOption *o, const AstWord *other, const char *what)
+{
+    if (strcmp(plain(o->file.text->text), plain(other->text->text)) == 0)
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_file_taken, o->file.span, o->file.text->text,
+                                           app_option_name(o->kind), what),
+                  other->span, DIAG_note_named_here);
+}
+
+// The log and what is kept are written: neither is the other, or a source.
+void check_app_platform_files(AppCheck *k)
+{
+    static const char *const what[] = {[FILE_SV] = "the state vector's", [FILE_SM] = "a machine's", [FILE_IO] = "that of the pins"};
+    const AstAppOption *first = NULL;
+
+    for (size_t i = 0; i < k->ast->options.n; i++) {
+        const AstAppOption *o = &k->ast->options.at[i];
+        if (o->kind != AST_APP_log && o->kind != AST_APP_keep)
+            continue;
+        for (size_t f = 0; f < k->files->n; f++)
+            check_taken(k, o, &k->files->at[f].name, what[k->files->at[f].kind]);
+        if (first)
+            check_taken(k, o, &first->file, first->kind == AST_APP_log ? "the log's" : "that of 'keep'");
+        first = o;
     }
 }

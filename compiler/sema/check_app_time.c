@@ -45,13 +45,31 @@ static const char *amount_text(AppCheck *k, const AstAmount *a)
     return format_in(k->c->arena, "%.*s", (int)a->span.len, a->span.src->text + a->span.at);
 }
 
+// "32 KB or 64 KB would be".
+static void label_powers(AppCheck *k, Diag *d, const AstAmount *a, uint64_t value)
+{
+    const char *text[2];
+    uint64_t below = 1;
+
+    while (below * 2 <= value)
+        below *= 2;
+    for (int i = 0; i < 2; i++) {
+        unsigned long n = (unsigned long)(below << i);
+        bool is_size = a->of == APP_SIZE, is_kb = is_size && n % 1024 == 0;
+        text[i] = format_in(k->c->arena, "%lu%s", is_kb ? n / 1024 : n, is_kb ? " KB" : is_size ? " B" : "");
+    }
+    diag_label(k->c->diags, d, DIAG_label_multiples, text[0], text[1]);
+}
+
 bool app_whole(AppCheck *k, const AstAmount *a, const AppRange *r, const char *what, uint64_t *value)
 {
     Exactness e = amount_value(a, value);
     bool good = e == EXACT && *value >= r->least && *value <= r->most && (!r->power_of_two || (*value & (*value - 1)) == 0);
 
     if (!good) {
-        diag_report(k->c->diags, DIAG_app_range, a->span, what, r->text);
+        Diag *d = diag_report(k->c->diags, DIAG_app_range, a->span, what, r->text);
+        if (r->power_of_two && e == EXACT && *value >= r->least && *value <= r->most)
+            label_powers(k, d, a, *value);
         *value = r->least;
     }
     return good;

@@ -82,6 +82,7 @@ struct AstApp {
     AstStmts start;           // AST_ASSIGN
     VEC(AstAppExecutor *) executors;
     bool lost;                // there were errors: something may not be here
+    bool strayed;             // options stand in another section, which was reported
 };
 
 void ast_print_app(const AstApp *app, Buf *out);

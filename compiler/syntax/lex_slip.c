@@ -152,6 +152,20 @@ void lex_slip_comment(Lexer *l)
     }
 }
 
+// Whether the word before it is followed by a name: task, machine, @mode.
+static bool is_name_place(const Lexer *l, uint32_t at)
+{
+    uint32_t end, from;
+    const char *s = l->src->text;
+
+    while (at && (s[at - 1] == ' ' || s[at - 1] == '\t'))
+        at--;
+    for (from = end = at; from && lexer_is_word(s[from - 1]); )
+        from--;
+    return (end - from == 4 && memcmp(s + from, "task", 4) == 0) || (end - from == 7 && memcmp(s + from, "machine", 7) == 0) ||
+           (from && s[from - 1] == '@' && (end - from != 8 || memcmp(s + from, "priority", 8) != 0));
+}
+
 // The number at..end runs on: 5psi, 1__0, 0x, 1e, 1.2.3.  Reports it; returns where it stops.
 uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
 {
@@ -171,6 +185,8 @@ uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
     else if ((c | 0x20) == 'e' && end + 1 == stop)
         diag_report(l->diags, DIAG_number_incomplete, lexer_span(l, at, stop - at), whole, "a digit",
                     lexer_text(l, end, end + 1));
+    else if (l->config && is_name_place(l, at))
+        diag_report(l->diags, DIAG_app_name_digit, lexer_span(l, at, stop - at), whole);
     else if (l->config)
         diag_label(l->diags, diag_report(l->diags, DIAG_unit_apart, lexer_span(l, at, stop - at), whole), DIAG_label_write,
                    format_in(l->diags->arena, "%s %s", lexer_text(l, at, end), lexer_text(l, end, stop)));

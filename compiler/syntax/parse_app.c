@@ -74,6 +74,27 @@ static void parse_option(Parser *p, AstApp *app)
     add_option(p, app, o);
 }
 
+// A line of [options] in another section.
+static bool at_stray_option(const Parser *p)
+{
+    AstAppOptionKind kind;
+    TokenKind behind;
+
+    if (p->ahead.first || !app_at_option(p, &kind))
+        return false;
+    behind = options[kind].file ? TOK_TEXT : options[kind].element ? TOK_NAME : TOK_NUMBER;
+    return p->ahead.kind == behind;
+}
+
+// Reported once, whatever follows: their header is missing.
+static void parse_stray_option(Parser *p, AstApp *app)
+{
+    if (!app->strayed)
+        diag_label(p->diags, parser_report(p, DIAG_app_option_place, parser_here(p), p->tok.text->text), DIAG_label_above, "[options]");
+    app->strayed = app->lost = true;
+    parse_option(p, app);
+}
+
 // ---- [start] ----
 
 static void parse_value(Parser *p, AstApp *app)
@@ -81,6 +102,10 @@ static void parse_value(Parser *p, AstApp *app)
     AstStmt *s = ARENA_NEW(p->arena, AstStmt);
     AstWord name = {0};
 
+    if (at_stray_option(p)) {
+        parse_stray_option(p, app);
+        return;
+    }
     s->kind = AST_ASSIGN;
     if (p->tok.kind != TOK_NAME) {
         if (p->tok.kind == TOK_ERROR)
@@ -164,11 +189,13 @@ static void parse_rate(Parser *p, AstAppExecutor *e)
     vec_push(p->arena, &e->rates, r);
 }
 
-static void parse_entry(Parser *p, AstAppExecutor *e)
+static void parse_entry(Parser *p, AstApp *app, AstAppExecutor *e)
 {
     AstAppTaskKind kind;
 
-    if (app_at_rate(p)) {
+    if (at_stray_option(p)) {
+        parse_stray_option(p, app);
+    } else if (app_at_rate(p)) {
         parse_rate(p, e);
     } else if (!app_at_task(p, &kind)) {
         unknown_entry(p, DIAG_app_task_unknown, task_words, sizeof task_words / sizeof *task_words);
@@ -197,7 +224,7 @@ static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
     next_entry(p, app, header.at);
     while (!at_section_end(p)) {
         uint32_t at = p->tok.at;
-        parse_entry(p, e);
+        parse_entry(p, app, e);
         e->lost = e->lost || p->failed;
         next_entry(p, app, at);
     }
@@ -212,6 +239,23 @@ static void parse_entries(Parser *p, AstApp *app, void (*entry)(Parser *p, AstAp
         entry(p, app);
         next_entry(p, app, at);
     }
+}
+
+// A rate among options begins an executor of which the header is missing, or that of a section called like neither.
+static void parse_app_options(Parser *p, AstApp *app, AstWord name, Span header)
+{
+    while (!at_section_end(p) && !app_at_rate(p)) {
+        uint32_t at = p->tok.at;
+        parse_option(p, app);
+        next_entry(p, app, at);
+    }
+    if (at_section_end(p))
+        return;
+    app->lost = true;
+    if (strcmp(name.text->text, "options") == 0)
+        diag_label(p->diags, parser_report(p, DIAG_app_option_unknown, parser_here(p), parser_describe(p, &p->tok)), DIAG_label_above,
+                   "[flight]");
+    parse_executor(p, app, name, header);
 }
 
 // A section that begins with a line of [options] or of [start] is misspelt.
@@ -258,7 +302,7 @@ void parse_app_section(Parser *p, AstApp *app)
     if (is_options(p, &name, header, "options")) {
         if (is_first(p, &app->options_header, header, "options"))
             app->options_header = header;
-        parse_entries(p, app, parse_option);
+        parse_app_options(p, app, name, header);
     } else if (is_options(p, &name, header, "start")) {
         if (is_first(p, &app->start_header, header, "start"))
             app->start_header = header;

@@ -147,7 +147,19 @@ static const Unit *find_unit(const Parser *p)
     return NULL;
 }
 
-static bool take_unit(Parser *p, AstAmount *into, const char *form)
+// `every` counts time and `at` frequencies: the other one's line, if that is the unit behind the number; else NULL.
+static const char *other_rate(Parser *p, const Unit *u, Span number, const char *form)
+{
+    const char *word = NULL;
+
+    if (u && u->of == APP_FREQUENCY && strncmp(form, "every ", 6) == 0)
+        word = "at";
+    else if (u && u->of == APP_TIME && strncmp(form, "at ", 3) == 0)
+        word = "every";
+    return word ? format_in(p->arena, "%s %s %s", word, parser_text(p, number), u->spelling) : NULL;
+}
+
+static bool take_unit(Parser *p, AstAmount *into, Span number, const char *form)
 {
     const Unit *u = find_unit(p);
     const char *near;
@@ -163,7 +175,9 @@ static bool take_unit(Parser *p, AstAmount *into, const char *form)
         return false;
     }
     d = parser_fail(p, DIAG_unit_unknown, parser_here(p), p->tok.text->text, measure_units[into->of]);
-    near = near_unit(p, into->of);
+    near = other_rate(p, u, number, form);
+    if (!near)
+        near = near_unit(p, into->of);
     if (near)
         diag_label(p->diags, d, DIAG_label_did_you_mean, near);
     return false;
@@ -172,6 +186,7 @@ static bool take_unit(Parser *p, AstAmount *into, const char *form)
 bool app_take_amount(Parser *p, AstAmount *into, AppMeasure of, const char *form)
 {
     uint32_t at = p->tok.at;
+    Span number;
 
     if (p->tok.kind != TOK_NUMBER) {
         app_wrong_form(p, "a number", form);
@@ -180,8 +195,9 @@ bool app_take_amount(Parser *p, AstAmount *into, AppMeasure of, const char *form
     into->of = of;
     into->factor = 1;
     into->is_exact = number_decimal(p->lex.src->text + at, p->tok.len, &into->digits, &into->exponent);
+    number = parser_here(p);
     parser_next(p);
-    if (of != APP_NUMBER && !take_unit(p, into, form))
+    if (of != APP_NUMBER && !take_unit(p, into, number, form))
         return false;
     into->span = parser_since(p, at);
     return true;

@@ -11,6 +11,7 @@ every 10 ms:
     machine b "rocket_APP.sm"         #! E1043 the application
     machine c "mission.sm"
     inputs
+    outputs
 -- rocket.sv --
 [A]
 U64  time

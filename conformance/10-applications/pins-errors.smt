@@ -8,6 +8,7 @@ time time 1 ms
 [flight]
 every 10 ms:
     inputs
+    outputs
     machine mission "mission.sm"
 -- rocket.sv --
 [A]

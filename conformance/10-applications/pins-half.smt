@@ -1,4 +1,4 @@
-spec 10.13   Pins that are only read, or only set, are right.
+spec 10.13   Where pins are only set, or only read, one task is enough.
 
 -- rocket.app --
 [options]
@@ -20,5 +20,4 @@ F64  target
 I16  small
 -- rocket.io --
 [analog]
-i 0 altitude
 o 1 target

@@ -8,6 +8,7 @@ time time 1 ms                        #! W1041 an input
 [flight]
 every 10 ms:
     inputs
+    outputs
     task a
 -- rocket.sv --
 [A]

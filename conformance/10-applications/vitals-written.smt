@@ -8,6 +8,7 @@ time time 1 ms
 [flight] @late late @busy busy        #! W1041 machine 'mission' #! W1041 an input
 every 10 ms:
     inputs
+    outputs
     machine mission "mission.sm"
 -- rocket.sv --
 [A]

@@ -105,7 +105,21 @@ fresh empty;      : >probe.app;          refuses "an empty application" 1 "probe
 fresh absent;     rm probe.app;          refuses "no application" 3 "cannot read 'probe.app'"
 fresh nodir
 "$smc" build probe.app -o nosuch/folder 2>log
-if test $? = 3 && grep -q "cannot write 'nosuch/folder/" log; then good; else bad "a folder that is not there"; cat log; fi
+if test $? = 3 && grep -q "cannot make the folder 'nosuch/folder'" log; then good; else bad "a folder in one that is not there"; cat log; fi
+"$smc" build probe.app -o new 2>log
+if test $? = 0 && test -f new/probe_app.c; then good; else bad "a folder that is not there"; cat log; fi
+"$smc" build probe.app -o probe.sv 2>log
+if test $? = 3 && grep -q "cannot make the folder 'probe.sv'" log; then good; else bad "a file in place of the folder"; cat log; fi
+
+# C that somebody wrote stays as it is, and nothing else is written; what smc made, and what is empty, is written anew.
+fresh mine; mkdir out; echo 'int rise;' >out/rise.c; cp out/rise.c rise.c
+"$smc" build probe.app -o out 2>log
+if test $? = 3 && grep -q "'out/rise.c' is there, and smc did not make it: say -o FOLDER" log && cmp -s rise.c out/rise.c && test "$(ls out)" = rise.c
+then good; else bad "C that somebody wrote"; cat log; fi
+: >out/rise.c
+if "$smc" build probe.app -o out && "$smc" build probe.app -o out && grep -q 'Made by smc' out/rise.c; then good; else bad "C that smc made"; fi
+"$smc" build rise.sm --sv probe.sv --emit=c 2>log
+if test $? = 3 && grep -q "'rise.c' is there, and smc did not make it: say -o FILE" log && ! test -f rise.h; then good; else bad "a machine's C that somebody wrote"; cat log; fi
 
 # Names that lead out of the folder, and into others.
 fresh paths; mkdir parts out; mv probe.sv parts/probe.sv; sed -i.old 's/"probe.sv"/"parts\/..\/parts\/probe.sv"/' probe.app

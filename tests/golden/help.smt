@@ -5,9 +5,9 @@ args --help
 smc - state machines for rockets: checks them, tests them, compiles them to C and bytecode
 
 Usage:
-  smc build M.sm... [--sv V.sv] [--emit=KIND] [-o OUT]
-      compile machines to bytecode, or to C with --emit=c
-  smc check FILE...
+  smc build M.sm...|X.app [--sv V.sv] [--emit=KIND] [-o OUT]
+      compile machines to bytecode, or to C with --emit=c; an application (.app) to C in a folder
+  smc check FILE...|X.app
       say all that can be said without running
   smc test M.sm SCRIPT.ss... [--sv V.sv] [--engine=ENGINE]
       run state scripts, .smt cases and folders of them

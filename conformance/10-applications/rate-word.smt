@@ -1,0 +1,17 @@
+spec 10.11   Times stand behind every, frequencies behind at.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+[flight]
+every 100 Hz:                #! E1027 did you mean 'at 100 Hz'
+    task a
+at 10 ms:                    #! E1027 did you mean 'every 10 ms'
+    task b
+-- rocket.sv --
+[A]
+U64  time
+U32  missionState
+F64  altitude
+U8   mode
+F64  target
