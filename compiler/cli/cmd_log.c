@@ -16,17 +16,17 @@ static const uint32_t size_most = 0x7FFFFFFF;
 
 // ---- the file ----
 
-static Log *read_log(Cli *c, const char *path)
+// *bytes are what the log goes on lying in: the caller gives them back.
+static Log *read_log(Cli *c, const char *path, char **bytes)
 {
     const char *why;
-    char *bytes;
     size_t n;
 
-    if (!os_read(path, size_most, &bytes, &n, &why)) {
+    if (!os_read(path, size_most, bytes, &n, &why)) {
         cli_say(c, "cannot read '%s': %s", path, why);
         return NULL;
     }
-    return log_read(&c->session.arena, (const uint8_t *)bytes, (uint32_t)n);
+    return log_read(&c->session.arena, (const uint8_t *)*bytes, (uint32_t)n);
 }
 
 // What is to be said of damage; 0, or EXIT_PROBLEM when there is nothing else.
@@ -150,6 +150,7 @@ int cmd_log(Cli *c)
     static PutFlight *const writer[FORMATS] = {flight_text, flight_csv, flight_json, flight_svg};
     Flight f;
     size_t format;
+    char *bytes;
     int code;
 
     memset(&f, 0, sizeof f);
@@ -159,9 +160,12 @@ int cmd_log(Cli *c)
         return EXIT_USAGE;
     f.arena = &c->session.arena;
     f.name = strcmp(c->file[0], "-") == 0 ? "<stdin>" : c->file[0];
-    if ((f.log = read_log(c, c->file[0])) == NULL)
+    if ((f.log = read_log(c, c->file[0], &bytes)) == NULL)
         return EXIT_ENVIRONMENT;
     if ((code = judge(c, f.name, f.log)) == EXIT_OK)
         code = choose(c, &f, format);
-    return code == EXIT_OK ? write_out(c, &f, writer[format]) : code;
+    if (code == EXIT_OK)
+        code = write_out(c, &f, writer[format]);
+    os_alloc(NULL, bytes, 0);
+    return code;
 }
