@@ -71,7 +71,8 @@ program() {
         echo 'SmResult pal_lock_give(PalLock lock) { (void)lock; return SM_OK; }'
         echo "int main(void) { if (sm_statevec_init(&wide_vector) != SM_OK) return 1; $2 return (int)wide_f64(); }"
     } >"$dir/$1.c"
-    $CC -std=c99 -Os -ffunction-sections -fdata-sections -Wl,--gc-sections -I. -I"$dir" "$dir/$1.c" "$dir/wide.c" $sources \
+    # (Without options that may stand behind the compiler's name: sanitizers keep everything.)
+    ${CC%% *} -std=c99 -Os -ffunction-sections -fdata-sections -Wl,--gc-sections -I. -I"$dir" "$dir/$1.c" "$dir/wide.c" $sources \
         -o "$dir/$1" 2>"$dir/log"
 }
 has() { nm "$dir/$1" | grep -q " $2\$"; }
