@@ -514,6 +514,7 @@ $(B)/runtime/%: tests/runtime/%.c $(B)/runtime/sim.a
 RUNTIME_READS = $(patsubst %,$(B)/runtime/%,log log_linux log_tsan kill_linux kill_tsan)
 $(RUNTIME_READS): RUNTIME_LIBS = $(B)/libsmc.a
 $(RUNTIME_READS): | $(B)/libsmc.a
+.SECONDARY: $(RUNTIME_TSAN_OBJ)
 $(B)/runtime/%_tsan: tests/runtime/%_linux.c $(RUNTIME_TSAN_OBJ)
 	$(call say,CC)$(TSAN) -I$(B)/runtime/made $^ -o $@ $(RUNTIME_LIBS) -pthread -lrt
 check: $(RUNTIME_TESTS) $(RUNTIME_TSAN)

@@ -166,7 +166,7 @@ static void check_complete(const Diagram *d)
 
 static const Diagram *check_layout(const Program *p)
 {
-    const GraphOptions none = {NULL, NULL};
+    const GraphOptions none = {NULL, NULL, NULL};
     Analysis a = analysed(p);
     Diagram *d = diagram_of(&a, &none);
     Things t;
@@ -218,7 +218,7 @@ static const char *drawn(const Analysis *a, const GraphOptions *o)
 
 static void check_svg(const Program *p)
 {
-    const GraphOptions none = {NULL, NULL};
+    const GraphOptions none = {NULL, NULL, NULL};
     Analysis a = analysed(p), b = analysed(p);
 
     CHECK(strcmp(drawn(&a, &none), drawn(&b, &none)) == 0);
@@ -299,7 +299,7 @@ static void check_counts(void)
 {
     const uint64_t states[] = {3, 0}, transitions[] = {2, 0, 0};
     const GraphCounts counts = {states, transitions};
-    const GraphOptions o = {NULL, &counts}, none = {NULL, NULL};
+    const GraphOptions o = {NULL, &counts, NULL}, none = {NULL, NULL, NULL};
     Program *p = compile("plain.sm", plain, strlen(plain));
     Analysis a = analysed(p);
     const char *with = drawn(&a, &o), *without = drawn(&a, &none);
@@ -343,7 +343,7 @@ static void check_findings(void)
 // A file may have any name.
 static void check_name(void)
 {
-    const GraphOptions none = {NULL, NULL};
+    const GraphOptions none = {NULL, NULL, NULL};
     Program *p = compile("a<b>&\"c.sm", plain, strlen(plain));
     Analysis a = analysed(p);
     Buf dot;

@@ -313,7 +313,7 @@ static void a_late_repetition_does_no_harm(void)
     prepare(&d, "eeprom", 2);
     CHECK(updates(&d, &new_image));
     d.store.running = d.store.now.active;
-    CHECK(store_confirm(&d.store, new_image.checksum) == SM_OK && store_activate(&d.store, 7) == SM_OK);
+    CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && smvm_store_activate(&d.store, 7) == SM_OK);
     CHECK(d.store.now.confirmed && d.store.now.before != d.store.now.active);
 }
 
