@@ -322,7 +322,7 @@ static unsigned times(const char *text, const char *word)
 static void check_findings(void)
 {
     Diags found;
-    const GraphOptions o = {&found, NULL};
+    const GraphOptions o = {&found, NULL, NULL};
     Program *p = compile("plain.sm", plain, strlen(plain));
     Analysis a = analysed(p);
     const char *svg;

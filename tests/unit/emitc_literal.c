@@ -106,7 +106,7 @@ int main(void)
         return 3;
     arena_init(&f.arena, heap, NULL, &oom);
     f.u.arena = &f.arena;
-    f.u.helper = ARENA_ARRAY(&f.arena, bool, helper_count());
+    f.u.helper = ARENA_ARRAY(&f.arena, uint32_t, helper_count());
     buf_init(&f.out, &f.arena);
     floats(&f);
     integers(&f);
