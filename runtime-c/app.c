@@ -15,7 +15,7 @@ void sm_run_say(const SmApp *app, const char *const part[])
     for (; app->tell && *part; part++) {
         size_t n = 0;
 
-        while ((*part)[n])
+        while (n < UINT16_MAX && (*part)[n])
             n++;
         pal_console_write(*part, n);
     }

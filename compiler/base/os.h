@@ -29,8 +29,8 @@ bool os_stream_close(OsStream *s, bool keep, const char **why);
 // Writes all of it to standard output or standard error (fd 1 or 2).
 bool os_print(int fd, const void *bytes, size_t n, const char **why);
 
-// The first bytes of a regular file, at most n: how many.  0: there is none, it is empty or not to be read.
-size_t os_read_head(const char *path, char *into, size_t n);
+// The first bytes of a regular file, at most n; *len: how many, 0 where there is no such file.  False: it cannot be read.
+bool os_read_head(const char *path, char *into, size_t n, size_t *len);
 
 bool os_is_folder(const char *path);
 bool os_make_folder(const char *path, const char **why);     // the folder alone, not those it lies in; true if it is there already

@@ -83,18 +83,22 @@ bool os_read(const char *path, size_t most, char **text, size_t *len, const char
     return ok;
 }
 
-size_t os_read_head(const char *path, char *into, size_t n)
+bool os_read_head(const char *path, char *into, size_t n, size_t *len)
 {
     struct stat st;
     ssize_t got;
     int fd;
 
-    if (stat(path, &st) != 0 || !S_ISREG(st.st_mode) || (fd = open(path, O_RDONLY)) < 0)
-        return 0;
+    *len = 0;
+    if (stat(path, &st) != 0 || !S_ISREG(st.st_mode))
+        return true;
+    if ((fd = open(path, O_RDONLY)) < 0)
+        return false;
     while ((got = read(fd, into, n)) < 0 && errno == EINTR)
         continue;
     close(fd);
-    return got > 0 ? (size_t)got : 0;
+    *len = got > 0 ? (size_t)got : 0;
+    return got >= 0;
 }
 
 // ---- writing ----

@@ -72,12 +72,16 @@ Source **cli_load_scripts(Cli *c, Map *written)
     return ss;
 }
 
-// C that somebody wrote: what smc makes says so at its head.
+// C that somebody wrote, or that cannot be looked at: what smc makes says so at its head.
 static bool is_handwritten(const char *path)
 {
     char head[512];
-    size_t n = has_suffix(path, ".c") || has_suffix(path, ".h") ? os_read_head(path, head, sizeof head - 1) : 0;
+    size_t n;
 
+    if (!has_suffix(path, ".c") && !has_suffix(path, ".h"))
+        return false;
+    if (!os_read_head(path, head, sizeof head - 1, &n))
+        return true;
     head[n] = '\0';
     return n > 0 && strstr(head, "Made by smc from ") == NULL;
 }

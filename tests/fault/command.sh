@@ -120,7 +120,7 @@ try() {
     done
 }
 
-echo "an old file" >"$dir/old"
+echo "// an old file.  Made by smc from something." >"$dir/old"
 (command=--version && run "LD_PRELOAD=\"\$shim\" SMC_FAULT=write:1 SMC_FAULT_MARK=\"\$dir/mark\"")
 [ -e "$dir/mark" ] || { echo "faults cannot be injected here: 0 passed, 0 failed, 1 skipped"; exit 0; }
 
