@@ -185,9 +185,11 @@ static void run_threads(SmApp *app)
         write(app, app->start, WRITING);
         sleep(app->writing ? WRITING : SLICE);
     }
-    for (uint16_t i = 0; i < app->executors; i++)
+    for (uint16_t i = 0; i < app->executors; i++) {
         while (pal_thread_join(app->executor[i]->thread, WRITING) == SM_E_TIMEOUT)
             write(app, app->start, WRITING);
+        app->executor[i]->thread.id = 0;      // the number may be another thread's from now on
+    }
 }
 
 // ---- making threads ----
@@ -241,18 +243,18 @@ static SmResult create_watch(SmApp *app)
     return r;
 }
 
-static void join(PalThread thread)
+static void join(PalThread *thread)
 {
-    while (thread.id != 0 && pal_thread_join(thread, SLICE) == SM_E_TIMEOUT) {}
+    while (thread->id != 0 && pal_thread_join(*thread, SLICE) == SM_E_TIMEOUT) {}
+    thread->id = 0;
 }
 
 static void close_gate(SmApp *app)
 {
     sm_shared_write(&app->gate, GATE_CLOSED);
     for (uint16_t i = 0; i < app->executors; i++)
-        join(app->executor[i]->thread);
-    join(app->watch);
-    app->watch.id = 0;
+        join(&app->executor[i]->thread);
+    join(&app->watch);
 }
 
 static SmResult create_all(SmApp *app)

@@ -47,7 +47,7 @@ typedef struct StoreChoice {
     uint8_t zeros[3];
     uint8_t checksum[4];      // of the active image: a slot that holds another is not run
     uint8_t checksum_before[4];   // the same for `before`
-    uint8_t newest[4];        // the highest number (image section AUTH) of an image that was confirmed
+    uint8_t newest[4];        // 0: the place for the number of an authenticated image (section AUTH), which nothing makes yet
     uint8_t more[4];          // zeros
     uint8_t crc[4];           // CRC-32 of all before it
 } StoreChoice;

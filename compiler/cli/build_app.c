@@ -66,15 +66,6 @@ static void add_vector(AppBuild *b)
     add_pair(b, stem, header, code);
 }
 
-// As C a machine is there once, however many run it.
-static bool is_first(const App *a, size_t i)
-{
-    for (size_t k = 0; k < i; k++)
-        if (!a->machine.at[k]->bytecode && a->machine.at[k]->program == a->machine.at[i]->program)
-            return false;
-    return !a->machine.at[i]->bytecode;
-}
-
 static void add_machine(AppBuild *b, const Program *p)
 {
     const char *stem = p->name->text;
@@ -129,7 +120,7 @@ static void add_all(AppBuild *b)
     b->out = ARENA_ARRAY(&b->c->session.arena, OsOutput, 2 * b->app->machine.n + 7);
     add_vector(b);
     for (size_t i = 0; i < b->app->machine.n; i++)
-        if (is_first(b->app, i))
+        if (!b->app->machine.at[i]->bytecode)
             add_machine(b, b->app->machine.at[i]->program);
     if (b->app->pins)
         add_pins(b);

@@ -418,20 +418,15 @@ static void put_app(const Emitter *e)
 
 static void put_code_includes(const Emitter *e)
 {
-    Map seen = {e->arena, NULL, NULL, 0, 0};
     bool bytecode = false;
 
     buf_printf(e->out, "#include \"%s_app.h\"\n\n", e->app->name->text);
     if (e->app->io)
         buf_printf(e->out, "#include \"%s_io.h\"\n", e->app->io_name->text);
     for (size_t i = 0; i < e->app->machine.n; i++) {
-        Str name = e->app->machine.at[i]->program->name;
         bytecode = bytecode || e->app->machine.at[i]->bytecode;
-        if (e->app->machine.at[i]->bytecode)
-            continue;
-        if (!map_find(&seen, name))
-            buf_printf(e->out, "#include \"%s.h\"\n", name->text);
-        map_put(&seen, name, (void *)(size_t)name);
+        if (!e->app->machine.at[i]->bytecode)
+            buf_printf(e->out, "#include \"%s.h\"\n", e->app->machine.at[i]->program->name->text);
     }
     if (bytecode)
         buf_str(e->out, "#include \"bytecode-vm/target/machine.h\"\n");

@@ -96,12 +96,12 @@ static void put_storage(const CUnit *u, const StateVec *sv, Buf *out)
 static void put_elements(const CUnit *u, const StateVec *sv, const CVectorNames *n, Buf *out)
 {
     buf_printf(out, "const SmElement %s_element[] = {        // offset, type, region\n", u->names.prefix);
-    for (size_t i = 0; i < sv->element.n; i++)
-        for (size_t r = 0; r < sv->region.n; r++)
-            if (sv->element.at[i]->region == sv->region.at[r])
-                buf_printf(out, "    {%u, SM_%s, %s},        // %s\n", sv->element.at[i]->offset,
-                           sv->element.at[i]->type == SM_BOOL ? "BOOL" : sm_type_info[sv->element.at[i]->type].spelling, n->region[r],
-                           sv->element.at[i]->name->text);
+    for (size_t r = 0; r < sv->region.n; r++)
+        for (uint32_t i = 0; i < sv->region.at[r]->count; i++) {
+            const Element *e = sv->element.at[sv->region.at[r]->first + i];
+            buf_printf(out, "    {%u, SM_%s, %s},        // %s\n", e->offset, e->type == SM_BOOL ? "BOOL" : sm_type_info[e->type].spelling,
+                       n->region[r], e->name->text);
+        }
     buf_str(out, "};\n\n");
 }
 

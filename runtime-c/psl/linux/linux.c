@@ -22,6 +22,23 @@ void psl_unguard(void)
     pthread_mutex_unlock(&guard);
 }
 
+uint8_t psl_take(bool *used, uint8_t size)
+{
+    uint8_t id;
+
+    psl_guard();
+    id = psl_table_take(used, size);
+    psl_unguard();
+    return id;
+}
+
+void psl_release(bool *used, uint8_t id)
+{
+    psl_guard();
+    used[id - 1] = false;
+    psl_unguard();
+}
+
 SmResult psl_result(int error)
 {
     switch (error) {

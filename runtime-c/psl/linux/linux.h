@@ -23,6 +23,10 @@
 void psl_guard(void);
 void psl_unguard(void);
 
+// An entry of a table by itself (table.h): what fills it in may take its time, as nobody else has it.
+uint8_t psl_take(bool *used, uint8_t size);
+void psl_release(bool *used, uint8_t id);
+
 // An errno as a result; SM_E_DEVICE for those that the PAL has no number for.
 SmResult psl_result(int error);
 

@@ -38,23 +38,6 @@ static SmResult claim(int fd, const char *name)
     return s.st_size == 0 ? psl_result(psl_sync_folder(name)) : SM_OK;
 }
 
-static uint8_t take(void)
-{
-    uint8_t id;
-
-    psl_guard();
-    id = psl_table_take(used, PAL_LOGS);
-    psl_unguard();
-    return id;
-}
-
-static void release(uint8_t id)
-{
-    psl_guard();
-    used[id - 1] = false;
-    psl_unguard();
-}
-
 static SmResult enter(uint8_t id, const char *name)
 {
     int fd;
@@ -86,7 +69,7 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
 
     if (!file || !name || name[0] == '\0' || strlen(name) >= PAL_NAME)
         return SM_E_ARGUMENT;
-    id = take();
+    id = psl_take(used, PAL_LOGS);
     if (id == 0)
         return SM_E_FULL;
     refuse_large_files();
@@ -94,7 +77,7 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
     if (r == SM_OK)
         file->id = id;
     else
-        release(id);
+        psl_release(used, id);
     return r;
 }
 

@@ -178,23 +178,6 @@ static SmResult enter(Entry *e, const char *path, uint32_t size)
     return r;
 }
 
-static uint8_t take(void)
-{
-    uint8_t id;
-
-    psl_guard();
-    id = psl_table_take(used, PAL_NVMS);
-    psl_unguard();
-    return id;
-}
-
-static void release(uint8_t id)
-{
-    psl_guard();
-    used[id - 1] = false;
-    psl_unguard();
-}
-
 SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
 {
     SmResult r = SM_E_FULL;
@@ -204,13 +187,13 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
         return SM_E_ARGUMENT;
     if (size > INT32_MAX)
         return SM_E_SPACE;
-    id = take();
+    id = psl_take(used, PAL_NVMS);
     if (id != 0)
         r = enter(&entries[id - 1], name, size);           // takes its time: nobody else has to wait for it
     if (r == SM_OK)
         memory->id = id;
     else if (id != 0)
-        release(id);
+        psl_release(used, id);
     return r;
 }
 
