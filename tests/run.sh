@@ -6,7 +6,8 @@
 passed=0 failed=0 skipped=0
 unset MAKEFLAGS MFLAGS MAKELEVEL      # a make among the commands is a make of its own
 out=${TMPDIR:-/tmp}/smc-test.$$
-trap 'rm -f "$out"' EXIT
+again=$out.again                      # what failed said, told once more at the end
+trap 'rm -f "$out" "$again"' EXIT
 trap 'exit 130' INT TERM
 
 while IFS= read -r line; do
@@ -19,15 +20,20 @@ while IFS= read -r line; do
     f=$(printf '%s\n' "$last" | sed -n 's/.* passed, \([0-9][0-9]*\) failed.*/\1/p')
     s=$(printf '%s\n' "$last" | sed -n 's/.* failed, \([0-9][0-9]*\) skipped.*/\1/p')
     if [ -z "$p" ] || { [ "$code" -ne 0 ] && [ "${f:-0}" -eq 0 ]; }; then
-        cat "$out"
-        echo "$name: ended with exit code $code and no result"
+        echo "$name: ended with exit code $code${p:+, with nothing failed}" >>"$out"
         failed=$((failed + 1))
-    elif [ "$f" -ne 0 ] || [ "${s:-0}" -ne 0 ]; then
+        code=1
+    fi
+    if [ "$code" -ne 0 ] || [ "${f:-0}" -ne 0 ] || [ "${s:-0}" -ne 0 ]; then
         cat "$out"
+    fi
+    if [ "$code" -ne 0 ] || [ "${f:-0}" -ne 0 ]; then
+        { echo "---- $name"; tail -n 30 "$out"; } >>"$again"
     fi
     printf '%-28s %s\n' "$name" "$last"
     passed=$((passed + ${p:-0})) failed=$((failed + ${f:-0})) skipped=$((skipped + ${s:-0}))
 done
+[ ! -s "$again" ] || cat "$again"
 if [ "$skipped" -ne 0 ]; then
     echo "skipped tests need tools that are not here; on Debian or Ubuntu: apt-get install clang tcc g++ lua5.4 luajit chromium graphviz librsvg2-bin"
     echo "  python3-jsonschema; and: make sarif-schema"

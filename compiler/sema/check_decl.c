@@ -183,6 +183,7 @@ static Element *add_element(Declarations *k, const AstDecl *decl)
     e->region = k->sv->region.at[0];
     e->region->count++;
     e->span = decl->name_span;
+    e->index = (uint32_t)k->sv->element.n;
     vec_push(k->s->arena, &k->sv->element, e);
     map_put(&k->sv->by_name, e->name, e);
     return e;

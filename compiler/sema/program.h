@@ -36,6 +36,7 @@ typedef struct Element {
     SmType type;
     const Range *range;       // or NULL
     uint32_t first_allow, allows;     // StateVec.allow: those that stand behind it
+    uint32_t index;           // its place in StateVec.element
     uint32_t offset;          // bytes from the start of the state vector in memory (layout.c)
     Region *region;
     Span span;                // its name where it is declared

@@ -40,11 +40,7 @@ static void begin(Emitter *e, Arena *arena, const App *app, Buf *out)
 
 static const char *element_of(const Emitter *e, const Element *x)
 {
-    size_t i = 0;
-
-    while (e->app->sv->element.at[i] != x)
-        i++;
-    return format_in(e->arena, "&%s_element[%s]", e->sv, e->names.element[i]);
+    return format_in(e->arena, "&%s_element[%s]", e->sv, e->names.element[x->index]);
 }
 
 static void title(const Emitter *e)
