@@ -2,6 +2,8 @@
 // The start of an application, what is said when it is refused, and its end.  (How it runs: run.c.)
 #include "runtime-c/app.h"
 
+#include <string.h>
+
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/console.h"
 #include "runtime-c/pal/watchdog.h"
@@ -27,7 +29,8 @@ static void tell_refused(const SmApp *app, SmResult r)
     const char *const name = app->failed ? app->failed->name : app->refused ? app->refused->name : "";
     const char *const rest = app->failed || app->refused ? "' does not start: " : " does not start: ";
     const char *const file = app->file ? app->file : "";
-    const char *const text[] = {app->name, ": ", kind, name, rest, file, *file ? ": " : "", app->why ? app->why : sm_result_text(r), "\n", NULL};
+    const char *const why = app->why ? app->why : sm_result_text(r);
+    const char *const text[] = {app->name, ": ", kind, name, rest, file, *file ? ": " : "", app->pin, why, "\n", NULL};
 
     sm_run_say(app, text);
 }
@@ -102,6 +105,25 @@ static SmResult fill_vector(SmApp *app)
     return r;
 }
 
+// The pin that the I/O task `failed` could not open.  What was no row of a table is no pin either.
+static void name_pin(SmApp *app, SmResult r)
+{
+    const SmIo *const io = app->failed->context == app->inputs ? app->inputs : app->failed->context == app->outputs ? app->outputs : NULL;
+    char *at = app->pin + sizeof app->pin;
+    uint16_t left;
+
+    if (!io || r == SM_E_ARGUMENT)
+        return;
+    memcpy(at -= 3, ": ", 3);
+    left = io->pin[io->failed].pin;
+    do {
+        *--at = (char)('0' + left % 10);
+        left = (uint16_t)(left / 10);
+    } while (left != 0);
+    memcpy(at -= 4, "pin ", 4);
+    memmove(app->pin, at, (size_t)(app->pin + sizeof app->pin - at));
+}
+
 static SmResult init_executors(SmApp *app)
 {
     SmResult r = SM_OK;
@@ -112,6 +134,8 @@ static SmResult init_executors(SmApp *app)
             app->refused = app->executor[i];
             app->why = app->failed ? NULL : "its plan is wrong";
             app->file = app->failed && app->log && app->failed->context == app->log ? app->log->file : NULL;
+            if (app->failed)
+                name_pin(app, r);
         }
     }
     return r;

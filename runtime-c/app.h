@@ -18,6 +18,7 @@
 #define SM_APP_H
 
 #include "runtime-c/executor.h"
+#include "runtime-c/io.h"
 #include "runtime-c/keep.h"
 #include "runtime-c/log.h"
 
@@ -46,6 +47,7 @@ typedef struct SmApp {
     SmKeep *keep;             // or NULL
     SmLog *log;               // or NULL
     const SmWriting *writing; // &sm_writing where there is `keep` or `log`; else NULL
+    const SmIo *inputs, *outputs;         // the contexts of the two I/O tasks, so that a message can name the pin; or NULL
     uint64_t watchdog;        // nanoseconds; 0: none
     bool one_thread;          // runs all executors in the calling thread even where there are threads
     // What follows is the runtime's; all zero at first.
@@ -55,6 +57,7 @@ typedef struct SmApp {
     const SmExecutor *refused;            // the executor that did not start, or whose task it was
     const char *what, *why;   // what else did not start; why, where the result does not say it
     const char *file;         // that it is about; or NULL
+    char pin[16];             // "pin 17: ", likewise; or empty
     bool tell;                // on the console
     uint64_t start;           // on the PAL clock: when tick 0 is due
     uint64_t fed, wrote;      // on the PAL clock: when the watchdog was fed last; when logs and kept vectors were looked after last
@@ -75,6 +78,7 @@ bool sm_app_stopping(const SmApp *app);
 // sm_app_run with messages on the console; 0, or 1 when it did not start.
 //     rocket: task 'engine' does not start: it is in use
 //     rocket: task 'log' does not start: flight.log: there is no such device, file or address
+//     rocket: task 'inputs' does not start: pin 17: it is in use
 int sm_app_main(SmApp *app);
 
 #ifdef __cplusplus

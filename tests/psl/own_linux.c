@@ -520,6 +520,16 @@ static void inheritance(void)
 
 // ---- the console ----
 
+// As read, but for all of n: a terminal may hand over what was written in pieces.
+static bool read_all(int fd, char *to, size_t n)
+{
+    ssize_t got = 1;
+
+    for (; n > 0 && got > 0; n -= (size_t)got, to += got)
+        got = read(fd, to, n);
+    return n == 0;
+}
+
 // With `near` as standard output: what is written comes to `far`, and if nobody reads there that is not waited for.
 static void console_on(int near, int far)
 {
@@ -532,7 +542,7 @@ static void console_on(int near, int far)
     memset(text, 'x', sizeof text);
     CHECK(dup2(near, STDOUT_FILENO) == STDOUT_FILENO);
     CHECK(pal_console_write(text, sizeof text) == SM_OK);
-    CHECK(read(far, in, sizeof in) == sizeof in && memcmp(in, text, sizeof in) == 0);
+    CHECK(read_all(far, in, sizeof in) && memcmp(in, text, sizeof in) == 0);
     memset(text, '\n', sizeof text);                      // a terminal makes two bytes of it: room for one is too little
     for (; r == SM_OK && calls < 10000; calls++)
         r = pal_console_write(text, sizeof text);

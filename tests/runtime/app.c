@@ -13,6 +13,11 @@ static SmExecutor executor[4];
 static SmExecutor *const all[4] = {&executor[0], &executor[1], &executor[2], &executor[3]};
 static SmApp app;
 static unsigned most;                     // calls after which it stops
+static uint8_t handle[1];
+static uint16_t missed[1];
+static uint64_t value[1];
+static const SmIoPin pin[1] = {{.kind = SM_DIGITAL_IN, .type = SM_BOOL, .pin = 10203}};
+static SmIo pins = {.pin = pin, .pins = 1, .sv = &crew_vector, .handle = handle, .missed = missed, .value = value};
 
 static SmResult step(void *context, const SmTick *tick)
 {
@@ -135,6 +140,11 @@ static void test_refused(void)
     start(2);
     part[1].gives = SM_E_BUSY;
     CHECK(refused("crew: task 'b' does not start: it is in use\n"));
+    start(2);
+    task[1].init = sm_inputs_init;
+    task[1].context = &pins;
+    app.inputs = &pins;
+    CHECK(refused("crew: task 'b' does not start: pin 10203: there is no such device, file or address\n"));
     start(2);
     app.watchdog = 3600 * S;
     CHECK(refused("crew: the watchdog does not start: an argument is out of its range\n"));

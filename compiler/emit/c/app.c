@@ -406,6 +406,10 @@ static void put_app(const Emitter *e)
         buf_str(e->out, "    .log = &flightLog,\n");
     if (has_task(e, AST_TASK_keep) || has_task(e, AST_TASK_log))
         buf_str(e->out, "    .writing = &sm_writing,\n");
+    if (has_task(e, AST_TASK_inputs))
+        buf_printf(e->out, "    .inputs = &%s_inputs,\n", e->io);
+    if (has_task(e, AST_TASK_outputs))
+        buf_printf(e->out, "    .outputs = &%s_outputs,\n", e->io);
     if (e->app->watchdog)
         buf_printf(e->out, "    .watchdog = %lluu,\n", (unsigned long long)e->app->watchdog);
     buf_str(e->out, "};\n\n#ifndef SM_NO_MAIN\nint main(void)\n{\n");
