@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "stdlib/convert.h"
+#include "stdlib/math.h"
 
 typedef struct LocalDecl { Var *var; const AstDecl *decl; } LocalDecl;
 
@@ -97,6 +98,16 @@ static void add_alias(Declarations *k, Var *v, const AstAnnotation *a)
 
 // ---- @range ----
 
+// An end of a range that the type cannot hold.
+static void check_end(const CheckContext *c, const AstAnnotation *a, SmF64 end, Str name, SmType type)
+{
+    const SmF64 kept = sm_cell_to_f64(type, sm_cell_from_f64(type, sm_trunc(end)));
+
+    if (sm_type_info[type].kind != SM_KIND_FLOAT && !sm_eq(kept, sm_trunc(end)))
+        diag_report(c->diags, DIAG_range_beyond_type, a->span, name->text, const_text(c->arena, end), sm_type_info[type].spelling,
+                    const_text(c->arena, kept));
+}
+
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type)
 {
     Range *r = NULL;
@@ -111,6 +122,8 @@ const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str n
             diag_report(c->diags, DIAG_range_empty, a->span, name->text, const_text(c->arena, a->lo.value),
                         const_text(c->arena, a->hi.value));
         } else {
+            check_end(c, a, a->lo.value, name, type);
+            check_end(c, a, a->hi.value, name, type);
             r = ARENA_NEW(c->arena, Range);
             *r = (Range){a->lo.value, a->hi.value, a->span};
         }
