@@ -582,6 +582,20 @@ bench-machine: $(BENCH_MACHINE) $(FLIGHTS)/flight.smb
 	@sh tests/bench/machine_cost.sh $(FLIGHTS)/bench $(FLIGHTS)/flight.smb
 .PHONY: bench-machine
 
+# ---- the Arduino library ----
+
+# `make arduino`: the library, for the Arduino IDE, arduino-cli and PlatformIO, in $(B)/arduino/smc, and as a .zip where there is zip.
+PROJECT_URL      ?= https://example.org/smc
+ARDUINO           = $(B)/arduino/smc
+ARDUINO_SOURCES   = $(STDLIB) $(wildcard stdlib/*.S) $(filter-out %/disasm.c %/debug.c %/decode.c %/fast.c,$(VM))
+ARDUINO_INPUTS    = $(wildcard arduino/* arduino/examples/*/* stdlib/* bytecode-vm/*.[ch]) docs/arduino.md compiler/version.h
+arduino: $(ARDUINO)/library.properties
+$(ARDUINO)/library.properties: $(ARDUINO_INPUTS) $(B)/smc
+	$(call say,ARDUINO)sh arduino/make.sh $(B)/smc $(ARDUINO) '$(VERSION)' '$(PROJECT_URL)' $(ARDUINO_SOURCES)
+check: arduino
+CHECK_LINES += "arduino: CC='$(CC)' sh tests/arduino/run.sh $(B) $(ARDUINO) '$(VERSION)'"
+.PHONY: arduino
+
 # ---- installing ----
 
 DEST = $(DESTDIR)$(PREFIX)
@@ -624,6 +638,7 @@ help:
 	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'
 	@echo 'make docs            makes docs/diagnostics.md'
 	@echo 'make bench           measures what a step costs and what code weighs: W=mission, one workload; bench-scale: how compile time grows; bench-runtime: the state vector'
+	@echo 'make arduino         makes the Arduino library, $(ARDUINO) and smc.zip beside it'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
 	@echo 'make clean           removes $(B)'
 
@@ -632,9 +647,9 @@ clean:
 
 # ---- the house rules ----
 
-find_code = { find stdlib compiler bytecode-vm runtime-c tests examples -name '*.[ch]' -o -name '*.def' -o -name '*.awk' -o -name '*.sh' \
+find_code = { find stdlib compiler bytecode-vm runtime-c arduino tests examples -name '*.[ch]' -o -name '*.def' -o -name '*.awk' -o -name '*.sh' \
               -o -name '*.cpp' -o -name '*.mk'; echo Makefile; } 2>/dev/null | sort
-find_text = { find stdlib compiler bytecode-vm runtime-c tests examples conformance docs editors -type f; ls README.md Makefile; } 2>/dev/null | sort
+find_text = { find stdlib compiler bytecode-vm runtime-c arduino tests examples conformance docs editors -type f; ls README.md Makefile; } 2>/dev/null | sort
 find_smt  = find conformance tests -name '*.smt' | sort
 
 check-layers:

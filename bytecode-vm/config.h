@@ -9,10 +9,17 @@
 
 #ifdef SMVM_CONFIG
 #include SMVM_CONFIG
+#elif defined(__AVR__)              // images in flash
+#include <avr/pgmspace.h>
+#define SMVM_BYTES uint16_t
+#define SMVM_FETCH(image, at) pgm_read_byte((const uint8_t *)((image) + (uint16_t)(at)))
+#define SMVM_AT uint16_t
+#define SMVM_IMAGE_MAX 0x7fffu
+#define SMVM_RAM_MAX 0x7fffu
 #endif
 
-// Where an image lies, and how its bytes are read: the only access to an image there is.  In flash of a Harvard machine:
-// define SMVM_BYTES as uint16_t and SMVM_FETCH(image, at) as pgm_read_byte((image) + (at)); for EEPROM likewise.
+// Where an image lies, and how its bytes are read: the only access to an image there is.  For EEPROM: define SMVM_BYTES as uint16_t and
+// SMVM_FETCH(image, at) as eeprom_read_byte((image) + (at)), or as what tells memories apart.
 #ifndef SMVM_FETCH
 #define SMVM_BYTES const uint8_t *
 #define SMVM_FETCH(image, at) ((image)[at])
@@ -74,6 +81,9 @@
 #endif
 
 typedef SMVM_BYTES SmvmBytes;
+
+// An array as an image, where the VM fetches from the memory that the array is in.
+#define SMVM_IMAGE(array) ((SmvmBytes)(uintptr_t)(array))
 typedef SMVM_AT SmvmAt;
 
 typedef char smvm_at_is_too_small[SMVM_IMAGE_MAX <= (SMVM_AT)-1 && SMVM_RAM_MAX <= (SMVM_AT)-1 && SMVM_RAM_MAX <= (size_t)-1 / 2 ? 1 : -1];

@@ -223,6 +223,11 @@ void session_emit_c_io(Session *s, const IoMap *io, const EmitCOptions *o, Buf *
     emit_c_io(&s->arena, io, o, header, code);
 }
 
+void session_emit_c_image(Session *s, const char *name, const Buf *image, const EmitCOptions *o, Buf *out)
+{
+    emit_c_image(&s->arena, name, image, o, out);
+}
+
 void session_emit_c_state_vector(Session *s, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code)
 {
     emit_c_state_vector(&s->arena, sv, o, header, code);

@@ -55,9 +55,10 @@ typedef struct ImageOptions {
 } ImageOptions;
 bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out);
 
-// C (emit_c.h): one machine, or a state vector by itself, which stand alone; pins, for runtime-c.
+// C (emit_c.h): one machine, or a state vector by itself, which stand alone; pins, for runtime-c; an image as an array.
 void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code);
 void session_emit_c_io(Session *s, const IoMap *io, const EmitCOptions *o, Buf *header, Buf *code);
+void session_emit_c_image(Session *s, const char *name, const Buf *image, const EmitCOptions *o, Buf *out);
 void session_emit_c_state_vector(Session *s, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code);
 
 #endif

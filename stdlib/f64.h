@@ -36,6 +36,12 @@
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
 #error "smc: fast-math changes what programs mean; build without it"
 #endif
+// a * b + c is two operations, each rounded.  Other builds say so by -ffp-contract=off, which the Arduino tools have no place for.
+#if defined(ARDUINO) && !SM_F64_SOFT && defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize ("fp-contract=off")
+#elif defined(ARDUINO) && !SM_F64_SOFT && defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
 
 #if SM_F64_SOFT
 #include "stdlib/f64_soft.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc build: machines to bytecode, C, or the text of a stage.
+// smc build: machines to bytecode, as a file or as a C array, to C, or to the text of a stage.
 #include <string.h>
 
 #include "compiler/analysis/analysis.h"
@@ -9,9 +9,11 @@
 #include "compiler/passes/pass.h"
 #include "compiler/syntax/parse.h"
 
-typedef enum Emit { EMIT_BYTECODE, EMIT_C, EMIT_IR, EMIT_AST, EMIT_TOKENS, EMIT_COUNT } Emit;
+typedef enum Emit { EMIT_BYTECODE, EMIT_ARRAY, EMIT_C, EMIT_IR, EMIT_AST, EMIT_TOKENS, EMIT_COUNT } Emit;
 
-static const char *const emit_name[EMIT_COUNT] = {"bytecode", "c", "ir", "ast", "tokens"};
+static const char *const emit_name[EMIT_COUNT] = {"bytecode", "array", "c", "ir", "ast", "tokens"};
+
+static bool is_image(Emit e) { return e == EMIT_BYTECODE || e == EMIT_ARRAY; }
 
 // What a build writes: at most the C and header of each machine, and the make rule.
 typedef struct Outputs {
@@ -29,7 +31,7 @@ static bool find_emit(Cli *c, Emit *emit)
             *emit = (Emit)i;
             return true;
         }
-    cli_usage(c, "--emit is bytecode, c, ir, ast or tokens, not '%s'", c->value[OPT_EMIT]);
+    cli_usage(c, "--emit is bytecode, array, c, ir, ast or tokens, not '%s'", c->value[OPT_EMIT]);
     return false;
 }
 
@@ -156,6 +158,16 @@ static int build_pins(Cli *c, const Source *sv, Outputs *o)
     return EXIT_OK;
 }
 
+static void emit_array(Cli *c, const Buf *image, Outputs *o)
+{
+    Buf *text = new_buf(c);
+    const char *path = output_path(c, c->file[0], "_image.h");
+    const EmitCOptions e = c_options(c, c->file[0], path);
+
+    session_emit_c_image(&c->session, path_stem(c, c->file[0]), image, &e, text);
+    add_output(o, path, text);
+}
+
 // The pins of --io beside the machines; *io is NULL where there were mistakes.
 static int load_pins(Cli *c, const Source *sv, const Program *const *programs, size_t n, const IoMap **io)
 {
@@ -200,11 +212,12 @@ static int build_machines(Cli *c, Emit emit, const Source *sv, Outputs *o)
         return code;
     if (built < c->files)
         return EXIT_PROBLEM;
-    if (emit == EMIT_BYTECODE) {
-        if (!session_image(&c->session, m, built, &image, out))
-            return EXIT_PROBLEM;
+    if (is_image(emit) && !session_image(&c->session, m, built, &image, out))
+        return EXIT_PROBLEM;
+    if (emit == EMIT_BYTECODE)
         add_output(o, output_path(c, c->file[0], ".smb"), out);
-    }
+    else if (emit == EMIT_ARRAY)
+        emit_array(c, out, o);
     for (size_t i = 0; i < built; i++)
         if (emit == EMIT_C)
             emit_c(c, c->file[i], m[i], NULL, o);
@@ -251,11 +264,11 @@ static int check_use(Cli *c, Emit emit, FileKind *first)
         return cli_usage(c, "pins are built with their state vector, as in 'smc build %s --sv app.sv --emit=c'", c->file[0]);
     if (*first == FILE_IO && emit < EMIT_AST && emit != EMIT_C)
         return cli_usage(c, "pins alone give C only; say --emit=c");
-    if (c->given[OPT_IO] && (*first != FILE_SM || emit != EMIT_BYTECODE || !c->given[OPT_SV]))
+    if (c->given[OPT_IO] && (*first != FILE_SM || !is_image(emit) || !c->given[OPT_SV]))
         return cli_usage(c, "--io puts pins into an image, as in 'smc build tank.sm --sv app.sv --io %s'", c->value[OPT_IO]);
     if (*first == FILE_SS && emit < EMIT_AST)
         return cli_usage(c, "a state script is not built; 'smc test MACHINE.sm %s' runs it", c->file[0]);
-    if (*first == FILE_SV && (emit == EMIT_BYTECODE || emit == EMIT_IR))
+    if (*first == FILE_SV && (is_image(emit) || emit == EMIT_IR))
         return cli_usage(c, "a state vector alone gives no %s; build its machines, or say --emit=c", emit == EMIT_IR ? "IR" : "bytecode");
     if (emit == EMIT_C && c->given[OPT_OUTPUT] && strcmp(c->value[OPT_OUTPUT], "-") == 0)
         return cli_usage(c, "C is two files, a .c and a .h: standard output cannot take both");
@@ -263,7 +276,7 @@ static int check_use(Cli *c, Emit emit, FileKind *first)
         return cli_usage(c, "with several inputs %s would name several outputs", c->given[OPT_OUTPUT] ? "-o" : "--prefix");
     if (c->given[OPT_RUNTIME] && emit != EMIT_C)
         return cli_usage(c, "--runtime speaks of emitted C: say --emit=c too");
-    if (limits_given(c) && emit != EMIT_BYTECODE)
+    if (limits_given(c) && !is_image(emit))
         return cli_usage(c, "--max-ram and --max-step speak of bytecode, not of --emit=%s", emit_name[emit]);
     if (!limits_known(c))
         return EXIT_USAGE;

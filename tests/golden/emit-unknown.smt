@@ -10,7 +10,7 @@ bool open
 .step
     open = true
 -- stderr --
-smc: --emit is bytecode, c, ir, ast or tokens, not 'wasm'
+smc: --emit is bytecode, array, c, ir, ast or tokens, not 'wasm'
 Try 'smc build --help'.
 -- exit --
 2

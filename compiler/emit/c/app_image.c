@@ -2,15 +2,8 @@
 // A machine of an application that runs on the VM: its image as a constant, and the memory that it needs.
 #include "bytecode-vm/image.h"
 #include "compiler/emit/c/app_emit.h"
+#include "compiler/emit/c/emit_c.h"
 #include "stdlib/roll.h"
-
-static void put_bytes(const Buf *image, Buf *out)
-{
-    const unsigned char *at = (const unsigned char *)image->at;
-
-    for (size_t i = 0; i < image->n; i++)
-        buf_printf(out, "%s0x%02x,", i % 16 == 0 ? "\n    " : " ", at[i]);
-}
 
 static unsigned window_words(const SmvmMachine *m)
 {
@@ -30,7 +23,7 @@ void put_app_image(const AppMachine *m, const Buf *image, Buf *out)
 
     smvm_machine((const uint8_t *)image->at, 0, &vm);
     buf_printf(out, "static const uint8_t %sImage[] = {        // %s.sm as bytecode", n, m->program->name->text);
-    put_bytes(image, out);
+    emit_c_bytes(image, out);
     buf_printf(out,
                "\n};\nstatic uint64_t %sMemory[SMVM_WORDS(%u, %u, %u, %u, %u)];"
                "        // windows, their words, temps, bytes of locals, outputs\n",

@@ -32,6 +32,10 @@ void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o
 // The pins of a .io: tables for runtime-c/io.h.
 void emit_c_io(Arena *arena, const IoMap *io, const EmitCOptions *o, Buf *header, Buf *code);
 
+// An image as an array in a header of its own, NAME_image; on AVR it stays in flash.  And its bytes alone, as an initialiser has them.
+void emit_c_image(Arena *arena, const char *name, const Buf *image, const EmitCOptions *o, Buf *out);
+void emit_c_bytes(const Buf *image, Buf *out);
+
 // Several machines and a main as one translation unit: a program that runs them at the command of its standard input.
 // compiler/device/engine_c.c compiles and drives it.  track_stores is by machine.  The exchange, in the host's byte order and
 // without padding:

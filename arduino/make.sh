@@ -1,0 +1,39 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Makes the Arduino library of this tree.     make.sh SMC OUT VERSION URL SOURCE…     OUT is its folder, removed before; OUT.zip where
+# there is zip.  What the sources include comes along.
+smc=$1 out=$2 version=$3 url=$4
+shift 4
+here=$(dirname "$0")
+rm -rf "$out" "$out.zip"
+mkdir -p "$out/src" || exit 1
+
+for f in library.properties library.json; do
+    sed -e "s|@VERSION@|$version|" -e "s|@URL@|$url|" "$here/$f" >"$out/$f" || exit 1
+done
+cp "$here/keywords.txt" LICENSE "$out" && cp docs/arduino.md "$out/README.md" && cp "$here/smc.h" "$out/src" || exit 1
+
+# take FILE…: into src, with what they include by its path from the root
+take() {
+    while [ $# -gt 0 ]; do
+        if [ ! -e "$out/src/$1" ]; then
+            mkdir -p "$out/src/$(dirname "$1")" && cp "$1" "$out/src/$1" || exit 1
+            set -- "$@" $(sed -n 's|^#include "\(.*/.*\)".*|\1|p' "$1")
+        fi
+        shift
+    done
+}
+take "$@" $(sed -n 's|^#include "\(.*/.*\)".*|\1|p' "$here/smc.h")
+
+# What sketches run: logic of this tree, made into what each of them includes.
+for sketch in "$here"/examples/*/; do
+    to=$out/examples/$(basename "$sketch")
+    mkdir -p "$to" && cp "$sketch"* "$to" || exit 1
+    sed 's/^F64 *tankPressure/I16 tankPressure/' examples/tank/tank.sm >"$to/tank.sm"
+    "$smc" build -w "$to/tank.sm" --emit=c -o "$to/tank.c" && rm "$to/tank.c" || exit 1
+    "$smc" build -w "$to/tank.sm" --emit=array -o "$to/tank_image.h" || exit 1
+done
+
+if command -v zip >/dev/null 2>&1; then
+    (cd "$(dirname "$out")" && find "$(basename "$out")" -type f | LC_ALL=C sort | zip -q -X "$(basename "$out").zip" -@)
+fi

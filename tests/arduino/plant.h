@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the boards of these tests are wired to: the tank of plant.ss, in the counts of the analog input.  It goes on by a step at the
+// end of each line that the sketch prints.
+#ifndef TEST_PLANT_H
+#define TEST_PLANT_H
+
+#include <stdbool.h>
+
+enum { PLANT_STEPS = 301, PLANT_STUCK = 200, PLANT_FIRST = 600, VALVE_PIN = 8 };
+
+static inline int plant_next(int pressure, bool open, int step)       // `step` counts from 0, that of the line
+{
+    return step >= PLANT_STUCK ? pressure + 2 : open ? pressure - 7 : pressure + 7;
+}
+
+#endif

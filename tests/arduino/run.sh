@@ -1,0 +1,190 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# The Arduino library that `make arduino` made: what its files say, that its archive is whole, and that it builds where it is unpacked, for
+# boards that are here as compilers; the examples run on emulated boards, step for step as the script engine does.
+#   run.sh BUILD LIBRARY VERSION
+# CC and CXX name the compilers of this computer.  Wants zip, arduino-builder arduino-core-avr, libsimavr-dev libelf-dev, gcc-arm-none-eabi
+# libnewlib-arm-none-eabi, gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf; what is missing is skipped.
+build=$1 library=$2 version=$3
+CC=${CC:-cc} CXX=${CXX:-c++}
+mkdir -p "$build/arduino/test" || exit 1
+dir=$(cd "$build/arduino/test" && pwd)
+passed=0 failed=0 skipped=0
+export ASAN_OPTIONS=detect_leaks=0             # libsimavr forgets what it read of the firmware
+find "$dir" -mindepth 1 -maxdepth 1 ! -name core -exec rm -rf {} +         # the cores of the boards take most of the time
+mkdir -p "$dir/libraries" "$dir/core" || exit 1
+
+check()     # NAME COMMAND…
+{
+    name=$1
+    shift
+    if "$@" >"$dir/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "arduino: $name"
+        head -20 "$dir/log"
+    fi
+}
+
+skip() { skipped=$((skipped + 1)); echo "arduino: skipped: $*"; }
+has() { command -v "$1" >/dev/null 2>&1; }
+
+# ---- what describes it ----
+
+field() { sed -n "s/^$1=//p" "$library/library.properties"; }
+json() { sed -n "s/^  \"$1\": \"\([^\"]*\)\".*/\1/p" "$library/library.json"; }
+for f in name version author maintainer sentence paragraph category url architectures includes dot_a_linkage; do
+    check "library.properties says $f, once" test "$(field $f | grep -c .)" = 1
+done
+check "library.properties has no other line" test "$(wc -l <"$library/library.properties")" = 11
+check "the name may stand in the index" sh -c "echo '$(field name)' | grep -Eq '^[A-Za-z0-9][A-Za-z0-9 _.-]{0,62}$'"
+check "the category is one that is known" sh -c "echo '$(field category)' |
+    grep -Exq 'Display|Communication|Signal Input/Output|Sensors|Device Control|Timing|Data Storage|Data Processing|Other'"
+check "the version is smc's" test "$(field version) $(json version)" = "$version $version"
+check "names and sentences agree" test "$(field name) $(field sentence) $(field includes)" = "$(json name) $(json description) $(json headers)"
+check "what is to be included is there" test -f "$library/src/$(field includes)"
+check "the fields of keywords.txt stand apart by one tab" awk -F '\t' \
+    '/^#/ || /^$/ { next } NF != 2 || $1 !~ /^[A-Za-z_0-9]+$/ || $2 !~ /^(KEYWORD[123]|LITERAL1)$/ { exit 1 }' "$library/keywords.txt"
+for word in $(sed -n 's/^\([A-Za-z_0-9]*\)\t.*/\1/p' "$library/keywords.txt"); do
+    check "$word is in the library" grep -rqw "$word" "$library/src"
+done
+if has python3; then
+    check "library.json is JSON" python3 -m json.tool "$library/library.json"
+else
+    skip "no python3 here"
+fi
+
+# ---- the archive ----
+
+(cd "$library/.." && find smc -type f | LC_ALL=C sort) >"$dir/files"
+(cd "$library/src" && find . -type f | sed 's|^\./||' | LC_ALL=C sort) >"$dir/sources"
+while read -r f; do
+    check "src/$f is as it is in the tree" cmp "$library/src/$f" "$(test "$f" = smc.h && echo arduino/smc.h || echo "$f")"
+    case $f in
+    *.c | *.S | smc.h) ;;
+    *) check "src/$f is used" grep -rqF "#include \"$f\"" "$library/src" ;;
+    esac
+done <"$dir/sources"
+if has unzip && test -f "$library.zip"; then
+    unzip -Z1 "$library.zip" | LC_ALL=C sort >"$dir/zipped"
+    check "the archive has every file and no other" cmp "$dir/files" "$dir/zipped"
+    unzip -q "$library.zip" -d "$dir/libraries"
+else
+    skip "no zip and unzip here"
+    cp -r "$library" "$dir/libraries"
+fi
+src=$dir/libraries/smc/src examples=$dir/libraries/smc/examples
+
+bytes_of() { sed -n 's/^    0x\(.*\)/0x\1/p' "$1" | sed 's/0x//g' | tr -d ', \n'; }
+check "an image is made" "$build/smc" build -w "$library/examples/TankImage/tank.sm" -o "$dir/tank.smb"
+check "the array is the image" test "$(bytes_of "$library/examples/TankImage/tank_image.h")" = "$(od -An -v -tx1 "$dir/tank.smb" | tr -d ' \n')"
+
+# ---- other boards: it compiles, without a tree around it ----
+
+WARN="-Wall -Wextra -Wno-unused-function"
+compiles()  # PREFIX FLAGS…: library and examples
+{
+    prefix=$1
+    shift
+    for f in $(cd "$src" && find . -name '*.c' -o -name '*.S'); do
+        $prefix -std=gnu11 -Os $WARN -Werror "$@" -DARDUINO=10800 -I"$src" -c "$src/$f" -o "$dir/object.o" || return 1
+    done
+    for sketch in "$examples"/*/*.ino; do
+        for f in "$(dirname "$sketch")"/*.c; do
+            test ! -f "$f" || $prefix -std=gnu11 -Os $WARN -Werror "$@" -DARDUINO=10800 -c "$f" -o "$dir/object.o" || return 1
+        done
+    done
+}
+sketches()  # CXX FLAGS…
+{
+    cxx=$1
+    shift
+    for sketch in "$examples"/*/*.ino; do
+        $cxx -x c++ -std=gnu++11 -Os $WARN -Werror "$@" -DARDUINO=10800 -Itests/arduino -I"$src" -include Arduino.h -c "$sketch" -o "$dir/object.o" || return 1
+    done
+}
+board()     # NAME CC CXX FLAGS…
+{
+    name=$1 cc=$2 cxx=$3
+    shift 3
+    if has "$cc"; then check "the library for $name" compiles "$cc" "$@"; else skip "no $cc here"; fi
+    if has "$cxx"; then check "the sketches for $name" sketches "$cxx" "$@"; else skip "no $cxx here"; fi
+}
+board "Cortex-M0+ (Zero)" arm-none-eabi-gcc arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb
+board "Cortex-M7 (Teensy 4, Giga)" arm-none-eabi-gcc arm-none-eabi-g++ -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard
+if has riscv64-unknown-elf-gcc && echo '#include <string.h>' | riscv64-unknown-elf-gcc --specs=picolibc.specs -fsyntax-only -x c - 2>/dev/null; then
+    check "the library for RV32 (ESP32-C3)" compiles riscv64-unknown-elf-gcc --specs=picolibc.specs -march=rv32imc -mabi=ilp32
+else
+    skip "no riscv64-unknown-elf-gcc with picolibc here"
+fi
+# Where the chip has a fused multiply-add, gnu11 would use it, and the Arduino tools take no options.
+fused() { arm-none-eabi-gcc -std=gnu11 -O2 -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard "$@" -I"$src" -S "$dir/fused.c" -o - | grep -c vfma; }
+printf '#include "stdlib/f64.h"\nSmF64 f(SmF64 a, SmF64 b, SmF64 c) { return sm_add(sm_mul(a, b), c); }\n' >"$dir/fused.c"
+if has arm-none-eabi-gcc; then
+    check "a * b + c is rounded twice on a Cortex-M7" test "$(fused) $(fused -DARDUINO=10800)" = "1 0"
+fi
+
+# ---- the examples, against the script engine ----
+
+# What the sketch of that name should print: pressure, state, valve.
+expect()
+{
+    "$build/smc" test -w --engine=all "$examples/$1/tank.sm" tests/arduino/plant.ss --trace="$dir/$1.trace" >/dev/null &&
+        awk '{ at[$1 " " $2] = $3; n = $1 } END { for (i = 1; i <= n; i++) print at[i " tankPressure"], at[i " S"], at[i " valveOpen"] == "true" }' \
+            "$dir/$1.trace" >"$dir/$1.expected"
+}
+
+on_this_computer()
+{
+    for f in $(cd "$src" && find . -name '*.c'); do
+        $CC -std=gnu11 -O1 -I"$src" -c "$src/$f" -o "$dir/$(echo "$f" | tr / _).o" || return 1
+    done
+    for f in "$examples/$1"/*.c; do
+        test ! -f "$f" || $CC -std=gnu11 -O1 -c "$f" -o "$dir/$1.c.o" || return 1
+    done
+    objects=$(find "$dir" -name '._*.o' -o -name "$1.c.o")
+    $CXX -std=c++11 -O1 -I. -Itests/arduino -I"$src" -x c++ -include Arduino.h "$examples/$1/$1.ino" tests/arduino/host.cpp -x none $objects -o "$dir/$1" &&
+        "$dir/$1" >"$dir/$1.here" && cmp "$dir/$1.here" "$dir/$1.expected"
+}
+
+# arduino BOARD SKETCH: by the Arduino tools, without a warning of ours (gcc 5.4 finds variables uninitialized, when linking, that are not)
+arduino()
+{
+    arduino-builder -compile -hardware /usr/share/arduino-builder -hardware /usr/share/arduino/hardware -tools /usr/bin -libraries "$dir/libraries" \
+        -fqbn "arduino:avr:$1" -build-path "$dir/made" -build-cache "$dir/core" -warnings all -prefs=build.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ \
+        "$examples/$2/$2.ino" >"$dir/builder" 2>&1 && ! grep "$dir/libraries.*warning" "$dir/builder" | grep -v maybe-uninit && grep 'Sketch uses\|Global var' "$dir/builder"
+}
+
+emulated() { "$dir/board" "$1" "$dir/made/$2.ino.elf" >"$dir/$2.there" 2>"$dir/$2.stack" && cmp "$dir/$2.there" "$dir/$2.expected"; }
+
+emulates=0
+if ! has arduino-builder || [ ! -d /usr/share/arduino/hardware/arduino/avr ]; then
+    skip "no arduino-builder and arduino-core-avr here"
+elif ! echo '#include <simavr/sim_avr.h>' | $CC -fsyntax-only -x c - 2>/dev/null; then
+    skip "no simavr here"
+elif $CC -std=gnu99 -O1 -Wall -Wextra -I. tests/arduino/board.c -o "$dir/board" -lsimavr -lelf; then
+    emulates=1
+fi
+
+example()   # SKETCH BOARD…
+{
+    sketch=$1
+    shift
+    check "the script of $sketch runs" expect "$sketch"
+    check "$sketch goes through every state but one" test "$(awk '{ print $2, $3 }' "$dir/$sketch.expected" | sort -u | tr '\n' ' ')" = "1 0 1 1 3 1 "
+    if has "$CXX"; then check "$sketch on this computer" on_this_computer "$sketch"; else skip "no $CXX here"; fi
+    for board in "$@"; do
+        [ $emulates = 1 ] || break
+        rm -rf "$dir/made"
+        mkdir "$dir/made"
+        mcu=$(case $board in uno) echo atmega328p ;; *) echo atmega2560 ;; esac)
+        check "$sketch for $board builds" arduino "$(test $board = uno && echo uno || echo mega:cpu=atmega2560)" "$sketch"
+        check "$sketch on $board" emulated $mcu "$sketch"
+        echo "$sketch on $board: $(sed -n 's/Sketch uses \([0-9]*\).*/\1 bytes of flash/p' "$dir/builder"), $(
+            sed -n 's/Global variables use \([0-9]*\).*/\1 bytes of RAM/p' "$dir/builder"), $(cat "$dir/$sketch.stack")"
+    done
+}
+example TankImage mega
+echo "$passed passed, $failed failed, $skipped skipped"
+[ $failed -eq 0 ]
