@@ -171,14 +171,21 @@ static EngineStatus broken(EngineC *e, const char *why)
     return ENGINE_BROKEN;
 }
 
-static void put_word(Buf *b, uint32_t v) { buf_put(b, &v, sizeof v); }
+static uint64_t number_at(const uint8_t *at, int size)
+{
+    uint64_t v = 0;
+
+    while (size > 0)
+        v = v << 8 | at[--size];
+    return v;
+}
 
 static void message_start(EngineC *e, uint32_t form, uint32_t command)
 {
     if (form == 0)
         e->message.n = 0;
-    put_word(&e->message, e->machine * FORMS + form);
-    put_word(&e->message, command);
+    buf_u32(&e->message, e->machine * FORMS + form);
+    buf_u32(&e->message, command);
 }
 
 static size_t answer_size(const Program *p) { return 12 + 9 * p->var.n; }
@@ -187,7 +194,7 @@ static size_t answer_size(const Program *p) { return 12 + 9 * p->var.n; }
 static EngineStatus exchange(EngineC *e, EngineStep *out)
 {
     const size_t vars = e->engine.program->var.n, size = answer_size(e->engine.program);
-    uint32_t head[3];
+    const uint8_t *cell = e->answer + 12;
     const char *why;
 
     if (!os_partner_write(&e->batch->partner, e->message.at, e->message.n, &why) ||
@@ -195,14 +202,14 @@ static EngineStatus exchange(EngineC *e, EngineStep *out)
         return broken(e, why);
     if (memcmp(e->answer, e->answer + size, size - vars) != 0)
         return broken(e, "with and without --track-stores it does not do the same");
-    memcpy(head, e->answer, sizeof head);
-    if (head[0] > 1)
+    if (number_at(e->answer, 4) > 1)
         return broken(e, "it does not start: the C compiler or its options change what arithmetic means");
-    out->status = head[0] == 0 ? ENGINE_OK : ENGINE_REFUSED;
-    out->next_state = head[1];
-    out->next_is_first = head[2] != 0;
-    memcpy(out->cell, e->answer + sizeof head, 8 * vars);
-    memcpy(out->stored, e->answer + sizeof head + 8 * vars, vars);
+    out->status = number_at(e->answer, 4) == 0 ? ENGINE_OK : ENGINE_REFUSED;
+    out->next_state = (uint32_t)number_at(e->answer + 4, 4);
+    out->next_is_first = number_at(e->answer + 8, 4) != 0;
+    for (size_t i = 0; i < vars; i++)
+        out->cell[i] = number_at(cell + 8 * i, 8);
+    memcpy(out->stored, cell + 8 * vars, vars);
     return out->status;
 }
 
@@ -212,7 +219,7 @@ static EngineStatus c_init(Engine *engine, uint32_t state, EngineStep *out)
 
     for (uint32_t form = 0; form < FORMS; form++) {
         message_start(e, form, 0);
-        put_word(&e->message, state);
+        buf_u32(&e->message, state);
     }
     return exchange(e, out);
 }
@@ -223,10 +230,10 @@ static EngineStatus c_step(Engine *engine, const EngineWrite *write, uint32_t n,
 
     for (uint32_t form = 0; form < FORMS; form++) {
         message_start(e, form, 1);
-        put_word(&e->message, n);
+        buf_u32(&e->message, n);
         for (uint32_t i = 0; i < n; i++) {
-            put_word(&e->message, write[i].var);
-            buf_put(&e->message, &write[i].cell, sizeof write[i].cell);
+            buf_u32(&e->message, write[i].var);
+            buf_u64(&e->message, write[i].cell);
         }
     }
     return exchange(e, out);

@@ -37,8 +37,8 @@ void emit_c_image(Arena *arena, const char *name, const Buf *image, const EmitCO
 void emit_c_bytes(const Buf *image, Buf *out);
 
 // Several machines and a main as one translation unit: a program that runs them at the command of its standard input.
-// compiler/device/engine_c.c compiles and drives it.  track_stores is by machine.  The exchange, in the host's byte order and
-// without padding:
+// compiler/device/engine_c.c compiles and drives it.  track_stores is by machine.  The exchange, lowest byte first and without
+// padding:
 //   to it:    u32 machine, u32 command, then
 //             command 0, init:   u32 state                        elements zero, locals at their initial values, then init
 //             command 1, step:   u32 n, n times (u32 variable, u64 cell)
