@@ -35,9 +35,9 @@ $(B)/obj/%.o: %.c
 # The engine vm-soft: the VM once more as on a chip, with soft numbers and its tables kept, its names changed so that both fit in one
 # program.
 VM_SOFT = $(patsubst %.c,$(B)/soft/obj/%.o,compiler/script/engine_vm.c $(VM))
-$(B)/gen/soft_names.h: $(wildcard bytecode-vm/*.[ch])
+$(B)/gen/soft_names.h: $(wildcard bytecode-vm/*.[ch]) compiler/script/engine_vm.c
 	@mkdir -p $(@D)
-	$(call say,GEN){ cat $^ | tr -c 'a-z0-9_' '\n' | grep '^smvm_' | sort -u; echo engine_vm_open; } | \
+	$(call say,GEN)cat $^ | tr -c 'a-z0-9_' '\n' | grep '^smvm_\|^engine_vm_' | sort -u | \
 	    sed -e 's/.*/#define & soft_&/' -e 's/soft_engine_vm_open/engine_vm_soft_open/' >$@.new && mv $@.new $@
 $(B)/soft/obj/%.o: %.c $(B)/gen/soft_names.h
 	@mkdir -p $(@D)
@@ -355,6 +355,28 @@ CHECK_LINES += "avr: sh tests/avr/run.sh $(B) '$(CC)'"
 check-avr: all $(B)/diff/difftest
 	sh tests/avr/run.sh $(B) '$(CC)' $(N) $(SEED) 300
 .PHONY: check-avr
+
+# tests/targets: on other processors, emulated: the VM, and emitted C.  `make targets-campaign N=10000 NC=1000 SEED=1`: so many random
+# programs as images, and as C at each level, on each of them, or on those that TARGETS names; goes on where it was stopped.
+TARGETS_OPT  ?= -Os
+TARGETS_VM    = tests/targets/vm.c $(filter-out %/disasm.c,$(VM)) $(STDLIB)
+TARGETS_ROOM  = $(shell sh tests/targets/cc.sh $* vm)
+$(B)/targets/vm-%: $(TARGETS_VM) $(wildcard tests/targets/*.txt tests/targets/cc.sh tests/targets/bare/* bytecode-vm/*.[hd]* stdlib/*.[hd]*)
+	@mkdir -p $(@D)
+	$(call say,CC)sh tests/targets/cc.sh $* -std=c99 -ffp-contract=off -I. -Wall -Wextra -Werror $(TARGETS_OPT) $(TARGETS_ROOM) -o $@ \
+	    $(if $(findstring DECODED=0,$(TARGETS_ROOM)),$(filter-out %/fast.c %/decode.c,$(TARGETS_VM)),$(TARGETS_VM))
+$(B)/targets/cases: tests/targets/cases.c $(filter-out %/main.o,$(DIFF_OBJ)) $(B)/libsmc.a $(B)/runtime/sim.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+check: $(B)/diff/difftest $(B)/targets/cases
+CHECK_LINES += "targets: sh tests/targets/run.sh $(B)"
+check-targets targets-campaign: $(B)/diff/difftest $(B)/targets/cases
+check-targets:
+	sh tests/targets/run.sh $(B)
+targets-campaign:
+	N=$(N) NC=$(NC) SEED=$(SEED) nice -n 19 sh tests/targets/campaign.sh $(B) $(TARGETS)
+.PHONY: check-targets targets-campaign
 
 # tests/psl: what the headers of runtime-c/pal promise, on each platform, and what io.h makes of its pins.  Linux: with IIO devices in a folder of the test, and with
 # calls that the test can let fail; the other watchdog is only compiled.

@@ -51,6 +51,13 @@ const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a
 Engine *engine_ref_open(Arena *arena, const Program *p);
 // The VM, on an image that holds p as machine number `machine`.
 Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
+// Where an engine that engine_vm_open gave keeps a variable, for who runs its image elsewhere.
+typedef struct EnginePlace {
+    enum { PLACE_CONSTANT, PLACE_TIME, PLACE_ELEMENT, PLACE_LOCAL } in;
+    uint32_t offset;          // in bytes: in the state vector, or among the locals
+    uint32_t output;          // 1 + its number among the machine's outputs, as smvm_stored has them; 0: it is none
+} EnginePlace;
+EnginePlace engine_vm_place(const Engine *e, uint32_t var);
 // The VM as it is on a chip without binary64: engine_vm.c and bytecode-vm/, compiled once more with the soft type (see the Makefile).
 Engine *engine_vm_soft_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
 

@@ -224,3 +224,18 @@ Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, siz
     v->engine.close = vm_close;
     return &v->engine;
 }
+
+EnginePlace engine_vm_place(const Engine *e, uint32_t var)
+{
+    const VmEngine *v = e->self;
+    const Var *of = v->p->var.at[var];
+    EnginePlace place = {PLACE_CONSTANT, 0, v->output[var]};
+
+    if (of == v->p->t)
+        place.in = PLACE_TIME;
+    if (v->at[var]) {
+        place.in = of->kind == VAR_ELEMENT ? PLACE_ELEMENT : PLACE_LOCAL;
+        place.offset = (uint32_t)(v->at[var] - (place.in == PLACE_ELEMENT ? (uint8_t *)v->sv : (uint8_t *)smvm_locals(v->vm)));
+    }
+    return place;
+}

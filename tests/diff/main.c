@@ -2,13 +2,13 @@
 // The campaign: random programs, one a seed, each run on every engine in lock step.
 //
 //     difftest [--seed=N] [--count=N] [--steps=N] [--jobs=N] [--out=DIR] [--resume] [--print] [--no-reduce] [--no-floors] [--first]
-//              [--forms=012h] [--cc=COMMAND]… [--sound]
+//              [--forms=012h] [--cc=COMMAND]… [--vm=COMMAND]… [--sound]
 //
 // Workers take blocks of seeds in turn.  Each keeps a file in DIR with how far it is and what its programs met, so that
 // --resume goes on where an interrupted campaign stopped.  A worker that crashes or hangs names its seed and is replaced.
 // Every program is run at -O0, -O1, -O2 and with its locals hidden from everybody (h), or in the --forms that are named.
 // With --cc the emitted C is compiled by each of these commands and compared, instead of the VM: in one form a program, unless
-// --forms names some.
+// --forms names some.  With --vm their images are fed to each of these commands, likewise (batch.h).
 // With --sound each program runs alone, from its first state, held against what analyses say of it (sound.h).
 // A failing program is made smaller and written to DIR/seed-N.  Exit: 0 all agree, 1 not, 2 usage.
 #define _POSIX_C_SOURCE 200809L
@@ -26,12 +26,12 @@
 #include <unistd.h>
 
 #include "stdlib/crc32.h"
-#include "tests/diff/cbatch.h"
+#include "tests/diff/batch.h"
 #include "tests/diff/reduce.h"
 #include "tests/diff/sound.h"
 #include "tests/diff/subject.h"
 
-enum { BLOCK = 500, JOBS_MAX = 64, HANG_SECONDS = 60, COMPILERS_MAX = 8, BATCH = 50 };
+enum { BLOCK = 500, JOBS_MAX = 64, HANG_SECONDS = 60, VIAS_MAX = 8, BATCH = 50 };
 
 typedef struct Options {
     uint64_t seed, count;
@@ -40,8 +40,8 @@ typedef struct Options {
     bool resume, print, reduce, floors, first, sound;
     unsigned forms;                   // 1u << Form of each that is run; 0: none was named
     uint32_t build;                   // of this program: another one has to prove everything anew
-    uint32_t ccs;
-    const char *cc[COMPILERS_MAX];
+    uint32_t vias;
+    Via via[VIAS_MAX];
 } Options;
 
 // What a worker has done; it lies in memory that the parent sees too, and in a file for --resume.
@@ -49,7 +49,7 @@ typedef struct Tally {
     uint64_t next;                    // the block it works on, counted from 0
     uint64_t seed;                    // the program it works on
     uint64_t programs, steps, different, rejected, crashed;
-    uint64_t transition, saturation, nan, infinity, full_window, refusal, refused, store, change, impossible, finding;
+    uint64_t transition, saturation, nan, infinity, full_window, refusal, refused, store, change, impossible, finding, no_room;
 } Tally;
 
 // ---- one program ----
@@ -89,7 +89,7 @@ static RunOptions options_of(const Options *o, uint64_t seed)
     how.sound = o->sound;
     if (o->forms != 0)
         how.forms = o->forms;
-    else if (o->ccs != 0)
+    else if (o->vias != 0)
         how.forms = 1u << rng_mix(seed, 10) % FORM_COUNT;
     return how;
 }
@@ -119,7 +119,7 @@ static void run_seed(const Options *o, uint64_t seed, Tally *t)
     arena_free(&arena);
 }
 
-// ---- a batch of programs, through C ----
+// ---- a batch of programs, run by others ----
 
 static void count_batch(const Options *o, Gen **g, uint32_t n, RunResult *r, const char *folder, Tally *t, Arena *arena)
 {
@@ -129,16 +129,17 @@ static void count_batch(const Options *o, Gen **g, uint32_t n, RunResult *r, con
         t->steps += g[i]->steps;
         t->different += r[i].verdict == VERDICT_DIFFERENT;
         t->rejected += r[i].verdict == VERDICT_REJECTED;
+        t->no_room += r[i].met.no_room;
         how.folder = folder;
-        for (uint32_t c = 0; c < o->ccs && r[i].verdict != VERDICT_SAME && how.cc == NULL; c++)
-            if (strstr(r[i].message, o->cc[c]) != NULL)       // the one that showed it
-                how.cc = o->cc[c];
+        for (uint32_t v = 0; v < o->vias && r[i].verdict != VERDICT_SAME && how.via == NULL; v++)
+            if (strstr(r[i].message, o->via[v].command) != NULL)      // the one that showed it
+                how.via = &o->via[v];
         if (r[i].verdict != VERDICT_SAME && t->different + t->rejected <= 5)
             report_failure(o, g[i], &how, r[i], arena);
     }
 }
 
-static void run_seeds_in_c(const Options *o, uint64_t first, uint32_t n, Tally *t)
+static void run_seeds_elsewhere(const Options *o, uint64_t first, uint32_t n, Tally *t)
 {
     Gen *g[BATCH];
     RunResult r[BATCH];
@@ -147,21 +148,15 @@ static void run_seeds_in_c(const Options *o, uint64_t first, uint32_t n, Tally *
     Arena arena;
     diff_arena_init(&arena);
     memset(r, 0, sizeof r);
-    snprintf(folder, sizeof folder, "%s/c-%llu", o->out, (unsigned long long)first);
+    snprintf(folder, sizeof folder, "%s/batch-%llu", o->out, (unsigned long long)first);
     mkdir(folder, 0777);
     for (uint32_t i = 0; i < n; i++) {
         g[i] = gen_program(&arena, first + i, o->steps);
         forms[i] = options_of(o, first + i).forms;
     }
-    run_c_batch(g, forms, n, o->cc, o->ccs, folder, &arena, r);
+    run_batch(g, forms, n, o->via, o->vias, folder, &arena, r);
     count_batch(o, g, n, r, folder, t, &arena);
-    for (int i = 0; i < 5; i++) {
-        static const char *const made[] = { "batch.c", "batch", "batch.log", "commands", "answers" };
-        char path[600];
-        snprintf(path, sizeof path, "%s/%s", folder, made[i]);
-        remove(path);
-    }
-    rmdir(folder);
+    batch_clean(folder);
     arena_free(&arena);
 }
 
@@ -208,7 +203,7 @@ static void tally_load(const Options *o, uint32_t worker, Tally *t)
         return;
     if (fread(&then, sizeof then, 1, f) == 1 && fread(&read, sizeof read, 1, f) == 1 &&
         then.seed == o->seed && then.jobs == o->jobs && then.steps == o->steps && then.build == o->build &&
-        then.ccs == o->ccs && then.forms == o->forms && then.sound == o->sound)
+        then.vias == o->vias && then.forms == o->forms && then.sound == o->sound)
         *t = read;
     fclose(f);
 }
@@ -223,12 +218,12 @@ static void work(const Options *o, uint32_t worker, Tally *t)
         const uint64_t last = (block + 1) * BLOCK < o->count ? (block + 1) * BLOCK : o->count;
         const uint64_t first = t->seed >= o->seed + block * BLOCK && t->next == block ? t->seed - o->seed : block * BLOCK;
         t->next = block;
-        for (uint64_t i = first; i < last && goes_on(o, t); i += o->ccs != 0 ? BATCH : 1) {
+        for (uint64_t i = first; i < last && goes_on(o, t); i += o->vias != 0 ? BATCH : 1) {
             t->seed = o->seed + i;
-            if (o->ccs == 0)
+            if (o->vias == 0)
                 run_seed(o, o->seed + i, t);
             else
-                run_seeds_in_c(o, o->seed + i, last - i < BATCH ? (uint32_t)(last - i) : BATCH, t);
+                run_seeds_elsewhere(o, o->seed + i, last - i < BATCH ? (uint32_t)(last - i) : BATCH, t);
         }
         t->next = block + o->jobs;
         tally_save(o, worker, t);
@@ -262,7 +257,7 @@ static void look_after(const Options *o, Tally *tally, pid_t *pid, uint64_t *see
     } else if (tally[w].seed != seen[w]) {
         seen[w] = tally[w].seed;
         since[w] = time(NULL);
-    } else if (time(NULL) - since[w] > (o->ccs != 0 ? 20 : 1) * HANG_SECONDS) {
+    } else if (time(NULL) - since[w] > (o->vias != 0 ? 20 : 1) * HANG_SECONDS) {
         kill(pid[w], SIGKILL);
     }
 }
@@ -309,6 +304,7 @@ static void add_up(Tally *sum, const Tally *t)
     sum->change += t->change;
     sum->impossible += t->impossible;
     sum->finding += t->finding;
+    sum->no_room += t->no_room;
 }
 
 // A share below its floor means that the generator has stopped looking there.  Few programs may stray.
@@ -356,8 +352,10 @@ static bool report(const Options *o, const Tally *t, double seconds)
            (unsigned long long)t->steps, seconds, (double)t->programs / seconds);
     if (o->sound)
         good = report_sound(o, t);
-    else if (o->ccs == 0)
+    else if (o->vias == 0)
         good = report_shares(o, t);
+    if (t->no_room > 0)
+        printf("%llu programs had no room\n", (unsigned long long)t->no_room);
     printf("difftest: %llu passed, %llu failed (%llu different, %llu rejected, %llu crashed)\n",
            (unsigned long long)(t->programs - t->different - t->rejected), (unsigned long long)failed,
            (unsigned long long)t->different, (unsigned long long)t->rejected, (unsigned long long)t->crashed);
@@ -398,8 +396,8 @@ static bool take_option(Options *o, const char *arg)
         return o->jobs = (uint32_t)n, true;
     if (strncmp(arg, "--out=", 6) == 0)
         return o->out = arg + 6, true;
-    if (strncmp(arg, "--cc=", 5) == 0 && o->ccs < COMPILERS_MAX)
-        return o->cc[o->ccs++] = arg + 5, true;
+    if ((strncmp(arg, "--cc=", 5) == 0 || strncmp(arg, "--vm=", 5) == 0) && o->vias < VIAS_MAX)
+        return o->via[o->vias++] = (Via){ arg + 5, arg[2] == 'v' }, true;
     if (strncmp(arg, "--forms=", 8) == 0)
         return take_forms(o, arg + 8);
     if (strcmp(arg, "--resume") == 0)
@@ -443,6 +441,11 @@ int main(int argc, char **argv)
     mkdir(o.out, 0777);
     if (o.print)
         return print_seed(&o, o.seed), 0;
+    for (uint32_t v = 1; v < o.vias; v++)
+        if (o.via[v].images != o.via[0].images) {
+            fputs("difftest: --cc and --vm do not go together\n", stderr);
+            return 2;
+        }
     Tally *tally = mmap(NULL, JOBS_MAX * sizeof *tally, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (tally == MAP_FAILED)
         return 3;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/diff/cbatch.h"
+#include "tests/diff/batch.h"
 #include "tests/diff/engine_ir.h"
 #include "tests/diff/engine_task.h"
 #include "tests/diff/sound.h"
@@ -53,8 +53,7 @@ IrMachine *run_machine(Subject *s, const Program *p, Form form)
     return session_ir(&s->session, p, form < FORM_O2 ? (int)form : 2);
 }
 
-// The program as who runs a form of it knows it: locals that it may not have are constants to him.
-static const Program *known_program(Subject *s, Form form)
+const Program *run_known_program(Subject *s, Form form)
 {
     Arena *a = &s->session.arena;
     if (form != FORM_HIDDEN)
@@ -88,7 +87,7 @@ static const char *add_vm(Lanes *l, Subject *s, Form form, const Subject *before
     m[n++] = run_machine(s, s->program, form);
     if (m[0] == NULL || m[n - 1] == NULL || !session_image(&s->session, m, n, &options, &image))
         return "the compiler makes no image";
-    Engine *e = engine_vm_open(&s->session.arena, known_program(s, form), (const uint8_t *)image.at, image.n, n - 1, &error);
+    Engine *e = engine_vm_open(&s->session.arena, run_known_program(s, form), (const uint8_t *)image.at, image.n, n - 1, &error);
     if (e == NULL)
         return error;
     add_lane(l, s, e, form);
@@ -96,7 +95,7 @@ static const char *add_vm(Lanes *l, Subject *s, Form form, const Subject *before
         return NULL;
     add_lane(l, s, engine_ir_open(&s->session.arena, s->program, m[n - 1]), form);
     if (form == FORM_O2 || form == FORM_HIDDEN) {
-        e = engine_task_open(&s->session.arena, known_program(s, form), (const uint8_t *)image.at, image.n, form == FORM_O2, &error);
+        e = engine_task_open(&s->session.arena, run_known_program(s, form), (const uint8_t *)image.at, image.n, form == FORM_O2, &error);
         if (e == NULL)
             return error;
         add_lane(l, s, e, form);
@@ -265,8 +264,8 @@ RunResult run_case(Gen *g, const RunOptions *o, Arena *arena)
     RunResult r = { VERDICT_REJECTED, NULL, 0, { 0 } };
     if (o->sound)
         return run_sound(g, arena);
-    if (o->cc != NULL)
-        return run_c_batch(&g, &o->forms, 1, &o->cc, 1, o->folder, arena, &r), r;
+    if (o->via != NULL)
+        return run_batch(&g, &o->forms, 1, o->via, 1, o->folder, arena, &r), r;
     memset(&watch, 0, sizeof watch);
     r.message = subject_compile(&plain, g, arena);
     if (r.message == NULL)
@@ -330,8 +329,8 @@ void run_write_files(Gen *g, const RunOptions *o, const RunResult *r, const char
         write_file(folder, "bus.sv", &sv);
     }
     buf_printf(&what, "seed %llu, step %u", (unsigned long long)g->seed, (unsigned)r->step);
-    if (o->cc != NULL)
-        buf_printf(&what, ", %s", o->cc);
+    if (o->via != NULL)
+        buf_printf(&what, ", %s", o->via->command);
     else if (o->change)
         buf_printf(&what, ", compared with %s at %s", gen_change_name[o->what], form_name[o->change_form]);
     buf_printf(&what, "\n%s\n\n", r->message != NULL ? r->message : "");

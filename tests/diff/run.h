@@ -16,6 +16,7 @@ typedef enum Verdict {
 typedef struct Met {          // what a program met, as flags to be counted
     bool transition, saturation, nan, infinity, full_window, refusal, store;
     bool impossible, finding; // run_sound: facts exclude a way of a guard; a finding calls something dead
+    bool no_room;             // a target has too little for it
     uint32_t refused;         // steps
 } Met;
 
@@ -34,7 +35,7 @@ typedef struct RunOptions {
     bool sound;               // hold it against what analyses say of it, instead of comparing engines (sound.h)
     bool inits;               // work the initial values out a second time, when running
     GChange what;
-    const char *cc;           // NULL, or a C compiler's command: the emitted C is run instead of the VM …
+    const struct Via *via;    // NULL, or what runs it instead of the engines here (batch.h) …
     const char *folder;       // … and this is where its files go
 } RunOptions;
 
@@ -50,6 +51,8 @@ RunOptions run_options_of(uint64_t seed);
 
 // The machine of a compiled program in some form; NULL if there is none.
 IrMachine *run_machine(Subject *s, const Program *p, Form form);
+// The program as who runs a form of it knows it: locals that it may not have are constants to him.
+const Program *run_known_program(Subject *s, Form form);
 // Whether nothing can be said of a local of a machine in this form.
 bool run_is_unknown(const Var *v, Form form);
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many programs at once, run by something outside of this process: as emitted C in one translation unit, compiled by several
+// compilers; or as images, fed to a program that runs them.  Each is fed the whole conversation (talk.h); what it answers must be what
+// the reference answered, byte for byte.
+#ifndef SM_DIFF_BATCH_H
+#define SM_DIFF_BATCH_H
+
+#include "tests/diff/talk.h"
+
+enum { BATCH_MAX = 100 };
+
+// What runs them: a C compiler's command, or that of a program as tests/targets/vm.c.
+typedef struct Via {
+    const char *command;
+    bool images;
+} Via;
+
+// Runs n programs (at most BATCH_MAX), each in some forms (1u << Form …), by each of these, all of one kind; r[i] tells of the i-th.
+// Files are made in `folder`.
+void run_batch(Gen *const *g, const unsigned *forms, uint32_t n, const Via *via, uint32_t vias, const char *folder, Arena *arena,
+               RunResult *r);
+
+// The part of a machine, ready to be recorded; NULL where no image can be made of it, and `result` says why.
+TalkPart *batch_part(Talk *t, Session *s, const Program *p, const Program *known, Form form, IrMachine *ir, RunResult *result);
+// Holds the conversation.
+void batch_talk(Talk *t, const Via *via, uint32_t vias, const char *folder);
+// Removes what batch_talk made, and the folder.
+void batch_clean(const char *folder);
+
+#endif

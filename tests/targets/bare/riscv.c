@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where QEMU's "virt" begins a program: the first address of its RAM.
+__asm__(".section .vectors, \"ax\"\n"
+        ".globl _start\n"
+        "_start:\n"
+        ".option push\n"
+        ".option norelax\n"
+        ".option arch, +zicsr\n"
+        "    la gp, __global_pointer$\n"
+        "    la sp, stack_top\n"
+        "    la t0, trapped\n"
+        "    csrw mtvec, t0\n"
+        "    li t0, 0x6000\n"             // mstatus.FS: an FPU has to be switched on
+        "    csrs mstatus, t0\n"
+        "    j begin\n"
+        ".option pop\n");

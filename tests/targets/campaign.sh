@@ -1,0 +1,35 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Random programs on other processors: N as images, NC as emitted C at each of three levels, from SEED on; and all of conformance/.
+#     campaign.sh BUILD [TARGET…]
+# What runs on takes up where it was stopped; what is done tells again how it ended.
+B=$1/targets difftest=$1/diff/difftest
+N=${N:-10000} NC=${NC:-1000} SEED=${SEED:-1}
+[ $# -gt 1 ] || set -- "$1" $(sed -n 's/^\([a-z][^ ]*\) *|.*/\1/p' tests/targets/targets.txt)
+build=$1
+shift
+
+run() {  # NAME COMMAND…
+    echo "== $1"
+    shift
+    "$@" || failed=1
+}
+
+failed=0
+for target; do
+    missing=$(sh tests/targets/cc.sh "$target" present)
+    [ -z "$missing" ] || { echo "$target: $missing"; continue; }
+    if [ "$N" -gt 0 ]; then
+        make -s B="$build" "$B/vm-$target" || exit 1
+        run "$target, images of conformance" "$B/cases" --vm="$B/vm-$target" --out="$B/campaign-cases-$target" conformance/*/*.smt
+        run "$target, images" "$difftest" --vm="$B/vm-$target" --seed="$SEED" --count="$N" --resume --out="$B/campaign-images-$target"
+    fi
+    # Emitted C wants more room than a microbit has, and has no soft numbers here.
+    case $NC$target in 0* | [0-9]*m0 | *-soft) continue ;; esac
+    run "$target, C of conformance" "$B/cases" --cc="sh tests/targets/cc.sh $target -std=gnu11 -O1" --out="$B/campaign-cases-$target" conformance/*/*.smt
+    for level in -O2 -Os -O0; do
+        run "$target, C $level" "$difftest" --cc="sh tests/targets/cc.sh $target -std=gnu11 $level" --seed="$SEED" --count="$NC" --resume \
+            --out="$B/campaign-c$level-$target"
+    done
+done
+exit $failed

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cases of conformance/ on some target: what their scripts write to a machine is written down, with what the reference answers
+// (tests/diff/talk.h), and held there again.
+//     cases --vm=COMMAND | --cc=COMMAND [--every=N] --out=FOLDER CASE.smt…       every N-th of them
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "compiler/script/testfile.h"
+#include "compiler/sema/check.h"
+#include "tests/diff/batch.h"
+#include "tests/diff/subject.h"
+
+enum { TEXT_MAX = 1 << 20, STEPS_MAX = 500, BATCH = 40 };
+
+typedef struct Case {
+    const char *path;
+    TestFile *f;
+    Session s;
+    RunResult result;
+    bool runs;
+} Case;
+
+static unsigned long passed, failed, no_room, left_out;
+static jmp_buf out_of_memory;
+
+static void *heap(void *context, void *old, size_t size)
+{
+    (void)context;
+    if (size == 0) {
+        free(old);
+        return NULL;
+    }
+    return realloc(old, size);
+}
+
+// ---- a case as a part of the conversation ----
+
+static const Source *source(Case *c, const char *suffix)
+{
+    for (size_t i = 0; i < c->f->part.n; i++)
+        if (testfile_has_suffix(&c->f->part.at[i], suffix))
+            return source_new(&c->s.arena, c->f->part.at[i].name, c->f->part.at[i].text, c->f->part.at[i].n);
+    return NULL;
+}
+
+static bool is_for(const Case *c, const char *engine)
+{
+    const char *on = testfile_header(c->f, "on");
+
+    return c->f->error == NULL && c->f->outcome != TEST_ERROR && (on == NULL || testfile_has_word(on, engine));
+}
+
+static Program *compile(Case *c, const Source *ss)
+{
+    Map written = { .arena = &c->s.arena };
+    const MachineInput in = { .sm = source(c, ".sm"), .sv = source(c, ".sv"), .written_outside = &written };
+
+    AstFile *tree = session_parse(&c->s, ss, FILE_SS);
+    if (tree != NULL)
+        script_written_names(tree, &written);
+    return in.sm != NULL ? session_program(&c->s, &in) : NULL;
+}
+
+static void record(Case *c, Talk *t, uint32_t number)
+{
+    const Source *ss = source(c, ".ss");
+    Program *p = ss != NULL && is_for(c, t->images ? "vm" : "c") ? compile(c, ss) : NULL;
+    Script *script = p != NULL ? session_script(&c->s, ss, p) : NULL;
+    const ScriptOptions options = { .max_steps = c->f->steps != 0 && c->f->steps < STEPS_MAX ? c->f->steps : STEPS_MAX };
+    const Form form = (Form)(number % 3);
+
+    if (script == NULL)
+        return;
+    c->runs = true;
+    TalkPart *part = batch_part(t, &c->s, p, p, form, session_ir(&c->s, p, (int)form), &c->result);
+    if (part == NULL)
+        return;
+    Engine *engine = &part->recorder;
+    script_run(&c->s.arena, &c->s.diags, script, &engine, 1, &options);
+}
+
+static void open_case(Case *c, const char *path, Talk *t, uint32_t number)
+{
+    FILE *f = fopen(path, "rb");
+
+    memset(c, 0, sizeof *c);
+    c->path = path;
+    session_init(&c->s, heap, NULL, &out_of_memory);
+    char *text = arena_alloc(&c->s.arena, TEXT_MAX);
+    const size_t n = f != NULL ? fread(text, 1, TEXT_MAX, f) : 0;
+    if (f != NULL)
+        fclose(f);
+    c->f = testfile_parse(&c->s.arena, path, text, n);
+    record(c, t, number);
+}
+
+static void close_case(Case *c)
+{
+    passed += c->runs && c->result.verdict == VERDICT_SAME && !c->result.met.no_room;
+    failed += c->runs && c->result.verdict != VERDICT_SAME;
+    no_room += c->result.met.no_room;
+    left_out += !c->runs;
+    if (c->result.verdict != VERDICT_SAME)
+        printf("%s: %s\n", c->path, c->result.message);
+    session_free(&c->s);
+}
+
+// ---- many ----
+
+static void run(char **path, uint32_t n, uint32_t every, const Via *via, const char *folder)
+{
+    static Case c[BATCH];
+    Arena arena;
+    Talk t;
+
+    diff_arena_init(&arena);
+    talk_init(&t, &arena, via->images, BATCH);
+    for (uint32_t i = 0; i < n; i++)
+        open_case(&c[i], path[i * every], &t, i);
+    mkdir(folder, 0777);
+    if (t.n > 0)
+        batch_talk(&t, via, 1, folder);
+    for (uint32_t i = 0; i < n; i++)
+        close_case(&c[i]);
+    batch_clean(folder);
+    arena_free(&arena);
+}
+
+int main(int argc, char **argv)
+{
+    Via via = { NULL, false };
+    const char *folder = NULL;
+    uint32_t every = 1;
+    int i;
+
+    for (i = 1; i < argc && argv[i][0] == '-'; i++)
+        if (strncmp(argv[i], "--vm=", 5) == 0 || strncmp(argv[i], "--cc=", 5) == 0)
+            via = (Via){ argv[i] + 5, argv[i][2] == 'v' };
+        else if (strncmp(argv[i], "--out=", 6) == 0)
+            folder = argv[i] + 6;
+        else if (strncmp(argv[i], "--every=", 8) == 0)
+            every = (uint32_t)strtoul(argv[i] + 8, NULL, 10);
+    if (via.command == NULL || folder == NULL || every == 0)
+        return 2;
+    const uint32_t n = ((uint32_t)(argc - i) + every - 1) / every;
+    for (uint32_t k = 0; k < n; k += BATCH)
+        run(argv + i + k * every, n - k < BATCH ? n - k : BATCH, every, &via, folder);
+    if (no_room > 0)
+        printf("%lu had no room there\n", no_room);
+    printf("%lu passed, %lu failed\n", passed, failed);
+    return failed != 0 || passed == 0;
+}
