@@ -32,6 +32,7 @@
 
 #include "stdlib/convert.h"
 #include "stdlib/f64.h"
+#include "stdlib/roll_small.h"
 #include "stdlib/types.h"
 
 //: SmRoll
@@ -518,6 +519,47 @@ SM_ROLL_INLINE void sm_roll_take(uint64_t *w, uint32_t n, uint32_t kind, int64_t
     sm_roll_combine(w, n, kind);
 }
 
+#if SM_ROLL_SMALL
+// A window as roll_small.h sees it.
+SM_ROLL_APART void sm_roll_small(SmRollSmall *s, const uint64_t *w, size_t n, uint16_t kind)
+{
+    s->type = (uint8_t)kind & SM_ROLL_TYPE;
+    s->bytes = (uint8_t)(1u << sm_roll_shift(s->type));
+    s->slot = (unsigned char *)(uintptr_t)(w + sm_roll_slots(kind));
+    s->sorted = (kind & SM_ROLL_MEDIAN) == 0 ? NULL : s->slot + ((n * s->bytes + 7u) & ~(size_t)7);
+    s->n = n;
+    s->count = (size_t)sm_roll_count(w);
+    s->next = (size_t)sm_roll_next(w);
+}
+
+// A window takes a sample that is stored as its type already, in a cell that is used up by that.
+static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, unsigned char *cell)
+{
+    SmRollSmall s;
+    sm_roll_small(&s, w, (size_t)n, (uint16_t)kind);
+    sm_roll_small_push(&s, cell);
+    if (s.count < s.n)
+        sm_roll_put((unsigned char *)w, 0, SM_ROLL_U32, (int64_t)(s.count + 1));
+    sm_roll_put((unsigned char *)w, 1, SM_ROLL_U32, (int64_t)(s.next + 1 < s.n ? s.next + 1 : 0));
+}
+
+// A window takes a sample, which is converted to its type as storing does.
+static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
+{
+    unsigned char cell[8];
+    sm_store((SmType)(kind & SM_ROLL_TYPE), cell, x);
+    sm_roll_sample_cell(w, n, kind, cell);
+}
+
+// One of the statistics that a window was made for.
+static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
+{
+    SmRollSmall s;
+    sm_roll_small(&s, w, (size_t)n, (uint16_t)kind);
+    s.count += s.count == 0;                         // its slots hold 0
+    return sm_roll_small_stat(&s, stat);
+}
+#else
 // A window takes a sample, which is converted to its type as storing does.  Where there is room, made for each type.
 static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
 {
@@ -551,5 +593,6 @@ static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, S
     }
     return sm_from_i32(0);
 }
+#endif
 
 #endif

@@ -25,4 +25,13 @@ typedef struct VmBox {
     uint8_t stored[8];        // bits of the first 64 outputs
 } VmBox;
 
+// roll.c: a sample into the window, or a statistic of it.
+enum { ROLL_SAMPLE = 255 };
+typedef struct RollBox {
+    uint64_t x;               // in: the sample; out: the statistic
+    uint32_t n, kind;
+    uint16_t window, window_size;      // where it is, in bytes
+    uint8_t what;             // in: ROLL_SAMPLE, or which statistic
+} RollBox;
+
 #endif

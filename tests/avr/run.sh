@@ -40,6 +40,13 @@ count "$B/run_soft" "$B/soft_portable.elf" 20 "$SEED" free >"$B/soft_portable.tx
 size=$(avr-size "$B/soft_avr.o" | awk 'NR == 2 { print $1 }')
 echo "soft binary64: $size bytes of flash"
 count test "$size" -le 2816
+# Rolling windows, all types and statistics.
+avr roll tests/avr/roll.c $SOFT || exit 1
+$CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_roll.c -o "$B/run_roll" -lsimavr -lelf || exit 1
+count "$B/run_roll" "$B/roll.elf" "$SEED"
+size=$(avr-nm -S --radix=d "$B/roll.elf" | awk '$4 ~ /^sm_roll_/ { n += $2 } END { print n }')
+echo "rolling windows: $size bytes of flash"
+count test "$size" -le 2048
 # The VM: examples and random programs, in lock step with the VM here.
 avr vm -DSMVM_CONFIG='"tests/avr/vm_config.h"' tests/avr/vm.c bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/verify.c bytecode-vm/interp.c $SOFT || exit 1
 $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_vm.c "$1/libsmc.a" -o "$B/run_vm" -lsimavr -lelf -lm || exit 1

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rolling windows against a model that keeps the whole history and works each statistic out anew from language.md 7: it
-// fills an array of slots with holes, halves it level by level, and sorts.  stdlib_roll_small.c runs this with SM_ROLL_SMALL.
+// fills an array of slots with holes, halves it level by level, and sorts.  stdlib_roll_small.c runs this with SM_ROLL_SMALL, where
+// what the VM calls and what emitted C calls are written apart, and leave the same memory.
 #include <stdlib.h>
 
 #include "stdlib/roll.h"
 #include "tests/test.h"
 #include "tests/unit/random.h"
 
-enum { HISTORY = 310000, STATS = 31 };
+enum { HISTORY = 310000, STATS = 31, EMITTED = 10000 };
 
 static double history[HISTORY];          // as the window is to hold them
 
@@ -115,6 +116,45 @@ static double kept(uint32_t kind, double x)
 // ---- comparing ----
 
 static uint64_t memory[5 * SM_WINDOW_MAX];
+#if SM_ROLL_SMALL
+static uint64_t emitted[5 * SM_WINDOW_MAX];
+
+static double emitted_stat(uint32_t n, uint32_t kind, int s)
+{
+    switch (s) {
+    case SM_STAT_AVG: return sm_roll_avg(emitted, kind);
+    case SM_STAT_MEDIAN: return sm_roll_median(emitted, n, kind);
+    case SM_STAT_MIN: return sm_roll_min(emitted, n, kind);
+    case SM_STAT_MAX: return sm_roll_max(emitted, n, kind);
+    default: return sm_roll_range(emitted, n, kind);
+    }
+}
+
+static void check_emitted(uint32_t n, uint32_t kind, const double *stat)
+{
+    CHECK(memcmp(emitted, memory, sm_roll_words(n, kind) * sizeof *memory) == 0);
+    for (int s = 0; s < SM_STAT_COUNT; s++)
+        if ((kind >> 4 >> s & 1u) != 0)
+            CHECK(same(emitted_stat(n, kind, s), stat[s]));
+}
+#endif
+
+static void sample(uint32_t n, uint32_t kind, double x)
+{
+#if SM_ROLL_SMALL
+    if (n <= EMITTED)
+        sm_roll_take(emitted, n, kind, sm_roll_key(kind, x));
+#endif
+    sm_roll_sample(memory, n, kind, x);
+}
+
+static void clear(uint32_t words)
+{
+    memset(memory, 0, words * sizeof *memory);
+#if SM_ROLL_SMALL
+    memset(emitted, 0, words * sizeof *emitted);
+#endif
+}
 
 static void check_stats(uint32_t n, uint32_t kind, uint32_t steps)
 {
@@ -123,18 +163,22 @@ static void check_stats(uint32_t n, uint32_t kind, uint32_t steps)
     for (int s = 0; s < SM_STAT_COUNT; s++)
         if ((kind >> 4 >> s & 1u) != 0)
             CHECK(same(sm_roll_stat(memory, n, kind, (SmStat)s), stat[s]));
+#if SM_ROLL_SMALL
+    if (n <= EMITTED)
+        check_emitted(n, kind, stat);
+#endif
 }
 
 // Takes steps, and looks after each of the first `often`, then every `seldom`.
 static void check_window(uint32_t n, uint32_t kind, int mood, uint32_t steps, uint32_t often, uint32_t seldom)
 {
     const uint32_t words = sm_roll_words(n, kind);
-    memset(memory, 0, words * sizeof *memory);
+    clear(words);
     memory[words] = 12345;
     for (uint32_t k = 0; k < steps; k++) {
         const double x = any_sample(mood, k);
         history[k] = kept(kind, x);
-        sm_roll_sample(memory, n, kind, x);
+        sample(n, kind, x);
         if (k < often || k % seldom == 0)
             check_stats(n, kind, k + 1);
     }

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// A rolling window of whatever type, in little code: what sm_roll_sample and sm_roll_stat of roll.h are made of where SM_ROLL_SMALL is
+// set.  One text serves all types, since samples are bytes here: their keys (roll.h), compared byte by byte.  Numbers go from
+// function to function in memory: handing over two in registers takes an 8-bit computer fifty bytes of code each time.
+#ifndef SM_ROLL_SMALL_H
+#define SM_ROLL_SMALL_H
+
+#include <stddef.h>
+
+#include "stdlib/convert.h"
+
+// Functions that are not made part of others where code is to be small.
+#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
+#define SM_ROLL_APART __attribute__((noinline, unused)) static
+#else
+#define SM_ROLL_APART static inline
+#endif
+
+typedef struct SmRollSmall {
+    unsigned char *slot, *sorted;      // sorted: the samples in order; NULL: nobody asks for a median
+    size_t n, count, next;             // slots, samples, the slot of the next one
+    uint8_t type, bytes;               // of a sample: SmType, its size
+} SmRollSmall;
+
+// Where byte i of a key is, counted from the least significant one.
+static inline uint8_t sm_roll_byte(uint8_t i, uint8_t bytes)
+{
+    const uint16_t one = 1;
+    unsigned char low;
+    memcpy(&low, &one, 1);
+    return low ? i : (uint8_t)(bytes - 1 - i);
+}
+
+static inline bool sm_roll_is_real(uint8_t type) { return type == SM_F32 || type == SM_F64; }
+static inline bool sm_roll_is_signed(uint8_t type) { return type < SM_U8 || sm_roll_is_real(type); }
+
+// Makes the key of what an F32 or F64 holds, and the other way round: of a negative one all bits but the sign turn over.
+SM_ROLL_APART void sm_roll_turn_over(uint8_t type, uint8_t bytes, unsigned char *key)
+{
+    uint8_t i;
+    if (!sm_roll_is_real(type) || key[sm_roll_byte((uint8_t)(bytes - 1), bytes)] < 0x80u)
+        return;
+    for (i = 0; i < bytes; i++)
+        key[i] ^= 0xFFu;
+    key[sm_roll_byte((uint8_t)(bytes - 1), bytes)] ^= 0x80u;
+}
+
+// Sample i of a row.
+SM_ROLL_APART unsigned char *sm_roll_at(const SmRollSmall *s, unsigned char *row, size_t i) { return row + i * s->bytes; }
+
+// Whether key a is below key b.
+static inline bool sm_roll_below(const SmRollSmall *s, const unsigned char *a, const unsigned char *b)
+{
+    uint8_t i = s->bytes, at, sign = sm_roll_is_signed(s->type) ? 0x80u : 0;
+    for (;;) {
+        at = sm_roll_byte(--i, s->bytes);
+        if (a[at] != b[at] || i == 0)
+            return (a[at] ^ sign) < (b[at] ^ sign);
+        sign = 0;
+    }
+}
+
+// Adds the key of a whole number to a sum of eight bytes.
+SM_ROLL_APART void sm_roll_add_whole(const SmRollSmall *s, unsigned char *sum, const unsigned char *key)
+{
+    const uint8_t bytes = s->bytes;
+    uint8_t b, fill = 0;
+    uint16_t digit = 0;
+    unsigned char *to;
+    for (b = 0; b < 8; b++) {
+        if (b < bytes) {
+            fill = key[sm_roll_byte(b, bytes)];
+            digit = (uint16_t)(digit + fill);
+        } else
+            digit = (uint16_t)(digit + (fill >= 0x80u && s->type < SM_U8 ? 0xFFu : 0));
+        to = &sum[sm_roll_byte(b, 8)];
+        digit = (uint16_t)(digit + *to);
+        *to = (unsigned char)digit;
+        digit >>= 8;
+    }
+}
+
+// The number of a key.
+SM_ROLL_APART void sm_roll_number(const SmRollSmall *s, SmF64 *x, const unsigned char *key)
+{
+    uint64_t whole = 0;
+    float f;
+    if (!sm_roll_is_real(s->type)) {
+        sm_roll_add_whole(s, (unsigned char *)&whole, key);
+        *x = sm_from_i64((int64_t)whole);
+        return;
+    }
+    memcpy(x, key, s->bytes);
+    sm_roll_turn_over(s->type, s->bytes, (unsigned char *)x);
+    if (s->type == SM_F32) {
+        memcpy(&f, x, sizeof f);
+        *x = sm_from_f32(f);
+    }
+}
+
+// ---- a sample ----
+
+// The place behind those of the ordered samples that are below key.
+static inline unsigned char *sm_roll_find(const SmRollSmall *s, const unsigned char *key)
+{
+    unsigned char *at = s->sorted;
+    size_t left = s->count, half;
+    for (; left > 0; left = half) {
+        half = left / 2;
+        if (sm_roll_below(s, sm_roll_at(s, at, half), key)) {
+            at = sm_roll_at(s, at, half + 1);
+            half = left - half - 1;
+        }
+    }
+    return at;
+}
+
+// Puts a key among the ordered ones and takes out the oldest, if the window is full.
+SM_ROLL_APART void sm_roll_sort(const SmRollSmall *s, const unsigned char *key)
+{
+    unsigned char *from = sm_roll_at(s, s->sorted, s->count), *to = sm_roll_find(s, key);
+    if (s->count == s->n)
+        from = sm_roll_find(s, sm_roll_at(s, s->slot, s->next));
+    if (from < to) {
+        to -= s->bytes;
+        memmove(from, from + s->bytes, (size_t)(to - from));
+    } else {
+        memmove(to + s->bytes, to, (size_t)(from - to));
+    }
+    memcpy(to, key, s->bytes);
+}
+
+// Takes a sample, which is stored as its type already; the caller counts it.
+SM_ROLL_APART void sm_roll_small_push(const SmRollSmall *s, unsigned char *key)
+{
+    sm_roll_turn_over(s->type, s->bytes, key);
+    if (s->sorted != NULL)
+        sm_roll_sort(s, key);
+    memcpy(sm_roll_at(s, s->slot, s->next), key, s->bytes);
+}
+
+// ---- statistics ----
+
+// *x becomes x op y.
+SM_ROLL_APART void sm_roll_calculate(SmF64 *x, char op, const SmF64 *y)
+{
+    const SmF64 a = *x, b = *y;
+    *x = op == '+' ? sm_add(a, b) : op == '-' ? sm_sub(a, b) : op == '*' ? sm_mul(a, b) : sm_div(a, b);
+}
+
+// Slots are added in pairs, those sums in pairs, and so on: what waits for its other half stands in a row.  Whole numbers come out the
+// same in any order, since a sum of 100000 of them has less than 53 bits: x[0] holds it as such.
+SM_ROLL_APART void sm_roll_small_avg(const SmRollSmall *s, SmF64 *x)
+{
+    const bool real = sm_roll_is_real(s->type);
+    const unsigned char *at = s->slot;
+    SmF64 *end = x;
+    size_t i, whole;
+    if (!real)
+        *end++ = sm_from_bits(0);
+    for (i = 0; i < s->count; i++, at += s->bytes)
+        if (real) {
+            sm_roll_number(s, end++, at);
+            for (whole = i; whole % 2 != 0; whole /= 2, end--)
+                sm_roll_calculate(end - 2, '+', end - 1);
+        } else
+            sm_roll_add_whole(s, (unsigned char *)x, at);
+    for (; end != x + 1; end--)
+        sm_roll_calculate(end - 2, '+', end - 1);
+    if (!real)
+        *x = sm_from_i64((int64_t)sm_bits(*x));
+    *end = sm_from_u32((uint32_t)s->count);
+    sm_roll_calculate(x, '/', end);
+}
+
+// The ordered sample of a rank.  Without an order: the smallest for rank 0, else the largest.
+SM_ROLL_APART void sm_roll_small_ordered(const SmRollSmall *s, SmF64 *x, size_t rank)
+{
+    const unsigned char *at = s->slot, *best = at;
+    size_t i;
+    if (s->sorted != NULL)
+        best = sm_roll_at(s, s->sorted, rank);
+    else
+        for (i = s->count; --i > 0;) {
+            at += s->bytes;
+            if (rank == 0 ? sm_roll_below(s, at, best) : sm_roll_below(s, best, at))
+                best = at;
+        }
+    sm_roll_number(s, x, best);
+}
+
+static inline bool sm_roll_is_infinite(const SmF64 *x)       // not of what is below 0
+{
+    const unsigned char *const byte = (const unsigned char *)x;
+    return byte[sm_roll_byte(7, 8)] == 0x7Fu && byte[sm_roll_byte(6, 8)] >= 0xF0u;
+}
+
+// One of the statistics of a window that has a sample.  x has room for the sums that wait: a window has less than 2^17 slots.
+SM_ROLL_APART SmF64 sm_roll_small_stat(const SmRollSmall *s, SmStat stat)
+{
+    const bool median = stat == SM_STAT_MEDIAN;
+    const size_t last = s->count - 1, low = median ? last / 2 : stat == SM_STAT_MAX ? last : 0;
+    const size_t high = median ? s->count / 2 : stat == SM_STAT_MIN ? 0 : last;
+    SmF64 x[18], *const a = x, *const b = x + 1, *const half = x + 2;
+    if (stat == SM_STAT_AVG) {
+        sm_roll_small_avg(s, x);
+        return *a;
+    }
+    sm_roll_small_ordered(s, a, low);
+    if (low == high && stat != SM_STAT_RANGE)
+        return *a;
+    sm_roll_small_ordered(s, b, high);
+    sm_roll_calculate(b, '-', a);
+    if (!sm_to_bool(*b))                   // 0, or not a number: equal infinities
+        return median ? *a : sm_from_bits(0);
+    if (stat == SM_STAT_RANGE)
+        return *b;
+    *half = sm_from_bits(0x3FE0000000000000u);
+    if (sm_roll_is_infinite(b)) {          // too far apart
+        sm_roll_small_ordered(s, b, high);
+        sm_roll_calculate(a, '*', half);
+    }
+    sm_roll_calculate(b, '*', half);
+    sm_roll_calculate(a, '+', b);
+    return *a;
+}
+
+#endif

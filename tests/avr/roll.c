@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Firmware: a rolling window as the VM has it, of a kind that is known when it runs.
+#include <avr/io.h>
+
+#include "stdlib/roll.h"
+#include "tests/avr/mailbox.h"
+
+#define BARRIER __asm__ volatile("" ::: "memory")
+
+static RollBox box __attribute__((aligned(2)));       // so that the computer may look at it as it is
+static uint64_t window[81];                           // 40 slots of F64, and as many in order
+
+// As the VM calls them: from one place, with nothing known.
+__attribute__((noinline, noclone)) static void sample(uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(window, n, kind, x); }
+__attribute__((noinline, noclone)) static SmF64 stat(uint32_t n, uint32_t kind, SmStat s) { return sm_roll_stat(window, n, kind, s); }
+
+static void act(void)
+{
+    const SmF64 x = sm_from_bits(box.x);
+
+    if (box.what == ROLL_SAMPLE)
+        sample(box.n, box.kind, x);
+    else
+        box.x = sm_bits(stat(box.n, box.kind, (SmStat)box.what));
+}
+
+int main(void)
+{
+    box.window = (uint16_t)window;
+    box.window_size = sizeof window;
+    GPIOR1 = (uint8_t)(uint16_t)&box;
+    GPIOR2 = (uint8_t)((uint16_t)&box >> 8);
+    for (;;) {
+        GPIOR0 = AVR_READY;
+        BARRIER;
+        GPIOR0 = AVR_BEGIN;
+        BARRIER;
+        act();
+        BARRIER;
+        GPIOR0 = AVR_END;
+        BARRIER;
+    }
+}
