@@ -320,6 +320,12 @@ bench-scale: $(B)/bench/scale
 	$(B)/bench/scale
 .PHONY: bench-scale $(BENCH_PARTS:%=bench-%)
 
+# What the parts take on boards (flash, RAM, stack, cycles), against tests/bench/budgets.txt.
+sizes: $(B)/smc
+	@sh tests/bench/sizes.sh $(B) '$(CC)'
+CHECK_LINES += "sizes: sh tests/bench/sizes.sh $(B) '$(CC)'"
+.PHONY: sizes
+
 # tests/fault: memory taken away at every request.  FAULT_ALL=1 tries every machine of conformance/ (minutes).
 FAULT_CASES = $(if $(FAULT_ALL),$(wildcard conformance/*/*.smt),$(wildcard tests/fault/*.smt))
 $(B)/fault/memory: tests/fault/memory.c compiler/base/arena.c $(B)/libsmc.a
@@ -660,6 +666,7 @@ help:
 	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'
 	@echo 'make docs            makes docs/diagnostics.md'
 	@echo 'make bench           measures what a step costs and what code weighs: W=mission, one workload; bench-scale: how compile time grows; bench-runtime: the state vector'
+	@echo 'make sizes           measures what the parts take on boards: flash, RAM, stack, cycles'
 	@echo 'make arduino         makes the Arduino library, $(ARDUINO) and smc.zip beside it'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'
 	@echo 'make clean           removes $(B)'

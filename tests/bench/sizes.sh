@@ -1,0 +1,147 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# What the parts take on a board, against budgets.txt.     sizes.sh BUILD CC
+#     flash    bytes of code and constants, at -Os; of single files as their compiler leaves them, before a linker drops what a program does not call
+#     ram      static bytes (on AVR constants too, which are copied there unless they are in flash)
+#     stack    the deepest, by painting the RAM of the emulated chip and running programs
+#     cycles   of an emulated ATmega328P
+# Targets whose compiler is not here are left out and counted as skipped.
+build=$1/sizes CC=$2 smc=$1/smc
+here=tests/bench
+export ASAN_OPTIONS=detect_leaks=0             # libsimavr forgets what it read of the firmware
+rm -rf "$build"
+mkdir -p "$build" || exit 1
+records=$build/records
+: >"$records"
+skipped=0
+
+has() { command -v "$1" >/dev/null 2>&1; }
+record() { echo "$*" >>"$records"; }           # record TARGET PART MEASURE NUMBER
+fail() { echo "sizes: $*: 0 passed, 1 failed"; exit 1; }
+
+# sections OBJECT…: flash and static RAM; by `lsr`, whether read-only data lies in RAM
+sections()
+{
+    lsr=$1
+    shift
+    "${prefix}size" -A "$@" | awk -v lsr="$lsr" '
+        /^\.(text|init|fini|vectors|progmem)/ { flash += $2 }
+        /^\.rodata/ { flash += $2; ram += lsr * $2 }
+        /^\.data/   { flash += $2; ram += $2 }
+        /^\.(bss|noinit)/ { ram += $2 }
+        END { print flash + 0, ram + 0 }'
+}
+
+# part TARGET NAME FILE…: compiles them one by one with $compile
+part()
+{
+    target=$1 name=$2
+    shift 2
+    mkdir -p "$build/$target"
+    objects=
+    for f; do
+        o=$build/$target/$(echo "$f" | tr / _).o
+        [ -f "$o" ] || $compile -I. -c "$f" -o "$o" || fail "$f for $target"
+        objects="$objects $o"
+    done
+    set -- $(sections "$in_ram" $objects)
+    record "$target" "$name" flash "$1"
+    record "$target" "$name" ram "$2"
+}
+
+VM_PARTS="load pins verify interp"
+parts()     # TARGET
+{
+    for p in $VM_PARTS; do
+        part "$1" "vm/$p" "bytecode-vm/$p.c"
+    done
+    part "$1" vm $(for p in $VM_PARTS; do echo "bytecode-vm/$p.c"; done)
+    part "$1" link runtime-c/link/link.c
+    part "$1" store bytecode-vm/target/store.c
+    part "$1" agent bytecode-vm/target/agent.c
+}
+
+# ---- an Uno's chip ----
+
+AVR_FLAGS="-mmcu=atmega328p -DF_CPU=16000000UL -Os -std=c99 -ffunction-sections -fdata-sections"
+avr_program()   # NAME SOURCE-OR-OPTION…: build/NAME.elf
+{
+    name=$1
+    shift
+    avr-gcc $AVR_FLAGS -Wl,--gc-sections -I. "$@" -o "$build/$name.elf" || fail "$name for AVR"
+}
+
+# What the VM costs that runs: cycles of a step of the tank and of verifying it, the deepest stack of both.
+avr_vm()
+{
+    $CC -std=gnu99 -ffp-contract=off -O1 -I. tests/avr/sim.c tests/avr/run_vm.c "$1/libsmc.a" -o "$build/run_vm" -lsimavr -lelf -lm || fail "run_vm"
+    avr_program vm tests/avr/vm.c $(for p in $VM_PARTS; do echo "$build/atmega328p/bytecode-vm_$p.c.o"; done) stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S
+    set -- $(sections 1 "$build/vm.elf")
+    record atmega328p vm+soft flash $(($1 - 1024))         # less the place of the image
+    "$smc" build -w examples/tank/tank.sm -o "$build/tank.smb" || fail "tank.smb"
+    "$build/run_vm" "$build/vm.elf" 500 700 820 "$build/tank.smb" >"$build/vm.txt" || fail "the tank on the VM"
+    record atmega328p vm-tank cycles "$(sed -n 's/.* steps, \([0-9]*\) cycles.*/\1/p' "$build/vm.txt")"
+    record atmega328p vm-tank cycles-most "$(sed -n 's/.* cycles on average, \([0-9]*\) at most.*/\1/p' "$build/vm.txt")"
+    record atmega328p vm-tank stack "$(sed -n 's/^\([0-9]*\) bytes of stack/\1/p' "$build/vm.txt")"
+    record atmega328p vm-tank image "$(wc -c <"$build/tank.smb")"
+}
+
+if has avr-gcc; then
+    prefix=avr- in_ram=1 compile="avr-gcc $AVR_FLAGS"
+    part atmega328p soft stdlib/soft_avr.S
+    parts atmega328p
+    if echo '#include <simavr/sim_avr.h>' | $CC -fsyntax-only -x c - 2>/dev/null; then avr_vm "$1"; else skipped=$((skipped + 1)); fi
+else
+    skipped=$((skipped + 2))
+fi
+
+# ---- other chips ----
+
+arm()       # TARGET FLAGS…
+{
+    target=$1
+    shift
+    compile="arm-none-eabi-gcc -Os -std=c99 -ffp-contract=off -mthumb $*"
+    parts "$target"
+    part "$target" runtime runtime-c/*.c
+}
+if has arm-none-eabi-gcc; then
+    prefix=arm-none-eabi- in_ram=0
+    arm cortex-m0 -mcpu=cortex-m0
+    arm cortex-m3 -mcpu=cortex-m3
+else
+    skipped=$((skipped + 2))
+fi
+if has gcc && [ "$(gcc -dumpmachine)" = x86_64-linux-gnu ]; then
+    prefix= in_ram=0 compile="gcc -Os -std=c99 -ffp-contract=off"
+    parts x86-64
+    part x86-64 runtime runtime-c/*.c
+else
+    skipped=$((skipped + 1))
+fi
+
+# ---- against the budgets ----
+
+awk -v skipped=$skipped '
+    /^#/ || NF == 0 { next }
+    FNR == NR { most[$1 " " $2 " " $3] = $4; next }
+    {
+        key = $1 " " $2 " " $3
+        if ($3 == "ram" && $4 == 0 && !(key in most))
+            next
+        verdict = ""
+        if (key in most) {
+            if ($4 + 0 > most[key] + 0 || $4 !~ /^[0-9]+$/) { failed++; verdict = "  over the budget" } else passed++
+        }
+        printf "%-12s %-14s %-12s %8s %8s%s\n", $1, $2, $3, $4, most[key], verdict
+        seen[key] = 1
+        target[$1] = 1
+    }
+    END {
+        for (key in most) {
+            split(key, word, " ")
+            if (word[1] in target && !(key in seen) && !skipped) { print "nothing measured: " key; failed++ }
+        }
+        printf "%d passed, %d failed, %d skipped\n", passed, failed, skipped
+        exit failed > 0
+    }' $here/budgets.txt "$records"
