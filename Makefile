@@ -63,7 +63,13 @@ $(B)/gen/stdlib_text.h: $(B)/embed_tool $(EMBEDDED)
 	@mkdir -p $(@D)
 	$(call say,GEN)$(B)/embed_tool $(EMBEDDED) >$@.new && mv $@.new $@
 
-$(EMIT_C:%.c=$(B)/obj/%.o): | $(B)/gen/stdlib_text.h
+# Soft binary64 as it goes with emitted C for chips without it.
+SOFT_EMBEDDED = header:stdlib/soft.h,stdlib/f64_soft.h code:stdlib/soft_pack.h,stdlib/soft_arith.c,stdlib/soft_convert.c assembly:stdlib/soft_pack.h,stdlib/soft_avr.S
+$(B)/gen/soft_text.h: $(B)/embed_tool $(wildcard stdlib/*soft*)
+	@mkdir -p $(@D)
+	$(call say,GEN)for f in $(SOFT_EMBEDDED); do $(B)/embed_tool -lines soft_$${f%%:*} $$(echo $${f#*:} | tr , ' ') || exit 1; done >$@.new && mv $@.new $@
+
+$(EMIT_C:%.c=$(B)/obj/%.o): | $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
 
 # One program per file of tests/unit.
 UNIT = $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/*.c))
@@ -87,6 +93,9 @@ test: all
 
 LEVELS ?= 0 1 2
 CHECK_LINES += $(foreach level,$(LEVELS),"conformance-O$(level): $(B)/smc test -O$(level) conformance")
+
+# Emitted C with numbers in software, as --soft makes it, on this computer.
+CHECK_LINES += "conformance-c-soft: CC='$(CC) -O0' $(B)/smc test --engine=ref,c-soft conformance"
 
 # tests/ir: passes on IR text, the invariants, the reader.
 IR_TESTS = $(B)/ir/run $(B)/ir/verify $(B)/ir/read
@@ -185,7 +194,7 @@ $(B)/fuzz-cov/image: | $(B)/corpus/image
 CHECK_LINES += "fuzz-image: $(B)/fuzz/image -n 20000 $(B)/corpus/image/*.smb"
 
 MUTATE_SRC = tests/unit/vm_mutate.c $(LIBSMC)
-$(B)/vm_mutate_san: $(MUTATE_SRC) | $(B)/gen/stdlib_text.h
+$(B)/vm_mutate_san: $(MUTATE_SRC) | $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined $(MUTATE_SRC) -lm -o $@
 check-mutate: $(B)/vm_mutate_san
@@ -228,6 +237,7 @@ faults:
 check: $(B)/diff/difftest
 CHECK_LINES += "sound: $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound" \
                "diff: $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check" \
+               "diff-c-soft: $(B)/diff/difftest --count=10 --forms=012h --cc-soft='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c-soft" \
                "diff-c: $(B)/diff/difftest --count=25 --forms=012h --cc='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c"
 
 # tests/cost: the longest step as it is reported, against a VM that counts.
@@ -265,7 +275,7 @@ FUZZ_SECONDS ?= 60
 FUZZ_CC      ?= clang-19
 # Arenas whose chunks hold one allocation each: then every request goes to the host, and a sanitizer sees its bounds.
 TINY_CHUNKS   = -DARENA_FIRST_CHUNK=16 -DARENA_LARGEST_CHUNK=16
-$(B)/fuzz-cov/%: tests/fuzz/%.c $(LIBSMC) $(B)/gen/stdlib_text.h
+$(B)/fuzz-cov/%: tests/fuzz/%.c $(LIBSMC) $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
 	@mkdir -p $(@D)
 	$(call say,CC)$(FUZZ_CC) $(STRICT_C) $(TINY_CHUNKS) -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined $(filter %.c,$^) -o $@
 fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
@@ -360,7 +370,12 @@ check: $(B)/diff/difftest
 CHECK_LINES += "avr: sh tests/avr/run.sh $(B) '$(CC)'"
 check-avr: all $(B)/diff/difftest
 	sh tests/avr/run.sh $(B) '$(CC)' $(N) $(SEED) 300
-.PHONY: check-avr
+
+# Emitted C there.  `make avr-c-campaign N=1000`: so many random programs, going on where it was stopped, and every conformance case.
+CHECK_LINES += "avr-c: sh tests/avr/c.sh $(B) '$(CC)'"
+avr-c-campaign: all $(B)/diff/difftest $(B)/targets/cases
+	RESUME=1 sh tests/avr/c.sh $(B) '$(CC)' $(N) $(SEED) 1
+.PHONY: check-avr avr-c-campaign
 
 # tests/targets: on other processors, emulated: the VM, and emitted C.  `make targets-campaign N=10000 NC=1000 SEED=1`: so many random
 # programs as images, and as C at each level, on each of them, or on those that TARGETS names; goes on where it was stopped.
@@ -685,7 +700,7 @@ check-layers:
 	@$(find_code) | awk -f tests/check/layers.awk tests/check/layers.txt -
 check-codes:
 	@$(find_smt) | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -
-check-headers: $(B)/gen/stdlib_text.h
+check-headers: $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
 	@CC='$(CC)' sh tests/check/headers.sh -I$(B)/gen
 check-imports: $(patsubst %.c,$(B)/obj/%.o,$(filter-out %/disasm.c,$(VM))) $(STDLIB:%.c=$(B)/obj/%.o) \
                $(patsubst %.c,$(B)/runtime/sim/%.o,$(wildcard runtime-c/*.c bytecode-vm/target/*.c))

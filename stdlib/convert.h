@@ -14,73 +14,57 @@
 #include "stdlib/f64.h"
 #include "stdlib/types.h"
 
-#if SM_F64_SOFT
-// Soft conversions saturate already.
-static inline int32_t sm_to_i32(SmF64 x) { return sm_cut_i32(x); }
-static inline uint32_t sm_to_u32(SmF64 x) { return sm_cut_u32(x); }
-static inline int64_t sm_to_i64(SmF64 x) { return sm_cut_i64(x); }
-static inline uint64_t sm_to_u64(SmF64 x) { return sm_cut_u64(x); }
-static inline int32_t sm_to_within(SmF64 x, int32_t lo, int32_t hi)
-{
-    const int32_t v = sm_cut_i32(x);
-    return v < lo ? lo : v > hi ? hi : v;
-}
-static inline int16_t sm_to_i16(SmF64 x) { return (int16_t)sm_to_within(x, INT16_MIN, INT16_MAX); }
-static inline int8_t sm_to_i8(SmF64 x) { return (int8_t)sm_to_within(x, INT8_MIN, INT8_MAX); }
-static inline uint16_t sm_to_u16(SmF64 x) { return (uint16_t)sm_to_within(x, 0, UINT16_MAX); }
-static inline uint8_t sm_to_u8(SmF64 x) { return (uint8_t)sm_to_within(x, 0, UINT8_MAX); }
-static inline bool sm_to_bool(SmF64 x) { return sm_soft_truth(x.bits); }
-#else
-//: sm_to_i32
+#if !SM_F64_SOFT
+//: sm_to_i32 double
 static inline int32_t sm_to_i32(SmF64 x)
 {
     if (sm_le(sm_from_i32(INT32_MIN), x) && sm_le(x, sm_from_i32(INT32_MAX)))
         return sm_cut_i32(x);
     return sm_is_nan(x) ? 0 : sm_lt(x, sm_from_i32(0)) ? INT32_MIN : INT32_MAX;
 }
-//: sm_to_u32
+//: sm_to_u32 double
 static inline uint32_t sm_to_u32(SmF64 x)
 {
     if (sm_le(sm_from_i32(0), x) && sm_le(x, sm_from_u32(UINT32_MAX)))
         return sm_cut_u32(x);
     return sm_lt(sm_from_i32(0), x) ? UINT32_MAX : 0u;
 }
-//: sm_to_i64
+//: sm_to_i64 double
 static inline int64_t sm_to_i64(SmF64 x)
 {
     if (sm_le(sm_from_i64(INT64_MIN), x) && sm_lt(x, sm_from_u64(0x8000000000000000u)))
         return sm_cut_i64(x);
     return sm_is_nan(x) ? 0 : sm_lt(x, sm_from_i32(0)) ? INT64_MIN : INT64_MAX;
 }
-//: sm_to_u64
+//: sm_to_u64 double
 static inline uint64_t sm_to_u64(SmF64 x)
 {
     if (sm_le(sm_from_i32(0), x) && sm_lt(x, sm_from_bits(0x43F0000000000000u)))   // 2^64
         return sm_cut_u64(x);
     return sm_lt(sm_from_i32(0), x) ? UINT64_MAX : 0u;
 }
-//: sm_to_i16
+//: sm_to_i16 double
 static inline int16_t sm_to_i16(SmF64 x)
 {
     if (sm_le(sm_from_i32(INT16_MIN), x))
         return sm_lt(x, sm_from_i32(INT16_MAX)) ? (int16_t)sm_cut_i32(x) : (int16_t)INT16_MAX;
     return sm_is_nan(x) ? (int16_t)0 : (int16_t)INT16_MIN;
 }
-//: sm_to_i8
+//: sm_to_i8 double
 static inline int8_t sm_to_i8(SmF64 x)
 {
     if (sm_le(sm_from_i32(INT8_MIN), x))
         return sm_lt(x, sm_from_i32(INT8_MAX)) ? (int8_t)sm_cut_i32(x) : (int8_t)INT8_MAX;
     return sm_is_nan(x) ? (int8_t)0 : (int8_t)INT8_MIN;
 }
-//: sm_to_u16
+//: sm_to_u16 double
 static inline uint16_t sm_to_u16(SmF64 x)
 {
     if (sm_lt(sm_from_i32(0), x))
         return sm_lt(x, sm_from_i32(UINT16_MAX)) ? (uint16_t)sm_cut_i32(x) : (uint16_t)UINT16_MAX;
     return 0;
 }
-//: sm_to_u8
+//: sm_to_u8 double
 static inline uint8_t sm_to_u8(SmF64 x)
 {
     if (sm_lt(sm_from_i32(0), x))
@@ -101,7 +85,7 @@ static inline SmF64 sm_to_f64(SmF64 x)
 }
 //: end
 #if !SM_F64_SOFT
-//: sm_to_bool
+//: sm_to_bool double
 static inline bool sm_to_bool(SmF64 x)
 {
     return sm_lt(x, sm_from_i32(0)) || sm_lt(sm_from_i32(0), x);   // neither holds for NaN

@@ -46,53 +46,53 @@
 #if SM_F64_SOFT
 #include "stdlib/f64_soft.h"
 #else
-//: SmF64
+//: SmF64 double
 #ifndef SM_F64_TYPE
 #define SM_F64_TYPE
 typedef double SmF64;   // IEEE binary64
 #endif
-//: sm_bits
+//: sm_bits double
 static inline uint64_t sm_bits(SmF64 x) { uint64_t u; memcpy(&u, &x, sizeof u); return u; }
-//: sm_from_bits
+//: sm_from_bits double
 static inline SmF64 sm_from_bits(uint64_t u) { SmF64 x; memcpy(&x, &u, sizeof x); return x; }
-//: sm_add
+//: sm_add double
 static inline SmF64 sm_add(SmF64 a, SmF64 b) { return a + b; }
-//: sm_sub
+//: sm_sub double
 static inline SmF64 sm_sub(SmF64 a, SmF64 b) { return a - b; }
-//: sm_mul
+//: sm_mul double
 static inline SmF64 sm_mul(SmF64 a, SmF64 b) { return a * b; }
-//: sm_div
+//: sm_div double
 static inline SmF64 sm_div(SmF64 a, SmF64 b) { return a / b; }
-//: sm_neg
+//: sm_neg double
 // Flips the sign bit, of zero and NaN too.
 static inline SmF64 sm_neg(SmF64 a) { return sm_from_bits(sm_bits(a) ^ 0x8000000000000000u); }
-//: sm_lt
+//: sm_lt double
 static inline bool sm_lt(SmF64 a, SmF64 b) { return a < b; }    // false if either is NaN
-//: sm_le
+//: sm_le double
 static inline bool sm_le(SmF64 a, SmF64 b) { return a <= b; }   // false if either is NaN
-//: sm_eq
+//: sm_eq double
 static inline bool sm_eq(SmF64 a, SmF64 b) { return a == b; }   // false if either is NaN
-//: sm_is_nan
+//: sm_is_nan double
 static inline bool sm_is_nan(SmF64 a) { return a != a; }
-//: sm_from_i32
+//: sm_from_i32 double
 static inline SmF64 sm_from_i32(int32_t v) { return (SmF64)v; }
-//: sm_from_u32
+//: sm_from_u32 double
 static inline SmF64 sm_from_u32(uint32_t v) { return (SmF64)v; }
-//: sm_from_i64
+//: sm_from_i64 double
 static inline SmF64 sm_from_i64(int64_t v) { return (SmF64)v; }     // rounds above 2^53
-//: sm_from_u64
+//: sm_from_u64 double
 static inline SmF64 sm_from_u64(uint64_t v) { return (SmF64)v; }    // rounds above 2^53
-//: sm_from_f32
+//: sm_from_f32 double
 static inline SmF64 sm_from_f32(float v) { return (SmF64)v; }       // exact
-//: sm_cut_i32
+//: sm_cut_i32 double
 static inline int32_t sm_cut_i32(SmF64 x) { return (int32_t)x; }    // toward zero; the result must fit
-//: sm_cut_u32
+//: sm_cut_u32 double
 static inline uint32_t sm_cut_u32(SmF64 x) { return (uint32_t)x; }  // toward zero; the result must fit
-//: sm_cut_i64
+//: sm_cut_i64 double
 static inline int64_t sm_cut_i64(SmF64 x) { return (int64_t)x; }    // toward zero; the result must fit
-//: sm_cut_u64
+//: sm_cut_u64 double
 static inline uint64_t sm_cut_u64(SmF64 x) { return (uint64_t)x; }  // toward zero; the result must fit
-//: sm_round_f32
+//: sm_round_f32 double
 static inline float sm_round_f32(SmF64 x) { return (float)x; }      // to nearest even, too large to infinity
 //: end
 #endif

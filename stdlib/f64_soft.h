@@ -30,10 +30,26 @@ static inline SmF64 sm_from_u64(uint64_t v) { return sm_from_bits(sm_soft_from_u
 static inline SmF64 sm_from_f32(float v) { uint32_t u; memcpy(&u, &v, sizeof u); return sm_from_bits(sm_soft_from_f32(u)); }
 static inline float sm_round_f32(SmF64 x) { const uint32_t u = sm_soft_to_f32(x.bits); float v; memcpy(&v, &u, sizeof v); return v; }
 
-// These saturate already, so convert.h takes them as they are.
+// These saturate.
 static inline int32_t sm_cut_i32(SmF64 x) { return sm_soft_to_i32(x.bits); }
 static inline uint32_t sm_cut_u32(SmF64 x) { return sm_soft_to_u32(x.bits); }
 static inline int64_t sm_cut_i64(SmF64 x) { return sm_soft_to_i64(x.bits); }
 static inline uint64_t sm_cut_u64(SmF64 x) { return sm_soft_to_u64(x.bits); }
+
+// What convert.h says of storing in an element.
+static inline int32_t sm_to_i32(SmF64 x) { return sm_cut_i32(x); }
+static inline uint32_t sm_to_u32(SmF64 x) { return sm_cut_u32(x); }
+static inline int64_t sm_to_i64(SmF64 x) { return sm_cut_i64(x); }
+static inline uint64_t sm_to_u64(SmF64 x) { return sm_cut_u64(x); }
+static inline int32_t sm_to_within(SmF64 x, int32_t lo, int32_t hi)
+{
+    const int32_t v = sm_cut_i32(x);
+    return v < lo ? lo : v > hi ? hi : v;
+}
+static inline int16_t sm_to_i16(SmF64 x) { return (int16_t)sm_to_within(x, INT16_MIN, INT16_MAX); }
+static inline int8_t sm_to_i8(SmF64 x) { return (int8_t)sm_to_within(x, INT8_MIN, INT8_MAX); }
+static inline uint16_t sm_to_u16(SmF64 x) { return (uint16_t)sm_to_within(x, 0, UINT16_MAX); }
+static inline uint8_t sm_to_u8(SmF64 x) { return (uint8_t)sm_to_within(x, 0, UINT8_MAX); }
+static inline bool sm_to_bool(SmF64 x) { return sm_soft_truth(x.bits); }
 
 #endif

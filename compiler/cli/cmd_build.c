@@ -15,7 +15,7 @@ static const char *const emit_name[EMIT_COUNT] = {"bytecode", "array", "c", "ir"
 
 static bool is_image(Emit e) { return e == EMIT_BYTECODE || e == EMIT_ARRAY; }
 
-// What a build writes: at most the C and header of each machine, and the make rule.
+// What a build writes: at most the C and header of each machine, soft numbers beside it, and the make rule.
 typedef struct Outputs {
     OsOutput *at;
     size_t n;
@@ -115,9 +115,33 @@ static EmitCOptions c_options(Cli *c, const char *input, const char *header)
     e.prefix = c->given[OPT_PREFIX] ? c->value[OPT_PREFIX] : NULL;
     e.header = file_part(header);
     e.track_stores = c->given[OPT_TRACK];
+    e.soft = c->given[OPT_SOFT];
     e.runtime = c->given[OPT_RUNTIME];
     e.source = strcmp(input, "-") == 0 ? "stdin" : file_part(input);
     return e;
+}
+
+static bool has_output(const Outputs *o, const char *path)
+{
+    for (size_t i = 0; i < o->n; i++)
+        if (strcmp(o->at[i].path, path) == 0)
+            return true;
+    return false;
+}
+
+// The files that soft numbers are made of, once a folder.
+static void add_soft_library(Cli *c, const char *code, Outputs *o)
+{
+    static const char *const name[] = {"sm_soft.h", "sm_soft.c", "sm_soft_avr.S"};
+    const int folder = (int)(file_part(code) - code);
+    Buf *text[] = {new_buf(c), new_buf(c), new_buf(c)};
+
+    emit_c_soft_library(text[0], text[1], text[2]);
+    for (size_t i = 0; i < sizeof name / sizeof *name; i++) {
+        const char *path = format_in(&c->session.arena, "%.*s%s", folder, code, name[i]);
+        if (!has_output(o, path))
+            add_output(o, path, text[i]);
+    }
 }
 
 static void emit_c(Cli *c, const char *input, const IrMachine *m, const StateVec *sv, Outputs *o)
@@ -134,6 +158,8 @@ static void emit_c(Cli *c, const char *input, const IrMachine *m, const StateVec
         session_emit_c_state_vector(&c->session, sv, &e, header_text, code_text);
     add_output(o, header, header_text);
     add_output(o, code, code_text);
+    if (e.soft && !e.runtime)
+        add_soft_library(c, code, o);
 }
 
 static int build_pins(Cli *c, const Source *sv, Outputs *o)
@@ -276,6 +302,8 @@ static int check_use(Cli *c, Emit emit, FileKind *first)
         return cli_usage(c, "with several inputs %s would name several outputs", c->given[OPT_OUTPUT] ? "-o" : "--prefix");
     if (c->given[OPT_RUNTIME] && emit != EMIT_C)
         return cli_usage(c, "--runtime speaks of emitted C: say --emit=c too");
+    if (c->given[OPT_SOFT] && emit != EMIT_C)
+        return cli_usage(c, "--soft speaks of emitted C: say --emit=c too");
     if (limits_given(c) && !is_image(emit))
         return cli_usage(c, "--max-ram and --max-step speak of bytecode, not of --emit=%s", emit_name[emit]);
     if (!limits_known(c))
@@ -345,7 +373,7 @@ int cmd_build(Cli *c)
         return code;
     if (!set_print(c))
         return EXIT_USAGE;
-    o.at = ARENA_ARRAY(&c->session.arena, OsOutput, 2 * c->files + 2);
+    o.at = ARENA_ARRAY(&c->session.arena, OsOutput, 5 * c->files + 2);
     code = build(c, emit, first, &o);
     if (c->session.print_to && !cli_print(c, 2, c->session.print_to))
         return EXIT_ENVIRONMENT;

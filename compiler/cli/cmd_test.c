@@ -175,7 +175,7 @@ static int read_options(TestRun *t)
     if (c->given[OPT_MAX_STEPS] && !read_steps(c->value[OPT_MAX_STEPS], &t->max_steps))
         return cli_usage(c, "--max-steps wants a whole number from 1, not '%s'", c->value[OPT_MAX_STEPS]);
     if (c->given[OPT_ENGINE] && (t->engines = engines_named(c->value[OPT_ENGINE])) == 0)
-        return cli_usage(c, "--engine is ref, vm, vm-soft, c or all, not '%s'", c->value[OPT_ENGINE]);
+        return cli_usage(c, "--engine is ref, vm, vm-soft, c, c-soft or all, not '%s'", c->value[OPT_ENGINE]);
     return EXIT_OK;
 }
 

@@ -5,16 +5,30 @@
 #include "compiler/cli/test.h"
 #include "compiler/device/engine_c.h"
 
-const char *const engine_name[ENGINE_KINDS] = {"ref", "vm", "vm-soft", "c"};
+const char *const engine_name[ENGINE_KINDS] = {"ref", "vm", "vm-soft", "c", "c-soft"};
+
+static unsigned engine_named(const char *name, size_t n)
+{
+    for (unsigned i = 0; i < ENGINE_KINDS; i++)
+        if (strlen(engine_name[i]) == n && strncmp(name, engine_name[i], n) == 0)
+            return 1u << i;
+    return 0;
+}
 
 unsigned engines_named(const char *name)
 {
+    unsigned which = 0;
+
     if (strcmp(name, "all") == 0)
-        return (1u << ENGINE_KINDS) - 1;
-    for (unsigned i = 0; i < ENGINE_KINDS; i++)
-        if (strcmp(name, engine_name[i]) == 0)
-            return 1u << i;
-    return 0;
+        return ((1u << ENGINE_KINDS) - 1) & ~(1u << ENGINE_C_SOFT);
+    for (;; name++) {
+        const size_t n = strcspn(name, ",");
+        if (engine_named(name, n) == 0)
+            return 0;
+        which |= engine_named(name, n);
+        if (*(name += n) == '\0')
+            return which;
+    }
 }
 
 unsigned engines_in_list(const char *list)
@@ -39,7 +53,7 @@ static bool c_is_present(void)
 
 unsigned engines_present(void)
 {
-    return 1u << ENGINE_REF | 1u << ENGINE_VM | 1u << ENGINE_VM_SOFT | (c_is_present() ? 1u << ENGINE_C : 0u);
+    return 1u << ENGINE_REF | 1u << ENGINE_VM | 1u << ENGINE_VM_SOFT | (c_is_present() ? 1u << ENGINE_C | 1u << ENGINE_C_SOFT : 0u);
 }
 
 typedef Engine *OpenVm(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
@@ -57,12 +71,13 @@ static Engine *open_vm(OpenVm *open, Session *s, const Program *p, int opt_level
     return NULL;
 }
 
-static Engine *open_c(Session *s, const Program *p, int opt_level, const char **error)
+static Engine *open_c(bool soft, Session *s, const Program *p, int opt_level, const char **error)
 {
+    const EngineCOptions o = {.soft = soft};
     IrMachine *m = session_ir(s, p, opt_level);
 
     if (m)
-        return engine_c_open(&s->arena, p, m, NULL, error);
+        return engine_c_open(&s->arena, p, m, &o, error);
     *error = "the machine could not be made into C";
     return NULL;
 }
@@ -78,7 +93,8 @@ static Engine *open_one(EngineKind kind, Session *s, const Program *p, int opt_l
     case ENGINE_REF: return engine_ref_open(&s->arena, p);
     case ENGINE_VM: return open_vm(engine_vm_open, s, p, opt_level, error);
     case ENGINE_VM_SOFT: return open_vm(engine_vm_soft_open, s, p, opt_level, error);
-    case ENGINE_C: return open_c(s, p, opt_level, error);
+    case ENGINE_C:
+    case ENGINE_C_SOFT: return open_c(kind == ENGINE_C_SOFT, s, p, opt_level, error);
     case ENGINE_KINDS: break;
     }
     *error = "this build does not have it";

@@ -8,7 +8,7 @@
 
 // ---- engines.c ----
 
-typedef enum EngineKind { ENGINE_REF, ENGINE_VM, ENGINE_VM_SOFT, ENGINE_C, ENGINE_KINDS } EngineKind;
+typedef enum EngineKind { ENGINE_REF, ENGINE_VM, ENGINE_VM_SOFT, ENGINE_C, ENGINE_C_SOFT, ENGINE_KINDS } EngineKind;
 
 extern const char *const engine_name[ENGINE_KINDS];
 
@@ -19,7 +19,7 @@ typedef struct EngineSet {
     const char *error;        // why engines_open failed
 } EngineSet;
 
-unsigned engines_named(const char *name);             // a bit of 1u << kind each; "all"; 0 when unknown
+unsigned engines_named(const char *name);             // a bit of 1u << kind each, of names between commas; "all": but c-soft; 0: unknown
 unsigned engines_in_list(const char *list);           // those of a header's `on ref vm c`; others are left out
 unsigned engines_present(void);                       // those that can run here
 unsigned engines_default(void);                       // what runs a script when nothing is said: the VM
@@ -58,10 +58,10 @@ int test_machine(TestRun *t, const char *path);                    // test_machi
 typedef struct TestCase TestCase;
 
 TestCase *case_open(TestRun *t, const char *path);    // reads and compiles it
-// Whether it is to run on emitted C, and what of.
-bool case_wants_c(const TestCase *c, const Program **p, const IrMachine **ir);
-// Runs it and gives everything back.  `emitted_c` is the engine it wanted; NULL: it opens one of its own.
-TestResult case_close(TestCase *c, Engine *emitted_c);
+// Whether it is to run on emitted C, of either kind, and what of.
+bool case_wants_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir);
+// Runs it and gives everything back.  `emitted` are the engines of emitted C, by kind; NULL: it opens one of its own.
+TestResult case_close(TestCase *c, Engine *const *emitted);
 
 // ---- test_batch.c ----
 

@@ -9,26 +9,27 @@ enum { BATCH = 50 };
 typedef struct Batch {
     Arena arena;
     TestCase *at[BATCH];
-    Engine *engine[BATCH];    // emitted C, of those that want it
+    Engine *engine[BATCH][ENGINE_KINDS];      // emitted C, of those that want it
     size_t n;
-    EngineCBatch *c;          // or NULL
+    EngineCBatch *c[ENGINE_KINDS];            // or NULL
 } Batch;
 
 // Where the whole batch cannot be built, each case builds its own and the one to blame tells why.
-static void open_c(Batch *b)
+static void open_c(Batch *b, EngineKind kind)
 {
+    const EngineCOptions o = {.soft = kind == ENGINE_C_SOFT};
     const Program *p[BATCH];
     const IrMachine *ir[BATCH];
     size_t owner[BATCH], n = 0;
     const char *error;
 
     for (size_t i = 0; i < b->n; i++)
-        if (case_wants_c(b->at[i], &p[n], &ir[n]))
+        if (case_wants_c(b->at[i], kind, &p[n], &ir[n]))
             owner[n++] = i;
     if (n > 1)
-        b->c = engine_c_batch_open(&b->arena, p, ir, n, NULL, &error);
-    for (size_t i = 0; b->c && i < n; i++)
-        b->engine[owner[i]] = engine_c_batch_engine(b->c, i);
+        b->c[kind] = engine_c_batch_open(&b->arena, p, ir, n, &o, &error);
+    for (size_t i = 0; b->c[kind] && i < n; i++)
+        b->engine[owner[i]][kind] = engine_c_batch_engine(b->c[kind], i);
 }
 
 static void say_failed(TestRun *t, const TestResult *r)
@@ -54,15 +55,17 @@ static void test_batch(TestRun *t, const char *const *path, size_t n)
     arena_init(&b.arena, os_alloc, NULL, t->arena->oom);
     for (size_t i = 0; i < n; i++)
         b.at[i] = case_open(t, path[i]);
-    open_c(&b);
+    open_c(&b, ENGINE_C);
+    open_c(&b, ENGINE_C_SOFT);
     for (size_t i = 0; i < n; i++) {
         TestResult r = case_close(b.at[i], b.engine[i]);
         vec_push(t->arena, &t->result, r);
         if (r.status == TEST_FAILED && !t->c->given[OPT_TAP])
             say_failed(t, &r);
     }
-    if (b.c)
-        engine_c_batch_close(b.c);
+    for (int kind = 0; kind < ENGINE_KINDS; kind++)
+        if (b.c[kind])
+            engine_c_batch_close(b.c[kind]);
     arena_free(&b.arena);
 }
 

@@ -206,7 +206,7 @@ static void compile_case(Case *c)
     compile_pins(c);
     compile_scripts(c);
     c->is_ready = c->f->outcome != TEST_ERROR && c->s.diags.errors == 0 && count_parts(c->f, ".ss") > 0;
-    if (c->is_ready && c->which & 1u << ENGINE_C)
+    if (c->is_ready && c->which & (1u << ENGINE_C | 1u << ENGINE_C_SOFT))
         c->ir = session_ir(&c->s, c->p, option_level(c->t->c));
 }
 
@@ -312,18 +312,22 @@ static void run_script(Case *c, const Script *script, const char *name, bool is_
         test_check_trace(trace_part, &trace, &c->why);
 }
 
-static void run_scripts(Case *c, Engine *emitted_c)
+static void run_scripts(Case *c, Engine *const *emitted)
 {
     bool is_first = true;
+    unsigned own = c->which;
 
-    if (!engines_open(&c->engines, &c->s, c->p, emitted_c ? c->which & ~(1u << ENGINE_C) : c->which, option_level(c->t->c))) {
+    for (int kind = 0; kind < ENGINE_KINDS; kind++)
+        own &= emitted[kind] ? ~(1u << kind) : ~0u;
+    if (!engines_open(&c->engines, &c->s, c->p, own, option_level(c->t->c))) {
         complain(c, c->engines.error);
         if (c->s.diags.errors == 0)           // else an image may be too large
             c->code = EXIT_ENVIRONMENT;
         return;
     }
-    if (emitted_c)
-        c->engines.at[c->engines.n++] = emitted_c;
+    for (int kind = 0; kind < ENGINE_KINDS; kind++)
+        if (emitted[kind])
+            c->engines.at[c->engines.n++] = emitted[kind];
     for (size_t i = 0; i < c->f->part.n; i++)
         if (c->script[i]) {
             run_script(c, c->script[i], c->f->part.at[i].name, is_first);
@@ -337,10 +341,10 @@ static void run_scripts(Case *c, Engine *emitted_c)
 static unsigned choose_engines(Case *c)
 {
     const char *on = testfile_header(c->f, "on");
-    unsigned wanted = on ? engines_in_list(on) : engines_named("all"), present = engines_present(), absent;
+    const unsigned asked = c->t->engines ? c->t->engines : engines_named("all"), present = engines_present();
+    const unsigned wanted = on ? engines_in_list(on) & asked : asked;
+    unsigned absent;
 
-    if (c->t->engines)
-        wanted &= c->t->engines;
     absent = wanted & ~present;
     c->t->absent |= absent;
     if (wanted & present)
@@ -387,19 +391,19 @@ TestCase *case_open(TestRun *t, const char *path)
     return c;
 }
 
-bool case_wants_c(const TestCase *c, const Program **p, const IrMachine **ir)
+bool case_wants_c(const TestCase *c, EngineKind kind, const Program **p, const IrMachine **ir)
 {
     *p = c->p;
     *ir = c->ir;
-    return !c->is_done && c->ir;
+    return !c->is_done && c->ir && c->which >> kind & 1u;
 }
 
-static void judge(Case *c, Engine *emitted_c)
+static void judge(Case *c, Engine *const *emitted)
 {
     if (c->f->outcome == TEST_ERROR && c->s.diags.errors == 0)
         complain(c, "should not compile, but does");
     if (c->is_ready)
-        run_scripts(c, emitted_c);
+        run_scripts(c, emitted);
     check_diagnostics(c);
     if (c->why.n)
         finish(c, TEST_FAILED, buf_text(&c->why), c->code ? c->code : EXIT_PROBLEM);
@@ -407,10 +411,10 @@ static void judge(Case *c, Engine *emitted_c)
         finish(c, TEST_PASSED, "", EXIT_OK);
 }
 
-TestResult case_close(TestCase *c, Engine *emitted_c)
+TestResult case_close(TestCase *c, Engine *const *emitted)
 {
     if (!c->is_done && setjmp(c->oom) == 0)
-        judge(c, emitted_c);
+        judge(c, emitted);
     else if (!c->is_done)
         out_of_memory(c);
     engines_close(&c->engines);

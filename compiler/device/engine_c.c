@@ -244,11 +244,11 @@ static void c_close(Engine *engine) { engine_c_batch_close(((EngineC *)engine->s
 
 // ---- opening ----
 
-static void engine_init(EngineCBatch *b, size_t i, const Program *p)
+static void engine_init(EngineCBatch *b, size_t i, const Program *p, bool soft)
 {
     EngineC *e = &b->at[i];
 
-    e->engine.name = "c";
+    e->engine.name = soft ? "c-soft" : "c";
     e->engine.program = p;
     e->engine.self = e;
     e->engine.init = c_init;
@@ -276,7 +276,7 @@ static bool is_fit(EngineCBatch *b, const char **error)
     return false;
 }
 
-static void emit(Arena *arena, const IrMachine *const *m, size_t n, Buf *code)
+static void emit(Arena *arena, const IrMachine *const *m, size_t n, bool soft, Buf *code)
 {
     const IrMachine **form = ARENA_ARRAY(arena, const IrMachine *, FORMS * n);
     bool *track_stores = ARENA_ARRAY(arena, bool, FORMS * n);
@@ -285,7 +285,7 @@ static void emit(Arena *arena, const IrMachine *const *m, size_t n, Buf *code)
         form[i] = m[i / FORMS];
         track_stores[i] = i % FORMS == 0;
     }
-    emit_c_driver(arena, form, track_stores, FORMS * n, code);
+    emit_c_driver(arena, form, track_stores, FORMS * n, soft, code);
 }
 
 EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n,
@@ -298,9 +298,9 @@ EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const I
     b->at = ARENA_ARRAY(arena, EngineC, n);
     b->n = n;
     for (size_t i = 0; i < n; i++)
-        engine_init(b, i, p[i]);
+        engine_init(b, i, p[i], o && o->soft);
     buf_init(&code, arena);
-    emit(arena, m, n, &code);
+    emit(arena, m, n, o && o->soft, &code);
     return build_and_start(arena, &code, o, &b->partner, error) && is_fit(b, error) ? b : NULL;
 }
 

@@ -9,6 +9,7 @@
 
 typedef struct EngineCOptions {
     const char *cc;           // the compiler and first options, separated by blanks; NULL: $CC, or cc
+    bool soft;                // with numbers in software
     const char *flags;        // more options; NULL: -O1, unless cc has one such
 } EngineCOptions;
 

@@ -7,6 +7,7 @@
 #include <simavr/sim_io.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "tests/avr/mailbox.h"
 
@@ -31,18 +32,39 @@ static void say_errors(struct avr_t *avr, const int level, const char *format, v
         vfprintf(stderr, format, args);
 }
 
-bool sim_open(Sim *s, const char *elf)
+static avr_t *make(Sim *s, const char *mcu)
 {
-    elf_firmware_t firmware = {0};
     avr_t *avr;
 
     avr_global_logger_set(say_errors);
-    s->avr = avr = avr_make_mcu_by_name("atmega328p");
+    s->avr = avr = avr_make_mcu_by_name(mcu);
+    if (avr != NULL)
+        avr_init(avr);
+    return avr;
+}
+
+bool sim_open_flash(Sim *s, const char *mcu, const uint8_t *flash, uint32_t n)
+{
+    avr_t *avr = make(s, mcu);
+
+    if (avr == NULL || n > avr->flashend) {
+        fprintf(stderr, "%s: cannot be had, or is too small\n", mcu);
+        return false;
+    }
+    avr->frequency = HERTZ;
+    avr_loadcode(avr, (uint8_t *)flash, n, 0);
+    return true;
+}
+
+bool sim_open(Sim *s, const char *elf)
+{
+    elf_firmware_t firmware = {0};
+    avr_t *avr = make(s, "atmega328p");
+
     if (avr == NULL || elf_read_firmware(elf, &firmware) != 0) {
         fprintf(stderr, "%s: cannot be run\n", elf);
         return false;
     }
-    avr_init(avr);
     firmware.frequency = HERTZ;
     avr_load_firmware(avr, &firmware);
     avr_register_io_write(avr, GPIOR0, on_write, s);
@@ -64,6 +86,33 @@ bool sim_until_ready(Sim *s)
     }
     fprintf(stderr, "the firmware does not answer\n");
     return false;
+}
+
+// ---- the console ----
+
+static uint8_t on_take(struct avr_t *avr, avr_io_addr_t address, void *param)
+{
+    int c;
+
+    (void)address;
+    ((Sim *)param)->begin = avr->cycle;
+    fflush(stdout);
+    if ((c = getchar()) == EOF)
+        exit(0);
+    return (uint8_t)c;
+}
+
+static void on_give(struct avr_t *avr, avr_io_addr_t address, uint8_t value, void *param)
+{
+    (void)address;
+    ((Sim *)param)->begin = avr->cycle;
+    putchar(value);
+}
+
+void sim_connect(Sim *s)
+{
+    avr_register_io_write(s->avr, GPIOR1, on_give, s);
+    avr_register_io_read(s->avr, GPIOR2, on_take, s);
 }
 
 void *sim_mailbox(const Sim *s)

@@ -13,6 +13,8 @@ typedef struct Sim {
 } Sim;
 
 bool sim_open(Sim *s, const char *elf);               // says on standard error why not
+bool sim_open_flash(Sim *s, const char *mcu, const uint8_t *flash, uint32_t n);     // another chip of the family
+void sim_connect(Sim *s);                             // the firmware's console (console.c) to standard input and output; `begin`: when it was last used
 bool sim_until_ready(Sim *s);                         // false: it has stopped, or takes longer than a second
 void *sim_mailbox(const Sim *s);                      // where in its memory
 uint8_t *sim_ram(const Sim *s);                       // from address 0

@@ -4,12 +4,24 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "compiler/emit/c/emit_c.h"
 #include "tests/diff/subject.h"
 
 enum { PATH = 500 };
+
+bool batch_via(const char *arg, Via *out)
+{
+    static const struct { const char *option; bool images, soft; } known[] = {
+        { "--vm=", true, false }, { "--cc=", false, false }, { "--cc-soft=", false, true },
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (strncmp(arg, known[i].option, strlen(known[i].option)) == 0)
+            return *out = (Via){ arg + strlen(known[i].option), known[i].images, known[i].soft }, true;
+    return false;
+}
 
 // ---- files and processes ----
 
@@ -37,10 +49,10 @@ static char *read_file(Arena *arena, const char *folder, const char *name, size_
     return text;
 }
 
-static void fail_all(Talk *t, const char *why, const char *who)
+static void fail_all(Talk *t, Verdict verdict, const char *why, const char *who)
 {
     for (uint32_t i = 0; i < t->n; i++) {
-        t->part[i].result->verdict = VERDICT_REJECTED;
+        t->part[i].result->verdict = verdict;
         t->part[i].result->message = format_in(t->arena, "(%s): %s", who, why);
     }
 }
@@ -49,9 +61,10 @@ static bool compile(Talk *t, const char *folder, const char *cc)
 {
     char command[2000];
     snprintf(command, sizeof command, "%s -o '%s/batch' '%s/batch.c' >'%s/batch.log' 2>&1", cc, folder, folder, folder);
-    if (system(command) == 0)
+    const int status = system(command);
+    if (status == 0)
         return true;
-    fail_all(t, "does not compile the emitted C; see batch.log", cc);
+    fail_all(t, WIFEXITED(status) && WEXITSTATUS(status) == BATCH_TOO_LARGE ? VERDICT_TOO_LARGE : VERDICT_REJECTED, "does not compile the emitted C; see batch.log", cc);
     return false;
 }
 
@@ -67,10 +80,10 @@ static void talk_via(Talk *t, const Via *via, const char *folder)
     char *got = read_file(t->arena, folder, "answers", t->answers.n, &n);
     talk_compare(t, got, n, via->command);
     if (crashed && n == t->answers.n)
-        fail_all(t, "ended badly", via->command);
+        fail_all(t, VERDICT_REJECTED, "ended badly", via->command);
 }
 
-static void emit(Talk *t, const char *folder)
+static void emit(Talk *t, bool soft, const char *folder)
 {
     const IrMachine *m[BATCH_MAX * FORM_COUNT];
     bool track[BATCH_MAX * FORM_COUNT];
@@ -80,14 +93,14 @@ static void emit(Talk *t, const char *folder)
         track[i] = t->part[i].tracks;
     }
     buf_init(&code, t->arena);
-    emit_c_driver(t->arena, m, track, t->n, &code);
+    emit_c_driver(t->arena, m, track, t->n, soft, &code);
     write_file(folder, "batch.c", &code);
 }
 
 void batch_talk(Talk *t, const Via *via, uint32_t vias, const char *folder)
 {
     if (!t->images)
-        emit(t, folder);
+        emit(t, vias > 0 && via[0].soft, folder);
     write_file(folder, "commands", &t->commands);
     for (uint32_t i = 0; i < vias; i++)
         talk_via(t, &via[i], folder);

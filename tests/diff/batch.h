@@ -7,13 +7,17 @@
 
 #include "tests/diff/talk.h"
 
-enum { BATCH_MAX = 100 };
+enum { BATCH_MAX = 100, BATCH_TOO_LARGE = 77 };       // a compiler that ends with this says that all together do not fit its chip
 
 // What runs them: a C compiler's command, or that of a program as tests/targets/vm.c.
 typedef struct Via {
     const char *command;
     bool images;
+    bool soft;                // the C has its numbers in software
 } Via;
+
+// Whether it is --vm=COMMAND, --cc=COMMAND, or --cc-soft=COMMAND, which is C with numbers in software.
+bool batch_via(const char *arg, Via *out);
 
 // Runs n programs (at most BATCH_MAX), each in some forms (1u << Form …), by each of these, all of one kind; r[i] tells of the i-th.
 // Files are made in `folder`.

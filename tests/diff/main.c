@@ -2,13 +2,14 @@
 // The campaign: random programs, one a seed, each run on every engine in lock step.
 //
 //     difftest [--seed=N] [--count=N] [--steps=N] [--jobs=N] [--out=DIR] [--resume] [--print] [--no-reduce] [--no-floors] [--first]
-//              [--forms=012h] [--cc=COMMAND]… [--vm=COMMAND]… [--sound]
+//              [--forms=012h] [--cc=COMMAND]… [--cc-soft=COMMAND]… [--vm=COMMAND]… [--batch=N] [--sound]
 //
 // Workers take blocks of seeds in turn.  Each keeps a file in DIR with how far it is and what its programs met, so that
 // --resume goes on where an interrupted campaign stopped.  A worker that crashes or hangs names its seed and is replaced.
 // Every program is run at -O0, -O1, -O2 and with its locals hidden from everybody (h), or in the --forms that are named.
 // With --cc the emitted C is compiled by each of these commands and compared, instead of the VM: in one form a program, unless
-// --forms names some.  With --vm their images are fed to each of these commands, likewise (batch.h).
+// --forms names some; --cc-soft: that with numbers in software.  With --vm their images are fed to each of these commands, likewise (batch.h).
+// --batch: so many at a time, fewer where they are too large together; one that is too large alone had no room.
 // With --sound each program runs alone, from its first state, held against what analyses say of it (sound.h).
 // A failing program is made smaller and written to DIR/seed-N.  Exit: 0 all agree, 1 not, 2 usage.
 #define _POSIX_C_SOURCE 200809L
@@ -31,11 +32,11 @@
 #include "tests/diff/sound.h"
 #include "tests/diff/subject.h"
 
-enum { BLOCK = 500, JOBS_MAX = 64, HANG_SECONDS = 60, VIAS_MAX = 8, BATCH = 50 };
+enum { BLOCK = 500, JOBS_MAX = 64, HANG_SECONDS = 60, VIAS_MAX = 8, BATCH = 50 };         // programs at a time, at most
 
 typedef struct Options {
     uint64_t seed, count;
-    uint32_t steps, jobs;
+    uint32_t steps, jobs, batch;
     const char *out;
     bool resume, print, reduce, floors, first, sound;
     unsigned forms;                   // 1u << Form of each that is run; 0: none was named
@@ -129,12 +130,12 @@ static void count_batch(const Options *o, Gen **g, uint32_t n, RunResult *r, con
         t->steps += g[i]->steps;
         t->different += r[i].verdict == VERDICT_DIFFERENT;
         t->rejected += r[i].verdict == VERDICT_REJECTED;
-        t->no_room += r[i].met.no_room;
+        t->no_room += r[i].met.no_room || r[i].verdict == VERDICT_TOO_LARGE;
         how.folder = folder;
         for (uint32_t v = 0; v < o->vias && r[i].verdict != VERDICT_SAME && how.via == NULL; v++)
             if (strstr(r[i].message, o->via[v].command) != NULL)      // the one that showed it
                 how.via = &o->via[v];
-        if (r[i].verdict != VERDICT_SAME && t->different + t->rejected <= 5)
+        if (r[i].verdict != VERDICT_SAME && r[i].verdict != VERDICT_TOO_LARGE && t->different + t->rejected <= 5)
             report_failure(o, g[i], &how, r[i], arena);
     }
 }
@@ -155,9 +156,15 @@ static void run_seeds_elsewhere(const Options *o, uint64_t first, uint32_t n, Ta
         forms[i] = options_of(o, first + i).forms;
     }
     run_batch(g, forms, n, o->via, o->vias, folder, &arena, r);
-    count_batch(o, g, n, r, folder, t, &arena);
+    const bool split = n > 1 && r[0].verdict == VERDICT_TOO_LARGE;
+    if (!split)
+        count_batch(o, g, n, r, folder, t, &arena);
     batch_clean(folder);
     arena_free(&arena);
+    if (split) {
+        run_seeds_elsewhere(o, first, n / 2, t);
+        run_seeds_elsewhere(o, first + n / 2, n - n / 2, t);
+    }
 }
 
 static void print_seed(const Options *o, uint64_t seed)
@@ -203,7 +210,7 @@ static void tally_load(const Options *o, uint32_t worker, Tally *t)
         return;
     if (fread(&then, sizeof then, 1, f) == 1 && fread(&read, sizeof read, 1, f) == 1 &&
         then.seed == o->seed && then.jobs == o->jobs && then.steps == o->steps && then.build == o->build &&
-        then.vias == o->vias && then.forms == o->forms && then.sound == o->sound)
+        then.vias == o->vias && then.forms == o->forms && then.sound == o->sound && then.batch == o->batch)
         *t = read;
     fclose(f);
 }
@@ -218,12 +225,12 @@ static void work(const Options *o, uint32_t worker, Tally *t)
         const uint64_t last = (block + 1) * BLOCK < o->count ? (block + 1) * BLOCK : o->count;
         const uint64_t first = t->seed >= o->seed + block * BLOCK && t->next == block ? t->seed - o->seed : block * BLOCK;
         t->next = block;
-        for (uint64_t i = first; i < last && goes_on(o, t); i += o->vias != 0 ? BATCH : 1) {
+        for (uint64_t i = first; i < last && goes_on(o, t); i += o->vias != 0 ? o->batch : 1) {
             t->seed = o->seed + i;
             if (o->vias == 0)
                 run_seed(o, o->seed + i, t);
             else
-                run_seeds_elsewhere(o, o->seed + i, last - i < BATCH ? (uint32_t)(last - i) : BATCH, t);
+                run_seeds_elsewhere(o, o->seed + i, last - i < o->batch ? (uint32_t)(last - i) : o->batch, t);
         }
         t->next = block + o->jobs;
         tally_save(o, worker, t);
@@ -396,8 +403,10 @@ static bool take_option(Options *o, const char *arg)
         return o->jobs = (uint32_t)n, true;
     if (strncmp(arg, "--out=", 6) == 0)
         return o->out = arg + 6, true;
-    if ((strncmp(arg, "--cc=", 5) == 0 || strncmp(arg, "--vm=", 5) == 0) && o->vias < VIAS_MAX)
-        return o->via[o->vias++] = (Via){ arg + 5, arg[2] == 'v' }, true;
+    if (o->vias < VIAS_MAX && batch_via(arg, &o->via[o->vias]))
+        return o->vias++, true;
+    if (take_number(arg, "--batch", &n) && n >= 1 && n <= BATCH)
+        return o->batch = (uint32_t)n, true;
     if (strncmp(arg, "--forms=", 8) == 0)
         return take_forms(o, arg + 8);
     if (strcmp(arg, "--resume") == 0)
@@ -429,7 +438,7 @@ static uint32_t checksum_of(const char *path)
 
 int main(int argc, char **argv)
 {
-    Options o = { .seed = 1, .count = 10000, .steps = 100, .jobs = 1, .out = "difftest.out", .reduce = true, .floors = true };
+    Options o = { .seed = 1, .count = 10000, .steps = 100, .jobs = 1, .batch = BATCH, .out = "difftest.out", .reduce = true, .floors = true };
     struct timespec from, to;
     Tally sum = { 0 };
     for (int i = 1; i < argc; i++)

@@ -10,7 +10,8 @@
 typedef enum Verdict {
     VERDICT_SAME,
     VERDICT_REJECTED,         // the compiler refused a valid program
-    VERDICT_DIFFERENT
+    VERDICT_DIFFERENT,
+    VERDICT_TOO_LARGE         // all of a batch together, for the chip that its C is for
 } Verdict;
 
 typedef struct Met {          // what a program met, as flags to be counted

@@ -10,7 +10,7 @@ Options:
   --version                print the version and exit
   --sv=FILE                the application's state vector
   -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 2)
-  --engine=ENGINE          what runs the machine: vm (default), vm-soft, ref, c or all
+  --engine=ENGINE          what runs the machine: vm (default), vm-soft, ref, c, c-soft, several between commas, or all (but c-soft)
   --trace=FILE             write every value after every step
   --max-steps=N            give up on a script after N steps (default 1000000)
   --junit=FILE             write the results as JUnit XML

@@ -43,7 +43,7 @@ final state vector:
   T = 20
   open = true
 -- stderr --
-smc: --engine is ref, vm, vm-soft, c or all, not 'warp'
+smc: --engine is ref, vm, vm-soft, c, c-soft or all, not 'warp'
 Try 'smc test --help'.
 -- exit --
 0 0 0 2

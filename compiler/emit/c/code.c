@@ -88,9 +88,9 @@ static void put_variable(CFn *fn, IrRef r)
     const char *name = format_in(fn->u->arena, type == SM_BOOL ? "test%u" : "value%u", ++fn->values);
 
     if (fn->hoist)
-        buf_printf(&fn->declarations, "    %s %s;\n", c_type_of(type), name);
+        buf_printf(&fn->declarations, "    %s %s;\n", c_type_of(fn->u, type), name);
     else
-        buf_printf(&fn->line, "const %s ", c_type_of(type));
+        buf_printf(&fn->line, "const %s ", c_type_of(fn->u, type));
     buf_printf(&fn->line, "%s = ", name);
     put_assigned(fn, r);
     buf_str(&fn->line, ";");
@@ -359,7 +359,7 @@ static void put_copies(CFn *fn)
     for (size_t i = 0; i < fn->copied.n; i++) {
         const uint32_t v = fn->copied.at[i];
         const SmType as = fn->var[v].copy_type, type = fn->u->m->var.at[v].type;
-        buf_printf(&fn->line, "const %s %s = ", c_type_of(as), fn->var[v].copy);
+        buf_printf(&fn->line, "const %s %s = ", c_type_of(fn->u, as), fn->var[v].copy);
         if (fn->u->m->var.at[v].space == IR_TIME) {
             put_time(fn);
             put_line(fn, ";");

@@ -46,7 +46,7 @@ static void put_choice(CFn *fn, IrRef r, SmType to, int prec)
     const bool opened = open_parens(fn, PREC_ANY, prec);
 
     put_condition(fn, r, false, PREC_OR);
-    put(fn, to == SM_F64 ? " ? 1.0 : 0.0" : to == SM_F32 ? " ? 1.0f : 0.0f" : to == SM_I64 ? " ? INT64_C(1) : 0" :
+    put(fn, to == SM_F64 && fn->u->soft ? " ? sm_from_bits(0x3FF0000000000000u /* 1.0 */) : sm_from_bits(0 /* 0.0 */)" : to == SM_F64 ? " ? 1.0 : 0.0" : to == SM_F32 ? " ? 1.0f : 0.0f" : to == SM_I64 ? " ? INT64_C(1) : 0" :
         to == SM_I32 ? " ? INT32_C(1) : 0" : " ? 1 : 0");
     close_parens(fn, opened);
 }
@@ -61,11 +61,15 @@ static bool is_read_here(const CFn *fn, IrRef r)
 
 static void put_cast(CFn *fn, SmType to, IrRef r, int prec)
 {
-    const bool opened = open_parens(fn, PREC_UNARY, prec);
+    const SmType from = ins(fn, r)->type;
+    bool opened;
 
-    put(fn, "(");
-    put(fn, c_type_of(to));
-    put(fn, ")");
+    if (c_is_soft(fn, from) || (c_is_soft(fn, to) && bits_of(from) > 16)) {
+        soft_put_cast(fn, to, r);
+        return;
+    }
+    opened = open_parens(fn, PREC_UNARY, prec);
+    buf_printf(&fn->line, "(%s)", c_type_of(fn->u, to));
     put_value(fn, r, PREC_PRIMARY);
     close_parens(fn, opened);
 }
@@ -82,6 +86,8 @@ void put_double(CFn *fn, IrRef r, int prec)
         put_value(fn, r, prec);
     else if (i->type == SM_BOOL)
         put_choice(fn, r, SM_F64, prec);
+    else if (fn->u->soft)
+        soft_put_number(fn, r);
     else
         put_cast(fn, SM_F64, r, prec);
 }
@@ -96,9 +102,14 @@ static void put_call_on_double(CFn *fn, const char *helper, IrRef r)
 
 void put_not_zero(CFn *fn, IrRef r, bool negated, int prec)
 {
-    const bool opened = open_parens(fn, PREC_EQ, prec);
     const SmType type = ins(fn, r)->type;
+    bool opened;
 
+    if (c_is_soft(fn, type)) {
+        soft_put_not_zero(fn, r, negated);
+        return;
+    }
+    opened = open_parens(fn, PREC_EQ, prec);
     put_value(fn, r, PREC_REL);
     put(fn, negated ? " == " : " != ");
     put(fn, type == SM_F64 ? "0.0" : type == SM_F32 ? "0.0f" : "0");
@@ -126,7 +137,7 @@ static void put_clipped(CFn *fn, IrRef r, SmType to, int prec)
     const bool opened = open_parens(fn, PREC_UNARY, prec);
 
     put(fn, "(");
-    put(fn, c_type_of(to));
+    put(fn, c_type_of(fn->u, to));
     put(fn, ")");
     put(fn, helper_use(fn->u, from == SM_U64 ? "sm_clip_u64" : in == SM_I32 ? "sm_clip_i32" : "sm_clip_i64"));
     put(fn, "(");
@@ -235,7 +246,7 @@ static void put_cut(CFn *fn, IrRef r, SmType to, int prec)
     }
     opened = open_parens(fn, to == SM_I32 ? PREC_MUL : PREC_UNARY, prec);
     if (to != SM_I32)
-        buf_printf(&fn->line, "(%s)", c_type_of(to));
+        buf_printf(&fn->line, "(%s)", c_type_of(fn->u, to));
     if (!fits)
         buf_printf(&fn->line, "%s(", helper_use(fn->u, "sm_clip_i32"));
     put_cut_i32(fn, r, !fits ? PREC_ANY : to == SM_I32 ? PREC_MUL : PREC_PRIMARY);
@@ -264,7 +275,7 @@ static void put_to_float(CFn *fn, IrRef r, SmType to, int prec)
         put(fn, ")");
     } else if (nan)
         put_call_on_double(fn, "sm_to_f32", r);
-    else if (from == SM_F64 || bits_of(from) < 64)
+    else if (from == SM_F64 || bits_of(from) < 64 || fn->u->soft)
         put_cast(fn, SM_F32, r, prec);
     else {
         put(fn, "(float)");               // rounded twice, as an F64 on its way

@@ -4,7 +4,7 @@
 
 #include "compiler/emit/c/unit.h"
 
-const char *c_type_of(SmType type)
+const char *c_type_of(const CUnit *u, SmType type)
 {
     switch (type) {
     case SM_I8: return "int8_t";
@@ -16,7 +16,7 @@ const char *c_type_of(SmType type)
     case SM_U32: return "uint32_t";
     case SM_U64: return "uint64_t";
     case SM_F32: return "float";
-    case SM_F64: return "double";
+    case SM_F64: return u->soft ? "SmF64" : "double";
     case SM_BOOL: return "bool";
     case SM_TYPE_COUNT: break;
     }
@@ -65,7 +65,7 @@ static void put_element(const CUnit *u, const CElement *e, Buf *out)
     if (e->type == SM_BOOL)
         put_member(out, "uint8_t", e->member, joined(a, *name ? format_in(a, "bool %s", name) : "bool", said));
     else
-        put_member(out, knows_f64(u) && e->type == SM_F64 ? "SmF64" : c_type_of(e->type), e->member, joined(a, name, said));
+        put_member(out, knows_f64(u) && e->type == SM_F64 ? "SmF64" : c_type_of(u, e->type), e->member, joined(a, name, said));
 }
 
 static void put_vector_members(const CUnit *u, const CVector *sv, Buf *out)
@@ -159,7 +159,7 @@ static void put_local(const CUnit *u, size_t v, Buf *out)
 {
     const IrVar *var = &u->m->var.at[v];
 
-    put_member(out, c_type_of(var->type), u->names.var[v],
+    put_member(out, c_type_of(u, var->type), u->names.var[v],
                joined(u->arena, source_name(u->names.var[v], var->name), remark_at(u->arena, var->span)));
 }
 

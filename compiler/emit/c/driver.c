@@ -8,6 +8,9 @@
 
 // What every driver begins with, behind the machines themselves.
 static const char common[] =
+    "#ifndef SM_IN_FLASH\n"
+    "#define SM_IN_FLASH          // tables of constants stay in flash where this is __flash, as on AVR\n"
+    "#endif\n"
     "#include <stdio.h>\n"
     "#include <stdlib.h>\n"
     "\n"
@@ -23,12 +26,12 @@ static const char common[] =
     "    uint32_t (*step)(void);\n"
     "    uint32_t (*state)(void);\n"
     "    const bool *first;\n"
-    "    const Cell *cell;\n"
+    "    const SM_IN_FLASH Cell *cell;\n"
     "    uint32_t cells;\n"
     "    bool tracks;              // what it stores\n"
     "} Machine;\n"
     "\n"
-    "static uint64_t cell_read(const Cell *c)\n"
+    "static uint64_t cell_read(const SM_IN_FLASH Cell *c)\n"
     "{\n"
     "    switch (c->at ? c->type : 0) {\n"
     "    case 1: { uint8_t v; memcpy(&v, c->at, sizeof v); return v; }\n"
@@ -40,7 +43,7 @@ static const char common[] =
     "    }\n"
     "}\n"
     "\n"
-    "static void cell_write(const Cell *c, uint64_t value)\n"
+    "static void cell_write(const SM_IN_FLASH Cell *c, uint64_t value)\n"
     "{\n"
     "    switch (c->at ? c->type : 0) {\n"
     "    case 1: { const uint8_t v = (uint8_t)value; memcpy(c->at, &v, sizeof v); break; }\n"
@@ -72,7 +75,7 @@ static const char common[] =
     "            exit(1);\n"
     "}\n"
     "\n"
-    "static void answer(const Machine *m, uint32_t status)\n"
+    "static void answer(const SM_IN_FLASH Machine *m, uint32_t status)\n"
     "{\n"
     "    uint32_t i;\n"
     "\n"
@@ -86,7 +89,7 @@ static const char common[] =
     "    fflush(stdout);\n"
     "}\n"
     "\n"
-    "static bool run_init(const Machine *m)\n"
+    "static bool run_init(const SM_IN_FLASH Machine *m)\n"
     "{\n"
     "    uint64_t state;\n"
     "\n"
@@ -96,7 +99,7 @@ static const char common[] =
     "    return true;\n"
     "}\n"
     "\n"
-    "static bool run_step(const Machine *m)\n"
+    "static bool run_step(const SM_IN_FLASH Machine *m)\n"
     "{\n"
     "    uint64_t n, var, value;\n"
     "\n"
@@ -165,7 +168,7 @@ static void put_rows(const CUnit *u, Buf *out)
     by_name.arena = u->arena;
     for (size_t v = 0; v < u->m->var.n; v++)
         map_put(&by_name, u->m->var.at[v].name, &u->m->var.at[v]);
-    buf_printf(out, "static const Cell %s_cell[] = {\n", u->names.prefix);
+    buf_printf(out, "static const SM_IN_FLASH Cell %s_cell[] = {\n", u->names.prefix);
     for (size_t i = 0; p && i < p->var.n; i++)
         put_program_row(u, &by_name, p->var.at[i], out);
     for (size_t v = 0; !p && v < u->m->var.n; v++)
@@ -210,7 +213,7 @@ static void put_machine_row(const CUnit *u, Buf *out)
 // ---- all of them ----
 
 // Types and code of one machine, behind those before it.  What it needs of stdlib is added to `helper`.
-static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool track_stores, uint32_t *helper, Buf *out)
+static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool track_stores, bool soft, uint32_t *helper, Buf *out)
 {
     CUnit *u = ARENA_NEW(arena, CUnit);
     const char *prefix = format_in(arena, "m%u", (unsigned)i);
@@ -218,6 +221,7 @@ static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool track_sto
     unit_init(u, arena, m, prefix, prefix);
     u->helper = helper;
     u->fit = "machines_are_fit";
+    unit_soften(u, soft);
     u->track_stores = track_stores;
     put_vector_struct(u, out);
     put_machine_types(u, out);
@@ -228,7 +232,16 @@ static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool track_sto
     return u;
 }
 
-void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_stores, size_t n, Buf *code)
+static void put_driver_start(bool soft, Buf *out)
+{
+    if (soft)
+        put_soft_library(out);
+    put_guards(out, "machines", soft);
+    if (!soft)
+        put_self_test("machines_are_fit", out);
+}
+
+void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_stores, size_t n, bool soft, Buf *code)
 {
     uint32_t *helper = ARENA_ARRAY(arena, uint32_t, helper_count());
     CUnit **u = ARENA_ARRAY(arena, CUnit *, n);
@@ -236,9 +249,8 @@ void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_st
 
     buf_init(&machines, arena);
     for (size_t i = 0; i < n; i++)
-        u[i] = put_one(arena, m[i], i, track_stores[i], helper, &machines);
-    put_guards(code, "machines");
-    put_self_test("machines_are_fit", code);
+        u[i] = put_one(arena, m[i], i, track_stores[i], soft, helper, &machines);
+    put_driver_start(soft, code);
     if (n == 0)
         return;
     helper_type_put(u[0], "SmRoll", code);
@@ -247,7 +259,7 @@ void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_st
     buf_str(code, common);
     for (size_t i = 0; i < n; i++)
         put_table(u[i], code);
-    buf_str(code, "static const Machine machine[] = {\n");
+    buf_str(code, "static const SM_IN_FLASH Machine machine[] = {\n");
     for (size_t i = 0; i < n; i++)
         put_machine_row(u[i], code);
     buf_str(code, "};\n\n");

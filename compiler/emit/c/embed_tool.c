@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs while smc is built: turns the stdlib headers named as arguments into a table of their functions' texts, on standard
 // output, for the C emitter to quote.  A line `//: NAME` opens the text of NAME, the next such line closes it (`//: end`
-// opens nothing).  Which texts need which is found by looking for their names, comments apart; a text may only need
-// texts before it, so the emitter writes the table's order.
+// opens nothing); `//: NAME double` says that it stands only where SmF64 is a double.  Which texts need which is found by looking for
+// their names, comments apart; a text may only need texts before it, so the emitter writes the table's order.
+// `-lines NAME FILE…` gives whole files as an array of lines, without what includes files of stdlib.
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,6 +13,7 @@ enum { SNIPPETS_MAX = 200, DEPS_MAX = 16, NAME_MAX_LEN = 40, TEXT_MAX = 4000, LI
 
 typedef struct Snippet {
     char name[NAME_MAX_LEN];
+    bool native;              // for a double
     char text[TEXT_MAX];      // C99 promises string literals of 4095 characters
     int dep[DEPS_MAX];
     int deps;
@@ -38,6 +40,7 @@ static void snippet_open(const char *name)
         fail("too many texts", name);
     if (sscanf(name, "%39s", s->name) != 1)
         fail("a text has no name", name);
+    s->native = strstr(name, " double\n") != NULL;
     snippets++;
 }
 
@@ -121,28 +124,54 @@ static void print_text(const char *text)
         else
             printf(*p == '"' || *p == '\\' ? "\\%c" : "%c", *p);
     }
-    fputs("\" },\n", stdout);
 }
 
 static void print_snippet(const Snippet *s)
 {
-    printf("    { \"%s\", %d, { ", s->name, s->deps);
+    printf("    { \"%s\", %d, %d, { ", s->name, s->native, s->deps);
     for (int i = 0; i < s->deps; i++)
         printf("%d, ", s->dep[i]);
     printf("%s},\n", s->deps == 0 ? "0 " : "");
     print_text(s->text);
+    fputs("\" },\n", stdout);
+}
+
+static void print_lines(const char *path)
+{
+    char line[LINE_MAX_LEN];
+    FILE *f = fopen(path, "r");
+    if (f == NULL)
+        fail("cannot read", path);
+    while (fgets(line, sizeof line, f) != NULL)
+        if (strncmp(line, "#include \"stdlib/", 17) != 0 && strncmp(line, "// SPDX", 7) != 0) {
+            print_text(line);
+            fputs("\",\n", stdout);
+        }
+    fclose(f);
+}
+
+static int print_files(const char *name, char **path)
+{
+    printf("// Made by embed_tool.\nstatic const char *const %s[] = {\n", name);
+    for (; *path != NULL; path++)
+        print_lines(*path);
+    puts("      NULL\n};\n");
+    return ferror(stdout) != 0 || fclose(stdout) != 0;
 }
 
 int main(int argc, char **argv)
 {
+    if (argc > 2 && strcmp(argv[1], "-lines") == 0)
+        return print_files(argv[2], argv + 3);
     for (int i = 1; i < argc; i++)
         read_header(argv[i]);
     for (int i = 0; i < snippets; i++)
         find_deps(i);
     puts("// The texts of stdlib functions, in an order in which each comes after those it needs.  Made by embed_tool.");
-    puts("#ifndef STDLIB_TEXT_H\n#define STDLIB_TEXT_H\n");
+    puts("#ifndef STDLIB_TEXT_H\n#define STDLIB_TEXT_H\n\n#include <stdbool.h>\n");
     puts("typedef struct StdlibText {");
     puts("    const char *name;");
+    puts("    bool native;         // stands only where SmF64 is a double");
     puts("    // Which others it needs: indices into the table, all smaller than its own.");
     printf("    unsigned char deps, dep[%d];\n", DEPS_MAX);
     puts("    const char *text;");

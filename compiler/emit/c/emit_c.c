@@ -98,12 +98,21 @@ void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const
     u->fit = format_in(a, "%s_is_fit", prefix);
 }
 
+// Numbers in software, or not: those need no test of the computer's.
+void unit_soften(CUnit *u, bool soft)
+{
+    u->soft = soft;
+    u->fit = soft ? NULL : u->fit;
+}
+
 // `include`: a header beside the usual ones, or NULL.
-static void put_header_start(const char *macro, const char *include, Buf *out)
+static void put_header_start(const char *macro, const char *include, bool soft, bool runtime, Buf *out)
 {
     buf_printf(out, "#ifndef %s_H_INCLUDED\n#define %s_H_INCLUDED\n\n#include <stdbool.h>\n#include <stdint.h>\n\n", macro, macro);
     if (include)
-        buf_printf(out, "#include \"%s\"\n\n", include);
+        buf_printf(out, "#include \"%s\"\n%s", include, soft ? "" : "\n");
+    if (soft)
+        buf_printf(out, "#include \"%s\"\n\n", runtime ? "stdlib/f64.h" : "sm_soft.h");
     buf_str(out, "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
 }
 
@@ -123,7 +132,7 @@ static const char *source_name(Arena *a, const EmitCOptions *o, const char *name
 static void put_header(CUnit *u, const char *source, Buf *out)
 {
     put_title("machine", u->m->name->text, source, out);
-    put_header_start(u->names.macro, u->runtime ? "runtime-c/machine_type.h" : NULL, out);
+    put_header_start(u->names.macro, u->runtime ? "runtime-c/machine_type.h" : NULL, u->soft, u->runtime, out);
     put_vector_struct(u, out);
     buf_char(out, '\n');
     put_machine_types(u, out);
@@ -161,13 +170,17 @@ static void put_code(CUnit *u, const char *source, const char *header, Buf *out)
     put_machine(u, &body);
     put_title("machine", u->m->name->text, source, out);
     buf_printf(out, "#include \"%s\"\n\n", header);
-    put_guards(out, u->names.prefix);
-    buf_printf(out, "\nstatic bool %s(void);\n\n", u->fit);
+    put_guards(out, u->names.prefix, u->soft);
+    buf_char(out, '\n');
+    if (u->fit)
+        buf_printf(out, "static bool %s(void);\n\n", u->fit);
     put_helpers(u, out);
     buf_str(out, "// ---- the states.  A number that a block returns is that of the state to go to; 0 is to stay. ----\n\n");
     buf_str(out, buf_text(&body));
     if (u->runtime)
         put_machine_type(u, out);
+    if (!u->fit)
+        return;
     buf_str(out, "\n// ---- whether this program computes as the language says ----\n\n");
     put_self_test(u->fit, out);
 }
@@ -179,6 +192,7 @@ void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf
 
     unit_init(&u, arena, m, prefix_of(arena, o ? o->prefix : NULL, m->name->text), NULL);
     u.runtime = o && o->runtime;
+    unit_soften(&u, o && o->soft);
     u.track_stores = (o && o->track_stores) || (u.runtime && m->program && m->program->sv->lock);
     put_header(&u, source, header);
     put_code(&u, source, header_name(arena, o, m->name->text), code);
@@ -218,8 +232,9 @@ void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o
 
     vector_unit_init(&u, arena, sv, prefix_of(arena, o ? o->prefix : NULL, sv->name->text));
     u.runtime = o && o->runtime;
+    unit_soften(&u, o && o->soft);
     put_title("vector", sv->name->text, source, header);
-    put_header_start(u.names.sv_macro, u.runtime ? "runtime-c/statevec.h" : NULL, header);
+    put_header_start(u.names.sv_macro, u.runtime ? "runtime-c/statevec.h" : NULL, u.soft, u.runtime, header);
     if (u.runtime)
         put_runtime_header(&u, sv, &names, header);
     else

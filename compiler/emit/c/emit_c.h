@@ -14,6 +14,7 @@ typedef struct EmitCOptions {
     const char *header;           // how the .c includes its .h; NULL: the name and ".h"
     const char *source;           // the source's name without folders, for comments; NULL: the name and its ending
     bool track_stores;            // each step tells in m->stored which elements it stored
+    bool soft;                    // for chips whose double is no binary64: numbers are SmF64s, of sm_soft.h or stdlib/f64.h
     bool runtime;                 // for runtime-c.  A vector: what statevec.h says.  A machine: also PREFIX_machine (machine_type.h); tracks
                                   // stores where the vector has `lock`
 } EmitCOptions;
@@ -36,9 +37,12 @@ void emit_c_io(Arena *arena, const IoMap *io, const EmitCOptions *o, Buf *header
 void emit_c_image(Arena *arena, const char *name, const Buf *image, const EmitCOptions *o, Buf *out);
 void emit_c_bytes(const Buf *image, Buf *out);
 
+// What goes with `soft`, but where there is runtime-c, which has it: sm_soft.h, sm_soft.c, sm_soft_avr.S.  The same for all machines.
+void emit_c_soft_library(Buf *header, Buf *code, Buf *assembly);
+
 // Several machines and a main as one translation unit: a program that runs them at the command of its standard input.
-// compiler/device/engine_c.c compiles and drives it.  track_stores is by machine.  The exchange, lowest byte first and without
-// padding:
+// compiler/device/engine_c.c compiles and drives it.  track_stores is by machine; `soft` is as above, all of it inside.  The exchange,
+// lowest byte first and without padding:
 //   to it:    u32 machine, u32 command, then
 //             command 0, init:   u32 state                        elements zero, locals at their initial values, then init
 //             command 1, step:   u32 n, n times (u32 variable, u64 cell)
@@ -46,6 +50,6 @@ void emit_c_bytes(const Buf *image, Buf *out);
 //             u64 cell of every variable, u8 stored of every variable: 0 no, 1 yes, 2 not tracked
 // Variables are numbered as in Program.var, or as in IrMachine.var where there is no program.
 // It ends at the end of its input.
-void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_stores, size_t n, Buf *code);
+void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_stores, size_t n, bool soft, Buf *code);
 
 #endif

@@ -140,14 +140,14 @@ void put_float_load(CFn *fn, IrRef r, SmType as)
     const bool copy = !fn->ins[r].unchecked && has_copy(fn, i);
     const SmType held = fn->ins[r].unchecked ? i->type : copy ? fn->var[i->var].copy_type : as;
 
-    if (held != as)
-        put(fn, as == SM_F64 ? "(double)" : "(float)");
-    if (fn->ins[r].unchecked) {
-        put_cell(fn, i->var);
-        return;
-    }
-    if (copy) {
-        put(fn, fn->var[i->var].copy);
+    if (fn->ins[r].unchecked || copy) {
+        if (held != as)
+            put(fn, fn->u->soft ? as == SM_F64 ? "sm_from_f32(" : "sm_round_f32(" : as == SM_F64 ? "(double)" : "(float)");
+        if (fn->ins[r].unchecked)
+            put_cell(fn, i->var);
+        else
+            put(fn, fn->var[i->var].copy);
+        close_parens(fn, held != as && fn->u->soft);
         return;
     }
     put(fn, helper_use(fn->u, as == SM_F32 ? "sm_no_nan_f32" : i->type == SM_F32 ? "sm_read_f32" : "sm_read_f64"));
@@ -217,6 +217,10 @@ static void put_binary(CFn *fn, const IrIns *i, const char *text, int own, int p
         put_integer_binary(fn, i, text, own, prec);
         return;
     }
+    if (fn->u->soft) {
+        soft_put_binary(fn, i);
+        return;
+    }
     // A float may be computed as a double, as long as it does not stay one.
     opened = open_parens(fn, i->type == SM_F32 ? PREC_UNARY : own, prec);
     put(fn, i->type == SM_F32 ? "(float)(" : "");
@@ -240,10 +244,11 @@ static void put_logic(CFn *fn, const IrIns *i, int prec)
 
 static void put_negative(CFn *fn, const IrIns *i, int prec)
 {
-    const bool opened = open_parens(fn, PREC_UNARY, prec);
+    const bool soft = i->type == SM_F64 && fn->u->soft, opened = open_parens(fn, PREC_UNARY, soft ? PREC_ANY : prec);
 
-    put(fn, "-");
-    put_value(fn, i->a, PREC_PRIMARY);
+    put(fn, soft ? "sm_neg(" : "-");
+    put_value(fn, i->a, soft ? PREC_ANY : PREC_PRIMARY);
+    close_parens(fn, soft);
     close_parens(fn, opened);
 }
 
@@ -252,7 +257,7 @@ static void put_literal(CFn *fn, IrRef r, uint64_t bits, int prec)
     const IrIns *i = ins(fn, r);
     const SmKind kind = sm_type_info[i->type].kind;
     const bool sign_bit = (bits >> (sm_type_info[i->type].bytes * 8 - 1) & 1) != 0;
-    const bool negative = sign_bit && (kind == SM_KIND_FLOAT || kind == SM_KIND_SIGNED);
+    const bool negative = sign_bit && !(fn->u->soft && i->type == SM_F64) && (kind == SM_KIND_FLOAT || kind == SM_KIND_SIGNED);
     const bool opened = open_parens(fn, negative ? PREC_UNARY : PREC_PRIMARY, prec);
 
     put_constant(fn, r, i->type, bits);

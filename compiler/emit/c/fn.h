@@ -142,6 +142,15 @@ bool put_count(CFn *fn, IrRef r, SmType to);
 // Ends the statement in fn->line.
 void end_line(CFn *fn);
 
+// ---- soft.c: what stands there instead of C's operators and casts on floats ----
+
+bool c_is_soft(const CFn *fn, SmType t);               // a float, and numbers are SmF64
+void soft_put_number(CFn *fn, IrRef r);                // an integer or F32, not a constant, as an SmF64
+void soft_put_cast(CFn *fn, SmType to, IrRef r);       // a float that fits to an integer; anything to F32
+void soft_put_binary(CFn *fn, const IrIns *i);
+void soft_put_compare(CFn *fn, const IrIns *i, bool negated);
+void soft_put_not_zero(CFn *fn, IrRef r, bool negated);
+
 // ---- window.c ----
 
 void put_sample(CFn *fn, const IrIns *i);

@@ -16,7 +16,7 @@ static const char guards[] =
     "// ---- what this file asks of the compiler ----\n"
     "\n"
     "#if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128\n"
-    "#error \"this code needs a double that is IEEE binary64 and a float that is IEEE binary32\"\n"
+    "#error \"this code needs a double that is IEEE binary64 and a float that is IEEE binary32: smc build --soft makes C without\"\n"
     "#endif\n"
     "#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD > 64)\n"
     "#error \"this code needs arithmetic without excess precision: on 32-bit x86 build with -msse2 -mfpmath=sse\"\n"
@@ -41,11 +41,31 @@ static const char guards[] =
     "// A flag can shorten the constants.\n"
     "typedef char %s_constants_are_double[sizeof 0.1 == sizeof(double) && sizeof(double) == 8 ? 1 : -1];\n";
 
-void put_guards(Buf *out, const char *what)
+// With soft numbers little can go wrong: no float is computed with.
+static const char soft_guards[] =
+    "// ---- what this file asks of the compiler ----\n"
+    "\n"
+    "#if !SM_F64_SOFT\n"
+    "#error \"this code was made for soft numbers, and stdlib/f64.h takes a double here: build with -DSM_F64_SOFT=1, or smc without --soft\"\n"
+    "#endif\n"
+    "#if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128\n"
+    "#error \"this code needs a float that is IEEE binary32\"\n"
+    "#endif\n"
+    "#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0\n"
+    "#error \"this code needs floats that can be NaN: build it without -ffast-math and its parts\"\n"
+    "#endif\n"
+    "#if defined(__clang__)\n"
+    "#pragma clang diagnostic ignored \"-Wtautological-compare\"   // conditions are as their author wrote them\n"
+    "#endif\n";
+
+void put_guards(Buf *out, const char *what, bool soft)
 {
     buf_str(out, includes);
     buf_char(out, '\n');
-    buf_printf(out, guards, what);
+    if (soft)
+        buf_str(out, soft_guards);
+    else
+        buf_printf(out, guards, what);
 }
 
 // Each line is one way in which a compiler, a flag or the processor's mode can change results.

@@ -67,7 +67,7 @@ static const char apart_text[] =
     "#define SM_APART\n"
     "#endif\n";
 
-static bool stays_apart(const CUnit *u, int i) { return u->helper[i] > TOO_MANY && strncmp(stdlib_text[i].name, "sm_to_", 6) == 0; }
+static bool stays_apart(const CUnit *u, int i) { return !u->soft && u->helper[i] > TOO_MANY && strncmp(stdlib_text[i].name, "sm_to_", 6) == 0; }
 
 static void put_text(const CUnit *u, int i, const char *text, Buf *out)
 {
@@ -89,7 +89,7 @@ void helpers_put(CUnit *u, Buf *out)
 
     for (int i = STDLIB_TEXT_COUNT - 1; i >= 0; i--) {
         buf_init(&text[i], u->arena);
-        if (!u->helper[i] || is_type(i))
+        if (!u->helper[i] || is_type(i) || (u->soft && stdlib_text[i].native))
             continue;
         native_put(u, stdlib_text[i].text, &text[i]);
         use_dependencies(u, i, buf_text(&text[i]));

@@ -36,15 +36,10 @@ static void put_tidy(Buf *out, char *text)
     buf_str(out, e);
 }
 
-static void put_f64(CUnit *u, Buf *out, double x)
+static void put_finite_f64(Buf *out, double x)
 {
     char text[40];
 
-    if (!(x - x == 0)) {
-        buf_printf(out, "%s(%s)", helper_use(u, "sm_from_bits"), x != x ? "0x7FF8000000000000u" :
-                   x > 0 ? "0x7FF0000000000000u" : "0xFFF0000000000000u");
-        return;
-    }
     if (x < 1e15 && x > -1e15 && (double)(long long)x == x) {
         snprintf(text, sizeof text, "%.0f", x);
     } else {
@@ -58,13 +53,38 @@ static void put_f64(CUnit *u, Buf *out, double x)
     put_tidy(out, text);
 }
 
+// The bits, and behind them the number for those who read it.
+static void put_soft_f64(CUnit *u, Buf *out, double x)
+{
+    const unsigned long high = (unsigned long)(sm_bits(x) >> 32), low = (unsigned long)(sm_bits(x) & 0xffffffffu);
+
+    buf_printf(out, "%s(0x%08lX%08lXu /* ", helper_use(u, "sm_from_bits"), x != x ? 0x7FF80000ul : high, x != x ? 0ul : low);
+    if (x - x == 0)
+        put_finite_f64(out, x);
+    else
+        buf_str(out, x != x ? "NaN" : x > 0 ? "infinity" : "-infinity");
+    buf_str(out, " */)");
+}
+
+static void put_f64(CUnit *u, Buf *out, double x)
+{
+    if (u->soft)
+        put_soft_f64(u, out, x);
+    else if (x - x == 0)
+        put_finite_f64(out, x);
+    else
+        buf_printf(out, "%s(%s)", helper_use(u, "sm_from_bits"), x != x ? "0x7FF8000000000000u" :
+                   x > 0 ? "0x7FF0000000000000u" : "0xFFF0000000000000u");
+}
+
 static void put_f32(CUnit *u, Buf *out, float x)
 {
     char text[40];
 
     if (!(x - x == 0)) {
-        buf_str(out, "(float)");
+        buf_str(out, u->soft ? "sm_round_f32(" : "(float)");
         put_f64(u, out, (double)x);
+        buf_str(out, u->soft ? ")" : "");
         return;
     }
     if (x < 1e6f && x > -1e6f && (float)(int)x == x) {

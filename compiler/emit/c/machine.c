@@ -99,7 +99,8 @@ static void put_init(CUnit *u, Buf *out)
 
     buf_printf(out, "%sStatus %s_init(%s *m, %s *sv, uint32_t state)\n{\n", n->type, n->prefix, n->type, n->sv_type);
     buf_str(out, "    m->state_ = 0;\n    m->first_ = false;\n    m->gate_ = 0;\n    m->left_ = UINT64_MAX;\n    m->start_ = UINT64_MAX;\n");
-    buf_printf(out, "    if (!%s()) {\n        return %s_UNFIT;\n    }\n", u->fit, n->macro);
+    if (u->fit)
+        buf_printf(out, "    if (!%s()) {\n        return %s_UNFIT;\n    }\n", u->fit, n->macro);
     buf_printf(out, "    if (state < 1 || state > %s_STATES) {\n        return %s_NO_STATE;\n    }\n", n->macro, n->macro);
     buf_str(out, "    m->state_ = state;\n    m->first_ = true;\n");
     put_initial_values(u, out);

@@ -231,5 +231,8 @@ static void put_range(CUnit *u, const char *from, const char *to, Buf *out)
 
 void native_put(CUnit *u, const char *text, Buf *out)
 {
-    put_range(u, text, text + strlen(text), out);
+    if (u->soft)
+        buf_str(out, text);
+    else
+        put_range(u, text, text + strlen(text), out);
 }

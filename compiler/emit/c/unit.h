@@ -60,9 +60,10 @@ typedef struct CUnit {
     uint32_t *window_sample;      // by window: where the block in hand gives it its sample
     uint32_t stamps;              // functions and blocks so far
     FactMachine *facts;    // what values can be
+    bool soft;                    // F64 is SmF64 (soft.c)
     bool track_stores;            // each step tells which elements it stored
     bool runtime;                 // for runtime-c
-    const char *fit;              // the name of the self-test
+    const char *fit;              // the name of the self-test; NULL: nothing to test
     StrPool constant_names;       // locals that are constants, for remarks
     Map constants;
 } CUnit;
@@ -72,6 +73,8 @@ typedef struct CUnit {
 // Makes a unit for m.  `prefix` is an identifier; `sv_prefix` is what the vector's struct is called after, NULL: the .sv file
 // where there is one, else the prefix.
 void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const char *sv_prefix);
+
+void unit_soften(CUnit *u, bool soft);
 
 // ---- names.c, continued ----
 
@@ -109,7 +112,7 @@ size_t helper_count(void);
 
 // ---- native.c ----
 
-// A text of stdlib with C's own operators in place of its functions on F64.
+// A text of stdlib with C's own operators in place of its functions on F64; as it is for soft ones.
 void native_put(CUnit *u, const char *text, Buf *out);
 
 // ---- remark.c ----
@@ -126,15 +129,20 @@ const char **remark_windows(CUnit *u);
 void put_vector_struct(const CUnit *u, Buf *out);
 void put_machine_types(CUnit *u, Buf *out);
 void put_prototypes(const CUnit *u, Buf *out);
-const char *c_type_of(SmType type);        // of a member
+const char *c_type_of(const CUnit *u, SmType type);       // of a member
 bool c_is_output(const IrMachine *m, size_t v);      // whether the machine can store it: S, or an element that it may assign
 
 // ---- guard.c ----
 
 // What stops a compiler that would change the meaning, and the includes.
-void put_guards(Buf *out, const char *what);
+void put_guards(Buf *out, const char *what, bool soft);
 // The function `name`, which tries the arithmetic at run time.
 void put_self_test(const char *name, Buf *out);
+
+// ---- soft.c ----
+
+// Header and code of the numbers, for one translation unit.
+void put_soft_library(Buf *out);
 
 // ---- window.c ----
 

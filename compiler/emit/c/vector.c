@@ -4,7 +4,7 @@
 #include "compiler/emit/c/unit.h"
 
 // What the functions take and give.
-static const char *value_type(SmType type) { return type == SM_F64 ? "SmF64" : c_type_of(type); }
+static const char *value_type(const CUnit *u, SmType type) { return type == SM_F64 ? "SmF64" : c_type_of(u, type); }
 
 // ---- the header ----
 
@@ -16,17 +16,17 @@ static void put_enum(Buf *out, const char *const *name, size_t n, const char *co
     buf_printf(out, "    %s        // how many there are\n};\n\n", count);
 }
 
-static void put_plain(const char *p, const CElement *e, const char *getter, const char *setter, Buf *out)
+static void put_plain(const CUnit *u, const CElement *e, const char *getter, const char *setter, Buf *out)
 {
-    const char *type = value_type(e->type), *truth = e->type == SM_BOOL ? " != 0" : "";
+    const char *p = u->names.prefix, *type = value_type(u, e->type), *truth = e->type == SM_BOOL ? " != 0" : "";
 
     buf_printf(out, "static inline %s %s(void) { return %s_sv.%s%s; }\n", type, getter, p, e->member, truth);
     buf_printf(out, "static inline void %s(%s value) { %s_sv.%s = value; }\n\n", setter, type, p, e->member);
 }
 
-static void put_guarded(const char *p, const CElement *e, const char *getter, const char *setter, Buf *out)
+static void put_guarded(const CUnit *u, const CElement *e, const char *getter, const char *setter, Buf *out)
 {
-    const char *type = value_type(e->type), *truth = e->type == SM_BOOL ? " != 0" : "";
+    const char *p = u->names.prefix, *type = value_type(u, e->type), *truth = e->type == SM_BOOL ? " != 0" : "";
     const char *zero = e->type == SM_BOOL ? "false" : e->type == SM_F64 ? "sm_from_i32(0)" : "0";
 
     buf_printf(out, "static inline %s %s(void)\n{\n    %s value = %s;\n\n", type, getter, type, zero);
@@ -69,7 +69,7 @@ void put_vector_interface(const CUnit *u, const StateVec *sv, const CVectorNames
     if (sv->lock)
         buf_printf(out, "// Each of these takes and gives back the lock.  One that cannot have it reads 0, writes nothing, and counts in %s_vector.faults.\n\n", p);
     for (size_t i = 0; i < u->sv.n; i++)
-        (sv->lock ? put_guarded : put_plain)(p, &u->sv.at[i], n->getter[i], n->setter[i], out);
+        (sv->lock ? put_guarded : put_plain)(u, &u->sv.at[i], n->getter[i], n->setter[i], out);
     buf_str(out, "// A whole region, in one go, from and to its members in a copy of the vector; the others are left as they are.\n\n");
     for (size_t r = 0; r < sv->region.n; r++)
         put_region(u, n->region[r], n->reader[r], n->writer[r], sv->region.at[r]->offset, out);

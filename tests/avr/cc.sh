@@ -1,0 +1,43 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# A C compiler whose programs run on an emulated ATmega328P, or on an ATmega1284P (the same core) where they do not fit there:
+#     cc.sh RUN_C [OPTION…] -o PROGRAM SOURCE.c        RUN_C is built from run_c.c; AVR_CC names the compiler
+root=$(cd "$(dirname "$0")/../.." && pwd)
+[ "$1" = --version ] && exec "${AVR_CC:-avr-gcc}" --version
+run=$1 out= options= source=
+shift
+while [ $# -gt 0 ]; do
+    case $1 in
+    -o) out=$2; shift ;;
+    *.c) source=$1 ;;
+    -O*) ;;
+    *) options="$options $1" ;;
+    esac
+    shift
+done
+
+# build MCU FLASH RAM: gives false where it does not fit
+build() {
+    "${AVR_CC:-avr-gcc}" -mmcu=$1 -Os -std=gnu99 -DSM_IN_FLASH=__flash -ffunction-sections -fdata-sections -Wl,--gc-sections -w $options \
+        "$source" "$root/tests/avr/console.c" "$root/stdlib/soft_avr.S" -I"$root" -o "$out.elf" 2>"$out.log" || { grep -v 'overflowed\|will not fit' "$out.log" | grep -q 'error' && cat "$out.log"; return 1; }
+    set -- "$@" $(avr-size "$out.elf" | tail -1)
+    [ $(($4 + $5)) -le $2 ] && [ $(($5 + $6)) -le $3 ]
+}
+
+if build atmega328p 32768 1600; then
+    mcu=atmega328p
+elif build atmega1284p 131072 15000; then
+    mcu=atmega1284p
+else
+    echo "does not fit"
+    exit 77
+fi
+[ -n "$AVR_CHIPS" ] && echo $mcu >>"$AVR_CHIPS"
+avr-objcopy -O binary "$out.elf" "$out.bin" || exit 1
+size=$(wc -c <"$out.bin")
+{
+    cat "$run" "$out.bin"
+    printf '%-16s' $mcu | tr ' ' '\000'
+    for shift in 0 8 16 24; do printf "\\$(printf %03o $((size >> shift & 255)))"; done
+} >"$out" && chmod +x "$out"
+rm -f "$out.elf" "$out.bin" "$out.log"

@@ -1,0 +1,12 @@
+# --soft says how C is emitted, and nothing of bytecode.
+args build --soft a.sm
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+[Idle]
+-- stderr --
+smc: --soft speaks of emitted C: say --emit=c too
+Try 'smc build --help'.
+-- exit --
+2
