@@ -15,7 +15,7 @@ struct ArenaChunk {
 #define ARENA_LARGEST_CHUNK (16 * 1024 * 1024)
 #endif
 
-enum { ALIGN = 16, FIRST_CHUNK = ARENA_FIRST_CHUNK, LARGEST_CHUNK = ARENA_LARGEST_CHUNK };
+enum { ALIGN = 16, AHEAD = 512, FIRST_CHUNK = ARENA_FIRST_CHUNK, LARGEST_CHUNK = ARENA_LARGEST_CHUNK };
 
 #define HEADER ((sizeof(ArenaChunk) + ALIGN - 1) / ALIGN * ALIGN)
 
@@ -36,7 +36,7 @@ void arena_free(Arena *a)
         c = older;
     }
     a->chunk = NULL;
-    a->next = a->end = NULL;
+    a->next = a->end = a->clean = NULL;
 }
 
 static void add_chunk(Arena *a, size_t wanted)
@@ -55,6 +55,16 @@ static void add_chunk(Arena *a, size_t wanted)
     a->chunk = c;
     a->next = (char *)c + HEADER;
     a->end = a->next + size;
+    a->clean = a->next;
+}
+
+// Zeroes the chunk up to `to` at least, and some more: one call for many small pieces.
+static void clean_to(Arena *a, char *to)
+{
+    char *up = (size_t)(a->end - to) > AHEAD ? to + AHEAD : a->end;
+
+    memset(a->clean, 0, (size_t)(up - a->clean));
+    a->clean = up;
 }
 
 void *arena_alloc(Arena *a, size_t size)
@@ -68,7 +78,9 @@ void *arena_alloc(Arena *a, size_t size)
         add_chunk(a, size);
     p = a->next;
     a->next += size;
-    return memset(p, 0, size);
+    if (a->next > a->clean)
+        clean_to(a, a->next);
+    return p;
 }
 
 void *arena_array(Arena *a, size_t count, size_t size)
@@ -85,9 +97,9 @@ void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size)
     if (old && (char *)old + (old_size + ALIGN - 1) / ALIGN * ALIGN == a->next && new_size >= old_size) {
         a->next = old;                                  // the last block: extend it where it is, if it fits
         if ((size_t)(a->end - a->next) >= new_size + ALIGN) {
-            size_t rounded = (new_size + ALIGN - 1) / ALIGN * ALIGN;
-            memset(a->next + old_size, 0, rounded - old_size);
-            a->next += rounded;
+            a->next += (new_size + ALIGN - 1) / ALIGN * ALIGN;
+            if (a->next > a->clean)
+                clean_to(a, a->next);
             return old;
         }
         a->next += (old_size + ALIGN - 1) / ALIGN * ALIGN;

@@ -18,6 +18,7 @@ typedef struct Arena {
     jmp_buf *oom;         // where to go when alloc gives NULL; must be set before the first arena_alloc
     ArenaChunk *chunk;    // newest first
     char *next, *end;     // what is left of the newest chunk
+    char *clean;          // from `next` up to here it is zeroed
 } Arena;
 
 void arena_init(Arena *a, SmcAllocFn alloc, void *context, jmp_buf *oom);

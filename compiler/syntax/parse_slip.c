@@ -445,6 +445,12 @@ static bool stands_foreign(const Parser *p, SlipDoes does)
     return begins_value(next) && (next->kind != TOK_LPAREN || does == SLIP_IF || does == SLIP_SKIP);
 }
 
+// Whether the token behind a statement's first word lets any word stand as foreign; behind a name of this language there is mostly `=`.
+static bool may_follow_foreign(const Token *next)
+{
+    return next->first || begins_value(next) || next->kind == TOK_IF || next->kind == TOK_ARROW;
+}
+
 // The declaration of a variable, in the midst of statements.
 static void misplaced_decl(Parser *p)
 {
@@ -492,7 +498,7 @@ bool slip_statement(Parser *p)
         misplaced_decl(p);
         return true;
     }
-    if (p->tok.kind != TOK_NAME)
+    if (p->tok.kind != TOK_NAME || !may_follow_foreign(&p->ahead))
         return false;
     for (size_t i = 0; i < sizeof slips / sizeof *slips; i++)
         if (is_word(&p->tok, slips[i].word) && stands_foreign(p, slips[i].does))
