@@ -408,7 +408,7 @@ PSL_FLAGS_linux = -DPSL_LINUX_IIO='"iio"'
 PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync fdatasync rename unlink pthread_mutex_timedlock timer_settime ppoll)
 define psl_test
 include runtime-c/psl/$(1)/psl.mk
-PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c runtime-c/io.c runtime-c/statevec.c
+PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c runtime-c/io.c runtime-c/pin.c runtime-c/statevec.c
 PSL_LIBS_$(1) := $$(PSL_LIBS)
 $$(B)/psl/$(1)/suite: $$(PSL_SRC_$(1):%.c=$$(B)/psl/$(1)/%.o)
 	$$(call say,LD)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(PSL_WRAP_$(1)) $$(PSL_LIBS_$(1))
@@ -480,6 +480,26 @@ device-trouble: $(B)/device/link $(B)/device/board $(STORE_SMB)
 store-cuts: $(B)/store/cuts $(STORE_SMB)
 	$(B)/store/cuts $(STORE_SMB) all
 .PHONY: store-cuts
+
+# The generic firmware of Arduino boards (docs/boards.md): `make firmware MCU=atmega328p` (Uno) or atmega2560 (Mega) makes build/firmware/MCU.hex.
+# SAFE: another image to be built in; ARM_PIN: the pin with the arming plug.
+MCU         ?= atmega328p
+AVR_CC      ?= avr-gcc
+FIRMWARE_OUT = $(B)/firmware
+FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c target/store.c target/agent.c target/io.c pins.c load.c verify.c interp.c) \
+               runtime-c/link/link.c runtime-c/pin.c runtime-c/event.c $(wildcard runtime-c/psl/avr/*.c stdlib/soft_*.c stdlib/soft_*.S)
+FIRMWARE_C   = $(AVR_CC) -mmcu=$(MCU) -DF_CPU=16000000UL -Os -std=c99 $(filter-out -pedantic,$(WARN)) -I. -I$(FIRMWARE_OUT) -ffunction-sections -fdata-sections \
+               -Wl,--gc-sections $(foreach v,SMVM_CONFIG SM_CONFIG,-D$(v)='"bytecode-vm/firmware/config.h"') $(if $(ARM_PIN),-DFIRMWARE_ARM_PIN=$(ARM_PIN))
+firmware: $(B)/smc
+	@mkdir -p $(FIRMWARE_OUT)
+	$(B)/smc build -w bytecode-vm/firmware/safe.sm --sv bytecode-vm/firmware/safe.sv --io bytecode-vm/firmware/safe.io -o $(FIRMWARE_OUT)/safe.smb
+	od -An -v -tx1 $(or $(SAFE),$(FIRMWARE_OUT)/safe.smb) | sed 's/ \(..\)/0x\1,/g' >$(FIRMWARE_OUT)/safe_image.inc
+	$(FIRMWARE_C) $(FIRMWARE_SRC) -Wl,-Map=$(FIRMWARE_OUT)/$(MCU).map -o $(FIRMWARE_OUT)/$(MCU).elf
+	avr-objcopy -O ihex -R .eeprom $(FIRMWARE_OUT)/$(MCU).elf $(FIRMWARE_OUT)/$(MCU).hex
+	avr-size $(FIRMWARE_OUT)/$(MCU).elf
+check: $(B)/device/link $(STORE_SMB)
+CHECK_LINES += "firmware: sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)'"
+.PHONY: firmware
 
 # `make psl-qemu KERNEL=FOLDER`: Linux with real pins and a real watchdog, in an emulator (qemu-system-arm gcc-arm-linux-gnueabihf
 # libc6-dev-armhf-cross cpio; FOLDER: where a linux-image-*-armmp:armhf of Debian was unpacked by dpkg-deb -x).

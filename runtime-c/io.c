@@ -4,7 +4,6 @@
 #include "runtime-c/io.h"
 
 #include "stdlib/convert.h"
-#include "stdlib/math.h"
 
 enum { OUTPUT = 1, DIGITAL = 2 };             // bits of SmIoKind
 
@@ -27,26 +26,6 @@ static SmResult note(SmIo *io, uint16_t i, SmResult r)
 
 static SmResult first_of(SmResult before, SmResult now) { return before == SM_OK ? now : before; }
 
-// ---- numbers ----
-
-static SmF64 million(void) { return sm_from_i32(1000000); }
-
-// 9.8: millionths to the element's number.
-static SmF64 to_element(const SmIoPin *p, int32_t millionths)
-{
-    const SmF64 volts = sm_div(sm_from_i32(millionths), million());
-
-    return sm_add(sm_mul(volts, sm_from_bits(p->scale)), sm_from_bits(p->zero));
-}
-
-// 9.8: the way back; the nearest millionth, halves away from 0, as far as there are any.
-static int32_t to_millionths(const SmIoPin *p, SmF64 x)
-{
-    const SmF64 volts = sm_div(sm_sub(x, sm_from_bits(p->zero)), sm_from_bits(p->scale));
-
-    return sm_to_i32(sm_round(sm_mul(volts, million())));
-}
-
 // What an element holds that nobody knows: NaN, where the type has one.
 static uint64_t unknown_cell(SmType type)
 {
@@ -55,44 +34,12 @@ static uint64_t unknown_cell(SmType type)
 
 // ---- one pin ----
 
-static bool is_inverted(const SmIoPin *p) { return p->flags & SM_IO_INVERTED; }
-
-// The level that stands for x, which is 0 for false.
-static bool level_of(const SmIoPin *p, SmF64 x) { return sm_to_bool(x) != is_inverted(p); }
-
-static SmResult write_pin(SmIo *io, uint16_t i, SmF64 x)
-{
-    const SmIoPin *p = &io->pin[i];
-    const PalDio dio = {io->handle[i]};
-    const PalAio aio = {io->handle[i]};
-
-    return is_digital(p) ? pal_dio_write(dio, level_of(p, x)) : pal_aio_write(aio, to_millionths(p, x));
-}
-
-// The pin's element goes to `value`.
-static SmResult read_pin(SmIo *io, uint16_t i)
-{
-    const SmIoPin *p = &io->pin[i];
-    const PalDio dio = {io->handle[i]};
-    const PalAio aio = {io->handle[i]};
-    int32_t millionths = 0;
-    bool level = false;
-    SmResult r = is_digital(p) ? pal_dio_read(dio, &level) : pal_aio_read(aio, &millionths);
-
-    if (r == SM_OK)
-        io->value[i] = is_digital(p) ? level != is_inverted(p) : sm_cell_from_f64(type_of(p), to_element(p, millionths));
-    return r;
-}
+static SmResult read_pin(SmIo *io, uint16_t i) { return sm_pin_read(&io->pin[i], io->handle[i], &io->value[i]); }
+static SmResult write_pin(SmIo *io, uint16_t i, SmF64 x) { return sm_pin_write(&io->pin[i], io->handle[i], x); }
 
 static void close_pin(SmIo *io, uint16_t i)
 {
-    const PalDio dio = {io->handle[i]};
-    const PalAio aio = {io->handle[i]};
-
-    if (is_digital(&io->pin[i]))
-        (void)pal_dio_close(dio);
-    else
-        (void)pal_aio_close(aio);
+    sm_pin_close(&io->pin[i], io->handle[i]);
     io->handle[i] = 0;
 }
 
@@ -111,44 +58,11 @@ static bool is_sensible(const SmIo *io, const SmIoPin *p)
     return is_digital(p) || (is_number(p->scale) && is_number(p->zero) && p->scale << 1 != 0);
 }
 
-static PalDioMode mode_of(const SmIoPin *p)
-{
-    if (p->kind == SM_DIGITAL_OUT)
-        return PAL_DIO_OUTPUT;
-    return p->flags & SM_IO_PULL_UP ? PAL_DIO_PULL_UP : p->flags & SM_IO_PULL_DOWN ? PAL_DIO_PULL_DOWN : PAL_DIO_INPUT;
-}
-
-static SmResult open_digital(SmIo *io, uint16_t i)
-{
-    const SmIoPin *p = &io->pin[i];
-    PalDio dio = {0};
-    SmResult r = pal_dio_open(&dio, p->pin, mode_of(p), level_of(p, sm_from_bits(p->safe)));
-
-    io->handle[i] = dio.id;
-    return r;
-}
-
-// An output has no value before its first write: it is open when it is safe.
-static SmResult open_analog(SmIo *io, uint16_t i)
-{
-    const SmIoPin *p = &io->pin[i];
-    PalAio aio = {0};
-    SmResult r = pal_aio_open(&aio, p->pin, p->kind == SM_ANALOG_OUT ? PAL_AIO_OUTPUT : PAL_AIO_INPUT);
-
-    io->handle[i] = aio.id;
-    if (r != SM_OK || p->kind != SM_ANALOG_OUT)
-        return r;
-    r = write_pin(io, i, sm_from_bits(p->safe));
-    if (r != SM_OK)
-        close_pin(io, i);
-    return r;
-}
-
 static SmResult open_pin(SmIo *io, uint16_t i)
 {
     if (!is_sensible(io, &io->pin[i]))
         return SM_E_ARGUMENT;
-    return is_digital(&io->pin[i]) ? open_digital(io, i) : open_analog(io, i);
+    return sm_pin_open(&io->pin[i], &io->handle[i]);
 }
 
 static void close_first(SmIo *io, uint16_t n, uint8_t direction)

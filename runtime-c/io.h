@@ -15,30 +15,12 @@
 #ifndef SM_IO_H
 #define SM_IO_H
 
-#include "runtime-c/pal/aio.h"
-#include "runtime-c/pal/dio.h"
+#include "runtime-c/pin.h"
 #include "runtime-c/task.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-// Bit 0: an output; bit 1: digital.
-typedef enum SmIoKind { SM_ANALOG_IN, SM_ANALOG_OUT, SM_DIGITAL_IN, SM_DIGITAL_OUT } SmIoKind;
-
-enum { SM_IO_INVERTED = 1, SM_IO_PULL_UP = 2, SM_IO_PULL_DOWN = 4 };     // SmIoPin.flags
-
-typedef struct SmIoPin {
-    uint8_t kind;             // SmIoKind
-    uint8_t type;             // of the element
-    uint8_t flags;
-    uint8_t hold;             // IN: steps that the last measurement is kept
-    uint16_t pin;
-    uint32_t offset;          // the element's place in the state vector
-    // Bits of an SmF64 (sm_from_bits), so that the table is constant on every chip:
-    uint64_t scale, zero;     // analog: element = volts * scale + zero
-    uint64_t safe;            // OUT: what it is set to while the outputs are safed; what it has before the first step
-} SmIoPin;
 
 typedef struct SmIo {
     const SmIoPin *pin;

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bytecode-vm/target/io.h"
 
-static SmIoPin row_of(const SmvmPin *p)
+void smvm_target_pin(const SmvmPin *p, SmIoPin *row)
 {
-    SmIoPin row;
-
-    row.kind = p->kind;
-    row.type = p->type;
-    row.flags = p->flags;
-    row.hold = p->hold;
-    row.pin = (uint16_t)p->pin;
-    row.offset = p->offset;
-    row.scale = sm_bits(p->scale);
-    row.zero = sm_bits(p->zero);
-    row.safe = sm_bits(p->safe);
-    return row;
+    row->kind = p->kind;
+    row->type = p->type;
+    row->flags = p->flags;
+    row->hold = p->hold;
+    row->pin = (uint16_t)p->pin;
+    row->offset = p->offset;
+    row->scale = sm_bits(p->scale);
+    row->zero = sm_bits(p->zero);
+    row->safe = sm_bits(p->safe);
 }
 
 SmResult smvm_target_pins(SmvmBytes image, const SmStateVec *sv, SmIoPin *row, uint16_t room, uint16_t *n)
@@ -30,6 +27,6 @@ SmResult smvm_target_pins(SmvmBytes image, const SmStateVec *sv, SmIoPin *row, u
     if (all.left > room)
         return SM_E_MEMORY;
     while (smvm_next_pin(&all, &pin))
-        row[(*n)++] = row_of(&pin);
+        smvm_target_pin(&pin, &row[(*n)++]);
     return SM_OK;
 }

@@ -21,6 +21,9 @@ extern "C" {
 // SM_E_LAYOUT: they are for another state vector.  SM_E_MEMORY: there are more than `room`.
 SmResult smvm_target_pins(SmvmBytes image, const SmStateVec *sv, SmIoPin *row, uint16_t room, uint16_t *n);
 
+// One pin, as smvm_next_pin gives it.
+void smvm_target_pin(const SmvmPin *p, SmIoPin *row);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The VM and the runtime in the firmware (SMVM_CONFIG, SM_CONFIG): images lie in flash, or in EEPROM, which has addresses from 0x8000 on.
+#ifndef SMVM_FIRMWARE_CONFIG_H
+#define SMVM_FIRMWARE_CONFIG_H
+
+#include <stdint.h>
+
+#define FIRMWARE_EEPROM 0x8000u
+uint8_t smvm_firmware_byte(uint16_t at);
+
+#define SMVM_BYTES uint16_t
+#define SMVM_FETCH(image, at) smvm_firmware_byte((uint16_t)((image) + (uint16_t)(at)))
+#define SMVM_AT uint16_t
+#define SMVM_IMAGE_MAX 0x7fffu
+#define SMVM_RAM_MAX 0x7fffu
+#define PAL_LOCKS 1
+
+// By chip: bytes of EEPROM and how many slots they are; bytes of RAM for state vector and machines; pins; events that are kept; the
+// largest body of a frame: with its head, its end and a zero before it fits into the ring of the line, so that a request that arrives during a long
+// step is whole.
+#if defined(__AVR_ATmega2560__)
+#define FIRMWARE_STORE 4096
+#define FIRMWARE_SLOTS 2
+#define FIRMWARE_MEMORY 5120
+#define FIRMWARE_PINS 48
+#define FIRMWARE_EVENTS 32
+#define FIRMWARE_BODY 96
+#define AVR_SERIAL_RING 128
+#else
+#define FIRMWARE_STORE 1024
+#define FIRMWARE_SLOTS 1
+#define FIRMWARE_MEMORY 1024
+#define FIRMWARE_PINS 18
+#define FIRMWARE_EVENTS 4
+#define FIRMWARE_BODY 48
+#define AVR_SERIAL_RING 64
+#endif
+
+#endif

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+// The generic firmware of an Arduino Uno or Mega (docs/boards.md): runs the image that the store chooses, its pins and period included, and
+// takes new ones over the line while it does.  Control steps run in the interrupt of the clock; the line, the verifier and the EEPROM
+// behind them, in what time is left.
+#include <string.h>
+
+#include "bytecode-vm/firmware/runner.h"
+#include "bytecode-vm/target/agent.h"
+#include "runtime-c/pal/dio.h"
+#include "runtime-c/pal/nvm.h"
+#include "runtime-c/pal/serial.h"
+#include "runtime-c/pal/watchdog.h"
+#include "runtime-c/psl/avr/avr.h"
+
+#ifdef __AVR__
+#include <avr/pgmspace.h>
+#include <avr/sleep.h>
+
+enum {
+    PERIOD = 10,              // ms, of an image that was sent without one
+    EEPROM_WRITE = 4,         // ms, rounded up: no byte is begun that would be under way at the next step
+    LONGEST = 1000,           // instructions that a step may take; some 100 to 200 cycles each
+    BITS_PER_SECOND = 115200
+};
+
+static const uint8_t built_in[] PROGMEM = {
+#include "safe_image.inc"
+};
+
+uint8_t smvm_firmware_byte(uint16_t at)
+{
+    return at >= FIRMWARE_EEPROM ? avr_eeprom_read(at - FIRMWARE_EEPROM) : pgm_read_byte(at);
+}
+
+// ---- what runs ----
+
+static uint64_t memory[FIRMWARE_MEMORY / 8];
+static uint8_t handles[FIRMWARE_PINS];
+static SmvmRunner runner = {.memory = memory, .size = sizeof memory, .handle = handles, .pins_most = FIRMWARE_PINS};
+static SmEvent kept[FIRMWARE_EVENTS];
+static SmEvents events = {.at = kept, .room = FIRMWARE_EVENTS, .guarded = true};
+static uint16_t state[SMVM_RUNNER_MACHINES];           // that the last step left each machine in
+
+static volatile uint16_t left = 1, period = PERIOD;    // ms to the next step, and between two
+static volatile bool stepping, held = true;            // held: no step begins
+static uint16_t skipped;                               // steps that were due while one ran
+static uint64_t now;                                   // G
+
+static void report(uint8_t kind, uint16_t source, uint32_t a, uint32_t b)
+{
+    SmEvent e;
+
+    e.time = (uint64_t)avr_milliseconds() * PAL_MILLISECOND;
+    e.kind = kind;
+    e.source = source;
+    e.a = a;
+    e.b = b;
+    sm_event(&events, &e);
+}
+
+static void note_states(void)
+{
+    for (uint8_t i = 0; i < runner.machines; i++) {
+        const uint16_t to = (uint16_t)smvm_state(runner.vm[i]);
+        if (to != state[i])
+            report(SM_EVENT_STATE, i, state[i], to);
+        state[i] = to;
+    }
+}
+
+static void step(void)
+{
+    const uint16_t address = avr_eeprom_enter();
+
+    smvm_runner_step(&runner, now);
+    note_states();
+    avr_eeprom_leave(address);
+    if (skipped > 0)
+        report(SM_EVENT_OVERRUN, 0, skipped, (uint32_t)skipped * period * 1000u);
+    now += (uint32_t)period * (skipped + 1u);
+    skipped = 0;
+}
+
+// Every millisecond, in the interrupt.
+static void tick(void)
+{
+    if (--left > 0)
+        return;
+    left = period;
+    if (held)
+        return;
+    if (stepping) {
+        skipped += skipped < UINT16_MAX - 1;
+        return;
+    }
+    stepping = true;
+    GPIOR0 = 1;                            // for whoever emulates the chip and counts
+    sei();
+    step();
+    cli();
+    GPIOR0 = 0;
+    stepping = false;
+}
+
+// Whether a byte of EEPROM may be begun; a period that is shorter than that byte has to bear it.
+static bool may_write(void) { return held || left > EEPROM_WRITE || left + 1 >= period; }
+
+static SmResult run(SmvmBytes image, uint16_t milliseconds)
+{
+    SmResult r;
+
+    held = true;
+    smvm_runner_stop(&runner);
+    r = smvm_runner_open(&runner, image);
+    if (r != SM_OK)
+        return r;
+    memset(state, 0, sizeof state);
+    note_states();
+    now = 0;
+    skipped = 0;
+    cli();
+    period = milliseconds != 0 ? milliseconds : PERIOD;
+    left = 1;
+    held = false;
+    sei();
+    return SM_OK;
+}
+
+static void run_built_in(void)
+{
+    SmvmVerdict why;
+
+    if (smvm_verify((SmvmBytes)(uint16_t)built_in, sizeof built_in, &why) == 0)
+        (void)run((SmvmBytes)(uint16_t)built_in, PERIOD);
+}
+
+// ---- the board, as the agent asks it ----
+
+#ifdef FIRMWARE_ARM_PIN
+static PalDio arming;
+
+// A plug to ground keeps the board from being armed: pulled out, or its wire broken, it is.
+static SmResult may_update(void *context)
+{
+    bool armed = true;
+
+    (void)context;
+    (void)pal_dio_read(arming, &armed);
+    return armed ? SM_E_ARMED : SM_OK;
+}
+
+static void open_arming(void) { (void)pal_dio_open(&arming, FIRMWARE_ARM_PIN, PAL_DIO_PULL_UP, true); }
+#else
+static SmResult may_update(void *context)
+{
+    (void)context;
+    return SM_OK;
+}
+
+static void open_arming(void) {}
+#endif
+
+static SmResult may_pins(SmvmBytes image)
+{
+    SmvmPins all;
+    SmvmPin p;
+
+    if (!smvm_pins(image, &all))
+        return SM_OK;
+    while (smvm_next_pin(&all, &p))
+        if (!avr_pin_exists((uint16_t)p.pin, (p.kind & 2) != 0, (p.kind & 1) != 0))
+            return SM_E_MISSING;
+    return SM_OK;
+}
+
+static SmResult fits(void *context, SmvmBytes image)
+{
+    const SmResult r = smvm_runner_fits(&runner, image);
+
+    (void)context;
+    return r == SM_OK ? may_pins(image) : r;
+}
+
+static void leave_slot(void *context)
+{
+    (void)context;
+    run_built_in();
+}
+
+static const AgentBoard board = {
+    .ram = FIRMWARE_MEMORY - (sizeof(SmVm) + 7) / 8 * 8, .longest_step = LONGEST, .may_update = may_update, .fits = fits,
+    .leave_slot = leave_slot, .built_in_size = sizeof built_in};
+
+// ---- start ----
+
+enum { RECORDS = 2 * STORE_RECORD, SLOT = (FIRMWARE_STORE - RECORDS) / FIRMWARE_SLOTS };
+
+static Store store;
+static Agent agent;
+static AgentBoard this_board;
+static PalSerial line;
+static uint8_t frame[LINK_ROOM(FIRMWARE_BODY)];
+
+static void start_store(void)
+{
+    const StorePlan plan = {FIRMWARE_STORE, FIRMWARE_SLOTS, {FIRMWARE_EEPROM + RECORDS, FIRMWARE_EEPROM + RECORDS + SLOT}};
+    uint8_t slot = STORE_BUILT_IN;
+    PalNvm nvm;
+
+    if (pal_nvm_open(&nvm, "eeprom", FIRMWARE_STORE) == SM_OK && smvm_store_open(&store, nvm, &plan) == SM_OK)
+        (void)smvm_store_boot(&store, &slot);
+    if (slot == STORE_BUILT_IN || run(plan.image[slot], 0) != SM_OK)
+        run_built_in();
+}
+
+static void start(void)
+{
+    uint64_t period_ns;
+    bool bit = false;
+
+    avr_clock_start(tick);
+    avr_eeprom_ask(may_write);
+    (void)pal_watchdog_bit(&bit);
+    (void)sm_events_init(&events);
+    (void)pal_serial_open(&line, "Serial", BITS_PER_SECOND);
+    sei();
+    (void)pal_watchdog_start(4 * (uint64_t)PAL_SECOND, &period_ns);
+    report(SM_EVENT_START, 0, 0, bit);
+    open_arming();
+    start_store();
+    this_board = board;
+    this_board.built_in = (SmvmBytes)(uint16_t)built_in;
+    smvm_agent_init(&agent, &store, &this_board, &events, frame, FIRMWARE_BODY);
+}
+
+// A byte from the line; false: there is none.
+static bool serve(void)
+{
+    uint8_t byte;
+    size_t n;
+    uint16_t length;
+
+    if (pal_serial_receive(line, &byte, 1, &n, 0) != SM_OK)
+        return false;
+    if ((length = smvm_agent_receive(&agent, byte)) > 0)
+        (void)pal_serial_send(line, agent.frame, length, &n, 0);
+    if (!agent.restart)
+        return true;
+    held = true;
+    smvm_runner_stop(&runner);
+    while ((UCSR0A & 1 << TXC0) == 0)
+        ;
+    avr_restart();
+}
+
+int main(void)
+{
+    start();
+    SMCR = 1 << SE;                        // idle; the clock wakes it, if nothing else does
+    for (;;) {
+        (void)pal_watchdog_feed();
+        if (!serve())
+            sleep_cpu();
+    }
+}
+
+#endif

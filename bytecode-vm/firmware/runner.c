@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// See runner.h.  Rows of pins are not kept, they are read out of the image in every step: a row takes 36 bytes of RAM, and reading one
+// takes a tenth of the time that its analog value takes.
+#include "bytecode-vm/firmware/runner.h"
+
+#include <string.h>
+
+#include "bytecode-vm/target/io.h"
+#include "stdlib/convert.h"
+
+// ---- what it takes ----
+
+static uint16_t time_at(const SmvmMachine *m) { return (uint16_t)smvm_operand(m, m->outputs).offset; }
+
+static uint32_t up8(uint32_t n) { return (n + 7) & ~7u; }
+
+SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image)
+{
+    SmvmMachine m;
+    SmvmPins p;
+    uint32_t layout = 0, sv = 0, need = 0;
+    uint8_t n = 0;
+
+    for (; smvm_machine(image, n, &m); n++) {
+        if (n == SMVM_RUNNER_MACHINES)
+            return SM_E_MEMORY;
+        if (n > 0 && (m.layout != layout || m.sv_size != sv))
+            return SM_E_LAYOUT;
+        layout = m.layout;
+        sv = m.sv_size;
+        need += up8(smvm_ram_size(&m));
+    }
+    if (smvm_pins(image, &p)) {
+        if (p.layout != layout || 8 * p.sv_size != sv)
+            return SM_E_LAYOUT;
+        if (p.left > r->pins_most)
+            return SM_E_MEMORY;
+    }
+    return sv + need > r->size ? SM_E_MEMORY : SM_OK;
+}
+
+// ---- machines ----
+
+static SmResult start(SmvmRunner *r, uint8_t number, const SmvmMachine *m, uint16_t at)
+{
+    const SmvmVector v = {r->memory, m->sv_size, m->layout};
+
+    r->vm[number] = (SmVm *)(void *)((uint8_t *)r->memory + at);
+    r->g[number] = time_at(m);
+    return smvm_init(r->vm[number], r->size - at, m, &v, 1);
+}
+
+static SmResult start_all(SmvmRunner *r)
+{
+    SmvmMachine m;
+    SmResult result = SM_OK;
+    uint16_t at = 0;
+    uint8_t n = 0;
+
+    for (; result == SM_OK && smvm_machine(r->image, n, &m); n++) {
+        if (n == 0)
+            at = (uint16_t)m.sv_size;
+        result = start(r, n, &m, at);
+        at = (uint16_t)(at + up8(smvm_ram_size(&m)));
+    }
+    r->machines = result == SM_OK ? n : 0;
+    return result;
+}
+
+// ---- pins ----
+
+typedef enum Way { INPUTS, OUTPUTS, SAFE, OPEN, CLOSE } Way;
+
+static void store(const SmvmRunner *r, const SmIoPin *row, uint64_t cell)
+{
+    sm_cell_store((SmType)row->type, (uint8_t *)r->memory + row->offset, cell);
+}
+
+static SmF64 load(const SmvmRunner *r, const SmIoPin *row)
+{
+    return sm_cell_to_f64((SmType)row->type, sm_cell_load((SmType)row->type, (const uint8_t *)r->memory + row->offset));
+}
+
+static bool is_output(const SmIoPin *row) { return row->kind & 1; }
+
+static SmResult one_pin(SmvmRunner *r, const SmIoPin *row, uint8_t i, Way way)
+{
+    uint64_t cell;
+
+    switch (way) {
+    case INPUTS:
+        if (!is_output(row) && sm_pin_read(row, r->handle[i], &cell) == SM_OK)
+            store(r, row, cell);
+        return SM_OK;
+    case OUTPUTS:
+        return is_output(row) ? sm_pin_write(row, r->handle[i], load(r, row)) : SM_OK;
+    case SAFE:
+        return is_output(row) ? sm_pin_write(row, r->handle[i], sm_from_bits(row->safe)) : SM_OK;
+    case OPEN:
+        return sm_pin_open(row, &r->handle[i]);
+    case CLOSE:
+        sm_pin_close(row, r->handle[i]);
+    }
+    return SM_OK;
+}
+
+// The first `n` pins; of OPEN it gives up at the first that fails, and r->pins tells how many are open.
+static SmResult each_pin(SmvmRunner *r, uint8_t n, Way way)
+{
+    SmvmPins p;
+    SmvmPin pin;
+    SmIoPin row;
+    SmResult result = SM_OK;
+
+    if (n == 0 || !smvm_pins(r->image, &p))
+        return SM_OK;
+    for (uint8_t i = 0; i < n && smvm_next_pin(&p, &pin); i++) {
+        smvm_target_pin(&pin, &row);
+        result = one_pin(r, &row, i, way);
+        if (way == OPEN && result != SM_OK)
+            return result;
+        if (way == OPEN)
+            r->pins++;
+    }
+    return SM_OK;
+}
+
+// ---- all ----
+
+SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image)
+{
+    SmResult result = smvm_runner_fits(r, image);
+
+    if (result != SM_OK)
+        return result;
+    r->image = image;
+    memset(r->memory, 0, r->size);
+    if ((result = start_all(r)) == SM_OK)
+        result = each_pin(r, r->pins_most, OPEN);
+    if (result != SM_OK)
+        smvm_runner_stop(r);
+    return result;
+}
+
+void smvm_runner_step(SmvmRunner *r, uint64_t g)
+{
+    (void)each_pin(r, r->pins, INPUTS);
+    for (uint8_t i = 0; i < r->machines; i++)
+        memcpy((uint8_t *)r->memory + r->g[i], &g, sizeof g);
+    for (uint8_t i = 0; i < r->machines; i++)
+        (void)smvm_step(r->vm[i], r->memory);
+    (void)each_pin(r, r->pins, OUTPUTS);
+}
+
+void smvm_runner_stop(SmvmRunner *r)
+{
+    (void)each_pin(r, r->pins, SAFE);
+    (void)each_pin(r, r->pins, CLOSE);
+    r->pins = 0;
+    r->machines = 0;
+}

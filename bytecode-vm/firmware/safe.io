@@ -1,0 +1,2 @@
+[digital]
+o 13 lamp

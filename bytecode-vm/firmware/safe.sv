@@ -1,0 +1,4 @@
+[Safe]
+U64  time
+U32  state
+bool lamp

@@ -1,0 +1,12 @@
+# The state vector of a small rocket's recovery computer.
+
+[Time]
+U64  time               # ms since power-on
+
+[Altimeter]
+F32  altitude           # m above the pad
+
+[Recovery]
+U32  state
+bool drogueCharge       # current through the igniter of the small parachute
+bool mainCharge         # current through the igniter of the large one

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// See pin.h.
+#include "runtime-c/pin.h"
+
+#include "runtime-c/pal/aio.h"
+#include "runtime-c/pal/dio.h"
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
+static bool is_digital(const SmIoPin *p) { return p->kind & 2; }
+static bool is_inverted(const SmIoPin *p) { return p->flags & SM_IO_INVERTED; }
+
+// ---- numbers ----
+
+static SmF64 million(void) { return sm_from_i32(1000000); }
+
+// 9.8: millionths to the element's number.
+static SmF64 to_element(const SmIoPin *p, int32_t millionths)
+{
+    const SmF64 volts = sm_div(sm_from_i32(millionths), million());
+
+    return sm_add(sm_mul(volts, sm_from_bits(p->scale)), sm_from_bits(p->zero));
+}
+
+// 9.8: the way back; the nearest millionth, halves away from 0, as far as there are any.
+static int32_t to_millionths(const SmIoPin *p, SmF64 x)
+{
+    const SmF64 volts = sm_div(sm_sub(x, sm_from_bits(p->zero)), sm_from_bits(p->scale));
+
+    return sm_to_i32(sm_round(sm_mul(volts, million())));
+}
+
+// The level that stands for x, which is 0 for false.
+static bool level_of(const SmIoPin *p, SmF64 x) { return sm_to_bool(x) != is_inverted(p); }
+
+// ---- one pin ----
+
+SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x)
+{
+    const PalDio dio = {handle};
+    const PalAio aio = {handle};
+
+    return is_digital(p) ? pal_dio_write(dio, level_of(p, x)) : pal_aio_write(aio, to_millionths(p, x));
+}
+
+SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, uint64_t *cell)
+{
+    const PalDio dio = {handle};
+    const PalAio aio = {handle};
+    int32_t millionths = 0;
+    bool level = false;
+    SmResult r = is_digital(p) ? pal_dio_read(dio, &level) : pal_aio_read(aio, &millionths);
+
+    if (r == SM_OK)
+        *cell = is_digital(p) ? level != is_inverted(p) : sm_cell_from_f64((SmType)p->type, to_element(p, millionths));
+    return r;
+}
+
+void sm_pin_close(const SmIoPin *p, uint8_t handle)
+{
+    const PalDio dio = {handle};
+    const PalAio aio = {handle};
+
+    if (is_digital(p))
+        (void)pal_dio_close(dio);
+    else
+        (void)pal_aio_close(aio);
+}
+
+// ---- opening ----
+
+static PalDioMode mode_of(const SmIoPin *p)
+{
+    if (p->kind == SM_DIGITAL_OUT)
+        return PAL_DIO_OUTPUT;
+    return p->flags & SM_IO_PULL_UP ? PAL_DIO_PULL_UP : p->flags & SM_IO_PULL_DOWN ? PAL_DIO_PULL_DOWN : PAL_DIO_INPUT;
+}
+
+static SmResult open_digital(const SmIoPin *p, uint8_t *handle)
+{
+    PalDio dio = {0};
+    SmResult r = pal_dio_open(&dio, p->pin, mode_of(p), level_of(p, sm_from_bits(p->safe)));
+
+    *handle = dio.id;
+    return r;
+}
+
+// An output has no value before its first write: it is open when it is safe.
+static SmResult open_analog(const SmIoPin *p, uint8_t *handle)
+{
+    PalAio aio = {0};
+    SmResult r = pal_aio_open(&aio, p->pin, p->kind == SM_ANALOG_OUT ? PAL_AIO_OUTPUT : PAL_AIO_INPUT);
+
+    *handle = aio.id;
+    if (r != SM_OK || p->kind != SM_ANALOG_OUT)
+        return r;
+    r = sm_pin_write(p, *handle, sm_from_bits(p->safe));
+    if (r == SM_OK)
+        return r;
+    sm_pin_close(p, *handle);
+    *handle = 0;
+    return r;
+}
+
+SmResult sm_pin_open(const SmIoPin *p, uint8_t *handle)
+{
+    return is_digital(p) ? open_digital(p, handle) : open_analog(p, handle);
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the files of this platform share, and what a firmware for AVR may use beyond the PAL: it runs its control steps in the clock's
+// interrupt, and the line and the EEPROM behind them.
+#ifndef PSL_AVR_H
+#define PSL_AVR_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "stdlib/result.h"
+
+#ifdef __AVR__                         // elsewhere these files are there, and empty
+#include <avr/interrupt.h>
+#include <avr/io.h>
+
+// ---- clock: timer 0, a millisecond a tick (so the pins of timer 0 have no PWM) ----
+
+void avr_clock_start(void (*tick)(void));              // `tick`, or NULL, is called every millisecond in the interrupt
+uint32_t avr_milliseconds(void);                       // since then, modulo 2^32
+uint16_t avr_fine(void);                               // in units of 4 microseconds, modulo 2^16; with interrupts off
+
+// ---- pins: one owner each, digital or analog ----
+
+bool avr_pin_exists(uint16_t number, bool digital, bool output);
+SmResult avr_pin_take(uint8_t number);                 // SM_E_BUSY: it is taken, or the serial line has it
+void avr_pin_free(uint8_t number);
+volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask);         // the port's PIN; DDR and PORT stand behind it
+
+// ---- EEPROM ----
+
+// A byte takes 3.4 ms to be written, and until then none can be read.  Before each, `may` is asked with interrupts off until it says
+// yes: what must read in time says no when it is soon to do so.  NULL: always.
+void avr_eeprom_ask(bool (*may)(void));
+
+static inline uint8_t avr_eeprom_read(uint16_t at)
+{
+    while (EECR & 1 << EEPE)
+        ;
+    EEAR = at;
+    EECR |= 1 << EERE;
+    return EEDR;
+}
+
+// An interrupt that reads: around all its reads.  What was interrupted may have been about to.
+static inline uint16_t avr_eeprom_enter(void) { return EEAR; }
+static inline void avr_eeprom_leave(uint16_t address)
+{
+    if (EECR & 1 << EEPE)
+        return;                            // then nothing was read
+    EEAR = address;
+    EECR |= 1 << EERE;
+}
+
+// ---- the end ----
+
+void avr_restart(void) __attribute__((noreturn));      // from the reset vector on; pins keep their levels until they are opened
+
+#endif
+#endif

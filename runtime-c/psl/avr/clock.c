@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// The clock: timer 0 counts 4 µs at a time and begins anew every millisecond.
+#include "runtime-c/pal/clock.h"
+
+#include "runtime-c/psl/avr/avr.h"
+
+#ifdef __AVR__
+#include <avr/sleep.h>
+#include <util/atomic.h>
+
+enum { STEPS = 250, STEP = 4 };        // of the timer in a millisecond; microseconds in each
+
+static volatile uint32_t milliseconds;
+static volatile uint16_t wraps;        // of these
+static void (*each)(void);
+
+ISR(TIMER0_COMPA_vect)
+{
+    if (++milliseconds == 0)
+        wraps++;
+    if (each)
+        each();
+}
+
+void avr_clock_start(void (*tick)(void))
+{
+    each = tick;
+    TCCR0A = 1 << WGM01;               // up to OCR0A
+    OCR0A = STEPS - 1;
+    TCNT0 = 0;
+    TIFR0 = 1 << OCF0A;
+    TIMSK0 = 1 << OCIE0A;
+    TCCR0B = 1 << CS01 | 1 << CS00;    // 16 MHz / 64
+}
+
+uint32_t avr_milliseconds(void)
+{
+    uint32_t now;
+
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) now = milliseconds;
+    return now;
+}
+
+// The timer, and one more millisecond where it has begun anew and nobody has counted that yet.
+static uint8_t timer(uint8_t *more)
+{
+    uint8_t t = TCNT0;
+
+    *more = TIFR0 >> OCF0A & 1;
+    if (*more)
+        t = TCNT0;
+    return t;
+}
+
+uint16_t avr_fine(void)
+{
+    uint8_t more;
+    const uint8_t t = timer(&more);
+
+    return (uint16_t)((uint16_t)((uint16_t)milliseconds + more) * STEPS + t);
+}
+
+uint64_t pal_clock_now(void)
+{
+    uint64_t ms;
+    uint8_t t, more;
+
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
+    {
+        t = timer(&more);
+        ms = (uint64_t)wraps << 32 | milliseconds;
+    }
+    return (ms + more) * PAL_MILLISECOND + (uint32_t)t * (STEP * PAL_MICROSECOND);
+}
+
+SmResult pal_clock_resolution(uint64_t *ns)
+{
+    if (!ns)
+        return SM_E_ARGUMENT;
+    if (TCCR0B == 0)
+        avr_clock_start(0);
+    *ns = STEP * PAL_MICROSECOND;
+    return SM_OK;
+}
+
+SmResult pal_clock_sleep_until(uint64_t time)
+{
+    uint64_t now = pal_clock_now();
+
+    if (time > now && time - now > PAL_TIMEOUT_MAX)
+        return SM_E_ARGUMENT;
+    SMCR = 1 << SE;                    // idle
+    for (; now < time; now = pal_clock_now())
+        if (time - now > PAL_MILLISECOND)
+            sleep_cpu();               // the timer wakes it
+    SMCR = 0;
+    return SM_OK;
+}
+
+#endif

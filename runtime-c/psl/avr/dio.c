@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Digital pins by Arduino's numbers; pin n has handle n + 1.
+#include "runtime-c/pal/dio.h"
+
+#include "runtime-c/psl/avr/avr.h"
+#include "runtime-c/psl/avr/board.h"
+
+#ifdef __AVR__
+#include <util/atomic.h>
+
+enum { DDR = 1, PORT = 2, LINE = 2 };          // registers behind PIN; pins 0 and 1 are the serial line's
+
+static uint8_t taken[(AVR_PINS + 7) / 8] = {(1 << LINE) - 1};
+
+volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask)
+{
+    const uint8_t place = pgm_read_byte(&avr_pins[number]);
+    const uint8_t port = place >> 3;
+
+    *mask = (uint8_t)(1u << (place & 7));
+    return (volatile uint8_t *)(uint16_t)(port < AVR_PORTS_LOW ? AVR_PORT_LOW + 3 * port : AVR_PORT_HIGH + 3 * (port - AVR_PORTS_LOW));
+}
+
+static bool is_taken(uint8_t number) { return taken[number >> 3] >> (number & 7) & 1; }
+
+SmResult avr_pin_take(uint8_t number)
+{
+    if (is_taken(number))
+        return SM_E_BUSY;
+    taken[number >> 3] = (uint8_t)(taken[number >> 3] | 1u << (number & 7));
+    return SM_OK;
+}
+
+void avr_pin_free(uint8_t number) { taken[number >> 3] = (uint8_t)(taken[number >> 3] & ~(1u << (number & 7))); }
+
+static void put(volatile uint8_t *byte, uint8_t mask, bool level)
+{
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) *byte = (uint8_t)(level ? *byte | mask : *byte & ~mask);
+}
+
+SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
+{
+    volatile uint8_t *port;
+    uint8_t mask;
+    SmResult r;
+
+    if (!pin || (unsigned)mode > PAL_DIO_OUTPUT)
+        return SM_E_ARGUMENT;
+    if (number >= AVR_PINS)
+        return SM_E_MISSING;
+    if (mode == PAL_DIO_PULL_DOWN)
+        return SM_E_UNSUPPORTED;
+    if ((r = avr_pin_take((uint8_t)number)) != SM_OK)
+        return r;
+    port = avr_pin_port((uint8_t)number, &mask);
+    if (mode != PAL_DIO_OUTPUT)
+        put(port + DDR, mask, false);          // as an output it would drive the level of the pull-up
+    put(port + PORT, mask, mode == PAL_DIO_OUTPUT ? level : mode == PAL_DIO_PULL_UP);
+    put(port + DDR, mask, mode == PAL_DIO_OUTPUT);
+    pin->id = (uint8_t)(number + 1);
+    return SM_OK;
+}
+
+static bool is_open(PalDio pin) { return pin.id > LINE && pin.id <= AVR_PINS && is_taken((uint8_t)(pin.id - 1)); }
+
+SmResult pal_dio_read(PalDio pin, bool *level)
+{
+    const volatile uint8_t *port;
+    uint8_t mask;
+
+    if (!level)
+        return SM_E_ARGUMENT;
+    if (!is_open(pin))
+        return SM_E_HANDLE;
+    port = avr_pin_port((uint8_t)(pin.id - 1), &mask);
+    *level = ((port[DDR] & mask ? port[PORT] : port[0]) & mask) != 0;
+    return SM_OK;
+}
+
+SmResult pal_dio_write(PalDio pin, bool level)
+{
+    volatile uint8_t *port;
+    uint8_t mask;
+
+    if (!is_open(pin))
+        return SM_E_HANDLE;
+    port = avr_pin_port((uint8_t)(pin.id - 1), &mask);
+    if ((port[DDR] & mask) == 0)
+        return SM_E_ARGUMENT;
+    put(port + PORT, mask, level);
+    return SM_OK;
+}
+
+// An output keeps its level.
+SmResult pal_dio_close(PalDio pin)
+{
+    if (!is_open(pin))
+        return SM_E_HANDLE;
+    avr_pin_free((uint8_t)(pin.id - 1));
+    return SM_OK;
+}
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// "eeprom": byte by byte, each when whoever reads in time agrees (avr.h).  A byte that is there already is not written.
+#include "runtime-c/pal/nvm.h"
+
+#include <string.h>
+
+#include "runtime-c/psl/avr/avr.h"
+
+#ifdef __AVR__
+
+enum { SIZE = E2END + 1, BLANK = 0xff };
+#define SLOWEST (3400u * (uint64_t)PAL_MICROSECOND)
+
+static bool open;
+static bool (*ask)(void);
+
+void avr_eeprom_ask(bool (*may)(void)) { ask = may; }
+
+SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
+{
+    if (!memory || !name || size == 0)
+        return SM_E_ARGUMENT;
+    if (strcmp(name, "eeprom") != 0)
+        return SM_E_MISSING;
+    if (size > SIZE)
+        return SM_E_SPACE;
+    if (open)
+        return SM_E_BUSY;
+    open = true;
+    memory->id = 1;
+    return SM_OK;
+}
+
+static bool is_open(PalNvm memory) { return open && memory.id == 1; }
+
+SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
+{
+    if (!info)
+        return SM_E_ARGUMENT;
+    if (!is_open(memory))
+        return SM_E_HANDLE;
+    memset(info, 0, sizeof *info);
+    info->size = SIZE;
+    info->write = 1;
+    info->slowest = SLOWEST;
+    info->blank = BLANK;
+    return SM_OK;
+}
+
+static SmResult check(PalNvm memory, uint32_t at, uint32_t n)
+{
+    return !is_open(memory) ? SM_E_HANDLE : at > SIZE || n > SIZE - at ? SM_E_ARGUMENT : SM_OK;
+}
+
+SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
+{
+    const SmResult r = bytes || n == 0 ? check(memory, at, n) : SM_E_ARGUMENT;
+    uint8_t *to = bytes;
+    uint16_t from = (uint16_t)at;
+
+    for (uint16_t left = r == SM_OK ? (uint16_t)n : 0; left > 0; left--)
+        *to++ = avr_eeprom_read(from++);
+    return r;
+}
+
+// Whether it could be begun.  From the look whether it may be to the beginning no interrupt comes in between.
+static bool begin(uint16_t at, uint8_t byte)
+{
+    const uint8_t flags = SREG;
+    bool may;
+
+    cli();
+    may = (EECR & 1 << EEPE) == 0 && (!ask || ask());
+    if (may) {
+        EEAR = at;
+        EEDR = byte;
+        EECR = 1 << EEMPE;
+        EECR |= 1 << EEPE;             // within four cycles
+    }
+    SREG = flags;
+    return may;
+}
+
+static void put(uint16_t at, uint8_t byte)
+{
+    if (avr_eeprom_read(at) == byte)
+        return;
+    while (!begin(at, byte))
+        ;
+    while (EECR & 1 << EEPE)
+        ;
+}
+
+static SmResult fill(PalNvm memory, uint32_t at, const uint8_t *bytes, uint32_t n)
+{
+    const SmResult r = check(memory, at, n);
+    uint16_t to = (uint16_t)at;
+
+    for (uint16_t left = r == SM_OK ? (uint16_t)n : 0; left > 0; left--)
+        put(to++, bytes ? *bytes++ : BLANK);
+    return r;
+}
+
+SmResult pal_nvm_write(PalNvm memory, uint32_t at, const void *bytes, uint32_t n)
+{
+    return bytes || n == 0 ? fill(memory, at, bytes, n) : SM_E_ARGUMENT;
+}
+
+SmResult pal_nvm_erase(PalNvm memory, uint32_t at, uint32_t n) { return fill(memory, at, NULL, n); }
+
+SmResult pal_nvm_close(PalNvm memory)
+{
+    if (!is_open(memory))
+        return SM_E_HANDLE;
+    open = false;
+    return SM_OK;
+}
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The chip's watchdog.  After it has bitten it runs on with its shortest period: it is stopped before anything else begins.
+#include "runtime-c/pal/watchdog.h"
+
+#include "runtime-c/psl/avr/avr.h"
+
+#ifdef __AVR__
+#include <avr/wdt.h>
+
+enum { LONGEST = WDTO_8S };
+
+static uint8_t why __attribute__((section(".noinit")));        // what started the chip; 0: a boot loader has taken it
+static bool running;
+
+static void look(void) __attribute__((naked, used, section(".init3")));
+static void look(void)
+{
+    why = MCUSR;
+    MCUSR = 0;
+    wdt_disable();
+}
+
+SmResult pal_watchdog_start(uint64_t period, uint64_t *actual)
+{
+    uint64_t has = 16 * PAL_MILLISECOND;
+    uint8_t i = WDTO_15MS;
+
+    if (!actual || period == 0)
+        return SM_E_ARGUMENT;
+    for (; has < period; has += has)
+        if (i++ == LONGEST)
+            return SM_E_ARGUMENT;
+    if (running)
+        return SM_E_BUSY;
+    wdt_enable(i);
+    running = true;
+    *actual = has;
+    return SM_OK;
+}
+
+SmResult pal_watchdog_feed(void)
+{
+    if (!running)
+        return SM_E_HANDLE;
+    wdt_reset();
+    return SM_OK;
+}
+
+SmResult pal_watchdog_stop(void)
+{
+    if (!running)
+        return SM_E_HANDLE;
+    wdt_disable();
+    running = false;
+    return SM_OK;
+}
+
+SmResult pal_watchdog_bit(bool *bit)
+{
+    if (!bit)
+        return SM_E_ARGUMENT;
+    if (why == 0)
+        return SM_E_UNSUPPORTED;
+    *bit = why >> WDRF & 1;
+    return SM_OK;
+}
+
+void avr_restart(void)
+{
+    cli();
+    wdt_disable();
+    TIMSK0 = 0;
+    UCSR0B &= (uint8_t)~(1 << RXCIE0);
+    ((void (*)(void))0)();
+    for (;;)
+        ;
+}
+
+#endif

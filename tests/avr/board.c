@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+// An Arduino in simavr, on a serial line of this computer, with what simavr leaves out: a byte of EEPROM takes 3.4 ms to be written and is
+// nonsense until then.  It may be killed at any moment, as by a power cut, and started again: the EEPROM lies in a file.
+//   board LINE MEMORY         LINE: a terminal device, or "-": it makes one and writes its name to MEMORY.line
+//     FIRMWARE, MCU           in the environment: an ELF file and what it runs on
+//     PLANT                   what stands around it: none, tank, rocket (plants.c); begins when there is a file MEMORY.go
+//     SPEED                   how many times faster than real time it may run; 1
+// While there is a file MEMORY.armed the arming plug is pulled.  When it is ended by SIGTERM it says how it went.
+#define _XOPEN_SOURCE 700
+#define _DEFAULT_SOURCE
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <simavr/avr_adc.h>
+#include <simavr/avr_eeprom.h>
+#include <simavr/avr_ioport.h>
+#include <simavr/avr_uart.h>
+#include <simavr/sim_avr.h>
+#include <simavr/sim_elf.h>
+#include <simavr/sim_io.h>
+#include <simavr/sim_time.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <termios.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "tests/avr/plants.h"
+
+enum {
+    HERTZ = 16000000, BAUD = 115200, BYTE = HERTZ / BAUD * 10, EEPROM_US = 3400, QUEUE = 4096,
+    EECR = 0x3F, EEDR = 0x40, EEARL = 0x41, EEARH = 0x42, EERE = 1, EEPE = 2, EEMPE = 4, GPIOR0 = 0x3E, ARM_PIN = 7
+};
+
+static avr_t *avr;
+static int line;
+static const char *memory_path;
+static uint8_t *eeprom;               // the file
+static unsigned eeprom_size;
+static uint8_t queue[QUEUE];
+static size_t queued, speed = 1;
+static const Plant *plant;
+static volatile sig_atomic_t ended;
+
+static struct { uint64_t steps, sum, most, begun, first, late; unsigned long read_early, written; } seen;
+
+static void say_errors(struct avr_t *a, const int level, const char *format, va_list args)
+{
+    (void)a;
+    if (level <= LOG_ERROR)
+        vfprintf(stderr, format, args);
+}
+
+static bool there_is(const char *what)
+{
+    char path[512];
+
+    snprintf(path, sizeof path, "%s.%s", memory_path, what);
+    return access(path, F_OK) == 0;
+}
+
+// ---- EEPROM ----
+
+static unsigned at;                   // of the byte that is being written
+static uint8_t coming;
+
+static avr_cycle_count_t written(struct avr_t *a, avr_cycle_count_t when, void *param)
+{
+    (void)when, (void)param;
+    eeprom[at] = coming;
+    a->data[EECR] &= (uint8_t)~EEPE;
+    seen.written++;
+    return 0;
+}
+
+// Behind simavr's own, which is done with it at once.
+static void on_eecr(struct avr_t *a, avr_io_addr_t address, uint8_t value, void *param)
+{
+    static bool armed;
+    static bool busy;
+
+    (void)address, (void)param;
+    busy = avr_cycle_timer_status(a, written, NULL) != 0;
+    if (value & EERE && busy)
+        seen.read_early++;
+    if (value & EEPE && armed && !busy) {
+        at = (a->data[EEARL] | (unsigned)a->data[EEARH] << 8) % eeprom_size;
+        coming = a->data[EEDR];
+        eeprom[at] = (uint8_t)(rand() >> 4);
+        avr_cycle_timer_register_usec(a, EEPROM_US, written, NULL);
+        busy = true;
+    }
+    armed = (value & EEMPE) != 0;
+    if (busy)
+        a->data[EECR] |= EEPE;
+}
+
+static bool open_eeprom(void)
+{
+    avr_eeprom_desc_t all = {NULL, 0, 0};
+    const int fd = open(memory_path, O_RDWR | O_CREAT, 0644);
+    static uint8_t blank[4096];
+
+    eeprom_size = avr->e2end + 1u;
+    if (fd < 0)
+        return false;
+    memset(blank, 0xff, sizeof blank);
+    if (lseek(fd, 0, SEEK_END) < (off_t)eeprom_size && pwrite(fd, blank, eeprom_size, 0) != (ssize_t)eeprom_size)
+        return false;
+    eeprom = mmap(NULL, eeprom_size, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
+    close(fd);
+    all.ee = eeprom;
+    all.size = (uint16_t)eeprom_size;
+    if (eeprom == MAP_FAILED)
+        return false;
+    avr_ioctl(avr, AVR_IOCTL_EEPROM_SET, &all);
+    return true;
+}
+
+// ---- pins ----
+
+static const char *const uno[] = {"D0", "D1", "D2", "D3", "D4", "D5", "D6", "D7", "B0", "B1", "B2", "B3", "B4", "B5"};
+static const char *const mega[] = {"E0", "E1", "E4", "E5", "G5", "E3", "H3", "H4", "H5", "H6", "B4", "B5", "B6", "B7"};
+
+static const char *place(unsigned pin) { return strcmp(getenv("MCU"), "atmega2560") == 0 ? mega[pin] : uno[pin]; }
+
+static avr_irq_t *wire(unsigned pin)
+{
+    return avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ((unsigned)place(pin)[0]), IOPORT_IRQ_PIN0 + place(pin)[1] - '0');
+}
+
+bool board_pin(unsigned pin)          // driven high
+{
+    avr_ioport_state_t s;
+
+    avr_ioctl(avr, AVR_IOCTL_IOPORT_GETSTATE((unsigned)place(pin)[0]), &s);
+    return s.ddr >> (place(pin)[1] - '0') & s.port >> (place(pin)[1] - '0') & 1;
+}
+
+// Stronger than the chip's own resistor.  (Of each port one pin at a time.)
+void board_set_pin(unsigned pin, bool level)
+{
+    const unsigned bit = 1u << (place(pin)[1] - '0');
+    avr_ioport_external_t e = {0};
+
+    e.name = (unsigned char)place(pin)[0] & 0x7fu;
+    e.mask = (unsigned char)bit;
+    e.value = (unsigned char)(level ? bit : 0);
+    avr_ioctl(avr, AVR_IOCTL_IOPORT_SET_EXTERNAL(e.name), &e);
+    avr_raise_irq(wire(pin), level);
+}
+
+void board_set_volts(unsigned channel, double volts)
+{
+    avr_raise_irq(avr_io_getirq(avr, AVR_IOCTL_ADC_GETIRQ, (int)(ADC_IRQ_ADC0 + channel)),
+                  volts < 0 ? 0 : volts > 5 ? 5000 : (uint32_t)(volts * 1000 + 0.5));
+}
+
+// ---- the line ----
+
+static void on_sent(struct avr_irq_t *irq, uint32_t value, void *param)
+{
+    const uint8_t byte = (uint8_t)value;
+
+    (void)irq, (void)param;
+    if (write(line, &byte, 1) != 1)
+        ended = 1;
+}
+
+static avr_cycle_count_t bring(struct avr_t *a, avr_cycle_count_t when, void *param)
+{
+    if (queued < QUEUE / 2) {
+        const ssize_t n = read(line, queue + queued, QUEUE - queued);
+        if (n > 0 && queued == 0)
+            board_set_pin(ARM_PIN, there_is("armed"));
+        queued += n > 0 ? (size_t)n : 0;
+    }
+    if (queued > 0) {
+        avr_raise_irq(avr_io_getirq(a, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_INPUT), queue[0]);
+        memmove(queue, queue + 1, --queued);
+    }
+    (void)param;
+    return when + (queued > 0 ? BYTE : 8 * BYTE);
+}
+
+static bool open_line(const char *name)
+{
+    struct termios raw;
+    char path[512];
+    FILE *f;
+
+    if (strcmp(name, "-") != 0)
+        line = open(name, O_RDWR | O_NOCTTY | O_NONBLOCK);
+    else if ((line = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) >= 0 && grantpt(line) == 0 && unlockpt(line) == 0) {
+        (void)open(ptsname(line), O_RDWR | O_NOCTTY);          // held, so that the line stays when a program goes
+        snprintf(path, sizeof path, "%s.line", memory_path);
+        if ((f = fopen(path, "w")) == NULL)
+            return false;
+        fprintf(f, "%s\n", ptsname(line));
+        fclose(f);
+    }
+    if (line < 0 || tcgetattr(line, &raw) != 0)
+        return false;
+    cfmakeraw(&raw);
+    return tcsetattr(line, TCSANOW, &raw) == 0;
+}
+
+// ---- time ----
+
+static avr_cycle_count_t millisecond(struct avr_t *a, avr_cycle_count_t when, void *param)
+{
+    static bool gone;
+
+    if (when / (HERTZ / 1000) % 64 == 0) {
+        board_set_pin(ARM_PIN, there_is("armed"));
+        gone = gone || there_is("go");
+    }
+    if (plant && gone)
+        plant->step(0.001);
+    (void)a, (void)param;
+    return when + HERTZ / 1000;
+}
+
+static uint64_t wall(void)            // µs
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (uint64_t)t.tv_sec * 1000000u + (uint64_t)t.tv_nsec / 1000u;
+}
+
+// While it sleeps this computer may, too, if it is ahead of its time.
+static void nap(avr_t *a, avr_cycle_count_t cycles)
+{
+    static uint64_t start;
+    const uint64_t here = avr_cycles_to_usec(a, a->cycle + cycles);
+    struct pollfd p = {line, POLLIN, 0};
+    uint64_t now = wall();
+
+    if (start == 0 || (now - start) * speed > here + 100000)
+        start = now - here / speed;            // it cannot catch up
+    if ((now - start) * speed + 2000 < here)
+        poll(&p, queued == 0, (int)((here - (now - start) * speed) / speed / 1000) + 1);
+}
+
+// The firmware says when a step begins and ends.
+static void on_step(struct avr_t *a, avr_io_addr_t address, uint8_t value, void *param)
+{
+    a->data[address] = value;
+    if (value == 1) {
+        seen.begun = a->cycle;
+    } else if (seen.begun != 0) {
+        const uint64_t took = a->cycle - seen.begun;
+        seen.steps++;
+        seen.sum += took;
+        seen.most = took > seen.most ? took : seen.most;
+    }
+    (void)param;
+}
+
+static void on_end(int number) { (void)number, ended = 1; }
+
+static bool start(const char *elf, const char *mcu)
+{
+    elf_firmware_t firmware = {0};
+    uint32_t flags = 0;
+
+    avr_global_logger_set(say_errors);
+    avr = avr_make_mcu_by_name(mcu);
+    if (avr == NULL || elf_read_firmware(elf, &firmware) != 0)
+        return false;
+    avr_init(avr);
+    firmware.frequency = HERTZ;
+    avr_load_firmware(avr, &firmware);
+    avr->vcc = avr->avcc = avr->aref = 5000;
+    avr->sleep = nap;
+    avr_ioctl(avr, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
+    avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT), on_sent, NULL);
+    avr_register_io_write(avr, EECR, on_eecr, NULL);
+    avr_register_io_write(avr, GPIOR0, on_step, NULL);
+    avr_cycle_timer_register(avr, BYTE, bring, NULL);
+    avr_cycle_timer_register(avr, HERTZ / 1000, millisecond, NULL);
+    return true;
+}
+
+int main(int argc, char **argv)
+{
+    const char *elf = getenv("FIRMWARE"), *mcu = getenv("MCU");
+    int state = cpu_Running;
+
+    if (argc != 3 || !elf || !mcu)
+        return fprintf(stderr, "board LINE MEMORY, and FIRMWARE and MCU in the environment\n"), 2;
+    memory_path = argv[2];
+    srand((unsigned)getpid());
+    speed = getenv("SPEED") ? strtoul(getenv("SPEED"), NULL, 10) : 1;
+    plant = plant_named(getenv("PLANT"));
+    signal(SIGTERM, on_end);
+    if (!start(elf, mcu) || !open_eeprom() || !open_line(argv[1]))
+        return fprintf(stderr, "the board cannot be run\n"), 3;
+    while (!ended && state != cpu_Done && state != cpu_Crashed)
+        state = avr_run(avr);
+    printf("%.3f s, %llu steps, %llu cycles on average, %llu at most, %lu bytes of EEPROM written\n",
+           (double)avr->cycle / HERTZ, (unsigned long long)seen.steps, (unsigned long long)(seen.steps ? seen.sum / seen.steps : 0),
+           (unsigned long long)seen.most, seen.written);
+    if (plant)
+        plant->report();
+    if (seen.read_early > 0 || state == cpu_Crashed)
+        return printf("EEPROM was read %lu times while it was being written; state %d\n", seen.read_early, state), 1;
+    return 0;
+}

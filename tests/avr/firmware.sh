@@ -1,0 +1,107 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# The generic firmware on emulated boards, from smc flash to the pins.     firmware.sh MAKE BUILD CC [RUNS [SEED]]: so many updates in trouble.
+# Wants gcc-avr avr-libc libsimavr-dev libelf-dev.
+MAKE=$1 B=$2 CC=$3 RUNS=${4:-2} SEED=${5:-1}
+D=$B/avr/firmware
+smc=$B/smc
+passed=0 failed=0 board=
+mkdir -p "$D" || exit 1
+if ! command -v "${AVR_CC:-avr-gcc}" >/dev/null 2>&1; then
+    echo "no avr-gcc here (apt-get install gcc-avr avr-libc): 0 passed, 0 failed, 1 skipped"
+    exit 0
+fi
+if ! echo '#include <simavr/sim_avr.h>' | $CC -fsyntax-only -x c - 2>/dev/null; then
+    echo "no simavr here (apt-get install libsimavr-dev libelf-dev): 0 passed, 0 failed, 1 skipped"
+    exit 0
+fi
+export ASAN_OPTIONS=detect_leaks=0             # libsimavr forgets what it read of the firmware
+export SPEED=10
+trap '[ -z "$board" ] || kill $board 2>/dev/null' EXIT
+
+count() {
+    if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "failed on $MCU: $*"; fi
+}
+
+build() {
+    name=$1
+    shift
+    "$smc" build -w "$@" -o "$D/$name.smb" || exit 1
+}
+
+# board_on MEMORY: starts it, with the line $port
+board_on() {
+    memory=$1
+    rm -f "$memory.line" "$memory.go"
+    "$D/board" - "$memory" >"$memory.said" 2>&1 &
+    board=$!
+    while ! [ -s "$memory.line" ]; do sleep 0.05; done
+    port=--port=$(cat "$memory.line")
+}
+
+board_off() {
+    kill "$board" && wait "$board"
+    code=$?
+    board=
+    cat "$memory.said"
+    return $code
+}
+
+says() { "$@" 2>&1 | grep -q "$text"; }
+
+# logged TEXT SECONDS: the board's log says it before so many seconds have gone by here
+logged() {
+    tries=$(($2 * 4))
+    while ! "$smc" device log "$port" 2>&1 | grep -q "$1"; do
+        tries=$((tries - 1))
+        [ $tries -gt 0 ] || return 1
+        sleep 0.25
+    done
+}
+
+# A tank that is filled all the time: the machine comes over the line, its vent keeps the pressure in its band; then another one.
+fly_tank() {
+    export PLANT=tank
+    rm -f "$D/tank.mem"*
+    board_on "$D/tank.mem"
+    touch "$D/tank.mem.go"
+    count "$smc" flash "$D/tank.smb" "$port" --confirm >"$D/tank.out" 2>&1
+    sleep 3
+    count logged "STATE of machine 0, from 0, to 1" 5
+    touch "$D/tank.mem.armed"
+    text='the board is armed; disarm it first'
+    count says "$smc" flash "$D/recovery.smb" "$port"
+    rm "$D/tank.mem.armed"
+    text='no update may begin\|an update may begin'
+    count says "$smc" device info "$port"
+    count board_off
+    count awk '/^tank:/ { seen = $4 >= 700 && $6 <= 800 && $10 > 2 } END { exit !seen }' "$D/tank.mem.said"
+}
+
+# A flight from the pad to the main, the power having gone once since the machine was flashed.
+fly_rocket() {
+    export PLANT=rocket
+    rm -f "$D/rocket.mem"*
+    board_on "$D/rocket.mem"
+    count "$smc" flash "$D/recovery.smb" "$port" --confirm >"$D/rocket.out" 2>&1
+    kill -9 "$board"
+    board_on "$D/rocket.mem"
+    count logged "to 1" 5
+    touch "$D/rocket.mem.go"
+    count logged "from 3, to 4" 20
+    count board_off
+    count awk '/^rocket:/ { seen = $7 > $3 - 15 && $14 > 80 && $14 < 101 } END { exit !seen }' "$D/rocket.mem.said"
+}
+
+$CC -std=gnu99 -O1 -Wall -Wextra -I. tests/avr/board.c tests/avr/plants.c -o "$D/board" -lsimavr -lelf -lm || exit 1
+build tank examples/tank/tank.sm --sv tests/avr/tank.sv --io tests/avr/tank.io
+build recovery examples/recovery/recovery.sm --sv examples/recovery/recovery.sv --io examples/recovery/recovery.io
+for MCU in ${BOARDS:-atmega2560}; do
+    export MCU FIRMWARE=$D/$MCU.elf
+    $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU ARM_PIN=7 FIRMWARE_OUT="$D" || exit 1
+    count "$B/device/link" "$smc" "$D/board" "$D" "$B/store/old.smb" "$B/store/new.smb" "$RUNS" "$SEED"
+    fly_tank
+    fly_rocket
+done
+echo "firmware: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]
