@@ -30,12 +30,11 @@ static void say_errors(struct avr_t *avr, const int level, const char *format, v
 // Pin 8 is PB0 of an Uno, PH5 of a Mega.
 static bool valve_is_open(const Board *b)
 {
-    const bool uno = strcmp(b->avr->mmcu, "atmega328p") == 0;
     avr_ioport_state_t port;
 
-    if (avr_ioctl(b->avr, AVR_IOCTL_IOPORT_GETSTATE(uno ? 'B' : 'H'), &port) < 0)
-        return false;
-    return (port.port >> (uno ? 0 : 5) & 1) != 0;
+    if (avr_ioctl(b->avr, AVR_IOCTL_IOPORT_GETSTATE('H'), &port) == 0)
+        return (port.port >> 5 & 1) != 0;
+    return avr_ioctl(b->avr, AVR_IOCTL_IOPORT_GETSTATE('B'), &port) == 0 && (port.port & 1) != 0;
 }
 
 static void measure(Board *b)

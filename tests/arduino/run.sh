@@ -185,6 +185,6 @@ example()   # SKETCH BOARD…
             sed -n 's/Global variables use \([0-9]*\).*/\1 bytes of RAM/p' "$dir/builder"), $(cat "$dir/$sketch.stack")"
     done
 }
-example TankImage mega
+example TankImage uno mega
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ]
