@@ -25,14 +25,13 @@ take() {
 }
 take "$@" $(sed -n 's|^#include "\(.*/.*\)".*|\1|p' "$here/smc.h")
 
-# What sketches run: logic of this tree, made into what each of them includes.
+# What sketches run: logic of this tree, made into what each of them includes.  A sketch that has the VM takes the C's headers alone.
 for sketch in "$here"/examples/*/; do
     to=$out/examples/$(basename "$sketch")
-    mkdir -p "$to" && cp "$sketch"* "$to" || exit 1
-    sed 's/^F64 *tankPressure/I16 tankPressure/' examples/tank/tank.sm >"$to/tank.sm"
-    "$smc" build -w "$to/tank.sm" --emit=c -o "$to/tank.c" && rm "$to/tank.c" || exit 1
-    "$smc" build -w "$to/tank.sm" --emit=array -o "$to/tank_image.h" || exit 1
+    mkdir -p "$to" && cp "$sketch"* examples/tank/tank.sm "$to" && "$smc" build "$to/tank.sm" --emit=c --soft -o "$to/tank.c" || exit 1
 done
+rm "$out/examples/TankImage/"*.[cS]
+"$smc" build "$out/examples/TankImage/tank.sm" --emit=array -o "$out/examples/TankImage/tank_image.h" || exit 1
 
 if command -v zip >/dev/null 2>&1; then
     (cd "$(dirname "$out")" && find "$(basename "$out")" -type f | LC_ALL=C sort | zip -q -X "$(basename "$out").zip" -@)

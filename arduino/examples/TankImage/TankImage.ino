@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tank keeps its pressure in a band by a vent valve.  The logic is tank.sm in this folder, here as bytecode for the virtual machine:
 //     smc build tank.sm --emit=array          gives tank_image.h, the bytecode
-//     smc build tank.sm --emit=c              gives tank.h, of which this sketch takes TankSv, what the machine reads and writes
+//     smc build tank.sm --emit=c --soft       gives tank.h, of which this sketch takes TankSv, what the machine reads and writes
 // On AVR the bytecode stays in flash.
 //
 // Wiring: a pressure sensor on A0 (or a potentiometer: 5 V are 1023 psi), the valve's driver on pin 8.
@@ -49,15 +49,17 @@ void setup()
 void loop()
 {
     static unsigned long due = 0;
+    int pressure;
 
     if ((long)(millis() - due) < 0)
         return;
-    sv.time = due;
-    sv.tankPressure = analogRead(SENSOR);
+    pressure = analogRead(SENSOR);
+    sv.time += PERIOD;
+    sv.tankPressure = sm_from_i32(pressure);
     smvm_step((SmVm *)memory, &sv);
     digitalWrite(VALVE, sv.valveOpen ? HIGH : LOW);
 
-    Serial.print(sv.tankPressure);
+    Serial.print(pressure);
     Serial.print(' ');
     Serial.print(sv.state);
     Serial.print(' ');
