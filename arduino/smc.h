@@ -3,6 +3,12 @@
 #ifndef SMC_H
 #define SMC_H
 
+#include <float.h>
+
+#if defined(SM_F64_SOFT) && SM_F64_SOFT && DBL_MANT_DIG == 53
+#error "include <smc.h> before the header of a machine: the numbers of the library are this board's own"
+#endif
+
 #include "bytecode-vm/smvm.h"
 #include "stdlib/std.h"
 

@@ -60,9 +60,9 @@ static uint32_t a_Idle_step(A *m, ASv *sv)
     return 0;
 }
 // Numbers for emitted C where no `double` is an IEEE binary64: what may be done with them.  Made by smc from its stdlib: change that, not this file.
+#ifndef SM_F64_H              // else smc's own stdlib/f64.h has been included, as by its Arduino library, and has all of this
 #ifndef SM_F64_SOFT
 #define SM_F64_SOFT 1
-#endif
 ==> sm_soft.c <==
 // Numbers for emitted C where no `double` is an IEEE binary64: portable C.  Made by smc from its stdlib: change that, not this file.
 #include "sm_soft.h"

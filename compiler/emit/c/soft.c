@@ -107,8 +107,10 @@ static void put_file_title(const char *what, Buf *out)
 void emit_c_soft_library(Buf *header, Buf *code, Buf *assembly)
 {
     put_file_title("what may be done with them", header);
+    buf_str(header, "#ifndef SM_F64_H              // else smc's own stdlib/f64.h has been included, as by its Arduino library, and has all of this\n");
     buf_str(header, "#ifndef SM_F64_SOFT\n#define SM_F64_SOFT 1\n#endif\n");
     put_lines(soft_header, header);
+    buf_str(header, "#endif\n");
     put_file_title("portable C", code);
     buf_str(code, "#include \"sm_soft.h\"\n\n");
     put_lines(soft_code, code);
