@@ -456,6 +456,12 @@ $(B)/store/agent: $(AGENT_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 check: $(B)/store/agent $(STORE_SMB)
 CHECK_LINES += "link: $(B)/store/agent $(STORE_SMB)"
+# A board with a key.
+AUTH_SRC = tests/store/auth.c compiler/device/sign.c $(BOARD_SRC)
+$(B)/store/auth: $(AUTH_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+check: $(B)/store/auth
+CHECK_LINES += "auth: $(B)/store/auth $(STORE_SMB)"
 link-trouble: $(B)/store/agent $(STORE_SMB)
 	$(B)/store/agent $(STORE_SMB) $(or $(N),100000) $(or $(SEED),1)
 $(B)/fuzz/link $(B)/fuzz-cov/link: $(BOARD_SRC)

@@ -50,6 +50,8 @@ static SmResult hello(Exchange *x)
     put(x, a->board->ram, 3);
     put(x, a->board->longest_step, 4);
     put(x, (uint32_t)a->board->may_update(a->board->context), 1);
+    put(x, a->store->is_authentic != NULL, 1);
+    put(x, sm_link_get(a->store->now.newest, 4), 4);
     return SM_OK;
 }
 

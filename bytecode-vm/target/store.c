@@ -131,11 +131,20 @@ static bool read_header(const Store *s, uint8_t slot, uint32_t *checksum, uint32
     return *length >= HEADER && *length <= s->slot_size;
 }
 
+// Of an image that the verifier accepts; without a key every one is.  A checksum can be forged, so this is asked at each start too.
+static bool is_authentic(const Store *s, uint8_t slot, uint32_t *number)
+{
+    *number = 0;
+    return !s->is_authentic || s->is_authentic(s->plan.image[slot], number);
+}
+
 static bool is_whole(const Store *s, uint8_t slot, uint32_t *checksum, uint32_t *length)
 {
     SmvmVerdict why;
+    uint32_t number;
 
-    return read_header(s, slot, checksum, length) && smvm_verify(s->plan.image[slot], *length, &why) == 0;
+    return read_header(s, slot, checksum, length) && smvm_verify(s->plan.image[slot], *length, &why) == 0 &&
+           is_authentic(s, slot, &number);
 }
 
 static bool holds(const Store *s, uint8_t slot, uint32_t wanted)
@@ -304,9 +313,20 @@ SmResult smvm_store_write(Store *s, uint16_t session, uint32_t at, const uint8_t
     return SM_OK;
 }
 
+// Whether it comes from who has the key, and is no old one.
+static SmResult judge(const Store *s)
+{
+    uint32_t number;
+
+    if (!is_authentic(s, s->target, &number))
+        return SM_E_UNSIGNED;
+    return s->is_authentic && number <= get32(s->now.newest) ? SM_E_REPLAY : SM_OK;
+}
+
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
 {
     uint32_t checksum, length;
+    SmResult r;
 
     memset(why, 0, sizeof *why);
     if (session == 0 || session != s->session)
@@ -315,8 +335,9 @@ SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
         return SM_E_ARGUMENT;
     if (!read_header(s, s->target, &checksum, &length) || checksum != s->checksum || length != s->length)
         return SM_E_DEVICE;
-    s->whole = smvm_verify(s->plan.image[s->target], s->length, why) == 0;
-    return s->whole ? SM_OK : SM_E_ARGUMENT;
+    r = smvm_verify(s->plan.image[s->target], s->length, why) == 0 ? judge(s) : SM_E_ARGUMENT;
+    s->whole = r == SM_OK;
+    return r;
 }
 
 SmResult smvm_store_activate(Store *s, uint16_t session)
@@ -341,11 +362,16 @@ SmResult smvm_store_activate(Store *s, uint16_t session)
 SmResult smvm_store_confirm(Store *s, uint32_t checksum)
 {
     StoreChoice c = s->now;
+    uint32_t number;
 
     if (c.active == STORE_BUILT_IN || c.active != s->running || get32(c.checksum) != checksum)
         return SM_E_ARGUMENT;
     if (c.confirmed)
         return SM_OK;
+    if (!is_authentic(s, c.active, &number))
+        return SM_E_UNSIGNED;          // it was, when it was chosen
+    if (number > get32(c.newest))
+        put32(c.newest, number);
     c.confirmed = 1;
     c.tries = 0;
     return choose(s, &c);

@@ -11,6 +11,9 @@
 // An update writes the slot that does not run, verifies it where it lies, and only then chooses it.  It starts as a trial: every
 // start counts it down before it runs, and when nothing is left the image before it runs again.  Confirmed, it stays.
 //
+// A board that has a key runs no image whose code (bytecode-vm/auth.h) is not made with it, nor takes one again whose number is not above
+// that of an image that was confirmed.  That number is part of the record that confirms.
+//
 // With one slot (the EEPROM of an Uno has 1 KB) there is no image before it but the one that is built into the firmware: it runs
 // from the first byte of an update to its choice, and whoever runs the image in the slot must have changed to it before.
 #ifndef SMVM_STORE_H
@@ -47,7 +50,7 @@ typedef struct StoreChoice {
     uint8_t zeros[3];
     uint8_t checksum[4];      // of the active image: a slot that holds another is not run
     uint8_t checksum_before[4];   // the same for `before`
-    uint8_t newest[4];        // 0: the place for the number of an authenticated image (section AUTH), which nothing makes yet
+    uint8_t newest[4];        // the highest number (image section AUTH) of an image that a board with a key has confirmed
     uint8_t more[4];          // zeros
     uint8_t crc[4];           // CRC-32 of all before it
 } StoreChoice;
@@ -60,6 +63,9 @@ typedef struct Store {
     uint8_t write, blank;
     StoreChoice now;
     uint8_t running;          // what smvm_store_boot gave
+    // Whether the board's key has made this image's code, and its number (smvm_auth_check); NULL: there is no key.  To be set between
+    // smvm_store_open and smvm_store_boot.
+    bool (*is_authentic)(SmvmBytes image, uint32_t *number);
     // An update under way.
     uint16_t session;         // as the host numbers it; 0: none
     uint8_t target;
@@ -94,7 +100,7 @@ SmResult smvm_store_begin(Store *s, uint16_t session, uint32_t length, uint32_t 
 SmResult smvm_store_write(Store *s, uint16_t session, uint32_t at, const uint8_t *bytes, uint8_t n);
 
 // Reads it back and verifies it where it lies.  SM_E_DEVICE: it is not what was sent.  SM_E_ARGUMENT: the verifier refuses it, *why
-// says.
+// says.  SM_E_UNSIGNED: its code is wrong, or it has none.  SM_E_REPLAY: it is not newer than one that was confirmed.
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why);
 
 // Chooses it: from the next start on it is on trial.  SM_E_HANDLE: smvm_store_end has not accepted it.

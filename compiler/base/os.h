@@ -38,6 +38,11 @@ bool os_same_file(const char *a, const char *b);   // two names of one regular f
 // Names in a folder without . and .., sorted; *names and its strings are one block from the heap.
 bool os_list(const char *path, char ***names, size_t *n, const char **why);
 
+// Keys.  os_write_private makes a file that only its owner can read, and fails where there is one already.
+bool os_random(void *bytes, size_t n, const char **why);
+bool os_write_private(const char *path, const void *bytes, size_t n, const char **why);
+bool os_is_private(const char *path);              // nobody but its owner may read it, or there is no such file
+
 bool os_is_terminal(int fd);
 const char *os_getenv(const char *name);           // NULL when unset or empty
 

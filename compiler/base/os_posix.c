@@ -362,6 +362,44 @@ bool os_list(const char *path, char ***names, size_t *n, const char **why)
     return true;
 }
 
+// ---- keys ----
+
+bool os_random(void *bytes, size_t n, const char **why)
+{
+    const int fd = open("/dev/urandom", O_RDONLY);
+    const ssize_t got = fd >= 0 ? read(fd, bytes, n) : -1;
+
+    if (fd < 0 || got < 0)
+        fails(why);
+    else if ((size_t)got != n)
+        *why = "there are too few random numbers";
+    if (fd >= 0)
+        close(fd);
+    return got == (ssize_t)n;
+}
+
+bool os_write_private(const char *path, const void *bytes, size_t n, const char **why)
+{
+    const int fd = open(path, O_WRONLY | O_CREAT | O_EXCL, S_IRUSR | S_IWUSR);
+    bool ok;
+
+    if (fd < 0)
+        return fails(why);
+    ok = write_all(fd, bytes, n, why);
+    if (close(fd) != 0 && ok)
+        ok = fails(why);
+    if (!ok)
+        unlink(path);
+    return ok;
+}
+
+bool os_is_private(const char *path)
+{
+    struct stat s;
+
+    return stat(path, &s) != 0 || (s.st_mode & (S_IRGRP | S_IROTH)) == 0;
+}
+
 bool os_is_terminal(int fd) { return isatty(fd) == 1; }
 
 const char *os_getenv(const char *name)

@@ -36,6 +36,8 @@ static int info(BoardLine *b, Buf *out)
     if (i->longest)
         buf_printf(out, ", steps of up to %lu instructions", (unsigned long)i->longest);
     buf_str(out, "\n");
+    if (i->wants_signed)
+        buf_printf(out, "takes signed images only, with numbers above %lu\n", (unsigned long)i->newest);
     put_may(out, i);
     return list(b, out);
 }

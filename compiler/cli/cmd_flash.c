@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bytecode-vm/auth.h"
 #include "bytecode-vm/image.h"
 #include "compiler/base/os_serial.h"
 #include "compiler/cli/board_line.h"
@@ -34,6 +35,29 @@ static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdi
     else if (b->info.longest != 0 && n.longest > b->info.longest)
         cli_say(c, "the longest step of %s takes %lu instructions, the board allows %lu; nothing was sent", image->name,
                 (unsigned long)n.longest, (unsigned long)b->info.longest);
+    else
+        return EXIT_OK;
+    return EXIT_PROBLEM;
+}
+
+// Whether the board's own answer would be no: what it runs already is not sent, and so not asked about.
+static int is_signed(Cli *c, BoardLine *b, const Source *image)
+{
+    DeviceImage now;
+    uint32_t number;
+
+    if (!b->info.wants_signed)
+        return EXIT_OK;
+    if (!device_running(&b->host, &b->info, &now))
+        return board_failed(b, "asking what runs");
+    if (now.length == image->len && now.checksum == smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4))
+        return EXIT_OK;
+    if (!smvm_auth_number((SmvmBytes)image->text, &number))
+        cli_say(c, "the board takes signed images only: 'smc sign %s --key=FILE' signs it; nothing was sent", image->name);
+    else if (number <= b->info.newest)
+        cli_say(c, "%s has the number %lu, and the board has confirmed number %lu: it takes higher ones only, or old images could be sent "
+                "again; 'smc sign %s --key=FILE' gives it a new number; nothing was sent",
+                image->name, (unsigned long)number, (unsigned long)b->info.newest, image->name);
     else
         return EXIT_OK;
     return EXIT_PROBLEM;
@@ -125,7 +149,7 @@ static int update(BoardLine *b, const Source *image)
 
 static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v)
 {
-    const int code = fits(c, b, image, v);
+    int code = fits(c, b, image, v);
 
     if (code != EXIT_OK)
         return code;
@@ -133,6 +157,8 @@ static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v
         b->host.result = b->info.may;
         return board_failed(b, "nothing was sent");
     }
+    if ((code = is_signed(c, b, image)) != EXIT_OK)
+        return code;
     if (!c->given[OPT_DRY_RUN])
         return update(b, image);
     cli_say(c, "%s would go onto the board; nothing was sent", image->name);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc disasm and smc verify: images inspected with the device's own code.
 #include "bytecode-vm/smvm.h"
-#include "compiler/cli/cli.h"
+#include "compiler/cli/key.h"
 
 static void put_text(void *context, const char *text, size_t length)
 {
@@ -47,13 +47,31 @@ static void describe(const char *name, const Source *image, Buf *out)
                    (unsigned long)smvm_ram_size(&m), (unsigned long)m.sv_size, (unsigned long)m.layout);
 }
 
+// Says whether an image is signed; with a key, also whether with that.
+static int describe_code(Cli *c, const Source *image, const uint8_t *key, Buf *out)
+{
+    uint32_t number;
+    const bool is_signed = smvm_auth_number((SmvmBytes)image->text, &number);
+
+    if (key && !is_signed)
+        return cli_say(c, "%s: not signed", image->name), EXIT_PROBLEM;
+    if (key && !smvm_auth_check((SmvmBytes)image->text, key, &number))
+        return cli_say(c, "%s: not signed with the key '%s', or changed since", image->name, c->value[OPT_KEY]), EXIT_PROBLEM;
+    if (is_signed)
+        buf_printf(out, "%s: signed%s, number %lu\n", image->name, key ? " with this key" : "", (unsigned long)number);
+    return EXIT_OK;
+}
+
 int cmd_verify(Cli *c)
 {
     int worst = EXIT_OK;
+    uint8_t key[SMVM_KEY];
     Buf out;
 
     if (c->files == 0)
         return cli_usage(c, "verify wants an image, as in 'smc verify tank.smb'");
+    if (c->given[OPT_KEY] && (worst = key_load(c, key)) != EXIT_OK)
+        return worst;
     buf_init(&out, &c->session.arena);
     for (size_t i = 0; i < c->files; i++) {
         Source *image;
@@ -61,6 +79,8 @@ int cmd_verify(Cli *c)
         int code = cli_load_image(c, c->file[i], &image, &v);
         if (code == EXIT_OK)
             describe(image->name, image, &out);
+        if (code == EXIT_OK)
+            code = describe_code(c, image, c->given[OPT_KEY] ? key : NULL, &out);
         worst = code > worst ? code : worst;
     }
     if (!cli_print(c, 1, &out))

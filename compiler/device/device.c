@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { HELLO_BYTES = 15, IMAGE_BYTES = 18, DATA_HEAD = 5, RESTARTS = 3 };
+enum { HELLO_BYTES = 15, HELLO_SIGNED = HELLO_BYTES + 5, IMAGE_BYTES = 18, DATA_HEAD = 5, RESTARTS = 3 };
 
 // An answer that is shorter than it must be is none of this protocol.
 static bool ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n, size_t least)
@@ -32,6 +32,8 @@ bool device_hello(LinkHost *h, DeviceInfo *info)
     info->ram = sm_link_get(b + 7, 3);
     info->longest = sm_link_get(b + 10, 4);
     info->may = (SmResult)(int8_t)b[14];
+    info->wants_signed = h->n >= HELLO_SIGNED && b[15] != 0;
+    info->newest = h->n >= HELLO_SIGNED ? sm_link_get(b + 16, 4) : 0;
     return true;
 }
 

@@ -12,6 +12,8 @@ typedef struct DeviceInfo {
     uint8_t protocol, body, block, slots;
     uint32_t slot_size, ram, longest;
     SmResult may;             // whether an update may begin
+    bool wants_signed;        // only images signed with its key, and with numbers above this
+    uint32_t newest;
 } DeviceInfo;
 
 enum { DEVICE_EMPTY, DEVICE_WHOLE, DEVICE_TRIAL, DEVICE_CONFIRMED };

@@ -25,6 +25,14 @@ typedef struct VmBox {
     uint8_t stored[8];        // bits of the first 64 outputs
 } VmBox;
 
+// auth.c: whether an image in flash is signed with a key.
+typedef struct AuthBox {
+    uint32_t number;          // out
+    uint16_t image, image_size;
+    uint8_t is_right;         // out
+    uint8_t key[16];          // in
+} AuthBox;
+
 // roll.c: a sample into the window, or a statistic of it.
 enum { ROLL_SAMPLE = 255 };
 typedef struct RollBox {

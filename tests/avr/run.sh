@@ -47,6 +47,13 @@ count "$B/run_roll" "$B/roll.elf" "$SEED"
 size=$(avr-nm -S --radix=d "$B/roll.elf" | awk '$4 ~ /^sm_roll_/ { n += $2 } END { print n }')
 echo "rolling windows: $size bytes of flash"
 count test "$size" -le 2048
+# The code of signed images.
+avr auth -DSMVM_CONFIG='"tests/avr/vm_config.h"' tests/avr/auth.c bytecode-vm/auth.c bytecode-vm/load.c || exit 1
+$CC -std=gnu99 -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_auth.c compiler/device/sign.c "$1/libsmc.a" -o "$B/run_auth" -lsimavr -lelf -lm || exit 1
+count "$B/run_auth" "$B/auth.elf"
+size=$(avr-nm -S --radix=d "$B/auth.elf" | awk '$4 ~ /^(smvm_auth|smvm_mac)_/ || $4 ~ /^(permute|twice|add|find)/ { n += $2 } END { print n }')
+echo "code of images: $size bytes of flash"
+count test "$size" -le 1400
 # The VM: examples and random programs, in lock step with the VM here.
 avr vm -DSMVM_CONFIG='"tests/avr/vm_config.h"' tests/avr/vm.c bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/verify.c bytecode-vm/interp.c $SOFT || exit 1
 $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_vm.c "$1/libsmc.a" -o "$B/run_vm" -lsimavr -lelf -lm || exit 1

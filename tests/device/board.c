@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board to talk to without hardware: VM, store and agent as a program, on a terminal device and a file as non-volatile memory.
 // It may be killed at any moment and started again.
-//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed
+//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed; the key in MEMORY.key is its own
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "bytecode-vm/auth.h"
 #include "bytecode-vm/target/agent.h"
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/nvm.h"
@@ -25,7 +26,8 @@ static SmEvent storage[EVENTS];
 static SmEvents events;
 static Store store;
 static Agent agent;
-static char armed_path[256];
+static char armed_path[256], key_path[256];
+static uint8_t key[SMVM_KEY];
 
 static void report(uint8_t kind, uint32_t a, uint32_t b)
 {
@@ -98,6 +100,28 @@ static bool look_again(void) { return pal_nvm_read(store.nvm, 0, shadow, MEMORY)
 
 static const AgentBoard board = {NULL, RAM, 100000, may_update, fits, leave_slot, shadow, 0};
 
+static bool has_key(void)
+{
+    FILE *f = fopen(key_path, "r");
+    unsigned byte, n = 0;
+
+    while (f && n < SMVM_KEY && fscanf(f, "%2x", &byte) == 1)
+        key[n++] = (uint8_t)byte;
+    if (f)
+        fclose(f);
+    return n == SMVM_KEY;
+}
+
+static bool is_authentic(SmvmBytes image, uint32_t *number) { return smvm_auth_check(image, key, number); }
+
+static bool opens(PalNvm nvm, const StorePlan *plan)
+{
+    if (smvm_store_open(&store, nvm, plan) != SM_OK)
+        return false;
+    store.is_authentic = has_key() ? is_authentic : NULL;
+    return true;
+}
+
 static bool start(PalNvm nvm, uint8_t *frame)
 {
     StorePlan plan = {MEMORY, SLOTS, {shadow + 2 * STORE_RECORD, shadow + 2 * STORE_RECORD + (MEMORY - 2 * STORE_RECORD) / SLOTS}};
@@ -106,7 +130,7 @@ static bool start(PalNvm nvm, uint8_t *frame)
     store.nvm = nvm;
     events.at = storage;
     events.room = EVENTS;
-    if (!look_again() || sm_events_init(&events) != SM_OK || smvm_store_open(&store, nvm, &plan) != SM_OK ||
+    if (!look_again() || sm_events_init(&events) != SM_OK || !opens(nvm, &plan) ||
         smvm_store_boot(&store, &slot) != SM_OK)
         return false;
     smvm_agent_init(&agent, &store, &board, &events, frame, BODY);
@@ -133,7 +157,8 @@ int main(int argc, char **argv)
     uint8_t byte;
     size_t n;
 
-    if (argc != 3 || snprintf(armed_path, sizeof armed_path, "%s.armed", argv[2]) < 0)
+    if (argc != 3 || snprintf(armed_path, sizeof armed_path, "%s.armed", argv[2]) < 0 ||
+        snprintf(key_path, sizeof key_path, "%s.key", argv[2]) < 0)
         return 2;
     if (pal_serial_open(&line, argv[1], 115200) != SM_OK || pal_nvm_open(&nvm, argv[2], MEMORY) != SM_OK || !start(nvm, frame))
         return 3;

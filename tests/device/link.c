@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <time.h>
@@ -229,6 +230,56 @@ static void an_image_is_erased(void)
     CHECK(quiet("device", "erase", "x") == 2);
 }
 
+// smc without a board.
+static int alone(const char *a, const char *b, const char *c, const char *d)
+{
+    const char *const argv[ARGS] = {smc, a, b, c, d, NULL};
+    int status;
+    const pid_t pid = start(argv, output);
+
+    waitpid(pid, &status, 0);
+    read_output();
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+static void restart_board(void)
+{
+    kill_board();
+    start_board();
+}
+
+// With a key: the confirmed image is not signed and does not run any more; what is signed is taken, by its number.
+static void a_board_with_a_key(void)
+{
+    char key[PATH + 8], with[PATH + 16], out[PATH], to[PATH + 8];
+
+    snprintf(key, sizeof key, "%s.key", memory);
+    snprintf(with, sizeof with, "--key=%s", key);
+    snprintf(out, sizeof out, "%s", images[1]);
+    strcpy(strrchr(out, '/') + 1, "signed.smb");
+    snprintf(to, sizeof to, "-o%s", out);
+    remove(key);
+    CHECK(alone("key", key, NULL, NULL) == 0 && alone("key", key, NULL, NULL) == 3);
+    restart_board();
+    CHECK(quiet("device", "list", NULL) == 0 && says("built in: no image; nothing runs"));
+    CHECK(quiet("flash", images[0], NULL) == 1 && says("the board takes signed images only: 'smc sign ") && says("nothing was sent"));
+    CHECK(alone("sign", images[0], with, to) == 0 && !says("warning") && chmod(key, 0640) == 0);
+    CHECK(alone("sign", out, with, "--number=7") == 0 && says("smc: warning: others can read '"));
+    CHECK(chmod(key, 0600) == 0 && quiet("flash", out, "--confirm") == 0 && listed(out, ", runs, confirmed"));
+    CHECK(quiet("device", "info", NULL) == 0 && says("takes signed images only, with numbers above 7"));
+    CHECK(quiet("flash", out, NULL) == 0 && says("it runs already"));
+    CHECK(alone("sign", images[1], with, to) == 0 && alone("sign", out, with, "--number=7") == 0);
+    CHECK(quiet("flash", out, NULL) == 1 && says("has the number 7, and the board has confirmed number 7") && says("nothing was sent"));
+    CHECK(alone("sign", out, with, NULL) == 0 && quiet("flash", out, "--confirm") == 0 && listed(out, ", runs, confirmed"));
+    remove(key);
+    CHECK(alone("key", key, NULL, NULL) == 0 && alone("sign", images[0], with, to) == 0);      // another one than the board's
+    CHECK(alone("sign", out, with, "--number=4000000000") == 0);
+    CHECK(quiet("flash", out, NULL) == 1 && says("the image was not accepted: the board takes images only that are signed with its key"));
+    CHECK(says("the board keeps what it ran before") && remove(key) == 0 && remove(out) == 0);
+    restart_board();
+    CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
+}
+
 static void nobody_answers(void)
 {
     const Trouble gone = {0, 400, 0, true};
@@ -273,8 +324,10 @@ int main(int argc, char **argv)
     images[1] = argv[5];
     random_state *= argc > 7 ? strtoul(argv[7], NULL, 10) : 1;
     snprintf(memory, sizeof memory, "%s/board.memory", argv[3]);
-    snprintf(output, sizeof output, "%s/board.output", argv[3]);
+    snprintf(output, sizeof output, "%s/board.memory.key", argv[3]);
     remove(memory);
+    remove(output);
+    snprintf(output, sizeof output, "%s/board.output", argv[3]);
     if (!open_terminal(&at_board) || !open_terminal(&at_smc))
         return printf("device: 0 passed, 0 failed, 1 skipped: no terminals here\n"), 0;
     start_board();
@@ -283,6 +336,7 @@ int main(int argc, char **argv)
     a_trial_ends();
     an_image_is_erased();
     nobody_answers();
+    a_board_with_a_key();
     for (int i = 0; i < runs; i++)
         an_update_in_trouble(i % 2);
     kill_board();

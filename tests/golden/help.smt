@@ -19,6 +19,10 @@ Usage:
       print the instructions of an image
   smc verify IMAGE
       run the device's own checks on an image
+  smc sign IMAGE --key=FILE [--number=N] [-o OUT]
+      put the code of a key and a number into an image, for boards that take no others
+  smc key FILE
+      make a new key, for smc sign and for the firmware of boards
   smc log FILE [ELEMENT...] [--format=FORMAT] [-o OUT]
       show what a flight log holds, in words, as a table or as a plot
   smc flash IMAGE --port=PORT [--confirm]

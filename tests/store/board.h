@@ -19,6 +19,7 @@ typedef struct Board {
     uint8_t frame[LINK_ROOM(BOARD_BODY)];
     uint8_t slot;             // what runs
     SmResult may, fits;
+    bool (*is_authentic)(SmvmBytes image, uint32_t *number);      // its key; NULL: none
     unsigned left;            // how often it had to leave its slot
     bool up;                  // it has power, and answers
     SmEvent storage[BOARD_EVENTS];
@@ -54,7 +55,10 @@ static bool board_opens(Board *b)
     record = (STORE_RECORD + unit - 1) / unit * unit;
     plan.image[0] = sim_nvm(b->memory) + 2 * record;
     plan.image[1] = plan.image[0] + (SIM_NVM_SIZE - 2 * record) / b->slots / unit * unit;
-    return smvm_store_open(&b->store, nvm, &plan) == SM_OK;
+    if (smvm_store_open(&b->store, nvm, &plan) != SM_OK)
+        return false;
+    b->store.is_authentic = b->is_authentic;
+    return true;
 }
 
 // Power on: what is in RAM is forgotten.

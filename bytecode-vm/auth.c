@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// See auth.h.  Nothing here branches on a bit of the key or of a code.
+#include "bytecode-vm/auth.h"
+
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+
+enum { BLOCK = 16, ROUNDS = 12 };
+
+// ---- Chaskey-12 ----
+
+// Where byte i of the block is: words have their least significant byte first.
+static uint8_t *byte_of(uint32_t *v, uint8_t i)
+{
+    const uint16_t one = 1;
+    uint8_t low;
+
+    memcpy(&low, &one, 1);
+    return (uint8_t *)v + (low ? i : i ^ 3);
+}
+
+// Turns to the left by 5, 8, 13 and 7 made of turns by whole bytes, which cost an 8-bit computer least, and single ones back.
+static uint32_t right(uint32_t x) { return x >> 1 | x << 31; }
+static uint32_t left_8(uint32_t x) { return x << 8 | x >> 24; }
+static uint32_t left_16(uint32_t x) { return x << 16 | x >> 16; }
+
+static void permute(uint32_t *v)
+{
+    for (uint8_t i = 0; i < ROUNDS; i++) {
+        v[0] += v[1];
+        v[1] = right(right(right(left_8(v[1])))) ^ v[0];
+        v[0] = left_16(v[0]);
+        v[2] += v[3];
+        v[3] = left_8(v[3]) ^ v[2];
+        v[0] += v[3];
+        v[3] = right(right(right(left_16(v[3])))) ^ v[0];
+        v[2] += v[1];
+        v[1] = right(left_8(v[1])) ^ v[2];
+        v[2] = left_16(v[2]);
+    }
+}
+
+// Doubles it as a polynomial over GF(2), modulo x^128 + x^7 + x^2 + x + 1.
+static void twice(uint8_t *key)
+{
+    const uint8_t out = (uint8_t)(0u - (key[BLOCK - 1] >> 7));
+
+    for (uint8_t i = BLOCK - 1; i > 0; i--)
+        key[i] = (uint8_t)(key[i] << 1 | key[i - 1] >> 7);
+    key[0] = (uint8_t)(key[0] << 1 ^ (out & 0x87));
+}
+
+static void add(uint32_t *v, const uint8_t *bytes)
+{
+    for (uint8_t i = 0; i < BLOCK; i++)
+        *byte_of(v, i) ^= bytes[i];
+}
+
+void smvm_mac_begin(SmvmMac *m, const uint8_t *key)
+{
+    memset(m, 0, sizeof *m);
+    add(m->v, key);
+}
+
+void smvm_mac_byte(SmvmMac *m, uint8_t byte)
+{
+    if (m->n == BLOCK) {               // not the last block
+        permute(m->v);
+        m->n = 0;
+    }
+    *byte_of(m->v, m->n++) ^= byte;
+}
+
+void smvm_mac_end(SmvmMac *m, const uint8_t *key, uint8_t *code)
+{
+    uint8_t last[BLOCK];
+
+    memcpy(last, key, BLOCK);
+    twice(last);
+    if (m->n < BLOCK) {
+        twice(last);
+        *byte_of(m->v, m->n) ^= 1;
+    }
+    add(m->v, last);
+    permute(m->v);
+    add(m->v, last);
+    for (uint8_t i = 0; i < BLOCK; i++)
+        code[i] = *byte_of(m->v, i);
+}
+
+// ---- images ----
+
+void smvm_auth_code(SmvmBytes image, uint32_t length, const uint8_t *key, uint8_t *code)
+{
+    SmvmMac m;
+
+    smvm_mac_begin(&m, key);
+    for (SmvmAt i = 0; i < length; i++)
+        smvm_mac_byte(&m, i - SMVM_CRC_AT < 4u ? 0 : smvm_u8(image, i));
+    smvm_mac_end(&m, key, code);
+}
+
+// Where AUTH is; 0: the image does not end with one.
+static SmvmAt find(SmvmBytes image)
+{
+    for (uint8_t i = 0; i < smvm_sections(image); i++) {
+        const SmvmSection s = smvm_section(image, i);
+        if (s.id == SMVM_S_AUTH && s.version == SMVM_V_AUTH && s.size == SMVM_AUTH && s.at + s.size == smvm_u24(image, SMVM_LENGTH_AT))
+            return (SmvmAt)s.at;
+    }
+    return 0;
+}
+
+bool smvm_auth_number(SmvmBytes image, uint32_t *number)
+{
+    const SmvmAt at = find(image);
+
+    *number = at ? smvm_uint(image, at, 4) : 0;
+    return at != 0;
+}
+
+bool smvm_auth_check(SmvmBytes image, const uint8_t *key, uint32_t *number)
+{
+    const SmvmAt at = find(image), end = (SmvmAt)(at + SMVM_AUTH - SMVM_CODE);
+    uint8_t code[SMVM_CODE], differs = 0;
+
+    if (at == 0)
+        return false;
+    smvm_auth_code(image, end, key, code);
+    for (uint8_t i = 0; i < SMVM_CODE; i++)
+        differs |= (uint8_t)(code[i] ^ smvm_u8(image, (SmvmAt)(end + i)));
+    *number = smvm_uint(image, at, 4);
+    return differs == 0;
+}

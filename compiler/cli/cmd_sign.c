@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc sign: an image gets a number and the code of a key.
+#include <time.h>
+
+#include "compiler/cli/key.h"
+#include "compiler/device/sign.h"
+
+// Of the first second of 2020.  And numbers beyond which there would be too few: no mistake uses up those that a board can still take.
+enum { YEAR_2020 = 1577836800 };
+#define MOST 4000000000u
+
+// Time grows by itself, on every computer that signs.
+static bool by_the_clock(Cli *c, uint32_t *number)
+{
+    const int64_t seconds = (int64_t)time(NULL) - YEAR_2020;
+
+    *number = (uint32_t)seconds;
+    if (seconds >= 1 && seconds <= MOST)
+        return true;
+    cli_say(c, "this computer's clock is wrong: set it, or give a number with --number");
+    return false;
+}
+
+static bool given(Cli *c, uint32_t *number)
+{
+    uint64_t n = 0;
+    const char *word = c->value[OPT_NUMBER];
+
+    while (*word >= '0' && *word <= '9' && n <= MOST)
+        n = n * 10 + (uint64_t)(*word++ - '0');
+    *number = (uint32_t)n;
+    if (*word == '\0' && n >= 1 && n <= MOST)
+        return true;
+    cli_usage(c, "--number wants a whole number from 1 to %lu, not '%s'", (unsigned long)MOST, c->value[OPT_NUMBER]);
+    return false;
+}
+
+static int sign(Cli *c, const Source *image, const uint8_t *key, uint32_t number)
+{
+    OsOutput out = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : c->file[0], NULL, 0};
+    uint8_t *const bytes = arena_alloc(&c->session.arena, image->len + SIGN_ROOM);
+
+    out.bytes = bytes;
+    out.n = image_sign((const uint8_t *)image->text, (uint32_t)image->len, key, number, bytes);
+    if (out.n == 0)
+        return cli_say(c, "%s has no room for a code: it has too many sections", image->name), EXIT_PROBLEM;
+    return cli_write(c, &out, 1) ? EXIT_OK : EXIT_ENVIRONMENT;
+}
+
+int cmd_sign(Cli *c)
+{
+    uint8_t key[SMVM_KEY];
+    SmvmVerdict v;
+    Source *image;
+    uint32_t number;
+    int code;
+
+    if (c->files != 1 || !c->given[OPT_KEY])
+        return cli_usage(c, "sign wants an image and a key, as in 'smc sign tank.smb --key=rocket.key'");
+    if (c->given[OPT_NUMBER] && !given(c, &number))
+        return EXIT_USAGE;
+    if (!c->given[OPT_NUMBER] && !by_the_clock(c, &number))
+        return EXIT_ENVIRONMENT;
+    if ((code = cli_load_image(c, c->file[0], &image, &v)) != EXIT_OK || (code = key_load(c, key)) != EXIT_OK)
+        return code;
+    return sign(c, image, key, number);
+}

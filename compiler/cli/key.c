@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc key, and reading what it makes: a key file is a line of 32 hexadecimal digits.
+#include "compiler/cli/key.h"
+
+#include <string.h>
+
+enum { DIGITS = 2 * SMVM_KEY };
+
+static const char digit[] = "0123456789abcdef";
+
+static bool is_key(const Source *s)
+{
+    const size_t n = strspn(s->text, "0123456789abcdefABCDEF");
+
+    return n == DIGITS && strspn(s->text + n, "\r\n") == s->len - n;
+}
+
+static uint8_t value_of(char c)
+{
+    return (uint8_t)(c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10);
+}
+
+int key_load(Cli *c, uint8_t key[SMVM_KEY])
+{
+    const char *const path = c->value[OPT_KEY];
+    const Source *const s = cli_load(c, path);
+
+    if (!s)
+        return EXIT_ENVIRONMENT;
+    if (!is_key(s)) {
+        cli_say(c, "'%s' is no key: a key is %d hexadecimal digits; 'smc key FILE' makes one", path, DIGITS);
+        return EXIT_PROBLEM;
+    }
+    if (!os_is_private(path))
+        cli_say(c, "warning: others can read '%s'; 'chmod 600 %s' keeps it to you", path, path);
+    for (unsigned i = 0; i < SMVM_KEY; i++)
+        key[i] = (uint8_t)(value_of(s->text[2 * i]) << 4 | value_of(s->text[2 * i + 1]));
+    return EXIT_OK;
+}
+
+int cmd_key(Cli *c)
+{
+    const char *why;
+    uint8_t key[SMVM_KEY];
+    char text[DIGITS + 1];
+
+    if (c->files != 1 || strcmp(c->file[0], "-") == 0)
+        return cli_usage(c, "key wants the name of a new file, as in 'smc key rocket.key'");
+    if (!os_random(key, sizeof key, &why))
+        return cli_say(c, "cannot make a key: %s", why), EXIT_ENVIRONMENT;
+    for (unsigned i = 0; i < SMVM_KEY; i++) {
+        text[2 * i] = digit[key[i] >> 4];
+        text[2 * i + 1] = digit[key[i] & 15];
+    }
+    text[DIGITS] = '\n';
+    if (os_write_private(c->file[0], text, sizeof text, &why))
+        return EXIT_OK;
+    cli_say(c, "cannot make '%s': %s", c->file[0], why);
+    return EXIT_ENVIRONMENT;
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/device/sign.h"
+
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "stdlib/crc32.h"
+
+typedef char sign_room_is_an_entry_and_auth[SIGN_ROOM == SMVM_ENTRY + SMVM_AUTH ? 1 : -1];
+
+static void put(uint8_t *at, uint32_t value, unsigned bytes)
+{
+    for (; bytes > 0; bytes--, value >>= 8)
+        *at++ = (uint8_t)value;
+}
+
+// The same image with room for AUTH at its end, and an entry for it behind those of its table.
+static uint32_t make_room(const uint8_t *image, uint32_t length, uint8_t *out)
+{
+    const uint8_t n = smvm_sections(image);
+    const uint32_t table_end = SMVM_HEADER + (uint32_t)n * SMVM_ENTRY, longer = length + SIGN_ROOM;
+    uint8_t *const entry = out + table_end;
+
+    if (n == UINT8_MAX || longer > 0xffffffu)
+        return 0;
+    memcpy(out, image, table_end);
+    memcpy(entry + SMVM_ENTRY, image + table_end, length - table_end);
+    for (uint8_t i = 0; i < n; i++)
+        put(out + SMVM_HEADER + i * SMVM_ENTRY + 2, smvm_section(image, i).at + SMVM_ENTRY, 3);
+    entry[0] = SMVM_S_AUTH;
+    entry[1] = SMVM_V_AUTH;
+    put(entry + 2, longer - SMVM_AUTH, 3);
+    put(entry + 5, SMVM_AUTH, 3);
+    out[SMVM_SECTIONS_AT]++;
+    put(out + SMVM_LENGTH_AT, longer, 3);
+    return longer;
+}
+
+static uint32_t crc_of(const uint8_t *image, uint32_t length)
+{
+    uint32_t crc = SM_CRC32_START;
+
+    for (uint32_t i = 0; i < length; i++)
+        if (i < SMVM_CRC_AT || i >= SMVM_CRC_AT + 4)
+            crc = sm_crc32_byte(crc, image[i]);
+    return sm_crc32_end(crc);
+}
+
+uint32_t image_sign(const uint8_t *image, uint32_t length, const uint8_t *key, uint32_t number, uint8_t *out)
+{
+    uint32_t old;
+
+    if (smvm_auth_number(image, &old))
+        memcpy(out, image, length);
+    else if ((length = make_room(image, length, out)) == 0)
+        return 0;
+    put(out + length - SMVM_AUTH, number, 4);
+    smvm_auth_code(out, length - SMVM_CODE, key, out + length - SMVM_CODE);
+    put(out + SMVM_CRC_AT, crc_of(out, length), 4);
+    return length;
+}

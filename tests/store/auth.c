@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+// A board with a key: what is not signed with it is neither chosen nor run, and no old number comes back, wherever the power goes.
+//   auth OLD.smb NEW.smb
+#include <stdio.h>
+
+#include "bytecode-vm/image.h"
+#include "compiler/device/sign.h"
+#include "stdlib/crc32.h"
+#include "tests/store/board.h"
+#include "tests/test.h"
+
+enum { ROOM = 1024, BLOCK = 32 };
+
+typedef struct Image {
+    uint8_t bytes[ROOM];
+    uint32_t length;
+} Image;
+
+static const uint8_t our_key[SMVM_KEY] = "not a good key.", other_key[SMVM_KEY] = "not a good kez.";
+static Image old_image, new_image;         // not signed
+
+static bool load(const char *path, Image *image)
+{
+    FILE *f = fopen(path, "rb");
+
+    if (!f)
+        return false;
+    image->length = (uint32_t)fread(image->bytes, 1, ROOM, f);
+    fclose(f);
+    return image->length > SMVM_HEADER && image->length < ROOM - SIGN_ROOM;
+}
+
+static Image signed_with(const uint8_t *key, const Image *image, uint32_t number)
+{
+    Image s;
+
+    s.length = image_sign(image->bytes, image->length, key, number, s.bytes);
+    return s;
+}
+
+static bool is_ours(SmvmBytes image, uint32_t *number) { return smvm_auth_check(image, our_key, number); }
+
+static uint32_t checksum_of(const Image *i) { return smvm_uint(i->bytes, SMVM_CRC_AT, 4); }
+
+// ---- images ----
+
+static void put_crc(Image *image)
+{
+    uint32_t crc = SM_CRC32_START;
+
+    for (uint32_t i = 0; i < image->length; i++)
+        if (i < SMVM_CRC_AT || i >= SMVM_CRC_AT + 4)
+            crc = sm_crc32_byte(crc, image->bytes[i]);
+    crc = sm_crc32_end(crc);
+    for (unsigned i = 0; i < 4; i++)
+        image->bytes[SMVM_CRC_AT + i] = (uint8_t)(crc >> 8 * i);
+}
+
+static bool is_accepted(const Image *image, const uint8_t *key)
+{
+    SmvmVerdict why;
+    uint32_t number;
+
+    return smvm_verify(image->bytes, image->length, &why) == 0 && smvm_auth_check(image->bytes, key, &number);
+}
+
+static void signing_leaves_the_rest(void)
+{
+    Image s = signed_with(our_key, &new_image, 7), again;
+    uint32_t number = 1;
+    SmvmMachine a, b;
+
+    CHECK(s.length == new_image.length + SIGN_ROOM && is_accepted(&s, our_key) && !is_accepted(&s, other_key));
+    CHECK(smvm_auth_number(s.bytes, &number) && number == 7);
+    CHECK(!smvm_auth_number(new_image.bytes, &number) && number == 0 && !is_accepted(&new_image, our_key));
+    CHECK(smvm_machine(new_image.bytes, 0, &a) && smvm_machine(s.bytes, 0, &b) && a.code_size == b.code_size);
+    CHECK(memcmp(new_image.bytes + a.code_at, s.bytes + b.code_at, a.code_size) == 0);
+    again = signed_with(other_key, &s, 8);
+    CHECK(again.length == s.length && is_accepted(&again, other_key) && !is_accepted(&again, our_key));
+    again = signed_with(our_key, &again, 7);
+    CHECK(memcmp(again.bytes, s.bytes, s.length) == 0);
+}
+
+// Who changes an image can make its checksum right, but not its code.
+static void every_bit_is_guarded(void)
+{
+    const Image s = signed_with(our_key, &new_image, 7);
+
+    for (uint32_t bit = 0; bit < 8 * s.length; bit++) {
+        Image changed = s;
+        changed.bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+        CHECK(!is_accepted(&changed, our_key));
+        if (bit / 32 == SMVM_CRC_AT / 4)
+            continue;
+        put_crc(&changed);
+        CHECK(!is_accepted(&changed, our_key));
+    }
+}
+
+// ---- a board ----
+
+static bool starts(Board *b) { return board_opens(b) && smvm_store_boot(&b->store, &b->slot) == SM_OK; }
+
+static bool restarts(Board *b)
+{
+    sim_power_on();
+    return starts(b);
+}
+
+static SmResult send(Board *b, const Image *image)
+{
+    SmvmVerdict why;
+
+    if (b->slots == 1)
+        smvm_store_leave(&b->store);
+    if (smvm_store_begin(&b->store, 7, image->length, checksum_of(image)) != SM_OK)
+        return SM_E_BUSY;
+    for (uint32_t at = 0; at < image->length; at += BLOCK) {
+        const uint32_t n = image->length - at < BLOCK ? image->length - at : BLOCK;
+        if (smvm_store_write(&b->store, 7, at, image->bytes + at, (uint8_t)n) != SM_OK)
+            return SM_E_DEVICE;
+    }
+    return smvm_store_end(&b->store, 7, &why);
+}
+
+static SmResult send_number(Board *b, uint32_t number)
+{
+    const Image s = signed_with(our_key, number % 2 ? &old_image : &new_image, number);
+    return send(b, &s);
+}
+
+static uint32_t newest(const Board *b) { return smvm_uint(b->store.now.newest, 0, 4); }
+
+// Chosen, started, and confirmed if `confirm`.
+static bool runs_number(Board *b, uint32_t number, bool confirm)
+{
+    const Image s = signed_with(our_key, number % 2 ? &old_image : &new_image, number);
+
+    return send(b, &s) == SM_OK && smvm_store_activate(&b->store, 7) == SM_OK && restarts(b) && b->slot != STORE_BUILT_IN &&
+           (!confirm || smvm_store_confirm(&b->store, checksum_of(&s)) == SM_OK);
+}
+
+static void board_with_key(Board *b, const char *memory, uint8_t slots)
+{
+    CHECK(board_new(b, memory, slots));
+    b->is_authentic = is_ours;
+    CHECK(restarts(b));
+}
+
+static void what_is_not_signed_is_refused(uint8_t slots)
+{
+    const Image theirs = signed_with(other_key, &new_image, 7);
+    Board b;
+
+    board_with_key(&b, "eeprom", slots);
+    CHECK(send(&b, &new_image) == SM_E_UNSIGNED && smvm_store_activate(&b.store, 7) == SM_E_HANDLE);
+    CHECK(send(&b, &theirs) == SM_E_UNSIGNED && smvm_store_activate(&b.store, 7) == SM_E_HANDLE);
+    CHECK(restarts(&b) && b.slot == STORE_BUILT_IN);
+    CHECK(runs_number(&b, 7, true) && newest(&b) == 7);
+    CHECK(send(&b, &theirs) == SM_E_UNSIGNED && smvm_store_activate(&b.store, 7) == SM_E_HANDLE);
+    CHECK(restarts(&b) && (b.slot != STORE_BUILT_IN) == (slots == 2));
+}
+
+static void no_number_comes_back(uint8_t slots)
+{
+    Board b;
+
+    board_with_key(&b, "flash", slots);
+    CHECK(send_number(&b, 0) == SM_E_REPLAY);
+    CHECK(runs_number(&b, 5, true) && newest(&b) == 5);
+    CHECK(send_number(&b, 4) == SM_E_REPLAY && smvm_store_activate(&b.store, 7) == SM_E_HANDLE);
+    CHECK(send_number(&b, 5) == SM_E_REPLAY);
+    CHECK(runs_number(&b, 9, false) && newest(&b) == 5);
+    for (int i = 0; i < STORE_TRIES; i++)
+        CHECK(restarts(&b));
+    CHECK(runs_number(&b, 6, true) && newest(&b) == 6);        // a trial that nobody confirmed counts for nothing
+    CHECK(restarts(&b) && newest(&b) == 6 && send_number(&b, 6) == SM_E_REPLAY);
+    CHECK(runs_number(&b, 0xffffffff, true) && newest(&b) == 0xffffffff && send_number(&b, 7) == SM_E_REPLAY);
+}
+
+// A checksum proves nothing: what was written without asking, its checksum chosen, does not run on a board with a key.
+static void what_was_put_there_does_not_run(void)
+{
+    Board b;
+
+    CHECK(board_new(&b, "eeprom", 2) && send(&b, &new_image) == SM_OK && smvm_store_activate(&b.store, 7) == SM_OK);
+    CHECK(restarts(&b) && b.slot == 0 && smvm_store_confirm(&b.store, checksum_of(&new_image)) == SM_OK);
+    b.is_authentic = is_ours;
+    CHECK(restarts(&b) && b.slot == STORE_BUILT_IN);
+}
+
+// Without a key nothing is asked, and no number kept.
+static void a_board_without_a_key_takes_all(void)
+{
+    Board b;
+
+    CHECK(board_new(&b, "eeprom", 2) && runs_number(&b, 5, true) && newest(&b) == 0 && runs_number(&b, 4, true));
+}
+
+// A host learns from HELLO what it need not try.
+static void hello_says_so(void)
+{
+    uint8_t request[LINK_ROOM(0)] = {0, 1, LINK_HELLO}, answer[LINK_ROOM(BOARD_BODY)];
+    LinkReceiver r;
+    uint16_t n = 0, length;
+    Board b;
+
+    board_with_key(&b, "eeprom", 2);
+    CHECK(runs_number(&b, 0x01020304, true) && board_start(&b));
+    length = sm_link_frame(request, LINK_HEAD);
+    for (uint16_t i = 0; i < length; i++)
+        n = board_takes(&b, request[i]);
+    sm_link_receiver(&r, answer, sizeof answer);
+    for (uint16_t i = 0; i + 1 < n; i++)
+        sm_link_receive(&r, b.frame[i]);
+    CHECK(n > 0 && sm_link_receive(&r, b.frame[n - 1]) && r.n == LINK_HEAD + 1 + 20);
+    CHECK(answer[LINK_HEAD + 1 + 15] == 1 && sm_link_get(answer + LINK_HEAD + 1 + 16, 4) == 0x01020304);
+}
+
+// ---- cuts ----
+
+// The power goes in the middle of the record that confirms: the image is confirmed and its number known, or neither.
+static void confirming_is_cut(const char *memory)
+{
+    for (uint32_t byte = 0; byte <= STORE_RECORD; byte++)
+        for (uint32_t call = 0; call < 2; call++) {
+            const Image s = signed_with(our_key, &old_image, 9);
+            Board b;
+            board_with_key(&b, memory, 2);
+            CHECK(runs_number(&b, 6, true) && runs_number(&b, 9, false));
+            sim_cut_power(call, byte);
+            smvm_store_confirm(&b.store, checksum_of(&s));
+            CHECK(restarts(&b) && b.slot != STORE_BUILT_IN);
+            CHECK(newest(&b) == (b.store.now.confirmed ? 9u : 6u));
+            CHECK(smvm_store_confirm(&b.store, checksum_of(&s)) == SM_OK && restarts(&b) && newest(&b) == 9);
+            CHECK(send_number(&b, 8) == SM_E_REPLAY);
+        }
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 3 || !load(argv[1], &old_image) || !load(argv[2], &new_image))
+        return fprintf(stderr, "auth OLD.smb NEW.smb\n"), 2;
+    signing_leaves_the_rest();
+    every_bit_is_guarded();
+    for (uint8_t slots = 1; slots <= 2; slots++) {
+        what_is_not_signed_is_refused(slots);
+        no_number_comes_back(slots);
+    }
+    what_was_put_there_does_not_run();
+    a_board_without_a_key_takes_all();
+    hello_says_so();
+    confirming_is_cut("eeprom");
+    confirming_is_cut("flash");
+    return test_end("auth");
+}
