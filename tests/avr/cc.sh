@@ -19,7 +19,11 @@ done
 # build MCU FLASH RAM: gives false where it does not fit
 build() {
     "${AVR_CC:-avr-gcc}" -mmcu=$1 -Os -std=gnu99 -DSM_IN_FLASH=__flash -ffunction-sections -fdata-sections -Wl,--gc-sections -w $options \
-        "$source" "$root/tests/avr/console.c" "$root/stdlib/soft_avr.S" -I"$root" -o "$out.elf" 2>"$out.log" || { grep -v 'overflowed\|will not fit' "$out.log" | grep -q 'error' && cat "$out.log"; return 1; }
+        "$source" "$root/tests/avr/console.c" "$root/stdlib/soft_avr.S" "$root/stdlib/soft_cells_avr.S" -I"$root" -o "$out.elf" 2>"$out.log" || {
+        grep -q 'overflowed by\|will not fit in region' "$out.log" && return 1
+        cat "$out.log"
+        exit 1
+    }
     set -- "$@" $(avr-size "$out.elf" | tail -1)
     [ $(($4 + $5)) -le $2 ] && [ $(($5 + $6)) -le $3 ]
 }

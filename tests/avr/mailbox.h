@@ -42,4 +42,13 @@ typedef struct RollBox {
     uint8_t what;             // in: ROLL_SAMPLE, or which statistic
 } RollBox;
 
+// tank.c: two machines on a state vector each, which the computer writes.
+enum { TANK_EMITTED, TANK_HAND };
+typedef struct TankBox {
+    uint16_t sv, sv_size;
+    uint8_t what;             // in: which of them
+    uint8_t begins;           // in: both begin at this state first, or 0
+    uint8_t result;           // out: whether it ran
+} TankBox;
+
 #endif

@@ -42,7 +42,7 @@ sm_soft_avr.S
 #error "this code was made for soft numbers, and stdlib/f64.h takes a double here: build with -DSM_F64_SOFT=1, or smc without --soft"
 static inline SmF64 sm_to_f64(SmF64 x)
 static inline SmF64 sm_read_f64(SmF64 x)
-static uint32_t a_Idle_step(A *m, ASv *sv)
+static uint8_t a_Idle_step(A *m, ASv *sv)
 {
     const SmF64 pressure = sm_read_f64(sv->pressure);
     const SmF64 pressure = sm_read_f64(sv->pressure);
@@ -52,7 +52,7 @@ static uint32_t a_Idle_step(A *m, ASv *sv)
     sv->flow = sm_round_f32(sm_add(sm_from_f32(value1), sm_from_bits(0x3FE0000000000000u /* 0.5 */)));
     sv->count = (int16_t)sm_clip_i32((int32_t)sv->count + 1, INT16_MIN, INT16_MAX);
     sv->ticks = sm_count_u64(sv->ticks, 1);
-    sv->open = sm_lt(sm_from_bits(0x4088380000000000u /* 775.0 */), pressure)
+    sv->open = sm_soft_beyond(&sv->pressure, 0x40883800u /* 775.0 */)
         && sm_le(m->limit, sm_from_f32(sv->flow));
     if (sv->count > 7) {
         return A_STATE_Idle;

@@ -100,9 +100,11 @@ static void put_variable(CFn *fn, IrRef r)
 
 static void put_store(CFn *fn, const IrIns *i)
 {
-    put_cell(fn, i->var);
-    buf_str(&fn->line, " = ");
-    put_assigned(fn, i->a);
+    if (!soft_put_count(fn, i)) {
+        put_cell(fn, i->var);
+        buf_str(&fn->line, " = ");
+        put_assigned(fn, i->a);
+    }
     buf_str(&fn->line, ";");
     end_line(fn);
     if (fn->u->m->var.at[i->var].space != IR_ELEMENT) {
@@ -425,7 +427,7 @@ CSignature put_function(CUnit *u, const CFunction *what, Buf *out)
     s.returns_state = fn->returns_state;
     s.m = fn->uses_m;
     s.sv = fn->uses_sv;
-    buf_printf(out, "%sstatic %s %s(", what->comment, s.returns_state ? "uint32_t" : "void", what->name);
+    buf_printf(out, "%sstatic %s %s(", what->comment, s.returns_state ? c_state_type(u) : "void", what->name);
     buf_printf(out, "%s%s%s%s", s.m ? fn->writes_m ? "" : "const " : "", s.m ? u->names.type : "", s.m ? " *m" : "",
                s.m && s.sv ? ", " : "");
     buf_printf(out, "%s%s%s", s.sv ? fn->writes_sv ? "" : "const " : "", s.sv ? u->names.sv_type : "", s.sv ? " *sv" : "");

@@ -108,6 +108,8 @@ void put_compare(CFn *fn, const IrIns *i, bool negated, int prec)
         put_condition(fn, flag, flag_negated != negated, prec);
         return;
     }
+    if (fn->u->soft && soft_put_look(fn, i, negated))
+        return;
     if (fn->u->soft && !compares_integers(fn, i) && !compares_bools(fn, i)) {
         soft_put_compare(fn, i, negated);
         return;

@@ -70,6 +70,24 @@ static void put_step(CFn *fn, const Count *c)
     }
 }
 
+bool soft_put_count(CFn *fn, const IrIns *store)
+{
+    const IrIns *i = ins(fn, store->a);
+    IrRef v;
+    Count c;
+
+    if (!fn->u->soft || i->op != IR_cvt || i->type != SM_U64 || fn->ins[store->a].is_const || fn->ins[store->a].how != C_INLINE ||
+        ins(fn, i->a)->type != SM_F64 || !find_count(fn, i->a, SM_U64, &c) || !is_up_by_one(fn, &c, SM_U64))
+        return false;
+    v = integer_of(fn, c.v);
+    if (ins(fn, v)->op != IR_load || ins(fn, v)->var != store->var || fn->ins[v].how != C_INLINE)
+        return false;
+    put(fn, "sm_soft_count(&");
+    put_cell(fn, store->var);
+    put(fn, ")");
+    return true;
+}
+
 bool put_count(CFn *fn, IrRef r, SmType to)
 {
     const char *helper = to == SM_U64 ? "sm_count_u64" : "sm_count_i64";

@@ -186,10 +186,11 @@ static void put_machine_struct(CUnit *u, Buf *out)
 
     buf_printf(out, "// The machine.  Copying it copies the machine; its members are for reading, and those that end in an underscore are\n"
                     "// its own business.\ntypedef struct %s {\n", u->names.type);
-    put_member(out, "uint32_t", "state_", "what the next step runs; 0 before init");
+    put_member(out, c_state_type(u), "state_", "what the next step runs; 0 before init");
     put_member(out, "bool", "first_", "the next step is the state's first");
-    put_member(out, "uint64_t", "gate_", "how much time was left at the last step");
-    put_member(out, "uint64_t", "left_", "the same before a first step, when the gate is 0");
+    put_member(out, "uint64_t", "gate_", u->soft ? "time of the last step, and 1; 0 before one" : "how much time was left at the last step");
+    if (!u->soft)
+        put_member(out, "uint64_t", "left_", "the same before a first step, when the gate is 0");
     put_member(out, "uint64_t", "start_", "time of the state's first step");
     if (u->track_stores)
         put_member(out, format_in(u->arena, "%sStored", u->names.type), "stored", "what the last step that ran stored");

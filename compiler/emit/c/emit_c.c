@@ -112,7 +112,7 @@ static void put_header_start(const char *macro, const char *include, bool soft, 
     if (include)
         buf_printf(out, "#include \"%s\"\n%s", include, soft ? "" : "\n");
     if (soft)
-        buf_printf(out, "#include \"%s\"\n\n", runtime ? "stdlib/f64.h" : "sm_soft.h");
+        buf_printf(out, "#include \"%s\"\n\n", runtime ? "stdlib/soft_cells.h" : "sm_soft.h");
     buf_str(out, "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
 }
 

@@ -136,6 +136,8 @@ void put_not_zero(CFn *fn, IrRef r, bool negated, int prec);
 
 // r, an F64, on its way to a type: if it is a counter's next number, writes that and gives true.
 bool put_count(CFn *fn, IrRef r, SmType to);
+// A store that counts its own variable up by one, where numbers are soft: writes that and gives true.
+bool soft_put_count(CFn *fn, const IrIns *store);
 
 // ---- code.c ----
 
@@ -149,6 +151,10 @@ void soft_put_number(CFn *fn, IrRef r);                // an integer or F32, not
 void soft_put_cast(CFn *fn, SmType to, IrRef r);       // a float that fits to an integer; anything to F32
 void soft_put_binary(CFn *fn, const IrIns *i);
 void soft_put_compare(CFn *fn, const IrIns *i, bool negated);
+// A comparison of a variable with a constant, where looking at some of its bytes is enough: writes that and gives true.
+bool soft_put_look(CFn *fn, const IrIns *i, bool negated);
+// Whether that is how x, an operand of comparison i, is looked at if it is a float's load: then a NaN counts as 0.
+bool soft_looks(const CFn *fn, const IrIns *i, IrRef x);
 void soft_put_not_zero(CFn *fn, IrRef r, bool negated);
 
 // ---- window.c ----

@@ -36,7 +36,7 @@ static void put_tidy(Buf *out, char *text)
     buf_str(out, e);
 }
 
-static void put_finite_f64(Buf *out, double x)
+void literal_put_finite(Buf *out, double x)
 {
     char text[40];
 
@@ -60,7 +60,7 @@ static void put_soft_f64(CUnit *u, Buf *out, double x)
 
     buf_printf(out, "%s(0x%08lX%08lXu /* ", helper_use(u, "sm_from_bits"), x != x ? 0x7FF80000ul : high, x != x ? 0ul : low);
     if (x - x == 0)
-        put_finite_f64(out, x);
+        literal_put_finite(out, x);
     else
         buf_str(out, x != x ? "NaN" : x > 0 ? "infinity" : "-infinity");
     buf_str(out, " */)");
@@ -71,7 +71,7 @@ static void put_f64(CUnit *u, Buf *out, double x)
     if (u->soft)
         put_soft_f64(u, out, x);
     else if (x - x == 0)
-        put_finite_f64(out, x);
+        literal_put_finite(out, x);
     else
         buf_printf(out, "%s(%s)", helper_use(u, "sm_from_bits"), x != x ? "0x7FF8000000000000u" :
                    x > 0 ? "0x7FF0000000000000u" : "0xFFF0000000000000u");

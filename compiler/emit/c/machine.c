@@ -66,7 +66,12 @@ static CState *put_blocks(CUnit *u, Buf *out)
     return s;
 }
 
-static const char *result_type(const CSignature *s) { return s->returns_state ? "uint32_t" : "void"; }
+const char *c_state_type(const CUnit *u)
+{
+    return !u->soft || u->m->state.n > UINT16_MAX ? "uint32_t" : u->m->state.n > UINT8_MAX ? "uint16_t" : "uint8_t";
+}
+
+static const char *result_type(const CUnit *u, const CSignature *s) { return s->returns_state ? c_state_type(u) : "void"; }
 
 static void put_arguments(const CSignature *s, Buf *out)
 {
@@ -98,11 +103,12 @@ static void put_init(CUnit *u, Buf *out)
     const char *s = n->var[u->m->s];
 
     buf_printf(out, "%sStatus %s_init(%s *m, %s *sv, uint32_t state)\n{\n", n->type, n->prefix, n->type, n->sv_type);
-    buf_str(out, "    m->state_ = 0;\n    m->first_ = false;\n    m->gate_ = 0;\n    m->left_ = UINT64_MAX;\n    m->start_ = UINT64_MAX;\n");
+    buf_printf(out, "    m->state_ = 0;\n    m->first_ = false;\n    m->gate_ = 0;\n%s    m->start_ = UINT64_MAX;\n",
+               u->soft ? "" : "    m->left_ = UINT64_MAX;\n");
     if (u->fit)
         buf_printf(out, "    if (!%s()) {\n        return %s_UNFIT;\n    }\n", u->fit, n->macro);
     buf_printf(out, "    if (state < 1 || state > %s_STATES) {\n        return %s_NO_STATE;\n    }\n", n->macro, n->macro);
-    buf_str(out, "    m->state_ = state;\n    m->first_ = true;\n");
+    buf_printf(out, "    m->state_ = %s%s%sstate;\n    m->first_ = true;\n", u->soft ? "(" : "", u->soft ? c_state_type(u) : "", u->soft ? ")" : "");
     put_initial_values(u, out);
     put_empty_windows(u, out);
     buf_str(out, u->track_stores ? "    memset(&m->stored, 0, sizeof m->stored);\n" : "");
@@ -145,7 +151,7 @@ static void put_case(const CUnit *u, size_t i, BlockKind k, const CState *s, CSi
 
 static void put_switch(const CUnit *u, const char *name, BlockKind k, const CState *s, size_t from, size_t to, CSignature as, Buf *out)
 {
-    buf_printf(out, "static %s %s", result_type(&as), name);
+    buf_printf(out, "static %s %s", result_type(u, &as), name);
     put_parameters(u, &as, out);
     buf_str(out, "\n{\n    switch (m->state_) {\n");
     for (size_t i = from; i < to; i++)
@@ -164,12 +170,12 @@ static void put_parts(const CUnit *u, const char *name, BlockKind k, const CStat
         buf_printf(out, "// States %u to %u.\n", (unsigned)i + 1, (unsigned)end);
         put_switch(u, format_in(u->arena, "%s_%u", name, (unsigned)i + 1), k, s, i, end, as, out);
     }
-    buf_printf(out, "static %s (*const %ss[])", result_type(&as), name);
+    buf_printf(out, "static %s (*const %ss[])", result_type(u, &as), name);
     put_parameters(u, &as, out);
     buf_str(out, " = {\n");
     for (size_t i = 0; i < n; i += PART)
         buf_printf(out, "    %s_%u,\n", name, (unsigned)i + 1);
-    buf_printf(out, "};\n\nstatic %s %s", result_type(&as), name);
+    buf_printf(out, "};\n\nstatic %s %s", result_type(u, &as), name);
     put_parameters(u, &as, out);
     buf_printf(out, "\n{\n    %s%ss[(m->state_ - 1) / %d]", as.returns_state ? "return " : "", name, PART);
     put_arguments(&as, out);
@@ -218,23 +224,41 @@ static CStep step_of(CUnit *u, const CState *s, const CSignature *sample, Buf *o
     return w;
 }
 
-static void put_step_start(const CUnit *u, const CStep *w, Buf *out)
+static void put_gate(const CUnit *u, const CStep *w, Buf *out)
 {
     const CNames *n = &u->names;
-    const char *s = n->var[u->m->s];
 
-    buf_printf(out, "%sStatus %s_step(%s *m, %s *sv)\n{\n", n->type, n->prefix, n->type, n->sv_type);
-    buf_printf(out, "    const uint64_t left = UINT64_MAX - 1 - sv->%s;      // until time ends; more than ever when it has\n",
-               n->var[u->m->g]);
-    buf_str(out, w->first ? "    bool first = false;\n" : "");
-    buf_str(out, w->transition ? "    uint32_t next = 0;      // the state to go to\n" : "");
     buf_str(out, "\n    // The gate is 0 before a state's first step and where init has not succeeded.\n"
                  "    if (left >= m->gate_) {\n        if (!m->first_ || left >= m->left_) {\n");
     buf_printf(out, "            return m->state_ == 0 ? %s_NO_STATE : %s_REFUSED;\n        }\n", n->macro, n->macro);
     buf_printf(out, "        m->first_ = false;\n%s        m->start_ = sv->%s;\n        sv->%s = m->state_;\n    }\n    m->gate_ = left;\n",
-               w->first ? "        first = true;\n" : "", n->var[u->m->g], s);
+               w->first ? "        first = true;\n" : "", n->var[u->m->g], n->var[u->m->s]);
+}
+
+// A chip of 8 bits looks at a flag sooner than at 64 bits, and leaves those in memory.
+static void put_soft_gate(const CUnit *u, const CStep *w, Buf *out)
+{
+    const CNames *n = &u->names;
+
+    buf_printf(out, "\n    if (m->state_ == 0 || !sm_soft_advance(&m->gate_, &sv->%s)) {\n", n->var[u->m->g]);
+    buf_printf(out, "        return m->state_ == 0 ? %s_NO_STATE : %s_REFUSED;\n    }\n", n->macro, n->macro);
+    buf_printf(out, "    if (m->first_) {\n        m->first_ = false;\n%s        m->start_ = sv->%s;\n        sv->%s = m->state_;\n    }\n",
+               w->first ? "        first = true;\n" : "", n->var[u->m->g], n->var[u->m->s]);
+}
+
+static void put_step_start(const CUnit *u, const CStep *w, Buf *out)
+{
+    const CNames *n = &u->names;
+
+    buf_printf(out, "%sStatus %s_step(%s *m, %s *sv)\n{\n", n->type, n->prefix, n->type, n->sv_type);
+    if (!u->soft)
+        buf_printf(out, "    const uint64_t left = UINT64_MAX - 1 - sv->%s;      // until time ends; more than ever when it has\n", n->var[u->m->g]);
+    buf_str(out, w->first ? "    bool first = false;\n" : "");
+    if (w->transition)
+        buf_printf(out, "    %s next = 0;      // the state to go to\n", c_state_type(u));
+    (u->soft ? put_soft_gate : put_gate)(u, w, out);
     if (u->track_stores)
-        buf_printf(out, "    memset(&m->stored, 0, sizeof m->stored);\n    m->stored.%s = first;\n", s);
+        buf_printf(out, "    memset(&m->stored, 0, sizeof m->stored);\n    m->stored.%s = first;\n", n->var[u->m->s]);
 }
 
 static void put_call_of_group(const CUnit *u, const CStep *w, BlockKind k, const char *result, Buf *out)
@@ -262,7 +286,7 @@ static void put_step_end(const CUnit *u, const CStep *w, Buf *out)
             buf_str(out, "        ");
             put_call_of_group(u, w, BLOCK_EXIT, "", out);
         }
-        buf_str(out, "        m->state_ = next;\n        m->first_ = true;\n        m->left_ = left;\n        m->gate_ = 0;\n    }\n");
+        buf_printf(out, "        m->state_ = next;\n        m->first_ = true;\n%s    }\n", u->soft ? "" : "        m->left_ = left;\n        m->gate_ = 0;\n");
     }
     buf_printf(out, "    return %s_OK;\n}\n\n", u->names.macro);
 }
@@ -286,8 +310,9 @@ static void put_state(const CUnit *u, Buf *out)
     const CNames *n = &u->names;
 
     buf_printf(out, "uint32_t %s_state(const %s *m)\n{\n    return m->state_;\n}\n\n", n->prefix, n->type);
-    buf_printf(out, "uint64_t %s_T(const %s *m)\n{\n    const uint64_t left = m->first_ ? m->left_ : m->gate_;\n\n"
-                    "    return UINT64_MAX - 1 - left - m->start_;\n}\n\n", n->prefix, n->type);
+    buf_printf(out, "uint64_t %s_T(const %s *m)\n{\n", n->prefix, n->type);
+    buf_str(out, u->soft ? "    return m->gate_ - 1 - m->start_;\n}\n\n"
+                         : "    const uint64_t left = m->first_ ? m->left_ : m->gate_;\n\n    return UINT64_MAX - 1 - left - m->start_;\n}\n\n");
     buf_printf(out, "const char *%s_state_name(uint32_t state)\n{\n    static const char *const name[] = {\n        \"\",\n", n->prefix);
     for (size_t i = 0; i < u->m->state.n; i++)
         buf_printf(out, "        \"%s\",\n", u->m->state.at[i].name->text);

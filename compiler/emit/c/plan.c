@@ -175,7 +175,7 @@ static bool is_computed(const CFn *fn, uint32_t v)
 {
     const IrVar *var = &fn->u->m->var.at[v];
 
-    return var->space == IR_TIME || (var->space == IR_ELEMENT && is_float(var->type));
+    return (var->space == IR_TIME && !fn->u->soft) || (var->space == IR_ELEMENT && is_float(var->type));
 }
 
 static void choose_copies(CFn *fn, uint32_t b)

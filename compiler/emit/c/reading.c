@@ -52,6 +52,10 @@ static void note_compare(CFn *fn, IrRef r)
     const IrRef x = reading_side(fn, i);
     CIns *c = &fn->ins[r];
 
+    if (x != IR_NONE && soft_looks(fn, i, x)) {
+        fn->ins[x].careless += c->uses > 0;
+        return;
+    }
     if (x == IR_NONE || !is_as_nan(x == i->a ? i->op : mirrored(i->op), fn->ins[x == i->a ? i->b : i->a].fact))
         return;
     c->settled_by = read_by(fn, x);

@@ -77,6 +77,118 @@ void soft_put_compare(CFn *fn, const IrIns *i, bool negated)
     put(fn, ")");
 }
 
+// ---- looking at some bytes ----
+
+// What is compared: a variable that is read, perhaps through a conversion to F64, and a constant; `op` as if the variable stood first.
+typedef struct Look {
+    IrRef side, load, constant;
+    IrOp op;
+} Look;
+
+static bool find_look(const CFn *fn, const IrIns *i, Look *l)
+{
+    static const IrOp mirrored[] = {[IR_lt - IR_lt] = IR_gt, [IR_le - IR_lt] = IR_ge, [IR_gt - IR_lt] = IR_lt, [IR_ge - IR_lt] = IR_le};
+    const bool swap = fn->ins[i->a].is_const;
+
+    if (!fn->u->soft || i->op < IR_lt || i->op > IR_ge)
+        return false;
+    l->side = l->load = swap ? i->b : i->a;
+    l->constant = swap ? i->a : i->b;
+    l->op = swap ? mirrored[i->op - IR_lt] : i->op;
+    if (ins(fn, l->side)->op == IR_cvt && ins(fn, l->side)->type == SM_F64 && ins(fn, ins(fn, l->side)->a)->type == SM_F32)
+        l->load = ins(fn, l->side)->a;
+    return ins(fn, l->load)->op == IR_load && fn->ins[l->constant].is_const && !fn->ins[l->side].is_const;
+}
+
+static double number_of(const CFn *fn, const Look *l)
+{
+    return sm_cell_to_f64(ins(fn, l->constant)->type, fn->ins[l->constant].bits);
+}
+
+// Whether looking at the upper half of a float is not enough: the constant has digits below, or is none of the float's type.
+static bool has_lower_half(const CFn *fn, const Look *l)
+{
+    const double x = number_of(fn, l);
+    const SmType t = ins(fn, l->load)->type;
+
+    return (t != SM_F64 && t != SM_F32) || (sm_bits(x) & 0xffffffffu) != 0 || !(x - x == 0) || (t == SM_F32 && (double)sm_round_f32(x) != x);
+}
+
+bool soft_looks(const CFn *fn, const IrIns *i, IrRef x)
+{
+    Look l;
+
+    return find_look(fn, i, &l) && x == l.side && !has_lower_half(fn, &l);
+}
+
+// Where it is: a variable of the function's own, or of the machine, of which nothing else is stored meanwhile.
+static void put_place(CFn *fn, const Look *l)
+{
+    const IrRef r = fn->ins[l->side].variable ? l->side : l->load;
+
+    put(fn, ins(fn, r)->type != SM_F32 ? "&" : "");
+    if (fn->ins[r].variable)
+        put(fn, fn->ins[r].variable);
+    else
+        put_cell(fn, ins(fn, r)->var);
+}
+
+// By the sign of the constant: x > 5 is beyond 5, x >= 5 reaches it, and x < 5 does not; x < -5 is beyond -5.  Of 0 only `beyond` is asked.
+static void put_float_look(CFn *fn, const Look *l, bool negated)
+{
+    const double x = number_of(fn, l);
+    const bool less = l->op == IR_lt || l->op == IR_le, strict = l->op == IR_lt || l->op == IR_gt;
+    const bool negative = x == 0 ? less == strict : x < 0, out = less == negative;
+    const IrRef at = fn->ins[l->side].variable ? l->side : l->load;
+    const bool is_f32 = ins(fn, at)->type == SM_F32;
+    const uint32_t n = is_f32 ? sm_f32_bits(sm_round_f32(x)) : (uint32_t)(sm_bits(x) >> 32);
+    const char *name = remark_constant(fn->u, ins(fn, l->constant)->span);
+
+    buf_printf(&fn->line, "%s%s%s(", negated == out ? "!" : "", strict == out ? "sm_soft_beyond" : "sm_soft_reaches", is_f32 ? "_f32" : "");
+    put_place(fn, l);
+    buf_printf(&fn->line, ", 0x%08lXu /* ", (unsigned long)((n & 0x7FFFFFFFu) | (negative ? 0x80000000u : 0)));
+    literal_put_finite(&fn->line, x);
+    buf_printf(&fn->line, "%s%s */)", *name ? ", " : "", name);
+}
+
+static void put_integer_look(CFn *fn, const Look *l, uint64_t n, bool negated)
+{
+    const bool less = l->op == IR_lt || l->op == IR_le, exact = l->op == IR_gt || l->op == IR_le;
+    const char *name = remark_constant(fn->u, ins(fn, l->constant)->span);
+    const bool is_time = fn->u->m->var.at[ins(fn, l->load)->var].space == IR_TIME;
+
+    put(fn, negated != less ? "!" : "");
+    put(fn, is_time ? "sm_soft_since(&m->start_, &" : "sm_soft_more(&");
+    put_cell(fn, is_time ? fn->u->m->g : ins(fn, l->load)->var);
+    fn->uses_m = fn->uses_m || is_time;
+    buf_printf(&fn->line, ", %lu%s%s%s)", (unsigned long)(exact ? n : n - 1), *name && exact ? " /* " : "", exact ? name : "",
+               *name && exact ? " */" : "");
+}
+
+static bool is_integer_look(const CFn *fn, const Look *l)
+{
+    const bool exact = l->op == IR_gt || l->op == IR_le;
+    const uint64_t n = fn->ins[l->constant].bits;
+
+    return ins(fn, l->load)->type == SM_U64 && ins(fn, l->constant)->type == SM_U64 && n <= UINT32_MAX && (exact || n > 0) &&
+           fn->ins[l->load].how == C_INLINE;
+}
+
+bool soft_put_look(CFn *fn, const IrIns *i, bool negated)
+{
+    Look l;
+
+    if (!find_look(fn, i, &l))
+        return false;
+    if (is_integer_look(fn, &l))
+        put_integer_look(fn, &l, fn->ins[l.constant].bits, negated);
+    else if (!has_lower_half(fn, &l))
+        put_float_look(fn, &l, negated);
+    else
+        return false;
+    return true;
+}
+
 void soft_put_not_zero(CFn *fn, IrRef r, bool negated)
 {
     put(fn, negated ? "!sm_to_bool(" : "sm_to_bool(");

@@ -100,6 +100,8 @@ const char *c_machine_type(Arena *arena, const char *prefix, const char *sv_type
 
 // A constant of a type as C writes it; `bits` is its cell.  Infinities and NaN use a helper.
 void literal_put(CUnit *u, Buf *out, SmType type, uint64_t bits);
+// A finite number as people write it.
+void literal_put_finite(Buf *out, double x);
 
 // ---- helpers.c ----
 
@@ -177,6 +179,8 @@ CSignature put_function(CUnit *u, const CFunction *what, Buf *out);
 
 // ---- machine.c ----
 
+// The type that holds a state's number, or 0: where numbers are soft, as short as can be.
+const char *c_state_type(const CUnit *u);
 void put_machine(CUnit *u, Buf *out);      // the functions of all blocks, then init, step, state and state_name
 
 // ---- machine_type.c ----

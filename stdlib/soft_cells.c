@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// 64 bits where they are (soft_cells.h), in portable C.
+#define SM_F64_SOFT 1
+#include "stdlib/soft_cells.h"
+#include "stdlib/soft_pack.h"
+
+#ifndef SM_SOFT_ASSEMBLY
+// x on the side of n, whose sign is taken away; what is on the other side, and NaN, is made 0.
+static uint64_t on_side(const SmF64 *x, uint32_t n)
+{
+    const uint64_t u = x->bits ^ ((uint64_t)(n & 0x80000000u) << 32);
+    return u > SM_SOFT_INFINITY ? 0 : u;
+}
+
+bool sm_soft_beyond(const SmF64 *x, uint32_t n) { return on_side(x, n) > (uint64_t)(n & 0x7FFFFFFFu) << 32; }
+bool sm_soft_reaches(const SmF64 *x, uint32_t n) { return on_side(x, n) >= (uint64_t)(n & 0x7FFFFFFFu) << 32; }
+bool sm_soft_more(const uint64_t *v, uint32_t n) { return *v > n; }
+bool sm_soft_since(const uint64_t *start, const uint64_t *time, uint32_t n) { return *time - *start > n; }
+void sm_soft_count(uint64_t *v) { *v += *v < UINT64_C(0x20000000000000); }
+
+bool sm_soft_advance(uint64_t *gate, const uint64_t *time)
+{
+    const uint64_t next = *time + 1;
+
+    if (next <= *gate)
+        return false;
+    *gate = next;
+    return true;
+}
+#else
+extern int sm_soft_cells_is_assembly;         // C wants something in a file
+#endif

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+// 64 bits where they are, for AVR (soft_cells.h).  avr-gcc's calls: the first pointer is in r25:r24, the second in r23:r22, 32 bits behind one
+// pointer in r23:r20, behind two in r21:r18; an answer is in r24.
+#include "stdlib/soft_pack.h"
+
+#ifdef SM_SOFT_ASSEMBLY
+	.section .text.sm_soft_cells, "ax", @progbits
+
+; The upper half of x to r25:r24:r19:r18 and n to r23:r20, both without a sign; N if x is on the other side.  Z: where x is.
+take_sides:
+	movw r30, r24
+	ldd r18, Z+4
+	ldd r19, Z+5
+	ldd r24, Z+6
+	ldd r25, Z+7
+	bst r23, 7
+	andi r23, 0x7F
+	brtc 1f
+	subi r25, 0x80
+1:	tst r25
+	ret
+
+	.global sm_soft_beyond
+	.type sm_soft_beyond, @function
+sm_soft_beyond:
+	rcall take_sides
+	brmi .Lcell_no
+	cp r20, r18
+	cpc r21, r19
+	cpc r22, r24
+	cpc r23, r25
+	brlo .Lcell_no_nan
+	brne .Lcell_no
+	ld r24, Z
+	ldd r25, Z+1
+	or r24, r25
+	ldd r25, Z+2
+	or r24, r25
+	ldd r25, Z+3
+	or r24, r25
+	brne .Lcell_yes
+.Lcell_no:
+	ldi r24, 0
+	ret
+
+	.global sm_soft_reaches
+	.type sm_soft_reaches, @function
+sm_soft_reaches:
+	rcall take_sides
+	brmi .Lcell_no
+	cp r18, r20
+	cpc r19, r21
+	cpc r24, r22
+	cpc r25, r23
+	brlo .Lcell_no
+.Lcell_no_nan:
+	cpi r24, 0xF0
+	ldi r26, 0x7F
+	cpc r25, r26
+	brsh .Lcell_infinite
+.Lcell_yes:
+	ldi r24, 1
+	ret
+.Lcell_infinite:
+	subi r24, 0xF0
+	or r24, r19
+	or r24, r18
+	ldd r18, Z+3
+	or r24, r18
+	ldd r18, Z+2
+	or r24, r18
+	ldd r18, Z+1
+	or r24, r18
+	ld r18, Z
+	or r24, r18
+	breq .Lcell_yes
+	rjmp .Lcell_no
+
+	.section .text.sm_soft_more, "ax", @progbits
+	.global sm_soft_more
+	.type sm_soft_more, @function
+sm_soft_more:
+	movw r30, r24
+	ld r24, Z
+	cp r20, r24
+	ldd r24, Z+1
+	cpc r21, r24
+	ldd r24, Z+2
+	cpc r22, r24
+	ldd r24, Z+3
+	cpc r23, r24
+	sbc r25, r25                      ; not 0 where n is below the lower half
+	ldd r24, Z+4
+	or r25, r24
+	ldd r24, Z+5
+	or r25, r24
+	ldd r24, Z+6
+	or r25, r24
+	ldd r24, Z+7
+	or r25, r24
+	ldi r24, 0
+	breq 1f
+	ldi r24, 1
+1:	ret
+
+	.section .text.sm_soft_since, "ax", @progbits
+	.global sm_soft_since
+	.type sm_soft_since, @function
+sm_soft_since:
+	movw r30, r24                     ; the start
+	movw r26, r22                     ; the time
+	ld r22, X+
+	ld r0, Z
+	sub r22, r0
+	ld r23, X+
+	ldd r0, Z+1
+	sbc r23, r0
+	ld r24, X+
+	ldd r0, Z+2
+	sbc r24, r0
+	ld r25, X+
+	ldd r0, Z+3
+	sbc r25, r0
+	sbc r0, r0                        ; keeps the borrow
+	cp r18, r22
+	cpc r19, r23
+	cpc r20, r24
+	cpc r21, r25
+	sbc r18, r18                      ; not 0 where n is below the lower half
+	lsl r0
+	ld r22, X+
+	ldd r0, Z+4
+	sbc r22, r0
+	or r18, r22
+	ld r23, X+
+	ldd r0, Z+5
+	sbc r23, r0
+	or r18, r23
+	ld r24, X+
+	ldd r0, Z+6
+	sbc r24, r0
+	or r18, r24
+	ld r25, X
+	ldd r0, Z+7
+	sbc r25, r0
+	ldi r24, 0
+	or r18, r25
+	breq 1f
+	ldi r24, 1
+1:	ret
+
+	.section .text.sm_soft_count, "ax", @progbits
+	.global sm_soft_count
+	.type sm_soft_count, @function
+sm_soft_count:
+	movw r30, r24
+	ld r24, Z
+	cpi r24, 0
+	breq .Lcount_end
+.Lcount_up:
+	inc r24
+	st Z+, r24
+	breq 1f
+	ret
+1:	ld r24, Z                         ; carries: not beyond the eighth byte, for it is below 2^53
+	inc r24
+	st Z+, r24
+	breq 1b
+	ret
+.Lcount_end:                                 ; 2^53 has a 0 there
+	ldd r25, Z+6
+	sbrs r25, 5
+	rjmp .Lcount_up
+	ret
+
+	.section .text.sm_soft_advance, "ax", @progbits
+	.global sm_soft_advance
+	.type sm_soft_advance, @function
+sm_soft_advance:
+	movw r30, r24                     ; the gate
+	movw r26, r22                     ; the time
+	ld r18, X+
+	ld r19, X+
+	ld r20, X+
+	ld r21, X+
+	ld r22, X+
+	ld r23, X+
+	ld r24, X+
+	ld r25, X
+	subi r18, 0xFF                    ; and 1
+	sbci r19, 0xFF
+	sbci r20, 0xFF
+	sbci r21, 0xFF
+	sbci r22, 0xFF
+	sbci r23, 0xFF
+	sbci r24, 0xFF
+	sbci r25, 0xFF
+	ld r0, Z
+	cp r0, r18
+	ldd r0, Z+1
+	cpc r0, r19
+	ldd r0, Z+2
+	cpc r0, r20
+	ldd r0, Z+3
+	cpc r0, r21
+	ldd r0, Z+4
+	cpc r0, r22
+	ldd r0, Z+5
+	cpc r0, r23
+	ldd r0, Z+6
+	cpc r0, r24
+	ldd r0, Z+7
+	cpc r0, r25
+	brsh 1f
+	st Z, r18
+	std Z+1, r19
+	std Z+2, r20
+	std Z+3, r21
+	std Z+4, r22
+	std Z+5, r23
+	std Z+6, r24
+	std Z+7, r25
+	ldi r24, 1
+	ret
+1:	ldi r24, 0
+	ret
+#endif
