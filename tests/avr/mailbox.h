@@ -42,7 +42,7 @@ typedef struct RollBox {
     uint8_t what;             // in: ROLL_SAMPLE, or which statistic
 } RollBox;
 
-// tank.c: two machines on a state vector each, which the computer writes.
+// tank_bench.c: two machines on a state vector each, which the computer writes.
 enum { TANK_EMITTED, TANK_HAND };
 typedef struct TankBox {
     uint16_t sv, sv_size;

@@ -29,7 +29,7 @@ avr() {
         -I. "$@" -o "$B/$name.elf"
 }
 
-SOFT="stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S"
+SOFT="stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S stdlib/soft_cells.c stdlib/soft_cells_avr.S"
 $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_soft.c tests/soft/hardware.c tests/soft/vectors.c -o "$B/run_soft" \
     -lsimavr -lelf -lm || exit 1
 avr soft tests/avr/soft.c $SOFT || exit 1

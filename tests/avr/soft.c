@@ -6,7 +6,7 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 #include "tests/avr/mailbox.h"
-#include "tests/soft/soft.h"
+#include "tests/soft/cells.h"
 
 static Mailbox box;
 

@@ -2,7 +2,7 @@
 // The same operations with the computer's own double: the oracle.
 #include <math.h>
 
-#include "tests/soft/soft.h"
+#include "tests/soft/cells.h"
 
 static uint64_t hard(double x)
 {
@@ -50,6 +50,19 @@ static uint64_t hard_to_u64(double x)
 {
     return x >= 18446744073709551616.0 ? UINT64_MAX : x > 0 ? (uint64_t)x : 0;
 }
+
+// Farther from zero than a limit whose upper half is n, or that limit; NaN is 0.
+static bool hard_beyond(double x, uint32_t n)
+{
+    const double y = of_bits((uint64_t)n << 32);
+
+    x = x != x ? 0 : x;
+    return signbit(y) ? x < y : x > y;
+}
+
+static bool hard_reaches(double x, uint32_t n) { return hard_beyond(x, n) || x == of_bits((uint64_t)n << 32); }
+static bool hard_beyond_f32(float x, float y) { return x == x && (signbit(y) ? x < y : x > y); }
+static bool hard_reaches_f32(float x, float y) { return hard_beyond_f32(x, y) || x == y; }
 
 uint64_t hard_result(SoftOp op, uint64_t a, uint64_t b)
 {

@@ -2,7 +2,7 @@
 // The operations with the soft type: compiled with -DSM_F64_SOFT=1, on a host and on a chip.
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
-#include "tests/soft/soft.h"
+#include "tests/soft/cells.h"
 
 #if !SM_F64_SOFT
 #error "this is about the soft type: -DSM_F64_SOFT=1"
