@@ -490,18 +490,21 @@ store-cuts: $(B)/store/cuts $(STORE_SMB)
 .PHONY: store-cuts
 
 # The generic firmware of Arduino boards (docs/boards.md): `make firmware MCU=atmega328p` (Uno) or atmega2560 (Mega) makes build/firmware/MCU.hex.
-# SAFE: another image to be built in; ARM_PIN: the pin with the arming plug.
+# SAFE: another image to be built in; ARM_PIN: the pin with the arming plug; KEY: a file of smc key, and no image but those signed with it is run.
 MCU         ?= atmega328p
 AVR_CC      ?= avr-gcc
 FIRMWARE_OUT = $(B)/firmware
-FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c target/store.c target/agent.c target/io.c pins.c load.c verify.c interp.c) \
+FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c target/store.c target/agent.c target/io.c auth.c pins.c load.c verify.c interp.c) \
                runtime-c/link/link.c runtime-c/pin.c runtime-c/event.c $(wildcard runtime-c/psl/avr/*.c stdlib/soft_*.c stdlib/soft_*.S)
 FIRMWARE_C   = $(AVR_CC) -mmcu=$(MCU) -DF_CPU=16000000UL -Os -std=c99 $(filter-out -pedantic,$(WARN)) -I. -I$(FIRMWARE_OUT) -ffunction-sections -fdata-sections \
-               -Wl,--gc-sections $(foreach v,SMVM_CONFIG SM_CONFIG,-D$(v)='"bytecode-vm/firmware/config.h"') $(if $(ARM_PIN),-DFIRMWARE_ARM_PIN=$(ARM_PIN))
+               -Wl,--gc-sections $(foreach v,SMVM_CONFIG SM_CONFIG,-D$(v)='"bytecode-vm/firmware/config.h"') $(if $(ARM_PIN),-DFIRMWARE_ARM_PIN=$(ARM_PIN)) $(if $(KEY),-DFIRMWARE_KEY)
 firmware: $(B)/smc
 	@mkdir -p $(FIRMWARE_OUT)
 	$(B)/smc build -w bytecode-vm/firmware/safe.sm --sv bytecode-vm/firmware/safe.sv --io bytecode-vm/firmware/safe.io -o $(FIRMWARE_OUT)/safe.smb
 	od -An -v -tx1 $(or $(SAFE),$(FIRMWARE_OUT)/safe.smb) | sed 's/ \(..\)/0x\1,/g' >$(FIRMWARE_OUT)/safe_image.inc
+ifneq ($(KEY),)
+	@umask 077 && sed 's/\(..\)/0x\1,/g' '$(KEY)' >$(FIRMWARE_OUT)/key.inc
+endif
 	$(FIRMWARE_C) $(FIRMWARE_SRC) -Wl,-Map=$(FIRMWARE_OUT)/$(MCU).map -o $(FIRMWARE_OUT)/$(MCU).elf
 	avr-objcopy -O ihex -R .eeprom $(FIRMWARE_OUT)/$(MCU).elf $(FIRMWARE_OUT)/$(MCU).hex
 	avr-size $(FIRMWARE_OUT)/$(MCU).elf

@@ -4,6 +4,7 @@
 // behind them, in what time is left.
 #include <string.h>
 
+#include "bytecode-vm/auth.h"
 #include "bytecode-vm/firmware/runner.h"
 #include "bytecode-vm/target/agent.h"
 #include "runtime-c/pal/dio.h"
@@ -201,13 +202,36 @@ static AgentBoard this_board;
 static PalSerial line;
 static uint8_t frame[LINK_ROOM(FIRMWARE_BODY)];
 
+#ifdef FIRMWARE_KEY
+static bool is_authentic(SmvmBytes image, uint32_t *number)
+{
+    static const uint8_t in_flash[] PROGMEM = {
+#include "key.inc"
+    };
+    uint8_t key[SMVM_KEY];
+
+    memcpy_P(key, in_flash, sizeof key);
+    return smvm_auth_check(image, key, number);
+}
+#endif
+
+static bool opens(PalNvm nvm, const StorePlan *plan)
+{
+    const SmResult r = smvm_store_open(&store, nvm, plan);
+
+#ifdef FIRMWARE_KEY
+    store.is_authentic = is_authentic;
+#endif
+    return r == SM_OK;
+}
+
 static void start_store(void)
 {
     const StorePlan plan = {FIRMWARE_STORE, FIRMWARE_SLOTS, {FIRMWARE_EEPROM + RECORDS, FIRMWARE_EEPROM + RECORDS + SLOT}};
     uint8_t slot = STORE_BUILT_IN;
     PalNvm nvm;
 
-    if (pal_nvm_open(&nvm, "eeprom", FIRMWARE_STORE) == SM_OK && smvm_store_open(&store, nvm, &plan) == SM_OK)
+    if (pal_nvm_open(&nvm, "eeprom", FIRMWARE_STORE) == SM_OK && opens(nvm, &plan))
         (void)smvm_store_boot(&store, &slot);
     if (slot == STORE_BUILT_IN || run(plan.image[slot], 0) != SM_OK)
         run_built_in();

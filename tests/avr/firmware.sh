@@ -93,15 +93,39 @@ fly_rocket() {
     count awk '/^rocket:/ { seen = $7 > $3 - 15 && $14 > 80 && $14 < 101 } END { exit !seen }' "$D/rocket.mem.said"
 }
 
+# A board with a key takes what is signed with it, once.
+fly_signed() {
+    rm -f "$D/signed.mem"* "$D/rocket.key"
+    "$smc" key "$D/rocket.key" && "$smc" sign "$D/tank.smb" --key="$D/rocket.key" --number=7 -o "$D/signed.smb" || exit 1
+    $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU KEY="$D/rocket.key" FIRMWARE_OUT="$D/keyed" || exit 1
+    FIRMWARE=$D/keyed/$MCU.elf board_on "$D/signed.mem"
+    touch "$D/signed.mem.go"
+    text='the board takes signed images only'
+    count says "$smc" flash "$D/tank.smb" "$port"
+    count "$smc" flash "$D/signed.smb" "$port" --confirm >"$D/signed.out" 2>&1
+    count grep -q 'runs, confirmed' "$D/signed.out"
+    text='takes signed images only, with numbers above 7'
+    count says "$smc" device info "$port"
+    "$smc" sign "$D/recovery.smb" --key="$D/rocket.key" --number=7 -o "$D/signed.smb" || exit 1
+    text='has the number 7, and the board has confirmed number 7'
+    count says "$smc" flash "$D/signed.smb" "$port"
+    rm "$D/rocket.key"
+    "$smc" key "$D/rocket.key" && "$smc" sign "$D/signed.smb" --key="$D/rocket.key" --number=8 || exit 1
+    text='the image was not accepted: the board takes images only that are signed with its key'
+    count says "$smc" flash "$D/signed.smb" "$port"
+    count board_off >"$D/signed.said" 2>&1
+}
+
 $CC -std=gnu99 -O1 -Wall -Wextra -I. tests/avr/board.c tests/avr/plants.c -o "$D/board" -lsimavr -lelf -lm || exit 1
 build tank examples/tank/tank.sm --sv tests/avr/tank.sv --io tests/avr/tank.io
 build recovery examples/recovery/recovery.sm --sv examples/recovery/recovery.sv --io examples/recovery/recovery.io
 for MCU in ${BOARDS:-atmega2560}; do
     export MCU FIRMWARE=$D/$MCU.elf
     $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU ARM_PIN=7 FIRMWARE_OUT="$D" || exit 1
-    count "$B/device/link" "$smc" "$D/board" "$D" "$B/store/old.smb" "$B/store/new.smb" "$RUNS" "$SEED"
+    NO_KEY=1 count "$B/device/link" "$smc" "$D/board" "$D" "$B/store/old.smb" "$B/store/new.smb" "$RUNS" "$SEED"
     fly_tank
     fly_rocket
+    fly_signed
 done
 echo "firmware: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]
