@@ -233,7 +233,7 @@ static void start_store(void)
 
     if (pal_nvm_open(&nvm, "eeprom", FIRMWARE_STORE) == SM_OK && opens(nvm, &plan))
         (void)smvm_store_boot(&store, &slot);
-    if (slot == STORE_BUILT_IN || run(plan.image[slot], 0) != SM_OK)
+    if (slot == STORE_BUILT_IN || run(plan.image[slot], smvm_store_period(&store, slot)) != SM_OK)
         run_built_in();
 }
 

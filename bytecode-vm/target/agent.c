@@ -7,7 +7,7 @@
 
 #include "bytecode-vm/image.h"
 
-enum { DATA_HEAD = 5, EVENT = 19, IMAGE = 18, RESULT_AT = 1 + LINK_HEAD, ANSWER_AT = RESULT_AT + 1 };
+enum { DATA_HEAD = 5, EVENT = 19, IMAGE = 20, RESULT_AT = 1 + LINK_HEAD, ANSWER_AT = RESULT_AT + 1 };
 
 void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body)
 {
@@ -115,9 +115,10 @@ static SmResult image(Exchange *x)
     put(x, state, 1);
     if (state != STORE_EMPTY)
         put_image(x, image_of(x->a, slot));
-    x->answer[IMAGE - 2] = (uint8_t)((slot == s->running ? 1 : 0) | (slot == s->now.active ? 2 : 0));
-    x->answer[IMAGE - 1] = state == STORE_TRIAL ? s->now.tries : 0;
-    x->length = IMAGE;
+    x->length = IMAGE - 4;
+    put(x, (slot == s->running ? 1u : 0u) | (slot == s->now.active ? 2u : 0u), 1);
+    put(x, state == STORE_TRIAL ? s->now.tries : 0, 1);
+    put(x, smvm_store_period(s, slot), 2);
     return SM_OK;
 }
 
@@ -168,7 +169,11 @@ static SmResult end(Exchange *x)
     return r;
 }
 
-static SmResult activate(Exchange *x) { return smvm_store_activate(x->a->store, session_of(x)); }
+static SmResult activate(Exchange *x)
+{
+    return smvm_store_activate(x->a->store, session_of(x), x->n < 4 ? 0 : (uint16_t)sm_link_get(x->body + 2, 2));
+}
+
 static SmResult confirm(Exchange *x) { return smvm_store_confirm(x->a->store, sm_link_get(x->body, 4)); }
 static SmResult erase(Exchange *x) { return smvm_store_erase(x->a->store, sm_link_get(x->body, 4)); }
 

@@ -164,6 +164,13 @@ StoreState smvm_store_state(const Store *s, uint8_t slot, uint32_t *checksum, ui
     return s->now.confirmed ? STORE_CONFIRMED : STORE_TRIAL;
 }
 
+uint16_t smvm_store_period(const Store *s, uint8_t slot)
+{
+    const uint8_t *period = slot == s->now.active ? s->now.period : slot == s->now.before ? s->now.period_before : NULL;
+
+    return period && slot != STORE_BUILT_IN ? (uint16_t)sm_link_get(period, 2) : 0;
+}
+
 // ---- starting ----
 
 // What runs when the active image is not to be run: the one before it, if it is what it was.
@@ -174,6 +181,7 @@ static SmResult step_back(Store *s, uint8_t *slot)
 
     c.active = there ? c.before : STORE_BUILT_IN;
     memcpy(c.checksum, c.checksum_before, 4);
+    memcpy(c.period, c.period_before, 2);
     c.before = STORE_BUILT_IN;
     c.tries = 0;
     c.confirmed = 1;
@@ -340,17 +348,21 @@ SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
     return r;
 }
 
-SmResult smvm_store_activate(Store *s, uint16_t session)
+SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
 {
     StoreChoice c = s->now;
 
     if (session == 0 || session != s->session || !s->whole)
         return SM_E_HANDLE;
-    if (c.active == s->target && get32(c.checksum) == s->checksum)
+    if (c.active != s->target || get32(c.checksum) != s->checksum) {
+        c.before = c.active;
+        memcpy(c.checksum_before, c.checksum, 4);
+        memcpy(c.period_before, c.period, 2);
+    } else if (sm_link_get(c.period, 2) == period) {
         return SM_OK;                  // the answer was lost; it may even be confirmed by now
-    c.before = c.active;
-    memcpy(c.checksum_before, c.checksum, 4);
+    }
     c.active = s->target;
+    sm_link_put(c.period, period, 2);
     put32(c.checksum, s->checksum);
     c.tries = STORE_TRIES;
     c.confirmed = 0;

@@ -51,7 +51,7 @@ typedef struct StoreChoice {
     uint8_t checksum[4];      // of the active image: a slot that holds another is not run
     uint8_t checksum_before[4];   // the same for `before`
     uint8_t newest[4];        // the highest number (image section AUTH) of an image that a board with a key has confirmed
-    uint8_t more[4];          // zeros
+    uint8_t period[2], period_before[2];      // milliseconds between steps of each, as the host gave them; 0: the board's own
     uint8_t crc[4];           // CRC-32 of all before it
 } StoreChoice;
 
@@ -103,8 +103,9 @@ SmResult smvm_store_write(Store *s, uint16_t session, uint32_t at, const uint8_t
 // says.  SM_E_UNSIGNED: its code is wrong, or it has none.  SM_E_REPLAY: it is not newer than one that was confirmed.
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why);
 
-// Chooses it: from the next start on it is on trial.  SM_E_HANDLE: smvm_store_end has not accepted it.
-SmResult smvm_store_activate(Store *s, uint16_t session);
+// Chooses it: from the next start on it is on trial, and runs every `period` milliseconds (0: as the board does).  SM_E_HANDLE:
+// smvm_store_end has not accepted it.
+SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period);
 
 // ---- afterwards ----
 
@@ -118,6 +119,8 @@ SmResult smvm_store_erase(Store *s, uint32_t checksum);
 // ---- what there is ----
 
 typedef enum StoreState { STORE_EMPTY, STORE_WHOLE, STORE_TRIAL, STORE_CONFIRMED } StoreState;
+
+uint16_t smvm_store_period(const Store *s, uint8_t slot);      // 0 where nobody has said
 
 StoreState smvm_store_state(const Store *s, uint8_t slot, uint32_t *checksum, uint32_t *length);
 

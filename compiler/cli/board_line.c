@@ -64,6 +64,8 @@ static void put_state(Buf *out, const DeviceImage *i)
 {
     if (i->runs)
         buf_str(out, ", runs");
+    if (i->period != 0)
+        buf_printf(out, ", every %u ms", (unsigned)i->period);
     if (i->chosen && !i->runs)
         buf_str(out, ", runs from the next start on");
     if (i->state == DEVICE_TRIAL)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc flash: an image to a board, over a serial line.  Until the board has it whole and verified, what ran before stays chosen.
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "bytecode-vm/auth.h"
@@ -8,7 +9,7 @@
 #include "compiler/base/os_serial.h"
 #include "compiler/cli/board_line.h"
 
-// What the image asks for, wherever it runs: what the VM itself needs differs from computer to computer.
+// What the image asks for, wherever it runs, its state vector included: what the VM itself needs differs from computer to computer.
 typedef struct Needs { uint32_t ram, longest; } Needs;
 
 static Needs needs_of(const Source *image, const SmvmVerdict *v)
@@ -16,8 +17,11 @@ static Needs needs_of(const Source *image, const SmvmVerdict *v)
     Needs n = {0, v->longest};
     SmvmMachine m;
 
-    for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
-        n.ram += m.locals + 8 * m.temps;
+    for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++) {
+        if (i == 0)
+            n.ram = m.sv_size;
+        n.ram += smvm_ram_size(&m) - ((uint32_t)sizeof(SmVm) + 7) / 8 * 8 - (m.windows * (uint32_t)sizeof(uint64_t *) + 7) / 8 * 8;
+    }
     return n;
 }
 
@@ -124,7 +128,7 @@ static int say_done(BoardLine *b, const Update *u, const DeviceImage *before)
     return cli_print(b->c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
-static int update(BoardLine *b, const Source *image)
+static int update(BoardLine *b, const Source *image, uint16_t period)
 {
     Progress p = {(uint32_t)image->len, os_is_terminal(2)};
     Update u;
@@ -136,6 +140,7 @@ static int update(BoardLine *b, const Source *image)
     u.length = (uint32_t)image->len;
     u.checksum = smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4);
     u.session = (uint16_t)(os_unlike() | 1u);
+    u.period = period;
     u.progress = show;
     u.context = &p;
     if (!device_running(&b->host, &b->info, &before))
@@ -147,7 +152,7 @@ static int update(BoardLine *b, const Source *image)
     return say_done(b, &u, &before);
 }
 
-static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v)
+static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
 {
     int code = fits(c, b, image, v);
 
@@ -160,13 +165,29 @@ static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v
     if ((code = is_signed(c, b, image)) != EXIT_OK)
         return code;
     if (!c->given[OPT_DRY_RUN])
-        return update(b, image);
+        return update(b, image, period);
     cli_say(c, "%s would go onto the board; nothing was sent", image->name);
     return EXIT_OK;
 }
 
+// "20" or "20ms"; 0: it is not given.
+static bool period_known(Cli *c, uint16_t *period)
+{
+    const char *word = c->given[OPT_PERIOD] ? c->value[OPT_PERIOD] : NULL;
+    unsigned long n;
+    char *end;
+
+    *period = 0;
+    if (!word)
+        return true;
+    n = strtoul(word, &end, 10);
+    *period = (uint16_t)n;
+    return word[0] >= '0' && word[0] <= '9' && n >= 1 && n <= UINT16_MAX && (!*end || strcmp(end, "ms") == 0);
+}
+
 int cmd_flash(Cli *c)
 {
+    uint16_t period;
     BoardLine b;
     Source *image;
     SmvmVerdict v;
@@ -176,9 +197,11 @@ int cmd_flash(Cli *c)
         return cli_usage(c, "flash wants one image, as in 'smc flash tank.smb --port=/dev/ttyACM0'");
     if (has_suffix(c->file[0], ".sm"))
         return cli_usage(c, "flash wants an image: 'smc build %s' makes one", c->file[0]);
+    if (!period_known(c, &period))
+        return cli_usage(c, "--period wants whole milliseconds, 1 to 65535, as in --period=20, not '%s'", c->value[OPT_PERIOD]);
     if ((code = cli_load_image(c, c->file[0], &image, &v)) != EXIT_OK || (code = board_open(c, &b)) != EXIT_OK)
         return code;
-    code = flash(c, &b, image, &v);
+    code = flash(c, &b, image, &v, period);
     board_close(&b);
     return code;
 }

@@ -52,6 +52,7 @@ bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image)
     image->runs = (b[16] & 1) != 0;
     image->chosen = (b[16] & 2) != 0;
     image->starts = b[17];
+    image->period = h->n < IMAGE_BYTES + 2 ? 0 : (uint16_t)sm_link_get(b + IMAGE_BYTES, 2);
     return true;
 }
 
@@ -167,6 +168,15 @@ static bool read_back(LinkHost *h, const DeviceInfo *info, const Update *u)
     return false;
 }
 
+static bool activate(LinkHost *h, const Update *u)
+{
+    uint8_t body[4];
+
+    sm_link_put(body, u->session, 2);
+    sm_link_put(body + 2, u->period, 2);
+    return ask(h, LINK_ACTIVATE, body, sizeof body, 0);
+}
+
 static DeviceStep store(LinkHost *h, const DeviceInfo *info, Update *u)
 {
     if (!begin(h, u))
@@ -177,7 +187,7 @@ static DeviceStep store(LinkHost *h, const DeviceInfo *info, Update *u)
         return DEVICE_END;
     if (!read_back(h, info, u))
         return DEVICE_READ;
-    return ask_session(h, u, LINK_ACTIVATE) ? DEVICE_DONE : DEVICE_ACTIVATE;
+    return activate(h, u) ? DEVICE_DONE : DEVICE_ACTIVATE;
 }
 
 // Whether the image is the chosen one already, and whether it runs.
@@ -189,7 +199,7 @@ static bool look(LinkHost *h, const DeviceInfo *info, const Update *u, bool *cho
     for (uint8_t slot = 0; slot < info->slots; slot++) {
         if (!device_image(h, slot, &image))
             return false;
-        if (image.state != DEVICE_EMPTY && image.length == u->length && image.checksum == u->checksum) {
+        if (image.state != DEVICE_EMPTY && image.length == u->length && image.checksum == u->checksum && image.period == u->period) {
             *chosen |= image.chosen;
             *runs |= image.runs && image.chosen;
         }

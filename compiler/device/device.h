@@ -24,6 +24,7 @@ typedef struct DeviceImage {
     uint8_t identity[8];
     bool runs, chosen;
     uint8_t starts;           // left to a trial
+    uint16_t period;          // milliseconds between its steps; 0: as the board has it
 } DeviceImage;
 
 // False: no answer (h->answered), or one that says no (h->result).
@@ -45,6 +46,7 @@ typedef struct Update {
     const uint8_t *bytes;
     uint32_t length, checksum;
     uint16_t session;         // not 0; another one for each update
+    uint16_t period;          // milliseconds between its steps; 0: as the board has it
     void (*progress)(void *context, uint32_t done);
     void *context;
     bool was_there;           // it runs already: nothing was sent

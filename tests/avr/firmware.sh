@@ -65,16 +65,19 @@ fly_tank() {
     rm -f "$D/tank.mem"*
     board_on "$D/tank.mem"
     touch "$D/tank.mem.go"
-    count "$smc" flash "$D/tank.smb" "$port" --confirm >"$D/tank.out" 2>&1
+    count "$smc" flash "$D/tank.smb" "$port" --confirm --period=5 >"$D/tank.out" 2>&1
     sleep 3
     count logged "STATE of machine 0, from 0, to 1" 5
     touch "$D/tank.mem.armed"
     text='the board is armed; disarm it first'
     count says "$smc" flash "$D/recovery.smb" "$port"
     rm "$D/tank.mem.armed"
+    text='needs more than [0-9]* bytes of RAM, the board has .*; nothing was sent'
+    count says "$smc" flash "$D/large.smb" "$port"
     text='no update may begin\|an update may begin'
     count says "$smc" device info "$port"
     count board_off
+    count awk '/steps/ { seen = $3 > 120 * $1 } END { exit !seen }' "$D/tank.mem.said"
     count awk '/^tank:/ { seen = $4 >= 700 && $6 <= 800 && $10 > 2 } END { exit !seen }' "$D/tank.mem.said"
 }
 
@@ -119,6 +122,8 @@ fly_signed() {
 $CC -std=gnu99 -O1 -Wall -Wextra -I. tests/avr/board.c tests/avr/plants.c -o "$D/board" -lsimavr -lelf -lm || exit 1
 build tank examples/tank/tank.sm --sv tests/avr/tank.sv --io tests/avr/tank.io
 build recovery examples/recovery/recovery.sm --sv examples/recovery/recovery.sv --io examples/recovery/recovery.io
+sed 's/tankPressure > 775/roll_median(tankPressure, 700) > 775/' examples/tank/tank.sm >"$D/large.sm"
+build large "$D/large.sm"
 for MCU in ${BOARDS:-atmega2560}; do
     export MCU FIRMWARE=$D/$MCU.elf
     $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU ARM_PIN=7 FIRMWARE_OUT="$D" || exit 1

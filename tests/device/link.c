@@ -211,13 +211,13 @@ static void what_is_armed_is_left_alone(void)
 // A trial that nobody confirms is over after its starts.
 static void a_trial_ends(void)
 {
-    CHECK(quiet("flash", images[0], NULL) == 0 && listed(images[0], "on trial"));
+    CHECK(quiet("flash", images[0], "--period=20ms") == 0 && listed(images[0], ", every 20 ms, on trial"));
     for (int i = 0; i < 3; i++) {
         kill_board();
         start_board();
         CHECK(quiet("device", "list", NULL) == 0 && (i == 2 || listed(images[0], ", runs")));
     }
-    CHECK(listed(images[1], ", runs, confirmed"));
+    CHECK(listed(images[1], ", runs, confirmed"));       // as the board has it
 }
 
 static void an_image_is_erased(void)

@@ -6,6 +6,8 @@ args flash a.smb --port=nowhere
 args flash a.smb --port=a.sm
 args flash a.smb --port=a.sm --speed=9601
 args flash a.smb --port=a.sm --speed=fast
+args flash a.smb --port=a.sm --period=0
+args flash a.smb --port=a.sm --period=20s
 args flash a.sm --port=nowhere
 args flash missing.smb --port=nowhere
 
@@ -27,8 +29,12 @@ smc: cannot open 'a.sm': it is no serial line
 smc: cannot open 'a.sm': there is no such speed
 smc: --speed wants a number of bits a second, not 'fast'
 Try 'smc flash --help'.
+smc: --period wants whole milliseconds, 1 to 65535, as in --period=20, not '0'
+Try 'smc flash --help'.
+smc: --period wants whole milliseconds, 1 to 65535, as in --period=20, not '20s'
+Try 'smc flash --help'.
 smc: flash wants an image: 'smc build a.sm' makes one
 Try 'smc flash --help'.
 smc: cannot read 'missing.smb': No such file or directory
 -- exit --
-0 2 2 3 3 3 2 2 3
+0 2 2 3 3 3 2 2 2 2 3

@@ -94,7 +94,7 @@ static bool sends(Device *d, const Image *image)
     return smvm_store_end(&d->store, 7, &why) == SM_OK;
 }
 
-static bool updates(Device *d, const Image *image) { return sends(d, image) && smvm_store_activate(&d->store, 7) == SM_OK; }
+static bool updates(Device *d, const Image *image) { return sends(d, image) && smvm_store_activate(&d->store, 7, 0) == SM_OK; }
 
 // How far an update came before the power went.
 typedef struct Progress { bool chosen, confirmed; } Progress;
@@ -285,11 +285,11 @@ static void steps_may_be_repeated(void)
     CHECK(smvm_store_write(&d.store, 6, 0, new_image.bytes, BLOCK) == SM_E_HANDLE);
     CHECK(smvm_store_write(&d.store, 7, new_image.length, new_image.bytes, 1) == SM_E_ARGUMENT);
     CHECK(smvm_store_end(&d.store, 7, &why) == SM_OK && sim_count(SIM_nvm_write) == writes);
-    CHECK(smvm_store_activate(&d.store, 7) == SM_OK && smvm_store_activate(&d.store, 7) == SM_OK);
+    CHECK(smvm_store_activate(&d.store, 7, 0) == SM_OK && smvm_store_activate(&d.store, 7, 0) == SM_OK);
     CHECK(sim_count(SIM_nvm_write) == writes + 1);
     CHECK(start(&d) == RUNS_NEW);
     CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
-    CHECK(smvm_store_activate(&d.store, 7) == SM_E_HANDLE && smvm_store_end(&d.store, 7, &why) == SM_E_HANDLE);
+    CHECK(smvm_store_activate(&d.store, 7, 0) == SM_E_HANDLE && smvm_store_end(&d.store, 7, &why) == SM_E_HANDLE);
 }
 
 // After a write that failed nobody knows what lies there.
@@ -313,8 +313,26 @@ static void a_late_repetition_does_no_harm(void)
     prepare(&d, "eeprom", 2);
     CHECK(updates(&d, &new_image));
     d.store.running = d.store.now.active;
-    CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && smvm_store_activate(&d.store, 7) == SM_OK);
+    CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && smvm_store_activate(&d.store, 7, 0) == SM_OK);
     CHECK(d.store.now.confirmed && d.store.now.before != d.store.now.active);
+}
+
+// A period comes and goes with its image; one slot: another period for the same image is a trial of its own.
+static void a_period_goes_with_its_image(void)
+{
+    Device d;
+
+    for (uint8_t slots = 1; slots <= 2; slots++) {
+        prepare(&d, "eeprom", slots);
+        CHECK(sends(&d, &new_image) && smvm_store_activate(&d.store, 7, 20) == SM_OK && start(&d) == RUNS_NEW);
+        CHECK(smvm_store_period(&d.store, d.store.running) == 20 && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
+        smvm_store_leave(&d.store);
+        CHECK(sends(&d, &new_image) && smvm_store_activate(&d.store, 7, 30) == SM_OK);
+        for (int i = 0; i < STORE_TRIES; i++)
+            CHECK(start(&d) == RUNS_NEW && smvm_store_period(&d.store, d.store.running) == 30);
+        CHECK(start(&d) == (slots == 1 ? RUNS_BUILT_IN : RUNS_NEW));
+        CHECK(smvm_store_period(&d.store, d.store.running) == (slots == 1 ? 0 : 20));
+    }
 }
 
 static void what_does_not_fit_is_refused(void)
@@ -328,7 +346,7 @@ static void what_does_not_fit_is_refused(void)
     CHECK(smvm_store_begin(&d.store, 9, d.store.slot_size + 1, 0) == SM_E_SPACE);
     CHECK(smvm_store_begin(&d.store, 0, 100, 0) == SM_E_ARGUMENT);
     damaged.bytes[damaged.length - 1] ^= 1;
-    CHECK(!sends(&d, &damaged) && smvm_store_activate(&d.store, 7) == SM_E_HANDLE);
+    CHECK(!sends(&d, &damaged) && smvm_store_activate(&d.store, 7, 0) == SM_E_HANDLE);
     CHECK(start(&d) == RUNS_OLD);
     CHECK(smvm_store_open(&s, d.store.nvm, &plan) == SM_E_SPACE);
     plan.slots = 3;
@@ -389,6 +407,7 @@ int main(int argc, char **argv)
     a_late_repetition_does_no_harm();
     steps_may_be_repeated();
     a_write_that_failed_ends_the_update();
+    a_period_goes_with_its_image();
     what_does_not_fit_is_refused();
     flipped_bits_are_noticed("eeprom");
     flipped_bits_are_noticed("flash");
