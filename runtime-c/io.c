@@ -34,7 +34,17 @@ static uint64_t unknown_cell(SmType type)
 
 // ---- one pin ----
 
-static SmResult read_pin(SmIo *io, uint16_t i) { return sm_pin_read(&io->pin[i], io->handle[i], &io->value[i]); }
+// The pin's element goes to `value`.
+static SmResult read_pin(SmIo *io, uint16_t i)
+{
+    SmF64 x;
+    const SmResult r = sm_pin_read(&io->pin[i], io->handle[i], &x);
+
+    if (r == SM_OK)
+        io->value[i] = sm_cell_from_f64(type_of(&io->pin[i]), x);
+    return r;
+}
+
 static SmResult write_pin(SmIo *io, uint16_t i, SmF64 x) { return sm_pin_write(&io->pin[i], io->handle[i], x); }
 
 static void close_pin(SmIo *io, uint16_t i)

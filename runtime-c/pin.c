@@ -43,7 +43,7 @@ SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x)
     return is_digital(p) ? pal_dio_write(dio, level_of(p, x)) : pal_aio_write(aio, to_millionths(p, x));
 }
 
-SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, uint64_t *cell)
+SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, SmF64 *x)
 {
     const PalDio dio = {handle};
     const PalAio aio = {handle};
@@ -52,7 +52,7 @@ SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, uint64_t *cell)
     SmResult r = is_digital(p) ? pal_dio_read(dio, &level) : pal_aio_read(aio, &millionths);
 
     if (r == SM_OK)
-        *cell = is_digital(p) ? level != is_inverted(p) : sm_cell_from_f64((SmType)p->type, to_element(p, millionths));
+        *x = is_digital(p) ? sm_from_i32(level != is_inverted(p)) : to_element(p, millionths);
     return r;
 }
 

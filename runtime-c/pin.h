@@ -31,8 +31,8 @@ typedef struct SmIoPin {
 
 // `handle` is the PAL's, one byte.  Results are those of pal/dio.h and pal/aio.h.
 SmResult sm_pin_open(const SmIoPin *p, uint8_t *handle);             // an output at its safe value
-SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, uint64_t *cell);        // the element's bits
-SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x);    // x: the element as a number
+SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, SmF64 *x);  // x: the element's number
+SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x);
 void sm_pin_close(const SmIoPin *p, uint8_t handle);                 // as it is
 
 #ifdef __cplusplus

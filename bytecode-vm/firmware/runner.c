@@ -71,31 +71,23 @@ static SmResult start_all(SmvmRunner *r)
 
 typedef enum Way { INPUTS, OUTPUTS, SAFE, OPEN, CLOSE } Way;
 
-static void store(const SmvmRunner *r, const SmIoPin *row, uint64_t cell)
-{
-    sm_cell_store((SmType)row->type, (uint8_t *)r->memory + row->offset, cell);
-}
-
-static SmF64 load(const SmvmRunner *r, const SmIoPin *row)
-{
-    return sm_cell_to_f64((SmType)row->type, sm_cell_load((SmType)row->type, (const uint8_t *)r->memory + row->offset));
-}
+static uint8_t *element_of(const SmvmRunner *r, const SmIoPin *row) { return (uint8_t *)r->memory + (uint16_t)row->offset; }
 
 static bool is_output(const SmIoPin *row) { return row->kind & 1; }
 
 static SmResult one_pin(SmvmRunner *r, const SmIoPin *row, uint8_t i, Way way)
 {
-    uint64_t cell;
+    SmF64 x;
 
     switch (way) {
     case INPUTS:
-        if (!is_output(row) && sm_pin_read(row, r->handle[i], &cell) == SM_OK)
-            store(r, row, cell);
+        if (!is_output(row) && sm_pin_read(row, r->handle[i], &x) == SM_OK)
+            sm_store((SmType)row->type, element_of(r, row), x);
         return SM_OK;
     case OUTPUTS:
-        return is_output(row) ? sm_pin_write(row, r->handle[i], load(r, row)) : SM_OK;
     case SAFE:
-        return is_output(row) ? sm_pin_write(row, r->handle[i], sm_from_bits(row->safe)) : SM_OK;
+        x = way == SAFE ? sm_from_bits(row->safe) : sm_load((SmType)row->type, element_of(r, row));
+        return is_output(row) ? sm_pin_write(row, r->handle[i], x) : SM_OK;
     case OPEN:
         return sm_pin_open(row, &r->handle[i]);
     case CLOSE:

@@ -93,7 +93,8 @@ static void put_image(Exchange *x, SmvmBytes image)
 
 static StoreState state_of(const Agent *a, uint8_t slot)
 {
-    uint32_t checksum, length;
+    uint32_t checksum;
+    SmvmAt length;
 
     if (slot != STORE_BUILT_IN)
         return smvm_store_state(a->store, slot, &checksum, &length);
@@ -129,8 +130,8 @@ static uint16_t session_of(const Exchange *x) { return (uint16_t)sm_link_get(x->
 static SmResult begin(Exchange *x)
 {
     const Agent *a = x->a;
-    const uint32_t length = sm_link_get(x->body + 2, 3);
-    const SmResult r = smvm_store_may_begin(a->store, length);
+    SmvmAt length;
+    const SmResult r = smvm_get_at(x->body + 2, &length) ? smvm_store_may_begin(a->store, length) : SM_E_SPACE;
 
     if (r != SM_OK)
         return r;                      // before a machine is stopped for nothing
@@ -145,7 +146,8 @@ static SmResult data(Exchange *x)
 {
     Store *s = x->a->store;
     const uint8_t n = (uint8_t)(x->n - DATA_HEAD);
-    const SmResult r = smvm_store_write(s, session_of(x), sm_link_get(x->body + 2, 3), x->body + DATA_HEAD, n);
+    SmvmAt at;
+    const SmResult r = smvm_get_at(x->body + 2, &at) ? smvm_store_write(s, session_of(x), at, x->body + DATA_HEAD, n) : SM_E_ARGUMENT;
 
     put(x, s->next, 3);
     return r;
@@ -181,13 +183,14 @@ static SmResult read(Exchange *x)
 {
     const Agent *a = x->a;
     const uint8_t slot = x->body[0], n = x->body[4];
-    const uint32_t at = sm_link_get(x->body + 1, 3), size = slot == STORE_BUILT_IN ? a->board->built_in_size : a->store->slot_size;
+    const SmvmAt size = slot == STORE_BUILT_IN ? (SmvmAt)a->board->built_in_size : a->store->slot_size;
+    SmvmAt at;
 
     if (!is_slot(a, slot))
         return SM_E_MISSING;
-    if (n > a->body - 1 || at > size || n > size - at)
+    if (!smvm_get_at(x->body + 1, &at) || n > a->body - 1 || at > size || n > size - at)
         return SM_E_ARGUMENT;
-    put_bytes(x, image_of(a, slot), (SmvmAt)at, n);
+    put_bytes(x, image_of(a, slot), at, n);
     return SM_OK;
 }
 

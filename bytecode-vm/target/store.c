@@ -17,6 +17,12 @@ typedef char store_choice_is_a_record[sizeof(StoreChoice) == STORE_RECORD ? 1 : 
 static uint32_t get32(const uint8_t *at) { return sm_link_get(at, 4); }
 static void put32(uint8_t *at, uint32_t value) { sm_link_put(at, value, 4); }
 
+bool smvm_get_at(const uint8_t *field, SmvmAt *at)
+{
+    *at = (SmvmAt)sm_link_get(field, sizeof *at < 3 ? 2 : 3);
+    return sizeof *at > 2 || field[2] == 0;
+}
+
 static bool is_choice(uint8_t slot, const Store *s) { return slot < s->plan.slots || slot == STORE_BUILT_IN; }
 
 static bool is_record(const Store *s, const StoreChoice *c)
@@ -119,7 +125,7 @@ SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan)
 // ---- what slots hold ----
 
 // The checksum and length that the image in a slot says it has.  False: it says nothing that could be.
-static bool read_header(const Store *s, uint8_t slot, uint32_t *checksum, uint32_t *length)
+static bool read_header(const Store *s, uint8_t slot, uint32_t *checksum, SmvmAt *length)
 {
     uint8_t head[HEADER];
 
@@ -127,8 +133,7 @@ static bool read_header(const Store *s, uint8_t slot, uint32_t *checksum, uint32
         head[0] != 's' || head[1] != 'm' || head[2] != 'b')
         return false;
     *checksum = get32(head + SMVM_CRC_AT);
-    *length = sm_link_get(head + SMVM_LENGTH_AT, 3);
-    return *length >= HEADER && *length <= s->slot_size;
+    return smvm_get_at(head + SMVM_LENGTH_AT, length) && *length >= HEADER && *length <= s->slot_size;
 }
 
 // Of an image that the verifier accepts; without a key every one is.  A checksum can be forged, so this is asked at each start too.
@@ -138,7 +143,7 @@ static bool is_authentic(const Store *s, uint8_t slot, uint32_t *number)
     return !s->is_authentic || s->is_authentic(s->plan.image[slot], number);
 }
 
-static bool is_whole(const Store *s, uint8_t slot, uint32_t *checksum, uint32_t *length)
+static bool is_whole(const Store *s, uint8_t slot, uint32_t *checksum, SmvmAt *length)
 {
     SmvmVerdict why;
     uint32_t number;
@@ -149,14 +154,16 @@ static bool is_whole(const Store *s, uint8_t slot, uint32_t *checksum, uint32_t 
 
 static bool holds(const Store *s, uint8_t slot, uint32_t wanted)
 {
-    uint32_t checksum, length;
+    uint32_t checksum;
+    SmvmAt length;
 
     return is_whole(s, slot, &checksum, &length) && checksum == wanted;
 }
 
-StoreState smvm_store_state(const Store *s, uint8_t slot, uint32_t *checksum, uint32_t *length)
+StoreState smvm_store_state(const Store *s, uint8_t slot, uint32_t *checksum, SmvmAt *length)
 {
-    *checksum = *length = 0;
+    *checksum = 0;
+    *length = 0;
     if (!is_whole(s, slot, checksum, length))
         return STORE_EMPTY;
     if (slot != s->now.active || *checksum != get32(s->now.checksum))
@@ -233,12 +240,12 @@ static bool find_target(const Store *s, uint8_t *target)
     return false;
 }
 
-SmResult smvm_store_may_begin(const Store *s, uint32_t length)
+SmResult smvm_store_may_begin(const Store *s, SmvmAt length)
 {
     return length < HEADER ? SM_E_ARGUMENT : length > s->slot_size ? SM_E_SPACE : on_trial(s) ? SM_E_BUSY : SM_OK;
 }
 
-SmResult smvm_store_begin(Store *s, uint16_t session, uint32_t length, uint32_t checksum)
+SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t checksum)
 {
     SmResult r;
 
@@ -251,7 +258,7 @@ SmResult smvm_store_begin(Store *s, uint16_t session, uint32_t length, uint32_t 
     s->session = 0;
     if (!find_target(s, &s->target))
         return SM_E_BUSY;
-    s->length = (SmvmAt)length;
+    s->length = length;
     s->checksum = checksum;
     s->next = 0;
     s->whole = false;
@@ -283,7 +290,7 @@ static SmResult write_padded(const Store *s, SmvmAt place, const uint8_t *bytes,
         return r;
     memset(last, s->blank, sizeof last);
     memcpy(last, bytes + whole, rest);
-    return pal_nvm_write(s->nvm, (uint32_t)place + whole, last, s->write);
+    return pal_nvm_write(s->nvm, (SmvmAt)(place + whole), last, s->write);
 }
 
 // Whether n bytes at `at`, which is not beyond s->next, go on from what there is or lie within it, in whole units but at the
@@ -297,15 +304,15 @@ static bool is_part(const Store *s, SmvmAt at, uint8_t n)
            (at == s->next || n <= s->next - at);
 }
 
-SmResult smvm_store_write(Store *s, uint16_t session, uint32_t at, const uint8_t *bytes, uint8_t n)
+SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *bytes, uint8_t n)
 {
     const bool again = at < s->next;
-    const SmvmAt place = (SmvmAt)(s->slot_at[s->target] + (SmvmAt)at);
+    const SmvmAt place = (SmvmAt)(s->slot_at[s->target] + at);
     bool there;
 
     if (session == 0 || session != s->session)
         return SM_E_HANDLE;
-    if (at > s->next || !is_part(s, (SmvmAt)at, n))
+    if (at > s->next || !is_part(s, at, n))
         return SM_E_ARGUMENT;
     there = (again || !s->erase) && is_there(s, place, bytes, n);
     if (again)
@@ -333,7 +340,8 @@ static SmResult judge(const Store *s)
 
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
 {
-    uint32_t checksum, length;
+    uint32_t checksum;
+    SmvmAt length;
     SmResult r;
 
     memset(why, 0, sizeof *why);
@@ -419,7 +427,8 @@ static SmResult forget(Store *s, uint8_t slot)
 
 SmResult smvm_store_erase(Store *s, uint32_t checksum)
 {
-    uint32_t there, length;
+    uint32_t there;
+    SmvmAt length;
     SmResult r = SM_E_MISSING;
 
     s->session = 0;

@@ -89,15 +89,15 @@ void smvm_store_leave(Store *s);
 
 // Whether an update may begin once a slot is free (with one slot: left).  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen
 // image is on trial.
-SmResult smvm_store_may_begin(const Store *s, uint32_t length);
+SmResult smvm_store_may_begin(const Store *s, SmvmAt length);
 
 // SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is on trial, it is to be confirmed or erased first; or every slot is
 // chosen or running.
-SmResult smvm_store_begin(Store *s, uint16_t session, uint32_t length, uint32_t checksum);
+SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t checksum);
 
 // n bytes from place `at` on, which is s->next or, of what was written before, less; a multiple of s->write, and so is n but at the
 // end.  SM_E_HANDLE: no such session.  SM_E_ARGUMENT: not the next bytes, and not the same as before.
-SmResult smvm_store_write(Store *s, uint16_t session, uint32_t at, const uint8_t *bytes, uint8_t n);
+SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *bytes, uint8_t n);
 
 // Reads it back and verifies it where it lies.  SM_E_DEVICE: it is not what was sent.  SM_E_ARGUMENT: the verifier refuses it, *why
 // says.  SM_E_UNSIGNED: its code is wrong, or it has none.  SM_E_REPLAY: it is not newer than one that was confirmed.
@@ -118,11 +118,14 @@ SmResult smvm_store_erase(Store *s, uint32_t checksum);
 
 // ---- what there is ----
 
+// A place or length of three bytes; false: it is beyond any image here.
+bool smvm_get_at(const uint8_t *field, SmvmAt *at);
+
 typedef enum StoreState { STORE_EMPTY, STORE_WHOLE, STORE_TRIAL, STORE_CONFIRMED } StoreState;
 
 uint16_t smvm_store_period(const Store *s, uint8_t slot);      // 0 where nobody has said
 
-StoreState smvm_store_state(const Store *s, uint8_t slot, uint32_t *checksum, uint32_t *length);
+StoreState smvm_store_state(const Store *s, uint8_t slot, uint32_t *checksum, SmvmAt *length);
 
 #ifdef __cplusplus
 }
