@@ -75,7 +75,7 @@ static uint8_t *element_of(const SmvmRunner *r, const SmIoPin *row) { return (ui
 
 static bool is_output(const SmIoPin *row) { return row->kind & 1; }
 
-static SmResult one_pin(SmvmRunner *r, const SmIoPin *row, uint8_t i, Way way)
+SMVM_APART static SmResult one_pin(SmvmRunner *r, const SmIoPin *row, uint8_t i, Way way)
 {
     SmF64 x;
 
