@@ -32,7 +32,7 @@
 
 enum {
     HERTZ = 16000000, BAUD = 115200, BYTE = HERTZ / BAUD * 10, EEPROM_US = 3400, QUEUE = 4096,
-    EECR = 0x3F, EEDR = 0x40, EEARL = 0x41, EEARH = 0x42, EERE = 1, EEPE = 2, EEMPE = 4, GPIOR0 = 0x3E, ARM_PIN = 7
+    EECR = 0x3F, EEDR = 0x40, EEARL = 0x41, EEARH = 0x42, EERE = 1, EEPE = 2, EEMPE = 4, GPIOR0 = 0x3E, ARM_PIN = 7, PAINT = 0xA5
 };
 
 static avr_t *avr;
@@ -261,6 +261,25 @@ static void on_step(struct avr_t *a, avr_io_addr_t address, uint8_t value, void 
     (void)param;
 }
 
+// ---- the stack ----
+
+static unsigned stack_from;           // what is static ends before it
+
+static void paint(const elf_firmware_t *f)
+{
+    stack_from = (avr->ramend > 0x8ff ? 0x200u : 0x100u) + f->datasize + f->bsssize + 16;
+    memset(avr->data + stack_from, PAINT, avr->ramend + 1u - stack_from);
+}
+
+static unsigned deepest(void)
+{
+    unsigned i = stack_from;
+
+    while (avr->data[i] == PAINT)
+        i++;
+    return avr->ramend + 1u - i;
+}
+
 static void on_end(int number) { (void)number, ended = 1; }
 
 static bool start(const char *elf, const char *mcu)
@@ -275,6 +294,7 @@ static bool start(const char *elf, const char *mcu)
     avr_init(avr);
     firmware.frequency = HERTZ;
     avr_load_firmware(avr, &firmware);
+    paint(&firmware);
     avr->vcc = avr->avcc = avr->aref = 5000;
     avr->sleep = nap;
     avr_ioctl(avr, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
@@ -302,9 +322,10 @@ int main(int argc, char **argv)
         return fprintf(stderr, "the board cannot be run\n"), 3;
     while (!ended && state != cpu_Done && state != cpu_Crashed)
         state = avr_run(avr);
-    printf("%.3f s, %llu steps, %llu cycles on average, %llu at most, %lu bytes of EEPROM written\n",
+    printf("%.3f s, %llu steps, %llu cycles on average, %llu at most, %lu bytes of EEPROM written, "
+           "%u bytes of stack, %u free\n",
            (double)avr->cycle / HERTZ, (unsigned long long)seen.steps, (unsigned long long)(seen.steps ? seen.sum / seen.steps : 0),
-           (unsigned long long)seen.most, seen.written);
+           (unsigned long long)seen.most, seen.written, deepest(), avr->ramend + 1u - stack_from - deepest());
     if (plant)
         plant->report();
     if (seen.read_early > 0 || state == cpu_Crashed)
