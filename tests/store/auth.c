@@ -136,7 +136,7 @@ static bool runs_number(Board *b, uint32_t number, bool confirm)
 {
     const Image s = signed_with(our_key, number % 2 ? &old_image : &new_image, number);
 
-    return send(b, &s) == SM_OK && smvm_store_activate(&b->store, 7) == SM_OK && restarts(b) && b->slot != STORE_BUILT_IN &&
+    return send(b, &s) == SM_OK && smvm_store_activate(&b->store, 7, 0) == SM_OK && restarts(b) && b->slot != STORE_BUILT_IN &&
            (!confirm || smvm_store_confirm(&b->store, checksum_of(&s)) == SM_OK);
 }
 
@@ -153,11 +153,11 @@ static void what_is_not_signed_is_refused(uint8_t slots)
     Board b;
 
     board_with_key(&b, "eeprom", slots);
-    CHECK(send(&b, &new_image) == SM_E_UNSIGNED && smvm_store_activate(&b.store, 7) == SM_E_HANDLE);
-    CHECK(send(&b, &theirs) == SM_E_UNSIGNED && smvm_store_activate(&b.store, 7) == SM_E_HANDLE);
+    CHECK(send(&b, &new_image) == SM_E_UNSIGNED && smvm_store_activate(&b.store, 7, 0) == SM_E_HANDLE);
+    CHECK(send(&b, &theirs) == SM_E_UNSIGNED && smvm_store_activate(&b.store, 7, 0) == SM_E_HANDLE);
     CHECK(restarts(&b) && b.slot == STORE_BUILT_IN);
     CHECK(runs_number(&b, 7, true) && newest(&b) == 7);
-    CHECK(send(&b, &theirs) == SM_E_UNSIGNED && smvm_store_activate(&b.store, 7) == SM_E_HANDLE);
+    CHECK(send(&b, &theirs) == SM_E_UNSIGNED && smvm_store_activate(&b.store, 7, 0) == SM_E_HANDLE);
     CHECK(restarts(&b) && (b.slot != STORE_BUILT_IN) == (slots == 2));
 }
 
@@ -168,7 +168,7 @@ static void no_number_comes_back(uint8_t slots)
     board_with_key(&b, "flash", slots);
     CHECK(send_number(&b, 0) == SM_E_REPLAY);
     CHECK(runs_number(&b, 5, true) && newest(&b) == 5);
-    CHECK(send_number(&b, 4) == SM_E_REPLAY && smvm_store_activate(&b.store, 7) == SM_E_HANDLE);
+    CHECK(send_number(&b, 4) == SM_E_REPLAY && smvm_store_activate(&b.store, 7, 0) == SM_E_HANDLE);
     CHECK(send_number(&b, 5) == SM_E_REPLAY);
     CHECK(runs_number(&b, 9, false) && newest(&b) == 5);
     for (int i = 0; i < STORE_TRIES; i++)
@@ -183,7 +183,7 @@ static void what_was_put_there_does_not_run(void)
 {
     Board b;
 
-    CHECK(board_new(&b, "eeprom", 2) && send(&b, &new_image) == SM_OK && smvm_store_activate(&b.store, 7) == SM_OK);
+    CHECK(board_new(&b, "eeprom", 2) && send(&b, &new_image) == SM_OK && smvm_store_activate(&b.store, 7, 0) == SM_OK);
     CHECK(restarts(&b) && b.slot == 0 && smvm_store_confirm(&b.store, checksum_of(&new_image)) == SM_OK);
     b.is_authentic = is_ours;
     CHECK(restarts(&b) && b.slot == STORE_BUILT_IN);
