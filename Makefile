@@ -192,6 +192,7 @@ $(B)/corpus/image: $(B)/unit/vm_mutate
 	@mkdir -p $@
 	@$(B)/unit/vm_mutate 1 1 $@ >$(B)/vm_mutate.log 2>&1
 check: $(B)/fuzz/image $(B)/corpus/image
+$(B)/fuzz/image $(B)/fuzz-cov/image: compiler/device/sign.c
 $(B)/fuzz-cov/image: | $(B)/corpus/image
 CHECK_LINES += "fuzz-image: $(B)/fuzz/image -n 20000 $(B)/corpus/image/*.smb"
 

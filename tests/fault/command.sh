@@ -26,7 +26,7 @@ delta_t 1
 [A]
 true: @stop
 END
-"$smc" build "$dir/at/tank.sm" -g -o "$dir/at/image.smb" || exit 1
+"$smc" build "$dir/at/tank.sm" -g -o "$dir/at/image.smb" && "$smc" key "$dir/at/image.key" || exit 1
 
 complain() {
     failed=$((failed + 1))
@@ -95,7 +95,7 @@ try() {
     shift
     command=$*
     case $command in *"$CASE"*) ;; *) return ;; esac
-    inputs="tank.sm tank.ss cases image.smb"
+    inputs="tank.sm tank.ss cases image.smb image.key"
     clean_outputs
     run ""
     code=$?
@@ -131,6 +131,7 @@ try "" build - -o -
 try "" check tank.sm tank.ss
 try "" disasm image.smb
 try "" verify image.smb
+try "out.smb" sign image.smb --key=image.key --number=7 -o out.smb
 try "" test tank.sm tank.ss
 try "out.trace out.xml" test tank.sm tank.ss --engine=all --trace=out.trace --junit=out.xml
 try "" test cases --engine=vm

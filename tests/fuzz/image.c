@@ -1,7 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as an image, once as they are and once with their length and checksum put right.
+// Any bytes as an image, once as they are and once with their length and checksum put right.  One that is accepted can be signed, and
+// is accepted then.
+#include "compiler/device/sign.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/unit/vm_hammer.h"
+
+static void sign(const uint8_t *image, uint32_t size)
+{
+    static const uint8_t key[SMVM_KEY] = "fuzz";
+    uint8_t *out;
+    uint32_t length, number;
+    SmvmVerdict why;
+
+    if (smvm_verify(image, size, &why) != 0)
+        return;
+    size = smvm_u24(image, SMVM_LENGTH_AT);
+    out = malloc(size + SIGN_ROOM);
+    length = image_sign(image, size, key, 7, out);
+    if (length != 0 && (smvm_verify(out, length, &why) != 0 || !smvm_auth_check(out, key, &number) || number != 7))
+        abort();
+    free(out);
+}
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
@@ -21,6 +40,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     copy[10] = (uint8_t)(size >> 16);
     fix_crc(copy);
     hammer(copy, (uint32_t)size, 1000, seed);
+    sign(copy, (uint32_t)size);
     free(copy);
     return 0;
 }
