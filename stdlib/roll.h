@@ -465,6 +465,12 @@ SM_ROLL_INLINE SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint32_t kind)
 }
 //: end
 
+#ifndef SM_ROLL_NONE
+// 1: a VM without windows, for chips that have no room for them: its verifier refuses images that have any.  The same for all that is
+// compiled together.  Emitted C has windows all the same.
+#define SM_ROLL_NONE 0
+#endif
+
 // The kind of a window over samples of a type; stats has the bit 1u << SmStat of each statistic that will be asked for.
 static inline uint32_t sm_roll_kind(SmType type, uint32_t stats)
 {
@@ -473,7 +479,7 @@ static inline uint32_t sm_roll_kind(SmType type, uint32_t stats)
 
 static inline bool sm_roll_is_kind(uint32_t kind)
 {
-    return kind >> 4 >> SM_STAT_COUNT == 0 && (0x777u >> (kind & SM_ROLL_TYPE) & 1u) != 0;
+    return !SM_ROLL_NONE && kind >> 4 >> SM_STAT_COUNT == 0 && (0x777u >> (kind & SM_ROLL_TYPE) & 1u) != 0;
 }
 
 // How many words of memory a window needs.  n is at most SM_WINDOW_MAX.
@@ -519,7 +525,15 @@ SM_ROLL_INLINE void sm_roll_take(uint64_t *w, uint32_t n, uint32_t kind, int64_t
     sm_roll_combine(w, n, kind);
 }
 
-#if SM_ROLL_SMALL
+#if SM_ROLL_NONE
+static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { (void)w; (void)n; (void)kind; (void)x; }
+
+static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
+{
+    (void)w; (void)n; (void)kind; (void)stat;
+    return sm_from_i32(0);
+}
+#elif SM_ROLL_SMALL
 // A window as roll_small.h sees it.
 SM_ROLL_APART void sm_roll_small(SmRollSmall *s, const uint64_t *w, size_t n, uint16_t kind)
 {

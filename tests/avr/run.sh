@@ -71,7 +71,10 @@ while [ $program -lt $((SEED + PROGRAMS)) ]; do
     rm -rf "$B/program"
     program=$((program + 1))
 done
-echo "VM and verifier with soft binary64: $(avr-size "$B/vm.elf" | awk 'NR == 2 { print $1 - 1024 }') bytes of flash"
+size_of() { avr-size "$B/$1.elf" | awk 'NR == 2 { print $1 - 1024 }'; }          # without the room for an image
+avr vm_none -DSM_ROLL_NONE=1 -DSMVM_CONFIG='"tests/avr/vm_config.h"' tests/avr/vm.c bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/verify.c bytecode-vm/interp.c $SOFT || exit 1
+echo "VM and verifier with soft binary64: $(size_of vm) bytes of flash, $(size_of vm_none) without windows"
+count test $(($(size_of vm) - $(size_of vm_none))) -ge 1900
 count "$B/run_vm" "$B/vm.elf" 500 700 820 "$B/tank.smb"                # in its band: never Abort
 count "$B/run_vm" "$B/vm.elf" 200 0 0 "$B"/images/*.smb >"$B/vm.txt"
 tail -1 "$B/vm.txt"
