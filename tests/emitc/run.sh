@@ -120,6 +120,9 @@ matrix() {
         if [ "$machine" = "$here/machines/arithmetic.sm" ]; then
             compile_machine every_compiler arithmetic0 -O0 "$machine"
             compile_machine every_compiler arithmetic1 --track-stores "$machine"
+            compile_machine every_compiler arithmetic4 --soft --track-stores "$machine"
+            every_compiler compile_one sm_soft
+            strict="$strict -I$root -DSM_F64_SOFT=1" compile_machine every_compiler arithmetic5 --soft --runtime "$machine"
             strict="$strict -I$root" compile_machine every_compiler arithmetic2 --runtime "$machine"
             strict="$strict -I$root" compile_machine every_compiler arithmetic3 --runtime --track-stores "$machine"
         fi
@@ -205,12 +208,25 @@ build_and_run() {   # PROGRAM SOURCES COMPILER
     fi
 }
 
+# With numbers in software: the reference's bits, and no arithmetic on floats is left to refuse.
+soft_machine() {    # COMPILER
+    for machine in arithmetic integers names; do
+        rm -f "$dir/log"
+        if CC=$1 "$smc" test "$here/machines/$machine.sm" "$here/machines/$machine.ss" --engine=ref,c-soft >"$dir/out" 2>"$dir/log"; then
+            pass
+        else
+            fail "$machine: --soft, $1"
+        fi
+    done
+}
+
 use() {
     for m in valve pump; do
         "$smc" build -w "$here/machines/$m.sm" --sv "$here/machines/bus.sv" --emit=c --track-stores -o "$dir/$m.c" >"$dir/log" 2>&1
     done
     "$smc" build "$here/machines/bus.sv" --emit=c -o "$dir/bus.c" >"$dir/log" 2>&1
     "$smc" build -w "$here/machines/arithmetic.sm" --emit=c -o "$dir/arithmetic.c" >"$dir/log" 2>&1
+    every_compiler soft_machine
     every_compiler build_and_run two_machines "$here/two_machines.c $dir/valve.c $dir/pump.c $dir/bus.c"
     for compiler in gcc clang-19; do
         if present $compiler; then
