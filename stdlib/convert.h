@@ -120,23 +120,26 @@ static inline int64_t sm_count_i64(int64_t v, int64_t n)
         return v + n;
     return sm_to_i64(sm_add(sm_from_i64(v), sm_from_i64(n)));
 }
-//: sm_read_f32
-static inline SmF64 sm_read_f32(float v)
-{
-    const SmF64 x = sm_from_f32(v);
-    return sm_is_nan(x) ? sm_from_i32(0) : x;
-}
 //: sm_read_f64
 static inline SmF64 sm_read_f64(SmF64 x)
 {
     return sm_is_nan(x) ? sm_from_i32(0) : x;
 }
-//: sm_no_nan_f32
+//: end
+#if !SM_F64_SOFT
+//: sm_read_f32 double
+static inline SmF64 sm_read_f32(float v)
+{
+    const SmF64 x = sm_from_f32(v);
+    return sm_is_nan(x) ? sm_from_i32(0) : x;
+}
+//: sm_no_nan_f32 double
 static inline float sm_no_nan_f32(float v)
 {
     return sm_is_nan(sm_from_f32(v)) ? 0.0f : v;
 }
 //: end
+#endif
 
 static inline SmF64 sm_from_i8(int8_t v) { return sm_from_i32(v); }
 static inline SmF64 sm_from_i16(int16_t v) { return sm_from_i32(v); }

@@ -52,4 +52,13 @@ static inline uint16_t sm_to_u16(SmF64 x) { return (uint16_t)sm_to_within(x, 0, 
 static inline uint8_t sm_to_u8(SmF64 x) { return (uint8_t)sm_to_within(x, 0, UINT8_MAX); }
 static inline bool sm_to_bool(SmF64 x) { return sm_soft_truth(x.bits); }
 
+// What it says of reading one.
+static inline float sm_no_nan_f32(float v)
+{
+    uint32_t u;
+    memcpy(&u, &v, sizeof u);
+    return (u & 0x7FFFFFFFu) > 0x7F800000u ? 0.0f : v;
+}
+static inline SmF64 sm_read_f32(float v) { return sm_from_f32(sm_no_nan_f32(v)); }
+
 #endif

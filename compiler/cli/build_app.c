@@ -53,6 +53,7 @@ static EmitCOptions options(AppBuild *b, const char *stem, const char *ending)
     e.header = plus(b, stem, ".h");
     e.source = plus(b, stem, ending);
     e.runtime = true;
+    e.soft = b->c->given[OPT_SOFT];
     return e;
 }
 

@@ -208,6 +208,7 @@ void put_soft_library(Buf *out)
 {
     buf_str(out, "#define SM_F64_SOFT 1\n");
     put_lines(soft_header, out);
+    put_lines(soft_cells, out);
     put_lines(soft_code, out);
 }
 
@@ -223,6 +224,7 @@ void emit_c_soft_library(Buf *header, Buf *code, Buf *assembly)
     buf_str(header, "#ifndef SM_F64_SOFT\n#define SM_F64_SOFT 1\n#endif\n");
     put_lines(soft_header, header);
     buf_str(header, "#endif\n");
+    put_lines(soft_cells, header);
     put_file_title("portable C", code);
     buf_str(code, "#include \"sm_soft.h\"\n\n");
     put_lines(soft_code, code);
