@@ -59,6 +59,7 @@ parts()     # TARGET
     part "$1" link runtime-c/link/link.c
     part "$1" store bytecode-vm/target/store.c
     part "$1" agent bytecode-vm/target/agent.c
+    part "$1" auth bytecode-vm/auth.c
 }
 
 # ---- an Uno's chip ----
