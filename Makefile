@@ -662,8 +662,9 @@ bench-machine: $(BENCH_MACHINE) $(FLIGHTS)/flight.smb
 # `make arduino`: the library, for the Arduino IDE, arduino-cli and PlatformIO, in $(B)/arduino/smc, and as a .zip where there is zip.
 PROJECT_URL      ?= https://example.org/smc
 ARDUINO           = $(B)/arduino/smc
-ARDUINO_SOURCES   = $(STDLIB) $(wildcard stdlib/*.S) $(filter-out %/disasm.c %/debug.c %/decode.c %/fast.c,$(VM))
-ARDUINO_INPUTS    = $(wildcard arduino/* arduino/examples/*/* stdlib/* bytecode-vm/*.[ch]) docs/arduino.md compiler/version.h
+ARDUINO_SOURCES   = $(sort $(STDLIB) $(filter-out %/disasm.c %/debug.c %/decode.c %/fast.c,$(VM)) $(FIRMWARE_SRC))
+ARDUINO_INPUTS    = $(wildcard arduino/* arduino/examples/*/* stdlib/* bytecode-vm/*.* bytecode-vm/firmware/* bytecode-vm/target/* runtime-c/*.* \
+                      runtime-c/link/* runtime-c/pal/* runtime-c/psl/avr/*) docs/arduino.md compiler/version.h
 arduino: $(ARDUINO)/library.properties
 $(ARDUINO)/library.properties: $(ARDUINO_INPUTS) $(B)/smc
 	$(call say,ARDUINO)sh arduino/make.sh $(B)/smc $(ARDUINO) '$(VERSION)' '$(PROJECT_URL)' $(ARDUINO_SOURCES)

@@ -11,7 +11,7 @@ mkdir -p "$out/src" || exit 1
 for f in library.properties library.json; do
     sed -e "s|@VERSION@|$version|" -e "s|@URL@|$url|" "$here/$f" >"$out/$f" || exit 1
 done
-cp "$here/keywords.txt" LICENSE "$out" && cp docs/arduino.md "$out/README.md" && cp "$here/smc.h" "$out/src" || exit 1
+cp "$here/keywords.txt" LICENSE "$out" && cp docs/arduino.md "$out/README.md" && cp "$here/smc.h" "$here/smc_config.h" "$out/src" || exit 1
 
 # take FILE…: into src, with what they include by its path from the root
 take() {
@@ -23,12 +23,19 @@ take() {
         shift
     done
 }
-take "$@" $(sed -n 's|^#include "\(.*/.*\)".*|\1|p' "$here/smc.h")
+take "$@" $(sed -n 's|^#include "\(.*/.*\)".*|\1|p' "$here/smc.h" "$here/smc_config.h")
+
+# The image that is built into the firmware.
+safe=bytecode-vm/firmware/safe
+"$smc" build -w $safe.sm --sv $safe.sv --io $safe.io -o "$out/safe.smb" || exit 1
+od -An -v -tx1 "$out/safe.smb" | sed 's/ \(..\)/0x\1,/g' >"$out/src/safe_image.inc"
+rm "$out/safe.smb"
 
 # What sketches run: logic of this tree, made into what each of them includes.  A sketch that has the VM takes the C's headers alone.
-for sketch in "$here"/examples/*/; do
+mkdir "$out/examples" && cp -r "$here/examples/Firmware" "$out/examples" || exit 1
+for sketch in "$here"/examples/Tank*/; do
     to=$out/examples/$(basename "$sketch")
-    mkdir -p "$to" && cp "$sketch"* examples/tank/tank.sm "$to" && "$smc" build "$to/tank.sm" --emit=c --soft -o "$to/tank.c" || exit 1
+    mkdir "$to" && cp "$sketch"* examples/tank/tank.sm "$to" && "$smc" build "$to/tank.sm" --emit=c --soft -o "$to/tank.c" || exit 1
 done
 rm "$out/examples/TankImage/"*.[cS]
 "$smc" build "$out/examples/TankImage/tank.sm" --emit=array -o "$out/examples/TankImage/tank_image.h" || exit 1

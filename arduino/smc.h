@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sketch includes: the VM that runs images (bytecode-vm/smvm.h says how) and the numbers of the language (stdlib/std.h).
+// What a sketch includes: the VM that runs images (bytecode-vm/smvm.h says how), the numbers of the language (stdlib/std.h), and the generic
+// firmware as a function (smvm_firmware, on Uno and Mega).
 #ifndef SMC_H
 #define SMC_H
 
@@ -9,6 +10,7 @@
 #error "include <smc.h> before the header of a machine: the numbers of the library are this board's own"
 #endif
 
+#include "bytecode-vm/firmware/firmware.h"
 #include "bytecode-vm/smvm.h"
 #include "stdlib/std.h"
 

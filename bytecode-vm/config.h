@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a target may decide about the VM.  Define SMVM_CONFIG as the name of a header ("my_vm_config.h") that defines any
-// of these; the rest is as below.
+// of these, or have a header "smc_config.h" on the path; the rest is as below.
 #ifndef SMVM_CONFIG_H
 #define SMVM_CONFIG_H
 
 #include <stddef.h>
 #include <stdint.h>
 
+#if !defined(SMVM_CONFIG) && defined(__has_include)
+#if __has_include("smc_config.h")
+#define SMVM_CONFIG "smc_config.h"
+#endif
+#endif
 #ifdef SMVM_CONFIG
 #include SMVM_CONFIG
 #elif defined(__AVR__)              // images in flash

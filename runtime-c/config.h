@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sizes of the runtime's static tables.  Define SM_CONFIG as the name of a header ("my_config.h") that defines any of
-// these; the rest is as below.  Nothing of the runtime grows while it runs: what does not fit is refused at start.
+// these, or have a header "smc_config.h" on the path; the rest is as below.  Nothing of the runtime grows while it runs: what does not fit is refused at start.
 #ifndef SM_CONFIG_H
 #define SM_CONFIG_H
 
+#if !defined(SM_CONFIG) && defined(__has_include)
+#if __has_include("smc_config.h")
+#define SM_CONFIG "smc_config.h"
+#endif
+#endif
 #ifdef SM_CONFIG
 #include SM_CONFIG
 #endif

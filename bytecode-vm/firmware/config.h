@@ -6,7 +6,14 @@
 #include <stdint.h>
 
 #define FIRMWARE_EEPROM 0x8000u
-uint8_t smvm_firmware_byte(uint16_t at);
+#ifdef __AVR__
+#include <avr/eeprom.h>
+#include <avr/pgmspace.h>
+static inline uint8_t smvm_firmware_byte(uint16_t at)
+{
+    return at < FIRMWARE_EEPROM ? pgm_read_byte(at) : eeprom_read_byte((const uint8_t *)(at - FIRMWARE_EEPROM));
+}
+#endif
 
 #define SMVM_BYTES uint16_t
 #define SMVM_FETCH(image, at) smvm_firmware_byte((uint16_t)((image) + (uint16_t)(at)))

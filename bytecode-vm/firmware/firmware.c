@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "bytecode-vm/auth.h"
+#include "bytecode-vm/firmware/firmware.h"
 #include "bytecode-vm/firmware/runner.h"
 #include "bytecode-vm/target/agent.h"
 #include "runtime-c/pal/dio.h"
@@ -13,7 +14,7 @@
 #include "runtime-c/pal/watchdog.h"
 #include "runtime-c/psl/avr/avr.h"
 
-#ifdef __AVR__
+#ifdef PSL_AVR
 #include <avr/pgmspace.h>
 #include <avr/sleep.h>
 
@@ -27,11 +28,6 @@ enum {
 static const uint8_t built_in[] PROGMEM = {
 #include "safe_image.inc"
 };
-
-uint8_t smvm_firmware_byte(uint16_t at)
-{
-    return at >= FIRMWARE_EEPROM ? avr_eeprom_read(at - FIRMWARE_EEPROM) : pgm_read_byte(at);
-}
 
 // ---- what runs ----
 
@@ -277,7 +273,7 @@ static bool serve(void)
     avr_restart();
 }
 
-int main(void)
+void smvm_firmware(void)
 {
     start();
     SMCR = 1 << SE;                        // idle; the clock wakes it, if nothing else does
@@ -287,5 +283,9 @@ int main(void)
             sleep_cpu();
     }
 }
+
+#ifndef ARDUINO                            // which has a main of its own, and a sketch
+int main(void) { smvm_firmware(); }
+#endif
 
 #endif

@@ -60,9 +60,9 @@ fi
 (cd "$library/.." && find smc -type f | LC_ALL=C sort) >"$dir/files"
 (cd "$library/src" && find . -type f | sed 's|^\./||' | LC_ALL=C sort) >"$dir/sources"
 while read -r f; do
-    check "src/$f is as it is in the tree" cmp "$library/src/$f" "$(test "$f" = smc.h && echo arduino/smc.h || echo "$f")"
+    test "$f" = safe_image.inc || check "src/$f is as it is in the tree" cmp "$library/src/$f" "$(test -f "$f" && echo "$f" || echo "arduino/$f")"
     case $f in
-    *.c | *.S | smc.h) ;;
+    *.c | *.S | smc.h | smc_config.h) ;;
     *) check "src/$f is used" grep -rqF "#include \"$f\"" "$library/src" ;;
     esac
 done <"$dir/sources"
@@ -113,6 +113,8 @@ board()     # NAME CC CXX FLAGS…
 }
 board "Cortex-M0+ (Zero)" arm-none-eabi-gcc arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb
 board "Cortex-M7 (Teensy 4, Giga)" arm-none-eabi-gcc arm-none-eabi-g++ -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard
+board "a Leonardo" avr-gcc avr-g++ -mmcu=atmega32u4 -DF_CPU=16000000UL
+board "a Digispark" avr-gcc avr-g++ -mmcu=attiny85 -DF_CPU=16000000UL
 if has riscv64-unknown-elf-gcc && echo '#include <string.h>' | riscv64-unknown-elf-gcc --specs=picolibc.specs -fsyntax-only -x c - 2>/dev/null; then
     check "the library for RV32 (ESP32-C3)" compiles riscv64-unknown-elf-gcc --specs=picolibc.specs -march=rv32imc -mabi=ilp32
 else
@@ -139,17 +141,20 @@ expect()
     values valveOpen | sed 's/true/1/; s/false/0/' | paste -d ' ' "$dir/pressure" "$dir/state" - >"$dir/$1.expected"
 }
 
-on_this_computer()
+library_here()
 {
     for f in $(cd "$src" && find . -name '*.c'); do
         $CC -std=gnu11 -O1 -I"$src" -c "$src/$f" -o "$dir/$(echo "$f" | tr / _).o" || return 1
     done
+    ar rcs "$dir/smc.a" "$dir"/._*.o
+}
+on_this_computer()
+{
     for f in "$examples/$1"/*.c; do
-        test ! -f "$f" || $CC -std=gnu11 -O1 -c "$f" -o "$dir/$1.c.o" || return 1
+        test ! -f "$f" || $CC -std=gnu11 -O1 -c "$f" -o "$dir/$1_$(basename "$f").o" || return 1
     done
-    objects=$(find "$dir" -name '._*.o' -o -name "$1.c.o")
-    $CXX -std=c++11 -O1 -I. -Itests/arduino -I"$src" -x c++ -include Arduino.h "$examples/$1/$1.ino" tests/arduino/host.cpp -x none $objects -o "$dir/$1" &&
-        "$dir/$1" >"$dir/$1.here" && cmp "$dir/$1.here" "$dir/$1.expected"
+    $CXX -std=c++11 -O1 -I. -Itests/arduino -I"$src" -x c++ -include Arduino.h "$examples/$1/$1.ino" tests/arduino/host.cpp -x none \
+        $(find "$dir" -name "$1_*.o") "$dir/smc.a" -o "$dir/$1" && "$dir/$1" >"$dir/$1.here" && cmp "$dir/$1.here" "$dir/$1.expected"
 }
 
 # arduino BOARD SKETCH: by the Arduino tools, without a warning of ours (gcc 5.4 finds variables uninitialized, when linking, that are not)
@@ -160,6 +165,7 @@ arduino()
         "$examples/$2/$2.ino" >"$dir/builder" 2>&1 && ! grep "$dir/libraries.*warning" "$dir/builder" | grep -v maybe-uninit && grep 'Sketch uses\|Global var' "$dir/builder"
 }
 
+sizes() { sed -n 's/Sketch uses \([0-9]*\).*/\1 bytes of flash,/p; s/Global variables use \([0-9]*\).*/\1 bytes of RAM/p' "$dir/builder" | paste -d ' ' - -; }
 emulated() { "$dir/board" "$1" "$dir/made/$2.ino.elf" >"$dir/$2.there" 2>"$dir/$2.stack" && cmp "$dir/$2.there" "$dir/$2.expected"; }
 
 emulates=0
@@ -185,11 +191,33 @@ example()   # SKETCH BOARD…
         mcu=$(case $board in uno) echo atmega328p ;; *) echo atmega2560 ;; esac)
         check "$sketch for $board builds" arduino "$(test $board = uno && echo uno || echo mega:cpu=atmega2560)" "$sketch"
         check "$sketch on $board" emulated $mcu "$sketch"
-        echo "$sketch on $board: $(sed -n 's/Sketch uses \([0-9]*\).*/\1 bytes of flash/p' "$dir/builder"), $(
-            sed -n 's/Global variables use \([0-9]*\).*/\1 bytes of RAM/p' "$dir/builder"), $(cat "$dir/$sketch.stack")"
+        echo "$sketch on $board: $(sizes), $(cat "$dir/$sketch.stack")"
     done
 }
+# The firmware as a sketch, on a Mega: takes an image over the line, and runs it.
+firmware()
+{
+    $CC -std=gnu99 -O1 -I. tests/avr/board.c tests/avr/plants.c -o "$dir/line" -lsimavr -lelf -lm &&
+        "$build/smc" build -w examples/tank/tank.sm --sv tests/avr/tank.sv --io tests/avr/tank.io -o "$dir/tank.smb" || return 1
+    FIRMWARE=$dir/made/Firmware.ino.elf MCU=atmega2560 PLANT=none SPEED=10 "$dir/line" - "$dir/eeprom" >"$dir/line.said" 2>&1 &
+    line=$!
+    for _ in 1 2 3 4 5 6 7 8 9; do [ -s "$dir/eeprom.line" ] || sleep 0.3; done
+    port=--port=$(cat "$dir/eeprom.line")
+    "$build/smc" flash "$dir/tank.smb" "$port" --confirm && "$build/smc" device list "$port" | grep -q confirmed
+    code=$?
+    kill $line
+    return $code
+}
+
+check "the library for this computer" library_here
 example TankC uno mega
 example TankImage uno mega
+if [ $emulates = 1 ]; then
+    rm -rf "$dir/made"
+    mkdir "$dir/made"
+    check "Firmware for mega builds" arduino mega:cpu=atmega2560 Firmware
+    echo "Firmware on mega: $(sizes)"
+    check "Firmware on mega" firmware
+fi
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ]

@@ -13,6 +13,7 @@ const unsigned long PERIOD = 10;      // milliseconds a step
 
 Tank tank;
 TankSv sv;                            // what the machine reads and writes
+unsigned long due;                    // when the next step begins
 
 void setup()
 {
@@ -23,11 +24,11 @@ void setup()
         while (true)
             ;
     }
+    due = millis();
 }
 
 void loop()
 {
-    static unsigned long due = 0;
     int pressure;
 
     if ((long)(millis() - due) < 0)

@@ -16,6 +16,7 @@ const unsigned long PERIOD = 10;      // milliseconds a step
 
 uint64_t memory[16];                  // of the machine; it says so if that is too little
 TankSv sv;                            // what the machine reads and writes
+unsigned long due;                    // when the next step begins
 
 // Why the machine does not start; 0: it does.
 int start()
@@ -44,11 +45,11 @@ void setup()
         while (true)
             ;
     }
+    due = millis();
 }
 
 void loop()
 {
-    static unsigned long due = 0;
     int pressure;
 
     if ((long)(millis() - due) < 0)

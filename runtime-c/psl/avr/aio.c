@@ -6,7 +6,7 @@
 #include "runtime-c/psl/avr/avr.h"
 #include "runtime-c/psl/avr/board.h"
 
-#ifdef __AVR__
+#ifdef PSL_AVR
 #include <util/atomic.h>
 
 enum { OUTPUT = 0x80, DDR = 1, PORT = 2, PWMS = sizeof avr_pwms / sizeof *avr_pwms };

@@ -9,7 +9,9 @@
 
 #include "stdlib/result.h"
 
-#ifdef __AVR__                         // elsewhere these files are there, and empty
+// The chips of Uno and Mega; elsewhere these files are there, and empty.  Another one is a table in board.h, too.
+#if defined(__AVR_ATmega328P__) || defined(__AVR_ATmega2560__)
+#define PSL_AVR
 #include <avr/interrupt.h>
 #include <avr/io.h>
 

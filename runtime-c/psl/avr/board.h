@@ -3,7 +3,7 @@
 #ifndef PSL_AVR_BOARD_H
 #define PSL_AVR_BOARD_H
 
-#ifdef __AVR__
+#ifdef PSL_AVR               // avr.h
 #include <avr/io.h>
 #include <avr/pgmspace.h>
 #include <stdint.h>
@@ -37,8 +37,6 @@ static const uint8_t avr_pins[AVR_PINS] PROGMEM = {
 static const AvrPwm avr_pwms[] PROGMEM = {
     AVR_PWM(2, 3, B), AVR_PWM(3, 3, C), AVR_PWM(5, 3, A), AVR_PWM(6, 4, A), AVR_PWM(7, 4, B), AVR_PWM(8, 4, C), AVR_PWM(9, 2, B),
     AVR_PWM(10, 2, A), AVR_PWM(11, 1, A), AVR_PWM(12, 1, B), AVR_PWM(44, 5, C), AVR_PWM(45, 5, B), AVR_PWM(46, 5, A)};
-#else
-#error "the AVR platform knows the ATmega328P (Uno) and the ATmega2560 (Mega): another one is a table here"
 #endif
 
 #endif

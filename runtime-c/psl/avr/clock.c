@@ -4,7 +4,7 @@
 
 #include "runtime-c/psl/avr/avr.h"
 
-#ifdef __AVR__
+#ifdef PSL_AVR
 #include <avr/sleep.h>
 #include <util/atomic.h>
 

@@ -5,7 +5,7 @@
 #include "runtime-c/psl/avr/avr.h"
 #include "runtime-c/psl/avr/board.h"
 
-#ifdef __AVR__
+#ifdef PSL_AVR
 #include <util/atomic.h>
 
 enum { DDR = 1, PORT = 2, LINE = 2 };          // registers behind PIN; pins 0 and 1 are the serial line's

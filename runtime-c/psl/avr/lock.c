@@ -5,7 +5,7 @@
 #include "runtime-c/psl/avr/avr.h"
 #include "runtime-c/psl/table.h"
 
-#ifdef __AVR__
+#ifdef PSL_AVR
 
 static bool used[PAL_LOCKS], held[PAL_LOCKS];
 static uint8_t depth, before;          // locks held; the interrupt flag before the first of them

@@ -6,7 +6,7 @@
 
 #include "runtime-c/psl/avr/avr.h"
 
-#ifdef __AVR__
+#ifdef PSL_AVR
 
 enum { SIZE = E2END + 1, BLANK = 0xff };
 #define SLOWEST (3400u * (uint64_t)PAL_MICROSECOND)

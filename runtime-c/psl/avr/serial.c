@@ -7,7 +7,7 @@
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/psl/avr/avr.h"
 
-#ifdef __AVR__
+#ifdef PSL_AVR
 #include <util/atomic.h>
 
 #ifndef AVR_SERIAL_RING
@@ -62,10 +62,10 @@ SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *se
     if (line.id != 1 || !open)
         return SM_E_HANDLE;
     for (; *sent < n; ++*sent) {
-        while ((UCSR0A & 1 << UDRE0) == 0)
-            ;
         UCSR0A = 1 << TXC0 | 1 << U2X0;
         UDR0 = *from++;
+        while ((UCSR0A & 1 << UDRE0) == 0)         // waited for behind each: before the first, simavr does not say it where the line was
+            ;                                      // switched off, as Arduino's core does at its start
     }
     return SM_OK;
 }

@@ -4,7 +4,7 @@
 
 #include "runtime-c/psl/avr/avr.h"
 
-#ifdef __AVR__
+#ifdef PSL_AVR
 #include <avr/wdt.h>
 
 enum { LONGEST = WDTO_8S };

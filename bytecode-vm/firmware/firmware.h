@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The generic firmware (docs/boards.md) as a function, for programs that have a main already, as Arduino sketches do.
+#ifndef SMVM_FIRMWARE_H
+#define SMVM_FIRMWARE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// Takes timer 0, the serial line and the EEPROM, and never returns.  On AVR.
+#ifdef __GNUC__
+__attribute__((noreturn))
+#endif
+void smvm_firmware(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
