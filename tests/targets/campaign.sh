@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Random programs on other processors: N as images, NC as emitted C at each of three levels, from SEED on; and all of conformance/.
+# Random programs on other processors: N as images, NC as emitted C at each of LEVELS, from SEED on; and all of conformance/.
 #     campaign.sh BUILD [TARGET…]
 # What runs on takes up where it was stopped; what is done tells again how it ended.
 B=$1/targets difftest=$1/diff/difftest
-N=${N:-10000} NC=${NC:-1000} SEED=${SEED:-1}
+N=${N:-10000} NC=${NC:-1000} SEED=${SEED:-1} LEVELS=${LEVELS:--O2 -Os -O0}
 [ $# -gt 1 ] || set -- "$1" $(sed -n 's/^\([a-z][^ ]*\) *|.*/\1/p' tests/targets/targets.txt)
 build=$1
 shift
@@ -27,7 +27,7 @@ for target; do
     # Emitted C wants more room than a microbit has, and has no soft numbers here.
     case $NC$target in 0* | [0-9]*m0 | *-soft) continue ;; esac
     run "$target, C of conformance" "$B/cases" --cc="sh tests/targets/cc.sh $target -std=gnu11 -O1" --out="$B/campaign-cases-$target" conformance/*/*.smt
-    for level in -O2 -Os -O0; do
+    for level in $LEVELS; do
         run "$target, C $level" "$difftest" --cc="sh tests/targets/cc.sh $target -std=gnu11 $level" --seed="$SEED" --count="$NC" --resume \
             --out="$B/campaign-c$level-$target"
     done
