@@ -382,12 +382,13 @@ avr-c-campaign: all $(B)/diff/difftest $(B)/targets/cases
 
 # tests/targets: on other processors, emulated: the VM, and emitted C.  `make targets-campaign N=10000 NC=1000 SEED=1`: so many random
 # programs as images, and as C at each level, on each of them, or on those that TARGETS names; goes on where it was stopped.
+# The VM is built as by somebody who has not read about -ffp-contract.
 TARGETS_OPT  ?= -Os
 TARGETS_VM    = tests/targets/vm.c $(filter-out %/disasm.c,$(VM)) $(STDLIB)
 TARGETS_ROOM  = $(shell sh tests/targets/cc.sh $* vm)
 $(B)/targets/vm-%: $(TARGETS_VM) $(wildcard tests/targets/*.txt tests/targets/cc.sh tests/targets/bare/* bytecode-vm/*.[hd]* stdlib/*.[hd]*)
 	@mkdir -p $(@D)
-	$(call say,CC)sh tests/targets/cc.sh $* -std=c99 -ffp-contract=off -I. -Wall -Wextra -Werror $(TARGETS_OPT) $(TARGETS_ROOM) -o $@ \
+	$(call say,CC)sh tests/targets/cc.sh $* -std=gnu11 -I. -Wall -Wextra -Werror $(TARGETS_OPT) $(TARGETS_ROOM) -o $@ \
 	    $(if $(findstring DECODED=0,$(TARGETS_ROOM)),$(filter-out %/fast.c %/decode.c,$(TARGETS_VM)),$(TARGETS_VM))
 $(B)/targets/cases: tests/targets/cases.c $(filter-out %/main.o,$(DIFF_OBJ)) $(B)/libsmc.a $(B)/runtime/sim.a
 	@mkdir -p $(@D)

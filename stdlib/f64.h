@@ -36,8 +36,9 @@
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
 #error "smc: fast-math changes what programs mean; build without it"
 #endif
-// a * b + c is two operations, each rounded.  Other builds say so by -ffp-contract=off, which the Arduino tools have no place for.
-#if defined(ARDUINO) && !SM_F64_SOFT && defined(__GNUC__) && !defined(__clang__)
+// a * b + c is two operations, each rounded.  Builds say so by -ffp-contract=off; where a chip has both in one, gcc makes use of that unless it
+// is told here, and the Arduino tools have no place for options.
+#if (defined(ARDUINO) || defined(__FP_FAST_FMA)) && !SM_F64_SOFT && defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize ("fp-contract=off")
 #elif defined(ARDUINO) && !SM_F64_SOFT && defined(__clang__)
 #pragma STDC FP_CONTRACT OFF

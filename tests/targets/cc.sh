@@ -32,9 +32,7 @@ esac
 
 out=a.out object=no previous=
 for argument in "$@"; do
-    [ "$previous" = -o ] && out=$argument
     [ "$argument" = -c ] && object=yes
-    previous=$argument
 done
 kind=${link%% *} bare=
 if [ "$kind" != linux ]; then
@@ -50,7 +48,13 @@ else
     for s in ${link#* }; do symbols=$symbols,--defsym=$s; done
     bare="$bare -I. $here/bare/$kind.c $here/bare/semihost.c -nostartfiles -T $here/bare/bare.ld -Wl,--gc-sections$symbols"
 fi
-# -o again, behind the other: the last one holds.
+for argument in "$@"; do              # -o OUT becomes -o OUT.elf
+    [ -n "$previous" ] || set --
+    [ "$previous" = -o ] && out=$argument && argument=$out.elf
+    set -- "$@" "$argument"
+    previous=$argument
+done
 # shellcheck disable=SC2086
-$cc $options "$@" -o "$out.elf" $bare || exit 1
-printf '#!/bin/sh\nexec timeout 900 %s "%s.elf" "$@"\n' "$emulator" "$out" >"$out" && chmod +x "$out"
+$cc $options "$@" $bare || exit 1
+case $out in /*) elf=$out.elf ;; *) elf=$PWD/$out.elf ;; esac
+printf '#!/bin/sh\nexec timeout 900 %s "%s" "$@"\n' "$emulator" "$elf" >"$out" && chmod +x "$out"

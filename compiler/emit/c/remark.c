@@ -10,7 +10,7 @@ enum { REMARK_MAX = 60 };
 static bool is_harmless(const char *text, size_t n)
 {
     for (size_t i = 0; i < n; i++)
-        if ((text[i] >= 0 && text[i] < ' ') || text[i] == 0x7f || text[i] == '\\' || (text[i] == '?' && i + 1 < n && text[i + 1] == '?'))
+        if ((unsigned char)text[i] < ' ' || text[i] == 0x7f || text[i] == '\\' || (text[i] == '?' && i + 1 < n && text[i + 1] == '?'))
             return false;
     return n > 0 && n <= REMARK_MAX;
 }

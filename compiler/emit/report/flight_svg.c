@@ -68,7 +68,7 @@ static void fill(Drawing *d, TraceSeries *series, const LogElement *e)
     for (size_t i = 0; i < d->s->item.n; i++) {
         const LogItem *item = &d->s->item.at[i];
         if (item->kind == ITEM_RECORD) {
-            const uint64_t slot = slot_of(d, log_time(item));
+            const size_t slot = (size_t)slot_of(d, log_time(item));
             const double x = trace_number(e->type, log_cell(item, e));
             put_value(&series->at[slot], x, !filled[slot]);
             filled[slot] = true;
