@@ -380,29 +380,6 @@ avr-c-campaign: all $(B)/diff/difftest $(B)/targets/cases
 	RESUME=1 sh tests/avr/c.sh $(B) '$(CC)' $(N) $(SEED) 1
 .PHONY: check-avr avr-c-campaign
 
-# tests/targets: on other processors, emulated: the VM, and emitted C.  `make targets-campaign N=10000 NC=1000 SEED=1`: so many random
-# programs as images, and as C at each level, on each of them, or on those that TARGETS names; goes on where it was stopped.
-# The VM is built as by somebody who has not read about -ffp-contract.
-TARGETS_OPT  ?= -Os
-TARGETS_VM    = tests/targets/vm.c $(filter-out %/disasm.c,$(VM)) $(STDLIB)
-TARGETS_ROOM  = $(shell sh tests/targets/cc.sh $* vm)
-$(B)/targets/vm-%: $(TARGETS_VM) $(wildcard tests/targets/*.txt tests/targets/cc.sh tests/targets/bare/* bytecode-vm/*.[hd]* stdlib/*.[hd]*)
-	@mkdir -p $(@D)
-	$(call say,CC)sh tests/targets/cc.sh $* -std=gnu11 -I. -Wall -Wextra -Werror $(TARGETS_OPT) $(TARGETS_ROOM) -o $@ \
-	    $(if $(findstring DECODED=0,$(TARGETS_ROOM)),$(filter-out %/fast.c %/decode.c,$(TARGETS_VM)),$(TARGETS_VM))
-$(B)/targets/cases: tests/targets/cases.c $(filter-out %/main.o,$(DIFF_OBJ)) $(B)/libsmc.a $(B)/runtime/sim.a
-	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(LDFLAGS) -o $@ $^
-
-check: $(B)/diff/difftest $(B)/targets/cases
-CHECK_LINES += "targets: sh tests/targets/run.sh $(B)"
-check-targets targets-campaign: $(B)/diff/difftest $(B)/targets/cases
-check-targets:
-	sh tests/targets/run.sh $(B)
-targets-campaign:
-	N=$(N) NC=$(NC) SEED=$(SEED) nice -n 19 sh tests/targets/campaign.sh $(B) $(TARGETS)
-.PHONY: check-targets targets-campaign
-
 # tests/psl: what the headers of runtime-c/pal promise, on each platform, and what io.h makes of its pins.  Linux: with IIO devices in a folder of the test, and with
 # calls that the test can let fail; the other watchdog is only compiled.
 ,               := ,
@@ -604,6 +581,51 @@ kill-runtime: $(B)/runtime/kill_linux
 check-runtime: $(RUNTIME_TESTS) $(RUNTIME_TSAN)
 	@for t in $(RUNTIME_TESTS) $(RUNTIME_TSAN); do test ! -x $$t || $$t || exit 1; done
 .PHONY: check-runtime
+
+# tests/targets: on other processors, emulated: the VM, and emitted C.  `make targets-campaign N=10000 NC=1000 SEED=1`: so many random
+# programs as images, and as C at each level, on each of them, or on those that TARGETS names; goes on where it was stopped.
+# The VM is built as by somebody who has not read about -ffp-contract.
+TARGETS_OPT  ?= -Os
+TARGETS_VM    = tests/targets/vm.c $(filter-out %/disasm.c,$(VM)) $(STDLIB)
+TARGETS_ROOM  = $(shell sh tests/targets/cc.sh $* vm)
+$(B)/targets/vm-%: $(TARGETS_VM) $(wildcard tests/targets/*.txt tests/targets/cc.sh tests/targets/bare/* bytecode-vm/*.[hd]* stdlib/*.[hd]*)
+	@mkdir -p $(@D)
+	$(call say,CC)sh tests/targets/cc.sh $* -std=gnu11 -I. -Wall -Wextra -Werror $(TARGETS_OPT) $(TARGETS_ROOM) -o $@ \
+	    $(if $(findstring DECODED=0,$(TARGETS_ROOM)),$(filter-out %/fast.c %/decode.c,$(TARGETS_VM)),$(TARGETS_VM))
+$(B)/targets/cases: tests/targets/cases.c $(filter-out %/main.o,$(DIFF_OBJ)) $(B)/libsmc.a $(B)/runtime/sim.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+# Tests of runtime-c that need no thread, on targets with an operating system: above all its wire forms, where memory is the other way round.
+TARGETS_RUNTIME = statevec region event executor task keep machine
+$(B)/targets/runtime-%: $(RUNTIME_SRC_sim) $(RUNTIME_MADE) $(TARGETS_RUNTIME:%=tests/runtime/%.c) | $(B)/runtime/made/images.h
+	@mkdir -p $@.tests
+	$(call say,CC)for f in $(filter-out tests/%,$^); do \
+	    sh tests/targets/cc.sh $* $(RUNTIME_C) -O0 -c $$f -o $@.tests/$$(echo $$f | tr / _).o || exit 1; \
+	done; for t in $(TARGETS_RUNTIME); do sh tests/targets/cc.sh $* $(RUNTIME_C) -O0 tests/runtime/$$t.c $@.tests/*.o -o $@.tests/$$t || exit 1; done
+	@touch $@
+
+check: $(B)/diff/difftest $(B)/targets/cases $(RUNTIME_MADE)
+CHECK_LINES += "targets: sh tests/targets/run.sh $(B)"
+check-targets targets-campaign: $(B)/diff/difftest $(B)/targets/cases
+check-targets:
+	sh tests/targets/run.sh $(B)
+targets-campaign:
+	N=$(N) NC=$(NC) SEED=$(SEED) nice -n 19 sh tests/targets/campaign.sh $(B) $(TARGETS)
+
+# Everything itself on targets with an operating system: `make targets-native TARGETS=s390x-fma`.  (Tests of the interpreter look at memory as this
+# computer has it, and all mutations would take an hour.)
+NATIVE_UNIT = $(filter-out %/vm_interp %/vm_mutate,$(UNIT))
+targets-native: $(B)/golden
+	for t in $(or $(TARGETS),s390x-fma armhf-fma); do \
+	    $(MAKE) B=$(B)/native-$$t CC="sh tests/targets/cc.sh $$t" AR="sh tests/targets/cc.sh $$t ar" CFLAGS='-O1 -Werror' native-tests || exit 1; \
+	    $(B)/golden $(B)/native-$$t/smc $(filter-out %/example-tank.smt %/test-all-engines.smt %/test-engine-absent.smt %/thesis-%,$(GOLDEN)) || exit 1; \
+	done
+native-tests: all $(NATIVE_UNIT) $(B)/diff/difftest $(TARGETS_RUNTIME:%=$(B)/runtime/%)
+	for t in $(NATIVE_UNIT) $(TARGETS_RUNTIME:%=$(B)/runtime/%); do $$t || exit 1; done
+	for engine in ref vm vm-soft; do $(B)/smc test --engine=$$engine conformance || exit 1; done
+	$(B)/diff/difftest --count=$(or $(NC),1000) --out=$(B)/diff/native
+.PHONY: check-targets targets-campaign targets-native native-tests
 
 # tests/app: applications (.app) from source to a flight in simulated time, and everything that can be wrong with one.
 check: $(B)/runtime/sim.a

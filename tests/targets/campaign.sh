@@ -21,12 +21,14 @@ for target; do
     [ -z "$missing" ] || { echo "$target: $missing"; continue; }
     if [ "$N" -gt 0 ]; then
         make -s B="$build" "$B/vm-$target" || exit 1
-        run "$target, images of conformance" "$B/cases" --vm="$B/vm-$target" --out="$B/campaign-cases-$target" conformance/*/*.smt
+        run "$target, images of conformance" "$B/cases" --vm="$B/vm-$target" --out="$B/campaign-cases-$target" \
+            conformance/*/*.smt
         run "$target, images" "$difftest" --vm="$B/vm-$target" --seed="$SEED" --count="$N" --resume --out="$B/campaign-images-$target"
     fi
     # Emitted C wants more room than a microbit has, and has no soft numbers here.
     case $NC$target in 0* | [0-9]*m0 | *-soft) continue ;; esac
-    run "$target, C of conformance" "$B/cases" --cc="sh tests/targets/cc.sh $target -std=gnu11 -O1" --out="$B/campaign-cases-$target" conformance/*/*.smt
+    run "$target, C of conformance" "$B/cases" --cc="sh tests/targets/cc.sh $target -std=gnu11 -O1" --out="$B/campaign-cases-$target" \
+        conformance/*/*.smt
     for level in $LEVELS; do
         run "$target, C $level" "$difftest" --cc="sh tests/targets/cc.sh $target -std=gnu11 $level" --seed="$SEED" --count="$NC" --resume \
             --out="$B/campaign-c$level-$target"

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # A C compiler for a target, to be used as any other: what it links is a program here, which runs it in the target's emulator.
 #     cc.sh TARGET OPTION-OR-FILE…
-# Or, instead of options: `present`, which is silent where everything is here, else says how to get it; `vm`, the options of vm.c.
+# Or, instead of options: `present`, which is silent where everything is here, else says how to get it; `vm`, the options of vm.c;
+# `ar OPERATION…`, the archiver that goes with it.
 here=tests/targets name=$1
 shift
 
@@ -19,6 +20,9 @@ emulator=$(column 1 "$board" | sed 's/SEMIHOSTING/-display none -monitor none -s
 link=$(column 2 "$board")
 
 case $1 in
+ar)
+    shift
+    exec "${cc%gcc}ar" "$@" ;;
 present)
     command -v "$cc" >/dev/null && command -v "${emulator%% *}" >/dev/null || echo "apt-get install $(column 4 "$board")"
     exit 0 ;;

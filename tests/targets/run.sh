@@ -27,6 +27,10 @@ for target in $(sed -n 's/^\([a-z][^ ]*\) *|.*/\1/p' tests/targets/targets.txt);
         count "$B/cases" --vm="$B/vm-$target" --out="$B/cases-$target" conformance/*/*.smt
         count "$difftest" --vm="$B/vm-$target" --count=50 --out="$B/images-$target" ;;
     esac
+    case $what in *runtime*)
+        count make -s B="$1" "$B/runtime-$target"
+        for t in "$B/runtime-$target.tests"/*.elf; do count "${t%.elf}"; done ;;
+    esac
     case $what in *c)
         count "$difftest" --cc="sh tests/targets/cc.sh $target -std=gnu11 -O2" --count=6 --out="$B/c-$target" ;;
     esac

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The VM on some target, at the command of its standard input: the exchange of emit_c_driver (compiler/emit/c/emit_c.h), in which machines
 // come as images.  One command more:
-//   2, load:   u32 n, n times (u32 where: 0 a constant, 1 T, 2 an element, 3 a local; u32 type, u32 offset, u32 1 + its number among the outputs,
-//              0: it is none, -1: it is S; u64 the constant), u32 size, the image
+//   2, load:   u32 n, n times (u32 where: 0 a constant, 1 T, 2 an element, 3 a local; u32 type; u32 offset; u32 1 + its number among
+//              the outputs, 0: it is none, -1: it is S; u64 the constant), u32 size, the image
 //              answer: u32 verdict, u32 the longest step; verdict 255: there is no room here, nothing else is answered
 // Machine and image stay until the next load.  The machine runs in place; and decoded beside it, where there is room.  A difference between
 // the two is status 3.
@@ -179,7 +179,8 @@ static void run_step(void)
     const SmResult result = smvm_step(vm_of(&in_place), in_place.sv);
     uint32_t status = result == SM_OK ? 0 : result == SM_REFUSED ? 1 : 2;
 #if VM_DECODED
-    if (decoded != NULL && (smvm_step_decoded(decoded, beside.sv) != result || !agree() || (result == SM_OK && !both_stored())))
+    if (decoded != NULL && (smvm_step_decoded(decoded, beside.sv) != result || !agree()
+                            || (result == SM_OK && !both_stored())))
         status = 3;
 #endif
     answer(status, status == 0);
