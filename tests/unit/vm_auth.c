@@ -104,7 +104,7 @@ static void test_every_bit_counts(void)
     bytes_of(key_words, key);
     smvm_auth_code(message, sizeof message, key, code);
     for (unsigned bit = 0; bit < 8 * sizeof message + 8 * SMVM_KEY; bit++) {
-        uint8_t *const at = bit < 8 * sizeof message ? message + bit / 8 : key + bit / 8 - sizeof message;
+        uint8_t *const at = bit < 8 * sizeof message ? &message[bit / 8] : &key[bit / 8 - sizeof message];
         *at ^= (uint8_t)(1u << bit % 8);
         smvm_auth_code(message, sizeof message, key, other);
         *at ^= (uint8_t)(1u << bit % 8);
