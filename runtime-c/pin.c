@@ -5,7 +5,6 @@
 #include "runtime-c/pal/aio.h"
 #include "runtime-c/pal/dio.h"
 #include "stdlib/convert.h"
-#include "stdlib/math.h"
 
 static bool is_digital(const SmIoPin *p) { return p->kind & 2; }
 static bool is_inverted(const SmIoPin *p) { return p->flags & SM_IO_INVERTED; }
@@ -22,12 +21,23 @@ static SmF64 to_element(const SmIoPin *p, int32_t millionths)
     return sm_add(sm_mul(volts, sm_from_bits(p->scale)), sm_from_bits(p->zero));
 }
 
+// sm_to_i32(sm_round(x)), without what sm_round does for larger numbers.
+static int32_t nearest(SmF64 x)
+{
+    const int32_t n = sm_to_i32(x);
+    const SmF64 rest = sm_sub(x, sm_from_i32(n)), half = sm_from_bits(0x3FE0000000000000u);
+
+    if (n < INT32_MAX && sm_le(half, rest))
+        return n + 1;
+    return n > INT32_MIN && sm_le(rest, sm_neg(half)) ? n - 1 : n;
+}
+
 // 9.8: the way back; the nearest millionth, halves away from 0, as far as there are any.
 static int32_t to_millionths(const SmIoPin *p, SmF64 x)
 {
     const SmF64 volts = sm_div(sm_sub(x, sm_from_bits(p->zero)), sm_from_bits(p->scale));
 
-    return sm_to_i32(sm_round(sm_mul(volts, million())));
+    return nearest(sm_mul(volts, million()));
 }
 
 // The level that stands for x, which is 0 for false.

@@ -43,7 +43,7 @@ static volatile bool stepping, held = true;            // held: no step begins
 static uint16_t skipped;                               // steps that were due while one ran
 static uint64_t now;                                   // G
 
-static void report(uint8_t kind, uint16_t source, uint32_t a, uint32_t b)
+static void report(uint8_t kind, uint8_t source, uint16_t a, uint32_t b)
 {
     SmEvent e;
 
@@ -184,7 +184,7 @@ static void leave_slot(void *context)
     run_built_in();
 }
 
-static const AgentBoard board = {
+static AgentBoard board = {
     .ram = FIRMWARE_MEMORY - (sizeof(SmVm) + 7) / 8 * 8, .longest_step = LONGEST, .may_update = may_update, .fits = fits,
     .leave_slot = leave_slot, .built_in_size = sizeof built_in};
 
@@ -194,7 +194,6 @@ enum { RECORDS = 2 * STORE_RECORD, SLOT = (FIRMWARE_STORE - RECORDS) / FIRMWARE_
 
 static Store store;
 static Agent agent;
-static AgentBoard this_board;
 static PalSerial line;
 static uint8_t frame[LINK_ROOM(FIRMWARE_BODY)];
 
@@ -248,9 +247,8 @@ static void start(void)
     report(SM_EVENT_START, 0, 0, bit);
     open_arming();
     start_store();
-    this_board = board;
-    this_board.built_in = (SmvmBytes)(uint16_t)built_in;
-    smvm_agent_init(&agent, &store, &this_board, &events, frame, FIRMWARE_BODY);
+    board.built_in = (SmvmBytes)(uint16_t)built_in;
+    smvm_agent_init(&agent, &store, &board, &events, frame, FIRMWARE_BODY);
 }
 
 // A byte from the line; false: there is none.

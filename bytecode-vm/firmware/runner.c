@@ -12,13 +12,23 @@
 
 static uint16_t time_at(const SmvmMachine *m) { return (uint16_t)smvm_operand(m, m->outputs).offset; }
 
-static uint32_t up8(uint32_t n) { return (n + 7) & ~7u; }
+static uint16_t up8(uint32_t n) { return (uint16_t)(((uint16_t)n + 7u) & ~7u); }
+
+// Of memory that is left; what the verifier accepts needs no more than SMVM_RAM_MAX.
+static bool take(uint16_t *left, uint32_t bytes)
+{
+    if (bytes > *left || up8(bytes) > *left)
+        return false;
+    *left = (uint16_t)(*left - up8(bytes));
+    return true;
+}
 
 SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image)
 {
     SmvmMachine m;
     SmvmPins p;
-    uint32_t layout = 0, sv = 0, need = 0;
+    uint32_t layout = 0, sv = 0;
+    uint16_t left = r->size;
     uint8_t n = 0;
 
     for (; smvm_machine(image, n, &m); n++) {
@@ -26,9 +36,10 @@ SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image)
             return SM_E_MEMORY;
         if (n > 0 && (m.layout != layout || m.sv_size != sv))
             return SM_E_LAYOUT;
+        if (!take(&left, n == 0 ? m.sv_size : 0) || !take(&left, smvm_ram_size(&m)))
+            return SM_E_MEMORY;
         layout = m.layout;
         sv = m.sv_size;
-        need += up8(smvm_ram_size(&m));
     }
     if (smvm_pins(image, &p)) {
         if (p.layout != layout || 8 * p.sv_size != sv)
@@ -36,7 +47,7 @@ SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image)
         if (p.left > r->pins_most)
             return SM_E_MEMORY;
     }
-    return sv + need > r->size ? SM_E_MEMORY : SM_OK;
+    return SM_OK;
 }
 
 // ---- machines ----
