@@ -469,7 +469,8 @@ store-cuts: $(B)/store/cuts $(STORE_SMB)
 .PHONY: store-cuts
 
 # The generic firmware of Arduino boards (docs/boards.md): `make firmware MCU=atmega328p` (Uno) or atmega2560 (Mega) makes build/firmware/MCU.hex.
-# SAFE: another image to be built in; ARM_PIN: the pin with the arming plug; KEY: a file of smc key, and no image but those signed with it is run.
+# SAFE: another image to be built in; ARM_PIN: the pin with the arming plug; KEY: a file of smc key, and no image but those signed
+# with it is run.  `make firmware-trouble N=100 SEED=2`: more updates in trouble.
 MCU         ?= atmega328p
 AVR_CC      ?= avr-gcc
 FIRMWARE_OUT = $(B)/firmware
@@ -489,7 +490,9 @@ endif
 	avr-size $(FIRMWARE_OUT)/$(MCU).elf
 check: $(B)/device/link $(STORE_SMB)
 CHECK_LINES += "firmware: sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)'"
-.PHONY: firmware
+firmware-trouble: $(B)/device/link $(STORE_SMB)
+	sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)' $(or $(N),100) $(or $(SEED),1)
+.PHONY: firmware firmware-trouble
 
 # `make psl-qemu KERNEL=FOLDER`: Linux with real pins and a real watchdog, in an emulator (qemu-system-arm gcc-arm-linux-gnueabihf
 # libc6-dev-armhf-cross cpio; FOLDER: where a linux-image-*-armmp:armhf of Debian was unpacked by dpkg-deb -x).
