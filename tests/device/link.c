@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc flash and smc device against a board that is a program (board.c), over terminals with this program in between: it loses and
 // damages bytes, and kills the board or smc in the middle.  Always the old or the new image runs afterwards, and is replaced again.
-//   link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]
+//   link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]         with SLOTS=1 in the environment the board has one slot
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE
 #include <fcntl.h>
@@ -33,6 +33,7 @@ static Terminal at_board, at_smc;
 static const char *smc, *board, *images[2];
 static char memory[PATH], output[PATH], said[TEXT];
 static pid_t board_pid;
+static bool one_slot;                  // the board's own image may run, too
 static uint64_t random_state = 88172645463325252u;
 
 static unsigned below(unsigned n)
@@ -305,11 +306,31 @@ static void an_update_in_trouble(int target)
     }
     code = run(&t, "flash", images[target], NULL);
     CHECK(code == 0 || code == 1 || code == 3 || code == 128 + SIGINT || code == 128 + SIGKILL);
-    CHECK(quiet("device", "list", NULL) == 0 && (listed(images[0], ", runs") || listed(images[1], ", runs")));
+    CHECK(quiet("device", "list", NULL) == 0 && (listed(images[0], ", runs") || listed(images[1], ", runs") || (one_slot && says(", runs"))));
     CHECK(code != 0 || listed(images[target], ", runs"));
     if (listed(images[1 - target], "on trial"))
         CHECK(quiet("device", "confirm", NULL) == 0);
     CHECK(quiet("flash", images[target], "--confirm") == 0 && listed(images[target], ", runs, confirmed"));
+}
+
+static void one_slot_is_enough(void)
+{
+    CHECK(quiet("device", "list", NULL) == 0 && says("slot 0: no image") && says(", runs"));
+    CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)"));
+    CHECK(quiet("flash", images[1], NULL) == 1 && says("on trial; 'smc device confirm' keeps it"));
+    CHECK(quiet("device", "confirm", NULL) == 0 && quiet("flash", images[1], "--confirm") == 0);
+    CHECK(quiet("device", "info", NULL) == 0 && says("1 slot of ") && listed(images[1], ", runs, confirmed"));
+}
+
+static void two_slots(void)
+{
+    an_image_is_sent_and_kept();
+    what_is_armed_is_left_alone();
+    a_trial_ends();
+    an_image_is_erased();
+    nobody_answers();
+    if (!getenv("NO_KEY"))             // a board that has its key from a file
+        a_board_with_a_key();
 }
 
 int main(int argc, char **argv)
@@ -318,6 +339,7 @@ int main(int argc, char **argv)
 
     if (argc < 6)
         return fprintf(stderr, "link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]\n"), 2;
+    one_slot = getenv("SLOTS") != NULL;
     smc = argv[1];
     board = argv[2];
     images[0] = argv[4];
@@ -331,13 +353,10 @@ int main(int argc, char **argv)
     if (!open_terminal(&at_board) || !open_terminal(&at_smc))
         return printf("device: 0 passed, 0 failed, 1 skipped: no terminals here\n"), 0;
     start_board();
-    an_image_is_sent_and_kept();
-    what_is_armed_is_left_alone();
-    a_trial_ends();
-    an_image_is_erased();
-    nobody_answers();
-    if (!getenv("NO_KEY"))             // a board that has its key from a file
-        a_board_with_a_key();
+    if (one_slot)
+        one_slot_is_enough();
+    else
+        two_slots();
     for (int i = 0; i < runs; i++)
         an_update_in_trouble(i % 2);
     kill_board();
