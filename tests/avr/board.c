@@ -50,8 +50,10 @@ static struct { uint64_t steps, sum, most, begun, first, late; unsigned long rea
 static void say_errors(struct avr_t *a, const int level, const char *format, va_list args)
 {
     (void)a;
-    if (level <= LOG_ERROR)
-        vfprintf(stderr, format, args);
+    if (level > LOG_ERROR)
+        return;
+    fprintf(stderr, "%.4f s: ", avr ? (double)avr->cycle / HERTZ : 0);
+    vfprintf(stderr, format, args);
 }
 
 static bool there_is(const char *what)
@@ -218,8 +220,8 @@ static avr_cycle_count_t millisecond(struct avr_t *a, avr_cycle_count_t when, vo
         board_set_pin(ARM_PIN, there_is("armed"));
         gone = gone || there_is("go");
     }
-    if (plant && gone)
-        plant->step(0.001);
+    if (plant)
+        plant->step(gone ? 0.001 : 0);
     (void)a, (void)param;
     return when + HERTZ / 1000;
 }

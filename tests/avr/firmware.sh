@@ -64,9 +64,9 @@ fly_tank() {
     export PLANT=tank
     rm -f "$D/tank.mem"*
     board_on "$D/tank.mem"
-    touch "$D/tank.mem.go"
     count "$smc" flash "$D/tank.smb" "$port" --confirm --period=5 >"$D/tank.out" 2>&1
-    sleep 3
+    touch "$D/tank.mem.go"
+    sleep 4
     count logged "STATE of machine 0, from 0, to 1" 5
     touch "$D/tank.mem.armed"
     text='the board is armed; disarm it first'
@@ -78,7 +78,7 @@ fly_tank() {
     count says "$smc" device info "$port"
     count board_off
     count awk '/steps/ { seen = $3 > 120 * $1 } END { exit !seen }' "$D/tank.mem.said"
-    count awk '/^tank:/ { seen = $4 >= 700 && $6 <= 800 && $10 > 2 } END { exit !seen }' "$D/tank.mem.said"
+    count awk '/^tank:/ { seen = $4 >= 699 && $6 > 770 && $6 <= 800 && $10 > 2 } END { exit !seen }' "$D/tank.mem.said"
 }
 
 # A flight from the pad to the main, the power having gone once since the machine was flashed.

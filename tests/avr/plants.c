@@ -17,7 +17,7 @@ static void tank_step(double s)
     tank.psi += (open ? -60 : 25) * s;
     tank.opened += open && !tank.open;
     tank.open = open;
-    if (tank.time > 5) {
+    if (tank.time > 0.1) {
         tank.lowest = tank.psi < tank.lowest ? tank.psi : tank.lowest;
         tank.highest = tank.psi > tank.highest ? tank.psi : tank.highest;
     }

@@ -283,9 +283,9 @@ static void a_board_with_a_key(void)
 
 static void nobody_answers(void)
 {
-    const Trouble gone = {0, 400, 0, true};
+    const Trouble gone = {0, 300, 0, true};
 
-    CHECK(run(&gone, "flash", images[0], NULL) == 3 && says("sending: the board does not answer any more"));
+    CHECK(run(&gone, "flash", images[0], NULL) == 3 && says(": the board does not answer any more"));
     CHECK(says("the board keeps what it ran before"));
     CHECK(quiet("device", "info", NULL) == 3 && says("no answer from '"));
     start_board();
