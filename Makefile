@@ -468,10 +468,10 @@ store-cuts: $(B)/store/cuts $(STORE_SMB)
 	$(B)/store/cuts $(STORE_SMB) all
 .PHONY: store-cuts
 
-# The generic firmware of Arduino boards (docs/boards.md): `make firmware MCU=atmega328p` (Uno) or atmega2560 (Mega) makes build/firmware/MCU.hex.
+# The generic firmware of Arduino boards (docs/boards.md): `make firmware MCU=atmega2560` (Mega) or atmega328p (Uno) makes build/firmware/MCU.hex.
 # SAFE: another image to be built in; ARM_PIN: the pin with the arming plug; KEY: a file of smc key, and no image but those signed
 # with it is run.  `make firmware-trouble N=100 SEED=2`: more updates in trouble.
-MCU         ?= atmega328p
+MCU         ?= atmega2560
 AVR_CC      ?= avr-gcc
 FIRMWARE_OUT = $(B)/firmware
 FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c target/store.c target/agent.c target/io.c auth.c pins.c load.c verify.c interp.c) \
