@@ -335,8 +335,8 @@ bench-scale: $(B)/bench/scale
 
 # What the parts take on boards (flash, RAM, stack, cycles), against tests/bench/budgets.txt.
 sizes: $(B)/smc
-	@sh tests/bench/sizes.sh $(B) '$(CC)'
-CHECK_LINES += "sizes: sh tests/bench/sizes.sh $(B) '$(CC)'"
+	@sh tests/bench/sizes.sh $(B) '$(CC)' '$(MAKE)'
+CHECK_LINES += "sizes: sh tests/bench/sizes.sh $(B) '$(CC)' '$(MAKE)'"
 .PHONY: sizes
 
 # tests/fault: memory taken away at every request.  FAULT_ALL=1 tries every machine of conformance/ (minutes).

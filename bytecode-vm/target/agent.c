@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "bytecode-vm/image.h"
+#include "stdlib/flash.h"
 
 enum { DATA_HEAD = 5, EVENT = 19, IMAGE = 20, RESULT_AT = 1 + LINK_HEAD, ANSWER_AT = RESULT_AT + 1 };
 
@@ -233,7 +234,7 @@ typedef struct Handler {
     SmResult (*run)(Exchange *x);
 } Handler;
 
-static const Handler handlers[] = {
+static const Handler handlers[] SM_FLASH = {
     {LINK_HELLO, 0, false, hello},      {LINK_IMAGE, 1, false, image},      {LINK_BEGIN, 9, true, begin},
     {LINK_DATA, DATA_HEAD + 1, true, data},     {LINK_END, 2, true, end},   {LINK_ACTIVATE, 2, true, activate},
     {LINK_CONFIRM, 4, true, confirm},   {LINK_ERASE, 4, true, erase},       {LINK_READ, 5, false, read},
@@ -250,9 +251,12 @@ static SmResult run(const Handler *h, Exchange *x)
 
 static SmResult answer(Exchange *x, uint8_t message)
 {
-    for (size_t i = 0; i < sizeof handlers / sizeof *handlers; i++)
-        if (handlers[i].message == message)
-            return run(&handlers[i], x);
+    for (uint8_t i = 0; i < sizeof handlers / sizeof *handlers; i++) {
+        Handler h;
+        sm_flash_get(&h, &handlers[i], sizeof h);
+        if (h.message == message)
+            return run(&h, x);
+    }
     return SM_E_UNSUPPORTED;
 }
 

@@ -71,7 +71,7 @@ if has unzip && test -f "$library.zip"; then
     check "the archive has every file and no other" cmp "$dir/files" "$dir/zipped"
     unzip -q "$library.zip" -d "$dir/libraries"
 else
-    skip "no zip and unzip here"
+    skip "no zip and unzip here (apt-get install both)"
     cp -r "$library" "$dir/libraries"
 fi
 src=$dir/libraries/smc/src examples=$dir/libraries/smc/examples
@@ -108,7 +108,7 @@ board()     # NAME CC CXX FLAGS…
 {
     name=$1 cc=$2 cxx=$3
     shift 3
-    if has "$cc"; then check "the library for $name" compiles "$cc" "$@"; else skip "no $cc here"; fi
+    if has "$cc"; then check "the library for $name" compiles "$cc" "$@"; else skip "no $cc here (apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi gcc-avr avr-libc)"; fi
     if has "$cxx"; then check "the sketches for $name" sketches "$cxx" "$@"; else skip "no $cxx here"; fi
 }
 board "Cortex-M0+ (Zero)" arm-none-eabi-gcc arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb
@@ -118,7 +118,7 @@ board "a Digispark" avr-gcc avr-g++ -mmcu=attiny85 -DF_CPU=16000000UL
 if has riscv64-unknown-elf-gcc && echo '#include <string.h>' | riscv64-unknown-elf-gcc --specs=picolibc.specs -fsyntax-only -x c - 2>/dev/null; then
     check "the library for RV32 (ESP32-C3)" compiles riscv64-unknown-elf-gcc --specs=picolibc.specs -march=rv32imc -mabi=ilp32
 else
-    skip "no riscv64-unknown-elf-gcc with picolibc here"
+    skip "no riscv64-unknown-elf-gcc with picolibc here (apt-get install gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf)"
 fi
 printf '#include "tank.h"\n#include <smc.h>\n' >"$dir/order.c"
 check "the machine before the library is refused" sh -c "! $CC -I$src -I$examples/TankImage -fsyntax-only $dir/order.c"
@@ -153,7 +153,7 @@ on_this_computer()
     for f in "$examples/$1"/*.c; do
         test ! -f "$f" || $CC -std=gnu11 -O1 -c "$f" -o "$dir/$1_$(basename "$f").o" || return 1
     done
-    $CXX -std=c++11 -O1 -I. -Itests/arduino -I"$src" -x c++ -include Arduino.h "$examples/$1/$1.ino" tests/arduino/host.cpp -x none \
+    $CXX $(echo "$CC" | sed 's/^[^ ]* *//') -std=c++11 -O1 -I. -Itests/arduino -I"$src" -x c++ -include Arduino.h "$examples/$1/$1.ino" tests/arduino/host.cpp -x none \
         $(find "$dir" -name "$1_*.o") "$dir/smc.a" -o "$dir/$1" && "$dir/$1" >"$dir/$1.here" && cmp "$dir/$1.here" "$dir/$1.expected"
 }
 
@@ -170,9 +170,9 @@ emulated() { "$dir/board" "$1" "$dir/made/$2.ino.elf" >"$dir/$2.there" 2>"$dir/$
 
 emulates=0
 if ! has arduino-builder || [ ! -d /usr/share/arduino/hardware/arduino/avr ]; then
-    skip "no arduino-builder and arduino-core-avr here"
+    skip "no arduino-builder and arduino-core-avr here (apt-get install both)"
 elif ! echo '#include <simavr/sim_avr.h>' | $CC -fsyntax-only -x c - 2>/dev/null; then
-    skip "no simavr here"
+    skip "no simavr here (apt-get install libsimavr-dev libelf-dev)"
 elif $CC -std=gnu99 -O1 -Wall -Wextra -I. tests/arduino/board.c -o "$dir/board" -lsimavr -lelf; then
     emulates=1
 fi

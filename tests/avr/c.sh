@@ -30,21 +30,8 @@ CC=$cc count "$B/smc" test --engine=ref,c-soft examples/tank/tank.sm examples/ta
 count "$B/diff/difftest" --seed="$SEED" --count="$PROGRAMS" --batch=4 --cc-soft="$cc" --out="$B/avr/diff-c" ${RESUME:+--resume}
 grep 'no room\|difftest:' "$B/avr/c.log"
 
-# The tank against one written by hand: whether they do the same, cycles, flash.  tank PRESSURE MOST [OPTION], see run_tank.c
-tank() {
-    dir=$B/avr/tank-$1
-    flags="-mmcu=atmega328p -Os -std=c99 -Wall -Wextra -Wconversion -Wshadow -Werror -ffunction-sections -fdata-sections -I. -I$dir $3"
-    rm -rf "$dir" && mkdir -p "$dir" && { [ "$1" = f64 ] && cat examples/tank/tank.sm || sed 's/^F64  /I16  /' examples/tank/tank.sm; } >"$dir/tank.sm" &&
-        "$B/smc" build -w "$dir/tank.sm" --emit=c --soft -o "$dir/tank.c" || return 1
-    for source in "$dir/tank.c" "$dir/sm_soft_avr.S" tests/avr/tank_hand.c tests/avr/tank_bench.c; do
-        ${AVR_CC:-avr-gcc} $flags -c "$source" -o "$dir/$(basename "$source" | tr . _).o" || return 1
-    done
-    ${AVR_CC:-avr-gcc} $flags -Wl,--gc-sections "$dir"/*.o -o "$dir/tank.elf" && "$B/avr/run_tank" "$dir/tank.elf" "$1" "$2" || return 1
-    avr-size "$dir/tank_c.o" "$dir/tank_hand_c.o" | awk -v p="$1" 'NR > 1 { print p ", " (NR == 2 ? "emitted" : "by hand") ": " $1 " bytes of flash" }'
-}
-$CC -std=gnu99 -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_tank.c -o "$B/avr/run_tank" -lsimavr -lelf || exit 1
-for pressure in "f64 60" "i16 65 -DTANK_I16"; do
-    count tank $pressure
+for pressure in "f64 60" "i16 65"; do
+    count sh tests/avr/tank.sh "$B" "$CC" "$B/avr" $pressure
     cat "$B/avr/c.log"
 done
 

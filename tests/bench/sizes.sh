@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# What the parts take on a board, against budgets.txt.     sizes.sh BUILD CC
+# What the parts take on a board, against budgets.txt.     sizes.sh BUILD CC MAKE
 #     flash    bytes of code and constants, at -Os; of single files as their compiler leaves them, before a linker drops what a program does not call
 #     ram      static bytes (on AVR constants too, which are copied there unless they are in flash)
 #     stack    the deepest, by painting the RAM of the emulated chip and running programs
 #     cycles   of an emulated ATmega328P
 # Targets whose compiler is not here are left out and counted as skipped.
-build=$1/sizes CC=$2 smc=$1/smc
+build=$1/sizes CC=$2 MAKE=$3 smc=$1/smc
 here=tests/bench
 export ASAN_OPTIONS=detect_leaks=0             # libsimavr forgets what it read of the firmware
 rm -rf "$build"
@@ -87,11 +87,35 @@ avr_vm()
     record atmega328p vm-tank image "$(wc -c <"$build/tank.smb")"
 }
 
+# The tank as C, and the whole firmware.
+avr_tank()
+{
+    for p in f64 i16; do
+        sh tests/avr/tank.sh "$1" "$CC" "$build" $p 100 >"$build/tank.txt" || fail "the tank as C"
+        record atmega328p tank-c-$p flash "$(sed -n 's/.*emitted: \([0-9]*\) bytes.*/\1/p' "$build/tank.txt")"
+        record atmega328p tank-c-$p cycles "$(sed -n 's/.*emitted: \([0-9]*\) cycles.*/\1/p' "$build/tank.txt")"
+        record atmega328p tank-c-$p cycles-most "$(sed -n 's/.*emitted: .* \([0-9]*\) at most.*/\1/p' "$build/tank.txt")"
+    done
+}
+avr_firmware()  # MCU
+{
+    $MAKE -s --no-print-directory firmware B="$2" MCU="$1" FIRMWARE_OUT="$build/firmware" >/dev/null || fail "the firmware"
+    set -- "$1" $(sections 1 "$build/firmware/$1.elf")
+    record "$1" firmware flash "$2"
+    record "$1" firmware ram "$3"
+}
+
 if has avr-gcc; then
     prefix=avr- in_ram=1 compile="avr-gcc $AVR_FLAGS"
     part atmega328p soft stdlib/soft_avr.S
     parts atmega328p
-    if echo '#include <simavr/sim_avr.h>' | $CC -fsyntax-only -x c - 2>/dev/null; then avr_vm "$1"; else skipped=$((skipped + 1)); fi
+    if echo '#include <simavr/sim_avr.h>' | $CC -fsyntax-only -x c - 2>/dev/null; then
+        avr_vm "$1"
+        avr_tank "$1"
+    else
+        skipped=$((skipped + 1))
+    fi
+    avr_firmware atmega2560 "$1"
 else
     skipped=$((skipped + 2))
 fi
