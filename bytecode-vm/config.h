@@ -24,7 +24,8 @@
 #endif
 
 // Where an image lies, and how its bytes are read: the only access to an image there is.  For EEPROM: define SMVM_BYTES as uint16_t and
-// SMVM_FETCH(image, at) as eeprom_read_byte((image) + (at)), or as what tells memories apart.
+// SMVM_FETCH(image, at) as eeprom_read_byte((image) + (at)), or as what tells memories apart.  An SMVM_BYTES plus an offset is where the
+// bytes from there on lie.
 #ifndef SMVM_FETCH
 #define SMVM_BYTES const uint8_t *
 #define SMVM_FETCH(image, at) ((image)[at])
@@ -63,6 +64,15 @@
 #endif
 #endif
 
+// Whether the verifier counts the longest step: 1; or 0, where that is for whoever sends images to know.
+#ifndef SMVM_LONGEST
+#if SIZE_MAX < 0x7fffffff
+#define SMVM_LONGEST 0
+#else
+#define SMVM_LONGEST 1
+#endif
+#endif
+
 // How many jumps whose targets are still ahead the verifier follows exactly when it counts the longest step; beyond, it adds
 // up all instructions, which is never less.  Eight bytes of its stack each.
 #ifndef SMVM_JOINS
@@ -83,6 +93,13 @@
 #define SMVM_APART __attribute__((noinline))
 #else
 #define SMVM_APART
+#endif
+
+// Of small functions whose arguments must stay in registers.
+#ifdef __GNUC__
+#define SMVM_INLINE static inline __attribute__((always_inline))
+#else
+#define SMVM_INLINE static inline
 #endif
 
 typedef SMVM_BYTES SmvmBytes;

@@ -5,49 +5,80 @@
 
 #include "bytecode-vm/image.h"
 
-static bool entry(const SmvmMachine *m, uint32_t index, uint32_t *value)       // number `index` of three bytes
+static bool number_at(const SmvmMachine *m, uint32_t at, uint32_t *value)        // of three bytes, `at` bytes into the section
 {
-    if (m->debug_size / 3 <= index)
+    if (m->debug_size < 3 || at > m->debug_size - 3)
         return false;
-    *value = smvm_u24(m->image, m->debug_at + 3 * index);
+    *value = smvm_u24(m->image, m->debug_at + at);
     return true;
 }
 
-static SmvmName name_at(const SmvmMachine *m, uint32_t index)                  // whose offset is number `index`
+static SmvmName name_at(const SmvmMachine *m, uint32_t at)                      // whose offset is the number at `at`
 {
     SmvmName none = {0, 0}, n;
     uint32_t offset, end = m->debug_at + m->debug_size;
 
-    if (!entry(m, index, &offset) || offset == 0 || offset >= m->debug_size)
+    if (!number_at(m, at, &offset) || offset == 0 || offset >= m->debug_size)
         return none;
     n.at = m->debug_at + offset;
     return smvm_varint(m->image, &n.at, end, &n.size) && n.size <= end - n.at ? n : none;
 }
 
-SmvmName smvm_name(const SmvmMachine *m, uint32_t which) { return name_at(m, which); }
+SmvmName smvm_name(const SmvmMachine *m, uint32_t which) { return name_at(m, 3 * which); }
 
-SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state) { return name_at(m, SMVM_DEBUG_NUMBERS + state - 1); }
+SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state) { return name_at(m, 3 * (SMVM_DEBUG_NUMBERS + state - 1)); }
 
-SmvmName smvm_operand_name(const SmvmMachine *m, uint32_t operand)
-{
-    return name_at(m, SMVM_DEBUG_NUMBERS + m->states + operand);
-}
+static uint32_t variables_at(const SmvmMachine *m) { return 3 * (SMVM_DEBUG_NUMBERS + m->states); }
 
 uint32_t smvm_variables(const SmvmMachine *m)
 {
-    uint32_t n, tables = SMVM_DEBUG_NUMBERS + m->states + m->operands, most = m->debug_size / 3;
+    uint32_t n, most;
 
-    if (!entry(m, 0, &n) || most < tables)
+    if (!number_at(m, 0, &n) || m->debug_size < variables_at(m))
         return 0;
-    return n < (most - tables) / 2 ? n : (most - tables) / 2;
+    most = (m->debug_size - variables_at(m)) / SMVM_DEBUG_VARIABLE;
+    return n < most ? n : most;
 }
 
-SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmOperand *o)
+SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, SmvmPlace *place)
 {
-    uint32_t at = SMVM_DEBUG_NUMBERS + m->states + m->operands + 2 * index;
+    uint32_t at = variables_at(m) + SMVM_DEBUG_VARIABLE * index;
 
-    *o = smvm_operand_at(m->image, m->debug_at + 3 * at);
-    return name_at(m, at + 1);
+    *is = (SmvmVariable)smvm_u8(m->image, m->debug_at + at);
+    *place = smvm_place(m->image, m->debug_at + at + 1);
+    return name_at(m, at + 1 + SMVM_PLACE);
+}
+
+// Whether variable `index` stands before one of this kind at this place.
+static bool is_before(const SmvmMachine *m, uint32_t index, SmvmVariable is, const SmvmPlace *place)
+{
+    SmvmVariable there;
+    SmvmPlace p;
+
+    smvm_variable(m, index, &there, &p);
+    if (there != is || is == SMVM_IS_TIME)
+        return there < is;
+    return p.type != place->type ? p.type < place->type : p.offset < place->offset;
+}
+
+SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmPlace *place)
+{
+    uint32_t from = 0, end = smvm_variables(m), count = end;
+    SmvmName none = {0, 0}, n;
+    SmvmVariable there;
+    SmvmPlace p;
+
+    while (from < end) {
+        uint32_t middle = from + (end - from) / 2;
+        if (is_before(m, middle, is, place))
+            from = middle + 1;
+        else
+            end = middle;
+    }
+    if (from == count)
+        return none;
+    n = smvm_variable(m, from, &there, &p);
+    return there == is && (is == SMVM_IS_TIME || (p.type == place->type && p.offset == place->offset)) ? n : none;
 }
 
 static bool open_lines(const SmvmMachine *m, SmvmLines *l)
@@ -55,7 +86,7 @@ static bool open_lines(const SmvmMachine *m, SmvmLines *l)
     uint32_t offset;
 
     l->open = true;
-    if (!entry(m, 1, &offset) || offset >= m->debug_size)
+    if (!number_at(m, 3, &offset) || offset == 0 || offset >= m->debug_size)
         return false;
     l->at = m->debug_at + offset;
     return smvm_varint(m->image, &l->at, m->debug_at + m->debug_size, &l->left);

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // An image as text, for people; on hosts.  It prints whatever the verifier accepts.  One line an instruction: offset in the
-// code, opcode, operands; where a line of the source begins, its number behind.
+// code, opcode, what it works on; where a line of the source begins, its number behind.
 //
 //     TankVentControl.step:
-//        7  jnlt    775, tankPressure, 20           tank.sm:22
-//       11  mov     valveOpen, 1                    tank.sm:23
+//        7  ldx     tankPressure                    tank.sm:22
+//        9  jxn     x <= 775, 17
+//       13  ldx     1                               tank.sm:23
+//       15  out     valveOpen
+//
+// Conditions are written as the language has them.  `not x < y` also holds where one of them is NaN; `x <> y` is less or greater, and
+// `x <=> y` neither of them NaN.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
@@ -82,7 +87,7 @@ static void name(Out *o, SmvmName n)
     }
 }
 
-// ---- numbers and operands ----
+// ---- numbers and variables ----
 
 static void whole(Out *o, int32_t v)
 {
@@ -152,41 +157,26 @@ static void f64(Out *o, SmF64 x)
     whole(o, exponent == 0 ? -1022 : exponent - 1023);
 }
 
-static void place(Out *o, const char *space, const SmvmOperand *p)
+static const char *type_name(uint32_t type) { return type < SM_TYPE_COUNT ? sm_type_info[type].spelling : "RAW"; }
+
+static void place(Out *o, const char *space, const SmvmPlace *p)
 {
     text(o, space);
-    text(o, sm_type_info[p->type].spelling);
+    text(o, type_name(p->type));
     text(o, "@");
     number(o, p->offset);
 }
 
-static void operand(Out *o, uint32_t index)
+static void variable(Out *o, SmvmVariable is, const SmvmPlace *p)
 {
-    SmvmOperand p = smvm_operand(o->m, index);
-    SmvmName n = smvm_operand_name(o->m, index);
-    uint32_t payload = p.payload;
+    SmvmName n = smvm_name_of(o->m, is, p);
 
-    if (n.size > 0 && p.kind < SMVM_K_INT)
+    if (n.size > 0)
         name(o, n);
-    else if (p.kind < SMVM_K_LOCAL)
-        place(o, "", &p);
-    else if (p.kind < SMVM_K_TEMP)
-        place(o, "local ", &p);
-    else if (p.kind == SMVM_K_TIME)
+    else if (is == SMVM_IS_TIME)
         text(o, "T");
-    else if (p.kind == SMVM_K_INT)
-        whole(o, (int32_t)payload - (payload > (uint32_t)SMVM_INT_MOST ? SMVM_PAYLOADS : 0));
-    else if (p.kind == SMVM_K_F32)
-        f64(o, sm_from_f32(sm_f32_from_bits(smvm_uint(o->m->image, o->m->f32s_at + 4 * payload, 4))));
-    else if (p.kind == SMVM_K_F64)
-        f64(o, sm_from_bits(smvm_cell(o->m->image, o->m->f64s_at + 8 * payload, 8)));
-    else if (p.kind == SMVM_K_ACC) {
-        text(o, payload < SMVM_RAW ? "acc " : "acc");
-        text(o, payload < SMVM_RAW ? sm_type_info[p.type].spelling : "");
-    } else {
-        text(o, "t");
-        number(o, payload);
-    }
+    else
+        place(o, is == SMVM_IS_LOCAL ? "local " : "", p);
 }
 
 static void state(Out *o, uint32_t s)
@@ -203,23 +193,89 @@ static void state(Out *o, uint32_t s)
 
 // ---- instructions ----
 
-static const char *mnemonic(uint8_t op)
+// The opcode by its name, up to what says where its operand is: ldx, not ldx_local.
+static void mnemonic(Out *o, uint8_t op)
 {
-    switch (op) {
-#define SMVM_OP(name, number, shape, meaning) case number: return #name;
+    static const struct { uint8_t last; const char *name; } ops[] = {
+#define SMVM_OP(name, first, last, shape, meaning) {last, #name},
 #include "bytecode-vm/opcodes.def"
 #undef SMVM_OP
-    default: return "?";
+    };
+    char t[2] = "";
+    size_t i = 0;
+
+    while (ops[i].last < op)
+        i++;
+    for (const char *p = ops[i].name; *p != '\0' && *p != '_'; p++) {
+        t[0] = *p;
+        text(o, t);
     }
 }
 
-static uint32_t take(Out *o, uint32_t *at, const char *between)
+static void relation(Out *o, uint32_t m)
 {
-    uint32_t v = 0;
+    static const char *const before[] = {"never x ? ", "x < ", "x == ", "x <= ", "x > ", "x <> ", "x >= ", "x <=> ", "not x <=> ",
+                                         "not x >= ", "not x <> ", "not x > ", "not x <= ", "x != ", "not x < ", "always x ? "};
 
-    smvm_varint(o->m->image, at, o->m->code_at + o->m->code_size, &v);
-    text(o, between);
-    return v;
+    text(o, before[m & 15u]);
+}
+
+static void variable_of(Out *o, uint8_t op, SmvmVariable is, uint32_t index)
+{
+    SmvmPlace p;
+
+    p.type = (SmType)(op & 15u);
+    p.offset = index << smvm_type_shift(op & 15u);
+    variable(o, is, &p);
+}
+
+static void output(Out *o, uint32_t index)
+{
+    SmvmPlace p = smvm_output(o->m, index);
+
+    variable(o, SMVM_IS_ELEMENT, &p);
+}
+
+static void whole_number(Out *o, uint8_t op, uint32_t n)
+{
+    if (smvm_shape(op) & SMVM_SHAPE_J)
+        relation(o, op);
+    whole(o, op == SMVM_ldx_minus || op == SMVM_ldy_minus ? -1 - (int32_t)n : (int32_t)n);
+}
+
+static void jump(Out *o, uint8_t op, uint32_t target)
+{
+    if (smvm_shape(op) & SMVM_SHAPE_Y) {
+        relation(o, op);
+        text(o, "y, ");
+    }
+    number(o, target);
+}
+
+static void statistic(Out *o, uint32_t k)
+{
+    static const char *const stat[] = {"average", "median", "smallest", "largest", "range"};
+
+    text(o, stat[k % SM_STAT_COUNT]);
+}
+
+// One of what follows an opcode: its letter in the shape, and its number; a jump's already where it leads.
+static void follows(Out *o, uint8_t op, uint32_t letter, uint32_t v)
+{
+    switch (letter) {
+    case SMVM_SHAPE_L: variable_of(o, op, SMVM_IS_LOCAL, v); break;
+    case SMVM_SHAPE_E: variable_of(o, op, SMVM_IS_ELEMENT, v); break;
+    case SMVM_SHAPE_N: whole_number(o, op, v); break;
+    case SMVM_SHAPE_F: f64(o, sm_from_f32(sm_f32_from_bits(smvm_uint(o->m->image, o->m->f32s_at + 4 * v, 4)))); break;
+    case SMVM_SHAPE_D: f64(o, sm_from_bits(smvm_cell(o->m->image, o->m->f64s_at + 8 * v, 8))); break;
+    case SMVM_SHAPE_O: output(o, v); break;
+    case SMVM_SHAPE_S: state(o, v); break;
+    case SMVM_SHAPE_K: statistic(o, v); break;
+    case SMVM_SHAPE_W: text(o, "w"); number(o, v); break;
+    case SMVM_SHAPE_T: text(o, type_name(v)); break;
+    case SMVM_SHAPE_M: relation(o, v); text(o, "y"); break;
+    default: jump(o, op, v); break;
+    }
 }
 
 static void source_line(Out *o, uint32_t code)                   // if one begins at this offset
@@ -239,28 +295,24 @@ static void source_line(Out *o, uint32_t code)                   // if one begin
 
 static uint32_t instruction(Out *o, uint32_t at)                 // gives where the next one is
 {
-    uint8_t op = smvm_u8(o->m->image, at), shape = smvm_shape(op);
-    uint32_t start = at++ - o->m->code_at;
+    uint8_t op = smvm_u8(o->m->image, at);
+    uint32_t start = at++ - o->m->code_at, shape = smvm_shape(op) & SMVM_SHAPE_FOLLOWS, v = 0;
+    const char *between = "";
 
     right(o, start, 6);
     text(o, "  ");
-    text(o, mnemonic(op));
-    if (shape != SMVM_SHAPE_E)
+    mnemonic(o, op);
+    if (shape != 0 || op == SMVM_ldx_time || op == SMVM_ldy_time)
         pad(o, 16);
-    if (shape & SMVM_SHAPE_D)
-        operand(o, take(o, &at, ""));
-    if (shape & SMVM_SHAPE_W)
-        number(o, take(o, &at, shape & SMVM_SHAPE_D ? ", w" : "w"));
-    if (shape & SMVM_SHAPE_X)
-        operand(o, take(o, &at, shape & (SMVM_SHAPE_D | SMVM_SHAPE_W) ? ", " : ""));
-    if (shape & SMVM_SHAPE_Y)
-        operand(o, take(o, &at, ", "));
-    if (shape & SMVM_SHAPE_S)
-        state(o, take(o, &at, ""));
-    if (shape & SMVM_SHAPE_J) {
-        uint32_t distance = take(o, &at, shape & SMVM_SHAPE_X ? ", " : "");
-        number(o, at - o->m->code_at + distance);
-    }
+    if (op == SMVM_ldx_time || op == SMVM_ldy_time)
+        variable_of(o, op, SMVM_IS_TIME, 0);
+    for (uint32_t letter = 1; letter <= shape; letter <<= 1)
+        if ((shape & letter) != 0) {
+            smvm_varint(o->m->image, &at, o->m->code_at + o->m->code_size, &v);
+            text(o, between);
+            follows(o, op, letter, letter == SMVM_SHAPE_J ? at - o->m->code_at + v : v);
+            between = ", ";
+        }
     source_line(o, start);
     text(o, "\n");
     return at;
@@ -314,18 +366,31 @@ static void window(Out *o, uint32_t w)
     text(o, "\n");
 }
 
-static void operands(Out *o)
+static void element(Out *o, const char *what, const SmvmPlace *p)
 {
-    for (uint32_t i = 0; i < o->m->outputs + 2; i++) {
-        SmvmOperand p = smvm_operand(o->m, i);
-        text(o, i < o->m->outputs ? "    output" : i == o->m->outputs ? "    G" : "    S");
-        pad(o, 20);
-        place(o, "", &p);
-        if (smvm_operand_name(o->m, i).size > 0)
-            text(o, " ");
-        name(o, smvm_operand_name(o->m, i));
-        text(o, "\n");
+    SmvmName n = smvm_name_of(o->m, SMVM_IS_ELEMENT, p);
+
+    text(o, "    ");
+    text(o, what);
+    pad(o, 20);
+    place(o, "", p);
+    text(o, n.size > 0 ? " " : "");
+    name(o, n);
+    text(o, "\n");
+}
+
+static void elements(Out *o)
+{
+    SmvmPlace g = {SM_U64, 0}, s = {SM_U32, 0}, p;
+
+    g.offset = o->m->g;
+    s.offset = o->m->s;
+    for (uint32_t i = 0; i < o->m->outputs; i++) {
+        p = smvm_output(o->m, i);
+        element(o, "output", &p);
     }
+    element(o, "G", &g);
+    element(o, "S", &s);
 }
 
 static void initial_values(Out *o)
@@ -333,15 +398,15 @@ static void initial_values(Out *o)
     const SmvmMachine *m = o->m;
 
     for (uint32_t at = m->init_at; at < m->init_at + m->init_size;) {
-        SmvmOperand p = smvm_operand_at(m->image, at);
+        SmvmPlace p = smvm_place(m->image, at);
         uint8_t bytes = (uint8_t)(1u << smvm_type_shift(p.type));
         text(o, "    initial value");
         pad(o, 20);
         place(o, "local ", &p);
         text(o, " = 0x");
-        hex(o, smvm_cell(m->image, at + 3, bytes), (uint8_t)(2 * bytes));
+        hex(o, smvm_cell(m->image, at + SMVM_PLACE, bytes), (uint8_t)(2 * bytes));
         text(o, "\n");
-        at += 3u + bytes;
+        at += (uint32_t)SMVM_PLACE + bytes;
     }
 }
 
@@ -356,14 +421,17 @@ static void machine(Out *o, uint32_t index)
     text(o, "\n");
     line(o, "state vector", m->sv_size, " bytes, layout ");
     hex(o, m->layout, 8);
+    text(o, "; of these it names ");
+    number(o, m->from);
+    text(o, " to ");
+    number(o, m->to);
     text(o, "\n");
     line(o, "states", m->states, "\n");
     line(o, "memory", smvm_ram_size(m), " bytes on this machine, of these ");
     number(o, m->locals);
     text(o, " for locals\n");
-    line(o, "operands", m->operands, "\n");
     line(o, "longest step", smvm_longest_step(m), " instructions\n");
-    operands(o);
+    elements(o);
     initial_values(o);
     for (uint32_t w = 0; w < m->windows; w++)
         window(o, w);
@@ -428,10 +496,8 @@ static const char *section_name(uint8_t id)
 {
     switch (id) {
 #define SMVM_SECTION(name, id_, version, meaning) case id_: return #name;
-#define SMVM_OPERAND(name, number, meaning)
 #include "bytecode-vm/image.def"
 #undef SMVM_SECTION
-#undef SMVM_OPERAND
     default: return "unknown";
     }
 }
@@ -467,7 +533,7 @@ void smvm_disasm(SmvmBytes image, SmvmWrite write, void *context)
     o.m = &m;
     text(&o, "image of ");
     number(&o, smvm_u24(image, SMVM_LENGTH_AT));
-    text(&o, " bytes, format 1, crc ");
+    text(&o, " bytes, format 2, crc ");
     hex(&o, smvm_uint(image, SMVM_CRC_AT, 4), 8);
     text(&o, "\n");
     sections(&o, image);

@@ -25,17 +25,17 @@
 //   whole    an integer as it is                       number   what it is compared with
 //   move     from one place to another of the type     count    x + c, stored: w[0] = w[1] + w[2]
 
-#define TYPE(K, ctype, from, to, bare)                                                                                     \
+#define TYPE(K, ctype, from, to, bare, is_true)                                                                                     \
     static inline ctype cell_##K(const SmvmWord *w) { ctype v; memcpy(&v, w->p, sizeof v); return v; }                  \
     static inline SmF64 get_##K(const SmvmWord *w, SmF64 f) { (void)f; return from(cell_##K(w)); }                      \
     static inline void put_##K(const SmvmWord *w, SmF64 x) { const ctype v = to(x); memcpy(w->p, &v, sizeof v); }       \
     static inline SmF64 bare_##K(const SmvmWord *w) { return bare(cell_##K(w)); }                                       \
     static inline SmF64 convert_##K(SmF64 x) { return from(to(x)); }                                                    \
-    static inline bool true_##K(const SmvmWord *w) { return sm_to_bool(from(cell_##K(w))); }
+    static inline bool true_##K(const SmvmWord *w) { return is_true(cell_##K(w)); }
 
 // Moved, a number of up to 32 bits stays what it is; sums of two are exact in 64 bits, and cut at the same ends.
 #define SMALL(K, ctype, from, to, lo, hi)                                                                               \
-    TYPE(K, ctype, from, to, from)                                                                                       \
+    TYPE(K, ctype, from, to, from, is_not_zero)                                                                                       \
     static inline int64_t whole_##K(const SmvmWord *w) { return cell_##K(w); }                                          \
     static inline int64_t number_##K(const SmvmWord *w) { return w->i; }                                                \
     static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { const ctype v = cell_##K(x); memcpy(d->p, &v, sizeof v); } \
@@ -46,7 +46,7 @@
     }
 
 #define LARGE(K, ctype, from, to, count)                                                                                \
-    TYPE(K, ctype, from, to, from)                                                                                       \
+    TYPE(K, ctype, from, to, from, is_not_zero)                                                                                       \
     static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { put_##K(d, get_##K(x, sm_from_i32(0))); }       \
     static inline void count_##K(const SmvmWord *w)                                                                     \
     {                                                                                                                   \
@@ -54,8 +54,8 @@
         memcpy(w->p, &v, sizeof v);                                                                                     \
     }
 
-#define FLOATING(K, ctype, from, to, bare)                                                                                  \
-    TYPE(K, ctype, from, to, bare)                                                                                          \
+#define FLOATING(K, ctype, from, to, bare, is_true)                                                                                  \
+    TYPE(K, ctype, from, to, bare, is_true)                                                                                          \
     static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { put_##K(d, get_##K(x, sm_from_i32(0))); }
 
 static inline int64_t clip(int64_t x, int64_t lo, int64_t hi) { return x < lo ? lo : x > hi ? hi : x; }
@@ -70,6 +70,8 @@ static inline SmF64 read_f64(SmF64 x)
 }
 static inline SmF64 read_f32(float v) { return read_f64(sm_from_f32(v)); }
 static inline SmF64 from_byte(uint8_t v) { return sm_from_bool(v != 0); }
+#define is_not_zero(v) ((v) != 0)
+static inline bool is_f32_true(float v) { return sm_to_bool(sm_from_f32(v)); }
 static inline SmF64 as_it_is(SmF64 x) { return x; }
 
 SMALL(I8, int8_t, sm_from_i8, sm_to_i8, INT8_MIN, INT8_MAX)
@@ -80,19 +82,26 @@ SMALL(U8, uint8_t, sm_from_u8, sm_to_u8, 0, UINT8_MAX)
 SMALL(U16, uint16_t, sm_from_u16, sm_to_u16, 0, UINT16_MAX)
 SMALL(U32, uint32_t, sm_from_u32, sm_to_u32, 0, UINT32_MAX)
 LARGE(U64, uint64_t, sm_from_u64, sm_to_u64, sm_count_u64)
-FLOATING(F32, float, read_f32, sm_to_f32, sm_from_f32)
-FLOATING(F64, SmF64, read_f64, sm_to_f64, as_it_is)
-FLOATING(BOOL, uint8_t, from_byte, sm_to_bool, from_byte)
-FLOATING(RAW, SmF64, as_it_is, as_it_is, as_it_is)
+FLOATING(F32, float, read_f32, sm_to_f32, sm_from_f32, is_f32_true)
+FLOATING(F64, SmF64, read_f64, sm_to_f64, as_it_is, sm_to_bool)
+FLOATING(BOOL, uint8_t, from_byte, sm_to_bool, from_byte, is_not_zero)
+FLOATING(RAW, SmF64, as_it_is, smvm_raw, as_it_is, sm_to_bool)
 static inline int64_t whole_I64(const SmvmWord *w) { return cell_I64(w); }
 static inline uint64_t whole_U64(const SmvmWord *w) { return cell_U64(w); }
 static inline int64_t number_I64(const SmvmWord *w) { return w->i; }
 static inline uint64_t number_U64(const SmvmWord *w) { return w->u; }
 static inline SmF64 get_C(const SmvmWord *w, SmF64 f) { (void)f; return w->f; }
-static inline SmF64 get_A(const SmvmWord *w, SmF64 f) { (void)w; return f; }
 
 #define SET(ctype, n) do { const ctype v_ = (ctype)ip[(n) + 1].u; memcpy(ip[n].p, &v_, sizeof v_); } while (0)
 #define NOTE notes |= ip[1].u                          // an output is written; of the first 64
+
+// Whether x and y are in one of the relations m (image.h).
+static inline bool related(unsigned m, SmF64 x, SmF64 y)
+{
+    unsigned is = (unsigned)sm_lt(x, y) | (unsigned)sm_eq(x, y) << 1 | (unsigned)sm_lt(y, x) << 2;
+
+    return (m & (is != 0 ? is : (unsigned)SMVM_UNORDERED)) != 0;
+}
 
 // ---- what is too long to stand in the code of an instruction ----
 

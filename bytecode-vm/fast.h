@@ -7,10 +7,11 @@
 #include "bytecode-vm/smvm.h"
 
 // The types of what lies in memory, by their numbers, and behind them a temp (RAW).  INTS have all values in an int64_t but for
-// the upper half of U64.  An operand may also be a number in the code (C) or what is in F already (A).
+// the upper half of U64.  Behind them: a number in the code (C), and what is in F already (A).
 #define FAST_TYPES(M) M(I8) M(I16) M(I32) M(I64) M(U8) M(U16) M(U32) M(U64) M(F32) M(F64) M(BOOL)
 #define FAST_KINDS(M) FAST_TYPES(M) M(RAW)
-#define FAST_SOURCES(M) FAST_KINDS(M) M(C) M(A)
+#define FAST_SOURCES(M) FAST_KINDS(M) M(C)
+#define FAST_FLOATS(M) M(F32) M(F64)
 #define FAST_INTS(M) M(I8) M(I16) M(I32) M(I64) M(U8) M(U16) M(U32) M(U64)
 
 enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
@@ -22,7 +23,6 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_RSUB(K) FAST(RSUB_##K, F = sm_sub(get_##K(ip + 1, F), F); NEXT(2);)
 #define FAST_MUL(K) FAST(MUL_##K, F = sm_mul(F, get_##K(ip + 1, F)); NEXT(2);)
 #define FAST_DIV(K) FAST(DIV_##K, F = sm_div(F, get_##K(ip + 1, F)); NEXT(2);)
-#define FAST_RDIV(K) FAST(RDIV_##K, F = sm_div(get_##K(ip + 1, F), F); NEXT(2);)
 #define FAST_MIN(K) FAST(MIN_##K, F = sm_min(F, get_##K(ip + 1, F)); NEXT(2);)
 #define FAST_MAX(K) FAST(MAX_##K, F = sm_max(F, get_##K(ip + 1, F)); NEXT(2);)
 #define FAST_EQ(K) FAST(EQ_##K, F = sm_from_bool(sm_eq(F, get_##K(ip + 1, F))); NEXT(2);)
@@ -31,6 +31,7 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_LE(K) FAST(LE_##K, F = sm_from_bool(sm_le(F, get_##K(ip + 1, F))); NEXT(2);)
 #define FAST_GT(K) FAST(GT_##K, F = sm_from_bool(sm_lt(get_##K(ip + 1, F), F)); NEXT(2);)
 #define FAST_GE(K) FAST(GE_##K, F = sm_from_bool(sm_le(get_##K(ip + 1, F), F)); NEXT(2);)
+#define FAST_REL(K) FAST(REL_##K, F = sm_from_bool(related((unsigned)ip[2].u, F, get_##K(ip + 1, F))); NEXT(3);)
 #define FAST_AND(K) FAST(AND_##K, F = sm_from_bool(sm_to_bool(F) && sm_to_bool(get_##K(ip + 1, F))); NEXT(2);)
 #define FAST_OR(K) FAST(OR_##K, F = sm_from_bool(sm_to_bool(F) || sm_to_bool(get_##K(ip + 1, F))); NEXT(2);)
 #define FAST_CVT(K) FAST(CVT_##K, F = convert_##K(F); NEXT(1);)
@@ -52,13 +53,35 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_INC(K) FAST(INC_##K, count_##K(ip + 1); NEXT(4);)
 #define FAST_INCN(K) FAST(INCN_##K, NOTE; count_##K(ip + 2); NEXT(5);)
 
+// F op y, stored as the type of y; or as this type where y is a number.
+#define FAST_ADDST(K) FAST(ADDST_##K, F = sm_add(F, get_##K(ip + 2, F)); put_##K(ip + 1, F); NEXT(3);)
+#define FAST_SUBST(K) FAST(SUBST_##K, F = sm_sub(F, get_##K(ip + 2, F)); put_##K(ip + 1, F); NEXT(3);)
+#define FAST_MULST(K) FAST(MULST_##K, F = sm_mul(F, get_##K(ip + 2, F)); put_##K(ip + 1, F); NEXT(3);)
+#define FAST_DIVST(K) FAST(DIVST_##K, F = sm_div(F, get_##K(ip + 2, F)); put_##K(ip + 1, F); NEXT(3);)
+#define FAST_ADDSTN(K) FAST(ADDSTN_##K, NOTE; F = sm_add(F, get_##K(ip + 3, F)); put_##K(ip + 2, F); NEXT(4);)
+#define FAST_SUBSTN(K) FAST(SUBSTN_##K, NOTE; F = sm_sub(F, get_##K(ip + 3, F)); put_##K(ip + 2, F); NEXT(4);)
+#define FAST_MULSTN(K) FAST(MULSTN_##K, NOTE; F = sm_mul(F, get_##K(ip + 3, F)); put_##K(ip + 2, F); NEXT(4);)
+#define FAST_DIVSTN(K) FAST(DIVSTN_##K, NOTE; F = sm_div(F, get_##K(ip + 3, F)); put_##K(ip + 2, F); NEXT(4);)
+#define FAST_ADDCST(K) FAST(ADDCST_##K, F = sm_add(F, ip[2].f); put_##K(ip + 1, F); NEXT(3);)
+#define FAST_MULCST(K) FAST(MULCST_##K, F = sm_mul(F, ip[2].f); put_##K(ip + 1, F); NEXT(3);)
+#define FAST_DIVCST(K) FAST(DIVCST_##K, F = sm_div(F, ip[2].f); put_##K(ip + 1, F); NEXT(3);)
+#define FAST_ADDCSTN(K) FAST(ADDCSTN_##K, NOTE; F = sm_add(F, ip[3].f); put_##K(ip + 2, F); NEXT(4);)
+#define FAST_MULCSTN(K) FAST(MULCSTN_##K, NOTE; F = sm_mul(F, ip[3].f); put_##K(ip + 2, F); NEXT(4);)
+#define FAST_DIVCSTN(K) FAST(DIVCSTN_##K, NOTE; F = sm_div(F, ip[3].f); put_##K(ip + 2, F); NEXT(4);)
+
 #define FAST_SAMPLED(M) M(I16) M(U16) M(I32) M(F32) M(F64)
 #define FAST_PUSH_MEDIAN(K) FAST(PUSH_MEDIAN_##K, push_median_##K((uint64_t *)ip[1].p, (uint32_t)ip[2].u, F); NEXT(4);)
 #define FAST_PUSH_AVG(K) FAST(PUSH_AVG_##K, push_avg_##K((uint64_t *)ip[1].p, (uint32_t)ip[2].u, F); NEXT(4);)
 #define FAST_PUSH_ENDS(K) FAST(PUSH_ENDS_##K, push_ends_##K((uint64_t *)ip[1].p, (uint32_t)ip[2].u, F); NEXT(4);)
+#define FAST_TAKE_MEDIAN(K) FAST(TAKE_MEDIAN_##K, push_median_##K((uint64_t *)ip[1].p, (uint32_t)ip[2].u, bare_##K(ip + 4)); NEXT(5);)
+#define FAST_TAKE_AVG(K) FAST(TAKE_AVG_##K, push_avg_##K((uint64_t *)ip[1].p, (uint32_t)ip[2].u, bare_##K(ip + 4)); NEXT(5);)
+#define FAST_TAKE_ENDS(K) FAST(TAKE_ENDS_##K, push_ends_##K((uint64_t *)ip[1].p, (uint32_t)ip[2].u, bare_##K(ip + 4)); NEXT(5);)
 #define FAST_MEDIAN(K) FAST(MEDIAN_##K, F = sm_roll_median((const uint64_t *)ip[1].p, (uint32_t)ip[2].u, SM_ROLL_##K | SM_ROLL_MEDIAN); NEXT(5);)
 #define FAST_AVG(K) FAST(AVG_##K, F = sm_roll_avg((const uint64_t *)ip[1].p, SM_ROLL_##K | SM_ROLL_AVG); NEXT(5);)
 #define FAST_RANGE(K) FAST(RANGE_##K, F = sm_roll_range((const uint64_t *)ip[1].p, (uint32_t)ip[2].u, SM_ROLL_##K | SM_ROLL_RANGE); NEXT(5);)
+#define FAST_MEDIANN(K) FAST(MEDIANN_##K, NOTE; F = sm_roll_median((const uint64_t *)ip[3].p, (uint32_t)ip[4].u, SM_ROLL_##K | SM_ROLL_MEDIAN); put_##K(ip + 2, F); NEXT(7);)
+#define FAST_AVGN(K) FAST(AVGN_##K, NOTE; F = sm_roll_avg((const uint64_t *)ip[3].p, SM_ROLL_##K | SM_ROLL_AVG); put_##K(ip + 2, F); NEXT(7);)
+#define FAST_RANGEN(K) FAST(RANGEN_##K, NOTE; F = sm_roll_range((const uint64_t *)ip[3].p, (uint32_t)ip[4].u, SM_ROLL_##K | SM_ROLL_RANGE); put_##K(ip + 2, F); NEXT(7);)
 
 #define FAST_JEQ(K) FAST(JEQ_##K, GO_IF(sm_eq(F, get_##K(ip + 2, F)), 3);)
 #define FAST_JNE(K) FAST(JNE_##K, GO_IF(!sm_eq(F, get_##K(ip + 2, F)), 3);)
@@ -70,14 +93,13 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_JNGT(K) FAST(JNGT_##K, GO_IF(!sm_lt(get_##K(ip + 2, F), F), 3);)
 #define FAST_JGE(K) FAST(JGE_##K, GO_IF(sm_le(get_##K(ip + 2, F), F), 3);)
 #define FAST_JNGE(K) FAST(JNGE_##K, GO_IF(!sm_le(get_##K(ip + 2, F), F), 3);)
+#define FAST_JREL(K) FAST(JREL_##K, GO_IF(related((unsigned)ip[3].u, F, get_##K(ip + 2, F)), 4);)
 #define FAST_JT(K) FAST(JT_##K, GO_IF(true_##K(ip + 2), 3);)
 #define FAST_JF(K) FAST(JF_##K, GO_IF(!true_##K(ip + 2), 3);)
 #define FAST_JEQ2(K) FAST(JEQ2_##K, GO_IF(sm_eq(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 #define FAST_JNE2(K) FAST(JNE2_##K, GO_IF(!sm_eq(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 #define FAST_JLT2(K) FAST(JLT2_##K, GO_IF(sm_lt(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
-#define FAST_JNLT2(K) FAST(JNLT2_##K, GO_IF(!sm_lt(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 #define FAST_JLE2(K) FAST(JLE2_##K, GO_IF(sm_le(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
-#define FAST_JNLE2(K) FAST(JNLE2_##K, GO_IF(!sm_le(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 // With a number: a stored NaN stays one here, and decode.c chooses the condition that makes of it what it makes of 0.
 #define FAST_JEQC(K) FAST(JEQC_##K, GO_IF(sm_eq(bare_##K(ip + 2), ip[3].f), 4);)
 #define FAST_JNEC(K) FAST(JNEC_##K, GO_IF(!sm_eq(bare_##K(ip + 2), ip[3].f), 4);)

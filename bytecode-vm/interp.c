@@ -1,266 +1,253 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interpreter: one step of a machine (language.md 6).  It checks nothing that the verifier has decided: operands exist,
-// code ends, jumps land on instructions, memory is there.
+// The interpreter: one step of a machine (language.md 6).  It checks nothing that the verifier has decided: what is named
+// exists, code ends, jumps land on instructions, memory is there.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
+#include "bytecode-vm/number.h"
 #include "bytecode-vm/smvm.h"
 #include "bytecode-vm/step.h"
-#include "stdlib/convert.h"
-#include "stdlib/math.h"
 
-// Where the interpreter stands in the code.
 typedef struct Run {
     SmVm *vm;
-    uint8_t *sv;
-    SmvmBytes image;
+    uint8_t *sv, *locals;
     const SmvmTables *t;
-    SmvmAt at, entry, payload;                     // in the code; of the operand that was looked up last
-    union { uint64_t cell; SmF64 number; } acc;    // the accumulator, as it would lie in memory
+    Number x, y;
 } Run;
 
-SMVM_APART static SmvmAt long_next(Run *r, uint8_t first)        // a varint of two or four bytes
+// ---- numbers in the code ----
+
+SMVM_INLINE uint8_t byte_at(SmvmBytes at) { return (uint8_t)SMVM_FETCH(at, 0); }
+
+// A varint of two or four bytes, of whose first this is `b`; the others are at `at`.
+SMVM_APART static uint32_t long_number(SmvmBytes at, uint8_t b)
 {
-    uint32_t b = first;
+    uint32_t v;
 
     if (b < SMVM_VARINT_2)
-        return (SmvmAt)(SMVM_VARINT_1 + ((b - SMVM_VARINT_1) << 7 | smvm_u8(r->image, r->at++)));
-    b -= SMVM_VARINT_2;
+        return SMVM_VARINT_1 + (uint32_t)((uint16_t)(b - SMVM_VARINT_1) << 7 | byte_at(at));
+    v = b & 7;
     for (uint8_t i = 0; i < 3; i++)
-        b = b << 7 | smvm_u8(r->image, r->at++);
-    return (SmvmAt)(SMVM_VARINT_MID + b);
+        v = v << 7 | byte_at(at++);
+    return SMVM_VARINT_MID + v;
 }
 
-// The next varint: it numbers or measures something in this image, so an SmvmAt holds it.
-static SmvmAt next(Run *r)
+SMVM_INLINE SmvmBytes behind(SmvmBytes at, uint8_t b)           // the others of one whose first is b
 {
-    uint8_t b = smvm_u8(r->image, r->at++);
-
-    return b < SMVM_VARINT_1 ? b : long_next(r, b);
+    return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
 }
 
-// ---- operands ----
+// ---- loads and stores ----
 
-// Finds an entry of the table of operands; gives its kind.  The payload is whole where it says where something lies in memory or in a
-// table; integer() looks again.
-static uint8_t look_up(Run *r, SmvmAt index)
+SMVM_INLINE uint8_t *placed(uint8_t *base, uint8_t type, SmvmAt at)
 {
-    SmvmAt at = (SmvmAt)(r->t->operands + index + index + index);
-    uint8_t low = smvm_u8(r->image, at), mid = smvm_u8(r->image, at + 1), high = smvm_u8(r->image, at + 2);
-
-    r->entry = at;
-    r->payload = (SmvmAt)((SmvmAt)(mid | (SmvmAt)high << 8) << (8 - SMVM_KIND_BITS) | (SmvmAt)(low >> SMVM_KIND_BITS));
-    return low & ((1u << SMVM_KIND_BITS) - 1u);
-}
-
-static SmF64 integer(const Run *r)                    // its payload again, with its sign
-{
-    SmvmAt at = r->entry;
-    int32_t v = smvm_u8(r->image, at + 1) | (int32_t)smvm_u8(r->image, at + 2) << 8;
-
-    if (v > SMVM_INT_MOST >> (8 - SMVM_KIND_BITS))
-        v -= SMVM_PAYLOADS >> (8 - SMVM_KIND_BITS);
-    return sm_from_i32(v * (1 << (8 - SMVM_KIND_BITS)) + (smvm_u8(r->image, at) >> SMVM_KIND_BITS));
-}
-
-SMVM_APART static SmF64 constant(const Run *r, uint8_t kind)
-{
-    switch (kind) {
-    case SMVM_K_TIME: return sm_from_u64(r->vm->next - r->vm->start);
-    case SMVM_K_F32: return sm_from_f32(sm_f32_from_bits(smvm_uint(r->image, r->t->f32s + (SmvmAt)(4 * r->payload), 4)));
-    default: return sm_from_bits(smvm_cell(r->image, r->t->f64s + (SmvmAt)(8 * r->payload), 8));
-    }
-}
-
-static uint8_t *placed(uint8_t *base, uint8_t type, SmvmAt at) { return base + (SmvmAt)(at << smvm_type_shift(type)); }
-static uint8_t *locals(const Run *r) { return (uint8_t *)r->vm + r->vm->local; }
-static SmF64 *temp(const Run *r, SmvmAt at) { return (SmF64 *)(void *)((uint8_t *)r->vm + r->t->temps) + at; }
-
-static SmF64 get(Run *r)
-{
-    uint8_t kind = look_up(r, next(r));
-
-    if (kind < SMVM_K_LOCAL)
-        return sm_load((SmType)kind, placed(r->sv, kind, r->payload));
-    if (kind == SMVM_K_TEMP)
-        return *temp(r, r->payload);
-    if (kind == SMVM_K_ACC)
-        return r->payload == SMVM_RAW ? r->acc.number : sm_load((SmType)r->payload, &r->acc);
-    if (kind > SMVM_K_TEMP)
-        return kind == SMVM_K_INT ? integer(r) : constant(r, kind);
-    kind = (uint8_t)(kind - SMVM_K_LOCAL);
-    return sm_load((SmType)kind, placed(locals(r), kind, r->payload));
+    for (uint8_t shift = smvm_type_shift(type); shift > 0; shift--)
+        at = (SmvmAt)(at + at);
+    return base + at;
 }
 
 static void note(Run *r, SmvmAt output)               // that it is written
 {
-    uint8_t *bits = r->vm->stored;
+    uint8_t *bits = r->vm->stored, bit = 1;
 
     if (output >= 64) {
         bits = (uint8_t *)r->vm + r->t->more;
         output = (SmvmAt)(output - 64);
     }
-    bits[output >> 3] = (uint8_t)(bits[output >> 3] | 1u << (output & 7u));
+    for (uint8_t i = output & 7; i > 0; i--)
+        bit = (uint8_t)(bit << 1);
+    bits += output >> 3;
+    *bits |= bit;
 }
 
-static void put(Run *r, SmvmAt index, SmF64 x)
+SMVM_APART static void put_out(Run *r, SmvmAt output)
 {
-    uint8_t kind = look_up(r, index);
+    const SmvmBytes at = r->vm->image + (SmvmAt)(r->t->outputs + SMVM_PLACE * output);
+    const uint8_t high = byte_at(at + 2);
+    SmvmAt offset = (SmvmAt)(byte_at(at) | (uint16_t)byte_at(at + 1) << 8);
 
-    if (kind < SMVM_K_LOCAL) {
-        note(r, index);
-        sm_store((SmType)kind, placed(r->sv, kind, r->payload), x);
-    } else if (kind == SMVM_K_TEMP)
-        *temp(r, r->payload) = x;
-    else if (kind != SMVM_K_ACC) {
-        kind = (uint8_t)(kind - SMVM_K_LOCAL);
-        sm_store((SmType)kind, placed(locals(r), kind, r->payload), x);
-    } else if (r->payload == SMVM_RAW)
-        r->acc.number = x;
-    else
-        sm_store((SmType)r->payload, &r->acc, x);
+    if (sizeof offset > 2)
+        offset = (SmvmAt)(offset | (uint32_t)(high & 0xf0) << 12);
+    note(r, output);
+    number_store(&r->x, high & 0xf, placed(r->sv, high & 0xf, offset));
 }
 
-// ---- operations ----
-
-static SmF64 number(bool b) { return sm_from_i32(b); }
-
-static SmF64 of_one(uint8_t op, SmF64 x)
+// As a local of the type would keep it.
+SMVM_APART static void convert(Number *x, uint8_t type)
 {
-    switch (op) {
-    case SMVM_neg: return sm_neg(x);
-    case SMVM_abs: return sm_abs(x);
-    case SMVM_floor: return sm_floor(x);
-    case SMVM_ceil: return sm_ceil(x);
-    case SMVM_trunc: return sm_trunc(x);
-    case SMVM_round: return sm_round(x);
-    case SMVM_sqrt: return sm_sqrt(x);
-    case SMVM_sign: return sm_sign(x);
-    case SMVM_truth: return number(sm_to_bool(x));
-    case SMVM_not: return number(!sm_to_bool(x));
-    default: return x;                                // mov
-    }
+    uint64_t cell;
+
+    number_store(x, type, (uint8_t *)&cell);
+    number_load(x, type, (uint8_t *)&cell);
 }
 
-static SmF64 of_two(uint8_t op, SmF64 x, SmF64 y)
-{
-    switch (op) {
-    case SMVM_add: return sm_add(x, y);
-    case SMVM_sub: return sm_sub(x, y);
-    case SMVM_mul: return sm_mul(x, y);
-    case SMVM_div: return sm_div(x, y);
-    case SMVM_min: return sm_min(x, y);
-    case SMVM_max: return sm_max(x, y);
-    case SMVM_eq: return number(sm_eq(x, y));
-    case SMVM_ne: return number(!sm_eq(x, y));
-    case SMVM_lt: return number(sm_lt(x, y));
-    case SMVM_le: return number(sm_le(x, y));
-    case SMVM_and: return number(sm_to_bool(x) && sm_to_bool(y));
-    default: return number(sm_to_bool(x) || sm_to_bool(y));
-    }
-}
-
-// The condition of a jump on two operands; its opposite has the number behind it.
-static bool holds(uint8_t op, SmF64 x, SmF64 y)
-{
-    const bool opposite = ((op - SMVM_jeq) & 1) != 0;
-
-    if (op < SMVM_jlt)
-        return sm_eq(x, y) != opposite;
-    return (op < SMVM_jle ? sm_lt(x, y) : sm_le(x, y)) != opposite;
-}
-
-static void jump_if(Run *r, bool condition)
-{
-    SmvmAt distance = next(r);
-
-    if (condition)
-        r->at = (SmvmAt)(r->at + distance);
-}
+// ---- windows ----
 
 void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(w, n, kind, x); }
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat) { return sm_roll_stat(w, n, kind, stat); }
 
-static uint64_t *words_of(const Run *r, SmvmAt w) { return smvm_windows_of(r->vm)[w]; }
-
-static void push(const Run *r, SmvmAt w, SmF64 x)
+SMVM_APART static void sample(Run *r, SmvmAt w)
 {
-    uint32_t entry = smvm_window(r->image, r->t->windows, w);
+    const uint32_t entry = smvm_window(r->vm->image, r->t->windows, w);
 
-    smvm_sample(words_of(r, w), entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, x);
+    smvm_sample(smvm_windows_of(r->vm)[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, number_f64(&r->x));
 }
 
-static SmF64 statistic(const Run *r, SmvmAt w, SmStat stat)
+SMVM_APART static void statistic(Run *r, SmStat stat, SmvmAt w)
 {
-    uint32_t entry = smvm_window(r->image, r->t->windows, w);
+    const uint32_t entry = smvm_window(r->vm->image, r->t->windows, w);
+    const uint32_t n = entry & SMVM_WINDOW_SIZE_MASK, kind = entry >> SMVM_WINDOW_SIZE_BITS;
 
-    return smvm_statistic(words_of(r, w), entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, stat);
+    number_real(&r->x, smvm_statistic(smvm_windows_of(r->vm)[w], n, kind, stat));
 }
 
-static void window(Run *r, uint8_t op)
-{
-    SmvmAt a = next(r);
+// ---- instructions ----
 
-    if (op == SMVM_sample)
-        push(r, a, get(r));
+// and, or; what has no operand.
+SMVM_APART static void compute(Run *r, uint8_t op)
+{
+    if (op == SMVM_and)
+        number_whole(&r->x, number_is_true(&r->x) && number_is_true(&r->y));
+    else if (op == SMVM_or)
+        number_whole(&r->x, number_is_true(&r->x) || number_is_true(&r->y));
     else
-        put(r, a, statistic(r, next(r), (SmStat)(op - SMVM_avg)));
+        number_compute(&r->x, op, &r->y);
 }
 
-static void compute(Run *r, uint8_t op)
-{
-    SmvmAt d = next(r);
-    SmF64 x = get(r);
+static bool is_in(const Run *r, uint8_t m) { return (number_relation(&r->x, &r->y) & m) != 0; }
 
-    put(r, d, op < SMVM_add ? of_one(op, x) : of_two(op, x, get(r)));
+static uint64_t constant(const Run *r, SmvmAt table, uint32_t n, uint8_t bytes)
+{
+    return smvm_cell(r->vm->image, (SmvmAt)(table + bytes * (SmvmAt)n), bytes);
 }
 
-static void jump(Run *r, uint8_t op)
+// ldx_plus … ldx_f64, those of Y, addi, subi.
+SMVM_APART static void with_number(Run *r, uint8_t op, uint32_t n)
 {
-    SmF64 x = get(r);
+    Number *x = op & 0x20 ? &r->y : &r->x, y;
 
-    if (op < SMVM_jeq)
-        jump_if(r, sm_to_bool(x) == (op == SMVM_jt));
-    else {
-        SmF64 y = get(r);
-        jump_if(r, holds(op, x, y));
+    switch (op & 0x1f) {
+    case SMVM_ldx_plus & 0x1f: number_whole(x, (int32_t)n); break;
+    case SMVM_ldx_minus & 0x1f: number_whole(x, -1 - (int32_t)n); break;
+    case SMVM_ldx_f32 & 0x1f: number_real(x, sm_from_f32(sm_f32_from_bits((uint32_t)constant(r, r->t->f32s, n, 4)))); break;
+    case SMVM_ldx_f64 & 0x1f: number_real(x, sm_from_bits(constant(r, r->t->f64s, n, 8))); break;
+    default:
+        number_whole(&y, (int32_t)n);
+        number_compute(x, op == SMVM_addi ? SMVM_add : SMVM_sub, &y);
     }
 }
 
-// Where function `index` ends (image.h).
-static SmvmAt end_of(const Run *r, SmvmAt index)
+// All that load, and those.
+SMVM_APART static void load(Run *r, uint8_t op, uint32_t n)
 {
-    SmvmAt at = (SmvmAt)(r->t->functions + index), end;
+    const uint8_t type = op & 0xf;
+
+    if (type > SMVM_RAW)
+        with_number(r, op, n);
+    else
+        number_load(op & 0x20 ? &r->y : &r->x, type, placed(op & 0x10 ? r->sv : r->locals, type, (SmvmAt)n));
+}
+
+SMVM_APART static void load_time(Run *r, uint8_t op)
+{
+    const uint64_t time = r->vm->next - r->vm->start;
+
+    number_load(op == SMVM_ldx_time ? &r->x : &r->y, SM_U64, (const uint8_t *)&time);
+}
+
+SMVM_APART static bool jumps(const Run *r, uint8_t op)           // all but jxn
+{
+    switch (op) {
+    case SMVM_jmp: return true;
+    case SMVM_jf: return !number_is_true(&r->x);
+    case SMVM_jt: return number_is_true(&r->x);
+    default: return is_in(r, op & 0xf);
+    }
+}
+
+// st_local, out, set, cvt, sample.
+SMVM_APART static void put(Run *r, uint8_t op, SmvmAt n)
+{
+    const uint8_t type = op & 0xf;
+
+    switch (op) {
+    case SMVM_out: put_out(r, n); break;
+    case SMVM_set: number_whole(&r->x, is_in(r, (uint8_t)n)); break;
+    case SMVM_cvt: convert(&r->x, (uint8_t)n); break;
+    case SMVM_sample: sample(r, n); break;
+    default: number_store(&r->x, type, placed(r->locals, type, n));
+    }
+}
+
+// Runs code up to its end; gives the state that it goes to, or 0.
+SMVM_APART static SmvmAt run_code(Run *r, SmvmBytes at)
+{
+    for (;;) {
+        const uint8_t op = byte_at(at++);
+        uint8_t b;
+        uint32_t n;
+        if (op >= SMVM_add) {
+            compute(r, op);
+            continue;
+        }
+        if (op == SMVM_end)
+            return 0;
+        if ((op & (uint8_t)~0x20) == SMVM_ldx_time) {
+            load_time(r, op);
+            continue;
+        }
+        n = b = byte_at(at++);
+        if (b >= SMVM_VARINT_1) {
+            n = long_number(at, b);
+            at = behind(at, b);
+        }
+        if (op >= SMVM_jxy) {
+            bool jump;
+            if (op >= SMVM_jxn && op < SMVM_jt) {
+                jump = (number_relation_to(&r->x, (int32_t)n) & op) != 0;
+                n = b = byte_at(at++);
+                if (b >= SMVM_VARINT_1) {
+                    n = long_number(at, b);
+                    at = behind(at, b);
+                }
+            } else
+                jump = jumps(r, op);
+            if (jump)
+                at += (SmvmAt)n;
+        } else if (op == SMVM_goto)
+            return (SmvmAt)n;
+        else if (op == SMVM_stat) {
+            b = byte_at(at++);
+            statistic(r, (SmStat)n, b < SMVM_VARINT_1 ? b : (SmvmAt)long_number(at, b));
+            at = behind(at, b);
+        } else if (op < SMVM_cvt)
+            load(r, op, n);
+        else
+            put(r, op, (SmvmAt)n);
+    }
+}
+
+static SmvmAt end_at(const Run *r, SmvmBytes at)      // an entry of the table of functions (image.h)
+{
+    SmvmAt end = byte_at(at);
 
     for (uint8_t i = 1; i < r->t->width; i++)
-        at = (SmvmAt)(at + index);
-    end = smvm_u8(r->image, at);
-    for (uint8_t i = 1; i < r->t->width; i++)
-        end = (SmvmAt)(end + ((SmvmAt)smvm_u8(r->image, at + i) << 8 * i));
+        end = (SmvmAt)(end | (SmvmAt)byte_at(at + i) << 8 * i);
     return end;
 }
 
 // Runs a function; gives the state that it goes to, or 0.
 static SmvmAt run(Run *r, SmvmAt function)
 {
-    SmvmAt start = function == 0 ? 0 : end_of(r, (SmvmAt)(function - 1));
+    SmvmBytes at = r->vm->image + r->t->functions;
+    SmvmAt start = 0;
 
-    if (start == end_of(r, function))
-        return 0;
-    r->at = (SmvmAt)(r->vm->code + start);
-    for (;;) {
-        uint8_t op = smvm_u8(r->image, r->at++);
-        if (op >= SMVM_avg)
-            window(r, op);
-        else if (op >= SMVM_mov)
-            compute(r, op);
-        else if (op > SMVM_jmp)
-            jump(r, op);
-        else if (op == SMVM_jmp)
-            jump_if(r, true);
-        else
-            return op == SMVM_goto ? next(r) : 0;
+    if (function > 0) {
+        at += (SmvmAt)(r->t->width * (SmvmAt)(function - 1));
+        start = end_at(r, at);
+        at += r->t->width;
     }
+    return start == end_at(r, at) ? 0 : run_code(r, r->vm->image + (SmvmAt)(r->vm->code + start));
 }
 
 // ---- the step ----
@@ -308,8 +295,6 @@ SmResult smvm_step(SmVm *vm, void *sv)
 #endif
     r.vm = vm;
     r.sv = (uint8_t *)sv;
-    r.image = vm->image;
-    r.at = 0;
-    r.acc.cell = 0;
+    r.locals = (uint8_t *)vm + vm->local;
     return one_step(&r);
 }

@@ -8,9 +8,34 @@
 
 // ---- the image ----
 
-bool smvm_varint(SmvmBytes image, uint32_t *at, uint32_t end, uint32_t *value)
+uint32_t smvm_uint(SmvmBytes image, SmvmAt at, uint8_t bytes)
 {
-    uint32_t b, more = 0, base = 0;
+    uint32_t v = 0;
+
+    while (bytes-- > 0)
+        v = v << 8 | smvm_u8(image, (SmvmAt)(at + bytes));
+    return v;
+}
+
+// As many digits of 7 bits behind the first.
+static bool read_digits(SmvmBytes image, SmvmAt *at, SmvmAt end, uint32_t v, uint8_t more, uint32_t *value)
+{
+    if ((SmvmAt)(end - *at) < more)
+        return false;
+    for (; more > 0; more--) {
+        uint8_t next = smvm_u8(image, (*at)++);
+        if (next >= SMVM_OP_LEAST)
+            return false;
+        v = v << 7 | next;
+    }
+    *value = v;
+    return true;
+}
+
+bool smvm_varint(SmvmBytes image, SmvmAt *at, SmvmAt end, uint32_t *value)
+{
+    uint8_t b, more = 0;
+    uint32_t v = 0;
 
     if (*at >= end)
         return false;
@@ -19,93 +44,123 @@ bool smvm_varint(SmvmBytes image, uint32_t *at, uint32_t end, uint32_t *value)
         return false;
     if (b >= SMVM_VARINT_2) {
         more = 3;
-        base = SMVM_VARINT_MID;
-        b -= SMVM_VARINT_2;
+        v = SMVM_VARINT_MID;
+        b = (uint8_t)(b - SMVM_VARINT_2);
     } else if (b >= SMVM_VARINT_1) {
         more = 1;
-        base = SMVM_VARINT_1;
-        b -= SMVM_VARINT_1;
+        v = SMVM_VARINT_1;
+        b = (uint8_t)(b - SMVM_VARINT_1);
     }
-    if (end - *at < more)
-        return false;
-    for (; more > 0; more--) {
-        uint8_t next = smvm_u8(image, (*at)++);
-        if (next >= SMVM_OP_LEAST)
-            return false;
-        b = b << 7 | next;
-    }
-    *value = base + b;
-    return true;
+    return read_digits(image, at, end, b, more, value) && (*value += v, true);
 }
 
 uint8_t smvm_sections(SmvmBytes image) { return smvm_u8(image, SMVM_SECTIONS_AT); }
 
-SmvmSection smvm_section(SmvmBytes image, uint32_t index)
+SmvmSection smvm_section(SmvmBytes image, uint8_t index)
 {
-    uint32_t at = SMVM_HEADER + index * SMVM_ENTRY;
+    const SmvmAt at = (SmvmAt)(SMVM_HEADER + index * SMVM_ENTRY);
     SmvmSection s;
 
     s.id = smvm_u8(image, at);
-    s.version = smvm_u8(image, at + 1);
-    s.at = smvm_u24(image, at + 2);
-    s.size = smvm_u24(image, at + 5);
+    s.version = smvm_u8(image, (SmvmAt)(at + 1));
+    s.at = smvm_u24(image, (SmvmAt)(at + 2));
+    s.size = smvm_u24(image, (SmvmAt)(at + 5));
     return s;
 }
 
-// Places a table of count entries at *at; false if it does not end before `end`.
-static bool place(uint32_t *table, uint32_t *at, uint32_t end, uint32_t count, uint32_t bytes)
+// Reads the numbers and tables of a MACHINE section one behind the other; after the first that is wrong gives 0.
+typedef struct Reader {
+    SmvmBytes image;
+    SmvmAt at, end;
+    uint8_t rule;             // that is broken
+} Reader;
+
+static SmvmAt read_number(Reader *r, uint8_t shift)              // in units of 1 << shift
 {
-    *table = *at;
-    if (count > (end - *at) / bytes)
-        return false;
-    *at += count * bytes;
-    return true;
+    uint32_t v = 0;
+
+    if (r->rule == 0 && !smvm_varint(r->image, &r->at, r->end, &v))
+        r->rule = SMVM_R_RECORD;
+    if (r->rule == 0 && v > (uint32_t)(SmvmAt)-1 >> shift)
+        r->rule = SMVM_R_RAM;
+    return (SmvmAt)(r->rule == 0 ? v << shift : 0);
 }
 
-uint8_t smvm_read_machine(SmvmMachine *m, uint32_t at, uint32_t size)
+static SmvmAt find_table(Reader *r, SmvmAt count, uint8_t bytes)
 {
-    uint32_t end = at + size, width = 0;
-    uint32_t *const number[] = {&m->sv_size, &m->locals, &m->temps, &m->windows, &m->outputs, &m->operands,
-                                &m->states, &width, &m->f32s, &m->f64s};
+    SmvmAt at = r->at;
+
+    if (count > (SmvmAt)(r->end - at) / bytes)
+        r->rule = SMVM_R_RECORD;
+    else
+        r->at = (SmvmAt)(at + count * bytes);
+    return at;
+}
+
+static void read_numbers(SmvmMachine *m, Reader *r)
+{
+    SmvmAt width;
+
+    m->sv_size = read_number(r, 3);
+    m->from = read_number(r, 3);
+    m->to = read_number(r, 3);
+    m->locals = read_number(r, 0);
+    m->windows = read_number(r, 0);
+    m->outputs = read_number(r, 0);
+    m->states = read_number(r, 0);
+    width = read_number(r, 0);
+    m->f32s = read_number(r, 0);
+    m->f64s = read_number(r, 0);
+    m->g = read_number(r, 3);
+    m->s = read_number(r, 2);
+    if (r->rule == 0 && (m->states == 0 || width < 1 || width > 3))
+        r->rule = SMVM_R_STATES;
+    m->width = (uint8_t)width;
+}
+
+uint8_t smvm_read_machine(SmvmMachine *m, SmvmAt at, SmvmAt size)
+{
+    Reader r = {m->image, at, (SmvmAt)(at + size), 0};
 
     if (size < 4)
         return SMVM_R_RECORD;
     m->machine_at = at;
     m->layout = smvm_uint(m->image, at, 4);
-    at += 4;
-    for (uint8_t i = 0; i < sizeof number / sizeof number[0]; i++)
-        if (!smvm_varint(m->image, &at, end, number[i]))
-            return SMVM_R_RECORD;
-    if (m->states == 0 || width < 1 || width > 3)
-        return SMVM_R_STATES;
-    m->sv_size *= 8;
-    m->width = (uint8_t)width;
-    if (!place(&m->windows_at, &at, end, m->windows, SMVM_WINDOW_ENTRY) || !place(&m->operands_at, &at, end, m->operands, 3)
-        || !place(&m->functions_at, &at, end, 3 * m->states + 1, width) || !place(&m->f32s_at, &at, end, m->f32s, 4)
-        || !place(&m->f64s_at, &at, end, m->f64s, 8))
+    r.at = (SmvmAt)(at + 4);
+    read_numbers(m, &r);
+    if (r.rule != 0)
+        return r.rule;
+    if (m->states > size / 3)                         // so that three times as many can be counted
         return SMVM_R_RECORD;
-    return at == end ? 0 : SMVM_R_RECORD;
+    m->windows_at = find_table(&r, m->windows, SMVM_WINDOW_ENTRY);
+    m->outputs_at = find_table(&r, m->outputs, SMVM_PLACE);
+    m->functions_at = find_table(&r, (SmvmAt)(3 * m->states + 1), m->width);
+    m->f32s_at = find_table(&r, m->f32s, 4);
+    m->f64s_at = find_table(&r, m->f64s, 8);
+    return r.rule == 0 && r.at != r.end ? SMVM_R_RECORD : r.rule;
 }
 
 void smvm_again(const SmVm *vm, SmvmMachine *m)
 {
     m->image = vm->image;
     m->code_at = vm->code;
-    smvm_read_machine(m, vm->machine, UINT32_MAX - vm->machine);
+    smvm_read_machine(m, vm->machine, (SmvmAt)((SmvmAt)-1 - vm->machine));
 }
 
 // A machine's sections stand behind its MACHINE, before the next one.
 static void take_section(SmvmMachine *m, const SmvmSection *s)
 {
+    const SmvmAt at = (SmvmAt)s->at, size = (SmvmAt)s->size;
+
     if (s->id == SMVM_S_CODE) {
-        m->code_at = s->at;
-        m->code_size = s->size;
+        m->code_at = at;
+        m->code_size = size;
     } else if (s->id == SMVM_S_INIT) {
-        m->init_at = s->at;
-        m->init_size = s->size;
+        m->init_at = at;
+        m->init_size = size;
     } else if (s->id == SMVM_S_DEBUG && s->version == SMVM_V_DEBUG) {
-        m->debug_at = s->at;
-        m->debug_size = s->size;
+        m->debug_at = at;
+        m->debug_size = size;
     }
 }
 
@@ -118,59 +173,50 @@ bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m)
     for (uint8_t i = 0; i < smvm_sections(image); i++) {
         SmvmSection s = smvm_section(image, i);
         if (s.id == SMVM_S_MACHINE && machines++ == number)
-            smvm_read_machine(m, s.at, s.size);
+            smvm_read_machine(m, (SmvmAt)s.at, (SmvmAt)s.size);
         else if (machines == number + 1)
             take_section(m, &s);
     }
     return machines > number;
 }
 
-SmvmOperand smvm_operand_at(SmvmBytes image, uint32_t at)
+SmvmPlace smvm_place(SmvmBytes image, SmvmAt at)
 {
-    uint32_t entry = smvm_u24(image, at);
-    SmvmOperand o;
+    const uint8_t high = smvm_u8(image, (SmvmAt)(at + 2));
+    SmvmPlace p;
 
-    o.kind = entry & ((1u << SMVM_KIND_BITS) - 1u);
-    o.payload = entry >> SMVM_KIND_BITS;
-    o.type = SM_F64;
-    if (o.kind < SMVM_K_LOCAL)
-        o.type = (SmType)o.kind;
-    else if (o.kind < SMVM_K_TEMP)
-        o.type = (SmType)(o.kind - SMVM_K_LOCAL);
-    else if (o.kind == SMVM_K_ACC && o.payload < SMVM_RAW)
-        o.type = (SmType)o.payload;
-    o.offset = o.payload << smvm_type_shift(o.type);
-    return o;
+    p.type = (SmType)(high & 0xf);
+    p.offset = (smvm_uint(image, at, 2) | (uint32_t)(high & 0xf0) << 12) << smvm_type_shift(p.type);
+    return p;
 }
 
-SmvmOperand smvm_operand(const SmvmMachine *m, uint32_t index)
+SmvmPlace smvm_output(const SmvmMachine *m, uint32_t output)
 {
-    return smvm_operand_at(m->image, m->operands_at + 3 * index);
+    return smvm_place(m->image, (SmvmAt)(m->outputs_at + SMVM_PLACE * (SmvmAt)output));
 }
 
-// ---- memory: SmVm, then where the windows are, temps, windows, locals, and bits of the outputs from 64 on ----
+// ---- memory: SmVm, then where the windows are, windows, locals, and bits of the outputs from 64 on ----
 
 static uint32_t up8(uint32_t n) { return (n + 7) / 8 * 8; }
 
 static uint32_t plus(uint32_t a, uint32_t b) { return a > UINT32_MAX - b ? UINT32_MAX : a + b; }     // a sum that sticks at the end
 
-static uint32_t window_bytes(const SmvmMachine *m, uint32_t w)
+static uint32_t window_bytes(const SmvmMachine *m, SmvmAt w)
 {
-    uint32_t entry = smvm_window(m->image, m->windows_at, w);
+    const uint32_t entry = smvm_window(m->image, m->windows_at, w);
 
     return 8 * sm_roll_words(entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS);
 }
 
-static uint32_t stored_bytes(const SmvmMachine *m) { return m->outputs > 64 ? (m->outputs - 64 + 7) / 8 : 0; }
+static uint32_t stored_bytes(const SmvmMachine *m) { return m->outputs > 64 ? (m->outputs - 64u + 7) / 8 : 0; }
 
-static uint32_t temps_start(const SmvmMachine *m) { return up8(sizeof(SmVm)) + up8(m->windows * (uint32_t)sizeof(uint64_t *)); }
-static uint32_t windows_start(const SmvmMachine *m) { return plus(temps_start(m), m->temps * (uint32_t)sizeof(SmF64)); }
+static uint32_t windows_start(const SmvmMachine *m) { return up8(sizeof(SmVm)) + up8(m->windows * (uint32_t)sizeof(uint64_t *)); }
 
 static uint32_t locals_start(const SmvmMachine *m)
 {
     uint32_t n = windows_start(m);
 
-    for (uint32_t w = 0; w < m->windows; w++)
+    for (SmvmAt w = 0; w < m->windows; w++)
         n = plus(n, window_bytes(m, w));
     return n;
 }
@@ -182,7 +228,6 @@ SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m)
     SmvmParts p;
 
     p.window = smvm_windows_of(vm);
-    p.temp = (SmF64 *)(void *)((uint8_t *)vm + temps_start(m));
     p.local = (uint8_t *)vm + vm->local;
     p.stored = p.local + m->locals;
     p.stored_bytes = stored_bytes(m);
@@ -191,17 +236,16 @@ SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m)
 
 void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t)
 {
-    t->windows = (SmvmAt)m->windows_at;
-    t->operands = (SmvmAt)m->operands_at;
-    t->functions = (SmvmAt)m->functions_at;
-    t->f32s = (SmvmAt)m->f32s_at;
-    t->f64s = (SmvmAt)m->f64s_at;
+    t->windows = m->windows_at;
+    t->outputs = m->outputs_at;
+    t->functions = m->functions_at;
+    t->f32s = m->f32s_at;
+    t->f64s = m->f64s_at;
     t->width = m->width;
-    t->temps = (SmvmAt)temps_start(m);
     t->more = (SmvmAt)(vm->local + m->locals);
     t->more_bytes = (SmvmAt)stored_bytes(m);
-    t->g = (SmvmAt)smvm_operand(m, m->outputs).offset;
-    t->s = (SmvmAt)smvm_operand(m, m->outputs + 1).offset;
+    t->g = m->g;
+    t->s = m->s;
 }
 
 static void lay_out(SmVm *vm, const SmvmMachine *m)
@@ -209,7 +253,7 @@ static void lay_out(SmVm *vm, const SmvmMachine *m)
     uint64_t **window = smvm_parts(vm, m).window;
     uint32_t at = windows_start(m);
 
-    for (uint32_t w = 0; w < m->windows; w++) {
+    for (SmvmAt w = 0; w < m->windows; w++) {
         window[w] = (uint64_t *)(void *)((uint8_t *)vm + at);
         at += window_bytes(m, w);
     }
@@ -218,13 +262,13 @@ static void lay_out(SmVm *vm, const SmvmMachine *m)
 
 static void set_locals(SmVm *vm, const SmvmMachine *m)
 {
-    uint32_t at = m->init_at;
+    SmvmAt at = m->init_at;
 
     while (at < m->init_at + m->init_size) {
-        SmvmOperand o = smvm_operand_at(m->image, at);
-        uint8_t bytes = (uint8_t)(1u << smvm_type_shift(o.type));
-        sm_cell_store(o.type, (uint8_t *)vm + vm->local + o.offset, smvm_cell(m->image, at + 3, bytes));
-        at += 3u + bytes;
+        SmvmPlace p = smvm_place(m->image, at);
+        uint8_t bytes = (uint8_t)(1u << smvm_type_shift(p.type));
+        sm_cell_store(p.type, (uint8_t *)vm + vm->local + p.offset, smvm_cell(m->image, (SmvmAt)(at + SMVM_PLACE), bytes));
+        at = (SmvmAt)(at + SMVM_PLACE + bytes);
     }
 }
 
@@ -250,8 +294,8 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
         return SM_E_MEMORY;
     memset(memory, 0, (size_t)smvm_ram_size(m));
     vm->image = m->image;
-    vm->machine = (SmvmAt)m->machine_at;
-    vm->code = (SmvmAt)m->code_at;
+    vm->machine = m->machine_at;
+    vm->code = m->code_at;
     lay_out(vm, m);
     set_locals(vm, m);
 #if SMVM_KEEP_TABLES
@@ -259,7 +303,7 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
 #endif
     vm->state = (SmvmAt)state;
     vm->first = true;
-    sm_cell_store(SM_U32, (uint8_t *)sv->at + smvm_operand(m, m->outputs + 1).offset, state);
+    sm_cell_store(SM_U32, (uint8_t *)sv->at + m->s, state);
     return SM_OK;
 }
 
@@ -281,4 +325,21 @@ bool smvm_stored(const SmVm *vm, uint32_t output)
         output -= 64;
     }
     return (bits[output >> 3] >> (output & 7) & 1) != 0;
+}
+
+uint32_t smvm_shape(uint8_t opcode)
+{
+    enum {
+        L = SMVM_SHAPE_L, E = SMVM_SHAPE_E, N = SMVM_SHAPE_N, F = SMVM_SHAPE_F, D = SMVM_SHAPE_D, O = SMVM_SHAPE_O, S = SMVM_SHAPE_S,
+        K = SMVM_SHAPE_K, W = SMVM_SHAPE_W, T = SMVM_SHAPE_T, M = SMVM_SHAPE_M, J = SMVM_SHAPE_J, X = SMVM_SHAPE_X, Y = SMVM_SHAPE_Y,
+        GX = SMVM_SHAPE_GX
+    };
+    const uint32_t GY = SMVM_SHAPE_GY, FY = SMVM_SHAPE_FY, Z = SMVM_SHAPE_Z;
+
+#define SMVM_OP(name, first, last, shape, meaning) \
+    if (opcode >= (first) && (uint8_t)(opcode - (first)) <= (last) - (first)) \
+        return SMVM_SHAPE_OP | (uint32_t)(shape);
+#include "bytecode-vm/opcodes.def"
+#undef SMVM_OP
+    return 0;
 }

@@ -21,64 +21,73 @@ bool smvm_pins(SmvmBytes image, SmvmPins *p)
         SmvmSection s = smvm_section(image, i);
         if (s.id != SMVM_S_IO || s.version != SMVM_V_IO)
             continue;
-        p->at = s.at;
-        p->end = s.at + s.size;
+        p->at = (SmvmAt)s.at;
+        p->end = (SmvmAt)(s.at + s.size);
         if (s.size < 4)
             return false;
         p->layout = smvm_uint(image, p->at, 4);
-        p->at += 4;
+        p->at = (SmvmAt)(p->at + 4);
         return smvm_varint(image, &p->at, p->end, &p->sv_size) && smvm_varint(image, &p->at, p->end, &p->left);
     }
     return false;
 }
 
-static bool take(SmvmPins *p, uint32_t bytes, uint32_t *at)
+static bool take(SmvmPins *p, uint8_t bytes, SmvmAt *at)
 {
     *at = p->at;
-    if (p->end - p->at < bytes)
+    if ((SmvmAt)(p->end - p->at) < bytes)
         return false;
-    p->at += bytes;
+    p->at = (SmvmAt)(p->at + bytes);
     return true;
 }
 
-// A constant: an operand of the kinds INT, F32 and F64; the latter two have payload 0, and their bits stand behind them.
+// In the place of a type: that a whole number stands in the place of the offset.
+enum { WHOLE = 15 };
+
+static int32_t whole(uint32_t place)                  // in two's complement of 20 bits
+{
+    const int32_t v = (int32_t)((place & 0xffff) | (place >> 4 & 0xf0000));
+
+    return v < 0x80000 ? v : v - 0x100000;
+}
+
 static bool take_number(SmvmPins *p, SmF64 *x)
 {
-    SmvmOperand o;
-    uint32_t at;
+    SmvmAt at;
+    uint32_t place;
+    uint8_t type;
 
-    if (!take(p, 3, &at))
+    if (!take(p, SMVM_PLACE, &at))
         return false;
-    o = smvm_operand_at(p->image, at);
-    if (o.kind == SMVM_K_INT) {
-        *x = sm_from_i32(o.payload > (uint32_t)SMVM_INT_MOST ? (int32_t)o.payload - SMVM_PAYLOADS : (int32_t)o.payload);
+    place = smvm_u24(p->image, at);
+    type = place >> 16 & 0xf;
+    if (type == WHOLE) {
+        *x = sm_from_i32(whole(place));
         return true;
     }
-    if ((o.kind != SMVM_K_F32 && o.kind != SMVM_K_F64) || o.payload != 0)
+    if ((type != SM_F32 && type != SM_F64) || (place & 0xf0ffff) != 0 || !take(p, type == SM_F32 ? 4 : 8, &at))
         return false;
-    if (!take(p, o.kind == SMVM_K_F32 ? 4 : 8, &at))
-        return false;
-    *x = o.kind == SMVM_K_F32 ? sm_from_f32(sm_f32_from_bits(smvm_uint(p->image, at, 4))) : sm_from_bits(smvm_cell(p->image, at, 8));
+    *x = type == SM_F32 ? sm_from_f32(sm_f32_from_bits(smvm_uint(p->image, at, 4))) : sm_from_bits(smvm_cell(p->image, at, 8));
     return true;
 }
 
 static bool take_element(SmvmPins *p, SmvmPin *pin)
 {
-    SmvmOperand o;
-    uint32_t at;
+    SmvmPlace place;
+    SmvmAt at;
 
-    if (!take(p, 3, &at))
+    if (!take(p, SMVM_PLACE, &at))
         return false;
-    o = smvm_operand_at(p->image, at);
-    pin->type = o.kind < SM_TYPE_COUNT ? (uint8_t)o.kind : (uint8_t)SM_TYPE_COUNT;
-    pin->offset = o.offset;
+    place = smvm_place(p->image, at);
+    pin->type = (uint8_t)place.type;
+    pin->offset = place.offset;
     return true;
 }
 
 // What bit MORE announces.
 static bool take_more(SmvmPins *p, SmvmPin *pin)
 {
-    uint32_t at;
+    SmvmAt at;
 
     if (pin->kind & OUTPUT)
         return take_number(p, &pin->safe);
@@ -90,7 +99,7 @@ static bool take_more(SmvmPins *p, SmvmPin *pin)
 
 bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
 {
-    uint32_t at;
+    SmvmAt at;
     uint8_t front;
 
     if (p->left == 0 || !take(p, 1, &at))
@@ -139,7 +148,7 @@ static uint8_t check_pin(const SmvmPins *p, const SmvmPin *pin)
     return 0;
 }
 
-uint8_t smvm_check_pins(SmvmBytes image, uint32_t *at)
+uint8_t smvm_check_pins(SmvmBytes image, SmvmAt *at)
 {
     SmvmPins p;
     SmvmPin pin;

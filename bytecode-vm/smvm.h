@@ -40,7 +40,7 @@ typedef struct SmvmVerdict {
     uint8_t rule;             // 0: accepted; else the number of the rule that is broken (rules.def)
     uint32_t at;              // where: offset in the image
     uint32_t machine;         // in which machine, counted from 0
-    uint32_t longest;         // accepted: instructions in the longest step, of the machine where that is largest
+    uint32_t longest;         // accepted: instructions in the longest step, of the machine where that is largest; as smvm_longest_step
 } SmvmVerdict;
 
 // Checks `size` bytes; an image may be shorter than that.  Gives v->rule.  Linear in size, no memory but ~600 bytes of stack.
@@ -50,30 +50,31 @@ uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v);
 typedef struct SmvmMachine {
     SmvmBytes image;
     uint32_t layout;          // hash of the layout of the state vector it was made for
-    uint32_t sv_size;         // bytes of that state vector in memory
-    uint32_t locals;          // bytes of locals
-    uint32_t temps, windows, operands, f32s, f64s;   // how many of each
-    uint32_t states;          // numbered from 1
-    uint32_t outputs;         // elements it may store: operands 0 … outputs - 1; then come G and S
-    uint32_t machine_at, windows_at, operands_at, functions_at, f32s_at, f64s_at;
-    uint32_t code_at, code_size, init_at, init_size, debug_at, debug_size;     // size 0: there is none
+    SmvmAt sv_size;           // bytes of that state vector in memory
+    SmvmAt from, to;          // it reads and writes only these of them, from a multiple of 8 up to before one
+    SmvmAt locals;            // bytes of locals, and of what is computed on the way
+    SmvmAt windows, f32s, f64s;       // how many of each
+    SmvmAt states;            // numbered from 1
+    SmvmAt outputs;           // elements it may store, beside S
+    SmvmAt g, s;              // where in the state vector G and S are, in bytes
+    SmvmAt machine_at, windows_at, outputs_at, functions_at, f32s_at, f64s_at;
+    SmvmAt code_at, code_size, init_at, init_size, debug_at, debug_size;       // size 0: there is none
     uint8_t width;            // bytes of an entry in the table of functions
 } SmvmMachine;
 
 // Reads machine `number`, counted from 0.  False if the image has no such machine.
 bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m);
 
-// The instructions of its longest step, not counting the time that statistics take to walk over their windows.
+// The instructions of its longest step, not counting the time that statistics take to walk over their windows; 0 where the VM is made
+// without (SMVM_LONGEST).
 uint32_t smvm_longest_step(const SmvmMachine *m);
 
-// Where an operand lies: `kind` is a number of image.def, and for elements and locals type and byte offset are given too.
-typedef struct SmvmOperand {
-    uint8_t kind;
-    SmType type;              // F64 where it has none
-    uint32_t payload;
-    uint32_t offset;          // payload times the type's size
-} SmvmOperand;
-SmvmOperand smvm_operand(const SmvmMachine *m, uint32_t index);
+// Where an element lies in the state vector, or a local among the locals.
+typedef struct SmvmPlace {
+    SmType type;
+    uint32_t offset;          // in bytes
+} SmvmPlace;
+SmvmPlace smvm_output(const SmvmMachine *m, uint32_t output);         // from 0
 
 // ---- pins ----
 
@@ -95,7 +96,7 @@ typedef struct SmvmPins {
     uint32_t layout;          // hash of the layout of the state vector they are for
     uint32_t sv_size;         // of that, in units of 8 bytes
     uint32_t left;            // how many are still to come
-    uint32_t at, end;
+    SmvmAt at, end;
 } SmvmPins;
 
 // Before the first pin of an image; false if it carries none.
@@ -108,8 +109,8 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin);
 
 // Where in its image, its memory and the state vector a machine that runs has what.
 typedef struct SmvmTables {
-    SmvmAt windows, operands, functions, f32s, f64s;      // in the image
-    SmvmAt temps, more, more_bytes;                       // behind the SmVm: temps; bits of the outputs from 64 on
+    SmvmAt windows, outputs, functions, f32s, f64s;       // in the image
+    SmvmAt more, more_bytes;                              // behind the SmVm: bits of the outputs from 64 on
     SmvmAt g, s;                                          // in the state vector
     uint8_t width;            // bytes of an entry in the table of functions
 } SmvmTables;
@@ -152,7 +153,7 @@ uint32_t smvm_state(const SmVm *vm);                  // the state that the next
 uint64_t smvm_time(const SmVm *vm);                   // T
 bool smvm_stored(const SmVm *vm, uint32_t output);    // whether the last step that ran stored output 0 … m.outputs - 1
 bool smvm_stored_state(const SmVm *vm);               // whether it stored S
-void *smvm_locals(SmVm *vm);                          // the locals, as operands and the debug section place them
+void *smvm_locals(SmVm *vm);                          // the locals, as the code and the debug section place them
 
 // ---- running faster, where there is RAM to spare ----
 

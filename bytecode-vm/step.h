@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a step begins (language.md 6), whatever runs it.  Internal to the VM.
+// What all that runs code has in common: how a step begins (language.md 6), and what a RAW local keeps.  Internal to the VM.
 #ifndef SMVM_STEP_H
 #define SMVM_STEP_H
 
@@ -21,5 +21,9 @@ static inline bool smvm_begin(SmVm *vm, const void *g, void *s)
     vm->next = next;
     return true;
 }
+
+// What a RAW local keeps of x: of all NaNs one, for which of two comes out of an operation is the C compiler's choice, and whoever
+// reads the local as another type would see it.
+static inline SmF64 smvm_raw(SmF64 x) { return sm_is_nan(x) ? sm_from_bits(UINT64_C(0x7ff8000000000000)) : x; }
 
 #endif

@@ -24,6 +24,7 @@ uint64_t sm_soft_div(uint64_t a, uint64_t b);
 bool sm_soft_lt(uint64_t a, uint64_t b);      // these three are false if either is NaN
 bool sm_soft_le(uint64_t a, uint64_t b);
 bool sm_soft_eq(uint64_t a, uint64_t b);
+uint8_t sm_soft_relation(uint64_t a, uint64_t b);     // 1 a is less, 2 equal, 4 a is greater, 8 one is NaN
 bool sm_soft_is_nan(uint64_t a);
 bool sm_soft_truth(uint64_t a);               // neither zero nor NaN
 

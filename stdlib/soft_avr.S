@@ -112,6 +112,19 @@ compare:
 	brne .Lnan
 	rjmp .Lnumbers
 
+function sm_soft_relation
+	rcall compare
+	mov r25, r24
+	ldi r24, 2
+	breq .Lsaid
+	ldi r24, 1
+	brmi .Lsaid
+	ldi r24, 4
+	sbrc r25, 1
+	ldi r24, 8
+.Lsaid:
+	ret
+
 function sm_soft_lt
 	rcall compare
 	rol r24                           ; its sign

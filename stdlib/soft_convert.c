@@ -28,6 +28,7 @@ static bool below(uint64_t a, uint64_t b)
 
 bool sm_soft_lt(uint64_t a, uint64_t b) { return (a | b) << 1 != 0 && below(a, b); }
 bool sm_soft_le(uint64_t a, uint64_t b) { return sm_soft_eq(a, b) || below(a, b); }
+uint8_t sm_soft_relation(uint64_t a, uint64_t b) { return sm_soft_lt(a, b) ? 1 : sm_soft_eq(a, b) ? 2 : sm_soft_lt(b, a) ? 4 : 8; }
 
 // ---- from integers ----
 

@@ -10,7 +10,7 @@
 
 // ---- what it takes ----
 
-static uint16_t time_at(const SmvmMachine *m) { return (uint16_t)smvm_operand(m, m->outputs).offset; }
+static uint16_t time_at(const SmvmMachine *m) { return (uint16_t)m->g; }
 
 static uint16_t up8(uint32_t n) { return (uint16_t)(((uint16_t)n + 7u) & ~7u); }
 

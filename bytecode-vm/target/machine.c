@@ -8,44 +8,22 @@
 
 // ---- open, init ----
 
-static uint32_t bytes_of(const SmvmOperand *o) { return (uint32_t)1 << smvm_type_shift(o->type); }
-
-static SmPlace place_of(const SmvmOperand *o)
+static SmPlace place(uint32_t offset, uint32_t size)
 {
     SmPlace p;
 
-    p.offset = o->offset;
-    p.size = bytes_of(o);
-    return p;
-}
-
-// From the first element that it names to the last.
-static SmPlace span_of(const SmvmMachine *m)
-{
-    SmvmOperand o = smvm_operand(m, m->outputs);
-    SmPlace p = place_of(&o);
-    uint32_t end = p.offset + p.size;
-
-    for (uint32_t i = 0; i < m->operands; i++) {
-        o = smvm_operand(m, i);
-        if (o.kind >= SMVM_K_LOCAL)
-            continue;
-        p.offset = o.offset < p.offset ? o.offset : p.offset;
-        end = o.offset + bytes_of(&o) > end ? o.offset + bytes_of(&o) : end;
-    }
-    p.size = end - p.offset;
+    p.offset = offset;
+    p.size = size;
     return p;
 }
 
 static void note(SmvmTarget *t, const SmvmMachine *m)
 {
-    SmvmOperand s = smvm_operand(m, m->outputs + 1);
-
     t->states = m->states;
     t->outputs = m->outputs;
-    t->operands_at = m->operands_at;
-    t->uses = span_of(m);
-    t->number = place_of(&s);
+    t->outputs_at = m->outputs_at;
+    t->uses = place(m->from, (uint32_t)m->to - m->from);
+    t->number = place(m->s, 4);
 }
 
 static SmResult target_open(void *self, uint32_t layout, uint32_t size)
@@ -120,7 +98,7 @@ static SmResult target_step(void *self, void *sv)
 static void target_publish(const void *self, const void *from, void *to)
 {
     const SmvmTarget *t = self;
-    SmvmOperand o;
+    SmvmPlace o;
 
     if (smvm_stored_state(t->vm))
         copy(from, to, t->number);
@@ -128,8 +106,8 @@ static void target_publish(const void *self, const void *from, void *to)
         uint8_t bits = i < 64 ? t->vm->stored[i >> 3] : t->more[(i - 64) >> 3];
         if ((bits >> (i & 7) & 1) == 0)
             continue;
-        o = smvm_operand_at(t->image, t->operands_at + 3 * i);
-        copy(from, to, place_of(&o));
+        o = smvm_place(t->image, t->outputs_at + SMVM_PLACE * i);
+        copy(from, to, place(o.offset, (uint32_t)1 << smvm_type_shift(o.type)));
     }
 }
 

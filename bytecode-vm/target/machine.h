@@ -2,7 +2,7 @@
 // Machines of an image as tasks of the flight runtime (runtime-c/machine.h).
 //
 //     static const uint8_t image[] = { … };                             // a .smb: in flash, in memory, read from a file
-//     static uint64_t memory[SMVM_WORDS(0, 0, 2, 16, 3)];
+//     static uint64_t memory[SMVM_WORDS(0, 0, 16, 3)];
 //     static SmvmTarget mission = {.image = image, .size = sizeof image, .memory = memory, .memory_size = sizeof memory};
 //     static SmMachine m = {.name = "mission", .type = &smvm_machine_type, .self = &mission, .sv = &rocket_vector, …};
 //
@@ -40,7 +40,7 @@ typedef struct SmvmTarget {
     SmVm *vm;                 // NULL where it cannot step
     SmvmDecoded *fast;
     const uint8_t *more;      // what it stored of the outputs from 64 on, a bit each
-    uint32_t states, outputs, operands_at;
+    uint32_t states, outputs, outputs_at;
     SmPlace uses, number;
 } SmvmTarget;
 
@@ -55,8 +55,8 @@ uint32_t smvm_target_memory(SmvmBytes image, uint32_t size, uint32_t machine);
 
 // The same as a constant, in words of 8 bytes, from the numbers that `smc image` shows; window_words are those of all windows
 // (sm_roll_words).
-#define SMVM_WORDS(windows, window_words, temps, locals, outputs) \
-    ((sizeof(SmVm) + 7) / 8 + ((windows) * sizeof(uint64_t *) + 7) / 8 + (window_words) + (temps) + \
+#define SMVM_WORDS(windows, window_words, locals, outputs) \
+    ((sizeof(SmVm) + 7) / 8 + ((windows) * sizeof(uint64_t *) + 7) / 8 + (window_words) + \
      ((locals) + ((outputs) > 64 ? ((outputs) - 64u + 7u) / 8 : 0u) + 7) / 8)
 
 #ifdef __cplusplus

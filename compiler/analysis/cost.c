@@ -49,15 +49,15 @@ static void find_line(Reader *r, uint32_t at)
 // Reads an instruction; gives where the next one begins.
 static uint32_t read_ins(Reader *r, uint32_t at, uint32_t end, Ins *out)
 {
-    const uint8_t op = smvm_u8(r->m.image, at), shape = smvm_shape(op);
+    const uint8_t op = smvm_u8(r->m.image, at);
+    const bool jumps = smvm_shape(op) & SMVM_SHAPE_J;
     uint32_t next = at + 1, number = 0;
 
     find_line(r, at);
     *out = (Ins){at, op, 0, r->line, {0, 0}};
-    for (uint8_t part = SMVM_SHAPE_D; part <= SMVM_SHAPE_J; part = (uint8_t)(part << 1))
-        if (shape & part)
-            smvm_varint(r->m.image, &next, end, &number);
-    if (shape & SMVM_SHAPE_J)
+    while (next < end && smvm_u8(r->m.image, next) < SMVM_OP_LEAST)
+        smvm_varint(r->m.image, &next, end, &number);
+    if (jumps)                                        // how far is the last number
         out->to = next + number;
     return next;
 }
@@ -221,7 +221,6 @@ static void weigh(Reader *r, Cost *out)
     out->ram = smvm_ram_size(m);
     out->code = m->code_size;
     out->locals = m->locals;
-    out->temps = m->temps * (uint32_t)sizeof(SmF64);
     out->window_count = m->windows;
     out->window = ARENA_ARRAY(r->arena, CostWindow, m->windows);
     for (uint32_t w = 0; w < m->windows; w++) {
@@ -232,7 +231,7 @@ static void weigh(Reader *r, Cost *out)
         window->bytes = 8 * sm_roll_words(window->size, kind);
         out->windows += window->bytes;
     }
-    out->own = out->ram - out->locals - out->temps - out->windows;
+    out->own = out->ram - out->locals - out->windows;
 }
 
 void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, Cost *out)

@@ -13,7 +13,7 @@ typedef enum CostPart { COST_ENTRY, COST_STEP, COST_EXIT, COST_SAMPLE } CostPart
 // A stretch of the longest way.  A unit is an instruction; a table of what each takes on some chip would be another column.
 typedef struct CostLine {
     CostPart part;
-    uint32_t line;                // of the machine's source; 0: of no line, or the image has no lines
+    uint32_t line;                // of the machine's source; 0: what several lines lead to, or the image has no lines
     uint32_t instructions;
 } CostLine;
 
@@ -36,8 +36,8 @@ typedef struct Cost {
     uint32_t worst_state;         // number of the first state that has it
     StateCost *state;             // at[0] is state 1
     uint32_t states;
-    uint32_t ram;                 // bytes in all, on this computer's kind of pointers: the VM's own, temps, windows, locals
-    uint32_t own, temps, windows, locals;
+    uint32_t ram;                 // bytes in all, on this computer's kind of pointers: the VM's own, windows, locals
+    uint32_t own, windows, locals;
     CostWindow *window;
     uint32_t window_count;
     uint32_t code;                // bytes of its instructions in the image

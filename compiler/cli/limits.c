@@ -72,7 +72,7 @@ static void check_ram(Cli *c, const Program *p, const Cost *cost, uint32_t most)
     if (w)
         diag_label(d, diag, DIAG_label_largest_window, number_text(c, w->size), number_text(c, w->bytes));
     diag_note(d, diag, (Span){NULL, 0, 0}, DIAG_note_ram_parts, number_text(c, cost->windows),
-              number_text(c, cost->locals + cost->temps), number_text(c, cost->own));
+              number_text(c, cost->locals), number_text(c, cost->own));
 }
 
 // ---- the longest step ----

@@ -56,9 +56,22 @@ static bool both_stored(const VmEngine *v)
     return smvm_stored_state(v->vm) == smvm_stored_state(v->beside);
 }
 
+// Of what is computed on the way, which lies among the locals, the sign of a NaN may differ.
+static bool same_locals(const VmEngine *v)
+{
+    const uint8_t *locals = smvm_locals(v->vm), *beside = smvm_locals(v->beside);
+
+    for (uint32_t k = 0; k < v->p->var.n; k++) {
+        const Var *var = v->p->var.at[k];
+        if (var->kind == VAR_LOCAL && v->at[k] && memcmp(v->at[k], beside + (v->at[k] - locals), sm_type_info[var->type].bytes) != 0)
+            return false;
+    }
+    return true;
+}
+
 static bool agree(const VmEngine *v)                  // decoded and in place
 {
-    return memcmp(v->sv, v->sv_beside, v->m.sv_size) == 0 && memcmp(smvm_locals(v->vm), smvm_locals(v->beside), v->m.locals) == 0
+    return memcmp(v->sv, v->sv_beside, v->m.sv_size) == 0 && same_locals(v)
         && smvm_state(v->vm) == smvm_state(v->beside) && v->vm->first == v->beside->first && smvm_time(v->vm) == smvm_time(v->beside)
         && both_stored(v);
 }
@@ -134,34 +147,35 @@ static void find_elements(VmEngine *v, Arena *arena)
         }
     }
     for (uint32_t i = 0; i < v->m.outputs; i++) {
-        uint32_t k = var_at[smvm_operand(&v->m, i).offset];
+        uint32_t k = var_at[smvm_output(&v->m, i).offset];
         if (k != 0)
             v->output[k - 1] = i + 1;
     }
 }
 
-static bool is_variable(const VmEngine *v, uint32_t k, SmvmName name, const SmvmOperand *o)
+static bool is_variable(const VmEngine *v, uint32_t k, SmvmName name, const SmvmPlace *at)
 {
     const Var *var = v->p->var.at[k];
 
-    return var->kind == VAR_LOCAL && o->kind == (uint8_t)(SMVM_K_LOCAL + (int)var->type) && var->name->len == name.size
-        && o->offset + sm_type_info[var->type].bytes <= v->m.locals               // names are not verified
+    return var->kind == VAR_LOCAL && at->type == var->type && var->name->len == name.size
+        && at->offset + sm_type_info[var->type].bytes <= v->m.locals              // names are not verified
         && memcmp(var->name->text, v->m.image + name.at, name.size) == 0;
 }
 
-// The image has them in the program's order, some left out: so each search begins behind the last find.
+// The image has those of a type in the program's order, some left out: so each search begins behind the last find.
 static void find_locals(VmEngine *v)
 {
     uint8_t *locals = smvm_locals(v->vm);
     uint32_t from = 0, n = (uint32_t)v->p->var.n;
 
     for (uint32_t i = 0; i < smvm_variables(&v->m); i++) {
-        SmvmOperand o;
-        SmvmName name = smvm_variable(&v->m, i, &o);
-        for (uint32_t k = 0; o.kind >= SMVM_K_LOCAL && o.kind < SMVM_K_TEMP && k < n; k++)
-            if (is_variable(v, (from + k) % n, name, &o)) {
+        SmvmVariable is;
+        SmvmPlace at;
+        SmvmName name = smvm_variable(&v->m, i, &is, &at);
+        for (uint32_t k = 0; is == SMVM_IS_LOCAL && k < n; k++)
+            if (is_variable(v, (from + k) % n, name, &at)) {
                 from = (from + k) % n;
-                v->at[from] = locals + o.offset;
+                v->at[from] = locals + at.offset;
                 break;
             }
     }

@@ -64,7 +64,7 @@ static void machine_start(SmvmBytes image)
     v.layout = machine.m.layout;
     if (smvm_init(machine.memory, RAM, &machine.m, &v, 1) != SM_OK)
         return;
-    machine.time = (uint64_t *)(void *)((char *)machine.vector + smvm_operand(&machine.m, machine.m.outputs).offset);
+    machine.time = (uint64_t *)(void *)((char *)machine.vector + machine.m.g);
     machine.state = 1;
     report(SM_EVENT_STATE, 0, 1);
 }

@@ -23,7 +23,7 @@ typedef struct Task {
     SmMachine machine;
     SmvmTarget target;
     uint8_t *sv, *before, *noise;
-    SmvmOperand *local;       // by variable: where a local lies; kind 0: it is none, or nobody knows
+    uint32_t *local;          // by variable: 1 + where among the locals it lies; 0: it is none, or nobody knows
 } Task;
 
 // ---- others ----
@@ -48,7 +48,7 @@ static uint8_t *place(const Task *t, uint32_t k)      // NULL: T, a constant, or
 
     if (v->kind == VAR_ELEMENT)
         return t->sv + v->element->offset;
-    return t->local[k].kind != 0 ? (uint8_t *)smvm_locals(t->target.vm) + t->local[k].offset : NULL;
+    return t->local[k] != 0 ? (uint8_t *)smvm_locals(t->target.vm) + t->local[k] - 1 : NULL;
 }
 
 static void note_stored(const Task *t, EngineStep *out)
@@ -58,7 +58,7 @@ static void note_stored(const Task *t, EngineStep *out)
     smvm_machine(t->target.image, 0, &m);
     for (uint32_t i = 0; i < m.outputs; i++)
         for (uint32_t k = 0; smvm_stored(t->target.vm, i) && k < t->p->var.n; k++)
-            if (t->p->var.at[k]->kind == VAR_ELEMENT && t->p->var.at[k]->element->offset == smvm_operand(&m, i).offset)
+            if (t->p->var.at[k]->kind == VAR_ELEMENT && t->p->var.at[k]->element->offset == smvm_output(&m, i).offset)
                 out->stored[k] = 1;
     if (smvm_stored_state(t->target.vm))
         out->stored[t->p->s->index] = 1;
@@ -162,13 +162,13 @@ static void task_close(Engine *e) { pal_lock_close(((Task *)e->self)->vector.loc
 
 // ---- opening ----
 
-static void find_local(Task *t, SmvmName name, const SmvmOperand *o)
+static void find_local(Task *t, SmvmName name, const SmvmPlace *at)
 {
     for (uint32_t k = 0; k < t->p->var.n; k++) {
         const Var *v = t->p->var.at[k];
-        if (v->kind == VAR_LOCAL && o->kind == (uint8_t)(SMVM_K_LOCAL + (int)v->type) && v->name->len == name.size
+        if (v->kind == VAR_LOCAL && at->type == v->type && v->name->len == name.size
             && memcmp(v->name->text, t->target.image + name.at, name.size) == 0)
-            t->local[k] = *o;
+            t->local[k] = 1 + at->offset;
     }
 }
 
@@ -195,19 +195,21 @@ Engine *engine_task_open(Arena *arena, const Program *p, const uint8_t *image, s
 {
     Task *t = ARENA_NEW(arena, Task);
     SmvmMachine m;
-    SmvmOperand o;
+    SmvmVariable is;
+    SmvmPlace at;
 
     t->p = p;
     t->sv = arena_alloc(arena, p->sv->size);
     t->before = arena_alloc(arena, p->sv->size);
     t->noise = arena_alloc(arena, p->sv->size);
     memset(t->noise, NOISE, p->sv->size);
-    t->local = ARENA_ARRAY(arena, SmvmOperand, p->var.n);
+    t->local = ARENA_ARRAY(arena, uint32_t, p->var.n);
     set_up(t, arena, image, size, decoded);
     smvm_machine(image, 0, &m);
     for (uint32_t i = 0; i < smvm_variables(&m); i++) {
-        SmvmName name = smvm_variable(&m, i, &o);
-        find_local(t, name, &o);
+        SmvmName name = smvm_variable(&m, i, &is, &at);
+        if (is == SMVM_IS_LOCAL)
+            find_local(t, name, &at);
     }
     *error = sm_statevec_init(&t->vector) != SM_OK || sm_events_init(&t->events) != SM_OK ? "no lock is left" : NULL;
     t->engine = (Engine){.name = decoded ? "task, decoded" : "task", .program = p, .self = t, .init = task_init, .step = task_step, .close = task_close};

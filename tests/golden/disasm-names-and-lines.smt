@@ -43,21 +43,20 @@ U64 G
 U32 S
 [Idle]
 -- stdout --
-image of 483 bytes, format 1, crc db9303e7
+image of 411 bytes, format 2, crc 89022922
     section 01 IDENTITY   8 bytes at 52: 003740f815ec1432
-    section 81 MACHINE    108 bytes at 60
-    section 82 CODE       68 bytes at 168
-    section 83 INIT       16 bytes at 236
-    section 02 DEBUG      231 bytes at 252
+    section 81 MACHINE    61 bytes at 60
+    section 82 CODE       85 bytes at 121
+    section 83 INIT       16 bytes at 206
+    section 02 DEBUG      189 bytes at 222
 
 machine 1 sub
-    state vector    32 bytes, layout f4b2fddc
+    state vector    32 bytes, layout f4b2fddc; of these it names 0 to 32
     states          2
-    memory          [..] bytes on this machine, of these 11 for locals
-    operands        17
-    longest step    15 instructions
-    output          F64@16 rate
+    memory          [..] bytes on this machine, of these 12 for locals
+    longest step    29 instructions
     output          I8@24 count
+    output          F64@16 rate
     G               U64@0 time
     S               U32@8 state
     initial value   local F64@0 = 0x3fb999999999999a
@@ -66,52 +65,73 @@ machine 1 sub
     w1              3 F64 samples: range
 
 sample:
-     0  sample  w0, pressure                    sub.sm:18
-     3  sub     acc, pressure, rate             sub.sm:19
-     7  sample  w1, acc
-    10  end
+     0  ldx     pressure                        sub.sm:18
+     2  sample  w0
+     4  ldy     rate                            sub.sm:19
+     6  sub
+     7  sample  w1
+     9  end
 
 Hold.entry:
-    11  mov     count, -1                       sub.sm:15
+    10  ldx     -1                              sub.sm:15
+    12  out     count
     14  end
 
 Hold.step:
-    15  avg     acc, w0                         sub.sm:18
-    18  mul     rate, acc, 0.1
-    22  range   acc, w1                         sub.sm:19
-    25  jnlt    0x1.7e43c8800759cp+996, acc, 38
-    29  jf      armed, 38
-    32  add     count, count, 0.5               sub.sm:20
-    36  goto    Vent                            sub.sm:21
-    38  le      t0, 10.5, pressure              sub.sm:23
-    42  lt      acc, T, 1000000
-    46  or      armed, t0, acc
-    50  end
+    15  stat    average, w0                     sub.sm:18
+    18  ldy     0.1
+    20  mul
+    21  out     rate
+    23  stat    range, w1                       sub.sm:19
+    26  ldy     0x1.7e43c8800759cp+996
+    28  jxy     not x > y, 34
+    30  ldx     armed
+    32  jt      56
+    34  ldx     T                               sub.sm:23
+    35  ldy     1000000
+    40  set     x < y
+    42  st      local bool@11
+    44  ldx     pressure
+    46  ldy     10.5
+    48  set     x >= y
+    50  ldy     local bool@11
+    52  or
+    53  st      armed
+    55  end
+    56  ldx     count                           sub.sm:20
+    58  ldy     0.5
+    60  add
+    61  out     count
+    63  goto    Vent                            sub.sm:21
 
 Hold.exit:
-    51  mov     limit, 4                        sub.sm:25
-    54  end
+    65  ldx     4                               sub.sm:25
+    67  st      limit
+    69  end
 
 Vent.step:
-    55  neg     acc, rate                       sub.sm:28
-    58  sqrt    rate, acc
-    61  jnlt    limit, count, 67                sub.sm:29
-    65  goto    Hold
-    67  end
-image of 233 bytes, format 1, crc 1b5cca8b
+    70  ldx     rate                            sub.sm:28
+    72  neg
+    73  sqrt
+    74  out     rate
+    76  ldx     count                           sub.sm:29
+    78  ldy     limit
+    80  jxy     x > y, 83
+    82  end
+    83  goto    Hold
+image of 203 bytes, format 2, crc 7dd3e985
     section 01 IDENTITY   8 bytes at 44: 003740f815ec1432
-    section 81 MACHINE    108 bytes at 52
-    section 82 CODE       68 bytes at 160
-    section 83 INIT       5 bytes at 228
+    section 81 MACHINE    61 bytes at 52
+    section 82 CODE       85 bytes at 113
+    section 83 INIT       5 bytes at 198
 
 machine 1 
-    state vector    32 bytes, layout f4b2fddc
+    state vector    32 bytes, layout f4b2fddc; of these it names 0 to 32
     states          2
-    memory          [..] bytes on this machine, of these 3 for locals
-    operands        17
-    longest step    15 instructions
-    output          F64@16
+    memory          [..] bytes on this machine, of these 4 for locals
+    longest step    29 instructions
     output          I8@24
+    output          F64@16
     G               U64@0
     S               U32@8
     initial value   local U16@0 = 0x0003
@@ -119,51 +139,72 @@ machine 1
     w1              3 F64 samples: range
 
 sample:
-     0  sample  w0, F32@12
-     3  sub     acc, F32@12, F64@16
-     7  sample  w1, acc
-    10  end
+     0  ldx     F32@12
+     2  sample  w0
+     4  ldy     F64@16
+     6  sub
+     7  sample  w1
+     9  end
 
 state 1.entry:
-    11  mov     I8@24, -1
+    10  ldx     -1
+    12  out     I8@24
     14  end
 
 state 1.step:
-    15  avg     acc, w0
-    18  mul     F64@16, acc, 0.1
-    22  range   acc, w1
-    25  jnlt    0x1.7e43c8800759cp+996, acc, 38
-    29  jf      local bool@2, 38
-    32  add     I8@24, I8@24, 0.5
-    36  goto    state 2
-    38  le      t0, 10.5, F32@12
-    42  lt      acc, T, 1000000
-    46  or      local bool@2, t0, acc
-    50  end
+    15  stat    average, w0
+    18  ldy     0.1
+    20  mul
+    21  out     F64@16
+    23  stat    range, w1
+    26  ldy     0x1.7e43c8800759cp+996
+    28  jxy     not x > y, 34
+    30  ldx     local bool@2
+    32  jt      56
+    34  ldx     T
+    35  ldy     1000000
+    40  set     x < y
+    42  st      local bool@3
+    44  ldx     F32@12
+    46  ldy     10.5
+    48  set     x >= y
+    50  ldy     local bool@3
+    52  or
+    53  st      local bool@2
+    55  end
+    56  ldx     I8@24
+    58  ldy     0.5
+    60  add
+    61  out     I8@24
+    63  goto    state 2
 
 state 1.exit:
-    51  mov     local U16@0, 4
-    54  end
+    65  ldx     4
+    67  st      local U16@0
+    69  end
 
 state 2.step:
-    55  neg     acc, F64@16
-    58  sqrt    F64@16, acc
-    61  jnlt    local U16@0, I8@24, 67
-    65  goto    state 1
-    67  end
-image of 146 bytes, format 1, crc 54f41514
+    70  ldx     F64@16
+    72  neg
+    73  sqrt
+    74  out     F64@16
+    76  ldx     I8@24
+    78  ldy     local U16@0
+    80  jxy     x > y, 83
+    82  end
+    83  goto    state 1
+image of 139 bytes, format 2, crc 41a16e26
     section 01 IDENTITY   8 bytes at 44: 9d78ceec3f98183c
-    section 81 MACHINE    24 bytes at 52
-    section 82 CODE       0 bytes at 76
-    section 02 DEBUG      70 bytes at 76
+    section 81 MACHINE    20 bytes at 52
+    section 82 CODE       0 bytes at 72
+    section 02 DEBUG      67 bytes at 72
 
 machine 1 idle
-    state vector    16 bytes, layout ddcc0f93
+    state vector    16 bytes, layout ddcc0f93; of these it names 0 to 16
     states          1
     memory          [..] bytes on this machine, of these 0 for locals
-    operands        2
     longest step    0 instructions
     G               U64@0 G
     S               U32@8 S
-sub.smb: machine 1: 2 states, longest step 15 instructions, [..] bytes of RAM, state vector 32 bytes (layout f4b2fddc)
+sub.smb: machine 1: 2 states, longest step 29 instructions, [..] bytes of RAM, state vector 32 bytes (layout f4b2fddc)
 idle.smb: machine 1: 1 states, longest step 0 instructions, [..] bytes of RAM, state vector 16 bytes (layout ddcc0f93)

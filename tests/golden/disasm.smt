@@ -11,22 +11,22 @@ bool open
 .step
     open = true
 -- stdout --
-image of 170 bytes, format 1, crc a4957f16
+image of 156 bytes, format 2, crc c676acf2
     section 01 IDENTITY   8 bytes at 44: ae101c3ae1e46017
-    section 81 MACHINE    30 bytes at 52
-    section 82 CODE       4 bytes at 82
-    section 02 DEBUG      84 bytes at 86
+    section 81 MACHINE    23 bytes at 52
+    section 82 CODE       5 bytes at 75
+    section 02 DEBUG      76 bytes at 80
 
 machine 1 a
-    state vector    16 bytes, layout b1dc9237
+    state vector    16 bytes, layout b1dc9237; of these it names 0 to 16
     states          1
     memory          [..] bytes on this machine, of these 0 for locals
-    operands        4
-    longest step    2 instructions
+    longest step    3 instructions
     output          bool@12 open
     G               U64@0 G
     S               U32@8 S
 
 Idle.step:
-     0  mov     open, 1                         a.sm:7
-     3  end
+     0  ldx     1                               a.sm:7
+     2  out     open
+     4  end

@@ -47,10 +47,10 @@ stays there.
   Findings          [..]
   Scripts           0 of 2 passed
   Seen by scripts   1 of 1 states, 0 of 0 ways
-  Longest step      2 instructions, in Idle
+  Longest step      5 instructions, in Idle
   Memory on the VM  56 bytes
-  Image             82 bytes
-  Image CRC         77a1f2e3
+  Image             76 bytes
+  Image CRC         f712cd1a
   Source identity   2f257f5f61796867
   State vector      the machine's own
 
@@ -97,11 +97,11 @@ step can take more. The first step of a state runs `.entry` too, and a step that
 `.exit`.
 
   State  Its first step  Any other step  Dearest lines of its longest step
-  Idle                2               2  line 8: 2
+  Idle                5               5  line 8: 5
 
 The longest step, in `Idle`
   In     Line  Statement      Instructions
-  .step     8  valve = x > 5             2
+  .step     8  valve = x > 5             5
 
 Memory
 RAM of this machine on the VM of a computer with pointers of 64 bits; a board with shorter ones
@@ -109,13 +109,12 @@ needs a little less. The state vector, which the application shares, comes on to
 
   Part                           Bytes
   Windows of rolling statistics      0
-  Locals                             0
-  Values on the way                  0
+  Locals, and values on the way      0
   The VM's own                      56
   RAM in all                        56
   State vector                      24
-  Image, in flash or RAM            82
-  of which code                      5
+  Image, in flash or RAM            76
+  of which code                      9
 
 Scripts
 -------

@@ -70,10 +70,10 @@ of `Done`, `Abort`, it stays there.
   Findings          [..]
   Scripts           1 of 1 passed
   Seen by scripts   3 of 4 states, 2 of 3 ways
-  Longest step      10 instructions, in Fill
+  Longest step      16 instructions, in Fill
   Memory on the VM  120 bytes
-  Image             172 bytes
-  Image CRC         bb3a4342
+  Image             152 bytes
+  Image CRC         afa85eee
   Source identity   5acf0981b6a5ecb5
   State vector      the machine's own
 
@@ -172,22 +172,23 @@ Instructions of the VM in the longest step of each state, found on the very imag
 step can take more. The first step of a state runs `.entry` too, and a step that leaves runs
 `.exit`.
 
-2 instructions of each step give the windows their samples; what a sample takes beyond its
+3 instructions of each step give the windows their samples; what a sample takes beyond its
 instruction depends on the window.
 
   State  Its first step  Any other step  Dearest lines of its longest step
-  Idle                5               5  line 27 (samples): 2, line 17: 2, line 19: 1
-  Fill               10               8  line 29: 3, line 27 (samples): 2, line 24: 2
-  Done                2               2  line 27 (samples): 2
-  Abort               4               2  line 27 (samples): 2, line 40: 2
+  Idle                8               8  line 17: 5, line 27 (samples): 3
+  Fill               16              13  line 31: 5, line 27 (samples): 3, line 24: 3
+  Done                3               3  line 27 (samples): 3
+  Abort               6               3  line 27 (samples): 3, line 40: 3
 
 The longest step, in `Fill`
   In       Line  Statement                                       Instructions
-  samples    27  roll_median(level, 5) > full - margin: -> Done             2
-  .entry     24  valve = true                                               2
+  samples    27  roll_median(level, 5) > full - margin: -> Done             3
+  .entry     24  valve = true                                               3
   .step      27  roll_median(level, 5) > full - margin: -> Done             2
-  .step      28  if T > 60000: -> Abort                                     1
-  .step      29  else if T > 50000: valve = false                           3
+  .step      28  if T > 60000: -> Abort                                     2
+  .step      29  else if T > 50000: valve = false                           1
+  .step      31  valve = T < 40000                                          5
 
 Memory
 RAM of this machine on the VM of a computer with pointers of 64 bits; a board with shorter ones
@@ -195,13 +196,12 @@ needs a little less. The state vector, which the application shares, comes on to
 
   Part                           Bytes
   Windows of rolling statistics     56
-  Locals                             0
-  Values on the way                  0
+  Locals, and values on the way      0
   The VM's own                      64
   RAM in all                       120
   State vector                      24
-  Image, in flash or RAM           172
-  of which code                     55
+  Image, in flash or RAM           152
+  of which code                     72
 
 Scripts
 -------

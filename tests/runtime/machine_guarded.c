@@ -73,12 +73,14 @@ static void check_snapshot(Kind kind)
 static void check_copy(Kind kind)
 {
     const uint8_t *copy = (const uint8_t *)stage.copy;
+    SmPlace uses;
 
     start_stage(kind, true);
+    uses = stage.machine.type->uses(stage.machine.self);
     step(1);
     step(2);
     for (size_t i = 0; i < sizeof stage.copy; i++)
-        if (i < offsetof(StandSv, clock) || i >= offsetof(StandSv, torn) + 4)
+        if (i < uses.offset || i >= uses.offset + uses.size)
             CHECK(copy[i] == 0x5a);
 }
 

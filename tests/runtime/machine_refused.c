@@ -179,10 +179,10 @@ static void memory_is_known(void)
         words += sm_roll_words(entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS);
     }
     CHECK(m.windows == 1 && smvm_target_memory(tester_image, sizeof tester_image, 0) == smvm_ram_size(&m));
-    CHECK(SMVM_WORDS(m.windows, words, m.temps, m.locals, m.outputs) == (smvm_ram_size(&m) + 7) / 8);
+    CHECK(SMVM_WORDS(m.windows, words, m.locals, m.outputs) == (smvm_ram_size(&m) + 7) / 8);
     CHECK(smvm_target_memory(tester_image, sizeof tester_image, 2) == 0 && smvm_target_memory(tester_image, 10, 0) == 0);
     smvm_machine(picker_image, 0, &m);
-    CHECK(m.outputs == 70 && SMVM_WORDS(0, 0, m.temps, m.locals, m.outputs) == (smvm_ram_size(&m) + 7) / 8);
+    CHECK(m.outputs == 70 && SMVM_WORDS(0, 0, m.locals, m.outputs) == (smvm_ram_size(&m) + 7) / 8);
 }
 
 // ---- names are not verified ----

@@ -11,9 +11,11 @@
 #include "stdlib/crc32.h"
 
 typedef struct Build {
-    uint32_t layout, sv_words, locals, temps, outputs, states, width;
+    uint32_t layout, sv_words, from, to;  // all three in units of 8 bytes; `to` 0: all of it
+    uint32_t locals, states, width;
+    uint32_t g, s;                        // in units of their sizes
     uint32_t window[8], windows;
-    uint32_t operand[512], operands;
+    uint32_t output[512], outputs;
     uint32_t f32[8], f32s;
     uint64_t f64[8];
     uint32_t f64s;
@@ -24,9 +26,9 @@ typedef struct Build {
     uint32_t init_size;
 } Build;
 
-#define OPERAND(kind, payload) ((uint32_t)(payload) << 5 | (uint32_t)(kind))
-#define ELEMENT(type, offset) OPERAND(SM_##type, (offset) >> smvm_type_shift(SM_##type))
-#define LOCAL(type, offset) OPERAND(11 + SM_##type, (offset) >> smvm_type_shift(SM_##type))
+// A place of three bytes: offset in units of the type's size in the low 16 bits and the topmost 4, type in between.
+#define PLACE_OF(type, at) (((uint32_t)(at) & 0xffff) | (uint32_t)(type) << 16 | (uint32_t)(at) >> 16 << 20)
+#define PLACE(type, offset) PLACE_OF(SM_##type, (offset) >> smvm_type_shift(SM_##type))
 #define WINDOW(size, stats) WINDOW_OF(SM_ROLL_F64, size, stats)
 #define WINDOW_OF(type, size, stats) ((uint32_t)(size) | (uint32_t)(type) << 17 | (uint32_t)(stats) << 21)
 
@@ -68,6 +70,12 @@ static inline void code(Build *b, unsigned op, int n, ...)
     va_end(numbers);
 }
 
+// One that loads or stores what has a type, at an offset in bytes: typed(b, SMVM_ldx_elem, SM_F64, 16).
+static inline void typed(Build *b, unsigned op, unsigned type, unsigned offset)
+{
+    code(b, op + type, 1, offset >> (type == SMVM_RAW ? 3u : smvm_type_shift(type)));
+}
+
 static inline void end_function(Build *b) { b->end[b->ends++] = b->size; }
 
 static inline void fix_crc(uint8_t *image)
@@ -83,16 +91,17 @@ static inline void fix_crc(uint8_t *image)
 
 static inline uint32_t put_machine(const Build *b, uint8_t *p)
 {
-    const uint32_t number[] = {b->sv_words, b->locals, b->temps, b->windows, b->outputs, b->operands, b->states, b->width, b->f32s, b->f64s};
+    const uint32_t number[] = {b->sv_words, b->from, b->to != 0 ? b->to : b->sv_words, b->locals, b->windows, b->outputs, b->states, b->width,
+                               b->f32s, b->f64s, b->g, b->s};
     uint8_t *start = p;
 
     put_bytes(&p, b->layout, 4);
-    for (unsigned i = 0; i < 10; i++)
+    for (unsigned i = 0; i < sizeof number / sizeof number[0]; i++)
         p += put_number(p, number[i]);
     for (uint32_t i = 0; i < b->windows; i++)
         put_bytes(&p, b->window[i], 4);
-    for (uint32_t i = 0; i < b->operands; i++)
-        put_bytes(&p, b->operand[i], 3);
+    for (uint32_t i = 0; i < b->outputs; i++)
+        put_bytes(&p, b->output[i], 3);
     for (uint32_t i = 0; i < b->ends; i++)
         put_bytes(&p, b->end[i], b->width);
     for (uint32_t i = 0; i < b->f32s; i++)
@@ -110,12 +119,12 @@ static inline uint32_t put_header(uint8_t *image, unsigned n, const uint8_t *id,
 
     for (unsigned i = 0; i < n; i++) {
         *p++ = id[i];
-        *p++ = 1;
+        *p++ = id[i] == 0x01 || id[i] == 0x04 ? 1 : 2;
         put_bytes(&p, at, 3);
         put_bytes(&p, size[i], 3);
         at += size[i];
     }
-    memcpy(image, "smb\1", 4);
+    memcpy(image, "smb\2", 4);
     p = image + 8;
     put_bytes(&p, at, 3);
     *p = (uint8_t)n;

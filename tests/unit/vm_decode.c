@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decoded form does what the image does: every opcode on operands of every kind, on numbers that are hard on somebody; then its
-// memory.  (Random images are for vm_mutate and the fuzzer, whole programs for the engine, which runs both forms.)
+// The decoded form does what the image does: every opcode on what lies in memory as every type and on numbers that are hard on
+// somebody, with and without another use of X behind it; code without sense; then its memory.  (Random images are for vm_mutate and the
+// fuzzer, whole programs for the engine, which runs both forms.)
 #include <stdlib.h>
 
 #include "tests/test.h"
@@ -10,211 +11,450 @@
 #define DECODE_TEST "vm_decode"
 #endif
 
-// Each instruction has a place of its own to write to.  What is read: elements and locals of all types, a temp, T, numbers; an
-// accumulator is read where READ_ACC stands for an operand.
-enum { RESULTS = 96, SOURCES = 2 * SM_TYPE_COUNT + 11, READ_ACC = SOURCES, VECTOR_WORDS = 2 + SM_TYPE_COUNT + RESULTS, FIRST_LOCAL = SM_TYPE_COUNT };
-enum { G_AT = RESULTS, S_AT, SOURCE_AT, ACC_AT = SOURCE_AT + SOURCES, OTHERS_AT = ACC_AT + SM_TYPE_COUNT + 1 };
+// Each instruction has a place of its own to write to, of 8 bytes.  What is loaded: elements and locals of all types, a RAW local, T,
+// numbers; X may also have been computed in one of these ways.
+enum { RESULTS = 96, NUMBERS = 12, FIRST_NUMBER = 2 * SM_TYPE_COUNT + 2, SOURCES = FIRST_NUMBER + NUMBERS, WAYS = 6 };
+enum { SOURCE_AT = 16, RESULT_AT = SOURCE_AT + 8 * SM_TYPE_COUNT, VECTOR = RESULT_AT + 8 * RESULTS };      // in the state vector
+enum { RAW_AT = 8 * SM_TYPE_COUNT, OTHERS_AT = RAW_AT + 8, LOCALS = OTHERS_AT + 8 * (SM_TYPE_COUNT + 1) };  // among the locals
+enum { ALL = SMVM_LESS | SMVM_EQUAL | SMVM_GREATER | SMVM_UNORDERED, TO_Y = SMVM_ldy_local - SMVM_ldx_local };
 
 typedef struct Case {
     Build b;
-    unsigned results;
-    unsigned acc;             // which accumulator is next
+    unsigned instructions;    // how many were put
     uint64_t seed;
-    unsigned instructions;
 } Case;
 
-static void put_sources(Build *b)
+static void put_source(Build *b, unsigned k, unsigned to_y)      // ldx, or with TO_Y ldy
 {
-    const uint32_t number[] = {OPERAND(22, 0), OPERAND(23, 0), OPERAND(24, 0), OPERAND(24, 7), OPERAND(24, 0x7fffd), OPERAND(25, 0), OPERAND(25, 1),
-                               OPERAND(26, 0), OPERAND(26, 1), OPERAND(26, 2), OPERAND(26, 3)};
+    static const struct { uint8_t op; uint32_t n; } number[NUMBERS] = {
+        {SMVM_ldx_plus, 0}, {SMVM_ldx_plus, 1}, {SMVM_ldx_plus, 7}, {SMVM_ldx_plus, SMVM_VARINT_END - 1}, {SMVM_ldx_minus, 0}, {SMVM_ldx_minus, 2},
+        {SMVM_ldx_f32, 0}, {SMVM_ldx_f32, 1}, {SMVM_ldx_f64, 0}, {SMVM_ldx_f64, 1}, {SMVM_ldx_f64, 2}, {SMVM_ldx_f64, 3},
+    };
 
-    for (unsigned t = 0; t < SM_TYPE_COUNT; t++) {
-        b->operand[SOURCE_AT + t] = OPERAND(t, (16 + 8 * t) >> smvm_type_shift(t));
-        b->operand[SOURCE_AT + FIRST_LOCAL + t] = OPERAND(11 + t, 8 * t >> smvm_type_shift(t));
-        b->operand[ACC_AT + t] = OPERAND(27, t);
+    if (k < SM_TYPE_COUNT)
+        typed(b, SMVM_ldx_elem + to_y, k, SOURCE_AT + 8 * k);
+    else if (k <= 2 * SM_TYPE_COUNT)                             // the last of them RAW
+        typed(b, SMVM_ldx_local + to_y, k - SM_TYPE_COUNT, 8 * (k - SM_TYPE_COUNT));
+    else if (k < FIRST_NUMBER)
+        code(b, SMVM_ldx_time + to_y, 0);
+    else
+        code(b, number[k - FIRST_NUMBER].op + to_y, 1, (unsigned)number[k - FIRST_NUMBER].n);
+}
+
+// X as a source, or computed.
+static void put_x(Case *c, unsigned k)
+{
+    if (k < SOURCES) {
+        put_source(&c->b, k, 0);
+        return;
     }
-    b->operand[ACC_AT + SM_TYPE_COUNT] = OPERAND(27, SM_TYPE_COUNT);
-    memcpy(b->operand + SOURCE_AT + 2 * SM_TYPE_COUNT, number, sizeof number);
-    memcpy(b->f32, (const uint32_t[]){0x3e800000u, 0xff800000u}, 8);                                  // 0.25, -infinity
-    memcpy(b->f64, (const uint64_t[]){0x7ff8000000000000u, 0x8000000000000000u, 0x4340000000000000u, 0x41dfffffffc00000u}, 32);
-    b->f32s = 2;                                                                                       // NaN, -0, 2^53, 2^31 - 1
-    b->f64s = 4;
+    put_source(&c->b, c->instructions % SOURCES, 0);
+    put_source(&c->b, c->instructions * 7 % SOURCES, TO_Y);
+    switch (k - SOURCES) {
+    case 0: code(&c->b, SMVM_div, 0); break;
+    case 1: code(&c->b, SMVM_set, 1, 1 + c->instructions % 14); break;
+    case 2: code(&c->b, SMVM_neg, 0); break;
+    case 3: code(&c->b, SMVM_addi, 1, c->instructions % 3); break;
+    case 4: code(&c->b, SMVM_cvt, 1, c->instructions % SM_TYPE_COUNT); break;
+    default: code(&c->b, SMVM_and, 0); break;
+    }
 }
 
 static void begin(Case *c)
 {
-    memset(&c->b, 0, sizeof c->b);
-    c->results = 0;
-    c->b.sv_words = VECTOR_WORDS;
-    c->b.locals = 8 * SM_TYPE_COUNT + 8 * SM_TYPE_COUNT;
-    c->b.temps = 2;
-    c->b.outputs = RESULTS;
-    c->b.states = 1;
-    c->b.width = 2;
-    c->b.operand[G_AT] = OPERAND(SM_U64, 0);
-    c->b.operand[S_AT] = OPERAND(SM_U32, 2);
-    put_sources(&c->b);
-    for (unsigned t = 0; t < SM_TYPE_COUNT; t++)
-        c->b.operand[OTHERS_AT + t] = OPERAND(11 + t, (8 * SM_TYPE_COUNT + 8 * t) >> smvm_type_shift(t));
-    c->b.operand[OTHERS_AT + SM_TYPE_COUNT] = OPERAND(22, 1);
-    c->b.operands = OTHERS_AT + SM_TYPE_COUNT + 1;
-    code(&c->b, SMVM_end, 0);                         // sample: nothing
-    end_function(&c->b);
-    end_function(&c->b);
-    for (unsigned t = 0; t < SM_TYPE_COUNT; t++)      // the locals, and a temp, take what the elements hold
-        code(&c->b, SMVM_mov, 2, SOURCE_AT + FIRST_LOCAL + t, SOURCE_AT + (t + 3) % SM_TYPE_COUNT);
-    code(&c->b, SMVM_sub, 3, SOURCE_AT + 2 * SM_TYPE_COUNT, SOURCE_AT + SM_F64, SOURCE_AT + SM_F32);   // infinity less infinity is NaN
+    Build *b = &c->b;
+
+    memset(b, 0, sizeof *b);
+    b->sv_words = VECTOR / 8;
+    b->locals = LOCALS;
+    b->states = 1;
+    b->width = 2;
+    b->s = 2;
+    memcpy(b->f32, (const uint32_t[]){0x3e800000u, 0xff800000u}, 8);                                  // 0.25, -infinity
+    memcpy(b->f64, (const uint64_t[]){0x7ff8000000000000u, 0x8000000000000000u, 0x4340000000000000u, 0x41dfffffffc00000u}, 32);
+    b->f32s = 2;                                                                                       // NaN, -0, 2^53, 2^31 - 1
+    b->f64s = 4;
+    code(b, SMVM_end, 0);                             // sample: nothing
+    end_function(b);
+    end_function(b);
+    for (unsigned t = 0; t < SM_TYPE_COUNT; t++) {    // the locals take what the elements hold
+        put_source(b, (t + 3) % SM_TYPE_COUNT, 0);
+        typed(b, SMVM_st_local, t, 8 * t);
+    }
+    put_source(b, SM_F64, 0);
+    put_source(b, SM_F32, TO_Y);
+    code(b, SMVM_sub, 0);                             // infinity less infinity is NaN
+    typed(b, SMVM_st_local, SMVM_RAW, RAW_AT);
 }
 
 static void run_case(Case *c)
 {
     static uint8_t image[16384];
+    uint32_t size;
     SmvmVerdict v;
 
-    for (unsigned i = c->results; i < RESULTS; i++)
-        c->b.operand[i] = OPERAND(SM_F64, 2 + SM_TYPE_COUNT + i);
     code(&c->b, SMVM_end, 0);
     end_function(&c->b);
     end_function(&c->b);
-    CHECK(smvm_verify(image, build_image(&c->b, image), &v) == 0);
+    size = build_image(&c->b, image);
+    CHECK(smvm_verify(image, size, &v) == 0);
     if (v.rule != 0)
         fprintf(stderr, "rule %u at %u\n", v.rule, (unsigned)v.at);
     else
-        hammer(image, build_image(&c->b, image), 40, ++c->seed | 1);
+        hammer(image, size, 40, ++c->seed | 1);
     begin(c);
 }
 
-static unsigned result(Case *c, unsigned type)        // the next place, of this type
+static unsigned result(Case *c, unsigned type)        // the next output, of this type
 {
-    c->b.operand[c->results] = OPERAND(type, (16 + 8 * SM_TYPE_COUNT + 8 * c->results) >> smvm_type_shift(type));
-    return c->results++;
+    c->b.output[c->b.outputs] = PLACE_OF(type, (RESULT_AT + 8 * c->b.outputs) >> smvm_type_shift(type));
+    return c->b.outputs++;
 }
 
 static void make_room(Case *c)
 {
-    if (c->results + 4 > RESULTS || c->b.size + 100 > sizeof c->b.code)
+    if (c->b.outputs + 5 > RESULTS || c->b.size + 100 > sizeof c->b.code)
         run_case(c);
 }
 
-// An operand to read; where it is an accumulator, of a type that is another each time, writes that.
-static unsigned source(Case *c, unsigned k)
+// X goes to each kind of place in turn.  What is not an output is then seen as an F64, as true or not, and as equal to itself or not,
+// which a NaN is not.
+static void put_seen(Case *c)
 {
-    unsigned acc = ACC_AT + c->acc % (SM_TYPE_COUNT + 1u);
+    unsigned kind = c->instructions++ % (2 * SM_TYPE_COUNT + 1), t = kind - SM_TYPE_COUNT, from = SMVM_ldx_local;
 
-    if (k != READ_ACC)
-        return SOURCE_AT + k;
-    c->acc += 5;
-    code(&c->b, c->acc % 2 ? SMVM_mov : SMVM_div, c->acc % 2 ? 2 : 3, acc, SOURCE_AT + c->acc / 2 % SOURCES, SOURCE_AT + SM_F64);
-    return acc;
-}
-
-static void sources(Case *c, unsigned *x, unsigned *y)           // both; of two accumulators there is but one
-{
-    bool both = *x == READ_ACC && *y == READ_ACC;
-
-    *x = source(c, *x);
-    *y = both ? *x : source(c, *y);
-}
-
-// op d, x and y: to each kind of place in turn.  What is not an output is then seen as an F64, as true or not, and as equal to itself
-// or not, which a NaN is not.
-static void put_writing(Case *c, unsigned op, unsigned x, unsigned y, bool two)
-{
-    unsigned kind = c->instructions++ % (3 * SM_TYPE_COUNT + 2), seen = OTHERS_AT + SM_TYPE_COUNT;
-
-    make_room(c);
-    sources(c, &x, &y);
     if (kind < SM_TYPE_COUNT) {
-        code(&c->b, op, two ? 3 : 2, result(c, kind), x, y);
+        code(&c->b, SMVM_out, 1, result(c, kind));
+        if (c->instructions % 3)                      // X again, or not
+            code(&c->b, SMVM_out, 1, result(c, SM_F64));
         return;
     }
-    code(&c->b, op, two ? 3 : 2, kind < 2 * SM_TYPE_COUNT + 1 ? OTHERS_AT + kind - SM_TYPE_COUNT : ACC_AT + kind - 2 * SM_TYPE_COUNT - 1, x, y);
-    code(&c->b, SMVM_mov, 2, seen, kind < 2 * SM_TYPE_COUNT + 1 ? OTHERS_AT + kind - SM_TYPE_COUNT : ACC_AT + kind - 2 * SM_TYPE_COUNT - 1);
-    code(&c->b, SMVM_mov, 2, result(c, SM_F64), seen);
-    code(&c->b, SMVM_truth, 2, result(c, SM_BOOL), seen);
-    code(&c->b, SMVM_eq, 3, result(c, SM_BOOL), seen, seen);
+    typed(&c->b, SMVM_st_local, t, OTHERS_AT + 8 * t);
+    if (c->instructions % 3)
+        typed(&c->b, from, t, OTHERS_AT + 8 * t);
+    code(&c->b, SMVM_out, 1, result(c, SM_F64));
+    code(&c->b, SMVM_ldy_plus, 1, 0);
+    code(&c->b, SMVM_set, 1, SMVM_LESS | SMVM_GREATER);
+    code(&c->b, SMVM_out, 1, result(c, SM_BOOL));
+    typed(&c->b, from, t, OTHERS_AT + 8 * t);
+    typed(&c->b, from + TO_Y, t, OTHERS_AT + 8 * t);
+    code(&c->b, SMVM_set, 1, SMVM_EQUAL);
+    code(&c->b, SMVM_out, 1, result(c, SM_BOOL));
 }
 
-static void put_jump(Case *c, unsigned op, unsigned x, unsigned y, bool two)
+// X and, from SOURCES on again the first of them, Y.
+static void put_operands(Case *c, unsigned x, unsigned y)
 {
-    unsigned d;
-
     make_room(c);
-    d = result(c, SM_U8);
-    code(&c->b, SMVM_mov, 2, d, SOURCE_AT + 2 * SM_TYPE_COUNT + 2);
-    sources(c, &x, &y);
-    code(&c->b, op, two ? 3 : 2, x, two ? y : 4u, 4u);
-    code(&c->b, SMVM_mov, 2, d, SOURCE_AT + 2 * SM_TYPE_COUNT + 3);
+    put_x(c, x);
+    put_source(&c->b, y % SOURCES, TO_Y);
 }
 
-static void every_instruction(Case *c)
+// A jump over a store; X may be stored on the way that it does not take.
+static void put_jump(Case *c, unsigned op, int numbers, unsigned n)
 {
-    begin(c);
-    for (unsigned op = SMVM_mov; op <= SMVM_not; op++)
-        for (unsigned x = 0; x <= SOURCES; x++)
-            for (unsigned i = 0; i < 3 * SM_TYPE_COUNT + 2; i++)
-                put_writing(c, op, x, 0, false);
-    for (unsigned op = SMVM_add; op <= SMVM_or; op++)
-        for (unsigned x = 0; x <= SOURCES; x++)
-            for (unsigned y = 0; y <= SOURCES; y++)
-                put_writing(c, op, x, y, true);
-    for (unsigned op = SMVM_jeq; op <= SMVM_jnle; op++)
-        for (unsigned x = 0; x <= SOURCES; x++)
-            for (unsigned y = 0; y <= SOURCES; y++)
-                put_jump(c, op, x, y, true);
-    for (unsigned x = 0; x <= SOURCES; x++)
-        for (unsigned op = SMVM_jt; op <= SMVM_jf; op++)
-            put_jump(c, op, x, 0, false);
-    run_case(c);
+    unsigned d = result(c, SM_U8), seen = result(c, SM_F64);
+    const bool again = c->instructions++ % 3 == 0;
+    const uint32_t skip = 1 + 1 + 1 + 1 + (again ? 2u : 0u);      // ldx 3; out d
+
+    if (numbers == 2)
+        code(&c->b, op, 2, n, (unsigned)skip);
+    else
+        code(&c->b, op, 1, (unsigned)skip);
+    if (again)
+        code(&c->b, SMVM_out, 1, seen);
+    code(&c->b, SMVM_ldx_plus, 1, 3);
+    code(&c->b, SMVM_out, 1, d);
+    code(&c->b, SMVM_ldx_plus, 1, 5);                 // here
+    code(&c->b, SMVM_out, 1, result(c, SM_U8));
 }
 
-// Counting, `x = x + c`, in each type and from values at which the types end.
+static void every_operation(Case *c)
+{
+    for (unsigned x = 0; x < SOURCES + WAYS; x++) {
+        for (unsigned op = SMVM_neg; op <= SMVM_sign; op++)
+            for (unsigned i = 0; i < 2 * SM_TYPE_COUNT + 1; i++) {
+                make_room(c);
+                put_x(c, x);
+                code(&c->b, op, 0);
+                put_seen(c);
+            }
+        for (unsigned i = 0; i < 8 * SM_TYPE_COUNT; i++) {
+            make_room(c);
+            put_x(c, x);
+            code(&c->b, i % 4 == 0 ? SMVM_addi : i % 4 == 1 ? SMVM_subi : SMVM_cvt, 1, i % 4 < 2 ? (unsigned)(SMVM_VARINT_END - 1) >> i % 32 : i / 8);
+            put_seen(c);
+        }
+        for (unsigned op = SMVM_add; op <= SMVM_or; op++)
+            for (unsigned y = 0; y < SOURCES; y++) {
+                put_operands(c, x, y);
+                code(&c->b, op, 0);
+                put_seen(c);
+            }
+        for (unsigned i = 0; i < 3 * SM_TYPE_COUNT; i++) {        // stored as it is
+            make_room(c);
+            put_x(c, x);
+            put_seen(c);
+        }
+    }
+}
+
+static void every_relation(Case *c)
+{
+    for (unsigned x = 0; x < SOURCES + WAYS; x++)
+        for (unsigned m = 1; m < ALL; m++) {
+            for (unsigned y = 0; y < SOURCES; y++) {
+                put_operands(c, x, y);
+                code(&c->b, SMVM_set, 1, m);
+                put_seen(c);
+                put_operands(c, x, y);
+                put_jump(c, SMVM_jxy + m - 1, 1, 0);
+                put_operands(c, x, y);                // the condition of the jump was computed
+                code(&c->b, SMVM_set, 1, m);
+                put_jump(c, m % 2 ? SMVM_jt : SMVM_jf, 1, 0);
+            }
+            for (unsigned n = 0; n < 4; n++) {
+                make_room(c);
+                put_x(c, x);
+                put_jump(c, SMVM_jxn + m - 1, 2, n * n);
+            }
+        }
+    for (unsigned x = 0; x < SOURCES + WAYS; x++)
+        for (unsigned op = SMVM_jf; op <= SMVM_jt; op += SMVM_jt - SMVM_jf)
+            for (unsigned i = 0; i < 3; i++) {
+                make_room(c);
+                put_x(c, x);
+                put_jump(c, op, 1, 0);
+            }
+}
+
+// Counting, `x = x + c`, in each type and from values at which the types end; the last X is used again.
 static void counting(Case *c)
 {
+    static const uint8_t op[] = {SMVM_add, SMVM_sub, SMVM_addi, SMVM_subi};
+
     for (unsigned t = 0; t < SM_TYPE_COUNT; t++)
-        for (unsigned k = 2 * SM_TYPE_COUNT + 2; k < SOURCES; k++)
-            for (unsigned op = SMVM_add; op <= SMVM_sub; op++) {
-                make_room(c);
-                code(&c->b, SMVM_mov, 2, result(c, t), SOURCE_AT + (t + k) % SOURCES);
-                code(&c->b, op, 3, c->results - 1, c->results - 1, SOURCE_AT + k);
-                code(&c->b, op, 3, OTHERS_AT + t, SOURCE_AT + t, SOURCE_AT + k);
-                code(&c->b, SMVM_add, 3, OTHERS_AT + t, SOURCE_AT + k, OTHERS_AT + t);
-                code(&c->b, SMVM_mov, 2, result(c, t), OTHERS_AT + t);
+        for (unsigned k = FIRST_NUMBER; k < SOURCES; k++)
+            for (unsigned i = 0; i < 4; i++)
+                for (unsigned again = 0; again < 2; again++) {
+                    make_room(c);
+                    put_source(&c->b, (t + k) % SOURCES, 0);
+                    typed(&c->b, SMVM_st_local, t, OTHERS_AT + 8 * t);
+                    typed(&c->b, SMVM_ldx_local, t, OTHERS_AT + 8 * t);
+                    put_source(&c->b, k, TO_Y);
+                    code(&c->b, op[i], i < 2 ? 0 : 1, k);
+                    if (again)
+                        typed(&c->b, SMVM_st_local, t, OTHERS_AT + 8 * t);
+                    code(&c->b, SMVM_out, 1, result(c, t));
+                    if (again)
+                        code(&c->b, SMVM_out, 1, result(c, SM_F64));
+                    put_source(&c->b, k, 0);
+                    typed(&c->b, SMVM_ldy_local, t, 8 * t);
+                    code(&c->b, op[i], i < 2 ? 0 : 1, k);
+                    code(&c->b, SMVM_out, 1, result(c, t));
+                }
+}
+
+// What was computed, with all that can be Y, stored as F32 and F64.
+static void floats(Case *c)
+{
+    for (unsigned op = SMVM_add; op <= SMVM_div; op++)
+        for (unsigned y = 0; y < SOURCES; y++)
+            for (unsigned i = 0; i < 8; i++) {
+                unsigned type = i % 2 ? SM_F64 : SM_F32;
+                put_operands(c, SOURCES + i / 2 % 2 * 2, y);
+                code(&c->b, op, 0);
+                if (i < 4) {
+                    code(&c->b, SMVM_out, 1, result(c, type));
+                } else {
+                    typed(&c->b, SMVM_st_local, type, OTHERS_AT + 8 * type);
+                    typed(&c->b, SMVM_ldy_local, type, OTHERS_AT + 8 * type);
+                    code(&c->b, SMVM_set, 1, SMVM_EQUAL);
+                }
+                code(&c->b, SMVM_out, 1, result(c, SM_F64));     // X is what it was
             }
+}
+
+// X lies where something is stored, and is used again.
+static void overwritten(Case *c)
+{
+    for (unsigned x = 0; x <= SM_TYPE_COUNT; x++)
+        for (unsigned t = 0; t <= SM_TYPE_COUNT; t++)
+            for (unsigned at = OTHERS_AT; at < OTHERS_AT + 16; at += t == SMVM_RAW ? 8 : 1u << smvm_type_shift(t)) {
+                make_room(c);
+                put_source(&c->b, SM_F64, 0);
+                typed(&c->b, SMVM_st_local, SM_F64, OTHERS_AT);
+                put_source(&c->b, SM_U64, 0);
+                typed(&c->b, SMVM_st_local, SM_U64, OTHERS_AT + 8);
+                typed(&c->b, SMVM_ldx_local, x, OTHERS_AT + 8);
+                typed(&c->b, SMVM_st_local, t, at);
+                code(&c->b, SMVM_out, 1, result(c, SM_F64));
+                code(&c->b, SMVM_ldy_plus, 1, 1);
+                code(&c->b, SMVM_add, 0);
+                code(&c->b, SMVM_out, 1, result(c, SM_F64));
+            }
+}
+
+// ---- code without sense: whatever the verifier accepts, with jumps and over locals that lie in each other ----
+
+typedef struct Nonsense {
+    Case *c;
+    uint64_t seed;
+    uint32_t jump[8], jumps;  // where the distances stand of jumps whose targets are ahead; a byte each
+    bool x, y;                // whether it is known
+} Nonsense;
+
+static unsigned dice(Nonsense *n, unsigned sides) { return (unsigned)(hammer_random(&n->seed) >> 20) % sides; }
+
+static unsigned any_place(Nonsense *n, unsigned type) { return (dice(n, 24) >> smvm_type_shift(type)) << smvm_type_shift(type); }
+
+static void some_load(Nonsense *n, unsigned to_y)
+{
+    unsigned type = dice(n, SM_TYPE_COUNT + 1);
+
+    if (dice(n, 3) == 0)
+        put_source(&n->c->b, dice(n, SOURCES), to_y);
+    else
+        typed(&n->c->b, SMVM_ldx_local + to_y, type, any_place(n, type));
+    if (!to_y)
+        n->x = true;
+    n->y = to_y != 0;
+}
+
+static void here(Nonsense *n)                         // the jumps so far lead here, where X is loaded
+{
+    while (n->jumps > 0) {
+        uint32_t at = n->jump[--n->jumps];
+        n->c->b.code[at] = (uint8_t)(n->c->b.size - at - 1);
+    }
+    if (dice(n, 8) == 0) {
+        code(&n->c->b, SMVM_jmp, 1, 0);
+        n->jump[n->jumps++] = n->c->b.size - 1;
+    }
+    some_load(n, 0);
+}
+
+static void some_jump(Nonsense *n)
+{
+    unsigned m = dice(n, ALL - 1);
+    Build *b = &n->c->b;
+
+    switch (dice(n, n->y ? 4 : 3)) {
+    case 0: code(b, SMVM_jt, 1, 0); break;
+    case 1: code(b, SMVM_jf, 1, 0); break;
+    case 2: code(b, SMVM_jxn + m, 2, dice(n, 5), 0); break;
+    default: code(b, SMVM_jxy + m, 1, 0); break;
+    }
+    n->jump[n->jumps++] = b->size - 1;
+}
+
+static void some_store(Nonsense *n)
+{
+    unsigned type = dice(n, SM_TYPE_COUNT + 1);
+
+    if (dice(n, 3) == 0 && n->c->b.outputs < RESULTS)
+        code(&n->c->b, SMVM_out, 1, result(n->c, dice(n, SM_TYPE_COUNT)));
+    else
+        typed(&n->c->b, SMVM_st_local, type, any_place(n, type));
+    n->y = false;
+}
+
+static void some_operation(Nonsense *n)
+{
+    switch (dice(n, n->y ? 8 : 5)) {
+    case 0: code(&n->c->b, SMVM_neg + dice(n, 8), 0); break;
+    case 1: case 2: code(&n->c->b, SMVM_addi, 1, dice(n, 200)); break;
+    case 3: code(&n->c->b, SMVM_subi, 1, dice(n, 200)); break;
+    case 4: code(&n->c->b, SMVM_cvt, 1, dice(n, SM_TYPE_COUNT)); break;
+    case 5: code(&n->c->b, SMVM_set, 1, 1 + dice(n, ALL - 1)); break;
+    default: code(&n->c->b, SMVM_add + dice(n, 8), 0); break;
+    }
+}
+
+static void nonsense(Case *c, uint64_t seed)
+{
+    Nonsense n = {c, seed * 0x9e3779b97f4a7c15u | 1, {0}, 0, false, false};
+
+    begin(c);
+    for (uint32_t far = 0; c->b.size < 1500;) {
+        if (n.jumps == 0)
+            far = c->b.size;
+        if (!n.x || n.jumps == sizeof n.jump / sizeof n.jump[0] || c->b.size > far + 80) {
+            here(&n);
+            far = c->b.size;
+        }
+        switch (dice(&n, 8)) {
+        case 0: here(&n); break;
+        case 1: some_load(&n, 0); break;
+        case 2: case 3: some_load(&n, TO_Y); break;
+        case 4: some_store(&n); break;
+        case 5: n.jumps < 7 ? some_jump(&n) : some_store(&n); break;
+        default: some_operation(&n); break;
+        }
+    }
+    here(&n);
+    c->seed = seed;
     run_case(c);
 }
 
 // ---- the step: states, with and without each of their functions, which go here and there ----
 
+// The place of a function counts how often it ran; then it ends, goes on or goes away, by what is in elements.
+static void put_function(Case *c, unsigned f)
+{
+    typed(&c->b, SMVM_ldx_elem, SM_F64, RESULT_AT + 8 * f);
+    code(&c->b, SMVM_addi, 1, 1);
+    code(&c->b, SMVM_out, 1, f);
+    put_source(&c->b, f, 0);
+    put_source(&c->b, f + 1, TO_Y);
+    code(&c->b, SMVM_jxy + SMVM_LESS - 1, 1, 1);
+    code(&c->b, SMVM_end, 0);
+    typed(&c->b, SMVM_ldx_elem, SM_F64, RESULT_AT + 8 * f);
+    code(&c->b, SMVM_addi, 1, 1);
+    code(&c->b, SMVM_out, 1, f);
+    put_source(&c->b, f, 0);
+    put_source(&c->b, SM_F64, TO_Y);
+    code(&c->b, SMVM_jxy + SMVM_LESS - 1, 1, f % 3 == 2 ? 1 : 2);
+    code(&c->b, f % 3 == 2 ? SMVM_end : SMVM_goto, f % 3 == 2 ? 0 : 1, 1 + f % 2);
+    code(&c->b, SMVM_end, 0);
+}
+
 static void states(Case *c)
 {
+    static uint8_t image[16384];
+
     for (unsigned present = 0; present < 64; present++) {
         begin(c);
         c->b.size = c->b.ends = 0;
         c->b.states = 2;
+        for (unsigned i = 0; i < 70; i++)
+            result(c, SM_F64);
         if (present % 3)
             code(&c->b, SMVM_end, 0);
         end_function(&c->b);
         for (unsigned f = 0; f < 6; f++) {
-            if (present >> f & 1) {
-                code(&c->b, SMVM_add, 3, f, f, SOURCE_AT + 2 * SM_TYPE_COUNT + 3);
-                code(&c->b, SMVM_jlt, 3, SOURCE_AT + f, SOURCE_AT + f + 1, 1);
-                code(&c->b, SMVM_end, 0);
-                code(&c->b, SMVM_add, 3, f, f, SOURCE_AT + 2 * SM_TYPE_COUNT + 3);
-                code(&c->b, SMVM_jlt, 3, SOURCE_AT + f, SOURCE_AT + SM_F64, f % 3 == 2 ? 1 : 2);
-                code(&c->b, f % 3 == 2 ? SMVM_end : SMVM_goto, f % 3 == 2 ? 0 : 1, 1 + f % 2);
-                code(&c->b, SMVM_end, 0);
-            }
+            if (present >> f & 1)
+                put_function(c, f);
             end_function(&c->b);
         }
-        for (unsigned i = 0; i < RESULTS; i++)
-            c->b.operand[i] = OPERAND(i % 2 ? SM_I8 : SM_F64, (2 + SM_TYPE_COUNT + i) << (i % 2 ? 3 : 0));
-        static uint8_t image[16384];
         CHECK(hammer(image, build_image(&c->b, image), 400, present + 1) == 0);
     }
 }
 
 // ---- windows of all types and statistics ----
+
+static void put_stat(Case *c, unsigned stat, unsigned type)      // stored; and a jump's condition, which is on a number or on what is in memory
+{
+    code(&c->b, SMVM_stat, 2, stat, 0);
+    code(&c->b, SMVM_out, 1, result(c, type));
+    for (unsigned m = 1; m < ALL; m += 6) {
+        code(&c->b, SMVM_stat, 2, stat, 0);
+        put_jump(c, SMVM_jxn + m - 1, 2, 2);
+        code(&c->b, SMVM_stat, 2, stat, 0);
+        put_source(&c->b, SM_F64, TO_Y);
+        put_jump(c, SMVM_jxy + m - 1, 1, 0);
+    }
+}
 
 static void windows(Case *c)
 {
@@ -227,15 +467,15 @@ static void windows(Case *c)
         c->b.size = c->b.ends = 0;
         c->b.windows = 1;
         c->b.window[0] = WINDOW_OF(type == SM_I64 || type == SM_U64 ? SM_ROLL_F64 : type, size[k % 4], stats);
-        code(&c->b, SMVM_sample, 2, 0, SOURCE_AT + (k % 3 ? type : SM_F64));
+        put_source(&c->b, k % 3 ? type : SM_F64, 0);
+        code(&c->b, SMVM_sample, 1, 0);
+        code(&c->b, SMVM_out, 1, result(c, SM_F64));  // X is what it was
         code(&c->b, SMVM_end, 0);
         end_function(&c->b);
         end_function(&c->b);
         for (unsigned s = 0; s < SM_STAT_COUNT; s++)
             if (stats >> s & 1)
-                code(&c->b, SMVM_avg + s, 2, result(c, SM_F64), 0);
-        for (unsigned i = c->results; i < RESULTS; i++)
-            c->b.operand[i] = OPERAND(SM_F64, 2 + SM_TYPE_COUNT + i);
+                put_stat(c, s, k % 2 ? type : SM_F64);
         code(&c->b, SMVM_end, 0);
         end_function(&c->b);
         end_function(&c->b);
@@ -248,7 +488,7 @@ static void windows(Case *c)
 static void memory(void)
 {
     static uint8_t image[16384];
-    uint64_t sv[2][VECTOR_WORDS] = {{0}, {0}}, ram[300], decoded[20000];
+    uint64_t sv[2][VECTOR / 8] = {{0}, {0}}, ram[300], decoded[20000];
     const SmvmVector vector = {sv[0], sizeof sv[0], 0};
     SmvmDecoded *d = NULL;
     SmvmMachine m;
@@ -257,9 +497,10 @@ static void memory(void)
     uint32_t need;
 
     begin(&c);
-    code(&c.b, SMVM_add, 3, result(&c, SM_F64), SOURCE_AT + SM_F64, SOURCE_AT + 2 * SM_TYPE_COUNT + 3);
-    for (unsigned i = c.results; i < RESULTS; i++)
-        c.b.operand[i] = OPERAND(SM_F64, 2 + SM_TYPE_COUNT + i);
+    put_source(&c.b, SM_F64, 0);
+    code(&c.b, SMVM_addi, 1, 7);
+    code(&c.b, SMVM_out, 1, result(&c, SM_F64));
+    result(&c, SM_F64);
     code(&c.b, SMVM_end, 0);
     end_function(&c.b);
     end_function(&c.b);
@@ -271,21 +512,28 @@ static void memory(void)
     CHECK(smvm_decode(&d, decoded, need, &m, vm, sv[0]) == SM_OK);
     for (unsigned i = 0; i < 2; i++) {                // on either state vector
         sv[i][0] = i + 1;
-        sv[i][2 + SM_F64] = sm_bits(sm_from_i32(3));
-        CHECK(smvm_step_decoded(d, sv[i]) == SM_OK && sm_from_bits(sv[i][2 + SM_TYPE_COUNT]) == 10);
+        sv[i][SOURCE_AT / 8 + SM_F64] = sm_bits(sm_from_i32(3));
+        CHECK(smvm_step_decoded(d, sv[i]) == SM_OK && sm_from_bits(sv[i][RESULT_AT / 8]) == 10);
         CHECK(smvm_step_decoded(d, sv[i]) == SM_REFUSED && smvm_stored(vm, 0) && !smvm_stored(vm, 1));
     }
     CHECK(sv[0][0] == 1 && smvm_init(ram, sizeof ram, &m, &vector, 1) == SM_OK);               // as at first
-    sv[0][2 + SM_F64] = sm_bits(sm_from_i32(4));
-    CHECK(smvm_step_decoded(d, sv[0]) == SM_OK && sm_from_bits(sv[0][2 + SM_TYPE_COUNT]) == 11 && smvm_stored_state(vm));
+    sv[0][SOURCE_AT / 8 + SM_F64] = sm_bits(sm_from_i32(4));
+    CHECK(smvm_step_decoded(d, sv[0]) == SM_OK && sm_from_bits(sv[0][RESULT_AT / 8]) == 11 && smvm_stored_state(vm));
 }
 
 int main(void)
 {
     static Case c;
 
-    every_instruction(&c);
+    begin(&c);
+    every_operation(&c);
+    every_relation(&c);
     counting(&c);
+    floats(&c);
+    overwritten(&c);
+    run_case(&c);
+    for (unsigned i = 1; i <= 200; i++)
+        nonsense(&c, i);
     states(&c);
     windows(&c);
     memory();

@@ -92,7 +92,7 @@ static inline bool hammer_same(const SmvmMachine *m, const Hammered *a, const Ha
 
 static inline void hammer_machine(const SmvmMachine *m, uint32_t steps, uint64_t *seed)
 {
-    uint32_t words = m->sv_size / 8, g = smvm_operand(m, m->outputs).offset / 8, state = 1 + (uint32_t)(hammer_random(seed) % m->states);
+    uint32_t words = m->sv_size / 8, g = m->g / 8, state = 1 + (uint32_t)(hammer_random(seed) % m->states);
     Hammered plain, fast;
 
     if (smvm_ram_size(m) > HAMMER_MEMORY || m->sv_size > HAMMER_MEMORY || smvm_decoded_size(m) > HAMMER_MEMORY)

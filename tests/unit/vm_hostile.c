@@ -2,8 +2,9 @@
 // The VM as a small target would build it (vm_small.h), on images that were changed at random: it reads no byte outside the
 // image, writes none outside its memory and the outputs, and no step takes more instructions than the verifier said.
 #define SMVM_CONFIG "tests/unit/vm_small.h"
-#define take load_take
 #include "bytecode-vm/load.c"
+#define take pins_take
+#include "bytecode-vm/pins.c"
 #undef take
 #include "bytecode-vm/verify.c"
 #include "bytecode-vm/interp.c"
@@ -15,7 +16,7 @@
 
 enum { START = 100, SV_WORDS = 8, MEMORY = 4096, GUARD = 8, JUMPS = 10 };
 
-enum { OUT, FLAG, G, S, IN, WORD, NARROW, BIT, T0, TIME, SEVEN, MINUS, SINGLE, DOUBLE, OPERANDS };
+enum { LOCALS = 48, ELEMENTS = 8 * SV_WORDS };
 
 static uint64_t seed = 1;
 static uint32_t accepted, exact, most_opcodes;
@@ -30,22 +31,64 @@ static uint32_t below(uint32_t n)
 
 // ---- machines of random code ----
 
-static void put_instruction(Build *b)
+// Any load to X (y: 0) or Y (y: 0x20).
+static void put_load(Build *b, unsigned y)
 {
-    static const unsigned written[] = {OUT, FLAG, WORD, NARROW, BIT, T0};
-    const unsigned d = written[below(6)], x = below(OPERANDS), y = below(OPERANDS);
+    const unsigned t = below(SM_TYPE_COUNT);
 
-    switch (below(6)) {
-    case 0: code(b, SMVM_mov + below(11), 2, d, x); break;
-    case 1: code(b, SMVM_add + below(12), 3, d, x, y); break;
-    case 2: code(b, SMVM_avg + below(5), 2, d, 0); break;
-    case 3: code(b, SMVM_jt + below(2), 2, x, 0); break;
-    case 4: code(b, SMVM_jeq + below(6), 3, x, y, 0); break;
-    case 5: code(b, SMVM_jmp, 1, 0); break;
+    switch (below(8)) {
+    case 0: code(b, SMVM_ldx_plus + y, 1, below(2) ? below(100) : below(0x1000c60)); break;
+    case 1: code(b, SMVM_ldx_minus + y, 1, below(2) ? below(100) : below(0x1000c60)); break;
+    case 2: code(b, SMVM_ldx_f32 + y, 1, 0); break;
+    case 3: code(b, SMVM_ldx_f64 + y, 1, 0); break;
+    case 4: code(b, SMVM_ldx_time + y, 0); break;
+    case 5: code(b, SMVM_ldx_local + SMVM_RAW + y, 1, below(LOCALS / 8)); break;
+    case 6: code(b, SMVM_ldx_local + t + y, 1, below(LOCALS >> smvm_type_shift(t))); break;
+    default: code(b, SMVM_ldx_elem + t + y, 1, below(ELEMENTS >> smvm_type_shift(t)));
     }
 }
 
-static bool is_jump(uint8_t op) { return op >= SMVM_jmp && op <= SMVM_jnle; }
+// One that reads X and Y, which hold numbers then.
+static void put_instruction(Build *b)
+{
+    const unsigned t = below(SM_TYPE_COUNT + 1), op = below(16);
+
+    switch (below(9)) {
+    case 0: code(b, SMVM_add + op, 0); break;
+    case 1: code(b, SMVM_set, 1, 1 + below(14)); break;
+    case 2: code(b, SMVM_cvt, 1, below(SM_TYPE_COUNT)); break;
+    case 3: code(b, SMVM_addi + below(2), 1, below(2) ? below(100) : below(0x1000c60)); break;
+    case 4: code(b, SMVM_st_local + t, 1, below(t == SMVM_RAW ? LOCALS / 8u : (unsigned)LOCALS >> smvm_type_shift(t))); break;
+    case 5: code(b, SMVM_out, 1, below(2)); break;
+    case 6: code(b, below(2) ? SMVM_jt : SMVM_jf, 1, 0); break;
+    case 7: code(b, SMVM_jxy + below(14), 1, 0); break;
+    default: code(b, SMVM_jxn + below(14), 2, below(2) ? below(100) : below(0x1000c60), 0);
+    }
+}
+
+// Loads, and what is done with them.
+static void put_line(Build *b)
+{
+    if (below(8) == 0)
+        code(b, SMVM_stat, 2, below(SM_STAT_COUNT), 0);
+    else
+        put_load(b, 0);
+    for (unsigned n = below(4); n > 0; n--) {
+        put_load(b, 0x20);
+        put_instruction(b);
+    }
+    if (below(6) == 0)
+        code(b, SMVM_jmp, 1, 0);
+}
+
+static bool is_jump(uint8_t op) { return (smvm_shape(op) & SMVM_SHAPE_J) != 0; }
+
+static bool is_target_of(const Build *b, uint32_t at)
+{
+    const uint8_t op = b->code[at];
+
+    return op == SMVM_end || op == SMVM_goto || op == SMVM_jmp || (op >= 0x80 && op <= SMVM_stat);
+}
 
 // Each jump of the function from `start` on leads to some instruction behind it.
 static void aim_jumps(Build *b, uint32_t start)
@@ -56,8 +99,11 @@ static void aim_jumps(Build *b, uint32_t start)
             ;
         if (!is_jump(b->code[at]))
             continue;
-        for (to = next + below(b->size - next < 60 ? b->size - next : 60); b->code[to] < 0x80; to--)
+        for (to = next + below(b->size - next < 60 ? b->size - next : 60); to < b->size && !is_target_of(b, to); to++)
             ;
+        while (to >= b->size || !is_target_of(b, to))            // none behind: the last one there is
+            to--;
+        CHECK(to - next < 96);
         b->code[next - 1] = (uint8_t)(to - next);
     }
 }
@@ -66,8 +112,8 @@ static void put_function(Build *b, bool may_go)
 {
     const uint32_t start = b->size;
 
-    for (uint32_t n = below(25); n > 0; n--)
-        put_instruction(b);
+    for (uint32_t n = below(12); n > 0; n--)
+        put_line(b);
     code(b, SMVM_end, 0);
     if (may_go && below(2))
         code(b, SMVM_goto, 1, (unsigned)(1 + below(2)));
@@ -77,21 +123,18 @@ static void put_function(Build *b, bool may_go)
 
 static void random_machine(Build *b)
 {
-    const uint32_t operand[OPERANDS] = {ELEMENT(F64, 16), ELEMENT(BOOL, 24), ELEMENT(U64, 0), ELEMENT(U32, 8), ELEMENT(F64, 32), LOCAL(I64, 0),
-                                        LOCAL(I8, 9), LOCAL(BOOL, 8), OPERAND(22, 0), OPERAND(23, 0), OPERAND(24, 7), OPERAND(24, 0x7ffff),
-                                        OPERAND(25, 0), OPERAND(26, 0)};
-
     memset(b, 0, sizeof *b);
     b->sv_words = SV_WORDS;
-    b->locals = 10;
-    b->temps = b->windows = b->f32s = b->f64s = 1;
-    b->outputs = b->states = b->width = 2;
+    b->locals = LOCALS;
+    b->windows = b->f32s = b->f64s = 1;
+    b->outputs = b->states = b->width = b->s = 2;
     b->window[0] = WINDOW(5, 31);
     b->f32[0] = 0xff800000u;
     b->f64[0] = 0x7ff8000000000000u;
-    b->operands = OPERANDS;
-    memcpy(b->operand, operand, sizeof operand);
-    code(b, SMVM_sample, 2, 0, IN);
+    b->output[0] = PLACE(F64, 16);
+    b->output[1] = PLACE(BOOL, 24);
+    typed(b, SMVM_ldx_elem, SM_F64, 32);
+    code(b, SMVM_sample, 1, 0);
     put_function(b, false);
     for (unsigned f = 0; f < 6; f++)
         put_function(b, f % 3 < 2);
@@ -114,17 +157,17 @@ static void step(const SmvmMachine *m, SmVm *vm, uint64_t *sv, uint64_t g, uint3
 
     for (uint32_t i = 0; i < SV_WORDS; i++)
         sv[i] = word();
-    memcpy(bytes + smvm_operand(m, m->outputs).offset, &g, 8);
+    memcpy(bytes + m->g, &g, 8);
     memcpy(before, sv, sizeof before);
-    for (uint32_t i = 0; i < m->outputs + 2; i++) {
-        const SmvmOperand o = smvm_operand(m, i);
-        if (i != m->outputs)
-            memset(written + o.offset, 1, (size_t)1 << smvm_type_shift(o.type));
+    memset(written + m->s, 1, 4);
+    for (uint32_t i = 0; i < m->outputs; i++) {
+        const SmvmPlace p = smvm_output(m, i);
+        memset(written + p.offset, 1, (size_t)1 << smvm_type_shift(p.type));
     }
     small_opcodes = 0;
     CHECK(smvm_step(vm, sv) == SM_OK && smvm_state(vm) >= 1 && smvm_state(vm) <= m->states);
     CHECK(small_opcodes <= longest);
-    most_opcodes = larger(most_opcodes, small_opcodes);
+    most_opcodes = longest_of(most_opcodes, small_opcodes);
     for (uint32_t i = 0; i < sizeof before; i++)
         CHECK(written[i] || bytes[i] == before[i]);
 }
@@ -203,15 +246,14 @@ static uint8_t verdict(const Build *b)
 // Writing the state's number must not set the clock of all machines.
 static void state_over_time(void)
 {
-    static const unsigned at[] = {0, 4};
     Build b;
 
     for (unsigned i = 0; i < 2; i++) {
         random_machine(&b);
-        b.operand[S] = ELEMENT(U32, at[i]);
+        b.s = i;
         CHECK(verdict(&b) == SMVM_R_PROTECTED);
     }
-    b.operand[S] = ELEMENT(U32, 56);
+    b.s = 14;
     CHECK(verdict(&b) == 0);
 }
 
@@ -224,6 +266,17 @@ static void too_much_for_the_target(void)
     CHECK(verdict(&b) == 0);
     b.sv_words++;
     CHECK(verdict(&b) == SMVM_R_RAM);
+    b.sv_words = b.to = 0x10000 / 8 + SV_WORDS;       // what would be SV_WORDS in 16 bits
+    CHECK(verdict(&b) == SMVM_R_RAM);
+    random_machine(&b);
+    b.locals = 0x10000 + LOCALS;
+    CHECK(verdict(&b) == SMVM_R_RAM);
+    random_machine(&b);
+    b.g = 0x10000 / 8;
+    CHECK(verdict(&b) == SMVM_R_RAM);
+    random_machine(&b);
+    b.output[0] = PLACE_OF(SM_F64, 0x10000 / 8 + 2);
+    CHECK(verdict(&b) == SMVM_R_OUTPUTS);
     random_machine(&b);
     b.window[0] = WINDOW(0x2000 + 1, 1);              // 65544 bytes: a sum of 16 bits would come to 8
     CHECK(verdict(&b) == SMVM_R_RAM);
@@ -245,7 +298,7 @@ static void later_debug(void)
     small_image = START;
     small_end = START + build_sections(&b, 3, id, image);
     CHECK(smvm_verify(START, small_end - START, &v) == SMVM_R_GROUP);
-    image[13] = 2;
+    image[13] = 3;
     fix_crc(image);
     CHECK(smvm_verify(START, small_end - START, &v) == 0);
 }

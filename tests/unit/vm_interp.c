@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interpreter: every opcode, every kind of operand, every step rule of language.md 6, on images made by hand.
+// The interpreter: every opcode, every way to load and store, every step rule of language.md 6, on images made by hand.
 #include <math.h>
 #include <string.h>
 
@@ -8,13 +8,10 @@
 #include "tests/test.h"
 #include "tests/unit/vm_build.h"
 
-// One machine whose state 1 has a step function under test.  Operands:
-enum {
-    OUT, OUT_FLAG,                // outputs: F64 at 16, bool at 24
-    G, S, X, Y,                   // inputs: F64 at 32 and 40
-    LOCAL_U8, LOCAL_F32, TEMP, TIME,
-    SEVEN, MINUS, SINGLE, DOUBLE, NAN_CONST, OPERANDS
-};
+// One machine whose state 1 has a step function under test.  Outputs: F64 at 16, bool at 24; inputs: F64 at 32 and 40; locals: U8 at 0,
+// F32 at 4, RAW at 8.
+enum { OUT, OUT_FLAG };
+enum { IN_X = 32, IN_Y = 40, LOCAL_U8 = 0, LOCAL_F32 = 4, LOCAL_RAW = 8 };
 
 typedef struct Machine {
     uint64_t sv[8];
@@ -25,26 +22,25 @@ typedef struct Machine {
 
 static void begin(Build *b)
 {
-    const uint32_t operand[OPERANDS] = {
-        ELEMENT(F64, 16), ELEMENT(BOOL, 24), ELEMENT(U64, 0), ELEMENT(U32, 8), ELEMENT(F64, 32), ELEMENT(F64, 40),
-        LOCAL(U8, 0), LOCAL(F32, 4), OPERAND(22, 0), OPERAND(23, 0),
-        OPERAND(24, 7), OPERAND(24, 0x7ffff), OPERAND(25, 0), OPERAND(26, 0), OPERAND(25, 1)};
-
     memset(b, 0, sizeof *b);
     b->sv_words = 8;
-    b->locals = 8;
-    b->temps = 1;
-    b->outputs = 2;
+    b->locals = 16;
     b->states = 1;
     b->width = 1;
-    b->operands = OPERANDS;
-    memcpy(b->operand, operand, sizeof operand);
+    b->s = 2;
+    b->outputs = 2;
+    b->output[OUT] = PLACE(F64, 16);
+    b->output[OUT_FLAG] = PLACE(BOOL, 24);
     b->f32s = 2;
     b->f32[0] = 0x3e800000u;                          // 0.25
     b->f32[1] = 0x7fc00000u;
     b->f64s = 1;
     b->f64[0] = 0x3fb999999999999au;                  // 0.1
 }
+
+static void load_x(Build *b) { typed(b, SMVM_ldx_elem, SM_F64, IN_X); }
+static void load_y(Build *b) { typed(b, SMVM_ldy_elem, SM_F64, IN_Y); }
+static void put_out(Build *b) { code(b, SMVM_out, 1, OUT); }
 
 static SmResult init(Machine *t, void *memory, uint32_t size, void *sv, uint32_t state)
 {
@@ -68,8 +64,15 @@ static bool open_machine(Machine *t, const Build *b, uint32_t state)
         && init(t, t->memory, sizeof t->memory, t->sv, state) == SM_OK;
 }
 
-static double f64_at(const Machine *t, unsigned offset) { return sm_from_bits(t->sv[offset / 8]); }
-static void set_f64(Machine *t, unsigned offset, double x) { t->sv[offset / 8] = sm_bits(x); }
+static double f64_at(const Machine *t, unsigned offset)
+{
+    double x;
+
+    memcpy(&x, t->sv + offset / 8, sizeof x);
+    return x;
+}
+
+static void set_f64(Machine *t, unsigned offset, double x) { memcpy(t->sv + offset / 8, &x, sizeof x); }
 
 // Runs a step function of the given instructions and `end`, with x and y as inputs.
 static bool run(Machine *t, Build *b, double x, double y)
@@ -88,34 +91,52 @@ static bool run(Machine *t, Build *b, double x, double y)
     return smvm_step((SmVm *)t->memory, t->sv) == SM_OK;
 }
 
-static double two(unsigned op, double x, double y)    // d = op x, y
+static double given(Build *b, double x, double y)     // OUT = X behind the instructions
 {
     Machine t;
-    Build b;
 
-    begin(&b);
-    code(&b, op, 3, OUT, X, Y);
-    CHECK(run(&t, &b, x, y));
+    put_out(b);
+    CHECK(run(&t, b, x, y));
     CHECK(smvm_stored((SmVm *)t.memory, 0) && !smvm_stored((SmVm *)t.memory, 1));
     return f64_at(&t, 16);
 }
 
-static double one(unsigned op, double x)
+static double two(unsigned op, double x, double y)
 {
-    Machine t;
     Build b;
 
     begin(&b);
-    code(&b, op, 2, OUT, X);
-    CHECK(run(&t, &b, x, 0));
-    return f64_at(&t, 16);
+    load_x(&b);
+    load_y(&b);
+    code(&b, op, 0);
+    return given(&b, x, y);
 }
 
-static bool same(double a, double b) { return sm_bits(a) == sm_bits(b); }
+static double one(unsigned op, double x)
+{
+    Build b;
+
+    begin(&b);
+    load_x(&b);
+    code(&b, op, 0);
+    return given(&b, x, 0);
+}
+
+static double set(unsigned m, double x, double y)
+{
+    Build b;
+
+    begin(&b);
+    load_x(&b);
+    load_y(&b);
+    code(&b, SMVM_set, 1, m);
+    return given(&b, x, y);
+}
+
+static bool same(double a, double b) { return memcmp(&a, &b, sizeof a) == 0; }
 
 static void operations(void)
 {
-    CHECK(one(SMVM_mov, 1.5) == 1.5);
     CHECK(one(SMVM_neg, 1.5) == -1.5 && same(one(SMVM_neg, 0.0), -0.0));
     CHECK(one(SMVM_abs, -1.5) == 1.5);
     CHECK(one(SMVM_floor, -1.5) == -2);
@@ -124,204 +145,228 @@ static void operations(void)
     CHECK(one(SMVM_round, 2.5) == 3);
     CHECK(one(SMVM_sqrt, 2) == sqrt(2));
     CHECK(one(SMVM_sign, -3) == -1);
-    CHECK(one(SMVM_truth, 1e-300) == 1 && one(SMVM_truth, -0.0) == 0);
-    CHECK(one(SMVM_not, 0) == 1 && one(SMVM_not, -2) == 0);
     CHECK(two(SMVM_add, 0.1, 0.2) == 0.1 + 0.2);
     CHECK(two(SMVM_sub, 1, 3) == -2);
     CHECK(two(SMVM_mul, 3, 4) == 12);
     CHECK(two(SMVM_div, 1, 0) == INFINITY);
     CHECK(two(SMVM_min, 1, 2) == 1 && same(two(SMVM_min, 0.0, -0.0), -0.0));
     CHECK(two(SMVM_max, 1, 2) == 2 && same(two(SMVM_max, -0.0, 0.0), 0.0));
-    CHECK(two(SMVM_eq, 1, 1) == 1 && two(SMVM_eq, 1, 2) == 0);
-    CHECK(two(SMVM_ne, 1, 1) == 0 && two(SMVM_ne, 1, 2) == 1);
-    CHECK(two(SMVM_lt, 1, 2) == 1 && two(SMVM_lt, 2, 2) == 0);
-    CHECK(two(SMVM_le, 2, 2) == 1 && two(SMVM_le, 3, 2) == 0);
     CHECK(two(SMVM_and, 2, 3) == 1 && two(SMVM_and, 2, 0) == 0 && two(SMVM_and, 0, 2) == 0);
     CHECK(two(SMVM_or, 0, 3) == 1 && two(SMVM_or, 3, 0) == 1 && two(SMVM_or, 0, 0) == 0);
 }
 
-// d = op NaN, 1 with a NaN that is computed: it stays one in a temp.
-static double with_nan(unsigned op)
+static void relations(void)
 {
-    Machine t;
+    for (unsigned m = 1; m < 15; m++) {
+        CHECK(set(m, 1, 2) == (m & 1) && set(m, 2, 2) == (m >> 1 & 1) && set(m, 3, 2) == (m >> 2 & 1));
+        CHECK(set(m, -0.0, 0) == (m >> 1 & 1) && set(m, INFINITY, 2) == (m >> 2 & 1) && set(m, -INFINITY, -1e308) == (m & 1));
+    }
+}
+
+// With 0/0, which X keeps, and 7.
+static double with_nan(unsigned op, int numbers, unsigned m)
+{
     Build b;
 
     begin(&b);
-    code(&b, SMVM_div, 3, TEMP, X, X);                // 0/0
-    code(&b, op, 3, OUT, TEMP, SEVEN);
-    CHECK(run(&t, &b, 0, 0));
-    return f64_at(&t, 16);
+    load_x(&b);
+    load_y(&b);
+    code(&b, SMVM_div, 0);
+    code(&b, SMVM_ldy_plus, 1, 7);
+    code(&b, op, numbers, m);
+    return given(&b, 0, 0);
 }
 
 static void not_a_number(void)
 {
-    Machine t;
     Build b;
 
-    CHECK(with_nan(SMVM_eq) == 0 && with_nan(SMVM_ne) == 1 && with_nan(SMVM_lt) == 0 && with_nan(SMVM_le) == 0);
-    CHECK(with_nan(SMVM_and) == 0 && with_nan(SMVM_or) == 1);
-    CHECK(same(with_nan(SMVM_add), 0.0));             // stored as 0
-    CHECK(one(SMVM_mov, NAN) == 0 && one(SMVM_not, NAN) == 1);       // read as 0
+    for (unsigned m = 1; m < 15; m++)
+        CHECK(with_nan(SMVM_set, 1, m) == (m >> 3));
+    CHECK(with_nan(SMVM_and, 0, 0) == 0 && with_nan(SMVM_or, 0, 0) == 1);
+    CHECK(same(with_nan(SMVM_add, 0, 0), 0.0));       // stored as 0
+    CHECK(one(SMVM_abs, NAN) == 0 && set(2, NAN, 0) == 1);           // read as 0
     begin(&b);
-    code(&b, SMVM_not, 2, OUT, NAN_CONST);            // a constant NaN stays one, and is not true
-    CHECK(run(&t, &b, 0, 0) && f64_at(&t, 16) == 1);
+    code(&b, SMVM_ldx_f32, 1, 1);                     // a constant NaN stays one, and is not true
+    code(&b, SMVM_ldy_plus, 1, 1);
+    code(&b, SMVM_and, 0);
+    CHECK(given(&b, 0, 0) == 0);
     begin(&b);
-    code(&b, SMVM_eq, 3, OUT, NAN_CONST, NAN_CONST);
-    CHECK(run(&t, &b, 0, 0) && f64_at(&t, 16) == 0);
+    code(&b, SMVM_ldx_f32, 1, 1);
+    code(&b, SMVM_ldy_f32, 1, 1);
+    code(&b, SMVM_set, 1, SMVM_UNORDERED);
+    CHECK(given(&b, 0, 0) == 1);
+    begin(&b);
+    code(&b, SMVM_ldx_f32, 1, 1);                     // and so does one in a local that keeps what it is given
+    typed(&b, SMVM_st_local, SMVM_RAW, LOCAL_RAW);
+    typed(&b, SMVM_ldx_local, SMVM_RAW, LOCAL_RAW);
+    typed(&b, SMVM_ldy_local, SMVM_RAW, LOCAL_RAW);
+    code(&b, SMVM_set, 1, SMVM_UNORDERED);
+    CHECK(given(&b, 0, 0) == 1);
 }
 
-// The value that operand `x` gives.
-static double value(uint32_t x, double in)
+// What a load gives: in X, and as much in Y.
+static double value(unsigned op, int numbers, unsigned n, double in)
 {
-    Machine t;
+    double x, y;
     Build b;
 
     begin(&b);
-    code(&b, SMVM_mov, 2, OUT, x);
-    CHECK(run(&t, &b, in, 0));
-    return f64_at(&t, 16);
+    code(&b, op, numbers, n);
+    x = given(&b, in, 0);
+    begin(&b);
+    code(&b, SMVM_ldx_plus, 1, 0);
+    code(&b, op + 0x20, numbers, n);
+    code(&b, SMVM_add, 0);
+    y = given(&b, in, 0);
+    CHECK(x == y);
+    return x;
 }
 
-static void operand_kinds(void)
+static void loads(void)
 {
-    Machine t;
     Build b;
+    Machine t;
 
-    CHECK(value(X, 3.5) == 3.5 && value(G, 0) == 5 && value(S, 0) == 1 && value(TIME, 0) == 0);
-    CHECK(value(SEVEN, 0) == 7 && value(MINUS, 0) == -1 && value(SINGLE, 0) == 0.25 && value(DOUBLE, 0) == 0.1);
+    CHECK(value(SMVM_ldx_elem + SM_F64, 1, 4, 3.5) == 3.5 && value(SMVM_ldx_elem + SM_U64, 1, 0, 0) == 5);
+    CHECK(value(SMVM_ldx_elem + SM_U32, 1, 2, 0) == 1 && value(SMVM_ldx_time, 0, 0, 0) == 0);
+    CHECK(value(SMVM_ldx_plus, 1, 7, 0) == 7 && value(SMVM_ldx_minus, 1, 0, 0) == -1 && value(SMVM_ldx_minus, 1, 0x1000c5f, 0) == -0x1000c60);
+    CHECK(value(SMVM_ldx_f32, 1, 0, 0) == 0.25 && value(SMVM_ldx_f64, 1, 0, 0) == 0.1);
+    for (unsigned i = 0; i < 7; i++) {
+        static const uint32_t n[] = {95, 96, 97, 3167, 3168, 3169, 0x1000c5f};      // varints of one, two and four bytes
+        CHECK(value(SMVM_ldx_plus, 1, n[i], 0) == n[i] && value(SMVM_ldx_minus, 1, n[i], 0) == -1.0 - n[i]);
+        begin(&b);
+        load_x(&b);
+        code(&b, SMVM_addi, 1, n[i]);
+        CHECK(given(&b, 0.5, 0) == 0.5 + n[i]);
+        begin(&b);
+        load_x(&b);
+        code(&b, SMVM_subi, 1, n[i]);
+        CHECK(given(&b, 7, 0) == 7.0 - n[i]);
+    }
     begin(&b);
-    code(&b, SMVM_mov, 2, LOCAL_U8, X);               // saturates in the local
-    code(&b, SMVM_mov, 2, OUT, LOCAL_U8);
-    CHECK(run(&t, &b, 300, 0) && f64_at(&t, 16) == 255);
+    load_x(&b);
+    typed(&b, SMVM_st_local, SM_U8, LOCAL_U8);        // saturates in the local
+    typed(&b, SMVM_ldx_local, SM_U8, LOCAL_U8);
+    CHECK(given(&b, 300, 0) == 255);
     begin(&b);
-    code(&b, SMVM_mov, 2, LOCAL_F32, DOUBLE);         // rounds
-    code(&b, SMVM_mov, 2, OUT, LOCAL_F32);
-    CHECK(run(&t, &b, 0, 0) && f64_at(&t, 16) == (double)0.1f);
-    begin(&b);
-    code(&b, SMVM_mov, 2, OUT_FLAG, X);
-    CHECK(run(&t, &b, -0.5, 0) && *(uint8_t *)&t.sv[3] == 1 && smvm_stored((SmVm *)t.memory, 1));
+    load_x(&b);
+    code(&b, SMVM_out, 1, OUT_FLAG);
+    CHECK(run(&t, &b, -0.5, 0) && *(uint8_t *)&t.sv[3] == 1 && smvm_stored((SmVm *)t.memory, 1) && !smvm_stored((SmVm *)t.memory, 0));
 }
 
-// Every type, as element and as local: what is stored in it can be read back, and nothing beside it is touched.
+// Registers keep what they hold: X beside stores and a load of Y, Y beside operations.
+static void registers(void)
+{
+    Build b;
+
+    begin(&b);
+    load_x(&b);
+    typed(&b, SMVM_st_local, SM_U8, LOCAL_U8);
+    load_y(&b);
+    code(&b, SMVM_mul, 0);                            // 300.5 * 2
+    code(&b, SMVM_add, 0);                            // + 2
+    code(&b, SMVM_addi, 1, 1);
+    code(&b, SMVM_sub, 0);                            // - 2
+    CHECK(given(&b, 300.5, 2) == 602);
+}
+
+// Every type, as element and as local: what is stored in it can be read back, and nothing beside it is touched; cvt gives the same.
 static void types(void)
 {
     static const double expected[SM_TYPE_COUNT] = {-128, -300, -300, -300, 0, 0, 0, 0, -300.5, -300.5, 1};
 
     for (unsigned type = 0; type < SM_TYPE_COUNT; type++)
-        for (int local = 0; local < 2; local++) {
+        for (int how = 0; how < 3; how++) {
             Machine t;
             Build b;
             begin(&b);
-            b.operand[OUT_FLAG] = OPERAND(type, 48u >> smvm_type_shift(type));
-            b.operand[LOCAL_U8] = OPERAND(11 + type, 0);
-            code(&b, SMVM_mov, 2, local ? LOCAL_U8 : OUT_FLAG, X);
-            code(&b, SMVM_mov, 2, OUT, local ? LOCAL_U8 : OUT_FLAG);
+            b.output[OUT_FLAG] = PLACE_OF(type, 48u >> smvm_type_shift(type));
+            load_x(&b);
+            if (how == 0)
+                code(&b, SMVM_out, 1, OUT_FLAG);
+            else if (how == 1)
+                typed(&b, SMVM_st_local, type, 8);
+            else
+                code(&b, SMVM_cvt, 1, type);
+            if (how < 2)
+                typed(&b, how == 0 ? SMVM_ldx_elem : SMVM_ldx_local, type, how == 0 ? 48 : 8);
+            put_out(&b);
             CHECK(run(&t, &b, -300.5, 0));
             CHECK(f64_at(&t, 16) == expected[type]);
             CHECK(t.sv[7] == 0 && t.sv[5] == 0 && (sm_type_info[type].bytes == 8 || t.sv[6] >> 8 * sm_type_info[type].bytes == 0));
         }
 }
 
-// An accumulator of each type gives what a local of that type does; one of none what a temp does.
-static void accumulators(void)
+// cvt of a type gives what a local of that type does, whatever X is.
+static void conversions(void)
 {
-    static const double in[] = {-300.5, 300.5, 0.1, -0.0, 1e300, NAN, 3, 5000000000};
+    static const double in[] = {-300.5, 300.5, 0.1, -0.0, 1e300, -1e300, 3, 5000000000, -1, 255, 256, 65535, 65536, 2147483647, 2147483648.0};
 
-    for (unsigned type = 0; type <= SM_TYPE_COUNT; type++)
-        for (unsigned i = 0; i < sizeof in / sizeof *in; i++) {
+    for (unsigned type = 0; type < SM_TYPE_COUNT; type++)
+        for (unsigned i = 0; i <= sizeof in / sizeof *in; i++) {
             double out[2];
-            for (int acc = 0; acc < 2; acc++) {
-                Machine t;
+            for (int local = 0; local < 2; local++) {
                 Build b;
                 begin(&b);
-                b.locals = 16;
-                b.operand[LOCAL_F32] = LOCAL(F32, 8);
-                b.operand[SINGLE] = acc ? OPERAND(27, type) : type == SM_TYPE_COUNT ? OPERAND(22, 0) : OPERAND(11 + type, 0);
-                code(&b, SMVM_div, 3, TEMP, X, X);    // (so that a NaN comes that is not stored)
-                code(&b, i == 5 ? SMVM_mov : SMVM_add, i == 5 ? 2 : 3, SINGLE, i == 5 ? TEMP : X, Y);
-                code(&b, SMVM_ne, 3, LOCAL_F32, SINGLE, SINGLE);
-                code(&b, i == 5 ? SMVM_mov : SMVM_add, i == 5 ? 2 : 3, SINGLE, i == 5 ? TEMP : X, Y);
-                code(&b, SMVM_add, 3, OUT, SINGLE, LOCAL_F32);
-                CHECK(run(&t, &b, i == 5 ? 0 : in[i], -0.0));
-                out[acc] = f64_at(&t, 16);
+                load_x(&b);
+                if (i == sizeof in / sizeof *in) {
+                    load_y(&b);
+                    code(&b, SMVM_div, 0);            // a NaN
+                }
+                if (local) {
+                    typed(&b, SMVM_st_local, type, 8);
+                    typed(&b, SMVM_ldx_local, type, 8);
+                } else
+                    code(&b, SMVM_cvt, 1, type);
+                out[local] = given(&b, i == sizeof in / sizeof *in ? 0 : in[i], 0);
             }
             CHECK(same(out[0], out[1]));
         }
 }
 
-// Varints of two and four bytes as operand numbers.
-static void many_operands(void)
-{
-    static uint8_t image[64 * 1024];
-    static const uint32_t wanted[] = {95, 96, 97, 3167, 3168, 3169, 19999};
-    const uint8_t id[] = {0x81, 0x82};
-
-    for (unsigned k = 0; k < 7; k++) {
-        uint32_t size[2], n = 12 + 16;
-        uint8_t *p;
-        static Build b;
-        Machine t;
-        SmvmVerdict v;
-        begin(&b);
-        code(&b, SMVM_mov, 2, OUT, wanted[k]);
-        code(&b, SMVM_end, 0);
-        p = image + n;
-        put_bytes(&p, 0, 4);
-        for (unsigned i = 0; i < 10; i++)
-            p += put_number(p, ((const uint32_t[]){8, 8, 1, 0, 2, 20000, 1, 1, 2, 1})[i]);
-        for (uint32_t i = 0; i < 20000; i++)
-            put_bytes(&p, i < OPERANDS ? b.operand[i] : OPERAND(24, i + 3), 3);
-        put_bytes(&p, (uint32_t)b.size << 24 | (uint32_t)b.size << 16, 4);   // sample, entry empty
-        put_bytes(&p, b.f32[0], 4);
-        put_bytes(&p, b.f32[1], 4);
-        put_bytes(&p, b.f64[0], 8);
-        size[0] = (uint32_t)(p - image) - n;
-        size[1] = b.size;
-        memcpy(p, b.code, b.size);
-        n = put_header(image, 2, id, size);
-        CHECK(smvm_verify(image, n, &v) == 0);
-        CHECK(smvm_machine(image, 0, &t.m) && init(&t, t.memory, sizeof t.memory, memset(t.sv, 0, sizeof t.sv), 1) == SM_OK);
-        CHECK(smvm_step((SmVm *)t.memory, t.sv) == SM_OK && f64_at(&t, 16) == wanted[k] + 3);
-    }
-}
-
-// Where a wrong index would fall on something else: ten outputs, two of each constant, the ends of the whole numbers, G and S
-// not at the start.
+// Where a wrong index would fall on something else: ten outputs, two of each constant, G and S not at the start, a vector of which
+// only a part is named.
 static void wide(void)
 {
-    enum { LOCAL_I8 = 12, LOCAL_BOOL, INT_MOST, INT_LEAST, SECOND_F32, SECOND_F64 };
     Machine t;
     SmVm *vm = (SmVm *)t.memory;
     Build b;
 
     begin(&b);
     for (uint32_t i = 0; i < 10; i++)
-        b.operand[i] = ELEMENT(U8, i);
+        b.output[i] = PLACE_OF(SM_U8, 8 + i);
     b.outputs = 10;
-    b.operand[10] = ELEMENT(U64, 40);
-    b.operand[11] = ELEMENT(U32, 52);
-    b.operand[LOCAL_I8] = LOCAL(I8, 7);
-    b.operand[LOCAL_BOOL] = LOCAL(BOOL, 6);
-    b.operand[INT_MOST] = OPERAND(24, 0x3ffff);
-    b.operand[INT_LEAST] = OPERAND(24, 0x40000);
-    b.operand[SECOND_F32] = OPERAND(25, 1);
-    b.operand[SECOND_F64] = OPERAND(26, 1);
-    b.operands = 18;
+    b.from = 1;
+    b.to = 7;
+    b.g = 5;
+    b.s = 13;
     b.f32[1] = 0x40a00000u;                           // 5
     b.f64[1] = 0x4018000000000000u;                   // 6
     b.f64s = 2;
     end_function(&b);
     end_function(&b);
-    code(&b, SMVM_mov, 2, LOCAL_I8, INT_LEAST);
-    code(&b, SMVM_mov, 2, LOCAL_BOOL, INT_LEAST);
-    code(&b, SMVM_eq, 3, 9, INT_MOST, INT_MOST);
-    code(&b, SMVM_mov, 2, 8, SECOND_F32);
-    code(&b, SMVM_mov, 2, 1, SECOND_F64);
-    code(&b, SMVM_mov, 2, 2, INT_MOST);
-    code(&b, SMVM_sub, 3, 3, LOCAL_BOOL, LOCAL_I8);
-    code(&b, SMVM_jeq, 3, INT_LEAST, INT_MOST, 4);
-    code(&b, SMVM_neg, 2, 4, LOCAL_I8);
-    code(&b, SMVM_end, 0);
+    code(&b, SMVM_ldx_minus, 1, 0x3ffff);
+    typed(&b, SMVM_st_local, SM_I8, 7);
+    typed(&b, SMVM_st_local, SM_BOOL, 6);
+    code(&b, SMVM_ldx_f32, 1, 1);
+    code(&b, SMVM_out, 1, 8);
+    code(&b, SMVM_ldx_f64, 1, 1);
+    code(&b, SMVM_out, 1, 1);
+    code(&b, SMVM_ldx_plus, 1, 0x3ffff);
+    code(&b, SMVM_out, 1, 2);
+    code(&b, SMVM_ldy_plus, 1, 0x3ffff);
+    code(&b, SMVM_set, 1, SMVM_EQUAL);
+    code(&b, SMVM_out, 1, 9);
+    typed(&b, SMVM_ldx_local, SM_BOOL, 6);
+    typed(&b, SMVM_ldy_local, SM_I8, 7);
+    code(&b, SMVM_sub, 0);
+    code(&b, SMVM_out, 1, 3);
+    code(&b, SMVM_jxn - 1 + SMVM_EQUAL, 2, 130, 0);
+    code(&b, SMVM_ldx_plus, 1, 130);
+    code(&b, SMVM_jxn - 1 + SMVM_EQUAL, 2, 130, 3);
+    code(&b, SMVM_neg, 0);
+    code(&b, SMVM_out, 1, 4);
     code(&b, SMVM_end, 0);
     end_function(&b);
     end_function(&b);
@@ -329,9 +374,9 @@ static void wide(void)
     CHECK(((uint32_t *)t.sv)[13] == 1);
     t.sv[5] = 77;
     CHECK(smvm_step(vm, t.sv) == SM_OK && smvm_time(vm) == 0);
-    CHECK(memcmp(t.sv, (const uint8_t[]){0, 6, 255, 129, 128, 0, 0, 0, 5, 1, 0, 0}, 12) == 0);
+    CHECK(memcmp(t.sv + 1, (const uint8_t[]){0, 6, 255, 129, 0, 0, 0, 0, 5, 1, 0, 0}, 12) == 0);
     for (uint32_t i = 0; i < 10; i++)
-        CHECK(smvm_stored(vm, i) == (i == 9 || i == 8 || (i >= 1 && i <= 4)));
+        CHECK(smvm_stored(vm, i) == (i == 9 || i == 8 || (i >= 1 && i <= 3)));
     CHECK(memcmp(smvm_locals(vm), (const uint8_t[]){0, 0, 0, 0, 0, 0, 1, 128}, 8) == 0);
 }
 
@@ -345,10 +390,12 @@ static void second_step(void)
     begin(&b);
     end_function(&b);
     end_function(&b);
-    code(&b, SMVM_jt, 2, TIME, 3 * 50);
-    for (int i = 0; i < 50; i++)
-        code(&b, SMVM_mov, 2, OUT, SEVEN);
-    code(&b, SMVM_mov, 2, TEMP, SEVEN);
+    code(&b, SMVM_ldx_time, 0);
+    code(&b, SMVM_jt, 1, 4 * 50);
+    for (int i = 0; i < 50; i++) {
+        code(&b, SMVM_ldx_plus, 1, 7);
+        put_out(&b);
+    }
     code(&b, SMVM_end, 0);
     end_function(&b);
     end_function(&b);
@@ -370,62 +417,68 @@ static void memory_needed(void)
     b.windows = 2;
     b.window[0] = WINDOW(3, 1u << SM_STAT_AVG);
     b.window[1] = WINDOW(5, 1u << SM_STAT_MEDIAN);
-    code(&b, SMVM_sample, 2, 0, X);
-    code(&b, SMVM_sample, 2, 1, X);
+    load_x(&b);
+    code(&b, SMVM_sample, 1, 0);
+    code(&b, SMVM_sample, 1, 1);
     code(&b, SMVM_end, 0);
     for (int i = 0; i < 4; i++)
         end_function(&b);
     CHECK(open_machine(&t, &b, 1));
-    CHECK(smvm_ram_size(&t.m) == up8(sizeof(SmVm)) + up8(2 * sizeof(uint64_t *)) + 8
-                               + 8 * (2 + 3 + 2) + 8 * (1 + 2 * 5) + 8);
+    CHECK(smvm_ram_size(&t.m) == up8(sizeof(SmVm)) + up8(2 * sizeof(uint64_t *)) + 8 * (2 + 3 + 2) + 8 * (1 + 2 * 5) + 16);
 }
 
-// Whether `op x, y` jumps over `OUT = 7`.
-static bool jumps(unsigned op, int operands, double x, double y)
+// Whether a jump leads over `OUT = 7`; with X or Y as they are, or X a NaN.
+static bool jumps(unsigned op, int numbers, unsigned n, double x, double y, bool nan)
 {
     Machine t;
     Build b;
 
     begin(&b);
-    if (operands == 0)
-        code(&b, op, 1, 3);
-    else if (operands == 1)
-        code(&b, op, 2, X, 3);
+    load_x(&b);
+    load_y(&b);
+    if (nan) {
+        code(&b, SMVM_ldy_f32, 1, 1);
+        code(&b, SMVM_add, 0);
+        load_y(&b);
+    }
+    if (numbers == 1)
+        code(&b, op, 1, 4);
     else
-        code(&b, op, 3, X, Y, 3);
-    code(&b, SMVM_mov, 2, OUT, SEVEN);
+        code(&b, op, 2, n, 4);
+    code(&b, SMVM_ldx_plus, 1, 7);
+    put_out(&b);
     CHECK(run(&t, &b, x, y));
-    return f64_at(&t, 16) != 7;
-}
-
-// The same where x is a NaN in a temp.
-static bool jumps_nan(unsigned op, int operands)
-{
-    Machine t;
-    Build b;
-
-    begin(&b);
-    code(&b, SMVM_div, 3, TEMP, X, X);
-    if (operands == 1)
-        code(&b, op, 2, TEMP, 3);
-    else
-        code(&b, op, 3, TEMP, Y, 3);
-    code(&b, SMVM_mov, 2, OUT, SEVEN);
-    CHECK(run(&t, &b, 0, 0));
     return f64_at(&t, 16) != 7;
 }
 
 static void jumping(void)
 {
-    CHECK(jumps(SMVM_jmp, 0, 0, 0));
-    CHECK(jumps(SMVM_jt, 1, 1, 0) && !jumps(SMVM_jt, 1, 0, 0) && !jumps_nan(SMVM_jt, 1));
-    CHECK(!jumps(SMVM_jf, 1, 1, 0) && jumps(SMVM_jf, 1, 0, 0) && jumps_nan(SMVM_jf, 1));
-    CHECK(jumps(SMVM_jeq, 2, 1, 1) && !jumps(SMVM_jeq, 2, 1, 2) && !jumps_nan(SMVM_jeq, 2));
-    CHECK(!jumps(SMVM_jne, 2, 1, 1) && jumps(SMVM_jne, 2, 1, 2) && jumps_nan(SMVM_jne, 2));
-    CHECK(jumps(SMVM_jlt, 2, 1, 2) && !jumps(SMVM_jlt, 2, 2, 2) && !jumps_nan(SMVM_jlt, 2));
-    CHECK(!jumps(SMVM_jnlt, 2, 1, 2) && jumps(SMVM_jnlt, 2, 2, 2) && jumps_nan(SMVM_jnlt, 2));
-    CHECK(jumps(SMVM_jle, 2, 2, 2) && !jumps(SMVM_jle, 2, 3, 2) && !jumps_nan(SMVM_jle, 2));
-    CHECK(!jumps(SMVM_jnle, 2, 2, 2) && jumps(SMVM_jnle, 2, 3, 2) && jumps_nan(SMVM_jnle, 2));
+    CHECK(jumps(SMVM_jmp, 1, 0, 0, 0, false));
+    CHECK(jumps(SMVM_jt, 1, 0, 1, 0, false) && !jumps(SMVM_jt, 1, 0, 0, 1, false) && !jumps(SMVM_jt, 1, 0, 0, 0, true));
+    CHECK(!jumps(SMVM_jf, 1, 0, 1, 0, false) && jumps(SMVM_jf, 1, 0, 0, 1, false) && jumps(SMVM_jf, 1, 0, 0, 0, true));
+    for (unsigned m = 1; m < 15; m++)
+        for (unsigned k = 0; k < 4; k++) {
+            const double x = k == 0 ? 6.5 : k == 1 ? 7 : 7.5;
+            CHECK(jumps(SMVM_jxy - 1 + m, 1, 0, x, 7, k == 3) == (m >> k & 1));
+            CHECK(jumps(SMVM_jxn - 1 + m, 2, 7, x, 0, k == 3) == (m >> k & 1));
+        }
+    CHECK(jumps(SMVM_jxn - 1 + SMVM_EQUAL, 2, 0x1000c5f, 0x1000c5f, 0, false));
+}
+
+// What lies behind a jump that is not taken finds both registers as they were.
+static void chains(void)
+{
+    Machine t;
+    Build b;
+
+    begin(&b);
+    load_x(&b);
+    load_y(&b);
+    code(&b, SMVM_jxn - 1 + SMVM_EQUAL, 2, 7, 5);
+    code(&b, SMVM_jxy - 1 + SMVM_GREATER, 1, 3);
+    code(&b, SMVM_add, 0);
+    put_out(&b);
+    CHECK(run(&t, &b, 2.5, 4) && f64_at(&t, 16) == 6.5);
 }
 
 // Samples 4, 1, 3, 2 through a window of three, and the statistic after each.
@@ -440,11 +493,13 @@ static void windows(void)
         begin(&b);
         b.windows = 1;
         b.window[0] = WINDOW(3, 1u << s);
-        code(&b, SMVM_sample, 2, 0, X);
+        load_x(&b);
+        code(&b, SMVM_sample, 1, 0);
         code(&b, SMVM_end, 0);
         end_function(&b);
         end_function(&b);
-        code(&b, SMVM_avg + s, 2, OUT, 0);
+        code(&b, SMVM_stat, 2, s, 0);
+        put_out(&b);
         code(&b, SMVM_end, 0);
         end_function(&b);
         end_function(&b);
@@ -472,32 +527,36 @@ static void narrow_windows(void)
         begin(&b);
         b.windows = 1;
         b.window[0] = WINDOW_OF(row[i].type, 1, 1u << SM_STAT_MAX);
-        code(&b, SMVM_sample, 2, 0, X);
+        load_x(&b);
+        code(&b, SMVM_sample, 1, 0);
         code(&b, SMVM_end, 0);
         end_function(&b);
         end_function(&b);
-        code(&b, SMVM_highest, 2, OUT, 0);
+        code(&b, SMVM_stat, 2, SM_STAT_MAX, 0);
+        put_out(&b);
         code(&b, SMVM_end, 0);
         end_function(&b);
         end_function(&b);
         CHECK(open_machine(&t, &b, 1));
         t.sv[0] = 1;
         set_f64(&t, 32, row[i].in);
-        CHECK(smvm_step((SmVm *)t.memory, t.sv) == SM_OK && sm_bits(f64_at(&t, 16)) == sm_bits(row[i].out));
+        CHECK(smvm_step((SmVm *)t.memory, t.sv) == SM_OK && same(f64_at(&t, 16), row[i].out));
     }
 }
 
 // ---- the step: two states whose functions write down that they ran ----
 
-enum { L1 = OPERANDS };
-
 // Each function does OUT = 10 * OUT + n; entry of 1 goes to 2 if X, step of 1 goes to 2 if Y; 2 goes to itself if Y.
-static void put_trace(Build *b, unsigned digit, uint32_t condition, unsigned target)
+static void put_trace(Build *b, unsigned digit, unsigned condition, unsigned target)
 {
-    code(b, SMVM_mul, 3, OUT, OUT, L1);
-    code(b, SMVM_add, 3, OUT, OUT, L1 + digit);
+    typed(b, SMVM_ldx_elem, SM_F64, 16);
+    code(b, SMVM_ldy_plus, 1, 10);
+    code(b, SMVM_mul, 0);
+    code(b, SMVM_addi, 1, digit);
+    put_out(b);
     if (target != 0) {
-        code(b, SMVM_jf, 2, condition, 2);
+        typed(b, SMVM_ldx_elem, SM_F64, condition);
+        code(b, SMVM_jf, 1, 2);
         code(b, SMVM_goto, 1, target);
     }
     code(b, SMVM_end, 0);
@@ -510,16 +569,12 @@ static void two_states(Machine *t)
 
     begin(&b);
     b.states = 2;
-    b.operand[L1] = OPERAND(24, 10);
-    for (uint32_t i = 1; i <= 6; i++)
-        b.operand[L1 + i] = OPERAND(24, i);
-    b.operands = OPERANDS + 7;
     end_function(&b);
-    put_trace(&b, 1, X, 2);
-    put_trace(&b, 2, Y, 2);
+    put_trace(&b, 1, IN_X, 2);
+    put_trace(&b, 2, IN_Y, 2);
     put_trace(&b, 3, 0, 0);
     put_trace(&b, 4, 0, 0);
-    put_trace(&b, 5, Y, 2);
+    put_trace(&b, 5, IN_Y, 2);
     put_trace(&b, 6, 0, 0);
     CHECK(open_machine(t, &b, 1));
 }
@@ -589,11 +644,11 @@ static void starting(void)
 
     begin(&b);
     b.init_size = 3 + 1 + 3 + 4;
-    memcpy(b.init, (const uint8_t[]){15, 0, 0, 200, 19, 0, 0, 0, 0, 0, 0}, 11);
-        b.init[4] = (uint8_t)LOCAL(F32, 4);
-    b.init[5] = (uint8_t)(LOCAL(F32, 4) >> 8);
-    memcpy(b.init + 7, (const uint8_t[]){0, 0, 0x80, 0x3e}, 4);
-    code(&b, SMVM_add, 3, OUT, LOCAL_U8, LOCAL_F32);
+    memcpy(b.init, (const uint8_t[]){0, 0, SM_U8, 200, 1, 0, SM_F32, 0, 0, 0x80, 0x3e}, 11);
+    typed(&b, SMVM_ldx_local, SM_U8, LOCAL_U8);
+    typed(&b, SMVM_ldy_local, SM_F32, LOCAL_F32);
+    code(&b, SMVM_add, 0);
+    put_out(&b);
     CHECK(run(&t, &b, 0, 0) && f64_at(&t, 16) == 200.25);
     need = smvm_ram_size(&t.m);
     CHECK(init(&t, t.memory, need, t.sv, 1) == SM_OK);
@@ -610,12 +665,14 @@ static void starting(void)
 int main(void)
 {
     operations();
+    relations();
     not_a_number();
-    operand_kinds();
+    loads();
+    registers();
     types();
-    accumulators();
-    many_operands();
+    conversions();
     jumping();
+    chains();
     wide();
     second_step();
     memory_needed();

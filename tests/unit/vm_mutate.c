@@ -136,46 +136,66 @@ static void samples(void)
     arena_free(&a);
 }
 
-// By hand: entries of three bytes, every opcode, numbers of every length.
+// An instruction of each opcode with operands of every length; in order, so that the registers hold numbers.
+static void put_every(Build *b, unsigned f)
+{
+    static const uint32_t far[] = {1, 97, 0xc61};
+
+    for (unsigned op = 0x80; op < 0x100; op++) {
+        const uint32_t shape = smvm_shape((uint8_t)op);
+        if (shape & SMVM_SHAPE_Y) {
+            code(b, SMVM_ldx_plus, 1, op);
+            code(b, SMVM_ldy_local + op % 12, 1, 0);
+        } else if (shape & SMVM_SHAPE_X)
+            typed(b, SMVM_ldx_elem, op % 11, 24);
+        if (shape & SMVM_SHAPE_Z || op == SMVM_sample || shape == 0)
+            continue;
+        if (shape & SMVM_SHAPE_J)
+            code(b, op, shape & SMVM_SHAPE_N ? 2 : 1, shape & SMVM_SHAPE_N ? far[(op + f) % 3] : 0, 0);
+        else if (shape & SMVM_SHAPE_K)
+            code(b, op, 2, f % 5, 0);
+        else if (shape & SMVM_SHAPE_E)
+            code(b, op, 1, 32u >> smvm_type_shift(op & 0xf));
+        else if (shape & SMVM_SHAPE_FOLLOWS)
+            code(b, op, 1, shape & SMVM_SHAPE_N ? far[(op + f) % 3] : shape & (SMVM_SHAPE_F | SMVM_SHAPE_D) ? 0 : f % 2 + (op == SMVM_set));
+        else
+            code(b, op, 0);
+        if (shape & SMVM_SHAPE_GX)
+            code(b, SMVM_out, 1, op % 2);
+        if (shape & SMVM_SHAPE_J)                     // a target
+            code(b, SMVM_ldx_time, 0);
+    }
+}
+
 static void every_opcode(void)
 {
-    static uint8_t image[4096];
-    const uint32_t operand[] = {ELEMENT(F32, 16), ELEMENT(I64, 24), ELEMENT(U64, 0), ELEMENT(U32, 8), LOCAL(I8, 1), LOCAL(F64, 8), OPERAND(22, 0),
-                                OPERAND(23, 0), OPERAND(24, 0x40000), OPERAND(25, 0), OPERAND(26, 0), OPERAND(27, 11), OPERAND(27, SM_I16)};
+    static uint8_t image[8192];
     Build b;
 
     memset(&b, 0, sizeof b);
-    b.sv_words = 4;
+    b.sv_words = 6;
+    b.from = 1;
+    b.to = 5;
+    b.g = 1;
+    b.s = 4;
     b.locals = 16;
-    b.temps = b.windows = b.f32s = b.f64s = 1;
+    b.windows = b.f32s = b.f64s = 1;
     b.outputs = b.states = 2;
     b.width = 3;
     b.window[0] = WINDOW(100, 31);
     b.f32[0] = 0xff800000;
     b.f64[0] = 1;
-    b.operands = 13;
-    memcpy(b.operand, operand, sizeof operand);
-    code(&b, SMVM_sample, 2, 0, 5);
+    b.output[0] = PLACE(F32, 20);
+    b.output[1] = PLACE(I64, 24);
+    code(&b, SMVM_ldx_local + SMVM_RAW, 1, 1);
+    code(&b, SMVM_sample, 1, 0);
     code(&b, SMVM_end, 0);
     end_function(&b);
     for (unsigned f = 0; f < 6; f++) {
-        for (unsigned op = 0x80; op < 0x100; op++) {
-            uint8_t shape = smvm_shape((uint8_t)op);
-            if (shape == (SMVM_SHAPE_D | SMVM_SHAPE_X))
-                code(&b, op, 2, (op + f) % 2, op % 11);
-            else if (shape == (SMVM_SHAPE_D | SMVM_SHAPE_X | SMVM_SHAPE_Y))
-                code(&b, op, 3, 4 + (op + f) % 3, op % 11, (op + 5) % 11);
-            else if (shape == (SMVM_SHAPE_D | SMVM_SHAPE_W))
-                code(&b, op, 2, 5 + f % 2, 0);
-            else if (shape == (SMVM_SHAPE_X | SMVM_SHAPE_J))
-                code(&b, op, 2, (op + f) % 11, 0);
-            else if (shape == (SMVM_SHAPE_X | SMVM_SHAPE_Y | SMVM_SHAPE_J))
-                code(&b, op, 3, (op + f) % 11, op % 7, 0);
-        }
-        code(&b, SMVM_add, 3, 11, 4, 5);
-        code(&b, SMVM_mul, 3, 12, 11, 11);
-        code(&b, SMVM_jnlt, 3, 12, 5, 0);
-        code(&b, SMVM_jt, 2, 4, 1);
+        if (f % 4 == 1)
+            put_every(&b, f);
+        code(&b, SMVM_ldx_time, 0);
+        code(&b, SMVM_jt, 1, 1);
         code(&b, SMVM_end, 0);
         code(&b, f % 3 == 2 ? SMVM_end : SMVM_goto, f % 3 == 2 ? 0 : 1, 1 + f % 2);
         end_function(&b);

@@ -44,9 +44,11 @@ static void row(Pins *p, unsigned front, uint32_t element, uint32_t pin)
     put_varint(p, pin);
 }
 
-static void whole(Pins *p, int32_t v) { put(p, OPERAND(24, (uint32_t)v & 0x7ffff), 3); }
-static void single(Pins *p, uint32_t bits) { put(p, 25, 3), put(p, bits, 4); }
-static void real(Pins *p, uint64_t bits) { put(p, 26, 3), put(p, bits, 8); }
+#define WHOLE_OF(v) PLACE_OF(15, (uint32_t)(v) & 0xfffff)
+
+static void whole(Pins *p, int32_t v) { put(p, WHOLE_OF(v), 3); }
+static void single(Pins *p, uint32_t bits) { put(p, PLACE_OF(SM_F32, 0), 3), put(p, bits, 4); }
+static void real(Pins *p, uint64_t bits) { put(p, PLACE_OF(SM_F64, 0), 3), put(p, bits, 8); }
 
 static uint8_t image[2000];
 
@@ -61,9 +63,7 @@ static uint32_t image_of(const Pins *p, uint8_t pins_id, uint8_t version)
     b.layout = LAYOUT;
     b.sv_words = VECTOR / 8;
     b.states = b.width = 1;
-    b.operands = 2;
-    b.operand[0] = ELEMENT(U64, 0);
-    b.operand[1] = ELEMENT(U32, 8);
+    b.s = 2;
     for (int i = 0; i < 4; i++)
         end_function(&b);
     memcpy(image + at, p->at, p->n);
@@ -78,7 +78,7 @@ static uint8_t verdict(const Pins *p)
 {
     SmvmVerdict v;
 
-    return smvm_verify(image, image_of(p, 0x03, 1), &v);
+    return smvm_verify(image, image_of(p, 0x03, 2), &v);
 }
 
 static uint8_t of_row(unsigned front, uint32_t element, uint32_t pin)
@@ -95,19 +95,19 @@ static Pins sample(void)
 {
     Pins p = begin(6);
 
-    row(&p, 0x00, ELEMENT(F64, 16), 0);
-    row(&p, 0xe0, ELEMENT(F32, 24), 65535);
+    row(&p, 0x00, PLACE(F64, 16), 0);
+    row(&p, 0xe0, PLACE(F32, 24), 65535);
     whole(&p, 250);
     whole(&p, -125);
     put(&p, 255, 1);
-    row(&p, 0x61, ELEMENT(U16, 28), 96);
+    row(&p, 0x61, PLACE(U16, 28), 96);
     single(&p, 0x3e99999au);
     real(&p, 0x3fb999999999999au);
-    row(&p, 0x81, ELEMENT(I8, 30), 3);
-    whole(&p, -262144);
-    row(&p, 0x0e | 0x80, ELEMENT(BOOL, 31), 7);
+    row(&p, 0x81, PLACE(I8, 30), 3);
+    whole(&p, -524288);
+    row(&p, 0x0e | 0x80, PLACE(BOOL, 31), 7);
     put(&p, 3, 1);
-    row(&p, 0x87, ELEMENT(BOOL, 63), 3000);
+    row(&p, 0x87, PLACE(BOOL, 63), 3000);
     whole(&p, 1);
     return p;
 }
@@ -126,7 +126,7 @@ static void test_reading(void)
     CHECK(sm_eq(a.scale, sm_from_i32(250)) && sm_eq(a.zero, sm_from_i32(-125)));
     CHECK(smvm_next_pin(&all, &a) && a.kind == 1 && a.type == SM_U16 && a.pin == 96);
     CHECK(sm_bits(a.scale) == sm_bits(sm_from_f32(0.3f)) && sm_bits(a.zero) == 0x3fb999999999999au);
-    CHECK(smvm_next_pin(&all, &a) && a.type == SM_I8 && sm_eq(a.safe, sm_from_i32(-262144)));
+    CHECK(smvm_next_pin(&all, &a) && a.type == SM_I8 && sm_eq(a.safe, sm_from_i32(-524288)));
     CHECK(smvm_next_pin(&all, &a) && a.kind == 2 && a.type == SM_BOOL && a.flags == 3 && a.hold == 3);
     CHECK(smvm_next_pin(&all, &a) && a.kind == 3 && a.offset == 63 && a.flags == 1 && a.pin == 3000 && sm_eq(a.safe, sm_from_i32(1)));
     CHECK(!smvm_next_pin(&all, &a));
@@ -139,7 +139,7 @@ static void test_absent(void)
     SmvmVerdict v;
     SmvmPins all;
 
-    CHECK(smvm_verify(image, image_of(&p, 0x03, 2), &v) == 0 && !smvm_pins(image, &all));
+    CHECK(smvm_verify(image, image_of(&p, 0x03, 3), &v) == 0 && !smvm_pins(image, &all));
     CHECK(smvm_verify(image, image_of(&p, 0x7f, 1), &v) == 0 && !smvm_pins(image, &all));
     p = begin(0);
     CHECK(verdict(&p) == 0 && smvm_pins(image, &all) && all.left == 0);
@@ -169,25 +169,25 @@ static void test_record(void)
 
 static void test_rows(void)
 {
-    CHECK(of_row(0, ELEMENT(F64, 56), 65535) == 0);
-    CHECK(of_row(0, ELEMENT(F64, 64), 0) == SMVM_R_PIN);
-    CHECK(of_row(0, ELEMENT(U8, 63), 0) == 0 && of_row(0, ELEMENT(U8, 64), 0) == SMVM_R_PIN);
-    CHECK(of_row(0, OPERAND(9, 0x7ffff), 0) == SMVM_R_PIN);
-    CHECK(of_row(0, ELEMENT(F64, 0), 65536) == SMVM_R_PIN);
-    CHECK(of_row(0, ELEMENT(F64, 0), 0x1000c5fu) == SMVM_R_PIN);
-    for (unsigned kind = 10; kind < 32; kind++)       // analog and bool; no element at all
-        CHECK(of_row(0, OPERAND(kind, 0), 0) == SMVM_R_PIN);
+    CHECK(of_row(0, PLACE(F64, 56), 65535) == 0);
+    CHECK(of_row(0, PLACE(F64, 64), 0) == SMVM_R_PIN);
+    CHECK(of_row(0, PLACE(U8, 63), 0) == 0 && of_row(0, PLACE(U8, 64), 0) == SMVM_R_PIN);
+    CHECK(of_row(0, PLACE_OF(9, 0xfffff), 0) == SMVM_R_PIN);
+    CHECK(of_row(0, PLACE(F64, 0), 65536) == SMVM_R_PIN);
+    CHECK(of_row(0, PLACE(F64, 0), 0x1000c5fu) == SMVM_R_PIN);
+    for (unsigned type = 10; type < 16; type++)       // analog and bool; no element at all
+        CHECK(of_row(0, PLACE_OF(type, 0), 0) == SMVM_R_PIN);
     for (unsigned type = 0; type < 10; type++)
-        CHECK(of_row(2, OPERAND(type, 0), 0) == SMVM_R_PIN && of_row(1, OPERAND(type, 0), 0) == 0);
+        CHECK(of_row(2, PLACE_OF(type, 0), 0) == SMVM_R_PIN && of_row(1, PLACE_OF(type, 0), 0) == 0);
 }
 
 static void test_flags(void)
 {
     for (unsigned flags = 0; flags < 8; flags++) {
-        CHECK((of_row(2 | flags << 2, ELEMENT(BOOL, 0), 0) == 0) == (flags < 6));         // one resistor at most
-        CHECK((of_row(3 | flags << 2, ELEMENT(BOOL, 0), 0) == 0) == (flags < 2));         // an output has none
-        CHECK((of_row(0 | flags << 2, ELEMENT(F64, 0), 0) == 0) == (flags == 0));
-        CHECK((of_row(1 | flags << 2, ELEMENT(F64, 0), 0) == 0) == (flags == 0));
+        CHECK((of_row(2 | flags << 2, PLACE(BOOL, 0), 0) == 0) == (flags < 6));         // one resistor at most
+        CHECK((of_row(3 | flags << 2, PLACE(BOOL, 0), 0) == 0) == (flags < 2));         // an output has none
+        CHECK((of_row(0 | flags << 2, PLACE(F64, 0), 0) == 0) == (flags == 0));
+        CHECK((of_row(1 | flags << 2, PLACE(F64, 0), 0) == 0) == (flags == 0));
     }
 }
 
@@ -195,7 +195,7 @@ static uint8_t of_scale(uint32_t entry, uint64_t bits, unsigned bytes)
 {
     Pins p = begin(1);
 
-    row(&p, 0x20, ELEMENT(F64, 0), 0);
+    row(&p, 0x20, PLACE(F64, 0), 0);
     put(&p, entry, 3);
     put(&p, bits, bytes);
     return verdict(&p);
@@ -205,21 +205,23 @@ static uint8_t of_real(unsigned front, uint64_t bits)
 {
     Pins p = begin(1);
 
-    row(&p, front, ELEMENT(F64, 0), 0);
+    row(&p, front, PLACE(F64, 0), 0);
     real(&p, bits);
     return verdict(&p);
 }
 
 static void test_numbers(void)
 {
-    CHECK(of_scale(OPERAND(24, 1), 0, 0) == 0);
-    CHECK(of_scale(OPERAND(24, 0), 0, 0) == SMVM_R_PIN_NUMBER);
-    CHECK(of_scale(25, 0x3f800000u, 4) == 0);
-    CHECK(of_scale(25, 0x80000000u, 4) == SMVM_R_PIN_NUMBER);
-    CHECK(of_scale(25, 0x7f800000u, 4) == SMVM_R_PIN_NUMBER);
-    CHECK(of_scale(OPERAND(25, 1), 0x3f800000u, 4) == SMVM_R_IO);         // payload is 0
-    CHECK(of_scale(OPERAND(26, 1), 1, 8) == SMVM_R_IO);
-    CHECK(of_scale(22, 0, 0) == SMVM_R_IO && of_scale(9, 0, 0) == SMVM_R_IO && of_scale(27, 0, 0) == SMVM_R_IO);
+    CHECK(of_scale(WHOLE_OF(1), 0, 0) == 0);
+    CHECK(of_scale(WHOLE_OF(0), 0, 0) == SMVM_R_PIN_NUMBER);
+    CHECK(of_scale(PLACE_OF(SM_F32, 0), 0x3f800000u, 4) == 0);
+    CHECK(of_scale(PLACE_OF(SM_F32, 0), 0x80000000u, 4) == SMVM_R_PIN_NUMBER);
+    CHECK(of_scale(PLACE_OF(SM_F32, 0), 0x7f800000u, 4) == SMVM_R_PIN_NUMBER);
+    CHECK(of_scale(PLACE_OF(SM_F32, 1), 0x3f800000u, 4) == SMVM_R_IO);    // the rest is 0
+    CHECK(of_scale(PLACE_OF(SM_F64, 0x10000), 1, 8) == SMVM_R_IO);
+    for (unsigned type = 0; type < 15; type++)        // of no number
+        CHECK(type == SM_F32 || type == SM_F64 || of_scale(PLACE_OF(type, 0), 0, 0) == SMVM_R_IO);
+    CHECK(of_scale(WHOLE_OF(524287), 0, 0) == 0 && of_scale(WHOLE_OF(-524288), 0, 0) == 0);
     for (unsigned front = 0x20; front <= 0x81; front = front == 0x20 ? 0x40 : front == 0x40 ? 0x81 : 0x100) {
         CHECK(of_real(front, 1) == 0);
         CHECK(of_real(front, 0x7ff0000000000000u) == SMVM_R_PIN_NUMBER);
@@ -234,7 +236,7 @@ static void test_numbers(void)
 static void test_mutants(void)
 {
     const Pins p = sample();
-    uint32_t n = image_of(&p, 0x03, 1);
+    uint32_t n = image_of(&p, 0x03, 2);
     uint8_t *copy = malloc(n);
 
     memcpy(copy, image, n);
@@ -262,7 +264,7 @@ static void test_random(void)
         uint8_t *copy;
         for (uint64_t k = hammer_random(&seed) % 24; k > 0; k--)
             put(&p, hammer_random(&seed) >> 40, 1);
-        n = image_of(&p, 0x03, 1);
+        n = image_of(&p, 0x03, 2);
         copy = malloc(n);
         memcpy(copy, image, n);
         accepted += hammer(copy, n, 1, 1) == 0;

@@ -7,6 +7,7 @@
 #define SMVM_AT uint16_t
 #define SMVM_IMAGE_MAX 0xffffu
 #define SMVM_RAM_MAX 0x8000u
+#define SMVM_LONGEST 1
 #define SMVM_JOINS 2
 #define SMVM_BYTES uint16_t
 #define SMVM_FETCH(image, at) small_fetch((uint32_t)(image) + (at))

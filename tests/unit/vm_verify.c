@@ -7,49 +7,57 @@
 #include "tests/test.h"
 #include "tests/unit/vm_build.h"
 
-enum { FLAG, VALUE, G, S, IN, COUNT, T0, T1, TIME, SEVEN, SINGLE, DOUBLE, OPERANDS };
+enum { FLAG, VALUE };         // outputs: bool at 24, F64 at 16
+enum { IN = 32, COUNT = 2 };  // an element, F64; a local, U16
+
+static void in(Build *b) { typed(b, SMVM_ldx_elem, SM_F64, IN); }
 
 // A machine with a bit of everything: two windows, the second over the first, two states.
 static void good(Build *b)
 {
-    const uint32_t operand[OPERANDS] = {ELEMENT(BOOL, 24), ELEMENT(F64, 16), ELEMENT(U64, 0), ELEMENT(U32, 8), ELEMENT(F64, 32), LOCAL(U16, 2),
-                                        OPERAND(22, 0), OPERAND(22, 1), OPERAND(23, 0), OPERAND(24, 7), OPERAND(25, 0), OPERAND(26, 0)};
-
     memset(b, 0, sizeof *b);
     b->sv_words = 5;
-    b->locals = 4;
-    b->temps = 2;
-    b->outputs = 2;
+    b->locals = 16;
+    b->s = 2;
     b->states = 2;
     b->width = 1;
     b->windows = 2;
     b->window[0] = WINDOW(5, 1u << SM_STAT_AVG | 1u << SM_STAT_MIN);
     b->window[1] = WINDOW(3, 1u << SM_STAT_MEDIAN);
-    b->operands = OPERANDS;
-    memcpy(b->operand, operand, sizeof operand);
+    b->outputs = 2;
+    b->output[FLAG] = PLACE(BOOL, 24);
+    b->output[VALUE] = PLACE(F64, 16);
     b->f32s = b->f64s = 1;
-    memcpy(b->init, (const uint8_t[]){0x30, 0, 0, 7, 0}, 5);         // U16 at 2 = 7
-    b->init[0] = (uint8_t)LOCAL(U16, 2);
+    memcpy(b->init, (const uint8_t[]){1, 0, SM_U16, 7, 0}, 5);       // U16 at 2 = 7
     b->init_size = 5;
-    code(b, SMVM_sample, 2, 0, IN);
-    code(b, SMVM_avg, 2, T0, 0);
-    code(b, SMVM_sample, 2, 1, T0);
+    in(b);
+    code(b, SMVM_sample, 1, 0);
+    code(b, SMVM_stat, 2, SM_STAT_AVG, 0);
+    code(b, SMVM_sample, 1, 1);
     code(b, SMVM_end, 0);
     end_function(b);
 }
 
 static void put_state(Build *b, unsigned target)
 {
-    code(b, SMVM_mov, 2, COUNT, SEVEN);
+    code(b, SMVM_ldx_plus, 1, 7);
+    typed(b, SMVM_st_local, SM_U16, COUNT);
     code(b, SMVM_end, 0);
     end_function(b);
-    code(b, SMVM_median, 2, T1, 1);
-    code(b, SMVM_jlt, 3, IN, T1, 2);
+    code(b, SMVM_stat, 2, SM_STAT_MEDIAN, 1);
+    typed(b, SMVM_ldy_elem, SM_F64, IN);
+    code(b, SMVM_jxy - 1 + SMVM_LESS, 1, 2);
     code(b, SMVM_goto, 1, target);
-    code(b, SMVM_add, 3, VALUE, DOUBLE, SINGLE);
+    code(b, SMVM_ldx_f64, 1, 0);
+    code(b, SMVM_ldy_f32, 1, 0);
+    code(b, SMVM_add, 0);
+    code(b, SMVM_out, 1, VALUE);
     code(b, SMVM_end, 0);
     end_function(b);
-    code(b, SMVM_not, 2, FLAG, FLAG);
+    typed(b, SMVM_ldx_elem, SM_BOOL, 24);
+    code(b, SMVM_ldy_plus, 1, 0);
+    code(b, SMVM_set, 1, SMVM_EQUAL);
+    code(b, SMVM_out, 1, FLAG);
     code(b, SMVM_end, 0);
     end_function(b);
 }
@@ -95,7 +103,7 @@ static void accepts(void)
     CHECK(verify(&b, &v) == 0 && v.rule == 0);
     n = build_image(&b, image);
     CHECK(smvm_verify(image, n + 5, &v) == 0);        // what lies behind an image does not matter
-    CHECK(v.longest == 4 + 2 + 3 + 2);                // sample; entry; median, jlt, goto; exit.  Staying costs 4.
+    CHECK(v.longest == 5 + 3 + 4 + 5);                // sample; entry; stat, ldy, jxy, goto; exit.  Staying costs 8.
     CHECK(smvm_machine(image, 0, &m) && smvm_longest_step(&m) == v.longest);
 }
 
@@ -146,7 +154,7 @@ static void header_alone(void)
 // Where the rule is broken: the verdict says.
 static void places_told(void)
 {
-    enum { NUMBERS = 14 };
+    enum { NUMBERS = 16 };
     Build b = whole();
     uint32_t machine, code_at;
     SmvmVerdict v;
@@ -160,27 +168,27 @@ static void places_told(void)
     image[0] = 's';
     image[3] = 0;
     CHECK(smvm_verify(image, 500, &v) == SMVM_R_FORMAT && v.at == 3);
-    image[3] = 1;
+    image[3] = 2;
     image[28] = 0x8f;
     fix_crc(image);
     CHECK(smvm_verify(image, 500, &v) == SMVM_R_UNKNOWN && v.at == 28);
     b.window[1] = 0;
     CHECK(verify(&b, &v) == SMVM_R_WINDOW && v.at == machine + NUMBERS + 4);
     b = whole();
-    b.operand[T1] = OPERAND(31, 0);
-    CHECK(verify(&b, &v) == SMVM_R_OPERAND_KIND && v.at == machine + NUMBERS + 8 + 3 * T1);
+    b.output[VALUE] = PLACE(F64, 40);
+    CHECK(verify(&b, &v) == SMVM_R_OUTPUTS && v.at == machine + NUMBERS + 8 + 3 * VALUE);
     b = whole();
-    b.operand[S] = b.operand[G];
-    CHECK(verify(&b, &v) == SMVM_R_TIME_STATE && v.at == machine + NUMBERS + 8 + 3 * 2);
+    b.s = 0;
+    CHECK(verify(&b, &v) == SMVM_R_PROTECTED && v.at == machine);
     b = whole();
     b.end[3] = 0;
-    CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 8 + 3 * OPERANDS + 3);
+    CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 8 + 6 + 3);
     b = whole();
     b.size++;
-    CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 8 + 3 * OPERANDS + 6);
+    CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 8 + 6 + 6);
     b = whole();
-    b.code[b.end[0] + 1] = SEVEN;
-    CHECK(verify(&b, &v) == SMVM_R_WRITE && v.at == code_at + b.end[0] + 1 && v.machine == 0);
+    b.code[b.end[0] + 3] = 8;                         // the place that st_local stores to
+    CHECK(verify(&b, &v) == SMVM_R_OPERAND && v.at == code_at + b.end[0] + 3 && v.machine == 0);
 }
 
 static void container(void)
@@ -188,7 +196,7 @@ static void container(void)
     CHECK(patched(0, 'S', true) == SMVM_R_MAGIC);
     CHECK(patched(1, 'M', true) == SMVM_R_MAGIC);
     CHECK(patched(2, 0, true) == SMVM_R_MAGIC);
-    CHECK(patched(3, 2, true) == SMVM_R_FORMAT);
+    CHECK(patched(3, 1, true) == SMVM_R_FORMAT);
     CHECK(patched(3, 0, true) == SMVM_R_FORMAT);
     header_alone();
     places_told();
@@ -222,9 +230,9 @@ static void sections(void)
     CHECK(patched(FIRST, 0x84, true) == SMVM_R_UNKNOWN);
     CHECK(patched(FIRST, 0x80, true) == SMVM_R_UNKNOWN);
     CHECK(patched(FIRST + 1, 9, true) == 0);                         // one that can be skipped, whatever its version
-    CHECK(patched(SECOND + 1, 2, true) == SMVM_R_UNKNOWN);
+    CHECK(patched(SECOND + 1, 1, true) == SMVM_R_UNKNOWN);
     CHECK(patched(THIRD + 1, 0, true) == SMVM_R_UNKNOWN);
-    CHECK(patched(FOURTH + 1, 2, true) == SMVM_R_UNKNOWN);
+    CHECK(patched(FOURTH + 1, 3, true) == SMVM_R_UNKNOWN);
     CHECK(patched(SECOND, 0x7e, true) == SMVM_R_GROUP);              // no MACHINE
     CHECK(patched(THIRD, 0x7e, true) == SMVM_R_GROUP);               // no CODE
     CHECK(patched(FIRST, 0x82, true) == SMVM_R_GROUP);               // CODE before MACHINE
@@ -255,14 +263,13 @@ static void record(void)
     image[at + 5] = 0xff;
     fix_crc(image);
     CHECK(smvm_verify(image, n, &v) == SMVM_R_RECORD);
-    for (uint32_t i = 7; i < 14; i++) {               // counts: one more than there is, and as many as can be said
+    for (uint32_t i = 8; i < 14; i++) {               // counts: one more than there is, and as many as can be said
         if (i == 11)                                  // width
             continue;
         build_image(&b, image);
         image[at + i]++;
         fix_crc(image);
-        if (i != 8)                                   // outputs have no table of their own
-            CHECK(smvm_verify(image, n, &v) == SMVM_R_RECORD);
+        CHECK(smvm_verify(image, n, &v) == SMVM_R_RECORD);
         build_image(&b, image);
         memset(image + at + i, 0x7f, 4);
         fix_crc(image);
@@ -279,13 +286,13 @@ static void record(void)
     CHECK(verify(&b, &v) == 0);
 }
 
-static void short_machine(void)                       // a MACHINE section of 0 … 14 bytes; the last number is cut
+static void short_machine(void)                       // a MACHINE section of 0 … 16 bytes; the last number is cut
 {
-    for (uint32_t i = 0; i < 15; i++) {
+    for (uint32_t i = 0; i < 17; i++) {
         static const uint8_t id[] = {0x81, 0x82};
         uint32_t size[] = {i, 5}, n;
         SmvmVerdict v;
-        memset(image + 28, 1, 20);
+        memset(image + 28, 1, 22);
         if (i > 4)
             image[28 + i - 1] = i & 1 ? 0x60 : 0x78;
         n = put_header(image, 2, id, size);
@@ -299,7 +306,6 @@ static void tables(void)
                                            WINDOW_OF(SM_F32, 5, 1), WINDOW_OF(SM_BOOL, 3, 4)};
     static const uint32_t bad_window[] = {WINDOW(0, 1), WINDOW(100001, 1), WINDOW(131071, 1), WINDOW(5, 32), WINDOW(5, 64), 0, 0xffffff,
                                           UINT32_MAX, WINDOW_OF(SM_I64, 5, 1), WINDOW_OF(SM_U64, 5, 1), WINDOW_OF(11, 5, 1), WINDOW_OF(15, 5, 1)};
-    static const uint32_t bad_kind[] = {28, 29, 30, 31};
     Build b;
 
     for (unsigned i = 0; i < sizeof bad_window / sizeof *bad_window; i++) {
@@ -316,91 +322,83 @@ static void tables(void)
         b.window[1] = good_window[i] | (uint32_t)SM_ROLL_MEDIAN << 17;
         CHECK(verify(&b, &v) == 0);
     }
-    for (unsigned i = 0; i < sizeof bad_kind / sizeof *bad_kind; i++) {
-        b = whole();
-        b.operand[SEVEN] = OPERAND(bad_kind[i], 0);
-        REFUSED(&b, OPERAND_KIND);
-    }
-    const uint32_t bad_place[] = {
-        OPERAND(SM_F64, 0x1000), OPERAND(SM_F64, 0x10000), OPERAND(SM_I8, 0x800), LOCAL(I8, 4),
-        ELEMENT(F64, 40), ELEMENT(U8, 40), ELEMENT(U16, 40), ELEMENT(I32, 40), OPERAND(SM_F64, 0x7ffff), OPERAND(SM_BOOL, 0x7ffff),
-        LOCAL(U16, 4), LOCAL(BOOL, 4), LOCAL(U64, 0), LOCAL(F32, 4), OPERAND(11 + SM_I64, 0x7ffff), OPERAND(11 + SM_F32, 0x7ffff),
-        OPERAND(22, 2), OPERAND(22, 0x7ffff), OPERAND(23, 1), OPERAND(25, 1), OPERAND(26, 1), OPERAND(26, 0x7ffff),
-        OPERAND(27, 12), OPERAND(27, 0x7ffff)};
-    for (unsigned i = 0; i < sizeof bad_place / sizeof *bad_place; i++) {
-        b = whole();
-        b.operand[T1] = bad_place[i];
-        REFUSED(&b, OPERAND_AT);
-        b = whole();
-        b.operand[FLAG] = bad_place[i];
-        REFUSED(&b, OPERAND_AT);
-    }
-    const uint32_t good_place[] = {ELEMENT(F64, 32), ELEMENT(U8, 39), ELEMENT(I32, 36), LOCAL(U16, 2), LOCAL(F32, 0), LOCAL(U8, 3), OPERAND(24, 0x7ffff)};
-    for (unsigned i = 0; i < sizeof good_place / sizeof *good_place; i++) {
+}
+
+static void spans(void)
+{
+    static const struct { uint32_t from, to, g, s; uint8_t rule; } row[] = {
+        {0, 5, 0, 2, 0}, {0, 6, 0, 2, SMVM_R_SPAN}, {0, 0x1000c5f, 0, 2, SMVM_R_SPAN}, {6, 5, 0, 2, SMVM_R_SPAN}, {0x1000c5f, 5, 0, 2, SMVM_R_SPAN},
+        {1, 5, 0, 2, SMVM_R_TIME_STATE}, {1, 5, 1, 1, SMVM_R_TIME_STATE}, {0, 5, 5, 2, SMVM_R_TIME_STATE}, {0, 5, 0x1000c5f, 2, SMVM_R_TIME_STATE},
+        {0, 5, 0, 10, SMVM_R_TIME_STATE}, {0, 5, 0, 0x1000c5f, SMVM_R_TIME_STATE}, {0, 5, 0, 9, 0}, {5, 5, 0, 2, SMVM_R_TIME_STATE},
+        {0, 5, 0, 0, SMVM_R_PROTECTED}, {0, 5, 0, 1, SMVM_R_PROTECTED}, {0, 5, 4, 8, SMVM_R_PROTECTED}, {0, 5, 2, 2, SMVM_R_PROTECTED},
+        {0, 5, 0, 5, SMVM_R_PROTECTED}, {0, 5, 0, 6, SMVM_R_PROTECTED}, {2, 5, 4, 7, 0},
+    };
+
+    for (unsigned i = 0; i < sizeof row / sizeof *row; i++) {
         SmvmVerdict v;
-        b = whole();
-        b.operand[IN] = good_place[i];
-        CHECK(verify(&b, &v) == 0);
+        Build b = whole();
+        b.from = row[i].from;
+        b.to = row[i].to;
+        b.g = row[i].g;
+        b.s = row[i].s;
+        if (verify(&b, &v) != row[i].rule)
+            fprintf(stderr, "row %u: rule %u\n", i, v.rule);
+        CHECK(v.rule == row[i].rule);
     }
 }
 
 static void outputs(void)
 {
-    const uint32_t no_element[] = {LOCAL(I8, 2), OPERAND(22, 0), OPERAND(23, 0), OPERAND(24, 1), OPERAND(25, 0), OPERAND(26, 0)};
-    const uint32_t no_g[] = {ELEMENT(I64, 0), ELEMENT(F64, 0), ELEMENT(U32, 12), LOCAL(U16, 0), OPERAND(22, 0), OPERAND(24, 0)};
-    const uint32_t no_s[] = {ELEMENT(I32, 8), ELEMENT(F32, 8), ELEMENT(U64, 8), ELEMENT(U16, 8), LOCAL(F32, 0), OPERAND(24, 0)};
-    const uint32_t over[] = {ELEMENT(U8, 0), ELEMENT(U8, 7), ELEMENT(F64, 0), ELEMENT(F64, 8), ELEMENT(BOOL, 11), ELEMENT(U32, 4), ELEMENT(I16, 8), ELEMENT(I32, 8)};
+    const uint32_t bad[] = {PLACE(F64, 40), PLACE(U8, 40), PLACE(U16, 40), PLACE(I32, 40), PLACE_OF(SM_F64, 0xfffff), PLACE_OF(SM_BOOL, 0xfffff),
+                            PLACE_OF(SM_F64, 0x10002), PLACE_OF(11, 0), PLACE_OF(12, 0), PLACE_OF(15, 2)};
+    const uint32_t over[] = {PLACE(U8, 0), PLACE(U8, 7), PLACE(F64, 0), PLACE(F64, 8), PLACE(BOOL, 11), PLACE(U32, 4), PLACE(I16, 8), PLACE(I32, 8)};
+    const uint32_t fine[] = {PLACE(F64, 32), PLACE(U8, 39), PLACE(I32, 36), PLACE(U16, 12), PLACE(U32, 12)};
+    SmvmVerdict v;
     Build b;
 
-    for (unsigned i = 0; i < 6; i++) {
+    for (unsigned i = 0; i < sizeof bad / sizeof *bad; i++)
+        for (unsigned k = 0; k < 2; k++) {
+            b = whole();
+            b.output[k] = bad[i];
+            REFUSED(&b, OUTPUTS);
+        }
+    for (unsigned i = 0; i < sizeof over / sizeof *over; i++) {
         b = whole();
-        b.operand[VALUE] = no_element[i];
-        REFUSED(&b, OUTPUTS);
-        b = whole();
-        b.operand[G] = no_g[i];
-        REFUSED(&b, TIME_STATE);
-        b = whole();
-        b.operand[S] = no_s[i];
-        REFUSED(&b, TIME_STATE);
-    }
-    for (unsigned i = 0; i < 8; i++) {
-        b = whole();
-        b.operand[VALUE] = over[i];
+        b.output[VALUE] = over[i];
         REFUSED(&b, PROTECTED);
     }
+    for (unsigned i = 0; i < sizeof fine / sizeof *fine; i++) {
+        b = whole();
+        b.output[VALUE] = fine[i];
+        CHECK(verify(&b, &v) == 0);
+    }
     b = whole();                                      // beside S on both sides
-    b.operand[S] = ELEMENT(U32, 12);
-    b.operand[FLAG] = ELEMENT(U32, 8);
-    b.operand[VALUE] = ELEMENT(U8, 16);
-    CHECK(verify(&b, &(SmvmVerdict){0}) == 0);
-    b = whole();
-    b.outputs = OPERANDS - 1;                         // no room for G and S behind them
-    REFUSED(&b, TIME_STATE);
-    b.outputs = 4000000;
-    REFUSED(&b, TIME_STATE);
-    b = whole();
-    b.operands = 1;
-    REFUSED(&b, TIME_STATE);
-    b.operands = 0;
-    REFUSED(&b, TIME_STATE);
+    b.s = 3;
+    b.output[FLAG] = PLACE(U32, 8);
+    b.output[VALUE] = PLACE(U8, 16);
+    CHECK(verify(&b, &v) == 0);
+    b = whole();                                      // before the part that is named
+    b.from = 1;
+    b.g = 1;
+    b.s = 4;
+    b.output[VALUE] = PLACE(F64, 24);
+    b.output[FLAG] = PLACE(BOOL, 7);
+    REFUSED(&b, OUTPUTS);
 }
 
 static void memory(void)
 {
     static uint8_t big[12 + 16 + 64 + 4 * 1400];
     static const uint8_t id[] = {0x81, 0x82};
-    Build b = whole();
     uint32_t size[2], n;
     uint8_t *p = big + 28;
     SmvmVerdict v;
 
     put_bytes(&p, 0, 4);                              // 1400 windows of 100000 with a median need 2.2 GB
-    for (unsigned i = 0; i < 10; i++)
-        p += put_number(p, ((const uint32_t[]){5, 0, 0, 1400, 0, 2, 1, 1, 0, 0})[i]);
+    for (unsigned i = 0; i < 12; i++)
+        p += put_number(p, ((const uint32_t[]){5, 0, 5, 0, 1400, 0, 1, 1, 0, 0, 0, 2})[i]);
     for (unsigned i = 0; i < 1400; i++)
         put_bytes(&p, WINDOW(100000, 1u << SM_STAT_MEDIAN), 4);
-    put_bytes(&p, b.operand[G], 3);
-    put_bytes(&p, b.operand[S], 3);
     put_bytes(&p, 0, 4);
     size[0] = (uint32_t)(p - big) - 28;
     size[1] = 0;
@@ -410,7 +408,8 @@ static void memory(void)
 
 static void initial_values(void)
 {
-    const uint32_t bad[] = {ELEMENT(U16, 16), OPERAND(22, 0), OPERAND(24, 0), OPERAND(31, 0), LOCAL(U16, 4), LOCAL(U8, 4), LOCAL(F64, 0), OPERAND(11 + SM_F64, 0x7ffff)};
+    const uint32_t bad[] = {PLACE(U16, 16), PLACE_OF(11, 0), PLACE_OF(15, 0), PLACE(U8, 16), PLACE(F64, 16), PLACE_OF(SM_U8, 0x10000), PLACE_OF(SM_F64, 0xfffff),
+                            PLACE_OF(SM_I8, 0xfffff)};
     Build b;
 
     for (unsigned i = 0; i < 8; i++) {
@@ -431,26 +430,25 @@ static void initial_values(void)
     CHECK(verify(&b, &(SmvmVerdict){0}) == 0);
 }
 
-// Values that are complete, of what is no local of the machine.
-static void initial_values_elsewhere(void)
+// The last places that there are, and those behind them.
+static void initial_values_at_the_end(void)
 {
-    const uint32_t bad[] = {OPERAND(22, 0), ELEMENT(BOOL, 0), LOCAL(F64, 8), LOCAL(U16, 12), OPERAND(27, 0)};
-    const uint8_t bytes[] = {8, 1, 8, 2, 8};
-    Build b;
+    static const struct { uint8_t type, bytes; uint32_t good; } row[] = {{SM_F64, 8, 0}, {SM_U16, 2, 5}, {SM_I32, 4, 2}, {SM_BOOL, 1, 12}};
 
-    for (unsigned i = 0; i < 5; i++) {
-        uint8_t *p;
-        b = whole();
-        b.locals = 12;
-        p = b.init;
-        put_bytes(&p, bad[i], 3);
-        b.init_size = 3u + bytes[i];
-        REFUSED(&b, INIT);
-    }
-    b = whole();
-    memcpy(b.init, (const uint8_t[]){11, 0, 0, 9}, 4);               // I8 at 0
-    b.init_size = 4;
-    CHECK(verify(&b, &(SmvmVerdict){0}) == 0);
+    for (unsigned i = 0; i < 4; i++)
+        for (uint32_t more = 0; more < 2; more++) {
+            Build b = whole();
+            uint8_t *p = b.init;
+            SmvmVerdict v;
+            b.locals = 13;
+            b.size = b.ends = 0;                      // (no code that uses more)
+            b.windows = 0;
+            for (int k = 0; k < 7; k++)
+                end_function(&b);
+            put_bytes(&p, PLACE_OF(row[i].type, row[i].good + more), 3);
+            b.init_size = 3u + row[i].bytes;
+            CHECK(verify(&b, &v) == (more ? SMVM_R_INIT : 0));
+        }
 }
 
 // Of two machines either may be the broken one.
@@ -462,21 +460,21 @@ static void two_machines(void)
 
     for (uint32_t k = 0; k < 2; k++) {
         b[0] = b[1] = whole();
-        b[k].operand[T1] = OPERAND(22, 5);
-        CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == SMVM_R_OPERAND_AT && v.machine == k);
+        b[k].output[VALUE] = PLACE(F64, 40);
+        CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == SMVM_R_OUTPUTS && v.machine == k);
         b[k] = whole();
         b[k].states++;
         CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == SMVM_R_RECORD && v.machine == k);
         b[k] = whole();
-        b[k].code[b[k].size - 1] = 0xff;
+        b[k].code[b[k].size - 1] = 0xd0;
         CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == SMVM_R_OPCODE && v.machine == k);
         b[k] = whole();
         memmove(b[k].code + b[k].end[0] + 4, b[k].code + b[k].end[0], b[k].size - b[k].end[0]);
-        memcpy(b[k].code + b[k].end[0], (const uint8_t[]){SMVM_add, T0, T0, T0}, 4);
+        memcpy(b[k].code + b[k].end[0], (const uint8_t[]){SMVM_ldx_plus, 0, SMVM_ldy_plus, 1}, 4);
         b[k].size += 4;
         for (unsigned i = 1; i < b[k].ends; i++)
             b[k].end[i] += 4;
-        CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == 0 && v.machine == 0 && v.longest == 12);
+        CHECK(smvm_verify(image, build_sections(b, 7, id, image), &v) == 0 && v.machine == 0 && v.longest == 19);
     }
 }
 
@@ -486,7 +484,7 @@ static void functions(void)
 {
     Build b = whole();
 
-    b.end[2]--;                                       // into the middle of `end`'s predecessor
+    b.end[2]--;                                       // the last one but `end`
     REFUSED(&b, FALLS_OUT);
     b = whole();
     b.end[2] -= 2;                                    // into the middle of an instruction
@@ -529,54 +527,122 @@ static void close_step(Build *b)
         REFUSED(&b, rule);              \
     } while (0)
 
-static void instructions(void)
+static void opcodes(void)
 {
-    for (unsigned op = 0; op < 256; op++)             // a single byte; no opcode of any operand is complete with it
-        if (op != SMVM_end) {
-            if (smvm_shape((uint8_t)op) == 0)
-                STEP_REFUSED(code(&b, op, 0), OPCODE);
-            else
-                STEP_REFUSED(code(&b, op, 0), TRUNCATED);
-        }
-    STEP_REFUSED(code(&b, SMVM_mov, 1, T0), TRUNCATED);
-    STEP_REFUSED(code(&b, SMVM_add, 2, T0, T1), TRUNCATED);
-    STEP_REFUSED(code(&b, SMVM_jeq, 2, T0, T1), TRUNCATED);
-    STEP_REFUSED(code(&b, SMVM_mov, 2, T0, 0x60); b.size--, TRUNCATED);          // a varint of two bytes without its second
-    STEP_REFUSED(code(&b, SMVM_goto, 1, 0xc60); b.size--, TRUNCATED);
-    STEP_REFUSED(code(&b, SMVM_mov, 2, T0, 0x60); b.code[b.size - 1] = 0x80; code(&b, SMVM_end, 0), TRUNCATED);
-    STEP_REFUSED(code(&b, SMVM_mov, 2, T0, T0); b.code[b.size - 1] = 0x80; code(&b, SMVM_end, 0), TRUNCATED);
-    STEP_REFUSED(code(&b, SMVM_mov, 2, T0, T0); b.code[b.size - 2] = 0xff; code(&b, SMVM_end, 0), TRUNCATED);
-    STEP_REFUSED(code(&b, SMVM_jmp, 1, 0); b.code[b.size - 1] = SMVM_end; code(&b, SMVM_end, 0), TRUNCATED);
-    STEP_REFUSED(code(&b, SMVM_mov, 2, T0, OPERANDS); code(&b, SMVM_end, 0), OPERAND);
-    STEP_REFUSED(code(&b, SMVM_mov, 2, OPERANDS, T0); code(&b, SMVM_end, 0), OPERAND);
-    STEP_REFUSED(code(&b, SMVM_add, 3, T0, T0, OPERANDS); code(&b, SMVM_end, 0), OPERAND);
-    STEP_REFUSED(code(&b, SMVM_mov, 2, T0, 0x1000c5f); code(&b, SMVM_end, 0), OPERAND);
-    STEP_REFUSED(code(&b, SMVM_jt, 2, OPERANDS, 0); code(&b, SMVM_end, 0), OPERAND);
-    STEP_REFUSED(code(&b, SMVM_jle, 3, T0, OPERANDS, 0); code(&b, SMVM_end, 0), OPERAND);
+    for (unsigned op = 0; op < 256; op++) {           // a single byte
+        const uint32_t shape = smvm_shape((uint8_t)op);
+        if (op == SMVM_end)
+            continue;
+        if (shape == 0)
+            STEP_REFUSED(code(&b, op, 0), OPCODE);
+        else if (shape & (SMVM_SHAPE_X | SMVM_SHAPE_Y))
+            STEP_REFUSED(code(&b, op, 0), REGISTER);
+        else if (shape & SMVM_SHAPE_FOLLOWS)
+            STEP_REFUSED(code(&b, op, 0), TRUNCATED);
+        else
+            STEP_REFUSED(code(&b, op, 0), FALLS_OUT);
+    }
 }
 
-static void writes(void)
-{
-    static const unsigned target[] = {G, S, IN, TIME, SEVEN, SINGLE, DOUBLE};
+// The registers hold something, then op with these numbers, and `end`.
+#define WITH_BOTH(op, n, a, c, rule)                              \
+    STEP_REFUSED(in(&b); typed(&b, SMVM_ldy_elem, SM_F64, IN);    \
+                 code(&b, op, n, a, c); code(&b, SMVM_end, 0), rule)
 
-    for (unsigned i = 0; i < 7; i++) {
-        STEP_REFUSED(code(&b, SMVM_mov, 2, target[i], T0); code(&b, SMVM_end, 0), WRITE);
-        STEP_REFUSED(code(&b, SMVM_mul, 3, target[i], T0, T0); code(&b, SMVM_end, 0), WRITE);
-        STEP_REFUSED(code(&b, SMVM_median, 2, target[i], 1); code(&b, SMVM_end, 0), WRITE);
+static void instructions(void)
+{
+    STEP_REFUSED(code(&b, SMVM_stat, 1, 0), TRUNCATED);
+    STEP_REFUSED(in(&b); code(&b, SMVM_jxn, 1, 0), TRUNCATED);
+    STEP_REFUSED(code(&b, SMVM_ldx_plus, 1, 0x60); b.size--, TRUNCATED);         // a varint of two bytes without its second
+    STEP_REFUSED(code(&b, SMVM_goto, 1, 0xc60); b.size--, TRUNCATED);
+    STEP_REFUSED(code(&b, SMVM_ldx_plus, 1, 0x60); b.code[b.size - 1] = 0x80; code(&b, SMVM_end, 0), TRUNCATED);
+    STEP_REFUSED(code(&b, SMVM_ldx_plus, 1, 0); b.code[b.size - 1] = 0x80; code(&b, SMVM_end, 0), TRUNCATED);
+    STEP_REFUSED(code(&b, SMVM_stat, 2, 0, 0); b.code[b.size - 2] = 0xff; code(&b, SMVM_end, 0), TRUNCATED);
+    STEP_REFUSED(code(&b, SMVM_jmp, 1, 0); b.code[b.size - 1] = SMVM_end; code(&b, SMVM_end, 0), TRUNCATED);
+}
+
+// Everything that is named, at its last place and behind it.
+static void operands(void)
+{
+    static const uint32_t far[] = {0x60, 0xc60, 0x10000, 0x1000c5f};
+
+    for (unsigned t = 0; t <= SMVM_RAW; t++)
+        for (unsigned y = 0; y < 0x40; y += 0x20) {
+            const unsigned bytes = t == SMVM_RAW ? 8 : sm_type_info[t].bytes;
+            WITH_BOTH(SMVM_ldx_local + y + t, 1, 16 / bytes, 0, OPERAND);
+            WITH_BOTH(SMVM_ldx_local + y + t, 1, 16 / bytes - 1, 0, OK);
+            if (t < SMVM_RAW) {
+                WITH_BOTH(SMVM_ldx_elem + y + t, 1, 40 / bytes, 0, OPERAND);
+                WITH_BOTH(SMVM_ldx_elem + y + t, 1, 40 / bytes - 1, 0, OK);
+            }
+            for (unsigned i = 0; i < 4; i++) {
+                WITH_BOTH(SMVM_ldx_local + y + t, 1, far[i], 0, OPERAND);
+                if (t < SMVM_RAW)
+                    WITH_BOTH(SMVM_ldx_elem + y + t, 1, far[i], 0, OPERAND);
+            }
+        }
+    for (unsigned t = 0; t <= SMVM_RAW; t++) {
+        const unsigned bytes = t == SMVM_RAW ? 8 : sm_type_info[t].bytes;
+        WITH_BOTH(SMVM_st_local + t, 1, 16 / bytes, 0, OPERAND);
+        WITH_BOTH(SMVM_st_local + t, 1, 16 / bytes - 1, 0, OK);
+        WITH_BOTH(SMVM_st_local + t, 1, 0x1000c5f, 0, OPERAND);
+        WITH_BOTH(SMVM_cvt, 1, t, 0, OK + (t == SMVM_RAW ? SMVM_R_OPERAND : 0));
     }
+    for (unsigned m = 0; m < 20; m++)
+        WITH_BOTH(SMVM_set, 1, m, 0, OK + (m < 1 || m > 14 ? SMVM_R_OPERAND : 0));
+    for (unsigned i = 0; i < 4; i++) {
+        WITH_BOTH(SMVM_out, 1, far[i], 0, OPERAND);
+        WITH_BOTH(SMVM_cvt, 1, far[i], 0, OPERAND);
+        WITH_BOTH(SMVM_set, 1, far[i], 0, OPERAND);
+        WITH_BOTH(SMVM_ldx_f32, 1, far[i], 0, OPERAND);
+        WITH_BOTH(SMVM_ldy_f64, 1, far[i], 0, OPERAND);
+        WITH_BOTH(SMVM_ldx_plus, 1, far[i], 0, OK);
+        WITH_BOTH(SMVM_ldy_minus, 1, far[i], 0, OK);
+        WITH_BOTH(SMVM_addi, 1, far[i], 0, OK);
+        WITH_BOTH(SMVM_jxn, 2, far[i], 0, OK);
+    }
+    WITH_BOTH(SMVM_out, 1, 2, 0, OPERAND);
+    WITH_BOTH(SMVM_ldx_f32, 1, 1, 0, OPERAND);
+    WITH_BOTH(SMVM_ldy_f32, 1, 1, 0, OPERAND);
+    WITH_BOTH(SMVM_ldx_f64, 1, 1, 0, OPERAND);
+    WITH_BOTH(SMVM_ldy_f64, 1, 1, 0, OPERAND);
+}
+
+// Elements before and behind the part of the vector that the machine names.
+static void elements_of_a_part(void)
+{
+    for (unsigned t = 0; t < SM_TYPE_COUNT; t++)
+        for (unsigned k = 0; k < 4; k++) {
+            const unsigned bytes = sm_type_info[t].bytes;
+            const uint32_t at[] = {16 / bytes - 1, 16 / bytes, 48 / bytes - 1, 48 / bytes};
+            SmvmVerdict v;
+            Build b;
+            open_step(&b);
+            code(&b, SMVM_ldx_elem + t, 1, at[k]);
+            code(&b, SMVM_end, 0);
+            close_step(&b);
+            b.sv_words = 8;
+            b.from = 2;
+            b.to = 6;
+            b.g = 5;
+            b.s = 8;
+            CHECK(verify(&b, &v) == (k == 0 || k == 3 ? SMVM_R_OPERAND : 0));
+        }
 }
 
 static void window_use(void)
 {
-    STEP_REFUSED(code(&b, SMVM_avg, 2, T0, 2); code(&b, SMVM_end, 0), WINDOW_USED);
-    STEP_REFUSED(code(&b, SMVM_avg, 2, T0, 0x1000c5f); code(&b, SMVM_end, 0), WINDOW_USED);
-    STEP_REFUSED(code(&b, SMVM_avg, 2, T0, 1); code(&b, SMVM_end, 0), WINDOW_USED);             // statistics that it does not keep
-    STEP_REFUSED(code(&b, SMVM_median, 2, T0, 0); code(&b, SMVM_end, 0), WINDOW_USED);
-    STEP_REFUSED(code(&b, SMVM_lowest, 2, T0, 1); code(&b, SMVM_end, 0), WINDOW_USED);
-    STEP_REFUSED(code(&b, SMVM_highest, 2, T0, 0); code(&b, SMVM_end, 0), WINDOW_USED);
-    STEP_REFUSED(code(&b, SMVM_range, 2, T0, 0); code(&b, SMVM_end, 0), WINDOW_USED);
-    STEP_REFUSED(code(&b, SMVM_sample, 2, 2, T0); code(&b, SMVM_end, 0), WINDOW_USED);
-    STEP_REFUSED(code(&b, SMVM_sample, 2, 0, T0); code(&b, SMVM_end, 0), SAMPLE);               // outside the sample function
+    static const struct { unsigned stat, window; uint8_t rule; } row[] = {
+        {SM_STAT_AVG, 2, SMVM_R_WINDOW_USED}, {SM_STAT_AVG, 0x1000c5f, SMVM_R_WINDOW_USED}, {SM_STAT_AVG, 0x10000, SMVM_R_WINDOW_USED},
+        {SM_STAT_AVG, 1, SMVM_R_WINDOW_USED}, {SM_STAT_MEDIAN, 0, SMVM_R_WINDOW_USED}, {SM_STAT_MIN, 1, SMVM_R_WINDOW_USED},       // not kept
+        {SM_STAT_MAX, 0, SMVM_R_WINDOW_USED}, {SM_STAT_RANGE, 0, SMVM_R_WINDOW_USED}, {SM_STAT_COUNT, 0, SMVM_R_OPERAND},
+        {0x10000, 0, SMVM_R_OPERAND}, {0x1000c5f, 0, SMVM_R_OPERAND}, {SM_STAT_AVG, 0, 0}, {SM_STAT_MIN, 0, 0}, {SM_STAT_MEDIAN, 1, 0},
+    };
+
+    for (unsigned i = 0; i < sizeof row / sizeof *row; i++)
+        STEP_REFUSED(code(&b, SMVM_stat, 2, row[i].stat, row[i].window); code(&b, SMVM_end, 0), OK + row[i].rule);
+    STEP_REFUSED(in(&b); code(&b, SMVM_sample, 1, 2); code(&b, SMVM_end, 0), WINDOW_USED);
+    STEP_REFUSED(in(&b); code(&b, SMVM_sample, 1, 0); code(&b, SMVM_end, 0), SAMPLE);           // outside the sample function
 }
 
 #define SAMPLE_REFUSED(statements, rule)          \
@@ -590,20 +656,26 @@ static void window_use(void)
         REFUSED(&b, rule);                        \
     } while (0)
 
+static void sample(Build *b, unsigned w)
+{
+    in(b);
+    code(b, SMVM_sample, 1, w);
+}
+
+static void average(Build *b) { code(b, SMVM_stat, 2, SM_STAT_AVG, 0); }
+
 static void sampling(void)
 {
     SAMPLE_REFUSED((void)b, SAMPLE);                                                            // no sample at all
-    SAMPLE_REFUSED(code(&b, SMVM_sample, 2, 0, IN); code(&b, SMVM_end, 0), SAMPLE);             // one is missing
-    SAMPLE_REFUSED(code(&b, SMVM_sample, 2, 1, IN); code(&b, SMVM_sample, 2, 0, IN); code(&b, SMVM_end, 0), SAMPLE);
-    SAMPLE_REFUSED(code(&b, SMVM_sample, 2, 0, IN); code(&b, SMVM_sample, 2, 0, IN); code(&b, SMVM_end, 0), SAMPLE);
-    SAMPLE_REFUSED(code(&b, SMVM_sample, 2, 0, IN); code(&b, SMVM_sample, 2, 1, IN); code(&b, SMVM_sample, 2, 1, IN); code(&b, SMVM_end, 0), SAMPLE);
-    SAMPLE_REFUSED(code(&b, SMVM_avg, 2, T0, 0); code(&b, SMVM_end, 0), SAMPLE);                // read before
-    SAMPLE_REFUSED(code(&b, SMVM_avg, 2, T0, 0); code(&b, SMVM_sample, 2, 0, IN); code(&b, SMVM_sample, 2, 1, IN); code(&b, SMVM_end, 0), SAMPLE);
-    SAMPLE_REFUSED(code(&b, SMVM_jt, 2, IN, 3); code(&b, SMVM_sample, 2, 0, IN);                // passed over
-                   code(&b, SMVM_sample, 2, 1, IN); code(&b, SMVM_end, 0), SAMPLE);
-    SAMPLE_REFUSED(code(&b, SMVM_jt, 2, IN, 1); code(&b, SMVM_end, 0); code(&b, SMVM_sample, 2, 0, IN);     // over by then
-                   code(&b, SMVM_sample, 2, 1, IN); code(&b, SMVM_end, 0), SAMPLE);
-    SAMPLE_REFUSED(code(&b, SMVM_sample, 2, 0, IN); code(&b, SMVM_sample, 2, 1, IN); code(&b, SMVM_goto, 1, 1), GOTO);
+    SAMPLE_REFUSED(sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);                               // one is missing
+    SAMPLE_REFUSED(sample(&b, 1); sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);
+    SAMPLE_REFUSED(sample(&b, 0); sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);
+    SAMPLE_REFUSED(sample(&b, 0); sample(&b, 1); sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);
+    SAMPLE_REFUSED(average(&b); code(&b, SMVM_end, 0), SAMPLE);                                 // read before
+    SAMPLE_REFUSED(average(&b); sample(&b, 0); sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);
+    SAMPLE_REFUSED(in(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_sample, 1, 0); sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);      // passed over
+    SAMPLE_REFUSED(in(&b); code(&b, SMVM_jt, 1, 1); code(&b, SMVM_end, 0); sample(&b, 0); sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);     // over by then
+    SAMPLE_REFUSED(sample(&b, 0); sample(&b, 1); code(&b, SMVM_goto, 1, 1), GOTO);
 }
 
 static void transitions(void)
@@ -627,65 +699,82 @@ static void transition_in_exit(void)
 
 static void jumps(void)
 {
-    STEP_REFUSED(code(&b, SMVM_jt, 2, T0, 1); code(&b, SMVM_end, 0), JUMP);                     // to the function's end
+    STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 1); code(&b, SMVM_end, 0), JUMP);                 // to the function's end
     STEP_REFUSED(code(&b, SMVM_jmp, 1, 0), JUMP);
-    STEP_REFUSED(code(&b, SMVM_jt, 2, T0, 2); code(&b, SMVM_end, 0), JUMP);                     // into the next function
-    STEP_REFUSED(code(&b, SMVM_jt, 2, T0, 0x1000c5f); code(&b, SMVM_end, 0), JUMP);             // as far as can be said
-    STEP_REFUSED(code(&b, SMVM_jmp, 1, 1); code(&b, SMVM_mov, 2, T0, T1); code(&b, SMVM_end, 0), JUMP);      // into an instruction
-    STEP_REFUSED(code(&b, SMVM_jmp, 1, 2); code(&b, SMVM_mov, 2, T0, T1); code(&b, SMVM_end, 0), JUMP);
-    STEP_REFUSED(code(&b, SMVM_mov, 2, T0, T1), FALLS_OUT);
-    STEP_REFUSED(code(&b, SMVM_end, 0); code(&b, SMVM_mov, 2, T0, T1), FALLS_OUT);
+    STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_end, 0), JUMP);                 // into the next function
+    STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 0x1000c5f); code(&b, SMVM_end, 0), JUMP);         // as far as can be said
+    STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 0x10000); code(&b, SMVM_end, 0), JUMP);
+    STEP_REFUSED(code(&b, SMVM_jmp, 1, 1); in(&b); code(&b, SMVM_end, 0), JUMP);                // into an instruction
+    STEP_REFUSED(code(&b, SMVM_jmp, 1, 2); code(&b, SMVM_stat, 2, 0, 0); code(&b, SMVM_end, 0), JUMP);
+    STEP_REFUSED(in(&b), FALLS_OUT);
+    STEP_REFUSED(code(&b, SMVM_end, 0); in(&b), FALLS_OUT);
+    STEP_REFUSED(in(&b); code(&b, SMVM_jt, 1, 0); code(&b, SMVM_ldx_time, 0), FALLS_OUT);
 }
 
-// An accumulator: TIME and SEVEN are two of them here.
-#define ACC_STEP(statements) \
-    open_step(&b);           \
-    b.operand[TIME] = OPERAND(27, 11);    \
-    b.operand[SEVEN] = OPERAND(27, SM_U8); \
-    statements;              \
-    code(&b, SMVM_end, 0);   \
-    end_function(&b);        \
-    end_function(&b);        \
-    for (int i_ = 0; i_ < 3; i_++) { \
-        code(&b, SMVM_end, 0); \
-        end_function(&b);    \
-    }
-
-static void accumulators(void)
+static void both(Build *b)
 {
-    enum { ACC = TIME, ACC_U8 = SEVEN };
-    SmvmVerdict v;
+    in(b);
+    typed(b, SMVM_ldy_elem, SM_F64, IN);
+}
+
+#define THEN(statements, rule) STEP_REFUSED(statements; code(&b, SMVM_end, 0), rule)
+
+// What an instruction leaves in the registers.
+static void registers(void)
+{
+    THEN(code(&b, SMVM_addi, 1, 1), REGISTER);                                                  // nobody gave it a number
+    THEN(code(&b, SMVM_ldy_plus, 1, 1); code(&b, SMVM_neg, 0), REGISTER);
+    THEN(in(&b); code(&b, SMVM_add, 0), REGISTER);
+    THEN(both(&b); code(&b, SMVM_add, 0); code(&b, SMVM_mul, 0), OK);
+    THEN(both(&b); code(&b, SMVM_set, 1, 1); code(&b, SMVM_add, 0), OK);
+    THEN(both(&b); code(&b, SMVM_addi, 1, 1); code(&b, SMVM_cvt, 1, 0); code(&b, SMVM_neg, 0); code(&b, SMVM_or, 0), OK);
+    THEN(both(&b); in(&b); code(&b, SMVM_add, 0), REGISTER);                                    // Y is forgotten
+    THEN(both(&b); code(&b, SMVM_ldx_time, 0); code(&b, SMVM_add, 0), REGISTER);
+    THEN(both(&b); code(&b, SMVM_ldx_plus, 1, 0); code(&b, SMVM_add, 0), REGISTER);
+    THEN(both(&b); code(&b, SMVM_stat, 2, 0, 0); code(&b, SMVM_add, 0), REGISTER);
+    THEN(both(&b); typed(&b, SMVM_st_local, SM_I8, 0); code(&b, SMVM_add, 0), REGISTER);
+    THEN(both(&b); typed(&b, SMVM_st_local, SM_I8, 0); code(&b, SMVM_neg, 0), OK);              // and X kept
+    THEN(both(&b); code(&b, SMVM_out, 1, 0); code(&b, SMVM_add, 0), REGISTER);
+    THEN(both(&b); code(&b, SMVM_out, 1, 0); code(&b, SMVM_jt, 1, 0), OK);
+    THEN(both(&b); code(&b, SMVM_jmp, 1, 0); code(&b, SMVM_ldy_plus, 1, 0), REGISTER);          // (a jump to ldy)
+    THEN(both(&b); code(&b, SMVM_end, 0); code(&b, SMVM_neg, 0), REGISTER);                     // behind the end
+    THEN(both(&b); code(&b, SMVM_goto, 1, 1); code(&b, SMVM_neg, 0), REGISTER);
+    THEN(both(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_jmp, 1, 0); in(&b); code(&b, SMVM_add, 0), REGISTER);
+    SAMPLE_REFUSED(both(&b); code(&b, SMVM_sample, 1, 0); code(&b, SMVM_add, 0); code(&b, SMVM_sample, 1, 1); code(&b, SMVM_end, 0), REGISTER);
+    SAMPLE_REFUSED(both(&b); code(&b, SMVM_sample, 1, 0); code(&b, SMVM_neg, 0); code(&b, SMVM_sample, 1, 1); code(&b, SMVM_end, 0), OK);
+}
+
+// Both registers keep their numbers behind a jump that is not taken, and may hold anything behind one that is.
+static void registers_and_jumps(void)
+{
+    for (unsigned op = 0x80; op < 0x100; op++) {      // a jump to each instruction
+        const uint32_t shape = smvm_shape((uint8_t)op);
+        const bool alone = (shape & SMVM_SHAPE_GX && !(shape & SMVM_SHAPE_X)) || op == SMVM_goto || op == SMVM_end || op == SMVM_jmp;
+        if (shape == 0 || op == SMVM_sample)
+            continue;
+        THEN(both(&b); code(&b, SMVM_jt, 1, 0); code(&b, op, shape & SMVM_SHAPE_K || (shape & SMVM_SHAPE_N && shape & SMVM_SHAPE_J) ? 2
+             : shape & SMVM_SHAPE_FOLLOWS ? 1 : 0, op == SMVM_set || op == SMVM_goto ? 1 : op >= SMVM_ldx_elem && op < SMVM_stat ? 4 : 0, 0), OK + (alone ? 0 : SMVM_R_REGISTER));
+    }
+    THEN(both(&b); code(&b, SMVM_jxy, 1, 1); code(&b, SMVM_add, 0), OK);
+    THEN(both(&b); code(&b, SMVM_jxn, 2, 5, 1); code(&b, SMVM_add, 0), OK);
+    THEN(both(&b); code(&b, SMVM_jf, 1, 1); code(&b, SMVM_add, 0), OK);
+    THEN(both(&b); code(&b, SMVM_jt, 1, 1); code(&b, SMVM_add, 0), OK);
+}
+
+// Into another function.
+static void registers_end(void)
+{
     Build b;
 
-    ACC_STEP(code(&b, SMVM_mov, 2, ACC, T0); code(&b, SMVM_add, 3, ACC_U8, ACC, ACC); code(&b, SMVM_jeq, 3, T0, ACC_U8, 0));
-    CHECK(verify(&b, &v) == 0);
-    ACC_STEP(code(&b, SMVM_median, 2, ACC, 1); code(&b, SMVM_jt, 2, ACC, 3); code(&b, SMVM_mov, 2, T0, T1));     // over what reads none
-    CHECK(verify(&b, &v) == 0);
-    ACC_STEP(code(&b, SMVM_mov, 2, T0, ACC));                                                                    // nobody wrote it
-    REFUSED(&b, ACC);
-    ACC_STEP(code(&b, SMVM_mov, 2, ACC, T0); code(&b, SMVM_mov, 2, T1, T0); code(&b, SMVM_mov, 2, T0, ACC));     // too late
-    REFUSED(&b, ACC);
-    ACC_STEP(code(&b, SMVM_mov, 2, ACC, T0); code(&b, SMVM_mov, 2, T0, ACC); code(&b, SMVM_mov, 2, T0, ACC));
-    REFUSED(&b, ACC);
-    ACC_STEP(code(&b, SMVM_mov, 2, ACC, ACC));
-    REFUSED(&b, ACC);
-    ACC_STEP(code(&b, SMVM_mov, 2, ACC, T0); code(&b, SMVM_add, 3, T0, T0, ACC_U8));                             // another
-    REFUSED(&b, ACC);
-    ACC_STEP(code(&b, SMVM_jt, 2, T0, 3); code(&b, SMVM_mov, 2, ACC, T0); code(&b, SMVM_mov, 2, T0, ACC));       // a jump to its reader
-    REFUSED(&b, ACC);
-    ACC_STEP(code(&b, SMVM_jt, 2, T0, 3); code(&b, SMVM_mov, 2, ACC, T0); code(&b, SMVM_jlt, 3, T0, ACC, 0));
-    REFUSED(&b, ACC);
-    ACC_STEP(code(&b, SMVM_mov, 2, ACC, T0); code(&b, SMVM_end, 0));                                             // into another function
-    b.end[3] = b.size;
-    b.end[4] = b.size + 3;
-    REFUSED(&b, FUNCTIONS);
     open_step(&b);
-    b.operand[TIME] = OPERAND(27, 11);
-    code(&b, SMVM_jmp, 1, 3);                                                                                    // what is there is cut short
-    code(&b, SMVM_mov, 2, ACC, T0);
-    code(&b, SMVM_mov, 1, T0);
-    close_step(&b);
-    REFUSED(&b, TRUNCATED);
+    in(&b);
+    code(&b, SMVM_end, 0);
+    end_function(&b);
+    code(&b, SMVM_neg, 0);
+    code(&b, SMVM_end, 0);
+    end_function(&b);
+    put_state(&b, 1);
+    REFUSED(&b, REGISTER);
 }
 
 // ---- the longest step ----
@@ -701,54 +790,57 @@ static uint32_t longest(Build *b)
     b->end[5] = b->end[3] + 2;
     b->end[6] = b->end[3] + 3;
     CHECK(verify(b, &v) == 0);
-    return v.longest - 4;                             // less the sample function
+    return v.longest - 5;                             // less the sample function
 }
 
 static void longest_steps(void)
 {
     Build b;
 
-    open_step(&b);                                    // 3 on one side, 1 on the other, 1 before and after
-    code(&b, SMVM_jt, 2, T0, 2 + 4 * 3);
+    open_step(&b);                                    // 4 and a jump on one side, 1 on the other, 2 before and 1 after
+    code(&b, SMVM_ldx_time, 0);
+    code(&b, SMVM_jt, 1, 2 + 4);
     for (unsigned i = 0; i < 4; i++)
-        code(&b, SMVM_mov, 2, T0, T1);
-    code(&b, SMVM_jmp, 1, 3);
-    code(&b, SMVM_mov, 2, T0, T1);
+        code(&b, SMVM_ldx_time, 0);
+    code(&b, SMVM_jmp, 1, 1);
+    code(&b, SMVM_ldx_time, 0);
     code(&b, SMVM_end, 0);
-    CHECK(longest(&b) == 1 + 4 + 1 + 1);
+    CHECK(longest(&b) == 2 + 4 + 1 + 1);
     open_step(&b);                                    // unreachable code costs nothing
-    code(&b, SMVM_jmp, 1, 9);
+    code(&b, SMVM_jmp, 1, 3);
     for (unsigned i = 0; i < 3; i++)
-        code(&b, SMVM_mov, 2, T0, T1);
+        code(&b, SMVM_ldx_time, 0);
     code(&b, SMVM_end, 0);
     CHECK(longest(&b) == 2);
 }
 
-// n conditions, each of which jumps to an `end` of its own behind 32 moves, the first to the last.  While the verifier can
+// n conditions, each of which jumps to an `end` of its own behind 96 loads, the first to the last.  While the verifier can
 // follow all n, the longest way is that past all conditions; beyond, it adds up everything.
 static void many_ways(void)
 {
-    enum { MOVES = 32, MOST = SMVM_JOINS + 20 };
+    enum { LOADS = 96, MOST = SMVM_JOINS + 20 };
 
     for (unsigned n = 1; n < MOST; n++) {
         uint32_t counted;
         Build b;
         open_step(&b);
+        code(&b, SMVM_ldx_time, 0);
         for (unsigned i = 0; i < n; i++)
-            code(&b, SMVM_jt, 2, T0, 4 * (n - 1 - i) + 3 * MOVES + n - i);
-        for (unsigned i = 0; i < MOVES; i++)
-            code(&b, SMVM_mov, 2, T0, T1);
+            code(&b, SMVM_jt, 1, 3 * (n - 1 - i) + LOADS + n - i);
+        for (unsigned i = 0; i < LOADS; i++)
+            code(&b, SMVM_ldx_time, 0);
         for (unsigned i = 0; i <= n; i++)
             code(&b, SMVM_end, 0);
         b.width = 2;
         counted = longest(&b);
-        CHECK(n <= SMVM_JOINS ? counted == n + MOVES + 1 : counted == n + MOVES + n + 1);
+        CHECK(n <= SMVM_JOINS ? counted == 1 + n + LOADS + 1 : counted == 1 + n + LOADS + n + 1);
     }
 }
 
 // ---- the longest step of random functions, found by trying every way ----
 
-typedef struct Random { uint8_t op; unsigned to; } Random;     // `to`: which instruction a jump leads to
+// `to`: which one a jump leads to; jt stands for a load and a jump.
+typedef struct Random { uint8_t op; unsigned to; } Random;
 
 static uint64_t seed = 1;
 
@@ -767,14 +859,14 @@ static unsigned try_ways(const Random *r, unsigned i, uint8_t last)
 
     if (r[i].op == SMVM_end || r[i].op == SMVM_goto)
         return r[i].op == last;
-    if (r[i].op == SMVM_mov) {
+    if (r[i].op == SMVM_ldx_time) {
         next = try_ways(r, i + 1, last);
         return next ? next + 1 : 0;
     }
     jump = try_ways(r, r[i].to, last);
     next = r[i].op == SMVM_jmp ? 0 : try_ways(r, i + 1, last);
     next = next > jump ? next : jump;
-    return next ? next + 1 : 0;
+    return next ? next + (r[i].op == SMVM_jt ? 2 : 1) : 0;
 }
 
 static unsigned random_function(Random *r, bool may_go)
@@ -784,7 +876,7 @@ static unsigned random_function(Random *r, bool may_go)
     for (unsigned i = 0; i < n; i++) {
         unsigned k = below(10);
         bool last = i + 1 == n;
-        r[i].op = last || k == 0 ? (may_go && below(2) ? SMVM_goto : SMVM_end) : k < 3 ? SMVM_jmp : k < 7 ? SMVM_jt : SMVM_mov;
+        r[i].op = last || k == 0 ? (may_go && below(2) ? SMVM_goto : SMVM_end) : k < 3 ? SMVM_jmp : k < 7 ? SMVM_jt : SMVM_ldx_time;
         r[i].to = last ? 0 : i + 1 + below(n - i - 1);
     }
     return n;
@@ -792,22 +884,17 @@ static unsigned random_function(Random *r, bool may_go)
 
 static void put_random(Build *b, const Random *r, unsigned n)
 {
-    static const unsigned bytes[4] = {1, 2, 2, 3};
     unsigned at[15] = {0};
 
     for (unsigned i = 0; i < n; i++)
-        at[i + 1] = at[i] + bytes[r[i].op == SMVM_end ? 0 : r[i].op == SMVM_goto ? 1 : r[i].op == SMVM_jmp ? 2 : 3];
+        at[i + 1] = at[i] + (r[i].op == SMVM_jt ? 3 : r[i].op == SMVM_goto || r[i].op == SMVM_jmp ? 2 : 1);
     for (unsigned i = 0; i < n; i++) {
-        if (r[i].op == SMVM_end)
-            code(b, SMVM_end, 0);
-        else if (r[i].op == SMVM_goto)
-            code(b, SMVM_goto, 1, 1);
-        else if (r[i].op == SMVM_mov)
-            code(b, SMVM_mov, 2, T0, SEVEN);
-        else if (r[i].op == SMVM_jmp)
-            code(b, SMVM_jmp, 1, at[r[i].to] - at[i + 1]);
+        if (r[i].op == SMVM_jt)
+            code(b, SMVM_ldx_time, 0);
+        if (r[i].op == SMVM_end || r[i].op == SMVM_ldx_time)
+            code(b, r[i].op, 0);
         else
-            code(b, SMVM_jt, 2, T0, at[r[i].to] - at[i + 1]);
+            code(b, r[i].op, 1, r[i].op == SMVM_goto ? 1 : at[r[i].to] - at[i + 1]);
     }
     end_function(b);
 }
@@ -839,7 +926,7 @@ static void random_ways(void)
         }
         b.states = 1;
         b.width = 2;
-        CHECK(verify(&b, &v) == 0 && v.longest == 4 + longest_of);
+        CHECK(verify(&b, &v) == 0 && v.longest == 5 + longest_of);
     }
 }
 
@@ -851,20 +938,25 @@ int main(void)
     record();
     short_machine();
     tables();
+    spans();
     outputs();
     memory();
     initial_values();
-    initial_values_elsewhere();
+    initial_values_at_the_end();
     two_machines();
     functions();
+    opcodes();
     instructions();
-    writes();
+    operands();
+    elements_of_a_part();
     window_use();
     sampling();
     transitions();
     transition_in_exit();
     jumps();
-    accumulators();
+    registers();
+    registers_and_jumps();
+    registers_end();
     longest_steps();
     many_ways();
     random_ways();

@@ -17,22 +17,6 @@ typedef struct Writer {
     uint32_t sections;
 } Writer;
 
-static void put_u24(Buf *b, uint32_t v)
-{
-    for (int i = 0; i < 3; i++)
-        buf_char(b, (char)(v >> 8 * i & 0xff));
-}
-
-// The 0 behind it is not counted: it lets a name be read in place, as text.
-static void put_name(Buf *b, const char *text, size_t len)
-{
-    if (len >= SMVM_VARINT_MID)
-        len = SMVM_VARINT_MID - 1;
-    bc_varint(b, (uint32_t)len);
-    buf_put(b, text, len);
-    buf_char(b, 0);
-}
-
 // Offsets are made to count from the image's start when the size of the table is known.
 static void add_section(Writer *w, uint8_t id, uint8_t version, const Buf *bytes)
 {
@@ -66,20 +50,24 @@ static void add_identity(Writer *w, IrMachine *const *m, size_t n)
 
 enum { PIN_SCALE = 0x20, PIN_OFFSET = 0x40, PIN_MORE = 0x80 };
 
-static bool is_whole_entry(SmF64 x)
+enum { NUMBER_F32 = 8, NUMBER_F64 = 9, NUMBER_WHOLE = 15 };      // in the place of a type
+
+static bool is_whole(SmF64 x)
 {
-    return sm_le(sm_from_i32(SMVM_INT_LEAST), x) && sm_le(x, sm_from_i32(SMVM_INT_MOST)) && sm_eq(sm_from_i32(sm_cut_i32(x)), x);
+    const int32_t most = (int32_t)(SMVM_PLACES / 2);
+
+    return sm_le(sm_from_i32(-most), x) && sm_lt(x, sm_from_i32(most)) && sm_eq(sm_from_i32(sm_cut_i32(x)), x);
 }
 
 static void put_number(Buf *b, SmF64 x)
 {
-    if (is_whole_entry(x)) {
-        put_u24(b, ((uint32_t)sm_cut_i32(x) << SMVM_KIND_BITS | SMVM_K_INT) & 0xffffffu);
+    if (is_whole(x)) {
+        bc_u24(b, bc_pack((uint32_t)sm_cut_i32(x), NUMBER_WHOLE));
     } else if (sm_eq(sm_from_f32(sm_to_f32(x)), x)) {
-        put_u24(b, SMVM_K_F32);
+        bc_u24(b, bc_pack(0, NUMBER_F32));
         buf_u32(b, sm_f32_bits(sm_to_f32(x)));
     } else {
-        put_u24(b, SMVM_K_F64);
+        bc_u24(b, bc_pack(0, NUMBER_F64));
         buf_u64(b, sm_bits(x));
     }
 }
@@ -94,13 +82,13 @@ static uint8_t front_of(const Pin *p)
                      | (is_zero(p->offset) ? 0u : PIN_OFFSET) | (more ? PIN_MORE : 0u));
 }
 
-// False if the element lies too far behind for an operand.
+// False if the element lies too far behind for a place.
 static bool put_pin(Buf *b, const Pin *p)
 {
     const uint32_t at = p->element->offset >> smvm_type_shift(p->element->type), front = front_of(p);
 
     buf_char(b, (char)front);
-    put_u24(b, at << SMVM_KIND_BITS | (uint32_t)p->element->type);
+    bc_u24(b, bc_pack(at, (uint32_t)p->element->type));
     bc_varint(b, p->number);
     if (front & PIN_SCALE)
         put_number(b, p->scale);
@@ -110,7 +98,7 @@ static bool put_pin(Buf *b, const Pin *p)
         put_number(b, p->safe);
     else if (front & PIN_MORE)
         buf_char(b, (char)p->hold);
-    return at < (uint32_t)SMVM_PAYLOADS;
+    return at < SMVM_PLACES;
 }
 
 static bool add_pins(Writer *w, const IoMap *io)
@@ -153,25 +141,49 @@ static void put_windows(Writer *w, Buf *b, const BcMachine *m)
     }
 }
 
+// The part of the state vector that the machine names, in units of 8 bytes: [*from, *to).
+static void find_span(const BcMachine *m, uint32_t *from, uint32_t *to)
+{
+    const IrMachine *ir = m->ir;
+
+    *from = UINT32_MAX;
+    *to = 0;
+    for (uint32_t v = 0; v < ir->var.n; v++) {
+        const uint32_t at = ir->var.at[v].offset / 8;
+        if (ir->var.at[v].space != IR_ELEMENT || (m->of_var[v] == BC_NONE && v != ir->g && v != ir->s))
+            continue;
+        *from = at < *from ? at : *from;
+        *to = at + 1 > *to ? at + 1 : *to;
+    }
+}
+
+static void put_tables(Writer *w, Buf *b, const BcMachine *m, uint8_t width)
+{
+    put_windows(w, b, m);
+    for (size_t i = 0; i < m->output.n; i++)
+        bc_u24(b, bc_place(m, m->output.at[i]));
+    put_functions(b, m, width);
+    for (size_t i = 0; i < m->f32s.n; i++)
+        buf_u32(b, m->f32s.at[i]);
+    for (size_t i = 0; i < m->f64s.n; i++)
+        buf_u64(b, m->f64s.at[i]);
+}
+
 static void add_machine(Writer *w, const BcMachine *m, size_t code_size)
 {
+    const IrMachine *ir = m->ir;
     uint8_t width = code_size < 0x100 ? 1 : code_size < 0x10000 ? 2 : 3;
-    const uint32_t number[] = {m->ir->sv_size / 8, m->locals, m->temps, (uint32_t)m->ir->window.n, m->outputs, (uint32_t)m->operand.n,
-                               (uint32_t)m->ir->state.n, width, (uint32_t)m->f32s.n, (uint32_t)m->f64s.n};
+    uint32_t from, to;
     Buf b;
 
+    find_span(m, &from, &to);
+    const uint32_t number[] = {ir->sv_size / 8, from, to, m->locals, (uint32_t)ir->window.n, (uint32_t)m->output.n, (uint32_t)ir->state.n, width,
+                               (uint32_t)m->f32s.n, (uint32_t)m->f64s.n, ir->var.at[ir->g].offset / 8, ir->var.at[ir->s].offset / 4};
     buf_init(&b, w->arena);
-    buf_u32(&b, m->ir->sv_hash);
+    buf_u32(&b, ir->sv_hash);
     for (size_t i = 0; i < sizeof number / sizeof number[0]; i++)
         bc_varint(&b, number[i]);
-    put_windows(w, &b, m);
-    for (size_t i = 0; i < m->operand.n; i++)
-        put_u24(&b, bc_operand_entry(m, &m->operand.at[m->order[i]]));
-    put_functions(&b, m, width);
-    for (size_t i = 0; i < m->f32s.n; i++)
-        buf_u32(&b, m->f32s.at[i]);
-    for (size_t i = 0; i < m->f64s.n; i++)
-        buf_u64(&b, m->f64s.at[i]);
+    put_tables(w, &b, m, width);
     add_section(w, SMVM_S_MACHINE, SMVM_V_MACHINE, &b);
 }
 
@@ -184,103 +196,12 @@ static void add_init(Writer *w, const BcMachine *m)
         const IrVar *var = &m->ir->var.at[v];
         if (var->space != IR_LOCAL || var->init == 0)
             continue;
-        put_u24(&b, bc_var_entry(m, v));
+        bc_u24(&b, bc_place(m, v));
         for (uint32_t i = 0; i < sm_type_info[var->type].bytes; i++)
             buf_char(&b, (char)(var->init >> 8 * i & 0xff));
     }
     if (b.n > 0)
         add_section(w, SMVM_S_INIT, SMVM_V_INIT, &b);
-}
-
-// ---- DEBUG ----
-
-static const char *base_name(const char *path)
-{
-    const char *name = path;
-
-    for (; *path; path++)
-        if (*path == '/' || *path == '\\')
-            name = path + 1;
-    return name;
-}
-
-// Lines as steps: how many bytes on in the code, how many lines on (zigzag: 0, -1, 1, -2 …).
-static void put_lines(Writer *w, Buf *out, const BcMachine *m)
-{
-    uint32_t start = 0, last_at = 0, last_line = 0, n = 0;
-    Buf b;
-
-    buf_init(&b, w->arena);
-    for (size_t f = 0; f < m->fns; start += m->fn[f++].size)
-        for (size_t i = 0; i < m->fn[f].ins.n; i++) {
-            const BcIns *ins = &m->fn[f].ins.at[i];
-            uint32_t line = ins->span.src ? source_position(ins->span.src, ins->span.at).line : last_line;
-            if (line == last_line)
-                continue;
-            bc_varint(&b, start + ins->at - last_at);
-            bc_varint(&b, line > last_line ? (line - last_line) * 2 : (last_line - line) * 2 - 1);
-            last_at = start + ins->at;
-            last_line = line;
-            n++;
-        }
-    bc_varint(out, n);
-    buf_put(out, b.at, b.n);
-}
-
-// Three numbers, then tables of offsets of names, then the names, then the lines: see docs/bytecode.md.
-typedef struct Names {
-    Buf tables, names;
-    uint32_t first;           // where the names will start, from the start of the section
-} Names;
-
-static uint32_t add_name(Names *n, const char *text, size_t len)
-{
-    uint32_t at = n->first + (uint32_t)n->names.n;
-
-    put_name(&n->names, text, len);
-    return at;
-}
-
-static void put_var_names(Writer *w, Names *n, const BcMachine *m, uint32_t vars)
-{
-    const IrMachine *ir = m->ir;
-    uint32_t *name = ARENA_ARRAY(w->arena, uint32_t, ir->var.n);
-
-    for (uint32_t v = 0; v < ir->var.n; v++)
-        name[v] = add_name(n, ir->var.at[v].name->text, ir->var.at[v].name->len);
-    for (size_t i = 0; i < m->operand.n; i++) {
-        const BcOperand *o = &m->operand.at[m->order[i]];
-        put_u24(&n->tables, o->kind == BC_VAR ? name[o->var] : 0);
-    }
-    for (uint32_t v = 0; v < vars; v++) {
-        uint32_t entry = bc_var_entry(m, v);
-        put_u24(&n->tables, entry);
-        put_u24(&n->tables, name[v]);
-    }
-}
-
-static void add_debug(Writer *w, const BcMachine *m)
-{
-    const Program *p = m->ir->program;
-    const char *source = p && p->src ? base_name(p->src->name) : "";
-    uint32_t vars = (uint32_t)m->ir->var.n;
-    Names n;
-
-    buf_init(&n.tables, w->arena);
-    buf_init(&n.names, w->arena);
-    n.first = (uint32_t)(3 * (SMVM_DEBUG_NUMBERS + m->ir->state.n + m->operand.n + 2 * vars));
-    put_u24(&n.tables, vars);
-    put_u24(&n.tables, 0);                                       // where the lines start, filled in below
-    put_u24(&n.tables, add_name(&n, m->ir->name->text, m->ir->name->len));
-    put_u24(&n.tables, add_name(&n, source, strlen(source)));
-    for (size_t s = 0; s < m->ir->state.n; s++)
-        put_u24(&n.tables, add_name(&n, m->ir->state.at[s].name->text, m->ir->state.at[s].name->len));
-    put_var_names(w, &n, m, vars);
-    for (int i = 0; i < 3; i++)
-        n.tables.at[3 + i] = (char)((n.first + n.names.n) >> 8 * i & 0xff);
-    buf_put(&n.tables, n.names.at, n.names.n);
-    put_lines(w, &n.tables, m);
-    add_section(w, SMVM_S_DEBUG, SMVM_V_DEBUG, &n.tables);
 }
 
 // ---- the whole ----
@@ -299,13 +220,14 @@ static bool add_sections_of(Writer *w, const IrMachine *ir, bool debug)
     const char *what;
     bool ok = true;
     BcMachine m;
-    Buf code;
+    Buf code, names;
 
     bc_select(w->arena, &m, ir);
-    what = bc_number(w->arena, &m);
+    what = bc_layout(w->arena, &m);
     if (what)
         return too_much(w, ir, what);
     buf_init(&code, w->arena);
+    buf_init(&names, w->arena);
     for (size_t i = 0; ok && i < m.fns; i++) {
         bc_assemble(w->arena, &m, &m.fn[i], &code, &ok);
         ok = ok && code.n <= SMVM_IMAGE_MAX;
@@ -315,8 +237,10 @@ static bool add_sections_of(Writer *w, const IrMachine *ir, bool debug)
     add_machine(w, &m, code.n);
     add_section(w, SMVM_S_CODE, SMVM_V_CODE, &code);
     add_init(w, &m);
-    if (debug)
-        add_debug(w, &m);
+    if (debug) {
+        bc_debug(w->arena, &m, &names);
+        add_section(w, SMVM_S_DEBUG, SMVM_V_DEBUG, &names);
+    }
     return true;
 }
 
@@ -347,13 +271,15 @@ static bool join(Writer *w, Buf *out)
     if (w->sections > SECTIONS_MOST || first + w->body.n > SMVM_IMAGE_MAX)
         return false;
     buf_init(&image, w->arena);
-    buf_put(&image, "smb\1\0\0\0", 8);
-    put_u24(&image, (uint32_t)(first + w->body.n));
+    buf_put(&image, "smb", 3);
+    buf_char(&image, SMVM_FORMAT);
+    buf_u32(&image, 0);                                          // the checksum, filled in below
+    bc_u24(&image, (uint32_t)(first + w->body.n));
     buf_char(&image, (char)w->sections);
     for (size_t i = 0; i < w->sections; i++) {
         buf_put(&image, w->table.at + 10 * i, 2);
-        put_u24(&image, (uint32_t)first + u32_at(&w->table, 10 * i + 2));
-        put_u24(&image, u32_at(&w->table, 10 * i + 6));
+        bc_u24(&image, (uint32_t)first + u32_at(&w->table, 10 * i + 2));
+        bc_u24(&image, u32_at(&w->table, 10 * i + 6));
     }
     buf_put(&image, w->body.at, w->body.n);
     crc = crc_of(&image);

@@ -1,30 +1,183 @@
 // SPDX-License-Identifier: Apache-2.0
-// IR to instructions.  The target's operands convert by themselves, so loads, stores and most conversions vanish into the
-// operands of the operation between them: `counter = counter + 1` is one instruction.
-//
-// Within a block an operation whose result is used once waits for its user, which then asks for it; what is used more often
-// is computed where it stands, into a slot.  A load is read by its users directly, unless a store to its variable comes
-// before the last of them.  Conditions become jumps over jumps, never numbers.
-#include <string.h>
-
-#include "bytecode-vm/image.h"
+// IR to instructions, within a block: each value is computed into X.  Of two operands the one that is only to be loaded goes to Y; of two that
+// both have to be computed the deeper one goes first, and waits in a slot.  Loads, stores and most conversions cost nothing
+// beside the load or store itself: `counter = counter + 1` is three instructions.
 #include "compiler/emit/bytecode/select.h"
 #include "stdlib/convert.h"
 
-enum { DEEPEST = 100 };       // how many operations may wait for each other: a bound of this file's recursion
+enum { MUCH_DEEPER = 3 };     // left sides deeper than right ones by more than this go first, lest too many right ones wait
 
-// ---- how an operation is computed ----
+// ---- where a value is ----
 
-// How many operations wait for each other in r; 0 where nothing does.
-static uint32_t depth_of(const Select *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
-
-// The opcode of an operation; *swap when its operands change places.
-static uint8_t opcode(IrOp op, bool *swap)
+// What r is loaded from; BC_NONE: it has to be computed, or only X holds it.
+static BcRef place_of(Select *s, IrRef r)
 {
-    *swap = op == IR_gt || op == IR_ge;
+    const IrIns *i = bc_ins(s, r);
+
+    if (s->value[r].placed)
+        return s->value[r].slot;
+    if (i->op == IR_const)
+        return bc_const_operand(s, bc_const_value(i));
+    return i->op == IR_load ? bc_var_operand(s, i->var) : BC_NONE;
+}
+
+static bool x_holds(Select *s, IrRef r)
+{
+    const IrIns *i = bc_ins(s, r);
+
+    if (i->op == IR_stat && !s->value[r].placed)
+        return bc_holds(&s->x, bc_stat_operand(s, i->var, i->stat));
+    return s->x.value == r || bc_holds(&s->x, place_of(s, r));
+}
+
+static void used(Select *s, IrRef r)
+{
+    Value *v = &s->value[r];
+
+    if (v->placed && --v->left == 0 && v->slot != BC_NONE)
+        bc_slot_give(s, v->slot);
+}
+
+static void compute(Select *s, IrRef r);
+
+void bc_to_x(Select *s, IrRef r)
+{
+    r = bc_source(s, r);
+    if (!x_holds(s, r)) {
+        if (place_of(s, r) == BC_NONE)
+            compute(s, r);
+        else
+            bc_load_x(s, place_of(s, r));
+        bc_x_is(s, r);
+    }
+    used(s, r);
+}
+
+// Computes what waits where it is not yet used.
+static void place(Select *s, IrRef r)
+{
+    if (bc_ins(s, r)->op == IR_load)
+        bc_load_x(s, bc_var_operand(s, bc_ins(s, r)->var));
+    else
+        compute(s, r);
+    bc_x_is(s, r);
+    s->value[r].placed = true;
+    s->value[r].waits = false;
+}
+
+// ---- two operands ----
+
+static bool is_to_come(Select *s, IrRef r) { return !x_holds(s, r) && place_of(s, r) == BC_NONE; }
+
+static bool better_turned(Select *s, IrRef a, IrRef b)
+{
+    const bool a_lies = place_of(s, a) != BC_NONE, b_lies = place_of(s, b) != BC_NONE;
+
+    if (b_lies)
+        return a_lies && !x_holds(s, a) && (x_holds(s, b) || (bc_ins(s, a)->op == IR_const && bc_ins(s, b)->op != IR_const));
+    if (a_lies || (x_holds(s, a) && is_to_come(s, b)))
+        return true;
+    return is_to_come(s, a) && is_to_come(s, b) && bc_depth(s, a) > bc_depth(s, b);
+}
+
+// Sees to it that b can be loaded to Y when a has come to X.
+static void lay_down(Select *s, IrRef b, IrRef a)
+{
+    if (!s->value[b].placed && place_of(s, b) == BC_NONE)
+        place(s, b);
+    if (place_of(s, b) == BC_NONE && x_holds(s, a))              // else it is laid down when a comes
+        bc_keep_x(s);
+}
+
+bool bc_operands(Select *s, IrRef a, IrRef b, bool turns, bool keep)
+{
+    bool turned;
+
+    a = bc_source(s, a);
+    b = bc_source(s, b);
+    turned = turns && better_turned(s, a, b);
+    if (turned) {
+        const IrRef c = a;
+        a = b;
+        b = c;
+    }
+    if (is_to_come(s, a) && is_to_come(s, b) && bc_depth(s, a) > bc_depth(s, b) + MUCH_DEEPER)
+        place(s, a);
+    lay_down(s, b, a);
+    bc_to_x(s, a);
+    if (keep)
+        bc_keep_x(s);
+    bc_load_y(s, place_of(s, b));
+    used(s, b);
+    return turned;
+}
+
+// Whether r is a number that stands in an instruction; then *n is it.
+static bool is_whole(const Select *s, IrRef r, int32_t *n)
+{
+    return bc_ins(s, r)->op == IR_const && bc_whole(bc_const_value(bc_ins(s, r)), n);
+}
+
+static void add_number(Select *s, IrRef a, int32_t n)
+{
+    bc_to_x(s, a);
+    bc_keep_x(s);
+    if (n < 0)
+        bc_change_x(s, SMVM_subi, (uint32_t)-n);
+    else
+        bc_change_x(s, SMVM_addi, (uint32_t)n);
+}
+
+static void compute_add(Select *s, IrRef a, IrRef b)
+{
+    int32_t n;
+
+    if (is_whole(s, b, &n) && n > -(int32_t)SMVM_VARINT_END) {
+        add_number(s, a, n);
+    } else if (is_whole(s, a, &n) && n > -(int32_t)SMVM_VARINT_END) {
+        add_number(s, b, n);
+    } else {
+        bc_operands(s, a, b, true, true);
+        bc_change_x(s, SMVM_add, 0);
+    }
+}
+
+// a - b where only a can be loaded: -b + a, which is the same number.
+static void compute_turned_sub(Select *s, IrRef a, IrRef b)
+{
+    bc_to_x(s, b);
+    bc_keep_x(s);
+    bc_change_x(s, SMVM_neg, 0);
+    bc_load_y(s, place_of(s, a));
+    used(s, a);
+    bc_change_x(s, SMVM_add, 0);
+}
+
+static void compute_sub(Select *s, IrRef a, IrRef b)
+{
+    int32_t n;
+
+    if (is_whole(s, b, &n) && n != 0 && n > -(int32_t)SMVM_VARINT_END) {
+        add_number(s, a, -n);
+        return;
+    }
+    if (is_to_come(s, a) && is_to_come(s, b) && bc_depth(s, a) > bc_depth(s, b) + MUCH_DEEPER)
+        place(s, a);
+    if (x_holds(s, a) && is_to_come(s, b))
+        bc_keep_x(s);
+    if (place_of(s, a) != BC_NONE && place_of(s, b) == BC_NONE) {
+        compute_turned_sub(s, a, b);
+    } else {
+        bc_operands(s, a, b, false, true);
+        bc_change_x(s, SMVM_sub, 0);
+    }
+}
+
+// ---- operations ----
+
+static uint8_t opcode(IrOp op)
+{
     switch (op) {
-    case IR_add: return SMVM_add;
-    case IR_sub: return SMVM_sub;
     case IR_mul: return SMVM_mul;
     case IR_div: return SMVM_div;
     case IR_neg: return SMVM_neg;
@@ -37,537 +190,175 @@ static uint8_t opcode(IrOp op, bool *swap)
     case IR_sign: return SMVM_sign;
     case IR_min: return SMVM_min;
     case IR_max: return SMVM_max;
-    case IR_eq: return SMVM_eq;
-    case IR_ne: return SMVM_ne;
-    case IR_lt: case IR_gt: return SMVM_lt;
-    case IR_le: case IR_ge: return SMVM_le;
-    case IR_and: return SMVM_and;
-    case IR_or: return SMVM_or;
-    case IR_not: return SMVM_not;
-    case IR_const: case IR_load: case IR_store: case IR_cvt: case IR_stat: case IR_sample: case IR_OP_COUNT: break;
+    default: return 0;
     }
-    return 0;
 }
 
-static const IrIns *ins(const Select *s, IrRef r) { return &s->f->ins.at[r]; }
-
-// The F64 that a constant stands for.  (A NaN is one only as an F64, and then stays one.)
-static SmF64 const_value(const IrIns *i)
+uint32_t bc_relation(IrOp op)
 {
-    return i->type == SM_F64 ? sm_from_bits(i->bits) : sm_cell_to_f64(i->type, i->bits);
+    switch (op) {
+    case IR_eq: return SMVM_EQUAL;
+    case IR_ne: return SMVM_LESS | SMVM_GREATER | SMVM_UNORDERED;
+    case IR_lt: return SMVM_LESS;
+    case IR_le: return SMVM_LESS | SMVM_EQUAL;
+    case IR_gt: return SMVM_GREATER;
+    case IR_ge: return SMVM_GREATER | SMVM_EQUAL;
+    default: return 0;
+    }
 }
 
-// Whether r's number can be one that its type has not: a NaN, or of an F32 operation a number that is not yet rounded, for it is
-// computed as F64.  What was read, converted or counted is of its type.
-static bool is_raw(const Select *s, IrRef r)
+uint32_t bc_mirrored(uint32_t relation)
 {
-    const IrIns *i = ins(s, r);
-
-    if (i->op == IR_const)
-        return i->type == SM_F64 && sm_is_nan(sm_from_bits(i->bits));
-    return sm_type_info[i->type].kind == SM_KIND_FLOAT && i->op != IR_load && i->op != IR_cvt;
+    return (relation & (SMVM_EQUAL | SMVM_UNORDERED)) | (relation & SMVM_LESS ? (uint32_t)SMVM_GREATER : 0) | (relation & SMVM_GREATER ? (uint32_t)SMVM_LESS : 0);
 }
 
-// Whether every number of type `a` is one of type `b`.  (Of I64 and U64 those that the F64 they are read as stands for.)
-static bool is_within(SmType a, SmType b)
-{
-    const SmTypeInfo *x = &sm_type_info[a], *y = &sm_type_info[b];
+uint32_t bc_contrary(uint32_t relation) { return (SMVM_LESS | SMVM_EQUAL | SMVM_GREATER | SMVM_UNORDERED) & ~relation; }
 
-    if (a == b || a == SM_BOOL || b == SM_F64)
-        return b != SM_BOOL || a == b;
-    if (b == SM_F32)
-        return x->bytes < 4;
-    if (x->kind == SM_KIND_FLOAT || y->kind == SM_KIND_BOOL)
+static void compute_compare(Select *s, const IrIns *i, bool inverted)
+{
+    const bool turned = bc_operands(s, i->a, i->b, true, true);
+    uint32_t relation = turned ? bc_mirrored(bc_relation(i->op)) : bc_relation(i->op);
+
+    bc_change_x(s, SMVM_set, inverted ? bc_contrary(relation) : relation);
+}
+
+// Whether r, a truth, can as well be computed as its contrary; `now`: it shall be.
+static bool invert(Select *s, IrRef r, bool now)
+{
+    const IrIns *i = bc_ins(s, r = bc_without_truth(s, r));
+    const bool both = i->op == IR_and || i->op == IR_or;
+
+    if (!s->value[r].waits || (!both && ir_op_info[i->op].types != IR_T_COMPARE) || (both && (!invert(s, i->a, now) || !invert(s, i->b, now))))
         return false;
-    return x->kind == y->kind ? x->bytes <= y->bytes : x->kind == SM_KIND_UNSIGNED && x->bytes < y->bytes;
+    s->value[r].inverted = s->value[r].inverted != now;
+    return true;
 }
 
-// Whether a conversion leaves the number as it is once its operand has been read.
-static bool changes_nothing(const Select *s, const IrIns *cvt) { return !is_raw(s, cvt->a) && is_within(ins(s, cvt->a)->type, cvt->type); }
-
-// r without conversions that do not matter to who asks only whether it is true.
-static IrRef without_truth(const Select *s, IrRef r)
+static void compute_not(Select *s, IrRef a)
 {
-    while (s->value[r].waits && ins(s, r)->op == IR_cvt && (ins(s, r)->type == SM_BOOL || changes_nothing(s, ins(s, r))))
-        r = ins(s, r)->a;
-    return r;
-}
-
-// Whether r is an integer that the VM, which computes it as F64, may find to be -0.  As an operand in a slot of its type it is 0, so
-// no other operation on integers can come to -0.
-static bool may_be_minus_zero(const Select *s, IrRef r)
-{
-    const IrIns *i = ins(s, r);
-
-    return sm_type_info[i->type].kind != SM_KIND_FLOAT && (i->op == IR_mul || i->op == IR_neg);
-}
-
-// Where a result lies that its user does not take into its own destination: what an operation gives stays as it is, in a temp; what
-// is converted, or read before it is overwritten, or has to be 0 where it is -0, lies in a slot of its type.
-static size_t pool_of(const Select *s, IrRef r)
-{
-    const IrIns *i = ins(s, r);
-
-    return may_be_minus_zero(s, r) || i->op == IR_cvt || (i->op == IR_load && i->type != SM_F64) ? (size_t)i->type : (size_t)BC_TEMPS;
-}
-
-static BcRef operand(Select *s, IrRef r);
-
-static void used(Select *s, IrRef r, BcRef slot)                 // r has been read from `slot` once
-{
-    Value *v = &s->value[r];
-
-    if (v->placed && --v->left > 0)
+    if (invert(s, a, false)) {
+        invert(s, a, true);
+        compute(s, a);
         return;
-    bc_slot_give(s, slot);
+    }
+    bc_to_x(s, a);
+    bc_keep_x(s);
+    bc_load_y(s, bc_const_operand(s, sm_from_i32(0)));
+    bc_change_x(s, SMVM_set, SMVM_EQUAL | SMVM_UNORDERED);
 }
 
-// Which value lies in the slot that operand(r) gives: r, or what it is a mere conversion of.
-static IrRef source(const Select *s, IrRef r)
+// What X holds is 0 and not -0 where a float is to become of the integer r; true if that took an instruction.
+static bool clean_zero(Select *s, IrRef r, SmType to)
 {
-    while (s->value[r].waits && ins(s, r)->op == IR_cvt && changes_nothing(s, ins(s, r)))
-        r = ins(s, r)->a;
-    return r;
+    if (!bc_is_float(to) || !s->value[r].minus_zero)
+        return false;
+    bc_keep_x(s);
+    bc_change_x(s, SMVM_cvt, (uint32_t)bc_ins(s, r)->type);
+    return true;
 }
 
-static void compute(Select *s, IrRef r);
-
-// Where r's number is; computes it if it waits.  The slot is given back by used(source(r)).
-static BcRef operand(Select *s, IrRef r)
+static void compute_cvt(Select *s, const IrIns *i)
 {
-    const Value *v;
+    const IrRef r = i->type == SM_BOOL ? bc_source(s, bc_without_truth(s, i->a)) : bc_stored(s, i->a, i->type);
 
-    r = source(s, r);
-    v = &s->value[r];
-    if (v->placed)
-        return v->slot;
-    if (ins(s, r)->op == IR_const)
-        return bc_const_operand(s, sm_bits(const_value(ins(s, r))));
-    if (ins(s, r)->op == IR_load)
-        return bc_var_operand(s, ins(s, r)->var);
-    compute(s, r);
-    return v->slot;
+    bc_to_x(s, r);
+    if (clean_zero(s, r, i->type) ? bc_is_within(bc_ins(s, r)->type, i->type) : bc_is_exact(s, r, i->type))
+        return;
+    bc_keep_x(s);
+    bc_change_x(s, SMVM_cvt, (uint32_t)i->type);
 }
 
-static BcRef choose_slot(Select *s, IrRef r, BcRef d)            // d, or a new slot of the right kind
+static void compute_logic(Select *s, const IrIns *i, bool inverted)
 {
-    return d != BC_NONE ? d : (s->value[r].slot = bc_slot_take(s, pool_of(s, r)));
+    bc_operands(s, bc_without_truth(s, i->a), bc_without_truth(s, i->b), true, true);
+    bc_change_x(s, (i->op == IR_and) != inverted ? SMVM_and : SMVM_or, 0);
 }
 
-// How often r will be read from the slot that was taken for it; d as above.
-static uint32_t reads_of(const Select *s, IrRef r, BcRef d) { return d != BC_NONE ? 0 : s->value[r].waits ? 1 : s->value[r].left; }
-
-// Both operands; the deeper one is computed first, which keeps the other's slot free for it.
-static void operands(Select *s, IrRef a, IrRef b, BcRef *x, BcRef *y)
+static void compute_two(Select *s, const IrIns *i, IrRef a, IrRef b)
 {
-    bool b_first = depth_of(s, source(s, b)) > depth_of(s, source(s, a));
-
-    if (b_first)
-        *y = operand(s, b);
-    *x = operand(s, a);
-    if (!b_first)
-        *y = operand(s, b);
-    used(s, source(s, b), *y);
-    used(s, source(s, a), *x);
+    if (i->op == IR_add) {
+        compute_add(s, a, b);
+    } else if (i->op == IR_sub) {
+        compute_sub(s, bc_source(s, a), bc_source(s, b));
+    } else {
+        bc_operands(s, a, b, i->op != IR_div, true);
+        bc_change_x(s, opcode(i->op), 0);
+    }
 }
 
-static void compute_two(Select *s, IrRef r, BcRef d, IrRef a, IrRef b, uint8_t op, bool swap)
+static void compute_one(Select *s, const IrIns *i)
 {
-    BcRef x, y, slot;
-
-    operands(s, a, b, &x, &y);
-    slot = choose_slot(s, r, d);
-    bc_put_dxy(s, op, slot, swap ? y : x, swap ? x : y)->reads = reads_of(s, r, d);
+    bc_to_x(s, i->a);
+    bc_keep_x(s);
+    bc_change_x(s, opcode(i->op), 0);
 }
 
-static void compute_one(Select *s, IrRef r, BcRef d, IrRef a, uint8_t op)
-{
-    BcRef x = operand(s, a);
-
-    used(s, source(s, a), x);
-    bc_put_dxy(s, op, choose_slot(s, r, d), x, BC_NONE)->reads = reads_of(s, r, d);
-}
-
-static void compute_stat(Select *s, const IrIns *stat, IrRef r, BcRef d)
-{
-    BcRef slot = choose_slot(s, r, d);
-    BcIns *i = bc_put(s, (uint8_t)((unsigned)SMVM_avg + (unsigned)stat->stat));
-
-    i->d = bc_count(s, slot);
-    i->reads = reads_of(s, r, d);
-    s->m->operand.at[slot].stored = true;
-    i->w = s->m->window_number[stat->var];
-}
-
-// Whether storing in a destination of type `type` does what a conversion to `to` does before it.  NaN becomes 0 in all of them, so
-// conversions of F64 to itself vanish; and what is cut to a range is cut again to one inside it.
-static bool storing_converts(SmType to, SmType type)
-{
-    return to == type || to == SM_F64 || (sm_type_info[to].kind != SM_KIND_FLOAT && type != SM_BOOL && to != SM_BOOL && is_within(type, to));
-}
-
-// r without conversions that storing in a destination of type `type` does.
-static IrRef stored(const Select *s, IrRef r, SmType type)
-{
-    const IrIns *i = ins(s, r);
-
-    for (; s->value[r].waits && i->op == IR_cvt && (storing_converts(i->type, type) || changes_nothing(s, i)); i = ins(s, r))
-        r = i->a;
-    return r;
-}
-
-// Computes an operation into d, or where that is BC_NONE into a slot for r, which is the operation or a conversion of it.
-static void compute_op(Select *s, const IrIns *i, IrRef r, BcRef d)
-{
-    bool logic = ir_op_info[i->op].types == IR_T_LOGIC, swap;
-    uint8_t op = opcode(i->op, &swap);
-
-    if (i->op == IR_stat)
-        compute_stat(s, i, r, d);
-    else if (ir_op_info[i->op].operands == 2)
-        compute_two(s, r, d, logic ? without_truth(s, i->a) : i->a, logic ? without_truth(s, i->b) : i->b, op, swap);
-    else
-        compute_one(s, r, d, logic ? without_truth(s, i->a) : i->a, i->op == IR_cvt ? SMVM_truth : op);
-}
-
-// Computes r into a destination d of type `type`, which converts; or where d is BC_NONE into a slot of that type for `owner`.
-static void compute_into(Select *s, IrRef r, IrRef owner, BcRef d, SmType type)
-{
-    const IrIns *i;
-    bool sign;                                        // it would take a -0 that is to be 0
-
-    r = stored(s, r, type);
-    i = ins(s, r);
-    sign = sm_type_info[type].kind == SM_KIND_FLOAT && may_be_minus_zero(s, r);
-    if (s->value[r].waits && (i->op != IR_cvt || i->type == SM_BOOL) && !sign)
-        compute_op(s, i, owner, d);
-    else
-        compute_one(s, owner, d, r, SMVM_mov);
-}
-
-// Computes r into a slot that it takes and notes.
+// An operation, into X.
 static void compute(Select *s, IrRef r)
 {
-    const IrIns *i = ins(s, r);
+    const IrIns *i = bc_ins(s, r);
 
-    if (i->op == IR_cvt && i->type != SM_BOOL)
-        compute_into(s, i->a, r, BC_NONE, i->type);
+    if (i->op == IR_cvt)
+        compute_cvt(s, i);
+    else if (i->op == IR_stat)
+        bc_load_x(s, bc_stat_operand(s, i->var, i->stat));
+    else if (i->op == IR_not)
+        compute_not(s, bc_without_truth(s, i->a));
+    else if (ir_op_info[i->op].types == IR_T_COMPARE)
+        compute_compare(s, i, s->value[r].inverted);
+    else if (ir_op_info[i->op].types == IR_T_LOGIC)
+        compute_logic(s, i, s->value[r].inverted);
+    else if (ir_op_info[i->op].operands == 2)
+        compute_two(s, i, i->a, i->b);
     else
-        compute_op(s, i, r, BC_NONE);
+        compute_one(s, i);
 }
 
-// ---- conditions ----
+// ---- instructions ----
 
-static void put_jump(Select *s, uint8_t op, BcRef x, BcRef y, uint32_t label)
+// Whether what X holds of r can be read from the variable of the store `at` by all who will ask for it.
+static bool finds_home(const Select *s, IrRef r, const Value *at)
 {
-    BcIns *i = bc_put(s, op);
+    const Value *v = &s->value[r];
 
-    if (x != BC_NONE)
-        i->x = bc_count(s, x);
-    if (y != BC_NONE)
-        i->y = bc_count(s, y);
-    i->to = label;
+    return v->placed && v->left > 0 && v->slot == BC_NONE && s->x.value == r && at->again >= v->last;
 }
 
-// Jumps to the label if the comparison gives `when`.
-static void jump_compare(Select *s, const IrIns *i, bool when, uint32_t label)
+static void select_store(Select *s, const IrIns *i, const Value *at)
 {
-    bool swap = i->op == IR_gt || i->op == IR_ge;
-    BcRef x, y;
-    uint8_t op;
+    const IrRef r = bc_stored(s, i->a, i->type);
+    const BcRef d = bc_var_operand(s, i->var);
+    bool same = bc_is_exact(s, r, i->type);
 
-    if (i->op == IR_eq || i->op == IR_ne)
-        op = (i->op == IR_eq) == when ? SMVM_jeq : SMVM_jne;
-    else if (i->op == IR_lt || i->op == IR_gt)
-        op = when ? SMVM_jlt : SMVM_jnlt;
-    else
-        op = when ? SMVM_jle : SMVM_jnle;
-    operands(s, i->a, i->b, &x, &y);
-    put_jump(s, op, swap ? y : x, swap ? x : y, label);
-}
-
-static void jump_number(Select *s, IrRef r, bool when, uint32_t label)
-{
-    BcRef x;
-
-    if (ins(s, r)->op == IR_const) {
-        if (sm_to_bool(const_value(ins(s, r))) == when)
-            put_jump(s, SMVM_jmp, BC_NONE, BC_NONE, label);
-        return;
+    bc_to_x(s, r);
+    clean_zero(s, r, i->type);
+    if (same && finds_home(s, r, at)) {
+        s->value[r].slot = d;
+        bc_drop_cvt(s, (uint32_t)i->type);
+        same = s->x.value == r;
     }
-    x = operand(s, r);
-    used(s, source(s, r), x);
-    put_jump(s, when ? SMVM_jt : SMVM_jf, x, BC_NONE, label);
-}
-
-// Jumps to the label if r is true (`when`) or not true (!when), else goes on.
-static void jump_on(Select *s, IrRef r, bool when, uint32_t label)
-{
-    const IrIns *i;
-    uint32_t past;
-
-    r = without_truth(s, r);
-    while (s->value[r].waits && ins(s, r)->op == IR_not) {
-        when = !when;
-        r = without_truth(s, ins(s, r)->a);
-    }
-    i = ins(s, r);
-    if (!s->value[r].waits) {
-        jump_number(s, r, when, label);
-    } else if (i->op == IR_and || i->op == IR_or) {
-        if ((i->op == IR_or) == when) {                          // either decides
-            jump_on(s, i->a, when, label);
-            jump_on(s, i->b, when, label);
-        } else {
-            past = bc_label_new(s);
-            jump_on(s, i->a, !when, past);
-            jump_on(s, i->b, when, label);
-            bc_label_here(s, past);
-        }
-    } else if (ir_op_info[i->op].types == IR_T_COMPARE) {
-        jump_compare(s, i, when, label);
-    } else {
-        jump_number(s, r, when, label);
-    }
-}
-
-// ---- which operations wait ----
-
-static bool is_pure_operation(IrOp op) { return !ir_op_info[op].effect && op != IR_const && op != IR_load; }
-
-static void use(Select *s, IrRef r, uint32_t at, uint32_t times)
-{
-    Value *v = &s->value[r];
-
-    v->uses += times;
-    if (v->last < at)
-        v->last = at;
-}
-
-// Counts the uses by what is live, from the block's end; `at` is a position + 1.
-static void count_block(Select *s, const IrBlk *b, bool deep_known, uint32_t block)
-{
-    if (b->jump.kind == IR_BR)
-        use(s, b->jump.cond, (uint32_t)b->ins.n + 1, 1);
-    for (uint32_t p = (uint32_t)b->ins.n; p-- > 0;) {
-        IrRef r = b->ins.at[p];
-        const IrIns *i = ins(s, r);
-        Value *v = &s->value[r];
-        uint32_t at = p + 1;
-        bool same;
-
-        if (!ir_op_info[i->op].effect && v->uses == 0)
-            continue;
-        v->left = v->uses;
-        same = i->op == IR_cvt && changes_nothing(s, i);
-        v->waits = is_pure_operation(i->op) && (v->uses == 1 || same) && !(deep_known && v->depth > DEEPEST);
-        if (v->waits)
-            at = v->last;
-        if (i->op == IR_load)
-            v->early = s->store_in[i->var] == block + 1 && s->store_at[i->var] < v->last;
-        if (i->op == IR_store) {
-            s->store_at[i->var] = p + 1;
-            s->store_in[i->var] = block + 1;
-        }
-        if (ir_op_info[i->op].operands > 0)
-            use(s, i->a, at, v->waits ? v->uses : 1);
-        if (ir_op_info[i->op].operands > 1)
-            use(s, i->b, at, 1);
-    }
-}
-
-static void find_depths(Select *s, const IrBlk *b)
-{
-    for (size_t p = 0; p < b->ins.n; p++) {
-        const IrIns *i = ins(s, b->ins.at[p]);
-        uint32_t x = ir_op_info[i->op].operands > 0 ? depth_of(s, i->a) : 0;
-        uint32_t y = ir_op_info[i->op].operands > 1 ? depth_of(s, i->b) : 0;
-        if (is_pure_operation(i->op))
-            s->value[b->ins.at[p]].depth = 1 + (x > y ? x : y);
-    }
-}
-
-static void plan_block(Select *s, uint32_t block)
-{
-    const IrBlk *b = &s->f->blk.at[block];
-
-    count_block(s, b, false, block);
-    find_depths(s, b);
-    for (size_t p = 0; p < b->ins.n; p++) {
-        Value *v = &s->value[b->ins.at[p]];
-        v->uses = v->last = 0;
-    }
-    for (size_t p = 0; p < b->ins.n; p++)
-        if (ins(s, b->ins.at[p])->op == IR_store)
-            s->store_in[ins(s, b->ins.at[p])->var] = 0;
-    count_block(s, b, true, block);
-}
-
-// ---- instructions, blocks, functions ----
-
-static void place(Select *s, IrRef r)                            // computes r where it stands
-{
-    Value *v = &s->value[r];
-    BcRef d;
-
-    if (ins(s, r)->op == IR_load) {
-        d = bc_slot_take(s, pool_of(s, r));
-        bc_put_dxy(s, SMVM_mov, d, bc_var_operand(s, ins(s, r)->var), BC_NONE)->reads = v->left;
-        v->slot = d;
-    } else {
-        compute(s, r);
-    }
-    v->placed = true;
+    bc_store_x(s, d, same);
 }
 
 static void select_sample(Select *s, const IrIns *i)
 {
-    BcRef x = operand(s, i->a);
-    BcIns *b;
+    const IrRef r = bc_source(s, i->a);
 
-    used(s, source(s, i->a), x);
-    b = bc_put(s, SMVM_sample);
-    b->x = bc_count(s, x);
-    b->w = s->m->window_number[i->var];
+    bc_to_x(s, r);
+    clean_zero(s, r, s->m->ir->window.at[i->var].type);
+    bc_sample_x(s, s->m->window_number[i->var]);
 }
 
-static void select_ins(Select *s, IrRef r)
+void bc_select_ins(Select *s, IrRef r)
 {
-    const IrIns *i = ins(s, r);
+    const IrIns *i = bc_ins(s, r);
     const Value *v = &s->value[r];
 
     s->span = i->span;
     if (i->op == IR_store)
-        compute_into(s, i->a, i->a, bc_var_operand(s, i->var), i->type);
+        select_store(s, i, v);
     else if (i->op == IR_sample)
         select_sample(s, i);
     else if (v->uses > 0 && !v->waits && i->op != IR_const && (i->op != IR_load || v->early))
         place(s, r);
-}
-
-// Goes on at block `to`; `next` is the block that follows in the output.  A jump to an end is an end.
-static void select_jmp(Select *s, IrBlkRef to, IrBlkRef next)
-{
-    const IrBlk *b = &s->f->blk.at[to];
-
-    if (to == next)
-        return;
-    if (b->ins.n == 0 && b->jump.kind == IR_RET)
-        bc_put(s, SMVM_end);
-    else if (b->ins.n == 0 && b->jump.kind == IR_GOTO)
-        bc_put(s, SMVM_goto)->to = b->jump.state;
-    else
-        put_jump(s, SMVM_jmp, BC_NONE, BC_NONE, s->label[to]);
-}
-
-static void select_br(Select *s, IrRef cond, IrBlkRef then, IrBlkRef otherwise, IrBlkRef next)
-{
-    if (then == next) {
-        jump_on(s, cond, false, s->label[otherwise]);
-    } else {
-        jump_on(s, cond, true, s->label[then]);
-        select_jmp(s, otherwise, next);
-    }
-}
-
-static void select_jump(Select *s, const IrJump *j, IrBlkRef next)
-{
-    if (j->span.src)
-        s->span = j->span;
-    switch (j->kind) {
-    case IR_RET: bc_put(s, SMVM_end); break;
-    case IR_GOTO: bc_put(s, SMVM_goto)->to = j->state; break;
-    case IR_JMP: select_jmp(s, s->through[j->then], next); break;
-    case IR_BR: select_br(s, j->cond, s->through[j->then], s->through[j->otherwise], next); break;
-    }
-}
-
-static void select_block(Select *s, uint32_t block, IrBlkRef next)
-{
-    const IrBlk *b = &s->f->blk.at[block];
-
-    plan_block(s, block);
-    bc_label_here(s, s->label[block]);
-    for (size_t p = 0; p < b->ins.n; p++)
-        select_ins(s, b->ins.at[p]);
-    select_jump(s, &b->jump, next);
-}
-
-// Which blocks are put out: those that can be reached and do more than jump; label and `through` of each.
-static bool *plan_blocks(Select *s, const IrFn *f)
-{
-    bool *kept = ir_reachable(s->arena, f);
-
-    s->label = ARENA_ARRAY(s->arena, uint32_t, f->blk.n);
-    s->through = ARENA_ARRAY(s->arena, IrBlkRef, f->blk.n);
-    for (size_t b = f->blk.n; b-- > 0;) {
-        const IrBlk *blk = &f->blk.at[b];
-        bool jumps = blk->ins.n == 0 && blk->jump.kind == IR_JMP;
-        s->label[b] = bc_label_new(s);
-        s->through[b] = jumps ? s->through[blk->jump.then] : (IrBlkRef)b;
-        kept[b] = kept[b] && (!jumps || b == 0);
-    }
-    return kept;
-}
-
-static void select_function(Select *s, const IrFn *f, BcFn *out)
-{
-    bool *kept;
-    IrBlkRef next;
-
-    s->f = f;
-    s->out = out;
-    s->value = ARENA_ARRAY(s->arena, Value, f->ins.n);
-    kept = plan_blocks(s, f);
-    memset(s->store_in, 0, s->m->ir->var.n * sizeof *s->store_in);
-    for (uint32_t b = 0; b < f->blk.n; b = next) {
-        for (next = b + 1; next < f->blk.n && !kept[next];)
-            next++;
-        if (kept[b])
-            select_block(s, b, next);
-    }
-    bc_use_acc(s);
-}
-
-// A function that does nothing needs no code.
-static bool does_nothing(const IrFn *f) { return f->blk.at[0].ins.n == 0 && f->blk.at[0].jump.kind == IR_RET; }
-
-static void number_windows(Select *s)
-{
-    const IrFn *f = s->m->ir->sample;
-    uint32_t n = 0;
-
-    s->m->window_number = ARENA_ARRAY(s->arena, uint32_t, s->m->ir->window.n);
-    for (size_t i = 0; f && i < f->blk.at[0].ins.n; i++) {
-        const IrIns *at = &f->ins.at[f->blk.at[0].ins.at[i]];
-        if (at->op == IR_sample)
-            s->m->window_number[at->var] = n++;
-    }
-}
-
-void bc_select(Arena *arena, BcMachine *out, const IrMachine *m)
-{
-    Select s;
-
-    memset(out, 0, sizeof *out);
-    memset(&s, 0, sizeof s);
-    out->ir = m;
-    s.arena = arena;
-    s.m = out;
-    s.store_at = ARENA_ARRAY(arena, uint32_t, m->var.n);
-    s.store_in = ARENA_ARRAY(arena, uint32_t, m->var.n);
-    out->of_var = ARENA_ARRAY(arena, BcRef, m->var.n);
-    memset(out->of_var, 0xff, m->var.n * sizeof *out->of_var);
-    out->fns = 1 + 3 * m->state.n;
-    out->fn = ARENA_ARRAY(arena, BcFn, out->fns);
-    bc_var_operand(&s, m->g);
-    bc_var_operand(&s, m->s);
-    number_windows(&s);
-    if (m->sample)
-        select_function(&s, m->sample, &out->fn[0]);
-    for (size_t i = 0; i < m->state.n; i++)
-        for (int b = 0; b < BLOCK_COUNT; b++)
-            if (m->state.at[i].block[b] && !does_nothing(m->state.at[i].block[b]))
-                select_function(&s, m->state.at[i].block[b], &out->fn[1 + 3 * i + (size_t)b]);
-    bc_drop_unused(&s);
 }

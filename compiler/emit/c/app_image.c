@@ -25,9 +25,9 @@ void put_app_image(const AppMachine *m, const Buf *image, Buf *out)
     buf_printf(out, "static const uint8_t %sImage[] = {        // %s.sm as bytecode", n, m->program->name->text);
     emit_c_bytes(image, out);
     buf_printf(out,
-               "\n};\nstatic uint64_t %sMemory[SMVM_WORDS(%u, %u, %u, %u, %u)];"
-               "        // windows, their words, temps, bytes of locals, outputs\n",
-               n, (unsigned)vm.windows, window_words(&vm), (unsigned)vm.temps, (unsigned)vm.locals, (unsigned)vm.outputs);
+               "\n};\nstatic uint64_t %sMemory[SMVM_WORDS(%u, %u, %u, %u)];"
+               "        // windows, their words, bytes of locals, outputs\n",
+               n, (unsigned)vm.windows, window_words(&vm), (unsigned)vm.locals, (unsigned)vm.outputs);
     buf_printf(out,
                "static SmvmTarget %sSelf = {.image = %sImage, .size = sizeof %sImage, "
                ".memory = %sMemory, .memory_size = sizeof %sMemory};\n",

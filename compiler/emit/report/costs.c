@@ -38,13 +38,13 @@ static void put_steps(const Report *r, Doc *d)
 
 // ---- the longest way of all ----
 
-static const char *line_text(const Report *r, uint32_t line)
+static const char *line_text(const Report *r, uint32_t line)     // line 0: what several lines lead to
 {
     uint32_t len, at;
     const char *text;
 
     if (line == 0)
-        return "";
+        return "-> of several lines";
     text = source_line(r->analysis.p->src, line, &len);
     if (comment_starts(text, len, &at))
         len = at;
@@ -95,8 +95,7 @@ static void put_bytes(const Report *r, Doc *d)
     t = DOC_TABLE_OF(d, "bytes", byte_columns);
     t->narrow = true;
     bytes(t, "Windows of rolling statistics", c->windows);
-    bytes(t, "Locals", c->locals);
-    bytes(t, "Values on the way", c->temps);
+    bytes(t, "Locals, and values on the way", c->locals);
     bytes(t, "The VM's own", c->own);
     bytes(t, "RAM in all", c->ram);
     bytes(t, "State vector", r->analysis.p->sv->size);

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a register of the interpreter holds.  Internal to interp.c.
+//
+// It is always an F64.  Where those are calculated in software, it is kept as a whole number of 32 bits as long as it is one, and what
+// gives one of two of them is done on integers: on an 8-bit computer ten times as fast.  Such a 0 is +0; -0 is never kept so.
+#ifndef SMVM_NUMBER_H
+#define SMVM_NUMBER_H
+
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "bytecode-vm/step.h"
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
+#if SM_F64_SOFT
+typedef struct Number {
+    union { int32_t whole; SmF64 real; } as;
+    bool is_real;
+} Number;
+
+static inline void number_whole(Number *x, int32_t v)
+{
+    x->as.whole = v;
+    x->is_real = false;
+}
+
+static inline void number_real(Number *x, SmF64 v)
+{
+    x->as.real = v;
+    x->is_real = true;
+}
+
+SMVM_APART static SmF64 number_f64(const Number *x) { return x->is_real ? x->as.real : sm_from_i32(x->as.whole); }
+
+// ---- memory ----
+
+// Half of a number of eight bytes, as this computer keeps it.
+static inline uint32_t number_half(const uint8_t *p, bool upper)
+{
+    const uint16_t one = 1;
+    uint8_t first;
+    uint32_t half;
+
+    memcpy(&first, &one, sizeof first);
+    memcpy(&half, p + ((first == 1) == upper ? 4 : 0), sizeof half);
+    return half;
+}
+
+// What may be no whole number of 32 bits: apart, so that the others need no room for one.
+SMVM_APART static void number_load_wide(Number *x, uint8_t type, const uint8_t *p)
+{
+    uint32_t v;
+    uint64_t w;
+
+    if (type == SM_F32 || type == SM_U32) {
+        memcpy(&v, p, sizeof v);
+        number_real(x, type == SM_U32 ? sm_from_u32(v) : sm_read_f32(sm_f32_from_bits(v)));
+    } else {
+        memcpy(&w, p, sizeof w);
+        number_real(x, type == SM_I64 ? sm_from_i64((int64_t)w) : sm_from_u64(w));
+    }
+}
+
+// An F64, as it is where `type` is RAW.
+SMVM_APART static void number_load_f64(Number *x, uint8_t type, const uint8_t *p)
+{
+    const uint32_t upper = number_half(p, true);
+
+    if (type == SM_F64 && (upper & 0x7FF00000u) == 0x7FF00000u && ((upper & 0xFFFFFu) | number_half(p, false)) != 0) {
+        number_whole(x, 0);                           // a NaN
+        return;
+    }
+    memcpy(&x->as.real, p, sizeof x->as.real);
+    x->is_real = true;
+}
+
+static bool number_is_small(uint8_t type, uint32_t upper, uint32_t lower)      // of an I64 or U64
+{
+    return lower <= INT32_MAX ? upper == 0 : type == SM_I64 && upper == UINT32_MAX;
+}
+
+SMVM_APART static void number_load(Number *x, uint8_t type, const uint8_t *p)
+{
+    int32_t whole;
+
+    if (type == SM_F64 || type == SMVM_RAW) {
+        number_load_f64(x, type, p);
+        return;
+    }
+    if (type == SM_BOOL)
+        whole = *p != 0;
+    else if (type == SM_U8)
+        whole = *p;
+    else if (type == SM_I8)
+        whole = *p < 0x80 ? *p : *p - 0x100;
+    else if (type == SM_I16) {
+        int16_t v;
+        memcpy(&v, p, sizeof v);
+        whole = v;
+    } else if (type == SM_U16) {
+        uint16_t v;
+        memcpy(&v, p, sizeof v);
+        whole = v;
+    } else if (type == SM_I32 || (type == SM_U32 && !(p[0] & 0x80) && !(p[3] & 0x80)))
+        memcpy(&whole, p, sizeof whole);
+    else if ((type == SM_U64 || type == SM_I64) && number_is_small(type, number_half(p, true), number_half(p, false)))
+        whole = (int32_t)number_half(p, false);
+    else {
+        number_load_wide(x, type, p);
+        return;
+    }
+    number_whole(x, whole);
+}
+
+// What is not within a type becomes its end.
+SMVM_APART static int32_t number_clipped(int32_t v, uint8_t type)
+{
+    switch (type) {
+    case SM_I8: return sm_clip_i32(v, INT8_MIN, INT8_MAX);
+    case SM_I16: return sm_clip_i32(v, INT16_MIN, INT16_MAX);
+    case SM_U8: return sm_clip_i32(v, 0, UINT8_MAX);
+    case SM_U16: return sm_clip_i32(v, 0, UINT16_MAX);
+    case SM_U32: case SM_U64: return v < 0 ? 0 : v;
+    case SM_BOOL: return v != 0;
+    default: return v;
+    }
+}
+
+SMVM_APART static void number_put(int32_t v, uint8_t bytes, uint8_t *p)
+{
+    switch (bytes) {
+    case 1: *p = (uint8_t)v; break;
+    case 2: { const int16_t u = (int16_t)v; memcpy(p, &u, sizeof u); break; }
+    case 4: memcpy(p, &v, sizeof v); break;
+    default: { const int64_t u = v; memcpy(p, &u, sizeof u); }
+    }
+}
+
+SMVM_APART static void number_put_real(SmF64 x, uint8_t type, uint8_t *p)
+{
+    switch (type) {
+    case SM_I64: { const int64_t v = sm_to_i64(x); memcpy(p, &v, sizeof v); break; }
+    case SM_U32: { const uint32_t v = sm_to_u32(x); memcpy(p, &v, sizeof v); break; }
+    case SM_U64: { const uint64_t v = sm_to_u64(x); memcpy(p, &v, sizeof v); break; }
+    case SM_F32: { const float v = sm_to_f32(x); memcpy(p, &v, sizeof v); break; }
+    case SM_F64: { const SmF64 v = sm_to_f64(x); memcpy(p, &v, sizeof v); break; }
+    case SM_BOOL: *p = sm_to_bool(x); break;
+    default: { const SmF64 v = smvm_raw(x); memcpy(p, &v, sizeof v); }
+    }
+}
+
+static bool number_is_narrow(uint8_t type) { return type <= SM_I32 || type == SM_U8 || type == SM_U16; }
+
+SMVM_APART static void number_store_real(const Number *x, uint8_t type, uint8_t *p)
+{
+    if (x->is_real && number_is_narrow(type))
+        number_put(number_clipped(sm_to_i32(x->as.real), type), (uint8_t)(1u << smvm_type_shift(type)), p);
+    else
+        number_put_real(number_f64(x), type, p);
+}
+
+SMVM_APART static void number_store(const Number *x, uint8_t type, uint8_t *p)
+{
+    if (!x->is_real && (type < SM_F32 || type == SM_BOOL))
+        number_put(number_clipped(x->as.whole, type), (uint8_t)(1u << smvm_type_shift(type)), p);
+    else
+        number_store_real(x, type, p);
+}
+
+// ---- operations ----
+
+static bool number_is_true(const Number *x) { return x->is_real ? sm_to_bool(x->as.real) : x->as.whole != 0; }
+
+SMVM_APART static uint8_t number_relation_real(const Number *x, const Number *y)
+{
+    return sm_soft_relation(sm_bits(number_f64(x)), sm_bits(number_f64(y)));
+}
+
+SMVM_INLINE uint8_t number_relation_whole(int32_t x, int32_t y) { return x == y ? SMVM_EQUAL : x < y ? SMVM_LESS : SMVM_GREATER; }
+
+SMVM_APART static uint8_t number_relation(const Number *x, const Number *y)
+{
+    if (x->is_real || y->is_real)
+        return number_relation_real(x, y);
+    return number_relation_whole(x->as.whole, y->as.whole);
+}
+
+SMVM_APART static uint8_t number_relation_to_real(const Number *x, int32_t n)
+{
+    return sm_soft_relation(sm_bits(x->as.real), sm_bits(sm_from_i32(n)));
+}
+
+SMVM_APART static uint8_t number_relation_to(const Number *x, int32_t n)
+{
+    return x->is_real ? number_relation_to_real(x, n) : number_relation_whole(x->as.whole, n);
+}
+
+// Of whole numbers: false where that is none, or would be -0.
+static bool number_add_whole(Number *x, int32_t a, int32_t b)
+{
+    if (b < 0 ? a < INT32_MIN - b : a > INT32_MAX - b)
+        return false;
+    x->as.whole = a + b;
+    return true;
+}
+
+static bool number_mul_whole(Number *x, int32_t a, int32_t b)
+{
+    if (sm_clip_i32(a, INT16_MIN, INT16_MAX) != a || sm_clip_i32(b, INT16_MIN, INT16_MAX) != b
+        || ((a | b) < 0 && (a == 0 || b == 0)))
+        return false;
+    x->as.whole = a * b;
+    return true;
+}
+
+static bool number_whole_of_two(Number *x, uint8_t op, int32_t b)
+{
+    const int32_t a = x->as.whole;
+
+    switch (op) {
+    case SMVM_add: return number_add_whole(x, a, b);
+    case SMVM_sub: return b != INT32_MIN && number_add_whole(x, a, -b);
+    case SMVM_mul: return number_mul_whole(x, a, b);
+    case SMVM_min: x->as.whole = a < b ? a : b; return true;
+    case SMVM_max: x->as.whole = a > b ? a : b; return true;
+    default: return false;
+    }
+}
+
+static bool number_whole_of_one(Number *x, uint8_t op)
+{
+    const int32_t a = x->as.whole;
+
+    switch (op) {
+    case SMVM_neg: if (a == 0) return false; // fall through
+    case SMVM_abs:
+        if (a == INT32_MIN)
+            return false;
+        if (a < 0 || op == SMVM_neg)
+            x->as.whole = -a;
+        return true;
+    case SMVM_sqrt: return false;
+    case SMVM_sign: x->as.whole = sm_sign_i32(a); return true;
+    default: return true;                             // floor, ceil, trunc, round
+    }
+}
+
+static uint64_t number_min(uint64_t a, uint64_t b) { return sm_bits(sm_min(sm_from_bits(a), sm_from_bits(b))); }
+static uint64_t number_max(uint64_t a, uint64_t b) { return sm_bits(sm_max(sm_from_bits(a), sm_from_bits(b))); }
+
+// One call for all, which is small: each takes its numbers in the same registers.
+SMVM_APART static void number_real_of_two(Number *x, uint8_t op, const Number *y)
+{
+    uint64_t (*f)(uint64_t a, uint64_t b) = sm_soft_add;
+
+    if (op == SMVM_sub)
+        f = sm_soft_sub;
+    else if (op == SMVM_mul)
+        f = sm_soft_mul;
+    else if (op == SMVM_div)
+        f = sm_soft_div;
+    else if (op == SMVM_min)
+        f = number_min;
+    else if (op == SMVM_max)
+        f = number_max;
+    number_real(x, sm_from_bits(f(sm_bits(number_f64(x)), sm_bits(number_f64(y)))));
+}
+
+static SmF64 number_rounded(uint8_t op, SmF64 x)
+{
+    switch (op) {
+    case SMVM_floor: return sm_floor(x);
+    case SMVM_ceil: return sm_ceil(x);
+    case SMVM_trunc: return sm_trunc(x);
+    case SMVM_round: return sm_round(x);
+    case SMVM_sqrt: return sm_sqrt(x);
+    default: return sm_sign(x);
+    }
+}
+
+SMVM_APART static void number_real_of_one(Number *x, uint8_t op)
+{
+    const SmF64 a = number_f64(x);
+
+    number_real(x, op == SMVM_neg ? sm_neg(a) : op == SMVM_abs ? sm_abs(a) : number_rounded(op, a));
+}
+
+// add … max, neg … sign.
+SMVM_APART static void number_compute(Number *x, uint8_t op, const Number *y)
+{
+    if (op >= SMVM_neg) {
+        if (x->is_real || !number_whole_of_one(x, op))
+            number_real_of_one(x, op);
+    } else if (x->is_real || y->is_real || !number_whole_of_two(x, op, y->as.whole))
+        number_real_of_two(x, op, y);
+}
+
+#else
+typedef SmF64 Number;
+
+static inline void number_whole(Number *x, int32_t v) { *x = sm_from_i32(v); }
+static inline void number_real(Number *x, SmF64 v) { *x = v; }
+static inline SmF64 number_f64(const Number *x) { return *x; }
+
+static inline void number_load(Number *x, uint8_t type, const uint8_t *p)
+{
+    if (type == SMVM_RAW)
+        memcpy(x, p, sizeof *x);
+    else
+        *x = sm_load((SmType)type, p);
+}
+
+static inline void number_store(const Number *x, uint8_t type, uint8_t *p)
+{
+    const SmF64 raw = smvm_raw(*x);
+
+    if (type == SMVM_RAW)
+        memcpy(p, &raw, sizeof raw);
+    else
+        sm_store((SmType)type, p, *x);
+}
+
+static inline bool number_is_true(const Number *x) { return sm_to_bool(*x); }
+
+static inline uint8_t number_relation(const Number *x, const Number *y)
+{
+    return sm_lt(*x, *y) ? SMVM_LESS : sm_lt(*y, *x) ? SMVM_GREATER : sm_eq(*x, *y) ? SMVM_EQUAL : SMVM_UNORDERED;
+}
+
+static inline uint8_t number_relation_to(const Number *x, int32_t n)
+{
+    const Number y = sm_from_i32(n);
+
+    return number_relation(x, &y);
+}
+
+// add … max, neg … sign.
+static void number_compute(Number *x, uint8_t op, const Number *y)
+{
+    switch (op) {
+    case SMVM_add: *x = sm_add(*x, *y); break;
+    case SMVM_sub: *x = sm_sub(*x, *y); break;
+    case SMVM_mul: *x = sm_mul(*x, *y); break;
+    case SMVM_div: *x = sm_div(*x, *y); break;
+    case SMVM_min: *x = sm_min(*x, *y); break;
+    case SMVM_max: *x = sm_max(*x, *y); break;
+    case SMVM_neg: *x = sm_neg(*x); break;
+    case SMVM_abs: *x = sm_abs(*x); break;
+    case SMVM_floor: *x = sm_floor(*x); break;
+    case SMVM_ceil: *x = sm_ceil(*x); break;
+    case SMVM_trunc: *x = sm_trunc(*x); break;
+    case SMVM_round: *x = sm_round(*x); break;
+    case SMVM_sqrt: *x = sm_sqrt(*x); break;
+    default: *x = sm_sign(*x);
+    }
+}
+#endif
+
+#endif

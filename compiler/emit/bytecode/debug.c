@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// The DEBUG section: names of the machine, its states and variables, and lines of the source (docs/bytecode.md).
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "compiler/emit/bytecode/bytecode.h"
+
+// ---- lines ----
+
+// 0 for what several lines have in common.
+static uint32_t line_of(const BcIns *i, uint32_t last)
+{
+    if (i->of_many)
+        return 0;
+    return i->span.src ? source_position(i->span.src, i->span.at).line : last;
+}
+
+// Lines as steps: how many bytes on in the code, how many lines on (zigzag: 0, -1, 1, -2 …).
+static void put_lines(Arena *arena, Buf *out, const BcMachine *m)
+{
+    uint32_t start = 0, last_at = 0, last_line = 0, n = 0;
+    Buf b;
+
+    buf_init(&b, arena);
+    for (size_t f = 0; f < m->fns; start += m->fn[f++].size)
+        for (size_t i = 0; i < m->fn[f].ins.n; i++) {
+            const BcIns *ins = &m->fn[f].ins.at[i];
+            uint32_t line = line_of(ins, last_line);
+            if (line == last_line)
+                continue;
+            bc_varint(&b, start + ins->at - last_at);
+            bc_varint(&b, line > last_line ? (line - last_line) * 2 : (last_line - line) * 2 - 1);
+            last_at = start + ins->at;
+            last_line = line;
+            n++;
+        }
+    bc_varint(out, n);
+    buf_put(out, b.at, b.n);
+}
+
+// ---- variables: by what they are, type and place, so that a name is found by bisection ----
+
+// Sorts n keys; `other` is as long.  A merge sort: the C library's may ask for memory.
+static void sort(uint64_t *key, uint64_t *other, size_t n)
+{
+    for (size_t width = 1; width < n; width *= 2) {
+        for (size_t lo = 0; lo < n; lo += 2 * width) {
+            size_t mid = lo + width < n ? lo + width : n, hi = lo + 2 * width < n ? lo + 2 * width : n;
+            size_t a = lo, b = mid;
+            for (size_t i = lo; i < hi; i++)
+                other[i] = a < mid && (b >= hi || key[a] <= key[b]) ? key[a++] : key[b++];
+        }
+        memcpy(key, other, n * sizeof *key);
+    }
+}
+
+static SmvmVariable what_is(const IrVar *v)
+{
+    switch (v->space) {
+    case IR_ELEMENT: return SMVM_IS_ELEMENT;
+    case IR_LOCAL: return SMVM_IS_LOCAL;
+    case IR_TIME: break;
+    }
+    return SMVM_IS_TIME;
+}
+
+static uint64_t *order_of(Arena *arena, const BcMachine *m)      // a variable's number in the low half of each
+{
+    const size_t n = m->ir->var.n;
+    uint64_t *key = ARENA_ARRAY(arena, uint64_t, n);
+
+    for (uint32_t v = 0; v < n; v++) {
+        const uint32_t place = bc_place(m, v), offset = (place & 0xffff) | place >> 20 << 16;
+        key[v] = (uint64_t)what_is(&m->ir->var.at[v]) << 60 | (uint64_t)m->ir->var.at[v].type << 56 | (uint64_t)offset << 32 | v;
+    }
+    sort(key, ARENA_ARRAY(arena, uint64_t, n), n);
+    return key;
+}
+
+// ---- names ----
+
+static const char *base_name(const char *path)
+{
+    const char *name = path;
+
+    for (; *path; path++)
+        if (*path == '/' || *path == '\\')
+            name = path + 1;
+    return name;
+}
+
+// The 0 behind it is not counted: it lets a name be read in place, as text.
+static void put_name(Buf *b, const char *text, size_t len)
+{
+    if (len >= SMVM_VARINT_MID)
+        len = SMVM_VARINT_MID - 1;
+    bc_varint(b, (uint32_t)len);
+    buf_put(b, text, len);
+    buf_char(b, 0);
+}
+
+typedef struct Names {
+    Buf *tables, names;
+    uint32_t first;           // where the names will start, from the start of the section
+} Names;
+
+static void add_name(Names *n, const char *text, size_t len)
+{
+    bc_u24(n->tables, n->first + (uint32_t)n->names.n);
+    put_name(&n->names, text, len);
+}
+
+static void put_variables(Arena *arena, Names *n, const BcMachine *m)
+{
+    const uint64_t *order = order_of(arena, m);
+
+    for (size_t i = 0; i < m->ir->var.n; i++) {
+        const uint32_t v = (uint32_t)order[i];
+        buf_char(n->tables, (char)what_is(&m->ir->var.at[v]));
+        bc_u24(n->tables, bc_place(m, v));
+        add_name(n, m->ir->var.at[v].name->text, m->ir->var.at[v].name->len);
+    }
+}
+
+// Numbers, then tables of offsets of names, then the names, then the lines.
+void bc_debug(Arena *arena, const BcMachine *m, Buf *out)
+{
+    const Program *p = m->ir->program;
+    const char *source = p && p->src ? base_name(p->src->name) : "";
+    const IrMachine *ir = m->ir;
+    Names n;
+
+    buf_init(&n.names, arena);
+    n.tables = out;
+    n.first = (uint32_t)(3 * (SMVM_DEBUG_NUMBERS + ir->state.n) + SMVM_DEBUG_VARIABLE * ir->var.n);
+    bc_u24(out, (uint32_t)ir->var.n);
+    bc_u24(out, 0);                                              // where the lines start, filled in below
+    add_name(&n, ir->name->text, ir->name->len);
+    add_name(&n, source, strlen(source));
+    for (size_t s = 0; s < ir->state.n; s++)
+        add_name(&n, ir->state.at[s].name->text, ir->state.at[s].name->len);
+    put_variables(arena, &n, m);
+    for (int i = 0; i < 3; i++)
+        out->at[3 + i] = (char)((n.first + n.names.n) >> 8 * i & 0xff);
+    buf_put(out, n.names.at, n.names.n);
+    put_lines(arena, out, m);
+}

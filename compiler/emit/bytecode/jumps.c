@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: Apache-2.0
+// Conditions, which become jumps over jumps and never numbers; the order of blocks; functions and machines.  Blocks that an `if` leaves
+// the function by go behind the others, so that what X holds survives the guards that do not hold.
+#include <string.h>
+
+#include "compiler/emit/bytecode/select.h"
+#include "stdlib/convert.h"
+
+// ---- conditions ----
+
+static void put_jump(Select *s, uint32_t op, uint32_t n, uint32_t label)
+{
+    BcIns *i = bc_put(s, (uint8_t)op);
+
+    i->n = n;
+    i->to = label;
+    s->out->label.at[label].jumped = (uint32_t)s->out->ins.n;
+}
+
+// Behind a label inside a block's jump X has been forgotten, and who comes there by a jump must find in its slot what is still needed.
+static bool is_inside(const Select *s, uint32_t label) { return label >= s->inside; }
+
+static bool stands_in_jump(const Select *s, IrRef r, int32_t *n)
+{
+    return bc_ins(s, r)->op == IR_const && bc_whole(bc_const_value(bc_ins(s, r)), n) && *n >= 0;
+}
+
+// Jumps to the label if the comparison gives `when`.
+static void jump_compare(Select *s, const IrIns *i, bool when, uint32_t label)
+{
+    uint32_t relation = when ? bc_relation(i->op) : bc_contrary(bc_relation(i->op));
+    IrRef a = bc_source(s, i->a), b = bc_source(s, i->b);
+    int32_t n;
+
+    if (stands_in_jump(s, a, &n)) {
+        const IrRef c = a;
+        a = b;
+        b = c;
+        relation = bc_mirrored(relation);
+    }
+    if (stands_in_jump(s, b, &n)) {
+        bc_to_x(s, a);
+        if (is_inside(s, label))
+            bc_keep_x(s);
+        put_jump(s, SMVM_jxn - 1 + relation, (uint32_t)n, label);
+    } else {
+        if (bc_operands(s, a, b, true, is_inside(s, label)))
+            relation = bc_mirrored(relation);
+        put_jump(s, SMVM_jxy - 1 + relation, 0, label);
+    }
+}
+
+static void jump_number(Select *s, IrRef r, bool when, uint32_t label)
+{
+    if (bc_ins(s, r)->op == IR_const) {
+        if (sm_to_bool(bc_const_value(bc_ins(s, r))) != when)
+            return;
+        bc_keep_x(s);
+        put_jump(s, SMVM_jmp, 0, label);
+        bc_forget(s);
+        return;
+    }
+    bc_to_x(s, r);
+    if (is_inside(s, label))
+        bc_keep_x(s);
+    put_jump(s, when ? SMVM_jt : SMVM_jf, 0, label);
+}
+
+// Jumps to the label if r is true (`when`) or not true (!when), else goes on.
+static void jump_on(Select *s, IrRef r, bool when, uint32_t label)
+{
+    const IrIns *i;
+    uint32_t past;
+
+    r = bc_without_truth(s, r);
+    while (s->value[r].waits && bc_ins(s, r)->op == IR_not) {
+        when = !when;
+        r = bc_without_truth(s, bc_ins(s, r)->a);
+    }
+    i = bc_ins(s, r);
+    if (!s->value[r].waits) {
+        jump_number(s, r, when, label);
+    } else if (i->op == IR_and || i->op == IR_or) {
+        if ((i->op == IR_or) == when) {                          // either decides
+            jump_on(s, i->a, when, label);
+            jump_on(s, i->b, when, label);
+        } else {
+            past = bc_label_new(s);
+            jump_on(s, i->a, !when, past);
+            jump_on(s, i->b, when, label);
+            bc_label_here(s, past);
+        }
+    } else if (ir_op_info[i->op].types == IR_T_COMPARE) {
+        jump_compare(s, i, when, label);
+    } else {
+        jump_number(s, r, when, label);
+    }
+}
+
+// ---- ends ----
+
+static bool is_end(const IrBlk *b) { return b->jump.kind == IR_RET || b->jump.kind == IR_GOTO; }
+static bool only_ends(const IrBlk *b) { return b->ins.n == 0 && is_end(b); }
+
+static uint32_t line_of(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
+
+static Exit *exit_of(Select *s, const IrJump *j)
+{
+    const uint32_t index = j->kind == IR_GOTO ? j->state : 0;
+    Exit *e = &s->exit[index];
+
+    if (e->fn != s->fn) {
+        memset(e, 0, sizeof *e);
+        e->fn = s->fn;
+        e->label = UINT32_MAX;
+        vec_push(s->arena, &s->exits, index);
+    }
+    return e;
+}
+
+static void put_end(Select *s, const IrJump *j)
+{
+    if (j->span.src)
+        s->span = j->span;
+    exit_of(s, j)->at = (uint32_t)s->out->ins.n + 1;
+    bc_put(s, j->kind == IR_GOTO ? SMVM_goto : SMVM_end)->n = j->kind == IR_GOTO ? j->state : 0;
+    bc_forget(s);
+}
+
+// Where jumps to block `to` lead; those to an end of the function, to the last such end.
+static uint32_t label_of(Select *s, IrBlkRef to)
+{
+    const IrJump *j = &s->f->blk.at[to].jump;
+    Exit *e;
+
+    if (!only_ends(&s->f->blk.at[to]))
+        return s->label[to];
+    e = exit_of(s, j);
+    if (e->label == UINT32_MAX) {
+        e->label = bc_label_new(s);
+        e->span = j->span;
+    }
+    e->of_many = e->of_many || line_of(j->span) != line_of(e->span);
+    return e->label;
+}
+
+// Where no such end stands behind the last jump to it, one is added.
+static void place_exit(Select *s, uint32_t state)
+{
+    Exit *e = &s->exit[state];
+    BcLabel *l;
+    BcIns *i;
+
+    if (e->label == UINT32_MAX || s->out->label.at[e->label].jumped == 0)
+        return;
+    l = &s->out->label.at[e->label];
+    if (e->at <= l->jumped) {
+        s->span = e->span.src ? e->span : s->span;
+        bc_put(s, state ? SMVM_goto : SMVM_end)->n = state;
+        e->at = (uint32_t)s->out->ins.n;
+    }
+    l->at = e->at - 1;
+    i = &s->out->ins.at[l->at];
+    i->of_many = state != 0 && (e->of_many || line_of(i->span) != line_of(e->span));
+}
+
+// ---- a block's jump ----
+
+// Goes on at block `to`; `next` is the block that follows in the output.  A jump to an end is an end.
+static void select_jmp(Select *s, IrBlkRef to, IrBlkRef next)
+{
+    if (to == next)
+        return;
+    if (only_ends(&s->f->blk.at[to])) {
+        put_end(s, &s->f->blk.at[to].jump);
+        return;
+    }
+    put_jump(s, SMVM_jmp, 0, s->label[to]);
+    bc_forget(s);
+}
+
+static void select_br(Select *s, IrRef cond, IrBlkRef then, IrBlkRef otherwise, IrBlkRef next)
+{
+    const bool on = then != next;
+    const uint32_t label = label_of(s, on ? then : otherwise);
+
+    s->inside = (uint32_t)s->out->label.n;
+    jump_on(s, cond, on, label);
+    if (on)
+        select_jmp(s, otherwise, next);
+}
+
+static void select_jump(Select *s, const IrJump *j, IrBlkRef next)
+{
+    const IrIns *cond = j->kind == IR_BR ? bc_ins(s, j->cond) : NULL;
+
+    if (j->span.src)
+        s->span = j->span;
+    if (cond && cond->op == IR_const) {
+        select_jmp(s, s->through[cond->bits ? j->then : j->otherwise], next);
+        return;
+    }
+    switch (j->kind) {
+    case IR_RET: case IR_GOTO: put_end(s, j); break;
+    case IR_JMP: select_jmp(s, s->through[j->then], next); break;
+    case IR_BR: select_br(s, j->cond, s->through[j->then], s->through[j->otherwise], next); break;
+    }
+}
+
+static void select_block(Select *s, IrBlkRef block, IrBlkRef next)
+{
+    const IrBlk *b = &s->f->blk.at[block];
+
+    bc_plan_block(s, block);
+    bc_label_here(s, s->label[block]);
+    s->x.value = IR_NONE;
+    for (size_t p = 0; p < b->ins.n; p++)
+        bc_select_ins(s, b->ins.at[p]);
+    select_jump(s, &b->jump, next);
+}
+
+// ---- the order of blocks ----
+
+// Label and `through` of each block.  Gives which are put out: those that can be reached and do more than jump or end.
+static bool *plan_blocks(Select *s)
+{
+    const IrFn *f = s->f;
+    bool *kept = ir_reachable(s->arena, f);
+
+    s->label = ARENA_ARRAY(s->arena, uint32_t, f->blk.n);
+    s->through = ARENA_ARRAY(s->arena, IrBlkRef, f->blk.n);
+    for (size_t b = 0; b < f->blk.n; b++)
+        s->label[b] = bc_label_new(s);
+    for (size_t b = f->blk.n; b-- > 0;) {
+        const IrBlk *blk = &f->blk.at[b];
+        const bool jumps = blk->ins.n == 0 && blk->jump.kind == IR_JMP;
+        s->through[b] = jumps ? s->through[blk->jump.then] : (IrBlkRef)b;
+        kept[b] = kept[b] && (b == 0 || (!jumps && !only_ends(blk)));
+    }
+    return kept;
+}
+
+static uint32_t *count_entries(Select *s, const bool *kept)      // of each block, by jumps and by passing on
+{
+    uint32_t *n = ARENA_ARRAY(s->arena, uint32_t, s->f->blk.n);
+
+    for (size_t b = 0; b < s->f->blk.n; b++) {
+        const IrJump *j = &s->f->blk.at[b].jump;
+        if (kept[b] && (j->kind == IR_JMP || j->kind == IR_BR))
+            n[s->through[j->then]]++;
+        if (kept[b] && j->kind == IR_BR)
+            n[s->through[j->otherwise]]++;
+    }
+    return n;
+}
+
+// Moves blocks behind all others that one `if` leads to, that end the function, and beside which the other side goes on.
+static void put_off(Select *s, const bool *kept, bool *late)
+{
+    const uint32_t *entries = count_entries(s, kept);
+    const IrBlk *blk = s->f->blk.at;
+
+    for (size_t b = 0; b < s->f->blk.n; b++) {
+        const IrJump *j = &blk[b].jump;
+        IrBlkRef then, otherwise;
+        if (!kept[b] || j->kind != IR_BR)
+            continue;
+        then = s->through[j->then];
+        otherwise = s->through[j->otherwise];
+        if (kept[then] && is_end(&blk[then]) && entries[then] == 1)
+            late[then] = kept[otherwise];
+        else if (kept[otherwise] && is_end(&blk[otherwise]) && entries[otherwise] == 1)
+            late[otherwise] = kept[then];
+    }
+}
+
+static IrBlkRef *order_blocks(Select *s, const bool *kept, uint32_t *n)
+{
+    IrBlkRef *order = ARENA_ARRAY(s->arena, IrBlkRef, s->f->blk.n + 1);
+    bool *late = ARENA_ARRAY(s->arena, bool, s->f->blk.n);
+
+    *n = 0;
+    put_off(s, kept, late);
+    for (int side = 0; side < 2; side++)
+        for (IrBlkRef b = 0; b < s->f->blk.n; b++)
+            if (kept[b] && late[b] == (side == 1))
+                order[(*n)++] = b;
+    order[*n] = IR_NONE;
+    return order;
+}
+
+// ---- functions ----
+
+void bc_select_function(Select *s, const IrFn *f, BcFn *out)
+{
+    const IrBlkRef *order;
+    uint32_t n;
+
+    s->f = f;
+    s->out = out;
+    s->fn++;
+    s->exits.n = 0;
+    s->straight = 0;
+    s->value = ARENA_ARRAY(s->arena, Value, f->ins.n);
+    order = order_blocks(s, plan_blocks(s), &n);
+    bc_forget(s);
+    for (uint32_t i = 0; i < n; i++)
+        select_block(s, order[i], order[i + 1]);
+    for (size_t i = 0; i < s->exits.n; i++)
+        place_exit(s, s->exits.at[i]);
+}
+
+// A function that does nothing needs no code.
+static bool does_nothing(const IrFn *f) { return f->blk.at[0].ins.n == 0 && f->blk.at[0].jump.kind == IR_RET; }
+
+static void number_windows(Select *s)
+{
+    const IrFn *f = s->m->ir->sample;
+    uint32_t n = 0;
+
+    s->m->window_number = ARENA_ARRAY(s->arena, uint32_t, s->m->ir->window.n);
+    for (size_t i = 0; f && i < f->blk.at[0].ins.n; i++) {
+        const IrIns *at = &f->ins.at[f->blk.at[0].ins.at[i]];
+        if (at->op == IR_sample)
+            s->m->window_number[at->var] = n++;
+    }
+}
+
+static BcRef *no_operands(Arena *arena, size_t n)
+{
+    BcRef *of = ARENA_ARRAY(arena, BcRef, n);
+
+    memset(of, 0xff, n * sizeof *of);
+    return of;
+}
+
+void bc_select(Arena *arena, BcMachine *out, const IrMachine *m)
+{
+    Select s;
+
+    memset(out, 0, sizeof *out);
+    memset(&s, 0, sizeof s);
+    out->ir = m;
+    s.arena = arena;
+    s.m = out;
+    s.store_at = ARENA_ARRAY(arena, uint32_t, m->var.n);
+    s.store_in = ARENA_ARRAY(arena, uint32_t, m->var.n);
+    s.exit = ARENA_ARRAY(arena, Exit, m->state.n + 1);
+    out->of_var = no_operands(arena, m->var.n);
+    out->of_stat = no_operands(arena, m->window.n * SM_STAT_COUNT);
+    out->fns = 1 + 3 * m->state.n;
+    out->fn = ARENA_ARRAY(arena, BcFn, out->fns);
+    number_windows(&s);
+    if (m->sample)
+        bc_select_function(&s, m->sample, &out->fn[0]);
+    for (size_t i = 0; i < m->state.n; i++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            if (m->state.at[i].block[b] && !does_nothing(m->state.at[i].block[b]))
+                bc_select_function(&s, m->state.at[i].block[b], &out->fn[1 + 3 * i + (size_t)b]);
+}

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// What instructions name: variables, statistics, numbers, and slots for what an operation gives.
+#include <string.h>
+
+#include "compiler/emit/bytecode/select.h"
+#include "stdlib/convert.h"
+
+static BcRef add_operand(Select *s, BcOperandKind kind, uint32_t type)
+{
+    BcOperand o;
+
+    memset(&o, 0, sizeof o);
+    o.kind = kind;
+    o.type = type;
+    vec_push(s->arena, &s->m->operand, o);
+    return (BcRef)(s->m->operand.n - 1);
+}
+
+BcRef bc_var_operand(Select *s, uint32_t var)
+{
+    BcRef *r = &s->m->of_var[var];
+
+    if (*r == BC_NONE) {
+        *r = add_operand(s, BC_VAR, s->m->ir->var.at[var].type);
+        s->m->operand.at[*r].var = var;
+    }
+    return *r;
+}
+
+BcRef bc_stat_operand(Select *s, uint32_t window, SmStat stat)
+{
+    BcRef *r = &s->m->of_stat[window * SM_STAT_COUNT + stat];
+
+    if (*r == BC_NONE) {
+        *r = add_operand(s, BC_STAT, SM_F64);
+        s->m->operand.at[*r].var = window;
+        s->m->operand.at[*r].index = stat;
+    }
+    return *r;
+}
+
+uint32_t bc_type_of(const Select *s, BcRef r) { return s->m->operand.at[r].type; }
+
+// ---- numbers ----
+
+bool bc_whole(SmF64 x, int32_t *n)
+{
+    if (!sm_le(sm_from_i32(-(int32_t)SMVM_VARINT_END), x) || !sm_lt(x, sm_from_i32((int32_t)SMVM_VARINT_END)))
+        return false;
+    *n = sm_to_i32(x);
+    return sm_bits(sm_from_i32(*n)) == sm_bits(x);               // whole, and not -0
+}
+
+bool bc_is_f32(SmF64 x) { return sm_is_nan(x) || sm_bits(sm_from_f32(sm_round_f32(x))) == sm_bits(x); }
+
+static void add_constant(Select *s, BcOperand *o)                // to its table
+{
+    const SmF64 x = sm_from_bits(o->bits);
+    int32_t n;
+
+    if (bc_whole(x, &n))
+        return;
+    if (bc_is_f32(x)) {
+        o->index = (uint32_t)s->m->f32s.n;
+        vec_push(s->arena, &s->m->f32s, sm_is_nan(x) ? 0x7fc00000u : sm_f32_bits(sm_round_f32(x)));
+    } else {
+        o->index = (uint32_t)s->m->f64s.n;
+        vec_push(s->arena, &s->m->f64s, o->bits);
+    }
+}
+
+static size_t const_place(const BcMachine *m, const BcRef *table, size_t cap, uint64_t bits)
+{
+    size_t i = (size_t)(bits * UINT64_C(0x9e3779b97f4a7c15) >> 32) & (cap - 1);
+
+    while (table[i] != BC_NONE && m->operand.at[table[i]].bits != bits)
+        i = (i + 1) & (cap - 1);
+    return i;
+}
+
+static void grow_consts(Select *s)
+{
+    BcMachine *m = s->m;
+    size_t cap = m->const_cap ? m->const_cap * 2 : 64;
+    BcRef *table = ARENA_ARRAY(s->arena, BcRef, cap);
+
+    memset(table, 0xff, cap * sizeof *table);
+    for (size_t i = 0; i < m->const_cap; i++)
+        if (m->const_slot[i] != BC_NONE)
+            table[const_place(m, table, cap, m->operand.at[m->const_slot[i]].bits)] = m->const_slot[i];
+    m->const_slot = table;
+    m->const_cap = cap;
+}
+
+BcRef bc_const_operand(Select *s, SmF64 x)
+{
+    const uint64_t bits = sm_bits(x);
+    size_t place;
+
+    if (s->m->consts * 2 >= s->m->const_cap)
+        grow_consts(s);
+    place = const_place(s->m, s->m->const_slot, s->m->const_cap, bits);
+    if (s->m->const_slot[place] == BC_NONE) {
+        BcRef r = add_operand(s, BC_CONST, SM_F64);
+        s->m->operand.at[r].bits = bits;
+        add_constant(s, &s->m->operand.at[r]);
+        s->m->const_slot[place] = r;
+        s->m->consts++;
+    }
+    return s->m->const_slot[place];
+}
+
+// ---- slots ----
+
+BcRef bc_slot_take(Select *s, uint32_t pool)
+{
+    BcRef r;
+
+    if (s->free[pool].n > 0)
+        return s->free[pool].at[--s->free[pool].n];
+    r = add_operand(s, BC_SLOT, pool);
+    s->m->operand.at[r].index = s->m->slots[pool]++;
+    return r;
+}
+
+void bc_slot_give(Select *s, BcRef r)
+{
+    const BcOperand *o = &s->m->operand.at[r];
+
+    if (o->kind == BC_SLOT)
+        vec_push(s->arena, &s->free[o->type], r);
+}

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is known of the instructions of a block before any is selected.  An operation whose result is used once waits for its user,
+// which then asks for it; what is used more often is computed where it stands.  A load is read by its users directly, unless
+// a store to its variable comes before the last of them.
+#include "compiler/emit/bytecode/select.h"
+#include "stdlib/convert.h"
+
+enum { DEEPEST = 100 };       // how many operations may wait for each other: a bound of the recursion in select.c
+
+uint32_t bc_depth(const Select *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
+
+// ---- what a number can be ----
+
+// (A NaN is one only as an F64, and then stays one.)
+SmF64 bc_const_value(const IrIns *i) { return i->type == SM_F64 ? sm_from_bits(i->bits) : sm_cell_to_f64(i->type, i->bits); }
+
+// Whether r's number can be one that its type has not: a NaN, or of an F32 operation a number that is not yet rounded, for it is
+// computed as F64.  What was read, converted or counted is of its type.
+static bool is_raw(const Select *s, IrRef r)
+{
+    const IrIns *i = bc_ins(s, r);
+
+    if (i->op == IR_const)
+        return i->type == SM_F64 && sm_is_nan(sm_from_bits(i->bits));
+    return bc_is_float(i->type) && i->op != IR_load && i->op != IR_cvt;
+}
+
+// Whether every number of type `a` is one of type `b`.  (Of I64 and U64 those that the F64 they are read as stands for.)
+bool bc_is_within(SmType a, SmType b)
+{
+    const SmTypeInfo *x = &sm_type_info[a], *y = &sm_type_info[b];
+
+    if (a == b || a == SM_BOOL || b == SM_F64)
+        return b != SM_BOOL || a == b;
+    if (b == SM_F32)
+        return x->bytes < 4;
+    if (x->kind == SM_KIND_FLOAT || y->kind == SM_KIND_BOOL)
+        return false;
+    return x->kind == y->kind ? x->bytes <= y->bytes : x->kind == SM_KIND_UNSIGNED && x->bytes < y->bytes;
+}
+
+bool bc_is_exact(const Select *s, IrRef r, SmType type)
+{
+    return !is_raw(s, r) && bc_is_within(bc_ins(s, r)->type, type) && !(bc_is_float(type) && s->value[r].minus_zero);
+}
+
+// ---- conversions that need no instruction ----
+
+// Whether a conversion leaves the number as it is once its operand has been read.
+static bool changes_nothing(const Select *s, const IrIns *cvt) { return bc_is_exact(s, cvt->a, cvt->type); }
+
+IrRef bc_source(const Select *s, IrRef r)
+{
+    while (s->value[r].waits && bc_ins(s, r)->op == IR_cvt && changes_nothing(s, bc_ins(s, r)))
+        r = bc_ins(s, r)->a;
+    return r;
+}
+
+IrRef bc_without_truth(const Select *s, IrRef r)
+{
+    while (s->value[r].waits && bc_ins(s, r)->op == IR_cvt && (bc_ins(s, r)->type == SM_BOOL || changes_nothing(s, bc_ins(s, r))))
+        r = bc_ins(s, r)->a;
+    return r;
+}
+
+// Whether storing in a destination of type `type` does what a conversion to `to` does before it.  NaN becomes 0 in all of them, so
+// conversions of F64 to itself vanish; and what is cut to a range is cut again to one inside it.
+static bool storing_converts(SmType to, SmType type)
+{
+    return to == type || to == SM_F64 || (!bc_is_float(to) && type != SM_BOOL && to != SM_BOOL && bc_is_within(type, to));
+}
+
+IrRef bc_stored(const Select *s, IrRef r, SmType type)
+{
+    const IrIns *i = bc_ins(s, r);
+
+    for (; s->value[r].waits && i->op == IR_cvt && (storing_converts(i->type, type) || changes_nothing(s, i)); i = bc_ins(s, r))
+        r = i->a;
+    return bc_source(s, r);
+}
+
+// ---- which operations wait ----
+
+static bool is_pure_operation(IrOp op) { return !ir_op_info[op].effect && op != IR_const && op != IR_load; }
+
+static void use(Select *s, IrRef r, uint32_t at, uint32_t times)
+{
+    Value *v = &s->value[r];
+
+    v->uses += times;
+    if (v->last < at)
+        v->last = at;
+}
+
+static void note_store(Select *s, const IrIns *i, Value *v, uint32_t at)
+{
+    v->again = s->store_in[i->var] == s->count ? s->store_at[i->var] : UINT32_MAX;
+    s->store_at[i->var] = at;
+    s->store_in[i->var] = s->count;
+}
+
+// Counts the uses by what is live, from the block's end; `at` is a position + 1.
+static void count_block(Select *s, const IrBlk *b, bool deep_known)
+{
+    s->count++;
+    if (b->jump.kind == IR_BR)
+        use(s, b->jump.cond, (uint32_t)b->ins.n + 1, 1);
+    for (uint32_t p = (uint32_t)b->ins.n; p-- > 0;) {
+        IrRef r = b->ins.at[p];
+        const IrIns *i = bc_ins(s, r);
+        Value *v = &s->value[r];
+        uint32_t at = p + 1;
+        bool same;
+
+        if (!ir_op_info[i->op].effect && v->uses == 0)
+            continue;
+        v->left = v->uses;
+        v->slot = BC_NONE;
+        same = i->op == IR_cvt && changes_nothing(s, i);
+        v->waits = is_pure_operation(i->op) && (v->uses == 1 || same) && !(deep_known && v->depth > DEEPEST);
+        if (v->waits)
+            at = v->last;
+        if (i->op == IR_load)
+            v->early = s->store_in[i->var] == s->count && s->store_at[i->var] < v->last;
+        if (i->op == IR_store)
+            note_store(s, i, v, p + 1);
+        if (ir_op_info[i->op].operands > 0)
+            use(s, i->a, at, v->waits ? v->uses : 1);
+        if (ir_op_info[i->op].operands > 1)
+            use(s, i->b, at, 1);
+    }
+}
+
+// ---- the sign of a zero ----
+
+static bool is_positive(const Select *s, IrRef r)
+{
+    return bc_ins(s, r)->op == IR_const && sm_lt(sm_from_i32(0), bc_const_value(bc_ins(s, r)));
+}
+
+// Whether an integer may be below zero, by what it is made of; x and y are what is known of its operands.
+static bool may_be_negative(const Select *s, const IrIns *i, const Value *x, const Value *y)
+{
+    const bool is_signed = sm_type_info[i->type].kind == SM_KIND_SIGNED;
+
+    switch (i->op) {
+    case IR_const: return is_signed && sm_lt(bc_const_value(i), sm_from_i32(0));
+    case IR_cvt: return is_signed && (bc_is_float(bc_ins(s, i->a)->type) || x->negative);
+    case IR_add: case IR_mul: case IR_min: case IR_max: return x->negative || y->negative;
+    case IR_sign: return x->negative;
+    case IR_abs: return false;
+    default: return is_signed;
+    }
+}
+
+// An integer product or negation that is 0 may be -0 on F64, and so may what operations on integers make of such a number.
+static bool may_be_minus_zero(const Select *s, const IrIns *i, const Value *x, const Value *y)
+{
+    const bool of_such = x->minus_zero || y->minus_zero;
+
+    switch (i->op) {
+    case IR_neg: return true;
+    case IR_mul: return of_such || (x->negative && !is_positive(s, i->b)) || (y->negative && !is_positive(s, i->a));
+    case IR_cvt: return of_such && changes_nothing(s, i);
+    case IR_abs: return false;
+    default: return of_such;
+    }
+}
+
+static void find_signs(Select *s, const IrBlk *b)
+{
+    const Value none = {.slot = BC_NONE};
+
+    for (size_t p = 0; p < b->ins.n; p++) {
+        const IrIns *i = bc_ins(s, b->ins.at[p]);
+        const uint8_t n = ir_op_info[i->op].operands;
+        const Value *x = n > 0 ? &s->value[i->a] : &none, *y = n > 1 ? &s->value[i->b] : &none;
+        Value *v = &s->value[b->ins.at[p]];
+        if (bc_is_float(i->type))
+            continue;
+        v->negative = may_be_negative(s, i, x, y);
+        v->minus_zero = may_be_minus_zero(s, i, x, y);
+    }
+}
+
+// ---- a block ----
+
+static void find_depth(Select *s, IrRef r)
+{
+    const IrIns *i = bc_ins(s, r);
+    uint32_t x, y;
+
+    if (!is_pure_operation(i->op))
+        return;
+    x = ir_op_info[i->op].operands > 0 ? bc_depth(s, i->a) : 0;
+    y = ir_op_info[i->op].operands > 1 ? bc_depth(s, i->b) : 0;
+    s->value[r].depth = 1 + (x > y ? x : y);
+}
+
+void bc_plan_block(Select *s, uint32_t block)
+{
+    const IrBlk *b = &s->f->blk.at[block];
+
+    find_signs(s, b);
+    count_block(s, b, false);
+    for (size_t p = 0; p < b->ins.n; p++)
+        find_depth(s, b->ins.at[p]);
+    for (size_t p = 0; p < b->ins.n; p++) {
+        Value *v = &s->value[b->ins.at[p]];
+        v->uses = v->last = 0;
+    }
+    count_block(s, b, true);
+}

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// Puts instructions out and keeps account of what X and Y hold, so that nothing is loaded that is there.  What X holds and somebody
+// will still ask for goes to a slot only when X is needed for something else.
+#include "compiler/emit/bytecode/select.h"
+
+// ---- what is held ----
+
+static Held nothing(void) { return (Held){IR_NONE, {BC_NONE, BC_NONE, BC_NONE}}; }
+
+bool bc_holds(const Held *h, BcRef o)
+{
+    for (int i = 0; i < HELD; i++)
+        if (h->from[i] == o)
+            return o != BC_NONE;
+    return false;
+}
+
+static void reads_as(Held *h, BcRef o)
+{
+    int i = 0;
+
+    while (i < HELD - 1 && h->from[i] != BC_NONE && h->from[i] != o)
+        i++;
+    h->from[i] = o;
+}
+
+static void differs(Held *h, BcRef o)
+{
+    for (int i = 0; i < HELD; i++)
+        if (h->from[i] == o)
+            h->from[i] = BC_NONE;
+}
+
+void bc_forget(Select *s) { s->x = s->y = nothing(); }
+
+// ---- instructions ----
+
+BcIns *bc_put(Select *s, uint8_t op)
+{
+    const BcIns i = {.op = op, .what = BC_NONE, .span = s->span};
+
+    vec_push(s->arena, &s->out->ins, i);
+    return &s->out->ins.at[s->out->ins.n - 1];
+}
+
+static bool is_pending(const Select *s)               // nothing but X holds it, and somebody will ask for it
+{
+    const Value *v = s->x.value == IR_NONE ? NULL : &s->value[s->x.value];
+
+    return v && v->placed && v->left > 0 && v->slot == BC_NONE;
+}
+
+// Where r lies when X does not hold it: what is converted, or no F64, in a slot of its type.  An F64 stays as it is.
+static uint32_t pool_of(const Select *s, IrRef r)
+{
+    const IrIns *i = bc_ins(s, r);
+
+    return i->type != SM_F64 || i->op == IR_cvt ? (uint32_t)i->type : (uint32_t)BC_RAW;
+}
+
+void bc_drop_cvt(Select *s, uint32_t type)
+{
+    const size_t n = s->out->ins.n;
+
+    if (n > s->straight && s->out->ins.at[n - 1].op == SMVM_cvt && s->out->ins.at[n - 1].n == type) {
+        s->out->ins.n--;
+        s->x = nothing();
+    }
+}
+
+static void save(Select *s, bool used)                // used: X is needed as it is
+{
+    const IrRef r = s->x.value;
+    Value *v = &s->value[r];
+
+    v->slot = bc_slot_take(s, pool_of(s, r));
+    if (!used)
+        bc_drop_cvt(s, bc_type_of(s, v->slot));
+    bc_store_x(s, v->slot, used);
+}
+
+void bc_keep_x(Select *s)
+{
+    if (is_pending(s))
+        save(s, true);
+}
+
+void bc_load_x(Select *s, BcRef o)
+{
+    if (bc_holds(&s->x, o))
+        return;
+    if (is_pending(s))
+        save(s, false);
+    bc_put(s, SMVM_ldx_local)->what = o;
+    bc_forget(s);
+    s->x.from[0] = o;
+}
+
+void bc_load_y(Select *s, BcRef o)
+{
+    if (bc_holds(&s->y, o))
+        return;
+    bc_put(s, SMVM_ldy_local)->what = o;
+    s->y = nothing();
+    s->y.from[0] = o;
+}
+
+void bc_change_x(Select *s, uint8_t op, uint32_t n)
+{
+    bc_put(s, op)->n = n;
+    s->x = nothing();
+}
+
+void bc_x_is(Select *s, IrRef r)
+{
+    if (s->x.value == r)
+        return;
+    bc_keep_x(s);
+    s->x.value = r;
+}
+
+static void note_output(Select *s, BcOperand *o)
+{
+    if (o->kind != BC_VAR || o->output > 0 || s->m->ir->var.at[o->var].space != IR_ELEMENT)
+        return;
+    vec_push(s->arena, &s->m->output, o->var);
+    o->output = (uint32_t)s->m->output.n;
+}
+
+void bc_store_x(Select *s, BcRef d, bool same)
+{
+    bc_put(s, SMVM_st_local)->what = d;
+    note_output(s, &s->m->operand.at[d]);
+    s->y = nothing();
+    differs(&s->x, d);
+    if (same)
+        reads_as(&s->x, d);
+}
+
+void bc_sample_x(Select *s, uint32_t window)
+{
+    bc_put(s, SMVM_sample)->n = window;
+    s->y = nothing();
+}
+
+// ---- labels ----
+
+uint32_t bc_label_new(Select *s)
+{
+    const BcLabel none = {UINT32_MAX, 0};
+
+    vec_push(s->arena, &s->out->label, none);
+    return (uint32_t)(s->out->label.n - 1);
+}
+
+void bc_label_here(Select *s, uint32_t label)
+{
+    BcLabel *l = &s->out->label.at[label];
+
+    l->at = (uint32_t)s->out->ins.n;
+    if (l->jumped == 0)
+        return;
+    s->straight = l->at;
+    bc_forget(s);
+}
