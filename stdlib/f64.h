@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SmF64: the one number of the language, IEEE binary64, and its operators.  The only file that decides how it is
-// represented: a C `double` where that is binary64; where it is not, as on AVR, the bits, and arithmetic in software (soft.h).
-// -DSM_F64_SOFT=1 chooses the latter anywhere; all that is compiled together must agree on it.  Callers use the functions below
+// represented: a C `double` where that is binary64; where it is not, as on AVR, or is not computed right, the bits, and arithmetic in
+// software (soft.h).  -DSM_F64_SOFT=1 chooses the latter anywhere; all that is compiled together must agree on it.  Callers use the functions below
 // and never C's operators, which the soft type does not have.
 // All functions are exact IEEE: round to nearest even, no trap, no errno.  The sign and payload of a NaN carry no meaning.
 //
@@ -15,8 +15,11 @@
 #include <stdint.h>
 #include <string.h>
 
+// gcc's own double for ARM chips without one, but for the smallest (Cortex-M0), rounds some sums wrongly whose operands lie 33 bits apart.
 #ifndef SM_F64_SOFT
-#if DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024
+#if defined(__arm__) && defined(__GNUC__) && !defined(__clang__) && !(__ARM_FP & 8) && __ARM_ARCH_ISA_THUMB != 1
+#define SM_F64_SOFT 1
+#elif DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024
 #define SM_F64_SOFT 0
 #else
 #define SM_F64_SOFT 1
