@@ -65,7 +65,7 @@ static uint64_t random_cell(SmType t)
 
 static IrRef emit(Arena *a, IrFn *f, IrOp op, SmType type, IrRef x, IrRef y, uint32_t var, uint64_t bits)
 {
-    IrIns i = { op, type, x, y, var, SM_STAT_AVG, bits, { 0 } };
+    IrIns i = { op, type, x, y, var, SM_STAT_AVG, bits, 0, { 0 } };
 
     return ir_emit(a, f, 0, i);
 }
@@ -286,6 +286,34 @@ static void try_input(Arena *a, const Subject *s, Engine *e, unsigned step)
             complain(a, s, i, got.cell[i], w.var[i]);
 }
 
+static void try_one(Arena *a, const Subject *s, const Program *p, Engine *e)
+{
+    EngineStep got;
+
+    engine_step_init(&got, a, p);
+    CHECK(e->init(e, 1, &got) == ENGINE_OK);
+    for (unsigned step = 0; step < STEPS; step++)
+        try_input(a, s, e, step);
+}
+
+// `soft`: with numbers in software.
+static void try_all(Arena *a, const Subject *s, const Program *const *p, const IrMachine *const *m, size_t count, bool soft)
+{
+    const EngineCOptions o = { .soft = soft };
+    const char *error = "";
+    EngineCBatch *batch = engine_c_batch_open(a, p, m, count, &o, &error);
+
+    CHECK(batch != NULL);
+    compared = 0;
+    if (!batch)
+        fprintf(stderr, "%s\n", error);
+    for (size_t i = 0; batch && i < count; i++)
+        try_one(a, &s[i], p[i], engine_c_batch_engine(batch, i));
+    if (batch)
+        engine_c_batch_close(batch);
+    CHECK(!batch || compared > count * STEPS);
+}
+
 int main(int argc, char **argv)
 {
     const size_t count = argc > 1 ? (size_t)atoi(argv[1]) : 300;
@@ -295,8 +323,6 @@ int main(int argc, char **argv)
     Subject *s;
     const Program **p;
     const IrMachine **m;
-    const char *error = "";
-    EngineCBatch *batch;
 
     seed = argc > 2 ? (uint64_t)atoi(argv[2]) : 1;
     if (setjmp(oom))
@@ -321,21 +347,8 @@ int main(int argc, char **argv)
         puts("typed: no C compiler\n0 passed, 0 failed, 1 skipped");
         return 0;
     }
-    batch = engine_c_batch_open(&arena, p, m, count, NULL, &error);
-    CHECK(batch != NULL);
-    if (!batch)
-        fprintf(stderr, "%s\n", error);
-    for (size_t i = 0; batch && i < count; i++) {
-        Engine *e = engine_c_batch_engine(batch, i);
-        EngineStep got;
-        engine_step_init(&got, &arena, p[i]);
-        CHECK(e->init(e, 1, &got) == ENGINE_OK);
-        for (unsigned step = 0; step < STEPS; step++)
-            try_input(&arena, &s[i], e, step);
-    }
-    if (batch)
-        engine_c_batch_close(batch);
-    CHECK(!batch || compared > count * STEPS);
+    try_all(&arena, s, p, m, count, false);
+    try_all(&arena, s, p, m, count, true);
     arena_free(&arena);
     return test_end("typed");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers where no `double` is an IEEE binary64 (EmitCOptions.soft): an F64 is an SmF64, the bits of one, and expressions on it are
 // calls of the functions of sm_soft.h.  C's own arithmetic on floats is not used either, for nobody promises its rounding there: an
-// F32 is computed on as an F64, which gives the same number.  Integers are as ever.
+// F32 is computed on as an F64 and rounded after each operation, which gives the same F32.  Integers are as ever.
 #include "compiler/emit/c/emit_c.h"
 #include "compiler/emit/c/fn.h"
 #include "soft_text.h"
@@ -24,8 +24,6 @@ static const char *const cut[SM_TYPE_COUNT] = {
     [SM_U8] = "(uint8_t)sm_cut_i32(", [SM_U16] = "(uint16_t)sm_cut_i32(", [SM_U32] = "sm_cut_u32(", [SM_U64] = "sm_cut_u64(",
 };
 
-static bool is_arithmetic(IrOp op) { return op == IR_add || op == IR_sub || op == IR_mul || op == IR_div; }
-
 static void put_arithmetic(CFn *fn, const IrIns *i)
 {
     put(fn, i->op == IR_add ? "sm_add(" : i->op == IR_sub ? "sm_sub(" : i->op == IR_mul ? "sm_mul(" : "sm_div(");
@@ -37,13 +35,7 @@ static void put_arithmetic(CFn *fn, const IrIns *i)
 
 void soft_put_number(CFn *fn, IrRef r)
 {
-    const IrIns *i = ins(fn, r);
-
-    if (i->type == SM_F32 && is_arithmetic(i->op) && fn->ins[r].how == C_INLINE) {
-        put_arithmetic(fn, i);
-        return;
-    }
-    put(fn, from_integer[i->type]);
+    put(fn, from_integer[ins(fn, r)->type]);
     put(fn, "(");
     put_value(fn, r, PREC_ANY);
     put(fn, ")");
