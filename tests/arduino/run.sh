@@ -124,9 +124,9 @@ printf '#include "tank.h"\n#include <smc.h>\n' >"$dir/order.c"
 check "the machine before the library is refused" sh -c "! $CC -I$src -I$examples/TankImage -fsyntax-only $dir/order.c"
 # Where the chip has a fused multiply-add, gnu11 would use it, and the Arduino tools take no options.
 fused() { arm-none-eabi-gcc -std=gnu11 -O2 -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard "$@" -I"$src" -S "$dir/fused.c" -o - | grep -c vfma; }
-printf '#include "stdlib/f64.h"\nSmF64 f(SmF64 a, SmF64 b, SmF64 c) { return sm_add(sm_mul(a, b), c); }\n' >"$dir/fused.c"
+printf 'double plain(double a, double b, double c) { return a * b + c; }\n#include "stdlib/f64.h"\nSmF64 f(SmF64 a, SmF64 b, SmF64 c) { return sm_add(sm_mul(a, b), c); }\n' >"$dir/fused.c"
 if has arm-none-eabi-gcc; then
-    check "a * b + c is rounded twice on a Cortex-M7" test "$(fused) $(fused -DARDUINO=10800)" = "1 0"
+    check "a * b + c is rounded twice on a Cortex-M7" test "$(fused -DARDUINO=10800)" = 1          # that of plain C before it
 fi
 
 # ---- the examples, against the script engine ----
