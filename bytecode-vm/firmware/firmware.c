@@ -40,6 +40,7 @@ static uint16_t state[SMVM_RUNNER_MACHINES];           // that the last step lef
 
 static volatile uint16_t left = 1, period = PERIOD;    // ms to the next step, and between two
 static volatile bool stepping, held = true;            // held: no step begins
+static volatile bool behind_step;      // a step has ended in this millisecond
 static uint16_t skipped;                               // steps that were due while one ran
 static uint64_t now;                                   // G
 
@@ -81,6 +82,7 @@ static void step(void)
 // Every millisecond, in the interrupt.
 static void tick(void)
 {
+    behind_step = false;
     if (--left > 0)
         return;
     left = period;
@@ -97,10 +99,17 @@ static void tick(void)
     cli();
     GPIOR0 = 0;
     stepping = false;
+    behind_step = true;
 }
 
-// Whether a byte of EEPROM may be begun; a period that is shorter than that byte has to bear it.
-static bool may_write(void) { return held || left > EEPROM_WRITE || left + 1 >= period; }
+// Whether a byte of EEPROM may be begun: if it is done before the next step; or, where there is never so much time, right behind a step.
+static bool may_write(void)
+{
+    const bool may = held || left > EEPROM_WRITE || behind_step;
+
+    behind_step = false;
+    return may;
+}
 
 static SmResult run(SmvmBytes image, uint16_t milliseconds)
 {

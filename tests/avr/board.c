@@ -45,7 +45,7 @@ static size_t queued, speed = 1;
 static const Plant *plant;
 static volatile sig_atomic_t ended;
 
-static struct { uint64_t steps, sum, most, begun, first, late; unsigned long read_early, written; } seen;
+static struct { uint64_t steps, sum, most, begun; unsigned long read_early, written; } seen;
 
 static void say_errors(struct avr_t *a, const int level, const char *format, va_list args)
 {

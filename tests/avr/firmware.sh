@@ -74,10 +74,9 @@ fly_tank() {
     rm "$D/tank.mem.armed"
     text='needs more than [0-9]* bytes of RAM, the board has .*; nothing was sent'
     count says "$smc" flash "$D/large.smb" "$port"
-    text='no update may begin\|an update may begin'
-    count says "$smc" device info "$port"
+    count "$smc" flash "$D/vent.smb" "$port" --period=5 >"$D/tank.out" 2>&1
     count board_off
-    count awk '/steps/ { seen = $3 > 120 * $1 } END { exit !seen }' "$D/tank.mem.said"
+    count awk '/steps/ { seen = $3 > 120 * $1 && $9 < 50000 } END { exit !seen }' "$D/tank.mem.said"
     count awk '/^tank:/ { seen = $4 >= 699 && $6 > 770 && $6 <= 800 && $10 > 2 } END { exit !seen }' "$D/tank.mem.said"
 }
 
