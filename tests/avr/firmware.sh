@@ -125,7 +125,7 @@ sed 's/tankPressure > 775/roll_median(tankPressure, 700) > 775/' examples/tank/t
 build large "$D/large.sm"
 sed 's/tankPressure > 775/tankPressure > 770/' examples/tank/tank.sm >"$D/vent.sm"
 build vent "$D/vent.sm" --sv tests/avr/tank.sv --io tests/avr/tank.io
-for MCU in ${BOARDS:-atmega2560}; do
+for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     export MCU FIRMWARE=$D/$MCU.elf
     $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU ARM_PIN=7 FIRMWARE_OUT="$D" || exit 1
     if [ $MCU = atmega328p ]; then             # one slot, and no windows
