@@ -337,7 +337,7 @@ static void select_store(Select *s, const IrIns *i, const Value *at)
         bc_drop_cvt(s, (uint32_t)i->type);
         same = s->x.value == r;
     }
-    bc_store_x(s, d, same);
+    bc_store_x(s, d, same && !s->value[r].minus_zero);           // where X may be -0 the variable is 0
 }
 
 static void select_sample(Select *s, const IrIns *i)
