@@ -18,6 +18,7 @@
 #include <avr/pgmspace.h>
 #define SMVM_BYTES uint16_t
 #define SMVM_FETCH(image, at) pgm_read_byte((const uint8_t *)((image) + (uint16_t)(at)))
+#define SMVM_FETCH_AVR 1
 #define SMVM_AT uint16_t
 #define SMVM_IMAGE_MAX 0x7fffu
 #define SMVM_RAM_MAX 0x7fffu
@@ -30,6 +31,13 @@
 #define SMVM_BYTES const uint8_t *
 #define SMVM_FETCH(image, at) ((image)[at])
 #define SMVM_TEXT(image, at) ((const char *)(image) + (at))
+#endif
+
+// Assembly in place of the interpreter's inner loop, on AVR with uint16_t as SMVM_BYTES and SMVM_AT: 1 interp_avr.S, where SMVM_FETCH
+// reads flash; 2 interp_avr_eeprom.S, where it reads EEPROM at addresses from 0x8000 on, less that, and flash below; 0 none.
+#if !defined(SMVM_FETCH_AVR) || !defined(__AVR_HAVE_MUL__) || defined(SMVM_PORTABLE)
+#undef SMVM_FETCH_AVR
+#define SMVM_FETCH_AVR 0
 #endif
 
 // Names in an image as text, where an image lies in memory like any other.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The interpreter: one step of a machine (language.md 6).  It checks nothing that the verifier has decided: what is named
 // exists, code ends, jumps land on instructions, memory is there.
+#include <stddef.h>
 #include <string.h>
 
 #include "bytecode-vm/image.h"
@@ -8,34 +9,58 @@
 #include "bytecode-vm/smvm.h"
 #include "bytecode-vm/step.h"
 
+#if SM_F64_SOFT && SMVM_FETCH_AVR
+#define SMVM_ASSEMBLY SMVM_FETCH_AVR
+#else
+#define SMVM_ASSEMBLY 0
+#endif
+
 typedef struct Run {
     SmVm *vm;
     uint8_t *sv, *locals;
-    const SmvmTables *t;
     Number x, y;
+#if SMVM_ASSEMBLY
+    SmvmBytes functions, code, outputs;
+    uint8_t width;
+#endif
+    const SmvmTables *t;
 } Run;
+
+// On AVR most of what follows is in assembly (interp_avr.S), which calls what it leaves to C.
+#if SMVM_ASSEMBLY
+#include "bytecode-vm/interp_avr.h"
+
+#define SMVM_DO
+SmvmAt smvm_run_flash(Run *r, SmvmAt function);
+SmvmAt smvm_run_eeprom(Run *r, SmvmAt function);
+void smvm_do_load(Run *r, uint8_t op, uint32_t n);
+void smvm_do_time(Run *r, uint8_t op);
+void smvm_do_put(Run *r, uint8_t op, uint32_t n);
+void smvm_do_compute(Run *r, uint8_t op);
+void smvm_do_stat(Run *r, uint8_t stat, SmvmAt w);
+uint8_t smvm_do_relation(const Run *r);
+
+#define SMVM_LIES(type, member, at) typedef char smvm_##type##_##member##_lies_there[offsetof(type, member) == (at) ? 1 : -1]
+SMVM_LIES(Run, vm, RUN_VM);
+SMVM_LIES(Run, sv, RUN_SV);
+SMVM_LIES(Run, locals, RUN_LOCALS);
+SMVM_LIES(Run, x, RUN_X);
+SMVM_LIES(Run, y, RUN_Y);
+SMVM_LIES(Run, functions, RUN_FUNCTIONS);
+SMVM_LIES(Run, code, RUN_CODE);
+SMVM_LIES(Run, outputs, RUN_OUTPUTS);
+SMVM_LIES(Run, width, RUN_WIDTH);
+SMVM_LIES(Number, is_real, 8);
+SMVM_LIES(SmVm, start, VM_START);
+SMVM_LIES(SmVm, next, VM_NEXT);
+SMVM_LIES(SmVm, stored, VM_STORED);
+#else
+#define SMVM_DO SMVM_APART static
+#endif
 
 // ---- numbers in the code ----
 
 SMVM_INLINE uint8_t byte_at(SmvmBytes at) { return (uint8_t)SMVM_FETCH(at, 0); }
-
-// A varint of two or four bytes, of whose first this is `b`; the others are at `at`.
-SMVM_APART static uint32_t long_number(SmvmBytes at, uint8_t b)
-{
-    uint32_t v;
-
-    if (b < SMVM_VARINT_2)
-        return SMVM_VARINT_1 + (uint32_t)((uint16_t)(b - SMVM_VARINT_1) << 7 | byte_at(at));
-    v = b & 7;
-    for (uint8_t i = 0; i < 3; i++)
-        v = v << 7 | byte_at(at++);
-    return SMVM_VARINT_MID + v;
-}
-
-SMVM_INLINE SmvmBytes behind(SmvmBytes at, uint8_t b)           // the others of one whose first is b
-{
-    return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
-}
 
 // ---- loads and stores ----
 
@@ -93,18 +118,18 @@ SMVM_APART static void sample(Run *r, SmvmAt w)
     smvm_sample(smvm_windows_of(r->vm)[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, number_f64(&r->x));
 }
 
-SMVM_APART static void statistic(Run *r, SmStat stat, SmvmAt w)
+SMVM_DO void smvm_do_stat(Run *r, uint8_t stat, SmvmAt w)
 {
     const uint32_t entry = smvm_window(r->vm->image, r->t->windows, w);
     const uint32_t n = entry & SMVM_WINDOW_SIZE_MASK, kind = entry >> SMVM_WINDOW_SIZE_BITS;
 
-    number_real(&r->x, smvm_statistic(smvm_windows_of(r->vm)[w], n, kind, stat));
+    number_real(&r->x, smvm_statistic(smvm_windows_of(r->vm)[w], n, kind, (SmStat)stat));
 }
 
 // ---- instructions ----
 
 // and, or; what has no operand.
-SMVM_APART static void compute(Run *r, uint8_t op)
+SMVM_DO void smvm_do_compute(Run *r, uint8_t op)
 {
     if (op == SMVM_and)
         number_whole(&r->x, number_is_true(&r->x) && number_is_true(&r->y));
@@ -114,7 +139,8 @@ SMVM_APART static void compute(Run *r, uint8_t op)
         number_compute(&r->x, op, &r->y);
 }
 
-static bool is_in(const Run *r, uint8_t m) { return (number_relation(&r->x, &r->y) & m) != 0; }
+SMVM_DO uint8_t smvm_do_relation(const Run *r) { return number_relation(&r->x, &r->y); }
+static bool is_in(const Run *r, uint8_t m) { return (smvm_do_relation(r) & m) != 0; }
 
 static uint64_t constant(const Run *r, SmvmAt table, uint32_t n, uint8_t bytes)
 {
@@ -138,7 +164,7 @@ SMVM_APART static void with_number(Run *r, uint8_t op, uint32_t n)
 }
 
 // All that load, and those.
-SMVM_APART static void load(Run *r, uint8_t op, uint32_t n)
+SMVM_DO void smvm_do_load(Run *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;
 
@@ -148,11 +174,48 @@ SMVM_APART static void load(Run *r, uint8_t op, uint32_t n)
         number_load(op & 0x20 ? &r->y : &r->x, type, placed(op & 0x10 ? r->sv : r->locals, type, (SmvmAt)n));
 }
 
-SMVM_APART static void load_time(Run *r, uint8_t op)
+SMVM_DO void smvm_do_time(Run *r, uint8_t op)
 {
     const uint64_t time = r->vm->next - r->vm->start;
 
     number_load(op == SMVM_ldx_time ? &r->x : &r->y, SM_U64, (const uint8_t *)&time);
+}
+
+// st_local, out, set, cvt, sample.
+SMVM_DO void smvm_do_put(Run *r, uint8_t op, uint32_t n)
+{
+    const uint8_t type = op & 0xf;
+
+    switch (op) {
+    case SMVM_out: put_out(r, (SmvmAt)n); break;
+    case SMVM_set: number_whole(&r->x, is_in(r, (uint8_t)n)); break;
+    case SMVM_cvt: convert(&r->x, (uint8_t)n); break;
+    case SMVM_sample: sample(r, (SmvmAt)n); break;
+    default: number_store(&r->x, type, placed(r->locals, type, (SmvmAt)n));
+    }
+}
+
+#if SMVM_ASSEMBLY == 1
+#define run smvm_run_flash
+#elif SMVM_ASSEMBLY == 2
+#define run smvm_run_eeprom
+#else
+// A varint of two or four bytes, of whose first this is `b`; the others are at `at`.
+SMVM_APART static uint32_t long_number(SmvmBytes at, uint8_t b)
+{
+    uint32_t v;
+
+    if (b < SMVM_VARINT_2)
+        return SMVM_VARINT_1 + (uint32_t)((uint16_t)(b - SMVM_VARINT_1) << 7 | byte_at(at));
+    v = b & 7;
+    for (uint8_t i = 0; i < 3; i++)
+        v = v << 7 | byte_at(at++);
+    return SMVM_VARINT_MID + v;
+}
+
+SMVM_INLINE SmvmBytes behind(SmvmBytes at, uint8_t b)           // the others of one whose first is b
+{
+    return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
 }
 
 SMVM_APART static bool jumps(const Run *r, uint8_t op)           // all but jxn
@@ -165,20 +228,6 @@ SMVM_APART static bool jumps(const Run *r, uint8_t op)           // all but jxn
     }
 }
 
-// st_local, out, set, cvt, sample.
-SMVM_APART static void put(Run *r, uint8_t op, SmvmAt n)
-{
-    const uint8_t type = op & 0xf;
-
-    switch (op) {
-    case SMVM_out: put_out(r, n); break;
-    case SMVM_set: number_whole(&r->x, is_in(r, (uint8_t)n)); break;
-    case SMVM_cvt: convert(&r->x, (uint8_t)n); break;
-    case SMVM_sample: sample(r, n); break;
-    default: number_store(&r->x, type, placed(r->locals, type, n));
-    }
-}
-
 // Runs code up to its end; gives the state that it goes to, or 0.
 SMVM_APART static SmvmAt run_code(Run *r, SmvmBytes at)
 {
@@ -187,13 +236,13 @@ SMVM_APART static SmvmAt run_code(Run *r, SmvmBytes at)
         uint8_t b;
         uint32_t n;
         if (op >= SMVM_add) {
-            compute(r, op);
+            smvm_do_compute(r, op);
             continue;
         }
         if (op == SMVM_end)
             return 0;
         if ((op & (uint8_t)~0x20) == SMVM_ldx_time) {
-            load_time(r, op);
+            smvm_do_time(r, op);
             continue;
         }
         n = b = byte_at(at++);
@@ -218,12 +267,12 @@ SMVM_APART static SmvmAt run_code(Run *r, SmvmBytes at)
             return (SmvmAt)n;
         else if (op == SMVM_stat) {
             b = byte_at(at++);
-            statistic(r, (SmStat)n, b < SMVM_VARINT_1 ? b : (SmvmAt)long_number(at, b));
+            smvm_do_stat(r, (uint8_t)n, b < SMVM_VARINT_1 ? b : (SmvmAt)long_number(at, b));
             at = behind(at, b);
         } else if (op < SMVM_cvt)
-            load(r, op, n);
+            smvm_do_load(r, op, n);
         else
-            put(r, op, (SmvmAt)n);
+            smvm_do_put(r, op, n);
     }
 }
 
@@ -249,6 +298,7 @@ static SmvmAt run(Run *r, SmvmAt function)
     }
     return start == end_at(r, at) ? 0 : run_code(r, r->vm->image + (SmvmAt)(r->vm->code + start));
 }
+#endif
 
 // ---- the step ----
 
@@ -292,6 +342,12 @@ SmResult smvm_step(SmVm *vm, void *sv)
     smvm_again(vm, &m);
     smvm_tables(&m, vm, &tables);
     r.t = &tables;
+#endif
+#if SMVM_ASSEMBLY
+    r.functions = vm->image + r.t->functions;
+    r.code = vm->image + vm->code;
+    r.outputs = vm->image + r.t->outputs;
+    r.width = r.t->width;
 #endif
     r.vm = vm;
     r.sv = (uint8_t *)sv;

@@ -191,7 +191,7 @@ SMVM_APART static uint8_t number_relation_to_real(const Number *x, int32_t n)
     return sm_soft_relation(sm_bits(x->as.real), sm_bits(sm_from_i32(n)));
 }
 
-SMVM_APART static uint8_t number_relation_to(const Number *x, int32_t n)
+static inline uint8_t number_relation_to(const Number *x, int32_t n)
 {
     return x->is_real ? number_relation_to_real(x, n) : number_relation_whole(x->as.whole, n);
 }

@@ -3,6 +3,7 @@
 #include <avr/pgmspace.h>
 #define SMVM_BYTES uint16_t
 #define SMVM_FETCH(image, at) pgm_read_byte((const uint8_t *)((image) + (uint16_t)(at)))
+#define SMVM_FETCH_AVR 1
 #define SMVM_AT uint16_t
 #define SMVM_IMAGE_MAX 0x7fffu
 #define SMVM_RAM_MAX 0x7fffu
