@@ -536,10 +536,10 @@ out:
 	movw r30, r10
 ; X to what is X units of type r23 behind r25:r24.
 store:
-	cpi r23, 8
-	brsh store_wide
-	tst r17
-	brne put
+	sbrc r23, 3
+	rjmp store_wide
+	sbrc r17, 0
+	rjmp put
 	sbrc r23, 1
 	rjmp store_words
 	clr r0
@@ -552,7 +552,7 @@ store:
 1:	cp r3, r0
 	cpc r4, r0
 	cpc r5, r0
-	brne put
+	brne to_put
 	add r26, r24
 	adc r27, r25
 	st X, r2

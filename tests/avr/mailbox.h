@@ -17,7 +17,7 @@ typedef struct Mailbox {
 // vm.c: an image at a place in flash that the computer fills, a state vector and memory in RAM.
 enum { VM_VERIFY, VM_INIT, VM_STEP };
 typedef struct VmBox {
-    uint16_t image, image_size, sv, sv_size, memory, memory_size, free;      // addresses and sizes; free: behind all that is static
+    uint16_t image, image_size, sv, sv_size, memory, memory_size, free;      // addresses and sizes; an image from 0x8000 on is in EEPROM; free: behind all that is static
     uint16_t local, state;    // of the machine after VM_INIT and VM_STEP: where its locals are behind `memory`, the next state
     uint8_t what;             // in: one of these
     int8_t result;            // out: as of smvm_verify, smvm_init, smvm_step

@@ -55,7 +55,11 @@ size=$(avr-nm -S --radix=d "$B/auth.elf" | awk '$4 ~ /^(smvm_auth|smvm_mac)_/ ||
 echo "code of images: $size bytes of flash"
 count test "$size" -le 1400
 # The VM: examples and random programs, in lock step with the VM here.
-avr vm -DSMVM_CONFIG='"tests/avr/vm_config.h"' tests/avr/vm.c bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/verify.c bytecode-vm/interp.c $SOFT || exit 1
+VM="tests/avr/vm.c bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/verify.c bytecode-vm/interp.c bytecode-vm/interp_avr.S bytecode-vm/interp_avr_eeprom.S $SOFT"
+vm() { name=$1; shift; avr "$name" -DSMVM_CONFIG='"tests/avr/vm_config.h"' "$@" $VM || exit 1; }
+vm vm
+vm vm_portable -DSMVM_PORTABLE
+vm vm_eeprom -DVM_EEPROM
 $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_vm.c "$1/libsmc.a" -o "$B/run_vm" -lsimavr -lelf -lm || exit 1
 rm -rf "$B/images" "$B/program"
 mkdir -p "$B/images"
@@ -72,11 +76,15 @@ while [ $program -lt $((SEED + PROGRAMS)) ]; do
     program=$((program + 1))
 done
 size_of() { avr-size "$B/$1.elf" | awk 'NR == 2 { print $1 - 1024 }'; }          # without the room for an image
-avr vm_none -DSM_ROLL_NONE=1 -DSMVM_CONFIG='"tests/avr/vm_config.h"' tests/avr/vm.c bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/verify.c bytecode-vm/interp.c $SOFT || exit 1
+vm vm_none -DSM_ROLL_NONE=1
 echo "VM and verifier with soft binary64: $(size_of vm) bytes of flash, $(size_of vm_none) without windows"
 count test $(($(size_of vm) - $(size_of vm_none))) -ge 1900
-count "$B/run_vm" "$B/vm.elf" 500 700 820 "$B/tank.smb"                # in its band: never Abort
-count "$B/run_vm" "$B/vm.elf" 200 0 0 "$B"/images/*.smb >"$B/vm.txt"
-tail -1 "$B/vm.txt"
+sed 's/F64  tankPressure/I16  tankPressure/' tests/avr/tank.sv >"$B/tank.sv"
+"$1/smc" build -w examples/tank/tank.sm --sv "$B/tank.sv" -o "$B/tank_i16.smb" || exit 1
+for kind in vm vm_eeprom vm_portable; do           # in assembly, that for EEPROM, in C
+    count "$B/run_vm" "$B/$kind.elf" 500 700 820 "$B/tank.smb" "$B/tank_i16.smb"                # in its band: never Abort
+    count "$B/run_vm" "$B/$kind.elf" 100 0 0 "$B"/images/*.smb >"$B/$kind.txt"
+    tail -1 "$B/$kind.txt"
+done
 echo "avr: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -168,8 +168,11 @@ static void test(Pair *p, const char *path, unsigned long steps)
         skipped++;
         return;
     }
-    memset(sim_flash(&p->sim) + p->box->image, 0, p->box->image_size);
-    memcpy(sim_flash(&p->sim) + p->box->image, image, n);
+    memset(image + n, 0, sizeof image - n);
+    if (p->box->image < 0x8000)
+        memcpy(sim_flash(&p->sim) + p->box->image, image, p->box->image_size);
+    else
+        sim_eeprom(&p->sim, image, p->box->image_size);
     find_places(p);
     p->sum = p->steps = p->most = 0;
     p->state = 88172645463325252u;

@@ -2,6 +2,7 @@
 // See sim.h.
 #include "tests/avr/sim.h"
 
+#include <simavr/avr_eeprom.h>
 #include <simavr/sim_avr.h>
 #include <simavr/sim_elf.h>
 #include <simavr/sim_io.h>
@@ -124,6 +125,13 @@ void *sim_mailbox(const Sim *s)
 
 uint8_t *sim_ram(const Sim *s) { return ((avr_t *)s->avr)->data; }
 uint8_t *sim_flash(const Sim *s) { return ((avr_t *)s->avr)->flash; }
+
+void sim_eeprom(const Sim *s, uint8_t *bytes, uint16_t n)
+{
+    avr_eeprom_desc_t d = {bytes, 0, n};
+
+    avr_ioctl(s->avr, AVR_IOCTL_EEPROM_SET, &d);
+}
 
 void sim_paint(Sim *s, uint16_t from)
 {

@@ -19,6 +19,7 @@ bool sim_until_ready(Sim *s);                         // false: it has stopped, 
 void *sim_mailbox(const Sim *s);                      // where in its memory
 uint8_t *sim_ram(const Sim *s);                       // from address 0
 uint8_t *sim_flash(const Sim *s);
+void sim_eeprom(const Sim *s, uint8_t *bytes, uint16_t n);             // becomes these, from its start
 void sim_paint(Sim *s, uint16_t from);                // the RAM from there to the stack, for sim_deepest
 uint16_t sim_deepest(const Sim *s, uint16_t from);    // bytes of stack that have been used since
 

@@ -11,7 +11,12 @@
 #define VM_IMAGE 1024
 #endif
 
+#ifdef VM_EEPROM
+#define IMAGE FIRMWARE_EEPROM
+#else
 static const uint8_t image[VM_IMAGE] PROGMEM = {1};
+#define IMAGE ((uint16_t)image)
+#endif
 static uint64_t sv[32], memory[96];
 static VmBox box __attribute__((aligned(2)));       // so that the computer may look at it as it is
 extern char __heap_start;
@@ -23,7 +28,7 @@ static int8_t init(void)
     SmvmMachine m;
     SmvmVector vector = {sv, 0, 0};
 
-    if (!smvm_machine((SmvmBytes)(uint16_t)image, 0, &m))
+    if (!smvm_machine(IMAGE, 0, &m))
         return -100;
     vector.size = m.sv_size;
     vector.layout = m.layout;
@@ -36,7 +41,7 @@ static int8_t act(void)
     SmvmVerdict why;
 
     if (box.what == VM_VERIFY)
-        return (int8_t)smvm_verify((SmvmBytes)(uint16_t)image, sizeof image, &why);
+        return (int8_t)smvm_verify(IMAGE, VM_IMAGE, &why);
 #endif
     if (box.what == VM_INIT)
         return init();
@@ -45,8 +50,8 @@ static int8_t act(void)
 
 int main(void)
 {
-    box.image = (uint16_t)image;
-    box.image_size = sizeof image;
+    box.image = IMAGE;
+    box.image_size = VM_IMAGE;
     box.sv = (uint16_t)sv;
     box.sv_size = sizeof sv;
     box.memory = (uint16_t)memory;

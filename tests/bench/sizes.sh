@@ -76,7 +76,7 @@ avr_program()   # NAME SOURCE-OR-OPTION…: build/NAME.elf
 avr_vm()
 {
     $CC -std=gnu99 -ffp-contract=off -O1 -I. tests/avr/sim.c tests/avr/run_vm.c "$1/libsmc.a" -o "$build/run_vm" -lsimavr -lelf -lm || fail "run_vm"
-    avr_program vm tests/avr/vm.c $(for p in $VM_PARTS; do echo "$build/atmega328p/bytecode-vm_$p.c.o"; done) stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S
+    avr_program vm tests/avr/vm.c $(for p in $VM_PARTS; do echo "$build/atmega328p/bytecode-vm_$p.c.o"; done) bytecode-vm/interp_avr.S stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S
     set -- $(sections 1 "$build/vm.elf")
     record atmega328p vm+soft flash $(($1 - 1024))         # less the place of the image
     "$smc" build -w examples/tank/tank.sm -o "$build/tank.smb" || fail "tank.smb"
