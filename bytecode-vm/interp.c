@@ -33,6 +33,8 @@ typedef struct Run {
 #define SMVM_DO
 SmvmAt smvm_run_flash(Run *r, SmvmAt function);
 SmvmAt smvm_run_eeprom(Run *r, SmvmAt function);
+bool smvm_begin_flash(SmVm *vm, const void *g);
+bool smvm_begin_eeprom(SmVm *vm, const void *g);
 void smvm_do_load(Run *r, uint8_t op, uint32_t n);
 void smvm_do_time(Run *r, uint8_t op);
 void smvm_do_put(Run *r, uint8_t op, uint32_t n);
@@ -197,8 +199,10 @@ SMVM_DO void smvm_do_put(Run *r, uint8_t op, uint32_t n)
 
 #if SMVM_ASSEMBLY == 1
 #define run smvm_run_flash
+#define begin smvm_begin_flash
 #elif SMVM_ASSEMBLY == 2
 #define run smvm_run_eeprom
+#define begin smvm_begin_eeprom
 #else
 // A varint of two or four bytes, of whose first this is `b`; the others are at `at`.
 SMVM_APART static uint32_t long_number(SmvmBytes at, uint8_t b)
@@ -298,13 +302,21 @@ static SmvmAt run(Run *r, SmvmAt function)
     }
     return start == end_at(r, at) ? 0 : run_code(r, r->vm->image + (SmvmAt)(r->vm->code + start));
 }
+
+// G advances; nothing is stored yet.
+static bool begin(SmVm *vm, const void *g)
+{
+    if (!smvm_advance(vm, g))
+        return false;
+    memset(vm->stored, 0, sizeof vm->stored);
+    return true;
+}
 #endif
 
 // ---- the step ----
 
-static void clear_stored(Run *r)
+static void clear_more(Run *r)
 {
-    memset(r->vm->stored, 0, sizeof r->vm->stored);
     if (r->t->more_bytes != 0)
         memset((uint8_t *)r->vm + r->t->more, 0, r->t->more_bytes);
 }
@@ -314,9 +326,10 @@ static SmResult one_step(Run *r)
     SmVm *vm = r->vm;
     SmvmAt block = (SmvmAt)(3 * vm->state - 2), to = 0;        // the functions of the state: entry, step, exit
 
-    if (!smvm_begin(vm, r->sv + r->t->g, r->sv + r->t->s))
+    if (!begin(vm, r->sv + r->t->g))
         return SM_REFUSED;
-    clear_stored(r);
+    smvm_enter(vm, r->sv + r->t->s);
+    clear_more(r);
     run(r, 0);
     if (vm->first)
         to = run(r, block);

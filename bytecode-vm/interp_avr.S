@@ -14,6 +14,7 @@
 ; The next byte of the image.
 #ifdef SMVM_EEPROM
 #define RUN smvm_run_eeprom
+#define BEGIN smvm_begin_eeprom
 #include <avr/io.h>
 .macro fetch to
 	sbrc r31, 7
@@ -29,6 +30,7 @@
 .endm
 #else
 #define RUN smvm_run_flash
+#define BEGIN smvm_begin_flash
 .macro fetch to
 	lpm \to, Z+
 .endm
@@ -103,6 +105,38 @@ entry:
 	fetch r0
 1:	ret
 
+; bool BEGIN(SmVm *vm, const void *g): what smvm_begin does with G, and what the step before stored is cleared.
+	.global BEGIN
+	.type BEGIN, @function
+BEGIN:
+	movw r30, r24
+	movw r26, r22
+	ldi r19, 0xFF
+	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
+	ld r18, X+
+	ldd r0, Z+VM_NEXT+\i
+.if \i
+	cpc r18, r0
+.else
+	cp r18, r0
+.endif
+	and r19, r18
+	.endr
+	ldi r24, 0
+	brlo 1f                           ; G + 1 is not above
+	cpi r19, 0xFF
+	breq 1f                           ; the last G there is
+	movw r26, r22
+	sec
+	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
+	ld r18, X+
+	adc r18, r1
+	std Z+VM_NEXT+\i, r18
+	std Z+VM_STORED+\i, r1
+	.endr
+	ldi r24, 1
+1:	ret
+
 	.global RUN
 	.type RUN, @function
 RUN:
@@ -149,26 +183,28 @@ bases:
 
 next:
 	fetch r22
-	cpi r22, 0xF0
-	brsh to_compute
-	cpi r22, 0xCE
-	breq end
-	mov r23, r22
-	andi r23, 0xDF
-	cpi r23, 0x9C
-	breq to_time
-	number
-	cpi r22, 0xC0
+	fetch r18                         ; behind `end`, which is last, this may be anything
+	clr r19
+	clr r20
+	clr r21
+	cpi r18, 0x60
+	brsh 3f
+1:	cpi r22, 0xC0
 	brlo loads
 	cpi r22, 0xD0
-	brlo to_puts
-	rjmp jumps
-to_compute:
-	rjmp compute
-to_time:
-	rjmp time
-to_puts:
+	brsh 2f
 	rjmp puts
+2:	rjmp jumps
+3:	cpi r18, 0x80
+	brsh 4f
+	rcall long_number
+	rjmp 1b
+4:	sbiw r30, 1                       ; the next opcode: this one has no number
+	cpi r22, 0xCE
+	breq end
+	brlo 5f
+	rjmp compute
+5:	rjmp time
 
 end:
 	clr r18
@@ -486,9 +522,11 @@ puts:                                     ; 0xC0 to 0xCF
 	cpi r23, 12
 	brlo store
 	breq out
-	cpi r23, 13
-	brne put
+	cpi r23, 14
+	brsh 1f
 	rjmp leave                        ; goto
+1:	brne put
+	rjmp end
 
 put:
 	rcall spill

@@ -7,18 +7,30 @@
 #include "stdlib/convert.h"
 
 // `g` and `s` are where elements G and S are.  False if G did not advance.  Else what the step before stored is yet to be cleared.
-static inline bool smvm_begin(SmVm *vm, const void *g, void *s)
+static inline bool smvm_advance(SmVm *vm, const void *g)
 {
     uint64_t next = sm_cell_load(SM_U64, g) + 1;      // 0 for the last one there is
 
     if (next <= vm->next)
         return false;
+    vm->next = next;
+    return true;
+}
+
+static inline void smvm_enter(SmVm *vm, void *s)      // once it has advanced
+{
     vm->entered = vm->first;
     if (vm->first) {
-        vm->start = next;
+        vm->start = vm->next;
         sm_cell_store(SM_U32, s, vm->state);
     }
-    vm->next = next;
+}
+
+static inline bool smvm_begin(SmVm *vm, const void *g, void *s)
+{
+    if (!smvm_advance(vm, g))
+        return false;
+    smvm_enter(vm, s);
     return true;
 }
 
