@@ -119,6 +119,10 @@ static uint64_t value(Pair *p, SmType type)
 
     if (p->hi == 0 && r % 8 == 0)
         return next(&p->state);
+    if (p->hi == 0 && r % 8 == 1) {                   // ends of types, infinities, NaN, -0
+        const uint64_t ones = UINT64_MAX << (r >> 8 & 63);
+        return r & 16 ? ones : ~ones;
+    }
     return sm_cell_from_f64(type, sm_div(sm_from_i32(lo * 100 + (int32_t)(r >> 8 & 0xFFFFFF) % ((hi - lo) * 100)), sm_from_i32(100)));
 }
 
