@@ -149,13 +149,21 @@ static bool step(Pair *p, uint64_t g)
     return true;
 }
 
+// G of step i: where anything goes, beyond 32 bits, and so is T at last.
+static uint64_t time_of(Pair *p, unsigned long i)
+{
+    if (p->hi != 0)
+        return i + 1;
+    return i + 1 - (next(&p->state) % 16 == 0) + (i / RESTART % 2 != 0 ? 0xFFFFFFE0u : 0) + ((uint64_t)(i % RESTART > 60) << 33);
+}
+
 static bool run(Pair *p, unsigned long steps)
 {
     for (unsigned long i = 0; i < steps; i++)
         if ((i % RESTART == 0 && p->hi == 0 && !start(p, 1 + next(&p->state) % p->m.states))
-            || !step(p, i + 1 - (p->hi == 0 && next(&p->state) % 16 == 0)))
+            || !step(p, time_of(p, i)))
             return false;
-    return true;
+    return step(p, UINT64_MAX) && step(p, UINT64_MAX - 1);
 }
 
 static void test(Pair *p, const char *path, unsigned long steps)
