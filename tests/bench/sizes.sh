@@ -108,6 +108,7 @@ avr_firmware()  # MCU
 if has avr-gcc; then
     prefix=avr- in_ram=1 compile="avr-gcc $AVR_FLAGS"
     part atmega328p soft stdlib/soft_avr.S
+    part atmega328p vm/interp_avr bytecode-vm/interp_avr.S
     parts atmega328p
     if echo '#include <simavr/sim_avr.h>' | $CC -fsyntax-only -x c - 2>/dev/null; then
         avr_vm "$1"
