@@ -28,11 +28,18 @@
 	rjmp .Lgot\@
 	.previous
 .endm
+.macro fetch_apart to                     ; where it is seldom
+	rcall read
+	mov \to, r0
+.endm
 #else
 #define RUN smvm_run_flash
 #define BEGIN smvm_begin_flash
 .macro fetch to
 	lpm \to, Z+
+.endm
+.macro fetch_apart to
+	fetch \to
 .endm
 #endif
 
@@ -67,7 +74,7 @@ long_number:
 	clr r18
 	lsr r19
 	ror r18
-	fetch r0
+	fetch_apart r0
 	or r18, r0
 	subi r18, 0xA0                    ; + 0x60
 	sbci r19, 0xFF
@@ -82,7 +89,7 @@ long_number:
 	ror r20
 	ror r19
 	ror r18
-	fetch r0
+	fetch_apart r0
 	or r18, r0
 	dec r23
 	brne 2b
@@ -94,15 +101,15 @@ long_number:
 
 ; An entry of the table of functions to r21:r20; it has r18 bytes.
 entry:
-	fetch r20
+	fetch_apart r20
 	clr r21
 	mov r19, r18
 	dec r19
 	breq 1f
-	fetch r21
+	fetch_apart r21
 	dec r19
 	breq 1f
-	fetch r0
+	fetch_apart r0
 1:	ret
 
 ; bool BEGIN(SmVm *vm, const void *g): what smvm_begin does with G, and what the step before stored is cleared.
@@ -111,31 +118,32 @@ entry:
 BEGIN:
 	movw r30, r24
 	movw r26, r22
+	adiw r30, VM_NEXT
 	ldi r19, 0xFF
-	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
-	ld r18, X+
-	ldd r0, Z+VM_NEXT+\i
-.if \i
+	ldi r20, 8
+	clr r24
+	clc
+1:	ld r18, X+
+	ld r0, Z+
 	cpc r18, r0
-.else
-	cp r18, r0
-.endif
 	and r19, r18
-	.endr
-	ldi r24, 0
-	brlo 1f                           ; G + 1 is not above
+	dec r20
+	brne 1b
+	brlo 2f                           ; G + 1 is not above
 	cpi r19, 0xFF
-	breq 1f                           ; the last G there is
+	breq 2f                           ; the last G there is
 	movw r26, r22
+	sbiw r30, 8
+	ldi r20, 8
 	sec
-	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
-	ld r18, X+
+1:	ld r18, X+
 	adc r18, r1
-	std Z+VM_NEXT+\i, r18
-	std Z+VM_STORED+\i, r1
-	.endr
+	st Z+, r18
+	std Z+VM_STORED-VM_NEXT-1, r1
+	dec r20
+	brne 1b
 	ldi r24, 1
-1:	ret
+2:	ret
 
 	.global RUN
 	.type RUN, @function
@@ -566,9 +574,9 @@ out:
 	adc r25, r19
 	add r30, r24
 	adc r31, r25
-	fetch r26
-	fetch r27
-	fetch r23
+	fetch_apart r26
+	fetch_apart r27
+	fetch_apart r23
 	andi r23, 0x0F
 	movw r24, r12
 	movw r30, r10
@@ -869,6 +877,11 @@ two:
 	ret
 
 #ifdef SMVM_EEPROM
+read:
+	sbrc r31, 7
+	rjmp read_eeprom
+	lpm r0, Z+
+	ret
 read_eeprom:                              ; the next byte to r0
 	sbic _SFR_IO_ADDR(EECR), EEPE
 	rjmp read_eeprom
