@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The VM on an ATmega328P: images in flash, or with VM_EEPROM as in the firmware.
 #ifdef VM_EEPROM
+#define SMVM_FETCH_AVR 2
 #include "bytecode-vm/firmware/config.h"
 #else
 #include <avr/pgmspace.h>
