@@ -3,7 +3,7 @@
 // nonsense until then.  It may be killed at any moment, as by a power cut, and started again: the EEPROM lies in a file.
 //   board LINE MEMORY         LINE: a terminal device, or "-": it makes one and writes its name to MEMORY.line
 //     FIRMWARE, MCU           in the environment: an ELF file and what it runs on
-//     PLANT                   what stands around it: none, tank, rocket (plants.c); begins when there is a file MEMORY.go
+//     PLANT                   what stands around it: none, tank, rocket (plants.c); goes on while there is a file MEMORY.go
 //     SPEED                   how many times faster than real time it may run; 1
 // While there is a file MEMORY.armed the arming plug is pulled.  When it is ended by SIGTERM it says how it went.
 #define _XOPEN_SOURCE 700
@@ -218,7 +218,7 @@ static avr_cycle_count_t millisecond(struct avr_t *a, avr_cycle_count_t when, vo
 
     if (when / (HERTZ / 1000) % 64 == 0) {
         board_set_pin(ARM_PIN, there_is("armed"));
-        gone = gone || there_is("go");
+        gone = there_is("go");
     }
     if (plant)
         plant->step(gone ? 0.001 : 0);

@@ -74,7 +74,13 @@ fly_tank() {
     rm "$D/tank.mem.armed"
     text='needs more than [0-9]* bytes of RAM, the board has .*; nothing was sent'
     count says "$smc" flash "$D/large.smb" "$port"
+    if [ $MCU = atmega328p ]; then             # nothing runs meanwhile, and the vent stands open, as its @safe says
+        rm "$D/tank.mem.go"
+        sleep 0.5
+    fi
     count "$smc" flash "$D/vent.smb" "$port" --period=5 >"$D/tank.out" 2>&1
+    touch "$D/tank.mem.go"
+    sleep 1
     count board_off
     count awk '/steps/ { seen = $3 > 120 * $1 && $9 < 50000 } END { exit !seen }' "$D/tank.mem.said"
     count awk '/^tank:/ { seen = $4 >= 699 && $6 > 770 && $6 <= 800 && $10 > 2 } END { exit !seen }' "$D/tank.mem.said"
@@ -119,11 +125,12 @@ fly_signed() {
 }
 
 $CC -std=gnu99 -O1 -Wall -Wextra -I. tests/avr/board.c tests/avr/plants.c -o "$D/board" -lsimavr -lelf -lm || exit 1
-build tank examples/tank/tank.sm --sv tests/avr/tank.sv --io tests/avr/tank.io
+sed '/-> Idle/d' examples/tank/tank.sm >"$D/tank.sm"      # or it idles, vent open, after as much of its time as a slow computer may take
+build tank "$D/tank.sm" --sv tests/avr/tank.sv --io tests/avr/tank.io
 build recovery examples/recovery/recovery.sm --sv examples/recovery/recovery.sv --io examples/recovery/recovery.io
-sed 's/tankPressure > 775/roll_median(tankPressure, 700) > 775/' examples/tank/tank.sm >"$D/large.sm"
+sed 's/tankPressure > 775/roll_median(tankPressure, 700) > 775/' "$D/tank.sm" >"$D/large.sm"
 build large "$D/large.sm"
-sed 's/tankPressure > 775/tankPressure > 770/' examples/tank/tank.sm >"$D/vent.sm"
+sed 's/tankPressure > 775/tankPressure > 770/' "$D/tank.sm" >"$D/vent.sm"
 build vent "$D/vent.sm" --sv tests/avr/tank.sv --io tests/avr/tank.io
 for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     export MCU FIRMWARE=$D/$MCU.elf
