@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs golden cases: what the smc command prints, writes and exits with.
 //
-//     run SMC CASE.smt…            UPDATE=1 in the environment: what came is written into the cases instead
+//     run SMC CASE.smt…            UPDATE=1 in the environment: what came is written into the cases instead, but for `...` and `[..]`
+//                                  where they still match
 //
 // The parts of a case are files of an empty folder in which its `args` lines, one command each, are run by the shell one
 // after another with the command's path before them.  Then are compared:
@@ -9,7 +10,7 @@
 //     -- exit --                   the commands' exit codes; without the part, all 0
 //     -- file NAME --              what stands in that file afterwards
 // In a part NAME.smt a line of that file which would end the part begins with a backslash: `\-- app.sm --`.
-// A line `...` stands for any number of lines, `[..]` in a line for any text.  `-- stdin --` is what commands may read.
+// What `...` and `[..]` stand for is in expect.h.  `-- stdin --` is what commands may read.
 #define _XOPEN_SOURCE 700
 
 #include <errno.h>
@@ -21,8 +22,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "compiler/base/buf.h"
 #include "compiler/script/testfile.h"
+#include "tests/golden/expect.h"
 
 typedef struct Golden {
     Arena arena;
@@ -78,58 +79,6 @@ static const char *in_folder(Golden *g, const char *name) { return format_in(&g-
 
 // ---- expectations ----
 
-static bool line_matches(const char *want, size_t n, const char *got, size_t m)
-{
-    static const char any[] = "[..]";
-
-    while (n) {
-        if (n >= 4 && memcmp(want, any, 4) == 0) {
-            for (size_t skip = 0; skip <= m; skip++)
-                if (line_matches(want + 4, n - 4, got + skip, m - skip))
-                    return true;
-            return false;
-        }
-        if (m == 0 || *want != *got)
-            return false;
-        want++, n--, got++, m--;
-    }
-    return m == 0;
-}
-
-static size_t line_length(const char *at, const char *end)
-{
-    const char *lf = at < end ? memchr(at, '\n', (size_t)(end - at)) : NULL;
-
-    return (size_t)((lf ? lf : end) - at);
-}
-
-static const char *after_line(const char *at, const char *end)
-{
-    at += line_length(at, end);
-    return at < end ? at + 1 : at;
-}
-
-static bool text_matches(const char *want, const char *want_end, const char *got, const char *got_end)
-{
-    while (want < want_end) {
-        size_t n = line_length(want, want_end);
-        if (n == 3 && memcmp(want, "...", 3) == 0) {
-            want = after_line(want, want_end);
-            for (;; got = after_line(got, got_end)) {
-                if (text_matches(want, want_end, got, got_end))
-                    return true;
-                if (got == got_end)
-                    return false;
-            }
-        }
-        if (got == got_end || !line_matches(want, n, got, line_length(got, got_end)))
-            return false;
-        want = after_line(want, want_end);
-        got = after_line(got, got_end);
-    }
-    return got == got_end;
-}
-
 static size_t without_blank_end(const char *text, size_t n)
 {
     while (n && text[n - 1] == '\n')
@@ -144,7 +93,7 @@ static void expect(Golden *g, const char *part_name, const char *otherwise, cons
     size_t m = without_blank_end(want, strlen(want));
 
     n = without_blank_end(got, n);
-    if (text_matches(want, want + m, got, got + n))
+    if (expect_matches(want, want + m, got, got + n))
         return;
     buf_printf(&g->why, "%s: expected\n%.*s\n%s: came\n%.*s\n", part_name, (int)m, want, part_name, (int)n, got);
 }
@@ -257,11 +206,16 @@ static void put_part(Buf *out, const char *name, const char *text, size_t n)
 
 static void put_came(Golden *g, Buf *out, const char *part_name, const char *file)
 {
+    const TestPart *p = testfile_part(g->f, part_name);
     size_t n;
     const char *text = read_file(&g->arena, in_folder(g, file), &n);
+    Buf merged;
 
-    if (text)
-        put_part(out, part_name, text, n);
+    if (!text)
+        return;
+    buf_init(&merged, &g->arena);
+    expect_update(&g->arena, p ? p->text : "", p ? without_blank_end(p->text, p->n) : 0, text, without_blank_end(text, n), &merged);
+    put_part(out, part_name, buf_text(&merged), merged.n);
 }
 
 static void update(Golden *g, const char *path, const char *text)
@@ -311,7 +265,7 @@ static bool run_case(Golden *g, const char *path)
     lay_out(g);
     run_commands(g);
     compare(g);
-    if (g->why.n && getenv("UPDATE")) {                       // a case that holds keeps its wildcards
+    if (g->why.n && getenv("UPDATE")) {
         update(g, path, text);
         g->why.n = 0;
     }
