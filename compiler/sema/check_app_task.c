@@ -164,6 +164,28 @@ static void check_annotation(AppCheck *k, const AstAppAnnotation *a, AppTask *t)
     t->has_safe = t->has_safe || a->kind == AST_ON_safe;
 }
 
+// The first element but S that a machine writes; NULL: none.
+static const Var *first_written(const Program *p)
+{
+    for (size_t i = 0; p && i < p->var.n; i++)
+        if (p->var.at[i]->element && p->var.at[i]->written)
+            return p->var.at[i];
+    return NULL;
+}
+
+// Safed, a task without @safe does nothing: what it has begun goes on.
+static void check_rest(AppCheck *k, const AppTask *t)
+{
+    const Var *left = t->machine ? first_written(t->machine->program) : NULL;
+    const char *why = "no @safe: safed, it does nothing";
+
+    if (!t->mode || t->has_safe || (t->kind != AST_TASK_task && !left))
+        return;
+    if (left)
+        why = format_in(k->c->arena, "is a machine: safed, it stands still, and '%s' stays as it is", left->name->text);
+    diag_report(k->c->diags, DIAG_mode_without_safe, t->span, t->name->text, why);
+}
+
 static AppTask *check_task(AppCheck *k, const AstAppTask *in)
 {
     AppTask *t = ARENA_NEW(k->c->arena, AppTask);
@@ -180,6 +202,7 @@ static AppTask *check_task(AppCheck *k, const AstAppTask *in)
         check_annotation(k, &in->annotations.at[i], t);
     if (in->kind == AST_TASK_machine)
         t->machine = check_machine_task(k, in);
+    check_rest(k, t);
     return t;
 }
 
