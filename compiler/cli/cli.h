@@ -114,6 +114,11 @@ bool limits_given(const Cli *c);
 // Reports what machine m, compiled from p as it will fly, takes beyond them.
 void limits_check(Cli *c, const Program *p, IrMachine *m);
 
+// ---- fix_list.c ----
+
+// Which lines of a source are other ones now: NAME:LINE: as it was, then before and after.
+void fix_list(const Source *was, const Source *is, Buf *out);
+
 // ---- one file each ----
 
 #define COMMAND(name, synopsis, sentence) int cmd_##name(Cli *c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc fix FILE…: makes the edits that the findings of `smc check` propose, and says what is left.
+// smc fix FILE…: makes the edits that the findings of `smc check` propose, tells them, and says what is left.
 #include <string.h>
 
 #include "compiler/cli/cli.h"
@@ -9,7 +9,7 @@ enum { ROUNDS = 10 };         // one edit may bring another mistake to light
 
 typedef struct Fix {
     Cli *c;
-    Source **src;             // of each argument, as it is by now
+    Source **src, **was;      // of each argument, as it is by now and as it was read
     size_t *fixed;            // findings of each that are gone
     const Source *sv;         // of --sv; NULL: none
     size_t machines;
@@ -140,10 +140,11 @@ static bool load(Fix *f)
     Cli *c = f->c;
 
     f->src = ARENA_ARRAY(&c->session.arena, Source *, c->files);
+    f->was = ARENA_ARRAY(&c->session.arena, Source *, c->files);
     f->fixed = ARENA_ARRAY(&c->session.arena, size_t, c->files);
     for (size_t i = 0; i < c->files; i++) {
         f->machines += has_suffix(c->file[i], ".sm");
-        if ((f->src[i] = cli_load(c, c->file[i])) == NULL)
+        if ((f->was[i] = f->src[i] = cli_load(c, c->file[i])) == NULL)
             return false;
     }
     return !c->given[OPT_SV] || (f->sv = cli_load(c, c->value[OPT_SV])) != NULL;
@@ -157,9 +158,10 @@ static bool write_fixed(Fix *f, Buf *report)
         OsOutput out = {c->file[i], f->src[i]->text, f->src[i]->len};
         if (f->fixed[i] == 0)
             continue;
-        if (!cli_write(c, &out, 1))
+        if (!c->given[OPT_DRY_RUN] && !cli_write(c, &out, 1))
             return false;
-        buf_printf(report, "%s: %lu fixed\n", c->file[i], (unsigned long)f->fixed[i]);
+        fix_list(f->was[i], f->src[i], report);
+        buf_printf(report, "%s: %lu %s\n", c->file[i], (unsigned long)f->fixed[i], c->given[OPT_DRY_RUN] ? "to fix" : "fixed");
     }
     return true;
 }

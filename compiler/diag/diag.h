@@ -126,6 +126,8 @@ typedef struct DiagStyle {
 
 // The list as the user reads it, closed by "1 error, 2 warnings" when there is any.
 void diags_render_text(const Diags *d, const DiagStyle *style, Buf *out);
+// Text of a source as a terminal may show it; gives how many columns it takes.
+size_t diag_put_printable(Buf *out, const char *s, size_t n);
 // One JSON object a line.
 void diags_render_json(const Diags *d, Buf *out);
 // One SARIF 2.1.0 document, with no results when there is nothing to say.  `version`: of the program that speaks.

@@ -45,8 +45,7 @@ static size_t put_character(Buf *out, const char *s, size_t n, size_t *width)
     return len ? len : 1;
 }
 
-// Writes s; returns how many columns it takes.
-static size_t put_printable(Buf *out, const char *s, size_t n)
+size_t diag_put_printable(Buf *out, const char *s, size_t n)
 {
     size_t columns = 0, width, len;
 
@@ -57,7 +56,7 @@ static size_t put_printable(Buf *out, const char *s, size_t n)
     return columns;
 }
 
-static void put_text(Buf *out, const char *s) { put_printable(out, s, strlen(s)); }
+static void put_text(Buf *out, const char *s) { diag_put_printable(out, s, strlen(s)); }
 
 // ---- the source line ----
 
@@ -125,9 +124,9 @@ static size_t put_cut(Buf *out, bool cut)
 static void put_line(Buf *out, const Excerpt *e, size_t *indent, size_t *marked)
 {
     *indent = put_cut(out, e->from > 0);
-    *indent += put_printable(out, e->text + e->from, e->at - e->from);
-    *marked = put_printable(out, e->text + e->at, e->end - e->at);
-    put_printable(out, e->text + e->end, e->to - e->end);
+    *indent += diag_put_printable(out, e->text + e->from, e->at - e->from);
+    *marked = diag_put_printable(out, e->text + e->at, e->end - e->at);
+    diag_put_printable(out, e->text + e->end, e->to - e->end);
     put_cut(out, e->to < e->len);
 }
 

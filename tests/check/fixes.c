@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// fixes CASE.smt…   Makes the edits of every finding of the cases, one finding at a time, and demands that they help: the finding is
+// fixes CODES CASE.smt…   Makes the edits of every finding of the cases, one finding at a time, and demands that they help: the finding is
 // gone, and nothing has come instead, neither an error nor, where there was no error, a warning of the default ones.  What only a
-// deleted statement used or wrote is unused or a constant from then on: that is no fault of the edit.
+// deleted statement used or wrote is unused or a constant from then on: that is no fault of the edit.  CODES lists what has edits: each
+// of them needs a case, and no other code has any.
 #include <string.h>
 
 #include "compiler/analysis/analysis.h"
@@ -16,6 +17,7 @@ typedef struct Run {
 } Run;
 
 static size_t passed, failed;
+static bool helped[DIAG_COUNT];           // an edit of it did
 
 // ---- what there is to say of a case ----
 
@@ -85,6 +87,9 @@ static void open_run(Run *r, const TestFile *f, size_t changed, const Buf *text)
         diagnose_machine(r, f);
     else if (find_source(f, r, ".sv"))
         session_state_vector(&r->s, find_source(f, r, ".sv"));
+    for (size_t i = 0; i < f->part.n; i++)
+        if (!find_source(f, r, ".app") && find_source(f, r, ".sv") && testfile_has_suffix(&f->part.at[i], ".io"))
+            session_io(&r->s, r->src[i], find_source(f, r, ".sv"));
     diags_apply_allows(&r->s.diags);
 }
 
@@ -158,6 +163,7 @@ static void check_finding(const TestFile *f, Run *was, const Diag *x, size_t par
         failed++;
     } else {
         passed++;
+        helped[x->code] = true;
     }
     session_free(&now.s);
 }
@@ -194,10 +200,32 @@ static void check_alone(const char *path)
     arena_free(&arena);
 }
 
+// ---- all codes ----
+
+static void check_codes(const char *path)
+{
+    FILE *in = fopen(path, "r");
+    bool listed[DIAG_COUNT] = {false};
+    char line[200];
+
+    while (in && fgets(line, sizeof line, in))
+        for (int i = 0; i < DIAG_COUNT; i++)
+            listed[i] = listed[i] || (diag_info[i].id && strncmp(line, diag_info[i].id, strlen(diag_info[i].id)) == 0);
+    for (int i = 0; i < DIAG_COUNT; i++)
+        if (helped[i] != listed[i]) {
+            printf("%s: %s %s\n", path, diag_info[i].id, listed[i] ? "has no case whose edit helps" : "has edits and is not listed");
+            failed++;
+        }
+    if (in)
+        fclose(in);
+}
+
 int main(int argc, char **argv)
 {
-    for (int i = 1; i < argc; i++)
+    for (int i = 2; i < argc; i++)
         check_alone(argv[i]);
+    if (argc > 1)
+        check_codes(argv[1]);
     printf("%lu passed, %lu failed\n", (unsigned long)passed, (unsigned long)(failed + (passed == 0)));
     return failed > 0 || passed == 0;
 }

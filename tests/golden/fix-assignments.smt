@@ -64,6 +64,24 @@ F64 c = a + b @read_only
     }
     x = 5
 -- stdout --
+app.sm:9:
+  - U16 a = (800)   # limit
+  + U16 a = (800) @read_only   # limit
+app.sm:12:
+  -   ) @allow(unused-local, "not true")
+  - F64 c = a + b
+  +   ) @read_only
+  + F64 c = a + b @read_only
+app.sm:16:
+  -     x = x
+  -     y = 1
+app.sm:25:
+  -         v = v   # why
+  -         x = 1
+  +         # why
+app.sm:30:
+  -     @allow(dead-code, "x")
+  -     x = x
 app.sm: 10 fixed
 -- stderr --
 app.sm:18:12: warning: 'y' is assigned to itself [W0412 self-assignment]
@@ -88,5 +106,3 @@ app.sm:25:9: warning: what is stored in 'x' here is overwritten before anything 
       |         ^~~~~~~~~~~~~
 app.sm:27:5: note: it is overwritten here
 3 warnings
--- exit --
-0 0

@@ -48,6 +48,20 @@ delta_t 1
 [all_states]
 G == 2 and S == 1: @stop
 -- stdout --
+app.sm:5:
+  - F64 x @allow(unused-element, "not true")
+  + F64 x
+app.sm:8:
+  -     @allow(dead-code, "not true")
+app.sm:11:
+  -     @allow(dead-code, "not true") y > 2: x = 2
+  +     y > 2: x = 2
 app.sm: 3 fixed
+app.sv:5:
+  - F64 x @allow(unused-element, “for others”)
+  + F64 x @allow(unused-element, "for others")
 app.sv: 1 fixed
+app.ss:4:
+  - G == 2 && S == 1: @stop
+  + G == 2 and S == 1: @stop
 app.ss: 1 fixed

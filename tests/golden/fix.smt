@@ -24,6 +24,15 @@ F64 x
     x = max(x, 1)   # larger
     x == 3
 -- stdout --
+app.sm:6:
+  - .step:
+  -     IF x > 5 && x < 7 THEN -> Hold;
+  -     if x = 5: { x = 1,5 }
+  -     x = max(x; 1)   // larger
+  + .step
+  +     if x > 5 and x < 7: -> Hold
+  +     if x == 5 { x = 1.5 }
+  +     x = max(x, 1)   # larger
 app.sm: 10 fixed
 -- stderr --
 app.sm:10:5: error: this is a value and does nothing [E0327]

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// What smc fix changed in a file, line by line: where two texts differ, the next lines that both have are those nearest.
+#include <string.h>
+
+#include "compiler/cli/cli.h"
+
+typedef struct Texts { const Source *was, *is; } Texts;
+
+static bool same(const Texts *t, uint32_t i, uint32_t k)         // line i of what was and line k of what is
+{
+    uint32_t n, m;
+    const char *a = source_line(t->was, i, &n), *b = source_line(t->is, k, &m);
+
+    return n == m && memcmp(a, b, n) == 0;
+}
+
+// How many lines differ from i and k on, until both go on alike or end.
+static void find_change(const Texts *t, uint32_t i, uint32_t k, uint32_t *gone, uint32_t *come)
+{
+    const uint32_t n = t->was->lines + 1 - i, m = t->is->lines + 1 - k;
+
+    for (uint32_t both = 1; both < n + m; both++)
+        for (uint32_t g = 0; g <= both; g++)
+            if (g < n && both - g < m && same(t, i + g, k + both - g)) {
+                *gone = g;
+                *come = both - g;
+                return;
+            }
+    *gone = n;
+    *come = m;
+}
+
+static void put_line(Buf *out, const char *mark, const Source *s, uint32_t line)
+{
+    uint32_t len;
+    const char *text = source_line(s, line, &len);
+
+    buf_str(out, mark);
+    diag_put_printable(out, text, len);
+    buf_char(out, '\n');
+}
+
+void fix_list(const Source *was, const Source *is, Buf *out)
+{
+    const Texts t = {was, is};
+    uint32_t i = 1, k = 1, gone, come;
+
+    while (i <= was->lines || k <= is->lines) {
+        if (i <= was->lines && k <= is->lines && same(&t, i, k)) {
+            i++, k++;
+            continue;
+        }
+        find_change(&t, i, k, &gone, &come);
+        buf_printf(out, "%s:%lu:\n", was->name, (unsigned long)i);
+        for (; gone > 0; gone--)
+            put_line(out, "  - ", was, i++);
+        for (; come > 0; come--)
+            put_line(out, "  + ", is, k++);
+    }
+}
