@@ -96,10 +96,25 @@ SMVM_INLINE uint8_t smvm_type_shift(uint32_t type) { return (uint8_t)SMVM_TYPE_S
 #include "stdlib/types.def"
 #undef SM_TYPE
 
-// Reads a varint that must end before `end`; moves *at behind it.  False if it does not.
-bool smvm_varint(SmvmBytes image, SmvmAt *at, SmvmAt end, uint32_t *value);
+// A place or size of three bytes.  What no image here can have is SMVM_NOWHERE, which is beyond the end of every one.
+#define SMVM_NOWHERE ((SmvmAt)-1)
+SmvmAt smvm_at24(SmvmBytes image, SmvmAt at);
 
-typedef struct SmvmSection { uint8_t id, version; uint32_t at, size; } SmvmSection;       // as the image says: not checked
+// Reads a varint that must end before `end` and moves *at behind it; SMVM_NO_NUMBER, which is none, if it does not.
+#define SMVM_NO_NUMBER UINT32_MAX
+uint32_t smvm_number(SmvmBytes image, SmvmAt *at, SmvmAt end);
+
+static inline bool smvm_varint(SmvmBytes image, SmvmAt *at, SmvmAt end, uint32_t *value)
+{
+    const uint32_t v = smvm_number(image, at, end);
+
+    if (v == SMVM_NO_NUMBER)
+        return false;
+    *value = v;
+    return true;
+}
+
+typedef struct SmvmSection { uint8_t id, version; SmvmAt at, size; } SmvmSection;         // as the image says: not checked
 
 SmvmSection smvm_section(SmvmBytes image, uint8_t index);
 uint8_t smvm_sections(SmvmBytes image);               // how many
@@ -107,6 +122,9 @@ uint8_t smvm_sections(SmvmBytes image);               // how many
 // Reads what a MACHINE section says into *m and finds its tables.  Gives 0, or the rule that is broken.  Checks only what it
 // reads; m->image is set already.
 uint8_t smvm_read_machine(SmvmMachine *m, SmvmAt at, SmvmAt size);
+
+// Reads machine `number` and gives 0, or the rule that its MACHINE section breaks; SMVM_R_GROUP: there is no such machine.
+uint8_t smvm_look(SmvmBytes image, uint8_t number, SmvmMachine *m);
 
 // The same of a machine that runs: all but INIT and DEBUG.
 void smvm_again(const SmVm *vm, SmvmMachine *m);
@@ -137,7 +155,7 @@ static inline uint32_t smvm_window(SmvmBytes image, SmvmAt windows_at, SmvmAt w)
 // A function ends where the next one starts.
 static inline uint32_t smvm_function_end(const SmvmMachine *m, SmvmAt index)
 {
-    return smvm_uint(m->image, (SmvmAt)(m->functions_at + index * m->width), m->width);
+    return smvm_uint(m->image, (SmvmAt)(m->functions_at + index * m->width), (uint8_t)m->width);
 }
 
 uint32_t smvm_shape(uint8_t opcode);                  // 0 if it is none

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // From an image to a machine that can run: finds the parts, computes the memory needed, lays it out and fills it.
+#include <stddef.h>
 #include <string.h>
 
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
 #include "stdlib/convert.h"
+#include "stdlib/flash.h"
 
 // ---- the image ----
 
@@ -17,41 +19,40 @@ uint32_t smvm_uint(SmvmBytes image, SmvmAt at, uint8_t bytes)
     return v;
 }
 
-// As many digits of 7 bits behind the first.
-static bool read_digits(SmvmBytes image, SmvmAt *at, SmvmAt end, uint32_t v, uint8_t more, uint32_t *value)
+SmvmAt smvm_at24(SmvmBytes image, SmvmAt at)
 {
-    if ((SmvmAt)(end - *at) < more)
-        return false;
-    for (; more > 0; more--) {
-        uint8_t next = smvm_u8(image, (*at)++);
-        if (next >= SMVM_OP_LEAST)
-            return false;
-        v = v << 7 | next;
-    }
-    *value = v;
-    return true;
+    const uint32_t v = smvm_uint(image, at, 3);
+
+    return v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v;
 }
 
-bool smvm_varint(SmvmBytes image, SmvmAt *at, SmvmAt end, uint32_t *value)
+uint32_t smvm_number(SmvmBytes image, SmvmAt *at, SmvmAt end)
 {
-    uint8_t b, more = 0;
-    uint32_t v = 0;
+    uint32_t from = 0, v = SMVM_OP_LEAST;
+    uint8_t more = 0;
 
-    if (*at >= end)
-        return false;
-    b = smvm_u8(image, (*at)++);
-    if (b >= SMVM_OP_LEAST)
-        return false;
-    if (b >= SMVM_VARINT_2) {
+    if (*at < end)
+        v = smvm_u8(image, (*at)++);
+    if (v >= SMVM_OP_LEAST)
+        return SMVM_NO_NUMBER;
+    if (v >= SMVM_VARINT_2) {
         more = 3;
-        v = SMVM_VARINT_MID;
-        b = (uint8_t)(b - SMVM_VARINT_2);
-    } else if (b >= SMVM_VARINT_1) {
+        from = SMVM_VARINT_MID;
+        v -= SMVM_VARINT_2;
+    } else if (v >= SMVM_VARINT_1) {
         more = 1;
-        v = SMVM_VARINT_1;
-        b = (uint8_t)(b - SMVM_VARINT_1);
+        from = SMVM_VARINT_1;
+        v -= SMVM_VARINT_1;
     }
-    return read_digits(image, at, end, b, more, value) && (*value += v, true);
+    if ((SmvmAt)(end - *at) < more)
+        return SMVM_NO_NUMBER;
+    for (; more > 0; more--) {
+        const uint8_t next = smvm_u8(image, (*at)++);
+        if (next >= SMVM_OP_LEAST)
+            return SMVM_NO_NUMBER;
+        v = v << 7 | next;
+    }
+    return from + v;
 }
 
 uint8_t smvm_sections(SmvmBytes image) { return smvm_u8(image, SMVM_SECTIONS_AT); }
@@ -63,8 +64,8 @@ SmvmSection smvm_section(SmvmBytes image, uint8_t index)
 
     s.id = smvm_u8(image, at);
     s.version = smvm_u8(image, (SmvmAt)(at + 1));
-    s.at = smvm_u24(image, (SmvmAt)(at + 2));
-    s.size = smvm_u24(image, (SmvmAt)(at + 5));
+    s.at = smvm_at24(image, (SmvmAt)(at + 2));
+    s.size = smvm_at24(image, (SmvmAt)(at + 5));
     return s;
 }
 
@@ -77,13 +78,16 @@ typedef struct Reader {
 
 static SmvmAt read_number(Reader *r, uint8_t shift)              // in units of 1 << shift
 {
-    uint32_t v = 0;
+    uint32_t v;
 
-    if (r->rule == 0 && !smvm_varint(r->image, &r->at, r->end, &v))
+    if (r->rule != 0)
+        return 0;
+    v = smvm_number(r->image, &r->at, r->end);
+    if (v == SMVM_NO_NUMBER)
         r->rule = SMVM_R_RECORD;
-    if (r->rule == 0 && v > (uint32_t)(SmvmAt)-1 >> shift)
+    else if (v > (uint32_t)(SmvmAt)-1 >> shift)
         r->rule = SMVM_R_RAM;
-    return (SmvmAt)(r->rule == 0 ? v << shift : 0);
+    return (SmvmAt)(v << shift);
 }
 
 static SmvmAt find_table(Reader *r, SmvmAt count, uint8_t bytes)
@@ -97,34 +101,32 @@ static SmvmAt find_table(Reader *r, SmvmAt count, uint8_t bytes)
     return at;
 }
 
+// The numbers of a record, in their order: where each goes, and in units of 1 << what it counts.
+#define SMVM_NUMBER(field, shift) {offsetof(SmvmMachine, field), shift}
+static const struct Field { uint8_t at, shift; } record[] SM_FLASH = {
+    SMVM_NUMBER(sv_size, 3), SMVM_NUMBER(from, 3), SMVM_NUMBER(to, 3), SMVM_NUMBER(locals, 0), SMVM_NUMBER(windows, 0),
+    SMVM_NUMBER(outputs, 0), SMVM_NUMBER(states, 0), SMVM_NUMBER(width, 0), SMVM_NUMBER(f32s, 0), SMVM_NUMBER(f64s, 0),
+    SMVM_NUMBER(g, 3), SMVM_NUMBER(s, 2),
+};
+
 static void read_numbers(SmvmMachine *m, Reader *r)
 {
-    SmvmAt width;
-
-    m->sv_size = read_number(r, 3);
-    m->from = read_number(r, 3);
-    m->to = read_number(r, 3);
-    m->locals = read_number(r, 0);
-    m->windows = read_number(r, 0);
-    m->outputs = read_number(r, 0);
-    m->states = read_number(r, 0);
-    width = read_number(r, 0);
-    m->f32s = read_number(r, 0);
-    m->f64s = read_number(r, 0);
-    m->g = read_number(r, 3);
-    m->s = read_number(r, 2);
-    if (r->rule == 0 && (m->states == 0 || width < 1 || width > 3))
+    for (uint8_t i = 0; i < sizeof record / sizeof *record; i++) {
+        struct Field f;
+        sm_flash_get(&f, &record[i], sizeof f);
+        *(SmvmAt *)(void *)((uint8_t *)m + f.at) = read_number(r, f.shift);
+    }
+    if (r->rule == 0 && (m->states == 0 || m->width < 1 || m->width > 3))
         r->rule = SMVM_R_STATES;
-    m->width = (uint8_t)width;
 }
 
 uint8_t smvm_read_machine(SmvmMachine *m, SmvmAt at, SmvmAt size)
 {
     Reader r = {m->image, at, (SmvmAt)(at + size), 0};
 
+    m->machine_at = at;
     if (size < 4)
         return SMVM_R_RECORD;
-    m->machine_at = at;
     m->layout = smvm_uint(m->image, at, 4);
     r.at = (SmvmAt)(at + 4);
     read_numbers(m, &r);
@@ -134,7 +136,7 @@ uint8_t smvm_read_machine(SmvmMachine *m, SmvmAt at, SmvmAt size)
         return SMVM_R_RECORD;
     m->windows_at = find_table(&r, m->windows, SMVM_WINDOW_ENTRY);
     m->outputs_at = find_table(&r, m->outputs, SMVM_PLACE);
-    m->functions_at = find_table(&r, (SmvmAt)(3 * m->states + 1), m->width);
+    m->functions_at = find_table(&r, (SmvmAt)(3 * m->states + 1), (uint8_t)m->width);
     m->f32s_at = find_table(&r, m->f32s, 4);
     m->f64s_at = find_table(&r, m->f64s, 8);
     return r.rule == 0 && r.at != r.end ? SMVM_R_RECORD : r.rule;
@@ -150,43 +152,56 @@ void smvm_again(const SmVm *vm, SmvmMachine *m)
 // A machine's sections stand behind its MACHINE, before the next one.
 static void take_section(SmvmMachine *m, const SmvmSection *s)
 {
-    const SmvmAt at = (SmvmAt)s->at, size = (SmvmAt)s->size;
-
     if (s->id == SMVM_S_CODE) {
-        m->code_at = at;
-        m->code_size = size;
+        m->code_at = s->at;
+        m->code_size = s->size;
     } else if (s->id == SMVM_S_INIT) {
-        m->init_at = at;
-        m->init_size = size;
+        m->init_at = s->at;
+        m->init_size = s->size;
     } else if (s->id == SMVM_S_DEBUG && s->version == SMVM_V_DEBUG) {
-        m->debug_at = at;
-        m->debug_size = size;
+        m->debug_at = s->at;
+        m->debug_size = s->size;
     }
 }
 
-bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m)
+uint8_t smvm_look(SmvmBytes image, uint8_t number, SmvmMachine *m)
 {
-    uint32_t machines = 0;
+    uint8_t rule = SMVM_R_GROUP;
+    bool inside = false;
 
     memset(m, 0, sizeof *m);
     m->image = image;
     for (uint8_t i = 0; i < smvm_sections(image); i++) {
-        SmvmSection s = smvm_section(image, i);
-        if (s.id == SMVM_S_MACHINE && machines++ == number)
-            smvm_read_machine(m, (SmvmAt)s.at, (SmvmAt)s.size);
-        else if (machines == number + 1)
+        const SmvmSection s = smvm_section(image, i);
+        if (s.id == SMVM_S_MACHINE) {
+            inside = number-- == 0;
+            if (inside)
+                rule = smvm_read_machine(m, s.at, s.size);
+        } else if (inside)
             take_section(m, &s);
     }
-    return machines > number;
+    return rule;
 }
 
+bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m)
+{
+    return number <= UINT8_MAX && smvm_look(image, (uint8_t)number, m) != SMVM_R_GROUP;
+}
+
+// An offset that this target cannot hold becomes SMVM_NOWHERE.
 SmvmPlace smvm_place(SmvmBytes image, SmvmAt at)
 {
     const uint8_t high = smvm_u8(image, (SmvmAt)(at + 2));
     SmvmPlace p;
 
     p.type = (SmType)(high & 0xf);
-    p.offset = (smvm_uint(image, at, 2) | (uint32_t)(high & 0xf0) << 12) << smvm_type_shift(p.type);
+    p.offset = (SmvmAt)smvm_uint(image, at, 2);
+    if (sizeof p.offset > 2)
+        p.offset = (SmvmAt)(p.offset | (uint32_t)(high & 0xf0) << 12);
+    else if (high & 0xf0)
+        p.offset = SMVM_NOWHERE;
+    for (uint8_t shift = smvm_type_shift(p.type); shift > 0; shift--)
+        p.offset = p.offset > SMVM_NOWHERE / 2 ? SMVM_NOWHERE : (SmvmAt)(p.offset + p.offset);
     return p;
 }
 
@@ -197,31 +212,35 @@ SmvmPlace smvm_output(const SmvmMachine *m, uint32_t output)
 
 // ---- memory: SmVm, then where the windows are, windows, locals, and bits of the outputs from 64 on ----
 
-static uint32_t up8(uint32_t n) { return (n + 7) / 8 * 8; }
+static SmvmAt up8(SmvmAt n) { return (SmvmAt)((n + 7u) & ~7u); }
 
-static uint32_t plus(uint32_t a, uint32_t b) { return a > UINT32_MAX - b ? UINT32_MAX : a + b; }     // a sum that sticks at the end
+static SmvmAt plus(SmvmAt a, uint32_t b)              // a sum that sticks at the end
+{
+    return b > (SmvmAt)(SMVM_NOWHERE - a) ? SMVM_NOWHERE : (SmvmAt)(a + b);
+}
 
-static uint32_t window_bytes(const SmvmMachine *m, SmvmAt w)
+static SmvmAt plus_window(const SmvmMachine *m, SmvmAt w, SmvmAt n)
 {
     const uint32_t entry = smvm_window(m->image, m->windows_at, w);
 
-    return 8 * sm_roll_words(entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS);
+    return plus(n, 8 * sm_roll_words(entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS));
 }
 
-static uint32_t stored_bytes(const SmvmMachine *m) { return m->outputs > 64 ? (m->outputs - 64u + 7) / 8 : 0; }
+static SmvmAt stored_bytes(const SmvmMachine *m) { return (SmvmAt)(m->outputs > 64 ? (m->outputs - 64u + 7) >> 3 : 0); }
 
-static uint32_t windows_start(const SmvmMachine *m) { return up8(sizeof(SmVm)) + up8(m->windows * (uint32_t)sizeof(uint64_t *)); }
-
-static uint32_t locals_start(const SmvmMachine *m)
+static SmvmAt windows_start(const SmvmMachine *m)
 {
-    uint32_t n = windows_start(m);
+    return (SmvmAt)(up8(sizeof(SmVm)) + up8((SmvmAt)(m->windows * sizeof(uint64_t *))));
+}
+
+SmvmAt smvm_ram_size(const SmvmMachine *m)
+{
+    SmvmAt n = windows_start(m);
 
     for (SmvmAt w = 0; w < m->windows; w++)
-        n = plus(n, window_bytes(m, w));
-    return n;
+        n = plus_window(m, w, n);
+    return plus(plus(n, m->locals), stored_bytes(m));
 }
-
-uint32_t smvm_ram_size(const SmvmMachine *m) { return plus(plus(locals_start(m), m->locals), stored_bytes(m)); }
 
 SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m)
 {
@@ -241,9 +260,9 @@ void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t)
     t->functions = m->functions_at;
     t->f32s = m->f32s_at;
     t->f64s = m->f64s_at;
-    t->width = m->width;
+    t->width = (uint8_t)m->width;
     t->more = (SmvmAt)(vm->local + m->locals);
-    t->more_bytes = (SmvmAt)stored_bytes(m);
+    t->more_bytes = stored_bytes(m);
     t->g = m->g;
     t->s = m->s;
 }
@@ -251,13 +270,13 @@ void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t)
 static void lay_out(SmVm *vm, const SmvmMachine *m)
 {
     uint64_t **window = smvm_parts(vm, m).window;
-    uint32_t at = windows_start(m);
+    SmvmAt at = windows_start(m);
 
     for (SmvmAt w = 0; w < m->windows; w++) {
         window[w] = (uint64_t *)(void *)((uint8_t *)vm + at);
-        at += window_bytes(m, w);
+        at = plus_window(m, w, at);
     }
-    vm->local = (SmvmAt)at;
+    vm->local = at;
 }
 
 static void set_locals(SmVm *vm, const SmvmMachine *m)
@@ -327,19 +346,33 @@ bool smvm_stored(const SmVm *vm, uint32_t output)
     return (bits[output >> 3] >> (output & 7) & 1) != 0;
 }
 
-uint32_t smvm_shape(uint8_t opcode)
-{
-    enum {
-        L = SMVM_SHAPE_L, E = SMVM_SHAPE_E, N = SMVM_SHAPE_N, F = SMVM_SHAPE_F, D = SMVM_SHAPE_D, O = SMVM_SHAPE_O, S = SMVM_SHAPE_S,
-        K = SMVM_SHAPE_K, W = SMVM_SHAPE_W, T = SMVM_SHAPE_T, M = SMVM_SHAPE_M, J = SMVM_SHAPE_J, X = SMVM_SHAPE_X, Y = SMVM_SHAPE_Y,
-        GX = SMVM_SHAPE_GX
-    };
-    const uint32_t GY = SMVM_SHAPE_GY, FY = SMVM_SHAPE_FY, Z = SMVM_SHAPE_Z;
+// ---- opcodes ----
 
-#define SMVM_OP(name, first, last, shape, meaning) \
-    if (opcode >= (first) && (uint8_t)(opcode - (first)) <= (last) - (first)) \
-        return SMVM_SHAPE_OP | (uint32_t)(shape);
+enum {
+    L = SMVM_SHAPE_L, E = SMVM_SHAPE_E, N = SMVM_SHAPE_N, F = SMVM_SHAPE_F, D = SMVM_SHAPE_D, O = SMVM_SHAPE_O, S = SMVM_SHAPE_S,
+    K = SMVM_SHAPE_K, W = SMVM_SHAPE_W, T = SMVM_SHAPE_T, M = SMVM_SHAPE_M, J = SMVM_SHAPE_J, X = SMVM_SHAPE_X, Y = SMVM_SHAPE_Y,
+    GX = SMVM_SHAPE_GX
+};
+#define GY SMVM_SHAPE_GY                              // these are beyond what an int may hold
+#define FY SMVM_SHAPE_FY
+#define Z SMVM_SHAPE_Z
+
+// The shape as three bytes: five for each row.
+static const struct Row { uint8_t first, last, shape[3]; } rows[] SM_FLASH = {
+#define SMVM_BYTE(shape, shift) (uint8_t)((uint32_t)(shape) >> (shift))
+#define SMVM_OP(name, first, last, shape, meaning) {first, last, {SMVM_BYTE(shape, 0), SMVM_BYTE(shape, 8), SMVM_BYTE(shape, 16)}},
 #include "bytecode-vm/opcodes.def"
 #undef SMVM_OP
+};
+
+uint32_t smvm_shape(uint8_t opcode)
+{
+    struct Row r;
+
+    for (uint8_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        sm_flash_get(&r, &rows[i], sizeof r);
+        if (opcode >= r.first && opcode <= r.last)
+            return SMVM_SHAPE_OP | (uint32_t)r.shape[2] << 16 | (uint32_t)r.shape[1] << 8 | r.shape[0];
+    }
     return 0;
 }

@@ -38,8 +38,8 @@ extern "C" {
 
 typedef struct SmvmVerdict {
     uint8_t rule;             // 0: accepted; else the number of the rule that is broken (rules.def)
-    uint32_t at;              // where: offset in the image
-    uint32_t machine;         // in which machine, counted from 0
+    SmvmAt at;                // where: offset in the image
+    SmvmAt machine;           // in which machine, counted from 0
     uint32_t longest;         // accepted: instructions in the longest step, of the machine where that is largest; as smvm_longest_step
 } SmvmVerdict;
 
@@ -57,9 +57,9 @@ typedef struct SmvmMachine {
     SmvmAt states;            // numbered from 1
     SmvmAt outputs;           // elements it may store, beside S
     SmvmAt g, s;              // where in the state vector G and S are, in bytes
+    SmvmAt width;             // bytes of an entry in the table of functions
     SmvmAt machine_at, windows_at, outputs_at, functions_at, f32s_at, f64s_at;
     SmvmAt code_at, code_size, init_at, init_size, debug_at, debug_size;       // size 0: there is none
-    uint8_t width;            // bytes of an entry in the table of functions
 } SmvmMachine;
 
 // Reads machine `number`, counted from 0.  False if the image has no such machine.
@@ -72,7 +72,7 @@ uint32_t smvm_longest_step(const SmvmMachine *m);
 // Where an element lies in the state vector, or a local among the locals.
 typedef struct SmvmPlace {
     SmType type;
-    uint32_t offset;          // in bytes
+    SmvmAt offset;            // in bytes
 } SmvmPlace;
 SmvmPlace smvm_output(const SmvmMachine *m, uint32_t output);         // from 0
 
@@ -131,7 +131,7 @@ typedef struct SmVm {
 } SmVm;
 
 // Bytes of memory that smvm_init needs for m.
-uint32_t smvm_ram_size(const SmvmMachine *m);
+SmvmAt smvm_ram_size(const SmvmMachine *m);
 
 // The state vector that there is, or a snapshot of it.
 typedef struct SmvmVector {

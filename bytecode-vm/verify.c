@@ -16,13 +16,14 @@ enum { HAS_X = 1, HAS_Y = 2 };                        // registers that hold a n
 
 typedef struct Check {
     SmvmVerdict *v;
-    SmvmMachine m;
     SmvmAt at;                // where in the image the walk stands
     SmvmAt start, end;        // the function it is in
     SmvmAt far;               // how far a jump of the function has led
     SmvmAt sampled;           // windows that have their sample
+    uint8_t stat;             // that the instruction asks for
     uint8_t known;            // HAS_X, HAS_Y
     SmvmIn in;
+    SmvmMachine m;
     Longest way;
 } Check;
 
@@ -64,44 +65,65 @@ static bool check_crc(Check *c, SmvmBytes image)
     return sm_crc32_end(crc) == smvm_uint(image, SMVM_CRC_AT, 4) || fail(c, SMVM_R_CRC, SMVM_CRC_AT);
 }
 
-static bool is_known(const SmvmSection *s)
+static uint8_t version_of(uint8_t id)                 // 0: there is no such section
 {
-    switch (s->id) {
-#define SMVM_SECTION(name, id_, version_, meaning) case id_: return s->version == (version_) || (id_) < SMVM_MUST_KNOW;
+    switch (id) {
+#define SMVM_SECTION(name, id_, version_, meaning) case id_: return version_;
 #include "bytecode-vm/image.def"
 #undef SMVM_SECTION
-    default: return s->id < SMVM_MUST_KNOW;
+    default: return 0;
     }
+}
+
+// What stood before: an IO, a machine, of that its code and its initial values.
+enum { A_IO = 1, A_MACHINE = 2, A_CODE = 4, AN_INIT = 8 };
+
+// Takes a known section into account: what it asks for must have stood before it, what it bars must not.
+static bool add_section(uint8_t id, uint8_t *before)
+{
+    uint8_t asks = A_MACHINE, bars = 0, gives = 0;
+
+    switch (id) {
+    case SMVM_S_MACHINE:
+        asks = *before & A_MACHINE ? A_CODE : 0;
+        gives = A_MACHINE;
+        break;
+    case SMVM_S_CODE: bars = gives = A_CODE; break;
+    case SMVM_S_INIT: bars = gives = AN_INIT; break;
+    case SMVM_S_DEBUG: break;
+    case SMVM_S_IO:
+        asks = 0;
+        bars = A_MACHINE | A_IO;
+        gives = A_IO;
+        break;
+    default: return true;
+    }
+    if ((*before & asks) != asks || (*before & bars) != 0)
+        return false;
+    if (gives == A_MACHINE)
+        *before &= (uint8_t)~(A_CODE | AN_INIT);
+    *before |= gives;
+    return true;
 }
 
 // Sections in order, of ids known, in groups that each are MACHINE, CODE once, INIT at most once.
 static bool check_sections(Check *c, SmvmBytes image)
 {
-    const uint8_t n = smvm_sections(image);
-    uint32_t free_from = SMVM_HEADER + (uint32_t)n * SMVM_ENTRY;
-    bool machine = false, code = true, init = true, pins = false;
+    SmvmAt entry = SMVM_HEADER, free_from = (SmvmAt)(SMVM_HEADER + SMVM_ENTRY * smvm_sections(image));
+    uint8_t before = 0;
 
-    for (uint8_t i = 0; i < n; i++) {
-        const SmvmAt entry = (SmvmAt)(SMVM_HEADER + i * SMVM_ENTRY);
-        SmvmSection s = smvm_section(image, i);
-        if (s.at < free_from || s.at > c->end || s.size > c->end - s.at)
+    for (uint8_t i = 0; i < smvm_sections(image); i++, entry = (SmvmAt)(entry + SMVM_ENTRY)) {
+        const SmvmSection s = smvm_section(image, i);
+        const bool known = s.version != 0 && s.version == version_of(s.id);
+        if (s.at < free_from || s.at > c->end || s.size > (SmvmAt)(c->end - s.at))
             return fail(c, SMVM_R_SECTION, entry);
-        free_from = s.at + s.size;
-        if (!is_known(&s))
+        free_from = (SmvmAt)(s.at + s.size);
+        if (!known && s.id >= SMVM_MUST_KNOW)
             return fail(c, SMVM_R_UNKNOWN, entry);
-        if ((s.id == SMVM_S_MACHINE && !code) || (s.id == SMVM_S_CODE && code) || (s.id == SMVM_S_INIT && init)
-            || (s.id == SMVM_S_DEBUG && s.version == SMVM_V_DEBUG && !machine)
-            || (s.id == SMVM_S_IO && s.version == SMVM_V_IO && (machine || pins)))
+        if (known && !add_section(s.id, &before))
             return fail(c, SMVM_R_GROUP, entry);
-        pins = pins || (s.id == SMVM_S_IO && s.version == SMVM_V_IO);
-        if (s.id == SMVM_S_MACHINE) {
-            machine = true;
-            code = init = false;
-        }
-        code = code || s.id == SMVM_S_CODE;
-        init = init || s.id == SMVM_S_INIT;
     }
-    return (machine && code) || fail(c, SMVM_R_GROUP, SMVM_SECTIONS_AT);
+    return (before & (A_MACHINE | A_CODE)) == (A_MACHINE | A_CODE) || fail(c, SMVM_R_GROUP, SMVM_SECTIONS_AT);
 }
 
 // ---- the machine's tables ----
@@ -117,12 +139,18 @@ static bool check_windows(Check *c)
     return true;
 }
 
-static bool is_inside(uint32_t offset, uint8_t bytes, SmvmAt from, SmvmAt to)
+SMVM_APART static bool is_inside(SmvmAt offset, uint8_t bytes, SmvmAt from, SmvmAt to)
 {
-    return offset >= from && offset < to && bytes <= to - offset;
+    return offset >= from && offset < to && bytes <= (SmvmAt)(to - offset);
 }
 
-static bool overlap(uint32_t a, uint8_t bytes, uint32_t b, uint8_t others) { return a < b + others && b < a + bytes; }
+// Of what is inside, so that no end is beyond what an SmvmAt holds.
+SMVM_APART static bool overlap(SmvmAt a, uint8_t bytes, SmvmAt b, uint8_t others)
+{
+    return a < (SmvmAt)(b + others) && b < (SmvmAt)(a + bytes);
+}
+
+SMVM_APART static uint8_t size_of(SmType type) { return (uint8_t)(1u << smvm_type_shift(type)); }
 
 static bool check_outputs(Check *c)
 {
@@ -131,7 +159,7 @@ static bool check_outputs(Check *c)
     for (SmvmAt i = 0; i < m->outputs; i++) {
         const SmvmPlace p = smvm_output(m, i);
         const SmvmAt at = (SmvmAt)(m->outputs_at + SMVM_PLACE * i);
-        const uint8_t bytes = (uint8_t)(1u << smvm_type_shift(p.type));
+        const uint8_t bytes = size_of(p.type);
         if (p.type >= SM_TYPE_COUNT || !is_inside(p.offset, bytes, m->from, m->to))
             return fail(c, SMVM_R_OUTPUTS, at);
         if (overlap(p.offset, bytes, m->g, 8) || overlap(p.offset, bytes, m->s, 4))
@@ -161,7 +189,7 @@ static bool check_init(Check *c)
         if ((SmvmAt)(end - at) < SMVM_PLACE)
             return fail(c, SMVM_R_INIT, at);
         p = smvm_place(c->m.image, at);
-        bytes = (uint8_t)(1u << smvm_type_shift(p.type));
+        bytes = size_of(p.type);
         if (p.type >= SM_TYPE_COUNT || !is_inside(p.offset, bytes, 0, c->m.locals)
             || (SmvmAt)(end - at) < SMVM_PLACE + (SmvmAt)bytes)
             return fail(c, SMVM_R_INIT, at);
@@ -172,107 +200,16 @@ static bool check_init(Check *c)
 
 // ---- instructions ----
 
-// The next varint.  One that is too large for anything in this image becomes the largest, which is too large as well.
-static bool take(Check *c, SmvmAt *value)
-{
-    uint32_t v;
-
-    if (!smvm_varint(c->m.image, &c->at, c->end, &v))
-        return fail(c, SMVM_R_TRUNCATED, c->at);
-    *value = v > (SmvmAt)-1 ? (SmvmAt)-1 : (SmvmAt)v;
-    return true;
-}
-
-static bool check_below(Check *c, SmvmAt from, SmvmAt end)       // a number from `from` up to before `end`
-{
-    SmvmAt at = c->at, n;
-
-    return take(c, &n) && ((n >= from && n < end) || fail(c, SMVM_R_OPERAND, at));
-}
-
-static bool check_local(Check *c, uint8_t type)
-{
-    return check_below(c, 0, (SmvmAt)(c->m.locals >> smvm_type_shift(type)));
-}
-
-static bool check_element(Check *c, uint8_t type)
-{
-    return check_below(c, (SmvmAt)(c->m.from >> smvm_type_shift(type)), (SmvmAt)(c->m.to >> smvm_type_shift(type)));
-}
-
-static bool check_number(Check *c)                    // any
-{
-    SmvmAt n;
-
-    return take(c, &n);
-}
-
-// What ldx_ or ldy_ loads.
-static bool check_load(Check *c, uint8_t op)
-{
-    const uint8_t type = op & 0xf;
-
-    if (op & 0x10)
-        return type == (SMVM_ldx_time & 0xf) || check_element(c, type);
-    switch (type) {
-    case SMVM_ldx_plus & 0xf: case SMVM_ldx_minus & 0xf: return check_number(c);
-    case SMVM_ldx_f32 & 0xf: return check_below(c, 0, c->m.f32s);
-    case SMVM_ldx_f64 & 0xf: return check_below(c, 0, c->m.f64s);
-    default: return check_local(c, type);
-    }
-}
-
-static bool check_window(Check *c, SmvmAt *w)
-{
-    const SmvmAt at = c->at;
-
-    return take(c, w) && (*w < c->m.windows || fail(c, SMVM_R_WINDOW_USED, at));
-}
-
-static bool check_stat(Check *c)
-{
-    const SmvmAt at = c->at;
-    SmvmAt stat, w;
-
-    if (!take(c, &stat) || !(stat < SM_STAT_COUNT || fail(c, SMVM_R_OPERAND, at)) || !check_window(c, &w))
-        return false;
-    if (!(smvm_window(c->m.image, c->m.windows_at, w) >> SMVM_WINDOW_SIZE_BITS & (uint32_t)SM_ROLL_AVG << stat))
-        return fail(c, SMVM_R_WINDOW_USED, at);
-    return w < c->sampled || fail(c, SMVM_R_SAMPLE, at);
-}
-
-static bool check_sample(Check *c)
-{
-    const SmvmAt at = c->at;
-    SmvmAt w;
-
-    return check_window(c, &w) && ((c->in == SMVM_IN_SAMPLE && w == c->sampled++ && c->far <= at) || fail(c, SMVM_R_SAMPLE, at));
-}
-
-static bool check_goto(Check *c)
-{
-    const SmvmAt at = c->at;
-    SmvmAt state;
-
-    if (!take(c, &state))
-        return false;
-    return (state >= 1 && state <= c->m.states && (c->in == SMVM_IN_ENTRY || c->in == SMVM_IN_STEP)) || fail(c, SMVM_R_GOTO, at);
-}
-
 // Whether a jump may lead to an instruction: the registers hold nothing there.
 static bool is_target(uint8_t op)
 {
     return op < SMVM_addi || op == SMVM_goto || op == SMVM_end || op == SMVM_jmp;
 }
 
-static bool check_jump(Check *c)
+static bool check_jump(Check *c, SmvmAt at, SmvmAt distance)
 {
-    const SmvmAt at = c->at;
-    SmvmAt distance;
     uint8_t op;
 
-    if (!take(c, &distance))
-        return false;
     if (distance >= (SmvmAt)(c->end - c->at) || (op = smvm_u8(c->m.image, (SmvmAt)(c->at + distance))) < SMVM_OP_LEAST)
         return fail(c, SMVM_R_JUMP, at);
     if (!is_target(op))
@@ -284,69 +221,100 @@ static bool check_jump(Check *c)
     return true;
 }
 
-// The registers that an instruction needs, and what it leaves in them; opcodes.def says the same, and a test that it does.
-SMVM_APART static bool check_registers(Check *c, uint8_t needs, uint8_t gives)
+static bool check_sample(Check *c, SmvmAt at, SmvmAt w)
 {
-    if ((c->known & needs) != needs)
+    return (c->in == SMVM_IN_SAMPLE && w == c->sampled++ && c->far <= at) || fail(c, SMVM_R_SAMPLE, at);
+}
+
+static bool check_stat(Check *c, SmvmAt at, SmvmAt w)
+{
+    if (!(smvm_window(c->m.image, c->m.windows_at, w) >> SMVM_WINDOW_SIZE_BITS & (uint32_t)SM_ROLL_AVG << c->stat))
+        return fail(c, SMVM_R_WINDOW_USED, at);
+    return w < c->sampled || fail(c, SMVM_R_SAMPLE, at);
+}
+
+// A number that follows an opcode, by the bit of the shape that announces it: it is one from `from` up to before `end`.
+static bool check_operand(Check *c, uint8_t op, uint16_t follows)
+{
+    const SmvmMachine *m = &c->m;
+    const uint8_t shift = smvm_type_shift(op & 0xf);
+    const SmvmAt at = c->at;
+    const uint32_t v = smvm_number(m->image, &c->at, c->end);
+    const SmvmAt n = v < SMVM_NOWHERE ? (SmvmAt)v : SMVM_NOWHERE;
+    SmvmAt from = 0, end;
+    uint8_t rule = SMVM_R_OPERAND;
+
+    if (v == SMVM_NO_NUMBER)
+        return fail(c, SMVM_R_TRUNCATED, c->at);
+    switch (follows) {
+    case SMVM_SHAPE_L: end = m->locals >> shift; break;
+    case SMVM_SHAPE_E:
+        from = m->from >> shift;
+        end = m->to >> shift;
+        break;
+    case SMVM_SHAPE_F: end = m->f32s; break;
+    case SMVM_SHAPE_D: end = m->f64s; break;
+    case SMVM_SHAPE_O: end = m->outputs; break;
+    case SMVM_SHAPE_S:
+        from = 1;
+        end = (SmvmAt)(c->in == SMVM_IN_ENTRY || c->in == SMVM_IN_STEP ? m->states + 1u : 0);
+        rule = SMVM_R_GOTO;
+        break;
+    case SMVM_SHAPE_K:
+        end = SM_STAT_COUNT;
+        c->stat = (uint8_t)n;
+        break;
+    case SMVM_SHAPE_W:
+        end = m->windows;
+        rule = SMVM_R_WINDOW_USED;
+        break;
+    case SMVM_SHAPE_T: end = SM_TYPE_COUNT; break;
+    case SMVM_SHAPE_M:
+        from = 1;
+        end = 15;
+        break;
+    case SMVM_SHAPE_J: return check_jump(c, at, n);
+    default: return true;                             // N
+    }
+    if (n < from || n >= end)
+        return fail(c, rule, at);
+    if (follows != SMVM_SHAPE_W)
+        return true;
+    return op == SMVM_sample ? check_sample(c, at, n) : check_stat(c, at, n);
+}
+
+// The registers that an instruction needs, and what it leaves in them.
+static bool check_registers(Check *c, uint32_t shape)
+{
+    if ((shape & SMVM_SHAPE_X && !(c->known & HAS_X)) || (shape & SMVM_SHAPE_Y && !(c->known & HAS_Y)))
         return fail(c, SMVM_R_REGISTER, (SmvmAt)(c->at - 1));
-    c->known = gives;
+    if (shape & SMVM_SHAPE_FY)
+        c->known &= (uint8_t)~HAS_Y;
+    if (shape & SMVM_SHAPE_GX)
+        c->known |= HAS_X;
+    if (shape & SMVM_SHAPE_GY)
+        c->known |= HAS_Y;
+    if (shape & SMVM_SHAPE_Z)
+        c->known = 0;
     return true;
 }
 
-static bool no_opcode(Check *c) { return fail(c, SMVM_R_OPCODE, (SmvmAt)(c->at - 1)); }
-
-// 0x80 … 0xbf
-static bool check_first(Check *c, uint8_t op)
+static bool check_instruction(Check *c, uint8_t op)
 {
-    const uint8_t type = op & 0xf;
+    const uint32_t shape = smvm_shape(op);
+    const SmvmAt at = (SmvmAt)(c->at - 1);
 
-    switch (op) {
-    case SMVM_stat: return check_registers(c, 0, HAS_X) && check_stat(c);
-    case SMVM_addi: case SMVM_subi: return check_registers(c, HAS_X, c->known) && check_number(c);
-    case SMVM_cvt: return check_registers(c, HAS_X, c->known) && check_below(c, 0, SM_TYPE_COUNT);
-    case SMVM_set: return check_registers(c, HAS_X | HAS_Y, c->known) && check_below(c, 1, 15);
-    default: break;
-    }
-    if (op & 0x10 && type >= SM_TYPE_COUNT && type != (SMVM_ldx_time & 0xf))
-        return no_opcode(c);
-    return check_registers(c, 0, op & 0x20 ? c->known | HAS_Y : HAS_X) && check_load(c, op);
-}
-
-// 0xc0 … 0xcf
-static bool check_store(Check *c, uint8_t op)
-{
-    switch (op) {
-    case SMVM_goto: return check_registers(c, 0, 0) && check_goto(c);
-    case SMVM_end:
-        return check_registers(c, 0, 0)
-            && (c->in != SMVM_IN_SAMPLE || c->sampled == c->m.windows || fail(c, SMVM_R_SAMPLE, (SmvmAt)(c->at - 1)));
-    case SMVM_out: return check_registers(c, HAS_X, HAS_X) && check_below(c, 0, c->m.outputs);
-    case SMVM_sample: return check_registers(c, HAS_X, HAS_X) && check_sample(c);
-    default: return check_registers(c, HAS_X, HAS_X) && check_local(c, op & 0xf);
-    }
-}
-
-// 0xd0 … 0xef
-static bool check_jumps(Check *c, uint8_t op)
-{
-    if (op < SMVM_jxy)
-        return no_opcode(c);
-    if (op == SMVM_jmp)
-        return check_registers(c, 0, 0) && check_jump(c);
-    return check_registers(c, op < SMVM_jmp ? HAS_X | HAS_Y : HAS_X, c->known) && (op < SMVM_jxn || op == SMVM_jt || check_number(c))
-        && check_jump(c);
+    if (shape == 0)
+        return fail(c, SMVM_R_OPCODE, at);
+    if (!check_registers(c, shape))
+        return false;
+    for (uint16_t bit = 1; bit & SMVM_SHAPE_FOLLOWS; bit = (uint16_t)(bit << 1))
+        if (shape & bit && !check_operand(c, op, bit))
+            return false;
+    return op != SMVM_end || c->in != SMVM_IN_SAMPLE || c->sampled == c->m.windows || fail(c, SMVM_R_SAMPLE, at);
 }
 
 static bool does_not_go_on(uint8_t op) { return op == SMVM_end || op == SMVM_goto || op == SMVM_jmp; }
-
-static bool check_instruction(Check *c, uint8_t op)
-{
-    if (op < SMVM_st_local)
-        return op < SMVM_OP_LEAST ? no_opcode(c) : check_first(c, op);
-    if (op < SMVM_jxy - 1)
-        return check_store(c, op);
-    return op < SMVM_add ? check_jumps(c, op) : check_registers(c, op < SMVM_neg ? HAS_X | HAS_Y : HAS_X, c->known);
-}
 
 static bool check_function(Check *c, SmvmAt end)
 {
@@ -401,27 +369,32 @@ static bool check_code(Check *c)
 
 // ---- the whole ----
 
-static bool check_machine(Check *c, SmvmBytes image)
+static bool check_machine(Check *c)
 {
-    uint8_t rule = 0;
-
-    for (uint8_t i = 0, machines = 0; i < smvm_sections(image); i++) {
-        SmvmSection s = smvm_section(image, i);
-        if (s.id != SMVM_S_MACHINE || machines++ != c->v->machine)
-            continue;
-        memset(&c->m, 0, sizeof c->m);
-        c->m.image = image;
-        rule = smvm_read_machine(&c->m, (SmvmAt)s.at, (SmvmAt)s.size);
-        if (rule != 0)
-            return fail(c, rule, (SmvmAt)s.at);
-    }
-    smvm_machine(image, c->v->machine, &c->m);
     if (!check_windows(c) || !check_vector(c) || !check_init(c))
         return false;
     if (smvm_ram_size(&c->m) > SMVM_RAM_MAX || c->m.sv_size > SMVM_RAM_MAX)
         return fail(c, SMVM_R_RAM, c->m.windows_at);
     memset(&c->way, 0, sizeof c->way);
     return check_code(c);
+}
+
+// There are at most as many as sections, 255: asking for each by its number stays linear in practice and bound.
+static bool check_machines(Check *c, SmvmBytes image)
+{
+    uint8_t rule;
+
+    for (; (rule = smvm_look(image, (uint8_t)c->v->machine, &c->m)) != SMVM_R_GROUP; c->v->machine++) {
+        uint32_t longest;
+        if (rule != 0)
+            return fail(c, rule, c->m.machine_at);
+        if (!check_machine(c))
+            return false;
+        longest = longest_step(&c->way);
+        c->v->longest = longest > c->v->longest ? longest : c->v->longest;
+    }
+    c->v->machine = 0;
+    return true;
 }
 
 uint32_t smvm_longest_step(const SmvmMachine *m)
@@ -454,17 +427,7 @@ uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v)
     memset(v, 0, sizeof *v);
     memset(&c, 0, sizeof c);
     c.v = v;
-    if (!check_header(&c, image, size) || !check_crc(&c, image) || !check_sections(&c, image) || !check_pins(&c, image))
-        return v->rule;
-    // The number of machines is at most that of sections, 255: asking for each by its number stays linear in practice and bound.
-    while (smvm_machine(image, v->machine, &c.m)) {
-        uint32_t longest;
-        if (!check_machine(&c, image))
-            return v->rule;
-        longest = longest_step(&c.way);
-        v->longest = longest > v->longest ? longest : v->longest;
-        v->machine++;
-    }
-    v->machine = 0;
-    return 0;
+    (void)(check_header(&c, image, size) && check_crc(&c, image) && check_sections(&c, image) && check_pins(&c, image)
+           && check_machines(&c, image));
+    return v->rule;
 }
