@@ -81,6 +81,12 @@
 #endif
 #endif
 
+// 1: the memory of images (target/store.h) is written byte by byte and again without erasing, as an EEPROM is, and the store is made for no other;
+// 0: it goes by what the memory says of itself.
+#ifndef SMVM_STORE_BYTES
+#define SMVM_STORE_BYTES 0
+#endif
+
 // How many jumps whose targets are still ahead the verifier follows exactly when it counts the longest step; beyond, it adds
 // up all instructions, which is never less.  Eight bytes of its stack each.
 #ifndef SMVM_JOINS

@@ -279,6 +279,13 @@ static void lay_out(SmVm *vm, const SmvmMachine *m)
     vm->local = at;
 }
 
+static bool is_little(void)                            // the least significant byte of a number is the first in memory, as in an image
+{
+    const uint16_t one = 1;
+
+    return *(const uint8_t *)&one == 1;
+}
+
 static void set_locals(SmVm *vm, const SmvmMachine *m)
 {
     SmvmAt at = m->init_at;
@@ -286,8 +293,12 @@ static void set_locals(SmVm *vm, const SmvmMachine *m)
     while (at < m->init_at + m->init_size) {
         SmvmPlace p = smvm_place(m->image, at);
         uint8_t bytes = (uint8_t)(1u << smvm_type_shift(p.type));
-        sm_cell_store(p.type, (uint8_t *)vm + vm->local + p.offset, smvm_cell(m->image, (SmvmAt)(at + SMVM_PLACE), bytes));
-        at = (SmvmAt)(at + SMVM_PLACE + bytes);
+        uint8_t *to = (uint8_t *)vm + vm->local + p.offset;
+        at = (SmvmAt)(at + SMVM_PLACE);
+        for (uint8_t i = 0; i < bytes; i++)
+            to[is_little() ? i : bytes - 1 - i] = smvm_u8(m->image, at++);
+        if (p.type == SM_BOOL)
+            *to = *to != 0;
     }
 }
 

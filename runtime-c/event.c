@@ -2,6 +2,8 @@
 // The ring of events.  Event number n lies at n modulo the room, which divides 2^32: so counting may wrap.
 #include "runtime-c/event.h"
 
+#include <string.h>
+
 #include "runtime-c/tally.h"
 
 SmResult sm_events_init(SmEvents *e)
@@ -31,8 +33,7 @@ void sm_event(SmEvents *e, const SmEvent *event)
 {
     if (!e || !event || !enter(e))
         return;
-    e->at[e->next & (e->room - 1u)] = *event;
-    e->next++;
+    memcpy(&e->at[e->next++ & (e->room - 1u)], event, sizeof *event);
     leave(e);
 }
 
@@ -55,7 +56,7 @@ uint32_t sm_events_read(SmEvents *e, uint32_t *cursor, SmEvent *out, uint32_t n,
     missing = gone(e, *cursor);
     *cursor += missing;
     for (; taken < n && *cursor != e->next; taken++)
-        out[taken] = e->at[(*cursor)++ & (e->room - 1u)];
+        memcpy(&out[taken], &e->at[(*cursor)++ & (e->room - 1u)], sizeof *out);
     leave(e);
     if (lost)
         *lost = missing;

@@ -10,15 +10,22 @@
 // Byte by byte, for bytes that lie where no pointer reaches: start with SM_CRC32_START, end with sm_crc32_end.
 #define SM_CRC32_START 0xFFFFFFFFu
 
+#ifdef __AVR__
+__attribute__((noinline, unused)) static uint32_t sm_crc32_byte(uint32_t crc, uint8_t byte)
+{
+    uint8_t i;
+    crc ^= byte;
+    for (i = 0; i < 8; i++) {
+        const uint8_t odd = (uint8_t)crc & 1u;
+        crc >>= 1;
+        if (odd)
+            crc ^= 0xEDB88320u;
+    }
+    return crc;
+}
+#else
 static inline uint32_t sm_crc32_byte(uint32_t crc, uint8_t byte)
 {
-#ifdef __AVR__
-    unsigned i;
-    crc ^= byte;
-    for (i = 0; i < 8; i++)
-        crc = crc >> 1 ^ ((crc & 1u) != 0 ? 0xEDB88320u : 0u);
-    return crc;
-#else
     static const uint32_t step[16] = {                // what four bits that leave on the right do to the rest
         0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu, 0x76DC4190u, 0x6B6B51F4u, 0x4DB26158u, 0x5005713Cu,
         0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu, 0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu,
@@ -26,8 +33,11 @@ static inline uint32_t sm_crc32_byte(uint32_t crc, uint8_t byte)
     crc ^= byte;
     crc = crc >> 4 ^ step[crc & 15u];
     return crc >> 4 ^ step[crc & 15u];
-#endif
 }
+#endif
+
+// What the CRC is of bytes that end with their own, least significant byte first.
+#define SM_CRC32_WHOLE 0x2144DF1Cu
 
 static inline uint32_t sm_crc32_end(uint32_t crc) { return crc ^ 0xFFFFFFFFu; }
 

@@ -23,6 +23,7 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 #define SMVM_AT uint16_t
 #define SMVM_IMAGE_MAX 0x7fffu
 #define SMVM_RAM_MAX 0x7fffu
+#define SMVM_STORE_BYTES 1
 #define PAL_LOCKS 1
 
 // By chip: bytes of EEPROM and how many slots they are; bytes of RAM for state vector and machines; pins; events that are kept; the

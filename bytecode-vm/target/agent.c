@@ -94,11 +94,8 @@ static void put_image(Exchange *x, SmvmBytes image)
 
 static StoreState state_of(const Agent *a, uint8_t slot)
 {
-    uint32_t checksum;
-    SmvmAt length;
-
     if (slot != STORE_BUILT_IN)
-        return smvm_store_state(a->store, slot, &checksum, &length);
+        return smvm_store_state(a->store, slot);
     return a->board->built_in_size == 0 ? STORE_EMPTY : a->store->now.active == slot ? STORE_CONFIRMED : STORE_WHOLE;
 }
 

@@ -7,12 +7,11 @@
 
 #include "bytecode-vm/image.h"
 #include "runtime-c/link/link.h"
+#include "stdlib/crc32.h"
 
 enum { VERSION = 1, HEADER = 11, CHECKED = STORE_RECORD - 4 };
 
 typedef char store_choice_is_a_record[sizeof(StoreChoice) == STORE_RECORD ? 1 : -1];
-
-// ---- the selector ----
 
 static uint32_t get32(const uint8_t *at) { return sm_link_get(at, 4); }
 static void put32(uint8_t *at, uint32_t value) { sm_link_put(at, value, 4); }
@@ -23,11 +22,23 @@ bool smvm_get_at(const uint8_t *field, SmvmAt *at)
     return sizeof *at > 2 || field[2] == 0;
 }
 
+// ---- the memory ----
+
+// What it erases at once; 0: it need not be erased.  And what it writes at once.
+static SmvmAt erase_of(const Store *s) { return (SmvmAt)(SMVM_STORE_BYTES ? 0 : s->erase); }
+static uint8_t write_of(const Store *s) { return (uint8_t)(SMVM_STORE_BYTES ? 1 : s->write); }
+
+SMVM_APART static SmResult get(const Store *s, SmvmAt at, void *to, uint8_t n) { return pal_nvm_read(s->nvm, at, to, n); }
+SMVM_APART static SmResult put(const Store *s, SmvmAt at, const void *from, uint8_t n) { return pal_nvm_write(s->nvm, at, from, n); }
+static SmResult erase(const Store *s, SmvmAt at, SmvmAt n) { return erase_of(s) ? pal_nvm_erase(s->nvm, at, n) : SM_OK; }
+
+// ---- the selector ----
+
 static bool is_choice(uint8_t slot, const Store *s) { return slot < s->plan.slots || slot == STORE_BUILT_IN; }
 
 static bool is_record(const Store *s, const StoreChoice *c)
 {
-    return c->version == VERSION && get32(c->crc) == sm_link_check(c->number, CHECKED) && is_choice(c->active, s) &&
+    return c->version == VERSION && sm_link_check(c->number, STORE_RECORD) == SM_CRC32_WHOLE && is_choice(c->active, s) &&
            is_choice(c->before, s) && c->tries <= STORE_TRIES;
 }
 
@@ -40,7 +51,7 @@ static void read_selector(Store *s)
     bool found = false;
 
     for (uint8_t i = 0; i < 2; i++)
-        if (pal_nvm_read(s->nvm, record_at(s, &i), &c, STORE_RECORD) == SM_OK && is_record(s, &c) && (c.number[0] & 1u) == i &&
+        if (get(s, record_at(s, &i), &c, STORE_RECORD) == SM_OK && is_record(s, &c) && (c.number[0] & 1u) == i &&
             (!found || (int32_t)(get32(c.number) - get32(s->now.number)) > 0)) {
             s->now = c;
             found = true;
@@ -51,16 +62,15 @@ static void read_selector(Store *s)
 static SmResult choose(Store *s, StoreChoice *c)
 {
     SmvmAt at;
-    SmResult r = SM_OK;
+    SmResult r;
 
     put32(c->number, get32(c->number) + 1);
     c->version = VERSION;
     put32(c->crc, sm_link_check(c->number, CHECKED));
     at = record_at(s, c->number);
-    if (s->erase)
-        r = pal_nvm_erase(s->nvm, at, s->record_size);
+    r = erase(s, at, s->record_size);
     if (r == SM_OK)
-        r = pal_nvm_write(s->nvm, at, c, STORE_RECORD);
+        r = put(s, at, c, STORE_RECORD);
     if (r == SM_OK)
         s->now = *c;
     return r;
@@ -70,7 +80,7 @@ static SmResult choose(Store *s, StoreChoice *c)
 
 static bool is_power(uint32_t unit) { return (unit & (unit - 1)) == 0; }       // or zero
 
-static SmvmAt unit_of(const Store *s) { return s->erase ? s->erase : s->write; }
+static SmvmAt unit_of(const Store *s) { return erase_of(s) ? erase_of(s) : write_of(s); }
 
 static SmvmAt round_up(SmvmAt n, SmvmAt unit) { return (SmvmAt)((n + unit - 1u) & ~(unit - 1u)); }
 
@@ -96,7 +106,7 @@ static SmResult look_at_memory(Store *s)
 
     if (r != SM_OK)
         return r;
-    if (info.write > STORE_UNIT || !is_power(info.write) || !is_power(info.erase))
+    if (SMVM_STORE_BYTES ? info.write > 1 || info.erase > 0 : info.write > STORE_UNIT || !is_power(info.write) || !is_power(info.erase))
         return SM_E_UNSUPPORTED;
     if (s->plan.size > info.size || (SmvmAt)s->plan.size != s->plan.size || info.erase > s->plan.size)
         return SM_E_SPACE;
@@ -124,17 +134,19 @@ SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan)
 
 // ---- what slots hold ----
 
-// The checksum and length that the image in a slot says it has.  False: it says nothing that could be.
-static bool read_header(const Store *s, uint8_t slot, uint32_t *checksum, SmvmAt *length)
-{
-    uint8_t head[HEADER];
+// What an image begins with: its checksum is at SMVM_CRC_AT.
+typedef struct Head { uint8_t at[HEADER]; SmvmAt length; } Head;
 
-    if (slot >= s->plan.slots || pal_nvm_read(s->nvm, s->slot_at[slot], head, HEADER) != SM_OK ||
-        head[0] != 's' || head[1] != 'm' || head[2] != 'b')
+// Reads it.  False: it says nothing that could be.
+static bool read_header(const Store *s, uint8_t slot, Head *h)
+{
+    if (slot >= s->plan.slots || get(s, s->slot_at[slot], h->at, HEADER) != SM_OK ||
+        h->at[0] != 's' || h->at[1] != 'm' || h->at[2] != 'b')
         return false;
-    *checksum = get32(head + SMVM_CRC_AT);
-    return smvm_get_at(head + SMVM_LENGTH_AT, length) && *length >= HEADER && *length <= s->slot_size;
+    return smvm_get_at(h->at + SMVM_LENGTH_AT, &h->length) && h->length >= HEADER && h->length <= s->slot_size;
 }
+
+static bool has_checksum(const Head *h, const uint8_t *checksum) { return memcmp(h->at + SMVM_CRC_AT, checksum, 4) == 0; }
 
 // Of an image that the verifier accepts; without a key every one is.  A checksum can be forged, so this is asked at each start too.
 static bool is_authentic(const Store *s, uint8_t slot, uint32_t *number)
@@ -143,30 +155,28 @@ static bool is_authentic(const Store *s, uint8_t slot, uint32_t *number)
     return !s->is_authentic || s->is_authentic(s->plan.image[slot], number);
 }
 
-static bool is_whole(const Store *s, uint8_t slot, uint32_t *checksum, SmvmAt *length)
+static bool is_whole(const Store *s, uint8_t slot, Head *h)
 {
     SmvmVerdict why;
     uint32_t number;
 
-    return read_header(s, slot, checksum, length) && smvm_verify(s->plan.image[slot], *length, &why) == 0 &&
-           is_authentic(s, slot, &number);
+    return read_header(s, slot, h) && smvm_verify(s->plan.image[slot], h->length, &why) == 0 && is_authentic(s, slot, &number);
 }
 
-static bool holds(const Store *s, uint8_t slot, uint32_t wanted)
+static bool holds(const Store *s, uint8_t slot, const uint8_t *checksum)
 {
-    uint32_t checksum;
-    SmvmAt length;
+    Head h;
 
-    return is_whole(s, slot, &checksum, &length) && checksum == wanted;
+    return is_whole(s, slot, &h) && has_checksum(&h, checksum);
 }
 
-StoreState smvm_store_state(const Store *s, uint8_t slot, uint32_t *checksum, SmvmAt *length)
+StoreState smvm_store_state(const Store *s, uint8_t slot)
 {
-    *checksum = 0;
-    *length = 0;
-    if (!is_whole(s, slot, checksum, length))
+    Head h;
+
+    if (!is_whole(s, slot, &h))
         return STORE_EMPTY;
-    if (slot != s->now.active || *checksum != get32(s->now.checksum))
+    if (slot != s->now.active || !has_checksum(&h, s->now.checksum))
         return STORE_WHOLE;
     return s->now.confirmed ? STORE_CONFIRMED : STORE_TRIAL;
 }
@@ -184,7 +194,7 @@ uint16_t smvm_store_period(const Store *s, uint8_t slot)
 static SmResult step_back(Store *s, uint8_t *slot)
 {
     StoreChoice c = s->now;
-    const bool there = c.before != STORE_BUILT_IN && holds(s, c.before, get32(c.checksum_before));
+    const bool there = c.before != STORE_BUILT_IN && holds(s, c.before, c.checksum_before);
 
     c.active = there ? c.before : STORE_BUILT_IN;
     memcpy(c.checksum, c.checksum_before, 4);
@@ -203,7 +213,7 @@ static bool may_run(Store *s)
 
     if (c.active == STORE_BUILT_IN)
         return true;
-    if (!holds(s, c.active, get32(c.checksum)))
+    if (!holds(s, c.active, c.checksum))
         return false;
     return c.confirmed || (c.tries-- > 0 && choose(s, &c) == SM_OK);
 }
@@ -262,8 +272,7 @@ SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t ch
     s->checksum = checksum;
     s->next = 0;
     s->whole = false;
-    if (s->erase)
-        r = pal_nvm_erase(s->nvm, s->slot_at[s->target], round_up(s->length, s->erase));
+    r = erase(s, s->slot_at[s->target], round_up(s->length, unit_of(s)));
     if (r == SM_OK)
         s->session = session;
     return r;
@@ -274,7 +283,7 @@ static bool is_there(const Store *s, SmvmAt place, const uint8_t *bytes, uint8_t
     uint8_t there;
 
     for (; n > 0; n--)
-        if (pal_nvm_read(s->nvm, place++, &there, 1) != SM_OK || there != *bytes++)
+        if (get(s, place++, &there, 1) != SM_OK || there != *bytes++)
             return false;
     return true;
 }
@@ -282,27 +291,29 @@ static bool is_there(const Store *s, SmvmAt place, const uint8_t *bytes, uint8_t
 // Whole units at once, and what is left padded with blanks.
 static SmResult write_padded(const Store *s, SmvmAt place, const uint8_t *bytes, uint8_t n)
 {
-    const uint8_t rest = n & (uint8_t)(s->write - 1), whole = (uint8_t)(n - rest);
+    const uint8_t rest = n & (uint8_t)(write_of(s) - 1), whole = (uint8_t)(n - rest);
     uint8_t last[STORE_UNIT];
-    SmResult r = whole ? pal_nvm_write(s->nvm, place, bytes, whole) : SM_OK;
+    SmResult r = whole ? put(s, place, bytes, whole) : SM_OK;
 
     if (r != SM_OK || rest == 0)
         return r;
     memset(last, s->blank, sizeof last);
     memcpy(last, bytes + whole, rest);
-    return pal_nvm_write(s->nvm, (SmvmAt)(place + whole), last, s->write);
+    return put(s, (SmvmAt)(place + whole), last, write_of(s));
 }
 
 // Whether n bytes at `at`, which is not beyond s->next, go on from what there is or lie within it, in whole units but at the
 // image's end.
 static bool is_part(const Store *s, SmvmAt at, uint8_t n)
 {
-    const uint8_t rest = (uint8_t)(s->write - 1);
+    const uint8_t rest = (uint8_t)(write_of(s) - 1);
     const SmvmAt left = (SmvmAt)(s->length - at);
 
     return n != 0 && n <= left && ((uint8_t)at & rest) == 0 && ((n & rest) == 0 || n == left) &&
            (at == s->next || n <= s->next - at);
 }
+
+static bool is_session(const Store *s, uint16_t session) { return session != 0 && session == s->session; }
 
 SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *bytes, uint8_t n)
 {
@@ -310,11 +321,11 @@ SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *
     const SmvmAt place = (SmvmAt)(s->slot_at[s->target] + at);
     bool there;
 
-    if (session == 0 || session != s->session)
+    if (!is_session(s, session))
         return SM_E_HANDLE;
     if (at > s->next || !is_part(s, at, n))
         return SM_E_ARGUMENT;
-    there = (again || !s->erase) && is_there(s, place, bytes, n);
+    there = (again || !erase_of(s)) && is_there(s, place, bytes, n);
     if (again)
         return there ? SM_OK : SM_E_ARGUMENT;
     if (!there) {
@@ -340,16 +351,15 @@ static SmResult judge(const Store *s)
 
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
 {
-    uint32_t checksum;
-    SmvmAt length;
+    Head h;
     SmResult r;
 
     memset(why, 0, sizeof *why);
-    if (session == 0 || session != s->session)
+    if (!is_session(s, session))
         return SM_E_HANDLE;
     if (s->next != s->length)
         return SM_E_ARGUMENT;
-    if (!read_header(s, s->target, &checksum, &length) || checksum != s->checksum || length != s->length)
+    if (!read_header(s, s->target, &h) || get32(h.at + SMVM_CRC_AT) != s->checksum || h.length != s->length)
         return SM_E_DEVICE;
     r = smvm_verify(s->plan.image[s->target], s->length, why) == 0 ? judge(s) : SM_E_ARGUMENT;
     s->whole = r == SM_OK;
@@ -360,7 +370,7 @@ SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
 {
     StoreChoice c = s->now;
 
-    if (session == 0 || session != s->session || !s->whole)
+    if (!is_session(s, session) || !s->whole)
         return SM_E_HANDLE;
     if (c.active != s->target || get32(c.checksum) != s->checksum) {
         c.before = c.active;
@@ -404,10 +414,10 @@ static SmResult blank(const Store *s, uint8_t slot)
 
     if (slot == s->running)
         return SM_OK;
-    if (s->erase)
-        return pal_nvm_erase(s->nvm, s->slot_at[slot], s->erase);
+    if (erase_of(s))
+        return erase(s, s->slot_at[slot], erase_of(s));
     memset(nothing, s->blank, sizeof nothing);
-    return pal_nvm_write(s->nvm, s->slot_at[slot], nothing, s->write > 4 ? s->write : 4);
+    return put(s, s->slot_at[slot], nothing, write_of(s) > 4 ? write_of(s) : 4);
 }
 
 static SmResult forget(Store *s, uint8_t slot)
@@ -427,13 +437,12 @@ static SmResult forget(Store *s, uint8_t slot)
 
 SmResult smvm_store_erase(Store *s, uint32_t checksum)
 {
-    uint32_t there;
-    SmvmAt length;
+    Head h;
     SmResult r = SM_E_MISSING;
 
     s->session = 0;
     for (uint8_t i = 0; i < s->plan.slots; i++)
-        if (read_header(s, i, &there, &length) && there == checksum)
+        if (read_header(s, i, &h) && get32(h.at + SMVM_CRC_AT) == checksum)
             r = forget(s, i);
     return r;
 }

@@ -125,7 +125,7 @@ typedef enum StoreState { STORE_EMPTY, STORE_WHOLE, STORE_TRIAL, STORE_CONFIRMED
 
 uint16_t smvm_store_period(const Store *s, uint8_t slot);      // 0 where nobody has said
 
-StoreState smvm_store_state(const Store *s, uint8_t slot, uint32_t *checksum, SmvmAt *length);
+StoreState smvm_store_state(const Store *s, uint8_t slot);
 
 #ifdef __cplusplus
 }

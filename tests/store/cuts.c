@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bytecode-vm/image.h"
 #include "bytecode-vm/target/store.h"
 #include "runtime-c/psl/sim/sim.h"
 #include "tests/test.h"
@@ -63,19 +64,21 @@ static bool opens(Device *d)
 // A start: gives what runs.  The choice may be cut off as well, then nothing runs yet.
 static Runs start(Device *d)
 {
-    uint32_t checksum, length;
+    const uint8_t *there;
+    uint32_t checksum;
 
     sim_power_on();
     if (!opens(d) || smvm_store_boot(&d->store, &d->slot) != SM_OK)
         return RUNS_NOTHING;
     if (d->slot == STORE_BUILT_IN)
         return RUNS_BUILT_IN;
-    if (smvm_store_state(&d->store, d->slot, &checksum, &length) == STORE_EMPTY)
+    if (smvm_store_state(&d->store, d->slot) == STORE_EMPTY)
         return RUNS_NOTHING;
-    if (checksum == old_image.checksum && memcmp(d->store.plan.image[d->slot], old_image.bytes, length) == 0)
+    there = d->store.plan.image[d->slot];
+    checksum = smvm_uint(there, SMVM_CRC_AT, 4);
+    if (checksum == old_image.checksum && memcmp(there, old_image.bytes, old_image.length) == 0)
         return RUNS_OLD;
-    return checksum == new_image.checksum && memcmp(d->store.plan.image[d->slot], new_image.bytes, length) == 0
-               ? RUNS_NEW : RUNS_NOTHING;
+    return checksum == new_image.checksum && memcmp(there, new_image.bytes, new_image.length) == 0 ? RUNS_NEW : RUNS_NOTHING;
 }
 
 static bool sends(Device *d, const Image *image)
