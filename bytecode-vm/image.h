@@ -167,6 +167,10 @@ uint8_t smvm_check_pins(SmvmBytes image, SmvmAt *at);
 void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x);
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat);
 
+// Elements, as the interpreter reads and writes them: sm_load and sm_store without a second text of them (interp.c).
+SmF64 smvm_load(uint8_t type, const void *at);
+void smvm_store(SmF64 x, uint8_t type, void *at);
+
 // ---- names, for hosts; DEBUG is not verified, so these check what they read (debug.c) ----
 
 typedef struct SmvmName { uint32_t at, size; } SmvmName;         // in the image; size 0: none

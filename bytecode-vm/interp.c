@@ -108,6 +108,18 @@ SMVM_APART static void convert(Number *x, uint8_t type)
     number_load(x, type, (uint8_t *)&cell);
 }
 
+// ---- for what stands around the VM: no second text of it in a chip's flash ----
+
+SmF64 smvm_load(uint8_t type, const void *at)
+{
+    Number x;
+
+    number_load(&x, type, (const uint8_t *)at);
+    return number_f64(&x);
+}
+
+void smvm_store(SmF64 x, uint8_t type, void *at) { number_store_real(x, type, (uint8_t *)at); }
+
 // ---- windows ----
 
 void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(w, n, kind, x); }

@@ -152,20 +152,25 @@ SMVM_APART static void number_put_real(SmF64 x, uint8_t type, uint8_t *p)
 
 static bool number_is_narrow(uint8_t type) { return type <= SM_I32 || type == SM_U8 || type == SM_U16; }
 
-SMVM_APART static void number_store_real(const Number *x, uint8_t type, uint8_t *p)
+static void number_put_whole(int32_t v, uint8_t type, uint8_t *p)
 {
-    if (x->is_real && number_is_narrow(type))
-        number_put(number_clipped(sm_to_i32(x->as.real), type), (uint8_t)(1u << smvm_type_shift(type)), p);
+    number_put(number_clipped(v, type), (uint8_t)(1u << smvm_type_shift(type)), p);
+}
+
+SMVM_APART static void number_store_real(SmF64 x, uint8_t type, uint8_t *p)
+{
+    if (number_is_narrow(type))
+        number_put_whole(sm_to_i32(x), type, p);
     else
-        number_put_real(number_f64(x), type, p);
+        number_put_real(x, type, p);
 }
 
 SMVM_APART static void number_store(const Number *x, uint8_t type, uint8_t *p)
 {
     if (!x->is_real && (type < SM_F32 || type == SM_BOOL))
-        number_put(number_clipped(x->as.whole, type), (uint8_t)(1u << smvm_type_shift(type)), p);
+        number_put_whole(x->as.whole, type, p);
     else
-        number_store_real(x, type, p);
+        number_store_real(number_f64(x), type, p);
 }
 
 // ---- operations ----
@@ -320,6 +325,8 @@ static inline void number_store(const Number *x, uint8_t type, uint8_t *p)
     else
         sm_store((SmType)type, p, *x);
 }
+
+static inline void number_store_real(SmF64 x, uint8_t type, uint8_t *p) { number_store(&x, type, p); }
 
 static inline bool number_is_true(const Number *x) { return sm_to_bool(*x); }
 

@@ -11,14 +11,13 @@ static bool is_inverted(const SmIoPin *p) { return p->flags & SM_IO_INVERTED; }
 
 // ---- numbers ----
 
-static SmF64 million(void) { return sm_from_i32(1000000); }
+static SmF64 million(void) { return sm_from_bits(0x412E848000000000u); }
 
-// 9.8: millionths to the element's number.
-static SmF64 to_element(const SmIoPin *p, int32_t millionths)
+SmF64 sm_pin_number(const SmIoPin *p, int32_t v)
 {
-    const SmF64 volts = sm_div(sm_from_i32(millionths), million());
-
-    return sm_add(sm_mul(volts, sm_from_bits(p->scale)), sm_from_bits(p->zero));
+    if (is_digital(p))
+        return sm_from_i32(v);
+    return sm_add(sm_mul(sm_div(sm_from_i32(v), million()), sm_from_bits(p->scale)), sm_from_bits(p->zero));
 }
 
 // sm_to_i32(sm_round(x)), without what sm_round does for larger numbers.
@@ -32,37 +31,46 @@ static int32_t nearest(SmF64 x)
     return n > INT32_MIN && sm_le(rest, sm_neg(half)) ? n - 1 : n;
 }
 
-// 9.8: the way back; the nearest millionth, halves away from 0, as far as there are any.
-static int32_t to_millionths(const SmIoPin *p, SmF64 x)
+int32_t sm_pin_value(const SmIoPin *p, SmF64 x)
 {
-    const SmF64 volts = sm_div(sm_sub(x, sm_from_bits(p->zero)), sm_from_bits(p->scale));
-
-    return nearest(sm_mul(volts, million()));
+    if (is_digital(p))
+        return sm_to_bool(x);
+    return nearest(sm_mul(sm_div(sm_sub(x, sm_from_bits(p->zero)), sm_from_bits(p->scale)), million()));
 }
-
-// The level that stands for x, which is 0 for false.
-static bool level_of(const SmIoPin *p, SmF64 x) { return sm_to_bool(x) != is_inverted(p); }
 
 // ---- one pin ----
 
-SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x)
+SmResult sm_pin_set(const SmIoPin *p, uint8_t handle, int32_t v)
 {
     const PalDio dio = {handle};
     const PalAio aio = {handle};
 
-    return is_digital(p) ? pal_dio_write(dio, level_of(p, x)) : pal_aio_write(aio, to_millionths(p, x));
+    return is_digital(p) ? pal_dio_write(dio, (v != 0) != is_inverted(p)) : pal_aio_write(aio, v);
 }
+
+SmResult sm_pin_get(const SmIoPin *p, uint8_t handle, int32_t *v)
+{
+    const PalDio dio = {handle};
+    const PalAio aio = {handle};
+    bool level = false;
+    SmResult r;
+
+    if (!is_digital(p))
+        return pal_aio_read(aio, v);
+    r = pal_dio_read(dio, &level);
+    *v = level != is_inverted(p);
+    return r;
+}
+
+SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x) { return sm_pin_set(p, handle, sm_pin_value(p, x)); }
 
 SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, SmF64 *x)
 {
-    const PalDio dio = {handle};
-    const PalAio aio = {handle};
-    int32_t millionths = 0;
-    bool level = false;
-    SmResult r = is_digital(p) ? pal_dio_read(dio, &level) : pal_aio_read(aio, &millionths);
+    int32_t v = 0;
+    const SmResult r = sm_pin_get(p, handle, &v);
 
     if (r == SM_OK)
-        *x = is_digital(p) ? sm_from_i32(level != is_inverted(p)) : to_element(p, millionths);
+        *x = sm_pin_number(p, v);
     return r;
 }
 
@@ -89,7 +97,7 @@ static PalDioMode mode_of(const SmIoPin *p)
 static SmResult open_digital(const SmIoPin *p, uint8_t *handle)
 {
     PalDio dio = {0};
-    SmResult r = pal_dio_open(&dio, p->pin, mode_of(p), level_of(p, sm_from_bits(p->safe)));
+    SmResult r = pal_dio_open(&dio, p->pin, mode_of(p), sm_to_bool(sm_from_bits(p->safe)) != is_inverted(p));
 
     *handle = dio.id;
     return r;

@@ -35,6 +35,12 @@ SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, SmF64 *x);  // x: the ele
 SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x);
 void sm_pin_close(const SmIoPin *p, uint8_t handle);                 // as it is
 
+// The same in parts.  v: millionths; of a digital pin 1 where its element is true, else 0.
+SmResult sm_pin_get(const SmIoPin *p, uint8_t handle, int32_t *v);
+SmResult sm_pin_set(const SmIoPin *p, uint8_t handle, int32_t v);
+SmF64 sm_pin_number(const SmIoPin *p, int32_t v);                     // the element's number of it (9.8)
+int32_t sm_pin_value(const SmIoPin *p, SmF64 x);                      // and back: the nearest millionth, as far as there are any
+
 #ifdef __cplusplus
 }
 #endif

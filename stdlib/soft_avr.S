@@ -859,10 +859,13 @@ divide:
 	ldi r25, 5
 	clr r0
 	com r0
-; The digits come inverted into r0.
-5:	compare_with_b
+; The digits come inverted into r0.  Mostly the first byte tells.
+5:	cp r24, r16
+	brlo 6f
+	brne 9f
+	compare_with_b
 	brcs 6f
-	take_b_off
+9:	take_b_off
 6:	rol r0
 	double_a
 	dec r25

@@ -26,14 +26,13 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 #define SMVM_STORE_BYTES 1
 #define PAL_LOCKS 1
 
-// By chip: bytes of EEPROM and how many slots they are; bytes of RAM for state vector and machines; pins; events that are kept; the
+// By chip: bytes of EEPROM and how many slots they are; bytes of RAM for state vector, machines and pins; events that are kept; the
 // largest body of a frame: with its head, its end and a zero before it fits into the ring of the line, so that a request that arrives during a long
 // step is whole.
 #if defined(__AVR_ATmega2560__)
 #define FIRMWARE_STORE 4096
 #define FIRMWARE_SLOTS 2
 #define FIRMWARE_MEMORY 5120
-#define FIRMWARE_PINS 48
 #define FIRMWARE_EVENTS 32
 #define FIRMWARE_BODY 96
 #define AVR_SERIAL_RING 128
@@ -41,7 +40,6 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 #define FIRMWARE_STORE 1024
 #define FIRMWARE_SLOTS 1
 #define FIRMWARE_MEMORY 832
-#define FIRMWARE_PINS 18
 #define FIRMWARE_EVENTS 4
 #define FIRMWARE_BODY 48
 #define AVR_SERIAL_RING 64

@@ -32,8 +32,7 @@ static const uint8_t built_in[] PROGMEM = {
 // ---- what runs ----
 
 static uint64_t memory[FIRMWARE_MEMORY / 8];
-static uint8_t handles[FIRMWARE_PINS];
-static SmvmRunner runner = {.memory = memory, .size = sizeof memory, .handle = handles, .pins_most = FIRMWARE_PINS};
+static SmvmRunner runner = {.memory = memory, .size = sizeof memory, .has_pin = avr_pin_exists};
 static SmEvent kept[FIRMWARE_EVENTS];
 static SmEvents events = {.at = kept, .room = FIRMWARE_EVENTS, .guarded = true};
 static uint16_t state[SMVM_RUNNER_MACHINES];           // that the last step left each machine in
@@ -166,25 +165,10 @@ static SmResult may_update(void *context)
 static void open_arming(void) {}
 #endif
 
-static SmResult may_pins(SmvmBytes image)
-{
-    SmvmPins all;
-    SmvmPin p;
-
-    if (!smvm_pins(image, &all))
-        return SM_OK;
-    while (smvm_next_pin(&all, &p))
-        if (!avr_pin_exists((uint16_t)p.pin, (p.kind & 2) != 0, (p.kind & 1) != 0))
-            return SM_E_MISSING;
-    return SM_OK;
-}
-
 static SmResult fits(void *context, SmvmBytes image)
 {
-    const SmResult r = smvm_runner_fits(&runner, image);
-
     (void)context;
-    return r == SM_OK ? may_pins(image) : r;
+    return smvm_runner_fits(&runner, image);
 }
 
 static void leave_slot(void *context)

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// See runner.h.  Rows of pins are not kept, they are read out of the image in every step: a row takes 36 bytes of RAM, and reading one
-// takes a tenth of the time that its analog value takes.
+// See runner.h.  Of a pin a step needs no more than stands before SmIoPin.safe, of a digital one before SmIoPin.scale: rows are kept so far and
+// no further, one behind the other behind the machines.  They hold the pin's handle where SmIoPin has `hold`, for a pin of a chip does not fail.
 #include "bytecode-vm/firmware/runner.h"
 
+#include <stddef.h>
 #include <string.h>
 
+#include "bytecode-vm/image.h"
 #include "bytecode-vm/target/io.h"
-#include "stdlib/convert.h"
 
 // ---- what it takes ----
 
@@ -21,6 +22,22 @@ static bool take(uint16_t *left, uint32_t bytes)
         return false;
     *left = (uint16_t)(*left - up8(bytes));
     return true;
+}
+
+static uint8_t row_bytes(uint8_t kind) { return kind & 2 ? offsetof(SmIoPin, scale) : offsetof(SmIoPin, safe); }
+
+static SmResult take_pins(const SmvmRunner *r, uint16_t *left, SmvmPins *p)
+{
+    SmvmPin pin;
+
+    while (smvm_next_pin(p, &pin)) {
+        if (r->has_pin && !r->has_pin((uint16_t)pin.pin, (pin.kind & 2) != 0, pin.kind & 1))
+            return SM_E_MISSING;
+        if (row_bytes(pin.kind) > *left)
+            return SM_E_MEMORY;
+        *left = (uint16_t)(*left - row_bytes(pin.kind));
+    }
+    return SM_OK;
 }
 
 SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image)
@@ -41,13 +58,9 @@ SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image)
         layout = m.layout;
         sv = m.sv_size;
     }
-    if (smvm_pins(image, &p)) {
-        if (p.layout != layout || 8 * p.sv_size != sv)
-            return SM_E_LAYOUT;
-        if (p.left > r->pins_most)
-            return SM_E_MEMORY;
-    }
-    return SM_OK;
+    if (!smvm_pins(image, &p))
+        return SM_OK;
+    return p.layout != layout || 8 * p.sv_size != sv ? SM_E_LAYOUT : take_pins(r, &left, &p);
 }
 
 // ---- machines ----
@@ -75,57 +88,93 @@ static SmResult start_all(SmvmRunner *r)
         at = (uint16_t)(at + up8(smvm_ram_size(&m)));
     }
     r->machines = result == SM_OK ? n : 0;
+    r->rows = r->rows_end = at;
     return result;
 }
 
 // ---- pins ----
 
-typedef enum Way { INPUTS, OUTPUTS, SAFE, OPEN, CLOSE } Way;
-
-static uint8_t *element_of(const SmvmRunner *r, const SmIoPin *row) { return (uint8_t *)r->memory + (uint16_t)row->offset; }
+static SmIoPin *row_at(const SmvmRunner *r, uint16_t at) { return (SmIoPin *)(void *)((uint8_t *)r->memory + at); }
 
 static bool is_output(const SmIoPin *row) { return row->kind & 1; }
+static bool is_digital(const SmIoPin *row) { return row->kind & 2; }
 
-SMVM_APART static SmResult one_pin(SmvmRunner *r, const SmIoPin *row, uint8_t i, Way way)
-{
-    SmF64 x;
-
-    switch (way) {
-    case INPUTS:
-        if (!is_output(row) && sm_pin_read(row, r->handle[i], &x) == SM_OK)
-            sm_store((SmType)row->type, element_of(r, row), x);
-        return SM_OK;
-    case OUTPUTS:
-    case SAFE:
-        x = way == SAFE ? sm_from_bits(row->safe) : sm_load((SmType)row->type, element_of(r, row));
-        return is_output(row) ? sm_pin_write(row, r->handle[i], x) : SM_OK;
-    case OPEN:
-        return sm_pin_open(row, &r->handle[i]);
-    case CLOSE:
-        sm_pin_close(row, r->handle[i]);
-    }
-    return SM_OK;
-}
-
-// The first `n` pins; of OPEN it gives up at the first that fails, and r->pins tells how many are open.
-static SmResult each_pin(SmvmRunner *r, uint8_t n, Way way)
+// Gives up at the first that fails; r->rows_end tells how many are open.
+static SmResult open_pins(SmvmRunner *r)
 {
     SmvmPins p;
     SmvmPin pin;
     SmIoPin row;
     SmResult result = SM_OK;
 
-    if (n == 0 || !smvm_pins(r->image, &p))
-        return SM_OK;
-    for (uint8_t i = 0; i < n && smvm_next_pin(&p, &pin); i++) {
+    (void)smvm_pins(r->image, &p);
+    while (smvm_next_pin(&p, &pin)) {
         smvm_target_pin(&pin, &row);
-        result = one_pin(r, &row, i, way);
-        if (way == OPEN && result != SM_OK)
-            return result;
-        if (way == OPEN)
-            r->pins++;
+        if ((result = sm_pin_open(&row, &row.hold)) != SM_OK)
+            break;
+        memcpy(row_at(r, r->rows_end), &row, row_bytes(row.kind));
+        r->rows_end = (uint16_t)(r->rows_end + row_bytes(row.kind));
     }
-    return SM_OK;
+    return result;
+}
+
+// Those that are open, outputs at their safe values.
+static void close_pins(SmvmRunner *r)
+{
+    SmvmPins p;
+    SmvmPin pin;
+    SmIoPin row;
+
+    if (r->rows == r->rows_end)
+        return;
+    (void)smvm_pins(r->image, &p);
+    for (uint16_t at = r->rows; at < r->rows_end && smvm_next_pin(&p, &pin); at = (uint16_t)(at + row_bytes(row.kind))) {
+        const uint8_t handle = row_at(r, at)->hold;
+        smvm_target_pin(&pin, &row);
+        if (is_output(&row))
+            (void)sm_pin_write(&row, handle, pin.safe);
+        sm_pin_close(&row, handle);
+    }
+    r->rows_end = r->rows;
+}
+
+// A digital pin's element is a bool; an analog one's number is never NaN, so that an F64 takes it as it is.
+static void read_pin(const SmIoPin *row, uint8_t *element)
+{
+    int32_t v;
+    SmF64 x;
+
+    if (sm_pin_get(row, row->hold, &v) != SM_OK)
+        return;
+    if (is_digital(row)) {
+        *element = (uint8_t)v;
+        return;
+    }
+    x = sm_pin_number(row, v);
+    if (row->type == SM_F64)
+        memcpy(element, &x, sizeof x);
+    else
+        smvm_store(x, row->type, element);
+}
+
+static void write_pin(const SmIoPin *row, const uint8_t *element)
+{
+    (void)sm_pin_set(row, row->hold, is_digital(row) ? *element : sm_pin_value(row, smvm_load(row->type, element)));
+}
+
+static void move_pins(SmvmRunner *r, bool outputs)
+{
+    const SmIoPin *row;
+
+    for (uint16_t at = r->rows; at < r->rows_end; at = (uint16_t)(at + row_bytes(row->kind))) {
+        row = row_at(r, at);
+        if (is_output(row) != outputs)
+            continue;
+        if (outputs)
+            write_pin(row, (uint8_t *)r->memory + (uint16_t)row->offset);
+        else
+            read_pin(row, (uint8_t *)r->memory + (uint16_t)row->offset);
+    }
 }
 
 // ---- all ----
@@ -139,7 +188,7 @@ SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image)
     r->image = image;
     memset(r->memory, 0, r->size);
     if ((result = start_all(r)) == SM_OK)
-        result = each_pin(r, r->pins_most, OPEN);
+        result = open_pins(r);
     if (result != SM_OK)
         smvm_runner_stop(r);
     return result;
@@ -147,18 +196,16 @@ SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image)
 
 void smvm_runner_step(SmvmRunner *r, uint64_t g)
 {
-    (void)each_pin(r, r->pins, INPUTS);
+    move_pins(r, false);
     for (uint8_t i = 0; i < r->machines; i++)
         memcpy((uint8_t *)r->memory + r->g[i], &g, sizeof g);
     for (uint8_t i = 0; i < r->machines; i++)
         (void)smvm_step(r->vm[i], r->memory);
-    (void)each_pin(r, r->pins, OUTPUTS);
+    move_pins(r, true);
 }
 
 void smvm_runner_stop(SmvmRunner *r)
 {
-    (void)each_pin(r, r->pins, SAFE);
-    (void)each_pin(r, r->pins, CLOSE);
-    r->pins = 0;
+    close_pins(r);
     r->machines = 0;
 }

@@ -3,8 +3,7 @@
 // this is compiled.
 //
 //     static uint64_t memory[128];
-//     static uint8_t handle[16];
-//     SmvmRunner r = {.memory = memory, .size = sizeof memory, .handle = handle, .pins_most = 16};
+//     SmvmRunner r = {.memory = memory, .size = sizeof memory};
 //     if (smvm_verify(image, size, &why) == 0 && smvm_runner_open(&r, image) == SM_OK)
 //         for (;;)
 //             smvm_runner_step(&r, g);                   // inputs, machines in their order, outputs
@@ -21,20 +20,19 @@ extern "C" {
 enum { SMVM_RUNNER_MACHINES = 4 };
 
 typedef struct SmvmRunner {
-    uint64_t *memory;         // for the state vector, and behind it the machines
+    uint64_t *memory;         // for the state vector, and behind it machines and pins
     uint16_t size;            // bytes of it
-    uint8_t *handle;          // a byte a pin
-    uint8_t pins_most;
+    bool (*has_pin)(uint16_t number, bool digital, bool output);      // NULL: that is seen when it is opened
     // What follows is the runner's.
     uint8_t machines;         // 0: nothing runs
-    uint8_t pins;             // open ones
+    uint16_t rows, rows_end;  // where in `memory` the open pins are
     SmvmBytes image;
     SmVm *vm[SMVM_RUNNER_MACHINES];
     uint16_t g[SMVM_RUNNER_MACHINES];                  // where in the state vector it finds the time
 } SmvmRunner;
 
-// Whether there is room for an image that smvm_verify has accepted.  SM_E_MEMORY: too little RAM, too many machines or pins.
-// SM_E_LAYOUT: its machines and pins are not all for one state vector.
+// Whether there is room for an image that smvm_verify has accepted.  SM_E_MEMORY: too little RAM, too many machines.
+// SM_E_MISSING: it names a pin that there is not.  SM_E_LAYOUT: its machines and pins are not all for one state vector.
 SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image);
 
 // Puts all machines at their initial states and opens all pins, outputs at their safe values.  Results as above, or of the first pin that

@@ -25,6 +25,15 @@ typedef struct VmBox {
     uint8_t stored[8];        // bits of the first 64 outputs
 } VmBox;
 
+// pins.c: an image with its pins, in EEPROM.
+enum { PINS_VERIFY, PINS_OPEN, PINS_STEP, PINS_STOP };
+typedef struct PinsBox {
+    uint64_t g;               // in
+    uint16_t image, memory, memory_size, free;
+    uint8_t what;             // in: one of these
+    int8_t result;            // out
+} PinsBox;
+
 // auth.c: whether an image in flash is signed with a key.
 typedef struct AuthBox {
     uint32_t number;          // out

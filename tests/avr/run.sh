@@ -89,5 +89,12 @@ for kind in vm vm_eeprom vm_portable; do           # in assembly, that for EEPRO
     count "$B/run_vm" "$B/$kind.elf" 100 0 0 "$B"/images/*.smb >"$B/$kind.txt"
     tail -1 "$B/$kind.txt"
 done
+# The generic firmware's runner, with all kinds of pins; and what a step of the tank takes with its own.
+avr pins -flto -DF_CPU=16000000UL -DSMVM_CONFIG='"bytecode-vm/firmware/config.h"' -DSM_CONFIG='"bytecode-vm/firmware/config.h"' -DSM_ROLL_NONE=1 tests/avr/pins.c \
+    bytecode-vm/firmware/runner.c bytecode-vm/target/io.c runtime-c/pin.c runtime-c/psl/avr/*.c ${VM#tests/avr/vm.c} || exit 1
+$CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_pins.c "$1/libsmc.a" -o "$B/run_pins" -lsimavr -lelf -lm || exit 1
+"$1/smc" build -w tests/avr/pins.sm --sv tests/avr/pins.sv --io tests/avr/pins.io -o "$B/pins.smb" || exit 1
+"$1/smc" build -w examples/tank/tank.sm --sv tests/avr/tank.sv --io tests/avr/tank.io -o "$B/tank_pins.smb" || exit 1
+count "$B/run_pins" "$B/pins.elf" 200 "$B/pins.smb" "$B/tank_pins.smb"
 echo "avr: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

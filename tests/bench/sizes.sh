@@ -87,6 +87,18 @@ avr_vm()
     record atmega328p vm-tank image "$(wc -c <"$build/tank.smb")"
 }
 
+# The same in the generic firmware, with its pins, image in EEPROM, interpreter in C: a step from the ADC to the vent.
+avr_pins()
+{
+    conf='"bytecode-vm/firmware/config.h"'
+    $CC -std=gnu99 -ffp-contract=off -O1 -I. tests/avr/sim.c tests/avr/run_pins.c "$1/libsmc.a" -o "$build/run_pins" -lsimavr -lelf -lm || fail "run_pins"
+    avr_program pins -flto -DSMVM_CONFIG="$conf" -DSM_CONFIG="$conf" -DSM_ROLL_NONE=1 tests/avr/pins.c bytecode-vm/firmware/runner.c bytecode-vm/target/io.c \
+        runtime-c/pin.c runtime-c/psl/avr/*.c $(for p in $VM_PARTS; do echo "bytecode-vm/$p.c"; done) bytecode-vm/interp_avr_eeprom.S stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S
+    "$smc" build -w examples/tank/tank.sm --sv tests/avr/tank.sv --io tests/avr/tank.io -o "$build/pins.smb" || fail "pins.smb"
+    "$build/run_pins" "$build/pins.elf" 500 "$build/pins.smb" >"$build/pins.txt" || fail "the tank with its pins"
+    record atmega328p tank-pins cycles "$(sed -n 's/.* steps, \([0-9]*\) cycles.*/\1/p' "$build/pins.txt")"
+}
+
 # The tank as C, and the whole firmware.
 avr_tank()
 {
@@ -112,6 +124,7 @@ if has avr-gcc; then
     parts atmega328p
     if echo '#include <simavr/sim_avr.h>' | $CC -fsyntax-only -x c - 2>/dev/null; then
         avr_vm "$1"
+        avr_pins "$1"
         avr_tank "$1"
     else
         skipped=$((skipped + 1))
