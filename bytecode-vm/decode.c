@@ -822,22 +822,27 @@ static void decode_state(Decode *d, uint32_t s)
     if (entry != THE_END && step == THE_END)
         put_op(d, FAST_END_OP);
     if (d->out != NULL) {
-        d->out->body[2 * s] = step;
-        d->out->body[2 * s + 1] = entry == THE_END ? step : entry;
+        d->out->body[2 * s] = d->out->code + step;
+        d->out->body[2 * s + 1] = d->out->code + (entry == THE_END ? step : entry);
     }
     link_goes(d, decode_function(d, 3 * s));
 }
 
 static void decode_machine(Decode *d)
 {
+    const bool clears = d->m->outputs > 64;
     bool samples;
 
     d->words = 0;
     put_op(d, FAST_END_OP);                           // THE_END
+    if (clears)
+        put_op(d, FAST_CLEAR_OP);
     d->in = IN_SAMPLE;
     samples = decode_function(d, 0) != THE_END;
+    if (clears && !samples)
+        put_op(d, FAST_BODY_OP);
     if (d->out != NULL)
-        d->out->samples = samples;
+        d->out->samples = clears || samples;
     for (uint32_t s = 1; s <= d->m->states; s++)
         decode_state(d, s);
 }
@@ -852,7 +857,8 @@ static uint64_t size_of(const SmvmMachine *m, uint32_t *words)
     d.m = m;
     decode_machine(&d);
     *words = d.words;
-    return sizeof(SmvmDecoded) + (uint64_t)d.words * sizeof(SmvmWord) + (2 * ((uint64_t)m->states + 1) + d.longest + 1) * sizeof(uint32_t);
+    return sizeof(SmvmDecoded) + (uint64_t)d.words * sizeof(SmvmWord) + 2 * ((uint64_t)m->states + 1) * sizeof(SmvmWord *)
+        + ((uint64_t)d.longest + 1) * sizeof(uint32_t);
 }
 
 uint32_t smvm_decoded_size(const SmvmMachine *m)
@@ -883,8 +889,8 @@ SmResult smvm_decode(SmvmDecoded **decoded, void *memory, uint32_t size, const S
     out->parts = smvm_parts(vm, m);
     out->t = 0;
     out->code = (SmvmWord *)(out + 1);
-    out->body = (uint32_t *)(out->code + words);
-    d.where = out->body + 2 * ((size_t)m->states + 1);
+    out->body = (const SmvmWord **)(out->code + words);
+    d.where = (uint32_t *)(out->body + 2 * ((size_t)m->states + 1));
     d.place = out->place = smvm_fast_places();
     decode_machine(&d);
     return SM_OK;

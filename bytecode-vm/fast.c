@@ -131,7 +131,7 @@ MADE_FOR(F64, sm_roll_of_f64)
 #define NEXT(n) ip += (n); continue
 #define BEGIN for (;;) switch ((FastOp)ip->u) {
 #define FAST(name, ...) case FAST_##name##_OP: __VA_ARGS__
-#define FINISH case FAST_OPS: goto end; }
+#define FINISH case FAST_OPS: return SM_OK; }
 #endif
 #define GO_IF(condition, n) if (condition) { ip = ip[1].to; NEXT(0); } NEXT(n)
 
@@ -147,9 +147,6 @@ static inline void keep(uint8_t *stored, uint64_t notes)
     stored[6] = (uint8_t)(notes >> 48);
     stored[7] = (uint8_t)(notes >> 56);
 }
-
-// What the state has to run, in its first step and in others.
-static inline const SmvmWord *body(const SmvmDecoded *d, bool first) { return d->code + d->body[2 * (size_t)d->vm->state + first]; }
 
 // A step on another state vector; or for a decoded form without a machine: where the code of each instruction is.
 static SmResult elsewhere(SmvmDecoded *d, void *sv, const void *const *place)
@@ -173,26 +170,24 @@ SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
 #else
     static const void *const *const place = NULL;
 #endif
-    SmVm *vm = d->vm;
+    SmVm *const vm = d->vm;
     const SmvmWord *ip;
     uint64_t notes = 0;
     SmF64 F = sm_from_i32(0);
 
     if (sv != d->sv)
         return elsewhere(d, sv, place);
-    if (!smvm_begin(vm, d->g, d->s))
+    if (!smvm_advance(vm, d->g))
         return SM_REFUSED;
-    vm->first = false;                                // until it goes somewhere; `entered` says what it was
-    if (d->parts.stored_bytes > 0)
-        memset(d->parts.stored, 0, d->parts.stored_bytes);
+    if (vm->first || vm->entered) {                   // most often neither
+        smvm_enter(vm, d->s);
+        vm->first = false;                            // until it goes somewhere; `entered` says what it was
+    }
     d->t = vm->next - vm->start;
-    ip = d->samples ? d->code + 1 : body(d, vm->entered);
+    ip = d->samples ? d->code + 1 : d->body[2 * (size_t)vm->state + vm->entered];
     BEGIN
 #include "bytecode-vm/fast.def"
     FINISH
-end:
-    keep(vm->stored, notes);
-    return SM_OK;
 }
 
 const void *const *smvm_fast_places(void)

@@ -146,9 +146,9 @@ struct SmvmDecoded {
     SmvmParts parts;          // of the machine's memory
     uint64_t t;               // T
     SmvmWord *code;           // the sample function first
-    uint32_t *body;           // by state, two each: where in the code its steps begin, and its first step
+    const SmvmWord **body;    // by state, two each: where in the code its steps begin, and its first step
     const void *const *place; // see smvm_fast_places
-    bool samples;             // the sample function is not empty
+    bool samples;             // something comes before that, from the second word of the code on
 };
 
 // Where the code of each FastOp is, or NULL where its number stands for it.
