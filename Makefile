@@ -17,6 +17,8 @@ VERSION := $(shell sed -n 's/.*SMC_VERSION "\(.*\)".*/\1/p' compiler/version.h)
 # Sources, folder by folder in the order data flows through them.
 STDLIB   = $(wildcard stdlib/*.c)
 VM       = $(wildcard bytecode-vm/*.c)
+VM_TEXT  = $(wildcard bytecode-vm/disasm*.c)
+VM_FAST  = $(wildcard bytecode-vm/decode*.c) bytecode-vm/fast.c
 LINK     = $(wildcard runtime-c/link/*.c)
 EMIT_C   = $(filter-out %/embed_tool.c,$(wildcard compiler/emit/c/*.c))
 LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
@@ -248,7 +250,7 @@ CHECK_LINES += "sound: $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound
 
 # tests/cost: the longest step as it is reported, against a VM that counts.
 COST_FLAGS = -DSMVM_CONFIG='"tests/cost/config.h"'
-COST_SRC   = tests/cost/run.c $(filter-out %/fast.c %/decode.c %/disasm.c,$(VM))
+COST_SRC   = tests/cost/run.c $(filter-out $(VM_FAST) $(VM_TEXT),$(VM))
 $(B)/cost: $(COST_SRC) tests/cost/config.h $(filter-out %/main.o,$(DIFF_OBJ)) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(COST_FLAGS) $(WARN) $(CFLAGS) $(COST_SRC) -o $@ $(filter %/gen.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o %/subject.o,$(DIFF_OBJ)) $(B)/libsmc.a
@@ -419,7 +421,7 @@ check: $(B)/psl/tsan
 CHECK_LINES += "psl-tsan: if test -x $(B)/psl/tsan; then TSAN_OPTIONS=report_mutex_bugs=0 $(B)/psl/tsan; else echo 0 passed, 0 failed, 1 skipped; fi"
 
 # tests/store: updates of images with the power cut at every byte.  `make store-cuts`: all pairs of cuts.
-STORE_SRC = tests/store/cuts.c bytecode-vm/target/store.c $(LINK) $(filter-out %/fast.c %/decode.c %/disasm.c,$(VM)) stdlib/tables.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
+STORE_SRC = tests/store/cuts.c bytecode-vm/target/store.c $(LINK) $(filter-out $(VM_FAST) $(VM_TEXT),$(VM)) stdlib/tables.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
 STORE_SMB = $(B)/store/old.smb $(B)/store/new.smb
 $(B)/store/cuts: $(STORE_SRC:%.c=$(B)/obj/%.o)
 	@mkdir -p $(@D)
@@ -595,12 +597,12 @@ check-runtime: $(RUNTIME_TESTS) $(RUNTIME_TSAN)
 # programs as images, and as C at each level, on each of them, or on those that TARGETS names; goes on where it was stopped.
 # The VM is built as by somebody who has not read about -ffp-contract.
 TARGETS_OPT  ?= -Os
-TARGETS_VM    = tests/targets/vm.c $(filter-out %/disasm.c,$(VM)) $(STDLIB)
+TARGETS_VM    = tests/targets/vm.c $(filter-out $(VM_TEXT),$(VM)) $(STDLIB)
 TARGETS_ROOM  = $(shell sh tests/targets/cc.sh $* vm)
 $(B)/targets/vm-%: $(TARGETS_VM) $(wildcard tests/targets/*.txt tests/targets/cc.sh tests/targets/bare/* bytecode-vm/*.[hd]* stdlib/*.[hd]*)
 	@mkdir -p $(@D)
 	$(call say,CC)sh tests/targets/cc.sh $* -std=gnu11 -I. -Wall -Wextra -Werror $(TARGETS_OPT) $(TARGETS_ROOM) -o $@ \
-	    $(if $(findstring DECODED=0,$(TARGETS_ROOM)),$(filter-out %/fast.c %/decode.c,$(TARGETS_VM)),$(TARGETS_VM))
+	    $(if $(findstring DECODED=0,$(TARGETS_ROOM)),$(filter-out $(VM_FAST),$(TARGETS_VM)),$(TARGETS_VM))
 $(B)/targets/cases: tests/targets/cases.c $(filter-out %/main.o,$(DIFF_OBJ)) $(B)/libsmc.a $(B)/runtime/sim.a
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(LDFLAGS) -o $@ $^
@@ -694,7 +696,7 @@ bench-machine: $(BENCH_MACHINE) $(FLIGHTS)/flight.smb
 # `make arduino`: the library, for the Arduino IDE, arduino-cli and PlatformIO, in $(B)/arduino/smc, and as a .zip where there is zip.
 PROJECT_URL      ?= https://example.org/smc
 ARDUINO           = $(B)/arduino/smc
-ARDUINO_SOURCES   = $(sort $(STDLIB) $(filter-out %/disasm.c %/debug.c %/decode.c %/fast.c,$(VM)) $(FIRMWARE_SRC))
+ARDUINO_SOURCES   = $(sort $(STDLIB) $(filter-out $(VM_TEXT) %/debug.c $(VM_FAST),$(VM)) $(FIRMWARE_SRC))
 ARDUINO_INPUTS    = $(wildcard arduino/* arduino/examples/*/* stdlib/* bytecode-vm/*.* bytecode-vm/firmware/* bytecode-vm/target/* runtime-c/*.* \
                       runtime-c/link/* runtime-c/pal/* runtime-c/psl/avr/*) docs/arduino.md compiler/version.h
 arduino: $(ARDUINO)/library.properties
@@ -768,7 +770,7 @@ check-codes:
 	@$(find_smt) | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -
 check-headers: $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
 	@CC='$(CC)' sh tests/check/headers.sh -I$(B)/gen
-check-imports: $(patsubst %.c,$(B)/obj/%.o,$(filter-out %/disasm.c,$(VM))) $(STDLIB:%.c=$(B)/obj/%.o) \
+check-imports: $(patsubst %.c,$(B)/obj/%.o,$(filter-out $(VM_TEXT),$(VM))) $(STDLIB:%.c=$(B)/obj/%.o) \
                $(patsubst %.c,$(B)/runtime/sim/%.o,$(wildcard runtime-c/*.c bytecode-vm/target/*.c))
 	@sh tests/check/imports.sh $^
 check-licence:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decoded form of a machine, between decode.c, which makes it, and fast.c, which runs it.
+// The decoded form of a machine, between decode*.c, which make it, and fast.c, which runs it.
 #ifndef SMVM_FAST_H
 #define SMVM_FAST_H
 
@@ -100,7 +100,7 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_JNE2(K) FAST(JNE2_##K, GO_IF(!sm_eq(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 #define FAST_JLT2(K) FAST(JLT2_##K, GO_IF(sm_lt(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 #define FAST_JLE2(K) FAST(JLE2_##K, GO_IF(sm_le(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
-// With a number: a stored NaN stays one here, and decode.c chooses the condition that makes of it what it makes of 0.
+// With a number: a stored NaN stays one here, and decode_jump.c chooses the condition that makes of it what it makes of 0.
 #define FAST_JEQC(K) FAST(JEQC_##K, GO_IF(sm_eq(bare_##K(ip + 2), ip[3].f), 4);)
 #define FAST_JNEC(K) FAST(JNEC_##K, GO_IF(!sm_eq(bare_##K(ip + 2), ip[3].f), 4);)
 #define FAST_JLTC(K) FAST(JLTC_##K, GO_IF(sm_lt(bare_##K(ip + 2), ip[3].f), 4);)

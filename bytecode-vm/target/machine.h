@@ -19,7 +19,7 @@ extern "C" {
 #endif
 
 // The decoded form of a machine (smvm_decode), several times as fast.  Behind pointers, so that only who names smvm_decoder links
-// decode.c, fast.c and this folder's decoder.c.
+// decode*.c, fast.c and this folder's decoder.c.
 typedef struct SmvmDecoder {
     SmResult (*decode)(SmvmDecoded **decoded, void *memory, uint32_t size, const SmvmMachine *m, SmVm *vm, void *sv);
     SmResult (*step)(SmvmDecoded *decoded, void *sv);

@@ -99,8 +99,8 @@ code_of() {                   # code_of NAME FILE…: code and constants of some
     name=$1 sum=0
     shift
     for f in "$@"; do
-        [ -f "bytecode-vm/$f.c" ] || return 0
-        $cc -std=c99 -ffp-contract=off -I. -Os -c "bytecode-vm/$f.c" -o "$dir/size.o" || exit 1
+        [ -f "$f" ] || return 0
+        $cc -std=c99 -ffp-contract=off -I. -Os -c "$f" -o "$dir/size.o" || exit 1
         sum=$((sum + $(size -A "$dir/size.o" | awk '/^\.(text|rodata)/ { n += $2 } END { print n + 0 }')))
     done
     echo "value vm $name $sum bytes" >>"$records"
@@ -111,9 +111,9 @@ part_sizes() {
         "$dir/steps" "$dir" sizes "$w" >>"$records" || exit 1
     done
     command -v size >/dev/null 2>&1 || { note "size is not here: the VM was not weighed"; return; }
-    code_of core load interp
-    code_of verifier verify
-    code_of decoded decode fast
+    code_of core bytecode-vm/load.c bytecode-vm/interp.c
+    code_of verifier bytecode-vm/verify.c
+    code_of decoded bytecode-vm/decode*.c bytecode-vm/fast.c
 }
 
 part_compile() {

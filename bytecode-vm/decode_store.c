@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stores in the decoded form: X to a local or an output, together with what X waits for where one instruction does both.
+#include "bytecode-vm/decode.h"
+#include "bytecode-vm/step.h"
+
+// Whether nobody reads X behind this instruction.  (Who jumps leads to where X is loaded.)
+static bool is_x_dead(const Decode *d)
+{
+    SmvmAt at = d->at;
+
+    for (;;) {
+        uint32_t shape = smvm_shape(smvm_u8(d->m->image, at++));
+        if ((shape & SMVM_SHAPE_X) != 0)
+            return false;
+        if ((shape & (SMVM_SHAPE_GX | SMVM_SHAPE_Z)) != 0)
+            return true;
+        while (smvm_u8(d->m->image, at) < SMVM_OP_LEAST)         // Y is loaded
+            at++;
+    }
+}
+
+// Up to the destination.  That an output is written stands in the first 64 bits, or for others in a bit of a byte: which byte
+// above, mask in the low eight bits.
+static void put_written(Decode *d, FastOp family, FastOp noting, unsigned which, const Place *to)
+{
+    if (to->output && to->index >= 64) {
+        smvm_put_op(d, FAST_NOTE_OP);
+        smvm_put_u(d, (uint64_t)((to->index - 64) >> 3) << 8 | 1u << (to->index & 7u));
+    }
+    if (to->output && to->index < 64) {
+        smvm_put_op(d, (unsigned)noting + which);
+        smvm_put_u(d, (uint64_t)1 << to->index);
+    } else {
+        smvm_put_op(d, (unsigned)family + which);
+    }
+    smvm_put_value(d, &to->to);
+}
+
+static void put_number(Decode *d, const Place *to, SmF64 c)      // to memory: as it will lie there
+{
+    unsigned kind = to->to.kind;
+    uint64_t cell = kind == FAST_RAW ? sm_bits(smvm_raw(c)) : sm_cell_from_f64((SmType)kind, c);
+
+    put_written(d, FAST_SET_1_OP, FAST_SETN_1_OP, smvm_type_shift(kind), to);
+    smvm_put_u(d, cell);
+}
+
+// `to = x + c`, both of one integer type, c whole and small, and X not used again.  False if it is not that.
+static bool put_count(Decode *d, const Place *to)
+{
+    Value x = d->later.a, y = d->later.b;
+    int64_t c;
+
+    if (d->x.kind != LATER || (d->later.op != SMVM_add && d->later.op != SMVM_sub) || !is_x_dead(d))
+        return false;
+    if (d->later.op == SMVM_add && is_number(&x))
+        swap(&x, &y);
+    if (!is_integer(&x) || to->to.kind != x.kind || !is_number(&y) || !smvm_is_whole(y.c, INT32_MAX, &c))
+        return false;
+    put_written(d, FAST_INC_I8_OP, FAST_INCN_I8_OP, x.kind, to);
+    smvm_put_value(d, &x);
+    smvm_put_u(d, (uint64_t)(d->later.op == SMVM_sub ? -c : c));
+    return true;
+}
+
+// `to = F op y`, of an output or local of F32 or F64; y is one of that type, or a number.  False if it is not that.
+static bool put_operation_to(Decode *d, const Place *to)
+{
+    static const uint16_t family[2][4][2] = {
+        {{FAST_ADDST_F32_OP, FAST_ADDSTN_F32_OP}, {FAST_SUBST_F32_OP, FAST_SUBSTN_F32_OP}, {FAST_MULST_F32_OP, FAST_MULSTN_F32_OP},
+         {FAST_DIVST_F32_OP, FAST_DIVSTN_F32_OP}},
+        {{FAST_ADDCST_F32_OP, FAST_ADDCSTN_F32_OP}, {FAST_ADDCST_F32_OP, FAST_ADDCSTN_F32_OP}, {FAST_MULCST_F32_OP, FAST_MULCSTN_F32_OP},
+         {FAST_DIVCST_F32_OP, FAST_DIVCSTN_F32_OP}},
+    };
+    Value y = d->later.b;
+    const uint8_t op = d->later.op;
+    const uint16_t *f;
+
+    if (d->x.kind != LATER || op < SMVM_add || op > SMVM_div || !is_f(&d->later.a) || (to->to.kind != SM_F32 && to->to.kind != SM_F64))
+        return false;
+    if (y.kind != to->to.kind && !is_number(&y))
+        return false;
+    if (is_number(&y) && op == SMVM_sub)
+        y.c = sm_neg(y.c);
+    f = family[is_number(&y)][op - SMVM_add];
+    put_written(d, (FastOp)f[0], (FastOp)f[1], to->to.kind - (unsigned)SM_F32, to);
+    smvm_put_value(d, &y);
+    d->x.kind = FAST_A;
+    return true;
+}
+
+// X to where it goes.  Where X still lies in memory, it is the same behind a move: what overlaps that and is of its type is that.
+static void put_store(Decode *d, const Place *to)
+{
+    if (put_count(d, to) || put_operation_to(d, to) || smvm_put_statistic_to(d, to))
+        return;
+    if (is_number(smvm_x_of(d))) {
+        put_number(d, to, d->x.c);
+    } else if (d->x.kind == to->to.kind) {
+        put_written(d, FAST_MOV_I8_OP, FAST_MOVN_I8_OP, d->x.kind, to);
+        smvm_put_value(d, &d->x);
+    } else {
+        smvm_load_x(d);
+        put_written(d, FAST_ST_I8_OP, FAST_STN_I8_OP, to->to.kind, to);
+    }
+}
+
+void smvm_decode_store(Decode *d, uint8_t op)
+{
+    Place to;
+    SmvmPlace p;
+
+    to.output = op == SMVM_out;
+    to.index = d->n[0];
+    if (to.output) {
+        p = smvm_output(d->m, d->n[0]);
+        to.to = smvm_in_memory(p.type, AN_ELEMENT, p.offset);
+    } else {
+        to.to = smvm_in_memory(op & 15u, A_LOCAL, d->n[0] * size_of_kind(op & 15u));
+    }
+    put_store(d, &to);
+}

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Text of the disassembler: numbers, names, variables.
+#include "bytecode-vm/disasm.h"
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
+enum { NAME_MOST = 250 };
+
+// ---- text ----
+
+void smvm_text(Out *o, const char *s)
+{
+    size_t n = 0;
+
+    while (s[n])
+        n++;
+    o->write(o->context, s, n);
+    o->column = n > 0 && s[n - 1] == '\n' ? 0 : o->column + (uint32_t)n;
+}
+
+void smvm_text_pad(Out *o, uint32_t column)
+{
+    do
+        smvm_text(o, " ");
+    while (o->column < column);
+}
+
+void smvm_text_number(Out *o, uint64_t v)
+{
+    char digits[21], *p = digits + 20;
+
+    *p = '\0';
+    do
+        *--p = (char)('0' + v % 10);
+    while ((v /= 10) != 0);
+    smvm_text(o, p);
+}
+
+void smvm_text_hex(Out *o, uint64_t v, uint8_t digits)
+{
+    char t[2] = "";
+
+    while (digits-- > 0) {
+        t[0] = "0123456789abcdef"[v >> 4 * digits & 15];
+        smvm_text(o, t);
+    }
+}
+
+// Cut where it is longer than any sane one: the listing's length is in proportion to the image's.
+void smvm_text_name(Out *o, SmvmName n)
+{
+    char t[2] = "";
+
+    for (uint32_t i = 0; i < n.size && i < NAME_MOST; i++) {
+        t[0] = (char)smvm_u8(o->m->image, n.at + i);
+        smvm_text(o, t[0] >= ' ' && t[0] <= '~' ? t : "?");
+    }
+}
+
+// ---- numbers and variables ----
+
+void smvm_text_whole(Out *o, int32_t v)
+{
+    if (v < 0)
+        smvm_text(o, "-");
+    smvm_text_number(o, v < 0 ? 0u - (uint32_t)v : (uint32_t)v);
+}
+
+// m / 10^places, with a point.
+static void decimal(Out *o, uint64_t m, uint8_t places)
+{
+    uint64_t unit = 1;
+
+    for (uint8_t i = 0; i < places; i++)
+        unit *= 10;
+    smvm_text_number(o, m / unit);
+    if (places == 0)
+        return;
+    smvm_text(o, ".");
+    for (m %= unit; unit > 10 && m < unit / 10; unit /= 10)
+        smvm_text(o, "0");
+    smvm_text_number(o, m);
+}
+
+// The decimal of at most 15 places whose nearest F64 is x >= 0, if there is one.  Dividing one exact number by another rounds
+// as reading the decimal does.
+static bool short_decimal(Out *o, SmF64 x)
+{
+    const SmF64 ten = sm_from_i32(10), limit = sm_from_u64((uint64_t)1 << 53);
+    SmF64 unit = sm_from_i32(1);
+
+    for (uint8_t places = 0; places <= 15 && sm_lt(sm_mul(x, unit), limit); places++) {
+        SmF64 m = sm_round(sm_mul(x, unit));
+        if (sm_eq(sm_div(m, unit), x)) {
+            decimal(o, sm_to_u64(m), places);
+            return true;
+        }
+        unit = sm_mul(unit, ten);
+    }
+    return false;
+}
+
+void smvm_text_f64(Out *o, SmF64 x)
+{
+    uint64_t bits = sm_bits(x), fraction = bits & 0xfffffffffffffu;
+    int32_t exponent = (int32_t)(bits >> 52 & 0x7ff);
+    uint8_t digits = 13;
+
+    if (bits >> 63 && !sm_is_nan(x))
+        smvm_text(o, "-");
+    if (exponent == 0x7ff) {
+        smvm_text(o, fraction != 0 ? "nan" : "inf");
+        return;
+    }
+    if (short_decimal(o, sm_abs(x)))
+        return;
+    for (; digits > 0 && (fraction & 15u) == 0; digits--)
+        fraction >>= 4;
+    smvm_text(o, exponent == 0 ? "0x0" : "0x1");
+    if (digits > 0)
+        smvm_text(o, ".");
+    smvm_text_hex(o, fraction, digits);
+    smvm_text(o, "p");
+    if (exponent > 1022)
+        smvm_text(o, "+");
+    smvm_text_whole(o, exponent == 0 ? -1022 : exponent - 1023);
+}
+
+const char *smvm_type_name(uint32_t type) { return type < SM_TYPE_COUNT ? sm_type_info[type].spelling : "RAW"; }
+
+void smvm_text_place(Out *o, const char *space, const SmvmPlace *p)
+{
+    smvm_text(o, space);
+    smvm_text(o, smvm_type_name(p->type));
+    smvm_text(o, "@");
+    smvm_text_number(o, p->offset);
+}
+
+void smvm_text_variable(Out *o, SmvmVariable is, const SmvmPlace *p)
+{
+    SmvmName n = smvm_name_of(o->m, is, p);
+
+    if (n.size > 0)
+        smvm_text_name(o, n);
+    else if (is == SMVM_IS_TIME)
+        smvm_text(o, "T");
+    else
+        smvm_text_place(o, is == SMVM_IS_LOCAL ? "local " : "", p);
+}
+
+void smvm_text_state(Out *o, uint32_t s)
+{
+    SmvmName n = smvm_state_name(o->m, s);
+
+    if (n.size > 0) {
+        smvm_text_name(o, n);
+    } else {
+        smvm_text(o, "state ");
+        smvm_text_number(o, s);
+    }
+}
