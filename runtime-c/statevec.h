@@ -15,7 +15,7 @@
 // thread may call anything here: every call is one critical section of a few memory accesses.  Several elements that belong together
 // are read and written together: as a region, as a snapshot.
 //
-// A lock that cannot be had within SM_LOCK_WAIT (config.h) means that a thread died inside a critical section.  Then a call does not
+// A lock that cannot be had within SM_LOCK_WAIT (config.h) means that a thread died inside a critical section, which Linux tells at once.  Then a call does not
 // touch the vector, says SM_E_TIMEOUT and counts in `faults`.  A value that could not be read is 0, whatever the reason.
 //
 // Wrong arguments are refused (SM_E_ARGUMENT) and change nothing: a null pointer, an element or a region that is not in the vector's own table.

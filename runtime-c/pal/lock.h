@@ -23,7 +23,7 @@ SmResult pal_lock_open(PalLock *lock);
 SmResult pal_lock_close(PalLock lock);
 
 // Takes it; any thread may, with the same handle.  Everything that the last holder wrote can be seen.
-// SM_E_TIMEOUT: it was held all the time.  SM_E_BUSY: the caller itself holds it already.
+// SM_E_TIMEOUT: it was held all the time, or its holder's thread has ended, which may be told at once.  SM_E_BUSY: the caller itself holds it already.
 SmResult pal_lock_take(PalLock lock, uint64_t timeout);
 
 // Gives it back.  SM_E_BUSY: the caller does not hold it.

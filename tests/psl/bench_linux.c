@@ -48,7 +48,7 @@ Bench bench = {
     .dio = HAS_NOTHING_THERE, .pins = {4, 5}, .pin_missing = 999,
     .aio = HAS, .channel_in = 1, .channel_out = 0, .channel_missing = 2000, .analog_wired = true,
     .watchdog = HAS,
-    .own = own_linux,
+    .own = {own_files_linux, own_threads_linux, own_devices_linux},
 };
 
 static void put_file(const char *name, const char *text)

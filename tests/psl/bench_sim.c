@@ -37,7 +37,7 @@ Bench bench = {
     .dio = HAS, .pins = {2, 3}, .wired = true, .pin_missing = SIM_PINS,
     .aio = HAS, .channel_in = 1, .channel_out = 0, .channel_missing = 16, .analog_wired = true,
     .watchdog = HAS,
-    .own = own_sim,
+    .own = {own_sim},
 };
 
 void bench_begin(void)

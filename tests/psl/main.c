@@ -33,8 +33,9 @@ int main(int argc, char *argv[])
     for (size_t i = 0; i < COUNT(contracts); i++)
         if (is_wanted(contracts[i].name, argc, argv))
             add(&all, contracts[i].run());
-    if (bench.own && is_wanted("own", argc, argv))
-        add(&all, bench.own());
+    for (size_t i = 0; i < COUNT(bench.own); i++)
+        if (bench.own[i] && is_wanted("own", argc, argv))
+            add(&all, bench.own[i]());
     add(&all, bench_end());
     printf("psl-%s: %d passed, %d failed\n", bench.name, all.passed, all.failed);
     return all.failed != 0;

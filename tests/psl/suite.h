@@ -33,7 +33,9 @@ Tally contract_thread(void);
 Tally contract_watchdog(void);
 
 // The platforms' own tests.
-Tally own_linux(void);
+Tally own_files_linux(void);
+Tally own_threads_linux(void);
+Tally own_devices_linux(void);
 Tally own_sim(void);
 
 // Whether a platform has a thing: it works; it says SM_E_UNSUPPORTED; it would work, but nothing is connected (SM_E_MISSING).
@@ -71,7 +73,7 @@ typedef struct Bench {
 
     Has watchdog;
 
-    Tally (*own)(void);       // the platform's own tests, or NULL
+    Tally (*own[3])(void);    // the platform's own tests; NULL: none
 } Bench;
 
 extern Bench bench;

@@ -1,49 +1,79 @@
 // SPDX-License-Identifier: Apache-2.0
-// Locks: mutexes that inherit priority and know their holder.
+// Locks: a word that holds its holder's thread number, 0 while it is free.  A free one is taken, and one that nobody waits for given back,
+// by one exchange; the kernel queues those that wait and lends the holder their priority (futex(2), "priority-inheritance futexes").
 #define _GNU_SOURCE
 #include <errno.h>
+#include <linux/futex.h>
 #include <pthread.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include "runtime-c/pal/lock.h"
 #include "runtime-c/psl/linux/linux.h"
 
+#ifndef FUTEX_LOCK_PI2
+#define FUTEX_LOCK_PI2 13         // since Linux 5.14; headers may be older
+#endif
+
 static bool used[PAL_LOCKS];
-static pthread_mutex_t mutexes[PAL_LOCKS];
+static uint32_t words[PAL_LOCKS];
+static __thread uint32_t own;     // the caller's thread number; 0: not asked for yet
 
-static int make(pthread_mutex_t *mutex)
+static void forget(void)
 {
-    pthread_mutexattr_t kind;
-    int error = pthread_mutexattr_init(&kind);
+    own = 0;
+}
 
-    if (error)
-        return error;
-    error = pthread_mutexattr_settype(&kind, PTHREAD_MUTEX_ERRORCHECK);
-    if (!error)
-        error = pthread_mutexattr_setprotocol(&kind, PTHREAD_PRIO_INHERIT);
-    if (!error)
-        error = pthread_mutex_init(mutex, &kind);
-    pthread_mutexattr_destroy(&kind);
-    return error;
+// A child process has another number than the thread that made it.
+static void watch_forks(void)
+{
+    pthread_atfork(NULL, NULL, forget);
+}
+
+__attribute__((noinline)) static uint32_t ask(void)
+{
+    static pthread_once_t once = PTHREAD_ONCE_INIT;
+
+    pthread_once(&once, watch_forks);
+    return own = (uint32_t)syscall(SYS_gettid);
+}
+
+static uint32_t self(void)
+{
+    return own ? own : ask();
+}
+
+static uint32_t holder(uint32_t *word)
+{
+    return __atomic_load_n(word, __ATOMIC_ACQUIRE) & FUTEX_TID_MASK;
+}
+
+static bool take(uint32_t *word)
+{
+    uint32_t nobody = 0;
+
+    return __atomic_compare_exchange_n(word, &nobody, self(), false, __ATOMIC_ACQUIRE, __ATOMIC_RELAXED);
+}
+
+// When nobody waits, that is; else the kernel has to.
+static bool give(uint32_t *word)
+{
+    uint32_t alone = self();
+
+    return __atomic_compare_exchange_n(word, &alone, 0, false, __ATOMIC_RELEASE, __ATOMIC_RELAXED);
+}
+
+static int futex(uint32_t *word, int operation, const struct timespec *end)
+{
+    return syscall(SYS_futex, word, operation | FUTEX_PRIVATE_FLAG, 0, end, NULL, 0) == 0 ? 0 : errno;
 }
 
 SmResult pal_lock_open(PalLock *lock)
 {
-    uint8_t id;
-    int error = 0;
-
     if (!lock)
         return SM_E_ARGUMENT;
-    psl_guard();
-    id = psl_table_take(used, PAL_LOCKS);
-    if (id != 0 && (error = make(&mutexes[id - 1])) != 0)
-        used[id - 1] = false;
-    psl_unguard();
-    if (id == 0)
-        return SM_E_FULL;
-    if (error)
-        return psl_result(error);
-    lock->id = id;
-    return SM_OK;
+    lock->id = psl_take(used, PAL_LOCKS);
+    return lock->id == 0 ? SM_E_FULL : SM_OK;
 }
 
 SmResult pal_lock_close(PalLock lock)
@@ -52,50 +82,52 @@ SmResult pal_lock_close(PalLock lock)
 
     psl_guard();
     if (psl_table_holds(used, PAL_LOCKS, lock.id)) {
-        pthread_mutex_t *mutex = &mutexes[lock.id - 1];
-
-        r = SM_E_BUSY;
-        if (pthread_mutex_trylock(mutex) == 0) {
-            pthread_mutex_unlock(mutex);
-            pthread_mutex_destroy(mutex);
-            used[lock.id - 1] = false;
-            r = SM_OK;
-        }
+        r = holder(&words[lock.id - 1]) == 0 ? SM_OK : SM_E_BUSY;
+        used[lock.id - 1] = r != SM_OK;
     }
     psl_unguard();
     return r;
 }
 
-// pthread_mutex_timedlock counts on the time of day, which may be set while it waits; the loop asks our own clock.
-static int wait(pthread_mutex_t *mutex, uint64_t deadline)
+// A kernel before 5.14 counts on the time of day, which may be set while it waits: the caller asks our own clock.
+static int wait_by_the_day(uint32_t *word, uint64_t left)
 {
+    struct timespec end, more = psl_timespec(left);
+
+    clock_gettime(CLOCK_REALTIME, &end);
+    end.tv_sec += more.tv_sec + (end.tv_nsec + more.tv_nsec) / (long)PAL_SECOND;
+    end.tv_nsec = (end.tv_nsec + more.tv_nsec) % (long)PAL_SECOND;
+    return futex(word, FUTEX_LOCK_PI, &end);
+}
+
+// A holder whose thread has ended (ESRCH) will not give it back.
+static SmResult wait(uint32_t *word, uint64_t deadline)
+{
+    const struct timespec end = psl_timespec(deadline);
     uint64_t now;
     int error;
 
     do {
-        struct timespec end, left;
-
         now = pal_clock_now();
-        left = psl_timespec(now < deadline ? deadline - now : 0);
-        clock_gettime(CLOCK_REALTIME, &end);
-        end.tv_sec += left.tv_sec + (end.tv_nsec + left.tv_nsec) / (long)PAL_SECOND;
-        end.tv_nsec = (end.tv_nsec + left.tv_nsec) % (long)PAL_SECOND;
-        error = pthread_mutex_timedlock(mutex, &end);
-    } while (error == ETIMEDOUT && now < deadline);
-    return error;
+        error = futex(word, FUTEX_LOCK_PI2, &end);
+        if (error == ENOSYS)
+            error = wait_by_the_day(word, now < deadline ? deadline - now : 0);
+    } while ((error == ETIMEDOUT || error == EAGAIN || error == EINTR) && now < deadline);
+    (void)holder(word);                                   // with this we see what the last holder wrote
+    return error == ESRCH ? SM_E_TIMEOUT : psl_result(error);
 }
 
-// Of a mutex that somebody holds.  Not inlined: what it keeps in registers, taking a free one would have to save.
-__attribute__((noinline)) static SmResult take_held(pthread_mutex_t *mutex, uint64_t timeout)
+// One that somebody holds.  Not inlined: what it keeps in registers, taking a free one would have to save.
+__attribute__((noinline)) static SmResult take_held(uint32_t *word, uint64_t timeout)
 {
     uint64_t deadline = pal_clock_now() + timeout;
-    int error;
 
+    if (holder(word) == self())
+        return SM_E_BUSY;
     for (int i = 1; i < PAL_LOCK_SPINS; i++)
-        if (pthread_mutex_trylock(mutex) == 0)
+        if (take(word))
             return SM_OK;
-    error = wait(mutex, deadline);
-    return error == EDEADLK ? SM_E_BUSY : psl_result(error);
+    return timeout == 0 ? SM_E_TIMEOUT : wait(word, deadline);
 }
 
 // A free one is taken without a look at the clock: that is how it is nearly always.
@@ -105,12 +137,21 @@ SmResult pal_lock_take(PalLock lock, uint64_t timeout)
         return SM_E_ARGUMENT;
     if (!psl_table_holds(used, PAL_LOCKS, lock.id))
         return SM_E_HANDLE;
-    return pthread_mutex_trylock(&mutexes[lock.id - 1]) == 0 ? SM_OK : take_held(&mutexes[lock.id - 1], timeout);
+    return take(&words[lock.id - 1]) ? SM_OK : take_held(&words[lock.id - 1], timeout);
+}
+
+// The thread sanitizer, which does not see the kernel, sees an exchange that changes nothing.
+__attribute__((noinline)) static SmResult give_to_another(uint32_t *word)
+{
+    if (holder(word) != self())
+        return SM_E_BUSY;
+    __atomic_fetch_or(word, 0, __ATOMIC_RELEASE);
+    return psl_result(futex(word, FUTEX_UNLOCK_PI, NULL));
 }
 
 SmResult pal_lock_give(PalLock lock)
 {
     if (!psl_table_holds(used, PAL_LOCKS, lock.id))
         return SM_E_HANDLE;
-    return pthread_mutex_unlock(&mutexes[lock.id - 1]) == 0 ? SM_OK : SM_E_BUSY;
+    return give(&words[lock.id - 1]) ? SM_OK : give_to_another(&words[lock.id - 1]);
 }

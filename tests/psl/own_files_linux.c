@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files on Linux: non-volatile memory and logs after a cut at any moment and on a full disk.
+#define _GNU_SOURCE
+#include <errno.h>
+#include <stdio.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "runtime-c/pal/log.h"
+#include "runtime-c/pal/nvm.h"
+#include "runtime-c/pal/serial.h"
+#include "tests/psl/own_faults_linux.h"
+#include "tests/psl/suite.h"
+
+// ---- non-volatile memory ----
+
+#define SIZE 1200u            // three blocks of the copy: no power of two, no multiple
+
+static char memory_name[64];
+
+static PalNvm reopened(void)
+{
+    PalNvm memory = {0};
+
+    CHECK(pal_nvm_open(&memory, memory_name, SIZE) == SM_OK);
+    return memory;
+}
+
+static void fill(PalNvm memory, uint8_t value)
+{
+    uint8_t bytes[SIZE];
+
+    memset(bytes, value, SIZE);
+    CHECK(pal_nvm_write(memory, 0, bytes, SIZE) == SM_OK);
+}
+
+// The value of all bytes, or -1 if they are not the same.
+static int value_of(PalNvm memory)
+{
+    uint8_t bytes[SIZE];
+
+    memset(bytes, 0, SIZE);
+    CHECK(pal_nvm_read(memory, 0, bytes, SIZE) == SM_OK);
+    for (uint32_t i = 1; i < SIZE; i++)
+        if (bytes[i] != bytes[0])
+            return -1;
+    return bytes[0];
+}
+
+// The new file is on the medium before it gets the name, and the name before the call returns.
+static void in_this_order(void)
+{
+    PalNvm memory = reopened();
+
+    fault(-1, 0, false);
+    fill(memory, 3);
+    no_fault();
+    CHECK(strcmp(calls(), "wwwfrf") == 0);
+    CHECK(pal_nvm_close(memory) == SM_OK);
+}
+
+// Cuts the power before each call in turn; when it is back, all is old or all is new.
+static void cut_anywhere(void)
+{
+    const uint8_t bytes[SIZE] = {0};
+    bool done = false, was_old = false, was_new = false;
+
+    for (int calls = 0; calls < 20 && !done; calls++) {
+        PalNvm memory = reopened();
+        int value;
+
+        fill(memory, 1);
+        fault(calls, EIO, true);
+        done = pal_nvm_write(memory, 0, bytes, SIZE) == SM_OK;
+        no_fault();
+        CHECK(pal_nvm_close(memory) == SM_OK);
+        memory = reopened();
+        value = value_of(memory);
+        CHECK(value == (done ? 0 : 1) || value == 0);
+        was_old = was_old || value == 1;
+        was_new = was_new || (value == 0 && !done);
+        CHECK(pal_nvm_close(memory) == SM_OK);
+    }
+    CHECK(done && was_old && was_new);
+}
+
+// A write that fails leaves the memory usable and nothing lying about.
+static void full_disk(void)
+{
+    PalNvm memory = reopened();
+    const uint8_t bytes[SIZE] = {0};
+    char name[80];
+
+    snprintf(name, sizeof name, "%s.new", memory_name);
+    fill(memory, 1);
+    for (int left = 0; left < 3; left++) {
+        fault(left, ENOSPC, false);
+        CHECK(pal_nvm_write(memory, 0, bytes, SIZE) == SM_E_SPACE);
+        CHECK(strchr(calls(), 'u') != NULL);
+        no_fault();
+        CHECK(value_of(memory) == 1);
+        CHECK(access(name, F_OK) != 0);
+    }
+    fill(memory, 2);
+    CHECK(value_of(memory) == 2);
+    CHECK(pal_nvm_close(memory) == SM_OK);
+}
+
+static void size_on_disk(off_t expected)
+{
+    struct stat s;
+
+    CHECK(stat(memory_name, &s) == 0 && s.st_size == expected);
+}
+
+static void lengthens(void)
+{
+    PalNvm memory = {0};
+    uint8_t x = 5, two[2] = {0, 0};
+
+    CHECK(unlink(memory_name) == 0);
+    CHECK(pal_nvm_open(&memory, memory_name, 1) == SM_OK);
+    CHECK(pal_nvm_write(memory, 0, &x, 1) == SM_OK);
+    CHECK(pal_nvm_close(memory) == SM_OK);
+    size_on_disk(1);
+    CHECK(pal_nvm_open(&memory, memory_name, 1000) == SM_OK);
+    CHECK(pal_nvm_read(memory, 0, two, 2) == SM_OK && two[0] == 5 && two[1] == 0xff);
+    CHECK(pal_nvm_close(memory) == SM_OK);
+    size_on_disk(1000);
+    CHECK(pal_nvm_open(&memory, memory_name, 10) == SM_OK);       // and never shortens
+    CHECK(pal_nvm_read(memory, 999, two, 1) == SM_OK);
+    CHECK(pal_nvm_close(memory) == SM_OK);
+    size_on_disk(1000);
+}
+
+static void no_file(void)
+{
+    PalNvm memory = {0};
+
+    CHECK(pal_nvm_open(&memory, ".", 1) == SM_E_UNSUPPORTED);
+    CHECK(mkfifo("pipe", 0600) == 0 && symlink(memory_name, "link") == 0);
+    CHECK(pal_nvm_open(&memory, "pipe", 1) == SM_E_UNSUPPORTED);
+    CHECK(pal_nvm_open(&memory, "link", 1) == SM_E_UNSUPPORTED);
+    CHECK(pal_nvm_open(&memory, "pipe/x", 1) == SM_E_MISSING);
+    CHECK(unlink("pipe") == 0 && unlink("link") == 0);
+    for (int i = 0; i < 2 * PAL_NVMS; i++)                // failing leaves no entry taken
+        CHECK(pal_nvm_open(&memory, ".", 1) == SM_E_UNSUPPORTED);
+}
+
+static void no_line(void)
+{
+    PalSerial line = {0};
+
+    CHECK(pal_serial_open(&line, memory_name, 9600) == SM_E_UNSUPPORTED && line.id == 0);
+}
+
+static void nvm(void)
+{
+    snprintf(memory_name, sizeof memory_name, "%s.own", bench.nvm_name);
+    in_this_order();
+    cut_anywhere();
+    full_disk();
+    lengthens();
+    no_file();
+    no_line();
+    unlink(memory_name);
+}
+
+// ---- logs ----
+
+#define LOG_NAME "own.log"
+
+static PalLogFile log_opened(void)
+{
+    PalLogFile file = {0};
+
+    CHECK(pal_log_open(&file, LOG_NAME) == SM_OK);
+    return file;
+}
+
+// A new file's name is on the medium when open returns; bytes go on from where they stopped; only sync waits.
+static void log_order(void)
+{
+    PalLogFile file;
+
+    fault(-1, 0, false);
+    file = log_opened();
+    CHECK(pal_log_append(file, "abcd", 4) == SM_OK && pal_log_sync(file) == SM_OK);
+    CHECK(pal_log_close(file) == SM_OK);
+    file = log_opened();
+    CHECK(pal_log_close(file) == SM_OK);
+    no_fault();
+    CHECK(strcmp(calls(), "fwd") == 0);
+}
+
+static void log_full(void)
+{
+    PalLogFile file = log_opened();
+    uint64_t size = 0;
+
+    fault(0, ENOSPC, false);
+    CHECK(pal_log_append(file, "efgh", 4) == SM_E_SPACE);
+    no_fault();
+    CHECK(pal_log_size(file, &size) == SM_OK && size == 6);
+    fault(0, EINTR, false);
+    CHECK(pal_log_append(file, "gh", 2) == SM_OK);
+    fault(0, EINTR, false);
+    CHECK(pal_log_sync(file) == SM_OK);
+    fault(0, EIO, false);
+    CHECK(pal_log_sync(file) == SM_E_DEVICE);
+    no_fault();
+    CHECK(pal_log_close(file) == SM_OK);
+}
+
+static void no_log(void)
+{
+    PalLogFile file = {0};
+
+    CHECK(mkfifo("pipe", 0600) == 0 && symlink(LOG_NAME, "link") == 0);
+    CHECK(pal_log_open(&file, ".") == SM_E_UNSUPPORTED);
+    CHECK(pal_log_open(&file, "pipe") == SM_E_UNSUPPORTED);
+    CHECK(pal_log_open(&file, "pipe/x") == SM_E_MISSING);
+    CHECK(pal_log_open(&file, "/dev/null") == SM_E_UNSUPPORTED);
+    CHECK(file.id == 0);
+    CHECK(pal_log_open(&file, "link") == SM_OK && pal_log_close(file) == SM_OK);      // a log may be a link
+    fault(0, EIO, false);
+    CHECK(pal_log_open(&file, "new.log") == SM_E_DEVICE);
+    no_fault();
+    CHECK(unlink("pipe") == 0 && unlink("link") == 0 && unlink(LOG_NAME) == 0 && unlink("new.log") == 0);
+}
+
+Tally own_files_linux(void)
+{
+    nvm();
+    log_order();
+    log_full();
+    no_log();
+    return TALLY();
+}

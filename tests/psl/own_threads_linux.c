@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time, locks and priorities on Linux: what signals, rights and a time of day that is set must not change.
+#define _GNU_SOURCE
+#include <errno.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdio.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "runtime-c/pal/clock.h"
+#include "runtime-c/pal/lock.h"
+#include "runtime-c/pal/serial.h"
+#include "runtime-c/pal/socket.h"
+#include "runtime-c/pal/thread.h"
+#include "tests/psl/own_faults_linux.h"
+#include "tests/psl/suite.h"
+
+// ---- time ----
+
+static void on_alarm(int number)
+{
+    (void)number;
+}
+
+// Signals come all the time: sleeps and waits are as long as ever.
+static void signals(void)
+{
+    const struct itimerval often = {{0, 1000}, {0, 1000}}, never = {{0, 0}, {0, 0}};
+    const PalAddress here = {{127, 0, 0, 1}, 0};
+    PalSocket s = {0};
+    uint64_t before;
+    uint8_t x;
+    size_t n;
+
+    CHECK(pal_socket_udp(&s, &here) == SM_OK);
+    CHECK(signal(SIGALRM, on_alarm) != SIG_ERR && setitimer(ITIMER_REAL, &often, NULL) == 0);
+    before = pal_clock_now();
+    CHECK(pal_clock_sleep_until(before + 20 * MS) == SM_OK && pal_clock_now() >= before + 20 * MS);
+    before = pal_clock_now();
+    CHECK(pal_socket_receive_from(s, NULL, &x, 1, &n, 20 * MS) == SM_E_TIMEOUT && pal_clock_now() >= before + 20 * MS);
+    CHECK(setitimer(ITIMER_REAL, &never, NULL) == 0);
+    CHECK(pal_socket_close(s) == SM_OK);
+}
+
+// Who waits leaves the processor to others: the system is asked once, or again after a signal, and not all the time.
+static void waiting_is_free(void)
+{
+    const PalAddress here = {{127, 0, 0, 1}, 0};
+    PalSocket s = {0};
+    uint8_t x;
+    size_t n;
+
+    CHECK(pal_socket_udp(&s, &here) == SM_OK);
+    fault(-1, 0, false);
+    CHECK(pal_socket_receive_from(s, NULL, &x, 1, &n, 50 * MS) == SM_E_TIMEOUT);
+    no_fault();
+    CHECK(strlen(calls()) <= 3);
+    CHECK(pal_socket_close(s) == SM_OK);
+}
+
+static void hold(void *lock)
+{
+    pal_lock_take(*(PalLock *)lock, PAL_SECOND);
+    pal_clock_sleep_until(pal_clock_now() + 20 * MS);
+    pal_lock_give(*(PalLock *)lock);
+}
+
+// Whatever the first answer of the kernel is, a lock is waited for until our own clock says otherwise.
+static void is_waited_for(int answer)
+{
+    const PalThreadPlan plan = {NULL, 0, 0};
+    PalThread thread = {0};
+    PalLock lock = {0};
+
+    CHECK(pal_lock_open(&lock) == SM_OK);
+    CHECK(pal_thread_create(&thread, &plan, hold, &lock) == SM_OK);
+    pal_clock_sleep_until(pal_clock_now() + 5 * MS);
+    fault(0, answer, false);
+    CHECK(pal_lock_take(lock, 20 * (uint64_t)PAL_SECOND) == SM_OK);
+    no_fault();
+    CHECK(pal_lock_give(lock) == SM_OK);
+    CHECK(pal_thread_join(thread, PAL_SECOND) == SM_OK);
+    CHECK(pal_lock_close(lock) == SM_OK);
+}
+
+// 0 if the child of a fork, which is another thread, does not have its parent's locks but can take those that are free.
+static int locks_of_a_child(PalLock parents, PalLock free_one)
+{
+    if (pal_lock_take(parents, 0) != SM_E_TIMEOUT || pal_lock_give(parents) != SM_E_BUSY)
+        return 1;
+    return pal_lock_take(free_one, 0) != SM_OK || pal_lock_take(free_one, 0) != SM_E_BUSY || pal_lock_give(free_one) != SM_OK ? 2 : 0;
+}
+
+static void locks_and_forks(void)
+{
+    PalLock locks[2] = {{0}, {0}};
+    int status = 1;
+    pid_t pid;
+
+    for (size_t i = 0; i < COUNT(locks); i++)
+        CHECK(pal_lock_open(&locks[i]) == SM_OK);
+    CHECK(pal_lock_take(locks[0], 0) == SM_OK);
+    fflush(NULL);
+    pid = fork();
+    if (pid == 0)
+        _exit(locks_of_a_child(locks[0], locks[1]));
+    CHECK(pid > 0 && waitpid(pid, &status, 0) == pid && status == 0);
+    CHECK(pal_lock_give(locks[0]) == SM_OK);
+    for (size_t i = 0; i < COUNT(locks); i++)
+        CHECK(pal_lock_close(locks[i]) == SM_OK);
+}
+
+static void waiting_for_a_lock(void)
+{
+    is_waited_for(ETIMEDOUT);                              // too early
+    is_waited_for(EAGAIN);
+    is_waited_for(ENOSYS);                                 // a kernel that only has waiting by the time of day
+    locks_and_forks();
+}
+
+// ---- priorities ----
+
+static void nothing(void *argument)
+{
+    (void)argument;
+}
+
+// 0 if everything is as it should be for somebody who may not have a real-time priority.
+static int without_rights(void)
+{
+    const struct rlimit none = {0, 0};
+    const PalThreadPlan plan = {NULL, 10, 0};
+    PalThread thread = {0};
+
+    if (setrlimit(RLIMIT_RTPRIO, &none) != 0 || setuid(65534) != 0)
+        return 1;
+    if (pal_thread_set_priority(10) != SM_E_DENIED || pal_thread_create(&thread, &plan, nothing, NULL) != SM_OK)
+        return 2;
+    return pal_thread_is_realtime(thread) || pal_thread_join(thread, PAL_SECOND) != SM_OK ? 3 : 0;
+}
+
+static void priorities(void)
+{
+    int status = 0;
+    pid_t pid;
+
+    if (geteuid() != 0)                                   // then the contract has shown it
+        return;
+    fflush(NULL);
+    pid = fork();
+    if (pid == 0)
+        _exit(without_rights());
+    CHECK(pid > 0 && waitpid(pid, &status, 0) == pid && status == 0);
+}
+
+static uint64_t processor_time(void)
+{
+    struct timespec t = {0, 0};
+
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (uint64_t)t.tv_sec * PAL_SECOND + (uint64_t)t.tv_nsec;
+}
+
+// Three threads on one processor: a low one holds the lock and has work to do, a high one wants it, a middle one keeps the
+// processor busy.  Without inheritance the middle one would keep the low one, and so the high one, waiting.
+typedef struct Inversion {
+    PalLock lock;
+    bool high_has_it, middle_is_done, high_waited_for_middle;
+} Inversion;
+
+static bool get(bool *flag) { return __atomic_load_n(flag, __ATOMIC_SEQ_CST); }
+static void raise_flag(bool *flag) { __atomic_store_n(flag, true, __ATOMIC_SEQ_CST); }
+
+static void low(void *of)
+{
+    Inversion *v = of;
+    uint64_t start;
+
+    pal_lock_take(v->lock, PAL_SECOND);
+    start = processor_time();
+    while (processor_time() - start < 10 * MS) {}
+    pal_lock_give(v->lock);
+}
+
+static void middle(void *of)
+{
+    Inversion *v = of;
+    uint64_t end = pal_clock_now() + 200 * MS;
+
+    while (!get(&v->high_has_it) && pal_clock_now() < end) {}
+    raise_flag(&v->middle_is_done);
+}
+
+static void high(void *of)
+{
+    Inversion *v = of;
+
+    if (pal_lock_take(v->lock, 5 * (uint64_t)PAL_SECOND) != SM_OK || get(&v->middle_is_done))
+        raise_flag(&v->high_waited_for_middle);
+    raise_flag(&v->high_has_it);
+    pal_lock_give(v->lock);
+}
+
+// With the highest priority of all, so that the order of the beginning is ours.
+static void invert(Inversion *v)
+{
+    const PalThreadPlan plans[] = {{"low", 1, 0}, {"high", 10, 0}, {"middle", 5, 0}};
+    PalThreadMain *const mains[] = {low, high, middle};
+    PalThread threads[3];
+
+    for (size_t i = 0; i < COUNT(threads); i++) {
+        CHECK(pal_thread_create(&threads[i], &plans[i], mains[i], v) == SM_OK && pal_thread_is_realtime(threads[i]));
+        if (i == 0)
+            pal_clock_sleep_until(pal_clock_now() + 2 * MS);       // until it holds the lock
+    }
+    for (size_t i = 0; i < COUNT(threads); i++)
+        CHECK(pal_thread_join(threads[i], 10 * (uint64_t)PAL_SECOND) == SM_OK);
+}
+
+static void inheritance(void)
+{
+    Inversion v = {{0}, false, false, false};
+    cpu_set_t all, one;
+
+    if (pal_thread_set_priority(20) != SM_OK)              // not permitted here
+        return;
+    CPU_ZERO(&one);
+    CPU_SET(0, &one);
+    CHECK(pal_lock_open(&v.lock) == SM_OK);
+    CHECK(sched_getaffinity(0, sizeof all, &all) == 0 && sched_setaffinity(0, sizeof one, &one) == 0);
+    invert(&v);
+    CHECK(sched_setaffinity(0, sizeof all, &all) == 0);
+    CHECK(pal_thread_set_priority(0) == SM_OK);
+    CHECK(!v.high_waited_for_middle);
+    CHECK(pal_lock_close(v.lock) == SM_OK);
+}
+
+Tally own_threads_linux(void)
+{
+    signals();
+    waiting_is_free();
+    waiting_for_a_lock();
+    priorities();
+    inheritance();
+    return TALLY();
+}
