@@ -5,10 +5,11 @@
 
 static uint32_t count_lines(const char *text, size_t len)
 {
+    const char *end = text + len;
     uint32_t lines = 1;
 
-    for (size_t i = 0; i < len; i++)
-        lines += text[i] == '\n';
+    while ((text = memchr(text, '\n', (size_t)(end - text))) != NULL)
+        lines++, text++;
     return lines;
 }
 
@@ -23,9 +24,8 @@ Source *source_new(Arena *arena, const char *name, const char *text, size_t len)
     s->lines = count_lines(text, len);
     s->line = ARENA_ARRAY(arena, uint32_t, s->lines);
     s->line[n++] = len >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;     // a byte-order mark is no part of the line
-    for (uint32_t i = 0; i < s->len; i++)
-        if (text[i] == '\n')
-            s->line[n++] = i + 1;
+    for (const char *at = text; (at = memchr(at, '\n', (size_t)(text + len - at))) != NULL; )
+        s->line[n++] = (uint32_t)(++at - text);
     return s;
 }
 

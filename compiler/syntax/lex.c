@@ -271,10 +271,24 @@ static const Sign *find_sign(const Lexer *l)
     const char *s = l->src->text + l->at;
     uint32_t left = l->src->len - l->at;
 
-    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
-        if (signs[i].spelling[0] == *s && signs[i].len <= left && memcmp(signs[i].spelling, s, signs[i].len) == 0)
-            return &signs[i];
+    for (size_t row = (unsigned char)*s < sizeof l->sign ? l->sign[(unsigned char)*s] : 0; row > 0; row = l->next_sign[row - 1]) {
+        const Sign *sign = &signs[row - 1];
+        size_t same = 1;
+        while (same < sign->len && same < left && sign->spelling[same] == s[same])
+            same++;
+        if (same == sign->len)
+            return sign;
+    }
     return NULL;
+}
+
+static void note_signs(Lexer *l)
+{
+    for (size_t row = LEX_SIGNS; row > 0; row--) {
+        uint8_t *first = &l->sign[(unsigned char)signs[row - 1].spelling[0]];
+        l->next_sign[row - 1] = *first;
+        *first = (uint8_t)row;
+    }
 }
 
 static void lex_sign(Lexer *l, Token *t, const Sign *s)
@@ -382,6 +396,7 @@ void lex_init(Lexer *l, Arena *arena, StrPool *strings, Diags *diags, const Sour
     l->diags = diags;
     l->first = true;
     l->words.arena = arena;
+    note_signs(l);
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         map_put(&l->words, str_c(strings, words[i].spelling), (void *)(size_t)&words[i]);
     if (src->len >= 3 && memcmp(src->text, "\xef\xbb\xbf", 3) == 0)

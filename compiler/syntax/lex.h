@@ -39,11 +39,28 @@ typedef enum LexAllow {
     LEX_IN_ALLOW              // in its parentheses
 } LexAllow;
 
+enum {
+    LEX_SIGNS = 0
+#define TOKEN(kind, name)
+#define WORD(kind, spelling)
+#define SIGN(kind, spelling) + 1
+#define FOREIGN(spelling, kind, native) + 1
+#define ABSENT(spelling, kind, label) + 1
+#include "compiler/syntax/tokens.def"
+#undef TOKEN
+#undef WORD
+#undef SIGN
+#undef FOREIGN
+#undef ABSENT
+};
+
 typedef struct Lexer {
     const Source *src;
     StrPool *strings;
     Diags *diags;
     Map words;                // reserved words to their rows
+    uint8_t sign[128];        // by character: 1 + the first row of the signs that begin with it; 0: none does
+    uint8_t next_sign[LEX_SIGNS];     // by row: 1 + the next that begins with the same
     uint32_t at;              // what comes next
     uint32_t line_start;      // just behind the last line end seen
     uint32_t reported_line;   // 1 + line_start of the line whose stray characters have been reported
