@@ -15,7 +15,7 @@ struct ArenaChunk {
 #define ARENA_LARGEST_CHUNK (16 * 1024 * 1024)
 #endif
 
-enum { ALIGN = 16, AHEAD = 512, FIRST_CHUNK = ARENA_FIRST_CHUNK, LARGEST_CHUNK = ARENA_LARGEST_CHUNK };
+enum { ALIGN = ARENA_ALIGN, AHEAD = 1024, FIRST_CHUNK = ARENA_FIRST_CHUNK, LARGEST_CHUNK = ARENA_LARGEST_CHUNK };
 
 #define HEADER ((sizeof(ArenaChunk) + ALIGN - 1) / ALIGN * ALIGN)
 
@@ -67,7 +67,7 @@ static void clean_to(Arena *a, char *to)
     a->clean = up;
 }
 
-void *arena_alloc(Arena *a, size_t size)
+static char *take(Arena *a, size_t size)
 {
     char *p;
 
@@ -78,9 +78,35 @@ void *arena_alloc(Arena *a, size_t size)
         add_chunk(a, size);
     p = a->next;
     a->next += size;
+    return p;
+}
+
+void *arena_alloc_more(Arena *a, size_t size)
+{
+    char *p = take(a, size);
+
     if (a->next > a->clean)
         clean_to(a, a->next);
     return p;
+}
+
+// What is copied need not be zeroed before; what lies behind it must be, for it may grow there.
+static void *copy(Arena *a, const void *from, size_t size, size_t room)
+{
+    char *p = take(a, room);
+
+    if (p + size > a->clean)
+        a->clean = p + size;
+    if (a->next > a->clean)
+        clean_to(a, a->next);
+    if (size)
+        memcpy(p, from, size);
+    return p;
+}
+
+void *arena_copy(Arena *a, const void *from, size_t size)
+{
+    return copy(a, from, size, size);
 }
 
 void *arena_array(Arena *a, size_t count, size_t size)
@@ -92,8 +118,6 @@ void *arena_array(Arena *a, size_t count, size_t size)
 
 void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size)
 {
-    void *p;
-
     if (old && (char *)old + (old_size + ALIGN - 1) / ALIGN * ALIGN == a->next && new_size >= old_size) {
         a->next = old;                                  // the last block: extend it where it is, if it fits
         if ((size_t)(a->end - a->next) >= new_size + ALIGN) {
@@ -104,8 +128,5 @@ void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size)
         }
         a->next += (old_size + ALIGN - 1) / ALIGN * ALIGN;
     }
-    p = arena_alloc(a, new_size);
-    if (old)
-        memcpy(p, old, old_size < new_size ? old_size : new_size);
-    return p;
+    return copy(a, old, !old ? 0 : old_size < new_size ? old_size : new_size, new_size);
 }

@@ -24,9 +24,21 @@ typedef struct Arena {
 void arena_init(Arena *a, SmcAllocFn alloc, void *context, jmp_buf *oom);
 void arena_free(Arena *a);                       // gives every chunk back; the arena may be used again
 
+enum { ARENA_ALIGN = 16 };
+void *arena_alloc_more(Arena *a, size_t size);   // where what is zeroed does not reach
+
 // Zeroed memory, aligned for anything.  Never NULL; size 0 is allowed.
-void *arena_alloc(Arena *a, size_t size);
+static inline void *arena_alloc(Arena *a, size_t size)
+{
+    const size_t room = (size + ARENA_ALIGN - 1) / ARENA_ALIGN * ARENA_ALIGN;
+
+    if (a->next > a->clean || (size_t)(a->clean - a->next) < room || room < size)
+        return arena_alloc_more(a, size);
+    a->next += room;
+    return a->next - room;
+}
 void *arena_array(Arena *a, size_t count, size_t size);          // checks count * size
+void *arena_copy(Arena *a, const void *from, size_t size);
 void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size);   // copies; in place when it was the last
 
 #define ARENA_NEW(a, T) ((T *)arena_alloc((a), sizeof(T)))

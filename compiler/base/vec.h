@@ -14,6 +14,9 @@
     ((v)->n == (v)->cap ? vec_reserve((arena), (void **)&(v)->at, &(v)->cap, sizeof *(v)->at) : (void)0, \
      (v)->at[(v)->n++] = (item))
 
+// What a list of n items may hold in the same memory: none shorter ends where another begins (arena.c aligns to 16).
+#define vec_room(n, item_size) (((n) * (item_size) + 15) / 16 * 16 / (item_size))
+
 void vec_reserve(Arena *a, void **items, size_t *cap, size_t item_size);   // doubles the capacity
 
 #endif

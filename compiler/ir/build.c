@@ -7,8 +7,33 @@
 
 void build_begin_function(Builder *b)
 {
-    b->f = ARENA_NEW(b->arena, IrFn);
+    if (!b->f)
+        b->f = ARENA_NEW(b->arena, IrFn);
+    b->f->ins.n = b->f->blk.n = 0;
     b->b = ir_block(b->arena, b->f);
+}
+
+// Instructions stand in the order of their blocks.  The lists of all blocks are one piece of memory, in which each begins as if it
+// had one of its own, so that it may grow.
+IrFn *build_end_function(Builder *b)
+{
+    IrFn *f = arena_copy(b->arena, b->f, sizeof *f);
+    size_t room = 0;
+    IrRef *list, ref = 0;
+
+    f->ins.at = arena_copy(b->arena, b->f->ins.at, f->ins.n * sizeof *f->ins.at);
+    f->blk.at = arena_copy(b->arena, b->f->blk.at, f->blk.n * sizeof *f->blk.at);
+    f->ins.cap = f->ins.n;
+    f->blk.cap = f->blk.n;
+    for (size_t k = 0; k < f->blk.n; k++)
+        room += f->blk.at[k].ins.cap = vec_room(f->blk.at[k].ins.n, sizeof ref);
+    list = ARENA_ARRAY(b->arena, IrRef, room);
+    for (size_t k = 0; k < f->blk.n; list += f->blk.at[k++].ins.cap) {
+        f->blk.at[k].ins.at = list;
+        for (size_t i = 0; i < f->blk.at[k].ins.n; i++)
+            list[i] = ref++;
+    }
+    return f;
 }
 
 // ---- statements ----
@@ -139,7 +164,7 @@ static IrFn *build_function(Builder *b, const Stmts *list)
         return NULL;
     build_begin_function(b);
     build_stmts(b, list);                                     // a block that is left open ends in `ret`
-    return b->f;
+    return build_end_function(b);
 }
 
 static void build_state(Builder *b, const State *s)
@@ -220,5 +245,5 @@ IrFn *ir_build_guard(Arena *arena, const IrMachine *m, const Expr *guard)
     build_begin_function(&b);
     j = jump_of(&b, build_branch_on(&b, guard));
     j->otherwise = ir_block(arena, b.f);
-    return b.f;
+    return build_end_function(&b);
 }

@@ -13,8 +13,8 @@ typedef struct Builder {
     uint32_t *var;        // by Program.var: index into m->var, or IR_NONE for a local that is a constant
     uint32_t *window;     // by Program.window: index into m->window
     uint32_t stmt;        // Stmt.number of the statement being built
-    IrFn *f;              // the function being built
-    IrBlkRef b;           // its block being filled
+    IrFn *f;              // the function being built: room that all use, and build_end_function copies
+    IrBlkRef b;           // its last block, which is being filled
 } Builder;
 
 // The value of an expression at the end of the block being filled, as an F64 or as a bool.
@@ -27,6 +27,7 @@ IrRef build_emit(Builder *b, IrIns ins);
 
 // Finds out which roll calls share a window, and builds the sample function.
 void build_windows(Builder *b);
-void build_begin_function(Builder *b);        // sets f and b
+void build_begin_function(Builder *b);        // sets b, and f once
+IrFn *build_end_function(Builder *b);
 
 #endif

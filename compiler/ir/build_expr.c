@@ -10,7 +10,8 @@
 IrRef build_emit(Builder *b, IrIns ins)
 {
     ins.stmt = b->stmt;
-    return ir_emit(b->arena, b->f, b->b, ins);
+    vec_push(b->arena, &b->f->ins, ins);
+    return b->f->blk.at[b->b].ins.n++, (IrRef)(b->f->ins.n - 1);
 }
 
 static IrRef emit(Builder *b, IrOp op, SmType type, IrRef x, IrRef y, Span span)

@@ -93,7 +93,7 @@ void build_windows(Builder *b)
     table = ARENA_ARRAY(b->arena, Shared, cap);
     b->window = ARENA_ARRAY(b->arena, uint32_t, list->n);
     build_begin_function(b);
-    b->m->sample = b->f;
     for (uint32_t w = 0; w < list->n; w++)
         build_window(b, &list->at[w], find_slot(b, table, cap, &list->at[w]), w);
+    b->m->sample = build_end_function(b);
 }
