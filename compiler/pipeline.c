@@ -165,7 +165,11 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
 
 void session_analyse(Session *s, const Program *p)
 {
-    analyse_program(&s->work, &s->scratch, &s->diags, p, s->warnings, s->step);
+    s->diags.analysed |= s->warnings;
+    if (s->warnings == 0)
+        return;
+    s->built = ir_build(&s->arena, p);
+    analyse_machine(&s->work, &s->scratch, &s->diags, s->built, s->warnings, s->step);
     arena_free(&s->work);
 }
 
@@ -191,9 +195,18 @@ static void hide_locals(IrMachine *m)
         m->var.at[v].hidden = m->var.at[v].space == IR_LOCAL && !m->var.at[v].outside;
 }
 
+// The machine as built: the one that was analysed, if that was the last; passes will change it.
+static IrMachine *take_built(Session *s, const Program *p)
+{
+    IrMachine *m = s->built && s->built->program == p ? s->built : ir_build(&s->arena, p);
+
+    s->built = NULL;
+    return m;
+}
+
 IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 {
-    IrMachine *m = ir_build(&s->arena, p);
+    IrMachine *m = take_built(s, p);
     PassOptions o = {opt_level, NULL, s->check_passes, after_pass, s};
     const char *wrong;
 

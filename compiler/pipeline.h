@@ -21,6 +21,7 @@ typedef struct Session {
     bool check_passes;            // session_ir checks the machine after every pass, not only the last: a third of a build's time
     unsigned warnings;            // 1u << DiagGroup of each that session_analyse is to look for
     uint64_t step;                // how much G advances from step to step, for session_analyse; 0: not known
+    IrMachine *built;             // what session_analyse has looked at last, for session_ir; or NULL
     bool hide_locals;             // nobody will look at locals between steps: session_ir marks them as hidden
 } Session;
 

@@ -63,26 +63,26 @@ void each_flow(Analysis *a, void (*f)(Analysis *a, const FlowPlace *at, void *co
 }
 
 // What is stored before its conversion, which is one instruction, or none of a bool.
-static Fact stored(const FlowPlace *at, const IrIns *store)
+static Fact stored(const IrFn *f, const FactFlow *flow, const IrIns *store)
 {
-    const IrIns *value = &at->f->ins.at[store->a];
+    const IrIns *value = &f->ins.at[store->a];
 
-    return at->flow.of[value->op == IR_cvt ? value->a : store->a];
+    return flow->of[value->op == IR_cvt ? value->a : store->a];
 }
 
 static bool is_large(Fact f) { return f.lo >= FACT_EXACT || f.hi <= -FACT_EXACT; }
 
-static void note_ins(Analysis *a, const FlowPlace *at, const IrIns *i)
+static void note_ins(Analysis *a, const IrFn *f, const FactFlow *flow, const IrIns *i)
 {
     if (i->op == IR_add || i->op == IR_sub)
-        a->large_sums |= is_large(at->flow.of[i->a]) || is_large(at->flow.of[i->b]);
+        a->large_sums |= is_large(flow->of[i->a]) || is_large(flow->of[i->b]);
     if (i->op != IR_store)
         return;
     a->stmt[i->stmt].reached = true;
-    a->stmt[i->stmt].value = stored(at, i);
+    a->stmt[i->stmt].value = stored(f, flow, i);
 }
 
-static void note_jump(Analysis *a, const FlowPlace *at, const IrJump *j, const FactExit *exit)
+static void note_jump(Analysis *a, const FactFlow *flow, const IrJump *j, const FactExit *exit)
 {
     StmtFact *s = &a->stmt[j->stmt];
 
@@ -94,49 +94,67 @@ static void note_jump(Analysis *a, const FlowPlace *at, const IrJump *j, const F
         return;
     s->then = exit->then;
     s->otherwise = exit->otherwise;
-    s->value = fact_meet(at->flow.of[j->cond], fact_of_bool(s->otherwise, s->then));
+    s->value = fact_meet(flow->of[j->cond], fact_of_bool(s->otherwise, s->then));
 }
 
-static void note_flow(Analysis *a, const FlowPlace *at, void *context)
+// A function may be looked at several times, each time with all that was reached before: what is noted last holds.
+static void note_flow(void *context, const IrFn *f, FactFlow flow)
 {
-    (void)context;
-    for (size_t b = 0; b < at->f->blk.n; b++) {
-        const IrBlk *blk = &at->f->blk.at[b];
-        if (!at->flow.reached[b])
+    Analysis *a = context;
+
+    for (size_t b = 0; b < f->blk.n; b++) {
+        const IrBlk *blk = &f->blk.at[b];
+        if (!flow.reached[b])
             continue;
         for (size_t k = 0; k < blk->ins.n; k++)
-            note_ins(a, at, &at->f->ins.at[blk->ins.at[k]]);
-        note_jump(a, at, &blk->jump, &at->flow.exit[b]);
+            note_ins(a, f, &flow, &f->ins.at[blk->ins.at[k]]);
+        note_jump(a, &flow, &blk->jump, &flow.exit[b]);
     }
 }
 
 // ---- the whole ----
 
-void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p)
+static void forget_flows(void *context)
 {
+    Analysis *a = context;
+
+    memset(a->stmt, 0, (a->p->stmts + 1u) * sizeof *a->stmt);
+    a->large_sums = false;
+}
+
+static void begin(Analysis *a, Arena *arena, Diags *diags, const IrMachine *m)
+{
+    const FactWatch notes = {note_flow, forget_flows, a};
+    const Program *p = m->program;
+
     memset(a, 0, sizeof *a);
     a->groups = DIAG_GROUPS_ALL;
     a->arena = arena;
     a->diags = diags;
     a->p = p;
-    a->m = ir_build(arena, p);
-    a->facts = facts_from_first_state(arena, a->m);
+    a->m = m;
     a->stmt = ARENA_ARRAY(arena, StmtFact, p->stmts + 1u);
     a->asked = ARENA_ARRAY(arena, const IrFn *, p->stmts + 1u);
-    each_flow(a, note_flow, NULL);
+    a->facts = facts_from_first_state(arena, m, &notes);
     a->transition = transitions_of(arena, p);
+}
+
+void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p)
+{
+    begin(a, arena, diags, ir_build(arena, p));
 }
 
 static void work_in(Analysis *a, Arena *arena)
 {
     a->arena = arena;
     facts_work_in(a->facts, arena);
-    memset(a->asked, 0, (a->p->stmts + 1u) * sizeof *a->asked);      // what the last arena held
+    if (a->asked[0])
+        memset(a->asked, 0, (a->p->stmts + 1u) * sizeof *a->asked);  // what the last arena held
 }
 
 typedef struct Row { void (*run)(Analysis *a); DiagGroup group; } Row;
 
-void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *p, unsigned groups, uint64_t step)
+void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine *m, unsigned groups, uint64_t step)
 {
     static const Row all[] = {
 #define ANALYSIS(name, group, sentence) {analyse_##name, DIAG_GROUP_##group},
@@ -145,10 +163,7 @@ void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *
     };
     Analysis a;
 
-    diags->analysed |= groups;
-    if (groups == 0)
-        return;
-    analysis_begin(&a, arena, diags, p);
+    begin(&a, arena, diags, m);
     a.groups = groups;
     a.step = step;
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)

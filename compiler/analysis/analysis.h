@@ -34,15 +34,15 @@ typedef struct Analysis {
     StmtFact *stmt;               // by Stmt.number
     bool large_sums;              // somewhere a sum has an operand that is surely 2^53 or beyond
     Transitions transition;       // all that stand in the machine, in file order
-    const IrFn **asked;           // by Stmt.number: what whatif.h has built of its guard or value; NULL: not yet
+    const IrFn **asked;           // by Stmt.number: what whatif.h has built of its guard or value; NULL: not yet.  [0]: any
 } Analysis;
 
 // Everything but the findings: what the reports use too.  `arena` holds it.
 void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p);
 
-// All analyses of a machine whose warnings are of these groups (1u << DiagGroup of each); `step` as above.  Nothing in `arena` is needed
-// afterwards; `scratch` is empty before and after.
-void analyse_program(Arena *arena, Arena *scratch, Diags *diags, const Program *p, unsigned groups, uint64_t step);
+// All analyses of a machine, as built, whose warnings are of these groups (1u << DiagGroup of each); `step` as above.  Nothing in
+// `arena` is needed afterwards; `scratch` is empty before and after.
+void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine *m, unsigned groups, uint64_t step);
 
 // What can be said of several machines over one state vector only: who writes what.  Their names come from one pool.
 void analyse_together(Arena *arena, Diags *diags, const Program *const *p, size_t n);

@@ -79,7 +79,7 @@ bool suppose_guard(const Analysis *a, const Env **env, const Expr *guard, bool h
 static const IrFn *function_of(const Analysis *a, const Stmt *stmt)
 {
     if (!a->asked[stmt->number])
-        a->asked[stmt->number] = ir_build_guard(a->arena, a->m, stmt->value);
+        a->asked[0] = a->asked[stmt->number] = ir_build_guard(a->arena, a->m, stmt->value);
     return a->asked[stmt->number];
 }
 
@@ -105,6 +105,8 @@ static Fact value_of(const Analysis *a, const Env *env, const IrFn *f)
 
 Fact suppose_value(const Analysis *a, const Env *env, const Expr *e)
 {
+    if (e->kind == EX_VAR && a->m->var_of[e->var->index] != IR_NONE)       // most are, and it needs no function
+        return env_get(&a->facts->shape, env, a->m->var_of[e->var->index]);
     return value_of(a, env, ir_build_guard(a->arena, a->m, e));
 }
 

@@ -28,9 +28,16 @@ typedef struct FactFlow {             // holds until the next function is looked
     FactExit *exit;                   // by block; nothing of those that are not reached
 } FactFlow;
 
+// Is told of every function that a way leads to; of some more than once, then the last time counts.
+typedef struct FactWatch {
+    void (*at)(void *context, const IrFn *f, FactFlow flow);
+    void (*forget)(void *context);    // all that was told was too much: it is told anew
+    void *context;
+} FactWatch;
+
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
 // The same of a machine that is only ever started in its first state: what analyses speak of.
-FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m);
+FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const FactWatch *watch);
 // The same, where `outside` says of elements what they are whenever a step begins.
 FactMachine *facts_supposing(Arena *arena, const IrMachine *m, const Env *outside);
 // Where the work of flows goes from now on.

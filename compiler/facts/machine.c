@@ -25,6 +25,7 @@ typedef struct Visit {
     uint32_t state;                   // the one that is looked at
     int block;
     bool anywhere;                    // the machine may be started in any state
+    const FactWatch *watch;           // or NULL
     bool widened;                     // somewhere: there may be something to take back
     FactLimits numbers;               // that stand in the program, and their neighbours: where guards stop what counts
 } Visit;
@@ -134,10 +135,13 @@ static void look_at_function(Visit *v, int block)
 
     v->block = block;
     b->dirty = false;
-    if (f)
-        facts_flow(v->fm, f, facts_begin(v->fm, v->state, block), &ends);
-    else
+    if (!f) {
         end_of_function(v, &nothing, b->env);
+        return;
+    }
+    FactFlow flow = facts_flow(v->fm, f, facts_begin(v->fm, v->state, block), &ends);
+    if (v->watch)
+        v->watch->at(v->watch->context, f, flow);
 }
 
 static void visit_states(Visit *v)
@@ -217,11 +221,22 @@ static FactLimits numbers_of(Arena *arena, const IrMachine *m)
     return (FactLimits){numbers->at, numbers->n};
 }
 
-static void visit_all(FactMachine *fm, bool anywhere)
+static void tell_anew(FactMachine *fm, const FactWatch *watch)
+{
+    watch->forget(watch->context);
+    for (size_t s = 0; s < fm->shape.m->state.n; s++)
+        for (int block = 0; block < BLOCK_COUNT; block++) {
+            const IrFn *f = fm->shape.m->state.at[s].block[block];
+            if (f && fm->begin[s][block].found)
+                watch->at(watch->context, f, facts_of_function(fm, f, facts_begin(fm, s, block)));
+        }
+}
+
+static void visit_all(FactMachine *fm, bool anywhere, const FactWatch *watch)
 {
     const IrMachine *m = fm->shape.m;
     const Env *env = initial(fm, true);
-    Visit v = {.fm = fm, .to = fm->begin, .anywhere = anywhere, .numbers = numbers_of(fm->shape.arena, m)};
+    Visit v = {.fm = fm, .to = fm->begin, .anywhere = anywhere, .watch = watch, .numbers = numbers_of(fm->shape.arena, m)};
 
     v.made = arena_array(fm->shape.arena, m->state.n, sizeof *v.made);
     v.queue.size = m->state.n;
@@ -229,11 +244,15 @@ static void visit_all(FactMachine *fm, bool anywhere)
     v.queue.waits = ARENA_ARRAY(fm->shape.arena, bool, m->state.n);
     begin_all(&v, env);
     visit_states(&v);
-    if (v.widened)
-        last_round(&v, env);
+    if (!v.widened)
+        return;
+    v.watch = NULL;
+    last_round(&v, env);
+    if (watch)
+        tell_anew(fm, watch);
 }
 
-static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool anywhere, const Env *outside)
+static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool anywhere, const Env *outside, const FactWatch *watch)
 {
     FactMachine *fm = ARENA_NEW(arena, FactMachine);
 
@@ -246,14 +265,21 @@ static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool anywhere, 
     fm->constants = initial(fm, false);
     if (m->sample)
         facts_flow(fm, m->sample, fm->constants, NULL);
-    visit_all(fm, anywhere);
+    visit_all(fm, anywhere, watch);
     return fm;
 }
 
-FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return find_facts(arena, m, true, NULL); }
-FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m) { return find_facts(arena, m, false, NULL); }
+FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return find_facts(arena, m, true, NULL, NULL); }
 
-FactMachine *facts_supposing(Arena *arena, const IrMachine *m, const Env *outside) { return find_facts(arena, m, false, outside); }
+FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const FactWatch *watch)
+{
+    return find_facts(arena, m, false, NULL, watch);
+}
+
+FactMachine *facts_supposing(Arena *arena, const IrMachine *m, const Env *outside)
+{
+    return find_facts(arena, m, false, outside, NULL);
+}
 
 // ---- answers ----
 
