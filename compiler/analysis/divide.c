@@ -131,24 +131,6 @@ static void look_at_stmt(void *context, const Stmt *stmt, const Known *known)
         known_within(k->a, stmt->value, known, is_division, judge, k);
 }
 
-static bool divides(const IrFn *f)
-{
-    for (size_t i = 0; f && i < f->ins.n; i++)
-        if (f->ins.at[i].op == IR_div)
-            return true;
-    return false;
-}
-
-static bool divides_anywhere(const IrMachine *m)
-{
-    bool found = divides(m->sample);
-
-    for (size_t s = 0; s < m->state.n && !found; s++)
-        for (int b = 0; b < BLOCK_COUNT && !found; b++)
-            found = divides(m->state.at[s].block[b]);
-    return found;
-}
-
 static void look_at_divisions(Analysis *a)
 {
     const Program *p = a->p;
@@ -168,6 +150,6 @@ static void look_at_divisions(Analysis *a)
 
 void analyse_divide(Analysis *a)
 {
-    if (divides_anywhere(a->m))
+    if (a->p->operators & 1u << SM_OP_DIV)
         look_at_divisions(a);
 }

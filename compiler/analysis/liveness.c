@@ -107,18 +107,15 @@ static void add_after(const Liveness *l, Word *set, const IrJump *j)
     }
 }
 
-static void look_at_ins(Liveness *l, const IrFn *f, IrBlkRef blk, size_t at, Word *live)
+static void look_at_store(Liveness *l, const IrFn *f, IrBlkRef blk, size_t at, Word *live)
 {
     const IrIns *i = &f->ins.at[f->blk.at[blk].ins.at[at]];
-    const DeadStore dead = {l->state, l->block, f, blk, at, i};
 
-    if (i->op == IR_load) {
-        put(l, live, i->var);
-    } else if (i->op == IR_store) {
-        if (l->dead && !has(l, live, i->var))
-            l->dead(l->a, &dead, l->context);
-        take(l, live, i->var);
+    if (l->dead && !has(l, live, i->var)) {
+        const DeadStore dead = {l->state, l->block, f, blk, at, i};
+        l->dead(l->a, &dead, l->context);
     }
+    take(l, live, i->var);
 }
 
 // What is live where the function begins.
@@ -129,11 +126,17 @@ static const Word *look_at_function(Liveness *l, const IrFn *f)
         l->end = ARENA_ARRAY(l->a->arena, Word, l->blocks * l->words);
     }
     for (size_t b = f->blk.n; b-- > 0;) {
+        const IrBlk *blk = &f->blk.at[b];
         Word *live = l->end + b * l->words;
         memset(live, 0, l->words * sizeof *live);
-        add_after(l, live, &f->blk.at[b].jump);
-        for (size_t k = f->blk.at[b].ins.n; k-- > 0;)
-            look_at_ins(l, f, (IrBlkRef)b, k, live);
+        add_after(l, live, &blk->jump);
+        for (size_t k = blk->ins.n; k-- > 0;) {
+            const IrIns *i = &f->ins.at[blk->ins.at[k]];
+            if (i->op == IR_load)
+                put(l, live, i->var);
+            else if (i->op == IR_store)
+                look_at_store(l, f, (IrBlkRef)b, k, live);
+        }
     }
     return l->end;
 }

@@ -42,7 +42,10 @@ static void look_at_stmt(const Stmt *stmt, void *context)
 
 void analyse_moment(Analysis *a)
 {
-    Look k = {a, moments_of(a->arena, a->p)};
+    Look k;
 
+    if (!(a->p->operators & (1u << SM_OP_EQ | 1u << SM_OP_NE)))
+        return;
+    k = (Look){a, moments_of(a->arena, a->p)};
     each_stmt(a->p, look_at_stmt, &k);
 }

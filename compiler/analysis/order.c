@@ -57,7 +57,8 @@ static bool is_looked_at(const Var *v)
     return v->kind == VAR_LOCAL && v->written && v->read && !v->outside;
 }
 
-static void number_locals(Order *o)
+// Whether there are any.
+static bool number_locals(Order *o)
 {
     const Program *p = o->a->p;
     uint32_t n = 0;
@@ -66,6 +67,7 @@ static void number_locals(Order *o)
     for (size_t v = 0; v < p->var.n; v++)
         o->bit[v] = is_looked_at(p->var.at[v]) ? n++ : IR_NONE;
     o->words = n / WORD_BITS + 1;
+    return n > 0;
 }
 
 // ---- what is stored where ----
@@ -285,7 +287,8 @@ void analyse_order(Analysis *a)
 {
     Order o = {.a = a};
 
-    number_locals(&o);
+    if (!number_locals(&o))
+        return;
     note_all_stores(&o);
     o.before = spread(&o, false);
     o.after = spread(&o, true);

@@ -103,12 +103,18 @@ static void look_at_flow(Analysis *a, const FlowPlace *at, void *context)
         }
 }
 
-void analyse_precision(Analysis *a)
+static void look_at_literals(Analysis *a)
 {
     for (size_t i = 0; i < a->p->var.n; i++)
         if (a->p->var.at[i]->init_value)
             expr_walk(a->p->var.at[i]->init_value, look_at_number, a);
     each_stmt(a->p, look_at_stmt, a);
+}
+
+void analyse_precision(Analysis *a)
+{
+    if (a->p->large_numbers)
+        look_at_literals(a);
     if (a->large_sums)
         each_flow(a, look_at_flow, NULL);
 }

@@ -41,8 +41,12 @@ static const char *bounds_text(Analysis *a, Fact f)
 // Above the largest value of the type in all cases, or below the smallest; what drops to the limit with its fraction fits.
 static bool never_fits(Fact f, SmType type)
 {
-    const Fact t = fact_of_type(type), stored = fact_convert(f, type);
+    const Fact t = fact_of_type(type);
+    Fact stored;
 
+    if (f.lo >= t.lo && f.hi <= t.hi && type != SM_F32)
+        return false;
+    stored = fact_convert(f, type);
     if (f.nan || f.lo > f.hi || stored.lo != stored.hi)
         return false;
     if (type == SM_F32)

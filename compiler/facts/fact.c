@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/facts/fact.h"
 
+#include <math.h>
+
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
@@ -46,20 +48,22 @@ static Fact make(double lo, double hi, bool whole, bool nan, bool minus_zero)
 
 static Fact anything(void) { return make(-infinity(), infinity(), false, true, true); }
 
+// 2^63 - 1 and 2^64 - 1 are no F64: the bounds are one above.
+#define HALF(bytes) (2.0 * (double)(UINT64_C(1) << (bytes * 8 - 2)))              // of the numbers of so many bytes
+#define BELOW(x, bytes) ((x) - (bytes < 8))
+#define BOUNDS_SM_KIND_SIGNED(bytes) -HALF(bytes), BELOW(HALF(bytes), bytes), true, bytes < 4, false, false
+#define BOUNDS_SM_KIND_UNSIGNED(bytes) 0, BELOW(2 * HALF(bytes), bytes), true, bytes < 4, false, false
+#define BOUNDS_SM_KIND_BOOL(bytes) 0, 1, true, true, false, false
+#define BOUNDS_SM_KIND_FLOAT(bytes) -HUGE_VAL, HUGE_VAL, false, bytes == 4, false, true
+
 Fact fact_of_type(SmType type)
 {
-    const unsigned bits = sm_type_info[type].bytes * 8u;
-    const double power = bits == 64 ? 18446744073709551616.0 : (double)(UINT64_C(1) << (bits < 64 ? bits : 0));
-    const bool wide = bits == 64;         // 2^63 - 1 and 2^64 - 1 are no F64: the bounds are one above
-    Fact a = make(-infinity(), infinity(), false, false, true);
-
-    switch (sm_type_info[type].kind) {
-    case SM_KIND_SIGNED: return make(-power / 2, wide ? power / 2 : power / 2 - 1, true, false, false);
-    case SM_KIND_UNSIGNED: return make(0, wide ? power : power - 1, true, false, false);
-    case SM_KIND_BOOL: return make(0, 1, true, false, false);
-    case SM_KIND_FLOAT: a.f32 = type == SM_F32; break;
-    }
-    return a;
+    static const Fact of[SM_TYPE_COUNT] = {
+#define SM_TYPE(name, wire, spelling, ctype, bytes, kind) {BOUNDS_##kind(bytes)},
+#include "stdlib/types.def"
+#undef SM_TYPE
+    };
+    return of[type];
 }
 
 Fact fact_of_cell(SmType type, uint64_t bits)
@@ -114,23 +118,21 @@ static void stretch(Fact *r, double x)
         r->hi = x;
 }
 
-// The hull of the four ways to combine the bounds.
-static Fact corners(SmF64 (*op)(SmF64, SmF64), Fact a, Fact b)
+// The hull of what combining the bounds in four ways gives.
+static Fact hull(SmF64 w, SmF64 x, SmF64 y, SmF64 z)
 {
-    Fact r = no_number(false);
+    Fact r = {infinity(), -infinity(), false, false, false, false};
 
-    r.lo = infinity();
-    r.hi = -infinity();
-    stretch(&r, op(a.lo, b.lo));
-    stretch(&r, op(a.lo, b.hi));
-    stretch(&r, op(a.hi, b.lo));
-    stretch(&r, op(a.hi, b.hi));
+    stretch(&r, w);
+    stretch(&r, x);
+    stretch(&r, y);
+    stretch(&r, z);
     return r;
 }
 
 static Fact multiply(Fact a, Fact b)
 {
-    Fact r = corners(sm_mul, a, b);
+    Fact r = hull(sm_mul(a.lo, b.lo), sm_mul(a.lo, b.hi), sm_mul(a.hi, b.lo), sm_mul(a.hi, b.hi));
     const bool zero_by_infinity = (has(a, 0) && has_infinity(b)) || (has(b, 0) && has_infinity(a));
 
     if (has(a, 0) || has(b, 0))
@@ -149,7 +151,7 @@ static Fact divide(Fact a, Fact b)
 
     if (has(b, 0))
         return make(-infinity(), infinity(), false, a.nan || b.nan || has(a, 0) || has_infinity(a), true);
-    r = corners(sm_div, a, b);
+    r = hull(sm_div(a.lo, b.lo), sm_div(a.lo, b.hi), sm_div(a.hi, b.lo), sm_div(a.hi, b.hi));
     r.nan = a.nan || b.nan || (has_infinity(a) && has_infinity(b));
     if (r.lo > r.hi || r.nan)
         return make(-infinity(), infinity(), false, r.nan, true);

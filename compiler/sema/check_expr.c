@@ -97,6 +97,8 @@ static Expr *check_number(Sema *s, const AstExpr *e)
     Expr *out = expr_new(s, EX_NUMBER, e->span, 0);
 
     out->number = e->number;
+    if (s->making && e->number >= 9007199254740992.0)
+        s->making->large_numbers = true;
     return out;
 }
 
@@ -110,6 +112,12 @@ static SmOpClass class_of(const AstExpr *e)
 static bool is_relation(const AstExpr *e)
 {
     return e->kind == AST_BINARY && class_of(e) == SM_CLASS_RELATION;
+}
+
+static void note_operator(Sema *s, SmOperator op)
+{
+    if (s->making)
+        s->making->operators |= 1u << op;
 }
 
 // A piece of the source for a message: one line, and no more of it than can be read.
@@ -162,6 +170,7 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
     Expr *out = expr_new(s, EX_BINARY, e->span, 2);
     AstExpr *operands[2] = {e->a, e->b};
 
+    note_operator(s, e->op);
     out->op = e->op;
     return check_args(s, operands, 2, out->arg) ? out : NULL;
 }
@@ -183,6 +192,7 @@ static Expr *check_chain(Sema *s, const AstExpr *e)
         operand[i] = e->b;
         operand[0] = e->a;
         out->ops[i - 1] = e->op;
+        note_operator(s, e->op);
     }
     s->spine = operand[0];
     return check_args(s, operand, n, out->arg) ? out : NULL;
@@ -194,6 +204,7 @@ static Expr *check_unary(Sema *s, const AstExpr *e)
 
     if (e->op == SM_OP_PLUS)
         return check_expr(s, e->a);
+    note_operator(s, e->op);
     out = expr_new(s, EX_UNARY, e->span, 1);
     out->op = e->op;
     out->arg[0] = check_expr(s, e->a);

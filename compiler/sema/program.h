@@ -165,6 +165,8 @@ typedef struct Program {
     VEC(Var *) var;           // listed elements in order, then locals in order, then T
     Var *g, *s, *t;
     VEC(State *) state;       // at[0] is number 1, the initial state
+    uint32_t operators;       // 1u << SmOperator of each that stands in it: analyses without any work look no further
+    bool large_numbers;       // a literal of 2^53 or more does
     uint32_t stmts;           // statements in all its blocks: the largest Stmt.number
     Windows window;
     VEC(Allow) allow;         // those of the .sv are there once more, covering the element where it is listed
