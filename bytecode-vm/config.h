@@ -33,8 +33,8 @@
 #define SMVM_TEXT(image, at) ((const char *)(image) + (at))
 #endif
 
-// Assembly in place of the interpreter's inner loop, on AVR with uint16_t as SMVM_BYTES and SMVM_AT: 1 interp_avr.S, where SMVM_FETCH
-// reads flash; 2 interp_avr_eeprom.S, where it reads EEPROM at addresses from 0x8000 on, less that, and flash below; 0 none.
+// Assembly in place of the interpreter, on AVR with uint16_t as SMVM_BYTES and SMVM_AT, and with SMVM_KEEP_TABLES: 1 interp_avr.S, where
+// SMVM_FETCH reads flash; 2 interp_avr_eeprom.S, where it reads EEPROM at addresses from 0x8000 on, less that, and flash below; 0 none.
 #if !defined(SMVM_FETCH_AVR) || !defined(__AVR_HAVE_MUL__) || defined(SMVM_PORTABLE)
 #undef SMVM_FETCH_AVR
 #define SMVM_FETCH_AVR 0

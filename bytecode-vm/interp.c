@@ -5,60 +5,67 @@
 #include <string.h>
 
 #include "bytecode-vm/image.h"
-#include "bytecode-vm/number.h"
 #include "bytecode-vm/smvm.h"
-#include "bytecode-vm/step.h"
 
 #if SM_F64_SOFT && SMVM_FETCH_AVR
-#define SMVM_ASSEMBLY SMVM_FETCH_AVR
+// ---- on AVR: the assembly does all but windows ----
+
+#include "bytecode-vm/interp_avr.h"
+
+SmResult smvm_step_flash(SmVm *vm, void *sv);
+SmResult smvm_step_eeprom(SmVm *vm, void *sv);
+void smvm_do_sample(SmVm *vm, SmvmAt w);
+SmF64 smvm_do_stat(SmVm *vm, uint8_t stat, SmvmAt w);
+
+#define SMVM_LIES(member, at) typedef char smvm_it_lies_at_##at[offsetof(SmVm, member) == (at) ? 1 : -1]
+SMVM_LIES(image, VM_IMAGE);
+SMVM_LIES(start, VM_START);
+SMVM_LIES(next, VM_NEXT);
+SMVM_LIES(stored, VM_STORED);
+SMVM_LIES(code, VM_CODE);
+SMVM_LIES(local, VM_LOCAL);
+SMVM_LIES(state, VM_STATE);
+SMVM_LIES(tables.windows, VM_WINDOWS);
+SMVM_LIES(tables.outputs, VM_OUTPUTS);
+SMVM_LIES(tables.functions, VM_FUNCTIONS);
+SMVM_LIES(tables.f32s, VM_F32S);
+SMVM_LIES(tables.f64s, VM_F64S);
+SMVM_LIES(tables.more, VM_MORE);
+SMVM_LIES(tables.more_bytes, VM_MORE_BYTES);
+SMVM_LIES(tables.g, VM_G);
+SMVM_LIES(tables.s, VM_S);
+SMVM_LIES(tables.width, VM_WIDTH);
+SMVM_LIES(first, VM_FIRST);
+SMVM_LIES(entered, VM_ENTERED);
+SMVM_LIES(y, VM_Y);
+typedef char smvm_step_gives_ok[SM_OK == STEP_OK && SM_REFUSED == STEP_REFUSED ? 1 : -1];
+
+SmResult smvm_step(SmVm *vm, void *sv) { return SMVM_FETCH_AVR == 1 ? smvm_step_flash(vm, sv) : smvm_step_eeprom(vm, sv); }
+
+// A sample is in y, as its type.
+void smvm_do_sample(SmVm *vm, SmvmAt w)
+{
+    const uint32_t entry = smvm_window(vm->image, vm->tables.windows, w);
+
+    sm_roll_sample_cell(smvm_windows_of(vm)[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, vm->y);
+}
+
+SmF64 smvm_do_stat(SmVm *vm, uint8_t stat, SmvmAt w)
+{
+    const uint32_t entry = smvm_window(vm->image, vm->tables.windows, w);
+
+    return sm_roll_stat(smvm_windows_of(vm)[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, (SmStat)stat);
+}
 #else
-#define SMVM_ASSEMBLY 0
-#endif
+#include "bytecode-vm/number.h"
+#include "bytecode-vm/step.h"
 
 typedef struct Run {
     SmVm *vm;
     uint8_t *sv, *locals;
     Number x, y;
-#if SMVM_ASSEMBLY
-    SmvmBytes functions, code, outputs;
-    uint8_t width;
-#endif
     const SmvmTables *t;
 } Run;
-
-// On AVR most of what follows is in assembly (interp_avr.S), which calls what it leaves to C.
-#if SMVM_ASSEMBLY
-#include "bytecode-vm/interp_avr.h"
-
-#define SMVM_DO
-SmvmAt smvm_run_flash(Run *r, SmvmAt function);
-SmvmAt smvm_run_eeprom(Run *r, SmvmAt function);
-bool smvm_begin_flash(SmVm *vm, const void *g);
-bool smvm_begin_eeprom(SmVm *vm, const void *g);
-void smvm_do_load(Run *r, uint8_t op, uint32_t n);
-void smvm_do_time(Run *r, uint8_t op);
-void smvm_do_put(Run *r, uint8_t op, uint32_t n);
-void smvm_do_compute(Run *r, uint8_t op);
-void smvm_do_stat(Run *r, uint8_t stat, SmvmAt w);
-uint8_t smvm_do_relation(const Run *r);
-
-#define SMVM_LIES(type, member, at) typedef char smvm_##type##_##member##_lies_there[offsetof(type, member) == (at) ? 1 : -1]
-SMVM_LIES(Run, vm, RUN_VM);
-SMVM_LIES(Run, sv, RUN_SV);
-SMVM_LIES(Run, locals, RUN_LOCALS);
-SMVM_LIES(Run, x, RUN_X);
-SMVM_LIES(Run, y, RUN_Y);
-SMVM_LIES(Run, functions, RUN_FUNCTIONS);
-SMVM_LIES(Run, code, RUN_CODE);
-SMVM_LIES(Run, outputs, RUN_OUTPUTS);
-SMVM_LIES(Run, width, RUN_WIDTH);
-SMVM_LIES(Number, is_real, 8);
-SMVM_LIES(SmVm, start, VM_START);
-SMVM_LIES(SmVm, next, VM_NEXT);
-SMVM_LIES(SmVm, stored, VM_STORED);
-#else
-#define SMVM_DO SMVM_APART static
-#endif
 
 // ---- numbers in the code ----
 
@@ -132,7 +139,7 @@ SMVM_APART static void sample(Run *r, SmvmAt w)
     smvm_sample(smvm_windows_of(r->vm)[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, number_f64(&r->x));
 }
 
-SMVM_DO void smvm_do_stat(Run *r, uint8_t stat, SmvmAt w)
+SMVM_APART static void do_stat(Run *r, uint8_t stat, SmvmAt w)
 {
     const uint32_t entry = smvm_window(r->vm->image, r->t->windows, w);
     const uint32_t n = entry & SMVM_WINDOW_SIZE_MASK, kind = entry >> SMVM_WINDOW_SIZE_BITS;
@@ -143,7 +150,7 @@ SMVM_DO void smvm_do_stat(Run *r, uint8_t stat, SmvmAt w)
 // ---- instructions ----
 
 // and, or; what has no operand.
-SMVM_DO void smvm_do_compute(Run *r, uint8_t op)
+SMVM_APART static void do_compute(Run *r, uint8_t op)
 {
     if (op == SMVM_and)
         number_whole(&r->x, number_is_true(&r->x) && number_is_true(&r->y));
@@ -153,8 +160,8 @@ SMVM_DO void smvm_do_compute(Run *r, uint8_t op)
         number_compute(&r->x, op, &r->y);
 }
 
-SMVM_DO uint8_t smvm_do_relation(const Run *r) { return number_relation(&r->x, &r->y); }
-static bool is_in(const Run *r, uint8_t m) { return (smvm_do_relation(r) & m) != 0; }
+static uint8_t do_relation(const Run *r) { return number_relation(&r->x, &r->y); }
+static bool is_in(const Run *r, uint8_t m) { return (do_relation(r) & m) != 0; }
 
 static uint64_t constant(const Run *r, SmvmAt table, uint32_t n, uint8_t bytes)
 {
@@ -178,7 +185,7 @@ SMVM_APART static void with_number(Run *r, uint8_t op, uint32_t n)
 }
 
 // All that load, and those.
-SMVM_DO void smvm_do_load(Run *r, uint8_t op, uint32_t n)
+SMVM_APART static void do_load(Run *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;
 
@@ -188,7 +195,7 @@ SMVM_DO void smvm_do_load(Run *r, uint8_t op, uint32_t n)
         number_load(op & 0x20 ? &r->y : &r->x, type, placed(op & 0x10 ? r->sv : r->locals, type, (SmvmAt)n));
 }
 
-SMVM_DO void smvm_do_time(Run *r, uint8_t op)
+SMVM_APART static void do_time(Run *r, uint8_t op)
 {
     const uint64_t time = r->vm->next - r->vm->start;
 
@@ -196,7 +203,7 @@ SMVM_DO void smvm_do_time(Run *r, uint8_t op)
 }
 
 // st_local, out, set, cvt, sample.
-SMVM_DO void smvm_do_put(Run *r, uint8_t op, uint32_t n)
+SMVM_APART static void do_put(Run *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;
 
@@ -209,13 +216,6 @@ SMVM_DO void smvm_do_put(Run *r, uint8_t op, uint32_t n)
     }
 }
 
-#if SMVM_ASSEMBLY == 1
-#define run smvm_run_flash
-#define begin smvm_begin_flash
-#elif SMVM_ASSEMBLY == 2
-#define run smvm_run_eeprom
-#define begin smvm_begin_eeprom
-#else
 // A varint of two or four bytes, of whose first this is `b`; the others are at `at`.
 SMVM_APART static uint32_t long_number(SmvmBytes at, uint8_t b)
 {
@@ -252,13 +252,13 @@ SMVM_APART static SmvmAt run_code(Run *r, SmvmBytes at)
         uint8_t b;
         uint32_t n;
         if (op >= SMVM_add) {
-            smvm_do_compute(r, op);
+            do_compute(r, op);
             continue;
         }
         if (op == SMVM_end)
             return 0;
         if ((op & (uint8_t)~0x20) == SMVM_ldx_time) {
-            smvm_do_time(r, op);
+            do_time(r, op);
             continue;
         }
         n = b = byte_at(at++);
@@ -283,12 +283,12 @@ SMVM_APART static SmvmAt run_code(Run *r, SmvmBytes at)
             return (SmvmAt)n;
         else if (op == SMVM_stat) {
             b = byte_at(at++);
-            smvm_do_stat(r, (uint8_t)n, b < SMVM_VARINT_1 ? b : (SmvmAt)long_number(at, b));
+            do_stat(r, (uint8_t)n, b < SMVM_VARINT_1 ? b : (SmvmAt)long_number(at, b));
             at = behind(at, b);
         } else if (op < SMVM_cvt)
-            smvm_do_load(r, op, n);
+            do_load(r, op, n);
         else
-            smvm_do_put(r, op, n);
+            do_put(r, op, n);
     }
 }
 
@@ -323,7 +323,6 @@ static bool begin(SmVm *vm, const void *g)
     memset(vm->stored, 0, sizeof vm->stored);
     return true;
 }
-#endif
 
 // ---- the step ----
 
@@ -368,14 +367,9 @@ SmResult smvm_step(SmVm *vm, void *sv)
     smvm_tables(&m, vm, &tables);
     r.t = &tables;
 #endif
-#if SMVM_ASSEMBLY
-    r.functions = vm->image + r.t->functions;
-    r.code = vm->image + vm->code;
-    r.outputs = vm->image + r.t->outputs;
-    r.width = r.t->width;
-#endif
     r.vm = vm;
     r.sv = (uint8_t *)sv;
     r.locals = (uint8_t *)vm + vm->local;
     return one_step(&r);
 }
+#endif

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// A function of an image on AVR, images in flash: what run of interp.c does, to the same bits.  What is rare it leaves to the functions
-// of interp.c that do it there: smvm_do_….  interp_avr_eeprom.S is the same for images in flash or EEPROM.
+// A step of a machine on AVR, image in flash: what interp.c does, to the same bits.  interp_avr_eeprom.S is the same for images in flash
+// or EEPROM.  This file fetches, loads, stores and jumps; number_avr.S, which it includes, calculates.
 //
-// Takes Run in r25:r24 and the number of the function in r23:r22; gives the state that it goes to, or 0, in r25:r24.  Between instructions:
+// Between instructions:
 //   r9:r2    X: a number of 64 bits, or a whole one in r5:r2        r17  1: it is the former
-//   r15:r14  the locals        r13:r12  the state vector        Y  Run        Z  the next byte of the image
+//   r15:r14  the locals        r13:r12  the state vector        Y  SmVm, with register Y in it        Z  the next byte of the image
 // and in one
-//   r22      the opcode        r21:r18  the number behind it
-// Calls leave r2 to r17 as they were, and r11:r10 keeps Z over them.
+//   r16      the opcode        r21:r18  the number behind it
+// Calls leave r2 to r17 as they were.
 #if defined(__AVR_HAVE_MUL__) && !defined(SMVM_PORTABLE)
 #include "bytecode-vm/interp_avr.h"
 
 ; The next byte of the image.
 #ifdef SMVM_EEPROM
-#define RUN smvm_run_eeprom
-#define BEGIN smvm_begin_eeprom
+#define STEP smvm_step_eeprom
 #include <avr/io.h>
 .macro fetch to
 	sbrc r31, 7
@@ -33,8 +32,7 @@
 	mov \to, r0
 .endm
 #else
-#define RUN smvm_run_flash
-#define BEGIN smvm_begin_flash
+#define STEP smvm_step_flash
 .macro fetch to
 	lpm \to, Z+
 .endm
@@ -63,10 +61,45 @@
 9:
 .endm
 
-	.section .text.RUN, "ax", @progbits
+; To Z what a table of the image begins with, or the code.
+.macro image_at table
+	ldd r30, Y+\table
+	ldd r31, Y+\table+1
+	ldd r0, Y+VM_IMAGE
+	add r30, r0
+	ldd r0, Y+VM_IMAGE+1
+	adc r31, r0
+.endm
+
+; An entry of the table of functions, of r18 bytes.
+.macro entry lower, upper
+	fetch \lower
+	clr \upper
+	cpi r18, 1
+	breq 9f
+	rcall long_entry
+	mov \upper, r23
+9:
+.endm
+
+; r19:r18 times 2, as an offset.
+.macro twice
+	lsl r18
+	rol r19
+.endm
+
+.macro place                              ; X is an offset further
+	add r26, r18
+	adc r27, r19
+.endm
+
+	.section .text.STEP, "ax", @progbits
 
 ; The others of a varint of two or four bytes, of whose first r18 is.
 long_number:
+	clr r19
+	clr r20
+	clr r21
 	cpi r18, 0x78
 	brsh 1f
 	subi r18, 0x60
@@ -99,274 +132,290 @@ long_number:
 	sbci r21, 0xFF
 	ret
 
-; An entry of the table of functions to r21:r20; it has r18 bytes.
-entry:
-	fetch_apart r20
-	clr r21
-	mov r19, r18
-	dec r19
-	breq 1f
-	fetch_apart r21
-	dec r19
+long_entry:
+	fetch_apart r23
+	cpi r18, 2
 	breq 1f
 	fetch_apart r0
 1:	ret
 
-; bool BEGIN(SmVm *vm, const void *g): what smvm_begin does with G, and what the step before stored is cleared.
-	.global BEGIN
-	.type BEGIN, @function
-BEGIN:
-	movw r30, r24
-	movw r26, r22
-	adiw r30, VM_NEXT
-	ldi r19, 0xFF
-	ldi r20, 8
-	clr r24
-	clc
-1:	ld r18, X+
-	ld r0, Z+
-	cpc r18, r0
-	and r19, r18
-	dec r20
-	brne 1b
-	brlo 2f                           ; G + 1 is not above
-	cpi r19, 0xFF
-	breq 2f                           ; the last G there is
-	movw r26, r22
-	sbiw r30, 8
-	ldi r20, 8
-	sec
-1:	ld r18, X+
-	adc r18, r1
-	st Z+, r18
-	std Z+VM_STORED-VM_NEXT-1, r1
-	dec r20
-	brne 1b
-	ldi r24, 1
-2:	ret
+; ---- a step ----
 
-	.global RUN
-	.type RUN, @function
-RUN:
-	movw r26, r24
-	movw r30, r24
-	ldd r18, Z+RUN_WIDTH
-	ldd r20, Z+RUN_FUNCTIONS
-	ldd r21, Z+RUN_FUNCTIONS+1
-	movw r30, r20
-	clr r24
-	clr r25
-	subi r22, 1
-	sbci r23, 0
-	brcs 2f                           ; the first function begins at 0
-	mov r19, r18
-1:	add r30, r22
-	adc r31, r23
-	dec r19
-	brne 1b
-	rcall entry
-	movw r24, r20
-2:	rcall entry
-	cp r20, r24
-	cpc r21, r25
-	brne 3f
-	clr r24
-	clr r25
-	ret
-3:	.irp r, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
+; SmResult STEP(SmVm *vm, void *sv)
+	.global STEP
+	.type STEP, @function
+STEP:
+	.irp r, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 14, 15, 16, 17, 28, 29
 	push r\r
 	.endr
-	movw r28, r26
-	ldd r30, Y+RUN_CODE
-	ldd r31, Y+RUN_CODE+1
+	movw r28, r24
+	movw r12, r22
+	ldd r14, Y+VM_LOCAL
+	ldd r15, Y+VM_LOCAL+1
+	add r14, r28
+	adc r15, r29
+	ldd r26, Y+VM_G                   ; has it advanced, and is it not the last one there is?
+	ldd r27, Y+VM_G+1
+	add r26, r12
+	adc r27, r13
+	ld r18, X+
+	ldd r0, Y+VM_NEXT
+	cp r18, r0
+	.irp i, 1, 2, 3, 4, 5, 6, 7
+	ld 18+\i, X+
+	ldd r0, Y+VM_NEXT+\i
+	cpc 18+\i, r0
+	.endr
+	brcs 1f
+	sec
+	.irp r, 18, 19, 20, 21, 22, 23, 24, 25
+	adc r\r, r1
+	.endr
+	brcc 2f
+1:	ldi r24, lo8(STEP_REFUSED)
+	ldi r25, hi8(STEP_REFUSED)
+	rjmp step_over
+2:	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
+	std Y+VM_NEXT+\i, 18+\i
+	std Y+VM_STORED+\i, r1
+	.endr
+	ldd r16, Y+VM_FIRST
+	std Y+VM_ENTERED, r16
+	tst r16
+	breq 3f
+	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
+	std Y+VM_START+\i, 18+\i
+	.endr
+	ldd r26, Y+VM_S
+	ldd r27, Y+VM_S+1
+	add r26, r12
+	adc r27, r13
+	ldd r0, Y+VM_STATE
+	st X+, r0
+	ldd r0, Y+VM_STATE+1
+	st X+, r0
+	st X+, r1
+	st X, r1
+3:	ldd r24, Y+VM_MORE_BYTES          ; outputs from 64 on
+	ldd r25, Y+VM_MORE_BYTES+1
+	sbiw r24, 0
+	breq 5f
+	ldd r26, Y+VM_MORE
+	ldd r27, Y+VM_MORE+1
+	add r26, r28
+	adc r27, r29
+4:	st X+, r1
+	sbiw r24, 1
+	brne 4b
+5:	image_at VM_FUNCTIONS             ; r25:r24 is 0, where the sample function begins
+	ldd r18, Y+VM_WIDTH
+	rcall function
+	ldd r22, Y+VM_FIRST
+	tst r22
+	breq 6f
+	clr r22
+	rcall block
+	or r18, r19
+	brne 7f
+6:	ldi r22, 1
+	rcall block
+	or r18, r19
+	breq 8f
+7:	push r24
+	push r25
+	ldi r22, 2
+	rcall block
+	pop r25
+	pop r24
+	std Y+VM_STATE, r24
+	std Y+VM_STATE+1, r25
+	ldi r18, 1
+8:	std Y+VM_FIRST, r18
+	ldi r24, STEP_OK
+	ldi r25, STEP_OK
+step_over:
+	.irp r, 29, 28, 17, 16, 15, 14, 13, 12, 9, 8, 7, 6, 5, 4, 3, 2
+	pop r\r
+	.endr
+	ret
+
+; Runs block r22 of the state: 0 entry, 1 step, 2 exit.  Gives what `function` does.
+block:
+	ldd r24, Y+VM_STATE
+	ldd r25, Y+VM_STATE+1
+	movw r20, r24
+	lsl r24
+	rol r25
+	add r24, r20
+	adc r25, r21
+	sbiw r24, 3
+	add r24, r22
+	adc r25, r1
+	image_at VM_FUNCTIONS
+	ldd r18, Y+VM_WIDTH
+	mov r19, r18
+1:	add r30, r24
+	adc r31, r25
+	dec r19
+	brne 1b
+	entry r24, r25
+; Runs the function that begins at r25:r24 of the code, the entry with its end being at Z.  Gives the state that it goes to, or 0, in r25:r24
+; and r19:r18.
+function:
+	entry r20, r21
+	cp r20, r24
+	cpc r21, r25
+	breq end
+	image_at VM_CODE
 	add r30, r24
 	adc r31, r25
-bases:
-	ldd r12, Y+RUN_SV
-	ldd r13, Y+RUN_SV+1
-	ldd r14, Y+RUN_LOCALS
-	ldd r15, Y+RUN_LOCALS+1
+	rjmp next
+
+end:
+	clr r18
+	clr r19
+leave:
+	movw r24, r18
+	ret
 
 ; ---- the next instruction ----
 
+longer:
+	cpi r18, 0x80
+	brsh 1f
+	rcall long_number
+	rjmp decode
+1:	sbiw r30, 1                       ; the next opcode: this one has no number
+	cpi r16, 0xCE
+	breq end
+	brlo 2f
+	rjmp compute
+2:	rjmp time
+
 next:
-	fetch r22
+	fetch r16
 	fetch r18                         ; behind `end`, which is last, this may be anything
 	clr r19
 	clr r20
 	clr r21
 	cpi r18, 0x60
-	brsh 3f
-1:	cpi r22, 0xC0
-	brlo loads
-	cpi r22, 0xD0
-	brsh 2f
-	rjmp puts
-2:	rjmp jumps
-3:	cpi r18, 0x80
-	brsh 4f
-	rcall long_number
-	rjmp 1b
-4:	sbiw r30, 1                       ; the next opcode: this one has no number
-	cpi r22, 0xCE
-	breq end
-	brlo 5f
-	rjmp compute
-5:	rjmp time
-
-end:
-	clr r18
-	clr r19
-leave:                                    ; with r19:r18
-	.irp r, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
-	pop r\r
-	.endr
-	movw r24, r18
-	ret
+	brsh longer
+decode:
+	sbrc r16, 6
+	rjmp no_load
 
 ; ---- loads ----
 
-loads:
-	mov r23, r22
-	andi r23, 0x0F                    ; the type
-	cpi r23, 12
-	brsh to_others
-	movw r24, r14
-	sbrc r22, 4
-	movw r24, r12
-	movw r26, r18
-	sbrc r23, 3
+	movw r26, r14
+	sbrc r16, 4
+	movw r26, r12
+	sbrc r16, 3
 	rjmp wide
-	sbrc r23, 1
+	sbrc r16, 1
 	rjmp words
-	sbrc r23, 0
+	sbrc r16, 0
 	rjmp half
-byte:
-	add r26, r24
-	adc r27, r25
+	place
 	ld r18, X
 	clr r19
 	sbrs r18, 7
 	rjmp 1f
-	sbrs r23, 2
+	sbrs r16, 2
 	com r19
 1:	mov r20, r19
 	mov r21, r19
 	rjmp whole
+
 half:
-	lsl r26
-	rol r27
-	add r26, r24
-	adc r27, r25
+	twice
+	place
 	ld r18, X+
 	ld r19, X
 	clr r20
 	sbrs r19, 7
 	rjmp 1f
-	sbrs r23, 2
+	sbrs r16, 2
 	com r20
 1:	mov r21, r20
 whole:                                    ; r21:r18 to X, or Y
-	sbrc r22, 5
+	sbrc r16, 5
 	rjmp 1f
+whole_x:
 	movw r2, r18
 	movw r4, r20
 	clr r17
 	rjmp next
-1:	std Y+RUN_Y, r18
-	std Y+RUN_Y+1, r19
-	std Y+RUN_Y+2, r20
-	std Y+RUN_Y+3, r21
-	std Y+RUN_Y+8, r1
+1:	std Y+VM_Y, r18
+	std Y+VM_Y+1, r19
+	std Y+VM_Y+2, r20
+	std Y+VM_Y+3, r21
+	std Y+VM_Y_REAL, r1
 	rjmp next
-to_others:
-	rjmp others
+
+time:                                     ; T
+	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
+	ldd 18+\i, Y+VM_NEXT+\i
+	ldd r0, Y+VM_START+\i
+	.if \i
+	sbc 18+\i, r0
+	.else
+	sub 18+\i, r0
+	.endif
+	.endr
+	rjmp long
 
 words:                                    ; four bytes or eight
-	sbrc r23, 0
+	sbrs r16, 0
 	rjmp 2f
-	rcall place4
-	cpi r23, 6
-	brne 1f
-	adiw r26, 3
-	ld r0, X
-	sbrc r0, 7
-	rjmp load                         ; not below 2^31
-	sbiw r26, 3
-1:	ld r18, X+
-	ld r19, X+
-	ld r20, X+
-	ld r21, X
-	rjmp whole
-2:	rcall place8
-	adiw r26, 3
-	ld r24, X+
-	andi r24, 0x80
-	ld r0, X+
-	or r24, r0
-	ld r0, X+
-	or r24, r0
-	ld r0, X+
-	or r24, r0
-	ld r0, X
-	or r24, r0
-	brne 3f
-	sbiw r26, 7
-	rjmp 1b
-3:	rjmp load
-
-place8:                                   ; X is an offset in units of 8 bytes, behind r25:r24: the address
-	lsl r26
-	rol r27
-place4:
-	lsl r26
-	rol r27
-	lsl r26
-	rol r27
-	add r26, r24
-	adc r27, r25
-	ret
-
-wide:                                     ; F32, F64, bool, RAW
-	sbrs r23, 0
-	rjmp 3f
-	rcall place8
+eight:
+	twice
+	twice
+	twice
+	place
 	ld r18, X+
 	ld r19, X+
 	ld r20, X+
 	ld r21, X+
-	ld r0, X+
+	ld r22, X+
 	ld r23, X+
 	ld r24, X+
 	ld r25, X
-	mov r26, r25
-	ori r26, 0x80
-	cpi r26, 0xFF
-	breq 4f
-1:	sbrc r22, 5
-	rjmp 2f
-	movw r2, r18
-	movw r4, r20
-	mov r6, r0
-	mov r7, r23
-	movw r8, r24
-	ldi r17, 1
-	rjmp next
-2:	std Y+RUN_Y, r18
-	std Y+RUN_Y+1, r19
-	std Y+RUN_Y+2, r20
-	std Y+RUN_Y+3, r21
-	std Y+RUN_Y+4, r0
-	std Y+RUN_Y+5, r23
-	std Y+RUN_Y+6, r24
-	std Y+RUN_Y+7, r25
-	ldi r18, 1
-	std Y+RUN_Y+8, r18
-	rjmp next
-3:	cpi r23, 10
-	brne load                         ; an F32
-	add r26, r24
-	adc r27, r25
+	sbrc r16, 3
+	rjmp real
+long:                                     ; an I64 or U64 in r25:r18
+	mov r0, r22
+	or r0, r23
+	or r0, r24
+	or r0, r25
+	brne 1f
+	sbrs r21, 7
+	rjmp whole
+1:	rcall from_long
+	brtc given
+	rjmp whole
+2:	twice
+	twice
+	place
+	ld r18, X+
+	ld r19, X+
+	ld r20, X+
+	ld r21, X
+	sbrc r16, 2
+	sbrs r21, 7
+	rjmp whole
+	clr r22                           ; a U32 that is no I32
+	clr r23
+	movw r24, r22
+	rjmp 1b
+
+wide:                                     ; F32, F64, bool, RAW
+	sbrc r16, 2
+	rjmp others
+	sbrc r16, 0
+	rjmp eight
+	sbrs r16, 1
+	rjmp f32
+	place
 	ld r18, X
 	cpse r18, r1
 	ldi r18, 1
@@ -374,267 +423,284 @@ wide:                                     ; F32, F64, bool, RAW
 	clr r20
 	clr r21
 	rjmp whole
-4:	mov r26, r22                      ; perhaps infinite or NaN
-	andi r26, 0x0F
-	cpi r26, 11
-	breq 1b                           ; kept as it is
-	cpi r24, 0xF0
-	brlo 1b
-	mov r26, r24
-	andi r26, 0x0F
-	or r26, r23
-	or r26, r0
-	or r26, r21
-	or r26, r20
-	or r26, r19
-	or r26, r18
-	breq 1b
-	clr r18
-	clr r19
-	clr r20
-	clr r21
-	rjmp whole
+f32:
+	twice
+	twice
+	place
+	ld r22, X+
+	ld r23, X+
+	ld r24, X+
+	ld r25, X
+read_f32:
+	rcall from_f32
+real:                                     ; r25:r18 is an F64, or RAW
+	mov r26, r25
+	ori r26, 0x80
+	cpi r26, 0xFF
+	brne given
+	sbrs r16, 1
+	rcall no_nan
+given:                                    ; r25:r18 to X, or Y
+	sbrc r16, 5
+	rjmp 1f
+given_x:
+	movw r2, r18
+	movw r4, r20
+	movw r6, r22
+	movw r8, r24
+	ldi r17, 1
+	rjmp next
+1:	rcall a_to_y
+	rjmp next
 
-load:
-	rcall spill
-	xcall smvm_do_load
-	rjmp filled
+; ---- numbers, and what has no place in memory ----
 
 others:
-	cpi r22, 0xBD
-	breq put_x
-	cpi r22, 0xBE
-	breq to_set
-	cpi r23, 14
-	brsh 1f
-	sbrc r22, 4
-	rjmp stat
-	sbrs r23, 0
+	sbrc r16, 1
+	rjmp 1f
+	sbrc r16, 4
+	rjmp 3f
+	sbrs r16, 0
 	rjmp whole                        ; n
 	com r18                           ; -1 - n
 	com r19
 	com r20
 	com r21
 	rjmp whole
-to_set:
-	rjmp set
-1:	sbrs r22, 4
-	rjmp load                         ; an F32 or F64 constant
-	tst r17
-	brne load
-	rcall two                         ; + n, - n
-	brvs load
-taken:
-	movw r2, r24
-	movw r4, r26
-	rjmp next
-
-put_x:                                    ; what gives X a number
-	rcall spill
-	xcall smvm_do_put
-	rjmp filled
-
-stat:
-	mov r16, r18
-	number
-	movw r20, r18
-	mov r22, r16
-	rcall spill
-	xcall smvm_do_stat
-	rjmp filled
-
-set:
-	mov r16, r18
+1:	sbrs r16, 4
+	rjmp 2f
+	sbrs r16, 5
+	rjmp plus
+	mov r16, r18                      ; set
 	rcall relate
 	and r24, r16
-	ldi r18, 1
-	brne 1f
+truth_x:                                  ; whether r24 is not 0, to X
 	clr r18
-1:	clr r19
-	movw r2, r18
-	clr r4
-	clr r5
-	clr r17
-	rjmp next
+	clr r19
+	clr r20
+	clr r21
+	cpse r24, r1
+	ldi r18, 1
+	rjmp whole_x
 
-; X to memory, for a function that takes Run.
-spill:
-	movw r10, r30
+2:	push r30                          ; an F32 or F64 constant
+	push r31
+	twice
+	twice
+	movw r26, r18
+	sbrc r16, 0
+	rjmp 4f
+	image_at VM_F32S
+	rjmp 5f
+4:	lsl r26
+	rol r27
+	image_at VM_F64S
+5:	add r30, r26
+	adc r31, r27
+	sbrs r16, 0
+	rjmp 6f
+	fetch_apart r18
+	fetch_apart r19
+	fetch_apart r20
+	fetch_apart r21
+6:	fetch_apart r22
+	fetch_apart r23
+	fetch_apart r24
+	fetch_apart r25
+	pop r31
+	pop r30
+	sbrs r16, 0
+	rcall from_f32
+	rjmp given
+
+3:	sbrc r16, 5
+	rjmp cvt
+	mov r16, r18                      ; stat
+	number
+	push r30
+	push r31
+	mov r22, r16
+	movw r20, r18
 	movw r24, r28
-	std Y+RUN_X, r2
-	std Y+RUN_X+1, r3
-	std Y+RUN_X+2, r4
-	std Y+RUN_X+3, r5
-	std Y+RUN_X+4, r6
-	std Y+RUN_X+5, r7
-	std Y+RUN_X+6, r8
-	std Y+RUN_X+7, r9
-	std Y+RUN_X+8, r17
-	ret
+	xcall smvm_do_stat
+	pop r31
+	pop r30
+	rjmp given_x
 
-filled:
-	ldd r2, Y+RUN_X
-	ldd r3, Y+RUN_X+1
-	ldd r4, Y+RUN_X+2
-	ldd r5, Y+RUN_X+3
-	ldd r6, Y+RUN_X+4
-	ldd r7, Y+RUN_X+5
-	ldd r8, Y+RUN_X+6
-	ldd r9, Y+RUN_X+7
-	ldd r17, Y+RUN_X+8
-back:
-	movw r30, r10
-	rjmp next
-
-time:                                     ; X or Y = T
-	movw r26, r28
-	ldd r0, Y+RUN_VM
-	ldd r29, Y+RUN_VM+1
-	mov r28, r0
-	clr r24
-	ldd r18, Y+VM_NEXT
-	ldd r0, Y+VM_START
-	sub r18, r0
-	ldd r19, Y+VM_NEXT+1
-	ldd r0, Y+VM_START+1
-	sbc r19, r0
-	ldd r20, Y+VM_NEXT+2
-	ldd r0, Y+VM_START+2
-	sbc r20, r0
-	ldd r21, Y+VM_NEXT+3
-	ldd r0, Y+VM_START+3
-	sbc r21, r0
-	.irp i, 4, 5, 6, 7
-	ldd r23, Y+VM_NEXT+\i
-	ldd r0, Y+VM_START+\i
-	sbc r23, r0
-	or r24, r23
-	.endr
-	movw r28, r26
-	sbrc r21, 7
-	rjmp 1f
-	tst r24
-	brne 1f
-	rjmp whole
-1:	rcall spill
-	xcall smvm_do_time
-	rjmp filled
+cvt:
+	mov r16, r18
+	rcall convert
+	sbrs r16, 3
+	rjmp long
+	sbrc r16, 0
+	rjmp given_x                      ; F64
+	sbrc r16, 1
+	rjmp whole_x                      ; bool
+	movw r22, r18
+	movw r24, r20
+	rjmp read_f32
 
 ; ---- stores ----
 
-puts:                                     ; 0xC0 to 0xCF
-	mov r23, r22
-	andi r23, 0x0F
-	movw r24, r14
-	movw r26, r18
-	cpi r23, 12
+out_more:                                 ; bits behind the locals
+	ldd r22, Y+VM_MORE
+	ldd r23, Y+VM_MORE+1
+	add r26, r22
+	adc r27, r23
+	subi r24, 64
+	sbci r25, 0
+	rjmp out_bit
+
+no_load:                                  ; 0xC0 and above
+	cpi r16, 0xD0
+	brlo 1f
+	rjmp jumps
+1:	andi r16, 0x0F
+	movw r26, r14
+	cpi r16, 12
 	brlo store
 	breq out
-	cpi r23, 14
-	brsh 1f
+	cpi r16, 14
+	brsh 2f
 	rjmp leave                        ; goto
-1:	brne put
-	rjmp end
-
-put:
-	rcall spill
-	xcall smvm_do_put
-	rjmp back
+2:	breq 3f
+	rjmp sample
+3:	rjmp end
 
 out:
+	movw r26, r28                     ; its bit, of those that say what is written
+	movw r24, r18
 	cpi r18, 64
 	cpc r19, r1
-	brsh put
-	ldi r24, 1                        ; its bit, of those that say what is written
-	sbrc r18, 1
-	ldi r24, 4
-	sbrc r18, 0
-	lsl r24
-	sbrc r18, 2
-	swap r24
-	mov r25, r18
-	lsr r25
-	lsr r25
-	lsr r25
-	ldd r26, Y+RUN_VM
-	ldd r27, Y+RUN_VM+1
+	brsh out_more
 	adiw r26, VM_STORED
-	add r26, r25
-	adc r27, r1
+out_bit:
+	ldi r22, 1
+	sbrc r24, 1
+	ldi r22, 4
+	sbrc r24, 0
+	lsl r22
+	sbrc r24, 2
+	swap r22
+	lsr r25
+	ror r24
+	lsr r25
+	ror r24
+	lsr r25
+	ror r24
+	add r26, r24
+	adc r27, r25
 	ld r0, X
-	or r0, r24
+	or r0, r22
 	st X, r0
-	movw r10, r30                     ; its place
-	ldd r30, Y+RUN_OUTPUTS
-	ldd r31, Y+RUN_OUTPUTS+1
-	movw r24, r18
-	add r24, r18
-	adc r25, r19
-	add r24, r18
-	adc r25, r19
-	add r30, r24
-	adc r31, r25
-	fetch_apart r26
-	fetch_apart r27
-	fetch_apart r23
-	andi r23, 0x0F
-	movw r24, r12
-	movw r30, r10
-; X to what is X units of type r23 behind r25:r24.
+	movw r24, r30                     ; its place
+	movw r26, r18
+	twice
+	add r26, r18
+	adc r27, r19
+	image_at VM_OUTPUTS
+	add r30, r26
+	adc r31, r27
+	fetch r18
+	fetch r19
+	fetch r16
+	andi r16, 0x0F
+	movw r30, r24
+	movw r26, r12
+; X to what is r19:r18 units of type r16 behind r27:r26.
 store:
-	sbrc r23, 3
+	sbrc r16, 3
 	rjmp store_wide
 	sbrc r17, 0
 	rjmp put
-	sbrc r23, 1
+	sbrc r16, 1
 	rjmp store_words
 	clr r0
-	sbrc r23, 0
+	sbrc r16, 0
 	rjmp 2f
-	sbrs r23, 2                       ; one byte, if the others are its sign
+	sbrs r16, 2                       ; one byte, if the others are its sign
 	sbrs r2, 7
 	rjmp 1f
 	com r0
 1:	cp r3, r0
 	cpc r4, r0
 	cpc r5, r0
-	brne to_put
-	add r26, r24
-	adc r27, r25
+	brne put
+	place
 	st X, r2
 	rjmp next
-2:	sbrs r23, 2                       ; two bytes
+2:	sbrs r16, 2                       ; two bytes
 	sbrs r3, 7
 	rjmp 3f
 	com r0
 3:	cp r4, r0
 	cpc r5, r0
-	brne to_put
-	lsl r26
-	rol r27
-	add r26, r24
-	adc r27, r25
+	brne put
+	twice
+	place
 	st X+, r2
 	st X, r3
 	rjmp next
-to_put:
-	rjmp put
+
+put:                                      ; what has to be converted
+	mov r24, r16                      ; its size is 1 << r24
+	andi r24, 3
+	sbrs r16, 3
+	rjmp 1f
+	ldi r24, 3
+	sbrc r16, 0
+	rjmp 1f
+	ldi r24, 2
+	sbrc r16, 1
+	clr r24
+1:	mov r25, r24
+2:	subi r25, 1
+	brcs 3f
+	twice
+	rjmp 2b
+3:	place
+	push r24
+	push r26
+	push r27
+	rcall convert
+	pop r27
+	pop r26
+	pop r0
+	st X+, r18
+	dec r0
+	brmi 4f
+	st X+, r19
+	dec r0
+	brmi 4f
+	st X+, r20
+	st X+, r21
+	dec r0
+	brmi 4f
+	st X+, r22
+	st X+, r23
+	st X+, r24
+	st X, r25
+4:	rjmp next
+
 store_words:
 	clr r0
 	sbrs r5, 7
 	rjmp 1f
-	sbrc r23, 2
+	sbrc r16, 2
 	rjmp put                          ; below 0
 	com r0
-1:	sbrc r23, 0
+1:	twice
+	twice
+	sbrc r16, 0
 	rjmp 2f
-	rcall place4
+	place
 	st X+, r2
 	st X+, r3
 	st X+, r4
 	st X, r5
 	rjmp next
-2:	rcall place8
+2:	twice
+	place
 	st X+, r2
 	st X+, r3
 	st X+, r4
@@ -644,59 +710,76 @@ store_words:
 	st X+, r0
 	st X, r0
 	rjmp next
+
 store_wide:
-	cpi r23, 10
-	breq 3f
-	sbrc r23, 0
+	sbrs r16, 0
+	rjmp 2f
 	sbrs r17, 0
-1:	rjmp put                          ; an F32; a whole number to an F64
-	cpi r23, 11
-	breq 2f
-	mov r0, r9
-	lsl r0
-	mov r23, r0
-	cpi r23, 0xFE
-	breq 1b                           ; perhaps NaN
-2:	rcall place8
-	st X+, r2
-	st X+, r3
-	st X+, r4
-	st X+, r5
-	st X+, r6
-	st X+, r7
-	st X+, r8
-	st X, r9
+	rjmp put                          ; a whole number to an F64
+	mov r24, r9
+	lsl r24
+	cpi r24, 0xFE
+	brne 1f
+	rjmp put                          ; perhaps NaN
+1:	twice
+	twice
+	twice
+	place
+	.irp r, 2, 3, 4, 5, 6, 7, 8, 9
+	st X+, r\r
+	.endr
 	rjmp next
-3:	tst r17                           ; bool
-	brne 1b
-	add r26, r24
-	adc r27, r25
+2:	sbrc r16, 1                       ; an F32 or a bool
+	sbrc r17, 0
+	rjmp put
+	place
 	mov r0, r2
 	or r0, r3
 	or r0, r4
 	or r0, r5
-	ldi r23, 1
+	ldi r24, 1
 	cpse r0, r1
-	rjmp 4f
-	clr r23
-4:	st X, r23
+	rjmp 3f
+	clr r24
+3:	st X, r24
 	rjmp next
+
+sample:
+	push r30
+	push r31
+	push r18
+	push r19
+	twice
+	twice
+	image_at VM_WINDOWS
+	add r30, r18
+	adc r31, r19
+	adiw r30, 2
+	fetch_apart r16                   ; bits 1 to 4: its type
+	lsr r16
+	andi r16, 0x0F
+	rcall convert
+	rcall a_to_y
+	pop r23
+	pop r22
+	movw r24, r28
+	xcall smvm_do_sample
+	pop r31
+	pop r30
+	rjmp next
+
 
 ; ---- jumps ----
 
 jumps:                                    ; 0xD0 to 0xEF
-	cpi r22, 0xE0
+	cpi r16, 0xE0
 	brsh 1f
-	cpi r22, 0xDF
+	cpi r16, 0xDF
 	breq jump
-	push r18                          ; jxy
-	push r19
-	push r22
+	movw r26, r18                     ; jxy
 	rcall relate
-	pop r22
-	pop r19
-	pop r18
-	and r24, r22
+	movw r18, r26
+	and r24, r16
 	brne jump
 	rjmp next
 jump:
@@ -704,177 +787,96 @@ jump:
 	adc r31, r19
 	rjmp next
 1:	breq 2f
-	cpi r22, 0xEF
-	brne with
-2:	tst r17                           ; jf, jt
-	brne 4f
-	mov r24, r2
-	or r24, r3
-	or r24, r4
-	or r24, r5
-3:	ldi r25, 0                        ; jf jumps at 0
-	cpse r24, r1
-	ldi r25, 1
-	eor r25, r22
-	sbrs r25, 0
+	cpi r16, 0xEF
+	brne with_n
+2:	movw r26, r18                     ; jf, jt
+	rcall x_truth
+	movw r18, r26
+	eor r24, r16
+	sbrs r24, 0
 	rjmp jump
 	rjmp next
-4:	push r18
-	push r19
-	push r22
-	movw r10, r30
-	rcall x_to_a
-	xcall sm_soft_truth
-	movw r30, r10
-	pop r22
-	pop r19
-	pop r18
-	rjmp 3b
 
-with:                                     ; jxn
-	tst r17
-	brne with_real
-	rcall compare
-	and r24, r22
-read_jump:
-	number
-	tst r24
-	brne jump
-	rjmp next
-
-; The relation of X to n, a number of 64 bits each.
-with_real:
-	push r30
-	push r31
-	push r22
-	mov r24, r20
-	or r24, r21
-	breq 2f
-	movw r22, r18
-	movw r24, r20
-	xcall sm_soft_from_i32
-	movw r10, r18
-	movw r12, r20
-	movw r14, r22
-	movw r16, r24
-1:	rcall x_to_a
-	xcall sm_soft_relation
-	pop r22
-	pop r31
-	pop r30
-	and r24, r22
-	ldi r17, 1
-	ldd r12, Y+RUN_SV
-	ldd r13, Y+RUN_SV+1
-	ldd r14, Y+RUN_LOCALS
-	ldd r15, Y+RUN_LOCALS+1
-	rjmp read_jump
-2:	movw r10, r20                     ; 16 bits: the first digit moves to bit 4 of r16, r27:r26 is the exponent in X16 form, less 1
-	movw r12, r20
-	clr r14
-	mov r15, r18
-	mov r16, r19
-	clr r17
-	ldi r26, lo8((1023 + 12 - 1) * 16)
-	ldi r27, hi8((1023 + 12 - 1) * 16)
-	cpi r16, 0x20
-	brsh 4f
-	tst r16
-	brne 3f
-	mov r16, r15
-	clr r15
-	subi r26, 0x80
-	sbci r27, 0
-	cpi r16, 0x20
-	brsh 4f
-	tst r16
-	breq 1b                           ; 0
-3:	sbrc r16, 4
-	rjmp 5f
-	lsl r15
-	rol r16
-	subi r26, 0x10
-	sbci r27, 0
-	rjmp 3b
-4:	lsr r16
-	ror r15
-	ror r14
-	subi r26, 0xF0
-	sbci r27, 0xFF
-	cpi r16, 0x20
-	brsh 4b
-5:	mov r17, r27
-	add r16, r26
-	adc r17, r1
-	rjmp 1b
-
-x_to_a:
-	movw r18, r2
-	movw r20, r4
-	movw r22, r6
-	movw r24, r8
-	ret
-
-; The relation of X to Y to r24.
-relate:
-	ldd r24, Y+RUN_Y+8
-	or r24, r17
-	brne 2f
-	ldd r18, Y+RUN_Y
-	ldd r19, Y+RUN_Y+1
-	ldd r20, Y+RUN_Y+2
-	ldd r21, Y+RUN_Y+3
-compare:                                  ; whole ones: of X to r21:r18
+with_n:                                   ; jxn
+	sbrc r17, 0
+	rjmp with_real
 	cp r2, r18
 	cpc r3, r19
 	cpc r4, r20
 	cpc r5, r21
 	ldi r24, 2
-	breq 1f
+	breq related
 	ldi r24, 1
-	brlt 1f
+	brlt related
+greater:
 	ldi r24, 4
-1:	ret
-2:	rcall spill
-	xcall smvm_do_relation
-	movw r30, r10
-	ret
+related:
+	fetch r18
+	clr r19
+	cpi r18, 0x60
+	brlo 1f
+	rcall long_number
+1:	and r24, r16
+	brne jump
+	rjmp next
+less:
+	ldi r24, 1
+	rjmp related
 
-; ---- of X, or of X and Y ----
+; An F64 and a number below 2^16: mostly what is before the point decides.
+with_real:
+	mov r24, r20
+	or r24, r21
+	brne 5f
+	movw r24, r8
+	sbrc r25, 7
+	rjmp 4f
+	subi r24, lo8(0x3FF0)             ; exponent of X, times 16
+	sbci r25, hi8(0x3FF0)
+	brcs 3f
+	tst r25
+	brne 6f                           ; from 2^16 on
+	mov r23, r24
+	swap r23
+	andi r23, 0x0F
+	mov r25, r24
+	andi r25, 0x0F
+	ori r25, 0x10
+	mov r24, r7
+	subi r23, 12                      ; r25:r24 is 2^12 or more
+	breq 2f
+	brcc 7f
+1:	lsr r25
+	ror r24
+	inc r23
+	brne 1b
+2:	cp r24, r18
+	cpc r25, r19
+	breq 5f
+	brlo less
+	rjmp greater
+3:	mov r24, r18                      ; from 0 up to 1
+	or r24, r19
+	brne less
+	rjmp 5f
+4:	cpi r25, 0xFF                     ; below 0, but for NaN and -0
+	breq 5f
+	cpi r25, 0x80
+	brne less
+5:	rcall relate_n
+	rjmp related
+6:	cpi r25, 0x40
+	brlo greater
+	rjmp 5b                           ; infinite or NaN
+7:	mov r26, r6
+8:	lsl r26
+	rol r24
+	rol r25
+	dec r23
+	brne 8b
+	rjmp 2b
 
-compute:
-	cpi r22, 0xF2
-	brsh 2f
-	ldd r24, Y+RUN_Y+8
-	or r24, r17
-	brne 2f
-	ldd r18, Y+RUN_Y
-	ldd r19, Y+RUN_Y+1
-	ldd r20, Y+RUN_Y+2
-	ldd r21, Y+RUN_Y+3
-	rcall two
-	brvs 2f
-	rjmp taken
-2:	rcall spill
-	xcall smvm_do_compute
-	rjmp filled
-
-; X + r21:r18 to r27:r24, or minus where the opcode is odd.
-two:
-	movw r24, r2
-	movw r26, r4
-	sbrc r22, 0
-	rjmp 1f
-	add r24, r18
-	adc r25, r19
-	adc r26, r20
-	adc r27, r21
-	ret
-1:	sub r24, r18
-	sbc r25, r19
-	sbc r26, r20
-	sbc r27, r21
-	ret
+#include "bytecode-vm/number_avr.S"
 
 #ifdef SMVM_EEPROM
 read:

@@ -1,20 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// What interp.c and interp_avr.S have in common on AVR: whether there is assembly, and where in Run and SmVm what lies.
+// What interp.c and interp_avr.S have in common on AVR: where in SmVm what lies, and what a step gives.
 #ifndef SMVM_INTERP_AVR_H
 #define SMVM_INTERP_AVR_H
 
-#define RUN_VM 0
-#define RUN_SV 2
-#define RUN_LOCALS 4
-#define RUN_X 6               // a number: 8 bytes, and whether it is an F64
-#define RUN_Y 15
-#define RUN_FUNCTIONS 24      // where in the image
-#define RUN_CODE 26
-#define RUN_OUTPUTS 28
-#define RUN_WIDTH 30          // bytes of an entry in the table of functions
-
+#define VM_IMAGE 0
 #define VM_START 2
 #define VM_NEXT 10
 #define VM_STORED 18
+#define VM_CODE 28
+#define VM_LOCAL 30
+#define VM_STATE 32
+#define VM_WINDOWS 34
+#define VM_OUTPUTS 36
+#define VM_FUNCTIONS 38
+#define VM_F32S 40
+#define VM_F64S 42
+#define VM_MORE 44
+#define VM_MORE_BYTES 46
+#define VM_G 48
+#define VM_S 50
+#define VM_WIDTH 52
+#define VM_FIRST 53
+#define VM_ENTERED 54
+#define VM_Y 55               // 8 bytes, and
+#define VM_Y_REAL 63          // whether it is an F64
+
+#define STEP_OK 0
+#define STEP_REFUSED -1
 
 #endif

@@ -128,6 +128,9 @@ typedef struct SmVm {
 #endif
     bool first;               // the next step is the first of `state`
     bool entered;             // the last step was the first of its state: it stored S
+#if SMVM_FETCH_AVR
+    uint8_t y[9];             // register Y of the assembly
+#endif
 } SmVm;
 
 // Bytes of memory that smvm_init needs for m.

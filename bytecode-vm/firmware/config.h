@@ -17,7 +17,7 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 
 #define SMVM_BYTES uint16_t
 #define SMVM_FETCH(image, at) smvm_firmware_byte((uint16_t)((image) + (uint16_t)(at)))
-#if !defined(SMVM_FETCH_AVR) && !defined(__AVR_ATmega328P__)         // there is no room for the assembly beside the Uno's boot loader
+#ifndef SMVM_FETCH_AVR
 #define SMVM_FETCH_AVR 2
 #endif
 #define SMVM_AT uint16_t
