@@ -14,6 +14,10 @@
 
 SmResult smvm_step_flash(SmVm *vm, void *sv);
 SmResult smvm_step_eeprom(SmVm *vm, void *sv);
+SmF64 smvm_load_flash(uint8_t type, const void *at);
+SmF64 smvm_load_eeprom(uint8_t type, const void *at);
+void smvm_store_flash(SmF64 x, uint8_t type, void *at);
+void smvm_store_eeprom(SmF64 x, uint8_t type, void *at);
 void smvm_do_sample(SmVm *vm, SmvmAt w);
 SmF64 smvm_do_stat(SmVm *vm, uint8_t stat, SmvmAt w);
 
@@ -40,7 +44,15 @@ SMVM_LIES(entered, VM_ENTERED);
 SMVM_LIES(y, VM_Y);
 typedef char smvm_step_gives_ok[SM_OK == STEP_OK && SM_REFUSED == STEP_REFUSED ? 1 : -1];
 
-SmResult smvm_step(SmVm *vm, void *sv) { return SMVM_FETCH_AVR == 1 ? smvm_step_flash(vm, sv) : smvm_step_eeprom(vm, sv); }
+#if SMVM_FETCH_AVR == 1
+SmResult smvm_step(SmVm *vm, void *sv) { return smvm_step_flash(vm, sv); }
+SmF64 smvm_load(uint8_t type, const void *at) { return smvm_load_flash(type, at); }
+void smvm_store(SmF64 x, uint8_t type, void *at) { smvm_store_flash(x, type, at); }
+#else
+SmResult smvm_step(SmVm *vm, void *sv) { return smvm_step_eeprom(vm, sv); }
+SmF64 smvm_load(uint8_t type, const void *at) { return smvm_load_eeprom(type, at); }
+void smvm_store(SmF64 x, uint8_t type, void *at) { smvm_store_eeprom(x, type, at); }
+#endif
 
 // A sample is in y, as its type.
 void smvm_do_sample(SmVm *vm, SmvmAt w)

@@ -14,6 +14,8 @@
 ; The next byte of the image.
 #ifdef SMVM_EEPROM
 #define STEP smvm_step_eeprom
+#define LOAD smvm_load_eeprom
+#define STORE smvm_store_eeprom
 #include <avr/io.h>
 .macro fetch to
 	sbrc r31, 7
@@ -33,6 +35,8 @@
 .endm
 #else
 #define STEP smvm_step_flash
+#define LOAD smvm_load_flash
+#define STORE smvm_store_flash
 .macro fetch to
 	lpm \to, Z+
 .endm
@@ -93,6 +97,12 @@
 	adc r27, r19
 .endm
 
+.macro save
+	.irp r, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 14, 15, 16, 17, 28, 29
+	push r\r
+	.endr
+.endm
+
 	.section .text.STEP, "ax", @progbits
 
 ; The others of a varint of two or four bytes, of whose first r18 is.
@@ -145,9 +155,7 @@ long_entry:
 	.global STEP
 	.type STEP, @function
 STEP:
-	.irp r, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 14, 15, 16, 17, 28, 29
-	push r\r
-	.endr
+	save
 	movw r28, r24
 	movw r12, r22
 	ldd r14, Y+VM_LOCAL
@@ -238,6 +246,45 @@ step_over:
 	pop r\r
 	.endr
 	ret
+
+; ---- one instruction alone ----
+
+	.section .progmem.data.STEP, "a", @progbits
+just_end:
+	.byte 0xCE, 0xCE
+	.previous
+
+; SmF64 LOAD(uint8_t type, const void *at): what `ldx_local` gives
+	.global LOAD
+	.type LOAD, @function
+LOAD:
+	save
+	mov r16, r24
+	ori r16, 0x80
+	movw r14, r22
+	rcall alone
+	rcall x_to_f64
+	rjmp step_over
+
+; void STORE(SmF64 x, uint8_t type, void *at): what `st_local` does
+	.global STORE
+	.type STORE, @function
+STORE:
+	save
+	ori r16, 0xC0
+	rcall a_to_x
+	rcall alone
+	rjmp step_over
+
+alone:                                    ; with 0 as its number
+	clr r18
+	clr r19
+	movw r20, r18
+	ldi r30, lo8(just_end)
+	ldi r31, hi8(just_end)
+	rjmp decode
+
+; ---- functions ----
 
 ; Runs block r22 of the state: 0 entry, 1 step, 2 exit.  Gives what `function` does.
 block:
