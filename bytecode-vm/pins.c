@@ -13,70 +13,82 @@ enum {
     SCALED = 0x20, SHIFTED = 0x40, MORE = 0x80        // scale; offset; hold of an input, safe value of an output
 };
 
+// A number; what is beyond the largest, is that.  SMVM_NO_NUMBER: there is none.
+static uint32_t take_up_to(SmvmPins *p, SmvmAt most)
+{
+    const uint32_t v = smvm_number(p->image, &p->at, p->end);
+
+    return v > most && v != SMVM_NO_NUMBER ? most : v;
+}
+
 bool smvm_pins(SmvmBytes image, SmvmPins *p)
 {
     memset(p, 0, sizeof *p);
     p->image = image;
     for (uint8_t i = 0; i < smvm_sections(image); i++) {
-        SmvmSection s = smvm_section(image, i);
+        const SmvmSection s = smvm_section(image, i);
+        uint32_t size, left;
         if (s.id != SMVM_S_IO || s.version != SMVM_V_IO)
             continue;
-        p->at = (SmvmAt)s.at;
+        p->at = s.at;
         p->end = (SmvmAt)(s.at + s.size);
         if (s.size < 4)
             return false;
         p->layout = smvm_uint(image, p->at, 4);
         p->at = (SmvmAt)(p->at + 4);
-        return smvm_varint(image, &p->at, p->end, &p->sv_size) && smvm_varint(image, &p->at, p->end, &p->left);
+        size = take_up_to(p, SMVM_NOWHERE >> 3);
+        left = take_up_to(p, SMVM_NOWHERE);
+        p->sv_size = (SmvmAt)size;
+        p->left = (SmvmAt)left;
+        return size != SMVM_NO_NUMBER && left != SMVM_NO_NUMBER;
     }
     return false;
 }
 
-static bool take(SmvmPins *p, uint8_t bytes, SmvmAt *at)
+// Where so many bytes are; 0: they are not there.
+static SmvmAt take(SmvmPins *p, uint8_t bytes)
 {
-    *at = p->at;
-    if ((SmvmAt)(p->end - p->at) < bytes)
-        return false;
-    p->at = (SmvmAt)(p->at + bytes);
-    return true;
+    const SmvmAt at = p->at;
+
+    if ((SmvmAt)(p->end - at) < bytes)
+        return 0;
+    p->at = (SmvmAt)(at + bytes);
+    return at;
 }
 
-// In the place of a type: that a whole number stands in the place of the offset.
+// In the place of a type: that a whole number stands in the place of the offset, of 20 bits in two's complement.
 enum { WHOLE = 15 };
-
-static int32_t whole(uint32_t place)                  // in two's complement of 20 bits
-{
-    const int32_t v = (int32_t)((place & 0xffff) | (place >> 4 & 0xf0000));
-
-    return v < 0x80000 ? v : v - 0x100000;
-}
 
 static bool take_number(SmvmPins *p, SmF64 *x)
 {
-    SmvmAt at;
-    uint32_t place;
-    uint8_t type;
+    const SmvmAt at = take(p, SMVM_PLACE);
+    SmvmAt bits;
+    int32_t low;
+    uint8_t high, type, bytes;
 
-    if (!take(p, SMVM_PLACE, &at))
+    if (at == 0)
         return false;
-    place = smvm_u24(p->image, at);
-    type = place >> 16 & 0xf;
+    low = (int32_t)smvm_uint(p->image, at, 2);
+    high = smvm_u8(p->image, (SmvmAt)(at + 2));
+    type = high & 0xf;
+    high >>= 4;
     if (type == WHOLE) {
-        *x = sm_from_i32(whole(place));
+        *x = sm_from_i32(low + (int32_t)(high < 8 ? high : high - 16) * 0x10000);
         return true;
     }
-    if ((type != SM_F32 && type != SM_F64) || (place & 0xf0ffff) != 0 || !take(p, type == SM_F32 ? 4 : 8, &at))
+    bytes = type == SM_F32 ? 4 : 8;
+    if ((type != SM_F32 && type != SM_F64) || high != 0 || low != 0 || (bits = take(p, bytes)) == 0)
         return false;
-    *x = type == SM_F32 ? sm_from_f32(sm_f32_from_bits(smvm_uint(p->image, at, 4))) : sm_from_bits(smvm_cell(p->image, at, 8));
+    *x = type == SM_F32 ? sm_from_f32(sm_f32_from_bits(smvm_uint(p->image, bits, 4))) : sm_from_bits(smvm_cell(p->image, bits, 8));
     return true;
 }
 
 static bool take_element(SmvmPins *p, SmvmPin *pin)
 {
+    const SmvmAt at = take(p, SMVM_PLACE);
     SmvmPlace place;
-    SmvmAt at;
 
-    if (!take(p, SMVM_PLACE, &at))
+    if (at == 0)
         return false;
     place = smvm_place(p->image, at);
     pin->type = (uint8_t)place.type;
@@ -91,7 +103,7 @@ static bool take_more(SmvmPins *p, SmvmPin *pin)
 
     if (pin->kind & OUTPUT)
         return take_number(p, &pin->safe);
-    if (!take(p, 1, &at))
+    if ((at = take(p, 1)) == 0)
         return false;
     pin->hold = smvm_u8(p->image, at);
     return true;
@@ -102,7 +114,7 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
     SmvmAt at;
     uint8_t front;
 
-    if (p->left == 0 || !take(p, 1, &at))
+    if (p->left == 0 || (at = take(p, 1)) == 0)
         return false;
     front = smvm_u8(p->image, at);
     memset(pin, 0, sizeof *pin);
@@ -110,7 +122,7 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
     pin->flags = front >> FLAGS_AT & FLAGS;
     pin->scale = sm_from_i32(1);
     pin->zero = pin->safe = sm_from_i32(0);
-    if (!take_element(p, pin) || !smvm_varint(p->image, &p->at, p->end, &pin->pin))
+    if (!take_element(p, pin) || (pin->pin = smvm_number(p->image, &p->at, p->end)) == SMVM_NO_NUMBER)
         return false;
     if ((front & SCALED && !take_number(p, &pin->scale)) || (front & SHIFTED && !take_number(p, &pin->zero))
         || (front & MORE && !take_more(p, pin)))
@@ -122,12 +134,14 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
 // ---- for the verifier ----
 
 static bool is_finite(SmF64 x) { return (sm_bits(x) & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
+static bool is_zero(SmF64 x) { return (sm_bits(x) & 0x7FFFFFFFFFFFFFFFu) == 0; }
 
 static bool is_in_vector(const SmvmPins *p, const SmvmPin *pin)
 {
-    const uint32_t size = 1u << smvm_type_shift(pin->type);
+    const SmvmAt size = (SmvmAt)(8 * p->sv_size);
+    const uint8_t bytes = (uint8_t)(1u << smvm_type_shift(pin->type));
 
-    return size <= 8 * p->sv_size && pin->offset <= 8 * p->sv_size - size;
+    return bytes <= size && pin->offset <= (SmvmAt)(size - bytes);
 }
 
 // Pulls are of digital inputs, one at most; inversion is of digital pins.
@@ -143,7 +157,7 @@ static uint8_t check_pin(const SmvmPins *p, const SmvmPin *pin)
     if (pin->pin > UINT16_MAX || pin->type >= SM_TYPE_COUNT || !are_flags_of(pin) || (pin->type == SM_BOOL) != ((pin->kind & DIGITAL) != 0)
         || !is_in_vector(p, pin))
         return SMVM_R_PIN;
-    if (!is_finite(pin->scale) || !is_finite(pin->zero) || !is_finite(pin->safe) || sm_eq(pin->scale, sm_from_i32(0)))
+    if (!is_finite(pin->scale) || !is_finite(pin->zero) || !is_finite(pin->safe) || is_zero(pin->scale))
         return SMVM_R_PIN_NUMBER;
     return 0;
 }

@@ -85,7 +85,7 @@ typedef struct SmvmPin {
     uint8_t flags;            // 1 inverted, 2 pulled up, 4 pulled down
     uint8_t hold;             // inputs: steps that the last measurement is kept
     uint32_t pin;             // 0 to 65535
-    uint32_t offset;          // the element's place in the state vector
+    SmvmAt offset;            // the element's place in the state vector
     SmF64 scale, zero;        // analog: element = volts * scale + zero
     SmF64 safe;               // outputs
 } SmvmPin;
@@ -94,8 +94,8 @@ typedef struct SmvmPin {
 typedef struct SmvmPins {
     SmvmBytes image;
     uint32_t layout;          // hash of the layout of the state vector they are for
-    uint32_t sv_size;         // of that, in units of 8 bytes
-    uint32_t left;            // how many are still to come
+    SmvmAt sv_size;           // of that, in units of 8 bytes; the largest that there is where it is beyond what this target allows
+    SmvmAt left;              // how many are still to come
     SmvmAt at, end;
 } SmvmPins;
 

@@ -9,27 +9,18 @@
 #ifdef PSL_AVR
 #include <util/atomic.h>
 
-enum { OUTPUT = 0x80, DDR = 1, PORT = 2, PWMS = sizeof avr_pwms / sizeof *avr_pwms };
-// Handles: n + 1 of an input, OUTPUT + row + 1 of a PWM.
+enum { DDR = 1, PORT = 2, OUTPUT = AVR_ANALOGS };
+// Channels, whose handles are one more: inputs, and from OUTPUT on the rows of avr_pwms.
 
 #define SUPPLY 5000000                         // microvolts
 
-static uint16_t inputs;                        // open ones
-static bool outputs[PWMS];
+static void pwm_of(uint8_t channel, AvrPwm *p) { memcpy_P(p, &avr_pwms[(uint8_t)(channel - OUTPUT)], sizeof *p); }
 
-static AvrPwm pwm_of(uint8_t row)
-{
-    AvrPwm p;
-
-    memcpy_P(&p, &avr_pwms[row], sizeof p);
-    return p;
-}
-
-static uint8_t row_of(uint16_t pin)            // PWMS: it has none
+static uint8_t row_of(uint16_t pin)            // AVR_PWMS: it has none
 {
     uint8_t row = 0;
 
-    while (row < PWMS && pgm_read_byte(&avr_pwms[row].pin) != pin)
+    while (row < AVR_PWMS && pgm_read_byte(&avr_pwms[row].pin) != pin)
         row++;
     return row;
 }
@@ -38,18 +29,27 @@ static volatile uint8_t *reg(uint16_t address) { return (volatile uint8_t *)addr
 
 // ---- opening ----
 
+static SmResult take(PalAio *channel, uint8_t index, uint8_t pin)
+{
+    const SmResult r = avr_pin_take(pin);
+
+    if (r == SM_OK) {
+        (void)avr_pin_take((uint8_t)(AVR_PINS + index));
+        channel->id = (uint8_t)(index + 1);
+    }
+    return r;
+}
+
 static SmResult open_input(PalAio *channel, uint16_t number)
 {
     SmResult r;
 
     if (number >= AVR_ANALOGS)
         return SM_E_MISSING;
-    if ((r = avr_pin_take((uint8_t)(AVR_ANALOG_FIRST + number))) != SM_OK)
-        return r;
-    ADCSRA = 1 << ADEN | 7 << ADPS0;           // 125 kHz
-    inputs |= (uint16_t)(1u << number);
-    channel->id = (uint8_t)(number + 1);
-    return SM_OK;
+    r = take(channel, (uint8_t)number, (uint8_t)(AVR_ANALOG_FIRST + number));
+    if (r == SM_OK)
+        ADCSRA = 1 << ADEN | 7 << ADPS0;       // 125 kHz
+    return r;
 }
 
 // 8 bits, from the crystal through 64: timer 2 counts up to its end, the wide ones to 255.
@@ -69,14 +69,12 @@ static SmResult open_output(PalAio *channel, uint16_t number)
     AvrPwm p;
     SmResult r;
 
-    if (row == PWMS)
+    if (row == AVR_PWMS)
         return number < AVR_PINS ? SM_E_UNSUPPORTED : SM_E_MISSING;
-    if ((r = avr_pin_take((uint8_t)number)) != SM_OK)
+    if ((r = take(channel, (uint8_t)(OUTPUT + row), (uint8_t)number)) != SM_OK)
         return r;
-    p = pwm_of(row);
+    pwm_of((uint8_t)(OUTPUT + row), &p);
     start_timer(&p);
-    outputs[row] = true;
-    channel->id = (uint8_t)(OUTPUT + row + 1);
     port = avr_pin_port((uint8_t)number, &mask);
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
     {
@@ -94,14 +92,14 @@ SmResult pal_aio_open(PalAio *channel, uint16_t number, PalAioMode mode)
     return mode == PAL_AIO_INPUT ? open_input(channel, number) : open_output(channel, number);
 }
 
-static bool is_input(PalAio c) { return c.id >= 1 && c.id <= AVR_ANALOGS && inputs >> (c.id - 1) & 1; }
-static bool is_output(PalAio c) { return c.id > OUTPUT && c.id <= OUTPUT + PWMS && outputs[c.id - OUTPUT - 1]; }
+static bool is_open(PalAio c) { return c.id >= 1 && c.id <= OUTPUT + AVR_PWMS && avr_pin_taken((uint8_t)(AVR_PINS + c.id - 1)); }
+static bool is_input(PalAio c) { return c.id <= OUTPUT; }
 
 SmResult pal_aio_info(PalAio channel, PalAioInfo *info)
 {
     if (!info)
         return SM_E_ARGUMENT;
-    if (!is_input(channel) && !is_output(channel))
+    if (!is_open(channel))
         return SM_E_HANDLE;
     info->lowest = 0;
     info->highest = is_input(channel) ? SUPPLY - SUPPLY / 1024 : SUPPLY;
@@ -115,10 +113,12 @@ SmResult pal_aio_read(PalAio channel, int32_t *millionths)
 {
     const uint8_t n = (uint8_t)(channel.id - 1);
 
-    if (!millionths || is_output(channel))
+    if (!millionths)
         return SM_E_ARGUMENT;
-    if (!is_input(channel))
+    if (!is_open(channel))
         return SM_E_HANDLE;
+    if (!is_input(channel))
+        return SM_E_ARGUMENT;
     ADMUX = (uint8_t)(1 << REFS0 | (n & 7));
 #ifdef MUX5
     ADCSRB = (uint8_t)(n >> 3 << MUX5);
@@ -151,32 +151,28 @@ SmResult pal_aio_write(PalAio channel, int32_t millionths)
 {
     AvrPwm p;
 
+    if (!is_open(channel))
+        return SM_E_HANDLE;
     if (is_input(channel))
         return SM_E_ARGUMENT;
-    if (!is_output(channel))
-        return SM_E_HANDLE;
-    p = pwm_of((uint8_t)(channel.id - OUTPUT - 1));
+    pwm_of((uint8_t)(channel.id - 1), &p);
     set(&p, millionths <= 0 ? 0 : millionths >= SUPPLY ? 255 : (uint8_t)(((uint32_t)millionths * 51 + SUPPLY / 10) / (SUPPLY / 5)));
     return SM_OK;
 }
 
 SmResult pal_aio_close(PalAio channel)
 {
-    if (is_input(channel)) {
-        inputs &= (uint16_t)~(1u << (channel.id - 1));
-        avr_pin_free((uint8_t)(AVR_ANALOG_FIRST + channel.id - 1));
-        return SM_OK;
-    }
-    if (!is_output(channel))
+    if (!is_open(channel))
         return SM_E_HANDLE;
-    outputs[channel.id - OUTPUT - 1] = false;
-    avr_pin_free(pwm_of((uint8_t)(channel.id - OUTPUT - 1)).pin);
+    avr_pin_free((uint8_t)(AVR_PINS + channel.id - 1));
+    avr_pin_free((uint8_t)(is_input(channel) ? AVR_ANALOG_FIRST + channel.id - 1
+                                             : pgm_read_byte(&avr_pwms[channel.id - OUTPUT - 1].pin)));
     return SM_OK;
 }
 
 bool avr_pin_exists(uint16_t number, bool digital, bool output)
 {
-    return digital ? number < AVR_PINS : output ? row_of(number) < PWMS : number < AVR_ANALOGS;
+    return digital ? number < AVR_PINS : output ? row_of(number) < AVR_PWMS : number < AVR_ANALOGS;
 }
 
 #endif

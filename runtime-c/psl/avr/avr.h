@@ -26,6 +26,7 @@ uint16_t avr_fine(void);                               // in units of 4 microsec
 bool avr_pin_exists(uint16_t number, bool digital, bool output);
 SmResult avr_pin_take(uint8_t number);                 // SM_E_BUSY: it is taken, or the serial line has it
 void avr_pin_free(uint8_t number);
+bool avr_pin_taken(uint8_t number);                    // behind the pins are numbers for what else is taken: analog channels
 volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask);         // the port's PIN; DDR and PORT stand behind it
 
 // ---- EEPROM ----

@@ -10,28 +10,37 @@
 
 enum { DDR = 1, PORT = 2, LINE = 2 };          // registers behind PIN; pins 0 and 1 are the serial line's
 
-static uint8_t taken[(AVR_PINS + 7) / 8] = {(1 << LINE) - 1};
+static uint8_t taken[(AVR_PINS + AVR_ANALOGS + AVR_PWMS + 7) / 8] = {(1 << LINE) - 1};
+
+static uint8_t bit_of(uint8_t number)
+{
+    uint8_t bit = 1;
+
+    for (number &= 7; number > 0; number--)
+        bit = (uint8_t)(bit << 1);
+    return bit;
+}
 
 volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask)
 {
     const uint8_t place = pgm_read_byte(&avr_pins[number]);
     const uint8_t port = place >> 3;
 
-    *mask = (uint8_t)(1u << (place & 7));
+    *mask = bit_of(place);
     return (volatile uint8_t *)(uint16_t)(port < AVR_PORTS_LOW ? AVR_PORT_LOW + 3 * port : AVR_PORT_HIGH + 3 * (port - AVR_PORTS_LOW));
 }
 
-static bool is_taken(uint8_t number) { return taken[number >> 3] >> (number & 7) & 1; }
+bool avr_pin_taken(uint8_t number) { return (taken[number >> 3] & bit_of(number)) != 0; }
 
 SmResult avr_pin_take(uint8_t number)
 {
-    if (is_taken(number))
+    if (avr_pin_taken(number))
         return SM_E_BUSY;
-    taken[number >> 3] = (uint8_t)(taken[number >> 3] | 1u << (number & 7));
+    taken[number >> 3] |= bit_of(number);
     return SM_OK;
 }
 
-void avr_pin_free(uint8_t number) { taken[number >> 3] = (uint8_t)(taken[number >> 3] & ~(1u << (number & 7))); }
+void avr_pin_free(uint8_t number) { taken[number >> 3] &= (uint8_t)~bit_of(number); }
 
 static void put(volatile uint8_t *byte, uint8_t mask, bool level)
 {
@@ -61,7 +70,7 @@ SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
     return SM_OK;
 }
 
-static bool is_open(PalDio pin) { return pin.id > LINE && pin.id <= AVR_PINS && is_taken((uint8_t)(pin.id - 1)); }
+static bool is_open(PalDio pin) { return pin.id > LINE && pin.id <= AVR_PINS && avr_pin_taken((uint8_t)(pin.id - 1)); }
 
 SmResult pal_dio_read(PalDio pin, bool *level)
 {
