@@ -81,24 +81,33 @@ static inline uint8_t smvm_u8(SmvmBytes image, SmvmAt at) { return (uint8_t)SMVM
 
 uint32_t smvm_uint(SmvmBytes image, SmvmAt at, uint8_t bytes);   // little-endian, at most 4 bytes
 
+// The bits of a number of so many bytes, in memory as this computer has them.
+void smvm_get(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes);
+
 static inline uint32_t smvm_u24(SmvmBytes image, SmvmAt at) { return smvm_uint(image, at, 3); }
 
 // The bits of a value of so many bytes.
 static inline uint64_t smvm_cell(SmvmBytes image, SmvmAt at, uint8_t bytes)
 {
-    return bytes < 8 ? smvm_uint(image, at, bytes) : (uint64_t)smvm_uint(image, (SmvmAt)(at + 4), 4) << 32 | smvm_uint(image, at, 4);
+    uint64_t v;
+
+    if (bytes < 8)
+        return smvm_uint(image, at, bytes);
+    smvm_get(image, at, &v, 8);
+    return v;
 }
 
 // The size of a type is 1 << this, RAW's too.  By the numbers that types have, which an 8-bit computer finds sooner than anything in a table.
 #define SMVM_TYPE_SHIFT(type) ((type) < SM_F32 ? (type) & 3 : (type) == SM_BOOL ? 0 : (type) == SM_F32 ? 2 : 3)
 SMVM_INLINE uint8_t smvm_type_shift(uint32_t type) { return (uint8_t)SMVM_TYPE_SHIFT((uint8_t)type); }
+uint8_t smvm_shift(uint8_t type);                     // the same, for what is to be small
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) typedef char smvm_shift_of_##name[1 << SMVM_TYPE_SHIFT(wire) == (bytes) ? 1 : -1];
 #include "stdlib/types.def"
 #undef SM_TYPE
 
-// A place or size of three bytes.  What no image here can have is SMVM_NOWHERE, which is beyond the end of every one.
+// A place or size of up to three bytes.  What no image here can have is SMVM_NOWHERE, which is beyond the end of every one.
 #define SMVM_NOWHERE ((SmvmAt)-1)
-SmvmAt smvm_at24(SmvmBytes image, SmvmAt at);
+SmvmAt smvm_at(SmvmBytes image, SmvmAt at, uint8_t bytes);
 
 // Reads a varint that must end before `end` and moves *at behind it; SMVM_NO_NUMBER, which is none, if it does not.
 #define SMVM_NO_NUMBER UINT32_MAX
@@ -153,9 +162,9 @@ static inline uint32_t smvm_window(SmvmBytes image, SmvmAt windows_at, SmvmAt w)
 
 // Start of function `index` in the code, from its start: 0 is the sample function, 1 + 3 * (s - 1) + b block b of state s.
 // A function ends where the next one starts.
-static inline uint32_t smvm_function_end(const SmvmMachine *m, SmvmAt index)
+static inline SmvmAt smvm_function_end(const SmvmMachine *m, SmvmAt index)
 {
-    return smvm_uint(m->image, (SmvmAt)(m->functions_at + index * m->width), (uint8_t)m->width);
+    return smvm_at(m->image, (SmvmAt)(m->functions_at + index * m->width), (uint8_t)m->width);
 }
 
 uint32_t smvm_shape(uint8_t opcode);                  // 0 if it is none

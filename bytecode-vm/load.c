@@ -19,9 +19,24 @@ uint32_t smvm_uint(SmvmBytes image, SmvmAt at, uint8_t bytes)
     return v;
 }
 
-SmvmAt smvm_at24(SmvmBytes image, SmvmAt at)
+static bool is_little(void)                            // the least significant byte of a number is the first in memory, as in an image
 {
-    const uint32_t v = smvm_uint(image, at, 3);
+    const uint16_t one = 1;
+
+    return *(const uint8_t *)&one == 1;
+}
+
+void smvm_get(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes)
+{
+    uint8_t *p = (uint8_t *)to;
+
+    for (uint8_t i = 0; i < bytes; i++)
+        p[is_little() ? i : bytes - 1 - i] = smvm_u8(image, at++);
+}
+
+SmvmAt smvm_at(SmvmBytes image, SmvmAt at, uint8_t bytes)
+{
+    const uint32_t v = smvm_uint(image, at, bytes);
 
     return v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v;
 }
@@ -55,6 +70,18 @@ uint32_t smvm_number(SmvmBytes image, SmvmAt *at, SmvmAt end)
     return from + v;
 }
 
+uint8_t smvm_shift(uint8_t type) { return smvm_type_shift(type); }
+
+// In units of 1 << shift; SMVM_NOWHERE where this target cannot hold it.
+static SmvmAt scaled(uint32_t v, uint8_t shift)
+{
+    SmvmAt at = v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v;
+
+    for (; shift > 0; shift--)
+        at = at > SMVM_NOWHERE / 2 ? SMVM_NOWHERE : (SmvmAt)(at + at);
+    return at;
+}
+
 uint8_t smvm_sections(SmvmBytes image) { return smvm_u8(image, SMVM_SECTIONS_AT); }
 
 SmvmSection smvm_section(SmvmBytes image, uint8_t index)
@@ -64,8 +91,8 @@ SmvmSection smvm_section(SmvmBytes image, uint8_t index)
 
     s.id = smvm_u8(image, at);
     s.version = smvm_u8(image, (SmvmAt)(at + 1));
-    s.at = smvm_at24(image, (SmvmAt)(at + 2));
-    s.size = smvm_at24(image, (SmvmAt)(at + 5));
+    s.at = smvm_at(image, (SmvmAt)(at + 2), 3);
+    s.size = smvm_at(image, (SmvmAt)(at + 5), 3);
     return s;
 }
 
@@ -79,15 +106,15 @@ typedef struct Reader {
 static SmvmAt read_number(Reader *r, uint8_t shift)              // in units of 1 << shift
 {
     uint32_t v;
+    SmvmAt at;
 
     if (r->rule != 0)
         return 0;
     v = smvm_number(r->image, &r->at, r->end);
-    if (v == SMVM_NO_NUMBER)
-        r->rule = SMVM_R_RECORD;
-    else if (v > (uint32_t)(SmvmAt)-1 >> shift)
-        r->rule = SMVM_R_RAM;
-    return (SmvmAt)(v << shift);
+    at = scaled(v, shift);
+    if (at == SMVM_NOWHERE)
+        r->rule = v == SMVM_NO_NUMBER ? SMVM_R_RECORD : SMVM_R_RAM;
+    return at;
 }
 
 static SmvmAt find_table(Reader *r, SmvmAt count, uint8_t bytes)
@@ -188,20 +215,13 @@ bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m)
     return number <= UINT8_MAX && smvm_look(image, (uint8_t)number, m) != SMVM_R_GROUP;
 }
 
-// An offset that this target cannot hold becomes SMVM_NOWHERE.
 SmvmPlace smvm_place(SmvmBytes image, SmvmAt at)
 {
     const uint8_t high = smvm_u8(image, (SmvmAt)(at + 2));
     SmvmPlace p;
 
     p.type = (SmType)(high & 0xf);
-    p.offset = (SmvmAt)smvm_uint(image, at, 2);
-    if (sizeof p.offset > 2)
-        p.offset = (SmvmAt)(p.offset | (uint32_t)(high & 0xf0) << 12);
-    else if (high & 0xf0)
-        p.offset = SMVM_NOWHERE;
-    for (uint8_t shift = smvm_type_shift(p.type); shift > 0; shift--)
-        p.offset = p.offset > SMVM_NOWHERE / 2 ? SMVM_NOWHERE : (SmvmAt)(p.offset + p.offset);
+    p.offset = scaled(smvm_uint(image, at, 2) | (uint32_t)(high & 0xf0) << 12, smvm_shift(high & 0xf));
     return p;
 }
 
@@ -279,26 +299,18 @@ static void lay_out(SmVm *vm, const SmvmMachine *m)
     vm->local = at;
 }
 
-static bool is_little(void)                            // the least significant byte of a number is the first in memory, as in an image
-{
-    const uint16_t one = 1;
-
-    return *(const uint8_t *)&one == 1;
-}
-
 static void set_locals(SmVm *vm, const SmvmMachine *m)
 {
     SmvmAt at = m->init_at;
 
     while (at < m->init_at + m->init_size) {
         SmvmPlace p = smvm_place(m->image, at);
-        uint8_t bytes = (uint8_t)(1u << smvm_type_shift(p.type));
+        uint8_t bytes = (uint8_t)(1u << smvm_shift((uint8_t)p.type));
         uint8_t *to = (uint8_t *)vm + vm->local + p.offset;
-        at = (SmvmAt)(at + SMVM_PLACE);
-        for (uint8_t i = 0; i < bytes; i++)
-            to[is_little() ? i : bytes - 1 - i] = smvm_u8(m->image, at++);
+        smvm_get(m->image, (SmvmAt)(at + SMVM_PLACE), to, bytes);
         if (p.type == SM_BOOL)
             *to = *to != 0;
+        at = (SmvmAt)(at + SMVM_PLACE + bytes);
     }
 }
 

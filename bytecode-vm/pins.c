@@ -79,7 +79,10 @@ static bool take_number(SmvmPins *p, SmF64 *x)
     bytes = type == SM_F32 ? 4 : 8;
     if ((type != SM_F32 && type != SM_F64) || high != 0 || low != 0 || (bits = take(p, bytes)) == 0)
         return false;
-    *x = type == SM_F32 ? sm_from_f32(sm_f32_from_bits(smvm_uint(p->image, bits, 4))) : sm_from_bits(smvm_cell(p->image, bits, 8));
+    if (type == SM_F32)
+        *x = sm_from_f32(sm_f32_from_bits(smvm_uint(p->image, bits, 4)));
+    else
+        smvm_get(p->image, bits, x, 8);
     return true;
 }
 
@@ -139,7 +142,7 @@ static bool is_zero(SmF64 x) { return (sm_bits(x) & 0x7FFFFFFFFFFFFFFFu) == 0; }
 static bool is_in_vector(const SmvmPins *p, const SmvmPin *pin)
 {
     const SmvmAt size = (SmvmAt)(8 * p->sv_size);
-    const uint8_t bytes = (uint8_t)(1u << smvm_type_shift(pin->type));
+    const uint8_t bytes = (uint8_t)(1u << smvm_shift(pin->type));
 
     return bytes <= size && pin->offset <= (SmvmAt)(size - bytes);
 }

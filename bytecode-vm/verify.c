@@ -17,11 +17,13 @@ enum { HAS_X = 1, HAS_Y = 2 };                        // registers that hold a n
 typedef struct Check {
     SmvmVerdict *v;
     SmvmAt at;                // where in the image the walk stands
-    SmvmAt start, end;        // the function it is in
+    SmvmAt entry;             // in the table of functions, of the function it is in
+    SmvmAt start, end;        // that function
     SmvmAt far;               // how far a jump of the function has led
     SmvmAt sampled;           // windows that have their sample
     uint8_t stat;             // that the instruction asks for
     uint8_t known;            // HAS_X, HAS_Y
+    bool over;                // control does not go on behind the last instruction
     SmvmIn in;
     SmvmMachine m;
     Longest way;
@@ -150,7 +152,7 @@ SMVM_APART static bool overlap(SmvmAt a, uint8_t bytes, SmvmAt b, uint8_t others
     return a < (SmvmAt)(b + others) && b < (SmvmAt)(a + bytes);
 }
 
-SMVM_APART static uint8_t size_of(SmType type) { return (uint8_t)(1u << smvm_type_shift(type)); }
+SMVM_APART static uint8_t size_of(SmType type) { return (uint8_t)(1u << smvm_shift((uint8_t)type)); }
 
 static bool check_outputs(Check *c)
 {
@@ -226,18 +228,29 @@ static bool check_sample(Check *c, SmvmAt at, SmvmAt w)
     return (c->in == SMVM_IN_SAMPLE && w == c->sampled++ && c->far <= at) || fail(c, SMVM_R_SAMPLE, at);
 }
 
+static bool check_sampled(Check *c, SmvmAt at)        // where a function ends
+{
+    return c->in != SMVM_IN_SAMPLE || c->sampled == c->m.windows || fail(c, SMVM_R_SAMPLE, at);
+}
+
 static bool check_stat(Check *c, SmvmAt at, SmvmAt w)
 {
-    if (!(smvm_window(c->m.image, c->m.windows_at, w) >> SMVM_WINDOW_SIZE_BITS & (uint32_t)SM_ROLL_AVG << c->stat))
+    const uint16_t kind = (uint16_t)(smvm_window(c->m.image, c->m.windows_at, w) >> 16);
+
+    if ((kind >> (SMVM_WINDOW_SIZE_BITS - 16) & SM_ROLL_AVG << c->stat) == 0)
         return fail(c, SMVM_R_WINDOW_USED, at);
     return w < c->sampled || fail(c, SMVM_R_SAMPLE, at);
 }
 
-// A number that follows an opcode, by the bit of the shape that announces it: it is one from `from` up to before `end`.
-static bool check_operand(Check *c, uint8_t op, uint16_t follows)
+// The bits of a shape that say what follows.
+enum { AN_L, AN_E, AN_N, AN_F, A_D, AN_O, AN_S, A_K, A_W, A_T, AN_M, A_J, FOLLOWS };
+typedef char verify_bits_are_those_of_shapes[1 << A_J == SMVM_SHAPE_J && (1 << FOLLOWS) - 1 == SMVM_SHAPE_FOLLOWS ? 1 : -1];
+
+// A number that follows an opcode: it is one from `from` up to before `end`.
+static bool check_operand(Check *c, uint8_t op, uint8_t follows)
 {
     const SmvmMachine *m = &c->m;
-    const uint8_t shift = smvm_type_shift(op & 0xf);
+    const uint8_t shift = smvm_shift(op & 0xf);
     const SmvmAt at = c->at;
     const uint32_t v = smvm_number(m->image, &c->at, c->end);
     const SmvmAt n = v < SMVM_NOWHERE ? (SmvmAt)v : SMVM_NOWHERE;
@@ -247,38 +260,38 @@ static bool check_operand(Check *c, uint8_t op, uint16_t follows)
     if (v == SMVM_NO_NUMBER)
         return fail(c, SMVM_R_TRUNCATED, c->at);
     switch (follows) {
-    case SMVM_SHAPE_L: end = m->locals >> shift; break;
-    case SMVM_SHAPE_E:
+    case AN_L: end = m->locals >> shift; break;
+    case AN_E:
         from = m->from >> shift;
         end = m->to >> shift;
         break;
-    case SMVM_SHAPE_F: end = m->f32s; break;
-    case SMVM_SHAPE_D: end = m->f64s; break;
-    case SMVM_SHAPE_O: end = m->outputs; break;
-    case SMVM_SHAPE_S:
+    case AN_F: end = m->f32s; break;
+    case A_D: end = m->f64s; break;
+    case AN_O: end = m->outputs; break;
+    case AN_S:
         from = 1;
         end = (SmvmAt)(c->in == SMVM_IN_ENTRY || c->in == SMVM_IN_STEP ? m->states + 1u : 0);
         rule = SMVM_R_GOTO;
         break;
-    case SMVM_SHAPE_K:
+    case A_K:
         end = SM_STAT_COUNT;
         c->stat = (uint8_t)n;
         break;
-    case SMVM_SHAPE_W:
+    case A_W:
         end = m->windows;
         rule = SMVM_R_WINDOW_USED;
         break;
-    case SMVM_SHAPE_T: end = SM_TYPE_COUNT; break;
-    case SMVM_SHAPE_M:
+    case A_T: end = SM_TYPE_COUNT; break;
+    case AN_M:
         from = 1;
         end = 15;
         break;
-    case SMVM_SHAPE_J: return check_jump(c, at, n);
+    case A_J: return check_jump(c, at, n);
     default: return true;                             // N
     }
     if (n < from || n >= end)
         return fail(c, rule, at);
-    if (follows != SMVM_SHAPE_W)
+    if (follows != A_W)
         return true;
     return op == SMVM_sample ? check_sample(c, at, n) : check_stat(c, at, n);
 }
@@ -303,68 +316,64 @@ static bool check_instruction(Check *c, uint8_t op)
 {
     const uint32_t shape = smvm_shape(op);
     const SmvmAt at = (SmvmAt)(c->at - 1);
+    uint16_t follows = shape & SMVM_SHAPE_FOLLOWS;
 
     if (shape == 0)
         return fail(c, SMVM_R_OPCODE, at);
     if (!check_registers(c, shape))
         return false;
-    for (uint16_t bit = 1; bit & SMVM_SHAPE_FOLLOWS; bit = (uint16_t)(bit << 1))
-        if (shape & bit && !check_operand(c, op, bit))
+    for (uint8_t i = 0; follows != 0; i++, follows >>= 1)
+        if (follows & 1 && !check_operand(c, op, i))
             return false;
-    return op != SMVM_end || c->in != SMVM_IN_SAMPLE || c->sampled == c->m.windows || fail(c, SMVM_R_SAMPLE, at);
+    c->over = (shape & SMVM_SHAPE_Z) != 0;
+    return op != SMVM_end || check_sampled(c, at);
 }
 
-static bool does_not_go_on(uint8_t op) { return op == SMVM_end || op == SMVM_goto || op == SMVM_jmp; }
-
-static bool check_function(Check *c, SmvmAt end)
+static bool check_function(Check *c)
 {
-    uint8_t op = SMVM_end;
-
     c->at = c->far = c->start;
     c->known = 0;
-    c->end = end;
+    c->over = true;
     longest_begin(&c->way);
     while (c->at < c->end) {
+        uint8_t op;
         longest_arrive(&c->way, c->at);
         op = smvm_u8(c->m.image, c->at++);
         if (!check_instruction(c, op))
             return false;
-        if (does_not_go_on(op))
+        if (c->over)
             longest_leave(&c->way, op);
     }
     longest_end(&c->way, c->in);
-    if (c->in == SMVM_IN_SAMPLE && c->sampled != c->m.windows)
-        return fail(c, SMVM_R_SAMPLE, c->at);
-    return does_not_go_on(op) || fail(c, SMVM_R_FALLS_OUT, c->at);
+    return check_sampled(c, c->at) && (c->over || fail(c, SMVM_R_FALLS_OUT, c->at));
 }
 
-// Checks the function whose end is entry `index`, and goes on to the next.
-static bool check_next(Check *c, SmvmIn in, SmvmAt index)
+// Checks the function whose end is the next entry.
+static bool check_next(Check *c)
 {
-    const uint32_t size = smvm_function_end(&c->m, index);
+    const SmvmAt size = smvm_at(c->m.image, c->entry, (uint8_t)c->m.width);
 
-    c->in = in;
-    if (size > c->m.code_size || c->m.code_at + size < c->start)
-        return fail(c, SMVM_R_FUNCTIONS, (SmvmAt)(c->m.functions_at + index * c->m.width));
-    if (!check_function(c, (SmvmAt)(c->m.code_at + size)))
+    c->end = (SmvmAt)(c->m.code_at + size);
+    if (size > c->m.code_size || c->end < c->start)
+        return fail(c, SMVM_R_FUNCTIONS, c->entry);
+    if (!check_function(c))
         return false;
     c->start = c->end;
     return true;
 }
 
+// The sample function; then for each state entry, step and exit.
 static bool check_code(Check *c)
 {
-    const SmvmAt last = (SmvmAt)(3 * c->m.states);
-
     c->start = c->m.code_at;
     c->sampled = 0;
-    if (!check_next(c, SMVM_IN_SAMPLE, 0))
-        return false;
-    for (SmvmAt i = 0; i < last; i = (SmvmAt)(i + 3))
-        if (!check_next(c, SMVM_IN_ENTRY, (SmvmAt)(i + 1)) || !check_next(c, SMVM_IN_STEP, (SmvmAt)(i + 2))
-            || !check_next(c, SMVM_IN_EXIT, (SmvmAt)(i + 3)))
+    c->in = SMVM_IN_SAMPLE;
+    for (c->entry = c->m.functions_at; c->entry < c->m.f32s_at; c->entry = (SmvmAt)(c->entry + c->m.width)) {
+        if (!check_next(c))
             return false;
-    return c->start == c->m.code_at + c->m.code_size || fail(c, SMVM_R_FUNCTIONS, (SmvmAt)(c->m.functions_at + last * c->m.width));
+        c->in = c->in == SMVM_IN_EXIT ? SMVM_IN_ENTRY : (SmvmIn)(c->in + 1);
+    }
+    return c->start == c->m.code_at + c->m.code_size || fail(c, SMVM_R_FUNCTIONS, (SmvmAt)(c->entry - c->m.width));
 }
 
 // ---- the whole ----

@@ -94,13 +94,14 @@ bool sm_link_receive(LinkReceiver *r, uint8_t byte)
         return r->done;
     }
     if (r->left > 0) {
-        keep(r, byte);
         r->left--;
-        return false;
+        keep(r, byte);
+    } else {
+        const bool zero = r->code != 0xff;
+        r->code = byte;
+        r->left = (uint8_t)(byte - 1);
+        if (zero)
+            keep(r, 0);
     }
-    if (r->code != 0xff)
-        keep(r, 0);
-    r->code = byte;
-    r->left = (uint8_t)(byte - 1);
     return false;
 }
