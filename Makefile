@@ -379,11 +379,18 @@ CHECK_LINES += "avr: sh tests/avr/run.sh $(B) '$(CC)'"
 check-avr: all $(B)/diff/difftest
 	sh tests/avr/run.sh $(B) '$(CC)' $(N) $(SEED) 300
 
+# The cycles of compiler/analysis/avr_cycles.def.  `make avr-cycles`: measured anew, some minutes; `N=4000 SEED=7`: more operands, others.
+CHECK_LINES += "avr-cycles: sh tests/avr/cycles.sh $(B) '$(CC)'"
+avr-cycles: $(B)/libsmc.a
+	sh tests/avr/cycles.sh $(B) '$(CC)' make $(or $(N),800) $(or $(SEED),1)
+check-avr-cycles: $(B)/libsmc.a
+	sh tests/avr/cycles.sh $(B) '$(CC)' check $(N) $(SEED)
+
 # Emitted C there.  `make avr-c-campaign N=1000`: so many random programs, going on where it was stopped, and every conformance case.
 CHECK_LINES += "avr-c: sh tests/avr/c.sh $(B) '$(CC)'"
 avr-c-campaign: all $(B)/diff/difftest $(B)/targets/cases
 	RESUME=1 sh tests/avr/c.sh $(B) '$(CC)' $(N) $(SEED) 1
-.PHONY: check-avr avr-c-campaign
+.PHONY: check-avr avr-cycles check-avr-cycles avr-c-campaign
 
 # tests/psl: what the headers of runtime-c/pal promise, on each platform, and what io.h makes of its pins.  Linux: with IIO devices in a folder of the test, and with
 # calls that the test can let fail; the other watchdog is only compiled.
@@ -741,6 +748,7 @@ help:
 	@echo 'make test T=FILE     runs some conformance cases on every engine'
 	@echo 'make diff N=100000   runs so many random programs on all engines, from seed SEED=1, in J=2 processes'
 	@echo 'make f64-campaign N=100000000  tries soft binary64 on so many random operands for each operation'
+	@echo 'make avr-cycles      measures anew what instructions take on an ATmega328P, for reports'
 	@echo 'make avr-c-campaign N=1000  runs so many random programs as C on an emulated ATmega328P, and every conformance case'
 	@echo 'make sound N=100000  runs so many random programs and holds them against what the analyses say of them'
 	@echo 'make stress-runtime  N=1000000 steps of random applications of the flight runtime, from SEED=1; make lateness: how late ticks begin here'

@@ -8,6 +8,7 @@
 
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
+#include "compiler/analysis/cycles.h"
 
 typedef enum WayEnd { WAY_ENDS, WAY_LEAVES, WAYS } WayEnd;        // in `end`, in `goto`
 
@@ -15,8 +16,8 @@ typedef struct Ins {
     uint32_t at;                  // in the image
     uint8_t op;
     uint32_t to;                  // where it jumps, in the image; 0: it does not
-    uint32_t line;
-    uint32_t left[WAYS];          // instructions of the longest way from here on, itself included; 0: there is none
+    uint32_t line, units;         // what it takes itself
+    uint32_t left[WAYS];          // what the longest way from here on takes, itself included; 0: there is none
 } Ins;
 
 typedef struct Fn {
@@ -28,7 +29,10 @@ typedef struct Fn {
 
 typedef struct Reader {
     Arena *arena;
+    CostUnit unit;
+    uint32_t always;              // what a step takes beside its functions
     SmvmMachine m;
+    Cycles cycles;                // behind the last instruction that was read
     SmvmLines lines;              // the next line that has not begun
     bool more;                    // there is one
     uint32_t line;                // of the instruction being read
@@ -51,14 +55,15 @@ static uint32_t read_ins(Reader *r, uint32_t at, uint32_t end, Ins *out)
 {
     const uint8_t op = smvm_u8(r->m.image, at);
     const bool jumps = smvm_shape(op) & SMVM_SHAPE_J;
-    uint32_t next = at + 1, number = 0;
+    uint32_t next = at + 1, number[2] = {0, 0};
+    unsigned n = 0;
 
     find_line(r, at);
-    *out = (Ins){at, op, 0, r->line, {0, 0}};
-    while (next < end && smvm_u8(r->m.image, next) < SMVM_OP_LEAST)
-        smvm_varint(r->m.image, &next, end, &number);
+    while (next < end && n < 2 && smvm_u8(r->m.image, next) < SMVM_OP_LEAST)
+        smvm_varint(r->m.image, &next, end, &number[n++]);
+    *out = (Ins){at, op, 0, r->line, r->unit == COST_INSTRUCTIONS ? 1 : cycles_of(&r->cycles, op, number, n), {0, 0}};
     if (jumps)                                        // how far is the last number
-        out->to = next + number;
+        out->to = next + number[n - 1];
     return next;
 }
 
@@ -94,11 +99,11 @@ static void look_back_from(Fn *f, uint32_t i)
     Ins *ins = &f->ins[i];
     const Ins *next = goes_on(ins) ? ins + 1 : NULL, *target = ins->to ? &f->ins[find_ins(f, ins->to)] : NULL;
 
-    ins->left[WAY_ENDS] = ins->op == SMVM_end;
-    ins->left[WAY_LEAVES] = ins->op == SMVM_goto;
+    ins->left[WAY_ENDS] = ins->op == SMVM_end ? ins->units : 0;
+    ins->left[WAY_LEAVES] = ins->op == SMVM_goto ? ins->units : 0;
     for (int w = 0; w < WAYS; w++) {
         const uint32_t most = larger(next ? next->left[w] : 0, target ? target->left[w] : 0);
-        ins->left[w] = most ? most + 1 : ins->left[w];
+        ins->left[w] = most ? most + ins->units : ins->left[w];
     }
 }
 
@@ -122,12 +127,12 @@ static Fn read_function(Reader *r, uint32_t index)
 
 // ---- the way as lines ----
 
-static void put_line(Reader *r, StateCost *s, CostPart part, uint32_t line)
+static void put_line(Reader *r, StateCost *s, CostPart part, const Ins *ins)
 {
-    CostLine *last = s->way.n ? &s->way.at[s->way.n - 1] : NULL, fresh = {part, line, 1};
+    CostLine *last = s->way.n ? &s->way.at[s->way.n - 1] : NULL, fresh = {part, ins->line, ins->units};
 
-    if (last && last->part == part && last->line == line)
-        last->instructions++;
+    if (last && last->part == part && last->line == ins->line)
+        last->units += ins->units;
     else
         vec_push(r->arena, &s->way, fresh);
 }
@@ -136,10 +141,10 @@ static void follow(Reader *r, StateCost *s, const Fn *f, CostPart part, WayEnd w
 {
     for (uint32_t i = 0; i < f->n;) {
         const Ins *ins = &f->ins[i];
-        put_line(r, s, part, ins->line);
-        if (ins->left[way] == 1)
+        put_line(r, s, part, ins);
+        if (ins->op == SMVM_end || ins->op == SMVM_goto)
             return;
-        i = goes_on(ins) && ins[1].left[way] + 1 == ins->left[way] ? i + 1 : find_ins(f, ins->to);
+        i = goes_on(ins) && ins[1].left[way] + ins->units == ins->left[way] ? i + 1 : find_ins(f, ins->to);
     }
 }
 
@@ -153,7 +158,7 @@ static void consider(Step *best, Step s)
         *best = s;
 }
 
-// The longest of the ways that `.step` can go, after `before` instructions.
+// The longest of the ways that `.step` can go, after what `s` took before.
 static void consider_step(Step *best, const Fn *f, Step s)
 {
     const uint32_t before = s.n;
@@ -206,8 +211,8 @@ static void cost_of_state(Reader *r, uint32_t state, const Fn *sample, StateCost
     first = longest_first(f);
     if (f[BLOCK_ENTRY].ends && f[BLOCK_STEP].ends)                // else its first step is its last
         consider_step(&later, f, later);
-    s->first = sample->longest[WAY_ENDS] + first.n;
-    s->later = f[BLOCK_ENTRY].ends && f[BLOCK_STEP].ends ? sample->longest[WAY_ENDS] + later.n : 0;
+    s->first = r->always + sample->longest[WAY_ENDS] + first.n;
+    s->later = f[BLOCK_ENTRY].ends && f[BLOCK_STEP].ends ? r->always + sample->longest[WAY_ENDS] + later.n : 0;
     s->worst = larger(s->first, s->later);
     follow_step(r, s, sample, f, first.n >= later.n ? &first : &later);
 }
@@ -234,7 +239,15 @@ static void weigh(Reader *r, Cost *out)
     out->own = out->ram - out->locals - out->windows;
 }
 
-void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, Cost *out)
+static void begin(Reader *r, CostUnit unit)
+{
+    r->unit = unit;
+    r->more = smvm_next_line(&r->m, &r->lines);
+    if (unit != COST_INSTRUCTIONS)
+        r->always = cycles_begin(&r->cycles, unit == COST_CYCLES_FLASH ? CYCLES_FLASH : CYCLES_EEPROM, &r->m);
+}
+
+void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, CostUnit unit, Cost *out)
 {
     Reader r;
     Fn sample;
@@ -243,7 +256,7 @@ void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, Cost *
     memset(out, 0, sizeof *out);
     r.arena = arena;
     smvm_machine(image, number, &r.m);
-    r.more = smvm_next_line(&r.m, &r.lines);
+    begin(&r, unit);
     sample = read_function(&r, 0);
     out->sample = sample.longest[WAY_ENDS];
     out->states = r.m.states;
@@ -264,9 +277,9 @@ const CostLine *cost_next_dearest(const StateCost *s, const CostLine *before)
 
     for (size_t i = 0; i < s->way.n; i++) {
         const CostLine *l = &s->way.at[i];
-        if (before && (l->instructions > before->instructions || (l->instructions == before->instructions && l <= before)))
+        if (before && (l->units > before->units || (l->units == before->units && l <= before)))
             continue;
-        if (l->line && (!most || l->instructions > most->instructions))
+        if (l->line && (!most || l->units > most->units))
             most = l;
     }
     return most;

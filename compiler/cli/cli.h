@@ -107,7 +107,7 @@ void warnings_apply(const Warnings *w, Diags *d);
 // What is wrong with the words: "no warning is called 'x'; did you mean 'y'?"; NULL if nothing is.
 const char *warnings_complaint(Arena *arena, const Warnings *w);
 
-// ---- limits.c: --step, --max-ram and --max-step ----
+// ---- limits.c: --step, --max-ram, --max-step and --max-cycles ----
 
 bool limits_known(Cli *c);                // takes --step; false after a message: one of them is no number
 bool limits_given(const Cli *c);

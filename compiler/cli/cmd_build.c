@@ -305,7 +305,7 @@ static int check_use(Cli *c, Emit emit, FileKind *first)
     if (c->given[OPT_SOFT] && emit != EMIT_C)
         return cli_usage(c, "--soft speaks of emitted C: say --emit=c too");
     if (limits_given(c) && !is_image(emit))
-        return cli_usage(c, "--max-ram and --max-step speak of bytecode, not of --emit=%s", emit_name[emit]);
+        return cli_usage(c, "--max-ram, --max-step and --max-cycles speak of bytecode, not of --emit=%s", emit_name[emit]);
     if (!limits_known(c))
         return EXIT_USAGE;
     if (c->given[OPT_PREFIX] && emit_c_prefix_error(c->value[OPT_PREFIX]))

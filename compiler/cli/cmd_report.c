@@ -63,7 +63,9 @@ static bool weigh(ReportCommand *x)
     s->hide_locals = false;
     if (!make_image(x, m, false, &image) || !make_image(x, m, true, &with_lines))
         return false;
-    cost_of_machine(&s->arena, (const uint8_t *)with_lines.at, 0, &x->r.cost);
+    cost_of_machine(&s->arena, (const uint8_t *)with_lines.at, 0, COST_INSTRUCTIONS, &x->r.cost);
+    cost_of_machine(&s->arena, (const uint8_t *)with_lines.at, 0, COST_CYCLES_FLASH, &x->r.flash);
+    cost_of_machine(&s->arena, (const uint8_t *)with_lines.at, 0, COST_CYCLES_EEPROM, &x->r.eeprom);
     x->r.image = (const uint8_t *)image.at;
     x->r.image_size = image.n;
     return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// --step, and --max-ram and --max-step: a machine that takes more than a board gives is an error, found where it is built.
+// --step, and --max-ram, --max-step and --max-cycles: a machine that takes more than a board gives is an error, found where it is built.
 #include "compiler/analysis/cost.h"
 #include "compiler/cli/cli.h"
 
@@ -32,10 +32,11 @@ bool limits_known(Cli *c)
 {
     if (c->given[OPT_STEP])
         c->session.step = number_in(c->value[OPT_STEP]);
-    return limit_is_number(c, OPT_STEP, "--step") && limit_is_number(c, OPT_MAX_RAM, "--max-ram") && limit_is_number(c, OPT_MAX_STEP, "--max-step");
+    return limit_is_number(c, OPT_STEP, "--step") && limit_is_number(c, OPT_MAX_RAM, "--max-ram") && limit_is_number(c, OPT_MAX_STEP, "--max-step")
+        && limit_is_number(c, OPT_MAX_CYCLES, "--max-cycles");
 }
 
-bool limits_given(const Cli *c) { return c->given[OPT_MAX_RAM] || c->given[OPT_MAX_STEP]; }
+bool limits_given(const Cli *c) { return c->given[OPT_MAX_RAM] || c->given[OPT_MAX_STEP] || c->given[OPT_MAX_CYCLES]; }
 
 static const char *number_text(Cli *c, uint32_t n) { return format_in(&c->session.arena, "%lu", (unsigned long)n); }
 
@@ -93,22 +94,22 @@ static void note_lines(Cli *c, const Program *p, const StateCost *s, Diag *diag)
 
     for (int i = 0; i < LINES_SHOWN && (l = cost_next_dearest(s, l)) != NULL; i++)
         diag_note(&c->session.diags, diag, span_of_line(p->src, l->line),
-                  l->part == COST_SAMPLE ? DIAG_note_line_samples : DIAG_note_line_takes, number_text(c, l->instructions));
+                  l->part == COST_SAMPLE ? DIAG_note_line_samples : DIAG_note_line_takes, number_text(c, l->units));
 }
 
-static void check_step(Cli *c, const Program *p, const Cost *cost, uint32_t most)
+static void check_step(Cli *c, const Program *p, const Cost *cost, DiagCode code, uint32_t most)
 {
     const State *state = p->state.at[cost->worst_state - 1];
     Diag *diag;
 
     if (cost->worst <= most)
         return;
-    diag = diag_report(&c->session.diags, DIAG_limit_step, state->span, p->name->text, state->name->text,
-                       number_text(c, cost->worst), number_text(c, most));
+    diag = diag_report(&c->session.diags, code, state->span, p->name->text, state->name->text, number_text(c, cost->worst),
+                       number_text(c, most));
     note_lines(c, p, &cost->state[cost->worst_state - 1], diag);
 }
 
-// ---- both ----
+// ---- all ----
 
 void limits_check(Cli *c, const Program *p, IrMachine *m)
 {
@@ -119,9 +120,13 @@ void limits_check(Cli *c, const Program *p, IrMachine *m)
     buf_init(&image, &c->session.arena);
     if (!session_image(&c->session, &m, 1, &with_lines, &image))
         return;
-    cost_of_machine(&c->session.arena, (const uint8_t *)image.at, 0, &cost);
+    cost_of_machine(&c->session.arena, (const uint8_t *)image.at, 0, COST_INSTRUCTIONS, &cost);
     if (c->given[OPT_MAX_RAM])
         check_ram(c, p, &cost, number_in(c->value[OPT_MAX_RAM]));
     if (c->given[OPT_MAX_STEP])
-        check_step(c, p, &cost, number_in(c->value[OPT_MAX_STEP]));
+        check_step(c, p, &cost, DIAG_limit_step, number_in(c->value[OPT_MAX_STEP]));
+    if (!c->given[OPT_MAX_CYCLES])
+        return;
+    cost_of_machine(&c->session.arena, (const uint8_t *)image.at, 0, COST_CYCLES_EEPROM, &cost);
+    check_step(c, p, &cost, DIAG_limit_cycles, number_in(c->value[OPT_MAX_CYCLES]));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The VM on an emulated ATmega328P in lock step with the VM of this computer: the same verdict, and after every step the same state
 // vector, locals, outputs stored and next state.
-//   run_vm ELF STEPS LO HI IMAGE.smb…     the first machine of each image; those that need more room than the chip has are skipped.  Inputs
+//   run_vm ELF STEPS LO HI IMAGE.smb…     ESTIMATE=1: no step takes more cycles than cost.h says of its machine.  The first machine of each image; those that need more room than the chip has are skipped.  Inputs
 //                                         are random numbers from LO to HI; if both are 0 they are anything, time may stand still,
 //                                         and the machine begins anew at any of its states from time to time
 #include <stdio.h>
@@ -10,9 +10,11 @@
 
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
+#include "compiler/analysis/cost.h"
 #include "stdlib/convert.h"
 #include "tests/avr/mailbox.h"
 #include "tests/avr/sim.h"
+#include "tests/unit/host.h"
 
 enum { RESTART = 97 };        // steps from one initialising to the next
 
@@ -166,6 +168,30 @@ static bool run(Pair *p, unsigned long steps)
     return step(p, UINT64_MAX) && step(p, UINT64_MAX - 1);
 }
 
+static uint32_t estimate(const Pair *p, const uint8_t *image)
+{
+    Arena arena;
+    Cost cost;
+
+    HOST_ARENA(&arena);
+    cost_of_machine(&arena, image, 0, p->box->image < 0x8000 ? COST_CYCLES_FLASH : COST_CYCLES_EEPROM, &cost);
+    arena_free(&arena);
+    return cost.worst;
+}
+
+static void tell(const Pair *p, const char *path, const uint8_t *image)
+{
+    printf("%s: %lu steps, %.0f cycles on average, %lu at most", path, (unsigned long)p->steps, (double)p->sum / (double)p->steps,
+           (unsigned long)p->most);
+    passed++;
+    if (getenv("ESTIMATE")) {
+        printf(", %lu estimated", (unsigned long)estimate(p, image));
+        failed += p->most > estimate(p, image);
+        printf("%s", p->most > estimate(p, image) ? ": too little" : "");
+    }
+    puts("");
+}
+
 static void test(Pair *p, const char *path, unsigned long steps)
 {
     static uint8_t image[0x10000];
@@ -189,9 +215,7 @@ static void test(Pair *p, const char *path, unsigned long steps)
     p->sum = p->steps = p->most = 0;
     p->state = 88172645463325252u;
     if (ask(p, VM_VERIFY) && p->box->result == 0 && start(p, 1) && run(p, steps)) {
-        passed++;
-        printf("%s: %lu steps, %.0f cycles on average, %lu at most\n", path, (unsigned long)p->steps, (double)p->sum / (double)p->steps,
-               (unsigned long)p->most);
+        tell(p, path, image);
     } else if (p->box->what == VM_INIT && p->box->result == SM_E_MEMORY)
         skipped++;
     else {

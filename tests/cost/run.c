@@ -38,7 +38,7 @@ static uint32_t sum_of_way(const StateCost *s)
     uint32_t n = 0;
 
     for (size_t i = 0; i < s->way.n; i++)
-        n += s->way.at[i].instructions;
+        n += s->way.at[i].units;
     return n;
 }
 
@@ -55,6 +55,21 @@ static void check_cost(const Counted *c)
     CHECK(c->cost.ram == smvm_ram_size(&c->m) && c->cost.own >= sizeof(SmVm));
 }
 
+// In cycles the same states are weighed: each has a way that is part of its worst step, and one from EEPROM takes longer than from flash.
+static void check_cycles(Arena *arena, const Counted *c)
+{
+    Cost flash, eeprom;
+
+    cost_of_machine(arena, (const uint8_t *)c->image.at, 0, COST_CYCLES_FLASH, &flash);
+    cost_of_machine(arena, (const uint8_t *)c->image.at, 0, COST_CYCLES_EEPROM, &eeprom);
+    CHECK(flash.states == c->cost.states && flash.ram == c->cost.ram);
+    for (uint32_t s = 0; s < c->cost.states; s++) {
+        const uint32_t always = flash.state[s].worst - sum_of_way(&flash.state[s]);
+        CHECK(always == flash.state[0].worst - sum_of_way(&flash.state[0]) && always > 0);
+        CHECK((flash.state[s].way.n == 0) == (c->cost.state[s].worst == 0) && flash.state[s].worst < eeprom.state[s].worst);
+    }
+}
+
 static bool open_machine(Counted *c, Session *s, const Program *p, int level, bool debug)
 {
     const ImageOptions o = {debug, NULL};
@@ -64,8 +79,9 @@ static bool open_machine(Counted *c, Session *s, const Program *p, int level, bo
     if (!session_image(s, &m, 1, &o, &c->image))
         return false;
     smvm_machine((const uint8_t *)c->image.at, 0, &c->m);
-    cost_of_machine(&s->arena, (const uint8_t *)c->image.at, 0, &c->cost);
+    cost_of_machine(&s->arena, (const uint8_t *)c->image.at, 0, COST_INSTRUCTIONS, &c->cost);
     check_cost(c);
+    check_cycles(&s->arena, c);
     c->sv = (SmvmVector){arena_alloc(&s->arena, p->sv->size), p->sv->size, p->sv->hash};
     c->vm = arena_alloc(&s->arena, smvm_ram_size(&c->m));
     c->most_first = ARENA_ARRAY(&s->arena, uint32_t, c->m.states);

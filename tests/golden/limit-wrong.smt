@@ -13,7 +13,7 @@ smc: --max-step wants a whole number from 1, not 'many'
 Try 'smc build --help'.
 smc: --max-ram wants a whole number from 1, not '0'
 Try 'smc check --help'.
-smc: --max-ram and --max-step speak of bytecode, not of --emit=c
+smc: --max-ram, --max-step and --max-cycles speak of bytecode, not of --emit=c
 Try 'smc build --help'.
 -- exit --
 2 2 2

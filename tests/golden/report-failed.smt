@@ -42,17 +42,18 @@ At a glance
 The machine has 1 state and begins in `Idle`. It watches `x`. It drives `valve`. Once in `Idle`, it
 stays there.
 
-  States            1
-  Transitions       0
+  States             1
+  Transitions        0
   Findings          [..]
-  Scripts           0 of 2 passed
-  Seen by scripts   1 of 1 states, 0 of 0 ways
-  Longest step      5 instructions, in Idle
-  Memory on the VM  56 bytes
-  Image             76 bytes
-  Image CRC         f712cd1a
-  Source identity   2f257f5f61796867
-  State vector      the machine's own
+  Scripts            0 of 2 passed
+  Seen by scripts    1 of 1 states, 0 of 0 ways
+  Longest step       5 instructions, in Idle
+  On an Arduino Uno  about [..] ms
+  Memory on the VM   56 bytes
+  Image              76 bytes
+  Image CRC          f712cd1a
+  Source identity    2f257f5f61796867
+  State vector       the machine's own
 
 What it does in each state
 --------------------------
@@ -96,12 +97,23 @@ Instructions of the VM in the longest step of each state, found on the very imag
 step can take more. The first step of a state runs `.entry` too, and a step that leaves runs
 `.exit`.
 
-  State  Its first step  Any other step  Dearest lines of its longest step
-  Idle                5               5  line 8: 5
+  State  Its first step  Any other step  Dearest lines of its longest step  Cycles on an Uno
+  Idle                5               5  line 8: 5[..]
 
 The longest step, in `Idle`
   In     Line  Statement      Instructions
   .step     8  valve = x > 5             5
+
+On an Arduino Uno
+What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the
+most that was seen in measurements counts, whatever numbers it works on. Steps mostly take less, a
+third to four fifths of it in tests; that none can take more is not proved. What emitted C takes
+there depends on its compiler and is not estimated.
+
+  Part                                        Takes
+  Worst step, image in EEPROM[..] ms
+  Worst step, image in flash[..] ms
+  Stack below a step, the most that was seen[..] bytes
 
 Memory
 RAM of this machine on the VM of a computer with pointers of 64 bits; a board with shorter ones

@@ -65,17 +65,18 @@ Fills a tank.
 The machine has 4 states and begins in `Idle`. It watches `level`. It drives `valve`. Once in one
 of `Done`, `Abort`, it stays there.
 
-  States            4
-  Transitions       3
+  States             4
+  Transitions        3
   Findings          [..]
-  Scripts           1 of 1 passed
-  Seen by scripts   3 of 4 states, 2 of 3 ways
-  Longest step      16 instructions, in Fill
-  Memory on the VM  120 bytes
-  Image             152 bytes
-  Image CRC         afa85eee
-  Source identity   5acf0981b6a5ecb5
-  State vector      the machine's own
+  Scripts            1 of 1 passed
+  Seen by scripts    3 of 4 states, 2 of 3 ways
+  Longest step       16 instructions, in Fill
+  On an Arduino Uno  about [..] ms
+  Memory on the VM   120 bytes
+  Image              152 bytes
+  Image CRC          afa85eee
+  Source identity    5acf0981b6a5ecb5
+  State vector       the machine's own
 
 What it does in each state
 --------------------------
@@ -175,11 +176,11 @@ step can take more. The first step of a state runs `.entry` too, and a step that
 3 instructions of each step give the windows their samples; what a sample takes beyond its
 instruction depends on the window.
 
-  State  Its first step  Any other step  Dearest lines of its longest step
-  Idle                8               8  line 17: 5, line 27 (samples): 3
-  Fill               16              13  line 31: 5, line 27 (samples): 3, line 24: 3
-  Done                3               3  line 27 (samples): 3
-  Abort               6               3  line 27 (samples): 3, line 40: 3
+  State  Its first step  Any other step  Dearest lines of its longest step             Cycles on an Uno
+  Idle                8               8  line 17: 5, line 27 (samples): 3[..]
+  Fill               16              13  line 31: 5, line 27 (samples): 3, line 24: 3[..]
+  Done                3               3  line 27 (samples): 3[..]
+  Abort               6               3  line 27 (samples): 3, line 40: 3[..]
 
 The longest step, in `Fill`
   In       Line  Statement                                       Instructions
@@ -189,6 +190,17 @@ The longest step, in `Fill`
   .step      28  if T > 60000: -> Abort                                     2
   .step      29  else if T > 50000: valve = false                           1
   .step      31  valve = T < 40000                                          5
+
+On an Arduino Uno
+What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the
+most that was seen in measurements counts, whatever numbers it works on. Steps mostly take less, a
+third to four fifths of it in tests; that none can take more is not proved. What emitted C takes
+there depends on its compiler and is not estimated.
+
+  Part                                        Takes
+  Worst step, image in EEPROM[..] ms
+  Worst step, image in flash[..] ms
+  Stack below a step, the most that was seen[..] bytes
 
 Memory
 RAM of this machine on the VM of a computer with pointers of 64 bits; a board with shorter ones

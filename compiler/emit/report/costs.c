@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // What it costs: the longest steps with the lines that make them, and bytes.
+#include "compiler/analysis/cycles.h"
 #include "compiler/emit/report/report.h"
 #include "compiler/emit/report/words.h"
 
 static const DocColumn step_columns[] = {
-    {"state", "State"}, {"first", "Its first step"}, {"later", "Any other step"}, {"dearest", "Dearest lines of its longest step"}};
+    {"state", "State"}, {"first", "Its first step"}, {"later", "Any other step"}, {"dearest", "Dearest lines of its longest step"},
+    {"cycles", "Cycles on an Uno"}};
 static const DocColumn byte_columns[] = {{"part", "Part"}, {"bytes", "Bytes"}};
+static const DocColumn board_columns[] = {{"part", "Part"}, {"takes", "Takes"}};
 static const DocColumn way_columns[] = {{"block", "In"}, {"line", "Line"}, {"text", "Statement"}, {"instructions", "Instructions"}};
 
 // ---- where the time goes ----
+
+const char *report_cycles(const Report *r, uint32_t cycles)
+{
+    enum { MHZ = 16 };                                // of a stock Uno
+    const unsigned long hundredths = (cycles + 10 * MHZ - 1) / (10 * MHZ);
+
+    return format_in(r->arena, "%lu cycles, %lu.%02lu ms", (unsigned long)cycles, hundredths / 100, hundredths % 100);
+}
 
 static const char *dearest(const Report *r, const StateCost *s)
 {
@@ -19,7 +30,7 @@ static const char *dearest(const Report *r, const StateCost *s)
     buf_init(&b, r->arena);
     for (int i = 0; i < SHOWN && (l = cost_next_dearest(s, l)) != NULL; i++)
         buf_printf(&b, "%sline %lu%s: %lu", b.n ? ", " : "", (unsigned long)l->line, l->part == COST_SAMPLE ? " (samples)" : "",
-                   (unsigned long)l->instructions);
+                   (unsigned long)l->units);
     return buf_text(&b);
 }
 
@@ -33,6 +44,7 @@ static void put_steps(const Report *r, Doc *d)
         cell_bar(t, c->state[i].first, c->worst);
         cell_bar(t, c->state[i].later, c->worst);
         cell_plain(t, dearest(r, &c->state[i]));
+        cell_number(t, r->eeprom.state[i].worst);
     }
 }
 
@@ -69,10 +81,31 @@ static void put_way(const Report *r, Doc *d)
         cell_plain(t, block[s->way.at[i].part]);
         cell_line(t, s->way.at[i].line);
         cell_code(t, line_text(r, s->way.at[i].line));
-        cell_number(t, s->way.at[i].instructions);
+        cell_number(t, s->way.at[i].units);
     }
     if (s->way.n > SHOWN)
         doc_paragraph(d, format_in(r->arena, "And %lu more.", (unsigned long)(s->way.n - SHOWN)));
+}
+
+// ---- a board ----
+
+static void put_board(const Report *r, Doc *d)
+{
+    DocTable *t;
+
+    doc_heading(d, "board", "On an Arduino Uno");
+    doc_paragraph(
+        d, "What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the most that was seen in "
+           "measurements counts, whatever numbers it works on. Steps mostly take less, a third to four fifths of it in tests; that none can "
+           "take more is not proved. What emitted C takes there depends on its compiler and is not estimated.");
+    t = DOC_TABLE_OF(d, "board", board_columns);
+    t->narrow = true;
+    cell_plain(t, "Worst step, image in EEPROM");
+    cell_plain(t, report_cycles(r, r->eeprom.worst));
+    cell_plain(t, "Worst step, image in flash");
+    cell_plain(t, report_cycles(r, r->flash.worst));
+    cell_plain(t, "Stack below a step, the most that was seen");
+    cell_plain(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack()));
 }
 
 // ---- bytes ----
@@ -117,5 +150,6 @@ void report_cost(Report *r, Doc *d)
                          words_count(r->arena, r->cost.sample, "instruction", "instructions")));
     put_steps(r, d);
     put_way(r, d);
+    put_board(r, d);
     put_bytes(r, d);
 }

@@ -23,7 +23,7 @@ typedef struct ReportRun {
 typedef struct Report {
     Arena *arena;
     Analysis analysis;            // its diags hold all findings, and what an @allow covers
-    Cost cost;
+    Cost cost, flash, eeprom; // in instructions; estimated in cycles of an ATmega328P, by where the image is
     const uint8_t *image;         // as `smc build` writes it
     size_t image_size;
     ReportRun *run;
@@ -62,6 +62,7 @@ const char *plot_patterns(Arena *arena);      // an invisible drawing that plots
 
 bool report_is_low(GraphSize s);              // a diagram of this size can be read in a part of a page of paper
 uint32_t report_line(Span span);              // of the source; 0: nowhere
+const char *report_cycles(const Report *r, uint32_t cycles);      // with the time that they take on an Uno
 const char *report_number(Arena *arena, double x);
 const char *report_cell(Arena *arena, SmType type, uint64_t cell);
 const char *report_file_name(const char *path);
