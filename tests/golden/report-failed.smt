@@ -106,8 +106,8 @@ The longest step, in `Idle`
 
 On an Arduino Uno
 What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the
-most that was seen in measurements counts, whatever numbers it works on. Steps mostly take less, a
-third to four fifths of it in tests; that none can take more is not proved. What emitted C takes
+most that was seen in measurements counts, whatever numbers it works on. Real steps take less, a
+third to three quarters of it in tests; that none can take more is not proved. What emitted C takes
 there depends on its compiler and is not estimated.
 
   Part                                        Takes

@@ -61,7 +61,7 @@ bool valve    # lets "fuel" in
  "cost": {"title": "What it costs",
    "text": [
     "Instructions of the VM in the longest step of each state, found on the very image that flies; no step can take more. The first step of a state runs `.entry` too, and a step that leaves runs `.exit`.",
-    "What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the most that was seen in measurements counts, whatever numbers it works on. Steps mostly take less, a third to four fifths of it in tests; that none can take more is not proved. What emitted C takes there depends on its compiler and is not estimated.",
+    "What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the most that was seen in measurements counts, whatever numbers it works on. Real steps take less, a third to three quarters of it in tests; that none can take more is not proved. What emitted C takes there depends on its compiler and is not estimated.",
     "RAM of this machine on the VM of a computer with pointers of 64 bits; a board with shorter ones needs a little less. The state vector, which the application shares, comes on top."],
    "tables": {
     "steps": [

@@ -96,7 +96,7 @@ static void put_board(const Report *r, Doc *d)
     doc_heading(d, "board", "On an Arduino Uno");
     doc_paragraph(
         d, "What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the most that was seen in "
-           "measurements counts, whatever numbers it works on. Steps mostly take less, a third to four fifths of it in tests; that none can "
+           "measurements counts, whatever numbers it works on. Real steps take less, a third to three quarters of it in tests; that none can "
            "take more is not proved. What emitted C takes there depends on its compiler and is not estimated.");
     t = DOC_TABLE_OF(d, "board", board_columns);
     t->narrow = true;
