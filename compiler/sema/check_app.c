@@ -348,6 +348,14 @@ static void check_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, Ast
                   k->pins->pin.at[i].span, output ? DIAG_note_output_here : DIAG_note_input_here);
 }
 
+static void check_allows(const AppCheck *k)
+{
+    for (size_t i = 0; i < k->ast->allows.n; i++) {
+        const AstAppAllow *a = &k->ast->allows.at[i];
+        diag_allow(k->c->diags, a->is->name->text, a->is->reason->text, a->is->span, a->covers);
+    }
+}
+
 App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMap *pins, const AppFiles *files)
 {
     enum { GUESSES = 30 };        // more than are shown
@@ -367,6 +375,7 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     k.app->src = f->src;
     k.app->sv = sv;
     k.app->pins = pins;
+    check_allows(&k);
     check_files(&k);
     check_app_products(&k);
     check_options(&k);

@@ -75,12 +75,19 @@ typedef struct AstAppExecutor {
     bool lost;                // something in it could not be read
 } AstAppExecutor;
 
+// An @allow, and the line or section that it covers.
+typedef struct AstAppAllow {
+    const AstAnnotation *is;
+    Span covers;
+} AstAppAllow;
+
 typedef struct AstApp AstApp;
 struct AstApp {
     Span options_header, start_header;    // src NULL: there is none
     VEC(AstAppOption) options;
     AstStmts start;           // AST_ASSIGN
     VEC(AstAppExecutor *) executors;
+    VEC(AstAppAllow) allows;
     bool lost;                // there were errors: something may not be here
     bool strayed;             // options stand in another section, which was reported
 };

@@ -69,4 +69,8 @@ void ast_print_app(const AstApp *app, Buf *out)
     }
     for (size_t i = 0; i < app->executors.n; i++)
         put_executor(out, app->executors.at[i]);
+    for (size_t i = 0; i < app->allows.n; i++) {
+        put_source(out, app->allows.at[i].is->span);
+        buf_char(out, '\n');
+    }
 }

@@ -72,6 +72,7 @@ static void parse_option(Parser *p, AstApp *app)
     if (options[o.kind].amount != APP_NOTHING && !app_take_amount(p, &o.amount, options[o.kind].amount, form))
         return;
     add_option(p, app, o);
+    app_take_allows(p, o.name_span.at, app);
 }
 
 // A line of [options] in another section.
@@ -152,9 +153,10 @@ static const char *const task_words[] = {
 };
 
 // Adds the task at hand, of which app_at_task has told the kind.
-static void parse_task(Parser *p, AstAppTaskKind kind, AstAppRate *r)
+static void parse_task(Parser *p, AstApp *app, AstAppTaskKind kind, AstAppRate *r)
 {
     AstAppTask t = {0};
+    uint32_t at = p->tok.at;
 
     t.kind = kind;
     t.name.text = p->tok.text;
@@ -165,7 +167,7 @@ static void parse_task(Parser *p, AstAppTaskKind kind, AstAppRate *r)
         return;
     if (tasks[kind].file && !app_take_file(p, &t.file, tasks[kind].form))
         return;
-    app_take_annotations(p, tasks[kind].place, t.name.text->text, &t.annotations);
+    app_take_annotations(p, tasks[kind].place, t.name.text->text, at, &t.annotations, app);
     if (!p->failed && r)
         vec_push(p->arena, &r->tasks, t);
 }
@@ -204,7 +206,7 @@ static void parse_entry(Parser *p, AstApp *app, AstAppExecutor *e)
             diag_label(p->diags, parser_report(p, DIAG_app_task_without_rate, parser_here(p), parser_text(p, parser_here(p))),
                        DIAG_label_as_in, "every 10 ms:");
         e->lost = e->lost || e->rates.n == 0;
-        parse_task(p, kind, e->rates.n ? &e->rates.at[e->rates.n - 1] : NULL);
+        parse_task(p, app, kind, e->rates.n ? &e->rates.at[e->rates.n - 1] : NULL);
     }
 }
 
@@ -212,6 +214,7 @@ static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
 {
     AstAppExecutor *e = ARENA_NEW(p->arena, AstAppExecutor);
     TokenKind reserved;
+    size_t first = app->allows.n, own;
 
     e->name = name;
     e->header = header;
@@ -219,7 +222,8 @@ static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
         (!is_identifier(name.text->text, name.text->len) || lex_is_reserved(&p->lex, name.text, &reserved)))
         parser_report(p, DIAG_executor_name, name.span, name.text->text);
     vec_push(p->arena, &app->executors, e);
-    app_take_annotations(p, APP_ON_EXECUTOR, name.text->text, &e->annotations);
+    app_take_annotations(p, APP_ON_EXECUTOR, name.text->text, header.at, &e->annotations, app);
+    own = app->allows.n;
     e->lost = e->lost || p->failed;
     next_entry(p, app, header.at);
     while (!at_section_end(p)) {
@@ -228,6 +232,8 @@ static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
         e->lost = e->lost || p->failed;
         next_entry(p, app, at);
     }
+    while (own-- > first)                         // the whole section
+        app->allows.at[own].covers.len = p->tok.at - header.at;
 }
 
 // ---- sections ----

@@ -287,8 +287,19 @@ static void take_annotation(Parser *p, AppPlace place, const char *owner, AstApp
         vec_push(p->arena, into, a);
 }
 
-void app_take_annotations(Parser *p, AppPlace place, const char *owner, AstAppAnnotations *into)
+void app_take_allows(Parser *p, uint32_t from, AstApp *app)
 {
-    while (!p->failed && p->tok.kind == TOK_ANNOTATION)
+    while (!p->failed && annotation_is_allow(&p->tok)) {
+        AstAppAllow a = {parse_allow(p), {0}};
+
+        a.covers = parser_since(p, from);
+        if (a.is)
+            vec_push(p->arena, &app->allows, a);
+    }
+}
+
+void app_take_annotations(Parser *p, AppPlace place, const char *owner, uint32_t from, AstAppAnnotations *into, AstApp *app)
+{
+    for (app_take_allows(p, from, app); !p->failed && p->tok.kind == TOK_ANNOTATION; app_take_allows(p, from, app))
         take_annotation(p, place, owner, into);
 }

@@ -23,7 +23,10 @@ bool app_at_option(const Parser *p, AstAppOptionKind *kind);      // a word that
 bool app_at_task(const Parser *p, AstAppTaskKind *kind);          // of a rate group
 bool app_at_rate(const Parser *p);                                // `every`, `at`
 
-// All annotations that come, of what is called `owner`.
-void app_take_annotations(Parser *p, AppPlace place, const char *owner, AstAppAnnotations *into);
+// All annotations that come, of what is called `owner`; what each @allow among them covers begins at `from`.
+void app_take_annotations(Parser *p, AppPlace place, const char *owner, uint32_t from, AstAppAnnotations *into, AstApp *app);
+
+// All @allow that come behind an option.
+void app_take_allows(Parser *p, uint32_t from, AstApp *app);
 
 #endif
