@@ -77,10 +77,10 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_TAKE_AVG(K) FAST(TAKE_AVG_##K, push_avg_##K((uint64_t *)ip[1].p, (uint32_t)ip[2].u, bare_##K(ip + 4)); NEXT(5);)
 #define FAST_TAKE_ENDS(K) FAST(TAKE_ENDS_##K, push_ends_##K((uint64_t *)ip[1].p, (uint32_t)ip[2].u, bare_##K(ip + 4)); NEXT(5);)
 #define FAST_MEDIAN(K) FAST(MEDIAN_##K, F = sm_roll_median((const uint64_t *)ip[1].p, (uint32_t)ip[2].u, SM_ROLL_##K | SM_ROLL_MEDIAN); NEXT(5);)
-#define FAST_AVG(K) FAST(AVG_##K, F = sm_roll_avg((const uint64_t *)ip[1].p, SM_ROLL_##K | SM_ROLL_AVG); NEXT(5);)
+#define FAST_AVG(K) FAST(AVG_##K, F = sm_roll_avg((const uint64_t *)ip[1].p, (uint32_t)ip[2].u, SM_ROLL_##K | SM_ROLL_AVG); NEXT(5);)
 #define FAST_RANGE(K) FAST(RANGE_##K, F = sm_roll_range((const uint64_t *)ip[1].p, (uint32_t)ip[2].u, SM_ROLL_##K | SM_ROLL_RANGE); NEXT(5);)
 #define FAST_MEDIANN(K) FAST(MEDIANN_##K, NOTE; F = sm_roll_median((const uint64_t *)ip[3].p, (uint32_t)ip[4].u, SM_ROLL_##K | SM_ROLL_MEDIAN); put_##K(ip + 2, F); NEXT(7);)
-#define FAST_AVGN(K) FAST(AVGN_##K, NOTE; F = sm_roll_avg((const uint64_t *)ip[3].p, SM_ROLL_##K | SM_ROLL_AVG); put_##K(ip + 2, F); NEXT(7);)
+#define FAST_AVGN(K) FAST(AVGN_##K, NOTE; F = sm_roll_avg((const uint64_t *)ip[3].p, (uint32_t)ip[4].u, SM_ROLL_##K | SM_ROLL_AVG); put_##K(ip + 2, F); NEXT(7);)
 #define FAST_RANGEN(K) FAST(RANGEN_##K, NOTE; F = sm_roll_range((const uint64_t *)ip[3].p, (uint32_t)ip[4].u, SM_ROLL_##K | SM_ROLL_RANGE); put_##K(ip + 2, F); NEXT(7);)
 
 #define FAST_JEQ(K) FAST(JEQ_##K, GO_IF(sm_eq(F, get_##K(ip + 2, F)), 3);)

@@ -7,21 +7,23 @@
 //     sm_roll_sample(w, n, kind, x);                    // once a step
 //     y = sm_roll_stat(w, n, kind, SM_STAT_MEDIAN);
 //
-// An empty window gives 0.  Inside, a sample is its key, an int64_t in the order of the numbers: a whole number is its own, those of
-// F32 and F64 come from sm_roll_of_…; NaN enters as 0, and -0 is below 0.  I64 and U64 are kept as F64.
+// An empty window gives 0.  A sample comes as an int64_t: a whole number itself, of F32 and F64 the bits, from sm_roll_of_…, where NaN
+// is 0 already.  Inside it is its key, in the order of the numbers, -0 below 0.  I64 and U64 are kept as F64.
 //
 // Emitted C calls the functions below sm_roll_sample, with n and kind as constants: sm_roll_push or one of its kind, then
 // sm_roll_combine where there are parts; and sm_roll_avg and its like.
 //
-// What a sample costs, and the memory beside the n slots.  Asking costs nothing that grows with n.
+// What a sample costs, what asking does, and the memory beside the n slots.
 //
-//     average of integers                       constant                                        a word
-//     average of F32 and F64                    log2 n additions                                n F64: sums of 2, 4, 8, … slots
-//     smallest, largest: n <= SM_ROLL_SCAN      constant; n comparisons when that one leaves    a word each
-//                        longer                 log2 n comparisons                              n words each, of 2, 4, 8, … slots
-//     median:            n <= SM_ROLL_SHORT     n comparisons, no branch                        n samples, in order
-//                        longer                 2 log2 n comparisons, moving at most            n samples, in order, and 2 bytes
-//                                               2 SM_ROLL_BLOCK samples and 1 a block           a block
+//                                           a sample                             asking           memory
+//     average of integers                   constant                             constant         a word
+//     of F32, F64: n <= SM_ROLL_SHORT       constant                             n additions      none
+//                  longer                   log2 n additions                     constant         n F64: sums of 2, 4, 8, … slots
+//     smallest, largest: n <= SM_ROLL_SCAN  constant                             n comparisons    none
+//                  longer                   log2 n comparisons                   constant         n words each, of 2, 4, 8, … slots
+//     median:      n <= SM_ROLL_SHORT       n comparisons, no branch             constant         n samples, in order
+//                  longer                   2 log2 n comparisons, moving 2 SM_   constant         n samples, in order, and
+//                                           ROLL_BLOCK samples and 1 a block                      2 bytes a block
 //
 // With a median, smallest and largest come for nothing.  With SM_ROLL_SMALL a window has its slots and, for a median, the samples in
 // order, no more: average, smallest and largest then look at all slots when asked, and a sample of a median moves up to n.
@@ -55,42 +57,63 @@
 enum {
     SM_ROLL_I8 = 0, SM_ROLL_I16 = 1, SM_ROLL_I32 = 2, SM_ROLL_U8 = 4, SM_ROLL_U16 = 5, SM_ROLL_U32 = 6,
     SM_ROLL_F32 = 8, SM_ROLL_F64 = 9, SM_ROLL_BOOL = 10, SM_ROLL_TYPE = 15,
-    SM_ROLL_AVG = 16, SM_ROLL_MEDIAN = 32, SM_ROLL_MIN = 64, SM_ROLL_MAX = 128, SM_ROLL_RANGE = 256
+    SM_ROLL_AVG = 16, SM_ROLL_MEDIAN = 32, SM_ROLL_MIN = 64, SM_ROLL_MAX = 128, SM_ROLL_RANGE = 256,
+    SM_ROLL_ORDER = 480        // those that ask which is larger
 };
-// The longest window whose smallest and largest are looked for among all samples when one leaves; how many samples in order make a
-// block that moves at once.
+// The longest window whose samples are added up when that is asked, and put in order by a pass over all; the longest of which all are
+// looked at for the smallest and largest; how many samples in order make a block that moves at once.
+#define SM_ROLL_SHORT 32u
 #define SM_ROLL_SCAN 64u
 #define SM_ROLL_BLOCK 2048u
 #define SM_ROLL_LONG(n) (!SM_ROLL_SMALL && (n) > SM_ROLL_BLOCK)
+//: end
+#define SM_ROLL_FLAT        // here, where sizes are known when it runs
+//: SM_ROLL_FLAT
+// Before a loop over a short window: it is to be laid out flat.
+#ifndef SM_ROLL_FLAT
+#if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(__clang__) && defined(__GNUC__) && __GNUC__ >= 8
+#define SM_ROLL_FLAT _Pragma("GCC unroll 32")
+#else
+#define SM_ROLL_FLAT
+#endif
+#endif
 //: sm_roll_of_f32
-// The key of a number: ordered as the numbers are, -0 below 0; NaN counts as 0.
+// The bits of a sample; NaN counts as 0.
 static inline int64_t sm_roll_of_f32(float x)
 {
-    int32_t k;
-    memcpy(&k, &x, sizeof k);
-    return x != x ? 0 : k < 0 ? k ^ 0x7FFFFFFF : k;
+    int32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return x != x ? 0 : bits;
 }
 //: sm_roll_of_f64
-// The key of a number: ordered as the numbers are, -0 below 0; NaN counts as 0.
+// The bits of a sample; NaN counts as 0.
 static inline int64_t sm_roll_of_f64(SmF64 x)
 {
-    int64_t k;
-    memcpy(&k, &x, sizeof k);
-    return sm_is_nan(x) ? 0 : k < 0 ? k ^ 0x7FFFFFFFFFFFFFFF : k;
+    int64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return sm_is_nan(x) ? 0 : bits;
+}
+//: sm_roll_turned
+// The key of a sample, ordered as the numbers are, -0 below 0; of a key the sample.  Who is not asked for an order needs none.
+SM_ROLL_INLINE int64_t sm_roll_turned(uint32_t kind, int64_t sample)
+{
+    if ((kind & SM_ROLL_TYPE) < SM_ROLL_F32 || sample >= 0 || (!SM_ROLL_SMALL && (kind & SM_ROLL_ORDER) == 0))
+        return sample;
+    return sample ^ ((kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? 0x7FFFFFFF : 0x7FFFFFFFFFFFFFFF);
 }
 //: sm_roll_value
 // The number of a key.
 SM_ROLL_INLINE SmF64 sm_roll_value(uint32_t kind, int64_t key)
 {
+    const int64_t sample = sm_roll_turned(kind, key);
+    const int32_t bits = (int32_t)sample;
     float f;
     if ((kind & SM_ROLL_TYPE) == SM_ROLL_F64)
-        return sm_from_bits((uint64_t)(key < 0 ? key ^ 0x7FFFFFFFFFFFFFFF : key));
-    if ((kind & SM_ROLL_TYPE) == SM_ROLL_F32) {
-        const int32_t k = (int32_t)(key < 0 ? key ^ 0x7FFFFFFF : key);
-        memcpy(&f, &k, sizeof f);
-        return sm_from_f32(f);
-    }
-    return sm_from_i64(key);
+        return sm_from_bits((uint64_t)sample);
+    if ((kind & SM_ROLL_TYPE) != SM_ROLL_F32)
+        return sm_from_i64(sample);
+    memcpy(&f, &bits, sizeof f);
+    return sm_from_f32(f);
 }
 //: sm_roll_shift
 // A sample takes 1 << this bytes.
@@ -125,13 +148,13 @@ SM_ROLL_INLINE void sm_roll_put(unsigned char *a, uint32_t i, uint32_t kind, int
 }
 //: sm_roll_keeps
 // What a window keeps beside its samples: their sum as a whole number (1) or as an F64 (2), the smallest (4), the largest (8).
-SM_ROLL_INLINE unsigned sm_roll_keeps(uint32_t kind)
+SM_ROLL_INLINE unsigned sm_roll_keeps(uint32_t n, uint32_t kind)
 {
     const bool real = (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64;
-    const unsigned sum = (kind & SM_ROLL_AVG) == 0 ? 0 : real ? 2u : 1u;
+    const unsigned sum = (kind & SM_ROLL_AVG) == 0 ? 0 : !real ? 1u : n > SM_ROLL_SHORT ? 2u : 0;
     if (SM_ROLL_SMALL)
         return 0;
-    if ((kind & SM_ROLL_MEDIAN) != 0)
+    if ((kind & SM_ROLL_MEDIAN) != 0 || n <= SM_ROLL_SCAN)
         return sum;
     return sum | ((kind & (SM_ROLL_MIN | SM_ROLL_RANGE)) != 0 ? 4u : 0) | ((kind & (SM_ROLL_MAX | SM_ROLL_RANGE)) != 0 ? 8u : 0);
 }
@@ -140,15 +163,12 @@ SM_ROLL_INLINE unsigned sm_roll_keeps(uint32_t kind)
 SM_ROLL_INLINE unsigned sm_roll_size(unsigned keeps) { return ((keeps & 3u) != 0) + (keeps >> 2 & 1u) + (keeps >> 3); }
 //: sm_roll_node_keeps
 // What it keeps of 2, 4, 8, … slots.
-SM_ROLL_INLINE unsigned sm_roll_node_keeps(uint32_t n, uint32_t kind)
-{
-    return sm_roll_keeps(kind) & (n > SM_ROLL_SCAN ? 14u : 2u);
-}
+SM_ROLL_INLINE unsigned sm_roll_node_keeps(uint32_t n, uint32_t kind) { return sm_roll_keeps(n, kind) & 14u; }
 //: sm_roll_slots
 // In which word the slots begin.  Before them: a word that counts the samples and names the next slot; what is kept of them all,
 // in the order of sm_roll_keeps, of the largest the key's complement.  Behind them: the samples in order, for a median; what is kept
 // of two, four, eight, … slots.
-SM_ROLL_INLINE unsigned sm_roll_slots(uint32_t kind) { return 1u + sm_roll_size(sm_roll_keeps(kind)); }
+SM_ROLL_INLINE unsigned sm_roll_slots(uint32_t n, uint32_t kind) { return 1u + sm_roll_size(sm_roll_keeps(n, kind)); }
 //: sm_roll_row
 // Bytes of n samples in a row.
 SM_ROLL_INLINE uint32_t sm_roll_row(uint32_t n, uint32_t kind) { return ((n << sm_roll_shift(kind)) + 7u) & ~(uint32_t)7; }
@@ -163,7 +183,7 @@ SM_ROLL_INLINE uint32_t sm_roll_tree(uint32_t n) { return n + 15; }
 SM_ROLL_INLINE uint32_t sm_roll_nodes(uint32_t n, uint32_t kind)
 {
     const uint32_t row = sm_roll_row(n, kind);
-    return sm_roll_slots(kind) + ((kind & SM_ROLL_MEDIAN) == 0 ? row : 2 * row + sm_roll_heads(n)) / 8;
+    return sm_roll_slots(n, kind) + ((kind & SM_ROLL_MEDIAN) == 0 ? row : 2 * row + sm_roll_heads(n)) / 8;
 }
 //: sm_roll_count
 // How many samples there are.
@@ -171,78 +191,55 @@ SM_ROLL_INLINE uint32_t sm_roll_count(const uint64_t *w) { return (uint32_t)sm_r
 //: sm_roll_next
 // The slot of the next sample.
 SM_ROLL_INLINE uint32_t sm_roll_next(const uint64_t *w) { return (uint32_t)sm_roll_get((const unsigned char *)w, 1, SM_ROLL_U32); }
+//: sm_roll_slot
+// Slot i.
+SM_ROLL_INLINE int64_t sm_roll_slot(const uint64_t *w, uint32_t n, uint32_t kind, uint32_t i)
+{
+    return sm_roll_get((const unsigned char *)(w + sm_roll_slots(n, kind)), i, kind);
+}
 //: sm_roll_oldest
 // The key of the sample that leaves when the next one comes, if the window is full.
-SM_ROLL_INLINE int64_t sm_roll_oldest(const uint64_t *w, uint32_t kind)
-{
-    return sm_roll_get((const unsigned char *)(w + sm_roll_slots(kind)), sm_roll_next(w), kind);
-}
-//: sm_roll_push
+SM_ROLL_INLINE int64_t sm_roll_oldest(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_slot(w, n, kind, sm_roll_next(w)); }
+//: sm_roll_enter
 // A window of n slots takes a sample, by its key.
-SM_ROLL_INLINE void sm_roll_push(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+SM_ROLL_INLINE void sm_roll_enter(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
 {
     const uint32_t next = sm_roll_next(w), count = sm_roll_count(w);
-    if ((sm_roll_keeps(kind) & 1u) != 0)
-        w[1] += (uint64_t)(key - sm_roll_oldest(w, kind));       // an empty slot holds 0
-    sm_roll_put((unsigned char *)(w + sm_roll_slots(kind)), next, kind, key);
+    if ((sm_roll_keeps(n, kind) & 1u) != 0)
+        w[1] += (uint64_t)(key - sm_roll_oldest(w, n, kind));       // an empty slot holds 0
+    sm_roll_put((unsigned char *)(w + sm_roll_slots(n, kind)), next, kind, key);
     sm_roll_put((unsigned char *)w, 1, SM_ROLL_U32, next + 1 < n ? next + 1 : 0);
     if (count < n)
         sm_roll_put((unsigned char *)w, 0, SM_ROLL_U32, count + 1);
 }
-//: sm_roll_least
-// The least key of all; of their complements where flip is -1.
-SM_ROLL_INLINE int64_t sm_roll_least(const uint64_t *w, uint32_t kind, int64_t flip)
+//: sm_roll_push
+// A window of n slots takes a sample.
+SM_ROLL_INLINE void sm_roll_push(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
-    const unsigned char *const slot = (const unsigned char *)(w + sm_roll_slots(kind));
-    int64_t least = INT64_MAX, key;
-    uint32_t i;
-    for (i = sm_roll_count(w); i-- > 0;) {
-        key = sm_roll_get(slot, i, kind) ^ flip;
-        least = key < least ? key : least;
-    }
-    return least;
-}
-//: sm_roll_update
-// A key has come and `old` has left, if the window was full: what is the least of all now.
-SM_ROLL_INLINE void sm_roll_update(const uint64_t *w, uint32_t kind, uint64_t *least, bool full, int64_t old, int64_t key,
-                                   int64_t flip)
-{
-    if (sm_roll_count(w) == 1 || (key ^ flip) <= (int64_t)*least)
-        *least = (uint64_t)(key ^ flip);
-    else if (full && (old ^ flip) == (int64_t)*least)
-        *least = (uint64_t)sm_roll_least(w, kind, flip);
-}
-//: sm_roll_push_extremes
-// The same for a window that keeps its smallest or largest: it looks at all samples only when that one leaves.  A long window has
-// sm_roll_combine for it.
-SM_ROLL_INLINE void sm_roll_push_extremes(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
-{
-    const bool full = sm_roll_count(w) == n;
-    const int64_t old = sm_roll_oldest(w, kind);
-    const unsigned keeps = n <= SM_ROLL_SCAN ? sm_roll_keeps(kind) : 0;
-    uint64_t *const kept = w + 1 + sm_roll_size(keeps & 3u);
-    sm_roll_push(w, n, kind, key);
-    if ((keeps & 4u) != 0)
-        sm_roll_update(w, kind, kept, full, old, key, 0);
-    if ((keeps & 8u) != 0)
-        sm_roll_update(w, kind, kept + (keeps >> 2 & 1u), full, old, key, -1);
+    sm_roll_enter(w, n, kind, sm_roll_turned(kind, sample));
 }
 //: sm_roll_push_sorted
-// The same for a short window that keeps its samples in order: one pass without a branch puts the new one in and takes `old` out.
-SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+// The same for a short window that keeps its samples in order: one pass without a branch puts the new one in and takes the oldest out.
+SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
-    unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots(kind)) + sm_roll_row(n, kind);
-    const int64_t old = sm_roll_count(w) < n ? INT64_MAX : sm_roll_oldest(w, kind);
-    int64_t a = sm_roll_get(sorted, 0, kind), next;
-    uint32_t i, count;
-    sm_roll_push(w, n, kind, key);
-    count = sm_roll_count(w);
-    for (i = 0; i + 1 < count; i++) {
-        next = sm_roll_get(sorted, i + 1, kind);
-        a = a < old ? a : next;                      // number i of those that stay
-        sm_roll_put(sorted, i, kind, key < a ? key : a);
-        key = key < a ? a : key;
-        a = next;
+    unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots(n, kind)) + sm_roll_row(n, kind);
+    const int64_t old = sm_roll_oldest(w, n, kind);
+    int64_t key = sm_roll_turned(kind, sample), a = sm_roll_get(sorted, 0, kind), next;
+    uint32_t i = sm_roll_count(w);
+    const bool full = i == n;
+    sm_roll_enter(w, n, kind, key);
+    if (full) {
+        SM_ROLL_FLAT
+        for (i = 0; i + 1 < n; i++) {
+            next = sm_roll_get(sorted, i + 1, kind);
+            a = a < old ? a : next;                      // number i of those that stay
+            sm_roll_put(sorted, i, kind, key < a ? key : a);
+            key = key < a ? a : key;
+            a = next;
+        }
+    } else {
+        for (; i > 0 && key < sm_roll_get(sorted, i - 1, kind); i--)
+            sm_roll_put(sorted, i, kind, sm_roll_get(sorted, i - 1, kind));
     }
     sm_roll_put(sorted, i, kind, key);
 }
@@ -316,16 +313,17 @@ SM_ROLL_INLINE void sm_roll_move(unsigned char *sorted, uint32_t n, uint32_t kin
 }
 //: sm_roll_push_blocks
 // The same for a longer one: finds the places of both and moves what is between.
-SM_ROLL_INLINE void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+SM_ROLL_INLINE void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
-    unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots(kind)) + sm_roll_row(n, kind);
+    unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots(n, kind)) + sm_roll_row(n, kind);
+    const int64_t key = sm_roll_turned(kind, sample);
     const uint32_t count = sm_roll_count(w);
-    const uint32_t from = count < n ? count : sm_roll_rank(sorted, n, kind, count, sm_roll_oldest(w, kind));
+    const uint32_t from = count < n ? count : sm_roll_rank(sorted, n, kind, count, sm_roll_oldest(w, n, kind));
     uint32_t to = sm_roll_rank(sorted, n, kind, count, key);
     to -= from < to;                                 // without the old one
     sm_roll_move(sorted, n, kind, from, to);
     sm_roll_put(sorted, sm_roll_place(sorted, n, kind, to), kind, key);
-    sm_roll_push(w, n, kind, key);
+    sm_roll_enter(w, n, kind, key);
 }
 //: sm_roll_sum_up
 // The sum of all slots, of which sample i is new; `sum` is that of its pair.  Notes the sums of four, eight, … slots; an odd last one
@@ -361,11 +359,10 @@ SM_ROLL_INLINE int64_t sm_roll_least_up(uint64_t *node, uint32_t n, uint32_t i, 
 SM_ROLL_INLINE void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
 {
     const unsigned keeps = sm_roll_node_keeps(n, kind);
-    const unsigned char *const slot = (unsigned char *)(w + sm_roll_slots(kind));
     const uint32_t next = sm_roll_next(w), i = (next == 0 ? n : next) - 1, count = sm_roll_count(w);
     const bool paired = (i ^ 1u) < count;
-    const int64_t key = sm_roll_get(slot, i, kind), other = sm_roll_get(slot, paired ? i ^ 1u : i, kind);
-    uint64_t *node = w + sm_roll_nodes(n, kind), *all = w + 1 + (sm_roll_keeps(kind) & 1u);
+    const int64_t key = sm_roll_slot(w, n, kind, i), other = sm_roll_slot(w, n, kind, paired ? i ^ 1u : i);
+    uint64_t *node = w + sm_roll_nodes(n, kind), *all = w + 1 + (sm_roll_keeps(n, kind) & 1u);
     SmF64 sum = sm_roll_value(kind, key);
     if ((keeps & 2u) != 0) {
         sum = paired ? sm_add(sum, sm_roll_value(kind, other)) : sum;
@@ -379,43 +376,77 @@ SM_ROLL_INLINE void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
     if ((keeps & 8u) != 0)
         *all = (uint64_t)sm_roll_least_up(node, n, i, count, key > other ? ~key : ~other);
 }
-//: sm_roll_sum
-// Slots are added in pairs, those sums in pairs, and so on: part[i] is the sum of 2^i slots that waits for its other half.
-SM_ROLL_INLINE SmF64 sm_roll_sum(const uint64_t *w, uint32_t kind)
+//: sm_roll_sum_of_4
+// The sum of up to four slots, in pairs; at: the first of those that are left.
+SM_ROLL_INLINE SmF64 sm_roll_sum_of_4(const unsigned char *at, uint32_t left, uint32_t kind)
 {
-    const unsigned char *const slot = (const unsigned char *)(w + sm_roll_slots(kind));
-    SmF64 part[17], sum = sm_from_i32(0);
-    uint32_t i, left;
+    SmF64 sum = sm_roll_value(kind, sm_roll_get(at, 0, kind)), other;
+    if (left > 1)
+        sum = sm_add(sum, sm_roll_value(kind, sm_roll_get(at, 1, kind)));
+    if (left < 3)
+        return sum;
+    other = sm_roll_value(kind, sm_roll_get(at, 2, kind));
+    return sm_add(sum, left > 3 ? sm_add(other, sm_roll_value(kind, sm_roll_get(at, 3, kind))) : other);
+}
+//: sm_roll_sum
+// Slots are added in pairs, those sums in pairs, and so on: part[i] is the sum of 4 * 2^i slots that waits for its other half.
+SM_ROLL_INLINE SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32_t kind)
+{
+    const unsigned char *const slot = (const unsigned char *)(w + sm_roll_slots(n, kind));
+    const uint32_t count = sm_roll_count(w), fours = (count + 3) / 4;
+    SmF64 part[15], sum = sm_from_i32(0);
+    uint32_t i, wait;
     unsigned level;
-    for (i = 0; i < sm_roll_count(w); i++) {
-        sum = sm_roll_value(kind, sm_roll_get(slot, i, kind));
+    for (i = 0; i < fours; i++) {
+        sum = sm_roll_sum_of_4(slot + ((size_t)i * 4 << sm_roll_shift(kind)), count - 4 * i, kind);
         for (level = 0; (i >> level & 1u) != 0; level++)
             sum = sm_add(part[level], sum);
         part[level] = sum;
     }
-    left = i & (i - 1);                       // the last sum is complete; older ones wait for it
-    for (level = 0; left >> level != 0; level++)
-        if ((left >> level & 1u) != 0)
+    wait = fours & (fours - 1);               // the last sum is complete; older ones wait for it
+    for (level = 0; wait >> level != 0; level++)
+        if ((wait >> level & 1u) != 0)
             sum = sm_add(part[level], sum);
     return sum;
 }
 //: sm_roll_avg
-SM_ROLL_INLINE SmF64 sm_roll_avg(const uint64_t *w, uint32_t kind)
+SM_ROLL_INLINE SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32_t kind)
 {
+    const unsigned keeps = sm_roll_keeps(n, kind);
     SmF64 sum;
     if (sm_roll_count(w) == 0)
         return sm_from_i32(0);
-    if (SM_ROLL_SMALL)
-        sum = sm_roll_sum(w, kind);
+    if ((keeps & 3u) != 0)
+        sum = (keeps & 1u) != 0 ? sm_from_i64((int64_t)w[1]) : sm_from_bits(w[1]);
     else
-        sum = (sm_roll_keeps(kind) & 1u) != 0 ? sm_from_i64((int64_t)w[1]) : sm_from_bits(w[1]);
+        sum = sm_roll_sum(w, n, kind);
     return sm_div(sum, sm_from_u32(sm_roll_count(w)));
+}
+//: sm_roll_further
+// The smaller one, or the larger.
+SM_ROLL_INLINE int64_t sm_roll_further(bool up, int64_t a, int64_t b) { return (up ? a > b : a < b) ? a : b; }
+//: sm_roll_end
+// The least key of all, or the largest.
+SM_ROLL_INLINE int64_t sm_roll_end(const uint64_t *w, uint32_t n, uint32_t kind, bool up)
+{
+    const unsigned char *at = (const unsigned char *)(w + sm_roll_slots(n, kind));
+    const size_t one = (size_t)1 << sm_roll_shift(kind);
+    int64_t end = sm_roll_get(at, 0, kind), a, b;
+    uint32_t left;
+    for (left = sm_roll_count(w); left >= 4; left -= 4, at += 4 * one) {
+        a = sm_roll_further(up, sm_roll_get(at, 0, kind), sm_roll_get(at, 1, kind));
+        b = sm_roll_further(up, sm_roll_get(at, 2, kind), sm_roll_get(at, 3, kind));
+        end = sm_roll_further(up, end, sm_roll_further(up, a, b));
+    }
+    for (; left > 0; left--, at += one)
+        end = sm_roll_further(up, end, sm_roll_get(at, 0, kind));
+    return end;
 }
 //: sm_roll_ordered
 // The ordered sample of a rank.
 SM_ROLL_INLINE SmF64 sm_roll_ordered(const uint64_t *w, uint32_t n, uint32_t kind, uint32_t rank)
 {
-    const unsigned char *const sorted = (const unsigned char *)(w + sm_roll_slots(kind)) + sm_roll_row(n, kind);
+    const unsigned char *const sorted = (const unsigned char *)(w + sm_roll_slots(n, kind)) + sm_roll_row(n, kind);
     return sm_roll_value(kind, sm_roll_get(sorted, sm_roll_place(sorted, n, kind, rank), kind));
 }
 //: sm_roll_median
@@ -440,21 +471,23 @@ SM_ROLL_INLINE SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind
 // The smallest sample; -0 is below +0.
 SM_ROLL_INLINE SmF64 sm_roll_min(const uint64_t *w, uint32_t n, uint32_t kind)
 {
+    const unsigned keeps = sm_roll_keeps(n, kind);
     if (sm_roll_count(w) == 0)
         return sm_from_i32(0);
     if ((kind & SM_ROLL_MEDIAN) != 0)
         return sm_roll_ordered(w, n, kind, 0);
-    return sm_roll_value(kind, SM_ROLL_SMALL ? sm_roll_least(w, kind, 0) : (int64_t)w[1 + sm_roll_size(sm_roll_keeps(kind) & 3u)]);
+    return sm_roll_value(kind, (keeps & 4u) != 0 ? (int64_t)w[1 + sm_roll_size(keeps & 3u)] : sm_roll_end(w, n, kind, false));
 }
 //: sm_roll_max
 // The largest sample; +0 is above -0.
 SM_ROLL_INLINE SmF64 sm_roll_max(const uint64_t *w, uint32_t n, uint32_t kind)
 {
+    const unsigned keeps = sm_roll_keeps(n, kind);
     if (sm_roll_count(w) == 0)
         return sm_from_i32(0);
     if ((kind & SM_ROLL_MEDIAN) != 0)
         return sm_roll_ordered(w, n, kind, sm_roll_count(w) - 1);
-    return sm_roll_value(kind, ~(SM_ROLL_SMALL ? sm_roll_least(w, kind, -1) : (int64_t)w[sm_roll_slots(kind) - 1]));
+    return sm_roll_value(kind, (keeps & 8u) != 0 ? (int64_t)~w[sm_roll_size(keeps)] : sm_roll_end(w, n, kind, true));
 }
 //: sm_roll_range
 // The largest less the smallest sample; 0 if they are equal, infinities too.
@@ -495,34 +528,28 @@ static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
     return words;
 }
 
-// The key of a sample that is converted to the window's type, as storing does.
-static inline int64_t sm_roll_key(uint32_t kind, SmF64 x)
+// A sample that is converted to the window's type, as storing does.
+static inline int64_t sm_roll_converted(uint32_t kind, SmF64 x)
 {
-    const uint32_t type = kind & SM_ROLL_TYPE;
+    const SmType type = (SmType)(kind & SM_ROLL_TYPE);
     unsigned char cell[8] = { 0 };
-    int64_t key;
-    sm_store((SmType)type, cell, x);
-    key = sm_roll_get(cell, 0, kind);
-    if (key >= 0 || type < SM_ROLL_F32)
-        return key;
-    return key ^ (type == SM_ROLL_F32 ? 0x7FFFFFFF : 0x7FFFFFFFFFFFFFFF);
+    sm_store(type, cell, x);
+    return sm_roll_get(cell, 0, kind);
 }
 
-// The longest window whose samples are put in order by a pass over all of them.
-#define SM_ROLL_SHORT 32u
-
 // A window of any kind takes a sample.
-SM_ROLL_INLINE void sm_roll_take(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
+SM_ROLL_INLINE void sm_roll_take(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
     if ((kind & SM_ROLL_MEDIAN) == 0)
-        sm_roll_push_extremes(w, n, kind, key);
+        sm_roll_push(w, n, kind, sample);
 #ifndef __OPTIMIZE_SIZE__
     else if (n <= SM_ROLL_SHORT)
-        sm_roll_push_sorted(w, n, kind, key);
+        sm_roll_push_sorted(w, n, kind, sample);
 #endif
     else
-        sm_roll_push_blocks(w, n, kind, key);
-    sm_roll_combine(w, n, kind);
+        sm_roll_push_blocks(w, n, kind, sample);
+    if (sm_roll_node_keeps(n, kind) != 0)
+        sm_roll_combine(w, n, kind);
 }
 
 #if SM_ROLL_NONE
@@ -540,7 +567,7 @@ SM_ROLL_APART void sm_roll_small(SmRollSmall *s, const uint64_t *w, size_t n, ui
 {
     s->type = (uint8_t)kind & SM_ROLL_TYPE;
     s->bytes = (uint8_t)(1u << sm_roll_shift(s->type));
-    s->slot = (unsigned char *)(uintptr_t)(w + sm_roll_slots(kind));
+    s->slot = (unsigned char *)(uintptr_t)(w + sm_roll_slots((uint32_t)n, kind));
     s->sorted = (kind & SM_ROLL_MEDIAN) == 0 ? NULL : s->slot + ((n * s->bytes + 7u) & ~(size_t)7);
     s->n = n;
     s->count = (size_t)sm_roll_count(w);
@@ -579,7 +606,7 @@ static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, S
 static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
 {
 #ifdef __OPTIMIZE_SIZE__
-    sm_roll_take(w, n, kind, sm_roll_key(kind, x));
+    sm_roll_take(w, n, kind, sm_roll_converted(kind, x));
 #else
     const uint32_t stats = kind & ~(uint32_t)SM_ROLL_TYPE;
     switch (kind & SM_ROLL_TYPE) {
@@ -590,16 +617,16 @@ static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 
     case SM_ROLL_U32: sm_roll_take(w, n, stats | SM_ROLL_U32, sm_to_u32(x)); break;
     case SM_ROLL_F32: sm_roll_take(w, n, stats | SM_ROLL_F32, sm_roll_of_f32(sm_to_f32(x))); break;
     case SM_ROLL_F64: sm_roll_take(w, n, stats | SM_ROLL_F64, sm_roll_of_f64(x)); break;
-    default: sm_roll_take(w, n, stats | SM_ROLL_U8, sm_roll_key(kind, x)); break;
+    default: sm_roll_take(w, n, stats | SM_ROLL_U8, sm_roll_converted(kind, x)); break;
     }
 #endif
 }
 
 // One of the statistics that a window was made for.
-static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
+SM_ROLL_INLINE SmF64 sm_roll_ask(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
     switch (stat) {
-    case SM_STAT_AVG: return sm_roll_avg(w, kind);
+    case SM_STAT_AVG: return sm_roll_avg(w, n, kind);
     case SM_STAT_MEDIAN: return sm_roll_median(w, n, kind);
     case SM_STAT_MIN: return sm_roll_min(w, n, kind);
     case SM_STAT_MAX: return sm_roll_max(w, n, kind);
@@ -607,6 +634,26 @@ static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, S
     case SM_STAT_COUNT: break;
     }
     return sm_from_i32(0);
+}
+
+// The same of a window of any kind.  Where there is room, made for each type.
+static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
+{
+#ifdef __OPTIMIZE_SIZE__
+    return sm_roll_ask(w, n, kind, stat);
+#else
+    const uint32_t stats = kind & ~(uint32_t)SM_ROLL_TYPE;
+    switch (kind & SM_ROLL_TYPE) {
+    case SM_ROLL_I8: return sm_roll_ask(w, n, stats | SM_ROLL_I8, stat);
+    case SM_ROLL_I16: return sm_roll_ask(w, n, stats | SM_ROLL_I16, stat);
+    case SM_ROLL_I32: return sm_roll_ask(w, n, stats | SM_ROLL_I32, stat);
+    case SM_ROLL_U16: return sm_roll_ask(w, n, stats | SM_ROLL_U16, stat);
+    case SM_ROLL_U32: return sm_roll_ask(w, n, stats | SM_ROLL_U32, stat);
+    case SM_ROLL_F32: return sm_roll_ask(w, n, stats | SM_ROLL_F32, stat);
+    case SM_ROLL_F64: return sm_roll_ask(w, n, stats | SM_ROLL_F64, stat);
+    default: return sm_roll_ask(w, n, stats | SM_ROLL_U8, stat);
+    }
+#endif
 }
 #endif
 

@@ -154,7 +154,7 @@ static GExpr *size_of_local(Gen *g)
 // A constant from 1 to a few dozen; now and then some hundreds.
 static GExpr *random_size(Gen *g)
 {
-    const uint32_t most = rng_percent(&g->rng, 3) ? 600 : rng_percent(&g->rng, 20) ? 40 : 9;
+    const uint32_t most = rng_percent(&g->rng, 3) ? 600 : rng_percent(&g->rng, 20) ? 90 : 9;
     GExpr *literal = number_text(g, unsigned_text(g, 1 + rng_below(&g->rng, most))), *e;
     GExpr *local = rng_percent(&g->rng, 30) ? size_of_local(g) : NULL;
     if (local == NULL)

@@ -122,7 +122,7 @@ static uint64_t emitted[5 * SM_WINDOW_MAX];
 static double emitted_stat(uint32_t n, uint32_t kind, int s)
 {
     switch (s) {
-    case SM_STAT_AVG: return sm_roll_avg(emitted, kind);
+    case SM_STAT_AVG: return sm_roll_avg(emitted, n, kind);
     case SM_STAT_MEDIAN: return sm_roll_median(emitted, n, kind);
     case SM_STAT_MIN: return sm_roll_min(emitted, n, kind);
     case SM_STAT_MAX: return sm_roll_max(emitted, n, kind);
@@ -143,7 +143,7 @@ static void sample(uint32_t n, uint32_t kind, double x)
 {
 #if SM_ROLL_SMALL
     if (n <= EMITTED)
-        sm_roll_take(emitted, n, kind, sm_roll_key(kind, x));
+        sm_roll_take(emitted, n, kind, sm_roll_converted(kind, x));
 #endif
     sm_roll_sample(memory, n, kind, x);
 }
@@ -261,8 +261,10 @@ static void test_memory(void)
     CHECK(sm_roll_words(11, SM_ROLL_F32 | SM_ROLL_MEDIAN) == 1 + 2 * 6);
     CHECK(sm_roll_words(11, SM_ROLL_I8 | SM_ROLL_MEDIAN) == 1 + 2 * 2);
     CHECK(sm_roll_words(20, SM_ROLL_I16 | SM_ROLL_AVG) == (small ? 1 : 2) + 5);
-    CHECK(sm_roll_words(20, SM_ROLL_F64 | SM_ROLL_AVG) == (small ? 1 + 20 : 2 + 20 + 10 + 5 + 3 + 2));
-    CHECK(sm_roll_words(15, SM_ROLL_F32 | SM_ROLL_RANGE) == (small ? 1 : 3) + 8);
+    CHECK(sm_roll_words(20, SM_ROLL_F64 | SM_ROLL_AVG) == 1 + 20);
+    CHECK(sm_roll_words(32, SM_ROLL_F32 | SM_ROLL_AVG) == 1 + 16);
+    CHECK(sm_roll_words(33, SM_ROLL_F64 | SM_ROLL_AVG) == (small ? 1 + 33 : 2 + 33 + 17 + 9 + 5 + 3 + 2));
+    CHECK(sm_roll_words(64, SM_ROLL_F32 | SM_ROLL_RANGE) == 1 + 32);
     CHECK(sm_roll_words(100, SM_ROLL_F32 | SM_ROLL_RANGE) == (small ? 1 + 50 : 3 + 50 + 100 + 15 + 50 + 25 + 13 + 7 + 4 + 2));
     CHECK(sm_roll_words(100000, SM_ROLL_I32 | SM_ROLL_MEDIAN) == 1 + 100000 + (small ? 0 : 13));
 }

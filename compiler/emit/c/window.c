@@ -68,15 +68,13 @@ static const char *push_helper(const IrWindow *w)
 {
     if (w->stats & 1u << SM_STAT_MEDIAN)
         return w->size <= SM_ROLL_SHORT ? "sm_roll_push_sorted" : "sm_roll_push_blocks";
-    return w->stats & (1u << SM_STAT_MIN | 1u << SM_STAT_MAX | 1u << SM_STAT_RANGE) ? "sm_roll_push_extremes" : "sm_roll_push";
+    return "sm_roll_push";
 }
 
 // `NAME(m->WINDOW, SIZE, KIND`
-static void put_call(CFn *fn, const char *name, uint32_t w, bool sized)
+static void put_call(CFn *fn, const char *name, uint32_t w)
 {
-    buf_printf(&fn->line, "%s(m->%s, ", helper_use(fn->u, name), fn->u->window[w]);
-    if (sized)
-        buf_printf(&fn->line, "%u, ", (unsigned)window(fn->u, w)->size);
+    buf_printf(&fn->line, "%s(m->%s, %u, ", helper_use(fn->u, name), fn->u->window[w], (unsigned)window(fn->u, w)->size);
     put_kind(window(fn->u, w), &fn->line);
 }
 
@@ -85,14 +83,14 @@ void put_sample(CFn *fn, const IrIns *i)
     const IrWindow *w = window(fn->u, i->var);
 
     fn->uses_m = fn->writes_m = true;
-    put_call(fn, push_helper(w), i->var, true);
+    put_call(fn, push_helper(w), i->var);
     buf_str(&fn->line, ", ");
     put_key(fn, i->a, (SmType)(kind_of(w) & SM_ROLL_TYPE));
     buf_str(&fn->line, ");");
     end_line(fn);
     if (sm_roll_node_keeps(w->size, kind_of(w)) == 0)
         return;
-    put_call(fn, "sm_roll_combine", i->var, true);
+    put_call(fn, "sm_roll_combine", i->var);
     buf_str(&fn->line, ");");
     end_line(fn);
 }
@@ -102,6 +100,6 @@ void put_stat(CFn *fn, const IrIns *i)
     static const char *const helper[SM_STAT_COUNT] = { "sm_roll_avg", "sm_roll_median", "sm_roll_min", "sm_roll_max", "sm_roll_range" };
 
     fn->uses_m = true;
-    put_call(fn, helper[i->stat], i->var, i->stat != SM_STAT_AVG);
+    put_call(fn, helper[i->stat], i->var);
     buf_char(&fn->line, ')');
 }
