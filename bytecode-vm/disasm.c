@@ -89,6 +89,19 @@ static void initial_values(Out *o)
     }
 }
 
+static void safe_states(Out *o)
+{
+    if (o->m->safe_at == 0)
+        return;
+    smvm_text(o, "    safe states    ");
+    for (uint32_t s = 1; s <= o->m->states; s++)
+        if (smvm_state_is_safe(o->m, s)) {
+            smvm_text(o, " ");
+            smvm_text_number(o, s);
+        }
+    smvm_text(o, "\n");
+}
+
 static void machine(Out *o, uint32_t index)
 {
     const SmvmMachine *m = o->m;
@@ -106,6 +119,7 @@ static void machine(Out *o, uint32_t index)
     smvm_text_number(o, m->to);
     smvm_text(o, "\n");
     line(o, "states", m->states, "\n");
+    safe_states(o);
     line(o, "memory", smvm_ram_size(m), " bytes on this machine, of these ");
     smvm_text_number(o, m->locals);
     smvm_text(o, " for locals\n");

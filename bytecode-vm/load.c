@@ -188,6 +188,9 @@ static void take_section(SmvmMachine *m, const SmvmSection *s)
     } else if (s->id == SMVM_S_DEBUG && s->version == SMVM_V_DEBUG) {
         m->debug_at = s->at;
         m->debug_size = s->size;
+    } else if (s->id == SMVM_S_SAFE && s->version == SMVM_V_SAFE) {
+        m->safe_at = s->at;
+        m->safe_size = s->size;
     }
 }
 
@@ -213,6 +216,13 @@ uint8_t smvm_look(SmvmBytes image, uint8_t number, SmvmMachine *m)
 bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m)
 {
     return number <= UINT8_MAX && smvm_look(image, (uint8_t)number, m) != SMVM_R_GROUP;
+}
+
+bool smvm_state_is_safe(const SmvmMachine *m, uint32_t state)
+{
+    const SmvmAt bit = (SmvmAt)(state - 1);
+
+    return m->safe_at == 0 || (smvm_u8(m->image, (SmvmAt)(m->safe_at + (bit >> 3))) >> (bit & 7) & 1) != 0;
 }
 
 SmvmPlace smvm_place(SmvmBytes image, SmvmAt at)

@@ -60,6 +60,7 @@ typedef struct SmvmMachine {
     SmvmAt width;             // bytes of an entry in the table of functions
     SmvmAt machine_at, windows_at, outputs_at, functions_at, f32s_at, f64s_at;
     SmvmAt code_at, code_size, init_at, init_size, debug_at, debug_size;       // size 0: there is none
+    SmvmAt safe_at, safe_size;        // which states are marked @safe: a bit each; safe_at 0: it marks none
 } SmvmMachine;
 
 // Reads machine `number`, counted from 0.  False if the image has no such machine.
@@ -68,6 +69,9 @@ bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m);
 // The instructions of its longest step, not counting the time that statistics take to walk over their windows; 0 where the VM is made
 // without (SMVM_LONGEST).
 uint32_t smvm_longest_step(const SmvmMachine *m);
+
+// Whether a state of it is marked @safe.  Of a machine that marks none, each is.
+bool smvm_state_is_safe(const SmvmMachine *m, uint32_t state);
 
 // Where an element lies in the state vector, or a local among the locals.
 typedef struct SmvmPlace {

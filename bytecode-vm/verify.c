@@ -77,8 +77,8 @@ static uint8_t version_of(uint8_t id)                 // 0: there is no such sec
     }
 }
 
-// What stood before: an IO, a machine, of that its code and its initial values.
-enum { A_IO = 1, A_MACHINE = 2, A_CODE = 4, AN_INIT = 8 };
+// What stood before: an IO, a machine, of that its code, its initial values and its safe states.
+enum { A_IO = 1, A_MACHINE = 2, A_CODE = 4, AN_INIT = 8, A_SAFE = 16 };
 
 // Takes a known section into account: what it asks for must have stood before it, what it bars must not.
 static bool add_section(uint8_t id, uint8_t *before)
@@ -92,6 +92,7 @@ static bool add_section(uint8_t id, uint8_t *before)
         break;
     case SMVM_S_CODE: bars = gives = A_CODE; break;
     case SMVM_S_INIT: bars = gives = AN_INIT; break;
+    case SMVM_S_SAFE: bars = gives = A_SAFE; break;
     case SMVM_S_DEBUG: break;
     case SMVM_S_IO:
         asks = 0;
@@ -103,12 +104,12 @@ static bool add_section(uint8_t id, uint8_t *before)
     if ((*before & asks) != asks || (*before & bars) != 0)
         return false;
     if (gives == A_MACHINE)
-        *before &= (uint8_t)~(A_CODE | AN_INIT);
+        *before &= (uint8_t)~(A_CODE | AN_INIT | A_SAFE);
     *before |= gives;
     return true;
 }
 
-// Sections in order, of ids known, in groups that each are MACHINE, CODE once, INIT at most once.
+// Sections in order, of ids known, in groups that each are MACHINE, CODE once, INIT and SAFE at most once.
 static bool check_sections(Check *c, SmvmBytes image)
 {
     SmvmAt entry = SMVM_HEADER, free_from = (SmvmAt)(SMVM_HEADER + SMVM_ENTRY * smvm_sections(image));
@@ -378,9 +379,19 @@ static bool check_code(Check *c)
 
 // ---- the whole ----
 
+static bool check_safe(Check *c)
+{
+    uint8_t any = 0, last = 0;
+
+    for (SmvmAt i = 0; i < c->m.safe_size; i++)
+        any |= last = smvm_u8(c->m.image, (SmvmAt)(c->m.safe_at + i));
+    return c->m.safe_at == 0 || (c->m.safe_size == (SmvmAt)(c->m.states + 7) >> 3 && any != 0 && last >> (((c->m.states - 1) & 7) + 1) == 0)
+        || fail(c, SMVM_R_SAFE, c->m.safe_at);
+}
+
 static bool check_machine(Check *c)
 {
-    if (!check_windows(c) || !check_vector(c) || !check_init(c))
+    if (!check_windows(c) || !check_vector(c) || !check_init(c) || !check_safe(c))
         return false;
     if (smvm_ram_size(&c->m) > SMVM_RAM_MAX || c->m.sv_size > SMVM_RAM_MAX)
         return fail(c, SMVM_R_RAM, c->m.windows_at);

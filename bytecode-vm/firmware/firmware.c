@@ -145,25 +145,41 @@ static void run_built_in(void)
 static PalDio arming;
 
 // A plug to ground keeps the board from being armed: pulled out, or its wire broken, it is.
-static SmResult may_update(void *context)
+static bool is_armed(void)
 {
     bool armed = true;
 
-    (void)context;
     (void)pal_dio_read(arming, &armed);
-    return armed ? SM_E_ARMED : SM_OK;
+    return armed;
 }
 
 static void open_arming(void) { (void)pal_dio_open(&arming, FIRMWARE_ARM_PIN, PAL_DIO_PULL_UP, true); }
 #else
+static bool is_armed(void) { return false; }
+static void open_arming(void) {}
+#endif
+
+// Whether every machine is in a state that is marked @safe, or marks none.
+static bool is_safe(void)
+{
+    SmvmMachine m;
+    bool safe = true;
+
+    for (uint8_t i = 0; i < runner.machines && safe; i++) {
+        uint16_t now_in;
+        cli();
+        now_in = state[i];
+        sei();
+        safe = !smvm_machine(runner.image, i, &m) || smvm_state_is_safe(&m, now_in);
+    }
+    return safe;
+}
+
 static SmResult may_update(void *context)
 {
     (void)context;
-    return SM_OK;
+    return is_armed() ? SM_E_ARMED : is_safe() ? SM_OK : SM_E_UNSAFE;
 }
-
-static void open_arming(void) {}
-#endif
 
 static SmResult fits(void *context, SmvmBytes image)
 {

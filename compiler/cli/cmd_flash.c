@@ -152,6 +152,17 @@ static int update(BoardLine *b, const Source *image, uint16_t period)
     return say_done(b, &u, &before);
 }
 
+// 5.46: where it cannot be confirmed as soon as it runs.
+static void warn_of_starts(Cli *c, const Source *image)
+{
+    SmvmMachine m;
+
+    for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
+        if (!smvm_state_is_safe(&m, 1))
+            cli_say(c, "warning: machine %lu of %s starts in a state that is not marked @safe: until it has left it for one that is, the board "
+                    "takes neither another image nor a confirmation", (unsigned long)i + 1, image->name);
+}
+
 static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
 {
     int code = fits(c, b, image, v);
@@ -164,6 +175,7 @@ static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v
     }
     if ((code = is_signed(c, b, image)) != EXIT_OK)
         return code;
+    warn_of_starts(c, image);
     if (!c->given[OPT_DRY_RUN])
         return update(b, image, period);
     cli_say(c, "%s would go onto the board; nothing was sent", image->name);

@@ -173,6 +173,7 @@ static void build_state(Builder *b, const State *s)
 
     memset(&state, 0, sizeof state);
     state.name = s->name;
+    state.is_safe = s->is_safe;
     state.span = s->span;
     for (int k = 0; k < BLOCK_COUNT; k++)
         state.block[k] = build_function(b, &s->block[k]);

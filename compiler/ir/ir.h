@@ -114,6 +114,7 @@ typedef struct IrWindow {
 
 typedef struct IrState {
     Str name;
+    bool is_safe;                     // @safe
     IrFn *block[BLOCK_COUNT];         // NULL: no code
     Span span;
 } IrState;

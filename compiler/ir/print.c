@@ -18,7 +18,7 @@
 //         sample w0, %0
 //         ret
 //     }
-//     state Vent                                  number 1, and so on
+//     state Vent safe                             number 1, and so on; marked @safe
 //     step {                                      entry, step, exit
 //     b0:
 //         %0 = stat avg w0
@@ -266,7 +266,7 @@ static void put_function(const IrMachine *m, const char *title, const IrFn *f, B
 
 static void put_state(const IrMachine *m, const IrState *s, Buf *out)
 {
-    buf_printf(out, "\nstate %s\n", s->name->text);
+    buf_printf(out, "\nstate %s%s\n", s->name->text, s->is_safe ? " safe" : "");
     for (int k = 0; k < BLOCK_COUNT; k++)
         if (s->block[k])
             put_function(m, ir_block_name[k], s->block[k], out);

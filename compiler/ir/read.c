@@ -349,6 +349,7 @@ static bool read_state(Reader *r)
         return false;
     if (map_find(&r->states, s.name))
         return scan_fail(&r->scan, "there are two states '%.40s'", s.name->text);
+    s.is_safe = scan_optional(&r->scan, "safe");
     vec_push(r->arena, &r->m->state, s);
     map_put(&r->states, s.name, (void *)(uintptr_t)r->m->state.n);
     return true;

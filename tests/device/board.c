@@ -87,7 +87,9 @@ static void machine_step(void)
 static SmResult may_update(void *context)
 {
     (void)context;
-    return access(armed_path, F_OK) == 0 ? SM_E_ARMED : SM_OK;
+    if (access(armed_path, F_OK) == 0)
+        return SM_E_ARMED;
+    return machine.state == 0 || smvm_state_is_safe(&machine.m, machine.state) ? SM_OK : SM_E_UNSAFE;
 }
 
 static void leave_slot(void *context)

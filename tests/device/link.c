@@ -209,6 +209,58 @@ static void what_is_armed_is_left_alone(void)
     CHECK(remove(path) == 0 && quiet("device", "list", NULL) == 0 && listed(images[1], ", runs"));
 }
 
+// smc without a board.
+static int alone(const char *a, const char *b, const char *c, const char *d)
+{
+    const char *const argv[ARGS] = {smc, a, b, c, d, NULL};
+    int status;
+    const pid_t pid = start(argv, output);
+
+    waitpid(pid, &status, 0);
+    read_output();
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+static void restart_board(void)
+{
+    kill_board();
+    start_board();
+}
+
+// Makes aloft.smb: a machine that stays in its first state, which is marked or not, and has one that is.
+static bool build_aloft(const char *mark, char *image)
+{
+    char source[PATH + 16], out[PATH + 16];
+    FILE *f;
+
+    snprintf(image, PATH + 16, "%s.aloft.smb", memory);
+    snprintf(source, sizeof source, "%s.aloft.sm", memory);
+    snprintf(out, sizeof out, "-o%s", image);
+    if ((f = fopen(source, "w")) == NULL)
+        return false;
+    fprintf(f, "[state_vector]\nU64 t @alias G\nU32 s @alias S\nbool down\n\n[Aloft]%s .step\n    down: -> Down\n\n[Down] @safe\n", mark);
+    return fclose(f) == 0 && alone("build", "-w", source, out) == 0;
+}
+
+// 5.46: in a state that is not marked @safe, of a machine that marks one, nobody touches it.
+static void what_is_not_safe_is_left_alone(void)
+{
+    char aloft[PATH + 16];
+
+    CHECK(build_aloft("", aloft) && quiet("flash", aloft, NULL) == 0 && listed(aloft, ", runs, on trial"));
+    CHECK(says("warning: machine 1 of ") && says(" starts in a state that is not marked @safe"));
+    CHECK(quiet("device", "info", NULL) == 0 && says("no update may begin: a machine is in a state that is not marked @safe"));
+    CHECK(quiet("flash", images[0], NULL) == 1 && says("nothing was sent: a machine is in a state that is not marked @safe; bring it into one that is"));
+    CHECK(quiet("device", "confirm", NULL) == 1 && says("it was not confirmed: a machine is in a state that is not marked @safe"));
+    for (int i = 0; i < 3; i++) {      // so its trial ends
+        restart_board();
+        CHECK(quiet("device", "list", NULL) == 0);
+    }
+    CHECK(listed(images[1], ", runs, confirmed"));
+    CHECK(build_aloft(" @safe", aloft) && quiet("flash", aloft, "--confirm") == 0 && !says("warning") && listed(aloft, ", runs, confirmed"));
+    CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
+}
+
 // A trial that nobody confirms is over after its starts.
 static void a_trial_ends(void)
 {
@@ -229,24 +281,6 @@ static void an_image_is_erased(void)
     CHECK(quiet("device", "erase", "12345678") == 1 && says("no slot holds an image with the checksum 12345678"));
     CHECK(quiet("device", "erase", path) == 0 && !listed(images[0], "bytes") && listed(images[1], ", runs"));
     CHECK(quiet("device", "erase", "x") == 2);
-}
-
-// smc without a board.
-static int alone(const char *a, const char *b, const char *c, const char *d)
-{
-    const char *const argv[ARGS] = {smc, a, b, c, d, NULL};
-    int status;
-    const pid_t pid = start(argv, output);
-
-    waitpid(pid, &status, 0);
-    read_output();
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-}
-
-static void restart_board(void)
-{
-    kill_board();
-    start_board();
 }
 
 // With a key: the confirmed image is not signed and does not run any more; what is signed is taken, by its number.
@@ -326,6 +360,7 @@ static void two_slots(void)
 {
     an_image_is_sent_and_kept();
     what_is_armed_is_left_alone();
+    what_is_not_safe_is_left_alone();
     a_trial_ends();
     an_image_is_erased();
     nobody_answers();

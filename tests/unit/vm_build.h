@@ -22,8 +22,8 @@ typedef struct Build {
     uint8_t code[4096];
     uint32_t size;
     uint32_t end[64], ends;               // of functions: sample, then entry, step, exit of each state
-    uint8_t init[64];
-    uint32_t init_size;
+    uint8_t init[64], safe[8];
+    uint32_t init_size, safe_size;
 } Build;
 
 // A place of three bytes: offset in units of the type's size in the low 16 bits and the topmost 4, type in between.
@@ -119,7 +119,7 @@ static inline uint32_t put_header(uint8_t *image, unsigned n, const uint8_t *id,
 
     for (unsigned i = 0; i < n; i++) {
         *p++ = id[i];
-        *p++ = id[i] == 0x01 || id[i] == 0x04 ? 1 : 2;
+        *p++ = id[i] == 0x01 || id[i] == 0x04 || id[i] == 0x05 ? 1 : 2;
         put_bytes(&p, at, 3);
         put_bytes(&p, size[i], 3);
         at += size[i];
@@ -132,7 +132,7 @@ static inline uint32_t put_header(uint8_t *image, unsigned n, const uint8_t *id,
     return at;
 }
 
-// Puts the sections with these ids, at most 20: each MACHINE, CODE and INIT is that of the next machine of b; others are two
+// Puts the sections with these ids, at most 20: each MACHINE, CODE, INIT and SAFE is that of the next machine of b; others are two
 // bytes of no meaning.
 static inline uint32_t build_sections(const Build *b, unsigned n, const uint8_t *id, uint8_t *image)
 {
@@ -141,13 +141,15 @@ static inline uint32_t build_sections(const Build *b, unsigned n, const uint8_t 
     b--;
     for (unsigned i = 0; i < n; i++) {
         b += id[i] == 0x81;
-        size[i] = id[i] == 0x82 ? b->size : id[i] == 0x83 ? b->init_size : 2;
+        size[i] = id[i] == 0x82 ? b->size : id[i] == 0x83 ? b->init_size : id[i] == 0x05 ? b->safe_size : 2;
         if (id[i] == 0x81)
             size[i] = put_machine(b, image + at);
         else if (id[i] == 0x82)
             memcpy(image + at, b->code, b->size);
         else if (id[i] == 0x83)
             memcpy(image + at, b->init, b->init_size);
+        else if (id[i] == 0x05)
+            memcpy(image + at, b->safe, b->safe_size);
         else
             image[at] = image[at + 1] = 0xa5;
         at += size[i];

@@ -245,7 +245,68 @@ static void sections(void)
     CHECK(arranged(5, (const uint8_t[]){0x81, 0x83, 0x02, 0x01, 0x82}) == 0);
     CHECK(arranged(5, (const uint8_t[]){0x81, 0x83, 0x82, 0x03, 0x82}) == SMVM_R_GROUP);
     CHECK(arranged(4, (const uint8_t[]){0x81, 0x83, 0x82, 0x04}) == 0);
+    CHECK(arranged(3, (const uint8_t[]){0x05, 0x81, 0x82}) == SMVM_R_GROUP);                          // SAFE before MACHINE
     CHECK(patched(11, 0, true) == SMVM_R_GROUP);                     // no section at all
+}
+
+// ---- safe states ----
+
+static uint8_t safe(uint32_t size, uint8_t first, uint8_t second)
+{
+    static const uint8_t id[] = {0x81, 0x82, 0x05};
+    Build b = whole();
+    SmvmVerdict v;
+
+    b.safe_size = size;
+    b.safe[0] = first;
+    b.safe[1] = second;
+    return smvm_verify(image, build_sections(&b, 3, id, image), &v);
+}
+
+static void safe_states(void)                         // of a machine of two states
+{
+    Build b[2] = {whole(), whole()};
+    SmvmVerdict v;
+    SmvmMachine m;
+
+    for (uint8_t bits = 1; bits < 4; bits++) {
+        CHECK(safe(1, bits, 0) == 0 && smvm_machine(image, 0, &m));
+        CHECK(smvm_state_is_safe(&m, 1) == (bits & 1) && smvm_state_is_safe(&m, 2) == bits >> 1);
+    }
+    CHECK(safe(1, 0, 0) == SMVM_R_SAFE && safe(0, 0, 0) == SMVM_R_SAFE && safe(2, 1, 0) == SMVM_R_SAFE);
+    CHECK(safe(1, 4, 0) == SMVM_R_SAFE && safe(1, 0x83, 0) == SMVM_R_SAFE && safe(2, 1, 1) == SMVM_R_SAFE);
+    b[1].safe_size = 1;
+    b[1].safe[0] = 2;
+    CHECK(smvm_verify(image, build_sections(b, 5, (const uint8_t[]){0x81, 0x82, 0x81, 0x82, 0x05}, image), &v) == 0);
+    CHECK(smvm_machine(image, 0, &m) && smvm_state_is_safe(&m, 1) && smvm_state_is_safe(&m, 2));      // it marks none
+    CHECK(smvm_machine(image, 1, &m) && !smvm_state_is_safe(&m, 1) && smvm_state_is_safe(&m, 2));
+    CHECK(smvm_verify(image, build_sections(b + 1, 4, (const uint8_t[]){0x81, 0x05, 0x82, 0x05}, image), &v) == SMVM_R_GROUP);
+    build_sections(b + 1, 3, (const uint8_t[]){0x81, 0x82, 0x05}, image);
+    image[12 + 16 + 1] = 9;                           // another version of it is nobody's
+    fix_crc(image);
+    CHECK(smvm_verify(image, 500, &v) == 0 && smvm_machine(image, 0, &m) && smvm_state_is_safe(&m, 1));
+}
+
+static void nine_states(void)                         // two bytes
+{
+    Build b = whole();
+    SmvmMachine m;
+    SmvmVerdict v;
+
+    while (b.states < 9) {
+        code(&b, SMVM_end, 0);
+        end_function(&b);
+        for (int i = 0; i < 2; i++)
+            end_function(&b);
+        b.states++;
+    }
+    b.safe_size = 2;
+    b.safe[1] = 1;
+    CHECK(smvm_verify(image, build_sections(&b, 3, (const uint8_t[]){0x81, 0x82, 0x05}, image), &v) == 0);
+    for (uint32_t s = 1; smvm_machine(image, 0, &m) && s <= 9; s++)
+        CHECK(smvm_state_is_safe(&m, s) == (s == 9));
+    b.safe[1] = 2;
+    CHECK(smvm_verify(image, build_sections(&b, 3, (const uint8_t[]){0x81, 0x82, 0x05}, image), &v) == SMVM_R_SAFE);
 }
 
 // ---- the machine ----
@@ -935,6 +996,8 @@ int main(void)
     accepts();
     container();
     sections();
+    safe_states();
+    nine_states();
     record();
     short_machine();
     tables();

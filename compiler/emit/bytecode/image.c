@@ -204,6 +204,25 @@ static void add_init(Writer *w, const BcMachine *m)
         add_section(w, SMVM_S_INIT, SMVM_V_INIT, &b);
 }
 
+// ---- SAFE ----
+
+static void add_safe(Writer *w, const IrMachine *m)
+{
+    uint8_t *bits = ARENA_ARRAY(w->arena, uint8_t, (m->state.n + 7) / 8);
+    bool any = false;
+    Buf b;
+
+    for (size_t s = 0; s < m->state.n; s++) {
+        bits[s / 8] = (uint8_t)(bits[s / 8] | (unsigned)m->state.at[s].is_safe << s % 8);
+        any = any || m->state.at[s].is_safe;
+    }
+    if (!any)
+        return;
+    buf_init(&b, w->arena);
+    buf_put(&b, (const char *)bits, (m->state.n + 7) / 8);
+    add_section(w, SMVM_S_SAFE, SMVM_V_SAFE, &b);
+}
+
 // ---- the whole ----
 
 static bool too_much(Writer *w, const IrMachine *m, const char *what)
@@ -237,6 +256,7 @@ static bool add_sections_of(Writer *w, const IrMachine *ir, bool debug)
     add_machine(w, &m, code.n);
     add_section(w, SMVM_S_CODE, SMVM_V_CODE, &code);
     add_init(w, &m);
+    add_safe(w, ir);
     if (debug) {
         bc_debug(w->arena, &m, &names);
         add_section(w, SMVM_S_DEBUG, SMVM_V_DEBUG, &names);
