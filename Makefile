@@ -491,7 +491,7 @@ FIRMWARE_SRC = $(addprefix bytecode-vm/,firmware/firmware.c firmware/runner.c ta
 FIRMWARE_SMALL = -Os -mcall-prologues -mrelax -mstrict-X -flto -flto-partition=one -fira-algorithm=priority -fshort-enums -fno-ipa-sra -fno-partial-inlining \
                -fno-tree-dominator-opts -fno-inline-small-functions -finline-limit=6
 FIRMWARE_C   = $(AVR_CC) -mmcu=$(MCU) -DF_CPU=16000000UL $(FIRMWARE_SMALL) -std=c99 $(filter-out -pedantic,$(WARN)) -Wno-maybe-uninitialized -I. -I$(FIRMWARE_OUT) \
-               -ffunction-sections -fdata-sections -Wl,--gc-sections $(foreach v,SMVM_CONFIG SM_CONFIG,-D$(v)='"bytecode-vm/firmware/config.h"') $(if $(ARM_PIN),-DFIRMWARE_ARM_PIN=$(ARM_PIN)) $(if $(KEY),-DFIRMWARE_KEY) $(if $(filter atmega328p,$(MCU)),-DSM_ROLL_NONE=1)
+               -ffunction-sections -fdata-sections -Wl,--gc-sections $(foreach v,SMVM_CONFIG SM_CONFIG,-D$(v)='"bytecode-vm/firmware/config.h"') $(if $(ARM_PIN),-DFIRMWARE_ARM_PIN=$(ARM_PIN)) $(if $(KEY),-DFIRMWARE_KEY)
 firmware: $(B)/smc
 	@mkdir -p $(FIRMWARE_OUT)
 	$(B)/smc build -w bytecode-vm/firmware/safe.sm --sv bytecode-vm/firmware/safe.sv --io bytecode-vm/firmware/safe.io -o $(FIRMWARE_OUT)/safe.smb

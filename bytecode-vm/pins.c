@@ -13,12 +13,13 @@ enum {
     SCALED = 0x20, SHIFTED = 0x40, MORE = 0x80        // scale; offset; hold of an input, safe value of an output
 };
 
-// A number; what is beyond the largest, is that.  SMVM_NO_NUMBER: there is none.
-static uint32_t take_up_to(SmvmPins *p, SmvmAt most)
+// A number; one beyond the largest becomes that.
+SMVM_APART static bool take_up_to(SmvmPins *p, SmvmAt most, SmvmAt *n)
 {
     const uint32_t v = smvm_number(p->image, &p->at, p->end);
 
-    return v > most && v != SMVM_NO_NUMBER ? most : v;
+    *n = v > most ? most : (SmvmAt)v;
+    return v != SMVM_NO_NUMBER;
 }
 
 bool smvm_pins(SmvmBytes image, SmvmPins *p)
@@ -27,7 +28,6 @@ bool smvm_pins(SmvmBytes image, SmvmPins *p)
     p->image = image;
     for (uint8_t i = 0; i < smvm_sections(image); i++) {
         const SmvmSection s = smvm_section(image, i);
-        uint32_t size, left;
         if (s.id != SMVM_S_IO || s.version != SMVM_V_IO)
             continue;
         p->at = s.at;
@@ -36,11 +36,7 @@ bool smvm_pins(SmvmBytes image, SmvmPins *p)
             return false;
         p->layout = smvm_uint(image, p->at, 4);
         p->at = (SmvmAt)(p->at + 4);
-        size = take_up_to(p, SMVM_NOWHERE >> 3);
-        left = take_up_to(p, SMVM_NOWHERE);
-        p->sv_size = (SmvmAt)size;
-        p->left = (SmvmAt)left;
-        return size != SMVM_NO_NUMBER && left != SMVM_NO_NUMBER;
+        return take_up_to(p, SMVM_NOWHERE >> 3, &p->sv_size) && take_up_to(p, SMVM_NOWHERE, &p->left);
     }
     return false;
 }
@@ -120,11 +116,10 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
     if (p->left == 0 || (at = take(p, 1)) == 0)
         return false;
     front = smvm_u8(p->image, at);
-    memset(pin, 0, sizeof *pin);
+    memset(pin, 0, sizeof *pin);                      // 0 as a number too
     pin->kind = front & KIND;
     pin->flags = front >> FLAGS_AT & FLAGS;
     pin->scale = sm_from_i32(1);
-    pin->zero = pin->safe = sm_from_i32(0);
     if (!take_element(p, pin) || (pin->pin = smvm_number(p->image, &p->at, p->end)) == SMVM_NO_NUMBER)
         return false;
     if ((front & SCALED && !take_number(p, &pin->scale)) || (front & SHIFTED && !take_number(p, &pin->zero))

@@ -238,7 +238,7 @@ static bool check_stat(Check *c, SmvmAt at, SmvmAt w)
 {
     const uint16_t kind = (uint16_t)(smvm_window(c->m.image, c->m.windows_at, w) >> 16);
 
-    if ((kind >> (SMVM_WINDOW_SIZE_BITS - 16) & SM_ROLL_AVG << c->stat) == 0)
+    if ((kind >> (SMVM_WINDOW_SIZE_BITS - 16) & (unsigned)SM_ROLL_AVG << c->stat) == 0)
         return fail(c, SMVM_R_WINDOW_USED, at);
     return w < c->sampled || fail(c, SMVM_R_SAMPLE, at);
 }
@@ -248,7 +248,7 @@ enum { AN_L, AN_E, AN_N, AN_F, A_D, AN_O, AN_S, A_K, A_W, A_T, AN_M, A_J, FOLLOW
 typedef char verify_bits_are_those_of_shapes[1 << A_J == SMVM_SHAPE_J && (1 << FOLLOWS) - 1 == SMVM_SHAPE_FOLLOWS ? 1 : -1];
 
 // A number that follows an opcode: it is one from `from` up to before `end`.
-static bool check_operand(Check *c, uint8_t op, uint8_t follows)
+SMVM_APART static bool check_operand(Check *c, uint8_t op, uint8_t follows)
 {
     const SmvmMachine *m = &c->m;
     const uint8_t shift = smvm_shift(op & 0xf);
@@ -432,7 +432,7 @@ uint32_t smvm_longest_step(const SmvmMachine *m)
     return longest_step(&c.way);
 }
 
-static bool check_pins(Check *c, SmvmBytes image)
+SMVM_APART static bool check_pins(Check *c, SmvmBytes image)
 {
     SmvmAt at;
     uint8_t rule = smvm_check_pins(image, &at);

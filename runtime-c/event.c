@@ -2,8 +2,6 @@
 // The ring of events.  Event number n lies at n modulo the room, which divides 2^32: so counting may wrap.
 #include "runtime-c/event.h"
 
-#include <string.h>
-
 #include "runtime-c/tally.h"
 
 SmResult sm_events_init(SmEvents *e)
@@ -29,11 +27,18 @@ static void leave(SmEvents *e)
         pal_lock_give(e->lock);
 }
 
+// Byte by byte: for as few as these a small chip has no shorter way.
+static void copy(SmEvent *to, const SmEvent *from)
+{
+    for (uint8_t i = 0; i < sizeof *to; i++)
+        ((uint8_t *)to)[i] = ((const uint8_t *)from)[i];
+}
+
 void sm_event(SmEvents *e, const SmEvent *event)
 {
     if (!e || !event || !enter(e))
         return;
-    memcpy(&e->at[e->next++ & (e->room - 1u)], event, sizeof *event);
+    copy(&e->at[e->next++ & (e->room - 1u)], event);
     leave(e);
 }
 
@@ -56,7 +61,7 @@ uint32_t sm_events_read(SmEvents *e, uint32_t *cursor, SmEvent *out, uint32_t n,
     missing = gone(e, *cursor);
     *cursor += missing;
     for (; taken < n && *cursor != e->next; taken++)
-        memcpy(&out[taken], &e->at[(*cursor)++ & (e->room - 1u)], sizeof *out);
+        copy(&out[taken], &e->at[(*cursor)++ & (e->room - 1u)]);
     leave(e);
     if (lost)
         *lost = missing;

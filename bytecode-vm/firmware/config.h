@@ -39,7 +39,7 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 #else
 #define FIRMWARE_STORE 1024
 #define FIRMWARE_SLOTS 1
-#define FIRMWARE_MEMORY 832
+#define FIRMWARE_MEMORY 1024
 #define FIRMWARE_EVENTS 4
 #define FIRMWARE_BODY 48
 #define AVR_SERIAL_RING 64

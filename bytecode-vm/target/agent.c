@@ -31,7 +31,9 @@ typedef struct Exchange {
     uint8_t length;
 } Exchange;
 
-static void put(Exchange *x, uint32_t value, unsigned bytes)
+static void put1(Exchange *x, uint8_t value) { x->answer[x->length++] = value; }
+
+static void put(Exchange *x, uint32_t value, uint8_t bytes)
 {
     sm_link_put(x->answer + x->length, value, bytes);
     x->length = (uint8_t)(x->length + bytes);
@@ -43,15 +45,15 @@ static SmResult hello(Exchange *x)
 {
     const Agent *a = x->a;
 
-    put(x, LINK_PROTOCOL, 1);
-    put(x, a->body, 1);
-    put(x, a->block, 1);
-    put(x, a->store->plan.slots, 1);
+    put1(x, LINK_PROTOCOL);
+    put1(x, a->body);
+    put1(x, a->block);
+    put1(x, a->store->plan.slots);
     put(x, a->store->slot_size, 3);
     put(x, a->board->ram, 3);
     put(x, a->board->longest_step, 4);
-    put(x, (uint32_t)a->board->may_update(a->board->context), 1);
-    put(x, a->store->is_authentic != NULL, 1);
+    put1(x, (uint8_t)a->board->may_update(a->board->context));
+    put1(x, a->store->is_authentic != NULL);
     put(x, sm_link_get(a->store->now.newest, 4), 4);
     return SM_OK;
 }
@@ -111,12 +113,12 @@ static SmResult image(Exchange *x)
         return SM_E_MISSING;
     state = state_of(x->a, slot);
     memset(x->answer, 0, IMAGE);
-    put(x, state, 1);
+    put1(x, (uint8_t)state);
     if (state != STORE_EMPTY)
         put_image(x, image_of(x->a, slot));
     x->length = IMAGE - 4;
-    put(x, (slot == s->running ? 1u : 0u) | (slot == s->now.active ? 2u : 0u), 1);
-    put(x, state == STORE_TRIAL ? s->now.tries : 0, 1);
+    put1(x, (uint8_t)((slot == s->running ? 1 : 0) | (slot == s->now.active ? 2 : 0)));
+    put1(x, state == STORE_TRIAL ? s->now.tries : 0);
     put(x, smvm_store_period(s, slot), 2);
     return SM_OK;
 }
@@ -164,7 +166,7 @@ static SmResult end(Exchange *x)
     } else if (why.rule != 0) {
         r = SM_E_IMAGE;
     }
-    put(x, why.rule, 1);
+    put1(x, why.rule);
     put(x, why.at, 3);
     return r;
 }
@@ -213,7 +215,7 @@ static SmResult events(Exchange *x)
         lost += gone;
         put(x, (uint32_t)e.time, 4);
         put(x, (uint32_t)(e.time >> 32), 4);
-        put(x, e.kind, 1);
+        put1(x, e.kind);
         put(x, e.source, 2);
         put(x, e.a, 4);
         put(x, e.b, 4);

@@ -98,6 +98,8 @@ static int say_failed(BoardLine *b, const Update *u, DeviceStep step)
     if (step == DEVICE_END && b->host.answered && u->rule != 0) {
         cli_say(b->c, "the board's verifier refuses the image by rule %u at byte %lu: %s", (unsigned)u->rule, (unsigned long)u->at,
                 smvm_rule_text(u->rule));
+        if (u->rule == SMVM_R_FORMAT)
+            cli_say(b->c, "the board's firmware and this smc are of different versions: upload the firmware of this one (docs/boards.md)");
         code = EXIT_PROBLEM;
     } else {
         code = board_failed(b, what[step]);

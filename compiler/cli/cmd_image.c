@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc disasm and smc verify: images inspected with the device's own code.
+#include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
 #include "compiler/cli/key.h"
 
@@ -16,6 +17,8 @@ int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v)
         return EXIT_OK;
     cli_say(c, "%s: refused by rule %u at byte %lu: %s", (*image)->name, (unsigned)v->rule, (unsigned long)v->at,
             smvm_rule_text(v->rule));
+    if (v->rule == SMVM_R_FORMAT)
+        cli_say(c, "it was made by another version of smc: build it anew with this one, from its sources");
     return EXIT_PROBLEM;
 }
 

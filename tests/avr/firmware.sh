@@ -135,9 +135,10 @@ build vent "$D/vent.sm" --sv tests/avr/tank.sv --io tests/avr/tank.io
 for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     export MCU FIRMWARE=$D/$MCU.elf
     $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU ARM_PIN=7 FIRMWARE_OUT="$D" || exit 1
-    if [ $MCU = atmega328p ]; then             # one slot, and no windows
+    if [ $MCU = atmega328p ]; then             # one slot
         SLOTS=1 count "$B/device/link" "$smc" "$D/board" "$D" "$D/tank.smb" "$D/vent.smb" "$RUNS" "$SEED"
         fly_tank
+        fly_rocket
         continue
     fi
     NO_KEY=1 count "$B/device/link" "$smc" "$D/board" "$D" "$B/store/old.smb" "$B/store/new.smb" "$RUNS" "$SEED"

@@ -129,7 +129,9 @@ if has avr-gcc; then
     else
         skipped=$((skipped + 1))
     fi
-    avr_firmware atmega2560 "$1"
+    for mcu in atmega328p atmega2560; do
+        avr_firmware $mcu "$1"
+    done
 else
     skipped=$((skipped + 2))
 fi
