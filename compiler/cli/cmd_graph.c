@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc graph: the state diagram of a machine.
+// smc graph: the state diagram of a machine, with what was found in it and where its scripts have been.
 #include <string.h>
 
-#include "compiler/cli/cli.h"
-#include "compiler/emit/report/graph.h"
+#include "compiler/cli/runs.h"
 
 typedef void PutGraph(const Analysis *a, const GraphOptions *o, Buf *out);
 
@@ -19,51 +18,77 @@ static PutGraph *find_format(Cli *c)
     return cli_format(c, formats, FORMATS, &i) ? put[i] : NULL;
 }
 
+// With scripts, what their runs have done is drawn over it.
+static int count_runs(Cli *c, const Analysis *a, Source *const *ss, Report *r)
+{
+    r->arena = &c->session.arena;
+    r->analysis = *a;
+    return runs_make(c, r, ss);
+}
+
+// The diagram shows how far a script came that failed.
+static int tell_failures(Cli *c, const Report *r)
+{
+    int code = EXIT_OK, said;
+
+    for (size_t i = 0; i < r->runs; i++) {
+        c->session.diags = r->run[i].diags;
+        said = cli_report(c);
+        code = said > code ? said : code;
+    }
+    return code;
+}
+
 // The diagram shows what the report says: warnings that are switched off are not marked.
-static int draw(Cli *c, const Program *p, PutGraph *put)
+static int draw(Cli *c, const Program *p, PutGraph *put, Source *const *ss)
 {
     Diags found;
     GraphOptions o = {&found, NULL, NULL};
     OsOutput file = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0};
+    GraphCounts counts;
+    Report r;
     Analysis a;
     Buf out;
     int code;
 
+    memset(&r, 0, sizeof r);
     session_analyse(&c->session, p);
     warnings_apply(&c->warn, &c->session.diags);
     found = c->session.diags;
     if ((code = cli_report(c)) != EXIT_OK)
         return code;
     analysis_begin(&a, &c->session.arena, &c->session.diags, p);
+    if ((code = count_runs(c, &a, ss, &r)) != EXIT_OK) {
+        cli_report(c);
+        return code;
+    }
+    counts = report_counts(&r);
+    if (r.runs > 0)
+        o.counts = &counts;
     buf_init(&out, &c->session.arena);
     put(&a, &o, &out);
     file.bytes = buf_text(&out);
     file.n = out.n;
-    return cli_write(c, &file, 1) ? EXIT_OK : EXIT_ENVIRONMENT;
-}
-
-static int check_use(Cli *c)
-{
-    if (c->files == 0)
-        return cli_usage(c, "graph wants a machine, as in 'smc graph tank.sm'");
-    if (c->files > 1)
-        return cli_usage(c, "graph draws one machine at a time");
-    if (!has_suffix(c->file[0], ".sm") && strcmp(c->file[0], "-") != 0)
-        return cli_usage(c, "'%s' is no machine: its name ends in .sm", c->file[0]);
-    return EXIT_OK;
+    if (!cli_write(c, &file, 1))
+        return EXIT_ENVIRONMENT;
+    return tell_failures(c, &r);
 }
 
 int cmd_graph(Cli *c)
 {
-    MachineInput in = {NULL, NULL, NULL, 2};
+    Map written = {&c->session.arena, NULL, NULL, 0, 0};
+    MachineInput in = {NULL, NULL, &written, 2};
     PutGraph *put = find_format(c);
-    int code = put ? check_use(c) : EXIT_USAGE;
+    const char *machine;
+    int code = put ? runs_machine(c, &machine) : EXIT_USAGE;
+    Source **ss;
     Program *p;
 
     if (code != EXIT_OK)
         return code;
-    if ((in.sm = cli_load(c, c->file[0])) == NULL || (c->given[OPT_SV] && (in.sv = cli_load(c, c->value[OPT_SV])) == NULL))
+    if ((in.sm = cli_load(c, machine)) == NULL || (c->given[OPT_SV] && (in.sv = cli_load(c, c->value[OPT_SV])) == NULL)
+        || !runs_load(c, &ss, &written))
         return EXIT_ENVIRONMENT;
     p = session_program(&c->session, &in);
-    return p ? draw(c, p, put) : cli_report(c);
+    return p ? draw(c, p, put, ss) : cli_report(c);
 }

@@ -5,8 +5,7 @@
 
 #include "bytecode-vm/smvm.h"
 #include "compiler/analysis/analysis.h"
-#include "compiler/cli/cli.h"
-#include "compiler/emit/report/report.h"
+#include "compiler/cli/runs.h"
 #include "compiler/version.h"
 
 typedef void WriteReport(const Doc *d, Buf *out);
@@ -15,14 +14,11 @@ static const CliFormat formats[] = {
     {"html", {".html", ".htm", NULL}}, {"text", {".txt", NULL, NULL}}, {"json", {".json", NULL, NULL}}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
-enum { STEPS_MOST = 1000000 };        // of a script, as in smc test
-
 typedef struct ReportCommand {
     Cli *c;
     const char *machine;
     const Source *sm, *sv;
     Report r;
-    bool failed;                      // a script did
 } ReportCommand;
 
 // ---- the machine as it flies ----
@@ -91,80 +87,7 @@ static int look_at_machine(ReportCommand *x, const Map *written)
     return s->diags.errors == 0 && weigh(x) ? EXIT_OK : EXIT_PROBLEM;
 }
 
-// ---- its scripts ----
-
-static Engine *open_engine(ReportCommand *x, const Program *p, const char **error)
-{
-    Session *s = &x->c->session;
-    Buf image;
-
-    *error = "the image cannot be made";
-    if (!make_image(x, session_ir(s, p, option_level(x->c)), true, &image))
-        return NULL;
-    return engine_vm_open(&s->arena, p, (const uint8_t *)image.at, image.n, 0, error);
-}
-
-static void run_script(ReportCommand *x, ReportRun *run, const Source *ss, const Program *p, Engine *vm)
-{
-    Session *s = &x->c->session;
-    const ScriptOptions o = {STEPS_MOST, NULL, NULL, NULL};
-    const Diags machine = s->diags;
-    Engine *traced;
-
-    run->name = report_file_name(ss->name);
-    trace_init(&run->trace, &s->arena, p, &x->r.analysis.transition);
-    diags_init(&s->diags, &s->arena);
-    if ((run->script = session_script(s, ss, p)) != NULL) {
-        traced = trace_engine(&run->trace, vm);
-        run->result = script_run(&s->arena, &s->diags, run->script, &traced, 1, &o);
-    }
-    x->failed = x->failed || !run->script || run->result.outcome != SCRIPT_PASSED;
-    run->diags = s->diags;
-    s->diags = machine;
-}
-
-static int run_scripts(ReportCommand *x, Source *const *ss)
-{
-    Cli *c = x->c;
-    const Program *p = x->r.analysis.p;
-    const char *error;
-    Engine *vm;
-
-    if (c->files < 2)
-        return EXIT_OK;
-    if ((vm = open_engine(x, p, &error)) == NULL) {
-        cli_say(c, "%s", error);
-        return EXIT_PROBLEM;
-    }
-    x->r.run = ARENA_ARRAY(&c->session.arena, ReportRun, c->files);
-    for (size_t i = 0; i < c->files; i++)
-        if (ss[i])
-            run_script(x, &x->r.run[x->r.runs++], ss[i], p, vm);
-    vm->close(vm);
-    return EXIT_OK;
-}
-
 // ---- the command ----
-
-static int check_use(Cli *c, ReportCommand *x)
-{
-    size_t machines = 0;
-
-    for (size_t i = 0; i < c->files; i++) {
-        const bool script = has_suffix(c->file[i], ".ss");
-        if (!script && !has_suffix(c->file[i], ".sm") && strcmp(c->file[i], "-") != 0)
-            return cli_usage(c, "'%s' is no machine (.sm) and no script (.ss)%s", c->file[i],
-                             has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
-        if (!script) {
-            x->machine = c->file[i];
-            machines++;
-        }
-    }
-    if (machines != 1)
-        return cli_usage(c, machines ? "one machine is reported on at a time"
-                                     : "report wants a machine, as in 'smc report tank.sm -o tank.html'");
-    return EXIT_OK;
-}
 
 static WriteReport *find_format(Cli *c)
 {
@@ -186,11 +109,16 @@ static int write_report(ReportCommand *x, WriteReport *writer)
     return cli_write(x->c, &file, 1) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
-static void say_failed(const ReportCommand *x)
+static int say_failed(const ReportCommand *x)
 {
+    int code = EXIT_OK;
+
     for (size_t i = 0; i < x->r.runs; i++)
-        if (!x->r.run[i].script || x->r.run[i].result.outcome != SCRIPT_PASSED)
+        if (!x->r.run[i].script || x->r.run[i].result.outcome != SCRIPT_PASSED) {
             cli_say(x->c, "%s failed; the report says why", x->r.run[i].name);
+            code = EXIT_PROBLEM;
+        }
+    return code;
 }
 
 int cmd_report(Cli *c)
@@ -203,22 +131,18 @@ int cmd_report(Cli *c)
 
     memset(&x, 0, sizeof x);
     x.c = c;
-    if ((code = check_use(c, &x)) != EXIT_OK)
+    if ((code = runs_machine(c, &x.machine)) != EXIT_OK)
         return code;
     if ((writer = find_format(c)) == NULL)
         return EXIT_USAGE;
-    if ((x.sm = cli_load(c, x.machine)) == NULL || (c->given[OPT_SV] && (x.sv = cli_load(c, c->value[OPT_SV])) == NULL))
+    if ((x.sm = cli_load(c, x.machine)) == NULL || (c->given[OPT_SV] && (x.sv = cli_load(c, c->value[OPT_SV])) == NULL)
+        || !runs_load(c, &ss, &written))
         return EXIT_ENVIRONMENT;
-    ss = cli_load_scripts(c, &written);
-    for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".ss") && !ss[i])
-            return EXIT_ENVIRONMENT;
-    if ((code = look_at_machine(&x, &written)) != EXIT_OK || (code = run_scripts(&x, ss)) != EXIT_OK) {
+    if ((code = look_at_machine(&x, &written)) != EXIT_OK || (code = runs_make(c, &x.r, ss)) != EXIT_OK) {
         cli_report(c);
         return code;
     }
     if ((code = write_report(&x, writer)) != EXIT_OK)
         return code;
-    say_failed(&x);
-    return x.failed ? EXIT_PROBLEM : EXIT_OK;
+    return say_failed(&x);
 }

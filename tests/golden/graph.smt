@@ -48,7 +48,7 @@ bool valve
 .smc-graph .g-unrun .g-line,.smc-graph .g-unrun .g-box{stroke-dasharray:1 4;stroke-linecap:round}
 .smc-graph .g-unrun text{font-weight:normal}
 .smc-graph .g-edge:hover .g-line{stroke-width:3}
-.smc-graph .g-bang{font-weight:bold;font-size:10px;text-anchor:middle}
+.smc-graph .g-bang{font-weight:bold;font-size:9px;text-anchor:middle}
 .smc-graph .g-back{fill:#fff}
 .smc-graph text{fill:#1c2430}
 .smc-graph .g-guard{fill:#3a4656}

@@ -13,8 +13,8 @@ Usage:
       run state scripts, .smt cases and folders of them
   smc report M.sm [SCRIPT.ss...] [--sv V.sv] [-o FILE.html]
       write one page about a machine for a design review
-  smc graph M.sm [--sv V.sv] [--format=FORMAT] [-o OUT]
-      draw the state diagram, as SVG, for Graphviz or for Mermaid
+  smc graph M.sm [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
+      draw the state diagram, and where scripts have been in it, as SVG, for Graphviz or for Mermaid
   smc disasm IMAGE
       print the instructions of an image
   smc verify IMAGE

@@ -10,9 +10,9 @@ U64 G
 U32 S
 [Idle]
 -- stderr --
-smc: report wants a machine, as in 'smc report tank.sm -o tank.html'
+smc: report wants a machine, as in 'smc report tank.sm'
 Try 'smc report --help'.
-smc: one machine is reported on at a time
+smc: report takes one machine at a time
 Try 'smc report --help'.
 smc: --format is html, text or json, not 'pdf'
 Try 'smc report --help'.

@@ -51,7 +51,7 @@ static const char *guard_text(const Analysis *a, const Transition *t)
 
 static void add_guard(const Analysis *a, DiagramEdge *e, const Transition *t)
 {
-    Guard g = {t, guard_text(a, t), {NULL, 0, 0}, a->stmt[t->stmt->number].reached, {NULL, 0, 0}};
+    Guard g = {t, guard_text(a, t), {NULL, 0, 0}, a->stmt[t->stmt->number].reached, {NULL, 0, 0}, 0};
 
     g.line = text_wrap(a->arena, g.text, GUARD_SIZE, GUARD_W, GUARD_LINES);
     e->possible = e->possible || g.possible;
@@ -116,6 +116,30 @@ uint64_t node_count(const Diagram *d, const DiagramNode *n)
     return d->o->counts ? d->o->counts->state[n->state->number - 1] : 0;
 }
 
+const char *count_text(const Diagram *d, const char *done, uint64_t count)
+{
+    return count == 0 ? format_in(d->a->arena, "never %s", done)
+         : count == 1 ? format_in(d->a->arena, "%s once", done)
+                      : format_in(d->a->arena, "%s %llu times", done, (unsigned long long)count);
+}
+
+// Of several transitions from one state to another a run does not tell which it made.
+const char *edge_count_text(const Diagram *d, const DiagramEdge *e)
+{
+    const char *text = count_text(d, "taken", edge_count(d, e));
+
+    return e->guard.n > 1 ? format_in(d->a->arena, "any of these: %s", text) : text;
+}
+
+// Below the last guard of an edge.
+static void add_count(const Diagram *d, DiagramEdge *e)
+{
+    const char *text = edge_count_text(d, e);
+    const TextLine line = {text, text_width(text, GUARD_SIZE, false)};
+
+    vec_push(d->a->arena, &e->guard.at[e->guard.n - 1].line, line);
+}
+
 // ---- the whole ----
 
 enum { NAME_W = 220 };
@@ -136,8 +160,11 @@ Diagram *diagram_of(const Analysis *a, const GraphOptions *o)
     }
     gather(d);
     note_reached(d);
-    for (size_t e = 0; e < d->edge.n; e++)
+    for (size_t e = 0; e < d->edge.n; e++) {
+        if (o->counts)
+            add_count(d, &d->edge.at[e]);
         size_label(&d->edge.at[e]);
+    }
     if (o->findings)
         diagram_mark(d, o->findings);
     return d;

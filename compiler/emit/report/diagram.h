@@ -21,6 +21,7 @@ typedef struct Guard {
     TextLines line;               // as shown: wrapped, at most GUARD_LINES, cut off with "…"
     bool possible;                // some run may take it
     Findings finding;             // on it or its guard
+    uint32_t mark;                // the number of the note below the picture that tells them
 } Guard;
 
 // How an edge is drawn.
@@ -51,6 +52,7 @@ typedef struct DiagramNode {
     const char *from;             // "from 5 states", of stub_in; NULL: there are none
     int32_t from_w;
     Findings finding;             // on the state, not on one of its transitions
+    uint32_t mark;
     Box box;
 } DiagramNode;
 
@@ -87,6 +89,8 @@ const char *text_cut(Arena *arena, const char *text, int32_t size, bool bold, in
 
 uint64_t edge_count(const Diagram *d, const DiagramEdge *e);
 uint64_t node_count(const Diagram *d, const DiagramNode *n);
+const char *count_text(const Diagram *d, const char *done, uint64_t count);       // "taken 3 times"
+const char *edge_count_text(const Diagram *d, const DiagramEdge *e);
 
 // ---- marks.c: which findings belong where ----
 

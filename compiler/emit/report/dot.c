@@ -28,6 +28,14 @@ static void put_findings(Buf *out, const Findings *f)
     buf_char(out, '"');
 }
 
+// What cannot be is dashed, what no run has done dotted.
+static const char *line_style(const Diagram *d, bool possible, uint64_t count, const char *before)
+{
+    const char *style = !possible ? "dashed" : d->o->counts && count == 0 ? "dotted" : NULL;
+
+    return style ? format_in(d->a->arena, "%s%s", before, style) : "";
+}
+
 // ---- states ----
 
 static const char *shape(const DiagramNode *n)
@@ -44,8 +52,8 @@ static void put_node(Buf *out, const Diagram *d, const DiagramNode *n)
     for (size_t i = 0; i < n->finding.n; i++)
         buf_printf(out, "\\n(%s)", diag_info[n->finding.at[i]->code].id);
     if (d->o->counts)
-        buf_printf(out, "\\n%llu", (unsigned long long)node_count(d, n));
-    buf_printf(out, "\", style=\"%s%s\"%s%s%s", style, n->reached ? "" : ",dashed", *shape(n) ? ", " : "", shape(n),
+        buf_printf(out, "\\n%s", count_text(d, "entered", node_count(d, n)));
+    buf_printf(out, "\", style=\"%s%s\"%s%s%s", style, line_style(d, n->reached, node_count(d, n), ","), *shape(n) ? ", " : "", shape(n),
                n->state->is_safe ? ", peripheries=2" : "");
     put_findings(out, &n->finding);
     buf_str(out, "];\n");
@@ -70,9 +78,7 @@ static void put_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
         buf_str(out, g ? "\\nor\\n" : "");
         put_guard(out, &e->guard.at[g]);
     }
-    if (d->o->counts)
-        buf_printf(out, "\\n%llu", (unsigned long long)edge_count(d, e));
-    buf_printf(out, "\"%s", e->possible ? "" : ", style=dashed");
+    buf_printf(out, "\"%s", line_style(d, e->possible, edge_count(d, e), ", style="));
     for (size_t g = 0; g < e->guard.n; g++)
         if (e->guard.at[g].finding.n > 0) {
             put_findings(out, &e->guard.at[g].finding);

@@ -55,14 +55,19 @@ static void put_class(Buf *out, const Diagram *d, const DiagramNode *n)
     put_findings(out, &n->finding, n->state->number);
 }
 
+static void put_times(Buf *out, const Diagram *d, const DiagramEdge *e, const Guard *g)
+{
+    if (d->o->counts && g == &e->guard.at[e->guard.n - 1])
+        buf_printf(out, " (%s)", edge_count_text(d, e));
+}
+
 static void put_transition(Buf *out, const Diagram *d, const DiagramEdge *e, const Guard *g)
 {
     buf_printf(out, "    s%lu --> s%lu : ", (unsigned long)e->from + 1, (unsigned long)e->to + 1);
     put_plain(out, g->text);
     if (!e->possible)
         buf_str(out, " (never)");
-    if (d->o->counts)
-        buf_printf(out, " (%llu times)", (unsigned long long)d->o->counts->transition[g->transition->number]);
+    put_times(out, d, e, g);
     buf_char(out, '\n');
     put_findings(out, &g->finding, e->from + 1);
 }

@@ -51,6 +51,7 @@ FindingCount report_count_findings(const Report *r);
 // What the scripts have seen of the machine.  A way leads from one state to another, by one transition or several.
 typedef struct Coverage { size_t states_seen, states, ways_seen, ways; } Coverage;
 Coverage report_coverage(const Report *r);
+GraphCounts report_counts(const Report *r);   // how often the scripts were where, all together
 
 // ---- plots (plot.c) ----
 

@@ -118,9 +118,8 @@ static void put_ways(const Report *r, Doc *d)
     }
 }
 
-// How often the scripts were where, all together, for the diagram.  It draws one arrow from a state to another, so what several
-// transitions share is counted once.
-static GraphCounts count_all(const Report *r)
+// The diagram draws one arrow from a state to another, so what several transitions share is counted once.
+GraphCounts report_counts(const Report *r)
 {
     const size_t states = r->analysis.p->state.n, ways = r->analysis.transition.n;
     uint64_t *state = ARENA_ARRAY(r->arena, uint64_t, states), *way = ARENA_ARRAY(r->arena, uint64_t, ways);
@@ -136,7 +135,7 @@ static GraphCounts count_all(const Report *r)
 
 Coverage report_coverage(const Report *r)
 {
-    const GraphCounts counts = count_all(r);
+    const GraphCounts counts = report_counts(r);
     const Transitions *t = &r->analysis.transition;
     Coverage c = {0, r->analysis.p->state.n, 0, 0};
 
@@ -155,7 +154,7 @@ Coverage report_coverage(const Report *r)
 static void put_diagram(Report *r, Doc *d)
 {
     const Coverage c = report_coverage(r);
-    const GraphCounts counts = count_all(r);
+    const GraphCounts counts = report_counts(r);
     GraphSize size;
     DocPart *figure;
     const GraphOptions o = {NULL, &counts, &size};

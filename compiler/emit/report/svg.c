@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A diagram as SVG.  Whole numbers only, so that it is the same on every machine.
+#include <stdio.h>
+
 #include "compiler/emit/report/layout.h"
+#include "compiler/emit/report/svg_notes.h"
 #include "compiler/emit/report/xml.h"
 
 // ---- style ----
@@ -41,7 +44,7 @@ static const char shapes[] =
     ".smc-graph .g-unrun .g-line,.smc-graph .g-unrun .g-box{stroke-dasharray:1 4;stroke-linecap:round}\n"
     ".smc-graph .g-unrun text{font-weight:normal}\n"
     ".smc-graph .g-edge:hover .g-line{stroke-width:3}\n"
-    ".smc-graph .g-bang{font-weight:bold;font-size:10px;text-anchor:middle}\n";
+    ".smc-graph .g-bang{font-weight:bold;font-size:9px;text-anchor:middle}\n";
 
 static void put_selector(Buf *out, const char *selector)
 {
@@ -84,9 +87,11 @@ static void put_head(Buf *out, Point tip, Towards to)
     buf_printf(out, "<path class=\"g-head\" d=\"M%ld %ld%s\"/>", (long)tip.x, (long)tip.y, shape[to]);
 }
 
-// All findings of one place, and how grave the gravest is.
-static void put_mark(Buf *out, const Findings *f, int32_t x, int32_t y)
+// All findings of one place, with the number of its note, and how grave the gravest is.
+static void put_mark(Buf *out, const Findings *f, uint32_t number, int32_t x, int32_t y)
 {
+    char text[12];
+
     bool error = false;
 
     if (f->n == 0)
@@ -99,18 +104,13 @@ static void put_mark(Buf *out, const Findings *f, int32_t x, int32_t y)
         xml_put(out, f->at[i]->text);
     }
     buf_printf(out, "</title><path class=\"g-mark%s\" d=\"M%ld %ldl8 14h-16z\"/>", error ? " g-error" : "", (long)x, (long)y - 8);
-    put_text(out, "g-bang", x, y + 4, "!");
+    snprintf(text, sizeof text, "%lu", (unsigned long)number);
+    put_text(out, "g-bang", x, y + 5, text);
     buf_str(out, "</g>");
 }
 
 // " g-unrun" for what a run has not done.
 static const char *run_class(const Diagram *d, uint64_t count) { return d->o->counts && count == 0 ? " g-unrun" : ""; }
-
-static void put_count(Buf *out, const Diagram *d, uint64_t count, const char *what)
-{
-    if (d->o->counts)
-        buf_printf(out, "\n%s %llu %s", what, (unsigned long long)count, count == 1 ? "time" : "times");
-}
 
 // ---- states ----
 
@@ -138,7 +138,8 @@ static void put_state_title(Buf *out, const Diagram *d, const DiagramNode *n)
     xml_put(out, n->state->name->text);
     buf_printf(out, "%s%s%s%s", n->state->number == 1 ? ", where it starts" : "", n->state->is_abort ? ", @abort" : "",
                n->state->is_safe ? ", @safe" : "", n->reached ? "" : ", never reached");
-    put_count(out, d, node_count(d, n), "entered");
+    if (d->o->counts)
+        buf_printf(out, "\n%s", count_text(d, "entered", node_count(d, n)));
     for (size_t i = 0; i < n->stub_in.n; i++) {
         buf_str(out, i ? ", " : "\nreached from ");
         xml_put(out, d->node[d->edge.at[n->stub_in.at[i]].from].state->name->text);
@@ -163,7 +164,7 @@ static void put_state(Buf *out, const Diagram *d, const DiagramNode *n)
         buf_printf(out, "<path class=\"g-line\" d=\"M%ld %ldh14\"/>", (long)b.x - 22, (long)middle);
         put_head(out, tip, RIGHT);
     }
-    put_mark(out, &n->finding, b.x + b.w - 2, b.y);
+    put_mark(out, &n->finding, n->mark, b.x + b.w - 2, b.y);
     buf_str(out, "</g>\n");
 }
 
@@ -191,7 +192,8 @@ static void put_edge_title(Buf *out, const Diagram *d, const DiagramEdge *e)
         xml_put(out, e->guard.at[g].text);
         buf_str(out, e->guard.at[g].possible ? "" : " (never)");
     }
-    put_count(out, d, edge_count(d, e), "taken");
+    if (d->o->counts)
+        buf_printf(out, "\n%s", edge_count_text(d, e));
     buf_str(out, "</title>");
 }
 
@@ -203,7 +205,7 @@ static void put_guards(Buf *out, const DiagramEdge *e, bool centred)
 
     for (size_t g = 0; g < e->guard.n; g++) {
         const Guard *guard = &e->guard.at[g];
-        put_mark(out, &guard->finding, e->label.x + e->label.w + 4, y + 7);
+        put_mark(out, &guard->finding, guard->mark, e->label.x + e->label.w + 4, y + 7);
         for (size_t i = 0; i < guard->line.n; i++, y += GUARD_LINE)
             put_text(out, centred ? "g-guard g-mid" : "g-guard", x, y + 11, guard->line.at[i].text);
         if (g + 1 < e->guard.n)
@@ -338,19 +340,24 @@ static void put_description(Buf *out, const Diagram *d)
 void graph_svg(const Analysis *a, const GraphOptions *o, Buf *out)
 {
     Diagram *d = diagram_of(a, o);
+    SvgNotes notes;
+    GraphSize size;
 
     layout_diagram(d);
+    svg_number_notes(d, &notes);
+    size = (GraphSize){notes.w > d->w ? notes.w : d->w, d->h + notes.h};
     if (o->size)
-        *o->size = (GraphSize){d->w, d->h};
+        *o->size = size;
     buf_str(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"smc-graph\" role=\"img\" stroke-width=\"1.4\"");
-    buf_printf(out, " width=\"%ld\" height=\"%ld\" viewBox=\"0 0 %ld %ld\">\n", (long)d->w, (long)d->h, (long)d->w, (long)d->h);
+    buf_printf(out, " width=\"%ld\" height=\"%ld\" viewBox=\"0 0 %ld %ld\">\n", (long)size.w, (long)size.h, (long)size.w, (long)size.h);
     put_description(out, d);
     put_style(out);
-    buf_printf(out, "<rect class=\"g-back\" width=\"%ld\" height=\"%ld\" rx=\"8\"/>\n", (long)d->w, (long)d->h);
+    buf_printf(out, "<rect class=\"g-back\" width=\"%ld\" height=\"%ld\" rx=\"8\"/>\n", (long)size.w, (long)size.h);
     put_start(out, &d->node[0]);
     for (size_t e = 0; e < d->edge.n; e++)
         put_edge(out, d, &d->edge.at[e]);
     for (size_t n = 0; n < d->nodes; n++)
         put_state(out, d, &d->node[n]);
+    svg_put_notes(&notes, out);
     buf_str(out, "</svg>\n");
 }

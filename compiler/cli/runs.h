@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// A machine and its scripts, as smc report and smc graph take them: what they are called with, and how the scripts go on the VM.
+#ifndef SMC_CLI_RUNS_H
+#define SMC_CLI_RUNS_H
+
+#include "compiler/cli/cli.h"
+#include "compiler/emit/report/report.h"
+
+// The one machine among the arguments, all others of which are scripts.  EXIT_OK, or the exit code after a message.
+int runs_machine(Cli *c, const char **machine);
+// Reads the scripts, by argument; false after a message.
+bool runs_load(Cli *c, Source ***ss, Map *written);
+// Runs them on an image with names of the machine that r->analysis is of, into r->run.
+int runs_make(Cli *c, Report *r, Source *const *ss);
+
+#endif

@@ -1,0 +1,97 @@
+# With scripts behind the machine the diagram tells where their runs have been. Of several transitions from one state to another it tells how
+# often any of them was made. A script that fails is told, and counts as far as it came.
+args graph --format=dot tank.sm tank.ss
+args graph --format=mermaid tank.sm tank.ss wrong.ss
+args graph tank.sm tank.ss | grep -o 'never taken\|any of these: taken twice\|taken once\|Dotted: [a-z ]*\|entered [a-z]*' | sort | uniq -c
+args graph tank.sm broken.ss -o x.svg
+
+-- tank.sm --
+[state_vector]
+U64 G
+U32 S
+F64 pressure @read_only
+bool armed   @read_only
+bool valve
+[Idle] @safe
+.step
+    armed: -> Fill
+[Fill]
+.entry
+    valve = true
+.step
+    pressure > 800: -> Abort
+    T > 60: -> Abort
+    pressure > 500 and armed: -> Done
+.exit
+    valve = false
+[Abort] @abort @safe
+[Done] @safe
+-- tank.ss --
+[options]
+delta_t 10
+[Idle]
+true: armed = true
+[Fill]
+T == 30: pressure = 900
+[Abort]
+true: @stop
+-- wrong.ss --
+[options]
+delta_t 10
+[all_states]
+true: armed = true
+T == 20: @assert pressure > 1
+T == 50: @stop
+-- broken.ss --
+[options]
+delta_t 10
+[Nowhere]
+true: @stop
+-- stdout --
+digraph "tank" {
+    graph [fontname="Helvetica"];
+    node [shape=box, fontname="Helvetica", color="#46566b", fillcolor="#eef3f9"];
+    edge [fontname="Helvetica", fontsize=10, color="#6a7787"];
+    "/start" [shape=point, width=0.15];
+    "/start" -> "Idle";
+    "Idle" [label="Idle\nentered once", style="filled,rounded", color="#0c7268", fillcolor="#e3f3f1", peripheries=2];
+    "Fill" [label="Fill\nentered once", style="filled,rounded"];
+    "Abort" [label="Abort\nentered once", style="filled", shape=octagon, color="#b5320f", fillcolor="#fdeae4", peripheries=2];
+    "Done" [label="Done\nnever entered", style="filled,rounded,dotted", color="#0c7268", fillcolor="#e3f3f1", peripheries=2];
+    "Idle" -> "Fill" [label="armed\ntaken once"];
+    "Fill" -> "Abort" [label="pressure > 800\nor\nT > 60\nany of these: taken once"];
+    "Fill" -> "Done" [label="pressure > 500 and armed\nnever taken", style=dotted];
+}
+stateDiagram-v2
+    classDef abort fill:#fdeae4,stroke:#b5320f,stroke-width:3px,color:#1c2430
+    classDef safe fill:#e3f3f1,stroke:#0c7268,stroke-width:3px,color:#1c2430
+    classDef never stroke-dasharray:5
+    classDef unrun stroke-dasharray:1
+    state "Idle" as s1
+    state "Fill" as s2
+    state "Abort" as s3
+    state "Done" as s4
+    [*] --> s1
+    s1 --> s2 : armed (taken 2 times)
+    s2 --> s3 : pressure #62; 800
+    s2 --> s3 : T #62; 60 (any of these: taken once)
+    s2 --> s4 : pressure #62; 500 and armed (never taken)
+    class s1 safe
+    class s3 abort
+    class s4 safe
+    class s4 unrun
+      1 Dotted: where no script has been
+      3 entered once
+      2 never taken
+      4 taken once
+-- stderr --
+wrong.ss:5:18: error: assert does not hold after step 4 (G = 30, state Fill) [E0750]
+    5 | T == 20: @assert pressure > 1
+      |                  ^~~~~~~~~~~~ pressure = 0
+1 error
+broken.ss:3:2: error: unknown state 'Nowhere' [E0501]
+    3 | [Nowhere]
+      |  ^~~~~~~
+1 error
+-- exit --
+0 1 0 1
