@@ -237,10 +237,7 @@ DIFF_CC ?= --cc='$(CC) -std=c99 -O0' --cc='$(CC) -std=gnu11 -O2'
 diff-c: $(B)/diff/difftest
 	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign-c --resume $(DIFF_CC)
 
-# Faults put in one at a time, which these tests or the conformance cases must notice; about half an hour.
-faults:
-	sh tests/diff/faults/faults.sh $(B) '$(CC)'
-.PHONY: diff diff-c sound faults
+.PHONY: diff diff-c sound
 
 check: $(B)/diff/difftest
 CHECK_LINES += "sound: $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound" \
@@ -283,9 +280,12 @@ FUZZ_SECONDS ?= 60
 FUZZ_CC      ?= clang-19
 # Arenas whose chunks hold one allocation each: then every request goes to the host, and a sanitizer sees its bounds.
 TINY_CHUNKS   = -DARENA_FIRST_CHUNK=16 -DARENA_LARGEST_CHUNK=16
-$(B)/fuzz-cov/%: tests/fuzz/%.c $(LIBSMC) $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
+FUZZ_C        = $(FUZZ_CC) $(STRICT_C) $(TINY_CHUNKS) -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
+$(B)/fuzz-cov/obj/%.o: %.c | $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
 	@mkdir -p $(@D)
-	$(call say,CC)$(FUZZ_CC) $(STRICT_C) $(TINY_CHUNKS) -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined $(filter %.c,$^) -o $@
+	$(call say,CC)$(FUZZ_C:-fsanitize=fuzzer,%=-fsanitize=fuzzer-no-link,%) $(DEPFLAGS) -c $< -o $@
+$(B)/fuzz-cov/%: tests/fuzz/%.c $(LIBSMC:%.c=$(B)/fuzz-cov/obj/%.o)
+	$(call say,CC)$(FUZZ_C) $(filter %.c %.o,$^) -o $@
 fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
 	$(foreach f,$(FUZZ),mkdir -p $(B)/corpus/$(f) && $(B)/fuzz-cov/$(f) -max_total_time=$(FUZZ_SECONDS) -timeout=10 -rss_limit_mb=2048 \
 	    -artifact_prefix=$(B)/corpus/$(f)- $(B)/corpus/$(f) $(FUZZ_SEEDS_$(f)) $(wildcard tests/fuzz/seeds/$(f)) || exit 1;)
@@ -843,15 +843,17 @@ check-clauses:
 	    awk -f tests/check/clauses.awk docs/language.md docs/config.md tests/check/clauses.txt -
 CHECK_LINES += "check-clauses: $(MAKE) -s --no-print-directory check-clauses"
 
-# `make mutants` breaks the implementation line by line and demands that the cases notice; `make mutants M="6 7.12"`: some.
-mutants:
-	@CC='$(CC)' sh tests/check/mutants.sh $(B)/mutants $(M)
+# `make mutants` breaks the implementation line by line and demands that the cases notice, `make faults` that random programs and the
+# tests of soft numbers and of the store do; an hour each.  `make mutants M="6 7.12"`: some clauses; `M=100-200`, `M=100-`: lines of the list.
+mutants faults:
+	@CC='$(CC)' CFLAGS=$(if $(filter faults,$@),-O1,-O0) sh tests/check/mutants.sh tests/check/$@.txt $(B)/$@ $(M)
+CHECK_LINES += "mutants-places: sh tests/check/mutants.sh --places tests/check/mutants.txt tests/check/faults.txt"
 
 # The fenced examples of the documentation do what their pages say.
 check-docs: all
 	@sh tests/check/docs.sh $(B)/smc $(B)/docs README.md conformance/README.md examples/README.md $(wildcard docs/*.md)
 CHECK_LINES += "check-docs: $(MAKE) -s --no-print-directory check-docs"
-.PHONY: check-clauses check-docs mutants
+.PHONY: check-clauses check-docs mutants faults
 
 .PHONY: $(HOUSE_RULES) all asan bench bench-scale check check-emitc check-ir check-golden check-mutate update-golden test fuzz install uninstall help clean
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

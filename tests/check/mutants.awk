@@ -1,36 +1,52 @@
 # SPDX-License-Identifier: Apache-2.0
-# Takes mutants.txt apart.  With -v list=1: a line `NUMBER|CLAUSES|ENGINES|FILE` for each mutant, clauses and engines
-# separated by blanks.  With -v show=N: the piece that mutant N replaces.  With -v number=N and a source file behind it:
-# that file with mutant N applied, exit 2 when the place is not there exactly once.  FILE #2 in mutants.txt takes the second of
-# several equal places.
+# Takes a list of breakages apart (mutants.txt says how one looks).
+#   awk -f mutants.awk LIST FILE…             a line `LINE|CLAUSES|ENGINES|FILE` for each, clauses and engines separated by blanks: where
+#                                             it begins in LIST; FILE is empty if its place is not in exactly one line of the FILEs
+#   awk -v number=N -f mutants.awk LIST FILE  FILE, with the breakage of line N in it
 
-FNR == NR && /^#/ { next }
-FNR == NR && /^[0-9]/ {
-    split($0, field, /[ \t][ \t]+/)
-    gsub(/,/, "", field[1])
-    gsub(/,/, "", field[2])
-    n++
-    nth[n] = sub(/ #[0-9]+$/, "", field[3]) ? substr($0, length($0)) + 0 : 0
-    if (list)
-        print n "|" field[1] "|" field[2] "|" field[3]
-    next
-}
+FNR == NR && /^(#|$)/ { next }
 FNR == NR && /^- / { old[n] = substr($0, 3); next }
 FNR == NR && /^\+ / { new[n] = substr($0, 3); next }
-FNR == NR { next }
+FNR == NR {
+    fields = split($0, field, /[ \t][ \t]+/)
+    where[n = FNR] = field[fields]
+    order[++count] = n
+    nth[n] = sub(/ #[0-9]+$/, "", where[n]) ? substr($0, length($0)) + 0 : 0
+    engines[n] = field[fields - 1]
+    clauses[n] = fields > 2 ? field[1] : ""
+    gsub(/,/, "", engines[n])
+    gsub(/,/, "", clauses[n])
+    next
+}
 
-{
-    at = index($0, old[number])
-    if (at && (!nth[number] || ++met == nth[number])) {
-        done++
-        $0 = substr($0, 1, at - 1) new[number] substr($0, at + length(old[number]))
+FNR == 1 {
+    mine = 0
+    for (k = 1; k <= count; k++) {
+        i = order[k]
+        if (number ? i == number : FILENAME == where[i] || index(FILENAME, where[i] "/") == 1) {
+            at_hand[++mine] = i
+            met[i] = 0
+        }
     }
-    print
+}
+{
+    for (k = 1; k <= mine; k++) {
+        i = at_hand[k]
+        at = index($0, old[i])
+        if (at && (!nth[i] || ++met[i] == nth[i])) {
+            places[i]++
+            found[i] = FILENAME
+            if (number)
+                $0 = substr($0, 1, at - 1) new[i] substr($0, at + length(old[i]))
+        }
+    }
+    if (number)
+        print
 }
 
 END {
-    if (show)
-        print old[show]
-    else if (!list && done != 1)
-        exit 2
+    for (k = 1; !number && k <= count; k++) {
+        i = order[k]
+        print i "|" clauses[i] "|" engines[i] "|" (places[i] == 1 ? found[i] : "")
+    }
 }

@@ -1,101 +1,125 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Breaks the implementation on purpose, one line at a time (mutants.txt), and demands that the cases of the clause notice.
-#   mutants.sh FOLDER [CLAUSE-OR-CHAPTER…]     FOLDER holds a copy of the tree and its build; CLAUSE as 5.7, chapter as 5.
-# Ends with "N passed, N failed": a mutant passes when some case of its clauses fails.
-folder=$1
-shift
-txt=tests/check/mutants.txt
-awk=tests/check/mutants.awk
-tree=$folder/tree
-build=$folder/build
-mkdir -p "$tree"
-for part in Makefile stdlib compiler bytecode-vm runtime-c tests conformance docs; do
+# Breaks the implementation on purpose, one line at a time (mutants.txt, faults.txt), and demands that tests notice.
+#   mutants.sh LIST FOLDER [WHICH…]    FOLDER holds a copy of the tree and its build; WHICH: a clause as 5.7, a chapter as 5,
+#                                      lines of the list as 100-220 or 100-: a run in pieces
+#   mutants.sh --places LIST…          only whether each has its place still
+# Ends with "N passed, N failed": a mutant passes when each of its engines notices.  CFLAGS: what the copy is built with.
+here=tests/check
+passed=0 failed=0
+places() { awk -f $here/mutants.awk "$1" $(find stdlib compiler bytecode-vm runtime-c -name '*.[chS]' -o -name '*.def'); }
+
+if [ "$1" = --places ]; then
+    shift
+    for list in "$@"; do
+        places "$list" | sed -n "s|^\([0-9]*\).*[|]$|$list:\1: its place is not there in exactly one line|p"
+        failed=$((failed + $(places "$list" | grep -c '|$')))
+        passed=$((passed + $(places "$list" | grep -c '[^|]$')))
+    done
+    echo "$passed passed, $failed failed"
+    exit $((failed != 0))
+fi
+
+list=$1 folder=$2
+shift 2
+mkdir -p "$folder/tree" "$folder/build" || exit 1
+folder=$(cd "$folder" && pwd)
+tree=$folder/tree build=$folder/build
+for part in Makefile stdlib compiler bytecode-vm runtime-c tests conformance docs examples; do
     rm -rf "$tree/${part:?}.new"
     cp -Rp "$part" "$tree/$part.new" && { rm -rf "$tree/$part"; mv "$tree/$part.new" "$tree/$part"; } || exit 1
 done
 # Where a run was cut short an object of the broken source may be left: it is older than what touch makes of the source.
 [ -f "$build.broken" ] && touch "$tree/$(cat "$build.broken")"
-root=$(pwd)
-case $build in /*) ;; *) build=$root/$build ;; esac
-case $tree in /*) ;; *) tree=$root/$tree ;; esac
 
-compile() { ( cd "$tree" && make -s B="$build" CFLAGS=-O0 WARN=-w "$@" ) >"$build.log" 2>&1; }
-host_tests="$build/clauses/steps $build/clauses/memory $build/clauses/regions $build/clauses/probe.smb"
+# ---- what must notice ----
+
+targets_of() {      # ENGINES
+    echo all
+    case " $1 " in *' host '*) echo "$build/clauses/steps $build/clauses/memory $build/clauses/regions $build/clauses/probe.smb" ;; esac
+    case " $1 " in *' golden '*) echo "$build/golden" ;; esac
+    case " $1 " in *' diff '*) echo "$build/diff/difftest" ;; esac
+    case " $1 " in *' soft '*) echo "$build/soft/run" ;; esac
+    case " $1 " in *' store '*) echo "$build/store/cuts $build/store/agent $build/store/auth $build/store/old.smb $build/store/new.smb" ;; esac
+}
+compile() { ( cd "$tree" && make -s B="$build" CFLAGS="${CFLAGS:--O0}" WARN=-w $(targets_of "$1") ) >"$build.log" 2>&1; }
 
 # The files of conformance/ whose spec line names one of the clauses.
 cases_of() {
     pattern=$(printf '%s' "$1" | sed 's/\./\\./g; s/  */|/g')
-    ( cd "$tree" && grep -rElZ "^spec ([0-9.]+, *)*($pattern)(,|  )" conformance | tr '\0' '\n' )
+    grep -rElZ "^spec ([0-9.]+, *)*($pattern)(,|  )" conformance | tr '\0' '\n'
 }
 
-# True if no case notices.
+random() { "$build/diff/difftest" --first --no-reduce --out="$build/diff/out" "$@"; }
+
+# True if ENGINE does not notice; CLAUSES say which cases it is shown.
 survives() {
-    clauses=$1 engine=$2
-    case $engine in
-    host)
-        ( cd "$tree" && "$build/clauses/steps" && "$build/clauses/memory" "$build/clauses/probe.smb" && "$build/clauses/regions" ) >"$build.out" 2>&1 ;;
-    golden)
-        ( cd "$tree" && "$build/golden" "$build/smc" tests/golden/column-is-a-byte.smt ) >"$build.out" 2>&1 ;;
-    *)
-        cases=$(cases_of "$clauses")
-        [ -n "$cases" ] || { echo "no cases for $clauses"; return 0; }
-        ( cd "$tree" && ulimit -t 60 && "$build/smc" test --engine="$engine" $cases ) >"$build.out" 2>&1 ;;
-    esac
+    cd "$tree" && ulimit -t 200 || exit
+    case $2 in
+    host) "$build/clauses/steps" && "$build/clauses/memory" "$build/clauses/probe.smb" && "$build/clauses/regions" ;;
+    golden) "$build/golden" "$build/smc" tests/golden/column-is-a-byte.smt ;;
+    diff)           # random programs on the VM, alone against what analyses say of them, in emitted C, and all cases
+        random --count=5000 --no-floors && random --sound --steps=1000 --count=3000 --no-floors &&
+            random --count=400 --seed=7000 --cc="${CC:-cc} -std=c99 -O0" && "$build/smc" test conformance ;;
+    soft) "$build/soft/run" ;;
+    store)
+        set -- "$build/store/old.smb" "$build/store/new.smb"
+        "$build/store/cuts" "$@" && "$build/store/agent" "$@" && "$build/store/auth" "$@" ;;
+    *) [ -z "$1" ] || "$build/smc" test --engine="$2" $(cases_of "$1") ;;
+    esac >"$build.out" 2>&1
 }
 
-passed=0 failed=0
-mkdir -p "$build"
-compile all || { cat "$build.log"; echo "0 passed, 1 failed"; exit 1; }
+silent() {          # CLAUSES ENGINES: those of them that do not notice
+    for engine in $2; do
+        (survives "$1" "$engine") && printf ' %s' "$engine"
+    done
+}
 
-wanted() {
-    [ -z "$2" ] && return 0
-    for c in $1; do
-        for w in $2; do
+# ---- one after the other ----
+
+wanted() {          # LINE CLAUSES WHICH
+    [ -z "$3" ] && return 0
+    for w in $3; do
+        end=${w#*-}
+        case $w in *-*) [ "$1" -ge "${w%-*}" ] && [ "$1" -le "${end:-100000}" ] && return 0 ;; esac
+        for c in $2; do
             case $c in "$w" | "$w".*) return 0 ;; esac
         done
     done
     return 1
 }
 
-awk -v list=1 -f $awk $txt >"$build.list"
-while IFS='|' read -r number clauses engines file; do
-    wanted "$clauses" "$*" || continue
-    if [ -d "$file" ]; then
-        awk -v show="$number" -f $awk $txt >"$build.old"
-        file=$(grep -rlF -f "$build.old" "$file")             # several names are no file's name
-    fi
-    if [ ! -f "$file" ] || ! awk -v number="$number" -f $awk $txt "$file" >"$build.mutant"; then
-        echo "mutant $number ($clauses, $file): its place is not there exactly once"
-        failed=$((failed + 1))
-        continue
-    fi
-    echo "$file" >"$build.broken"
-    cp "$build.mutant" "$tree/$file"
-    targets=all
-    case $engines in *host*) targets="all $host_tests" ;; *golden*) targets="all $build/golden" ;; esac
-    if compile $targets; then
-        bad=
-        for engine in $engines; do
-            survives "$clauses" "$engine" && bad="$bad $engine"
-        done
-        if [ -n "$bad" ]; then
-            echo "mutant $number ($clauses, $file): nobody noticed on$bad"
-            failed=$((failed + 1))
-        else
-            passed=$((passed + 1))
-        fi
-    elif [ "$engines" = host ] && grep -q "probe" "$build.log"; then
-        passed=$((passed + 1))                # what it emits does not even compile
+judge() {           # LINE CLAUSES ENGINES FILE: says what came of it, true if it was noticed
+    printf '%s' "$list:$1 (${2:+$2, }$4): "
+    [ -n "$4" ] || { echo "its place is not there exactly once"; return 1; }
+    echo "$4" >"$build.broken"
+    awk -v number="$1" -f $here/mutants.awk "$list" "$4" >"$tree/$4"
+    if compile "$3"; then
+        bad=$(silent "$2" "$3")
+    elif [ "$3" = host ] && grep -q probe "$build.log"; then
+        bad=                                      # what it emits does not even compile
     else
-        echo "mutant $number ($clauses, $file): does not compile"
+        bad=" anything: it does not compile"
         sed 's/^/    /' "$build.log" | head -n 8
-        failed=$((failed + 1))
     fi
-    cp "$file" "$tree/$file"
+    cp "$4" "$tree/$4"
+    echo "${bad:+NOT }noticed${bad:+ by}$bad"
+    [ -z "$bad" ]
+}
+
+places "$list" | while IFS='|' read -r number clauses engines file; do
+    wanted "$number" "$clauses" "$*" && echo "$number|$clauses|$engines|$file"
+done >"$build.list"
+all=$(cut -d '|' -f 3 "$build.list" | tr ' ' '\n' | sort -u)
+for engine in $all; do
+    clauses=$(awk -F '|' -v e="$engine" 'index(" " $3 " ", " " e " ") { print $2 }' "$build.list" | tr ' ' '\n' | sort -u | tr '\n' ' ')
+    compile "$engine" && (survives "${clauses% }" "$engine") || { tail "$build.log" "$build.out"; echo "without any fault: 0 passed, 1 failed"; exit 1; }
+done
+while IFS='|' read -r number clauses engines file; do
+    if judge "$number" "$clauses" "$engines" "$file" </dev/null; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
 done <"$build.list"
 
-if [ $# -eq 0 ]; then
+if [ $# -eq 0 ] && cut -d '|' -f 2 "$build.list" | grep -q .; then
     sed -n 's/^\*\*\([0-9]*\.[0-9]*\)\*\* .*/\1/p' docs/language.md | while read -r clause; do
         grep -Eq "^[0-9]+\|([0-9. ]+ )?$(printf '%s' "$clause" | sed 's/\./\\./')( |\|)" "$build.list" || echo "clause $clause has no mutant"
     done
