@@ -40,7 +40,7 @@ targets_of() {      # ENGINES
     case " $1 " in *' golden '*) echo "$build/golden" ;; esac
     case " $1 " in *' diff '*) echo "$build/diff/difftest" ;; esac
     case " $1 " in *' soft '*) echo "$build/soft/run" ;; esac
-    case " $1 " in *' store '*) echo "$build/store/cuts $build/store/agent $build/store/auth $build/store/old.smb $build/store/new.smb" ;; esac
+    case " $1 " in *' store '*) echo "$build/store/cuts $build/store/agent $build/store/auth $build/unit/vm_auth $build/store/old.smb $build/store/new.smb" ;; esac
 }
 compile() { ( cd "$tree" && make -s B="$build" CFLAGS="${CFLAGS:--O0}" WARN=-w $(targets_of "$1") ) >"$build.log" 2>&1; }
 
@@ -64,7 +64,7 @@ survives() {
     soft) "$build/soft/run" ;;
     store)
         set -- "$build/store/old.smb" "$build/store/new.smb"
-        "$build/store/cuts" "$@" && "$build/store/agent" "$@" && "$build/store/auth" "$@" ;;
+        "$build/store/cuts" "$@" && "$build/store/agent" "$@" && "$build/store/auth" "$@" && "$build/unit/vm_auth" ;;
     *) [ -z "$1" ] || "$build/smc" test --engine="$2" $(cases_of "$1") ;;
     esac >"$build.out" 2>&1
 }
