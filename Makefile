@@ -192,10 +192,22 @@ check: $(B)/fuzz/log $(B)/corpus/log/flight.log
 $(B)/fuzz-cov/log: | $(B)/corpus/log/flight.log
 CHECK_LINES += "fuzz-log: $(B)/fuzz/log -n 1000 $(B)/corpus/log/flight.log" "log: sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log"
 
-# Images: their seeds are those that the mutation test works on.  `make check-mutate` changes every byte of them to every value.
-$(B)/corpus/image: $(B)/unit/vm_mutate
+# Images: their seeds are those that the mutation test works on.  `make check-mutate` changes every byte of them to every value,
+# and runs what is accepted for STEPS steps.
+MUTATE_SMB = $(patsubst %,$(B)/mutate/%.smb,pins signed ignition stand)
+$(B)/mutate/pins.smb: examples/tank/tank.sm tests/avr/tank.sv tests/avr/tank.io $(B)/smc
+	@mkdir -p $(@D)
+	@$(B)/smc build -w $< --sv tests/avr/tank.sv --io tests/avr/tank.io -o $@
+$(B)/mutate/signed.smb: $(B)/mutate/pins.smb
+	@printf '%032d\n' 7 >$(@D)/key && chmod 600 $(@D)/key && $(B)/smc sign $< --key=$(@D)/key --number=7 -o $@
+$(B)/mutate/ignition.smb: examples/ignition/ignition.sm $(B)/smc
+$(B)/mutate/stand.smb: examples/teststand/stand.sm $(B)/smc
+$(B)/mutate/ignition.smb $(B)/mutate/stand.smb:
+	@mkdir -p $(@D)
+	@$(B)/smc build -w $< -o $@
+$(B)/corpus/image: $(B)/unit/vm_mutate $(MUTATE_SMB)
 	@mkdir -p $@
-	@$(B)/unit/vm_mutate 1 1 $@ >$(B)/vm_mutate.log 2>&1
+	@$(B)/unit/vm_mutate 1 1 $@ $(MUTATE_SMB) >$(B)/vm_mutate.log 2>&1
 check: $(B)/fuzz/image $(B)/corpus/image
 $(B)/fuzz/image $(B)/fuzz-cov/image: compiler/device/sign.c
 $(B)/fuzz-cov/image: | $(B)/corpus/image
@@ -205,8 +217,9 @@ MUTATE_SRC = tests/unit/vm_mutate.c $(LIBSMC)
 $(B)/vm_mutate_san: $(MUTATE_SRC) | $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined $(MUTATE_SRC) -lm -o $@
-check-mutate: $(B)/vm_mutate_san
-	$(B)/vm_mutate_san 1000 256
+STEPS ?= 1000
+check-mutate: $(B)/vm_mutate_san $(MUTATE_SMB)
+	$(B)/vm_mutate_san $(STEPS) 256 - $(MUTATE_SMB)
 
 # docs/bytecode.md: its example is compiled and run.
 $(B)/gen/embed.c: docs/bytecode.md
@@ -284,6 +297,7 @@ FUZZ_C        = $(FUZZ_CC) $(STRICT_C) $(TINY_CHUNKS) -g -O1 -fsanitize=fuzzer,a
 $(B)/fuzz-cov/obj/%.o: %.c | $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
 	@mkdir -p $(@D)
 	$(call say,CC)$(FUZZ_C:-fsanitize=fuzzer,%=-fsanitize=fuzzer-no-link,%) $(DEPFLAGS) -c $< -o $@
+.SECONDARY: $(LIBSMC:%.c=$(B)/fuzz-cov/obj/%.o)
 $(B)/fuzz-cov/%: tests/fuzz/%.c $(LIBSMC:%.c=$(B)/fuzz-cov/obj/%.o)
 	$(call say,CC)$(FUZZ_C) $(filter %.c %.o,$^) -o $@
 fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
@@ -445,12 +459,14 @@ CHECK_LINES += "store: $(B)/store/cuts $(STORE_SMB)"
 BOARD_SRC = bytecode-vm/target/agent.c bytecode-vm/target/store.c runtime-c/event.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
 AGENT_SRC = tests/store/agent.c compiler/device/device.c compiler/device/link_host.c $(BOARD_SRC)
 $(B)/store/agent: $(AGENT_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 check: $(B)/store/agent $(STORE_SMB)
 CHECK_LINES += "link: $(B)/store/agent $(STORE_SMB)"
 # A board with a key.
 AUTH_SRC = tests/store/auth.c compiler/device/sign.c $(BOARD_SRC)
 $(B)/store/auth: $(AUTH_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 check: $(B)/store/auth
 CHECK_LINES += "auth: $(B)/store/auth $(STORE_SMB)"

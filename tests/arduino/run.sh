@@ -9,26 +9,11 @@ build=$1 library=$2 version=$3
 CC=${CC:-cc} CXX=${CXX:-c++}
 mkdir -p "$build/arduino/test" || exit 1
 dir=$(cd "$build/arduino/test" && pwd)
-passed=0 failed=0 skipped=0
 export ASAN_OPTIONS=detect_leaks=0             # libsimavr forgets what it read of the firmware
 find "$dir" -mindepth 1 -maxdepth 1 ! -name core -exec rm -rf {} +         # the cores of the boards take most of the time
 mkdir -p "$dir/libraries" "$dir/core" || exit 1
 
-check()     # NAME COMMAND…
-{
-    name=$1
-    shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "arduino: $name"
-        head -20 "$dir/log"
-    fi
-}
-
-skip() { skipped=$((skipped + 1)); echo "arduino: skipped: $*"; }
-has() { command -v "$1" >/dev/null 2>&1; }
+. tests/checks.sh
 
 # ---- what describes it ----
 
@@ -219,5 +204,4 @@ if [ $emulates = 1 ]; then
     echo "Firmware on mega: $(sizes)"
     check "Firmware on mega" firmware
 fi
-echo "$passed passed, $failed failed, $skipped skipped"
-[ $failed -eq 0 ]
+finish arduino

@@ -34,7 +34,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     copy = malloc(size);
     memcpy(copy, data, size);
-    memcpy(copy, "smb\1", 4);
+    memcpy(copy, "smb", 3);
+    copy[3] = SMVM_FORMAT;
     copy[8] = (uint8_t)size;
     copy[9] = (uint8_t)(size >> 8);
     copy[10] = (uint8_t)(size >> 16);

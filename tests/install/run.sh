@@ -3,24 +3,11 @@
 # Installs into a scratch folder and uses what is there as its user would: the command, smc.mk in a project of its own, the
 # VM library by pkg-config; then uninstalls and looks for leftovers.    sh tests/install/run.sh MAKE B CC  (CC may be several words)
 make=$1 build=$2 cc=$3
-passed=0 failed=0 skipped=0
+. tests/checks.sh
 root=$(pwd)
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 inst=$dir/inst/usr
-
-check()     # NAME COMMAND…
-{
-    name=$1
-    shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "install: $name"
-        cat "$dir/log"
-    fi
-}
 
 check "make install" "$make" -s B="$build" CC="$cc" DESTDIR="$dir/inst" PREFIX=/usr install
 check "the command runs" "$inst/bin/smc" --version
@@ -123,5 +110,4 @@ cd "$root" || exit 1
 check "make uninstall" "$make" -s B="$build" DESTDIR="$dir/inst" PREFIX=/usr uninstall
 check "nothing is left" sh -c "test -z \"\$(find '$dir/inst' -type f)\""
 
-[ "$skipped" -eq 0 ] && echo "install: $passed passed, $failed failed" || echo "install: $passed passed, $failed failed, $skipped skipped"
-[ "$failed" -eq 0 ]
+finish install

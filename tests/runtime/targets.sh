@@ -4,7 +4,7 @@
 #     targets.sh SMC     CC names the host's compiler.
 smc=$1 CC=${CC:-cc}
 here=tests/runtime
-passed=0 failed=0 skipped=0
+. tests/checks.sh
 dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-targets.XXXXXX") || exit 1
 trap 'rm -rf "$dir"' EXIT
 strict='-std=c99 -Os -ffunction-sections -fdata-sections -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
@@ -14,24 +14,12 @@ sources='runtime-c/statevec.c runtime-c/region.c runtime-c/names.c runtime-c/eve
 more='runtime-c/log.c runtime-c/log_drain.c runtime-c/log_describe.c runtime-c/keep.c
       runtime-c/task.c runtime-c/executor.c runtime-c/app.c runtime-c/run.c runtime-c/writing.c'      # log, keep, tasks, applications
 
-check() {                     # check SENTENCE COMMAND…
-    what=$1
-    shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "$what: failed"
-        head -5 "$dir/log"
-    fi
-}
-
 for v in wide plain narrow; do
     "$smc" build "$here/$v.sv" --emit=c --runtime -o "$dir/$v.c" || failed=$((failed + 1))
 done
 
 compiles() {                  # compiles COMPILER FLAGS…
-    if ! command -v "$1" >/dev/null 2>&1; then
+    if ! has "$1"; then
         skipped=$((skipped + 1))
         return
     fi
@@ -75,20 +63,19 @@ program() {
     ${CC%% *} -std=c99 -Os -ffunction-sections -fdata-sections -Wl,--gc-sections -I. -I"$dir" "$dir/$1.c" "$dir/wide.c" $sources \
         -o "$dir/$1" 2>"$dir/log"
 }
-has() { nm "$dir/$1" | grep -q " $2\$"; }
-has_not() { ! has "$1" "$2"; }
+links() { nm "$dir/$1" | grep -q " $2\$"; }
+links_not() { ! links "$1" "$2"; }
 holds() { grep -q "$2" "$dir/$1"; }
 holds_not() { ! holds "$1" "$2"; }
 
-if program few '' && command -v nm >/dev/null 2>&1; then
+if program few '' && has nm; then
     check 'names are looked up where they are asked for' program names 'if (!sm_find_element(&wide_names, "f64")) return 2;'
     check 'a program that looks up names has them' holds names set_class
     check 'a program that looks up none has none' holds_not few set_class
-    check '... nor the table' has_not few wide_names
-    check 'who only reads elements has no regions' has_not few sm_pack_region
-    check 'but has the description' has few wide_layout
+    check '... nor the table' links_not few wide_names
+    check 'who only reads elements has no regions' links_not few sm_pack_region
+    check 'but has the description' links few wide_layout
 else
     skipped=$((skipped + 1))
 fi
-echo "targets: $passed passed, $failed failed, $skipped skipped"
-[ "$failed" -eq 0 ]
+finish targets

@@ -9,9 +9,7 @@
 #include "tests/store/board.h"
 #include "tests/test.h"
 
-enum { ROOM = 1024, QUEUE = 4096 };
-
-typedef struct Image { uint8_t bytes[ROOM]; uint32_t length, checksum; } Image;
+enum { QUEUE = 4096 };
 
 static Image old_image, new_image;
 static uint64_t random_state;
@@ -417,25 +415,13 @@ static void events_come_once_and_in_order(void)
     CHECK(next == made && came > 100);
 }
 
-static bool load(const char *path, Image *image)
-{
-    FILE *f = fopen(path, "rb");
-
-    if (!f)
-        return false;
-    image->length = (uint32_t)fread(image->bytes, 1, ROOM, f);
-    fclose(f);
-    image->checksum = sm_link_get(image->bytes + 4, 4);
-    return image->length > 12 && image->length < ROOM;
-}
-
 int main(int argc, char **argv)
 {
     const unsigned long number = argc > 3 ? strtoul(argv[3], NULL, 10) : 400;
     static const char *const memories[] = {"eeprom", "flash"};
     Ends ends = {0, 0, 0};
 
-    if (argc < 3 || !load(argv[1], &old_image) || !load(argv[2], &new_image)) {
+    if (argc < 3 || !image_load(argv[1], &old_image) || !image_load(argv[2], &new_image)) {
         fprintf(stderr, "agent OLD.smb NEW.smb [RUNS [SEED]]\n");
         return 2;
     }

@@ -1,46 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board with a key: what is not signed with it is neither chosen nor run, and no old number comes back, wherever the power goes.
 //   auth OLD.smb NEW.smb
-#include <stdio.h>
-
-#include "bytecode-vm/image.h"
 #include "compiler/device/sign.h"
 #include "stdlib/crc32.h"
 #include "tests/store/board.h"
 #include "tests/test.h"
 
-enum { ROOM = 1024, BLOCK = 32 };
-
-typedef struct Image {
-    uint8_t bytes[ROOM];
-    uint32_t length;
-} Image;
-
 static const uint8_t our_key[SMVM_KEY] = "not a good key.", other_key[SMVM_KEY] = "not a good kez.";
 static Image old_image, new_image;         // not signed
-
-static bool load(const char *path, Image *image)
-{
-    FILE *f = fopen(path, "rb");
-
-    if (!f)
-        return false;
-    image->length = (uint32_t)fread(image->bytes, 1, ROOM, f);
-    fclose(f);
-    return image->length > SMVM_HEADER && image->length < ROOM - SIGN_ROOM;
-}
 
 static Image signed_with(const uint8_t *key, const Image *image, uint32_t number)
 {
     Image s;
 
     s.length = image_sign(image->bytes, image->length, key, number, s.bytes);
+    s.checksum = smvm_uint(s.bytes, SMVM_CRC_AT, 4);
     return s;
 }
 
 static bool is_ours(SmvmBytes image, uint32_t *number) { return smvm_auth_check(image, our_key, number); }
-
-static uint32_t checksum_of(const Image *i) { return smvm_uint(i->bytes, SMVM_CRC_AT, 4); }
 
 // ---- images ----
 
@@ -107,26 +85,10 @@ static bool restarts(Board *b)
     return starts(b);
 }
 
-static SmResult send(Board *b, const Image *image)
-{
-    SmvmVerdict why;
-
-    if (b->slots == 1)
-        smvm_store_leave(&b->store);
-    if (smvm_store_begin(&b->store, 7, image->length, checksum_of(image)) != SM_OK)
-        return SM_E_BUSY;
-    for (uint32_t at = 0; at < image->length; at += BLOCK) {
-        const uint32_t n = image->length - at < BLOCK ? image->length - at : BLOCK;
-        if (smvm_store_write(&b->store, 7, at, image->bytes + at, (uint8_t)n) != SM_OK)
-            return SM_E_DEVICE;
-    }
-    return smvm_store_end(&b->store, 7, &why);
-}
-
 static SmResult send_number(Board *b, uint32_t number)
 {
     const Image s = signed_with(our_key, number % 2 ? &old_image : &new_image, number);
-    return send(b, &s);
+    return image_send(&b->store, &s);
 }
 
 static uint32_t newest(const Board *b) { return smvm_uint(b->store.now.newest, 0, 4); }
@@ -136,8 +98,8 @@ static bool runs_number(Board *b, uint32_t number, bool confirm)
 {
     const Image s = signed_with(our_key, number % 2 ? &old_image : &new_image, number);
 
-    return send(b, &s) == SM_OK && smvm_store_activate(&b->store, 7, 0) == SM_OK && restarts(b) && b->slot != STORE_BUILT_IN &&
-           (!confirm || smvm_store_confirm(&b->store, checksum_of(&s)) == SM_OK);
+    return image_send(&b->store, &s) == SM_OK && smvm_store_activate(&b->store, IMAGE_SESSION, 0) == SM_OK && restarts(b) && b->slot != STORE_BUILT_IN &&
+           (!confirm || smvm_store_confirm(&b->store, s.checksum) == SM_OK);
 }
 
 static void board_with_key(Board *b, const char *memory, uint8_t slots)
@@ -153,11 +115,11 @@ static void what_is_not_signed_is_refused(uint8_t slots)
     Board b;
 
     board_with_key(&b, "eeprom", slots);
-    CHECK(send(&b, &new_image) == SM_E_UNSIGNED && smvm_store_activate(&b.store, 7, 0) == SM_E_HANDLE);
-    CHECK(send(&b, &theirs) == SM_E_UNSIGNED && smvm_store_activate(&b.store, 7, 0) == SM_E_HANDLE);
+    CHECK(image_send(&b.store, &new_image) == SM_E_UNSIGNED && smvm_store_activate(&b.store, IMAGE_SESSION, 0) == SM_E_HANDLE);
+    CHECK(image_send(&b.store, &theirs) == SM_E_UNSIGNED && smvm_store_activate(&b.store, IMAGE_SESSION, 0) == SM_E_HANDLE);
     CHECK(restarts(&b) && b.slot == STORE_BUILT_IN);
     CHECK(runs_number(&b, 7, true) && newest(&b) == 7);
-    CHECK(send(&b, &theirs) == SM_E_UNSIGNED && smvm_store_activate(&b.store, 7, 0) == SM_E_HANDLE);
+    CHECK(image_send(&b.store, &theirs) == SM_E_UNSIGNED && smvm_store_activate(&b.store, IMAGE_SESSION, 0) == SM_E_HANDLE);
     CHECK(restarts(&b) && (b.slot != STORE_BUILT_IN) == (slots == 2));
 }
 
@@ -168,7 +130,7 @@ static void no_number_comes_back(uint8_t slots)
     board_with_key(&b, "flash", slots);
     CHECK(send_number(&b, 0) == SM_E_REPLAY);
     CHECK(runs_number(&b, 5, true) && newest(&b) == 5);
-    CHECK(send_number(&b, 4) == SM_E_REPLAY && smvm_store_activate(&b.store, 7, 0) == SM_E_HANDLE);
+    CHECK(send_number(&b, 4) == SM_E_REPLAY && smvm_store_activate(&b.store, IMAGE_SESSION, 0) == SM_E_HANDLE);
     CHECK(send_number(&b, 5) == SM_E_REPLAY);
     CHECK(runs_number(&b, 9, false) && newest(&b) == 5);
     for (int i = 0; i < STORE_TRIES; i++)
@@ -183,8 +145,8 @@ static void what_was_put_there_does_not_run(void)
 {
     Board b;
 
-    CHECK(board_new(&b, "eeprom", 2) && send(&b, &new_image) == SM_OK && smvm_store_activate(&b.store, 7, 0) == SM_OK);
-    CHECK(restarts(&b) && b.slot == 0 && smvm_store_confirm(&b.store, checksum_of(&new_image)) == SM_OK);
+    CHECK(board_new(&b, "eeprom", 2) && image_send(&b.store, &new_image) == SM_OK && smvm_store_activate(&b.store, IMAGE_SESSION, 0) == SM_OK);
+    CHECK(restarts(&b) && b.slot == 0 && smvm_store_confirm(&b.store, new_image.checksum) == SM_OK);
     b.is_authentic = is_ours;
     CHECK(restarts(&b) && b.slot == STORE_BUILT_IN);
 }
@@ -229,17 +191,18 @@ static void confirming_is_cut(const char *memory)
             board_with_key(&b, memory, 2);
             CHECK(runs_number(&b, 6, true) && runs_number(&b, 9, false));
             sim_cut_power(call, byte);
-            smvm_store_confirm(&b.store, checksum_of(&s));
+            smvm_store_confirm(&b.store, s.checksum);
             CHECK(restarts(&b) && b.slot != STORE_BUILT_IN);
             CHECK(newest(&b) == (b.store.now.confirmed ? 9u : 6u));
-            CHECK(smvm_store_confirm(&b.store, checksum_of(&s)) == SM_OK && restarts(&b) && newest(&b) == 9);
+            CHECK(smvm_store_confirm(&b.store, s.checksum) == SM_OK && restarts(&b) && newest(&b) == 9);
             CHECK(send_number(&b, 8) == SM_E_REPLAY);
         }
 }
 
 int main(int argc, char **argv)
 {
-    if (argc < 3 || !load(argv[1], &old_image) || !load(argv[2], &new_image))
+    if (argc < 3 || !image_load(argv[1], &old_image) || !image_load(argv[2], &new_image) ||
+        old_image.length + SIGN_ROOM > IMAGE_ROOM || new_image.length + SIGN_ROOM > IMAGE_ROOM)
         return fprintf(stderr, "auth OLD.smb NEW.smb\n"), 2;
     signing_leaves_the_rest();
     every_bit_is_guarded();

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "bytecode-vm/target/agent.h"
-#include "runtime-c/psl/sim/sim.h"
+#include "tests/store/image.h"
 
 enum { BOARD_BODY = 37, BOARD_EVENTS = 16 };       // an odd body: no multiple of what a memory writes
 
@@ -44,18 +44,7 @@ static void board_leave(void *context)
 
 static bool board_opens(Board *b)
 {
-    StorePlan plan = {SIM_NVM_SIZE, b->slots, {NULL, NULL}};
-    PalNvm nvm;
-    PalNvmInfo info;
-    uint32_t unit, record;
-
-    if (pal_nvm_open(&nvm, b->memory, SIM_NVM_SIZE) != SM_OK || pal_nvm_info(nvm, &info) != SM_OK)
-        return false;
-    unit = info.erase ? info.erase : info.write;
-    record = (STORE_RECORD + unit - 1) / unit * unit;
-    plan.image[0] = sim_nvm(b->memory) + 2 * record;
-    plan.image[1] = plan.image[0] + (SIM_NVM_SIZE - 2 * record) / b->slots / unit * unit;
-    if (smvm_store_open(&b->store, nvm, &plan) != SM_OK)
+    if (!image_store(&b->store, b->memory, b->slots))
         return false;
     b->store.is_authentic = b->is_authentic;
     return true;

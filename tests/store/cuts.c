@@ -3,20 +3,10 @@
 // Whatever was cut, the old image or the new one runs; with one slot, the built-in one where the old one had to give way.
 //   cuts OLD.smb NEW.smb          all single cuts, and one in 65 pairs
 //   cuts OLD.smb NEW.smb all      all pairs
-#include <stdio.h>
 #include <string.h>
 
-#include "bytecode-vm/image.h"
-#include "bytecode-vm/target/store.h"
-#include "runtime-c/psl/sim/sim.h"
+#include "tests/store/image.h"
 #include "tests/test.h"
-
-enum { ROOM = 1024, BLOCK = 32 };
-
-typedef struct Image {
-    uint8_t bytes[ROOM];
-    uint32_t length, checksum;
-} Image;
 
 // The device: what a restart forgets is in `store`, what it keeps in the simulated memory.
 typedef struct Device {
@@ -30,36 +20,9 @@ typedef enum Runs { RUNS_OLD, RUNS_NEW, RUNS_BUILT_IN, RUNS_NOTHING } Runs;
 
 static Image old_image, new_image;
 
-static bool load(const char *path, Image *image)
-{
-    FILE *f = fopen(path, "rb");
-
-    if (!f)
-        return false;
-    image->length = (uint32_t)fread(image->bytes, 1, ROOM, f);
-    fclose(f);
-    image->checksum = (uint32_t)image->bytes[4] | (uint32_t)image->bytes[5] << 8 | (uint32_t)image->bytes[6] << 16 |
-                      (uint32_t)image->bytes[7] << 24;
-    return image->length > 12 && image->length < ROOM;
-}
-
 // ---- what happens to it ----
 
-static bool opens(Device *d)
-{
-    StorePlan plan = {SIM_NVM_SIZE, d->slots, {NULL, NULL}};
-    PalNvm nvm;
-    PalNvmInfo info;
-    uint32_t unit, record;
-
-    if (pal_nvm_open(&nvm, d->memory, SIM_NVM_SIZE) != SM_OK || pal_nvm_info(nvm, &info) != SM_OK)
-        return false;
-    unit = info.erase ? info.erase : info.write;
-    record = (STORE_RECORD + unit - 1) / unit * unit;
-    plan.image[0] = sim_nvm(d->memory) + 2 * record;
-    plan.image[1] = plan.image[0] + (SIM_NVM_SIZE - 2 * record) / d->slots / unit * unit;
-    return smvm_store_open(&d->store, nvm, &plan) == SM_OK;
-}
+static bool opens(Device *d) { return image_store(&d->store, d->memory, d->slots); }
 
 // A start: gives what runs.  The choice may be cut off as well, then nothing runs yet.
 static Runs start(Device *d)
@@ -81,22 +44,7 @@ static Runs start(Device *d)
     return checksum == new_image.checksum && memcmp(there, new_image.bytes, new_image.length) == 0 ? RUNS_NEW : RUNS_NOTHING;
 }
 
-static bool sends(Device *d, const Image *image)
-{
-    SmvmVerdict why;
-
-    if (d->slots == 1)
-        smvm_store_leave(&d->store);
-    if (smvm_store_begin(&d->store, 7, image->length, image->checksum) != SM_OK)
-        return false;
-    for (uint32_t at = 0; at < image->length; at += BLOCK) {
-        const uint32_t n = image->length - at < BLOCK ? image->length - at : BLOCK;
-        if (smvm_store_write(&d->store, 7, at, image->bytes + at, (uint8_t)n) != SM_OK)
-            return false;
-    }
-    return smvm_store_end(&d->store, 7, &why) == SM_OK;
-}
-
+static bool sends(Device *d, const Image *image) { return image_send(&d->store, image) == SM_OK; }
 static bool updates(Device *d, const Image *image) { return sends(d, image) && smvm_store_activate(&d->store, 7, 0) == SM_OK; }
 
 // How far an update came before the power went.
@@ -283,9 +231,9 @@ static void steps_may_be_repeated(void)
     CHECK(sends(&d, &new_image));
     writes = sim_count(SIM_nvm_write);
     CHECK(smvm_store_begin(&d.store, 7, new_image.length, new_image.checksum) == SM_OK);
-    CHECK(smvm_store_write(&d.store, 7, 0, new_image.bytes, BLOCK) == SM_OK);
-    CHECK(smvm_store_write(&d.store, 7, 0, old_image.bytes + 32, BLOCK) == SM_E_ARGUMENT);
-    CHECK(smvm_store_write(&d.store, 6, 0, new_image.bytes, BLOCK) == SM_E_HANDLE);
+    CHECK(smvm_store_write(&d.store, 7, 0, new_image.bytes, IMAGE_BLOCK) == SM_OK);
+    CHECK(smvm_store_write(&d.store, 7, 0, old_image.bytes + 32, IMAGE_BLOCK) == SM_E_ARGUMENT);
+    CHECK(smvm_store_write(&d.store, 6, 0, new_image.bytes, IMAGE_BLOCK) == SM_E_HANDLE);
     CHECK(smvm_store_write(&d.store, 7, new_image.length, new_image.bytes, 1) == SM_E_ARGUMENT);
     CHECK(smvm_store_end(&d.store, 7, &why) == SM_OK && sim_count(SIM_nvm_write) == writes);
     CHECK(smvm_store_activate(&d.store, 7, 0) == SM_OK && smvm_store_activate(&d.store, 7, 0) == SM_OK);
@@ -303,8 +251,8 @@ static void a_write_that_failed_ends_the_update(void)
     prepare(&d, "flash", 2);
     CHECK(smvm_store_begin(&d.store, 7, new_image.length, new_image.checksum) == SM_OK);
     sim_fail(SIM_nvm_write, 0, SM_E_DEVICE);
-    CHECK(smvm_store_write(&d.store, 7, 0, new_image.bytes, BLOCK) == SM_E_DEVICE);
-    CHECK(smvm_store_write(&d.store, 7, 0, new_image.bytes, BLOCK) == SM_E_HANDLE);
+    CHECK(smvm_store_write(&d.store, 7, 0, new_image.bytes, IMAGE_BLOCK) == SM_E_DEVICE);
+    CHECK(smvm_store_write(&d.store, 7, 0, new_image.bytes, IMAGE_BLOCK) == SM_E_HANDLE);
     CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
 }
 
@@ -400,7 +348,7 @@ int main(int argc, char **argv)
 {
     const bool all = argc > 3 && strcmp(argv[3], "all") == 0;
 
-    if (argc < 3 || !load(argv[1], &old_image) || !load(argv[2], &new_image)) {
+    if (argc < 3 || !image_load(argv[1], &old_image) || !image_load(argv[2], &new_image)) {
         fprintf(stderr, "cuts OLD.smb NEW.smb [all]\n");
         return 2;
     }

@@ -2,14 +2,15 @@
 // Each byte of varied images is changed to other values, with the checksum made right again: the result is refused, or it runs
 // without leaving its memory.  Each image is also cut at every length.
 //
-//     vm_mutate [STEPS [VALUES [FOLDER]]]     steps of each accepted mutant; how many values a byte gets (256: all); where
-//                                             to write the images, as seeds for fuzzing
+//     vm_mutate [STEPS [VALUES [FOLDER|- [IMAGE…]]]]     steps of each accepted mutant; how many values a byte gets (256: all); where
+//                                                        to write the images, as seeds for fuzzing; images beside those made here
 //
 // To be run under sanitizers (make check-mutate); without them little is seen.
 #include "tests/unit/vm_hammer.h"
 
 #include <stdio.h>
 
+#include "bytecode-vm/auth.h"
 #include "compiler/emit/bytecode/bytecode.h"
 #include "tests/test.h"
 
@@ -26,11 +27,23 @@ static void *host(void *context, void *old, size_t size)
     return NULL;
 }
 
+static bool is_signed(const uint8_t *image)
+{
+    static const uint8_t key[SMVM_KEY] = {[SMVM_KEY - 1] = 7};
+    uint32_t number;
+
+    return smvm_auth_check(image, key, &number);
+}
+
+static const uint8_t *whole;                          // what is being changed
+static uint32_t length;
+
 static void try(const uint8_t *image, uint32_t n, uint64_t seed)
 {
-    if (hammer(image, n, steps, seed) == 0)
+    if (hammer(image, n, steps, seed) == 0) {
         accepted++;
-    else
+        CHECK(!is_signed(image) || (n == length && memcmp(image, whole, n) == 0));
+    } else
         refused++;
 }
 
@@ -51,6 +64,8 @@ static void mutate(const uint8_t *image, uint32_t n)
 
     if (folder)
         keep(image, n);
+    whole = image;
+    length = n;
     memcpy(copy, image, n);
     CHECK(hammer(copy, n, 1000, 1) == 0);
     for (uint32_t at = 0; at < n; at++) {
@@ -167,6 +182,21 @@ static void put_every(Build *b, unsigned f)
     }
 }
 
+// One that is called signed.smb is, with the key above.
+static void image_of(const char *path)
+{
+    static uint8_t image[4096];
+    FILE *f = fopen(path, "rb");
+    const uint32_t n = f ? (uint32_t)fread(image, 1, sizeof image, f) : 0;
+
+    CHECK(n > 0 && n < sizeof image);
+    if (f)
+        fclose(f);
+    CHECK(is_signed(image) == (strstr(path, "signed") != NULL));
+    mutate(image, n);
+    cut(image, n);
+}
+
 static void every_opcode(void)
 {
     static uint8_t image[8192];
@@ -210,10 +240,12 @@ int main(int argc, char **argv)
         steps = (uint32_t)strtoul(argv[1], NULL, 10);
     if (argc > 2)
         values = (uint32_t)strtoul(argv[2], NULL, 10);
-    if (argc > 3)
+    if (argc > 3 && strcmp(argv[3], "-") != 0)
         folder = argv[3];
     samples();
     every_opcode();
+    for (int i = 4; i < argc; i++)
+        image_of(argv[i]);
     CHECK(values < 24 || (accepted > 1000 && refused > accepted));
     fprintf(stderr, "%lu mutants refused, %lu ran\n", refused, accepted);
     return test_end("vm_mutate");
