@@ -26,14 +26,6 @@ static inline void smvm_enter(SmVm *vm, void *s)      // once it has advanced
     }
 }
 
-static inline bool smvm_begin(SmVm *vm, const void *g, void *s)
-{
-    if (!smvm_advance(vm, g))
-        return false;
-    smvm_enter(vm, s);
-    return true;
-}
-
 // What a RAW local keeps of x: of all NaNs one, for which of two comes out of an operation is the C compiler's choice, and whoever
 // reads the local as another type would see it.
 static inline SmF64 smvm_raw(SmF64 x) { return sm_is_nan(x) ? sm_from_bits(UINT64_C(0x7ff8000000000000)) : x; }

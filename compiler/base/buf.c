@@ -88,6 +88,5 @@ static void put_le(Buf *b, uint64_t v, int bytes)
         buf_char(b, (char)(unsigned char)(v >> (8 * i) & 0xff));
 }
 
-void buf_u16(Buf *b, uint16_t v) { put_le(b, v, 2); }
 void buf_u32(Buf *b, uint32_t v) { put_le(b, v, 4); }
 void buf_u64(Buf *b, uint64_t v) { put_le(b, v, 8); }

@@ -25,8 +25,7 @@ __attribute__((format(printf, 2, 3)))
 #endif
 void buf_printf(Buf *b, const char *format, ...);
 const char *buf_text(const Buf *b);          // the text so far; "" when empty
-void buf_u16(Buf *b, uint16_t v);            // little-endian
-void buf_u32(Buf *b, uint32_t v);
+void buf_u32(Buf *b, uint32_t v);            // little-endian
 void buf_u64(Buf *b, uint64_t v);
 
 // printf into arena memory that lives as long as the arena.

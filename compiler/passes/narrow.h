@@ -21,7 +21,6 @@ typedef struct Narrow {
 } Narrow;
 
 static inline IrIns *narrow_ins(const Narrow *n, IrRef r) { return &n->f->ins.at[r]; }
-static inline bool narrow_is_integer(SmType t) { return sm_type_info[t].kind == SM_KIND_SIGNED || sm_type_info[t].kind == SM_KIND_UNSIGNED; }
 
 IrRef narrow_emit(Narrow *n, IrIns i);                           // a new instruction, here
 IrRef narrow_const(Narrow *n, SmType type, double x, Span span);
