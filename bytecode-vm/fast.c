@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the decoded form of a machine.  It gives bit for bit what the interpreter gives (interp.c), for the code is made of the same
 // functions of stdlib; only whole numbers go another way where that cannot be told.
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8
+#define SM_ROLL_FLAT _Pragma("GCC unroll 4")           // loops over short windows (stdlib/roll.h), whose sizes are not known here
+#endif
 #include <string.h>
 
 #include "bytecode-vm/fast.h"
+#include "bytecode-vm/fast_window.h"
 #include "bytecode-vm/step.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
@@ -106,18 +110,6 @@ static inline bool related(unsigned m, SmF64 x, SmF64 y)
 // ---- what is too long to stand in the code of an instruction ----
 
 static SmF64 root(SmF64 x) { return sm_sqrt(x); }
-static inline int64_t key_of_f32(SmF64 x) { return sm_roll_of_f32(sm_to_f32(x)); }
-
-// Windows of the usual types and statistics: made for them, taking a sample is short.
-#define MADE_FOR(K, key)                                                                                            \
-    static void push_median_##K(uint64_t *w, uint32_t n, SmF64 x) { sm_roll_take(w, n, SM_ROLL_##K | SM_ROLL_MEDIAN, key(x)); } \
-    static void push_avg_##K(uint64_t *w, uint32_t n, SmF64 x) { sm_roll_take(w, n, SM_ROLL_##K | SM_ROLL_AVG, key(x)); }       \
-    static void push_ends_##K(uint64_t *w, uint32_t n, SmF64 x) { sm_roll_take(w, n, SM_ROLL_##K | SM_ROLL_RANGE, key(x)); }
-MADE_FOR(I16, sm_to_i16)
-MADE_FOR(U16, sm_to_u16)
-MADE_FOR(I32, sm_to_i32)
-MADE_FOR(F32, key_of_f32)
-MADE_FOR(F64, sm_roll_of_f64)
 
 // ---- running: each instruction goes straight to the next, or where C has no such thing through a switch ----
 

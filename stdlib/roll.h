@@ -67,7 +67,9 @@ enum {
 #define SM_ROLL_BLOCK 2048u
 #define SM_ROLL_LONG(n) (!SM_ROLL_SMALL && (n) > SM_ROLL_BLOCK)
 //: end
+#ifndef SM_ROLL_FLAT
 #define SM_ROLL_FLAT        // here, where sizes are known when it runs
+#endif
 //: SM_ROLL_FLAT
 // Before a loop over a short window: it is to be laid out flat.
 #ifndef SM_ROLL_FLAT

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Windows in the decoded form: what its instructions for the usual types and statistics are made of (stdlib/roll.h).  The size is not
+// known before it runs, but up to where it goes: the decoder has chosen the instruction by that.
+//   w        the words of a window: where it is, its size
+//   sample   a sample out of F                  taken    one that lies in memory as the type
+//   push     takes it                           asked    a statistic
+#ifndef SMVM_FAST_WINDOW_H
+#define SMVM_FAST_WINDOW_H
+
+#include <string.h>
+
+#include "bytecode-vm/fast.h"
+#include "stdlib/convert.h"
+#include "stdlib/roll.h"
+
+// Compilers leave out what is for other sizes.
+#ifdef __GNUC__
+#define KNOWN(condition) do { if (!(condition)) __builtin_unreachable(); } while (0)
+#else
+#define KNOWN(condition) (void)0
+#endif
+
+static inline uint64_t *window(const SmvmWord *w) { return (uint64_t *)w->p; }
+static inline uint32_t size(const SmvmWord *w, uint32_t most)
+{
+    const uint32_t n = (uint32_t)w[1].u;
+
+    KNOWN(n >= 1 && n <= most);
+    return n;
+}
+
+// ---- averages: the samples of a short window are added in pairs, those sums in pairs, and so on ----
+
+// Of the last two, four, … slots before `end`; those that have no other half are of the end, the fewer the later.  -0 changes no sum.
+#define SUMS(K)                                                                                                                    \
+    static inline SmF64 sum_1_##K(const unsigned char *at) { return sm_roll_value(SM_ROLL_##K | SM_ROLL_AVG, sm_roll_get(at, 0, SM_ROLL_##K)); } \
+    static inline SmF64 sum_2_##K(const unsigned char *at) { return sm_add(sum_1_##K(at), sum_1_##K(at + BYTES_##K)); }            \
+    static inline SmF64 sum_4_##K(const unsigned char *at) { return sm_add(sum_2_##K(at), sum_2_##K(at + 2 * BYTES_##K)); }        \
+    static inline SmF64 sum_8_##K(const unsigned char *at) { return sm_add(sum_4_##K(at), sum_4_##K(at + 4 * BYTES_##K)); }        \
+    static inline SmF64 sum_16_##K(const unsigned char *at) { return sm_add(sum_8_##K(at), sum_8_##K(at + 8 * BYTES_##K)); }       \
+    static inline SmF64 sum_##K(const unsigned char *at, uint32_t count)                                                           \
+    {                                                                                                                              \
+        const unsigned char *end = at + (size_t)count * BYTES_##K;                                                                 \
+        SmF64 sum = sm_from_bits((uint64_t)1 << 63);                                                                               \
+        if ((count & 1u) != 0) { end -= BYTES_##K; sum = sum_1_##K(end); }                                                         \
+        if ((count & 2u) != 0) { end -= 2 * BYTES_##K; sum = sm_add(sum_2_##K(end), sum); }                                        \
+        if ((count & 4u) != 0) { end -= 4 * BYTES_##K; sum = sm_add(sum_4_##K(end), sum); }                                        \
+        if ((count & 8u) != 0) { end -= 8 * BYTES_##K; sum = sm_add(sum_8_##K(end), sum); }                                        \
+        if ((count & 16u) != 0) { end -= 16 * BYTES_##K; sum = sm_add(sum_16_##K(end), sum); }                                     \
+        return count == 32 ? sm_add(sum_16_##K(at), sum_16_##K(at + 16 * BYTES_##K)) : sum;                                        \
+    }                                                                                                                              \
+    static inline SmF64 avg_##K(const SmvmWord *w)                                                                                 \
+    {                                                                                                                              \
+        const uint64_t *const words = window(w);                                                                                   \
+        const uint32_t count = sm_roll_count(words);                                                                               \
+        if (count == 0)                                                                                                            \
+            return sm_from_i32(0);                                                                                                 \
+        return sm_div(sum_##K((const unsigned char *)(words + 1), count), sm_from_u32(count));                                     \
+    }
+
+#define WHOLE_AVERAGE(K)                                                                                                           \
+    static inline SmF64 avg_##K(const SmvmWord *w) { return sm_roll_avg(window(w), size(w, SM_WINDOW_MAX), SM_ROLL_##K | SM_ROLL_AVG); }
+
+enum { BYTES_F32 = 4, BYTES_F64 = 8 };
+SUMS(F32)
+SUMS(F64)
+WHOLE_AVERAGE(I16)
+WHOLE_AVERAGE(U16)
+WHOLE_AVERAGE(I32)
+
+// ---- samples; medians and both ends ----
+
+#define MADE_FOR(K, ctype, to, of, most_of_avg)                                                                                    \
+    static inline int64_t sample_##K(SmF64 x) { return of(to(x)); }                                                                \
+    static inline int64_t taken_##K(const SmvmWord *w) { ctype v; memcpy(&v, w->p, sizeof v); return of(v); }                      \
+    static inline void push_avg_##K(const SmvmWord *w, int64_t sample)                                                             \
+    {                                                                                                                              \
+        sm_roll_push(window(w), size(w, most_of_avg), SM_ROLL_##K | SM_ROLL_AVG, sample);                                          \
+    }                                                                                                                              \
+    static inline void push_ends_##K(const SmvmWord *w, int64_t sample)                                                            \
+    {                                                                                                                              \
+        sm_roll_push(window(w), size(w, SM_ROLL_SCAN), SM_ROLL_##K | SM_ROLL_RANGE, sample);                                       \
+    }                                                                                                                              \
+    static inline void push_median_##K(const SmvmWord *w, int64_t sample)                                                          \
+    {                                                                                                                              \
+        sm_roll_push_sorted(window(w), size(w, SM_ROLL_SHORT), SM_ROLL_##K | SM_ROLL_MEDIAN, sample);                              \
+    }                                                                                                                              \
+    static inline SmF64 median_##K(const SmvmWord *w)                                                                              \
+    {                                                                                                                              \
+        return sm_roll_median(window(w), size(w, SM_ROLL_SHORT), SM_ROLL_##K | SM_ROLL_MEDIAN);                                    \
+    }                                                                                                                              \
+    static inline SmF64 smallest_##K(const SmvmWord *w) { return sm_roll_min(window(w), size(w, SM_ROLL_SCAN), SM_ROLL_##K | SM_ROLL_MIN); } \
+    static inline SmF64 largest_##K(const SmvmWord *w) { return sm_roll_max(window(w), size(w, SM_ROLL_SCAN), SM_ROLL_##K | SM_ROLL_MAX); } \
+    static inline SmF64 range_##K(const SmvmWord *w) { return sm_roll_range(window(w), size(w, SM_ROLL_SCAN), SM_ROLL_##K | SM_ROLL_RANGE); }
+
+MADE_FOR(I16, int16_t, sm_to_i16, , SM_WINDOW_MAX)
+MADE_FOR(U16, uint16_t, sm_to_u16, , SM_WINDOW_MAX)
+MADE_FOR(I32, int32_t, sm_to_i32, , SM_WINDOW_MAX)
+MADE_FOR(F32, float, sm_to_f32, sm_roll_of_f32, SM_ROLL_SHORT)
+MADE_FOR(F64, SmF64, , sm_roll_of_f64, SM_ROLL_SHORT)
+
+#endif
