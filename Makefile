@@ -646,9 +646,9 @@ check-targets:
 targets-campaign:
 	N=$(N) NC=$(NC) SEED=$(SEED) nice -n 19 sh tests/targets/campaign.sh $(B) $(TARGETS)
 
-# Everything itself on targets with an operating system: `make targets-native TARGETS=s390x-fma`.  (Tests of the interpreter look at memory as this
-# computer has it, and all mutations would take an hour.)
-NATIVE_UNIT = $(filter-out %/vm_interp %/vm_mutate,$(UNIT))
+# Everything itself on targets with an operating system: `make targets-native TARGETS=s390x-fma`.  (All mutations
+# would take an hour.)
+NATIVE_UNIT = $(filter-out %/vm_mutate,$(UNIT))
 targets-native: $(B)/golden
 	for t in $(or $(TARGETS),s390x-fma armhf-fma); do \
 	    $(MAKE) B=$(B)/native-$$t CC="sh tests/targets/cc.sh $$t" AR="sh tests/targets/cc.sh $$t ar" CFLAGS='-O1 -Werror' native-tests || exit 1; \

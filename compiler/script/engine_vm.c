@@ -56,22 +56,10 @@ static bool both_stored(const VmEngine *v)
     return smvm_stored_state(v->vm) == smvm_stored_state(v->beside);
 }
 
-// Of what is computed on the way, which lies among the locals, the sign of a NaN may differ.
-static bool same_locals(const VmEngine *v)
+// Decoded and in place; what is computed on the way lies among the locals.
+static bool agree(const VmEngine *v)
 {
-    const uint8_t *locals = smvm_locals(v->vm), *beside = smvm_locals(v->beside);
-
-    for (uint32_t k = 0; k < v->p->var.n; k++) {
-        const Var *var = v->p->var.at[k];
-        if (var->kind == VAR_LOCAL && v->at[k] && memcmp(v->at[k], beside + (v->at[k] - locals), sm_type_info[var->type].bytes) != 0)
-            return false;
-    }
-    return true;
-}
-
-static bool agree(const VmEngine *v)                  // decoded and in place
-{
-    return memcmp(v->sv, v->sv_beside, v->m.sv_size) == 0 && same_locals(v)
+    return memcmp(v->sv, v->sv_beside, v->m.sv_size) == 0 && memcmp(smvm_locals(v->vm), smvm_locals(v->beside), v->m.locals) == 0
         && smvm_state(v->vm) == smvm_state(v->beside) && v->vm->first == v->beside->first && smvm_time(v->vm) == smvm_time(v->beside)
         && both_stored(v);
 }

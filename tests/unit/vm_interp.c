@@ -74,6 +74,18 @@ static double f64_at(const Machine *t, unsigned offset)
 
 static void set_f64(Machine *t, unsigned offset, double x) { memcpy(t->sv + offset / 8, &x, sizeof x); }
 
+// S, which the images below have at 8 unless they say otherwise.
+static uint32_t state_at(const Machine *t, unsigned offset)
+{
+    uint32_t s;
+
+    memcpy(&s, (const uint8_t *)t->sv + offset, sizeof s);
+    return s;
+}
+
+static uint32_t s_of(const Machine *t) { return state_at(t, 8); }
+static void set_s(Machine *t, uint32_t s) { memcpy((uint8_t *)t->sv + 8, &s, sizeof s); }
+
 // Runs a step function of the given instructions and `end`, with x and y as inputs.
 static bool run(Machine *t, Build *b, double x, double y)
 {
@@ -278,6 +290,7 @@ static void types(void)
 
     for (unsigned type = 0; type < SM_TYPE_COUNT; type++)
         for (int how = 0; how < 3; how++) {
+            const size_t bytes = sm_type_info[type].bytes;
             Machine t;
             Build b;
             begin(&b);
@@ -294,7 +307,7 @@ static void types(void)
             put_out(&b);
             CHECK(run(&t, &b, -300.5, 0));
             CHECK(f64_at(&t, 16) == expected[type]);
-            CHECK(t.sv[7] == 0 && t.sv[5] == 0 && (sm_type_info[type].bytes == 8 || t.sv[6] >> 8 * sm_type_info[type].bytes == 0));
+            CHECK(t.sv[7] == 0 && t.sv[5] == 0 && memcmp((uint8_t *)&t.sv[6] + bytes, (const uint8_t[8]){0}, 8 - bytes) == 0);
         }
 }
 
@@ -371,7 +384,7 @@ static void wide(void)
     end_function(&b);
     end_function(&b);
     CHECK(open_machine(&t, &b, 1));
-    CHECK(((uint32_t *)t.sv)[13] == 1);
+    CHECK(state_at(&t, 52) == 1);
     t.sv[5] = 77;
     CHECK(smvm_step(vm, t.sv) == SM_OK && smvm_time(vm) == 0);
     CHECK(memcmp(t.sv + 1, (const uint8_t[]){0, 6, 255, 129, 0, 0, 0, 0, 5, 1, 0, 0}, 12) == 0);
@@ -424,7 +437,7 @@ static void memory_needed(void)
     for (int i = 0; i < 4; i++)
         end_function(&b);
     CHECK(open_machine(&t, &b, 1));
-    CHECK(smvm_ram_size(&t.m) == up8(sizeof(SmVm)) + up8(2 * sizeof(uint64_t *)) + 8 * (2 + 3 + 2) + 8 * (1 + 2 * 5) + 16);
+    CHECK(smvm_ram_size(&t.m) == up8(sizeof(SmVm)) + up8(2 * sizeof(uint64_t *)) + 8 * (1 + 3) + 8 * (1 + 2 * 5) + 16);
 }
 
 // Whether a jump leads over `OUT = 7`; with X or Y as they are, or X a NaN.
@@ -517,7 +530,7 @@ static void narrow_windows(void)
 {
     static const struct { SmType type; double in, out; } row[] = {
         {SM_I8, 300, 127}, {SM_I8, -2.9, -2}, {SM_U8, -1, 0}, {SM_I16, -1e9, -32768}, {SM_U16, 65535.5, 65535}, {SM_I32, 1e300, 2147483647},
-        {SM_U32, 4294967295, 4294967295}, {SM_F32, 1e300, INFINITY}, {SM_F32, 0.1, 0.1f}, {SM_F32, -0.0, -0.0}, {SM_BOOL, -7, 1},
+        {SM_U32, 4294967295, 4294967295}, {SM_F32, 1e300, INFINITY}, {SM_F32, 0.1, 0x1.99999ap-4}, {SM_F32, -0.0, -0.0}, {SM_BOOL, -7, 1},
         {SM_F64, 0.1, 0.1}
     };
 
@@ -595,21 +608,21 @@ static void steps(void)
     SmVm *vm = (SmVm *)t.memory;
 
     two_states(&t);
-    CHECK(smvm_state(vm) == 1 && smvm_time(vm) == 0 && (uint32_t)t.sv[1] == 1);
-    t.sv[1] = 99;
+    CHECK(smvm_state(vm) == 1 && smvm_time(vm) == 0 && s_of(&t) == 1);
+    set_s(&t, 99);
     CHECK(step(&t, 7, 0, 0) == 12);                   // entry, step
-    CHECK((uint32_t)t.sv[1] == 1 && smvm_stored_state(vm) && smvm_time(vm) == 0);
-    t.sv[1] = 99;
+    CHECK(s_of(&t) == 1 && smvm_stored_state(vm) && smvm_time(vm) == 0);
+    set_s(&t, 99);
     CHECK(step(&t, 10, 1, 0) == 2 && smvm_time(vm) == 3);            // no entry any more
-    CHECK((uint32_t)t.sv[1] == 99 && !smvm_stored_state(vm));        // S from outside stays, and changes no state
+    CHECK(s_of(&t) == 99 && !smvm_stored_state(vm));        // S from outside stays, and changes no state
     CHECK(step(&t, 12, 0, 1) == 23);                  // step goes, exit
-    CHECK(smvm_state(vm) == 2 && smvm_time(vm) == 5 && (uint32_t)t.sv[1] == 99);
-    CHECK(step(&t, 20, 0, 1) == 456 && smvm_time(vm) == 0 && (uint32_t)t.sv[1] == 2);    // to itself: exit…
+    CHECK(smvm_state(vm) == 2 && smvm_time(vm) == 5 && s_of(&t) == 99);
+    CHECK(step(&t, 20, 0, 1) == 456 && smvm_time(vm) == 0 && s_of(&t) == 2);    // to itself: exit…
     CHECK(smvm_state(vm) == 2);
     CHECK(step(&t, 21, 0, 0) == 45 && smvm_time(vm) == 0);           // …and a first step again
     two_states(&t);
     CHECK(step(&t, 0, 1, 1) == 13 && smvm_state(vm) == 2);           // entry goes: no step; G may be 0
-    CHECK(init(&t, t.memory, sizeof t.memory, t.sv, 2) == SM_OK && (uint32_t)t.sv[1] == 2);
+    CHECK(init(&t, t.memory, sizeof t.memory, t.sv, 2) == SM_OK && s_of(&t) == 2);
     CHECK(step(&t, 0, 0, 0) == 45);
 }
 
