@@ -456,31 +456,48 @@ static void put_stat(Case *c, unsigned stat, unsigned type)      // stored; and 
     }
 }
 
+// One window of a type; its sample comes out of memory as that type or not, and its statistics go there.
+static void window_case(Case *c, unsigned type, unsigned n, unsigned stats, unsigned how)
+{
+    static uint8_t image[16384];
+
+    begin(c);
+    c->b.size = c->b.ends = 0;
+    c->b.windows = 1;
+    c->b.window[0] = WINDOW_OF(type == SM_I64 || type == SM_U64 ? SM_ROLL_F64 : type, n, stats);
+    put_source(&c->b, how % 3 ? type : SM_F64, 0);
+    code(&c->b, SMVM_sample, 1, 0);
+    code(&c->b, SMVM_out, 1, result(c, SM_F64));      // X is what it was
+    code(&c->b, SMVM_end, 0);
+    end_function(&c->b);
+    end_function(&c->b);
+    for (unsigned s = 0; s < SM_STAT_COUNT; s++)
+        if (stats >> s & 1)
+            put_stat(c, s, how % 2 ? type : SM_F64);
+    code(&c->b, SMVM_end, 0);
+    end_function(&c->b);
+    end_function(&c->b);
+    CHECK(hammer(image, build_image(&c->b, image), 3 * n + 40, how + 1) == 0);
+}
+
 static void windows(Case *c)
 {
     static const unsigned size[] = {11, 1, 40, 70};
-    static uint8_t image[16384];
 
-    for (unsigned k = 0; k < SM_TYPE_COUNT * 31; k++) {
-        unsigned type = k / 31, stats = k % 31 + 1;
-        begin(c);
-        c->b.size = c->b.ends = 0;
-        c->b.windows = 1;
-        c->b.window[0] = WINDOW_OF(type == SM_I64 || type == SM_U64 ? SM_ROLL_F64 : type, size[k % 4], stats);
-        put_source(&c->b, k % 3 ? type : SM_F64, 0);
-        code(&c->b, SMVM_sample, 1, 0);
-        code(&c->b, SMVM_out, 1, result(c, SM_F64));  // X is what it was
-        code(&c->b, SMVM_end, 0);
-        end_function(&c->b);
-        end_function(&c->b);
-        for (unsigned s = 0; s < SM_STAT_COUNT; s++)
-            if (stats >> s & 1)
-                put_stat(c, s, k % 2 ? type : SM_F64);
-        code(&c->b, SMVM_end, 0);
-        end_function(&c->b);
-        end_function(&c->b);
-        CHECK(hammer(image, build_image(&c->b, image), 200, k + 1) == 0);
-    }
+    for (unsigned k = 0; k < SM_TYPE_COUNT * 31; k++)
+        window_case(c, k / 31, size[k % 4], k % 31 + 1, k);
+}
+
+// Every size that an instruction is made for, and those beside.
+static void short_windows(Case *c)
+{
+    static const uint8_t types[] = {SM_I16, SM_U16, SM_I32, SM_F32, SM_F64};
+    static const uint8_t stats[] = {1u << SM_STAT_AVG, 1u << SM_STAT_MEDIAN, 1u << SM_STAT_MIN | 1u << SM_STAT_MAX, 1u << SM_STAT_RANGE};
+
+    for (unsigned n = 1; n <= SM_ROLL_SCAN + 1; n = n == SM_ROLL_SHORT + 1 ? SM_ROLL_SCAN - 1 : n + 1)
+        for (unsigned t = 0; t < sizeof types; t++)
+            for (unsigned s = 0; s < sizeof stats; s++)
+                window_case(c, types[t], n, stats[s], n * 7 + t + s);
 }
 
 // ---- memory, and another state vector ----
@@ -536,6 +553,7 @@ int main(void)
         nonsense(&c, i);
     states(&c);
     windows(&c);
+    short_windows(&c);
     memory();
     return test_end(DECODE_TEST);
 }
