@@ -25,7 +25,6 @@ typedef struct Pair {
     SmvmMachine m;
     SmvmPlace input[64];      // elements that the machine reads and does not write
     uint32_t inputs;
-    uint8_t way[sizeof(uint64_t[1024]) / 8];          // by eight bytes of the locals: an F64 on the way lies there
     uint64_t sv[64], memory[1024];                    // here
     uint64_t state, sum, steps, most;
     int32_t lo, hi;
@@ -62,15 +61,12 @@ static void find_places(Pair *p)                      // in the code
     uint32_t n;
 
     p->inputs = 0;
-    memset(p->way, 0, sizeof p->way);
     while (at < end) {
         const uint8_t op = p->m.image[at++];
         const bool reads = (smvm_shape(op) & SMVM_SHAPE_E) != 0;
         while (at < end && p->m.image[at] < SMVM_OP_LEAST)
             if (smvm_varint(p->m.image, &at, end, &n) && reads)
                 add_input(p, (SmType)(op & 0xf), n << smvm_type_shift(op & 0xf));
-            else if (op == SMVM_st_local + SMVM_RAW)
-                p->way[n] = 1;
     }
 }
 
@@ -80,15 +76,9 @@ static bool ask(Pair *p, uint8_t what)
     return sim_until_ready(&p->sim);
 }
 
-// Of an F64 on the way, which may be a NaN, the sign of a NaN is not ours to say.
-static bool same_locals(const Pair *p)
+static bool same_locals(const Pair *p)                // and what is computed on the way
 {
-    const uint8_t *there = p->ram + p->box->memory + p->box->local, *here = smvm_locals((SmVm *)p->memory);
-
-    for (uint32_t i = 0; i < p->m.locals; i++)
-        if (there[i] != here[i] && !p->way[i / 8])
-            return false;
-    return true;
+    return memcmp(p->ram + p->box->memory + p->box->local, smvm_locals((SmVm *)p->memory), p->m.locals) == 0;
 }
 
 static bool same(const Pair *p)
