@@ -401,10 +401,16 @@ static const struct Row { uint8_t first, last, shape[3]; } rows[] SM_FLASH = {
 uint32_t smvm_shape(uint8_t opcode)
 {
     struct Row r;
+    uint8_t low = 0, high = sizeof rows / sizeof *rows;           // the rows ascend
 
-    for (uint8_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        sm_flash_get(&r, &rows[i], sizeof r);
-        if (opcode >= r.first && opcode <= r.last)
+    while (low < high) {
+        const uint8_t mid = (uint8_t)((low + high) / 2);
+        sm_flash_get(&r, &rows[mid], sizeof r);
+        if (opcode < r.first)
+            high = mid;
+        else if (opcode > r.last)
+            low = (uint8_t)(mid + 1);
+        else
             return SMVM_SHAPE_OP | (uint32_t)r.shape[2] << 16 | (uint32_t)r.shape[1] << 8 | r.shape[0];
     }
     return 0;

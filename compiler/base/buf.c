@@ -35,7 +35,6 @@ void buf_put(Buf *b, const void *bytes, size_t n)
     b->at[b->n] = '\0';
 }
 
-void buf_char(Buf *b, char c) { buf_put(b, &c, 1); }
 void buf_str(Buf *b, const char *text) { buf_put(b, text, strlen(text)); }
 
 void buf_spaces(Buf *b, size_t n)

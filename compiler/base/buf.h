@@ -16,7 +16,15 @@ typedef struct Buf {
 
 void buf_init(Buf *b, Arena *arena);
 void buf_put(Buf *b, const void *bytes, size_t n);
-void buf_char(Buf *b, char c);
+static inline void buf_char(Buf *b, char c)
+{
+    if (b->cap - b->n < 2) {
+        buf_put(b, &c, 1);
+        return;
+    }
+    b->at[b->n++] = c;
+    b->at[b->n] = '\0';
+}
 void buf_str(Buf *b, const char *text);
 void buf_spaces(Buf *b, size_t n);
 // As printf; understands whatever the C library's vsnprintf does.

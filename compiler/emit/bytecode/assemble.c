@@ -90,6 +90,7 @@ const char *bc_layout(Arena *arena, BcMachine *m)
 typedef struct Code {
     uint8_t op, n;            // how many numbers follow
     uint32_t number[2];
+    bool jumps;
 } Code;
 
 static Code code_of_const(const BcOperand *o)
@@ -97,26 +98,26 @@ static Code code_of_const(const BcOperand *o)
     int32_t n;
 
     if (bc_whole(sm_from_bits(o->bits), &n))
-        return n < 0 ? (Code){SMVM_ldx_minus, 1, {(uint32_t)(-1 - n), 0}} : (Code){SMVM_ldx_plus, 1, {(uint32_t)n, 0}};
-    return (Code){bc_is_f32(sm_from_bits(o->bits)) ? SMVM_ldx_f32 : SMVM_ldx_f64, 1, {o->index, 0}};
+        return n < 0 ? (Code){SMVM_ldx_minus, 1, {(uint32_t)(-1 - n), 0}, false} : (Code){SMVM_ldx_plus, 1, {(uint32_t)n, 0}, false};
+    return (Code){bc_is_f32(sm_from_bits(o->bits)) ? SMVM_ldx_f32 : SMVM_ldx_f64, 1, {o->index, 0}, false};
 }
 
 static Code code_of_var(const BcMachine *m, const BcOperand *o)
 {
     switch (m->ir->var.at[o->var].space) {
-    case IR_ELEMENT: return (Code){(uint8_t)(SMVM_ldx_elem + o->type), 1, {offset_of(m, o->var), 0}};
-    case IR_LOCAL: return (Code){(uint8_t)(SMVM_ldx_local + o->type), 1, {offset_of(m, o->var), 0}};
+    case IR_ELEMENT: return (Code){(uint8_t)(SMVM_ldx_elem + o->type), 1, {offset_of(m, o->var), 0}, false};
+    case IR_LOCAL: return (Code){(uint8_t)(SMVM_ldx_local + o->type), 1, {offset_of(m, o->var), 0}, false};
     case IR_TIME: break;
     }
-    return (Code){SMVM_ldx_time, 0, {0, 0}};
+    return (Code){SMVM_ldx_time, 0, {0, 0}, false};
 }
 
 static Code code_of_load(const BcMachine *m, const BcOperand *o)           // to X
 {
     switch (o->kind) {
     case BC_VAR: return code_of_var(m, o);
-    case BC_SLOT: return (Code){(uint8_t)(SMVM_ldx_local + o->type), 1, {m->slot_at[o->type] / bytes_of(o->type) + o->index, 0}};
-    case BC_STAT: return (Code){SMVM_stat, 2, {o->index, m->window_number[o->var]}};
+    case BC_SLOT: return (Code){(uint8_t)(SMVM_ldx_local + o->type), 1, {m->slot_at[o->type] / bytes_of(o->type) + o->index, 0}, false};
+    case BC_STAT: return (Code){SMVM_stat, 2, {o->index, m->window_number[o->var]}, false};
     case BC_CONST: break;
     }
     return code_of_const(o);
@@ -127,9 +128,16 @@ static Code code_of_store(const BcMachine *m, const BcOperand *o)
     Code c = code_of_load(m, o);
 
     if (o->output)
-        return (Code){SMVM_out, 1, {o->output - 1, 0}};
+        return (Code){SMVM_out, 1, {o->output - 1, 0}, false};
     c.op = (uint8_t)(c.op - SMVM_ldx_local + SMVM_st_local);
     return c;
+}
+
+static Code code_of_other(const BcIns *i)
+{
+    const uint32_t shape = smvm_shape(i->op);
+
+    return (Code){i->op, (shape & SMVM_SHAPE_FOLLOWS & ~(uint32_t)SMVM_SHAPE_J) != 0, {i->n, 0}, (shape & SMVM_SHAPE_J) != 0};
 }
 
 static Code code_of(const BcMachine *m, const BcIns *i)
@@ -143,7 +151,7 @@ static Code code_of(const BcMachine *m, const BcIns *i)
         c.op = (uint8_t)(c.op - SMVM_ldx_local + SMVM_ldy_local);
         return c;
     case SMVM_st_local: return code_of_store(m, &m->operand.at[i->what]);
-    default: return (Code){i->op, (smvm_shape(i->op) & SMVM_SHAPE_FOLLOWS & ~(uint32_t)SMVM_SHAPE_J) != 0, {i->n, 0}};
+    default: return code_of_other(i);
     }
 }
 
@@ -175,7 +183,7 @@ void bc_assemble(Arena *arena, const BcMachine *m, BcFn *f, Buf *out, bool *ok)
         const BcIns *ins = &f->ins.at[i];
         code[i] = code_of(m, ins);
         to_end[i] = to_end[i + 1] + size_of(&code[i]);
-        if (smvm_shape(ins->op) & SMVM_SHAPE_J) {
+        if (code[i].jumps) {
             distance[i] = to_end[i + 1] - to_end[f->label.at[ins->to].at];
             to_end[i] += varint_size(distance[i]);
         }
@@ -187,7 +195,7 @@ void bc_assemble(Arena *arena, const BcMachine *m, BcFn *f, Buf *out, bool *ok)
     for (size_t i = 0; i < n; i++) {
         f->ins.at[i].at = to_end[0] - to_end[i];
         put_code(&code[i], out);
-        if (smvm_shape(code[i].op) & SMVM_SHAPE_J)
+        if (code[i].jumps)
             bc_varint(out, distance[i]);
     }
     f->size = to_end[0];

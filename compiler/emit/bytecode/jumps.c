@@ -301,7 +301,9 @@ void bc_select_function(Select *s, const IrFn *f, BcFn *out)
     s->fn++;
     s->exits.n = 0;
     s->straight = 0;
-    s->value = ARENA_ARRAY(s->arena, Value, f->ins.n);
+    while (s->values.cap < f->ins.n)
+        vec_reserve(s->arena, (void **)&s->values.at, &s->values.cap, sizeof *s->values.at);
+    s->value = memset(s->values.at, 0, f->ins.n * sizeof *s->value);
     order = order_blocks(s, plan_blocks(s), &n);
     bc_forget(s);
     for (uint32_t i = 0; i < n; i++)

@@ -185,26 +185,31 @@ static void find_signs(Select *s, const IrBlk *b)
 
 // ---- a block ----
 
-static void find_depth(Select *s, IrRef r)
+// Whether it is too deep.
+static bool find_depth(Select *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
     uint32_t x, y;
 
     if (!is_pure_operation(i->op))
-        return;
+        return false;
     x = ir_op_info[i->op].operands > 0 ? bc_depth(s, i->a) : 0;
     y = ir_op_info[i->op].operands > 1 ? bc_depth(s, i->b) : 0;
     s->value[r].depth = 1 + (x > y ? x : y);
+    return s->value[r].depth > DEEPEST;
 }
 
 void bc_plan_block(Select *s, uint32_t block)
 {
     const IrBlk *b = &s->f->blk.at[block];
+    bool deep = false;
 
     find_signs(s, b);
     count_block(s, b, false);
     for (size_t p = 0; p < b->ins.n; p++)
-        find_depth(s, b->ins.at[p]);
+        deep |= find_depth(s, b->ins.at[p]);
+    if (!deep)
+        return;
     for (size_t p = 0; p < b->ins.n; p++) {
         Value *v = &s->value[b->ins.at[p]];
         v->uses = v->last = 0;

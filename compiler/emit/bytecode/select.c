@@ -13,11 +13,12 @@ enum { MUCH_DEEPER = 3 };     // left sides deeper than right ones by more than 
 static BcRef place_of(Select *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
+    Value *v = &s->value[r];
 
-    if (s->value[r].placed)
-        return s->value[r].slot;
+    if (v->placed)
+        return v->slot;
     if (i->op == IR_const)
-        return bc_const_operand(s, bc_const_value(i));
+        return v->slot != BC_NONE ? v->slot : (v->slot = bc_const_operand(s, bc_const_value(i)));
     return i->op == IR_load ? bc_var_operand(s, i->var) : BC_NONE;
 }
 

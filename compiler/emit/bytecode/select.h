@@ -19,7 +19,7 @@ typedef struct Value {
     bool negative;            // an integer that may be below zero
     bool inverted;            // of a truth that waits: its contrary is wanted
     bool minus_zero;          // an integer that the VM, which computes it as F64, may find to be -0
-    BcRef slot;               // BC_NONE: none yet
+    BcRef slot;               // of a constant its operand; BC_NONE: none yet
 } Value;
 
 // What a register is known to hold: all of these are the same number.
@@ -43,6 +43,7 @@ typedef struct Select {
     BcMachine *m;
     const IrFn *f;
     BcFn *out;
+    VEC(Value) values;        // room for those of a function
     Value *value;             // by instruction
     uint32_t *store_at;       // by variable: position + 1 of the next store to it…
     uint32_t *store_in;       // …in the counting of this number,
