@@ -86,24 +86,26 @@ static bool has_bytecode(const AstAppTask *t)
     return false;
 }
 
-// A machine with @bytecode is an array in the application's C.
-static bool becomes_c(AppCheck *k, const AppFile *f)
+// Files of machines that become C: one with @bytecode is an array in the application's.
+static Map become_c(AppCheck *k)
 {
+    Map files = {k->c->arena, NULL, NULL, 0, 0};
+
     for (size_t e = 0; e < k->ast->executors.n; e++)
         for (size_t r = 0; r < k->ast->executors.at[e]->rates.n; r++)
             for (size_t t = 0; t < k->ast->executors.at[e]->rates.at[r].tasks.n; t++) {
-                const AstAppTask *task = &k->ast->executors.at[e]->rates.at[r].tasks.at[t];
-                if (task->kind == AST_TASK_machine && task->file.text == f->name.text && !has_bytecode(task))
-                    return true;
+                AstAppTask *task = &k->ast->executors.at[e]->rates.at[r].tasks.at[t];
+                if (task->kind == AST_TASK_machine && !has_bytecode(task))
+                    map_put(&files, task->file.text, task);
             }
-    return false;
+    return files;
 }
 
 void check_app_products(AppCheck *k)
 {
     static const char *const end[] = {[FILE_SV] = "", [FILE_SM] = "", [FILE_IO] = "_io"};
     static const char *const what[] = {[FILE_SV] = "the state vector", [FILE_SM] = "a machine", [FILE_IO] = "the pins"};
-    Map seen = {k->c->arena, NULL, NULL, 0, 0};
+    Map seen = {k->c->arena, NULL, NULL, 0, 0}, to_c = become_c(k);
 
     check_stem(k, k->app->name->text, (Span){k->app->src, 0, 0});
     add_product(k, &seen, format_in(k->c->arena, "%s_app", k->app->name->text), "the application", (Span){k->app->src, 0, 0});
@@ -111,7 +113,7 @@ void check_app_products(AppCheck *k)
         const AppFile *f = &k->files->at[i];
         const char *stem = app_stem(k, f->name.text)->text;
         check_stem(k, stem, f->name.span);
-        if (f->kind == FILE_SM && !becomes_c(k, f))
+        if (f->kind == FILE_SM && !map_find(&to_c, f->name.text))
             continue;
         add_product(k, &seen, format_in(k->c->arena, "%s%s", stem, end[f->kind]),
                     format_in(k->c->arena, "%s '%s'", what[f->kind], f->name.text->text), f->name.span);

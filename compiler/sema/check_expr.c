@@ -217,7 +217,7 @@ static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo
 {
     const char *wanted = format_in(s->arena, "%u argument%s", fn->arguments, fn->arguments == 1 ? "" : "s");
     const char *found = format_in(s->arena, "%lu", (unsigned long)e->args.n);
-    Diag *d = diag_report(s->diags, DIAG_argument_count, e->op_span, fn->name, wanted, found);
+    Diag *d = diag_report(s->diags, DIAG_argument_count, ast_op_span(e), fn->name, wanted, found);
 
     diag_label(s->diags, d, DIAG_label_write_call, fn->name, function_usage(fn));
 }
@@ -248,7 +248,7 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     if (fn && !is_broken(e))
         report_argument_count(s, e, fn);
     else if (!fn)
-        scope_report_unknown_function(s, e->name, e->op_span);
+        scope_report_unknown_function(s, e->name, ast_op_span(e));
     if (s->at == PLACE_STEP)                    // mistakes of their own; but what is allowed depends on the function
         for (size_t i = 0; i < e->args.n; i++)
             check_expr(s, e->args.at[i]);

@@ -39,9 +39,9 @@ static uint32_t check_size(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn
 static bool allowed_here(Sema *s, const AstExpr *call)
 {
     if (s->at == PLACE_INITIAL)
-        diag_report(s->diags, DIAG_initial_value_rolls, call->op_span, s->local->name->text, call->name->text);
+        diag_report(s->diags, DIAG_initial_value_rolls, ast_op_span(call), s->local->name->text, call->name->text);
     else if (s->at == PLACE_SIZE)
-        diag_report(s->diags, DIAG_window_size_rolls, call->op_span, s->size_of->text, call->name->text);
+        diag_report(s->diags, DIAG_window_size_rolls, ast_op_span(call), s->size_of->text, call->name->text);
     return s->at == PLACE_STEP;
 }
 

@@ -104,18 +104,18 @@ typedef enum ExprKind {
     EX_ROLL                   // statistic `stat` of window `window`; arg[0] is the sampled expression
 } ExprKind;
 
-struct Expr {
+struct Expr {                 // without gaps: a program is mostly these
     ExprKind kind;
-    Span span;
     SmOperator op;            // UNARY, BINARY
+    Span span;
     SmOperator *ops;          // CHAIN: n - 1 of them
     SmF64 number;
     Var *var;
+    Expr **arg;
+    uint32_t n;               // arguments
     SmBuiltin fn;             // CALL
     SmStat stat;              // ROLL
     uint32_t window;          // ROLL: index into the owner's window list
-    Expr **arg;
-    uint32_t n;               // arguments
 };
 
 // One roll call of the source.  Every call has its own; sharing is the IR builder's business.

@@ -29,13 +29,15 @@ struct AstExpr {
     AstExprKind kind;
     SmOperator op;            // UNARY, BINARY
     Span span;                // the whole expression
-    Span op_span;             // UNARY, BINARY: the operator; CALL: the name; PAREN: unused
+    uint32_t op_at, op_len;   // UNARY, BINARY: the operator; CALL: the name; PAREN: unused
     uint32_t depth;           // 1 + the deepest operand's; at most AST_DEPTH_MAX, so that recursion over trees is bounded
     SmF64 number;             // NUMBER
     Str name;                 // NAME, CALL
     AstExpr *a, *b;           // UNARY, PAREN: a; BINARY: both
     VEC(AstExpr *) args;      // CALL
 };
+
+static inline Span ast_op_span(const AstExpr *e) { return (Span){e->span.src, e->op_at, e->op_len}; }
 
 enum { AST_DEPTH_MAX = 2000 };    // of expressions and of nested conditionals
 

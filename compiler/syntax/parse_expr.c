@@ -18,6 +18,12 @@ static AstExpr *new_expr(Parser *p, AstExprKind kind, Span span)
     return e;
 }
 
+static void set_operator(AstExpr *e, Span span)
+{
+    e->op_at = span.at;
+    e->op_len = span.len;
+}
+
 static AstExpr *error_expr(Parser *p) { return new_expr(p, AST_ERROR, parser_here(p)); }
 
 static AstExpr *too_deep(Parser *p, Span span)
@@ -33,7 +39,7 @@ static AstExpr *check_depth(Parser *p, AstExpr *e, const AstExpr *a)
         e->depth = a->depth + 1;
     if (e->depth <= AST_DEPTH_MAX)
         return e;
-    return too_deep(p, e->op_span);
+    return too_deep(p, ast_op_span(e));
 }
 
 // Counts one level of recursion; false, and reported, if it is one too many.
@@ -90,7 +96,8 @@ static AstExpr *parse_paren(Parser *p)
     p->parens++;
     e->a = parse_level(p, 1);
     expect_close(p, open);
-    e->span = e->op_span = parser_since(p, open.at);
+    e->span = parser_since(p, open.at);
+    set_operator(e, e->span);
     return check_depth(p, e, e->a);
 }
 
@@ -117,7 +124,7 @@ static AstExpr *parse_call(Parser *p)
     Span open;
 
     e->name = p->tok.text;
-    e->op_span = e->span;
+    set_operator(e, e->span);
     parser_next(p);
     open = parser_here(p);
     parser_next(p);
@@ -127,7 +134,7 @@ static AstExpr *parse_call(Parser *p)
         e->kind = AST_ERROR;
     if (e->depth <= AST_DEPTH_MAX)
         return e;
-    return too_deep(p, e->op_span);
+    return too_deep(p, ast_op_span(e));
 }
 
 static AstExpr *parse_name(Parser *p)
@@ -208,7 +215,7 @@ static AstExpr *parse_prefixed(Parser *p)
     if (prefix_operator(p->tok.kind, &op)) {
         e = new_expr(p, AST_UNARY, parser_here(p));
         e->op = op;
-        e->op_span = e->span;
+        set_operator(e, e->span);
         parser_next(p);
         e->a = line_ends(p) ? missing_value(p) : parse_prefixed(p);
         e->span = parser_since(p, e->span.at);
@@ -230,7 +237,7 @@ static AstExpr *new_binary(Parser *p, SmOperator op, Span op_span, AstExpr *a, A
     AstExpr *e = new_expr(p, AST_BINARY, a->span);
 
     e->op = op;
-    e->op_span = op_span;
+    set_operator(e, op_span);
     e->a = a;
     e->b = b;
     e->span = parser_since(p, a->span.at);

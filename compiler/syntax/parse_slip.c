@@ -123,7 +123,7 @@ void slip_after_name(Parser *p, AstExpr *name)
 void slip_equality_chain(Parser *p, const AstExpr *e)
 {
     const AstExpr *a = e->a;
-    Diag *d = parser_report(p, DIAG_equality_chain, e->op_span, sm_op_info[a->op].spelling, sm_op_info[e->op].spelling);
+    Diag *d = parser_report(p, DIAG_equality_chain, ast_op_span(e), sm_op_info[a->op].spelling, sm_op_info[e->op].spelling);
 
     diag_label(p->diags, d, DIAG_label_did_you_mean,
                format_in(p->arena, "%s and %s %s %s", parser_text(p, a->span), parser_text(p, a->b->span),
