@@ -87,6 +87,11 @@
 #define SMVM_STORE_BYTES 0
 #endif
 
+// Whether the store and the agent can have a key (target/store.h): 1; or 0, where no board that they are made for has one.
+#ifndef SMVM_STORE_KEY
+#define SMVM_STORE_KEY 1
+#endif
+
 // How many jumps whose targets are still ahead the verifier follows exactly when it counts the longest step; beyond, it adds
 // up all instructions, which is never less.  Eight bytes of its stack each.
 #ifndef SMVM_JOINS

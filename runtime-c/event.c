@@ -34,11 +34,13 @@ static void copy(SmEvent *to, const SmEvent *from)
         ((uint8_t *)to)[i] = ((const uint8_t *)from)[i];
 }
 
+static SmEvent *place(const SmEvents *e, uint32_t number) { return &e->at[(uint16_t)number & (uint16_t)(e->room - 1u)]; }
+
 void sm_event(SmEvents *e, const SmEvent *event)
 {
     if (!e || !event || !enter(e))
         return;
-    copy(&e->at[e->next++ & (e->room - 1u)], event);
+    copy(place(e, e->next++), event);
     leave(e);
 }
 
@@ -61,7 +63,7 @@ uint32_t sm_events_read(SmEvents *e, uint32_t *cursor, SmEvent *out, uint32_t n,
     missing = gone(e, *cursor);
     *cursor += missing;
     for (; taken < n && *cursor != e->next; taken++)
-        copy(&out[taken], &e->at[(*cursor)++ & (e->room - 1u)]);
+        copy(&out[taken], place(e, (*cursor)++));
     leave(e);
     if (lost)
         *lost = missing;

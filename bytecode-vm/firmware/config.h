@@ -24,6 +24,9 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 #define SMVM_IMAGE_MAX 0x7fffu
 #define SMVM_RAM_MAX 0x7fffu
 #define SMVM_STORE_BYTES 1
+#ifndef FIRMWARE_KEY
+#define SMVM_STORE_KEY 0
+#endif
 #define PAL_LOCKS 1
 
 // By chip: bytes of EEPROM and how many slots they are; bytes of RAM for state vector, machines and pins; events that are kept; the

@@ -41,7 +41,7 @@ static volatile uint16_t left = 1, period = PERIOD;    // ms to the next step, a
 static volatile bool stepping, held = true;            // held: no step begins
 static volatile bool behind_step;      // a step has ended in this millisecond
 static uint16_t skipped;                               // steps that were due while one ran
-static uint64_t now;                                   // G
+static struct { uint32_t low, high; } now;             // G; as halves it takes avr-gcc a third
 
 static void report(uint8_t kind, uint8_t source, uint16_t a, uint32_t b)
 {
@@ -68,13 +68,16 @@ static void note_states(void)
 static void step(void)
 {
     const uint16_t address = avr_eeprom_enter();
+    uint32_t add;
 
-    smvm_runner_step(&runner, now);
+    smvm_runner_step(&runner, &now);
     note_states();
     avr_eeprom_leave(address);
     if (skipped > 0)
         report(SM_EVENT_OVERRUN, 0, skipped, (uint32_t)skipped * period * 1000u);
-    now += (uint32_t)period * (skipped + 1u);
+    add = (uint32_t)period * (skipped + 1u);
+    now.low += add;
+    now.high += now.low < add;
     skipped = 0;
 }
 
@@ -121,7 +124,7 @@ static SmResult run(SmvmBytes image, uint16_t milliseconds)
         return r;
     memset(state, 0, sizeof state);
     note_states();
-    now = 0;
+    memset(&now, 0, sizeof now);
     skipped = 0;
     cli();
     period = milliseconds != 0 ? milliseconds : PERIOD;

@@ -16,7 +16,7 @@ static uint16_t time_at(const SmvmMachine *m) { return (uint16_t)m->g; }
 static uint16_t up8(uint32_t n) { return (uint16_t)(((uint16_t)n + 7u) & ~7u); }
 
 // Of memory that is left; what the verifier accepts needs no more than SMVM_RAM_MAX.
-static bool take(uint16_t *left, uint32_t bytes)
+static bool take(uint16_t *left, SmvmAt bytes)
 {
     if (bytes > *left || up8(bytes) > *left)
         return false;
@@ -194,11 +194,11 @@ SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image)
     return result;
 }
 
-void smvm_runner_step(SmvmRunner *r, uint64_t g)
+void smvm_runner_step(SmvmRunner *r, const void *g)
 {
     move_pins(r, false);
     for (uint8_t i = 0; i < r->machines; i++)
-        memcpy((uint8_t *)r->memory + r->g[i], &g, sizeof g);
+        memcpy((uint8_t *)r->memory + r->g[i], g, 8);
     for (uint8_t i = 0; i < r->machines; i++)
         (void)smvm_step(r->vm[i], r->memory);
     move_pins(r, true);

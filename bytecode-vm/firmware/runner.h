@@ -6,7 +6,7 @@
 //     SmvmRunner r = {.memory = memory, .size = sizeof memory};
 //     if (smvm_verify(image, size, &why) == 0 && smvm_runner_open(&r, image) == SM_OK)
 //         for (;;)
-//             smvm_runner_step(&r, g);                   // inputs, machines in their order, outputs
+//             smvm_runner_step(&r, &g);                  // inputs, machines in their order, outputs
 #ifndef SMVM_RUNNER_H
 #define SMVM_RUNNER_H
 
@@ -39,7 +39,7 @@ SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image);
 // could not be opened; then nothing runs and no pin is open.
 SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image);
 
-void smvm_runner_step(SmvmRunner *r, uint64_t g);
+void smvm_runner_step(SmvmRunner *r, const void *g);       // g: the time, as a U64 in memory
 
 // Outputs to their safe values, pins closed; nothing runs any more.
 void smvm_runner_stop(SmvmRunner *r);

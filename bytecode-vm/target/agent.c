@@ -53,7 +53,7 @@ static SmResult hello(Exchange *x)
     put(x, a->board->ram, 3);
     put(x, a->board->longest_step, 4);
     put1(x, (uint8_t)a->board->may_update(a->board->context));
-    put1(x, a->store->is_authentic != NULL);
+    put1(x, smvm_store_has_key(a->store));
     put(x, sm_link_get(a->store->now.newest, 4), 4);
     return SM_OK;
 }
@@ -160,7 +160,7 @@ static SmResult end(Exchange *x)
     SmResult r = smvm_store_end(a->store, session_of(x), &why);
 
     if (r == SM_OK) {
-        r = a->board->longest_step != 0 && why.longest > a->board->longest_step
+        r = SMVM_LONGEST && a->board->longest_step != 0 && why.longest > a->board->longest_step
                 ? SM_E_SIZE : a->board->fits(a->board->context, a->store->plan.image[a->store->target]);
         a->store->whole = r == SM_OK;
     } else if (why.rule != 0) {

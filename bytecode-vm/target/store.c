@@ -152,7 +152,7 @@ static bool has_checksum(const Head *h, const uint8_t *checksum) { return memcmp
 static bool is_authentic(const Store *s, uint8_t slot, uint32_t *number)
 {
     *number = 0;
-    return !s->is_authentic || s->is_authentic(s->plan.image[slot], number);
+    return !smvm_store_has_key(s) || s->is_authentic(s->plan.image[slot], number);
 }
 
 static bool is_whole(const Store *s, uint8_t slot, Head *h)
@@ -261,7 +261,7 @@ SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t ch
 
     if (session == 0)
         return SM_E_ARGUMENT;
-    if (session == s->session && length == s->length && checksum == s->checksum)
+    if (session == s->session && length == s->length && checksum == get32(s->checksum))
         return SM_OK;
     if ((r = smvm_store_may_begin(s, length)) != SM_OK)
         return r;
@@ -269,7 +269,7 @@ SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t ch
     if (!find_target(s, &s->target))
         return SM_E_BUSY;
     s->length = length;
-    s->checksum = checksum;
+    put32(s->checksum, checksum);
     s->next = 0;
     s->whole = false;
     r = erase(s, s->slot_at[s->target], round_up(s->length, unit_of(s)));
@@ -346,7 +346,7 @@ static SmResult judge(const Store *s)
 
     if (!is_authentic(s, s->target, &number))
         return SM_E_UNSIGNED;
-    return s->is_authentic && number <= get32(s->now.newest) ? SM_E_REPLAY : SM_OK;
+    return smvm_store_has_key(s) && number <= get32(s->now.newest) ? SM_E_REPLAY : SM_OK;
 }
 
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
@@ -359,7 +359,7 @@ SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
         return SM_E_HANDLE;
     if (s->next != s->length)
         return SM_E_ARGUMENT;
-    if (!read_header(s, s->target, &h) || get32(h.at + SMVM_CRC_AT) != s->checksum || h.length != s->length)
+    if (!read_header(s, s->target, &h) || !has_checksum(&h, s->checksum) || h.length != s->length)
         return SM_E_DEVICE;
     r = smvm_verify(s->plan.image[s->target], s->length, why) == 0 ? judge(s) : SM_E_ARGUMENT;
     s->whole = r == SM_OK;
@@ -372,7 +372,7 @@ SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
 
     if (!is_session(s, session) || !s->whole)
         return SM_E_HANDLE;
-    if (c.active != s->target || get32(c.checksum) != s->checksum) {
+    if (c.active != s->target || memcmp(c.checksum, s->checksum, 4) != 0) {
         c.before = c.active;
         memcpy(c.checksum_before, c.checksum, 4);
         memcpy(c.period_before, c.period, 2);
@@ -381,7 +381,7 @@ SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
     }
     c.active = s->target;
     sm_link_put(c.period, period, 2);
-    put32(c.checksum, s->checksum);
+    memcpy(c.checksum, s->checksum, 4);
     c.tries = STORE_TRIES;
     c.confirmed = 0;
     return choose(s, &c);
@@ -400,7 +400,7 @@ SmResult smvm_store_confirm(Store *s, uint32_t checksum)
         return SM_OK;
     if (!is_authentic(s, c.active, &number))
         return SM_E_UNSIGNED;          // it was, when it was chosen
-    if (number > get32(c.newest))
+    if (smvm_store_has_key(s) && number > get32(c.newest))
         put32(c.newest, number);
     c.confirmed = 1;
     c.tries = 0;

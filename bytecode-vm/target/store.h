@@ -71,7 +71,7 @@ typedef struct Store {
     uint8_t target;
     bool whole;               // smvm_store_end has accepted it
     SmvmAt length, next;
-    uint32_t checksum;
+    uint8_t checksum[4];
 } Store;
 
 // Reads the selector; where no record is whole, as in a new chip, the built-in image is chosen.  SM_E_SPACE: the memory has no room
@@ -120,6 +120,8 @@ SmResult smvm_store_erase(Store *s, uint32_t checksum);
 
 // A place or length of three bytes; false: it is beyond any image here.
 bool smvm_get_at(const uint8_t *field, SmvmAt *at);
+
+static inline bool smvm_store_has_key(const Store *s) { return SMVM_STORE_KEY && s->is_authentic; }
 
 typedef enum StoreState { STORE_EMPTY, STORE_WHOLE, STORE_TRIAL, STORE_CONFIRMED } StoreState;
 

@@ -18,7 +18,7 @@ static int8_t act(void)
     switch (box.what) {
     case PINS_VERIFY: return (int8_t)smvm_verify(FIRMWARE_EEPROM, E2END + 1, &why);
     case PINS_OPEN: return (int8_t)smvm_runner_open(&runner, FIRMWARE_EEPROM);
-    case PINS_STEP: smvm_runner_step(&runner, box.g); break;
+    case PINS_STEP: smvm_runner_step(&runner, &box.g); break;
     default: smvm_runner_stop(&runner);
     }
     return 0;
