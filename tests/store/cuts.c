@@ -213,6 +213,7 @@ static void an_erased_trial_gives_way(void)
     CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
     CHECK(smvm_store_erase(&d.store, 1) == SM_E_MISSING);
     CHECK(smvm_store_erase(&d.store, new_image.checksum) == SM_OK);
+    CHECK(memcmp(d.store.plan.image[d.slot], new_image.bytes, new_image.length) == 0);          // it still runs
     CHECK(smvm_store_begin(&d.store, 8, new_image.length, new_image.checksum) == SM_E_BUSY);   // one slot is chosen, the other runs
     CHECK(start(&d) == RUNS_OLD);
     CHECK(smvm_store_erase(&d.store, old_image.checksum) == SM_OK);
@@ -241,6 +242,33 @@ static void steps_may_be_repeated(void)
     CHECK(start(&d) == RUNS_NEW);
     CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
     CHECK(smvm_store_activate(&d.store, 7, 0) == SM_E_HANDLE && smvm_store_end(&d.store, 7, &why) == SM_E_HANDLE);
+}
+
+// What lay in the memory before may be the very image that is to come: only what was sent in this session counts.
+static void what_lay_there_is_not_taken_for_sent(void)
+{
+    Device d;
+    SmvmVerdict why;
+
+    prepare(&d, "eeprom", 2);
+    CHECK(sends(&d, &new_image));
+    CHECK(smvm_store_begin(&d.store, 8, new_image.length, new_image.checksum) == SM_OK);
+    CHECK(smvm_store_activate(&d.store, 8, 0) == SM_E_HANDLE);
+    CHECK(smvm_store_write(&d.store, 8, 0, new_image.bytes, IMAGE_BLOCK) == SM_OK);
+    CHECK(smvm_store_write(&d.store, 8, 0, new_image.bytes, 2 * IMAGE_BLOCK) == SM_E_ARGUMENT);
+    CHECK(smvm_store_end(&d.store, 8, &why) == SM_E_ARGUMENT && smvm_store_activate(&d.store, 8, 0) == SM_E_HANDLE);
+}
+
+// An image that is whole, but not the one that was announced.
+static void another_image_is_refused(void)
+{
+    Image announced = new_image;
+    Device d;
+
+    prepare(&d, "flash", 2);
+    announced.checksum ^= 1;
+    CHECK(image_send(&d.store, &announced) == SM_E_DEVICE && smvm_store_activate(&d.store, 7, 0) == SM_E_HANDLE);
+    CHECK(start(&d) == RUNS_OLD);
 }
 
 // After a write that failed nobody knows what lies there.
@@ -358,6 +386,8 @@ int main(int argc, char **argv)
     a_late_repetition_does_no_harm();
     steps_may_be_repeated();
     a_write_that_failed_ends_the_update();
+    what_lay_there_is_not_taken_for_sent();
+    another_image_is_refused();
     a_period_goes_with_its_image();
     what_does_not_fit_is_refused();
     flipped_bits_are_noticed("eeprom");
