@@ -58,7 +58,7 @@ static void find_places(Pair *p)                      // in the code
 {
     const SmvmAt end = p->m.code_at + p->m.code_size;
     SmvmAt at = p->m.code_at;
-    uint32_t n;
+    uint32_t n = 0;
 
     p->inputs = 0;
     while (at < end) {
