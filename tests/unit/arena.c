@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// The arena: what is handed out is zeroed, what is copied is whole, and what lies behind a copy is zeroed where it grows.
+#include "compiler/base/arena.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/base/vec.h"
+#include "tests/test.h"
+
+// Memory that is never zero by itself.
+static void *dirty(void *context, void *old, size_t size)
+{
+    void *p = NULL;
+
+    (void)context;
+    if (size == 0)
+        free(old);
+    else if ((p = realloc(old, size)) != NULL)
+        memset(p, 0xa5, size);
+    return p;
+}
+
+static bool is_zero(const char *p, size_t n)
+{
+    while (n && p[n - 1] == 0)
+        n--;
+    return n == 0;
+}
+
+static void test_copies(Arena *a)
+{
+    char text[3000];
+
+    memset(text, 'x', sizeof text);
+    for (size_t n = 0; n < sizeof text; n = n * 2 + 1) {
+        char *p = arena_copy(a, text, n), *q;
+        CHECK(memcmp(p, text, n) == 0);
+        q = arena_grow(a, p, n, n + 700);
+        CHECK(memcmp(q, text, n) == 0 && is_zero(q + n, 700));
+        CHECK(is_zero(arena_alloc(a, 40), 40));
+    }
+}
+
+// Lists that share one piece of memory: each has room up to where the next begins, and grows elsewhere.
+static void test_lists_in_one_piece(Arena *a)
+{
+    typedef struct List { uint32_t *at; size_t n, cap; } List;
+    size_t room = vec_room(3, sizeof(uint32_t));
+    uint32_t *piece = ARENA_ARRAY(a, uint32_t, room + vec_room(1, sizeof *piece));
+    List one = {piece, 3, room}, two = {piece + room, 1, 1};
+
+    two.at[0] = 7;
+    for (uint32_t i = 0; i < 30; i++)
+        vec_push(a, &one, i);
+    CHECK(two.at[0] == 7 && one.at[3] == 0 && one.at[32] == 29);
+}
+
+int main(void)
+{
+    jmp_buf oom;
+    Arena a;
+
+    arena_init(&a, dirty, NULL, &oom);
+    if (setjmp(oom) != 0)
+        return 3;
+    test_copies(&a);
+    test_lists_in_one_piece(&a);
+    arena_free(&a);
+    return test_end("arena");
+}
