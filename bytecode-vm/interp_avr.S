@@ -17,31 +17,53 @@
 #define LOAD smvm_load_eeprom
 #define STORE smvm_store_eeprom
 #include <avr/io.h>
-.macro fetch to
-	sbrc r31, 7
-	rjmp .Leeprom\@
-	lpm \to, Z+
+.macro from_eeprom to                     ; bit 7 of r31 is clear
+	out _SFR_IO_ADDR(EEARH), r31
+	out _SFR_IO_ADDR(EEARL), r30
+	sbi _SFR_IO_ADDR(EECR), EERE
+	in \to, _SFR_IO_ADDR(EEDR)
+	adiw r30, 1
+.endm
+.macro fetch_here to, second              ; where it is often: from the right memory, two bytes if there is a second register
+	sbrs r31, 7
+	rjmp .Lflash\@
+.Lwait\@:
+	sbic _SFR_IO_ADDR(EECR), EEPE
+	rjmp .Lwait\@
+	andi r31, 0x7F
+	from_eeprom \to
+	.ifnb \second
+	from_eeprom \second
+	.endif
+	ori r31, 0x80
 .Lgot\@:
 	.subsection 1
-.Leeprom\@:
-	rcall read_eeprom
-	mov \to, r0
+.Lflash\@:
+	lpm \to, Z+
+	.ifnb \second
+	lpm \second, Z+
+	.endif
 	rjmp .Lgot\@
 	.previous
 .endm
-.macro fetch_apart to                     ; where it is seldom
+.macro fetch to
 	rcall read
+	.ifnc \to, r0
 	mov \to, r0
+	.endif
 .endm
 #else
 #define STEP smvm_step_flash
 #define LOAD smvm_load_flash
 #define STORE smvm_store_flash
+.macro fetch_here to, second
+	lpm \to, Z+
+	.ifnb \second
+	lpm \second, Z+
+	.endif
+.endm
 .macro fetch to
 	lpm \to, Z+
-.endm
-.macro fetch_apart to
-	fetch \to
 .endm
 #endif
 
@@ -107,22 +129,22 @@
 
 ; The others of a varint of two or four bytes, of whose first r18 is.
 long_number:
-	clr r19
-	clr r20
-	clr r21
 	cpi r18, 0x78
-	brsh 1f
+	brsh four_bytes
 	subi r18, 0x60
 	mov r19, r18
 	clr r18
 	lsr r19
 	ror r18
-	fetch_apart r0
+	fetch r0
 	or r18, r0
 	subi r18, 0xA0                    ; + 0x60
 	sbci r19, 0xFF
 	ret
-1:	andi r18, 7
+four_bytes:
+	andi r18, 7
+	clr r19
+	clr r20
 	ldi r23, 3
 2:	mov r21, r20
 	mov r20, r19
@@ -132,7 +154,7 @@ long_number:
 	ror r20
 	ror r19
 	ror r18
-	fetch_apart r0
+	fetch r0
 	or r18, r0
 	dec r23
 	brne 2b
@@ -143,10 +165,10 @@ long_number:
 	ret
 
 long_entry:
-	fetch_apart r23
+	fetch r23
 	cpi r18, 2
 	breq 1f
-	fetch_apart r0
+	fetch r0
 1:	ret
 
 ; ---- a step ----
@@ -215,10 +237,15 @@ STEP:
 4:	st X+, r1
 	sbiw r24, 1
 	brne 4b
-5:	image_at VM_FUNCTIONS             ; r25:r24 is 0, where the sample function begins
-	ldd r18, Y+VM_WIDTH
-	rcall function
-	ldd r22, Y+VM_FIRST
+5:	ldd r18, Y+VM_WIDTH
+	image_at VM_FUNCTIONS             ; the sample function begins at 0
+	entry r20, r21
+	clr r24
+	clr r25
+	or r20, r21
+	breq 9f
+	rcall function_at
+9:	ldd r22, Y+VM_FIRST
 	tst r22
 	breq 6f
 	clr r22
@@ -313,6 +340,7 @@ function:
 	cp r20, r24
 	cpc r21, r25
 	breq end
+function_at:
 	image_at VM_CODE
 	add r30, r24
 	adc r31, r25
@@ -328,9 +356,21 @@ leave:
 ; ---- the next instruction ----
 
 longer:
-	cpi r18, 0x80
+	cpi r18, 0x78
 	brsh 1f
-	rcall long_number
+	subi r18, 0x60
+	mov r19, r18
+	clr r18
+	lsr r19
+	ror r18
+	fetch_here r0
+	or r18, r0
+	subi r18, 0xA0                    ; + 0x60
+	sbci r19, 0xFF
+	rjmp decode
+1:	cpi r18, 0x80
+	brsh 1f
+	rcall four_bytes
 	rjmp decode
 1:	sbiw r30, 1                       ; the next opcode: this one has no number
 	cpi r16, 0xCE
@@ -340,8 +380,7 @@ longer:
 2:	rjmp time
 
 next:
-	fetch r16
-	fetch r18                         ; behind `end`, which is last, this may be anything
+	fetch_here r16, r18               ; behind `end`, which is last, the second may be anything
 	clr r19
 	clr r20
 	clr r21
@@ -546,14 +585,14 @@ truth_x:                                  ; whether r24 is not 0, to X
 	adc r31, r27
 	sbrs r16, 0
 	rjmp 6f
-	fetch_apart r18
-	fetch_apart r19
-	fetch_apart r20
-	fetch_apart r21
-6:	fetch_apart r22
-	fetch_apart r23
-	fetch_apart r24
-	fetch_apart r25
+	fetch r18
+	fetch r19
+	fetch r20
+	fetch r21
+6:	fetch r22
+	fetch r23
+	fetch r24
+	fetch r25
 	pop r31
 	pop r30
 	sbrs r16, 0
@@ -589,17 +628,40 @@ cvt:
 
 ; ---- stores ----
 
-out_more:                                 ; bits behind the locals
-	ldd r22, Y+VM_MORE
-	ldd r23, Y+VM_MORE+1
-	add r26, r22
+out_further:
+	movw r22, r18
+	ldi r25, 3
+1:	lsr r23
+	ror r22
+	dec r25
+	brne 1b
+	movw r26, r28
+	adiw r26, VM_STORED
+	cpi r22, 8
+	cpc r23, r1
+	brlo 2f
+	ldd r26, Y+VM_MORE                ; from 64 on they are behind the locals
+	ldd r27, Y+VM_MORE+1
+	sbiw r26, 8
+	add r26, r28
+	adc r27, r29
+2:	add r26, r22
 	adc r27, r23
-	subi r24, 64
-	sbci r25, 0
-	rjmp out_bit
+	ld r0, X
+	or r0, r24
+	st X, r0
+	rjmp output
 
 no_load:                                  ; 0xC0 and above
-	cpi r16, 0xD0
+	cpi r16, 0xE0
+	brlo 1f
+	breq truth_jump
+	cpi r16, 0xEF
+	breq truth_jump
+	rjmp with_n
+truth_jump:
+	rjmp jf_jt
+1:	cpi r16, 0xD0
 	brlo 1f
 	rjmp jumps
 1:	andi r16, 0x0F
@@ -615,31 +677,20 @@ no_load:                                  ; 0xC0 and above
 3:	rjmp end
 
 out:
-	movw r26, r28                     ; its bit, of those that say what is written
-	movw r24, r18
-	cpi r18, 64
+	ldi r24, 1                        ; its bit, of those that say what is written
+	sbrc r18, 1
+	ldi r24, 4
+	sbrc r18, 0
+	lsl r24
+	sbrc r18, 2
+	swap r24
+	cpi r18, 8
 	cpc r19, r1
-	brsh out_more
-	adiw r26, VM_STORED
-out_bit:
-	ldi r22, 1
-	sbrc r24, 1
-	ldi r22, 4
-	sbrc r24, 0
-	lsl r22
-	sbrc r24, 2
-	swap r22
-	lsr r25
-	ror r24
-	lsr r25
-	ror r24
-	lsr r25
-	ror r24
-	add r26, r24
-	adc r27, r25
-	ld r0, X
-	or r0, r22
-	st X, r0
+	brsh out_further
+	ldd r0, Y+VM_STORED
+	or r0, r24
+	std Y+VM_STORED, r0
+output:
 	movw r24, r30                     ; its place
 	movw r26, r18
 	twice
@@ -802,7 +853,7 @@ sample:
 	add r30, r18
 	adc r31, r19
 	adiw r30, 2
-	fetch_apart r16                   ; bits 1 to 4: its type
+	fetch r16                   ; bits 1 to 4: its type
 	lsr r16
 	andi r16, 0x0F
 	rcall convert
@@ -818,9 +869,7 @@ sample:
 
 ; ---- jumps ----
 
-jumps:                                    ; 0xD0 to 0xEF
-	cpi r16, 0xE0
-	brsh 1f
+jumps:                                    ; 0xD0 to 0xDF
 	cpi r16, 0xDF
 	breq jump
 	movw r26, r18                     ; jxy
@@ -833,10 +882,8 @@ jump:
 	add r30, r18
 	adc r31, r19
 	rjmp next
-1:	breq 2f
-	cpi r16, 0xEF
-	brne with_n
-2:	movw r26, r18                     ; jf, jt
+jf_jt:
+	movw r26, r18
 	rcall x_truth
 	movw r18, r26
 	eor r24, r16
@@ -858,7 +905,7 @@ with_n:                                   ; jxn
 greater:
 	ldi r24, 4
 related:
-	fetch r18
+	fetch_here r18
 	clr r19
 	cpi r18, 0x60
 	brlo 1f
@@ -926,21 +973,8 @@ with_real:
 #include "bytecode-vm/number_avr.S"
 
 #ifdef SMVM_EEPROM
-read:
-	sbrc r31, 7
-	rjmp read_eeprom
-	lpm r0, Z+
-	ret
-read_eeprom:                              ; the next byte to r0
-	sbic _SFR_IO_ADDR(EECR), EEPE
-	rjmp read_eeprom
-	andi r31, 0x7F
-	out _SFR_IO_ADDR(EEARH), r31
-	out _SFR_IO_ADDR(EEARL), r30
-	ori r31, 0x80
-	sbi _SFR_IO_ADDR(EECR), EERE
-	in r0, _SFR_IO_ADDR(EEDR)
-	adiw r30, 1
+read:                                     ; the next byte to r0
+	fetch_here r0
 	ret
 #endif
 #endif
