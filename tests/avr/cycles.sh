@@ -20,11 +20,11 @@ firmware()  # NAME OPTION…
 {
     name=$1
     shift
-    "$AVR_CC" -mmcu=atmega328p -Os -std=c99 -ffunction-sections -fdata-sections -Wl,--gc-sections -I. -DSMVM_CONFIG='"tests/avr/vm_config.h"' "$@" tests/avr/vm.c \
+    "$AVR_CC" -mmcu=atmega328p -Os -std=c99 -ffunction-sections -fdata-sections -Wl,--gc-sections -I. "$@" tests/avr/vm.c \
         bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/verify.c bytecode-vm/interp.c bytecode-vm/interp_avr*.S stdlib/soft_*.c stdlib/soft_*.S -o "$B/$name.elf" || exit 1
 }
 firmware cycles_flash
-firmware cycles_eeprom -DVM_EEPROM
+firmware cycles_eeprom -DSMVM_CONFIG='"bytecode-vm/firmware/config.h"'
 $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_cycles.c "$1/libsmc.a" -o "$B/run_cycles" -lsimavr -lelf -lm || exit 1
 if [ "$what" = make ]; then
     "$B/run_cycles" "$B/cycles_flash.elf" "$B/cycles_eeprom.elf" "$OPERANDS" "$SEED" >"$B/cycles.rows" || exit 1

@@ -15,13 +15,15 @@ typedef struct Mailbox {
 } Mailbox;
 
 // vm.c: an image at a place in flash that the computer fills, a state vector and memory in RAM.
-enum { VM_VERIFY, VM_INIT, VM_STEP };
+enum { VM_VERIFY, VM_INIT, VM_STEP, VM_STORE, VM_LOAD };
 typedef struct VmBox {
+    uint64_t x, cell;         // VM_STORE: x goes to the cell, as what `type` keeps of it; VM_LOAD: it comes from there
     uint16_t image, image_size, sv, sv_size, memory, memory_size, free;      // addresses and sizes; an image from 0x8000 on is in EEPROM; free: behind all that is static
     uint16_t local, state;    // of the machine after VM_INIT and VM_STEP: where its locals are behind `memory`, the next state
     uint8_t what;             // in: one of these
     int8_t result;            // out: as of smvm_verify, smvm_init, smvm_step
     uint8_t begins;           // in: the state to begin at
+    uint8_t type;             // in, of VM_STORE and VM_LOAD
     uint8_t stored[8];        // bits of the first 64 outputs
 } VmBox;
 
@@ -59,5 +61,31 @@ typedef struct TankBox {
     uint8_t begins;           // in: both begin at this state first, or 0
     uint8_t result;           // out: whether it ran
 } TankBox;
+
+#ifdef __AVR__
+#include <avr/io.h>
+
+// What is in memory there is so for what follows.
+#define BARRIER __asm__ volatile("" ::: "memory")
+
+// What a firmware does: `act` at the computer's word, whose cycles are counted, then `tell`.
+static inline __attribute__((always_inline, noreturn)) void mailbox_serve(void *box, void (*act)(void), void (*tell)(void))
+{
+    GPIOR1 = (uint8_t)(uint16_t)box;
+    GPIOR2 = (uint8_t)((uint16_t)box >> 8);
+    for (;;) {
+        GPIOR0 = AVR_READY;
+        BARRIER;
+        GPIOR0 = AVR_BEGIN;
+        BARRIER;
+        act();
+        BARRIER;
+        GPIOR0 = AVR_END;
+        if (tell != 0)
+            tell();
+        BARRIER;
+    }
+}
+#endif
 
 #endif

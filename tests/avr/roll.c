@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Firmware: a rolling window as the VM has it, of a kind that is known when it runs.
-#include <avr/io.h>
 
 #include "stdlib/roll.h"
 #include "tests/avr/mailbox.h"
-
-#define BARRIER __asm__ volatile("" ::: "memory")
 
 static RollBox box __attribute__((aligned(2)));       // so that the computer may look at it as it is
 static uint64_t window[81];                           // 40 slots of F64, and as many in order
@@ -28,16 +25,5 @@ int main(void)
 {
     box.window = (uint16_t)window;
     box.window_size = sizeof window;
-    GPIOR1 = (uint8_t)(uint16_t)&box;
-    GPIOR2 = (uint8_t)((uint16_t)&box >> 8);
-    for (;;) {
-        GPIOR0 = AVR_READY;
-        BARRIER;
-        GPIOR0 = AVR_BEGIN;
-        BARRIER;
-        act();
-        BARRIER;
-        GPIOR0 = AVR_END;
-        BARRIER;
-    }
+    mailbox_serve(&box, act, 0);
 }

@@ -48,7 +48,7 @@ size=$(avr-nm -S --radix=d "$B/roll.elf" | awk '$4 ~ /^sm_roll_/ { n += $2 } END
 echo "rolling windows: $size bytes of flash"
 count test "$size" -le 2048
 # The code of signed images.
-avr auth -DSMVM_CONFIG='"tests/avr/vm_config.h"' tests/avr/auth.c bytecode-vm/auth.c bytecode-vm/load.c || exit 1
+avr auth tests/avr/auth.c bytecode-vm/auth.c bytecode-vm/load.c || exit 1
 $CC -std=gnu99 -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_auth.c compiler/device/sign.c "$1/libsmc.a" -o "$B/run_auth" -lsimavr -lelf -lm || exit 1
 count "$B/run_auth" "$B/auth.elf"
 size=$(avr-nm -S --radix=d "$B/auth.elf" | awk '$4 ~ /^(smvm_auth|smvm_mac)_/ || $4 ~ /^(permute|twice|add|find)/ { n += $2 } END { print n }')
@@ -56,10 +56,10 @@ echo "code of images: $size bytes of flash"
 count test "$size" -le 1400
 # The VM: examples and random programs, in lock step with the VM here.
 VM="tests/avr/vm.c bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/verify.c bytecode-vm/interp.c bytecode-vm/interp_avr.S bytecode-vm/interp_avr_eeprom.S $SOFT"
-vm() { name=$1; shift; avr "$name" -DSMVM_CONFIG='"tests/avr/vm_config.h"' "$@" $VM || exit 1; }
+vm() { name=$1; shift; avr "$name" "$@" $VM || exit 1; }
 vm vm
 vm vm_portable -DSMVM_PORTABLE
-vm vm_eeprom -DVM_EEPROM
+vm vm_eeprom -DSMVM_CONFIG='"bytecode-vm/firmware/config.h"'
 $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_vm.c "$1/libsmc.a" -o "$B/run_vm" -lsimavr -lelf -lm || exit 1
 rm -rf "$B/images" "$B/program"
 mkdir -p "$B/images"
@@ -82,11 +82,24 @@ count test $(($(size_of vm) - $(size_of vm_none))) -ge 1900
 sed 's/F64  tankPressure/I16  tankPressure/' tests/avr/tank.sv >"$B/tank.sv"
 sed 's/^F64 *tankPressure/I16 tankPressure/' examples/tank/tank.sm >"$B/tank_i16.sm"
 "$1/smc" build -w "$B/tank_i16.sm" --sv "$B/tank.sv" -o "$B/tank_i16.smb" || exit 1
-"$1/smc" build -w tests/avr/types.sm -o "$B/types.smb" || exit 1
+for program in types numbers; do
+    "$1/smc" build -w tests/avr/$program.sm -o "$B/$program.smb" || exit 1
+done
+{   # more outputs than an SmVm itself has bits for
+    printf '[state_vector]\nU64 time @alias G\nU32 state @alias S\nU8 in @read_only\n'
+    for i in $(seq 90); do echo "bool out$i"; done
+    printf '[Many]\n.step\n'
+    for i in $(seq 30); do echo "    out$((i * 3)) = in > $i"; done
+    echo '    if in > 99 {'
+    for i in $(seq 30); do echo "        out$((i * 3 - 1)) = true"; done
+    echo '    }'
+} >"$B/many.sm"
+"$1/smc" build -w "$B/many.sm" -o "$B/many.smb" || exit 1
 for kind in vm vm_eeprom vm_portable; do           # in assembly, whose cycles are held against the estimate of reports, that for EEPROM, in C
     if [ $kind = vm_portable ]; then unset ESTIMATE; else export ESTIMATE=1; fi
     count "$B/run_vm" "$B/$kind.elf" 500 700 820 "$B/tank.smb" "$B/tank_i16.smb"                # in its band: never Abort
     count "$B/run_vm" "$B/$kind.elf" 600 0 0 "$B/types.smb"
+    count "$B/run_vm" "$B/$kind.elf" 200 0 0 "$B/numbers.smb" "$B/many.smb"
     count "$B/run_vm" "$B/$kind.elf" 100 0 0 "$B"/images/*.smb >"$B/$kind.txt"
     tail -1 "$B/$kind.txt"
 done

@@ -85,8 +85,10 @@ static bool same(const Pair *p)
 {
     const SmVm *vm = (const SmVm *)p->memory;
 
-    for (uint32_t i = 0; i < p->m.outputs && i < 64; i++)
-        if (smvm_stored(vm, i) != (p->box->stored[i / 8] >> i % 8 & 1))
+    const uint8_t *more = p->ram + p->box->memory + p->box->local + p->m.locals;         // from output 64 on
+
+    for (uint32_t i = 0; i < p->m.outputs; i++)
+        if (smvm_stored(vm, i) != ((i < 64 ? p->box->stored[i / 8] : more[i / 8 - 8]) >> i % 8 & 1))
             return false;
     return memcmp(p->ram + p->box->sv, p->sv, p->m.sv_size) == 0
         && same_locals(p) && p->box->state == smvm_state(vm);
@@ -214,6 +216,30 @@ static void test(Pair *p, const char *path, unsigned long steps)
     }
 }
 
+// What pins do beside the VM: elements of all types are written and read as here.
+static void test_cells(Pair *p)
+{
+    p->state = 88172645463325252u;
+    p->hi = p->lo = 0;
+    for (unsigned i = 0; i < 2000; i++) {
+        const SmType type = (SmType)(i % SM_TYPE_COUNT);
+        const uint64_t x = value(p, SM_F64), cell = value(p, type);
+        uint64_t here = cell;
+        bool same;
+        p->box->type = (uint8_t)type;
+        p->box->cell = cell;
+        same = ask(p, VM_LOAD) && p->box->x == sm_bits(sm_load(type, &cell));
+        p->box->x = x;
+        sm_store(type, &here, sm_from_bits(x));
+        if (!same || !ask(p, VM_STORE) || p->box->cell != here) {
+            printf("an element of type %d differs, %016llx or %016llx\n", type, (unsigned long long)x, (unsigned long long)cell);
+            failed++;
+            return;
+        }
+    }
+    passed++;
+}
+
 int main(int argc, char **argv)
 {
     static Pair p;
@@ -222,6 +248,7 @@ int main(int argc, char **argv)
         return 1;
     p.box = sim_mailbox(&p.sim);
     p.ram = sim_ram(&p.sim);
+    test_cells(&p);
     sim_paint(&p.sim, p.box->free);
     p.lo = atoi(argv[3]);
     p.hi = atoi(argv[4]);

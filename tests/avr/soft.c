@@ -10,8 +10,6 @@
 
 static Mailbox box;
 
-#define BARRIER __asm__ volatile("" ::: "memory")
-
 static void operate(void)
 {
     switch (box.op) {

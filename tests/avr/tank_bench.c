@@ -10,8 +10,6 @@ static Hand hand;
 static TankSv sv[2];
 static TankBox box;
 
-#define BARRIER __asm__ volatile("" ::: "memory")
-
 static void step(void)
 {
     if (box.what == TANK_HAND)

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Firmware: the VM as it flies, on whatever image the computer puts into its flash (mailbox.h).
-#include <avr/io.h>
 #include <avr/pgmspace.h>
 #include <string.h>
 
-#include "bytecode-vm/smvm.h"
+#include "bytecode-vm/image.h"
 #include "tests/avr/mailbox.h"
 
 #ifndef VM_IMAGE
 #define VM_IMAGE 1024
 #endif
 
-#ifdef VM_EEPROM
+#ifdef FIRMWARE_EEPROM                  // configured as the firmware
 #define IMAGE FIRMWARE_EEPROM
 #else
 static const uint8_t image[VM_IMAGE] PROGMEM = {1};
@@ -20,8 +19,6 @@ static const uint8_t image[VM_IMAGE] PROGMEM = {1};
 static uint64_t sv[32], memory[96];
 static VmBox box __attribute__((aligned(2)));       // so that the computer may look at it as it is
 extern char __heap_start;
-
-#define BARRIER __asm__ volatile("" ::: "memory")
 
 static int8_t init(void)
 {
@@ -35,17 +32,34 @@ static int8_t init(void)
     return (int8_t)smvm_init(memory, sizeof memory, &m, &vector, box.begins);
 }
 
-static int8_t act(void)
+static int8_t asked(void)
 {
+    if (box.what == VM_STEP)
+        return (int8_t)smvm_step((SmVm *)memory, sv);
 #ifndef VM_UNCHECKED
-    SmvmVerdict why;
-
-    if (box.what == VM_VERIFY)
+    if (box.what == VM_VERIFY) {
+        SmvmVerdict why;
         return (int8_t)smvm_verify(IMAGE, VM_IMAGE, &why);
+    }
 #endif
     if (box.what == VM_INIT)
         return init();
-    return (int8_t)smvm_step((SmVm *)memory, sv);
+    if (box.what == VM_STORE)
+        smvm_store(sm_from_bits(box.x), box.type, &box.cell);
+    else
+        box.x = sm_bits(smvm_load(box.type, &box.cell));
+    return 0;
+}
+
+static void act(void) { box.result = asked(); }
+
+static void tell(void)
+{
+    const SmVm *vm = (const SmVm *)memory;
+
+    box.local = vm->local;
+    box.state = vm->state;
+    memcpy(box.stored, vm->stored, sizeof box.stored);
 }
 
 int main(void)
@@ -57,20 +71,5 @@ int main(void)
     box.memory = (uint16_t)memory;
     box.memory_size = sizeof memory;
     box.free = (uint16_t)&__heap_start;
-    GPIOR1 = (uint8_t)(uint16_t)&box;
-    GPIOR2 = (uint8_t)((uint16_t)&box >> 8);
-    for (;;) {
-        GPIOR0 = AVR_READY;
-        BARRIER;
-        GPIOR0 = AVR_BEGIN;
-        BARRIER;
-        box.result = act();
-        BARRIER;
-        GPIOR0 = AVR_END;
-        const SmVm *vm = (const SmVm *)memory;
-        box.local = vm->local;
-        box.state = vm->state;
-        memcpy(box.stored, vm->stored, sizeof box.stored);
-        BARRIER;
-    }
+    mailbox_serve(&box, act, tell);
 }
