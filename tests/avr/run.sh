@@ -57,9 +57,9 @@ count test "$size" -le 1400
 # The VM: examples and random programs, in lock step with the VM here.
 VM="tests/avr/vm.c bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/verify.c bytecode-vm/interp.c bytecode-vm/interp_avr.S bytecode-vm/interp_avr_eeprom.S $SOFT"
 vm() { name=$1; shift; avr "$name" "$@" $VM || exit 1; }
-vm vm
-vm vm_portable -DSMVM_PORTABLE
-vm vm_eeprom -DSMVM_CONFIG='"bytecode-vm/firmware/config.h"'
+vm vm -DVM_CELLS
+vm vm_portable -DVM_CELLS -DSMVM_PORTABLE
+vm vm_eeprom -DVM_CELLS -DSMVM_CONFIG='"bytecode-vm/firmware/config.h"'
 $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_vm.c "$1/libsmc.a" -o "$B/run_vm" -lsimavr -lelf -lm || exit 1
 rm -rf "$B/images" "$B/program"
 mkdir -p "$B/images"
@@ -76,7 +76,7 @@ while [ $program -lt $((SEED + PROGRAMS)) ]; do
     program=$((program + 1))
 done
 size_of() { avr-size "$B/$1.elf" | awk 'NR == 2 { print $1 - 1024 }'; }          # without the room for an image
-vm vm_none -DSM_ROLL_NONE=1
+vm vm_none -DVM_CELLS -DSM_ROLL_NONE=1
 echo "VM and verifier with soft binary64: $(size_of vm) bytes of flash, $(size_of vm_none) without windows"
 count test $(($(size_of vm) - $(size_of vm_none))) -ge 1900
 sed 's/F64  tankPressure/I16  tankPressure/' tests/avr/tank.sv >"$B/tank.sv"

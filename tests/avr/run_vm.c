@@ -248,7 +248,8 @@ int main(int argc, char **argv)
         return 1;
     p.box = sim_mailbox(&p.sim);
     p.ram = sim_ram(&p.sim);
-    test_cells(&p);
+    if (p.box->cells)
+        test_cells(&p);
     sim_paint(&p.sim, p.box->free);
     p.lo = atoi(argv[3]);
     p.hi = atoi(argv[4]);

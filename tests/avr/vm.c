@@ -42,13 +42,13 @@ static int8_t asked(void)
         return (int8_t)smvm_verify(IMAGE, VM_IMAGE, &why);
     }
 #endif
-    if (box.what == VM_INIT)
-        return init();
+#ifdef VM_CELLS
     if (box.what == VM_STORE)
         smvm_store(sm_from_bits(box.x), box.type, &box.cell);
-    else
+    if (box.what == VM_LOAD)
         box.x = sm_bits(smvm_load(box.type, &box.cell));
-    return 0;
+#endif
+    return box.what == VM_INIT ? init() : 0;
 }
 
 static void act(void) { box.result = asked(); }
@@ -71,5 +71,8 @@ int main(void)
     box.memory = (uint16_t)memory;
     box.memory_size = sizeof memory;
     box.free = (uint16_t)&__heap_start;
+#ifdef VM_CELLS
+    box.cells = 1;
+#endif
     mailbox_serve(&box, act, tell);
 }
