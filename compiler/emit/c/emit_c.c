@@ -91,6 +91,7 @@ void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const
     names_init(u, prefix);
     u->helper = ARENA_ARRAY(a, uint32_t, helper_count());
     u->var_use = ARENA_ARRAY(a, CVarUse, m->var.n);
+    u->window_asked = ARENA_ARRAY(a, uint32_t, m->window.n);
     u->window_sample = ARENA_ARRAY(a, uint32_t, m->window.n);
     for (size_t w = 0; w < m->window.n; w++)
         u->window_sample[w] = UINT32_MAX;
@@ -175,7 +176,6 @@ static void put_code(CUnit *u, const char *source, const char *header, Buf *out)
     if (u->fit)
         buf_printf(out, "static bool %s(void);\n\n", u->fit);
     put_helpers(u, out);
-    buf_str(out, "// ---- the states.  A number that a block returns is that of the state to go to; 0 is to stay. ----\n\n");
     buf_str(out, buf_text(&body));
     if (u->runtime)
         put_machine_type(u, out);

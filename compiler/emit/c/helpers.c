@@ -57,8 +57,8 @@ static void use_dependencies(CUnit *u, int i, const char *text)
     }
 }
 
-// Called from so many places, a conversion is better called than inlined: gcc takes half the time over a machine of a thousand states
-// and makes half the code.
+// Called from so many places, a conversion or a look for NaN is better called than inlined: gcc takes half the time over a machine of
+// a thousand states and makes half the code.
 enum { TOO_MANY = 500 };
 static const char apart_text[] =
     "#if defined(__GNUC__)\n"
@@ -67,7 +67,12 @@ static const char apart_text[] =
     "#define SM_APART\n"
     "#endif\n";
 
-static bool stays_apart(const CUnit *u, int i) { return !u->soft && u->helper[i] > TOO_MANY && strncmp(stdlib_text[i].name, "sm_to_", 6) == 0; }
+static bool stays_apart(const CUnit *u, int i)
+{
+    const char *const name = stdlib_text[i].name;
+
+    return !u->soft && u->helper[i] > TOO_MANY && (strncmp(name, "sm_to_", 6) == 0 || strncmp(name, "sm_read_", 8) == 0);
+}
 
 static void put_text(const CUnit *u, int i, const char *text, Buf *out)
 {

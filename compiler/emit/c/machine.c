@@ -323,15 +323,20 @@ void put_machine(CUnit *u, Buf *out)
 {
     CSignature sample = { 0 };
     CState *s;
+    Buf code;
 
+    buf_init(&code, u->arena);
     if (u->m->sample) {
         const CFunction what = { u->m->sample, facts_begin_sample(u->facts), format_in(u->arena, "%s_sample", u->names.prefix),
                                  "// Gives every rolling window its sample of this step.\n" };
-        sample = put_function(u, &what, out);
+        sample = put_function(u, &what, &code);
     }
     for (size_t w = 0; w < u->m->window.n; w++)
         u->window_sample[w] = UINT32_MAX;
-    s = put_blocks(u, out);
+    s = put_blocks(u, &code);
+    put_statistics(u, out);
+    buf_str(out, "// ---- the states.  A number that a block returns is that of the state to go to; 0 is to stay. ----\n\n");
+    buf_str(out, buf_text(&code));
     buf_str(out, "// ---- the machine ----\n\n");
     put_init(u, out);
     put_step(u, s, u->m->sample ? &sample : NULL, out);

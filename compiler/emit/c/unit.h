@@ -57,6 +57,7 @@ typedef struct CUnit {
     uint32_t *helper;             // by stdlib_text: how often this text of stdlib is needed
     const char **window;          // by window: its member
     struct CVarUse *var_use;      // by variable: what the function in hand does with it
+    uint32_t *window_asked;       // by window: a bit for each statistic that the code asks it
     uint32_t *window_sample;      // by window: where the block in hand gives it its sample
     uint32_t stamps;              // functions and blocks so far
     FactMachine *facts;    // what values can be
@@ -151,6 +152,8 @@ void put_soft_library(Buf *out);
 // A window's member: its name and how many words it takes.
 const char *window_declaration(const CUnit *u, size_t w);
 void put_empty_windows(const CUnit *u, Buf *out);
+// A function for each statistic that the code asks.
+void put_statistics(CUnit *u, Buf *out);
 uint32_t small_roll_words(uint32_t n, uint32_t kind);      // sm_roll_words where memory matters most
 
 // ---- vector.c ----

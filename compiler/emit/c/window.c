@@ -72,10 +72,10 @@ static const char *push_helper(const IrWindow *w)
 }
 
 // `NAME(m->WINDOW, SIZE, KIND`
-static void put_call(CFn *fn, const char *name, uint32_t w)
+static void put_call(CUnit *u, const char *name, size_t w, Buf *out)
 {
-    buf_printf(&fn->line, "%s(m->%s, %u, ", helper_use(fn->u, name), fn->u->window[w], (unsigned)window(fn->u, w)->size);
-    put_kind(window(fn->u, w), &fn->line);
+    buf_printf(out, "%s(m->%s, %u, ", helper_use(u, name), u->window[w], (unsigned)window(u, w)->size);
+    put_kind(window(u, w), out);
 }
 
 void put_sample(CFn *fn, const IrIns *i)
@@ -83,23 +83,48 @@ void put_sample(CFn *fn, const IrIns *i)
     const IrWindow *w = window(fn->u, i->var);
 
     fn->uses_m = fn->writes_m = true;
-    put_call(fn, push_helper(w), i->var);
+    put_call(fn->u, push_helper(w), i->var, &fn->line);
     buf_str(&fn->line, ", ");
     put_key(fn, i->a, (SmType)(kind_of(w) & SM_ROLL_TYPE));
     buf_str(&fn->line, ");");
     end_line(fn);
     if (sm_roll_node_keeps(w->size, kind_of(w)) == 0)
         return;
-    put_call(fn, "sm_roll_combine", i->var);
+    put_call(fn->u, "sm_roll_combine", i->var, &fn->line);
     buf_str(&fn->line, ");");
     end_line(fn);
 }
 
+// ---- statistics: a function each, called from as many places as ask ----
+
+static const char *const stat_name[SM_STAT_COUNT] = { "avg", "median", "min", "max", "range" };
+
 void put_stat(CFn *fn, const IrIns *i)
 {
-    static const char *const helper[SM_STAT_COUNT] = { "sm_roll_avg", "sm_roll_median", "sm_roll_min", "sm_roll_max", "sm_roll_range" };
+    CUnit *u = fn->u;
 
     fn->uses_m = true;
-    put_call(fn, helper[i->stat], i->var);
-    buf_char(&fn->line, ')');
+    u->window_asked[i->var] |= 1u << i->stat;
+    buf_printf(&fn->line, "%s_%s_%s(m)", u->names.prefix, u->window[i->var], stat_name[i->stat]);
+}
+
+static void put_statistic(CUnit *u, size_t w, int stat, Buf *out)
+{
+    buf_printf(out, "static %s %s_%s_%s(const %s *m)\n{\n    return ", c_type_of(u, SM_F64), u->names.prefix, u->window[w],
+               stat_name[stat], u->names.type);
+    put_call(u, format_in(u->arena, "sm_roll_%s", stat_name[stat]), w, out);
+    buf_str(out, ");\n}\n\n");
+}
+
+void put_statistics(CUnit *u, Buf *out)
+{
+    bool any = false;
+
+    for (size_t w = 0; w < u->m->window.n; w++)
+        for (int stat = 0; stat < SM_STAT_COUNT; stat++)
+            if (u->window_asked[w] >> stat & 1) {
+                buf_str(out, any ? "" : "// ---- what the rolling windows are asked ----\n\n");
+                any = true;
+                put_statistic(u, w, stat, out);
+            }
 }
