@@ -79,6 +79,13 @@ enum {
 #define SM_ROLL_FLAT
 #endif
 #endif
+//: SM_ROLL_AT_ONCE
+// How many samples are added up or compared at once: 4, or 1 where code is to be small.
+#ifdef __OPTIMIZE_SIZE__
+#define SM_ROLL_AT_ONCE 1u
+#else
+#define SM_ROLL_AT_ONCE 4u
+#endif
 //: sm_roll_of_f32
 // The bits of a sample; NaN counts as 0.
 static inline int64_t sm_roll_of_f32(float x)
@@ -313,19 +320,24 @@ SM_ROLL_INLINE void sm_roll_move(unsigned char *sorted, uint32_t n, uint32_t kin
     }
     sm_roll_turn(sorted, n, kind, from, to);
 }
-//: sm_roll_push_blocks
-// The same for a longer one: finds the places of both and moves what is between.
-SM_ROLL_INLINE void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
+//: sm_roll_sort_in
+// A key is about to enter a longer one: finds its place and that of the oldest, and moves what is between.
+SM_ROLL_INLINE void sm_roll_sort_in(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
 {
     unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots(n, kind)) + sm_roll_row(n, kind);
-    const int64_t key = sm_roll_turned(kind, sample);
     const uint32_t count = sm_roll_count(w);
     const uint32_t from = count < n ? count : sm_roll_rank(sorted, n, kind, count, sm_roll_oldest(w, n, kind));
     uint32_t to = sm_roll_rank(sorted, n, kind, count, key);
     to -= from < to;                                 // without the old one
     sm_roll_move(sorted, n, kind, from, to);
     sm_roll_put(sorted, sm_roll_place(sorted, n, kind, to), kind, key);
-    sm_roll_enter(w, n, kind, key);
+}
+//: sm_roll_push_blocks
+// The same for a longer window that keeps its samples in order.
+SM_ROLL_INLINE void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
+{
+    sm_roll_sort_in(w, n, kind, sm_roll_turned(kind, sample));
+    sm_roll_push(w, n, kind, sample);
 }
 //: sm_roll_sum_up
 // The sum of all slots, of which sample i is new; `sum` is that of its pair.  Notes the sums of four, eight, … slots; an odd last one
@@ -378,51 +390,49 @@ SM_ROLL_INLINE void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
     if ((keeps & 8u) != 0)
         *all = (uint64_t)sm_roll_least_up(node, n, i, count, key > other ? ~key : ~other);
 }
-//: sm_roll_sum_of_4
-// The sum of up to four slots, in pairs; at: the first of those that are left.
-SM_ROLL_INLINE SmF64 sm_roll_sum_of_4(const unsigned char *at, uint32_t left, uint32_t kind)
+//: sm_roll_sum_of_some
+// The sum of up to SM_ROLL_AT_ONCE slots, in pairs; at: the first of those that are left.
+SM_ROLL_INLINE SmF64 sm_roll_sum_of_some(const unsigned char *at, uint32_t left, uint32_t kind)
 {
     SmF64 sum = sm_roll_value(kind, sm_roll_get(at, 0, kind)), other;
-    if (left > 1)
-        sum = sm_add(sum, sm_roll_value(kind, sm_roll_get(at, 1, kind)));
-    if (left < 3)
+    if (SM_ROLL_AT_ONCE == 1 || left == 1)
+        return sum;
+    sum = sm_add(sum, sm_roll_value(kind, sm_roll_get(at, 1, kind)));
+    if (left == 2)
         return sum;
     other = sm_roll_value(kind, sm_roll_get(at, 2, kind));
     return sm_add(sum, left > 3 ? sm_add(other, sm_roll_value(kind, sm_roll_get(at, 3, kind))) : other);
 }
 //: sm_roll_sum
-// Slots are added in pairs, those sums in pairs, and so on: part[i] is the sum of 4 * 2^i slots that waits for its other half.
+// Slots are added in pairs, those sums in pairs, and so on: what waits for its other half stands in a row.
 SM_ROLL_INLINE SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32_t kind)
 {
-    const unsigned char *const slot = (const unsigned char *)(w + sm_roll_slots(n, kind));
-    const uint32_t count = sm_roll_count(w), fours = (count + 3) / 4;
-    SmF64 part[15], sum = sm_from_i32(0);
-    uint32_t i, wait;
-    unsigned level;
-    for (i = 0; i < fours; i++) {
-        sum = sm_roll_sum_of_4(slot + ((size_t)i * 4 << sm_roll_shift(kind)), count - 4 * i, kind);
-        for (level = 0; (i >> level & 1u) != 0; level++)
-            sum = sm_add(part[level], sum);
-        part[level] = sum;
+    const unsigned char *at = (const unsigned char *)(w + sm_roll_slots(n, kind));
+    SmF64 part[18], *end = part;
+    const uint32_t count = sm_roll_count(w);
+    uint32_t i, whole;
+    for (i = 0; i < count; i += SM_ROLL_AT_ONCE, at += (size_t)SM_ROLL_AT_ONCE << sm_roll_shift(kind)) {
+        *end++ = sm_roll_sum_of_some(at, count - i, kind);
+        for (whole = i / SM_ROLL_AT_ONCE; whole % 2 != 0; whole /= 2, end--)
+            end[-2] = sm_add(end[-2], end[-1]);
     }
-    wait = fours & (fours - 1);               // the last sum is complete; older ones wait for it
-    for (level = 0; wait >> level != 0; level++)
-        if ((wait >> level & 1u) != 0)
-            sum = sm_add(part[level], sum);
-    return sum;
+    for (; end != part + 1; end--)
+        end[-2] = sm_add(end[-2], end[-1]);
+    return part[0];
 }
 //: sm_roll_avg
 SM_ROLL_INLINE SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32_t kind)
 {
     const unsigned keeps = sm_roll_keeps(n, kind);
+    const uint32_t count = sm_roll_count(w);
     SmF64 sum;
-    if (sm_roll_count(w) == 0)
+    if (count == 0)
         return sm_from_i32(0);
     if ((keeps & 3u) != 0)
         sum = (keeps & 1u) != 0 ? sm_from_i64((int64_t)w[1]) : sm_from_bits(w[1]);
     else
         sum = sm_roll_sum(w, n, kind);
-    return sm_div(sum, sm_from_u32(sm_roll_count(w)));
+    return sm_div(sum, sm_from_u32(count));
 }
 //: sm_roll_further
 // The smaller one, or the larger.
@@ -435,7 +445,7 @@ SM_ROLL_INLINE int64_t sm_roll_end(const uint64_t *w, uint32_t n, uint32_t kind,
     const size_t one = (size_t)1 << sm_roll_shift(kind);
     int64_t end = sm_roll_get(at, 0, kind), a, b;
     uint32_t left;
-    for (left = sm_roll_count(w); left >= 4; left -= 4, at += 4 * one) {
+    for (left = sm_roll_count(w); SM_ROLL_AT_ONCE == 4 && left >= 4; left -= 4, at += 4 * one) {
         a = sm_roll_further(up, sm_roll_get(at, 0, kind), sm_roll_get(at, 1, kind));
         b = sm_roll_further(up, sm_roll_get(at, 2, kind), sm_roll_get(at, 3, kind));
         end = sm_roll_further(up, end, sm_roll_further(up, a, b));
@@ -469,28 +479,24 @@ SM_ROLL_INLINE SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind
         return sm_add(sm_div(a, sm_from_i32(2)), sm_div(b, sm_from_i32(2)));
     return sm_add(a, sm_div(d, sm_from_i32(2)));
 }
+//: sm_roll_extreme
+// The smallest sample, or the largest; -0 is below +0.
+SM_ROLL_INLINE SmF64 sm_roll_extreme(const uint64_t *w, uint32_t n, uint32_t kind, bool up)
+{
+    const unsigned keeps = sm_roll_keeps(n, kind);
+    const uint32_t count = sm_roll_count(w);
+    if (count == 0)
+        return sm_from_i32(0);
+    if ((kind & SM_ROLL_MEDIAN) != 0)
+        return sm_roll_ordered(w, n, kind, up ? count - 1 : 0);
+    if (keeps < 4)
+        return sm_roll_value(kind, sm_roll_end(w, n, kind, up));
+    return sm_roll_value(kind, up ? (int64_t)~w[sm_roll_size(keeps)] : (int64_t)w[1 + sm_roll_size(keeps & 3u)]);
+}
 //: sm_roll_min
-// The smallest sample; -0 is below +0.
-SM_ROLL_INLINE SmF64 sm_roll_min(const uint64_t *w, uint32_t n, uint32_t kind)
-{
-    const unsigned keeps = sm_roll_keeps(n, kind);
-    if (sm_roll_count(w) == 0)
-        return sm_from_i32(0);
-    if ((kind & SM_ROLL_MEDIAN) != 0)
-        return sm_roll_ordered(w, n, kind, 0);
-    return sm_roll_value(kind, (keeps & 4u) != 0 ? (int64_t)w[1 + sm_roll_size(keeps & 3u)] : sm_roll_end(w, n, kind, false));
-}
+SM_ROLL_INLINE SmF64 sm_roll_min(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_extreme(w, n, kind, false); }
 //: sm_roll_max
-// The largest sample; +0 is above -0.
-SM_ROLL_INLINE SmF64 sm_roll_max(const uint64_t *w, uint32_t n, uint32_t kind)
-{
-    const unsigned keeps = sm_roll_keeps(n, kind);
-    if (sm_roll_count(w) == 0)
-        return sm_from_i32(0);
-    if ((kind & SM_ROLL_MEDIAN) != 0)
-        return sm_roll_ordered(w, n, kind, sm_roll_count(w) - 1);
-    return sm_roll_value(kind, (keeps & 8u) != 0 ? (int64_t)~w[sm_roll_size(keeps)] : sm_roll_end(w, n, kind, true));
-}
+SM_ROLL_INLINE SmF64 sm_roll_max(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_extreme(w, n, kind, true); }
 //: sm_roll_range
 // The largest less the smallest sample; 0 if they are equal, infinities too.
 SM_ROLL_INLINE SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint32_t kind)
@@ -542,14 +548,16 @@ static inline int64_t sm_roll_converted(uint32_t kind, SmF64 x)
 // A window of any kind takes a sample.
 SM_ROLL_INLINE void sm_roll_take(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
-    if ((kind & SM_ROLL_MEDIAN) == 0)
-        sm_roll_push(w, n, kind, sample);
 #ifndef __OPTIMIZE_SIZE__
-    else if (n <= SM_ROLL_SHORT)
+    if ((kind & SM_ROLL_MEDIAN) != 0 && n <= SM_ROLL_SHORT)
         sm_roll_push_sorted(w, n, kind, sample);
-#endif
     else
-        sm_roll_push_blocks(w, n, kind, sample);
+#endif
+    {
+        if ((kind & SM_ROLL_MEDIAN) != 0)
+            sm_roll_sort_in(w, n, kind, sm_roll_turned(kind, sample));
+        sm_roll_push(w, n, kind, sample);
+    }
     if (sm_roll_node_keeps(n, kind) != 0)
         sm_roll_combine(w, n, kind);
 }
