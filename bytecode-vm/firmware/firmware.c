@@ -21,7 +21,7 @@
 enum {
     PERIOD = 10,              // ms, of an image that was sent without one
     EEPROM_WRITE = 4,         // ms, rounded up: no byte is begun that would be under way at the next step
-    LONGEST = 1000,           // instructions that a step may take; some 100 to 200 cycles each
+    STEP_CYCLES = 14400,      // that a step may take of each of the 16,000 of a millisecond: the others are for the clock and the line
     BITS_PER_SECOND = 115200
 };
 
@@ -197,7 +197,8 @@ static void leave_slot(void *context)
 }
 
 static AgentBoard board = {
-    .ram = FIRMWARE_MEMORY - (sizeof(SmVm) + 7) / 8 * 8, .longest_step = LONGEST, .may_update = may_update, .fits = fits,
+    .ram = FIRMWARE_MEMORY - (sizeof(SmVm) + 7) / 8 * 8, .machines = SMVM_RUNNER_MACHINES, .windows = !SM_ROLL_NONE,
+    .ram_digital = SMVM_RUNNER_DIGITAL, .ram_analog = SMVM_RUNNER_ANALOG, .period = PERIOD, .cycles = STEP_CYCLES, .may_update = may_update, .fits = fits,
     .leave_slot = leave_slot, .built_in_size = sizeof built_in};
 
 // ---- start ----

@@ -3,7 +3,6 @@
 // no further, one behind the other behind the machines.  They hold the pin's handle where SmIoPin has `hold`, for a pin of a chip does not fail.
 #include "bytecode-vm/firmware/runner.h"
 
-#include <stddef.h>
 #include <string.h>
 
 #include "bytecode-vm/image.h"
@@ -24,7 +23,7 @@ static bool take(uint16_t *left, SmvmAt bytes)
     return true;
 }
 
-static uint8_t row_bytes(uint8_t kind) { return kind & 2 ? offsetof(SmIoPin, scale) : offsetof(SmIoPin, safe); }
+static uint8_t row_bytes(uint8_t kind) { return kind & 2 ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }
 
 static SmResult take_pins(const SmvmRunner *r, uint16_t *left, SmvmPins *p)
 {

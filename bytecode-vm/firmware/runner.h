@@ -10,6 +10,8 @@
 #ifndef SMVM_RUNNER_H
 #define SMVM_RUNNER_H
 
+#include <stddef.h>
+
 #include "bytecode-vm/smvm.h"
 #include "runtime-c/pin.h"
 
@@ -17,7 +19,7 @@
 extern "C" {
 #endif
 
-enum { SMVM_RUNNER_MACHINES = 4 };
+enum { SMVM_RUNNER_MACHINES = 4, SMVM_RUNNER_DIGITAL = offsetof(SmIoPin, scale), SMVM_RUNNER_ANALOG = offsetof(SmIoPin, safe) };     // bytes of a pin
 
 typedef struct SmvmRunner {
     uint64_t *memory;         // for the state vector, and behind it machines and pins

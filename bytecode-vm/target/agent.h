@@ -24,6 +24,11 @@ typedef struct AgentBoard {
     void *context;
     uint32_t ram;             // bytes that machines may need
     uint32_t longest_step;    // instructions that a step may take; 0: nobody minds
+    uint8_t machines;         // how many an image may have; 0: any number
+    bool windows;             // whether they may have any
+    uint8_t ram_digital, ram_analog;      // what a pin takes of `ram`
+    uint16_t period;          // milliseconds between steps of an image that came without
+    uint16_t cycles;          // of an ATmega that a step may take for each millisecond of its period; 0: nobody minds
     SmResult (*may_update)(void *context);                        // SM_OK, SM_E_ARMED, SM_E_UNSAFE
     // Whether this board can run it: RAM, pins, state vector.  SM_E_MEMORY, SM_E_MISSING, SM_E_LAYOUT.
     SmResult (*fits)(void *context, SmvmBytes image);

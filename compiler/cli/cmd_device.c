@@ -27,6 +27,18 @@ static int list(BoardLine *b, Buf *out)
     return EXIT_OK;
 }
 
+static void put_limits(Buf *out, const DeviceInfo *i)
+{
+    if (i->machines != 0)
+        buf_printf(out, "at most %u machines, ", (unsigned)i->machines);
+    buf_str(out, i->windows ? "with rolling windows" : "without rolling windows");
+    if (i->period != 0)
+        buf_printf(out, ", a step every %u ms", (unsigned)i->period);
+    if (i->cycles != 0)
+        buf_printf(out, ", of up to %u cycles in each of them", (unsigned)i->cycles);
+    buf_str(out, "\n");
+}
+
 static int info(BoardLine *b, Buf *out)
 {
     const DeviceInfo *i = &b->info;
@@ -36,6 +48,8 @@ static int info(BoardLine *b, Buf *out)
     if (i->longest)
         buf_printf(out, ", steps of up to %lu instructions", (unsigned long)i->longest);
     buf_str(out, "\n");
+    if (i->tells)
+        put_limits(out, i);
     if (i->wants_signed)
         buf_printf(out, "takes signed images only, with numbers above %lu\n", (unsigned long)i->newest);
     put_may(out, i);

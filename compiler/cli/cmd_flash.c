@@ -6,39 +6,82 @@
 
 #include "bytecode-vm/auth.h"
 #include "bytecode-vm/image.h"
+#include "compiler/analysis/cost.h"
 #include "compiler/base/os_serial.h"
 #include "compiler/cli/board_line.h"
 
 // What the image asks for, wherever it runs, its state vector included: what the VM itself needs differs from computer to computer.
-typedef struct Needs { uint32_t ram, longest; } Needs;
+typedef struct Needs { uint32_t ram, longest, machines, windows, cycles; } Needs;
 
-static Needs needs_of(const Source *image, const SmvmVerdict *v)
+// What a pin takes in a step, in cycles of an ATmega: the most that tests/avr/run_pins.c saw, rounded up.
+enum { DIGITAL_CYCLES = 400, INPUT_CYCLES = 5000, OUTPUT_CYCLES = 5000 };
+
+static void need_pins(const DeviceInfo *info, const Source *image, Needs *n)
 {
-    Needs n = {0, v->longest};
+    SmvmPins all;
+    SmvmPin p;
+
+    (void)smvm_pins((SmvmBytes)image->text, &all);
+    while (smvm_next_pin(&all, &p)) {
+        n->ram += p.kind & 2 ? info->ram_digital : info->ram_analog;
+        n->cycles += p.kind & 2 ? DIGITAL_CYCLES : p.kind & 1 ? OUTPUT_CYCLES : INPUT_CYCLES;
+    }
+}
+
+static void need_machine(Cli *c, const Source *image, uint32_t i, const SmvmMachine *m, Needs *n)
+{
+    Cost cost;
+
+    cost_of_machine(&c->session.arena, (const uint8_t *)image->text, i, COST_CYCLES_EEPROM, &cost);
+    n->cycles += cost.worst;
+    n->windows += m->windows;
+    n->machines++;
+    n->ram += i == 0 ? m->sv_size : 0;
+    n->ram += smvm_ram_size(m) - ((uint32_t)sizeof(SmVm) + 7) / 8 * 8 - (m->windows * (uint32_t)sizeof(uint64_t *) + 7) / 8 * 8;
+}
+
+static Needs needs_of(Cli *c, const DeviceInfo *info, const Source *image, const SmvmVerdict *v)
+{
+    Needs n = {0, v->longest, 0, 0, 0};
     SmvmMachine m;
 
-    for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++) {
-        if (i == 0)
-            n.ram = m.sv_size;
-        n.ram += smvm_ram_size(&m) - ((uint32_t)sizeof(SmVm) + 7) / 8 * 8 - (m.windows * (uint32_t)sizeof(uint64_t *) + 7) / 8 * 8;
-    }
+    for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
+        need_machine(c, image, i, &m, &n);
+    need_pins(info, image, &n);
     return n;
 }
 
-// Before a byte is sent.
-static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdict *v)
+static int no_time(Cli *c, const Source *image, uint32_t cycles, uint32_t period, uint32_t most)
 {
-    const Needs n = needs_of(image, v);
+    const uint32_t wants = (cycles + most - 1) / most;
 
-    if (image->len > b->info.slot_size)
+    cli_say(c, "a step of %s is estimated at up to %lu cycles; every %lu ms the board has %lu for it; --period=%lu is enough; nothing was sent",
+            image->name, (unsigned long)cycles, (unsigned long)period, (unsigned long)(period * most), (unsigned long)wants);
+    return EXIT_PROBLEM;
+}
+
+// Before a byte is sent.
+static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
+{
+    const DeviceInfo *i = &b->info;
+    const Needs n = needs_of(c, i, image, v);
+    const uint32_t every = period != 0 ? period : i->period;
+
+    if (image->len > i->slot_size)
         cli_say(c, "%s has %lu bytes, a slot of the board %lu; nothing was sent", image->name, (unsigned long)image->len,
-                (unsigned long)b->info.slot_size);
-    else if (n.ram > b->info.ram)
+                (unsigned long)i->slot_size);
+    else if (n.ram > i->ram)
         cli_say(c, "%s needs more than %lu bytes of RAM, the board has %lu for machines; nothing was sent", image->name,
-                (unsigned long)n.ram, (unsigned long)b->info.ram);
-    else if (b->info.longest != 0 && n.longest > b->info.longest)
+                (unsigned long)n.ram, (unsigned long)i->ram);
+    else if (i->longest != 0 && n.longest > i->longest)
         cli_say(c, "the longest step of %s takes %lu instructions, the board allows %lu; nothing was sent", image->name,
-                (unsigned long)n.longest, (unsigned long)b->info.longest);
+                (unsigned long)n.longest, (unsigned long)i->longest);
+    else if (i->tells && !i->windows && n.windows > 0)
+        cli_say(c, "%s has rolling windows (roll_...), and this board's firmware is made without; nothing was sent", image->name);
+    else if (i->machines != 0 && n.machines > i->machines)
+        cli_say(c, "%s has %lu machines, the board runs %u; nothing was sent", image->name, (unsigned long)n.machines, (unsigned)i->machines);
+    else if (i->cycles != 0 && n.cycles > every * i->cycles)
+        return no_time(c, image, n.cycles, every, i->cycles);
     else
         return EXIT_OK;
     return EXIT_PROBLEM;
@@ -167,7 +210,7 @@ static void warn_of_starts(Cli *c, const Source *image)
 
 static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
 {
-    int code = fits(c, b, image, v);
+    int code = fits(c, b, image, v, period);
 
     if (code != EXIT_OK)
         return code;

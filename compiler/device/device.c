@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { HELLO_BYTES = 15, HELLO_SIGNED = HELLO_BYTES + 5, IMAGE_BYTES = 18, DATA_HEAD = 5, RESTARTS = 3 };
+enum { HELLO_BYTES = 15, HELLO_SIGNED = HELLO_BYTES + 5, HELLO_LIMITS = HELLO_SIGNED + 7, IMAGE_BYTES = 18, DATA_HEAD = 5, RESTARTS = 3 };
 
 // An answer that is shorter than it must be is none of this protocol.
 static bool ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n, size_t least)
@@ -17,6 +17,16 @@ static bool ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n,
 
 // ---- what there is ----
 
+static void take_limits(const uint8_t *b, DeviceInfo *info)
+{
+    info->windows = (b[0] & LINK_WINDOWS) != 0;
+    info->machines = (uint8_t)(b[0] & ~LINK_WINDOWS);
+    info->ram_digital = b[1];
+    info->ram_analog = b[2];
+    info->period = (uint16_t)sm_link_get(b + 3, 2);
+    info->cycles = (uint16_t)sm_link_get(b + 5, 2);
+}
+
 bool device_hello(LinkHost *h, DeviceInfo *info)
 {
     const uint8_t *b;
@@ -24,6 +34,7 @@ bool device_hello(LinkHost *h, DeviceInfo *info)
     if (!ask(h, LINK_HELLO, NULL, 0, HELLO_BYTES))
         return false;
     b = h->body;
+    memset(info, 0, sizeof *info);
     info->protocol = b[0];
     info->body = b[1];
     info->block = b[2];
@@ -34,6 +45,9 @@ bool device_hello(LinkHost *h, DeviceInfo *info)
     info->may = (SmResult)(int8_t)b[14];
     info->wants_signed = h->n >= HELLO_SIGNED && b[15] != 0;
     info->newest = h->n >= HELLO_SIGNED ? sm_link_get(b + 16, 4) : 0;
+    info->tells = h->n >= HELLO_LIMITS;
+    if (info->tells)
+        take_limits(b + HELLO_SIGNED, info);
     return true;
 }
 

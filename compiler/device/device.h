@@ -14,6 +14,12 @@ typedef struct DeviceInfo {
     SmResult may;             // whether an update may begin
     bool wants_signed;        // only images signed with its key, and with numbers above this
     uint32_t newest;
+    // Of firmware that tells (`tells`):
+    bool tells, windows;      // whether it runs rolling windows
+    uint8_t machines;         // how many; 0: any number
+    uint8_t ram_digital, ram_analog;      // what a pin takes of `ram`
+    uint16_t period;          // milliseconds between steps where nobody says
+    uint16_t cycles;          // of an ATmega that a step may take for each of them; 0: nobody minds
 } DeviceInfo;
 
 enum { DEVICE_EMPTY, DEVICE_WHOLE, DEVICE_TRIAL, DEVICE_CONFIRMED };

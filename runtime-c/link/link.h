@@ -26,6 +26,7 @@ extern "C" {
 // Bytes of buffer for a frame on its way, with COBS and zero, or for one that arrives.
 #define LINK_ROOM(body) (LINK_HEAD + (body) + LINK_TAIL + 2u)
 #define LINK_ANSWER   0x80u
+#define LINK_WINDOWS  0x80u   // HELLO: a bit beside the number of machines
 
 typedef enum LinkMessage {
 #define LINK_MESSAGE(name, number, request, answer) LINK_##name = number,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board to talk to without hardware: VM, store and agent as a program, on a terminal device and a file as non-volatile memory.
 // It may be killed at any moment and started again.
-//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed; the key in MEMORY.key is its own
+//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed; the key in MEMORY.key is its own; MEMORY.plain: it says that it has no windows
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -26,7 +26,7 @@ static SmEvent storage[EVENTS];
 static SmEvents events;
 static Store store;
 static Agent agent;
-static char armed_path[256], key_path[256];
+static char armed_path[256], key_path[256], plain_path[256];
 static uint8_t key[SMVM_KEY];
 
 static void report(uint8_t kind, uint32_t a, uint32_t b)
@@ -100,7 +100,8 @@ static void leave_slot(void *context)
 
 static bool look_again(void) { return pal_nvm_read(store.nvm, 0, shadow, MEMORY) == SM_OK; }
 
-static const AgentBoard board = {NULL, RAM, 100000, may_update, fits, leave_slot, shadow, 0};
+static AgentBoard board = {.ram = RAM, .longest_step = 100000, .machines = 2, .ram_digital = 10, .ram_analog = 26, .period = PERIOD / 1000000, .cycles = 14400,
+                           .may_update = may_update, .fits = fits, .leave_slot = leave_slot, .built_in = shadow};
 
 static bool has_key(void)
 {
@@ -135,6 +136,7 @@ static bool start(PalNvm nvm, uint8_t *frame)
     if (!look_again() || sm_events_init(&events) != SM_OK || !opens(nvm, &plan) ||
         smvm_store_boot(&store, &slot) != SM_OK)
         return false;
+    board.windows = access(plain_path, F_OK) != 0;
     smvm_agent_init(&agent, &store, &board, &events, frame, BODY);
     report(SM_EVENT_START, 0, 0);
     machine.state = 0;
@@ -160,7 +162,7 @@ int main(int argc, char **argv)
     size_t n;
 
     if (argc != 3 || snprintf(armed_path, sizeof armed_path, "%s.armed", argv[2]) < 0 ||
-        snprintf(key_path, sizeof key_path, "%s.key", argv[2]) < 0)
+        snprintf(key_path, sizeof key_path, "%s.key", argv[2]) < 0 || snprintf(plain_path, sizeof plain_path, "%s.plain", argv[2]) < 0)
         return 2;
     if (pal_serial_open(&line, argv[1], 115200) != SM_OK || pal_nvm_open(&nvm, argv[2], MEMORY) != SM_OK || !start(nvm, frame))
         return 3;

@@ -210,9 +210,8 @@ static void what_is_armed_is_left_alone(void)
 }
 
 // smc without a board.
-static int alone(const char *a, const char *b, const char *c, const char *d)
+static int alone_with(const char *const *argv)
 {
-    const char *const argv[ARGS] = {smc, a, b, c, d, NULL};
     int status;
     const pid_t pid = start(argv, output);
 
@@ -221,25 +220,68 @@ static int alone(const char *a, const char *b, const char *c, const char *d)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
+static int alone(const char *a, const char *b, const char *c, const char *d)
+{
+    const char *const argv[ARGS] = {smc, a, b, c, d, NULL};
+
+    return alone_with(argv);
+}
+
 static void restart_board(void)
 {
     kill_board();
     start_board();
 }
 
-// Makes aloft.smb: a machine that stays in its first state, which is marked or not, and has one that is.
-static bool build_aloft(const char *mark, char *image)
+// Makes an image of so many machines with these states.
+enum { MACHINES = 5 };
+static bool build(const char *states, int machines, char *image)
 {
-    char source[PATH + 16], out[PATH + 16];
+    static char source[MACHINES][PATH + 16];
+    char out[PATH + 16];
+    const char *argv[MACHINES + 5] = {smc, "build", "-w", out};
     FILE *f;
 
-    snprintf(image, PATH + 16, "%s.aloft.smb", memory);
-    snprintf(source, sizeof source, "%s.aloft.sm", memory);
+    snprintf(image, PATH + 16, "%s.made.smb", memory);
     snprintf(out, sizeof out, "-o%s", image);
-    if ((f = fopen(source, "w")) == NULL)
-        return false;
-    fprintf(f, "[state_vector]\nU64 t @alias G\nU32 s @alias S\nbool down\n\n[Aloft]%s .step\n    down: -> Down\n\n[Down] @safe\n", mark);
-    return fclose(f) == 0 && alone("build", "-w", source, out) == 0;
+    for (int i = 0; i < machines; i++) {
+        snprintf(source[i], sizeof source[i], "%s.made%d.sm", memory, i);
+        argv[4 + i] = source[i];
+        if ((f = fopen(source[i], "w")) == NULL)
+            return false;
+        fprintf(f, "[state_vector]\nU64 t @alias G\nU32 s @alias S\nF64 x\nbool down\n\n%s\n", states);
+        if (fclose(f) != 0)
+            return false;
+    }
+    return alone_with(argv) == 0;
+}
+
+// What firmware is made without, and what a board has no time for, is not sent.
+static void what_does_not_fit_is_not_sent(void)
+{
+    static const char roots[] = "[A] .step\n    x = sqrt(sqrt(sqrt(x + 1) + 1) + 1)\n";
+    char image[PATH + 16], plain[PATH + 8], proposed[32] = "";
+    const char *at;
+    FILE *f;
+
+    snprintf(plain, sizeof plain, "%s.plain", memory);
+    CHECK(quiet("device", "info", NULL) == 0 && says(" machines, with rolling windows, a step every 10 ms, of up to 14400 cycles in each of them"));
+    CHECK(build(roots, 1, image) && quiet("flash", image, "--dry-run") == 0);
+    CHECK(quiet("flash", image, "--period=2") == 1 && says(" cycles; every 2 ms the board has 28800 for it; --period=") && says("nothing was sent"));
+    if ((at = strstr(said, "--period=")) != NULL)
+        snprintf(proposed, sizeof proposed, "%.*s", (int)strcspn(at, " "), at);
+    CHECK(strcmp(proposed, "--period=2") != 0 && quiet("flash", image, proposed) == 0 && quiet("device", "confirm", NULL) == 0);
+    CHECK(build("[A]", MACHINES, image) && quiet("flash", image, NULL) == 1 && says(" has 5 machines, the board runs ") && says("nothing was sent"));
+    if (!getenv("NO_KEY")) {           // a board that does what files tell it
+        CHECK(build("[A] .step\n    x = roll_avg(x, 3)\n", 1, image) && quiet("flash", image, "--dry-run") == 0);
+        CHECK((f = fopen(plain, "w")) != NULL && fclose(f) == 0);
+        restart_board();
+        CHECK(quiet("device", "info", NULL) == 0 && says("at most 2 machines, without rolling windows"));
+        CHECK(quiet("flash", image, NULL) == 1 && says("has rolling windows (roll_...), and this board's firmware is made without; nothing was sent"));
+        CHECK(remove(plain) == 0);
+        restart_board();
+    }
+    CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
 }
 
 // 5.46: in a state that is not marked @safe, of a machine that marks one, nobody touches it.
@@ -247,7 +289,7 @@ static void what_is_not_safe_is_left_alone(void)
 {
     char aloft[PATH + 16];
 
-    CHECK(build_aloft("", aloft) && quiet("flash", aloft, NULL) == 0 && listed(aloft, ", runs, on trial"));
+    CHECK(build("[Aloft] .step\n    down: -> Down\n\n[Down] @safe", 1, aloft) && quiet("flash", aloft, NULL) == 0 && listed(aloft, ", runs, on trial"));
     CHECK(says("warning: machine 1 of ") && says(" starts in a state that is not marked @safe"));
     CHECK(quiet("device", "info", NULL) == 0 && says("no update may begin: a machine is in a state that is not marked @safe"));
     CHECK(quiet("flash", images[0], NULL) == 1 && says("nothing was sent: a machine is in a state that is not marked @safe; bring it into one that is"));
@@ -257,7 +299,7 @@ static void what_is_not_safe_is_left_alone(void)
         CHECK(quiet("device", "list", NULL) == 0);
     }
     CHECK(listed(images[1], ", runs, confirmed"));
-    CHECK(build_aloft(" @safe", aloft) && quiet("flash", aloft, "--confirm") == 0 && !says("warning") && listed(aloft, ", runs, confirmed"));
+    CHECK(build("[Aloft] @safe .step\n    down: -> Down\n\n[Down] @safe", 1, aloft) && quiet("flash", aloft, "--confirm") == 0 && !says("warning") && listed(aloft, ", runs, confirmed"));
     CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
 }
 
@@ -361,6 +403,7 @@ static void two_slots(void)
     an_image_is_sent_and_kept();
     what_is_armed_is_left_alone();
     what_is_not_safe_is_left_alone();
+    what_does_not_fit_is_not_sent();
     a_trial_ends();
     an_image_is_erased();
     nobody_answers();

@@ -316,6 +316,7 @@ static void images_are_listed_and_erased(void)
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && !u.was_there);
     CHECK(device_hello(&p.host, &info) && info.protocol == LINK_PROTOCOL && info.slots == 2);
     CHECK(info.ram == 1000 && info.block % 8 == 0);
+    CHECK(info.tells && info.windows && info.machines == 3 && info.ram_digital == 10 && info.ram_analog == 26 && info.period == 300 && info.cycles == 14400);
     CHECK(device_image(&p.host, 0, &image) && image.state == DEVICE_WHOLE && image.checksum == old_image.checksum && !image.runs);
     CHECK(device_image(&p.host, 1, &image) && image.state == DEVICE_TRIAL && image.runs && image.chosen);
     CHECK(image.starts == STORE_TRIES - 1);

@@ -62,6 +62,12 @@ static bool board_start(Board *b)
         b->board.fits = board_fits;
         b->board.leave_slot = board_leave;
         b->board.ram = 1000;
+        b->board.machines = 3;
+        b->board.windows = true;
+        b->board.ram_digital = 10;
+        b->board.ram_analog = 26;
+        b->board.period = 300;
+        b->board.cycles = 14400;
         smvm_agent_init(&b->agent, &b->store, &b->board, &b->events, b->frame, BOARD_BODY);
     }
     return b->up;
