@@ -22,7 +22,7 @@ typedef struct VmBox {
     uint16_t local, state;    // of the machine after VM_INIT and VM_STEP: where its locals are behind `memory`, the next state
     uint8_t what;             // in: one of these
     int8_t result;            // out: as of smvm_verify, smvm_init, smvm_step
-    uint8_t begins;           // in: the state to begin at
+    uint16_t begins;          // in: the state to begin at
     uint8_t type;             // in, of VM_STORE and VM_LOAD
     uint8_t cells;            // out: there are these two
     uint8_t stored[8];        // bits of the first 64 outputs

@@ -103,6 +103,16 @@ for kind in vm vm_eeprom vm_portable; do           # in assembly, whose cycles a
     count "$B/run_vm" "$B/$kind.elf" 100 0 0 "$B"/images/*.smb >"$B/$kind.txt"
     tail -1 "$B/$kind.txt"
 done
+# More than 64 outputs, more than 256 states, and entries of the table of functions of one, two and three bytes.
+sh tests/avr/large.sh "$B" || exit 1
+for large in outputs states; do "$1/smc" build -w "$B/$large.sm" -o "$B/$large.smb" || exit 1; done
+vm vm_large -DVM_ROOM=8192
+vm vm_large_portable -DVM_ROOM=8192 -DSMVM_PORTABLE
+for kind in vm_large vm_large_portable; do
+    count "$B/run_vm" "$B/$kind.elf" 2000 0 0 "$B/outputs.smb" "$B/states.smb"
+    WIDE=1 count "$B/run_vm" "$B/$kind.elf" 500 0 0 "$B/outputs.smb" "$B/states.smb" "$B/tank.smb"
+done
+WIDE=1 count "$B/run_vm" "$B/vm_eeprom.elf" 500 0 0 "$B/outputs.smb" "$B/tank.smb"
 # The generic firmware's runner, with all kinds of pins; and what a step of the tank takes with its own.
 avr pins -flto -DF_CPU=16000000UL -DSMVM_CONFIG='"bytecode-vm/firmware/config.h"' -DSM_CONFIG='"bytecode-vm/firmware/config.h"' -DSM_ROLL_NONE=1 tests/avr/pins.c \
     bytecode-vm/firmware/runner.c bytecode-vm/target/io.c runtime-c/pin.c runtime-c/psl/avr/*.c ${VM#tests/avr/vm.c} || exit 1

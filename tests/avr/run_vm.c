@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The VM on an emulated ATmega328P in lock step with the VM of this computer: the same verdict, and after every step the same state
 // vector, locals, outputs stored and next state.
-//   run_vm ELF STEPS LO HI IMAGE.smb…     ESTIMATE=1: no step takes more cycles than cost.h says of its machine.  The first machine of each image; those that need more room than the chip has are skipped.  Inputs
+//   run_vm ELF STEPS LO HI IMAGE.smb…     WIDE=1: where a function ends is said in three bytes.  ESTIMATE=1: no step takes more cycles than cost.h says of its machine.  The first machine of each image; those that need more room than the chip has are skipped.  Inputs
 //                                         are random numbers from LO to HI; if both are 0 they are anything, time may stand still,
 //                                         and the machine begins anew at any of its states from time to time
 #include <stdio.h>
@@ -12,6 +12,7 @@
 #include "bytecode-vm/smvm.h"
 #include "compiler/analysis/cost.h"
 #include "stdlib/convert.h"
+#include "stdlib/crc32.h"
 #include "tests/avr/mailbox.h"
 #include "tests/avr/sim.h"
 #include "tests/unit/host.h"
@@ -85,7 +86,7 @@ static bool same(const Pair *p)
 {
     const SmVm *vm = (const SmVm *)p->memory;
 
-    const uint8_t *more = p->ram + p->box->memory + p->box->local + p->m.locals;         // from output 64 on
+    const uint8_t *more = p->ram + p->box->memory + p->box->local + p->m.locals;         // bits of the outputs from 64 on
 
     for (uint32_t i = 0; i < p->m.outputs; i++)
         if (smvm_stored(vm, i) != ((i < 64 ? p->box->stored[i / 8] : more[i / 8 - 8]) >> i % 8 & 1))
@@ -98,7 +99,7 @@ static bool start(Pair *p, uint64_t state)
 {
     const SmvmVector vector = {p->sv, p->m.sv_size, p->m.layout};
 
-    p->box->begins = (uint8_t)state;
+    p->box->begins = (uint16_t)state;
     memset(p->sv, 0, sizeof p->sv);
     memset(p->ram + p->box->sv, 0, p->box->sv_size);
     if (smvm_init((SmVm *)p->memory, sizeof p->memory, &p->m, &vector, p->box->begins) != SM_OK)
@@ -184,15 +185,58 @@ static void tell(const Pair *p, const char *path, const uint8_t *image)
     puts("");
 }
 
+static void put(uint8_t *at, uint32_t v, unsigned bytes)
+{
+    for (unsigned i = 0; i < bytes; i++)
+        at[i] = (uint8_t)(v >> 8 * i);
+}
+
+// Entries of three bytes in the table of functions of an image of one machine, where the compiler makes them so beyond 64 KB of code.
+static size_t widen(uint8_t *image, size_t n)
+{
+    enum { WIDE = 3, NUMBERS_BEFORE = 7 };
+    SmvmMachine m;
+    SmvmAt at;
+    uint32_t entries, number, grows, crc = SM_CRC32_START;
+
+    if (!smvm_machine(image, 0, &m))
+        return n;
+    entries = 3 * m.states + 1;
+    grows = entries * (WIDE - m.width);
+    memmove(image + m.functions_at + WIDE * entries, image + m.functions_at + m.width * entries, n - m.functions_at - m.width * entries);
+    for (uint32_t i = entries; i-- > 0;)
+        put(image + m.functions_at + WIDE * i, smvm_uint(image, m.functions_at + i * m.width, (uint8_t)m.width), WIDE);
+    at = m.machine_at + 4;
+    for (int i = 0; i < NUMBERS_BEFORE; i++)
+        smvm_varint(image, &at, (SmvmAt)n, &number);
+    image[at] = WIDE;
+    for (uint8_t i = 0; i < smvm_sections(image); i++) {
+        const SmvmSection s = smvm_section(image, i);
+        uint8_t *entry = image + SMVM_HEADER + SMVM_ENTRY * i;
+        if (s.at > m.machine_at)
+            put(entry + 2, s.at + grows, 3);
+        else if (s.at == m.machine_at)
+            put(entry + 5, s.size + grows, 3);
+    }
+    put(image + SMVM_LENGTH_AT, (uint32_t)n + grows, 3);
+    for (uint32_t i = 0; i < n + grows; i++)
+        if (i < SMVM_CRC_AT || i >= SMVM_CRC_AT + 4)
+            crc = sm_crc32_byte(crc, image[i]);
+    put(image + SMVM_CRC_AT, sm_crc32_end(crc), 4);
+    return n + grows;
+}
+
 static void test(Pair *p, const char *path, unsigned long steps)
 {
     static uint8_t image[0x10000];
     SmvmVerdict why;
     FILE *f = fopen(path, "rb");
-    size_t n = f != NULL ? fread(image, 1, sizeof image, f) : 0;
+    size_t n = f != NULL ? fread(image, 1, sizeof image / 2, f) : 0;
 
     if (f != NULL)
         fclose(f);
+    if (getenv("WIDE"))
+        n = widen(image, n);
     if (smvm_verify(image, (uint32_t)n, &why) != 0 || n > p->box->image_size || !smvm_machine(image, 0, &p->m) || p->m.sv_size > p->box->sv_size
         || smvm_ram_size(&p->m) > sizeof p->memory) {
         skipped++;

@@ -6,14 +6,14 @@
 #include "bytecode-vm/image.h"
 #include "tests/avr/mailbox.h"
 
-#ifndef VM_IMAGE
-#define VM_IMAGE 1024
+#ifndef VM_ROOM
+#define VM_ROOM 1024
 #endif
 
 #ifdef FIRMWARE_EEPROM                  // configured as the firmware
 #define IMAGE FIRMWARE_EEPROM
 #else
-static const uint8_t image[VM_IMAGE] PROGMEM = {1};
+static const uint8_t image[VM_ROOM] PROGMEM = {1};
 #define IMAGE ((uint16_t)image)
 #endif
 static uint64_t sv[32], memory[96];
@@ -39,7 +39,7 @@ static int8_t asked(void)
 #ifndef VM_UNCHECKED
     if (box.what == VM_VERIFY) {
         SmvmVerdict why;
-        return (int8_t)smvm_verify(IMAGE, VM_IMAGE, &why);
+        return (int8_t)smvm_verify(IMAGE, VM_ROOM, &why);
     }
 #endif
 #ifdef VM_CELLS
@@ -65,7 +65,7 @@ static void tell(void)
 int main(void)
 {
     box.image = IMAGE;
-    box.image_size = VM_IMAGE;
+    box.image_size = VM_ROOM;
     box.sv = (uint16_t)sv;
     box.sv_size = sizeof sv;
     box.memory = (uint16_t)memory;
