@@ -55,9 +55,9 @@ static SmResult hello(Exchange *x)
     put1(x, (uint8_t)a->board->may_update(a->board->context));
     put1(x, smvm_store_has_key(a->store));
     put(x, sm_link_get(a->store->now.newest, 4), 4);
-    put(x, a->board->machines | (a->board->windows ? LINK_WINDOWS : 0u), 1);
-    put(x, a->board->ram_digital, 1);
-    put(x, a->board->ram_analog, 1);
+    put1(x, (uint8_t)(a->board->machines | (a->board->windows ? LINK_WINDOWS : 0)));
+    put1(x, a->board->ram_digital);
+    put1(x, a->board->ram_analog);
     put(x, a->board->period, 2);
     put(x, a->board->cycles, 2);
     return SM_OK;
