@@ -259,7 +259,7 @@ static bool build(const char *states, int machines, char *image)
 // What firmware is made without, and what a board has no time for, is not sent.
 static void what_does_not_fit_is_not_sent(void)
 {
-    static const char roots[] = "[A] .step\n    x = sqrt(sqrt(sqrt(x + 1) + 1) + 1)\n";
+    static const char roots[] = "[A] .step\n    x = sqrt(sqrt(sqrt(sqrt(sqrt(x + 1) / 3 + 1) / 3 + 1) / 3 + 1) / 3 + 1)\n";
     char image[PATH + 16], plain[PATH + 8], proposed[32] = "";
     const char *at;
     FILE *f;
@@ -267,10 +267,10 @@ static void what_does_not_fit_is_not_sent(void)
     snprintf(plain, sizeof plain, "%s.plain", memory);
     CHECK(quiet("device", "info", NULL) == 0 && says(" machines, with rolling windows, a step every 10 ms, of up to 14400 cycles in each of them"));
     CHECK(build(roots, 1, image) && quiet("flash", image, "--dry-run") == 0);
-    CHECK(quiet("flash", image, "--period=2") == 1 && says(" cycles; every 2 ms the board has 28800 for it; --period=") && says("nothing was sent"));
+    CHECK(quiet("flash", image, "--period=1") == 1 && says(" cycles; every 1 ms the board has 14400 for it; --period=") && says("nothing was sent"));
     if ((at = strstr(said, "--period=")) != NULL)
         snprintf(proposed, sizeof proposed, "%.*s", (int)strcspn(at, " "), at);
-    CHECK(strcmp(proposed, "--period=2") != 0 && quiet("flash", image, proposed) == 0 && quiet("device", "confirm", NULL) == 0);
+    CHECK(strcmp(proposed, "--period=1") != 0 && quiet("flash", image, proposed) == 0 && quiet("device", "confirm", NULL) == 0);
     CHECK(build("[A]", MACHINES, image) && quiet("flash", image, NULL) == 1 && says(" has 5 machines, the board runs ") && says("nothing was sent"));
     if (!getenv("NO_KEY")) {           // a board that does what files tell it
         CHECK(build("[A] .step\n    x = roll_avg(x, 3)\n", 1, image) && quiet("flash", image, "--dry-run") == 0);
