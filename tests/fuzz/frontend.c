@@ -39,7 +39,7 @@ static void check_expr(const AstExpr *e, unsigned depth)
     FUZZ_CHECK(e && depth <= AST_DEPTH_MAX && e->depth + depth <= AST_DEPTH_MAX + 1);
     FUZZ_CHECK(errors_allowed || e->kind != AST_ERROR);
     check_span(e->span);
-    check_span(e->op_span);
+    check_span(ast_op_span(e));
     if (e->kind == AST_NAME || e->kind == AST_CALL)
         FUZZ_CHECK(e->name);
     if (e->kind == AST_UNARY || e->kind == AST_BINARY || e->kind == AST_PAREN)
