@@ -3,7 +3,7 @@
 # The table of cycles on an ATmega328P (compiler/analysis/avr_cycles.def) against what simavr counts, or made anew.
 #     cycles.sh BUILD CC [check | make] [OPERANDS [SEED]]
 # Wants gcc-avr avr-libc libsimavr-dev libelf-dev; AVR_CC names the compiler.
-B=$1/avr CC=$2 what=${3:-check} OPERANDS=${4:-40} SEED=${5:-1}
+B=$1/avr CC=$2 what=${3:-check} OPERANDS=${4:-150} SEED=${5:-1}
 AVR_CC=${AVR_CC:-avr-gcc}
 table=compiler/analysis/avr_cycles.def
 if ! command -v "$AVR_CC" >/dev/null 2>&1; then
