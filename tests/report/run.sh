@@ -54,7 +54,7 @@ page hostile 1 "$here/hostile.sm" "$here/hostile.ss" "$here/failing.ss"
 page alone 0 "$examples/tank/tank.sm"
 
 # A diagram that can be read in a part of a page is told from one that has to have its own.
-expect "a low diagram" grep -q '<figure class="low">' "$out/mission.html"
+expect "a low diagram" grep -q '<figure class="low">' "$out/chilldown.html"
 expect "a diagram that is not low" sh -c "! grep -q '<figure class=\"low\">' '$out/ignition.html'"
 
 # JSON that is JSON, where something is here to tell.
