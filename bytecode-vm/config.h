@@ -45,7 +45,8 @@
 #define SMVM_TEXT(image, at) ""
 #endif
 
-// Holds any offset in an image and in a state vector: uint16_t where neither can exceed 64 KB, as the two limits below say.
+// Holds any offset in an image and in a state vector: uint16_t where neither reaches 64 KB, as the two limits below say.  Its largest
+// value is beyond both: what is larger than this target can hold becomes that.
 #ifndef SMVM_AT
 #define SMVM_AT uint32_t
 #endif
@@ -127,7 +128,7 @@ typedef SMVM_BYTES SmvmBytes;
 #define SMVM_IMAGE(array) ((SmvmBytes)(uintptr_t)(array))
 typedef SMVM_AT SmvmAt;
 
-typedef char smvm_at_is_too_small[SMVM_IMAGE_MAX <= (SMVM_AT)-1 && SMVM_RAM_MAX <= (SMVM_AT)-1 && SMVM_RAM_MAX <= (size_t)-1 / 2 ? 1 : -1];
+typedef char smvm_at_is_too_small[SMVM_IMAGE_MAX < (SMVM_AT)-1 && SMVM_RAM_MAX < (SMVM_AT)-1 && SMVM_RAM_MAX <= (size_t)-1 / 2 ? 1 : -1];
 typedef char smvm_joins_are_1_to_255[SMVM_JOINS >= 1 && SMVM_JOINS <= 255 ? 1 : -1];
 
 #endif

@@ -35,5 +35,19 @@ for header in $(find stdlib bytecode-vm compiler runtime-c -name '*.h' 2>/dev/nu
         skipped=$((skipped + 1))
     fi
 done
+
+# refused IMAGE RAM: these two limits of the VM are not for offsets of 16 bits, whose largest value stands for what is too large.
+refused() {
+    if $CC -std=c99 -DSMVM_AT=uint16_t -DSMVM_IMAGE_MAX="$1" -DSMVM_RAM_MAX="$2" -I. -fsyntax-only bytecode-vm/config.h >"$dir/log" 2>&1; then
+        failed=$((failed + 1))
+        echo "bytecode-vm/config.h takes images of $1 and memory of $2 bytes with offsets of 16 bits"
+    else
+        passed=$((passed + 1))
+    fi
+}
+refused 0xfffe 0xffff
+refused 0xffff 0xfffe
+source=alone.c
+compiles bytecode-vm/config.h $CC -std=c99 -DSMVM_AT=uint16_t -DSMVM_IMAGE_MAX=0xfffe -DSMVM_RAM_MAX=0xfffe
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]

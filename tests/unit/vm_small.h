@@ -5,7 +5,7 @@
 #define VM_SMALL_H
 
 #define SMVM_AT uint16_t
-#define SMVM_IMAGE_MAX 0xffffu
+#define SMVM_IMAGE_MAX 0xfffeu
 #define SMVM_RAM_MAX 0x8000u
 #define SMVM_LONGEST 1
 #define SMVM_JOINS 2
