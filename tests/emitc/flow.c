@@ -130,7 +130,7 @@ static void subject_init(Arena *a, StrPool *strings, Subject *s)
     s->m.s = VAR_S;
     s->m.t = VAR_T;
     for (int i = 0; i < STATES; i++) {
-        IrState st = { str_c(strings, state[i]), { NULL, i == 0 ? random_function(a) : NULL, NULL }, { 0 } };
+        IrState st = { .name = str_c(strings, state[i]), .block = { NULL, i == 0 ? random_function(a) : NULL, NULL } };
         vec_push(a, &s->m.state, st);
     }
 }

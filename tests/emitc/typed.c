@@ -152,7 +152,7 @@ static IrFn *random_function(Arena *a, Subject *s)
 
 static void subject_init(Arena *a, StrPool *strings, Subject *s)
 {
-    IrState st = { str_c(strings, "Only"), { NULL, NULL, NULL }, { 0 } };
+    IrState st = { .name = str_c(strings, "Only") };
 
     memset(s, 0, sizeof *s);
     s->m.name = s->m.sv_name = s->p.name = str_c(strings, "typed");
