@@ -175,7 +175,7 @@ static void hello_says_so(void)
     sm_link_receiver(&r, answer, sizeof answer);
     for (uint16_t i = 0; i + 1 < n; i++)
         sm_link_receive(&r, b.frame[i]);
-    CHECK(n > 0 && sm_link_receive(&r, b.frame[n - 1]) && r.n == LINK_HEAD + 1 + 20);
+    CHECK(n > 0 && sm_link_receive(&r, b.frame[n - 1]) && r.n == LINK_HEAD + 1 + 27);
     CHECK(answer[LINK_HEAD + 1 + 15] == 1 && sm_link_get(answer + LINK_HEAD + 1 + 16, 4) == 0x01020304);
 }
 
