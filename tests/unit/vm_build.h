@@ -137,10 +137,11 @@ static inline uint32_t put_header(uint8_t *image, unsigned n, const uint8_t *id,
 static inline uint32_t build_sections(const Build *b, unsigned n, const uint8_t *id, uint8_t *image)
 {
     uint32_t size[20], at = 12 + 8 * n;
+    const Build *next = b;
 
-    b--;
     for (unsigned i = 0; i < n; i++) {
-        b += id[i] == 0x81;
+        if (id[i] == 0x81)
+            b = next++;
         size[i] = id[i] == 0x82 ? b->size : id[i] == 0x83 ? b->init_size : id[i] == 0x05 ? b->safe_size : 2;
         if (id[i] == 0x81)
             size[i] = put_machine(b, image + at);

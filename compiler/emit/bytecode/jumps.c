@@ -303,7 +303,9 @@ void bc_select_function(Select *s, const IrFn *f, BcFn *out)
     s->straight = 0;
     while (s->values.cap < f->ins.n)
         vec_reserve(s->arena, (void **)&s->values.at, &s->values.cap, sizeof *s->values.at);
-    s->value = memset(s->values.at, 0, f->ins.n * sizeof *s->value);
+    s->value = s->values.at;
+    if (f->ins.n)
+        memset(s->value, 0, f->ins.n * sizeof *s->value);
     out->ins.cap = f->ins.n;                                     // mostly enough
     out->ins.at = ARENA_ARRAY(s->arena, BcIns, out->ins.cap);
     order = order_blocks(s, plan_blocks(s), &n);
