@@ -70,7 +70,7 @@ bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m);
 // without (SMVM_LONGEST).
 uint32_t smvm_longest_step(const SmvmMachine *m);
 
-// Whether a state of it is marked @safe.  Of a machine that marks none, each is.
+// Whether a state of it (1 to m->states) is marked @safe.  Of a machine that marks none, each is.
 bool smvm_state_is_safe(const SmvmMachine *m, uint32_t state);
 
 // Where an element lies in the state vector, or a local among the locals.
