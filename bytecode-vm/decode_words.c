@@ -51,7 +51,7 @@ void smvm_put_value(Decode *d, const Value *v)
     d->words++;
 }
 
-// The target of a jump, for now its offset in the function and where the jump before it is, both 32 bits.
+// The target of a jump: until all code is decoded its offset in the function and where the jump before it is, both 32 bits.
 void smvm_put_target(Decode *d, uint32_t target)
 {
     uint64_t before = d->jumps;
