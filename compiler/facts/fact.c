@@ -58,12 +58,14 @@ static Fact anything(void) { return make(-infinity(), infinity(), false, true, t
 
 Fact fact_of_type(SmType type)
 {
-    static const Fact of[SM_TYPE_COUNT] = {
-#define SM_TYPE(name, wire, spelling, ctype, bytes, kind) {BOUNDS_##kind(bytes)},
+    switch (type) {                                  // no table: to tcc HUGE_VAL is no constant
+    case SM_TYPE_COUNT: break;
+#define SM_TYPE(name, wire, spelling, ctype, bytes, kind) \
+    case SM_##name: return (Fact){BOUNDS_##kind(bytes)};
 #include "stdlib/types.def"
 #undef SM_TYPE
-    };
-    return of[type];
+    }
+    return anything();
 }
 
 Fact fact_of_cell(SmType type, uint64_t bits)

@@ -48,7 +48,7 @@ compile() { ( cd "$tree" && make -s B="$build" CFLAGS="${CFLAGS:--O0}" WARN=-w $
 # The files of conformance/ whose spec line names one of the clauses.
 cases_of() {
     pattern=$(printf '%s' "$1" | sed 's/\./\\./g; s/  */|/g')
-    grep -rElZ "^spec ([0-9.]+, *)*($pattern)(,|  )" conformance | tr '\0' '\n'
+    grep -rElZ --include='*.smt' "^spec ([0-9.]+, *)*($pattern)(,|  )" conformance | tr '\0' '\n'
 }
 
 random() { "$build/diff/difftest" --first --no-reduce --out="$build/diff/out" "$@"; }
