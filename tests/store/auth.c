@@ -75,6 +75,19 @@ static void every_bit_is_guarded(void)
     }
 }
 
+// A code says nothing of what stands behind it.
+static void the_code_ends_the_image(void)
+{
+    Image s = signed_with(our_key, &new_image, 7);
+    uint32_t number;
+
+    s.bytes[s.length++] = 0;
+    for (unsigned i = 0; i < 3; i++)
+        s.bytes[SMVM_LENGTH_AT + i] = (uint8_t)(s.length >> 8 * i);
+    smvm_auth_code(s.bytes, s.length - 1 - SMVM_CODE, our_key, s.bytes + s.length - 1 - SMVM_CODE);
+    CHECK(!smvm_auth_check(s.bytes, our_key, &number) && !smvm_auth_number(s.bytes, &number));
+}
+
 // ---- a board ----
 
 static bool starts(Board *b) { return board_opens(b) && smvm_store_boot(&b->store, &b->slot) == SM_OK; }
@@ -206,6 +219,7 @@ int main(int argc, char **argv)
         return fprintf(stderr, "auth OLD.smb NEW.smb\n"), 2;
     signing_leaves_the_rest();
     every_bit_is_guarded();
+    the_code_ends_the_image();
     for (uint8_t slots = 1; slots <= 2; slots++) {
         what_is_not_signed_is_refused(slots);
         no_number_comes_back(slots);
