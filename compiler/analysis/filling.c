@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Guards that can hold while the window of a statistic they use cannot be full yet: in the machine's first step, and in states that
-// are reached for sure after fewer steps than the window holds, because every state before leaves in its first step.
+// are reached for sure after fewer steps than the window holds, because every state before leaves in its first step, or at a T that
+// is a known number of steps.
 //
 // What is asked is whether the transition can be made when the state has just begun (G is supposed to be 0, locals are as in its
 // first step): a limit of G, a count of steps, or a state before that waits, gives the window its time.  So does a limit of T, but not
@@ -179,20 +180,54 @@ static void arrive(Filling *k, uint32_t state, const Env *env, uint32_t steps)
     vec_push(k->a->arena, &k->queue, state);
 }
 
+// Where the step leads for sure, `steps` having run before.
+static void follow(Filling *k, uint32_t state, const Step *s, uint32_t steps)
+{
+    const Env *env;
+
+    if (s->stays.found || !s->leaves.found || steps >= SM_WINDOW_MAX)
+        return;
+    env = after_exit(k, state, s->leaves.env);
+    for (size_t i = 0; i < s->targets.n; i++)
+        arrive(k, s->targets.at[i], env, steps + 1);
+}
+
+// How many steps behind the first one the state can be left at the earliest; 0: in the first, or it is not known.
+static uint32_t shortest_wait(const Filling *k, uint32_t state)
+{
+    double least = 0;
+
+    for (size_t t = k->first[state]; t < k->first[state + 1]; t++) {
+        const double fires = k->fires[k->a->transition.at[t].stmt->number];
+        if (fires > 0 && (least <= 0 || fires < least))
+            least = fires;
+    }
+    return k->a->step > 0 && least > 1 ? steps_until(k, least - 1) : 0;
+}
+
+// The step of .step behind so many others, whatever they did.
+static Step later_step(Filling *k, uint32_t state, uint32_t steps)
+{
+    const Fact t = fact_of_number(sm_from_u64(steps * k->a->step));
+    Step s = {.k = k, .stays = {facts_begin(k->a->facts, state, BLOCK_STEP), true}};
+
+    s.stays.env = suppose(k->a, s.stays.env, k->a->p->t, t);
+    run_block(&s, state, BLOCK_STEP);
+    return s;
+}
+
 static void look_at_state(Filling *k, uint32_t state)
 {
     const Arrival at = k->arrival[state];
-    const Env *early = suppose(k->a, at.env, k->a->p->g, fact_of_number(sm_from_i32(0))), *env;
+    const Env *early = suppose(k->a, at.env, k->a->p->g, fact_of_number(sm_from_i32(0)));
+    uint32_t wait;
     Step s;
 
     first_step(k, state, early, true);
     look_at_transitions(k, state, at.steps);
-    s = first_step(k, state, at.env, false);
-    if (s.stays.found || !s.leaves.found || at.steps >= SM_WINDOW_MAX)
-        return;
-    env = after_exit(k, state, s.leaves.env);
-    for (size_t i = 0; i < s.targets.n; i++)
-        arrive(k, s.targets.at[i], env, at.steps + 1);
+    wait = shortest_wait(k, state);
+    s = wait > 0 ? later_step(k, state, wait) : first_step(k, state, at.env, false);
+    follow(k, state, &s, at.steps + wait);
 }
 
 // ---- variables that statistics feed ----

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # run.sh SMC [FILE...]: every seeded fault of faulty/ is found and nothing else, nothing in clean/ (README.md).
+# How long a step lasts is taken from the machine's own words.
 smc=$1
 shift
 here=$(dirname "$0")
@@ -16,7 +17,8 @@ for machine do
     esac
     vector=
     [ -f "$machine" ] || vector=--sv=$(echo "$machine"/*.sv)
-    "$smc" check -Weverything --color=never $vector "$@" >"$out" 2>&1
+    step=$(sed -n 's/.*Stepped every \([0-9]*\) ms.*/--step=\1/p' "$@" | sort -u)
+    "$smc" check -Weverything --color=never $vector $step "$@" >"$out" 2>&1
     code=$?
     if [ $code = 0 ] && awk -v machine="$machine" -f "$here/judge.awk" "$here/also.txt" "$here/missed.txt" "$@" "$out"; then
         passed=$((passed + 1))
