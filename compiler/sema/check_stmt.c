@@ -41,6 +41,12 @@ static bool may_write(Sema *s, const Var *v, Str name, Span span)
     return false;
 }
 
+// S = Vent: that S cannot be written has been said.
+static bool names_a_state(Sema *s, const Var *v, const AstExpr *e)
+{
+    return v && v == s->p->s && e->kind == AST_NAME && map_find(&s->p->state_by_name, e->name);
+}
+
 static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
 {
     Diag *d;
@@ -67,7 +73,7 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
     if (v && !s->in_script)
         v->written = true;
     out->var = v;
-    out->value = check_expr(s, in->value);
+    out->value = names_a_state(s, v, in->value) ? NULL : check_expr(s, in->value);
     return good && out->value ? out : NULL;
 }
 
@@ -98,9 +104,12 @@ static void warn_of_empty(Sema *s, const AstStmt *in)
 static Stmt *check_if(Sema *s, const AstStmt *in)
 {
     Stmt *out = stmt_new(s, ST_IF, in);
+    size_t met = s->diags->met;
 
     warn_of_empty(s, in);
     out->value = check_expr(s, in->value);
+    if (in->value->alone && s->diags->met == met)
+        diag_label(s->diags, diag_report(s->diags, DIAG_no_effect, in->value->span), DIAG_label_statements);
     check_stmts(s, &in->then, &out->then);
     check_stmts(s, &in->otherwise, &out->otherwise);
     return out->value ? out : NULL;

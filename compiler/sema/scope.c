@@ -126,13 +126,28 @@ static void report_unlisted(Sema *s, Diag *d, const Element *e)
     diag_note(s->diags, d, e->span, DIAG_note_declared_here, e->name->text);
 }
 
+static void label_state(Sema *s, Diag *d, const State *state)
+{
+    diag_label(s->diags, d, DIAG_label_is_a_state, state->name->text, state->name->text,
+               format_in(s->arena, "%u", (unsigned)state->number));
+}
+
+// Letters of other alphabets in a name: they have been reported.
+static bool is_foreign(Str name)
+{
+    for (size_t i = 0; i < name->len; i++)
+        if (name->text[i] & 0x80)
+            return true;
+    return false;
+}
+
 void scope_report_unknown(Sema *s, Str name, Span span)
 {
     const Element *unlisted = s->sv ? map_find(&s->sv->by_name, name) : NULL;
     const SmBuiltinInfo *fn = scope_find_function(s, name);
     Diag *d;
 
-    if (map_find(&s->lost->word, name) || !first_report(&s->unknown_name, name))
+    if (map_find(&s->lost->word, name) || is_foreign(name) || !first_report(&s->unknown_name, name))
         return;
     if (fn && !unlisted) {
         diag_report(s->diags, DIAG_function_without_call, span, name->text, name->text, function_usage(fn));
@@ -142,7 +157,7 @@ void scope_report_unknown(Sema *s, Str name, Span span)
     if (unlisted)
         report_unlisted(s, d, unlisted);
     else if (map_find(&s->p->state_by_name, name))
-        diag_label(s->diags, d, DIAG_label_is_a_state, name->text);
+        label_state(s, d, map_find(&s->p->state_by_name, name));
     else if (!guess_word(s, d, name) && may_guess(s))
         guess_variable(s, d, name);
 }
@@ -163,6 +178,8 @@ State *scope_find_state(Sema *s, Str name, Span span)
     for (size_t i = 0; i < s->p->state.n; i++)
         guess_try(&g, s->p->state.at[i]->name);
     guess_label(s->diags, d, &g);
+    if (!g.best && !s->in_script)
+        diag_label(s->diags, d, DIAG_label_add_section, name->text);
     if (g.best)
         diag_note(s->diags, d, ((State *)map_find(&s->p->state_by_name, g.best))->span, DIAG_note_declared_here, g.best->text);
     return NULL;
@@ -173,6 +190,27 @@ State *scope_find_state(Sema *s, Str name, Span span)
 const SmBuiltinInfo *scope_find_function(const Sema *s, Str name)
 {
     return map_find(&s->functions, name);
+}
+
+// Functions of spreadsheets and other languages; NULL: there is nothing like it.
+static bool label_foreign_function(Sema *s, Diag *d, Str name)
+{
+    static const char *const foreign[][2] = {
+        {"avg", "write roll_avg(x, n)"}, {"average", "write roll_avg(x, n)"}, {"mean", "write roll_avg(x, n)"},
+        {"roll_average", "write roll_avg(x, n)"}, {"roll_mean", "write roll_avg(x, n)"}, {"movmean", "write roll_avg(x, n)"},
+        {"median", "write roll_median(x, n)"}, {"movmedian", "write roll_median(x, n)"}, {"range", "write roll_range(x, n)"},
+        {"fabs", "write abs(x)"}, {"int", "write trunc(x)"}, {"fix", "write trunc(x)"}, {"limit", "write clamp(x, lo, hi)"},
+        {"pow", "multiply, as in x * x"}, {"power", "multiply, as in x * x"},
+        {"mod", "for a remainder, use x - n * floor(x / n)"}, {"rem", "for a remainder, use x - n * floor(x / n)"},
+        {"and", "write a and b"}, {"or", "write a or b"}, {"sin", NULL}, {"cos", NULL}, {"tan", NULL}, {"log", NULL}};
+
+    for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++)
+        if (same_but_for_case(name->text, foreign[i][0])) {
+            if (foreign[i][1])
+                diag_label(s->diags, d, DIAG_label_text, foreign[i][1]);
+            return true;
+        }
+    return false;
 }
 
 void scope_report_unknown_function(Sema *s, Str name, Span span)
@@ -188,6 +226,8 @@ void scope_report_unknown_function(Sema *s, Str name, Span span)
         return;
     }
     d = diag_report(s->diags, DIAG_unknown_function, span, name->text);
+    if (label_foreign_function(s, d, name))
+        return;
     for (int i = 0; i < SM_FN_COUNT; i++)
         guess_try(&g, str_c(s->strings, sm_builtin_info[i].name));
     guess_label(s->diags, d, &g);

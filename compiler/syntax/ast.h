@@ -27,6 +27,7 @@ typedef enum AstExprKind {
 typedef struct AstExpr AstExpr;
 struct AstExpr {
     AstExprKind kind;
+    bool alone;               // a name or call where a statement should be: E0327, if nothing else is wrong with it
     SmOperator op;            // UNARY, BINARY
     Span span;                // the whole expression
     uint32_t op_at, op_len;   // UNARY, BINARY: the operator; CALL: the name; PAREN: unused

@@ -81,6 +81,8 @@ void lex_skip_to(Lexer *l, uint32_t at);    // goes on at the start of a line
 // How a message names tokens of a kind: "+", "if", "name".
 const char *token_name(TokenKind kind);
 
+extern const char *const lex_no_choice;     // what to write instead of c ? a : b
+
 bool lex_is_reserved(const Lexer *l, Str word, TokenKind *kind);
 
 bool lex_is_header_name(const char *s, size_t n);

@@ -191,9 +191,21 @@ uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
         diag_label(l->diags, diag_report(l->diags, DIAG_unit_apart, lexer_span(l, at, stop - at), whole), DIAG_label_write,
                    format_in(l->diags->arena, "%s %s", lexer_text(l, at, end), lexer_text(l, end, stop)));
     else
-        diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end),
-                    lexer_text(l, end, stop));
+        diag_label(l->diags, diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end),
+                                         lexer_text(l, end, stop)),
+                   l->last == TOK_TYPE ? DIAG_label_name_first : DIAG_label_no_unit);
     return stop;
+}
+
+// `Hold Pressure`, `Vent-Fast`: the same with _ between the words; NULL if that is not what is wrong.
+static const char *joined(Arena *arena, Str name)
+{
+    char *fixed = (char *)format_in(arena, "[%s]", name->text);
+
+    for (char *c = fixed; *c; c++)
+        if (*c == ' ' || *c == '-' || *c == '\t')
+            *c = '_';
+    return lex_is_header_name(fixed + 1, name->len) ? fixed : NULL;
 }
 
 // `Abort @abort`: the annotations stand within the brackets.  How it is written; NULL if that is not what is wrong.
@@ -218,6 +230,8 @@ void lex_slip_header(Lexer *l, uint32_t from, uint32_t end, Str name)
     if (fixed) {
         diag_label(l->diags, d, DIAG_label_write, fixed);
         diag_edit(l->diags, d, whole, fixed);
+    } else if ((fixed = joined(l->diags->arena, name)) != NULL) {
+        diag_label(l->diags, d, DIAG_label_write, fixed);
     }
 }
 
@@ -291,12 +305,14 @@ bool lex_slip_semicolon(Lexer *l, Token *t)
     return true;
 }
 
+const char *const lex_no_choice = "write it as if ...: x = a, and on the next line else: x = b";
+
 // c ? a : b of other languages; what follows belongs to it.
 void lex_slip_choice(Lexer *l)
 {
     Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, l->at, 1), "?");
 
-    diag_label(l->diags, d, DIAG_label_text, "write it as if ...: x = a, and on the next line else: x = b");
+    diag_label(l->diags, d, DIAG_label_text, lex_no_choice);
     while (l->at < l->src->len && !strchr("\n#}", l->src->text[l->at] ? l->src->text[l->at] : 'x'))
         l->at++;
 }

@@ -345,6 +345,8 @@ static void correct_kind(Parser *p, AstSection *s)
     if (kind == s->kind)
         return;
     s->kind = kind;
+    if (!lex_is_header_name(s->name->text, s->name->len))             // reported as a header
+        return;
     d = parser_report(p, DIAG_section_misspelt, s->header, s->name->text, kind == AST_OPTIONS ? "options" : "declarations");
     diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "[%s]", names[kind]));
 }

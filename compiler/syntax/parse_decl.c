@@ -110,6 +110,26 @@ static bool ends_decl(const Parser *p, const AstSection *s, const AstDecl *d)
     return p->tok.kind == TOK_TYPE && (s->kind != AST_LOCAL || d->annotations.n > 0 || p->last.kind == TOK_ANNOTATION);
 }
 
+static void label_slip(Parser *p, Diag *d)
+{
+    if (p->tok.kind == TOK_NAME && strcmp(p->tok.text->text, "read_only") == 0)
+        diag_label(p->diags, d, DIAG_label_write, "@read_only");
+    else
+        diag_label(p->diags, d, p->tok.kind == TOK_MINUS ? DIAG_label_name_letters : DIAG_label_unit_comment);
+}
+
+// F32 pressure [bar] @read_only: no section begins there.
+static void slip_bracketed_unit(Parser *p)
+{
+    if (p->failed || p->tok.kind != TOK_HEADER || p->tok.first ||
+        !(p->ahead.first ? p->ahead.kind == TOK_TYPE && strcmp(p->tok.text->text, "local") != 0
+                         : p->ahead.kind == TOK_ANNOTATION && strcmp(p->ahead.text->text, "read_only") == 0))
+        return;
+    diag_label(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
+               DIAG_label_unit_comment);
+    parser_next(p);
+}
+
 // Something more stands behind a declaration.
 static void slip_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
 {
@@ -121,9 +141,8 @@ static void slip_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
         parser_fail(p, DIAG_decl_comma, parser_here(p));
     else if (p->tok.kind == TOK_NAME && s->kind != AST_LOCAL && p->ahead.kind == TOK_NAME && !p->ahead.first)
         return;                                    // a type, misspelt: the next declaration
-    else if (s->kind != AST_LOCAL && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_MINUS))
-        diag_label(p->diags, parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
-                   DIAG_label_name_letters);
+    else if (s->kind != AST_LOCAL && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_LPAREN || p->tok.kind == TOK_MINUS))
+        label_slip(p, parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)));
     else
         slip_at_end(p);
 }
@@ -149,6 +168,7 @@ static void parse_decl(Parser *p, AstSection *s)
         return;
     if (s->kind == AST_LOCAL)
         parse_initial_value(p, &d);
+    slip_bracketed_unit(p);
     parse_annotations(p, place_of_decls(s), d.name, d.name_span, &d.annotations);
     if (!p->failed && !ends_decl(p, s, &d))
         slip_after_decl(p, s, &d);

@@ -165,6 +165,12 @@ void slip_missing_value(Parser *p, Diag *d)
         skip_continuation(p);
     } else if ((p->last.kind == TOK_AND || p->last.kind == TOK_OR) && is_comparison(p->tok.kind)) {
         diag_label(p->diags, d, DIAG_label_repeat_name, parser_text(p, parser_here(p)));
+    } else if (p->tok.kind == TOK_IF) {
+        diag_label(p->diags, d, DIAG_label_text, lex_no_choice);
+    } else if ((p->tok.kind == TOK_AND || p->tok.kind == TOK_OR) && p->ahead.kind == TOK_LPAREN) {
+        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "a %s b", p->tok.kind == TOK_AND ? "and" : "or"));
+    } else if (p->last.kind == TOK_MINUS && p->tok.kind == TOK_GT && p->ahead.kind == TOK_NAME) {
+        diag_label(p->diags, d, DIAG_label_write, "->");
     }
 }
 
@@ -211,11 +217,19 @@ static bool is_function(const Token *t)
     return false;
 }
 
+// x = true, y = true; x = true y = true; x = true -> Idle
+static bool begins_statement(const Parser *p)
+{
+    return p->tok.kind == TOK_ARROW || (p->tok.kind == TOK_COMMA && p->ahead.kind == TOK_NAME) ||
+           (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN && !p->ahead.first);
+}
+
 void slip_at_end(Parser *p)
 {
     Diag *d;
 
-    if (p->tok.kind == TOK_ERROR || (p->ahead.kind == TOK_ERROR && !p->ahead.first)) {
+    if (p->tok.kind == TOK_ERROR || (p->ahead.kind == TOK_ERROR && !p->ahead.first) ||
+        (p->lex.src->text[p->tok.at] & 0x80)) {
         p->failed = true;                              // the line has been spoken of
         return;
     }
@@ -236,6 +250,10 @@ void slip_at_end(Parser *p)
         diag_label(p->diags, d, DIAG_label_condition_first);
     else if (annotation_is_allow(&p->tok))
         diag_label(p->diags, d, DIAG_label_allow_before);
+    else if (begins_statement(p))
+        diag_label(p->diags, d, DIAG_label_own_line);
+    else if (p->tok.kind == TOK_LPAREN)
+        diag_label(p->diags, d, DIAG_label_text, "to multiply, write *");
     else if (is_function(&p->last) && begins_value(&p->tok))
         diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s(...)", p->last.text->text));
 }
@@ -271,8 +289,31 @@ static void colon_word(Parser *p)
         parser_next(p);
 }
 
+static const char *between_text(const Parser *p, const AstExpr *e)
+{
+    return format_in(p->arena, "write 3 <= %s <= 5", parser_text(p, e->span));
+}
+
+// Something follows the guard on its line that is no statement: a colon would not help.
+static bool prose_in_guard(Parser *p, AstExpr *e)
+{
+    Diag *d;
+
+    if (p->tok.kind == TOK_COMMA)
+        d = parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
+    else if (p->tok.kind == TOK_NAME && p->ahead.kind != TOK_ASSIGN && guard_on_line(p) && !is_function(&p->last))
+        d = parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok));
+    else
+        return false;
+    if (p->tok.kind == TOK_COMMA)
+        diag_label(p->diags, d, DIAG_label_colon_instead);
+    else if (is_word(&p->tok, "between"))
+        diag_label(p->diags, d, DIAG_label_text, between_text(p, e));
+    return true;
+}
+
 // Another statement follows the guard on its line, or a word that other languages have there.
-static bool missing_colon(Parser *p)
+static bool missing_colon(Parser *p, AstExpr *e)
 {
     Diag *d;
 
@@ -282,8 +323,10 @@ static bool missing_colon(Parser *p)
         colon_word(p);
         return true;
     }
-    if (unit_in_guard(p))
+    if (unit_in_guard(p) || prose_in_guard(p, e))
         return true;
+    if (p->tok.kind == TOK_NAME && is_function(&p->last))
+        return false;
     if (p->tok.kind != TOK_ARROW && p->tok.kind != TOK_NAME && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_IF)
         return false;
     d = parser_report(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
@@ -303,15 +346,19 @@ static void assign_to_expression(Parser *p, const AstExpr *e)
     }
 }
 
-static void no_effect(Parser *p, const AstExpr *e)
+static void no_effect(Parser *p, AstExpr *e)
 {
     Diag *d;
 
     if (e->kind == AST_NAME && is_label_word(e->name->text)) {
         d = parser_report(p, DIAG_label_without_dot, e->span, e->name->text);
         diag_edit(p->diags, d, (Span){e->span.src, e->span.at, 0}, ".");
+        e->kind = AST_ERROR;
         return;
     }
+    e->alone = p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL);
+    if (e->alone)
+        return;
     d = parser_report(p, DIAG_no_effect, e->span);
     if (e->kind == AST_BINARY && e->op == SM_OP_EQ && e->a->kind == AST_NAME)
         diag_label(p->diags, d, DIAG_label_store,
@@ -326,7 +373,7 @@ static void no_statement(Parser *p, AstExpr *e)
     Diag *d = parser_fail(p, DIAG_no_statement, e->span, e->name->text);
 
     if (is_word(&p->tok, "between"))
-        diag_label(p->diags, d, DIAG_label_text, format_in(p->arena, "write 3 <= %s <= 5", e->name->text));
+        diag_label(p->diags, d, DIAG_label_text, between_text(p, e));
     else
         diag_label(p->diags, d, DIAG_label_statements);
     e->kind = AST_ERROR;
@@ -340,7 +387,7 @@ void slip_expression(Parser *p, AstExpr *e, bool has_if)
         assign_to_expression(p, e);
     else if (!has_if && e->kind == AST_NAME && p->tok.kind == TOK_NAME && !p->tok.first && !is_word(&p->tok, "then"))
         no_statement(p, e);
-    else if (missing_colon(p))
+    else if (missing_colon(p, e))
         return;
     else if (!parser_at_end_of_statement(p))
         slip_at_end(p);
@@ -350,7 +397,7 @@ void slip_expression(Parser *p, AstExpr *e, bool has_if)
         no_effect(p, e);
 }
 
-void slip_colon(Parser *p, const AstExpr *guard, Span colon)
+void slip_colon(Parser *p, AstExpr *guard, Span colon)
 {
     const char *before = guard ? parser_text(p, guard->span) : "else";
     Diag *d;
@@ -359,6 +406,7 @@ void slip_colon(Parser *p, const AstExpr *guard, Span colon)
         d = parser_report(p, DIAG_label_without_dot, guard->span, guard->name->text);
         diag_edit(p->diags, d, (Span){colon.src, guard->span.at, 0}, ".");
         diag_edit(p->diags, d, colon, "");
+        guard->kind = AST_ERROR;
         return;
     }
     d = parser_report(p, DIAG_colon_line_break, colon, guard ? "the condition" : "'else'", parser_found(p));

@@ -89,7 +89,7 @@ void slip_at_end(Parser *p);
 void slip_expression(Parser *p, AstExpr *e, bool has_if);
 void slip_op_assign(Parser *p, Span name);              // x += 1, at the sign
 // Nothing stands behind the colon of a guard, or of `else` (guard is NULL).
-void slip_colon(Parser *p, const AstExpr *guard, Span colon);
+void slip_colon(Parser *p, AstExpr *guard, Span colon);
 void slip_colon_assign(Parser *p, const AstExpr *guard, Span colon);      // x: = 1, at the =
 bool slip_bracketed_state(Parser *p);                   // -> [Idle] at the bracket; true when reported
 void slip_else(Parser *p);                              // neither : nor { nor if behind `else`
