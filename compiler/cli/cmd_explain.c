@@ -47,14 +47,24 @@ static void explain_all(Buf *out)
         }
 }
 
+// As it stands at the end of a message, [W0901 abort-blind], without its brackets.
+static const char *bare(Cli *c, const char *name)
+{
+    size_t n = strlen(name + (*name == '['));
+
+    name += *name == '[';
+    return format_in(&c->session.arena, "%.*s", (int)(n && name[n - 1] == ']' ? n - 1 : n), name);
+}
+
 // Of several names those that are known are explained.
 static int explain_names(Cli *c, Buf *out)
 {
     int code = EXIT_OK;
 
     for (size_t i = 0; i < c->files; i++) {
-        const DiagFlag *flag = diag_find_flag(c->file[i]);
-        const DiagInfo *d = diag_find(c->file[i]);
+        const char *name = bare(c, c->file[i]);
+        const DiagFlag *flag = diag_find_flag(name);
+        const DiagInfo *d = diag_find(name);
         if (out->n > 0 && (flag || d))
             buf_char(out, '\n');
         if (flag)

@@ -184,6 +184,25 @@ static bool format_unknown(Cli *c, const CliFormat *format, size_t formats)
     return false;
 }
 
+// A file called so would be written, and whatever opens it would call it damaged.
+static bool ends_foreign(Cli *c, const CliFormat *format, size_t formats)
+{
+    static const char *const foreign[] = {".pdf", ".png", ".jpg", ".jpeg", ".gif", ".docx", ".doc", ".xlsx", ".pptx"};
+    const char *path = c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "";
+    Buf list;
+    size_t f = 0;
+
+    while (f < sizeof foreign / sizeof *foreign && !has_suffix(path, foreign[f]))
+        f++;
+    if (f == sizeof foreign / sizeof *foreign)
+        return false;
+    buf_init(&list, &c->session.arena);
+    for (size_t i = 0; i < formats; i++)
+        buf_printf(&list, "%s%s", i == 0 ? "" : i + 1 < formats ? ", " : " or ", format[i].ending[0]);
+    cli_usage(c, "'%s': %s is not among what is written here; let the name end in %s", path, foreign[f], buf_text(&list));
+    return true;
+}
+
 bool cli_format(Cli *c, const CliFormat *format, size_t formats, size_t *found)
 {
     *found = 0;
@@ -193,7 +212,7 @@ bool cli_format(Cli *c, const CliFormat *format, size_t formats, size_t *found)
             *found = i;
             return true;
         }
-    return !c->given[OPT_AS] || format_unknown(c, format, formats);
+    return c->given[OPT_AS] ? format_unknown(c, format, formats) : !ends_foreign(c, format, formats);
 }
 
 // ---- names ----

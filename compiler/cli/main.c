@@ -74,6 +74,10 @@ static int dispatch(Cli *c, int argc, char **argv)
         general_help(&out);
         return print(c, 2, &out, EXIT_USAGE);
     }
+    if (strcmp(argv[1], "help") == 0 && argc > 2) {
+        char *swapped[] = {argv[0], argv[2], "--help"};
+        return run_command(c, 3, swapped);
+    }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
         general_help(&out);
         return print(c, 1, &out, EXIT_OK);

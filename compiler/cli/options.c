@@ -45,6 +45,8 @@ const char *nearest_name(const char *name, const char *const *names, size_t n)
 static OptionId recognise(const char *arg, const char **value)
 {
     *value = NULL;
+    if (strcmp(arg, "-h") == 0)
+        return OPT_HELP;
     for (size_t i = 0; i < OPT_COUNT; i++)
         if (strcmp(arg, option_info[i].spelling) == 0)
             return (OptionId)i;

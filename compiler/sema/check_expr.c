@@ -3,6 +3,10 @@
 // Recursion is as deep as the tree, which AST_DEPTH_MAX bounds.
 #include "compiler/sema/sema.h"
 
+#include <string.h>
+
+#include "stdlib/convert.h"
+
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
 {
     Expr *e = ARENA_NEW(s->arena, Expr);
@@ -165,11 +169,45 @@ static void look_for_not(Sema *s, const AstExpr *e)
         warn_of_not(s, e);
 }
 
+// The comparison that stands nearest before the right side of an `and` or `or`; NULL if none does.
+static const AstExpr *compared_before(const AstExpr *e)
+{
+    while (e->kind == AST_BINARY && class_of(e) == SM_CLASS_LOGIC)
+        e = e->b;
+    return e->kind == AST_BINARY && (class_of(e) == SM_CLASS_RELATION || class_of(e) == SM_CLASS_EQUALITY) ? e : NULL;
+}
+
+// 0 and 1, true and false may be switches: `steps and 1`.  Behind mode == 2 they are not.
+static bool may_be_switch(const AstExpr *number, const char *text, const AstExpr *before)
+{
+    const bool is_word = strcmp(text, "true") == 0 || strcmp(text, "false") == 0;
+
+    return is_word || ((sm_eq(number->number, sm_from_i32(0)) || sm_eq(number->number, sm_from_i32(1))) &&
+                       !(before && before->op == SM_OP_EQ && before->b->kind == AST_NUMBER));
+}
+
+// `mode == 1 or 2`
+static void warn_of_number(Sema *s, const AstExpr *logic, const AstExpr *number)
+{
+    const AstExpr *before = number == logic->b ? compared_before(logic->a) : NULL;
+    const char *text = quote(s, number->span);
+    Diag *d;
+
+    if (number->kind != AST_NUMBER || may_be_switch(number, text, before))
+        return;
+    d = diag_report(s->diags, DIAG_number_as_condition, number->span, text, sm_to_bool(number->number) ? "always" : "never");
+    if (before)
+        diag_label(s->diags, d, DIAG_label_did_you_mean,
+                   format_in(s->arena, "%s %s %s", quote(s, before->a->span), sm_op_info[before->op].spelling, text));
+}
+
 static Expr *check_binary(Sema *s, const AstExpr *e)
 {
     Expr *out = expr_new(s, EX_BINARY, e->span, 2);
     AstExpr *operands[2] = {e->a, e->b};
 
+    for (int k = 0; k < 2 && class_of(e) == SM_CLASS_LOGIC; k++)
+        warn_of_number(s, e, operands[k]);
     note_operator(s, e->op);
     out->op = e->op;
     return check_args(s, operands, 2, out->arg) ? out : NULL;

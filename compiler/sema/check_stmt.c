@@ -41,10 +41,16 @@ static bool may_write(Sema *s, const Var *v, Str name, Span span)
     return false;
 }
 
-// S = Vent: that S cannot be written has been said.
-static bool names_a_state(Sema *s, const Var *v, const AstExpr *e)
+// S = Vent
+static bool assigns_state(Sema *s, const Var *v, const AstStmt *in)
 {
-    return v && v == s->p->s && e->kind == AST_NAME && map_find(&s->p->state_by_name, e->name);
+    const AstExpr *e = in->value;
+
+    if (!v || v != s->p->s || s->in_script || e->kind != AST_NAME || !map_find(&s->p->state_by_name, e->name))
+        return false;
+    diag_label(s->diags, diag_report(s->diags, DIAG_write_state_element, in->name_span, in->name->text), DIAG_label_write,
+               format_in(s->arena, "-> %s", e->name->text));
+    return true;
 }
 
 static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
@@ -64,6 +70,8 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
     Stmt *out = stmt_new(s, ST_ASSIGN, in);
     bool good = false;
 
+    if (assigns_state(s, v, in))
+        return NULL;
     if (!v)
         scope_report_unknown(s, in->name, in->name_span);
     else
@@ -73,7 +81,7 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
     if (v && !s->in_script)
         v->written = true;
     out->var = v;
-    out->value = names_a_state(s, v, in->value) ? NULL : check_expr(s, in->value);
+    out->value = check_expr(s, in->value);
     return good && out->value ? out : NULL;
 }
 

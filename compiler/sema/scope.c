@@ -178,7 +178,7 @@ State *scope_find_state(Sema *s, Str name, Span span)
     for (size_t i = 0; i < s->p->state.n; i++)
         guess_try(&g, s->p->state.at[i]->name);
     guess_label(s->diags, d, &g);
-    if (!g.best && !s->in_script)
+    if (!g.best && !s->in_script && !scope_find(s, name))
         diag_label(s->diags, d, DIAG_label_add_section, name->text);
     if (g.best)
         diag_note(s->diags, d, ((State *)map_find(&s->p->state_by_name, g.best))->span, DIAG_note_declared_here, g.best->text);

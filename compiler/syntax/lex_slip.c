@@ -166,6 +166,18 @@ static bool is_name_place(const Lexer *l, uint32_t at)
            (from && s[from - 1] == '@' && (end - from != 8 || memcmp(s + from, "priority", 8) != 0));
 }
 
+// 5psi, 0x1G; or a name that begins with a digit
+static void number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t stop)
+{
+    Diag *d = diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end),
+                          lexer_text(l, end, stop));
+
+    if (l->last == TOK_TYPE)
+        diag_label(l->diags, d, DIAG_label_name_first);
+    else if (!lexer_is_hex_prefix(l, at))
+        diag_label(l->diags, d, DIAG_label_no_unit);
+}
+
 // The number at..end runs on: 5psi, 1__0, 0x, 1e, 1.2.3.  Reports it; returns where it stops.
 uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
 {
@@ -191,9 +203,7 @@ uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
         diag_label(l->diags, diag_report(l->diags, DIAG_unit_apart, lexer_span(l, at, stop - at), whole), DIAG_label_write,
                    format_in(l->diags->arena, "%s %s", lexer_text(l, at, end), lexer_text(l, end, stop)));
     else
-        diag_label(l->diags, diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end),
-                                         lexer_text(l, end, stop)),
-                   l->last == TOK_TYPE ? DIAG_label_name_first : DIAG_label_no_unit);
+        number_run_on(l, at, end, stop);
     return stop;
 }
 

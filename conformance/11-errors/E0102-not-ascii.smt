@@ -10,5 +10,7 @@ F64 p
 .step
     x = p − 1          #! E0102 write -
     x = p ≤ 5          #! E0102 write <=
-    x = drück          #! E0102 'ü' #! E0204 unknown
+    x = drück          #! E0102 'ü'
+    x = 20°            #! E0102 '°'
+    x = p²             #! E0102 '²'
     x = p + 1    #! E0102 plain blank

@@ -13,6 +13,8 @@ F64 p
     p === 1: x = 1              #! E0107 write ==
     p !== 1: x = 1              #! E0107 write !=
     p <> 1: x = 1               #! E0107 write !=
+    p ~= 1: x = 1               #! E0107 write !=
+    ~p: x = 1                   #! E0107 write not
     p => 1: x = 1               #! E0107 write >=
     p =< 1: x = 1               #! E0107 write <=
     x := 1                      #! E0107 write =

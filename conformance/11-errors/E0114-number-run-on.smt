@@ -5,10 +5,11 @@ spec 1.16   A number directly followed by a letter or digit that cannot belong t
 U64 G
 U32 S
 F64 x
+F64 2nd                 #! E0114 begins with a letter
 F64 p
 [Hold]
 .step
-    x = 5psi            #! E0114 'psi'
+    x = 5psi            #! E0114 numbers have no units
     x = 0x1G            #! E0114 'G'
     x = 2p              #! E0114 'p'
     T > 5s: x = 1       #! E0114 's'

@@ -6,8 +6,10 @@ U64 G
 U32 S
 F64 x
 F64 p
-[Tank Vent]     #! E0120 '[Tank Vent]'
+[Tank Vent]     #! E0120 write [Tank_Vent]
 .step
     x = p
+[Vent-Fast]     #! E0120 write [Vent_Fast]
 [ Hold ]        #! E0120 write [Hold]
+[a+b]           #! E0120 '[a+b]'
 []              #! E0120 '[]'

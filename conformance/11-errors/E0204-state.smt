@@ -5,5 +5,10 @@ U64 G
 U32 S
 [Hold]
 .step
-    Abort: -> Abort       #! E0204 'Abort' is a state
+    Abort: -> Abort       #! E0204 'Abort' is a state: -> Abort goes there, S == 2 asks for it
+    S == Hold: -> Abort   #! E0204 S == 1 asks for it
+    Burn                  #! E0204 S == 3 asks for it
+    S = Hold              #! E0215 write -> Hold
+    S = 1                 #! E0215 'S'
 [Abort]
+[Burn]

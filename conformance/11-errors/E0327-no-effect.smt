@@ -11,3 +11,7 @@ F64 p
     x == 1              #! E0327 x = 1
     x + 1               #! E0327 does nothing
     p                   #! E0327 does nothing
+    abs(p)              #! E0327 does nothing
+    print(p)            #! E0217 'print'
+    p > 1: halt         #! E0204 'halt'
+    p > 1: halt         #! E0327 does nothing

@@ -6,7 +6,7 @@ U32 S
 [Hold]
 .step
     G > 800: -> Abbort        #! E0501 did you mean 'Abort'?
-    G > 900: -> Nowhere       #! E0501 unknown state 'Nowhere'
+    G > 900: -> Nowhere       #! E0501 add a section [Nowhere]
 [Abort]
 .step
     -> Abbort

@@ -13,5 +13,5 @@ a.sm
 -- stderr --
 a.sm:6:15: error: unknown state 'Nowhere' [E0501]
     6 |     T > 5: -> Nowhere
-      |               ^~~~~~~
+      |               ^~~~~~~ add a section [Nowhere]
 1 error

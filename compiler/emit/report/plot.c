@@ -79,7 +79,7 @@ const char *plot_label(Arena *arena, double x)
     Buf b;
 
     buf_init(&b, arena);
-    snprintf(digits, sizeof digits, "%.5g", x == 0 ? 0.0 : x);
+    snprintf(digits, sizeof digits, x > -1e7 && x < 1e7 && x == (double)(long)x ? "%.0f" : "%.5g", x == 0 ? 0.0 : x);
     for (const char *c = digits; *c; c++)             // the point is the locale's
         buf_char(&b, strchr("0123456789+-einfa", *c) ? *c : '.');
     return buf_text(&b);

@@ -129,6 +129,13 @@ static void put_elements(const Report *r, Doc *d, const Use *use)
 
 // ---- locals ----
 
+// Sizes of windows are worked out when compiling, and read in no state.
+static const char *readers_of(const Report *r, const Var *v, Use *use)
+{
+    return format_in(r->arena, "%s%s%s", buf_text(&use->readers), v->sizes && use->readers.n ? ", " : "",
+                     v->sizes ? "sizes of windows" : "");
+}
+
 static const DocColumn parameter_columns[] = {{"name", "Parameter"},
                                               {"type", "Type"},
                                               {"value", "Value"},
@@ -153,7 +160,7 @@ static size_t count(const Program *p, bool (*wanted)(const Var *v))
     return n;
 }
 
-static void put_parameters(const Report *r, Doc *d, const Use *use)
+static void put_parameters(const Report *r, Doc *d, Use *use)
 {
     const Program *p = r->analysis.p;
     DocTable *t;
@@ -172,12 +179,12 @@ static void put_parameters(const Report *r, Doc *d, const Use *use)
         cell_plain(t, report_cell(r->arena, v->type, v->init));
         cell_code(t, v->init_value && v->init_value->kind != EX_NUMBER ? source_text(r->arena, v->init_value->span) : "");
         cell_plain(t, comment_of(r->arena, v));
-        cell_plain(t, buf_text(&use[i].readers));
+        cell_plain(t, readers_of(r, v, &use[i]));
         cell_line(t, report_line(v->span));
     }
 }
 
-static void put_locals(const Report *r, Doc *d, const Use *use)
+static void put_locals(const Report *r, Doc *d, Use *use)
 {
     const Program *p = r->analysis.p;
     DocTable *t;
@@ -195,7 +202,7 @@ static void put_locals(const Report *r, Doc *d, const Use *use)
         cell_plain(t, sm_type_info[v->type].spelling);
         cell_plain(t, report_cell(r->arena, v->type, v->init));
         cell_plain(t, comment_of(r->arena, v));
-        cell_plain(t, buf_text(&use[i].readers));
+        cell_plain(t, readers_of(r, v, &use[i]));
         cell_plain(t, buf_text(&use[i].writers));
         cell_line(t, report_line(v->span));
     }
@@ -227,7 +234,7 @@ static void put_windows(const Report *r, Doc *d)
 
 void report_variables(Report *r, Doc *d)
 {
-    const Use *use = find_uses(r);
+    Use *use = find_uses(r);
 
     doc_section(d, "variables", "Inputs, outputs and parameters");
     put_elements(r, d, use);

@@ -1,0 +1,24 @@
+spec 3.14   A number beside `and` or `or` decides by itself: what was compared before it is not carried over.
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+U8  mode
+bool on
+[local]
+F64 limit = 5 @read_only
+[Hold]
+.step
+    mode == 1 or 2: -> Hold            #! W0419 did you mean 'mode == 2'?
+    mode == 0 or 1: -> Hold            #! W0419 did you mean 'mode == 1'?
+    x > 5 and 10: -> Hold              #! W0419 10 stands here as a condition of its own, which always holds
+    on or x < 3 or 4.5: -> Hold        #! W0419 did you mean 'x < 4.5'?
+    7 and on: -> Hold                  #! W0419 7
+    on = x > 1 or (mode and 3)         #! W0419 3
+    mode == 1 or mode == 2: -> Hold
+    on and true: -> Hold
+    on and 0: -> Hold                  # a switch, as are the next two
+    x > 5 or 1: -> Hold
+    on or false: -> Hold
+    on or limit: -> Hold
