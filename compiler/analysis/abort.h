@@ -44,6 +44,7 @@ typedef struct AbortRow {
     SmF64 stuck;
     const Var *blind;             // if this one reads `blind_at`, no way is left; or NULL
     const char *blind_at;         // "0", "more than 40", "0 or less than -5"
+    const Transition *instead;    // what `blind` makes then, though no @abort state follows; or NULL
     const State *onward;          // where a way leads on from here at worst; NULL: nowhere, or this is an @abort state
 } AbortRow;
 

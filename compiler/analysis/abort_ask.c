@@ -23,7 +23,9 @@ typedef struct Asking {
     DeadSensor dead;
     Rows *ask, *watch;            // by Var.index: the rows all of whose ways, any of whose ways look at that sensor
     unsigned *no_way;             // by state: of the sensor being asked about, the readings that leave no way
-    bool fires;                   // what a flow has found out
+    const Transition **instead;   // by state: of that sensor, the first transition it makes when no way is left
+    bool fires;                   // what a flow has found out: a way can be made
+    VEC(uint32_t) others;         // and these other transitions, by Stmt.number
 } Asking;
 
 static size_t at(const State *s) { return s->number - 1u; }
@@ -91,8 +93,12 @@ static void note_end(void *context, const IrJump *end, const Env *env)
     Asking *k = context;
 
     (void)env;
-    if (end->kind == IR_GOTO && k->b->bound[end->state - 1u] && k->b->steps[end->state - 1u] != ABORT_NOT_BOUNDED)
+    if (end->kind != IR_GOTO)
+        return;
+    if (k->b->bound[end->state - 1u] && k->b->steps[end->state - 1u] != ABORT_NOT_BOUNDED)
         k->fires = true;
+    else
+        vec_push(k->a->arena, &k->others, end->stmt);
 }
 
 static bool can_abort(Asking *k, const State *s)
@@ -100,6 +106,7 @@ static bool can_abort(Asking *k, const State *s)
     const FactEnds ends = {note_end, k};
 
     k->fires = false;
+    k->others.n = 0;
     for (int b = BLOCK_ENTRY; b <= BLOCK_STEP && !k->fires; b++) {
         const IrFn *f = k->a->m->state.at[at(s)].block[b];
         if (f && facts_reach(k->a->facts, at(s), b))
@@ -124,6 +131,25 @@ static bool reading_of(const Var *v, Reading reading, Fact *f)
     return false;
 }
 
+static bool was_made(const Asking *k, const Transition *t)
+{
+    for (size_t i = 0; i < k->others.n; i++)
+        if (k->others.at[i] == t->stmt->number)
+            return true;
+    return false;
+}
+
+// Where a way looks at other things too, it is this transition that comes before its turn.
+static const Transition *made_instead(const Asking *k, const AbortRow *r, const Var *v)
+{
+    for (size_t i = 0; i < k->a->transition.n && !all_look_at(r, v); i++) {
+        const Transition *t = &k->a->transition.at[i];
+        if (t->from == r->state && was_made(k, t) && condition_on(k->s, t->when, v))
+            return t;
+    }
+    return NULL;
+}
+
 static void ask_reading(Asking *k, const Var *v, Reading reading)
 {
     const Rows *rows = reading == READS_0 ? &k->watch[v->index] : &k->ask[v->index];
@@ -132,9 +158,14 @@ static void ask_reading(Asking *k, const Var *v, Reading reading)
     if (!reading_of(v, reading, &f))
         return;
     dead_sensor_reads(&k->dead, v, f);
-    for (size_t i = 0; i < rows->n; i++)
-        if (!can_abort(k, rows->at[i]->state))
-            k->no_way[at(rows->at[i]->state)] |= 1u << reading;
+    for (size_t i = 0; i < rows->n; i++) {
+        const size_t s = at(rows->at[i]->state);
+        if (can_abort(k, rows->at[i]->state))
+            continue;
+        k->no_way[s] |= 1u << reading;
+        if (!k->instead[s])
+            k->instead[s] = made_instead(k, rows->at[i], v);
+    }
 }
 
 static bool is_outside(const Var *v, Reading reading)
@@ -164,8 +195,10 @@ static void ask_blind(Asking *k, const Var *v)
 {
     const Rows *rows = &k->watch[v->index];
 
-    for (size_t i = 0; i < rows->n; i++)
+    for (size_t i = 0; i < rows->n; i++) {
         k->no_way[at(rows->at[i]->state)] = 0;
+        k->instead[at(rows->at[i]->state)] = NULL;
+    }
     for (int reading = 0; reading < READINGS; reading++)
         ask_reading(k, v, (Reading)reading);
     for (size_t i = 0; i < rows->n; i++) {
@@ -174,6 +207,7 @@ static void ask_blind(Asking *k, const Var *v)
             continue;
         r->blind = v;
         r->blind_at = text_of(k, v, k->no_way[at(r->state)]);
+        r->instead = k->instead[at(r->state)];
     }
 }
 
@@ -307,7 +341,8 @@ void abort_ask(Analysis *a, AbortMatrix *x, const AbortBound *b)
 {
     const Sensors *sensors = sensors_of(a);
     Asking k = {a, b, sensors, dead_sensor_new(sensors), ARENA_ARRAY(a->arena, Rows, a->p->var.n),
-                ARENA_ARRAY(a->arena, Rows, a->p->var.n), ARENA_ARRAY(a->arena, unsigned, x->n), false};
+                ARENA_ARRAY(a->arena, Rows, a->p->var.n), ARENA_ARRAY(a->arena, unsigned, x->n),
+                ARENA_ARRAY(a->arena, const Transition *, x->n), false, {0}};
 
     x->sensors = sensors;
     for (size_t s = 0; s < x->n; s++)

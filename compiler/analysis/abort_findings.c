@@ -47,6 +47,8 @@ static void report_blind(Analysis *a, const AbortMatrix *x, const AbortRow *r)
     Diag *d = diag_report(a->diags, DIAG_abort_blind, r->state->span, r->state->name->text, r->blind->name->text, r->blind_at);
 
     show_ways(a, d, x, r, r->blind);
+    if (r->instead)
+        diag_note(a->diags, d, r->instead->stmt->span, DIAG_note_abort_instead, r->instead->to->name->text);
     diag_note(a->diags, d, (Span){0}, DIAG_note_abort_blind_advice, r->blind->name->text);
 }
 

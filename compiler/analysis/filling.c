@@ -251,7 +251,8 @@ static void note_feed(const Stmt *stmt, void *context)
     if (stmt->kind != ST_ASSIGN)
         return;
     roll = statistic_in(stmt->value);
-    f->fed[stmt->var->index] = roll;
+    if (!f->fed[stmt->var->index])                         // of several the first: early states matter here
+        f->fed[stmt->var->index] = roll;
     f->otherwise[stmt->var->index] |= !roll;
 }
 

@@ -154,6 +154,44 @@ static void check_any_section(ScriptCheck *k, const AstSection *in)
             check_option(k, &in->options.at[i]);
 }
 
+// ---- moments ----
+
+static bool is_moment(const ScriptCheck *k, SmF64 x)
+{
+    const SmF64 limit = sm_from_u64(0x20000000000000u);          // 2^53: beyond it not every number is an F64
+
+    if (sm_lt(x, sm_from_i32(0)) || !sm_eq(sm_trunc(x), x))
+        return false;
+    return !sm_lt(x, limit) || sm_to_u64(x) % k->script->delta_t == 0;
+}
+
+// G == 15, where G is 0, 10, 20.  As deep as expressions nest: AST_DEPTH_MAX bounds it.
+static void warn_of_moments(ScriptCheck *k, const Expr *e)
+{
+    const bool logic = e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR);
+
+    for (uint32_t i = 0; logic && i < 2; i++)
+        warn_of_moments(k, e->arg[i]);
+    for (uint32_t i = 0; e->kind == EX_BINARY && e->op == SM_OP_EQ && i < 2; i++) {
+        const Expr *time = e->arg[i], *at = e->arg[1 - i];
+        if (time->kind == EX_VAR && (time->var == k->s.p->g || time->var == k->s.p->t) && expr_is_constant(at) &&
+            !is_moment(k, const_eval(at)))
+            diag_report(k->s.diags, DIAG_moment_missed, e->span, time->var == k->s.p->g ? "G" : "T",
+                        const_text(k->s.arena, const_eval(at)), format_in(k->s.arena, "%llu", (unsigned long long)k->script->delta_t));
+    }
+}
+
+// Where nothing but asserts hangs on it, it is they that are reported, after the run.
+static void check_moments(ScriptCheck *k)
+{
+    for (size_t i = 0; k->script->delta_t > 0 && i < k->script->section.n; i++)
+        for (size_t n = 0; n < k->script->section.at[i].item.n; n++) {
+            const ScriptItem *item = &k->script->section.at[i].item.at[n];
+            if (item->guard && item->asserts.n == 0)
+                warn_of_moments(k, item->guard);
+        }
+}
+
 // ---- the whole ----
 
 static void init_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, const Program *program)
@@ -183,6 +221,8 @@ Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
         diag_report(c->diags, DIAG_no_delta_t, start);
     if (!k.has_stop && !k.s.lost->any)
         diag_report(c->diags, DIAG_no_stop, start);
+    if (c->diags->met == errors && !k.s.lost->any)
+        check_moments(&k);
     return c->diags->met > errors ? NULL : k.script;
 }
 

@@ -27,4 +27,4 @@ F64 c = 7 @read_only
 delta_t 5755614375572403   #! E0752
 
 [all_states]
-G == 7: @stop
+G == 7: @stop   #! W0702

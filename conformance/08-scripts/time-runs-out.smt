@@ -27,4 +27,4 @@ F64 c = 7 @read_only
 delta_t 9223372036854775808   #! E0752
 
 [all_states]
-G == 5: @stop
+G == 5: @stop   #! W0702

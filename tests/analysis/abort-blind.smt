@@ -151,7 +151,13 @@ U32  weird = 0
     thrust > 1000: -> Abort
 [Close2]
 .step
-    T > 5000: -> Entry
+    T > 5000: -> Early
+[Early]                     #! W0901 at such a reading this way to 'Entry' is taken first
+.step
+    level > 9: -> Entry
+    thrust < 5: -> Entry
+    T > 900: -> Abort
+    thrust > 1000: -> Abort
 [Entry]                     #! W0901 'thrust' reads 0
 .entry
     thrust > 5: -> Abort

@@ -24,7 +24,7 @@ U64 since = 0
     local = roll_median(p, 3) * 2
     armed and roll_avg(p, 2) > 1: -> Wait         #! W0965 it has 1 of 2
     mean > 5 and armed: -> Wait                   #! W0965 'mean' is full: it has 1 of 20
-    local < 3: -> Wait                            #! W0965 comes from this statistic
+    local < 3: -> Wait                            #! W0965 'local' is full: it has 1 of 3 
     roll_max(p, 5) < 3: -> Wait                   #! W0965 1 of 5
     not (roll_max(p, 5) >= 3): -> Wait            #! W0965
     armed {
@@ -45,3 +45,4 @@ U64 since = 0
 [Wait]
 .step
     roll_avg(p, 10) > 5: -> First
+    local = roll_median(p, 30)                    # what counts in [First] is its own

@@ -1,0 +1,18 @@
+# Help is found however it is asked for.
+args check -h | head -n 1
+args help check | head -n 1
+args help chek
+args explain '[W0750' 'unjudged-assert]' | head -n 1
+args explain '[W0999]'
+
+-- stdout --
+Usage: smc check FILE...|X.app
+Usage: smc check FILE...|X.app
+W0750: this assert was never judged  [-Wunjudged-assert]
+-- stderr --
+smc: unknown command 'chek'; did you mean 'check'?
+Try 'smc --help'.
+smc: no diagnostic is called '[W0999]'
+Try 'smc explain --help'.
+-- exit --
+0 0 2 0 2
