@@ -165,6 +165,11 @@ static bool is_moment(const ScriptCheck *k, SmF64 x)
     return !sm_lt(x, limit) || sm_to_u64(x) % k->script->delta_t == 0;
 }
 
+static const char *source_of(const ScriptCheck *k, Span span)
+{
+    return format_in(k->s.arena, "%.*s", (int)span.len, span.src->text + span.at);
+}
+
 // G == 15, where G is 0, 10, 20.  As deep as expressions nest: AST_DEPTH_MAX bounds it.
 static void warn_of_moments(ScriptCheck *k, const Expr *e)
 {
@@ -177,7 +182,7 @@ static void warn_of_moments(ScriptCheck *k, const Expr *e)
         if (time->kind == EX_VAR && (time->var == k->s.p->g || time->var == k->s.p->t) && expr_is_constant(at) &&
             !is_moment(k, const_eval(at)))
             diag_report(k->s.diags, DIAG_moment_missed, e->span, time->var == k->s.p->g ? "G" : "T",
-                        const_text(k->s.arena, const_eval(at)), format_in(k->s.arena, "%llu", (unsigned long long)k->script->delta_t));
+                        const_text(k->s.arena, const_eval(at)), source_of(k, k->script->delta_t_span));
     }
 }
 

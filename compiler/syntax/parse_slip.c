@@ -302,7 +302,7 @@ static bool prose_in_guard(Parser *p, AstExpr *e)
     if (p->tok.kind == TOK_COMMA && e->kind != AST_NAME && p->ahead.kind == TOK_NAME)
         d = parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
     else if (p->tok.kind == TOK_NAME && p->ahead.kind != TOK_ASSIGN && guard_on_line(p) && !is_function(&p->last))
-        d = parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok));
+        d = parser_fail(p, DIAG_guard_without_body, parser_here(p), parser_found(p));
     else
         return false;
     if (p->tok.kind == TOK_COMMA)

@@ -8,8 +8,8 @@ F64 p
 bool on
 [Hold]
 .step
-    if p between 3 and 5: x = 1         #! E0330 write 3 <= p <= 5
-    if p > 5 of max: x = 1              #! E0330 'of'
+    if p between 3 and 5: x = 1         #! E0315 write 3 <= p <= 5
+    if p > 5 of max: x = 1              #! E0315 'of'
     if p > 5, x = 1                     #! E0315 write ':' instead
     if abs p > 5: x = 1                 #! E0219 write abs(x) #! E0330 write abs(...)
     if p > 5 -> Hold                    #! E0315 insert ':'

@@ -3,7 +3,7 @@ args check -h | head -n 1
 args help check | head -n 1
 args help chek
 args explain '[W0750' 'unjudged-assert]' | head -n 1
-args explain '[W0999]'
+args explain '[nothing]'
 
 -- stdout --
 Usage: smc check FILE...|X.app
@@ -12,7 +12,7 @@ W0750: this assert was never judged  [-Wunjudged-assert]
 -- stderr --
 smc: unknown command 'chek'; did you mean 'check'?
 Try 'smc --help'.
-smc: no diagnostic is called '[W0999]'
+smc: no diagnostic is called '[nothing]'
 Try 'smc explain --help'.
 -- exit --
 0 0 2 0 2

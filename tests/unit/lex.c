@@ -93,7 +93,7 @@ static void test_slips(void)
     tokens("x = \"a b\" + 'c", "|name = error + error", 1);
     tokens("x \xe2\x89\xa4 y \xe2\x88\x92 z\xc2\xa0w", "|name <= name - name name", 3);
     tokens("dr\xc3\xbc" "ck \xc3\xa4", "|name name", 1);
-    tokens("a $ b ~ c", "|name name name", 1);
+    tokens("a $ b \\ c", "|name name name", 1);
     tokens("f(a; b);c\na ? b : c # d\n{ a ? b }", "|name ( name , name ) |name |name |{ name }", 4);
     tokens("@ . a", "|error error name", 2);
     tokens("[a b] [ c ] [] [d", "|header header header header", 4);
