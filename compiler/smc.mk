@@ -5,7 +5,7 @@
 # Set SMC_SV to the application's state vector (app.sv) if there is one, SMCFLAGS to further options.
 #   rocket from rocket.app: a program.  Set before the include
 #     SMC_APP       rocket
-#     SMC_SOURCES   what you wrote: navigation.c engine.c
+#     SMC_SOURCES   what you wrote: navigation.c engine.cpp; .c, .cc and .cpp
 #     SMC_PLATFORM  desk: simulated time, real files; begin with it.  linux (default): the real one.  sim: nothing real, for tests
 #     SMC_OUT       the folder for what is made: made
 #   make smc-clean removes what these rules made; your own `clean:` may ask for it.
@@ -23,10 +23,10 @@ SMC_ARGS  = $(SMCFLAGS) $(if $(SMC_SV),--sv=$(SMC_SV))
 
 # Both files come from one call; the pattern tells make so.
 %.c %.h: %.sm $(SMC_SV)
-	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*.c -MD -MP -MF $*.sm.d -MT '$*.c $*.h'
+	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*.c -MD -MP -MF $*.sm.d
 
 %_io.c %_io.h: %.io $(SMC_SV)
-	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*_io.c -MD -MP -MF $*.io.d -MT '$*_io.c $*_io.h'
+	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*_io.c -MD -MP -MF $*.io.d
 
 # Not %.smb alone: make wants a name that is no file.
 flash-%: %.smb
@@ -50,13 +50,27 @@ smc-clean:
 # ---- an application ----
 
 ifdef SMC_APP
+# (Blanks between a value and a comment belong to the value.)
+SMC_APP      := $(strip $(SMC_APP))
+ifneq ($(notdir $(SMC_APP)),$(SMC_APP))
+$(error SMC_APP = $(SMC_APP): it is a name without a folder. Run make where $(notdir $(SMC_APP)).app is)
+endif
 $(SMC_APP):
 
 SMC_HERE     := $(dir $(lastword $(filter %smc.mk,$(MAKEFILE_LIST))))
 # Where runtime-c, bytecode-vm and stdlib are: beside this file where it is installed, above it in the source tree.
 SMC_TREE     ?= $(patsubst %/,%,$(if $(wildcard $(SMC_HERE)runtime-c/runtime.mk),$(SMC_HERE),$(SMC_HERE)..))
-SMC_PLATFORM ?= linux
-SMC_OUT      ?= made
+SMC_PLATFORM := $(strip $(or $(SMC_PLATFORM),linux))
+SMC_OUT      := $(strip $(or $(SMC_OUT),made))
+SMC_PSL      := $(SMC_TREE)/runtime-c/psl/$(SMC_PLATFORM)/psl.mk
+ifeq ($(wildcard $(SMC_PSL)),)
+$(error SMC_PLATFORM = $(SMC_PLATFORM): there is none of that name; there are \
+  $(notdir $(patsubst %/psl.mk,%,$(wildcard $(SMC_TREE)/runtime-c/psl/*/psl.mk))))
+endif
+SMC_CXX       = $(filter %.cc %.cpp,$(SMC_SOURCES))
+ifneq ($(filter-out %.c %.cc %.cpp,$(SMC_SOURCES)),)
+$(error SMC_SOURCES: $(filter-out %.c %.cc %.cpp,$(SMC_SOURCES)) ends in none of .c, .cc and .cpp)
+endif
 SMC_CFLAGS   ?= -O2 -g -Wall -Wextra
 SMC_STAMP     = $(SMC_OUT)/obj/settings
 SMC_WASTE    += $(SMC_APP) $(SMC_STAMP) $(SMC_MADE) $(addprefix $(SMC_OUT)/$(SMC_APP).mk,.d .new) $(SMC_OUT)/$(SMC_APP).mk
@@ -78,15 +92,17 @@ $(SMC_MADE): | $(SMC_OUT)/$(SMC_APP).mk
 endif
 
 include $(SMC_TREE)/runtime-c/runtime.mk
-include $(SMC_TREE)/runtime-c/psl/$(SMC_PLATFORM)/psl.mk
+include $(SMC_PSL)
 SMC_RUNTIME  = $(RUNTIME) $(PSL) $(if $(SMC_IMAGES),$(RUNTIME_VM))
-SMC_OBJECTS  = $(patsubst $(SMC_OUT)/%.c,$(SMC_OUT)/obj/made/%.o,$(filter %.c,$(SMC_MADE))) $(SMC_SOURCES:%.c=$(SMC_OUT)/obj/own/%.o) \
+SMC_OBJECTS  = $(patsubst $(SMC_OUT)/%.c,$(SMC_OUT)/obj/made/%.o,$(filter %.c,$(SMC_MADE))) $(patsubst %,$(SMC_OUT)/obj/own/%.o,$(basename $(SMC_SOURCES))) \
                $(patsubst %.c,$(SMC_OUT)/obj/$(SMC_PLATFORM)/%.o,$(SMC_RUNTIME))
 # The meaning of a program rests on plain IEEE arithmetic.
-SMC_COMPILE  = $(CC) -std=c99 -ffp-contract=off -fno-tree-slp-vectorize -I$(SMC_OUT) -I. -I$(SMC_TREE) $(SMC_CFLAGS) $(CFLAGS) -ffunction-sections -MMD -MP -c $< -o $@
+SMC_OPTIONS   = -ffp-contract=off -fno-tree-slp-vectorize -I$(SMC_OUT) -I. -I$(SMC_TREE) $(SMC_CFLAGS) -ffunction-sections -MMD -MP
+SMC_COMPILE   = $(CC) -std=c99 $(SMC_OPTIONS) $(CFLAGS) -c $< -o $@
+SMC_COMPILE_X = $(CXX) $(SMC_OPTIONS) $(CXXFLAGS) -c $< -o $@
 
 # What all of it was made with: another platform, watchdog, compiler or option makes it anew.
-SMC_SETTINGS = $(strip $(SMC_PLATFORM) $(PSL_WATCHDOG) $(SMC_SOURCES) $(SMCFLAGS) $(CC) $(SMC_CFLAGS) $(CFLAGS) $(LDFLAGS) $(LDLIBS))
+SMC_SETTINGS = $(strip $(SMC_PLATFORM) $(PSL_WATCHDOG) $(SMC_SOURCES) $(SMCFLAGS) $(CC) $(if $(SMC_CXX),$(CXX) $(CXXFLAGS)) $(SMC_CFLAGS) $(CFLAGS) $(LDFLAGS) $(LDLIBS))
 ifneq ($(SMC_SETTINGS),$(strip $(shell cat $(SMC_STAMP) 2>/dev/null)))
 $(SMC_STAMP): smc-changed
 endif
@@ -95,13 +111,19 @@ $(SMC_STAMP):
 	@printf '%s\n' '$(subst ','\'',$(SMC_SETTINGS))' >$@
 
 $(SMC_APP): $(SMC_OBJECTS) $(SMC_STAMP)
-	$(CC) $(SMC_CFLAGS) $(CFLAGS) $(LDFLAGS) -Wl,--gc-sections -o $@ $(SMC_OBJECTS) $(PSL_LIBS) $(LDLIBS)
+	$(if $(SMC_CXX),$(CXX),$(CC)) $(SMC_CFLAGS) $(CFLAGS) $(LDFLAGS) -Wl,--gc-sections -o $@ $(SMC_OBJECTS) $(PSL_LIBS) $(LDLIBS)
 $(SMC_OUT)/obj/made/%.o: $(SMC_OUT)/%.c $(SMC_STAMP)
 	@mkdir -p $(@D)
 	$(SMC_COMPILE)
 $(SMC_OUT)/obj/own/%.o: %.c $(SMC_STAMP) | $(SMC_MADE)
 	@mkdir -p $(@D)
 	$(SMC_COMPILE)
+$(SMC_OUT)/obj/own/%.o: %.cc $(SMC_STAMP) | $(SMC_MADE)
+	@mkdir -p $(@D)
+	$(SMC_COMPILE_X)
+$(SMC_OUT)/obj/own/%.o: %.cpp $(SMC_STAMP) | $(SMC_MADE)
+	@mkdir -p $(@D)
+	$(SMC_COMPILE_X)
 $(SMC_OUT)/obj/$(SMC_PLATFORM)/%.o: $(SMC_TREE)/%.c $(SMC_STAMP)
 	@mkdir -p $(@D)
 	$(SMC_COMPILE)

@@ -33,6 +33,7 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why);
 bool os_read_head(const char *path, char *into, size_t n, size_t *len);
 
 bool os_is_folder(const char *path);
+bool os_is_special(const char *path);              // a device or pipe, as /dev/null
 bool os_make_folder(const char *path, const char **why);     // the folder alone, not those it lies in; true if it is there already
 bool os_same_file(const char *a, const char *b);   // two names of one regular file that exists; "-" is none
 // Names in a folder without . and .., sorted; *names and its strings are one block from the heap.

@@ -172,8 +172,8 @@ static mode_t wanted_mode(const char *path)
     return stat(path, &st) == 0 ? st.st_mode & 07777 : (mode_t)(0666 & ~mask);
 }
 
-// A device or pipe (as /dev/null) cannot be replaced by renaming: it is written to directly.
-static bool is_special(const char *path)
+// (One cannot be replaced by renaming: it is written to directly.)
+bool os_is_special(const char *path)
 {
     struct stat st;
     return stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode);
@@ -239,7 +239,7 @@ static bool write_one(const OsOutput *out, char *volatile *name, const char **wh
 {
     int fd;
 
-    if (strcmp(out->path, "-") == 0 || is_special(out->path))
+    if (strcmp(out->path, "-") == 0 || os_is_special(out->path))
         return write_directly(out, why);
     if ((fd = open_temporary(out->path, name, why)) < 0)
         return false;
@@ -276,7 +276,7 @@ bool os_write(const OsOutput *out, size_t n, const char **failed_path, const cha
 bool os_stream_open(OsStream *s, const char *path, const char **why)
 {
     s->path = path;
-    s->is_direct = strcmp(path, "-") == 0 || is_special(path);
+    s->is_direct = strcmp(path, "-") == 0 || os_is_special(path);
     if (s->is_direct) {
         s->fd = strcmp(path, "-") == 0 ? 1 : open(path, O_WRONLY);
         return s->fd >= 0 || fails(why);

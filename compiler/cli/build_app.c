@@ -38,11 +38,11 @@ static void add(AppBuild *b, const char *name, const Buf *text)
     b->out[b->n++] = (OsOutput){in_folder(b, name), buf_text(text), text->n};
 }
 
-// Header and code called after `stem`.
+// Code and header called after `stem`.
 static void add_pair(AppBuild *b, const char *stem, const Buf *header, const Buf *code)
 {
-    add(b, plus(b, stem, ".h"), header);
     add(b, plus(b, stem, ".c"), code);
+    add(b, plus(b, stem, ".h"), header);
 }
 
 static EmitCOptions options(AppBuild *b, const char *stem, const char *ending)
@@ -119,13 +119,13 @@ static void add_app(AppBuild *b)
 static void add_all(AppBuild *b)
 {
     b->out = ARENA_ARRAY(&b->c->session.arena, OsOutput, 2 * b->app->machine.n + 7);
+    add_app(b);
     add_vector(b);
     for (size_t i = 0; i < b->app->machine.n; i++)
         if (!b->app->machine.at[i]->bytecode)
             add_machine(b, b->app->machine.at[i]->program);
     if (b->app->pins)
         add_pins(b);
-    add_app(b);
 }
 
 // What -MD names: the application, and every file that it names and that is there.

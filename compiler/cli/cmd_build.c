@@ -156,8 +156,8 @@ static void emit_c(Cli *c, const char *input, const IrMachine *m, const StateVec
         session_emit_c(&c->session, m, &e, header_text, code_text);
     else
         session_emit_c_state_vector(&c->session, sv, &e, header_text, code_text);
-    add_output(o, header, header_text);
     add_output(o, code, code_text);
+    add_output(o, header, header_text);
     if (e.soft && !e.runtime)
         add_soft_library(c, code, o);
 }
@@ -178,8 +178,8 @@ static int build_pins(Cli *c, const Source *sv, Outputs *o)
         c_paths(c, c->file[i], "_io.c", &code, &header);
         e = c_options(c, c->file[i], header);
         session_emit_c_io(&c->session, io, &e, header_text, code_text);
-        add_output(o, header, header_text);
         add_output(o, code, code_text);
+        add_output(o, header, header_text);
     }
     return EXIT_OK;
 }
@@ -269,6 +269,22 @@ static int build_state_vectors(Cli *c, Outputs *o)
 
 // ---- the command ----
 
+// Whether the two files of C can be called after what stands behind -o.
+static bool takes_c(Cli *c, const char *path)
+{
+    const size_t n = strlen(path);
+
+    if (strcmp(path, "-") == 0)
+        cli_usage(c, "C is two files, a .c and a .h: standard output cannot take both");
+    else if (os_is_special(path))
+        cli_usage(c, "C is two files, a .c and a .h: '%s' cannot take both", path);
+    else if (os_is_folder(path))
+        cli_usage(c, "'%s' is a folder: name the .c in it, as in -o %s%s%s.c", path, path, path[n - 1] == '/' ? "" : "/", path_stem(c, c->file[0]));
+    else
+        return true;
+    return false;
+}
+
 // Whether the inputs, the kind of output and -o go together.
 static int check_use(Cli *c, Emit emit, FileKind *first)
 {
@@ -296,8 +312,8 @@ static int check_use(Cli *c, Emit emit, FileKind *first)
         return cli_usage(c, "a state script is not built; 'smc test MACHINE.sm %s' runs it", c->file[0]);
     if (*first == FILE_SV && (is_image(emit) || emit == EMIT_IR))
         return cli_usage(c, "a state vector alone gives no %s; build its machines, or say --emit=c", emit == EMIT_IR ? "IR" : "bytecode");
-    if (emit == EMIT_C && c->given[OPT_OUTPUT] && strcmp(c->value[OPT_OUTPUT], "-") == 0)
-        return cli_usage(c, "C is two files, a .c and a .h: standard output cannot take both");
+    if (emit == EMIT_C && c->given[OPT_OUTPUT] && !takes_c(c, c->value[OPT_OUTPUT]))
+        return EXIT_USAGE;
     if (emit == EMIT_C && c->files > 1 && (c->given[OPT_OUTPUT] || c->given[OPT_PREFIX]))
         return cli_usage(c, "with several inputs %s would name several outputs", c->given[OPT_OUTPUT] ? "-o" : "--prefix");
     if (c->given[OPT_RUNTIME] && emit != EMIT_C)

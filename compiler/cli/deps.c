@@ -31,7 +31,7 @@ static const char *deps_path(Cli *c, const char *output)
 static void put_targets(Cli *c, const OsOutput *products, size_t n, Buf *out)
 {
     if (c->given[OPT_DEPS_NAME])
-        put_make_name(out, c->value[OPT_DEPS_NAME]);
+        buf_str(out, c->value[OPT_DEPS_NAME]);             // as it is, as compilers do: it may be several names
     else
         for (size_t i = 0; i < n; i++) {
             buf_str(out, i ? " " : "");
@@ -58,6 +58,6 @@ void deps_add(Cli *c, OsOutput *o, size_t *n, Inputs in)
             put_make_name(out, in.at[i]);
             buf_str(out, ":\n");
         }
-    o[*n] = (OsOutput){deps_path(c, o[*n - 1].path), buf_text(out), out->n};
+    o[*n] = (OsOutput){deps_path(c, o[0].path), buf_text(out), out->n};
     ++*n;
 }

@@ -8,7 +8,8 @@
 typedef struct Inputs { const char **at; size_t n; } Inputs;      // "-" among them is no file
 
 bool deps_wanted(const Cli *c);
-// Adds the rule behind the *n outputs, of which there are some; there is room for one more.
+// Adds the rule behind the *n outputs, of which there are some; there is room for one more.  The rule names them in their order, and
+// is named after the first, if nothing else is said: ninja wants the first output of a command first in its rule.
 void deps_add(Cli *c, OsOutput *out, size_t *n, Inputs in);
 
 #endif

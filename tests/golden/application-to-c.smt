@@ -205,4 +205,4 @@ int main(void)
     return sm_app_main(&rocket_app);
 }
 #endif
-rocket.h rocket.c mission.h mission.c rocket_app.h rocket_app.c: rocket.app rocket.sv mission.sm
+rocket_app.c rocket_app.h rocket.c rocket.h mission.c mission.h: rocket.app rocket.sv mission.sm

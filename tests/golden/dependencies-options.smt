@@ -1,4 +1,4 @@
-# -MF, -MT and -MP.
+# -MF, -MT (which may name several targets) and -MP.
 args build -MD -MF deps.mk -MT "all the rest" -MP --sv=v.sv a.sm && cat deps.mk && ls
 
 -- v.sv --
@@ -18,7 +18,7 @@ bool open
 .step
     open = true
 -- stdout --
-all\ the\ rest: a.sm v.sv
+all the rest: a.sm v.sv
 
 a.sm:
 

@@ -64,4 +64,4 @@ static uint16_t output_missed[2];
 static uint64_t output_value[2];
 
 SmIo rocket_outputs = {output, 2, &rocket_vector, output_handle, output_missed, output_value, 0};
-rocket_io.h rocket_io.c: rocket.io rocket.sv
+rocket_io.c rocket_io.h: rocket.io rocket.sv
