@@ -57,6 +57,10 @@ static void collect_argument(TestRun *t, const char *path)
 
 // ---- what comes out ----
 
+static bool is_standard_output(const Cli *c, OptionId id) { return c->given[id] && strcmp(c->value[id], "-") == 0; }
+
+bool test_is_read(const Cli *c) { return c->given[OPT_TAP] || is_standard_output(c, OPT_JUNIT); }
+
 static void say_absent(TestRun *t)
 {
     for (unsigned i = 0; i < ENGINE_KINDS; i++)
@@ -91,7 +95,7 @@ static int write_results(TestRun *t, bool summary)
     buf_init(&out, t->arena);
     if (t->c->given[OPT_TAP])
         test_write_tap(t, &out);
-    else if (summary)
+    else if (summary && !test_is_read(t->c))
         put_summary(t, &out);
     if (!cli_print(t->c, 1, &out))
         return EXIT_ENVIRONMENT;
@@ -143,6 +147,8 @@ static int check_use(Cli *c, const Files *f)
         return cli_usage(c, "no script is named to test '%s' with, as in 'smc test %s SCRIPT.ss'", f->machine, f->machine);
     if (f->scripts && !f->machines)
         return cli_usage(c, "no machine is named to run the script on, as in 'smc test MACHINE.sm SCRIPT.ss'");
+    if (is_standard_output(c, OPT_JUNIT) && (c->given[OPT_TAP] || is_standard_output(c, OPT_TRACE)))
+        return cli_usage(c, "standard output cannot take %s and --junit too: name a file for one", c->given[OPT_TAP] ? "--tap" : "--trace");
     if (c->given[OPT_TRACE] && f->scripts != 1)
         return cli_usage(c, "--trace wants one machine and one script");
     for (size_t i = 0; i < c->files; i++) {

@@ -48,6 +48,8 @@ typedef struct TestRun {      // one call of smc test
     VEC(TestResult) result;
 } TestRun;
 
+// Whether standard output is another program's to read: people's reports stay away from it.
+bool test_is_read(const Cli *c);                                    // cmd_test.c
 void test_add_result(TestRun *t, const char *name, TestStatus status, const char *message, int code);     // cmd_test.c
 
 // Runs every script of the call on the machine `path` and adds a result for each.  EXIT_OK, or what keeps the call from going on.

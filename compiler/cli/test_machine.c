@@ -161,7 +161,7 @@ static int print_report(MachineTest *m, const char *path)
     if (!is_lone_script(c))
         buf_printf(&out, "%s:\n", path);
     buf_put(&out, buf_text(&m->report), m->report.n);
-    if (c->given[OPT_TAP] || m->report.n == 0 || (!is_lone_script(c) && last->status == TEST_PASSED))
+    if (test_is_read(c) || m->report.n == 0 || (!is_lone_script(c) && last->status == TEST_PASSED))
         return EXIT_OK;
     return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }

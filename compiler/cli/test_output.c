@@ -59,9 +59,21 @@ static size_t first_line(const char *text)
     return lf ? (size_t)(lf - text) : strlen(text);
 }
 
+// The line that says why: of diagnostics the first error, whatever warnings stand above it.
+static const char *line_of_failure(const char *text)
+{
+    const char *error = strstr(text, ": error: ");
+
+    if (!error)
+        return text;
+    while (error > text && error[-1] != '\n')
+        error--;
+    return error;
+}
+
 static void put_testcase(Buf *out, const TestResult *r)
 {
-    const char *element = r->status == TEST_SKIPPED ? "skipped" : "failure";
+    const char *element = r->status == TEST_SKIPPED ? "skipped" : "failure", *why = line_of_failure(r->message);
 
     buf_str(out, "  <testcase");
     put_attribute(out, "name", r->name, strlen(r->name));
@@ -71,7 +83,7 @@ static void put_testcase(Buf *out, const TestResult *r)
         return;
     }
     buf_printf(out, ">\n    <%s", element);
-    put_attribute(out, "message", r->message, first_line(r->message));
+    put_attribute(out, "message", why, first_line(why));
     buf_char(out, '>');
     put_xml(out, r->message, strlen(r->message));
     buf_printf(out, "</%s>\n  </testcase>\n", element);

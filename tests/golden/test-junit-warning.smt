@@ -1,0 +1,45 @@
+# A failure is called by its error, not by a warning that stands above it; on standard output the XML stands alone.
+args test --junit=- a.sm bad.ss good.ss 2>/dev/null
+args test --junit=- a.sm good.ss
+args test --junit=- --tap a.sm good.ss
+args test --junit=- --trace=- a.sm good.ss
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x
+bool open
+[Idle]
+.step
+    open = true
+-- bad.ss --
+[options]
+delta_t 10
+[all_states]
+true: @assert not open == (x < 1)
+G == 30: @stop
+-- good.ss --
+[options]
+delta_t 10
+[all_states]
+G == 30: @stop
+-- stdout --
+<?xml version="1.0" encoding="UTF-8"?>
+<testsuite name="smc test" tests="2" failures="1" errors="0" skipped="0">
+  <testcase name="bad.ss" classname="smc">
+    <failure message="bad.ss:4:15: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]">bad.ss:4:15: warning: 'not' reaches only to the next value [W0401 not-precedence]&#10;    4 | true: @assert not open == (x &#60; 1)&#10;      |               ^~~~~~~~&#10;note: as it stands: (not open) == (x &#60; 1)&#10;note: perhaps meant: not (open == (x &#60; 1))&#10;bad.ss:4:15: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]&#10;    4 | true: @assert not open == (x &#60; 1)&#10;      |               ^~~~~~~~~~~~~~~~~~~ open = true, not open = 0, x = 0, x &#60; 1 = 1&#10;1 error, 1 warning&#10;</failure>
+  </testcase>
+  <testcase name="good.ss" classname="smc"/>
+</testsuite>
+<?xml version="1.0" encoding="UTF-8"?>
+<testsuite name="smc test" tests="1" failures="0" errors="0" skipped="0">
+  <testcase name="good.ss" classname="smc"/>
+</testsuite>
+-- stderr --
+smc: standard output cannot take --tap and --junit too: name a file for one
+Try 'smc test --help'.
+smc: standard output cannot take --trace and --junit too: name a file for one
+Try 'smc test --help'.
+-- exit --
+1 0 2 2
