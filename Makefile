@@ -739,24 +739,20 @@ $(B)/libsmvm.a: $(VM:%.c=$(B)/obj/%.o) $(STDLIB:%.c=$(B)/obj/%.o)
 	@rm -f $@
 	$(call say,AR)$(AR) rcs $@ $^
 
-$(B)/%.pc: %.pc.in compiler/version.h
-	@mkdir -p $(@D)
-	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' $< >$@
-
-install: all $(B)/libsmvm.a $(B)/bytecode-vm/smvm.pc
-	mkdir -p $(DEST)/bin $(DEST)/lib/pkgconfig $(DEST)/share/smc $(DEST)/include/smc/stdlib $(DEST)/include/smc/bytecode-vm
-	cp $(B)/smc $(DEST)/bin/smc
-	cp $(B)/libsmvm.a $(DEST)/lib/libsmvm.a
-	cp $(B)/bytecode-vm/smvm.pc $(DEST)/lib/pkgconfig/smvm.pc
-	cp compiler/smc.mk $(DEST)/share/smc/smc.mk
-	for f in $(INSTALLED_HEADERS); do cp $$f $(DEST)/include/smc/$$f || exit 1; done
-	for f in $(INSTALLED_RUNTIME); do mkdir -p $(DEST)/share/smc/$$(dirname $$f) && cp $$f $(DEST)/share/smc/$$f || exit 1; done
+install: all $(B)/libsmvm.a
+	mkdir -p "$(DEST)/bin" "$(DEST)/lib/pkgconfig" "$(DEST)/share/smc" "$(DEST)/include/smc/stdlib" "$(DEST)/include/smc/bytecode-vm"
+	cp $(B)/smc "$(DEST)/bin/smc"
+	cp $(B)/libsmvm.a "$(DEST)/lib/libsmvm.a"
+	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' bytecode-vm/smvm.pc.in >"$(DEST)/lib/pkgconfig/smvm.pc"
+	cp compiler/smc.mk "$(DEST)/share/smc/smc.mk"
+	@for f in $(INSTALLED_HEADERS); do cp $$f "$(DEST)/include/smc/$$f" || exit 1; done
+	@for f in $(INSTALLED_RUNTIME); do mkdir -p "$(DEST)/share/smc/$$(dirname $$f)" && cp $$f "$(DEST)/share/smc/$$f" || exit 1; done
 
 CHECK_LINES += "install: sh tests/install/run.sh $(MAKE) $(B) '$(CC)'"
 
 uninstall:
-	rm -f $(DEST)/bin/smc $(DEST)/lib/libsmvm.a $(DEST)/lib/pkgconfig/smvm.pc
-	rm -rf $(DEST)/share/smc $(DEST)/include/smc
+	rm -f "$(DEST)/bin/smc" "$(DEST)/lib/libsmvm.a" "$(DEST)/lib/pkgconfig/smvm.pc"
+	rm -rf "$(DEST)/share/smc" "$(DEST)/include/smc"
 
 help:
 	@echo 'make                 builds $(B)/smc'

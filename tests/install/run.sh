@@ -32,6 +32,20 @@ check "and built again" "$make" -s CC="$cc"
 printf 'nonsense\n' >broken.sm
 check "a broken source stops make" sh -c "! $make -s SMC='$inst/bin/smc' broken.smb"
 check "and leaves no output" test ! -e broken.smb
+cat >flags.mk <<EOF
+SMC      = $inst/bin/smc
+SMCFLAGS = --sv=tank.sv
+include $inst/share/smc/smc.mk
+EOF
+printf '[Tank]\nU64 G\nU32 S\nbool open\n' >tank.sv
+printf '[state_vector]\nU64 G\nU32 S\nbool open\n[Idle]\n.step\n    open = true\n' >valve.sm
+sees_flags()
+{
+    "$make" -s -f flags.mk valve.c valve.smb && "$make" -q -f flags.mk valve.c valve.smb && sleep 1 && touch tank.sv &&
+        ! "$make" -q -f flags.mk valve.c && ! "$make" -q -f flags.mk valve.h && ! "$make" -q -f flags.mk valve.smb
+}
+check "a state vector that only the options name is noticed, by the C as well" sees_flags
+rm -f flags.mk tank.sv valve.*
 check "smc-clean removes what was made, and nothing else" sh -c "$make -s smc-clean && test ! -e tank.c -a ! -e tank.h -a ! -e tank.smb -a -e tank.sm -a -e broken.sm"
 printf 'include %s/share/smc/smc.mk\nmine:\n\t@echo mine\n' "$inst" >own.mk
 check "nothing of it is what plain make makes" sh -c "$make -s -f own.mk | grep -qx mine"
@@ -42,9 +56,9 @@ cp "$root"/tests/app/probe.* "$root"/tests/app/*.sm "$root/tests/app/tasks.c" "$
 cd "$dir/app" || exit 1
 cat >Makefile <<EOF
 SMC          = $inst/bin/smc
-SMC_APP      = probe
-SMC_SOURCES  = tasks.c
-SMC_PLATFORM = sim
+SMC_APP      = probe            # blanks before a comment belong to a value,
+SMC_SOURCES  = tasks.c          # and do no harm
+SMC_PLATFORM = sim              #
 include $inst/share/smc/smc.mk
 EOF
 check "an application builds with smc.mk" "$make" -s CC="$cc" CFLAGS=-O1
@@ -78,6 +92,21 @@ other_flags()
 }
 check "each platform has its program" programs
 check "other flags make it anew, once" other_flags
+in_cxx()
+{
+    cp tasks.c own.cpp && "$make" -s CC="$cc" CFLAGS=-O1 SMC_SOURCES=own.cpp && "$make" -q CC="$cc" CFLAGS=-O1 SMC_SOURCES=own.cpp &&
+        ./probe | cmp - expected.txt && rm own.cpp
+}
+if command -v "${CXX:-g++}" >/dev/null; then
+    check "tasks may be C++" in_cxx
+else
+    echo "install: no C++ compiler here; apt-get install g++"
+    skipped=$((skipped + 1))
+fi
+refused() { ! "$make" -s CC="$cc" "$1" >log 2>&1 && grep -qF "$2" log && rm log; }
+check "a platform that is none is told" refused SMC_PLATFORM=bord 'SMC_PLATFORM = bord: there is none of that name; there are avr desk linux none sim'
+check "an application in a folder too" refused SMC_APP=sub/probe 'Run make where probe.app is'
+check "and a source of another kind" refused SMC_SOURCES='tasks.c own.rs' 'own.rs ends in none of .c, .cc and .cpp'
 echo nonsense >>probe.app
 printf 'clean: smc-clean\n\trm -f probe.log\n' >>Makefile
 check "smc-clean, behind a clean of one's own, removes what was made" sh -c "$make -s clean && test ! -e made -a ! -e probe -a -e tasks.c -a -e probe.app -a -e real"
@@ -107,6 +136,16 @@ else
 fi
 
 cd "$root" || exit 1
+there="$dir/another place"
+check "make install to a second place, with a blank in its name" "$make" -s B="$build" CC="$cc" PREFIX="$there" install
+check "the command runs there" "$there/bin/smc" --version
+if command -v pkg-config >/dev/null; then
+    names_place() { eval "set -- $(PKG_CONFIG_PATH="$there/lib/pkgconfig" pkg-config --cflags smvm)" && test "$1" = "-I$there/include/smc" -a -d "$there/include/smc"; }
+    check "pkg-config names the second place" names_place
+else
+    skipped=$((skipped + 1))
+fi
+check "and is gone from there" sh -c "'$make' -s B='$build' PREFIX='$there' uninstall && test -z \"\$(find '$there' -type f)\""
 check "make uninstall" "$make" -s B="$build" DESTDIR="$dir/inst" PREFIX=/usr uninstall
 check "nothing is left" sh -c "test -z \"\$(find '$dir/inst' -type f)\""
 
