@@ -90,6 +90,15 @@ void *arena_alloc_more(Arena *a, size_t size)
     return p;
 }
 
+void *arena_room(Arena *a, size_t size)
+{
+    char *p = take(a, size);
+
+    if (a->next > a->clean)
+        a->clean = a->next;
+    return p;
+}
+
 // What is copied need not be zeroed before; what lies behind it must be, for it may grow there.
 static void *copy(Arena *a, const void *from, size_t size, size_t room)
 {

@@ -38,6 +38,7 @@ static inline void *arena_alloc(Arena *a, size_t size)
     return a->next - room;
 }
 void *arena_array(Arena *a, size_t count, size_t size);          // checks count * size
+void *arena_room(Arena *a, size_t size);                         // what is in it is not known, nor what it grows by
 void *arena_copy(Arena *a, const void *from, size_t size);
 void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size);   // copies; in place when it was the last
 

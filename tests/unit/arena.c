@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arena: what is handed out is zeroed, what is copied is whole, and what lies behind a copy is zeroed where it grows.
+// The arena: what is handed out is zeroed, what is copied is whole, and what lies behind a copy is zeroed where it grows;
+// memory that is not zeroed stays as it is, and what comes behind it is zeroed.
 #include "compiler/base/arena.h"
 
 #include <stdint.h>
@@ -43,6 +44,17 @@ static void test_copies(Arena *a)
     }
 }
 
+// Memory that is not zeroed, and what comes behind it.
+static void test_room(Arena *a)
+{
+    for (size_t n = 0; n < 5000; n = n * 2 + 1) {
+        char *p = arena_room(a, n);
+        memset(p, 'x', n);
+        CHECK(is_zero(arena_alloc(a, 40), 40) && is_zero(arena_alloc(a, 3000), 3000));
+        CHECK(n == 0 || (p[0] == 'x' && p[n - 1] == 'x'));
+    }
+}
+
 // Lists that share one piece of memory: each has room up to where the next begins, and grows elsewhere.
 static void test_lists_in_one_piece(Arena *a)
 {
@@ -66,6 +78,7 @@ int main(void)
     if (setjmp(oom) != 0)
         return 3;
     test_copies(&a);
+    test_room(&a);
     test_lists_in_one_piece(&a);
     arena_free(&a);
     return test_end("arena");

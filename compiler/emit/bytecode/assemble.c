@@ -6,25 +6,35 @@
 
 // ---- numbers ----
 
-void bc_varint(Buf *out, uint32_t v)
+enum { VARINT_MOST = 4 };
+
+// Puts v so that it ends before `end`; gives where it begins.
+static uint8_t *varint_before(uint8_t *end, uint32_t v)
 {
     if (v < SMVM_VARINT_1) {
-        buf_char(out, (char)v);
-        return;
+        *--end = (uint8_t)v;
+        return end;
     }
     if (v < SMVM_VARINT_MID) {
         v -= SMVM_VARINT_1;
-        buf_char(out, (char)(SMVM_VARINT_1 + (v >> 7)));
-    } else {
-        v -= SMVM_VARINT_MID;
-        buf_char(out, (char)(SMVM_VARINT_2 + (v >> 21)));
-        buf_char(out, (char)(v >> 14 & 0x7f));
-        buf_char(out, (char)(v >> 7 & 0x7f));
+        *--end = (uint8_t)(v & 0x7f);
+        *--end = (uint8_t)(SMVM_VARINT_1 + (v >> 7));
+        return end;
     }
-    buf_char(out, (char)(v & 0x7f));
+    v -= SMVM_VARINT_MID;
+    *--end = (uint8_t)(v & 0x7f);
+    *--end = (uint8_t)(v >> 7 & 0x7f);
+    *--end = (uint8_t)(v >> 14 & 0x7f);
+    *--end = (uint8_t)(SMVM_VARINT_2 + (v >> 21));
+    return end;
 }
 
-static uint32_t varint_size(uint32_t v) { return v < SMVM_VARINT_1 ? 1 : v < SMVM_VARINT_MID ? 2 : 4; }
+void bc_varint(Buf *out, uint32_t v)
+{
+    uint8_t bytes[VARINT_MOST], *const end = bytes + sizeof bytes, *const from = varint_before(end, v);
+
+    buf_put(out, from, (size_t)(end - from));
+}
 
 void bc_u24(Buf *out, uint32_t v)
 {
@@ -86,117 +96,95 @@ const char *bc_layout(Arena *arena, BcMachine *m)
 
 // ---- instructions ----
 
-// An instruction as it stands in the image, but for a jump's distance.
-typedef struct Code {
-    uint8_t op, n;            // how many numbers follow
-    uint32_t number[2];
-    bool jumps;
-} Code;
+// From a function's end to its start: jumps only go forward, so where they lead is known and each distance gets the
+// shortest form at once.  Each of these puts an instruction so that it ends before `end`, and gives where it begins.
+// `op` is the first of those that load X, load Y or store.
 
-static Code code_of_const(const BcOperand *o)
+static uint8_t *put_number(uint8_t *end, uint32_t op, uint32_t n)
 {
+    end = varint_before(end, n);
+    *--end = (uint8_t)op;
+    return end;
+}
+
+static uint8_t *put_const(uint8_t *end, uint32_t op, const BcOperand *o)
+{
+    const SmF64 x = sm_from_bits(o->bits);
     int32_t n;
 
-    if (bc_whole(sm_from_bits(o->bits), &n))
-        return n < 0 ? (Code){SMVM_ldx_minus, 1, {(uint32_t)(-1 - n), 0}, false} : (Code){SMVM_ldx_plus, 1, {(uint32_t)n, 0}, false};
-    return (Code){bc_is_f32(sm_from_bits(o->bits)) ? SMVM_ldx_f32 : SMVM_ldx_f64, 1, {o->index, 0}, false};
+    op -= SMVM_ldx_local;
+    if (bc_whole(x, &n))
+        return n < 0 ? put_number(end, op + SMVM_ldx_minus, (uint32_t)(-1 - n)) : put_number(end, op + SMVM_ldx_plus, (uint32_t)n);
+    return put_number(end, op + (bc_is_f32(x) ? SMVM_ldx_f32 : SMVM_ldx_f64), o->index);
 }
 
-static Code code_of_var(const BcMachine *m, const BcOperand *o)
+static uint8_t *put_var(uint8_t *end, const BcMachine *m, uint32_t op, const BcOperand *o)
 {
     switch (m->ir->var.at[o->var].space) {
-    case IR_ELEMENT: return (Code){(uint8_t)(SMVM_ldx_elem + o->type), 1, {offset_of(m, o->var), 0}, false};
-    case IR_LOCAL: return (Code){(uint8_t)(SMVM_ldx_local + o->type), 1, {offset_of(m, o->var), 0}, false};
+    case IR_ELEMENT: return put_number(end, op - SMVM_ldx_local + SMVM_ldx_elem + o->type, offset_of(m, o->var));
+    case IR_LOCAL: return put_number(end, op + o->type, offset_of(m, o->var));
     case IR_TIME: break;
     }
-    return (Code){SMVM_ldx_time, 0, {0, 0}, false};
+    *--end = (uint8_t)(op - SMVM_ldx_local + SMVM_ldx_time);
+    return end;
 }
 
-static Code code_of_load(const BcMachine *m, const BcOperand *o)           // to X
+static uint8_t *put_access(uint8_t *end, const BcMachine *m, uint32_t op, const BcOperand *o)
 {
     switch (o->kind) {
-    case BC_VAR: return code_of_var(m, o);
-    case BC_SLOT: return (Code){(uint8_t)(SMVM_ldx_local + o->type), 1, {m->slot_at[o->type] / bytes_of(o->type) + o->index, 0}, false};
-    case BC_STAT: return (Code){SMVM_stat, 2, {o->index, m->window_number[o->var]}, false};
+    case BC_VAR: return put_var(end, m, op, o);
+    case BC_SLOT: return put_number(end, op + o->type, m->slot_at[o->type] / bytes_of(o->type) + o->index);
+    case BC_STAT: return put_number(varint_before(end, m->window_number[o->var]), op - SMVM_ldx_local + SMVM_stat, o->index);
     case BC_CONST: break;
     }
-    return code_of_const(o);
+    return put_const(end, op, o);
 }
 
-static Code code_of_store(const BcMachine *m, const BcOperand *o)
+static uint8_t *put_store(uint8_t *end, const BcMachine *m, const BcOperand *o)
 {
-    Code c = code_of_load(m, o);
-
-    if (o->output)
-        return (Code){SMVM_out, 1, {o->output - 1, 0}, false};
-    c.op = (uint8_t)(c.op - SMVM_ldx_local + SMVM_st_local);
-    return c;
+    return o->output ? put_number(end, SMVM_out, o->output - 1) : put_access(end, m, SMVM_st_local, o);
 }
 
-static Code code_of_other(const BcIns *i)
-{
-    const uint32_t shape = smvm_shape(i->op);
+// How far from the function's end an instruction begins.
+static uint32_t to_end(const BcFn *f, size_t i) { return i < f->ins.n ? f->ins.at[i].at : 0; }
 
-    return (Code){i->op, (shape & SMVM_SHAPE_FOLLOWS & ~(uint32_t)SMVM_SHAPE_J) != 0, {i->n, 0}, (shape & SMVM_SHAPE_J) != 0};
+static uint8_t *put_other(uint8_t *end, const BcFn *f, size_t i)
+{
+    const BcIns *ins = &f->ins.at[i];
+    const uint32_t shape = smvm_shape(ins->op);
+
+    if (shape & SMVM_SHAPE_J)
+        end = varint_before(end, to_end(f, i + 1) - to_end(f, f->label.at[ins->to].at));
+    if (shape & SMVM_SHAPE_FOLLOWS & ~(uint32_t)SMVM_SHAPE_J)
+        end = varint_before(end, ins->n);
+    *--end = ins->op;
+    return end;
 }
 
-static Code code_of(const BcMachine *m, const BcIns *i)
+static uint8_t *put(uint8_t *end, const BcMachine *m, const BcFn *f, size_t i)
 {
-    Code c;
+    const BcIns *ins = &f->ins.at[i];
 
-    switch (i->op) {
-    case SMVM_ldx_local: return code_of_load(m, &m->operand.at[i->what]);
-    case SMVM_ldy_local:
-        c = code_of_load(m, &m->operand.at[i->what]);
-        c.op = (uint8_t)(c.op - SMVM_ldx_local + SMVM_ldy_local);
-        return c;
-    case SMVM_st_local: return code_of_store(m, &m->operand.at[i->what]);
-    default: return code_of_other(i);
+    switch (ins->op) {
+    case SMVM_ldx_local: case SMVM_ldy_local: return put_access(end, m, ins->op, &m->operand.at[ins->what]);
+    case SMVM_st_local: return put_store(end, m, &m->operand.at[ins->what]);
+    default: return put_other(end, f, i);
     }
 }
 
-static uint32_t size_of(const Code *c)
-{
-    uint32_t size = 1;
-
-    for (uint8_t k = 0; k < c->n; k++)
-        size += varint_size(c->number[k]);
-    return size;
-}
-
-static void put_code(const Code *c, Buf *out)
-{
-    buf_char(out, (char)c->op);
-    for (uint8_t k = 0; k < c->n; k++)
-        bc_varint(out, c->number[k]);
-}
-
-// Jumps only go forward, so sizes are known from the end backwards and each distance gets the shortest form at once.
 void bc_assemble(Arena *arena, const BcMachine *m, BcFn *f, Buf *out, bool *ok)
 {
-    const size_t n = f->ins.n;
-    uint32_t *to_end = ARENA_ARRAY(arena, uint32_t, n + 1);      // from the start of an instruction
-    uint32_t *distance = ARENA_ARRAY(arena, uint32_t, n);
-    Code *code = ARENA_ARRAY(arena, Code, n);
+    enum { MOST = 1 + 3 * VARINT_MOST };                         // bytes of an instruction
+    const size_t room = f->ins.n * MOST;
+    uint8_t *const end = (uint8_t *)arena_room(arena, room) + room, *from = end;
 
-    for (size_t i = n; i-- > 0;) {
-        const BcIns *ins = &f->ins.at[i];
-        code[i] = code_of(m, ins);
-        to_end[i] = to_end[i + 1] + size_of(&code[i]);
-        if (code[i].jumps) {
-            distance[i] = to_end[i + 1] - to_end[f->label.at[ins->to].at];
-            to_end[i] += varint_size(distance[i]);
-        }
-        if (to_end[i] > SMVM_IMAGE_MAX) {
-            *ok = false;
-            return;
-        }
+    for (size_t i = f->ins.n; i-- > 0 && *ok;) {
+        from = put(from, m, f, i);
+        f->ins.at[i].at = (uint32_t)(end - from);
+        *ok = f->ins.at[i].at <= SMVM_IMAGE_MAX;
     }
-    for (size_t i = 0; i < n; i++) {
-        f->ins.at[i].at = to_end[0] - to_end[i];
-        put_code(&code[i], out);
-        if (code[i].jumps)
-            bc_varint(out, distance[i]);
-    }
-    f->size = to_end[0];
+    f->size = (uint32_t)(end - from);
+    for (size_t i = 0; i < f->ins.n; i++)
+        f->ins.at[i].at = f->size - f->ins.at[i].at;
+    buf_put(out, from, f->size);
 }

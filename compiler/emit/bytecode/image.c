@@ -268,9 +268,11 @@ static uint32_t crc_of(const Buf *image)
 {
     uint32_t crc = SM_CRC32_START;
 
-    for (size_t i = 0; i < image->n; i++)
-        if (i < SMVM_CRC_AT || i >= SMVM_CRC_AT + 4)
-            crc = sm_crc32_byte(crc, (uint8_t)image->at[i]);
+    for (size_t i = 0; i < image->n; i++) {
+        if (i == SMVM_CRC_AT)
+            i += 4;
+        crc = sm_crc32_byte(crc, (uint8_t)image->at[i]);
+    }
     return sm_crc32_end(crc);
 }
 

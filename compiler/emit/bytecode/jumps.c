@@ -103,6 +103,7 @@ static bool is_end(const IrBlk *b) { return b->jump.kind == IR_RET || b->jump.ki
 static bool only_ends(const IrBlk *b) { return b->ins.n == 0 && is_end(b); }
 
 static uint32_t line_of(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
+static bool on_one_line(Span a, Span b) { return (a.src == b.src && a.at == b.at) || line_of(a) == line_of(b); }
 
 static Exit *exit_of(Select *s, const IrJump *j)
 {
@@ -140,7 +141,7 @@ static uint32_t label_of(Select *s, IrBlkRef to)
         e->label = bc_label_new(s);
         e->span = j->span;
     }
-    e->of_many = e->of_many || line_of(j->span) != line_of(e->span);
+    e->of_many = e->of_many || !on_one_line(j->span, e->span);
     return e->label;
 }
 
@@ -161,7 +162,7 @@ static void place_exit(Select *s, uint32_t state)
     }
     l->at = e->at - 1;
     i = &s->out->ins.at[l->at];
-    i->of_many = state != 0 && (e->of_many || line_of(i->span) != line_of(e->span));
+    i->of_many = state != 0 && (e->of_many || !on_one_line(i->span, e->span));
 }
 
 // ---- a block's jump ----
@@ -307,7 +308,7 @@ void bc_select_function(Select *s, const IrFn *f, BcFn *out)
     if (f->ins.n)
         memset(s->value, 0, f->ins.n * sizeof *s->value);
     out->ins.cap = f->ins.n;                                     // mostly enough
-    out->ins.at = ARENA_ARRAY(s->arena, BcIns, out->ins.cap);
+    out->ins.at = arena_room(s->arena, out->ins.cap * sizeof *out->ins.at);
     order = order_blocks(s, plan_blocks(s), &n);
     bc_forget(s);
     for (uint32_t i = 0; i < n; i++)

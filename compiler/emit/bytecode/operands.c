@@ -110,6 +110,11 @@ BcRef bc_const_operand(Select *s, SmF64 x)
     return s->m->const_slot[place];
 }
 
+BcRef bc_operand_of(Select *s, const IrIns *i)
+{
+    return i->op == IR_const ? bc_const_operand(s, bc_const_value(i)) : bc_var_operand(s, i->var);
+}
+
 // ---- slots ----
 
 BcRef bc_slot_take(Select *s, uint32_t pool)

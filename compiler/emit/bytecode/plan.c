@@ -49,16 +49,16 @@ bool bc_is_exact(const Select *s, IrRef r, SmType type)
 // Whether a conversion leaves the number as it is once its operand has been read.
 static bool changes_nothing(const Select *s, const IrIns *cvt) { return bc_is_exact(s, cvt->a, cvt->type); }
 
-IrRef bc_source(const Select *s, IrRef r)
+IrRef bc_converted(const Select *s, IrRef r)
 {
-    while (s->value[r].waits && bc_ins(s, r)->op == IR_cvt && changes_nothing(s, bc_ins(s, r)))
+    while (bc_is_waiting_cvt(s, r) && changes_nothing(s, bc_ins(s, r)))
         r = bc_ins(s, r)->a;
     return r;
 }
 
 IrRef bc_without_truth(const Select *s, IrRef r)
 {
-    while (s->value[r].waits && bc_ins(s, r)->op == IR_cvt && (bc_ins(s, r)->type == SM_BOOL || changes_nothing(s, bc_ins(s, r))))
+    while (bc_is_waiting_cvt(s, r) && (bc_ins(s, r)->type == SM_BOOL || changes_nothing(s, bc_ins(s, r))))
         r = bc_ins(s, r)->a;
     return r;
 }
@@ -115,7 +115,7 @@ static void count_block(Select *s, const IrBlk *b, bool deep_known)
         if (!ir_op_info[i->op].effect && v->uses == 0)
             continue;
         v->left = v->uses;
-        v->slot = BC_NONE;
+        v->slot = i->op == IR_const || i->op == IR_load ? BC_UNASKED : BC_NONE;
         same = i->op == IR_cvt && changes_nothing(s, i);
         v->waits = is_pure_operation(i->op) && (v->uses == 1 || same) && !(deep_known && v->depth > DEEPEST);
         if (v->waits)
@@ -174,10 +174,12 @@ static void find_signs(Select *s, const IrBlk *b)
     for (size_t p = 0; p < b->ins.n; p++) {
         const IrIns *i = bc_ins(s, b->ins.at[p]);
         const uint8_t n = ir_op_info[i->op].operands;
-        const Value *x = n > 0 ? &s->value[i->a] : &none, *y = n > 1 ? &s->value[i->b] : &none;
+        const Value *x, *y;
         Value *v = &s->value[b->ins.at[p]];
         if (bc_is_float(i->type))
             continue;
+        x = n > 0 ? &s->value[i->a] : &none;
+        y = n > 1 ? &s->value[i->b] : &none;
         v->negative = may_be_negative(s, i, x, y);
         v->minus_zero = may_be_minus_zero(s, i, x, y);
     }

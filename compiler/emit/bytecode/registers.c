@@ -7,14 +7,6 @@
 
 static Held nothing(void) { return (Held){IR_NONE, {BC_NONE, BC_NONE, BC_NONE}}; }
 
-bool bc_holds(const Held *h, BcRef o)
-{
-    for (int i = 0; i < HELD; i++)
-        if (h->from[i] == o)
-            return o != BC_NONE;
-    return false;
-}
-
 static void reads_as(Held *h, BcRef o)
 {
     int i = 0;

@@ -12,14 +12,11 @@ enum { MUCH_DEEPER = 3 };     // left sides deeper than right ones by more than 
 // What r is loaded from; BC_NONE: it has to be computed, or only X holds it.
 static BcRef place_of(Select *s, IrRef r)
 {
-    const IrIns *i = bc_ins(s, r);
     Value *v = &s->value[r];
 
-    if (v->placed)
-        return v->slot;
-    if (i->op == IR_const)
-        return v->slot != BC_NONE ? v->slot : (v->slot = bc_const_operand(s, bc_const_value(i)));
-    return i->op == IR_load ? bc_var_operand(s, i->var) : BC_NONE;
+    if (v->slot == BC_UNASKED)
+        v->slot = bc_operand_of(s, bc_ins(s, r));
+    return v->slot;
 }
 
 static bool x_holds(Select *s, IrRef r)
@@ -62,6 +59,7 @@ static void place(Select *s, IrRef r)
     else
         compute(s, r);
     bc_x_is(s, r);
+    s->value[r].slot = BC_NONE;
     s->value[r].placed = true;
     s->value[r].waits = false;
 }

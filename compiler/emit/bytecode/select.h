@@ -6,6 +6,8 @@
 #include "bytecode-vm/image.h"
 #include "compiler/emit/bytecode/bytecode.h"
 
+#define BC_UNASKED (BC_NONE - 1)      // there is an operand, made when it is needed: constants are numbered in that order
+
 // What is known of one instruction of the IR, in its block.
 typedef struct Value {
     uint32_t uses;            // by live instructions and the jump
@@ -19,7 +21,7 @@ typedef struct Value {
     bool negative;            // an integer that may be below zero
     bool inverted;            // of a truth that waits: its contrary is wanted
     bool minus_zero;          // an integer that the VM, which computes it as F64, may find to be -0
-    BcRef slot;               // of a constant its operand; BC_NONE: none yet
+    BcRef slot;               // of a constant or load that is not placed its operand; or BC_UNASKED, BC_NONE
 } Value;
 
 // What a register is known to hold: all of these are the same number.
@@ -68,7 +70,9 @@ static inline bool bc_is_float(uint32_t type) { return type == SM_F32 || type ==
 void bc_plan_block(Select *s, uint32_t block);
 uint32_t bc_depth(const Select *s, IrRef r);          // how many operations wait for each other in r; 0 where nothing does
 SmF64 bc_const_value(const IrIns *i);                 // the F64 that a constant stands for
-IrRef bc_source(const Select *s, IrRef r);            // r, or what it is a mere conversion of
+static inline bool bc_is_waiting_cvt(const Select *s, IrRef r) { return s->value[r].waits && bc_ins(s, r)->op == IR_cvt; }
+IrRef bc_converted(const Select *s, IrRef r);         // what waiting conversion r is a mere conversion of, or r
+static inline IrRef bc_source(const Select *s, IrRef r) { return bc_is_waiting_cvt(s, r) ? bc_converted(s, r) : r; }
 IrRef bc_without_truth(const Select *s, IrRef r);     // r without conversions that do not matter to who asks only whether it is true
 IrRef bc_stored(const Select *s, IrRef r, SmType type);           // r without conversions that storing in that type does
 bool bc_is_within(SmType a, SmType b);                // whether every number of type a is one of type b
@@ -79,6 +83,7 @@ bool bc_is_exact(const Select *s, IrRef r, SmType type);          // whether r's
 BcRef bc_var_operand(Select *s, uint32_t var);
 BcRef bc_stat_operand(Select *s, uint32_t window, SmStat stat);
 BcRef bc_const_operand(Select *s, SmF64 x);
+BcRef bc_operand_of(Select *s, const IrIns *i);       // of a constant or load
 uint32_t bc_type_of(const Select *s, BcRef r);        // of a variable or slot
 
 // Slots hold what an operation gives until it is used: locals of a type, BC_RAW among them.
@@ -87,7 +92,7 @@ void bc_slot_give(Select *s, BcRef r);                // back, if it is one
 
 // ---- registers.c ----
 
-bool bc_holds(const Held *h, BcRef o);
+static inline bool bc_holds(const Held *h, BcRef o) { return o != BC_NONE && (h->from[0] == o || h->from[1] == o || h->from[2] == o); }
 BcIns *bc_put(Select *s, uint8_t op);
 void bc_forget(Select *s);                            // what X and Y hold
 void bc_load_x(Select *s, BcRef o);                   // unless X holds it
