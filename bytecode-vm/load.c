@@ -398,20 +398,24 @@ static const struct Row { uint8_t first, last, shape[3]; } rows[] SM_FLASH = {
 #undef SMVM_OP
 };
 
+enum {
+#define SMVM_OP(name, first, last, shape, meaning) ROW_##name,
+#include "bytecode-vm/opcodes.def"
+#undef SMVM_OP
+};
+
+// Where the rows of sixteen opcodes begin, which ascend: most looked for are the first or second there.
+static const uint8_t row_of[] SM_FLASH = {ROW_ldx_local, ROW_ldx_elem, ROW_ldy_local, ROW_ldy_elem,
+                                          ROW_st_local, ROW_jxy, ROW_jf, ROW_add};
+
 uint32_t smvm_shape(uint8_t opcode)
 {
     struct Row r;
-    uint8_t low = 0, high = sizeof rows / sizeof *rows;           // the rows ascend
+    uint8_t row;
 
-    while (low < high) {
-        const uint8_t mid = (uint8_t)((low + high) / 2);
-        sm_flash_get(&r, &rows[mid], sizeof r);
-        if (opcode < r.first)
-            high = mid;
-        else if (opcode > r.last)
-            low = (uint8_t)(mid + 1);
-        else
-            return SMVM_SHAPE_OP | (uint32_t)r.shape[2] << 16 | (uint32_t)r.shape[1] << 8 | r.shape[0];
-    }
-    return 0;
+    sm_flash_get(&row, &row_of[opcode >> 4 & 7], 1);
+    do
+        sm_flash_get(&r, &rows[row++], sizeof r);
+    while (opcode > r.last);                          // the last row ends with the last opcode
+    return opcode < r.first ? 0 : SMVM_SHAPE_OP | (uint32_t)r.shape[2] << 16 | (uint32_t)r.shape[1] << 8 | r.shape[0];
 }

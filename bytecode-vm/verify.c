@@ -61,9 +61,11 @@ static bool check_crc(Check *c, SmvmBytes image)
 {
     uint32_t crc = SM_CRC32_START;
 
-    for (SmvmAt i = 0; i < c->end; i++)
-        if (i < SMVM_CRC_AT || i >= SMVM_CRC_AT + 4)
-            crc = sm_crc32_byte(crc, smvm_u8(image, i));
+    for (SmvmAt i = 0; i < c->end; i++) {
+        if (i == SMVM_CRC_AT)
+            i = (SmvmAt)(i + 4);
+        crc = sm_crc32_byte(crc, smvm_u8(image, i));
+    }
     return sm_crc32_end(crc) == smvm_uint(image, SMVM_CRC_AT, 4) || fail(c, SMVM_R_CRC, SMVM_CRC_AT);
 }
 
