@@ -176,11 +176,11 @@ static uint32_t dequeue(Liveness *l)
     return state;
 }
 
+// What is live where .step begins is so too where it returns; of that nothing new comes to be live where it begins.
 static void look_at_state(Liveness *l)
 {
     look_at_block(l, BLOCK_EXIT);
-    if (look_at_block(l, BLOCK_STEP))
-        enqueue(l, (uint32_t)l->state);
+    look_at_block(l, BLOCK_STEP);
     if (look_at_block(l, BLOCK_ENTRY))
         for (size_t i = 0; i < l->before[l->state].n; i++)
             enqueue(l, l->before[l->state].at[i]);
