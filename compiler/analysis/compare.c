@@ -36,7 +36,7 @@ static IrOp op_of(SmOperator op)
 static Answer answer_of(SmOperator op, Fact a, Fact b)
 {
     const IrIns i = {.op = op_of(op), .type = SM_BOOL};
-    const Fact f = fact_of_result(&i, a, b, SM_F64);
+    const Fact f = fact_of_result(&i, &a, &b, SM_F64);
 
     return f.lo == 1 ? ALWAYS : f.hi == 0 ? NEVER : SOMETIMES;
 }

@@ -120,8 +120,9 @@ static IrOp op_of(SmOperator op, bool holds, bool mirrored)
 static bool contradicts_zero(const Analysis *a, const Expr *x, IrOp op, const Expr *y, const Expr *d)
 {
     const IrIns i = {.op = op, .type = SM_BOOL};
+    const Fact zero = fact_of_number(sm_from_i32(0)), other = fact_of_types(a, y);
 
-    return is_size_of(a, x, d) && fact_of_result(&i, fact_of_number(sm_from_i32(0)), fact_of_types(a, y), SM_F64).hi == 0;
+    return is_size_of(a, x, d) && fact_of_result(&i, &zero, &other, SM_F64).hi == 0;
 }
 
 static bool pair_excludes(const Analysis *a, const Expr *x, SmOperator op, const Expr *y, bool holds, const Expr *d)

@@ -26,7 +26,7 @@ static double next_up(double x)
 }
 
 // What follows from the rest.
-static Fact settle(Fact a)
+static inline Fact settle(Fact a)
 {
     if (a.whole && !is_finite(a))
         a.whole = false;
@@ -314,14 +314,14 @@ static Fact same(const IrIns *i, Fact a, Fact b)
     return r;
 }
 
-Fact fact_of_result(const IrIns *i, Fact a, Fact b, SmType type_of_a)
+Fact fact_of_result(const IrIns *i, const Fact *a, const Fact *b, SmType type_of_a)
 {
     switch (ir_op_info[i->op].types) {
     case IR_T_CONST: return fact_of_cell(i->type, i->bits);
-    case IR_T_CONVERT: return fact_convert(a, i->type);
-    case IR_T_SAME: return same(i, a, b);
-    case IR_T_COMPARE: return compare(i, a, b, type_of_a);
-    case IR_T_LOGIC: return logic(i, a, b);
+    case IR_T_CONVERT: return fact_convert(*a, i->type);
+    case IR_T_SAME: return same(i, *a, *b);
+    case IR_T_COMPARE: return compare(i, *a, *b, type_of_a);
+    case IR_T_LOGIC: return logic(i, *a, *b);
     case IR_T_LOAD: return fact_of_type(i->type);
     case IR_T_STORE: case IR_T_SAMPLE: case IR_T_STAT: break;
     }

@@ -25,7 +25,7 @@ Fact fact_of_cell(SmType type, uint64_t bits);        // one number
 Fact fact_of_bool(bool may_be_false, bool may_be_true);
 
 // What operation i gives when its operands have these facts (those it has not are ignored).  Not of loads and statistics.
-Fact fact_of_result(const IrIns *i, Fact a, Fact b, SmType type_of_a);
+Fact fact_of_result(const IrIns *i, const Fact *a, const Fact *b, SmType type_of_a);
 // What conversion to `to` makes of a.
 Fact fact_convert(Fact a, SmType to);
 // What a statistic of a window with such samples gives; it is never empty when it is asked.

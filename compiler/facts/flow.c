@@ -34,13 +34,13 @@ static void note_store(Flow *w, const IrIns *i, uint32_t at)
 
 static Fact fact_of(const Flow *w, const IrIns *i)
 {
-    const Fact none = {0};
+    static const Fact none;
 
     if (i->op == IR_load)
         return env_get(&w->fm->shape, w->env, i->var);
     if (i->op == IR_stat)
         return fact_of_stat(i->stat, w->fm->window[i->var]);
-    return fact_of_result(i, i->a == IR_NONE ? none : w->out.of[i->a], i->b == IR_NONE ? none : w->out.of[i->b],
+    return fact_of_result(i, i->a == IR_NONE ? &none : &w->out.of[i->a], i->b == IR_NONE ? &none : &w->out.of[i->b],
                           i->a == IR_NONE ? i->type : ins(w, i->a)->type);
 }
 
