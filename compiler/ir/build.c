@@ -54,7 +54,7 @@ static void build_assign(Builder *b, const Stmt *s)
 
     b->stmt = s->number;
     i.a = build_stored(b, s->value, s->var->type);
-    build_emit(b, i);
+    build_emit(b, &i);
 }
 
 static void build_transition(Builder *b, const Stmt *s)

@@ -23,7 +23,7 @@ IrRef build_truth(Builder *b, const Expr *e);
 // Converted as storing does.
 IrRef build_stored(Builder *b, const Expr *e, SmType type);
 // An instruction at the end of the block being filled.
-IrRef build_emit(Builder *b, IrIns ins);
+IrRef build_emit(Builder *b, const IrIns *ins);
 
 // Finds out which roll calls share a window, and builds the sample function.
 void build_windows(Builder *b);

@@ -7,10 +7,10 @@
 #include "compiler/ir/build.h"
 #include "stdlib/convert.h"
 
-IrRef build_emit(Builder *b, IrIns ins)
+IrRef build_emit(Builder *b, const IrIns *ins)
 {
-    ins.stmt = b->stmt;
-    vec_push(b->arena, &b->f->ins, ins);
+    vec_push(b->arena, &b->f->ins, *ins);
+    b->f->ins.at[b->f->ins.n - 1].stmt = b->stmt;
     return b->f->blk.at[b->b].ins.n++, (IrRef)(b->f->ins.n - 1);
 }
 
@@ -18,14 +18,14 @@ static IrRef emit(Builder *b, IrOp op, SmType type, IrRef x, IrRef y, Span span)
 {
     IrIns i = {.op = op, .type = type, .a = x, .b = y, .span = span};
 
-    return build_emit(b, i);
+    return build_emit(b, &i);
 }
 
 static IrRef emit_const(Builder *b, SmType type, uint64_t bits, Span span)
 {
     IrIns i = {.op = IR_const, .type = type, .a = IR_NONE, .b = IR_NONE, .bits = bits, .span = span};
 
-    return build_emit(b, i);
+    return build_emit(b, &i);
 }
 
 static IrRef convert(Builder *b, IrRef value, SmType to, Span span)
@@ -69,7 +69,7 @@ static IrRef build_var(Builder *b, const Expr *e)
 
     if (i.var == IR_NONE)
         return build_constant(b, v, e->span);
-    value = build_emit(b, i);
+    value = build_emit(b, &i);
     return v->type == SM_BOOL ? value : convert(b, value, SM_F64, e->span);
 }
 
@@ -77,7 +77,7 @@ static IrRef build_roll(Builder *b, const Expr *e)
 {
     IrIns i = {.op = IR_stat, .type = SM_F64, .a = IR_NONE, .b = IR_NONE, .var = b->window[e->window], .stat = e->stat, .span = e->span};
 
-    return build_emit(b, i);
+    return build_emit(b, &i);
 }
 
 // ---- operators ----

@@ -64,7 +64,7 @@ static void build_sample(Builder *b, const Window *w, uint32_t index)
     IrIns i = {.op = IR_sample, .type = SM_F64, .b = IR_NONE, .var = index, .span = w->span};
 
     i.a = build_number(b, w->sample);
-    build_emit(b, i);
+    build_emit(b, &i);
 }
 
 static void build_window(Builder *b, const Window *w, Shared *slot, uint32_t number)

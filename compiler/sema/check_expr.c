@@ -14,7 +14,8 @@ Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
     e->kind = kind;
     e->span = span;
     e->n = args;
-    e->arg = ARENA_ARRAY(s->arena, Expr *, args);
+    if (args)
+        e->arg = ARENA_ARRAY(s->arena, Expr *, args);
     return e;
 }
 

@@ -82,7 +82,9 @@ bool is_identifier(const char *s, size_t n)
 
 uint32_t lexer_skip_word(const Lexer *l, uint32_t p)
 {
-    while (lexer_is_word(lexer_byte(l, p)))
+    const char *text = l->src->text;                               // a NUL closes it
+
+    while (lexer_is_word(text[p]))
         p++;
     return p;
 }
@@ -124,9 +126,15 @@ void lexer_skip_comment(Lexer *l)
 // Blanks, line ends and, unless they are wanted, comments.
 static void skip_blanks(Lexer *l)
 {
-    for (; l->at < l->src->len; ) {
-        char c = l->src->text[l->at];
-        if (c == ' ' || c == '\t' || (c == '\r' && lexer_byte(l, l->at + 1) == '\n'))
+    const char *text = l->src->text;                               // a NUL closes it
+    uint32_t at = l->at;
+    char c;
+
+    for (;; at = l->at) {
+        while ((c = text[at]) == ' ')
+            at++;
+        l->at = at;
+        if (c == '\t' || (c == '\r' && lexer_byte(l, l->at + 1) == '\n'))
             l->at++;
         else if (c == '\n')
             lexer_end_line(l);
@@ -151,7 +159,7 @@ void lexer_word(Lexer *l, Token *t)
     uint32_t end = lexer_skip_word(l, l->at);
     const Word *w;
 
-    while (lex_slip_letter(l, end))                                // one word, reported once
+    while ((unsigned char)lexer_byte(l, end) >= 0x80 && lex_slip_letter(l, end))   // one word, reported once
         end = lexer_skip_word(l, end + lex_slip_byte(l, end));
     t->text = str_intern(l->strings, l->src->text + l->at, end - l->at);
     w = map_find(&l->words, t->text);
@@ -268,13 +276,12 @@ static void lex_prefixed(Lexer *l, Token *t, TokenKind kind)
 
 static const Sign *find_sign(const Lexer *l)
 {
-    const char *s = l->src->text + l->at;
-    uint32_t left = l->src->len - l->at;
+    const char *s = l->src->text + l->at;                          // a NUL closes it, which no sign holds
 
     for (size_t row = (unsigned char)*s < sizeof l->sign ? l->sign[(unsigned char)*s] : 0; row > 0; row = l->next_sign[row - 1]) {
         const Sign *sign = &signs[row - 1];
         size_t same = 1;
-        while (same < sign->len && same < left && sign->spelling[same] == s[same])
+        while (same < sign->len && sign->spelling[same] == s[same])
             same++;
         if (same == sign->len)
             return sign;
@@ -296,7 +303,8 @@ static void lex_sign(Lexer *l, Token *t, const Sign *s)
     lexer_finish(l, t, s->kind, l->at + (uint32_t)s->len);
     l->parens += t->kind == TOK_LPAREN;
     l->parens -= t->kind == TOK_RPAREN && l->parens > 0;
-    lex_slip_sign(l, t, s->spelling, s->native, s->label);
+    if (s->native || s->label)
+        lex_slip_sign(l, t, s->spelling, s->native, s->label);
 }
 
 bool lex_is_reserved(const Lexer *l, Str word, TokenKind *kind)
@@ -346,6 +354,8 @@ static LexAllow allow_after(const Lexer *l, const Token *t)
 
     if (t->kind == TOK_ANNOTATION)
         return t->text->len == sizeof word - 1 && memcmp(t->text->text, word, t->text->len) == 0 ? LEX_ALLOW : LEX_NO_ALLOW;
+    if (l->allow == LEX_NO_ALLOW)
+        return LEX_NO_ALLOW;
     if (l->allow == LEX_ALLOW && (t->kind == TOK_LPAREN || t->first))
         return t->first ? LEX_NO_ALLOW : LEX_IN_ALLOW;
     return t->kind == TOK_RPAREN || t->kind == TOK_HEADER || t->kind == TOK_LABEL || t->kind == TOK_LBRACE || t->kind == TOK_RBRACE ||

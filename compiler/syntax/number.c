@@ -162,7 +162,9 @@ static void read_decimal(Decimal *d, const char *s, const char *end)
 {
     bool fraction = false;
 
-    memset(d, 0, sizeof *d);
+    d->n = 0;
+    d->point = 0;
+    d->more = false;
     for (; s < end && *s != 'e' && *s != 'E'; s++) {
         if (*s == '.')
             fraction = true;
