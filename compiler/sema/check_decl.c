@@ -309,8 +309,10 @@ static void find_specials(Declarations *k)
     if (any && k->list) {
         k->p->g = find_special(k, "G", SM_U64, DIAG_no_global_time, DIAG_global_time_type);
         k->p->s = find_special(k, "S", SM_U32, DIAG_no_state_element, DIAG_state_element_type);
-    } else if (!k->s->lost->names)
+    } else if (!k->s->lost->names) {
+        k->s->no_elements = true;
         diag_report(k->s->diags, DIAG_no_elements, k->list ? k->list->header : (Span){k->p->src, 0, 0});
+    }
 }
 
 // ---- all of it ----

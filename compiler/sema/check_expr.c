@@ -90,6 +90,7 @@ static Expr *check_name(Sema *s, const AstExpr *e)
     }
     if (!s->in_script)
         v->read = true;
+    s->knows |= v != s->p->g && v != s->p->s && v != s->p->t;
     if (scope_is_doubtful(s, e->name) || !allowed(s, v, e))
         return NULL;
     out = expr_new(s, EX_VAR, e->span, 0);

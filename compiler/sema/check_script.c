@@ -113,6 +113,11 @@ static void check_section_twice(ScriptCheck *k, const AstSection *in)
     map_put(&k->section, in->name, first);
 }
 
+static bool is_all(const char *name)
+{
+    return strcmp(name, "all") == 0 || strcmp(name, "any") == 0 || strcmp(name, "every") == 0 || strcmp(name, "always") == 0;
+}
+
 // [All_States], [option]: no state, but nearly a section that every script may have.
 static bool is_misspelt(ScriptCheck *k, const AstSection *in)
 {
@@ -123,6 +128,8 @@ static bool is_misspelt(ScriptCheck *k, const AstSection *in)
         return false;
     guess_try(&g, str_c(k->s.strings, "all_states"));
     guess_try(&g, str_c(k->s.strings, "options"));
+    if (is_all(in->name->text))
+        g.best = str_c(k->s.strings, "all_states");
     if (!g.best)
         return false;
     d = diag_report(k->s.diags, DIAG_unknown_state, in->name_span, in->name->text);
@@ -226,6 +233,8 @@ Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
         diag_report(c->diags, DIAG_no_delta_t, start);
     if (!k.has_stop && !k.s.lost->any)
         diag_report(c->diags, DIAG_no_stop, start);
+    if (k.s.unknown && !k.s.knows && k.s.unknown_name.n + k.s.unknown_state.n > 1)
+        diag_note(c->diags, k.s.unknown, (Span){0}, DIAG_note_other_machine, program->src->name);
     if (c->diags->met == errors && !k.s.lost->any)
         check_moments(&k);
     return c->diags->met > errors ? NULL : k.script;

@@ -80,6 +80,7 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
         warn_of_read_only_local(s, v, in);
     if (v && !s->in_script)
         v->written = true;
+    s->knows |= v != NULL;
     out->var = v;
     out->value = check_expr(s, in->value);
     return good && out->value ? out : NULL;

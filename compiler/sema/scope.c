@@ -126,6 +126,12 @@ static void report_unlisted(Sema *s, Diag *d, const Element *e)
     diag_note(s->diags, d, e->span, DIAG_note_declared_here, e->name->text);
 }
 
+static void note_unknown(Sema *s, Diag *d)
+{
+    if (!s->unknown)
+        s->unknown = d;
+}
+
 static void label_state(Sema *s, Diag *d, const State *state)
 {
     diag_label(s->diags, d, DIAG_label_is_a_state, state->name->text, state->name->text,
@@ -147,13 +153,14 @@ void scope_report_unknown(Sema *s, Str name, Span span)
     const SmBuiltinInfo *fn = scope_find_function(s, name);
     Diag *d;
 
-    if (map_find(&s->lost->word, name) || is_foreign(name) || !first_report(&s->unknown_name, name))
+    if (s->no_elements || map_find(&s->lost->word, name) || is_foreign(name) || !first_report(&s->unknown_name, name))
         return;
     if (fn && !unlisted) {
         diag_report(s->diags, DIAG_function_without_call, span, name->text, name->text, function_usage(fn));
         return;
     }
     d = diag_report(s->diags, DIAG_unknown_element, span, name->text);
+    note_unknown(s, d);
     if (unlisted)
         report_unlisted(s, d, unlisted);
     else if (map_find(&s->p->state_by_name, name))
@@ -170,9 +177,11 @@ State *scope_find_state(Sema *s, Str name, Span span)
     Guess g = guess_start(name);
     Diag *d;
 
+    s->knows |= state != NULL;
     if (state || map_find(&s->lost->word, name) || !first_report(&s->unknown_state, name))
         return state;
     d = diag_report(s->diags, DIAG_unknown_state, span, name->text);
+    note_unknown(s, d);
     if (!may_guess(s))
         return NULL;
     for (size_t i = 0; i < s->p->state.n; i++)

@@ -34,6 +34,8 @@ typedef struct Sema {
     StateVec *sv;             // of a machine with a .sv: the elements it could list; else NULL
     Windows *windows;         // where roll calls go: the machine's or the script's
     bool in_script;
+    Diag *unknown;            // in a script: the first report of a name that the machine has not
+    bool knows;               // in a script: something that it names is in the machine, beside G, S and T
     const Lost *lost;
     Map functions;            // name to SmBuiltinInfo
     Map unknown_name, unknown_state, unknown_function;   // reported already (name to itself)
@@ -46,6 +48,7 @@ typedef struct Sema {
     const Var *local;         // PLACE_INITIAL: whose initial value it is
     Str size_of;              // PLACE_SIZE: the function called
     const AstExpr *spine;     // the left operand of an operator that was already looked at for `not`
+    bool no_elements;         // the machine lists none: that has been reported
     bool *no_value;           // by Var.index: a local whose initial value has an error
     VEC(SizeUse) size_use;
     BlockKind block;          // where the statement being checked stands

@@ -83,7 +83,9 @@ static void unknown_annotation(Parser *p, AstPlace place)
     const char *near = nearest_annotation(p->tok.text->text, place);
     Diag *d = parser_report(p, DIAG_annotation_unknown, parser_here(p), p->tok.text->text);
 
-    if (near)
+    if (strncmp(p->tok.text->text, "unit", 4) == 0)
+        diag_label(p->diags, d, DIAG_label_text, "a unit stands in a comment");
+    else if (near)
         diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
     parser_next(p);
     while (!ends_arguments(p))

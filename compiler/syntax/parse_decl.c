@@ -147,6 +147,18 @@ static void slip_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
         slip_at_end(p);
 }
 
+// const F64 limit = 5
+static void slip_const(Parser *p)
+{
+    if (p->tok.kind != TOK_NAME || p->ahead.kind != TOK_TYPE || p->ahead.first)
+        return;
+    if (strcmp(p->tok.text->text, "const") == 0) {
+        diag_label(p->diags, parser_report(p, DIAG_foreign_word, parser_here(p), "const"), DIAG_label_as_in,
+                   "F64 limit = 5 @read_only");
+        parser_next(p);
+    }
+}
+
 static AstPlace place_of_decls(const AstSection *s)
 {
     if (s->kind == AST_REGION)
@@ -158,6 +170,7 @@ static void parse_decl(Parser *p, AstSection *s)
 {
     AstDecl d = {0};
 
+    slip_const(p);
     d.type = p->tok.type;
     d.type_span = parser_here(p);
     if (p->tok.kind == TOK_TYPE)
@@ -209,6 +222,8 @@ static void unknown_option(Parser *p)
     const char *near = nearest_word(p->tok.text->text, option_words, OPTION_COUNT);
     Diag *d = parser_fail(p, DIAG_option_unknown, parser_here(p), p->tok.text->text);
 
+    if (strcmp(p->tok.text->text, "dt") == 0 || strcmp(p->tok.text->text, "step") == 0)
+        near = "delta_t";
     if (near)
         diag_label(p->diags, d, DIAG_label_did_you_mean, near);
     else if (p->last.kind == TOK_NUMBER && !p->tok.first)

@@ -336,7 +336,7 @@ static void check_script_conditional(Parser *p, const AstStmt *s, size_t errors)
     if (!in_script(p) || p->diags->errors > errors)
         return;
     if (p->nesting > 1)
-        parser_report(p, DIAG_script_nested, s->span);
+        diag_label(p->diags, parser_report(p, DIAG_script_nested, s->span), DIAG_label_text, "join the conditions with 'and'");
     else if (s->then.n == 0)
         parser_report(p, DIAG_script_empty, s->span);
 }
@@ -349,7 +349,8 @@ static AstStmt *parse_else(Parser *p, AstStmt *s)
     s->has_else = true;
     s->else_span = parser_here(p);
     if (in_script(p))
-        parser_report(p, DIAG_script_else, s->else_span);
+        diag_label(p->diags, parser_report(p, DIAG_script_else, s->else_span), DIAG_label_text,
+                   "write the opposite as a condition: not (...)");
     parser_next(p);
     if (p->tok.kind == TOK_IF && !p->tok.first)
         return new_stmt(p, AST_IF, &s->otherwise);

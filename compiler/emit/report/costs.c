@@ -89,6 +89,14 @@ static void put_way(const Report *r, Doc *d)
 
 // ---- a board ----
 
+// Samples take the same memory everywhere; the pointers to them are shorter there.
+bool report_fits_uno(const Report *r)
+{
+    enum { RAM = 2048 };
+
+    return r->cost.windows < RAM + sizeof(uint64_t *) * r->analysis.p->window.n;
+}
+
 static void put_board(const Report *r, Doc *d)
 {
     DocTable *t;
@@ -98,6 +106,8 @@ static void put_board(const Report *r, Doc *d)
         d, "What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the most that was seen in "
            "measurements counts, whatever numbers it works on. Real steps take less, a third to three quarters of it in tests; that none can "
            "take more is not proved. What emitted C takes there depends on its compiler and is not estimated.");
+    if (!report_fits_uno(r))
+        doc_paragraph(d, "The machine does not fit there: its windows alone take more than the 2048 bytes of memory that the chip has.");
     t = DOC_TABLE_OF(d, "board", board_columns);
     t->narrow = true;
     cell_plain(t, "Worst step, image in EEPROM");

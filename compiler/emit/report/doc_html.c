@@ -110,8 +110,11 @@ static void put_cell(Buf *out, const DocCell *c)
     }
 }
 
+// -Wflight is not broken at its hyphen.
 static const char *class_of(const DocCell *c)
 {
+    if (c->kind == CELL_PLAIN && c->text[0] == '-')
+        return " class=\"b\"";
     return c->kind == CELL_NUMBER || c->kind == CELL_LINE ? " class=\"n\"" : c->kind == CELL_BAR ? " class=\"b\"" : "";
 }
 

@@ -63,6 +63,7 @@ const char *plot_patterns(Arena *arena);      // an invisible drawing that plots
 
 bool report_is_low(GraphSize s);              // a diagram of this size can be read in a part of a page of paper
 uint32_t report_line(Span span);              // of the source; 0: nowhere
+bool report_fits_uno(const Report *r);                            // as far as its windows tell
 const char *report_cycles(const Report *r, uint32_t cycles);      // with the time that they take on an Uno
 const char *report_number(Arena *arena, double x);
 const char *report_cell(Arena *arena, SmType type, uint64_t cell);
