@@ -1,6 +1,6 @@
 # Windows that a chip has no memory for; a local that only sizes a window; a long time axis and a group of warnings as words of their own.
-args report big.sm --format=text | grep 'On an Arduino Uno \|windows alone\|sizes of windows' | sed 's/  */ /g'
-args report small.sm --format=text | grep 'On an Arduino Uno \|windows alone' | sed 's/  */ /g' | cut -c 1-30
+args report big.sm --format=text | grep 'On an Arduino Uno \|Windows alone\|sizes of windows' | sed 's/  */ /g'
+args report small.sm --format=text | grep 'On an Arduino Uno \|Windows alone' | sed 's/  */ /g' | cut -c 1-30
 args report small.sm small.ss | grep -o '>100000<\|1e+05\|<td class="b">-Wflight<' | sort -u
 
 -- big.sm --
@@ -34,7 +34,7 @@ G == 120000: @stop
 -- stdout --
  On an Arduino Uno does not fit its memory
  size U16 256 sizes of windows 7
-The machine does not fit there: its windows alone take more than the 2048 bytes of memory that the
+ Windows alone more than its 2048 bytes of memory
  On an Arduino Uno about 66207
 <td class="b">-Wflight<
 >100000<

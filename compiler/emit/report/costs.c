@@ -106,8 +106,6 @@ static void put_board(const Report *r, Doc *d)
         d, "What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the most that was seen in "
            "measurements counts, whatever numbers it works on. Real steps take less, a third to three quarters of it in tests; that none can "
            "take more is not proved. What emitted C takes there depends on its compiler and is not estimated.");
-    if (!report_fits_uno(r))
-        doc_paragraph(d, "The machine does not fit there: its windows alone take more than the 2048 bytes of memory that the chip has.");
     t = DOC_TABLE_OF(d, "board", board_columns);
     t->narrow = true;
     cell_plain(t, "Worst step, image in EEPROM");
@@ -116,6 +114,10 @@ static void put_board(const Report *r, Doc *d)
     cell_plain(t, report_cycles(r, r->flash.worst));
     cell_plain(t, "Stack below a step, the most that was seen");
     cell_plain(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack()));
+    if (report_fits_uno(r))
+        return;
+    cell_plain(t, "Windows alone");
+    cell_plain(t, "more than its 2048 bytes of memory");
 }
 
 // ---- bytes ----
