@@ -155,6 +155,20 @@ const char *nearest_word(const char *word, const char *const *among, size_t n)
     return found;
 }
 
+void label_annotations(Parser *p, Diag *d, const char *const *here, size_t n, const char *const *all, size_t n_all)
+{
+    const char *word = p->tok.text->text, *near = nearest_word(word, here, n), *list = "";
+
+    if (!near)
+        near = nearest_word(word, all, n_all);
+    for (size_t i = 0; i < n; i++)
+        list = format_in(p->arena, "%s%s@%s", list, i == 0 ? "" : i + 1 < n ? ", " : " and ", here[i]);
+    if (near)
+        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
+    else
+        diag_label(p->diags, d, DIAG_label_may_stand, list);
+}
+
 // ---- a state ----
 
 static const char *const labels[AST_LABEL_COUNT] = {"entry", "step", "exit"};

@@ -54,22 +54,14 @@ static bool is_for_states_only(int row)
     return row < AST_ANNOTATION_COUNT && may_be_on(row, AST_ON_STATE) && !may_be_on(row, AST_ON_ELEMENT);
 }
 
-// The nearest of those that may stand there: first of all places' own, then of any.
-static const char *nearest_annotation(const char *word, AstPlace place)
+static size_t words_at(unsigned places, const char *words[AST_ANNOTATION_COUNT])
 {
-    const char *words[AST_ANNOTATION_COUNT], *near;
     size_t n = 0;
 
     for (int i = 0; i < AST_ANNOTATION_COUNT; i++)
-        if (may_be_on(i, place))
+        if (rows[i].where & places)
             words[n++] = rows[i].spelling;
-    if ((near = nearest_word(word, words, n)) != NULL)
-        return near;
-    n = 0;
-    for (int i = 0; i < AST_ANNOTATION_COUNT; i++)
-        if (rows[i].where & family_of(place))
-            words[n++] = rows[i].spelling;
-    return nearest_word(word, words, n);
+    return n;
 }
 
 static bool ends_arguments(const Parser *p)
@@ -80,13 +72,14 @@ static bool ends_arguments(const Parser *p)
 
 static void unknown_annotation(Parser *p, AstPlace place)
 {
-    const char *near = nearest_annotation(p->tok.text->text, place);
     Diag *d = parser_report(p, DIAG_annotation_unknown, parser_here(p), p->tok.text->text);
+    const char *here[AST_ANNOTATION_COUNT], *all[AST_ANNOTATION_COUNT];
+    size_t n = words_at(1u << place, here), n_all = words_at(family_of(place), all);
 
     if (strncmp(p->tok.text->text, "unit", 4) == 0)
         diag_label(p->diags, d, DIAG_label_text, "a unit stands in a comment");
-    else if (near)
-        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
+    else
+        label_annotations(p, d, here, n, all, n_all);
     parser_next(p);
     while (!ends_arguments(p))
         parser_next(p);

@@ -215,16 +215,15 @@ static const struct { Takes takes; bool on[APP_PLACES]; const char *form; } rows
 
 static void unknown_annotation(Parser *p, AppPlace place)
 {
-    const char *words[AST_APP_ANNOTATION_COUNT], *near;
+    const char *here[AST_APP_ANNOTATION_COUNT + 1];
     Diag *d = parser_fail(p, DIAG_annotation_unknown, parser_here(p), p->tok.text->text);
     size_t n = 0;
 
     for (int i = 0; i < AST_APP_ANNOTATION_COUNT; i++)
         if (rows[i].on[place])
-            words[n++] = annotations[i];
-    if ((near = nearest_word(p->tok.text->text, words, n)) != NULL ||
-        (near = nearest_word(p->tok.text->text, annotations, AST_APP_ANNOTATION_COUNT)) != NULL)
-        diag_label(p->diags, d, DIAG_label_did_you_mean, format_in(p->arena, "@%s", near));
+            here[n++] = annotations[i];
+    here[n++] = "allow";
+    label_annotations(p, d, here, n, annotations, AST_APP_ANNOTATION_COUNT);
 }
 
 // `skip`, or `catch_up` and a number.
