@@ -61,7 +61,8 @@ survives() {
     golden) "$build/golden" "$build/smc" tests/golden/column-is-a-byte.smt ;;
     diff)           # random programs on the VM, alone against what analyses say of them, in emitted C, and all cases
         random --count=2000 --no-floors && random --sound --steps=1000 --count=1500 --no-floors &&
-            random --count=400 --seed=7000 --cc="${CC:-cc} -std=c99 -O0" && "$build/smc" test conformance ;;
+            random --count=400 --seed=7000 --cc="${CC:-cc} -std=c99 -O0" && sh tests/emitc/run.sh "$build/smc" readings &&
+            CC="${CC:-cc} -O0" "$build/smc" test --engine=vm,c-soft conformance ;;
     soft) "$build/soft/run" ;;
     store)
         set -- "$build/store/old.smb" "$build/store/new.smb"

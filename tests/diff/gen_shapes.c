@@ -37,6 +37,7 @@ static GExpr *text(Gen *g, const char *number)
 
 static bool is_whole(SmType t) { return sm_type_info[t].kind != SM_KIND_FLOAT; }
 static bool is_f32(SmType t) { return t == SM_F32; }
+static bool is_float(SmType t) { return !is_whole(t); }
 static bool is_narrow(SmType t) { return t != SM_F64; }
 
 typedef bool Likes(SmType t);
@@ -165,10 +166,32 @@ static const char *number_near(Gen *g, const char *number)
     return out[0] == 'i' || out[1] == 'i' ? "1" : format_in(g->arena, "%s", out);
 }
 
+// One to three relations of a sensor, which may be NaN and then reads as 0, or of two.
+static GExpr *reading_guard(Gen *g)
+{
+    static const char *const limit[] = { "-1000", "-5", "-0.5", "-0.0", "0", "0.5", "5", "1000" };
+    GExpr *x = leaf(g, is_float, limit, 8), *e = NULL, *more;
+    for (uint32_t n = rng_below(&g->rng, 3) + 1; n > 0; n--) {
+        more = binary(g, pick_operator(g, SM_OP_EQ, 6), x, text(g, limit[rng_below(&g->rng, 8)]));
+        if (rng_percent(&g->rng, 15)) {
+            GExpr *not = gen_expr_new(g, G_UNARY, 1);
+            not->op = SM_OP_NOT;
+            not->arg[0] = more;
+            more = not;
+        }
+        e = e == NULL ? more : binary(g, rng_percent(&g->rng, 50) ? SM_OP_AND : SM_OP_OR, e, more);
+        if (rng_percent(&g->rng, 20))
+            x = leaf(g, is_float, limit, 8);
+    }
+    return e;
+}
+
 // A relation of a variable with a number; often of the same variable as the last one, with a number near that one's.
 GExpr *gen_plain_guard(Gen *g)
 {
     GExpr *e = g->last_guard, *value, *limit;
+    if (rng_percent(&g->rng, 15))
+        return reading_guard(g);
     if (e != NULL && rng_percent(&g->rng, 70)) {
         value = e->arg[0];
         limit = text(g, number_near(g, e->arg[1]->text));

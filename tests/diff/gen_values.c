@@ -121,7 +121,8 @@ void gen_plan_time(Gen *g)
 // A NaN may be found in an element, whoever put it there; a local is only ever stored by the rules, which allow none.
 static uint64_t input_cell(const Gen *g, Rng *r, const GVar *v)
 {
-    const uint64_t cell = gen_cell(r, v->type, g->mood);
+    const bool none = !v->is_local && sm_type_info[v->type].kind == SM_KIND_FLOAT && rng_percent(r, 3);
+    const uint64_t cell = none ? v->type == SM_F32 ? 0xffc00001u : 0x7FF8000000000000u : gen_cell(r, v->type, g->mood);
     const bool f32_nan = v->type == SM_F32 && (cell & 0x7fffffffu) > 0x7f800000u;
     const bool f64_nan = v->type == SM_F64 && (cell & 0x7FFFFFFFFFFFFFFFu) > 0x7FF0000000000000u;
     return v->is_local && (f32_nan || f64_nan) ? 0 : cell;

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Emitted C under many compilers and options: it compiles without a warning, runs as the reference does or refuses to, and
-# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [use] [cases]     (all but cases when none is named)
+# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [use] [readings] [cases]     (all but cases when none is named)
 smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 shift
 here=$(cd "$(dirname "$0")" && pwd)
@@ -239,6 +239,41 @@ use() {
     done
 }
 
+# ---- readings: what no machine stores.  An element that is NaN reads as 0, though C does not look where a condition comes out the
+# same; a U64 beyond 2^53 as the nearest F64, though it may be counted as it is ----
+
+# A state each for relations of x and f with numbers, alone, two together, and one that is asked for twice.
+make_readings() {
+    awk 'function pick(list, n) { return list[int(rand() * n) + 1] }
+    function relation(v) { return (rand() < 0.15 ? "not " : "") "(" v " " pick(op, 6) " " pick(number, 7) ")" }
+    function state(first, condition) {
+        print "[N" ++n "]\n.step\n" first "\nif " condition " { seen = 1 }\nelse { seen = 2 }\n-> N" n + 1
+    }
+    BEGIN {
+        split("< <= > >= == !=", op); split("-1000.5 -5 -0.5 0 0.5 5 y", number); split("x f", v); split("and or", and)
+        print "[state_vector]\nU64 G\nU32 S\nF64 x @read_only\nF32 f @read_only\nF64 y @read_only\nU8 seen\nbool also\nU64 n"
+        state("also = true\nn = n + 1", "x < y")
+        for (i = 1; i <= 2; i++) for (o = 1; o <= 6; o++) for (c = 1; c <= 7; c++) state("also = true", v[i] " " op[o] " " number[c])
+        for (i = 0; i < 300; i++) {
+            e = pick(v, 2); a = relation(e); b = relation(rand() < 0.8 ? e : pick(v, 2))
+            state("also = " (i % 3 ? "true" : b), a " " pick(and, 2) " " b (i % 2 ? "" : " " pick(and, 2) " " b " " pick(and, 2) " " relation("y")))
+        }
+        print "[N" n + 1 "]"
+    }'
+}
+
+readings() {
+    make_readings >"$dir/readings.sm"
+    for level in -O0 -O1 -O2; do
+        "$smc" build -w $level "$dir/readings.sm" --emit=c -o "$dir/readings.c" >"$dir/log" 2>&1
+        few_compilers build_and_run readings "$here/readings.c $dir/readings.c"
+    done
+    "$smc" build -w --soft "$dir/readings.sm" --emit=c -o "$dir/readings.c" >"$dir/log" 2>&1
+    for compiler in "gcc -std=c99" tcc; do
+        try "$compiler" build_and_run readings "-I$root $here/readings.c $dir/readings.c $(echo "$root"/stdlib/soft_*.c)"
+    done
+}
+
 # ---- cases: every machine of conformance/, at -O0, -O1 and -O2; takes minutes ----
 
 cases() {
@@ -256,7 +291,7 @@ cases() {
     done
 }
 
-for part in ${*:-matrix flags use}; do
+for part in ${*:-matrix flags use readings}; do
     $part
 done
 echo "emitc: $passed passed, $failed failed, $skipped skipped"
