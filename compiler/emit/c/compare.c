@@ -58,19 +58,6 @@ static bool compares_integers(const CFn *fn, const IrIns *i)
 
 // ---- bools ----
 
-// `flag == true` and its kin: the bool alone.  Gives the bool and whether it is negated.
-static IrRef flag_compared(const CFn *fn, const IrIns *i, bool *negated)
-{
-    for (int side = 0; side < 2; side++) {
-        const IrRef b = side ? i->b : i->a, c = side ? i->a : i->b;
-        if ((i->op == IR_eq || i->op == IR_ne) && ins(fn, b)->type == SM_BOOL && !fn->ins[b].is_const && fn->ins[c].is_const) {
-            *negated = (fn->ins[c].bits != 0) != (i->op == IR_eq);
-            return b;
-        }
-    }
-    return IR_NONE;
-}
-
 static bool compares_bools(const CFn *fn, const IrIns *i)
 {
     return (i->op == IR_eq || i->op == IR_ne) && ins(fn, i->a)->type == SM_BOOL && !is_same_text(fn, i->a, i->b);
@@ -101,13 +88,8 @@ void put_compare(CFn *fn, const IrIns *i, bool negated, int prec)
 {
     const bool equality = i->op == IR_eq || i->op == IR_ne, inverted = negated && !equality;
     const IrOp op = !negated ? i->op : i->op == IR_eq ? IR_ne : i->op == IR_ne ? IR_eq : i->op;
-    bool opened, flag_negated;
-    const IrRef flag = flag_compared(fn, i, &flag_negated);
+    bool opened;
 
-    if (flag != IR_NONE) {
-        put_condition(fn, flag, flag_negated != negated, prec);
-        return;
-    }
     if (fn->u->soft && soft_put_look(fn, i, negated))
         return;
     if (fn->u->soft && !compares_integers(fn, i) && !compares_bools(fn, i)) {
