@@ -1,5 +1,6 @@
-# A prefix has to be the beginning of C identifiers.
+# A prefix has to be the beginning of C identifiers, and not one of the runtime's.
 args build --emit=c --prefix=2stage a.sm
+args build --emit=c --prefix=sm_roll a.sm
 
 -- a.sm --
 [state_vector]
@@ -9,5 +10,7 @@ U32 S
 -- stderr --
 smc: '2stage' cannot be a prefix: a prefix begins with a letter
 Try 'smc build --help'.
+smc: 'sm_roll' cannot be a prefix: names that begin with sm_, smvm_ and pal_ are the runtime's own
+Try 'smc build --help'.
 -- exit --
-2
+2 2

@@ -15,6 +15,8 @@ const char *emit_c_prefix_error(const char *prefix)
         return "a prefix begins with a letter";
     if (strstr(prefix, "__") || prefix[strlen(prefix) - 1] == '_')
         return "a prefix has no two underscores in a row and none at its end";
+    if (c_is_ours(prefix))
+        return "names that begin with sm_, smvm_ and pal_ are the runtime's own";
     return NULL;
 }
 

@@ -38,6 +38,18 @@ static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c 
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 static char upper(char c) { return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c; }
 
+bool c_is_ours(const char *name)
+{
+    static const char *const our[] = {"sm", "smvm", "pal"};
+
+    for (size_t i = 0; i < sizeof our / sizeof *our; i++) {
+        const size_t n = strlen(our[i]);
+        if (strncmp(name, our[i], n) == 0 && (name[n] == '_' || name[n] == '\0'))
+            return true;
+    }
+    return false;
+}
+
 const char *c_identifier(Arena *arena, const char *text, size_t len)
 {
     Buf b;
@@ -53,7 +65,9 @@ const char *c_identifier(Arena *arena, const char *text, size_t len)
     }
     while (b.n > 0 && b.at[b.n - 1] == '_')
         b.at[--b.n] = '\0';
-    return b.n > 0 ? buf_text(&b) : "machine";
+    if (b.n == 0)
+        return "machine";
+    return c_is_ours(buf_text(&b)) ? format_in(arena, "m_%s", buf_text(&b)) : buf_text(&b);
 }
 
 const char *c_type_name(Arena *arena, const char *prefix)

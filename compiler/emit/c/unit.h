@@ -79,7 +79,9 @@ void unit_soften(CUnit *u, bool soft);
 
 // ---- names.c, continued ----
 
-// A C identifier made of any text: `my-tank.v2` gives my_tank_v2.
+// Whether a name stands, or begins as those do, that runtime and VM have for themselves: sm_, smvm_, pal_.
+bool c_is_ours(const char *name);
+// A C identifier made of any text: `my-tank.v2` gives my_tank_v2, `sm` gives m_sm.
 const char *c_identifier(Arena *arena, const char *text, size_t len);
 // MyTankV2 and MY_TANK_V2 of my_tank_v2.
 const char *c_type_name(Arena *arena, const char *prefix);
