@@ -10,7 +10,7 @@ U32 S
 [options]
 delta_t 10
 [all_states]
-G == 15: @stop          #! E0751 within 5 steps
+G == 15: @stop          #! E0751 within 5 steps #! W0702
 -- report --
 state script ran for 5 steps
 0 asserts passed

@@ -9,7 +9,7 @@ U32 S
 [options]
 delta_t 9223372036854775808     #! E0752 after step 2
 [all_states]
-G == 1: @stop
+G == 1: @stop              #! W0702
 -- report --
 state script ran for 2 steps
 0 asserts passed
