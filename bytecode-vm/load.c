@@ -393,7 +393,8 @@ enum {
 // The shape as three bytes: five for each row.
 static const struct Row { uint8_t first, last, shape[3]; } rows[] SM_FLASH = {
 #define SMVM_BYTE(shape, shift) (uint8_t)((uint32_t)(shape) >> (shift))
-#define SMVM_OP(name, first, last, shape, meaning) {first, last, {SMVM_BYTE(shape, 0), SMVM_BYTE(shape, 8), SMVM_BYTE(shape, 16)}},
+#define SMVM_OP(name, first, last, shape, meaning) \
+    {first, last, {SMVM_BYTE(shape, 0), SMVM_BYTE(shape, 8), SMVM_BYTE((shape) | SMVM_SHAPE_OP, 16)}},
 #include "bytecode-vm/opcodes.def"
 #undef SMVM_OP
 };
@@ -417,5 +418,5 @@ uint32_t smvm_shape(uint8_t opcode)
     do
         sm_flash_get(&r, &rows[row++], sizeof r);
     while (opcode > r.last);                          // the last row ends with the last opcode
-    return opcode < r.first ? 0 : SMVM_SHAPE_OP | (uint32_t)r.shape[2] << 16 | (uint32_t)r.shape[1] << 8 | r.shape[0];
+    return opcode < r.first ? 0 : (uint32_t)r.shape[2] << 16 | (uint32_t)r.shape[1] << 8 | r.shape[0];
 }
