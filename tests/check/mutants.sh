@@ -39,7 +39,7 @@ targets_of() {      # ENGINES
     echo all
     case " $1 " in *' host '*) echo "$build/clauses/steps $build/clauses/memory $build/clauses/regions $build/clauses/probe.smb" ;; esac
     case " $1 " in *' golden '*) echo "$build/golden" ;; esac
-    case " $1 " in *' diff '*) echo "$build/diff/difftest" ;; esac
+    case " $1 " in *' diff '*) echo "$build/diff/difftest $build/unit/vm_select" ;; esac
     case " $1 " in *' soft '*) echo "$build/soft/run" ;; esac
     case " $1 " in *' store '*) echo "$build/store/cuts $build/store/agent $build/store/auth $build/unit/vm_auth $build/store/old.smb $build/store/new.smb" ;; esac
 }
@@ -59,10 +59,10 @@ survives() {
     case $2 in
     host) "$build/clauses/steps" && "$build/clauses/memory" "$build/clauses/probe.smb" && "$build/clauses/regions" ;;
     golden) "$build/golden" "$build/smc" tests/golden/column-is-a-byte.smt ;;
-    diff)           # random programs on the VM, alone against what analyses say of them, in emitted C, and all cases
-        random --count=2000 --no-floors && random --sound --steps=1000 --count=1500 --no-floors &&
+    diff)           # IR as images, random programs on the VM, alone against what analyses say of them, in emitted C, and all cases
+        "$build/unit/vm_select" && random --count=2000 --no-floors && random --sound --steps=1000 --count=1500 --no-floors &&
             random --count=400 --seed=7000 --cc="${CC:-cc} -std=c99 -O0" && sh tests/emitc/run.sh "$build/smc" readings &&
-            CC="${CC:-cc} -O0" "$build/smc" test --engine=vm,c-soft conformance ;;
+            "$build/smc" test -O0 conformance && CC="${CC:-cc} -O0" "$build/smc" test --engine=vm,c-soft conformance ;;
     soft) "$build/soft/run" ;;
     store)
         set -- "$build/store/old.smb" "$build/store/new.smb"
