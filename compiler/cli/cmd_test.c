@@ -143,6 +143,8 @@ static int check_use(Cli *c, const Files *f)
         return cli_usage(c, "test wants a machine and a script, as in 'smc test tank.sm tank.ss', or .smt cases");
     if (f->machines > 1)
         return cli_usage(c, "one machine is tested at a time");
+    if (f->machines && !f->scripts && f->cases)
+        return cli_usage(c, "folders hold .smt cases; scripts are named one by one, as in 'smc test %s SCRIPT.ss'", f->machine);
     if (f->machines && !f->scripts)
         return cli_usage(c, "no script is named to test '%s' with, as in 'smc test %s SCRIPT.ss'", f->machine, f->machine);
     if (f->scripts && !f->machines)

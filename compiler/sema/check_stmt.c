@@ -163,7 +163,7 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
         if ((stmt = check_stmt(s, in->at[i])) != NULL)
             vec_push(s->arena, out, stmt);
         check_allows(s, in, i);
-        if (before && before->kind == AST_TRANSITION && !told) {
+        if (before && before->kind == AST_TRANSITION && !before->flawed && !told) {
             warn_of_the_rest(s, before, in->at[i]);
             told = true;
         }

@@ -113,13 +113,6 @@ static void guess_variable(Sema *s, Diag *d, Str name)
         scope_note_declared(s, d, g.best);
 }
 
-const char *function_usage(const SmBuiltinInfo *fn)
-{
-    static const char *const usage[] = {"()", "(x)", "(a, b)", "(x, lo, hi)"};
-
-    return fn->is_roll ? "(x, n)" : usage[fn->arguments];
-}
-
 static void report_unlisted(Sema *s, Diag *d, const Element *e)
 {
     diag_label(s->diags, d, DIAG_label_list_it, sm_type_info[e->type].spelling, e->name->text);

@@ -69,8 +69,6 @@ void scope_report_unknown(Sema *s, Str name, Span span);
 // The state, or NULL: then it was reported, once.
 State *scope_find_state(Sema *s, Str name, Span span);
 const SmBuiltinInfo *scope_find_function(const Sema *s, Str name);
-// How a function's arguments are written: "(x, n)".
-const char *function_usage(const SmBuiltinInfo *fn);
 void scope_report_unknown_function(Sema *s, Str name, Span span);
 // A note at the declaration of a name of the machine.
 void scope_note_declared(Sema *s, Diag *d, Str name);

@@ -102,6 +102,7 @@ struct AstStmt {
     bool braces, else_braces; // IF: written { } rather than with a colon
     bool has_else;            // IF
     Span else_span;           // IF: the word `else`
+    bool flawed;              // an error has been reported in it
     Span body_span, else_body_span;   // IF: the colon's statement, or { … } braces included
 };
 
@@ -179,6 +180,8 @@ typedef struct AstFile {
     VEC(AstSection *) sections;       // in file order
     struct AstApp *app;               // of a .app instead (ast_app.h)
 } AstFile;
+
+const char *function_usage(const SmBuiltinInfo *fn);    // how a function's arguments are written: "(x, n)"
 
 void ast_print(const AstFile *f, Buf *out);      // --emit=ast
 

@@ -324,9 +324,13 @@ static bool lex_one(Lexer *l, Token *t)
     char c = l->src->text[l->at];
     const Sign *s;
 
-    if (is_letter(c))
+    if (l->last == TOK_ANNOTATION && lex_slip_range(l, t))
+        return true;
+    if (is_letter(c)) {
         lexer_word(l, t);
-    else if (is_digit(c) || (c == '.' && is_digit(lexer_byte(l, l->at + 1))))
+        if (t->first && t->kind == TOK_NAME)
+            lex_slip_state(l, t);
+    } else if (is_digit(c) || (c == '.' && is_digit(lexer_byte(l, l->at + 1))))
         lex_number(l, t);
     else if (c == '[')
         lex_header(l, t);
@@ -334,12 +338,15 @@ static bool lex_one(Lexer *l, Token *t)
         lex_prefixed(l, t, TOK_LABEL);
     else if (c == '@')
         lex_prefixed(l, t, TOK_ANNOTATION);
-    else if (c == '/' && (lexer_byte(l, l->at + 1) == '/' || lexer_byte(l, l->at + 1) == '*'))
+    else if ((c == '/' && (lexer_byte(l, l->at + 1) == '/' || lexer_byte(l, l->at + 1) == '*')) ||
+             ((c == '%' || (c == '-' && lexer_byte(l, l->at + 1) == '-')) && lex_slip_is_remark(l)))
         return lex_slip_comment(l), false;
     else if (c == ';')
         return lex_slip_semicolon(l, t);
     else if (c == '?')
         return lex_slip_choice(l), false;
+    else if (c == '|' && lexer_byte(l, l->at + 1) != '|' && lex_slip_bars(l, t))
+        return true;
     else if ((s = find_sign(l)) != NULL)
         lex_sign(l, t, s);
     else
@@ -385,6 +392,8 @@ void lex_next(Lexer *l, Token *t)
     } while (!lex_one(l, t));
     if (t->kind == TOK_END)
         t->first = true;
+    l->stores = (l->stores && !t->first) || t->kind == TOK_ASSIGN;
+    l->annotated = (l->annotated && !t->first) || t->kind == TOK_ANNOTATION;
     l->first = false;
     l->last = t->kind;
     l->allow = allow_after(l, t);

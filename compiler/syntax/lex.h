@@ -70,6 +70,8 @@ typedef struct Lexer {
     bool config;              // a .io or .app: names of files stand in quotes, and behind numbers units
     TokenKind last;           // kind of the token given last
     LexAllow allow;           // where in an @allow( ) this is
+    bool stores, annotated;   // an =, an annotation stands before it on the line
+    uint32_t bar;             // where the | stands that closes |x|
     uint32_t parens;          // opened on this line and still open
 } Lexer;
 
@@ -81,6 +83,7 @@ void lex_skip_to(Lexer *l, uint32_t at);    // goes on at the start of a line
 // How a message names tokens of a kind: "+", "if", "name".
 const char *token_name(TokenKind kind);
 
+void lex_skip_choice(Lexer *l);             // what belongs to c ? a : b or IF(c, a, b), to the end of the line
 extern const char *const lex_no_choice;     // what to write instead of c ? a : b
 
 bool lex_is_reserved(const Lexer *l, Str word, TokenKind *kind);

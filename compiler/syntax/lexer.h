@@ -28,7 +28,11 @@ uint32_t lex_slip_comment_byte(Lexer *l, uint32_t at);      // what is not ASCII
 uint32_t lex_slip_byte(Lexer *l, uint32_t at);
 // The letter of another alphabet at p, if there is one: its length.
 size_t lex_slip_letter(const Lexer *l, uint32_t p);
-void lex_slip_comment(Lexer *l);                                // skips `// ...` and `/* ... */`
+bool lex_slip_is_remark(const Lexer *l);                        // the -- or % here begins one
+void lex_slip_comment(Lexer *l);                                // skips `// ...`, `/* ... */`, `-- ...` and `% ...`
+bool lex_slip_state(Lexer *l, Token *t);                        // `state Hold:` for [Hold], at the first word of a line; true if it is
+bool lex_slip_range(Lexer *l, Token *t);                        // @range [0, 5] behind an annotation; true if it gave a token
+bool lex_slip_bars(Lexer *l, Token *t);                         // |x|; true if it gave a token
 // The number at..end runs on: 5psi, 1__0, 0x, 1e, 1.2.3.  Reports it; returns where it stops.
 uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end);
 void lex_slip_header(Lexer *l, uint32_t from, uint32_t end, Str name);       // [name] with characters no name has

@@ -41,6 +41,8 @@ static void unknown_type(Parser *p)
 // What stands where a declaration should begin, and is no type.  True if a name follows all the same.
 static bool recover_type(Parser *p, const AstSection *s)
 {
+    if (slip_remark(p))
+        return false;
     if (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NAME && !p->ahead.first) {
         unknown_type(p);
         parser_next(p);
@@ -133,7 +135,7 @@ static void slip_bracketed_unit(Parser *p)
 // Something more stands behind a declaration.
 static void slip_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
 {
-    if (slip_decimal_comma(p))
+    if (slip_decimal_comma(p) || slip_remark(p))
         return;
     if (p->tok.kind == TOK_ASSIGN && s->kind != AST_LOCAL)
         parser_fail(p, DIAG_element_with_value, parser_here(p), d->name->text);

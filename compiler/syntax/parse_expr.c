@@ -141,12 +141,19 @@ static AstExpr *parse_name(Parser *p)
 {
     AstExpr *e;
 
+    if (slip_choice(p)) {
+        p->tok.kind = TOK_IF;
+        return missing_value(p);
+    }
     if (p->ahead.kind == TOK_LPAREN && (p->parens || !p->ahead.first))
         return parse_call(p);
     e = new_expr(p, AST_NAME, parser_here(p));
     e->name = p->tok.text;
     parser_next(p);
-    slip_after_name(p, e);
+    if (slip_operand(p, e))
+        e->kind = AST_ERROR;
+    else
+        slip_after_name(p, e);
     return e;
 }
 

@@ -39,19 +39,60 @@ void slip_prefix(Parser *p)
         replace_word(p, "not", TOK_NOT);
 }
 
-static bool infix_word(Parser *p)
-{
-    static const struct { const char *word, *native; TokenKind kind; } infix[] = {
-        {"and", "and", TOK_AND}, {"or", "or", TOK_OR}, {"is", "==", TOK_EQ}, {"equals", "==", TOK_EQ},
-        {"eq", "==", TOK_EQ}, {"ne", "!=", TOK_NE}, {"gt", ">", TOK_GT}, {"lt", "<", TOK_LT}, {"ge", ">=", TOK_GE},
-        {"le", "<=", TOK_LE}};
+static const struct { const char *word, *native; TokenKind kind; } infix[] = {
+    {"and", "and", TOK_AND}, {"or", "or", TOK_OR}, {"is", "==", TOK_EQ}, {"equals", "==", TOK_EQ}, {"eq", "==", TOK_EQ},
+    {"ne", "!=", TOK_NE}, {"gt", ">", TOK_GT}, {"lt", "<", TOK_LT}, {"ge", ">=", TOK_GE}, {"le", "<=", TOK_LE}};
 
-    for (size_t i = 0; i < sizeof infix / sizeof *infix; i++)
-        if (is_word(&p->tok, infix[i].word) && begins_value(&p->ahead)) {
-            replace_word(p, infix[i].native, infix[i].kind);
-            return true;
-        }
-    return false;
+enum { NO_INFIX = sizeof infix / sizeof *infix };
+
+// The row of the word at hand where it stands as an operator of another language would.
+static size_t infix_row(const Parser *p)
+{
+    size_t i = 0;
+
+    while (i < NO_INFIX && (!is_word(&p->tok, infix[i].word) || !begins_value(&p->ahead)))
+        i++;
+    return i;
+}
+
+// IF(a; b; c) of spreadsheets: no value begins with it.
+bool slip_choice(const Parser *p) { return is_word(&p->tok, "if") && p->ahead.kind == TOK_LPAREN && !p->ahead.first; }
+
+const char *function_usage(const SmBuiltinInfo *fn)
+{
+    static const char *const usage[] = {"()", "(x)", "(a, b)", "(x, lo, hi)"};
+
+    return fn->is_roll ? "(x, n)" : usage[fn->arguments];
+}
+
+static int find_function(Str name)
+{
+    int i = 0;
+
+    while (i < SM_FN_COUNT && strcmp(name->text, sm_builtin_info[i].name) != 0)
+        i++;
+    return i;
+}
+
+// abs x, with the operand at hand, of which nothing could follow an element called like that.
+bool slip_operand(Parser *p, AstExpr *name)
+{
+    int fn = find_function(name->name);
+    Span operand = parser_here(p);
+    Diag *d;
+
+    if (fn == SM_FN_COUNT || p->tok.first || (p->tok.kind != TOK_NAME && p->tok.kind != TOK_NUMBER) || p->ahead.kind == TOK_ASSIGN ||
+        infix_row(p) < NO_INFIX || is_word(&p->tok, "then") || is_word(&p->tok, "do") || is_word(&p->tok, "between"))
+        return false;
+    d = parser_report(p, DIAG_function_without_call, name->span, name->name->text, name->name->text, function_usage(&sm_builtin_info[fn]));
+    parser_next(p);
+    if (sm_builtin_info[fn].arguments != 1 || (!p->tok.first && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_NUMBER || p->tok.kind == TOK_LPAREN))) {
+        p->failed = true;
+        return true;
+    }
+    diag_edit(p->diags, d, (Span){operand.src, name->span.at + name->span.len, operand.at - name->span.at - name->span.len}, "(");
+    diag_edit(p->diags, d, (Span){operand.src, operand.at + operand.len, 0}, ")");
+    return true;
 }
 
 void slip_infix(Parser *p)
@@ -59,7 +100,9 @@ void slip_infix(Parser *p)
     Diag *d;
 
     if (p->tok.kind == TOK_NAME) {
-        infix_word(p);
+        size_t row = infix_row(p);
+        if (row < NO_INFIX)
+            replace_word(p, infix[row].native, infix[row].kind);
         return;
     }
     if (p->tok.kind != TOK_ASSIGN || (!p->is_guard && p->parens == 0))
@@ -167,6 +210,8 @@ void slip_missing_value(Parser *p, Diag *d)
         diag_label(p->diags, d, DIAG_label_repeat_name, parser_text(p, parser_here(p)));
     } else if (p->tok.kind == TOK_IF) {
         diag_label(p->diags, d, DIAG_label_text, lex_no_choice);
+        if (!p->ahead.first)
+            lex_skip_choice(&p->lex);
     } else if ((p->tok.kind == TOK_AND || p->tok.kind == TOK_OR) && p->ahead.kind == TOK_LPAREN) {
         diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "a %s b", p->tok.kind == TOK_AND ? "and" : "or"));
     } else if (p->last.kind == TOK_MINUS && p->tok.kind == TOK_GT && p->ahead.kind == TOK_NAME) {
@@ -209,14 +254,6 @@ static bool unit_after_number(const Parser *p)
     return p->last.kind == TOK_NUMBER && p->tok.kind == TOK_NAME && (p->ahead.first || p->ahead.kind == TOK_COLON);
 }
 
-static bool is_function(const Token *t)
-{
-    for (int i = 0; i < SM_FN_COUNT; i++)
-        if (t->kind == TOK_NAME && strcmp(t->text->text, sm_builtin_info[i].name) == 0)
-            return true;
-    return false;
-}
-
 // x = true, y = true; x = true y = true; x = true -> Idle
 static bool begins_statement(const Parser *p)
 {
@@ -233,7 +270,7 @@ void slip_at_end(Parser *p)
         p->failed = true;                              // the line has been spoken of
         return;
     }
-    if (slip_decimal_comma(p))
+    if (slip_decimal_comma(p) || slip_remark(p))
         return;
     if (p->tok.kind == TOK_RPAREN) {
         parser_fail(p, DIAG_stray_paren, parser_here(p));
@@ -252,10 +289,10 @@ void slip_at_end(Parser *p)
         diag_label(p->diags, d, DIAG_label_allow_before);
     else if (begins_statement(p))
         diag_label(p->diags, d, DIAG_label_own_line);
+    else if (p->tok.kind == TOK_COLON)
+        diag_label(p->diags, d, DIAG_label_text, "one statement behind ':'; several stand in braces, each on a line of its own");
     else if (p->tok.kind == TOK_LPAREN)
         diag_label(p->diags, d, DIAG_label_text, "to multiply, write *");
-    else if (is_function(&p->last) && begins_value(&p->tok))
-        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s(...)", p->last.text->text));
 }
 
 // ---- expressions that stand alone ----
@@ -301,7 +338,7 @@ static bool prose_in_guard(Parser *p, AstExpr *e)
 
     if (p->tok.kind == TOK_COMMA && e->kind != AST_NAME && p->ahead.kind == TOK_NAME)
         d = parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
-    else if (p->tok.kind == TOK_NAME && p->ahead.kind != TOK_ASSIGN && guard_on_line(p) && !is_function(&p->last))
+    else if (p->tok.kind == TOK_NAME && p->ahead.kind != TOK_ASSIGN && guard_on_line(p))
         d = parser_fail(p, DIAG_guard_without_body, parser_here(p), parser_found(p));
     else
         return false;
@@ -311,6 +348,9 @@ static bool prose_in_guard(Parser *p, AstExpr *e)
         diag_label(p->diags, d, DIAG_label_text, between_text(p, e));
     return true;
 }
+
+// p > 5 => Idle: the lexer has said that a colon is missing too.
+static bool is_foreign_arrow(const Parser *p) { return p->tok.kind == TOK_ARROW && p->lex.src->text[p->tok.at] == '='; }
 
 // Another statement follows the guard on its line, or a word that other languages have there.
 static bool missing_colon(Parser *p, AstExpr *e)
@@ -325,10 +365,10 @@ static bool missing_colon(Parser *p, AstExpr *e)
     }
     if (unit_in_guard(p) || prose_in_guard(p, e))
         return true;
-    if (p->tok.kind == TOK_NAME && is_function(&p->last))
-        return false;
     if (p->tok.kind != TOK_ARROW && p->tok.kind != TOK_NAME && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_IF)
         return false;
+    if (is_foreign_arrow(p))
+        return true;
     d = parser_report(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
     diag_label(p->diags, d, DIAG_label_insert_colon);
     diag_edit(p->diags, d, parser_gap(p), ":");
@@ -441,8 +481,11 @@ bool slip_bracketed_state(Parser *p)
 
 void slip_else(Parser *p)
 {
-    Diag *d = parser_report(p, DIAG_else_without_body, parser_gap(p), parser_found(p));
+    Diag *d;
 
+    if (is_foreign_arrow(p))
+        return;
+    d = parser_report(p, DIAG_else_without_body, parser_gap(p), parser_found(p));
     if (p->tok.first || parser_at_end_of_block(p))
         return;
     diag_label(p->diags, d, DIAG_label_insert_colon);
@@ -450,6 +493,25 @@ void slip_else(Parser *p)
 }
 
 // ---- statements of other languages ----
+
+// `-- …` where an expression cannot stand: a comment.
+bool slip_remark(Parser *p)
+{
+    const Source *src = p->lex.src;
+    Span sign = parser_here(p);
+    Diag *d;
+
+    if (p->tok.kind != TOK_MINUS || p->ahead.kind != TOK_MINUS || !touches(&p->tok, &p->ahead) || guard_on_line(p))
+        return false;
+    sign.len = 2;
+    d = parser_fail(p, DIAG_foreign_comment, sign, "--");
+    diag_label(p->diags, d, DIAG_label_comment);
+    diag_edit(p->diags, d, sign, "#");
+    while (p->lex.at < src->len && src->text[p->lex.at] != '\n')
+        p->lex.at++;
+    parser_next(p);
+    return true;
+}
 
 void slip_op_assign(Parser *p, Span name)
 {
@@ -542,6 +604,8 @@ static bool apply_slip(Parser *p, SlipDoes does, const char *say)
 
 bool slip_statement(Parser *p)
 {
+    if (slip_remark(p))
+        return true;
     if (p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME && !p->ahead.first) {
         misplaced_decl(p);
         return true;

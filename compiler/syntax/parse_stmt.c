@@ -75,6 +75,7 @@ static void check_allows(Parser *p, const AstStmts *list)
 void parse_block(Parser *p, AstStmts *into)
 {
     bool lost_body = p->lost_body;
+    size_t errors;
     uint32_t at;
 
     p->lost_body = false;
@@ -88,11 +89,14 @@ void parse_block(Parser *p, AstStmts *into)
         if (parser_at_end_of_block(p))
             break;
         at = p->tok.at;
+        errors = p->diags->errors;
         after_stop(p, into);
         parse_statement(p, into);
         if (p->tok.at == at)                    // nothing was taken: it begins no statement
             parser_next(p);
         finish_statement(p);
+        if (into->n)
+            into->at[into->n - 1]->flawed |= p->diags->errors > errors;
     }
     check_allows(p, into);
     p->lost_body = lost_body;
@@ -164,6 +168,7 @@ static void assignment_as_guard(Parser *p, AstStmts *into, AstStmt *s, Span sign
 static void parse_assignment(Parser *p, AstStmts *into)
 {
     AstStmt *s = new_stmt(p, AST_ASSIGN, into);
+    bool behind_colon = p->last.kind == TOK_COLON;       // x = 1: y = 2 there are two statements
     Span sign;
 
     s->name = p->tok.text;
@@ -175,7 +180,7 @@ static void parse_assignment(Parser *p, AstStmts *into)
     parser_next(p);
     s->value = parse_value_of(p, false);
     s->span = parser_since(p, s->span.at);
-    if (!p->failed && !p->tok.first && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE))
+    if (!p->failed && !p->tok.first && ((p->tok.kind == TOK_COLON && !behind_colon) || p->tok.kind == TOK_LBRACE))
         assignment_as_guard(p, into, s, sign);
     else
         check_guarded(p, s);

@@ -80,6 +80,9 @@ void skip_line(Parser *p);                              // to the next line, hea
 
 void slip_prefix(Parser *p);                            // NOT x
 void slip_infix(Parser *p);                             // x AND y, x = y in a guard
+bool slip_choice(const Parser *p);                      // IF(a; b; c)
+bool slip_operand(Parser *p, AstExpr *name);            // abs x, behind the name; true when reported
+bool slip_remark(Parser *p);                            // -- x, where no expression can stand; true when reported
 bool slip_unit_step(Parser *p);                         // x++ where a value is missing; true when reported
 void slip_missing_value(Parser *p, Diag *d);            // adds to the message that a value is missing here
 bool slip_decimal_comma(Parser *p);                     // 3,14 at the comma; true when reported

@@ -11,7 +11,7 @@ bool on
     if p between 3 and 5: x = 1         #! E0315 write 3 <= p <= 5
     if p > 5 of max: x = 1              #! E0315 'of'
     if p > 5, x = 1                     #! E0315 write ':' instead
-    if abs p > 5: x = 1                 #! E0219 write abs(x) #! E0330 write abs(...)
+    if abs p > 5: x = 1                 #! E0219 write abs(x)
     if p > 5 -> Hold                    #! E0315 insert ':'
     if p > 5 x = 1                      #! E0315 insert ':'
     x = 1, p = 2                        #! E0330 every statement stands on a line of its own

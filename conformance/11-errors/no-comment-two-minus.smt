@@ -1,0 +1,17 @@
+spec 3.1   Two minus signs are two operators wherever an expression goes on behind them.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p @read_only
+F64 x
+bool on
+[Hold]
+.step
+    x = p--1
+    x = x -- p
+    x = x -- p + x
+    --x > 3: on = p -- x > 1 and p > x
+    not on: -> Vent
+[Vent]

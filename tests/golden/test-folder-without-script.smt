@@ -1,0 +1,16 @@
+# A machine and a folder, which holds cases but no scripts.
+args test a.sm .
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+bool open
+[Idle]
+.step
+    open = true
+-- stderr --
+smc: folders hold .smt cases; scripts are named one by one, as in 'smc test a.sm SCRIPT.ss'
+Try 'smc test --help'.
+-- exit --
+2
