@@ -148,7 +148,9 @@ static uint32_t skip_name(const Lexer *l, uint32_t p)
 {
     uint32_t end = lexer_skip_word(l, p);
 
-    return is_identifier(l->src->text + p, end - p) && !map_find(&l->words, str_intern(l->strings, l->src->text + p, end - p)) ? end : p;
+    if (!is_identifier(l->src->text + p, end - p))
+        return p;
+    return map_find(&l->words, str_intern(l->strings, l->src->text + p, end - p)) ? p : end;
 }
 
 // Two words in a row are prose.
@@ -166,7 +168,8 @@ bool lex_slip_is_remark(const Lexer *l)
 
     if (is_prose(l, p))
         return true;
-    return len == 1 && (l->first || l->last == TOK_TRUE || l->last == TOK_FALSE || (!l->stores && ends_line(l, skip_gap(l, skip_name(l, p)))));
+    return len == 1 && (l->first || l->last == TOK_TRUE || l->last == TOK_FALSE ||
+                        (!l->stores && ends_line(l, skip_gap(l, skip_name(l, p)))));
 }
 
 // One that has been closed on its line, behind which nothing stands, becomes one of this language.
@@ -381,7 +384,8 @@ bool lex_slip_range(Lexer *l, Token *t)
     const char *s = l->src->text, open = s[l->at];
     bool brackets = open == '[' || open == '(';
     uint32_t back = l->at, lo = skip_gap(l, l->at + brackets), lo_end = skip_plain_number(l, lo), sign = skip_gap(l, lo_end);
-    uint32_t sign_end = skip_between(l, sign), hi = skip_gap(l, sign_end), hi_end = skip_plain_number(l, hi), end = skip_gap(l, hi_end);
+    uint32_t sign_end = skip_between(l, sign), hi = skip_gap(l, sign_end);
+    uint32_t hi_end = skip_plain_number(l, hi), end = skip_gap(l, hi_end);
 
     while (back && is_gap(s[back - 1]))
         back--;
@@ -406,7 +410,8 @@ static bool names_state(const Lexer *l, const Token *t)
 {
     uint32_t from = skip_gap(l, t->at + t->len), end = lexer_skip_word(l, from), p = skip_gap(l, end);
 
-    if (l->stores || l->annotated || l->parens || !is_identifier(l->src->text + from, end - from) || !(ends_line(l, p) || lexer_byte(l, p) == '}'))
+    if (l->stores || l->annotated || l->parens || !is_identifier(l->src->text + from, end - from) ||
+        !(ends_line(l, p) || lexer_byte(l, p) == '}'))
         return false;
     while (lexer_byte(l, p) == '\n' || lexer_byte(l, p) == '#') {
         p += (uint32_t)strcspn(l->src->text + p, "\n");

@@ -30,7 +30,7 @@ uint32_t lex_slip_byte(Lexer *l, uint32_t at);
 size_t lex_slip_letter(const Lexer *l, uint32_t p);
 bool lex_slip_is_remark(const Lexer *l);                        // the -- or % here begins one
 void lex_slip_comment(Lexer *l);                                // skips `// ...`, `/* ... */`, `-- ...` and `% ...`
-bool lex_slip_state(Lexer *l, Token *t);                        // `state Hold:` for [Hold], at the first word of a line; true if it is
+bool lex_slip_state(Lexer *l, Token *t);                        // `state Hold:` for [Hold]; true if it was
 bool lex_slip_range(Lexer *l, Token *t);                        // @range [0, 5] behind an annotation; true if it gave a token
 bool lex_slip_bars(Lexer *l, Token *t);                         // |x|; true if it gave a token
 // The number at..end runs on: 5psi, 1__0, 0x, 1e, 1.2.3.  Reports it; returns where it stops.

@@ -155,12 +155,10 @@ const char *nearest_word(const char *word, const char *const *among, size_t n)
     return found;
 }
 
-void label_annotations(Parser *p, Diag *d, const char *const *here, size_t n, const char *const *all, size_t n_all)
+void label_annotations(Parser *p, Diag *d, const char *const *here, size_t n)
 {
     const char *word = p->tok.text->text, *near = nearest_word(word, here, n), *list = "";
 
-    if (!near)
-        near = nearest_word(word, all, n_all);
     for (size_t i = 0; i < n; i++)
         list = format_in(p->arena, "%s%s@%s", list, i == 0 ? "" : i + 1 < n ? ", " : " and ", here[i]);
     if (near)

@@ -73,13 +73,13 @@ static bool ends_arguments(const Parser *p)
 static void unknown_annotation(Parser *p, AstPlace place)
 {
     Diag *d = parser_report(p, DIAG_annotation_unknown, parser_here(p), p->tok.text->text);
-    const char *here[AST_ANNOTATION_COUNT], *all[AST_ANNOTATION_COUNT];
-    size_t n = words_at(1u << place, here), n_all = words_at(family_of(place), all);
+    const char *here[AST_ANNOTATION_COUNT];
+    size_t n = words_at(1u << place, here);
 
     if (strncmp(p->tok.text->text, "unit", 4) == 0)
         diag_label(p->diags, d, DIAG_label_text, "a unit stands in a comment");
     else
-        label_annotations(p, d, here, n, all, n_all);
+        label_annotations(p, d, here, n);
     parser_next(p);
     while (!ends_arguments(p))
         parser_next(p);

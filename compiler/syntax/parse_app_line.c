@@ -91,7 +91,10 @@ bool app_take_name(Parser *p, AstWord *into, const char *expected, const char *f
         into->text = p->tok.text;
         into->span = parser_here(p);
         parser_next(p);
-        return true;
+        if (p->tok.kind == TOK_MINUS && p->tok.at == into->span.at + into->span.len)
+            diag_label(p->diags, parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
+                       DIAG_label_name_letters);
+        return !p->failed;
     }
     if (!p->tok.first && p->tok.text && p->tok.kind != TOK_TEXT && lex_is_reserved(&p->lex, p->tok.text, &reserved))
         parser_fail(p, DIAG_name_reserved, parser_here(p), p->tok.text->text);
@@ -223,7 +226,7 @@ static void unknown_annotation(Parser *p, AppPlace place)
         if (rows[i].on[place])
             here[n++] = annotations[i];
     here[n++] = "allow";
-    label_annotations(p, d, here, n, annotations, AST_APP_ANNOTATION_COUNT);
+    label_annotations(p, d, here, n);
 }
 
 // `skip`, or `catch_up` and a number.

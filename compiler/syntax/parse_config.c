@@ -38,7 +38,18 @@ static bool is_direction(const Token *t)
     return t->kind == TOK_NAME && t->text->len == 1 && (t->text->text[0] == 'i' || t->text->text[0] == 'o');
 }
 
-// The pin at hand begins with another word: tells.  True if a number follows all the same, and it is read as a pin.
+// batt 0 i, of which the number is at hand.
+static bool wrong_order(Parser *p, Diag *d, const char *name)
+{
+    if (!is_direction(&p->ahead) || p->ahead.first)
+        return false;
+    diag_label(p->diags, d, DIAG_label_write,
+               format_in(p->arena, "%s %s %s", p->ahead.text->text, parser_text(p, parser_here(p)), name));
+    p->failed = true;
+    return true;
+}
+
+// The pin at hand begins with another word: tells.  True if a number follows all the same, which is at hand then.
 static bool recover_direction(Parser *p, AstPin *pin)
 {
     const char *guess = p->tok.kind == TOK_NAME ? guess_direction(p->tok.text->text) : NULL;
@@ -54,17 +65,19 @@ static bool recover_direction(Parser *p, AstPin *pin)
     }
     pin->output = guess && *guess == 'o';
     p->failed = p->failed || !goes_on;
-    return goes_on;
+    if (!goes_on)
+        return false;
+    parser_next(p);
+    return guess || !wrong_order(p, d, p->last.text->text);
 }
 
 static bool take_direction(Parser *p, AstPin *pin)
 {
     bool known = is_direction(&p->tok);
 
-    if (known)
-        pin->output = p->tok.text->text[0] == 'o';
-    else if (!recover_direction(p, pin))
-        return false;
+    if (!known)
+        return recover_direction(p, pin);
+    pin->output = p->tok.text->text[0] == 'o';
     parser_next(p);
     return true;
 }

@@ -81,12 +81,14 @@ bool slip_operand(Parser *p, AstExpr *name)
     Span operand = parser_here(p);
     Diag *d;
 
-    if (fn == SM_FN_COUNT || p->tok.first || (p->tok.kind != TOK_NAME && p->tok.kind != TOK_NUMBER) || p->ahead.kind == TOK_ASSIGN ||
-        infix_row(p) < NO_INFIX || is_word(&p->tok, "then") || is_word(&p->tok, "do") || is_word(&p->tok, "between"))
+    if (fn == SM_FN_COUNT || p->tok.first || (p->tok.kind != TOK_NAME && p->tok.kind != TOK_NUMBER) ||
+        p->ahead.kind == TOK_ASSIGN || infix_row(p) < NO_INFIX || is_word(&p->tok, "then") || is_word(&p->tok, "do") || is_word(&p->tok, "between"))
         return false;
-    d = parser_report(p, DIAG_function_without_call, name->span, name->name->text, name->name->text, function_usage(&sm_builtin_info[fn]));
+    d = parser_report(p, DIAG_function_without_call, name->span, name->name->text, name->name->text,
+                      function_usage(&sm_builtin_info[fn]));
     parser_next(p);
-    if (sm_builtin_info[fn].arguments != 1 || (!p->tok.first && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_NUMBER || p->tok.kind == TOK_LPAREN))) {
+    if (sm_builtin_info[fn].arguments != 1 ||
+        (!p->tok.first && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_NUMBER || p->tok.kind == TOK_LPAREN))) {
         p->failed = true;
         return true;
     }

@@ -52,9 +52,8 @@ const char *parser_describe(const Parser *p, const Token *t);
 const char *parser_found(const Parser *p);              // the next one, or the end of the line before it
 // The nearest of `n` words to `word`, or NULL if none is near.
 const char *nearest_word(const char *word, const char *const *words, size_t n);
-// Labels the annotation at hand, an unknown one, with the nearest of those that may stand here, or else of all; where none is near with
-// what may stand here.
-void label_annotations(Parser *p, Diag *d, const char *const *here, size_t n, const char *const *all, size_t n_all);
+// Labels the annotation at hand, an unknown one, with the nearest of those that may stand here; where none is near with all of them.
+void label_annotations(Parser *p, Diag *d, const char *const *here, size_t n);
 
 // ---- grammar ----
 
