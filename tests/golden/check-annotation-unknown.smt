@@ -58,11 +58,11 @@ a.io:4:7: error: unknown annotation '@frequency' [E0360]
       |       ^~~~~~~~~~ here may stand @allow, @safe and @inverted
 a.io:5:7: error: unknown annotation '@pul_up' [E0360]
     5 | o 8 b @pul_up
-      |       ^~~~~~~ did you mean '@pull_up'?
+      |       ^~~~~~~ here may stand @allow, @safe and @inverted
 4 errors
 a.app:3:8: error: unknown annotation '@core' [E0360]
     3 | [main] @core 1
-      |        ^~~~~ did you mean '@mode'?
+      |        ^~~~~ here may stand @priority, @overrun, @ticks, @overruns, @skipped, @late, @busy and @allow
 a.app:5:18: error: unknown annotation '@critical' [E0360]
     5 |     task control @critical
       |                  ^~~~~~~~~ here may stand @mode, @init, @safe and @allow
