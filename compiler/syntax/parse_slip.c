@@ -180,21 +180,33 @@ static bool is_comparison(TokenKind k)
     return k == TOK_LT || k == TOK_LE || k == TOK_GT || k == TOK_GE || k == TOK_EQ || k == TOK_NE;
 }
 
-// The rest of the line, up to a comment, holds a : or a {.
-static bool guard_on_line(const Parser *p)
+// Whether what stands here is a guard: its line, which goes on inside parentheses, holds a : or a {, or a { stands below.
+static bool is_guard(const Parser *p)
 {
     const Source *s = p->lex.src;
+    uint32_t depth = 0, i = p->tok.at;
+    bool below = false;                                // behind the line's end, where only '{' may follow
 
-    for (uint32_t i = p->tok.at; i < s->len && s->text[i] != '\n' && s->text[i] != '#'; i++)
-        if (s->text[i] == ':' || s->text[i] == '{' || s->text[i] == '}')
+    for (; i < s->len; i++) {
+        const char c = s->text[i];
+        if (c == '#')
+            i += (uint32_t)strcspn(s->text + i, "\n") - 1;
+        else if (c == '\n')
+            below |= depth == 0;
+        else if (below && c != ' ' && c != '\t' && c != '\r')
+            return c == '{';
+        else if (c == ':' || c == '{' || c == '}')
             return true;
+        else if (c == '(' || (c == ')' && depth > 0))
+            depth += c == '(' ? 1u : UINT32_MAX;
+    }
     return false;
 }
 
 // The line ended with an operator, and the next one looks like what should follow it: it has been spoken of then.
 static void skip_continuation(Parser *p)
 {
-    while (begins_value(&p->tok) && p->ahead.kind != TOK_ASSIGN && !guard_on_line(p)) {
+    while (begins_value(&p->tok) && p->ahead.kind != TOK_ASSIGN && !is_guard(p)) {
         parser_next(p);
         while (!p->tok.first)
             parser_next(p);
@@ -340,7 +352,7 @@ static bool prose_in_guard(Parser *p, AstExpr *e)
 
     if (p->tok.kind == TOK_COMMA && e->kind != AST_NAME && p->ahead.kind == TOK_NAME)
         d = parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
-    else if (p->tok.kind == TOK_NAME && p->ahead.kind != TOK_ASSIGN && guard_on_line(p))
+    else if (p->tok.kind == TOK_NAME && p->ahead.kind != TOK_ASSIGN && is_guard(p))
         d = parser_fail(p, DIAG_guard_without_body, parser_here(p), parser_found(p));
     else
         return false;
@@ -379,7 +391,7 @@ static bool missing_colon(Parser *p, AstExpr *e)
 
 static void assign_to_expression(Parser *p, const AstExpr *e)
 {
-    if (guard_on_line(p)) {
+    if (is_guard(p)) {
         Diag *d = parser_fail(p, DIAG_assign_in_guard, parser_here(p));
         diag_label(p->diags, d, DIAG_label_write, "==");
         diag_edit(p->diags, d, parser_here(p), "==");
@@ -503,7 +515,7 @@ bool slip_remark(Parser *p)
     Span sign = parser_here(p);
     Diag *d;
 
-    if (p->tok.kind != TOK_MINUS || p->ahead.kind != TOK_MINUS || !touches(&p->tok, &p->ahead) || guard_on_line(p))
+    if (p->tok.kind != TOK_MINUS || p->ahead.kind != TOK_MINUS || !touches(&p->tok, &p->ahead) || is_guard(p))
         return false;
     sign.len = 2;
     d = parser_fail(p, DIAG_foreign_comment, sign, "--");

@@ -13,5 +13,11 @@ bool on
     x = x -- p
     x = x -- p + x
     --x > 3: on = p -- x > 1 and p > x
+    --x  # the guard of what stands below
+    {
+        on = true
+    }
+    --(x +
+        p) > 2: on = true
     not on: -> Vent
 [Vent]
