@@ -94,7 +94,9 @@ check "each platform has its program" programs
 check "other flags make it anew, once" other_flags
 in_cxx()
 {
-    cp tasks.c own.cpp && "$make" -s CC="$cc" CFLAGS=-O1 SMC_SOURCES=own.cpp && "$make" -q CC="$cc" CFLAGS=-O1 SMC_SOURCES=own.cpp &&
+    case $cc in *' '*) cxx="${CXX:-g++} ${cc#* }" ;; *) cxx=${CXX:-g++} ;; esac         # with the options of CC, as sanitizers want
+    cp tasks.c own.cpp && "$make" -s CC="$cc" CXX="$cxx" CFLAGS=-O1 SMC_SOURCES=own.cpp &&
+        "$make" -q CC="$cc" CXX="$cxx" CFLAGS=-O1 SMC_SOURCES=own.cpp &&
         ./probe | cmp - expected.txt && rm own.cpp
 }
 if command -v "${CXX:-g++}" >/dev/null; then
