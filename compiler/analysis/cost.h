@@ -41,6 +41,7 @@ typedef struct Cost {
     uint32_t states;
     uint32_t ram;                 // bytes in all, on this computer's kind of pointers: the VM's own, windows, locals
     uint32_t own, windows, locals;
+    uint32_t windows_small;       // what these windows take on a chip, where they have SM_ROLL_SMALL
     CostWindow *window;
     uint32_t window_count;
     uint32_t code;                // bytes of its instructions in the image

@@ -265,9 +265,11 @@ make_readings() {
 readings() {
     make_readings >"$dir/readings.sm"
     for level in -O0 -O1 -O2; do
+        rm -f "$dir/readings.c"
         "$smc" build -w $level "$dir/readings.sm" --emit=c -o "$dir/readings.c" >"$dir/log" 2>&1
         few_compilers build_and_run readings "$here/readings.c $dir/readings.c"
     done
+    rm -f "$dir/readings.c"
     "$smc" build -w --soft "$dir/readings.sm" --emit=c -o "$dir/readings.c" >"$dir/log" 2>&1
     for compiler in "gcc -std=c99" tcc; do
         try "$compiler" build_and_run readings "-I$root $here/readings.c $dir/readings.c $(echo "$root"/stdlib/soft_*.c)"

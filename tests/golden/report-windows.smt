@@ -1,6 +1,6 @@
 # Windows that a chip has no memory for; a local that only sizes a window; a long time axis and a group of warnings as words of their own.
 args report big.sm --format=text | grep 'On an Arduino Uno \|Windows alone\|sizes of windows' | sed 's/  */ /g'
-args report small.sm --format=text | grep 'On an Arduino Uno \|Windows alone' | sed 's/  */ /g' | cut -c 1-30
+args report small.sm --format=text | grep 'On an Arduino Uno \|Windows alone' | sed 's/  */ /g' | cut -c 1-24
 args report small.sm small.ss | grep -o '>100000<\|1e+05\|<td class="b">-Wflight<' | sort -u
 
 -- big.sm --
@@ -22,7 +22,7 @@ F64 p @read_only
 F64 mean
 [Idle]
 .step
-    mean = roll_avg(p, 100)
+    mean = roll_avg(p, 200)
     T > 50000: -> Rest
 [Rest]
 -- small.ss --
@@ -35,6 +35,6 @@ G == 120000: @stop
  On an Arduino Uno does not fit its memory
  size U16 256 sizes of windows 7
  Windows alone more than its 2048 bytes of memory
- On an Arduino Uno about 66207
+ On an Arduino Uno about
 <td class="b">-Wflight<
 >100000<

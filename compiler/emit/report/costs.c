@@ -89,13 +89,7 @@ static void put_way(const Report *r, Doc *d)
 
 // ---- a board ----
 
-// Samples take the same memory everywhere; the pointers to them are shorter there.
-bool report_fits_uno(const Report *r)
-{
-    enum { RAM = 2048 };
-
-    return r->cost.windows < RAM + sizeof(uint64_t *) * r->analysis.p->window.n;
-}
+bool report_fits_uno(const Report *r) { return r->cost.windows_small < 2048; }
 
 static void put_board(const Report *r, Doc *d)
 {
