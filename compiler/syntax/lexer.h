@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the two files of the lexer share: lex.c scans what is right, lex_slip.c knows what may be wrong.
+// What the files of the lexer share: lex.c scans what is right, lex_slip.c knows what may be wrong with characters, lex_foreign.c what
+// other languages write.
 #ifndef SMC_LEXER_H
 #define SMC_LEXER_H
 
@@ -28,6 +29,13 @@ uint32_t lex_slip_comment_byte(Lexer *l, uint32_t at);      // what is not ASCII
 uint32_t lex_slip_byte(Lexer *l, uint32_t at);
 // The letter of another alphabet at p, if there is one: its length.
 size_t lex_slip_letter(const Lexer *l, uint32_t p);
+// Something that begins no token.  True if it gave one all the same.
+bool lex_slip_stray(Lexer *l, Token *t);
+// What the source is, if it is no text at all: "UTF-16", "binary data"; or NULL.
+const char *lex_slip_no_text(const Source *s);
+
+// ---- lex_foreign.c ----
+
 bool lex_slip_is_remark(const Lexer *l);                        // the -- or % here begins one
 void lex_slip_comment(Lexer *l);                                // skips `// ...`, `/* ... */`, `-- ...` and `% ...`
 bool lex_slip_state(Lexer *l, Token *t);                        // `state Hold:` for [Hold]; true if it was
@@ -39,9 +47,5 @@ void lex_slip_header(Lexer *l, uint32_t from, uint32_t end, Str name);       // 
 void lex_slip_sign(Lexer *l, Token *t, const char *spelling, const char *native, const char *label);   // FOREIGN, ABSENT
 bool lex_slip_semicolon(Lexer *l, Token *t);                    // true if it gave a token
 void lex_slip_choice(Lexer *l);                                 // skips c ? a : b from the ?
-// Something that begins no token.  True if it gave one all the same.
-bool lex_slip_stray(Lexer *l, Token *t);
-// What the source is, if it is no text at all: "UTF-16", "binary data"; or NULL.
-const char *lex_slip_no_text(const Source *s);
 
 #endif

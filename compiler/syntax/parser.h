@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the parser's files share.  parse.c: files, sections, blocks; parse_decl.c: declarations and options;
-// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions; parse_slip.c: guesses what was meant where something is wrong.
+// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions; parse_slip.c and parse_slip_stmt.c: guess what was
+// meant where something is wrong.
 // A mistake is reported once: p->failed then silences everything up to the next statement, where it is cleared.
 #ifndef SMC_PARSER_H
 #define SMC_PARSER_H
@@ -100,5 +101,14 @@ bool slip_bracketed_state(Parser *p);                   // -> [Idle] at the brac
 void slip_else(Parser *p);                              // neither : nor { nor if behind `else`
 // What comes begins no statement, though it looks like one of another language.  Reports it and returns true, or false.
 bool slip_statement(Parser *p);
+
+// ---- what the two files of slips share ----
+
+bool slip_is_word(const Token *t, const char *lower);   // a name that is this word, in whatever case
+bool slip_is_label(const char *word);                   // entry, step, exit
+bool slip_touches(const Token *a, const Token *b);      // nothing stands between them
+bool slip_begins_value(const Token *t);
+bool slip_is_guard(const Parser *p);                    // its line, which goes on inside parentheses, holds a : or a {, or a { stands below
+void slip_replace_word(Parser *p, const char *native, TokenKind kind);       // reports a foreign word, which becomes a token of that kind
 
 #endif

@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: Apache-2.0
+// What other languages write and this one does not: their comments, units, headers of states, ranges and operators.  Reported here,
+// and the token given that was meant.
+#include <string.h>
+
+#include "compiler/syntax/lexer.h"
+
+// ---- comments, numbers, headers ----
+
+static bool is_gap(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+static uint32_t skip_gap(const Lexer *l, uint32_t p)
+{
+    while (is_gap(lexer_byte(l, p)))
+        p++;
+    return p;
+}
+
+static bool ends_line(const Lexer *l, uint32_t p)
+{
+    return p == l->src->len || l->src->text[p] == '\n' || l->src->text[p] == '#';
+}
+
+// An identifier that is no word of the language: where it ends, or `p` if there is none.
+static uint32_t skip_name(const Lexer *l, uint32_t p)
+{
+    uint32_t end = lexer_skip_word(l, p);
+
+    if (!is_identifier(l->src->text + p, end - p))
+        return p;
+    return map_find(&l->words, str_intern(l->strings, l->src->text + p, end - p)) ? p : end;
+}
+
+// Two words in a row are prose.
+static bool is_prose(const Lexer *l, uint32_t p)
+{
+    uint32_t end = skip_name(l, p), next = skip_gap(l, end);
+
+    return end > p && next > end && skip_name(l, next) > next;
+}
+
+// `-- …` and `% …`: what no expression can go on with is a comment.
+bool lex_slip_is_remark(const Lexer *l)
+{
+    uint32_t len = l->src->text[l->at] == '%' ? 1 : 2, p = skip_gap(l, l->at + len);
+
+    if (is_prose(l, p))
+        return true;
+    return len == 1 && (l->first || l->last == TOK_TRUE || l->last == TOK_FALSE ||
+                        (!l->stores && ends_line(l, skip_gap(l, skip_name(l, p)))));
+}
+
+// One that has been closed on its line, behind which nothing stands, becomes one of this language.
+static void edit_closed_comment(Lexer *l, Diag *d, uint32_t at, uint32_t end)
+{
+    if (memchr(l->src->text + at, '\n', end - at) || !ends_line(l, skip_gap(l, end)))
+        return;
+    diag_edit(l->diags, d, lexer_span(l, at, 2), "#");
+    diag_edit(l->diags, d, lexer_span(l, end - 2, 2), "");
+}
+
+// `// …`, `/* … */`, `-- …` and `% …` of other languages.
+void lex_slip_comment(Lexer *l)
+{
+    uint32_t at = l->at, p = at + (l->src->text[at] == '%' ? 1 : 2);
+    Diag *d = diag_report(l->diags, DIAG_foreign_comment, lexer_span(l, at, 2), lexer_text(l, at, p));
+
+    diag_label(l->diags, d, DIAG_label_comment);
+    if (l->src->text[at] == '/' && l->src->text[at + 1] == '*' && !l->no_comment_end) {
+        while (p + 1 < l->src->len && !(l->src->text[p] == '*' && l->src->text[p + 1] == '/'))
+            p++;
+        l->no_comment_end = p + 1 >= l->src->len;
+        if (!l->no_comment_end)
+            edit_closed_comment(l, d, at, p + 2);
+        for (; !l->no_comment_end && l->at < p + 2; )
+            if (l->src->text[l->at] == '\n')
+                lexer_end_line(l);
+            else
+                l->at++;
+    }
+    if (l->at == at) {
+        diag_edit(l->diags, d, lexer_span(l, at, p - at), "#");
+        lexer_skip_comment(l);
+    }
+}
+
+// Whether the word before it is followed by a name: task, machine, @mode.
+static bool is_name_place(const Lexer *l, uint32_t at)
+{
+    uint32_t end, from;
+    const char *s = l->src->text;
+
+    while (at && (s[at - 1] == ' ' || s[at - 1] == '\t'))
+        at--;
+    for (from = end = at; from && lexer_is_word(s[from - 1]); )
+        from--;
+    return (end - from == 4 && memcmp(s + from, "task", 4) == 0) || (end - from == 7 && memcmp(s + from, "machine", 7) == 0) ||
+           (from && s[from - 1] == '@' && (end - from != 8 || memcmp(s + from, "priority", 8) != 0));
+}
+
+// 5psi, 0x1G; or a name that begins with a digit
+static void number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t stop)
+{
+    Diag *d = diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end),
+                          lexer_text(l, end, stop));
+
+    if (l->last == TOK_TYPE)
+        diag_label(l->diags, d, DIAG_label_name_first);
+    else if (!lexer_is_hex_prefix(l, at))
+        diag_label(l->diags, d, DIAG_label_no_unit);
+}
+
+// The number at..end runs on: 5psi, 1__0, 0x, 1e, 1.2.3.  Reports it; returns where it stops.
+uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
+{
+    uint32_t stop = lexer_skip_word(l, end);
+    char c = lexer_byte(l, end), before = lexer_byte(l, end - 1);
+    const char *whole;
+
+    while (lexer_byte(l, stop) == '.' && lexer_is_word(lexer_byte(l, stop + 1)))
+        stop = lexer_skip_word(l, stop + 1);
+    whole = lexer_text(l, at, stop);
+    if (c == '_' || (before == '_' && is_digit(c)))
+        diag_report(l->diags, DIAG_number_underscore, lexer_span(l, end, 1), whole);
+    else if (c == '.')
+        diag_report(l->diags, DIAG_number_point, lexer_span(l, at, stop - at), whole);
+    else if (lexer_is_hex_prefix(l, at) && end == at + 1)
+        diag_report(l->diags, DIAG_number_incomplete, lexer_span(l, at, stop - at), whole, "a hexadecimal digit", "0x");
+    else if ((c | 0x20) == 'e' && end + 1 == stop)
+        diag_report(l->diags, DIAG_number_incomplete, lexer_span(l, at, stop - at), whole, "a digit",
+                    lexer_text(l, end, end + 1));
+    else if (l->config && is_name_place(l, at))
+        diag_report(l->diags, DIAG_app_name_digit, lexer_span(l, at, stop - at), whole);
+    else if (l->config)
+        diag_label(l->diags, diag_report(l->diags, DIAG_unit_apart, lexer_span(l, at, stop - at), whole), DIAG_label_write,
+                   format_in(l->diags->arena, "%s %s", lexer_text(l, at, end), lexer_text(l, end, stop)));
+    else
+        number_run_on(l, at, end, stop);
+    return stop;
+}
+
+// `Hold Pressure`, `Vent-Fast`: the same with _ between the words; NULL if that is not what is wrong.
+static const char *joined(Arena *arena, Str name)
+{
+    char *fixed = (char *)format_in(arena, "[%s]", name->text);
+
+    for (char *c = fixed; *c; c++)
+        if (*c == ' ' || *c == '-' || *c == '\t')
+            *c = '_';
+    return lex_is_header_name(fixed + 1, name->len) ? fixed : NULL;
+}
+
+// `Abort @abort`: the annotations stand within the brackets.  How it is written; NULL if that is not what is wrong.
+static const char *annotations_outside(Arena *arena, Str name)
+{
+    const char *at = strchr(name->text, '@');
+    size_t n = at ? (size_t)(at - name->text) : 0;
+
+    while (n && (name->text[n - 1] == ' ' || name->text[n - 1] == '\t'))
+        n--;
+    return lex_is_header_name(name->text, n) ? format_in(arena, "[%.*s] %s", (int)n, name->text, at) : NULL;
+}
+
+void lex_slip_header(Lexer *l, uint32_t from, uint32_t end, Str name)
+{
+    Span whole = lexer_span(l, l->at, end + 1 - l->at);
+    Diag *d = diag_report(l->diags, DIAG_header_name, lexer_span(l, from, end - from), lexer_text(l, l->at, end + 1));
+    const char *fixed = annotations_outside(l->diags->arena, name);
+
+    if (lex_is_header_name(name->text, name->len))
+        fixed = format_in(l->diags->arena, "[%s]", name->text);
+    if (fixed) {
+        diag_label(l->diags, d, DIAG_label_write, fixed);
+        diag_edit(l->diags, d, whole, fixed);
+    } else if ((fixed = joined(l->diags->arena, name)) != NULL) {
+        diag_label(l->diags, d, DIAG_label_write, fixed);
+    }
+}
+
+static bool is_state_word(const Lexer *l, const Token *t)
+{
+    static const char *const words[] = {"state", "State", "STATE", "def"};
+
+    for (size_t i = 0; !l->config && i < sizeof words / sizeof *words; i++)
+        if (strcmp(t->text->text, words[i]) == 0)
+            return true;
+    return false;
+}
+
+// `state Hold:` and `def hold():` at the start of a line: [Hold].
+bool lex_slip_state(Lexer *l, Token *t)
+{
+    uint32_t from, end, p;
+    const char *written;
+    Diag *d;
+
+    if (!is_state_word(l, t))
+        return false;
+    from = skip_gap(l, t->at + t->len);
+    end = skip_name(l, from);
+    p = skip_gap(l, end);
+    if (end == from)
+        return false;
+    if (lexer_byte(l, p) == '(' && lexer_byte(l, skip_gap(l, p + 1)) == ')')
+        p = skip_gap(l, skip_gap(l, p + 1) + 1);
+    if (lexer_byte(l, p) == ':' || lexer_byte(l, p) == '{')
+        p++;
+    if (!ends_line(l, skip_gap(l, p)))
+        return false;
+    d = diag_report(l->diags, DIAG_foreign_word, lexer_span(l, t->at, t->len), t->text->text);
+    written = format_in(l->diags->arena, "[%.*s]", (int)(end - from), l->src->text + from);
+    diag_label(l->diags, d, DIAG_label_write, written);
+    diag_edit(l->diags, d, lexer_span(l, t->at, p - t->at), written);
+    t->at = from - 1;
+    t->text = str_intern(l->strings, l->src->text + from, end - from);
+    lexer_finish(l, t, TOK_HEADER, end);
+    l->at = p;
+    return true;
+}
+
+// Where the number with or without a sign at p ends, or p if there is none.  A point must be followed by a digit: 0..5.
+static uint32_t skip_plain_number(const Lexer *l, uint32_t p)
+{
+    uint32_t at = p + (lexer_byte(l, p) == '-' || lexer_byte(l, p) == '+'), end = at;
+
+    while (is_digit(lexer_byte(l, end)))
+        end++;
+    if (lexer_byte(l, end) == '.' && is_digit(lexer_byte(l, end + 1)))
+        for (end++; is_digit(lexer_byte(l, end)); )
+            end++;
+    return end > at ? end : p;
+}
+
+// Behind what others write between the two numbers: 0, 5 or 0..5 or 0 to 5; `p` if nothing of it stands there.
+static uint32_t skip_between(const Lexer *l, uint32_t p)
+{
+    const char *s = l->src->text + p;                              // a NUL closes it
+
+    if (*s == ',' || *s == ';' || *s == ':')
+        return p + 1;
+    if ((s[0] == 't' && s[1] == 'o' && !lexer_is_word(s[2])) || (s[0] == '.' && s[1] == '.'))
+        return p + 2 + (s[2] == '.');
+    return p;
+}
+
+static void report_range(Lexer *l, Token *t, Span wrong, Span lo, Span hi, uint32_t end)
+{
+    Arena *arena = l->diags->arena;
+    const char *fixed = format_in(arena, "%s %s", lexer_text(l, lo.at, lo.at + lo.len), lexer_text(l, hi.at, hi.at + hi.len));
+    Diag *d = diag_report(l->diags, DIAG_range_value, wrong, wrong.at < lo.at ? "lowest" : "highest",
+                          format_in(arena, "'%s'", lexer_text(l, wrong.at, wrong.at + wrong.len)));
+
+    diag_label(l->diags, d, DIAG_label_write, format_in(arena, "@range %s", fixed));
+    diag_edit(l->diags, d, lexer_span(l, t->at, end - t->at), fixed);
+    lexer_finish(l, t, TOK_ERROR, end);
+}
+
+// Behind @range: [0, 5] and 0..5 and 0, 5.  0,5 10 has a decimal comma.
+bool lex_slip_range(Lexer *l, Token *t)
+{
+    static const char word[] = "@range";
+    const char *s = l->src->text, open = s[l->at];
+    bool brackets = open == '[' || open == '(';
+    uint32_t back = l->at, lo = skip_gap(l, l->at + brackets), lo_end = skip_plain_number(l, lo), sign = skip_gap(l, lo_end);
+    uint32_t sign_end = skip_between(l, sign), hi = skip_gap(l, sign_end);
+    uint32_t hi_end = skip_plain_number(l, hi), end = skip_gap(l, hi_end);
+
+    while (back && is_gap(s[back - 1]))
+        back--;
+    if (back < sizeof word - 1 || memcmp(s + back - (sizeof word - 1), word, sizeof word - 1) != 0 || lo_end == lo || hi_end == hi)
+        return false;
+    if (brackets ? s[end] != (open == '[' ? ']' : ')') : sign_end == sign || lexer_is_word(s[end]) || s[hi_end] == '.')
+        return false;
+    report_range(l, t, brackets ? lexer_span(l, l->at, 1) : lexer_span(l, sign, sign_end - sign), lexer_span(l, lo, lo_end - lo),
+                 lexer_span(l, hi, hi_end - hi), brackets ? end + 1 : hi_end);
+    return true;
+}
+
+// ---- signs ----
+
+static bool begins_statement(const Lexer *l, const Token *t)
+{
+    return t->first || l->last == TOK_COLON || l->last == TOK_LBRACE || l->last == TOK_LABEL || l->last == TOK_HEADER;
+}
+
+// A name ends the line behind a sign at the end of a condition; no brace comes below it.
+static bool names_state(const Lexer *l, const Token *t)
+{
+    uint32_t from = skip_gap(l, t->at + t->len), end = lexer_skip_word(l, from), p = skip_gap(l, end);
+
+    if (l->stores || l->annotated || l->parens || !is_identifier(l->src->text + from, end - from) ||
+        !(ends_line(l, p) || lexer_byte(l, p) == '}'))
+        return false;
+    while (lexer_byte(l, p) == '\n' || lexer_byte(l, p) == '#') {
+        p += (uint32_t)strcspn(l->src->text + p, "\n");
+        p = lexer_byte(l, p) ? skip_gap(l, p + 1) : p;
+    }
+    return lexer_byte(l, p) != '{';
+}
+
+static void report_foreign(Lexer *l, Token *t, const char *spelling, const char *native)
+{
+    bool arrow = strcmp(spelling, "=>") == 0, blank;
+    uint32_t from = t->at;
+    Diag *d;
+
+    if (arrow && begins_statement(l, t))
+        native = "->";
+    else if (arrow && names_state(l, t))
+        native = ": ->";
+    if (native[strlen(native) - 1] == '>')
+        t->kind = TOK_ARROW;
+    blank = is_letter(*native);
+    d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, t->at, t->len), spelling, native);
+    diag_label(l->diags, d, DIAG_label_write, native);
+    while (*native == ':' && from && is_gap(l->src->text[from - 1]))
+        from--;
+    diag_edit(l->diags, d, lexer_span(l, from, t->at + t->len - from),
+              format_in(l->diags->arena, "%s%s%s", blank && t->at && lexer_is_word(l->src->text[t->at - 1]) ? " " : "",
+                        native, blank && lexer_is_word(lexer_byte(l, t->at + t->len)) ? " " : ""));
+}
+
+// |x| of mathematics, as (x).
+bool lex_slip_bars(Lexer *l, Token *t)
+{
+    uint32_t at = l->at, end = at + 1;
+    const char *fixed;
+    Diag *d;
+
+    if (at == l->bar && at > 0) {
+        lexer_finish(l, t, TOK_RPAREN, end);
+        return true;
+    }
+    if (!t->first && (l->last == TOK_NAME || l->last == TOK_NUMBER || l->last == TOK_RPAREN || l->last == TOK_TRUE ||
+                      l->last == TOK_FALSE || l->last == TOK_ERROR))
+        return false;
+    while (lexer_byte(l, end) != '|' && !ends_line(l, end))
+        end++;
+    if (lexer_byte(l, end) != '|' || end == at + 1)
+        return false;
+    fixed = format_in(l->diags->arena, "abs(%s)", lexer_text(l, at + 1, end));
+    d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, at, end + 1 - at), lexer_text(l, at, end + 1));
+    diag_label(l->diags, d, DIAG_label_write, fixed);
+    diag_edit(l->diags, d, lexer_span(l, at, 1), "abs(");
+    diag_edit(l->diags, d, lexer_span(l, end, 1), ")");
+    l->bar = end;
+    lexer_finish(l, t, TOK_LPAREN, at + 1);
+    return true;
+}
+
+void lex_slip_sign(Lexer *l, Token *t, const char *spelling, const char *native, const char *label)
+{
+    if (native) {
+        report_foreign(l, t, spelling, native);
+    } else if (label) {
+        Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling);
+        diag_label(l->diags, d, DIAG_label_text, label);
+    }
+}
+
+// f(a; b)
+static void semicolon_for_comma(Lexer *l, Token *t)
+{
+    Diag *d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, l->at, 1), ";", ",");
+
+    diag_label(l->diags, d, DIAG_label_write, ",");
+    diag_edit(l->diags, d, lexer_span(l, l->at, 1), ",");
+    lexer_finish(l, t, TOK_COMMA, l->at + 1);
+}
+
+// ; ends nothing here; what follows it is taken as if it stood on a line of its own.
+static void skip_semicolon(Lexer *l)
+{
+    Span span = lexer_span(l, l->at, 1);
+    Diag *d = diag_report(l->diags, DIAG_semicolon, span);
+
+    l->at++;
+    l->first = true;
+    while (lexer_byte(l, l->at) == ' ' || lexer_byte(l, l->at) == '\t' || lexer_byte(l, l->at) == '\r')
+        l->at++;
+    if (lexer_byte(l, l->at) == '\n' || lexer_byte(l, l->at) == '#' || l->at == l->src->len) {
+        diag_label(l->diags, d, DIAG_label_leave_out);
+        diag_edit(l->diags, d, span, "");
+    }
+}
+
+bool lex_slip_semicolon(Lexer *l, Token *t)
+{
+    if (l->parens == 0) {
+        skip_semicolon(l);
+        return false;
+    }
+    semicolon_for_comma(l, t);
+    return true;
+}
+
+const char *const lex_no_choice = "write it as if ...: x = a, and on the next line else: x = b";
+
+// c ? a : b of other languages; what follows belongs to it.
+void lex_slip_choice(Lexer *l)
+{
+    Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, l->at, 1), "?");
+
+    diag_label(l->diags, d, DIAG_label_text, lex_no_choice);
+    lex_skip_choice(l);
+}
+
+void lex_skip_choice(Lexer *l)
+{
+    while (l->at < l->src->len && !strchr("\n#}", l->src->text[l->at] ? l->src->text[l->at] : 'x'))
+        l->at++;
+}

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slips in statements: a guard without its body, a value where a statement should be, statements of other languages.  See parse_slip.c.
+#include "compiler/syntax/parser.h"
+
+// ---- expressions that stand alone ----
+
+// T > 5 s: ...
+static bool unit_in_guard(Parser *p)
+{
+    if (p->last.kind != TOK_NUMBER || p->tok.kind != TOK_NAME ||
+        (p->ahead.kind != TOK_COLON && p->ahead.kind != TOK_LBRACE))
+        return false;
+    diag_label(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
+               DIAG_label_no_unit);
+    p->failed = true;
+    return true;
+}
+
+// `then` and `do`.
+static void colon_word(Parser *p)
+{
+    uint32_t from = p->last.at + p->last.len;
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+
+    if (p->ahead.first) {
+        diag_label(p->diags, d, DIAG_label_braces_instead);
+    } else {
+        diag_label(p->diags, d, DIAG_label_colon_instead);
+        diag_edit(p->diags, d, (Span){p->lex.src, from, p->tok.at + p->tok.len - from}, ":");
+    }
+    parser_next(p);
+    if (p->tok.kind == TOK_COLON && !p->tok.first)
+        parser_next(p);
+}
+
+static const char *between_text(const Parser *p, const AstExpr *e)
+{
+    return format_in(p->arena, "write 3 <= %s <= 5", parser_text(p, e->span));
+}
+
+// Something follows the guard on its line that is no statement: a colon would not help.
+static bool prose_in_guard(Parser *p, AstExpr *e)
+{
+    Diag *d;
+
+    if (p->tok.kind == TOK_COMMA && e->kind != AST_NAME && p->ahead.kind == TOK_NAME)
+        d = parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
+    else if (p->tok.kind == TOK_NAME && p->ahead.kind != TOK_ASSIGN && slip_is_guard(p))
+        d = parser_fail(p, DIAG_guard_without_body, parser_here(p), parser_found(p));
+    else
+        return false;
+    if (p->tok.kind == TOK_COMMA)
+        diag_label(p->diags, d, DIAG_label_colon_instead);
+    else if (slip_is_word(&p->tok, "between"))
+        diag_label(p->diags, d, DIAG_label_text, between_text(p, e));
+    return true;
+}
+
+// p > 5 => Idle: the lexer has said that a colon is missing too.
+static bool is_foreign_arrow(const Parser *p) { return p->tok.kind == TOK_ARROW && p->lex.src->text[p->tok.at] == '='; }
+
+// Another statement follows the guard on its line, or a word that other languages have there.
+static bool missing_colon(Parser *p, AstExpr *e)
+{
+    Diag *d;
+
+    if (p->tok.first)
+        return false;
+    if (slip_is_word(&p->tok, "then") || slip_is_word(&p->tok, "do")) {
+        colon_word(p);
+        return true;
+    }
+    if (unit_in_guard(p) || prose_in_guard(p, e))
+        return true;
+    if (p->tok.kind != TOK_ARROW && p->tok.kind != TOK_NAME && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_IF)
+        return false;
+    if (is_foreign_arrow(p))
+        return true;
+    d = parser_report(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
+    diag_label(p->diags, d, DIAG_label_insert_colon);
+    diag_edit(p->diags, d, parser_gap(p), ":");
+    return true;
+}
+
+static void assign_to_expression(Parser *p, const AstExpr *e)
+{
+    if (slip_is_guard(p)) {
+        Diag *d = parser_fail(p, DIAG_assign_in_guard, parser_here(p));
+        diag_label(p->diags, d, DIAG_label_write, "==");
+        diag_edit(p->diags, d, parser_here(p), "==");
+    } else {
+        parser_fail(p, DIAG_assign_target, e->span, parser_text(p, e->span));
+    }
+}
+
+static void no_effect(Parser *p, AstExpr *e)
+{
+    Diag *d;
+
+    if (e->kind == AST_NAME && slip_is_label(e->name->text)) {
+        d = parser_report(p, DIAG_label_without_dot, e->span, e->name->text);
+        diag_edit(p->diags, d, (Span){e->span.src, e->span.at, 0}, ".");
+        e->kind = AST_ERROR;
+        return;
+    }
+    e->alone = p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL);
+    if (e->alone)
+        return;
+    d = parser_report(p, DIAG_no_effect, e->span);
+    if (e->kind == AST_BINARY && e->op == SM_OP_EQ && e->a->kind == AST_NAME)
+        diag_label(p->diags, d, DIAG_label_store,
+                   format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
+    else
+        diag_label(p->diags, d, DIAG_label_statements);
+}
+
+// Two names in a row: prose, or something of another language.
+static void no_statement(Parser *p, AstExpr *e)
+{
+    Diag *d = parser_fail(p, DIAG_no_statement, e->span, e->name->text);
+
+    if (slip_is_word(&p->tok, "between"))
+        diag_label(p->diags, d, DIAG_label_text, between_text(p, e));
+    else
+        diag_label(p->diags, d, DIAG_label_statements);
+    e->kind = AST_ERROR;
+}
+
+void slip_expression(Parser *p, AstExpr *e, bool has_if)
+{
+    if (p->failed)
+        return;
+    if (p->tok.kind == TOK_ASSIGN && !p->tok.first)
+        assign_to_expression(p, e);
+    else if (!has_if && e->kind == AST_NAME && p->tok.kind == TOK_NAME && !p->tok.first && !slip_is_word(&p->tok, "then"))
+        no_statement(p, e);
+    else if (missing_colon(p, e))
+        return;
+    else if (!parser_at_end_of_statement(p))
+        slip_at_end(p);
+    else if (has_if)
+        parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
+    else
+        no_effect(p, e);
+}
+
+void slip_colon(Parser *p, AstExpr *guard, Span colon)
+{
+    const char *before = guard ? parser_text(p, guard->span) : "else";
+    Diag *d;
+
+    if (guard && guard->kind == AST_NAME && slip_is_label(guard->name->text) && p->tok.first) {
+        d = parser_report(p, DIAG_label_without_dot, guard->span, guard->name->text);
+        diag_edit(p->diags, d, (Span){colon.src, guard->span.at, 0}, ".");
+        diag_edit(p->diags, d, colon, "");
+        guard->kind = AST_ERROR;
+        return;
+    }
+    d = parser_report(p, DIAG_colon_line_break, colon, guard ? "the condition" : "'else'", parser_found(p));
+    diag_label(p->diags, d, DIAG_label_statement_here);
+    diag_note(p->diags, d, (Span){0}, DIAG_note_write_braces, before);
+}
+
+// x: = 1
+void slip_colon_assign(Parser *p, const AstExpr *guard, Span colon)
+{
+    Diag *d = parser_fail(p, DIAG_expected_statement, parser_here(p), "'='");
+
+    if (guard && guard->kind == AST_NAME) {
+        diag_label(p->diags, d, DIAG_label_store, format_in(p->arena, "%s = ...", guard->name->text));
+        diag_edit(p->diags, d, colon, "");
+    }
+}
+
+// -> [Idle]
+bool slip_bracketed_state(Parser *p)
+{
+    Diag *d;
+
+    if (p->tok.kind != TOK_HEADER || p->tok.first)
+        return false;
+    d = parser_report(p, DIAG_transition_without_state, parser_here(p), parser_describe(p, &p->tok));
+    diag_label(p->diags, d, DIAG_label_write, p->tok.text->text);
+    diag_edit(p->diags, d, parser_here(p), p->tok.text->text);
+    parser_next(p);
+    return true;
+}
+
+void slip_else(Parser *p)
+{
+    Diag *d;
+
+    if (is_foreign_arrow(p))
+        return;
+    d = parser_report(p, DIAG_else_without_body, parser_gap(p), parser_found(p));
+    if (p->tok.first || parser_at_end_of_block(p))
+        return;
+    diag_label(p->diags, d, DIAG_label_insert_colon);
+    diag_edit(p->diags, d, parser_gap(p), ":");
+}
+
+// ---- statements of other languages ----
+
+// `-- …` where an expression cannot stand: a comment.
+bool slip_remark(Parser *p)
+{
+    const Source *src = p->lex.src;
+    Span sign = parser_here(p);
+    Diag *d;
+
+    if (p->tok.kind != TOK_MINUS || p->ahead.kind != TOK_MINUS || !slip_touches(&p->tok, &p->ahead) || slip_is_guard(p))
+        return false;
+    sign.len = 2;
+    d = parser_fail(p, DIAG_foreign_comment, sign, "--");
+    diag_label(p->diags, d, DIAG_label_comment);
+    diag_edit(p->diags, d, sign, "#");
+    while (p->lex.at < src->len && src->text[p->lex.at] != '\n')
+        p->lex.at++;
+    parser_next(p);
+    return true;
+}
+
+void slip_op_assign(Parser *p, Span name)
+{
+    const char *sign = parser_text(p, parser_here(p));
+    Diag *d = parser_report(p, DIAG_op_assign, parser_here(p), sign);
+
+    diag_label(p->diags, d, DIAG_label_write,
+               format_in(p->arena, "%s = %s %c ...", parser_text(p, name), parser_text(p, name), sign[0]));
+}
+
+typedef enum SlipDoes { SLIP_IF, SLIP_ELSE, SLIP_ARROW, SLIP_DROP, SLIP_SKIP } SlipDoes;
+
+// `does`: what the word is taken for; SKIP: the statement is given up.
+static const struct { const char *word; SlipDoes does; const char *say; } slips[] = {
+    {"if", SLIP_IF, "if"}, {"when", SLIP_IF, "if"}, {"elif", SLIP_IF, "else if"}, {"elseif", SLIP_IF, "else if"},
+    {"elsif", SLIP_IF, "else if"}, {"iff", SLIP_IF, "if"},
+    {"else", SLIP_ELSE, "else"}, {"otherwise", SLIP_ELSE, "else"},
+    {"goto", SLIP_ARROW, "->"}, {"go", SLIP_ARROW, "->"}, {"transition", SLIP_ARROW, "->"},
+    {"let", SLIP_DROP, NULL}, {"set", SLIP_DROP, NULL}, {"var", SLIP_DROP, NULL}, {"const", SLIP_DROP, NULL},
+    {"while", SLIP_SKIP, "there are no loops: .step is run again at every step"},
+    {"for", SLIP_SKIP, "there are no loops: .step is run again at every step"},
+    {"repeat", SLIP_SKIP, "there are no loops: .step is run again at every step"},
+    {"loop", SLIP_SKIP, "there are no loops: .step is run again at every step"},
+    {"switch", SLIP_SKIP, "write it as if ... else if ... else"}, {"case", SLIP_SKIP, "write it as if ... else if ... else"},
+    {"return", SLIP_SKIP, "put what follows into an else"}, {"break", SLIP_SKIP, "put what follows into an else"},
+    {"wait", SLIP_SKIP, "compare the time in the state: T >= 100: ..."},
+    {"delay", SLIP_SKIP, "compare the time in the state: T >= 100: ..."},
+    {"sleep", SLIP_SKIP, "compare the time in the state: T >= 100: ..."},
+    {"end", SLIP_SKIP, "braces are closed with }"}, {"endif", SLIP_SKIP, "braces are closed with }"},
+    {"assert", SLIP_SKIP, "it is written @assert"}, {"stop", SLIP_SKIP, "it is written @stop"}};
+
+// Stands as a word of another language would, and not as a name of this one.
+static bool stands_foreign(const Parser *p, SlipDoes does)
+{
+    const Token *next = &p->ahead;
+
+    if (next->first)
+        return does == SLIP_SKIP && next->kind != TOK_LBRACE;     // `stop` and { on the next line: a guard
+    if (does == SLIP_ELSE)
+        return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // ELSE: may be a guard
+    return slip_begins_value(next) && (next->kind != TOK_LPAREN || does == SLIP_IF || does == SLIP_SKIP);
+}
+
+// Whether the token behind a statement's first word lets any word stand as foreign; behind a name of this language there is mostly `=`.
+static bool may_follow_foreign(const Token *next)
+{
+    return next->first || slip_begins_value(next) || next->kind == TOK_IF || next->kind == TOK_ARROW;
+}
+
+// The declaration of a variable, in the midst of statements.
+static void misplaced_decl(Parser *p)
+{
+    parser_fail(p, DIAG_decl_in_state, parser_here(p));
+}
+
+// goto Idle, go to Idle, transition to Idle
+static void replace_arrow(Parser *p)
+{
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+    uint32_t at = p->tok.at;
+
+    if (slip_is_word(&p->ahead, "to") && !p->ahead.first)
+        parser_next(p);
+    diag_label(p->diags, d, DIAG_label_write, "->");
+    diag_edit(p->diags, d, (Span){p->lex.src, at, p->tok.at + p->tok.len - at}, "->");
+    p->tok.kind = TOK_ARROW;
+}
+
+static bool apply_slip(Parser *p, SlipDoes does, const char *say)
+{
+    Diag *d;
+
+    switch (does) {
+    case SLIP_IF:    slip_replace_word(p, say, TOK_IF); return false;
+    case SLIP_ELSE:  slip_replace_word(p, say, TOK_ELSE); p->lost_body = true; return false;
+    case SLIP_ARROW: replace_arrow(p); return false;
+    case SLIP_DROP:  break;
+    case SLIP_SKIP:
+        d = parser_fail(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+        diag_label(p->diags, d, DIAG_label_text, say);
+        parser_next(p);
+        return true;
+    }
+    d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+    diag_label(p->diags, d, DIAG_label_leave_out);
+    diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, p->ahead.at - p->tok.at}, "");
+    parser_next(p);
+    return false;
+}
+
+bool slip_statement(Parser *p)
+{
+    if (slip_remark(p))
+        return true;
+    if (p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME && !p->ahead.first) {
+        misplaced_decl(p);
+        return true;
+    }
+    if (p->tok.kind != TOK_NAME || !may_follow_foreign(&p->ahead))
+        return false;
+    for (size_t i = 0; i < sizeof slips / sizeof *slips; i++)
+        if (slip_is_word(&p->tok, slips[i].word) && stands_foreign(p, slips[i].does))
+            return apply_slip(p, slips[i].does, slips[i].say);
+    return false;
+}
