@@ -56,6 +56,14 @@ void analyse_pins(Arena *arena, Diags *diags, const IoMap *io, const Program *p)
 #include "compiler/analysis/analyses.def"
 #undef ANALYSIS
 
+// Sets of operators, as Stmt.operators is one.
+enum {
+    EQUALITIES = 1 << SM_OP_EQ | 1 << SM_OP_NE,
+    COMPARISONS = EQUALITIES | 1 << SM_OP_LT | 1 << SM_OP_LE | 1 << SM_OP_GT | 1 << SM_OP_GE
+};
+
+static inline bool is_comparison(SmOperator op) { return (COMPARISONS >> op & 1) != 0; }
+
 // The comparison that holds where this one does not (of numbers: NaN apart), and the one with its operands exchanged.
 SmOperator relation_opposite(SmOperator op);
 SmOperator relation_mirrored(SmOperator op);

@@ -16,11 +16,6 @@ Fact fact_of_types(const Analysis *a, const Expr *e)
 
 typedef enum Answer { SOMETIMES, NEVER, ALWAYS } Answer;
 
-static bool is_comparison(SmOperator op)
-{
-    return sm_op_info[op].op_class == SM_CLASS_RELATION || sm_op_info[op].op_class == SM_CLASS_EQUALITY;
-}
-
 static IrOp op_of(SmOperator op)
 {
     switch ((int)op) {
@@ -202,7 +197,7 @@ bool types_decide_in(const Analysis *a, const Expr *e)
 
 static void look_at_stmt(const Stmt *stmt, void *context)
 {
-    if (stmt->value)
+    if (stmt->operators & COMPARISONS)
         look_within(context, stmt->value, NULL);
 }
 

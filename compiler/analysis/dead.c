@@ -82,7 +82,7 @@ static bool walk(Structure *k, const Stmts *list, const Way *way);
 // What an arm that leaves has assigned, nobody behind it sees.
 static bool walk_arm(Structure *k, const Stmts *list, const Stmt *s, bool holds, const Way *outer)
 {
-    const size_t log = k->log.n, left = k->left.n;
+    const uint32_t log = k->log.n, left = k->left.n;
     bool leaves;
     Way *way;
 

@@ -45,11 +45,6 @@ static Answer switched(const Expr *e)
     return sm_to_bool(const_eval(e)) ? ALWAYS : NEVER;
 }
 
-static bool is_comparison(SmOperator op)
-{
-    return sm_op_info[op].op_class == SM_CLASS_RELATION || sm_op_info[op].op_class == SM_CLASS_EQUALITY;
-}
-
 // A local that still has its initial value here and gets others elsewhere: that it is read too early is told at it.
 static bool reads_initial(const Structure *k, const Expr *e, const Env *env)
 {

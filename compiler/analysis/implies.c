@@ -73,7 +73,6 @@ static Order order_of(const Expr *small, const Expr *large, bool or_equal)
 }
 
 static bool is_relation(SmOperator op) { return sm_op_info[op].op_class == SM_CLASS_RELATION; }
-static bool is_comparison(SmOperator op) { return is_relation(op) || sm_op_info[op].op_class == SM_CLASS_EQUALITY; }
 
 static Order relation_of(const Comparison *c)
 {

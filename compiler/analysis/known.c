@@ -136,19 +136,12 @@ static bool pair_excludes(const Analysis *a, const Expr *x, SmOperator op, const
     return contradicts_zero(a, x, o, y, d) || contradicts_zero(a, y, op_of(op, holds, true), x, d);
 }
 
-static bool is_comparison(const Expr *e)
-{
-    const SmOpClass c = sm_op_info[e->op].op_class;
-
-    return e->kind == EX_BINARY && (c == SM_CLASS_RELATION || c == SM_CLASS_EQUALITY);
-}
-
 // That g holds (or does not) excludes that d is 0.
 static bool guard_excludes(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
     if (g->kind == EX_UNARY && g->op == SM_OP_NOT)
         return guard_excludes(a, g->arg[0], !holds, d);
-    if (is_comparison(g))
+    if (g->kind == EX_BINARY && is_comparison(g->op))
         return pair_excludes(a, g->arg[0], g->op, g->arg[1], holds, d);
     if (g->kind == EX_BINARY && (g->op == SM_OP_AND || g->op == SM_OP_OR)) {
         const bool one = guard_excludes(a, g->arg[0], holds, d), other = guard_excludes(a, g->arg[1], holds, d);

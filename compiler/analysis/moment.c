@@ -36,7 +36,7 @@ static void look_at_expr(Expr *e, void *context)
 
 static void look_at_stmt(const Stmt *stmt, void *context)
 {
-    if (stmt->value)
+    if (stmt->operators & EQUALITIES)
         expr_walk(stmt->value, look_at_expr, context);
 }
 
@@ -44,7 +44,7 @@ void analyse_moment(Analysis *a)
 {
     Look k;
 
-    if (!(a->p->operators & (1u << SM_OP_EQ | 1u << SM_OP_NE)))
+    if (!(a->p->operators & EQUALITIES))
         return;
     k = (Look){a, moments_of(a->arena, a->p)};
     each_stmt(a->p, look_at_stmt, &k);

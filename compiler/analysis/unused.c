@@ -144,17 +144,21 @@ static void report_never_written(Analysis *a, const Var *v)
     edit_mark_read_only(a->diags, d, v);
 }
 
+// Read and written, but perhaps for itself alone.
+static bool may_feed_itself(const Var *v)
+{
+    return v->kind == VAR_LOCAL && !v->outside && !v->read_only && v->read && v->written;
+}
+
 static void look_at_local(Analysis *a, const Var *v, bool needed)
 {
     if (v->outside)
         return;
     if (!v->read)
         diag_report(a->diags, v->written ? DIAG_unread_local : DIAG_unused_local, v->span, v->name->text);
-    else if (v->read_only)
-        return;
-    else if (!v->written)
+    else if (!v->read_only && !v->written)
         report_never_written(a, v);
-    else if (!needed)
+    else if (may_feed_itself(v) && !needed)
         diag_report(a->diags, DIAG_feeds_itself, v->span, v->name->text);
 }
 
@@ -184,18 +188,32 @@ static void look_at_window(Analysis *a, const Window *w, bool needed, bool execu
         diag_report(a->diags, DIAG_unused_window, w->span, "what uses it is never executed");
 }
 
+static void look_at_windows(Analysis *a, const Needs *all)
+{
+    const Needs executed = needs_of(a, false);
+
+    for (size_t i = 0; i < a->p->window.n; i++)
+        look_at_window(a, &a->p->window.at[i], all->window[i], executed.window[i]);
+}
+
 void analyse_unused(Analysis *a)
 {
     const Program *p = a->p;
-    Needs all = needs_of(a, true), executed = needs_of(a, false);
+    bool asked = p->window.n > 0;                      // whether anybody asks what is needed: it is a walk through all there is
+    Needs all = {.var = NULL};
 
-    for (size_t i = 0; i < p->window.n; i++)
-        look_at_window(a, &p->window.at[i], all.window[i], executed.window[i]);
-    need_constants(p, all.var);
+    for (size_t i = 0; i < p->var.n; i++)
+        asked |= may_feed_itself(p->var.at[i]);
+    if (asked) {
+        all = needs_of(a, true);
+        need_constants(p, all.var);
+    }
+    if (p->window.n > 0)
+        look_at_windows(a, &all);
     for (size_t i = 0; i < p->var.n; i++)
         switch (p->var.at[i]->kind) {
         case VAR_ELEMENT: look_at_element(a, p->var.at[i]); break;
-        case VAR_LOCAL:   look_at_local(a, p->var.at[i], all.var[i]); break;
+        case VAR_LOCAL:   look_at_local(a, p->var.at[i], !asked || all.var[i]); break;
         case VAR_TIME:    break;
         }
 }

@@ -24,7 +24,7 @@ typedef struct Arena {
 void arena_init(Arena *a, SmcAllocFn alloc, void *context, jmp_buf *oom);
 void arena_free(Arena *a);                       // gives every chunk back; the arena may be used again
 
-enum { ARENA_ALIGN = 16 };
+enum { ARENA_ALIGN = 8 };                         // for anything that a compiler of ours keeps: numbers and pointers
 void *arena_alloc_more(Arena *a, size_t size);   // where what is zeroed does not reach
 
 // Zeroed memory, aligned for anything.  Never NULL; size 0 is allowed.

@@ -5,11 +5,11 @@
 
 #include "compiler/base/vec.h"
 
-void vec_reserve(Arena *a, void **items, size_t *cap, size_t item_size)
+void vec_reserve(Arena *a, void **items, uint32_t *cap, size_t item_size)
 {
-    size_t wanted = *cap ? *cap * 2 : 8;
+    const uint32_t wanted = *cap ? *cap * 2 : 4;
 
-    if (wanted > SIZE_MAX / item_size)
+    if (*cap > UINT32_MAX / 2 || wanted > SIZE_MAX / item_size)
         longjmp(*a->oom, 1);
     *items = arena_grow(a, *items, *cap * item_size, wanted * item_size);
     *cap = wanted;

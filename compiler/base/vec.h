@@ -4,19 +4,20 @@
 #define SMC_VEC_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "compiler/base/arena.h"
 
-#define VEC(T) struct { T *at; size_t n, cap; }
+#define VEC(T) struct { T *at; uint32_t n, cap; }
 
 // Appends one item.  Items move when the array grows: keep indices, not pointers.
 #define vec_push(arena, v, item)                                                                        \
     ((v)->n == (v)->cap ? vec_reserve((arena), (void **)&(v)->at, &(v)->cap, sizeof *(v)->at) : (void)0, \
      (v)->at[(v)->n++] = (item))
 
-// What a list of n items may hold in the same memory: none shorter ends where another begins (arena.c aligns to 16).
-#define vec_room(n, item_size) (((n) * (item_size) + 15) / 16 * 16 / (item_size))
+// What a list of n items may hold in the same memory: none shorter ends where another begins, for the arena aligns.
+#define vec_room(n, item_size) ((uint32_t)(((n) * (item_size) + ARENA_ALIGN - 1) / ARENA_ALIGN * ARENA_ALIGN / (item_size)))
 
-void vec_reserve(Arena *a, void **items, size_t *cap, size_t item_size);   // doubles the capacity
+void vec_reserve(Arena *a, void **items, uint32_t *cap, size_t item_size);   // doubles the capacity
 
 #endif

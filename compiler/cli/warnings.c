@@ -121,7 +121,7 @@ unsigned warnings_groups(const Warnings *w)
 // What is switched off needs no @allow either.
 static void drop_allowed(const Warnings *w, Diags *d)
 {
-    size_t kept = 0;
+    uint32_t kept = 0;
 
     for (size_t i = 0; i < d->allowed.n; i++)
         if (judge(w, d->allowed.at[i]).on)
@@ -131,7 +131,7 @@ static void drop_allowed(const Warnings *w, Diags *d)
 
 void warnings_apply(const Warnings *w, Diags *d)
 {
-    size_t kept = 0;
+    uint32_t kept = 0;
 
     for (size_t i = 0; i < d->list.n; i++) {
         Diag *diag = d->list.at[i];

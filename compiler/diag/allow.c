@@ -120,7 +120,7 @@ static void find_allowed(Diags *d)
 
 static void take_out(Diags *d)
 {
-    size_t kept = 0;
+    uint32_t kept = 0;
 
     for (size_t i = 0; i < d->list.n; i++)
         if (d->list.at[i]->allowed) {

@@ -55,15 +55,15 @@ typedef uint32_t IrBlkRef;            // index into IrFn.blk
 #define IR_NONE UINT32_MAX
 #define IR_NAN UINT64_C(0x7ff8000000000000)   // the one spelling of NaN in a const
 
-typedef struct IrIns {
-    IrOp op;
-    SmType type;                      // of the result; of a store: the variable's; of a sample: unused, F64
+typedef struct IrIns {                // small: a machine is mostly these, and every pass goes through all of them
+    IrOp op : 8;
+    SmType type : 8;                  // of the result; of a store: the variable's; of a sample: unused, F64
+    SmStat stat : 8;                  // stat
     IrRef a, b;                       // operands, or IR_NONE
     uint32_t var;                     // load, store: index into IrMachine.var; stat, sample: into IrMachine.window
-    SmStat stat;                      // stat
     uint64_t bits;                    // const: the value as a bit cell of `type` (stdlib/convert.h)
-    uint32_t stmt;                    // as built: the statement it comes from (Stmt.number); else 0
     Span span;                        // what in the source it comes from
+    uint32_t stmt;                    // as built: the statement it comes from (Stmt.number); else 0
 } IrIns;
 
 typedef enum IrJumpKind {

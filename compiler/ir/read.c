@@ -176,40 +176,57 @@ static bool compare_operands(Reader *r, IrIns *i)
     return r->f->ins.at[i->a].type == type || scan_fail(&r->scan, "the operands are not of type %s", sm_type_info[type].spelling);
 }
 
+static bool ins_type(Reader *r, IrIns *i)
+{
+    SmType type;
+    const bool good = scan_type(&r->scan, &type);
+
+    if (good)
+        i->type = type;
+    return good;
+}
+
+static bool ins_stat(Reader *r, IrIns *i)
+{
+    SmStat stat;
+    const bool good = stat_word(r, &stat);
+
+    if (good)
+        i->stat = stat;
+    return good;
+}
+
 static bool ins_details(Reader *r, IrIns *i)
 {
     switch (ir_op_info[i->op].types) {
-    case IR_T_CONST: return scan_type(&r->scan, &i->type) && scan_value(&r->scan, i->type, &i->bits);
+    case IR_T_CONST: return ins_type(r, i) && scan_value(&r->scan, i->type, &i->bits);
     case IR_T_CONVERT:
-    case IR_T_SAME: return scan_type(&r->scan, &i->type) && operands(r, i);
-    case IR_T_COMPARE: return scan_type(&r->scan, &i->type) && compare_operands(r, i);
+    case IR_T_SAME: return ins_type(r, i) && operands(r, i);
+    case IR_T_COMPARE: return ins_type(r, i) && compare_operands(r, i);
     case IR_T_LOGIC: i->type = SM_BOOL; return operands(r, i);
-    case IR_T_LOAD: return scan_type(&r->scan, &i->type) && var_name(r, i);
-    case IR_T_STORE: return scan_type(&r->scan, &i->type) && var_name(r, i) && scan_char(&r->scan, ',') && operands(r, i);
+    case IR_T_LOAD: return ins_type(r, i) && var_name(r, i);
+    case IR_T_STORE: return ins_type(r, i) && var_name(r, i) && scan_char(&r->scan, ',') && operands(r, i);
     case IR_T_SAMPLE: i->type = SM_F64; return window_name(r, i) && scan_char(&r->scan, ',') && operands(r, i);
-    case IR_T_STAT: i->type = SM_F64; return stat_word(r, &i->stat) && window_name(r, i);
+    case IR_T_STAT: i->type = SM_F64; return ins_stat(r, i) && window_name(r, i);
     }
     return false;
 }
 
-static bool find_op(Str w, IrOp *out)
+static IrOp find_op(Str w)             // IR_OP_COUNT: there is none
 {
-    for (int op = 0; op < IR_OP_COUNT; op++)
-        if (scan_is(w, ir_op_info[op].name)) {
-            *out = (IrOp)op;
-            return true;
-        }
-    return false;
+    int op = 0;
+
+    while (op < IR_OP_COUNT && !scan_is(w, ir_op_info[op].name))
+        op++;
+    return (IrOp)op;
 }
 
 static bool read_ins(Reader *r, Str name, Str op)
 {
-    IrIns i;
+    IrIns i = {.op = find_op(op), .a = IR_NONE, .b = IR_NONE};
     IrRef ref;
 
-    memset(&i, 0, sizeof i);
-    i.a = i.b = IR_NONE;
-    if (!find_op(op, &i.op))
+    if (i.op == IR_OP_COUNT)
         return scan_fail(&r->scan, "there is no operation '%.40s'", op->text);
     if (ir_op_info[i.op].effect == (name != NULL))
         return name ? scan_fail(&r->scan, "'%.40s' gives no result", op->text)

@@ -232,7 +232,7 @@ static bool check_stat(Checker *c, const IrIns *i, IrRef ref)
 {
     if (i->type != SM_F64)
         return fail(c, "instruction %lu is a statistic and no F64", (unsigned long)ref);
-    if (i->var >= c->m->window.n || (int)i->stat < 0 || i->stat >= SM_STAT_COUNT)
+    if (i->var >= c->m->window.n || (unsigned)i->stat >= SM_STAT_COUNT)
         return fail(c, "instruction %lu is a statistic of nothing", (unsigned long)ref);
     if (!(c->m->window.at[i->var].stats >> i->stat & 1))
         return fail(c, "instruction %lu asks window w%lu for a statistic that it does not list", (unsigned long)ref,
@@ -275,7 +275,7 @@ static bool check_ins(Checker *c, IrRef ref)
     if (c->placed[ref])
         return fail(c, "instruction %lu stands twice", (unsigned long)ref);
     c->placed[ref] = true;
-    if ((int)i->op < 0 || i->op >= IR_OP_COUNT)
+    if ((unsigned)i->op >= IR_OP_COUNT)
         return fail(c, "instruction %lu has no operation", (unsigned long)ref);
     if (ir_op_info[i->op].operands > 0 && !check_operand(c, i->a, ref))
         return false;

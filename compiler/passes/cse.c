@@ -213,7 +213,7 @@ static bool visit(Cse *c, IrRef ref)
 
 static void visit_block(Cse *c, IrBlk *blk)
 {
-    size_t kept = 0;
+    uint32_t kept = 0;
 
     find_sunk(c, blk);
     notes_begin_block(c->facts->notes);

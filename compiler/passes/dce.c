@@ -18,7 +18,7 @@ static void release_operands(const IrIns *i, uint32_t *uses)
 
 static void clean_block(const IrFn *f, IrBlk *blk, uint32_t *uses)
 {
-    size_t kept = blk->ins.n, n = 0;
+    uint32_t kept = blk->ins.n, n = 0;
 
     for (size_t i = blk->ins.n; i-- > 0;) {                  // the living end up at the end of the list
         const IrIns *ins = &f->ins.at[blk->ins.at[i]];

@@ -28,7 +28,7 @@ static bool keep(const IrFn *f, IrRef ref, Facts *facts)
 
 static void clean_block(const IrFn *f, IrBlk *blk, Facts *facts)
 {
-    size_t kept = blk->ins.n, n = 0;
+    uint32_t kept = blk->ins.n, n = 0;
 
     notes_begin_block(facts->notes);
     for (size_t p = blk->ins.n; p-- > 0;)                      // the needed end up at the end of the list

@@ -97,7 +97,7 @@ static void clean_function(Arena *arena, Locals *l, IrFn *f)
     l->same = ARENA_ARRAY(arena, IrRef, f->ins.n);
     for (size_t b = 0; b < f->blk.n; b++) {
         IrBlk *blk = &f->blk.at[b];
-        size_t kept = 0;
+        uint32_t kept = 0;
         for (size_t p = 0; p < blk->ins.n; p++)
             if (visit(l, f, blk->ins.at[p]))
                 blk->ins.at[kept++] = blk->ins.at[p];

@@ -51,7 +51,7 @@ static void clean_samples(Arena *arena, IrMachine *m, uint32_t *wanted)
     IrFn *f = m->sample;
     IrBlk *blk = &f->blk.at[0];
     bool *used = ARENA_ARRAY(arena, bool, f->ins.n);
-    size_t kept = blk->ins.n, n = 0;
+    uint32_t kept = blk->ins.n, n = 0;
 
     for (size_t i = blk->ins.n; i-- > 0;) {
         IrIns *ins = &f->ins.at[blk->ins.at[i]];

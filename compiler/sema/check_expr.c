@@ -9,13 +9,12 @@
 
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
 {
-    Expr *e = ARENA_NEW(s->arena, Expr);
+    Expr *e = arena_alloc(s->arena, sizeof *e + args * sizeof *e->arg);
 
     e->kind = kind;
     e->span = span;
     e->n = args;
-    if (args)
-        e->arg = ARENA_ARRAY(s->arena, Expr *, args);
+    e->arg = (Expr **)(void *)(e + 1);
     return e;
 }
 
@@ -122,6 +121,7 @@ static bool is_relation(const AstExpr *e)
 
 static void note_operator(Sema *s, SmOperator op)
 {
+    s->operators |= 1u << op;
     if (s->making)
         s->making->operators |= 1u << op;
 }

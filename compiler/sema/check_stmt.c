@@ -13,6 +13,13 @@ static Stmt *stmt_new(Sema *s, StmtKind kind, const AstStmt *in)
     return out;
 }
 
+static void check_value(Sema *s, const AstStmt *in, Stmt *out)
+{
+    s->operators = 0;
+    out->value = check_expr(s, in->value);
+    out->operators = s->operators;
+}
+
 // ---- assignments ----
 
 static Diag *report_read_only(Sema *s, const Var *v, Span span, Str name)
@@ -82,7 +89,7 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
         v->written = true;
     s->knows |= v != NULL;
     out->var = v;
-    out->value = check_expr(s, in->value);
+    check_value(s, in, out);
     return good && out->value ? out : NULL;
 }
 
@@ -116,7 +123,7 @@ static Stmt *check_if(Sema *s, const AstStmt *in)
     size_t met = s->diags->met;
 
     warn_of_empty(s, in);
-    out->value = check_expr(s, in->value);
+    check_value(s, in, out);
     if (in->value->alone && s->diags->met == met)
         diag_label(s->diags, diag_report(s->diags, DIAG_no_effect, in->value->span), DIAG_label_statements);
     check_stmts(s, &in->then, &out->then);

@@ -140,6 +140,7 @@ struct Stmt {
     StmtKind kind;
     uint32_t number;          // 1, 2, 3 … in file order, in all of the machine, or of the script
     Span span;                // of an IF up to the end of its guard
+    uint32_t operators;       // 1u << SmOperator of each that stands in `value`: who looks for one need not look at the others
     Var *var;                 // ASSIGN: what is written
     Expr *value;              // ASSIGN: converted to var's type; IF: converted to bool
     Stmts then, otherwise;    // IF

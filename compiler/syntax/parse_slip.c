@@ -77,12 +77,15 @@ static int find_function(Str name)
 // abs x, with the operand at hand, of which nothing could follow an element called like that.
 bool slip_operand(Parser *p, AstExpr *name)
 {
-    int fn = find_function(name->name);
     Span operand = parser_here(p);
     Diag *d;
+    int fn;
 
-    if (fn == SM_FN_COUNT || p->tok.first || (p->tok.kind != TOK_NAME && p->tok.kind != TOK_NUMBER) ||
-        p->ahead.kind == TOK_ASSIGN || infix_row(p) < NO_INFIX || slip_is_word(&p->tok, "then") || slip_is_word(&p->tok, "do") || slip_is_word(&p->tok, "between"))
+    if (p->tok.first || (p->tok.kind != TOK_NAME && p->tok.kind != TOK_NUMBER) || p->ahead.kind == TOK_ASSIGN)
+        return false;
+    fn = find_function(name->name);
+    if (fn == SM_FN_COUNT || infix_row(p) < NO_INFIX || slip_is_word(&p->tok, "then") || slip_is_word(&p->tok, "do") ||
+        slip_is_word(&p->tok, "between"))
         return false;
     d = parser_report(p, DIAG_function_without_call, name->span, name->name->text, name->name->text,
                       function_usage(&sm_builtin_info[fn]));
