@@ -169,7 +169,7 @@ static void look_at_comparison(Look *k, const Expr *e, const Expr *within)
 
     for (uint32_t i = 0; i < pairs; i++) {
         Pair p = {.whole = e, .within = within};
-        if (make_pair(k->a, &p, e->arg[i], e->kind == EX_CHAIN ? e->ops[i] : e->op, e->arg[i + 1]))
+        if (make_pair(k->a, &p, e->arg[i], e->kind == EX_CHAIN ? expr_ops(e)[i] : e->op, e->arg[i + 1]))
             k->found |= look_at_pair(k->a, &p, k->report);
     }
 }

@@ -125,7 +125,7 @@ static uint32_t comparisons(const Expr *e)
 
 static Comparison comparison_at(const Expr *e, uint32_t i)
 {
-    const Comparison c = {e->arg[i], e->arg[i + 1], e->kind == EX_CHAIN ? e->ops[i] : e->op};
+    const Comparison c = {e->arg[i], e->arg[i + 1], e->kind == EX_CHAIN ? expr_ops(e)[i] : e->op};
 
     return c;
 }

@@ -148,7 +148,7 @@ static bool guard_excludes(const Analysis *a, const Expr *g, bool holds, const E
         return holds == (g->op == SM_OP_AND) ? one || other : one && other;
     }
     for (uint32_t i = 0; g->kind == EX_CHAIN && holds && i + 1 < g->n; i++)
-        if (pair_excludes(a, g->arg[i], g->ops[i], g->arg[i + 1], true, d))
+        if (pair_excludes(a, g->arg[i], expr_ops(g)[i], g->arg[i + 1], true, d))
             return true;
     return holds && is_same(a, g, d);
 }

@@ -8,6 +8,15 @@ enum { WORD_BITS = 64 };
 
 typedef VEC(uint32_t) Numbers;
 
+// A load or store of a function.  Every function is looked at several times, and its accesses are a tenth of its IR.
+typedef struct Access {
+    uint32_t var;
+    uint32_t at;                  // in its block's list
+    IrBlkRef blk;
+    bool store;
+} Access;
+typedef VEC(Access) Accesses;
+
 struct Liveness {
     Analysis *a;
     size_t words;                 // of a set: a bit for each variable of the IR that is written
@@ -15,6 +24,7 @@ struct Liveness {
     Word *shown;                  // read at the end of each step
     Word **begin[BLOCK_COUNT];    // by state: what is live when the block begins; of a missing one, when it would
     Numbers *before, *after;      // by state: which states lead to it, and where it leads
+    Accesses *access[BLOCK_COUNT];    // by state, in order
     size_t blocks;                // how many of a function's `end` has room for
     Word *end;                    // by block of the function at hand: what is live where it begins
     uint32_t *queue;              // states to look at
@@ -107,20 +117,22 @@ static void add_after(const Liveness *l, Word *set, const IrJump *j)
     }
 }
 
-static void look_at_store(Liveness *l, const IrFn *f, IrBlkRef blk, size_t at, Word *live)
+static void look_at_store(Liveness *l, const IrFn *f, const Access *store, Word *live)
 {
-    const IrIns *i = &f->ins.at[f->blk.at[blk].ins.at[at]];
-
-    if (l->dead && !has(l, live, i->var)) {
-        const DeadStore dead = {l->state, l->block, f, blk, at, i};
+    if (l->dead && !has(l, live, store->var)) {
+        const IrIns *i = &f->ins.at[f->blk.at[store->blk].ins.at[store->at]];
+        const DeadStore dead = {l->state, l->block, f, store->blk, store->at, i};
         l->dead(l->a, &dead, l->context);
     }
-    take(l, live, i->var);
+    take(l, live, store->var);
 }
 
 // What is live where the function begins.
 static const Word *look_at_function(Liveness *l, const IrFn *f)
 {
+    const Accesses *all = &l->access[l->block][l->state];
+    size_t n = all->n;
+
     if (f->blk.n > l->blocks) {
         l->blocks = f->blk.n * 2;
         l->end = ARENA_ARRAY(l->a->arena, Word, l->blocks * l->words);
@@ -130,13 +142,11 @@ static const Word *look_at_function(Liveness *l, const IrFn *f)
         Word *live = l->end + b * l->words;
         memset(live, 0, l->words * sizeof *live);
         add_after(l, live, &blk->jump);
-        for (size_t k = blk->ins.n; k-- > 0;) {
-            const IrIns *i = &f->ins.at[blk->ins.at[k]];
-            if (i->op == IR_load)
-                put(l, live, i->var);
-            else if (i->op == IR_store)
-                look_at_store(l, f, (IrBlkRef)b, k, live);
-        }
+        for (; n > 0 && all->at[n - 1].blk == b; n--)
+            if (all->at[n - 1].store)
+                look_at_store(l, f, &all->at[n - 1], live);
+            else
+                put(l, live, all->at[n - 1].var);
     }
     return l->end;
 }
@@ -222,6 +232,29 @@ static void note_shown(Liveness *l)
             put(l, l->shown, m->sample->ins.at[i].var);
 }
 
+static void note_accesses_of(Liveness *l, const IrFn *f, Accesses *out)
+{
+    for (size_t b = 0; b < f->blk.n; b++)
+        for (size_t k = 0; k < f->blk.at[b].ins.n; k++) {
+            const IrIns *i = &f->ins.at[f->blk.at[b].ins.at[k]];
+            const Access access = {i->var, (uint32_t)k, (IrBlkRef)b, i->op == IR_store};
+            if (i->op == IR_store || (i->op == IR_load && l->bit[i->var] != IR_NONE))
+                vec_push(l->a->arena, out, access);
+        }
+}
+
+static void note_accesses(Liveness *l)
+{
+    const IrMachine *m = l->a->m;
+
+    for (int b = 0; b < BLOCK_COUNT; b++)
+        l->access[b] = arena_array(l->a->arena, m->state.n, sizeof *l->access[b]);
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            if (m->state.at[s].block[b])
+                note_accesses_of(l, m->state.at[s].block[b], &l->access[b][s]);
+}
+
 static void note_ways(Liveness *l)
 {
     const Transitions *t = &l->a->transition;
@@ -245,6 +278,7 @@ Liveness *liveness_of(Analysis *a)
     l->end = new_set(l);
     note_shown(l);
     note_ways(l);
+    note_accesses(l);
     for (int b = 0; b < BLOCK_COUNT; b++) {
         l->begin[b] = ARENA_ARRAY(a->arena, Word *, states);
         for (size_t s = 0; s < states; s++)

@@ -15,7 +15,6 @@ typedef struct Home {             // where a statement stands
 
 typedef struct Stores {
     Analysis *a;
-    Home *home;                   // by Stmt.number
     size_t *first;                // by state: where its transitions begin in the list of all; one more for the end
     uint32_t *seen, searches;     // by state: the last search that has come there
     uint32_t *walked, walks;      // by block of a function: the last walk that has come there
@@ -26,14 +25,13 @@ typedef struct Stores {
 
 static bool is_itself(const Stmt *stmt)
 {
-    return stmt->kind == ST_ASSIGN && stmt->value->kind == EX_VAR && stmt->value->var == stmt->var;
+    return stmt->kind == ST_ASSIGN && stmt->operators == 0 && stmt->value->kind == EX_VAR && stmt->value->var == stmt->var;
 }
 
 static void look_at_stmts(Stores *k, const Stmts *list, bool is_block)
 {
     for (size_t i = 0; i < list->n; i++) {
         const Stmt *stmt = list->at[i];
-        k->home[stmt->number] = (Home){stmt, list, is_block};
         if (is_itself(stmt)) {
             Diag *d = diag_report(k->a->diags, DIAG_self_assignment, stmt->span, stmt->var->name->text);
             edit_remove(k->a->diags, d, stmt, list, is_block);
@@ -41,6 +39,35 @@ static void look_at_stmts(Stores *k, const Stmts *list, bool is_block)
         look_at_stmts(k, &stmt->then, false);
         look_at_stmts(k, &stmt->otherwise, false);
     }
+}
+
+// The last of a list that is not behind the statement of that number.
+static const Stmt *last_before(const Stmts *list, uint32_t number)
+{
+    size_t low = 0, high = list->n;
+
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        if (list->at[middle]->number <= number)
+            low = middle;
+        else
+            high = middle;
+    }
+    return list->at[low];
+}
+
+// Where the statement of that number stands, in a block or below: they are numbered in file order.
+static Home home_of(const Stmts *block, uint32_t number)
+{
+    Home home = {last_before(block, number), block, true};
+
+    while (home.stmt->number != number) {
+        const Stmts *no = &home.stmt->otherwise;
+        home.list = no->n && no->at[0]->number <= number ? no : &home.stmt->then;
+        home.stmt = last_before(home.list, number);
+        home.is_block = false;
+    }
+    return home;
 }
 
 // ---- what overwrites ----
@@ -156,18 +183,18 @@ static bool is_beginning(Stores *k, const DeadStore *dead, const Stmt *stmt)
 static void look_at_dead(Analysis *a, const DeadStore *dead, void *context)
 {
     Stores *k = context;
-    const Home *home = &k->home[dead->store->stmt];
-    const Var *v = home->stmt->var;
+    const Home home = home_of(&a->p->state.at[dead->state]->block[dead->block], dead->store->stmt);
+    const Var *v = home.stmt->var;
     const IrIns *other;
     Diag *d;
 
-    if (!a->stmt[home->stmt->number].reached || is_itself(home->stmt) || (v->kind == VAR_LOCAL && !v->read))
+    if (!a->stmt[home.stmt->number].reached || is_itself(home.stmt) || (v->kind == VAR_LOCAL && !v->read))
         return;
-    if (is_beginning(k, dead, home->stmt) || (other = overwriter(k, dead)) == NULL)
+    if (is_beginning(k, dead, home.stmt) || (other = overwriter(k, dead)) == NULL)
         return;
-    d = diag_report(a->diags, DIAG_dead_store, home->stmt->span, v->name->text);
+    d = diag_report(a->diags, DIAG_dead_store, home.stmt->span, v->name->text);
     diag_note(a->diags, d, other->span, DIAG_note_overwritten_here);
-    edit_remove(a->diags, d, home->stmt, home->list, home->is_block);
+    edit_remove(a->diags, d, home.stmt, home.list, home.is_block);
 }
 
 static size_t most_blocks(const IrMachine *m)
@@ -185,7 +212,6 @@ void analyse_stores(Analysis *a)
 {
     Stores k = {.a = a, .work = BLOCKS_WALKED};
 
-    k.home = ARENA_ARRAY(a->arena, Home, a->p->stmts + 1u);
     k.first = transitions_by_state(a->arena, a->p, &a->transition);
     k.seen = ARENA_ARRAY(a->arena, uint32_t, a->m->state.n);
     k.walked = ARENA_ARRAY(a->arena, uint32_t, most_blocks(a->m));

@@ -73,7 +73,7 @@ static void look_at_stmt(const Stmt *stmt, void *context)
 {
     if (stmt->kind != ST_ASSIGN || sm_type_info[stmt->var->type].kind == SM_KIND_BOOL)
         return;
-    if (expr_is_constant(stmt->value))
+    if (!stmt->varies && expr_is_constant(stmt->value))
         check_constant(context, stmt->var, stmt->value);
     else
         check_computed(context, stmt);

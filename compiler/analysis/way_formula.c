@@ -75,7 +75,7 @@ static const WayFormula *chain(Way *w, const Expr *e, bool holds)
     const WayFormula *f = holds ? &always : &never;
 
     for (uint32_t i = 0; i + 1 < e->n; i++)
-        f = of_two(w, holds ? WAY_AND : WAY_OR, f, relation(w, e->arg[i], e->ops[i], e->arg[i + 1], holds));
+        f = of_two(w, holds ? WAY_AND : WAY_OR, f, relation(w, e->arg[i], expr_ops(e)[i], e->arg[i + 1], holds));
     return f;
 }
 

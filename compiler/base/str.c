@@ -47,7 +47,7 @@ static void grow_pool(StrPool *p)
     p->cap = cap;
 }
 
-Str str_intern(StrPool *p, const char *text, size_t len)
+static StrData *intern(StrPool *p, const char *text, size_t len)
 {
     uint32_t hash = hash_bytes(text, len);
     size_t at;
@@ -67,9 +67,19 @@ Str str_intern(StrPool *p, const char *text, size_t len)
     return s;
 }
 
+Str str_intern(StrPool *p, const char *text, size_t len)
+{
+    return intern(p, text, len);
+}
+
 Str str_c(StrPool *p, const char *text)
 {
     return str_intern(p, text, strlen(text));
+}
+
+void str_mark(StrPool *p, const char *text, uint8_t mark)
+{
+    intern(p, text, strlen(text))->mark = mark;
 }
 
 static size_t smallest(size_t a, size_t b, size_t c)

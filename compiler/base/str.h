@@ -12,6 +12,7 @@
 typedef struct StrData {
     uint32_t hash;
     uint32_t len;         // without the closing NUL
+    uint8_t mark;         // whatever str_mark gave it; 0: nothing
     char text[1];         // len bytes and a NUL
 } StrData;
 typedef const StrData *Str;
@@ -25,6 +26,7 @@ typedef struct StrPool {
 void str_pool_init(StrPool *p, Arena *arena);
 Str str_intern(StrPool *p, const char *text, size_t len);
 Str str_c(StrPool *p, const char *text);                    // of a C string
+void str_mark(StrPool *p, const char *text, uint8_t mark);   // for whoever asks of every string whether it is one of a few
 
 // How many single-letter edits (insert, delete, replace, swap neighbours) lead from a to b; `limit` or more gives `limit`.
 size_t str_distance(const char *a, const char *b, size_t limit);

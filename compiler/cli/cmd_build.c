@@ -73,7 +73,7 @@ static int emit_tokens_or_ast(Cli *c, Emit emit, Outputs *o)
         if ((src = cli_load(c, c->file[i])) == NULL)
             return EXIT_ENVIRONMENT;
         if (emit == EMIT_TOKENS)
-            lex_print(&c->session.arena, &c->session.strings, &c->session.diags, src, kind, out);
+            lex_print(&c->session.strings, &c->session.diags, src, kind, out);
         else {
             AstFile *f = session_parse(&c->session, src, kind);
             if (f)

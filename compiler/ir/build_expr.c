@@ -132,7 +132,7 @@ static IrRef build_chain(Builder *b, const Expr *e)
 
     for (uint32_t k = 1; k < e->n; k++) {
         IrRef right = build_number(b, e->arg[k]);
-        IrRef holds = emit(b, op_of(e->ops[k - 1]), SM_BOOL, left, right, e->span);
+        IrRef holds = emit(b, op_of(expr_ops(e)[k - 1]), SM_BOOL, left, right, e->span);
         all = all == IR_NONE ? holds : emit(b, IR_and, SM_BOOL, all, holds, e->span);
         left = right;
     }

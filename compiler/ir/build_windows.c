@@ -28,7 +28,7 @@ static uint64_t own_hash(const Builder *b, const Expr *e)
     case EX_BINARY: return mix(h, (uint64_t)e->op);
     case EX_CHAIN:
         for (uint32_t k = 0; k + 1 < e->n; k++)
-            h = mix(h, (uint64_t)e->ops[k]);
+            h = mix(h, (uint64_t)expr_ops(e)[k]);
         return h;
     case EX_CALL: return mix(h, (uint64_t)e->fn);
     case EX_ROLL: return mix(mix(h, (uint64_t)e->stat), b->window[e->window]);

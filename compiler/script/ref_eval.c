@@ -36,7 +36,7 @@ static double eval_chain(const Expr *e, const uint64_t *cell, const RefWindows *
 
     for (uint32_t i = 1; i < e->n; i++) {
         double right = ref_eval(e->arg[i], cell, w);
-        all = all && ref_true(apply_binary(e->ops[i - 1], left, right));
+        all = all && ref_true(apply_binary(expr_ops(e)[i - 1], left, right));
         left = right;
     }
     return all;

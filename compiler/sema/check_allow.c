@@ -76,14 +76,14 @@ void allow_state(Sema *s, const AstSection *section, uint32_t end)
 // The end of a conditional with all that belongs to it.
 static uint32_t end_of_if(const AstStmt *s)
 {
-    while (s->has_else && !s->else_body_span.src && s->otherwise.n)           // else if
-        s = s->otherwise.at[0];
-    return end_of(s->has_else && s->else_body_span.src ? s->else_body_span : s->body_span);
+    while (s->arms->has_else && !s->arms->else_body_span.src && s->arms->otherwise.n)           // else if
+        s = s->arms->otherwise.at[0];
+    return end_of(s->arms->has_else && s->arms->else_body_span.src ? s->arms->else_body_span : s->arms->body_span);
 }
 
 void allow_stmt(Sema *s, const AstAnnotation *a, const AstStmt *stmt)
 {
-    uint32_t end = stmt->kind == AST_IF && stmt->body_span.src ? end_of_if(stmt) : end_of(stmt->span);
+    uint32_t end = stmt->kind == AST_IF && stmt->arms->body_span.src ? end_of_if(stmt) : end_of(stmt->span);
 
     add(s, allow_of(a, from_to(a->span.src, a->span.at, end)));
 }

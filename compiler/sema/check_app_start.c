@@ -21,8 +21,8 @@ static bool is_of_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
         good = is_of_numbers(k, s, e->a);
     if (e->b)
         good = is_of_numbers(k, s, e->b) && good;
-    for (size_t i = 0; i < e->args.n; i++)
-        good = is_of_numbers(k, s, e->args.at[i]) && good;
+    for (size_t i = 0; e->args && i < e->args->n; i++)
+        good = is_of_numbers(k, s, e->args->at[i]) && good;
     return good && e->kind != AST_ERROR;
 }
 

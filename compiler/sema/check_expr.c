@@ -9,7 +9,8 @@
 
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
 {
-    Expr *e = arena_alloc(s->arena, sizeof *e + args * sizeof *e->arg);
+    const size_t ops = kind == EX_CHAIN ? (args - 1) * sizeof(SmOperator) : 0;
+    Expr *e = arena_alloc(s->arena, sizeof *e + args * sizeof *e->arg + ops);
 
     e->kind = kind;
     e->span = span;
@@ -89,6 +90,7 @@ static Expr *check_name(Sema *s, const AstExpr *e)
     }
     if (!s->in_script)
         v->read = true;
+    s->varies |= v->kind != VAR_LOCAL;
     s->knows |= v != s->p->g && v != s->p->s && v != s->p->t;
     if (scope_is_doubtful(s, e->name) || !allowed(s, v, e))
         return NULL;
@@ -226,12 +228,11 @@ static Expr *check_chain(Sema *s, const AstExpr *e)
     for (; is_relation(first); first = first->a)
         n++;
     out = expr_new(s, EX_CHAIN, e->span, n);
-    out->ops = ARENA_ARRAY(s->arena, SmOperator, n - 1);
     operand = ARENA_ARRAY(s->arena, AstExpr *, n);
     for (i = n - 1; i > 0; i--, e = e->a) {
         operand[i] = e->b;
         operand[0] = e->a;
-        out->ops[i - 1] = e->op;
+        expr_ops(out)[i - 1] = e->op;
         note_operator(s, e->op);
     }
     s->spine = operand[0];
@@ -256,7 +257,7 @@ static Expr *check_unary(Sema *s, const AstExpr *e)
 static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
 {
     const char *wanted = format_in(s->arena, "%u argument%s", fn->arguments, fn->arguments == 1 ? "" : "s");
-    const char *found = format_in(s->arena, "%lu", (unsigned long)e->args.n);
+    const char *found = format_in(s->arena, "%lu", (unsigned long)e->args->n);
     Diag *d = diag_report(s->diags, DIAG_argument_count, ast_op_span(e), fn->name, wanted, found);
 
     diag_label(s->diags, d, DIAG_label_write_call, fn->name, function_usage(fn));
@@ -267,14 +268,14 @@ static Expr *check_pure(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
     Expr *out = expr_new(s, EX_CALL, e->span, fn->arguments);
 
     out->fn = (SmBuiltin)(fn - sm_builtin_info);
-    return check_args(s, e->args.at, fn->arguments, out->arg) ? out : NULL;
+    return check_args(s, e->args->at, fn->arguments, out->arg) ? out : NULL;
 }
 
 // An argument that the parser could not read: there may have been more, or fewer.
 static bool is_broken(const AstExpr *e)
 {
-    for (size_t i = 0; i < e->args.n; i++)
-        if (e->args.at[i]->kind == AST_ERROR)
+    for (size_t i = 0; i < e->args->n; i++)
+        if (e->args->at[i]->kind == AST_ERROR)
             return true;
     return false;
 }
@@ -283,15 +284,15 @@ static Expr *check_call(Sema *s, const AstExpr *e)
 {
     const SmBuiltinInfo *fn = scope_find_function(s, e->name);
 
-    if (fn && e->args.n == fn->arguments)
+    if (fn && e->args->n == fn->arguments)
         return fn->is_roll ? check_roll(s, e, fn) : check_pure(s, e, fn);
     if (fn && !is_broken(e))
         report_argument_count(s, e, fn);
     else if (!fn)
         scope_report_unknown_function(s, e->name, ast_op_span(e));
     if (s->at == PLACE_STEP)                    // mistakes of their own; but what is allowed depends on the function
-        for (size_t i = 0; i < e->args.n; i++)
-            check_expr(s, e->args.at[i]);
+        for (size_t i = 0; i < e->args->n; i++)
+            check_expr(s, e->args->at[i]);
     return NULL;
 }
 

@@ -26,7 +26,7 @@ static uint32_t size_of_window(Sema *s, const AstExpr *n, const Expr *value, con
 
 static uint32_t check_size(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
 {
-    const AstExpr *n = call->args.at[1];
+    const AstExpr *n = call->args->at[1];
     Expr *value;
 
     s->at = PLACE_SIZE;
@@ -50,10 +50,11 @@ Expr *check_roll(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
     Window w = {0};
     Expr *out;
 
+    s->varies = true;
     if (!allowed_here(s, call))
         return NULL;
     out = expr_new(s, EX_ROLL, call->span, 1);
-    out->arg[0] = w.sample = check_expr(s, call->args.at[0]);     // windows inside get their place before this one
+    out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // windows inside get their place before this one
     w.size = check_size(s, call, fn);
     w.stat = out->stat = fn->stat;
     w.span = call->span;

@@ -93,7 +93,7 @@ static void check_conditional(ScriptCheck *k, ScriptSection *section, const AstS
     memset(&item, 0, sizeof item);
     item.span = in->span;
     item.guard = check_expr(&k->s, in->value);
-    check_items(k, &item, &in->then);
+    check_items(k, &item, &in->arms->then);
     vec_push(k->s.arena, &section->item, item);
 }
 
@@ -253,6 +253,6 @@ void script_written_names(const AstFile *ss, Map *names)
         const AstStmts *items = &ss->sections.at[i]->items;
         for (size_t j = 0; j < items->n; j++)
             if (items->at[j]->kind == AST_IF)
-                add_written(&items->at[j]->then, names);
+                add_written(&items->at[j]->arms->then, names);
     }
 }

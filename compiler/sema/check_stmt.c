@@ -16,8 +16,10 @@ static Stmt *stmt_new(Sema *s, StmtKind kind, const AstStmt *in)
 static void check_value(Sema *s, const AstStmt *in, Stmt *out)
 {
     s->operators = 0;
+    s->varies = false;
     out->value = check_expr(s, in->value);
     out->operators = s->operators;
+    out->varies = s->varies;
 }
 
 // ---- assignments ----
@@ -111,10 +113,10 @@ static Stmt *check_transition(Sema *s, const AstStmt *in)
 
 static void warn_of_empty(Sema *s, const AstStmt *in)
 {
-    if (in->braces && in->then.n == 0)
-        diag_report(s->diags, DIAG_empty_braces, in->body_span);
-    if (in->has_else && in->else_braces && in->otherwise.n == 0)
-        diag_report(s->diags, DIAG_empty_braces, in->else_body_span);
+    if (in->arms->braces && in->arms->then.n == 0)
+        diag_report(s->diags, DIAG_empty_braces, in->arms->body_span);
+    if (in->arms->has_else && in->arms->else_braces && in->arms->otherwise.n == 0)
+        diag_report(s->diags, DIAG_empty_braces, in->arms->else_body_span);
 }
 
 static Stmt *check_if(Sema *s, const AstStmt *in)
@@ -126,8 +128,8 @@ static Stmt *check_if(Sema *s, const AstStmt *in)
     check_value(s, in, out);
     if (in->value->alone && s->diags->met == met)
         diag_label(s->diags, diag_report(s->diags, DIAG_no_effect, in->value->span), DIAG_label_statements);
-    check_stmts(s, &in->then, &out->then);
-    check_stmts(s, &in->otherwise, &out->otherwise);
+    check_stmts(s, &in->arms->then, &out->then);
+    check_stmts(s, &in->arms->otherwise, &out->otherwise);
     return out->value ? out : NULL;
 }
 

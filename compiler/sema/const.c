@@ -41,7 +41,7 @@ static SmF64 chain(const Expr *e)
 
     for (uint32_t i = 1; i < e->n; i++) {
         SmF64 right = const_eval(e->arg[i]);
-        holds = holds && relation(e->ops[i - 1], left, right);
+        holds = holds && relation(expr_ops(e)[i - 1], left, right);
         left = right;
     }
     return sm_from_bool(holds);

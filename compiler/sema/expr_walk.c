@@ -22,7 +22,7 @@ static bool same_node(const Expr *a, const Expr *b, const uint32_t *window_of)
     case EX_VAR: return a->var == b->var;
     case EX_UNARY:
     case EX_BINARY: return a->op == b->op;
-    case EX_CHAIN: return memcmp(a->ops, b->ops, (a->n - 1) * sizeof *a->ops) == 0;
+    case EX_CHAIN: return memcmp(expr_ops(a), expr_ops(b), (a->n - 1) * sizeof(SmOperator)) == 0;
     case EX_CALL: return a->fn == b->fn;
     case EX_ROLL: return a->stat == b->stat && window_of[a->window] == window_of[b->window];
     }

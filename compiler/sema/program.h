@@ -105,18 +105,19 @@ typedef enum ExprKind {
 } ExprKind;
 
 struct Expr {                 // without gaps: a program is mostly these
-    ExprKind kind;
-    SmOperator op;            // UNARY, BINARY
+    ExprKind kind : 8;
+    SmOperator op : 8;        // UNARY, BINARY
+    SmBuiltin fn : 8;         // CALL
+    SmStat stat : 8;          // ROLL
+    uint32_t n;               // arguments
     Span span;
-    SmOperator *ops;          // CHAIN: n - 1 of them
     SmF64 number;
     Var *var;
-    Expr **arg;
-    uint32_t n;               // arguments
-    SmBuiltin fn;             // CALL
-    SmStat stat;              // ROLL
+    Expr **arg;               // they stand behind this, and in a CHAIN n - 1 operators behind them
     uint32_t window;          // ROLL: index into the owner's window list
 };
+
+static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *)(e->arg + e->n); }      // CHAIN
 
 // One roll call of the source.  Every call has its own; sharing is the IR builder's business.
 typedef struct Window {
@@ -141,6 +142,7 @@ struct Stmt {
     uint32_t number;          // 1, 2, 3 … in file order, in all of the machine, or of the script
     Span span;                // of an IF up to the end of its guard
     uint32_t operators;       // 1u << SmOperator of each that stands in `value`: who looks for one need not look at the others
+    bool varies;              // `value` reads an element, T or a statistic, so it is no constant
     Var *var;                 // ASSIGN: what is written
     Expr *value;              // ASSIGN: converted to var's type; IF: converted to bool
     Stmts then, otherwise;    // IF

@@ -53,7 +53,8 @@ typedef struct Sema {
     VEC(SizeUse) size_use;
     BlockKind block;          // where the statement being checked stands
     uint32_t stmts;           // how many statements there have been
-    uint32_t operators;       // of the value at hand, as Stmt.operators
+    uint32_t operators;       // of the value at hand, as in Stmt
+    bool varies;
     Program *making;          // the machine being built; NULL of a script
 } Sema;
 

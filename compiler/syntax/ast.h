@@ -25,17 +25,18 @@ typedef enum AstExprKind {
 } AstExprKind;
 
 typedef struct AstExpr AstExpr;
+typedef VEC(AstExpr *) AstArgs;
 struct AstExpr {
     AstExprKind kind;
-    bool alone;               // a name or call where a statement should be: E0327, if nothing else is wrong with it
     SmOperator op;            // UNARY, BINARY
+    uint32_t depth;           // 1 + the deepest operand's; at most AST_DEPTH_MAX, so that recursion over trees is bounded
+    bool alone;               // a name or call where a statement should be: E0327, if nothing else is wrong with it
     Span span;                // the whole expression
     uint32_t op_at, op_len;   // UNARY, BINARY: the operator; CALL: the name; PAREN: unused
-    uint32_t depth;           // 1 + the deepest operand's; at most AST_DEPTH_MAX, so that recursion over trees is bounded
     SmF64 number;             // NUMBER
     Str name;                 // NAME, CALL
     AstExpr *a, *b;           // UNARY, PAREN: a; BINARY: both
-    VEC(AstExpr *) args;      // CALL
+    AstArgs *args;            // CALL
 };
 
 static inline Span ast_op_span(const AstExpr *e) { return (Span){e->span.src, e->op_at, e->op_len}; }
@@ -91,19 +92,22 @@ typedef enum AstStmtKind {
 
 typedef struct AstStmt AstStmt;
 typedef VEC(AstStmt *) AstStmts;
+typedef struct AstArms {      // of a conditional
+    AstStmts then, otherwise;
+    Span body_span, else_body_span;   // the colon's statement, or { … } braces included
+    Span else_span;           // the word `else`
+    bool braces, else_braces; // written { } rather than with a colon
+    bool has_else;
+} AstArms;
 struct AstStmt {
     AstStmtKind kind;
+    bool flawed;              // an error has been reported in it
     Span span;                // the whole statement; of IF: up to the end of its guard
     Str name;                 // ASSIGN: what is written; TRANSITION: the state
     Span name_span;
     const AstAnnotation *allow;       // ALLOWED
     AstExpr *value;           // ASSIGN, ASSERT: the expression; IF: the guard
-    AstStmts then, otherwise; // IF
-    bool braces, else_braces; // IF: written { } rather than with a colon
-    bool has_else;            // IF
-    Span else_span;           // IF: the word `else`
-    bool flawed;              // an error has been reported in it
-    Span body_span, else_body_span;   // IF: the colon's statement, or { … } braces included
+    AstArms *arms;            // IF
 };
 
 // ---- declarations and sections ----

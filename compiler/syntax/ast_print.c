@@ -52,9 +52,9 @@ static void put_expr(Buf *out, const AstExpr *e)
     case AST_CALL:
         put_name(out, e->name);
         buf_char(out, '(');
-        for (size_t i = 0; i < e->args.n; i++) {
+        for (size_t i = 0; i < e->args->n; i++) {
             buf_str(out, i ? ", " : "");
-            put_expr(out, e->args.at[i]);
+            put_expr(out, e->args->at[i]);
         }
         buf_char(out, ')');
         break;
@@ -102,13 +102,13 @@ static void put_if(Buf *out, const AstStmt *s, unsigned depth)
 {
     buf_str(out, "if ");
     put_expr(out, s->value);
-    buf_str(out, s->braces ? " {}\n" : " :\n");
-    put_stmts(out, &s->then, depth + 1);
-    if (!s->has_else)
+    buf_str(out, s->arms->braces ? " {}\n" : " :\n");
+    put_stmts(out, &s->arms->then, depth + 1);
+    if (!s->arms->has_else)
         return;
     put_line_start(out, depth);
-    buf_str(out, s->else_braces ? "else {}\n" : "else :\n");
-    put_stmts(out, &s->otherwise, depth + 1);
+    buf_str(out, s->arms->else_braces ? "else {}\n" : "else :\n");
+    put_stmts(out, &s->arms->otherwise, depth + 1);
 }
 
 static void put_stmt(Buf *out, const AstStmt *s, unsigned depth)

@@ -27,6 +27,8 @@ static const Word words[] = {
 #undef SM_TYPE
 };
 
+static const Word *word_of(Str s) { return s->mark ? &words[s->mark - 1] : NULL; }      // lex_init marks them
+
 typedef struct Sign {
     const char *spelling;
     size_t len;
@@ -162,7 +164,7 @@ void lexer_word(Lexer *l, Token *t)
     while ((unsigned char)lexer_byte(l, end) >= 0x80 && lex_slip_letter(l, end))   // one word, reported once
         end = lexer_skip_word(l, end + lex_slip_byte(l, end));
     t->text = str_intern(l->strings, l->src->text + l->at, end - l->at);
-    w = map_find(&l->words, t->text);
+    w = word_of(t->text);
     if (w)
         t->type = w->type;
     lexer_finish(l, t, w ? w->kind : TOK_NAME, end);
@@ -307,9 +309,9 @@ static void lex_sign(Lexer *l, Token *t, const Sign *s)
         lex_slip_sign(l, t, s->spelling, s->native, s->label);
 }
 
-bool lex_is_reserved(const Lexer *l, Str word, TokenKind *kind)
+bool lex_is_reserved(Str word, TokenKind *kind)
 {
-    const Word *w = map_find(&l->words, word);
+    const Word *w = word_of(word);
 
     if (w)
         *kind = w->kind;
@@ -405,7 +407,7 @@ void lex_skip_to(Lexer *l, uint32_t at)
     l->first = true;
 }
 
-void lex_init(Lexer *l, Arena *arena, StrPool *strings, Diags *diags, const Source *src)
+void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src)
 {
     const char *other;
 
@@ -414,10 +416,9 @@ void lex_init(Lexer *l, Arena *arena, StrPool *strings, Diags *diags, const Sour
     l->strings = strings;
     l->diags = diags;
     l->first = true;
-    l->words.arena = arena;
     note_signs(l);
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        map_put(&l->words, str_c(strings, words[i].spelling), (void *)(size_t)&words[i]);
+        str_mark(strings, words[i].spelling, (uint8_t)(i + 1));
     if (src->len >= 3 && memcmp(src->text, "\xef\xbb\xbf", 3) == 0)
         l->at = l->line_start = 3;
     other = lex_slip_no_text(src);

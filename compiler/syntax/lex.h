@@ -58,7 +58,6 @@ typedef struct Lexer {
     const Source *src;
     StrPool *strings;
     Diags *diags;
-    Map words;                // reserved words to their rows
     uint8_t sign[128];        // by character: 1 + the first row of the signs that begin with it; 0: none does
     uint8_t next_sign[LEX_SIGNS];     // by row: 1 + the next that begins with the same
     uint32_t at;              // what comes next
@@ -75,7 +74,7 @@ typedef struct Lexer {
     uint32_t parens;          // opened on this line and still open
 } Lexer;
 
-void lex_init(Lexer *l, Arena *arena, StrPool *strings, Diags *diags, const Source *src);
+void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src);
 void lex_next(Lexer *l, Token *t);          // after the last token END, for ever
 
 void lex_skip_to(Lexer *l, uint32_t at);    // goes on at the start of a line
@@ -86,7 +85,7 @@ const char *token_name(TokenKind kind);
 void lex_skip_choice(Lexer *l);             // what belongs to c ? a : b or IF(c, a, b), to the end of the line
 extern const char *const lex_no_choice;     // what to write instead of c ? a : b
 
-bool lex_is_reserved(const Lexer *l, Str word, TokenKind *kind);
+bool lex_is_reserved(Str word, TokenKind *kind);
 
 bool lex_is_header_name(const char *s, size_t n);
 

@@ -25,10 +25,11 @@ static bool ends_line(const Lexer *l, uint32_t p)
 static uint32_t skip_name(const Lexer *l, uint32_t p)
 {
     uint32_t end = lexer_skip_word(l, p);
+    TokenKind reserved;
 
     if (!is_identifier(l->src->text + p, end - p))
         return p;
-    return map_find(&l->words, str_intern(l->strings, l->src->text + p, end - p)) ? p : end;
+    return lex_is_reserved(str_intern(l->strings, l->src->text + p, end - p), &reserved) ? p : end;
 }
 
 // Two words in a row are prose.
@@ -181,7 +182,9 @@ static bool is_state_word(const Lexer *l, const Token *t)
 {
     static const char *const words[] = {"state", "State", "STATE", "def"};
 
-    for (size_t i = 0; !l->config && i < sizeof words / sizeof *words; i++)
+    if (l->config || t->text->len > 5 || !strchr("sSd", t->text->text[0]))
+        return false;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strcmp(t->text->text, words[i]) == 0)
             return true;
     return false;

@@ -15,12 +15,12 @@ static void put_token(const Source *src, const Token *t, Buf *out)
     buf_char(out, '\n');
 }
 
-void lex_print(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind, Buf *out)
+void lex_print(StrPool *strings, Diags *diags, const Source *src, FileKind kind, Buf *out)
 {
     Lexer l;
     Token t;
 
-    lex_init(&l, arena, strings, diags, src);
+    lex_init(&l, strings, diags, src);
     l.keep_comments = true;
     l.config = kind == FILE_IO || kind == FILE_APP;
     do {

@@ -369,7 +369,7 @@ static void check_state_name(Parser *p, const AstSection *s)
 
     if (!lex_is_header_name(s->name->text, s->name->len))             // reported as a header
         return;
-    if (lex_is_reserved(&p->lex, s->name, &reserved))
+    if (lex_is_reserved(s->name, &reserved))
         parser_report(p, DIAG_state_name_reserved, s->name_span, s->name->text);
     else if (!is_identifier(s->name->text, s->name->len))
         parser_report(p, DIAG_state_name, s->name_span, s->name->text);
@@ -447,7 +447,7 @@ static void start(Parser *p, Arena *arena, StrPool *strings, Diags *diags, const
     p->strings = strings;
     p->diags = diags;
     p->kind = kind;
-    lex_init(&p->lex, arena, strings, diags, src);
+    lex_init(&p->lex, strings, diags, src);
     p->lex.config = kind == FILE_IO || kind == FILE_APP;
     lex_next(&p->lex, &p->tok);
     lex_next(&p->lex, &p->ahead);

@@ -13,6 +13,6 @@
 AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind);
 
 // The tokens of a source as text, one a line, comments included: --emit=tokens.
-void lex_print(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind, Buf *out);
+void lex_print(StrPool *strings, Diags *diags, const Source *src, FileKind kind, Buf *out);
 
 #endif

@@ -96,7 +96,7 @@ bool app_take_name(Parser *p, AstWord *into, const char *expected, const char *f
                        DIAG_label_name_letters);
         return !p->failed;
     }
-    if (!p->tok.first && p->tok.text && p->tok.kind != TOK_TEXT && lex_is_reserved(&p->lex, p->tok.text, &reserved))
+    if (!p->tok.first && p->tok.text && p->tok.kind != TOK_TEXT && lex_is_reserved(p->tok.text, &reserved))
         parser_fail(p, DIAG_name_reserved, parser_here(p), p->tok.text->text);
     else
         app_wrong_form(p, expected, form);

@@ -79,7 +79,7 @@ static bool take_name(Parser *p, AstDecl *d)
     if (p->tok.kind == TOK_ERROR) {
         p->failed = true;
     } else if (p->tok.text && !p->tok.first && p->tok.kind != TOK_LABEL && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_HEADER &&
-               lex_is_reserved(&p->lex, p->tok.text, &reserved)) {
+               lex_is_reserved(p->tok.text, &reserved)) {
         parser_fail(p, DIAG_name_reserved, parser_here(p), p->tok.text->text);
         parser_next(p);
     } else {

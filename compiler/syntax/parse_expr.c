@@ -106,7 +106,7 @@ static void parse_arguments(Parser *p, AstExpr *call, Span open)
     p->parens++;
     while (p->tok.kind != TOK_RPAREN) {                // with none, the checker knows how many there should be
         AstExpr *a = parse_level(p, 1);
-        vec_push(p->arena, &call->args, a);
+        vec_push(p->arena, call->args, a);
         if (a->depth >= call->depth)
             call->depth = a->depth + 1;
         if (p->failed || p->tok.kind != TOK_COMMA)
@@ -124,6 +124,7 @@ static AstExpr *parse_call(Parser *p)
     Span open;
 
     e->name = p->tok.text;
+    e->args = ARENA_NEW(p->arena, AstArgs);
     set_operator(e, e->span);
     parser_next(p);
     open = parser_here(p);

@@ -8,6 +8,8 @@ static AstStmt *new_stmt(Parser *p, AstStmtKind kind, AstStmts *into)
 {
     AstStmt *s = ARENA_NEW(p->arena, AstStmt);
 
+    if (kind == AST_IF)
+        s->arms = ARENA_NEW(p->arena, AstArms);
     s->kind = kind;
     s->span = parser_here(p);
     vec_push(p->arena, into, s);
@@ -270,7 +272,7 @@ static void missing_statement(Parser *p, const AstStmt *s, Span colon, AstStmts 
 {
     bool lines_below = p->tok.first && !parser_at_end_of_block(p) && p->tok.kind != TOK_ELSE;
 
-    slip_colon(p, s->has_else ? NULL : s->value, colon);
+    slip_colon(p, s->arms->has_else ? NULL : s->value, colon);
     if (lines_below)                          // most likely it stands there
         parse_statement(p, into);
     p->lost_body = true;
@@ -309,7 +311,7 @@ static void parse_bare_body(Parser *p, const AstStmt *s, AstStmts *into, bool ha
 {
     if (p->failed)
         return;
-    if (s->has_else)
+    if (s->arms->has_else)
         slip_else(p);
     else
         slip_expression(p, s->value, has_if);
@@ -342,7 +344,7 @@ static void check_script_conditional(Parser *p, const AstStmt *s, size_t errors)
         return;
     if (p->nesting > 1)
         diag_label(p->diags, parser_report(p, DIAG_script_nested, s->span), DIAG_label_text, "join the conditions with 'and'");
-    else if (s->then.n == 0)
+    else if (s->arms->then.n == 0)
         parser_report(p, DIAG_script_empty, s->span);
 }
 
@@ -351,15 +353,15 @@ static AstStmt *parse_else(Parser *p, AstStmt *s)
 {
     if (p->tok.kind != TOK_ELSE)
         return NULL;
-    s->has_else = true;
-    s->else_span = parser_here(p);
+    s->arms->has_else = true;
+    s->arms->else_span = parser_here(p);
     if (in_script(p))
-        diag_label(p->diags, parser_report(p, DIAG_script_else, s->else_span), DIAG_label_text,
+        diag_label(p->diags, parser_report(p, DIAG_script_else, s->arms->else_span), DIAG_label_text,
                    "write the opposite as a condition: not (...)");
     parser_next(p);
     if (p->tok.kind == TOK_IF && !p->tok.first)
-        return new_stmt(p, AST_IF, &s->otherwise);
-    parse_body(p, s, true, &s->otherwise, &s->else_braces, &s->else_body_span);
+        return new_stmt(p, AST_IF, &s->arms->otherwise);
+    parse_body(p, s, true, &s->arms->otherwise, &s->arms->else_braces, &s->arms->else_body_span);
     return NULL;
 }
 
@@ -380,7 +382,7 @@ static void parse_branches(Parser *p, AstStmt *s)
         s->span = parser_since(p, s->span.at);
         if (p->failed)
             recover_guard(p);
-        parse_body(p, s, has_if, &s->then, &s->braces, &s->body_span);
+        parse_body(p, s, has_if, &s->arms->then, &s->arms->braces, &s->arms->body_span);
         if (!chained)
             check_script_conditional(p, s, errors);
         s = parse_else(p, s);
@@ -403,21 +405,22 @@ static void parse_if(Parser *p, AstStmts *into, AstExpr *guard)
 // An `else` that follows no conditional.
 static void stray_else(Parser *p)
 {
-    AstStmt s = {0};
+    AstArms arms = {0};
+    AstStmt s = {.arms = &arms};
 
     if (!p->lost_body)
         parser_report(p, DIAG_else_without_if, parser_here(p));
     p->lost_body = true;
     if (!enter_nesting(p))
         return;
-    s.has_else = true;
+    arms.has_else = true;
     parser_next(p);
     if (p->tok.first)
         p->failed = true;
     else if (p->tok.kind == TOK_IF && !p->tok.first)
-        parse_if(p, &s.otherwise, NULL);
+        parse_if(p, &arms.otherwise, NULL);
     else
-        parse_body(p, &s, true, &s.otherwise, &s.else_braces, &s.else_body_span);
+        parse_body(p, &s, true, &arms.otherwise, &arms.else_braces, &arms.else_body_span);
     p->nesting--;
 }
 

@@ -46,8 +46,8 @@ static void check_expr(const AstExpr *e, unsigned depth)
         check_expr(e->a, depth + 1);
     if (e->kind == AST_BINARY)
         check_expr(e->b, depth + 1);
-    for (size_t i = 0; i < e->args.n; i++)
-        check_expr(e->args.at[i], depth + 1);
+    for (size_t i = 0; e->args && i < e->args->n; i++)
+        check_expr(e->args->at[i], depth + 1);
 }
 
 static void check_stmts(const AstStmts *list, unsigned depth)
@@ -57,15 +57,17 @@ static void check_stmts(const AstStmts *list, unsigned depth)
         const AstStmt *s = list->at[i];
         FUZZ_CHECK(errors_allowed || s->kind != AST_STMT_ERROR);
         check_span(s->span);
-        check_span(s->body_span);
-        check_span(s->else_body_span);
         if (s->kind == AST_STMT_ERROR)
             continue;
         FUZZ_CHECK((s->kind == AST_ASSIGN || s->kind == AST_TRANSITION) == (s->name != NULL));
         if (s->kind == AST_ASSIGN || s->kind == AST_IF || s->kind == AST_ASSERT)
             check_expr(s->value, 1);
-        check_stmts(&s->then, depth + 1);
-        check_stmts(&s->otherwise, depth + 1);
+        if (!s->arms)
+            continue;
+        check_span(s->arms->body_span);
+        check_span(s->arms->else_body_span);
+        check_stmts(&s->arms->then, depth + 1);
+        check_stmts(&s->arms->otherwise, depth + 1);
     }
 }
 
@@ -128,7 +130,7 @@ static void try_parse(Session *s, const Source *src, FileKind kind)
     diags_apply_edits(&s->diags, src, &out);
     parse_file(&s->arena, &s->strings, &s->diags, source_new(&s->arena, "fixed", buf_text(&out), out.n), kind);
     ast_print(f, &out);
-    lex_print(&s->arena, &s->strings, &s->diags, src, kind, &out);
+    lex_print(&s->strings, &s->diags, src, kind, &out);
 }
 
 // The state vector that pins are of.

@@ -28,7 +28,7 @@ static const char *kinds(const char *text, size_t len)
     Buf out;
 
     buf_init(&out, &arena);
-    lex_init(&l, &arena, &strings, &diags, src);
+    lex_init(&l, &strings, &diags, src);
     for (lex_next(&l, &t); t.kind != TOK_END; lex_next(&l, &t))
         buf_printf(&out, "%s%s%s", out.n ? " " : "", t.first ? "|" : "", token_name(t.kind));
     lex_next(&l, &t);
@@ -117,7 +117,7 @@ static void test_print(void)
     Buf out;
 
     buf_init(&out, &arena);
-    lex_print(&arena, &strings, &diags, src, FILE_SM, &out);
+    lex_print(&strings, &diags, src, FILE_SM, &out);
     CHECK(strcmp(buf_text(&out), "1:1\theader\t[Idle]\n2:3\tname\tx\n2:5\t=\t=\n2:7\tnumber\t0x1F\n2:12\tcomment\t# hi\n"
                                  "3:1\tend\t\n") == 0);
     arena_free(&arena);

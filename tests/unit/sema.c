@@ -140,7 +140,7 @@ static void test_program(void)
     CHECK(p->window.n == 3 && p->window.at[0].size == 3 && p->window.at[1].size == 4 && p->window.at[2].size == 2);
     CHECK(p->window.at[1].sample->kind == EX_ROLL && p->window.at[1].sample->window == 0);   // inner before outer
     e = p->state.at[0]->block[BLOCK_STEP].at[0]->value;
-    CHECK(e->kind == EX_CHAIN && e->n == 3 && e->ops[0] == SM_OP_GT && e->ops[1] == SM_OP_LT);
+    CHECK(e->kind == EX_CHAIN && e->n == 3 && expr_ops(e)[0] == SM_OP_GT && expr_ops(e)[1] == SM_OP_LT);
     CHECK(e->arg[0]->kind == EX_BINARY && e->arg[2]->kind == EX_NUMBER);
     CHECK(p->state.at[0]->block[BLOCK_STEP].at[1]->value->kind == EX_VAR);                   // parentheses gone
     CHECK(p->state.at[0]->block[BLOCK_STEP].at[1]->then.at[0]->target == p->state.at[1]);
