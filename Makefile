@@ -310,7 +310,7 @@ FUZZ_SEEDS_ir = tests/ir/samples
 W           ?= tank mission arith bigwindow
 BENCH_FLAGS  = $(STRICT_C) -I$(B)/bench/gen -O2
 BENCH_USER   = -std=c99 -O2
-$(B)/bench/scale $(B)/bench/compile: $(B)/bench/%: $(B)/obj/tests/bench/%.o $(B)/obj/tests/bench/shapes.o $(B)/libsmc.a
+$(B)/bench/scale $(B)/bench/compile: $(B)/bench/%: $(B)/obj/tests/bench/%.o $(B)/obj/tests/bench/shapes.o $(B)/obj/compiler/base/os_posix.o $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/bench/shapes.h"
 
-#include <stdlib.h>
 #include <string.h>
+
+#include "compiler/base/os.h"
 
 // ---- memory ----
 
@@ -13,7 +14,7 @@ static size_t used, most;
 typedef struct Block { size_t before; size_t given_back; } Block;    // stands before each piece that was handed out
 static Block *last;
 
-bool pool_open(void) { return (pool = malloc(pool_size)) != NULL; }
+bool pool_open(void) { return (pool = os_alloc(NULL, NULL, pool_size)) != NULL; }       // in pages as the command's are
 void pool_empty(void) { used = most = 0; last = NULL; }
 size_t pool_used(void) { return most; }
 
