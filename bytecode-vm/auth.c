@@ -105,8 +105,9 @@ void smvm_auth_code(SmvmBytes image, uint32_t length, const uint8_t *key, uint8_
 static SmvmAt find(SmvmBytes image)
 {
     for (uint8_t i = 0; i < smvm_sections(image); i++) {
-        const SmvmSection s = smvm_section(image, i);
-        if (s.id == SMVM_S_AUTH && s.version == SMVM_V_AUTH && s.size == SMVM_AUTH && s.at + s.size == smvm_u24(image, SMVM_LENGTH_AT))
+        SmvmSection s;
+        smvm_section(image, i, &s);
+        if (s.kind.id == SMVM_S_AUTH && s.size == SMVM_AUTH && s.at + s.size == smvm_u24(image, SMVM_LENGTH_AT))
             return (SmvmAt)s.at;
     }
     return 0;

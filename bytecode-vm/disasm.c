@@ -198,7 +198,8 @@ static const char *section_name(uint8_t id)
 static void sections(Out *o, SmvmBytes image)
 {
     for (uint8_t i = 0; i < smvm_sections(image); i++) {
-        SmvmSection s = smvm_section(image, i);
+        SmvmSection s;
+        smvm_section(image, i, &s);
         smvm_text(o, "    section ");
         smvm_text_hex(o, s.id, 2);
         smvm_text(o, " ");

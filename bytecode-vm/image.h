@@ -54,8 +54,7 @@ enum {
 };
 #define SMVM_SHAPE_GY UINT32_C(0x8000)
 #define SMVM_SHAPE_FY UINT32_C(0x10000)
-#define SMVM_SHAPE_Z UINT32_C(0x20000)
-#define SMVM_SHAPE_OP UINT32_C(0x40000)               // of every opcode that exists
+#define SMVM_SHAPE_Z UINT32_C(0x20000)                // every opcode that exists has one of these
 
 // A place in the image, three bytes, of a local or element whose type is not said by an opcode: offset in units of the type's
 // size in the low 16 bits and the topmost 4, type in the 4 between.
@@ -109,28 +108,46 @@ uint8_t smvm_shift(uint8_t type);                     // the same, for what is t
 #define SMVM_NOWHERE ((SmvmAt)-1)
 SmvmAt smvm_at(SmvmBytes image, SmvmAt at, uint8_t bytes);
 
-// Reads a varint that must end before `end` and moves *at behind it; SMVM_NO_NUMBER, which is none, if it does not.
-#define SMVM_NO_NUMBER UINT32_MAX
-uint32_t smvm_number(SmvmBytes image, SmvmAt *at, SmvmAt end);
+// Reads a varint that must end before r->end, into r->n: SMVM_NOWHERE where it is too large for that.
+typedef enum SmvmFound { SMVM_THERE, SMVM_CUT_SHORT, SMVM_TOO_LARGE } SmvmFound;
+SmvmFound smvm_number(SmvmReader *r);
 
+// The same for hosts; moves *at behind it.
 static inline bool smvm_varint(SmvmBytes image, SmvmAt *at, SmvmAt end, uint32_t *value)
 {
-    const uint32_t v = smvm_number(image, at, end);
+    SmvmReader r;
+    bool there;
 
-    if (v == SMVM_NO_NUMBER)
-        return false;
-    *value = v;
-    return true;
+    r.image = image;
+    r.at = *at;
+    r.end = end;
+    there = smvm_number(&r) == SMVM_THERE;
+    *at = r.at;
+    if (there)
+        *value = r.n;
+    return there;
 }
 
-typedef struct SmvmSection { uint8_t id, version; SmvmAt at, size; } SmvmSection;         // as the image says: not checked
+// What the sections of a machine, and IO, ask for before them and bar.
+enum { SMVM_A_MACHINE = 1, SMVM_A_CODE = 2, SMVM_AN_INIT = 4, SMVM_A_SAFE = 8, SMVM_AN_IO = 16 };
 
-SmvmSection smvm_section(SmvmBytes image, uint8_t index);
+typedef struct SmvmKind {
+    uint8_t id, version;
+    uint8_t asks, bars, gives;        // of what stood before it
+    uint8_t part;             // where in SmvmMachine its place and size are noted; 0: nowhere
+} SmvmKind;
+
+typedef struct SmvmSection {  // as the image says: not checked
+    uint8_t id, version;
+    SmvmAt at, size;
+    SmvmKind kind;            // all zero where id or version is not known
+} SmvmSection;
+
+void smvm_section(SmvmBytes image, uint8_t index, SmvmSection *s);
 uint8_t smvm_sections(SmvmBytes image);               // how many
 
-// Reads what a MACHINE section says into *m and finds its tables.  Gives 0, or the rule that is broken.  Checks only what it
-// reads; m->image is set already.
-uint8_t smvm_read_machine(SmvmMachine *m, SmvmAt at, SmvmAt size);
+// The first section of an id and the version that is known of it, from its beginning to its end.  False: there is none.
+bool smvm_find(SmvmBytes image, uint8_t id, SmvmReader *r);
 
 // Reads machine `number` and gives 0, or the rule that its MACHINE section breaks; SMVM_R_GROUP: there is no such machine.
 uint8_t smvm_look(SmvmBytes image, uint8_t number, SmvmMachine *m);
@@ -167,6 +184,12 @@ static inline SmvmAt smvm_function_end(const SmvmMachine *m, SmvmAt index)
     return smvm_at(m->image, (SmvmAt)(m->functions_at + index * m->width), (uint8_t)m->width);
 }
 
+// The shape of an opcode in fewer bits: what follows it in the low four, above them those from SMVM_SHAPE_X on.  0: it is none.
+enum {
+    SMVM_NOTHING, SMVM_AN_L, SMVM_AN_E, SMVM_AN_N, SMVM_AN_F, SMVM_A_D, SMVM_AN_O, SMVM_AN_S, SMVM_A_K, SMVM_A_W, SMVM_A_T, SMVM_AN_M, SMVM_A_J,
+    SMVM_K_AND_W, SMVM_N_AND_J
+};
+uint16_t smvm_form(uint8_t opcode);
 uint32_t smvm_shape(uint8_t opcode);                  // 0 if it is none
 
 // Gives 0, or the rule that the IO section breaks, and where (pins.c).

@@ -34,99 +34,101 @@ void smvm_get(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes)
         p[is_little() ? i : bytes - 1 - i] = smvm_u8(image, at++);
 }
 
-SmvmAt smvm_at(SmvmBytes image, SmvmAt at, uint8_t bytes)
-{
-    const uint32_t v = smvm_uint(image, at, bytes);
+static SmvmAt at_most(uint32_t v) { return v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v; }
 
-    return v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v;
-}
+SmvmAt smvm_at(SmvmBytes image, SmvmAt at, uint8_t bytes) { return at_most(smvm_uint(image, at, bytes)); }
 
-uint32_t smvm_number(SmvmBytes image, SmvmAt *at, SmvmAt end)
+static uint8_t next_byte(SmvmReader *r) { return r->at < r->end ? smvm_u8(r->image, r->at++) : SMVM_OP_LEAST; }
+
+SmvmFound smvm_number(SmvmReader *r)
 {
-    uint32_t from = 0, v = SMVM_OP_LEAST;
+    const SmvmAt from = r->at;
+    uint32_t v = next_byte(r), base = 0;
     uint8_t more = 0;
 
-    if (*at < end)
-        v = smvm_u8(image, (*at)++);
     if (v >= SMVM_OP_LEAST)
-        return SMVM_NO_NUMBER;
+        return SMVM_CUT_SHORT;
     if (v >= SMVM_VARINT_2) {
         more = 3;
-        from = SMVM_VARINT_MID;
+        base = SMVM_VARINT_MID;
         v -= SMVM_VARINT_2;
     } else if (v >= SMVM_VARINT_1) {
         more = 1;
-        from = SMVM_VARINT_1;
+        base = SMVM_VARINT_1;
         v -= SMVM_VARINT_1;
     }
-    if ((SmvmAt)(end - *at) < more)
-        return SMVM_NO_NUMBER;
     for (; more > 0; more--) {
-        const uint8_t next = smvm_u8(image, (*at)++);
+        const uint8_t next = next_byte(r);
         if (next >= SMVM_OP_LEAST)
-            return SMVM_NO_NUMBER;
+            return SMVM_CUT_SHORT;
         v = v << 7 | next;
     }
-    return from + v;
+    r->n = at_most(v + base);
+    return r->n == v + base ? SMVM_THERE : SMVM_TOO_LARGE;
 }
 
 uint8_t smvm_shift(uint8_t type) { return smvm_type_shift(type); }
 
 // In units of 1 << shift; SMVM_NOWHERE where this target cannot hold it.
-static SmvmAt scaled(uint32_t v, uint8_t shift)
+static SmvmAt scaled(SmvmAt at, uint8_t shift)
 {
-    SmvmAt at = v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v;
-
     for (; shift > 0; shift--)
         at = at > SMVM_NOWHERE / 2 ? SMVM_NOWHERE : (SmvmAt)(at + at);
     return at;
 }
 
+// ---- sections ----
+
+static const SmvmKind kinds[] SM_FLASH = {
+#define SMVM_SECTION(name, id, version, meaning) {id, version, KIND_##name},
+#define KIND_IDENTITY 0, 0, 0, 0
+#define KIND_DEBUG SMVM_A_MACHINE, 0, 0, offsetof(SmvmMachine, debug_at)
+#define KIND_IO 0, SMVM_A_MACHINE | SMVM_AN_IO, SMVM_AN_IO, 0
+#define KIND_AUTH 0, 0, 0, 0
+#define KIND_SAFE SMVM_A_MACHINE, SMVM_A_SAFE, SMVM_A_SAFE, offsetof(SmvmMachine, safe_at)
+#define KIND_MACHINE SMVM_A_CODE, 0, SMVM_A_MACHINE, offsetof(SmvmMachine, machine_at)
+#define KIND_CODE SMVM_A_MACHINE, SMVM_A_CODE, SMVM_A_CODE, offsetof(SmvmMachine, code_at)
+#define KIND_INIT SMVM_A_MACHINE, SMVM_AN_INIT, SMVM_AN_INIT, offsetof(SmvmMachine, init_at)
+#include "bytecode-vm/image.def"
+#undef SMVM_SECTION
+};
+
 uint8_t smvm_sections(SmvmBytes image) { return smvm_u8(image, SMVM_SECTIONS_AT); }
 
-SmvmSection smvm_section(SmvmBytes image, uint8_t index)
+void smvm_section(SmvmBytes image, uint8_t index, SmvmSection *s)
 {
     const SmvmAt at = (SmvmAt)(SMVM_HEADER + index * SMVM_ENTRY);
+    const SmvmKind *k = kinds;
+
+    s->id = smvm_u8(image, at);
+    s->version = smvm_u8(image, (SmvmAt)(at + 1));
+    s->at = smvm_at(image, (SmvmAt)(at + 2), 3);
+    s->size = smvm_at(image, (SmvmAt)(at + 5), 3);
+    do {
+        sm_flash_get(&s->kind, k, sizeof *k);
+        if (s->kind.id == s->id && s->kind.version == s->version)
+            return;
+    } while (++k < kinds + sizeof kinds / sizeof *kinds);
+    memset(&s->kind, 0, sizeof s->kind);
+}
+
+bool smvm_find(SmvmBytes image, uint8_t id, SmvmReader *r)
+{
     SmvmSection s;
 
-    s.id = smvm_u8(image, at);
-    s.version = smvm_u8(image, (SmvmAt)(at + 1));
-    s.at = smvm_at(image, (SmvmAt)(at + 2), 3);
-    s.size = smvm_at(image, (SmvmAt)(at + 5), 3);
-    return s;
+    for (uint8_t i = 0; i < smvm_sections(image); i++) {
+        smvm_section(image, i, &s);
+        if (s.kind.id != id)
+            continue;
+        r->image = image;
+        r->at = s.at;
+        r->end = (SmvmAt)(s.at + s.size);
+        return true;
+    }
+    return false;
 }
 
-// Reads the numbers and tables of a MACHINE section one behind the other; after the first that is wrong gives 0.
-typedef struct Reader {
-    SmvmBytes image;
-    SmvmAt at, end;
-    uint8_t rule;             // that is broken
-} Reader;
-
-static SmvmAt read_number(Reader *r, uint8_t shift)              // in units of 1 << shift
-{
-    uint32_t v;
-    SmvmAt at;
-
-    if (r->rule != 0)
-        return 0;
-    v = smvm_number(r->image, &r->at, r->end);
-    at = scaled(v, shift);
-    if (at == SMVM_NOWHERE)
-        r->rule = v == SMVM_NO_NUMBER ? SMVM_R_RECORD : SMVM_R_RAM;
-    return at;
-}
-
-static SmvmAt find_table(Reader *r, SmvmAt count, uint8_t bytes)
-{
-    SmvmAt at = r->at;
-
-    if (count > (SmvmAt)(r->end - at) / bytes)
-        r->rule = SMVM_R_RECORD;
-    else
-        r->at = (SmvmAt)(at + count * bytes);
-    return at;
-}
+// ---- machines ----
 
 // The numbers of a record, in their order: where each goes, and in units of 1 << what it counts.
 #define SMVM_NUMBER(field, shift) {offsetof(SmvmMachine, field), shift}
@@ -136,81 +138,91 @@ static const struct Field { uint8_t at, shift; } record[] SM_FLASH = {
     SMVM_NUMBER(g, 3), SMVM_NUMBER(s, 2),
 };
 
-static void read_numbers(SmvmMachine *m, Reader *r)
+static SmvmAt *field_at(SmvmMachine *m, uint8_t at) { return (SmvmAt *)(void *)((uint8_t *)m + at); }
+
+static uint8_t read_numbers(SmvmMachine *m, SmvmReader *r)
 {
     for (uint8_t i = 0; i < sizeof record / sizeof *record; i++) {
         struct Field f;
+        SmvmAt n;
+        if (smvm_number(r) == SMVM_CUT_SHORT)
+            return SMVM_R_RECORD;
         sm_flash_get(&f, &record[i], sizeof f);
-        *(SmvmAt *)(void *)((uint8_t *)m + f.at) = read_number(r, f.shift);
+        *field_at(m, f.at) = n = scaled(r->n, f.shift);
+        if (n == SMVM_NOWHERE)
+            return SMVM_R_RAM;
     }
-    if (r->rule == 0 && (m->states == 0 || m->width < 1 || m->width > 3))
-        r->rule = SMVM_R_STATES;
+    return m->states == 0 || m->width < 1 || m->width > 3 ? SMVM_R_STATES : 0;
 }
 
-uint8_t smvm_read_machine(SmvmMachine *m, SmvmAt at, SmvmAt size)
+// Where a table is; behind it the next one begins.  SMVM_NOWHERE: it is not all there.
+static SmvmAt find_table(SmvmReader *r, SmvmAt count, uint8_t bytes)
 {
-    Reader r = {m->image, at, (SmvmAt)(at + size), 0};
+    const SmvmAt at = r->at;
 
-    m->machine_at = at;
-    if (size < 4)
+    if (at > r->end || count > (SmvmAt)(r->end - at) / bytes)
+        r->at = SMVM_NOWHERE;
+    else
+        r->at = (SmvmAt)(at + count * bytes);
+    return at;
+}
+
+// Reads what a MACHINE section says and finds its tables.  Gives 0, or the rule that is broken.  Checks only what it reads.
+static uint8_t read_machine(SmvmMachine *m, SmvmReader *r)
+{
+    uint8_t rule;
+
+    if ((SmvmAt)(r->end - r->at) < 4)
         return SMVM_R_RECORD;
-    m->layout = smvm_uint(m->image, at, 4);
-    r.at = (SmvmAt)(at + 4);
-    read_numbers(m, &r);
-    if (r.rule != 0)
-        return r.rule;
-    if (m->states > size / 3)                         // so that three times as many can be counted
+    m->layout = smvm_uint(r->image, r->at, 4);
+    r->at = (SmvmAt)(r->at + 4);
+    if ((rule = read_numbers(m, r)) != 0)
+        return rule;
+    if (m->states > (SmvmAt)(r->end - r->at) / 3)     // so that three times as many can be counted
         return SMVM_R_RECORD;
-    m->windows_at = find_table(&r, m->windows, SMVM_WINDOW_ENTRY);
-    m->outputs_at = find_table(&r, m->outputs, SMVM_PLACE);
-    m->functions_at = find_table(&r, (SmvmAt)(3 * m->states + 1), (uint8_t)m->width);
-    m->f32s_at = find_table(&r, m->f32s, 4);
-    m->f64s_at = find_table(&r, m->f64s, 8);
-    return r.rule == 0 && r.at != r.end ? SMVM_R_RECORD : r.rule;
+    m->windows_at = find_table(r, m->windows, SMVM_WINDOW_ENTRY);
+    m->outputs_at = find_table(r, m->outputs, SMVM_PLACE);
+    m->functions_at = find_table(r, (SmvmAt)(3 * m->states + 1), (uint8_t)m->width);
+    m->f32s_at = find_table(r, m->f32s, 4);
+    m->f64s_at = find_table(r, m->f64s, 8);
+    return r->at != r->end ? SMVM_R_RECORD : 0;
 }
 
 void smvm_again(const SmVm *vm, SmvmMachine *m)
 {
-    m->image = vm->image;
+    SmvmReader r;
+
+    r.image = m->image = vm->image;
+    r.at = m->machine_at = vm->machine;
+    r.end = SMVM_NOWHERE;
     m->code_at = vm->code;
-    smvm_read_machine(m, vm->machine, (SmvmAt)((SmvmAt)-1 - vm->machine));
+    read_machine(m, &r);
 }
 
 // A machine's sections stand behind its MACHINE, before the next one.
-static void take_section(SmvmMachine *m, const SmvmSection *s)
-{
-    if (s->id == SMVM_S_CODE) {
-        m->code_at = s->at;
-        m->code_size = s->size;
-    } else if (s->id == SMVM_S_INIT) {
-        m->init_at = s->at;
-        m->init_size = s->size;
-    } else if (s->id == SMVM_S_DEBUG && s->version == SMVM_V_DEBUG) {
-        m->debug_at = s->at;
-        m->debug_size = s->size;
-    } else if (s->id == SMVM_S_SAFE && s->version == SMVM_V_SAFE) {
-        m->safe_at = s->at;
-        m->safe_size = s->size;
-    }
-}
-
 uint8_t smvm_look(SmvmBytes image, uint8_t number, SmvmMachine *m)
 {
-    uint8_t rule = SMVM_R_GROUP;
     bool inside = false;
+    SmvmSection s;
+    SmvmReader r;
 
     memset(m, 0, sizeof *m);
     m->image = image;
     for (uint8_t i = 0; i < smvm_sections(image); i++) {
-        const SmvmSection s = smvm_section(image, i);
-        if (s.id == SMVM_S_MACHINE) {
+        smvm_section(image, i, &s);
+        if (s.kind.id == SMVM_S_MACHINE)
             inside = number-- == 0;
-            if (inside)
-                rule = smvm_read_machine(m, s.at, s.size);
-        } else if (inside)
-            take_section(m, &s);
+        if (inside && s.kind.part != 0) {
+            field_at(m, s.kind.part)[0] = s.at;
+            field_at(m, s.kind.part)[1] = s.size;
+        }
     }
-    return rule;
+    if (m->machine_at == 0)
+        return SMVM_R_GROUP;
+    r.image = image;
+    r.at = m->machine_at;
+    r.end = (SmvmAt)(r.at + m->machine_size);
+    return read_machine(m, &r);
 }
 
 bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m)
@@ -231,7 +243,7 @@ SmvmPlace smvm_place(SmvmBytes image, SmvmAt at)
     SmvmPlace p;
 
     p.type = (SmType)(high & 0xf);
-    p.offset = scaled(smvm_uint(image, at, 2) | (uint32_t)(high & 0xf0) << 12, smvm_shift(high & 0xf));
+    p.offset = scaled(at_most(smvm_uint(image, at, 2) | (uint32_t)(high & 0xf0) << 12), smvm_shift(high & 0xf));
     return p;
 }
 
@@ -390,11 +402,16 @@ enum {
 #define FY SMVM_SHAPE_FY
 #define Z SMVM_SHAPE_Z
 
-// The shape as three bytes: five for each row.
-static const struct Row { uint8_t first, last, shape[3]; } rows[] SM_FLASH = {
-#define SMVM_BYTE(shape, shift) (uint8_t)((uint32_t)(shape) >> (shift))
-#define SMVM_OP(name, first, last, shape, meaning) \
-    {first, last, {SMVM_BYTE(shape, 0), SMVM_BYTE(shape, 8), SMVM_BYTE((shape) | SMVM_SHAPE_OP, 16)}},
+// What follows an opcode: the bits of a shape for each of the numbers that stand for them.
+static const uint16_t follows[] = {0, L, E, N, F, D, O, S, K, W, T, M, J, K | W, N | J};
+#define SMVM_IS(what, number) ((uint16_t)((what) & SMVM_SHAPE_FOLLOWS) == (number))
+#define SMVM_FOLLOWS(s) \
+    (SMVM_IS(s, L) ? SMVM_AN_L : SMVM_IS(s, E) ? SMVM_AN_E : SMVM_IS(s, N) ? SMVM_AN_N : SMVM_IS(s, F) ? SMVM_AN_F : SMVM_IS(s, D) ? SMVM_A_D : \
+     SMVM_IS(s, O) ? SMVM_AN_O : SMVM_IS(s, S) ? SMVM_AN_S : SMVM_IS(s, K) ? SMVM_A_K : SMVM_IS(s, W) ? SMVM_A_W : SMVM_IS(s, T) ? SMVM_A_T : \
+     SMVM_IS(s, M) ? SMVM_AN_M : SMVM_IS(s, J) ? SMVM_A_J : SMVM_IS(s, K | W) ? SMVM_K_AND_W : SMVM_IS(s, N | J) ? SMVM_N_AND_J : SMVM_NOTHING)
+
+static const struct Row { uint8_t first, last; uint16_t form; } rows[] SM_FLASH = {
+#define SMVM_OP(name, first, last, shape, meaning) {first, last, (uint16_t)(SMVM_FOLLOWS(shape) | (uint32_t)(shape) >> 12 << 4)},
 #include "bytecode-vm/opcodes.def"
 #undef SMVM_OP
 };
@@ -409,7 +426,7 @@ enum {
 static const uint8_t row_of[] SM_FLASH = {ROW_ldx_local, ROW_ldx_elem, ROW_ldy_local, ROW_ldy_elem,
                                           ROW_st_local, ROW_jxy, ROW_jf, ROW_add};
 
-uint32_t smvm_shape(uint8_t opcode)
+uint16_t smvm_form(uint8_t opcode)
 {
     struct Row r;
     uint8_t row;
@@ -418,5 +435,12 @@ uint32_t smvm_shape(uint8_t opcode)
     do
         sm_flash_get(&r, &rows[row++], sizeof r);
     while (opcode > r.last);                          // the last row ends with the last opcode
-    return opcode < r.first ? 0 : (uint32_t)r.shape[2] << 16 | (uint32_t)r.shape[1] << 8 | r.shape[0];
+    return opcode < r.first ? 0 : r.form;
+}
+
+uint32_t smvm_shape(uint8_t opcode)
+{
+    const uint16_t form = smvm_form(opcode);
+
+    return follows[form & 0xf] | (uint32_t)(form >> 4) << 12;
 }

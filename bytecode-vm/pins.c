@@ -14,42 +14,34 @@ enum {
 };
 
 // A number; one beyond the largest becomes that.
-SMVM_APART static bool take_up_to(SmvmPins *p, SmvmAt most, SmvmAt *n)
+static bool take_up_to(SmvmPins *p, SmvmAt most, SmvmAt *n)
 {
-    const uint32_t v = smvm_number(p->image, &p->at, p->end);
+    const bool there = smvm_number(&p->in) != SMVM_CUT_SHORT;
 
-    *n = v > most ? most : (SmvmAt)v;
-    return v != SMVM_NO_NUMBER;
-}
-
-bool smvm_pins(SmvmBytes image, SmvmPins *p)
-{
-    memset(p, 0, sizeof *p);
-    p->image = image;
-    for (uint8_t i = 0; i < smvm_sections(image); i++) {
-        const SmvmSection s = smvm_section(image, i);
-        if (s.id != SMVM_S_IO || s.version != SMVM_V_IO)
-            continue;
-        p->at = s.at;
-        p->end = (SmvmAt)(s.at + s.size);
-        if (s.size < 4)
-            return false;
-        p->layout = smvm_uint(image, p->at, 4);
-        p->at = (SmvmAt)(p->at + 4);
-        return take_up_to(p, SMVM_NOWHERE >> 3, &p->sv_size) && take_up_to(p, SMVM_NOWHERE, &p->left);
-    }
-    return false;
+    *n = there && p->in.n < most ? p->in.n : most;
+    return there;
 }
 
 // Where so many bytes are; 0: they are not there.
 static SmvmAt take(SmvmPins *p, uint8_t bytes)
 {
-    const SmvmAt at = p->at;
+    const SmvmAt at = p->in.at;
 
-    if ((SmvmAt)(p->end - at) < bytes)
+    if ((SmvmAt)(p->in.end - at) < bytes)
         return 0;
-    p->at = (SmvmAt)(at + bytes);
+    p->in.at = (SmvmAt)(at + bytes);
     return at;
+}
+
+bool smvm_pins(SmvmBytes image, SmvmPins *p)
+{
+    SmvmAt at;
+
+    memset(p, 0, sizeof *p);
+    if (!smvm_find(image, SMVM_S_IO, &p->in) || (at = take(p, 4)) == 0)
+        return false;
+    p->layout = smvm_uint(image, at, 4);
+    return take_up_to(p, SMVM_NOWHERE >> 3, &p->sv_size) && take_up_to(p, SMVM_NOWHERE, &p->left);
 }
 
 // In the place of a type: that a whole number stands in the place of the offset, of 20 bits in two's complement.
@@ -58,27 +50,26 @@ enum { WHOLE = 15 };
 static bool take_number(SmvmPins *p, SmF64 *x)
 {
     const SmvmAt at = take(p, SMVM_PLACE);
+    uint16_t low;
+    uint8_t type, high;
     SmvmAt bits;
-    int32_t low;
-    uint8_t high, type, bytes;
 
     if (at == 0)
         return false;
-    low = (int32_t)smvm_uint(p->image, at, 2);
-    high = smvm_u8(p->image, (SmvmAt)(at + 2));
-    type = high & 0xf;
-    high >>= 4;
+    low = (uint16_t)smvm_uint(p->in.image, at, 2);
+    type = smvm_u8(p->in.image, (SmvmAt)(at + 2));
+    high = type >> 4;
+    type &= 0xf;
     if (type == WHOLE) {
-        *x = sm_from_i32(low + (int32_t)(high < 8 ? high : high - 16) * 0x10000);
+        *x = sm_from_i32((int32_t)low + (int32_t)(high < 8 ? high : high - 16) * 0x10000);
         return true;
     }
-    bytes = type == SM_F32 ? 4 : 8;
-    if ((type != SM_F32 && type != SM_F64) || high != 0 || low != 0 || (bits = take(p, bytes)) == 0)
+    if ((type != SM_F32 && type != SM_F64) || high != 0 || low != 0 || (bits = take(p, type == SM_F32 ? 4 : 8)) == 0)
         return false;
     if (type == SM_F32)
-        *x = sm_from_f32(sm_f32_from_bits(smvm_uint(p->image, bits, 4)));
+        *x = sm_from_f32(sm_f32_from_bits(smvm_uint(p->in.image, bits, 4)));
     else
-        smvm_get(p->image, bits, x, 8);
+        smvm_get(p->in.image, bits, x, 8);
     return true;
 }
 
@@ -89,7 +80,7 @@ static bool take_element(SmvmPins *p, SmvmPin *pin)
 
     if (at == 0)
         return false;
-    place = smvm_place(p->image, at);
+    place = smvm_place(p->in.image, at);
     pin->type = (uint8_t)place.type;
     pin->offset = place.offset;
     return true;
@@ -104,24 +95,26 @@ static bool take_more(SmvmPins *p, SmvmPin *pin)
         return take_number(p, &pin->safe);
     if ((at = take(p, 1)) == 0)
         return false;
-    pin->hold = smvm_u8(p->image, at);
+    pin->hold = smvm_u8(p->in.image, at);
     return true;
 }
 
 bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
 {
     SmvmAt at;
+    SmvmFound found;
     uint8_t front;
 
     if (p->left == 0 || (at = take(p, 1)) == 0)
         return false;
-    front = smvm_u8(p->image, at);
+    front = smvm_u8(p->in.image, at);
     memset(pin, 0, sizeof *pin);                      // 0 as a number too
     pin->kind = front & KIND;
     pin->flags = front >> FLAGS_AT & FLAGS;
     pin->scale = sm_from_i32(1);
-    if (!take_element(p, pin) || (pin->pin = smvm_number(p->image, &p->at, p->end)) == SMVM_NO_NUMBER)
+    if (!take_element(p, pin) || (found = smvm_number(&p->in)) == SMVM_CUT_SHORT)
         return false;
+    pin->pin = found == SMVM_TOO_LARGE ? UINT16_MAX + UINT32_C(1) : p->in.n;
     if ((front & SCALED && !take_number(p, &pin->scale)) || (front & SHIFTED && !take_number(p, &pin->zero))
         || (front & MORE && !take_more(p, pin)))
         return false;
@@ -131,8 +124,7 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
 
 // ---- for the verifier ----
 
-static bool is_finite(SmF64 x) { return (sm_bits(x) & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
-static bool is_zero(SmF64 x) { return (sm_bits(x) & 0x7FFFFFFFFFFFFFFFu) == 0; }
+static bool is_finite(const SmF64 *x) { return (sm_bits(*x) & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
 
 static bool is_in_vector(const SmvmPins *p, const SmvmPin *pin)
 {
@@ -155,28 +147,33 @@ static uint8_t check_pin(const SmvmPins *p, const SmvmPin *pin)
     if (pin->pin > UINT16_MAX || pin->type >= SM_TYPE_COUNT || !are_flags_of(pin) || (pin->type == SM_BOOL) != ((pin->kind & DIGITAL) != 0)
         || !is_in_vector(p, pin))
         return SMVM_R_PIN;
-    if (!is_finite(pin->scale) || !is_finite(pin->zero) || !is_finite(pin->safe) || is_zero(pin->scale))
+    if (!is_finite(&pin->scale) || !is_finite(&pin->zero) || !is_finite(&pin->safe) || !sm_to_bool(pin->scale))
         return SMVM_R_PIN_NUMBER;
     return 0;
+}
+
+static uint8_t check_pins(SmvmPins *p, SmvmAt *at)
+{
+    SmvmPin pin;
+    uint8_t rule;
+
+    while (p->left > 0) {
+        *at = p->in.at;
+        if (!smvm_next_pin(p, &pin))
+            return SMVM_R_IO;
+        if ((rule = check_pin(p, &pin)) != 0)
+            return rule;
+    }
+    *at = p->in.at;
+    return p->in.at == p->in.end ? 0 : SMVM_R_IO;
 }
 
 uint8_t smvm_check_pins(SmvmBytes image, SmvmAt *at)
 {
     SmvmPins p;
-    SmvmPin pin;
-    bool there = smvm_pins(image, &p);
 
-    *at = p.at;
-    if (!there)
-        return p.at == 0 ? 0 : SMVM_R_IO;             // none at all, or one that is cut short
-    while (p.left > 0) {
-        uint8_t rule;
-        *at = p.at;
-        if (!smvm_next_pin(&p, &pin))
-            return SMVM_R_IO;
-        if ((rule = check_pin(&p, &pin)) != 0)
-            return rule;
-    }
-    *at = p.at;
-    return p.at == p.end ? 0 : SMVM_R_IO;
+    if (smvm_pins(image, &p))
+        return check_pins(&p, at);
+    *at = p.in.at;
+    return p.in.at == 0 ? 0 : SMVM_R_IO;              // none at all, or one that is cut short
 }

@@ -46,6 +46,13 @@ typedef struct SmvmVerdict {
 // Checks `size` bytes; an image may be shorter than that.  Gives v->rule.  Linear in size, no memory but ~600 bytes of stack.
 uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v);
 
+// A part of an image, read one thing behind the other.
+typedef struct SmvmReader {
+    SmvmBytes image;
+    SmvmAt at, end;
+    SmvmAt n;                 // the number that was read last
+} SmvmReader;
+
 // What a machine is and where its parts lie in the image (all offsets count from the image's start).
 typedef struct SmvmMachine {
     SmvmBytes image;
@@ -58,7 +65,8 @@ typedef struct SmvmMachine {
     SmvmAt outputs;           // elements it may store, beside S
     SmvmAt g, s;              // where in the state vector G and S are, in bytes
     SmvmAt width;             // bytes of an entry in the table of functions
-    SmvmAt machine_at, windows_at, outputs_at, functions_at, f32s_at, f64s_at;
+    SmvmAt windows_at, outputs_at, functions_at, f32s_at, f64s_at;
+    SmvmAt machine_at, machine_size;
     SmvmAt code_at, code_size, init_at, init_size, debug_at, debug_size;       // size 0: there is none
     SmvmAt safe_at, safe_size;        // which states are marked @safe: a bit each; safe_at 0: it marks none
 } SmvmMachine;
@@ -96,11 +104,10 @@ typedef struct SmvmPin {
 
 // Stands before the next of them.
 typedef struct SmvmPins {
-    SmvmBytes image;
+    SmvmReader in;
     uint32_t layout;          // hash of the layout of the state vector they are for
     SmvmAt sv_size;           // of that, in units of 8 bytes; the largest that there is where it is beyond what this target allows
     SmvmAt left;              // how many are still to come
-    SmvmAt at, end;
 } SmvmPins;
 
 // Before the first pin of an image; false if it carries none.

@@ -11,7 +11,7 @@ typedef enum SmResult {
 #define SM_RESULT(name, number, text) SM_##name = number,
 #include "stdlib/result.def"
 #undef SM_RESULT
-    SM_RESULT_LOWEST = -32768   // none is below; makes the type wide enough everywhere
+    SM_RESULT_LOWEST = -128   // none is below; makes the type wide enough everywhere
 } SmResult;
 
 // The row's text; "unknown result" for a number that has none.

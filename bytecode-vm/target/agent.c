@@ -75,28 +75,15 @@ static void put_bytes(Exchange *x, SmvmBytes image, SmvmAt at, uint8_t n)
         x->answer[x->length++] = smvm_u8(image, at++);
 }
 
-// Where the eight bytes are that tell sources apart; 0: the image has none.
-static SmvmAt identity_at(SmvmBytes image)
-{
-    const uint8_t sections = smvm_u8(image, SMVM_SECTIONS_AT);
-
-    for (uint8_t i = 0; i < sections; i++) {
-        const SmvmSection s = smvm_section(image, i);
-        if (s.id == SMVM_S_IDENTITY && s.size == 8)
-            return (SmvmAt)s.at;
-    }
-    return 0;
-}
-
 // What an image says of itself: length, checksum, identity; zeros where there is none.
 static void put_image(Exchange *x, SmvmBytes image)
 {
-    const SmvmAt at = identity_at(image);
+    SmvmReader identity;
 
     put_bytes(x, image, SMVM_LENGTH_AT, 3);
     put_bytes(x, image, SMVM_CRC_AT, 4);
-    if (at)
-        put_bytes(x, image, at, 8);
+    if (smvm_find(image, SMVM_S_IDENTITY, &identity) && (SmvmAt)(identity.end - identity.at) == 8)
+        put_bytes(x, image, identity.at, 8);
 }
 
 static StoreState state_of(const Agent *a, uint8_t slot)

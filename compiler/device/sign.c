@@ -25,8 +25,11 @@ static uint32_t make_room(const uint8_t *image, uint32_t length, uint8_t *out)
         return 0;
     memcpy(out, image, table_end);
     memcpy(entry + SMVM_ENTRY, image + table_end, length - table_end);
-    for (uint8_t i = 0; i < n; i++)
-        put(out + SMVM_HEADER + i * SMVM_ENTRY + 2, smvm_section(image, i).at + SMVM_ENTRY, 3);
+    for (uint8_t i = 0; i < n; i++) {
+        SmvmSection s;
+        smvm_section(image, i, &s);
+        put(out + SMVM_HEADER + i * SMVM_ENTRY + 2, s.at + SMVM_ENTRY, 3);
+    }
     entry[0] = SMVM_S_AUTH;
     entry[1] = SMVM_V_AUTH;
     put(entry + 2, longer - SMVM_AUTH, 3);

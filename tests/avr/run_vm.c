@@ -211,7 +211,8 @@ static size_t widen(uint8_t *image, size_t n)
         smvm_varint(image, &at, (SmvmAt)n, &number);
     image[at] = WIDE;
     for (uint8_t i = 0; i < smvm_sections(image); i++) {
-        const SmvmSection s = smvm_section(image, i);
+        SmvmSection s;
+        smvm_section(image, i, &s);
         uint8_t *entry = image + SMVM_HEADER + SMVM_ENTRY * i;
         if (s.at > m.machine_at)
             put(entry + 2, s.at + grows, 3);

@@ -9,11 +9,10 @@ static const DocColumn fact_columns[] = {{"name", "Name"}, {"value", "Value"}};
 
 static const char *identity(const Report *r)          // as the image has it
 {
-    for (uint8_t i = 0; i < smvm_sections(r->image); i++) {
-        const SmvmSection s = smvm_section(r->image, i);
-        if (s.id == SMVM_S_IDENTITY && s.size == 8)
-            return format_in(r->arena, "%016llx", (unsigned long long)smvm_cell(r->image, s.at, 8));
-    }
+    SmvmReader at;
+
+    if (smvm_find(r->image, SMVM_S_IDENTITY, &at) && at.end - at.at == 8)
+        return format_in(r->arena, "%016llx", (unsigned long long)smvm_cell(r->image, at.at, 8));
     return "";
 }
 
