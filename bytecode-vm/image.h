@@ -108,6 +108,9 @@ uint8_t smvm_shift(uint8_t type);                     // the same, for what is t
 #define SMVM_NOWHERE ((SmvmAt)-1)
 SmvmAt smvm_at(SmvmBytes image, SmvmAt at, uint8_t bytes);
 
+// Where the next so many bytes are, and goes behind them; 0: there are not so many.
+SmvmAt smvm_take(SmvmReader *r, uint8_t bytes);
+
 // Reads a varint that must end before r->end, into r->n: SMVM_NOWHERE where it is too large for that.
 typedef enum SmvmFound { SMVM_THERE, SMVM_CUT_SHORT, SMVM_TOO_LARGE } SmvmFound;
 SmvmFound smvm_number(SmvmReader *r);

@@ -38,33 +38,53 @@ static SmvmAt at_most(uint32_t v) { return v > SMVM_NOWHERE ? SMVM_NOWHERE : (Sm
 
 SmvmAt smvm_at(SmvmBytes image, SmvmAt at, uint8_t bytes) { return at_most(smvm_uint(image, at, bytes)); }
 
-static uint8_t next_byte(SmvmReader *r) { return r->at < r->end ? smvm_u8(r->image, r->at++) : SMVM_OP_LEAST; }
+SmvmAt smvm_take(SmvmReader *r, uint8_t bytes)
+{
+    const SmvmAt at = r->at;
+
+    if ((SmvmAt)(r->end - at) < bytes)
+        return 0;
+    r->at = (SmvmAt)(at + bytes);
+    return at;
+}
+
+SMVM_APART static uint8_t next_byte(SmvmReader *r)
+{
+    const SmvmAt at = smvm_take(r, 1);
+
+    return at != 0 ? smvm_u8(r->image, at) : SMVM_OP_LEAST;
+}
 
 SmvmFound smvm_number(SmvmReader *r)
 {
-    const SmvmAt from = r->at;
-    uint32_t v = next_byte(r), base = 0;
-    uint8_t more = 0;
+    SmvmFound found = SMVM_THERE;
+    uint8_t more = 0, next = next_byte(r);
+    SmvmAt v = 0, base = 0;
 
-    if (v >= SMVM_OP_LEAST)
+    if (next >= SMVM_OP_LEAST)
         return SMVM_CUT_SHORT;
-    if (v >= SMVM_VARINT_2) {
+    if (next >= SMVM_VARINT_2) {
         more = 3;
         base = SMVM_VARINT_MID;
-        v -= SMVM_VARINT_2;
-    } else if (v >= SMVM_VARINT_1) {
+        next = (uint8_t)(next - SMVM_VARINT_2);
+    } else if (next >= SMVM_VARINT_1) {
         more = 1;
         base = SMVM_VARINT_1;
-        v -= SMVM_VARINT_1;
+        next = (uint8_t)(next - SMVM_VARINT_1);
     }
-    for (; more > 0; more--) {
-        const uint8_t next = next_byte(r);
+    for (v = next; more > 0; more--) {
+        next = next_byte(r);
         if (next >= SMVM_OP_LEAST)
             return SMVM_CUT_SHORT;
-        v = v << 7 | next;
+        if (v > SMVM_NOWHERE >> 7)
+            found = SMVM_TOO_LARGE;
+        v = (SmvmAt)(v << 7 | next);
     }
-    r->n = at_most(v + base);
-    return r->n == v + base ? SMVM_THERE : SMVM_TOO_LARGE;
+    v = (SmvmAt)(v + base);
+    if (v < base)
+        found = SMVM_TOO_LARGE;
+    r->n = found == SMVM_THERE ? v : SMVM_NOWHERE;
+    return found;
 }
 
 uint8_t smvm_shift(uint8_t type) { return smvm_type_shift(type); }
@@ -155,37 +175,29 @@ static uint8_t read_numbers(SmvmMachine *m, SmvmReader *r)
     return m->states == 0 || m->width < 1 || m->width > 3 ? SMVM_R_STATES : 0;
 }
 
-// Where a table is; behind it the next one begins.  SMVM_NOWHERE: it is not all there.
-static SmvmAt find_table(SmvmReader *r, SmvmAt count, uint8_t bytes)
+// Finds the next table, whose entries take so many bytes.
+static bool find_table(SmvmReader *r, SmvmAt *table, SmvmAt count, uint8_t bytes)
 {
-    const SmvmAt at = r->at;
-
-    if (at > r->end || count > (SmvmAt)(r->end - at) / bytes)
-        r->at = SMVM_NOWHERE;
-    else
-        r->at = (SmvmAt)(at + count * bytes);
-    return at;
+    *table = r->at;
+    for (; count > 0; count--)
+        if (smvm_take(r, bytes) == 0)
+            return false;
+    return true;
 }
 
 // Reads what a MACHINE section says and finds its tables.  Gives 0, or the rule that is broken.  Checks only what it reads.
 static uint8_t read_machine(SmvmMachine *m, SmvmReader *r)
 {
-    uint8_t rule;
+    const SmvmAt layout = smvm_take(r, 4);
+    const uint8_t rule = layout != 0 ? read_numbers(m, r) : SMVM_R_RECORD;
+    const uint8_t width = (uint8_t)m->width;
 
-    if ((SmvmAt)(r->end - r->at) < 4)
-        return SMVM_R_RECORD;
-    m->layout = smvm_uint(r->image, r->at, 4);
-    r->at = (SmvmAt)(r->at + 4);
-    if ((rule = read_numbers(m, r)) != 0)
+    if (rule != 0)
         return rule;
-    if (m->states > (SmvmAt)(r->end - r->at) / 3)     // so that three times as many can be counted
-        return SMVM_R_RECORD;
-    m->windows_at = find_table(r, m->windows, SMVM_WINDOW_ENTRY);
-    m->outputs_at = find_table(r, m->outputs, SMVM_PLACE);
-    m->functions_at = find_table(r, (SmvmAt)(3 * m->states + 1), (uint8_t)m->width);
-    m->f32s_at = find_table(r, m->f32s, 4);
-    m->f64s_at = find_table(r, m->f64s, 8);
-    return r->at != r->end ? SMVM_R_RECORD : 0;
+    m->layout = smvm_uint(r->image, layout, 4);
+    return find_table(r, &m->windows_at, m->windows, SMVM_WINDOW_ENTRY) && find_table(r, &m->outputs_at, m->outputs, SMVM_PLACE)
+           && find_table(r, &m->functions_at, m->states, (uint8_t)(3 * width)) && smvm_take(r, width) != 0
+           && find_table(r, &m->f32s_at, m->f32s, 4) && find_table(r, &m->f64s_at, m->f64s, 8) && r->at == r->end ? 0 : SMVM_R_RECORD;
 }
 
 void smvm_again(const SmVm *vm, SmvmMachine *m)

@@ -22,23 +22,12 @@ static bool take_up_to(SmvmPins *p, SmvmAt most, SmvmAt *n)
     return there;
 }
 
-// Where so many bytes are; 0: they are not there.
-static SmvmAt take(SmvmPins *p, uint8_t bytes)
-{
-    const SmvmAt at = p->in.at;
-
-    if ((SmvmAt)(p->in.end - at) < bytes)
-        return 0;
-    p->in.at = (SmvmAt)(at + bytes);
-    return at;
-}
-
 bool smvm_pins(SmvmBytes image, SmvmPins *p)
 {
     SmvmAt at;
 
     memset(p, 0, sizeof *p);
-    if (!smvm_find(image, SMVM_S_IO, &p->in) || (at = take(p, 4)) == 0)
+    if (!smvm_find(image, SMVM_S_IO, &p->in) || (at = smvm_take(&p->in, 4)) == 0)
         return false;
     p->layout = smvm_uint(image, at, 4);
     return take_up_to(p, SMVM_NOWHERE >> 3, &p->sv_size) && take_up_to(p, SMVM_NOWHERE, &p->left);
@@ -49,7 +38,7 @@ enum { WHOLE = 15 };
 
 static bool take_number(SmvmPins *p, SmF64 *x)
 {
-    const SmvmAt at = take(p, SMVM_PLACE);
+    const SmvmAt at = smvm_take(&p->in, SMVM_PLACE);
     uint16_t low;
     uint8_t type, high;
     SmvmAt bits;
@@ -64,7 +53,7 @@ static bool take_number(SmvmPins *p, SmF64 *x)
         *x = sm_from_i32((int32_t)low + (int32_t)(high < 8 ? high : high - 16) * 0x10000);
         return true;
     }
-    if ((type != SM_F32 && type != SM_F64) || high != 0 || low != 0 || (bits = take(p, type == SM_F32 ? 4 : 8)) == 0)
+    if ((type != SM_F32 && type != SM_F64) || high != 0 || low != 0 || (bits = smvm_take(&p->in, type == SM_F32 ? 4 : 8)) == 0)
         return false;
     if (type == SM_F32)
         *x = sm_from_f32(sm_f32_from_bits(smvm_uint(p->in.image, bits, 4)));
@@ -75,7 +64,7 @@ static bool take_number(SmvmPins *p, SmF64 *x)
 
 static bool take_element(SmvmPins *p, SmvmPin *pin)
 {
-    const SmvmAt at = take(p, SMVM_PLACE);
+    const SmvmAt at = smvm_take(&p->in, SMVM_PLACE);
     SmvmPlace place;
 
     if (at == 0)
@@ -93,7 +82,7 @@ static bool take_more(SmvmPins *p, SmvmPin *pin)
 
     if (pin->kind & OUTPUT)
         return take_number(p, &pin->safe);
-    if ((at = take(p, 1)) == 0)
+    if ((at = smvm_take(&p->in, 1)) == 0)
         return false;
     pin->hold = smvm_u8(p->in.image, at);
     return true;
@@ -105,7 +94,7 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
     SmvmFound found;
     uint8_t front;
 
-    if (p->left == 0 || (at = take(p, 1)) == 0)
+    if (p->left == 0 || (at = smvm_take(&p->in, 1)) == 0)
         return false;
     front = smvm_u8(p->in.image, at);
     memset(pin, 0, sizeof *pin);                      // 0 as a number too
