@@ -19,19 +19,12 @@ uint32_t smvm_uint(SmvmBytes image, SmvmAt at, uint8_t bytes)
     return v;
 }
 
-static bool is_little(void)                            // the least significant byte of a number is the first in memory, as in an image
-{
-    const uint16_t one = 1;
-
-    return *(const uint8_t *)&one == 1;
-}
-
 void smvm_get(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes)
 {
     uint8_t *p = (uint8_t *)to;
 
     for (uint8_t i = 0; i < bytes; i++)
-        p[is_little() ? i : bytes - 1 - i] = smvm_u8(image, at++);
+        p[sm_roll_byte(i, bytes)] = smvm_u8(image, at++);
 }
 
 static SmvmAt at_most(uint32_t v) { return v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v; }
@@ -50,9 +43,7 @@ SmvmAt smvm_take(SmvmReader *r, uint8_t bytes)
 
 SMVM_APART static uint8_t next_byte(SmvmReader *r)
 {
-    const SmvmAt at = smvm_take(r, 1);
-
-    return at != 0 ? smvm_u8(r->image, at) : SMVM_OP_LEAST;
+    return r->at < r->end ? smvm_u8(r->image, r->at++) : SMVM_OP_LEAST;
 }
 
 SmvmFound smvm_number(SmvmReader *r)

@@ -22,44 +22,39 @@ void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *
     sm_link_receiver(&a->in, frame + 1, (uint16_t)(LINK_HEAD + a->body + LINK_TAIL));
 }
 
-// A request's body, and how long the answer's is behind its result.
-typedef struct Exchange {
-    Agent *a;
-    const uint8_t *body;
-    uint8_t n;
-    uint8_t *answer;          // lies over the body
-    uint8_t length;
-} Exchange;
+// A request's body; its answer's, behind the result, lies over it.
+static const uint8_t *body_of(const Agent *a) { return a->frame + RESULT_AT; }
+static uint8_t *answer_of(const Agent *a) { return a->frame + ANSWER_AT; }
 
-static void put1(Exchange *x, uint8_t value) { x->answer[x->length++] = value; }
+static void put1(Agent *a, uint8_t value) { a->frame[ANSWER_AT + a->length++] = value; }
 
-static void put(Exchange *x, uint32_t value, uint8_t bytes)
+static void put(Agent *a, uint32_t value, uint8_t bytes)
 {
-    sm_link_put(x->answer + x->length, value, bytes);
-    x->length = (uint8_t)(x->length + bytes);
+    for (; bytes > 0; bytes--, value >>= 8)
+        put1(a, (uint8_t)value);
 }
 
 // ---- what there is ----
 
-static SmResult hello(Exchange *x)
+static SmResult hello(Agent *a)
 {
-    const Agent *a = x->a;
+    const AgentBoard *board = a->board;
 
-    put1(x, LINK_PROTOCOL);
-    put1(x, a->body);
-    put1(x, a->block);
-    put1(x, a->store->plan.slots);
-    put(x, a->store->slot_size, 3);
-    put(x, a->board->ram, 3);
-    put(x, a->board->longest_step, 4);
-    put1(x, (uint8_t)a->board->may_update(a->board->context));
-    put1(x, smvm_store_has_key(a->store));
-    put(x, sm_link_get(a->store->now.newest, 4), 4);
-    put1(x, (uint8_t)(a->board->machines | (a->board->windows ? LINK_WINDOWS : 0)));
-    put1(x, a->board->ram_digital);
-    put1(x, a->board->ram_analog);
-    put(x, a->board->period, 2);
-    put(x, a->board->cycles, 2);
+    put1(a, LINK_PROTOCOL);
+    put1(a, a->body);
+    put1(a, a->block);
+    put1(a, a->store->plan.slots);
+    put(a, a->store->slot_size, 3);
+    put(a, board->ram, 3);
+    put(a, board->longest_step, 4);
+    put1(a, (uint8_t)board->may_update(board->context));
+    put1(a, smvm_store_has_key(a->store));
+    put(a, sm_link_get(a->store->now.newest, 4), 4);
+    put1(a, (uint8_t)(board->machines | (board->windows ? LINK_WINDOWS : 0)));
+    put1(a, board->ram_digital);
+    put1(a, board->ram_analog);
+    put(a, board->period, 2);
+    put(a, board->cycles, 2);
     return SM_OK;
 }
 
@@ -69,21 +64,21 @@ static SmvmBytes image_of(const Agent *a, uint8_t slot)
 }
 
 // Of an image, as they lie there.
-static void put_bytes(Exchange *x, SmvmBytes image, SmvmAt at, uint8_t n)
+static void put_bytes(Agent *a, SmvmBytes image, SmvmAt at, uint8_t n)
 {
     while (n-- > 0)
-        x->answer[x->length++] = smvm_u8(image, at++);
+        put1(a, smvm_u8(image, at++));
 }
 
 // What an image says of itself: length, checksum, identity; zeros where there is none.
-static void put_image(Exchange *x, SmvmBytes image)
+static void put_image(Agent *a, SmvmBytes image)
 {
     SmvmReader identity;
 
-    put_bytes(x, image, SMVM_LENGTH_AT, 3);
-    put_bytes(x, image, SMVM_CRC_AT, 4);
+    put_bytes(a, image, SMVM_LENGTH_AT, 3);
+    put_bytes(a, image, SMVM_CRC_AT, 4);
     if (smvm_find(image, SMVM_S_IDENTITY, &identity) && (SmvmAt)(identity.end - identity.at) == 8)
-        put_bytes(x, image, identity.at, 8);
+        put_bytes(a, image, identity.at, 8);
 }
 
 static StoreState state_of(const Agent *a, uint8_t slot)
@@ -95,35 +90,34 @@ static StoreState state_of(const Agent *a, uint8_t slot)
 
 static bool is_slot(const Agent *a, uint8_t slot) { return slot < a->store->plan.slots || slot == STORE_BUILT_IN; }
 
-static SmResult image(Exchange *x)
+static SmResult image(Agent *a)
 {
-    const Store *s = x->a->store;
-    const uint8_t slot = x->body[0];
+    const Store *s = a->store;
+    const uint8_t slot = body_of(a)[0];
     StoreState state;
 
-    if (!is_slot(x->a, slot))
+    if (!is_slot(a, slot))
         return SM_E_MISSING;
-    state = state_of(x->a, slot);
-    memset(x->answer, 0, IMAGE);
-    put1(x, (uint8_t)state);
+    state = state_of(a, slot);
+    memset(answer_of(a), 0, IMAGE);
+    put1(a, (uint8_t)state);
     if (state != STORE_EMPTY)
-        put_image(x, image_of(x->a, slot));
-    x->length = IMAGE - 4;
-    put1(x, (uint8_t)((slot == s->running ? 1 : 0) | (slot == s->now.active ? 2 : 0)));
-    put1(x, state == STORE_TRIAL ? s->now.tries : 0);
-    put(x, smvm_store_period(s, slot), 2);
+        put_image(a, image_of(a, slot));
+    a->length = IMAGE - 4;
+    put1(a, (uint8_t)((slot == s->running ? 1 : 0) | (slot == s->now.active ? 2 : 0)));
+    put1(a, state == STORE_TRIAL ? s->now.tries : 0);
+    put(a, smvm_store_period(s, slot), 2);
     return SM_OK;
 }
 
 // ---- an update ----
 
-static uint16_t session_of(const Exchange *x) { return (uint16_t)sm_link_get(x->body, 2); }
+static uint16_t session_of(const Agent *a) { return (uint16_t)sm_link_get(body_of(a), 2); }
 
-static SmResult begin(Exchange *x)
+static SmResult begin(Agent *a)
 {
-    const Agent *a = x->a;
     SmvmAt length;
-    const SmResult r = smvm_get_at(x->body + 2, &length) ? smvm_store_may_begin(a->store, length) : SM_E_SPACE;
+    const SmResult r = smvm_get_at(body_of(a) + 2, &length) ? smvm_store_may_begin(a->store, length) : SM_E_SPACE;
 
     if (r != SM_OK)
         return r;                      // before a machine is stopped for nothing
@@ -131,25 +125,24 @@ static SmResult begin(Exchange *x)
         a->board->leave_slot(a->board->context);
         smvm_store_leave(a->store);
     }
-    return smvm_store_begin(a->store, session_of(x), length, sm_link_get(x->body + 5, 4));
+    return smvm_store_begin(a->store, session_of(a), length, sm_link_get(body_of(a) + 5, 4));
 }
 
-static SmResult data(Exchange *x)
+static SmResult data(Agent *a)
 {
-    Store *s = x->a->store;
-    const uint8_t n = (uint8_t)(x->n - DATA_HEAD);
+    Store *s = a->store;
+    const uint8_t n = (uint8_t)(a->n - DATA_HEAD);
     SmvmAt at;
-    const SmResult r = smvm_get_at(x->body + 2, &at) ? smvm_store_write(s, session_of(x), at, x->body + DATA_HEAD, n) : SM_E_ARGUMENT;
+    const SmResult r = smvm_get_at(body_of(a) + 2, &at) ? smvm_store_write(s, session_of(a), at, body_of(a) + DATA_HEAD, n) : SM_E_ARGUMENT;
 
-    put(x, s->next, 3);
+    put(a, s->next, 3);
     return r;
 }
 
-static SmResult end(Exchange *x)
+static SmResult end(Agent *a)
 {
-    const Agent *a = x->a;
     SmvmVerdict why;
-    SmResult r = smvm_store_end(a->store, session_of(x), &why);
+    SmResult r = smvm_store_end(a->store, session_of(a), &why);
 
     if (r == SM_OK) {
         r = SMVM_LONGEST && a->board->longest_step != 0 && why.longest > a->board->longest_step
@@ -158,62 +151,70 @@ static SmResult end(Exchange *x)
     } else if (why.rule != 0) {
         r = SM_E_IMAGE;
     }
-    put1(x, why.rule);
-    put(x, why.at, 3);
+    put1(a, why.rule);
+    put(a, why.at, 3);
     return r;
 }
 
-static SmResult activate(Exchange *x)
+static SmResult activate(Agent *a)
 {
-    return smvm_store_activate(x->a->store, session_of(x), x->n < 4 ? 0 : (uint16_t)sm_link_get(x->body + 2, 2));
+    return smvm_store_activate(a->store, session_of(a), a->n < 4 ? 0 : (uint16_t)sm_link_get(body_of(a) + 2, 2));
 }
 
-static SmResult confirm(Exchange *x) { return smvm_store_confirm(x->a->store, sm_link_get(x->body, 4)); }
-static SmResult erase(Exchange *x) { return smvm_store_erase(x->a->store, sm_link_get(x->body, 4)); }
+static SmResult confirm(Agent *a) { return smvm_store_confirm(a->store, sm_link_get(body_of(a), 4)); }
+static SmResult erase(Agent *a) { return smvm_store_erase(a->store, sm_link_get(body_of(a), 4)); }
 
-static SmResult read(Exchange *x)
+static SmResult read(Agent *a)
 {
-    const Agent *a = x->a;
-    const uint8_t slot = x->body[0], n = x->body[4];
+    const uint8_t slot = body_of(a)[0], n = body_of(a)[4];
     const SmvmAt size = slot == STORE_BUILT_IN ? (SmvmAt)a->board->built_in_size : a->store->slot_size;
     SmvmAt at;
 
     if (!is_slot(a, slot))
         return SM_E_MISSING;
-    if (!smvm_get_at(x->body + 1, &at) || n > a->body - 1 || at > size || n > size - at)
+    if (!smvm_get_at(body_of(a) + 1, &at) || n > a->body - 1 || at > size || n > size - at)
         return SM_E_ARGUMENT;
-    put_bytes(x, image_of(a, slot), at, n);
+    put_bytes(a, image_of(a, slot), at, n);
     return SM_OK;
 }
 
-static SmResult restart(Exchange *x)
+static SmResult restart(Agent *a)
 {
-    x->a->restart = true;
+    a->restart = true;
     return SM_OK;
 }
 
 // ---- events ----
 
-static SmResult events(Exchange *x)
+// Its fields in the order in which they are sent.
+static const struct Field { uint8_t at, bytes; } fields[] SM_FLASH = {
+    {offsetof(SmEvent, time), 8}, {offsetof(SmEvent, kind), 1}, {offsetof(SmEvent, source), 2}, {offsetof(SmEvent, a), 4}, {offsetof(SmEvent, b), 4},
+};
+
+static void put_event(Agent *a, const uint8_t *event)
 {
-    Agent *a = x->a;
-    uint32_t cursor = sm_link_get(x->body, 4), lost = 0, gone;
+    for (uint8_t i = 0; i < sizeof fields / sizeof *fields; i++) {
+        struct Field f;
+        sm_flash_get(&f, &fields[i], sizeof f);
+        for (uint8_t b = 0; b < f.bytes; b++)
+            put1(a, event[f.at + sm_roll_byte(b, f.bytes)]);
+    }
+}
+
+static SmResult events(Agent *a)
+{
+    uint32_t cursor = sm_link_get(body_of(a), 4), lost = 0, gone;
     SmEvent e;
 
     if (!a->events)
         return SM_E_UNSUPPORTED;
-    x->length = 8;
-    while (x->length + EVENT < a->body && sm_events_read(a->events, &cursor, &e, 1, &gone) == 1) {
+    a->length = 8;
+    while (a->length + EVENT < a->body && sm_events_read(a->events, &cursor, &e, 1, &gone) == 1) {
         lost += gone;
-        put(x, (uint32_t)e.time, 4);
-        put(x, (uint32_t)(e.time >> 32), 4);
-        put1(x, e.kind);
-        put(x, e.source, 2);
-        put(x, e.a, 4);
-        put(x, e.b, 4);
+        put_event(a, (const uint8_t *)&e);
     }
-    sm_link_put(x->answer, cursor, 4);
-    sm_link_put(x->answer + 4, lost, 4);
+    sm_link_put(answer_of(a), cursor, 4);
+    sm_link_put(answer_of(a) + 4, lost, 4);
     return SM_OK;
 }
 
@@ -222,7 +223,7 @@ static SmResult events(Exchange *x)
 typedef struct Handler {
     uint8_t message, least;   // the shortest body
     bool guarded;             // it changes something, or keeps the board busy: only while may_update agrees
-    SmResult (*run)(Exchange *x);
+    SmResult (*run)(Agent *a);
 } Handler;
 
 static const Handler handlers[] SM_FLASH = {
@@ -232,21 +233,21 @@ static const Handler handlers[] SM_FLASH = {
     {LINK_RESTART, 0, true, restart},   {LINK_EVENTS, 4, false, events},
 };
 
-static SmResult run(const Handler *h, Exchange *x)
+static SmResult run(const Handler *h, Agent *a)
 {
-    const AgentBoard *board = x->a->board;
+    const AgentBoard *board = a->board;
     const SmResult may = h->guarded ? board->may_update(board->context) : SM_OK;
 
-    return x->n < h->least ? SM_E_ARGUMENT : may != SM_OK ? may : h->run(x);
+    return a->n < h->least ? SM_E_ARGUMENT : may != SM_OK ? may : h->run(a);
 }
 
-static SmResult answer(Exchange *x, uint8_t message)
+static SmResult answer(Agent *a, uint8_t message)
 {
     for (uint8_t i = 0; i < sizeof handlers / sizeof *handlers; i++) {
         Handler h;
         sm_flash_get(&h, &handlers[i], sizeof h);
         if (h.message == message)
-            return run(&h, x);
+            return run(&h, a);
     }
     return SM_E_UNSUPPORTED;
 }
@@ -254,15 +255,15 @@ static SmResult answer(Exchange *x, uint8_t message)
 uint16_t smvm_agent_receive(Agent *a, uint8_t byte)
 {
     uint8_t *const frame = a->frame;
-    Exchange x = {a, frame + RESULT_AT, 0, frame + ANSWER_AT, 0};
     uint8_t message;
     SmResult r;
 
     if (!sm_link_receive(&a->in, byte) || ((message = frame[2]) & LINK_ANSWER) != 0)
         return 0;
-    x.n = (uint8_t)(a->in.n - LINK_HEAD);
-    r = answer(&x, message);
+    a->n = (uint8_t)(a->in.n - LINK_HEAD);
+    a->length = 0;
+    r = answer(a, message);
     frame[2] = (uint8_t)(message | LINK_ANSWER);
     frame[RESULT_AT] = (uint8_t)(int8_t)r;
-    return sm_link_frame(frame, (uint16_t)(LINK_HEAD + 1 + x.length));
+    return sm_link_frame(frame, (uint16_t)(LINK_HEAD + 1 + a->length));
 }

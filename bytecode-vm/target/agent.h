@@ -44,6 +44,7 @@ typedef struct Agent {
     uint8_t *frame;           // LINK_ROOM(body) bytes: what arrives, and then the answer
     uint8_t body, block;      // the largest body it takes; the bytes of DATA that it likes
     LinkReceiver in;
+    uint8_t n, length;        // of the body of the request at hand, and of its answer behind the result
     bool restart;             // somebody asked for it
 } Agent;
 
