@@ -27,7 +27,7 @@ void smvm_get(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes)
         p[sm_roll_byte(i, bytes)] = smvm_u8(image, at++);
 }
 
-static SmvmAt at_most(uint32_t v) { return v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v; }
+SMVM_APART static SmvmAt at_most(uint32_t v) { return v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v; }
 
 SmvmAt smvm_at(SmvmBytes image, SmvmAt at, uint8_t bytes) { return at_most(smvm_uint(image, at, bytes)); }
 
@@ -271,7 +271,7 @@ static SmvmAt plus_window(const SmvmMachine *m, SmvmAt w, SmvmAt n)
     return plus(n, 8 * sm_roll_words(entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS));
 }
 
-static SmvmAt stored_bytes(const SmvmMachine *m) { return (SmvmAt)(m->outputs > 64 ? (m->outputs - 64u + 7) >> 3 : 0); }
+SMVM_APART static SmvmAt stored_bytes(const SmvmMachine *m) { return (SmvmAt)(m->outputs > 64 ? (m->outputs - 64u + 7) >> 3 : 0); }
 
 static SmvmAt windows_start(const SmvmMachine *m)
 {
@@ -298,18 +298,15 @@ SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m)
     return p;
 }
 
+typedef char load_tables_are_part_of_a_machine[offsetof(SmvmMachine, width) - offsetof(SmvmMachine, windows_at) == offsetof(SmvmTables, width) &&
+                                               offsetof(SmvmMachine, locals) - offsetof(SmvmMachine, windows_at) == offsetof(SmvmTables, more) ? 1 : -1];
+
 void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t)
 {
-    t->windows = m->windows_at;
-    t->outputs = m->outputs_at;
-    t->functions = m->functions_at;
-    t->f32s = m->f32s_at;
-    t->f64s = m->f64s_at;
+    memcpy(t, (const uint8_t *)m + offsetof(SmvmMachine, windows_at), offsetof(SmvmTables, width));
     t->width = (uint8_t)m->width;
     t->more = (SmvmAt)(vm->local + m->locals);
     t->more_bytes = stored_bytes(m);
-    t->g = m->g;
-    t->s = m->s;
 }
 
 static void lay_out(SmVm *vm, const SmvmMachine *m)
@@ -350,6 +347,7 @@ static bool is_aligned(const void *p)
 SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state)
 {
     SmVm *vm = memory;
+    SmvmAt bytes;
 
     if (sv->layout != m->layout || sv->size != m->sv_size)
         return SM_E_LAYOUT;
@@ -357,9 +355,10 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
         return SM_E_ARGUMENT;
     if (!is_aligned(memory) || !is_aligned(sv->at))
         return SM_E_ALIGNMENT;
-    if (size < smvm_ram_size(m))
+    bytes = smvm_ram_size(m);
+    if (size < bytes)
         return SM_E_MEMORY;
-    memset(memory, 0, (size_t)smvm_ram_size(m));
+    memset(memory, 0, (size_t)bytes);
     vm->image = m->image;
     vm->machine = m->machine_at;
     vm->code = m->code_at;

@@ -59,13 +59,14 @@ typedef struct SmvmMachine {
     uint32_t layout;          // hash of the layout of the state vector it was made for
     SmvmAt sv_size;           // bytes of that state vector in memory
     SmvmAt from, to;          // it reads and writes only these of them, from a multiple of 8 up to before one
-    SmvmAt locals;            // bytes of locals, and of what is computed on the way
     SmvmAt windows, f32s, f64s;       // how many of each
     SmvmAt states;            // numbered from 1
-    SmvmAt outputs;           // elements it may store, beside S
+    // (From here to width as SmvmTables has them, which has others in the place of these two: bytes of locals, and of what is computed on the
+    // way; and how many elements it may store, beside S.)
+    SmvmAt windows_at, outputs_at, functions_at, f32s_at, f64s_at;
+    SmvmAt locals, outputs;
     SmvmAt g, s;              // where in the state vector G and S are, in bytes
     SmvmAt width;             // bytes of an entry in the table of functions
-    SmvmAt windows_at, outputs_at, functions_at, f32s_at, f64s_at;
     SmvmAt machine_at, machine_size;
     SmvmAt code_at, code_size, init_at, init_size, debug_at, debug_size;       // size 0: there is none
     SmvmAt safe_at, safe_size;        // which states are marked @safe: a bit each; safe_at 0: it marks none

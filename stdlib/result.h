@@ -11,7 +11,7 @@ typedef enum SmResult {
 #define SM_RESULT(name, number, text) SM_##name = number,
 #include "stdlib/result.def"
 #undef SM_RESULT
-    SM_RESULT_LOWEST = -128   // none is below; makes the type wide enough everywhere
+    SM_RESULT_LOWEST = -128   // none is below: a result is a byte wherever types are as small as they may be, and in answers of a board (link.md)
 } SmResult;
 
 // The row's text; "unknown result" for a number that has none.

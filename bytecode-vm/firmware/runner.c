@@ -23,7 +23,7 @@ static bool take(uint16_t *left, SmvmAt bytes)
     return true;
 }
 
-static uint8_t row_bytes(uint8_t kind) { return kind & 2 ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }
+SMVM_APART static uint8_t row_bytes(uint8_t kind) { return kind & 2 ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }
 
 static SmResult take_pins(const SmvmRunner *r, uint16_t *left, SmvmPins *p)
 {

@@ -58,7 +58,7 @@ static SmResult hello(Agent *a)
     return SM_OK;
 }
 
-static SmvmBytes image_of(const Agent *a, uint8_t slot)
+SMVM_APART static SmvmBytes image_of(const Agent *a, uint8_t slot)
 {
     return slot == STORE_BUILT_IN ? a->board->built_in : a->store->plan.image[slot];
 }

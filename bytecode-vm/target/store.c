@@ -13,8 +13,8 @@ enum { VERSION = 1, HEADER = 11, CHECKED = STORE_RECORD - 4 };
 
 typedef char store_choice_is_a_record[sizeof(StoreChoice) == STORE_RECORD ? 1 : -1];
 
-static uint32_t get32(const uint8_t *at) { return sm_link_get(at, 4); }
-static void put32(uint8_t *at, uint32_t value) { sm_link_put(at, value, 4); }
+SMVM_APART static uint32_t get32(const uint8_t *at) { return sm_link_get(at, 4); }
+SMVM_APART static void put32(uint8_t *at, uint32_t value) { sm_link_put(at, value, 4); }
 
 bool smvm_get_at(const uint8_t *field, SmvmAt *at)
 {
@@ -146,7 +146,7 @@ static bool read_header(const Store *s, uint8_t slot, Head *h)
     return smvm_get_at(h->at + SMVM_LENGTH_AT, &h->length) && h->length >= HEADER && h->length <= s->slot_size;
 }
 
-static bool has_checksum(const Head *h, const uint8_t *checksum) { return memcmp(h->at + SMVM_CRC_AT, checksum, 4) == 0; }
+SMVM_APART static bool has_checksum(const Head *h, const uint8_t *checksum) { return memcmp(h->at + SMVM_CRC_AT, checksum, 4) == 0; }
 
 // Of an image that the verifier accepts; without a key every one is.  A checksum can be forged, so this is asked at each start too.
 static bool is_authentic(const Store *s, uint8_t slot, uint32_t *number)
@@ -313,7 +313,7 @@ static bool is_part(const Store *s, SmvmAt at, uint8_t n)
            (at == s->next || n <= s->next - at);
 }
 
-static bool is_session(const Store *s, uint16_t session) { return session != 0 && session == s->session; }
+SMVM_APART static bool is_session(const Store *s, uint16_t session) { return session != 0 && session == s->session; }
 
 SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *bytes, uint8_t n)
 {
