@@ -13,6 +13,62 @@
 #include "stdlib/crc32.h"
 #include "stdlib/flash.h"
 
+// ---- opcodes ----
+
+enum {
+    L = SMVM_SHAPE_L, E = SMVM_SHAPE_E, N = SMVM_SHAPE_N, F = SMVM_SHAPE_F, D = SMVM_SHAPE_D, O = SMVM_SHAPE_O, S = SMVM_SHAPE_S,
+    K = SMVM_SHAPE_K, W = SMVM_SHAPE_W, T = SMVM_SHAPE_T, M = SMVM_SHAPE_M, J = SMVM_SHAPE_J, X = SMVM_SHAPE_X, Y = SMVM_SHAPE_Y,
+    GX = SMVM_SHAPE_GX
+};
+#define GY SMVM_SHAPE_GY                              // these are beyond what an int may hold
+#define FY SMVM_SHAPE_FY
+#define Z SMVM_SHAPE_Z
+
+// What follows an opcode: the bits of a shape for each of the numbers that stand for them.
+static const uint16_t follows[] = {0, L, E, N, F, D, O, S, K, W, T, M, J, K | W, N | J};
+#define SMVM_IS(what, number) ((uint16_t)((what) & SMVM_SHAPE_FOLLOWS) == (number))
+#define SMVM_FOLLOWS(s) \
+    (SMVM_IS(s, L) ? SMVM_AN_L : SMVM_IS(s, E) ? SMVM_AN_E : SMVM_IS(s, N) ? SMVM_AN_N : SMVM_IS(s, F) ? SMVM_AN_F : SMVM_IS(s, D) ? SMVM_A_D : \
+     SMVM_IS(s, O) ? SMVM_AN_O : SMVM_IS(s, S) ? SMVM_AN_S : SMVM_IS(s, K) ? SMVM_A_K : SMVM_IS(s, W) ? SMVM_A_W : SMVM_IS(s, T) ? SMVM_A_T : \
+     SMVM_IS(s, M) ? SMVM_AN_M : SMVM_IS(s, J) ? SMVM_A_J : SMVM_IS(s, K | W) ? SMVM_K_AND_W : SMVM_IS(s, N | J) ? SMVM_N_AND_J : SMVM_NOTHING)
+
+static const struct Row { uint8_t first, last; uint16_t form; } rows[] SM_FLASH = {
+#define SMVM_OP(name, first, last, shape, meaning) {first, last, (uint16_t)(SMVM_FOLLOWS(shape) | (uint32_t)(shape) >> 12 << 4)},
+#include "bytecode-vm/opcodes.def"
+#undef SMVM_OP
+};
+
+enum {
+#define SMVM_OP(name, first, last, shape, meaning) ROW_##name,
+#include "bytecode-vm/opcodes.def"
+#undef SMVM_OP
+};
+
+// Where the rows of sixteen opcodes begin, which ascend: most looked for are the first or second there.
+static const uint8_t row_of[] SM_FLASH = {ROW_ldx_local, ROW_ldx_elem, ROW_ldy_local, ROW_ldy_elem,
+                                          ROW_st_local, ROW_jxy, ROW_jf, ROW_add};
+
+uint16_t smvm_form(uint8_t opcode)
+{
+    struct Row r;
+    uint8_t row;
+
+    sm_flash_get(&row, &row_of[opcode >> 4 & 7], 1);
+    do
+        sm_flash_get(&r, &rows[row++], sizeof r);
+    while (opcode > r.last);                          // the last row ends with the last opcode
+    return opcode < r.first ? 0 : r.form;
+}
+
+uint32_t smvm_shape(uint8_t opcode)
+{
+    const uint16_t form = smvm_form(opcode);
+
+    return follows[form & 0xf] | (uint32_t)(form >> 4) << 12;
+}
+
+// ---- the walk ----
+
 enum { HAS_X = 1, HAS_Y = 2 };                        // registers that hold a number
 
 // Functions give 0, or the rule that is broken at `where`.
@@ -288,7 +344,7 @@ static uint8_t check_instruction(Check *c, uint8_t op)
         return SMVM_R_REGISTER;
     if (form & FORGETS_Y)
         c->known &= HAS_X;
-    c->known |= (uint8_t)form >> 6;
+    c->known = (uint8_t)(c->known | (uint8_t)form >> 6);
     c->over = (form & IS_OVER) != 0;
     if (c->over)
         c->known = 0;

@@ -23,7 +23,8 @@ static bool take(uint16_t *left, SmvmAt bytes)
     return true;
 }
 
-SMVM_APART static uint8_t row_bytes(uint8_t kind) { return kind & 2 ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }
+SMVM_INLINE uint8_t step_over(uint8_t kind) { return kind & 2 ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }      // for steps, which are in haste
+SMVM_APART static uint8_t row_bytes(uint8_t kind) { return step_over(kind); }
 
 static SmResult take_pins(const SmvmRunner *r, uint16_t *left, SmvmPins *p)
 {
@@ -165,7 +166,7 @@ static void move_pins(SmvmRunner *r, bool outputs)
 {
     const SmIoPin *row;
 
-    for (uint16_t at = r->rows; at < r->rows_end; at = (uint16_t)(at + row_bytes(row->kind))) {
+    for (uint16_t at = r->rows; at < r->rows_end; at = (uint16_t)(at + step_over(row->kind))) {
         row = row_at(r, at);
         if (is_output(row) != outputs)
             continue;

@@ -62,14 +62,6 @@ void sm_link_receiver(LinkReceiver *r, uint8_t *buffer, uint16_t room)
     start(r);
 }
 
-static void keep(LinkReceiver *r, uint8_t byte)
-{
-    if (r->n < r->room)
-        r->buffer[r->n++] = byte;
-    else
-        r->lost = true;
-}
-
 // Whether what arrived up to the zero is a frame; its checksum is taken off then.
 static bool is_frame(LinkReceiver *r)
 {
@@ -95,13 +87,17 @@ bool sm_link_receive(LinkReceiver *r, uint8_t byte)
     }
     if (r->left > 0) {
         r->left--;
-        keep(r, byte);
     } else {
         const bool zero = r->code != 0xff;
         r->code = byte;
         r->left = (uint8_t)(byte - 1);
-        if (zero)
-            keep(r, 0);
+        if (!zero)
+            return false;
+        byte = 0;
     }
+    if (r->n < r->room)
+        r->buffer[r->n++] = byte;
+    else
+        r->lost = true;
     return false;
 }

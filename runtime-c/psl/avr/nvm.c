@@ -47,7 +47,7 @@ SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
     return SM_OK;
 }
 
-static SmResult check(PalNvm memory, uint32_t at, uint32_t n)
+__attribute__((noinline)) static SmResult check(PalNvm memory, uint32_t at, uint32_t n)
 {
     return !is_open(memory) ? SM_E_HANDLE : at > SIZE || n > SIZE - at ? SM_E_ARGUMENT : SM_OK;
 }
