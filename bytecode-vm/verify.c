@@ -282,7 +282,7 @@ static const struct Limit { uint8_t below, from, rule; } limits[] SM_FLASH = {
 };
 
 // A number that follows an opcode, one of SMVM_AN_L to SMVM_A_J.
-SMVM_APART static uint8_t check_operand(Check *c, uint8_t op, uint8_t follows)
+SMVM_APART static uint8_t check_operand(Check *c, uint8_t op, uint8_t what)
 {
     const SmvmMachine *m = &c->m;
     struct Limit l;
@@ -293,25 +293,25 @@ SMVM_APART static uint8_t check_operand(Check *c, uint8_t op, uint8_t follows)
         c->where = c->in.at;
         return SMVM_R_TRUNCATED;
     }
-    if (follows == SMVM_AN_N)
+    if (what == SMVM_AN_N)
         return 0;
-    if (follows == SMVM_A_J)
+    if (what == SMVM_A_J)
         return check_jump(c);
-    sm_flash_get(&l, &limits[follows], sizeof l);
+    sm_flash_get(&l, &limits[what], sizeof l);
     from = l.from;
     end = l.below & CONSTANT ? l.below & (CONSTANT - 1) : *(const SmvmAt *)(const void *)((const uint8_t *)m + l.below);
-    if (follows <= SMVM_AN_E) {
+    if (what <= SMVM_AN_E) {
         const uint8_t shift = smvm_shift(op & 0xf);
-        if (follows == SMVM_AN_E)
+        if (what == SMVM_AN_E)
             from = m->from;
         end = (SmvmAt)(end - from) >> shift;
         from = from >> shift;
     }
-    if ((SmvmAt)(c->in.n - from) >= end || (follows == SMVM_AN_S && c->kind != SMVM_IN_ENTRY && c->kind != SMVM_IN_STEP))
+    if ((SmvmAt)(c->in.n - from) >= end || (what == SMVM_AN_S && c->kind != SMVM_IN_ENTRY && c->kind != SMVM_IN_STEP))
         return l.rule;
-    if (follows == SMVM_A_K)
+    if (what == SMVM_A_K)
         c->stat = (uint8_t)c->in.n;
-    return follows == SMVM_A_W ? check_window(c, op) : 0;
+    return what == SMVM_A_W ? check_window(c, op) : 0;
 }
 
 static uint8_t check_operands(Check *c, uint8_t op, uint8_t follow)
