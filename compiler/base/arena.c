@@ -74,7 +74,7 @@ static char *take(Arena *a, size_t size)
     if (size > SIZE_MAX - ALIGN)
         longjmp(*a->oom, 1);
     size = (size + ALIGN - 1) / ALIGN * ALIGN;
-    if ((size_t)(a->end - a->next) < size)
+    if (!a->chunk || (size_t)(a->end - a->next) < size)
         add_chunk(a, size);
     p = a->next;
     a->next += size;

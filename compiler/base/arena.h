@@ -32,7 +32,7 @@ static inline void *arena_alloc(Arena *a, size_t size)
 {
     const size_t room = (size + ARENA_ALIGN - 1) / ARENA_ALIGN * ARENA_ALIGN;
 
-    if (a->next > a->clean || (size_t)(a->clean - a->next) < room || room < size)
+    if (a->next >= a->clean || (size_t)(a->clean - a->next) < room || room < size)
         return arena_alloc_more(a, size);
     a->next += room;
     return a->next - room;

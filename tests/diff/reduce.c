@@ -108,7 +108,7 @@ static bool try_without(Reducer *r, GStmts *list, size_t i)
 static bool try_inlined(Reducer *r, GStmts *list, size_t i, const GStmts *inner)
 {
     const GStmts old = *list;
-    const size_t n = old.n - 1 + inner->n;
+    const uint32_t n = old.n - 1 + inner->n;
     GStmt **at = ARENA_ARRAY(r->g->arena, GStmt *, n);
     memcpy(at, old.at, i * sizeof *at);
     if (inner->n > 0)

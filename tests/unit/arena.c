@@ -58,8 +58,8 @@ static void test_room(Arena *a)
 // Lists that share one piece of memory: each has room up to where the next begins, and grows elsewhere.
 static void test_lists_in_one_piece(Arena *a)
 {
-    typedef struct List { uint32_t *at; size_t n, cap; } List;
-    size_t room = vec_room(3, sizeof(uint32_t));
+    typedef VEC(uint32_t) List;
+    uint32_t room = vec_room(3, sizeof(uint32_t));
     uint32_t *piece = ARENA_ARRAY(a, uint32_t, room + vec_room(1, sizeof *piece));
     List one = {piece, 3, room}, two = {piece + room, 1, 1};
 
@@ -67,6 +67,16 @@ static void test_lists_in_one_piece(Arena *a)
     for (uint32_t i = 0; i < 30; i++)
         vec_push(a, &one, i);
     CHECK(two.at[0] == 7 && one.at[3] == 0 && one.at[32] == 29);
+}
+
+// Nothing of an arena that holds nothing is somewhere too.
+static void test_nothing(Arena *a)
+{
+    CHECK(arena_alloc(a, 0) != NULL);
+    arena_free(a);
+    CHECK(arena_copy(a, NULL, 0) != NULL);
+    arena_free(a);
+    CHECK(arena_room(a, 0) != NULL);
 }
 
 int main(void)
@@ -77,6 +87,7 @@ int main(void)
     arena_init(&a, dirty, NULL, &oom);
     if (setjmp(oom) != 0)
         return 3;
+    test_nothing(&a);
     test_copies(&a);
     test_room(&a);
     test_lists_in_one_piece(&a);

@@ -196,7 +196,8 @@ static void test_analyses(void)
     CHECK(p != NULL);
     if (!p)
         return;
-    s.diags.list.n = s.diags.warnings = 0;
+    s.diags.list.n = 0;
+    s.diags.warnings = 0;
     session_analyse(&s, p);
     CHECK(s.diags.warnings == 6);
     CHECK(warns(&s, DIAG_unused_element, "'unused'") && warns(&s, DIAG_unused_local, "'never'"));
