@@ -39,8 +39,7 @@ SMVM_LIES(tables.more_bytes, VM_MORE_BYTES);
 SMVM_LIES(tables.g, VM_G);
 SMVM_LIES(tables.s, VM_S);
 SMVM_LIES(tables.width, VM_WIDTH);
-SMVM_LIES(first, VM_FIRST);
-SMVM_LIES(entered, VM_ENTERED);
+SMVM_LIES(body, VM_BODY);
 SMVM_LIES(y, VM_Y);
 typedef char smvm_step_gives_ok[SM_OK == STEP_OK && SM_REFUSED == STEP_REFUSED ? 1 : -1];
 

@@ -3,10 +3,10 @@
 // or EEPROM.  This file fetches, loads, stores and jumps; number_avr.S, which it includes, calculates.
 //
 // Between instructions:
-//   r9:r2    X: a number of 64 bits, or a whole one in r5:r2        r17  1: it is the former
+//   r9:r2    X: a number of 64 bits, or a whole one in r5:r2        r17  bit 0: it is the former, bit 1: so is Y
 //   r15:r14  the locals        r13:r12  the state vector        Y  SmVm, with register Y in it        Z  the next byte of the image
 // and in one
-//   r16      the opcode        r21:r18  the number behind it
+//   r16      the opcode        r19:r18  the number behind it, in r21:r18 where it counts
 // Calls leave r2 to r17 as they were.
 #if defined(__AVR_HAVE_MUL__) && !defined(SMVM_PORTABLE)
 #include "bytecode-vm/interp_avr.h"
@@ -46,6 +46,10 @@
 	rjmp .Lgot\@
 	.previous
 .endm
+.macro if_long                            ; it is further than a branch reaches
+	brlo decode
+	rjmp longer
+.endm
 .macro fetch to
 	rcall read
 	.ifnc \to, r0
@@ -62,6 +66,9 @@
 	lpm \second, Z+
 	.endif
 .endm
+.macro if_long
+	brsh longer
+.endm
 .macro fetch to
 	lpm \to, Z+
 .endm
@@ -75,17 +82,8 @@
 #endif
 .endm
 
-; A varint to r21:r18.
-.macro number
-	fetch r18
-	clr r19
-	clr r20
-	clr r21
-	cpi r18, 0x60
-	brlo 9f
-	rcall long_number
-9:
-.endm
+; How much less than its digits a varint of two bytes is, 0x60 + (b - 0x60) * 0x80 + b1.
+#define TWO_LESS (0x60 * 0x80 - 0x60)
 
 ; To Z what a table of the image begins with, or the code.
 .macro image_at table
@@ -95,17 +93,6 @@
 	add r30, r0
 	ldd r0, Y+VM_IMAGE+1
 	adc r31, r0
-.endm
-
-; An entry of the table of functions, of r18 bytes.
-.macro entry lower, upper
-	fetch \lower
-	clr \upper
-	cpi r18, 1
-	breq 9f
-	rcall long_entry
-	mov \upper, r23
-9:
 .endm
 
 ; r19:r18 times 2, as an offset.
@@ -119,27 +106,20 @@
 	adc r27, r19
 .endm
 
-.macro save
-	.irp r, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 14, 15, 16, 17, 28, 29
-	push r\r
-	.endr
-.endm
-
 	.section .text.STEP, "ax", @progbits
 
 ; The others of a varint of two or four bytes, of whose first r18 is.
 long_number:
 	cpi r18, 0x78
 	brsh four_bytes
-	subi r18, 0x60
 	mov r19, r18
 	clr r18
 	lsr r19
 	ror r18
 	fetch r0
 	or r18, r0
-	subi r18, 0xA0                    ; + 0x60
-	sbci r19, 0xFF
+	subi r18, lo8(TWO_LESS)
+	sbci r19, hi8(TWO_LESS)
 	ret
 four_bytes:
 	andi r18, 7
@@ -164,12 +144,60 @@ four_bytes:
 	sbci r21, 0xFF
 	ret
 
-long_entry:
-	fetch r23
+; An entry of the table of functions, of r18 bytes, to r21:r20.
+entry:
+	fetch r20
+	clr r21
+	cpi r18, 1
+	breq 1f
+	fetch r21
 	cpi r18, 2
 	breq 1f
 	fetch r0
 1:	ret
+
+; ---- one instruction alone ----
+
+	.section .progmem.data.STEP, "a", @progbits
+just_end:
+	.byte 0xCE, 0xCE
+	.previous
+
+; SmF64 LOAD(uint8_t type, const void *at): what `ldx_local` gives
+	.global LOAD
+	.type LOAD, @function
+LOAD:
+	set
+	clc
+	rjmp entered
+
+; void STORE(SmF64 x, uint8_t type, void *at): what `st_local` does
+	.global STORE
+	.type STORE, @function
+STORE:
+	set
+	sec
+	rjmp entered
+
+cell:
+	brcs 1f
+	mov r16, r24
+	ori r16, 0x80
+	movw r14, r22
+	rcall alone
+	rcall x_to_f64
+	rjmp step_over
+1:	ori r16, 0xC0
+	rcall a_to_x
+	rcall alone
+	rjmp step_over
+
+alone:                                    ; with 0 as its number
+	clr r18
+	clr r19
+	ldi r30, lo8(just_end)
+	ldi r31, hi8(just_end)
+	rjmp decode
 
 ; ---- a step ----
 
@@ -177,13 +205,19 @@ long_entry:
 	.global STEP
 	.type STEP, @function
 STEP:
-	save
+	clt
+entered:                                  ; T: not by STEP; then carry: by STORE
+	.irp r, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 14, 15, 16, 17, 28, 29
+	push r\r
+	.endr
+	brts cell
 	movw r28, r24
 	movw r12, r22
 	ldd r14, Y+VM_LOCAL
 	ldd r15, Y+VM_LOCAL+1
 	add r14, r28
 	adc r15, r29
+	clr r17
 	ldd r26, Y+VM_G                   ; has it advanced, and is it not the last one there is?
 	ldd r27, Y+VM_G+1
 	add r26, r12
@@ -196,23 +230,61 @@ STEP:
 	ldd r0, Y+VM_NEXT+\i
 	cpc 18+\i, r0
 	.endr
-	brcs 1f
-	sec
-	.irp r, 18, 19, 20, 21, 22, 23, 24, 25
-	adc r\r, r1
+	brcs refused
+	subi r18, 0xFF                    ; + 1
+	sbci r19, 0xFF
+	sbci r20, 0xFF
+	sbci r21, 0xFF
+	brcc upper
+advanced:
+	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
+	std Y+VM_NEXT+\i, 18+\i
 	.endr
-	brcc 2f
-1:	ldi r24, lo8(STEP_REFUSED)
+	std Y+VM_STORED, r1
+	ldd r16, Y+VM_FLAGS
+	tst r16
+	brne not_plain
+body:
+	ldd r30, Y+VM_BODY
+	ldd r31, Y+VM_BODY+1
+	rcall next
+	sbiw r24, 0
+	brne leaves                       ; else it is STEP_OK
+step_over:
+	.irp r, 29, 28, 17, 16, 15, 14, 13, 12, 9, 8, 7, 6, 5, 4, 3, 2
+	pop r\r
+	.endr
+	ret
+upper:
+	subi r22, 0xFF
+	sbci r23, 0xFF
+	sbci r24, 0xFF
+	sbci r25, 0xFF
+	brcs advanced
+refused:
+	ldi r24, lo8(STEP_REFUSED)
 	ldi r25, hi8(STEP_REFUSED)
 	rjmp step_over
-2:	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
-	std Y+VM_NEXT+\i, 18+\i
-	std Y+VM_STORED+\i, r1
-	.endr
-	ldd r16, Y+VM_FIRST
-	std Y+VM_ENTERED, r16
-	tst r16
-	breq 3f
+
+leaves:                                   ; for state r25:r24
+	movw r26, r24
+	ldi r22, 2
+	rcall block
+	std Y+VM_STATE, r26
+	std Y+VM_STATE+1, r27
+	rcall next
+	ldd r16, Y+VM_FLAGS
+	ori r16, 1 << VM_FIRST
+	std Y+VM_FLAGS, r16
+	clr r24
+	clr r25
+	rjmp step_over
+
+; The first step of a state, or the one behind it, or of a machine with samples or more than eight outputs.  r25:r18 is what VM_NEXT is.
+not_plain:
+	bst r16, VM_FIRST
+	bld r16, VM_ENTERED
+	brtc 2f
 	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
 	std Y+VM_START+\i, 18+\i
 	.endr
@@ -226,94 +298,62 @@ STEP:
 	st X+, r0
 	st X+, r1
 	st X, r1
-3:	ldd r24, Y+VM_MORE_BYTES          ; outputs from 64 on
+	ldi r16, 1 << VM_ENTERED          ; what is so of all steps of the state is found out here
+	image_at VM_FUNCTIONS
+	ldd r24, Y+VM_FUNCTIONS
+	ldd r25, Y+VM_FUNCTIONS+1
+	ldd r20, Y+VM_OUTPUTS
+	ldd r21, Y+VM_OUTPUTS+1
+	sub r24, r20                      ; three bytes each
+	sbc r25, r21
+	sbiw r24, 3 * 8 + 1
+	brcs 1f
+	ori r16, 1 << VM_MANY
+1:	ldd r18, Y+VM_WIDTH
+	rcall entry                       ; the sample function begins at 0
+	or r20, r21
+	breq 1f
+	ori r16, 1 << VM_SAMPLES
+1:	ldi r22, 1
+	rcall block
+	std Y+VM_BODY, r30
+	std Y+VM_BODY+1, r31
+2:	std Y+VM_FLAGS, r16
+	sbrs r16, VM_MANY
+	rjmp 5f
+	.irp i, 1, 2, 3, 4, 5, 6, 7
+	std Y+VM_STORED+\i, r1
+	.endr
+	ldd r24, Y+VM_MORE_BYTES          ; outputs from 64 on
 	ldd r25, Y+VM_MORE_BYTES+1
-	sbiw r24, 0
-	breq 5f
 	ldd r26, Y+VM_MORE
 	ldd r27, Y+VM_MORE+1
 	add r26, r28
 	adc r27, r29
-4:	st X+, r1
-	sbiw r24, 1
-	brne 4b
-5:	ldd r18, Y+VM_WIDTH
-	image_at VM_FUNCTIONS             ; the sample function begins at 0
-	entry r20, r21
+4:	sbiw r24, 1
+	brcs 5f
+	st X+, r1
+	rjmp 4b
+5:	sbrs r16, VM_SAMPLES
+	rjmp 6f
 	clr r24
 	clr r25
-	or r20, r21
-	breq 9f
-	rcall function_at
-9:	ldd r22, Y+VM_FIRST
-	tst r22
-	breq 6f
+	rcall code_at
+	rcall next
+6:	ldd r16, Y+VM_FLAGS
+	sbrs r16, VM_ENTERED
+	rjmp body
 	clr r22
 	rcall block
-	or r18, r19
-	brne 7f
-6:	ldi r22, 1
-	rcall block
-	or r18, r19
-	breq 8f
-7:	push r24
-	push r25
-	ldi r22, 2
-	rcall block
-	pop r25
-	pop r24
-	std Y+VM_STATE, r24
-	std Y+VM_STATE+1, r25
-	ldi r18, 1
-8:	std Y+VM_FIRST, r18
-	ldi r24, STEP_OK
-	ldi r25, STEP_OK
-step_over:
-	.irp r, 29, 28, 17, 16, 15, 14, 13, 12, 9, 8, 7, 6, 5, 4, 3, 2
-	pop r\r
-	.endr
-	ret
-
-; ---- one instruction alone ----
-
-	.section .progmem.data.STEP, "a", @progbits
-just_end:
-	.byte 0xCE, 0xCE
-	.previous
-
-; SmF64 LOAD(uint8_t type, const void *at): what `ldx_local` gives
-	.global LOAD
-	.type LOAD, @function
-LOAD:
-	save
-	mov r16, r24
-	ori r16, 0x80
-	movw r14, r22
-	rcall alone
-	rcall x_to_f64
-	rjmp step_over
-
-; void STORE(SmF64 x, uint8_t type, void *at): what `st_local` does
-	.global STORE
-	.type STORE, @function
-STORE:
-	save
-	ori r16, 0xC0
-	rcall a_to_x
-	rcall alone
-	rjmp step_over
-
-alone:                                    ; with 0 as its number
-	clr r18
-	clr r19
-	movw r20, r18
-	ldi r30, lo8(just_end)
-	ldi r31, hi8(just_end)
-	rjmp decode
+	rcall next
+	sbiw r24, 0
+	breq 7f
+	rjmp leaves
+7:	rjmp body
 
 ; ---- functions ----
 
-; Runs block r22 of the state: 0 entry, 1 step, 2 exit.  Gives what `function` does.
+; To Z where block r22 of the state begins: 0 entry, 1 step, 2 exit.
 block:
 	ldd r24, Y+VM_STATE
 	ldd r25, Y+VM_STATE+1
@@ -332,71 +372,97 @@ block:
 	adc r31, r25
 	dec r19
 	brne 1b
-	entry r24, r25
-; Runs the function that begins at r25:r24 of the code, the entry with its end being at Z.  Gives the state that it goes to, or 0, in r25:r24
-; and r19:r18.
-function:
-	entry r20, r21
+	rcall entry
+	movw r24, r20
+	rcall entry
+	ldi r30, lo8(just_end)
+	ldi r31, hi8(just_end)
 	cp r20, r24
 	cpc r21, r25
-	breq end
-function_at:
+	breq 1f
+code_at:                                  ; to Z r25:r24 in the code
 	image_at VM_CODE
 	add r30, r24
 	adc r31, r25
-	rjmp next
+1:	ret
 
-end:
-	clr r18
-	clr r19
-leave:
-	movw r24, r18
-	ret
-
-; ---- the next instruction ----
+; A function is called: it begins at `next`, and gives in r25:r24 the state that it goes to, or 0.
 
 longer:
 	cpi r18, 0x78
-	brsh 1f
-	subi r18, 0x60
+	brsh 8f
 	mov r19, r18
 	clr r18
 	lsr r19
 	ror r18
 	fetch_here r0
 	or r18, r0
-	subi r18, 0xA0                    ; + 0x60
-	sbci r19, 0xFF
-	rjmp decode
-1:	cpi r18, 0x80
-	brsh 1f
-	rcall four_bytes
-	rjmp decode
-1:	sbiw r30, 1                       ; the next opcode: this one has no number
-	cpi r16, 0xCE
+	subi r18, lo8(TWO_LESS)
+	sbci r19, hi8(TWO_LESS)
+	cpi r16, 0xE0
+	brlo 9f
+; jxn, or jf or jt, which have no second number: what is found out of X and n is of no use there
+with_n:
+	sbrc r17, 0
+	rjmp with_real
+	cp r2, r18
+	cpc r3, r19
+	cpc r4, r1
+	cpc r5, r1
+compared:
+	ldi r24, 1
+	brlt related
+	ldi r24, 2
+	breq related
+	ldi r24, 4
+related:
+	fetch_here r22
+	cpi r22, 0x60
+	brsh 7f
+	and r24, r16
+	breq next
+	add r30, r22
+	adc r31, r1
+	rjmp next
+7:	rjmp far
+8:	cpi r16, 0xCE
 	breq end
-	brlo 2f
-	rjmp compute
-2:	rjmp time
+	rjmp longest
+end:
+	clr r24
+	clr r25
+	ret
+9:	rjmp decode
 
+half:
+	twice
+	place
+	ld r18, X+
+	ld r19, X
+	clr r20
+	sbrc r19, 7
+	rjmp half_signed
+	clr r21
+whole:                                    ; r21:r18 to X, or Y
+	sbrc r16, 5
+	rjmp whole_y
+whole_x:
+	movw r2, r18
+	movw r4, r20
+	andi r17, 2
 next:
 	fetch_here r16, r18               ; behind `end`, which is last, the second may be anything
 	clr r19
-	clr r20
-	clr r21
 	cpi r18, 0x60
-	brsh longer
+	if_long
 decode:
 	sbrc r16, 6
 	rjmp no_load
-
-; ---- loads ----
-
+	sbrc r16, 3
+	rjmp wide
 	movw r26, r14
 	sbrc r16, 4
 	movw r26, r12
-	sbrc r16, 3
-	rjmp wide
 	sbrc r16, 1
 	rjmp words
 	sbrc r16, 0
@@ -411,31 +477,68 @@ decode:
 1:	mov r20, r19
 	mov r21, r19
 	rjmp whole
-
-half:
-	twice
-	place
-	ld r18, X+
-	ld r19, X
-	clr r20
-	sbrs r19, 7
-	rjmp 1f
+half_signed:
 	sbrs r16, 2
 	com r20
-1:	mov r21, r20
-whole:                                    ; r21:r18 to X, or Y
-	sbrc r16, 5
-	rjmp 1f
-whole_x:
-	movw r2, r18
-	movw r4, r20
-	clr r17
-	rjmp next
-1:	std Y+VM_Y, r18
+	mov r21, r20
+	rjmp whole
+whole_y:
+	std Y+VM_Y, r18
 	std Y+VM_Y+1, r19
 	std Y+VM_Y+2, r20
 	std Y+VM_Y+3, r21
-	std Y+VM_Y_REAL, r1
+	andi r17, 1
+	rjmp next
+
+longest:
+	cpi r18, 0x80
+	brsh no_number
+	rcall four_bytes
+	cpi r16, 0xE0
+	brsh 2f
+	mov r24, r16
+	andi r24, 0xDE
+	cpi r24, 0x9E
+	brne 1f
+	rjmp plus
+1:	cpi r24, 0x8C
+	breq 3f
+	rjmp decode
+3:	rjmp number_32
+2:	sbrc r17, 0
+	rjmp with_real_long
+	cp r2, r18
+	cpc r3, r19
+	cpc r4, r20
+	cpc r5, r21
+	rjmp compared
+no_number:
+	sbiw r30, 1                       ; the next opcode
+	sbrs r16, 6
+	rjmp time
+	rjmp compute
+
+leave:
+	movw r24, r18
+	ret
+
+far:
+	cpi r22, 0x80
+	brsh jf_jt
+	mov r18, r22
+	rcall long_number
+	and r24, r16
+	breq 1f
+	rjmp jump
+1:	rjmp next
+jf_jt:
+	sbiw r30, 1
+	movw r26, r18
+	rcall x_truth
+	movw r18, r26
+	eor r24, r16
+	sbrs r24, 0
+	rjmp jump
 	rjmp next
 
 time:                                     ; T
@@ -497,12 +600,16 @@ long:                                     ; an I64 or U64 in r25:r18
 wide:                                     ; F32, F64, bool, RAW
 	sbrc r16, 2
 	rjmp others
+	movw r26, r14
+	sbrc r16, 4
+	movw r26, r12
 	sbrc r16, 0
 	rjmp eight
 	sbrs r16, 1
 	rjmp f32
 	place
 	ld r18, X
+bool:
 	cpse r18, r1
 	ldi r18, 1
 	clr r19
@@ -534,7 +641,7 @@ given_x:
 	movw r4, r20
 	movw r6, r22
 	movw r8, r24
-	ldi r17, 1
+	ori r17, 1
 	rjmp next
 1:	rcall a_to_y
 	rjmp next
@@ -542,10 +649,13 @@ given_x:
 ; ---- numbers, and what has no place in memory ----
 
 others:
-	sbrc r16, 1
-	rjmp 1f
 	sbrc r16, 4
-	rjmp 3f
+	rjmp 1f
+	sbrc r16, 1
+	rjmp constant
+	clr r20
+	clr r21
+number_32:
 	sbrs r16, 0
 	rjmp whole                        ; n
 	com r18                           ; -1 - n
@@ -553,32 +663,32 @@ others:
 	com r20
 	com r21
 	rjmp whole
-1:	sbrs r16, 4
-	rjmp 2f
-	sbrs r16, 5
+1:	sbrs r16, 1
+	rjmp 3f
+	sbrc r16, 5
+	rjmp set
+	clr r20
+	clr r21
 	rjmp plus
-	mov r16, r18                      ; set
+set:
+	mov r16, r18
 	rcall relate
 	and r24, r16
 truth_x:                                  ; whether r24 is not 0, to X
-	clr r18
-	clr r19
-	clr r20
-	clr r21
-	cpse r24, r1
-	ldi r18, 1
-	rjmp whole_x
+	mov r18, r24
+	andi r16, 0x1F
+	rjmp bool
 
-2:	push r30                          ; an F32 or F64 constant
+constant:                                 ; an F32 or F64
+	push r30
 	push r31
 	twice
 	twice
 	movw r26, r18
-	sbrc r16, 0
-	rjmp 4f
 	image_at VM_F32S
+	sbrs r16, 0
 	rjmp 5f
-4:	lsl r26
+	lsl r26
 	rol r27
 	image_at VM_F64S
 5:	add r30, r26
@@ -602,8 +712,12 @@ truth_x:                                  ; whether r24 is not 0, to X
 3:	sbrc r16, 5
 	rjmp cvt
 	mov r16, r18                      ; stat
-	number
-	push r30
+	fetch r18
+	clr r19
+	cpi r18, 0x60
+	brlo 4f
+	rcall long_number
+4:	push r30
 	push r31
 	mov r22, r16
 	movw r20, r18
@@ -653,18 +767,11 @@ out_further:
 	rjmp output
 
 no_load:                                  ; 0xC0 and above
-	cpi r16, 0xE0
-	brlo 1f
-	breq truth_jump
-	cpi r16, 0xEF
-	breq truth_jump
+	sbrc r16, 5
 	rjmp with_n
-truth_jump:
-	rjmp jf_jt
-1:	cpi r16, 0xD0
-	brlo 1f
+	sbrc r16, 4
 	rjmp jumps
-1:	andi r16, 0x0F
+	andi r16, 0x0F
 	movw r26, r14
 	cpi r16, 12
 	brlo store
@@ -831,15 +938,13 @@ store_wide:
 	sbrc r17, 0
 	rjmp put
 	place
-	mov r0, r2
-	or r0, r3
-	or r0, r4
-	or r0, r5
-	ldi r24, 1
-	cpse r0, r1
-	rjmp 3f
-	clr r24
-3:	st X, r24
+	mov r18, r2
+	or r18, r3
+	or r18, r4
+	or r18, r5
+	breq 3f
+	ldi r18, 1
+3:	st X, r18
 	rjmp next
 
 sample:
@@ -871,57 +976,27 @@ sample:
 
 jumps:                                    ; 0xD0 to 0xDF
 	cpi r16, 0xDF
-	breq jump
-	movw r26, r18                     ; jxy
+	brne jxy
+jump:
+	add r30, r18
+	adc r31, r19
+	rjmp next
+jxy:
+	movw r26, r18
 	rcall relate
 	movw r18, r26
 	and r24, r16
 	brne jump
 	rjmp next
-jump:
-	add r30, r18
-	adc r31, r19
-	rjmp next
-jf_jt:
-	movw r26, r18
-	rcall x_truth
-	movw r18, r26
-	eor r24, r16
-	sbrs r24, 0
-	rjmp jump
-	rjmp next
-
-with_n:                                   ; jxn
-	sbrc r17, 0
-	rjmp with_real
-	cp r2, r18
-	cpc r3, r19
-	cpc r4, r20
-	cpc r5, r21
-	ldi r24, 2
-	breq related
-	ldi r24, 1
-	brlt related
-greater:
-	ldi r24, 4
-related:
-	fetch_here r18
-	clr r19
-	cpi r18, 0x60
-	brlo 1f
-	rcall long_number
-1:	and r24, r16
-	brne jump
-	rjmp next
-less:
-	ldi r24, 1
-	rjmp related
 
 ; An F64 and a number below 2^16: mostly what is before the point decides.
-with_real:
+with_real_long:
 	mov r24, r20
 	or r24, r21
 	brne 5f
+with_real:
+	clr r20
+	clr r21
 	movw r24, r8
 	sbrc r25, 7
 	rjmp 4f
@@ -947,8 +1022,10 @@ with_real:
 2:	cp r24, r18
 	cpc r25, r19
 	breq 5f
-	brlo less
-	rjmp greater
+	brsh 9f
+less:
+	ldi r24, 1
+	rjmp related
 3:	mov r24, r18                      ; from 0 up to 1
 	or r24, r19
 	brne less
@@ -957,11 +1034,17 @@ with_real:
 	breq 5f
 	cpi r25, 0x80
 	brne less
-5:	rcall relate_n
+5:	mov r24, r16                      ; not for jf and jt
+	inc r24
+	andi r24, 0x0E
+	brne 1f
+	rjmp related
+1:	rcall relate_n
 	rjmp related
 6:	cpi r25, 0x40
-	brlo greater
-	rjmp 5b                           ; infinite or NaN
+	brsh 5b                           ; infinite or NaN
+9:	ldi r24, 4
+	rjmp related
 7:	mov r26, r6
 8:	lsl r26
 	rol r24

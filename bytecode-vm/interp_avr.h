@@ -20,10 +20,15 @@
 #define VM_G 48
 #define VM_S 50
 #define VM_WIDTH 52
-#define VM_FIRST 53
-#define VM_ENTERED 54
-#define VM_Y 55               // 8 bytes, and
-#define VM_Y_REAL 63          // whether it is an F64
+#define VM_FLAGS 53
+#define VM_BODY 54
+#define VM_Y 56
+
+// Bits of VM_FLAGS.
+#define VM_FIRST 0
+#define VM_ENTERED 1
+#define VM_SAMPLES 2
+#define VM_MANY 3
 
 #define STEP_OK 0
 #define STEP_REFUSED -1

@@ -3,7 +3,7 @@
 //
 //   a  r25:r18, an F64; so that operations of soft.h take it as their first number, and give theirs
 //   n  r21:r18, a whole number
-// Nothing here changes Z but n_to_a, y_to_a and x_to_f64.
+// Nothing here changes Z.
 #ifdef STEP
 
 .macro zero_64
@@ -13,6 +13,24 @@
 	movw r22, r18
 	movw r24, r18
 .endm
+
+; Calls an operation of soft.h, with Z as it is afterwards.
+.macro soft name
+	soft_at \name
+	rcall keeping_z
+.endm
+.macro soft_at name                       ; it goes to r27:r26
+	ldi r26, pm_lo8(\name)
+	ldi r27, pm_hi8(\name)
+.endm
+keeping_z:
+	push r30
+	push r31
+	movw r30, r26
+	icall
+	pop r31
+	pop r30
+	ret
 
 ; ---- from register to register ----
 
@@ -28,15 +46,14 @@ a_to_x:
 	movw r4, r20
 	movw r6, r22
 	movw r8, r24
-	ldi r17, 1
+	ori r17, 1
 	ret
 
 a_to_y:
 	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
 	std Y+VM_Y+\i, 18+\i
 	.endr
-	ldi r18, 1
-	std Y+VM_Y_REAL, r18
+	ori r17, 2
 	ret
 
 ; As an F64 to a: X, Y, n.
@@ -48,31 +65,23 @@ x_to_f64:
 n_to_a:
 	movw r22, r18
 	movw r24, r20
-#ifdef __AVR_HAVE_JMP_CALL__
-	jmp sm_soft_from_i32
-#else
-	rjmp sm_soft_from_i32
-#endif
+	soft_at sm_soft_from_i32
+	rjmp keeping_z
 y_to_a:
 	rcall y_as_it_is
-	sbrs r26, 0
+	sbrs r17, 1
 	rjmp n_to_a
 	ret
 
-y_as_it_is:                               ; r26: whether it is an F64
+y_as_it_is:
 	.irp i, 0, 1, 2, 3, 4, 5, 6, 7
 	ldd 18+\i, Y+VM_Y+\i
 	.endr
-	ldd r26, Y+VM_Y_REAL
 	ret
 
 from_f32:                                 ; of r25:r22
-	push r30
-	push r31
-	xcall sm_soft_from_f32
-	pop r31
-	pop r30
-	ret
+	soft_at sm_soft_from_f32
+	rjmp keeping_z
 
 ; An I64, or U64 where r16 says unsigned: T is set if that is a whole number, then it is n, else a.
 from_long:
@@ -87,16 +96,12 @@ from_long:
 	set
 	sbrc r21, 7
 	ret
-1:	push r30
-	push r31
-	sbrc r16, 2
+1:	soft_at sm_soft_from_i64
+	sbrs r16, 2
 	rjmp 2f
-	xcall sm_soft_from_i64
-	rjmp 3f
-2:	xcall sm_soft_from_u64
-3:	clt
-	pop r31
-	pop r30
+	soft_at sm_soft_from_u64
+2:	rcall keeping_z
+	clt
 	ret
 
 ; A NaN in a becomes 0; where r16 says RAW, the NaN that such keeps.
@@ -132,7 +137,8 @@ x_truth:
 	rjmp truth
 y_truth:
 	rcall y_as_it_is
-	mov r0, r26
+	mov r0, r17
+	lsr r0
 truth:
 	sbrc r0, 0
 	rjmp 1f
@@ -145,9 +151,7 @@ truth:
 	ret
 1:	push r26
 	push r27
-	push r30
-	push r31
-	xcall sm_soft_truth
+	soft sm_soft_truth
 	rjmp restore
 
 ; The relation of X to Y to r24.
@@ -156,60 +160,50 @@ relate:
 	ldd r19, Y+VM_Y+1
 	ldd r20, Y+VM_Y+2
 	ldd r21, Y+VM_Y+3
-	ldd r24, Y+VM_Y_REAL
-	or r24, r17
+	tst r17
 	brne 2f
 	cp r2, r18
 	cpc r3, r19
 	cpc r4, r20
 	cpc r5, r21
-	ldi r24, 2
-	breq 1f
 	ldi r24, 1
 	brlt 1f
+	ldi r24, 2
+	breq 1f
 	ldi r24, 4
 1:	ret
 2:	push r26
 	push r27
-	push r30
-	push r31
 	rcall y_to_a
-	rjmp 3f
-relate_n:                                 ; of X to n
-	push r26
-	push r27
-	push r30
-	push r31
-	rcall n_to_a
-3:	ldi r30, pm_lo8(sm_soft_relation)
-	ldi r31, pm_hi8(sm_soft_relation)
-	rcall with_a
+	rcall relate_a
 restore:
-	pop r31
-	pop r30
 	pop r27
 	pop r26
 	ret
 
-; Calls the operation of soft.h that Z points to, on X and a.
+relate_n:                                 ; of X to n
+	rcall n_to_a
+relate_a:
+	soft_at sm_soft_relation
+; Calls the operation of soft.h that r27:r26 points to, on X and a.
 with_a:
 	.irp r, 10, 11, 12, 13, 14, 15, 16, 17
 	push r\r
 	.endr
-	tst r17
+	bst r17, 0
 	movw r10, r18
 	movw r12, r20
 	movw r14, r22
 	movw r16, r24
-	breq 1f
+	brtc 1f
 	rcall x_to_a
 	rjmp 2f
-1:	push r30
-	push r31
+1:	push r26
+	push r27
 	rcall x_to_f64_of_whole
-	pop r31
-	pop r30
-2:	icall
+	pop r27
+	pop r26
+2:	rcall keeping_z
 	.irp r, 17, 16, 15, 14, 13, 12, 11, 10
 	pop r\r
 	.endr
@@ -248,7 +242,6 @@ convert:
 4:	xcall sm_soft_to_u64
 	rjmp converted
 3:	xcall sm_soft_to_u32
-shorten:
 	rcall 6f
 converted:
 	pop r31
@@ -264,17 +257,12 @@ converted:
 	rjmp 7f
 	sbrc r16, 1
 	rjmp 8f
-	push r30
-	push r31
 	rcall x_to_f64
 	rcall no_nan
-	xcall sm_soft_to_f32
-	rjmp shorten
-7:	push r30                          ; F64, RAW
-	push r31
-	rcall x_to_f64
-	rcall no_nan
-	rjmp converted
+	soft sm_soft_to_f32
+	rjmp 6b
+7:	rcall x_to_f64                    ; F64, RAW
+	rjmp no_nan
 8:	rcall x_truth
 	mov r18, r24
 	clr r19
@@ -361,7 +349,8 @@ choose:
 	rjmp 3f
 	rjmp next
 1:	ldd r24, Y+VM_Y+7                 ; equal: of zeros min takes -0, max takes the other
-	ldd r25, Y+VM_Y_REAL
+	mov r25, r17
+	lsr r25
 	sbrs r16, 0
 	rjmp 2f
 	mov r24, r9
@@ -372,13 +361,14 @@ choose:
 3:	.irp i, 2, 3, 4, 5, 6, 7, 8, 9
 	ldd \i, Y+VM_Y+\i-2
 	.endr
-	ldd r17, Y+VM_Y_REAL
+	bst r17, 1
+	bld r17, 0
 	rjmp next
 not_a_number:
 	ldi r24, 0xF8
 	ldi r25, 0x7F
 	movw r8, r24
-	ldi r17, 1
+	ori r17, 1
 	rjmp next
 
 arithmetic:                               ; add, sub, mul, div
@@ -386,31 +376,26 @@ arithmetic:                               ; add, sub, mul, div
 	ldd r19, Y+VM_Y+1
 	ldd r20, Y+VM_Y+2
 	ldd r21, Y+VM_Y+3
-	ldd r24, Y+VM_Y_REAL
-	tst r24
-	brne 2f
+	sbrc r17, 1
+	rjmp with_y
 	cpi r16, 0xF2
 	brlo plus
-	brne 2f
+	brne with_y
 	sbrs r17, 0
 	rjmp product
 with_y:
-2:	push r30
-	push r31
 	rcall y_to_a
 	cpi r16, 0xF2
 	brlo sum
-	ldi r30, pm_lo8(sm_soft_mul)
-	ldi r31, pm_hi8(sm_soft_mul)
+	soft_at sm_soft_mul
 	breq operate
-	ldi r30, pm_lo8(sm_soft_div)
-	ldi r31, pm_hi8(sm_soft_div)
+	soft_at sm_soft_div
 	rjmp operate
 
 ; X + n, or minus where the opcode is odd.
 plus:
-	tst r17
-	brne 2f
+	sbrc r17, 0
+	rjmp 2f
 	movw r24, r2
 	movw r26, r4
 	sbrc r16, 0
@@ -430,20 +415,14 @@ taken:
 	movw r2, r24
 	movw r4, r26
 	rjmp next
-2:	push r30
-	push r31
-	rcall n_to_a
+2:	rcall n_to_a
 sum:
-	ldi r30, pm_lo8(sm_soft_add)
-	ldi r31, pm_hi8(sm_soft_add)
+	soft_at sm_soft_add
 	sbrs r16, 0
 	rjmp operate
-	ldi r30, pm_lo8(sm_soft_sub)
-	ldi r31, pm_hi8(sm_soft_sub)
+	soft_at sm_soft_sub
 operate:
 	rcall with_a
-	pop r31
-	pop r30
 	rjmp given_x
 
 ; Whole numbers of 16 bits; a 0 that might be -0 is none.
@@ -512,11 +491,7 @@ of_one:
 	breq 2f                           ; -0
 	brvs 2f
 	rjmp whole_x
-2:	push r30
-	push r31
-	rcall x_to_f64
-	pop r31
-	pop r30
+2:	rcall x_to_f64
 	rcall a_to_x
 	rjmp of_real
 3:	rjmp next
@@ -569,12 +544,8 @@ round:
 	rcall add_further
 	rcall a_to_x
 1:	rcall x_to_a
-	push r30
-	push r31
-	xcall sm_soft_to_i64
-	xcall sm_soft_from_i64
-	pop r31
-	pop r30
+	soft sm_soft_to_i64
+	soft sm_soft_from_i64
 	bst r9, 7
 	bld r25, 7
 	cpi r16, 0xFC
@@ -609,14 +580,8 @@ add_further:
 	mov r19, r26
 	movw r20, r18
 	movw r22, r18
-	push r30
-	push r31
-	ldi r30, pm_lo8(sm_soft_add)
-	ldi r31, pm_hi8(sm_soft_add)
-	rcall with_a
-	pop r31
-	pop r30
-	ret
+	soft_at sm_soft_add
+	rjmp with_a
 
 ; sqrt, one binary digit at a time
 root:

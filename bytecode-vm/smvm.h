@@ -138,10 +138,13 @@ typedef struct SmVm {
 #if SMVM_KEEP_TABLES
     SmvmTables tables;
 #endif
-    bool first;               // the next step is the first of `state`
-    bool entered;             // the last step was the first of its state: it stored S
-#if SMVM_FETCH_AVR
-    uint8_t y[9];             // register Y of the assembly
+    // first: the next step is the first of `state`; entered: the last step was the first of its state: it stored S
+#if SMVM_FETCH_AVR            // and what the assembly keeps (interp_avr.h): there are samples to take; there are more than eight outputs
+    bool first : 1, entered : 1, samples : 1, many : 1;
+    uint16_t body;            // address of the state's .step
+    uint8_t y[8];             // register Y
+#else
+    bool first, entered;
 #endif
 } SmVm;
 
