@@ -206,7 +206,7 @@ finish:
 	ldi r26, 0xFF
 	cpc r31, r26
 	brlt .Lzero                       ; less than a quarter of the last digit
-1:	lsr r24
+1:	lsr r24                           ; as `down`
 	ror r23
 	ror r22
 	ror r21
@@ -274,6 +274,31 @@ finish16:
 	rcall .Linfinity
 	ldi r24, 0xF8
 	ldi r25, 0x7F
+	ret
+
+; The digits one down.
+down:
+	lsr r24
+	ror r23
+	ror r22
+	ror r21
+	ror r20
+	ror r19
+	ror r18
+	ror r27
+	brcc 1f
+	ori r27, 1
+1:	ret
+
+; Whether any digit of a is not 0: not Z.
+any_of_a:
+	mov r0, r24
+	or r0, r23
+	or r0, r22
+	or r0, r21
+	or r0, r20
+	or r0, r19
+	or r0, r18
 	ret
 
 ; ---- add, subtract ----
@@ -442,17 +467,8 @@ add:
 	adc r24, r16
 	sbrs r24, 5
 	rjmp finish16
-	lsr r24                           ; a digit more
-	ror r23
-	ror r22
-	ror r21
-	ror r20
-	ror r19
-	ror r18
-	ror r27
-	brcc 1f
-	ori r27, 1
-1:	subi r30, 0xF0
+	rcall down                        ; a digit more
+	subi r30, 0xF0
 	sbci r31, 0xFF
 	cpi r30, 0xF0
 	ldi r26, 0x7F
@@ -522,12 +538,7 @@ add:
 
 .Ladd_special:                            ; a is infinite or NaN, b anything not above it
 	andi r24, 0x0F
-	or r24, r23
-	or r24, r22
-	or r24, r21
-	or r24, r20
-	or r24, r19
-	or r24, r18
+	rcall any_of_a
 	brne 1f
 	cpi r27, 0xF0                     ; a is infinite: is b, too?
 	cpc r17, r25
@@ -585,36 +596,18 @@ take_apart:
 	ret
 .La_large:
 	ldi r26, 4
-	mov r0, r24
-	or r0, r23
-	or r0, r22
-	or r0, r21
-	or r0, r20
-	or r0, r19
-	or r0, r18
+	rcall any_of_a
 	brne .Ltake_b
 	ldi r26, 2
 	rjmp .Ltake_b
 .Lb_large:
 	ldi r27, 4
-	mov r0, r16
-	or r0, r15
-	or r0, r14
-	or r0, r13
-	or r0, r12
-	or r0, r11
-	or r0, r10
+	rcall any_of_b
 	brne .Ltaken
 	ldi r27, 2
 	rjmp .Ltaken
 .La_small:
-	mov r0, r24
-	or r0, r23
-	or r0, r22
-	or r0, r21
-	or r0, r20
-	or r0, r19
-	or r0, r18
+	rcall any_of_a
 	ldi r26, 1
 	breq .Ltake_b
 	clr r26
@@ -631,13 +624,7 @@ take_apart:
 	rjmp 1b
 	rjmp .Ltake_b
 .Lb_small:
-	mov r0, r16
-	or r0, r15
-	or r0, r14
-	or r0, r13
-	or r0, r12
-	or r0, r11
-	or r0, r10
+	rcall any_of_b
 	ldi r27, 1
 	breq .Ltaken
 	clr r27
@@ -653,6 +640,16 @@ take_apart:
 	sbrs r16, 4
 	rjmp 1b
 	rjmp .Ltaken
+
+any_of_b:
+	mov r0, r16
+	or r0, r15
+	or r0, r14
+	or r0, r13
+	or r0, r12
+	or r0, r11
+	or r0, r10
+	ret
 
 .Lexponent:                               ; of the upper bytes of a number without its sign
 	swap r30
@@ -855,8 +852,15 @@ divide:
 	brsh 4f
 	double_a
 	sbiw r30, 1
-4:	ldi r26, 7                        ; bytes of the result; the upper one has 5 digits
-	ldi r25, 5
+4:	mov r25, r14                      ; has b no more than 16 digits?
+	andi r25, 0x1F
+	or r25, r13
+	or r25, r12
+	or r25, r11
+	or r25, r10
+	breq short
+	ldi r26, 7                        ; bytes of the result; the upper one has 6 digits
+	ldi r25, 6
 	clr r0
 	com r0
 ; The digits come inverted into r0.  Mostly the first byte tells.
@@ -876,18 +880,10 @@ divide:
 	dec r26
 	brne 5b
 	clr r27
-	compare_with_b                    ; one digit below, and whether anything is left
-	brcs 7f
-	take_b_off
-	ldi r27, 0x80
-7:	or r18, r19
-	or r18, r20
-	or r18, r21
-	or r18, r22
-	or r18, r23
-	or r18, r24
+divided:                                  ; one digit below, and whether anything is left
+	rcall any_of_a
 	breq 8f
-	ori r27, 1
+	ldi r27, 1
 8:	pop r18
 	pop r19
 	pop r20
@@ -895,7 +891,61 @@ divide:
 	pop r22
 	pop r23
 	pop r24
+	rcall down
 	rjmp finish
+
+; By b of 16 digits, as most whole numbers are, a byte of the result at a time.  The digits of b to r16:r15, the first at bit 7; what is
+; left of a is below b, in r24:r23, and the next byte in r22.
+short:
+	ldi r26, 3
+1:	lsl r14
+	rol r15
+	rol r16
+	dec r26
+	brne 1b
+; To r26, in 256ths, 1 / (1 - t) - 1 or a little less, where 256 (1 - t) is r16 + 1: t + t (t + t (t + ...)).
+	mov r17, r16
+	com r17
+	mov r26, r17
+	ldi r27, 6
+1:	mul r26, r17
+	mov r26, r17
+	add r26, r1
+	dec r27
+	brne 1b
+	clr r17
+	ldi r27, 7
+2:	mul r24, r26                      ; no more than the byte is, and mostly one or two less
+	add r1, r24
+	mov r25, r1
+	mul r25, r15
+	sub r22, r0
+	sbc r23, r1
+	sbc r24, r17
+	mul r25, r16
+	sub r23, r0
+	sbc r24, r1
+3:	cp r22, r15
+	cpc r23, r16
+	cpc r24, r17
+	brlo 4f
+	sub r22, r15
+	sbc r23, r16
+	sbc r24, r17
+	inc r25
+	rjmp 3b
+4:	push r25
+	mov r24, r23
+	mov r23, r22
+	mov r22, r21
+	mov r21, r20
+	mov r20, r19
+	mov r19, r18
+	clr r18
+	dec r27
+	brne 2b
+	clr r1
+	rjmp divided
 
 ; ---- from integers and binary32 ----
 
@@ -1036,17 +1086,14 @@ function sm_soft_from_f32
 	breq 5f
 	andi r24, 0x7F                    ; subnormal: binary64 has an exponent for it
 	adiw r30, 1
-	subi r30, lo8(-896)
-	sbci r31, hi8(-896)
 1:	sbiw r30, 1
 	lsl r22
 	rol r23
 	rol r24
 	brpl 1b
-	rjmp 3f
 2:	subi r30, lo8(-896)
 	sbci r31, hi8(-896)
-3:	lsr r24
+	lsr r24
 	ror r23
 	ror r22
 	ror r21
@@ -1242,37 +1289,28 @@ function sm_soft_to_i64
 	ret
 
 function sm_soft_to_f32
-	bst r25, 7
-	mov r30, r24
-	mov r31, r25
-	andi r31, 0x7F
-	swap r30
-	andi r30, 0x0F
-	swap r31
-	mov r26, r31
-	andi r26, 0xF0
-	or r30, r26
-	andi r31, 0x0F
+	rcall .Lpower
 	andi r24, 0x0F
-	cpi r30, 0xFF
-	ldi r26, 0x07
+	ldi r26, 4                        ; 1024: infinite or NaN
+	cp r30, r1
 	cpc r31, r26
 	brne 4f
 	rjmp 8f
 4:	ori r24, 0x10                     ; subnormal ones become 0 with or without
-	.rept 3
-	lsl r20
+	ldi r25, 3
+1:	lsl r20
 	rol r21
 	rol r22
 	rol r23
 	rol r24
-	.endr
+	dec r25
+	brne 1b
 	or r20, r19
 	or r20, r18
 	cpse r20, r1
 	ori r21, 1
-	subi r30, lo8(896)
-	sbci r31, hi8(896)
+	subi r30, lo8(896 - 1023)
+	sbci r31, hi8(896 - 1023)
 	cp r1, r30
 	cpc r1, r31
 	brlt 2f

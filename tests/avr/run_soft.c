@@ -9,6 +9,8 @@
 #include "tests/avr/sim.h"
 #include "tests/soft/soft.h"
 
+enum { SHORT_FIRST = 0x8000, SHORT_END = 0x10000, SHORT_MOST = 640, READINGS = 1024, MICROVOLTS = 5000000 };
+
 // What the assembly may take on average; SM_SOFT_PORTABLE has no limits.
 static const struct { SoftOp op; double most; } limit[] = {
     {SOFT_add, 260}, {SOFT_sub, 265}, {SOFT_mul, 530}, {SOFT_div, 1550}, {SOFT_lt, 110}, {SOFT_le, 115}, {SOFT_eq, 115},
@@ -88,6 +90,44 @@ static bool run_op(Sim *s, SoftOp op, unsigned long n, uint64_t seed)
     return true;
 }
 
+static uint64_t bits(double x)
+{
+    uint64_t b;
+
+    memcpy(&b, &x, sizeof b);
+    return b;
+}
+
+// By every divisor of 16 digits, which go a way of their own and are counted, and some of 17: anything, multiples of them and what is next
+// to those.  And what analog pins do with all their readings.
+static bool run_short(Sim *s, uint64_t seed, Count *c)
+{
+    uint64_t state = seed * 0x9E3779B97F4A7C15u, a;
+
+    for (unsigned d = SHORT_FIRST; d < SHORT_END; d++) {
+        const double by = d % 16 == 5 ? 2.0 * d + 1 : d, multiple = by * (double)(next(&state) >> (28 + next(&state) % 36));
+        a = d % 2 ? usual(SOFT_div, &state) : bits(multiple) + next(&state) % 3 - 1;
+        if (!one(s, SOFT_div, a, bits(by / (double)(1u << next(&state) % 31)), by > d ? NULL : c))
+            return false;
+    }
+    for (uint32_t i = 0; i < READINGS; i++)
+        if (!one(s, SOFT_div, bits((double)(i * (uint32_t)(MICROVOLTS / 64) >> 4)), bits(1e6), c)
+            || !one(s, SOFT_div, bits((double)(next(&state) % MICROVOLTS)), bits(1e6), c))
+            return false;
+    return true;
+}
+
+static void check_short(Sim *s, uint64_t seed)
+{
+    Count c = {0, 0, 0};
+    const bool runs = run_short(s, seed, &c);
+    const double average = (double)c.sum / (double)c.n;
+
+    printf("%-10s %8.0f            by 16 digits\n", "div", average);
+    done++;
+    wrong += !runs || average > SHORT_MOST;
+}
+
 static void check_time(SoftOp op, double average)
 {
     for (size_t i = 0; i < sizeof limit / sizeof *limit; i++)
@@ -115,6 +155,8 @@ int main(int argc, char **argv)
         if (argc == 4)
             check_time((SoftOp)op, average);
     }
+    if (argc == 4)
+        check_short(&s, strtoull(argv[3], NULL, 10));
     printf("%lu passed, %lu failed\n", done - wrong, wrong);
     return wrong != 0;
 }
