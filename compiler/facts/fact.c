@@ -147,6 +147,14 @@ static Fact multiply(Fact a, Fact b)
     return settle(r);
 }
 
+// Of one value by itself: never below zero, and no zero by an infinity.
+static Fact square(Fact a)
+{
+    const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), least = has(a, 0) ? 0 : sm_min(sm_abs(a.lo), sm_abs(a.hi));
+
+    return make(sm_mul(least, least), sm_mul(reach, reach), a.whole, a.nan, false);
+}
+
 static Fact divide(Fact a, Fact b)
 {
     Fact r;
@@ -280,7 +288,7 @@ static Fact arithmetic(const IrIns *i, Fact a, Fact b)
     switch ((int)i->op) {
     case IR_add: return add(a, b);
     case IR_sub: return subtract(a, b);
-    case IR_mul: return multiply(a, b);
+    case IR_mul: return i->a == i->b ? square(a) : multiply(a, b);
     case IR_div: return divide(a, b);
     case IR_neg: return negate(a);
     case IR_abs: return absolute(a);
