@@ -82,6 +82,12 @@ UNIT = $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/*.c))
 $(B)/unit/%: tests/unit/%.c $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/libsmc.a -lm
+# What stdlib does another way where code is to be small.
+$(B)/unit/stdlib_convert_small: tests/unit/stdlib_convert.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -Os $(DEPFLAGS) $< -o $@ $(B)/libsmc.a -lm
+check: $(B)/unit/stdlib_convert_small
+CHECK_LINES += "stdlib_convert_small: $(B)/unit/stdlib_convert_small"
 
 # ---- tests ----
 

@@ -237,6 +237,21 @@ static inline SmF64 sm_load(SmType type, const void *p)
     return sm_from_i32(0);
 }
 
+#if defined(__OPTIMIZE_SIZE__) && !SM_F64_SOFT
+// Where code is to be small: integers are those of 64 bits, cut off at the limits of their type, and all go to memory as cells.
+static inline int64_t sm_to_signed(SmType type, SmF64 x)
+{
+    const int64_t v = sm_to_i64(x), one = 1;
+    const unsigned bits = 8u << (type & 3u), sign = type < SM_U8;
+    return type == SM_I64 ? v : sm_clip_i64(v, sign ? -(one << (bits - 1)) : 0, (one << (bits - sign)) - 1);
+}
+
+static inline void sm_store(SmType type, void *p, SmF64 x)
+{
+    const bool other = type >= SM_U64;                // U64, floats, bool
+    sm_cell_store(type, p, other ? sm_cell_from_f64(type, x) : (uint64_t)sm_to_signed(type, x));
+}
+#else
 static inline void sm_store(SmType type, void *p, SmF64 x)
 {
     switch (type) {
@@ -254,5 +269,6 @@ static inline void sm_store(SmType type, void *p, SmF64 x)
     case SM_TYPE_COUNT: break;
     }
 }
+#endif
 
 #endif
