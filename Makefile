@@ -398,6 +398,10 @@ check: $(B)/diff/difftest
 CHECK_LINES += "avr: sh tests/avr/run.sh $(B) '$(CC)'"
 check-avr: all $(B)/diff/difftest
 	sh tests/avr/run.sh $(B) '$(CC)' $(N) $(SEED) 300
+# `make avr-campaign N=10000 SEED=1`: so many random programs as images, going on where it was stopped.
+avr-campaign:
+	$(MAKE) check-avr N= SEED=
+	nice -n 19 sh tests/avr/campaign.sh $(B) $(or $(N),10000) $(or $(SEED),1)
 
 # The cycles of compiler/analysis/avr_cycles.def.  `make avr-cycles`: measured anew, some minutes; `N=4000 SEED=7`: more operands, others.
 CHECK_LINES += "avr-cycles: sh tests/avr/cycles.sh $(B) '$(CC)'"
@@ -410,7 +414,7 @@ check-avr-cycles: $(B)/libsmc.a
 CHECK_LINES += "avr-c: sh tests/avr/c.sh $(B) '$(CC)'"
 avr-c-campaign: all $(B)/diff/difftest $(B)/targets/cases
 	RESUME=1 sh tests/avr/c.sh $(B) '$(CC)' $(N) $(SEED) 1
-.PHONY: check-avr avr-cycles check-avr-cycles avr-c-campaign
+.PHONY: check-avr avr-campaign avr-cycles check-avr-cycles avr-c-campaign
 
 # tests/psl: what the headers of runtime-c/pal promise, on each platform, and what io.h makes of its pins.  Linux: with IIO devices in a folder of the test, and with
 # calls that the test can let fail; the other watchdog is only compiled.
@@ -767,6 +771,7 @@ help:
 	@echo 'make diff N=100000   runs so many random programs on all engines, from seed SEED=1, in J=2 processes'
 	@echo 'make f64-campaign N=100000000  tries soft binary64 on so many random operands for each operation'
 	@echo 'make avr-cycles      measures anew what instructions take on an ATmega328P, for reports'
+	@echo 'make avr-campaign N=10000  runs so many random programs as images on an emulated ATmega328P'
 	@echo 'make avr-c-campaign N=1000  runs so many random programs as C on an emulated ATmega328P, and every conformance case'
 	@echo 'make sound N=100000  runs so many random programs and holds them against what the analyses say of them'
 	@echo 'make stress-runtime  N=1000000 steps of random applications of the flight runtime, from SEED=1; make lateness: how late ticks begin here'
