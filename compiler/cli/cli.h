@@ -49,6 +49,8 @@ struct Cli {
     bool given[OPT_COUNT];
     const char *value[OPT_COUNT];         // of an option that takes one; the last one given
     Warnings warn;
+    Sentences said;                       // for the end of a document in SARIF
+    bool reported;                        // that has been begun
 };
 
 // ---- options.c ----
@@ -68,7 +70,7 @@ const char *nearest_name(const char *name, const char *const *names, size_t n);
 #define CLI_PRINTF
 #endif
 
-// "smc: " and a message to standard error.
+// "smc: " and a message to standard error; in the form that --message-format asks for.
 CLI_PRINTF void cli_say(Cli *c, const char *format, ...);
 // Usage error: a message, and a hint at --help.  Gives EXIT_USAGE.
 CLI_PRINTF int cli_usage(Cli *c, const char *format, ...);
@@ -87,6 +89,9 @@ bool cli_print(Cli *c, int fd, const Buf *text);          // to standard output 
 // Prints what the session's diagnostics say, warnings as -W… wants them, to standard error and empties the list.
 // EXIT_PROBLEM if an error was among them, EXIT_ENVIRONMENT if it could not print, else EXIT_OK.
 int cli_report(Cli *c);
+
+// What the command is left through, with its exit code: ends what cli_report has begun.
+int cli_end(Cli *c, int code);
 
 bool has_suffix(const char *path, const char *suffix);
 

@@ -7,16 +7,40 @@
 #include <stdio.h>
 #include <string.h>
 
+static bool speaks(const Cli *c, const char *format)
+{
+    return strcmp(c->given[OPT_FORMAT] ? c->value[OPT_FORMAT] : "text", format) == 0;
+}
+
+// What reads JSON or SARIF reads this too.
+static void say_to_machine(Cli *c, const char *sentence)
+{
+    Buf out;
+
+    if (speaks(c, "sarif")) {
+        vec_push(&c->session.arena, &c->said, sentence);
+        return;
+    }
+    buf_init(&out, &c->session.arena);
+    diag_plain_json(sentence, &out);
+    fputs(buf_text(&out), stderr);
+}
+
 void cli_say(Cli *c, const char *format, ...)
 {
+    char sentence[5000];
     va_list args;
 
-    (void)c;
-    fputs("smc: ", stderr);
     va_start(args, format);
-    vfprintf(stderr, format, args);
+    if (speaks(c, "text")) {
+        fputs("smc: ", stderr);
+        vfprintf(stderr, format, args);
+        fputc('\n', stderr);
+    } else {
+        vsnprintf(sentence, sizeof sentence, format, args);
+        say_to_machine(c, str_c(&c->session.strings, sentence)->text);
+    }
     va_end(args);
-    fputc('\n', stderr);
 }
 
 int cli_usage(Cli *c, const char *format, ...)
@@ -128,12 +152,11 @@ static bool wants_color(const Cli *c)
 
 static void render(const Cli *c, const Diags *d, Buf *out)
 {
-    const char *format = c->given[OPT_FORMAT] ? c->value[OPT_FORMAT] : "text";
     DiagStyle style = {wants_color(c), 20};
 
-    if (strcmp(format, "json") == 0)
+    if (speaks(c, "json"))
         diags_render_json(d, out);
-    else if (strcmp(format, "sarif") == 0)
+    else if (speaks(c, "sarif"))
         diags_render_sarif(d, SMC_VERSION, out);
     else
         diags_render_text(d, &style, out);
@@ -154,7 +177,21 @@ int cli_report(Cli *c)
     if (!cli_print(c, 2, &out) && !code)
         code = EXIT_ENVIRONMENT;
     diags_init(d, &c->session.arena);
+    c->reported = true;
     return code;
+}
+
+int cli_end(Cli *c, int code)
+{
+    Buf out;
+
+    if (!speaks(c, "sarif") || (code == EXIT_USAGE && !c->reported))
+        return code;
+    if (!c->reported)
+        cli_report(c);
+    buf_init(&out, &c->session.arena);
+    diags_end_sarif(&c->said, &out);
+    return cli_print(c, 2, &out) || code ? code : EXIT_ENVIRONMENT;
 }
 
 bool has_suffix(const char *path, const char *suffix)

@@ -62,7 +62,7 @@ static int run_command(Cli *c, int argc, char **argv)
         options_help(c->command, &out);
         return print(c, 1, &out, EXIT_OK);
     }
-    return c->command->run(c);
+    return cli_end(c, c->command->run(c));
 }
 
 static int dispatch(Cli *c, int argc, char **argv)

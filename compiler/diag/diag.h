@@ -130,8 +130,12 @@ void diags_render_text(const Diags *d, const DiagStyle *style, Buf *out);
 size_t diag_put_printable(Buf *out, const char *s, size_t n);
 // One JSON object a line.
 void diags_render_json(const Diags *d, Buf *out);
-// One SARIF 2.1.0 document, with no results when there is nothing to say.  `version`: of the program that speaks.
+void diag_plain_json(const char *message, Buf *out);          // of what is no diagnostic: a file that cannot be read
+// One SARIF 2.1.0 document, with no results when there is nothing to say.  `version`: of the program that speaks.  It is whole
+// when it has been ended, with what there is to say beside diagnostics, as above.
+typedef VEC(const char *) Sentences;
 void diags_render_sarif(const Diags *d, const char *version, Buf *out);
+void diags_end_sarif(const Sentences *plain, Buf *out);
 
 // What tells a finding again in a later version of its file.
 typedef struct DiagPrint {

@@ -283,6 +283,17 @@ static void put_results(const Diags *d, Buf *out, const size_t *index)
     }
 }
 
+void diags_end_sarif(const Sentences *plain, Buf *out)
+{
+    for (size_t i = 0; i < plain->n; i++) {
+        buf_str(out, i ? ",\n" : ",\n\"invocations\":[{\"executionSuccessful\":false,\"toolExecutionNotifications\":[\n");
+        buf_str(out, "{\"level\":\"error\",\"message\":");
+        put_message(out, plain->at[i]);
+        buf_char(out, '}');
+    }
+    buf_str(out, plain->n ? "]}]}]}\n" : "}]}\n");
+}
+
 void diags_render_sarif(const Diags *d, const char *version, Buf *out)
 {
     size_t index[DIAG_COUNT] = {0};
@@ -294,5 +305,5 @@ void diags_render_sarif(const Diags *d, const char *version, Buf *out)
     put_rules(d, out, index);
     buf_str(out, "]}},\n\"columnKind\":\"unicodeCodePoints\",\n\"results\":[");
     put_results(d, out, index);
-    buf_str(out, "]}]}\n");
+    buf_char(out, ']');
 }

@@ -29,4 +29,6 @@ for file; do
     sv=$(ls "$here"/*.sv 2>/dev/null | head -n 1)
     "$smc" check "$@" ${sv:+--sv "$sv"} -Weverything --message-format=sarif 2>"$here/found.sarif"
 done
+mkdir "$folder/case/none"
+"$smc" check "$folder/case/none/there-is-none.sm" --message-format=sarif 2>"$folder/case/none/found.sarif"
 "$python" tests/check/sarif.py "$schema" "$folder"/case/*/found.sarif

@@ -95,6 +95,7 @@ static void check_tree(const AstFile *f)
 
 static void check_diags(Session *s)
 {
+    const Sentences none = {NULL, 0, 0};
     DiagStyle plain = {false, 20};
     Buf out;
 
@@ -113,6 +114,7 @@ static void check_diags(Session *s)
     FUZZ_CHECK(strlen(buf_text(&out)) == out.n);              // nothing unprintable has got through
     diags_render_json(&s->diags, &out);
     diags_render_sarif(&s->diags, "1", &out);
+    diags_end_sarif(&none, &out);
     FUZZ_CHECK(strlen(buf_text(&out)) == out.n);
 }
 

@@ -221,6 +221,7 @@ static void test_json(void)
 // Steps are numbered among the notes, and are a flow of their own in SARIF.
 static void test_steps(void)
 {
+    const Sentences none = {NULL, 0, 0};
     const Source *s;
     Diag *d;
     Buf out;
@@ -241,6 +242,7 @@ static void test_steps(void)
         "1 warning\n");
     buf_init(&out, &arena);
     diags_render_sarif(&diags, "1", &out);
+    diags_end_sarif(&none, &out);
     CHECK(strstr(buf_text(&out), "\"codeFlows\":[{\"threadFlows\":[{\"locations\":[{\"location\":{\"physicalLocation\":{"
         "\"artifactLocation\":{\"uri\":\"a.sm\"},\"region\":{\"startLine\":1,\"startColumn\":1,\"endLine\":1,\"endColumn\":4}},"
         "\"message\":{\"text\":\"'first' is declared here\"}}},{\"location\":{\"message\":{\"text\":\"'second' is declared here\"}}}]}]}]"));
