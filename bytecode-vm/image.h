@@ -180,6 +180,10 @@ static inline uint32_t smvm_window(SmvmBytes image, SmvmAt windows_at, SmvmAt w)
     return smvm_uint(image, (SmvmAt)(windows_at + w * SMVM_WINDOW_ENTRY), SMVM_WINDOW_ENTRY);
 }
 
+// What it says.  (Of 16 bits: that is shorter on an 8-bit computer.)
+static inline uint32_t smvm_window_size(uint32_t entry) { return entry & SMVM_WINDOW_SIZE_MASK; }
+static inline uint16_t smvm_window_kind(uint32_t entry) { return (uint16_t)((uint16_t)(entry >> 16) >> (SMVM_WINDOW_SIZE_BITS - 16)); }
+
 // Start of function `index` in the code, from its start: 0 is the sample function, 1 + 3 * (s - 1) + b block b of state s.
 // A function ends where the next one starts.
 static inline SmvmAt smvm_function_end(const SmvmMachine *m, SmvmAt index)

@@ -58,14 +58,14 @@ void smvm_do_sample(SmVm *vm, SmvmAt w)
 {
     const uint32_t entry = smvm_window(vm->image, vm->tables.windows, w);
 
-    sm_roll_sample_cell(smvm_windows_of(vm)[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, vm->y);
+    sm_roll_sample_cell(smvm_windows_of(vm)[w], smvm_window_size(entry), smvm_window_kind(entry), vm->y);
 }
 
 SmF64 smvm_do_stat(SmVm *vm, uint8_t stat, SmvmAt w)
 {
     const uint32_t entry = smvm_window(vm->image, vm->tables.windows, w);
 
-    return sm_roll_stat(smvm_windows_of(vm)[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, (SmStat)stat);
+    return sm_roll_stat(smvm_windows_of(vm)[w], smvm_window_size(entry), smvm_window_kind(entry), (SmStat)stat);
 }
 #else
 #include "bytecode-vm/number.h"
@@ -147,13 +147,13 @@ SMVM_APART static void sample(Run *r, SmvmAt w)
 {
     const uint32_t entry = smvm_window(r->vm->image, r->t->windows, w);
 
-    smvm_sample(smvm_windows_of(r->vm)[w], entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS, number_f64(&r->x));
+    smvm_sample(smvm_windows_of(r->vm)[w], smvm_window_size(entry), smvm_window_kind(entry), number_f64(&r->x));
 }
 
 SMVM_APART static void do_stat(Run *r, uint8_t stat, SmvmAt w)
 {
     const uint32_t entry = smvm_window(r->vm->image, r->t->windows, w);
-    const uint32_t n = entry & SMVM_WINDOW_SIZE_MASK, kind = entry >> SMVM_WINDOW_SIZE_BITS;
+    const uint32_t n = smvm_window_size(entry), kind = smvm_window_kind(entry);
 
     number_real(&r->x, smvm_statistic(smvm_windows_of(r->vm)[w], n, kind, (SmStat)stat));
 }

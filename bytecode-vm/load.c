@@ -268,7 +268,7 @@ static SmvmAt plus_window(const SmvmMachine *m, SmvmAt w, SmvmAt n)
 {
     const uint32_t entry = smvm_window(m->image, m->windows_at, w);
 
-    return plus(n, 8 * sm_roll_words(entry & SMVM_WINDOW_SIZE_MASK, entry >> SMVM_WINDOW_SIZE_BITS));
+    return plus(n, sm_roll_bytes(smvm_window_size(entry), smvm_window_kind(entry)));
 }
 
 SMVM_APART static SmvmAt stored_bytes(const SmvmMachine *m) { return (SmvmAt)(m->outputs > 64 ? (m->outputs - 64u + 7) >> 3 : 0); }

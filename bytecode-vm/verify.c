@@ -148,7 +148,7 @@ static uint8_t check_windows(Check *c)
 {
     for (c->where = c->m.windows_at; c->where < c->m.outputs_at; c->where = (SmvmAt)(c->where + SMVM_WINDOW_ENTRY)) {
         const uint32_t entry = smvm_uint(c->in.image, c->where, SMVM_WINDOW_ENTRY);
-        if ((entry & SMVM_WINDOW_SIZE_MASK) - 1 >= SM_WINDOW_MAX || !sm_roll_is_kind((uint16_t)(entry >> 16) >> (SMVM_WINDOW_SIZE_BITS - 16)))
+        if (smvm_window_size(entry) - 1 >= SM_WINDOW_MAX || !sm_roll_is_kind(smvm_window_kind(entry)))
             return SMVM_R_WINDOW;
     }
     return 0;
@@ -262,7 +262,7 @@ static uint8_t check_window(Check *c, uint8_t op)
 
     if (op == SMVM_sample)
         return c->kind == SMVM_IN_SAMPLE && w == c->sampled++ && c->far <= c->where ? 0 : SMVM_R_SAMPLE;
-    if (((uint16_t)(smvm_window(c->in.image, c->m.windows_at, w) >> 16) >> (SMVM_WINDOW_SIZE_BITS - 16) & (unsigned)SM_ROLL_AVG << c->stat) == 0)
+    if ((smvm_window_kind(smvm_window(c->in.image, c->m.windows_at, w)) & (unsigned)SM_ROLL_AVG << c->stat) == 0)
         return SMVM_R_WINDOW_USED;
     return w < c->sampled ? 0 : SMVM_R_SAMPLE;
 }

@@ -536,6 +536,14 @@ static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
     return words;
 }
 
+// The same in bytes.
+static inline uint32_t sm_roll_bytes(uint32_t n, uint32_t kind)
+{
+    if (SM_ROLL_SMALL)
+        return 8 + (sm_roll_row(n, kind) << ((kind & SM_ROLL_MEDIAN) != 0));
+    return 8 * sm_roll_words(n, kind);
+}
+
 // A sample that is converted to the window's type, as storing does.
 static inline int64_t sm_roll_converted(uint32_t kind, SmF64 x)
 {
@@ -606,10 +614,12 @@ static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 
 // One of the statistics that a window was made for.
 static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
+    SmF64 x[SM_ROLL_WAITING];
     SmRollSmall s;
     sm_roll_small(&s, w, (size_t)n, (uint16_t)kind);
     s.count += s.count == 0;                         // its slots hold 0
-    return sm_roll_small_stat(&s, stat);
+    sm_roll_small_stat(&s, stat, x);
+    return x[0];
 }
 #else
 // A window takes a sample, which is converted to its type as storing does.  Where there is room, made for each type.

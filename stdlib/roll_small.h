@@ -195,34 +195,41 @@ static inline bool sm_roll_is_infinite(const SmF64 *x)       // not of what is b
     return byte[sm_roll_byte(7, 8)] == 0x7Fu && byte[sm_roll_byte(6, 8)] >= 0xF0u;
 }
 
-// One of the statistics of a window that has a sample.  x has room for the sums that wait: a window has less than 2^17 slots.
-SM_ROLL_APART SmF64 sm_roll_small_stat(const SmRollSmall *s, SmStat stat)
+// How many numbers may wait: a window has less than 2^17 slots.
+enum { SM_ROLL_WAITING = 18 };
+
+// One of the statistics of a window that has a sample, into the first of so many.
+SM_ROLL_APART void sm_roll_small_stat(const SmRollSmall *s, SmStat stat, SmF64 *x)
 {
     const bool median = stat == SM_STAT_MEDIAN;
     const size_t last = s->count - 1, low = median ? last / 2 : stat == SM_STAT_MAX ? last : 0;
     const size_t high = median ? s->count / 2 : stat == SM_STAT_MIN ? 0 : last;
-    SmF64 x[18], *const a = x, *const b = x + 1, *const half = x + 2;
+    SmF64 *const b = x + 1, *const half = x + 2;
     if (stat == SM_STAT_AVG) {
         sm_roll_small_avg(s, x);
-        return *a;
+        return;
     }
-    sm_roll_small_ordered(s, a, low);
+    sm_roll_small_ordered(s, x, low);
     if (low == high && stat != SM_STAT_RANGE)
-        return *a;
+        return;
     sm_roll_small_ordered(s, b, high);
-    sm_roll_calculate(b, '-', a);
-    if (!sm_to_bool(*b))                   // 0, or not a number: equal infinities
-        return median ? *a : sm_from_bits(0);
-    if (stat == SM_STAT_RANGE)
-        return *b;
+    sm_roll_calculate(b, '-', x);
+    if (!sm_to_bool(*b)) {                 // 0, or not a number: equal infinities
+        if (!median)
+            *x = sm_from_bits(0);
+        return;
+    }
+    if (stat == SM_STAT_RANGE) {
+        *x = *b;
+        return;
+    }
     *half = sm_from_bits(0x3FE0000000000000u);
     if (sm_roll_is_infinite(b)) {          // too far apart
         sm_roll_small_ordered(s, b, high);
-        sm_roll_calculate(a, '*', half);
+        sm_roll_calculate(x, '*', half);
     }
     sm_roll_calculate(b, '*', half);
-    sm_roll_calculate(a, '+', b);
-    return *a;
+    sm_roll_calculate(x, '+', b);
 }
 
 #endif
