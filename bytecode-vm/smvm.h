@@ -55,8 +55,6 @@ typedef struct SmvmReader {
 
 // What a machine is and where its parts lie in the image (all offsets count from the image's start).
 typedef struct SmvmMachine {
-    SmvmBytes image;
-    uint32_t layout;          // hash of the layout of the state vector it was made for
     SmvmAt sv_size;           // bytes of that state vector in memory
     SmvmAt from, to;          // it reads and writes only these of them, from a multiple of 8 up to before one
     SmvmAt windows, f32s, f64s;       // how many of each
@@ -70,6 +68,8 @@ typedef struct SmvmMachine {
     SmvmAt machine_at, machine_size;
     SmvmAt code_at, code_size, init_at, init_size, debug_at, debug_size;       // size 0: there is none
     SmvmAt safe_at, safe_size;        // which states are marked @safe: a bit each; safe_at 0: it marks none
+    SmvmBytes image;
+    uint32_t layout;          // hash of the layout of the state vector it was made for
 } SmvmMachine;
 
 // Reads machine `number`, counted from 0.  False if the image has no such machine.
