@@ -11,6 +11,7 @@
 #include "bytecode-vm/smvm.h"
 #include "stdlib/types.h"
 
+#define SMVM_MAGIC (0x6d73u | UINT32_C(0x620000))      // 's' 'm' 'b', as a number
 enum {
     SMVM_FORMAT = 2,                  // the version of the whole
     SMVM_CRC_AT = 4, SMVM_LENGTH_AT = 8, SMVM_SECTIONS_AT = 11, SMVM_HEADER = 12,

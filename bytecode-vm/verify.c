@@ -93,7 +93,7 @@ static uint8_t check_header(Check *c, uint32_t size)
 
     if (size < SMVM_HEADER)
         return SMVM_R_LENGTH;
-    if (smvm_u24(image, 0) != ('s' | 'm' << 8 | (uint32_t)'b' << 16))
+    if (smvm_u24(image, 0) != SMVM_MAGIC)
         return SMVM_R_MAGIC;
     c->where = 3;
     if (smvm_u8(image, 3) != SMVM_FORMAT)

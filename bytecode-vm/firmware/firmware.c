@@ -43,11 +43,26 @@ static volatile bool behind_step;      // a step has ended in this millisecond
 static uint16_t skipped;                               // steps that were due while one ran
 static struct { uint32_t low, high; } now;             // G; as halves it takes avr-gcc a third
 
+// Milliseconds to nanoseconds: times 125, times 125 and times 64, byte by byte, which takes half the flash of gcc's multiplication.
+typedef char firmware_multiplies_by_a_million[UINT32_C(125) * 125 * 64 == PAL_MILLISECOND ? 1 : -1];
+
+static void to_nanoseconds(uint8_t *time)
+{
+    uint16_t digit = 0;
+
+    for (uint8_t i = 0; i < 3 * sizeof(uint64_t); i++) {
+        digit = (uint16_t)(digit + time[i & 7] * (i < 16 ? 125u : 64u));
+        time[i & 7] = (uint8_t)digit;
+        digit >>= 8;
+    }
+}
+
 static void report(uint8_t kind, uint8_t source, uint16_t a, uint32_t b)
 {
     SmEvent e;
 
-    e.time = (uint64_t)avr_milliseconds() * PAL_MILLISECOND;
+    e.time = avr_milliseconds();
+    to_nanoseconds((uint8_t *)&e.time);
     e.kind = kind;
     e.source = source;
     e.a = a;

@@ -28,7 +28,6 @@ bool smvm_get_at(const uint8_t *field, SmvmAt *at)
 static SmvmAt erase_of(const Store *s) { return (SmvmAt)(SMVM_STORE_BYTES ? 0 : s->erase); }
 static uint8_t write_of(const Store *s) { return (uint8_t)(SMVM_STORE_BYTES ? 1 : s->write); }
 
-SMVM_APART static SmResult get(const Store *s, SmvmAt at, void *to, uint8_t n) { return pal_nvm_read(s->nvm, at, to, n); }
 SMVM_APART static SmResult put(const Store *s, SmvmAt at, const void *from, uint8_t n) { return pal_nvm_write(s->nvm, at, from, n); }
 static SmResult erase(const Store *s, SmvmAt at, SmvmAt n) { return erase_of(s) ? pal_nvm_erase(s->nvm, at, n) : SM_OK; }
 
@@ -51,7 +50,7 @@ static void read_selector(Store *s)
     bool found = false;
 
     for (uint8_t i = 0; i < 2; i++)
-        if (get(s, record_at(s, &i), &c, STORE_RECORD) == SM_OK && is_record(s, &c) && (c.number[0] & 1u) == i &&
+        if (pal_nvm_read(s->nvm, record_at(s, &i), &c, STORE_RECORD) == SM_OK && is_record(s, &c) && (c.number[0] & 1u) == i &&
             (!found || (int32_t)(get32(c.number) - get32(s->now.number)) > 0)) {
             s->now = c;
             found = true;
@@ -134,19 +133,18 @@ SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan)
 
 // ---- what slots hold ----
 
-// What an image begins with: its checksum is at SMVM_CRC_AT.
-typedef struct Head { uint8_t at[HEADER]; SmvmAt length; } Head;
-
-// Reads it.  False: it says nothing that could be.
-static bool read_header(const Store *s, uint8_t slot, Head *h)
+// The length of what a slot holds as it says itself; 0: it says nothing that could be.
+SMVM_APART static SmvmAt length_in(const Store *s, uint8_t slot)
 {
-    if (slot >= s->plan.slots || get(s, s->slot_at[slot], h->at, HEADER) != SM_OK ||
-        h->at[0] != 's' || h->at[1] != 'm' || h->at[2] != 'b')
-        return false;
-    return smvm_get_at(h->at + SMVM_LENGTH_AT, &h->length) && h->length >= HEADER && h->length <= s->slot_size;
+    SmvmAt length;
+
+    if (slot >= s->plan.slots || smvm_u24(s->plan.image[slot], 0) != SMVM_MAGIC)
+        return 0;
+    length = smvm_at(s->plan.image[slot], SMVM_LENGTH_AT, 3);
+    return length >= HEADER && length <= s->slot_size ? length : 0;
 }
 
-SMVM_APART static bool has_checksum(const Head *h, const uint8_t *checksum) { return memcmp(h->at + SMVM_CRC_AT, checksum, 4) == 0; }
+SMVM_APART static uint32_t checksum_in(const Store *s, uint8_t slot) { return smvm_uint(s->plan.image[slot], SMVM_CRC_AT, 4); }
 
 // Of an image that the verifier accepts; without a key every one is.  A checksum can be forged, so this is asked at each start too.
 static bool is_authentic(const Store *s, uint8_t slot, uint32_t *number)
@@ -155,28 +153,25 @@ static bool is_authentic(const Store *s, uint8_t slot, uint32_t *number)
     return !smvm_store_has_key(s) || s->is_authentic(s->plan.image[slot], number);
 }
 
-static bool is_whole(const Store *s, uint8_t slot, Head *h)
+static bool is_whole(const Store *s, uint8_t slot)
 {
+    const SmvmAt length = length_in(s, slot);
     SmvmVerdict why;
     uint32_t number;
 
-    return read_header(s, slot, h) && smvm_verify(s->plan.image[slot], h->length, &why) == 0 && is_authentic(s, slot, &number);
+    return length != 0 && smvm_verify(s->plan.image[slot], length, &why) == 0 && is_authentic(s, slot, &number);
 }
 
 static bool holds(const Store *s, uint8_t slot, const uint8_t *checksum)
 {
-    Head h;
-
-    return is_whole(s, slot, &h) && has_checksum(&h, checksum);
+    return is_whole(s, slot) && checksum_in(s, slot) == get32(checksum);
 }
 
 StoreState smvm_store_state(const Store *s, uint8_t slot)
 {
-    Head h;
-
-    if (!is_whole(s, slot, &h))
+    if (!is_whole(s, slot))
         return STORE_EMPTY;
-    if (slot != s->now.active || !has_checksum(&h, s->now.checksum))
+    if (slot != s->now.active || checksum_in(s, slot) != get32(s->now.checksum))
         return STORE_WHOLE;
     return s->now.confirmed ? STORE_CONFIRMED : STORE_TRIAL;
 }
@@ -278,18 +273,16 @@ SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t ch
     return r;
 }
 
-static bool is_there(const Store *s, SmvmAt place, const uint8_t *bytes, uint8_t n)
+static bool is_there(const Store *s, SmvmAt at, const uint8_t *bytes, uint8_t n)
 {
-    uint8_t there;
-
     for (; n > 0; n--)
-        if (get(s, place++, &there, 1) != SM_OK || there != *bytes++)
+        if (smvm_u8(s->plan.image[s->target], at++) != *bytes++)
             return false;
     return true;
 }
 
 // Whole units at once, and what is left padded with blanks.
-static SmResult write_padded(const Store *s, SmvmAt place, const uint8_t *bytes, uint8_t n)
+SMVM_APART static SmResult write_padded(const Store *s, SmvmAt place, const uint8_t *bytes, uint8_t n)
 {
     const uint8_t rest = n & (uint8_t)(write_of(s) - 1), whole = (uint8_t)(n - rest);
     uint8_t last[STORE_UNIT];
@@ -313,23 +306,22 @@ static bool is_part(const Store *s, SmvmAt at, uint8_t n)
            (at == s->next || n <= s->next - at);
 }
 
-SMVM_APART static bool is_session(const Store *s, uint16_t session) { return session != 0 && session == s->session; }
+static bool is_session(const Store *s, uint16_t session) { return session != 0 && session == s->session; }
 
 SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *bytes, uint8_t n)
 {
     const bool again = at < s->next;
-    const SmvmAt place = (SmvmAt)(s->slot_at[s->target] + at);
     bool there;
 
     if (!is_session(s, session))
         return SM_E_HANDLE;
     if (at > s->next || !is_part(s, at, n))
         return SM_E_ARGUMENT;
-    there = (again || !erase_of(s)) && is_there(s, place, bytes, n);
+    there = (again || !erase_of(s)) && is_there(s, at, bytes, n);
     if (again)
         return there ? SM_OK : SM_E_ARGUMENT;
     if (!there) {
-        const SmResult r = write_padded(s, place, bytes, n);
+        const SmResult r = write_padded(s, (SmvmAt)(s->slot_at[s->target] + at), bytes, n);
         if (r != SM_OK) {
             s->session = 0;            // what is there now is not known
             return r;
@@ -351,15 +343,15 @@ static SmResult judge(const Store *s)
 
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
 {
-    Head h;
     SmResult r;
 
-    memset(why, 0, sizeof *why);
+    why->rule = 0;
+    why->at = 0;
     if (!is_session(s, session))
         return SM_E_HANDLE;
     if (s->next != s->length)
         return SM_E_ARGUMENT;
-    if (!read_header(s, s->target, &h) || !has_checksum(&h, s->checksum) || h.length != s->length)
+    if (length_in(s, s->target) != s->length || checksum_in(s, s->target) != get32(s->checksum))
         return SM_E_DEVICE;
     r = smvm_verify(s->plan.image[s->target], s->length, why) == 0 ? judge(s) : SM_E_ARGUMENT;
     s->whole = r == SM_OK;
@@ -437,12 +429,11 @@ static SmResult forget(Store *s, uint8_t slot)
 
 SmResult smvm_store_erase(Store *s, uint32_t checksum)
 {
-    Head h;
     SmResult r = SM_E_MISSING;
 
     s->session = 0;
     for (uint8_t i = 0; i < s->plan.slots; i++)
-        if (read_header(s, i, &h) && get32(h.at + SMVM_CRC_AT) == checksum)
+        if (length_in(s, i) != 0 && checksum_in(s, i) == checksum)
             r = forget(s, i);
     return r;
 }

@@ -147,6 +147,20 @@ static void set(const AvrPwm *p, uint8_t duty)
     }
 }
 
+// Of 255, rounded: divided bit by bit, in half the time and half the code of gcc's division.
+static uint8_t duty_of(uint32_t millionths)
+{
+    uint32_t left = millionths * 51 + SUPPLY / 10, part = SUPPLY / 5 * UINT32_C(128);
+    uint8_t duty = 0;
+
+    for (uint8_t bit = 128; bit > 0; bit >>= 1, part >>= 1)
+        if (left >= part) {
+            left -= part;
+            duty |= bit;
+        }
+    return duty;
+}
+
 SmResult pal_aio_write(PalAio channel, int32_t millionths)
 {
     AvrPwm p;
@@ -156,7 +170,7 @@ SmResult pal_aio_write(PalAio channel, int32_t millionths)
     if (is_input(channel))
         return SM_E_ARGUMENT;
     pwm_of((uint8_t)(channel.id - 1), &p);
-    set(&p, millionths <= 0 ? 0 : millionths >= SUPPLY ? 255 : (uint8_t)(((uint32_t)millionths * 51 + SUPPLY / 10) / (SUPPLY / 5)));
+    set(&p, millionths <= 0 ? 0 : millionths >= SUPPLY ? 255 : duty_of((uint32_t)millionths));
     return SM_OK;
 }
 
