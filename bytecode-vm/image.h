@@ -142,9 +142,9 @@ typedef struct SmvmKind {
 } SmvmKind;
 
 typedef struct SmvmSection {  // as the image says: not checked
-    uint8_t id, version;
+    uint8_t id;
     SmvmAt at, size;
-    SmvmKind kind;            // all zero where id or version is not known
+    SmvmKind kind;            // all zero where id and version are not known
 } SmvmSection;
 
 void smvm_section(SmvmBytes image, uint8_t index, SmvmSection *s);

@@ -112,12 +112,11 @@ void smvm_section(SmvmBytes image, uint8_t index, SmvmSection *s)
     const SmvmKind *k = kinds;
 
     s->id = smvm_u8(image, at);
-    s->version = smvm_u8(image, (SmvmAt)(at + 1));
     s->at = smvm_at(image, (SmvmAt)(at + 2), 3);
     s->size = smvm_at(image, (SmvmAt)(at + 5), 3);
     do {
         sm_flash_get(&s->kind, k, sizeof *k);
-        if (s->kind.id == s->id && s->kind.version == s->version)
+        if (s->kind.id == s->id && s->kind.version == smvm_u8(image, (SmvmAt)(at + 1)))
             return;
     } while (++k < kinds + sizeof kinds / sizeof *kinds);
     memset(&s->kind, 0, sizeof s->kind);
@@ -177,42 +176,38 @@ static bool find_table(SmvmReader *r, SmvmAt *table, SmvmAt count, uint8_t bytes
 }
 
 // Reads what a MACHINE section says and finds its tables.  Gives 0, or the rule that is broken.  Checks only what it reads.
-static uint8_t read_machine(SmvmMachine *m, SmvmReader *r)
+static uint8_t read_machine(SmvmMachine *m)
 {
-    const SmvmAt layout = smvm_take(r, 4);
-    const uint8_t rule = layout != 0 ? read_numbers(m, r) : SMVM_R_RECORD;
+    SmvmReader r = {m->image, m->machine_at, (SmvmAt)(m->machine_at + m->machine_size), 0};
+    const SmvmAt layout = smvm_take(&r, 4);
+    const uint8_t rule = layout != 0 ? read_numbers(m, &r) : SMVM_R_RECORD;
     const uint8_t width = (uint8_t)m->width;
 
     if (rule != 0)
         return rule;
-    m->layout = smvm_uint(r->image, layout, 4);
-    return find_table(r, &m->windows_at, m->windows, SMVM_WINDOW_ENTRY) && find_table(r, &m->outputs_at, m->outputs, SMVM_PLACE)
-           && find_table(r, &m->functions_at, m->states, (uint8_t)(3 * width)) && smvm_take(r, width) != 0
-           && find_table(r, &m->f32s_at, m->f32s, 4) && find_table(r, &m->f64s_at, m->f64s, 8) && r->at == r->end ? 0 : SMVM_R_RECORD;
+    m->layout = smvm_uint(m->image, layout, 4);
+    return find_table(&r, &m->windows_at, m->windows, SMVM_WINDOW_ENTRY) && find_table(&r, &m->outputs_at, m->outputs, SMVM_PLACE)
+           && find_table(&r, &m->functions_at, m->states, (uint8_t)(3 * width)) && smvm_take(&r, width) != 0
+           && find_table(&r, &m->f32s_at, m->f32s, 4) && find_table(&r, &m->f64s_at, m->f64s, 8) && r.at == r.end ? 0 : SMVM_R_RECORD;
 }
 
 void smvm_again(const SmVm *vm, SmvmMachine *m)
 {
-    SmvmReader r;
-
-    r.image = m->image = vm->image;
-    r.at = m->machine_at = vm->machine;
-    r.end = SMVM_NOWHERE;
+    m->image = vm->image;
+    m->machine_at = vm->machine;
+    m->machine_size = (SmvmAt)(SMVM_NOWHERE - vm->machine);
     m->code_at = vm->code;
-    read_machine(m, &r);
+    read_machine(m);
 }
 
-// A machine's sections stand behind its MACHINE, before the next one.
-uint8_t smvm_look(SmvmBytes image, uint8_t number, SmvmMachine *m)
+// Notes where the parts of a machine are: its sections stand behind its MACHINE, before the next one.
+static void look_for(uint8_t number, SmvmMachine *m)
 {
     bool inside = false;
     SmvmSection s;
-    SmvmReader r;
 
-    memset(m, 0, sizeof *m);
-    m->image = image;
-    for (uint8_t i = 0; i < smvm_sections(image); i++) {
-        smvm_section(image, i, &s);
+    for (uint8_t i = 0; i < smvm_sections(m->image); i++) {
+        smvm_section(m->image, i, &s);
         if (s.kind.id == SMVM_S_MACHINE)
             inside = number-- == 0;
         if (inside && s.kind.part != 0) {
@@ -220,12 +215,14 @@ uint8_t smvm_look(SmvmBytes image, uint8_t number, SmvmMachine *m)
             field_at(m, s.kind.part)[1] = s.size;
         }
     }
-    if (m->machine_at == 0)
-        return SMVM_R_GROUP;
-    r.image = image;
-    r.at = m->machine_at;
-    r.end = (SmvmAt)(r.at + m->machine_size);
-    return read_machine(m, &r);
+}
+
+uint8_t smvm_look(SmvmBytes image, uint8_t number, SmvmMachine *m)
+{
+    memset(m, 0, sizeof *m);
+    m->image = image;
+    look_for(number, m);
+    return m->machine_at == 0 ? SMVM_R_GROUP : read_machine(m);
 }
 
 bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m)
@@ -391,4 +388,18 @@ bool smvm_stored(const SmVm *vm, uint32_t output)
         output -= 64;
     }
     return (bits[output >> 3] >> (output & 7) & 1) != 0;
+}
+
+// ---- opcodes ----
+
+typedef char load_bits_are_in_the_order_of_forms[SMVM_SHAPE_L == 1 << SMVM_AN_L >> 1 && SMVM_SHAPE_J == 1 << SMVM_A_J >> 1 ? 1 : -1];
+
+uint32_t smvm_shape(uint8_t opcode)
+{
+    const uint16_t form = smvm_form(opcode);
+    const uint8_t what = form & 0xf;
+    const uint16_t follows = what == SMVM_K_AND_W ? SMVM_SHAPE_K | SMVM_SHAPE_W : what == SMVM_N_AND_J ? SMVM_SHAPE_N | SMVM_SHAPE_J
+                                                                                                     : (uint16_t)(1u << what >> 1);
+
+    return follows | (uint32_t)(form >> 4) << 12;
 }

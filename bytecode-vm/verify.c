@@ -24,8 +24,7 @@ enum {
 #define FY SMVM_SHAPE_FY
 #define Z SMVM_SHAPE_Z
 
-// What follows an opcode: the bits of a shape for each of the numbers that stand for them.
-static const uint16_t follows[] = {0, L, E, N, F, D, O, S, K, W, T, M, J, K | W, N | J};
+// What follows an opcode, of a shape.
 #define SMVM_IS(what, number) ((uint16_t)((what) & SMVM_SHAPE_FOLLOWS) == (number))
 #define SMVM_FOLLOWS(s) \
     (SMVM_IS(s, L) ? SMVM_AN_L : SMVM_IS(s, E) ? SMVM_AN_E : SMVM_IS(s, N) ? SMVM_AN_N : SMVM_IS(s, F) ? SMVM_AN_F : SMVM_IS(s, D) ? SMVM_A_D : \
@@ -60,13 +59,6 @@ uint16_t smvm_form(uint8_t opcode)
     return opcode < r.first ? 0 : r.form;
 }
 
-uint32_t smvm_shape(uint8_t opcode)
-{
-    const uint16_t form = smvm_form(opcode);
-
-    return follows[form & 0xf] | (uint32_t)(form >> 4) << 12;
-}
-
 // ---- the walk ----
 
 enum { HAS_X = 1, HAS_Y = 2 };                        // registers that hold a number
@@ -80,7 +72,7 @@ typedef struct Check {
     uint8_t stat;             // that the instruction asks for
     uint8_t known;            // HAS_X, HAS_Y
     bool over;                // control does not go on behind the last instruction
-    SmvmIn kind;
+    uint8_t kind;             // of the function: SmvmIn
     SmvmMachine m;
     Longest way;
 } Check;
@@ -117,7 +109,7 @@ static uint8_t check_crc(Check *c)
 }
 
 // Sections in order, of ids known, in groups that each are MACHINE, CODE once, INIT and SAFE at most once.
-static uint8_t check_sections(Check *c)
+SMVM_APART static uint8_t check_sections(Check *c)
 {
     const uint8_t n = smvm_sections(c->in.image);
     SmvmAt free_from = (SmvmAt)(SMVM_HEADER + SMVM_ENTRY * n);
@@ -369,7 +361,7 @@ static uint8_t check_function(Check *c)
         if (c->over)
             longest_leave(&c->way, op);
     }
-    longest_end(&c->way, c->kind);
+    longest_end(&c->way, (SmvmIn)c->kind);
     rule = check_sampled(c);
     return rule == 0 && !c->over ? SMVM_R_FALLS_OUT : rule;
 }
@@ -391,7 +383,7 @@ static uint8_t check_code(Check *c)
             return SMVM_R_FUNCTIONS;
         if ((rule = check_function(c)) != 0)
             return rule;
-        c->kind = c->kind == SMVM_IN_EXIT ? SMVM_IN_ENTRY : (SmvmIn)(c->kind + 1);
+        c->kind = c->kind == SMVM_IN_EXIT ? SMVM_IN_ENTRY : (uint8_t)(c->kind + 1);
     }
     c->where = (SmvmAt)(entry - c->m.width);
     return c->in.at == (SmvmAt)(c->m.code_at + c->m.code_size) ? 0 : SMVM_R_FUNCTIONS;
