@@ -12,7 +12,7 @@ enum { DDR = 1, PORT = 2, LINE = 2 };          // registers behind PIN; pins 0 a
 
 static uint8_t taken[(AVR_PINS + AVR_ANALOGS + AVR_PWMS + 7) / 8] = {(1 << LINE) - 1};
 
-__attribute__((noinline)) static uint8_t bit_of(uint8_t number)
+static uint8_t bit_of(uint8_t number)
 {
     uint8_t bit = 1;
 
