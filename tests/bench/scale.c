@@ -31,7 +31,7 @@ static double now(void)
 // The diagram without the facts that it starts from: those are part of the analysis.
 static void draw(Session *s, const Program *p, Buf *out)
 {
-    const GraphOptions o = {NULL, NULL};
+    const GraphOptions o = {NULL, NULL, NULL};
     Analysis a;
 
     memset(&a, 0, sizeof a);

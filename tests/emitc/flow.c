@@ -52,7 +52,7 @@ static void add_var(Arena *a, StrPool *strings, Subject *s, const char *name, Ir
 
 static IrRef emit(Arena *a, IrFn *f, IrBlkRef b, IrOp op, SmType type, IrRef x, IrRef y, uint32_t var, uint64_t bits)
 {
-    IrIns i = { op, type, x, y, var, SM_STAT_AVG, bits, 0, { 0 } };
+    IrIns i = {.op = op, .type = type, .a = x, .b = y, .var = var, .bits = bits};
 
     return ir_emit(a, f, b, i);
 }

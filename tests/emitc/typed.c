@@ -65,7 +65,7 @@ static uint64_t random_cell(SmType t)
 
 static IrRef emit(Arena *a, IrFn *f, IrOp op, SmType type, IrRef x, IrRef y, uint32_t var, uint64_t bits)
 {
-    IrIns i = { op, type, x, y, var, SM_STAT_AVG, bits, 0, { 0 } };
+    IrIns i = {.op = op, .type = type, .a = x, .b = y, .var = var, .bits = bits};
 
     return ir_emit(a, f, 0, i);
 }
