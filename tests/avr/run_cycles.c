@@ -80,19 +80,41 @@ static int32_t whole(Probe *p, bool small, unsigned op)
 
 static void write(Probe *p, SmType type, uint32_t offset, uint64_t cell) { sm_cell_store(type, sim_ram(&p->sim) + p->box->sv + offset, cell); }
 
+// What a window is fed: anything; or what takes long to tell apart, as sensors at rest give it, and what moves every sample that is kept in
+// order; or what cancels.
+typedef enum Run { ANYTHING, ALIKE, RISING, FALLING, CANCELLING, RUNS } Run;
+
 typedef struct Case {
     unsigned op, n, number[2];
     unsigned outputs;
     bool x_whole, y_whole;
     bool small;
     bool late;                // T is beyond 32 bits
+    Run run;
+    SmType type;              // of the window's samples
 } Case;
 
-static void write_operands(Probe *p, const Case *c)
+// The i-th of a run: neighbours differ in their last byte, if at all.
+static uint64_t in_run(const Case *c, unsigned i)
+{
+    const uint32_t k = c->run == RISING ? i % 27 : c->run == FALLING ? 26 - i % 27 : 0;
+    const uint32_t single = 0x40490F00u + k;
+    SmF64 x = sm_from_i32((int32_t)(100 + k));
+    float f;
+
+    memcpy(&f, &single, sizeof f);
+    if (c->type == SM_F32)
+        x = sm_from_f32(f);
+    else if (c->type == SM_F64)
+        x = sm_from_bits(0x400921FB54442D00u + k);
+    return sm_bits(c->run == CANCELLING && i % 2 != 0 ? sm_neg(x) : x);
+}
+
+static void write_operands(Probe *p, const Case *c, unsigned i)
 {
     uint64_t x = real(p), y = next(p) % 4 == 0 ? x ^ (next(p) % 3 << 63) ^ next(p) % 4 : real(p), t = next(p) % 2 ? real(p) : next(p);
 
-    write(p, SM_F64, AT_X, x);
+    write(p, SM_F64, AT_X, c->run == ANYTHING ? x : in_run(c, i));
     write(p, SM_F64, AT_Y, y);
     write(p, SM_I32, AT_X_WHOLE, (uint32_t)whole(p, c->small, c->op));
     write(p, SM_I32, AT_Y_WHOLE, (uint32_t)whole(p, c->small, c->op));
@@ -183,7 +205,7 @@ static void run_operands(Probe *p, const Case *c, uint8_t state, uint32_t *most)
     if (c->late)
         p->g = UINT64_C(1) << 40;
     for (unsigned i = 0; i < p->operands; i++) {
-        write_operands(p, c);
+        write_operands(p, c, i);
         if (state == 1)
             p->cycles[i] = step(p);
         else {
@@ -226,7 +248,7 @@ static void measure_row(Probe *p, Seen *seen, CyclesRow row, Case c)
 
 static void measure_op(Probe *p, Seen *seen, CyclesRow row, unsigned op, unsigned n, unsigned a, unsigned b)
 {
-    const Case c = {op, n, {a, b}, op == SMVM_out && a > 63 ? 128 : 11, false, false, false, false};
+    const Case c = {.op = op, .n = n, .number = {a, b}, .outputs = op == SMVM_out && a > 63 ? 128 : 11};
 
     measure_row(p, seen, row, c);
 }
@@ -288,7 +310,7 @@ static void measure_jumps(Probe *p, Seen *seen)
 static void measure_others(Probe *p, Seen *seen)
 {
     static const unsigned number[] = {0, 1, 95};
-    const Case late = {SMVM_ldx_time, 0, {0, 0}, 11, false, false, false, true}, late_y = {SMVM_ldy_time, 0, {0, 0}, 11, false, false, false, true};
+    const Case late = {.op = SMVM_ldx_time, .outputs = 11, .late = true}, late_y = {.op = SMVM_ldy_time, .outputs = 11, .late = true};
 
     for (unsigned i = 0; i < sizeof number / sizeof *number; i++) {
         for (unsigned y = 0; y <= 0x20; y += 0x20) {
@@ -395,9 +417,11 @@ static uint32_t window_cycles(Probe *p, SmType type, unsigned n, CyclesWindow ro
             end_function(&b);
         }
         put_image(p, &b);
-        const Case c = {0, 0, {0, 0}, 11, false, false, false, false};
-        run_operands(p, &c, 1, &most);
-        run_operands(p, &c, 2, &most);
+        for (Run run = ANYTHING; run < RUNS; run++) {
+            const Case c = {.outputs = 11, .run = run, .type = type};
+            run_operands(p, &c, 1, &most);
+            run_operands(p, &c, 2, &most);
+        }
     }
     return most;
 }
