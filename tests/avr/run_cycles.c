@@ -502,6 +502,9 @@ static const char *const window_name[] = {
 #undef CYCLES_STACK
 };
 
+// Of a window: what it holds are too many operands for all to have been seen.
+static uint32_t with_room(uint32_t cycles) { return cycles + (cycles + 31) / 32; }
+
 static void print_rows(const Seen *flash, const Seen *eeprom)
 {
     printf("CYCLES_STACK(%u)\n", larger(flash->stack, eeprom->stack));
@@ -511,8 +514,8 @@ static void print_rows(const Seen *flash, const Seen *eeprom)
     for (unsigned r = 0; r < CYCLES_WINDOW_ROWS; r++) {
         printf("CYCLES_WINDOW(%s,%*s", window_name[r], (int)(15 - strlen(window_name[r])), "");
         for (unsigned key = 0; key < CYCLES_KEYS; key++)
-            printf("%6u,%4u%s", larger(flash->window[r][key][0], eeprom->window[r][key][0]), larger(flash->window[r][key][1], eeprom->window[r][key][1]),
-                   key + 1 < CYCLES_KEYS ? "," : ")\n");
+            printf("%6u,%4u%s", with_room(larger(flash->window[r][key][0], eeprom->window[r][key][0])),
+                   with_room(larger(flash->window[r][key][1], eeprom->window[r][key][1])), key + 1 < CYCLES_KEYS ? "," : ")\n");
     }
 }
 
