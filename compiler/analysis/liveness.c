@@ -8,7 +8,7 @@ enum { WORD_BITS = 64 };
 
 typedef VEC(uint32_t) Numbers;
 
-// A load or store of a function.  Every function is looked at several times, and its accesses are a tenth of its IR.
+// A load or store of a function.  Every function is looked at several times, and these are a fifth of its IR.
 typedef struct Access {
     uint32_t var;
     uint32_t at;                  // in its block's list
