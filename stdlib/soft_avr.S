@@ -194,6 +194,21 @@ function sm_soft_truth
 
 	.section .text.sm_soft_arith, "ax", @progbits
 
+; The digits of a one down; what is lost below them stays seen in the last of r27.
+.macro one_down
+	lsr r24
+	ror r23
+	ror r22
+	ror r21
+	ror r20
+	ror r19
+	ror r18
+	ror r27
+	brcc 7f
+	ori r27, 1
+7:
+.endm
+
 ; Exponent as it is and of any size, the first digit at its place.
 finish:
 	cp r1, r30
@@ -206,17 +221,8 @@ finish:
 	ldi r26, 0xFF
 	cpc r31, r26
 	brlt .Lzero                       ; less than a quarter of the last digit
-1:	lsr r24                           ; as `down`
-	ror r23
-	ror r22
-	ror r21
-	ror r20
-	ror r19
-	ror r18
-	ror r27
-	brcc 2f
-	ori r27, 1
-2:	inc r30
+1:	one_down
+	inc r30
 	brne 1b
 	clr r31
 	ldi r30, 1
@@ -276,19 +282,9 @@ finish16:
 	ldi r25, 0x7F
 	ret
 
-; The digits one down.
 down:
-	lsr r24
-	ror r23
-	ror r22
-	ror r21
-	ror r20
-	ror r19
-	ror r18
-	ror r27
-	brcc 1f
-	ori r27, 1
-1:	ret
+	one_down
+	ret
 
 ; Whether any digit of a is not 0: not Z.
 any_of_a:
