@@ -72,6 +72,7 @@ const char *nearest_name(const char *name, const char *const *names, size_t n);
 
 // "smc: " and a message to standard error; in the form that --message-format asks for.
 CLI_PRINTF void cli_say(Cli *c, const char *format, ...);
+CLI_PRINTF void cli_remark(Cli *c, const char *format, ...);      // of what hinders nothing
 // Usage error: a message, and a hint at --help.  Gives EXIT_USAGE.
 CLI_PRINTF int cli_usage(Cli *c, const char *format, ...);
 

@@ -33,15 +33,15 @@ static Log *read_log(Cli *c, const char *path, char **bytes)
 static int judge(Cli *c, const char *path, const Log *log)
 {
     if (log->newer)
-        cli_say(c, "%s: a part of it was written in a later format than this smc knows", path);
+        cli_remark(c, "%s: a part of it was written in a later format than this smc knows", path);
     if (log->session.n == 0) {
         cli_say(c, log->size == 0 ? "%s: it is empty" : "%s: it holds nothing that a flight log begins with", path);
         return EXIT_PROBLEM;
     }
     if (log->damaged > log->torn)
-        cli_say(c, "%s: %llu bytes are damaged; what is whole is shown", path, (unsigned long long)log->damaged);
+        cli_remark(c, "%s: %llu bytes are damaged; what is whole is shown", path, (unsigned long long)log->damaged);
     else if (log->torn)
-        cli_say(c, "%s: its last %llu bytes are no whole block; all before them is shown", path, (unsigned long long)log->torn);
+        cli_remark(c, "%s: its last %llu bytes are no whole block; all before them is shown", path, (unsigned long long)log->torn);
     return EXIT_OK;
 }
 
@@ -66,7 +66,7 @@ static int choose_session(Cli *c, Flight *f, size_t format)
     if (word || format != TEXT)
         f->session = f->log->session.at[wanted - 1];
     if (!word && format != TEXT && n > 1)
-        cli_say(c, "%s: this is the last of %lu sessions; --session=N gives another", f->name, (unsigned long)n);
+        cli_remark(c, "%s: this is the last of %lu sessions; --session=N gives another", f->name, (unsigned long)n);
     return EXIT_OK;
 }
 

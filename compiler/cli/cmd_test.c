@@ -65,7 +65,7 @@ static void say_absent(TestRun *t)
 {
     for (unsigned i = 0; i < ENGINE_KINDS; i++)
         if (t->absent & 1u << i)
-            cli_say(t->c, "engine %s is not present here; cases ran without it", engine_name[i]);
+            cli_remark(t->c, "engine %s is not present here; cases ran without it", engine_name[i]);
 }
 
 static size_t count(const TestRun *t, TestStatus status)

@@ -13,7 +13,7 @@ static bool speaks(const Cli *c, const char *format)
 }
 
 // What reads JSON or SARIF reads this too.
-static void say_to_machine(Cli *c, const char *sentence)
+static void say_to_machine(Cli *c, const char *severity, const char *sentence)
 {
     Buf out;
 
@@ -22,24 +22,39 @@ static void say_to_machine(Cli *c, const char *sentence)
         return;
     }
     buf_init(&out, &c->session.arena);
-    diag_plain_json(sentence, &out);
+    diag_plain_json(severity, sentence, &out);
     fputs(buf_text(&out), stderr);
 }
 
-void cli_say(Cli *c, const char *format, ...)
+static void say(Cli *c, const char *severity, const char *format, va_list args)
 {
     char sentence[5000];
-    va_list args;
 
-    va_start(args, format);
     if (speaks(c, "text")) {
         fputs("smc: ", stderr);
         vfprintf(stderr, format, args);
         fputc('\n', stderr);
     } else {
         vsnprintf(sentence, sizeof sentence, format, args);
-        say_to_machine(c, str_c(&c->session.strings, sentence)->text);
+        say_to_machine(c, severity, str_c(&c->session.strings, sentence)->text);
     }
+}
+
+void cli_say(Cli *c, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    say(c, "error", format, args);
+    va_end(args);
+}
+
+void cli_remark(Cli *c, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    say(c, "note", format, args);
     va_end(args);
 }
 

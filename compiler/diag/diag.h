@@ -130,7 +130,7 @@ void diags_render_text(const Diags *d, const DiagStyle *style, Buf *out);
 size_t diag_put_printable(Buf *out, const char *s, size_t n);
 // One JSON object a line.
 void diags_render_json(const Diags *d, Buf *out);
-void diag_plain_json(const char *message, Buf *out);          // of what is no diagnostic: a file that cannot be read
+void diag_plain_json(const char *severity, const char *message, Buf *out);    // of what is no diagnostic: a file that cannot be read
 // One SARIF 2.1.0 document, with no results when there is nothing to say.  `version`: of the program that speaks.  It is whole
 // when it has been ended, with what there is to say beside diagnostics, as above.
 typedef VEC(const char *) Sentences;

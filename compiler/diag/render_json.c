@@ -2,7 +2,8 @@
 // The diagnostics as a machine reads them: one JSON object a line.  The keys and their order are a promise:
 // severity, code, message, file, line, column, endLine, endColumn, label, notes[], edits[], flag, group.  The end is exclusive;
 // what has no place has null for all five; a label that is absent is null.  A note that is a step has its number, others null.
-// An error has null for flag (what stands behind -W) and group; what is wrong with no file but the call has no code either.
+// An error has null for flag (what stands behind -W) and group; what is wrong with no file but the call has no code either,
+// and what is only remarked has the severity note.
 #include "compiler/base/json.h"
 #include "compiler/diag/diag.h"
 
@@ -65,12 +66,12 @@ static void put_flag(Buf *out, const char *name)
     json_put_string(out, flag ? diag_group_name[flag->group] : NULL);
 }
 
-void diag_plain_json(const char *message, Buf *out)
+void diag_plain_json(const char *severity, const char *message, Buf *out)
 {
     const Span nowhere = {NULL, 0, 0};
 
     buf_char(out, '{');
-    put_key(out, "severity", "error");
+    put_key(out, "severity", severity);
     put_key(out, "code", NULL);
     put_key(out, "message", message);
     put_span(out, nowhere);

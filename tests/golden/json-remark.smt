@@ -1,0 +1,16 @@
+# What hinders nothing is a note in JSON, and no error.
+args --version >/dev/null; CC=nocc "$SMC" test --message-format=json case.smt >/dev/null
+
+-- case.smt --
+\-- app.sm --
+[state_vector]
+U64 G
+U32 S
+[Idle]
+\-- app.ss --
+[options]
+delta_t 1
+[all_states]
+G == 1: @stop
+-- stderr --
+{"severity":"note","code":null,"message":"engine c is not present here; cases ran without it","file":null,"line":null,"column":null,"endLine":null,"endColumn":null,"label":null,"notes":[],"edits":[],"flag":null,"group":null}
