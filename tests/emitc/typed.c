@@ -188,7 +188,9 @@ static SmF64 number(const Walk *w, IrRef r)
                                                                 : sm_cell_to_f64(t, w->cell[r]);
 }
 
-static bool is_exact(double x) { return x >= -9007199254740992.0 && x <= 9007199254740992.0 && sm_trunc(x) == x; }
+static const double two_53 = 9007199254740992.0;
+
+static bool is_exact(double x) { return sm_abs(x) <= two_53 && sm_trunc(x) == x; }
 
 static SmF64 operate(IrOp op, SmF64 a, SmF64 b)
 {
@@ -229,7 +231,7 @@ static void walk_operation(Walk *w, const IrIns *i, uint64_t *out)
 
     if (integers && !(is_exact(a) && is_exact(b)))
         w->fit = false;
-    if (integers && i->type == of && !(is_exact(x) && sm_cell_to_f64(of, sm_cell_from_f64(of, x)) == x))
+    if (integers && i->type == of && !(is_exact(x) && sm_abs(x) < two_53 && sm_cell_to_f64(of, sm_cell_from_f64(of, x)) == x))
         w->fit = false;
     *out = i->type == SM_F64 ? sm_bits(x) : i->type == SM_F32 ? sm_f32_bits(sm_round_f32(x)) : sm_cell_from_f64(i->type, x);
 }
