@@ -18,6 +18,22 @@ bool *ir_reachable(Arena *arena, const IrFn *f)
     return reached;
 }
 
+uint32_t *ir_count_ways(Arena *arena, const IrFn *f)
+{
+    uint32_t *n = ARENA_ARRAY(arena, uint32_t, f->blk.n);
+    const bool *reached = ir_reachable(arena, f);
+
+    for (size_t b = 0; b < f->blk.n; b++) {
+        const IrJump *j = &f->blk.at[b].jump;
+        if (reached[b] && (j->kind == IR_JMP || j->kind == IR_BR))
+            n[j->then]++;
+        if (reached[b] && j->kind == IR_BR)
+            n[j->otherwise]++;
+    }
+    n[0]++;
+    return n;
+}
+
 // Where the ways to the end from x and from y meet.  A postdominator has a higher number than what it postdominates, and
 // IR_NONE, the function's end, the highest.
 static IrBlkRef meet(const IrBlkRef *post, IrBlkRef x, IrBlkRef y)

@@ -155,6 +155,8 @@ IrBlkRef ir_block(Arena *arena, IrFn *f);                     // a new, empty bl
 uint32_t *ir_count_uses(Arena *arena, const IrFn *f);
 // Whether each block can be reached from the first.
 bool *ir_reachable(Arena *arena, const IrFn *f);
+// How many ways lead to each block from blocks that are reached; to the first one more, the function's start.
+uint32_t *ir_count_ways(Arena *arena, const IrFn *f);
 // For each block the nearest block through which every way from it to the function's end passes; IR_NONE for the end itself.
 IrBlkRef *ir_postdominators(Arena *arena, const IrFn *f);
 

@@ -47,22 +47,6 @@ static void shorten_jumps(Arena *arena, IrFn *f)
     }
 }
 
-static uint32_t *count_predecessors(Arena *arena, const IrFn *f)
-{
-    uint32_t *n = ARENA_ARRAY(arena, uint32_t, f->blk.n);
-    const bool *reached = ir_reachable(arena, f);
-
-    for (size_t b = 0; b < f->blk.n; b++) {
-        const IrJump *j = &f->blk.at[b].jump;
-        if (reached[b] && (j->kind == IR_JMP || j->kind == IR_BR))
-            n[j->then]++;
-        if (reached[b] && j->kind == IR_BR)
-            n[j->otherwise]++;
-    }
-    n[0]++;                           // the function's start; now 0 means that nothing reaches a block
-    return n;
-}
-
 // Moves the code of blocks that only follow b to b's end.
 static void join_followers(Arena *arena, IrFn *f, IrBlkRef b, uint32_t *predecessors)
 {
@@ -103,7 +87,7 @@ void pass_simplify_cfg(Arena *arena, IrFn *f, Facts *facts)
 
     (void)facts;
     shorten_jumps(arena, f);
-    predecessors = count_predecessors(arena, f);
+    predecessors = ir_count_ways(arena, f);
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (predecessors[b] > 0)
             join_followers(arena, f, b, predecessors);

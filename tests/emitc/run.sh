@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Emitted C under many compilers and options: it compiles without a warning, runs as the reference does or refuses to, and
-# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [use] [readings] [cases]     (all but cases when none is named)
+# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [use] [readings] [straight] [cases]     (all but cases when none is named)
 smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 shift
 here=$(cd "$(dirname "$0")" && pwd)
@@ -276,6 +276,17 @@ readings() {
     done
 }
 
+# ---- straight: conditionals that only say which come out without a jump ----
+
+straight() {
+    for level in -O1 -O2; do
+        "$smc" build $level "$root/examples/tank/tank.sm" --emit=c -o "$dir/tank.c" >"$dir/log" 2>&1
+        for line in 'sv->valveOpen = test1;' 'm->counter = sm_count_up_if(m->counter, test1);'; do
+            if grep -qF "$line" "$dir/tank.c"; then pass; else fail "straight: tank $level has no '$line'"; fi
+        done
+    done
+}
+
 # ---- cases: every machine of conformance/, at -O0, -O1 and -O2; takes minutes ----
 
 cases() {
@@ -293,7 +304,7 @@ cases() {
     done
 }
 
-for part in ${*:-matrix flags use readings}; do
+for part in ${*:-matrix flags use readings straight}; do
     $part
 done
 echo "emitc: $passed passed, $failed failed, $skipped skipped"

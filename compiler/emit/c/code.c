@@ -387,7 +387,7 @@ static CFn *fn_new(CUnit *u, const IrFn *f, const Env *begin)
     CFn *fn = ARENA_NEW(u->arena, CFn);
 
     fn->u = u;
-    fn->f = f;
+    fn->f = f = fn_straight(u, f);
     fn->ins = ARENA_ARRAY(u->arena, CIns, f->ins.n);
     fn->var = u->var_use;
     fn->window_sample = u->window_sample;

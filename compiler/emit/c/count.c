@@ -7,9 +7,10 @@
 static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 static void put(CFn *fn, const char *text) { buf_str(&fn->line, text); }
 
-// What is counted, and by what: a constant or the conversion of an integer.
+// What is counted, and by what: a constant or the conversion of an integer or a truth.
 typedef struct Count {
     IrRef v, by;
+    IrRef truth;              // it counts by one if this holds; or IR_NONE
     bool down;
 } Count;
 
@@ -21,10 +22,20 @@ static IrRef integer_of(const CFn *fn, IrRef r)
     return !fn->ins[r].is_const && fn->ins[r].how == C_INLINE && i->op == IR_cvt && c_is_integer(ins(fn, i->a)->type) ? i->a : IR_NONE;
 }
 
+// The truth that r converts to F64 in place, or IR_NONE.
+static IrRef truth_of(const CFn *fn, IrRef r)
+{
+    const IrIns *i = ins(fn, r);
+
+    return !fn->ins[r].is_const && fn->ins[r].how == C_INLINE && i->op == IR_cvt && ins(fn, i->a)->type == SM_BOOL ? i->a : IR_NONE;
+}
+
 static bool is_step(const CFn *fn, IrRef r)
 {
     const Fact x = fn->ins[r].fact;
 
+    if (truth_of(fn, r) != IR_NONE)
+        return true;
     return x.whole && fact_within(x, -FACT_EXACT / 2, FACT_EXACT / 2) && (fn->ins[r].is_const ? x.lo != 0 : integer_of(fn, r) != IR_NONE);
 }
 
@@ -44,23 +55,31 @@ static bool find_count(const CFn *fn, IrRef r, SmType to, Count *c)
     c->v = swap ? i->b : i->a;
     c->by = swap ? i->a : i->b;
     c->down = i->op == IR_sub;
+    c->truth = truth_of(fn, c->by);
     return is_counted(fn, c->v, to) && is_step(fn, c->by);
 }
 
 static bool is_up_by_one(const CFn *fn, const Count *c, SmType to)
 {
     double by;
+    const bool by_one = c->truth != IR_NONE || (fact_is_number(fn->ins[c->by].fact, &by) && by == 1);
 
-    return to == SM_U64 && !c->down && fact_is_number(fn->ins[c->by].fact, &by) && by == 1 && fact_within(fn->ins[c->v].fact, 0, FACT_EXACT);
+    return to == SM_U64 && !c->down && by_one && fact_within(fn->ins[c->v].fact, 0, FACT_EXACT);
 }
 
-static void put_step(CFn *fn, const Count *c)
+// By what a helper counts: `up` if it is one that counts up by one.
+static void put_step(CFn *fn, const Count *c, bool up)
 {
     const IrRef n = integer_of(fn, c->by);
     const double x = fn->ins[c->by].fact.lo;
 
+    if (up && c->truth == IR_NONE)
+        return;
     put(fn, ", ");
-    if (fn->ins[c->by].is_const) {
+    if (c->truth != IR_NONE) {
+        put_condition(fn, c->truth, false, up ? PREC_ANY : PREC_OR);
+        put(fn, up ? "" : c->down ? " ? -1 : 0" : " ? 1 : 0");
+    } else if (fn->ins[c->by].is_const) {
         put_constant(fn, c->by, SM_I64, sm_cell_from_f64(SM_I64, c->down ? -x : x));
     } else if (c->down || ins(fn, n)->type == SM_U64) {
         put(fn, c->down ? "-(int64_t)" : "(int64_t)");
@@ -77,7 +96,8 @@ bool soft_put_count(CFn *fn, const IrIns *store)
     Count c;
 
     if (!fn->u->soft || i->op != IR_cvt || i->type != SM_U64 || fn->ins[store->a].is_const || fn->ins[store->a].how != C_INLINE ||
-        ins(fn, i->a)->type != SM_F64 || !find_count(fn, i->a, SM_U64, &c) || !is_up_by_one(fn, &c, SM_U64))
+        ins(fn, i->a)->type != SM_F64 || !find_count(fn, i->a, SM_U64, &c) || c.truth != IR_NONE ||
+        !is_up_by_one(fn, &c, SM_U64))
         return false;
     v = integer_of(fn, c.v);
     if (ins(fn, v)->op != IR_load || ins(fn, v)->var != store->var || fn->ins[v].how != C_INLINE)
@@ -88,19 +108,23 @@ bool soft_put_count(CFn *fn, const IrIns *store)
     return true;
 }
 
+static const char *helper_of(CFn *fn, const Count *c, SmType to)
+{
+    if (!is_up_by_one(fn, c, to))
+        return to == SM_U64 ? "sm_count_u64" : "sm_count_i64";
+    return c->truth == IR_NONE ? "sm_count_up" : "sm_count_up_if";
+}
+
 bool put_count(CFn *fn, IrRef r, SmType to)
 {
-    const char *helper = to == SM_U64 ? "sm_count_u64" : "sm_count_i64";
     Count c;
 
     if ((to != SM_U64 && to != SM_I64) || !find_count(fn, r, to, &c))
         return false;
-    if (is_up_by_one(fn, &c, to))
-        helper = "sm_count_up";
-    buf_printf(&fn->line, "%s(", helper_use(fn->u, helper));
+    put(fn, helper_use(fn->u, helper_of(fn, &c, to)));
+    put(fn, "(");
     put_value(fn, integer_of(fn, c.v), PREC_ANY);
-    if (!is_up_by_one(fn, &c, to))
-        put_step(fn, &c);
+    put_step(fn, &c, is_up_by_one(fn, &c, to));
     put(fn, ")");
     return true;
 }

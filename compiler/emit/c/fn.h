@@ -89,6 +89,11 @@ typedef struct CFn {
 void flow_init(CFn *fn);
 bool flow_dominates(const CFlow *w, uint32_t a, uint32_t b);      // both are reached
 
+// ---- straight.c ----
+
+// f, or a copy of it in which conditionals that only say which have become what is stored.
+const IrFn *fn_straight(CUnit *u, const IrFn *f);
+
 // ---- plan.c ----
 void plan_constants(CFn *fn, const Env *begin);   // first: what is constant, and facts
 bool plan_branch(const CFn *fn, const IrJump *j, bool *taken);   // whether the way is known already
