@@ -276,7 +276,8 @@ readings() {
     done
 }
 
-# ---- straight: conditionals that only say which come out without a jump ----
+# ---- straight: conditionals that only say which come out without a jump, and what decides an `and` stands for it: tcc 0.9.27 compiles
+# false && 0.0 <= (x != 0.0 || false ? 1.0 : 0.0) to a jump past the end of the function ----
 
 straight() {
     for level in -O1 -O2; do
@@ -285,6 +286,9 @@ straight() {
             if grep -qF "$line" "$dir/tank.c"; then pass; else fail "straight: tank $level has no '$line'"; fi
         done
     done
+    printf '[state_vector]\nU64 G\nU32 S\nbool b\n[Run]\n.step\nif 0 and 0 <= (S or 0): b = true\n' >"$dir/decided.sm"
+    "$smc" build -w -O0 "$dir/decided.sm" --emit=c -o "$dir/decided.c" >"$dir/log" 2>&1
+    if grep -q 'decided_Run_step(void)' "$dir/decided.c"; then pass; else fail "straight: what an 'and' with false decides is asked for"; fi
 }
 
 # ---- cases: every machine of conformance/, at -O0, -O1 and -O2; takes minutes ----

@@ -64,10 +64,18 @@ static uint64_t fold(const CFn *fn, const IrIns *i)
     return 0;
 }
 
+// `and` is false, `or` true, where one operand is, whatever the other.
+static bool decides(const CFn *fn, IrOp op, IrRef r)
+{
+    return fn->ins[r].is_const && (fn->ins[r].bits != 0) == (op == IR_or);
+}
+
 static bool can_fold(const CFn *fn, const IrIns *i)
 {
     if (i->op == IR_const)
         return true;
+    if (i->op == IR_and || i->op == IR_or)
+        return decides(fn, i->op, i->a) || decides(fn, i->op, i->b) || (fn->ins[i->a].is_const && fn->ins[i->b].is_const);
     if (ir_op_info[i->op].effect || i->op == IR_load || i->op == IR_stat)
         return false;
     return fn->ins[i->a].is_const && (i->b == IR_NONE || fn->ins[i->b].is_const);
