@@ -361,7 +361,7 @@ bench-scale: $(B)/bench/scale
 # What the parts take on boards (flash, RAM, stack, cycles), against tests/bench/budgets.txt.
 sizes: $(B)/smc
 	@sh tests/bench/sizes.sh $(B) '$(CC)' '$(MAKE)'
-CHECK_LINES += "sizes: sh tests/bench/sizes.sh $(B) '$(CC)' '$(MAKE)'"
+CHECK_LINES += "+sizes: sh tests/bench/sizes.sh $(B) '$(CC)' '$(MAKE)'"
 .PHONY: sizes
 
 # tests/fault: memory taken away at every request.  FAULT_ALL=1 tries every machine of conformance/ (minutes).
@@ -529,7 +529,7 @@ endif
 	avr-objcopy -O ihex -R .eeprom $(FIRMWARE_OUT)/$(MCU).elf $(FIRMWARE_OUT)/$(MCU).hex
 	avr-size $(FIRMWARE_OUT)/$(MCU).elf
 check: $(B)/device/link $(STORE_SMB)
-CHECK_LINES += "firmware: sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)'"
+CHECK_LINES += "+firmware: sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)'"
 firmware-trouble: $(B)/device/link $(STORE_SMB)
 	sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)' $(or $(N),100) $(or $(SEED),1)
 .PHONY: firmware firmware-trouble
@@ -649,7 +649,7 @@ $(B)/targets/runtime-%: $(RUNTIME_SRC_sim) $(RUNTIME_MADE) $(TARGETS_RUNTIME:%=t
 	@touch $@
 
 check: $(B)/diff/difftest $(B)/targets/cases $(RUNTIME_MADE)
-CHECK_LINES += "targets: sh tests/targets/run.sh $(B)"
+CHECK_LINES += "+targets: sh tests/targets/run.sh $(B)"
 check-targets targets-campaign: $(B)/diff/difftest $(B)/targets/cases
 check-targets:
 	sh tests/targets/run.sh $(B)
@@ -758,7 +758,7 @@ install: all $(B)/libsmvm.a
 	@for f in $(INSTALLED_HEADERS); do cp $$f "$(DEST)/include/smc/$$f" || exit 1; done
 	@for f in $(INSTALLED_RUNTIME); do mkdir -p "$(DEST)/share/smc/$$(dirname $$f)" && cp $$f "$(DEST)/share/smc/$$f" || exit 1; done
 
-CHECK_LINES += "install: sh tests/install/run.sh $(MAKE) $(B) '$(CC)'"
+CHECK_LINES += "+install: sh tests/install/run.sh $(MAKE) $(B) '$(CC)'"
 
 uninstall:
 	rm -f "$(DEST)/bin/smc" "$(DEST)/lib/libsmvm.a" "$(DEST)/lib/pkgconfig/smvm.pc"
@@ -810,7 +810,7 @@ check-places:
 check-arguments:
 	@$(find_code) | grep "^compiler/.*c$$" | awk -f tests/check/arguments.awk compiler/diag/codes.def -
 HOUSE_RULES = check-layers check-codes check-arguments check-headers check-imports check-licence check-places
-CHECK_LINES += $(foreach rule,$(HOUSE_RULES),"$(rule): $(MAKE) -s --no-print-directory $(rule)")
+CHECK_LINES += $(foreach rule,$(HOUSE_RULES),"+$(rule): $(MAKE) -s --no-print-directory $(rule)")
 
 # ---- the language and its evidence ----
 
@@ -864,7 +864,7 @@ sarif-schema:
 check-clauses:
 	@{ find conformance tests -name '*.smt' | sort; ls tests/clauses/*.c tests/runtime/*.c 2>/dev/null; } | \
 	    awk -f tests/check/clauses.awk docs/language.md docs/config.md tests/check/clauses.txt -
-CHECK_LINES += "check-clauses: $(MAKE) -s --no-print-directory check-clauses"
+CHECK_LINES += "+check-clauses: $(MAKE) -s --no-print-directory check-clauses"
 
 # `make mutants` breaks the implementation line by line and demands that the cases notice, `make faults` that random programs and the
 # tests of soft numbers and of the store do; an hour each.  `make mutants M="6 7.12"`: some clauses; `M=100-200`, `M=100-`: lines of the list.
@@ -875,7 +875,7 @@ CHECK_LINES += "mutants-places: sh tests/check/mutants.sh --places tests/check/m
 # The fenced examples of the documentation do what their pages say.
 check-docs: all
 	@sh tests/check/docs.sh $(B)/smc $(B)/docs README.md conformance/README.md examples/README.md $(wildcard docs/*.md)
-CHECK_LINES += "check-docs: $(MAKE) -s --no-print-directory check-docs"
+CHECK_LINES += "+check-docs: $(MAKE) -s --no-print-directory check-docs"
 .PHONY: check-clauses check-docs mutants faults
 
 .PHONY: $(HOUSE_RULES) all asan bench bench-scale check check-emitc check-ir check-golden check-mutate update-golden test fuzz install uninstall help clean

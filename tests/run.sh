@@ -1,20 +1,42 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Runs test commands, one a line of standard input ("NAME: COMMAND"), and adds up what they say.  A command ends with a
-# line "N passed, N failed" or "N passed, N failed, N skipped", anything before it on that line ignored.
-# Exit 1 if anything failed, or with STRICT=1 if anything was skipped.
-passed=0 failed=0 skipped=0
+# Runs test commands, one a line of standard input ("NAME: COMMAND"), and adds up what they say; as many at once as there are
+# processors, or as JOBS says.  Commands that call make themselves have a '+' before their name: they run one after another, beside
+# the rest.  A command ends with a line "N passed, N failed" or "N passed, N failed, N skipped", anything before it on that line
+# ignored.  Exit 1 if anything failed, or with STRICT=1 if anything was skipped.
+passed=0 failed=0 skipped=0 told=0
 unset MAKEFLAGS MFLAGS MAKELEVEL      # a make among the commands is a make of its own
-out=${TMPDIR:-/tmp}/smc-test.$$
-again=$out.again                      # what failed said, told once more at the end
-trap 'rm -f "$out" "$again"' EXIT
-trap 'exit 130' INT TERM
+jobs=${JOBS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)}
+work=$(mktemp -d "${TMPDIR:-/tmp}/smc-test.XXXXXX") || exit 1
+again=$work/again                     # what failed said, told once more at the end
+trap 'rm -rf "$work"' EXIT
+trap 'trap "" TERM; kill -TERM 0; exit 130' INT TERM
 
-while IFS= read -r line; do
-    [ -n "$line" ] || continue
-    name=${line%%: *} command=${line#*: }
-    sh -c "$command" >"$out" 2>&1 </dev/null
-    code=$?
+grep -v '^$' >"$work/lines"
+mkfifo "$work/ended" && exec 3<>"$work/ended" || exit 1
+
+# run NUMBER LINE: leaves what the command said, and its exit code and seconds; NUMBER.is is whose it is
+run() {
+    began=$(date +%s)
+    sh -c "${2#*: }" >"$work/$1.out" 2>&1 </dev/null 3>&-
+    echo "$? $(($(date +%s) - began))" >"$work/$1.code"
+    echo "$1" >&3
+}
+
+# take KIND: runs those lines of a kind, '+' or '-', that nobody else has begun
+take() {
+    n=0
+    while IFS= read -r line; do
+        n=$((n + 1))
+        case $line in +*) kind=+ ;; *) kind=- ;; esac
+        [ "$kind" = "$1" ] && mkdir "$work/$n.is" 2>/dev/null && run "$n" "$line"
+    done <"$work/lines"
+}
+
+# tell NUMBER: says how that line ended
+tell() {
+    out=$work/$1.out name=$(sed -n "$1s/^+\{0,1\}\([^:]*\):.*/\1/p" "$work/lines")
+    read -r code seconds <"$work/$1.code"
     last=$(grep '[0-9] passed, [0-9]* failed' "$out" | tail -n 1)
     p=$(printf '%s\n' "$last" | sed -n 's/^\(.*[^0-9]\)\{0,1\}\([0-9][0-9]*\) passed, [0-9][0-9]* failed.*/\2/p')
     f=$(printf '%s\n' "$last" | sed -n 's/.* passed, \([0-9][0-9]*\) failed.*/\1/p')
@@ -30,9 +52,21 @@ while IFS= read -r line; do
     if [ "$code" -ne 0 ] || [ "${f:-0}" -ne 0 ]; then
         { echo "---- $name"; tail -n 30 "$out"; } >>"$again"
     fi
-    printf '%-28s %s\n' "$name" "$last"
+    printf '%-28s %4d s  %s\n' "$name" "$seconds" "$last"
     passed=$((passed + ${p:-0})) failed=$((failed + ${f:-0})) skipped=$((skipped + ${s:-0}))
+}
+
+{ take +; take -; } &
+while [ "$jobs" -gt 1 ]; do
+    take - &
+    jobs=$((jobs - 1))
 done
+while [ "$told" -lt "$(wc -l <"$work/lines")" ]; do
+    read -r number <&3
+    tell "$number"
+    told=$((told + 1))
+done
+
 [ ! -s "$again" ] || cat "$again"
 if [ "$skipped" -ne 0 ]; then
     echo "skipped tests need tools that are not here; on Debian or Ubuntu: apt-get install clang tcc g++ lua5.4 luajit chromium graphviz librsvg2-bin"
