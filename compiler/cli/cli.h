@@ -97,8 +97,13 @@ int cli_end(Cli *c, int code);
 bool has_suffix(const char *path, const char *suffix);
 
 // What a command can write, the default first.
-typedef struct CliFormat { const char *name, *ending[3]; } CliFormat;     // ".dot"; NULL: no more
-// Which of `formats` --format names; without it, which one the name behind -o ends like; else the first.  false after a message.
+typedef struct CliFormat {
+    const char *name;
+    const char *ending[3];                // ".dot"; NULL: no more
+    const char *viewer;                   // what it is looked at with, where a terminal shows nothing of it: "a browser"
+} CliFormat;
+// Which of `formats` --format names; without it, which one the name behind -o ends like; else the first, unless that would flood a
+// terminal.  false after a message.
 bool cli_format(Cli *c, const CliFormat *format, size_t formats, size_t *found);
 
 // "tank" of "dir/tank.sm"; of "-" it is "stdin".  Lives in the session.

@@ -7,7 +7,7 @@
 typedef void PutGraph(const Analysis *a, const GraphOptions *o, Buf *out);
 
 static const CliFormat formats[] = {
-    {"svg", {".svg", NULL, NULL}}, {"dot", {".dot", ".gv", NULL}}, {"mermaid", {".mmd", ".mermaid", NULL}}};
+    {"svg", {".svg", NULL, NULL}, "a browser"}, {"dot", {".dot", ".gv", NULL}, NULL}, {"mermaid", {".mmd", ".mermaid", NULL}, NULL}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
 static PutGraph *find_format(Cli *c)

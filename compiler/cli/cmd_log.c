@@ -9,7 +9,8 @@
 typedef void PutFlight(const Flight *f, Buf *out);
 
 static const CliFormat formats[] = {
-    {"text", {".txt", NULL, NULL}}, {"csv", {".csv", NULL, NULL}}, {"json", {".json", ".jsonl", NULL}}, {"svg", {".svg", NULL, NULL}}};
+    {"text", {".txt", NULL, NULL}, NULL}, {"csv", {".csv", NULL, NULL}, NULL}, {"json", {".json", ".jsonl", NULL}, NULL},
+    {"svg", {".svg", NULL, NULL}, NULL}};
 enum { FORMATS = sizeof formats / sizeof *formats, TEXT = 0, SVG = 3 };
 
 static const uint32_t size_most = 0x7FFFFFFF;

@@ -11,7 +11,7 @@
 typedef void WriteReport(const Doc *d, Buf *out);
 
 static const CliFormat formats[] = {
-    {"html", {".html", ".htm", NULL}}, {"text", {".txt", NULL, NULL}}, {"json", {".json", NULL, NULL}}};
+    {"html", {".html", ".htm", NULL}, "a browser"}, {"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
 typedef struct ReportCommand {

@@ -255,6 +255,15 @@ static bool ends_foreign(Cli *c, const CliFormat *format, size_t formats)
     return true;
 }
 
+// Nobody has said where to or what, and a terminal would be full of it.
+static bool floods_terminal(Cli *c, const CliFormat *format)
+{
+    if (c->given[OPT_OUTPUT] || !format->viewer || !os_is_terminal(1))
+        return false;
+    cli_usage(c, "this is for %s, not for a terminal; name a file, as -o %s%s", format->viewer, path_stem(c, c->file[0]), format->ending[0]);
+    return true;
+}
+
 bool cli_format(Cli *c, const CliFormat *format, size_t formats, size_t *found)
 {
     *found = 0;
@@ -264,7 +273,7 @@ bool cli_format(Cli *c, const CliFormat *format, size_t formats, size_t *found)
             *found = i;
             return true;
         }
-    return c->given[OPT_AS] ? format_unknown(c, format, formats) : !ends_foreign(c, format, formats);
+    return c->given[OPT_AS] ? format_unknown(c, format, formats) : !ends_foreign(c, format, formats) && !floods_terminal(c, format);
 }
 
 // ---- names ----

@@ -66,6 +66,18 @@ if command -v python3 >/dev/null; then
 fi
 
 # A browser draws it, and prints it on paper.
+# A page or a picture is nothing for a terminal (script gives the command one).
+if command -v script >/dev/null; then
+    for command in report graph; do
+        script -qec "'$smc' $command '$root/examples/tank/tank.sm'" /dev/null >"$out/terminal" 2>&1 </dev/null
+        expect "$command at a terminal" test "$?" = 2
+        expect "$command at a terminal says what to do" grep -q "this is for a browser, not for a terminal; name a file, as -o tank\." "$out/terminal"
+    done
+else
+    skipped=$((skipped + 1))
+    echo "script is not here: commands at a terminal are not looked at"
+fi
+
 browser=
 for b in chromium chromium-browser google-chrome; do
     command -v $b >/dev/null && { browser=$b; break; }
