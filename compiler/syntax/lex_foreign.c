@@ -258,12 +258,12 @@ static void report_range(Lexer *l, Token *t, Span wrong, Span lo, Span hi, uint3
     lexer_finish(l, t, TOK_ERROR, end);
 }
 
-// Behind @range: [0, 5] and 0..5 and 0, 5.  0,5 10 has a decimal comma.
+// Behind @range: [0, 5], be it closed or not, and 0..5 and 0, 5.  0,5 10 has a decimal comma.
 bool lex_slip_range(Lexer *l, Token *t)
 {
     static const char word[] = "@range";
     const char *s = l->src->text, open = s[l->at];
-    bool brackets = open == '[' || open == '(';
+    bool brackets = open == '[' || open == '(', closed;
     uint32_t back = l->at, lo = skip_gap(l, l->at + brackets), lo_end = skip_plain_number(l, lo), sign = skip_gap(l, lo_end);
     uint32_t sign_end = skip_between(l, sign), hi = skip_gap(l, sign_end);
     uint32_t hi_end = skip_plain_number(l, hi), end = skip_gap(l, hi_end);
@@ -272,10 +272,11 @@ bool lex_slip_range(Lexer *l, Token *t)
         back--;
     if (back < sizeof word - 1 || memcmp(s + back - (sizeof word - 1), word, sizeof word - 1) != 0 || lo_end == lo || hi_end == hi)
         return false;
-    if (brackets ? s[end] != (open == '[' ? ']' : ')') : sign_end == sign || lexer_is_word(s[end]) || s[hi_end] == '.')
+    closed = brackets && s[end] == (open == '[' ? ']' : ')');
+    if (brackets ? !closed && !ends_line(l, end) : sign_end == sign || lexer_is_word(s[end]) || s[hi_end] == '.')
         return false;
     report_range(l, t, brackets ? lexer_span(l, l->at, 1) : lexer_span(l, sign, sign_end - sign), lexer_span(l, lo, lo_end - lo),
-                 lexer_span(l, hi, hi_end - hi), brackets ? end + 1 : hi_end);
+                 lexer_span(l, hi, hi_end - hi), closed ? end + 1 : hi_end);
     return true;
 }
 

@@ -9,7 +9,9 @@ F64 c @range 0, 5             #! E0377
 F64 d @range -1.5 to 5        #! E0377
 F64 e @range (0 5)            #! E0377
 F64 f @range 0,5 10           #! E0377
+F64 h @range [0, 5            #! E0377
+F64 i @range (0 to 5          #! E0377
 F64 g @range 0.5 10
 [Hold]
 .step
-    a = b + c + d + e + f + g
+    a = b + c + d + e + f + g + h + i
