@@ -195,21 +195,21 @@ const SmBuiltinInfo *scope_find_function(const Sema *s, Str name)
 }
 
 // Functions of spreadsheets and other languages; NULL: there is nothing like it.
+static const char *const foreign_functions[][2] = {
+    {"avg", "write roll_avg(x, n)"}, {"average", "write roll_avg(x, n)"}, {"mean", "write roll_avg(x, n)"},
+    {"roll_average", "write roll_avg(x, n)"}, {"roll_mean", "write roll_avg(x, n)"}, {"movmean", "write roll_avg(x, n)"},
+    {"median", "write roll_median(x, n)"}, {"movmedian", "write roll_median(x, n)"}, {"range", "write roll_range(x, n)"},
+    {"fabs", "write abs(x)"}, {"int", "write trunc(x)"}, {"fix", "write trunc(x)"}, {"limit", "write clamp(x, lo, hi)"},
+    {"pow", "multiply, as in x * x"}, {"power", "multiply, as in x * x"},
+    {"mod", "for a remainder, use x - n * floor(x / n)"}, {"rem", "for a remainder, use x - n * floor(x / n)"},
+    {"and", "write a and b"}, {"or", "write a or b"}, {"sin", NULL}, {"cos", NULL}, {"tan", NULL}, {"log", NULL}};
+
 static bool label_foreign_function(Sema *s, Diag *d, Str name)
 {
-    static const char *const foreign[][2] = {
-        {"avg", "write roll_avg(x, n)"}, {"average", "write roll_avg(x, n)"}, {"mean", "write roll_avg(x, n)"},
-        {"roll_average", "write roll_avg(x, n)"}, {"roll_mean", "write roll_avg(x, n)"}, {"movmean", "write roll_avg(x, n)"},
-        {"median", "write roll_median(x, n)"}, {"movmedian", "write roll_median(x, n)"}, {"range", "write roll_range(x, n)"},
-        {"fabs", "write abs(x)"}, {"int", "write trunc(x)"}, {"fix", "write trunc(x)"}, {"limit", "write clamp(x, lo, hi)"},
-        {"pow", "multiply, as in x * x"}, {"power", "multiply, as in x * x"},
-        {"mod", "for a remainder, use x - n * floor(x / n)"}, {"rem", "for a remainder, use x - n * floor(x / n)"},
-        {"and", "write a and b"}, {"or", "write a or b"}, {"sin", NULL}, {"cos", NULL}, {"tan", NULL}, {"log", NULL}};
-
-    for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++)
-        if (same_but_for_case(name->text, foreign[i][0])) {
-            if (foreign[i][1])
-                diag_label(s->diags, d, DIAG_label_text, foreign[i][1]);
+    for (size_t i = 0; i < sizeof foreign_functions / sizeof *foreign_functions; i++)
+        if (same_but_for_case(name->text, foreign_functions[i][0])) {
+            if (foreign_functions[i][1])
+                diag_label(s->diags, d, DIAG_label_text, foreign_functions[i][1]);
             return true;
         }
     return false;
