@@ -38,7 +38,8 @@ static avr_t *make(Sim *s, const char *mcu)
     avr_t *avr;
 
     avr_global_logger_set(say_errors);
-    s->avr = avr = avr_make_mcu_by_name(mcu);
+    avr = avr_make_mcu_by_name(mcu);
+    *s = (Sim){ .avr = avr };
     if (avr != NULL)
         avr_init(avr);
     return avr;
