@@ -768,7 +768,7 @@ uninstall:
 
 help:
 	@echo 'make                 builds $(B)/smc'
-	@echo 'make check           runs every test that needs cc and make only; the others say what they need'
+	@echo 'make check           runs every test that needs cc and make only, the others say what they need; JOBS=1: one after another'
 	@echo 'make test T=FILE     runs some conformance cases on every engine'
 	@echo 'make diff N=100000   runs so many random programs on all engines, from seed SEED=1, in J=2 processes'
 	@echo 'make f64-campaign N=100000000  tries soft binary64 on so many random operands for each operation'

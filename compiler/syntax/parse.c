@@ -252,7 +252,9 @@ static void parse_unlabelled(Parser *p, AstSection *s)
     AstStmts ignored = {0};
     size_t errors = p->diags->errors;
     bool told = p->tok.kind == TOK_ERROR;
+    const bool assigns = p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN;
     Span here = parser_here(p);
+    Diag *d = NULL;
 
     p->failed = false;
     if (p->tok.first)
@@ -260,8 +262,10 @@ static void parse_unlabelled(Parser *p, AstSection *s)
     else
         skip_line(p);
     if (p->diags->errors == errors && !told)
-        parser_report(p, DIAG_code_before_label, here, s->name->text);
+        d = parser_report(p, DIAG_code_before_label, here, s->name->text);
     parse_block(p, &ignored);
+    if (d && assigns && p->tok.kind != TOK_LABEL)
+        diag_label(p->diags, d, DIAG_label_text, "a list of constants is [local], each with its type: F64 limit = 3");
 }
 
 // Line ends between a header, its annotations and the first label are blanks.

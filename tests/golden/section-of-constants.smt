@@ -1,0 +1,24 @@
+# Constants in a section of their own, without types.
+args check a.sm
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p
+bool open
+[parameters]
+limit = 3
+[Run]
+.step
+    open = p > limit
+-- stderr --
+a.sm:7:1: error: this stands before the first label of the state 'parameters' [E0310]
+    7 | limit = 3
+      | ^~~~~ a list of constants is [local], each with its type: F64 limit = 3
+a.sm:10:16: error: unknown element 'limit' [E0204]
+   10 |     open = p > limit
+      |                ^~~~~
+2 errors
+-- exit --
+1
