@@ -31,7 +31,7 @@ static void *heap(void *context, void *old, size_t size)
 
 // ---- a machine whose first state's step is a random graph ----
 
-enum { VAR_G, VAR_S, VAR_T, VAR_BITS, VAR_TRACE, VAR_LAST };      // the variables, in order
+enum { VAR_G, VAR_S, VAR_T, VAR_COUNT, VAR_TRUTH, VAR_TRACE, VAR_LAST };      // the variables, in order; behind them the bits
 
 typedef struct Subject {
     IrMachine m;
@@ -73,6 +73,24 @@ static void add_trace(Arena *a, IrFn *f, IrBlkRef b)
         emit(a, f, b, IR_store, SM_F64, old, IR_NONE, VAR_LAST, 0);
 }
 
+// What an arm may do that comes out without a jump: count = count + 1.
+static void add_count(Arena *a, IrFn *f, IrBlkRef b)
+{
+    const IrRef old = emit(a, f, b, IR_load, SM_U64, IR_NONE, IR_NONE, VAR_COUNT, 0);
+    const IrRef number = emit(a, f, b, IR_cvt, SM_F64, old, IR_NONE, 0, 0);
+    const IrRef one = emit(a, f, b, IR_const, SM_F64, IR_NONE, IR_NONE, 0, f64(1));
+    const IrRef sum = emit(a, f, b, IR_add, SM_F64, number, one, 0, 0);
+
+    emit(a, f, b, IR_store, SM_U64, emit(a, f, b, IR_cvt, SM_U64, sum, IR_NONE, 0, 0), IR_NONE, VAR_COUNT, 0);
+}
+
+static void add_truth(Arena *a, IrFn *f, IrBlkRef b)
+{
+    const IrRef truth = emit(a, f, b, IR_const, SM_BOOL, IR_NONE, IR_NONE, 0, dice(2));
+
+    emit(a, f, b, IR_store, SM_BOOL, truth, IR_NONE, VAR_TRUTH, 0);
+}
+
 // Bit k of the input decides: bits >= 2^k after the higher ones are taken off would need arithmetic, so each is an element.
 static IrRef add_condition(Arena *a, IrFn *f, IrBlkRef b, uint32_t bit)
 {
@@ -104,8 +122,12 @@ static IrFn *random_function(Arena *a)
     for (uint32_t b = 0; b < blocks; b++)
         ir_block(a, f);
     for (uint32_t b = 0; b < blocks; b++) {
-        if (dice(4))
+        if (dice(2))
             add_trace(a, f, b);
+        else if (dice(2))
+            add_count(a, f, b);
+        else if (dice(3))
+            add_truth(a, f, b);
         add_jump(a, f, b, blocks);
     }
     return f;
@@ -121,7 +143,8 @@ static void subject_init(Arena *a, StrPool *strings, Subject *s)
     add_var(a, strings, s, "G", IR_ELEMENT, SM_U64, 0);
     add_var(a, strings, s, "S", IR_ELEMENT, SM_U32, 8);
     add_var(a, strings, s, "T", IR_TIME, SM_U64, 0);
-    add_var(a, strings, s, "unused", IR_ELEMENT, SM_BOOL, 12);
+    add_var(a, strings, s, "count", IR_LOCAL, SM_U64, 0);
+    add_var(a, strings, s, "truth", IR_LOCAL, SM_BOOL, 0);
     add_var(a, strings, s, "trace", IR_LOCAL, SM_F64, 0);
     add_var(a, strings, s, "last", IR_LOCAL, SM_F64, 0);
     for (uint32_t i = 0; i < BITS; i++)
@@ -137,7 +160,7 @@ static void subject_init(Arena *a, StrPool *strings, Subject *s)
 
 // ---- what it has to do ----
 
-typedef struct Outcome { double trace, last; uint32_t state; } Outcome;
+typedef struct Outcome { double trace, last; uint32_t state; uint64_t count, truth; } Outcome;
 
 static void walk_block(const IrFn *f, const IrBlk *b, Outcome *o)
 {
@@ -147,6 +170,10 @@ static void walk_block(const IrFn *f, const IrBlk *b, Outcome *o)
         const IrIns *i = &f->ins.at[b->ins.at[p]];
         if (i->op == IR_store && i->var == VAR_LAST)
             o->last = before;
+        else if (i->op == IR_store && i->var == VAR_COUNT)
+            o->count++;
+        else if (i->op == IR_store && i->var == VAR_TRUTH)
+            o->truth = f->ins.at[i->a].bits;
         else if (i->op == IR_store)
             o->trace = before * 3 + (double)(b - f->blk.at + 1);
     }
@@ -161,7 +188,7 @@ static bool holds(const IrFn *f, IrRef cond, uint32_t bits)
 
 static Outcome walk(const IrFn *f, uint32_t bits)
 {
-    Outcome o = { 0, 0, 1 };
+    Outcome o = { 0, 0, 1, 0, 0 };
     IrBlkRef b = 0;
 
     for (;;) {
@@ -191,6 +218,7 @@ static void try_inputs(Arena *a, const Subject *s, Engine *e, uint32_t bits)
     CHECK(got.next_state == want.state);
     CHECK(got.cell[VAR_TRACE] == f64(want.trace));
     CHECK(got.cell[VAR_LAST] == f64(want.last));
+    CHECK(got.cell[VAR_COUNT] == want.count && got.cell[VAR_TRUTH] == want.truth);
 }
 
 int main(int argc, char **argv)

@@ -173,8 +173,8 @@ static IrRef negation(Straight *s, IrBlkRef b, IrRef cond)
     return ir_emit(s->arena, s->copy, b, i);
 }
 
-// What the arm counts, behind block b, by one where `cond` holds and by nothing where it does not.
-static void move_counts(Straight *s, IrBlkRef b, const Arm *arm, IrRef cond)
+// What the arm works out, behind block b; what it counts by is one where `cond` holds and nothing where it does not.
+static void move_values(Straight *s, IrBlkRef b, const Arm *arm, IrRef cond)
 {
     const IrBlk *from = &s->f->blk.at[arm->blk];
 
@@ -186,11 +186,9 @@ static void move_counts(Straight *s, IrBlkRef b, const Arm *arm, IrRef cond)
             one->op = IR_cvt;
             one->a = cond;
         }
-    for (size_t p = 0; p < from->ins.n; p++) {
-        const IrIns *i = &s->copy->ins.at[from->ins.at[p]];
-        if (i->op != IR_store || find(arm, i->var)->one != IR_NONE)
+    for (size_t p = 0; p < from->ins.n; p++)
+        if (s->f->ins.at[from->ins.at[p]].op != IR_store)
             vec_push(s->arena, &s->copy->blk.at[b].ins, from->ins.at[p]);
-    }
     s->copy->blk.at[arm->blk].ins.n = 0;
 }
 
@@ -206,6 +204,13 @@ static void move_truths(Straight *s, IrBlkRef b, const Arm *then, const Arm *oth
     }
 }
 
+static void move_counts(Straight *s, IrBlkRef b, const Arm *arm)
+{
+    for (unsigned i = 0; i < arm->n; i++)
+        if (arm->at[i].one != IR_NONE)
+            vec_push(s->arena, &s->copy->blk.at[b].ins, arm->at[i].store);
+}
+
 static void straighten(Straight *s, IrBlkRef b, const Arm *then, const Arm *other)
 {
     const IrRef cond = s->f->blk.at[b].jump.cond;
@@ -215,9 +220,11 @@ static void straighten(Straight *s, IrBlkRef b, const Arm *then, const Arm *othe
     if (!s->copy)
         s->copy = copy_of(s->arena, s->f);
     negated = negation(s, b, cond);
+    move_values(s, b, then, cond);
+    move_values(s, b, other, negated);
     move_truths(s, b, then, other, cond, negated);
-    move_counts(s, b, then, cond);
-    move_counts(s, b, other, negated);
+    move_counts(s, b, then);
+    move_counts(s, b, other);
     j = &s->copy->blk.at[b].jump;
     j->kind = then->to == IR_NONE ? IR_RET : IR_JMP;
     j->then = then->to;
@@ -230,7 +237,7 @@ const IrFn *fn_straight(CUnit *u, const IrFn *f)
     Arm then, other;
 
     for (IrBlkRef b = (IrBlkRef)f->blk.n; b-- > 0;)
-        if (find_arms(&s, b, &then, &other))
+        if (s.preds[b] > 0 && find_arms(&s, b, &then, &other))       // a block that nobody reaches takes no arms from others
             straighten(&s, b, &then, &other);
     return s.copy ? s.copy : f;
 }
