@@ -7,12 +7,13 @@ U32 S
 F64 p
 bool x
 U8 byte
+U8 none
 
 [Only]
 .entry
     if p > 5: x = false
     else: x = false
-    byte = x * 300
+    none = x * 300
 .step
     if p > 5: x = true
     else: x = true
@@ -23,5 +24,5 @@ U8 byte
 delta_t 1
 
 [all_states]
-G == 0: @assert byte == 255
+G == 0: @assert byte == 255 and none == 0
 G == 4: @stop
