@@ -92,7 +92,7 @@ CHECK_LINES += "stdlib_convert_small: $(B)/unit/stdlib_convert_small"
 # ---- tests ----
 
 # `make check` needs cc and make only; what wants more is skipped and says so (STRICT=1: a skip is a failure).
-# A line a test: its name, a colon, the command; each ends with "N passed, N failed".
+# A line a test: its name (behind a + if it calls make), a colon, the command; each ends with "N passed, N failed".
 # OTHERS_LINES are about what other compilers and boards make of it: they take long, and what runs of ours has run in other lines.
 # Files are named by patterns, which the command's own shell spells out: all lines together are one argument, and that has a limit of 128 KB.
 UNIT_LINES = $(foreach u,$(UNIT),"$(notdir $(u)): $(u)")

@@ -105,7 +105,7 @@ static inline uint64_t sm_clip_u64(uint64_t x, uint64_t hi) { return x > hi ? hi
 // v + 1 as a number, for v up to 2^53, where counting by one ends.
 static inline uint64_t sm_count_up(uint64_t v) { return v + (v < 0x20000000000000u); }
 //: sm_count_up_if
-// The same where c holds, else v.
+// v + 1 as a number where c holds, else v; for v up to 2^53, where counting by one ends.
 static inline uint64_t sm_count_up_if(uint64_t v, bool c) { return v + (c && v < 0x20000000000000u); }
 //: sm_count_u64
 // v + n as numbers, stored again: exact while v is small, rounded as every number is beyond 2^53.  n is up to 2^52.

@@ -15,7 +15,7 @@ trap 'trap "" TERM; kill -TERM 0; exit 130' INT TERM
 grep -v '^$' >"$work/lines"
 mkfifo "$work/ended" && exec 3<>"$work/ended" || exit 1
 
-# run NUMBER LINE: leaves what the command said, and its exit code and seconds; NUMBER.is is whose it is
+# run NUMBER LINE: leaves what the command said, and its exit code and seconds
 run() {
     began=$(date +%s)
     sh -c "${2#*: }" >"$work/$1.out" 2>&1 </dev/null 3>&-
@@ -29,7 +29,7 @@ take() {
     while IFS= read -r line; do
         n=$((n + 1))
         case $line in +*) kind=+ ;; *) kind=- ;; esac
-        [ "$kind" = "$1" ] && mkdir "$work/$n.is" 2>/dev/null && run "$n" "$line"
+        [ "$kind" = "$1" ] && mkdir "$work/$n.begun" 2>/dev/null && run "$n" "$line"
     done <"$work/lines"
 }
 

@@ -65,7 +65,6 @@ if command -v python3 >/dev/null; then
     expect "json hostile" sh -c "'$smc' report '$here/hostile.sm' '$here/hostile.ss' --format=json | python3 -m json.tool"
 fi
 
-# A browser draws it, and prints it on paper.
 # A page or a picture is nothing for a terminal (script gives the command one).
 if command -v script >/dev/null; then
     for command in report graph; do
@@ -78,6 +77,7 @@ else
     echo "script is not here: commands at a terminal are not looked at"
 fi
 
+# A browser draws it, and prints it on paper.
 browser=
 for b in chromium chromium-browser google-chrome; do
     command -v $b >/dev/null && { browser=$b; break; }
