@@ -47,8 +47,8 @@ $(B)/soft/obj/%.o: %.c $(B)/gen/soft_names.h
 
 # What need not be fast is built in half the time.  (The command only tests with the VM; make bench measures it at -O2.)
 SELDOM = $(filter compiler/cli/% compiler/device/% compiler/diag/% compiler/emit/report/% compiler/log/% compiler/script/%,$(LIBSMC) $(COMMAND))
-$(B)/obj/bytecode-vm/interp.o $(B)/obj/bytecode-vm/fast.o $(SELDOM:%.c=$(B)/obj/%.o): CFLAGS := $(CFLAGS:-O2=-O1)
-$(VM_SOFT): CFLAGS := $(CFLAGS:-O2=-O0)
+$(B)/obj/bytecode-vm/interp.o $(B)/obj/bytecode-vm/fast.o $(SELDOM:%.c=$(B)/obj/%.o): override CFLAGS := $(CFLAGS:-O2=-O1)
+$(VM_SOFT): override CFLAGS := $(patsubst -O%,-O0,$(CFLAGS))
 
 $(B)/libsmc.a: $(LIBSMC:%.c=$(B)/obj/%.o) $(VM_SOFT)
 	@rm -f $@
@@ -93,7 +93,8 @@ CHECK_LINES += "stdlib_convert_small: $(B)/unit/stdlib_convert_small"
 
 # `make check` needs cc and make only; what wants more is skipped and says so (STRICT=1: a skip is a failure).
 # A line a test: its name (behind a + if it calls make), a colon, the command; each ends with "N passed, N failed".
-# OTHERS_LINES are about what other compilers and boards make of it: they take long, and what runs of ours has run in other lines.
+# OTHERS_LINES are about what other compilers and boards make of it, and what is measured: they take long, and what runs of ours
+# has run in other lines.
 # Files are named by patterns, which the command's own shell spells out: all lines together are one argument, and that has a limit of 128 KB.
 UNIT_LINES = $(foreach u,$(UNIT),"$(notdir $(u)): $(u)")
 
@@ -105,8 +106,9 @@ T ?= conformance
 test: all
 	$(B)/smc test --engine=all $(T)
 
+# Emitted C by -O1, as of anybody's smc test, and faster to build by -O0.
 LEVELS ?= 0 1 2
-CHECK_LINES += $(foreach level,$(LEVELS),"conformance-O$(level): $(B)/smc test -O$(level) conformance")
+CHECK_LINES += $(foreach level,$(LEVELS),"conformance-O$(level): $(if $(filter-out 2,$(level)),CC='$(CC) -O0' )$(B)/smc test -O$(level) conformance")
 
 # Emitted C with numbers in software, as --soft makes it, on this computer.
 CHECK_LINES += "conformance-c-soft: CC='$(CC) -O0' $(B)/smc test --engine=ref,c-soft conformance"
@@ -290,10 +292,11 @@ CHECK_LINES += "emitc-flow: $(B)/emitc/flow 100" "emitc-typed: $(B)/emitc/typed 
 check-emitc: all $(B)/emitc/flow $(B)/emitc/typed
 	sh tests/emitc/run.sh $(B)/smc && $(B)/emitc/flow && $(B)/emitc/typed
 
-# Everything again under the sanitizers: compiler, VM and emitted C; but for OTHERS_LINES.
+# Everything again under the sanitizers: compiler, VM and emitted C (by -O0: what it is, not what a compiler makes of it); but for
+# OTHERS_LINES.
 SANITIZE = -fsanitize=address,undefined -fno-sanitize-recover=all
 asan:
-	$(MAKE) B=$(B)/asan CFLAGS='-O1 -g' CC='$(CC) $(SANITIZE)' LEVELS=2 OTHERS_LINES= check
+	$(MAKE) B=$(B)/asan CFLAGS='-O1 -g1' CC='$(CC) $(SANITIZE) -O0' LEVELS=2 OTHERS_LINES= OTHERS_NEED= check
 
 # Coverage-guided, with clang: `make fuzz FUZZ=script FUZZ_SECONDS=3600`.  What it found goes on from where it stopped.
 FUZZ         ?= $(notdir $(basename $(filter-out tests/fuzz/driver.c,$(wildcard tests/fuzz/*.c))))
@@ -345,8 +348,8 @@ $(B)/bench/obj/tests/bench/workloads/%_native.o: BENCH_FLAGS = $(BENCH_USER) -I.
 $(B)/bench/steps: $(BENCH_OBJ) $(BENCH_EMITTED:%=%.o) $(B)/libsmc.a
 	$(call say,LD)$(CC) -o $@ $^ -lm
 
-check: $(B)/bench/steps
-CHECK_LINES += "bench: $(B)/bench/steps $(B)/bench check" "bench-report: sh tests/check/bench_report.sh"
+OTHERS_NEED  += $(B)/bench/steps
+OTHERS_LINES += "bench: $(B)/bench/steps $(B)/bench check" "bench-report: sh tests/check/bench_report.sh"
 
 # All of it, or `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile`; run.sh says what each is.
 BENCH_PARTS = time count sizes compile
@@ -397,7 +400,7 @@ f64-f32: $(B)/soft/run
 
 # tests/avr: on an emulated ATmega328P: the same bits as here, and cycles.  `make check-avr N=100000 SEED=2`: more of it.
 check: $(B)/diff/difftest
-CHECK_LINES += "avr: sh tests/avr/run.sh $(B) '$(CC)'"
+OTHERS_LINES += "avr: sh tests/avr/run.sh $(B) '$(CC)'"
 check-avr: all $(B)/diff/difftest
 	sh tests/avr/run.sh $(B) '$(CC)' $(N) $(SEED) 300
 # `make avr-campaign N=10000 SEED=1`: so many random programs as images, going on where it was stopped.
@@ -413,7 +416,7 @@ check-avr-cycles: $(B)/libsmc.a
 	sh tests/avr/cycles.sh $(B) '$(CC)' check $(N) $(SEED)
 
 # Emitted C there.  `make avr-c-campaign N=1000`: so many random programs, going on where it was stopped, and every conformance case.
-CHECK_LINES += "avr-c: sh tests/avr/c.sh $(B) '$(CC)'"
+OTHERS_LINES += "avr-c: sh tests/avr/c.sh $(B) '$(CC)'"
 avr-c-campaign: all $(B)/diff/difftest $(B)/targets/cases
 	RESUME=1 sh tests/avr/c.sh $(B) '$(CC)' $(N) $(SEED) 1
 .PHONY: check-avr avr-campaign avr-cycles check-avr-cycles avr-c-campaign
@@ -424,16 +427,18 @@ avr-c-campaign: all $(B)/diff/difftest $(B)/targets/cases
 PSL_SUITE       = $(filter-out tests/psl/bench_% tests/psl/own_% tests/psl/qemu_%,$(wildcard tests/psl/*.c))
 PSL_WATCHDOG    = watchdog_process
 PSL_FLAGS_linux = -DPSL_LINUX_IIO='"iio"'
+PSL_OBJ_linux   = psl/linux
+$(B)/psl/linux/%.o: %.c
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(PSL_FLAGS_linux) $(DEPFLAGS) -c $< -o $@
 PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync fdatasync rename unlink syscall timer_settime ppoll)
 define psl_test
 include runtime-c/psl/$(1)/psl.mk
 PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c runtime-c/io.c runtime-c/pin.c runtime-c/statevec.c
 PSL_LIBS_$(1) := $$(PSL_LIBS)
-$$(B)/psl/$(1)/suite: $$(PSL_SRC_$(1):%.c=$$(B)/psl/$(1)/%.o)
-	$$(call say,LD)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(PSL_WRAP_$(1)) $$(PSL_LIBS_$(1))
-$$(B)/psl/$(1)/%.o: %.c
+$$(B)/psl/$(1)/suite: $$(PSL_SRC_$(1):%.c=$$(B)/$(or $(PSL_OBJ_$(1)),obj)/%.o)
 	@mkdir -p $$(@D)
-	$$(call say,CC)$$(CC) $$(STRICT_C) $$(WARN) $$(CFLAGS) $$(PSL_FLAGS_$(1)) $$(DEPFLAGS) -c $$< -o $$@
+	$$(call say,LD)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(PSL_WRAP_$(1)) $$(PSL_LIBS_$(1))
 check: $$(B)/psl/$(1)/suite
 CHECK_LINES += "psl-$(1): $$(B)/psl/$(1)/suite"
 endef
@@ -531,7 +536,7 @@ endif
 	avr-objcopy -O ihex -R .eeprom $(FIRMWARE_OUT)/$(MCU).elf $(FIRMWARE_OUT)/$(MCU).hex
 	avr-size $(FIRMWARE_OUT)/$(MCU).elf
 check: $(B)/device/link $(STORE_SMB)
-CHECK_LINES += "+firmware: sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)'"
+OTHERS_LINES += "+firmware: sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)'"
 firmware-trouble: $(B)/device/link $(STORE_SMB)
 	sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)' $(or $(N),100) $(or $(SEED),1)
 .PHONY: firmware firmware-trouble
@@ -588,12 +593,9 @@ $(RUNTIME_MADE:%.c=%.o): %.o: %.c | $(RUNTIME_MADE)
 define runtime_platform
 include runtime-c/psl/$(1)/psl.mk
 RUNTIME_SRC_$(1) := $$(PSL) $$(RUNTIME_SRC)
-$$(B)/runtime/$(1).a: $$(RUNTIME_SRC_$(1):%.c=$$(B)/runtime/$(1)/%.o) $$(RUNTIME_MADE:%.c=%.o)
+$$(B)/runtime/$(1).a: $$(RUNTIME_SRC_$(1):%.c=$$(B)/obj/%.o) $$(RUNTIME_MADE:%.c=%.o)
 	@rm -f $$@
 	$$(call say,AR)$$(AR) rcs $$@ $$^
-$$(B)/runtime/$(1)/%.o: %.c
-	@mkdir -p $$(@D)
-	$$(call say,CC)$$(CC) $$(STRICT_C) $$(WARN) $$(CFLAGS) $$(DEPFLAGS) -c $$< -o $$@
 endef
 $(foreach platform,linux sim desk,$(eval $(call runtime_platform,$(platform))))
 RUNTIME_TSAN_SRC = $(RUNTIME_SRC_linux) $(RUNTIME_MADE)
@@ -618,7 +620,7 @@ $(B)/runtime/%_tsan: tests/runtime/%_linux.c $(RUNTIME_TSAN_OBJ)
 check: $(RUNTIME_TESTS) $(RUNTIME_TSAN)
 CHECK_LINES += $(foreach t,$(RUNTIME_TESTS),"runtime-$(notdir $(t)): $(t)") \
                $(foreach t,$(RUNTIME_TSAN),"runtime-$(notdir $(t)): if test -x $(t); then $(t); else echo 0 passed, 0 failed, 1 skipped; fi")
-CHECK_LINES += "runtime-targets: CC='$(CC)' sh tests/runtime/targets.sh $(B)/smc"
+OTHERS_LINES += "runtime-targets: CC='$(CC)' sh tests/runtime/targets.sh $(B)/smc"
 # `make kill-runtime N=10000`: a program killed so often, at random moments.
 kill-runtime: $(B)/runtime/kill_linux
 	$(B)/runtime/kill_linux $(N)
@@ -881,4 +883,5 @@ CHECK_LINES += "+check-docs: $(MAKE) -s --no-print-directory check-docs"
 .PHONY: check-clauses check-docs mutants faults
 
 .PHONY: $(HOUSE_RULES) all asan bench bench-scale check check-emitc check-ir check-golden check-mutate update-golden test fuzz install uninstall help clean
+check: $(OTHERS_NEED)
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
