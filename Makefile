@@ -5,7 +5,7 @@ B       ?= build
 CC      ?= cc
 AR      ?= ar
 CFLAGS  ?= -O2
-DEPFLAGS ?= -MMD -MP
+DEPFLAGS ?= $(if $(findstring tcc,$(CC)),-MD,-MMD -MP)
 PREFIX  ?= /usr/local
 WARN     = -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -pedantic
 # The meaning of a program rests on plain IEEE arithmetic: no contraction of a*b+c, whatever CFLAGS says.  And gcc 12 at -O2 drops

@@ -285,6 +285,8 @@ static bool takes_c(Cli *c, const char *path)
     return false;
 }
 
+static bool is_named_c(const char *path) { return has_suffix(path, ".c") || has_suffix(path, ".h"); }
+
 // Whether the inputs, the kind of output and -o go together.
 static int check_use(Cli *c, Emit emit, FileKind *first)
 {
@@ -312,6 +314,8 @@ static int check_use(Cli *c, Emit emit, FileKind *first)
         return cli_usage(c, "a state script is not built; 'smc test MACHINE.sm %s' runs it", c->file[0]);
     if (*first == FILE_SV && (is_image(emit) || emit == EMIT_IR))
         return cli_usage(c, "a state vector alone gives no %s; build its machines, or say --emit=c", emit == EMIT_IR ? "IR" : "bytecode");
+    if (emit == EMIT_BYTECODE && !c->given[OPT_EMIT] && c->given[OPT_OUTPUT] && is_named_c(c->value[OPT_OUTPUT]))
+        return cli_usage(c, "'%s' is a name for C: say --emit=c for C, or --emit=array for bytecode as a C array", c->value[OPT_OUTPUT]);
     if (emit == EMIT_C && c->given[OPT_OUTPUT] && !takes_c(c, c->value[OPT_OUTPUT]))
         return EXIT_USAGE;
     if (emit == EMIT_C && c->files > 1 && (c->given[OPT_OUTPUT] || c->given[OPT_PREFIX]))
