@@ -804,8 +804,7 @@ check-codes:
 	@$(find_smt) | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -
 check-headers: $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
 	@CC='$(CC)' sh tests/check/headers.sh -I$(B)/gen
-check-imports: $(patsubst %.c,$(B)/obj/%.o,$(filter-out $(VM_TEXT),$(VM))) $(STDLIB:%.c=$(B)/obj/%.o) \
-               $(patsubst %.c,$(B)/runtime/sim/%.o,$(wildcard runtime-c/*.c bytecode-vm/target/*.c))
+check-imports: $(patsubst %.c,$(B)/obj/%.o,$(filter-out $(VM_TEXT),$(VM)) $(STDLIB) $(wildcard runtime-c/*.c bytecode-vm/target/*.c))
 	@sh tests/check/imports.sh $^
 check-licence:
 	@$(find_code) | awk -f tests/check/licence.awk
