@@ -110,14 +110,27 @@ static void lose_line(Losing *k, uint32_t at)
     lose(k, from, to);
 }
 
-static void look_at_error(Losing *k, Span error)
+// What is read as a state, but has no block, may have been meant for declarations.
+static bool is_no_state(const AstSection *section)
 {
+    bool blocks = section->kind != AST_STATE;
+
+    for (size_t i = 0; i < AST_LABEL_COUNT; i++)
+        blocks = blocks || section->block[i].present;
+    return !blocks;
+}
+
+static void look_at_error(Losing *k, const Diag *d)
+{
+    const Span error = d->span;
     size_t n = sections_up_to(k->f, error.at);
     const AstSection *section = n > 0 ? k->f->sections.at[n - 1] : NULL;
     uint32_t end = n < k->f->sections.n ? k->f->sections.at[n]->header.at : k->f->src->len;
 
     if (!section || section->name->len == 0) {          // its header is missing, or unreadable
         k->l->sections = true;
+        lose(k, error.at, end);
+    } else if (d->code == DIAG_code_before_label && is_no_state(section)) {
         lose(k, error.at, end);
     } else if (may_hide(section, error))
         lose_line(k, error.at);
@@ -133,7 +146,7 @@ Lost *lost_names(const CheckContext *c, const AstFile *f)
         const Diag *e = c->diags->list.at[i];
         if (e->severity == DIAG_ERROR && e->span.src == f->src) {
             l->any = true;
-            look_at_error(&k, e->span);
+            look_at_error(&k, e);
         }
     }
     return l;

@@ -1,4 +1,4 @@
-# Constants in a section of their own, without types.
+# Constants in a section of their own, without types: one message, and none where they are used.
 args check a.sm
 
 -- a.sm --
@@ -16,9 +16,6 @@ limit = 3
 a.sm:7:1: error: this stands before the first label of the state 'parameters' [E0310]
     7 | limit = 3
       | ^~~~~ a list of constants is [local], each with its type: F64 limit = 3
-a.sm:10:16: error: unknown element 'limit' [E0204]
-   10 |     open = p > limit
-      |                ^~~~~
-2 errors
+1 error
 -- exit --
 1
