@@ -654,6 +654,7 @@ $(B)/targets/runtime-%: $(RUNTIME_SRC_sim) $(RUNTIME_MADE) $(TARGETS_RUNTIME:%=t
 
 check: $(B)/diff/difftest $(B)/targets/cases $(RUNTIME_MADE)
 OTHERS_LINES += "+targets: sh tests/targets/run.sh $(B)"
+OTHERS_LINES += "app-targets: sh tests/targets/app.sh $(B) '$(CC)'"
 check-targets targets-campaign: $(B)/diff/difftest $(B)/targets/cases
 check-targets:
 	sh tests/targets/run.sh $(B)

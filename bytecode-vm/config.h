@@ -124,8 +124,16 @@
 
 typedef SMVM_BYTES SmvmBytes;
 
-// An array as an image, where the VM fetches from the memory that the array is in.
+// An array as an image, where the VM fetches from the memory that the array is in; and what puts it there: `const uint8_t a[] SMVM_IMAGE_IN = {…}`
+// is in flash on AVR, whose constants are copied into RAM else.
 #define SMVM_IMAGE(array) ((SmvmBytes)(uintptr_t)(array))
+#ifndef SMVM_IMAGE_IN
+#ifdef __AVR__
+#define SMVM_IMAGE_IN __attribute__((__progmem__))
+#else
+#define SMVM_IMAGE_IN
+#endif
+#endif
 typedef SMVM_AT SmvmAt;
 
 typedef char smvm_at_is_too_small[SMVM_IMAGE_MAX < (SMVM_AT)-1 && SMVM_RAM_MAX < (SMVM_AT)-1 && SMVM_RAM_MAX <= (size_t)-1 / 2 ? 1 : -1];

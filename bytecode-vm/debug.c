@@ -5,23 +5,27 @@
 
 #include "bytecode-vm/image.h"
 
+// `at` bytes into the section, and where it ends: places in the image.
+static SmvmAt place_of(const SmvmMachine *m, uint32_t at) { return (SmvmAt)(m->debug_at + at); }
+static SmvmAt end_of(const SmvmMachine *m) { return place_of(m, m->debug_size); }
+
 static bool number_at(const SmvmMachine *m, uint32_t at, uint32_t *value)        // of three bytes, `at` bytes into the section
 {
     if (m->debug_size < 3 || at > m->debug_size - 3)
         return false;
-    *value = smvm_u24(m->image, m->debug_at + at);
+    *value = smvm_u24(m->image, place_of(m, at));
     return true;
 }
 
 static SmvmName name_at(const SmvmMachine *m, uint32_t at)                      // whose offset is the number at `at`
 {
     SmvmName none = {0, 0}, n;
-    uint32_t offset, end = m->debug_at + m->debug_size;
+    uint32_t offset;
 
     if (!number_at(m, at, &offset) || offset == 0 || offset >= m->debug_size)
         return none;
-    n.at = m->debug_at + offset;
-    return smvm_varint(m->image, &n.at, end, &n.size) && n.size <= end - n.at ? n : none;
+    n.at = place_of(m, offset);
+    return smvm_varint(m->image, &n.at, end_of(m), &n.size) && n.size <= (SmvmAt)(end_of(m) - n.at) ? n : none;
 }
 
 SmvmName smvm_name(const SmvmMachine *m, uint32_t which) { return name_at(m, 3 * which); }
@@ -44,8 +48,8 @@ SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, S
 {
     uint32_t at = variables_at(m) + SMVM_DEBUG_VARIABLE * index;
 
-    *is = (SmvmVariable)smvm_u8(m->image, m->debug_at + at);
-    *place = smvm_place(m->image, m->debug_at + at + 1);
+    *is = (SmvmVariable)smvm_u8(m->image, place_of(m, at));
+    *place = smvm_place(m->image, place_of(m, at + 1));
     return name_at(m, at + 1 + SMVM_PLACE);
 }
 
@@ -88,17 +92,17 @@ static bool open_lines(const SmvmMachine *m, SmvmLines *l)
     l->open = true;
     if (!number_at(m, 3, &offset) || offset == 0 || offset >= m->debug_size)
         return false;
-    l->at = m->debug_at + offset;
-    return smvm_varint(m->image, &l->at, m->debug_at + m->debug_size, &l->left);
+    l->at = place_of(m, offset);
+    return smvm_varint(m->image, &l->at, end_of(m), &l->left);
 }
 
 bool smvm_next_line(const SmvmMachine *m, SmvmLines *l)
 {
-    uint32_t end = m->debug_at + m->debug_size, code, line;
+    uint32_t code, line;
 
     if (!l->open && !open_lines(m, l))
         l->left = 0;
-    if (l->left == 0 || !smvm_varint(m->image, &l->at, end, &code) || !smvm_varint(m->image, &l->at, end, &line)) {
+    if (l->left == 0 || !smvm_varint(m->image, &l->at, end_of(m), &code) || !smvm_varint(m->image, &l->at, end_of(m), &line)) {
         l->left = 0;
         return false;
     }

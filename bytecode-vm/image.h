@@ -213,7 +213,7 @@ void smvm_store(SmF64 x, uint8_t type, void *at);
 
 // ---- names, for hosts; DEBUG is not verified, so these check what they read (debug.c) ----
 
-typedef struct SmvmName { uint32_t at, size; } SmvmName;         // in the image; size 0: none
+typedef struct SmvmName { SmvmAt at; uint32_t size; } SmvmName;  // in the image; size 0: none
 
 enum { SMVM_NAME_MACHINE = 2, SMVM_NAME_SOURCE = 3 };
 SmvmName smvm_name(const SmvmMachine *m, uint32_t which);        // one of the two
@@ -225,7 +225,7 @@ SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, S
 SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmPlace *place);        // of T `place` is not asked
 
 // Goes through the lines in code order: starts zeroed; false at the end.
-typedef struct SmvmLines { bool open; uint32_t at, left, code, line; } SmvmLines;
+typedef struct SmvmLines { bool open; SmvmAt at; uint32_t left, code, line; } SmvmLines;
 bool smvm_next_line(const SmvmMachine *m, SmvmLines *l);         // l->line holds from l->code (an offset in CODE) on
 
 #endif

@@ -106,7 +106,7 @@ static void target_publish(const void *self, const void *from, void *to)
         uint8_t bits = i < 64 ? t->vm->stored[i >> 3] : t->more[(i - 64) >> 3];
         if ((bits >> (i & 7) & 1) == 0)
             continue;
-        o = smvm_place(t->image, t->outputs_at + SMVM_PLACE * i);
+        o = smvm_place(t->image, (SmvmAt)(t->outputs_at + SMVM_PLACE * i));
         copy(from, to, place(o.offset, (uint32_t)1 << smvm_type_shift(o.type)));
     }
 }
@@ -126,11 +126,13 @@ static const char *target_state_name(const void *self, uint32_t state)
     const SmvmTarget *t = self;
     SmvmMachine m;
     SmvmName n;
+    SmvmAt end;
 
     if (state < 1 || state > t->states || !smvm_machine(t->image, t->machine, &m))
         return "";
     n = smvm_state_name(&m, state);
-    if (n.size == 0 || n.at + n.size >= m.debug_at + m.debug_size || smvm_u8(t->image, n.at + n.size) != 0)
+    end = (SmvmAt)(n.at + n.size);
+    if (n.size == 0 || end >= m.debug_at + m.debug_size || smvm_u8(t->image, end) != 0)
         return "";
     return SMVM_TEXT(t->image, n.at);
 }

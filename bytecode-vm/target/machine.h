@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Machines of an image as tasks of the flight runtime (runtime-c/machine.h).
 //
-//     static const uint8_t image[] = { … };                             // a .smb: in flash, in memory, read from a file
+//     static const uint8_t image[] SMVM_IMAGE_IN = { … };               // a .smb: in flash, in memory, read from a file
 //     static uint64_t memory[SMVM_WORDS(0, 0, 16, 3)];
-//     static SmvmTarget mission = {.image = image, .size = sizeof image, .memory = memory, .memory_size = sizeof memory};
+//     static SmvmTarget mission = {.image = SMVM_IMAGE(image), .size = sizeof image, .memory = memory, .memory_size = sizeof memory};
 //     static SmMachine m = {.name = "mission", .type = &smvm_machine_type, .self = &mission, .sv = &rocket_vector, …};
 //
 // The image is verified in sm_machine_init, whoever made it.  An image of several machines has an SmvmTarget for each.
@@ -40,7 +40,8 @@ typedef struct SmvmTarget {
     SmVm *vm;                 // NULL where it cannot step
     SmvmDecoded *fast;
     const uint8_t *more;      // what it stored of the outputs from 64 on, a bit each
-    uint32_t states, outputs, outputs_at;
+    uint32_t states, outputs;
+    SmvmAt outputs_at;
     SmPlace uses, number;
 } SmvmTarget;
 

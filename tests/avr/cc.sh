@@ -37,11 +37,5 @@ else
     exit 77
 fi
 [ -n "$AVR_CHIPS" ] && echo $mcu >>"$AVR_CHIPS"
-avr-objcopy -O binary "$out.elf" "$out.bin" || exit 1
-size=$(wc -c <"$out.bin")
-{
-    cat "$run" "$out.bin"
-    printf '%-16s' $mcu | tr ' ' '\000'
-    for shift in 0 8 16 24; do printf "\\$(printf %03o $((size >> shift & 255)))"; done
-} >"$out" && chmod +x "$out"
-rm -f "$out.elf" "$out.bin" "$out.log"
+sh "$root/tests/avr/pack.sh" "$run" $mcu "$out.elf" "$out" || exit 1
+rm -f "$out.elf" "$out.log"

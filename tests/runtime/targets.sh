@@ -12,7 +12,8 @@ strict='-std=c99 -Os -ffunction-sections -fdata-sections -Wall -Wextra -Wconvers
 strict_cpp='-std=c++11 -Wall -Wextra -Wconversion -Wshadow -pedantic -Werror -I.'
 sources='runtime-c/statevec.c runtime-c/region.c runtime-c/names.c runtime-c/event.c'
 more='runtime-c/log.c runtime-c/log_drain.c runtime-c/log_describe.c runtime-c/keep.c
-      runtime-c/task.c runtime-c/executor.c runtime-c/app.c runtime-c/run.c runtime-c/writing.c'      # log, keep, tasks, applications
+      runtime-c/task.c runtime-c/executor.c runtime-c/app.c runtime-c/run.c runtime-c/writing.c
+      runtime-c/machine.c bytecode-vm/target/machine.c bytecode-vm/debug.c runtime-c/pin.c runtime-c/io.c bytecode-vm/target/io.c'
 
 for v in wide plain narrow; do
     "$smc" build "$here/$v.sv" --emit=c --runtime -o "$dir/$v.c" || failed=$((failed + 1))

@@ -22,14 +22,14 @@ void put_app_image(const AppMachine *m, const Buf *image, Buf *out)
     SmvmMachine vm;
 
     smvm_machine((const uint8_t *)image->at, 0, &vm);
-    buf_printf(out, "static const uint8_t %sImage[] = {        // %s.sm as bytecode", n, m->program->name->text);
+    buf_printf(out, "static const uint8_t %sImage[] SMVM_IMAGE_IN = {        // %s.sm as bytecode", n, m->program->name->text);
     emit_c_bytes(image, out);
     buf_printf(out,
                "\n};\nstatic uint64_t %sMemory[SMVM_WORDS(%u, %u, %u, %u)];"
                "        // windows, their words, bytes of locals, outputs\n",
                n, (unsigned)vm.windows, window_words(&vm), (unsigned)vm.locals, (unsigned)vm.outputs);
     buf_printf(out,
-               "static SmvmTarget %sSelf = {.image = %sImage, .size = sizeof %sImage, "
+               "static SmvmTarget %sSelf = {.image = SMVM_IMAGE(%sImage), .size = sizeof %sImage, "
                ".memory = %sMemory, .memory_size = sizeof %sMemory};\n",
                n, n, n, n, n);
 }

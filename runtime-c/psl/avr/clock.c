@@ -77,8 +77,10 @@ SmResult pal_clock_resolution(uint64_t *ns)
 {
     if (!ns)
         return SM_E_ARGUMENT;
-    if (TCCR0B == 0)
+    if (TCCR0B == 0) {                 // nobody has started it
         avr_clock_start(0);
+        sei();
+    }
     *ns = STEP * PAL_MICROSECOND;
     return SM_OK;
 }
