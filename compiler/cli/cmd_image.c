@@ -9,16 +9,27 @@ static void put_text(void *context, const char *text, size_t length)
     buf_put(context, text, length);
 }
 
+// What to do about an image that is refused; NULL: only who made it can tell.
+static const char *advice(uint8_t rule)
+{
+    switch (rule) {
+    case SMVM_R_MAGIC: return "it is no image; 'smc build' makes one of a machine";
+    case SMVM_R_FORMAT: return "it was made by another version of smc: build it anew with this one, from its sources";
+    case SMVM_R_LENGTH: case SMVM_R_CRC: return "it is damaged, or not all of it is there: copy it again, or build it anew from its sources";
+    default: return NULL;
+    }
+}
+
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v)
 {
     if ((*image = cli_load(c, path)) == NULL)
         return EXIT_ENVIRONMENT;
     if (smvm_verify((SmvmBytes)(*image)->text, (*image)->len, v) == 0)
         return EXIT_OK;
-    cli_say(c, "%s: refused by rule %u at byte %lu: %s", (*image)->name, (unsigned)v->rule, (unsigned long)v->at,
+    cli_say(c, "%s: refused, for rule %u does not hold at byte %lu: %s", (*image)->name, (unsigned)v->rule, (unsigned long)v->at,
             smvm_rule_text(v->rule));
-    if (v->rule == SMVM_R_FORMAT)
-        cli_say(c, "it was made by another version of smc: build it anew with this one, from its sources");
+    if (advice(v->rule))
+        cli_say(c, "%s", advice(v->rule));
     return EXIT_PROBLEM;
 }
 

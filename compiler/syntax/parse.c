@@ -457,6 +457,15 @@ static void start(Parser *p, Arena *arena, StrPool *strings, Diags *diags, const
     lex_next(&p->lex, &p->ahead);
 }
 
+// What is told of whatever stands before a file's first section.
+static const char *const first_section[] = {
+    [FILE_SV] = "elements stand in sections, as under [Tank]",
+    [FILE_SM] = "a machine begins with [state_vector]",
+    [FILE_SS] = "options stand under [options], tests under the name of a state, as [Idle]",
+    [FILE_IO] = "pins stand under [analog] and [digital]",
+    [FILE_APP] = "options stand under [options], tasks under the name of an executor"
+};
+
 AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind)
 {
     AstFile *f = ARENA_NEW(arena, AstFile);
@@ -470,7 +479,7 @@ AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *
     start(&p, arena, strings, diags, src, kind);
     if (p.tok.kind != TOK_HEADER && p.tok.kind != TOK_END) {
         if (p.tok.kind != TOK_ERROR)
-            parser_report(&p, DIAG_text_before_section, parser_here(&p));
+            diag_label(diags, parser_report(&p, DIAG_text_before_section, parser_here(&p)), DIAG_label_text, first_section[kind]);
         skip_section(&p);
     }
     while (p.tok.kind == TOK_HEADER)

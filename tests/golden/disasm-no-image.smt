@@ -12,8 +12,10 @@ bool open
 .step
     open = true
 -- stderr --
-smc: a.sm: refused by rule 1 at byte 0: an image begins with the bytes 's' 'm' 'b'
-smc: a.sm: refused by rule 1 at byte 0: an image begins with the bytes 's' 'm' 'b'
+smc: a.sm: refused, for rule 1 does not hold at byte 0: an image begins with the bytes 's' 'm' 'b'
+smc: it is no image; 'smc build' makes one of a machine
+smc: a.sm: refused, for rule 1 does not hold at byte 0: an image begins with the bytes 's' 'm' 'b'
+smc: it is no image; 'smc build' makes one of a machine
 smc: cannot read 'nowhere.smb': No such file or directory
 -- exit --
 1 1 3

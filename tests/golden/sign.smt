@@ -53,7 +53,8 @@ smc: sign wants an image and a key, as in 'smc sign tank.smb --key=rocket.key'
 Try 'smc sign --help'.
 smc: 'a.sm' is no key: a key is 32 hexadecimal digits; 'smc key FILE' makes one
 smc: cannot read 'missing.key': No such file or directory
-smc: a.sm: refused by rule 1 at byte 0: an image begins with the bytes 's' 'm' 'b'
+smc: a.sm: refused, for rule 1 does not hold at byte 0: an image begins with the bytes 's' 'm' 'b'
+smc: it is no image; 'smc build' makes one of a machine
 smc: --number wants a whole number from 1 to 4000000000, not '0'
 Try 'smc sign --help'.
 smc: --number wants a whole number from 1 to 4000000000, not '4000000001'
