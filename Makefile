@@ -528,8 +528,10 @@ FIRMWARE_C   = $(AVR_CC) -mmcu=$(MCU) -DF_CPU=16000000UL $(FIRMWARE_SMALL) -std=
 firmware: $(B)/smc
 	@mkdir -p $(FIRMWARE_OUT)
 	$(B)/smc build -w bytecode-vm/firmware/safe.sm --sv bytecode-vm/firmware/safe.sv --io bytecode-vm/firmware/safe.io -o $(FIRMWARE_OUT)/safe.smb
+	@$(B)/smc verify '$(or $(SAFE),$(FIRMWARE_OUT)/safe.smb)' >/dev/null
 	od -An -v -tx1 $(or $(SAFE),$(FIRMWARE_OUT)/safe.smb) | sed 's/ \(..\)/0x\1,/g' >$(FIRMWARE_OUT)/safe_image.inc
 ifneq ($(KEY),)
+	@grep -qx '[0-9a-fA-F]\{32\}' '$(KEY)' || { echo '$(KEY) is no key of smc key: 32 hexadecimal digits' >&2; exit 1; }
 	@umask 077 && sed 's/\(..\)/0x\1,/g' '$(KEY)' >$(FIRMWARE_OUT)/key.inc
 endif
 	$(FIRMWARE_C) $(FIRMWARE_SRC) -Wl,-Map=$(FIRMWARE_OUT)/$(MCU).map -o $(FIRMWARE_OUT)/$(MCU).elf

@@ -160,6 +160,14 @@ static void run_built_in(void)
 // ---- the board, as the agent asks it ----
 
 #ifdef FIRMWARE_ARM_PIN
+#ifdef __AVR_ATmega2560__
+#define LAST_PIN 69
+#else
+#define LAST_PIN 19
+#endif
+#if FIRMWARE_ARM_PIN < 2 || FIRMWARE_ARM_PIN > LAST_PIN
+#error "ARM_PIN is a pin of the board as a number: 2 to 19 on an Uno, 2 to 69 on a Mega (0 and 1 are the line)"
+#endif
 static PalDio arming;
 
 // A plug to ground keeps the board from being armed: pulled out, or its wire broken, it is.
@@ -256,8 +264,10 @@ static void start_store(void)
 
     if (pal_nvm_open(&nvm, "eeprom", FIRMWARE_STORE) == SM_OK && opens(nvm, &plan))
         (void)smvm_store_boot(&store, &slot);
-    if (slot == STORE_BUILT_IN || run(plan.image[slot], smvm_store_period(&store, slot)) != SM_OK)
-        run_built_in();
+    if (slot != STORE_BUILT_IN && run(plan.image[slot], smvm_store_period(&store, slot)) == SM_OK)
+        return;
+    smvm_store_leave(&store);              // nothing else may be said to run: a pin may be wanted twice, which only opening them tells
+    run_built_in();
 }
 
 // (Apart: what it needs of the stack is given back.)

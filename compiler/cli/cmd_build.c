@@ -309,7 +309,7 @@ static int check_use(Cli *c, Emit emit, FileKind *first)
     if (*first == FILE_IO && emit < EMIT_AST && emit != EMIT_C)
         return cli_usage(c, "pins alone give C only; say --emit=c");
     if (c->given[OPT_IO] && (*first != FILE_SM || !is_image(emit) || !c->given[OPT_SV]))
-        return cli_usage(c, "--io puts pins into an image, as in 'smc build tank.sm --sv app.sv --io %s'", c->value[OPT_IO]);
+        return cli_usage(c, "--io puts pins into an image, by the state vector that --sv names, as in 'smc build tank.sm --sv app.sv --io %s'", c->value[OPT_IO]);
     if (*first == FILE_SS && emit < EMIT_AST)
         return cli_usage(c, "a state script is not built; 'smc test MACHINE.sm %s' runs it", c->file[0]);
     if (*first == FILE_SV && (is_image(emit) || emit == EMIT_IR))

@@ -68,6 +68,11 @@ static int confirm(BoardLine *b, Buf *out)
         cli_say(b->c, "the board runs its built-in image: there is nothing to confirm");
         return EXIT_PROBLEM;
     }
+    if (image.state == DEVICE_CONFIRMED && b->info.may == SM_OK) {
+        cli_say(b->c, "nothing is on trial: this image runs, and was confirmed before");
+        board_describe(out, &image);
+        return EXIT_PROBLEM;
+    }
     if (!device_ask_about(&b->host, LINK_CONFIRM, image.checksum) || !device_image(&b->host, image.slot, &image))
         return board_failed(b, "it was not confirmed");
     board_describe(out, &image);

@@ -135,7 +135,8 @@ static int say_failed(BoardLine *b, const Update *u, DeviceStep step)
     int code;
 
     if (step == DEVICE_RUN) {
-        cli_say(b->c, "the board does not run the new image: it went back to the one before");
+        cli_say(b->c, "the board does not run the new image, but the one before or its built-in one, as 'smc device list' says; pins that it names may "
+                "be wanted twice, or be those of the line");
         return EXIT_PROBLEM;
     }
     if (step == DEVICE_END && b->host.answered && u->rule != 0) {
@@ -146,6 +147,8 @@ static int say_failed(BoardLine *b, const Update *u, DeviceStep step)
         code = EXIT_PROBLEM;
     } else {
         code = board_failed(b, what[step]);
+        if (step == DEVICE_END && b->host.answered && b->host.result == SM_E_MISSING)
+            cli_say(b->c, "a pin that it names may be none of this board's: docs/boards.md has a table of them");
     }
     if (step < DEVICE_ACTIVATE)
         cli_say(b->c, b->info.slots > 1 ? "the board keeps what it ran before"

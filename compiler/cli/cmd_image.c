@@ -20,12 +20,24 @@ static const char *advice(uint8_t rule)
     }
 }
 
+// Where images lie on a board there may be anything behind them; a file holds nothing else.
+static int ends_in_time(Cli *c, const Source *image)
+{
+    const uint32_t length = smvm_uint((SmvmBytes)image->text, SMVM_LENGTH_AT, 3);
+
+    if (length == image->len)
+        return EXIT_OK;
+    cli_say(c, "%s: refused, for the image ends at byte %lu, and the file at byte %lu", image->name, (unsigned long)length, (unsigned long)image->len);
+    cli_say(c, "%s", advice(SMVM_R_LENGTH));
+    return EXIT_PROBLEM;
+}
+
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v)
 {
     if ((*image = cli_load(c, path)) == NULL)
         return EXIT_ENVIRONMENT;
     if (smvm_verify((SmvmBytes)(*image)->text, (*image)->len, v) == 0)
-        return EXIT_OK;
+        return ends_in_time(c, *image);
     cli_say(c, "%s: refused, for rule %u does not hold at byte %lu: %s", (*image)->name, (unsigned)v->rule, (unsigned long)v->at,
             smvm_rule_text(v->rule));
     if (advice(v->rule))

@@ -129,6 +129,20 @@ fly_signed() {
     count board_off >"$D/signed.said" 2>&1
 }
 
+# An image that wants a pin twice does not run, is not said to, and cannot be confirmed.
+fly_twice() {
+    rm -f "$D/twice.mem"*
+    board_on "$D/twice.mem"
+    touch "$D/twice.mem.go"
+    text='the board does not run the new image'
+    count says "$smc" flash "$D/twice.smb" "$port"
+    text='built in: .*, runs'
+    count says "$smc" device list "$port"
+    text='there is nothing to confirm'
+    count says "$smc" device confirm "$port"
+    count board_off >"$D/twice.said" 2>&1
+}
+
 $CC -std=gnu99 -O1 -Wall -Wextra -I. tests/avr/board.c tests/avr/plants.c -o "$D/board" -lsimavr -lelf -lm || exit 1
 sed '/-> Idle/d' examples/tank/tank.sm >"$D/tank.sm"      # or it idles, vent open, after as much of its time as a slow computer may take
 build tank "$D/tank.sm" --sv tests/avr/tank.sv --io tests/avr/tank.io
@@ -137,6 +151,8 @@ sed 's/tankPressure > 775/roll_median(tankPressure, 700) > 775/' "$D/tank.sm" >"
 build large "$D/large.sm"
 sed 's/tankPressure > 775/tankPressure > 770/' "$D/tank.sm" >"$D/vent.sm"
 build vent "$D/vent.sm" --sv tests/avr/tank.sv --io tests/avr/tank.io
+sed 's/o 8/o 9/; s/^\[digital\]/o 9 state\n&/' tests/avr/tank.io >"$D/twice.io"
+build twice "$D/tank.sm" --sv tests/avr/tank.sv --io "$D/twice.io"
 for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     export MCU FIRMWARE=$D/$MCU.elf
     $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU ARM_PIN=7 FIRMWARE_OUT="$D" || exit 1
@@ -148,6 +164,7 @@ for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     fly_tank
     fly_rocket
     fly_signed
+    fly_twice
 done
 echo "firmware: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -1,0 +1,17 @@
+# What stands behind an image's end in its file is damage, though a board's slot may hold anything there.
+args build a.sm && echo more >>a.smb
+args verify a.smb
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+bool open
+[Idle]
+.step
+    open = true
+-- stderr --
+smc: a.smb: refused, for the image ends at byte 72, and the file at byte 77
+smc: it is damaged, or not all of it is there: copy it again, or build it anew from its sources
+-- exit --
+0 1
