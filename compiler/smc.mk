@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Rules for projects that build state machines, or whole applications:  include smc.mk
 #   tank.smb from tank.sm: bytecode.      tank.c and tank.h from tank.sm: C99.      app_io.c and app_io.h from app.io: C99 for runtime-c.
-#   make flash-tank PORT=/dev/ttyACM0: tank.smb onto a board; it is on trial until `smc device confirm`.
-# Set SMC_SV to the application's state vector (app.sv) if there is one, SMCFLAGS to further options.
+#   make flash-tank PORT=/dev/ttyACM0: tank.smb onto a board; it is on trial until `smc device confirm`.  make flash: of the one machine here.
+# Set before the include: SMC_SV to the application's state vector (app.sv) if there is one, SMC_IO to the pins of its images (app.io),
+# SMCFLAGS to further options.
 #   rocket from rocket.app: a program.  Set before the include
 #     SMC_APP       rocket
 #     SMC_SOURCES   what you wrote: navigation.c engine.cpp; .c, .cc and .cpp
@@ -16,21 +17,27 @@ SMC_GOAL := $(.DEFAULT_GOAL)
 SMC      ?= smc
 SMC_SV   ?=
 SMCFLAGS ?=
+SMC_IO   ?=
 SMC_ARGS  = $(SMCFLAGS) $(if $(SMC_SV),--sv=$(SMC_SV))
+# Where these are set: another option makes it anew.
+SMC_SET  := $(wildcard $(firstword $(MAKEFILE_LIST)))
 
-%.smb: %.sm $(SMC_SV)
-	$(SMC) build $< $(SMC_ARGS) -o $@ -MD -MP -MF $@.d
+%.smb: %.sm $(SMC_SV) $(SMC_IO) $(SMC_SET)
+	$(SMC) build $< $(SMC_ARGS) $(if $(SMC_IO),--io=$(SMC_IO)) -o $@ -MD -MP -MF $@.d
 
 # Both files come from one call; the pattern tells make so.
-%.c %.h: %.sm $(SMC_SV)
+%.c %.h: %.sm $(SMC_SV) $(SMC_SET)
 	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*.c -MD -MP -MF $*.sm.d
 
-%_io.c %_io.h: %.io $(SMC_SV)
+%_io.c %_io.h: %.io $(SMC_SV) $(SMC_SET)
 	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*_io.c -MD -MP -MF $*.io.d
 
 # Not %.smb alone: make wants a name that is no file.
 flash-%: %.smb
 	$(SMC) flash $< --port=$(or $(PORT),$(error PORT=/dev/ttyACM0 says where the board is))
+SMC_ONE   = $(basename $(wildcard *.sm))
+flash: $(if $(word 2,$(SMC_ONE)),,$(SMC_ONE:%=flash-%))
+	$(if $(filter 1,$(words $(SMC_ONE))),@:,$(error make flash-NAME says which machine; here are: $(SMC_ONE)))
 
 SMC_DEPS := $(wildcard *.smb.d *.sm.d *.io.d)
 -include $(SMC_DEPS)
@@ -39,7 +46,7 @@ SMC_DEPS := $(wildcard *.smb.d *.sm.d *.io.d)
 SMC_WASTE = $(SMC_DEPS) $(patsubst %.smb.d,%.smb,$(filter %.smb.d,$(SMC_DEPS))) \
             $(foreach d,$(patsubst %.sm.d,%,$(filter %.sm.d,$(SMC_DEPS))),$d.c $d.h) \
             $(foreach d,$(patsubst %.io.d,%,$(filter %.io.d,$(SMC_DEPS))),$d_io.c $d_io.h)
-.PHONY: smc-clean smc-changed
+.PHONY: smc-clean smc-changed flash
 smc-clean:
 	rm -f $(SMC_WASTE)
 	$(if $(SMC_APP),rm -rf $(addprefix $(SMC_OUT)/obj/,made own $(notdir $(wildcard $(SMC_TREE)/runtime-c/psl/*))))

@@ -45,7 +45,24 @@ sees_flags()
         ! "$make" -q -f flags.mk valve.c && ! "$make" -q -f flags.mk valve.h && ! "$make" -q -f flags.mk valve.smb
 }
 check "a state vector that only the options name is noticed, by the C as well" sees_flags
-rm -f flags.mk tank.sv valve.*
+cat >pins.mk <<EOF
+SMC    = $inst/bin/smc
+SMC_SV = tank.sv
+SMC_IO = tank.io
+include $inst/share/smc/smc.mk
+EOF
+printf '[digital]\no 8 open\n' >tank.io
+sees_pins()
+{
+    "$make" -s -f pins.mk valve.smb && "$make" -q -f pins.mk valve.smb && sleep 1 && touch tank.io && ! "$make" -q -f pins.mk valve.smb &&
+        "$make" -s -f pins.mk valve.smb && sleep 1 && sed -i.old '/SMC_IO/d' pins.mk && ! "$make" -q -f pins.mk valve.smb
+}
+check "so are the pins of an image, and where both are named" sees_pins
+check "make flash-NAME sends" sh -c "$make -n -f pins.mk flash-valve PORT=there | grep -q 'smc flash valve.smb --port=there'"
+check "make flash asks which" sh -c "$make -n -f pins.mk flash PORT=there 2>&1 | grep -q 'flash-NAME says which machine'"
+mkdir one && cp valve.sm one
+check "or sends the one that is here" sh -c "$make -n -C one -f ../pins.mk SMC_SV=../tank.sv flash PORT=there | grep -q 'smc flash valve.smb --port=there'"
+rm -rf flags.mk pins.mk* one tank.sv tank.io valve.*
 check "smc-clean removes what was made, and nothing else" sh -c "$make -s smc-clean && test ! -e tank.c -a ! -e tank.h -a ! -e tank.smb -a -e tank.sm -a -e broken.sm"
 printf 'include %s/share/smc/smc.mk\nmine:\n\t@echo mine\n' "$inst" >own.mk
 check "nothing of it is what plain make makes" sh -c "$make -s -f own.mk | grep -qx mine"
