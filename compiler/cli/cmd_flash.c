@@ -87,17 +87,11 @@ static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdi
     return EXIT_PROBLEM;
 }
 
-// Whether the board's own answer would be no: what it runs already is not sent, and so not asked about.
 static int is_signed(Cli *c, BoardLine *b, const Source *image)
 {
-    DeviceImage now;
     uint32_t number;
 
     if (!b->info.wants_signed)
-        return EXIT_OK;
-    if (!device_running(&b->host, &b->info, &now))
-        return board_failed(b, "asking what runs");
-    if (now.length == image->len && now.checksum == smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4))
         return EXIT_OK;
     if (!smvm_auth_number((SmvmBytes)image->text, &number))
         cli_say(c, "the board takes signed images only: 'smc sign %s --key=FILE' signs it; nothing was sent", image->name);
@@ -108,6 +102,21 @@ static int is_signed(Cli *c, BoardLine *b, const Source *image)
     else
         return EXIT_OK;
     return EXIT_PROBLEM;
+}
+
+// Whether the board's own answer would be no: what it runs already is not sent, and so not asked about.
+static int is_welcome(Cli *c, BoardLine *b, const Source *image)
+{
+    DeviceImage now;
+
+    if (!device_running(&b->host, &b->info, &now))
+        return board_failed(b, "asking what runs");
+    if (now.length == image->len && now.checksum == smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4))
+        return EXIT_OK;
+    if (now.state != DEVICE_TRIAL)
+        return is_signed(c, b, image);
+    b->host.result = SM_E_BUSY;
+    return board_failed(b, "nothing was sent");
 }
 
 // ---- the update ----
@@ -221,7 +230,7 @@ static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v
         b->host.result = b->info.may;
         return board_failed(b, "nothing was sent");
     }
-    if ((code = is_signed(c, b, image)) != EXIT_OK)
+    if ((code = is_welcome(c, b, image)) != EXIT_OK)
         return code;
     warn_of_starts(c, image);
     if (!c->given[OPT_DRY_RUN])

@@ -188,6 +188,7 @@ static void an_image_is_sent_and_kept(void)
     CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("nothing was sent"));
     CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)") && says("smc device confirm"));
     CHECK(quiet("flash", images[1], NULL) == 1 && says("on trial; 'smc device confirm' keeps it"));
+    CHECK(quiet("flash", images[1], "--dry-run") == 1 && says("nothing was sent: ") && says("on trial; 'smc device confirm' keeps it"));
     CHECK(quiet("device", "confirm", NULL) == 0 && listed(images[0], ", confirmed"));
     CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing is on trial") && listed(images[0], ", runs, confirmed"));
     CHECK(quiet("flash", images[0], NULL) == 0 && says("it runs already"));
