@@ -35,9 +35,9 @@ SMC_SET  := $(wildcard $(firstword $(MAKEFILE_LIST)))
 # Not %.smb alone: make wants a name that is no file.
 flash-%: %.smb
 	$(SMC) flash $< --port=$(or $(PORT),$(error PORT=/dev/ttyACM0 says where the board is))
-SMC_ONE   = $(basename $(wildcard *.sm))
-flash: $(if $(word 2,$(SMC_ONE)),,$(SMC_ONE:%=flash-%))
-	$(if $(filter 1,$(words $(SMC_ONE))),@:,$(error make flash-NAME says which machine; here are: $(SMC_ONE)))
+SMC_MACHINES = $(basename $(wildcard *.sm))
+flash: $(if $(word 2,$(SMC_MACHINES)),,$(SMC_MACHINES:%=flash-%))
+	$(if $(filter 1,$(words $(SMC_MACHINES))),@:,$(error make flash-NAME says which machine; here are: $(SMC_MACHINES)))
 
 SMC_DEPS := $(wildcard *.smb.d *.sm.d *.io.d)
 -include $(SMC_DEPS)
