@@ -103,6 +103,10 @@ typedef struct SmvmPin {
     SmF64 safe;               // outputs
 } SmvmPin;
 
+// Two pins with the same place are one pin of the chip.  SMVM_NO_PIN: none that an image may have.
+typedef uint8_t SmvmPinPlace(uint16_t number, uint8_t kind);
+#define SMVM_NO_PIN 0xffu
+
 // Stands before the next of them.
 typedef struct SmvmPins {
     SmvmReader in;

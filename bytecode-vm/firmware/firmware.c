@@ -29,10 +29,48 @@ static const uint8_t built_in[] PROGMEM = {
 #include "safe_image.inc"
 };
 
+// ---- pins ----
+
+typedef char firmware_has_no_pin_as_the_vm[AVR_NO_PIN == SMVM_NO_PIN ? 1 : -1];
+
+#ifdef FIRMWARE_ARM_PIN
+#ifdef __AVR_ATmega2560__
+#define LAST_PIN 69
+#else
+#define LAST_PIN 19
+#endif
+#if FIRMWARE_ARM_PIN < 2 || FIRMWARE_ARM_PIN > LAST_PIN
+#error "ARM_PIN is a pin of the board as a number: 2 to 19 on an Uno, 2 to 69 on a Mega (0 and 1 are the line)"
+#endif
+static PalDio arming;
+
+// A plug to ground keeps the board from being armed: pulled out, or its wire broken, it is.
+static bool is_armed(void)
+{
+    bool armed = true;
+
+    (void)pal_dio_read(arming, &armed);
+    return armed;
+}
+
+static void open_arming(void) { (void)pal_dio_open(&arming, FIRMWARE_ARM_PIN, PAL_DIO_PULL_UP, true); }
+
+static uint8_t place_of(uint16_t number, uint8_t kind)
+{
+    const uint8_t place = avr_pin_place(number, kind);
+
+    return place == FIRMWARE_ARM_PIN ? SMVM_NO_PIN : place;
+}
+#else
+static bool is_armed(void) { return false; }
+static void open_arming(void) {}
+#define place_of avr_pin_place
+#endif
+
 // ---- what runs ----
 
 static uint64_t memory[FIRMWARE_MEMORY / 8];
-static SmvmRunner runner = {.memory = memory, .size = sizeof memory, .has_pin = avr_pin_exists};
+static SmvmRunner runner = {.memory = memory, .size = sizeof memory, .pin_place = place_of};
 static SmEvent kept[FIRMWARE_EVENTS];
 static SmEvents events = {.at = kept, .room = FIRMWARE_EVENTS, .guarded = true};
 static uint16_t state[SMVM_RUNNER_MACHINES];           // that the last step left each machine in
@@ -159,32 +197,6 @@ static void run_built_in(void)
 
 // ---- the board, as the agent asks it ----
 
-#ifdef FIRMWARE_ARM_PIN
-#ifdef __AVR_ATmega2560__
-#define LAST_PIN 69
-#else
-#define LAST_PIN 19
-#endif
-#if FIRMWARE_ARM_PIN < 2 || FIRMWARE_ARM_PIN > LAST_PIN
-#error "ARM_PIN is a pin of the board as a number: 2 to 19 on an Uno, 2 to 69 on a Mega (0 and 1 are the line)"
-#endif
-static PalDio arming;
-
-// A plug to ground keeps the board from being armed: pulled out, or its wire broken, it is.
-static bool is_armed(void)
-{
-    bool armed = true;
-
-    (void)pal_dio_read(arming, &armed);
-    return armed;
-}
-
-static void open_arming(void) { (void)pal_dio_open(&arming, FIRMWARE_ARM_PIN, PAL_DIO_PULL_UP, true); }
-#else
-static bool is_armed(void) { return false; }
-static void open_arming(void) {}
-#endif
-
 // Whether every machine is in a state that is marked @safe, or marks none.
 static bool is_safe(void)
 {
@@ -221,7 +233,7 @@ static void leave_slot(void *context)
 
 static AgentBoard board = {
     .ram = FIRMWARE_MEMORY - (sizeof(SmVm) + 7) / 8 * 8, .machines = SMVM_RUNNER_MACHINES, .windows = !SM_ROLL_NONE,
-    .ram_digital = SMVM_RUNNER_DIGITAL, .ram_analog = SMVM_RUNNER_ANALOG, .period = PERIOD, .cycles = STEP_CYCLES, .may_update = may_update, .fits = fits,
+    .ram_digital = SMVM_RUNNER_DIGITAL, .ram_analog = SMVM_RUNNER_ANALOG, .period = PERIOD, .cycles = STEP_CYCLES, .pin_place = place_of, .may_update = may_update, .fits = fits,
     .leave_slot = leave_slot, .built_in_size = sizeof built_in};
 
 // ---- start ----

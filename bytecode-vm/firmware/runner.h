@@ -24,7 +24,7 @@ enum { SMVM_RUNNER_MACHINES = 4, SMVM_RUNNER_DIGITAL = offsetof(SmIoPin, scale),
 typedef struct SmvmRunner {
     uint64_t *memory;         // for the state vector, and behind it machines and pins
     uint16_t size;            // bytes of it
-    bool (*has_pin)(uint16_t number, bool digital, bool output);      // NULL: that is seen when it is opened
+    SmvmPinPlace *pin_place;  // NULL: whether there is such a pin is seen when it is opened
     // What follows is the runner's.
     uint8_t machines;         // 0: nothing runs
     uint16_t rows, rows_end;  // where in `memory` the open pins are

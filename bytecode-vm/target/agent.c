@@ -104,9 +104,19 @@ static SmResult image(Agent *a)
     if (state != STORE_EMPTY)
         put_image(a, image_of(a, slot));
     a->length = IMAGE - 4;
-    put1(a, (uint8_t)((slot == s->running ? 1 : 0) | (slot == s->now.active ? 2 : 0)));
+    put1(a, (uint8_t)((slot == s->running ? 1 : 0) | (state >= STORE_TRIAL ? 2 : 0)));
     put1(a, state == STORE_TRIAL ? s->now.tries : 0);
     put(a, smvm_store_period(s, slot), 2);
+    return SM_OK;
+}
+
+static SmResult pin(Agent *a)
+{
+    const uint8_t kind = body_of(a)[0];
+
+    if (!a->board->pin_place)
+        return SM_E_UNSUPPORTED;
+    put1(a, a->board->pin_place((uint16_t)sm_link_get(body_of(a) + 1, 2), kind));
     return SM_OK;
 }
 
@@ -227,8 +237,8 @@ typedef struct Handler {
 } Handler;
 
 static const Handler handlers[] SM_FLASH = {
-    {LINK_HELLO, 0, false, hello},      {LINK_IMAGE, 1, false, image},      {LINK_BEGIN, 9, true, begin},
-    {LINK_DATA, DATA_HEAD + 1, true, data},     {LINK_END, 2, true, end},   {LINK_ACTIVATE, 2, true, activate},
+    {LINK_HELLO, 0, false, hello},      {LINK_IMAGE, 1, false, image},      {LINK_PIN, 3, false, pin},
+    {LINK_BEGIN, 9, true, begin},       {LINK_DATA, DATA_HEAD + 1, true, data},     {LINK_END, 2, true, end},   {LINK_ACTIVATE, 2, true, activate},
     {LINK_CONFIRM, 4, true, confirm},   {LINK_ERASE, 4, true, erase},       {LINK_READ, 5, false, read},
     {LINK_RESTART, 0, true, restart},   {LINK_EVENTS, 4, false, events},
 };

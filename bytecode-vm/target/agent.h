@@ -29,6 +29,7 @@ typedef struct AgentBoard {
     uint8_t ram_digital, ram_analog;      // what a pin takes of `ram`
     uint16_t period;          // milliseconds between steps of an image that came without
     uint16_t cycles;          // of an ATmega that a step may take for each millisecond of its period; 0: nobody minds
+    SmvmPinPlace *pin_place;  // NULL: it has no pins, or does not say
     SmResult (*may_update)(void *context);                        // SM_OK, SM_E_ARMED, SM_E_UNSAFE
     // Whether this board can run it: RAM, pins, state vector.  SM_E_MEMORY, SM_E_MISSING, SM_E_LAYOUT.
     SmResult (*fits)(void *context, SmvmBytes image);

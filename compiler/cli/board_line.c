@@ -30,7 +30,7 @@ static uint32_t line_now(void *context)
 static const struct { SmResult result; const char *text; } reasons[] = {
     {SM_E_ARMED, "the board is armed; disarm it first"},
     {SM_E_UNSAFE, "a machine is in a state that is not marked @safe; bring it into one that is"},
-    {SM_E_BUSY, "the image that it runs is on trial; 'smc device confirm' keeps it, 'smc device erase' gives it up"},
+    {SM_E_BUSY, "the image that it runs is on trial; 'smc device confirm' keeps it, 'smc device erase' with its checksum gives it up"},
     {SM_E_SPACE, "the image is longer than a slot of the board"},
     {SM_E_IMAGE, "the board's own verifier refuses the image"},
     {SM_E_MEMORY, "the board has too little RAM for its machines"},
@@ -67,11 +67,13 @@ static void put_state(Buf *out, const DeviceImage *i)
     if (i->period != 0)
         buf_printf(out, ", every %u ms", (unsigned)i->period);
     if (i->chosen && !i->runs)
-        buf_str(out, ", runs from the next start on");
+        buf_str(out, ", chosen for the next start");
     if (i->state == DEVICE_TRIAL)
         buf_printf(out, ", on trial (%u starts left)", (unsigned)i->starts);
     else if (i->state == DEVICE_CONFIRMED && i->slot != DEVICE_BUILT_IN)
         buf_str(out, ", confirmed");
+    else if (i->state == DEVICE_WHOLE && i->slot != DEVICE_BUILT_IN)
+        buf_str(out, i->runs ? ", until the next start" : ", not chosen");
 }
 
 void board_describe(Buf *out, const DeviceImage *i)

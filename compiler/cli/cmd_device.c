@@ -68,6 +68,12 @@ static int confirm(BoardLine *b, Buf *out)
         cli_say(b->c, "the board runs its built-in image: there is nothing to confirm");
         return EXIT_PROBLEM;
     }
+    if (!image.chosen) {
+        cli_say(b->c, "the image that runs is not the chosen one: it was erased, or another was chosen; at the next start it does not run any more, and cannot be "
+                "confirmed");
+        board_describe(out, &image);
+        return EXIT_PROBLEM;
+    }
     if (image.state == DEVICE_CONFIRMED && b->info.may == SM_OK) {
         cli_say(b->c, "nothing is on trial: this image runs, and was confirmed before");
         board_describe(out, &image);

@@ -87,6 +87,52 @@ static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdi
     return EXIT_PROBLEM;
 }
 
+// ---- pins ----
+
+static void put_pin(Buf *out, const SmvmPin *p)
+{
+    buf_printf(out, "%s %s %lu", p->kind & 2 ? "digital" : "analog", p->kind & 1 ? "output" : "input", (unsigned long)p->pin);
+}
+
+static int wrong_pin(Cli *c, const Source *image, const SmvmPin *p, const SmvmPin *other)
+{
+    Buf out;
+
+    buf_init(&out, &c->session.arena);
+    put_pin(&out, p);
+    if (other) {
+        buf_str(&out, " and ");
+        put_pin(&out, other);
+    }
+    cli_say(c, other ? "%s wants %s, which are one pin of this board; nothing was sent"
+                     : "%s wants %s, which this board does not have, or needs itself (docs/boards.md has a table of pins); nothing was sent",
+            image->name, buf_text(&out));
+    return EXIT_PROBLEM;
+}
+
+// Each is asked about: what a board of this kind would refuse, or leave lying, is not sent.
+static int pins_are_there(BoardLine *b, const Source *image)
+{
+    SmvmPin at[SMVM_NO_PIN] = {{0}};   // by place
+    bool taken[SMVM_NO_PIN] = {false};
+    SmvmPins all;
+    SmvmPin p;
+    uint8_t place;
+
+    (void)smvm_pins((SmvmBytes)image->text, &all);
+    while (smvm_next_pin(&all, &p)) {
+        if (!device_pin_place(&b->host, p.kind, (uint16_t)p.pin, &place))
+            return b->host.answered && b->host.result == SM_E_UNSUPPORTED ? EXIT_OK : board_failed(b, "asking about pins");
+        if (place == SMVM_NO_PIN || taken[place])
+            return wrong_pin(b->c, image, &p, place == SMVM_NO_PIN ? NULL : &at[place]);
+        taken[place] = true;
+        at[place] = p;
+    }
+    return EXIT_OK;
+}
+
+// ---- what the board takes now ----
+
 static int is_signed(Cli *c, BoardLine *b, const Source *image)
 {
     uint32_t number;
@@ -115,8 +161,9 @@ static int is_welcome(Cli *c, BoardLine *b, const Source *image)
         return EXIT_OK;
     if (now.state != DEVICE_TRIAL)
         return is_signed(c, b, image);
-    b->host.result = SM_E_BUSY;
-    return board_failed(b, "nothing was sent");
+    cli_say(c, "nothing was sent: the image that it runs is on trial; 'smc device confirm' keeps it, 'smc device erase %08lx' gives it up",
+            (unsigned long)now.checksum);
+    return EXIT_PROBLEM;
 }
 
 // ---- the update ----
@@ -136,7 +183,22 @@ static void show(void *context, uint32_t done)
     }
 }
 
-static int say_failed(BoardLine *b, const Update *u, DeviceStep step)
+// What became of what ran before an update that failed before it was chosen.
+static void say_what_runs(BoardLine *b, const DeviceImage *before)
+{
+    DeviceImage now;
+
+    if (b->info.slots > 1)
+        cli_say(b->c, "the board keeps what it ran before");
+    else if (!b->host.answered || !device_running(&b->host, &b->info, &now))
+        cli_say(b->c, "the board has one slot: 'smc device list' says whether its image had to give way");
+    else if (now.slot == before->slot)
+        cli_say(b->c, "the board keeps what it ran before");
+    else
+        cli_say(b->c, "the board has one slot: the image that ran before had to give way, and the built-in one runs until another is sent");
+}
+
+static int say_failed(BoardLine *b, const Update *u, const DeviceImage *before, DeviceStep step)
 {
     static const char *const what[] = {
         "", "asking what is there", "the update was not begun", "sending", "the image was not accepted", "reading back",
@@ -160,8 +222,7 @@ static int say_failed(BoardLine *b, const Update *u, DeviceStep step)
             cli_say(b->c, "a pin that it names may be none of this board's: docs/boards.md has a table of them");
     }
     if (step < DEVICE_ACTIVATE)
-        cli_say(b->c, b->info.slots > 1 ? "the board keeps what it ran before"
-                                        : "the board has one slot: 'smc device list' says whether its image had to give way");
+        say_what_runs(b, before);
     return code;
 }
 
@@ -203,7 +264,7 @@ static int update(BoardLine *b, const Source *image, uint16_t period)
     if (!device_running(&b->host, &b->info, &before))
         return board_failed(b, "asking what runs");
     if ((step = device_update(&b->host, &b->info, &u)) != DEVICE_DONE)
-        return say_failed(b, &u, step);
+        return say_failed(b, &u, &before, step);
     if (b->c->given[OPT_CONFIRM] && !device_ask_about(&b->host, LINK_CONFIRM, u.checksum))
         return board_failed(b, "it runs, but was not confirmed");
     return say_done(b, &u, &before);
@@ -217,7 +278,28 @@ static void warn_of_starts(Cli *c, const Source *image)
     for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
         if (!smvm_state_is_safe(&m, 1))
             cli_say(c, "warning: machine %lu of %s starts in a state that is not marked @safe: until it has left it for one that is, the board "
-                    "takes neither another image nor a confirmation", (unsigned long)i + 1, image->name);
+                    "takes neither another image nor a confirmation; if it never does, it is gone after the three starts of its trial", (unsigned long)i + 1, image->name);
+}
+
+static void warn_of_no_pins(BoardLine *b, const Source *image)
+{
+    SmvmPins all;
+
+    if (b->info.ram_digital != 0 && !smvm_pins((SmvmBytes)image->text, &all))
+        cli_say(b->c, "warning: %s names no pins: on this board it reads nothing and moves nothing; 'smc build' takes them with --io=FILE", image->name);
+}
+
+// Armed or not safe.  A machine on trial that comes into no safe state by itself is got rid of by starts.
+static int not_now(BoardLine *b)
+{
+    DeviceImage now;
+    int code;
+
+    b->host.result = b->info.may;
+    code = board_failed(b, "nothing was sent");
+    if (b->info.may == SM_E_UNSAFE && device_running(&b->host, &b->info, &now) && now.state == DEVICE_TRIAL)
+        cli_say(b->c, "or let its trial end: it has %u more starts, then the image before it runs again", (unsigned)now.starts);
+    return code;
 }
 
 static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
@@ -226,13 +308,12 @@ static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v
 
     if (code != EXIT_OK)
         return code;
-    if (b->info.may != SM_OK) {
-        b->host.result = b->info.may;
-        return board_failed(b, "nothing was sent");
-    }
-    if ((code = is_welcome(c, b, image)) != EXIT_OK)
+    if (b->info.may != SM_OK)
+        return not_now(b);
+    if ((code = is_welcome(c, b, image)) != EXIT_OK || (code = pins_are_there(b, image)) != EXIT_OK)
         return code;
     warn_of_starts(c, image);
+    warn_of_no_pins(b, image);
     if (!c->given[OPT_DRY_RUN])
         return update(b, image, period);
     cli_say(c, "%s would go onto the board; nothing was sent", image->name);

@@ -28,7 +28,7 @@ static int ends_in_time(Cli *c, const Source *image)
     if (length == image->len)
         return EXIT_OK;
     cli_say(c, "%s: refused, for the image ends at byte %lu, and the file at byte %lu", image->name, (unsigned long)length, (unsigned long)image->len);
-    cli_say(c, "%s", advice(SMVM_R_LENGTH));
+    cli_say(c, "something was added behind it, or it is damaged: copy it again, or build it anew from its sources");
     return EXIT_PROBLEM;
 }
 

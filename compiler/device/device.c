@@ -89,6 +89,17 @@ bool device_ask_about(LinkHost *h, LinkMessage message, uint32_t checksum)
     return ask(h, message, body, sizeof body, 0);
 }
 
+bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place)
+{
+    uint8_t body[3] = {kind, 0, 0};
+
+    sm_link_put(body + 1, number, 2);
+    if (!ask(h, LINK_PIN, body, sizeof body, 1))
+        return false;
+    *place = h->body[0];
+    return true;
+}
+
 // The answer may be lost: that the board answers to HELLO afterwards is all that is wanted.
 bool device_restart(LinkHost *h, DeviceInfo *info)
 {

@@ -39,6 +39,8 @@ bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image);
 // What runs.
 bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 bool device_ask_about(LinkHost *h, LinkMessage message, uint32_t checksum);        // CONFIRM, ERASE
+// Which pin of its chip an image's is (SmvmPinPlace).  False with SM_E_UNSUPPORTED: the board does not say.
+bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place);
 // Whatever happens, it is asked once only: each restart counts.  True: the board answers again.
 bool device_restart(LinkHost *h, DeviceInfo *info);
 

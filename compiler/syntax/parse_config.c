@@ -90,14 +90,31 @@ static bool at_next_pin(const Parser *p)
 
 static Span where_missing(const Parser *p) { return p->tok.first ? parser_gap(p) : parser_here(p); }
 
-static bool take_number(Parser *p, AstPin *pin)
+enum { UNO_A0 = 14, UNO_ANALOGS = 6, MEGA_A0 = 54 };         // docs/boards.md
+
+// What is printed on an Arduino is a letter before the number: A3, D7, D13.
+static void label_printed_name(Parser *p, const AstSection *s, const AstPin *pin, Diag *d, const char *name)
+{
+    const char *digits = *name ? name + 1 : name;
+    const size_t n = strspn(digits, "0123456789");
+
+    if (n < 1 || n > 2 || digits[n] != '\0')
+        return;
+    if (*name == (s->digital || pin->output ? 'D' : 'A'))
+        diag_label(p->diags, d, DIAG_label_printed_pin, digits, name);
+    else if (s->digital && *name == 'A' && n == 1 && *digits < '0' + UNO_ANALOGS)
+        diag_label(p->diags, d, DIAG_label_analog_as_digital, format_in(p->arena, "%d", UNO_A0 + *digits - '0'),
+                   format_in(p->arena, "%d", MEGA_A0 + *digits - '0'));
+}
+
+static bool take_number(Parser *p, const AstSection *s, AstPin *pin)
 {
     Span at = where_missing(p);
-    const char *found = parser_found(p);
+    const char *found = parser_found(p), *name = p->tok.kind == TOK_NAME && !p->tok.first ? p->tok.text->text : "";
 
     if (parse_signed_number(p, &pin->number))
         return true;
-    parser_fail(p, DIAG_pin_number, at, found);
+    label_printed_name(p, s, pin, parser_fail(p, DIAG_pin_number, at, found), name);
     return false;
 }
 
@@ -131,7 +148,7 @@ static void parse_pin(Parser *p, AstSection *s)
 {
     AstPin pin = {0};
 
-    if (!take_direction(p, &pin) || !take_number(p, &pin) || !take_element(p, &pin))
+    if (!take_direction(p, &pin) || !take_number(p, s, &pin) || !take_element(p, &pin))
         return;
     parse_annotations(p, place_of(s, &pin), pin.element, pin.element_span, &pin.annotations);
     if (!p->failed && !ends_pin(p) && !slip_decimal_comma(p))

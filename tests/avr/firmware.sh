@@ -48,6 +48,7 @@ board_off() {
 }
 
 says() { "$@" 2>&1 | grep -q "$text"; }
+fails() { ! "$@"; }
 
 # logged TEXT SECONDS: the board's log says it before so many seconds have gone by here
 logged() {
@@ -125,22 +126,37 @@ fly_signed() {
     "$smc" key "$D/rocket.key" && "$smc" sign "$D/signed.smb" --key="$D/rocket.key" --number=8 || exit 1
     rest_on_uno signed
     text='the image was not accepted: the board takes images only that are signed with its key'
-    count says "$smc" flash "$D/signed.smb" "$port"
+    for i in 1 2; do                           # and is no more chosen for having come before
+        count says "$smc" flash "$D/signed.smb" "$port"
+    done
+    text='slot .: [0-9]* bytes.*, chosen for the next start'
+    count fails says "$smc" device list "$port"
     count board_off >"$D/signed.said" 2>&1
 }
 
-# An image that wants a pin twice does not run, is not said to, and cannot be confirmed.
-fly_twice() {
-    rm -f "$D/twice.mem"*
-    board_on "$D/twice.mem"
-    touch "$D/twice.mem.go"
-    text='the board does not run the new image'
+# An image that wants a pin twice is not sent, nor one that wants the arming plug's; what came by another firmware and wants that one does not run
+# here, and is not said to.
+fly_wrong_pins() {
+    rm -f "$D/pins.mem"*
+    $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU FIRMWARE_OUT="$D/free" || exit 1
+    FIRMWARE=$D/free/$MCU.elf board_on "$D/pins.mem"
+    touch "$D/pins.mem.go"
+    text='wants digital output 9 and analog output 9, which are one pin of this board; nothing was sent'
     count says "$smc" flash "$D/twice.smb" "$port"
+    text='runs, confirmed'
+    count says "$smc" flash "$D/plug.smb" "$port" --confirm
+    count board_off >"$D/pins.said" 2>&1
+    board_on "$D/pins.mem"
+    touch "$D/pins.mem.go"
+    text='slot 0: .*, chosen for the next start, confirmed'
+    count says "$smc" device list "$port"
     text='built in: .*, runs'
     count says "$smc" device list "$port"
     text='there is nothing to confirm'
     count says "$smc" device confirm "$port"
-    count board_off >"$D/twice.said" 2>&1
+    text='wants digital output 7, which this board does not have, or needs itself'
+    count says "$smc" flash "$D/plug.smb" "$port"
+    count board_off >"$D/pins.said" 2>&1
 }
 
 $CC -std=gnu99 -O1 -Wall -Wextra -I. tests/avr/board.c tests/avr/plants.c -o "$D/board" -lsimavr -lelf -lm || exit 1
@@ -153,6 +169,8 @@ sed 's/tankPressure > 775/tankPressure > 770/' "$D/tank.sm" >"$D/vent.sm"
 build vent "$D/vent.sm" --sv tests/avr/tank.sv --io tests/avr/tank.io
 sed 's/o 8/o 9/; s/^\[digital\]/o 9 state\n&/' tests/avr/tank.io >"$D/twice.io"
 build twice "$D/tank.sm" --sv tests/avr/tank.sv --io "$D/twice.io"
+sed 's/o 8/o 7/' tests/avr/tank.io >"$D/plug.io"
+build plug "$D/tank.sm" --sv tests/avr/tank.sv --io "$D/plug.io"
 for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     export MCU FIRMWARE=$D/$MCU.elf
     $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU ARM_PIN=7 FIRMWARE_OUT="$D" || exit 1
@@ -164,7 +182,7 @@ for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     fly_tank
     fly_rocket
     fly_signed
-    fly_twice
+    fly_wrong_pins
 done
 echo "firmware: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

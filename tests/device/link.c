@@ -187,8 +187,8 @@ static void an_image_is_sent_and_kept(void)
     CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing to confirm"));
     CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("nothing was sent"));
     CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)") && says("smc device confirm"));
-    CHECK(quiet("flash", images[1], NULL) == 1 && says("on trial; 'smc device confirm' keeps it"));
-    CHECK(quiet("flash", images[1], "--dry-run") == 1 && says("nothing was sent: ") && says("on trial; 'smc device confirm' keeps it"));
+    CHECK(quiet("flash", images[1], NULL) == 1 && says("on trial; 'smc device confirm' keeps it, 'smc device erase "));
+    CHECK(quiet("flash", images[1], "--dry-run") == 1 && says("nothing was sent: ") && says("on trial; 'smc device confirm' keeps it, 'smc device erase "));
     CHECK(quiet("device", "confirm", NULL) == 0 && listed(images[0], ", confirmed"));
     CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing is on trial") && listed(images[0], ", runs, confirmed"));
     CHECK(quiet("flash", images[0], NULL) == 0 && says("it runs already"));
@@ -286,6 +286,49 @@ static void what_does_not_fit_is_not_sent(void)
     CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
 }
 
+// Makes an image of a machine that has two numbers and two truths at these pins.
+static bool build_with(const char *pins, char *image)
+{
+    static const char *const suffix[] = {"sv", "io", "sm"};
+    const char *const text[] = {"[M]\nU64 t\nU32 s\nF64 x\nF64 y\nbool down\nbool up\n", pins,
+                                "[state_vector]\nU64 t @alias G\nU32 s @alias S\nF64 x\nF64 y\nbool down\nbool up\n\n[A]\n"};
+    char path[3][PATH + 16], out[PATH + 16], sv[PATH + 32], io[PATH + 32];
+    const char *const argv[] = {smc, "build", "-w", out, path[2], sv, io, NULL};
+    FILE *f;
+
+    snprintf(image, PATH + 16, "%s.pins.smb", memory);
+    for (int i = 0; i < 3; i++) {
+        snprintf(path[i], sizeof path[i], "%s.pins.%s", memory, suffix[i]);
+        if ((f = fopen(path[i], "w")) == NULL || fputs(text[i], f) == EOF || fclose(f) != 0)
+            return false;
+    }
+    snprintf(out, sizeof out, "-o%s", image);
+    snprintf(sv, sizeof sv, "--sv=%s", path[0]);
+    snprintf(io, sizeof io, "--io=%s", path[1]);
+    return alone_with(argv) == 0;
+}
+
+// As docs/boards.md has the pins of a Mega.
+static void pins_are_asked_about(void)
+{
+    static const struct { const char *pins, *said; } wrong[] = {
+        {"[digital]\no 70 down\n", " wants digital output 70, which this board does not have"},
+        {"[digital]\ni 1 down\n", " wants digital input 1, which this board does not have, or needs itself"},
+        {"[analog]\ni 16 x\n", " wants analog input 16, which"},
+        {"[analog]\ni 0 x\n\n[digital]\ni 54 down\n", " wants digital input 54 and analog input 0, which are one pin of this board"},
+        {"[analog]\no 9 x\n\n[digital]\no 9 down\n", " wants digital output 9 and analog output 9, which are one pin"},
+    };
+    char image[PATH + 16];
+
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        CHECK(build_with(wrong[i].pins, image));
+        CHECK(quiet("flash", image, i % 2 ? "--dry-run" : NULL) == 1 && says(wrong[i].said) && says("; nothing was sent\n"));
+    }
+    CHECK(build_with("[analog]\ni 0 x\no 9 y\n\n[digital]\ni 55 down\no 10 up\n", image));
+    CHECK(quiet("flash", image, "--dry-run") == 0 && !says("warning"));
+    CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("names no pins: on this board it reads nothing and moves nothing"));
+}
+
 // 5.46: in a state that is not marked @safe, of a machine that marks one, nobody touches it.
 static void what_is_not_safe_is_left_alone(void)
 {
@@ -295,13 +338,14 @@ static void what_is_not_safe_is_left_alone(void)
     CHECK(says("warning: machine 1 of ") && says(" starts in a state that is not marked @safe"));
     CHECK(quiet("device", "info", NULL) == 0 && says("no update may begin: a machine is in a state that is not marked @safe"));
     CHECK(quiet("flash", images[0], NULL) == 1 && says("nothing was sent: a machine is in a state that is not marked @safe; bring it into one that is"));
+    CHECK(says("or let its trial end: it has 2 more starts"));
     CHECK(quiet("device", "confirm", NULL) == 1 && says("it was not confirmed: a machine is in a state that is not marked @safe"));
     for (int i = 0; i < 3; i++) {      // so its trial ends
         restart_board();
         CHECK(quiet("device", "list", NULL) == 0);
     }
     CHECK(listed(images[1], ", runs, confirmed"));
-    CHECK(build("[Aloft] @safe .step\n    down: -> Down\n\n[Down] @safe", 1, aloft) && quiet("flash", aloft, "--confirm") == 0 && !says("warning") && listed(aloft, ", runs, confirmed"));
+    CHECK(build("[Aloft] @safe .step\n    down: -> Down\n\n[Down] @safe", 1, aloft) && quiet("flash", aloft, "--confirm") == 0 && !says("starts in a state") && listed(aloft, ", runs, confirmed"));
     CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
 }
 
@@ -325,6 +369,10 @@ static void an_image_is_erased(void)
     CHECK(quiet("device", "erase", "12345678") == 1 && says("no slot holds an image with the checksum 12345678"));
     CHECK(quiet("device", "erase", path) == 0 && !listed(images[0], "bytes") && listed(images[1], ", runs"));
     CHECK(quiet("device", "erase", "x") == 2);
+    CHECK(quiet("flash", images[0], NULL) == 0 && quiet("device", "erase", path) == 0 && listed(images[0], ", runs, until the next start"));
+    CHECK(quiet("device", "confirm", NULL) == 1 && says("the image that runs is not the chosen one: it was erased"));
+    restart_board();
+    CHECK(quiet("device", "list", NULL) == 0 && listed(images[1], ", runs, confirmed") && listed(images[0], ", not chosen"));
 }
 
 // With a key: the confirmed image is not signed and does not run any more; what is signed is taken, by its number.
@@ -395,7 +443,7 @@ static void one_slot_is_enough(void)
 {
     CHECK(quiet("device", "list", NULL) == 0 && says("slot 0: no image") && says(", runs"));
     CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)"));
-    CHECK(quiet("flash", images[1], NULL) == 1 && says("on trial; 'smc device confirm' keeps it"));
+    CHECK(quiet("flash", images[1], NULL) == 1 && says("on trial; 'smc device confirm' keeps it, 'smc device erase "));
     CHECK(quiet("device", "confirm", NULL) == 0 && quiet("flash", images[1], "--confirm") == 0);
     CHECK(quiet("device", "info", NULL) == 0 && says("1 slot of ") && listed(images[1], ", runs, confirmed"));
 }
@@ -406,6 +454,7 @@ static void two_slots(void)
     what_is_armed_is_left_alone();
     what_is_not_safe_is_left_alone();
     what_does_not_fit_is_not_sent();
+    pins_are_asked_about();
     a_trial_ends();
     an_image_is_erased();
     nobody_answers();

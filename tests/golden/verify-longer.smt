@@ -12,6 +12,6 @@ bool open
     open = true
 -- stderr --
 smc: a.smb: refused, for the image ends at byte 72, and the file at byte 77
-smc: it is damaged, or not all of it is there: copy it again, or build it anew from its sources
+smc: something was added behind it, or it is damaged: copy it again, or build it anew from its sources
 -- exit --
 0 1

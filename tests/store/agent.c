@@ -280,7 +280,8 @@ static void what_does_not_fit_is_refused(void)
     sm_link_put(body + 2, SIM_NVM_SIZE, 3);
     CHECK(link_ask(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_E_SPACE && p.board.left == 0);
     damaged.bytes[damaged.length - 1] ^= 1;
-    CHECK(update(&p, &damaged, &u) == DEVICE_END && p.host.result == SM_E_IMAGE && u.rule != 0);
+    for (int i = 0; i < 2; i++)        // no more chosen than the first time
+        CHECK(update(&p, &damaged, &u) == DEVICE_END && p.host.result == SM_E_IMAGE && u.rule != 0);
     prepare(&p, "eeprom", 2);
     p.board.fits = SM_E_MEMORY;
     CHECK(update(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_MEMORY && u.rule == 0);
@@ -290,6 +291,36 @@ static void what_does_not_fit_is_refused(void)
     p.board.board.longest_step = 1;
     CHECK(update(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_SIZE);
     CHECK(board_start(&p.board) && runs(&p.board, &old_image));
+}
+
+// With one slot, what was refused lies in the place of the chosen image and is not that.
+static void what_was_refused_is_not_chosen(void)
+{
+    DeviceImage image;
+    Update u;
+    Pair p;
+
+    prepare(&p, "eeprom", 1);
+    p.board.fits = SM_E_MEMORY;
+    for (int i = 0; i < 2; i++) {
+        CHECK(update(&p, &new_image, &u) == DEVICE_END && p.host.result == SM_E_MEMORY);
+        CHECK(device_image(&p.host, 0, &image) && image.state == DEVICE_WHOLE && !image.chosen && !image.runs);
+    }
+    CHECK(board_start(&p.board) && p.board.slot == STORE_BUILT_IN);
+}
+
+static void pins_have_places(void)
+{
+    uint8_t place;
+    Pair p;
+
+    prepare(&p, "eeprom", 2);
+    CHECK(device_pin_place(&p.host, 2, 3, &place) && place == 3);
+    CHECK(device_pin_place(&p.host, 2, 4, &place) && place == SMVM_NO_PIN);
+    CHECK(device_pin_place(&p.host, 1, 3, &place) && place == SMVM_NO_PIN);
+    CHECK(device_pin_place(&p.host, 2, 0x103, &place) && place == SMVM_NO_PIN);
+    p.board.board.pin_place = NULL;
+    CHECK(!device_pin_place(&p.host, 2, 3, &place) && p.host.result == SM_E_UNSUPPORTED);
 }
 
 // With one slot, an image on trial keeps running: a BEGIN that is refused must not have stopped it.
@@ -431,6 +462,8 @@ int main(int argc, char **argv)
         what_is_armed_is_not_touched(memories[i % 2], (uint8_t)(1 + i / 2));
     an_update_stops_when_it_is_armed();
     what_does_not_fit_is_refused();
+    what_was_refused_is_not_chosen();
+    pins_have_places();
     a_trial_is_not_stopped_for_nothing();
     images_are_listed_and_erased();
     what_is_no_request_is_said_to_be_none();

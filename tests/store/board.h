@@ -42,6 +42,12 @@ static void board_leave(void *context)
     b->left++;
 }
 
+// It has pins 1 to 3, and they are what they are called.
+static uint8_t board_pin(uint16_t number, uint8_t kind)
+{
+    return kind == 2 && number >= 1 && number <= 3 ? (uint8_t)number : SMVM_NO_PIN;
+}
+
 static bool board_opens(Board *b)
 {
     if (!image_store(&b->store, b->memory, b->slots))
@@ -68,6 +74,7 @@ static bool board_start(Board *b)
         b->board.ram_analog = 26;
         b->board.period = 300;
         b->board.cycles = 14400;
+        b->board.pin_place = board_pin;
         smvm_agent_init(&b->agent, &b->store, &b->board, &b->events, b->frame, BOARD_BODY);
     }
     return b->up;

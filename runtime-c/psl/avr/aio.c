@@ -184,9 +184,11 @@ SmResult pal_aio_close(PalAio channel)
     return SM_OK;
 }
 
-bool avr_pin_exists(uint16_t number, bool digital, bool output)
+uint8_t avr_pin_place(uint16_t number, uint8_t kind)
 {
-    return digital ? number < AVR_PINS : output ? row_of(number) < AVR_PWMS : number < AVR_ANALOGS;
+    if (kind == 0)
+        return number < AVR_ANALOGS ? (uint8_t)(AVR_ANALOG_FIRST + number) : AVR_NO_PIN;
+    return (kind & 2 ? number >= AVR_LINE && number < AVR_PINS : row_of(number) < AVR_PWMS) ? (uint8_t)number : AVR_NO_PIN;
 }
 
 #endif

@@ -21,6 +21,8 @@ typedef struct AvrPwm { uint8_t pin; uint16_t control, compare; uint8_t connect;
 enum { AVR_COM_A = 0x80, AVR_COM_B = 0x20, AVR_COM_C = 0x08 };
 #define AVR_PWM(pin, timer, unit) {pin, _SFR_ADDR(TCCR##timer##A), _SFR_ADDR(OCR##timer##unit), AVR_COM_##unit}
 
+enum { AVR_LINE = 2 };        // pins 0 and 1 are the serial line's
+
 #if defined(__AVR_ATmega328P__)
 enum { AVR_PINS = 20, AVR_ANALOG_FIRST = 14, AVR_ANALOGS = 6, AVR_PWMS = 4 };
 static const uint8_t avr_pins[AVR_PINS] PROGMEM = {

@@ -8,9 +8,9 @@
 #ifdef PSL_AVR
 #include <util/atomic.h>
 
-enum { DDR = 1, PORT = 2, LINE = 2 };          // registers behind PIN; pins 0 and 1 are the serial line's
+enum { DDR = 1, PORT = 2 };                    // registers behind PIN
 
-static uint8_t taken[(AVR_PINS + AVR_ANALOGS + AVR_PWMS + 7) / 8] = {(1 << LINE) - 1};
+static uint8_t taken[(AVR_PINS + AVR_ANALOGS + AVR_PWMS + 7) / 8] = {(1 << AVR_LINE) - 1};
 
 static uint8_t bit_of(uint8_t number)
 {
@@ -70,7 +70,7 @@ SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
     return SM_OK;
 }
 
-static bool is_open(PalDio pin) { return pin.id > LINE && pin.id <= AVR_PINS && avr_pin_taken((uint8_t)(pin.id - 1)); }
+static bool is_open(PalDio pin) { return pin.id > AVR_LINE && pin.id <= AVR_PINS && avr_pin_taken((uint8_t)(pin.id - 1)); }
 
 SmResult pal_dio_read(PalDio pin, bool *level)
 {
