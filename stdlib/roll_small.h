@@ -195,8 +195,11 @@ static inline bool sm_roll_is_infinite(const SmF64 *x)       // not of what is b
     return byte[sm_roll_byte(7, 8)] == 0x7Fu && byte[sm_roll_byte(6, 8)] >= 0xF0u;
 }
 
-// How many numbers may wait: a window has less than 2^17 slots.
-enum { SM_ROLL_WAITING = 18 };
+// How many numbers of 8 bytes wait on the stack at most: enough for 2^(so many - 1) slots.  A window has less than 2^17; where memory
+// has room for less samples of F32, less is enough.
+#ifndef SM_ROLL_WAITING
+#define SM_ROLL_WAITING 18
+#endif
 
 // One of the statistics of a window that has a sample, into the first of so many.
 SM_ROLL_APART void sm_roll_small_stat(const SmRollSmall *s, SmStat stat, SmF64 *x)

@@ -39,6 +39,7 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 #define FIRMWARE_EVENTS 32
 #define FIRMWARE_BODY 96
 #define AVR_SERIAL_RING 128
+#define SM_ROLL_WAITING 12
 #else
 #define FIRMWARE_STORE 1024
 #define FIRMWARE_SLOTS 1
@@ -46,6 +47,7 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 #define FIRMWARE_EVENTS 4
 #define FIRMWARE_BODY 48
 #define AVR_SERIAL_RING 64
+#define SM_ROLL_WAITING 9
 #endif
 
 #endif

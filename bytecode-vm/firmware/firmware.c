@@ -69,6 +69,7 @@ static void open_arming(void) {}
 
 // ---- what runs ----
 
+typedef char firmware_windows_have_room[FIRMWARE_MEMORY / 4 <= UINT32_C(1) << (SM_ROLL_WAITING - 1) ? 1 : -1];
 static uint64_t memory[FIRMWARE_MEMORY / 8];
 static SmvmRunner runner = {.memory = memory, .size = sizeof memory, .pin_place = place_of};
 static SmEvent kept[FIRMWARE_EVENTS];

@@ -185,11 +185,17 @@ uint16_t smvm_store_period(const Store *s, uint8_t slot)
 
 // ---- starting ----
 
-// What runs when the active image is not to be run: the one before it, if it is what it was.
-static SmResult step_back(Store *s, uint8_t *slot)
+// Whether the image before the active one is what it was.
+static bool has_before(const Store *s)
+{
+    return s->now.before != STORE_BUILT_IN && holds(s, s->now.before, s->now.checksum_before);
+}
+
+// What runs when the active image is not to be run: the one before it, or the built-in one.  (Apart, and without has_before in it: the
+// verifier and a record on the stack at once are much.)
+SMVM_APART static SmResult step_back(Store *s, bool there, uint8_t *slot)
 {
     StoreChoice c = s->now;
-    const bool there = c.before != STORE_BUILT_IN && holds(s, c.before, c.checksum_before);
 
     c.active = there ? c.before : STORE_BUILT_IN;
     memcpy(c.checksum, c.checksum_before, 4);
@@ -222,7 +228,7 @@ SmResult smvm_store_boot(Store *s, uint8_t *slot)
     if (may_run(s))
         *slot = s->now.active;
     else
-        r = step_back(s, slot);        // it runs even where that could not be written down
+        r = step_back(s, has_before(s), slot);         // it runs even where that could not be written down
     s->running = *slot;
     return r;
 }
@@ -402,7 +408,7 @@ SmResult smvm_store_confirm(Store *s, uint32_t checksum)
 // Makes what a slot holds no image; what is running is left as it is.
 static SmResult blank(const Store *s, uint8_t slot)
 {
-    uint8_t nothing[STORE_UNIT];
+    uint8_t nothing[SMVM_STORE_BYTES ? 4 : STORE_UNIT];
 
     if (slot == s->running)
         return SM_OK;
@@ -412,18 +418,23 @@ static SmResult blank(const Store *s, uint8_t slot)
     return put(s, s->slot_at[slot], nothing, write_of(s) > 4 ? write_of(s) : 4);
 }
 
-static SmResult forget(Store *s, uint8_t slot)
+SMVM_APART static SmResult forget_before(Store *s)
 {
     StoreChoice c = s->now;
+
+    c.before = STORE_BUILT_IN;
+    return choose(s, &c);
+}
+
+static SmResult forget(Store *s, uint8_t slot)
+{
     SmResult r = SM_OK;
     uint8_t instead;
 
-    if (slot == c.active) {
-        r = step_back(s, &instead);
-    } else if (slot == c.before) {
-        c.before = STORE_BUILT_IN;
-        r = choose(s, &c);
-    }
+    if (slot == s->now.active)
+        r = step_back(s, has_before(s), &instead);
+    else if (slot == s->now.before)
+        r = forget_before(s);
     return r == SM_OK ? blank(s, slot) : r;
 }
 

@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # The generic firmware on emulated boards, from smc flash to the pins.     firmware.sh MAKE BUILD CC [RUNS [SEED]]: so many updates in trouble.
-# Wants gcc-avr avr-libc libsimavr-dev libelf-dev.
+# Wants gcc-avr avr-libc libsimavr-dev libelf-dev, and python3 for the bound of the stack.
 MAKE=$1 B=$2 CC=$3 RUNS=${4:-2} SEED=${5:-1}
 D=$B/avr/firmware
 smc=$B/smc
-passed=0 failed=0 board=
+passed=0 failed=0 skipped=0 board=
 mkdir -p "$D" || exit 1
 if ! command -v "${AVR_CC:-avr-gcc}" >/dev/null 2>&1; then
     echo "no avr-gcc here (apt-get install gcc-avr avr-libc): 0 passed, 0 failed, 1 skipped"
@@ -60,6 +60,26 @@ logged() {
     done
 }
 
+# The chip has room for the most stack that a firmware can need; sets $stack to that.
+has_room_for_stack() {
+    ram=$(case $MCU in atmega328p) echo 2048 ;; *) echo 8192 ;; esac)
+    stack=$(python3 tests/avr/stack.py avr-objdump "$1" | sed -n 's/ bytes of stack$//p')
+    static=$(avr-size -A "$1" | awk '$1 == ".data" || $1 == ".bss" || $1 == ".noinit" { n += $2 } END { print n }')
+    echo "$1: at most ${stack:=0} of $((ram - static)) bytes of stack"
+    [ "$stack" -gt 0 ] && [ "$stack" -le $((ram - static)) ]
+}
+
+bound_stack() {     # ELF
+    if command -v python3 >/dev/null 2>&1; then
+        count has_room_for_stack "$1"
+    else
+        stack=9999 skipped=$((skipped + 1))
+    fi
+}
+
+# What was seen of the stack in a flight is no more than what there can be.
+stack_was_bounded() { awk -v most="$stack" '/ bytes of stack, / { for (i = 4; i <= NF; i++) if ($(i) == "stack,") seen = $(i - 3) } END { exit !(seen > 100 && seen <= most) }' "$1"; }
+
 # An Uno has one slot: nothing runs while it takes an image, so the machine must be in a @safe state, as with the vent open.
 rest_on_uno() {
     [ $MCU = atmega328p ] || return 0
@@ -111,6 +131,7 @@ fly_signed() {
     rm -f "$D/signed.mem"* "$D/rocket.key"
     "$smc" key "$D/rocket.key" && "$smc" sign "$D/tank.smb" --key="$D/rocket.key" --number=7 -o "$D/signed.smb" || exit 1
     $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU KEY="$D/rocket.key" FIRMWARE_OUT="$D/keyed" || exit 1
+    bound_stack "$D/keyed/$MCU.elf"
     FIRMWARE=$D/keyed/$MCU.elf board_on "$D/signed.mem"
     touch "$D/signed.mem.go"
     text='the board takes signed images only'
@@ -132,6 +153,20 @@ fly_signed() {
     text='slot .: [0-9]* bytes.*, chosen for the next start'
     count fails says "$smc" device list "$port"
     count board_off >"$D/signed.said" 2>&1
+}
+
+# As much stack as can be had: averages in the steps, and images verified beside them.
+fly_deep() {
+    rm -f "$D/deep.mem"*
+    board_on "$D/deep.mem"
+    touch "$D/deep.mem.go"
+    count "$smc" flash "$D/deep.smb" "$port" --period=3 --confirm >"$D/deep.out" 2>&1
+    for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+        "$smc" device list "$port" >"$D/deep.out" 2>&1
+    done
+    count grep -q ', runs, every 3 ms, confirmed' "$D/deep.out"
+    count board_off
+    count stack_was_bounded "$D/deep.mem.said"
 }
 
 # An image that wants a pin twice is not sent, nor one that wants the arming plug's; what came by another firmware and wants that one does not run
@@ -170,10 +205,13 @@ build vent "$D/vent.sm" --sv tests/avr/tank.sv --io tests/avr/tank.io
 sed 's/o 8/o 9/; s/^\[digital\]/o 9 state\n&/' tests/avr/tank.io >"$D/twice.io"
 build twice "$D/tank.sm" --sv tests/avr/tank.sv --io "$D/twice.io"
 sed 's/o 8/o 7/' tests/avr/tank.io >"$D/plug.io"
+printf '[state_vector]\nU64 time @alias G\nU32 state @alias S\nF64 tankPressure\nbool valveOpen\n[Deep] .step\n    valveOpen = roll_avg(tankPressure, 40) > 3\n' >"$D/deep.sm"
+build deep "$D/deep.sm" --sv tests/avr/tank.sv --io tests/avr/tank.io
 build plug "$D/tank.sm" --sv tests/avr/tank.sv --io "$D/plug.io"
 for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     export MCU FIRMWARE=$D/$MCU.elf
     $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU ARM_PIN=7 FIRMWARE_OUT="$D" || exit 1
+    bound_stack "$FIRMWARE"
     if [ $MCU = atmega328p ]; then
         SLOTS=1 count "$B/device/link" "$smc" "$D/board" "$D" "$D/tank.smb" "$D/vent.smb" "$RUNS" "$SEED"
     else
@@ -181,8 +219,9 @@ for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     fi
     fly_tank
     fly_rocket
+    fly_deep
     fly_signed
     fly_wrong_pins
 done
-echo "firmware: $passed passed, $failed failed"
+echo "firmware: $passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]

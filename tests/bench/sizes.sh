@@ -112,6 +112,9 @@ avr_tank()
 avr_firmware()  # MCU
 {
     $MAKE -s --no-print-directory firmware B="$2" MCU="$1" FIRMWARE_OUT="$build/firmware" >/dev/null || fail "the firmware"
+    if has python3; then
+        record "$1" firmware stack "$(python3 tests/avr/stack.py avr-objdump "$build/firmware/$1.elf" | sed -n 's/ bytes of stack$//p')"
+    fi
     set -- "$1" $(sections 1 "$build/firmware/$1.elf")
     record "$1" firmware flash "$2"
     record "$1" firmware ram "$3"
