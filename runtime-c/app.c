@@ -9,30 +9,53 @@
 #include "runtime-c/pal/watchdog.h"
 #include "runtime-c/run.h"
 #include "runtime-c/shared.h"
+#include "stdlib/flash.h"
 
 // ---- messages ----
 
-void sm_run_say(const SmApp *app, const char *const part[])
+void sm_run_say(const SmApp *app, const char *text)
 {
-    for (; app->tell && *part; part++) {
-        size_t n = 0;
+    char line[32];                         // no more, for on AVR this is part of main
+    size_t n;
 
-        while (n < UINT16_MAX && (*part)[n])
-            n++;
-        pal_console_write(*part, n);
-    }
+    do {
+        for (n = 0; n < sizeof line && (line[n] = sm_text_byte(text)) != '\0'; n++)
+            text++;
+        if (app->tell && n > 0)
+            pal_console_write(line, n);
+    } while (n == sizeof line);
+}
+
+void sm_run_say_name(const SmApp *app, const char *name)
+{
+    size_t n = 0;
+
+    while (name && n < UINT16_MAX && name[n])
+        n++;
+    if (app->tell && n > 0)
+        pal_console_write(name, n);
+}
+
+static void tell_who(const SmApp *app)
+{
+    const bool has_name = app->failed || app->refused;
+
+    sm_run_say(app, app->failed ? SM_TEXT("task '") : app->refused ? SM_TEXT("executor '") : app->what);
+    sm_run_say_name(app, app->failed ? app->failed->name : app->refused ? app->refused->name : NULL);
+    sm_run_say(app, has_name ? SM_TEXT("' does not start: ") : SM_TEXT(" does not start: "));
 }
 
 static void tell_refused(const SmApp *app, SmResult r)
 {
-    const char *const kind = app->failed ? "task '" : app->refused ? "executor '" : app->what;
-    const char *const name = app->failed ? app->failed->name : app->refused ? app->refused->name : "";
-    const char *const rest = app->failed || app->refused ? "' does not start: " : " does not start: ";
-    const char *const file = app->file ? app->file : "";
-    const char *const why = app->why ? app->why : sm_result_text(r);
-    const char *const text[] = {app->name, ": ", kind, name, rest, file, *file ? ": " : "", app->pin, why, "\n", NULL};
-
-    sm_run_say(app, text);
+    sm_run_say_name(app, app->name);
+    sm_run_say(app, SM_TEXT(": "));
+    tell_who(app);
+    sm_run_say_name(app, app->file);
+    if (app->file)
+        sm_run_say(app, SM_TEXT(": "));
+    sm_run_say_name(app, app->pin);
+    sm_run_say(app, app->why ? app->why : sm_result_text(r));
+    sm_run_say(app, SM_TEXT("\n"));
 }
 
 static SmResult refuse(SmApp *app, SmResult r, const char *what, const char *why)
@@ -62,11 +85,11 @@ static SmResult check_clock(SmApp *app)
     SmResult r = pal_clock_resolution(&ns);
 
     if (r != SM_OK)
-        return refuse(app, r, "the clock", NULL);
+        return refuse(app, r, SM_TEXT("the clock"), NULL);
     then = pal_clock_now() + ns;
     pal_clock_sleep_until(then);
     r = (int64_t)(pal_clock_now() - then) < 0 ? SM_E_DEVICE : SM_OK;
-    return refuse(app, r, "the clock", "it stands still");
+    return refuse(app, r, SM_TEXT("the clock"), SM_TEXT("it stands still"));
 }
 
 static SmResult check(SmApp *app)
@@ -74,13 +97,13 @@ static SmResult check(SmApp *app)
     const bool shared = app->executors > 1 && sm_run_wants_threads(app);
 
     if (app->executors == 0 || !app->executor)
-        return refuse(app, SM_E_ARGUMENT, "the application", "it has no executor");
+        return refuse(app, SM_E_ARGUMENT, SM_TEXT("the application"), SM_TEXT("it has no executor"));
     if (shared && app->sv && !app->sv->guarded)
-        return refuse(app, SM_E_ARGUMENT, "the state vector", "several threads use it, so its .sv must say `lock`");
+        return refuse(app, SM_E_ARGUMENT, SM_TEXT("the state vector"), SM_TEXT("several threads use it, so its .sv must say `lock`"));
     if (shared && app->events && !app->events->guarded)
-        return refuse(app, SM_E_ARGUMENT, "the ring of events", "several threads use it, so it must be guarded");
+        return refuse(app, SM_E_ARGUMENT, SM_TEXT("the ring of events"), SM_TEXT("several threads use it, so it must be guarded"));
     if ((app->keep || app->log) && !app->writing)
-        return refuse(app, SM_E_ARGUMENT, "the log or kept state vector", "SmApp.writing is missing");
+        return refuse(app, SM_E_ARGUMENT, SM_TEXT("the log or kept state vector"), SM_TEXT("SmApp.writing is missing"));
     return check_clock(app);
 }
 
@@ -89,9 +112,9 @@ static SmResult open_vector(SmApp *app)
     SmResult r = app->sv ? sm_statevec_init(app->sv) : SM_OK;
 
     if (r != SM_OK)
-        return refuse(app, r, "the state vector", NULL);
+        return refuse(app, r, SM_TEXT("the state vector"), NULL);
     r = app->events ? sm_events_init(app->events) : SM_OK;
-    return refuse(app, r, "the ring of events", NULL);
+    return refuse(app, r, SM_TEXT("the ring of events"), NULL);
 }
 
 static SmResult fill_vector(SmApp *app)
@@ -100,7 +123,7 @@ static SmResult fill_vector(SmApp *app)
 
     if (app->set && app->sv)
         app->set(app->sv->at);
-    r = refuse(app, app->writing ? app->writing->restore(app) : SM_OK, "the kept state vector", NULL);
+    r = refuse(app, app->writing ? app->writing->restore(app) : SM_OK, SM_TEXT("the kept state vector"), NULL);
     app->file = r != SM_OK && app->keep ? app->keep->memory : NULL;
     return r;
 }
@@ -132,7 +155,7 @@ static SmResult init_executors(SmApp *app)
         r = sm_executor_init(app->executor[i], &app->failed);
         if (r != SM_OK) {
             app->refused = app->executor[i];
-            app->why = app->failed ? NULL : "its plan is wrong";
+            app->why = app->failed ? NULL : SM_TEXT("its plan is wrong");
             app->file = app->failed && app->log && app->failed->context == app->log ? app->log->file : NULL;
             if (app->failed)
                 name_pin(app, r);

@@ -55,7 +55,7 @@ typedef struct SmApp {
     uint32_t stop;            // read and written through sm_app_stop and sm_app_stopping
     const SmTask *failed;     // the task whose init refused
     const SmExecutor *refused;            // the executor that did not start, or whose task it was
-    const char *what, *why;   // what else did not start; why, where the result does not say it
+    const char *what, *why;   // what else did not start; why, where the result does not say it: texts (stdlib/flash.h)
     const char *file;         // that it is about; or NULL
     char pin[16];             // "pin 17: ", likewise; or empty
     bool tell;                // on the console

@@ -6,6 +6,7 @@
 #include "runtime-c/pal/thread.h"
 #include "runtime-c/pal/watchdog.h"
 #include "runtime-c/shared.h"
+#include "stdlib/flash.h"
 
 // How long nobody looks whether the application is to stop; how often logs are looked after; how long threads sleep before the gate.
 #define SLICE    (100 * (uint64_t)PAL_MILLISECOND)
@@ -68,7 +69,7 @@ static SmResult start_watchdog(SmApp *app)
         return SM_OK;
     r = pal_watchdog_start(app->watchdog, &actual);
     if (r != SM_OK)
-        app->what = "the watchdog";
+        app->what = SM_TEXT("the watchdog");
     return r;
 }
 
@@ -210,9 +211,12 @@ static uint8_t highest(const SmApp *app)
 
 static void tell_denied(const SmApp *app, const char *name)
 {
-    const char *const text[] = {app->name, ": executor '", name, "' runs without its real-time priority: ", sm_result_text(SM_E_DENIED), "\n", NULL};
-
-    sm_run_say(app, text);
+    sm_run_say_name(app, app->name);
+    sm_run_say(app, SM_TEXT(": executor '"));
+    sm_run_say_name(app, name);
+    sm_run_say(app, SM_TEXT("' runs without its real-time priority: "));
+    sm_run_say(app, sm_result_text(SM_E_DENIED));
+    sm_run_say(app, SM_TEXT("\n"));
 }
 
 static SmResult create(SmApp *app, SmExecutor *e)
@@ -224,7 +228,7 @@ static SmResult create(SmApp *app, SmExecutor *e)
         tell_denied(app, e->name);
     if (r != SM_OK) {
         app->refused = e;
-        app->why = r == SM_E_FULL ? "there are more executors than threads (PAL_THREADS)" : NULL;
+        app->why = r == SM_E_FULL ? SM_TEXT("there are more executors than threads (PAL_THREADS)") : NULL;
     }
     return r;
 }
@@ -239,7 +243,7 @@ static SmResult create_watch(SmApp *app)
     plan.priority = (uint8_t)(plan.priority + (plan.priority > 0 && plan.priority < PAL_PRIORITY_MAX));
     r = pal_thread_create(&app->watch, &plan, run_watch, app);
     if (r != SM_OK)
-        app->what = "the watchdog's thread";
+        app->what = SM_TEXT("the watchdog's thread");
     return r;
 }
 

@@ -18,8 +18,9 @@ SmResult sm_run_prepare(SmApp *app);
 // Runs until the application is to stop and all ticks have ended; then stops the watchdog.
 void sm_run(SmApp *app);
 
-// Text on the console, if it is wanted: all parts up to the first that is NULL.
-void sm_run_say(const SmApp *app, const char *const part[]);
+// On the console, if it is wanted: a text (SM_TEXT, flash.h); a name, or NULL.
+void sm_run_say(const SmApp *app, const char *text);
+void sm_run_say_name(const SmApp *app, const char *name);
 
 #ifdef __cplusplus
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of constants that stay in flash on AVR, which copies all others into RAM.
+// Constants that stay in flash on AVR, which copies all others into RAM: tables, and text that is only said.
 //     static const Row rows[] SM_FLASH = {…};
 //     Row row;
 //     sm_flash_get(&row, &rows[i], sizeof row);
+//
+//     const char *what = SM_TEXT("the clock");          // within a function; on AVR no pointer to RAM
+//     for (; (c = sm_text_byte(what)) != '\0'; what++) …
 #ifndef SM_FLASH_H
 #define SM_FLASH_H
 
@@ -10,10 +13,14 @@
 #include <avr/pgmspace.h>
 #define SM_FLASH PROGMEM
 #define sm_flash_get(to, from, n) memcpy_P((to), (from), (n))
+#define SM_TEXT(text) (__extension__({static const char text_[] PROGMEM = text; (const char *)text_;}))
+#define sm_text_byte(at) ((char)pgm_read_byte(at))
 #else
 #include <string.h>
 #define SM_FLASH
 #define sm_flash_get(to, from, n) memcpy((to), (from), (n))
+#define SM_TEXT(text) (text)
+#define sm_text_byte(at) (*(at))
 #endif
 
 #endif

@@ -2,13 +2,15 @@
 // The text of a result.  A number used twice in result.def does not compile: it would be a second case of the switch.
 #include "stdlib/result.h"
 
+#include "stdlib/flash.h"
+
 const char *sm_result_text(SmResult r)
 {
     switch (r) {
-#define SM_RESULT(name, number, text) case SM_##name: return text;
+#define SM_RESULT(name, number, text) case SM_##name: return SM_TEXT(text);
 #include "stdlib/result.def"
 #undef SM_RESULT
     case SM_RESULT_LOWEST: break;
     }
-    return "unknown result";
+    return SM_TEXT("unknown result");
 }

@@ -14,7 +14,8 @@ typedef enum SmResult {
     SM_RESULT_LOWEST = -128   // none is below: a result is a byte wherever types are as small as they may be, and in answers of a board (link.md)
 } SmResult;
 
-// The row's text; "unknown result" for a number that has none.
+// The row's text; "unknown result" for a number that has none.  On AVR it is in flash (flash.h): in an Arduino's sketch,
+// Serial.print((const __FlashStringHelper *)sm_result_text(r)).
 const char *sm_result_text(SmResult r);
 
 #ifdef __cplusplus

@@ -109,6 +109,19 @@ avr_tank()
         record atmega328p tank-c-$p cycles-most "$(sed -n 's/.*emitted: .* \([0-9]*\) at most.*/\1/p' "$build/tank.txt")"
     done
 }
+# The tank with its pins as an application of the flight runtime.
+avr_app()
+{
+    mkdir -p "$build/app" && cp examples/tank/tank.sm tests/avr/tank.io "$build/app" && cp tests/avr/tank.sv "$build/app/uno.sv" || fail "the application"
+    printf '[options]\nstate_vector "uno.sv"\nio "tank.io"\ntime time 1 ms\nevents 8\n[control]\nevery 10 ms:\n inputs\n machine tank "tank.sm"\n outputs\n' >"$build/app/stand.app"
+    "$smc" build -w "$build/app/stand.app" --soft -o "$build/app/out" || fail "the application"
+    avr_program app -flto -mrelax -mcall-prologues -I"$build/app/out" "$build/app/out"/*.c runtime-c/*.c stdlib/*.c stdlib/*.S runtime-c/psl/avr/*.c \
+        $(for f in console thread socket log; do echo runtime-c/psl/none/$f.c; done)
+    set -- $(sections 1 "$build/app.elf")
+    record atmega328p tank-app flash "$1"
+    record atmega328p tank-app ram "$2"
+}
+
 avr_firmware()  # MCU
 {
     $MAKE -s --no-print-directory firmware B="$2" MCU="$1" FIRMWARE_OUT="$build/firmware" >/dev/null || fail "the firmware"
@@ -132,6 +145,7 @@ if has avr-gcc; then
     else
         skipped=$((skipped + 1))
     fi
+    avr_app
     for mcu in atmega328p atmega2560; do
         avr_firmware $mcu "$1"
     done

@@ -11,6 +11,7 @@ vm=$(for f in target/machine load verify interp pins debug; do echo bytecode-vm/
 app=$(echo $here/app/tasks.c runtime-c/*.c $vm stdlib/*.c)
 sim=$(echo runtime-c/psl/sim/*.c runtime-c/psl/none/thread.c)
 warn='-Wall -Wextra -Werror'
+small='/machine watch/d; /^every 100/,$d'      # of stand.app, what an Uno has room for
 
 # made NAME EDIT OPTION…: builds the application, its second machine as the edit of stand.app says.
 made() {
@@ -28,18 +29,22 @@ flies() {
 }
 flies_on() { flies "$1" "$2" sh $here/cc.sh "$1" -std=c99 -ffp-contract=off -O0 $3 $app $sim; }
 
-# By the chip's own clock: the time that machines see is that at which a tick was due.
+# By the chip's own clock: the time that machines see is that at which a tick was due.      on_avr CHIP APPLICATION TRACE OPTION…
 on_avr() {
+    chip=$1 out=$dir/$2/out trace=$3
+    shift 3
     $CC -std=gnu99 -O1 -I. tests/avr/sim.c tests/avr/run_c.c -o "$dir/run_c" -lsimavr -lelf &&
-        "${AVR_CC:-avr-gcc}" -mmcu=atmega2560 -DF_CPU=16000000UL -Os -std=gnu99 $warn -DSM_NO_MAIN -ffunction-sections -fdata-sections -Wl,--gc-sections \
-            -I. -I"$dir/vm-soft/out" "$dir/vm-soft/out"/*.c $app $here/app/avr.c tests/avr/console.c bytecode-vm/interp_avr.S stdlib/*.S \
-            $(ls runtime-c/psl/avr/*.c) $(for f in console thread socket log; do echo runtime-c/psl/none/$f.c; done) -o "$dir/avr.elf" &&
-        sh tests/avr/pack.sh "$dir/run_c" atmega2560 "$dir/avr.elf" "$dir/on-avr" && "$dir/on-avr" </dev/null >"$dir/avr.trace" &&
-        cmp "$dir/here.trace" "$dir/avr.trace"
+        "${AVR_CC:-avr-gcc}" -mmcu=$chip -DF_CPU=16000000UL -Os "$@" -std=gnu99 $warn -DSM_NO_MAIN -ffunction-sections -fdata-sections -Wl,--gc-sections \
+            -I. -I"$out" "$out"/*.c $app $here/app/avr.c tests/avr/console.c bytecode-vm/interp_avr.S stdlib/*.S \
+            $(ls runtime-c/psl/avr/*.c) $(for f in console thread socket log; do echo runtime-c/psl/none/$f.c; done) -o "$dir/$chip.elf" &&
+        avr-size "$dir/$chip.elf" &&
+        sh tests/avr/pack.sh "$dir/run_c" $chip "$dir/$chip.elf" "$dir/on-$chip" && "$dir/on-$chip" </dev/null >"$dir/$chip.trace" &&
+        cmp "$trace" "$dir/$chip.trace"
 }
+runs_here() { $CC -std=c99 -ffp-contract=off $warn -I. -I"$dir/$1/out" "$dir/$1/out"/*.c $app $sim -o "$dir/on-here" && "$dir/on-here" >"$2"; }
 
 check 'C and bytecode of it' eval "made c '' && made vm '/watch.sm/s/\$/ @bytecode/' && made vm-soft '/watch.sm/s/\$/ @bytecode/' --soft"
-check 'here' eval "$CC -std=c99 -ffp-contract=off $warn -I. -I$dir/c/out $dir/c/out/*.c $app $sim -o $dir/on-here && $dir/on-here >$dir/here.trace"
+check 'here' runs_here c "$dir/here.trace"
 check 'sixty ticks and more' test "$(wc -l <"$dir/here.trace")" -eq 61
 check 'here, on the VM' flies vm vm $CC -std=c99 -ffp-contract=off $app $sim
 for target in armhf s390x-fma m0-roomy rv32imac m3 m4f; do
@@ -51,7 +56,10 @@ for target in armhf s390x-fma m0-roomy rv32imac m3 m4f; do
     esac
 done
 if has "${AVR_CC:-avr-gcc}" && echo '#include <simavr/sim_avr.h>' | $CC -fsyntax-only -x c - 2>/dev/null; then
-    check 'ATmega2560, by its own clock' on_avr
+    check 'ATmega2560, by its own clock' on_avr atmega2560 vm-soft "$dir/here.trace"
+    check 'one machine of it' eval "made small '$small' && made small-soft '$small' --soft"
+    check 'that, here' runs_here small "$dir/small.trace"
+    check 'ATmega328P, by its own clock' on_avr atmega328p small-soft "$dir/small.trace" -flto -mrelax -mcall-prologues -Wno-maybe-uninitialized
 else
     skip 'no avr-gcc or simavr here (gcc-avr avr-libc libsimavr-dev libelf-dev)'
 fi
