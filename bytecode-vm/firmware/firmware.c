@@ -34,12 +34,7 @@ static const uint8_t built_in[] PROGMEM = {
 typedef char firmware_has_no_pin_as_the_vm[AVR_NO_PIN == SMVM_NO_PIN ? 1 : -1];
 
 #ifdef FIRMWARE_ARM_PIN
-#ifdef __AVR_ATmega2560__
-#define LAST_PIN 69
-#else
-#define LAST_PIN 19
-#endif
-#if FIRMWARE_ARM_PIN < 2 || FIRMWARE_ARM_PIN > LAST_PIN
+#if FIRMWARE_ARM_PIN < AVR_LINE || FIRMWARE_ARM_PIN >= AVR_PINS
 #error "ARM_PIN is a pin of the board as a number: 2 to 19 on an Uno, 2 to 69 on a Mega (0 and 1 are the line)"
 #endif
 static PalDio arming;

@@ -23,6 +23,12 @@ uint16_t avr_fine(void);                               // in units of 4 microsec
 
 // ---- pins: one owner each, digital or analog ----
 
+#ifdef __AVR_ATmega2560__
+#define AVR_PINS 70
+#else
+#define AVR_PINS 20
+#endif
+#define AVR_LINE 2            // pins 0 and 1 are the serial line's
 #define AVR_NO_PIN 0xffu
 // The digital number of what an analog channel, too, is a pin of.  AVR_NO_PIN: there is none, or the serial line has it.
 uint8_t avr_pin_place(uint16_t number, uint8_t kind);         // bit 0: an output; bit 1: digital

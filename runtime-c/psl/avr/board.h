@@ -21,16 +21,14 @@ typedef struct AvrPwm { uint8_t pin; uint16_t control, compare; uint8_t connect;
 enum { AVR_COM_A = 0x80, AVR_COM_B = 0x20, AVR_COM_C = 0x08 };
 #define AVR_PWM(pin, timer, unit) {pin, _SFR_ADDR(TCCR##timer##A), _SFR_ADDR(OCR##timer##unit), AVR_COM_##unit}
 
-enum { AVR_LINE = 2 };        // pins 0 and 1 are the serial line's
-
 #if defined(__AVR_ATmega328P__)
-enum { AVR_PINS = 20, AVR_ANALOG_FIRST = 14, AVR_ANALOGS = 6, AVR_PWMS = 4 };
+enum { AVR_ANALOG_FIRST = 14, AVR_ANALOGS = 6, AVR_PWMS = 4 };
 static const uint8_t avr_pins[AVR_PINS] PROGMEM = {
     AVR_UP(D), AVR_P(B, 0), AVR_P(B, 1), AVR_P(B, 2), AVR_P(B, 3), AVR_P(B, 4), AVR_P(B, 5),
     AVR_P(C, 0), AVR_P(C, 1), AVR_P(C, 2), AVR_P(C, 3), AVR_P(C, 4), AVR_P(C, 5)};
 static const AvrPwm avr_pwms[AVR_PWMS] PROGMEM = {AVR_PWM(3, 2, B), AVR_PWM(9, 1, A), AVR_PWM(10, 1, B), AVR_PWM(11, 2, A)};
 #elif defined(__AVR_ATmega2560__)
-enum { AVR_PINS = 70, AVR_ANALOG_FIRST = 54, AVR_ANALOGS = 16, AVR_PWMS = 13 };
+enum { AVR_ANALOG_FIRST = 54, AVR_ANALOGS = 16, AVR_PWMS = 13 };
 static const uint8_t avr_pins[AVR_PINS] PROGMEM = {
     AVR_P(E, 0), AVR_P(E, 1), AVR_P(E, 4), AVR_P(E, 5), AVR_P(G, 5), AVR_P(E, 3), AVR_P(H, 3), AVR_P(H, 4), AVR_P(H, 5), AVR_P(H, 6),
     AVR_P(B, 4), AVR_P(B, 5), AVR_P(B, 6), AVR_P(B, 7), AVR_P(J, 1), AVR_P(J, 0), AVR_P(H, 1), AVR_P(H, 0), AVR_P(D, 3), AVR_P(D, 2),
