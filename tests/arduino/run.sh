@@ -179,12 +179,13 @@ example()   # SKETCH BOARD…
         echo "$sketch on $board: $(sizes), $(cat "$dir/$sketch.stack")"
     done
 }
-# The firmware as a sketch, on a Mega: takes an image over the line, and runs it.
+# The firmware as a sketch: takes an image over the line, and runs it.     firmware CHIP
 firmware()
 {
+    rm -f "$dir/eeprom"*
     $CC -std=gnu99 -O1 -I. tests/avr/board.c tests/avr/plants.c -o "$dir/line" -lsimavr -lelf -lm &&
         "$build/smc" build -w examples/tank/tank.sm --sv tests/avr/tank.sv --io tests/avr/tank.io -o "$dir/tank.smb" || return 1
-    FIRMWARE=$dir/made/Firmware.ino.elf MCU=atmega2560 PLANT=none SPEED=10 "$dir/line" - "$dir/eeprom" >"$dir/line.said" 2>&1 &
+    FIRMWARE=$dir/made/Firmware.ino.elf MCU=$1 PLANT=none SPEED=10 "$dir/line" - "$dir/eeprom" >"$dir/line.said" 2>&1 &
     line=$!
     for _ in 1 2 3 4 5 6 7 8 9; do [ -s "$dir/eeprom.line" ] || sleep 0.3; done
     port=--port=$(cat "$dir/eeprom.line")
@@ -194,14 +195,25 @@ firmware()
     return $code
 }
 
+has_room_for_stack()
+{
+    most=$(python3 tests/avr/stack.py avr-objdump "$dir/made/Firmware.ino.elf" | sed -n 's/ bytes of stack$//p')
+    left=$(sed -n 's/.*leaving \([0-9]*\) bytes for local.*/\1/p' "$dir/builder")
+    echo "at most $most of $left bytes of stack"
+    [ "$most" -le "$left" ]
+}
+
 check "the library for this computer" library_here
 example TankC uno mega
 example TankImage uno mega
-if [ $emulates = 1 ]; then
+for chip in atmega328p atmega2560; do
+    [ $emulates = 1 ] || break
     rm -rf "$dir/made"
     mkdir "$dir/made"
-    check "Firmware for mega builds" arduino mega:cpu=atmega2560 Firmware
-    echo "Firmware on mega: $(sizes)"
-    check "Firmware on mega" firmware
-fi
+    board=$(case $chip in atmega328p) echo uno ;; *) echo mega:cpu=$chip ;; esac)
+    check "Firmware for $board builds" arduino "$board" Firmware
+    echo "Firmware on $board: $(sizes)"
+    check "Firmware on $board" firmware $chip
+    if has python3; then check "Firmware on $board has room for its stack" has_room_for_stack; else skip "no python3 here"; fi
+done
 finish arduino
