@@ -526,15 +526,18 @@ FIRMWARE_SMALL = -Os -mcall-prologues -mrelax -mstrict-X -flto -flto-partition=o
 FIRMWARE_C   = $(AVR_CC) -mmcu=$(MCU) -DF_CPU=16000000UL $(FIRMWARE_SMALL) -std=c99 $(filter-out -pedantic,$(WARN)) -Wno-maybe-uninitialized -I. -I$(FIRMWARE_OUT) \
                -ffunction-sections -fdata-sections -Wl,--gc-sections $(foreach v,SMVM_CONFIG SM_CONFIG,-D$(v)='"bytecode-vm/firmware/config.h"') $(if $(ARM_PIN),-DFIRMWARE_ARM_PIN=$(ARM_PIN)) $(if $(KEY),-DFIRMWARE_KEY)
 firmware: $(B)/smc
+	@case '$(MCU)' in atmega328p | atmega2560) ;; *) echo "MCU=$(MCU): atmega328p is an Uno, atmega2560 a Mega" >&2; exit 1 ;; esac
+	@case '$(ARM_PIN)' in '' | [0-9] | [1-9][0-9]) ;; *) echo "ARM_PIN=$(ARM_PIN): it is the number of a digital pin, as in ARM_PIN=7" >&2; exit 1 ;; esac
 	@mkdir -p $(FIRMWARE_OUT)
 	$(B)/smc build -w bytecode-vm/firmware/safe.sm --sv bytecode-vm/firmware/safe.sv --io bytecode-vm/firmware/safe.io -o $(FIRMWARE_OUT)/safe.smb
-	@$(B)/smc verify '$(or $(SAFE),$(FIRMWARE_OUT)/safe.smb)' >/dev/null
+	@$(B)/smc verify '$(or $(SAFE),$(FIRMWARE_OUT)/safe.smb)' >$(FIRMWARE_OUT)/safe.txt
+	@! grep -q 'not marked @safe' $(FIRMWARE_OUT)/safe.txt || echo 'warning: $(SAFE) starts in a state that is not marked @safe: until it has left it, the board takes no image' >&2
 	od -An -v -tx1 $(or $(SAFE),$(FIRMWARE_OUT)/safe.smb) | sed 's/ \(..\)/0x\1,/g' >$(FIRMWARE_OUT)/safe_image.inc
 ifneq ($(KEY),)
-	@grep -qx '[0-9a-fA-F]\{32\}' '$(KEY)' || { echo '$(KEY) is no key of smc key: 32 hexadecimal digits' >&2; exit 1; }
+	@grep -qx '[0-9a-fA-F]\{32\}' '$(KEY)' || { echo "KEY=$(KEY) is no key of smc key, 32 hexadecimal digits: 'smc key FILE' makes one" >&2; exit 1; }
 	@umask 077 && sed 's/\(..\)/0x\1,/g' '$(KEY)' >$(FIRMWARE_OUT)/key.inc
 endif
-	$(FIRMWARE_C) $(FIRMWARE_SRC) -Wl,-Map=$(FIRMWARE_OUT)/$(MCU).map -o $(FIRMWARE_OUT)/$(MCU).elf
+	$(call say,AVR)$(FIRMWARE_C) $(FIRMWARE_SRC) -Wl,-Map=$(FIRMWARE_OUT)/$(MCU).map -o $(FIRMWARE_OUT)/$(MCU).elf
 	avr-objcopy -O ihex -R .eeprom $(FIRMWARE_OUT)/$(MCU).elf $(FIRMWARE_OUT)/$(MCU).hex
 	avr-size $(FIRMWARE_OUT)/$(MCU).elf
 check: $(B)/device/link $(STORE_SMB)

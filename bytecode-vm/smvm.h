@@ -103,8 +103,9 @@ typedef struct SmvmPin {
     SmF64 safe;               // outputs
 } SmvmPin;
 
-// Two pins with the same place are one pin of the chip.  SMVM_NO_PIN: none that an image may have.
+// Two pins with the same place are one pin of the chip.  SMVM_NO_PIN: none that an image may have.  `kind` as above, and from bit 2 on flags.
 typedef uint8_t SmvmPinPlace(uint16_t number, uint8_t kind);
+static inline uint8_t smvm_pin_kind(const SmvmPin *p) { return (uint8_t)(p->kind | p->flags << 2); }
 #define SMVM_NO_PIN 0xffu
 
 // Stands before the next of them.

@@ -3,7 +3,7 @@
 #   tank.smb from tank.sm: bytecode.      tank.c and tank.h from tank.sm: C99.      app_io.c and app_io.h from app.io: C99 for runtime-c.
 #   make flash-tank PORT=/dev/ttyACM0: tank.smb onto a board; it is on trial until `smc device confirm`.  make flash: of the one machine here.
 # Set before the include: SMC_SV to the application's state vector (app.sv) if there is one, SMC_IO to the pins of its images (app.io),
-# SMCFLAGS to further options.
+# SMCFLAGS to further options, SMC to where the command is if not in PATH.
 #   rocket from rocket.app: a program.  Set before the include
 #     SMC_APP       rocket
 #     SMC_SOURCES   what you wrote: navigation.c engine.cpp; .c, .cc and .cpp
@@ -32,8 +32,15 @@ SMC_SET  := $(wildcard $(firstword $(MAKEFILE_LIST)))
 %_io.c %_io.h: %.io $(SMC_SV) $(SMC_SET)
 	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*_io.c -MD -MP -MF $*.io.d
 
+# For make, a rule whose file is not there is none: this one is taken then.  Nor is an image sent that was made before.
+SMC_LOST = $(strip $(foreach f,$(SMC_SV) $(SMC_IO),$(if $(wildcard $f),,$f)))
+%.smb: %.sm
+	$(error there is no $(SMC_LOST), as SMC_SV or SMC_IO says)
+.PRECIOUS: %.smb
+
 # Not %.smb alone: make wants a name that is no file.
 flash-%: %.smb
+	$(if $(SMC_LOST),$(error there is no $(SMC_LOST), as SMC_SV or SMC_IO says))
 	$(SMC) flash $< --port=$(or $(PORT),$(error PORT=/dev/ttyACM0 says where the board is))
 SMC_MACHINES = $(basename $(wildcard *.sm))
 flash: $(if $(word 2,$(SMC_MACHINES)),,$(SMC_MACHINES:%=flash-%))

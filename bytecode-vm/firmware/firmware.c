@@ -183,12 +183,14 @@ static SmResult run(SmvmBytes image, uint16_t milliseconds)
     return SM_OK;
 }
 
+static AgentBoard board;
+
 static void run_built_in(void)
 {
     SmvmVerdict why;
 
-    if (smvm_verify((SmvmBytes)(uint16_t)built_in, sizeof built_in, &why) == 0)
-        (void)run((SmvmBytes)(uint16_t)built_in, PERIOD);
+    if (smvm_verify((SmvmBytes)(uint16_t)built_in, sizeof built_in, &why) != 0 || run((SmvmBytes)(uint16_t)built_in, PERIOD) != SM_OK)
+        board.built_in_size = 0;           // it is not said to run
 }
 
 // ---- the board, as the agent asks it ----
@@ -272,9 +274,12 @@ static void start_store(void)
 
     if (pal_nvm_open(&nvm, "eeprom", FIRMWARE_STORE) == SM_OK && opens(nvm, &plan))
         (void)smvm_store_boot(&store, &slot);
-    if (slot != STORE_BUILT_IN && run(plan.image[slot], smvm_store_period(&store, slot)) == SM_OK)
-        return;
-    smvm_store_leave(&store);              // nothing else may be said to run: a pin may be wanted twice, which only opening them tells
+    for (uint8_t i = 0; i < FIRMWARE_SLOTS && slot != STORE_BUILT_IN; i++) {
+        if (run(plan.image[slot], smvm_store_period(&store, slot)) == SM_OK)
+            return;
+        (void)smvm_store_pass_over(&store, &slot);     // a pin may be wanted twice, which only opening them tells
+    }
+    smvm_store_leave(&store);
     run_built_in();
 }
 

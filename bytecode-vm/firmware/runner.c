@@ -31,7 +31,7 @@ static SmResult take_pins(const SmvmRunner *r, uint16_t *left, SmvmPins *p)
     SmvmPin pin;
 
     while (smvm_next_pin(p, &pin)) {
-        if (r->pin_place && r->pin_place((uint16_t)pin.pin, pin.kind) == SMVM_NO_PIN)
+        if (r->pin_place && r->pin_place((uint16_t)pin.pin, smvm_pin_kind(&pin)) == SMVM_NO_PIN)
             return SM_E_MISSING;
         if (row_bytes(pin.kind) > *left)
             return SM_E_MEMORY;

@@ -233,6 +233,17 @@ SmResult smvm_store_boot(Store *s, uint8_t *slot)
     return r;
 }
 
+SmResult smvm_store_pass_over(Store *s, uint8_t *slot)
+{
+    SmResult r = SM_OK;
+
+    *slot = STORE_BUILT_IN;
+    if (!s->now.confirmed)
+        r = step_back(s, has_before(s), slot);
+    s->running = *slot;
+    return r;
+}
+
 void smvm_store_leave(Store *s) { s->running = STORE_BUILT_IN; }
 
 // ---- an update ----

@@ -82,6 +82,10 @@ SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan);
 // more is passed over: the one before it, then the built-in one.
 SmResult smvm_store_boot(Store *s, uint8_t *slot);
 
+// The caller cannot run the image that smvm_store_boot gave, for a pin of it is taken: which to run instead.  A trial is over by that; a
+// confirmed image stays chosen, for other firmware can.
+SmResult smvm_store_pass_over(Store *s, uint8_t *slot);
+
 // The caller does not run the image in the slot any more, but the built-in one.
 void smvm_store_leave(Store *s);
 

@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <time.h>
@@ -68,16 +69,19 @@ bool os_serial_open(const char *path, unsigned long bits_per_second, int *fd, co
     speed_t speed;
 
     if (!find_speed(bits_per_second, &speed)) {
-        *why = "there is no such speed";
+        *why = "there is no such speed (115200 is the firmware's)";
         return false;
     }
     if ((*fd = open(path, O_RDWR | O_NOCTTY | O_NONBLOCK)) < 0) {
         *why = errno == EBUSY ? "another program uses it" : strerror(errno);
         return false;
     }
-    if (isatty(*fd) && set_up(*fd, speed))
+    if (flock(*fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        *why = "another program uses it";
+    else if (isatty(*fd) && set_up(*fd, speed))
         return true;
-    *why = isatty(*fd) ? strerror(errno) : "it is no serial line";
+    else
+        *why = isatty(*fd) ? strerror(errno) : "it is no serial line";
     close(*fd);
     return false;
 }

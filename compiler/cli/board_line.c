@@ -67,13 +67,13 @@ static void put_state(Buf *out, const DeviceImage *i)
     if (i->period != 0)
         buf_printf(out, ", every %u ms", (unsigned)i->period);
     if (i->chosen && !i->runs)
-        buf_str(out, ", chosen for the next start");
+        buf_str(out, ", chosen, but does not run before the next start");
     if (i->state == DEVICE_TRIAL)
-        buf_printf(out, ", on trial (%u starts left)", (unsigned)i->starts);
+        buf_printf(out, ", on trial (%u start%s left)", (unsigned)i->starts, i->starts == 1 ? "" : "s");
     else if (i->state == DEVICE_CONFIRMED && i->slot != DEVICE_BUILT_IN)
         buf_str(out, ", confirmed");
     else if (i->state == DEVICE_WHOLE && i->slot != DEVICE_BUILT_IN)
-        buf_str(out, i->runs ? ", until the next start" : ", not chosen");
+        buf_str(out, i->runs ? ", until the next start" : i->before ? ", runs again if the chosen one does not" : ", not chosen");
 }
 
 void board_describe(Buf *out, const DeviceImage *i)
@@ -86,7 +86,7 @@ void board_describe(Buf *out, const DeviceImage *i)
         buf_str(out, i->runs ? "no image; nothing runs" : "no image");
     } else {
         buf_printf(out, "%lu bytes, checksum %08lx, identity ", (unsigned long)i->length, (unsigned long)i->checksum);
-        for (size_t k = 0; k < sizeof i->identity; k++)
+        for (size_t k = sizeof i->identity; k-- > 0;)          // a number, as disasm and report show it
             buf_printf(out, "%02x", i->identity[k]);
         put_state(out, i);
     }
@@ -111,7 +111,7 @@ static int greet(Cli *c, BoardLine *b, const char *port, unsigned long speed)
 {
     if (!device_hello(&b->host, &b->info)) {
         cli_say(c, b->host.answered ? "what is at '%s' is no board of this kind" :
-                "no answer from '%s' at %lu bits a second: is it the right port, does the board run, is the speed right?",
+                "no answer from '%s' at %lu bits a second: is it the right port, does the board run, is the speed right, has another program the line?",
                 port, speed);
         return EXIT_ENVIRONMENT;
     }

@@ -7,12 +7,20 @@
 
 // ---- info and list ----
 
-static void put_may(Buf *out, const DeviceInfo *i)
+static bool put_may(BoardLine *b, Buf *out)
 {
-    if (i->may == SM_OK)
-        buf_str(out, "an update may begin\n");
-    else
+    const DeviceInfo *i = &b->info;
+    DeviceImage trial;
+    const bool on_trial = device_trial(&b->host, i, &trial);
+
+    if (i->may != SM_OK)
         buf_printf(out, "no update may begin: %s\n", sm_result_text(i->may));
+    else if (on_trial)
+        buf_printf(out, "no update may begin: image %08lx is on trial; 'smc device confirm' keeps it, 'smc device erase %08lx' gives it up\n",
+                   (unsigned long)trial.checksum, (unsigned long)trial.checksum);
+    else
+        buf_str(out, "an update may begin\n");
+    return b->host.answered && b->host.result == SM_OK;
 }
 
 static int list(BoardLine *b, Buf *out)
@@ -52,7 +60,8 @@ static int info(BoardLine *b, Buf *out)
         put_limits(out, i);
     if (i->wants_signed)
         buf_printf(out, "takes signed images only, with numbers above %lu\n", (unsigned long)i->newest);
-    put_may(out, i);
+    if (!put_may(b, out))
+        return board_failed(b, "asking what is on trial");
     return list(b, out);
 }
 
@@ -66,6 +75,8 @@ static int confirm(BoardLine *b, Buf *out)
         return board_failed(b, "asking what runs");
     if (image.slot == DEVICE_BUILT_IN) {
         cli_say(b->c, "the board runs its built-in image: there is nothing to confirm");
+        if (device_trial(&b->host, &b->info, &image))
+            board_describe(out, &image);
         return EXIT_PROBLEM;
     }
     if (!image.chosen) {

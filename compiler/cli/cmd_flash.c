@@ -91,7 +91,8 @@ static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdi
 
 static void put_pin(Buf *out, const SmvmPin *p)
 {
-    buf_printf(out, "%s %s %lu", p->kind & 2 ? "digital" : "analog", p->kind & 1 ? "output" : "input", (unsigned long)p->pin);
+    buf_printf(out, "%s %s %lu%s", p->kind & 2 ? "digital" : "analog", p->kind & 1 ? "output" : "input", (unsigned long)p->pin,
+               p->flags & 4 ? " with @pull_down" : "");
 }
 
 static int wrong_pin(Cli *c, const Source *image, const SmvmPin *p, const SmvmPin *other)
@@ -105,7 +106,7 @@ static int wrong_pin(Cli *c, const Source *image, const SmvmPin *p, const SmvmPi
         put_pin(&out, other);
     }
     cli_say(c, other ? "%s wants %s, which are one pin of this board; nothing was sent"
-                     : "%s wants %s, which this board does not have, or needs itself (docs/boards.md has a table of pins); nothing was sent",
+                     : "%s wants %s, which this board does not have, or needs itself, as for the line or an arming plug (docs/boards.md has a table of pins); nothing was sent",
             image->name, buf_text(&out));
     return EXIT_PROBLEM;
 }
@@ -121,7 +122,7 @@ static int pins_are_there(BoardLine *b, const Source *image)
 
     (void)smvm_pins((SmvmBytes)image->text, &all);
     while (smvm_next_pin(&all, &p)) {
-        if (!device_pin_place(&b->host, p.kind, (uint16_t)p.pin, &place))
+        if (!device_pin_place(&b->host, smvm_pin_kind(&p), (uint16_t)p.pin, &place))
             return b->host.answered && b->host.result == SM_E_UNSUPPORTED ? EXIT_OK : board_failed(b, "asking about pins");
         if (place == SMVM_NO_PIN || taken[place])
             return wrong_pin(b->c, image, &p, place == SMVM_NO_PIN ? NULL : &at[place]);
@@ -150,20 +151,26 @@ static int is_signed(Cli *c, BoardLine *b, const Source *image)
     return EXIT_PROBLEM;
 }
 
-// Whether the board's own answer would be no: what it runs already is not sent, and so not asked about.
-static int is_welcome(Cli *c, BoardLine *b, const Source *image)
+static bool is_same(const DeviceImage *there, const Source *image, uint16_t period)
 {
-    DeviceImage now;
+    return there->length == image->len && there->checksum == smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4) && there->period == period;
+}
 
-    if (!device_running(&b->host, &b->info, &now))
-        return board_failed(b, "asking what runs");
-    if (now.length == image->len && now.checksum == smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4))
+// Whether the board's own answer would be no: what it runs already is not sent, and so not asked about.
+static int is_welcome(Cli *c, BoardLine *b, const Source *image, uint16_t period, const DeviceImage *now)
+{
+    DeviceImage trial;
+
+    if (is_same(now, image, period))
         return EXIT_OK;
-    if (now.state != DEVICE_TRIAL)
-        return is_signed(c, b, image);
-    cli_say(c, "nothing was sent: the image that it runs is on trial; 'smc device confirm' keeps it, 'smc device erase %08lx' gives it up",
-            (unsigned long)now.checksum);
-    return EXIT_PROBLEM;
+    if (device_trial(&b->host, &b->info, &trial)) {
+        if (is_same(&trial, image, period))
+            return EXIT_OK;
+        cli_say(c, "nothing was sent: image %08lx is on trial; 'smc device confirm' keeps it, 'smc device erase %08lx' gives it up",
+                (unsigned long)trial.checksum, (unsigned long)trial.checksum);
+        return EXIT_PROBLEM;
+    }
+    return !b->host.answered ? board_failed(b, "asking what is there") : is_signed(c, b, image);
 }
 
 // ---- the update ----
@@ -195,7 +202,9 @@ static void say_what_runs(BoardLine *b, const DeviceImage *before)
     else if (now.slot == before->slot)
         cli_say(b->c, "the board keeps what it ran before");
     else
-        cli_say(b->c, "the board has one slot: the image that ran before had to give way, and the built-in one runs until another is sent");
+        cli_say(b->c, device_image(&b->host, before->slot, &now) && now.chosen
+                          ? "the board has one slot: until the next start its built-in image runs, then the one before again"
+                          : "the board has one slot: the image that ran before had to give way, and the built-in one runs until another is sent");
 }
 
 static int say_failed(BoardLine *b, const Update *u, const DeviceImage *before, DeviceStep step)
@@ -241,16 +250,15 @@ static int say_done(BoardLine *b, const Update *u, const DeviceImage *before)
         board_describe(&out, &now);
     }
     if (now.state == DEVICE_TRIAL)
-        buf_printf(&out, "it is on trial: 'smc device confirm --port=%s' keeps it; without that, the image before it runs again "
-                   "after %u more starts\n", b->c->value[OPT_PORT], (unsigned)now.starts);
+        buf_printf(&out, "it is on trial: 'smc device confirm --port=%s' keeps it; without that, %s after %u more starts\n",
+                   b->c->value[OPT_PORT], b->info.slots > 1 ? "the image before it runs again" : "the built-in image runs", (unsigned)now.starts);
     return cli_print(b->c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
-static int update(BoardLine *b, const Source *image, uint16_t period)
+static int update(BoardLine *b, const Source *image, uint16_t period, const DeviceImage *before)
 {
     Progress p = {(uint32_t)image->len, os_is_terminal(2)};
     Update u;
-    DeviceImage before;
     DeviceStep step;
 
     memset(&u, 0, sizeof u);
@@ -261,13 +269,11 @@ static int update(BoardLine *b, const Source *image, uint16_t period)
     u.period = period;
     u.progress = show;
     u.context = &p;
-    if (!device_running(&b->host, &b->info, &before))
-        return board_failed(b, "asking what runs");
     if ((step = device_update(&b->host, &b->info, &u)) != DEVICE_DONE)
-        return say_failed(b, &u, &before, step);
+        return say_failed(b, &u, before, step);
     if (b->c->given[OPT_CONFIRM] && !device_ask_about(&b->host, LINK_CONFIRM, u.checksum))
         return board_failed(b, "it runs, but was not confirmed");
-    return say_done(b, &u, &before);
+    return say_done(b, &u, before);
 }
 
 // 5.46: where it cannot be confirmed as soon as it runs.
@@ -298,25 +304,39 @@ static int not_now(BoardLine *b)
     b->host.result = b->info.may;
     code = board_failed(b, "nothing was sent");
     if (b->info.may == SM_E_UNSAFE && device_running(&b->host, &b->info, &now) && now.state == DEVICE_TRIAL)
-        cli_say(b->c, "or let its trial end: it has %u more starts, then the image before it runs again", (unsigned)now.starts);
+        cli_say(b->c, "or let its trial end: it has %u more starts, then %s", (unsigned)now.starts,
+                b->info.slots > 1 ? "the image before it runs again" : "the built-in image runs");
     return code;
+}
+
+static void warn_of_one_slot(BoardLine *b, const DeviceImage *now)
+{
+    if (b->info.slots == 1 && now->slot != DEVICE_BUILT_IN)
+        cli_say(b->c, "the board has one slot: image %08lx, which runs, gives way to this one; if that does not last, the built-in image runs",
+                (unsigned long)now->checksum);
 }
 
 static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
 {
+    DeviceImage now;
     int code = fits(c, b, image, v, period);
 
     if (code != EXIT_OK)
         return code;
     if (b->info.may != SM_OK)
         return not_now(b);
-    if ((code = is_welcome(c, b, image)) != EXIT_OK || (code = pins_are_there(b, image)) != EXIT_OK)
+    if (!device_running(&b->host, &b->info, &now))
+        return board_failed(b, "asking what runs");
+    if ((code = is_welcome(c, b, image, period, &now)) != EXIT_OK || (code = pins_are_there(b, image)) != EXIT_OK)
         return code;
-    warn_of_starts(c, image);
-    warn_of_no_pins(b, image);
+    if (!is_same(&now, image, period)) {
+        warn_of_starts(c, image);
+        warn_of_no_pins(b, image);
+        warn_of_one_slot(b, &now);
+    }
     if (!c->given[OPT_DRY_RUN])
-        return update(b, image, period);
-    cli_say(c, "%s would go onto the board; nothing was sent", image->name);
+        return update(b, image, period, &now);
+    cli_say(c, is_same(&now, image, period) ? "%s runs already; nothing was sent" : "%s would go onto the board; nothing was sent", image->name);
     return EXIT_OK;
 }
 

@@ -65,6 +65,7 @@ bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image)
     memcpy(image->identity, b + 8, 8);
     image->runs = (b[16] & 1) != 0;
     image->chosen = (b[16] & 2) != 0;
+    image->before = (b[16] & 4) != 0;
     image->starts = b[17];
     image->period = h->n < IMAGE_BYTES + 2 ? 0 : (uint16_t)sm_link_get(b + IMAGE_BYTES, 2);
     return true;
@@ -79,6 +80,17 @@ bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
             return true;
     }
     return device_image(h, DEVICE_BUILT_IN, image);
+}
+
+bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
+{
+    for (uint8_t slot = 0; slot < info->slots; slot++) {
+        if (!device_image(h, slot, image))
+            return false;
+        if (image->state == DEVICE_TRIAL)
+            return true;
+    }
+    return false;
 }
 
 bool device_ask_about(LinkHost *h, LinkMessage message, uint32_t checksum)

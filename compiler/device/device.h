@@ -29,6 +29,7 @@ typedef struct DeviceImage {
     uint32_t length, checksum;
     uint8_t identity[8];
     bool runs, chosen;
+    bool before;              // runs where the chosen one cannot
     uint8_t starts;           // left to a trial
     uint16_t period;          // milliseconds between its steps; 0: as the board has it
 } DeviceImage;
@@ -39,6 +40,8 @@ bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image);
 // What runs.
 bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 bool device_ask_about(LinkHost *h, LinkMessage message, uint32_t checksum);        // CONFIRM, ERASE
+// The image on trial, whether it runs already or from the next start on; false with SM_OK: none is.
+bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 // Which pin of its chip an image's is (SmvmPinPlace).  False with SM_E_UNSUPPORTED: the board does not say.
 bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place);
 // Whatever happens, it is asked once only: each restart counts.  True: the board answers again.

@@ -90,21 +90,30 @@ static bool at_next_pin(const Parser *p)
 
 static Span where_missing(const Parser *p) { return p->tok.first ? parser_gap(p) : parser_here(p); }
 
-enum { UNO_A0 = 14, UNO_ANALOGS = 6, MEGA_A0 = 54 };         // docs/boards.md
+enum { UNO_A0 = 14, UNO_ANALOGS = 6, MEGA_A0 = 54, MEGA_ANALOGS = 16 };      // docs/boards.md
+
+static void label_analog_as_digital(Parser *p, Diag *d, const char *name, int n)
+{
+    const char *mega = format_in(p->arena, "%d", MEGA_A0 + n);
+
+    if (n < UNO_ANALOGS)
+        diag_label(p->diags, d, DIAG_label_analog_as_digital, format_in(p->arena, "%d", UNO_A0 + n), mega);
+    else if (n < MEGA_ANALOGS)
+        diag_label(p->diags, d, DIAG_label_printed_pin, mega, name);
+}
 
 // What is printed on an Arduino is a letter before the number: A3, D7, D13.
 static void label_printed_name(Parser *p, const AstSection *s, const AstPin *pin, Diag *d, const char *name)
 {
-    const char *digits = *name ? name + 1 : name;
+    const char letter = (char)(*name & ~0x20), *digits = *name ? name + 1 : name;         // a3 as A3
     const size_t n = strspn(digits, "0123456789");
 
     if (n < 1 || n > 2 || digits[n] != '\0')
         return;
-    if (*name == (s->digital || pin->output ? 'D' : 'A'))
+    if (letter == (s->digital || pin->output ? 'D' : 'A'))
         diag_label(p->diags, d, DIAG_label_printed_pin, digits, name);
-    else if (s->digital && *name == 'A' && n == 1 && *digits < '0' + UNO_ANALOGS)
-        diag_label(p->diags, d, DIAG_label_analog_as_digital, format_in(p->arena, "%d", UNO_A0 + *digits - '0'),
-                   format_in(p->arena, "%d", MEGA_A0 + *digits - '0'));
+    else if (s->digital && letter == 'A')
+        label_analog_as_digital(p, d, name, n == 1 ? *digits - '0' : 10 * (*digits - '0') + digits[1] - '0');
 }
 
 static bool take_number(Parser *p, const AstSection *s, AstPin *pin)

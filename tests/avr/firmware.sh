@@ -150,7 +150,7 @@ fly_signed() {
     for i in 1 2; do                           # and is no more chosen for having come before
         count says "$smc" flash "$D/signed.smb" "$port"
     done
-    text='slot .: [0-9]* bytes.*, chosen for the next start'
+    text='slot .: [0-9]* bytes.*, chosen, but'
     count fails says "$smc" device list "$port"
     count board_off >"$D/signed.said" 2>&1
 }
@@ -183,7 +183,7 @@ fly_wrong_pins() {
     count board_off >"$D/pins.said" 2>&1
     board_on "$D/pins.mem"
     touch "$D/pins.mem.go"
-    text='slot 0: .*, chosen for the next start, confirmed'
+    text='slot 0: .*, chosen, but does not run before the next start, confirmed'
     count says "$smc" device list "$port"
     text='built in: .*, runs'
     count says "$smc" device list "$port"
@@ -191,6 +191,21 @@ fly_wrong_pins() {
     count says "$smc" device confirm "$port"
     text='wants digital output 7, which this board does not have, or needs itself'
     count says "$smc" flash "$D/plug.smb" "$port"
+    count board_off >"$D/pins.said" 2>&1
+    fly_back
+}
+
+# On trial its trial is over at once, and with two slots the image before it runs.
+fly_back() {
+    rm -f "$D/pins.mem"*
+    FIRMWARE=$D/free/$MCU.elf board_on "$D/pins.mem"
+    count "$smc" flash "$D/deep.smb" "$port" --confirm --period=5 >"$D/pins.out" 2>&1
+    text='on trial'
+    count says "$smc" flash "$D/plug.smb" "$port"
+    count board_off >"$D/pins.said" 2>&1
+    board_on "$D/pins.mem"
+    text=$(test $MCU = atmega328p && echo 'built in: .*, runs' || echo 'slot 0: .*, runs, every 5 ms, confirmed')
+    count says "$smc" device list "$port"
     count board_off >"$D/pins.said" 2>&1
 }
 

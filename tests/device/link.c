@@ -186,7 +186,10 @@ static void an_image_is_sent_and_kept(void)
     CHECK(quiet("device", "list", NULL) == 0 && says("slot 0: no image") && says("built in: "));
     CHECK(quiet("device", "confirm", NULL) == 1 && says("nothing to confirm"));
     CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("nothing was sent"));
-    CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)") && says("smc device confirm"));
+    CHECK(quiet("flash", images[0], NULL) == 0 && says("on trial (2 starts left)") && says("without that, the image before it runs again"));
+    CHECK(quiet("device", "info", NULL) == 0 && says("no update may begin: image ") && says(" is on trial; 'smc device confirm' keeps it"));
+    CHECK(quiet("flash", images[0], "--period=7") == 1 && says("nothing was sent: image "));
+    CHECK(quiet("flash", images[0], "--dry-run") == 0 && says(" runs already; nothing was sent"));
     CHECK(quiet("flash", images[1], NULL) == 1 && says("on trial; 'smc device confirm' keeps it, 'smc device erase "));
     CHECK(quiet("flash", images[1], "--dry-run") == 1 && says("nothing was sent: ") && says("on trial; 'smc device confirm' keeps it, 'smc device erase "));
     CHECK(quiet("device", "confirm", NULL) == 0 && listed(images[0], ", confirmed"));
@@ -315,6 +318,7 @@ static void pins_are_asked_about(void)
         {"[digital]\no 70 down\n", " wants digital output 70, which this board does not have"},
         {"[digital]\ni 1 down\n", " wants digital input 1, which this board does not have, or needs itself"},
         {"[analog]\ni 16 x\n", " wants analog input 16, which"},
+        {"[digital]\ni 2 down @pull_down\n", " wants digital input 2 with @pull_down, which this board does not have"},
         {"[analog]\ni 0 x\n\n[digital]\ni 54 down\n", " wants digital input 54 and analog input 0, which are one pin of this board"},
         {"[analog]\no 9 x\n\n[digital]\no 9 down\n", " wants digital output 9 and analog output 9, which are one pin"},
     };
@@ -369,7 +373,8 @@ static void an_image_is_erased(void)
     CHECK(quiet("device", "erase", "12345678") == 1 && says("no slot holds an image with the checksum 12345678"));
     CHECK(quiet("device", "erase", path) == 0 && !listed(images[0], "bytes") && listed(images[1], ", runs"));
     CHECK(quiet("device", "erase", "x") == 2);
-    CHECK(quiet("flash", images[0], NULL) == 0 && quiet("device", "erase", path) == 0 && listed(images[0], ", runs, until the next start"));
+    CHECK(quiet("flash", images[0], NULL) == 0 && quiet("device", "list", NULL) == 0 && listed(images[1], ", runs again if the chosen one does not"));
+    CHECK(quiet("device", "erase", path) == 0 && listed(images[0], ", runs, until the next start"));
     CHECK(quiet("device", "confirm", NULL) == 1 && says("the image that runs is not the chosen one: it was erased"));
     restart_board();
     CHECK(quiet("device", "list", NULL) == 0 && listed(images[1], ", runs, confirmed") && listed(images[0], ", not chosen"));
@@ -395,6 +400,7 @@ static void a_board_with_a_key(void)
     CHECK(chmod(key, 0600) == 0 && quiet("flash", out, "--confirm") == 0 && listed(out, ", runs, confirmed"));
     CHECK(quiet("device", "info", NULL) == 0 && says("takes signed images only, with numbers above 7"));
     CHECK(quiet("flash", out, NULL) == 0 && says("it runs already"));
+    CHECK(quiet("flash", out, "--period=20") == 1 && says("has the number 7, and the board has confirmed number 7"));
     CHECK(alone("sign", images[1], with, to) == 0 && alone("sign", out, with, "--number=7") == 0);
     CHECK(quiet("flash", out, NULL) == 1 && says("has the number 7, and the board has confirmed number 7") && says("nothing was sent"));
     CHECK(alone("sign", out, with, NULL) == 0 && quiet("flash", out, "--confirm") == 0 && listed(out, ", runs, confirmed"));

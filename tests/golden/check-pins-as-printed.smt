@@ -14,7 +14,7 @@ o A1 x
 i A123 x
 [digital]
 i A5 b
-i A6 b
+i a15 b
 o D13 b
 -- stderr --
 a.io:2:3: error: expected a pin, a whole number from 0 to 65535, found 'A0' [E1173]
@@ -32,9 +32,9 @@ a.io:5:3: error: expected a pin, a whole number from 0 to 65535, found 'A123' [E
 a.io:7:3: error: expected a pin, a whole number from 0 to 65535, found 'A5' [E1173]
     7 | i A5 b
       |   ^~ write 19 for that pin of an Arduino Uno, 59 for that of a Mega
-a.io:8:3: error: expected a pin, a whole number from 0 to 65535, found 'A6' [E1173]
-    8 | i A6 b
-      |   ^~
+a.io:8:3: error: expected a pin, a whole number from 0 to 65535, found 'a15' [E1173]
+    8 | i a15 b
+      |   ^~~ write 69 for the a15 of an Arduino
 a.io:9:3: error: expected a pin, a whole number from 0 to 65535, found 'D13' [E1173]
     9 | o D13 b
       |   ^~~ write 13 for the D13 of an Arduino

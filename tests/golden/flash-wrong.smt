@@ -26,7 +26,7 @@ smc: flash wants one image, as in 'smc flash tank.smb --port=/dev/ttyACM0'
 Try 'smc flash --help'.
 smc: cannot open 'nowhere': No such file or directory
 smc: cannot open 'a.sm': it is no serial line
-smc: cannot open 'a.sm': there is no such speed
+smc: cannot open 'a.sm': there is no such speed (115200 is the firmware's)
 smc: --speed wants a number of bits a second, not 'fast'
 Try 'smc flash --help'.
 smc: --period wants whole milliseconds, 1 to 65535, as in --period=20, not '0'

@@ -59,6 +59,7 @@ sees_pins()
 }
 check "so are the pins of an image, and where both are named" sees_pins
 check "make flash-NAME sends" sh -c "$make -n -f pins.mk flash-valve PORT=there | grep -q 'smc flash valve.smb --port=there'"
+check "pins that are not there are told, not left out" sh -c "$make -f pins.mk SMC_IO=lost.io flash-valve PORT=there 2>&1 | grep -q 'there is no lost.io'"
 check "make flash asks which" sh -c "$make -n -f pins.mk flash PORT=there 2>&1 | grep -q 'flash-NAME says which machine'"
 mkdir one && cp valve.sm one
 check "or sends the one that is here" sh -c "$make -n -C one -f ../pins.mk SMC_SV=../tank.sv flash PORT=there | grep -q 'smc flash valve.smb --port=there'"

@@ -309,6 +309,23 @@ static void what_was_refused_is_not_chosen(void)
     CHECK(board_start(&p.board) && p.board.slot == STORE_BUILT_IN);
 }
 
+// What cannot be run after all: on trial it is over, confirmed it stays chosen.
+static void what_cannot_run_is_passed_over(const char *memory)
+{
+    DeviceImage image;
+    Update u;
+    Pair p;
+
+    prepare(&p, memory, 2);
+    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && runs(&p.board, &new_image));
+    CHECK(device_image(&p.host, 0, &image) && image.before && !image.chosen);
+    CHECK(smvm_store_pass_over(&p.board.store, &p.board.slot) == SM_OK && runs(&p.board, &old_image));
+    CHECK(board_start(&p.board) && runs(&p.board, &old_image));
+    CHECK(smvm_store_pass_over(&p.board.store, &p.board.slot) == SM_OK && p.board.slot == STORE_BUILT_IN);
+    CHECK(device_image(&p.host, 0, &image) && image.chosen && !image.runs);
+    CHECK(board_start(&p.board) && runs(&p.board, &old_image));
+}
+
 static void pins_have_places(void)
 {
     uint8_t place;
@@ -463,6 +480,8 @@ int main(int argc, char **argv)
     an_update_stops_when_it_is_armed();
     what_does_not_fit_is_refused();
     what_was_refused_is_not_chosen();
+    what_cannot_run_is_passed_over("eeprom");
+    what_cannot_run_is_passed_over("flash");
     pins_have_places();
     a_trial_is_not_stopped_for_nothing();
     images_are_listed_and_erased();

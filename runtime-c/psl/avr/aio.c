@@ -186,8 +186,10 @@ SmResult pal_aio_close(PalAio channel)
 
 uint8_t avr_pin_place(uint16_t number, uint8_t kind)
 {
-    if (kind == 0)
+    if ((kind & 3) == 0)
         return number < AVR_ANALOGS ? (uint8_t)(AVR_ANALOG_FIRST + number) : AVR_NO_PIN;
+    if (kind & 16)
+        return AVR_NO_PIN;                     // there are no such resistors
     return (kind & 2 ? number >= AVR_LINE && number < AVR_PINS : row_of(number) < AVR_PWMS) ? (uint8_t)number : AVR_NO_PIN;
 }
 

@@ -31,7 +31,7 @@ uint16_t avr_fine(void);                               // in units of 4 microsec
 #define AVR_LINE 2            // pins 0 and 1 are the serial line's
 #define AVR_NO_PIN 0xffu
 // The digital number of what an analog channel, too, is a pin of.  AVR_NO_PIN: there is none, or the serial line has it.
-uint8_t avr_pin_place(uint16_t number, uint8_t kind);         // bit 0: an output; bit 1: digital
+uint8_t avr_pin_place(uint16_t number, uint8_t kind);         // 1: an output, 2: digital, 16: pulled down
 SmResult avr_pin_take(uint8_t number);                 // SM_E_BUSY: it is taken, or the serial line has it
 void avr_pin_free(uint8_t number);
 bool avr_pin_taken(uint8_t number);                    // behind the pins are numbers for what else is taken: analog channels
