@@ -17,7 +17,8 @@ enum { FORMATS = sizeof formats / sizeof *formats };
 typedef struct ReportCommand {
     Cli *c;
     const char *machine;
-    const Source *sm, *sv;
+    const Source *sm, *sv, *pins;
+    const IoMap *io;          // of the image that flies; or NULL
     Report r;
 } ReportCommand;
 
@@ -25,7 +26,7 @@ typedef struct ReportCommand {
 
 static bool make_image(ReportCommand *x, IrMachine *m, bool debug, Buf *image)
 {
-    const ImageOptions o = {debug, NULL};
+    const ImageOptions o = {debug, x->io};
 
     buf_init(image, &x->c->session.arena);
     return session_image(&x->c->session, &m, 1, &o, image);
@@ -52,7 +53,7 @@ static bool weigh(ReportCommand *x)
     Buf image, with_lines;
     IrMachine *m;
 
-    if (!p)
+    if (!p || (x->pins && (x->io = session_io(s, x->pins, x->sv)) == NULL))
         return false;
     s->hide_locals = true;
     m = session_ir(s, p, option_level(x->c));
@@ -135,8 +136,10 @@ int cmd_report(Cli *c)
         return code;
     if ((writer = find_format(c)) == NULL)
         return EXIT_USAGE;
+    if (c->given[OPT_IO] && !c->given[OPT_SV])
+        return cli_usage(c, "--io names the pins of the image by the state vector that --sv names");
     if ((x.sm = cli_load(c, x.machine)) == NULL || (c->given[OPT_SV] && (x.sv = cli_load(c, c->value[OPT_SV])) == NULL)
-        || !runs_load(c, &ss, &written))
+        || (c->given[OPT_IO] && (x.pins = cli_load(c, c->value[OPT_IO])) == NULL) || !runs_load(c, &ss, &written))
         return EXIT_ENVIRONMENT;
     if ((code = look_at_machine(&x, &written)) != EXIT_OK || (code = runs_make(c, &x.r, ss)) != EXIT_OK) {
         cli_report(c);

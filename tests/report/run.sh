@@ -101,5 +101,13 @@ else
     skipped=$((skipped + 1))
     echo "no browser is here (chromium): pages are not looked at"
 fi
+# The image that flies is the one of the page, with its pins.
+same_image() {
+    "$smc" build -w "$@" -o "$out/flies.smb" && "$smc" report "$@" --format=text >"$out/flies.txt" 2>&1 || return 1
+    grep -q "Image CRC *$("$smc" disasm "$out/flies.smb" | sed -n 's/.*, crc \(.*\)/\1/p')\$" "$out/flies.txt"
+}
+expect "the image" same_image "$root/examples/tank/tank.sm" --sv "$root/tests/avr/tank.sv"
+expect "the image with pins" same_image "$root/examples/tank/tank.sm" --sv "$root/tests/avr/tank.sv" --io "$root/tests/avr/tank.io"
+expect "pins want a state vector" ends_with 2 "$smc" report "$root/examples/tank/tank.sm" --io "$root/tests/avr/tank.io"
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]
