@@ -11,7 +11,7 @@ mkdir -p "$out/src" || exit 1
 for f in library.properties library.json; do
     sed -e "s|@VERSION@|$version|" -e "s|@URL@|$url|" "$here/$f" >"$out/$f" || exit 1
 done
-cp "$here/keywords.txt" LICENSE "$out" && cp docs/arduino.md "$out/README.md" && cp "$here/smc.h" "$here/smc_config.h" "$out/src" || exit 1
+cp "$here/keywords.txt" LICENSE "$out" && sed "s|](\([a-z-]*\.md\)|]($url/blob/HEAD/docs/\1|g" docs/arduino.md >"$out/README.md" && cp "$here/smc.h" "$here/smc_config.h" "$out/src" || exit 1
 
 # take FILE…: into src, with what they include by its path from the root
 take() {

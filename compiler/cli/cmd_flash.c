@@ -9,6 +9,7 @@
 #include "compiler/analysis/cost.h"
 #include "compiler/base/os_serial.h"
 #include "compiler/cli/board_line.h"
+#include "compiler/cli/key.h"
 
 // What the image asks for, wherever it runs, its state vector included: what the VM itself needs differs from computer to computer.
 typedef struct Needs { uint32_t ram, longest, machines, windows, cycles; } Needs;
@@ -355,6 +356,19 @@ static bool period_known(Cli *c, uint16_t *period)
     return word[0] >= '0' && word[0] <= '9' && n >= 1 && n <= UINT16_MAX && (!*end || strcmp(end, "ms") == 0);
 }
 
+// A board finds out only when it has the image whole, and one with one slot has lost by then what it ran.
+static int is_signed_with(Cli *c, const Source *image)
+{
+    uint8_t key[SMVM_KEY];
+    uint32_t number;
+    const int code = c->given[OPT_KEY] ? key_load(c, key) : EXIT_OK;
+
+    if (code != EXIT_OK || !c->given[OPT_KEY] || smvm_auth_check((SmvmBytes)image->text, key, &number))
+        return code;
+    cli_say(c, "%s is not signed with the key '%s', or was changed since; nothing was sent", image->name, c->value[OPT_KEY]);
+    return EXIT_PROBLEM;
+}
+
 int cmd_flash(Cli *c)
 {
     uint16_t period;
@@ -369,7 +383,8 @@ int cmd_flash(Cli *c)
         return cli_usage(c, "flash wants an image: 'smc build %s' makes one", c->file[0]);
     if (!period_known(c, &period))
         return cli_usage(c, "--period wants whole milliseconds, 1 to 65535, as in --period=20, not '%s'", c->value[OPT_PERIOD]);
-    if ((code = cli_load_image(c, c->file[0], &image, &v)) != EXIT_OK || (code = board_open(c, &b)) != EXIT_OK)
+    if ((code = cli_load_image(c, c->file[0], &image, &v)) != EXIT_OK || (code = is_signed_with(c, image)) != EXIT_OK ||
+        (code = board_open(c, &b)) != EXIT_OK)
         return code;
     code = flash(c, &b, image, &v, period);
     board_close(&b);

@@ -407,6 +407,8 @@ static void a_board_with_a_key(void)
     remove(key);
     CHECK(alone("key", key, NULL, NULL) == 0 && alone("sign", images[0], with, to) == 0);      // another one than the board's
     CHECK(alone("sign", out, with, "--number=4000000000") == 0);
+    CHECK(quiet("flash", out, with) == 1 && says("the image was not accepted"));     // the key is that of the image
+    CHECK(quiet("flash", images[1], with) == 1 && says(" is not signed with the key '") && says("nothing was sent"));
     CHECK(quiet("flash", out, NULL) == 1 && says("the image was not accepted: the board takes images only that are signed with its key"));
     CHECK(says("the board keeps what it ran before") && remove(key) == 0 && remove(out) == 0);
     restart_board();
