@@ -205,6 +205,25 @@ static void a_trial_that_cannot_be_counted_does_not_run(void)
     CHECK(start(&d) == RUNS_NEW);
 }
 
+// One that cannot run is passed over at its start, and the power goes in that: it is on trial as before, or over.
+static void a_trial_that_is_passed_over_is_cut(const char *memory)
+{
+    Device d;
+    Runs runs;
+
+    for (uint32_t cut = 0; cut < 3 * (STORE_RECORD + 1); cut++) {
+        prepare(&d, memory, 2);
+        CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
+        sim_cut_power(cut / (STORE_RECORD + 1), cut % (STORE_RECORD + 1));
+        (void)smvm_store_pass_over(&d.store, &d.slot);
+        CHECK(d.slot == 0);
+        runs = start(&d);
+        CHECK(runs == RUNS_OLD || runs == RUNS_NEW);
+        if (runs == RUNS_NEW)
+            CHECK(smvm_store_pass_over(&d.store, &d.slot) == SM_OK && start(&d) == RUNS_OLD);
+    }
+}
+
 static void an_erased_trial_gives_way(void)
 {
     Device d;
@@ -382,6 +401,8 @@ int main(int argc, char **argv)
     }
     a_trial_that_is_not_confirmed_ends();
     a_trial_that_cannot_be_counted_does_not_run();
+    a_trial_that_is_passed_over_is_cut("eeprom");
+    a_trial_that_is_passed_over_is_cut("flash");
     an_erased_trial_gives_way();
     a_late_repetition_does_no_harm();
     steps_may_be_repeated();
