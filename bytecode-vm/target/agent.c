@@ -104,7 +104,7 @@ static SmResult image(Agent *a)
     if (state != STORE_EMPTY)
         put_image(a, image_of(a, slot));
     a->length = IMAGE - 4;
-    put1(a, (uint8_t)((slot == s->running ? 1 : 0) | (state >= STORE_TRIAL ? 2 : slot == s->now.before ? 4 : 0)));
+    put1(a, (uint8_t)((slot == s->running ? 1 : 0) | (state >= STORE_TRIAL ? 2 : smvm_store_is_before(s, slot) ? 4 : 0)));
     put1(a, state == STORE_TRIAL ? s->now.tries : 0);
     put(a, smvm_store_period(s, slot), 2);
     return SM_OK;

@@ -176,6 +176,11 @@ StoreState smvm_store_state(const Store *s, uint8_t slot)
     return s->now.confirmed ? STORE_CONFIRMED : STORE_TRIAL;
 }
 
+bool smvm_store_is_before(const Store *s, uint8_t slot)
+{
+    return slot == s->now.before && slot != STORE_BUILT_IN && checksum_in(s, slot) == get32(s->now.checksum_before);
+}
+
 uint16_t smvm_store_period(const Store *s, uint8_t slot)
 {
     const uint8_t *period = slot == s->now.active ? s->now.period : slot == s->now.before ? s->now.period_before : NULL;

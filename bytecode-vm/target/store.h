@@ -133,6 +133,8 @@ uint16_t smvm_store_period(const Store *s, uint8_t slot);      // 0 where nobody
 
 StoreState smvm_store_state(const Store *s, uint8_t slot);
 
+bool smvm_store_is_before(const Store *s, uint8_t slot);       // it runs where the chosen one cannot, if it is whole
+
 #ifdef __cplusplus
 }
 #endif

@@ -326,6 +326,21 @@ static void what_cannot_run_is_passed_over(const char *memory)
     CHECK(board_start(&p.board) && runs(&p.board, &old_image));
 }
 
+// What is written over is not what would run again.
+static void what_was_before_is_known_by_its_checksum(void)
+{
+    DeviceImage image;
+    Update u;
+    Pair p;
+
+    prepare(&p, "eeprom", 2);
+    CHECK(update(&p, &new_image, &u) == DEVICE_DONE && device_ask_about(&p.host, LINK_CONFIRM, new_image.checksum));
+    CHECK(device_image(&p.host, 0, &image) && image.checksum == old_image.checksum && image.before);
+    CHECK(image_send(&p.board.store, &new_image) == SM_OK);
+    CHECK(device_image(&p.host, 0, &image) && image.checksum == new_image.checksum && !image.before && !image.chosen);
+    CHECK(device_image(&p.host, DEVICE_BUILT_IN, &image) && !image.before);
+}
+
 static void pins_have_places(void)
 {
     uint8_t place;
@@ -482,6 +497,7 @@ int main(int argc, char **argv)
     what_was_refused_is_not_chosen();
     what_cannot_run_is_passed_over("eeprom");
     what_cannot_run_is_passed_over("flash");
+    what_was_before_is_known_by_its_checksum();
     pins_have_places();
     a_trial_is_not_stopped_for_nothing();
     images_are_listed_and_erased();
