@@ -26,7 +26,7 @@ CALLS = [
     (r"__vector_\d+", "tick"),
 ]
 ROUNDS = {"divide": 7, "short": 7}       # who pushes in a loop, and how often: a division, each byte of its result
-HELD = ("start", "run")                  # where no step begins (`held` in firmware.c)
+HELD = ("start", "run")                  # in what these call no step begins (`held` in firmware.c)
 
 SKIPS = ("cpse", "sbrc", "sbrs", "sbic", "sbis")
 READS = ("cp", "cpc", "cpi", "cpse", "push", "st", "std", "sts", "out", "sbrc", "sbrs")      # their first operand
@@ -110,9 +110,8 @@ class Walk:
             sys.exit("recursion: " + " ".join(self.code.names[a] for a in self.under_way + [at]))
         if (at, phase) not in self.known:
             self.under_way.append(at)
-            found = Ways(self, at).explore(phase)
+            self.known[at, phase] = Ways(self, at).explore(phase)
             self.under_way.pop()
-            self.known[at, phase] = Summary([NONE] * 3, found.exits) if self.code.names[at] in self.without else found
         return self.known[at, phase]
 
 
@@ -182,7 +181,7 @@ class Ways:
             callee = self.walk.function(target, on.phase)
             exits |= callee.exits
             for phase, need in enumerate(callee.deepest):
-                if need.bytes >= 0:
+                if need.bytes >= 0 and self.name not in self.walk.without:
                     self.note(phase, on.depth + self.code.address + need.bytes, need.chain)
         return [on._replace(phase=phase) for phase in exits]
 
