@@ -80,6 +80,7 @@ CLI_PRINTF int cli_usage(Cli *c, const char *format, ...);
 Source *cli_load(Cli *c, const char *path);
 // Reads an image and runs the device's own verifier on it.  EXIT_OK, or the exit code after a message.
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v);
+void cli_put_pin(Buf *out, const SmvmPin *p);          // "digital input 2 with @pull_up"
 // Reads the scripts of the call, once each: by argument, NULL for what is no script or cannot be read (after a message).
 // The names that they assign go into `written`: a machine is compiled with those locals as variables.
 Source **cli_load_scripts(Cli *c, Map *written);

@@ -90,21 +90,15 @@ static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdi
 
 // ---- pins ----
 
-static void put_pin(Buf *out, const SmvmPin *p)
-{
-    buf_printf(out, "%s %s %lu%s", p->kind & 2 ? "digital" : "analog", p->kind & 1 ? "output" : "input", (unsigned long)p->pin,
-               p->flags & 4 ? " with @pull_down" : "");
-}
-
 static int wrong_pin(Cli *c, const Source *image, const SmvmPin *p, const SmvmPin *other)
 {
     Buf out;
 
     buf_init(&out, &c->session.arena);
-    put_pin(&out, p);
+    cli_put_pin(&out, p);
     if (other) {
         buf_str(&out, " and ");
-        put_pin(&out, other);
+        cli_put_pin(&out, other);
     }
     cli_say(c, other ? "%s wants %s, which are one pin of this board; nothing was sent"
                      : "%s wants %s, which this board does not have, or needs itself, as for the line or an arming plug (docs/boards.md has a table of pins); nothing was sent",

@@ -63,14 +63,37 @@ int cmd_disasm(Cli *c)
     return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
+void cli_put_pin(Buf *out, const SmvmPin *p)
+{
+    buf_printf(out, "%s %s %lu%s", p->kind & 2 ? "digital" : "analog", p->kind & 1 ? "output" : "input", (unsigned long)p->pin,
+               p->flags & 4 ? " with @pull_down" : p->flags & 2 ? " with @pull_up" : "");
+}
+
+static void describe_pins(const char *name, const Source *image, Buf *out)
+{
+    SmvmPins all;
+    SmvmPin p;
+    const char *between = ": pins: ";
+
+    if (!smvm_pins((SmvmBytes)image->text, &all) || all.left == 0)
+        return;
+    buf_str(out, name);
+    for (; smvm_next_pin(&all, &p); between = ", ") {
+        buf_str(out, between);
+        cli_put_pin(out, &p);
+    }
+    buf_str(out, "\n");
+}
+
 static void describe(const char *name, const Source *image, Buf *out)
 {
     SmvmMachine m;
 
     for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
-        buf_printf(out, "%s: machine %lu: %lu states%s, longest step %lu instructions, %lu bytes of RAM, state vector %lu bytes (layout %08lx)\n",
-                   name, (unsigned long)(i + 1), (unsigned long)m.states, smvm_state_is_safe(&m, 1) ? "" : ", the first not marked @safe", (unsigned long)smvm_longest_step(&m),
+        buf_printf(out, "%s: machine %lu: %lu state%s%s, longest step %lu instructions, %lu bytes of RAM, state vector %lu bytes (layout %08lx)\n",
+                   name, (unsigned long)(i + 1), (unsigned long)m.states, m.states == 1 ? "" : "s", smvm_state_is_safe(&m, 1) ? "" : ", the first not marked @safe", (unsigned long)smvm_longest_step(&m),
                    (unsigned long)smvm_ram_size(&m), (unsigned long)m.sv_size, (unsigned long)m.layout);
+    describe_pins(name, image, out);
 }
 
 // Says whether an image is signed; with a key, also whether with that.

@@ -207,4 +207,4 @@ machine 1 idle
     G               U64@0 G
     S               U32@8 S
 sub.smb: machine 1: 2 states, longest step 29 instructions, [..] bytes of RAM, state vector 32 bytes (layout f4b2fddc)
-idle.smb: machine 1: 1 states, longest step 0 instructions, [..] bytes of RAM, state vector 16 bytes (layout ddcc0f93)
+idle.smb: machine 1: 1 state, longest step 0 instructions, [..] bytes of RAM, state vector 16 bytes (layout ddcc0f93)

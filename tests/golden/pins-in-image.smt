@@ -1,6 +1,7 @@
 # An image can carry pins.
 args build hold.sm --sv app.sv --io app.io -o app.smb -MD && cat app.d
 args disasm app.smb | sed -n '/^pins/,/^$/p'
+args verify app.smb | sed 1d
 args build hold.sm --sv app.sv --io time.io
 args build hold.sm --io app.io
 args build hold.sm --sv app.sv --io app.io --emit=c
@@ -36,6 +37,8 @@ pins
     state vector    32 bytes, layout 3df7964d
     analog i 0      F64 at 0 @scale 250 @offset -125 @hold 3
     digital i 1     bool at 8 @inverted @pull_up
+
+app.smb: pins: analog input 0, digital input 1 with @pull_up
 -- stderr --
 time.io:2:5: error: 'G' is the time, G, of machine 'hold', and cannot be an input [E1187]
     2 | i 0 G
@@ -48,4 +51,4 @@ smc: --io puts pins into an image, by the state vector that --sv names, as in 's
 Try 'smc build --help'.
 smc: cannot read 'gone.io': No such file or directory
 -- exit --
-0 0 1 2 2 3
+0 0 0 1 2 2 3

@@ -31,13 +31,13 @@ bool open
 .step
     open = true
 -- stdout --
-a.smb: machine 1: 1 states, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
-a.smb: machine 1: 1 states, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
+a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
+a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
 a.smb: signed, number 7
-a.smb: machine 1: 1 states, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
+a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
 a.smb: signed with this key, number 7
-a.smb: machine 1: 1 states, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
-b.smb: machine 1: 1 states, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
+a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
+b.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
 b.smb: signed with this key, number 4000000000
 -- stderr --
 smc: cannot make 'k.key': File exists
