@@ -113,12 +113,23 @@ static SmvmAt find(SmvmBytes image)
     return 0;
 }
 
-bool smvm_auth_number(SmvmBytes image, uint32_t *number)
+bool smvm_auth_read(SmvmBytes image, SmvmAuth *auth)
 {
     const SmvmAt at = find(image);
 
-    *number = at ? smvm_uint(image, at, 4) : 0;
+    auth->number = at ? smvm_uint(image, at, 4) : 0;
+    auth->mark = at ? smvm_uint(image, (SmvmAt)(at + 4), 4) : 0;
     return at != 0;
+}
+
+uint32_t smvm_auth_mark(const uint8_t *key)
+{
+    uint8_t code[SMVM_CODE];
+    SmvmMac m;
+
+    smvm_mac_begin(&m, key);
+    smvm_mac_end(&m, key, code);
+    return (uint32_t)code[3] << 24 | (uint32_t)code[2] << 16 | (uint32_t)code[1] << 8 | code[0];
 }
 
 bool smvm_auth_check(SmvmBytes image, const uint8_t *key, uint32_t *number)

@@ -244,25 +244,40 @@ static PalSerial line;
 static uint8_t frame[LINK_ROOM(FIRMWARE_BODY)];
 
 #ifdef FIRMWARE_KEY
-static bool is_authentic(SmvmBytes image, uint32_t *number)
+static void get_key(uint8_t *key)
 {
     static const uint8_t in_flash[] PROGMEM = {
 #include "key.inc"
     };
+
+    memcpy_P(key, in_flash, SMVM_KEY);
+}
+
+static bool is_authentic(SmvmBytes image, uint32_t *number)
+{
     uint8_t key[SMVM_KEY];
 
-    memcpy_P(key, in_flash, sizeof key);
+    get_key(key);
     return smvm_auth_check(image, key, number);
 }
+
+static void use_key(void)
+{
+    uint8_t key[SMVM_KEY];
+
+    get_key(key);
+    board.mark = smvm_auth_mark(key);
+    store.is_authentic = is_authentic;
+}
+#else
+static void use_key(void) {}
 #endif
 
 static bool opens(PalNvm nvm, const StorePlan *plan)
 {
     const SmResult r = smvm_store_open(&store, nvm, plan);
 
-#ifdef FIRMWARE_KEY
-    store.is_authentic = is_authentic;
-#endif
+    use_key();
     return r == SM_OK;
 }
 

@@ -55,6 +55,8 @@ static SmResult hello(Agent *a)
     put1(a, board->ram_analog);
     put(a, board->period, 2);
     put(a, board->cycles, 2);
+    if (smvm_store_has_key(a->store))
+        put(a, board->mark, 4);
     return SM_OK;
 }
 

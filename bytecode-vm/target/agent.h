@@ -29,6 +29,7 @@ typedef struct AgentBoard {
     uint8_t ram_digital, ram_analog;      // what a pin takes of `ram`
     uint16_t period;          // milliseconds between steps of an image that came without
     uint16_t cycles;          // of an ATmega that a step may take for each millisecond of its period; 0: nobody minds
+    uint32_t mark;            // of its key (smvm_auth_mark), where it has one
     SmvmPinPlace *pin_place;  // NULL: it has no pins, or does not say
     SmResult (*may_update)(void *context);                        // SM_OK, SM_E_ARMED, SM_E_UNSAFE
     // Whether this board can run it: RAM, pins, state vector.  SM_E_MEMORY, SM_E_MISSING, SM_E_LAYOUT.
@@ -49,7 +50,7 @@ typedef struct Agent {
     bool restart;             // somebody asked for it
 } Agent;
 
-// `body` is 28 (an event) to LINK_BODY_MAX; block: body less the head of DATA, rounded down to what the memory writes.
+// `body` is 28 (an event; 32 with a key) to LINK_BODY_MAX; block: body less the head of DATA, rounded down to what the memory writes.
 void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body);
 
 // Takes a byte; gives the length of the answer in a->frame, 0 if there is none to send.  Sent it must be before the next byte is

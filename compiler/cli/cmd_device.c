@@ -47,6 +47,14 @@ static void put_limits(Buf *out, const DeviceInfo *i)
     buf_str(out, "\n");
 }
 
+static void put_key(Buf *out, const DeviceInfo *i)
+{
+    buf_str(out, "takes signed images only");
+    if (i->tells_mark)
+        buf_printf(out, ", with key %08lx", (unsigned long)i->mark);
+    buf_printf(out, ", with numbers above %lu\n", (unsigned long)i->newest);
+}
+
 static int info(BoardLine *b, Buf *out)
 {
     const DeviceInfo *i = &b->info;
@@ -59,7 +67,7 @@ static int info(BoardLine *b, Buf *out)
     if (i->tells)
         put_limits(out, i);
     if (i->wants_signed)
-        buf_printf(out, "takes signed images only, with numbers above %lu\n", (unsigned long)i->newest);
+        put_key(out, i);
     if (!put_may(b, out))
         return board_failed(b, "asking what is on trial");
     return list(b, out);

@@ -131,16 +131,19 @@ static int pins_are_there(BoardLine *b, const Source *image)
 
 static int is_signed(Cli *c, BoardLine *b, const Source *image)
 {
-    uint32_t number;
+    SmvmAuth a;
 
     if (!b->info.wants_signed)
         return EXIT_OK;
-    if (!smvm_auth_number((SmvmBytes)image->text, &number))
+    if (!smvm_auth_read((SmvmBytes)image->text, &a))
         cli_say(c, "the board takes signed images only: 'smc sign %s --key=FILE' signs it; nothing was sent", image->name);
-    else if (number <= b->info.newest)
+    else if (b->info.tells_mark && a.mark != b->info.mark)
+        cli_say(c, "%s is signed with key %08lx, and the board takes only what is signed with key %08lx: 'smc sign %s --key=FILE' signs it anew, "
+                "with the file of that key; nothing was sent", image->name, (unsigned long)a.mark, (unsigned long)b->info.mark, image->name);
+    else if (a.number <= b->info.newest)
         cli_say(c, "%s has the number %lu, and the board has confirmed number %lu: it takes higher ones only, or old images could be sent "
                 "again; 'smc sign %s --key=FILE' gives it a new number; nothing was sent",
-                image->name, (unsigned long)number, (unsigned long)b->info.newest, image->name);
+                image->name, (unsigned long)a.number, (unsigned long)b->info.newest, image->name);
     else
         return EXIT_OK;
     return EXIT_PROBLEM;
@@ -350,17 +353,15 @@ static bool period_known(Cli *c, uint16_t *period)
     return word[0] >= '0' && word[0] <= '9' && n >= 1 && n <= UINT16_MAX && (!*end || strcmp(end, "ms") == 0);
 }
 
-// A board finds out only when it has the image whole, and one with one slot has lost by then what it ran.
+// A board tells which key it has, but finds out only when it has the image whole that it was changed since; one with one slot has lost by then what it ran.
 static int is_signed_with(Cli *c, const Source *image)
 {
     uint8_t key[SMVM_KEY];
-    uint32_t number;
     const int code = c->given[OPT_KEY] ? key_load(c, key) : EXIT_OK;
 
-    if (code != EXIT_OK || !c->given[OPT_KEY] || smvm_auth_check((SmvmBytes)image->text, key, &number))
+    if (code != EXIT_OK || !c->given[OPT_KEY])
         return code;
-    cli_say(c, "%s is not signed with the key '%s', or was changed since; nothing was sent", image->name, c->value[OPT_KEY]);
-    return EXIT_PROBLEM;
+    return key_signed(c, image, key, "; nothing was sent") ? EXIT_OK : EXIT_PROBLEM;
 }
 
 int cmd_flash(Cli *c)

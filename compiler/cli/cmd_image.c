@@ -99,15 +99,12 @@ static void describe(const char *name, const Source *image, Buf *out)
 // Says whether an image is signed; with a key, also whether with that.
 static int describe_code(Cli *c, const Source *image, const uint8_t *key, Buf *out)
 {
-    uint32_t number;
-    const bool is_signed = smvm_auth_number((SmvmBytes)image->text, &number);
+    SmvmAuth a;
 
-    if (key && !is_signed)
-        return cli_say(c, "%s: not signed", image->name), EXIT_PROBLEM;
-    if (key && !smvm_auth_check((SmvmBytes)image->text, key, &number))
-        return cli_say(c, "%s: not signed with the key '%s', or changed since", image->name, c->value[OPT_KEY]), EXIT_PROBLEM;
-    if (is_signed)
-        buf_printf(out, "%s: signed%s, number %lu\n", image->name, key ? " with this key" : "", (unsigned long)number);
+    if (key && !key_signed(c, image, key, ""))
+        return EXIT_PROBLEM;
+    if (smvm_auth_read((SmvmBytes)image->text, &a))
+        buf_printf(out, "%s: signed with %skey %08lx, number %lu\n", image->name, key ? "this " : "", (unsigned long)a.mark, (unsigned long)a.number);
     return EXIT_OK;
 }
 

@@ -38,6 +38,33 @@ int key_load(Cli *c, uint8_t key[SMVM_KEY])
     return EXIT_OK;
 }
 
+bool key_signed(Cli *c, const Source *image, const uint8_t *key, const char *then)
+{
+    const uint32_t mark = smvm_auth_mark(key);
+    SmvmAuth a;
+    uint32_t number;
+
+    if (smvm_auth_check((SmvmBytes)image->text, key, &number))
+        return true;
+    if (!smvm_auth_read((SmvmBytes)image->text, &a))
+        cli_say(c, "%s is not signed%s", image->name, then);
+    else if (a.mark != mark)
+        cli_say(c, "%s is signed with key %08lx, and '%s' is key %08lx%s", image->name, (unsigned long)a.mark, c->value[OPT_KEY], (unsigned long)mark, then);
+    else
+        cli_say(c, "%s was changed since it was signed with the key '%s'%s", image->name, c->value[OPT_KEY], then);
+    return false;
+}
+
+// Which key it is, as boards and images tell it.
+static int say_mark(Cli *c, const uint8_t *key)
+{
+    Buf out;
+
+    buf_init(&out, &c->session.arena);
+    buf_printf(&out, "%s: key %08lx\n", c->file[0], (unsigned long)smvm_auth_mark(key));
+    return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
+}
+
 int cmd_key(Cli *c)
 {
     const char *why;
@@ -54,7 +81,7 @@ int cmd_key(Cli *c)
     }
     text[DIGITS] = '\n';
     if (os_write_private(c->file[0], text, sizeof text, &why))
-        return EXIT_OK;
+        return say_mark(c, key);
     cli_say(c, "cannot make '%s': %s", c->file[0], why);
     return EXIT_ENVIRONMENT;
 }

@@ -9,4 +9,7 @@
 // EXIT_OK, or the exit code after a message.  Warns of a file that others can read.
 int key_load(Cli *c, uint8_t key[SMVM_KEY]);
 
+// Whether an image is signed with the key that was loaded; if not, says why, and `then` behind it.
+bool key_signed(Cli *c, const Source *image, const uint8_t *key, const char *then);
+
 #endif

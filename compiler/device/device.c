@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { HELLO_BYTES = 15, HELLO_SIGNED = HELLO_BYTES + 5, HELLO_LIMITS = HELLO_SIGNED + 7, IMAGE_BYTES = 18, DATA_HEAD = 5, RESTARTS = 3 };
+enum { HELLO_BYTES = 15, HELLO_SIGNED = HELLO_BYTES + 5, HELLO_LIMITS = HELLO_SIGNED + 7, HELLO_MARK = HELLO_LIMITS + 4, IMAGE_BYTES = 18, DATA_HEAD = 5, RESTARTS = 3 };
 
 // An answer that is shorter than it must be is none of this protocol.
 static bool ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n, size_t least)
@@ -48,6 +48,8 @@ bool device_hello(LinkHost *h, DeviceInfo *info)
     info->tells = h->n >= HELLO_LIMITS;
     if (info->tells)
         take_limits(b + HELLO_SIGNED, info);
+    info->tells_mark = h->n >= HELLO_MARK;
+    info->mark = info->tells_mark ? sm_link_get(b + HELLO_LIMITS, 4) : 0;
     return true;
 }
 

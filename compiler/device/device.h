@@ -14,6 +14,8 @@ typedef struct DeviceInfo {
     SmResult may;             // whether an update may begin
     bool wants_signed;        // only images signed with its key, and with numbers above this
     uint32_t newest;
+    bool tells_mark;          // of its key (smvm_auth_mark)
+    uint32_t mark;
     // Of firmware that tells (`tells`):
     bool tells, windows;      // whether it runs rolling windows
     uint8_t machines;         // how many; 0: any number

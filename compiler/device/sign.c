@@ -51,13 +51,14 @@ static uint32_t crc_of(const uint8_t *image, uint32_t length)
 
 uint32_t image_sign(const uint8_t *image, uint32_t length, const uint8_t *key, uint32_t number, uint8_t *out)
 {
-    uint32_t old;
+    SmvmAuth old;
 
-    if (smvm_auth_number(image, &old))
+    if (smvm_auth_read(image, &old))
         memcpy(out, image, length);
     else if ((length = make_room(image, length, out)) == 0)
         return 0;
     put(out + length - SMVM_AUTH, number, 4);
+    put(out + length - SMVM_AUTH + 4, smvm_auth_mark(key), 4);
     smvm_auth_code(out, length - SMVM_CODE, key, out + length - SMVM_CODE);
     put(out + SMVM_CRC_AT, crc_of(out, length), 4);
     return length;

@@ -128,7 +128,7 @@ fly_rocket() {
 
 # A board with a key takes what is signed with it, once.
 fly_signed() {
-    rm -f "$D/signed.mem"* "$D/rocket.key"
+    rm -f "$D/signed.mem"* "$D/rocket.key" "$D/other.key"
     "$smc" key "$D/rocket.key" && "$smc" sign "$D/tank.smb" --key="$D/rocket.key" --number=7 -o "$D/signed.smb" || exit 1
     $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU KEY="$D/rocket.key" FIRMWARE_OUT="$D/keyed" || exit 1
     bound_stack "$D/keyed/$MCU.elf"
@@ -138,13 +138,15 @@ fly_signed() {
     count says "$smc" flash "$D/tank.smb" "$port"
     count "$smc" flash "$D/signed.smb" "$port" --confirm >"$D/signed.out" 2>&1
     count grep -q 'runs, confirmed' "$D/signed.out"
-    text='takes signed images only, with numbers above 7'
+    text='takes signed images only, with key [0-9a-f]*, with numbers above 7'
     count says "$smc" device info "$port"
     "$smc" sign "$D/recovery.smb" --key="$D/rocket.key" --number=7 -o "$D/signed.smb" || exit 1
     text='has the number 7, and the board has confirmed number 7'
     count says "$smc" flash "$D/signed.smb" "$port"
-    rm "$D/rocket.key"
-    "$smc" key "$D/rocket.key" && "$smc" sign "$D/signed.smb" --key="$D/rocket.key" --number=8 || exit 1
+    "$smc" key "$D/other.key" && "$smc" sign "$D/signed.smb" --key="$D/other.key" --number=8 || exit 1
+    text='is signed with key [0-9a-f]*, and the board takes only what is signed with key [0-9a-f]*: .*nothing was sent'
+    count says "$smc" flash "$D/signed.smb" "$port"
+    "$smc" sign "$D/signed.smb" --key="$D/rocket.key" --number=8 && "$B/device/link" forge "$D/signed.smb" || exit 1
     rest_on_uno signed
     text='the image was not accepted: the board takes images only that are signed with its key'
     for i in 1 2; do                           # and is no more chosen for having come before

@@ -130,6 +130,7 @@ static bool opens(PalNvm nvm, const StorePlan *plan)
     if (smvm_store_open(&store, nvm, plan) != SM_OK)
         return false;
     store.is_authentic = has_key() ? is_authentic : NULL;
+    board.mark = smvm_auth_mark(key);
     return true;
 }
 

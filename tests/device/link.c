@@ -2,6 +2,7 @@
 // smc flash and smc device against a board that is a program (board.c), over terminals with this program in between: it loses and
 // damages bytes, and kills the board or smc in the middle.  Always the old or the new image runs afterwards, and is replaced again.
 //   link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]         with SLOTS=1 in the environment the board has one slot
+//   link forge SIGNED.smb         makes its code a wrong one, and its checksum right
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE
 #include <fcntl.h>
@@ -17,6 +18,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "stdlib/crc32.h"
 #include "tests/test.h"
 
 enum { TEXT = 4096, ARGS = 8, PATH = 512 };
@@ -380,6 +382,26 @@ static void an_image_is_erased(void)
     CHECK(quiet("device", "list", NULL) == 0 && listed(images[1], ", runs, confirmed") && listed(images[0], ", not chosen"));
 }
 
+// Its code, with which it ends, becomes a wrong one, and its checksum (all bytes but those at 4 to 7) right.
+static bool forge(const char *path)
+{
+    unsigned char bytes[TEXT];
+    uint32_t crc = SM_CRC32_START;
+    FILE *f = fopen(path, "r+b");
+    const size_t n = f ? fread(bytes, 1, sizeof bytes, f) : 0;
+
+    if (n < 24)
+        return false;
+    bytes[n - 1] ^= 1;
+    for (size_t i = 0; i < n; i++)
+        crc = i / 4 == 1 ? crc : sm_crc32_byte(crc, bytes[i]);
+    crc = sm_crc32_end(crc);
+    for (int i = 0; i < 4; i++)
+        bytes[4 + i] = (unsigned char)(crc >> 8 * i);
+    rewind(f);
+    return fwrite(bytes, 1, n, f) == n && fclose(f) == 0;
+}
+
 // With a key: the confirmed image is not signed and does not run any more; what is signed is taken, by its number.
 static void a_board_with_a_key(void)
 {
@@ -398,19 +420,22 @@ static void a_board_with_a_key(void)
     CHECK(alone("sign", images[0], with, to) == 0 && !says("warning") && chmod(key, 0640) == 0);
     CHECK(alone("sign", out, with, "--number=7") == 0 && says("smc: warning: others can read '"));
     CHECK(chmod(key, 0600) == 0 && quiet("flash", out, "--confirm") == 0 && listed(out, ", runs, confirmed"));
-    CHECK(quiet("device", "info", NULL) == 0 && says("takes signed images only, with numbers above 7"));
+    CHECK(quiet("device", "info", NULL) == 0 && says("takes signed images only, with key ") && says(", with numbers above 7"));
     CHECK(quiet("flash", out, NULL) == 0 && says("it runs already"));
     CHECK(quiet("flash", out, "--period=20") == 1 && says("has the number 7, and the board has confirmed number 7"));
     CHECK(alone("sign", images[1], with, to) == 0 && alone("sign", out, with, "--number=7") == 0);
     CHECK(quiet("flash", out, NULL) == 1 && says("has the number 7, and the board has confirmed number 7") && says("nothing was sent"));
     CHECK(alone("sign", out, with, NULL) == 0 && quiet("flash", out, "--confirm") == 0 && listed(out, ", runs, confirmed"));
+    CHECK(alone("sign", images[0], with, to) == 0 && alone("sign", out, with, "--number=4000000000") == 0 && forge(out));
+    CHECK(quiet("flash", out, with) == 1 && says(" was changed since it was signed with the key '") && says("nothing was sent"));
+    CHECK(quiet("flash", out, NULL) == 1 && says("the image was not accepted: the board takes images only that are signed with its key"));
+    CHECK(says("the board keeps what it ran before"));
     remove(key);
     CHECK(alone("key", key, NULL, NULL) == 0 && alone("sign", images[0], with, to) == 0);      // another one than the board's
     CHECK(alone("sign", out, with, "--number=4000000000") == 0);
-    CHECK(quiet("flash", out, with) == 1 && says("the image was not accepted"));     // the key is that of the image
-    CHECK(quiet("flash", images[1], with) == 1 && says(" is not signed with the key '") && says("nothing was sent"));
-    CHECK(quiet("flash", out, NULL) == 1 && says("the image was not accepted: the board takes images only that are signed with its key"));
-    CHECK(says("the board keeps what it ran before") && remove(key) == 0 && remove(out) == 0);
+    CHECK(quiet("flash", out, with) == 1 && says(" is signed with key ") && says("and the board takes only what is signed with key ") && says("nothing was sent"));
+    CHECK(quiet("flash", images[1], with) == 1 && says(" is not signed; nothing was sent"));
+    CHECK(remove(key) == 0 && remove(out) == 0);
     restart_board();
     CHECK(quiet("flash", images[1], "--confirm") == 0 && listed(images[1], ", runs, confirmed"));
 }
@@ -474,6 +499,8 @@ int main(int argc, char **argv)
 {
     const int runs = argc > 6 ? atoi(argv[6]) : 8;
 
+    if (argc == 3 && strcmp(argv[1], "forge") == 0)
+        return !forge(argv[2]);
     if (argc < 6)
         return fprintf(stderr, "link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]\n"), 2;
     one_slot = getenv("SLOTS") != NULL;

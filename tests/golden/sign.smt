@@ -31,18 +31,20 @@ bool open
 .step
     open = true
 -- stdout --
+k.key: key [..]
 a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
 a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
-a.smb: signed, number 7
+a.smb: signed with key [..], number 7
 a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
-a.smb: signed with this key, number 7
+a.smb: signed with this key [..], number 7
+other.key: key [..]
 a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
 b.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
-b.smb: signed with this key, number 4000000000
+b.smb: signed with this key [..], number 4000000000
 -- stderr --
 smc: cannot make 'k.key': File exists
-smc: a.smb: not signed
-smc: a.smb: not signed with the key 'other.key', or changed since
+smc: a.smb is not signed
+smc: a.smb is signed with key [..], and 'other.key' is key [..]
 smc: key wants the name of a new file, as in 'smc key rocket.key'
 Try 'smc key --help'.
 smc: key wants the name of a new file, as in 'smc key rocket.key'

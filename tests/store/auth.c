@@ -45,12 +45,12 @@ static bool is_accepted(const Image *image, const uint8_t *key)
 static void signing_leaves_the_rest(void)
 {
     Image s = signed_with(our_key, &new_image, 7), again;
-    uint32_t number = 1;
+    SmvmAuth auth;
     SmvmMachine a, b;
 
     CHECK(s.length == new_image.length + SIGN_ROOM && is_accepted(&s, our_key) && !is_accepted(&s, other_key));
-    CHECK(smvm_auth_number(s.bytes, &number) && number == 7);
-    CHECK(!smvm_auth_number(new_image.bytes, &number) && number == 0 && !is_accepted(&new_image, our_key));
+    CHECK(smvm_auth_read(s.bytes, &auth) && auth.number == 7 && auth.mark == smvm_auth_mark(our_key) && auth.mark != smvm_auth_mark(other_key));
+    CHECK(!smvm_auth_read(new_image.bytes, &auth) && auth.number == 0 && auth.mark == 0 && !is_accepted(&new_image, our_key));
     CHECK(smvm_machine(new_image.bytes, 0, &a) && smvm_machine(s.bytes, 0, &b) && a.code_size == b.code_size);
     CHECK(memcmp(new_image.bytes + a.code_at, s.bytes + b.code_at, a.code_size) == 0);
     again = signed_with(other_key, &s, 8);
@@ -79,13 +79,14 @@ static void every_bit_is_guarded(void)
 static void the_code_ends_the_image(void)
 {
     Image s = signed_with(our_key, &new_image, 7);
+    SmvmAuth auth;
     uint32_t number;
 
     s.bytes[s.length++] = 0;
     for (unsigned i = 0; i < 3; i++)
         s.bytes[SMVM_LENGTH_AT + i] = (uint8_t)(s.length >> 8 * i);
     smvm_auth_code(s.bytes, s.length - 1 - SMVM_CODE, our_key, s.bytes + s.length - 1 - SMVM_CODE);
-    CHECK(!smvm_auth_check(s.bytes, our_key, &number) && !smvm_auth_number(s.bytes, &number));
+    CHECK(!smvm_auth_check(s.bytes, our_key, &number) && !smvm_auth_read(s.bytes, &auth));
 }
 
 // ---- a board ----
@@ -119,6 +120,7 @@ static void board_with_key(Board *b, const char *memory, uint8_t slots)
 {
     CHECK(board_new(b, memory, slots));
     b->is_authentic = is_ours;
+    b->mark = smvm_auth_mark(our_key);
     CHECK(restarts(b));
 }
 
@@ -188,8 +190,9 @@ static void hello_says_so(void)
     sm_link_receiver(&r, answer, sizeof answer);
     for (uint16_t i = 0; i + 1 < n; i++)
         sm_link_receive(&r, b.frame[i]);
-    CHECK(n > 0 && sm_link_receive(&r, b.frame[n - 1]) && r.n == LINK_HEAD + 1 + 27);
+    CHECK(n > 0 && sm_link_receive(&r, b.frame[n - 1]) && r.n == LINK_HEAD + 1 + 31);
     CHECK(answer[LINK_HEAD + 1 + 15] == 1 && sm_link_get(answer + LINK_HEAD + 1 + 16, 4) == 0x01020304);
+    CHECK(sm_link_get(answer + LINK_HEAD + 1 + 27, 4) == smvm_auth_mark(our_key));
 }
 
 // ---- cuts ----

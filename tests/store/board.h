@@ -20,6 +20,7 @@ typedef struct Board {
     uint8_t slot;             // what runs
     SmResult may, fits;
     bool (*is_authentic)(SmvmBytes image, uint32_t *number);      // its key; NULL: none
+    uint32_t mark;
     unsigned left;            // how often it had to leave its slot
     bool up;                  // it has power, and answers
     SmEvent storage[BOARD_EVENTS];
@@ -75,6 +76,7 @@ static bool board_start(Board *b)
         b->board.period = 300;
         b->board.cycles = 14400;
         b->board.pin_place = board_pin;
+        b->board.mark = b->mark;
         smvm_agent_init(&b->agent, &b->store, &b->board, &b->events, b->frame, BOARD_BODY);
     }
     return b->up;
