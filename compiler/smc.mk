@@ -46,7 +46,8 @@ SMC_MACHINES = $(basename $(wildcard *.sm))
 flash: $(if $(word 2,$(SMC_MACHINES)),,$(SMC_MACHINES:%=flash-%))
 	$(if $(filter 1,$(words $(SMC_MACHINES))),@:,$(error make flash-NAME says which machine; here are: $(SMC_MACHINES)))
 
-SMC_DEPS := $(wildcard *.smb.d *.sm.d *.io.d)
+# Of machines here and in folders within folders.
+SMC_DEPS := $(foreach d,. */. */*/.,$(patsubst ./%,%,$(subst /./,/,$(wildcard $d/*.smb.d $d/*.sm.d $d/*.io.d))))
 -include $(SMC_DEPS)
 
 # Each list of dependencies was written with what it is of.

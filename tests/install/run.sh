@@ -64,7 +64,14 @@ check "pins that are not there are told, not left out" sh -c "$make -f pins.mk S
 check "make flash asks which" sh -c "$make -n -f pins.mk flash PORT=there 2>&1 | grep -q 'flash-NAME says which machine'"
 mkdir one && cp valve.sm one
 check "or sends the one that is here" sh -c "$make -n -C one -f ../pins.mk SMC_SV=../tank.sv flash PORT=there | grep -q 'smc flash valve.smb --port=there'"
-rm -rf flags.mk pins.mk* one tank.sv tank.io valve.*
+mkdir -p far/away && cp valve.sm far/away
+sees_far()
+{
+    "$make" -s -f flags.mk far/away/valve.c && "$make" -q -f flags.mk far/away/valve.c && sleep 1 && touch tank.sv &&
+        ! "$make" -q -f flags.mk far/away/valve.c && "$make" -s -f flags.mk smc-clean && test ! -e far/away/valve.c -a ! -e far/away/valve.h -a ! -e far/away/valve.sm.d
+}
+check "a machine two folders down is one, too" sees_far
+rm -rf flags.mk pins.mk* one far tank.sv tank.io valve.*
 check "smc-clean removes what was made, and nothing else" sh -c "$make -s smc-clean && test ! -e tank.c -a ! -e tank.h -a ! -e tank.smb -a -e tank.sm -a -e broken.sm"
 printf 'include %s/share/smc/smc.mk\nmine:\n\t@echo mine\n' "$inst" >own.mk
 check "nothing of it is what plain make makes" sh -c "$make -s -f own.mk | grep -qx mine"
