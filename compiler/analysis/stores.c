@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Assignments that change nothing anybody could see: a variable's own value, or one that is overwritten on every way before
 // anything reads it.
-#include "compiler/analysis/edits.h"
 #include "compiler/analysis/liveness.h"
 
 // How far the assignment that overwrites is looked for; how many blocks are walked for all of them together.
 enum { STATES_TRIED = 100, BLOCKS_WALKED = 10000000 };
-
-typedef struct Home {             // where a statement stands
-    const Stmt *stmt;
-    const Stmts *list;
-    bool is_block;                // the list is a label's
-} Home;
 
 typedef struct Stores {
     Analysis *a;
@@ -28,16 +21,14 @@ static bool is_itself(const Stmt *stmt)
     return stmt->kind == ST_ASSIGN && stmt->operators == 0 && stmt->value->kind == EX_VAR && stmt->value->var == stmt->var;
 }
 
-static void look_at_stmts(Stores *k, const Stmts *list, bool is_block)
+static void look_at_stmts(Stores *k, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++) {
         const Stmt *stmt = list->at[i];
-        if (is_itself(stmt)) {
-            Diag *d = diag_report(k->a->diags, DIAG_self_assignment, stmt->span, stmt->var->name->text);
-            edit_remove(k->a->diags, d, stmt, list, is_block);
-        }
-        look_at_stmts(k, &stmt->then, false);
-        look_at_stmts(k, &stmt->otherwise, false);
+        if (is_itself(stmt))
+            diag_report(k->a->diags, DIAG_self_assignment, stmt->span, stmt->var->name->text);
+        look_at_stmts(k, &stmt->then);
+        look_at_stmts(k, &stmt->otherwise);
     }
 }
 
@@ -56,18 +47,16 @@ static const Stmt *last_before(const Stmts *list, uint32_t number)
     return list->at[low];
 }
 
-// Where the statement of that number stands, in a block or below: they are numbered in file order.
-static Home home_of(const Stmts *block, uint32_t number)
+// The statement of that number, in a block or below: they are numbered in file order.
+static const Stmt *stmt_of(const Stmts *block, uint32_t number)
 {
-    Home home = {last_before(block, number), block, true};
+    const Stmt *stmt = last_before(block, number);
 
-    while (home.stmt->number != number) {
-        const Stmts *no = &home.stmt->otherwise;
-        home.list = no->n && no->at[0]->number <= number ? no : &home.stmt->then;
-        home.stmt = last_before(home.list, number);
-        home.is_block = false;
+    while (stmt->number != number) {
+        const Stmts *no = &stmt->otherwise;
+        stmt = last_before(no->n && no->at[0]->number <= number ? no : &stmt->then, number);
     }
-    return home;
+    return stmt;
 }
 
 // ---- what overwrites ----
@@ -183,18 +172,17 @@ static bool is_beginning(Stores *k, const DeadStore *dead, const Stmt *stmt)
 static void look_at_dead(Analysis *a, const DeadStore *dead, void *context)
 {
     Stores *k = context;
-    const Home home = home_of(&a->p->state.at[dead->state]->block[dead->block], dead->store->stmt);
-    const Var *v = home.stmt->var;
+    const Stmt *stmt = stmt_of(&a->p->state.at[dead->state]->block[dead->block], dead->store->stmt);
+    const Var *v = stmt->var;
     const IrIns *other;
     Diag *d;
 
-    if (!a->stmt[home.stmt->number].reached || is_itself(home.stmt) || (v->kind == VAR_LOCAL && !v->read))
+    if (!a->stmt[stmt->number].reached || is_itself(stmt) || (v->kind == VAR_LOCAL && !v->read))
         return;
-    if (is_beginning(k, dead, home.stmt) || (other = overwriter(k, dead)) == NULL)
+    if (is_beginning(k, dead, stmt) || (other = overwriter(k, dead)) == NULL)
         return;
-    d = diag_report(a->diags, DIAG_dead_store, home.stmt->span, v->name->text);
+    d = diag_report(a->diags, DIAG_dead_store, stmt->span, v->name->text);
     diag_note(a->diags, d, other->span, DIAG_note_overwritten_here);
-    edit_remove(a->diags, d, home.stmt, home.list, home.is_block);
 }
 
 static size_t most_blocks(const IrMachine *m)
@@ -217,6 +205,6 @@ void analyse_stores(Analysis *a)
     k.walked = ARENA_ARRAY(a->arena, uint32_t, most_blocks(a->m));
     for (size_t s = 0; s < a->p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            look_at_stmts(&k, &a->p->state.at[s]->block[b], true);
+            look_at_stmts(&k, &a->p->state.at[s]->block[b]);
     each_dead_store(liveness_of(a), look_at_dead, &k);
 }

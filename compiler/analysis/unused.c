@@ -5,7 +5,6 @@
 // What has an effect: a transition and an assignment to an element, with every guard around them.  From there it goes back: of a
 // local that is needed, every assignment is, with its guards; of a statistic that is needed, what it samples.
 #include "compiler/analysis/analysis.h"
-#include "compiler/analysis/edits.h"
 
 // ---- what is needed ----
 
@@ -137,11 +136,30 @@ static void look_at_element(Analysis *a, const Var *v)
         diag_report(a->diags, DIAG_unused_element, v->span, v->name->text);
 }
 
+static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+// Writes @read_only behind the declaration of a local: behind the last ')' of the initial value, for the parentheses around an expression are not part of its place.
+static void mark_read_only(Diags *diags, Diag *d, const Var *local)
+{
+    const Source *src = local->span.src;
+    Span span = {src, local->init_value->span.at + local->init_value->span.len, 0};
+    uint32_t at = span.at;
+
+    while (at < src->len && (is_blank(src->text[at]) || src->text[at] == '\n' || src->text[at] == '#' || src->text[at] == ')')) {
+        if (src->text[at] == '#')
+            while (at < src->len && src->text[at] != '\n')
+                at++;
+        else if (src->text[at++] == ')')
+            span.at = at;
+    }
+    diag_edit(diags, d, span, " @read_only");
+}
+
 static void report_never_written(Analysis *a, const Var *v)
 {
     Diag *d = diag_report(a->diags, DIAG_never_written, v->span, v->name->text);
 
-    edit_mark_read_only(a->diags, d, v);
+    mark_read_only(a->diags, d, v);
 }
 
 // Read and written, but perhaps for itself alone.

@@ -86,11 +86,25 @@ static size_t count(const Diags *d, DiagCode code)
     return n;
 }
 
-// Some mistakes are gone, and as far as errors go no others have come: less of something that could be edited is left.
-static bool is_better(const Diags *now, const Diags *before)
+// Where the first error of a file stands; UINT32_MAX: there is none.
+static uint32_t first_error(const Diags *d, const Source *src)
 {
+    for (size_t i = 0; i < d->list.n; i++)
+        if (d->list.at[i]->severity == DIAG_ERROR && d->list.at[i]->span.src == src)
+            return d->list.at[i]->span.at;
+    return UINT32_MAX;
+}
+
+// Some mistakes are gone, and as far as errors go no others have come: less of something that could be edited is left.  Or the first
+// error is gone, and has brought to light one further on.
+static bool is_better(const Diags *now, const Source *src, const Diags *before, const Source *was)
+{
+    const uint32_t grown = src->len > was->len ? src->len - was->len : 0, old = first_error(before, was);
+
     if (now->errors != before->errors)
         return now->errors < before->errors;
+    if (old != UINT32_MAX && first_error(now, src) > old + grown)
+        return true;
     for (size_t i = 0; i < before->list.n; i++) {
         const Diag *d = before->list.at[i];
         if (d->edits.n && count(now, d->code) < count(before, d->code))
@@ -113,7 +127,7 @@ static bool improve(Fix *f, size_t i)
         return false;
     f->src[i] = source_new(&c->session.arena, was->name, buf_text(&text), text.n);
     diagnose(f);
-    if (!is_better(&c->session.diags, &before)) {
+    if (!is_better(&c->session.diags, f->src[i], &before, was)) {
         f->src[i] = was;
         c->session.diags = before;
         return false;

@@ -169,6 +169,17 @@ static void guess_element(Declarations *k, Diag *d, Str name)
     guess_label(k->s->diags, d, &g);
 }
 
+// Whether it is G or S, by name or alias, with the type that these must have.
+static bool is_special(const AstDecl *decl)
+{
+    const char *name = decl->name->text;
+
+    for (size_t i = 0; i < decl->annotations.n; i++)
+        if (decl->annotations.at[i].kind == AST_ALIAS && decl->annotations.at[i].name)
+            name = decl->annotations.at[i].name->text;
+    return (strcmp(name, "G") == 0 && decl->type == SM_U64) || (strcmp(name, "S") == 0 && decl->type == SM_U32);
+}
+
 // The element in the .sv that is meant; NULL if there is none of that name.
 static Element *find_element(Declarations *k, const AstDecl *decl)
 {
@@ -178,10 +189,13 @@ static Element *find_element(Declarations *k, const AstDecl *decl)
     if (!e) {
         d = diag_report(k->s->diags, DIAG_element_not_in_vector, decl->name_span, decl->name->text);
         guess_element(k, d, decl->name);
-    } else if (e->type != decl->type && is_known(decl->type)) {
+    } else if (e->type != decl->type && is_known(decl->type) && !e->untyped) {
         d = diag_report(k->s->diags, DIAG_element_other_type, decl->type_span, e->name->text,
                         sm_type_info[e->type].spelling, sm_type_info[decl->type].spelling);
-        diag_label(k->s->diags, d, DIAG_label_write_type, sm_type_info[e->type].spelling);
+        if (is_special(decl))
+            diag_label(k->s->diags, d, DIAG_label_text, format_in(k->s->arena, "it must be %s: change the state vector file", sm_type_info[decl->type].spelling));
+        else
+            diag_label(k->s->diags, d, DIAG_label_write_type, sm_type_info[e->type].spelling);
         diag_note(k->s->diags, d, e->span, DIAG_note_declared_here, e->name->text);
     }
     return e;
@@ -293,7 +307,7 @@ static Var *find_special(Declarations *k, const char *name, SmType type, DiagCod
 
     if (!v && !k->s->lost->names)
         diag_report(k->s->diags, missing, k->list->header);
-    if (!v || scope_is_doubtful(k->s, key))
+    if (!v || scope_is_doubtful(k->s, key) || scope_is_doubtful(k->s, v->name))
         return v;
     told = v->element && v->element->type == type;
     if ((v->kind != VAR_ELEMENT || v->type != type) && !told)

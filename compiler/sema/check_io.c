@@ -55,7 +55,7 @@ static const Element *check_element(IoCheck *k, const AstPin *pin, bool digital)
         unknown_element(k, pin);
         return NULL;
     }
-    if (digital == (e->type == SM_BOOL))
+    if (e->untyped || digital == (e->type == SM_BOOL))
         return e;
     if (digital)
         d = diag_report(k->c->diags, DIAG_digital_not_bool, pin->element_span, e->name->text, sm_type_info[e->type].spelling);

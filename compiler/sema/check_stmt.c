@@ -50,15 +50,22 @@ static bool may_write(Sema *s, const Var *v, Str name, Span span)
     return false;
 }
 
-// S = Vent
+// The state that `S = Vent` or `S = 2` means; NULL: none.
+static const State *state_meant(const Sema *s, const AstExpr *e)
+{
+    if (e->kind == AST_NUMBER && sm_le(sm_from_i32(1), e->number) && sm_le(e->number, sm_from_u32((uint32_t)s->p->state.n)))
+        return s->p->state.at[sm_cut_u32(e->number) - 1];
+    return e->kind == AST_NAME ? map_find(&s->p->state_by_name, e->name) : NULL;
+}
+
 static bool assigns_state(Sema *s, const Var *v, const AstStmt *in)
 {
-    const AstExpr *e = in->value;
+    const State *to = v && v == s->p->s && !s->in_script ? state_meant(s, in->value) : NULL;
 
-    if (!v || v != s->p->s || s->in_script || e->kind != AST_NAME || !map_find(&s->p->state_by_name, e->name))
+    if (!to)
         return false;
     diag_label(s->diags, diag_report(s->diags, DIAG_write_state_element, in->name_span, in->name->text), DIAG_label_write,
-               format_in(s->arena, "-> %s", e->name->text));
+               format_in(s->arena, "-> %s", to->name->text));
     return true;
 }
 
@@ -146,10 +153,22 @@ static Stmt *check_stmt(Sema *s, const AstStmt *in)
 
 // ---- lists ----
 
+// Which statements belong together is not known then.
+static bool braces_are_lost(const Diags *diags)
+{
+    for (size_t i = 0; i < diags->list.n; i++)
+        if (diags->list.at[i]->code == DIAG_brace_unclosed || diags->list.at[i]->code == DIAG_stray_brace)
+            return true;
+    return false;
+}
+
 static void warn_of_the_rest(Sema *s, const AstStmt *transition, const AstStmt *next)
 {
-    Diag *d = diag_report(s->diags, DIAG_after_transition, next->span);
+    Diag *d;
 
+    if (braces_are_lost(s->diags))
+        return;
+    d = diag_report(s->diags, DIAG_after_transition, next->span);
     diag_note(s->diags, d, transition->span, DIAG_note_transition_here);
 }
 

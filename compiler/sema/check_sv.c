@@ -20,7 +20,8 @@ static void check_element(SvCheck *k, Region *r, const AstDecl *decl)
         return;
     }
     e->name = decl->name;
-    e->type = decl->type;
+    e->untyped = decl->type == SM_TYPE_COUNT;
+    e->type = e->untyped ? SM_F64 : decl->type;
     e->region = r;
     e->span = decl->name_span;
     e->first_allow = (uint32_t)k->sv->allow.n;

@@ -34,6 +34,7 @@ typedef struct Allow {
 typedef struct Element {
     Str name;
     SmType type;
+    bool untyped;             // no type stands there; that was reported
     const Range *range;       // or NULL
     uint32_t first_allow, allows;     // StateVec.allow: those that stand behind it
     uint32_t index;           // its place in StateVec.element

@@ -85,6 +85,8 @@ void scope_note_declared(Sema *s, Diag *d, Str name)
         diag_note(s->diags, d, v->span, DIAG_note_declared_here, v->name->text);
 }
 
+static const char nan_text[] = "what is stored is never NaN: a sensor's NaN is read as 0; ask for what is healthy, as in not (0.5 < x < 60)";
+
 // True, TRUE, on, off, ELSE: words of this language, as others write them.
 static bool guess_word(Sema *s, Diag *d, Str name)
 {
@@ -94,9 +96,14 @@ static bool guess_word(Sema *s, Diag *d, Str name)
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (same_but_for_case(name->text, words[i][0])) {
             diag_label(s->diags, d, DIAG_label_did_you_mean, words[i][1]);
+            if (i < 2)
+                diag_edit(s->diags, d, d->span, words[i][1]);
             return true;
         }
-    return false;
+    if (!same_but_for_case(name->text, "nan"))
+        return false;
+    diag_label(s->diags, d, DIAG_label_text, nan_text);
+    return true;
 }
 
 static void guess_variable(Sema *s, Diag *d, Str name)
@@ -202,7 +209,7 @@ static const char *const foreign_functions[][2] = {
     {"fabs", "write abs(x)"}, {"int", "write trunc(x)"}, {"fix", "write trunc(x)"}, {"limit", "write clamp(x, lo, hi)"},
     {"pow", "multiply, as in x * x"}, {"power", "multiply, as in x * x"},
     {"mod", "for a remainder, use x - n * floor(x / n)"}, {"rem", "for a remainder, use x - n * floor(x / n)"},
-    {"and", "write a and b"}, {"or", "write a or b"}, {"sin", NULL}, {"cos", NULL}, {"tan", NULL}, {"log", NULL}};
+    {"isnan", nan_text}, {"is_nan", nan_text}, {"and", "write a and b"}, {"or", "write a or b"}, {"sin", NULL}, {"cos", NULL}, {"tan", NULL}, {"log", NULL}};
 
 static bool label_foreign_function(Sema *s, Diag *d, Str name)
 {

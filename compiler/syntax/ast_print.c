@@ -157,7 +157,7 @@ static void put_stmts(Buf *out, const AstStmts *s, unsigned depth)
 
 static void put_decl(Buf *out, const AstDecl *d)
 {
-    buf_printf(out, "  %s ", sm_type_info[d->type].spelling);
+    buf_printf(out, "  %s ", d->type < SM_TYPE_COUNT ? sm_type_info[d->type].spelling : "?");
     put_name(out, d->name);
     if (d->value) {
         buf_str(out, " = ");

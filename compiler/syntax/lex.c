@@ -207,7 +207,7 @@ static uint32_t skip_number(const Lexer *l, uint32_t p)
 static void lex_number(Lexer *l, Token *t)
 {
     uint32_t end = skip_number(l, l->at);
-    bool runs_on = lexer_is_word(lexer_byte(l, end)) || (lexer_byte(l, end) == '.' && is_digit(lexer_byte(l, end + 1)));
+    bool runs_on = lexer_is_word(lexer_byte(l, end)) || ((lexer_byte(l, end) == '.' || lexer_byte(l, end) == '\'') && is_digit(lexer_byte(l, end + 1)));
 
     if (!number_value(l->src->text + l->at, end - l->at, &t->number) && !runs_on)
         diag_report(l->diags, DIAG_number_too_large, lexer_span(l, l->at, end - l->at), lexer_text(l, l->at, end));
@@ -342,7 +342,7 @@ static bool lex_one(Lexer *l, Token *t)
         lex_prefixed(l, t, TOK_ANNOTATION);
     else if ((c == '/' && (lexer_byte(l, l->at + 1) == '/' || lexer_byte(l, l->at + 1) == '*')) ||
              ((c == '%' || (c == '-' && lexer_byte(l, l->at + 1) == '-')) && lex_slip_is_remark(l)))
-        return lex_slip_comment(l), false;
+        return lex_slip_comment(l, t);
     else if (c == ';')
         return lex_slip_semicolon(l, t);
     else if (c == '?')

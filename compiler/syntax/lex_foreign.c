@@ -51,6 +51,44 @@ bool lex_slip_is_remark(const Lexer *l)
                         (!l->stores && ends_line(l, skip_gap(l, skip_name(l, p)))));
 }
 
+// What a value can stand before, or a bar that closes: not where an operand is missing.
+static bool follows_value(const Lexer *l, bool first)
+{
+    return !first && (l->last == TOK_NAME || l->last == TOK_NUMBER || l->last == TOK_RPAREN || l->last == TOK_TRUE || l->last == TOK_FALSE ||
+                      l->last == TOK_ERROR);
+}
+
+// Set off from what stands before it as a comment is, and no operator: `x = 1   // open`, `x = 1 //open`.
+static bool is_set_off(const Lexer *l, uint32_t at, uint32_t text)
+{
+    const char *s = l->src->text;
+
+    return is_gap(s[at - 1]) && (text == at + 2 || is_gap(s[at - 2]));
+}
+
+// `a // b` divides in other languages.  How sure that is: 0 not at all, 1 it may as well be a comment, 2 an expression goes on behind b.
+static int is_division(const Lexer *l)
+{
+    const uint32_t p = skip_gap(l, l->at + 2), end = lexer_skip_word(l, p);
+
+    if (!follows_value(l, l->first) || l->src->text[l->at + 1] != '/' || is_prose(l, p))
+        return 0;
+    if (lexer_byte(l, p) == '(')
+        return is_prose(l, skip_gap(l, p + 1)) ? 0 : 2;
+    if (end == p || (!ends_line(l, skip_gap(l, end)) && !strchr(":<>=!+-*/)&|{", lexer_byte(l, skip_gap(l, end)))))
+        return 0;
+    return is_digit(lexer_byte(l, p)) || !ends_line(l, skip_gap(l, end)) ? 2 : !is_set_off(l, l->at, p);
+}
+
+// The one of Python, as the single / that is meant.
+static void floor_division(Lexer *l, Token *t)
+{
+    Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, l->at, 2), "//");
+
+    diag_label(l->diags, d, DIAG_label_floor);
+    lexer_finish(l, t, TOK_SLASH, l->at + 2);
+}
+
 // One that has been closed on its line, behind which nothing stands, becomes one of this language.
 static void edit_closed_comment(Lexer *l, Diag *d, uint32_t at, uint32_t end)
 {
@@ -60,13 +98,17 @@ static void edit_closed_comment(Lexer *l, Diag *d, uint32_t at, uint32_t end)
     diag_edit(l->diags, d, lexer_span(l, end - 2, 2), "");
 }
 
-// `// …`, `/* … */`, `-- …` and `% …` of other languages.
-void lex_slip_comment(Lexer *l)
+// `// …`, `/* … */`, `-- …` and `% …` of other languages; true: it was a division.
+bool lex_slip_comment(Lexer *l, Token *t)
 {
     uint32_t at = l->at, p = at + (l->src->text[at] == '%' ? 1 : 2);
-    Diag *d = diag_report(l->diags, DIAG_foreign_comment, lexer_span(l, at, 2), lexer_text(l, at, p));
+    const int division = is_division(l);
+    Diag *d;
 
-    diag_label(l->diags, d, DIAG_label_comment);
+    if (division == 2)
+        return floor_division(l, t), true;
+    d = diag_report(l->diags, DIAG_foreign_comment, lexer_span(l, at, 2), lexer_text(l, at, p));
+    diag_label(l->diags, d, division ? DIAG_label_floor : DIAG_label_comment);
     if (l->src->text[at] == '/' && l->src->text[at + 1] == '*' && !l->no_comment_end) {
         while (p + 1 < l->src->len && !(l->src->text[p] == '*' && l->src->text[p + 1] == '/'))
             p++;
@@ -80,9 +122,11 @@ void lex_slip_comment(Lexer *l)
                 l->at++;
     }
     if (l->at == at) {
-        diag_edit(l->diags, d, lexer_span(l, at, p - at), "#");
+        if (!division)
+            diag_edit(l->diags, d, lexer_span(l, at, p - at), "#");
         lexer_skip_comment(l);
     }
+    return false;
 }
 
 // Whether the word before it is followed by a name: task, machine, @mode.
@@ -114,7 +158,7 @@ static void number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t stop)
 // The number at..end runs on: 5psi, 1__0, 0x, 1e, 1.2.3.  Reports it; returns where it stops.
 uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
 {
-    uint32_t stop = lexer_skip_word(l, end);
+    uint32_t stop = lexer_skip_word(l, end + (lexer_byte(l, end) == '\''));
     char c = lexer_byte(l, end), before = lexer_byte(l, end - 1);
     const char *whole;
 
@@ -123,6 +167,9 @@ uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
     whole = lexer_text(l, at, stop);
     if (c == '_' || (before == '_' && is_digit(c)))
         diag_report(l->diags, DIAG_number_underscore, lexer_span(l, end, 1), whole);
+    else if (c == '\'')
+        diag_label(l->diags, diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end), lexer_text(l, end, stop)),
+                   DIAG_label_write, format_in(l->diags->arena, "%s%s", lexer_text(l, at, end), lexer_text(l, end + 1, stop)));
     else if (c == '.')
         diag_report(l->diags, DIAG_number_point, lexer_span(l, at, stop - at), whole);
     else if (lexer_is_hex_prefix(l, at) && end == at + 1)
@@ -175,6 +222,12 @@ void lex_slip_header(Lexer *l, uint32_t from, uint32_t end, Str name)
         diag_edit(l->diags, d, whole, fixed);
     } else if ((fixed = joined(l->diags->arena, name)) != NULL) {
         diag_label(l->diags, d, DIAG_label_write, fixed);
+    } else {
+        for (size_t i = 0; i < name->len; i++)
+            if (name->text[i] & 0x80) {
+                diag_label(l->diags, d, DIAG_label_name_ascii);
+                return;
+            }
     }
 }
 
@@ -302,6 +355,15 @@ static bool names_state(const Lexer *l, const Token *t)
     return lexer_byte(l, p) != '{';
 }
 
+// fault & 4, ~3: bits are meant, of which there are none.  In p > 5 & 3 < x they are not.
+static bool is_about_bits(const Lexer *l, const Token *t)
+{
+    const uint32_t p = skip_gap(l, t->at + 1), behind = skip_gap(l, lexer_skip_word(l, p));
+
+    return t->len == 1 && strchr("&|~", l->src->text[t->at]) && is_digit(lexer_byte(l, p)) && lexer_byte(l, behind) != '<' &&
+           lexer_byte(l, behind) != '>' && lexer_byte(l, behind) != '.';
+}
+
 static void report_foreign(Lexer *l, Token *t, const char *spelling, const char *native)
 {
     bool arrow = strcmp(spelling, "=>") == 0, blank;
@@ -335,8 +397,7 @@ bool lex_slip_bars(Lexer *l, Token *t)
         lexer_finish(l, t, TOK_RPAREN, end);
         return true;
     }
-    if (!t->first && (l->last == TOK_NAME || l->last == TOK_NUMBER || l->last == TOK_RPAREN || l->last == TOK_TRUE ||
-                      l->last == TOK_FALSE || l->last == TOK_ERROR))
+    if (follows_value(l, t->first))
         return false;
     while (lexer_byte(l, end) != '|' && !ends_line(l, end))
         end++;
@@ -354,7 +415,10 @@ bool lex_slip_bars(Lexer *l, Token *t)
 
 void lex_slip_sign(Lexer *l, Token *t, const char *spelling, const char *native, const char *label)
 {
-    if (native) {
+    if (native && is_about_bits(l, t)) {
+        diag_label(l->diags, diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling), DIAG_label_bits);
+        t->kind = *spelling == '~' ? TOK_MINUS : TOK_STAR;
+    } else if (native) {
         report_foreign(l, t, spelling, native);
     } else if (label) {
         Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling);
@@ -382,9 +446,11 @@ static void skip_semicolon(Lexer *l)
     l->first = true;
     while (lexer_byte(l, l->at) == ' ' || lexer_byte(l, l->at) == '\t' || lexer_byte(l, l->at) == '\r')
         l->at++;
-    if (lexer_byte(l, l->at) == '\n' || lexer_byte(l, l->at) == '#' || l->at == l->src->len) {
+    if (l->at == l->src->len || strchr("\n#}", lexer_byte(l, l->at))) {
         diag_label(l->diags, d, DIAG_label_leave_out);
         diag_edit(l->diags, d, span, "");
+    } else {
+        diag_label(l->diags, d, DIAG_label_own_line);
     }
 }
 

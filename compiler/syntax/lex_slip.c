@@ -63,6 +63,12 @@ static bool is_quote(uint32_t code)
     return code == '"' || code == '\'' || (code >= 0x2018 && code <= 0x201f) || code == 0xab || code == 0xbb;
 }
 
+// A dash and >.
+static bool is_long_arrow(const Lexer *l, uint32_t at, uint32_t len, size_t like)
+{
+    return like < NO_LOOKALIKE && lookalikes[like].kind == TOK_MINUS && lexer_byte(l, at + len) == '>';
+}
+
 static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
 {
     const char *shown = utf8_is_hidden(code) || code == 0xa0 ? format_in(l->diags->arena, "U+%04X", (unsigned)code)
@@ -73,7 +79,15 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
 
     if (!ascii && !first_on_line(l))
         return;
+    if (is_long_arrow(l, at, len, like)) {
+        ascii = "->";
+        len++;
+    }
     d = diag_report(l->diags, DIAG_not_ascii, lexer_span(l, at, len), shown);
+    if (!ascii && l->last == TOK_NUMBER && !l->first)
+        diag_label(l->diags, d, DIAG_label_no_unit);
+    else if (lex_slip_letter(l, at))
+        diag_label(l->diags, d, DIAG_label_name_ascii);
     if (!ascii)
         return;
     if (*ascii == ' ' && !ascii[1])
@@ -94,8 +108,9 @@ uint32_t lex_slip_byte(Lexer *l, uint32_t at)
         return (uint32_t)len;
     }
     if (first_on_line(l))
-        diag_report(l->diags, DIAG_not_utf8, lexer_span(l, at, 1),
-                    format_in(l->diags->arena, "0x%02X", (unsigned)(unsigned char)l->src->text[at]));
+        diag_label(l->diags, diag_report(l->diags, DIAG_not_utf8, lexer_span(l, at, 1),
+                                         format_in(l->diags->arena, "0x%02X", (unsigned)(unsigned char)l->src->text[at])),
+                   DIAG_label_text, "save the file as UTF-8");
     return 1;
 }
 
@@ -171,8 +186,13 @@ static void lex_string(Lexer *l, Token *t, uint32_t quote_len)
         lex_reason(l, t, quote_len);
         return;
     }
-    if (first_on_line(l))
-        diag_report(l->diags, DIAG_string, lexer_span(l, l->at, p + closing - l->at));
+    if (first_on_line(l)) {
+        Diag *d = diag_report(l->diags, DIAG_string, lexer_span(l, l->at, p + closing - l->at));
+        if (l->last == TOK_ARROW && is_identifier(l->src->text + l->at + quote_len, p - l->at - quote_len)) {
+            diag_label(l->diags, d, DIAG_label_write, lexer_text(l, l->at + quote_len, p));
+            diag_edit(l->diags, d, lexer_span(l, l->at, p + closing - l->at), lexer_text(l, l->at + quote_len, p));
+        }
+    }
     lexer_finish(l, t, TOK_ERROR, p + closing);
 }
 
@@ -181,12 +201,13 @@ static bool lex_lookalike(Lexer *l, Token *t, uint32_t code)
 {
     size_t like = lookalike_of(code);
     uint32_t len = lex_slip_byte(l, l->at);
+    const bool arrow = is_long_arrow(l, l->at, len, like);
 
     if (like == NO_LOOKALIKE || lookalikes[like].kind == TOK_END) {
         l->at += len;
         return false;
     }
-    lexer_finish(l, t, lookalikes[like].kind, l->at + len);
+    lexer_finish(l, t, arrow ? TOK_ARROW : lookalikes[like].kind, l->at + len + arrow);
     return true;
 }
 

@@ -37,7 +37,7 @@ const char *lex_slip_no_text(const Source *s);
 // ---- lex_foreign.c ----
 
 bool lex_slip_is_remark(const Lexer *l);                        // the -- or % here begins one
-void lex_slip_comment(Lexer *l);                                // skips `// ...`, `/* ... */`, `-- ...` and `% ...`
+bool lex_slip_comment(Lexer *l, Token *t);                      // skips `// ...`, `/* ... */`, `-- ...` and `% ...`; true: `//` divided
 bool lex_slip_state(Lexer *l, Token *t);                        // `state Hold:` for [Hold]; true if it was
 bool lex_slip_range(Lexer *l, Token *t);                        // @range [0, 5] behind an annotation; true if it gave a token
 bool lex_slip_bars(Lexer *l, Token *t);                         // |x|; true if it gave a token

@@ -252,7 +252,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
     AstStmts ignored = {0};
     size_t errors = p->diags->errors;
     bool told = p->tok.kind == TOK_ERROR;
-    const bool assigns = p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN;
+    const bool assigns = p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN, colon = p->tok.kind == TOK_COLON;
     Span here = parser_here(p);
     Diag *d = NULL;
 
@@ -264,7 +264,11 @@ static void parse_unlabelled(Parser *p, AstSection *s)
     if (p->diags->errors == errors && !told)
         d = parser_report(p, DIAG_code_before_label, here, s->name->text);
     parse_block(p, &ignored);
-    if (d && assigns && p->tok.kind != TOK_LABEL)
+    if (d && colon)
+        diag_label(p->diags, d, DIAG_label_leave_out);
+    else if (d && p->tok.kind == TOK_LABEL)
+        diag_label(p->diags, d, DIAG_label_text, "put it behind a label: .entry is run once, .step in every step, .exit at the end");
+    else if (d && assigns)
         diag_label(p->diags, d, DIAG_label_text, "a list of constants is [local], each with its type: F64 limit = 3");
 }
 

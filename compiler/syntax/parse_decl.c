@@ -15,6 +15,14 @@ static const struct { const char *word, *type; } foreign_types[] = {
     {"int8", "I8"}, {"int16", "I16"}, {"int32", "I32"}, {"int64", "I64"}, {"uint8", "U8"}, {"uint16", "U16"},
     {"uint32", "U32"}, {"uint64", "U64"}};
 
+const char *parse_foreign_type(const char *word)
+{
+    for (size_t i = 0; i < sizeof foreign_types / sizeof *foreign_types; i++)
+        if (strcmp(word, foreign_types[i].word) == 0)
+            return foreign_types[i].type;
+    return NULL;
+}
+
 static const char *nearest_type(const char *word)
 {
     static const char *const types[] = {
@@ -23,10 +31,9 @@ static const char *nearest_type(const char *word)
 #undef SM_TYPE
     };
 
-    for (size_t i = 0; i < sizeof foreign_types / sizeof *foreign_types; i++)
-        if (strcmp(word, foreign_types[i].word) == 0)
-            return foreign_types[i].type;
-    return nearest_word(word, types, sizeof types / sizeof *types);
+    const char *type = parse_foreign_type(word);
+
+    return type ? type : nearest_word(word, types, sizeof types / sizeof *types);
 }
 
 static void unknown_type(Parser *p)
@@ -173,7 +180,7 @@ static void parse_decl(Parser *p, AstSection *s)
     AstDecl d = {0};
 
     slip_const(p);
-    d.type = p->tok.type;
+    d.type = p->tok.kind == TOK_TYPE ? p->tok.type : SM_TYPE_COUNT;
     d.type_span = parser_here(p);
     if (p->tok.kind == TOK_TYPE)
         parser_next(p);

@@ -100,10 +100,23 @@ bool slip_operand(Parser *p, AstExpr *name)
     return true;
 }
 
-void slip_infix(Parser *p)
+// `=` where two values are compared; `=!` was to be `!=`, or not.
+void slip_assign(Parser *p, Span sign)
 {
     Diag *d;
 
+    if (p->lex.src->text[sign.at + 1] == '!') {
+        sign.len = 2;
+        diag_label(p->diags, parser_report(p, DIAG_absent_operator, sign, "=!"), DIAG_label_did_you_mean, "!=");
+        return;
+    }
+    d = parser_report(p, DIAG_assign_in_guard, sign);
+    diag_label(p->diags, d, DIAG_label_write, "==");
+    diag_edit(p->diags, d, sign, "==");
+}
+
+void slip_infix(Parser *p)
+{
     if (p->tok.kind == TOK_NAME) {
         size_t row = infix_row(p);
         if (row < NO_INFIX)
@@ -114,9 +127,7 @@ void slip_infix(Parser *p)
         return;
     if (p->last.first && p->parens)                    // a new statement: the parenthesis before was never closed
         return;
-    d = parser_report(p, DIAG_assign_in_guard, parser_here(p));
-    diag_label(p->diags, d, DIAG_label_write, "==");
-    diag_edit(p->diags, d, parser_here(p), "==");
+    slip_assign(p, parser_here(p));
     p->tok.kind = TOK_EQ;
 }
 
@@ -225,6 +236,9 @@ void slip_missing_value(Parser *p, Diag *d)
         skip_continuation(p);
     } else if ((p->last.kind == TOK_AND || p->last.kind == TOK_OR) && is_comparison(p->tok.kind)) {
         diag_label(p->diags, d, DIAG_label_repeat_name, parser_text(p, parser_here(p)));
+    } else if (p->tok.kind == TOK_IF && p->last.kind == TOK_IF) {
+        diag_label(p->diags, d, DIAG_label_leave_out);
+        diag_edit(p->diags, d, (Span){p->lex.src, p->last.at, p->tok.at - p->last.at}, "");
     } else if (p->tok.kind == TOK_IF) {
         diag_label(p->diags, d, DIAG_label_text, lex_no_choice);
         if (!p->ahead.first)
@@ -274,7 +288,7 @@ static bool unit_after_number(const Parser *p)
 // x = true, y = true; x = true y = true; x = true -> Idle
 static bool begins_statement(const Parser *p)
 {
-    return p->tok.kind == TOK_ARROW || (p->tok.kind == TOK_COMMA && p->ahead.kind == TOK_NAME) ||
+    return p->tok.kind == TOK_ARROW || (p->tok.kind == TOK_COMMA && (p->ahead.kind == TOK_NAME || p->ahead.kind == TOK_ARROW)) ||
            (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN && !p->ahead.first);
 }
 
@@ -308,6 +322,10 @@ void slip_at_end(Parser *p)
         diag_label(p->diags, d, DIAG_label_own_line);
     else if (p->tok.kind == TOK_COLON)
         diag_label(p->diags, d, DIAG_label_text, "one statement behind ':'; several stand in braces, each on a line of its own");
+    else if (p->tok.kind == TOK_LPAREN && p->last.kind == TOK_ANNOTATION)
+        diag_label(p->diags, d, DIAG_label_write, parser_text(p, parser_span(p, &p->last)));
     else if (p->tok.kind == TOK_LPAREN)
         diag_label(p->diags, d, DIAG_label_text, "to multiply, write *");
+    else if (p->tok.kind == TOK_NUMBER && p->last.kind == TOK_NUMBER && p->tok.len == 3)
+        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s%s", parser_text(p, parser_span(p, &p->last)), parser_text(p, parser_here(p))));
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slips in statements: a guard without its body, a value where a statement should be, statements of other languages.  See parse_slip.c.
+#include <string.h>
+
 #include "compiler/syntax/parser.h"
 
 // ---- expressions that stand alone ----
@@ -10,9 +12,11 @@ static bool unit_in_guard(Parser *p)
     if (p->last.kind != TOK_NUMBER || p->tok.kind != TOK_NAME ||
         (p->ahead.kind != TOK_COLON && p->ahead.kind != TOK_LBRACE))
         return false;
+    p->failed = true;
+    if (p->lex.src->text[p->tok.at] & 0x80)            // 5°: it has been spoken of
+        return true;
     diag_label(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
                DIAG_label_no_unit);
-    p->failed = true;
     return true;
 }
 
@@ -33,9 +37,29 @@ static void colon_word(Parser *p)
         parser_next(p);
 }
 
+// The word or number behind blanks at *at, which is moved behind it; empty: there is none.
+static const char *take_word(const Parser *p, uint32_t *at)
+{
+    const char *text = p->lex.src->text;
+    uint32_t from, end;
+
+    for (from = *at; text[from] == ' '; from++)
+        ;
+    for (end = from; is_letter(text[end]) || is_digit(text[end]) || text[end] == '.'; end++)
+        ;
+    *at = end;
+    return parser_text(p, (Span){p->lex.src, from, end - from});
+}
+
+// x between a and b, with `between` at hand.
 static const char *between_text(const Parser *p, const AstExpr *e)
 {
-    return format_in(p->arena, "write 3 <= %s <= 5", parser_text(p, e->span));
+    uint32_t at = p->ahead.at;
+    const char *lo = take_word(p, &at);
+    const bool known = strcmp(take_word(p, &at), "and") == 0;
+    const char *hi = known ? take_word(p, &at) : "";
+
+    return format_in(p->arena, "write %s <= %s <= %s", *hi ? lo : "3", parser_text(p, e->span), *hi ? hi : "5");
 }
 
 // Something follows the guard on its line that is no statement: a colon would not help.
@@ -85,9 +109,8 @@ static bool missing_colon(Parser *p, AstExpr *e)
 static void assign_to_expression(Parser *p, const AstExpr *e)
 {
     if (slip_is_guard(p)) {
-        Diag *d = parser_fail(p, DIAG_assign_in_guard, parser_here(p));
-        diag_label(p->diags, d, DIAG_label_write, "==");
-        diag_edit(p->diags, d, parser_here(p), "==");
+        slip_assign(p, parser_here(p));
+        p->failed = true;
     } else {
         parser_fail(p, DIAG_assign_target, e->span, parser_text(p, e->span));
     }
@@ -107,7 +130,12 @@ static void no_effect(Parser *p, AstExpr *e)
     if (e->alone)
         return;
     d = parser_report(p, DIAG_no_effect, e->span);
-    if (e->kind == AST_BINARY && e->op == SM_OP_EQ && e->a->kind == AST_NAME)
+    if (p->tok.kind == TOK_AND || p->tok.kind == TOK_OR) {         // the next line goes on
+        diag_label(p->diags, d, DIAG_label_line_break);
+        do
+            parser_next(p);
+        while (!p->tok.first && p->tok.kind != TOK_RBRACE);
+    } else if (e->kind == AST_BINARY && e->op == SM_OP_EQ && e->a->kind == AST_NAME)
         diag_label(p->diags, d, DIAG_label_store,
                    format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
     else
@@ -139,7 +167,8 @@ void slip_expression(Parser *p, AstExpr *e, bool has_if)
     else if (!parser_at_end_of_statement(p))
         slip_at_end(p);
     else if (has_if)
-        parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
+        diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p)), DIAG_label_text,
+                   "insert '{', and write '}' below the statements that depend on it");
     else
         no_effect(p, e);
 }
@@ -229,6 +258,8 @@ void slip_op_assign(Parser *p, Span name)
                format_in(p->arena, "%s = %s %c ...", parser_text(p, name), parser_text(p, name), sign[0]));
 }
 
+static const char wait_text[] = "compare the time in the state: T >= 100: ...";
+
 typedef enum SlipDoes { SLIP_IF, SLIP_ELSE, SLIP_ARROW, SLIP_DROP, SLIP_SKIP } SlipDoes;
 
 // `does`: what the word is taken for; SKIP: the statement is given up.
@@ -244,9 +275,7 @@ static const struct { const char *word; SlipDoes does; const char *say; } slips[
     {"loop", SLIP_SKIP, "there are no loops: .step is run again at every step"},
     {"switch", SLIP_SKIP, "write it as if ... else if ... else"}, {"case", SLIP_SKIP, "write it as if ... else if ... else"},
     {"return", SLIP_SKIP, "put what follows into an else"}, {"break", SLIP_SKIP, "put what follows into an else"},
-    {"wait", SLIP_SKIP, "compare the time in the state: T >= 100: ..."},
-    {"delay", SLIP_SKIP, "compare the time in the state: T >= 100: ..."},
-    {"sleep", SLIP_SKIP, "compare the time in the state: T >= 100: ..."},
+    {"wait", SLIP_SKIP, wait_text}, {"delay", SLIP_SKIP, wait_text}, {"sleep", SLIP_SKIP, wait_text},
     {"end", SLIP_SKIP, "braces are closed with }"}, {"endif", SLIP_SKIP, "braces are closed with }"},
     {"assert", SLIP_SKIP, "it is written @assert"}, {"stop", SLIP_SKIP, "it is written @stop"}};
 
@@ -287,6 +316,32 @@ static void replace_arrow(Parser *p)
     p->tok.kind = TOK_ARROW;
 }
 
+// wait(200), sleep 200: with that number.
+static const char *waited(const Parser *p)
+{
+    uint32_t at = p->ahead.at + (p->ahead.kind == TOK_LPAREN);
+    const char *number = p->ahead.first ? "" : take_word(p, &at);
+
+    return is_digit(*number) ? format_in(p->arena, "compare the time in the state: T >= %s: ...", number) : wait_text;
+}
+
+// for (...; ...; ...): what stands in the parentheses has been spoken of.
+static void skip_header_of_loop(Parser *p)
+{
+    const char *text = p->lex.src->text;
+    uint32_t at = p->ahead.at, depth = 0;
+
+    if (p->ahead.kind != TOK_LPAREN || p->ahead.first)
+        return;
+    for (; text[at] && text[at] != '\n'; at++) {
+        depth += text[at] == '(' ? 1u : 0;
+        if (text[at] == ')' && --depth == 0) {
+            p->lex.at = at;
+            return;
+        }
+    }
+}
+
 static bool apply_slip(Parser *p, SlipDoes does, const char *say)
 {
     Diag *d;
@@ -298,7 +353,8 @@ static bool apply_slip(Parser *p, SlipDoes does, const char *say)
     case SLIP_DROP:  break;
     case SLIP_SKIP:
         d = parser_fail(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
-        diag_label(p->diags, d, DIAG_label_text, say);
+        diag_label(p->diags, d, DIAG_label_text, say == wait_text ? waited(p) : say);
+        skip_header_of_loop(p);
         parser_next(p);
         return true;
     }
@@ -309,11 +365,22 @@ static bool apply_slip(Parser *p, SlipDoes does, const char *say)
     return false;
 }
 
+// U8 x, int x, const U8 x
+static bool is_decl(const Parser *p)
+{
+    const bool name = p->ahead.kind == TOK_NAME, type = p->ahead.kind == TOK_TYPE;
+
+    if (p->ahead.first || (!name && !type))
+        return false;
+    return (p->tok.kind == TOK_TYPE && name) || (p->tok.kind == TOK_NAME && (name ? parse_foreign_type(p->tok.text->text) != NULL
+                                                                              : slip_is_word(&p->tok, "const") || slip_is_word(&p->tok, "var")));
+}
+
 bool slip_statement(Parser *p)
 {
     if (slip_remark(p))
         return true;
-    if (p->tok.kind == TOK_TYPE && p->ahead.kind == TOK_NAME && !p->ahead.first) {
+    if (is_decl(p)) {
         misplaced_decl(p);
         return true;
     }

@@ -159,10 +159,7 @@ static void parse_if(Parser *p, AstStmts *into, AstExpr *guard);
 // `x = 5: …` was meant to compare.
 static void assignment_as_guard(Parser *p, AstStmts *into, AstStmt *s, Span sign)
 {
-    Diag *d = parser_report(p, DIAG_assign_in_guard, sign);
-
-    diag_label(p->diags, d, DIAG_label_write, "==");
-    diag_edit(p->diags, d, sign, "==");
+    slip_assign(p, sign);
     into->n--;
     parse_if(p, into, s->value);
 }
@@ -285,6 +282,7 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
     parser_next(p);
     if (p->tok.kind == TOK_LBRACE) {
         Diag *d = parser_report(p, DIAG_colon_and_braces, colon);
+        diag_label(p->diags, d, DIAG_label_text, "leave the ':' out");
         diag_edit(p->diags, d, colon, "");
         *braces = true;
         parse_braces(p, into, span);

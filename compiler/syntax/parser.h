@@ -62,6 +62,7 @@ AstExpr *parse_expr(Parser *p, bool is_guard);          // begins with the next 
 AstExpr *parse_value_of(Parser *p, bool is_guard);      // the same, but must begin on this line
 void parse_block(Parser *p, AstStmts *into);            // statements up to }, a label, a header or the end
 void parse_decls(Parser *p, AstSection *s);
+const char *parse_foreign_type(const char *word);       // the type that another language calls so, or NULL
 void parse_options(Parser *p, AstSection *s);
 // All annotations that come, of what is called `owner`.
 void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, AstAnnotations *into);
@@ -80,6 +81,7 @@ void skip_line(Parser *p);                              // to the next line, hea
 
 void slip_prefix(Parser *p);                            // NOT x
 void slip_infix(Parser *p);                             // x AND y, x = y in a guard
+void slip_assign(Parser *p, Span sign);                 // reports the = of such a guard
 bool slip_choice(const Parser *p);                      // IF(a; b; c)
 bool slip_operand(Parser *p, AstExpr *name);            // abs x, behind the name; true when reported
 bool slip_remark(Parser *p);                            // -- x, where no expression can stand; true when reported

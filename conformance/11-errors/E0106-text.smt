@@ -10,3 +10,4 @@ F64 p
 .step
     x = "open"      #! E0106 quotes
     x == 'a': x = 1   #! E0106 quotes
+    x > 3: -> "Hold"    #! E0106 quotes

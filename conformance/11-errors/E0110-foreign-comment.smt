@@ -12,3 +12,5 @@ F64 p
     x = 2    /* one   #! E0110 not with '/*'
      two */
     x = 3
+    x = p // x      #! E0110 floor(a / b)
+    x = 4 // open the valve      #! E0110 begin the comment with #

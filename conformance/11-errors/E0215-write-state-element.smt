@@ -6,4 +6,5 @@ U32 state @alias S
 [Hold]
 .step
     S = 1             #! E0215 number of the state
-    state = 1         #! E0215
+    state = 1         #! E0215 write -> Hold
+    S = 2             #! E0215

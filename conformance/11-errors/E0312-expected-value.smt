@@ -18,3 +18,4 @@ F64 p
     x = max(p, )        #! E0312 after ','
     x = ()              #! E0312 after '('
     x = not             #! E0312 after 'not'
+    if if p > 1: x = 1  #! E0312 leave it out

@@ -1,4 +1,4 @@
-# Assignments that change nothing are taken away where they have a line to themselves, and constants are marked as such.
+# Constants are marked as such. Assignments that change nothing are left to who knows what was meant.
 args fix app.sm
 args check app.sm
 
@@ -51,6 +51,8 @@ F64 b = ((2 +
 F64 c = a + b @read_only
 [Hold]
 .entry
+    x = x
+    y = 1
     y = 2   # two
 .step
     p > a: y = y
@@ -58,10 +60,12 @@ F64 c = a + b @read_only
         v = v
     }
     p > c {
-        # why
+        v = v   # why
+        x = 1
         @allow(not-precedence, "it is meant")
         x = not v + 2
     }
+    x = x
     x = 5
 -- stdout --
 app.sm:9:
@@ -72,37 +76,55 @@ app.sm:12:
   - F64 c = a + b
   +   ) @read_only
   + F64 c = a + b @read_only
-app.sm:16:
-  -     x = x
-  -     y = 1
-app.sm:25:
-  -         v = v   # why
-  -         x = 1
-  +         # why
 app.sm:30:
   -     @allow(dead-code, "x")
-  -     x = x
-app.sm: 10 fixed
+app.sm: 5 fixed
 -- stderr --
-app.sm:18:12: warning: 'y' is assigned to itself [W0412 self-assignment]
-   18 |     p > a: y = y
+app.sm:16:5: warning: 'x' is assigned to itself [W0412 self-assignment]
+   16 |     x = x
+      |     ^~~~~
+app.sm:17:5: warning: what is stored in 'y' here is overwritten before anything reads it [W0410 dead-store]
+   17 |     y = 1
+      |     ^~~~~
+app.sm:18:5: note: it is overwritten here
+app.sm:20:12: warning: 'y' is assigned to itself [W0412 self-assignment]
+   20 |     p > a: y = y
       |            ^~~~~
-app.sm:20:9: warning: 'v' is assigned to itself [W0412 self-assignment]
-   20 |         v = v
+app.sm:22:9: warning: 'v' is assigned to itself [W0412 self-assignment]
+   22 |         v = v
       |         ^~~~~
-app.sm:25:9: warning: what is stored in 'x' here is overwritten before anything reads it [W0410 dead-store]
-   25 |         x = not v + 2
-      |         ^~~~~~~~~~~~~
-app.sm:27:5: note: it is overwritten here
-3 warnings
-app.sm:18:12: warning: 'y' is assigned to itself [W0412 self-assignment]
-   18 |     p > a: y = y
+app.sm:25:9: warning: 'v' is assigned to itself [W0412 self-assignment]
+   25 |         v = v   # why
+      |         ^~~~~
+app.sm:26:9: warning: what is stored in 'x' here is overwritten before anything reads it [W0410 dead-store]
+   26 |         x = 1
+      |         ^~~~~
+app.sm:28:9: note: it is overwritten here
+app.sm:30:5: warning: 'x' is assigned to itself [W0412 self-assignment]
+   30 |     x = x
+      |     ^~~~~
+7 warnings
+app.sm:16:5: warning: 'x' is assigned to itself [W0412 self-assignment]
+   16 |     x = x
+      |     ^~~~~
+app.sm:17:5: warning: what is stored in 'y' here is overwritten before anything reads it [W0410 dead-store]
+   17 |     y = 1
+      |     ^~~~~
+app.sm:18:5: note: it is overwritten here
+app.sm:20:12: warning: 'y' is assigned to itself [W0412 self-assignment]
+   20 |     p > a: y = y
       |            ^~~~~
-app.sm:20:9: warning: 'v' is assigned to itself [W0412 self-assignment]
-   20 |         v = v
+app.sm:22:9: warning: 'v' is assigned to itself [W0412 self-assignment]
+   22 |         v = v
       |         ^~~~~
-app.sm:25:9: warning: what is stored in 'x' here is overwritten before anything reads it [W0410 dead-store]
-   25 |         x = not v + 2
-      |         ^~~~~~~~~~~~~
-app.sm:27:5: note: it is overwritten here
-3 warnings
+app.sm:25:9: warning: 'v' is assigned to itself [W0412 self-assignment]
+   25 |         v = v   # why
+      |         ^~~~~
+app.sm:26:9: warning: what is stored in 'x' here is overwritten before anything reads it [W0410 dead-store]
+   26 |         x = 1
+      |         ^~~~~
+app.sm:28:9: note: it is overwritten here
+app.sm:30:5: warning: 'x' is assigned to itself [W0412 self-assignment]
+   30 |     x = x
+      |     ^~~~~
+7 warnings
