@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Waiting for one exact moment: T, G, or a local that is reckoned from them, compared by == or != with a moment that steps may
-// jump over.  Zero is none: T == 0 is a state's first step, G == start the step in which start was noted.
+// jump over.  Zero is none: T == 0 is a state's first step, G == start the step in which start was noted.  And limits of T that are
+// shorter than a step, or no whole numbers: seconds were meant where milliseconds are counted.
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/moments.h"
 #include "stdlib/math.h"
@@ -23,12 +24,48 @@ static bool never_is(const Expr *time, const Expr *other)
     return time->kind == EX_VAR && !sm_eq(x, sm_floor(x));
 }
 
+// Whether a limit x of T tells steps apart as nobody wants to.  T >= 1 and T < 1 (`behind`) is about the first step.
+static bool is_short(const Look *k, SmF64 x, bool behind)
+{
+    const SmF64 one = sm_from_i32(1);
+
+    if (!sm_lt(sm_from_i32(0), x) || !sm_lt(x, sm_from_i32(1000)))
+        return false;
+    return !sm_eq(x, sm_floor(x)) || (sm_lt(x, sm_from_u64(k->a->step)) && !(behind && sm_eq(x, one)));
+}
+
+static void look_at_limit(Look *k, const Expr *whole, const Expr *time, SmOperator op, const Expr *other)
+{
+    const bool behind = op == SM_OP_GE || op == SM_OP_LT;
+    SmF64 x;
+    Diag *d;
+
+    if (op == SM_OP_EQ || op == SM_OP_NE || time->kind != EX_VAR || time->var != k->a->p->t || !expr_is_constant(other) ||
+        !is_short(k, x = const_eval(other), behind))
+        return;
+    d = diag_report(k->a->diags, DIAG_short_time, whole->span, const_text(k->a->arena, x),
+                    sm_eq(x, sm_floor(x)) ? format_in(k->a->arena, "advances by %llu in each step", (unsigned long long)k->a->step) : "is a whole number");
+    if (k->a->p->g)
+        diag_label(k->a->diags, d, DIAG_label_seconds, const_text(k->a->arena, sm_mul(x, sm_from_i32(1000))), k->a->p->g->name->text);
+}
+
+static void look_at_limits(Look *k, const Expr *e)
+{
+    for (uint32_t i = 0; i + 1 < e->n; i++) {
+        const SmOperator op = e->kind == EX_CHAIN ? expr_ops(e)[i] : e->op;
+        look_at_limit(k, e, e->arg[i], op, e->arg[i + 1]);
+        look_at_limit(k, e, e->arg[i + 1], relation_mirrored(op), e->arg[i]);
+    }
+}
+
 static void look_at_expr(Expr *e, void *context)
 {
     Look *k = context;
     const Expr *time, *other;
     TimeSum s;
 
+    if (e->kind == EX_CHAIN || (e->kind == EX_BINARY && sm_op_info[e->op].op_class == SM_CLASS_RELATION))
+        look_at_limits(k, e);
     if (e->kind != EX_BINARY || (e->op != SM_OP_EQ && e->op != SM_OP_NE))
         return;
     time = e->arg[0];
@@ -45,7 +82,7 @@ static void look_at_expr(Expr *e, void *context)
 
 static void look_at_stmt(const Stmt *stmt, void *context)
 {
-    if (stmt->operators & EQUALITIES)
+    if (stmt->operators & COMPARISONS)
         expr_walk(stmt->value, look_at_expr, context);
 }
 
@@ -53,7 +90,7 @@ void analyse_moment(Analysis *a)
 {
     Look k;
 
-    if (!(a->p->operators & EQUALITIES))
+    if (!(a->p->operators & COMPARISONS))
         return;
     k = (Look){a, moments_of(a->arena, a->p)};
     each_stmt(a->p, look_at_stmt, &k);

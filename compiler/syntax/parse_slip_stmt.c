@@ -12,11 +12,10 @@ static bool unit_in_guard(Parser *p)
     if (p->last.kind != TOK_NUMBER || p->tok.kind != TOK_NAME ||
         (p->ahead.kind != TOK_COLON && p->ahead.kind != TOK_LBRACE))
         return false;
+    if (!(p->lex.src->text[p->tok.at] & 0x80))         // 5° has been spoken of
+        diag_label(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
+                   DIAG_label_no_unit);
     p->failed = true;
-    if (p->lex.src->text[p->tok.at] & 0x80)            // 5°: it has been spoken of
-        return true;
-    diag_label(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
-               DIAG_label_no_unit);
     return true;
 }
 

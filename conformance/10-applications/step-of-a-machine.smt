@@ -26,4 +26,4 @@ F32  wind   @read_only
     T > 6000 and roll_avg(wind, 62) < 4: -> Load
 [Load]
 .step
-    T > 20: -> Hold
+    T > 200: -> Hold

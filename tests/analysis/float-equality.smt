@@ -19,7 +19,7 @@ F32 short = 0.1 @read_only
     x == tenth: -> Hold       #! W0413
     n == 2.5: -> Hold         #! W0414 whole number and is never 2.5
     n != 0.5: y = 2           #! W0414
-    T == 2.5: -> Hold         #! W0414 #! W0408
+    T == 2.5: -> Hold         #! W0414
     roll_min(x, 3) == 0.1: -> Hold    #! W0413 'roll_min(x, 3)'
     x == short: -> Hold
     x == 0.5: -> Hold

@@ -1,5 +1,5 @@
 # Where it is known how far time advances in a step, a limit to T is so many steps: 6000 are 60 of 100.
-warn window-not-full
+warn window-not-full no-time-unit
 advance 100
 -- app.sm --
 [state_vector]
