@@ -78,11 +78,12 @@ const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact)
 
 static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, uint32_t var, const FactLimits *widen)
 {
-    const SmType type = s->m->var.at[var].type;
+    SmType type;
     Fact r;
 
-    if (a == b || !a || !b)
+    if (a == b || !a || !b)                // as behind the last variable
         return a && b ? a : NULL;
+    type = s->m->var.at[var].type;
     r = fact_join(*a, *b);
     if (fact_equal(r, *a))
         return a;
