@@ -69,6 +69,13 @@ static bool assigns_state(Sema *s, const Var *v, const AstStmt *in)
     return true;
 }
 
+// 2.14, 8: who writes x = 0/0 into a script wants to see what a broken sensor does, and sees a 0.  (Of machines an analysis tells it.)
+static void warn_of_nan(Sema *s, const Var *v, const Expr *value)
+{
+    if (expr_is_constant(value) && sm_is_nan(const_eval(value)))
+        diag_report(s->diags, DIAG_stores_nan, value->span, v->name->text);
+}
+
 static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
 {
     Diag *d;
@@ -99,6 +106,8 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
     s->knows |= v != NULL;
     out->var = v;
     check_value(s, in, out);
+    if (good && s->in_script && out->value)
+        warn_of_nan(s, v, out->value);
     return good && out->value ? out : NULL;
 }
 

@@ -21,10 +21,10 @@ delta_t 1
 [all_states]
 true {
     d = 5
-    d = 0/0
-    f = -(0/0)
-    n = 0/0
-    p = 0/0
+    d = 0/0    #! W0409
+    f = -(0/0)    #! W0409
+    n = 0/0    #! W0409
+    p = 0/0    #! W0409
     @assert 1 / d == 1/0
     @assert 1 / f == 1/0
     @assert n == 0

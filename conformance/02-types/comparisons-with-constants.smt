@@ -388,8 +388,8 @@ G == 15 {
     @assert d_msmall == 3
 }
 G == 16 {
-    f = 0/0
-    d = 0/0
+    f = 0/0    #! W0409
+    d = 0/0    #! W0409
     @assert f_zero == 10
     @assert d_zero == 10
     @assert f_five == 3
