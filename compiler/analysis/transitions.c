@@ -141,3 +141,24 @@ const char *condition_text(Arena *arena, const Condition *when)
     }
     return buf_text(&out);
 }
+
+const char *condition_brief(Arena *arena, const Condition *when)
+{
+    const Condition *shown[CONDITIONS_SHOWN];
+    size_t n = 0;
+    Buf out;
+
+    buf_init(&out, arena);
+    for (; when && n < CONDITIONS_SHOWN; when = when->outer)
+        if (when->holds || n == 0 || shown[n - 1]->holds)              // else else: one will do
+            shown[n++] = when;
+    for (size_t i = n; i-- > 0;) {
+        if (shown[i]->holds)
+            put_condition(arena, &out, shown[i], i == 0);
+        else
+            buf_str(&out, "else");
+        if (i > 0)
+            buf_str(&out, shown[i]->holds && shown[i - 1]->holds ? " and " : ", ");
+    }
+    return buf_text(&out);
+}

@@ -43,5 +43,7 @@ size_t *transitions_by_state(Arena *arena, const Program *p, const Transitions *
 const char *source_text(Arena *arena, Span span);
 // "pressure > 800 and not (valveOpen)", outermost first; "" of NULL.  Of more than a few, the innermost with "… and" before them.
 const char *condition_text(Arena *arena, const Condition *when);
+// In less room: "else" stands for those that must not hold.
+const char *condition_brief(Arena *arena, const Condition *when);
 
 #endif

@@ -41,6 +41,9 @@ for part in '<rect class="s0" x="64" y="0" width="266.9" height="22"/>' '<rect c
     '<circle class="begin" cx="330.9" cy="98.9"' '<circle class="begin" cx="375.1" cy="98.9"'; do
     grep -qF -- "$part" rare.svg && ok || no "rare.svg: no $part"
 done
+"$smc" log rare.log | grep -q 'f32 .* 0 .. 9, from 0 to 9, nan in 2 records' && ok || no "records of what is no number are not told"
+"$smc" log rare.log --format svg f32 >nan.svg && grep -q 'no number (nan) where the line is broken' nan.svg &&
+    grep -q 'class="trace" d="M64 [^M]*M[^M]*"' nan.svg && ok || no "the line of what is no number has no gap"
 "$smc" log rare.log | grep -q 'started; what was kept of the state vector could not be used' && ok || no "a kept vector that was not used is not told"
 
 "$smc" log flight.log -o out.csv 2>err && head -1 out.csv | grep -q '^seconds,time,state' && ok || no "the format is not taken from the ending"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The flight log in the simulation, from the step to what `smc log` reads: what was logged and only that comes back, whatever the medium
 // does and whatever becomes of the file.
+#include <math.h>
 #include <setjmp.h>
 #include <stdlib.h>
 #include <time.h>
@@ -592,6 +593,7 @@ static int make_rare(const char *path)
             tell(SM_EVENT_STATE, 3, 1, 2, 302 * TICK);
             tell(SM_EVENT_STATE, 3, 2, 1, 352 * TICK);
         }
+        wide_sv.f32 = k == 3 || k == 4 ? NAN : (float)k;               // a sensor that fails, and comes back
         CHECK(step(100 * k, 0) == SM_OK && !sm_log_drain(&flight, PAL_SECOND));
     }
     CHECK(sm_log_close(&flight) == SM_OK);

@@ -40,9 +40,9 @@ static const char *unguarded(const Analysis *a, const Transition *t)
     return before && before->from == t->from && before->block == t->block ? "otherwise" : "at once";
 }
 
-static const char *guard_text(const Analysis *a, const Transition *t)
+static const char *guard_text(const Analysis *a, const Transition *t, const char *(*condition)(Arena *, const Condition *))
 {
-    const char *text = t->when ? condition_text(a->arena, t->when) : unguarded(a, t);
+    const char *text = t->when ? condition(a->arena, t->when) : unguarded(a, t);
 
     if (t->block != BLOCK_ENTRY)
         return text;
@@ -51,9 +51,11 @@ static const char *guard_text(const Analysis *a, const Transition *t)
 
 static void add_guard(const Analysis *a, DiagramEdge *e, const Transition *t)
 {
-    Guard g = {t, guard_text(a, t), {NULL, 0, 0}, a->stmt[t->stmt->number].reached, {NULL, 0, 0}, 0};
+    Guard g = {t, guard_text(a, t, condition_text), {NULL, 0, 0}, a->stmt[t->stmt->number].reached, {NULL, 0, 0}, 0};
 
     g.line = text_wrap(a->arena, g.text, GUARD_SIZE, GUARD_W, GUARD_LINES);
+    if (text_is_cut(&g.line))                      // what comes last decides, of an else if
+        g.line = text_wrap(a->arena, guard_text(a, t, condition_brief), GUARD_SIZE, GUARD_W, GUARD_LINES);
     e->possible = e->possible || g.possible;
     vec_push(a->arena, &e->guard, g);
 }

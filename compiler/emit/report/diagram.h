@@ -82,6 +82,7 @@ Diagram *diagram_of(const Analysis *a, const GraphOptions *o);
 int32_t text_width(const char *text, int32_t size, bool bold);
 // At most `lines` lines, none wider than w, broken before "and" and "or" where that fits.
 TextLines text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines);
+bool text_is_cut(const TextLines *lines);          // the last one ends with …
 // The text, or as much of its start as fits, and "…".
 const char *text_cut(Arena *arena, const char *text, int32_t size, bool bold, int32_t w);
 

@@ -118,3 +118,11 @@ TextLines text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, siz
     add_line(arena, &out, text_cut(arena, text, size, false, w), size);
     return out;
 }
+
+bool text_is_cut(const TextLines *lines)
+{
+    const char *last = lines->at[lines->n - 1].text;
+    const size_t n = strlen(last), tail = sizeof dots - 1;
+
+    return n >= tail && strcmp(last + n - tail, dots) == 0;
+}

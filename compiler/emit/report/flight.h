@@ -27,6 +27,8 @@ void flight_svg(const Flight *f, Buf *out);
 void flight_time(Buf *out, uint64_t ns);
 // "mission: Coast -> Recovery", "task engine fails: it is in use".
 void flight_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out);
+// As the log has it: NaN is NaN here, and not the 0 that machines read.
+double flight_number(SmType type, uint64_t cell);
 size_t flight_elements(const Flight *f, const LogDescription *d);
 const LogElement *flight_element(const Flight *f, const LogDescription *d, size_t i);
 

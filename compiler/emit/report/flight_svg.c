@@ -54,8 +54,10 @@ static void lay_out_time(Drawing *d)
 
 static void put_value(TraceBucket *b, double x, bool first)
 {
-    if (first)
+    if (first || b->first != b->first)
         *b = (TraceBucket){x, x, x, x};
+    if (x != x)                                   // the numbers of a slot are drawn
+        return;
     b->lo = x < b->lo ? x : b->lo;
     b->hi = x > b->hi ? x : b->hi;
     b->last = x;
@@ -69,10 +71,11 @@ static void fill(Drawing *d, TraceSeries *series, const LogElement *e)
         const LogItem *item = &d->s->item.at[i];
         if (item->kind == ITEM_RECORD) {
             const size_t slot = (size_t)slot_of(d, log_time(item));
-            const double x = trace_number(e->type, log_cell(item, e));
+            const double x = flight_number(e->type, log_cell(item, e));
             put_value(&series->at[slot], x, !filled[slot]);
             filled[slot] = true;
-            series->infinite = series->infinite || x - x != 0;
+            series->infinite = series->infinite || (x == x && x - x != 0);
+            series->nan = series->nan || x != x;
         }
     }
     for (uint64_t k = 1; k < d->t.steps; k++)             // where nothing was recorded it stays as it was

@@ -4,6 +4,8 @@
 
 #include "compiler/emit/report/flight.h"
 #include "compiler/emit/report/report.h"
+#include "compiler/emit/report/trace.h"
+#include "stdlib/convert.h"
 #include "stdlib/result.h"
 
 // ---- shared ----
@@ -165,31 +167,55 @@ static void put_events(const Flight *f, const LogSession *s, Buf *out)
 
 // ---- values ----
 
-typedef struct Extremes { uint64_t first, lo, hi, last; bool any; } Extremes;
+typedef struct Extremes { uint64_t first, lo, hi, last; bool any, number; uint64_t nans; } Extremes;        // lo, hi: of what is a number
+
+double flight_number(SmType type, uint64_t cell)
+{
+    unsigned char memory[8] = {0};
+    float f = 0;
+    double d = 0;
+
+    sm_cell_store(type, memory, cell);
+    if (type == SM_F32)
+        memcpy(&f, memory, sizeof f);
+    if (type == SM_F64)
+        memcpy(&d, memory, sizeof d);
+    return f != f ? (double)f : d != d ? d : trace_number(type, cell);
+}
 
 static void widen(Extremes *x, SmType type, uint64_t cell)
 {
-    const double value = trace_number(type, cell);
+    const double value = flight_number(type, cell);
 
     if (!x->any)
-        x->first = x->lo = x->hi = cell;
+        x->first = cell;
     x->any = true;
-    if (value < trace_number(type, x->lo))
-        x->lo = cell;
-    if (value > trace_number(type, x->hi))
-        x->hi = cell;
     x->last = cell;
+    if (value != value) {
+        x->nans++;
+        return;
+    }
+    if (!x->number || value < flight_number(type, x->lo))
+        x->lo = cell;
+    if (!x->number || value > flight_number(type, x->hi))
+        x->hi = cell;
+    x->number = true;
 }
 
 static void put_values(const Flight *f, const LogSession *s, const LogElement *e, Buf *out)
 {
-    Extremes x = {0, 0, 0, 0, false};
+    Extremes x = {0, 0, 0, 0, false, false, 0};
 
     for (size_t i = 0; i < s->item.n; i++)
         if (s->item.at[i].kind == ITEM_RECORD)
             widen(&x, e->type, log_cell(&s->item.at[i], e));
-    buf_printf(out, "    %-24s %-5s %s .. %s, from %s to %s\n", e->name, sm_type_info[e->type].spelling, report_cell(f->arena, e->type, x.lo),
-               report_cell(f->arena, e->type, x.hi), report_cell(f->arena, e->type, x.first), report_cell(f->arena, e->type, x.last));
+    buf_printf(out, "    %-24s %-5s ", e->name, sm_type_info[e->type].spelling);
+    if (x.number)
+        buf_printf(out, "%s .. %s, from %s to %s", report_cell(f->arena, e->type, x.lo), report_cell(f->arena, e->type, x.hi),
+                   report_cell(f->arena, e->type, x.first), report_cell(f->arena, e->type, x.last));
+    if (x.nans)
+        buf_printf(out, "%snan in %s", x.number ? ", " : "", count(f->arena, x.nans, "record", "records"));
+    buf_char(out, '\n');
 }
 
 static void put_session(const Flight *f, size_t number, const LogSession *s, Buf *out)

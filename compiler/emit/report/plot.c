@@ -161,7 +161,27 @@ static void put_grid(Plot *p, const Row *r)
     }
 }
 
-typedef struct Pen { Buf *out; long x, y; } Pen;
+typedef struct Pen { Buf *out; long x, y; bool down; } Pen;
+
+static void set_down(Pen *pen, long x, long y)
+{
+    if (pen->down)
+        return;
+    *pen = (Pen){pen->out, x, y, true};
+    buf_char(pen->out, 'M');
+    plot_tenths(pen->out, x);
+    buf_char(pen->out, ' ');
+    plot_tenths(pen->out, y);
+}
+
+static void lift(Pen *pen, long x)                    // up to x it stays
+{
+    if (!pen->down)
+        return;
+    buf_char(pen->out, 'H');
+    plot_tenths(pen->out, x);
+    pen->down = false;
+}
 
 static void draw_to(Pen *pen, long x, long y)         // along, then up or down
 {
@@ -180,21 +200,22 @@ static void draw_to(Pen *pen, long x, long y)         // along, then up or down
 static void put_trace(Plot *p, const Row *r)
 {
     const TraceBucket *b = r->s->at;
-    Pen pen = {p->out, PLOT_LEFT, y_of(r, b[0].first)};
+    Pen pen = {p->out, PLOT_LEFT, 0, false};
 
-    buf_str(p->out, "<path class=\"trace\" d=\"M");
-    plot_tenths(p->out, pen.x);
-    buf_char(p->out, ' ');
-    plot_tenths(p->out, pen.y);
+    buf_str(p->out, "<path class=\"trace\" d=\"");
     for (size_t i = 0; i < trace_buckets(p->t); i++) {
         const long x = plot_x(p->t, (double)(i * p->t->per));
+        if (b[i].first != b[i].first) {
+            lift(&pen, x);
+            continue;
+        }
+        set_down(&pen, x, y_of(r, b[i].first));
         draw_to(&pen, x, y_of(r, b[i].first));
         draw_to(&pen, x, y_of(r, b[i].lo));
         draw_to(&pen, x, y_of(r, b[i].hi));
         draw_to(&pen, x, y_of(r, b[i].last));
     }
-    buf_char(p->out, 'H');
-    plot_tenths(p->out, PLOT_RIGHT);
+    lift(&pen, PLOT_RIGHT);
     buf_str(p->out, "\"/>\n");
 }
 
@@ -204,6 +225,8 @@ static void put_circles(Plot *p, const Row *r)
 
     for (size_t i = 0; i < p->t->visit.n && p->t->visits <= MOST; i++) {
         const TraceVisit *v = &p->t->visit.at[i];
+        if (r->s->at[v->step / p->t->per].last != r->s->at[v->step / p->t->per].last)
+            continue;
         buf_str(p->out, "<circle class=\"begin\"");
         put_length(p->out, "cx", plot_x(p->t, v->place));
         put_length(p->out, "cy", y_of(r, r->s->at[v->step / p->t->per].last));
@@ -222,6 +245,8 @@ static void put_row(Plot *p, const TraceSeries *s, long top)
     put_circles(p, &r);
     if (s->infinite)
         plot_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "beyond all numbers at times");
+    else if (s->nan)
+        plot_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "no number (nan) where the line is broken");
 }
 
 // ---- a strip of a bool ----

@@ -151,6 +151,27 @@ Coverage report_coverage(const Report *r)
     return c;
 }
 
+// Which of them was made is not seen.
+static void put_shared_ways(const Report *r, Doc *d)
+{
+    const Transitions *t = &r->analysis.transition;
+    Buf out;
+
+    buf_init(&out, r->arena);
+    for (size_t i = 0; i < t->n; i++) {
+        size_t same = 0;
+        if (!is_first_way(t, i, &same) || same < 2)
+            continue;
+        buf_printf(&out, "%s from ^%s^ to ^%s^ (lines", out.n ? "," : "", t->at[i].from->name->text, t->at[i].to->name->text);
+        for (size_t k = i; k < t->n && t->at[k].from == t->at[i].from; k++)
+            if (t->at[k].to == t->at[i].to)
+                buf_printf(&out, "%s %lu", k == i ? "" : ",", (unsigned long)source_position(t->at[k].stmt->span.src, t->at[k].stmt->span.at).line);
+        buf_char(&out, ')');
+    }
+    if (out.n)
+        doc_paragraph(d, format_in(r->arena, "Of transitions between the same two states it is not seen which was made:%s. Some of them may never have been.", buf_text(&out)));
+}
+
 static void put_diagram(Report *r, Doc *d)
 {
     const Coverage c = report_coverage(r);
@@ -163,6 +184,7 @@ static void put_diagram(Report *r, Doc *d)
     doc_heading(d, "seen", "Where no script has been");
     if (c.states_seen == c.states && c.ways_seen == c.ways) {
         doc_paragraph(d, "Nowhere: the scripts have been in every state and gone every way from one state to another.");
+        put_shared_ways(r, d);
         return;
     }
     buf_init(&svg, r->arena);

@@ -16,6 +16,7 @@ typedef struct TraceSeries {
     const Var *v;
     bool changes;                 // it had more than one value
     bool infinite;                // it was beyond all numbers at least once
+    bool nan;                     // it was none, of a log: where a bucket is
     TraceBucket at[TRACE_BUCKETS];
 } TraceSeries;
 
