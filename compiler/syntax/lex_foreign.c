@@ -107,7 +107,7 @@ bool lex_slip_comment(Lexer *l, Token *t)
 
     if (division == 2)
         return floor_division(l, t), true;
-    d = diag_report(l->diags, DIAG_foreign_comment, lexer_span(l, at, 2), lexer_text(l, at, p));
+    d = diag_report(l->diags, DIAG_foreign_comment, lexer_span(l, at, p - at), lexer_text(l, at, p));
     diag_label(l->diags, d, division ? DIAG_label_floor : DIAG_label_comment);
     if (l->src->text[at] == '/' && l->src->text[at + 1] == '*' && !l->no_comment_end) {
         while (p + 1 < l->src->len && !(l->src->text[p] == '*' && l->src->text[p + 1] == '/'))
