@@ -258,7 +258,7 @@ static void lex_header(Lexer *l, Token *t)
     while (from < to && (s[from] == ' ' || s[from] == '\t'))
         from++;
     t->text = str_intern(l->strings, s + from, to - from);
-    if (!lex_is_header_name(s + l->at + 1, end - l->at - 1))
+    if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && (t->first || l->last != TOK_ASSIGN))        // x = [1, 2]: a value is missing
         lex_slip_header(l, l->at + 1, end, t->text);
     lexer_finish(l, t, TOK_HEADER, end + 1);
 }
@@ -423,7 +423,9 @@ void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src)
         l->at = l->line_start = 3;
     other = lex_slip_no_text(src);
     if (other) {
-        diag_report(diags, DIAG_not_text, lexer_span(l, 0, 0), other);
+        Diag *d = diag_report(diags, DIAG_not_text, lexer_span(l, 0, 0), other);
+        if (strcmp(other, "UTF-16") == 0)
+            diag_label(diags, d, DIAG_label_text, "save it as UTF-8");
         l->at = src->len;
     }
 }

@@ -243,6 +243,8 @@ const char *lex_slip_no_text(const Source *s)
 
     if (s->len >= 2 && (memcmp(s->text, "\xff\xfe", 2) == 0 || memcmp(s->text, "\xfe\xff", 2) == 0))
         return "UTF-16";
+    if (n >= 4 && ((s->text[0] == 0 && s->text[2] == 0) || (s->text[1] == 0 && s->text[3] == 0)))         // [, and a zero behind or before it
+        return "UTF-16";
     for (uint32_t i = 0; i < n; i++)
         controls += (unsigned char)s->text[i] < 0x20 && !strchr("\t\n\r\f", s->text[i] ? s->text[i] : '?');
     return controls > 4 && controls > n / 10 ? "binary data" : NULL;

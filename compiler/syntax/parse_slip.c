@@ -236,6 +236,9 @@ void slip_missing_value(Parser *p, Diag *d)
         skip_continuation(p);
     } else if ((p->last.kind == TOK_AND || p->last.kind == TOK_OR) && is_comparison(p->tok.kind)) {
         diag_label(p->diags, d, DIAG_label_repeat_name, parser_text(p, parser_here(p)));
+    } else if (p->tok.kind == TOK_HEADER && !p->tok.first) {
+        diag_label(p->diags, d, DIAG_label_text, "there are no lists: each value has an element of its own");
+        parser_next(p);
     } else if (p->tok.kind == TOK_IF && p->last.kind == TOK_IF) {
         diag_label(p->diags, d, DIAG_label_leave_out);
         diag_edit(p->diags, d, (Span){p->lex.src, p->last.at, p->tok.at - p->last.at}, "");

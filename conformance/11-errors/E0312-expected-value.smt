@@ -19,3 +19,7 @@ F64 p
     x = ()              #! E0312 after '('
     x = not             #! E0312 after 'not'
     if if p > 1: x = 1  #! E0312 leave it out
+    x = [1, 2]          #! E0312 there are no lists
+    x = [p]             #! E0312 there are no lists
+    x =                 #! E0312 found the end of the line
+[Next]
