@@ -88,10 +88,11 @@ static void look_at_stmt(const Stmt *stmt, void *context)
 
 void analyse_moment(Analysis *a)
 {
-    Look k;
+    Look k = {.a = a};
 
     if (!(a->p->operators & COMPARISONS))
         return;
-    k = (Look){a, moments_of(a->arena, a->p)};
+    if (a->p->operators & EQUALITIES)
+        k.m = moments_of(a->arena, a->p);
     each_stmt(a->p, look_at_stmt, &k);
 }

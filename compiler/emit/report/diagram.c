@@ -54,7 +54,7 @@ static void add_guard(const Analysis *a, DiagramEdge *e, const Transition *t)
     Guard g = {t, guard_text(a, t, condition_text), {NULL, 0, 0}, a->stmt[t->stmt->number].reached, {NULL, 0, 0}, 0};
 
     g.line = text_wrap(a->arena, g.text, GUARD_SIZE, GUARD_W, GUARD_LINES);
-    if (text_is_cut(&g.line))                      // what comes last decides, of an else if
+    if (text_is_cut(&g.line) && t->when && t->when->holds)             // of an else if, what comes last decides
         g.line = text_wrap(a->arena, guard_text(a, t, condition_brief), GUARD_SIZE, GUARD_W, GUARD_LINES);
     e->possible = e->possible || g.possible;
     vec_push(a->arena, &e->guard, g);
