@@ -69,9 +69,13 @@ static bool is_set_off(const Lexer *l, uint32_t at, uint32_t text)
 // `a // b` divides in other languages.  How sure that is: 0 not at all, 1 it may as well be a comment, 2 an expression goes on behind b.
 static int is_division(const Lexer *l)
 {
-    const uint32_t p = skip_gap(l, l->at + 2), end = lexer_skip_word(l, p);
+    uint32_t p, end;
 
-    if (!follows_value(l, l->first) || l->src->text[l->at + 1] != '/' || is_prose(l, p))
+    if (!follows_value(l, l->first) || l->src->text[l->at + 1] != '/')
+        return 0;
+    p = skip_gap(l, l->at + 2);
+    end = lexer_skip_word(l, p);
+    if (is_prose(l, p))
         return 0;
     if (lexer_byte(l, p) == '(')
         return is_prose(l, skip_gap(l, p + 1)) ? 0 : 2;
