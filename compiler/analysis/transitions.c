@@ -104,8 +104,6 @@ const char *source_text(Arena *arena, Span span)
     return buf_text(&out);
 }
 
-enum { CONDITIONS_SHOWN = 4 };
-
 static bool needs_parentheses(const Condition *c, bool alone)
 {
     const Expr *g = c->stmt->value;
@@ -142,16 +140,18 @@ const char *condition_text(Arena *arena, const Condition *when)
     return buf_text(&out);
 }
 
-const char *condition_brief(Arena *arena, const Condition *when)
+const char *condition_brief(Arena *arena, const Condition *when, size_t most)
 {
     const Condition *shown[CONDITIONS_SHOWN];
     size_t n = 0;
     Buf out;
 
     buf_init(&out, arena);
-    for (; when && n < CONDITIONS_SHOWN; when = when->outer)
+    for (; when && n < most; when = when->outer)
         if (when->holds || n == 0 || shown[n - 1]->holds)              // else else: one will do
             shown[n++] = when;
+    if (when)
+        buf_str(&out, "… and ");
     for (size_t i = n; i-- > 0;) {
         if (shown[i]->holds)
             put_condition(arena, &out, shown[i], i == 0);

@@ -41,9 +41,10 @@ size_t *transitions_by_state(Arena *arena, const Program *p, const Transitions *
 
 // An expression as its author wrote it, on one line.
 const char *source_text(Arena *arena, Span span);
+enum { CONDITIONS_SHOWN = 4 };
 // "pressure > 800 and not (valveOpen)", outermost first; "" of NULL.  Of more than a few, the innermost with "… and" before them.
 const char *condition_text(Arena *arena, const Condition *when);
-// In less room: "else" stands for those that must not hold.
-const char *condition_brief(Arena *arena, const Condition *when);
+// In less room: "else" stands for those that must not hold, and of all at most `most` are shown, 1 to CONDITIONS_SHOWN.
+const char *condition_brief(Arena *arena, const Condition *when, size_t most);
 
 #endif

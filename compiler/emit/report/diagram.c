@@ -40,22 +40,38 @@ static const char *unguarded(const Analysis *a, const Transition *t)
     return before && before->from == t->from && before->block == t->block ? "otherwise" : "at once";
 }
 
-static const char *guard_text(const Analysis *a, const Transition *t, const char *(*condition)(Arena *, const Condition *))
+// most: as condition_brief has it; 0: the whole.
+static const char *guard_text(const Analysis *a, const Transition *t, size_t most)
 {
-    const char *text = t->when ? condition(a->arena, t->when) : unguarded(a, t);
+    const char *text = !t->when ? unguarded(a, t) : most ? condition_brief(a->arena, t->when, most) : condition_text(a->arena, t->when);
 
     if (t->block != BLOCK_ENTRY)
         return text;
     return t->when ? format_in(a->arena, "on entry, %s", text) : "on entry";
 }
 
+static TextLines guard_lines(const Analysis *a, const Transition *t, size_t most)
+{
+    return text_wrap(a->arena, guard_text(a, t, most), GUARD_SIZE, GUARD_W, GUARD_LINES);
+}
+
+// Of an else if, what comes last decides: where not all of it fits, what is around it is left out as far as that helps.  An else alone is
+// what it is not, and stays that.
+static TextLines guard_fitted(const Analysis *a, const Transition *t)
+{
+    TextLines line = guard_lines(a, t, 0);
+
+    if (!t->when || !t->when->holds)
+        return line;
+    for (size_t most = CONDITIONS_SHOWN; text_is_cut(&line) && most > 0; most--)
+        line = guard_lines(a, t, most);
+    return text_is_cut(&line) ? guard_lines(a, t, CONDITIONS_SHOWN) : line;
+}
+
 static void add_guard(const Analysis *a, DiagramEdge *e, const Transition *t)
 {
-    Guard g = {t, guard_text(a, t, condition_text), {NULL, 0, 0}, a->stmt[t->stmt->number].reached, {NULL, 0, 0}, 0};
+    const Guard g = {t, guard_text(a, t, 0), guard_fitted(a, t), a->stmt[t->stmt->number].reached, {NULL, 0, 0}, 0};
 
-    g.line = text_wrap(a->arena, g.text, GUARD_SIZE, GUARD_W, GUARD_LINES);
-    if (text_is_cut(&g.line) && t->when && t->when->holds)             // of an else if, what comes last decides
-        g.line = text_wrap(a->arena, guard_text(a, t, condition_brief), GUARD_SIZE, GUARD_W, GUARD_LINES);
     e->possible = e->possible || g.possible;
     vec_push(a->arena, &e->guard, g);
 }

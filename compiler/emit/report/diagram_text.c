@@ -86,7 +86,8 @@ static size_t line_end(const char *text, size_t fits)
     size_t best = 0, found = 0;
 
     for (size_t i = 1; i <= fits; i++) {
-        const size_t worth = fits + i + (is_joint(text + i) ? fits * 3 / 4 : 0) - (strchr(",<>=+-*/", text[i - 1]) ? fits / 3 : 0);
+        const bool joint = is_joint(text + i) && strncmp(text, dots, i) != 0;         // "… and" stays together
+        const size_t worth = fits + i + (joint ? fits * 3 / 4 : 0) - (strchr(",<>=+-*/", text[i - 1]) ? fits / 3 : 0);
         if (text[i] == ' ' && worth >= best) {
             best = worth;
             found = i;
