@@ -39,7 +39,7 @@ The machine has 2 states and begins in `Off`. It watches `p`. It drives `on`.
   Transitions        3
   Findings           1
   Scripts            1 of 1 passed
-  Seen by scripts    2 of 2 states, 2 of 2 ways
+  Seen by scripts    2 of 2 states, 2 of 2 ways; of 1 it is not seen by which transition
   Longest step       7 instructions, in Off
   On an Arduino Uno  about 2659 cycles, 0.17 ms
   Memory on the VM   56 bytes
@@ -168,7 +168,7 @@ Ways that the scripts have gone
   On    Off      1
 
 Where no script has been
-Nowhere: the scripts have been in every state and gone every way from one state to another.
+The scripts have been in every state, and have gone from each to every other it leads to.
 
 Of transitions between the same two states it is not seen which was made: from `Off` to `On` (lines
 9, 10). Some of them may never have been.

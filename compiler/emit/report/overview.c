@@ -30,9 +30,12 @@ static const char *scripts_text(const Report *r)
 static const char *coverage_text(const Report *r)
 {
     const Coverage c = report_coverage(r);
+    const char *text = format_in(r->arena, "%lu of %lu states, %lu of %lu ways", (unsigned long)c.states_seen, (unsigned long)c.states,
+                                 (unsigned long)c.ways_seen, (unsigned long)c.ways);
 
-    return format_in(r->arena, "%lu of %lu states, %lu of %lu ways", (unsigned long)c.states_seen, (unsigned long)c.states,
-                     (unsigned long)c.ways_seen, (unsigned long)c.ways);
+    if (c.ways_shared == 0)
+        return text;
+    return format_in(r->arena, "%s; of %lu it is not seen by which transition", text, (unsigned long)c.ways_shared);
 }
 
 static const char *findings_text(const Report *r)

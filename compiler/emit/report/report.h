@@ -49,7 +49,10 @@ typedef struct FindingCount { size_t open, allowed; } FindingCount;
 FindingCount report_count_findings(const Report *r);
 
 // What the scripts have seen of the machine.  A way leads from one state to another, by one transition or several.
-typedef struct Coverage { size_t states_seen, states, ways_seen, ways; } Coverage;
+typedef struct Coverage {
+    size_t states_seen, states, ways_seen, ways;
+    size_t ways_shared;           // seen, and by which of several transitions is not known
+} Coverage;
 Coverage report_coverage(const Report *r);
 GraphCounts report_counts(const Report *r);   // how often the scripts were where, all together
 

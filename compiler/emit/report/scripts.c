@@ -137,7 +137,7 @@ Coverage report_coverage(const Report *r)
 {
     const GraphCounts counts = report_counts(r);
     const Transitions *t = &r->analysis.transition;
-    Coverage c = {0, r->analysis.p->state.n, 0, 0};
+    Coverage c = {0, r->analysis.p->state.n, 0, 0, 0};
 
     for (size_t s = 0; s < c.states; s++)
         c.states_seen += counts.state[s] > 0;
@@ -147,20 +147,22 @@ Coverage report_coverage(const Report *r)
             continue;
         c.ways++;
         c.ways_seen += counts.transition[i] > 0;
+        c.ways_shared += counts.transition[i] > 0 && same > 1;
     }
     return c;
 }
 
-// Which of them was made is not seen.
+// Which of them was made is not seen; where none was, that is.
 static void put_shared_ways(const Report *r, Doc *d)
 {
+    const GraphCounts counts = report_counts(r);
     const Transitions *t = &r->analysis.transition;
     Buf out;
 
     buf_init(&out, r->arena);
     for (size_t i = 0; i < t->n; i++) {
         size_t same = 0;
-        if (!is_first_way(t, i, &same) || same < 2)
+        if (counts.transition[i] == 0 || !is_first_way(t, i, &same) || same < 2)
             continue;
         buf_printf(&out, "%s from ^%s^ to ^%s^ (lines", out.n ? "," : "", t->at[i].from->name->text, t->at[i].to->name->text);
         for (size_t k = i; k < t->n && t->at[k].from == t->at[i].from; k++)
@@ -183,7 +185,8 @@ static void put_diagram(Report *r, Doc *d)
 
     doc_heading(d, "seen", "Where no script has been");
     if (c.states_seen == c.states && c.ways_seen == c.ways) {
-        doc_paragraph(d, "Nowhere: the scripts have been in every state and gone every way from one state to another.");
+        doc_paragraph(d, c.ways_shared ? "The scripts have been in every state, and have gone from each to every other it leads to."
+                                       : "Nowhere: the scripts have been in every state and gone every way from one state to another.");
         put_shared_ways(r, d);
         return;
     }
@@ -191,6 +194,7 @@ static void put_diagram(Report *r, Doc *d)
     graph_svg(&r->analysis, &o, &svg);
     figure = doc_figure(d, buf_text(&svg), "Dotted: states in which no script has been, and ways that none has gone.");
     figure->low = report_is_low(size);
+    put_shared_ways(r, d);
 }
 
 // ---- one script ----
