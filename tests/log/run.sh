@@ -44,6 +44,10 @@ done
 "$smc" log rare.log | grep -q 'f32 .* 0 .. 9, from 0 to 9, nan in 2 records' && ok || no "records of what is no number are not told"
 "$smc" log rare.log --format svg f32 >nan.svg && grep -q 'no number (nan) where the line is broken' nan.svg &&
     grep -q 'class="trace" d="M64 [^M]*M[^M]*"' nan.svg && ok || no "the line of what is no number has no gap"
+"$smc" log rare.log >rare.txt
+for part in 'works again, after 1 failure$' 'left out 1 tick$'; do
+    grep -q "$part" rare.txt && ok || no "rare.txt: no $part"
+done
 "$smc" log rare.log | grep -q 'started; what was kept of the state vector could not be used' && ok || no "a kept vector that was not used is not told"
 
 "$smc" log flight.log -o out.csv 2>err && head -1 out.csv | grep -q '^seconds,time,state' && ok || no "the format is not taken from the ending"

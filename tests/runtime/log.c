@@ -588,6 +588,8 @@ static int make_rare(const char *path)
     begin();
     tell(SM_EVENT_START, 0, 2, 0, 0);
     tell(SM_EVENT_STATE, 3, 0, 1, 0);
+    tell(SM_EVENT_FAULT, 1, 0, 1, TICK);
+    tell(SM_EVENT_OVERRUN, 0, 1, 1500, TICK);
     for (uint64_t k = 0; k < 10; k++) {
         if (k == 4) {
             tell(SM_EVENT_STATE, 3, 1, 2, 302 * TICK);

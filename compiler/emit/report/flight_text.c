@@ -5,6 +5,7 @@
 #include "compiler/emit/report/flight.h"
 #include "compiler/emit/report/report.h"
 #include "compiler/emit/report/trace.h"
+#include "compiler/emit/report/words.h"
 #include "stdlib/convert.h"
 #include "stdlib/result.h"
 
@@ -63,10 +64,10 @@ static void put_state(const Flight *f, const LogDescription *d, const LogEvent *
         buf_printf(out, "%s -> %s", log_state_name(f->arena, m, e->a), log_state_name(f->arena, m, e->b));
 }
 
-static void put_fault(const char *task, const LogEvent *e, Buf *out)
+static void put_fault(const Flight *f, const char *task, const LogEvent *e, Buf *out)
 {
     if (e->a == 0)
-        buf_printf(out, "%s works again, after %lu failures", task, (unsigned long)e->b);
+        buf_printf(out, "%s works again, after %s", task, words_count(f->arena, e->b, "failure", "failures"));
     else
         buf_printf(out, "%s fails: %s", task, e->a <= 0x7FFFFFFF ? sm_result_text((SmResult)-(int32_t)e->a) : "?");
 }
@@ -100,10 +101,10 @@ void flight_event(const Flight *f, const LogDescription *d, const LogEvent *e, B
         break;
     case LOG_EVENT_STATE: put_state(f, d, e, out); break;
     case LOG_EVENT_MODE: buf_printf(out, "%s: %s -> %s", task, mode_name(f->arena, e->a), mode_name(f->arena, e->b)); break;
-    case LOG_EVENT_FAULT: put_fault(task, e, out); break;
+    case LOG_EVENT_FAULT: put_fault(f, task, e, out); break;
     case LOG_EVENT_OVERRUN:
-        buf_printf(out, "%s is late by %lu us, and left out %lu ticks", name_of(f, &d->executor, "executor", e->source),
-                   (unsigned long)e->b, (unsigned long)e->a);
+        buf_printf(out, "%s is late by %lu us, and left out %s", name_of(f, &d->executor, "executor", e->source),
+                   (unsigned long)e->b, words_count(f->arena, e->a, "tick", "ticks"));
         break;
     case LOG_EVENT_REFUSED:
         buf_printf(out, "%s does not step: time does not advance (%lu so far)", machine_name(f, d, e->source), (unsigned long)e->a);
