@@ -299,6 +299,16 @@ static void check_executor(AppCheck *k, const AstAppExecutor *in)
     check_app_tasks(k, in, out);
 }
 
+static void want_lock(AppCheck *k, size_t executors)
+{
+    const AstWord *file = &find_option(k->ast, AST_APP_state_vector)->file;
+    Diag *d = diag_report(k->c->diags, DIAG_app_no_lock, k->ast->executors.at[1]->header, format_in(k->c->arena, "%lu", (unsigned long)executors),
+                          k->sv->name->text);
+
+    diag_label(k->c->diags, d, DIAG_label_write, format_in(k->c->arena, "'lock' under [options] in %s", file->text->text));
+    diag_note(k->c->diags, d, file->span, DIAG_note_named_here);
+}
+
 static void check_executors(AppCheck *k)
 {
     enum { MOST = 254 };                          // threads that a platform can be built for (runtime-c/config.h)
@@ -311,9 +321,7 @@ static void check_executors(AppCheck *k)
     if (n > MOST)
         diag_report(k->c->diags, DIAG_app_too_many, k->ast->executors.at[MOST]->header, "executors", "254");
     if (n > 1 && k->sv && !k->sv->lock)
-        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_no_lock, k->ast->executors.at[1]->header,
-                                           format_in(k->c->arena, "%lu", (unsigned long)n), k->sv->name->text),
-                  find_option(k->ast, AST_APP_state_vector)->file.span, DIAG_note_named_here);
+        want_lock(k, n);
 }
 
 // ---- all together ----

@@ -6,7 +6,7 @@ state_vector "rocket.sv"
 [flight]
 every 10 ms:
     task navigation
-[slow]                #! E1038 'rocket' must say 'lock'
+[slow]                #! E1038 write 'lock' under [options] in rocket.sv
 every 1 s:
     task b
 -- rocket.sv --
