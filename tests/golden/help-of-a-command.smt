@@ -11,7 +11,7 @@ Options:
   --sv=FILE                the application's state vector
   -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 2)
   --engine=ENGINE          what runs the machine: vm (default), vm-soft, ref, c, c-soft, several between commas, or all (but c-soft)
-  --trace=FILE             write every value after every step
+  --trace=FILE             write every value after every step, as lines 'step element value'
   --max-steps=N            give up on a script after N steps (default 1000000)
   --junit=FILE             write the results as JUnit XML
   --tap                    print the results in the Test Anything Protocol
