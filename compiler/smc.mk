@@ -19,17 +19,22 @@ SMC_SV   ?=
 SMCFLAGS ?=
 SMC_IO   ?=
 SMC_ARGS  = $(SMCFLAGS) $(if $(SMC_SV),--sv=$(SMC_SV))
+# Begins a recipe that wants the command: what to do is told where it is not found.  Not by $(shell): it would not see a PATH set here.
+SMC_WANT  = $(if $(filter smc,$(SMC)),@command -v smc >/dev/null || { echo 'smc is not in PATH: set SMC = /where/it/is/smc before the include' >&2; exit 127; })
 # Where these are set: another option makes it anew.
 SMC_SET  := $(wildcard $(firstword $(MAKEFILE_LIST)))
 
 %.smb: %.sm $(SMC_SV) $(SMC_IO) $(SMC_SET)
+	$(SMC_WANT)
 	$(SMC) build $< $(SMC_ARGS) $(if $(SMC_IO),--io=$(SMC_IO)) -o $@ -MD -MP -MF $@.d
 
 # Both files come from one call; the pattern tells make so.
 %.c %.h: %.sm $(SMC_SV) $(SMC_SET)
+	$(SMC_WANT)
 	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*.c -MD -MP -MF $*.sm.d
 
 %_io.c %_io.h: %.io $(SMC_SV) $(SMC_SET)
+	$(SMC_WANT)
 	$(SMC) build $< $(SMC_ARGS) --emit=c -o $*_io.c -MD -MP -MF $*.io.d
 
 # For make, a rule whose file is not there is none: this one is taken then.  Nor is an image sent that was made before.
@@ -41,6 +46,7 @@ SMC_LOST = $(strip $(foreach f,$(SMC_SV) $(SMC_IO),$(if $(wildcard $f),,$f)))
 # Not %.smb alone: make wants a name that is no file.
 flash-%: %.smb
 	$(if $(SMC_LOST),$(error there is no $(SMC_LOST), as SMC_SV or SMC_IO says))
+	$(SMC_WANT)
 	$(SMC) flash $< --port=$(or $(PORT),$(error PORT=/dev/ttyACM0 says where the board is))
 SMC_MACHINES = $(basename $(wildcard *.sm))
 flash: $(if $(word 2,$(SMC_MACHINES)),,$(SMC_MACHINES:%=flash-%))
@@ -97,6 +103,7 @@ else
 include $(SMC_OUT)/$(SMC_APP).mk
 $(SMC_OUT)/$(SMC_APP).mk: $(SMC_APP).app $(SMC_STAMP)
 	@mkdir -p $(SMC_OUT)
+	$(SMC_WANT)
 	$(SMC) build $< $(SMCFLAGS) -o $(SMC_OUT) -MD -MP -MF $@.d
 	@sed -n '1s/\(.*\): .*/SMC_MADE = \1/p' $@.d >$@.new
 	@sed '1s|.*: |$@: |' $@.d >>$@.new

@@ -76,6 +76,20 @@ check "smc-clean removes what was made, and nothing else" sh -c "$make -s smc-cl
 printf 'include %s/share/smc/smc.mk\nmine:\n\t@echo mine\n' "$inst" >own.mk
 check "nothing of it is what plain make makes" sh -c "$make -s -f own.mk | grep -qx mine"
 
+# Where the command is, if it is in PATH, and what is told if it is not.
+cp "$root/examples/tank/tank.sm" "$dir/project/found.sm"
+printf 'export PATH := %s/bin:$(PATH)\ninclude %s/share/smc/smc.mk\n' "$inst" "$inst" >path.mk
+check "the command is found in PATH" sh -c "PATH='$inst/bin:$PATH' $make -s -f own.mk found.smb && rm found.smb"
+check "and in a PATH that the project sets" sh -c "$make -s -f path.mk found.smb && rm found.smb"
+if command -v smc >/dev/null; then
+    echo "install: smc is in PATH here: what is told where it is not is not looked at"
+    skipped=$((skipped + 1))
+else
+    check "where it is not, it is told what to set" sh -c "$make -f own.mk found.smb 2>&1 | grep -q '^smc is not in PATH: set SMC = /where/it/is/smc before the include'"
+    check "and nothing where it is not wanted" sh -c "$make -s -f own.mk mine && $make -s -f own.mk smc-clean"
+fi
+rm -f found.* path.mk
+
 # A project that builds an application, away from this tree: its machine as C, then as an image.
 mkdir "$dir/app"
 cp "$root"/tests/app/probe.* "$root"/tests/app/*.sm "$root/tests/app/tasks.c" "$root/tests/app/expected.txt" "$dir/app"
