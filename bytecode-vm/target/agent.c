@@ -129,7 +129,7 @@ static uint16_t session_of(const Agent *a) { return (uint16_t)sm_link_get(body_o
 static SmResult begin(Agent *a)
 {
     SmvmAt length;
-    const SmResult r = smvm_get_at(body_of(a) + 2, &length) ? smvm_store_may_begin(a->store, length) : SM_E_SPACE;
+    const SmResult r = session_of(a) == 0 ? SM_E_ARGUMENT : smvm_get_at(body_of(a) + 2, &length) ? smvm_store_may_begin(a->store, length) : SM_E_SPACE;
 
     if (r != SM_OK)
         return r;                      // before a machine is stopped for nothing

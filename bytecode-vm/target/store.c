@@ -190,10 +190,11 @@ uint16_t smvm_store_period(const Store *s, uint8_t slot)
 
 // ---- starting ----
 
-// Whether the image before the active one is what it was.
+// Whether the image before the active one is what it was.  With one slot it never is: what has its checksum there was sent again, and
+// nobody has accepted it.
 static bool has_before(const Store *s)
 {
-    return s->now.before != STORE_BUILT_IN && holds(s, s->now.before, s->now.checksum_before);
+    return s->plan.slots > 1 && s->now.before != STORE_BUILT_IN && holds(s, s->now.before, s->now.checksum_before);
 }
 
 // What runs when the active image is not to be run: the one before it, or the built-in one.  (Apart, and without has_before in it: the
@@ -272,6 +273,14 @@ SmResult smvm_store_may_begin(const Store *s, SmvmAt length)
     return length < HEADER ? SM_E_ARGUMENT : length > s->slot_size ? SM_E_SPACE : on_trial(s) ? SM_E_BUSY : SM_OK;
 }
 
+SMVM_APART static SmResult forget_before(Store *s)
+{
+    StoreChoice c = s->now;
+
+    c.before = STORE_BUILT_IN;
+    return choose(s, &c);
+}
+
 SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t checksum)
 {
     SmResult r;
@@ -289,7 +298,11 @@ SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t ch
     put32(s->checksum, checksum);
     s->next = 0;
     s->whole = false;
-    r = erase(s, s->slot_at[s->target], round_up(s->length, unit_of(s)));
+    // On a board with a key, what is overwritten is not gone back to: an old image that somebody has recorded, sent again, would run with
+    // nobody having looked at its number.
+    r = smvm_store_has_key(s) && s->target == s->now.before ? forget_before(s) : SM_OK;
+    if (r == SM_OK)
+        r = erase(s, s->slot_at[s->target], round_up(s->length, unit_of(s)));
     if (r == SM_OK)
         s->session = session;
     return r;
@@ -432,14 +445,6 @@ static SmResult blank(const Store *s, uint8_t slot)
         return erase(s, s->slot_at[slot], erase_of(s));
     memset(nothing, s->blank, sizeof nothing);
     return put(s, s->slot_at[slot], nothing, write_of(s) > 4 ? write_of(s) : 4);
-}
-
-SMVM_APART static SmResult forget_before(Store *s)
-{
-    StoreChoice c = s->now;
-
-    c.before = STORE_BUILT_IN;
-    return choose(s, &c);
 }
 
 static SmResult forget(Store *s, uint8_t slot)

@@ -104,15 +104,17 @@ static int confirm(BoardLine *b, Buf *out)
     return EXIT_OK;
 }
 
+// Looked at before the line is opened, which may restart a board.
+static bool names_checksum(const Cli *c)
+{
+    return c->files == 2 && strlen(c->file[1]) == 8 && strspn(c->file[1], "0123456789abcdefABCDEF") == 8;
+}
+
 static int erase(BoardLine *b, Buf *out)
 {
-    char *end;
-    const char *word = b->c->files == 2 ? b->c->file[1] : "";
-    const unsigned long checksum = strtoul(word, &end, 16);
+    const char *word = b->c->file[1];
 
-    if (strlen(word) != 8 || *end)
-        return cli_usage(b->c, "erase wants the checksum of the image, as 'smc device list' shows it: eight digits");
-    if (device_ask_about(&b->host, LINK_ERASE, (uint32_t)checksum))
+    if (device_ask_about(&b->host, LINK_ERASE, (uint32_t)strtoul(word, NULL, 16)))
         return list(b, out);
     if (!b->host.answered || b->host.result != SM_E_MISSING)
         return board_failed(b, "it was not erased");
@@ -149,10 +151,13 @@ static void put_event(Buf *out, const uint8_t *e)
     buf_printf(out, "event %u of %lu: %lu, %lu\n", (unsigned)e[8], source, a, b);
 }
 
+// What a board keeps are far fewer; who makes them faster than the line carries them would be asked for ever.
+enum { EVENTS_SHOWN = 1000 };
+
 static int show_log(BoardLine *b, Buf *out)
 {
     uint8_t body[4] = {0};
-    size_t events;
+    size_t events, shown = 0;
 
     do {
         if (!link_ask(&b->host, LINK_EVENTS, body, sizeof body) || b->host.result != SM_OK || b->host.n < EVENT_HEAD)
@@ -163,7 +168,8 @@ static int show_log(BoardLine *b, Buf *out)
         events = (b->host.n - EVENT_HEAD) / EVENT;
         for (size_t i = 0; i < events; i++)
             put_event(out, b->host.body + EVENT_HEAD + i * EVENT);
-    } while (events > 0);
+        shown += events;
+    } while (events > 0 && shown < EVENTS_SHOWN);
     return EXIT_OK;
 }
 
@@ -197,7 +203,7 @@ int cmd_device(Cli *c)
         return cli_usage(c, "device wants to know what: info, list, confirm, erase or log");
     for (size_t i = 0; i < ACTIONS; i++)
         if (strcmp(c->file[0], names[i]) == 0 && c->files <= (actions[i].run == erase ? 2u : 1u))
-            return run(c, i);
+            return actions[i].run != erase || names_checksum(c) ? run(c, i) : cli_usage(c, "erase wants the checksum of the image, as 'smc device list' shows it: eight digits");
     near = nearest_name(c->file[0], names, ACTIONS);
     return near && strcmp(near, c->file[0]) == 0 ? cli_usage(c, "device %s takes nothing more than --port", near)
            : near ? cli_usage(c, "'%s' is nothing to ask a device; did you mean '%s'?", c->file[0], near)

@@ -155,6 +155,55 @@ static void no_number_comes_back(uint8_t slots)
     CHECK(runs_number(&b, 0xffffffff, true) && newest(&b) == 0xffffffff && send_number(&b, 7) == SM_E_REPLAY);
 }
 
+static const Image *numbered(uint32_t number)
+{
+    static Image s;
+
+    s = signed_with(our_key, number % 2 ? &old_image : &new_image, number);
+    return &s;
+}
+
+// What was overwritten and is sent again, with nobody having accepted it, is not what a start goes back to.
+static void what_is_not_accepted_is_not_gone_back_to(uint8_t slots)
+{
+    Board b;
+
+    board_with_key(&b, "eeprom", slots);
+    CHECK(runs_number(&b, 1, true) && runs_number(&b, 2, true));
+    if (slots == 2)
+        CHECK(image_send(&b.store, numbered(3)) == SM_OK);             // over number 1
+    else
+        smvm_store_leave(&b.store);
+    CHECK(image_send(&b.store, numbered(1)) == SM_E_REPLAY);
+    if (slots == 2)
+        CHECK(smvm_store_erase(&b.store, numbered(2)->checksum) == SM_OK);
+    CHECK(restarts(&b) && b.slot == STORE_BUILT_IN);
+}
+
+// Nor on a board without a key that has one slot.
+static void an_update_cut_off_is_not_confirmed(void)
+{
+    Board b;
+
+    CHECK(board_new(&b, "eeprom", 1) && runs_number(&b, 1, true) && runs_number(&b, 2, true));
+    smvm_store_leave(&b.store);
+    CHECK(image_send(&b.store, numbered(1)) == SM_OK && restarts(&b) && b.slot == STORE_BUILT_IN);
+}
+
+// A request that is refused has the board leave no slot.
+static void a_refused_begin_stops_nothing(void)
+{
+    uint8_t request[LINK_ROOM(9)] = {0, 1, LINK_BEGIN, 0, 0, 64, 0, 0, 1, 2, 3, 4};        // no session
+    uint16_t length;
+    Board b;
+
+    CHECK(board_new(&b, "eeprom", 1) && runs_number(&b, 1, true) && board_start(&b) && b.slot == 0);
+    length = sm_link_frame(request, LINK_HEAD + 9);
+    for (uint16_t i = 0; i < length; i++)
+        (void)board_takes(&b, request[i]);
+    CHECK(b.left == 0 && b.slot == 0);
+}
+
 // A checksum proves nothing: what was written without asking, its checksum chosen, does not run on a board with a key.
 static void what_was_put_there_does_not_run(void)
 {
@@ -226,9 +275,12 @@ int main(int argc, char **argv)
     for (uint8_t slots = 1; slots <= 2; slots++) {
         what_is_not_signed_is_refused(slots);
         no_number_comes_back(slots);
+        what_is_not_accepted_is_not_gone_back_to(slots);
     }
     what_was_put_there_does_not_run();
     a_board_without_a_key_takes_all();
+    an_update_cut_off_is_not_confirmed();
+    a_refused_begin_stops_nothing();
     hello_says_so();
     confirming_is_cut("eeprom");
     confirming_is_cut("flash");
