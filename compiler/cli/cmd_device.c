@@ -110,14 +110,28 @@ static bool names_checksum(const Cli *c)
     return c->files == 2 && strlen(c->file[1]) == 8 && strspn(c->file[1], "0123456789abcdefABCDEF") == 8;
 }
 
+static bool is_held(BoardLine *b, uint32_t checksum)
+{
+    DeviceImage image;
+
+    for (uint8_t i = 0; i < b->info.slots; i++)
+        if (device_image(&b->host, i, &image) && image.state != DEVICE_EMPTY && image.checksum == checksum)
+            return true;
+    return false;
+}
+
 static int erase(BoardLine *b, Buf *out)
 {
     const char *word = b->c->file[1];
+    const uint32_t checksum = (uint32_t)strtoul(word, NULL, 16);
+    const bool was_there = is_held(b, checksum);
 
-    if (device_ask_about(&b->host, LINK_ERASE, (uint32_t)strtoul(word, NULL, 16)))
+    if (device_ask_about(&b->host, LINK_ERASE, checksum))
         return list(b, out);
     if (!b->host.answered || b->host.result != SM_E_MISSING)
         return board_failed(b, "it was not erased");
+    if (was_there)                     // the answer was lost, and the request came twice
+        return list(b, out);
     cli_say(b->c, "no slot holds an image with the checksum %s", word);
     return EXIT_PROBLEM;
 }
