@@ -178,7 +178,7 @@ StoreState smvm_store_state(const Store *s, uint8_t slot)
 
 bool smvm_store_is_before(const Store *s, uint8_t slot)
 {
-    return slot == s->now.before && slot != STORE_BUILT_IN && checksum_in(s, slot) == get32(s->now.checksum_before);
+    return s->plan.slots > 1 && slot == s->now.before && slot != STORE_BUILT_IN && checksum_in(s, slot) == get32(s->now.checksum_before);
 }
 
 uint16_t smvm_store_period(const Store *s, uint8_t slot)

@@ -138,7 +138,8 @@ static void look_at_element(Analysis *a, const Var *v)
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-// Writes @read_only behind the declaration of a local: behind the last ')' of the initial value, for the parentheses around an expression are not part of its place.
+// Writes @read_only behind the declaration of a local: behind the last ')' of the initial value, for the parentheses around an
+// expression are not part of its place.
 static void mark_read_only(Diags *diags, Diag *d, const Var *local)
 {
     const Source *src = local->span.src;

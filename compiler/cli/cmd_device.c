@@ -215,9 +215,11 @@ int cmd_device(Cli *c)
         names[i] = actions[i].name;
     if (c->files == 0)
         return cli_usage(c, "device wants to know what: info, list, confirm, erase or log");
+    if (strcmp(c->file[0], "erase") == 0 && !names_checksum(c))
+        return cli_usage(c, "erase wants the checksum of the image, as 'smc device list' shows it: eight digits");
     for (size_t i = 0; i < ACTIONS; i++)
         if (strcmp(c->file[0], names[i]) == 0 && c->files <= (actions[i].run == erase ? 2u : 1u))
-            return actions[i].run != erase || names_checksum(c) ? run(c, i) : cli_usage(c, "erase wants the checksum of the image, as 'smc device list' shows it: eight digits");
+            return run(c, i);
     near = nearest_name(c->file[0], names, ACTIONS);
     return near && strcmp(near, c->file[0]) == 0 ? cli_usage(c, "device %s takes nothing more than --port", near)
            : near ? cli_usage(c, "'%s' is nothing to ask a device; did you mean '%s'?", c->file[0], near)
