@@ -32,7 +32,7 @@ static inline uint32_t sm_to_u32(SmF64 x)
 //: sm_to_i64 double
 static inline int64_t sm_to_i64(SmF64 x)
 {
-    if (sm_le(sm_from_i64(INT64_MIN), x) && sm_lt(x, sm_from_u64(0x8000000000000000u)))
+    if (sm_le(sm_from_bits(0xC3E0000000000000u), x) && sm_lt(x, sm_from_bits(0x43E0000000000000u)))   // -2^63, 2^63
         return sm_cut_i64(x);
     return sm_is_nan(x) ? 0 : sm_lt(x, sm_from_i32(0)) ? INT64_MIN : INT64_MAX;
 }

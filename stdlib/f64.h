@@ -83,9 +83,26 @@ static inline SmF64 sm_from_i32(int32_t v) { return (SmF64)v; }
 //: sm_from_u32 double
 static inline SmF64 sm_from_u32(uint32_t v) { return (SmF64)v; }
 //: sm_from_i64 double
-static inline SmF64 sm_from_i64(int64_t v) { return (SmF64)v; }     // rounds above 2^53
+// Rounds above 2^53.  32-bit x86 converts 64 bits in an x87 register, where compilers can leave more digits than a double has.
+// There the two halves are converted, which is exact, and their sum is rounded once, as every sum is.
+static inline SmF64 sm_from_i64(int64_t v)
+{
+#if defined(__i386__) || defined(_M_IX86)
+    return (SmF64)(int32_t)(v >> 32) * 4294967296.0 + (SmF64)(uint32_t)v;
+#else
+    return (SmF64)v;
+#endif
+}
 //: sm_from_u64 double
-static inline SmF64 sm_from_u64(uint64_t v) { return (SmF64)v; }    // rounds above 2^53
+// Rounds above 2^53; in halves for the same reason.
+static inline SmF64 sm_from_u64(uint64_t v)
+{
+#if defined(__i386__) || defined(_M_IX86)
+    return (SmF64)(uint32_t)(v >> 32) * 4294967296.0 + (SmF64)(uint32_t)v;
+#else
+    return (SmF64)v;
+#endif
+}
 //: sm_from_f32 double
 static inline SmF64 sm_from_f32(float v) { return (SmF64)v; }       // exact
 //: sm_cut_i32 double

@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Emitted C under many compilers and options: it compiles without a warning, runs as the reference does or refuses to, and
-# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [use] [readings] [straight] [cases]     (all but cases when none is named)
+# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [recommended] [use] [readings] [wide] [straight] [cases]     (all but cases when none is named)
 smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 shift
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
-passed=0 failed=0 skipped=0
+passed=0 failed=0 skipped=0 hinted=
 dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-emitc.XXXXXX") || exit 1
 trap 'rm -rf "$dir"' EXIT
 trap 'exit 130' INT TERM
@@ -16,20 +16,40 @@ pass() { passed=$((passed + 1)); }
 fail() { failed=$((failed + 1)); echo "$1"; [ -f "$dir/log" ] && head -8 "$dir/log"; }
 present() { command -v "$1" >/dev/null 2>&1; }
 
+# 32-bit x86 as our own #error recommends it.
+x86_32='-m32 -msse2 -mfpmath=sse'
+
+# Whether COMMAND, a compiler with options, makes programs for 32-bit x86.  Otherwise a skip, which says once how to install what it needs.
+makes_32() {
+    printf '#include <stdint.h>\n#include <stdio.h>\nint main(void) { return puts("") < 0; }\n' >"$dir/is_32.c"
+    $1 "$dir/is_32.c" -o "$dir/is_32" >/dev/null 2>&1 && "$dir/is_32" >/dev/null && return 0
+    skipped=$((skipped + 1))
+    [ -n "$hinted" ] || echo "$1: makes no programs for 32-bit x86; on Debian: apt-get install libc6-dev-i386 lib32gcc-12-dev"
+    hinted=yes
+    return 1
+}
+
 # try COMPILER FUNCTION ARGUMENTS…: calls the function with the compiler command behind the arguments
 try() {
     compiler=$1
     shift
-    if present "${compiler%% *}"; then
-        "$@" "$compiler"
-    else
+    if ! present "${compiler%% *}"; then
         skipped=$((skipped + 1))
+        return
     fi
+    case $compiler in *-m32*) makes_32 "$compiler" || return ;; esac
+    "$@" "$compiler"
 }
 
 every_compiler() {
     for each in "gcc -std=c99" "gcc -std=gnu17 -O2" "clang-19 -std=c99 -O1" "clang-19 -std=gnu17" "tcc" "g++ -x c++ -std=c++11 -O1" \
-                "clang++-19 -x c++ -std=c++11"; do
+                "clang++-19 -x c++ -std=c++11" "gcc $x86_32 -O1"; do
+        try "$each" "$@"
+    done
+}
+
+compilers_32() {
+    for each in "gcc $x86_32 -O0" "gcc $x86_32 -O1" "gcc $x86_32 -O2" "gcc $x86_32 -std=c99 -O2" "gcc $x86_32 -Os" "clang-19 $x86_32 -O2"; do
         try "$each" "$@"
     done
 }
@@ -183,6 +203,7 @@ flags() {
             options=$(echo $options)
             case $options in
             *fpack-struct*) ;;                        # warns of itself
+            -m32*) makes_32 "$compiler -m32" && knows "$compiler" "$options" || continue ;;
             *) knows $compiler "$options" || continue ;;
             esac
             try_flags "$want" "$options" $compiler
@@ -196,6 +217,20 @@ flags() {
     for machine in names integers; do
         if run_on_all $machine "${CC:-cc}"; then pass; else fail "$machine: not as the reference"; fi
     done
+}
+
+# ---- recommended: the options that an #error tells people to use have a row in flags.txt, or are --soft, which is tested above ----
+
+recommended() {
+    found=0
+    for text in "$root/compiler/emit/c/guard.c" "$root/stdlib/f64.h"; do
+        grep '#error.* with -' "$text" | sed 's/.* with \(-[^"\\,]*\).*/\1/' >"$dir/recommended"
+        while read -r options; do
+            found=$((found + 1))
+            if [ "$options" = -DSM_F64_SOFT=1 ] || grep -q -- "^same  *-m32 $options\$" "$here/flags.txt"; then pass; else fail "recommended: $options has no row in flags.txt"; fi
+        done <"$dir/recommended"
+    done
+    if [ $found -ge 3 ]; then pass; else fail "recommended: only $found #error lines recommend an option"; fi
 }
 
 # ---- use: programs around machines ----
@@ -268,11 +303,23 @@ readings() {
         rm -f "$dir/readings.c"
         "$smc" build -w $level "$dir/readings.sm" --emit=c -o "$dir/readings.c" >"$dir/log" 2>&1
         few_compilers build_and_run readings "$here/readings.c $dir/readings.c"
+        try "gcc $x86_32 -O1" build_and_run readings "$here/readings.c $dir/readings.c"
     done
     rm -f "$dir/readings.c"
     "$smc" build -w --soft "$dir/readings.sm" --emit=c -o "$dir/readings.c" >"$dir/log" 2>&1
     for compiler in "gcc -std=c99" tcc; do
         try "$compiler" build_and_run readings "-I$root $here/readings.c $dir/readings.c $(echo "$root"/stdlib/soft_*.c)"
+    done
+}
+
+# ---- wide: integers of 64 bits beyond 2^53, which no state script stores ----
+
+wide() {
+    for level in -O0 -O1 -O2; do
+        rm -f "$dir/wide.c"
+        "$smc" build -w $level "$here/machines/wide.sm" --emit=c -o "$dir/wide.c" >"$dir/log" 2>&1
+        every_compiler build_and_run wide "$here/wide.c $dir/wide.c"
+        compilers_32 build_and_run wide "$here/wide.c $dir/wide.c"
     done
 }
 
@@ -308,7 +355,7 @@ cases() {
     done
 }
 
-for part in ${*:-matrix flags use readings straight}; do
+for part in ${*:-matrix flags recommended use readings wide straight}; do
     $part
 done
 echo "emitc: $passed passed, $failed failed, $skipped skipped"

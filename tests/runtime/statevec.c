@@ -178,10 +178,10 @@ static void test_bool_normalises(void)
     CHECK(sm_read_BOOL(&wide_vector, &wide_element[WIDE_E_flag], &value) == SM_OK && value == 1);
 }
 
-// A NaN is passed on by those who say what type they mean, all its bits.
+// Typed access preserves all bits of a NaN.  This one is quiet: 32-bit x86 makes a signaling NaN quiet when a function returns it.
 static void test_nan_is_kept(void)
 {
-    const uint64_t bits = 0xFFF4000000001234u;
+    const uint64_t bits = 0xFFFC000000001234u;
     const uint32_t bits32 = 0xFFA00123u;
     SmF64 x;
     float f;

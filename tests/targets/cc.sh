@@ -24,7 +24,9 @@ ar)
     shift
     exec "${cc%gcc}ar" "$@" ;;
 present)
-    command -v "$cc" >/dev/null && command -v "${emulator%% *}" >/dev/null || echo "apt-get install $(column 4 "$board")"
+    command -v "$cc" >/dev/null && command -v "${emulator%% *}" >/dev/null &&
+        { [ "${link%% *}" != linux ] || echo 'int main(void) { return 0; }' | $cc $options -x c - -static -o /dev/null 2>/dev/null; } ||
+        echo "apt-get install $(column 4 "$board")"
     exit 0 ;;
 vm)
     case $(column 3 "$board") in

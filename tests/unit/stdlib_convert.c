@@ -200,6 +200,19 @@ static void test_random_reading(void)
     }
 }
 
+// One conversion feeds the next through a register, which must not hold more digits than a double.
+static void test_digits_of_wide_integers(void)
+{
+    SmF64 (*const volatile from_i64)(int64_t) = sm_from_i64, (*const volatile from_u64)(uint64_t) = sm_from_u64;
+
+    for (int i = 0; i < 100000; i++) {
+        const uint64_t u = random_u64() >> (2 + random_u64() % 10);
+        CHECK((uint64_t)sm_cut_i64(from_i64((int64_t)u)) == expected_integer(SM_I64, expected_f64_of(u, false)));
+        CHECK(sm_cut_u64(from_u64(u)) == expected_integer(SM_U64, expected_f64_of(u, false)));
+        CHECK((uint64_t)sm_cut_i64(from_i64(-(int64_t)u)) == 0 - expected_integer(SM_I64, expected_f64_of(u, false)));
+    }
+}
+
 // Every type keeps its neighbours, at any alignment, and a value goes through memory as through a cell.
 static void test_memory(void)
 {
@@ -245,6 +258,7 @@ int main(void)
     test_reading_rows();
     test_random_storing();
     test_random_reading();
+    test_digits_of_wide_integers();
     test_memory();
     test_bool_bytes();
     test_values();

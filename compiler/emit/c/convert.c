@@ -59,6 +59,9 @@ static bool is_read_here(const CFn *fn, IrRef r)
     return i->op == IR_load && i->type == SM_F32 && fn->u->m->var.at[i->var].space == IR_ELEMENT && fn->ins[r].how == C_INLINE;
 }
 
+// Whether a double holds every integer that r can be.  A bound of 2^53 itself may have been rounded from 2^53 + 1.
+static bool is_exact(const CFn *fn, IrRef r) { return fact_within(fn->ins[r].fact, -FACT_EXACT + 1, FACT_EXACT - 1); }
+
 static void put_cast(CFn *fn, SmType to, IrRef r, int prec)
 {
     const SmType from = ins(fn, r)->type;
@@ -66,6 +69,12 @@ static void put_cast(CFn *fn, SmType to, IrRef r, int prec)
 
     if (c_is_soft(fn, from) || (c_is_soft(fn, to) && bits_of(from) > 16)) {
         soft_put_cast(fn, to, r);
+        return;
+    }
+    if (to == SM_F64 && c_is_integer(from) && bits_of(from) == 64 && !is_exact(fn, r)) {      // C's own cast need not round (f64.h)
+        buf_printf(&fn->line, "%s(", helper_use(fn->u, from == SM_I64 ? "sm_from_i64" : "sm_from_u64"));
+        put_value(fn, r, PREC_ANY);
+        put(fn, ")");
         return;
     }
     opened = open_parens(fn, PREC_UNARY, prec);
@@ -151,7 +160,7 @@ static void put_clipped(CFn *fn, IrRef r, SmType to, int prec)
 // What is not exactly an F64 is rounded on its way.
 static bool goes_by_double(const CFn *fn, IrRef r, SmType to)
 {
-    return bits_of(to) == 64 && bits_of(ins(fn, r)->type) == 64 && !fact_within(fn->ins[r].fact, -FACT_EXACT + 1, FACT_EXACT - 1);
+    return bits_of(to) == 64 && bits_of(ins(fn, r)->type) == 64 && !is_exact(fn, r);
 }
 
 static void put_integer(CFn *fn, IrRef r, SmType to, int prec)

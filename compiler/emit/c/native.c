@@ -11,6 +11,7 @@ typedef enum Form {
     FORM_BINARY,              // a op b
     FORM_CAST,                // (type)a
     FORM_NUMBER,              // a as a double
+    FORM_WIDE,                // a, an integer of 64 bits, as a double: a call (f64.h says why), but for a constant
     FORM_BITS,                // the double of these bits, where they are a finite constant
     FORM_SELF                 // a != a
 } Form;
@@ -34,8 +35,8 @@ static const Primitive primitive[] = {
     { "sm_is_nan", " != ", FORM_SELF, EQUALITY },
     { "sm_from_i32", "(double)", FORM_NUMBER, UNARY },
     { "sm_from_u32", "(double)", FORM_NUMBER, UNARY },
-    { "sm_from_i64", "(double)", FORM_NUMBER, UNARY },
-    { "sm_from_u64", "(double)", FORM_NUMBER, UNARY },
+    { "sm_from_i64", "", FORM_WIDE, PRIMARY },
+    { "sm_from_u64", "", FORM_WIDE, PRIMARY },
     { "sm_from_f32", "(double)", FORM_CAST, UNARY },
     { "sm_cut_i32", "(int32_t)", FORM_CAST, UNARY },
     { "sm_cut_u32", "(uint32_t)", FORM_CAST, UNARY },
@@ -143,15 +144,24 @@ static void put_operand(CUnit *u, Text t, int prec, Buf *out)
     buf_str(out, parens ? ")" : "");
 }
 
+static void put_plain_call(CUnit *u, const Primitive *p, Text t, Buf *out)
+{
+    buf_printf(out, "%s(", p->name);
+    put_range(u, t.at, t.at + t.n, out);
+    buf_char(out, ')');
+}
+
 static void put_number(CUnit *u, const Primitive *p, Text t, Buf *out)
 {
     if (is_number(t)) {
         buf_put(out, t.at, t.n);
         buf_str(out, ".0");
-        return;
+    } else if (p->form == FORM_WIDE) {
+        put_plain_call(u, p, t, out);
+    } else {
+        buf_str(out, p->text);
+        put_operand(u, t, UNARY, out);
     }
-    buf_str(out, p->text);
-    put_operand(u, t, UNARY, out);
 }
 
 static void put_primitive(CUnit *u, const Primitive *p, Text a, Text b, Buf *out)
@@ -171,13 +181,10 @@ static void put_primitive(CUnit *u, const Primitive *p, Text a, Text b, Buf *out
         buf_str(out, p->text);
         put_operand(u, a, PRIMARY, out);
         break;
-    case FORM_NUMBER: put_number(u, p, a, out); break;
+    case FORM_NUMBER: case FORM_WIDE: put_number(u, p, a, out); break;
     case FORM_BITS:
-        if (!put_bits(u, a, out)) {
-            buf_printf(out, "%s(", p->name);
-            put_range(u, a.at, a.at + a.n, out);
-            buf_char(out, ')');
-        }
+        if (!put_bits(u, a, out))
+            put_plain_call(u, p, a, out);
         break;
     }
 }
