@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// fixes CODES CASE.smt…   Makes the edits of every finding of the cases, one finding at a time, and demands that they help: the finding is
-// gone, and nothing has come instead, neither an error nor, where there was no error, a warning of the default ones.  What only a
-// deleted statement used or wrote is unused or a constant from then on: that is no fault of the edit.  CODES lists what has edits: each
-// of them needs a case, and no other code has any.
+// fixes CODES FILE…   Applies the edits of every finding of the files, one finding at a time, and checks that they help and do no harm:
+//   - the finding is gone, and no error has come instead; where there was no error, no default warning either.  What only a deleted
+//     statement used or wrote is unused or a constant from then on: that is no fault of the edit;
+//   - no statement is lost, and none depends on fewer conditions than before;
+//   - a machine that compiled before does the same on random inputs.
+// A FILE is a case (.smt), a page (.md) with sources in fences, or a source.  CODES lists what has edits: each of them needs a case, and
+// no other code has any.
 #include <string.h>
 
 #include "compiler/analysis/analysis.h"
 #include "compiler/pipeline.h"
 #include "compiler/script/testfile.h"
 #include "compiler/syntax/parse.h"
+#include "tests/check/fixes_meaning.h"
 #include "tests/unit/host.h"
 
 typedef struct Run {
     Session s;
     Source **src;             // by part; NULL for what is no source
+    Program *program;         // NULL: there is none, or it has errors
 } Run;
 
-static size_t passed, failed;
+static size_t passed, failed, checked, statements, steps;
 static bool helped[DIAG_COUNT];           // an edit of it did
 
 // ---- what there is to say of a case ----
@@ -51,6 +56,7 @@ static void diagnose_machine(Run *r, const TestFile *f)
     if ((p = session_program(&r->s, &in)) == NULL)
         return;
     session_analyse(&r->s, p);
+    r->program = p;
     for (size_t i = 0; i < f->part.n; i++)
         if (testfile_has_suffix(&f->part.at[i], ".ss"))
             session_script(&r->s, r->src[i], p);
@@ -75,6 +81,7 @@ static void diagnose_app(Run *r, const TestFile *f)
 static void open_run(Run *r, const TestFile *f, size_t changed, const Buf *text)
 {
     session_init(&r->s, host_alloc, NULL, &host_oom);
+    r->program = NULL;
     r->src = ARENA_ARRAY(&r->s.arena, Source *, f->part.n + 1);
     for (size_t i = 0; i < f->part.n; i++) {
         const TestPart *p = &f->part.at[i];
@@ -130,10 +137,32 @@ static bool may_follow(int code)
     return false;
 }
 
+// Where `at` is after the edits of x.
+static uint32_t moved(const Diag *x, uint32_t at)
+{
+    uint32_t to = at;
+
+    for (size_t i = 0; i < x->edits.n; i++)
+        if (x->edits.at[i].span.at + x->edits.at[i].span.len <= at)
+            to += (uint32_t)strlen(x->edits.at[i].text) - x->edits.at[i].span.len;
+    return to;
+}
+
+static bool is_still_there(const Diags *before, const Diags *after, const Diag *x)
+{
+    if (count(after, x->code) < count(before, x->code))
+        return false;
+    for (size_t i = 0; i < after->list.n; i++)
+        if (after->list.at[i]->code == x->code && after->list.at[i]->span.at == moved(x, x->span.at) &&
+            strcmp(after->list.at[i]->span.src->name, x->span.src->name) == 0)
+            return true;
+    return false;
+}
+
 // What is wrong with what the edit of x has made of it, or NULL.
 static const char *wrong(const Diags *before, const Diags *after, const Diag *x)
 {
-    if (count(after, x->code) >= count(before, x->code))
+    if (is_still_there(before, after, x))
         return "is still there after its edit";
     if (after->errors > before->errors)
         return "has an edit that brings an error";
@@ -141,6 +170,17 @@ static const char *wrong(const Diags *before, const Diags *after, const Diag *x)
         if (is_on(i) && count(after, i) > count(before, i) && !(only_deletes(x) && may_follow(i)))
             return format_in(after->arena, "has an edit that brings %s", diag_info[i].id);
     return NULL;
+}
+
+static const char *harm(const TestFile *f, Run *was, Run *now, size_t part)
+{
+    const char *why = NULL;
+
+    if (testfile_has_suffix(&f->part.at[part], ".sm") || testfile_has_suffix(&f->part.at[part], ".ss"))
+        why = statements_lost(&now->s.arena, was->src[part], now->src[part], &statements);
+    if (!why && was->program && was->s.diags.errors == 0)
+        why = now->program ? behaviour_changed(&now->s.arena, was->program, now->program, &steps) : "leaves no machine";
+    return why ? format_in(&now->s.arena, "has an edit that %s", why) : NULL;
 }
 
 static void check_finding(const TestFile *f, Run *was, const Diag *x, size_t part)
@@ -157,7 +197,7 @@ static void check_finding(const TestFile *f, Run *was, const Diag *x, size_t par
         return;
     buf_text(&text);
     open_run(&now, f, part, &text);
-    if ((why = wrong(&was->s.diags, &now.s.diags, x)) != NULL) {
+    if ((why = wrong(&was->s.diags, &now.s.diags, x)) != NULL || (why = harm(f, was, &now, part)) != NULL) {
         LineCol at = source_position(x->span.src, x->span.at);
         printf("%s: %s:%lu: %s %s: %s\n", f->name, x->span.src->name, (unsigned long)at.line, diag_info[x->code].id, why, x->text);
         failed++;
@@ -168,27 +208,75 @@ static void check_finding(const TestFile *f, Run *was, const Diag *x, size_t par
     session_free(&now.s);
 }
 
-static void check_case(Arena *arena, const char *path)
+static void check_parts(const TestFile *f)
 {
-    FILE *in = fopen(path, "rb");
-    static char text[1 << 20];
-    size_t n = in ? fread(text, 1, sizeof text, in) : 0;
-    TestFile *f = testfile_parse(arena, path, text, n);
     Run was;
 
-    if (in)
-        fclose(in);
-    if (!in || f->error) {
-        printf("%s: %s\n", path, in ? f->error : "cannot be read");
-        failed++;
-        return;
-    }
     open_run(&was, f, f->part.n, NULL);
     for (size_t i = 0; i < was.s.diags.list.n; i++)
         for (size_t k = 0; was.s.diags.list.at[i]->edits.n && k < f->part.n; k++)
             if (was.src[k] && was.s.diags.list.at[i]->edits.at[0].span.src == was.src[k])
                 check_finding(f, &was, was.s.diags.list.at[i], k);
     session_free(&was.s);
+    checked++;
+}
+
+static void put_part(Arena *arena, TestFile *f, const char *name, const char *text, size_t n)
+{
+    TestPart p = {name, text, n, 1};
+
+    if (testfile_is_source(&p))
+        vec_push(arena, &f->part, p);
+}
+
+// Each source in the fences of a page by itself: ```sm tank.sm
+static void check_page(Arena *arena, const char *path, const char *text)
+{
+    const char *at = text, *end;
+    char name[100];
+
+    while ((at = strstr(at, "\n```s")) != NULL && (end = strstr(at + 4, "\n```")) != NULL) {
+        TestFile f = {.name = path};
+        const char *body = strchr(at + 1, '\n') + 1;
+        if (sscanf(at + 1, "```s%*1[ms] %99[^ \n]", name) == 1 && body <= end)
+            put_part(arena, &f, format_in(arena, "%s", name), format_in(arena, "%.*s", (int)(end + 1 - body), body), (size_t)(end + 1 - body));
+        if (f.part.n)
+            check_parts(&f);
+        at = end + 4;
+    }
+}
+
+static bool ends_in(const char *path, const char *suffix)
+{
+    const size_t n = strlen(path), k = strlen(suffix);
+
+    return n > k && strcmp(path + n - k, suffix) == 0;
+}
+
+static void check_file(Arena *arena, const char *path)
+{
+    FILE *in = fopen(path, "rb");
+    static char text[1 << 20];
+    size_t n = in ? fread(text, 1, sizeof text - 1, in) : 0;
+    TestFile source = {.name = path}, *f = &source;
+
+    text[n] = '\0';
+    if (in)
+        fclose(in);
+    if (in && ends_in(path, ".md")) {
+        check_page(arena, path, text);
+        return;
+    }
+    if (ends_in(path, ".smt"))
+        f = testfile_parse(arena, path, text, n);
+    else
+        put_part(arena, f, path, text, n);
+    if (!in || f->error) {
+        printf("%s: %s\n", path, in ? f->error : "cannot be read");
+        failed++;
+        return;
+    }
+    check_parts(f);
 }
 
 static void check_alone(const char *path)
@@ -196,7 +284,7 @@ static void check_alone(const char *path)
     Arena arena;
 
     HOST_ARENA(&arena);
-    check_case(&arena, path);
+    check_file(&arena, path);
     arena_free(&arena);
 }
 
@@ -226,6 +314,10 @@ int main(int argc, char **argv)
         check_alone(argv[i]);
     if (argc > 1)
         check_codes(argv[1]);
-    printf("%lu passed, %lu failed\n", (unsigned long)passed, (unsigned long)(failed + (passed == 0)));
-    return failed > 0 || passed == 0;
+    if (checked < 1200 || statements < 1000 || steps < 50000) {
+        printf("too little was checked: %lu files, %lu statements, %lu steps\n", (unsigned long)checked, (unsigned long)statements, (unsigned long)steps);
+        failed++;
+    }
+    printf("%lu passed, %lu failed\n", (unsigned long)passed, (unsigned long)failed);
+    return failed > 0;
 }
