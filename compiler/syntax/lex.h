@@ -72,6 +72,7 @@ typedef struct Lexer {
     bool stores, annotated;   // an =, an annotation stands before it on the line
     uint32_t bar;             // where the | stands that closes |x|
     uint32_t parens;          // opened on this line and still open
+    uint32_t hinted;          // up to here statements share a line in a way that has been reported
 } Lexer;
 
 void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src);

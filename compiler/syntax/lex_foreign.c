@@ -3,6 +3,7 @@
 // and the token given that was meant.
 #include <string.h>
 
+#include "compiler/syntax/hint_lines.h"
 #include "compiler/syntax/lexer.h"
 
 // ---- comments, numbers, headers ----
@@ -440,21 +441,26 @@ static void semicolon_for_comma(Lexer *l, Token *t)
     lexer_finish(l, t, TOK_COMMA, l->at + 1);
 }
 
-// ; ends nothing here; what follows it is taken as if it stood on a line of its own.
+// The token after a ';' is read as the first of a line.
 static void skip_semicolon(Lexer *l)
 {
-    Span span = lexer_span(l, l->at, 1);
-    Diag *d = diag_report(l->diags, DIAG_semicolon, span);
+    const Span span = lexer_span(l, l->at, 1);
+    const uint32_t next = skip_gap(l, l->at + 1);
+    Diag *d;
 
-    l->at++;
+    l->at = next;
     l->first = true;
-    while (lexer_byte(l, l->at) == ' ' || lexer_byte(l, l->at) == '\t' || lexer_byte(l, l->at) == '\r')
-        l->at++;
-    if (l->at == l->src->len || strchr("\n#}", lexer_byte(l, l->at))) {
+    if (span.at < l->hinted)
+        return;
+    d = diag_report(l->diags, DIAG_semicolon, span);
+    if (next == l->src->len || strchr("\n#}", lexer_byte(l, next))) {
         diag_label(l->diags, d, DIAG_label_leave_out);
         diag_edit(l->diags, d, span, "");
-    } else {
+    } else if (l->config) {
         diag_label(l->diags, d, DIAG_label_own_line);
+    } else if ((l->hinted = hint_shared_line(l->diags, d, l->src, span.at, HINT_SEMICOLON)) == 0) {
+        diag_label(l->diags, d, DIAG_label_own_line_or_braces);
+        l->hinted = next + 1;
     }
 }
 

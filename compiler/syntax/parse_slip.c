@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slips: what people write who know other languages, who do not program, or who type fast.  Where the grammar has no way on,
 // these functions find the likeliest reason and say that instead of what token was expected.
+#include "compiler/syntax/hint_lines.h"
 #include "compiler/syntax/parser.h"
 
 // ---- words ----
@@ -229,11 +230,23 @@ static void skip_continuation(Parser *p)
     }
 }
 
+// The statement that ended before `at` shares its line with another.  False if it is none.
+static bool shares_line(Parser *p, Diag *d, uint32_t at)
+{
+    const uint32_t until = hint_shared_line(p->diags, d, p->lex.src, at, HINT_OTHER);
+
+    if (until > 0)
+        p->lex.hinted = until;
+    return until > 0;
+}
+
 void slip_missing_value(Parser *p, Diag *d)
 {
     if (p->tok.first && p->tok.kind != TOK_END && p->last.kind != TOK_ASSIGN) {
         diag_label(p->diags, d, DIAG_label_line_break);
         skip_continuation(p);
+    } else if (p->last.kind == TOK_AND && p->tok.kind == TOK_ARROW && shares_line(p, d, p->last.at)) {
+        return;
     } else if ((p->last.kind == TOK_AND || p->last.kind == TOK_OR) && is_comparison(p->tok.kind)) {
         diag_label(p->diags, d, DIAG_label_repeat_name, parser_text(p, parser_here(p)));
     } else if (p->tok.kind == TOK_HEADER && !p->tok.first) {
@@ -288,10 +301,23 @@ static bool unit_after_number(const Parser *p)
     return p->last.kind == TOK_NUMBER && p->tok.kind == TOK_NAME && (p->ahead.first || p->ahead.kind == TOK_COLON);
 }
 
-// x = true, y = true; x = true y = true; x = true -> Idle
+// Behind `then`: no expression goes on so.
+bool slip_is_and_then(const Parser *p)
+{
+    const char *s = p->lex.src->text + p->ahead.at + p->ahead.len;
+
+    if (p->tok.kind != TOK_AND || !slip_is_word(&p->ahead, "then") || p->ahead.first)
+        return false;
+    s += strspn(s, " \t");
+    return is_letter(*s) || (s[0] == '-' && s[1] == '>');
+}
+
+// x = true, y = true; x = true y = true; x = true -> Idle; x = true and then -> Idle
 static bool begins_statement(const Parser *p)
 {
-    return p->tok.kind == TOK_ARROW || (p->tok.kind == TOK_COMMA && (p->ahead.kind == TOK_NAME || p->ahead.kind == TOK_ARROW)) ||
+    const bool next = !p->ahead.first && (p->ahead.kind == TOK_NAME || p->ahead.kind == TOK_ARROW);
+
+    return p->tok.kind == TOK_ARROW || (p->tok.kind == TOK_COMMA && next) || (slip_is_word(&p->tok, "then") && next) || slip_is_and_then(p) ||
            (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN && !p->ahead.first);
 }
 
@@ -300,7 +326,7 @@ void slip_at_end(Parser *p)
     Diag *d;
 
     if (p->tok.kind == TOK_ERROR || (p->ahead.kind == TOK_ERROR && !p->ahead.first) ||
-        (p->lex.src->text[p->tok.at] & 0x80)) {
+        (p->lex.src->text[p->tok.at] & 0x80) || (p->tok.kind == TOK_ELSE && p->last.at < p->lex.hinted)) {
         p->failed = true;                              // the line has been spoken of
         return;
     }
@@ -321,10 +347,10 @@ void slip_at_end(Parser *p)
         diag_label(p->diags, d, DIAG_label_condition_first);
     else if (annotation_is_allow(&p->tok))
         diag_label(p->diags, d, DIAG_label_allow_before);
-    else if (begins_statement(p))
-        diag_label(p->diags, d, DIAG_label_own_line);
+    else if (begins_statement(p) && !shares_line(p, d, p->last.at + p->last.len))
+        diag_label(p->diags, d, DIAG_label_own_line_or_braces);
     else if (p->tok.kind == TOK_COLON)
-        diag_label(p->diags, d, DIAG_label_text, "one statement behind ':'; several stand in braces, each on a line of its own");
+        diag_label(p->diags, d, DIAG_label_text, "only one statement can follow ':'; put several in braces, each on a line of its own");
     else if (p->tok.kind == TOK_LPAREN && p->last.kind == TOK_ANNOTATION)
         diag_label(p->diags, d, DIAG_label_write, parser_text(p, parser_span(p, &p->last)));
     else if (p->tok.kind == TOK_LPAREN)

@@ -2,6 +2,7 @@
 // Slips in statements: a guard without its body, a value where a statement should be, statements of other languages.  See parse_slip.c.
 #include <string.h>
 
+#include "compiler/syntax/hint_lines.h"
 #include "compiler/syntax/parser.h"
 
 // ---- expressions that stand alone ----
@@ -185,7 +186,13 @@ void slip_colon(Parser *p, AstExpr *guard, Span colon)
         return;
     }
     d = parser_report(p, DIAG_colon_line_break, colon, guard ? "the condition" : "'else'", parser_found(p));
-    diag_label(p->diags, d, DIAG_label_statement_here);
+    if (p->tok.first && p->tok.kind != TOK_ELSE && !parser_at_end_of_block(p)) {
+        diag_label(p->diags, d, DIAG_label_braces_instead);
+        const uint32_t end = hint_indented_lines(p->diags, d, colon.src, colon.at);
+        p->indented = end > p->indented ? end : p->indented;
+    } else {
+        diag_label(p->diags, d, DIAG_label_statement_here);
+    }
     diag_note(p->diags, d, (Span){0}, DIAG_note_write_braces, before);
 }
 

@@ -77,6 +77,7 @@ static void check_allows(Parser *p, const AstStmts *list)
 void parse_block(Parser *p, AstStmts *into)
 {
     bool lost_body = p->lost_body;
+    bool claimed;                               // a condition that was reported already should have had this statement
     size_t errors;
     uint32_t at;
 
@@ -97,8 +98,10 @@ void parse_block(Parser *p, AstStmts *into)
         if (p->tok.at == at)                    // nothing was taken: it begins no statement
             parser_next(p);
         finish_statement(p);
+        claimed = at < p->lex.hinted || at < p->indented;
         if (into->n)
-            into->at[into->n - 1]->flawed |= p->diags->errors > errors;
+            into->at[into->n - 1]->flawed |= p->diags->errors > errors || claimed;
+        p->lost_body |= claimed;
     }
     check_allows(p, into);
     p->lost_body = lost_body;
@@ -179,7 +182,7 @@ static void parse_assignment(Parser *p, AstStmts *into)
     parser_next(p);
     s->value = parse_value_of(p, false);
     s->span = parser_since(p, s->span.at);
-    if (!p->failed && !p->tok.first && ((p->tok.kind == TOK_COLON && !behind_colon) || p->tok.kind == TOK_LBRACE))
+    if (!p->failed && !p->tok.first && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE) && !behind_colon)
         assignment_as_guard(p, into, s, sign);
     else
         check_guarded(p, s);

@@ -27,6 +27,7 @@ typedef struct Parser {
     unsigned nesting;             // of conditionals
     unsigned depth;               // of the place in the expression being parsed
     unsigned parens;              // open around that place: line ends are blanks
+    uint32_t indented;            // up to here lines hang on a condition whose braces are missing
     bool is_guard;                // the expression being parsed decides: an = in it was meant as ==
 } Parser;
 
@@ -90,6 +91,7 @@ void slip_missing_value(Parser *p, Diag *d);            // adds to the message t
 bool slip_decimal_comma(Parser *p);                     // 3,14 at the comma; true when reported
 bool slip_dotted_name(Parser *p, Span name);            // tank.pressure behind `tank`; true when reported
 void slip_after_name(Parser *p, AstExpr *name);   // tank.pressure, a[3]
+bool slip_is_and_then(const Parser *p);                 // x = 1 and then -> Idle, at `and`
 void slip_equality_chain(Parser *p, const AstExpr *e);  // a == b == c
 // A statement is complete, yet something follows on its line.  Reports it.
 void slip_at_end(Parser *p);

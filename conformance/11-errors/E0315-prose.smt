@@ -14,9 +14,9 @@ bool on
     if abs p > 5: x = 1                 #! E0219 write abs(x)
     if p > 5 -> Hold                    #! E0315 insert ':'
     if p > 5 x = 1                      #! E0315 insert ':'
-    x = 1, p = 2                        #! E0330 every statement stands on a line of its own
-    x = 1 p = 2                         #! E0330 every statement stands on a line of its own
-    if on { x = 1 -> Hold }             #! E0330 every statement stands on a line of its own
+    x = 1, p = 2                        #! E0330 put each statement on a line of its own
+    x = 1 p = 2                         #! E0330 put each statement on a line of its own
+    if on { x = 1 -> Hold }             #! E0330 condition: -> State
     x = 2 (p + 1)                       #! E0330 to multiply, write *
     x = if p > 5: 1 else 0              #! E0312 write it as if ...
     p > 5: - > Hold                     #! E0312 write ->

@@ -60,10 +60,10 @@ app.sm:17:5: error: 'for' is not a word of this language [E0329]
       |     ^~~ there are no loops: .step is run again at every step
 app.sm:18:13: error: a statement ends with its line, not with ';' [E0109]
    18 |     mode = 1; valve = false
-      |             ^ every statement stands on a line of its own
+      |             ^ put each statement on a line of its own
 app.sm:19:25: error: expected the end of the line, found ',' [E0330]
    19 |     p > 50: valve = true, -> Vent
-      |                         ^ every statement stands on a line of its own
+      |                         ^ put all that depends on the condition in braces, each statement on a line of its own
 app.sm:20:5: error: variables are declared in the section [local] [E0338]
    20 |     int x = 3
       |     ^~~

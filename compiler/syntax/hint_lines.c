@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/syntax/hint_lines.h"
+
+#include <string.h>
+
+#include "compiler/syntax/lex.h"
+
+enum {
+    STATEMENTS_MAX = 16,      // of one line; more get no edit
+    LINE_MAX = 1000           // bytes; a longer line gets no hint, so that hostile text does not take the square of its length
+};
+
+typedef struct Line {
+    const Source *src;
+    const char *text;         // of the source
+    uint32_t from, end;       // end: without the line end and blanks before it
+    const char *line_end;     // as this line ends
+} Line;
+
+static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+static bool is_word(char c) { return is_letter(c) || is_digit(c); }
+
+static uint32_t skip_blanks(const Line *l, uint32_t p)
+{
+    while (p < l->end && is_blank(l->text[p]))
+        p++;
+    return p;
+}
+
+static uint32_t skip_word(const Line *l, uint32_t p)
+{
+    while (p < l->end && is_word(l->text[p]))
+        p++;
+    return p;
+}
+
+static uint32_t before_blanks(const Line *l, uint32_t p)
+{
+    while (p > l->from && is_blank(l->text[p - 1]))
+        p--;
+    return p;
+}
+
+static bool has_text(const Line *l, uint32_t at, uint32_t end, const char *word)
+{
+    return end - at == strlen(word) && memcmp(l->text + at, word, end - at) == 0;
+}
+
+// The line of `at`, or as much of it as LINE_MAX allows.
+static Line line_of(const Source *src, uint32_t at)
+{
+    Line l = {src, src->text, at, at, "\n"};
+
+    while (l.from > 0 && l.text[l.from - 1] != '\n' && at - l.from < LINE_MAX)
+        l.from--;
+    while (l.end < src->len && l.text[l.end] != '\n' && l.end - at < LINE_MAX)
+        l.end++;
+    if (l.end > l.from && l.text[l.end - 1] == '\r') {
+        l.line_end = "\r\n";
+        l.end--;
+    }
+    l.end = before_blanks(&l, l.end);
+    return l;
+}
+
+// A line end and the indentation of l, `levels` deeper.
+static const char *new_line(Arena *arena, const Line *l, unsigned levels)
+{
+    const uint32_t indent = skip_blanks(l, l->from) - l->from;
+    const bool tabs = memchr(l->text + l->from, '\t', indent) != NULL;
+    const char *text = format_in(arena, "%s%.*s", l->line_end, (int)indent, l->text + l->from);
+
+    while (levels-- > 0)
+        text = format_in(arena, "%s%s", text, tabs ? "\t" : "    ");
+    return text;
+}
+
+static bool is_too_long(const Line *l) { return l->end - l->from >= LINE_MAX; }
+static Span span_of(const Line *l, uint32_t at, uint32_t end) { return (Span){l->src, at, end - at}; }
+
+// x = 1 or -> Idle begins at p.
+static bool begins_statement(const Line *l, uint32_t p)
+{
+    uint32_t sign;
+
+    if (l->text[p] == '-')
+        return p + 1 < l->end && l->text[p + 1] == '>';
+    if (!is_letter(l->text[p]))
+        return false;
+    sign = skip_blanks(l, skip_word(l, p));
+    return sign < l->end && l->text[sign] == '=' && (sign + 1 == l->end || (l->text[sign + 1] != '=' && l->text[sign + 1] != '>'));
+}
+
+// F64 x begins at p.
+static bool begins_declaration(const Line *l, uint32_t p)
+{
+    const uint32_t end = skip_word(l, p);
+
+    for (int t = 0; t < SM_TYPE_COUNT; t++)
+        if (has_text(l, p, end, sm_type_info[t].spelling))
+            return true;
+    return false;
+}
+
+// ---- what comes before ----
+
+// The statement before `at`, as far as its line tells.
+typedef struct Before {
+    enum { PLAIN, GUARDED, UNKNOWN } is;      // GUARDED: after a condition's colon on this line
+    uint32_t colon;
+    uint32_t begin;           // of the statement
+    bool braces;              // opened on this line and still open
+} Before;
+
+static Before look_before(const Line *l, uint32_t at)
+{
+    Before b = {UNKNOWN, 0, l->from, false};
+    uint32_t depth = 0;
+    bool colon = false;
+
+    for (uint32_t p = l->from; p < at; p++)
+        switch (l->text[p]) {
+        case '(': depth++; break;
+        case ')': depth -= depth > 0; break;
+        case '{': case '}':
+            b.begin = p + 1;
+            b.braces = l->text[p] == '{';
+            colon = false;
+            break;
+        case ':':
+            b.colon = p;
+            b.begin = p + 1;
+            colon = depth == 0;
+            break;
+        case ';':
+            if (depth == 0 && !colon)
+                b.begin = p + 1;
+            break;
+        case '"':
+            while (p + 1 < at && l->text[p + 1] != '"')
+                p++;
+            p++;
+            break;
+        default: break;
+        }
+    b.begin = skip_blanks(l, b.begin);
+    if (b.begin < at && begins_statement(l, b.begin))
+        b.is = colon ? GUARDED : PLAIN;
+    else if (begins_declaration(l, b.begin))
+        b.is = PLAIN;
+    return b;
+}
+
+// ---- statements of one line ----
+
+typedef struct Shared {
+    size_t n;
+    uint32_t gap[STATEMENTS_MAX], begin[STATEMENTS_MAX];      // what separates a statement from the one before it begins; it begins
+    uint32_t end;             // of the last one
+    uint32_t trailing;        // end of a ';' after it; 0: there is none
+    bool clear;               // there is nothing else
+} Shared;
+
+// Splits the statements from p on, up to a }, an else, a comment or the end of the line.
+static Shared split(const Line *l, uint32_t p)
+{
+    Shared s = {.end = p};
+    uint32_t depth = 0, gap = 0, next;
+    bool strong = false;              // the gap holds a sign or word that no expression holds
+
+    for (p = skip_blanks(l, p); p < l->end; p = skip_blanks(l, next)) {
+        const char c = l->text[p];
+        next = is_word(c) ? skip_word(l, p) : p + 1;
+        if (depth == 0 && (c == '}' || c == '#' || has_text(l, p, next, "else")))
+            break;
+        if (strchr(":{}?\"@[", c))
+            return s;
+        if (depth == 0 && begins_statement(l, p)) {
+            if (s.n == STATEMENTS_MAX)
+                return s;
+            s.gap[s.n] = gap ? gap : s.end;
+            s.begin[s.n++] = p;
+            next = c == '-' ? p + 2 : next;
+        } else if (depth == 0 && s.n > 0 &&
+                   (c == ';' || c == ',' || c == '&' || has_text(l, p, next, "and") || has_text(l, p, next, "then"))) {
+            gap = gap ? gap : s.end;
+            strong = strong || c == ';' || c == ',' || has_text(l, p, next, "then");
+            s.trailing = c == ';' ? next : 0;
+            continue;
+        } else if (strong || s.n == 0) {
+            return s;
+        }
+        depth += c == '(';
+        depth -= c == ')' && depth > 0;
+        gap = 0;
+        strong = false;
+        s.trailing = 0;
+        s.end = next;
+    }
+    s.clear = s.n > 1 && depth == 0 && (gap == 0 || s.trailing > 0);
+    return s;
+}
+
+// condition: a; b   becomes   condition { a b } on lines of their own.
+static void put_in_braces(Diags *diags, Diag *d, const Line *l, const Before *b, const Shared *s)
+{
+    const uint32_t end = s->trailing ? s->trailing : s->end, after = skip_blanks(l, end), colon = before_blanks(l, b->colon);
+    const bool last = after == l->end || l->text[after] == '#';
+    const char *inner = new_line(diags->arena, l, b->braces + 1u), *outer = new_line(diags->arena, l, b->braces);
+
+    diag_edit(diags, d, span_of(l, colon, s->begin[0]), format_in(diags->arena, " {%s", inner));
+    for (size_t i = 1; i < s->n; i++)
+        diag_edit(diags, d, span_of(l, s->gap[i], s->begin[i]), inner);
+    if (s->trailing)
+        diag_edit(diags, d, span_of(l, s->end, s->trailing), "");
+    diag_edit(diags, d, last ? span_of(l, l->end, l->end) : span_of(l, end, after), format_in(diags->arena, "%s}%s", outer, last ? "" : " "));
+}
+
+// a; b   becomes two lines.
+static void put_on_lines(Diags *diags, Diag *d, const Line *l, const Before *b, uint32_t at)
+{
+    const Shared s = split(l, b->begin);
+
+    for (size_t i = 1; i < s.n; i++)
+        if (s.gap[i] <= at && s.begin[i] >= at)
+            diag_edit(diags, d, span_of(l, s.gap[i], s.begin[i]), new_line(diags->arena, l, b->braces));
+}
+
+// A -> follows p, perhaps after a comma or words.
+static bool is_transition(const Line *l, uint32_t p)
+{
+    while (p < l->end && !begins_statement(l, p))
+        p++;
+    return p < l->end && l->text[p] == '-';
+}
+
+uint32_t hint_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator)
+{
+    const Line l = line_of(src, at);
+    const Before b = look_before(&l, at);
+    Shared s;
+
+    if (b.is == UNKNOWN || is_too_long(&l))
+        return 0;
+    // Without a ';' the transition may belong to a condition that lost its sign: mode = 2 -> Abort.
+    if (b.is == PLAIN && separator == HINT_OTHER && is_transition(&l, at)) {
+        diag_label(diags, d, DIAG_label_transition_alone);
+        return at;
+    }
+    if (b.is == PLAIN) {
+        diag_label(diags, d, DIAG_label_own_line);
+        put_on_lines(diags, d, &l, &b, at);
+        return at;
+    }
+    diag_label(diags, d, DIAG_label_all_in_braces);
+    s = split(&l, b.begin);
+    if (s.clear)
+        put_in_braces(diags, d, &l, &b, &s);
+    return s.clear ? (s.trailing ? s.trailing : s.end) : l.end;
+}
+
+// ---- lines below a colon ----
+
+// The line below l, which holds the source up to its end; false: there is none.
+static bool next_line(Line *l)
+{
+    uint32_t p = l->end;
+
+    while (p < l->src->len && l->text[p] != '\n')
+        p++;
+    if (p == l->src->len)
+        return false;
+    *l = line_of(l->src, p + 1);
+    return true;
+}
+
+static bool is_empty_line(const Line *l)
+{
+    const uint32_t p = skip_blanks(l, l->from);
+
+    return p == l->end || l->text[p] == '#';
+}
+
+// Begins with the indentation of `outer`, and goes on with a blank.
+static bool is_deeper(const Line *l, const Line *outer)
+{
+    const uint32_t indent = skip_blanks(outer, outer->from) - outer->from;
+
+    return l->end - l->from > indent && memcmp(l->text + l->from, outer->text + outer->from, indent) == 0 && is_blank(l->text[l->from + indent]);
+}
+
+// How many braces the line opens; closing ones count down.
+static int opened(const Line *l)
+{
+    int n = 0;
+
+    for (uint32_t p = l->from; p < l->end && l->text[p] != '#'; p++)
+        n += l->text[p] == '{' ? 1 : l->text[p] == '}' ? -1 : 0;
+    return n;
+}
+
+uint32_t hint_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon)
+{
+    const Line guard = line_of(src, colon);
+    Line l = guard, last = guard;
+    const uint32_t after = skip_blanks(&guard, colon + 1), from = before_blanks(&guard, colon);
+    int braces = 0;
+
+    if (is_too_long(&guard) || (after < guard.end && guard.text[after] != '#'))
+        return 0;
+    while (next_line(&l)) {
+        const char c = l.text[skip_blanks(&l, l.from)];
+        if (is_empty_line(&l))
+            continue;
+        if (!is_deeper(&l, &guard))
+            break;
+        if (is_too_long(&l))
+            return 0;
+        if (strchr("{.[", c) || (braces += opened(&l)) < 0)
+            return 0;
+        last = l;
+    }
+    if (last.from == guard.from || braces != 0)
+        return 0;
+    diag_edit(diags, d, span_of(&guard, from, colon + 1), " {");
+    diag_edit(diags, d, span_of(&last, last.end, last.end), format_in(diags->arena, "%s}", new_line(diags->arena, &guard, 0)));
+    return last.end;
+}
