@@ -199,6 +199,11 @@ $(B)/corpus/log/flight.log: $(B)/runtime/log
 	@$(B)/runtime/log $@.new && head -c 4000 $@.new >$@ && rm $@.new
 check: $(B)/fuzz/log $(B)/corpus/log/flight.log
 $(B)/fuzz-cov/log: | $(B)/corpus/log/flight.log
+# What an output may replace.
+CHECK_LINES += "outputs: sh tests/outputs/run.sh $(B)/smc $(B)/outputs $(B)/corpus/log/flight.log"
+check-outputs: all $(B)/corpus/log/flight.log
+	sh tests/outputs/run.sh $(B)/smc $(B)/outputs $(B)/corpus/log/flight.log
+.PHONY: check-outputs
 CHECK_LINES += "fuzz-log: $(B)/fuzz/log -n 1000 $(B)/corpus/log/flight.log" "log: sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log"
 
 # Images: their seeds are those that the mutation test works on.  `make check-mutate` changes every byte of them to every value,

@@ -35,6 +35,8 @@ bool os_read_head(const char *path, char *into, size_t n, size_t *len);
 bool os_is_folder(const char *path);
 bool os_is_special(const char *path);              // a device or pipe, as /dev/null
 bool os_make_folder(const char *path, const char **why);     // the folder alone, not those it lies in; true if it is there already
+// The path with symbolic links followed, from the heap; of a file that does not exist yet too.  NULL: its folder does not exist.
+char *os_real_path(const char *path);
 bool os_same_file(const char *a, const char *b);   // two names of one regular file that exists; "-" is none
 // Names in a folder without . and .., sorted; *names and its strings are one block from the heap.
 bool os_list(const char *path, char ***names, size_t *n, const char **why);

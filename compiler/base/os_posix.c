@@ -319,6 +319,46 @@ bool os_same_file(const char *a, const char *b)
     return S_ISREG(x.st_mode) && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
 }
 
+// The folder that `path` is in, links followed; from the heap.
+static char *real_folder(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup("."), *real = folder ? realpath(folder, NULL) : NULL;
+
+    free(folder);
+    return real;
+}
+
+char *os_real_path(const char *path)
+{
+    enum { LINKS_MOST = 40 };             // as many as systems follow
+    char *at = strdup(path), *real = NULL;
+
+    for (int i = 0; at && !real && i < LINKS_MOST; i++) {
+        char target[4096], *folder, *next = NULL;
+        const char *slash = strrchr(at, '/'), *name = slash ? slash + 1 : at;
+        ssize_t n;
+        if ((real = realpath(at, NULL)) != NULL || (folder = real_folder(at)) == NULL)
+            break;
+        n = readlink(at, target, sizeof target - 1);      // a link to what does not exist
+        target[n < 0 ? 0 : n] = '\0';
+        if ((next = malloc(strlen(folder) + strlen(name) + sizeof target + 2)) != NULL) {
+            strcpy(next, n >= 0 && target[0] == '/' ? "" : folder);
+            strcat(next, n >= 0 && target[0] == '/' ? "" : "/");
+            strcat(next, n >= 0 ? target : name);
+        }
+        free(folder);
+        if (n < 0) {
+            real = next;
+        } else {
+            free(at);
+            at = next;
+        }
+    }
+    free(at);
+    return real;
+}
+
 bool os_is_folder(const char *path)
 {
     struct stat st;

@@ -182,5 +182,5 @@ int build_app(Cli *c)
         return reported != EXIT_OK ? reported : EXIT_PROBLEM;
     if (deps_wanted(c))
         deps_add(c, b.out, &b.n, all_inputs(c, &files.files));
-    return make_folder(c) && cli_write(c, b.out, b.n) ? EXIT_OK : EXIT_ENVIRONMENT;
+    return make_folder(c) ? cli_write(c, b.out, b.n) : EXIT_ENVIRONMENT;
 }

@@ -85,7 +85,10 @@ void cli_put_pin(Buf *out, const SmvmPin *p);          // "digital input 2 with 
 // The names that they assign go into `written`: a machine is compiled with those locals as variables.
 Source **cli_load_scripts(Cli *c, Map *written);
 void cli_note_written(Cli *c, const Source *ss, Map *written);     // the names that one script assigns
-bool cli_write(Cli *c, const OsOutput *out, size_t n);    // false after a message
+// Writes outputs, after outputs_check.  EXIT_OK, or the exit code after a message: nothing has been replaced then.
+int cli_write(Cli *c, const OsOutput *out, size_t n);
+// The same for a command that edits its input in place; nothing is checked.
+int cli_rewrite(Cli *c, const OsOutput *out, size_t n);
 bool cli_print(Cli *c, int fd, const Buf *text);          // to standard output or error; false after a message
 
 // Prints what the session's diagnostics say, warnings as -W… wants them, to standard error and empties the list.
@@ -109,6 +112,15 @@ bool cli_format(Cli *c, const CliFormat *format, size_t formats, size_t *found);
 
 // "tank" of "dir/tank.sm"; of "-" it is "stdin".  Lives in the session.
 const char *path_stem(Cli *c, const char *path);
+
+// ---- outputs.c: what a command may write to ----
+
+// Whether all of these may be written: no source, no input, no file that smc did not write (--force allows that one), and no name
+// twice.  EXIT_OK, or the exit code after a message.
+int outputs_check(Cli *c, const OsOutput *out, size_t n);
+// The same for the outputs that options name, before anything is read.
+int outputs_check_options(Cli *c);
+bool outputs_is_source_name(const char *name, size_t n);
 
 // ---- warnings.c ----
 

@@ -59,6 +59,12 @@ static Buf *new_buf(Cli *c)
     return b;
 }
 
+static const char *file_part(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
 // ---- stages as text ----
 
 static int emit_tokens_or_ast(Cli *c, Emit emit, Outputs *o)
@@ -72,6 +78,9 @@ static int emit_tokens_or_ast(Cli *c, Emit emit, Outputs *o)
             return EXIT_USAGE;
         if ((src = cli_load(c, c->file[i])) == NULL)
             return EXIT_ENVIRONMENT;
+        buf_str(out, emit == EMIT_TOKENS ? "# Tokens of " : "# Syntax tree of ");
+        diag_put_printable(out, file_part(src->name), strlen(file_part(src->name)));
+        buf_str(out, ", printed by smc\n");
         if (emit == EMIT_TOKENS)
             lex_print(&c->session.strings, &c->session.diags, src, kind, out);
         else {
@@ -89,12 +98,6 @@ static int emit_tokens_or_ast(Cli *c, Emit emit, Outputs *o)
 static const char *output_path(Cli *c, const char *input, const char *suffix)
 {
     return c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : format_in(&c->session.arena, "%s%s", path_stem(c, input), suffix);
-}
-
-static const char *file_part(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
 }
 
 // The two C files of one input: -o names the .c, or their common stem.
@@ -401,7 +404,9 @@ int cmd_build(Cli *c)
         code = reported;
     if (code != EXIT_OK)
         return code;
+    if (wants_deps && !deps_named(c, &o.at[0]))
+        return EXIT_USAGE;
     if (wants_deps)
         deps_add(c, o.at, &o.n, build_inputs(c));
-    return cli_write(c, o.at, o.n) ? EXIT_OK : EXIT_ENVIRONMENT;
+    return cli_write(c, o.at, o.n);
 }

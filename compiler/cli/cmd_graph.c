@@ -69,8 +69,8 @@ static int draw(Cli *c, const Program *p, PutGraph *put, Source *const *ss)
     put(&a, &o, &out);
     file.bytes = buf_text(&out);
     file.n = out.n;
-    if (!cli_write(c, &file, 1))
-        return EXIT_ENVIRONMENT;
+    if ((code = cli_write(c, &file, 1)) != EXIT_OK)
+        return code;
     return tell_failures(c, &r);
 }
 

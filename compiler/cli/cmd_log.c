@@ -143,7 +143,7 @@ static int write_out(Cli *c, const Flight *f, PutFlight *put)
     put(f, &out);
     file.bytes = buf_text(&out);
     file.n = out.n;
-    return cli_write(c, &file, 1) ? EXIT_OK : EXIT_ENVIRONMENT;
+    return cli_write(c, &file, 1);
 }
 
 int cmd_log(Cli *c)

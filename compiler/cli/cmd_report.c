@@ -107,7 +107,7 @@ static int write_report(ReportCommand *x, WriteReport *writer)
     writer(report_build(&x->r), &out);
     file.bytes = buf_text(&out);
     file.n = out.n;
-    return cli_write(x->c, &file, 1) ? EXIT_OK : EXIT_ENVIRONMENT;
+    return cli_write(x->c, &file, 1);
 }
 
 static int say_failed(const ReportCommand *x)

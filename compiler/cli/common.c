@@ -111,34 +111,21 @@ Source **cli_load_scripts(Cli *c, Map *written)
     return ss;
 }
 
-// C that somebody wrote, or that cannot be looked at: what smc makes says so at its head.
-static bool is_handwritten(const char *path)
+int cli_write(Cli *c, const OsOutput *out, size_t n)
 {
-    char head[512];
-    size_t n;
+    const int code = outputs_check(c, out, n);
 
-    if (!has_suffix(path, ".c") && !has_suffix(path, ".h"))
-        return false;
-    if (!os_read_head(path, head, sizeof head - 1, &n))
-        return true;
-    head[n] = '\0';
-    return n > 0 && strstr(head, "Made by smc from ") == NULL;
+    return code == EXIT_OK ? cli_rewrite(c, out, n) : code;
 }
 
-bool cli_write(Cli *c, const OsOutput *out, size_t n)
+int cli_rewrite(Cli *c, const OsOutput *out, size_t n)
 {
     const char *path, *why;
 
-    for (size_t i = 0; i < n; i++)
-        if (is_handwritten(out[i].path)) {
-            cli_say(c, "'%s' is there, and smc did not make it: say -o %s, or rename it", out[i].path,
-                    c->files && has_suffix(c->file[0], ".app") ? "FOLDER for another place" : "FILE for another name");
-            return false;
-        }
     if (os_write(out, n, &path, &why))
-        return true;
+        return EXIT_OK;
     cli_say(c, "cannot write '%s': %s", strcmp(path, "-") == 0 ? "standard output" : path, why);
-    return false;
+    return EXIT_ENVIRONMENT;
 }
 
 bool cli_print(Cli *c, int fd, const Buf *text)

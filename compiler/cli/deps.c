@@ -6,6 +6,14 @@
 
 bool deps_wanted(const Cli *c) { return c->given[OPT_DEPS] || c->given[OPT_DEPS_FILE]; }
 
+bool deps_named(Cli *c, const OsOutput *output)
+{
+    if (c->given[OPT_DEPS_FILE] || strcmp(output->path, "-") != 0)
+        return true;
+    cli_usage(c, "standard output has no name that -MD can end in .d: name the rule's file with -MF");
+    return false;
+}
+
 static void put_make_name(Buf *out, const char *name)
 {
     for (; *name; name++) {

@@ -73,6 +73,8 @@ int cmd_key(Cli *c)
 
     if (c->files != 1 || strcmp(c->file[0], "-") == 0)
         return cli_usage(c, "key wants the name of a new file, as in 'smc key rocket.key'");
+    if (outputs_is_source_name(c->file[0], strlen(c->file[0])))
+        return cli_usage(c, "'%s' is the name of a source; name the key otherwise, as in 'smc key rocket.key'", c->file[0]);
     if (!os_random(key, sizeof key, &why))
         return cli_say(c, "cannot make a key: %s", why), EXIT_ENVIRONMENT;
     for (unsigned i = 0; i < SMVM_KEY; i++) {

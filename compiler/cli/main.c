@@ -49,6 +49,7 @@ static int print(Cli *c, int fd, const Buf *text, int code)
 static int run_command(Cli *c, int argc, char **argv)
 {
     Buf out;
+    int code;
 
     buf_init(&out, &c->session.arena);
     if ((c->command = find_command(c, argv[1])) == NULL || !options_parse(c, argc - 2, argv + 2))
@@ -62,6 +63,8 @@ static int run_command(Cli *c, int argc, char **argv)
         options_help(c->command, &out);
         return print(c, 1, &out, EXIT_OK);
     }
+    if ((code = outputs_check_options(c)) != EXIT_OK)
+        return code;
     return cli_end(c, c->command->run(c));
 }
 

@@ -147,29 +147,6 @@ static bool check_values(Cli *c)
            sarif_fits(c) && one_of(c, OPT_COLOR, whens, 3, "auto, always or never") && warnings_known(c);
 }
 
-static bool is_input(const Cli *c, const char *path)
-{
-    for (size_t i = 0; i < c->files; i++)
-        if (os_same_file(c->file[i], path))
-            return true;
-    return (c->given[OPT_SV] && os_same_file(c->value[OPT_SV], path)) || (c->given[OPT_IO] && os_same_file(c->value[OPT_IO], path));
-}
-
-// What somebody has written by hand is not lost to a slip of the pen.
-static bool check_outputs(Cli *c)
-{
-    static const OptionId outputs[] = {OPT_OUTPUT, OPT_DEPS_FILE, OPT_TRACE, OPT_JUNIT};
-
-    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++) {
-        const OptionId id = outputs[i];
-        if (!c->given[id] || !is_input(c, c->value[id]))
-            continue;
-        cli_usage(c, "'%s' is read and would be written over: name another file behind %s", c->value[id], option_info[id].spelling);
-        return false;
-    }
-    return true;
-}
-
 bool options_parse(Cli *c, int argc, char **argv)
 {
     bool ended = false;
@@ -194,7 +171,7 @@ bool options_parse(Cli *c, int argc, char **argv)
             return false;
         i += took_next;
     }
-    return c->given[OPT_HELP] || c->given[OPT_VERSION] || (check_values(c) && check_outputs(c));
+    return c->given[OPT_HELP] || c->given[OPT_VERSION] || check_values(c);
 }
 
 void options_help(const Command *command, Buf *out)

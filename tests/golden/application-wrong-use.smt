@@ -27,6 +27,7 @@ every 25 ms:
 every 10 ms:
     machine m "missing.sm"
 -- stdout --
+# Syntax tree of a.app, printed by smc
 options
   state_vector "a.sv"
 executor flight

@@ -11,6 +11,7 @@ F64 x @range - 0x2 4e1
 .entry
     x = 1
 -- stdout --
+# Syntax tree of a.sm, printed by smc
 state_vector state_vector
   U64 G
   U32 S @read_only @alias s

@@ -10,6 +10,7 @@ bool open
 .step
     open = true
 -- stdout --
+# Syntax tree of a.sm, printed by smc
 state_vector state_vector
   U64 G
   U32 S

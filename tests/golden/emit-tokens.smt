@@ -10,6 +10,7 @@ bool open
 .step
     open = true
 -- stdout --
+# Tokens of a.sm, printed by smc
 1:1	header	[state_vector]
 2:1	type	U64
 2:5	name	G

@@ -29,7 +29,7 @@ bool valve
 .entry
     -> Idle
 -- stdout --
-digraph "tank" {
+digraph "tank" { // drawn by smc
     graph [fontname="Helvetica"];
     node [shape=box, fontname="Helvetica", color="#46566b", fillcolor="#eef3f9"];
     edge [fontname="Helvetica", fontsize=10, color="#6a7787"];

@@ -13,8 +13,8 @@ U64 G
 U32 S
 [Idle]
 -- stdout --
-digraph "tank" {
-digraph "tank" {
+digraph "tank" { // drawn by smc
+digraph "tank" { // drawn by smc
 stateDiagram-v2
 stateDiagram-v2
 <svgstateDiagram-v2

@@ -30,6 +30,7 @@ bool valve
     -> Idle
 -- stdout --
 stateDiagram-v2
+    %% drawn by smc
     classDef abort fill:#fdeae4,stroke:#b5320f,stroke-width:3px,color:#1c2430
     classDef safe fill:#e3f3f1,stroke:#0c7268,stroke-width:3px,color:#1c2430
     classDef never stroke-dasharray:5

@@ -48,7 +48,7 @@ delta_t 10
 [Nowhere]
 true: @stop
 -- stdout --
-digraph "tank" {
+digraph "tank" { // drawn by smc
     graph [fontname="Helvetica"];
     node [shape=box, fontname="Helvetica", color="#46566b", fillcolor="#eef3f9"];
     edge [fontname="Helvetica", fontsize=10, color="#6a7787"];
@@ -63,6 +63,7 @@ digraph "tank" {
     "Fill" -> "Done" [label="pressure > 500 and armed\nnever taken", style=dotted];
 }
 stateDiagram-v2
+    %% drawn by smc
     classDef abort fill:#fdeae4,stroke:#b5320f,stroke-width:3px,color:#1c2430
     classDef safe fill:#e3f3f1,stroke:#0c7268,stroke-width:3px,color:#1c2430
     classDef never stroke-dasharray:5

@@ -8,6 +8,7 @@ Usage: smc test M.sm SCRIPT.ss... [--sv V.sv] [--engine=ENGINE]
 Options:
   --help                   print help and exit
   --version                print the version and exit
+  --force                  replace an existing file that smc did not write; never a source or an input
   --sv=FILE                the application's state vector
   -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 2)
   --engine=ENGINE          what runs the machine: vm (default), vm-soft, ref, c, c-soft, several between commas, or all (but c-soft)

@@ -28,19 +28,19 @@ U64 G
 U32 S
 [Idle]
 -- stderr --
-smc: 'a.sm' is read and would be written over: name another file behind -o
+smc: 'a.sm' is an input of this command and cannot be its output; name another file after -o
 [..]
-smc: './a.sm' is read and would be written over: name another file behind -o
+smc: './a.sm' is an input of this command and cannot be its output; name another file after -o
 [..]
-smc: 'a.sm' is read and would be written over: name another file behind -o
+smc: 'a.sm' is an input of this command and cannot be its output; name another file after -o
 [..]
-smc: 'a.sm' is read and would be written over: name another file behind -MF
+smc: 'a.sm' is an input of this command and cannot be its output; name another file after -MF
 [..]
-smc: 'a.sm' is read and would be written over: name another file behind --trace
+smc: 'a.sm' is an input of this command and cannot be its output; name another file after --trace
 [..]
-smc: 'a.ss' is read and would be written over: name another file behind --junit
+smc: 'a.ss' is an input of this command and cannot be its output; name another file after --junit
 [..]
-smc: 'a.sv' is read and would be written over: name another file behind -o
+smc: 'a.sv' is an input of this command and cannot be its output; name another file after -o
 [..]
 -- exit --
 2 2 2 2 0 2 2 2

@@ -14,6 +14,7 @@ bool open
 o 0 open @safe true
 o 1 open @allow(two-writers, "why")
 -- stdout --
+# Syntax tree of a.io, printed by smc
 pins digital
   o 0 open @safe true
   o 1 open @allow(two-writers, "why")

@@ -39,7 +39,7 @@ G == 30: @stop
 -- stderr --
 smc: standard output cannot take --tap and --junit too: name a file for one
 Try 'smc test --help'.
-smc: standard output cannot take --trace and --junit too: name a file for one
+smc: --trace and --junit cannot both write to standard output
 Try 'smc test --help'.
 -- exit --
 1 0 2 2

@@ -9,6 +9,7 @@ function known(state) { return state == "[*]" || state in states }
 function after(mark) { return substr($0, index($0, mark) + length(mark)) }
 
 NR == 1 { good = $0 == "stateDiagram-v2"; next }
+NR == 2 { good = good && $0 == "    %% drawn by smc"; next }
 /^    classDef [a-z]+ [a-z:#0-9,-]+$/ { classes[$2] = 1; next }
 /^    state "[A-Za-z_][A-Za-z0-9_]*" as s[0-9]+$/ { states[$4] = 1; next }
 /^    \[\*\] --> s1$/ && known($3) { next }

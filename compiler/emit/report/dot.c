@@ -93,7 +93,7 @@ void graph_dot(const Analysis *a, const GraphOptions *o, Buf *out)
 
     buf_str(out, "digraph \"");
     put_quoted(out, a->p->name->text);
-    buf_str(out, "\" {\n    graph [fontname=\"Helvetica\"];\n");
+    buf_str(out, "\" { // drawn by smc\n    graph [fontname=\"Helvetica\"];\n");
     buf_str(out, "    node [shape=box, fontname=\"Helvetica\", color=\"#46566b\", fillcolor=\"#eef3f9\"];\n");
     buf_str(out, "    edge [fontname=\"Helvetica\", fontsize=10, color=\"#6a7787\"];\n");
     buf_printf(out, "    \"/start\" [shape=point, width=0.15];\n    \"/start\" -> \"%s\";\n", d->node[0].state->name->text);

@@ -200,7 +200,7 @@ static void put_drawing(const Drawing *d, Buf *out)
     Buf body;
     const long high = plot_body(d->f->arena, &d->t, &body);
 
-    buf_printf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" width=\"%d\" height=\"", PLOT_WIDE / 10);
+    buf_printf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot smc-flight\" width=\"%d\" height=\"", PLOT_WIDE / 10);
     plot_tenths(out, high + PLOT_GAP);
     buf_printf(out, "\" viewBox=\"0 0 %d ", PLOT_WIDE / 10);
     plot_tenths(out, high + PLOT_GAP);

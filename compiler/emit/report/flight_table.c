@@ -12,8 +12,9 @@ static void put_cell(const LogItem *record, const LogElement *e, Buf *out)
 
 // ---- CSV ----
 
-static void put_line(const Flight *f, const LogSession *s, const LogItem *record, Buf *out)
+static void put_line(const Flight *f, const LogSession *s, size_t number, const LogItem *record, Buf *out)
 {
+    buf_printf(out, "%lu,", (unsigned long)number);
     flight_time(out, log_time(record));
     for (size_t i = 0; i < flight_elements(f, s->d); i++) {
         buf_char(out, ',');
@@ -25,14 +26,17 @@ static void put_line(const Flight *f, const LogSession *s, const LogItem *record
 void flight_csv(const Flight *f, Buf *out)
 {
     const LogSession *s = f->session;
+    size_t number = 1;
 
-    buf_str(out, "seconds");
+    while (number < f->log->session.n && f->log->session.at[number - 1] != s)
+        number++;
+    buf_str(out, "session,seconds");
     for (size_t i = 0; i < flight_elements(f, s->d); i++)
         buf_printf(out, ",%s", flight_element(f, s->d, i)->name);
     buf_char(out, '\n');
     for (size_t i = 0; i < s->item.n; i++)
         if (s->item.at[i].kind == ITEM_RECORD)
-            put_line(f, s, &s->item.at[i], out);
+            put_line(f, s, number, &s->item.at[i], out);
 }
 
 // ---- JSON ----

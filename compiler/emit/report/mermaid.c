@@ -76,7 +76,7 @@ void graph_mermaid(const Analysis *a, const GraphOptions *o, Buf *out)
 {
     const Diagram *d = diagram_of(a, o);
 
-    buf_str(out, "stateDiagram-v2\n"
+    buf_str(out, "stateDiagram-v2\n    %% drawn by smc\n"
                  "    classDef abort fill:#fdeae4,stroke:#b5320f,stroke-width:3px,color:#1c2430\n"
                  "    classDef safe fill:#e3f3f1,stroke:#0c7268,stroke-width:3px,color:#1c2430\n"
                  "    classDef never stroke-dasharray:5\n"

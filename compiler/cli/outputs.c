@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a command may write to.  Sources and inputs are never replaced; another file only if smc wrote it, or with --force.
+#include <string.h>
+
+#include "bytecode-vm/image.h"
+#include "compiler/cli/cli.h"
+
+enum { HEAD = 4096 };                     // bytes of an existing file that are read to recognise it
+
+typedef struct Head { const char *at; size_t n; bool is_whole; } Head;
+
+// ---- how files of smc begin ----
+
+// Whether text begins like `pattern`, in which * is any text within a line.
+static bool begins_like(const char *text, const char *end, const char *pattern)
+{
+    for (; *pattern; pattern++, text++) {
+        if (*pattern == '*') {
+            for (; text < end && *text != '\n'; text++)
+                if (begins_like(text, end, pattern + 1))
+                    return true;
+            return begins_like(text, end, pattern + 1);
+        }
+        if (text == end || *text != *pattern)
+            return false;
+    }
+    return true;
+}
+
+static bool is_image(const Head *h)
+{
+    const unsigned char *b = (const unsigned char *)h->at;
+
+    return h->n >= 4 && (b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16) == SMVM_MAGIC;
+}
+
+// The next word of a make rule, blanks and '#' in it behind a backslash; false at the end of the line.
+static bool next_make_word(const char **at, const char *end, const char **word, size_t *n)
+{
+    while (*at < end && **at == ' ')
+        ++*at;
+    *word = *at;
+    while (*at < end && **at != ' ' && **at != '\n')
+        *at += **at == '\\' && *at + 1 < end ? 2 : 1;
+    *n = (size_t)(*at - *word);
+    return *n > 0;
+}
+
+// What -MD writes has no place for a mark, but a form of its own: one rule without commands whose prerequisites are sources, and
+// below it with -MP an empty rule for each.
+static bool is_make_rule(const Head *h)
+{
+    const char *end = h->at + h->n, *at = memchr(h->at, ':', h->n), *word;
+    const char *first_end = memchr(h->at, '\n', h->n);
+    size_t n;
+
+    if (!h->is_whole || !at || !first_end || at > first_end || *h->at == '\t' || *h->at == ' ')
+        return false;
+    at++;
+    while (next_make_word(&at, first_end, &word, &n))
+        if (!outputs_is_source_name(word, n))
+            return false;
+    for (at = first_end + 1; at < end; at++) {
+        if (*at == '\n')
+            continue;
+        if (!next_make_word(&at, end, &word, &n) || word[n - 1] != ':' || !outputs_is_source_name(word, n - 1) || at == end || *at != '\n')
+            return false;
+    }
+    return true;
+}
+
+static bool is_name_char(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+// A value as --trace-format=exact writes it: whole, true or false, or hexadecimal with an exponent.
+static bool is_exact_value(const char *at, const char *end)
+{
+    static const char *const words[] = {"true", "false", "nan", "inf", "-inf"};
+    const size_t n = (size_t)(end - at);
+
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (n == strlen(words[i]) && memcmp(at, words[i], n) == 0)
+            return true;
+    at += n && *at == '-';
+    if (end - at > 2 && at[0] == '0' && at[1] == 'x')
+        return memchr(at, 'p', (size_t)(end - at)) != NULL;
+    for (const char *c = at; c < end; c++)
+        if (*c < '0' || *c > '9')
+            return false;
+    return at < end;
+}
+
+// Lines `STEP NAME VALUE`; every machine has at least G, S and T.
+static bool is_exact_trace(const Head *h)
+{
+    const char *at = h->at, *end = h->at + h->n, *lf;
+    size_t lines = 0;
+
+    for (; (lf = memchr(at, '\n', (size_t)(end - at))) != NULL; at = lf + 1, lines++) {
+        const char *name, *value;
+        if (lines < 3 ? lf - at < 2 || at[0] != '1' || at[1] != ' ' : *at < '1' || *at > '9')
+            return false;
+        name = memchr(at, ' ', (size_t)(lf - at));
+        if (!name || (value = memchr(name + 1, ' ', (size_t)(lf - name - 1))) == NULL || !is_exact_value(value + 1, lf))
+            return false;
+        while (++name < value)
+            if (!is_name_char(*name))
+                return false;
+    }
+    return lines >= 3;
+}
+
+// Every kind of file that smc writes through an option, and how one is recognised.
+static const struct {
+    const char *mark;                     // what it begins with, as begins_like reads it; or NULL
+    bool (*is_ours)(const Head *h);
+} kinds[] = {
+    {NULL, is_image},                                                     // build, sign
+    {"// *Made by smc from ", NULL},                                      // C, headers, assembly
+    {"machine \"*\"\nvector \"*\" size * hash 0x", NULL},                 // build --emit=ir
+    {"# Syntax tree of *, printed by smc\n", NULL},
+    {"# Tokens of *, printed by smc\n", NULL},
+    {NULL, is_make_rule},                                                 // build -MD
+    {"<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"generator\" content=\"smc\"/>", NULL},
+    {"*\n=*\nDesign review of the state machine in ", NULL},              // report --format=text
+    {"{\"smc-report\": ", NULL},
+    {"<svg *class=\"smc-graph\"", NULL},
+    {"digraph \"*\" { // drawn by smc\n", NULL},
+    {"stateDiagram-v2\n    %% drawn by smc\n", NULL},
+    {"*: * bytes, * session*\n\nsession *: ", NULL},                      // log --format=text
+    {"session,seconds", NULL},                                            // log --format=csv
+    {"{\"time\":*,\"values\":{", NULL},                                   // log --format=json: a record, an event or a gap
+    {"{\"time\":*,\"event\":\"*\",\"number\":*,\"source\":", NULL},
+    {"{\"dropped\":*,\"lost\":", NULL},
+    {"<svg *class=\"plot smc-flight\"", NULL},
+    {"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite* name=\"smc test\"", NULL},
+    {"script,step,G,state", NULL},                                        // test --trace
+    {NULL, is_exact_trace},
+};
+
+static bool is_ours(const Head *h)
+{
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (kinds[i].mark ? begins_like(h->at, h->at + h->n, kinds[i].mark) : kinds[i].is_ours(h))
+            return true;
+    return false;
+}
+
+// ---- sources and inputs ----
+
+bool outputs_is_source_name(const char *name, size_t n)
+{
+    static const char *const ending[] = {".sm", ".ss", ".sv", ".io", ".app", ".smt", ".rq"};
+
+    for (size_t i = 0; i < sizeof ending / sizeof *ending; i++) {
+        const size_t m = strlen(ending[i]);
+        size_t k = 0;
+        while (n >= m && k < m && (name[n - m + k] | (ending[i][k] & 0x20)) == ending[i][k])      // in capitals too
+            k++;
+        if (k == m)
+            return true;
+    }
+    return false;
+}
+
+static bool is_named(const Cli *c, OptionId id, const char *path)
+{
+    return c->given[id] && os_same_file(c->value[id], path);
+}
+
+static bool is_input(const Cli *c, const char *path)
+{
+    const size_t files = c->command->run == cmd_log && c->files ? 1 : c->files;      // elements are named behind a log
+
+    for (size_t i = 0; i < files; i++)
+        if (os_same_file(strcmp(c->file[i], "-") == 0 ? "/dev/stdin" : c->file[i], path))
+            return true;
+    return is_named(c, OPT_SV, path) || is_named(c, OPT_IO, path) || is_named(c, OPT_KEY, path);
+}
+
+// Where a path leads to, links followed; the path itself where that cannot be found.
+static const char *real_path(Cli *c, const char *path)
+{
+    char *real = strcmp(path, "-") == 0 ? NULL : os_real_path(path);
+    const char *copy = real ? format_in(&c->session.arena, "%s", real) : path;
+
+    os_alloc(NULL, real, 0);
+    return copy;
+}
+
+// ---- what is refused ----
+
+// `option`: what named the output, or NULL where the command chose the name.
+static int check_name(Cli *c, const char *path, const char *option)
+{
+    const char *real = real_path(c, path);
+    const char *another = option ? format_in(&c->session.arena, "name another file after %s", option)
+                        : c->files && has_suffix(c->file[0], ".app") ? "name another folder with -o" : "name another file with -o";
+
+    if (strcmp(path, "-") == 0 || os_is_special(path))
+        return EXIT_OK;
+    if (is_input(c, path))
+        return cli_usage(c, "'%s' is an input of this command and cannot be its output; %s", path, another);
+    if (outputs_is_source_name(path, strlen(path)) || outputs_is_source_name(real, strlen(real)))
+        return cli_usage(c, "'%s' is the name of a source, and only 'smc fix' writes to sources; %s", path, another);
+    return EXIT_OK;
+}
+
+// What does not exist, holds nothing or is no regular file has nothing to lose.
+static int check_existing(Cli *c, const char *path)
+{
+    char head[HEAD];
+    Head h = {head, 0, false};
+
+    if (c->given[OPT_FORCE] || strcmp(path, "-") == 0 || os_is_special(path))
+        return EXIT_OK;
+    if (!os_read_head(path, head, sizeof head, &h.n)) {
+        cli_say(c, "'%s' would be replaced, but cannot be read to see whether smc wrote it", path);
+        return EXIT_ENVIRONMENT;
+    }
+    h.is_whole = h.n < sizeof head;
+    if (h.n == 0 || is_ours(&h))
+        return EXIT_OK;
+    return cli_usage(c, "'%s' exists and was not written by smc; use another name, or --force to replace it", path);
+}
+
+static bool is_same_output(Cli *c, const char *a, const char *b)
+{
+    if (strcmp(a, "-") == 0 || strcmp(b, "-") == 0)
+        return strcmp(a, b) == 0;
+    return !os_is_special(a) && (os_same_file(a, b) || strcmp(real_path(c, a), real_path(c, b)) == 0);
+}
+
+int outputs_check(Cli *c, const OsOutput *out, size_t n)
+{
+    int code = EXIT_OK;
+
+    for (size_t i = 0; i < n && code == EXIT_OK; i++) {
+        for (size_t k = 0; k < i; k++)
+            if (is_same_output(c, out[k].path, out[i].path))
+                return cli_usage(c, "'%s' and '%s' would be the same file; name another", out[k].path, out[i].path);
+        if ((code = check_name(c, out[i].path, NULL)) == EXIT_OK)
+            code = check_existing(c, out[i].path);
+    }
+    return code;
+}
+
+int outputs_check_options(Cli *c)
+{
+    static const struct { OptionId id; const char *spelling; } option[] = {
+        {OPT_OUTPUT, "-o"}, {OPT_DEPS_FILE, "-MF"}, {OPT_TRACE, "--trace"}, {OPT_JUNIT, "--junit"}};
+    const bool is_build = c->command->run == cmd_build;
+    int code = EXIT_OK;
+
+    for (size_t i = 0; i < sizeof option / sizeof *option && code == EXIT_OK; i++) {
+        const char *path = c->value[option[i].id];
+        if (!c->given[option[i].id])
+            continue;
+        for (size_t k = 0; k < i; k++)
+            if (c->given[option[k].id] && is_same_output(c, path, c->value[option[k].id]))
+                return cli_usage(c, strcmp(path, "-") == 0 ? "%s and %s cannot both write to standard output" : "%s and %s name the same file",
+                                 option[k].spelling, option[i].spelling);
+        code = check_name(c, path, option[i].spelling);
+        if (code == EXIT_OK && !(is_build && option[i].id == OPT_OUTPUT))          // -o of a build may be the stem of several names
+            code = check_existing(c, path);
+    }
+    return code;
+}

@@ -1,0 +1,237 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# run.sh SMC FOLDER LOG: what outputs may replace.  Every command that writes a file is tried, through each of its options, on sources, on
+# its own inputs under other names, on files of others and on its own results.  LOG is a flight log.
+smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+flight=$(cd "$(dirname "$3")" && pwd)/$(basename "$3")
+passed=0; failed=0
+rm -rf "$2" && mkdir -p "$2" && cd "$2" || exit 1
+
+good() { passed=$((passed + 1)); }
+bad() { failed=$((failed + 1)); echo "tests/outputs: $*" >&2; sed 's/^/    /' log >&2; }
+
+# ---- what the commands read ----
+
+cat >tank.sm <<'END_OF_FILE'
+[state_vector]
+U64 G
+U32 S
+F64 p @read_only
+bool open
+[Idle]
+.step
+    open = p > 5
+    p > 50: -> Abort
+[Abort] @safe
+.step
+    open = true
+END_OF_FILE
+cat >tank.ss <<'END_OF_FILE'
+[options]
+delta_t 10
+[all_states]
+G == 20 {
+    @assert not open
+    @stop
+}
+END_OF_FILE
+cat >app.sv <<'END_OF_FILE'
+[R]
+U64 G
+U32 S
+F64 p
+bool open
+END_OF_FILE
+cat >app.io <<'END_OF_FILE'
+[digital_outputs]
+1: open
+END_OF_FILE
+cat >tiny.app <<'END_OF_FILE'
+[application]
+END_OF_FILE
+"$smc" build tank.sm -o image.smb 2>log && "$smc" key rocket.key >log 2>&1 || { bad "no image and no key"; exit 1; }
+cp "$flight" flight.log || exit 1
+
+# Each line: OPTION, a tab, the command without it.  @ is where the name goes.
+writers()
+{
+    printf '%s\t%s\n' \
+        '-o @' 'build tank.sm' \
+        '-o @' 'build tank.sm -O0 -g' \
+        '-o @' 'build tank.sm --emit=array' \
+        '-o @' 'build tank.sm --emit=ir' \
+        '-o @' 'build tank.sm --emit=ast' \
+        '-o @' 'build tank.sm --emit=tokens' \
+        '-MF @' 'build tank.sm -o other.smb -MD' \
+        '-o @' 'report tank.sm tank.ss' \
+        '-o @' 'report tank.sm --format=text' \
+        '-o @' 'report tank.sm --format=json' \
+        '-o @' 'graph tank.sm' \
+        '-o @' 'graph tank.sm --format=dot' \
+        '-o @' 'graph tank.sm --format=mermaid' \
+        '-o @' 'sign image.smb --key=rocket.key --number=7' \
+        '--junit=@' 'test tank.sm tank.ss' \
+        '--trace=@' 'test tank.sm tank.ss' \
+        '-o @' 'log flight.log --format=text' \
+        '-o @' 'log flight.log --format=csv' \
+        '-o @' 'log flight.log --format=json' \
+        '-o @' 'log flight.log --format=svg'
+}
+tab=$(printf '\t')
+
+# call NAME MORE...: the command at hand with NAME as its output.
+call()
+{
+    to=$1; shift
+    "$smc" $rest $(echo "$option" | sed "s|@|$to|") "$@" >out 2>log
+}
+
+# refuses NAME WORDS: exit code 2, and the message has those words.
+refuses()
+{
+    call "$1"; code=$?
+    if [ $code = 2 ] && grep -q -- "$2" log; then good; else bad "$option $1, $rest: exit $code, not 2 with '$2'"; fi
+}
+
+same() { if cmp -s "$1" "$2"; then good; else bad "$option $1, $rest: it was changed"; fi; }
+
+commands=0
+writers >writers.txt
+while IFS=$tab read -r option rest; do
+    commands=$((commands + 1))
+
+    # A source is never an output, forced or not, whether it is there or not, under any name.
+    for ending in sm ss sv io app smt rq SM; do
+        refuses "new.$ending" "a source"
+        [ -e "new.$ending" ] && { bad "new.$ending was written"; rm -f "new.$ending"; }
+    done
+    echo "[Other]" >other.ss
+    cp other.ss other.copy
+    ln -sf other.ss link.out
+    refuses other.ss "a source"
+    refuses link.out "a source"
+    for name in other.ss link.out; do
+        call $name --force; code=$?
+        [ $code = 2 ] && good || bad "$option $name --force, $rest: exit $code"
+    done
+    same other.ss other.copy
+    rm -f other.ss link.out
+
+    # Nor is what the command reads: as it is named, and otherwise.
+    for input in tank.sm image.smb rocket.key tank.ss flight.log; do
+        case " $rest " in *[\ =]$input\ *) ;; *) continue ;; esac
+        cp -p $input input.copy
+        ln -s $input link.out; ln $input hard.out
+        for name in ./$input "$PWD/$input" link.out hard.out; do
+            for force in '' --force; do
+                call "$name" $force; code=$?
+                [ $code = 2 ] && good || bad "$option $name $force, $rest: exit $code"
+            done
+        done
+        same $input input.copy
+        rm -f link.out hard.out
+    done
+
+    # What somebody else has written stays, unless it is forced; what is empty or ours is replaced.
+    echo "altitude,seconds" >foreign; cp foreign foreign.copy
+    refuses foreign --force
+    same foreign foreign.copy
+    call foreign --force; code=$?
+    if [ $code = 0 ] && ! cmp -s foreign foreign.copy; then good; else bad "$option foreign --force, $rest: exit $code"; fi
+    cp foreign first
+    call foreign; code=$?
+    [ $code = 0 ] && good || bad "$option, $rest, again over its own result: exit $code"
+    case $option in --junit*) sed -i.old 's/ time="[^"]*"//g' first foreign ;; esac
+    same foreign first
+    : >empty
+    call empty; code=$?
+    if [ $code = 0 ] && [ -s empty ]; then good; else bad "$option empty, $rest: exit $code"; fi
+
+    # A device and standard output take anything, any number of times.
+    for name in /dev/null /dev/null -; do
+        call $name; code=$?
+        [ $code = 0 ] && good || bad "$option $name, $rest: exit $code"
+    done
+    mkfifo pipe
+    timeout 20 cat pipe >piped &
+    call pipe; code=$?
+    wait
+    if [ $code = 0 ] && [ -p pipe ] && [ -s piped ]; then good; else bad "$option pipe, $rest: exit $code"; fi
+    rm -f pipe piped foreign foreign.copy first first.old foreign.old empty
+done <writers.txt
+
+# ---- C: two files, and more beside them ----
+
+option='-o @' rest='build tank.sm --emit=c --soft'
+refuses other.ss "a source"
+for name in x.c x.h sm_soft.c sm_soft.h sm_soft_avr.S; do
+    echo 'int mine;' >$name; cp $name mine.copy
+    refuses x.c --force
+    same $name mine.copy
+    for other in x.c x.h sm_soft.c; do
+        [ $other = $name ] || [ ! -e $other ] && good || bad "$other was written although $name is not ours"
+    done
+    rm $name
+done
+echo 'int mine;' >x.h
+call x.c --force && good || bad "C that is forced"
+call x.c && good || bad "C over its own"
+echo 'a program' >x
+call x && [ "$(cat x)" = 'a program' ] && good || bad "-o x is x.c and x.h, and not x"
+
+# ---- one name for two outputs ----
+
+twice()
+{
+    "$smc" "$@" >out 2>log; code=$?
+    if [ $code = 2 ] && grep -q 'same file\|standard output' log; then good; else bad "$*: exit $code"; fi
+}
+mkdir -p folder; ln -sfn folder alias; ln -sf nowhere.xml dangling
+twice test tank.sm tank.ss --junit=a --trace=a
+twice test tank.sm tank.ss --junit=a --trace=./a
+twice test tank.sm tank.ss --junit=folder/a --trace=alias/a
+twice test tank.sm tank.ss --junit=dangling --trace=nowhere.xml
+: >a; ln a b
+twice test tank.sm tank.ss --junit=a --trace=b
+twice test tank.sm tank.ss --junit=- --trace=-
+twice build tank.sm -o a -MF a
+twice build tank.sm -o - -MF -
+twice build tank.sm --emit=c -o y.c -MF y.h
+mkdir -p one two; cp tank.sm one; cp tank.sm two
+twice build one/tank.sm two/tank.sm --emit=c
+[ -e tank.c ] && bad "tank.c was written for one of two machines" || good
+"$smc" test tank.sm tank.ss --junit=/dev/null --trace=/dev/null >out 2>log && good || bad "two outputs to /dev/null"
+
+# ---- what edits: only fix, and only sources; keys are never replaced ----
+
+"$smc" sign image.smb --key=rocket.key --number=9 2>log && good || bad "an image is signed in place"
+"$smc" key rocket.key 2>log; [ $? = 3 ] && good || bad "a key replaces another"
+"$smc" key new.sm 2>log; if [ $? = 2 ] && [ ! -e new.sm ]; then good; else bad "a key is written to a source"; fi
+"$smc" build tank.sm -MD -o - >out 2>log; if [ $? = 2 ] && grep -q -e '-MF' log; then good; else bad "-MD has no name for its file"; fi
+
+# ---- what looks nearly like ours ----
+
+near()
+{
+    printf "$1" >near; cp near near.copy
+    "$smc" graph tank.sm -o near 2>log; code=$?
+    if [ $code = 2 ] && cmp -s near near.copy; then good; else bad "replaced: $1"; fi
+}
+near 'seconds,altitude\n0,1\n'
+near 'script,step\n'
+near 'int main(void);  // Made by hand\n'
+near 'tank.smb: tank.sm\n\tsmc build tank.sm\n'
+near 'tank.o: tank.c tank.h\n'
+near 'smc: notes on it\n'
+near '<svg class="plot"></svg>\n'
+near '<?xml version="1.0" encoding="UTF-8"?>\n<testsuites name="pytest tests"/>\n'
+near '1 apple 3\n2 pears 4\n'
+near '# my tokens\n'
+near '{"time":0}\n'
+near 'digraph "tank" {\n}\n'
+near 'stateDiagram-v2\n    [*] --> s1\n'
+near '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8"/>\n<title>mine</title>\n'
+
+[ $commands -ge 20 ] || { echo "tests/outputs: only $commands commands were tried" >&2; failed=$((failed + 1)); }
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]
