@@ -128,8 +128,8 @@ static void note_operator(Sema *s, SmOperator op)
         s->making->operators |= 1u << op;
 }
 
-// A piece of the source for a message: one line, and no more of it than can be read.
-static const char *quote(Sema *s, Span span)
+
+const char *sema_quote(Sema *s, Span span)
 {
     enum { LONGEST = 60 };
     const char *text = span.src->text + span.at;
@@ -157,9 +157,9 @@ static void warn_of_not(Sema *s, const AstExpr *whole)
     if (left->kind != AST_UNARY || left->op != SM_OP_NOT)
         return;
     d = diag_report(s->diags, DIAG_not_binds_tight, left->span);
-    diag_note(s->diags, d, (Span){0}, DIAG_note_not_as_written, quote(s, left->a->span),
-              quote(s, span_between(left->span.at + left->span.len, whole->span)));
-    diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, quote(s, span_between(left->a->span.at, whole->span)));
+    diag_note(s->diags, d, (Span){0}, DIAG_note_not_as_written, sema_quote(s, left->a->span),
+              sema_quote(s, span_between(left->span.at + left->span.len, whole->span)));
+    diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, sema_quote(s, span_between(left->a->span.at, whole->span)));
 }
 
 static void look_for_not(Sema *s, const AstExpr *e)
@@ -194,7 +194,7 @@ static bool may_be_switch(const AstExpr *number, const char *text, const AstExpr
 static void warn_of_number(Sema *s, const AstExpr *logic, const AstExpr *number)
 {
     const AstExpr *before = number == logic->b ? compared_before(logic->a) : NULL;
-    const char *text = quote(s, number->span);
+    const char *text = sema_quote(s, number->span);
     Diag *d;
 
     if (number->kind != AST_NUMBER || may_be_switch(number, text, before))
@@ -202,7 +202,7 @@ static void warn_of_number(Sema *s, const AstExpr *logic, const AstExpr *number)
     d = diag_report(s->diags, DIAG_number_as_condition, number->span, text, sm_to_bool(number->number) ? "always" : "never");
     if (before)
         diag_label(s->diags, d, DIAG_label_did_you_mean,
-                   format_in(s->arena, "%s %s %s", quote(s, before->a->span), sm_op_info[before->op].spelling, text));
+                   format_in(s->arena, "%s %s %s", sema_quote(s, before->a->span), sm_op_info[before->op].spelling, text));
 }
 
 static Expr *check_binary(Sema *s, const AstExpr *e)

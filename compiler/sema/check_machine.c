@@ -57,6 +57,7 @@ static void check_state(Sema *s, State *state, const AstSection *section)
         s->block = block_of[i];
         state->block_span[s->block] = section->block[i].label;
         check_stmts(s, &section->block[i].stmts, &state->block[s->block]);
+        warn_of_unguarded_abort(s, state, section, (AstLabel)i);
     }
 }
 

@@ -94,6 +94,8 @@ Expr *check_expr(Sema *s, const AstExpr *e);
 Expr *check_roll(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
 Stmt *check_assignment(Sema *s, const AstStmt *in);
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
+void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label);   // check_unguarded.c
+const char *sema_quote(Sema *s, Span span);     // a piece of the source for a message: one line, and no more than can be read
 // Warns of windows whose size depends on a local that the machine assigns.
 void check_size_uses(Sema *s);
 
