@@ -653,6 +653,17 @@ $(B)/targets/cases: tests/targets/cases.c $(filter-out %/main.o,$(DIFF_OBJ)) $(B
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
+# The VM's unit tests as the target's options configure it.  What includes bytecode-vm/config.h is compiled with them, the rest is libsmc's
+# own.  vm_hostile and vm_switch have configurations of their own, vm_mutate takes long.
+TARGETS_UNIT = $(filter-out %/vm_hostile.c %/vm_switch.c %/vm_mutate.c,$(wildcard tests/unit/vm_*.c))
+TARGETS_CONF = $(VM) $(STDLIB) $(wildcard compiler/emit/bytecode/*.c) compiler/script/engine_vm.c
+$(B)/targets/units-%: $(TARGETS_UNIT) $(TARGETS_CONF) $(B)/libsmc.a $(B)/gen/embed.c tests/targets/targets.txt
+	@mkdir -p $@
+	$(call say,CC)for f in $(TARGETS_CONF); do \
+	    sh tests/targets/cc.sh $* $(STRICT_C) -Wall -Wextra -Werror -O0 -c $$f -o $@/$$(echo $$f | tr / _).o || exit 1; \
+	done; for t in $(TARGETS_UNIT); do sh tests/targets/cc.sh $* $(STRICT_C) -O0 $$t $@/*.o $(B)/libsmc.a -lm -o $@/$$(basename $$t .c) || exit 1; done
+	@touch $@
+
 # Tests of runtime-c that need no thread, on targets with an operating system: above all its wire forms, where memory is the other way round.
 TARGETS_RUNTIME = statevec region event executor task keep machine
 $(B)/targets/runtime-%: $(RUNTIME_SRC_sim) $(RUNTIME_MADE) $(TARGETS_RUNTIME:%=tests/runtime/%.c) | $(B)/runtime/made/images.h
@@ -824,7 +835,9 @@ check-places:
 	@$(find_text) | awk -f tests/check/places.awk
 check-arguments:
 	@$(find_code) | grep "^compiler/.*c$$" | awk -f tests/check/arguments.awk compiler/diag/codes.def -
-HOUSE_RULES = check-layers check-codes check-arguments check-headers check-imports check-licence check-places
+check-configurations:
+	@sh tests/check/configurations.sh
+HOUSE_RULES = check-configurations check-layers check-codes check-arguments check-headers check-imports check-licence check-places
 CHECK_LINES += $(foreach rule,$(HOUSE_RULES),"+$(rule): $(MAKE) -s --no-print-directory $(rule)")
 
 # ---- the language and its evidence ----

@@ -97,7 +97,7 @@ void smvm_auth_code(SmvmBytes image, uint32_t length, const uint8_t *key, uint8_
 
     smvm_mac_begin(&m, key);
     for (SmvmAt i = 0; i < length; i++)
-        smvm_mac_byte(&m, i - SMVM_CRC_AT < 4u ? 0 : smvm_u8(image, i));
+        smvm_mac_byte(&m, (uint32_t)i - SMVM_CRC_AT < 4u ? 0 : smvm_u8(image, i));
     smvm_mac_end(&m, key, code);
 }
 

@@ -11,7 +11,7 @@ static SmvmAt end_of(const SmvmMachine *m) { return place_of(m, m->debug_size); 
 
 static bool number_at(const SmvmMachine *m, uint32_t at, uint32_t *value)        // of three bytes, `at` bytes into the section
 {
-    if (m->debug_size < 3 || at > m->debug_size - 3)
+    if (m->debug_size < 3 || at > m->debug_size - 3u)
         return false;
     *value = smvm_u24(m->image, place_of(m, at));
     return true;
@@ -98,7 +98,7 @@ static bool open_lines(const SmvmMachine *m, SmvmLines *l)
 
 bool smvm_next_line(const SmvmMachine *m, SmvmLines *l)
 {
-    uint32_t code, line;
+    uint32_t code = 0, line = 0;
 
     if (!l->open && !open_lines(m, l))
         l->left = 0;

@@ -126,11 +126,12 @@ static void link_goes(Decode *d, uint32_t exit)
 // Gives where the function begins, or where there is none THE_END.
 static uint32_t decode_function(Decode *d, uint32_t index)
 {
-    uint32_t first = d->words;
+    uint32_t first = d->words, length;
 
-    d->start = d->m->code_at + (index == 0 ? 0 : smvm_function_end(d->m, index - 1));
-    d->end = d->m->code_at + smvm_function_end(d->m, index);
-    d->longest = d->end - d->start > d->longest ? d->end - d->start : d->longest;
+    d->start = (SmvmAt)(d->m->code_at + (index == 0 ? 0 : smvm_function_end(d->m, index - 1)));
+    d->end = (SmvmAt)(d->m->code_at + smvm_function_end(d->m, index));
+    length = (uint32_t)(d->end - d->start);
+    d->longest = length > d->longest ? length : d->longest;
     d->at = d->start;
     d->jumps = 0;
     while (d->at < d->end) {

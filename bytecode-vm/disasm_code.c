@@ -111,10 +111,10 @@ static void source_line(Out *o, uint32_t code)                   // if one begin
     smvm_text_number(o, line);
 }
 
-static uint32_t instruction(Out *o, uint32_t at)                 // gives where the next one is
+static SmvmAt instruction(Out *o, SmvmAt at)                     // returns where the next one is
 {
     uint8_t op = smvm_u8(o->m->image, at);
-    uint32_t start = at++ - o->m->code_at, shape = smvm_shape(op) & SMVM_SHAPE_FOLLOWS, v = 0;
+    uint32_t start = (uint32_t)at++ - o->m->code_at, shape = smvm_shape(op) & SMVM_SHAPE_FOLLOWS, v = 0;
     const char *between = "";
 
     right(o, start, 6);
@@ -126,7 +126,7 @@ static uint32_t instruction(Out *o, uint32_t at)                 // gives where 
         variable_of(o, op, SMVM_IS_TIME, 0);
     for (uint32_t letter = 1; letter <= shape; letter <<= 1)
         if ((shape & letter) != 0) {
-            smvm_varint(o->m->image, &at, o->m->code_at + o->m->code_size, &v);
+            smvm_varint(o->m->image, &at, (SmvmAt)(o->m->code_at + o->m->code_size), &v);
             smvm_text(o, between);
             follows(o, op, letter, letter == SMVM_SHAPE_J ? at - o->m->code_at + v : v);
             between = ", ";
@@ -139,8 +139,8 @@ static uint32_t instruction(Out *o, uint32_t at)                 // gives where 
 void smvm_text_function(Out *o, uint32_t index)
 {
     static const char *const block[] = {".entry", ".step", ".exit"};
-    uint32_t at = o->m->code_at + (index == 0 ? 0 : smvm_function_end(o->m, index - 1));
-    uint32_t end = o->m->code_at + smvm_function_end(o->m, index);
+    SmvmAt at = (SmvmAt)(o->m->code_at + (index == 0 ? 0 : smvm_function_end(o->m, index - 1)));
+    const SmvmAt end = (SmvmAt)(o->m->code_at + smvm_function_end(o->m, index));
 
     if (at == end)
         return;

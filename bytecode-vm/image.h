@@ -116,20 +116,25 @@ SmvmAt smvm_take(SmvmReader *r, uint8_t bytes);
 typedef enum SmvmFound { SMVM_THERE, SMVM_CUT_SHORT, SMVM_TOO_LARGE } SmvmFound;
 SmvmFound smvm_number(SmvmReader *r);
 
-// The same for hosts; moves *at behind it.
+// Reads a varint of any size, even one that an SmvmAt cannot hold (a constant can be such a number), and moves *at past it.
+// False if the varint does not end before `end`; then *value is unchanged.
 static inline bool smvm_varint(SmvmBytes image, SmvmAt *at, SmvmAt end, uint32_t *value)
 {
+    const SmvmAt first = *at;
     SmvmReader r;
-    bool there;
+    SmvmFound found;
 
     r.image = image;
-    r.at = *at;
+    r.at = first;
     r.end = end;
-    there = smvm_number(&r) == SMVM_THERE;
+    found = smvm_number(&r);
     *at = r.at;
-    if (there)
+    if (found == SMVM_THERE)
         *value = r.n;
-    return there;
+    else if (found == SMVM_TOO_LARGE)                 // it has four bytes
+        *value = SMVM_VARINT_MID + ((smvm_u8(image, first) & 7u) * UINT32_C(0x200000) + smvm_u8(image, first + 1) * UINT32_C(0x4000) +
+                                    smvm_u8(image, first + 2) * UINT32_C(0x80) + smvm_u8(image, first + 3));
+    return found != SMVM_CUT_SHORT;
 }
 
 // What the sections of a machine, and IO, ask for before them and bar.

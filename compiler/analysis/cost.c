@@ -55,12 +55,13 @@ static uint32_t read_ins(Reader *r, uint32_t at, uint32_t end, Ins *out)
 {
     const uint8_t op = smvm_u8(r->m.image, at);
     const bool jumps = smvm_shape(op) & SMVM_SHAPE_J;
-    uint32_t next = at + 1, number[2] = {0, 0};
+    SmvmAt next = (SmvmAt)(at + 1);
+    uint32_t number[2] = {0, 0};
     unsigned n = 0;
 
     find_line(r, at);
     while (next < end && n < 2 && smvm_u8(r->m.image, next) < SMVM_OP_LEAST)
-        smvm_varint(r->m.image, &next, end, &number[n++]);
+        smvm_varint(r->m.image, &next, (SmvmAt)end, &number[n++]);
     *out = (Ins){at, op, 0, r->line, r->unit == COST_INSTRUCTIONS ? 1 : cycles_of(&r->cycles, op, number, n), {0, 0}};
     if (jumps)                                        // how far is the last number
         out->to = next + number[n - 1];

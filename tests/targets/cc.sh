@@ -31,6 +31,7 @@ present)
 vm)
     case $(column 3 "$board") in
     small) echo "-DVM_IMAGE=4096 -DVM_RAM=2048 -DVM_VECTOR=768 -DVM_DECODED=0 -DVM_CELLS=80" ;;
+    medium) echo "-DVM_IMAGE=65536 -DVM_RAM=30000 -DVM_VECTOR=30000 -DVM_DECODED=1048576 -DVM_CELLS=1000" ;;
     *) echo "-DVM_IMAGE=65536 -DVM_RAM=262144 -DVM_VECTOR=65536 -DVM_DECODED=1048576 -DVM_CELLS=1000" ;;
     esac
     exit 0 ;;

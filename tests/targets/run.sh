@@ -47,6 +47,10 @@ for target in $(sed -n 's/^\([a-z][^ ]*\) *|.*/\1/p' tests/targets/targets.txt);
         count make -s B="$1" "$B/runtime-$target"
         for t in "$B/runtime-$target.tests"/*.elf; do count "${t%.elf}"; done ;;
     esac
+    case $what in *units*)
+        count make -s B="$1" "$B/units-$target"
+        for t in "$B/units-$target"/*.elf; do count "${t%.elf}"; done ;;
+    esac
     case $what in *c)
         count "$difftest" --cc="sh tests/targets/cc.sh $target -std=gnu11 -O2" --count=6 --out="$B/c-$target" ;;
     esac

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
 #include "stdlib/convert.h"
 
@@ -215,8 +216,8 @@ static uint32_t load(SmvmVerdict *why)
     loaded = false;
     if (size > VM_IMAGE || n > VM_CELLS)
         return NO_ROOM;
-    if (smvm_verify(image, size, why) != 0)
-        return why->rule;
+    if (smvm_verify(image, size, why) != 0)           // the target's own limit is a lack of room, too
+        return why->rule == SMVM_R_RAM || why->rule == SMVM_R_LENGTH ? NO_ROOM : why->rule;
     if (!smvm_machine(image, 0, &m) || m.sv_size > sizeof in_place.sv || smvm_ram_size(&m) > sizeof in_place.memory)
         return NO_ROOM;
     loaded = true;

@@ -26,6 +26,9 @@ typedef struct Build {
     uint32_t init_size, safe_size;
 } Build;
 
+// The rule that a size beyond 64 KB breaks: `rule`, but where the target's offsets have 16 bits the limit of its memory.
+#define BEYOND(rule) (sizeof(SmvmAt) > 2 ? (rule) : SMVM_R_RAM)
+
 // A place of three bytes: offset in units of the type's size in the low 16 bits and the topmost 4, type in between.
 #define PLACE_OF(type, at) (((uint32_t)(at) & 0xffff) | (uint32_t)(type) << 16 | (uint32_t)(at) >> 16 << 20)
 #define PLACE(type, offset) PLACE_OF(SM_##type, (offset) >> smvm_type_shift(SM_##type))
