@@ -734,7 +734,7 @@ $(FLIGHTS)/mission.c $(FLIGHTS)/airbrakes.c: $(FLIGHTS)/%.c: examples/mission/%.
 $(FLIGHTS)/flight.smb: examples/mission/mission.sm examples/mission/airbrakes.sm $(FLIGHTS)/rocket.sv $(B)/smc
 	$(call say,SMC)$(B)/smc build --sv $(FLIGHTS)/rocket.sv -o $@ examples/mission/mission.sm examples/mission/airbrakes.sm
 $(FLIGHTS)/%.trace: examples/mission/%.ss examples/mission/mission.sm examples/mission/airbrakes.sm $(FLIGHTS)/rocket.sv $(B)/smc
-	@$(B)/smc test --sv $(FLIGHTS)/rocket.sv --trace=$@ examples/mission/$(firstword $(subst -, ,$*)).sm $< >$@.log
+	@$(B)/smc test --sv $(FLIGHTS)/rocket.sv --trace=$@ --trace-format=exact examples/mission/$(firstword $(subst -, ,$*)).sm $< >$@.log
 $(FLIGHTS)/flights: tests/runtime/flights/flights.c $(FLIGHT_RUNTIME) $(B)/runtime/sim.a
 	$(call say,CC)$(CC) $(STRICT_C) -I$(FLIGHTS) $(WARN) $(CFLAGS) $^ -o $@
 check: $(FLIGHTS)/flights $(FLIGHTS)/flight.smb $(FLIGHT_TRACES)

@@ -61,6 +61,8 @@ static bool is_standard_output(const Cli *c, OptionId id) { return c->given[id] 
 
 bool test_is_read(const Cli *c) { return c->given[OPT_TAP] || is_standard_output(c, OPT_JUNIT); }
 
+int test_result_fd(const Cli *c) { return is_standard_output(c, OPT_TRACE) ? 2 : 1; }
+
 static void say_absent(TestRun *t)
 {
     for (unsigned i = 0; i < ENGINE_KINDS; i++)
@@ -90,14 +92,15 @@ static void put_summary(const TestRun *t, Buf *out)
 static int write_results(TestRun *t, bool summary)
 {
     OsOutput junit = {t->c->value[OPT_JUNIT], NULL, 0};
+    const bool tap = t->c->given[OPT_TAP];
     Buf xml, out;
 
     buf_init(&out, t->arena);
-    if (t->c->given[OPT_TAP])
+    if (tap)
         test_write_tap(t, &out);
     else if (summary && !test_is_read(t->c))
         put_summary(t, &out);
-    if (!cli_print(t->c, 1, &out))
+    if (!cli_print(t->c, tap ? 1 : test_result_fd(t->c), &out))
         return EXIT_ENVIRONMENT;
     if (!t->c->given[OPT_JUNIT])
         return EXIT_OK;
@@ -149,10 +152,8 @@ static int check_use(Cli *c, const Files *f)
         return cli_usage(c, "no script is named to test '%s' with, as in 'smc test %s SCRIPT.ss'", f->machine, f->machine);
     if (f->scripts && !f->machines)
         return cli_usage(c, "no machine is named to run the script on, as in 'smc test MACHINE.sm SCRIPT.ss'");
-    if (is_standard_output(c, OPT_JUNIT) && (c->given[OPT_TAP] || is_standard_output(c, OPT_TRACE)))
-        return cli_usage(c, "standard output cannot take %s and --junit too: name a file for one", c->given[OPT_TAP] ? "--tap" : "--trace");
-    if (c->given[OPT_TRACE] && f->scripts != 1)
-        return cli_usage(c, "--trace wants one machine and one script");
+    if (c->given[OPT_TAP] && (is_standard_output(c, OPT_JUNIT) || is_standard_output(c, OPT_TRACE)))
+        return cli_usage(c, "--tap and %s cannot both write to standard output", is_standard_output(c, OPT_JUNIT) ? "--junit" : "--trace");
     for (size_t i = 0; i < c->files; i++) {
         const char *path = c->file[i];
         if (has_suffix(path, ".sv"))
@@ -161,6 +162,23 @@ static int check_use(Cli *c, const Files *f)
             !os_is_folder(path))
             return cli_usage(c, "'%s' is no machine (.sm), script (.ss), case (.smt) or folder", path);
     }
+    return EXIT_OK;
+}
+
+static int check_trace(Cli *c, const Files *f)
+{
+    const bool is_exact = c->given[OPT_TRACE_FORMAT] && strcmp(c->value[OPT_TRACE_FORMAT], "exact") == 0;
+
+    if (c->given[OPT_TRACE_FORMAT] && !is_exact && strcmp(c->value[OPT_TRACE_FORMAT], "csv") != 0)
+        return cli_usage(c, "--trace-format is csv or exact, not '%s'", c->value[OPT_TRACE_FORMAT]);
+    if (!c->given[OPT_TRACE] && (c->given[OPT_TRACE_FORMAT] || c->given[OPT_TRACE_ELEMENTS]))
+        return cli_usage(c, "%s requires --trace=FILE", c->given[OPT_TRACE_FORMAT] ? "--trace-format" : "--trace-elements");
+    if (c->given[OPT_TRACE] && !f->scripts)
+        return cli_usage(c, "--trace requires a machine and a script; .smt cases have a part 'trace'");
+    if (is_exact && f->scripts > 1)
+        return cli_usage(c, "--trace-format=exact does not name the script in its lines: trace one script at a time, or as csv");
+    if (is_exact && c->given[OPT_TRACE_ELEMENTS])
+        return cli_usage(c, "--trace-format=exact always has every element: leave out --trace-elements");
     return EXIT_OK;
 }
 
@@ -193,8 +211,10 @@ int cmd_test(Cli *c)
     TestRun t = {.c = c, .arena = &c->session.arena};
     int code = check_use(c, &f), written;
 
-    if (code != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
+    if (code != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
         return code;
+    if (c->given[OPT_TRACE] && f.cases)
+        cli_remark(c, "the trace has the scripts of '%s'; cases are not traced", f.machine);
     if (f.machine && (code = test_machine(&t, f.machine)) != EXIT_OK)
         return code;
     for (size_t i = 0; i < c->files; i++)

@@ -48,8 +48,10 @@ typedef struct TestRun {      // one call of smc test
     VEC(TestResult) result;
 } TestRun;
 
-// Whether standard output is another program's to read: people's reports stay away from it.
+// Whether standard output is another program's to read and has the results: people's reports stay away from it.
 bool test_is_read(const Cli *c);                                    // cmd_test.c
+// Where reports for people go: standard output, unless the trace goes there.
+int test_result_fd(const Cli *c);                                   // cmd_test.c
 void test_add_result(TestRun *t, const char *name, TestStatus status, const char *message, int code);     // cmd_test.c
 
 // Runs every script of the call on the machine `path` and adds a result for each.  EXIT_OK, or what keeps the call from going on.
@@ -68,6 +70,17 @@ TestResult case_close(TestCase *c, Engine *const *emitted);
 // ---- test_batch.c ----
 
 void test_cases(TestRun *t, const char *const *path, size_t n);    // many .smt files: adds a result for each
+
+// ---- test_trace.c: --trace ----
+
+typedef struct TestTrace TestTrace;
+
+// Opens the file that --trace names; *trace is NULL where none is wanted.  EXIT_OK, or the exit code after a message.
+int test_trace_open(TestRun *run, const Program *p, TestTrace **trace);
+void test_trace_script(TestTrace *t, const char *path);            // the script whose steps follow
+void test_trace_left_out(TestTrace *t, const char *path);          // reports one that has none; t may be NULL
+void test_trace_step(void *trace, const ScriptStep *step);         // for ScriptOptions
+int test_trace_close(TestTrace *t);                                // t may be NULL; the file appears if a step was written
 
 // ---- test_text.c ----
 

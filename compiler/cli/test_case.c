@@ -290,17 +290,27 @@ static void check_outcome(Case *c, const char *script, ScriptOutcome o)
         buf_printf(&c->why, "%s should %s, but %s\n", script, c->f->outcome == TEST_PASS ? "pass" : "fail", outcome_text(o));
 }
 
+typedef struct CaseTrace { const Var **order; size_t n; Buf text; } CaseTrace;
+
+static void add_to_trace(void *context, const ScriptStep *step)
+{
+    CaseTrace *t = context;
+
+    script_trace_exact(&t->text, step, t->order, t->n);
+}
+
 static void run_script(Case *c, const Script *script, const char *name, bool is_first)
 {
     const TestPart *report_part = testfile_part(c->f, "report"), *trace_part = testfile_part(c->f, "trace");
-    ScriptOptions o = {c->f->steps ? c->f->steps : c->t->max_steps, NULL, NULL, NULL};
+    CaseTrace trace = {report_order(&c->s.arena, c->p), c->p->var.n, {0}};
+    ScriptOptions o = {c->f->steps ? c->f->steps : c->t->max_steps, NULL, &trace};
     ScriptResult r;
-    Buf report, trace;
+    Buf report;
 
     buf_init(&report, &c->s.arena);
-    buf_init(&trace, &c->s.arena);
+    buf_init(&trace.text, &c->s.arena);
     if (trace_part && is_first)
-        o.trace = &trace;
+        o.after_step = add_to_trace;
     r = script_run(&c->s.arena, &c->s.diags, script, c->engines.at, c->engines.n, &o);
     check_outcome(c, name, r.outcome);
     if (r.outcome == SCRIPT_BROKEN)
@@ -308,8 +318,8 @@ static void run_script(Case *c, const Script *script, const char *name, bool is_
     script_report(&r, c->p, &report);
     if (report_part && is_first)
         test_check_report(report_part, &report, &c->why);
-    if (o.trace)
-        test_check_trace(trace_part, &trace, &c->why);
+    if (o.after_step)
+        test_check_trace(trace_part, &trace.text, &c->why);
 }
 
 static void run_scripts(Case *c, Engine *const *emitted)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine and its scripts: compiled, run, reported, traced.
+// A machine and its scripts: compiled, run, reported.
 #include <string.h>
 
 #include "compiler/cli/test.h"
@@ -9,58 +9,9 @@ typedef struct MachineTest {
     Program *p;
     EngineSet engines;
     Source **ss;              // by argument: the scripts, read once; NULL: no script, or it cannot be read
-    Buf trace, report;        // of the last script
-    OsStream trace_file;
-    const char *trace_error;  // why the trace could not be written; NULL while it could
+    Buf report;               // of the last script
+    TestTrace *trace;         // or NULL
 } MachineTest;
-
-// ---- the trace, written away as it grows ----
-
-enum { TRACE_BLOCK = 1 << 16 };       // bytes gathered before they are written
-
-static void put_trace(MachineTest *m)
-{
-    const char *why;
-
-    if (!m->trace_error && !os_stream_put(&m->trace_file, buf_text(&m->trace), m->trace.n, &why))
-        m->trace_error = why;
-    m->trace.n = 0;
-}
-
-static void flush_trace(void *context, Buf *trace)
-{
-    if (trace->n >= TRACE_BLOCK)
-        put_trace(context);
-}
-
-static int trace_fails(MachineTest *m, const char *why)
-{
-    Cli *c = m->t->c;
-
-    cli_say(c, "cannot write '%s': %s", c->value[OPT_TRACE], why);
-    return EXIT_ENVIRONMENT;
-}
-
-static int open_trace(MachineTest *m)
-{
-    const char *why;
-
-    if (m->t->c->given[OPT_TRACE] && !os_stream_open(&m->trace_file, m->t->c->value[OPT_TRACE], &why))
-        return trace_fails(m, why);
-    return EXIT_OK;
-}
-
-static int close_trace(MachineTest *m)
-{
-    const char *why;
-
-    if (!m->t->c->given[OPT_TRACE])
-        return EXIT_OK;
-    put_trace(m);
-    if (!os_stream_close(&m->trace_file, !m->trace_error && m->report.n, &why) && !m->trace_error)     // no run, no trace
-        m->trace_error = why;
-    return m->trace_error ? trace_fails(m, m->trace_error) : EXIT_OK;
-}
 
 // ---- one script ----
 
@@ -91,11 +42,15 @@ static int exit_code_of(ScriptOutcome o)
 static void run_script(MachineTest *m, const char *path, const Script *s)
 {
     TestRun *t = m->t;
-    ScriptOptions o = {t->max_steps, t->c->given[OPT_TRACE] ? &m->trace : NULL, flush_trace, m};
-    ScriptResult r = script_run(t->arena, &t->c->session.diags, s, m->engines.at, m->engines.n, &o);
-    int code = exit_code_of(r.outcome), reported;
+    ScriptOptions o = {t->max_steps, m->trace ? test_trace_step : NULL, m->trace};
+    ScriptResult r;
+    int code, reported;
     const char *message;
 
+    if (m->trace)
+        test_trace_script(m->trace, path);
+    r = script_run(t->arena, &t->c->session.diags, s, m->engines.at, m->engines.n, &o);
+    code = exit_code_of(r.outcome);
     script_report(&r, m->p, &m->report);
     reported = report_diagnostics(t, &message);
     if (code == EXIT_OK)
@@ -110,6 +65,7 @@ static void test_script(MachineTest *m, const char *path, const Source *src)
 
     m->report.n = 0;
     if (!src) {
+        test_trace_left_out(m->trace, path);
         test_add_result(m->t, path, TEST_FAILED, "cannot be read", EXIT_ENVIRONMENT);
         return;
     }
@@ -118,6 +74,7 @@ static void test_script(MachineTest *m, const char *path, const Source *src)
         return;
     }
     report_diagnostics(m->t, &message);
+    test_trace_left_out(m->trace, path);
     test_add_result(m->t, path, TEST_FAILED, message, EXIT_PROBLEM);
 }
 
@@ -163,25 +120,24 @@ static int print_report(MachineTest *m, const char *path)
     buf_put(&out, buf_text(&m->report), m->report.n);
     if (test_is_read(c) || m->report.n == 0 || (!is_lone_script(c) && last->status == TEST_PASSED))
         return EXIT_OK;
-    return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
+    return cli_print(c, test_result_fd(c), &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
 static int test_scripts(MachineTest *m)
 {
     Cli *c = m->t->c;
-    int code = open_engines(m), printed;
+    int code = open_engines(m), closed;
 
+    if (code == EXIT_OK)
+        code = test_trace_open(m->t, m->p, &m->trace);
     for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
         if (has_suffix(c->file[i], ".ss")) {
-            if ((code = open_trace(m)) != EXIT_OK)
-                break;
             test_script(m, c->file[i], m->ss[i]);
-            code = close_trace(m);
-            printed = print_report(m, c->file[i]);
-            code = code == EXIT_OK ? printed : code;
+            code = print_report(m, c->file[i]);
         }
+    closed = test_trace_close(m->trace);
     engines_close(&m->engines);
-    return code;
+    return code == EXIT_OK ? closed : code;
 }
 
 int test_machine(TestRun *t, const char *path)
@@ -189,7 +145,6 @@ int test_machine(TestRun *t, const char *path)
     MachineTest m = {.t = t};
     int code, reported;
 
-    buf_init(&m.trace, t->arena);
     buf_init(&m.report, t->arena);
     code = compile_machine(&m, path);
     reported = cli_report(t->c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report of a script (thesis Figure 3.4), its trace, and values as text.  The C library prints digits; its locale
+// The report of a script (thesis Figure 3.4), and values as text.  The C library prints digits; its locale
 // never shows, for whatever stands between them becomes a point.
 #include "compiler/script/script.h"
 
@@ -64,13 +64,24 @@ static void put_fixed(Buf *out, double x)             // as %f
     put_decimal(out, digits);
 }
 
+static bool is_whole(double x)                        // and as an integer looks as it should: not -0
+{
+    return x > -9007199254740992.0 && x < 9007199254740992.0 && x == (double)(int64_t)x && !(x == 0 && 1 / x < 0);
+}
+
+// Of a normal number with at most 15 digits %.15g gives exactly these; a subnormal one may have fewer than its neighbours need.
 void format_number_exact(Buf *out, double x)
 {
+    const bool is_normal = x >= 2.2250738585072014e-308 || x <= -2.2250738585072014e-308;
     char digits[40];
 
     if (!is_finite(out, x))
         return;
-    for (int precision = 6; precision <= 17; precision++) {
+    if (is_whole(x)) {
+        buf_printf(out, "%" PRId64, (int64_t)x);
+        return;
+    }
+    for (int precision = is_normal ? 15 : 1; precision <= 17; precision++) {
         snprintf(digits, sizeof digits, "%.*g", precision, x);
         if (strtod(digits, NULL) == x)
             break;
@@ -115,7 +126,7 @@ void format_cell(Buf *out, SmType type, uint64_t cell) { put_cell(out, type, cel
 void format_cell_exact(Buf *out, SmType type, uint64_t cell) { put_cell(out, type, cell, format_number_exact); }
 void format_cell_trace(Buf *out, SmType type, uint64_t cell) { put_cell(out, type, cell, put_hex); }
 
-// ---- report and trace ----
+// ---- the report ----
 
 static bool is_before(const Var *a, const Var *b)
 {
@@ -163,15 +174,6 @@ void script_report(const ScriptResult *r, const Program *p, Buf *out)
     for (size_t i = 0; i < p->var.n; i++) {
         buf_printf(out, "  %s = ", order[i]->report_name->text);
         format_cell(out, order[i]->type, r->cell[order[i]->index]);
-        buf_char(out, '\n');
-    }
-}
-
-void trace_step(Buf *out, const Program *p, const Var **order, uint64_t step, const uint64_t *cell)
-{
-    for (size_t i = 0; i < p->var.n; i++) {
-        buf_printf(out, "%" PRIu64 " %s ", step, order[i]->report_name->text);
-        format_cell_trace(out, order[i]->type, cell[order[i]->index]);
         buf_char(out, '\n');
     }
 }

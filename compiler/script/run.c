@@ -124,13 +124,12 @@ static void step_engines(Run *r)
         memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
 }
 
-static void trace(Run *r)
+static void show_step(Run *r)
 {
-    if (!r->o->trace)
-        return;
-    trace_step(r->o->trace, r->p, r->order, r->result.steps, r->cell);
-    if (r->o->flush)
-        r->o->flush(r->o->context, r->o->trace);
+    const ScriptStep step = {r->result.steps, r->g, r->state, r->cell};
+
+    if (r->o->after_step)
+        r->o->after_step(r->o->context, &step);
 }
 
 static void advance_time(Run *r)
@@ -153,7 +152,7 @@ static void run_step(Run *r)
     step_engines(r);
     if (r->over)
         return;
-    trace(r);
+    show_step(r);
     judge_step(r);
     if (!r->over)
         advance_time(r);
@@ -189,7 +188,6 @@ static void allocate(Run *r)
     r->write = ARENA_ARRAY(r->arena, EngineWrite, t.inputs + 1);      // and G
     r->noted = ARENA_ARRAY(r->arena, Noted, t.notes);
     r->judged = arena_alloc(r->arena, t.asserts);
-    r->order = report_order(r->arena, r->p);
 }
 
 static void report_endless(Run *r)

@@ -31,7 +31,6 @@ typedef struct Run {
     Noted *noted;             // in this step, in order
     size_t notes;
     uint8_t *judged;          // by number of assert: it was judged at least once
-    const Var **order;        // of the trace
     ScriptResult result;
     bool over;                // result.outcome says how
 } Run;

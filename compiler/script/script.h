@@ -17,11 +17,17 @@ typedef enum ScriptOutcome {
     SCRIPT_DIFFERENT          // two engines disagree
 } ScriptOutcome;
 
+typedef struct ScriptStep {
+    uint64_t number;          // from 1
+    uint64_t g;               // G in this step
+    const State *state;       // that the step ran
+    const uint64_t *cell;     // every variable after it
+} ScriptStep;
+
 typedef struct ScriptOptions {
     uint64_t max_steps;
-    Buf *trace;               // NULL, or where the trace goes
-    void (*flush)(void *context, Buf *trace);   // NULL, or called after each step: may write the text away and set n to 0
-    void *context;            // handed to flush
+    void (*after_step)(void *context, const ScriptStep *step);      // NULL, or called after each step, before its asserts
+    void *context;
 } ScriptOptions;
 
 typedef struct ScriptResult {
@@ -41,13 +47,20 @@ void script_report(const ScriptResult *r, const Program *p, Buf *out);
 // A cell as the report prints it, and as a trace does.
 void format_cell(Buf *out, SmType type, uint64_t cell);
 void format_cell_trace(Buf *out, SmType type, uint64_t cell);
-// With the fewest digits (six at least) that tell it from every other value: what messages show.
+// With the fewest digits that give the same number when they are read as a double.
 void format_cell_exact(Buf *out, SmType type, uint64_t cell);
 void format_number_exact(Buf *out, double x);
 
 // The variables in the order of reports and traces; in arena.
 const Var **report_order(Arena *arena, const Program *p);
-// The trace's lines of one step.
-void trace_step(Buf *out, const Program *p, const Var **order, uint64_t step, const uint64_t *cell);
+
+// ---- script_trace.c ----
+
+// CSV: a header, then a row for each step with the script, the step, G, the name of the state, and the columns.  bool is 1 or 0, which
+// every reader takes for a number.  A column that would be called like one of the first is called MACHINE.NAME.
+void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n);
+void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n);
+// A line `STEP NAME VALUE` for each of `order`; floats as C99 %a, in which every bit can be read.
+void script_trace_exact(Buf *out, const ScriptStep *step, const Var *const *order, size_t n);
 
 #endif

@@ -120,7 +120,7 @@ fi
 values() { sed -n "s/^[0-9]* $1 //p" "$dir/trace"; }
 expect()
 {
-    "$build/smc" test -w --engine=all "$examples/$1/tank.sm" tests/arduino/plant.ss --trace="$dir/trace" >/dev/null || return 1
+    "$build/smc" test -w --engine=all "$examples/$1/tank.sm" tests/arduino/plant.ss --trace="$dir/trace" --trace-format=exact >/dev/null || return 1
     values tankPressure | xargs printf '%.0f\n' >"$dir/pressure"
     values S >"$dir/state"
     values valveOpen | sed 's/true/1/; s/false/0/' | paste -d ' ' "$dir/pressure" "$dir/state" - >"$dir/$1.expected"

@@ -73,8 +73,19 @@ static void make_outputs(Session *s, IrMachine *m, Buf *out)
     buf_put(out, buf_text(&header), header.n);
 }
 
+typedef struct Traced { const Program *p; const Var **order; Buf *out; } Traced;
+
+static void trace(void *context, const ScriptStep *step)
+{
+    Traced *t = context;
+
+    script_trace_row(t->out, "a script", step, t->order, t->p->var.n);
+    script_trace_exact(t->out, step, t->order, t->p->var.n);
+}
+
 static void run_script(Session *s, const Program *p, const Script *script, const Buf *image, Buf *out)
 {
+    Traced traced = {p, report_order(&s->arena, p), out};
     const char *error = NULL;
     Engine *engine[2] = {engine_ref_open(&s->arena, p), NULL};
     ScriptOptions o;
@@ -83,7 +94,9 @@ static void run_script(Session *s, const Program *p, const Script *script, const
     engine[1] = engine_vm_open(&s->arena, p, (const uint8_t *)image->at, image->n, 0, &error);
     memset(&o, 0, sizeof o);
     o.max_steps = 30;
-    o.trace = out;
+    o.after_step = trace;
+    o.context = &traced;
+    script_trace_header(out, p, traced.order, p->var.n);
     r = script_run(&s->arena, &s->diags, script, engine, engine[1] ? 2 : 1, &o);
     script_report(&r, p, out);
 }

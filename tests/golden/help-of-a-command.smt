@@ -12,7 +12,9 @@ Options:
   --sv=FILE                the application's state vector
   -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 2)
   --engine=ENGINE          what runs the machine: vm (default), vm-soft, ref, c, c-soft, several between commas, or all (but c-soft)
-  --trace=FILE             write every value after every step, as lines 'step element value'
+  --trace=FILE             write the values after every step as CSV: script, step, G, state, elements; - is standard output, and the result goes to standard error
+  --trace-elements=NAMES   the columns of the trace after the state, as a,b,c (default: all that can change)
+  --trace-format=FORMAT    csv (default), or exact: lines 'step element value' with every bit of every element
   --max-steps=N            give up on a script after N steps (default 1000000)
   --junit=FILE             write the results as JUnit XML
   --tap                    print the results in the Test Anything Protocol

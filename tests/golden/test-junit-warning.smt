@@ -37,7 +37,7 @@ G == 30: @stop
   <testcase name="good.ss" classname="smc"/>
 </testsuite>
 -- stderr --
-smc: standard output cannot take --tap and --junit too: name a file for one
+smc: --tap and --junit cannot both write to standard output
 Try 'smc test --help'.
 smc: --trace and --junit cannot both write to standard output
 Try 'smc test --help'.

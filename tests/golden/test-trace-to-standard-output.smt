@@ -18,18 +18,11 @@ G == 20 {
     @stop
 }
 -- stdout --
-1 G 0
-1 S 1
-1 T 0
-1 open true
-2 G 10
-2 S 1
-2 T 10
-2 open true
-3 G 20
-3 S 1
-3 T 20
-3 open true
+script,step,G,state,T,open
+a.ss,1,0,Idle,0,1
+a.ss,2,10,Idle,10,1
+a.ss,3,20,Idle,20,1
+-- stderr --
 state script ran for 3 steps
 1 assert passed
 final state vector:

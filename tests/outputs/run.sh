@@ -72,6 +72,7 @@ writers()
         '-o @' 'sign image.smb --key=rocket.key --number=7' \
         '--junit=@' 'test tank.sm tank.ss' \
         '--trace=@' 'test tank.sm tank.ss' \
+        '--trace=@' 'test tank.sm tank.ss --trace-format=exact' \
         '-o @' 'log flight.log --format=text' \
         '-o @' 'log flight.log --format=csv' \
         '-o @' 'log flight.log --format=json' \
@@ -232,6 +233,6 @@ near 'digraph "tank" {\n}\n'
 near 'stateDiagram-v2\n    [*] --> s1\n'
 near '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8"/>\n<title>mine</title>\n'
 
-[ $commands -ge 20 ] || { echo "tests/outputs: only $commands commands were tried" >&2; failed=$((failed + 1)); }
+[ $commands -ge 21 ] || { echo "tests/outputs: only $commands commands were tried" >&2; failed=$((failed + 1)); }
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

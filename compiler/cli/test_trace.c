@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc test --trace: one file for all scripts of the call, written as it grows.
+#include <string.h>
+
+#include "compiler/cli/test.h"
+
+enum { BLOCK = 1 << 16, NEAR_MOST = 3 };      // bytes gathered before they are written; names that a mistake is compared with
+
+struct TestTrace {
+    Cli *c;
+    const Program *p;
+    const Var **column;
+    size_t columns;
+    bool is_exact;
+    const char *script;           // at hand
+    uint64_t rows;                // of all scripts
+    const Var *rounded;           // the first column with a value that a double cannot hold
+    Buf text;                     // not yet written
+    OsStream file;
+    const char *error;            // why it could not be written; NULL while it could
+};
+
+// ---- columns ----
+
+static int unknown_column(TestTrace *t, const char *name)
+{
+    Cli *c = t->c;
+    const char *near[NEAR_MOST];
+    size_t n = 0, most = strlen(name) / 3 + 2;
+    Buf list;
+
+    buf_init(&list, &c->session.arena);
+    for (size_t distance = 0; distance < most && n < NEAR_MOST; distance++)
+        for (size_t i = 0; i < t->p->var.n && n < NEAR_MOST; i++)
+            if (str_distance(name, t->p->var.at[i]->report_name->text, most) == distance)
+                near[n++] = t->p->var.at[i]->report_name->text;
+    if (n == 0) {
+        const Var **order = report_order(&c->session.arena, t->p);
+        for (size_t i = 0; i < t->p->var.n; i++)
+            buf_printf(&list, "%s%s", i ? ", " : "", order[i]->report_name->text);
+        return cli_usage(c, "--trace-elements: the machine has no '%s'; it has %s", name, buf_text(&list));
+    }
+    for (size_t i = 0; i < n; i++)
+        buf_printf(&list, "%s'%s'", i == 0 ? "" : i + 1 < n ? ", " : " or ", near[i]);
+    return cli_usage(c, "--trace-elements: the machine has no '%s'; did you mean %s?", name, buf_text(&list));
+}
+
+static void add_column(TestTrace *t, const Var *v)
+{
+    for (size_t i = 0; i < t->columns; i++)
+        if (t->column[i] == v)
+            return;
+    t->column[t->columns++] = v;
+}
+
+// --trace-elements=a,b,c: elements, locals and T, by name or alias.
+static int choose_columns(TestTrace *t, const char *list)
+{
+    Arena *arena = &t->c->session.arena;
+
+    for (;; list++) {
+        const size_t n = strcspn(list, ",");
+        const char *name = format_in(arena, "%.*s", (int)n, list);
+        const Var *v = map_find(&t->p->by_name, str_c(&t->c->session.strings, name));
+        if (n == 0)
+            return cli_usage(t->c, "--trace-elements takes names between commas, as in --trace-elements=pressure,valveOpen");
+        if (!v)
+            return unknown_column(t, name);
+        if (v != t->p->g)
+            add_column(t, v);
+        if (*(list += n) == '\0')
+            return EXIT_OK;
+    }
+}
+
+// All that can change, but for G and S, which every row has.
+static void take_all_columns(TestTrace *t)
+{
+    const Var **order = report_order(&t->c->session.arena, t->p);
+
+    for (size_t i = 0; i < t->p->var.n; i++)
+        if (t->is_exact || (order[i] != t->p->g && order[i] != t->p->s && !order[i]->is_constant))
+            add_column(t, order[i]);
+}
+
+// ---- writing ----
+
+static void put_away(TestTrace *t)
+{
+    const char *why;
+
+    if (!t->error && !os_stream_put(&t->file, buf_text(&t->text), t->text.n, &why))
+        t->error = why;
+    t->text.n = 0;
+}
+
+static int fails(TestTrace *t, const char *why)
+{
+    cli_say(t->c, "cannot write '%s': %s", t->c->value[OPT_TRACE], why);
+    return EXIT_ENVIRONMENT;
+}
+
+static bool is_a_double(SmType type, uint64_t cell)
+{
+    const bool is_negative = sm_type_info[type].kind == SM_KIND_SIGNED && cell >> 63;
+    const uint64_t x = is_negative ? (uint64_t)0 - cell : cell;
+
+    return x <= (uint64_t)1 << 53 || (x < UINT64_MAX - 1024 && (uint64_t)(double)x == x);
+}
+
+// Whole numbers are exact in the file, but a reader that makes doubles of them rounds some beyond 2^53.
+static void note_rounded(TestTrace *t, const uint64_t *cell)
+{
+    const Var *g = t->p->g;
+
+    if (!t->rounded && !is_a_double(g->type, cell[g->index]))
+        t->rounded = g;
+    for (size_t i = 0; i < t->columns && !t->rounded; i++) {
+        const Var *v = t->column[i];
+        const SmKind kind = sm_type_info[v->type].kind;
+        if (sm_type_info[v->type].bytes == 8 && (kind == SM_KIND_SIGNED || kind == SM_KIND_UNSIGNED) && !is_a_double(v->type, cell[v->index]))
+            t->rounded = v;
+    }
+}
+
+void test_trace_step(void *context, const ScriptStep *step)
+{
+    TestTrace *t = context;
+
+    if (t->is_exact) {
+        script_trace_exact(&t->text, step, t->column, t->columns);
+    } else {
+        script_trace_row(&t->text, t->script, step, t->column, t->columns);
+        note_rounded(t, step->cell);
+    }
+    t->rows++;
+    if (t->text.n >= BLOCK)
+        put_away(t);
+}
+
+void test_trace_script(TestTrace *t, const char *path) { t->script = path; }
+
+void test_trace_left_out(TestTrace *t, const char *path)
+{
+    if (t)
+        cli_remark(t->c, "%s did not run and is not in the trace", path);
+}
+
+int test_trace_open(TestRun *run, const Program *p, TestTrace **trace)
+{
+    Cli *c = run->c;
+    TestTrace *t = ARENA_NEW(run->arena, TestTrace);
+    const char *why;
+    int code;
+
+    *trace = NULL;
+    if (!c->given[OPT_TRACE])
+        return EXIT_OK;
+    t->c = c;
+    t->p = p;
+    t->is_exact = c->given[OPT_TRACE_FORMAT] && strcmp(c->value[OPT_TRACE_FORMAT], "exact") == 0;
+    t->column = ARENA_ARRAY(run->arena, const Var *, p->var.n);
+    if (!c->given[OPT_TRACE_ELEMENTS])
+        take_all_columns(t);
+    else if ((code = choose_columns(t, c->value[OPT_TRACE_ELEMENTS])) != EXIT_OK)
+        return code;
+    buf_init(&t->text, run->arena);
+    if (!t->is_exact)
+        script_trace_header(&t->text, p, t->column, t->columns);
+    if (!os_stream_open(&t->file, c->value[OPT_TRACE], &why))
+        return fails(t, why);
+    *trace = t;
+    return EXIT_OK;
+}
+
+int test_trace_close(TestTrace *t)
+{
+    const char *why;
+
+    if (!t)
+        return EXIT_OK;
+    if (t->rows)
+        put_away(t);
+    if (!os_stream_close(&t->file, !t->error && t->rows, &why) && !t->error)
+        t->error = why;
+    if (t->error)
+        return fails(t, t->error);
+    if (!t->rows)
+        cli_remark(t->c, "no script ran: there is nothing to write to '%s'", t->c->value[OPT_TRACE]);
+    if (t->rounded)
+        cli_remark(t->c, "'%s' has values in the trace that a double cannot hold: spreadsheets round them", t->rounded->report_name->text);
+    return EXIT_OK;
+}

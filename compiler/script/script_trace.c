@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// The trace of a script: its values after every step, as CSV for spreadsheets and data tools, or exact to the last bit.
+#include <inttypes.h>
+#include <string.h>
+
+#include "compiler/script/script.h"
+
+// Names that the first columns have already.
+static bool is_taken(const Var *v)
+{
+    const char *name = v->report_name->text;
+
+    return strcmp(name, "script") == 0 || strcmp(name, "step") == 0 || strcmp(name, "state") == 0;
+}
+
+void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n)
+{
+    buf_str(out, "script,step,G,state");
+    for (size_t i = 0; i < n; i++) {
+        buf_char(out, ',');
+        if (is_taken(column[i])) {
+            buf_str(out, p->name->text);
+            buf_char(out, '.');
+        }
+        buf_str(out, column[i]->report_name->text);
+    }
+    buf_char(out, '\n');
+}
+
+// A field that is quoted where it has to be.
+static void put_field(Buf *out, const char *text)
+{
+    if (!strpbrk(text, ",\"\r\n")) {
+        buf_str(out, text);
+        return;
+    }
+    buf_char(out, '"');
+    for (; *text; text++) {
+        if (*text == '"')
+            buf_char(out, '"');
+        buf_char(out, *text);
+    }
+    buf_char(out, '"');
+}
+
+void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n)
+{
+    put_field(out, script);
+    buf_printf(out, ",%" PRIu64 ",%" PRIu64 ",%s", step->number, step->g, step->state->name->text);
+    for (size_t i = 0; i < n; i++) {
+        const uint64_t cell = step->cell[column[i]->index];
+        size_t start;
+        buf_char(out, ',');
+        start = out->n;
+        if (column[i]->type == SM_BOOL)
+            buf_char(out, cell ? '1' : '0');
+        else
+            format_cell_exact(out, column[i]->type, cell);
+        if (out->n == start + 2 && memcmp(out->at + start, "-0", 2) == 0)      // which a reader of integers would make 0
+            buf_str(out, ".0");
+    }
+    buf_char(out, '\n');
+}
+
+void script_trace_exact(Buf *out, const ScriptStep *step, const Var *const *order, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        buf_printf(out, "%" PRIu64 " %s ", step->number, order[i]->report_name->text);
+        format_cell_trace(out, order[i]->type, step->cell[order[i]->index]);
+        buf_char(out, '\n');
+    }
+}
