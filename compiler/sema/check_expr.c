@@ -254,13 +254,52 @@ static Expr *check_unary(Sema *s, const AstExpr *e)
 
 // ---- calls ----
 
+// max(a, b, c) as max(max(a, b), c)
+static void nest_calls(Sema *s, Diag *d, const AstExpr *e)
+{
+    const AstArgs *args = e->args;
+    const Span first = args->at[0]->span;
+    const char *calls = "", *text = sema_quote(s, first);
+
+    for (size_t i = 1; i < args->n; i++) {
+        const Span span = args->at[i]->span;
+        const bool last = i + 1 == args->n;
+        text = format_in(s->arena, "%s(%s, %s)", e->name->text, text, sema_quote(s, span));
+        if (!last) {
+            calls = format_in(s->arena, "%s%s(", calls, e->name->text);
+            diag_edit(s->diags, d, (Span){span.src, span.at + span.len, 0}, ")");
+        }
+    }
+    diag_edit(s->diags, d, (Span){first.src, first.at, 0}, calls);
+    diag_label(s->diags, d, DIAG_label_write, text);
+}
+
+// What the call means with so many arguments; false: nobody knows.
+static bool label_argument_count(Sema *s, Diag *d, const AstExpr *e, SmBuiltin fn)
+{
+    const AstArgs *args = e->args;
+    const char *first = args->n ? sema_quote(s, args->at[0]->span) : "";
+
+    if ((fn == SM_FN_min || fn == SM_FN_max) && args->n > 2)
+        nest_calls(s, d, e);
+    else if ((fn == SM_FN_min || fn == SM_FN_max) && args->n == 1)
+        diag_label(s->diags, d, DIAG_label_write_call, e->name->text,
+                   format_in(s->arena, "(a, b), or for the last n steps roll_%s(%s, n)", e->name->text, first));
+    else if (fn == SM_FN_round && args->n == 2)
+        diag_label(s->diags, d, DIAG_label_text, format_in(s->arena, "round(x) returns a whole number; to keep two digits, write round((%s) * 100) / 100", first));
+    else
+        return false;
+    return true;
+}
+
 static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
 {
     const char *wanted = format_in(s->arena, "%u argument%s", fn->arguments, fn->arguments == 1 ? "" : "s");
     const char *found = format_in(s->arena, "%lu", (unsigned long)e->args->n);
     Diag *d = diag_report(s->diags, DIAG_argument_count, ast_op_span(e), fn->name, wanted, found);
 
-    diag_label(s->diags, d, DIAG_label_write_call, fn->name, function_usage(fn));
+    if (!label_argument_count(s, d, e, (SmBuiltin)(fn - sm_builtin_info)))
+        diag_label(s->diags, d, DIAG_label_write_call, fn->name, function_usage(fn));
 }
 
 static Expr *check_pure(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)

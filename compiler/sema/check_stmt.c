@@ -30,8 +30,12 @@ static Diag *report_read_only(Sema *s, const Var *v, Span span, Str name)
         return diag_report(s->diags, DIAG_write_time, span);
     if (v == s->p->g)
         return diag_report(s->diags, DIAG_write_global_time, span, name->text);
-    if (v == s->p->s)
-        return diag_report(s->diags, DIAG_write_state_element, span, name->text);
+    if (v == s->p->s) {
+        Diag *d = diag_report(s->diags, DIAG_write_state_element, span, name->text);
+        if (!s->in_script)
+            diag_label(s->diags, d, DIAG_label_text, "to change the state, write -> State");
+        return d;
+    }
     if (v->kind == VAR_LOCAL)
         return diag_report(s->diags, DIAG_write_constant, span, name->text);
     return diag_report(s->diags, DIAG_write_read_only, span, name->text);
@@ -58,14 +62,20 @@ static const State *state_meant(const Sema *s, const AstExpr *e)
     return e->kind == AST_NAME ? map_find(&s->p->state_by_name, e->name) : NULL;
 }
 
+// S = Vent; or state = Vent, where nothing is called `state`.
 static bool assigns_state(Sema *s, const Var *v, const AstStmt *in)
 {
-    const State *to = v && v == s->p->s && !s->in_script ? state_meant(s, in->value) : NULL;
+    const bool may_mean = !s->in_script && (v ? v == s->p->s : in->value->kind == AST_NAME && !scope_find(s, in->value->name));
+    const State *to = may_mean ? state_meant(s, in->value) : NULL;
+    Diag *d;
 
     if (!to)
         return false;
-    diag_label(s->diags, diag_report(s->diags, DIAG_write_state_element, in->name_span, in->name->text), DIAG_label_write,
-               format_in(s->arena, "-> %s", to->name->text));
+    if (v)
+        d = diag_report(s->diags, DIAG_write_state_element, in->name_span, in->name->text);
+    else
+        d = diag_report(s->diags, DIAG_unknown_element, in->name_span, in->name->text);
+    diag_label(s->diags, d, DIAG_label_go_to, to->name->text, to->name->text);
     return true;
 }
 

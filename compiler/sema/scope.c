@@ -87,6 +87,8 @@ void scope_note_declared(Sema *s, Diag *d, Str name)
 
 static const char nan_text[] = "what is stored is never NaN: a sensor's NaN is read as 0; ask for what is healthy, as in not (0.5 < x < 60)";
 
+static const char pi_text[] = "declare it in [local]: F64 pi = 3.141592653589793 @read_only";
+
 // True, TRUE, on, off, ELSE: words of this language, as others write them.
 static bool guess_word(Sema *s, Diag *d, Str name)
 {
@@ -100,9 +102,12 @@ static bool guess_word(Sema *s, Diag *d, Str name)
                 diag_edit(s->diags, d, d->span, words[i][1]);
             return true;
         }
-    if (!same_but_for_case(name->text, "nan"))
+    if (same_but_for_case(name->text, "nan"))
+        diag_label(s->diags, d, DIAG_label_text, nan_text);
+    else if (same_but_for_case(name->text, "pi"))
+        diag_label(s->diags, d, DIAG_label_text, pi_text);
+    else
         return false;
-    diag_label(s->diags, d, DIAG_label_text, nan_text);
     return true;
 }
 
@@ -201,30 +206,53 @@ const SmBuiltinInfo *scope_find_function(const Sema *s, Str name)
     return map_find(&s->functions, name);
 }
 
-// Functions of spreadsheets and other languages; NULL: there is nothing like it.
-static const char *const foreign_functions[][2] = {
+static const char outside_text[] = "there is none: compute it outside the machine and list the result as an element";
+static const char multiply_text[] = "multiply, as in x * x";
+static const char remainder_text[] = "for a remainder, use x - n * floor(x / n)";
+static const char clock_text[] = "write G for the time, T for the time in this state";
+
+// Functions of spreadsheets and other languages, and what to write instead.  The nearest name would mislead: sin is no min.
+static const struct { const char *name, *advice; } foreign_functions[] = {
     {"avg", "write roll_avg(x, n)"}, {"average", "write roll_avg(x, n)"}, {"mean", "write roll_avg(x, n)"},
     {"roll_average", "write roll_avg(x, n)"}, {"roll_mean", "write roll_avg(x, n)"}, {"movmean", "write roll_avg(x, n)"},
     {"median", "write roll_median(x, n)"}, {"movmedian", "write roll_median(x, n)"}, {"range", "write roll_range(x, n)"},
-    {"fabs", "write abs(x)"}, {"int", "write trunc(x)"}, {"fix", "write trunc(x)"}, {"limit", "write clamp(x, lo, hi)"},
-    {"pow", "multiply, as in x * x"}, {"power", "multiply, as in x * x"},
-    {"mod", "for a remainder, use x - n * floor(x / n)"}, {"rem", "for a remainder, use x - n * floor(x / n)"},
-    {"isnan", nan_text}, {"is_nan", nan_text}, {"and", "write a and b"}, {"or", "write a or b"}, {"sin", NULL}, {"cos", NULL}, {"tan", NULL}, {"log", NULL}};
+    {"fabs", "write abs(x)"}, {"int", "write trunc(x)"}, {"fix", "write trunc(x)"}, {"ceiling", "write ceil(x)"}, {"sgn", "write sign(x)"},
+    {"limit", "write clamp(x, lo, hi)"}, {"constrain", "write clamp(x, lo, hi)"}, {"saturate", "write clamp(x, lo, hi)"},
+    {"fmin", "write min(a, b)"}, {"fmax", "write max(a, b)"}, {"minimum", "write min(a, b)"}, {"maximum", "write max(a, b)"},
+    {"pow", multiply_text}, {"power", multiply_text}, {"sqr", multiply_text}, {"square", multiply_text},
+    {"hypot", "write sqrt(x * x + y * y)"},
+    {"mod", remainder_text}, {"fmod", remainder_text}, {"rem", remainder_text},
+    {"millis", clock_text}, {"micros", clock_text}, {"time", clock_text}, {"now", clock_text},
+    {"isnan", nan_text}, {"is_nan", nan_text}, {"and", "write a and b"}, {"or", "write a or b"},
+    {"sin", outside_text}, {"cos", outside_text}, {"tan", outside_text}, {"asin", outside_text}, {"acos", outside_text},
+    {"atan", outside_text}, {"atan2", outside_text}, {"sinh", outside_text}, {"cosh", outside_text}, {"tanh", outside_text},
+    {"exp", outside_text}, {"log", outside_text}, {"ln", outside_text}, {"log2", outside_text}, {"log10", outside_text},
+    {"random", outside_text}, {"rand", outside_text}};
 
-static bool label_foreign_function(Sema *s, Diag *d, Str name)
+static const char *foreign_advice(Str name)
 {
     for (size_t i = 0; i < sizeof foreign_functions / sizeof *foreign_functions; i++)
-        if (same_but_for_case(name->text, foreign_functions[i][0])) {
-            if (foreign_functions[i][1])
-                diag_label(s->diags, d, DIAG_label_text, foreign_functions[i][1]);
-            return true;
-        }
-    return false;
+        if (same_but_for_case(name->text, foreign_functions[i].name))
+            return foreign_functions[i].advice;
+    return NULL;
+}
+
+// "abs, floor, ..., clamp; over the last n steps: roll_avg, ..."
+static void note_functions(Sema *s, Diag *d)
+{
+    const char *list[2] = {"", ""};
+
+    for (int i = 0; i < SM_FN_COUNT; i++) {
+        const char **to = &list[sm_builtin_info[i].is_roll];
+        *to = format_in(s->arena, "%s%s%s", *to, **to ? ", " : "", sm_builtin_info[i].name);
+    }
+    diag_note(s->diags, d, (Span){0}, DIAG_note_functions, list[0], list[1]);
 }
 
 void scope_report_unknown_function(Sema *s, Str name, Span span)
 {
     Guess g = guess_start(name);
+    const char *advice;
     Diag *d;
 
     if (!first_report(&s->unknown_function, name))
@@ -235,9 +263,14 @@ void scope_report_unknown_function(Sema *s, Str name, Span span)
         return;
     }
     d = diag_report(s->diags, DIAG_unknown_function, span, name->text);
-    if (label_foreign_function(s, d, name))
-        return;
-    for (int i = 0; i < SM_FN_COUNT; i++)
+    advice = foreign_advice(name);
+    for (int i = 0; i < SM_FN_COUNT && !advice; i++)
         guess_try(&g, str_c(s->strings, sm_builtin_info[i].name));
     guess_label(s->diags, d, &g);
+    if (advice)
+        diag_label(s->diags, d, DIAG_label_text, advice);
+    if (!s->functions_noted && (!advice || advice == outside_text)) {
+        note_functions(s, d);
+        s->functions_noted = true;
+    }
 }

@@ -39,6 +39,7 @@ typedef struct Sema {
     const Lost *lost;
     Map functions;            // name to SmBuiltinInfo
     Map unknown_name, unknown_state, unknown_function;   // reported already (name to itself)
+    bool functions_noted;         // the list of functions has been shown
     Map said;                 // names that a remark was made on, once
     Map doubtful;             // names declared twice: nothing more is said about them
     Map place;                // name or alias to the Span of its declaration

@@ -330,8 +330,8 @@ static bool lex_one(Lexer *l, Token *t)
         return true;
     if (is_letter(c)) {
         lexer_word(l, t);
-        if (t->first && t->kind == TOK_NAME)
-            lex_slip_state(l, t);
+        if (t->first && t->kind == TOK_NAME && (lex_slip_state(l, t) || lex_slip_include(l, t)))
+            return t->kind != TOK_NAME;
     } else if (is_digit(c) || (c == '.' && is_digit(lexer_byte(l, l->at + 1))))
         lex_number(l, t);
     else if (c == '[')

@@ -279,6 +279,47 @@ bool lex_slip_state(Lexer *l, Token *t)
     return true;
 }
 
+static bool is_include_word(Str word)
+{
+    static const char *const words[] = {"include", "import", "using", "require"};
+
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strcmp(word->text, words[i]) == 0)
+            return true;
+    return false;
+}
+
+// "common.sm", <common.sm> or common ends the line from p on.
+static bool is_file_name(const Lexer *l, uint32_t p)
+{
+    const char open = lexer_byte(l, p);
+    uint32_t end = skip_name(l, p);
+
+    if (open == '"' || open == '\'')
+        return true;
+    if (open == '<') {
+        for (end = p + 1; lexer_is_word(lexer_byte(l, end)) || lexer_byte(l, end) == '.' || lexer_byte(l, end) == '/'; end++)
+            ;
+        if (end == p + 1 || lexer_byte(l, end++) != '>')
+            return false;
+    }
+    return end > p && ends_line(l, skip_gap(l, end));
+}
+
+// `include "common.sm"`, `import common`: the line is skipped.
+bool lex_slip_include(Lexer *l, const Token *t)
+{
+    Diag *d;
+
+    if (l->config || !is_include_word(t->text) || !is_file_name(l, skip_gap(l, t->at + t->len)))
+        return false;
+    d = diag_report(l->diags, DIAG_foreign_word, lexer_span(l, t->at, t->len), t->text->text);
+    diag_label(l->diags, d, DIAG_label_text,
+               "a file cannot include another: copy the lines that it needs; what machines share is in the state vector (--sv=FILE)");
+    lexer_skip_comment(l);
+    return true;
+}
+
 // Where the number with or without a sign at p ends, or p if there is none.  A point must be followed by a digit: 0..5.
 static uint32_t skip_plain_number(const Lexer *l, uint32_t p)
 {

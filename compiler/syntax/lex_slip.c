@@ -177,6 +177,65 @@ static void lex_reason(Lexer *l, Token *t, uint32_t quote_len)
     lexer_finish(l, t, d ? TOK_ERROR : TOK_TEXT, end + closing);
 }
 
+// The word from..end is in the text before, where names are declared.
+static bool is_known_word(const Lexer *l, uint32_t from, uint32_t end)
+{
+    const char *s = l->src->text;
+
+    for (uint32_t p = 0, next; p < l->at; p = next + 1) {
+        next = lexer_skip_word(l, p);
+        if (next - p == end - from && memcmp(s + p, s + from, end - from) == 0)
+            return true;
+    }
+    return false;
+}
+
+static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+// @assert p > 5, "too low": from the blanks and the comma before the quote, which ends the line at `end`; 0: it is something else,
+// as in init_state "Idle".
+static uint32_t begins_remark(const Lexer *l, uint32_t end)
+{
+    const char *s = l->src->text;
+    uint32_t from = l->at, second = l->line_start;
+
+    while (is_blank(s[end]))
+        end++;
+    while (from > 0 && (is_blank(s[from - 1]) || s[from - 1] == ','))
+        from--;
+    while (is_blank(s[second]))
+        second++;
+    for (second = lexer_skip_word(l, second); is_blank(s[second]); second++)
+        ;
+    if (l->parens > 0 || second >= from || (s[end] != '\n' && end != l->src->len))
+        return 0;
+    return l->last == TOK_NAME || l->last == TOK_NUMBER || l->last == TOK_RPAREN || l->last == TOK_TRUE || l->last == TOK_FALSE ||
+           l->last == TOK_COMMA ? from : 0;
+}
+
+static void label_string(Lexer *l, Diag *d, uint32_t from, uint32_t end, uint32_t closing)
+{
+    const Span whole = lexer_span(l, l->at, end + closing - l->at);
+    const uint32_t remark = begins_remark(l, end + closing);
+    const char *text = lexer_text(l, from, end);
+    const bool is_word = is_identifier(l->src->text + from, end - from);
+
+    if (remark) {
+        text = format_in(l->diags->arena, "  # %.*s", (int)(end - from), l->src->text + from);
+        diag_label(l->diags, d, DIAG_label_text, "write it as a comment, after #");
+        diag_edit(l->diags, d, lexer_span(l, remark, end + closing - remark), text);
+    } else if (is_word && (l->last == TOK_ARROW || is_known_word(l, from, end))) {
+        diag_label(l->diags, d, DIAG_label_write, text);
+        diag_edit(l->diags, d, whole, text);
+    } else if (is_word) {
+        diag_label(l->diags, d, DIAG_label_no_quotes, text);
+    } else if (l->annotated) {
+        diag_label(l->diags, d, DIAG_label_text, "write it as a comment, after # at the end of the line");
+    } else {
+        diag_label(l->diags, d, DIAG_label_text, "write names and conditions without quotation marks, and remarks after #");
+    }
+}
+
 // Text in quotes, to the closing one or the end of the line.
 static void lex_string(Lexer *l, Token *t, uint32_t quote_len)
 {
@@ -186,13 +245,8 @@ static void lex_string(Lexer *l, Token *t, uint32_t quote_len)
         lex_reason(l, t, quote_len);
         return;
     }
-    if (first_on_line(l)) {
-        Diag *d = diag_report(l->diags, DIAG_string, lexer_span(l, l->at, p + closing - l->at));
-        if (l->last == TOK_ARROW && is_identifier(l->src->text + l->at + quote_len, p - l->at - quote_len)) {
-            diag_label(l->diags, d, DIAG_label_write, lexer_text(l, l->at + quote_len, p));
-            diag_edit(l->diags, d, lexer_span(l, l->at, p + closing - l->at), lexer_text(l, l->at + quote_len, p));
-        }
-    }
+    if (first_on_line(l))
+        label_string(l, diag_report(l->diags, DIAG_string, lexer_span(l, l->at, p + closing - l->at)), l->at + quote_len, p, closing);
     lexer_finish(l, t, TOK_ERROR, p + closing);
 }
 

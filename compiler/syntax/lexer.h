@@ -39,6 +39,7 @@ const char *lex_slip_no_text(const Source *s);
 bool lex_slip_is_remark(const Lexer *l);                        // the -- or % here begins one
 bool lex_slip_comment(Lexer *l, Token *t);                      // skips `// ...`, `/* ... */`, `-- ...` and `% ...`; true: `//` divided
 bool lex_slip_state(Lexer *l, Token *t);                        // `state Hold:` for [Hold]; true if it was
+bool lex_slip_include(Lexer *l, const Token *t);                // include "common.sm"; true if it was, and its line has been skipped
 bool lex_slip_range(Lexer *l, Token *t);                        // @range [0, 5] behind an annotation; true if it gave a token
 bool lex_slip_bars(Lexer *l, Token *t);                         // |x|; true if it gave a token
 // The number at..end runs on: 5psi, 1__0, 0x, 1e, 1.2.3.  Reports it; returns where it stops.

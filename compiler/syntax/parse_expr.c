@@ -79,7 +79,7 @@ static void expect_close(Parser *p, Span open)
         parser_next(p);
         return;
     }
-    if (p->tok.kind == TOK_ERROR) {
+    if (p->tok.kind == TOK_ERROR || (p->tok.kind == TOK_COMMA && p->ahead.kind == TOK_ERROR)) {
         p->failed = true;
         return;
     }

@@ -1,4 +1,4 @@
-spec 1.12   There are no texts in quotes.
+spec 1.12   A text in quotes is an error.
 
 -- app.sm --
 [state_vector]
@@ -8,6 +8,6 @@ F64 x
 F64 p
 [Hold]
 .step
-    x = "open"      #! E0106 quotes
-    x == 'a': x = 1   #! E0106 quotes
-    x > 3: -> "Hold"    #! E0106 quotes
+    x = "open"      #! E0106 write open if
+    x == 'a': x = 1   #! E0106 write a if
+    x > 3: -> "Hold"    #! E0106 write Hold

@@ -78,7 +78,7 @@ app.sm:23:5: error: this is a value and does nothing [E0327]
       |     ^~~~~ a line may be continued only inside parentheses
 app.sm:25:5: error: 'S' cannot be written: it holds the number of the state [E0215]
    25 |     S = 2
-      |     ^ write -> Vent
+      |     ^ to go to the state 'Vent', write -> Vent
 app.sm:26:13: error: the character 'ä' may stand in comments only [E0102]
    26 |     mode = wärme
       |             ^ names are made of a to z, A to Z, 0 to 9 and _
