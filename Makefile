@@ -199,6 +199,9 @@ $(B)/corpus/log/flight.log: $(B)/runtime/log
 	@$(B)/runtime/log $@.new && head -c 4000 $@.new >$@ && rm $@.new
 check: $(B)/fuzz/log $(B)/corpus/log/flight.log
 $(B)/fuzz-cov/log: | $(B)/corpus/log/flight.log
+# What --junit writes.
+CHECK_LINES += "junit: sh tests/check/junit.sh $(B)/smc $(B)/junit"
+
 # What an output may replace.
 CHECK_LINES += "outputs: sh tests/outputs/run.sh $(B)/smc $(B)/outputs $(B)/corpus/log/flight.log"
 check-outputs: all $(B)/corpus/log/flight.log

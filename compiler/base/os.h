@@ -46,6 +46,7 @@ bool os_random(void *bytes, size_t n, const char **why);
 bool os_write_private(const char *path, const void *bytes, size_t n, const char **why);
 bool os_is_private(const char *path);              // nobody but its owner may read it, or there is no such file
 
+double os_seconds(void);                           // of a clock that only goes forward
 bool os_is_terminal(int fd);
 const char *os_getenv(const char *name);           // NULL when unset or empty
 

@@ -14,6 +14,7 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { HUGE_PAGE = 2 << 20 };
@@ -446,6 +447,14 @@ bool os_is_private(const char *path)
     struct stat s;
 
     return stat(path, &s) != 0 || (s.st_mode & (S_IRGRP | S_IROTH)) == 0;
+}
+
+double os_seconds(void)
+{
+    struct timespec now = {0, 0};
+
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec / 1e9;
 }
 
 bool os_is_terminal(int fd) { return isatty(fd) == 1; }

@@ -6,9 +6,16 @@
 
 enum { FOLDER_DEPTH_MAX = 40 };       // folders in folders: a link may lead in a circle
 
-void test_add_result(TestRun *t, const char *name, TestStatus status, const char *message, int code)
+const char *test_folder(Arena *arena, const char *path)
 {
-    TestResult r = {name, status, message, code};
+    const char *slash = strrchr(path, '/');
+
+    return slash ? format_in(arena, "%.*s", (int)(slash - path), path) : ".";
+}
+
+static void add_error(TestRun *t, const char *path, const char *message, int code)
+{
+    TestResult r = {path, test_folder(t->arena, path), TEST_BROKEN, message, code, 0};
 
     vec_push(t->arena, &t->result, r);
 }
@@ -18,7 +25,7 @@ void test_add_result(TestRun *t, const char *name, TestStatus status, const char
 static void refuse_folder(TestRun *t, const char *path, const char *why)
 {
     cli_say(t->c, "cannot read '%s': %s", path, why);
-    test_add_result(t, path, TEST_FAILED, why, EXIT_ENVIRONMENT);
+    add_error(t, path, why, EXIT_ENVIRONMENT);
 }
 
 static void collect(TestRun *t, const char *path, int depth)
@@ -52,7 +59,7 @@ static void collect_argument(TestRun *t, const char *path)
     if (t->path.n + t->result.n > before)
         return;
     cli_say(t->c, "no .smt case is in '%s'", path);
-    test_add_result(t, path, TEST_FAILED, "no .smt case is in it", EXIT_PROBLEM);
+    add_error(t, path, "no .smt case is in it", EXIT_PROBLEM);
 }
 
 // ---- what comes out ----
@@ -83,7 +90,8 @@ static void put_summary(const TestRun *t, Buf *out)
 {
     size_t skipped = count(t, TEST_SKIPPED) + t->left_out;
 
-    buf_printf(out, "%lu passed, %lu failed", (unsigned long)count(t, TEST_PASSED), (unsigned long)count(t, TEST_FAILED));
+    buf_printf(out, "%lu passed, %lu failed", (unsigned long)count(t, TEST_PASSED),
+               (unsigned long)(count(t, TEST_FAILED) + count(t, TEST_BROKEN)));
     if (skipped)
         buf_printf(out, ", %lu skipped", (unsigned long)skipped);
     buf_char(out, '\n');
@@ -209,14 +217,14 @@ int cmd_test(Cli *c)
 {
     Files f = sort_files(c);
     TestRun t = {.c = c, .arena = &c->session.arena};
-    int code = check_use(c, &f), written;
+    int code = check_use(c, &f), ran = EXIT_OK, written;
 
     if (code != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
         return code;
     if (c->given[OPT_TRACE] && f.cases)
         cli_remark(c, "the trace has the scripts of '%s'; cases are not traced", f.machine);
-    if (f.machine && (code = test_machine(&t, f.machine)) != EXIT_OK)
-        return code;
+    if (f.machine && (ran = test_machine(&t, f.machine)) == EXIT_USAGE)
+        return ran;
     for (size_t i = 0; i < c->files; i++)
         if (!has_suffix(c->file[i], ".ss") && c->file[i] != f.machine)
             collect_argument(&t, c->file[i]);
@@ -224,5 +232,6 @@ int cmd_test(Cli *c)
     say_absent(&t);
     written = write_results(&t, f.cases > 0 || f.scripts > 1);
     code = exit_code(&t);
+    code = code > ran ? code : ran;
     return code != EXIT_OK ? code : written;
 }

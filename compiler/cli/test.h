@@ -28,13 +28,20 @@ void engines_close(EngineSet *set);
 
 // ---- the results ----
 
-typedef enum TestStatus { TEST_PASSED, TEST_FAILED, TEST_SKIPPED } TestStatus;
+typedef enum TestStatus {
+    TEST_PASSED,
+    TEST_FAILED,              // it ran, and something was not as expected
+    TEST_BROKEN,              // it could not run: it cannot be read or compiled, or an engine broke down
+    TEST_SKIPPED
+} TestStatus;
 
 typedef struct TestResult {
-    const char *name;         // a path
+    const char *path;         // of the script or the case
+    const char *suite;        // the machine, or the folder of the case
     TestStatus status;
-    const char *message;      // lines: why it failed or was skipped; else ""
+    const char *message;      // lines: why it is not passed; else ""
     int code;                 // the exit code it asks for
+    double seconds;           // that it took
 } TestResult;
 
 typedef struct TestRun {      // one call of smc test
@@ -52,9 +59,10 @@ typedef struct TestRun {      // one call of smc test
 bool test_is_read(const Cli *c);                                    // cmd_test.c
 // Where reports for people go: standard output, unless the trace goes there.
 int test_result_fd(const Cli *c);                                   // cmd_test.c
-void test_add_result(TestRun *t, const char *name, TestStatus status, const char *message, int code);     // cmd_test.c
+const char *test_folder(Arena *arena, const char *path);           // cmd_test.c: the suite of a case
 
-// Runs every script of the call on the machine `path` and adds a result for each.  EXIT_OK, or what keeps the call from going on.
+// Runs every script of the call on the machine `path` and adds a result for each.  EXIT_OK, or the exit code after a message;
+// EXIT_USAGE: nothing has been run.
 int test_machine(TestRun *t, const char *path);                    // test_machine.c
 
 // ---- test_case.c: one .smt file ----
@@ -80,7 +88,7 @@ int test_trace_open(TestRun *run, const Program *p, TestTrace **trace);
 void test_trace_script(TestTrace *t, const char *path);            // the script whose steps follow
 void test_trace_left_out(TestTrace *t, const char *path);          // reports one that has none; t may be NULL
 void test_trace_step(void *trace, const ScriptStep *step);         // for ScriptOptions
-int test_trace_close(TestTrace *t);                                // t may be NULL; the file appears if a step was written
+int test_trace_close(TestTrace *t);                                // t may be NULL; the file appears if a script ran
 
 // ---- test_text.c ----
 

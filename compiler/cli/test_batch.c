@@ -37,7 +37,7 @@ static void say_failed(TestRun *t, const TestResult *r)
     Buf b;
 
     buf_init(&b, t->arena);
-    buf_printf(&b, "%s: failed\n", r->name);
+    buf_printf(&b, "%s: failed\n", r->path);
     for (const char *at = r->message; *at; at++) {
         if (at == r->message || at[-1] == '\n')
             buf_str(&b, "    ");
@@ -60,7 +60,7 @@ static void test_batch(TestRun *t, const char *const *path, size_t n)
     for (size_t i = 0; i < n; i++) {
         TestResult r = case_close(b.at[i], b.engine[i]);
         vec_push(t->arena, &t->result, r);
-        if (r.status == TEST_FAILED && !t->c->given[OPT_TAP])
+        if ((r.status == TEST_FAILED || r.status == TEST_BROKEN) && !t->c->given[OPT_TAP])
             say_failed(t, &r);
     }
     for (int kind = 0; kind < ENGINE_KINDS; kind++)

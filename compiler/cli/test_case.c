@@ -35,11 +35,13 @@ static void complain(Case *c, const char *what) { buf_printf(&c->why, "%s\n", wh
 
 static void finish(Case *c, TestStatus status, const char *message, int code)
 {
-    c->result = (TestResult){c->path, status, format_in(c->t->arena, "%s", message), code};
+    c->result.status = status;
+    c->result.message = format_in(c->t->arena, "%s", message);
+    c->result.code = code;
     c->is_done = true;
 }
 
-static void out_of_memory(Case *c) { finish(c, TEST_FAILED, "out of memory", EXIT_ENVIRONMENT); }
+static void out_of_memory(Case *c) { finish(c, TEST_BROKEN, "out of memory", EXIT_ENVIRONMENT); }
 
 // ---- is it a case for us? ----
 
@@ -370,7 +372,7 @@ static void prepare(Case *c)
     if (!c->f->error && is_golden(c->f)) {
         finish(c, TEST_SKIPPED, "not a case of smc test", EXIT_OK);
     } else if ((wrong = malformed(c)) != NULL) {
-        finish(c, TEST_FAILED, wrong, EXIT_PROBLEM);
+        finish(c, TEST_BROKEN, wrong, EXIT_PROBLEM);
     } else {
         c->which = count_parts(c->f, ".ss") ? choose_engines(c) : 0;
         if (c->which || !count_parts(c->f, ".ss"))
@@ -383,13 +385,16 @@ static void prepare(Case *c)
 TestCase *case_open(TestRun *t, const char *path)
 {
     Case *c = ARENA_NEW(t->arena, Case);
+    const double begin = os_seconds();
     const char *why;
     size_t n;
 
     c->t = t;
     c->path = path;
+    c->result.path = path;
+    c->result.suite = test_folder(t->arena, path);
     if (!os_read(path, SOURCE_MAX, &c->text, &n, &why)) {
-        finish(c, TEST_FAILED, format_in(t->arena, "cannot read '%s': %s", path, why), EXIT_ENVIRONMENT);
+        finish(c, TEST_BROKEN, format_in(t->arena, "cannot read '%s': %s", path, why), EXIT_ENVIRONMENT);
     } else if (setjmp(c->oom) == 0) {
         session_init(&c->s, os_alloc, NULL, &c->oom);
         buf_init(&c->why, &c->s.arena);
@@ -398,6 +403,7 @@ TestCase *case_open(TestRun *t, const char *path)
     } else {
         out_of_memory(c);
     }
+    c->result.seconds = os_seconds() - begin;
     return c;
 }
 
@@ -416,13 +422,15 @@ static void judge(Case *c, Engine *const *emitted)
         run_scripts(c, emitted);
     check_diagnostics(c);
     if (c->why.n)
-        finish(c, TEST_FAILED, buf_text(&c->why), c->code ? c->code : EXIT_PROBLEM);
+        finish(c, c->code ? TEST_BROKEN : TEST_FAILED, buf_text(&c->why), c->code ? c->code : EXIT_PROBLEM);
     else
         finish(c, TEST_PASSED, "", EXIT_OK);
 }
 
 TestResult case_close(TestCase *c, Engine *const *emitted)
 {
+    const double begin = os_seconds();
+
     if (!c->is_done && setjmp(c->oom) == 0)
         judge(c, emitted);
     else if (!c->is_done)
@@ -430,5 +438,6 @@ TestResult case_close(TestCase *c, Engine *const *emitted)
     engines_close(&c->engines);
     session_free(&c->s);
     os_alloc(NULL, c->text, 0);
+    c->result.seconds += os_seconds() - begin;
     return c->result;
 }

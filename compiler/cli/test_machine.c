@@ -6,12 +6,33 @@
 
 typedef struct MachineTest {
     TestRun *t;
+    const char *path;         // of the machine
+    double begin;             // when the script at hand began
     Program *p;
     EngineSet engines;
     Source **ss;              // by argument: the scripts, read once; NULL: no script, or it cannot be read
     Buf report;               // of the last script
     TestTrace *trace;         // or NULL
 } MachineTest;
+
+static void add_result(MachineTest *m, const char *path, TestStatus status, const char *message, int code)
+{
+    TestResult r = {path, m->path, status, message, code, os_seconds() - m->begin};
+
+    vec_push(m->t->arena, &m->t->result, r);
+}
+
+// All scripts, where none of them can run.
+static void add_errors(MachineTest *m, const char *message, int code)
+{
+    Cli *c = m->t->c;
+
+    for (size_t i = 0; i < c->files; i++)
+        if (has_suffix(c->file[i], ".ss")) {
+            add_result(m, c->file[i], TEST_BROKEN, message, code);
+            m->begin = os_seconds();          // the time that it took to find out counts once
+        }
+}
 
 // ---- one script ----
 
@@ -55,7 +76,7 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
     reported = report_diagnostics(t, &message);
     if (code == EXIT_OK)
         code = reported;
-    test_add_result(t, path, code == EXIT_OK ? TEST_PASSED : TEST_FAILED, message, code);
+    add_result(m, path, code == EXIT_OK ? TEST_PASSED : code == EXIT_PROBLEM ? TEST_FAILED : TEST_BROKEN, message, code);
 }
 
 static void test_script(MachineTest *m, const char *path, const Source *src)
@@ -64,9 +85,10 @@ static void test_script(MachineTest *m, const char *path, const Source *src)
     Script *s;
 
     m->report.n = 0;
+    m->begin = os_seconds();
     if (!src) {
         test_trace_left_out(m->trace, path);
-        test_add_result(m->t, path, TEST_FAILED, "cannot be read", EXIT_ENVIRONMENT);
+        add_result(m, path, TEST_BROKEN, "the script cannot be read", EXIT_ENVIRONMENT);
         return;
     }
     if ((s = session_script(&m->t->c->session, src, m->p)) != NULL) {
@@ -75,7 +97,7 @@ static void test_script(MachineTest *m, const char *path, const Source *src)
     }
     report_diagnostics(m->t, &message);
     test_trace_left_out(m->trace, path);
-    test_add_result(m->t, path, TEST_FAILED, message, EXIT_PROBLEM);
+    add_result(m, path, TEST_BROKEN, message, EXIT_PROBLEM);
 }
 
 static int compile_machine(MachineTest *m, const char *path)
@@ -93,17 +115,22 @@ static int compile_machine(MachineTest *m, const char *path)
     return m->p ? EXIT_OK : EXIT_PROBLEM;
 }
 
-static int open_engines(MachineTest *m)
+// Without them no script runs, and each has an error for a result.
+static bool open_engines(MachineTest *m)
 {
     TestRun *t = m->t;
     unsigned which = t->engines ? t->engines : engines_default();
+    const char *message;
+    int code;
 
     if (t->engines == engines_named("all"))
         which &= engines_present();
     if (engines_open(&m->engines, &t->c->session, m->p, which, option_level(t->c)))
-        return EXIT_OK;
+        return true;
     cli_say(t->c, "%s", m->engines.error);
-    return cli_report(t->c) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // an image may be too large
+    code = report_diagnostics(t, &message) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // an image may be too large
+    add_errors(m, format_in(t->arena, "%s\n%s", m->engines.error, message), code);
+    return false;
 }
 
 static bool is_lone_script(const Cli *c) { return c->files == 2; }
@@ -126,32 +153,33 @@ static int print_report(MachineTest *m, const char *path)
 static int test_scripts(MachineTest *m)
 {
     Cli *c = m->t->c;
-    int code = open_engines(m), closed;
+    int code = test_trace_open(m->t, m->p, &m->trace), closed;
 
-    if (code == EXIT_OK)
-        code = test_trace_open(m->t, m->p, &m->trace);
+    if (code == EXIT_ENVIRONMENT)
+        add_errors(m, "the trace cannot be written", code);
     for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
         if (has_suffix(c->file[i], ".ss")) {
             test_script(m, c->file[i], m->ss[i]);
             code = print_report(m, c->file[i]);
         }
     closed = test_trace_close(m->trace);
-    engines_close(&m->engines);
     return code == EXIT_OK ? closed : code;
 }
 
 int test_machine(TestRun *t, const char *path)
 {
-    MachineTest m = {.t = t};
+    MachineTest m = {.t = t, .path = path, .begin = os_seconds()};
+    const char *message;
     int code, reported;
 
     buf_init(&m.report, t->arena);
     code = compile_machine(&m, path);
-    reported = cli_report(t->c);
-    if (code == EXIT_OK && (code = reported) == EXIT_OK)
-        return test_scripts(&m);
-    for (size_t i = 0; i < t->c->files; i++)
-        if (has_suffix(t->c->file[i], ".ss"))
-            test_add_result(t, t->c->file[i], TEST_FAILED, "the machine does not compile", code);
-    return EXIT_OK;
+    reported = report_diagnostics(t, &message);
+    code = code == EXIT_OK ? reported : code;
+    if (code != EXIT_OK)
+        add_errors(&m, code == EXIT_ENVIRONMENT ? "the machine or its state vector cannot be read" : message, code);
+    else if (open_engines(&m))
+        code = test_scripts(&m);
+    engines_close(&m.engines);
+    return code == EXIT_PROBLEM ? EXIT_OK : code;
 }

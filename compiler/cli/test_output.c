@@ -5,15 +5,6 @@
 #include "compiler/base/utf8.h"
 #include "compiler/cli/test.h"
 
-static size_t count(const TestRun *t, TestStatus status)
-{
-    size_t n = 0;
-
-    for (size_t i = 0; i < t->result.n; i++)
-        n += t->result.at[i].status == status;
-    return n;
-}
-
 // ---- JUnit ----
 
 static bool is_xml_character(uint32_t code)
@@ -22,24 +13,24 @@ static bool is_xml_character(uint32_t code)
 }
 
 // One character; what XML cannot hold, as control bytes and bytes that are not UTF-8, becomes U+FFFD.
-static size_t put_xml_character(Buf *out, const char *s, size_t n)
+static size_t put_xml_character(Buf *out, const char *s, size_t n, bool is_attribute)
 {
     uint32_t code = 0;
     size_t len = utf8_decode(s, n, &code);
 
     if (len == 0 || !is_xml_character(code))
         buf_str(out, "&#xFFFD;");
-    else if (*s == '&' || *s == '<' || *s == '>' || *s == '"' || *s == '\n')
+    else if (*s == '&' || *s == '<' || *s == '>' || *s == '"' || (*s == '\n' && is_attribute))
         buf_printf(out, "&#%u;", (unsigned)code);
     else
         buf_put(out, s, len);
     return len ? len : 1;
 }
 
-static void put_xml(Buf *out, const char *s, size_t n)
+static void put_xml(Buf *out, const char *s, size_t n, bool is_attribute)
 {
     while (n) {
-        size_t len = put_xml_character(out, s, n);
+        size_t len = put_xml_character(out, s, n, is_attribute);
         s += len;
         n -= len;
     }
@@ -48,7 +39,7 @@ static void put_xml(Buf *out, const char *s, size_t n)
 static void put_attribute(Buf *out, const char *name, const char *value, size_t n)
 {
     buf_printf(out, " %s=\"", name);
-    put_xml(out, value, n);
+    put_xml(out, value, n, true);
     buf_char(out, '"');
 }
 
@@ -71,32 +62,130 @@ static const char *line_of_failure(const char *text)
     return error;
 }
 
+// The code of a diagnostic that its line ends with: "E0750" of "... [E0750]".
+static void put_type(Buf *out, const char *line, size_t n)
+{
+    size_t at = n;
+
+    while (at > 0 && line[at - 1] != '[')
+        at--;
+    if (at > 0 && line[at] == 'E' && line[n - 1] == ']')
+        put_attribute(out, "type", line + at, strcspn(line + at, " ]"));
+}
+
+static void put_time(Buf *out, double seconds)
+{
+    const unsigned long us = (unsigned long)(seconds * 1e6 + 0.5);
+
+    buf_printf(out, " time=\"%lu.%06lu\"", us / 1000000, us % 1000000);
+}
+
+static bool is_case(const char *path) { return has_suffix(path, ".smt"); }
+
+// A machine or a folder as a class of Java, whose packages readers show as a tree: "flight.tank" of "flight/tank.sm".
+static void put_classname(Buf *out, Arena *arena, const char *suite)
+{
+    const size_t end = strlen(suite) - (has_suffix(suite, ".sm") ? 3 : 0);
+    Buf name;
+
+    buf_init(&name, arena);
+    for (size_t i = 0; i < end; i++)
+        if (suite[i] == '.' && (name.n == 0 || suite[i - 1] == '/') && (suite[i + 1] == '/' || i + 1 == end))
+            i++;                                          // "./"
+        else
+            buf_char(&name, suite[i] == '/' ? '.' : suite[i]);
+    if (name.n == 0)
+        buf_str(&name, "cases");
+    if (strcmp(suite, "-") == 0)
+        name.n = 0, buf_str(&name, "stdin");
+    put_attribute(out, "classname", buf_text(&name), name.n);
+}
+
 static void put_testcase(Buf *out, const TestResult *r)
 {
-    const char *element = r->status == TEST_SKIPPED ? "skipped" : "failure", *why = line_of_failure(r->message);
+    static const char *const elements[] = {NULL, "failure", "error", "skipped"};          // by TestStatus
+    const char *element = elements[r->status], *why = line_of_failure(r->message);
+    const char *slash = is_case(r->path) ? strrchr(r->path, '/') : NULL, *name = slash ? slash + 1 : r->path;
 
-    buf_str(out, "  <testcase");
-    put_attribute(out, "name", r->name, strlen(r->name));
-    put_attribute(out, "classname", "smc", 3);
-    if (r->status == TEST_PASSED) {
+    buf_str(out, "    <testcase");
+    put_attribute(out, "name", name, strlen(name));
+    put_classname(out, out->arena, r->suite);
+    put_time(out, r->seconds);
+    if (!element) {
         buf_str(out, "/>\n");
         return;
     }
-    buf_printf(out, ">\n    <%s", element);
+    buf_printf(out, ">\n      <%s", element);
     put_attribute(out, "message", why, first_line(why));
+    if (r->status != TEST_SKIPPED)
+        put_type(out, why, first_line(why));
     buf_char(out, '>');
-    put_xml(out, r->message, strlen(r->message));
-    buf_printf(out, "</%s>\n  </testcase>\n", element);
+    put_xml(out, r->message, strlen(r->message), false);
+    buf_printf(out, "</%s>\n    </testcase>\n", element);
+}
+
+typedef struct Totals { size_t by_status[TEST_SKIPPED + 1], tests; double seconds; } Totals;
+
+// Of one suite; of all where it is NULL.
+static Totals add_up(const TestRun *t, const char *suite)
+{
+    Totals all = {{0}, 0, 0};
+
+    for (size_t i = 0; i < t->result.n; i++) {
+        const TestResult *r = &t->result.at[i];
+        if (suite && strcmp(r->suite, suite) != 0)
+            continue;
+        all.by_status[r->status]++;
+        all.tests++;
+        all.seconds += r->seconds;
+    }
+    return all;
+}
+
+static void put_totals(Buf *out, const Totals *all)
+{
+    buf_printf(out, " tests=\"%lu\" failures=\"%lu\" errors=\"%lu\"", (unsigned long)all->tests,
+               (unsigned long)all->by_status[TEST_FAILED], (unsigned long)all->by_status[TEST_BROKEN]);
+}
+
+static void put_suite(const TestRun *t, const char *suite, Buf *out)
+{
+    const Totals all = add_up(t, suite);
+
+    buf_str(out, "  <testsuite");
+    put_attribute(out, "name", suite, strlen(suite));
+    put_totals(out, &all);
+    buf_printf(out, " skipped=\"%lu\"", (unsigned long)all.by_status[TEST_SKIPPED]);
+    put_time(out, all.seconds);
+    if (has_suffix(suite, ".sm"))
+        put_attribute(out, "file", suite, strlen(suite));
+    buf_str(out, ">\n");
+    for (size_t i = 0; i < t->result.n; i++)
+        if (strcmp(t->result.at[i].suite, suite) == 0)
+            put_testcase(out, &t->result.at[i]);
+    buf_str(out, "  </testsuite>\n");
+}
+
+static bool is_first_of_suite(const TestRun *t, size_t i)
+{
+    for (size_t k = 0; k < i; k++)
+        if (strcmp(t->result.at[k].suite, t->result.at[i].suite) == 0)
+            return false;
+    return true;
 }
 
 void test_write_junit(const TestRun *t, Buf *out)
 {
-    buf_str(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    buf_printf(out, "<testsuite name=\"smc test\" tests=\"%lu\" failures=\"%lu\" errors=\"0\" skipped=\"%lu\">\n",
-               (unsigned long)t->result.n, (unsigned long)count(t, TEST_FAILED), (unsigned long)count(t, TEST_SKIPPED));
+    const Totals all = add_up(t, NULL);
+
+    buf_str(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"smc test\"");
+    put_totals(out, &all);
+    put_time(out, all.seconds);
+    buf_str(out, ">\n");
     for (size_t i = 0; i < t->result.n; i++)
-        put_testcase(out, &t->result.at[i]);
-    buf_str(out, "</testsuite>\n");
+        if (is_first_of_suite(t, i))
+            put_suite(t, t->result.at[i].suite, out);
+    buf_str(out, "</testsuites>\n");
 }
 
 // ---- TAP ----
@@ -128,12 +217,12 @@ void test_write_tap(const TestRun *t, Buf *out)
     for (size_t i = 0; i < t->result.n; i++) {
         const TestResult *r = &t->result.at[i];
 
-        buf_printf(out, "%s %lu - ", r->status == TEST_FAILED ? "not ok" : "ok", (unsigned long)i + 1);
-        put_tap_name(out, r->name);
+        buf_printf(out, "%s %lu - ", r->status == TEST_FAILED || r->status == TEST_BROKEN ? "not ok" : "ok", (unsigned long)i + 1);
+        put_tap_name(out, r->path);
         if (r->status == TEST_SKIPPED)
             buf_printf(out, " # SKIP %.*s", (int)first_line(r->message), r->message);
         buf_char(out, '\n');
-        if (r->status == TEST_FAILED)
+        if (r->status == TEST_FAILED || r->status == TEST_BROKEN)
             put_tap_lines(out, r->message);
     }
 }

@@ -12,8 +12,7 @@ struct TestTrace {
     const Var **column;
     size_t columns;
     bool is_exact;
-    const char *script;           // at hand
-    uint64_t rows;                // of all scripts
+    const char *script;           // at hand; NULL: none has run yet
     const Var *rounded;           // the first column with a value that a double cannot hold
     Buf text;                     // not yet written
     OsStream file;
@@ -133,7 +132,6 @@ void test_trace_step(void *context, const ScriptStep *step)
         script_trace_row(&t->text, t->script, step, t->column, t->columns);
         note_rounded(t, step->cell);
     }
-    t->rows++;
     if (t->text.n >= BLOCK)
         put_away(t);
 }
@@ -179,13 +177,13 @@ int test_trace_close(TestTrace *t)
 
     if (!t)
         return EXIT_OK;
-    if (t->rows)
+    if (t->script)
         put_away(t);
-    if (!os_stream_close(&t->file, !t->error && t->rows, &why) && !t->error)
+    if (!os_stream_close(&t->file, !t->error && t->script, &why) && !t->error)
         t->error = why;
     if (t->error)
         return fails(t, t->error);
-    if (!t->rows)
+    if (!t->script)
         cli_remark(t->c, "no script ran: there is nothing to write to '%s'", t->c->value[OPT_TRACE]);
     if (t->rounded)
         cli_remark(t->c, "'%s' has values in the trace that a double cannot hold: spreadsheets round them", t->rounded->report_name->text);

@@ -39,10 +39,16 @@ complain() {
 # A trace may end with the step at which an engine broke down.
 is_beginning() { head -c "$(wc -c <"$1")" "$2" | cmp -s - "$1"; }
 
+# But for the time that tests took.
+is_equal() {
+    case $1 in *.xml) sed -i 's/ time="[^"]*"//g' "$1" "$2" ;; esac
+    cmp -s "$1" "$2"
+}
+
 judge_files() {
     for name in $outputs; do
         if [ "${name%.xml}" != "$name" ] && [ -e "$dir/at/$name" ]; then
-            [ "$(tail -n 1 "$dir/at/$name")" = "</testsuite>" ] || { complain "$name is not whole"; return 1; }
+            [ "$(tail -n 1 "$dir/at/$name")" = "</testsuites>" ] || { complain "$name is not whole"; return 1; }
         elif [ "${name%.trace}" != "$name" ] && [ "$code" -eq 4 ]; then
             is_beginning "$dir/at/$name" "$dir/expected/$name" || { complain "$name is not the beginning of what it should be"; return 1; }
         elif [ -e "$dir/at/$name" ]; then
@@ -66,7 +72,7 @@ judge() {
         [ "$missing" -eq 0 ] || { judge_files; return; }
         case $kind in read | write | half-write | fsync | rename) complain "exit 0: nobody noticed"; return 1 ;; esac
         for name in $outputs; do
-            cmp -s "$dir/at/$name" "$dir/expected/$name" || { complain "exit 0, but $name is not what it should be"; return 1; }
+            is_equal "$dir/at/$name" "$dir/expected/$name" || { complain "exit 0, but $name is not what it should be"; return 1; }
         done
         cmp -s "$dir/out" "$dir/expected.out" || { complain "exit 0, but it printed something else"; return 1; } ;;
     3)

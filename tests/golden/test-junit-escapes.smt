@@ -7,11 +7,13 @@ expect ]]>
 -- stdout --
 0 passed, 1 failed
 <?xml version="1.0" encoding="UTF-8"?>
-<testsuite name="smc test" tests="1" failures="1" errors="0" skipped="0">
-  <testcase name="a&#38;b&#60;'&#62;.smt" classname="smc">
-    <failure message="line 2: expect takes pass, fail or error">line 2: expect takes pass, fail or error</failure>
-  </testcase>
-</testsuite>
+<testsuites name="smc test" tests="1" failures="0" errors="1" time="[..]">
+  <testsuite name="." tests="1" failures="0" errors="1" skipped="0" time="[..]">
+    <testcase name="a&#38;b&#60;'&#62;.smt" classname="cases" time="[..]">
+      <error message="line 2: expect takes pass, fail or error">line 2: expect takes pass, fail or error</error>
+    </testcase>
+  </testsuite>
+</testsuites>
 -- stderr --
 a&b<'>.smt: failed
     line 2: expect takes pass, fail or error

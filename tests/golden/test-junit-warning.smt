@@ -26,16 +26,29 @@ delta_t 10
 G == 30: @stop
 -- stdout --
 <?xml version="1.0" encoding="UTF-8"?>
-<testsuite name="smc test" tests="2" failures="1" errors="0" skipped="0">
-  <testcase name="bad.ss" classname="smc">
-    <failure message="bad.ss:4:15: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]">bad.ss:4:15: warning: 'not' reaches only to the next value [W0401 not-precedence]&#10;    4 | true: @assert not open == (x &#60; 1)&#10;      |               ^~~~~~~~&#10;note: as it stands: (not open) == (x &#60; 1)&#10;note: perhaps meant: not (open == (x &#60; 1))&#10;bad.ss:4:15: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]&#10;    4 | true: @assert not open == (x &#60; 1)&#10;      |               ^~~~~~~~~~~~~~~~~~~ open = true, not open = 0, x = 0, x &#60; 1 = 1&#10;1 error, 1 warning&#10;</failure>
-  </testcase>
-  <testcase name="good.ss" classname="smc"/>
-</testsuite>
+<testsuites name="smc test" tests="2" failures="1" errors="0" time="[..]">
+  <testsuite name="a.sm" tests="2" failures="1" errors="0" skipped="0" time="[..]" file="a.sm">
+    <testcase name="bad.ss" classname="a" time="[..]">
+      <failure message="bad.ss:4:15: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]" type="E0750">bad.ss:4:15: warning: 'not' reaches only to the next value [W0401 not-precedence]
+    4 | true: @assert not open == (x &#60; 1)
+      |               ^~~~~~~~
+note: as it stands: (not open) == (x &#60; 1)
+note: perhaps meant: not (open == (x &#60; 1))
+bad.ss:4:15: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]
+    4 | true: @assert not open == (x &#60; 1)
+      |               ^~~~~~~~~~~~~~~~~~~ open = true, not open = 0, x = 0, x &#60; 1 = 1
+1 error, 1 warning
+</failure>
+    </testcase>
+    <testcase name="good.ss" classname="a" time="[..]"/>
+  </testsuite>
+</testsuites>
 <?xml version="1.0" encoding="UTF-8"?>
-<testsuite name="smc test" tests="1" failures="0" errors="0" skipped="0">
-  <testcase name="good.ss" classname="smc"/>
-</testsuite>
+<testsuites name="smc test" tests="1" failures="0" errors="0" time="[..]">
+  <testsuite name="a.sm" tests="1" failures="0" errors="0" skipped="0" time="[..]" file="a.sm">
+    <testcase name="good.ss" classname="a" time="[..]"/>
+  </testsuite>
+</testsuites>
 -- stderr --
 smc: --tap and --junit cannot both write to standard output
 Try 'smc test --help'.

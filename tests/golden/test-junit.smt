@@ -64,18 +64,34 @@ G == 20: @assert not open
 G == 30: @stop
 -- stdout --
 <?xml version="1.0" encoding="UTF-8"?>
-<testsuite name="smc test" tests="5" failures="4" errors="0" skipped="0">
-  <testcase name="bad.ss" classname="smc">
-    <failure message="bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]">bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]&#10;    4 | G == 20: @assert not open&#10;      |                  ^~~~~~~~ open = true&#10;1 error&#10;</failure>
-  </testcase>
-  <testcase name="cases/bad.smt" classname="smc">
-    <failure message="not announced: app.sm:7:5: error: unknown element 'y' [E0204]">not announced: app.sm:7:5: error: unknown element 'y' [E0204]&#10;announced, but not reported: app.sm:9: W0501 nothing&#10;</failure>
-  </testcase>
-  <testcase name="cases/good.smt" classname="smc"/>
-  <testcase name="cases/inner/report.smt" classname="smc">
-    <failure message="the report differs (- expected, + came):">the report differs (- expected, + came):&#10;  -   G = 2&#10;  +   G = 1&#10;the trace has no line '2 x 0x1p+2' here; it has '2 x 0x1p+1'&#10;</failure>
-  </testcase>
-  <testcase name="cases/malformed.smt" classname="smc">
-    <failure message="line 1: expect takes pass, fail or error">line 1: expect takes pass, fail or error</failure>
-  </testcase>
-</testsuite>
+<testsuites name="smc test" tests="5" failures="3" errors="1" time="[..]">
+  <testsuite name="a.sm" tests="1" failures="1" errors="0" skipped="0" time="[..]" file="a.sm">
+    <testcase name="bad.ss" classname="a" time="[..]">
+      <failure message="bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]" type="E0750">bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]
+    4 | G == 20: @assert not open
+      |                  ^~~~~~~~ open = true
+1 error
+</failure>
+    </testcase>
+  </testsuite>
+  <testsuite name="cases" tests="3" failures="1" errors="1" skipped="0" time="[..]">
+    <testcase name="bad.smt" classname="cases" time="[..]">
+      <failure message="not announced: app.sm:7:5: error: unknown element 'y' [E0204]" type="E0204">not announced: app.sm:7:5: error: unknown element 'y' [E0204]
+announced, but not reported: app.sm:9: W0501 nothing
+</failure>
+    </testcase>
+    <testcase name="good.smt" classname="cases" time="[..]"/>
+    <testcase name="malformed.smt" classname="cases" time="[..]">
+      <error message="line 1: expect takes pass, fail or error">line 1: expect takes pass, fail or error</error>
+    </testcase>
+  </testsuite>
+  <testsuite name="cases/inner" tests="1" failures="1" errors="0" skipped="0" time="[..]">
+    <testcase name="report.smt" classname="cases.inner" time="[..]">
+      <failure message="the report differs (- expected, + came):">the report differs (- expected, + came):
+  -   G = 2
+  +   G = 1
+the trace has no line '2 x 0x1p+2' here; it has '2 x 0x1p+1'
+</failure>
+    </testcase>
+  </testsuite>
+</testsuites>
