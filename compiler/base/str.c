@@ -47,6 +47,21 @@ static void grow_pool(StrPool *p)
     p->cap = cap;
 }
 
+// Where the string is, or where it would be.
+static size_t find_slot(const StrPool *p, const char *text, size_t len, uint32_t hash)
+{
+    size_t at = hash & (p->cap - 1);
+
+    while (p->slot[at] && !(p->slot[at]->hash == hash && p->slot[at]->len == len && memcmp(p->slot[at]->text, text, len) == 0))
+        at = (at + 1) & (p->cap - 1);
+    return at;
+}
+
+Str str_find(const StrPool *p, const char *text, size_t len)
+{
+    return p->cap ? p->slot[find_slot(p, text, len, hash_bytes(text, len))] : NULL;
+}
+
 static StrData *intern(StrPool *p, const char *text, size_t len)
 {
     uint32_t hash = hash_bytes(text, len);
@@ -55,9 +70,9 @@ static StrData *intern(StrPool *p, const char *text, size_t len)
 
     if (p->n * 2 >= p->cap)
         grow_pool(p);
-    for (at = hash & (p->cap - 1); (s = p->slot[at]) != NULL; at = (at + 1) & (p->cap - 1))
-        if (s->hash == hash && s->len == len && memcmp(s->text, text, len) == 0)
-            return s;
+    at = find_slot(p, text, len, hash);
+    if (p->slot[at])
+        return p->slot[at];
     s = arena_alloc(p->arena, sizeof *s + len);
     s->hash = hash;
     s->len = (uint32_t)len;

@@ -25,6 +25,7 @@ typedef struct StrPool {
 
 void str_pool_init(StrPool *p, Arena *arena);
 Str str_intern(StrPool *p, const char *text, size_t len);
+Str str_find(const StrPool *p, const char *text, size_t len);      // NULL when it has not been interned
 Str str_c(StrPool *p, const char *text);                    // of a C string
 void str_mark(StrPool *p, const char *text, uint8_t mark);   // for whoever asks of every string whether it is one of a few
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compiler/syntax/hint_lines.h"
+#include "compiler/syntax/hint_unit.h"
 #include "compiler/syntax/lexer.h"
 
 // ---- comments, numbers, headers ----
@@ -156,8 +157,11 @@ static void number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t stop)
 
     if (l->last == TOK_TYPE)
         diag_label(l->diags, d, DIAG_label_name_first);
+    else if (!lexer_is_hex_prefix(l, at) && is_identifier(l->src->text + end, stop - end) && lexer_knows_word(l, end, stop) &&
+             !hint_is_time_unit(lexer_text(l, end, stop)))
+        diag_label(l->diags, d, DIAG_label_multiply, lexer_text(l, at, end), lexer_text(l, end, stop));
     else if (!lexer_is_hex_prefix(l, at))
-        diag_label(l->diags, d, DIAG_label_no_unit);
+        hint_unit(l->diags, d, lexer_text(l, at, end), lexer_text(l, end, stop));
 }
 
 // The number at..end runs on: 5psi, 1__0, 0x, 1e, 1.2.3.  Reports it; returns where it stops.
@@ -410,6 +414,33 @@ static bool is_about_bits(const Lexer *l, const Token *t)
            lexer_byte(l, behind) != '>' && lexer_byte(l, behind) != '.';
 }
 
+// A comparison stands left of the sign, in its parentheses: it joins conditions.
+static bool follows_comparison(const Lexer *l, uint32_t at)
+{
+    enum { FAR = 200 };               // bytes: hostile text must not cost the square of its length
+    const uint32_t least = at - l->line_start > FAR ? at - FAR : l->line_start;
+    const char *s = l->src->text;
+    unsigned depth = 0;
+
+    while (at-- > least && s[at] != ':' && s[at] != '{' && s[at] != '}' && (s[at] != '(' || depth > 0)) {
+        depth += s[at] == ')';
+        depth -= s[at] == '(';
+        if (s[at] == '<' || s[at] == '>' || (s[at] == '=' && at > least && (s[at - 1] == '=' || s[at - 1] == '!')))
+            return true;
+    }
+    return false;
+}
+
+// `status & mask`, `x = ~mask`: of bits, perhaps.
+static bool may_be_bits(const Lexer *l, const Token *t)
+{
+    const char sign = l->src->text[t->at];
+
+    if (t->len > 1)
+        return false;
+    return sign == '~' ? l->stores : (sign == '&' || sign == '|') && !follows_comparison(l, t->at);
+}
+
 static void report_foreign(Lexer *l, Token *t, const char *spelling, const char *native)
 {
     bool arrow = strcmp(spelling, "=>") == 0, blank;
@@ -424,6 +455,10 @@ static void report_foreign(Lexer *l, Token *t, const char *spelling, const char 
         t->kind = TOK_ARROW;
     blank = is_letter(*native);
     d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, t->at, t->len), spelling, native);
+    if (may_be_bits(l, t)) {
+        diag_label(l->diags, d, DIAG_label_no_bits, native);
+        return;
+    }
     diag_label(l->diags, d, DIAG_label_write, native);
     while (*native == ':' && from && is_gap(l->src->text[from - 1]))
         from--;

@@ -85,7 +85,7 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
     }
     d = diag_report(l->diags, DIAG_not_ascii, lexer_span(l, at, len), shown);
     if (!ascii && l->last == TOK_NUMBER && !l->first)
-        diag_label(l->diags, d, DIAG_label_no_unit);
+        diag_label(l->diags, d, DIAG_label_no_unit, "the value in", shown);
     else if (lex_slip_letter(l, at))
         diag_label(l->diags, d, DIAG_label_name_ascii);
     if (!ascii)
@@ -177,18 +177,8 @@ static void lex_reason(Lexer *l, Token *t, uint32_t quote_len)
     lexer_finish(l, t, d ? TOK_ERROR : TOK_TEXT, end + closing);
 }
 
-// The word from..end is in the text before, where names are declared.
-static bool is_known_word(const Lexer *l, uint32_t from, uint32_t end)
-{
-    const char *s = l->src->text;
-
-    for (uint32_t p = 0, next; p < l->at; p = next + 1) {
-        next = lexer_skip_word(l, p);
-        if (next - p == end - from && memcmp(s + p, s + from, end - from) == 0)
-            return true;
-    }
-    return false;
-}
+// A word that the sources use, so it may be declared.
+bool lexer_knows_word(const Lexer *l, uint32_t from, uint32_t end) { return str_find(l->strings, l->src->text + from, end - from) != NULL; }
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
@@ -224,7 +214,7 @@ static void label_string(Lexer *l, Diag *d, uint32_t from, uint32_t end, uint32_
         text = format_in(l->diags->arena, "  # %.*s", (int)(end - from), l->src->text + from);
         diag_label(l->diags, d, DIAG_label_text, "write it as a comment, after #");
         diag_edit(l->diags, d, lexer_span(l, remark, end + closing - remark), text);
-    } else if (is_word && (l->last == TOK_ARROW || is_known_word(l, from, end))) {
+    } else if (is_word && (l->last == TOK_ARROW || lexer_knows_word(l, from, end))) {
         diag_label(l->diags, d, DIAG_label_write, text);
         diag_edit(l->diags, d, whole, text);
     } else if (is_word) {

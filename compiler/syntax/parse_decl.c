@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lists of declarations and of options: words, in which line ends are blanks.
+#include "compiler/syntax/hint_unit.h"
 #include "compiler/syntax/parser.h"
 
 // ---- types ----
@@ -236,7 +237,7 @@ static void unknown_option(Parser *p)
     if (near)
         diag_label(p->diags, d, DIAG_label_did_you_mean, near);
     else if (p->last.kind == TOK_NUMBER && !p->tok.first)
-        diag_label(p->diags, d, DIAG_label_no_unit);
+        hint_unit(p->diags, d, parser_text(p, parser_span(p, &p->last)), p->tok.text->text);
     parser_next(p);
 }
 

@@ -2,6 +2,7 @@
 // Slips: what people write who know other languages, who do not program, or who type fast.  Where the grammar has no way on,
 // these functions find the likeliest reason and say that instead of what token was expected.
 #include "compiler/syntax/hint_lines.h"
+#include "compiler/syntax/hint_unit.h"
 #include "compiler/syntax/parser.h"
 
 // ---- words ----
@@ -96,6 +97,8 @@ bool slip_operand(Parser *p, AstExpr *name)
         p->failed = true;
         return true;
     }
+    if (!p->tok.first && (p->tok.kind == TOK_PLUS || p->tok.kind == TOK_MINUS || p->tok.kind == TOK_STAR || p->tok.kind == TOK_SLASH))
+        return true;                                   // abs x - y may mean abs(x - y)
     diag_edit(p->diags, d, (Span){operand.src, name->span.at + name->span.len, operand.at - name->span.at - name->span.len}, "(");
     diag_edit(p->diags, d, (Span){operand.src, operand.at + operand.len, 0}, ")");
     return true;
@@ -342,7 +345,7 @@ void slip_at_end(Parser *p)
     else if (p->tok.kind == TOK_ELSE)
         diag_label(p->diags, d, DIAG_label_else_after_if);
     else if (unit_after_number(p))
-        diag_label(p->diags, d, DIAG_label_no_unit);
+        hint_unit(p->diags, d, parser_text(p, parser_span(p, &p->last)), p->tok.text->text);
     else if (p->tok.kind == TOK_IF)
         diag_label(p->diags, d, DIAG_label_condition_first);
     else if (annotation_is_allow(&p->tok))

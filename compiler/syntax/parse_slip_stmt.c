@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compiler/syntax/hint_lines.h"
+#include "compiler/syntax/hint_unit.h"
 #include "compiler/syntax/parser.h"
 
 // ---- expressions that stand alone ----
@@ -14,8 +15,8 @@ static bool unit_in_guard(Parser *p)
         (p->ahead.kind != TOK_COLON && p->ahead.kind != TOK_LBRACE))
         return false;
     if (!(p->lex.src->text[p->tok.at] & 0x80))         // 5° has been spoken of
-        diag_label(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
-                   DIAG_label_no_unit);
+        hint_unit(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
+                  parser_text(p, parser_span(p, &p->last)), p->tok.text->text);
     p->failed = true;
     return true;
 }
@@ -264,7 +265,7 @@ void slip_op_assign(Parser *p, Span name)
                format_in(p->arena, "%s = %s %c ...", parser_text(p, name), parser_text(p, name), sign[0]));
 }
 
-static const char wait_text[] = "compare the time in the state: T >= 100: ...";
+static const char wait_text[] = "put what follows in braces, under a limit to the time in the state: T >= 100 { ... }";
 
 typedef enum SlipDoes { SLIP_IF, SLIP_ELSE, SLIP_ARROW, SLIP_DROP, SLIP_SKIP } SlipDoes;
 
@@ -275,15 +276,15 @@ static const struct { const char *word; SlipDoes does; const char *say; } slips[
     {"else", SLIP_ELSE, "else"}, {"otherwise", SLIP_ELSE, "else"},
     {"goto", SLIP_ARROW, "->"}, {"go", SLIP_ARROW, "->"}, {"transition", SLIP_ARROW, "->"},
     {"let", SLIP_DROP, NULL}, {"set", SLIP_DROP, NULL}, {"var", SLIP_DROP, NULL}, {"const", SLIP_DROP, NULL},
-    {"while", SLIP_SKIP, "there are no loops: .step is run again at every step"},
-    {"for", SLIP_SKIP, "there are no loops: .step is run again at every step"},
-    {"repeat", SLIP_SKIP, "there are no loops: .step is run again at every step"},
-    {"loop", SLIP_SKIP, "there are no loops: .step is run again at every step"},
+    {"while", SLIP_SKIP, "there are no loops: write 'if' instead; .step runs again in every step"},
+    {"for", SLIP_SKIP, "there are no loops: .step runs again in every step"},
+    {"repeat", SLIP_SKIP, "there are no loops: .step runs again in every step"},
+    {"loop", SLIP_SKIP, "there are no loops: .step runs again in every step"},
     {"switch", SLIP_SKIP, "write it as if ... else if ... else"}, {"case", SLIP_SKIP, "write it as if ... else if ... else"},
-    {"return", SLIP_SKIP, "put what follows into an else"}, {"break", SLIP_SKIP, "put what follows into an else"},
+    {"return", SLIP_SKIP, "put what follows into an 'else'"}, {"break", SLIP_SKIP, "put what follows into an 'else'"},
     {"wait", SLIP_SKIP, wait_text}, {"delay", SLIP_SKIP, wait_text}, {"sleep", SLIP_SKIP, wait_text},
-    {"end", SLIP_SKIP, "braces are closed with }"}, {"endif", SLIP_SKIP, "braces are closed with }"},
-    {"assert", SLIP_SKIP, "it is written @assert"}, {"stop", SLIP_SKIP, "it is written @stop"}};
+    {"end", SLIP_SKIP, "close braces with }"}, {"endif", SLIP_SKIP, "close braces with }"},
+    {"assert", SLIP_SKIP, "write @assert"}, {"stop", SLIP_SKIP, "write @stop"}};
 
 // Stands as a word of another language would, and not as a name of this one.
 static bool stands_foreign(const Parser *p, SlipDoes does)
@@ -303,10 +304,46 @@ static bool may_follow_foreign(const Token *next)
     return next->first || slip_begins_value(next) || next->kind == TOK_IF || next->kind == TOK_ARROW;
 }
 
-// The declaration of a variable, in the midst of statements.
+// What is after the name of a declaration among statements: "" or "= 3".
+static const char *value_of_decl(const Parser *p, uint32_t at)
+{
+    const char *text = p->lex.src->text;
+    uint32_t end;
+
+    while (text[at] == ' ' || text[at] == '\t')
+        at++;
+    end = at + (uint32_t)strcspn(text + at, "#;}\r\n");
+    while (end > at && (text[end - 1] == ' ' || text[end - 1] == '\t'))
+        end--;
+    return text[at] == '=' && end > at + 1 ? parser_text(p, (Span){p->lex.src, at, end - at}) : "";
+}
+
+static bool is_number_text(const char *s)
+{
+    return strcmp(s, "true") == 0 || strcmp(s, "false") == 0 || (*s && s[strspn(s, "-+.0123456789eE_")] == '\0');
+}
+
+// The declaration of a variable among statements: U8 x, int x = 3, const U8 x = 3.  A value that it has here is stored here each time,
+// which the initial value of a local is not.
 static void misplaced_decl(Parser *p)
 {
-    parser_fail(p, DIAG_decl_in_state, parser_here(p));
+    Diag *d = parser_fail(p, DIAG_decl_in_state, parser_here(p));
+    const bool word = p->tok.kind == TOK_NAME && (slip_is_word(&p->tok, "const") || slip_is_word(&p->tok, "var"));
+    uint32_t at = p->ahead.at;
+    const char *type = word ? take_word(p, &at) : p->tok.text->text, *name = take_word(p, &at);
+    const char *value = value_of_decl(p, at), *initial;
+
+    if (parse_foreign_type(type))
+        type = parse_foreign_type(type);
+    if (!is_identifier(name, strlen(name)))
+        return;
+    initial = *value && is_number_text(value + 1 + strspn(value + 1, " ")) ? value : "= 0";
+    if (word && slip_is_word(&p->tok, "const") && initial == value)
+        diag_label(p->diags, d, DIAG_label_decl_constant, type, name, value);
+    else if (*value)
+        diag_label(p->diags, d, DIAG_label_decl_and_store, type, name, initial, format_in(p->arena, "%s %s", name, value));
+    else
+        diag_label(p->diags, d, DIAG_label_decl, type, name);
 }
 
 // goto Idle, go to Idle, transition to Idle
@@ -322,13 +359,19 @@ static void replace_arrow(Parser *p)
     p->tok.kind = TOK_ARROW;
 }
 
-// wait(200), sleep 200: with that number.
+// wait(200), delay(200), sleep(2): with that number.  Elsewhere delay counts milliseconds and sleep seconds.
 static const char *waited(const Parser *p)
 {
     uint32_t at = p->ahead.at + (p->ahead.kind == TOK_LPAREN);
-    const char *number = p->ahead.first ? "" : take_word(p, &at);
+    const char *number = p->ahead.first ? "" : take_word(p, &at), *unit = "if 'G' counts milliseconds";
 
-    return is_digit(*number) ? format_in(p->arena, "compare the time in the state: T >= %s: ...", number) : wait_text;
+    if (!is_digit(*number))
+        return wait_text;
+    if (slip_is_word(&p->tok, "sleep"))
+        number = hint_milliseconds(p->arena, number, "s");
+    else if (!slip_is_word(&p->tok, "delay"))
+        unit = "in the unit of 'G'";
+    return number ? format_in(p->arena, "put what follows in braces: T >= %s { ... }, %s", number, unit) : wait_text;
 }
 
 // for (...; ...; ...): what stands in the parentheses has been spoken of.

@@ -42,10 +42,10 @@ app.sm:11:5: error: 'p' begins no statement [E0328]
       |     ^ write 30 <= p <= 50
 app.sm:12:5: error: 'wait' is not a word of this language [E0329]
    12 |     wait(200)
-      |     ^~~~ compare the time in the state: T >= 200: ...
+      |     ^~~~ put what follows in braces: T >= 200 { ... }, in the unit of 'G'
 app.sm:13:5: error: 'sleep' is not a word of this language [E0329]
    13 |     sleep 2.5
-      |     ^~~~~ compare the time in the state: T >= 2.5: ...
+      |     ^~~~~ put what follows in braces: T >= 2500 { ... }, if 'G' counts milliseconds
 app.sm:14:12: error: the number 1 runs into ''000' [E0114]
    14 |     mode = 1'000
       |            ^~~~~ write 1000
@@ -54,10 +54,10 @@ app.sm:15:14: error: expected the end of the line, found the number 000 [E0330]
       |              ^~~ write 1000
 app.sm:16:11: error: the character '°' may stand in comments only [E0102]
    16 |     p > 50°: -> Vent
-      |           ^ numbers have no units
+      |           ^ numbers have no units: convert the value in ° to the unit of the element and write the number alone
 app.sm:17:5: error: 'for' is not a word of this language [E0329]
    17 |     for (int i = 0; i < 3; i++) { mode = 1 }
-      |     ^~~ there are no loops: .step is run again at every step
+      |     ^~~ there are no loops: .step runs again in every step
 app.sm:18:13: error: a statement ends with its line, not with ';' [E0109]
    18 |     mode = 1; valve = false
       |             ^ put each statement on a line of its own
@@ -66,10 +66,10 @@ app.sm:19:25: error: expected the end of the line, found ',' [E0330]
       |                         ^ put all that depends on the condition in braces, each statement on a line of its own
 app.sm:20:5: error: variables are declared in the section [local] [E0338]
    20 |     int x = 3
-      |     ^~~
+      |     ^~~ write 'I32 x = 3' in [local], and 'x = 3' here
 app.sm:21:5: error: variables are declared in the section [local] [E0338]
    21 |     const F64 y = 3
-      |     ^~~~~
+      |     ^~~~~ write 'F64 y = 3 @read_only' in [local]
 app.sm:22:5: error: unknown function 'isnan' [E0217]
    22 |     isnan(p): -> Vent
       |     ^~~~~ what is stored is never NaN: a sensor's NaN is read as 0; ask for what is healthy, as in not (0.5 < x < 60)

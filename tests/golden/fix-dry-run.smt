@@ -51,11 +51,11 @@ wrong.sm: 1 fixed
 -- stderr --
 wrong.sm:7:5: error: this is a value and does nothing [E0327]
     7 |     x == 3
-      |     ^~~~~~ to store, write x = 3
+      |     ^~~~~~ to store, write x = 3; a condition needs ':' or '{' after it
 1 error
 wrong.sm:7:5: error: this is a value and does nothing [E0327]
     7 |     x == 3
-      |     ^~~~~~ to store, write x = 3
+      |     ^~~~~~ to store, write x = 3; a condition needs ':' or '{' after it
 1 error
 -- exit --
 0 1 1

@@ -36,28 +36,27 @@ app.sm:9:
   +     p > 7: -> Abort  # too high
   +     code = max(p, 1)
 app.sm: 5 fixed
-app.ss:3:
+app.ss:2:
+  - init_state "Idle"
   - delta_t 10 "ms"
+  + init_state Idle
   + delta_t 10  # ms
 app.ss:5:
   - G == 0: @assert p > 5, "too low"
   - G == 10: @assert p > 5 “too low”
   + G == 0: @assert p > 5  # too low
   + G == 10: @assert p > 5  # too low
-app.ss: 3 fixed
+app.ss: 4 fixed
 -- stderr --
 app.sm:4:7: error: quoted text is not allowed here [E0106]
     4 | F64 p "tank pressure" @read_only
       |       ^~~~~~~~~~~~~~~ write names and conditions without quotation marks, and remarks after #
-app.ss:2:12: error: quoted text is not allowed here [E0106]
-    2 | init_state "Idle"
-      |            ^~~~~~ write Idle if it is a name; a value is a number, true or false
 app.ss:7:25: error: quoted text is not allowed here [E0106]
     7 | G == 20: @assert(p > 5, "too low")
       |                         ^~~~~~~~~ write it as a comment, after # at the end of the line
 app.ss:8:22: error: quoted text is not allowed here [E0106]
     8 | G == 30: @assert p > "abc"
       |                      ^~~~~ write abc if it is a name; a value is a number, true or false
-4 errors
+3 errors
 -- exit --
 1

@@ -37,7 +37,7 @@ app.sm: 10 fixed
 -- stderr --
 app.sm:10:5: error: this is a value and does nothing [E0327]
    10 |     x == 3
-      |     ^~~~~~ to store, write x = 3
+      |     ^~~~~~ to store, write x = 3; a condition needs ':' or '{' after it
 1 error
 -- exit --
 1

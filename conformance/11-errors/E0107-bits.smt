@@ -1,0 +1,22 @@
+spec 1.21   A sign that may have been meant for bits is not taken for a condition without asking.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p @read_only
+bool armed @read_only
+U8 status @read_only
+U8 mask
+bool x
+[Hold]
+.step
+    p > 1 & armed: x = 1                #! E0107 write and
+    (p > 1) | armed: x = 1              #! E0107 write or
+    p > 1 & (status & mask): x = 1      #! E0107 write and #! E0107 for the bits
+    armed & p > 1: x = 1                #! E0107 for the bits
+    status & mask: x = 1                #! E0107 for the bits
+    (status & mask) == 4: x = 1         #! E0107 for the bits
+    status == 4: x = armed | p          #! E0107 for the bits
+    ~armed: x = 1                       #! E0107 write not
+    mask = ~status                      #! E0107 for the bits
