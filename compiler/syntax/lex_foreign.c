@@ -414,8 +414,18 @@ static bool is_about_bits(const Lexer *l, const Token *t)
            lexer_byte(l, behind) != '>' && lexer_byte(l, behind) != '.';
 }
 
-// A comparison stands left of the sign, in its parentheses: it joins conditions.
-static bool follows_comparison(const Lexer *l, uint32_t at)
+// Whether the word `and` or `or` ends before `at`.
+static bool is_logic_word(const char *s, uint32_t at, uint32_t least)
+{
+    uint32_t from = at;
+
+    while (from > least && lexer_is_word(s[from - 1]))
+        from--;
+    return (at - from == 3 && memcmp(s + from, "and", 3) == 0) || (at - from == 2 && memcmp(s + from, "or", 2) == 0);
+}
+
+// A comparison, `and` or `or` is left of the sign, in its parentheses: it joins conditions.
+static bool follows_condition(const Lexer *l, uint32_t at)
 {
     enum { FAR = 200 };               // bytes: hostile text must not cost the square of its length
     const uint32_t least = at - l->line_start > FAR ? at - FAR : l->line_start;
@@ -426,6 +436,8 @@ static bool follows_comparison(const Lexer *l, uint32_t at)
         depth += s[at] == ')';
         depth -= s[at] == '(';
         if (s[at] == '<' || s[at] == '>' || (s[at] == '=' && at > least && (s[at - 1] == '=' || s[at - 1] == '!')))
+            return true;
+        if (lexer_is_word(s[at]) && !lexer_is_word(s[at + 1]) && is_logic_word(s, at + 1, least))
             return true;
     }
     return false;
@@ -438,7 +450,7 @@ static bool may_be_bits(const Lexer *l, const Token *t)
 
     if (t->len > 1)
         return false;
-    return sign == '~' ? l->stores : (sign == '&' || sign == '|') && !follows_comparison(l, t->at);
+    return sign == '~' ? l->stores : (sign == '&' || sign == '|') && !follows_condition(l, t->at);
 }
 
 static void report_foreign(Lexer *l, Token *t, const char *spelling, const char *native)

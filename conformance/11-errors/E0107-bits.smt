@@ -12,6 +12,7 @@ bool x
 [Hold]
 .step
     p > 1 & armed: x = 1                #! E0107 write and
+    armed and x | armed: x = 1          #! E0107 write or
     (p > 1) | armed: x = 1              #! E0107 write or
     p > 1 & (status & mask): x = 1      #! E0107 write and #! E0107 for the bits
     armed & p > 1: x = 1                #! E0107 for the bits
