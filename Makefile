@@ -390,6 +390,23 @@ $(B)/fault/shim.so: tests/fault/shim.c
 check: $(B)/fault/memory $(B)/fault/shim.so
 CHECK_LINES += "fault-memory: $(B)/fault/memory $(FAULT_CASES)" "fault-command: sh tests/fault/command.sh $(B)/smc $(B)/fault/shim.so"
 
+# tests/host: files, signals and names as compiler/base/os.h promises them.
+HOST_OBJ     = $(patsubst %.c,$(B)/obj/%.o,$(wildcard compiler/base/os_*.c))
+HOST_FOLDER  = rm -rf $(B)/host/$(1).made && mkdir -p $(B)/host/$(1).made &&
+$(B)/host/files: HOST_WRAP = -Wl,--wrap=fsync,--wrap=rename,--wrap=fchmod
+$(B)/host/files $(B)/host/signals: $(B)/host/%: tests/host/%.c $(HOST_OBJ)
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< $(HOST_OBJ) -o $@ $(HOST_WRAP)
+check: $(B)/host/files $(B)/host/signals $(B)/flight/flight.log
+CHECK_LINES += "host-files: $(call HOST_FOLDER,files) $(B)/host/files $(B)/host/files.made" \
+               "host-signals: $(call HOST_FOLDER,signals) $(B)/host/signals $(abspath $(B))/smc $(abspath examples)/tank/tank.sm $(abspath examples)/tank/tank.ss $(abspath $(B))/host/signals.made" \
+               "host-names: sh tests/host/names.sh $(B)/smc $(B)/host/names.made $(B)/flight/flight.log"
+check-host: all $(B)/host/files $(B)/host/signals $(B)/flight/flight.log
+	$(call HOST_FOLDER,files) $(B)/host/files $(B)/host/files.made
+	$(call HOST_FOLDER,signals) $(B)/host/signals $(abspath $(B))/smc $(abspath examples)/tank/tank.sm $(abspath examples)/tank/tank.ss $(abspath $(B))/host/signals.made
+	sh tests/host/names.sh $(B)/smc $(B)/host/names.made $(B)/flight/flight.log
+.PHONY: check-host
+
 # tests/soft: soft binary64 against the computer's own.  `make f64-campaign N=1000000000` tries so many random operands of each
 # operation and goes on where it was stopped; f64-f32 tries every binary32.
 SOFT_OBJ = $(patsubst %.c,$(B)/obj/%.o,$(wildcard tests/soft/*.c))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the command needs from the operating system.  libsmc does not use it; only compiler/device and compiler/cli do.
-// Every function that can fail gives false and puts a reason (static text, as "No space left on device") in *why.
+// Every function that can fail returns false and puts a reason (static text, as "No space left on device") in *why.
+// A file whose name contains a control character is neither read nor made: a newline in it would end a comment in emitted C, or a make rule.
 #ifndef SMC_OS_H
 #define SMC_OS_H
 
@@ -10,18 +11,23 @@
 // Memory for SmcAllocFn: the host's heap.
 void *os_alloc(void *context, void *old, size_t size);
 
+bool os_is_name(const char *name);                 // whether it has no control character
+
 // Whole file or, for "-", standard input.  *text is from the heap (os_alloc), closed by a NUL that *len does not count.
 // Refuses folders and anything longer than `most` bytes.
 bool os_read(const char *path, size_t most, char **text, size_t *len, const char **why);
 
 // Files that appear whole or not at all: each is written beside its place, and all are renamed once all are complete.
 // A path "-" is standard output.  A signal that ends the process removes what is unfinished.
+// What is replaced keeps its mode and, as far as the system allows, its owner.  A symbolic link stays one: the file that it leads to is
+// replaced.  Of a file with several names (hard links) only this name gets the new contents.  To change all of them the file would have to
+// be overwritten in place, and a power cut would leave half of it; nor may a backup that was made of hard links change.
 typedef struct OsOutput { const char *path; const void *bytes; size_t n; } OsOutput;
 bool os_write(const OsOutput *out, size_t n, const char **failed_path, const char **why);
 
 // One file that grows while it is open, and appears when it is closed to be kept; standard output and devices as it grows.
 // There is one at a time.
-typedef struct OsStream { const char *path; int fd; bool is_direct; } OsStream;
+typedef struct OsStream { char *target; int fd; bool is_direct; } OsStream;
 bool os_stream_open(OsStream *s, const char *path, const char **why);
 bool os_stream_put(OsStream *s, const void *bytes, size_t n, const char **why);
 bool os_stream_close(OsStream *s, bool keep, const char **why);

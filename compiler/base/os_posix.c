@@ -4,11 +4,11 @@
 #define _DEFAULT_SOURCE                  // madvise
 
 #include "compiler/base/os.h"
+#include "compiler/base/os_signal.h"
 
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,6 +37,21 @@ static bool fails(const char **why)
 {
     *why = strerror(errno);
     return false;
+}
+
+// ---- names ----
+
+bool os_is_name(const char *name)
+{
+    while ((unsigned char)*name >= 0x20 && *name != 0x7F)
+        name++;
+    return *name == '\0';
+}
+
+static bool is_clean(const char *path, const char **why)
+{
+    *why = "its name contains a control character";
+    return os_is_name(path);
 }
 
 // ---- reading ----
@@ -81,6 +96,8 @@ bool os_read(const char *path, size_t most, char **text, size_t *len, const char
 
     if (strcmp(path, "-") == 0)
         return read_all(0, most, text, len, why);
+    if (!is_clean(path, why))
+        return false;
     if (os_is_folder(path)) {
         *why = "it is a folder";
         return false;
@@ -133,44 +150,17 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why)
     return write_all(fd, bytes, n, why);
 }
 
-// Temporary files that a signal has to remove: written by the main flow, read by the handler.
-enum { MOST_OUTPUTS = 64, STREAM = MOST_OUTPUTS };
-static char *volatile temporary[MOST_OUTPUTS + 1];    // the last one is the stream's
+// Temporary files, by their number in os_signal.h.
+enum { MOST_OUTPUTS = OS_UNFINISHED - 1, STREAM = MOST_OUTPUTS };
 
-static void remove_temporaries(void)
-{
-    for (int i = 0; i <= MOST_OUTPUTS; i++)
-        if (temporary[i])
-            unlink(temporary[i]);
-}
-
-static void on_signal(int number)
-{
-    remove_temporaries();
-    _exit(128 + number);
-}
-
-static void catch_signals(void (*handler)(int))
-{
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
-    struct sigaction action, now;
-
-    memset(&action, 0, sizeof action);
-    sigemptyset(&action.sa_mask);
-    action.sa_handler = handler;
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        if (sigaction(numbers[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
-            sigaction(numbers[i], &action, NULL);
-    signal(SIGXFSZ, SIG_IGN);                         // a file larger than allowed: write says so instead
-}
-
-static mode_t wanted_mode(const char *path)
+// The mode of the file that is replaced, or else the one that a file made in the usual way has.
+static mode_t wanted_mode(const char *target)
 {
     struct stat st;
     mode_t mask = umask(0);
 
     umask(mask);
-    return stat(path, &st) == 0 ? st.st_mode & 07777 : (mode_t)(0666 & ~mask);
+    return stat(target, &st) == 0 ? st.st_mode & 07777 : (mode_t)(0666 & ~mask);
 }
 
 // (One cannot be replaced by renaming: it is written to directly.)
@@ -180,46 +170,64 @@ bool os_is_special(const char *path)
     return stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode);
 }
 
-// A new file beside `path`; its name is known to remove_temporaries from the moment it exists.
-static int open_temporary(const char *path, char *volatile *name, const char **why)
+// The file that `path` names, symbolic links followed, so that a link stays a link; from the heap.
+static char *target_of(const char *path, const char **why)
+{
+    struct stat st;
+    const bool is_link = lstat(path, &st) == 0 && S_ISLNK(st.st_mode);
+    char *target = is_link ? os_real_path(path) : strdup(path);
+
+    if (!target)
+        *why = is_link ? "its symbolic link leads to no folder" : "out of memory";
+    return target;
+}
+
+// A new file beside `target`; a signal removes it from the moment it exists.
+static int open_temporary(const char *target, int number, const char **why)
 {
     char *temp;
     int fd;
 
-    if (os_is_folder(path)) {
+    if (os_is_folder(target)) {
         *why = "it is a folder";
         return -1;
     }
-    if ((temp = malloc(strlen(path) + sizeof ".XXXXXX")) == NULL) {
+    if ((temp = malloc(strlen(target) + sizeof ".XXXXXX")) == NULL) {
         *why = "out of memory";
         return -1;
     }
-    strcpy(temp, path);
+    strcpy(temp, target);
     strcat(temp, ".XXXXXX");
     if ((fd = mkstemp(temp)) < 0) {
         fails(why);
         free(temp);
         return -1;
     }
-    *name = temp;
+    os_unfinished(number, temp);
     return fd;
 }
 
-// Gives the finished file the mode that one made in the usual way has, and closes it.
-static bool close_temporary(int fd, const char *path, bool ok, const char **why)
+// Gives the finished file the owner and mode of the one that it replaces, and closes it.  Its bytes are on the medium before it gets its
+// name: after a power cut there is the old file or the new one.
+static bool close_temporary(int fd, const char *target, bool ok, const char **why)
 {
-    if (ok && (fchmod(fd, wanted_mode(path)) != 0 || fsync(fd) != 0))
+    struct stat old, own;
+
+    if (ok && stat(target, &old) == 0 && fstat(fd, &own) == 0 && (old.st_uid != own.st_uid || old.st_gid != own.st_gid) &&
+        fchown(fd, old.st_uid, old.st_gid) != 0)
+        errno = 0;                                    // only root can give a file away
+    if (ok && (fchmod(fd, wanted_mode(target)) != 0 || fsync(fd) != 0))
         ok = fails(why);
     if (close(fd) != 0 && ok)
         ok = fails(why);
     return ok;
 }
 
-static void forget_temporary(char *volatile *name)
+static void forget_temporary(int number)
 {
-    char *temp = *name;
+    char *temp = os_unfinished_path(number);
 
-    *name = NULL;
+    os_unfinished(number, NULL);
     free(temp);
 }
 
@@ -236,39 +244,45 @@ static bool write_directly(const OsOutput *out, const char **why)
     return ok;
 }
 
-static bool write_one(const OsOutput *out, char *volatile *name, const char **why)
+// Up to the renaming, for which *target is set; it stays NULL where there is nothing to rename.
+static bool write_one(const OsOutput *out, int number, char **target, const char **why)
 {
     int fd;
 
+    if (!is_clean(out->path, why))
+        return false;
     if (strcmp(out->path, "-") == 0 || os_is_special(out->path))
         return write_directly(out, why);
-    if ((fd = open_temporary(out->path, name, why)) < 0)
+    if ((*target = target_of(out->path, why)) == NULL || (fd = open_temporary(*target, number, why)) < 0)
         return false;
-    return close_temporary(fd, out->path, write_all(fd, out->bytes, out->n, why), why);
+    return close_temporary(fd, *target, write_all(fd, out->bytes, out->n, why), why);
 }
 
 bool os_write(const OsOutput *out, size_t n, const char **failed_path, const char **why)
 {
+    char *target[MOST_OUTPUTS] = {NULL};
     bool ok = n <= MOST_OUTPUTS;
 
     *failed_path = n ? out[0].path : "";
     *why = "too many files";
-    catch_signals(on_signal);
+    os_signals_begin();
     for (size_t i = 0; ok && i < n; i++) {
         *failed_path = out[i].path;
-        ok = write_one(&out[i], &temporary[i], why);
+        ok = write_one(&out[i], (int)i, &target[i], why);
     }
     for (size_t i = 0; ok && i < n; i++)
-        if (temporary[i]) {
+        if (target[i]) {
             *failed_path = out[i].path;
-            if (rename(temporary[i], out[i].path) != 0)
+            if (rename(os_unfinished_path((int)i), target[i]) != 0)
                 ok = fails(why);
         }
-    if (!ok)
-        remove_temporaries();
-    catch_signals(SIG_DFL);
-    for (size_t i = 0; i < n && i < MOST_OUTPUTS; i++)
-        forget_temporary(&temporary[i]);
+    for (size_t i = 0; i < n && i < MOST_OUTPUTS; i++) {
+        if (!ok && os_unfinished_path((int)i))
+            unlink(os_unfinished_path((int)i));
+        forget_temporary((int)i);
+        free(target[i]);
+    }
+    os_signals_end();
     return ok;
 }
 
@@ -276,16 +290,24 @@ bool os_write(const OsOutput *out, size_t n, const char **failed_path, const cha
 
 bool os_stream_open(OsStream *s, const char *path, const char **why)
 {
-    s->path = path;
+    if (!is_clean(path, why))
+        return false;
+    s->target = NULL;
     s->is_direct = strcmp(path, "-") == 0 || os_is_special(path);
     if (s->is_direct) {
         s->fd = strcmp(path, "-") == 0 ? 1 : open(path, O_WRONLY);
         return s->fd >= 0 || fails(why);
     }
-    catch_signals(on_signal);
-    atexit(remove_temporaries);
-    s->fd = open_temporary(path, &temporary[STREAM], why);
-    return s->fd >= 0;
+    if ((s->target = target_of(path, why)) == NULL)
+        return false;
+    os_signals_begin();
+    atexit(os_remove_unfinished);
+    s->fd = open_temporary(s->target, STREAM, why);
+    if (s->fd >= 0)
+        return true;
+    free(s->target);
+    os_signals_end();
+    return false;
 }
 
 bool os_stream_put(OsStream *s, const void *bytes, size_t n, const char **why)
@@ -299,13 +321,14 @@ bool os_stream_close(OsStream *s, bool keep, const char **why)
 
     if (s->is_direct)
         return s->fd == 1 || close(s->fd) == 0 || fails(why);
-    ok = close_temporary(s->fd, s->path, true, why);
-    if (ok && keep && rename(temporary[STREAM], s->path) != 0)
+    ok = close_temporary(s->fd, s->target, true, why);
+    if (ok && keep && rename(os_unfinished_path(STREAM), s->target) != 0)
         ok = fails(why);
     if (!ok || !keep)
-        unlink(temporary[STREAM]);
-    forget_temporary(&temporary[STREAM]);
-    catch_signals(SIG_DFL);
+        unlink(os_unfinished_path(STREAM));
+    forget_temporary(STREAM);
+    free(s->target);
+    os_signals_end();
     return ok;
 }
 
@@ -368,7 +391,7 @@ bool os_is_folder(const char *path)
 
 bool os_make_folder(const char *path, const char **why)
 {
-    return os_is_folder(path) || mkdir(path, 0777) == 0 || os_is_folder(path) || fails(why);
+    return !is_clean(path, why) ? false : os_is_folder(path) || mkdir(path, 0777) == 0 || os_is_folder(path) || fails(why);
 }
 
 static int by_name(const void *a, const void *b)
@@ -378,12 +401,14 @@ static int by_name(const void *a, const void *b)
 
 bool os_list(const char *path, char ***names, size_t *n, const char **why)
 {
-    DIR *folder = opendir(path);
     struct dirent *entry;
     char **list = NULL, *text;
     size_t bytes = 0, count = 0, at = 0;
+    DIR *folder;
 
-    if (!folder)
+    if (!is_clean(path, why))
+        return false;
+    if ((folder = opendir(path)) == NULL)
         return fails(why);
     while ((entry = readdir(folder)) != NULL) {
         bytes += strlen(entry->d_name) + 1;
@@ -429,10 +454,12 @@ bool os_random(void *bytes, size_t n, const char **why)
 
 bool os_write_private(const char *path, const void *bytes, size_t n, const char **why)
 {
-    const int fd = open(path, O_WRONLY | O_CREAT | O_EXCL, S_IRUSR | S_IWUSR);
     bool ok;
+    int fd;
 
-    if (fd < 0)
+    if (!is_clean(path, why))
+        return false;
+    if ((fd = open(path, O_WRONLY | O_CREAT | O_EXCL, S_IRUSR | S_IWUSR)) < 0)
         return fails(why);
     ok = write_all(fd, bytes, n, why);
     if (close(fd) != 0 && ok)

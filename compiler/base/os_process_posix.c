@@ -3,10 +3,12 @@
 #define _XOPEN_SOURCE 700
 
 #include "compiler/base/os_process.h"
+#include "compiler/base/os_signal.h"
 
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,6 +16,7 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 extern char **environ;
@@ -31,9 +34,17 @@ bool os_temp_folder(char *path, size_t n, const char **why)
     const char *base = getenv("TMPDIR");
     const int len = snprintf(path, n, "%s/smc-XXXXXX", base && *base ? base : "/tmp");
 
-    if (len < 0 || (size_t)len >= n)
+    if (len < 0 || (size_t)len >= n) {
+        path[0] = '\0';
         return fails(ENAMETOOLONG, why);
-    return mkdtemp(path) ? true : fails(errno, why);
+    }
+    os_signals_hold();
+    if (mkdtemp(path))
+        return true;
+    fails(errno, why);
+    path[0] = '\0';
+    os_signals_resume();
+    return false;
 }
 
 void os_remove_folder(const char *path)
@@ -47,6 +58,7 @@ void os_remove_folder(const char *path)
     if (d)
         closedir(d);
     rmdir(path);
+    os_signals_resume();
 }
 
 // ---- processes ----
@@ -61,6 +73,66 @@ static int wait_for(pid_t pid)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+// Ends a process group whose leader is our child: as the signal asks for, or after a second by force.
+static void end_group(pid_t leader)
+{
+    const struct timespec pause = {0, 10 * 1000 * 1000};
+    pid_t ended = 0;
+
+    kill(-leader, os_signal_waiting());
+    for (int i = 0; i < 100 && ended == 0; i++) {
+        ended = waitpid(leader, NULL, WNOHANG);
+        if (ended == 0)
+            nanosleep(&pause, NULL);
+    }
+    kill(-leader, SIGKILL);
+    if (ended == 0)
+        wait_for(leader);
+}
+
+static void wake(int number) { (void)number; }
+
+// Waits for the child.  False: a signal waits to end this process.  All of them are blocked but while it sleeps, so that none comes between
+// the last look and the sleep; SIGCHLD has a handler because what is ignored wakes nothing.
+static bool wait_or_signal(pid_t pid, int *exit_code)
+{
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGCHLD};
+    struct sigaction action, before;
+    sigset_t blocked, mask;
+    int status = 0;
+    pid_t ended;
+
+    memset(&action, 0, sizeof action);
+    sigemptyset(&action.sa_mask);
+    action.sa_handler = wake;
+    sigaction(SIGCHLD, &action, &before);
+    sigemptyset(&blocked);
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        sigaddset(&blocked, numbers[i]);
+    sigprocmask(SIG_BLOCK, &blocked, &mask);
+    while ((ended = waitpid(pid, &status, WNOHANG)) == 0 && os_signal_waiting() == 0)
+        sigsuspend(&mask);
+    sigprocmask(SIG_SETMASK, &mask, NULL);
+    sigaction(SIGCHLD, &before, NULL);
+    *exit_code = ended < 0 ? 127 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return ended != 0;
+}
+
+// In a process group of its own, for end_group.
+static int spawn_group(pid_t *pid, const char *const *argv, const posix_spawn_file_actions_t *actions)
+{
+    posix_spawnattr_t attributes;
+    int error = posix_spawnattr_init(&attributes);
+
+    if (error)
+        return error;
+    error = posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    if (!error)
+        error = posix_spawnp(pid, argv[0], actions, &attributes, (char *const *)argv, environ);
+    posix_spawnattr_destroy(&attributes);
+    return error;
+}
+
 bool os_run(const char *const *argv, const char *output, int *exit_code, const char **why)
 {
     posix_spawn_file_actions_t actions;
@@ -69,18 +141,24 @@ bool os_run(const char *const *argv, const char *output, int *exit_code, const c
 
     if (error)
         return fails(error, why);
+    os_signals_hold();
     error = posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     if (!error)
         error = posix_spawn_file_actions_addopen(&actions, 1, output, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     if (!error)
         error = posix_spawn_file_actions_adddup2(&actions, 1, 2);
     if (!error)
-        error = posix_spawnp(&pid, argv[0], &actions, NULL, (char *const *)argv, environ);
+        error = spawn_group(&pid, argv, &actions);
     posix_spawn_file_actions_destroy(&actions);
-    if (error)
-        return fails(error, why);
-    *exit_code = wait_for(pid);
-    return true;
+    if (error) {
+        fails(error, why);
+    } else if (!wait_or_signal(pid, exit_code)) {
+        end_group(pid);
+        error = EINTR;
+        *why = "interrupted";
+    }
+    os_signals_resume();
+    return error == 0;
 }
 
 static int spawn_on(int fd, const char *const *argv, pid_t *pid)

@@ -161,7 +161,7 @@ static bool make_folder(Cli *c)
 
     if (!c->given[OPT_OUTPUT] || *folder == '\0' || os_make_folder(folder, &why))
         return true;
-    cli_say(c, "cannot make the folder '%s': %s", folder, why);
+    cli_say(c, "cannot make the folder '%s': %s", cli_shown(&c->session.arena, folder), why);
     return false;
 }
 

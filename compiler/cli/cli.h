@@ -78,6 +78,8 @@ CLI_PRINTF int cli_usage(Cli *c, const char *format, ...);
 
 // Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT).  The name stands in diagnostics as given.
 Source *cli_load(Cli *c, const char *path);
+// A name for a message: control characters, with which no file is opened, as \x0a.  cli_usage does it by itself.
+const char *cli_shown(Arena *a, const char *name);
 // Reads an image and runs the device's own verifier on it.  EXIT_OK, or the exit code after a message.
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v);
 void cli_put_pin(Buf *out, const SmvmPin *p);          // "digital input 2 with @pull_up"

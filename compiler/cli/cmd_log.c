@@ -24,7 +24,7 @@ static Log *read_log(Cli *c, const char *path, char **bytes)
     size_t n;
 
     if (!os_read(path, size_most, bytes, &n, &why)) {
-        cli_say(c, "cannot read '%s': %s", path, why);
+        cli_say(c, "cannot read '%s': %s", cli_shown(&c->session.arena, path), why);
         return NULL;
     }
     return log_read(&c->session.arena, (const uint8_t *)*bytes, (uint32_t)n);

@@ -24,7 +24,7 @@ static void add_error(TestRun *t, const char *path, const char *message, int cod
 
 static void refuse_folder(TestRun *t, const char *path, const char *why)
 {
-    cli_say(t->c, "cannot read '%s': %s", path, why);
+    cli_say(t->c, "cannot read '%s': %s", cli_shown(t->arena, path), why);
     add_error(t, path, why, EXIT_ENVIRONMENT);
 }
 

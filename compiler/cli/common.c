@@ -58,18 +58,34 @@ void cli_remark(Cli *c, const char *format, ...)
     va_end(args);
 }
 
+const char *cli_shown(Arena *a, const char *name)
+{
+    Buf out;
+
+    if (os_is_name(name))
+        return name;
+    buf_init(&out, a);
+    for (; *name; name++)
+        if ((unsigned char)*name < 0x20 || *name == 0x7F)
+            buf_printf(&out, "\\x%02x", (unsigned)(unsigned char)*name);
+        else
+            buf_char(&out, *name);
+    return buf_text(&out);
+}
+
 int cli_usage(Cli *c, const char *format, ...)
 {
+    char sentence[5000];
     va_list args;
 
-    fputs("smc: ", stderr);
     va_start(args, format);
-    vfprintf(stderr, format, args);
+    vsnprintf(sentence, sizeof sentence, format, args);
     va_end(args);
+    fprintf(stderr, "smc: %s\n", cli_shown(&c->session.arena, sentence));
     if (c->command)
-        fprintf(stderr, "\nTry 'smc %s --help'.\n", c->command->name);
+        fprintf(stderr, "Try 'smc %s --help'.\n", c->command->name);
     else
-        fputs("\nTry 'smc --help'.\n", stderr);
+        fputs("Try 'smc --help'.\n", stderr);
     return EXIT_USAGE;
 }
 
@@ -80,7 +96,7 @@ Source *cli_load(Cli *c, const char *path)
     size_t len;
 
     if (!os_read(path, SOURCE_MAX, &text, &len, &why)) {
-        cli_say(c, "cannot read '%s': %s", path, why);
+        cli_say(c, "cannot read '%s': %s", cli_shown(&c->session.arena, path), why);
         return NULL;
     }
     copy = arena_alloc(&c->session.arena, len + 1);
@@ -124,7 +140,7 @@ int cli_rewrite(Cli *c, const OsOutput *out, size_t n)
 
     if (os_write(out, n, &path, &why))
         return EXIT_OK;
-    cli_say(c, "cannot write '%s': %s", strcmp(path, "-") == 0 ? "standard output" : path, why);
+    cli_say(c, "cannot write '%s': %s", strcmp(path, "-") == 0 ? "standard output" : cli_shown(&c->session.arena, path), why);
     return EXIT_ENVIRONMENT;
 }
 

@@ -84,6 +84,6 @@ int cmd_key(Cli *c)
     text[DIGITS] = '\n';
     if (os_write_private(c->file[0], text, sizeof text, &why))
         return say_mark(c, key);
-    cli_say(c, "cannot make '%s': %s", c->file[0], why);
+    cli_say(c, "cannot make '%s': %s", cli_shown(&c->session.arena, c->file[0]), why);
     return EXIT_ENVIRONMENT;
 }

@@ -137,6 +137,15 @@ static bool warnings_known(Cli *c)
     return !wrong;
 }
 
+// It goes into a make rule as it is, and no file of that name is opened.
+static bool target_is_name(Cli *c)
+{
+    if (!c->given[OPT_DEPS_NAME] || os_is_name(c->value[OPT_DEPS_NAME]))
+        return true;
+    cli_usage(c, "-MT: the name '%s' contains a control character", c->value[OPT_DEPS_NAME]);
+    return false;
+}
+
 static bool check_values(Cli *c)
 {
     static const char *const levels[] = {"0", "1", "2"};
@@ -144,7 +153,7 @@ static bool check_values(Cli *c)
     static const char *const whens[] = {"auto", "always", "never"};
 
     return one_of(c, OPT_OPT, levels, 3, "0, 1 or 2") && one_of(c, OPT_FORMAT, formats, 3, "text, json or sarif") &&
-           sarif_fits(c) && one_of(c, OPT_COLOR, whens, 3, "auto, always or never") && warnings_known(c);
+           sarif_fits(c) && target_is_name(c) && one_of(c, OPT_COLOR, whens, 3, "auto, always or never") && warnings_known(c);
 }
 
 bool options_parse(Cli *c, int argc, char **argv)

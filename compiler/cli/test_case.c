@@ -394,7 +394,7 @@ TestCase *case_open(TestRun *t, const char *path)
     c->result.path = path;
     c->result.suite = test_folder(t->arena, path);
     if (!os_read(path, SOURCE_MAX, &c->text, &n, &why)) {
-        finish(c, TEST_BROKEN, format_in(t->arena, "cannot read '%s': %s", path, why), EXIT_ENVIRONMENT);
+        finish(c, TEST_BROKEN, format_in(t->arena, "cannot read '%s': %s", cli_shown(t->arena, path), why), EXIT_ENVIRONMENT);
     } else if (setjmp(c->oom) == 0) {
         session_init(&c->s, os_alloc, NULL, &c->oom);
         buf_init(&c->why, &c->s.arena);

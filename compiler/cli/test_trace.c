@@ -95,7 +95,7 @@ static void put_away(TestTrace *t)
 
 static int fails(TestTrace *t, const char *why)
 {
-    cli_say(t->c, "cannot write '%s': %s", t->c->value[OPT_TRACE], why);
+    cli_say(t->c, "cannot write '%s': %s", cli_shown(&t->c->session.arena, t->c->value[OPT_TRACE]), why);
     return EXIT_ENVIRONMENT;
 }
 

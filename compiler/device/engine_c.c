@@ -26,7 +26,7 @@ struct EngineCBatch {
 // without, as it flies.
 enum { FORMS = 2 };
 
-enum { PATH_LEN = 512, MESSAGE_MAX = 2000, ARGS_MAX = 60 };
+enum { PATH_LEN = 512, MESSAGE_MAX = 2000 };
 
 // ---- building ----
 
@@ -63,15 +63,29 @@ static bool write_source(Workshop *w, const Buf *code)
     return os_write(&out, 1, &path, &why) ? true : failed(w, "cannot write the emitted C", why);
 }
 
-// Words of `text` to argv[*n …].
-static void add_words(Arena *a, const char **argv, size_t *n, const char *text)
+typedef VEC(const char *) Words;
+
+// Appends the words of a command, which blanks separate.  A part in '…' or "…" belongs to one word, and a backslash, but for one in '…',
+// makes the next character an ordinary one, as in a shell; nothing is expanded.  False: a quote is not closed.
+static bool split_words(Arena *a, const char *text, Words *words)
 {
-    while (*text && *n < ARGS_MAX) {
-        const size_t len = strcspn(text, " ");
-        if (len > 0)
-            argv[(*n)++] = format_in(a, "%.*s", (int)len, text);
-        text += len + strspn(text + len, " ");
+    while (*(text += strspn(text, " \t\n")) != '\0') {
+        Buf word;
+        char quote = 0;
+        buf_init(&word, a);
+        for (; *text && (quote || !strchr(" \t\n", *text)); text++) {
+            if (quote ? *text == quote : *text == '\'' || *text == '"')
+                quote = quote ? 0 : *text;
+            else if (*text == '\\' && quote != '\'' && text[1])
+                buf_char(&word, *++text);
+            else
+                buf_char(&word, *text);
+        }
+        if (quote)
+            return false;
+        vec_push(a, words, buf_text(&word));
     }
+    return true;
 }
 
 // What the compiler said, without the folder that nobody knows.
@@ -97,39 +111,42 @@ static const char *compiler_of(const EngineCOptions *o)
 
 bool engine_c_present(const EngineCOptions *o)
 {
-    char name[PATH_LEN];
-    const char *argv[] = { name, "--version", NULL }, *cc = compiler_of(o), *why;
+    const char *argv[] = { NULL, "--version", NULL }, *why;
+    Words words = {0};
+    jmp_buf no_memory;
+    Arena arena;
+    volatile bool present = false;
     int exit_code;
 
-    cc += strspn(cc, " ");
-    if (strcspn(cc, " ") >= sizeof name)
-        return false;
-    memcpy(name, cc, strcspn(cc, " "));
-    name[strcspn(cc, " ")] = '\0';
-    return os_run(argv, "/dev/null", &exit_code, &why) && exit_code == 0;
+    arena_init(&arena, os_alloc, NULL, &no_memory);
+    if (setjmp(no_memory) == 0) {
+        present = !split_words(&arena, compiler_of(o), &words);           // then opening the engine reports it
+        argv[0] = words.n > 0 ? words.at[0] : NULL;
+        present = present || (argv[0] && os_run(argv, "/dev/null", &exit_code, &why) && exit_code == 0);
+    }
+    arena_free(&arena);
+    return present;
 }
 
 static bool compile(Workshop *w, const EngineCOptions *o)
 {
-    const char *argv[ARGS_MAX + 4], *why;
-    size_t n = 0;
+    const char *cc = compiler_of(o), *flags = o ? o->flags : NULL, *why;
+    const char *const others[] = { "-o", w->program, w->source, NULL };
+    Words argv = {0};
     int exit_code;
 
-    add_words(w->arena, argv, &n, compiler_of(o));
-    if (n == 0)
+    if (!split_words(w->arena, cc, &argv) || (flags && !split_words(w->arena, flags, &argv)))
+        return failed(w, format_in(w->arena, "the variable CC is %s", cc), "a quote in it is not closed");
+    if (argv.n == 0)
         return failed(w, "CC", "it names no compiler");
-    if (o && o->flags)
-        add_words(w->arena, argv, &n, o->flags);
-    else if (!strstr(compiler_of(o), " -O"))
-        argv[n++] = "-O1";
-    argv[n++] = "-o";
-    argv[n++] = w->program;
-    argv[n++] = w->source;
-    argv[n] = NULL;
-    if (!os_run(argv, w->log, &exit_code, &why))
-        return failed(w, format_in(w->arena, "cannot run the C compiler %s (the variable CC names another)", argv[0]), why);
+    if (!flags && !strstr(cc, " -O"))
+        vec_push(w->arena, &argv, "-O1");
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        vec_push(w->arena, &argv, others[i]);
+    if (!os_run(argv.at, w->log, &exit_code, &why))
+        return failed(w, format_in(w->arena, "cannot run the C compiler %s (the variable CC names another)", argv.at[0]), why);
     if (exit_code != 0)
-        return failed(w, format_in(w->arena, "the C compiler %s does not take the emitted C", argv[0]), read_log(w));
+        return failed(w, format_in(w->arena, "the C compiler %s does not take the emitted C", argv.at[0]), read_log(w));
     return true;
 }
 
@@ -151,7 +168,8 @@ static bool build_and_start(Arena *arena, const Buf *code, const EngineCOptions 
     w->arena = arena;
     w->error = error;
     if (setjmp(here) != 0) {
-        os_remove_folder(w->folder);
+        if (w->folder[0])
+            os_remove_folder(w->folder);
         arena->oom = outer;
         longjmp(*outer, 1);
     }

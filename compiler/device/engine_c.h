@@ -8,7 +8,7 @@
 #include "compiler/script/engine.h"
 
 typedef struct EngineCOptions {
-    const char *cc;           // the compiler and first options, separated by blanks; NULL: $CC, or cc
+    const char *cc;           // the compiler and first options, as words of a shell: blanks separate, quotes and \ as there; NULL: $CC, or cc
     bool soft;                // with numbers in software
     const char *flags;        // more options; NULL: -O1, unless cc has one such
 } EngineCOptions;

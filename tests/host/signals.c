@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// A signal that ends `smc test --engine=c` while the C compiler runs leaves no folder in TMPDIR, no process and no half-written trace, and
+// the exit code says which signal it was.     signals SMC MACHINE SCRIPT FOLDER     (FOLDER is empty; absolute paths)
+#define _XOPEN_SOURCE 700
+
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "compiler/base/os.h"
+#include "tests/test.h"
+
+static const char *smc, *machine, *script;
+
+static void sleep_ms(long ms)
+{
+    const struct timespec t = {ms / 1000, ms % 1000 * 1000000};
+
+    nanosleep(&t, NULL);
+}
+
+// The command in a process group of its own, as a shell would start it.
+static pid_t start(const char *cc)
+{
+    const pid_t pid = fork();
+
+    if (pid == 0) {
+        const int quiet = open("/dev/null", O_WRONLY);
+        setpgid(0, 0);
+        setenv("CC", cc, 1);
+        dup2(quiet, 1);
+        dup2(quiet, 2);
+        execl(smc, "smc", "test", machine, script, "--engine=c", "--trace=made/trace.csv", (char *)NULL);
+        _exit(127);
+    }
+    return pid;
+}
+
+static int end_of(pid_t pid)
+{
+    int status;
+
+    while (waitpid(pid, &status, 0) < 0)
+        continue;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+static size_t entries(const char *folder)
+{
+    const char *why;
+    char **names;
+    size_t n = 99;
+
+    if (os_list(folder, &names, &n, &why))
+        os_alloc(NULL, names, 0);
+    return n;
+}
+
+// A compiler that writes the ids of itself and of a child to `ids` and takes its time.  It answers --version at once.
+static void make_slow_compiler(void)
+{
+    static const char text[] = "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\nsleep 30 &\necho $$ $! >ids.new\nmv ids.new ids\nwait\n";
+    const OsOutput out = {"slow cc", text, sizeof text - 1};
+    const char *failed, *why;
+
+    CHECK(os_write(&out, 1, &failed, &why) && chmod("slow cc", 0755) == 0);
+}
+
+static bool read_ids(long *a, long *b)
+{
+    FILE *f = fopen("ids", "r");
+    bool ok = f && fscanf(f, "%ld %ld", a, b) == 2;
+
+    if (f)
+        fclose(f);
+    return ok;
+}
+
+// Its parent may take a moment to notice that it has ended.
+static bool is_gone(long pid)
+{
+    for (int i = 0; i < 200; i++, sleep_ms(10))
+        if (kill((pid_t)pid, 0) != 0)
+            return true;
+    return false;
+}
+
+static void during_the_compiler(int number)
+{
+    long compiler = 0, child = 0;
+    pid_t pid;
+
+    remove("ids");
+    pid = start("'./slow cc'");
+    for (int i = 0; i < 1000 && !read_ids(&compiler, &child); i++)
+        sleep_ms(10);
+    CHECK(compiler > 0 && child > 0 && entries("tmp") == 1);
+    kill(pid, number);
+    CHECK(end_of(pid) == 128 + number);
+    CHECK(compiler > 0 && is_gone(compiler) && child > 0 && is_gone(child));
+    CHECK(entries("tmp") == 0 && entries("made") == 0);
+}
+
+// At any time: with the true compiler, after so many milliseconds.  It may have finished by then.
+static void at_any_time(int number, long ms)
+{
+    const pid_t pid = start("cc");
+    int code;
+
+    sleep_ms(ms);
+    kill(pid, number);
+    code = end_of(pid);
+    CHECK(code == 0 || code == 128 + number);
+    for (int i = 0; i < 100 && entries("tmp") != 0; i++)
+        sleep_ms(10);                                 // the compiler's own files
+    CHECK(entries("tmp") == 0 && entries("made") == (code == 0));
+    remove("made/trace.csv");
+}
+
+int main(int argc, char **argv)
+{
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+    char tmp[1000];
+
+    if (argc != 5 || chdir(argv[4]) != 0 || mkdir("tmp", 0777) != 0 || mkdir("made", 0777) != 0)
+        return 2;
+    smc = argv[1];
+    machine = argv[2];
+    script = argv[3];
+    snprintf(tmp, sizeof tmp, "%s/tmp", argv[4]);
+    setenv("TMPDIR", tmp, 1);
+    make_slow_compiler();
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        during_the_compiler(numbers[i]);
+        for (long ms = 1; ms < 400; ms += 23)
+            at_any_time(numbers[i], ms);
+    }
+    return test_end("host-signals");
+}
