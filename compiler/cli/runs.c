@@ -52,7 +52,7 @@ static Engine *open_engine(Cli *c, const Program *p, const char **error)
 static void run_script(Cli *c, const Report *r, ReportRun *run, const Source *ss, Engine *vm)
 {
     Session *s = &c->session;
-    const ScriptOptions o = {STEPS_MOST, NULL, NULL};
+    const ScriptOptions o = {STEPS_MOST, NULL, NULL, true};
     const Diags machine = s->diags;
     Engine *traced;
 

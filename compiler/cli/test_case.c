@@ -305,7 +305,7 @@ static void run_script(Case *c, const Script *script, const char *name, bool is_
 {
     const TestPart *report_part = testfile_part(c->f, "report"), *trace_part = testfile_part(c->f, "trace");
     CaseTrace trace = {report_order(&c->s.arena, c->p), c->p->var.n, {0}};
-    ScriptOptions o = {c->f->steps ? c->f->steps : c->t->max_steps, NULL, &trace};
+    ScriptOptions o = {c->f->steps ? c->f->steps : c->t->max_steps, NULL, &trace, report_part || trace_part};
     ScriptResult r;
     Buf report;
 

@@ -63,7 +63,7 @@ static int exit_code_of(ScriptOutcome o)
 static void run_script(MachineTest *m, const char *path, const Script *s)
 {
     TestRun *t = m->t;
-    ScriptOptions o = {t->max_steps, m->trace ? test_trace_step : NULL, m->trace};
+    ScriptOptions o = {t->max_steps, m->trace ? test_trace_step : NULL, m->trace, false};
     ScriptResult r;
     int code, reported;
     const char *message;
@@ -145,7 +145,7 @@ static int print_report(MachineTest *m, const char *path)
     if (!is_lone_script(c))
         buf_printf(&out, "%s:\n", path);
     buf_put(&out, buf_text(&m->report), m->report.n);
-    if (test_is_read(c) || m->report.n == 0 || (!is_lone_script(c) && last->status == TEST_PASSED))
+    if (test_is_read(c) || m->report.n == 0 || (!c->given[OPT_VERBOSE] && !(is_lone_script(c) && last->status == TEST_PASSED)))
         return EXIT_OK;
     return cli_print(c, test_result_fd(c), &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }

@@ -197,8 +197,15 @@ static void put_note(const DiagStyle *style, Buf *out, const DiagNote *n)
     put_severity(style, out, DIAG_NOTE);
     if (n->step)
         buf_printf(out, "step %u: ", n->step);
-    put_text(out, n->text);
-    buf_char(out, '\n');
+    for (const char *line = n->text;; line++) {           // a table stands below its note, a row a line
+        const size_t len = strcspn(line, "\n");
+        if (line != n->text)
+            buf_str(out, "      ");
+        diag_put_printable(out, line, len);
+        buf_char(out, '\n');
+        if (*(line += len) == '\0')
+            return;
+    }
 }
 
 static void put_diag(const DiagStyle *style, Buf *out, const Diag *d)

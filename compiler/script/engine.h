@@ -49,6 +49,7 @@ const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a
 
 // The reference interpreter.
 Engine *engine_ref_open(Arena *arena, const Program *p);
+const Stmt *engine_ref_transition(const Engine *ref);      // that the last step made; NULL: none
 // The VM, on an image that holds p as machine number `machine`.
 Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
 // Where an engine that engine_vm_open gave keeps a variable, for who runs its image elsewhere.

@@ -20,6 +20,7 @@ typedef struct Ref {
     bool has_run;             // a step has run since init
     uint64_t last_g;          // G at the last step that ran
     uint64_t start;           // G at the first step of the state
+    const Stmt *transition;   // that the last step made, or NULL
 } Ref;
 
 static void store(Ref *r, const Var *v, uint64_t cell)
@@ -44,6 +45,7 @@ static const State *execute(Ref *r, const Stmts *list)
             break;
         case ST_TRANSITION:
             target = s->target;
+            r->transition = s;
             break;
         }
         if (target)
@@ -91,6 +93,7 @@ static EngineStatus ref_step(Engine *e, const EngineWrite *write, uint32_t n, En
     for (uint32_t i = 0; i < n; i++)
         r->cell[write[i].var] = write[i].cell;
     memset(r->stored, 0, r->p->var.n);
+    r->transition = NULL;
     g = r->cell[r->p->g->index];
     if (!advances(r, g))                                                       // 6.1
         return answer(r, ENGINE_REFUSED, out);
@@ -125,6 +128,8 @@ static EngineStatus ref_init(Engine *e, uint32_t state, EngineStep *out)
     r->has_run = false;
     return answer(r, ENGINE_OK, out);
 }
+
+const Stmt *engine_ref_transition(const Engine *e) { return ((const Ref *)e->self)->transition; }
 
 static void ref_close(Engine *e) { (void)e; }         // everything lives in the arena
 

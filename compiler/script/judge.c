@@ -16,7 +16,7 @@ typedef struct Operands {
     size_t n;
 } Operands;
 
-static bool same_text(Span a, Span b)
+bool span_same_text(Span a, Span b)
 {
     return a.len == b.len && memcmp(a.src->text + a.at, b.src->text + b.at, a.len) == 0;
 }
@@ -24,7 +24,7 @@ static bool same_text(Span a, Span b)
 static bool was_seen(const Operands *o, const Expr *e)
 {
     for (size_t i = 0; i < o->n; i++)
-        if (o->seen[i] == e || same_text(o->seen[i]->span, e->span))
+        if (o->seen[i] == e || span_same_text(o->seen[i]->span, e->span))
             return true;
     return false;
 }
@@ -35,16 +35,12 @@ static bool is_showable(Span s)
     return s.src && s.len > 0 && s.len <= OPERAND_LENGTH && !memchr(s.src->text + s.at, '\n', s.len);
 }
 
-static void put_operand_value(Operands *o, const Expr *e)
+void run_put_value(Run *r, const Expr *e, Buf *out)
 {
-    double x;
-
-    if (e->kind == EX_VAR) {
-        format_cell_exact(&o->text, e->var->type, o->r->cell[e->var->index]);
-        return;
-    }
-    x = ref_eval(e, o->r->cell, &o->r->windows);
-    format_number_exact(&o->text, x);
+    if (e->kind == EX_VAR)
+        format_cell_exact(out, e->var->type, r->cell[e->var->index]);
+    else
+        format_number_exact(out, ref_eval(e, r->cell, &r->windows));
 }
 
 static void add_operand(Operands *o, const Expr *e)
@@ -54,7 +50,7 @@ static void add_operand(Operands *o, const Expr *e)
     buf_str(&o->text, o->n ? ", " : "");
     buf_put(&o->text, e->span.src->text + e->span.at, e->span.len);
     buf_str(&o->text, " = ");
-    put_operand_value(o, e);
+    run_put_value(o->r, e, &o->text);
     o->seen[o->n++] = e;
 }
 
@@ -77,8 +73,9 @@ static void add_operands(Operands *o, const Expr *e, bool is_compared)
         add_operand(o, e);
 }
 
-static void report_failure(Run *r, const Expr *assert)
+void judge_report_failure(Run *r)
 {
+    const Expr *assert = r->failed;
     Operands o = {.r = r};
     Diag *d = diag_report(r->diags, DIAG_assert_failed, assert->span, format_in(r->arena, "%" PRIu64, r->result.steps),
                           format_in(r->arena, "%" PRIu64, r->g), r->state->name->text);
@@ -87,6 +84,7 @@ static void report_failure(Run *r, const Expr *assert)
     add_operands(&o, assert, false);
     if (o.n)
         diag_label(r->diags, d, DIAG_label_operands, buf_text(&o.text));
+    history_add(r, d);
 }
 
 // ---- judging ----
@@ -104,24 +102,76 @@ void judge_step(Run *r)
         if (ref_true(ref_eval(note->item->asserts.at[note->assert], r->cell, &r->windows))) {
             r->result.asserts_passed++;
         } else {
-            report_failure(r, note->item->asserts.at[note->assert]);
+            r->failed = note->item->asserts.at[note->assert];
+            r->failed_item = note->item;
             run_end(r, SCRIPT_FAILED);
         }
     }
 }
 
+// ---- what was not judged ----
+
+// `@assert false` says that its condition is never true: that no step judges it is what it wants.
+static bool is_never(const Run *r, const Expr *assert)
+{
+    return expr_is_constant(assert) && !ref_true(ref_eval(assert, r->cell, &r->windows));
+}
+
+// Asserts that were not judged for one reason: one warning, at the first.
+typedef struct Unjudged { const Expr *first; size_t n; } Unjudged;
+
+static void add_unjudged(const Run *r, const ScriptItem *item, size_t number, Unjudged *u)
+{
+    for (size_t k = 0; k < item->asserts.n; k++) {
+        const Expr *assert = item->asserts.at[k];
+        if (r->judged[number + k] || is_never(r, assert))
+            continue;
+        u->first = u->n ? u->first : assert;
+        u->n++;
+    }
+}
+
+static Diag *report_unjudged(const Run *r, Unjudged *u)
+{
+    Diag *d = diag_report(r->diags, DIAG_assert_never_judged, u->first->span);
+
+    if (u->n > 1)
+        diag_note(r->diags, d, (Span){0}, DIAG_note_unjudged_too, format_in(r->arena, "%lu", (unsigned long)u->n));
+    *u = (Unjudged){NULL, 0};
+    return d;
+}
+
+static void find_unjudged(const Run *r)
+{
+    size_t number = 0, items = 0;
+
+    for (size_t i = 0; i < r->s->section.n; i++) {
+        const ScriptSection *section = &r->s->section.at[i];
+        Unjudged u = {NULL, 0};
+        for (size_t j = 0; j < section->item.n; number += section->item.at[j++].asserts.n, items++) {
+            add_unjudged(r, &section->item.at[j], number, &u);
+            if (u.n && r->ran[i])
+                diag_label(r->diags, report_unjudged(r, &u), r->was_true[items] ? DIAG_label_stopped_before : DIAG_label_never_true);
+        }
+        if (u.n)
+            diag_label(r->diags, report_unjudged(r, &u), DIAG_label_never_in_state, section->state->name->text);
+    }
+}
+
+static bool has_assert(const Script *s)
+{
+    for (size_t i = 0; i < s->section.n; i++)
+        for (size_t j = 0; j < s->section.at[i].item.n; j++)
+            if (s->section.at[i].item.at[j].asserts.n)
+                return true;
+    return false;
+}
+
 // A run that ended badly has judged less than it could: it says nothing of the rest.
 void judge_unjudged(const Run *r)
 {
-    size_t number = 0;
-
-    if (r->result.outcome != SCRIPT_PASSED && r->result.outcome != SCRIPT_ENDLESS)
-        return;
-    for (size_t i = 0; i < r->s->section.n; i++)
-        for (size_t j = 0; j < r->s->section.at[i].item.n; j++) {
-            const ScriptItem *item = &r->s->section.at[i].item.at[j];
-            for (size_t k = 0; k < item->asserts.n; k++, number++)
-                if (!r->judged[number])
-                    diag_report(r->diags, DIAG_assert_never_judged, item->asserts.at[k]->span);
-        }
+    if (r->result.outcome == SCRIPT_PASSED || r->result.outcome == SCRIPT_ENDLESS)
+        find_unjudged(r);
+    if (r->result.outcome == SCRIPT_PASSED && !r->o->is_compared && !has_assert(r->s))
+        diag_report(r->diags, DIAG_script_without_assert, script_first_stop(r->s)->stop_span);
 }

@@ -56,15 +56,18 @@ static void note_item(Run *r, const ScriptItem *item, size_t first_number)
 
 static void run_sections(Run *r)
 {
-    size_t number = 0;
+    size_t number = 0, items = 0;
 
     for (size_t i = 0; i < r->s->section.n; i++) {
         const ScriptSection *section = &r->s->section.at[i];
         bool matches = !section->state || section->state == r->state;
 
-        for (size_t j = 0; j < section->item.n; j++) {
+        if (matches)
+            r->ran[i] = r->result.steps + 1;
+        for (size_t j = 0; j < section->item.n; j++, items++) {
             const ScriptItem *item = &section->item.at[j];
             if (matches && ref_true(ref_eval(item->guard, r->cell, &r->windows))) {
+                r->was_true[items] = 1;
                 execute_inputs(r, item);
                 note_item(r, item, number);
             }
@@ -135,7 +138,6 @@ static void show_step(Run *r)
 static void advance_time(Run *r)
 {
     if (r->g >= UINT64_MAX - r->s->delta_t) {         // G would overflow, or reach 2^64-1
-        diag_report(r->diags, DIAG_script_time_over, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->result.steps));
         run_end(r, SCRIPT_TIME_OVER);
         return;
     }
@@ -160,17 +162,18 @@ static void run_step(Run *r)
 
 // ---- the run ----
 
-typedef struct Totals { size_t inputs, asserts, notes; } Totals;
+typedef struct Totals { size_t inputs, asserts, notes, items; } Totals;
 
 static Totals count_items(const Script *s)
 {
-    Totals t = {0, 0, 0};
+    Totals t = {0, 0, 0, 0};
 
     for (size_t i = 0; i < s->section.n; i++)
         for (size_t j = 0; j < s->section.at[i].item.n; j++) {
             const ScriptItem *item = &s->section.at[i].item.at[j];
             t.inputs += item->inputs.n;
             t.asserts += item->asserts.n;
+            t.items++;
             t.notes += item->asserts.n + item->stop;
         }
     return t;
@@ -188,31 +191,53 @@ static void allocate(Run *r)
     r->write = ARENA_ARRAY(r->arena, EngineWrite, t.inputs + 1);      // and G
     r->noted = ARENA_ARRAY(r->arena, Noted, t.notes);
     r->judged = arena_alloc(r->arena, t.asserts);
+    r->was_true = arena_alloc(r->arena, t.items);
+    r->ran = ARENA_ARRAY(r->arena, uint64_t, r->s->section.n);
+}
+
+const ScriptItem *script_first_stop(const Script *s)
+{
+    for (size_t i = 0; i < s->section.n; i++)
+        for (size_t j = 0; j < s->section.at[i].item.n; j++)
+            if (s->section.at[i].item.at[j].stop)
+                return &s->section.at[i].item.at[j];
+    return NULL;
 }
 
 static void report_endless(Run *r)
 {
-    Span place = start_of_script(r);
+    const ScriptItem *stop = script_first_stop(r->s);
 
-    for (size_t i = r->s->section.n; i-- > 0;)
-        for (size_t j = r->s->section.at[i].item.n; j-- > 0;)
-            if (r->s->section.at[i].item.at[j].stop)
-                place = r->s->section.at[i].item.at[j].stop_span;           // the first one, in the end
-    diag_report(r->diags, DIAG_script_endless, place, format_in(r->arena, "%" PRIu64, r->o->max_steps));
-    r->result.outcome = SCRIPT_ENDLESS;
+    history_add(r, diag_report(r->diags, DIAG_script_endless, stop ? stop->stop_span : start_of_script(r), format_in(r->arena, "%" PRIu64, r->o->max_steps)));
+}
+
+static void report_time_over(Run *r)
+{
+    history_add(r, diag_report(r->diags, DIAG_script_time_over, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->result.steps)));
+}
+
+void run_to_the_end(Run *r)
+{
+    allocate(r);
+    r->result.cell = r->cell;
+    init_engines(r);
+    while (!r->over && r->result.steps < r->o->max_steps)
+        run_step(r);
+    if (!r->over)
+        run_end(r, SCRIPT_ENDLESS);
 }
 
 ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **engine, size_t engines, const ScriptOptions *o)
 {
     Run r = {.arena = arena, .diags = diags, .s = s, .p = s->program, .engine = engine, .engines = engines, .o = o};
 
-    allocate(&r);
-    r.result.cell = r.cell;
-    init_engines(&r);
-    while (!r.over && r.result.steps < o->max_steps)
-        run_step(&r);
-    if (!r.over)
-        report_endless(&r);
+    run_to_the_end(&r);
+    switch (r.result.outcome) {
+    case SCRIPT_FAILED: judge_report_failure(&r); break;
+    case SCRIPT_ENDLESS: report_endless(&r); break;
+    case SCRIPT_TIME_OVER: report_time_over(&r); break;
+    case SCRIPT_PASSED: case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: break;
+    }
     judge_unjudged(&r);
     return r.result;
 }

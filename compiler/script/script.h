@@ -28,6 +28,7 @@ typedef struct ScriptOptions {
     uint64_t max_steps;
     void (*after_step)(void *context, const ScriptStep *step);      // NULL, or called after each step, before its asserts
     void *context;
+    bool is_compared;         // its report or trace is compared with another, or only shown: it needs no assert
 } ScriptOptions;
 
 typedef struct ScriptResult {

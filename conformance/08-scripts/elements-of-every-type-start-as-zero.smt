@@ -19,5 +19,5 @@ delta_t 1
 
 [all_states]
 a == 0 and b == 0 and c == 0 and d == 0: @assert true
-a != 0 or b or c or d: @assert false   #! W0750
+a != 0 or b or c or d: @assert false
 true: @stop

@@ -27,6 +27,6 @@ delta_t 1
 
 [all_states]
 x == 0: @assert x == 7
-x == 7: @assert false   #! W0750
+x == 7: @assert false
 G == 0: p = 7
 G == 0: @stop

@@ -28,4 +28,4 @@ delta_t 1
 [all_states]
 G == 5: @stop
 G == 2: @stop
-G == 3: @assert false   #! W0750
+G == 3: @assert false

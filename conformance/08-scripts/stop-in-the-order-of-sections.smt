@@ -32,7 +32,7 @@ G == 1: @assert x == 0
 G == 1: @stop
 
 [B]
-false: @assert false   #! W0750
+false: @assert false
 
 -- report --
 state script ran for 2 steps

@@ -24,4 +24,7 @@ G == 0 {
     y = 5
 }
 G == 10: limit = 7
-G == 20: @stop
+G == 20 {
+    @assert x > 5
+    @stop
+}

@@ -23,4 +23,7 @@ F64 last  = 0
 delta_t 10
 [all_states]
 G == 10: tuned = 7
-G == 50: @stop
+G == 50 {
+    @assert y >= 0
+    @stop
+}

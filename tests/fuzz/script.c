@@ -55,7 +55,7 @@ static void run_script(Session *s, const TestFile *f)
     Map written = {&s->arena, NULL, NULL, 0, 0};
     MachineInput in = {source_of(s, find_part(f, ".sm")), source_of(s, find_part(f, ".sv")), &written, 1};
     AstFile *ast;
-    ScriptOptions o = {STEPS_MOST, NULL, NULL};
+    ScriptOptions o = {STEPS_MOST, NULL, NULL, false};
     Engine *engine[3];
     Program *p;
     Script *script;

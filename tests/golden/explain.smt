@@ -17,17 +17,16 @@ A name is used that is neither an element listed in [state_vector] nor a local n
 Check the spelling, or add the element to [state_vector] or the value to [local].
 W0750: this assert was never judged  [-Wunjudged-assert]
 
-The script ended and no step made the guard of this @assert true, or its section's state was never reached: the
-assert has tested nothing.
+The script ended and no step judged this @assert: its condition was never true, the machine was never in the state of
+its section, or the script stopped before.  The message says which.  The assert has tested nothing.
 
     [all_states]
     G == 15: @assert valveOpen            # W0750 when delta_t is 10
     G == 100: @stop
 
-Correct the guard, or let the script run on until it is true. What must never be so is asserted at every step, not where it
-would have happened:
+Correct the condition, or let the script run on until it is true.  An @assert false says that its condition must never be
+true; it draws no warning:
 
     [Start]
-    T > 400: @assert false                # W0750 as long as all is well
-    true: @assert T <= 400
+    T > 400: @assert false                # the state must be left before
 unused-element: an element that is listed and not used

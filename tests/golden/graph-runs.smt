@@ -89,6 +89,13 @@ stateDiagram-v2
 wrong.ss:5:18: error: assert does not hold after step 4 (G = 30, state Fill) [E0750]
     5 | T == 20: @assert pressure > 1
       |                  ^~~~~~~~~~~~ pressure = 0
+note: the last steps, and the values after each:
+      step   G  state  pressure
+         1   0  Idle          0
+         2  10  Fill          0
+         3  20  Fill          0
+         4  30  Fill          0
+tank.sm:9:12: note: transition in step 1 (G = 0): Idle -> Fill
 1 error
 broken.ss:3:2: error: unknown state 'Nowhere' [E0501]
     3 | [Nowhere]

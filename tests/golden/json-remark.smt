@@ -11,6 +11,7 @@ U32 S
 [options]
 delta_t 1
 [all_states]
+G == 0: @assert S == 1
 G == 1: @stop
 -- stderr --
 {"severity":"note","code":null,"message":"engine c is not present here; cases ran without it","file":null,"line":null,"column":null,"endLine":null,"endColumn":null,"label":null,"notes":[],"edits":[],"flag":null,"group":null}

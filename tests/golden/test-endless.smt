@@ -17,21 +17,19 @@ G == 20 {
     @assert open
     @stop
 }
--- stdout --
-state script ran for 2 steps
-0 asserts passed
-final state vector:
-  G = 10
-  S = 1
-  T = 10
-  open = true
 -- stderr --
 a.ss:5:13: warning: this assert was never judged [W0750 unjudged-assert]
     5 |     @assert open
-      |             ^~~~
+      |             ^~~~ its condition was never true
 a.ss:6:5: error: the script did not reach @stop within 2 steps [E0751]
     6 |     @stop
       |     ^~~~~
+a.ss:6:5: note: this condition was evaluated in every step and was never true
+note: the last steps, and the values after each:
+      step   G  state
+         1   0  Idle
+         2  10  Idle
+note: the machine has been in state 'Idle' from the start
 1 error, 1 warning
 -- exit --
 1

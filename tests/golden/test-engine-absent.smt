@@ -28,6 +28,7 @@ U32 S
 [options]
 delta_t 1
 [all_states]
+G == 0: @assert S == 1
 G == 1: @stop
 -- stdout --
 1 passed, 0 failed, 1 skipped

@@ -15,18 +15,16 @@ delta_t 10
 [all_states]
 G == 20: @assert not open
 G == 30: @stop
--- stdout --
-state script ran for 3 steps
-0 asserts passed
-final state vector:
-  G = 20
-  S = 1
-  T = 20
-  open = true
 -- stderr --
 bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]
     4 | G == 20: @assert not open
       |                  ^~~~~~~~ open = true
+note: the last steps, and the values after each:
+      step   G  state  open
+         1   0  Idle   true
+         2  10  Idle   true
+         3  20  Idle   true
+note: the machine has been in state 'Idle' from the start
 1 error
 -- exit --
 1

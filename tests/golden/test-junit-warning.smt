@@ -37,6 +37,10 @@ note: perhaps meant: not (open == (x &#60; 1))
 bad.ss:4:15: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]
     4 | true: @assert not open == (x &#60; 1)
       |               ^~~~~~~~~~~~~~~~~~~ open = true, not open = 0, x = 0, x &#60; 1 = 1
+note: the step, and the values after it:
+      step  G  state  open  x
+         1  0  Idle   true  0
+note: the machine has been in state 'Idle' from the start
 1 error, 1 warning
 </failure>
     </testcase>
@@ -50,6 +54,10 @@ bad.ss:4:15: error: assert does not hold after step 1 (G = 0, state Idle) [E0750
   </testsuite>
 </testsuites>
 -- stderr --
+good.ss:4:10: warning: the script has no @assert: it tests only that @stop is reached [W0751 script-without-assert]
+    4 | G == 30: @stop
+      |          ^~~~~
+1 warning
 smc: --tap and --junit cannot both write to standard output
 Try 'smc test --help'.
 smc: --trace and --junit cannot both write to standard output

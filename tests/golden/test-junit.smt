@@ -70,6 +70,12 @@ G == 30: @stop
       <failure message="bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]" type="E0750">bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]
     4 | G == 20: @assert not open
       |                  ^~~~~~~~ open = true
+note: the last steps, and the values after each:
+      step   G  state  open
+         1   0  Idle   true
+         2  10  Idle   true
+         3  20  Idle   true
+note: the machine has been in state 'Idle' from the start
 1 error
 </failure>
     </testcase>

@@ -32,21 +32,14 @@ final state vector:
   S = 1
   T = 20
   open = true
-state script ran for 3 steps
-0 asserts passed
-final state vector:
-  G = 20
-  S = 1
-  T = 20
-  open = true
 -- stderr --
 a.ss:4:18: warning: this assert was never judged [W0750 unjudged-assert]
     4 | G == 15: @assert open
-      |                  ^~~~
+      |                  ^~~~ its condition was never true
 1 warning
 a.ss:4:18: error: this assert was never judged [W0750 unjudged-assert]
     4 | G == 15: @assert open
-      |                  ^~~~
+      |                  ^~~~ its condition was never true
 1 error
 -- exit --
 0 0 1

@@ -19,7 +19,7 @@ x == 0 {
     x = x + 1
     @assert seen == 2 and x == 10
 }
-x == 0: @assert false   #! W0750
+x == 0: @assert false
 x == 2: @assert seen == 2
 x == 10: @assert seen == 10
 G == 3: @stop

@@ -18,7 +18,7 @@ init_state First
 [options]
 init_state Second
 [First]
-true: @assert false     #! W0750
+true: @assert false
 [all_states]
 x == 0 and k == 7: @assert x == 9
 true: @stop

@@ -10,4 +10,7 @@ U32 S
 [options]
 delta_t 10
 [all_states]
-G == 40: @stop
+G == 40 {
+    @assert S == 1
+    @stop
+}
