@@ -101,6 +101,13 @@ UNIT_LINES = $(foreach u,$(UNIT),"$(notdir $(u)): $(u)")
 check: all $(UNIT)
 	@printf '%s\n' $(UNIT_LINES) $(CHECK_LINES) $(OTHERS_LINES) | sh tests/run.sh
 
+# `make list-tests`: those lines; `make mutants` finds by their names what has to notice a fault.
+list-tests:
+	@printf '%s\n' $(UNIT_LINES) $(CHECK_LINES) $(OTHERS_LINES)
+.PHONY: list-tests
+
+CHECK_LINES += "runner: sh tests/check/runner.sh"
+
 # `make test T=folder-or-file` runs some conformance cases.
 T ?= conformance
 test: all
@@ -515,8 +522,13 @@ CHECK_LINES += "auth: $(B)/store/auth $(STORE_SMB)"
 link-trouble: $(B)/store/agent $(STORE_SMB)
 	$(B)/store/agent $(STORE_SMB) $(or $(N),100000) $(or $(SEED),1)
 $(B)/fuzz/link $(B)/fuzz-cov/link: $(BOARD_SRC)
-check: $(B)/fuzz/link
-CHECK_LINES += "fuzz-link: $(B)/fuzz/link -n 20000 tests/fuzz/seeds/link/*"
+LINK_SEEDS = $(B)/corpus/link/slots-1 $(B)/corpus/link/slots-2
+$(LINK_SEEDS): $(B)/corpus/link/slots-%: tests/fuzz/link_seed.sh $(B)/store/old.smb
+	@mkdir -p $(@D)
+	@sh tests/fuzz/link_seed.sh $* $(B)/store/old.smb >$@.new && mv $@.new $@
+$(B)/fuzz-cov/link: | $(LINK_SEEDS)
+check: $(B)/fuzz/link $(LINK_SEEDS)
+CHECK_LINES += "fuzz-link: $(B)/fuzz/link -n 20000 $(LINK_SEEDS)"
 .PHONY: link-trouble
 
 # tests/device: smc flash and smc device, and a board that is a program.  `make device-trouble N=1000 SEED=2`: more of it.

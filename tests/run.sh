@@ -4,7 +4,15 @@
 # processors, or as JOBS says.  Commands that call make themselves have a '+' before their name: they run one after another, beside
 # the rest.  A command ends with a line "N passed, N failed" or "N passed, N failed, N skipped", anything before it on that line
 # ignored.  Exit 1 if anything failed, or with STRICT=1 if anything was skipped.
+#
+# A command fails as well if
+#   1. it ran no test and skipped none,
+#   2. it skipped nothing and passed fewer tests than floors.txt demands of its name,
+#   3. it does not end within LIMIT seconds.
 passed=0 failed=0 skipped=0 told=0
+floors=${FLOORS:-$(dirname "$0")/floors.txt}
+limit=
+timeout --foreground 1 true 2>/dev/null && limit="timeout --foreground -k 10 ${LIMIT:-3600}"      # in this group, so that Ctrl-C ends it too
 unset MAKEFLAGS MFLAGS MAKELEVEL      # a make among the commands is a make of its own
 jobs=${JOBS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)}
 work=$(mktemp -d "${TMPDIR:-/tmp}/smc-test.XXXXXX") || exit 1
@@ -18,7 +26,7 @@ mkfifo "$work/ended" && exec 3<>"$work/ended" || exit 1
 # run NUMBER LINE: leaves what the command said, and its exit code and seconds
 run() {
     began=$(date +%s)
-    sh -c "${2#*: }" >"$work/$1.out" 2>&1 </dev/null 3>&-
+    $limit sh -c "${2#*: }" >"$work/$1.out" 2>&1 </dev/null 3>&-
     echo "$? $(($(date +%s) - began))" >"$work/$1.code"
     echo "$1" >&3
 }
@@ -33,6 +41,9 @@ take() {
     done <"$work/lines"
 }
 
+# floor_of NAME: how many tests a command of that name must run at least
+floor_of() { sed -n "s/^$1  *\([0-9][0-9]*\)$/\1/p" "$floors" | tail -n 1 | grep . || echo 1; }
+
 # tell NUMBER: says how that line ended
 tell() {
     out=$work/$1.out name=$(sed -n "$1s/^+\{0,1\}\([^:]*\):.*/\1/p" "$work/lines")
@@ -43,6 +54,14 @@ tell() {
     s=$(printf '%s\n' "$last" | sed -n 's/.* failed, \([0-9][0-9]*\) skipped.*/\1/p')
     if [ -z "$p" ] || { [ "$code" -ne 0 ] && [ "${f:-0}" -eq 0 ]; }; then
         echo "$name: ended with exit code $code${p:+, with nothing failed}" >>"$out"
+        failed=$((failed + 1))
+        code=1
+    elif [ $((p + f + ${s:-0})) -eq 0 ]; then
+        echo "$name: no test was run" >>"$out"
+        failed=$((failed + 1))
+        code=1
+    elif [ "${s:-0}" -eq 0 ] && [ "$((p + f))" -lt "$(floor_of "$name")" ]; then
+        echo "$name: $((p + f)) tests were run; $floors demands at least $(floor_of "$name")" >>"$out"
         failed=$((failed + 1))
         code=1
     fi

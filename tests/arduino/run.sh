@@ -106,7 +106,8 @@ else
     skip "no riscv64-unknown-elf-gcc with picolibc here (apt-get install gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf)"
 fi
 printf '#include "tank.h"\n#include <smc.h>\n' >"$dir/order.c"
-check "the machine before the library is refused" sh -c "! $CC -I$src -I$examples/TankImage -fsyntax-only $dir/order.c"
+check "the machine before the library is refused" sh -c "! $CC -I$src -I$examples/TankImage -fsyntax-only $dir/order.c 2>'$dir/order.txt' &&
+    grep -q 'include <smc.h> before the header of a machine' '$dir/order.txt'"
 # Where the chip has a fused multiply-add, gnu11 would use it, and the Arduino tools take no options.
 fused() { arm-none-eabi-gcc -std=gnu11 -O2 -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard "$@" -I"$src" -S "$dir/fused.c" -o - | grep -c vfma; }
 printf 'double plain(double a, double b, double c) { return a * b + c; }\n#include "stdlib/f64.h"\nSmF64 f(SmF64 a, SmF64 b, SmF64 c) { return sm_add(sm_mul(a, b), c); }\n' >"$dir/fused.c"

@@ -559,5 +559,5 @@ int main(int argc, char **argv)
     check_rows(&of_flash, CYCLES_FLASH);
     check_rows(&of_eeprom, CYCLES_EEPROM);
     printf("cycles: %u passed, %u failed\n", passed, failed);
-    return failed != 0;
+    return failed != 0 || passed == 0;
 }

@@ -216,5 +216,5 @@ int main(int argc, char **argv)
         } else
             printf("%s: %lu steps, %lu cycles on average, %lu at most\n", argv[i], steps, (unsigned long)(b.sum / steps), (unsigned long)b.most);
     }
-    return failed != 0;
+    return failed != 0 || argc < 4;
 }

@@ -153,5 +153,5 @@ int main(int argc, char **argv)
         for (uint32_t n = 11; n <= 20; n += 9)
             print_cycles(&p, type[t].type, type[t].name, n);
     printf("%lu passed, %lu failed\n", passed, failed);
-    return failed != 0;
+    return failed != 0 || passed == 0;
 }

@@ -157,6 +157,6 @@ int main(int argc, char **argv)
     }
     if (argc == 4)
         check_short(&s, strtoull(argv[3], NULL, 10));
-    printf("%lu passed, %lu failed\n", done - wrong, wrong);
-    return wrong != 0;
+    printf("%lu operands tried, %lu wrong\n", done, wrong);
+    return wrong != 0 || done == 0;
 }

@@ -302,5 +302,5 @@ int main(int argc, char **argv)
         test(&p, argv[i], strtoul(argv[2], NULL, 10));
     printf("%u bytes of stack\n", sim_deepest(&p.sim, p.box->free));
     printf("%lu passed, %lu failed, %lu skipped\n", passed, failed, skipped);
-    return failed != 0;
+    return failed != 0 || passed <= skipped;              // most of the images must have room
 }

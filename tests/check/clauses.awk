@@ -14,7 +14,6 @@ function complain(text) {
 function found(number, where) {
     if (number in clause) {
         evidence[number]++
-        shown[number + 0 >= 10 ? "10" : "1"]++
     } else
         complain(where ": there is no clause " number)
 }
@@ -80,8 +79,8 @@ FILENAME == "-" && /\.c$/   { read_c($0) }
 
 END {
     for (i = 1; i <= count; i++)
-        if (!evidence[order[i]] && (order[i] !~ /^10\./ || shown["10"]))      # chapter 10 once it has cases
+        if (!evidence[order[i]])
             complain("clause " order[i] " has no case")
-    printf "%d passed, %d failed\n", count, failed
-    exit (failed > 0)
+    printf "%d passed, %d failed\n", count, failed + (count == 0)
+    exit (failed > 0 || count == 0)
 }

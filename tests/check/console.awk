@@ -38,4 +38,11 @@ function run(    text) {
 
 /^\$ / { run(); command = substr($0, 3); wanted = 0; next }
 { want[++wanted] = $0 }
-END { run(); exit bad + 0 }
+END {
+    run()
+    if (command == "") {
+        print "there is no command in it"
+        bad = 1
+    }
+    exit bad + 0
+}

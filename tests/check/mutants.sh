@@ -4,7 +4,10 @@
 #   mutants.sh LIST FOLDER [WHICH…]    FOLDER holds a copy of the tree and its build; WHICH: a clause as 5.7, a chapter as 5, an
 #                                      engine, lines of the list as 100-220 or 100-: a run in pieces
 #   mutants.sh --places LIST…          only whether each has its place still
-# Ends with "N passed, N failed": a mutant passes when each of its engines notices.  CFLAGS: what the copy is built with.
+# Ends with "N passed, N failed": a mutant passes when each of its engines notices it.  CFLAGS: what the copy is built with.
+#
+# An engine notices a mutant when its tests have been built with the fault, have run, and have failed.  Tests that cannot be built, or that do
+# not end within LIMIT seconds, have shown nothing: then the mutant is not noticed.
 here=tests/check
 passed=0 failed=0
 places() { awk -f $here/mutants.awk "$1" $(find stdlib compiler bytecode-vm runtime-c -name '*.[chS]' -o -name '*.def'); }
@@ -22,6 +25,8 @@ fi
 
 list=$1 folder=$2
 shift 2
+LIMIT=${LIMIT:-200}
+command -v timeout >/dev/null || { echo "mutants.sh needs timeout (coreutils): 0 passed, 1 failed"; exit 1; }
 mkdir -p "$folder/tree" "$folder/build" || exit 1
 folder=$(cd "$folder" && pwd)
 tree=$folder/tree build=$folder/build
@@ -35,45 +40,69 @@ done
 
 # ---- what must notice ----
 
-targets_of() {      # ENGINES
-    echo all
-    case " $1 " in *' host '*) echo "$build/clauses/steps $build/clauses/memory $build/clauses/regions $build/clauses/probe.smb" ;; esac
-    case " $1 " in *' golden '*) echo "$build/golden" ;; esac
-    case " $1 " in *' diff '*) echo "$build/diff/difftest $build/unit/vm_select" ;; esac
-    case " $1 " in *' soft '*) echo "$build/soft/run" ;; esac
-    case " $1 " in *' store '*) echo "$build/store/cuts $build/store/agent $build/store/auth $build/unit/vm_auth $build/store/old.smb $build/store/new.smb" ;; esac
+# What has to be built for an engine: targets of the Makefile, and the folders that its command expects.
+targets_of() {      # ENGINE
+    case $1 in
+    host) echo "$build/clauses/steps $build/clauses/memory $build/clauses/regions $build/clauses/probe.smb" ;;
+    diff) echo "$build/diff/difftest $build/unit/vm_select" ;;
+    soft) echo "$build/soft/run" ;;
+    store) echo "$build/store/cuts $build/store/agent $build/store/auth $build/unit/vm_auth $build/store/old.smb $build/store/new.smb" ;;
+    ref | vm | c) ;;
+    *) command_of "$1" | tr ' ' '\n' | grep "^$build/.*/" ;;
+    esac
 }
-compile() { ( cd "$tree" && make -s B="$build" CFLAGS="${CFLAGS:--O0}" WARN=-w $(targets_of "$1") ) >"$build.log" 2>&1; }
+compile() { ( cd "$tree" && make -s B="$build" CFLAGS="${CFLAGS:--O0}" WARN=-w "$@" ) >"$build.log" 2>&1; }
+
+# The command of a line of `make check`.
+command_of() { sed -n "s/^+\{0,1\}$1: //p" "$build.lines"; }
 
 # The files of conformance/ whose spec line names one of the clauses.
 cases_of() {
     pattern=$(printf '%s' "$1" | sed 's/\./\\./g; s/  */|/g')
-    grep -rElZ --include='*.smt' "^spec ([0-9.]+, *)*($pattern)(,|  )" conformance | tr '\0' '\n'
+    grep -rElZ --include='*.smt' "^spec ([0-9.]+, *)*($pattern)(,|  )" conformance | tr '\0' ' '
 }
 
-random() { "$build/diff/difftest" --first --no-reduce --out="$build/diff/out" "$@"; }
-
-# True if ENGINE does not notice; CLAUSES say which cases it is shown.
-survives() {
-    cd "$tree" && ulimit -t 100 || exit
+# The command that runs the tests of an engine; it is run in the tree.
+tests_of() {        # CLAUSES ENGINE
+    random="$build/diff/difftest --first --no-reduce --out=$build/diff/out"
     case $2 in
-    host) "$build/clauses/steps" && "$build/clauses/memory" "$build/clauses/probe.smb" && "$build/clauses/regions" ;;
-    golden) "$build/golden" "$build/smc" tests/golden/column-is-a-byte.smt ;;
+    host) echo "$build/clauses/steps && $build/clauses/memory $build/clauses/probe.smb && $build/clauses/regions" ;;
     diff)           # IR as images, random programs on the VM, alone against what analyses say of them, in emitted C, and all cases
-        "$build/unit/vm_select" && random --count=2000 --no-floors && random --sound --steps=1000 --count=1500 --no-floors &&
-            random --count=400 --seed=7000 --cc="${CC:-cc} -std=c99 -O0" && sh tests/emitc/run.sh "$build/smc" readings &&
-            "$build/smc" test -O0 conformance && CC="${CC:-cc} -O0" "$build/smc" test --engine=vm,c-soft conformance ;;
-    soft) "$build/soft/run" ;;
+        echo "$build/unit/vm_select && $random --count=2000 --no-floors && $random --sound --steps=1000 --count=1500 --no-floors &&
+            $random --count=400 --seed=7000 --cc='${CC:-cc} -std=c99 -O0' && sh tests/emitc/run.sh $build/smc readings &&
+            $build/smc test -O0 conformance && CC='${CC:-cc} -O0' $build/smc test --engine=vm,c-soft conformance" ;;
+    soft) echo "$build/soft/run" ;;
     store)
-        set -- "$build/store/old.smb" "$build/store/new.smb"
-        "$build/store/cuts" "$@" && "$build/store/agent" "$@" && "$build/store/auth" "$@" && "$build/unit/vm_auth" ;;
-    *) "$build/smc" test --engine="$2" $(cases_of "$1") ;;
-    esac >"$build.out" 2>&1
+        images="$build/store/old.smb $build/store/new.smb"
+        echo "$build/store/cuts $images && $build/store/agent $images && $build/store/auth $images && $build/unit/vm_auth" ;;
+    ref | vm | c) echo "$build/smc test --engine=$2 $(cases_of "$1")" ;;
+    *) command_of "$2" ;;
+    esac
 }
 
-silent() {          # CLAUSES ENGINES: those of them that do not notice
-    for engine in $2; do
-        (survives "$1" "$engine") && printf ' %s' "$engine"
+# Runs the tests of an engine on what has been built; prints what kept them from noticing, nothing if they noticed.
+shows_nothing() {   # CLAUSES ENGINE
+    # shellcheck disable=SC2046
+    compile all $(targets_of "$2") || { echo "$2 (its tests cannot be built)"; return; }
+    tests=$(tests_of "$1" "$2")
+    [ -n "$tests" ] || { echo "$2 (there is no such engine)"; return; }
+    ( cd "$tree" && timeout -k 5 "$LIMIT" sh -c "$tests" ) </dev/null >"$build.out" 2>&1
+    case $? in
+    0) echo "$2" ;;
+    124 | 137) echo "$2 (its tests did not end)" ;;
+    esac
+}
+
+# Prints the engines that do not notice; of several that are joined by '/' it takes one to notice.
+silent() {          # CLAUSES ENGINES
+    for engines in $2; do
+        unnoticed=
+        for engine in $(echo "$engines" | tr / ' '); do
+            quiet=$(shows_nothing "$1" "$engine")
+            [ -n "$quiet" ] || { echo "$engine" >"$build.by"; unnoticed=; break; }
+            unnoticed="$unnoticed $quiet"
+        done
+        printf '%s' "$unnoticed"
     done
 }
 
@@ -97,29 +126,32 @@ judge() {           # LINE CLAUSES ENGINES FILE: says what came of it, true if i
     [ -n "$4" ] || { echo "its place is not there exactly once"; return 1; }
     echo "$4" >"$build.broken"
     awk -v number="$1" -f $here/mutants.awk "$list" "$4" >"$tree/$4"
-    if compile "$3"; then
+    rm -f "$build.by"
+    if compile all; then
         bad=$(silent "$2" "$3")
-    elif compile ''; then
-        bad=                                      # the tests cannot be made with it
     else
         bad=" anything: it does not compile"
         sed 's/^/    /' "$build.log" | head -n 8
     fi
     cp "$4" "$tree/$4"
-    echo "${bad:+NOT }noticed${bad:+ by}$bad"
+    [ -n "$bad" ] || by=$(cat "$build.by")
+    echo "${bad:+NOT }noticed by${bad:- $by}"
     [ -z "$bad" ]
 }
 
+compile all || { tail "$build.log"; echo "the tree does not build: 0 passed, 1 failed"; exit 1; }
+( cd "$tree" && make -s B="$build" list-tests ) >"$build.lines" || exit 1
+mkdir -p "$build/device" "$build/log"
 places "$list" | while IFS='|' read -r number clauses engines file; do
     wanted "$number" "$clauses" "$engines" "$*" && echo "$number|$clauses|$engines|$file"
 done >"$build.list"
 
-# Without any fault nobody must notice; what has been found so of these sources is kept.
-for engine in $(cut -d '|' -f 3 "$build.list" | tr ' ' '\n' | sort -u); do
-    clauses=$(awk -F '|' -v e="$engine" 'index(" " $3 " ", " " e " ") { print $2 }' "$build.list" | tr ' ' '\n' | sort -u | tr '\n' ' ')
+# Without any fault no engine must notice anything; where that was seen of these sources it is not tried again.
+for engine in $(cut -d '|' -f 3 "$build.list" | tr ' /' '\n\n' | sort -u); do
+    clauses=$(awk -F '|' -v e="$engine" '{ gsub("/", " ", $3) } index(" " $3 " ", " " e " ") { print $2 }' "$build.list" | tr ' ' '\n' | sort -u | tr '\n' ' ')
     sound=$build.sound-$engine-$(printf '%s' "$clauses" | cksum | tr ' ' -)
     [ -f "$sound" ] && [ -z "$(find $parts -type f -newer "$sound" | head -n 1)" ] && continue
-    compile "$engine" && (survives "${clauses% }" "$engine") || { tail "$build.log" "$build.out"; echo "without any fault: 0 passed, 1 failed"; exit 1; }
+    [ "$(shows_nothing "${clauses% }" "$engine")" = "$engine" ] || { tail "$build.log" "$build.out"; echo "$engine fails without any fault: 0 passed, 1 failed"; exit 1; }
     touch "$sound"
 done
 while IFS='|' read -r number clauses engines file; do
@@ -131,5 +163,6 @@ if [ $# -eq 0 ] && cut -d '|' -f 2 "$build.list" | grep -q .; then
         grep -Eq "^[0-9]+\|([0-9. ]+ )?$(printf '%s' "$clause" | sed 's/\./\\./')( |\|)" "$build.list" || echo "clause $clause has no mutant"
     done
 fi
+[ $((passed + failed)) -gt 0 ] || { echo "no mutant was tried"; failed=1; }
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

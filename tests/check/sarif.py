@@ -24,12 +24,17 @@ def wrong(document, validator):
 
 schema = json.load(open(sys.argv[1]))
 validator = jsonschema.validators.validator_for(schema)(schema)
-passed = failed = 0
+passed = failed = results = 0
 for name in sys.argv[2:]:
-    complaints = wrong(json.load(open(name)), validator)
+    document = json.load(open(name))
+    results += sum(len(run["results"]) for run in document["runs"])
+    complaints = wrong(document, validator)
     passed += not complaints
     failed += bool(complaints)
     for complaint in complaints:
         print(name + ": " + complaint[:300])
+if results < passed:
+    print("%d documents have only %d results" % (passed, results))
+    failed += 1
 print("%d passed, %d failed" % (passed, failed))
 sys.exit(failed > 0)

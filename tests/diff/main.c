@@ -318,7 +318,7 @@ static void add_up(Tally *sum, const Tally *t)
 static bool share(const Options *o, const Tally *t, const char *what, uint64_t n, unsigned floor)
 {
     const double percent = t->programs != 0 ? 100.0 * (double)n / (double)t->programs : 0;
-    const bool low = o->floors && t->programs >= 1000 && percent < floor;
+    const bool low = o->floors && t->programs >= 300 && percent < floor;
     printf("  %-34s %5.1f %%  (at least %u %%)%s\n", what, percent, floor, low ? "  TOO FEW" : "");
     return !low;
 }

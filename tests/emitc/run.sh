@@ -194,6 +194,7 @@ flags() {
             skipped=$((skipped + 1))
             continue
         fi
+        before=$((passed + failed))
         while read -r want options; do
             case $want in
             '#' | '') continue ;;
@@ -208,6 +209,7 @@ flags() {
             esac
             try_flags "$want" "$options" $compiler
         done <"$here/flags.txt"
+        if [ $((passed + failed - before)) -ge 20 ]; then pass; else fail "$compiler knows only $((passed + failed - before)) of the options of flags.txt"; fi
     done
     if present tcc; then
         try_flags same "" tcc

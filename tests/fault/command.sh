@@ -95,6 +95,21 @@ clean_outputs() {
 
 run() { (cd "$dir/at" && eval "$1 \"\$smc\" $command" >"$dir/out" 2>"$dir/err" <tank.sm); }
 
+# Faults that were put in, by kind: "KIND NUMBER" a line for each command.
+met=$dir/met
+
+# at_least NUMBER KIND: so many of them were put in, in all commands together; a call that the command does not make any more,
+# or that does not come by the shim, would take its cases along without a word.
+at_least() {
+    n=$(awk -v kind="$2" '$1 == kind { n += $2 } END { print n + 0 }' "$met")
+    if [ "$n" -ge "$1" ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "only $n calls of the kind $2 were made to fail; there should be at least $1"
+    fi
+}
+
 # try OUTPUTS COMMAND…: the command with every kind of fault, at every call
 try() {
     outputs=$1
@@ -123,6 +138,13 @@ try() {
             judge $code && passed=$((passed + 1))
             n=$((n + 1))
         done
+        echo "$kind $((n - 1))" >>"$met"
+    done
+    # Each output is made under another name, brought to the disk, and then renamed: its own three calls at least.
+    for kind in fsync rename mkstemp; do
+        files=$(for name in $outputs; do case $name in *.trace) ;; *) echo "$name" ;; esac; done | wc -l)
+        [ "$(grep "^$kind " "$met" | tail -n 1 | cut -d ' ' -f 2)" -ge "$files" ] && continue
+        fault=$kind complain "not each of $outputs is written with that call"
     done
 }
 
@@ -146,5 +168,11 @@ try "" --help
 over=yes
 try "out.smb out.d" build tank.sm -o out.smb -MD -MF out.d
 try "out.c out.h" build tank.sm --emit=c -o out.c
+if [ -z "$CASE" ]; then
+    for floor in 80:memory 12:open 24:read 14:write 14:half-write 20:close 9:fsync 9:fchmod 9:rename 9:mkstemp 1:mkdtemp 1:opendir 3:spawn \
+        1:socketpair 5:send 5:recv; do
+        at_least "${floor%:*}" "${floor#*:}"
+    done
+fi
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]

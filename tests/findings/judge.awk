@@ -47,6 +47,10 @@ FILENAME ~ /\.sm$/ {
 }
 
 END {
+    if (machine ~ /\/faulty\// && !marks) {
+        print "no fault is marked in it"
+        bad++
+    }
     for (i = 1; i <= marks; i++) {
         name = mark[i]
         anywhere = name == "ping-pong" || name == "two-writers" || name == "cascade" || name == "unused-window"

@@ -186,6 +186,9 @@ static void try_app(Session *s, const Source *src)
         emit_app(s, a);
 }
 
+unsigned long fuzz_reached;           // texts without a mistake
+const unsigned fuzz_floor = 2;
+
 static void try_check(Session *s, const Source *src, FileKind kind)
 {
     MachineInput machine = {src, NULL, NULL, 0};
@@ -202,6 +205,7 @@ static void try_check(Session *s, const Source *src, FileKind kind)
         machine.sm = source_new(&s->arena, "tested.sm", tested, sizeof tested - 1);
         session_script(s, src, session_program(s, &machine));
     }
+    fuzz_reached += s->diags.errors == 0;
     check_diags(s);
 }
 

@@ -68,6 +68,9 @@ static void check_sound(Session *s, IrMachine *m)
     FUZZ_CHECK(m && ir_verify(&s->arena, m) == NULL);
 }
 
+unsigned long fuzz_reached;           // texts that are IR
+const unsigned fuzz_floor = 4;
+
 static void check(Session *s, const char *text, size_t n)
 {
     IrMachine *m, *again;
@@ -75,6 +78,7 @@ static void check(Session *s, const char *text, size_t n)
 
     if (!(m = read(&s->arena, &s->strings, text, n)) || ir_verify(&s->arena, m))
         return;
+    fuzz_reached++;
     once = print(&s->arena, m);
     again = read(&s->arena, &s->strings, once, strlen(once));
     FUZZ_CHECK(again && strcmp(print(&s->arena, again), once) == 0);

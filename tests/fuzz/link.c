@@ -19,6 +19,9 @@ static void answer_is_sound(const Board *b, uint16_t n)
     FUZZ_CHECK(whole && (in.buffer[1] & LINK_ANSWER) != 0 && in.n > LINK_HEAD);
 }
 
+unsigned long fuzz_reached;           // inputs that bring an image onto the board, which runs after a start
+const unsigned fuzz_floor = 10;
+
 static void give(Board *b, const uint8_t *bytes, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
@@ -30,21 +33,31 @@ static void give(Board *b, const uint8_t *bytes, size_t n)
     }
 }
 
-// The first byte says how long it is, the second what it asks for.
-static size_t give_frame(Board *b, const uint8_t *data, size_t size)
+// A number of link.def is that message.  Of the others those below 128 are one of them each, the rest are no message.
+static uint8_t message_of(uint8_t byte)
 {
     static const uint8_t messages[] = {
 #define LINK_MESSAGE(name, number, request, answer) number,
 #include "runtime-c/link/link.def"
 #undef LINK_MESSAGE
     };
+
+    for (size_t i = 0; i < sizeof messages; i++)
+        if (messages[i] == byte)
+            return byte;
+    return byte & 0x80 ? byte : messages[byte % sizeof messages];
+}
+
+// The first byte is the length of its body, the second what it asks for (message_of).
+static size_t give_frame(Board *b, const uint8_t *data, size_t size)
+{
     uint8_t frame[LINK_ROOM(BOARD_BODY) + 1] = {0};
     const size_t n = data[0] % (BOARD_BODY + 1u);
 
     if (size < n + 2)
         return size;
     frame[1] = (uint8_t)size;
-    frame[2] = data[1] & 0x80 ? data[1] : messages[data[1] % sizeof messages];
+    frame[2] = message_of(data[1]);
     memcpy(frame + 3, data + 2, n);
     give(b, frame, sm_link_frame(frame, (uint16_t)(LINK_HEAD + n)));
     return n + 2;
@@ -60,6 +73,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (size_t at = 1; at + 1 < size;)
         at += give_frame(&b, data + at, size - at);
     FUZZ_CHECK(board_start(&b));
+    fuzz_reached += b.slot != STORE_BUILT_IN;
     FUZZ_CHECK(b.slot == STORE_BUILT_IN || smvm_store_state(&b.store, b.slot) != STORE_EMPTY);
     return 0;
 }

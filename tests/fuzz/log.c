@@ -29,9 +29,13 @@ static void show(Flight *f, Buf *out)
     }
 }
 
-static void read_and_show(const uint8_t *data, size_t size)
+unsigned long fuzz_reached;           // logs in which a session was found
+const unsigned fuzz_floor = 50;
+
+static bool read_and_show(const uint8_t *data, size_t size)
 {
     static jmp_buf oom;
+    volatile bool found = false;
     Arena arena;
     Flight f;
     Buf out;
@@ -44,8 +48,10 @@ static void read_and_show(const uint8_t *data, size_t size)
         f.log = log_read(&arena, data, (uint32_t)size);
         buf_init(&out, &arena);
         show(&f, &out);
+        found = f.log->session.n > 0;
     }
     arena_free(&arena);
+    return found;
 }
 
 // One after another, the other blocks as if they were of the last description.
@@ -78,7 +84,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     copy = malloc(size + 1);
     memcpy(copy, data, size);
     put_right(copy, size);
-    read_and_show(copy, size);
+    fuzz_reached += read_and_show(copy, size);
     free(copy);
     return 0;
 }

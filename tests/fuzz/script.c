@@ -49,6 +49,9 @@ static size_t open_engines(Session *s, const Program *p, Engine **engine)
     return n;
 }
 
+unsigned long fuzz_reached;           // cases that compile and run
+const unsigned fuzz_floor = 15;
+
 static void run_script(Session *s, const TestFile *f)
 {
     const Source *ss = source_of(s, find_part(f, ".ss"));
@@ -68,6 +71,7 @@ static void run_script(Session *s, const TestFile *f)
         script_written_names(ast, &written);
     if (!in.sm || (p = session_program(s, &in)) == NULL || !ss || (script = session_script(s, ss, p)) == NULL)
         return;
+    fuzz_reached++;
     r = script_run(&s->arena, &s->diags, script, engine, open_engines(s, p, engine), &o);
     if (r.difference)
         fprintf(stderr, "%s\n", r.difference);

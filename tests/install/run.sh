@@ -9,6 +9,17 @@ dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 inst=$dir/inst/usr
 
+# Whether make says that something is to be made again: 1, where 2 would be a mistake.
+stale() { "$make" -q "$@"; test $? -eq 1; }
+# stops TEXT ARGUMENT...: make ends with a mistake, and the text is in what it says.
+stops()
+{
+    text=$1
+    shift
+    "$make" -s "$@" >"$dir/stops" 2>&1
+    test $? -eq 2 && grep -q "$text" "$dir/stops"
+}
+
 check "make install" "$make" -s B="$build" CC="$cc" DESTDIR="$dir/inst" PREFIX=/usr install
 check "the command runs" "$inst/bin/smc" --version
 
@@ -28,10 +39,10 @@ check "its image is sound" "$inst/bin/smc" verify tank.smb
 check "nothing is built twice" "$make" -q CC="$cc"
 sleep 1
 touch tank.sm
-check "a changed source is noticed" sh -c "! $make -q CC='$cc'"
+check "a changed source is noticed" stale CC="$cc"
 check "and built again" "$make" -s CC="$cc"
 printf 'nonsense\n' >broken.sm
-check "a broken source stops make" sh -c "! $make -s SMC='$inst/bin/smc' broken.smb"
+check "a broken source stops make" stops '^broken.sm:1:1: error' SMC="$inst/bin/smc" broken.smb
 check "and leaves no output" test ! -e broken.smb
 cat >flags.mk <<EOF
 SMC      = $inst/bin/smc
@@ -43,7 +54,7 @@ printf '[state_vector]\nU64 G\nU32 S\nbool open\n[Idle]\n.step\n    open = true\
 sees_flags()
 {
     "$make" -s -f flags.mk valve.c valve.smb && "$make" -q -f flags.mk valve.c valve.smb && sleep 1 && touch tank.sv &&
-        ! "$make" -q -f flags.mk valve.c && ! "$make" -q -f flags.mk valve.h && ! "$make" -q -f flags.mk valve.smb
+        stale -f flags.mk valve.c && stale -f flags.mk valve.h && stale -f flags.mk valve.smb
 }
 check "a state vector that only the options name is noticed, by the C as well" sees_flags
 cat >pins.mk <<EOF
@@ -55,8 +66,8 @@ EOF
 printf '[digital]\no 8 open\n' >tank.io
 sees_pins()
 {
-    "$make" -s -f pins.mk valve.smb && "$make" -q -f pins.mk valve.smb && sleep 1 && touch tank.io && ! "$make" -q -f pins.mk valve.smb &&
-        "$make" -s -f pins.mk valve.smb && sleep 1 && sed -i.old '/SMC_IO/d' pins.mk && ! "$make" -q -f pins.mk valve.smb
+    "$make" -s -f pins.mk valve.smb && "$make" -q -f pins.mk valve.smb && sleep 1 && touch tank.io && stale -f pins.mk valve.smb &&
+        "$make" -s -f pins.mk valve.smb && sleep 1 && sed -i.old '/SMC_IO/d' pins.mk && stale -f pins.mk valve.smb
 }
 check "so are the pins of an image, and where both are named" sees_pins
 check "make flash-NAME sends" sh -c "$make -n -f pins.mk flash-valve PORT=there | grep -q 'smc flash valve.smb --port=there'"
@@ -68,7 +79,7 @@ mkdir -p far/away && cp valve.sm far/away
 sees_far()
 {
     "$make" -s -f flags.mk far/away/valve.c && "$make" -q -f flags.mk far/away/valve.c && sleep 1 && touch tank.sv &&
-        ! "$make" -q -f flags.mk far/away/valve.c && "$make" -s -f flags.mk smc-clean && test ! -e far/away/valve.c -a ! -e far/away/valve.h -a ! -e far/away/valve.sm.d
+        stale -f flags.mk far/away/valve.c && "$make" -s -f flags.mk smc-clean && test ! -e far/away/valve.c -a ! -e far/away/valve.h -a ! -e far/away/valve.sm.d
 }
 check "a machine two folders down is one, too" sees_far
 rm -rf flags.mk pins.mk* one far tank.sv tank.io valve.*
@@ -106,12 +117,12 @@ check "and flies" sh -c "./probe | cmp - expected.txt"
 check "nothing of it is built twice" "$make" -q CC="$cc" CFLAGS=-O1
 sleep 1
 sed 's/"rise.sm"/& @bytecode/' probe.app >new && mv new probe.app
-check "a changed application is noticed" sh -c "! $make -q CC='$cc' CFLAGS=-O1"
+check "a changed application is noticed" stale CC="$cc" CFLAGS=-O1
 check "and built again" "$make" -s CC="$cc" CFLAGS=-O1
 check "and flies on the VM" sh -c "./probe | cmp - expected.txt"
 sleep 1
 echo nonsense >>probe.app
-check "a broken application stops make" sh -c "! $make -s CC='$cc' CFLAGS=-O1"
+check "a broken application stops make" stops '^probe.app:.*error' CC="$cc" CFLAGS=-O1
 check "on Linux it links too" sh -c "sed /nonsense/d probe.app >new && mv new probe.app && $make -s CC='$cc' CFLAGS=-O1 SMC_PLATFORM=linux SMC_OUT=real"
 cd "$dir/project" || exit 1
 
@@ -127,7 +138,7 @@ programs()
 }
 other_flags()
 {
-    ! "$make" -q CC="$cc" CFLAGS="-O1 -DMARK='\"a b\"'" && "$make" -s CC="$cc" CFLAGS="-O1 -DMARK='\"a b\"'" &&
+    stale CC="$cc" CFLAGS="-O1 -DMARK='\"a b\"'" && "$make" -s CC="$cc" CFLAGS="-O1 -DMARK='\"a b\"'" &&
         "$make" -q CC="$cc" CFLAGS="-O1 -DMARK='\"a b\"'"
 }
 check "each platform has its program" programs

@@ -82,20 +82,33 @@ browser=
 for b in chromium chromium-browser google-chrome; do
     command -v $b >/dev/null && { browser=$b; break; }
 done
+drawn() {           # NAME: the picture is a PNG of the page
+    if command -v python3 >/dev/null; then
+        python3 "$here/png.py" "$out/$1.png" 1200 4000
+    else
+        test "$(od -An -tx1 -N24 "$out/$1.png" | tr -d ' \n')" = 89504e470d0a1a0a0000000d49484452000004b000000fa0
+    fi
+}
+# PAGES of a PDF, at least one.
+pages() { grep -ac '/Type /Page$' "$1"; }
+no_more_pages() { test "$(pages "$1")" -ge 1 && test "$(pages "$1")" -le "$2"; }
 shown() {
     timeout 120 "$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,4000 "$2" "file://$1" >/dev/null 2>&1
 }
 if [ -n "$browser" ] && timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom about:blank >/dev/null 2>&1; then
     for name in hostile mission; do
         expect "screenshot $name" shown "$out/$name.html" "--screenshot=$out/$name.png"
-        expect "screenshot of $name is one" test "$(wc -c <"$out/$name.png")" -gt 50000
+        expect "screenshot of $name shows it" drawn "$name"
         expect "print $name" shown "$out/$name.html" "--print-to-pdf=$out/$name.pdf"
         expect "print of $name is one" sh -c "head -c 5 '$out/$name.pdf' | grep -q %PDF-"
     done
     # On paper the diagram stands on the first page, and no section begins a new one: 12 pages without.
-    expect "pages of mission" test "$(grep -ac '/Type /Page$' "$out/mission.pdf")" -le 10
-    # The browser's own tree has the hostile texts as texts: no element came of them.
+    expect "pages of mission" no_more_pages "$out/mission.pdf" 10
+    # The browser's own tree has the page, and the hostile texts as texts: no element came of them.
     timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom "file://$out/hostile.html" >"$out/dom.html" 2>/dev/null
+    expect "the tree is that of the page" grep -q '<h1>hostile</h1>' "$out/dom.html"
+    expect "hostile texts are texts in it" grep -q '&lt;script&gt;alert("head")&lt;/script&gt;' "$out/dom.html"
+    expect "the tree is whole" grep -q '</html>' "$out/dom.html"
     expect "no script in the tree" sh -c "! grep -Ei '<script|<img|onerror=[^ ]*alert[^&]*\"' '$out/dom.html' | grep -v '&lt;'"
 else
     skipped=$((skipped + 1))

@@ -7,7 +7,7 @@ passed=0 failed=0
 command -v "$NM" >/dev/null 2>&1 || { echo "no $NM here: 0 passed, 0 failed, 1 skipped"; exit 0; }
 for object in "$@"; do
     symbols=$("$NM" "$object" | sed 's/.* //')
-    if echo "$symbols" | grep -q '^smvm_' || { case $object in */interp.o | */fast.o) ! echo "$symbols" | grep -q '^sm_soft_mul$' ;; *) false ;; esac; }; then
+    if [ -z "$symbols" ] || echo "$symbols" | grep -q '^smvm_' || { case $object in */interp.o | */fast.o) ! echo "$symbols" | grep -q '^sm_soft_mul$' ;; *) false ;; esac; }; then
         failed=$((failed + 1))
         echo "$object is not of the soft VM"
     else

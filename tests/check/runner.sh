@@ -1,0 +1,34 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# tests/run.sh itself: which commands it counts as passed and which as failed.
+passed=0 failed=0
+dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-runner.XXXXXX") || exit 1
+trap 'rm -rf "$dir"' EXIT
+echo 'counted 10' >"$dir/floors"
+
+# ends WANT TEXT LINE…: the runner ends with exit code WANT on these lines, and prints TEXT
+ends() {
+    want=$1 text=$2
+    shift 2
+    printf '%s\n' "$@" | FLOORS=$dir/floors LIMIT=1 STRICT=0 JOBS=2 sh tests/run.sh >"$dir/out" 2>&1
+    if [ $? -eq "$want" ] && grep -q "$text" "$dir/out"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "runner: not exit $want and '$text' for:" "$@"
+        cat "$dir/out"
+    fi
+}
+
+ends 0 '^3 passed, 0 failed$' 'a: echo a: 1 passed, 0 failed' '+b: echo 2 passed, 0 failed'
+ends 0 '^1 passed, 0 failed, 1 skipped$' 'a: echo 1 passed, 0 failed' 'b: echo 0 passed, 0 failed, 1 skipped'
+ends 1 '^1 passed, 2 failed$' 'a: echo 1 passed, 2 failed; exit 1'
+ends 1 'a: ended with exit code 0' 'a: echo nothing'
+ends 1 'a: ended with exit code 3, with nothing failed' 'a: echo 1 passed, 0 failed; exit 3'
+ends 1 'a: no test was run' 'a: echo 0 passed, 0 failed'
+ends 1 'counted: 9 tests were run; .* at least 10' 'counted: echo 9 passed, 0 failed'
+ends 0 '^10 passed' 'counted: echo 10 passed, 0 failed'
+ends 0 '^9 passed, 0 failed, 1 skipped' 'counted: echo 9 passed, 0 failed, 1 skipped'
+if timeout --foreground 1 true 2>/dev/null; then ends 1 'a: ended with exit code 124' 'a: exec sleep 20'; fi
+echo "runner: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]
