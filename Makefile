@@ -401,9 +401,11 @@ CHECK_LINES += "fault-memory: $(B)/fault/memory $(FAULT_CASES)" "fault-command: 
 HOST_OBJ     = $(patsubst %.c,$(B)/obj/%.o,$(wildcard compiler/base/os_*.c))
 HOST_FOLDER  = rm -rf $(B)/host/$(1).made && mkdir -p $(B)/host/$(1).made &&
 $(B)/host/files: HOST_WRAP = -Wl,--wrap=fsync,--wrap=rename,--wrap=fchmod
-$(B)/host/files $(B)/host/signals: $(B)/host/%: tests/host/%.c $(HOST_OBJ)
+$(B)/host/files $(B)/host/signals $(B)/host/folders: $(B)/host/%: tests/host/%.c $(HOST_OBJ)
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< $(HOST_OBJ) -o $@ $(HOST_WRAP)
+check: $(B)/host/folders
+CHECK_LINES += "host-folders: $(B)/host/folders"
 check: $(B)/host/files $(B)/host/signals $(B)/flight/flight.log
 CHECK_LINES += "host-files: $(call HOST_FOLDER,files) $(B)/host/files $(B)/host/files.made" \
                "host-signals: $(call HOST_FOLDER,signals) $(B)/host/signals $(abspath $(B))/smc $(abspath examples)/tank/tank.sm $(abspath examples)/tank/tank.ss $(abspath $(B))/host/signals.made" \
@@ -652,6 +654,7 @@ $(B)/runtime/%_linux: tests/runtime/%_linux.c $(B)/runtime/linux.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/linux.a $(RUNTIME_LIBS) -pthread -lrt
 $(B)/runtime/%: tests/runtime/%.c $(B)/runtime/sim.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/sim.a $(RUNTIME_LIBS)
+$(B)/runtime/threads: RUNTIME_LIBS = -pthread
 # What logs hold is read by what `smc log` reads them with.
 RUNTIME_READS = $(patsubst %,$(B)/runtime/%,log log_linux log_tsan kill_linux kill_tsan)
 $(RUNTIME_READS): RUNTIME_LIBS = $(B)/libsmc.a

@@ -48,7 +48,7 @@ targets_of() {      # ENGINE
     soft) echo "$build/soft/run" ;;
     store) echo "$build/store/cuts $build/store/agent $build/store/auth $build/unit/vm_auth $build/store/old.smb $build/store/new.smb" ;;
     ref | vm | c) ;;
-    *) command_of "$1" | tr ' ' '\n' | grep "^$build/.*/" ;;
+    *) command_of "$1" | tr ' ' '\n' | sed -n "s|^\($build/[^*]*[^*/]\).*|\1|p" ;;      # of files that a pattern names, their folder
     esac
 }
 compile() { ( cd "$tree" && make -s B="$build" CFLAGS="${CFLAGS:--O0}" WARN=-w "$@" ) >"$build.log" 2>&1; }

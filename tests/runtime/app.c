@@ -19,6 +19,9 @@ static uint64_t value[1];
 static const SmIoPin pin[1] = {{.kind = SM_DIGITAL_IN, .type = SM_BOOL, .pin = 10203}};
 static SmIo pins = {.pin = pin, .pins = 1, .sv = &crew_vector, .handle = handle, .missed = missed, .value = value};
 
+static const SmIoPin no_pin[1] = {{.kind = SM_DIGITAL_IN, .type = SM_TYPE_COUNT, .pin = 7}};
+static SmIo no_pins = {.pin = no_pin, .pins = 1, .sv = &crew_vector, .handle = handle, .missed = missed, .value = value};
+
 static SmResult step(void *context, const SmTick *tick)
 {
     const SmResult r = part_step(context, tick);
@@ -145,6 +148,11 @@ static void test_refused(void)
     task[1].context = &pins;
     app.inputs = &pins;
     CHECK(refused("crew: task 'b' does not start: pin 10203: there is no such device, file or address\n"));
+    start(2);                              // a row that is no pin is not named as one
+    task[1].init = sm_inputs_init;
+    task[1].context = &no_pins;
+    app.inputs = &no_pins;
+    CHECK(refused("crew: task 'b' does not start: an argument is out of its range\n"));
     start(2);
     app.watchdog = 3600 * S;
     CHECK(refused("crew: the watchdog does not start: an argument is out of its range\n"));

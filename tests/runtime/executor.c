@@ -269,6 +269,26 @@ static void test_told(void)
     CHECK(n == 10 && told == e.told_skipped && e.skipped > told && e.skipped - told < 100);
 }
 
+// Overruns that are a second apart, to the nanosecond, are each told.
+static void test_told_each_second(void)
+{
+    SmEvent event;
+    uint64_t n = 0;
+
+    start();
+    e.period = 500 * MS;
+    e.overrun = SM_CATCH_UP;
+    e.most = UINT32_MAX;
+    begin();
+    part[0].takes = S;                                     // from tick 1 on each is an overrun
+    ticks_until(10);
+    while (sm_events_read(&events, &event_cursor, &event, 1, NULL) == 1) {
+        CHECK(event.kind == SM_EVENT_OVERRUN && event.time == n * S + 500 * MS);
+        n++;
+    }
+    CHECK(n == 5 && e.overruns == 9);
+}
+
 // More than an event can tell is told with the next.
 static void test_told_late(void)
 {
@@ -450,6 +470,7 @@ int main(void)
     test_catch_up_most();
     test_first_late();
     test_told();
+    test_told_each_second();
     test_told_late();
     test_time();
     test_time_uneven();

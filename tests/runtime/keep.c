@@ -294,6 +294,41 @@ static void test_told(const char *name)
     CHECK(sm_keep_write(&keep) == SM_OK && sm_keep_step(&keep, &tick) == SM_OK);
 }
 
+// Two steps while the medium takes its time: the first snapshot waits, the second takes its place, and the one that is written is not
+// touched.
+static uint32_t next_number;
+
+static void step_meanwhile(void)
+{
+    if (next_number > 3)
+        return;
+    fill(next_number++);
+    CHECK(sm_keep_step(&keep, &tick) == SM_OK);
+}
+
+static void test_steps_meanwhile(const char *name)
+{
+    sim_reset();
+    CHECK(start(name, &wide_vector) == SM_OK);
+    fill(1);
+    CHECK(sm_keep_step(&keep, &tick) == SM_OK);
+    next_number = 2;
+    sim_delay(SIM_nvm_write, 10 * PAL_MILLISECOND);
+    sim_every(3 * PAL_MILLISECOND, step_meanwhile);
+    CHECK(sm_keep_write(&keep) == SM_OK && next_number == 4 && keep.stored == 1 && keep.missed == 1 && keep.pending == 3);
+    sim_every(0, NULL);
+    CHECK(restart(name, &wide_vector) == SM_OK && number() == 1);
+    sim_reset();
+    CHECK(start(name, &wide_vector) == SM_OK);
+    fill(1);
+    CHECK(sm_keep_step(&keep, &tick) == SM_OK);
+    next_number = 2;
+    sim_delay(SIM_nvm_write, 10 * PAL_MILLISECOND);
+    sim_every(3 * PAL_MILLISECOND, step_meanwhile);
+    CHECK(sm_keep_write(&keep) == SM_OK && sm_keep_write(&keep) == SM_OK && keep.stored == 2 && keep.missed == 1 && sm_keep_write(&keep) == SM_OK);
+    CHECK(keep.stored + keep.missed == keep.pending && restart(name, &wide_vector) == SM_OK && number() == 3);
+}
+
 static void test_forget(const char *name)
 {
     for (uint32_t after = 0; after < 3; after++)
@@ -322,6 +357,7 @@ int main(void)
         test_failed_write(memories[i]);
         test_cut_after_failure(memories[i]);
         test_told(memories[i]);
+        test_steps_meanwhile(memories[i]);
         test_forget(memories[i]);
         test_unusable(memories[i]);
         refuses(memories[i], "[regions]\nSensors\n");

@@ -238,6 +238,60 @@ static void test_lost_events(void)
     CHECK(log_event(&log->session.at[0]->item.at[0], 0).a == 5);
 }
 
+// Events that were read and could not be handed over are lost, and the log says how many.
+static void test_events_not_handed_over(void)
+{
+    Log *log;
+
+    begin();
+    for (uint32_t i = 0; i < 3; i++)
+        tell(SM_EVENT_MODE, 1, i, 2, i);
+    sim_fail(SIM_lock_take, 1, SM_E_TIMEOUT);             // the first is taken to find room
+    (void)step(0, 0);
+    CHECK(flight.lost == 3);
+    CHECK(step(1, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
+    log = read_all();
+    CHECK(log->session.n == 1 && log->damaged == 0 && log->session.at[0]->events == 0 && log->session.at[0]->lost == 3);
+}
+
+// A record that could not be handed over counts as dropped.
+static void test_record_not_handed_over(void)
+{
+    Log *log;
+
+    begin();
+    CHECK(step(0, 0) == SM_OK);
+    sim_fail(SIM_lock_take, 3, SM_E_TIMEOUT);             // room for events, room for the record, the state vector's
+    CHECK(step(1, 0) == SM_E_TIMEOUT && flight.dropped == 1);
+    CHECK(step(2, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
+    log = read_all();
+    CHECK(log->session.at[0]->records == 2 && log->session.at[0]->dropped == 1 && holds(log->session.at[0], 0));
+}
+
+// A file that has become shorter than it was, and an append that is refused: nothing of the ring is taken as written, and all that is in
+// it comes to the medium later.
+static void test_shrunk(void)
+{
+    size_t n;
+    Log *log;
+
+    begin();
+    for (uint64_t k = 0; k < 10; k++) {
+        CHECK(step(k, 0) == SM_OK);
+        sm_log_drain(&flight, PAL_SECOND);
+    }
+    sim_log(NAME, &n);
+    sim_log_shrink(NAME, n - 100);
+    for (uint64_t k = 10; k < 12; k++)
+        CHECK(step(k, 0) == SM_OK);
+    sim_fail(SIM_log_append, 0, SM_E_DEVICE);
+    CHECK(!sm_log_drain(&flight, PAL_SECOND) && flight.result == SM_E_DEVICE && flight.written == n);
+    CHECK(sm_log_close(&flight) == SM_OK);
+    log = read_all();
+    CHECK(log->session.n == 1 && log->places == 1 && holds(log->session.at[0], 0));
+    CHECK(log->session.at[0]->records >= 9 && log->session.at[0]->last == 11 * TICK);
+}
+
 // The medium refuses now and then, in the middle of what it was given: the file is whole all the same.
 static void test_refusals(void)
 {
@@ -291,6 +345,76 @@ static void test_budget(void)
     CHECK(!sm_log_drain(&flight, PAL_SECOND));
 }
 
+// Pieces are of SM_LOG_PIECE bytes at most, however much waits: a task that shares the medium's thread waits for no more than one.
+static void test_pieces(void)
+{
+    static uint8_t large[5 * SM_LOG_PIECE];
+    size_t before, after;
+    Log *log;
+
+    begin();
+    CHECK(sm_log_close(&flight) == SM_OK);
+    sim_reset();
+    new_log(NAME);
+    flight.buffer = large;
+    flight.room = sizeof large;
+    CHECK(sm_log_init(&flight) == SM_OK);
+    for (uint64_t k = 0; k < 100; k++)
+        CHECK(step(k, 0) == SM_OK);
+    CHECK(flight.head > 2 * SM_LOG_PIECE);
+    sim_log(NAME, &before);
+    while (sm_log_drain(&flight, 0)) {
+        sim_log(NAME, &after);
+        CHECK(after > before && after - before <= SM_LOG_PIECE);
+        before = after;
+    }
+    CHECK(sm_log_close(&flight) == SM_OK);
+    log = read_all();
+    CHECK(log->session.at[0]->records == 100 && log->damaged == 0 && holds(log->session.at[0], 0));
+}
+
+// A sync that failed is tried again, also when nothing has been written since.
+static void test_sync_again(void)
+{
+    size_t n;
+
+    begin();
+    CHECK(step(0, 0) == SM_OK);
+    sim_fail(SIM_log_sync, 0, SM_E_DEVICE);
+    sim_advance(SM_LOG_SYNC);
+    (void)sm_log_drain(&flight, PAL_SECOND);
+    CHECK(flight.result == SM_E_DEVICE && sim_log_synced(NAME) == 0);
+    sim_advance(SM_LOG_SYNC);
+    CHECK(!sm_log_drain(&flight, PAL_SECOND));
+    CHECK(sim_log(NAME, &n) && n > 0 && sim_log_synced(NAME) == n);
+}
+
+// A ring that is full to the last byte is not taken for an empty one.
+static void test_full_ring(void)
+{
+    const uint32_t record = SM_LOG_RECORD(wide_layout.whole.packed);
+    uint64_t taken = 0;
+    Log *log;
+
+    for (uint32_t room = SM_LOG_LEAST(wide_layout.whole.packed); room < SM_LOG_LEAST(wide_layout.whole.packed) + record; room++) {
+        begin();
+        CHECK(sm_log_close(&flight) == SM_OK);
+        sim_reset();
+        new_log(NAME);
+        flight.room = room;
+        CHECK(sm_log_init(&flight) == SM_OK);
+        taken = 0;
+        for (uint64_t k = 0; k < 60; k++) {
+            taken += step(k, 0) == SM_OK;
+            if (k % 7 == 5)
+                (void)sm_log_drain(&flight, 0);           // a piece: of the ring all that there is
+        }
+        CHECK(sm_log_close(&flight) == SM_OK);
+        log = read_all();
+        CHECK(log->session.n == 1 && log->damaged == 0 && log->session.at[0]->records == taken && holds(log->session.at[0], 0));
+    }
+}
+
 // The medium is waited for once a second, and at the end.
 static void test_sync(void)
 {
@@ -316,6 +440,19 @@ static void fly(uint64_t from, uint64_t to, uint32_t salt)
         sm_log_drain(&flight, PAL_SECOND);
     }
     CHECK(sm_log_close(&flight) == SM_OK);
+}
+
+// Where records are out of order, a session lasts from the earliest to the latest.
+static void test_out_of_order(void)
+{
+    Log *log;
+
+    begin();
+    CHECK(step(5, 0) == SM_OK && step(9, 0) == SM_OK && step(3, 0) == SM_OK && step(7, 0) == SM_OK);
+    CHECK(sm_log_close(&flight) == SM_OK);
+    log = read_all();
+    CHECK(log->session.n == 1 && log->session.at[0]->records == 4);
+    CHECK(log->session.at[0]->first == 3 * TICK && log->session.at[0]->last == 9 * TICK);
 }
 
 static void test_sessions(void)
@@ -638,10 +775,17 @@ int main(int argc, char **argv)
     test_damaged_beginning();
     test_too_slow();
     test_lost_events();
+    test_events_not_handed_over();
+    test_record_not_handed_over();
+    test_shrunk();
     test_refusals();
     test_full_for_good();
     test_budget();
+    test_pieces();
     test_sync();
+    test_sync_again();
+    test_full_ring();
+    test_out_of_order();
     test_sessions();
     test_cut();
     test_one_byte();

@@ -34,7 +34,7 @@ static void starts_where_told(Kind kind, bool guarded)
 static uint32_t state_after(Kind kind, bool guarded, bool resume, const bool *restored, uint32_t kept)
 {
     set_stage(kind, guarded);
-    stage.machine.initial = HELD;
+    stage.machine.initial = kept == HELD ? BUSY : HELD;
     stage.machine.resume = resume;
     stage.machine.restored = restored;
     stand_sv.testerState = kept;
@@ -47,6 +47,8 @@ static void resumes_only_what_was_restored(Kind kind, bool guarded)
     static const bool yes = true, no = false;
 
     CHECK(state_after(kind, guarded, true, &yes, BUSY) == BUSY);
+    CHECK(state_after(kind, guarded, true, &yes, HELD) == HELD);           // the last one, too
+    CHECK(state_after(kind, guarded, true, &yes, IDLE) == IDLE);
     CHECK(state_after(kind, guarded, true, &no, BUSY) == HELD);
     CHECK(state_after(kind, guarded, true, NULL, BUSY) == HELD);
     CHECK(state_after(kind, guarded, false, &yes, BUSY) == HELD);

@@ -479,6 +479,140 @@ static void events_come_once_and_in_order(void)
     CHECK(next == made && came > 100);
 }
 
+// What the board holds is compared with what was sent before it is chosen, each byte: a memory may change behind the verdict, and its
+// checksum not tell.  (These bits are the polynomial's.)
+static uint32_t spoiled;
+
+static SmResult spoil(void *context, SmvmBytes image)
+{
+    static const uint8_t bits[] = {0x41, 0x06, 0x71, 0xdb, 0x01};
+    const Board *b = context;
+    uint8_t *at = sim_nvm(b->memory) + (b->store.plan.image[b->store.target] - sim_nvm(b->memory)) + spoiled;
+
+    (void)image;
+    for (size_t i = 0; i < sizeof bits; i++)
+        at[i] ^= bits[i];
+    return SM_OK;
+}
+
+static void what_was_sent_is_read_back(const char *memory, uint8_t slots)
+{
+    DeviceImage image;
+    Update u;
+    Pair p;
+
+    for (spoiled = SMVM_HEADER; spoiled + 5 <= new_image.length; spoiled += new_image.length - 5 - SMVM_HEADER) {
+        prepare(&p, memory, slots);
+        p.board.board.fits = spoil;
+        CHECK(update(&p, &new_image, &u) == DEVICE_READ && p.host.answered && p.host.result == SM_E_DEVICE);
+        CHECK(!runs(&p.board, &new_image));
+        p.board.board.fits = board_fits;
+        CHECK(device_image(&p.host, slots == 2 ? 1 : 0, &image) && !image.chosen && !image.runs);
+        CHECK(board_start(&p.board) && (slots == 2 ? runs(&p.board, &old_image) : p.board.slot == STORE_BUILT_IN));
+    }
+}
+
+// The slot that runs is not what was sent, though it may hold the same image: here that runs, and comes once more for steps of another length.
+static void what_runs_is_not_read_back(const char *memory)
+{
+    DeviceInfo info;
+    Update u;
+    Pair p;
+
+    prepare(&p, memory, 2);
+    spoiled = SMVM_HEADER;
+    p.board.board.fits = spoil;
+    memset(&u, 0, sizeof u);
+    u.bytes = old_image.bytes;
+    u.length = old_image.length;
+    u.checksum = old_image.checksum;
+    u.session = 9;
+    u.period = 7;
+    CHECK(device_hello(&p.host, &info) && device_update(&p.host, &info, &u) == DEVICE_READ && p.host.result == SM_E_DEVICE);
+    p.board.board.fits = board_fits;
+    u.session = 10;
+    CHECK(device_update(&p.host, &info, &u) == DEVICE_DONE && !u.was_there && smvm_store_period(&p.board.store, p.board.slot) == 7);
+    u.session = 11;                        // as it is already: nothing is sent
+    CHECK(device_update(&p.host, &info, &u) == DEVICE_DONE && u.was_there);
+}
+
+// ---- boards of other firmware: a line that answers each request with the same bytes ----
+
+typedef struct Canned {
+    uint8_t body[LINK_BODY_MAX];
+    size_t n;                 // of them the answer has, behind its result
+    uint8_t answer[LINK_ROOM(LINK_BODY_MAX)];
+    size_t length, given;
+    LinkReceiver in;
+    uint8_t arrived[LINK_ROOM(LINK_BODY_MAX)];
+    uint32_t now;
+} Canned;
+
+static bool canned_send(void *context, const uint8_t *bytes, size_t n)
+{
+    Canned *c = context;
+
+    for (size_t i = 0; i < n; i++)
+        if (sm_link_receive(&c->in, bytes[i])) {
+            c->answer[1] = c->in.buffer[0];
+            c->answer[2] = (uint8_t)(c->in.buffer[1] | LINK_ANSWER);
+            c->answer[3] = SM_OK;
+            memcpy(c->answer + 4, c->body, c->n);
+            c->length = sm_link_frame(c->answer, (uint16_t)(LINK_HEAD + 1 + c->n));
+            c->given = 0;
+        }
+    return true;
+}
+
+static int canned_receive(void *context, uint8_t *bytes, size_t room, uint32_t wait)
+{
+    Canned *c = context;
+    size_t n = 0;
+
+    while (n < room && c->given < c->length)
+        bytes[n++] = c->answer[c->given++];
+    c->now += n > 0 ? 0 : wait;
+    return (int)n;
+}
+
+static uint32_t canned_now(void *context) { return ((const Canned *)context)->now; }
+
+// HELLO has grown (link.def: "from the signatures on it may be cut").  What a board does not say is not there, whatever a longer answer before
+// has left in the buffer.
+static void older_boards_say_less(void)
+{
+    static const uint8_t all[31] = {1, 200, 128, 2, 0, 4, 0, 0, 2, 0, 9, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0x83, 10, 26, 20, 0, 0x40, 0x1f, 4, 3, 2, 1};
+    static const uint8_t none[31] = {0};
+    Canned c;
+    Line line = {&c, canned_send, canned_receive, canned_now};
+    LinkHost host;
+    DeviceInfo info;
+    DeviceImage image;
+    uint8_t place;
+
+    memset(&c, 0, sizeof c);
+    sm_link_receiver(&c.in, c.arrived, sizeof c.arrived);
+    link_host(&host, &line, 100, 1, 0);
+    for (size_t n = 14; n <= sizeof all; n++) {
+        memcpy(c.body, all, c.n = sizeof all);
+        CHECK(device_hello(&host, &info) && info.wants_signed && info.newest == 5 && info.tells && info.windows && info.machines == 3);
+        CHECK(info.ram_digital == 10 && info.ram_analog == 26 && info.period == 20 && info.cycles == 8000 && info.tells_mark);
+        CHECK(info.mark == 0x01020304 && info.slots == 2 && info.slot_size == 1024 && info.ram == 512 && info.longest == 9);
+        c.n = n;
+        CHECK(device_hello(&host, &info) == (n >= 15) && (n >= 15 || host.result == SM_E_UNSUPPORTED));
+        CHECK(n < 15 || (info.wants_signed == (n >= 20) && info.newest == (n >= 20 ? 5 : 0)));
+        CHECK(n < 15 || (info.tells == (n >= 27) && info.windows == (n >= 27) && info.machines == (n >= 27 ? 3 : 0)));
+        CHECK(n < 15 || (info.period == (n >= 27 ? 20 : 0) && info.tells_mark == (n >= 31) && info.mark == (n >= 31 ? 0x01020304 : 0)));
+    }
+    memcpy(c.body, none, c.n = 20);
+    c.body[18] = 44;                       // of IMAGE the milliseconds between its steps came later
+    CHECK(device_image(&host, 0, &image) && image.period == 44);
+    for (c.n = 17; c.n < 20; c.n++)
+        CHECK(device_image(&host, 0, &image) == (c.n >= 18) && (c.n < 18 || image.period == 0));
+    c.n = 0;                               // an answer without a place says none
+    CHECK(!device_pin_place(&host, 2, 3, &place) && host.result == SM_E_UNSUPPORTED);
+}
+
 int main(int argc, char **argv)
 {
     const unsigned long number = argc > 3 ? strtoul(argv[3], NULL, 10) : 400;
@@ -492,6 +626,11 @@ int main(int argc, char **argv)
     random_state = UINT64_C(88172645463325252) * (argc > 4 ? strtoul(argv[4], NULL, 10) : 1);
     for (unsigned i = 0; i < 4; i++)
         what_is_armed_is_not_touched(memories[i % 2], (uint8_t)(1 + i / 2));
+    for (unsigned i = 0; i < 4; i++)
+        what_was_sent_is_read_back(memories[i % 2], (uint8_t)(1 + i / 2));
+    what_runs_is_not_read_back("eeprom");
+    what_runs_is_not_read_back("flash");
+    older_boards_say_less();
     an_update_stops_when_it_is_armed();
     what_does_not_fit_is_refused();
     what_was_refused_is_not_chosen();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board with a key: what is not signed with it is neither chosen nor run, and no old number comes back, wherever the power goes.
 //   auth OLD.smb NEW.smb
+#include <stdlib.h>
+
 #include "compiler/device/sign.h"
 #include "stdlib/crc32.h"
 #include "tests/store/board.h"
@@ -57,6 +59,25 @@ static void signing_leaves_the_rest(void)
     CHECK(again.length == s.length && is_accepted(&again, other_key) && !is_accepted(&again, our_key));
     again = signed_with(our_key, &again, 7);
     CHECK(memcmp(again.bytes, s.bytes, s.length) == 0);
+}
+
+// "0: there is no room for another section": an image has 255 of them at most, and 2^24 - 1 bytes.
+static void signing_has_limits(void)
+{
+    enum { MOST = 0xffffff, SECTIONS = SMVM_HEADER + 255 * SMVM_ENTRY };
+    uint8_t *image = calloc(2, MOST + SIGN_ROOM), *out = image + MOST + SIGN_ROOM;
+
+    CHECK(image != NULL);
+    if (!image)
+        return;
+    image[SMVM_SECTIONS_AT] = 255;
+    CHECK(image_sign(image, SECTIONS, our_key, 1, out) == 0 && out[0] == 0);
+    image[SMVM_SECTIONS_AT] = 254;
+    CHECK(image_sign(image, SECTIONS - SMVM_ENTRY, our_key, 1, out) == SECTIONS - SMVM_ENTRY + SIGN_ROOM && out[SMVM_SECTIONS_AT] == 255);
+    image[SMVM_SECTIONS_AT] = 1;
+    CHECK(image_sign(image, MOST - SIGN_ROOM + 1, our_key, 1, out) == 0);
+    CHECK(image_sign(image, MOST - SIGN_ROOM, our_key, 1, out) == MOST);
+    free(image);
 }
 
 // Who changes an image can make its checksum right, but not its code.
@@ -270,6 +291,7 @@ int main(int argc, char **argv)
         old_image.length + SIGN_ROOM > IMAGE_ROOM || new_image.length + SIGN_ROOM > IMAGE_ROOM)
         return fprintf(stderr, "auth OLD.smb NEW.smb\n"), 2;
     signing_leaves_the_rest();
+    signing_has_limits();
     every_bit_is_guarded();
     the_code_ends_the_image();
     for (uint8_t slots = 1; slots <= 2; slots++) {

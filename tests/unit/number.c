@@ -106,6 +106,24 @@ static void test_round_trip(void)
     }
 }
 
+// Digits that no longer count are left out, and say whether anything was behind: zeros before them are no zeros at the end.
+static void test_far_digits(void)
+{
+    static char text[3000];
+    static const char *const first[] = {"1.", "10000000000000000000000000000000000000000000000000000000.", "0.5", "9007199254740993."};
+
+    for (size_t i = 0; i < sizeof first / sizeof *first; i++)
+        for (size_t zeros = 760; zeros < 900; zeros++) {
+            const size_t n = strlen(first[i]);
+            strcpy(text, first[i]);
+            memset(text + n, '0', zeros);
+            strcpy(text + n + zeros, "1");
+            check_as_strtod(text);
+            strcpy(text + n + zeros, "0");
+            check_as_strtod(text);
+        }
+}
+
 // A megabyte of digits is read once.
 static void test_long(void)
 {
@@ -133,6 +151,7 @@ int main(void)
     test_halves();
     test_random_digits();
     test_round_trip();
+    test_far_digits();
     test_long();
     return test_end("number");
 }

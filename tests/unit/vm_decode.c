@@ -13,7 +13,7 @@
 
 // Each instruction has a place of its own to write to, of 8 bytes.  What is loaded: elements and locals of all types, a RAW local, T,
 // numbers; X may also have been computed in one of these ways.
-enum { RESULTS = 96, NUMBERS = 12, FIRST_NUMBER = 2 * SM_TYPE_COUNT + 2, SOURCES = FIRST_NUMBER + NUMBERS, WAYS = 6 };
+enum { RESULTS = 96, NUMBERS = 14, FIRST_NUMBER = 2 * SM_TYPE_COUNT + 2, SOURCES = FIRST_NUMBER + NUMBERS, WAYS = 6 };
 enum { SOURCE_AT = 16, RESULT_AT = SOURCE_AT + 8 * SM_TYPE_COUNT, VECTOR = RESULT_AT + 8 * RESULTS };      // in the state vector
 enum { RAW_AT = 8 * SM_TYPE_COUNT, OTHERS_AT = RAW_AT + 8, LOCALS = OTHERS_AT + 8 * (SM_TYPE_COUNT + 1) };  // among the locals
 enum { ALL = SMVM_LESS | SMVM_EQUAL | SMVM_GREATER | SMVM_UNORDERED, TO_Y = SMVM_ldy_local - SMVM_ldx_local };
@@ -29,6 +29,7 @@ static void put_source(Build *b, unsigned k, unsigned to_y)      // ldx, or with
     static const struct { uint8_t op; uint32_t n; } number[NUMBERS] = {
         {SMVM_ldx_plus, 0}, {SMVM_ldx_plus, 1}, {SMVM_ldx_plus, 7}, {SMVM_ldx_plus, SMVM_VARINT_END - 1}, {SMVM_ldx_minus, 0}, {SMVM_ldx_minus, 2},
         {SMVM_ldx_f32, 0}, {SMVM_ldx_f32, 1}, {SMVM_ldx_f64, 0}, {SMVM_ldx_f64, 1}, {SMVM_ldx_f64, 2}, {SMVM_ldx_f64, 3},
+        {SMVM_ldx_f64, 4}, {SMVM_ldx_f64, 5},
     };
 
     if (k < SM_TYPE_COUNT)
@@ -71,9 +72,9 @@ static void begin(Case *c)
     b->width = 2;
     b->s = 2;
     memcpy(b->f32, (const uint32_t[]){0x3e800000u, 0xff800000u}, 8);                                  // 0.25, -infinity
-    memcpy(b->f64, (const uint64_t[]){0x7ff8000000000000u, 0x8000000000000000u, 0x4340000000000000u, 0x41dfffffffc00000u}, 32);
-    b->f32s = 2;                                                                                       // NaN, -0, 2^53, 2^31 - 1
-    b->f64s = 4;
+    memcpy(b->f64, (const uint64_t[]){0x7ff8000000000000u, 0x8000000000000000u, 0x4340000000000000u, 0x41dfffffffc00000u, 0xc340000000000000u, 0xc1e0000000200000u}, 48);
+    b->f32s = 2;                                                                  // NaN, -0, 2^53, 2^31 - 1, -2^53, -2^31 - 1
+    b->f64s = 6;
     code(b, SMVM_end, 0);                             // sample: nothing
     end_function(b);
     end_function(b);

@@ -26,7 +26,8 @@ static inline uint64_t hammer_random(uint64_t *seed)
 static inline uint64_t hammer_word(uint64_t *seed)
 {
     static const uint64_t hard[] = {0, 1, UINT64_MAX, 0x7ff0000000000000, 0xfff0000000000000, 0x7ff0000000000001, 0x7ff8000000000000,
-                                    0x8000000000000000, 0x7fefffffffffffff, 0x3ff0000000000000, 0x7f8000007f800001, 0x00000000ff800000};
+                                    0x8000000000000000, 0x7fefffffffffffff, 0x3ff0000000000000, 0x7f8000007f800001, 0x00000000ff800000,
+                                    0x0020000000000001, 0xffdfffffffffffff};         // 2^53 + 1 and its negative: no F64 is that
     uint64_t r = hammer_random(seed);
 
     return r % 3 == 0 ? hard[r / 3 % (sizeof hard / sizeof *hard)] : r % 3 == 1 ? r >> (r >> 8 & 63) : hammer_random(seed);

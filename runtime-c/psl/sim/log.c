@@ -66,6 +66,14 @@ void sim_log_space(uint32_t bytes)
     space = bytes < SIM_LOG_SIZE ? bytes : SIM_LOG_SIZE;
 }
 
+void sim_log_shrink(const char *name, size_t bytes)
+{
+    uint8_t i = find(name);
+
+    if (i < SIM_LOGS && logs[i].size > bytes)
+        logs[i].size = (uint32_t)bytes;
+}
+
 // ---- the PAL ----
 
 // The log of that name, or a new one.

@@ -127,6 +127,9 @@ size_t sim_log_synced(const char *name);
 // From now on a log takes no more than so many bytes in all.
 void sim_log_space(uint32_t bytes);
 
+// The log of that name loses its end and has no more than so many bytes, as on a file system that was repaired.
+void sim_log_shrink(const char *name, size_t bytes);
+
 // ---- the watchdog ----
 
 // Whether it has bitten: time went by without food.
