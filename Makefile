@@ -513,7 +513,7 @@ $(B)/store/agent: $(AGENT_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 check: $(B)/store/agent $(STORE_SMB)
-CHECK_LINES += "link: $(B)/store/agent $(STORE_SMB)"
+CHECK_LINES += "agent: $(B)/store/agent $(STORE_SMB)"
 # A board with a key.
 AUTH_SRC = tests/store/auth.c compiler/device/sign.c $(BOARD_SRC)
 $(B)/store/auth: $(AUTH_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a

@@ -7,7 +7,7 @@ states() { "$smc" log "$1" | sed -n 's/.* mission: .* \([A-Z][a-z]*\)$/\1/p' | t
 goes_through() { states "$1"; [ "$(states "$1")" = "Countdown Powered Coast Recovery Landed " ]; }
 
 # altitude and trueAltitude, a line a record
-altitudes() { "$smc" log "$1" --format=csv altitude trueAltitude | cut -d, -f2-; }
+altitudes() { "$smc" log "$1" --format=csv altitude trueAltitude | cut -d, -f3-; }
 
 # The navigation is never further off than five metres, and the rocket flies higher than 400.
 navigates() {

@@ -50,6 +50,7 @@ for part in 'works again, after 1 failure$' 'left out 1 tick$'; do
 done
 "$smc" log rare.log | grep -q 'started; what was kept of the state vector could not be used' && ok || no "a kept vector that was not used is not told"
 
+rm -f out.csv
 "$smc" log flight.log -o out.csv 2>err && head -1 out.csv | grep -q '^session,seconds,time,state' && ok || no "the format is not taken from the ending"
 
 says 0 "this is the last of 2 sessions" flight.log --format csv

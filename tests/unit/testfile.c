@@ -57,6 +57,9 @@ static void check_expected(void)
     CHECK(strcmp(f->expected.at[0].id, "E0204") == 0 && strcmp(f->expected.at[0].text, "unknown element") == 0);
     CHECK(strcmp(f->expected.at[1].text, "") == 0 && f->expected.at[2].part == 2);
     CHECK(parse("-- a.ss --\n#! E0750 x\n#! W0750")->outcome == TEST_FAIL);
+    CHECK(parse("-- a.ss --\n#! E0701 x")->outcome == TEST_ERROR);                      // of a script that is not run
+    CHECK(parse("-- a.ss --\n#! E0760 x")->outcome == TEST_ERROR && parse("-- a.ss --\n#! E0759 x")->outcome == TEST_FAIL);
+    CHECK(parse("-- a.ss --\n#! E0751 x\n#! E0204 y")->outcome == TEST_ERROR);
     CHECK(parse("-- a.ss --\n#! W0750 x")->outcome == TEST_PASS);
     CHECK(parse("expect pass\n-- a.ss --\n#! E0750 x")->outcome == TEST_PASS);
 }
