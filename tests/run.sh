@@ -8,7 +8,8 @@
 # A command fails as well if
 #   1. it ran no test and skipped none,
 #   2. it skipped nothing and passed fewer tests than floors.txt demands of its name,
-#   3. it does not end within LIMIT seconds.
+#   3. it does not end within LIMIT seconds,
+#   4. another one has its name.
 passed=0 failed=0 skipped=0 told=0
 floors=${FLOORS:-$(dirname "$0")/floors.txt}
 limit=
@@ -22,6 +23,10 @@ trap 'trap "" TERM; kill -TERM 0; exit 130' INT TERM
 
 grep -v '^$' >"$work/lines"
 mkfifo "$work/ended" && exec 3<>"$work/ended" || exit 1
+for name in $(sed 's/^+\{0,1\}\([^:]*\):.*/\1/' "$work/lines" | sort | uniq -d); do
+    echo "$name: two commands have this name"
+    failed=$((failed + 1))
+done
 
 # run NUMBER LINE: leaves what the command said, and its exit code and seconds
 run() {

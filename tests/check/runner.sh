@@ -27,6 +27,7 @@ ends 1 'a: ended with exit code 0' 'a: echo nothing'
 ends 1 'a: ended with exit code 3, with nothing failed' 'a: echo 1 passed, 0 failed; exit 3'
 ends 1 'a: no test was run' 'a: echo 0 passed, 0 failed'
 ends 1 'counted: 9 tests were run; .* at least 10' 'counted: echo 9 passed, 0 failed'
+ends 1 'a: two commands have this name' 'a: echo 1 passed, 0 failed' '+a: echo 1 passed, 0 failed'
 ends 0 '^10 passed' 'counted: echo 10 passed, 0 failed'
 ends 0 '^9 passed, 0 failed, 1 skipped' 'counted: echo 9 passed, 0 failed, 1 skipped'
 if timeout --foreground 1 true 2>/dev/null; then ends 1 'a: ended with exit code 124' 'a: exec sleep 20'; fi
