@@ -19,14 +19,6 @@ G == 3: @stop
 for source; do :; done
 awk '/sv->n = .* 1, 0, UINT8_MAX/ && ++forms == 2 { sub(/ 1, 0,/, " 2, 0,") } { print }' "$source" >edited.c && mv edited.c "$source"
 exec cc "$@"
--- stdout --
-state script ran for 1 step
-0 asserts passed
-final state vector:
-  G = 0
-  S = 1
-  T = 0
-  n = 0
 -- stderr --
 a.ss:1:1: error: engine c failed: emitted C: with and without --track-stores it does not do the same [E0753]
     1 | [options]
