@@ -155,10 +155,12 @@ static SmResult init_executors(SmApp *app)
         r = sm_executor_init(app->executor[i], &app->failed);
         if (r != SM_OK) {
             app->refused = app->executor[i];
-            app->why = app->failed ? NULL : SM_TEXT("its plan is wrong");
-            app->file = app->failed && app->log && app->failed->context == app->log ? app->log->file : NULL;
-            if (app->failed)
+            if (app->failed) {
+                app->file = app->log && app->failed->context == app->log ? app->log->file : NULL;
                 name_pin(app, r);
+            } else if (r == SM_E_ARGUMENT) {
+                app->why = SM_TEXT("its plan is wrong");
+            }
         }
     }
     return r;

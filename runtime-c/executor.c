@@ -61,6 +61,11 @@ static SmResult init_group(const SmRate *r, const SmTask **failed)
     return SM_OK;
 }
 
+static void *place(const SmExecutor *e, const SmElement *element)
+{
+    return (uint8_t *)e->sv->at + element->offset;
+}
+
 SmResult sm_executor_init(SmExecutor *e, const SmTask **failed)
 {
     SmResult r = SM_OK;
@@ -71,15 +76,18 @@ SmResult sm_executor_init(SmExecutor *e, const SmTask **failed)
         return SM_E_ARGUMENT;
     for (uint16_t i = 0; i < e->rates && r == SM_OK; i++)
         r = init_group(&e->rate[i], failed);
+    if (r != SM_OK || !e->time)
+        return r;
+    e->step = e->period % e->unit == 0 ? e->period / e->unit : 0;
+    r = sm_enter(e->sv);
+    if (r == SM_OK) {                     // else it would count from 0, behind a G that was restored
+        e->base = *(const uint64_t *)place(e, e->time);
+        sm_leave(e->sv);
+    }
     return r;
 }
 
 // ---- elements ----
-
-static void *place(const SmExecutor *e, const SmElement *element)
-{
-    return (uint8_t *)e->sv->at + element->offset;
-}
 
 // Several executors may set G: what is larger stays.
 static void set_time(const SmExecutor *e, const SmTick *tick)
@@ -137,13 +145,6 @@ static void put_vitals(const SmExecutor *e)
 void sm_executor_start(SmExecutor *e, uint64_t at)
 {
     e->start = e->ended = at;
-    if (!e->time)
-        return;
-    e->step = e->period % e->unit == 0 ? e->period / e->unit : 0;
-    if (sm_enter(e->sv) != SM_OK)
-        return;
-    e->base = *(const uint64_t *)place(e, e->time);
-    sm_leave(e->sv);
 }
 
 uint64_t sm_executor_due(const SmExecutor *e)

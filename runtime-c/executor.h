@@ -55,7 +55,7 @@ typedef struct SmExecutor {
     uint16_t number;          // of the executor in its application: SmEvent.source
     // What follows is the runtime's; all zero at first.
     uint64_t start;           // on the PAL clock: when tick 0 is due
-    uint64_t base;            // G at the start
+    uint64_t base;            // G before the first tick
     uint64_t step;            // of G from tick to tick; 0: the period is no multiple of the unit
     uint64_t next;            // the number of the next tick
     uint64_t ticks, overruns, skipped;
@@ -70,12 +70,12 @@ typedef struct SmExecutor {
     uint64_t seen;            // `next` when the watchdog was fed last
 } SmExecutor;
 
-// Checks the plan, then calls init of all tasks, in order.  Where a task refuses, its result, and the task in *failed (if failed is not
-// NULL); those after it are not called.  SM_E_ARGUMENT without a task: the plan is wrong (nothing to run, a period, an `every` or a unit
+// Checks the plan, then calls init of all tasks, in order, and reads G, which goes on from there.  Where a task refuses, its result, and the
+// task in *failed (if failed is not NULL); those after it are not called.  The result of sm_enter where G cannot be read.  SM_E_ARGUMENT without a task: the plan is wrong (nothing to run, a period, an `every` or a unit
 // of 0, elements that are not of its state vector, G that is not a U64, vitals that are not integers).
 SmResult sm_executor_init(SmExecutor *e, const SmTask **failed);
 
-// Sets when tick 0 is due.  G goes on from what it holds now.
+// Sets when tick 0 is due.
 void sm_executor_start(SmExecutor *e, uint64_t at);
 
 // When the next tick is due, on the PAL clock.

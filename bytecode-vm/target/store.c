@@ -465,7 +465,7 @@ SmResult smvm_store_erase(Store *s, uint32_t checksum)
 
     s->session = 0;
     for (uint8_t i = 0; i < s->plan.slots; i++)
-        if (length_in(s, i) != 0 && checksum_in(s, i) == checksum)
-            r = forget(s, i);
+        if (length_in(s, i) != 0 && checksum_in(s, i) == checksum && (r = forget(s, i)) != SM_OK)
+            break;
     return r;
 }

@@ -117,7 +117,7 @@ SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period);
 SmResult smvm_store_confirm(Store *s, uint32_t checksum);
 
 // From the next start on the image with this checksum is not run: the one before it or the built-in one is.  SM_E_MISSING: no slot
-// holds it.
+// holds it.  Another failure: some slots may still hold it, the caller can try again.
 SmResult smvm_store_erase(Store *s, uint32_t checksum);
 
 // ---- what there is ----

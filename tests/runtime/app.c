@@ -161,6 +161,10 @@ static void test_refused(void)
     sim_fail(SIM_watchdog_start, 0, SM_E_MISSING);
     CHECK(refused("crew: the watchdog does not start: there is no such device, file or address\n"));
     start(2);
+    sim_break(SIM_lock_take, 0, SM_E_TIMEOUT);
+    CHECK(refused("crew: executor 'one' does not start: it did not happen in the time given\n"));
+    sim_break(SIM_lock_take, 0, SM_OK);
+    start(2);
     sim_fail(SIM_clock_sleep_until, 0, SM_E_DEVICE);
     CHECK(refused("crew: the clock does not start: it stands still\n"));
 }

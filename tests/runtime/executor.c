@@ -442,6 +442,24 @@ static void test_locked_out(void)
     crew_vector.faults = 0;
 }
 
+// A vector that cannot be entered when the executor starts: without G's value it would count from 0, and machines would refuse each step
+// until that is reached.
+static void test_locked_out_at_the_start(void)
+{
+    const SmTask *failed = &task[0];
+
+    start();
+    crew_sv.time = 5000;
+    sim_break(SIM_lock_take, 0, SM_E_TIMEOUT);
+    CHECK(sm_executor_init(&e, &failed) == SM_E_TIMEOUT && failed == NULL);
+    sim_break(SIM_lock_take, 0, SM_OK);
+    begin();
+    tick();
+    tick();
+    CHECK(crew_sv.time == 5010);
+    crew_vector.faults = 0;
+}
+
 // One thread and a vector without `lock`: nobody takes a lock.
 static void test_no_locks(void)
 {
@@ -480,6 +498,7 @@ int main(void)
     test_vitals();
     test_vitals_of_all_types();
     test_locked_out();
+    test_locked_out_at_the_start();
     test_no_locks();
     return test_end("executor");
 }

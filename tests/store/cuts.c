@@ -240,6 +240,35 @@ static void an_erased_trial_gives_way(void)
     CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
 }
 
+// Both slots hold the same image, and the memory fails at one call while it is erased: that is reported, whichever slot it hits.
+static void an_erasure_of_two_reports_what_fails(void)
+{
+    static const SimCall calls[] = {SIM_nvm_write, SIM_nvm_erase};
+
+    for (unsigned k = 0; k < sizeof calls / sizeof *calls; k++) {
+        unsigned failures = 0;
+        for (uint32_t n = 0; n < 6; n++) {
+            Device d;
+            uint32_t before;
+            SmResult r;
+            prepare(&d, "flash", 2);
+            CHECK(updates(&d, &old_image) && start(&d) == RUNS_OLD && smvm_store_confirm(&d.store, old_image.checksum) == SM_OK);
+            CHECK(memcmp(d.store.plan.image[0], d.store.plan.image[1], old_image.length) == 0);
+            before = sim_count(calls[k]);
+            sim_fail(calls[k], n, SM_E_DEVICE);
+            r = smvm_store_erase(&d.store, old_image.checksum);
+            if (sim_count(calls[k]) - before <= n) {  // it had ended before
+                CHECK(r == SM_OK);
+                break;
+            }
+            failures++;
+            CHECK(r == SM_E_DEVICE);
+            CHECK(smvm_store_erase(&d.store, old_image.checksum) == SM_OK && start(&d) == RUNS_BUILT_IN);
+        }
+        CHECK(failures > 0);
+    }
+}
+
 // A step that is repeated because its answer was lost does no harm; what does not belong to the update is refused.
 static void steps_may_be_repeated(void)
 {
@@ -404,6 +433,7 @@ int main(int argc, char **argv)
     a_trial_that_is_passed_over_is_cut("eeprom");
     a_trial_that_is_passed_over_is_cut("flash");
     an_erased_trial_gives_way();
+    an_erasure_of_two_reports_what_fails();
     a_late_repetition_does_no_harm();
     steps_may_be_repeated();
     a_write_that_failed_ends_the_update();
