@@ -15,6 +15,8 @@
 #include "tests/check/fixes_meaning.h"
 #include "tests/unit/host.h"
 
+enum { ROUNDS = 10 };         // as in smc fix
+
 typedef struct Run {
     Session s;
     Source **src;             // by part; NULL for what is no source
@@ -208,6 +210,36 @@ static void check_finding(const TestFile *f, Run *was, const Diag *x, size_t par
     session_free(&now.s);
 }
 
+// All edits of one part at once, round after round, as smc fix makes them: nothing is lost on the way either.
+static void check_together(const TestFile *f, Run *was, size_t part)
+{
+    Buf text;
+    const char *why = NULL;
+    Run now;
+
+    buf_init(&text, &was->s.arena);
+    if (!was->src[part] || diags_apply_edits(&was->s.diags, was->src[part], &text) == 0)
+        return;
+    buf_text(&text);
+    open_run(&now, f, part, &text);
+    for (int round = 1; round < ROUNDS; round++) {
+        Buf next;
+        buf_init(&next, &was->s.arena);
+        if (diags_apply_edits(&now.s.diags, now.src[part], &next) == 0)
+            break;
+        buf_text(&next);
+        session_free(&now.s);
+        open_run(&now, f, part, &next);
+    }
+    if ((why = harm(f, was, &now, part)) != NULL) {
+        printf("%s: %s: all edits together: the file %s\n", f->name, f->part.at[part].name, why);
+        failed++;
+    } else {
+        passed++;
+    }
+    session_free(&now.s);
+}
+
 static void check_parts(const TestFile *f)
 {
     Run was;
@@ -217,6 +249,8 @@ static void check_parts(const TestFile *f)
         for (size_t k = 0; was.s.diags.list.at[i]->edits.n && k < f->part.n; k++)
             if (was.src[k] && was.s.diags.list.at[i]->edits.at[0].span.src == was.src[k])
                 check_finding(f, &was, was.s.diags.list.at[i], k);
+    for (size_t k = 0; k < f->part.n; k++)
+        check_together(f, &was, k);
     session_free(&was.s);
     checked++;
 }
