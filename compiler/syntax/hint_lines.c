@@ -116,7 +116,7 @@ static Before look_before(const Line *l, uint32_t at)
 {
     Before b = {UNKNOWN, 0, l->from, false};
     uint32_t depth = 0;
-    bool colon = false;
+    bool colon = false, lost = false;         // lost: something before is no statement, perhaps a condition
 
     for (uint32_t p = l->from; p < at; p++)
         switch (l->text[p]) {
@@ -133,8 +133,11 @@ static Before look_before(const Line *l, uint32_t at)
             colon = depth == 0;
             break;
         case ';':
-            if (depth == 0 && !colon)
-                b.begin = p + 1;
+            if (depth > 0 || colon)
+                break;
+            b.begin = skip_blanks(l, b.begin);
+            lost = lost || !(begins_statement(l, b.begin) || begins_declaration(l, b.begin));
+            b.begin = p + 1;
             break;
         case '"':
             while (p + 1 < at && l->text[p + 1] != '"')
@@ -144,6 +147,8 @@ static Before look_before(const Line *l, uint32_t at)
         default: break;
         }
     b.begin = skip_blanks(l, b.begin);
+    if (lost)
+        return b;
     if (b.begin < at && begins_statement(l, b.begin))
         b.is = colon ? GUARDED : PLAIN;
     else if (begins_declaration(l, b.begin))

@@ -250,6 +250,8 @@ void slip_missing_value(Parser *p, Diag *d)
         skip_continuation(p);
     } else if (p->last.kind == TOK_AND && p->tok.kind == TOK_ARROW && shares_line(p, d, p->last.at)) {
         return;
+    } else if ((p->last.kind == TOK_AND || p->last.kind == TOK_OR) && p->tok.kind == TOK_ARROW) {
+        diag_label(p->diags, d, DIAG_label_condition_or_colon, p->last.kind == TOK_AND ? "and" : "or");
     } else if ((p->last.kind == TOK_AND || p->last.kind == TOK_OR) && is_comparison(p->tok.kind)) {
         diag_label(p->diags, d, DIAG_label_repeat_name, parser_text(p, parser_here(p)));
     } else if (p->tok.kind == TOK_HEADER && !p->tok.first) {
@@ -346,7 +348,7 @@ void slip_at_end(Parser *p)
         diag_label(p->diags, d, DIAG_label_else_after_if);
     else if (unit_after_number(p))
         hint_unit(p->diags, d, parser_text(p, parser_span(p, &p->last)), p->tok.text->text);
-    else if (p->tok.kind == TOK_IF)
+    else if (p->tok.kind == TOK_IF || slip_is_word(&p->tok, "when"))
         diag_label(p->diags, d, DIAG_label_condition_first);
     else if (annotation_is_allow(&p->tok))
         diag_label(p->diags, d, DIAG_label_allow_before);

@@ -280,6 +280,8 @@ static const struct { const char *word; SlipDoes does; const char *say; } slips[
     {"for", SLIP_SKIP, "there are no loops: .step runs again in every step"},
     {"repeat", SLIP_SKIP, "there are no loops: .step runs again in every step"},
     {"loop", SLIP_SKIP, "there are no loops: .step runs again in every step"},
+    {"until", SLIP_SKIP, "there are no loops: write 'if not (...)' instead; .step runs again in every step"},
+    {"unless", SLIP_SKIP, "write the opposite condition: if not (...)"},
     {"switch", SLIP_SKIP, "write it as if ... else if ... else"}, {"case", SLIP_SKIP, "write it as if ... else if ... else"},
     {"return", SLIP_SKIP, "put what follows into an 'else'"}, {"break", SLIP_SKIP, "put what follows into an 'else'"},
     {"wait", SLIP_SKIP, wait_text}, {"delay", SLIP_SKIP, wait_text}, {"sleep", SLIP_SKIP, wait_text},

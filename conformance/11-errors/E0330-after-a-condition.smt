@@ -23,5 +23,8 @@ U8 code
     code = 7, code = 8, code = 9                #! E0330 each statement
     code = 7 -> Abort                           #! E0330 condition: -> State
     p > 50: code = 1 { -> Abort }               #! E0330
+    p > 50 and -> Abort                         #! E0312 write ':' instead of 'and'
+    -> Abort when p > 50                        #! E0330 the condition comes first
+    unless p > 50: code = 1                     #! E0329 the opposite condition
     p > 50: code = 1 b                          #! E0330
 [Abort]

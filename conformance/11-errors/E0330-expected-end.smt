@@ -10,5 +10,5 @@ F64 p
 .step
     p > 1 { x = 1 } x = 2
     x = 1 x = 2         #! E0330 'x'
-    x = p = 3           #! E0330 one assignment
+    x = p = 3           #! E0330 to compare
     x = 5 ms            #! E0330 units
