@@ -148,10 +148,27 @@ static Files sort_files(const Cli *c)
     return f;
 }
 
+static const char accepted[] = "a machine (.sm), state scripts (.ss), test cases (.smt) and folders of test cases";
+
+static int check_kinds(Cli *c)
+{
+    for (size_t i = 0; i < c->files; i++) {
+        const char *path = c->file[i];
+        if (has_suffix(path, ".sv"))
+            return cli_usage(c, "name the state vector with --sv=%s", path);
+        if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") && strcmp(path, "-") != 0 &&
+            !os_is_folder(path))
+            return cli_usage(c, "'%s' is not a kind of file that 'smc test' accepts; it takes %s", path, accepted);
+    }
+    return EXIT_OK;
+}
+
 static int check_use(Cli *c, const Files *f)
 {
     if (c->files == 0)
-        return cli_usage(c, "test wants a machine and a script, as in 'smc test tank.sm tank.ss', or .smt cases");
+        return cli_usage(c, "name what to test: a machine and a script, as in 'smc test tank.sm tank.ss', or .smt cases");
+    if (check_kinds(c) != EXIT_OK)
+        return EXIT_USAGE;
     if (f->machines > 1)
         return cli_usage(c, "one machine is tested at a time");
     if (f->machines && !f->scripts && f->cases)
@@ -162,14 +179,6 @@ static int check_use(Cli *c, const Files *f)
         return cli_usage(c, "no machine is named to run the script on, as in 'smc test MACHINE.sm SCRIPT.ss'");
     if (c->given[OPT_TAP] && (is_standard_output(c, OPT_JUNIT) || is_standard_output(c, OPT_TRACE)))
         return cli_usage(c, "--tap and %s cannot both write to standard output", is_standard_output(c, OPT_JUNIT) ? "--junit" : "--trace");
-    for (size_t i = 0; i < c->files; i++) {
-        const char *path = c->file[i];
-        if (has_suffix(path, ".sv"))
-            return cli_usage(c, "name the state vector with --sv=%s", path);
-        if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") && strcmp(path, "-") != 0 &&
-            !os_is_folder(path))
-            return cli_usage(c, "'%s' is no machine (.sm), script (.ss), case (.smt) or folder", path);
-    }
     return EXIT_OK;
 }
 

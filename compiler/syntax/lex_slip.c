@@ -283,10 +283,14 @@ bool lex_slip_stray(Lexer *l, Token *t)
 // What is no text is not read: one message, not one for every byte of it.
 const char *lex_slip_no_text(const Source *s)
 {
-    uint32_t n = s->len < 512 ? s->len : 512, controls = 0;
+    uint32_t n = s->len < 512 ? s->len : 512, controls = 0, zeros = 0;
 
     if (s->len >= 2 && (memcmp(s->text, "\xff\xfe", 2) == 0 || memcmp(s->text, "\xfe\xff", 2) == 0))
         return "UTF-16";
+    while (zeros < n && s->text[zeros] == 0)
+        zeros++;
+    if (zeros > 1)
+        return zeros == n ? "nothing but NUL bytes" : "binary data";
     if (n >= 4 && ((s->text[0] == 0 && s->text[2] == 0) || (s->text[1] == 0 && s->text[3] == 0)))         // [, and a zero behind or before it
         return "UTF-16";
     for (uint32_t i = 0; i < n; i++)

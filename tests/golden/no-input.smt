@@ -9,7 +9,7 @@ smc: build wants a machine, as in 'smc build tank.sm'
 Try 'smc build --help'.
 smc: check wants a file, as in 'smc check tank.sm'
 Try 'smc check --help'.
-smc: test wants a machine and a script, as in 'smc test tank.sm tank.ss', or .smt cases
+smc: name what to test: a machine and a script, as in 'smc test tank.sm tank.ss', or .smt cases
 Try 'smc test --help'.
 smc: explain wants the code of a diagnostic, as in 'smc explain E0204'
 Try 'smc explain --help'.
