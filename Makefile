@@ -730,6 +730,8 @@ native-tests: all $(NATIVE_UNIT) $(B)/diff/difftest $(TARGETS_RUNTIME:%=$(B)/run
 	for engine in ref vm vm-soft; do $(B)/smc test --engine=$$engine conformance || exit 1; done
 	$(B)/diff/difftest --count=$(or $(NC),1000) --out=$(B)/diff/native
 .PHONY: check-targets targets-campaign targets-native native-tests
+check: $(B)/golden
+OTHERS_LINES += "+native-x86-32: sh tests/targets/native.sh $(B) '$(MAKE)' x86-32" "models: sh tests/check/models.sh $(STRICT_C) $(WARN)"
 
 # tests/app: applications (.app) from source to a flight in simulated time, and everything that can be wrong with one.
 check: $(B)/runtime/sim.a

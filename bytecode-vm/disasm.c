@@ -120,7 +120,7 @@ static void machine(Out *o, uint32_t index)
     smvm_text(o, "\n");
     line(o, "states", m->states, "\n");
     safe_states(o);
-    line(o, "memory", smvm_ram_size(m), " bytes on this machine, of these ");
+    line(o, "memory", smvm_ram_size_64(m), " bytes on a 64-bit computer, of these ");
     smvm_text_number(o, m->locals);
     smvm_text(o, " for locals\n");
     line(o, "longest step", smvm_longest_step(m), " instructions\n");

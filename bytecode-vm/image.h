@@ -137,6 +137,17 @@ static inline bool smvm_varint(SmvmBytes image, SmvmAt *at, SmvmAt end, uint32_t
     return found != SMVM_CUT_SHORT;
 }
 
+// What smvm_ram_size is on a computer with pointers of 64 bits, wherever this is compiled: for reports, which are the same everywhere.
+enum { SMVM_OWN_64 = 56 };                            // up to the pointers to the windows
+#define SMVM_OWN ((sizeof(SmVm) + 7) / 8 * 8)
+typedef char smvm_own_64_is_right[sizeof(void *) != 8 || SMVM_KEEP_TABLES || sizeof(SmvmAt) != 4 || SMVM_OWN == SMVM_OWN_64 ? 1 : -1];
+static inline uint32_t smvm_ram_size_64(const SmvmMachine *m)
+{
+    const uint32_t pointers = (m->windows * (uint32_t)sizeof(uint64_t *) + 7) / 8 * 8;
+
+    return smvm_ram_size(m) - (uint32_t)SMVM_OWN - pointers + SMVM_OWN_64 + 8u * m->windows;
+}
+
 // What the sections of a machine, and IO, ask for before them and bar.
 enum { SMVM_A_MACHINE = 1, SMVM_A_CODE = 2, SMVM_AN_INIT = 4, SMVM_A_SAFE = 8, SMVM_AN_IO = 16 };
 

@@ -224,7 +224,7 @@ static void weigh(Reader *r, Cost *out)
 {
     const SmvmMachine *m = &r->m;
 
-    out->ram = smvm_ram_size(m);
+    out->ram = smvm_ram_size_64(m);
     out->code = m->code_size;
     out->locals = m->locals;
     out->window_count = m->windows;

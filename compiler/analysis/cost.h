@@ -39,7 +39,7 @@ typedef struct Cost {
     uint32_t worst_state;         // number of the first state that has it
     StateCost *state;             // at[0] is state 1
     uint32_t states;
-    uint32_t ram;                 // bytes in all, on this computer's kind of pointers: the VM's own, windows, locals
+    uint32_t ram;                 // bytes in all, with pointers of 64 bits: the VM's own, windows, locals
     uint32_t own, windows, locals;
     uint32_t windows_small;       // what these windows take on a chip, where they have SM_ROLL_SMALL
     CostWindow *window;

@@ -52,11 +52,11 @@ static int choose_session(Cli *c, Flight *f, size_t format)
 {
     const size_t n = f->log->session.n;
     const char *word = c->given[OPT_SESSION] ? c->value[OPT_SESSION] : NULL;
-    unsigned long wanted = n;
+    unsigned long long wanted = n;
     char *end;
 
     if (word) {
-        wanted = strtoul(word, &end, 10);
+        wanted = strtoull(word, &end, 10);
         if (word[0] < '0' || word[0] > '9' || *end)
             return cli_usage(c, "--session wants a number, not '%s'", word);
     }

@@ -28,5 +28,5 @@ bool drain
 .step
     drain = true
 -- stdout --
-all.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 32 bytes (layout fb8d6fee)
-all.smb: machine 2: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 32 bytes (layout fb8d6fee)
+all.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM on a 64-bit computer, state vector 32 bytes (layout fb8d6fee)
+all.smb: machine 2: 1 state, longest step 3 instructions, [..] bytes of RAM on a 64-bit computer, state vector 32 bytes (layout fb8d6fee)

@@ -53,7 +53,7 @@ image of 411 bytes, format 2, crc 89022922
 machine 1 sub
     state vector    32 bytes, layout f4b2fddc; of these it names 0 to 32
     states          2
-    memory          [..] bytes on this machine, of these 12 for locals
+    memory          [..] bytes on a 64-bit computer, of these 12 for locals
     longest step    29 instructions
     output          I8@24 count
     output          F64@16 rate
@@ -128,7 +128,7 @@ image of 203 bytes, format 2, crc 7dd3e985
 machine 1 
     state vector    32 bytes, layout f4b2fddc; of these it names 0 to 32
     states          2
-    memory          [..] bytes on this machine, of these 4 for locals
+    memory          [..] bytes on a 64-bit computer, of these 4 for locals
     longest step    29 instructions
     output          I8@24
     output          F64@16
@@ -202,9 +202,9 @@ image of 139 bytes, format 2, crc 41a16e26
 machine 1 idle
     state vector    16 bytes, layout ddcc0f93; of these it names 0 to 16
     states          1
-    memory          [..] bytes on this machine, of these 0 for locals
+    memory          [..] bytes on a 64-bit computer, of these 0 for locals
     longest step    0 instructions
     G               U64@0 G
     S               U32@8 S
-sub.smb: machine 1: 2 states, longest step 29 instructions, [..] bytes of RAM, state vector 32 bytes (layout f4b2fddc)
-idle.smb: machine 1: 1 state, longest step 0 instructions, [..] bytes of RAM, state vector 16 bytes (layout ddcc0f93)
+sub.smb: machine 1: 2 states, longest step 29 instructions, [..] bytes of RAM on a 64-bit computer, state vector 32 bytes (layout f4b2fddc)
+idle.smb: machine 1: 1 state, longest step 0 instructions, [..] bytes of RAM on a 64-bit computer, state vector 16 bytes (layout ddcc0f93)

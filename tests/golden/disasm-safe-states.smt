@@ -38,7 +38,7 @@ machine 1
     state vector    16 bytes, layout 78488c75; of these it names 0 to 16
     states          4
     safe states     2 4
-    memory          [..] bytes on this machine, of these 0 for locals
+    memory          [..] bytes on a 64-bit computer, of these 0 for locals
     longest step    3 instructions
     G               U64@0
     S               U32@8
@@ -64,7 +64,7 @@ state 3.step:
 machine 2 
     state vector    16 bytes, layout 78488c75; of these it names 0 to 16
     states          1
-    memory          [..] bytes on this machine, of these 0 for locals
+    memory          [..] bytes on a 64-bit computer, of these 0 for locals
     longest step    0 instructions
     G               U64@0
     S               U32@8

@@ -20,7 +20,7 @@ image of 156 bytes, format 2, crc c676acf2
 machine 1 a
     state vector    16 bytes, layout b1dc9237; of these it names 0 to 16
     states          1
-    memory          [..] bytes on this machine, of these 0 for locals
+    memory          [..] bytes on a 64-bit computer, of these 0 for locals
     longest step    3 instructions
     output          bool@12 open
     G               U64@0 G

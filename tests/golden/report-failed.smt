@@ -49,7 +49,7 @@ stays there.
   Seen by scripts    1 of 1 states, 0 of 0 ways
   Longest step       5 instructions, in Idle
   On an Arduino Uno  about [..] ms
-  Memory on the VM   56 bytes
+  Memory on the VM   56 bytes on a 64-bit computer
   Image              76 bytes
   Image CRC          f712cd1a
   Source identity    2f257f5f61796867

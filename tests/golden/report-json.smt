@@ -24,7 +24,7 @@ bool valve    # lets "fuel" in
       "Scripts": "none were run",
       "Longest step": "7 instructions, in Idle",
       "On an Arduino Uno": "about [..] ms",
-      "Memory on the VM": "56 bytes",
+      "Memory on the VM": "56 bytes on a 64-bit computer",
       "Image": "86 bytes",
       "Image CRC": "ced101b8",
       "Source identity": "fdba2cfd5231c29c",

@@ -27,7 +27,7 @@ image of 207 bytes, format 2, crc e30872b0
 machine 1 a
     state vector    24 bytes, layout 0ebeba96; of these it names 0 to 24
     states          2
-    memory          [..] bytes on this machine, of these 0 for locals
+    memory          [..] bytes on a 64-bit computer, of these 0 for locals
     longest step    10 instructions
     output          bool@16 valve
     G               U64@0 G

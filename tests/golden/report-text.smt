@@ -72,7 +72,7 @@ of `Done`, `Abort`, it stays there.
   Seen by scripts    3 of 4 states, 2 of 3 ways
   Longest step       16 instructions, in Fill
   On an Arduino Uno  about [..] ms
-  Memory on the VM   120 bytes
+  Memory on the VM   120 bytes on a 64-bit computer
   Image              161 bytes
   Image CRC          6677e475
   Source identity    5acf0981b6a5ecb5

@@ -32,14 +32,14 @@ bool open
     open = true
 -- stdout --
 k.key: key [..]
-a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
-a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
+a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM on a 64-bit computer, state vector 16 bytes (layout b1dc9237)
+a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM on a 64-bit computer, state vector 16 bytes (layout b1dc9237)
 a.smb: signed with key [..], number 7
-a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
+a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM on a 64-bit computer, state vector 16 bytes (layout b1dc9237)
 a.smb: signed with this key [..], number 7
 other.key: key [..]
-a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
-b.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
+a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM on a 64-bit computer, state vector 16 bytes (layout b1dc9237)
+b.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM on a 64-bit computer, state vector 16 bytes (layout b1dc9237)
 b.smb: signed with this key [..], number 4000000000
 -- stderr --
 smc: cannot make 'k.key': File exists

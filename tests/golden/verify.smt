@@ -11,4 +11,4 @@ bool open
 .step
     open = true
 -- stdout --
-a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM, state vector 16 bytes (layout b1dc9237)
+a.smb: machine 1: 1 state, longest step 3 instructions, [..] bytes of RAM on a 64-bit computer, state vector 16 bytes (layout b1dc9237)

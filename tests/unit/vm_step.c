@@ -226,7 +226,7 @@ static void starting(void)
     CHECK(init(&t, t.memory, need, t.sv, 1) == SM_OK);
     CHECK(init(&t, t.memory, need - 1, t.sv, 1) == SM_E_MEMORY);
     CHECK(init(&t, odd, sizeof t.memory - 8, t.sv, 1) == SM_E_ALIGNMENT);
-    CHECK(init(&t, t.memory, need, (uint8_t *)t.sv + 4, 1) == SM_E_ALIGNMENT);
+    CHECK(init(&t, t.memory, need, (uint8_t *)t.sv + 2, 1) == SM_E_ALIGNMENT);
     CHECK(init(&t, t.memory, need, t.sv, 0) == SM_E_ARGUMENT);
     CHECK(init(&t, t.memory, need, t.sv, 2) == SM_E_ARGUMENT);
     CHECK(smvm_init(t.memory, need, &t.m, &(SmvmVector){t.sv, 64, 1}, 1) == SM_E_LAYOUT);

@@ -65,7 +65,7 @@ static void put_value(TraceBucket *b, double x, bool first)
 
 static void fill(Drawing *d, TraceSeries *series, const LogElement *e)
 {
-    bool *filled = ARENA_ARRAY(d->f->arena, bool, d->t.steps);
+    bool *filled = ARENA_ARRAY(d->f->arena, bool, (size_t)d->t.steps);        // slots
 
     for (size_t i = 0; i < d->s->item.n; i++) {
         const LogItem *item = &d->s->item.at[i];

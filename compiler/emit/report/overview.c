@@ -69,7 +69,7 @@ static void put_facts(const Report *r, Doc *d)
     fact(t, "Longest step", format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, state));
     fact(t, "On an Arduino Uno", report_fits_uno(r) ? format_in(r->arena, "about %s", report_cycles(r, r->eeprom.worst))
                                                  : "does not fit its memory");
-    fact(t, "Memory on the VM", format_in(r->arena, "%lu bytes", (unsigned long)r->cost.ram));
+    fact(t, "Memory on the VM", format_in(r->arena, "%lu bytes on a 64-bit computer", (unsigned long)r->cost.ram));
     fact(t, "Image", format_in(r->arena, "%lu bytes", (unsigned long)r->image_size));
     fact(t, "Image CRC", format_in(r->arena, "%08lx", (unsigned long)smvm_uint(r->image, SMVM_CRC_AT, 4)));
     fact(t, "Source identity", identity(r));
