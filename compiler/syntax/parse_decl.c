@@ -106,7 +106,7 @@ static void parse_initial_value(Parser *p, AstDecl *d)
 {
     if (p->tok.kind != TOK_ASSIGN) {
         Diag *x = parser_fail(p, DIAG_local_without_value, d->name_span, d->name->text);
-        diag_label(p->diags, x, DIAG_label_local_value, d->name->text);
+        diag_label(p->diags, x, DIAG_label_local_value, parser_text(p, d->type_span), d->name->text, d->type == SM_BOOL ? "false" : "0");
         return;
     }
     parser_next(p);

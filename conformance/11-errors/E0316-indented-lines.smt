@@ -30,6 +30,8 @@ U8 code
         code = 6; -> Abort    #! E0109 each statement
     b:                        #! E0316 write '{'
         code = 7
-.exit
+    b:                        #! E0316 write '{'
+        code = 8
+      .exit
     code = 0
 [Abort]

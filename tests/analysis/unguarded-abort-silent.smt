@@ -38,7 +38,7 @@ U8 level
 [Both]
 .step
     p > 50: code = 1
-    else: code = 2
+    else: level = 2
     -> Abort
 [Classified]
 .step

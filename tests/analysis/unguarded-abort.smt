@@ -26,6 +26,10 @@ U8 level
     p > 50 { level = 2 }
     hot: p > 40: code = 2
     -> Vented                   #! W0517 'Vented'
+[Other]
+.step
+    p > 50: code = 1
+    @allow(dead-store, "another warning") -> Abort   #! W0517
 [Done]
 .step
     p > 50: code = 1

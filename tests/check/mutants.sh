@@ -30,7 +30,7 @@ command -v timeout >/dev/null || { echo "mutants.sh needs timeout (coreutils): 0
 mkdir -p "$folder/tree" "$folder/build" || exit 1
 folder=$(cd "$folder" && pwd)
 tree=$folder/tree build=$folder/build
-parts='Makefile stdlib compiler bytecode-vm runtime-c tests conformance docs examples'
+parts='Makefile README.md stdlib compiler bytecode-vm runtime-c tests conformance docs examples'
 for part in $parts; do
     rm -rf "$tree/${part:?}.new"
     cp -Rp "$part" "$tree/$part.new" && { rm -rf "$tree/$part"; mv "$tree/$part.new" "$tree/$part"; } || exit 1
