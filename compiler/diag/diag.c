@@ -85,6 +85,17 @@ static const char *fill_in(Arena *arena, const char *message, va_list args)
     return buf_text(&b);
 }
 
+// The source in the list that has this name and text, else src: a file that was loaded twice is one file.
+static const Source *file_of(const Diags *d, const Source *src)
+{
+    for (size_t i = d->files.n; src && i-- > 0; ) {
+        const Source *file = d->files.at[i];
+        if (file == src || (file->len == src->len && strcmp(file->name, src->name) == 0 && memcmp(file->text, src->text, src->len) == 0))
+            return file;
+    }
+    return src;
+}
+
 static void note_file(Diags *d, const Source *src)
 {
     for (size_t i = d->files.n; i-- > 0; )
@@ -116,6 +127,7 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
 {
     Diag *x;
 
+    span.src = file_of(d, span.src);
     if (!is_wanted(d, code, span))
         return dropped(d);
     x = ARENA_NEW(d->arena, Diag);

@@ -104,6 +104,25 @@ static void test_places(void)
     arena_free(&arena);
 }
 
+// A file that was loaded twice is one file: what is wrong in it is reported once.  Another name or another text is another file.
+static void test_same_file_twice(void)
+{
+    static const char text[] = "one\ntwo\n";
+    const Source *s[4];
+
+    start();
+    s[0] = source("a.ss", text, sizeof text - 1);
+    s[1] = source("b.ss", text, sizeof text - 1);
+    s[2] = source("a.ss", text, sizeof text - 1);
+    s[3] = source("a.ss", "one\ntwO\n", sizeof text - 1);
+    for (unsigned i = 0; i < 4; i++)
+        diag_report(&diags, DIAG_moment_missed, (Span){s[i], 0, 3}, "G", "15", "10");
+    diag_report(&diags, DIAG_moment_missed, (Span){s[2], 4, 3}, "G", "25", "10");
+    diag_report(&diags, DIAG_moment_missed, (Span){s[0], 4, 3}, "G", "25", "10");
+    CHECK(diags.warnings == 4 && diags.list.n == 4 && diags.files.n == 3);
+    arena_free(&arena);
+}
+
 // Of a line of a megabyte the neighbourhood of the caret is shown.
 static void test_long_line(void)
 {
@@ -357,6 +376,7 @@ int main(void)
     test_example();
     test_unprintable();
     test_places();
+    test_same_file_twice();
     test_long_line();
     test_large_line_number();
     test_collecting();
