@@ -472,6 +472,8 @@ static void window_case(Case *c, unsigned type, unsigned n, unsigned stats, unsi
     code(&c->b, SMVM_end, 0);
     end_function(&c->b);
     end_function(&c->b);
+    while (how % 5 < 3 && (stats & (stats - 1)) == 0 && c->b.outputs < 63 + how % 5)      // it goes to one of the last that fit into a word, or the next
+        result(c, SM_F64);
     for (unsigned s = 0; s < SM_STAT_COUNT; s++)
         if (stats >> s & 1)
             put_stat(c, s, how % 2 ? type : SM_F64);
