@@ -405,6 +405,17 @@ static void what_is_no_request_is_said_to_be_none(void)
     CHECK(link_ask(&p.host, LINK_BEGIN, body, 3) && p.host.result == SM_E_ARGUMENT);
     CHECK(link_ask(&p.host, LINK_READ, body, 5) && p.host.result == SM_E_ARGUMENT);
     CHECK(link_ask(&p.host, LINK_READ, far, 5) && p.host.result == SM_E_ARGUMENT);
+    for (unsigned slot = 2; slot < STORE_BUILT_IN; slot++) {                                    // there are two, and the built-in one
+        const uint8_t of[5] = {(uint8_t)slot, 0, 0, 0, 1};
+        CHECK(link_ask(&p.host, LINK_READ, of, 5) && p.host.result == SM_E_MISSING);
+        CHECK(link_ask(&p.host, LINK_IMAGE, of, 1) && p.host.result == SM_E_MISSING);
+    }
+    for (uint32_t before = 0; before < 3; before++)                                             // up to the slot's end and not beyond
+        for (uint8_t n = 0; n < 5; n++) {
+            uint8_t end[5] = {0, 0, 0, 0, n};
+            sm_link_put(end + 1, p.board.store.slot_size - before, 3);
+            CHECK(link_ask(&p.host, LINK_READ, end, 5) && p.host.result == (n <= before ? SM_OK : SM_E_ARGUMENT) && p.host.n == (n <= before ? n : 0));
+        }
     p.host.tries = 2;
     CHECK(!link_ask(&p.host, LINK_READ, new_image.bytes, BOARD_BODY + 1) && !p.host.gone);       // longer than it takes
     CHECK(!link_ask(&p.host, (LinkMessage)0x81, NULL, 0));                                      // an answer is no request
@@ -536,6 +547,25 @@ static void what_runs_is_not_read_back(const char *memory)
     CHECK(device_update(&p.host, &info, &u) == DEVICE_DONE && u.was_there);
 }
 
+// An answer is never longer than the board's largest body, however many events wait.
+static void events_fit_into_an_answer(void)
+{
+    uint8_t cursor[4] = {0};
+    Pair p;
+
+    pair(&p, "eeprom", 2);
+    for (uint32_t i = 0; i < 5; i++) {
+        const SmEvent e = {i, i, 0, 7, SM_EVENT_STATE};
+        sm_event(&p.board.events, &e);
+    }
+    for (uint32_t i = 0; i < 5; i++) {
+        CHECK(link_ask(&p.host, LINK_EVENTS, cursor, 4) && p.host.result == SM_OK && p.host.n == 8 + 19);        // one: two would be 47 of 37 bytes
+        memcpy(cursor, p.host.body, 4);
+        CHECK(sm_link_get(cursor, 4) == i + 1 && sm_link_get(p.host.body + 8, 4) == i);
+    }
+    CHECK(link_ask(&p.host, LINK_EVENTS, cursor, 4) && p.host.n == 8);
+}
+
 // ---- boards of other firmware: a line that answers each request with the same bytes ----
 
 typedef struct Canned {
@@ -644,6 +674,7 @@ int main(int argc, char **argv)
     noise_before_a_request_does_not_spoil_it();
     an_update_goes_on_after_a_restart();
     events_come_once_and_in_order();
+    events_fit_into_an_answer();
     for (unsigned long i = 0; i < number; i++)
         one_update_in_trouble(memories[i % 2], (uint8_t)(1 + i / 2 % 2), &ends);
     printf("%lu updates: %u succeeded, %u refused, %u without an answer\n", number, ends.succeeded, ends.refused, ends.silent);

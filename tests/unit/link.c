@@ -94,6 +94,51 @@ static void what_is_too_long_is_dropped(void)
     CHECK(!sm_link_receive(&r, 0) && !sm_link_receive(&r, 0));
 }
 
+// A frame of n payload bytes without a zero in them or in their checksum: COBS makes one block of it.
+static void make_one_block(Line *l, uint16_t n)
+{
+    do
+        make(l, n, 2);
+    while (memchr(l->bytes + 1, 0, l->n - 2u) || l->bytes[0] != l->n - 1);
+}
+
+// A block that ends before its time: bytes are missing, though the checksum of the others is right.
+static void what_is_cut_does_not_arrive(void)
+{
+    uint8_t buffer[ROOM];
+    LinkReceiver r;
+    Line l;
+
+    sm_link_receiver(&r, buffer, sizeof buffer);
+    for (unsigned more = 1; more < 100; more++) {
+        make_one_block(&l, 20);
+        l.bytes[0] = (uint8_t)(l.bytes[0] + more);
+        CHECK(!arrives(&r, &l));
+        l.bytes[0] = (uint8_t)(l.bytes[0] - more);
+        CHECK(arrives(&r, &l));
+    }
+}
+
+// A frame longer than the buffer, which begins with what would be a whole one.
+static void what_begins_well_and_is_too_long_is_dropped(void)
+{
+    uint8_t buffer[LINK_HEAD + 16 + LINK_TAIL];
+    LinkReceiver r;
+    Line l;
+
+    sm_link_receiver(&r, buffer, sizeof buffer);
+    for (unsigned more = 1; more < 50; more++) {
+        make_one_block(&l, LINK_HEAD + 16);
+        memset(l.bytes + l.n - 1, 0x55, more);
+        l.bytes[0] = (uint8_t)(l.bytes[0] + more);
+        l.n = (uint16_t)(l.n + more);
+        l.bytes[l.n - 1] = 0;
+        CHECK(!arrives(&r, &l));
+        make(&l, LINK_HEAD + 16, 0);
+        CHECK(arrives(&r, &l));
+    }
+}
+
 static void fields(void)
 {
     uint8_t at[4];
@@ -107,6 +152,8 @@ int main(void)
     what_is_sent_arrives();
     what_is_damaged_does_not();
     what_is_too_long_is_dropped();
+    what_is_cut_does_not_arrive();
+    what_begins_well_and_is_too_long_is_dropped();
     fields();
     return test_end("link");
 }
