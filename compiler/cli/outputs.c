@@ -46,17 +46,26 @@ static bool next_make_word(const char **at, const char *end, const char **word, 
     return *n > 0;
 }
 
-// What -MD writes has no place for a mark, but a form of its own: one rule without commands whose prerequisites are sources, and
-// below it with -MP an empty rule for each.
+static bool ends_in(const char *word, size_t n, const char *ending)
+{
+    const size_t m = strlen(ending);
+
+    return n > m && memcmp(word + n - m, ending, m) == 0;
+}
+
+// What -MD writes has no place for a mark, but a form of its own: one rule without commands whose prerequisites are sources (none
+// where the machine came from standard input), and below it with -MP an empty rule for each.
 static bool is_make_rule(const Head *h)
 {
     const char *end = h->at + h->n, *at = memchr(h->at, ':', h->n), *word;
     const char *first_end = memchr(h->at, '\n', h->n);
+    const size_t target = at ? (size_t)(at - h->at) : 0;
     size_t n;
 
     if (!h->is_whole || !at || !first_end || at > first_end || *h->at == '\t' || *h->at == ' ')
         return false;
-    at++;
+    if (++at == first_end)
+        return ends_in(h->at, target, ".smb") || ends_in(h->at, target, ".c") || ends_in(h->at, target, ".h");
     while (next_make_word(&at, first_end, &word, &n))
         if (!outputs_is_source_name(word, n))
             return false;

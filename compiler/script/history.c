@@ -7,7 +7,10 @@
 #include <inttypes.h>
 #include <string.h>
 
-enum { STEPS = 5, TRANSITIONS = 3, COLUMNS = 6, COLUMN_WIDTH = 40, STOPS = 3 };
+enum {
+    STEPS = 5, TRANSITIONS = 3, COLUMNS = 6, COLUMN_WIDTH = 40, STOPS = 3,
+    WORK_MOST = 1000000000            // samples that the second run may look at: a few seconds
+};
 
 typedef struct PastStep {
     uint64_t number, g;
@@ -101,6 +104,18 @@ static void note(void *context, const ScriptStep *step)
     note_transition(context);
 }
 
+// The reference interpreter looks at every sample of every window in each step.
+static bool is_too_long(const Run *r)
+{
+    uint64_t work = 1;
+
+    for (size_t i = 0; i < r->p->window.n; i++)
+        work += r->p->window.at[i].size;
+    for (size_t i = 0; i < r->s->window.n; i++)
+        work += r->s->window.at[i].size;
+    return r->result.steps > WORK_MOST / work;
+}
+
 // Whether the values at the end are those of the run that ended badly.
 static bool run_again(History *h)
 {
@@ -186,19 +201,21 @@ static void add_transitions(History *h, Diag *d)
         diag_note(r->diags, d, t->stmt->span, DIAG_note_transition_made, count_text(r->arena, t->step), count_text(r->arena, t->g),
                   t->from->name->text, t->stmt->target->name->text);
     }
-    if (h->transitions == 0)
+    if (h->transitions == 0 && r->failed)
         diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, r->s->init_state->name->text);
 }
 
-// The run did not end: where the machine is, and why no @stop came.
-static void add_state(History *h, Diag *d)
+// The run did not end: where the machine is.
+static void add_state(const Run *r, Diag *d)
 {
-    const Run *r = h->failed;
-    const PastTransition *last = h->transitions ? &h->transition[h->transitions - 1] : NULL;
+    const uint64_t step = r->answer[0].next_is_first ? r->result.steps + 1 : r->start / r->s->delta_t + 1;
+    const State *state = r->p->state.at[r->answer[0].next_state - 1];
 
-    if (last)
-        diag_note(r->diags, d, (Span){0}, DIAG_note_state_since, last->stmt->target->name->text, count_text(r->arena, last->step + 1),
-                  count_text(r->arena, last->g + r->s->delta_t));
+    if (step > 1 && step - 1 <= UINT64_MAX / r->s->delta_t)
+        diag_note(r->diags, d, (Span){0}, DIAG_note_state_since, state->name->text, count_text(r->arena, step),
+                  count_text(r->arena, (step - 1) * r->s->delta_t));
+    else if (step == 1)
+        diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, state->name->text);
 }
 
 static void add_stop(const Run *r, Diag *d, const ScriptSection *section, uint64_t ran, Span stop)
@@ -236,14 +253,16 @@ void history_add(Run *failed, Diag *d)
         add_columns(h, failed->failed_item->guard);       // @assert false: what made its condition true
     if (stop)
         add_columns(h, stop->guard);
-    if (!run_again(h)) {
-        diag_note(failed->diags, d, (Span){0}, DIAG_note_other_values, failed->engine[0]->name);
-        return;
-    }
     if (!failed->failed) {
         add_stops(failed, d);
-        add_state(h, d);
+        add_state(failed, d);
     }
-    add_steps(h, d);
-    add_transitions(h, d);
+    if (is_too_long(failed)) {
+        diag_note(failed->diags, d, (Span){0}, DIAG_note_too_long);
+    } else if (!run_again(h)) {
+        diag_note(failed->diags, d, (Span){0}, DIAG_note_other_values, failed->engine[0]->name);
+    } else {
+        add_steps(h, d);
+        add_transitions(h, d);
+    }
 }

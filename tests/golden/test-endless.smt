@@ -25,11 +25,11 @@ a.ss:6:5: error: the script did not reach @stop within 2 steps [E0751]
     6 |     @stop
       |     ^~~~~
 a.ss:6:5: note: this condition was evaluated in every step and was never true
+note: the machine has been in state 'Idle' from the start
 note: the last steps, and the values after each:
       step   G  state
          1   0  Idle
          2  10  Idle
-note: the machine has been in state 'Idle' from the start
 1 error, 1 warning
 -- exit --
 1

@@ -210,6 +210,20 @@ twice build one/tank.sm two/tank.sm --emit=c
 "$smc" key new.sm 2>log; if [ $? = 2 ] && [ ! -e new.sm ]; then good; else bad "a key is written to a source"; fi
 "$smc" build tank.sm -MD -o - >out 2>log; if [ $? = 2 ] && grep -q -e '-MF' log; then good; else bad "-MD has no name for its file"; fi
 
+cp tank.sm in.txt
+for force in '' --force; do
+    "$smc" graph - -o in.txt $force <in.txt >out 2>log
+    if [ $? = 2 ] && cmp -s in.txt tank.sm; then good; else bad "standard input is the output"; fi
+done
+for again in 1 2; do
+    "$smc" build - -o piped.smb -MD <tank.sm 2>log && good || bad "a rule without a source, again"
+done
+"$smc" build tank.sm -o piped.smb -MD -MP -MT 'a b' 2>log && "$smc" build tank.sm -o piped.smb -MD 2>log && good || bad "a rule with other targets"
+cp tank.sm 'a tank#1.sm'
+for again in 1 2; do
+    "$smc" build 'a tank#1.sm' -o 'a b.smb' -MD -MP 2>log && good || bad "a rule with blanks in names"
+done
+
 # ---- what looks nearly like ours ----
 
 near()
@@ -224,6 +238,7 @@ near 'int main(void);  // Made by hand\n'
 near 'tank.smb: tank.sm\n\tsmc build tank.sm\n'
 near 'tank.o: tank.c tank.h\n'
 near 'smc: notes on it\n'
+near 'Shopping:\n'
 near '<svg class="plot"></svg>\n'
 near '<?xml version="1.0" encoding="UTF-8"?>\n<testsuites name="pytest tests"/>\n'
 near '1 apple 3\n2 pears 4\n'
