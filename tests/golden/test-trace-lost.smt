@@ -1,5 +1,5 @@
 # What is not in the trace is reported: cases, scripts that did not run; and names that a column cannot have.
-args test --trace=t.csv a.sm a.ss bad.ss cases && cat t.csv
+args test --trace=t.csv a.sm a.ss bad.ss cases; cat t.csv
 args test --trace=u.csv a.sm bad.ss; ls
 args test --trace=- --trace-elements=S a.sm long.ss
 
@@ -42,6 +42,8 @@ U32 S
 [A]
 -- stdout --
 2 passed, 1 failed
+script,step,G,state,T,a.state,a.step
+a.ss,1,0,Idle,0,0,0
 a.sm
 a.ss
 bad.ss
@@ -77,5 +79,3 @@ final state vector:
   state = 0.000000
   step = false
 smc: 'G' has values in the trace that a double cannot hold: spreadsheets round them
--- exit --
-1 0 0

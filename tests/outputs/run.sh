@@ -1,11 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# run.sh SMC FOLDER LOG: what outputs may replace.  Every command that writes a file is tried, through each of its options, on sources, on
+# run.sh SMC LOG: what outputs may replace.  Every command that writes a file is tried, through each of its options, on sources, on
 # its own inputs under other names, on files of others and on its own results.  LOG is a flight log.
 smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
-flight=$(cd "$(dirname "$3")" && pwd)/$(basename "$3")
+flight=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
 passed=0; failed=0
-rm -rf "$2" && mkdir -p "$2" && cd "$2" || exit 1
+dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-outputs.XXXXXX") && cd "$dir" || exit 1
+trap 'rm -rf "$dir"' EXIT
+trap 'exit 130' INT TERM
 
 good() { passed=$((passed + 1)); }
 bad() { failed=$((failed + 1)); echo "tests/outputs: $*" >&2; sed 's/^/    /' log >&2; }
