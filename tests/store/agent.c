@@ -547,6 +547,26 @@ static void what_runs_is_not_read_back(const char *memory)
     CHECK(device_update(&p.host, &info, &u) == DEVICE_DONE && u.was_there);
 }
 
+// A request that is shorter than its message must be is refused, though what an earlier one left in the buffer would complete it.
+static void what_is_too_short_is_refused(void)
+{
+    static const struct { LinkMessage message; uint8_t least; } all[] = {
+        {LINK_IMAGE, 1}, {LINK_PIN, 3}, {LINK_BEGIN, 9}, {LINK_DATA, 6}, {LINK_END, 2}, {LINK_ACTIVATE, 2}, {LINK_CONFIRM, 4}, {LINK_ERASE, 4},
+        {LINK_READ, 5}, {LINK_EVENTS, 4},
+    };
+    const uint8_t body[9] = {1, 0, 16};                   // slot 1, pin 16, session 1 with 16 bytes, …
+    Pair p;
+
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        prepare(&p, "eeprom", 2);
+        for (uint8_t n = 0; n < all[i].least; n++) {
+            (void)link_ask(&p.host, LINK_PIN, body, 9);
+            CHECK(link_ask(&p.host, all[i].message, body, n) && p.host.result == SM_E_ARGUMENT && p.host.n == 0);
+        }
+        CHECK(link_ask(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_OK);
+    }
+}
+
 // An answer is never longer than the board's largest body, however many events wait.
 static void events_fit_into_an_answer(void)
 {
@@ -675,6 +695,7 @@ int main(int argc, char **argv)
     an_update_goes_on_after_a_restart();
     events_come_once_and_in_order();
     events_fit_into_an_answer();
+    what_is_too_short_is_refused();
     for (unsigned long i = 0; i < number; i++)
         one_update_in_trouble(memories[i % 2], (uint8_t)(1 + i / 2 % 2), &ends);
     printf("%lu updates: %u succeeded, %u refused, %u without an answer\n", number, ends.succeeded, ends.refused, ends.silent);
