@@ -32,6 +32,9 @@ static pid_t start(const char *cc)
     if (pid == 0) {
         const int quiet = open("/dev/null", O_WRONLY);
         setpgid(0, 0);
+        signal(SIGINT, SIG_DFL);                      // a shell that runs tests in the background ignores it
+        signal(SIGTERM, SIG_DFL);
+        signal(SIGHUP, SIG_DFL);
         setenv("CC", cc, 1);
         dup2(quiet, 1);
         dup2(quiet, 2);
