@@ -24,7 +24,10 @@ U32 S
 [options]
 delta_t 1
 [A]
-true: @stop
+true {
+    @assert S == 1
+    @stop
+}
 END
 "$smc" build "$dir/at/tank.sm" -g -o "$dir/at/image.smb" && "$smc" key "$dir/at/image.key" || exit 1
 
