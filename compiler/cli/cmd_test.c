@@ -77,26 +77,6 @@ static void say_absent(TestRun *t)
             cli_remark(t->c, "engine %s is not present here; cases ran without it", engine_name[i]);
 }
 
-static size_t count(const TestRun *t, TestStatus status)
-{
-    size_t n = 0;
-
-    for (size_t i = 0; i < t->result.n; i++)
-        n += t->result.at[i].status == status;
-    return n;
-}
-
-static void put_summary(const TestRun *t, Buf *out)
-{
-    size_t skipped = count(t, TEST_SKIPPED) + t->left_out;
-
-    buf_printf(out, "%lu passed, %lu failed", (unsigned long)count(t, TEST_PASSED),
-               (unsigned long)(count(t, TEST_FAILED) + count(t, TEST_BROKEN)));
-    if (skipped)
-        buf_printf(out, ", %lu skipped", (unsigned long)skipped);
-    buf_char(out, '\n');
-}
-
 static int write_results(TestRun *t, bool summary)
 {
     OsOutput junit = {t->c->value[OPT_JUNIT], NULL, 0};
@@ -107,7 +87,7 @@ static int write_results(TestRun *t, bool summary)
     if (tap)
         test_write_tap(t, &out);
     else if (summary && !test_is_read(t->c))
-        put_summary(t, &out);
+        test_write_summary(t, &out);
     if (!cli_print(t->c, tap ? 1 : test_result_fd(t->c), &out))
         return EXIT_ENVIRONMENT;
     if (!t->c->given[OPT_JUNIT])

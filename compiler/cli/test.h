@@ -98,6 +98,7 @@ void test_check_trace(const TestPart *part, const Buf *trace, Buf *why);
 
 // ---- test_output.c ----
 
+void test_write_summary(const TestRun *t, Buf *out);
 void test_write_junit(const TestRun *t, Buf *out);
 void test_write_tap(const TestRun *t, Buf *out);
 

@@ -1,9 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of smc test for other programs: JUnit XML and the Test Anything Protocol.
+// The results of smc test, all together: for people, as JUnit XML and in the Test Anything Protocol.
 #include <string.h>
 
 #include "compiler/base/utf8.h"
 #include "compiler/cli/test.h"
+
+// ---- messages ----
+
+static size_t first_line(const char *text)
+{
+    const char *lf = strchr(text, '\n');
+
+    return lf ? (size_t)(lf - text) : strlen(text);
+}
+
+// The line that says why: of diagnostics the first error, whatever warnings stand above it.
+static const char *line_of_failure(const char *text)
+{
+    const char *error = strstr(text, ": error: ");
+
+    if (!error)
+        return text;
+    while (error > text && error[-1] != '\n')
+        error--;
+    return error;
+}
+
+// ---- the end of a run, for people ----
+
+static size_t count(const TestRun *t, TestStatus status)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < t->result.n; i++)
+        n += t->result.at[i].status == status;
+    return n;
+}
+
+// Where many scripts failed, what was printed of each is long: a line each, at the end.
+static void put_failed(const TestRun *t, Buf *out)
+{
+    size_t scripts = 0;
+
+    for (size_t i = 0; i < t->result.n; i++)
+        scripts += t->result.at[i].status == TEST_FAILED && has_suffix(t->result.at[i].path, ".ss");
+    for (size_t i = 0; i < t->result.n && scripts > 1; i++) {
+        const TestResult *r = &t->result.at[i];
+        const char *why = line_of_failure(r->message);
+        if (r->status == TEST_FAILED && has_suffix(r->path, ".ss"))
+            buf_printf(out, "failed: %.*s\n", (int)first_line(why), why);
+    }
+}
+
+void test_write_summary(const TestRun *t, Buf *out)
+{
+    size_t skipped = count(t, TEST_SKIPPED) + t->left_out;
+
+    put_failed(t, out);
+    buf_printf(out, "%lu passed, %lu failed", (unsigned long)count(t, TEST_PASSED),
+               (unsigned long)(count(t, TEST_FAILED) + count(t, TEST_BROKEN)));
+    if (skipped)
+        buf_printf(out, ", %lu skipped", (unsigned long)skipped);
+    buf_char(out, '\n');
+}
 
 // ---- JUnit ----
 
@@ -41,25 +100,6 @@ static void put_attribute(Buf *out, const char *name, const char *value, size_t 
     buf_printf(out, " %s=\"", name);
     put_xml(out, value, n, true);
     buf_char(out, '"');
-}
-
-static size_t first_line(const char *text)
-{
-    const char *lf = strchr(text, '\n');
-
-    return lf ? (size_t)(lf - text) : strlen(text);
-}
-
-// The line that says why: of diagnostics the first error, whatever warnings stand above it.
-static const char *line_of_failure(const char *text)
-{
-    const char *error = strstr(text, ": error: ");
-
-    if (!error)
-        return text;
-    while (error > text && error[-1] != '\n')
-        error--;
-    return error;
 }
 
 // The code of a diagnostic that its line ends with: "E0750" of "... [E0750]".

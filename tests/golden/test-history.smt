@@ -108,6 +108,8 @@ final state vector:
   n = 2
   open = false
   p = 0.000000
+failed: a.ss:7:16: error: assert does not hold after step 8 (G = 70, state Idle) [E0750]
+failed: b.ss:4:17: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]
 1 passed, 2 failed
 -- stderr --
 a.ss:7:16: error: assert does not hold after step 8 (G = 70, state Idle) [E0750]
