@@ -78,13 +78,15 @@ static const char *new_line(Arena *arena, const Line *l, unsigned levels)
 static bool is_too_long(const Line *l) { return l->end - l->from >= LINE_MAX; }
 static Span span_of(const Line *l, uint32_t at, uint32_t end) { return (Span){l->src, at, end - at}; }
 
-// x = 1 or -> Idle begins at p.
+// x = 1, -> Idle, @assert or @stop begins at p.
 static bool begins_statement(const Line *l, uint32_t p)
 {
     uint32_t sign;
 
     if (l->text[p] == '-')
         return p + 1 < l->end && l->text[p + 1] == '>';
+    if (l->text[p] == '@')
+        return has_text(l, p + 1, skip_word(l, p + 1), "assert") || has_text(l, p + 1, skip_word(l, p + 1), "stop");
     if (!is_letter(l->text[p]))
         return false;
     sign = skip_blanks(l, skip_word(l, p));
@@ -178,14 +180,14 @@ static Shared split(const Line *l, uint32_t p)
         next = is_word(c) ? skip_word(l, p) : p + 1;
         if (depth == 0 && (c == '}' || c == '#' || has_text(l, p, next, "else")))
             break;
-        if (strchr(":{}?\"@[", c))
+        if (strchr(":{}?\"[", c) || (c == '@' && !begins_statement(l, p)))
             return s;
         if (depth == 0 && begins_statement(l, p)) {
             if (s.n == STATEMENTS_MAX)
                 return s;
             s.gap[s.n] = gap ? gap : s.end;
             s.begin[s.n++] = p;
-            next = c == '-' ? p + 2 : next;
+            next = c == '-' ? p + 2 : c == '@' ? skip_word(l, p + 1) : next;
         } else if (depth == 0 && s.n > 0 &&
                    (c == ';' || c == ',' || c == '&' || has_text(l, p, next, "and") || has_text(l, p, next, "then"))) {
             gap = gap ? gap : s.end;

@@ -317,12 +317,17 @@ bool slip_is_and_then(const Parser *p)
     return is_letter(*s) || (s[0] == '-' && s[1] == '>');
 }
 
+static bool is_item(const Token *t)
+{
+    return t->kind == TOK_ANNOTATION && (strcmp(t->text->text, "assert") == 0 || strcmp(t->text->text, "stop") == 0);
+}
+
 // x = true, y = true; x = true y = true; x = true -> Idle; x = true and then -> Idle
 static bool begins_statement(const Parser *p)
 {
-    const bool next = !p->ahead.first && (p->ahead.kind == TOK_NAME || p->ahead.kind == TOK_ARROW);
+    const bool next = !p->ahead.first && (p->ahead.kind == TOK_NAME || p->ahead.kind == TOK_ARROW || p->ahead.kind == TOK_ANNOTATION);
 
-    return p->tok.kind == TOK_ARROW || (p->tok.kind == TOK_COMMA && next) || (slip_is_word(&p->tok, "then") && next) || slip_is_and_then(p) ||
+    return p->tok.kind == TOK_ARROW || is_item(&p->tok) || (p->tok.kind == TOK_COMMA && next) || (slip_is_word(&p->tok, "then") && next) || slip_is_and_then(p) ||
            (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN && !p->ahead.first);
 }
 

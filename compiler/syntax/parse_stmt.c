@@ -151,7 +151,7 @@ static void unguarded_braces(Parser *p)
 // An item of a script that stands outside every conditional.
 static void check_guarded(Parser *p, const AstStmt *s)
 {
-    if (!in_script(p) || p->nesting > 0 || p->told_unguarded)
+    if (!in_script(p) || p->nesting > 0 || p->told_unguarded || s->span.at < p->lex.hinted)
         return;
     p->told_unguarded = true;
     diag_label(p->diags, parser_report(p, DIAG_script_unguarded, s->span), DIAG_label_say_when);
