@@ -529,6 +529,11 @@ static void semicolon_for_comma(Lexer *l, Token *t)
     lexer_finish(l, t, TOK_COMMA, l->at + 1);
 }
 
+static bool is_else(const Lexer *l, uint32_t p)
+{
+    return lexer_skip_word(l, p) - p == 4 && memcmp(l->src->text + p, "else", 4) == 0;
+}
+
 // The token after a ';' is read as the first of a line.
 static void skip_semicolon(Lexer *l)
 {
@@ -541,7 +546,7 @@ static void skip_semicolon(Lexer *l)
     if (span.at < l->hinted)
         return;
     d = diag_report(l->diags, DIAG_semicolon, span);
-    if (next == l->src->len || strchr("\n#}", lexer_byte(l, next))) {
+    if (next == l->src->len || strchr("\n#}", lexer_byte(l, next)) || is_else(l, next)) {
         diag_label(l->diags, d, DIAG_label_leave_out);
         diag_edit(l->diags, d, span, "");
     } else if (l->config) {
