@@ -21,5 +21,5 @@ has() { command -v "$1" >/dev/null 2>&1; }
 finish()    # NAME: the last line, and what the script ends with
 {
     if [ "$skipped" -eq 0 ]; then echo "$1: $passed passed, $failed failed"; else echo "$1: $passed passed, $failed failed, $skipped skipped"; fi
-    [ "$failed" -eq 0 ]
+    [ "$failed" -eq 0 ] && [ $((passed + skipped)) -gt 0 ]
 }

@@ -30,7 +30,7 @@ static inline void test_count(bool held, const char *name)
 static inline int test_end(const char *name)
 {
     printf("%s: %d passed, %d failed\n", name, test_passed, test_failed);
-    return test_failed != 0;
+    return test_failed != 0 || test_passed == 0;          // a test that has checked nothing has not passed
 }
 
 #endif

@@ -121,4 +121,4 @@ $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr
 "$1/smc" build -w examples/tank/tank.sm --sv tests/avr/tank.sv --io tests/avr/tank.io -o "$B/tank_pins.smb" || exit 1
 count "$B/run_pins" "$B/pins.elf" 200 "$B/pins.smb" "$B/tank_pins.smb"
 echo "avr: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -67,4 +67,4 @@ for page; do
     done <"$folder/list"
 done
 echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -19,4 +19,4 @@ for object in "$@"; do
 done
 [ "$named" -ge $# ] || { failed=$((failed + 1)); echo "$NM names only $named symbols that are imported"; }
 echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -32,4 +32,4 @@ ends 0 '^10 passed' 'counted: echo 10 passed, 0 failed'
 ends 0 '^9 passed, 0 failed, 1 skipped' 'counted: echo 9 passed, 0 failed, 1 skipped'
 if timeout --foreground 1 true 2>/dev/null; then ends 1 'a: ended with exit code 124' 'a: exec sleep 20'; fi
 echo "runner: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

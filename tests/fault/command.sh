@@ -178,4 +178,4 @@ if [ -z "$CASE" ]; then
     done
 fi
 echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -28,4 +28,4 @@ for machine do
     fi
 done
 echo "findings: $passed passed, $failed failed"
-[ $failed = 0 ]
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

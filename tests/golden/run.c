@@ -293,5 +293,5 @@ int main(int argc, char **argv)
         free((void *)(size_t)g.smc);
     }
     printf("golden: %d passed, %d failed\n", passed, failed);
-    return failed != 0;
+    return failed != 0 || passed == 0;
 }

@@ -41,4 +41,4 @@ for m in "$@"; do
     judge "$m: a line for Mermaid is none" $?
 done
 echo "graph-read: $passed passed, $failed failed, $skipped skipped"
-[ $failed = 0 ]
+[ "$failed" -eq 0 ] && [ $((passed + skipped)) -gt 0 ]
