@@ -5,7 +5,7 @@
 #include "bytecode-vm/image.h"
 #include "compiler/cli/cli.h"
 
-enum { HEAD = 4096 };                     // bytes of an existing file that are read to recognise it
+enum { HEAD = 1 << 16 };                  // bytes of an existing file that are read to recognise it
 
 typedef struct Head { const char *at; size_t n; bool is_whole; } Head;
 
@@ -57,19 +57,22 @@ static bool ends_in(const char *word, size_t n, const char *ending)
 // where the machine came from standard input), and below it with -MP an empty rule for each.
 static bool is_make_rule(const Head *h)
 {
-    const char *end = h->at + h->n, *at = memchr(h->at, ':', h->n), *word;
-    const char *first_end = memchr(h->at, '\n', h->n);
+    const char *end = h->at + h->n, *at = memchr(h->at, ':', h->n), *word, *first_end;
     const size_t target = at ? (size_t)(at - h->at) : 0;
     size_t n;
 
-    if (!h->is_whole || !at || !first_end || at > first_end || *h->at == '\t' || *h->at == ' ')
+    while (!h->is_whole && end > h->at && end[-1] != ' ' && end[-1] != '\n')
+        end--;                                    // the last word may be cut
+    first_end = memchr(h->at, '\n', (size_t)(end - h->at));
+    first_end = first_end || h->is_whole ? first_end : end;
+    if (!at || !first_end || at >= first_end || *h->at == '\t' || *h->at == ' ')
         return false;
     if (++at == first_end)
         return ends_in(h->at, target, ".smb") || ends_in(h->at, target, ".c") || ends_in(h->at, target, ".h");
     while (next_make_word(&at, first_end, &word, &n))
         if (!outputs_is_source_name(word, n))
             return false;
-    for (at = first_end + 1; at < end; at++) {
+    for (at = first_end < end ? first_end + 1 : end; at < end; at++) {
         if (*at == '\n')
             continue;
         if (!next_make_word(&at, end, &word, &n) || word[n - 1] != ':' || !outputs_is_source_name(word, n - 1) || at == end || *at != '\n')
@@ -220,16 +223,17 @@ static int check_name(Cli *c, const char *path, const char *option)
 // What does not exist, holds nothing or is no regular file has nothing to lose.
 static int check_existing(Cli *c, const char *path)
 {
-    char head[HEAD];
-    Head h = {head, 0, false};
+    char *head;
+    Head h = {NULL, 0, false};
 
     if (c->given[OPT_FORCE] || strcmp(path, "-") == 0 || os_is_special(path))
         return EXIT_OK;
-    if (!os_read_head(path, head, sizeof head, &h.n)) {
+    h.at = head = arena_alloc(&c->session.arena, HEAD);
+    if (!os_read_head(path, head, HEAD, &h.n)) {
         cli_say(c, "'%s' would be replaced, but cannot be read to see whether smc wrote it", path);
         return EXIT_ENVIRONMENT;
     }
-    h.is_whole = h.n < sizeof head;
+    h.is_whole = h.n < HEAD;
     if (h.n == 0 || is_ours(&h))
         return EXIT_OK;
     return cli_usage(c, "'%s' exists and was not written by smc; use another name, or --force to replace it", path);

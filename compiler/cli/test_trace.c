@@ -12,7 +12,7 @@ struct TestTrace {
     const Var **column;
     size_t columns;
     bool is_exact;
-    const char *script;           // at hand; NULL: none has run yet
+    const char *script;           // the current one; NULL: none has run yet
     const Var *rounded;           // the first column with a value that a double cannot hold
     Buf text;                     // not yet written
     OsStream file;

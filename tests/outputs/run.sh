@@ -226,6 +226,13 @@ for again in 1 2; do
     "$smc" build 'a tank#1.sm' -o 'a b.smb' -MD -MP 2>log && good || bad "a rule with blanks in names"
 done
 
+long=$(printf '%0150d' 0); many=
+for n in $(seq 30); do cp tank.sm "m$n-$long.sm"; many="$many m$n-$long.sm"; done
+for again in 1 2; do
+    "$smc" build $many --emit=c -MD -MP -MF long.d 2>log && [ "$(wc -c <long.d)" -gt 18000 ] && good || bad "a long rule"
+    "$smc" build tank.sm -o other.smb -MD -MF huge.d -MT "$(seq -s ' ' 12000)" 2>log && good || bad "a rule with many targets"
+done
+
 # ---- what looks nearly like ours ----
 
 near()
