@@ -1,386 +1,390 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs that go on because a sensor reads 0, which is what a broken one reads: `pressure < 5: heater = true`, or, where Heat
-// switches it on when it begins, `pressure < 5: -> Heat`.
+// Outputs that go on because one sensor has failed.
 //
-// A store is looked at with what has to hold for it, cut into parts that all must hold.  One part holds because the sensor reads 0
-// and would not hold of every reading; no part is left to another sensor; and with that reading a run does come to the store
-// and ends with the output on.  Who answers a broken sensor on purpose is no case: where that part holds of a reading far above
-// and of one far below too, or of none within the @range, or where the machine goes to an @abort state.
+// Two machines run side by side from one situation.  In the healthy one every reading stays where it is, or moves a little; in the
+// other one sensor fails.  If the healthy machine stays in its state and an output goes on in the other, the failure did it.
+//
+// It is a finding if it does not depend on another sensor: whatever the others read, as long as the healthy machine stays quiet, the
+// same output goes on.  What a second sensor must agree to now is no finding.  What another sensor has seen before, what a person has
+// ordered before, and that a timer would have done it later are no excuse.
+//
+// A machine may answer a failed sensor on purpose:
+//   - it goes to an @abort state, or to one that leads there in any case;
+//   - the same output goes on at a reading far above as at one far below;
+//   - no reading within the @range does it.
+#include <string.h>
+
 #include "compiler/analysis/abort.h"
-#include "compiler/analysis/dead_sensor.h"
-#include "compiler/analysis/outputs.h"
+#include "compiler/analysis/questions.h"
 #include "stdlib/math.h"
 
+typedef enum Failure { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_FAR_ABOVE, READS_FAR_BELOW, FAILURES } Failure;
+
+// How readings move while they are healthy: noise is on all sensors, a slope on the one that fails and its group.
+typedef struct Motion { double noise, slope; } Motion;       // in TrialInput.scale; a step
+static const Motion motion[] = {{0, 0}, {0.02, 0}, {0, 0.003}, {0, -0.003}, {0.3, 0}, {5, 0}, {100, 0}};
+enum { MOTIONS = sizeof motion / sizeof *motion };
+
 enum {
-    PARTS = 32,                   // of the innermost guards
-    FLOWS = 50                    // sensors asked about in one block
+    OUTPUTS = 4,                  // that one finding names
+    TRIED = 6,                    // entries of a state
+    OTHERS = 16                   // other inputs that are tried before a finding
 };
+static const uint64_t effort = 3000000;           // instructions spent on one sensor in one state
 
-typedef struct Part {
-    const Expr *e;
-    bool holds;
-    bool passed;                  // it is that an earlier branch of an `else if` was not taken: whether it was is up to the run
-} Part;
+typedef struct Case {             // one trial: the sensor reads `reading`, moving, and fails after so much time
+    const TrialEntry *entry;
+    uint32_t sensor;              // index of the input
+    double reading;
+    uint32_t motion;              // index of motion[]
+    uint32_t waits;               // how many of Trials.wait have passed when it fails
+    Failure failure;
+} Case;
 
-typedef struct Parts {
-    Part at[PARTS];
-    size_t n;
-} Parts;
-
-typedef struct Flowed {           // how a block runs when the sensor reads 0
-    const IrFn *f;                // NULL: not asked
-    const State *state;
-    BlockKind block;
-    const Env *end;               // what holds at all its ends
-    bool ends;
-} Flowed;
+typedef struct Effect {
+    const Stmt *at;               // what the failed machine did that the healthy one did not: a transition, or the assignment
+    const Var *output[OUTPUTS];
+    const Stmt *on[OUTPUTS];      // the assignment that switched it on
+    uint32_t outputs;
+    double before, failed;        // what the sensor read
+    uint32_t steps;
+} Effect;
 
 typedef struct Zero {
-    Analysis *a;
-    const Sensors *s;
-    DeadSensor dead;              // reads 0
-    DeadSensor high, low, healthy;    // reads something far above or far below; something within its @range
+    Trials *t;
     AbortBound bound;
-    Stores *ask;                  // by Var.index: stores that a sensor may bring about
-    bool *aborts;                 // by arm: a transition to an @abort state stands in it
-    uint32_t *reached;            // by Stmt.number: the flow that came to it last
-    uint32_t flow;                // its number
-    uint8_t (*flows)[BLOCK_COUNT];    // by state
-    size_t *first;                // by state: its first transition in the list of all
-    Flowed last;
-    const State *settled;         // the state that the following are of
-    const Env *zero, *far_above, *far_below, *in_range;
+    void *healthy, *failed;
+    void *begin, *settled;        // where the sensor fails; the same, while other inputs are tried
+    double *in, *now, *broken;    // inputs: at rest; of the healthy machine in this step; of the failed one
+    double *other;                // in the place of `in` meanwhile
+    uint32_t clock;               // steps of this trial, for the motion
+    double *level;                // by IR variable: its largest magnitude while the healthy machine was at rest
+    uint64_t until;               // Trials.run.work at which this sensor and state have had enough
 } Zero;
 
-// ---- what has to hold ----
+// ---- readings ----
 
-static void add_part(Parts *p, Part part)
+static double failed_reading(const TrialInput *i, Failure f, double before)
 {
-    const Expr *e = part.e;
+    const Fact type = fact_of_type(i->v->type);
 
-    if (e->kind == EX_UNARY && e->op == SM_OP_NOT) {
-        add_part(p, (Part){e->arg[0], !part.holds, part.passed});
-    } else if (e->kind == EX_BINARY && e->op == (part.holds ? SM_OP_AND : SM_OP_OR)) {
-        add_part(p, (Part){e->arg[0], part.holds, part.passed});
-        add_part(p, (Part){e->arg[1], part.holds, part.passed});
-    } else if (p->n < PARTS) {
-        p->at[p->n++] = part;
+    switch (f) {
+    case READS_ZERO: return 0;
+    case READS_LOW_END: return i->lo;
+    case READS_HIGH_END: return i->hi;
+    case READS_FAR_ABOVE: return sm_min(type.hi, 1e30);
+    case READS_FAR_BELOW: return sm_max(type.lo, -1e30);
+    case STICKS: case FAILURES: break;
     }
+    return before;
 }
 
-static bool is_passed(const Condition *c)
+// A number between -1 and 1 for each step and input.
+static double noise(uint32_t step, uint32_t input)
 {
-    return !c->holds && c->stmt->otherwise.n == 1 && c->stmt->otherwise.at[0]->kind == ST_IF;
+    return (double)((step * 2654435761u ^ (input + 1) * 2246822519u) * 3266489917u >> 8) / 8388608.0 - 1;
 }
 
-// A flag that is assigned a condition goes on when it holds.
-static bool is_guarded_by_value(const StmtPlace *at)
+// ---- one trial ----
+
+static void move(const Zero *z, const Case *c, double *in)
 {
-    return at->stmt->kind == ST_ASSIGN && at->stmt->var->type == SM_BOOL && !expr_is_constant(at->stmt->value);
+    const Trials *t = z->t;
+    const Motion m = motion[c->motion];
+
+    for (uint32_t i = 0; i < t->inputs && m.noise > 0; i++)
+        if (!t->input[i].command)
+            in[i] += m.noise * t->input[i].scale * noise(z->clock, t->input[i].group);
+    if (m.slope != 0)
+        trial_set_group(t, in, c->sensor, c->reading + m.slope * t->input[c->sensor].scale * z->clock);
 }
 
-static Parts parts_of(const StmtPlace *at)
+static void step_healthy(Zero *z, const Case *c, void *situation, double dt)
 {
-    Parts p = {{{NULL, false, false}}, 0};
-
-    if (is_guarded_by_value(at))
-        add_part(&p, (Part){at->stmt->value, true, false});
-    for (const Condition *when = at->when; when && p.n < PARTS; when = when->outer)
-        add_part(&p, (Part){when->stmt->value, when->holds, is_passed(when)});
-    return p;
+    memcpy(z->now, z->in, z->t->inputs * sizeof *z->now);
+    move(z, c, z->now);
+    z->clock++;
+    trial_step(z->t, situation, z->now, dt, &z->t->trace);
 }
 
-// ---- what holds ----
-
-static Fact truth(const Analysis *a, const Env *env, const Part *p)
+static void note_levels(Zero *z)
 {
-    const Fact f = fact_convert(suppose_value(a, env, p->e), SM_BOOL);
+    const double *var = ir_run_vars(z->t->run, z->healthy);
 
-    return p->holds ? f : fact_of_bool(f.hi == 1, f.lo == 0);
+    for (uint32_t v = 0; v < z->t->run->m->var.n; v++)
+        z->level[v] = sm_max(z->level[v], sm_abs(var[v]));
 }
 
-static bool is_sure(Fact truth) { return truth.lo == 1; }
-
-static bool wants_another(const Zero *z, const Part *p, const Var *sensor)
+// Steps until windows are full of what inputs are now.  False: the machine leaves its state.
+static bool rest(Zero *z, const Case *c)
 {
-    const Looks l = looks_of_value(z->s, p->e);
-
-    return l.more || l.n > (looks_at(&l, sensor) ? 1u : 0u);
-}
-
-// The part that holds because the sensor reads 0; NULL if there is none, or something is left to another sensor.
-static const Part *part_because(const Zero *z, const Parts *p, const Var *sensor)
-{
-    const Part *because = NULL;
-
-    for (size_t i = 0; i < p->n; i++) {
-        const Part *part = &p->at[i];
-        if (part->passed)
-            continue;
-        if (!is_sure(truth(&z->dead.what, z->zero, part))) {
-            if (wants_another(z, part, sensor))
-                return NULL;
-        } else if (!because && !is_sure(truth(z->a, z->a->facts->constants, part))) {
-            because = part;
-        }
-    }
-    return because;
-}
-
-static bool goes_on(const Zero *z, const StmtPlace *at)
-{
-    const Fact f = fact_convert(suppose_stored(&z->dead.what, z->zero, at->stmt), at->stmt->var->type);
-
-    return is_guarded_by_value(at) ? f.hi == 1 : f.lo > 0 || f.hi < 0;
-}
-
-// ---- answers on purpose ----
-
-static size_t arm_of(const Condition *c) { return 2u * c->stmt->number + c->holds; }
-
-static Fact far_off(const Var *v, bool above)
-{
-    const Fact type = fact_of_type(v->type);
-
-    return fact_of_number(above ? sm_min(type.hi, 1e30) : sm_max(type.lo, -1e30));
-}
-
-static bool is_test_of_reading(const Zero *z, const Part *p, const Var *sensor)
-{
-    if (is_sure(truth(&z->high.what, z->far_above, p)) && is_sure(truth(&z->low.what, z->far_below, p)))
-        return true;
-    return sensor->range && truth(&z->healthy.what, z->in_range, p).hi == 0;
-}
-
-static bool is_answer(const Zero *z, const StmtPlace *at, const Part *because, const Var *sensor)
-{
-    return (at->when && z->aborts[arm_of(at->when)]) || is_test_of_reading(z, because, sensor);
-}
-
-// ---- how the block runs ----
-
-static void note_end(void *context, const IrJump *end, const Env *env)
-{
-    Zero *z = context;
-
-    (void)end;
-    z->last.end = z->last.ends ? env_join(&z->dead.what.facts->shape, z->last.end, env, NULL) : env;
-    z->last.ends = true;
-}
-
-static void note_stores(Zero *z, const IrFn *f, const FactFlow *flow)
-{
-    z->flow++;
-    for (size_t b = 0; b < f->blk.n; b++)
-        if (flow->reached[b]) {
-            z->reached[f->blk.at[b].jump.stmt] = z->flow;
-            for (size_t i = 0; i < f->blk.at[b].ins.n; i++)
-                z->reached[f->ins.at[f->blk.at[b].ins.at[i]].stmt] = z->flow;
-        }
-}
-
-static void run_block(Zero *z, const StmtPlace *at)
-{
-    const FactEnds ends = {note_end, z};
-    FactFlow flow;
-
-    if (z->last.f && z->last.state == at->state && z->last.block == at->block)
-        return;
-    z->last = (Flowed){z->a->m->state.at[at->state->number - 1u].block[at->block], at->state, at->block, NULL, false};
-    z->flows[at->state->number - 1u][at->block]++;
-    flow = facts_flow(z->dead.what.facts, z->last.f, dead_sensor_begin(&z->dead, at->state, at->block), &ends);
-    note_stores(z, z->last.f, &flow);
-}
-
-// The first store behind one; stores stand in file order.
-static size_t next_store(const Stores *list, const StmtPlace *at)
-{
-    size_t first = 0, end = list->n;
-
-    while (first < end) {
-        const size_t middle = first + (end - first) / 2;
-        if (list->at[middle].stmt->number > at->stmt->number)
-            end = middle;
-        else
-            first = middle + 1;
-    }
-    return first;
-}
-
-// A later store, in the same arm or alone in the block, has the last word.
-static bool is_overwritten(const Zero *z, const StmtPlace *at)
-{
-    const Stores *list = &z->s->stores[at->stmt->var->index];
-
-    for (size_t i = next_store(list, at); i < list->n; i++) {
-        const StmtPlace *later = &list->at[i];
-        if (later->state != at->state || later->block != at->block)
+    memset(z->level, 0, z->t->run->m->var.n * sizeof *z->level);
+    for (uint32_t n = z->t->window + 5; n > 0; n--) {
+        step_healthy(z, c, z->healthy, z->t->dt);
+        if (z->t->trace.transition)
             return false;
-        if (!later->when || (at->when && arm_of(later->when) == arm_of(at->when)))
-            return true;
+        if (n < z->t->window + 4)
+            note_levels(z);
     }
-    return false;
+    return true;
 }
 
-static bool ends_on(Zero *z, const StmtPlace *at)
+// Comes to rest with the inputs of the case, and lets its times pass.  False: the machine leaves its state.
+static bool settle(Zero *z, const Case *c)
 {
-    Fact f;
+    Trials *t = z->t;
 
-    if (is_overwritten(z, at) || z->flows[at->state->number - 1u][at->block] > FLOWS)
+    z->clock = 0;
+    trial_copy(t, z->healthy, c->entry->situation);
+    if (!rest(z, c))
         return false;
-    run_block(z, at);
-    f = env_get(&z->dead.what.facts->shape, z->last.end, z->a->m->var_of[at->stmt->var->index]);
-    return z->reached[at->stmt->number] == z->flow && (f.lo < 0 || f.hi > 0);
-}
-
-// ---- transitions ----
-
-static const Stmt *first_switched_on(const Zero *z, const Stmts *stmts)
-{
-    for (size_t i = 0; i < stmts->n; i++) {
-        const Stmt *s = stmts->at[i];
-        if (s->kind == ST_ASSIGN && is_output(s->var) && z->a->stmt[s->number].reached && is_on(z->a->stmt[s->number].value))
-            return s;
+    for (uint32_t w = 0; w < c->waits; w++) {
+        step_healthy(z, c, z->healthy, t->wait[w] - (w > 0 ? t->wait[w - 1] : 0) + t->dt);
+        if (t->trace.transition)
+            return false;
     }
-    return NULL;
+    return c->waits == 0 || rest(z, c);
 }
 
-// What the state switches on when it begins, and was not on before; NULL: nothing.
-static const Stmt *begun_by(const Zero *z, const StmtPlace *at)
+static void add_outputs(Zero *z, Effect *e)
 {
-    const Stmt *on = first_switched_on(z, &at->stmt->target->block[BLOCK_ENTRY]);
+    const Trials *t = z->t;
+    const double *healthy = ir_run_vars(t->run, z->healthy), *failed = ir_run_vars(t->run, z->failed);
+    const uint32_t *writer = ir_run_writers(t->run, z->failed);
 
-    for (int b = BLOCK_ENTRY; on && b <= BLOCK_STEP; b++)
-        if (outputs_switch(z->a, &at->state->block[b], on->var, true))
-            return NULL;
-    return on;
-}
-
-// Whether the same state is gone to without a sensor too, by time or by command: then it goes on anyway.
-static bool goes_anyway(const Zero *z, const StmtPlace *at)
-{
-    for (size_t t = z->first[at->state->number - 1u]; t < z->first[at->state->number]; t++) {
-        const Transition *other = &z->a->transition.at[t];
-        const Looks l = looks_of_condition(z->s, other->when);
-        if (other->to == at->stmt->target && l.n == 0 && !l.more)
-            return true;
+    for (uint32_t v = 0; v < t->run->m->var.n; v++) {
+        if (!t->actuator[v] || sm_abs(failed[v]) - sm_max(z->level[v], sm_abs(healthy[v])) < 0.5 * sm_max(t->peak[v], 1e-9) || e->outputs == OUTPUTS)
+            continue;
+        e->output[e->outputs] = t->var[v];
+        e->on[e->outputs++] = question_stmt(t, writer[v]);
     }
-    return false;
 }
 
-static bool is_made(Zero *z, const StmtPlace *at)
+static bool is_bound(const Zero *z, const void *situation) { return z->bound.bound[trial_state(situation) - 1]; }
+
+typedef enum Outcome { NOTHING, NOT_QUIET, WENT_ON } Outcome;
+
+// Both machines make a step.
+static Outcome step_both(Zero *z, const Case *c, double dt, Effect *e)
 {
-    if (z->flows[at->state->number - 1u][at->block] > FLOWS || goes_anyway(z, at))
+    Trials *t = z->t;
+
+    step_healthy(z, c, z->healthy, dt);
+    if (t->trace.transition)
+        return NOT_QUIET;
+    memcpy(z->broken, z->now, t->inputs * sizeof *z->broken);
+    z->broken[c->sensor] = e->failed;
+    trial_step(t, z->failed, z->broken, dt, &t->trace);
+    if (t->trace.transition && !e->at)
+        e->at = t->transition[t->trace.transition]->stmt;
+    if (is_bound(z, z->failed))
+        return NOT_QUIET;
+    e->steps++;
+    add_outputs(z, e);
+    return e->outputs > 0 ? WENT_ON : NOTHING;
+}
+
+// Steps until nothing that differs changes any more, or for as long as counters and windows last; then times.
+static Outcome run_both(Zero *z, const Case *c, Effect *e)
+{
+    Trials *t = z->t;
+    const uint32_t most = t->window + t->count + 20;
+    Outcome o = NOTHING;
+
+    for (uint32_t n = 0; n < most && o == NOTHING; n++) {
+        o = step_both(z, c, t->dt, e);
+        if (n > t->window + 2 && trial_same(t, z->healthy, z->failed))
+            return o;
+    }
+    for (uint32_t w = 0; w < t->waits && o == NOTHING; w++) {
+        o = step_both(z, c, t->wait[w] + t->dt, e);
+        for (int n = 0; n < 3 && o == NOTHING; n++)
+            o = step_both(z, c, t->dt, e);
+    }
+    return o;
+}
+
+// z->begin is where the sensor fails.
+static Outcome fail(Zero *z, const Case *c, Effect *e)
+{
+    Trials *t = z->t;
+    const uint32_t clock = z->clock;
+    Outcome o;
+
+    memset(e, 0, sizeof *e);
+    trial_copy(t, z->healthy, z->begin);
+    trial_copy(t, z->failed, z->begin);
+    e->before = motion[c->motion].noise > 0 ? c->reading : z->now[c->sensor];      // at rest, not at a peak of the noise
+    e->failed = failed_reading(&t->input[c->sensor], c->failure, e->before);
+    o = run_both(z, c, e);
+    if (o == WENT_ON && !e->at)
+        e->at = e->on[0];
+    z->clock = clock;
+    return e->at ? o : NOTHING;
+}
+
+// ---- whether it is a finding ----
+
+// Whether the output goes on whatever other sensors read from now on, as long as the healthy machine stays quiet and has it off.  What
+// they have read before, and what a person has ordered, stays as it was: it says nothing about this moment.
+static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
+{
+    Trials *t = z->t;
+    double *in = z->in, *other = z->other;
+    const uint32_t clock = z->clock, output = t->a->m->var_of[e->output[0]->index];
+    bool needed = false;
+    Effect again;
+
+    trial_copy(t, z->settled, z->begin);
+    z->in = other;
+    for (int n = 0; n < OTHERS && !needed; n++) {
+        memcpy(other, in, t->inputs * sizeof *other);
+        trial_draw(t, other, &t->state[trial_state(z->settled) - 1], false, false);
+        trial_set_group(t, other, c->sensor, c->reading);
+        trial_copy(t, z->healthy, z->settled);
+        z->clock = clock;
+        if (!rest(z, c))
+            continue;
+        trial_copy(t, z->begin, z->healthy);
+        needed = fail(z, c, &again) == NOTHING && z->level[output] == 0;
+    }
+    trial_copy(t, z->begin, z->settled);
+    z->in = in;
+    z->clock = clock;
+    return !needed;
+}
+
+static bool happens_at(Zero *z, const Case *c, Failure f, const Effect *e)
+{
+    Case other = *c;
+    Effect effect;
+
+    other.failure = f;
+    return fail(z, &other, &effect) == WENT_ON && effect.at == e->at;
+}
+
+// z->begin is still where the sensor failed.
+static bool is_on_purpose(Zero *z, const Case *c, const Effect *e)
+{
+    const TrialInput *i = &z->t->input[c->sensor];
+
+    if (c->failure == STICKS)
         return false;
-    run_block(z, at);
-    return z->reached[at->stmt->number] == z->flow;
+    if (happens_at(z, c, READS_FAR_ABOVE, e) && happens_at(z, c, READS_FAR_BELOW, e))
+        return true;
+    return i->v->range && !trial_is_healthy(i, e->failed) && !happens_at(z, c, READS_LOW_END, e) && !happens_at(z, c, READS_HIGH_END, e);
 }
 
 // ---- findings ----
 
-static void settle(Zero *z, const State *state, const Var *sensor)
+static const char *failure_text(Arena *arena, const Case *c, const Effect *e)
 {
-    if (z->settled == state)
-        return;
-    z->settled = state;
-    z->zero = dead_sensor_settled(&z->dead, state);
-    z->far_above = dead_sensor_settled(&z->high, state);
-    z->far_below = dead_sensor_settled(&z->low, state);
-    if (sensor->range)
-        z->in_range = dead_sensor_settled(&z->healthy, state);
+    return format_in(arena, c->failure == STICKS ? "sticks at %s" : "reads %s", const_text(arena, e->failed));
 }
 
-// From the sensor to the output, in order; a part that reads the sensor itself needs no steps.
-static void report(Zero *z, const StmtPlace *at, const Stmt *on, const Var *sensor, const Part *because)
+static void report(Zero *z, const Case *c, const Effect *e)
 {
-    const char *name = sensor->name->text;
-    const DiagCode text = because->holds ? DIAG_note_holds_at_zero : DIAG_note_fails_at_zero;
-    const Stmt *store = looks_through(z->s, because->e, sensor);
-    Diag *d = diag_report(z->a->diags, DIAG_output_on_zero, at->stmt->span, on->var->name->text, name);
+    Analysis *a = z->t->a;
+    const Var *sensor = z->t->input[c->sensor].v;
+    const char *names = question_names(a->arena, e->output, e->outputs);
+    Diag *d = diag_report(a->diags, DIAG_output_on_zero, e->at->span, names, sensor->name->text, failure_text(a->arena, c, e));
 
-    if (store) {
-        diag_step(z->a->diags, d, store->span, DIAG_note_made_of_sensor, store->var->name->text, name);
-        diag_step(z->a->diags, d, because->e->span, text, name);
-    } else {
-        diag_note(z->a->diags, d, because->e->span, text, name);
+    for (uint32_t i = 0; i < e->outputs; i++)
+        if (e->on[i] != e->at)
+            diag_note(a->diags, d, e->on[i]->span, DIAG_note_switched_on, e->output[i]->name->text);
+    diag_note(a->diags, d, (Span){0}, DIAG_note_failure_example, a->p->state.at[trial_state(c->entry->situation) - 1]->name->text,
+              sensor->name->text, const_text(a->arena, question_rounded(e->before)), const_text(a->arena, e->failed),
+              format_in(a->arena, "%lu", (unsigned long)e->steps));
+    diag_note(a->diags, d, (Span){0}, DIAG_note_failure_advice, sensor->name->text);
+}
+
+// ---- what is tried ----
+
+static bool can_fail_so(const TrialInput *i, const Case *c, Failure f)
+{
+    switch (f) {
+    case READS_ZERO: return c->reading != 0;
+    case READS_LOW_END: return i->v->range && i->lo != 0 && c->reading != i->lo;
+    case READS_HIGH_END: return i->v->range && i->hi != 0 && c->reading != i->hi;
+    case STICKS: return c->motion != 0;
+    case READS_FAR_ABOVE: case READS_FAR_BELOW: case FAILURES: break;
     }
-    if (on != at->stmt)
-        diag_note(z->a->diags, d, on->span, DIAG_note_switched_on, on->var->name->text);
-    diag_note(z->a->diags, d, (Span){0}, DIAG_note_zero_advice, name);
+    return false;
 }
 
-static void ask(Zero *z, const StmtPlace *at, const Var *sensor)
+// The case once it has settled: each way in which the sensor can fail.  True: something was found.
+static bool try_failures(Zero *z, Case *c)
 {
-    const Parts parts = parts_of(at);
-    const bool moves = at->stmt->kind == ST_TRANSITION;
-    const Stmt *on = moves ? begun_by(z, at) : at->stmt;
-    const Part *because;
+    Effect e;
 
-    settle(z, at->state, sensor);
-    because = on ? part_because(z, &parts, sensor) : NULL;
-    if (because && !is_answer(z, at, because, sensor) && (moves ? is_made(z, at) : goes_on(z, at) && ends_on(z, at)))
-        report(z, at, on, sensor, because);
+    trial_copy(z->t, z->begin, z->healthy);
+    for (Failure f = READS_ZERO; f <= STICKS; f++) {
+        c->failure = f;
+        if (!can_fail_so(&z->t->input[c->sensor], c, f) || fail(z, c, &e) != WENT_ON || is_on_purpose(z, c, &e) || !needs_no_other(z, c, &e))
+            continue;
+        report(z, c, &e);
+        return true;
+    }
+    return false;
 }
 
-static void suppose_readings(Zero *z, const Var *sensor)
+static bool try_times(Zero *z, Case *c)
 {
-    dead_sensor_reads(&z->dead, sensor, fact_of_number(sm_from_i32(0)));
-    dead_sensor_reads(&z->high, sensor, far_off(sensor, true));
-    dead_sensor_reads(&z->low, sensor, far_off(sensor, false));
-    if (sensor->range)
-        dead_sensor_reads(&z->healthy, sensor, fact_of_range(sensor->range->lo, sensor->range->hi));
+    for (c->waits = 0; c->waits <= z->t->waits && z->t->run->work < z->until; c->waits++) {
+        if (!settle(z, c))
+            return false;
+        if (try_failures(z, c))
+            return true;
+    }
+    return false;
 }
 
-static void ask_about(Zero *z, const Var *sensor)
+static bool try_reading(Zero *z, Case *c, const TrialState *s)
 {
-    const Stores *list = &z->ask[sensor->index];
+    Trials *t = z->t;
 
-    if (list->n == 0)
-        return;
-    z->last.f = NULL;
-    z->settled = NULL;
-    suppose_readings(z, sensor);
-    for (size_t i = 0; i < list->n; i++)
-        ask(z, &list->at[i], sensor);
+    for (c->motion = 0; c->motion < MOTIONS; c->motion++)
+        for (int others = 0; others < 3 && t->run->work < z->until; others++) {
+            memcpy(z->in, c->entry->in, t->inputs * sizeof *z->in);
+            if (others > 0)
+                trial_draw(t, z->in, s, others > 1, false);
+            trial_set_group(t, z->in, c->sensor, c->reading);
+            if (try_times(z, c))
+                return true;
+        }
+    return false;
 }
 
-static void note_store(Zero *z, const StmtPlace *at)
+static void try_sensor(Zero *z, const TrialState *s, uint32_t sensor)
 {
-    const Looks l = is_guarded_by_value(at) ? looks_of_value(z->s, at->stmt->value) : looks_of_condition(z->s, at->when);
+    const TrialInput *i = &z->t->input[sensor];
+    Case c = {.sensor = sensor};
 
-    for (uint32_t i = 0; i < l.n; i++)
-        vec_push(z->a->arena, &z->ask[l.sensor[i]->index], *at);
+    z->until = z->t->run->work + effort;
+    for (size_t n = 0; n < s->entry.n && n < TRIED; n++)
+        for (uint32_t k = 0; k < i->readings; k++) {
+            c.entry = &s->entry.at[n];
+            c.reading = i->reading[k];
+            if (trial_is_healthy(i, c.reading) && try_reading(z, &c, s))
+                return;
+        }
 }
 
-static void note_place(const StmtPlace *at, void *context)
+void question_output_on_zero(Trials *t)
 {
-    Zero *z = context;
+    Zero z = {.t = t, .bound = abort_bound(t->a)};
 
-    if (!z->a->stmt[at->stmt->number].reached)
-        return;
-    if (at->stmt->kind == ST_ASSIGN && is_output(at->stmt->var))
-        note_store(z, at);
-    if (at->stmt->kind != ST_TRANSITION || !at->when)
-        return;
-    if (z->bound.bound[at->stmt->target->number - 1u])
-        z->aborts[arm_of(at->when)] = true;
-    else
-        note_store(z, at);
-}
-
-void analyse_output_on_zero(Analysis *a)
-{
-    const Sensors *s = sensors_of(a);
-    const size_t n = a->p->var.n;
-    Zero z = {.a = a, .s = s, .bound = abort_bound(a), .dead = dead_sensor_new(s), .high = dead_sensor_new(s),
-              .low = dead_sensor_new(s), .healthy = dead_sensor_new(s)};
-
-    z.ask = ARENA_ARRAY(a->arena, Stores, n);
-    z.aborts = ARENA_ARRAY(a->arena, bool, 2 * (a->p->stmts + 1u));
-    z.first = transitions_by_state(a->arena, a->p, &a->transition);
-    z.reached = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 1u);
-    z.flows = arena_array(a->arena, a->p->state.n, sizeof *z.flows);
-    each_place(a->arena, a->p, note_place, &z);
-    for (size_t v = 0; v < n; v++)
-        ask_about(&z, a->p->var.at[v]);
+    z.healthy = arena_alloc(t->a->arena, t->run->size);
+    z.failed = arena_alloc(t->a->arena, t->run->size);
+    z.begin = arena_alloc(t->a->arena, t->run->size);
+    z.settled = arena_alloc(t->a->arena, t->run->size);
+    z.in = trial_new_inputs(t);
+    z.other = trial_new_inputs(t);
+    z.now = trial_new_inputs(t);
+    z.broken = trial_new_inputs(t);
+    z.level = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
+    for (size_t s = 0; s < t->a->p->state.n; s++)
+        for (uint32_t i = 0; i < t->inputs && !z.bound.bound[s]; i++)
+            if (!t->input[i].command && t->state[s].relevant[i])
+                try_sensor(&z, &t->state[s], i);
 }

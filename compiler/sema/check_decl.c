@@ -66,6 +66,14 @@ static bool is_known(SmType type)
     return type < SM_TYPE_COUNT;
 }
 
+bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind)
+{
+    for (size_t i = 0; i < all->n; i++)
+        if (all->at[i].kind == kind)
+            return true;
+    return false;
+}
+
 static Var *new_var(Declarations *k, VarKind kind, const AstDecl *decl)
 {
     Var *v = ARENA_NEW(k->s->arena, Var);
@@ -76,9 +84,7 @@ static Var *new_var(Declarations *k, VarKind kind, const AstDecl *decl)
     v->span = decl->name_span;
     if (!is_known(decl->type))
         map_put(&k->s->doubtful, decl->name, (void *)decl->name);
-    for (size_t i = 0; i < decl->annotations.n; i++)
-        if (decl->annotations.at[i].kind == AST_READ_ONLY)
-            v->read_only = true;
+    v->read_only = has_annotation(&decl->annotations, AST_READ_ONLY);
     return v;
 }
 
@@ -155,6 +161,11 @@ static void give_range(Declarations *k, Var *v, const AstDecl *decl)
     }
 }
 
+static void give_command(Var *v, const AstDecl *decl)
+{
+    v->command = has_annotation(&decl->annotations, AST_COMMAND) || (v->element && v->element->command);
+}
+
 // ---- elements ----
 
 static void guess_element(Declarations *k, Diag *d, Str name)
@@ -223,6 +234,7 @@ static void list_element(Declarations *k, const AstDecl *decl)
     v->element = k->sv->from_machine ? add_element(k, decl) : find_element(k, decl);
     declare(k, v, v->name, v->span);
     give_range(k, v, decl);
+    give_command(v, decl);
     allow_decl(k->s, decl);
     if (v->element && !k->sv->from_machine)
         allow_listed(k->s, v->element, decl);

@@ -11,14 +11,6 @@ static void report_state_twice(Sema *s, const State *first, const AstSection *se
     diag_note(s->diags, d, first->span, DIAG_note_declared_here, first->name->text);
 }
 
-static bool has_mark(const AstSection *section, AstAnnotationKind kind)
-{
-    for (size_t i = 0; i < section->annotations.n; i++)
-        if (section->annotations.at[i].kind == kind)
-            return true;
-    return false;
-}
-
 static void add_state(Sema *s, Program *p, const AstSection *section)
 {
     State *state = ARENA_NEW(s->arena, State);
@@ -26,8 +18,8 @@ static void add_state(Sema *s, Program *p, const AstSection *section)
 
     state->name = section->name;
     state->span = section->name_span;
-    state->is_abort = has_mark(section, AST_ABORT);
-    state->is_safe = has_mark(section, AST_SAFE);
+    state->is_abort = has_annotation(&section->annotations, AST_ABORT);
+    state->is_safe = has_annotation(&section->annotations, AST_SAFE);
     state->number = (uint32_t)p->state.n + 1;
     vec_push(s->arena, &p->state, state);
     if (state->name->len == 0)

@@ -28,6 +28,7 @@ static void check_element(SvCheck *k, Region *r, const AstDecl *decl)
     allow_in_sv(k->c, k->sv, decl);
     e->allows = (uint32_t)k->sv->allow.n - e->first_allow;
     e->range = check_range(k->c, &decl->annotations, e->name, e->type);
+    e->command = has_annotation(&decl->annotations, AST_COMMAND);
     e->index = (uint32_t)k->sv->element.n;
     vec_push(k->c->arena, &k->sv->element, e);
     map_put(&k->sv->by_name, e->name, e);

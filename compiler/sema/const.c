@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constant expressions to their value, by the very functions that targets run (stdlib).
+// The value of an expression, by the very functions that targets run (stdlib).
 #include "compiler/sema/sema.h"
 
 #include <stdio.h>
@@ -34,13 +34,13 @@ static SmF64 binary(SmOperator op, SmF64 a, SmF64 b)
     return sm_from_i32(0);                                  // not a binary operator
 }
 
-static SmF64 chain(const Expr *e)
+static SmF64 chain(const Expr *e, const SmF64 *value)
 {
     bool holds = true;
-    SmF64 left = const_eval(e->arg[0]);
+    SmF64 left = expr_eval(e->arg[0], value);
 
     for (uint32_t i = 1; i < e->n; i++) {
-        SmF64 right = const_eval(e->arg[i]);
+        SmF64 right = expr_eval(e->arg[i], value);
         holds = holds && relation(expr_ops(e)[i - 1], left, right);
         left = right;
     }
@@ -51,13 +51,13 @@ static SmF64 chain(const Expr *e)
 #define CALL_2(f, v) f(v[0], v[1])
 #define CALL_3(f, v) f(v[0], v[1], v[2])
 
-static SmF64 call(const Expr *e)
+static SmF64 call(const Expr *e, const SmF64 *value)
 {
     enum { MOST_ARGUMENTS = 3 };
     SmF64 v[MOST_ARGUMENTS];
 
     for (uint32_t i = 0; i < MOST_ARGUMENTS; i++)
-        v[i] = i < e->n ? const_eval(e->arg[i]) : sm_from_i32(0);
+        v[i] = i < e->n ? expr_eval(e->arg[i], value) : sm_from_i32(0);
     switch (e->fn) {
 #define SM_PURE(name, arguments, sentence) case SM_FN_##name: return CALL_##arguments(sm_##name, v);
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
@@ -69,19 +69,27 @@ static SmF64 call(const Expr *e)
     return sm_from_i32(0);                                  // the checker lets no roll call stand here
 }
 
-SmF64 const_eval(const Expr *e)
+// The statistic of a window that holds the same sample everywhere.
+static SmF64 statistic(const Expr *e, const SmF64 *value)
+{
+    return value && e->stat != SM_STAT_RANGE ? expr_eval(e->arg[0], value) : sm_from_i32(0);
+}
+
+SmF64 expr_eval(const Expr *e, const SmF64 *value)
 {
     switch (e->kind) {
     case EX_NUMBER: return e->number;
-    case EX_VAR:    return sm_cell_to_f64(e->var->type, e->var->init);
-    case EX_UNARY:  return unary(e->op, const_eval(e->arg[0]));
-    case EX_BINARY: return binary(e->op, const_eval(e->arg[0]), const_eval(e->arg[1]));
-    case EX_CHAIN:  return chain(e);
-    case EX_CALL:   return call(e);
-    case EX_ROLL:   break;
+    case EX_VAR:    return value && !e->var->is_constant ? value[e->var->index] : sm_cell_to_f64(e->var->type, e->var->init);
+    case EX_UNARY:  return unary(e->op, expr_eval(e->arg[0], value));
+    case EX_BINARY: return binary(e->op, expr_eval(e->arg[0], value), expr_eval(e->arg[1], value));
+    case EX_CHAIN:  return chain(e, value);
+    case EX_CALL:   return call(e, value);
+    case EX_ROLL:   return statistic(e, value);
     }
     return sm_from_i32(0);
 }
+
+SmF64 const_eval(const Expr *e) { return expr_eval(e, NULL); }
 
 bool expr_is_constant(const Expr *e)
 {

@@ -36,6 +36,7 @@ typedef struct Element {
     SmType type;
     bool untyped;             // no type stands there; that was reported
     const Range *range;       // or NULL
+    bool command;             // @command: a person operates it
     uint32_t first_allow, allows;     // StateVec.allow: those that stand behind it
     uint32_t index;           // its place in StateVec.element
     uint32_t offset;          // bytes from the start of the state vector in memory (layout.c)
@@ -83,6 +84,7 @@ typedef struct Var {
     Element *element;         // ELEMENT
     const Range *range;       // ELEMENT: given here, or with the element in the .sv; or NULL
     bool read_only;           // the machine may not write it; true for G, S and T
+    bool command;             // ELEMENT: marked @command, here or in the .sv
     uint64_t init;            // LOCAL: its initial value, as a bit cell of its type (convert.h)
     Expr *init_value;         // LOCAL: what init was worked out from
     bool outside;             // LOCAL: somebody beside the machine writes it between steps (a state script)
@@ -216,6 +218,8 @@ void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context);
 bool expr_is_constant(const Expr *e);
 // That value; of other locals than constant ones their initial value counts.
 SmF64 const_eval(const Expr *e);
+// The value of any expression where variables have these values (by Var.index) and every window holds its current sample alone.
+SmF64 expr_eval(const Expr *e, const SmF64 *value);
 // A value for messages: the fewest digits that give it back.
 const char *const_text(Arena *arena, SmF64 x);
 

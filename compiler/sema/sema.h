@@ -101,6 +101,7 @@ const char *sema_quote(Sema *s, Span span);     // a piece of the source for a m
 void check_size_uses(Sema *s);
 
 // What @range among the annotations says of an element; NULL where it says nothing, or something wrong, which is reported.
+bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind);
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
 
 // ---- check_allow.c: what @allow covers ----

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+// The search for situations: from each one found, inputs are changed and held, for a step, until windows are full, or for as long
+// as a timer still needs, and every way into a state is kept with what led there.
+#include "compiler/analysis/trial.h"
+
+#include <string.h>
+
+#include "compiler/analysis/sensors.h"
+#include "stdlib/math.h"
+#include "compiler/analysis/trial_inputs.h"
+
+enum {
+    ENTRIES = 16,                 // situations kept for each state
+    ROUNDS = 8,
+    TRIES = 40,                   // from each state in each round
+    SEGMENTS = 4,                 // changes of inputs in one try
+    ROOM = 4 << 20                // bytes of situations kept in all
+};
+static const uint64_t effort = 40000000;          // instructions spent on the search
+
+// ---- running ----
+
+void *trial_copy(const Trials *t, void *to, const void *from)
+{
+    if (!to)
+        to = arena_alloc(t->a->arena, t->run->size);
+    return memcpy(to, from, t->run->size);
+}
+
+void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace)
+{
+    const IrSituation *s = situation;
+    double *var = ir_run_vars(t->run, situation);
+
+    var[t->run->m->g] = s->ran ? s->last_g + dt : 0;
+    for (uint32_t i = 0; i < t->inputs; i++)
+        var[t->input[i].var] = ir_run_number(t->input[i].v->type, in[i]);
+    ir_run_step(t->run, situation, trace);
+}
+
+bool trial_same(const Trials *t, const void *a, const void *b)
+{
+    const double *x = (const double *)(const void *)((const char *)a + t->run->vars);
+    const double *y = (const double *)(const void *)((const char *)b + t->run->vars);
+    const IrMachine *m = t->run->m;
+
+    if (trial_state(a) != trial_state(b) || trial_entering(a) != trial_entering(b))
+        return false;
+    for (uint32_t v = 0; v < m->var.n; v++)
+        if (m->var.at[v].writable && v != m->g && v != m->t && v != m->s && x[v] != y[v])
+            return false;
+    return true;
+}
+
+// ---- choosing ----
+
+uint32_t trial_below(Trials *t, uint32_t n)
+{
+    t->random = t->random * 6364136223846793005u + 1442695040888963407u;
+    return n == 0 ? 0 : (uint32_t)((t->random >> 33) % n);
+}
+
+double *trial_new_inputs(Trials *t) { return ARENA_ARRAY(t->a->arena, double, t->inputs + 1); }
+
+bool trial_is_healthy(const TrialInput *i, double reading) { return reading >= i->lo && reading <= i->hi; }
+
+void trial_set_group(const Trials *t, double *in, uint32_t input, double reading)
+{
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (t->input[i].group == t->input[input].group && !t->input[i].command)
+            in[i] = reading;
+}
+
+static double some_reading(Trials *t, const TrialInput *i, bool sick)
+{
+    double x = i->reading[trial_below(t, i->readings)];
+
+    for (int k = 0; k < 4 && !sick && !trial_is_healthy(i, x); k++)
+        x = i->reading[trial_below(t, i->readings)];
+    return x;
+}
+
+void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool sick)
+{
+    for (uint32_t i = 0; i < t->inputs; i++) {
+        const TrialInput *input = &t->input[i];
+        if (s && !s->relevant[i])
+            continue;
+        if (input->command) {
+            if (commands)
+                in[i] = trial_below(t, 2) ? 0 : some_reading(t, input, true);
+        } else if (input->group == i) {
+            trial_set_group(t, in, i, some_reading(t, input, sick));
+        } else if (trial_below(t, 6) == 0) {
+            in[i] = some_reading(t, input, sick);
+        }
+    }
+}
+
+// ---- entries ----
+
+static uint64_t key_of(const Trials *t, const void *situation)
+{
+    const double *var = (const double *)(const void *)((const char *)situation + t->run->vars);
+    const IrMachine *m = t->run->m;
+    uint64_t key = 0;
+
+    for (uint32_t v = 0; v < m->var.n; v++)
+        if (m->var.at[v].writable && v != m->g && v != m->t && v != m->s)
+            key = key * 3 + (var[v] > 0 ? 2 : var[v] < 0);
+    return key;
+}
+
+// How many entries of a state there are from the same transition with the same key.
+static uint32_t count_alike(const TrialState *s, const TrialEntry *e)
+{
+    uint32_t n = 0;
+
+    for (size_t i = 0; i < s->entry.n; i++)
+        n += s->entry.at[i].via == e->via && s->entry.at[i].key == e->key && s->entry.at[i].sick == e->sick;
+    return n;
+}
+
+typedef struct Search {
+    Trials *t;
+    void *at;                     // the situation that is tried from
+    double *in;
+    uint32_t steps;
+    bool sick;
+    uint32_t most;                // entries kept for each state
+} Search;
+
+static bool keep_entry(Search *k, const Transition *via)
+{
+    Trials *t = k->t;
+    TrialState *s = &t->state[trial_state(k->at) - 1];
+    TrialEntry e = {NULL, NULL, via, k->steps, k->sick, key_of(t, k->at)};
+
+    if (s->entry.n >= k->most || count_alike(s, &e) > 0)
+        return false;
+    e.situation = trial_copy(t, NULL, k->at);
+    e.in = arena_copy(t->a->arena, k->in, (t->inputs + 1) * sizeof *k->in);
+    vec_push(t->a->arena, &s->entry, e);
+    return true;
+}
+
+static void note_peaks(Trials *t, void *situation)
+{
+    const double *var = ir_run_vars(t->run, situation);
+
+    for (uint32_t v = 0; v < t->run->m->var.n; v++)
+        if (t->actuator[v] && sm_abs(var[v]) > t->peak[v])
+            t->peak[v] = sm_abs(var[v]);
+}
+
+// ---- the search ----
+
+// One step.  True: a transition to another state, which is kept if it is new.
+static bool search_step(Search *k, double dt)
+{
+    Trials *t = k->t;
+    const Transition *via;
+
+    trial_step(t, k->at, k->in, dt, &t->trace);
+    if (k->steps < TRIAL_MANY - 1)
+        k->steps = dt > t->dt ? TRIAL_MANY - 1 : k->steps + 1;
+    note_peaks(t, k->at);
+    if (t->trace.transition == 0)
+        return false;
+    via = t->transition[t->trace.transition];
+    t->taken[t->trace.transition] = true;
+    keep_entry(k, via);
+    return via->to != via->from;
+}
+
+static uint32_t hold_of(Trials *t)
+{
+    switch (trial_below(t, 6)) {
+    case 0: case 1: return 1;
+    case 2: return 2;
+    case 3: return t->window + 1;
+    case 4: return t->count > 0 ? t->count + 2 : 4;
+    default: return 5;
+    }
+}
+
+static void segment(Search *k)
+{
+    Trials *t = k->t;
+    const uint32_t state = trial_state(k->at);
+    const bool wait = t->waits > 0 && trial_below(t, 3) == 0;
+
+    if (wait && search_step(k, t->wait[trial_below(t, t->waits)] + t->dt))
+        return;
+    for (uint32_t n = hold_of(t); n > 0; n--)
+        if (search_step(k, t->dt) || trial_state(k->at) != state)
+            return;
+}
+
+static void some_inputs(Search *k, const TrialState *s)
+{
+    Trials *t = k->t;
+    const bool sick = trial_below(t, 5) == 0;
+
+    if (trial_below(t, 3) > 0) {
+        trial_draw(t, k->in, s, trial_below(t, 2), sick);
+    } else {
+        const uint32_t i = trial_below(t, t->inputs);
+        if (t->inputs > 0 && t->input[i].command)
+            k->in[i] = some_reading(t, &t->input[i], true);
+        else if (t->inputs > 0)
+            trial_set_group(t, k->in, i, some_reading(t, &t->input[i], sick));
+    }
+    for (uint32_t i = 0; i < t->inputs; i++)
+        k->sick |= !t->input[i].command && !trial_is_healthy(&t->input[i], k->in[i]);
+}
+
+static void try_from(Search *k, uint32_t state)
+{
+    Trials *t = k->t;
+    const TrialState *s = &t->state[state];
+    const TrialEntry *e = &s->entry.at[trial_below(t, (uint32_t)s->entry.n)];
+
+    trial_copy(t, k->at, e->situation);
+    memcpy(k->in, e->in, (t->inputs + 1) * sizeof *k->in);
+    k->steps = e->steps;
+    k->sick = e->sick;
+    for (int n = 0; n < SEGMENTS; n++) {
+        some_inputs(k, &t->state[trial_state(k->at) - 1]);
+        segment(k);
+    }
+}
+
+static void search(Trials *t)
+{
+    Search k = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
+    const size_t states = t->a->p->state.n;
+
+    k.most = (uint32_t)(ROOM / (states * (t->run->size + t->inputs * sizeof(double)) + 1));
+    k.most = k.most > ENTRIES ? ENTRIES : k.most < 2 ? 2 : k.most;
+    ir_run_start(t->run, k.at, 1);
+    keep_entry(&k, NULL);
+    for (int round = 0; round < ROUNDS; round++)
+        for (uint32_t s = 0; s < states; s++)
+            for (int n = 0; n < TRIES && t->state[s].entry.n > 0 && t->run->work < effort; n++)
+                try_from(&k, s);
+}
+
+// ---- the whole ----
+
+// Times are mostly in milliseconds, and steps 10 of them; where no time is long, it is counted in something else.
+static double usual_step(const Trials *t)
+{
+    return t->a->step > 0 ? (double)t->a->step : t->waits > 0 && t->wait[t->waits - 1] < 100 ? 1 : 10;
+}
+
+Trials *trials_of(Analysis *a)
+{
+    Trials *t = ARENA_NEW(a->arena, Trials);
+
+    t->a = a;
+    t->run = ir_run_of(a->arena, a->m);
+    t->state = ARENA_ARRAY(a->arena, TrialState, a->p->state.n);
+    t->transition = ARENA_ARRAY(a->arena, const Transition *, a->p->stmts + 1u);
+    t->taken = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
+    t->actuator = ARENA_ARRAY(a->arena, bool, a->m->var.n);
+    t->peak = ARENA_ARRAY(a->arena, double, a->m->var.n);
+    t->trace.at = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 2u);
+    t->random = 20221;
+    t->var = ARENA_ARRAY(a->arena, const Var *, a->m->var.n);
+    for (size_t v = 0; v < a->p->var.n; v++)
+        if (a->m->var_of[v] != IR_NONE)
+            t->var[a->m->var_of[v]] = a->p->var.at[v];
+    for (size_t i = 0; i < a->transition.n; i++)
+        t->transition[a->transition.at[i].stmt->number] = &a->transition.at[i];
+    for (size_t w = 0; w < a->m->window.n; w++)
+        if (a->m->window.at[w].size > t->window)
+            t->window = a->m->window.at[w].size;
+    trial_find_inputs(t);
+    t->dt = usual_step(t);
+    search(t);
+    return t;
+}

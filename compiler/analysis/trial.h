@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Trial runs: the machine is run, from situations that it can reach, with inputs that are chosen to make its conditions come out
+// both ways.  A question supposes something (a sensor fails, a window is full, nothing changes any more) and compares what the
+// machine does with what it would have done.  What a trial shows does happen with those inputs; what no trial shows may
+// happen all the same.
+//
+// All choices come from one generator with a fixed seed, and the effort is bounded by instructions, not by time: the same machine
+// gives the same findings everywhere.
+//
+// What inputs are:
+//   sensor    a number that the machine only reads
+//   command   what a person operates: an element marked @command; a bool, or a number that is only compared with constants by ==
+//             and !=, that the machine only reads
+// Sensors that are added, compared, averaged or stored in the same variable measure the same quantity: they form a group, and a
+// healthy group reads one number.
+#ifndef SMC_TRIAL_H
+#define SMC_TRIAL_H
+
+#include "compiler/analysis/analysis.h"
+#include "compiler/ir/run.h"
+
+typedef struct TrialInput {
+    const Var *v;
+    uint32_t var;                     // in IrMachine.var
+    bool command;
+    uint32_t group;                   // the first input (index) of its group
+    double lo, hi;                    // what a healthy sensor reads: @range, or what its type holds
+    double *reading;                  // readings that differ in what comparisons make of them, ascending
+    uint32_t readings;
+    double scale;                     // how far apart its readings are: the unit for noise and slopes
+} TrialInput;
+
+// A situation just before the first step in a state.
+typedef struct TrialEntry {
+    void *situation;
+    double *in;                       // inputs of the step that led here, by input
+    const Transition *via;            // NULL: the start
+    uint32_t steps;                   // that have run since the start; TRIAL_MANY: many, or nobody can say how many
+    bool sick;                        // a sensor has left its healthy range on the way
+    uint64_t key;                     // which locals and elements are zero
+} TrialEntry;
+#define TRIAL_MANY UINT32_MAX
+
+typedef struct TrialState {
+    VEC(TrialEntry) entry;
+    bool *relevant;                   // by input: what the state does can depend on it
+} TrialState;
+
+typedef struct Trials {
+    Analysis *a;
+    IrRun *run;
+    TrialInput *input;
+    uint32_t inputs;
+    TrialState *state;                // by State.number - 1
+    const Transition **transition;    // by Stmt.number
+    bool *taken;                      // by Stmt.number of a transition: some trial made it
+    bool *actuator;                   // by IR variable
+    double *peak;                     // by IR variable: the largest magnitude it had in a trial
+    const Var **var;                  // by IR variable
+    double *wait;                     // times that conditions on T and G wait for, ascending
+    uint32_t waits;
+    double dt;                        // how far G advances in a step
+    uint32_t window;                  // samples until every window is full
+    uint32_t count;                   // steps until every counter has come to its limits, as far as it is known
+    uint64_t random;
+    IrTrace trace;
+} Trials;
+
+Trials *trials_of(Analysis *a);
+
+// ---- running ----
+
+void *trial_copy(const Trials *t, void *to, const void *from);
+// One step, G being dt after the last one.
+void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace);
+static inline uint32_t trial_state(const void *situation) { return ((const IrSituation *)situation)->state; }
+static inline bool trial_entering(const void *situation) { return ((const IrSituation *)situation)->first; }
+// Whether anything but time differs between two situations.
+bool trial_same(const Trials *t, const void *a, const void *b);
+
+// ---- choosing ----
+
+uint32_t trial_below(Trials *t, uint32_t n);                      // 0 … n - 1; 0 if n is 0
+double *trial_new_inputs(Trials *t);                              // one array for all inputs
+// Other readings for the inputs that matter to the state: groups read one number.  Commands are changed only with `commands`.
+void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool sick);
+void trial_set_group(const Trials *t, double *in, uint32_t input, double reading);
+bool trial_is_healthy(const TrialInput *i, double reading);
+
+#endif

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// Executes IR on doubles.  Functions are flattened once: instructions of a block are adjacent, operands are indices of temporaries.
+#include "compiler/ir/run.h"
+
+#include <string.h>
+
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+#include "stdlib/roll.h"
+
+typedef struct Op {
+    IrOp op : 8;
+    SmType type : 8;                  // CONVERT, STORE: what the number is converted to
+    SmStat stat : 8;
+    IrRef to, a, b;
+    uint32_t var;
+    uint32_t stmt;
+    double number;                    // CONST
+} Op;
+
+typedef struct RunBlk { uint32_t first, end; IrJump jump; } RunBlk;
+
+struct IrRunFn {
+    Op *op;
+    RunBlk *blk;
+};
+
+// ---- preparing ----
+
+static Op op_of(const IrFn *f, IrRef ref)
+{
+    const IrIns *i = &f->ins.at[ref];
+    Op op = {i->op, i->type, i->stat, ref, i->a, i->b, i->var, i->stmt, 0};
+
+    if (i->op == IR_const)
+        op.number = i->type == SM_F64 ? sm_from_bits(i->bits) : sm_cell_to_f64(i->type, i->bits);
+    return op;
+}
+
+static IrRunFn *prepare(Arena *arena, const IrFn *f, size_t *temps)
+{
+    IrRunFn *out;
+    uint32_t n = 0;
+
+    if (!f)
+        return NULL;
+    out = ARENA_NEW(arena, IrRunFn);
+    out->op = ARENA_ARRAY(arena, Op, f->ins.n + 1);
+    out->blk = ARENA_ARRAY(arena, RunBlk, f->blk.n);
+    for (size_t b = 0; b < f->blk.n; b++) {
+        out->blk[b].first = n;
+        for (size_t k = 0; k < f->blk.at[b].ins.n; k++)
+            out->op[n++] = op_of(f, f->blk.at[b].ins.at[k]);
+        out->blk[b].end = n;
+        out->blk[b].jump = f->blk.at[b].jump;
+    }
+    if (f->ins.n > *temps)
+        *temps = f->ins.n;
+    return out;
+}
+
+// Windows keep their samples as F64: every sample is one exactly.
+static void lay_out(Arena *arena, IrRun *r)
+{
+    const IrMachine *m = r->m;
+
+    r->vars = (sizeof(IrSituation) + 7) / 8 * 8;
+    r->writers = r->vars + m->var.n * sizeof(double);
+    r->windows = (r->writers + m->var.n * sizeof(uint32_t) + 7) / 8 * 8;
+    r->size = r->windows;
+    r->window_at = ARENA_ARRAY(arena, size_t, m->window.n + 1);
+    r->window_kind = ARENA_ARRAY(arena, uint32_t, m->window.n + 1);
+    for (size_t w = 0; w < m->window.n; w++) {
+        r->window_kind[w] = sm_roll_kind(SM_F64, m->window.at[w].stats);
+        r->window_at[w] = r->size;
+        r->size += sm_roll_words(m->window.at[w].size, r->window_kind[w]) * sizeof(uint64_t);
+    }
+}
+
+IrRun *ir_run_of(Arena *arena, const IrMachine *m)
+{
+    IrRun *r = ARENA_NEW(arena, IrRun);
+    size_t temps = 1;
+
+    r->m = m;
+    lay_out(arena, r);
+    r->sample = prepare(arena, m->sample, &temps);
+    r->block = arena_array(arena, m->state.n, sizeof *r->block);
+    for (size_t s = 0; s < m->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            r->block[s][b] = prepare(arena, m->state.at[s].block[b], &temps);
+    r->temp = ARENA_ARRAY(arena, double, temps);
+    return r;
+}
+
+// ---- a situation ----
+
+double *ir_run_vars(const IrRun *r, void *situation) { return (double *)(void *)((char *)situation + r->vars); }
+
+static uint32_t *writers_of(const IrRun *r, void *situation) { return (uint32_t *)(void *)((char *)situation + r->writers); }
+
+const uint32_t *ir_run_writers(const IrRun *r, const void *situation)
+{
+    return (const uint32_t *)(const void *)((const char *)situation + r->writers);
+}
+
+static uint64_t *window_of(const IrRun *r, void *situation, uint32_t w)
+{
+    return (uint64_t *)(void *)((char *)situation + r->window_at[w]);
+}
+
+double ir_run_number(SmType type, double x)
+{
+    if (type == SM_F64)
+        return x != x ? 0 : x;
+    if (type == SM_BOOL)
+        return x != 0 && x == x;
+    return sm_cell_to_f64(type, sm_cell_from_f64(type, x));
+}
+
+void ir_run_start(const IrRun *r, void *situation, uint32_t state)
+{
+    IrSituation *s = situation;
+    double *var = ir_run_vars(r, situation);
+
+    memset(situation, 0, r->size);
+    s->state = state;
+    s->first = true;
+    for (size_t v = 0; v < r->m->var.n; v++)
+        if (r->m->var.at[v].space == IR_LOCAL)
+            var[v] = ir_run_number(r->m->var.at[v].type, sm_cell_to_f64(r->m->var.at[v].type, r->m->var.at[v].init));
+    var[r->m->s] = state;
+}
+
+// ---- running ----
+
+static double number_of(const Op *op, double x, double y)
+{
+    switch (op->op) {
+    case IR_const: return op->number;
+    case IR_cvt: return ir_run_number(op->type, x);
+    case IR_add: return sm_add(x, y);
+    case IR_sub: return sm_sub(x, y);
+    case IR_mul: return sm_mul(x, y);
+    case IR_div: return sm_div(x, y);
+    case IR_neg: return sm_neg(x);
+    case IR_abs: return sm_abs(x);
+    case IR_floor: return sm_floor(x);
+    case IR_ceil: return sm_ceil(x);
+    case IR_trunc: return sm_trunc(x);
+    case IR_round: return sm_round(x);
+    case IR_sqrt: return sm_sqrt(x);
+    case IR_sign: return sm_sign(x);
+    case IR_min: return sm_min(x, y);
+    case IR_max: return sm_max(x, y);
+    case IR_eq: return x == y;
+    case IR_ne: return !(x == y);
+    case IR_lt: return x < y;
+    case IR_le: return x <= y;
+    case IR_gt: return x > y;
+    case IR_ge: return x >= y;
+    case IR_and: return x != 0 && y != 0;
+    case IR_or: return x != 0 || y != 0;
+    case IR_not: return x == 0;
+    case IR_load: case IR_store: case IR_stat: case IR_sample: case IR_OP_COUNT: break;
+    }
+    return 0;
+}
+
+static void note(IrTrace *trace, uint32_t entry)
+{
+    if (trace && entry > 1 && (trace->n == 0 || trace->at[trace->n - 1] != entry))
+        trace->at[trace->n++] = entry;
+}
+
+// Runs a function to its end.  The number of the state that it goes to; 0: it ends without a transition.
+static uint32_t run(IrRun *r, const IrRunFn *f, void *situation, IrTrace *trace)
+{
+    double *var = ir_run_vars(r, situation), *temp = r->temp;
+    const RunBlk *b = f->blk;
+
+    for (;;) {
+        r->work += b->end - b->first + 1u;
+        for (const Op *op = f->op + b->first, *end = f->op + b->end; op < end; op++)
+            switch (op->op) {
+            case IR_load: temp[op->to] = var[op->var]; break;
+            case IR_store:
+                var[op->var] = ir_run_number(op->type, temp[op->a]);
+                writers_of(r, situation)[op->var] = op->stmt;
+                note(trace, op->stmt << 1);
+                break;
+            case IR_stat:
+                temp[op->to] = sm_roll_stat(window_of(r, situation, op->var), r->m->window.at[op->var].size,
+                                            r->window_kind[op->var], op->stat);
+                break;
+            case IR_sample:
+                sm_roll_sample(window_of(r, situation, op->var), r->m->window.at[op->var].size, r->window_kind[op->var],
+                               temp[op->a]);
+                break;
+            default:
+                temp[op->to] = number_of(op, op->a == IR_NONE ? 0 : temp[op->a], op->b == IR_NONE ? 0 : temp[op->b]);
+            }
+        switch (b->jump.kind) {
+        case IR_RET: return 0;
+        case IR_JMP: b = f->blk + b->jump.then; break;
+        case IR_GOTO:
+            note(trace, b->jump.stmt << 1);
+            if (trace)
+                trace->transition = b->jump.stmt;
+            return b->jump.state;
+        case IR_BR:
+            note(trace, b->jump.stmt << 1 | (temp[b->jump.cond] != 0));
+            b = f->blk + (temp[b->jump.cond] != 0 ? b->jump.then : b->jump.otherwise);
+            break;
+        }
+    }
+}
+
+bool ir_run_step(IrRun *r, void *situation, IrTrace *trace)
+{
+    IrSituation *s = situation;
+    double *var = ir_run_vars(r, situation);
+    IrRunFn *const *block = r->block[s->state - 1u];
+    const double g = var[r->m->g];
+    uint32_t to = 0;
+
+    if (trace)
+        trace->n = trace->transition = 0;
+    if (s->ran && g <= s->last_g)
+        return false;
+    s->last_g = g;
+    if (s->first) {
+        var[r->m->s] = s->state;
+        s->start = g;
+    }
+    var[r->m->t] = g - s->start;
+    if (r->sample)
+        run(r, r->sample, situation, NULL);
+    if (s->first && block[BLOCK_ENTRY])
+        to = run(r, block[BLOCK_ENTRY], situation, trace);
+    if (to == 0 && block[BLOCK_STEP])
+        to = run(r, block[BLOCK_STEP], situation, trace);
+    if (to != 0 && block[BLOCK_EXIT])
+        run(r, block[BLOCK_EXIT], situation, trace);
+    s->ran = true;
+    s->first = to != 0;
+    if (to != 0)
+        s->state = to;
+    return true;
+}
+
+void ir_run_fill(IrRun *r, void *situation, uint32_t n, void (*inputs)(void *context, double *vars, uint32_t sample), void *context)
+{
+    for (uint32_t k = 0; r->sample && k < n; k++) {
+        if (inputs)
+            inputs(context, ir_run_vars(r, situation), k);
+        run(r, r->sample, situation, NULL);
+    }
+}
