@@ -287,7 +287,7 @@ static void report(Zero *z, const Case *c, const Effect *e)
     Analysis *a = z->t->a;
     const Var *sensor = z->t->input[c->sensor].v;
     const char *names = question_names(a->arena, e->output, e->outputs);
-    Diag *d = diag_report(a->diags, DIAG_output_on_zero, e->at->span, names, sensor->name->text, failure_text(a->arena, c, e));
+    Diag *d = diag_report(a->diags, DIAG_output_on_zero, e->at->span, sensor->name->text, names, failure_text(a->arena, c, e));
 
     for (uint32_t i = 0; i < e->outputs; i++)
         if (e->on[i] != e->at)

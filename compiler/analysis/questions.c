@@ -22,6 +22,22 @@ const Stmt *question_stmt(const Trials *t, uint32_t number)
     return w.found;
 }
 
+static bool is_among(const Stmts *stmts, const Stmt *stmt)
+{
+    for (size_t i = 0; i < stmts->n; i++)
+        if (stmts->at[i] == stmt || is_among(&stmts->at[i]->then, stmt) || is_among(&stmts->at[i]->otherwise, stmt))
+            return true;
+    return false;
+}
+
+bool question_state(const Stmt *stmt, const State *s)
+{
+    for (int b = 0; b < BLOCK_COUNT; b++)
+        if (is_among(&s->block[b], stmt))
+            return true;
+    return false;
+}
+
 const char *question_names(Arena *arena, const Var *const *v, uint32_t n)
 {
     const char *text = v[0]->name->text;

@@ -126,7 +126,7 @@ typedef struct Search {
     void *at;                     // the situation that is tried from
     double *in;
     uint32_t steps;
-    bool sick;
+    bool sick, commanded;
     uint32_t most;                // entries kept for each state
 } Search;
 
@@ -134,7 +134,7 @@ static bool keep_entry(Search *k, const Transition *via)
 {
     Trials *t = k->t;
     TrialState *s = &t->state[trial_state(k->at) - 1];
-    TrialEntry e = {NULL, NULL, via, k->steps, k->sick, key_of(t, k->at)};
+    TrialEntry e = {NULL, NULL, via, k->steps, k->sick, k->commanded, key_of(t, k->at)};
 
     if (s->entry.n >= k->most || count_alike(s, &e) > 0)
         return false;
@@ -155,15 +155,29 @@ static void note_peaks(Trials *t, void *situation)
 
 // ---- the search ----
 
+// A longer time is many steps, of which only the samples matter; if nobody says how long a step is, they are too many to count.
+static void count_steps(Search *k, double dt)
+{
+    const Trials *t = k->t;
+    const double n = dt / t->dt;
+
+    if (k->steps == TRIAL_MANY || (n > 1 && t->a->step == 0) || k->steps + n > SM_WINDOW_MAX) {
+        k->steps = TRIAL_MANY;
+        return;
+    }
+    k->steps += (uint32_t)n;
+    if (n > 1)
+        ir_run_fill(t->run, k->at, (uint32_t)n - 1 < t->window ? (uint32_t)n - 1 : t->window, NULL, NULL);
+}
+
 // One step.  True: a transition to another state, which is kept if it is new.
 static bool search_step(Search *k, double dt)
 {
     Trials *t = k->t;
     const Transition *via;
 
+    count_steps(k, dt);
     trial_step(t, k->at, k->in, dt, &t->trace);
-    if (k->steps < TRIAL_MANY - 1)
-        k->steps = dt > t->dt ? TRIAL_MANY - 1 : k->steps + 1;
     note_peaks(t, k->at);
     if (t->trace.transition == 0)
         return false;
@@ -212,7 +226,10 @@ static void some_inputs(Search *k, const TrialState *s)
             trial_set_group(t, k->in, i, some_reading(t, &t->input[i], sick));
     }
     for (uint32_t i = 0; i < t->inputs; i++)
-        k->sick |= !t->input[i].command && !trial_is_healthy(&t->input[i], k->in[i]);
+        if (t->input[i].command)
+            k->commanded |= k->in[i] != 0;
+        else
+            k->sick |= !trial_is_healthy(&t->input[i], k->in[i]);
 }
 
 static void try_from(Search *k, uint32_t state)
@@ -225,6 +242,7 @@ static void try_from(Search *k, uint32_t state)
     memcpy(k->in, e->in, (t->inputs + 1) * sizeof *k->in);
     k->steps = e->steps;
     k->sick = e->sick;
+    k->commanded = e->commanded;
     for (int n = 0; n < SEGMENTS; n++) {
         some_inputs(k, &t->state[trial_state(k->at) - 1]);
         segment(k);

@@ -37,6 +37,7 @@ typedef struct TrialEntry {
     const Transition *via;            // NULL: the start
     uint32_t steps;                   // that have run since the start; TRIAL_MANY: many, or nobody can say how many
     bool sick;                        // a sensor has left its healthy range on the way
+    bool commanded;                   // a command was not 0 on the way
     uint64_t key;                     // which locals and elements are zero
 } TrialEntry;
 #define TRIAL_MANY UINT32_MAX

@@ -319,8 +319,9 @@ static double difference(const Finder *f, size_t c)
     return expr_eval(f->comparison.at[c].left, f->value) - expr_eval(f->comparison.at[c].right, f->value);
 }
 
-// set: gives the variable, or the group, that is varied the reading x.
-static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double x), uint32_t which, uint32_t bit, Roots *out)
+// set: gives the variable, or the group, that is varied the reading x.  With `remembered`, what is made of inputs stays what it was at
+// the first reading: a local can hold what was read long ago.
+static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double x), uint32_t which, uint32_t bit, bool remembered, Roots *out)
 {
     static const double at[] = {0, 1, 90, 3000, -40};
     enum { POINTS = sizeof at / sizeof *at };
@@ -329,7 +330,8 @@ static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double 
 
     for (size_t k = 0; k < POINTS; k++) {
         set(f, which, at[k]);
-        compute(f);
+        if (k == 0 || !remembered)
+            compute(f);
         for (size_t c = 0; c < n; c++)
             d[k * n + c] = difference(f, c);
     }
@@ -396,11 +398,12 @@ static void find_readings(Finder *f, uint32_t input)
     Roots r = {{0}, 0};
 
     i->reading = ARENA_ARRAY(f->arena, double, 3 * ROOTS + 8);
-    find_roots(f, set_alone, input, input, &r);
+    find_roots(f, set_alone, input, input, false, &r);
     if (i->v->type == SM_BOOL)
         r.n = 0;
     else
-        find_roots(f, set_group, input, input, &r);
+        for (int remembered = 0; remembered < 2; remembered++)
+            find_roots(f, set_group, input, input, remembered, &r);
     qsort(r.at, r.n, sizeof *r.at, ascending);
     i->scale = i->v->range ? i->hi - i->lo : r.n > 1 ? r.at[r.n - 1] - r.at[0] : r.n == 1 && r.at[0] != 0 ? sm_abs(r.at[0]) : 1;
     if (i->v->range) {
@@ -426,7 +429,7 @@ static void find_waits(Finder *f)
     Roots r = {{0}, 0};
     Trials *t = f->t;
 
-    find_roots(f, set_time, 0, IR_NONE, &r);
+    find_roots(f, set_time, 0, IR_NONE, false, &r);
     qsort(r.at, r.n, sizeof *r.at, ascending);
     t->wait = ARENA_ARRAY(f->arena, double, ROOTS);
     for (uint32_t k = 0; k < r.n; k++)

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// States that the machine may stay in for ever.
+//
+//   waits-for-sensor    one sensor alone can end the state: while it reads 0, an end of its @range, or sticks, nothing that other
+//                       sensors read and no time leads out
+//   missing-timeout     the state switches an output on, and while inputs stay as they are no time leads out
+//
+// Commands are not moved: a state that a person can end may still last for ever in flight.
+#include <string.h>
+
+#include "compiler/analysis/questions.h"
+
+enum {
+    TRIED = 3,                    // entries of a state
+    LIVES = 24,                   // histories that are tried before a state is said never to end
+    CHANGES = 4                   // of the other inputs, in one history
+};
+static const double ever = 1e9;   // a time that no timer of a machine is longer than
+
+typedef struct Waits {
+    Trials *t;
+    void *at;
+    double *in;
+} Waits;
+
+// One step.  False: the state is left.
+static bool stays(Waits *w, uint32_t state, double dt)
+{
+    trial_step(w->t, w->at, w->in, dt, &w->t->trace);
+    return trial_state(w->at) == state;
+}
+
+// Holds the inputs until windows are full and counters have come to their limits, then lets every time pass.
+static bool stays_long(Waits *w, uint32_t state)
+{
+    Trials *t = w->t;
+
+    for (uint32_t n = t->window + t->count + 5; n > 0; n--)
+        if (!stays(w, state, t->dt))
+            return false;
+    for (uint32_t k = 0; k <= t->waits; k++)
+        for (int n = 0; n < 3; n++)
+            if (!stays(w, state, n > 0 ? t->dt : k < t->waits ? t->wait[k] + t->dt : ever))
+                return false;
+    return true;
+}
+
+// Commands as they were, if the state cannot last without; else none is given.
+static void begin(Waits *w, const TrialEntry *e)
+{
+    Trials *t = w->t;
+    const uint32_t state = trial_state(e->situation);
+    bool lasts = true;
+
+    memcpy(w->in, e->in, t->inputs * sizeof *w->in);
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (t->input[i].command)
+            w->in[i] = 0;
+    trial_copy(t, w->at, e->situation);
+    for (int n = 0; n < 3 && lasts; n++)
+        lasts = stays(w, state, t->dt);
+    trial_copy(t, w->at, e->situation);
+    if (!lasts)
+        memcpy(w->in, e->in, t->inputs * sizeof *w->in);
+}
+
+// One history: other inputs change now and then.  fixed: the input that has failed, or IR_NONE.
+static bool lasts(Waits *w, const TrialEntry *e, uint32_t fixed, double reading)
+{
+    Trials *t = w->t;
+    const uint32_t state = trial_state(e->situation);
+
+    begin(w, e);
+    for (int n = 0; n < CHANGES; n++) {
+        trial_draw(t, w->in, &t->state[state - 1], false, true);
+        if (fixed != IR_NONE)
+            w->in[fixed] = reading;
+        if (n == 0 && trial_below(t, 2) && !stays(w, state, t->dt))
+            return false;
+        if (!stays_long(w, state))
+            return false;
+    }
+    return true;
+}
+
+static bool lasts_for_ever(Waits *w, const TrialEntry *e, uint32_t fixed, double reading)
+{
+    for (int n = 0; n < LIVES; n++)
+        if (!lasts(w, e, fixed, reading))
+            return false;
+    return true;
+}
+
+// ---- one sensor ----
+
+static void report_wait(const Waits *w, const State *s, const TrialInput *i, double reading)
+{
+    const Analysis *a = w->t->a;
+    Diag *d = diag_report(a->diags, DIAG_waits_for_sensor, s->span, s->name->text, i->v->name->text, const_text(a->arena, reading));
+
+    diag_note(a->diags, d, (Span){0}, DIAG_note_wait_advice, s->name->text);
+}
+
+static bool waits_for(Waits *w, const State *s, const TrialEntry *e, uint32_t input)
+{
+    const TrialInput *i = &w->t->input[input];
+    double reading[64];
+    uint32_t n = 0;
+
+    reading[n++] = 0;
+    if (i->v->range) {
+        reading[n++] = i->lo;
+        reading[n++] = i->hi;
+    }
+    for (uint32_t k = 0; k < i->readings && n < 64; k++)
+        if (trial_is_healthy(i, i->reading[k]))
+            reading[n++] = i->reading[k];
+    for (uint32_t k = 0; k < n; k++)
+        if (lasts_for_ever(w, e, input, reading[k])) {
+            report_wait(w, s, i, reading[k]);
+            return true;
+        }
+    return false;
+}
+
+void question_waits_for_sensor(Trials *t)
+{
+    Waits w = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t)};
+
+    for (size_t s = 0; s < t->a->p->state.n; s++) {
+        const State *state = t->a->p->state.at[s];
+        bool found = false;
+        if (state->is_safe || state->is_abort)
+            continue;
+        for (size_t n = 0; n < t->state[s].entry.n && n < TRIED && !found; n++) {
+            const TrialEntry *e = &t->state[s].entry.at[n];
+            if (lasts_for_ever(&w, e, IR_NONE, 0))
+                continue;
+            for (uint32_t i = 0; i < t->inputs && !found; i++)
+                found = !t->input[i].command && t->state[s].relevant[i] && waits_for(&w, state, e, i);
+        }
+    }
+}
+
+// ---- no limit to the time ----
+
+// The statement of the state that has an output on now; NULL: none.
+static const Stmt *switched_on_here(Waits *w, const State *s)
+{
+    const Trials *t = w->t;
+    const double *var = ir_run_vars(t->run, w->at);
+    const uint32_t *writer = ir_run_writers(t->run, w->at);
+
+    for (uint32_t v = 0; v < t->run->m->var.n; v++)
+        if (t->actuator[v] && var[v] != 0) {
+            const Stmt *on = question_stmt(t, writer[v]);
+            if (on && question_state(on, s))
+                return on;
+        }
+    return NULL;
+}
+
+static bool report_no_timeout(Waits *w, const State *s)
+{
+    const Analysis *a = w->t->a;
+    const Stmt *on = switched_on_here(w, s);
+    Diag *d;
+
+    if (!on)
+        return false;
+    d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, on->var->name->text);
+    diag_note(a->diags, d, on->span, DIAG_note_switched_on, on->var->name->text);
+    return true;
+}
+
+// A state that is never left at all is missing-way-out's.
+static bool is_ever_left(const Trials *t, const State *s)
+{
+    for (size_t i = 0; i < t->a->transition.n; i++) {
+        const Transition *x = &t->a->transition.at[i];
+        if (x->from == s && x->to != s && t->a->stmt[x->stmt->number].reached)
+            return true;
+    }
+    return false;
+}
+
+static bool find_no_timeout(Waits *w, const State *s, const TrialEntry *e)
+{
+    Trials *t = w->t;
+
+    for (int n = 0; n < LIVES; n++) {
+        begin(w, e);
+        if (n > 0)
+            trial_draw(t, w->in, &t->state[s->number - 1], n % 4 == 0, false);
+        if (stays_long(w, s->number) && report_no_timeout(w, s))
+            return true;
+    }
+    return false;
+}
+
+void question_missing_timeout(Trials *t)
+{
+    Waits w = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t)};
+
+    for (size_t s = 0; s < t->a->p->state.n; s++) {
+        const State *state = t->a->p->state.at[s];
+        bool found = state->is_safe || state->is_abort || !is_ever_left(t, state);
+        for (size_t n = 0; n < t->state[s].entry.n && n < TRIED && !found; n++)
+            found = find_no_timeout(&w, state, &t->state[s].entry.at[n]);
+    }
+}
