@@ -128,6 +128,7 @@ typedef struct Search {
     uint32_t steps;
     bool sick, commanded;
     uint32_t most;                // entries kept for each state
+    void *after;                  // for the step after a transition
 } Search;
 
 static bool keep_entry(Search *k, const Transition *via)
@@ -151,6 +152,18 @@ static void note_peaks(Trials *t, void *situation)
     for (uint32_t v = 0; v < t->run->m->var.n; v++)
         if (t->actuator[v] && sm_abs(var[v]) > t->peak[v])
             t->peak[v] = sm_abs(var[v]);
+}
+
+static void note_next(Search *k, uint32_t transition)
+{
+    Trials *t = k->t;
+    TrialNext *next = &t->next[transition];
+
+    if (next->trials == UINT32_MAX)
+        return;
+    trial_step(t, trial_copy(t, k->after, k->at), k->in, t->dt, &t->trace);
+    next->transition = next->trials == 0 || next->transition == t->trace.transition ? t->trace.transition : 0;
+    next->trials++;
 }
 
 // ---- the search ----
@@ -179,11 +192,14 @@ static bool search_step(Search *k, double dt)
     count_steps(k, dt);
     trial_step(t, k->at, k->in, dt, &t->trace);
     note_peaks(t, k->at);
-    if (t->trace.transition == 0)
+    if (t->trace.transition == 0) {
+        t->state[trial_state(k->at) - 1].lasts = true;
         return false;
+    }
     via = t->transition[t->trace.transition];
     t->taken[t->trace.transition] = true;
     keep_entry(k, via);
+    note_next(k, via->stmt->number);
     return via->to != via->from;
 }
 
@@ -256,6 +272,7 @@ static void search(Trials *t)
 
     k.most = (uint32_t)(ROOM / (states * (t->run->size + t->inputs * sizeof(double)) + 1));
     k.most = k.most > ENTRIES ? ENTRIES : k.most < 2 ? 2 : k.most;
+    k.after = arena_alloc(t->a->arena, t->run->size);
     ir_run_start(t->run, k.at, 1);
     keep_entry(&k, NULL);
     for (int round = 0; round < ROUNDS; round++)
@@ -281,6 +298,7 @@ Trials *trials_of(Analysis *a)
     t->state = ARENA_ARRAY(a->arena, TrialState, a->p->state.n);
     t->transition = ARENA_ARRAY(a->arena, const Transition *, a->p->stmts + 1u);
     t->taken = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
+    t->next = ARENA_ARRAY(a->arena, TrialNext, a->p->stmts + 1u);
     t->actuator = ARENA_ARRAY(a->arena, bool, a->m->var.n);
     t->peak = ARENA_ARRAY(a->arena, double, a->m->var.n);
     t->trace.at = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 2u);

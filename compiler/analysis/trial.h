@@ -42,9 +42,16 @@ typedef struct TrialEntry {
 } TrialEntry;
 #define TRIAL_MANY UINT32_MAX
 
+// What the step after a transition did, over all trials, with the inputs that led to the transition.
+typedef struct TrialNext {
+    uint32_t trials;
+    uint32_t transition;              // Stmt.number of the transition that it made each time; 0: none, or not always the same
+} TrialNext;
+
 typedef struct TrialState {
     VEC(TrialEntry) entry;
     bool *relevant;                   // by input: what the state does can depend on it
+    bool lasts;                       // some trial made a step in it without a transition
 } TrialState;
 
 typedef struct Trials {
@@ -55,6 +62,7 @@ typedef struct Trials {
     TrialState *state;                // by State.number - 1
     const Transition **transition;    // by Stmt.number
     bool *taken;                      // by Stmt.number of a transition: some trial made it
+    TrialNext *next;                  // by Stmt.number of a transition
     bool *actuator;                   // by IR variable
     double *peak;                     // by IR variable: the largest magnitude it had in a trial
     const Var **var;                  // by IR variable

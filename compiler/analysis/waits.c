@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // States that the machine may stay in for ever.
 //
-//   waits-for-sensor    one sensor alone can end the state: while it reads 0, an end of its @range, or sticks, nothing that other
-//                       sensors read and no time leads out
+//   waits-for-sensor    one sensor alone can end the state: while it reads 0, an end of its @range, sticks or is noisy, nothing that
+//                       other sensors read and no time leads out
 //   missing-timeout     the state switches an output on, and while inputs stay as they are no time leads out
 //
 // Commands are not moved: a state that a person can end may still last for ever in flight.
@@ -17,15 +17,23 @@ enum {
 };
 static const double ever = 1e9;   // a time that no timer of a machine is longer than
 
+// A sensor that has failed: it reads one number, with noise on it or without.
+typedef struct Failed { uint32_t input; double reading, noise; } Failed;
+
 typedef struct Waits {
     Trials *t;
     void *at;
     double *in;
+    const Failed *failed;         // or NULL
 } Waits;
 
 // One step.  False: the state is left.
 static bool stays(Waits *w, uint32_t state, double dt)
 {
+    const Failed *f = w->failed;
+
+    if (f)
+        w->in[f->input] = f->reading + f->noise * (trial_below(w->t, 2001) / 1000.0 - 1);
     trial_step(w->t, w->at, w->in, dt, &w->t->trace);
     return trial_state(w->at) == state;
 }
@@ -64,8 +72,8 @@ static void begin(Waits *w, const TrialEntry *e)
         memcpy(w->in, e->in, t->inputs * sizeof *w->in);
 }
 
-// One history: other inputs change now and then.  fixed: the input that has failed, or IR_NONE.
-static bool lasts(Waits *w, const TrialEntry *e, uint32_t fixed, double reading)
+// One history: other inputs change now and then.
+static bool lasts(Waits *w, const TrialEntry *e)
 {
     Trials *t = w->t;
     const uint32_t state = trial_state(e->situation);
@@ -73,8 +81,6 @@ static bool lasts(Waits *w, const TrialEntry *e, uint32_t fixed, double reading)
     begin(w, e);
     for (int n = 0; n < CHANGES; n++) {
         trial_draw(t, w->in, &t->state[state - 1], false, true);
-        if (fixed != IR_NONE)
-            w->in[fixed] = reading;
         if (n == 0 && trial_below(t, 2) && !stays(w, state, t->dt))
             return false;
         if (!stays_long(w, state))
@@ -83,49 +89,54 @@ static bool lasts(Waits *w, const TrialEntry *e, uint32_t fixed, double reading)
     return true;
 }
 
-static bool lasts_for_ever(Waits *w, const TrialEntry *e, uint32_t fixed, double reading)
+static bool lasts_for_ever(Waits *w, const TrialEntry *e, const Failed *failed)
 {
-    for (int n = 0; n < LIVES; n++)
-        if (!lasts(w, e, fixed, reading))
-            return false;
-    return true;
+    bool all = true;
+
+    w->failed = failed;
+    for (int n = 0; n < LIVES && all; n++)
+        all = lasts(w, e);
+    w->failed = NULL;
+    return all;
 }
 
 // ---- one sensor ----
 
-static void report_wait(const Waits *w, const State *s, const TrialInput *i, double reading)
+static void report_wait(const Waits *w, const State *s, const Failed *f)
 {
     const Analysis *a = w->t->a;
-    Diag *d = diag_report(a->diags, DIAG_waits_for_sensor, s->span, s->name->text, i->v->name->text, const_text(a->arena, reading));
+    const char *reads = f->noise > 0 ? "is noisy" : format_in(a->arena, "reads %s", const_text(a->arena, f->reading));
+    Diag *d = diag_report(a->diags, DIAG_waits_for_sensor, s->span, s->name->text, w->t->input[f->input].v->name->text, reads);
 
     diag_note(a->diags, d, (Span){0}, DIAG_note_wait_advice, s->name->text);
 }
 
+static bool fails_so(Waits *w, const State *s, const TrialEntry *e, Failed f)
+{
+    if (!lasts_for_ever(w, e, &f))
+        return false;
+    report_wait(w, s, &f);
+    return true;
+}
+
 static bool waits_for(Waits *w, const State *s, const TrialEntry *e, uint32_t input)
 {
+    static const double noise[] = {0.1, 5, 100};
     const TrialInput *i = &w->t->input[input];
-    double reading[64];
-    uint32_t n = 0;
+    bool found = fails_so(w, s, e, (Failed){input, 0, 0});
 
-    reading[n++] = 0;
-    if (i->v->range) {
-        reading[n++] = i->lo;
-        reading[n++] = i->hi;
-    }
-    for (uint32_t k = 0; k < i->readings && n < 64; k++)
-        if (trial_is_healthy(i, i->reading[k]))
-            reading[n++] = i->reading[k];
-    for (uint32_t k = 0; k < n; k++)
-        if (lasts_for_ever(w, e, input, reading[k])) {
-            report_wait(w, s, i, reading[k]);
-            return true;
-        }
-    return false;
+    if (i->v->range && !found)
+        found = fails_so(w, s, e, (Failed){input, i->lo, 0}) || fails_so(w, s, e, (Failed){input, i->hi, 0});
+    for (uint32_t k = 0; k < i->readings && !found; k++)
+        found = trial_is_healthy(i, i->reading[k]) && fails_so(w, s, e, (Failed){input, i->reading[k], 0});
+    for (size_t k = 0; k < sizeof noise / sizeof *noise && !found; k++)
+        found = fails_so(w, s, e, (Failed){input, i->reading[i->readings / 2], noise[k] * i->scale});
+    return found;
 }
 
 void question_waits_for_sensor(Trials *t)
 {
-    Waits w = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t)};
+    Waits w = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t), NULL};
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
@@ -134,7 +145,7 @@ void question_waits_for_sensor(Trials *t)
             continue;
         for (size_t n = 0; n < t->state[s].entry.n && n < TRIED && !found; n++) {
             const TrialEntry *e = &t->state[s].entry.at[n];
-            if (lasts_for_ever(&w, e, IR_NONE, 0))
+            if (lasts_for_ever(&w, e, NULL))
                 continue;
             for (uint32_t i = 0; i < t->inputs && !found; i++)
                 found = !t->input[i].command && t->state[s].relevant[i] && waits_for(&w, state, e, i);
@@ -200,7 +211,7 @@ static bool find_no_timeout(Waits *w, const State *s, const TrialEntry *e)
 
 void question_missing_timeout(Trials *t)
 {
-    Waits w = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t)};
+    Waits w = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t), NULL};
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Machines that change their state at every step while their inputs stay as they are.
+//
+//   ping-pong      two states, or a few, whose conditions are true together
+//   never-rests    a cycle of transitions without any condition
+//   cascade        a state that is left in its first step by what led into it, and not always
+//
+// A state that is left without a condition lasts one step on purpose: a cycle with such a state and a condition is a way to do
+// something again for as long as the condition is true.
+#include <string.h>
+
+#include "compiler/analysis/questions.h"
+
+enum {
+    TRIED = 6,                    // entries of a state
+    HELD = 16,                    // inputs tried in each
+    STEPS = 24,                   // the last ones of a run, in which a cycle is looked for
+    ARRIVALS = 12,                // at a state by one transition, before something is said of all
+    CYCLE = 8                     // states in the longest cycle
+};
+
+typedef struct Flips {
+    Trials *t;
+    void *at;
+    double *in;
+    const Transition *made[STEPS];
+} Flips;
+
+// At most one command is given, as one person does.
+static void choose_inputs(Flips *f, const TrialEntry *e, int n)
+{
+    Trials *t = f->t;
+
+    memcpy(f->in, e->in, t->inputs * sizeof *f->in);
+    if (n == 0)
+        return;
+    trial_draw(t, f->in, NULL, false, false);
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (t->input[i].command)
+            f->in[i] = 0;
+    if (t->inputs > 0 && n % 2) {
+        const uint32_t i = trial_below(t, t->inputs);
+        if (t->input[i].command)
+            f->in[i] = t->input[i].reading[trial_below(t, t->input[i].readings)];
+    }
+}
+
+// How many transitions the cycle has that the last steps went through; 0: some step made none, or there is no cycle.
+static size_t run_cycle(Flips *f, const TrialEntry *e)
+{
+    Trials *t = f->t;
+    size_t n = 1;
+
+    trial_copy(t, f->at, e->situation);
+    for (uint32_t k = 0; k < STEPS + 8 * t->count; k++) {             // what a counter ends is no cycle
+        trial_step(t, f->at, f->in, t->dt, &t->trace);
+        if (t->trace.transition == 0)
+            return 0;
+        memmove(f->made, f->made + 1, sizeof f->made - sizeof *f->made);
+        f->made[STEPS - 1] = t->transition[t->trace.transition];
+    }
+    while (n <= CYCLE && f->made[STEPS - 1 - n] != f->made[STEPS - 1])
+        n++;
+    for (size_t k = 0; k < n && n <= CYCLE; k++)
+        if (f->made[STEPS - 1 - k] != f->made[STEPS - 1 - k - n])
+            return 0;
+    return n <= CYCLE ? n : 0;
+}
+
+static bool may_be_untaken(const Flips *f, const Transition *x)
+{
+    const Analysis *a = f->t->a;
+
+    for (const Condition *c = x->when; c; c = c->outer)
+        if (c->holds ? a->stmt[c->stmt->number].otherwise : a->stmt[c->stmt->number].then)
+            return true;
+    return false;
+}
+
+// Of the cycle that the last n transitions are: the one out of the state that stands first in the file.
+static const Transition *first_of(const Flips *f, size_t n)
+{
+    const Transition *first = f->made[STEPS - 1];
+
+    for (size_t k = 1; k < n; k++)
+        if (f->made[STEPS - 1 - k]->from->number < first->from->number)
+            first = f->made[STEPS - 1 - k];
+    return first;
+}
+
+static const Transition *back_to(const Flips *f, const State *s)
+{
+    for (int k = STEPS - 1; k > 0; k--)
+        if (f->made[k]->to == s)
+            return f->made[k];
+    return f->made[STEPS - 1];
+}
+
+static void report_cycle(const Flips *f, size_t n)
+{
+    const Analysis *a = f->t->a;
+    const Transition *there = first_of(f, n), *back = back_to(f, there->from);
+    size_t conditions = 0;
+    Diag *d;
+
+    for (size_t k = 0; k < n; k++)
+        conditions += may_be_untaken(f, f->made[STEPS - 1 - k]);
+    if (n == 1 && conditions == 1)
+        return;                               // a state that begins again for as long as an input says so
+    if (conditions == 0) {
+        d = diag_report(a->diags, DIAG_never_rests, there->stmt->span, there->from->name->text);
+        for (size_t k = n; k > 0 && n > 1; k--)
+            if (f->made[STEPS - k] != there)
+                diag_note(a->diags, d, f->made[STEPS - k]->stmt->span, DIAG_note_goes_on, f->made[STEPS - k]->from->name->text,
+                          f->made[STEPS - k]->to->name->text);
+    } else if (conditions == n) {
+        d = diag_report(a->diags, DIAG_ping_pong, there->stmt->span, there->from->name->text, there->to->name->text);
+        diag_note(a->diags, d, back->stmt->span, DIAG_note_way_back, condition_text(a->arena, back->when));
+    }
+}
+
+void question_ping_pong(Trials *t)
+{
+    Flips f = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
+
+    for (size_t s = 0; s < t->a->p->state.n; s++)
+        for (size_t n = 0; n < t->state[s].entry.n && n < TRIED; n++)
+            for (int k = 0; k < HELD; k++) {
+                size_t cycle;
+                choose_inputs(&f, &t->state[s].entry.at[n], k);
+                cycle = run_cycle(&f, &t->state[s].entry.at[n]);
+                if (cycle > 0)
+                    report_cycle(&f, cycle);
+            }
+}
+
+// ---- straight on ----
+
+void question_cascade(Trials *t)
+{
+    const Analysis *a = t->a;
+
+    for (size_t i = 0; i < a->transition.n; i++) {
+        const Transition *in = &a->transition.at[i], *out;
+        const TrialNext next = t->next[in->stmt->number];
+        Diag *d;
+        if (!in->when || next.trials < ARRIVALS || next.transition == 0 || !t->state[in->to->number - 1].lasts)
+            continue;
+        out = t->transition[next.transition];
+        if (!out->when || out->to == in->from || out->to == out->from || in->to == in->from)
+            continue;
+        d = diag_report(a->diags, DIAG_cascade, out->stmt->span, out->from->name->text, condition_text(a->arena, in->when));
+        diag_note(a->diags, d, in->stmt->span, DIAG_note_led_here, in->from->name->text);
+    }
+}
