@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rolling windows that decide before they are full.
+//
+// Two machines run side by side from a situation in which windows have few samples.  In one of them they are filled first, with what
+// the sensors are about to read.  If that one stays as it is while the other makes a transition or switches an output on, it
+// was the missing samples that decided: the finding is at the first guard on which the two differ, which may set a flag or
+// a code that decides later.
+//
+// Only situations that are reached without a command and in a number of steps that is known count: a person waits long enough, and
+// where nobody says how long a step is, so does a timer.
+#include <string.h>
+
+#include "compiler/analysis/questions.h"
+
+enum { TRIED = 8, DRAWS = 40 };   // entries of a state; inputs tried in each
+static const double noise[] = {0, 0.02, 0.3, 5, 100};          // in TrialInput.scale
+enum { NOISES = sizeof noise / sizeof *noise };
+
+typedef struct WindowFill {
+    Trials *t;
+    void *full, *few;
+    double *in, *now;
+    IrTrace few_did, full_did;
+    double noise;
+    uint32_t clock;
+    const Stmt *guard;            // on which the two differed first
+    uint32_t samples;             // that the one had then
+} WindowFill;
+
+// ---- inputs ----
+
+static void set_inputs(WindowFill *w)
+{
+    const Trials *t = w->t;
+
+    memcpy(w->now, w->in, t->inputs * sizeof *w->now);
+    for (uint32_t i = 0; i < t->inputs && w->noise > 0; i++)
+        if (!t->input[i].command)
+            w->now[i] += w->noise * t->input[i].scale * (trial_below(w->t, 2001) / 1000.0 - 1);
+}
+
+static void fill_inputs(void *context, double *vars, uint32_t sample)
+{
+    WindowFill *w = context;
+
+    (void)sample;
+    set_inputs(w);
+    for (uint32_t i = 0; i < w->t->inputs; i++)
+        vars[w->t->input[i].var] = ir_run_number(w->t->input[i].v->type, w->now[i]);
+}
+
+// ---- one trial ----
+
+static bool switches_on(const WindowFill *w)
+{
+    const double *few = ir_run_vars(w->t->run, w->few), *full = ir_run_vars(w->t->run, w->full);
+
+    for (uint32_t v = 0; v < w->t->run->m->var.n; v++)
+        if (w->t->actuator[v] && few[v] != 0 && full[v] == 0)
+            return true;
+    return false;
+}
+
+// The first guard that came out differently.
+static void note_guard(WindowFill *w, uint32_t samples)
+{
+    const uint32_t n = w->few_did.n < w->full_did.n ? w->few_did.n : w->full_did.n;
+
+    for (uint32_t k = 0; k < n && !w->guard; k++)
+        if (w->few_did.at[k] != w->full_did.at[k]) {
+            if (w->few_did.at[k] >> 1 == w->full_did.at[k] >> 1) {
+                w->guard = question_stmt(w->t, w->few_did.at[k] >> 1);
+                w->samples = samples;
+            }
+            return;
+        }
+}
+
+// glitch: an input that reads something else in the first step; IR_NONE.
+static bool decides(WindowFill *w, const TrialEntry *e, uint32_t glitch, double reading)
+{
+    Trials *t = w->t;
+
+    w->guard = NULL;
+    trial_copy(t, w->few, e->situation);
+    trial_copy(t, w->full, e->situation);
+    ir_run_fill(t->run, w->full, t->window, fill_inputs, w);
+    for (uint32_t n = 0; n < 2 * t->window; n++) {
+        set_inputs(w);
+        if (n == 0 && glitch != IR_NONE)
+            trial_set_group(t, w->now, glitch, reading);
+        trial_step(t, w->full, w->now, t->dt, &w->full_did);
+        trial_step(t, w->few, w->now, t->dt, &w->few_did);
+        note_guard(w, e->steps + n + 1);
+        if (w->full_did.transition)
+            return false;
+        if (w->few_did.transition || switches_on(w))
+            return w->guard != NULL;
+        if (!w->guard && e->steps + n >= t->window)
+            return false;
+    }
+    return false;
+}
+
+// ---- findings ----
+
+typedef struct Finder { const WindowFill *w; const Expr *roll; const Var *through; uint32_t samples; int depth; } Finder;
+
+static void find_roll(Expr *e, void *context);
+
+typedef struct StoresOf { Finder *f; const Var *v; } StoresOf;
+
+static void look_at_store(const Stmt *s, void *context)
+{
+    StoresOf *k = context;
+
+    if (s->kind == ST_ASSIGN && s->var == k->v)
+        expr_walk(s->value, find_roll, k->f);
+}
+
+static void find_in_stores(Finder *f, const Var *v)
+{
+    StoresOf k = {f, v};
+
+    if (f->depth++ < 3)
+        each_stmt(f->w->t->a->p, look_at_store, &k);
+    f->depth--;
+    if (f->roll && !f->through)
+        f->through = v;
+}
+
+static void find_roll(Expr *e, void *context)
+{
+    Finder *f = context;
+
+    if (f->roll)
+        return;
+    if (e->kind == EX_ROLL && f->w->t->a->p->window.at[e->window].size > f->samples)
+        f->roll = e;
+    else if (e->kind == EX_VAR && e->var->written)
+        find_in_stores(f, e->var);
+}
+
+static void report(const WindowFill *w)
+{
+    const Analysis *a = w->t->a;
+    Finder f = {.w = w, .samples = w->samples};
+    Diag *d;
+
+    expr_walk(w->guard->value, find_roll, &f);
+    if (!f.roll)
+        return;
+    d = diag_report(a->diags, DIAG_window_not_full, w->guard->value->span, source_text(a->arena, f.roll->span),
+                    format_in(a->arena, "%lu", (unsigned long)w->samples),
+                    format_in(a->arena, "%lu", (unsigned long)a->p->window.at[f.roll->window].size));
+    if (f.through)
+        diag_note(a->diags, d, f.roll->span, DIAG_note_statistic_here, f.through->name->text);
+}
+
+static void try_entry(WindowFill *w, const TrialState *s, const TrialEntry *e)
+{
+    Trials *t = w->t;
+
+    for (int n = 0; n < DRAWS; n++) {
+        const uint32_t glitch = n % 3 == 0 ? IR_NONE : trial_below(t, t->inputs);
+        memcpy(w->in, e->in, t->inputs * sizeof *w->in);
+        trial_draw(t, w->in, s, true, false);
+        w->noise = noise[n % NOISES];
+        if (glitch != IR_NONE && t->input[glitch].command)
+            continue;
+        if (decides(w, e, glitch, glitch == IR_NONE ? 0 : t->input[glitch].reading[trial_below(t, t->input[glitch].readings)]))
+            report(w);
+    }
+}
+
+void question_window_not_full(Trials *t)
+{
+    WindowFill w = {.t = t, .in = trial_new_inputs(t), .now = trial_new_inputs(t)};
+
+    if (t->window < 2)
+        return;
+    w.full = arena_alloc(t->a->arena, t->run->size);
+    w.few = arena_alloc(t->a->arena, t->run->size);
+    w.few_did.at = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 2u);
+    w.full_did.at = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 2u);
+    for (size_t s = 0; s < t->a->p->state.n; s++) {
+        uint32_t tried = 0;
+        for (size_t n = 0; n < t->state[s].entry.n && tried < TRIED; n++) {
+            const TrialEntry *e = &t->state[s].entry.at[n];
+            if (e->steps + 1 >= t->window || e->commanded || e->sick)
+                continue;
+            try_entry(&w, &t->state[s], e);
+            tried++;
+        }
+    }
+}
