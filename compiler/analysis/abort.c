@@ -54,13 +54,14 @@ static AbortVerdict verdict_of(const Analysis *a, const AbortRow *r)
         return ABORT_UNREACHED;
     if (r->steps == 0)
         return has_way(r) ? ABORT_LATER : ABORT_NO_PATH;
-    return r->single || r->blind ? ABORT_ONE_SENSOR : ABORT_OK;
+    return r->by_command ? ABORT_BY_COMMAND : r->single || r->blind ? ABORT_ONE_SENSOR : ABORT_OK;
 }
 
 // ---- the whole ----
 
-AbortMatrix abort_matrix(Analysis *a)
+AbortMatrix abort_matrix(Trials *t)
 {
+    Analysis *a = t->a;
     AbortMatrix x = {false, ARENA_ARRAY(a->arena, AbortRow, a->p->state.n), a->p->state.n, NULL};
     const AbortBound b = abort_bound(a);
 
@@ -71,7 +72,7 @@ AbortMatrix abort_matrix(Analysis *a)
     }
     add_ways(a, &x, &b);
     if (x.declared)
-        abort_ask(a, &x, &b);
+        abort_ask(t, &x, &b);
     for (size_t s = 0; s < x.n; s++) {
         x.row[s].steps = worst_steps(&x.row[s]);
         x.row[s].verdict = verdict_of(a, &x.row[s]);

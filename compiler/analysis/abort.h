@@ -2,7 +2,7 @@
 // The abort matrix: from which states a machine can abort, by which guards, how fast, and what the ability hangs on.  Reports show
 // it, the findings abort-blind and abort-single-sensor are drawn from it.
 //
-//     const AbortMatrix x = abort_matrix(a);
+//     const AbortMatrix x = abort_matrix(trials_of(a));
 //     for (size_t s = 0; s < x.n; s++)                          // x.row[s] is of State.number s + 1
 //         for (size_t w = 0; w < x.row[s].way.n; w++) …
 //
@@ -10,7 +10,8 @@
 #ifndef SMC_ABORT_H
 #define SMC_ABORT_H
 
-#include "compiler/analysis/analysis.h"
+#include "compiler/analysis/sensors.h"
+#include "compiler/analysis/trial.h"
 
 #define ABORT_NOT_BOUNDED UINT32_MAX      // of steps: a state on the way may wait for something
 
@@ -31,6 +32,7 @@ typedef enum AbortVerdict {
     ABORT_UNREACHED,              // the machine never comes here
     ABORT_NO_PATH,                // no transition from here leads to @abort states only
     ABORT_LATER,                  // only through states that may wait
+    ABORT_BY_COMMAND,             // only when a person gives a command
     ABORT_ONE_SENSOR,             // no way is left if one sensor fails: `single` or `blind`
     ABORT_OK
 } AbortVerdict;
@@ -44,7 +46,9 @@ typedef struct AbortRow {
     SmF64 stuck;
     const Var *blind;             // if this one reads `blind_at`, no way is left; or NULL
     const char *blind_at;         // "0", "more than 40", "0 or less than -5"
-    const Transition *instead;    // what `blind` makes then, though no @abort state follows; or NULL
+    bool drives;                  // some trial had an output on in this state
+    bool by_itself;               // some trial aborted, or left the state at once, without a command
+    bool by_command;              // no trial did, but with a command some did
     const State *onward;          // where a way leads on from here at worst; NULL: nowhere, or this is an @abort state
 } AbortRow;
 
@@ -52,10 +56,10 @@ typedef struct AbortMatrix {
     bool declared;                // some state is marked @abort; else every row says ABORT_NO_PATH or ABORT_UNREACHED
     AbortRow *row;
     size_t n;
-    const struct Sensors *sensors;    // where some state is marked (sensors.h)
+    const Sensors *sensors;       // where some state is marked
 } AbortMatrix;
 
-AbortMatrix abort_matrix(Analysis *a);
+AbortMatrix abort_matrix(Trials *t);
 
 // The states of a way in order: first->to, then what this gives, until it is marked @abort.
 const State *abort_onward(const AbortMatrix *x, const State *s);
@@ -73,7 +77,7 @@ AbortBound abort_bound(Analysis *a);
 uint32_t abort_one_more(uint32_t steps);
 bool abort_is_sure(const AbortWay *w);         // it can be made, and then the machine is in an @abort state within some steps
 
-// Fills in what the ways of each row look at, `single` and `blind`.
-void abort_ask(Analysis *a, AbortMatrix *x, const AbortBound *b);
+// Fills in what the ways of each row look at, and what trials show.
+void abort_ask(Trials *t, AbortMatrix *x, const AbortBound *b);
 
 #endif

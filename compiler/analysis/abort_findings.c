@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // States from which a broken sensor leaves no way to an @abort state: what the abort matrix says, one finding a state and kind.
 #include "compiler/analysis/abort.h"
-#include "compiler/analysis/sensors.h"
+#include "compiler/analysis/questions.h"
 
 enum { WAYS_SHOWN = 3, STATES_FOLLOWED = 50 };
 
@@ -47,8 +47,6 @@ static void report_blind(Analysis *a, const AbortMatrix *x, const AbortRow *r)
     Diag *d = diag_report(a->diags, DIAG_abort_blind, r->state->span, r->state->name->text, r->blind->name->text, r->blind_at);
 
     show_ways(a, d, x, r, r->blind);
-    if (r->instead)
-        diag_note(a->diags, d, r->instead->stmt->span, DIAG_note_abort_instead, r->instead->to->name->text);
     diag_note(a->diags, d, (Span){0}, DIAG_note_abort_blind_advice, r->blind->name->text);
 }
 
@@ -61,11 +59,22 @@ static void report_single(Analysis *a, const AbortMatrix *x, const AbortRow *r)
     diag_note(a->diags, d, (Span){0}, DIAG_note_abort_single_advice);
 }
 
-void analyse_abort(Analysis *a)
+// States that lead to an @abort state by waiting for another state are not asked about.
+static void report_missing(Analysis *a, const AbortRow *r)
 {
-    const AbortMatrix x = abort_matrix(a);
+    if (r->verdict == ABORT_NO_PATH && r->drives && !r->state->is_safe)
+        diag_report(a->diags, DIAG_abort_missing, r->state->span, r->state->name->text);
+    if (r->verdict == ABORT_BY_COMMAND && r->drives)
+        diag_report(a->diags, DIAG_abort_by_command, r->state->span, r->state->name->text);
+}
 
-    for (size_t s = 0; s < x.n; s++) {
+void question_abort(Trials *t)
+{
+    Analysis *a = t->a;
+    const AbortMatrix x = abort_matrix(t);
+
+    for (size_t s = 0; s < x.n && x.declared; s++) {
+        report_missing(a, &x.row[s]);
         if (x.row[s].verdict == ABORT_ONE_SENSOR && x.row[s].blind)
             report_blind(a, &x, &x.row[s]);
         if (x.row[s].verdict == ABORT_ONE_SENSOR && x.row[s].single)

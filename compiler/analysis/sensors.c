@@ -146,8 +146,6 @@ static void note_place(const StmtPlace *at, void *context)
     g->to = at->stmt->kind == ST_IF ? node_of_guard(g->s, at->stmt) : at->stmt->var->index;
     if (at->stmt->kind == ST_ASSIGN)
         vec_push(g->s->a->arena, &g->s->stores[g->to], *at);
-    if (at->stmt->kind == ST_ASSIGN && at->stmt->var->kind != VAR_LOCAL)
-        return;                                       // what an element holds is anyone's
     expr_walk(at->stmt->value, note_read, g);
     if (at->when)
         add_reader(g, node_of_guard(g->s, at->when->stmt), g->to);

@@ -17,6 +17,7 @@ static const char *verdict_text(const AbortRow *row)
     case ABORT_UNREACHED: return "the machine never comes here";
     case ABORT_NO_PATH: return "no";
     case ABORT_LATER: return "only through states that may wait";
+    case ABORT_BY_COMMAND: return "only by a command";
     case ABORT_ONE_SENSOR: return "not if one sensor fails";
     case ABORT_OK: return "yes";
     }
@@ -101,7 +102,7 @@ static void put_ways(const Report *r, Doc *d, const AbortMatrix *x)
 
 void report_abort(Report *r, Doc *d)
 {
-    const AbortMatrix x = abort_matrix(&r->analysis);
+    const AbortMatrix x = abort_matrix(trials_of(&r->analysis));
     DocTable *t;
 
     doc_section(d, "abort", "Abort matrix");

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the ability to abort hangs on: trials in which a sensor has failed, and trials in which nobody gives a command.
+//
+// A state can abort if some trial from it reaches an @abort state, directly or through states that lead nowhere else.  That it
+// cannot is said only where both agree: no trial does, and every transition that could do it depends on what has failed.
+#include <string.h>
+
+#include "compiler/analysis/abort.h"
+#include "compiler/analysis/questions.h"
+
+enum {
+    TRIED = 4,                    // entries of a state
+    LIVES = 80,                   // trials before it is said that none aborts
+    CHANGES = 4,                  // of the inputs in one
+    WORK = 400000                 // instructions spent on one question
+};
+
+typedef struct Failed { uint32_t input; double reading; } Failed;
+
+typedef struct Asking {
+    Trials *t;
+    const AbortBound *b;
+    const Sensors *s;
+    void *at;
+    double *in;
+    bool commands;                // people may give any
+    const Failed *failed;         // or NULL
+    bool stayed;                  // some trial stayed in the state until windows were full
+    bool driven;                  // an output was on meanwhile
+    uint64_t until;               // Trials.run.work at which the question has had enough
+} Asking;
+
+typedef enum Fate { STAYS, ABORTS, LEAVES } Fate;
+
+// ---- trials ----
+
+static Fate step(Asking *k, uint32_t state, double dt)
+{
+    Trials *t = k->t;
+    const double *var = ir_run_vars(t->run, k->at);
+
+    if (k->failed)
+        k->in[k->failed->input] = k->failed->reading;
+    trial_step(t, k->at, k->in, dt, &t->trace);
+    if (trial_state(k->at) != state)
+        return k->b->bound[trial_state(k->at) - 1] ? ABORTS : LEAVES;
+    for (uint32_t v = 0; v < t->run->m->var.n && !k->driven; v++)
+        k->driven = t->actuator[v] && var[v] != 0;
+    return STAYS;
+}
+
+static Fate hold(Asking *k, uint32_t state)
+{
+    Trials *t = k->t;
+    Fate f = STAYS;
+
+    for (uint32_t n = t->window + t->count + 5; n > 0 && f == STAYS; n--)
+        f = step(k, state, t->dt);
+    k->stayed |= f == STAYS;
+    for (uint32_t w = 0; w < t->waits && f == STAYS; w++) {
+        f = step(k, state, t->wait[w] + t->dt);
+        for (int n = 0; n < 2 && f == STAYS; n++)
+            f = step(k, state, t->dt);
+    }
+    return f;
+}
+
+// Commands as they were if the state cannot last without; else none.
+static void begin(Asking *k, const TrialEntry *e)
+{
+    Trials *t = k->t;
+    const uint32_t state = trial_state(e->situation);
+    Fate f = STAYS;
+
+    memcpy(k->in, e->in, t->inputs * sizeof *k->in);
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (t->input[i].command)
+            k->in[i] = 0;
+    trial_copy(t, k->at, e->situation);
+    for (int n = 0; n < 3 && f == STAYS; n++)
+        f = step(k, state, t->dt);
+    trial_copy(t, k->at, e->situation);
+    if (f == LEAVES)
+        memcpy(k->in, e->in, t->inputs * sizeof *k->in);
+}
+
+static bool aborts_from(Asking *k, const TrialEntry *e)
+{
+    Trials *t = k->t;
+    const uint32_t state = trial_state(e->situation);
+
+    for (int n = 0; n < LIVES && t->run->work < k->until; n++) {
+        Fate f = STAYS;
+        begin(k, e);
+        for (int c = 0; c < CHANGES && f == STAYS; c++) {
+            trial_draw(t, k->in, &t->state[state - 1], k->commands, true);
+            if (c == 0 && n % 2)
+                f = step(k, state, t->dt);
+            if (f == STAYS)
+                f = hold(k, state);
+        }
+        if (f == ABORTS)
+            return true;
+    }
+    return false;
+}
+
+// Whether some trial aborts.  Commands are given or not, and the sensor has failed or not.
+static bool can_abort(Asking *k, const AbortRow *r, bool commands, const Failed *failed)
+{
+    const TrialState *s = &k->t->state[r->state->number - 1];
+    bool found = false;
+
+    k->commands = commands;
+    k->failed = failed;
+    k->stayed = false;
+    k->until = k->t->run->work + WORK;
+    for (size_t n = 0; n < s->entry.n && n < TRIED && !found; n++)
+        found = aborts_from(k, &s->entry.at[n]);
+    k->failed = NULL;
+    return found || !k->stayed;
+}
+
+// ---- what ways look at ----
+
+static void note_looks(Asking *k, AbortWay *w)
+{
+    const Looks l = looks_of_condition(k->s, w->first->when);
+
+    w->sensor = ARENA_ARRAY(k->t->a->arena, const Var *, l.n + 1);
+    for (; w->sensors < l.n; w->sensors++)
+        w->sensor[w->sensors] = l.sensor[w->sensors];
+    w->by_time = l.time;
+    w->by_input = l.input;
+}
+
+static bool all_look_at(const AbortRow *r, const Var *v)
+{
+    for (size_t w = 0; w < r->way.n; w++) {
+        bool looks = !abort_is_sure(&r->way.at[w]);
+        for (size_t i = 0; i < r->way.at[w].sensors; i++)
+            looks |= r->way.at[w].sensor[i] == v;
+        if (!looks)
+            return false;
+    }
+    return true;
+}
+
+static bool all_by_command(const AbortRow *r)
+{
+    for (size_t w = 0; w < r->way.n; w++)
+        if (abort_is_sure(&r->way.at[w]) && !r->way.at[w].by_input)
+            return false;
+    return true;
+}
+
+static bool any_sure(const AbortRow *r)
+{
+    for (size_t w = 0; w < r->way.n; w++)
+        if (abort_is_sure(&r->way.at[w]))
+            return true;
+    return false;
+}
+
+// ---- a sensor that has failed ----
+
+static bool cannot_at(Asking *k, const AbortRow *r, uint32_t input, double reading)
+{
+    const Failed f = {input, reading};
+
+    return !can_abort(k, r, false, &f);
+}
+
+// Besides 0 the readings outside the range, as far as the type has any.
+static void ask_blind(Asking *k, AbortRow *r, uint32_t input)
+{
+    const TrialInput *i = &k->t->input[input];
+    const Fact type = fact_of_type(i->v->type);
+    const bool ranged = i->v->range != NULL;
+    const bool zero = cannot_at(k, r, input, 0);
+    const bool below = ranged && fact_below(type, i->lo) >= type.lo && cannot_at(k, r, input, fact_below(type, i->lo)) &&
+                       cannot_at(k, r, input, i->lo - i->scale);
+    const bool above = ranged && fact_above(type, i->hi) <= type.hi && cannot_at(k, r, input, fact_above(type, i->hi)) &&
+                       cannot_at(k, r, input, i->hi + i->scale);
+    Arena *arena = k->t->a->arena;
+    const bool say_zero = zero && !(below && i->lo > 0) && !(above && i->hi < 0);
+
+    if (!zero && !below && !above)
+        return;
+    r->blind = i->v;
+    r->blind_at = format_in(arena, "%s%s%s%s%s", say_zero ? "0" : "", say_zero && (below || above) ? " or " : "",
+                            below ? format_in(arena, "less than %s", const_text(arena, i->lo)) : "", below && above ? " or " : "",
+                            above ? format_in(arena, "more than %s", const_text(arena, i->hi)) : "");
+}
+
+static void ask_single(Asking *k, AbortRow *r, uint32_t input)
+{
+    const TrialInput *i = &k->t->input[input];
+
+    for (uint32_t n = 0; n < i->readings; n++) {
+        const double x = i->reading[(n + i->readings / 2) % i->readings];
+        if (x == 0 || !trial_is_healthy(i, x) || !cannot_at(k, r, input, x))
+            continue;
+        r->single = i->v;
+        r->stuck = x;
+        return;
+    }
+}
+
+static void ask_row(Asking *k, AbortRow *r)
+{
+    Trials *t = k->t;
+
+    if (t->state[r->state->number - 1].entry.n == 0)
+        return;
+    k->driven = false;
+    r->by_itself = can_abort(k, r, false, NULL);
+    r->by_command = any_sure(r) && !r->by_itself && all_by_command(r) && can_abort(k, r, true, NULL);
+    r->drives = k->driven;
+    if (!any_sure(r) || !r->by_itself)
+        return;
+    for (uint32_t i = 0; i < t->inputs && !(r->blind && r->single); i++)
+        if (!t->input[i].command && all_look_at(r, t->input[i].v)) {
+            if (!r->blind)
+                ask_blind(k, r, i);
+            if (!r->single)
+                ask_single(k, r, i);
+        }
+}
+
+void abort_ask(Trials *t, AbortMatrix *x, const AbortBound *b)
+{
+    Asking k = {.t = t, .b = b, .s = sensors_of(t->a), .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
+
+    x->sensors = k.s;
+    for (size_t s = 0; s < x->n; s++) {
+        AbortRow *r = &x->row[s];
+        for (size_t w = 0; w < r->way.n; w++)
+            note_looks(&k, &r->way.at[w]);
+        if (r->state->is_abort)
+            continue;
+        ask_row(&k, r);
+    }
+}
