@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs that go on because one sensor has failed.
+// What happens because one sensor has failed: an output goes on, or an @abort state ends.
 //
 // Two machines run side by side from one situation.  In the healthy one every reading stays where it is, or moves a little; in the
 // other one sensor fails.  If the healthy machine stays in its state and an output goes on in the other, the failure did it.
@@ -7,6 +7,8 @@
 // It is a finding if it does not depend on another sensor: whatever the others read, as long as the healthy machine stays quiet, the
 // same output goes on.  What a second sensor must agree to now is no finding.  What another sensor has seen before, what a person has
 // ordered before, and that a timer would have done it later are no excuse.
+//
+// An @abort state is asked in the same way whether the machine leaves it, with no command given.
 //
 // A machine may answer a failed sensor on purpose:
 //   - it goes to an @abort state, or to one that leads there in any case;
@@ -30,7 +32,7 @@ enum {
     TRIED = 6,                    // entries of a state
     OTHERS = 16                   // other inputs that are tried before a finding
 };
-static const uint64_t effort = 3000000;           // instructions spent on one sensor in one state
+static const uint64_t effort = 3000000, effort_in_all = 150000000;      // instructions spent on one sensor in one state; on all
 
 typedef struct Case {             // one trial: the sensor reads `reading`, moving, and fails after so much time
     const TrialEntry *entry;
@@ -59,6 +61,8 @@ typedef struct Zero {
     double *other;                // in the place of `in` meanwhile
     uint32_t clock;               // steps of this trial, for the motion
     double *level;                // by IR variable: its largest magnitude while the healthy machine was at rest
+    bool leaves;                  // what is asked of an @abort state: whether it ends
+    uint64_t effort;              // instructions for one sensor in one state
     uint64_t until;               // Trials.run.work at which this sensor and state have had enough
 } Zero;
 
@@ -177,9 +181,11 @@ static Outcome step_both(Zero *z, const Case *c, double dt, Effect *e)
     trial_step(t, z->failed, z->broken, dt, &t->trace);
     if (t->trace.transition && !e->at)
         e->at = t->transition[t->trace.transition]->stmt;
+    e->steps++;
+    if (z->leaves)
+        return !is_bound(z, z->failed) ? WENT_ON : NOTHING;
     if (is_bound(z, z->failed))
         return NOT_QUIET;
-    e->steps++;
     add_outputs(z, e);
     return e->outputs > 0 ? WENT_ON : NOTHING;
 }
@@ -231,7 +237,8 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
 {
     Trials *t = z->t;
     double *in = z->in, *other = z->other;
-    const uint32_t clock = z->clock, output = t->a->m->var_of[e->output[0]->index];
+    const uint32_t clock = z->clock;
+    const double *level = z->leaves ? NULL : &z->level[t->a->m->var_of[e->output[0]->index]];
     bool needed = false;
     Effect again;
 
@@ -246,7 +253,7 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
         if (!rest(z, c))
             continue;
         trial_copy(t, z->begin, z->healthy);
-        needed = fail(z, c, &again) == NOTHING && z->level[output] == 0;
+        needed = fail(z, c, &again) == NOTHING && (!level || *level == 0);
     }
     trial_copy(t, z->begin, z->settled);
     z->in = in;
@@ -268,7 +275,7 @@ static bool is_on_purpose(Zero *z, const Case *c, const Effect *e)
 {
     const TrialInput *i = &z->t->input[c->sensor];
 
-    if (c->failure == STICKS)
+    if (c->failure == STICKS || z->leaves)
         return false;
     if (happens_at(z, c, READS_FAR_ABOVE, e) && happens_at(z, c, READS_FAR_BELOW, e))
         return true;
@@ -282,20 +289,29 @@ static const char *failure_text(Arena *arena, const Case *c, const Effect *e)
     return format_in(arena, c->failure == STICKS ? "sticks at %s" : "reads %s", const_text(arena, e->failed));
 }
 
-static void report(Zero *z, const Case *c, const Effect *e)
+static Diag *report_outputs(Zero *z, const Case *c, const Effect *e)
 {
     Analysis *a = z->t->a;
-    const Var *sensor = z->t->input[c->sensor].v;
-    const char *names = question_names(a->arena, e->output, e->outputs);
-    Diag *d = diag_report(a->diags, DIAG_output_on_zero, e->at->span, sensor->name->text, names, failure_text(a->arena, c, e));
+    Diag *d = diag_report(a->diags, DIAG_output_on_zero, e->at->span, z->t->input[c->sensor].v->name->text,
+                          question_names(a->arena, e->output, e->outputs), failure_text(a->arena, c, e));
 
     for (uint32_t i = 0; i < e->outputs; i++)
         if (e->on[i] != e->at)
             diag_note(a->diags, d, e->on[i]->span, DIAG_note_switched_on, e->output[i]->name->text);
-    diag_note(a->diags, d, (Span){0}, DIAG_note_failure_example, a->p->state.at[trial_state(c->entry->situation) - 1]->name->text,
-              sensor->name->text, const_text(a->arena, question_rounded(e->before)), const_text(a->arena, e->failed),
-              format_in(a->arena, "%lu", (unsigned long)e->steps));
-    diag_note(a->diags, d, (Span){0}, DIAG_note_failure_advice, sensor->name->text);
+    return d;
+}
+
+static void report(Zero *z, const Case *c, const Effect *e)
+{
+    Analysis *a = z->t->a;
+    const char *sensor = z->t->input[c->sensor].v->name->text;
+    const char *state = a->p->state.at[trial_state(c->entry->situation) - 1]->name->text;
+    Diag *d = z->leaves ? diag_report(a->diags, DIAG_abort_exit, e->at->span, sensor, state, failure_text(a->arena, c, e))
+                        : report_outputs(z, c, e);
+
+    diag_note(a->diags, d, (Span){0}, DIAG_note_failure_example, state, sensor, const_text(a->arena, question_rounded(e->before)),
+              const_text(a->arena, e->failed), format_in(a->arena, "%lu", (unsigned long)e->steps));
+    diag_note(a->diags, d, (Span){0}, DIAG_note_failure_advice, sensor);
 }
 
 // ---- what is tried ----
@@ -349,6 +365,9 @@ static bool try_reading(Zero *z, Case *c, const TrialState *s)
             if (others > 0)
                 trial_draw(t, z->in, s, others > 1, false);
             trial_set_group(t, z->in, c->sensor, c->reading);
+            for (uint32_t i = 0; i < t->inputs && z->leaves; i++)
+                if (t->input[i].command)
+                    z->in[i] = 0;
             if (try_times(z, c))
                 return true;
         }
@@ -360,7 +379,7 @@ static void try_sensor(Zero *z, const TrialState *s, uint32_t sensor)
     const TrialInput *i = &z->t->input[sensor];
     Case c = {.sensor = sensor};
 
-    z->until = z->t->run->work + effort;
+    z->until = z->t->run->work + z->effort;
     for (size_t n = 0; n < s->entry.n && n < TRIED; n++)
         for (uint32_t k = 0; k < i->readings; k++) {
             c.entry = &s->entry.at[n];
@@ -383,8 +402,11 @@ void question_output_on_zero(Trials *t)
     z.now = trial_new_inputs(t);
     z.broken = trial_new_inputs(t);
     z.level = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
-    for (size_t s = 0; s < t->a->p->state.n; s++)
-        for (uint32_t i = 0; i < t->inputs && !z.bound.bound[s]; i++)
+    z.effort = effort_in_all / (t->a->p->state.n * t->inputs + 1) < effort ? effort_in_all / (t->a->p->state.n * t->inputs + 1) : effort;
+    for (size_t s = 0; s < t->a->p->state.n; s++) {
+        z.leaves = t->a->p->state.at[s]->is_abort;
+        for (uint32_t i = 0; i < t->inputs && (z.leaves || !z.bound.bound[s]); i++)
             if (!t->input[i].command && t->state[s].relevant[i])
                 try_sensor(&z, &t->state[s], i);
+    }
 }

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Clocks made of counters: a variable that only counts up or down by one constant, compared by == or != with a number that it steps
+// over.  Whether it does is found by counting, with the rounding of its type, from each constant that it is set to.
+#include "compiler/analysis/analysis.h"
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
+enum { STARTS = 8, COUNTS = 2000000 };
+
+typedef struct Counter {
+    bool other;                   // something else is assigned, or different steps
+    SmF64 by;                     // 0: not known yet
+    SmF64 start[STARTS];
+    uint32_t starts;
+} Counter;
+
+typedef struct Counting { Analysis *a; Counter *counter; } Counting;
+
+static void add_start(Counter *c, SmF64 x)
+{
+    if (c->starts == STARTS)
+        c->other = true;
+    else
+        c->start[c->starts++] = x;
+}
+
+// v + k, k + v or v - k; k is 0 of anything else.
+static SmF64 step_of(const Stmt *s)
+{
+    const Expr *e = s->value;
+    const bool sum = e->kind == EX_BINARY && e->op == SM_OP_ADD, less = e->kind == EX_BINARY && e->op == SM_OP_SUB;
+
+    if ((sum || less) && e->arg[0]->kind == EX_VAR && e->arg[0]->var == s->var && expr_is_constant(e->arg[1]))
+        return sum ? const_eval(e->arg[1]) : sm_neg(const_eval(e->arg[1]));
+    if (sum && e->arg[1]->kind == EX_VAR && e->arg[1]->var == s->var && expr_is_constant(e->arg[0]))
+        return const_eval(e->arg[0]);
+    return sm_from_i32(0);
+}
+
+static SmF64 stored(const Var *v, SmF64 x) { return sm_cell_to_f64(v->type, sm_cell_from_f64(v->type, x)); }
+
+static void look_at_store(const Stmt *s, void *context)
+{
+    Counting *k = context;
+    Counter *c;
+    SmF64 by;
+
+    if (s->kind != ST_ASSIGN)
+        return;
+    c = &k->counter[s->var->index];
+    by = step_of(s);
+    if (expr_is_constant(s->value))
+        add_start(c, stored(s->var, const_eval(s->value)));
+    else if (sm_eq(by, sm_from_i32(0)) || (!sm_eq(c->by, sm_from_i32(0)) && !sm_eq(c->by, by)))
+        c->other = true;
+    else
+        c->by = by;
+}
+
+// Whether the variable can become x, counting from a start.  True if that is not known.
+static bool comes_to(const Counter *c, const Var *v, SmF64 start, SmF64 x)
+{
+    const bool up = sm_lt(sm_from_i32(0), c->by);
+    SmF64 now = start;
+
+    for (uint32_t n = 0; n < COUNTS; n++) {
+        const SmF64 next = stored(v, sm_add(now, c->by));
+        if (sm_eq(now, x))
+            return true;
+        if (sm_eq(next, now) || (up ? sm_lt(x, now) : sm_lt(now, x)))
+            return false;
+        now = next;
+    }
+    return true;
+}
+
+static bool is_stepped_over(const Counter *c, const Var *v, SmF64 x)
+{
+    if (v->outside || c->other || sm_eq(c->by, sm_from_i32(0)) || comes_to(c, v, sm_cell_to_f64(v->type, v->init), x))
+        return false;
+    for (uint32_t i = 0; i < c->starts; i++)
+        if (comes_to(c, v, c->start[i], x))
+            return false;
+    return true;
+}
+
+static void look_at_expr(Expr *e, void *context)
+{
+    const Counting *k = context;
+
+    if (e->kind != EX_BINARY || (e->op != SM_OP_EQ && e->op != SM_OP_NE))
+        return;
+    for (int side = 0; side < 2; side++) {
+        const Expr *v = e->arg[side], *x = e->arg[1 - side];
+        Diag *d;
+        if (v->kind != EX_VAR || v->var->kind == VAR_TIME || !expr_is_constant(x) ||
+            !is_stepped_over(&k->counter[v->var->index], v->var, const_eval(x)))
+            continue;
+        d = diag_report(k->a->diags, DIAG_exact_moment, e->span, v->var->name->text, const_text(k->a->arena, const_eval(x)));
+        diag_note(k->a->diags, d, (Span){0}, DIAG_note_counts_by, v->var->name->text, const_text(k->a->arena, k->counter[v->var->index].by));
+    }
+}
+
+static void look_at_guard(const Stmt *stmt, void *context)
+{
+    if (stmt->operators & EQUALITIES)
+        expr_walk(stmt->value, look_at_expr, context);
+}
+
+void analyse_exact_count(Analysis *a)
+{
+    Counting k = {a, ARENA_ARRAY(a->arena, Counter, a->p->var.n)};
+
+    if (!(a->p->operators & EQUALITIES))
+        return;
+    each_stmt(a->p, look_at_store, &k);
+    each_stmt(a->p, look_at_guard, &k);
+}
