@@ -34,14 +34,11 @@ typedef enum Fate { STAYS, ABORTS, LEAVES } Fate;
 
 // ---- trials ----
 
-static Fate step(Asking *k, uint32_t state, double dt)
+static Fate fate(Asking *k, uint32_t state)
 {
     Trials *t = k->t;
     const double *var = ir_run_vars(t->run, k->at);
 
-    if (k->failed)
-        k->in[k->failed->input] = k->failed->reading;
-    trial_step(t, k->at, k->in, dt, &t->trace);
     if (trial_state(k->at) != state)
         return k->b->bound[trial_state(k->at) - 1] ? ABORTS : LEAVES;
     for (uint32_t v = 0; v < t->run->m->var.n && !k->driven; v++)
@@ -49,18 +46,25 @@ static Fate step(Asking *k, uint32_t state, double dt)
     return STAYS;
 }
 
+static Fate step(Asking *k, uint32_t state)
+{
+    if (k->failed)
+        k->in[k->failed->input] = k->failed->reading;
+    trial_step(k->t, k->at, k->in, k->t->dt, &k->t->trace);
+    return fate(k, state);
+}
+
 static Fate hold(Asking *k, uint32_t state)
 {
     Trials *t = k->t;
     Fate f = STAYS;
 
-    for (uint32_t n = t->window + t->count + 5; n > 0 && f == STAYS; n--)
-        f = step(k, state, t->dt);
+    for (uint32_t n = t->window + 5; n > 0 && f == STAYS; n--)
+        f = step(k, state);
     k->stayed |= f == STAYS;
-    for (uint32_t w = 0; w < t->waits && f == STAYS; w++) {
-        f = step(k, state, t->wait[w] + t->dt);
-        for (int n = 0; n < 2 && f == STAYS; n++)
-            f = step(k, state, t->dt);
+    for (int n = 0, idle = 0; n < TRIAL_PASSES && f == STAYS && idle < 2; n++) {
+        idle = trial_pass(t, k->at, k->in, &t->trace) ? 0 : idle + 1;
+        f = fate(k, state);
     }
     return f;
 }
@@ -78,9 +82,9 @@ static void begin(Asking *k, const TrialEntry *e)
             k->in[i] = 0;
     trial_copy(t, k->at, e->situation);
     for (int n = 0; n < 3 && f == STAYS; n++)
-        f = step(k, state, t->dt);
+        f = step(k, state);
     trial_copy(t, k->at, e->situation);
-    if (f == LEAVES)
+    if (f != STAYS)
         memcpy(k->in, e->in, t->inputs * sizeof *k->in);
 }
 
@@ -95,7 +99,7 @@ static bool aborts_from(Asking *k, const TrialEntry *e)
         for (int c = 0; c < CHANGES && f == STAYS; c++) {
             trial_draw(t, k->in, &t->state[state - 1], k->commands, true);
             if (c == 0 && n % 2)
-                f = step(k, state, t->dt);
+                f = step(k, state);
             if (f == STAYS)
                 f = hold(k, state);
         }

@@ -2,17 +2,24 @@
 // Outputs that stay on where the machine may rest: in a state marked @safe, and in one that nothing but a person ends.
 //
 // Every situation that the search found at the beginning of such a state is held with inputs at which the machine stays.  If an
-// output that another state has switched on is still on after all that time, the finding is where the machine came in.
+// output that another state has switched on is still on after all that time, it is a finding about the state.
 #include <string.h>
 
 #include "compiler/analysis/questions.h"
 
-enum { HELD = 6 };                // inputs tried in each situation
+enum {
+    HELD = 10,                    // inputs tried in each situation
+    OUTPUTS = 4                   // that one finding names
+};
 
 typedef struct LeftOn {
     Trials *t;
     void *at;
     double *in;
+    const Var *output[OUTPUTS];   // found on in the state that is looked at
+    const Stmt *on[OUTPUTS];      // what switched it on
+    const Transition *via[OUTPUTS];
+    uint32_t outputs;
 } LeftOn;
 
 typedef struct Search { const LeftOn *l; const Var *v; const Stmt *off; } Search;
@@ -34,33 +41,46 @@ static bool is_ever_off(const LeftOn *l, const Var *v)
     return k.off != NULL;
 }
 
-static void report(const LeftOn *l, const TrialEntry *e, const Var *v, const Stmt *on)
-{
-    const Analysis *a = l->t->a;
-    const State *s = a->p->state.at[trial_state(e->situation) - 1];
-    Diag *d;
+// ---- findings ----
 
-    if (!is_ever_off(l, v)) {
-        diag_report(a->diags, DIAG_output_never_off, on->span, v->name->text);
+static void add_output(LeftOn *l, const Var *v, const Stmt *on, const Transition *via)
+{
+    for (uint32_t i = 0; i < l->outputs; i++)
+        if (l->output[i] == v)
+            return;
+    if (l->outputs == OUTPUTS)
         return;
-    }
-    d = diag_report(a->diags, DIAG_output_left_on, e->via->stmt->span, v->name->text, e->via->from->name->text, s->name->text);
-    diag_note(a->diags, d, on->span, DIAG_note_switched_on, v->name->text);
+    l->output[l->outputs] = v;
+    l->on[l->outputs] = on;
+    l->via[l->outputs++] = via;
 }
 
-// Holds the inputs as long as any timer lasts.  False: the state is left.
+// One finding for a state, with what is on there and the way it came in.
+static void report(const LeftOn *l, const State *s)
+{
+    const Analysis *a = l->t->a;
+    Diag *d = diag_report(a->diags, DIAG_output_left_on, s->span, s->name->text, question_names(a->arena, l->output, l->outputs));
+
+    for (uint32_t i = 0; i < l->outputs; i++) {
+        diag_step(a->diags, d, l->on[i]->span, DIAG_note_switched_on, l->output[i]->name->text);
+        diag_step(a->diags, d, l->via[i]->stmt->span, DIAG_note_still_on, l->output[i]->name->text, s->name->text);
+        if (!is_ever_off(l, l->output[i]))
+            diag_note(a->diags, d, (Span){0}, DIAG_note_never_off, l->output[i]->name->text);
+    }
+}
+
+// Holds the inputs as long as anything can happen.  False: the state is left.
 static bool rests(LeftOn *l, uint32_t state)
 {
     Trials *t = l->t;
 
-    for (uint32_t n = t->window + t->count + 5; n > 0; n--) {
+    for (uint32_t n = t->window + 5; n > 0; n--) {
         trial_step(t, l->at, l->in, t->dt, &t->trace);
         if (trial_state(l->at) != state)
             return false;
     }
-    for (uint32_t k = 0; k <= t->waits; k++) {
-        trial_step(t, l->at, l->in, k < t->waits ? t->wait[k] + t->dt : 1e9, &t->trace);
-        trial_step(t, l->at, l->in, t->dt, &t->trace);
+    for (int n = 0, idle = 0; n < TRIAL_PASSES && idle < 2; n++) {
+        idle = trial_pass(t, l->at, l->in, &t->trace) ? 0 : idle + 1;
         if (trial_state(l->at) != state)
             return false;
     }
@@ -79,7 +99,7 @@ static bool look_at_outputs(LeftOn *l, const TrialEntry *e, const State *s)
         const Stmt *on = t->actuator[v] && var[v] != 0 ? question_stmt(t, writer[v]) : NULL;
         if (!on || question_state(on, s))
             continue;
-        report(l, e, t->var[v], on);
+        add_output(l, t->var[v], on, e->via);
         any = true;
     }
     return any;
@@ -96,7 +116,7 @@ static void try_entry(LeftOn *l, const State *s, const TrialEntry *e)
             if (t->input[i].command)
                 l->in[i] = 0;
         if (n > 1)
-            trial_draw(t, l->in, &t->state[s->number - 1], false, false);
+            trial_draw(t, l->in, &t->state[s->number - 1], n % 2, false);
         if (rests(l, s->number) && look_at_outputs(l, e, s))
             return;
     }
@@ -121,14 +141,17 @@ static bool ends_by_itself(LeftOn *l, const State *s)
 
 void question_output_left_on(Trials *t)
 {
-    LeftOn l = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t)};
+    LeftOn l = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
         if (t->state[s].entry.n == 0 || (!state->is_safe && ends_by_itself(&l, state)))
             continue;
+        l.outputs = 0;
         for (size_t n = 0; n < t->state[s].entry.n; n++)
             if (t->state[s].entry.at[n].via)
                 try_entry(&l, state, &t->state[s].entry.at[n]);
+        if (l.outputs > 0)
+            report(&l, state);
     }
 }

@@ -25,14 +25,15 @@ typedef enum Failure { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_
 // How readings move while they are healthy: noise is on all sensors, a slope on the one that fails and its group.
 typedef struct Motion { double noise, slope; } Motion;       // in TrialInput.scale; a step
 static const Motion motion[] = {{0, 0}, {0.02, 0}, {0, 0.003}, {0, -0.003}, {0.3, 0}, {5, 0}, {100, 0}};
-enum { MOTIONS = sizeof motion / sizeof *motion };
+enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 5 };     // the others where the scale is not known
 
 enum {
     OUTPUTS = 4,                  // that one finding names
     TRIED = 6,                    // entries of a state
-    OTHERS = 16                   // other inputs that are tried before a finding
+    OTHERS = 32,                  // other inputs that are tried before a finding
+    PASSES = 200                  // of time, after a sensor has failed
 };
-static const uint64_t effort = 3000000, effort_in_all = 150000000;      // instructions spent on one sensor in one state; on all
+static const uint64_t effort = 6000000, effort_in_all = 150000000;      // instructions spent on one sensor in one state; on all
 
 typedef struct Case {             // one trial: the sensor reads `reading`, moving, and fails after so much time
     const TrialEntry *entry;
@@ -58,9 +59,11 @@ typedef struct Zero {
     void *healthy, *failed;
     void *begin, *settled;        // where the sensor fails; the same, while other inputs are tried
     double *in, *now, *broken;    // inputs: at rest; of the healthy machine in this step; of the failed one
+    double *before, *before_failed;       // variables before a step
     double *other;                // in the place of `in` meanwhile
     uint32_t clock;               // steps of this trial, for the motion
     double *level;                // by IR variable: its largest magnitude while the healthy machine was at rest
+    double share;                 // of its largest level, by which an output has to rise
     bool leaves;                  // what is asked of an @abort state: whether it ends
     uint64_t effort;              // instructions for one sensor in one state
     uint64_t until;               // Trials.run.work at which this sensor and state have had enough
@@ -103,12 +106,12 @@ static void move(const Zero *z, const Case *c, double *in)
         trial_set_group(t, in, c->sensor, c->reading + m.slope * t->input[c->sensor].scale * z->clock);
 }
 
-static void step_healthy(Zero *z, const Case *c, void *situation, double dt)
+static void step_healthy(Zero *z, const Case *c, void *situation)
 {
     memcpy(z->now, z->in, z->t->inputs * sizeof *z->now);
     move(z, c, z->now);
     z->clock++;
-    trial_step(z->t, situation, z->now, dt, &z->t->trace);
+    trial_step(z->t, situation, z->now, z->t->dt, &z->t->trace);
 }
 
 static void note_levels(Zero *z)
@@ -124,7 +127,7 @@ static bool rest(Zero *z, const Case *c)
 {
     memset(z->level, 0, z->t->run->m->var.n * sizeof *z->level);
     for (uint32_t n = z->t->window + 5; n > 0; n--) {
-        step_healthy(z, c, z->healthy, z->t->dt);
+        step_healthy(z, c, z->healthy);
         if (z->t->trace.transition)
             return false;
         if (n < z->t->window + 4)
@@ -143,9 +146,11 @@ static bool settle(Zero *z, const Case *c)
     if (!rest(z, c))
         return false;
     for (uint32_t w = 0; w < c->waits; w++) {
-        step_healthy(z, c, z->healthy, t->wait[w] - (w > 0 ? t->wait[w - 1] : 0) + t->dt);
+        memcpy(z->before, ir_run_vars(t->run, z->healthy), t->run->m->var.n * sizeof *z->before);
+        step_healthy(z, c, z->healthy);
         if (t->trace.transition)
             return false;
+        trial_leap(t, z->before, z->healthy, trial_leap_steps(t, z->before, z->healthy));
     }
     return c->waits == 0 || rest(z, c);
 }
@@ -157,7 +162,7 @@ static void add_outputs(Zero *z, Effect *e)
     const uint32_t *writer = ir_run_writers(t->run, z->failed);
 
     for (uint32_t v = 0; v < t->run->m->var.n; v++) {
-        if (!t->actuator[v] || sm_abs(failed[v]) - sm_max(z->level[v], sm_abs(healthy[v])) < 0.5 * sm_max(t->peak[v], 1e-9) || e->outputs == OUTPUTS)
+        if (!t->actuator[v] || sm_abs(failed[v]) - sm_max(z->level[v], sm_abs(healthy[v])) < z->share * sm_max(t->peak[v], 1e-9) || e->outputs == OUTPUTS)
             continue;
         e->output[e->outputs] = t->var[v];
         e->on[e->outputs++] = question_stmt(t, writer[v]);
@@ -169,16 +174,16 @@ static bool is_bound(const Zero *z, const void *situation) { return z->bound.bou
 typedef enum Outcome { NOTHING, NOT_QUIET, WENT_ON } Outcome;
 
 // Both machines make a step.
-static Outcome step_both(Zero *z, const Case *c, double dt, Effect *e)
+static Outcome step_both(Zero *z, const Case *c, Effect *e)
 {
     Trials *t = z->t;
 
-    step_healthy(z, c, z->healthy, dt);
+    step_healthy(z, c, z->healthy);
     if (t->trace.transition)
         return NOT_QUIET;
     memcpy(z->broken, z->now, t->inputs * sizeof *z->broken);
     z->broken[c->sensor] = e->failed;
-    trial_step(t, z->failed, z->broken, dt, &t->trace);
+    trial_step(t, z->failed, z->broken, t->dt, &t->trace);
     if (t->trace.transition && !e->at)
         e->at = t->transition[t->trace.transition]->stmt;
     e->steps++;
@@ -190,22 +195,43 @@ static Outcome step_both(Zero *z, const Case *c, double dt, Effect *e)
     return e->outputs > 0 ? WENT_ON : NOTHING;
 }
 
-// Steps until nothing that differs changes any more, or for as long as counters and windows last; then times.
+// A step of both, and then as many more as nothing happens in, in either.
+static Outcome pass_both(Zero *z, const Case *c, Effect *e, bool *more)
+{
+    Trials *t = z->t;
+    const size_t size = t->run->m->var.n * sizeof *z->before;
+    uint32_t n, in_failed;
+    Outcome o;
+
+    memcpy(z->before, ir_run_vars(t->run, z->healthy), size);
+    memcpy(z->before_failed, ir_run_vars(t->run, z->failed), size);
+    o = step_both(z, c, e);
+    n = trial_leap_steps(t, z->before, z->healthy);
+    in_failed = trial_entering(z->failed) ? 0 : trial_leap_steps(t, z->before_failed, z->failed);
+    n = in_failed < n ? in_failed : n;
+    if (o == NOTHING) {
+        trial_leap(t, z->before, z->healthy, n);
+        trial_leap(t, z->before_failed, z->failed, n);
+    }
+    *more = n != TRIAL_MANY;
+    return o;
+}
+
+// Steps until nothing differs any more, or for as long as windows last; then for as long as anything can happen.
 static Outcome run_both(Zero *z, const Case *c, Effect *e)
 {
     Trials *t = z->t;
-    const uint32_t most = t->window + t->count + 20;
     Outcome o = NOTHING;
+    bool more = true;
 
-    for (uint32_t n = 0; n < most && o == NOTHING; n++) {
-        o = step_both(z, c, t->dt, e);
+    for (uint32_t n = 0; n < t->window + 20 && o == NOTHING; n++) {
+        o = step_both(z, c, e);
         if (n > t->window + 2 && trial_same(t, z->healthy, z->failed))
             return o;
     }
-    for (uint32_t w = 0; w < t->waits && o == NOTHING; w++) {
-        o = step_both(z, c, t->wait[w] + t->dt, e);
-        for (int n = 0; n < 3 && o == NOTHING; n++)
-            o = step_both(z, c, t->dt, e);
+    for (int n = 0, idle = 0; n < (c->motion == 0 ? PASSES : PASSES / 10) && o == NOTHING && idle < 2; n++) {
+        o = pass_both(z, c, e, &more);
+        idle = more ? 0 : idle + 1;
     }
     return o;
 }
@@ -244,6 +270,7 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
 
     trial_copy(t, z->settled, z->begin);
     z->in = other;
+    z->share = 0.02;
     for (int n = 0; n < OTHERS && !needed; n++) {
         memcpy(other, in, t->inputs * sizeof *other);
         trial_draw(t, other, &t->state[trial_state(z->settled) - 1], false, false);
@@ -258,6 +285,7 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
     trial_copy(t, z->begin, z->settled);
     z->in = in;
     z->clock = clock;
+    z->share = 0.5;
     return !needed;
 }
 
@@ -346,7 +374,7 @@ static bool try_failures(Zero *z, Case *c)
 
 static bool try_times(Zero *z, Case *c)
 {
-    for (c->waits = 0; c->waits <= z->t->waits && z->t->run->work < z->until; c->waits++) {
+    for (c->waits = 0; c->waits <= z->t->waits + z->t->count && z->t->run->work < z->until; c->waits++) {
         if (!settle(z, c))
             return false;
         if (try_failures(z, c))
@@ -355,43 +383,44 @@ static bool try_times(Zero *z, Case *c)
     return false;
 }
 
-static bool try_reading(Zero *z, Case *c, const TrialState *s)
+static bool try_reading(Zero *z, Case *c)
 {
     Trials *t = z->t;
 
-    for (c->motion = 0; c->motion < MOTIONS; c->motion++)
-        for (int others = 0; others < 3 && t->run->work < z->until; others++) {
-            memcpy(z->in, c->entry->in, t->inputs * sizeof *z->in);
-            if (others > 0)
-                trial_draw(t, z->in, s, others > 1, false);
-            trial_set_group(t, z->in, c->sensor, c->reading);
-            for (uint32_t i = 0; i < t->inputs && z->leaves; i++)
-                if (t->input[i].command)
-                    z->in[i] = 0;
-            if (try_times(z, c))
-                return true;
-        }
+    for (int others = 0; others < 3 && t->run->work < z->until; others++) {
+        memcpy(z->in, c->entry->in, t->inputs * sizeof *z->in);
+        if (others > 0)
+            trial_draw(t, z->in, &t->state[trial_state(c->entry->situation) - 1], others > 1, false);
+        trial_set_group(t, z->in, c->sensor, c->reading);
+        for (uint32_t i = 0; i < t->inputs && z->leaves; i++)
+            if (t->input[i].command)
+                z->in[i] = 0;
+        if (try_times(z, c))
+            return true;
+    }
     return false;
 }
 
 static void try_sensor(Zero *z, const TrialState *s, uint32_t sensor)
 {
     const TrialInput *i = &z->t->input[sensor];
+    const uint32_t motions = i->rough ? MOTIONS : MOTIONS_OF_SCALE;
     Case c = {.sensor = sensor};
 
     z->until = z->t->run->work + z->effort;
-    for (size_t n = 0; n < s->entry.n && n < TRIED; n++)
-        for (uint32_t k = 0; k < i->readings; k++) {
-            c.entry = &s->entry.at[n];
-            c.reading = i->reading[k];
-            if (trial_is_healthy(i, c.reading) && try_reading(z, &c, s))
-                return;
-        }
+    for (c.motion = 0; c.motion < motions; c.motion++)
+        for (size_t n = 0; n < s->entry.n && n < TRIED; n++)
+            for (uint32_t k = 0; k < i->readings; k++) {
+                c.entry = &s->entry.at[n];
+                c.reading = i->reading[k];
+                if (trial_is_healthy(i, c.reading) && try_reading(z, &c))
+                    return;
+            }
 }
 
 void question_output_on_zero(Trials *t)
 {
-    Zero z = {.t = t, .bound = abort_bound(t->a)};
+    Zero z = {.t = t, .bound = abort_bound(t->a), .share = 0.5};
 
     z.healthy = arena_alloc(t->a->arena, t->run->size);
     z.failed = arena_alloc(t->a->arena, t->run->size);
@@ -401,6 +430,8 @@ void question_output_on_zero(Trials *t)
     z.other = trial_new_inputs(t);
     z.now = trial_new_inputs(t);
     z.broken = trial_new_inputs(t);
+    z.before = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
+    z.before_failed = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     z.level = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     z.effort = effort_in_all / (t->a->p->state.n * t->inputs + 1) < effort ? effort_in_all / (t->a->p->state.n * t->inputs + 1) : effort;
     for (size_t s = 0; s < t->a->p->state.n; s++) {

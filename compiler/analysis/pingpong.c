@@ -52,7 +52,7 @@ static size_t run_cycle(Flips *f, const TrialEntry *e)
     size_t n = 1;
 
     trial_copy(t, f->at, e->situation);
-    for (uint32_t k = 0; k < STEPS + 8 * t->count; k++) {             // what a counter ends is no cycle
+    for (uint32_t k = 0; k < STEPS + (t->count ? 300 : 0); k++) {             // what a counter ends is no cycle
         trial_step(t, f->at, f->in, t->dt, &t->trace);
         if (t->trace.transition == 0)
             return 0;
@@ -136,6 +136,23 @@ void question_ping_pong(Trials *t)
 
 // ---- straight on ----
 
+static void look_for_sensor(Expr *e, void *context)
+{
+    bool *found = context;
+
+    *found |= e->kind == EX_ROLL || (e->kind == EX_VAR && (e->var->kind == VAR_LOCAL ? !e->var->is_constant : e->var->type != SM_BOOL));
+}
+
+// What only people say may be said of several states at once.
+static bool depends_on_sensor(const Transition *x)
+{
+    bool found = false;
+
+    for (const Condition *c = x->when; c; c = c->outer)
+        expr_walk(c->stmt->value, look_for_sensor, &found);
+    return found;
+}
+
 void question_cascade(Trials *t)
 {
     const Analysis *a = t->a;
@@ -144,7 +161,7 @@ void question_cascade(Trials *t)
         const Transition *in = &a->transition.at[i], *out;
         const TrialNext next = t->next[in->stmt->number];
         Diag *d;
-        if (!in->when || next.trials < ARRIVALS || next.transition == 0 || !t->state[in->to->number - 1].lasts)
+        if (!depends_on_sensor(in) || next.trials < ARRIVALS || next.transition == 0 || !t->state[in->to->number - 1].lasts)
             continue;
         out = t->transition[next.transition];
         if (!out->when || out->to == in->from || out->to == out->from || in->to == in->from)

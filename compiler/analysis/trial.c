@@ -13,6 +13,7 @@ enum {
     ENTRIES = 16,                 // situations kept for each state
     ROUNDS = 8,
     TRIES = 40,                   // from each state in each round
+    STEPS_OF_PASS = 40,           // where something changes that is no counter
     SEGMENTS = 4,                 // changes of inputs in one try
     ROOM = 4 << 20                // bytes of situations kept in all
 };
@@ -36,6 +37,66 @@ void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace
     for (uint32_t i = 0; i < t->inputs; i++)
         var[t->input[i].var] = ir_run_number(t->input[i].v->type, in[i]);
     ir_run_step(t->run, situation, trace);
+}
+
+// ---- letting time pass ----
+
+static const double ever = 1e9;                   // steps: longer than any timer
+
+static double steps_to(double from, double limit, double by)
+{
+    const double n = sm_ceil((limit - from) / by);
+
+    return n > 0 ? n - 1 : n == 0 ? 0 : ever;
+}
+
+uint32_t trial_leap_steps(const Trials *t, const double *before, const void *situation)
+{
+    const IrSituation *s = situation;
+    const double *var = (const double *)(const void *)((const char *)situation + t->run->vars), elapsed = s->last_g - s->start;
+    const IrMachine *m = t->run->m;
+    double n = ever;
+
+    for (uint32_t w = 0; w < t->waits; w++)
+        if (t->wait[w] >= elapsed)
+            n = sm_min(n, steps_to(elapsed, t->wait[w], t->dt));
+    for (uint32_t v = 0; v < m->var.n; v++) {
+        if (!m->var.at[v].writable || v == m->s || var[v] == before[v])
+            continue;
+        if (!t->limit[v])
+            return 0;
+        for (const double *l = t->limit[v]; *l == *l; l++)
+            n = sm_min(n, steps_to(var[v], *l, var[v] - before[v]));
+    }
+    return n >= ever ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
+}
+
+void trial_leap(const Trials *t, const double *before, void *situation, uint32_t steps)
+{
+    IrSituation *s = situation;
+    double *var = ir_run_vars(t->run, situation);
+    const IrMachine *m = t->run->m;
+    const double n = steps == TRIAL_MANY ? ever : steps;
+
+    s->last_g += n * t->dt;
+    for (uint32_t v = 0; v < m->var.n; v++)
+        if (t->limit[v] && m->var.at[v].writable)
+            var[v] = ir_run_number(m->var.at[v].type, var[v] + n * (var[v] - before[v]));
+}
+
+bool trial_pass(Trials *t, void *situation, const double *in, IrTrace *trace)
+{
+    uint32_t n = 0;
+
+    for (int k = 0; k < STEPS_OF_PASS && n == 0; k++) {
+        memcpy(t->before, ir_run_vars(t->run, situation), t->run->m->var.n * sizeof *t->before);
+        trial_step(t, situation, in, t->dt, trace);
+        if (trace->transition)
+            return true;
+        n = trial_leap_steps(t, t->before, situation);
+    }
+    trial_leap(t, t->before, situation, n);
+    return n != TRIAL_MANY;
 }
 
 bool trial_same(const Trials *t, const void *a, const void *b)
@@ -95,6 +156,14 @@ void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool 
             in[i] = some_reading(t, input, sick);
         }
     }
+}
+
+void trial_draw_free(Trials *t, double *in, const TrialState *s)
+{
+    trial_draw(t, in, s, false, true);
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (t->input[i].command && !t->input[i].v->command)
+            in[i] = some_reading(t, &t->input[i], true);
 }
 
 // ---- entries ----
@@ -169,28 +238,32 @@ static void note_next(Search *k, uint32_t transition)
 // ---- the search ----
 
 // A longer time is many steps, of which only the samples matter; if nobody says how long a step is, they are too many to count.
-static void count_steps(Search *k, double dt)
+static void count_steps(Search *k, double before)
 {
     const Trials *t = k->t;
-    const double n = dt / t->dt;
+    const double n = (((const IrSituation *)k->at)->last_g - before) / t->dt;
 
     if (k->steps == TRIAL_MANY || (n > 1 && t->a->step == 0) || k->steps + n > SM_WINDOW_MAX) {
         k->steps = TRIAL_MANY;
         return;
     }
-    k->steps += (uint32_t)n;
+    k->steps += n > 1 ? (uint32_t)n : 1;
     if (n > 1)
-        ir_run_fill(t->run, k->at, (uint32_t)n - 1 < t->window ? (uint32_t)n - 1 : t->window, NULL, NULL);
+        ir_run_fill(t->run, k->at, n - 1 < t->window ? (uint32_t)n - 1 : t->window, NULL, NULL);
 }
 
-// One step.  True: a transition to another state, which is kept if it is new.
-static bool search_step(Search *k, double dt)
+// One step, or as many as nothing happens in.  True: a transition to another state, which is kept if it is new.
+static bool search_step(Search *k, bool pass)
 {
     Trials *t = k->t;
+    const double before = ((const IrSituation *)k->at)->last_g;
     const Transition *via;
 
-    count_steps(k, dt);
-    trial_step(t, k->at, k->in, dt, &t->trace);
+    if (pass)
+        trial_pass(t, k->at, k->in, &t->trace);
+    else
+        trial_step(t, k->at, k->in, t->dt, &t->trace);
+    count_steps(k, before);
     note_peaks(t, k->at);
     if (t->trace.transition == 0) {
         t->state[trial_state(k->at) - 1].lasts = true;
@@ -203,27 +276,17 @@ static bool search_step(Search *k, double dt)
     return via->to != via->from;
 }
 
-static uint32_t hold_of(Trials *t)
-{
-    switch (trial_below(t, 6)) {
-    case 0: case 1: return 1;
-    case 2: return 2;
-    case 3: return t->window + 1;
-    case 4: return t->count > 0 ? t->count + 2 : 4;
-    default: return 5;
-    }
-}
-
 static void segment(Search *k)
 {
+    static const uint32_t holds[] = {1, 1, 2, 5};
     Trials *t = k->t;
-    const uint32_t state = trial_state(k->at);
-    const bool wait = t->waits > 0 && trial_below(t, 3) == 0;
+    const bool pass = trial_below(t, 3) == 0;
+    uint32_t n = pass ? 1 + trial_below(t, 2 * (t->waits + t->count) + 2) : holds[trial_below(t, 4)];
 
-    if (wait && search_step(k, t->wait[trial_below(t, t->waits)] + t->dt))
-        return;
-    for (uint32_t n = hold_of(t); n > 0; n--)
-        if (search_step(k, t->dt) || trial_state(k->at) != state)
+    if (!pass && trial_below(t, 4) == 0)
+        n = t->window + 1;
+    while (n-- > 0)
+        if (search_step(k, pass))
             return;
 }
 
@@ -301,6 +364,8 @@ Trials *trials_of(Analysis *a)
     t->next = ARENA_ARRAY(a->arena, TrialNext, a->p->stmts + 1u);
     t->actuator = ARENA_ARRAY(a->arena, bool, a->m->var.n);
     t->peak = ARENA_ARRAY(a->arena, double, a->m->var.n);
+    t->limit = ARENA_ARRAY(a->arena, double *, a->m->var.n);
+    t->before = ARENA_ARRAY(a->arena, double, a->m->var.n);
     t->trace.at = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 2u);
     t->random = 20221;
     t->var = ARENA_ARRAY(a->arena, const Var *, a->m->var.n);

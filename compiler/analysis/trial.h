@@ -27,7 +27,8 @@ typedef struct TrialInput {
     double lo, hi;                    // what a healthy sensor reads: @range, or what its type holds
     double *reading;                  // readings that differ in what comparisons make of them, ascending
     uint32_t readings;
-    double scale;                     // how far apart its readings are: the unit for noise and slopes
+    bool rough;                       // no comparison tells the scale
+    double scale;                     // of its group: how far apart its readings are: the unit for noise and slopes
 } TrialInput;
 
 // A situation just before the first step in a state.
@@ -68,10 +69,12 @@ typedef struct Trials {
     const Var **var;                  // by IR variable
     double *wait;                     // times that conditions on T and G wait for, ascending
     uint32_t waits;
+    double **limit;                   // by IR variable that only counts by a constant: what it is compared with, ended by NaN; else NULL
     double dt;                        // how far G advances in a step
     uint32_t window;                  // samples until every window is full
-    uint32_t count;                   // steps until every counter has come to its limits, as far as it is known
+    uint32_t count;                   // limits of counters, in all
     uint64_t random;
+    double *before;                   // variables before a step, for trial_pass
     IrTrace trace;
 } Trials;
 
@@ -84,6 +87,14 @@ void *trial_copy(const Trials *t, void *to, const void *from);
 void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace);
 static inline uint32_t trial_state(const void *situation) { return ((const IrSituation *)situation)->state; }
 static inline bool trial_entering(const void *situation) { return ((const IrSituation *)situation)->first; }
+// How many steps like the last one, which led from the variables `before` to the situation, can follow before a timer or a counter
+// comes to a limit.  0: something changes that is no counter.  TRIAL_MANY: nothing can happen any more.
+uint32_t trial_leap_steps(const Trials *t, const double *before, const void *situation);
+// Makes them at once.  Windows keep their samples.
+void trial_leap(const Trials *t, const double *before, void *situation, uint32_t steps);
+// Some steps, and then as many more as nothing happens in.  False: nothing can happen any more while inputs stay as they are.
+bool trial_pass(Trials *t, void *situation, const double *in, IrTrace *trace);
+enum { TRIAL_PASSES = 300 };          // after so many a machine that still does something goes on so
 // Whether anything but time differs between two situations.
 bool trial_same(const Trials *t, const void *a, const void *b);
 
@@ -93,6 +104,8 @@ uint32_t trial_below(Trials *t, uint32_t n);                      // 0 … n - 1
 double *trial_new_inputs(Trials *t);                              // one array for all inputs
 // Other readings for the inputs that matter to the state: groups read one number.  Commands are changed only with `commands`.
 void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool sick);
+// Sensors, sick ones too, and bools that are not marked @command.
+void trial_draw_free(Trials *t, double *in, const TrialState *s);
 void trial_set_group(const Trials *t, double *in, uint32_t input, double reading);
 bool trial_is_healthy(const TrialInput *i, double reading);
 

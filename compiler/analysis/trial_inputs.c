@@ -16,11 +16,10 @@
 
 enum {
     ROOTS = 12,                   // of one input
-    COMPARED_MOST = 400,          // comparisons that are compared with each other
-    COUNT_MOST = 4000             // steps that a trial waits for a counter
+    COMPARED_MOST = 400           // comparisons that are compared with each other
 };
 
-typedef struct Comparison { const Expr *left, *right; SmOperator op; } Comparison;
+typedef struct Comparison { const Expr *left, *right; SmOperator op; uint32_t state; } Comparison;      // state: its number
 
 typedef struct Finder {
     Trials *t;
@@ -32,7 +31,9 @@ typedef struct Finder {
     uint32_t *parent;             // by Var.index: sensors and what is made of them, joined by what they are combined with
     VEC(Comparison) comparison;
     VEC(const Stmt *) assign;     // every assignment, in file order
-    double *value;                // by Var.index
+    VEC(uint32_t) assign_state;   // the number of its state
+    double *value, *kept;         // by Var.index; the same, as it was before
+    uint32_t state;               // number of the state whose statements are looked at
     uint64_t *bits;               // for one expression
     bool *read;                   // by Var.index: a guard or another value reads it
     bool *zeroed;                 // by Var.index: some assignment switches it off
@@ -237,7 +238,13 @@ static void join_alike(Finder *f)
         }
 }
 
-static bool same_range(const TrialInput *a, const TrialInput *b) { return a->lo == b->lo && a->hi == b->hi; }
+// Two of one quantity have ranges that are mostly the same, as far as they are given.
+static bool same_range(const TrialInput *a, const TrialInput *b)
+{
+    const double wide = sm_max(a->hi - a->lo, b->hi - b->lo);
+
+    return !a->v->range || !b->v->range || sm_min(a->hi, b->hi) - sm_max(a->lo, b->lo) >= 0.8 * wide;
+}
 
 static void find_groups(Finder *f)
 {
@@ -263,10 +270,10 @@ static void note_comparison(Expr *e, void *context)
 
     if (e->kind == EX_CHAIN || (e->kind == EX_BINARY && is_comparison(e->op)))
         for (uint32_t i = 1; i < e->n; i++)
-            vec_push(f->arena, &f->comparison, ((Comparison){e->arg[i - 1], e->arg[i], e->kind == EX_CHAIN ? expr_ops(e)[i - 1] : e->op}));
+            vec_push(f->arena, &f->comparison, ((Comparison){e->arg[i - 1], e->arg[i], e->kind == EX_CHAIN ? expr_ops(e)[i - 1] : e->op, f->state}));
     if (e->kind == EX_CALL && e->n > 1)
         for (uint32_t i = 1; i < e->n; i++)
-            vec_push(f->arena, &f->comparison, ((Comparison){e->arg[0], e->arg[i], SM_OP_COUNT}));
+            vec_push(f->arena, &f->comparison, ((Comparison){e->arg[0], e->arg[i], SM_OP_COUNT, f->state}));
     if (e->kind == EX_VAR)
         f->read[e->var->index] = true;
 }
@@ -275,13 +282,15 @@ static void note_place(const StmtPlace *at, void *context)
 {
     Finder *f = context;
 
+    f->state = at->state->number;
     if (at->stmt->value)
         expr_walk(at->stmt->value, note_comparison, f);
     if (at->stmt->kind != ST_ASSIGN)
         return;
     vec_push(f->arena, &f->assign, at->stmt);
+    vec_push(f->arena, &f->assign_state, at->state->number);
     if (!expr_is_constant(at->stmt->value)) {
-        f->varied[at->stmt->var->index] = true;
+        f->varied[at->stmt->var->index] |= at->stmt->value->kind != EX_VAR || at->stmt->value->var->kind != VAR_LOCAL;
     } else {
         const double x = const_eval(at->stmt->value);
         f->zeroed[at->stmt->var->index] |= x == 0;
@@ -291,14 +300,21 @@ static void note_place(const StmtPlace *at, void *context)
 
 // ---- readings ----
 
-// The values that variables have if every assignment is made once, in file order, while the inputs read this.
+// Makes the assignments of one state, or of all, once each in file order.
+static void assign(Finder *f, uint32_t state)
+{
+    for (size_t i = 0; i < f->assign.n; i++)
+        if (state == 0 || f->assign_state.at[i] == state)
+            f->value[f->assign.at[i]->var->index] = expr_eval(f->assign.at[i]->value, f->value);
+}
+
+// The values that variables have once every assignment has been made, while the inputs read this.
 static void compute(Finder *f)
 {
     for (size_t v = 0; v < f->p->var.n; v++)
         if (f->p->var.at[v]->kind == VAR_LOCAL)
             f->value[v] = sm_cell_to_f64(f->p->var.at[v]->type, f->p->var.at[v]->init);
-    for (size_t i = 0; i < f->assign.n; i++)
-        f->value[f->assign.at[i]->var->index] = expr_eval(f->assign.at[i]->value, f->value);
+    assign(f, 0);
 }
 
 typedef struct Roots { double at[ROOTS]; uint32_t n; } Roots;
@@ -319,8 +335,20 @@ static double difference(const Finder *f, size_t c)
     return expr_eval(f->comparison.at[c].left, f->value) - expr_eval(f->comparison.at[c].right, f->value);
 }
 
-// set: gives the variable, or the group, that is varied the reading x.  With `remembered`, what is made of inputs stays what it was at
-// the first reading: a local can hold what was read long ago.
+// The differences of all comparisons.  With `remembered` only the assignments of the comparison's own state are made: another state
+// can have stored what was read long ago.
+static void find_differences(Finder *f, bool remembered, double *d)
+{
+    for (size_t c = 0; c < f->comparison.n; c++) {
+        if (remembered && (c == 0 || f->comparison.at[c].state != f->comparison.at[c - 1].state)) {
+            memcpy(f->value, f->kept, f->p->var.n * sizeof *f->value);
+            assign(f, f->comparison.at[c].state);
+        }
+        d[c] = difference(f, c);
+    }
+}
+
+// set: gives the variable, or the group, that is varied the reading x.
 static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double x), uint32_t which, uint32_t bit, bool remembered, Roots *out)
 {
     static const double at[] = {0, 1, 90, 3000, -40};
@@ -328,12 +356,15 @@ static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double 
     const size_t n = f->comparison.n;
     double *d = ARENA_ARRAY(f->arena, double, n * POINTS + 1);
 
+    set(f, which, at[0]);
+    compute(f);
     for (size_t k = 0; k < POINTS; k++) {
         set(f, which, at[k]);
-        if (k == 0 || !remembered)
+        if (!remembered)
             compute(f);
-        for (size_t c = 0; c < n; c++)
-            d[k * n + c] = difference(f, c);
+        memcpy(f->kept, f->value, f->p->var.n * sizeof *f->value);
+        find_differences(f, remembered, d + k * n);
+        memcpy(f->value, f->kept, f->p->var.n * sizeof *f->value);
     }
     for (size_t c = 0; c < n; c++) {
         memset(f->bits, 0, f->words * sizeof *f->bits);
@@ -405,6 +436,7 @@ static void find_readings(Finder *f, uint32_t input)
         for (int remembered = 0; remembered < 2; remembered++)
             find_roots(f, set_group, input, input, remembered, &r);
     qsort(r.at, r.n, sizeof *r.at, ascending);
+    i->rough = !i->v->range && r.n == 0;
     i->scale = i->v->range ? i->hi - i->lo : r.n > 1 ? r.at[r.n - 1] - r.at[0] : r.n == 1 && r.at[0] != 0 ? sm_abs(r.at[0]) : 1;
     if (i->v->range) {
         add_reading(i, i->lo);
@@ -439,25 +471,52 @@ static void find_waits(Finder *f)
 
 // ---- counters ----
 
-static void look_at_counter(const StmtPlace *at, void *context)
+static bool is_count(const Stmt *s)
 {
-    Finder *f = context;
-    const Expr *e = at->stmt->value;
+    const Expr *e = s->value;
 
-    if (at->stmt->kind != ST_ASSIGN || e->kind != EX_BINARY || (e->op != SM_OP_ADD && e->op != SM_OP_SUB) ||
-        e->arg[0]->kind != EX_VAR || e->arg[0]->var != at->stmt->var || !expr_is_constant(e->arg[1]))
-        return;
+    return e->kind == EX_BINARY && (e->op == SM_OP_ADD || e->op == SM_OP_SUB) &&
+           ((e->arg[0]->kind == EX_VAR && e->arg[0]->var == s->var && expr_is_constant(e->arg[1])) ||
+            (e->op == SM_OP_ADD && e->arg[1]->kind == EX_VAR && e->arg[1]->var == s->var && expr_is_constant(e->arg[0])));
+}
+
+// Whether every assignment to v sets a constant or counts, and one counts.
+static bool is_counter(const Finder *f, const Var *v)
+{
+    bool counts = false;
+
+    for (size_t i = 0; i < f->assign.n; i++)
+        if (f->assign.at[i]->var == v) {
+            if (!is_count(f->assign.at[i]) && !expr_is_constant(f->assign.at[i]->value))
+                return false;
+            counts |= is_count(f->assign.at[i]);
+        }
+    return counts;
+}
+
+static double *limits_of(Finder *f, const Var *v)
+{
+    VEC(double) limit = {NULL, 0, 0};
+
     for (size_t c = 0; c < f->comparison.n; c++)
         for (int side = 0; side < 2; side++) {
-            const Expr *v = side ? f->comparison.at[c].right : f->comparison.at[c].left;
-            const Expr *limit = side ? f->comparison.at[c].left : f->comparison.at[c].right;
-            double steps;
-            if (v->kind != EX_VAR || v->var != at->stmt->var || !expr_is_constant(limit))
-                continue;
-            steps = sm_abs(const_eval(limit) / const_eval(e->arg[1]));
-            if (steps < COUNT_MOST && steps > f->t->count)
-                f->t->count = (uint32_t)steps + 1;
+            const Expr *e = side ? f->comparison.at[c].right : f->comparison.at[c].left;
+            const Expr *to = side ? f->comparison.at[c].left : f->comparison.at[c].right;
+            if (e->kind == EX_VAR && e->var == v && expr_is_constant(to))
+                vec_push(f->arena, &limit, const_eval(to));
         }
+    f->t->count += limit.n;
+    vec_push(f->arena, &limit, sm_from_bits(UINT64_C(0x7FF8000000000000)));
+    return limit.at;
+}
+
+static void find_counters(Finder *f)
+{
+    for (size_t v = 0; v < f->p->var.n; v++) {
+        const Var *var = f->p->var.at[v];
+        if (var->written && var->type != SM_BOOL && f->t->a->m->var_of[v] != IR_NONE && is_counter(f, var))
+            f->t->limit[f->t->a->m->var_of[v]] = limits_of(f, var);
+    }
 }
 
 // ---- actuators ----
@@ -501,18 +560,34 @@ static bool is_actuator(const Finder *f, const Var *v)
     return f->zeroed[v->index] && !(is_code(f, v->index) && !f->varied[v->index]);
 }
 
+// A copy of a local is what the local is.
+static void note_copy(const StmtPlace *at, void *context)
+{
+    Finder *f = context;
+    const Var *from = at->stmt->kind == ST_ASSIGN && at->stmt->value->kind == EX_VAR ? at->stmt->value->var : NULL;
+    const uint32_t to = from ? at->stmt->var->index : 0;
+
+    if (!from || from->kind != VAR_LOCAL || from->is_constant)
+        return;
+    f->varied[to] |= f->varied[from->index];
+    f->zeroed[to] |= f->zeroed[from->index];
+    for (uint32_t i = 0; i < f->given[from->index].n; i++)
+        vec_push(f->arena, &f->given[to], f->given[from->index].at[i]);
+}
+
 // A value that is clamped to 0 at its lower end switches off, too.
 static void note_lower_end(const StmtPlace *at, void *context)
 {
     Finder *f = context;
     const StmtFact *fact = &f->t->a->stmt[at->stmt->number];
 
-    if (at->stmt->kind == ST_ASSIGN && fact->reached && fact->value.lo == 0 && fact->value.hi > 0 && fact->value.hi < 1e9)
+    if (at->stmt->kind == ST_ASSIGN && f->varied[at->stmt->var->index] && fact->reached && fact->value.lo == 0 && fact->value.hi > 0 && fact->value.hi < 1e9)
         f->zeroed[at->stmt->var->index] = true;
 }
 
 static void find_actuators(Finder *f)
 {
+    each_place(f->arena, f->p, note_copy, f);
     each_place(f->arena, f->p, note_lower_end, f);
     for (size_t v = 0; v < f->p->var.n; v++)
         if (is_actuator(f, f->p->var.at[v]) && f->t->a->m->var_of[v] != IR_NONE)
@@ -544,14 +619,18 @@ void trial_find_inputs(Trials *t)
     f.varied = ARENA_ARRAY(f.arena, bool, n);
     f.given = arena_array(f.arena, n, sizeof *f.given);
     f.value = ARENA_ARRAY(f.arena, double, n);
+    f.kept = ARENA_ARRAY(f.arena, double, n);
     list_inputs(&f);
     spread(&f);
     each_place(f.arena, f.p, note_place, &f);
     find_groups(&f);
     for (uint32_t i = 0; i < t->inputs; i++)
         find_readings(&f, i);
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (t->input[i].group != i)
+            t->input[i].scale = t->input[t->input[i].group].scale;
     find_waits(&f);
-    each_place(f.arena, f.p, look_at_counter, &f);
+    find_counters(&f);
     find_actuators(&f);
     for (size_t s = 0; s < f.p->state.n; s++)
         t->state[s].relevant = ARENA_ARRAY(f.arena, bool, t->inputs + 1);

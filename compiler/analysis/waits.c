@@ -5,7 +5,8 @@
 //                       other sensors read and no time leads out
 //   missing-timeout     the state switches an output on, and while inputs stay as they are no time leads out
 //
-// Commands are not moved: a state that a person can end may still last for ever in flight.
+// Elements marked @command are not moved: a state that a person can end may still last for ever in flight.  Other bools are, where
+// one sensor is asked about: they can be switches that the flight operates, as a pull wire.
 #include <string.h>
 
 #include "compiler/analysis/questions.h"
@@ -15,7 +16,6 @@ enum {
     LIVES = 24,                   // histories that are tried before a state is said never to end
     CHANGES = 4                   // of the other inputs, in one history
 };
-static const double ever = 1e9;   // a time that no timer of a machine is longer than
 
 // A sensor that has failed: it reads one number, with noise on it or without.
 typedef struct Failed { uint32_t input; double reading, noise; } Failed;
@@ -23,34 +23,49 @@ typedef struct Failed { uint32_t input; double reading, noise; } Failed;
 typedef struct Waits {
     Trials *t;
     void *at;
-    double *in;
+    double *in, *now;             // inputs at rest; of this step
+    double noise;                 // on healthy sensors, in their scale
     const Failed *failed;         // or NULL
 } Waits;
 
-// One step.  False: the state is left.
-static bool stays(Waits *w, uint32_t state, double dt)
+// What the inputs are in this step.
+static void set_inputs(Waits *w)
 {
+    Trials *t = w->t;
     const Failed *f = w->failed;
 
+    memcpy(w->now, w->in, t->inputs * sizeof *w->now);
+    for (uint32_t i = 0; i < t->inputs && w->noise > 0; i++)
+        if (!t->input[i].command)
+            w->now[i] += w->noise * t->input[i].scale * (trial_below(t, 2001) / 1000.0 - 1);
     if (f)
-        w->in[f->input] = f->reading + f->noise * (trial_below(w->t, 2001) / 1000.0 - 1);
-    trial_step(w->t, w->at, w->in, dt, &w->t->trace);
-    return trial_state(w->at) == state;
+        w->now[f->input] = f->reading + f->noise * (trial_below(t, 2001) / 1000.0 - 1);
 }
 
-// Holds the inputs until windows are full and counters have come to their limits, then lets every time pass.
+// Holds the inputs until windows are full, then for as long as anything can happen.  False: the state is left.
 static bool stays_long(Waits *w, uint32_t state)
 {
     Trials *t = w->t;
 
-    for (uint32_t n = t->window + t->count + 5; n > 0; n--)
-        if (!stays(w, state, t->dt))
+    for (uint32_t n = t->window + 5; n > 0; n--) {
+        set_inputs(w);
+        trial_step(t, w->at, w->now, t->dt, &t->trace);
+        if (trial_state(w->at) != state)
             return false;
-    for (uint32_t k = 0; k <= t->waits; k++)
-        for (int n = 0; n < 3; n++)
-            if (!stays(w, state, n > 0 ? t->dt : k < t->waits ? t->wait[k] + t->dt : ever))
-                return false;
+    }
+    for (int n = 0, idle = 0; n < TRIAL_PASSES && idle < 2; n++) {
+        set_inputs(w);
+        idle = trial_pass(t, w->at, w->now, &t->trace) ? 0 : idle + 1;
+        if (trial_state(w->at) != state)
+            return false;
+    }
     return true;
+}
+
+static bool stays(Waits *w, uint32_t state)
+{
+    trial_step(w->t, w->at, w->in, w->t->dt, &w->t->trace);
+    return trial_state(w->at) == state;
 }
 
 // Commands as they were, if the state cannot last without; else none is given.
@@ -66,7 +81,7 @@ static void begin(Waits *w, const TrialEntry *e)
             w->in[i] = 0;
     trial_copy(t, w->at, e->situation);
     for (int n = 0; n < 3 && lasts; n++)
-        lasts = stays(w, state, t->dt);
+        lasts = stays(w, state);
     trial_copy(t, w->at, e->situation);
     if (!lasts)
         memcpy(w->in, e->in, t->inputs * sizeof *w->in);
@@ -80,9 +95,9 @@ static bool lasts(Waits *w, const TrialEntry *e)
 
     begin(w, e);
     for (int n = 0; n < CHANGES; n++) {
-        trial_draw(t, w->in, &t->state[state - 1], false, true);
-        if (n == 0 && trial_below(t, 2) && !stays(w, state, t->dt))
-            return false;
+        static const double noise[] = {0, 0, 0.02, 0.3};
+        trial_draw_free(t, w->in, &t->state[state - 1]);
+        w->noise = noise[trial_below(t, 4)];
         if (!stays_long(w, state))
             return false;
     }
@@ -97,6 +112,7 @@ static bool lasts_for_ever(Waits *w, const TrialEntry *e, const Failed *failed)
     for (int n = 0; n < LIVES && all; n++)
         all = lasts(w, e);
     w->failed = NULL;
+    w->noise = 0;
     return all;
 }
 
@@ -136,7 +152,7 @@ static bool waits_for(Waits *w, const State *s, const TrialEntry *e, uint32_t in
 
 void question_waits_for_sensor(Trials *t)
 {
-    Waits w = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t), NULL};
+    Waits w = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t), trial_new_inputs(t), 0, NULL};
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
@@ -202,7 +218,7 @@ static bool find_no_timeout(Waits *w, const State *s, const TrialEntry *e)
     for (int n = 0; n < LIVES; n++) {
         begin(w, e);
         if (n > 0)
-            trial_draw(t, w->in, &t->state[s->number - 1], n % 4 == 0, false);
+            trial_draw(t, w->in, &t->state[s->number - 1], n % 2, false);
         if (stays_long(w, s->number) && report_no_timeout(w, s))
             return true;
     }
@@ -211,7 +227,7 @@ static bool find_no_timeout(Waits *w, const State *s, const TrialEntry *e)
 
 void question_missing_timeout(Trials *t)
 {
-    Waits w = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t), NULL};
+    Waits w = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t), trial_new_inputs(t), 0, NULL};
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];

@@ -12,7 +12,11 @@
 
 #include "compiler/analysis/questions.h"
 
-enum { TRIED = 8, DRAWS = 40 };   // entries of a state; inputs tried in each
+enum {
+    TRIED = 8,                    // entries of a state
+    DRAWS = 60,                   // inputs tried in each
+    LATER = 60                    // steps and times that are followed once windows are full
+};
 static const double noise[] = {0, 0.02, 0.3, 5, 100};          // in TrialInput.scale
 enum { NOISES = sizeof noise / sizeof *noise };
 
@@ -23,6 +27,9 @@ typedef struct WindowFill {
     IrTrace few_did, full_did;
     double noise;
     uint32_t clock;
+    double *earlier;              // what full windows hold
+    double *before, *before_full; // variables before a step
+    bool quiet;                   // what full windows hold is what is read now
     const Stmt *guard;            // on which the two differed first
     uint32_t samples;             // that the one had then
 } WindowFill;
@@ -64,7 +71,7 @@ static bool switches_on(const WindowFill *w)
 // The first guard that came out differently.
 static void note_guard(WindowFill *w, uint32_t samples)
 {
-    const uint32_t n = w->few_did.n < w->full_did.n ? w->few_did.n : w->full_did.n;
+    const uint32_t n = samples > w->t->window ? 0 : w->few_did.n < w->full_did.n ? w->few_did.n : w->full_did.n;
 
     for (uint32_t k = 0; k < n && !w->guard; k++)
         if (w->few_did.at[k] != w->full_did.at[k]) {
@@ -76,28 +83,73 @@ static void note_guard(WindowFill *w, uint32_t samples)
         }
 }
 
-// glitch: an input that reads something else in the first step; IR_NONE.
+typedef enum Outcome { SAME, FULL_ACTS, FEW_DECIDE } Outcome;
+
+// Both make a step.  That a full window decides is no finding.
+static Outcome compare(WindowFill *w, uint32_t samples)
+{
+    note_guard(w, samples);
+    if (w->few_did.transition != w->full_did.transition)
+        return w->guard && (w->few_did.transition || !w->quiet) ? FEW_DECIDE : FULL_ACTS;
+    if (switches_on(w))
+        return w->guard ? FEW_DECIDE : FULL_ACTS;
+    return SAME;
+}
+
+// What has been decided wrongly may show only later, in another state: time passes, and people give commands.
+static bool shows_later(WindowFill *w)
+{
+    Trials *t = w->t;
+    const size_t size = t->run->m->var.n * sizeof *w->before;
+    Outcome o = SAME;
+
+    for (int n = 0; n < LATER && o == SAME && !trial_same(t, w->few, w->full); n++) {
+        uint32_t leap, in_full;
+        if (n % 10 == 9)
+            trial_draw(t, w->in, NULL, true, false);
+        memcpy(w->before, ir_run_vars(t->run, w->few), size);
+        memcpy(w->before_full, ir_run_vars(t->run, w->full), size);
+        trial_step(t, w->full, w->in, t->dt, &w->full_did);
+        trial_step(t, w->few, w->in, t->dt, &w->few_did);
+        o = compare(w, w->samples);
+        if (w->few_did.transition)
+            continue;
+        leap = trial_leap_steps(t, w->before, w->few);
+        in_full = trial_leap_steps(t, w->before_full, w->full);
+        leap = in_full < leap ? in_full : leap;
+        if (o == SAME && leap != TRIAL_MANY) {
+            trial_leap(t, w->before, w->few, leap);
+            trial_leap(t, w->before_full, w->full, leap);
+        }
+    }
+    return o == FEW_DECIDE;
+}
+
+// The full windows hold what `before` reads; then both read the same.  glitch: an input that reads something else in the first
+// step; IR_NONE.
 static bool decides(WindowFill *w, const TrialEntry *e, uint32_t glitch, double reading)
 {
     Trials *t = w->t;
+    double *in = w->in;
 
     w->guard = NULL;
     trial_copy(t, w->few, e->situation);
     trial_copy(t, w->full, e->situation);
+    w->in = w->earlier;
     ir_run_fill(t->run, w->full, t->window, fill_inputs, w);
+    w->in = in;
     for (uint32_t n = 0; n < 2 * t->window; n++) {
+        Outcome o;
         set_inputs(w);
         if (n == 0 && glitch != IR_NONE)
             trial_set_group(t, w->now, glitch, reading);
         trial_step(t, w->full, w->now, t->dt, &w->full_did);
         trial_step(t, w->few, w->now, t->dt, &w->few_did);
-        note_guard(w, e->steps + n + 1);
-        if (w->full_did.transition)
-            return false;
-        if (w->few_did.transition || switches_on(w))
-            return w->guard != NULL;
-        if (!w->guard && e->steps + n >= t->window)
-            return false;
+        o = compare(w, e->steps + n + 1);
+        if (o != SAME)
+            return o == FEW_DECIDE;
+        if (e->steps + n >= t->window)
+            return w->guard && shows_later(w);
     }
     return false;
 }
@@ -165,6 +217,10 @@ static void try_entry(WindowFill *w, const TrialState *s, const TrialEntry *e)
         const uint32_t glitch = n % 3 == 0 ? IR_NONE : trial_below(t, t->inputs);
         memcpy(w->in, e->in, t->inputs * sizeof *w->in);
         trial_draw(t, w->in, s, true, false);
+        memcpy(w->earlier, w->in, t->inputs * sizeof *w->in);
+        w->quiet = n % 2;
+        if (!w->quiet)
+            trial_draw(t, w->earlier, NULL, false, false);
         w->noise = noise[n % NOISES];
         if (glitch != IR_NONE && t->input[glitch].command)
             continue;
@@ -179,6 +235,9 @@ void question_window_not_full(Trials *t)
 
     if (t->window < 2)
         return;
+    w.earlier = trial_new_inputs(t);
+    w.before = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
+    w.before_full = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     w.full = arena_alloc(t->a->arena, t->run->size);
     w.few = arena_alloc(t->a->arena, t->run->size);
     w.few_did.at = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 2u);
