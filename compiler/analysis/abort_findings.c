@@ -75,6 +75,9 @@ void question_abort(Trials *t)
 
     for (size_t s = 0; s < x.n && x.declared; s++) {
         report_missing(a, &x.row[s]);
+        if (x.row[s].latch)
+            diag_report(a->diags, DIAG_abort_latched, x.row[s].latched->first->stmt->span, x.row[s].state->name->text,
+                        x.row[s].latch->name->text, const_text(a->arena, x.row[s].latched_at));
         if (x.row[s].verdict == ABORT_ONE_SENSOR && x.row[s].blind)
             report_blind(a, &x, &x.row[s]);
         if (x.row[s].verdict == ABORT_ONE_SENSOR && x.row[s].single)

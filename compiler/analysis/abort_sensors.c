@@ -10,6 +10,7 @@
 
 enum {
     TRIED = 4,                    // entries of a state
+    ENTRIES = 8,                  // of a state that begins again
     LIVES = 80,                   // trials before it is said that none aborts
     CHANGES = 4,                  // of the inputs in one
     WORK = 400000                 // instructions spent on one question
@@ -211,6 +212,52 @@ static void ask_single(Asking *k, AbortRow *r, uint32_t input)
     }
 }
 
+// ---- what is left from a former abort ----
+
+typedef struct Differs { const Asking *k; const double *now, *other; const Var *found; } Differs;
+
+static void look_at_var(Expr *e, void *context)
+{
+    Differs *d = context;
+    const uint32_t v = e->kind == EX_VAR ? d->k->t->a->m->var_of[e->var->index] : IR_NONE;
+
+    if (v != IR_NONE && e->var->written && !d->found && d->now[v] != d->other[v])
+        d->found = e->var;
+}
+
+// Of two entries one can abort and the other cannot: a variable that a way reads and that differs.
+static void note_latch(Asking *k, AbortRow *r, const TrialEntry *stuck, const TrialEntry *other)
+{
+    Differs d = {k, ir_run_vars(k->t->run, stuck->situation), ir_run_vars(k->t->run, other->situation), NULL};
+
+    for (size_t w = 0; w < r->way.n && !r->latch; w++) {
+        for (const Condition *c = r->way.at[w].first->when; c; c = c->outer)
+            expr_walk(c->stmt->value, look_at_var, &d);
+        r->latch = d.found;
+        r->latched = &r->way.at[w];
+    }
+    if (r->latch)
+        r->latched_at = d.now[k->t->a->m->var_of[r->latch->index]];
+}
+
+static void ask_latch(Asking *k, AbortRow *r)
+{
+    const TrialState *s = &k->t->state[r->state->number - 1];
+    const TrialEntry *can = NULL, *cannot = NULL;
+
+    k->commands = true;
+    for (size_t n = 0; n < s->entry.n && n < ENTRIES && !(can && cannot); n++) {
+        k->stayed = false;
+        k->until = k->t->run->work + WORK;
+        if (aborts_from(k, &s->entry.at[n]))
+            can = &s->entry.at[n];
+        else if (k->stayed && k->t->run->work < k->until)
+            cannot = &s->entry.at[n];
+    }
+    if (can && cannot)
+        note_latch(k, r, cannot, can);
+}
+
 static void ask_row(Asking *k, AbortRow *r)
 {
     Trials *t = k->t;
@@ -223,6 +270,7 @@ static void ask_row(Asking *k, AbortRow *r)
     r->drives = k->driven;
     if (!any_sure(r) || !r->by_itself)
         return;
+    ask_latch(k, r);
     for (uint32_t i = 0; i < t->inputs && !(r->blind && r->single); i++)
         if (!t->input[i].command && all_look_at(r, t->input[i].v)) {
             if (!r->blind)

@@ -22,8 +22,9 @@
 
 typedef enum Failure { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_FAR_ABOVE, READS_FAR_BELOW, FAILURES } Failure;
 
-// How readings move while they are healthy: noise is on all sensors, a slope on the one that fails and its group.
-typedef struct Motion { double noise, slope; } Motion;       // in TrialInput.scale; a step
+// How readings move while they are healthy: `noise` is in distances to the next reading that a comparison distinguishes, `slope` in
+// TrialInput.scale a step.  Only the group of the sensor that fails moves so; others tremble.
+typedef struct Motion { double noise, slope; } Motion;
 static const Motion motion[] = {{0, 0}, {0.02, 0}, {0, 0.003}, {0, -0.003}, {0.3, 0}, {5, 0}, {100, 0}};
 enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 5 };     // the others where the scale is not known
 
@@ -35,12 +36,11 @@ enum {
 };
 static const uint64_t effort = 6000000, effort_in_all = 150000000;      // instructions spent on one sensor in one state; on all
 
-typedef struct Case {             // one trial: the sensor reads `reading`, moving, and fails after so much time
+typedef struct Case {             // one trial: the sensor reads `reading`, moving, and fails at some time
     const TrialEntry *entry;
     uint32_t sensor;              // index of the input
     double reading;
     uint32_t motion;              // index of motion[]
-    uint32_t waits;               // how many of Trials.wait have passed when it fails
     Failure failure;
 } Case;
 
@@ -94,16 +94,32 @@ static double noise(uint32_t step, uint32_t input)
 
 // ---- one trial ----
 
+static double clamped(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
+
+// From the reading of the case to the next one.
+static double gap(const TrialInput *i, double reading)
+{
+    double least = i->scale;
+
+    for (uint32_t k = 0; k < i->readings; k++)
+        if (i->reading[k] != reading)
+            least = sm_min(least, sm_abs(i->reading[k] - reading));
+    return least;
+}
+
 static void move(const Zero *z, const Case *c, double *in)
 {
+    enum { TREMBLE = 1000 };
     const Trials *t = z->t;
     const Motion m = motion[c->motion];
+    const TrialInput *i = &t->input[c->sensor];
+    const double by = m.noise * gap(i, c->reading) * noise(z->clock, i->group) + m.slope * i->scale * z->clock;
 
-    for (uint32_t i = 0; i < t->inputs && m.noise > 0; i++)
-        if (!t->input[i].command)
-            in[i] += m.noise * t->input[i].scale * noise(z->clock, t->input[i].group);
-    if (m.slope != 0)
-        trial_set_group(t, in, c->sensor, c->reading + m.slope * t->input[c->sensor].scale * z->clock);
+    for (uint32_t k = 0; k < t->inputs && m.noise > 0; k++)
+        if (!t->input[k].command && t->input[k].group != i->group)
+            in[k] = clamped(&t->input[k], in[k] + t->input[k].scale / TREMBLE * noise(z->clock, k));
+    if (by != 0)
+        trial_set_group(t, in, c->sensor, clamped(i, c->reading + by));
 }
 
 static void step_healthy(Zero *z, const Case *c, void *situation)
@@ -136,23 +152,35 @@ static bool rest(Zero *z, const Case *c)
     return true;
 }
 
-// Comes to rest with the inputs of the case, and lets its times pass.  False: the machine leaves its state.
+// Comes to rest with the inputs of the case.  False: the machine leaves its state.
 static bool settle(Zero *z, const Case *c)
 {
-    Trials *t = z->t;
-
     z->clock = 0;
-    trial_copy(t, z->healthy, c->entry->situation);
-    if (!rest(z, c))
-        return false;
-    for (uint32_t w = 0; w < c->waits; w++) {
+    trial_copy(z->t, z->healthy, c->entry->situation);
+    return rest(z, c);
+}
+
+// From z->begin, lets time pass until the next timer or counter comes to its limit.  False: the machine leaves its state, or nothing more
+// can happen.
+static bool pass_healthy(Zero *z, const Case *c)
+{
+    Trials *t = z->t;
+    uint32_t n = 0;
+
+    trial_copy(t, z->healthy, z->begin);
+    for (int k = 0; k < 3 && n == 0; k++) {
         memcpy(z->before, ir_run_vars(t->run, z->healthy), t->run->m->var.n * sizeof *z->before);
         step_healthy(z, c, z->healthy);
         if (t->trace.transition)
             return false;
-        trial_leap(t, z->before, z->healthy, trial_leap_steps(t, z->before, z->healthy));
+        n = trial_leap_steps(t, z->before, z->healthy);
     }
-    return c->waits == 0 || rest(z, c);
+    if (n == 0)
+        n = trial_wait_steps(t, z->healthy);
+    if (n == TRIAL_MANY)
+        return false;
+    trial_leap(t, z->before, z->healthy, n);
+    return rest(z, c);
 }
 
 static void add_outputs(Zero *z, Effect *e)
@@ -266,6 +294,7 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
     const uint32_t clock = z->clock;
     const double *level = z->leaves ? NULL : &z->level[t->a->m->var_of[e->output[0]->index]];
     bool needed = false;
+    uint32_t quiet = 0;
     Effect again;
 
     trial_copy(t, z->settled, z->begin);
@@ -279,6 +308,7 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
         z->clock = clock;
         if (!rest(z, c))
             continue;
+        quiet++;
         trial_copy(t, z->begin, z->healthy);
         needed = fail(z, c, &again) == NOTHING && (!level || *level == 0);
     }
@@ -286,7 +316,7 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
     z->in = in;
     z->clock = clock;
     z->share = 0.5;
-    return !needed;
+    return quiet > 0 && !needed;
 }
 
 static bool happens_at(Zero *z, const Case *c, Failure f, const Effect *e)
@@ -374,12 +404,12 @@ static bool try_failures(Zero *z, Case *c)
 
 static bool try_times(Zero *z, Case *c)
 {
-    for (c->waits = 0; c->waits <= z->t->waits + z->t->count && z->t->run->work < z->until; c->waits++) {
-        if (!settle(z, c))
-            return false;
+    if (!settle(z, c))
+        return false;
+    do
         if (try_failures(z, c))
             return true;
-    }
+    while (z->t->run->work < z->until && pass_healthy(z, c));
     return false;
 }
 

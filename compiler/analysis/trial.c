@@ -50,16 +50,30 @@ static double steps_to(double from, double limit, double by)
     return n > 0 ? n - 1 : n == 0 ? 0 : ever;
 }
 
-uint32_t trial_leap_steps(const Trials *t, const double *before, const void *situation)
+static double steps_to_wait(const Trials *t, const void *situation)
 {
     const IrSituation *s = situation;
-    const double *var = (const double *)(const void *)((const char *)situation + t->run->vars), elapsed = s->last_g - s->start;
-    const IrMachine *m = t->run->m;
     double n = ever;
 
     for (uint32_t w = 0; w < t->waits; w++)
-        if (t->wait[w] >= elapsed)
-            n = sm_min(n, steps_to(elapsed, t->wait[w], t->dt));
+        if (t->wait[w] >= s->last_g - s->start)
+            n = sm_min(n, steps_to(s->last_g - s->start, t->wait[w], t->dt));
+    return n;
+}
+
+uint32_t trial_wait_steps(const Trials *t, const void *situation)
+{
+    const double n = steps_to_wait(t, situation);
+
+    return n >= ever ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
+}
+
+uint32_t trial_leap_steps(const Trials *t, const double *before, const void *situation)
+{
+    const double *var = (const double *)(const void *)((const char *)situation + t->run->vars);
+    const IrMachine *m = t->run->m;
+    double n = steps_to_wait(t, situation);
+
     for (uint32_t v = 0; v < m->var.n; v++) {
         if (!m->var.at[v].writable || v == m->s || var[v] == before[v])
             continue;

@@ -89,6 +89,8 @@ static inline uint32_t trial_state(const void *situation) { return ((const IrSit
 static inline bool trial_entering(const void *situation) { return ((const IrSituation *)situation)->first; }
 // How many steps like the last one, which led from the variables `before` to the situation, can follow before a timer or a counter
 // comes to a limit.  0: something changes that is no counter.  TRIAL_MANY: nothing can happen any more.
+// The same of timers alone, whatever else changes.
+uint32_t trial_wait_steps(const Trials *t, const void *situation);
 uint32_t trial_leap_steps(const Trials *t, const double *before, const void *situation);
 // Makes them at once.  Windows keep their samples.
 void trial_leap(const Trials *t, const double *before, void *situation, uint32_t steps);

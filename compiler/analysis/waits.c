@@ -14,6 +14,7 @@
 enum {
     TRIED = 3,                    // entries of a state
     LIVES = 24,                   // histories that are tried before a state is said never to end
+    LAST_PASSES = 20,             // of TRIAL_PASSES: what happens then happens for ever
     CHANGES = 4                   // of the other inputs, in one history
 };
 
@@ -26,6 +27,7 @@ typedef struct Waits {
     double *in, *now;             // inputs at rest; of this step
     double noise;                 // on healthy sensors, in their scale
     const Failed *failed;         // or NULL
+    const Stmt *on;               // of the state: what has an output on at the end, or now and then for ever; or NULL
 } Waits;
 
 // What the inputs are in this step.
@@ -42,6 +44,20 @@ static void set_inputs(Waits *w)
         w->now[f->input] = f->reading + f->noise * (trial_below(t, 2001) / 1000.0 - 1);
 }
 
+// The statement of the state that has an output on now.
+static void note_on(Waits *w, const State *s)
+{
+    const Trials *t = w->t;
+    const double *var = ir_run_vars(t->run, w->at);
+    const uint32_t *writer = ir_run_writers(t->run, w->at);
+
+    for (uint32_t v = 0; v < t->run->m->var.n && !w->on; v++) {
+        const Stmt *on = t->actuator[v] && var[v] != 0 ? question_stmt(t, writer[v]) : NULL;
+        if (on && question_state(on, s))
+            w->on = on;
+    }
+}
+
 // Holds the inputs until windows are full, then for as long as anything can happen.  False: the state is left.
 static bool stays_long(Waits *w, uint32_t state)
 {
@@ -53,11 +69,14 @@ static bool stays_long(Waits *w, uint32_t state)
         if (trial_state(w->at) != state)
             return false;
     }
+    w->on = NULL;
     for (int n = 0, idle = 0; n < TRIAL_PASSES && idle < 2; n++) {
         set_inputs(w);
         idle = trial_pass(t, w->at, w->now, &t->trace) ? 0 : idle + 1;
         if (trial_state(w->at) != state)
             return false;
+        if (idle == 2 || n > TRIAL_PASSES - LAST_PASSES)
+            note_on(w, t->a->p->state.at[state - 1]);
     }
     return true;
 }
@@ -95,7 +114,7 @@ static bool lasts(Waits *w, const TrialEntry *e)
 
     begin(w, e);
     for (int n = 0; n < CHANGES; n++) {
-        static const double noise[] = {0, 0, 0.02, 0.3};
+        static const double noise[] = {0, 0.001, 0.01, 0.1};
         trial_draw_free(t, w->in, &t->state[state - 1]);
         w->noise = noise[trial_below(t, 4)];
         if (!stays_long(w, state))
@@ -109,7 +128,7 @@ static bool lasts_for_ever(Waits *w, const TrialEntry *e, const Failed *failed)
     bool all = true;
 
     w->failed = failed;
-    for (int n = 0; n < LIVES && all; n++)
+    for (int n = 0; n < (failed ? LIVES : 8 * LIVES) && all; n++)
         all = lasts(w, e);
     w->failed = NULL;
     w->noise = 0;
@@ -152,7 +171,7 @@ static bool waits_for(Waits *w, const State *s, const TrialEntry *e, uint32_t in
 
 void question_waits_for_sensor(Trials *t)
 {
-    Waits w = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t), trial_new_inputs(t), 0, NULL};
+    Waits w = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t)};
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
@@ -171,26 +190,10 @@ void question_waits_for_sensor(Trials *t)
 
 // ---- no limit to the time ----
 
-// The statement of the state that has an output on now; NULL: none.
-static const Stmt *switched_on_here(Waits *w, const State *s)
-{
-    const Trials *t = w->t;
-    const double *var = ir_run_vars(t->run, w->at);
-    const uint32_t *writer = ir_run_writers(t->run, w->at);
-
-    for (uint32_t v = 0; v < t->run->m->var.n; v++)
-        if (t->actuator[v] && var[v] != 0) {
-            const Stmt *on = question_stmt(t, writer[v]);
-            if (on && question_state(on, s))
-                return on;
-        }
-    return NULL;
-}
-
 static bool report_no_timeout(Waits *w, const State *s)
 {
     const Analysis *a = w->t->a;
-    const Stmt *on = switched_on_here(w, s);
+    const Stmt *on = w->on;
     Diag *d;
 
     if (!on)
@@ -227,7 +230,7 @@ static bool find_no_timeout(Waits *w, const State *s, const TrialEntry *e)
 
 void question_missing_timeout(Trials *t)
 {
-    Waits w = {t, arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t), trial_new_inputs(t), 0, NULL};
+    Waits w = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t)};
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
