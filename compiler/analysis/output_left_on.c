@@ -96,8 +96,8 @@ static bool look_at_outputs(LeftOn *l, const TrialEntry *e, const State *s)
     bool any = false;
 
     for (uint32_t v = 0; v < t->run->m->var.n; v++) {
-        const Stmt *on = t->actuator[v] && var[v] != 0 ? question_stmt(t, writer[v]) : NULL;
-        if (!on || question_state(on, s))
+        const Stmt *on = t->actuator[v] && var[v] != 0 ? t->stmt[writer[v]] : NULL;
+        if (!on || t->state_of[on->number] == s)
             continue;
         add_output(l, t->var[v], on, e->via);
         any = true;

@@ -31,6 +31,7 @@ enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 5 };     // 
 enum {
     OUTPUTS = 4,                  // that one finding names
     TRIED = 6,                    // entries of a state
+    OTHERS_FIRST = 6,             // other inputs with which a case is tried
     OTHERS = 32,                  // other inputs that are tried before a finding
     PASSES = 200                  // of time, after a sensor has failed
 };
@@ -45,6 +46,7 @@ typedef struct Case {             // one trial: the sensor reads `reading`, movi
 } Case;
 
 typedef struct Effect {
+    uint32_t transition;          // the first that the failed machine made (Stmt.number); 0: none
     const Stmt *at;               // what the failed machine did that the healthy one did not: a transition, or the assignment
     const Var *output[OUTPUTS];
     const Stmt *on[OUTPUTS];      // the assignment that switched it on
@@ -63,6 +65,8 @@ typedef struct Zero {
     double *other;                // in the place of `in` meanwhile
     uint32_t clock;               // steps of this trial, for the motion
     double *level;                // by IR variable: its largest magnitude while the healthy machine was at rest
+    uint32_t only;                // the place (Stmt.number) that counts; 0: any
+    bool *told;                   // by Stmt.number: it was reported for this sensor and state
     double share;                 // of its largest level, by which an output has to rise
     bool leaves;                  // what is asked of an @abort state: whether it ends
     uint64_t effort;              // instructions for one sensor in one state
@@ -183,23 +187,37 @@ static bool pass_healthy(Zero *z, const Case *c)
     return rest(z, c);
 }
 
+// The outputs that have gone on, at one place: the transition made, or one assignment.  A place that has been reported is not again.
 static void add_outputs(Zero *z, Effect *e)
 {
     const Trials *t = z->t;
     const double *healthy = ir_run_vars(t->run, z->healthy), *failed = ir_run_vars(t->run, z->failed);
     const uint32_t *writer = ir_run_writers(t->run, z->failed);
+    uint32_t place = e->transition;
 
-    for (uint32_t v = 0; v < t->run->m->var.n; v++) {
-        if (!t->actuator[v] || sm_abs(failed[v]) - sm_max(z->level[v], sm_abs(healthy[v])) < z->share * sm_max(t->peak[v], 1e-9) || e->outputs == OUTPUTS)
+    for (uint32_t v = 0; v < t->run->m->var.n && e->outputs < OUTPUTS; v++) {
+        if (!t->actuator[v] || sm_abs(failed[v]) - sm_max(z->level[v], sm_abs(healthy[v])) < z->share * sm_max(t->peak[v], 1e-9))
             continue;
+        if (e->transition == 0 && (z->told[writer[v]] || (place != 0 && place != writer[v]) || (z->only && z->only != writer[v])))
+            continue;
+        place = e->transition ? e->transition : writer[v];
         e->output[e->outputs] = t->var[v];
-        e->on[e->outputs++] = question_stmt(t, writer[v]);
+        e->on[e->outputs++] = t->stmt[writer[v]];
     }
+    e->at = t->stmt[place];
 }
 
 static bool is_bound(const Zero *z, const void *situation) { return z->bound.bound[trial_state(situation) - 1]; }
 
 typedef enum Outcome { NOTHING, NOT_QUIET, WENT_ON } Outcome;
+
+// A second transition, out of a state in which the machine can rest: what follows is that state's doing.
+static bool has_rested(const Zero *z, const Effect *e)
+{
+    const uint32_t made = z->t->trace.transition;
+
+    return made && made != e->transition && z->t->transition[made]->from->is_safe;
+}
 
 // Both machines make a step.
 static Outcome step_both(Zero *z, const Case *c, Effect *e)
@@ -212,11 +230,17 @@ static Outcome step_both(Zero *z, const Case *c, Effect *e)
     memcpy(z->broken, z->now, t->inputs * sizeof *z->broken);
     z->broken[c->sensor] = e->failed;
     trial_step(t, z->failed, z->broken, t->dt, &t->trace);
-    if (t->trace.transition && !e->at)
-        e->at = t->transition[t->trace.transition]->stmt;
+    if (t->trace.transition && e->transition == 0)
+        e->transition = t->trace.transition;
+    if (z->told[e->transition] || has_rested(z, e))
+        return NOT_QUIET;
+    if (z->only && e->transition && e->transition != z->only)
+        return NOTHING;
     e->steps++;
-    if (z->leaves)
+    if (z->leaves) {
+        e->at = t->stmt[e->transition];
         return !is_bound(z, z->failed) ? WENT_ON : NOTHING;
+    }
     if (is_bound(z, z->failed))
         return NOT_QUIET;
     add_outputs(z, e);
@@ -277,10 +301,8 @@ static Outcome fail(Zero *z, const Case *c, Effect *e)
     e->before = motion[c->motion].noise > 0 ? c->reading : z->now[c->sensor];      // at rest, not at a peak of the noise
     e->failed = failed_reading(&t->input[c->sensor], c->failure, e->before);
     o = run_both(z, c, e);
-    if (o == WENT_ON && !e->at)
-        e->at = e->on[0];
     z->clock = clock;
-    return e->at ? o : NOTHING;
+    return o;
 }
 
 // ---- whether it is a finding ----
@@ -300,6 +322,7 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
     trial_copy(t, z->settled, z->begin);
     z->in = other;
     z->share = 0.02;
+    z->only = e->at->number;
     for (int n = 0; n < OTHERS && !needed; n++) {
         memcpy(other, in, t->inputs * sizeof *other);
         trial_draw(t, other, &t->state[trial_state(z->settled) - 1], false, false);
@@ -310,12 +333,13 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
             continue;
         quiet++;
         trial_copy(t, z->begin, z->healthy);
-        needed = fail(z, c, &again) == NOTHING && (!level || *level == 0);
+        needed = fail(z, c, &again) != WENT_ON && (!level || *level == 0);
     }
     trial_copy(t, z->begin, z->settled);
     z->in = in;
     z->clock = clock;
     z->share = 0.5;
+    z->only = 0;
     return quiet > 0 && !needed;
 }
 
@@ -324,8 +348,13 @@ static bool happens_at(Zero *z, const Case *c, Failure f, const Effect *e)
     Case other = *c;
     Effect effect;
 
+    bool found;
+
     other.failure = f;
-    return fail(z, &other, &effect) == WENT_ON && effect.at == e->at;
+    z->only = e->at->number;
+    found = fail(z, &other, &effect) == WENT_ON;
+    z->only = 0;
+    return found;
 }
 
 // z->begin is still where the sensor failed.
@@ -386,8 +415,8 @@ static bool can_fail_so(const TrialInput *i, const Case *c, Failure f)
     return false;
 }
 
-// The case once it has settled: each way in which the sensor can fail.  True: something was found.
-static bool try_failures(Zero *z, Case *c)
+// The case once it has settled: each way in which the sensor can fail.
+static void try_failures(Zero *z, Case *c)
 {
     Effect e;
 
@@ -397,27 +426,24 @@ static bool try_failures(Zero *z, Case *c)
         if (!can_fail_so(&z->t->input[c->sensor], c, f) || fail(z, c, &e) != WENT_ON || is_on_purpose(z, c, &e) || !needs_no_other(z, c, &e))
             continue;
         report(z, c, &e);
-        return true;
+        z->told[e.at->number] = true;
     }
-    return false;
 }
 
-static bool try_times(Zero *z, Case *c)
+static void try_times(Zero *z, Case *c)
 {
     if (!settle(z, c))
-        return false;
+        return;
     do
-        if (try_failures(z, c))
-            return true;
+        try_failures(z, c);
     while (z->t->run->work < z->until && pass_healthy(z, c));
-    return false;
 }
 
-static bool try_reading(Zero *z, Case *c)
+static void try_reading(Zero *z, Case *c)
 {
     Trials *t = z->t;
 
-    for (int others = 0; others < 3 && t->run->work < z->until; others++) {
+    for (int others = 0; others < OTHERS_FIRST && t->run->work < z->until; others++) {
         memcpy(z->in, c->entry->in, t->inputs * sizeof *z->in);
         if (others > 0)
             trial_draw(t, z->in, &t->state[trial_state(c->entry->situation) - 1], others > 1, false);
@@ -425,10 +451,8 @@ static bool try_reading(Zero *z, Case *c)
         for (uint32_t i = 0; i < t->inputs && z->leaves; i++)
             if (t->input[i].command)
                 z->in[i] = 0;
-        if (try_times(z, c))
-            return true;
+        try_times(z, c);
     }
-    return false;
 }
 
 static void try_sensor(Zero *z, const TrialState *s, uint32_t sensor)
@@ -438,13 +462,14 @@ static void try_sensor(Zero *z, const TrialState *s, uint32_t sensor)
     Case c = {.sensor = sensor};
 
     z->until = z->t->run->work + z->effort;
+    memset(z->told, 0, (z->t->a->p->stmts + 1u) * sizeof *z->told);
     for (c.motion = 0; c.motion < motions; c.motion++)
         for (size_t n = 0; n < s->entry.n && n < TRIED; n++)
             for (uint32_t k = 0; k < i->readings; k++) {
                 c.entry = &s->entry.at[n];
                 c.reading = i->reading[k];
-                if (trial_is_healthy(i, c.reading) && try_reading(z, &c))
-                    return;
+                if (trial_is_healthy(i, c.reading))
+                    try_reading(z, &c);
             }
 }
 
@@ -463,6 +488,7 @@ void question_output_on_zero(Trials *t)
     z.before = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     z.before_failed = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     z.level = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
+    z.told = ARENA_ARRAY(t->a->arena, bool, t->a->p->stmts + 1u);
     z.effort = effort_in_all / (t->a->p->state.n * t->inputs + 1) < effort ? effort_in_all / (t->a->p->state.n * t->inputs + 1) : effort;
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         z.leaves = t->a->p->state.at[s]->is_abort;

@@ -4,40 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-typedef struct Wanted { uint32_t number; const Stmt *found; } Wanted;
-
-static void find_stmt(const Stmt *s, void *context)
-{
-    Wanted *w = context;
-
-    if (s->number == w->number)
-        w->found = s;
-}
-
-const Stmt *question_stmt(const Trials *t, uint32_t number)
-{
-    Wanted w = {number, NULL};
-
-    each_stmt(t->a->p, find_stmt, &w);
-    return w.found;
-}
-
-static bool is_among(const Stmts *stmts, const Stmt *stmt)
-{
-    for (size_t i = 0; i < stmts->n; i++)
-        if (stmts->at[i] == stmt || is_among(&stmts->at[i]->then, stmt) || is_among(&stmts->at[i]->otherwise, stmt))
-            return true;
-    return false;
-}
-
-bool question_state(const Stmt *stmt, const State *s)
-{
-    for (int b = 0; b < BLOCK_COUNT; b++)
-        if (is_among(&s->block[b], stmt))
-            return true;
-    return false;
-}
-
 const char *question_names(Arena *arena, const Var *const *v, uint32_t n)
 {
     const char *text = v[0]->name->text;
@@ -59,7 +25,7 @@ void analyse_trials(Analysis *a)
 {
     Trials *t = trials_of(a);
 
-#define QUESTION(name, sentence) question_##name(t);
+#define QUESTION(name, sentence) t->random = TRIAL_SEED, question_##name(t);
 #include "compiler/analysis/questions.def"
 #undef QUESTION
 }

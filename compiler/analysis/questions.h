@@ -9,10 +9,6 @@
 #include "compiler/analysis/questions.def"
 #undef QUESTION
 
-// The statement of a number; NULL of 0.
-const Stmt *question_stmt(const Trials *t, uint32_t number);
-// Whether the statement is one of the state's.
-bool question_state(const Stmt *stmt, const State *s);
 // "a', 'b' and 'c": for a place in a message that is already in quotes.
 const char *question_names(Arena *arena, const Var *const *v, uint32_t n);
 // With a few digits, for a reader.

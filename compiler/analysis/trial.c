@@ -366,6 +366,14 @@ static double usual_step(const Trials *t)
     return t->a->step > 0 ? (double)t->a->step : t->waits > 0 && t->wait[t->waits - 1] < 100 ? 1 : 10;
 }
 
+static void note_stmt(const StmtPlace *at, void *context)
+{
+    Trials *t = context;
+
+    t->stmt[at->stmt->number] = at->stmt;
+    t->state_of[at->stmt->number] = at->state;
+}
+
 Trials *trials_of(Analysis *a)
 {
     Trials *t = ARENA_NEW(a->arena, Trials);
@@ -374,6 +382,9 @@ Trials *trials_of(Analysis *a)
     t->run = ir_run_of(a->arena, a->m);
     t->state = ARENA_ARRAY(a->arena, TrialState, a->p->state.n);
     t->transition = ARENA_ARRAY(a->arena, const Transition *, a->p->stmts + 1u);
+    t->stmt = ARENA_ARRAY(a->arena, const Stmt *, a->p->stmts + 1u);
+    t->state_of = ARENA_ARRAY(a->arena, const State *, a->p->stmts + 1u);
+    each_place(a->arena, a->p, note_stmt, t);
     t->taken = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
     t->next = ARENA_ARRAY(a->arena, TrialNext, a->p->stmts + 1u);
     t->actuator = ARENA_ARRAY(a->arena, bool, a->m->var.n);
@@ -381,7 +392,7 @@ Trials *trials_of(Analysis *a)
     t->limit = ARENA_ARRAY(a->arena, double *, a->m->var.n);
     t->before = ARENA_ARRAY(a->arena, double, a->m->var.n);
     t->trace.at = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 2u);
-    t->random = 20221;
+    t->random = TRIAL_SEED;
     t->var = ARENA_ARRAY(a->arena, const Var *, a->m->var.n);
     for (size_t v = 0; v < a->p->var.n; v++)
         if (a->m->var_of[v] != IR_NONE)

@@ -11,8 +11,8 @@
 //   sensor    a number that the machine only reads
 //   command   what a person operates: an element marked @command; a bool, or a number that is only compared with constants by ==
 //             and !=, that the machine only reads
-// Sensors that are added, compared, averaged or stored in the same variable measure the same quantity: they form a group, and a
-// healthy group reads one number.
+// Sensors that are added, compared, averaged or stored in the same variable, or that one state compares in the same way, measure the
+// same quantity: they form a group, and a healthy group reads one number.
 #ifndef SMC_TRIAL_H
 #define SMC_TRIAL_H
 
@@ -62,6 +62,8 @@ typedef struct Trials {
     uint32_t inputs;
     TrialState *state;                // by State.number - 1
     const Transition **transition;    // by Stmt.number
+    const Stmt **stmt;                // by Stmt.number; of 0 NULL
+    const State **state_of;           // by Stmt.number
     bool *taken;                      // by Stmt.number of a transition: some trial made it
     TrialNext *next;                  // by Stmt.number of a transition
     bool *actuator;                   // by IR variable
@@ -77,6 +79,8 @@ typedef struct Trials {
     double *before;                   // variables before a step, for trial_pass
     IrTrace trace;
 } Trials;
+
+#define TRIAL_SEED 20221              // where the choices of each question begin
 
 Trials *trials_of(Analysis *a);
 

@@ -223,7 +223,7 @@ static bool is_alike(Finder *f, const Expr *a, const Expr *b, bool join_them)
     return alike;
 }
 
-// Sensors that are compared in the same way are taken to measure the same quantity.
+// Sensors that one state compares in the same way are taken to measure the same quantity.
 static void join_alike(Finder *f)
 {
     const size_t n = f->comparison.n < COMPARED_MOST ? f->comparison.n : COMPARED_MOST;
@@ -231,7 +231,7 @@ static void join_alike(Finder *f)
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < i; k++) {
             const Comparison a = f->comparison.at[i], b = f->comparison.at[k];
-            if (a.op == b.op && is_alike(f, a.left, b.left, false) && is_alike(f, a.right, b.right, false)) {
+            if (a.op == b.op && a.state == b.state && is_alike(f, a.left, b.left, false) && is_alike(f, a.right, b.right, false)) {
                 is_alike(f, a.left, b.left, true);
                 is_alike(f, a.right, b.right, true);
             }
@@ -453,6 +453,9 @@ static void find_readings(Finder *f, uint32_t input)
     add_reading(i, 0);
     if (i->v->type == SM_BOOL || r.n == 0)
         add_reading(i, 1);
+    if (i->rough && i->v->type != SM_BOOL)
+        for (double x = 30; x < 1e5; x *= 30)
+            add_reading(i, x);
     qsort(i->reading, i->readings, sizeof *i->reading, ascending);
 }
 
@@ -635,4 +638,7 @@ void trial_find_inputs(Trials *t)
     for (size_t s = 0; s < f.p->state.n; s++)
         t->state[s].relevant = ARENA_ARRAY(f.arena, bool, t->inputs + 1);
     each_place(f.arena, f.p, note_relevant, &f);
+    for (size_t s = 0; s < f.p->state.n; s++)
+        for (uint32_t i = 0; i < t->inputs; i++)
+            t->state[s].relevant[t->input[i].group] |= t->state[s].relevant[i];        // a group is moved by its first
 }

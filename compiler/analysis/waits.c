@@ -52,8 +52,8 @@ static void note_on(Waits *w, const State *s)
     const uint32_t *writer = ir_run_writers(t->run, w->at);
 
     for (uint32_t v = 0; v < t->run->m->var.n && !w->on; v++) {
-        const Stmt *on = t->actuator[v] && var[v] != 0 ? question_stmt(t, writer[v]) : NULL;
-        if (on && question_state(on, s))
+        const Stmt *on = t->actuator[v] && var[v] != 0 ? t->stmt[writer[v]] : NULL;
+        if (on && t->state_of[on->number] == s)
             w->on = on;
     }
 }

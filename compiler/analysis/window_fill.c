@@ -76,7 +76,7 @@ static void note_guard(WindowFill *w, uint32_t samples)
     for (uint32_t k = 0; k < n && !w->guard; k++)
         if (w->few_did.at[k] != w->full_did.at[k]) {
             if (w->few_did.at[k] >> 1 == w->full_did.at[k] >> 1) {
-                w->guard = question_stmt(w->t, w->few_did.at[k] >> 1);
+                w->guard = w->t->stmt[w->few_did.at[k] >> 1];
                 w->samples = samples;
             }
             return;

@@ -15,7 +15,7 @@ bool lamp
     charge = false
     lamp = false
 .step
-    altitude < 250: -> Fire             #! W0903 'charge' goes on when 'altitude' reads 0
+    altitude < 250: -> Fire             #! W0903 'altitude' alone switches on 'charge' when it reads 0
     T > 500: -> Both
 [Both]
 .step
@@ -23,11 +23,11 @@ bool lamp
     T > 500: -> Plausible
 [Plausible]
 .step
-    20 < altitude < 250: -> Fire        # 0 is excluded
+    20 < altitude < 250: -> Fire        # 0 and the ends of the range are excluded
     T > 500: -> Anyway
 [Anyway]
 .step
-    altitude < 250: -> Fire             # time brings it about too
+    altitude < 250: -> Fire             #! W0903 'charge'
     T > 500 and arm: -> Fire
     T > 600: -> Lit
 [Lit]
@@ -47,7 +47,7 @@ bool lamp
 .step
     altitude < 100: -> Quiet            # nothing is switched on
     speed < 1: -> Abort                 # an answer
-[Quiet]
+[Quiet] @safe
 .step
     arm: -> Wait
 [Abort] @abort

@@ -1,4 +1,4 @@
-# Outputs that go on because a sensor reads 0.
+# Outputs that go on because one sensor has failed.  Each statement has an output of its own, which each state switches off first.
 warn no-all output-on-zero
 
 -- app.sm --
@@ -12,128 +12,154 @@ U16  level    @read_only
 F64  wall     @read_only
 U8   mode     @read_only
 bool armed    @read_only
-bool heater
-bool valve
-F64  setting
-U8   fault
+bool a
+bool b
+bool c
+bool d
+bool e
+bool f
+bool g
+F64  power
 [local]
 F64  filtered = 0
-F64  later = 20
-F64  low = 5
 bool cold = false
 F64  least = 5 @read_only
-F64  unmarked = 5
 
 [Guards]
+.entry
+    a = false
+    b = false
+    c = false
+    d = false
 .step
-    pressure < 5: heater = true                         #! W0903 'heater' goes on when 'pressure' reads 0
-    5 > pressure: setting = 40                          #! W0903 'setting'
-    pressure > 5: heater = true
-    pressure < 5: setting = 40 - 40 * (T > 100)
-    pressure > 5: valve = false
-    else: valve = true                                  #! W0903 'valve' goes on when 'pressure'
+    pressure < 5: a = true                              #! W0903 'pressure' alone switches on 'a' when it reads 0
+    5 > pressure: b = true                              #! W0903 'b'
+    pressure > 5: c = true
+    pressure > 5: d = false
+    else: d = true                                      #! W0903 'd'
     T > 5000: -> Conjunctions
 [Conjunctions]
+.entry
+    a = false
+    b = false
+    c = false
+    d = false
+    e = false
 .step
-    pressure < 5 and armed: heater = true               #! W0903
-    pressure < 5 and T > 100: heater = true             #! W0903
-    pressure < 5 and temp > 20: heater = true           # asks a healthy sensor
-    pressure < 5 and wall < 20: heater = true
+    pressure < 5 and armed: a = true                    #! W0903 'a'
+    pressure < 5 and T > 100: b = true                  #! W0903 'b'
+    pressure < 5 and temp > 20: c = true                # a second sensor agrees
+    pressure < 5 and wall < 20: d = true
     temp > 20 {
-        pressure < 5: heater = true                     # asks it around
+        pressure < 5: e = true                          # it is asked around this
     }
-    temp > 20: valve = false
-    else if pressure < 5: valve = true                  #! W0903 'pressure' reads 0
     T > 5000: -> Branches
 [Branches]
+.entry
+    a = false
+    b = false
+    power = 0
 .step
-    pressure > 40: valve = false
-    else if armed: heater = true                        # the switch does, pressure only forbids
-    else if temp > 5: valve = false
-    else: valve = true                                  #! W0903 'valve' goes on when 'temp'
-    wall > 40: setting = 0
+    pressure > 40: a = false
+    else if armed: b = true                             #! W0903 'b'
+    else if wall > 7: a = false
+    else: a = true                                      # both must read low
+    wall > 30: power = 0
     else {
-        setting = 7                                     #! W0903 'wall'
-        armed: setting = 8                              #! W0903 'wall'
+        power = 70                                      #! W0903 'wall' alone switches on 'power'
     }
     T > 5000: -> Disjunctions
 [Disjunctions]
+.entry
+    a = false
+    b = false
+    power = 0
 .step
-    pressure < 5 or armed: heater = true                #! W0903
-    pressure < 5 or wall > 30: valve = true             #! W0903 'pressure' reads 0
-    not (pressure > 5 or armed): setting = 7            #! W0903
+    pressure < 5 or armed: a = true                     #! W0903
+    pressure < 5 or wall > 30: b = true                 #! W0903 'pressure' alone
+    not (pressure > 5 or armed): power = 70             #! W0903
     T > 5000: -> Excluded
 [Excluded]
+.entry
+    a = false
+    b = false
+    c = false
 .step
-    0.5 < pressure < 5: heater = true
-    pressure < 5 and pressure > 0: heater = true
+    0.5 < pressure < 5: a = true
+    pressure < 5 and pressure > 0: b = true
     pressure != 0 {
-        pressure < 5: heater = true
+        pressure < 5: c = true
     }
-    wall < 0.5: -> Guards
-    wall < 5: heater = true                             # 0 has left before
     T > 5000: -> Tests
 [Tests]
+.entry
+    a = false
+    b = false
+    c = false
+    d = false
+    e = false
 .step
-    not (2 < pressure < 300): fault = 3                 # a test of the reading
-    level < 2 or level > 900: fault = 4
-    loop < 4: fault = 5                                 # no healthy sensor reads this
-    loop < 6: fault = 6                                 #! W0903 'fault' goes on when 'loop'
-    temp < 5: heater = true                             #! W0903 'temp'
-    pressure < 1 {
-        heater = true
-        -> Abort
-    }
+    not (2 < pressure < 300): a = true                  # a test of the reading
+    level < 2 or level > 900: b = true
+    loop < 3.5: c = true                                # no healthy sensor reads this
+    loop < 6: d = true                                  #! W0903 'd'
+    temp < 5: e = true                                  #! W0903 'e'
     T > 5000: -> Values
 [Values]
+.entry
+    a = false
+    b = false
+    power = 0
 .step
-    heater = pressure < 5                               #! W0903 'heater'
-    valve = pressure > 5
-    setting = 100 - pressure                            # a controller, no guard
-    pressure < 5: setting = pressure * 2                # which is 0
-    pressure < 5: setting = wall                        # not known to be on
-    pressure < 5: heater = pressure < 3                 #! W0903
-    pressure < 5: heater = armed
+    a = pressure < 5                                    #! W0903 'a'
+    b = pressure > 5
+    power = clamp((100 - wall) * 2, 0, 100)             #! W0903 'power'
     T > 5000: -> Overruled
 [Overruled]
+.entry
+    a = false
+    b = false
 .step
-    pressure < 5: heater = true
-    pressure < 1: heater = false                        # switches it off again
-    pressure < 5: setting = 3
-    setting = wall
+    pressure < 5: a = true
+    pressure < 1: a = false                             # switches it off again
+    b = false
     armed {
         pressure < 5 {
-            fault = 3                                   # the next one has the last word
-            fault = 4 * armed
+            b = true                                    #! W0903 'b'
         }
     }
     T > 5000: -> Derived
 [Derived]
+.entry
+    a = false
+    b = false
+    c = false
+    d = false
+    filtered = 100
 .step
-    roll_avg(pressure, 10) < 5: heater = true           #! W0903
+    roll_avg(pressure, 10) < 5: a = true                #! W0903 'a'
     cold = wall < 10
-    cold: valve = true                                  #! W0903 'wall'
+    cold: b = true                                      #! W0903 'wall' alone switches on 'b'
     filtered = filtered + 0.1 * (pressure - filtered)
-    later = pressure
-    T > 5000: -> Filter
-[Filter]
-.step
-    filtered < 15: heater = true                        #! W0903 'pressure'
-    later < 15: valve = true                            # not said to be stored before
-    pressure < low: valve = true                        # low can be anything
-    low = G
-    pressure < least: setting = 3                       #! W0903
-    pressure < unmarked: fault = 3                      #! W0903
+    filtered < 15: c = true                             #! W0903 'c'
+    pressure < least: d = true                          #! W0903 'd'
     T > 5000: -> Others
-[Others]
-.step
-    mode == 0: heater = true                            # a command
-    not armed: heater = true
-    T < 5: heater = true
-    pressure >= 0 or pressure < 0: valve = true         # holds of every reading
-    T > 5000: -> Abort
 .exit
-    pressure < 5: setting = 4                           #! W0903
+    d = false
+[Others]
+.entry
+    a = false
+    b = false
+    c = false
+.step
+    mode == 0: a = true                                 # a command
+    not armed: b = true
+    pressure >= 0 or pressure < 0: c = true             # true at every reading
+    T > 5000: -> Done
+[Done] @safe
+.step
+    T > 5000 and armed: -> Guards
+    T > 9000 and armed: -> Abort
 [Abort] @abort @safe
 .step
-    pressure < 5: valve = true                          #! W0903
+    pressure < 5: g = true                              # what an abort does
