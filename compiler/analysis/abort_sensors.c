@@ -70,6 +70,15 @@ static Fate hold(Asking *k, uint32_t state)
     return f;
 }
 
+static void failed_inputs(void *context, double *vars, uint32_t sample)
+{
+    const Asking *k = context;
+
+    (void)sample;
+    for (uint32_t i = 0; i < k->t->inputs; i++)
+        vars[k->t->input[i].var] = ir_run_number(k->t->input[i].v->type, k->in[i]);
+}
+
 // Commands as they were if the state cannot last without; else none.
 static void begin(Asking *k, const TrialEntry *e)
 {
@@ -85,6 +94,10 @@ static void begin(Asking *k, const TrialEntry *e)
     for (int n = 0; n < 3 && f == STAYS; n++)
         f = step(k, state);
     trial_copy(t, k->at, e->situation);
+    if (k->failed) {
+        k->in[k->failed->input] = k->failed->reading;
+        ir_run_fill(t->run, k->at, t->window, failed_inputs, k);
+    }
     if (f != STAYS)
         memcpy(k->in, e->in, t->inputs * sizeof *k->in);
 }
@@ -139,16 +152,23 @@ static void note_looks(Asking *k, AbortWay *w)
     w->by_input = l.input;
 }
 
+static bool is_by_command_alone(const AbortWay *w) { return w->by_input && w->sensors == 0 && !w->by_time; }
+
+// Whether every way that needs no person does.
 static bool all_look_at(const AbortRow *r, const Var *v)
 {
+    bool any = false;
+
     for (size_t w = 0; w < r->way.n; w++) {
-        bool looks = !abort_is_sure(&r->way.at[w]);
-        for (size_t i = 0; i < r->way.at[w].sensors; i++)
-            looks |= r->way.at[w].sensor[i] == v;
-        if (!looks)
+        const AbortWay *way = &r->way.at[w];
+        bool looks = false;
+        for (size_t i = 0; i < way->sensors; i++)
+            looks |= way->sensor[i] == v;
+        if (!looks && abort_is_sure(way) && !is_by_command_alone(way))
             return false;
+        any |= looks && abort_is_sure(way);
     }
-    return true;
+    return any;
 }
 
 static bool all_by_command(const AbortRow *r)

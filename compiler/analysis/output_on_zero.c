@@ -25,8 +25,8 @@ typedef enum Failure { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_
 // How readings move while they are healthy: `noise` is in distances to the next reading that a comparison distinguishes, `slope` in
 // TrialInput.scale a step.  Only the group of the sensor that fails moves so; others tremble.
 typedef struct Motion { double noise, slope; } Motion;
-static const Motion motion[] = {{0, 0}, {0.02, 0}, {0, 0.003}, {0, -0.003}, {0.3, 0}, {5, 0}, {100, 0}};
-enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 5 };     // the others where the scale is not known
+static const Motion motion[] = {{0, 0}, {0.02, 0}, {0, 0.003}, {0.3, 0}, {5, 0}, {100, 0}};
+enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // the others where the scale is not known
 
 enum {
     OUTPUTS = 4,                  // that one finding names
@@ -63,6 +63,7 @@ typedef struct Zero {
     double *in, *now, *broken;    // inputs: at rest; of the healthy machine in this step; of the failed one
     double *before, *before_failed;       // variables before a step
     double *other;                // in the place of `in` meanwhile
+    double reading;               // what the sensor read in the step before it fails
     uint32_t clock;               // steps of this trial, for the motion
     double *level;                // by IR variable: its largest magnitude while the healthy machine was at rest
     uint32_t only;                // the place (Stmt.number) that counts; 0: any
@@ -298,7 +299,7 @@ static Outcome fail(Zero *z, const Case *c, Effect *e)
     memset(e, 0, sizeof *e);
     trial_copy(t, z->healthy, z->begin);
     trial_copy(t, z->failed, z->begin);
-    e->before = motion[c->motion].noise > 0 ? c->reading : z->now[c->sensor];      // at rest, not at a peak of the noise
+    e->before = motion[c->motion].noise > 0 ? c->reading : z->reading;      // at rest, not at a peak of the noise
     e->failed = failed_reading(&t->input[c->sensor], c->failure, e->before);
     o = run_both(z, c, e);
     z->clock = clock;
@@ -314,6 +315,7 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
     Trials *t = z->t;
     double *in = z->in, *other = z->other;
     const uint32_t clock = z->clock;
+    const double reading = z->reading;
     const double *level = z->leaves ? NULL : &z->level[t->a->m->var_of[e->output[0]->index]];
     bool needed = false;
     uint32_t quiet = 0;
@@ -326,18 +328,21 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
     for (int n = 0; n < OTHERS && !needed; n++) {
         memcpy(other, in, t->inputs * sizeof *other);
         trial_draw(t, other, &t->state[trial_state(z->settled) - 1], false, false);
+        trial_tie_groups(t, other);
         trial_set_group(t, other, c->sensor, c->reading);
         trial_copy(t, z->healthy, z->settled);
         z->clock = clock;
         if (!rest(z, c))
             continue;
         quiet++;
+        z->reading = z->now[c->sensor];
         trial_copy(t, z->begin, z->healthy);
         needed = fail(z, c, &again) != WENT_ON && (!level || *level == 0);
     }
     trial_copy(t, z->begin, z->settled);
     z->in = in;
     z->clock = clock;
+    z->reading = reading;
     z->share = 0.5;
     z->only = 0;
     return quiet > 0 && !needed;
@@ -421,6 +426,7 @@ static void try_failures(Zero *z, Case *c)
     Effect e;
 
     trial_copy(z->t, z->begin, z->healthy);
+    z->reading = z->now[c->sensor];
     for (Failure f = READS_ZERO; f <= STICKS; f++) {
         c->failure = f;
         if (!can_fail_so(&z->t->input[c->sensor], c, f) || fail(z, c, &e) != WENT_ON || is_on_purpose(z, c, &e) || !needs_no_other(z, c, &e))
@@ -447,12 +453,39 @@ static void try_reading(Zero *z, Case *c)
         memcpy(z->in, c->entry->in, t->inputs * sizeof *z->in);
         if (others > 0)
             trial_draw(t, z->in, &t->state[trial_state(c->entry->situation) - 1], others > 1, false);
+        trial_tie_groups(t, z->in);
         trial_set_group(t, z->in, c->sensor, c->reading);
         for (uint32_t i = 0; i < t->inputs && z->leaves; i++)
             if (t->input[i].command)
                 z->in[i] = 0;
         try_times(z, c);
     }
+}
+
+static void try_entries(Zero *z, Case *c, const TrialState *s, bool sick)
+{
+    const TrialInput *i = &z->t->input[c->sensor];
+    uint32_t tried = 0;
+
+    for (size_t n = 0; n < s->entry.n && tried < TRIED; n++) {
+        c->entry = &s->entry.at[n];
+        if (c->entry->sick != sick)
+            continue;
+        tried++;
+        for (uint32_t k = 0; k < i->readings; k++) {
+            c->reading = i->reading[k];
+            if (trial_is_healthy(i, c->reading))
+                try_reading(z, c);
+        }
+    }
+}
+
+static bool has_healthy_entry(const TrialState *s)
+{
+    for (size_t n = 0; n < s->entry.n; n++)
+        if (!s->entry.at[n].sick)
+            return true;
+    return false;
 }
 
 static void try_sensor(Zero *z, const TrialState *s, uint32_t sensor)
@@ -464,13 +497,7 @@ static void try_sensor(Zero *z, const TrialState *s, uint32_t sensor)
     z->until = z->t->run->work + z->effort;
     memset(z->told, 0, (z->t->a->p->stmts + 1u) * sizeof *z->told);
     for (c.motion = 0; c.motion < motions; c.motion++)
-        for (size_t n = 0; n < s->entry.n && n < TRIED; n++)
-            for (uint32_t k = 0; k < i->readings; k++) {
-                c.entry = &s->entry.at[n];
-                c.reading = i->reading[k];
-                if (trial_is_healthy(i, c.reading))
-                    try_reading(z, &c);
-            }
+        try_entries(z, &c, s, !has_healthy_entry(s));
 }
 
 void question_output_on_zero(Trials *t)

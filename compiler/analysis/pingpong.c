@@ -13,9 +13,9 @@
 
 enum {
     TRIED = 6,                    // entries of a state
-    HELD = 16,                    // inputs tried in each
+    HELD = 80,                    // inputs tried in each
     STEPS = 24,                   // the last ones of a run, in which a cycle is looked for
-    ARRIVALS = 12,                // at a state by one transition, before something is said of all
+    ARRIVALS = 8,                 // at a state by one transition, before something is said of all
     CYCLE = 8                     // states in the longest cycle
 };
 
@@ -52,10 +52,12 @@ static size_t run_cycle(Flips *f, const TrialEntry *e)
     size_t n = 1;
 
     trial_copy(t, f->at, e->situation);
-    for (uint32_t k = 0; k < STEPS + (t->count ? 300 : 0); k++) {             // what a counter ends is no cycle
+    for (uint32_t left = STEPS + t->window + (t->count ? 300 : 0); left > 0; left--) {       // what a counter ends is no cycle
         trial_step(t, f->at, f->in, t->dt, &t->trace);
-        if (t->trace.transition == 0)
+        if (t->trace.transition == 0 && left <= STEPS + (t->count ? 300 : 0))
             return 0;
+        if (t->trace.transition == 0)
+            continue;
         memmove(f->made, f->made + 1, sizeof f->made - sizeof *f->made);
         f->made[STEPS - 1] = t->transition[t->trace.transition];
     }
@@ -67,10 +69,8 @@ static size_t run_cycle(Flips *f, const TrialEntry *e)
     return n <= CYCLE ? n : 0;
 }
 
-static bool may_be_untaken(const Flips *f, const Transition *x)
+static bool may_be_untaken(const Analysis *a, const Transition *x)
 {
-    const Analysis *a = f->t->a;
-
     for (const Condition *c = x->when; c; c = c->outer)
         if (c->holds ? a->stmt[c->stmt->number].otherwise : a->stmt[c->stmt->number].then)
             return true;
@@ -104,7 +104,7 @@ static void report_cycle(const Flips *f, size_t n)
     Diag *d;
 
     for (size_t k = 0; k < n; k++)
-        conditions += may_be_untaken(f, f->made[STEPS - 1 - k]);
+        conditions += may_be_untaken(f->t->a, f->made[STEPS - 1 - k]);
     if (n == 1 && conditions == 1)
         return;                               // a state that begins again for as long as an input says so
     if (conditions == 0) {
@@ -161,10 +161,10 @@ void question_cascade(Trials *t)
         const Transition *in = &a->transition.at[i], *out;
         const TrialNext next = t->next[in->stmt->number];
         Diag *d;
-        if (!depends_on_sensor(in) || next.trials < ARRIVALS || next.transition == 0 || !t->state[in->to->number - 1].lasts)
+        if (!depends_on_sensor(in) || next.trials < ARRIVALS || next.transition == 0)
             continue;
         out = t->transition[next.transition];
-        if (!out->when || out->to == in->from || out->to == out->from || in->to == in->from)
+        if (!may_be_untaken(a, out) || out->to == in->from || out->to == out->from || in->to == in->from)
             continue;
         d = diag_report(a->diags, DIAG_cascade, out->stmt->span, out->from->name->text, condition_text(a->arena, in->when));
         diag_note(a->diags, d, in->stmt->span, DIAG_note_led_here, in->from->name->text);

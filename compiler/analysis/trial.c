@@ -12,6 +12,7 @@
 enum {
     ENTRIES = 16,                 // situations kept for each state
     ROUNDS = 8,
+    MORE_ROUNDS = 16,             // from states with transitions that no trial has made
     TRIES = 40,                   // from each state in each round
     STEPS_OF_PASS = 40,           // where something changes that is no counter
     SEGMENTS = 4,                 // changes of inputs in one try
@@ -146,6 +147,27 @@ void trial_set_group(const Trials *t, double *in, uint32_t input, double reading
             in[i] = reading;
 }
 
+static double within(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
+
+void trial_add_noise(Trials *t, double *in, double most)
+{
+    for (uint32_t g = 0; g < t->inputs && most > 0; g++) {
+        const double noise = most * t->input[g].scale * (trial_below(t, 2001) / 1000.0 - 1);
+        if (t->input[g].command || t->input[g].group != g)
+            continue;
+        for (uint32_t i = g; i < t->inputs; i++)
+            if (t->input[i].group == g)
+                in[i] = trial_is_healthy(&t->input[i], in[i]) ? within(&t->input[i], in[i] + noise) : in[i] + noise;
+    }
+}
+
+void trial_tie_groups(const Trials *t, double *in)
+{
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (!t->input[i].command)
+            in[i] = in[t->input[i].group];
+}
+
 static double some_reading(Trials *t, const TrialInput *i, bool sick)
 {
     double x = i->reading[trial_below(t, i->readings)];
@@ -166,7 +188,7 @@ void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool 
                 in[i] = trial_below(t, 2) ? 0 : some_reading(t, input, true);
         } else if (input->group == i) {
             trial_set_group(t, in, i, some_reading(t, input, sick));
-        } else if (trial_below(t, 6) == 0) {
+        } else if (trial_below(t, 3) == 0) {
             in[i] = some_reading(t, input, sick);
         }
     }
@@ -207,7 +229,8 @@ static uint32_t count_alike(const TrialState *s, const TrialEntry *e)
 typedef struct Search {
     Trials *t;
     void *at;                     // the situation that is tried from
-    double *in;
+    double *in, *now, *was;       // inputs at rest; of this step; at rest before they were changed
+    double noise;                 // on sensors, in their scale
     uint32_t steps;
     bool sick, commanded;
     uint32_t most;                // entries kept for each state
@@ -270,21 +293,24 @@ static void count_steps(Search *k, double before)
 static bool search_step(Search *k, bool pass)
 {
     Trials *t = k->t;
-    const double before = ((const IrSituation *)k->at)->last_g;
+    const IrSituation *at = k->at;
+    const double before = at->ran ? at->last_g : -t->dt;
     const Transition *via;
 
+    memcpy(k->now, k->in, t->inputs * sizeof *k->now);
+    trial_add_noise(t, k->now, k->noise);
     if (pass)
-        trial_pass(t, k->at, k->in, &t->trace);
+        trial_pass(t, k->at, k->now, &t->trace);
     else
-        trial_step(t, k->at, k->in, t->dt, &t->trace);
+        trial_step(t, k->at, k->now, t->dt, &t->trace);
     count_steps(k, before);
     note_peaks(t, k->at);
-    if (t->trace.transition == 0) {
-        t->state[trial_state(k->at) - 1].lasts = true;
+    if (t->trace.transition == 0)
         return false;
-    }
     via = t->transition[t->trace.transition];
     t->taken[t->trace.transition] = true;
+    if (t->a->step == 0 && t->by_time[t->trace.transition])
+        k->steps = TRIAL_MANY;                        // nobody says how many steps that is
     keep_entry(k, via);
     note_next(k, via->stmt->number);
     return via->to != via->from;
@@ -294,9 +320,11 @@ static void segment(Search *k)
 {
     static const uint32_t holds[] = {1, 1, 2, 5};
     Trials *t = k->t;
+    static const double noise[] = {0, 0, 0, 0.001, 0.01, 0.1};
     const bool pass = trial_below(t, 3) == 0;
     uint32_t n = pass ? 1 + trial_below(t, 2 * (t->waits + t->count) + 2) : holds[trial_below(t, 4)];
 
+    k->noise = noise[trial_below(t, 6)];
     if (!pass && trial_below(t, 4) == 0)
         n = t->window + 1;
     while (n-- > 0)
@@ -309,6 +337,7 @@ static void some_inputs(Search *k, const TrialState *s)
     Trials *t = k->t;
     const bool sick = trial_below(t, 5) == 0;
 
+    memcpy(k->was, k->in, t->inputs * sizeof *k->was);
     if (trial_below(t, 3) > 0) {
         trial_draw(t, k->in, s, trial_below(t, 2), sick);
     } else {
@@ -320,9 +349,9 @@ static void some_inputs(Search *k, const TrialState *s)
     }
     for (uint32_t i = 0; i < t->inputs; i++)
         if (t->input[i].command)
-            k->commanded |= k->in[i] != 0;
+            k->commanded |= k->steps > 0 && k->in[i] != k->was[i];
         else
-            k->sick |= !trial_is_healthy(&t->input[i], k->in[i]);
+            k->sick |= !trial_is_healthy(&t->input[i], k->in[i]) || k->in[i] != k->in[t->input[i].group];
 }
 
 static void try_from(Search *k, uint32_t state)
@@ -342,6 +371,17 @@ static void try_from(Search *k, uint32_t state)
     }
 }
 
+// Whether the state has a transition that no trial has made and that is not impossible.
+static bool has_untaken(const Trials *t, uint32_t state)
+{
+    for (size_t i = 0; i < t->a->transition.n; i++) {
+        const Transition *x = &t->a->transition.at[i];
+        if (x->from->number - 1 == state && !t->taken[x->stmt->number] && t->a->stmt[x->stmt->number].reached)
+            return true;
+    }
+    return false;
+}
+
 static void search(Trials *t)
 {
     Search k = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
@@ -349,13 +389,18 @@ static void search(Trials *t)
 
     k.most = (uint32_t)(ROOM / (states * (t->run->size + t->inputs * sizeof(double)) + 1));
     k.most = k.most > ENTRIES ? ENTRIES : k.most < 2 ? 2 : k.most;
+    k.now = trial_new_inputs(t);
+    k.was = trial_new_inputs(t);
     k.after = arena_alloc(t->a->arena, t->run->size);
     ir_run_start(t->run, k.at, 1);
     keep_entry(&k, NULL);
-    for (int round = 0; round < ROUNDS; round++)
-        for (uint32_t s = 0; s < states; s++)
-            for (int n = 0; n < TRIES && t->state[s].entry.n > 0 && t->run->work < effort; n++)
+    for (int round = 0; round < ROUNDS + MORE_ROUNDS; round++)
+        for (uint32_t s = 0; s < states; s++) {
+            if (t->state[s].entry.n == 0 || (round >= ROUNDS && !has_untaken(t, s)))
+                continue;
+            for (int n = 0; n < TRIES && t->run->work < effort; n++)
                 try_from(&k, s);
+        }
 }
 
 // ---- the whole ----
@@ -377,6 +422,7 @@ static void note_stmt(const StmtPlace *at, void *context)
 Trials *trials_of(Analysis *a)
 {
     Trials *t = ARENA_NEW(a->arena, Trials);
+    const Sensors *sensors = sensors_of(a);
 
     t->a = a;
     t->run = ir_run_of(a->arena, a->m);
@@ -386,6 +432,9 @@ Trials *trials_of(Analysis *a)
     t->state_of = ARENA_ARRAY(a->arena, const State *, a->p->stmts + 1u);
     each_place(a->arena, a->p, note_stmt, t);
     t->taken = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
+    t->by_time = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
+    for (size_t i = 0; i < a->transition.n; i++)
+        t->by_time[a->transition.at[i].stmt->number] = looks_of_condition(sensors, a->transition.at[i].when).time;
     t->next = ARENA_ARRAY(a->arena, TrialNext, a->p->stmts + 1u);
     t->actuator = ARENA_ARRAY(a->arena, bool, a->m->var.n);
     t->peak = ARENA_ARRAY(a->arena, double, a->m->var.n);

@@ -37,8 +37,8 @@ typedef struct TrialEntry {
     double *in;                       // inputs of the step that led here, by input
     const Transition *via;            // NULL: the start
     uint32_t steps;                   // that have run since the start; TRIAL_MANY: many, or nobody can say how many
-    bool sick;                        // a sensor has left its healthy range on the way
-    bool commanded;                   // a command was not 0 on the way
+    bool sick;                        // on the way a sensor has left its healthy range, or disagreed with its group
+    bool commanded;                   // a person has changed a command on the way
     uint64_t key;                     // which locals and elements are zero
 } TrialEntry;
 #define TRIAL_MANY UINT32_MAX
@@ -52,7 +52,6 @@ typedef struct TrialNext {
 typedef struct TrialState {
     VEC(TrialEntry) entry;
     bool *relevant;                   // by input: what the state does can depend on it
-    bool lasts;                       // some trial made a step in it without a transition
 } TrialState;
 
 typedef struct Trials {
@@ -65,6 +64,7 @@ typedef struct Trials {
     const Stmt **stmt;                // by Stmt.number; of 0 NULL
     const State **state_of;           // by Stmt.number
     bool *taken;                      // by Stmt.number of a transition: some trial made it
+    bool *by_time;                    // by Stmt.number of a transition: its condition depends on T or G
     TrialNext *next;                  // by Stmt.number of a transition
     bool *actuator;                   // by IR variable
     double *peak;                     // by IR variable: the largest magnitude it had in a trial
@@ -112,6 +112,10 @@ double *trial_new_inputs(Trials *t);                              // one array f
 void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool sick);
 // Sensors, sick ones too, and bools that are not marked @command.
 void trial_draw_free(Trials *t, double *in, const TrialState *s);
+// Noise on sensors, so much of their scale at most, the same on each of a group; healthy readings stay within their range.
+void trial_add_noise(Trials *t, double *in, double most);
+// Makes every group read one number.
+void trial_tie_groups(const Trials *t, double *in);
 void trial_set_group(const Trials *t, double *in, uint32_t input, double reading);
 bool trial_is_healthy(const TrialInput *i, double reading);
 

@@ -37,9 +37,7 @@ static void set_inputs(Waits *w)
     const Failed *f = w->failed;
 
     memcpy(w->now, w->in, t->inputs * sizeof *w->now);
-    for (uint32_t i = 0; i < t->inputs && w->noise > 0; i++)
-        if (!t->input[i].command)
-            w->now[i] += w->noise * t->input[i].scale * (trial_below(t, 2001) / 1000.0 - 1);
+    trial_add_noise(t, w->now, w->noise);
     if (f)
         w->now[f->input] = f->reading + f->noise * (trial_below(t, 2001) / 1000.0 - 1);
 }

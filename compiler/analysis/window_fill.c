@@ -14,24 +14,29 @@
 
 enum {
     TRIED = 8,                    // entries of a state
-    DRAWS = 60,                   // inputs tried in each
+    DRAWS = 120,                  // inputs tried in each
     LATER = 60                    // steps and times that are followed once windows are full
 };
+static const uint64_t effort = 60000000;          // instructions
 static const double noise[] = {0, 0.02, 0.3, 5, 100};          // in TrialInput.scale
 enum { NOISES = sizeof noise / sizeof *noise };
 
 typedef struct WindowFill {
     Trials *t;
-    void *full, *few;
+    void *full, *few, *filled;
+    uint32_t window;              // in IrMachine.window: the one that is full in `full`
     double *in, *now;
     IrTrace few_did, full_did;
     double noise;
     uint32_t clock;
     double *earlier;              // what full windows hold
     double *before, *before_full; // variables before a step
-    bool quiet;                   // what full windows hold is what is read now
+    bool later;                   // both are full, or in another state: what differs now was decided before
     const Stmt *guard;            // on which the two differed first
     uint32_t samples;             // that the one had then
+    uint64_t until;               // Trials.run.work at which there has been enough
+    uint32_t *deciding;           // the window that did
+    uint32_t *found;              // by Stmt.number of a guard: the fewest samples with which it decided; 0: none
 } WindowFill;
 
 // ---- inputs ----
@@ -41,9 +46,7 @@ static void set_inputs(WindowFill *w)
     const Trials *t = w->t;
 
     memcpy(w->now, w->in, t->inputs * sizeof *w->now);
-    for (uint32_t i = 0; i < t->inputs && w->noise > 0; i++)
-        if (!t->input[i].command)
-            w->now[i] += w->noise * t->input[i].scale * (trial_below(w->t, 2001) / 1000.0 - 1);
+    trial_add_noise(w->t, w->now, w->noise);
 }
 
 static void fill_inputs(void *context, double *vars, uint32_t sample)
@@ -88,9 +91,12 @@ typedef enum Outcome { SAME, FULL_ACTS, FEW_DECIDE } Outcome;
 // Both make a step.  That a full window decides is no finding.
 static Outcome compare(WindowFill *w, uint32_t samples)
 {
+    const bool before = w->guard && w->later;         // they have differed, and it has not been seen yet
+
     note_guard(w, samples);
     if (w->few_did.transition != w->full_did.transition)
-        return w->guard && (w->few_did.transition || !w->quiet) ? FEW_DECIDE : FULL_ACTS;
+        return w->guard && (w->full_did.transition == 0 || before) ? FEW_DECIDE : FULL_ACTS;
+    w->later |= w->few_did.transition != 0;
     if (switches_on(w))
         return w->guard ? FEW_DECIDE : FULL_ACTS;
     return SAME;
@@ -125,19 +131,35 @@ static bool shows_later(WindowFill *w)
     return o == FEW_DECIDE;
 }
 
-// The full windows hold what `before` reads; then both read the same.  glitch: an input that reads something else in the first
+// The window holds what the last step read, once for each step so far, and before that `earlier` so many times.
+static void fill(WindowFill *w, const TrialEntry *e, void *situation, uint32_t earlier)
+{
+    Trials *t = w->t;
+    double *in = w->in, usual = w->noise;
+
+    trial_copy(t, w->filled, e->situation);
+    ir_run_clear_windows(t->run, w->filled);
+    w->in = w->earlier;
+    ir_run_fill(t->run, w->filled, earlier, fill_inputs, w);
+    w->in = e->in;
+    w->noise = 0;                     // the same in both
+    ir_run_fill(t->run, w->filled, e->steps, fill_inputs, w);
+    ir_run_copy_window(t->run, situation, w->filled, w->window);
+    w->in = in;
+    w->noise = usual;
+}
+
+// One window is full in one of the two, of what `earlier` reads; then both read the same.  glitch: an input that reads something else in the first
 // step; IR_NONE.
 static bool decides(WindowFill *w, const TrialEntry *e, uint32_t glitch, double reading)
 {
     Trials *t = w->t;
-    double *in = w->in;
-
     w->guard = NULL;
+    w->later = false;
     trial_copy(t, w->few, e->situation);
     trial_copy(t, w->full, e->situation);
-    w->in = w->earlier;
-    ir_run_fill(t->run, w->full, t->window, fill_inputs, w);
-    w->in = in;
+    fill(w, e, w->few, 0);
+    fill(w, e, w->full, t->window);
     for (uint32_t n = 0; n < 2 * t->window; n++) {
         Outcome o;
         set_inputs(w);
@@ -148,6 +170,9 @@ static bool decides(WindowFill *w, const TrialEntry *e, uint32_t glitch, double 
         o = compare(w, e->steps + n + 1);
         if (o != SAME)
             return o == FEW_DECIDE;
+        if (w->few_did.transition && !w->guard && t->a->step == 0 && t->by_time[w->few_did.transition])
+            return false;
+        w->later |= e->steps + n >= t->window;
         if (e->steps + n >= t->window)
             return w->guard && shows_later(w);
     }
@@ -156,11 +181,10 @@ static bool decides(WindowFill *w, const TrialEntry *e, uint32_t glitch, double 
 
 // ---- findings ----
 
-typedef struct Finder { const WindowFill *w; const Expr *roll; const Var *through; uint32_t samples; int depth; } Finder;
+typedef struct Finder { const WindowFill *w; const Expr *roll; const Var *through; int depth; } Finder;
+typedef struct StoresOf { Finder *f; const Var *v; } StoresOf;
 
 static void find_roll(Expr *e, void *context);
-
-typedef struct StoresOf { Finder *f; const Var *v; } StoresOf;
 
 static void look_at_store(const Stmt *s, void *context)
 {
@@ -170,33 +194,36 @@ static void look_at_store(const Stmt *s, void *context)
         expr_walk(s->value, find_roll, k->f);
 }
 
-static void find_in_stores(Finder *f, const Var *v)
-{
-    StoresOf k = {f, v};
-
-    if (f->depth++ < 3)
-        each_stmt(f->w->t->a->p, look_at_store, &k);
-    f->depth--;
-    if (f->roll && !f->through)
-        f->through = v;
-}
-
 static void find_roll(Expr *e, void *context)
 {
     Finder *f = context;
 
-    if (f->roll)
-        return;
-    if (e->kind == EX_ROLL && f->w->t->a->p->window.at[e->window].size > f->samples)
+    if (e->kind == EX_ROLL && !f->roll && f->w->t->a->m->window_of[e->window] == f->w->window)
         f->roll = e;
-    else if (e->kind == EX_VAR && e->var->written)
-        find_in_stores(f, e->var);
+    if (e->kind == EX_VAR && e->var->written && !f->roll && f->depth++ < 4) {
+        StoresOf k = {f, e->var};
+        each_stmt(f->w->t->a->p, look_at_store, &k);
+        f->depth--;
+        if (f->roll && !f->through)
+            f->through = e->var;
+    }
+}
+
+// Of several at one guard the one with the fewest samples.
+static void note_finding(WindowFill *w)
+{
+    uint32_t *least = &w->found[w->guard->number];
+
+    if (*least == 0 || w->samples < *least) {
+        *least = w->samples;
+        w->deciding[w->guard->number] = w->window;
+    }
 }
 
 static void report(const WindowFill *w)
 {
     const Analysis *a = w->t->a;
-    Finder f = {.w = w, .samples = w->samples};
+    Finder f = {.w = w};
     Diag *d;
 
     expr_walk(w->guard->value, find_roll, &f);
@@ -209,23 +236,35 @@ static void report(const WindowFill *w)
         diag_note(a->diags, d, f.roll->span, DIAG_note_statistic_here, f.through->name->text);
 }
 
-static void try_entry(WindowFill *w, const TrialState *s, const TrialEntry *e)
+// The same as now, other readings, or far too much or too little.
+static void choose_earlier(WindowFill *w, uint32_t kind)
 {
     Trials *t = w->t;
 
-    for (int n = 0; n < DRAWS; n++) {
-        const uint32_t glitch = n % 3 == 0 ? IR_NONE : trial_below(t, t->inputs);
+    memcpy(w->earlier, w->in, t->inputs * sizeof *w->in);
+    if (kind == 1)
+        trial_draw(t, w->earlier, NULL, false, false);
+    for (uint32_t i = 0; i < t->inputs && kind > 1; i++)
+        if (!t->input[i].command)
+            w->earlier[i] = (kind == 2 ? 1e5 : -1e5) * t->input[i].scale;
+}
+
+static void try_entry(WindowFill *w, const TrialState *s, const TrialEntry *e)
+{
+    Trials *t = w->t;
+    const uint32_t windows = t->run->m->window.n;
+
+    for (uint32_t n = 0; n < DRAWS * windows && t->run->work < w->until; n++) {
+        const uint32_t glitch = trial_below(t, 3) == 0 ? IR_NONE : trial_below(t, t->inputs);
+        w->window = n % windows;
         memcpy(w->in, e->in, t->inputs * sizeof *w->in);
         trial_draw(t, w->in, s, true, false);
-        memcpy(w->earlier, w->in, t->inputs * sizeof *w->in);
-        w->quiet = n % 2;
-        if (!w->quiet)
-            trial_draw(t, w->earlier, NULL, false, false);
-        w->noise = noise[n % NOISES];
+        choose_earlier(w, trial_below(t, 4));
+        w->noise = noise[trial_below(t, NOISES)];
         if (glitch != IR_NONE && t->input[glitch].command)
             continue;
         if (decides(w, e, glitch, glitch == IR_NONE ? 0 : t->input[glitch].reading[trial_below(t, t->input[glitch].readings)]))
-            report(w);
+            note_finding(w);
     }
 }
 
@@ -235,10 +274,14 @@ void question_window_not_full(Trials *t)
 
     if (t->window < 2)
         return;
+    w.until = t->run->work + effort;
+    w.deciding = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 1u);
+    w.found = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 1u);
     w.earlier = trial_new_inputs(t);
     w.before = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     w.before_full = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     w.full = arena_alloc(t->a->arena, t->run->size);
+    w.filled = arena_alloc(t->a->arena, t->run->size);
     w.few = arena_alloc(t->a->arena, t->run->size);
     w.few_did.at = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 2u);
     w.full_did.at = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 2u);
@@ -246,10 +289,17 @@ void question_window_not_full(Trials *t)
         uint32_t tried = 0;
         for (size_t n = 0; n < t->state[s].entry.n && tried < TRIED; n++) {
             const TrialEntry *e = &t->state[s].entry.at[n];
-            if (e->steps + 1 >= t->window || e->commanded || e->sick)
+            if (e->steps == TRIAL_MANY || e->steps + 1 >= t->window || e->commanded || e->sick)
                 continue;
             try_entry(&w, &t->state[s], e);
             tried++;
         }
     }
+    for (uint32_t n = 1; n <= t->a->p->stmts; n++)
+        if (w.found[n] > 0) {
+            w.guard = t->stmt[n];
+            w.samples = w.found[n];
+            w.window = w.deciding[n];
+            report(&w);
+        }
 }

@@ -257,3 +257,16 @@ void ir_run_fill(IrRun *r, void *situation, uint32_t n, void (*inputs)(void *con
         run(r, r->sample, situation, NULL);
     }
 }
+
+void ir_run_copy_window(const IrRun *r, void *to, const void *from, uint32_t window)
+{
+    const size_t at = r->window_at[window];
+    const size_t size = sm_roll_words(r->m->window.at[window].size, r->window_kind[window]) * sizeof(uint64_t);
+
+    memcpy((char *)to + at, (const char *)from + at, size);
+}
+
+void ir_run_clear_windows(const IrRun *r, void *situation)
+{
+    memset((char *)situation + r->windows, 0, r->size - r->windows);
+}

@@ -58,4 +58,8 @@ bool ir_run_step(IrRun *r, void *situation, IrTrace *trace);
 // Gives every window n samples of what its expression samples now, with inputs as `inputs` sets them before each sample.
 void ir_run_fill(IrRun *r, void *situation, uint32_t n, void (*inputs)(void *context, double *vars, uint32_t sample), void *context);
 
+void ir_run_clear_windows(const IrRun *r, void *situation);
+// Makes one window of a situation the same as in another.
+void ir_run_copy_window(const IrRun *r, void *to, const void *from, uint32_t window);
+
 #endif

@@ -53,16 +53,18 @@ U32  weird = 0
     thrust > 1000: -> Abort
     pressure > 40: -> Abort
     T > 5000: -> Switch
-[Switch]                    # a switch, a command, a limit to T
+[Switch]                    #! W0901 'thrust' reads 0
+# a person may not be there
 .step
     thrust > 1000: -> Abort
     kill: -> Abort
     T > 5000: -> Command
-[Command]
+[Command]                   #! W0901 'thrust' reads 0
 .step
     thrust > 1000 or command == 3: -> Abort
     T > 5000: -> Timed
-[Timed]
+[Timed]                     #! W0901 'thrust' reads 0
+# the limit to T comes after the state has ended
 .step
     thrust > 1000 or T > 10000: -> Abort
     T > 5000: -> OnlyCommand
@@ -70,7 +72,7 @@ U32  weird = 0
 .step
     command == 9: -> Abort
     T > 5000: -> Conjunction
-[Conjunction]               #! W0901 'thrust' reads 0
+[Conjunction]               # a person is needed in any case
 .step
     thrust > 1000 and kill: -> Abort
     T > 5000: -> Average
@@ -112,7 +114,7 @@ U32  weird = 0
     smooth > 1000 or smooth > 49: -> Abort
     smooth = smooth + 0.2 * (50 + thrust - smooth)
     T > 5000: -> SmoothHigh
-[SmoothHigh]                #! W0901 'thrust' reads 0
+[SmoothHigh]                # what the state before has left may be enough
 .step
     smooth > 60: -> Abort
     T > 5000: -> Flag
@@ -131,7 +133,8 @@ U32  weird = 0
     else: count = 0
     count > 5: -> Abort
     T > 5000: -> Peak
-[Peak]                      # who remembers what was before may fire
+[Peak]                      #! W0901 'thrust' reads 0
+# it can be dead from the beginning
 .step
     peak = max(peak, thrust)
     thrust < peak - 50: -> Abort
@@ -145,14 +148,14 @@ U32  weird = 0
 .step
     weird > 40: -> Abort
     T > 5000: -> Away
-[Away]                      #! W0901 'thrust' reads 0
+[Away]                      # at 0 the state is left
 .step
     thrust < 5: -> Close2
     thrust > 1000: -> Abort
 [Close2]
 .step
     T > 5000: -> Early
-[Early]                     #! W0901 at such a reading this way to 'Entry' is taken first
+[Early]                     # at 0 the state is left
 .step
     level > 9: -> Entry
     thrust < 5: -> Entry

@@ -33,12 +33,12 @@ F64  most = 40 @read_only
     pressure > 40: -> Abort
     thrust > 100: -> Abort
     T > 5000: -> Switch
-[Switch]
+[Switch]                    #! W0902 'pressure'
 .step
     pressure > 40: -> Abort
     kill: -> Abort
     T > 5000: -> Command
-[Command]
+[Command]                   #! W0902 'pressure'
 .step
     pressure > 40: -> Abort
     command == 3: -> Abort
@@ -51,7 +51,7 @@ F64  most = 40 @read_only
 [Clock]
 .step
     pressure > 40: -> Abort
-    G > 4000: -> Abort
+    G > 4000000: -> Abort
     true: -> Late
 [Late]                      #! W0902 'pressure'
 .step
@@ -106,20 +106,6 @@ F64  most = 40 @read_only
 .step
     level > 900 or level < 5: over = true
     over: -> Abort
-    T > 5000: -> Limit
-[Limit]                     # the limit may come down to what the sensor sticks at
-.step
-    level > limit: -> Abort
-    limit = 40 - G
-    T > 6000: -> Note
-    T > 5000: -> Noted
-[Noted]                     # may still hold its initial value
-.step
-    T > 5000: -> Note
-    noted < 0 or noted > 90: -> Abort
-[Note]
-.step
-    noted = level
     T > 5000: -> Named
 [Named]                     #! W0902 'level'
 .step

@@ -28,7 +28,7 @@ F64 top = 0
     T > 10: -> Late
 [Both]
 .step
-    armed: -> Once                      #! W0925
+    armed: -> Once                      # what people say may be said of several states at once
 [Once]                                  # on purpose
 .step
     -> Late

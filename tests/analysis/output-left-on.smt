@@ -12,7 +12,7 @@ bool heater
 bool lamp
 bool charge
 bool horn
-[Idle]
+[Idle]                              #! W0922 the machine can rest in 'Idle' with 'valve', 'lamp', 'charge' and 'horn' still on
 .step
     run: -> Fill
 [Fill]
@@ -21,23 +21,23 @@ bool horn
     heater = true
     lamp = true
     charge = true
-    horn = true                     #! W0923 nothing ever switches 'horn' off again
+    horn = true                     # nothing ever switches it off
 .step
     T > 100: charge = false         # cut in time
-    not run: -> Idle                #! W0922 'valve' stays on when the machine goes from 'Fill' to 'Idle' here
+    not run: -> Idle
     T > 5000 {
         valve = false
         -> Done
     }
-    level > 90: -> Hold             #! W0922 goes from 'Fill' to 'Hold'
+    level > 90: -> Hold
 .exit
     heater = false
-[Hold] @safe
+[Hold] @safe                        #! W0922 the machine can rest in 'Hold' with 'valve', 'charge' and 'horn' still on
 .entry
     lamp = false
 .step
     not run: -> Idle
-[Done] @safe
+[Done] @safe                        #! W0922 with 'horn' still on
 .entry
     lamp = false
 .step

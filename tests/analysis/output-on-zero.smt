@@ -20,11 +20,6 @@ bool e
 bool f
 bool g
 F64  power
-[local]
-F64  filtered = 0
-bool cold = false
-F64  least = 5 @read_only
-
 [Guards]
 .entry
     a = false
@@ -128,24 +123,7 @@ F64  least = 5 @read_only
             b = true                                    #! W0903 'b'
         }
     }
-    T > 5000: -> Derived
-[Derived]
-.entry
-    a = false
-    b = false
-    c = false
-    d = false
-    filtered = 100
-.step
-    roll_avg(pressure, 10) < 5: a = true                #! W0903 'a'
-    cold = wall < 10
-    cold: b = true                                      #! W0903 'wall' alone switches on 'b'
-    filtered = filtered + 0.1 * (pressure - filtered)
-    filtered < 15: c = true                             #! W0903 'c'
-    pressure < least: d = true                          #! W0903 'd'
     T > 5000: -> Others
-.exit
-    d = false
 [Others]
 .entry
     a = false

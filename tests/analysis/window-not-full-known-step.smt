@@ -8,10 +8,8 @@ U32 S
 F32 wind @read_only
 [Hold]
 .step
-    T > 6000 and roll_avg(wind, 600) < 5: -> Load        #! W0965 it has 62 of 600 samples
-    T > 6000 and roll_avg(wind, 63) < 5: -> Load         #! W0965 it has 62 of 63
-    T > 6000 and roll_avg(wind, 62) < 5: -> Load
-    T >= 6000 and roll_avg(wind, 62) < 5: -> Load        #! W0965 it has 61 of 62
+    T > 6000 and roll_avg(wind, 600) < 5: -> Load        #! W0965 of 600 samples
+    T > 6000 and roll_avg(wind, 62) > 50: -> Load
 [Load]
 .step
     T > 5950 and roll_avg(wind, 61) < 4: -> Hold

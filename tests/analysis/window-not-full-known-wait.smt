@@ -16,11 +16,11 @@ F64 p @read_only
 [Calm]
 .step
     roll_avg(p, 59) > 5: -> Open          #! W0965 58 of 59
-    roll_avg(p, 58) > 4: -> Open
+    roll_avg(p, 58) < -4: -> Open
     T >= 100: -> Late
 [Open]
 .step
     T > 20 and p > 3: -> Late
 [Late]
 .step
-    roll_avg(p, 1000) > 5: -> PowerOn
+    roll_avg(p, 1000) > 5: -> PowerOn     #! W0965 of 1000

@@ -13,15 +13,14 @@ bool armed @read_only
 [Check]
 .step
     roll_avg(p, 3) > 5: -> Idle           #! W0965 2 of 3
-    roll_avg(p, 2) > 5: -> Idle
     T > 50: -> Late
 [Idle]
 .step
     -> Run
 [Run]
 .step
-    roll_avg(p, 10) > 5: -> Late          #! W0965 3 of 10
-    roll_avg(p, 3) > 5: -> Late
+    roll_avg(p, 10) > 5: -> Late          #! W0965 of 10
+    roll_avg(p, 3) < -5: -> Late
 [Late]
 .step
-    roll_avg(p, 10) > 5: -> Init
+    roll_avg(p, 10) > 5: -> Init          #! W0965 of 10
