@@ -33,6 +33,7 @@ enum {
     TRIED = 6,                    // entries of a state
     OTHERS_FIRST = 6,             // other inputs with which a case is tried
     OTHERS = 32,                  // other inputs that are tried before a finding
+    QUIET_LEAST = 4,              // of them that must leave the healthy machine quiet
     PASSES = 200                  // of time, after a sensor has failed
 };
 static const uint64_t effort = 6000000, effort_in_all = 150000000;      // instructions spent on one sensor in one state; on all
@@ -345,7 +346,7 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
     z->reading = reading;
     z->share = 0.5;
     z->only = 0;
-    return quiet > 0 && !needed;
+    return quiet >= QUIET_LEAST && !needed;
 }
 
 static bool happens_at(Zero *z, const Case *c, Failure f, const Effect *e)
