@@ -24,6 +24,17 @@ static bool never_is(const Expr *time, const Expr *other)
     return time->kind == EX_VAR && !sm_eq(x, sm_floor(x));
 }
 
+// T counts in whole steps where it is known how far they are apart.
+static bool is_on_a_step(const Look *k, const Expr *time, const Expr *other)
+{
+    double steps;
+
+    if (k->a->step == 0 || time->kind != EX_VAR || time->var != k->a->p->t || !expr_is_constant(other))
+        return false;
+    steps = const_eval(other) / (double)k->a->step;
+    return steps == sm_floor(steps);
+}
+
 // Whether a limit x of T tells steps apart as nobody wants to.  T >= 1 and T < 1 (`behind`) is about the first step.
 static bool is_short(const Look *k, SmF64 x, bool behind)
 {
@@ -74,7 +85,7 @@ static void look_at_expr(Expr *e, void *context)
         time = e->arg[1];
     other = time == e->arg[0] ? e->arg[1] : e->arg[0];
     s = time_difference(time_sum(&k->m, time), time_sum(&k->m, other));
-    if (!s.linear || !(s.time || s.moment) || is_beginning(&s) || never_is(time, other))
+    if (!s.linear || !(s.time || s.moment) || is_beginning(&s) || never_is(time, other) || is_on_a_step(k, time, other))
         return;
     diag_report(k->a->diags, DIAG_exact_moment, e->span, source_text(k->a->arena, time->span),
                 expr_is_constant(other) ? const_text(k->a->arena, const_eval(other)) : source_text(k->a->arena, other->span));

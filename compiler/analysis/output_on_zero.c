@@ -26,6 +26,7 @@ typedef enum Failure { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_
 // TrialInput.scale a step.  Only the group of the sensor that fails moves so; others tremble.
 typedef struct Motion { double noise, slope; } Motion;
 static const Motion motion[] = {{0, 0}, {0.02, 0}, {0, 0.003}, {0.3, 0}, {5, 0}, {100, 0}};
+static const double noise_of_others[] = {0, 0.02, 0.3, 100};
 enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // the others where the scale is not known
 
 enum {
@@ -69,6 +70,7 @@ typedef struct Zero {
     double *level;                // by IR variable: its largest magnitude while the healthy machine was at rest
     uint32_t only;                // the place (Stmt.number) that counts; 0: any
     bool *told;                   // by Stmt.number: it was reported for this sensor and state
+    double others;                // noise on other sensors, in their scale
     double share;                 // of its largest level, by which an output has to rise
     bool leaves;                  // what is asked of an @abort state: whether it ends
     uint64_t effort;              // instructions for one sensor in one state
@@ -115,15 +117,14 @@ static double gap(const TrialInput *i, double reading)
 
 static void move(const Zero *z, const Case *c, double *in)
 {
-    enum { TREMBLE = 1000 };
     const Trials *t = z->t;
     const Motion m = motion[c->motion];
     const TrialInput *i = &t->input[c->sensor];
     const double by = m.noise * gap(i, c->reading) * noise(z->clock, i->group) + m.slope * i->scale * z->clock;
 
-    for (uint32_t k = 0; k < t->inputs && m.noise > 0; k++)
+    for (uint32_t k = 0; k < t->inputs && (m.noise > 0 || z->others > 0); k++)
         if (!t->input[k].command && t->input[k].group != i->group)
-            in[k] = clamped(&t->input[k], in[k] + t->input[k].scale / TREMBLE * noise(z->clock, k));
+            in[k] = clamped(&t->input[k], in[k] + sm_max(z->others, 0.001) * t->input[k].scale * noise(z->clock, t->input[k].group));
     if (by != 0)
         trial_set_group(t, in, c->sensor, clamped(i, c->reading + by));
 }
@@ -333,6 +334,7 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
         trial_set_group(t, other, c->sensor, c->reading);
         trial_copy(t, z->healthy, z->settled);
         z->clock = clock;
+        z->others = noise_of_others[n % 4];
         if (!rest(z, c))
             continue;
         quiet++;
@@ -344,6 +346,7 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
     z->in = in;
     z->clock = clock;
     z->reading = reading;
+    z->others = 0;
     z->share = 0.5;
     z->only = 0;
     return quiet >= QUIET_LEAST && !needed;

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "compiler/analysis/questions.h"
+#include "compiler/analysis/sensors.h"
 
 enum {
     TRIED = 6,                    // entries of a state
@@ -136,35 +137,30 @@ void question_ping_pong(Trials *t)
 
 // ---- straight on ----
 
-static void look_for_sensor(Expr *e, void *context)
+// Whether the way out depends on nothing but sensors and time that the way in depends on, and on one of those sensors.
+static bool follows_from(const Sensors *s, const Transition *in, const Transition *out)
 {
-    bool *found = context;
+    const Looks by = looks_of_condition(s, in->when), then = looks_of_condition(s, out->when);
+    bool shared = false;
 
-    *found |= e->kind == EX_ROLL || (e->kind == EX_VAR && (e->var->kind == VAR_LOCAL ? !e->var->is_constant : e->var->type != SM_BOOL));
-}
-
-// What only people say may be said of several states at once.
-static bool depends_on_sensor(const Transition *x)
-{
-    bool found = false;
-
-    for (const Condition *c = x->when; c; c = c->outer)
-        expr_walk(c->stmt->value, look_for_sensor, &found);
-    return found;
+    for (uint32_t i = 0; i < then.n; i++)
+        shared |= looks_at(&by, then.sensor[i]);
+    return shared && !then.input;
 }
 
 void question_cascade(Trials *t)
 {
     const Analysis *a = t->a;
+    const Sensors *s = sensors_of(t->a);
 
     for (size_t i = 0; i < a->transition.n; i++) {
         const Transition *in = &a->transition.at[i], *out;
         const TrialNext next = t->next[in->stmt->number];
         Diag *d;
-        if (!depends_on_sensor(in) || next.trials < ARRIVALS || next.transition == 0)
+        if (!in->when || next.trials < ARRIVALS || next.transition == 0)
             continue;
         out = t->transition[next.transition];
-        if (!may_be_untaken(a, out) || out->to == in->from || out->to == out->from || in->to == in->from)
+        if (!may_be_untaken(a, out) || !follows_from(s, in, out) || out->to == in->from || out->to == out->from || in->to == in->from)
             continue;
         d = diag_report(a->diags, DIAG_cascade, out->stmt->span, out->from->name->text, condition_text(a->arena, in->when));
         diag_note(a->diags, d, in->stmt->span, DIAG_note_led_here, in->from->name->text);

@@ -10,7 +10,7 @@
 #include "compiler/analysis/trial_inputs.h"
 
 enum {
-    ENTRIES = 16,                 // situations kept for each state
+    ENTRIES = 32,                 // situations kept for each state
     ROUNDS = 8,
     MORE_ROUNDS = 16,             // from states with transitions that no trial has made
     TRIES = 40,                   // from each state in each round
@@ -59,6 +59,8 @@ static double steps_to_wait(const Trials *t, const void *situation)
     for (uint32_t w = 0; w < t->waits; w++)
         if (t->wait[w] >= s->last_g - s->start)
             n = sm_min(n, steps_to(s->last_g - s->start, t->wait[w], t->dt));
+    for (uint32_t w = 0; w < t->waits && t->stamped; w++)
+        n = sm_min(n, sm_max(sm_ceil(sm_max(t->wait[w] / 2, (s->last_g - s->start) / 4) / t->dt) - 1, 0));
     return n;
 }
 
@@ -112,6 +114,21 @@ bool trial_pass(Trials *t, void *situation, const double *in, IrTrace *trace)
     }
     trial_leap(t, t->before, situation, n);
     return n != TRIAL_MANY;
+}
+
+bool trial_advances(const Trials *t, const double *before, const void *situation)
+{
+    const double *var = (const double *)(const void *)((const char *)situation + t->run->vars);
+    const IrMachine *m = t->run->m;
+
+    for (uint32_t w = 0; w < t->waits; w++)
+        if (var[m->t] > before[m->t] && t->wait[w] > var[m->t])
+            return true;
+    for (uint32_t v = 0; v < m->var.n; v++)
+        for (const double *l = t->limit[v]; l && *l == *l; l++)
+            if (var[v] > before[v] && *l > var[v])
+                return true;
+    return false;
 }
 
 bool trial_same(const Trials *t, const void *a, const void *b)
@@ -204,6 +221,17 @@ void trial_draw_free(Trials *t, double *in, const TrialState *s)
 
 // ---- entries ----
 
+// Zero, or one of a few sizes with a sign.
+static uint32_t magnitude(double x)
+{
+    static const double size[] = {0, 2, 20, 200, 2000};
+    uint32_t n = 0;
+
+    while (n < sizeof size / sizeof *size && sm_abs(x) > size[n])
+        n++;
+    return n == 0 ? 0 : x > 0 ? n : 6 + n;
+}
+
 static uint64_t key_of(const Trials *t, const void *situation)
 {
     const double *var = (const double *)(const void *)((const char *)situation + t->run->vars);
@@ -212,7 +240,7 @@ static uint64_t key_of(const Trials *t, const void *situation)
 
     for (uint32_t v = 0; v < m->var.n; v++)
         if (m->var.at[v].writable && v != m->g && v != m->t && v != m->s)
-            key = key * 3 + (var[v] > 0 ? 2 : var[v] < 0);
+            key = key * 13 + magnitude(var[v]);
     return key;
 }
 
@@ -382,6 +410,34 @@ static bool has_untaken(const Trials *t, uint32_t state)
     return false;
 }
 
+// What the search could not reach is begun in by itself, everything else being as at the start: a machine can be started in any state.
+static void begin_unreached(Search *k)
+{
+    Trials *t = k->t;
+
+    for (uint32_t s = 0; s < t->a->p->state.n; s++)
+        if (t->state[s].entry.n == 0 && facts_reach(t->a->facts, s, BLOCK_ENTRY)) {
+            ir_run_start(t->run, k->at, s + 1);
+            memset(k->in, 0, (t->inputs + 1) * sizeof *k->in);
+            k->steps = TRIAL_MANY;
+            k->sick = k->commanded = true;
+            keep_entry(k, NULL);
+        }
+}
+
+static void search_rounds(Search *k, int from, int to)
+{
+    Trials *t = k->t;
+
+    for (int round = from; round < to; round++)
+        for (uint32_t s = 0; s < t->a->p->state.n; s++) {
+            if (t->state[s].entry.n == 0 || (round >= ROUNDS && !has_untaken(t, s)))
+                continue;
+            for (int n = 0; n < TRIES && t->run->work < effort; n++)
+                try_from(k, s);
+        }
+}
+
 static void search(Trials *t)
 {
     Search k = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
@@ -394,13 +450,9 @@ static void search(Trials *t)
     k.after = arena_alloc(t->a->arena, t->run->size);
     ir_run_start(t->run, k.at, 1);
     keep_entry(&k, NULL);
-    for (int round = 0; round < ROUNDS + MORE_ROUNDS; round++)
-        for (uint32_t s = 0; s < states; s++) {
-            if (t->state[s].entry.n == 0 || (round >= ROUNDS && !has_untaken(t, s)))
-                continue;
-            for (int n = 0; n < TRIES && t->run->work < effort; n++)
-                try_from(&k, s);
-        }
+    search_rounds(&k, 0, ROUNDS + MORE_ROUNDS);
+    begin_unreached(&k);
+    search_rounds(&k, ROUNDS, ROUNDS + MORE_ROUNDS);
 }
 
 // ---- the whole ----

@@ -71,6 +71,7 @@ typedef struct Trials {
     const Var **var;                  // by IR variable
     double *wait;                     // times that conditions on T and G wait for, ascending
     uint32_t waits;
+    bool stamped;                     // some variable holds a time: waits begin at any time
     double **limit;                   // by IR variable that only counts by a constant: what it is compared with, ended by NaN; else NULL
     double dt;                        // how far G advances in a step
     uint32_t window;                  // samples until every window is full
@@ -101,6 +102,8 @@ void trial_leap(const Trials *t, const double *before, void *situation, uint32_t
 // Some steps, and then as many more as nothing happens in.  False: nothing can happen any more while inputs stay as they are.
 bool trial_pass(Trials *t, void *situation, const double *in, IrTrace *trace);
 enum { TRIAL_PASSES = 300 };          // after so many a machine that still does something goes on so
+// Whether a timer or a counter that goes up has come closer to a limit since variables were `before`, in the same state: it can still get there.
+bool trial_advances(const Trials *t, const double *before, const void *situation);
 // Whether anything but time differs between two situations.
 bool trial_same(const Trials *t, const void *a, const void *b);
 

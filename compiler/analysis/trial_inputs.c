@@ -37,6 +37,7 @@ typedef struct Finder {
     uint64_t *bits;               // for one expression
     bool *read;                   // by Var.index: a guard or another value reads it
     bool *zeroed;                 // by Var.index: some assignment switches it off
+    bool *bounded;                // by Var.index: some assignment is of a bounded number
     bool *varied;                 // by Var.index: some assignment is no constant
     VEC(double) *given;           // by Var.index: the constants that it is given
 } Finder;
@@ -335,12 +336,13 @@ static double difference(const Finder *f, size_t c)
     return expr_eval(f->comparison.at[c].left, f->value) - expr_eval(f->comparison.at[c].right, f->value);
 }
 
-// The differences of all comparisons.  With `remembered` only the assignments of the comparison's own state are made: another state
-// can have stored what was read long ago.
-static void find_differences(Finder *f, bool remembered, double *d)
+// Which assignments are made anew for a reading: what another state, or an earlier step, has stored may be of long ago.
+typedef enum Remembered { NOTHING, OTHER_STATES, EVERYTHING, REMEMBERED } Remembered;
+
+static void find_differences(Finder *f, Remembered remembered, double *d)
 {
     for (size_t c = 0; c < f->comparison.n; c++) {
-        if (remembered && (c == 0 || f->comparison.at[c].state != f->comparison.at[c - 1].state)) {
+        if (remembered == OTHER_STATES && (c == 0 || f->comparison.at[c].state != f->comparison.at[c - 1].state)) {
             memcpy(f->value, f->kept, f->p->var.n * sizeof *f->value);
             assign(f, f->comparison.at[c].state);
         }
@@ -349,7 +351,7 @@ static void find_differences(Finder *f, bool remembered, double *d)
 }
 
 // set: gives the variable, or the group, that is varied the reading x.
-static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double x), uint32_t which, uint32_t bit, bool remembered, Roots *out)
+static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double x), uint32_t which, uint32_t bit, Remembered remembered, Roots *out)
 {
     static const double at[] = {0, 1, 90, 3000, -40};
     enum { POINTS = sizeof at / sizeof *at };
@@ -360,7 +362,7 @@ static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double 
     compute(f);
     for (size_t k = 0; k < POINTS; k++) {
         set(f, which, at[k]);
-        if (!remembered)
+        if (remembered == NOTHING)
             compute(f);
         memcpy(f->kept, f->value, f->p->var.n * sizeof *f->value);
         find_differences(f, remembered, d + k * n);
@@ -396,6 +398,7 @@ static void set_group(Finder *f, uint32_t input, double x)
             f->value[f->t->input[i].v->index] = x;
 }
 
+// G and T are the same as long as the machine has only begun; a time that was stored is 0.
 static void set_time(Finder *f, uint32_t which, double x)
 {
     (void)which;
@@ -429,12 +432,12 @@ static void find_readings(Finder *f, uint32_t input)
     Roots r = {{0}, 0};
 
     i->reading = ARENA_ARRAY(f->arena, double, 3 * ROOTS + 8);
-    find_roots(f, set_alone, input, input, false, &r);
+    find_roots(f, set_alone, input, input, NOTHING, &r);
     if (i->v->type == SM_BOOL)
         r.n = 0;
     else
-        for (int remembered = 0; remembered < 2; remembered++)
-            find_roots(f, set_group, input, input, remembered, &r);
+        for (int remembered = 0; remembered < REMEMBERED; remembered++)
+            find_roots(f, set_group, input, input, (Remembered)remembered, &r);
     qsort(r.at, r.n, sizeof *r.at, ascending);
     i->rough = !i->v->range && r.n == 0;
     i->scale = i->v->range ? i->hi - i->lo : r.n > 1 ? r.at[r.n - 1] - r.at[0] : r.n == 1 && r.at[0] != 0 ? sm_abs(r.at[0]) : 1;
@@ -464,12 +467,32 @@ static void find_waits(Finder *f)
     Roots r = {{0}, 0};
     Trials *t = f->t;
 
-    find_roots(f, set_time, 0, IR_NONE, false, &r);
+    find_roots(f, set_time, 0, IR_NONE, NOTHING, &r);
+    find_roots(f, set_time, 0, IR_NONE, EVERYTHING, &r);
     qsort(r.at, r.n, sizeof *r.at, ascending);
     t->wait = ARENA_ARRAY(f->arena, double, ROOTS);
     for (uint32_t k = 0; k < r.n; k++)
         if (r.at[k] > 0 && r.at[k] < 1e12)
             t->wait[t->waits++] = sm_ceil(r.at[k]);
+}
+
+typedef struct Stamp { const Var *g; bool found; } Stamp;
+
+static void look_for_time(Expr *e, void *context)
+{
+    Stamp *s = context;
+
+    s->found |= e->kind == EX_VAR && e->var == s->g;
+}
+
+// Whether some local holds a time.
+static bool stamps_time(Finder *f)
+{
+    Stamp s = {f->p->g, false};
+
+    for (size_t i = 0; i < f->assign.n; i++)
+        expr_walk(f->assign.at[i]->value, look_for_time, &s);
+    return s.found;
 }
 
 // ---- counters ----
@@ -550,6 +573,32 @@ static bool is_code(const Finder *f, uint32_t v)
            most != 100;
 }
 
+// How many there have been: it goes up by a constant, and back to 0.
+static bool only_counts(const Finder *f, const Var *v)
+{
+    bool counts = false;
+
+    for (size_t i = 0; i < f->assign.n; i++) {
+        const Stmt *s = f->assign.at[i];
+        if (s->var != v)
+            continue;
+        if (!(is_count(s) && s->value->op == SM_OP_ADD) && !(expr_is_constant(s->value) && const_eval(s->value) == 0))
+            return false;
+        counts |= is_count(s);
+    }
+    return counts;
+}
+
+// A value made of sensors drives something only where it is bounded: an estimate is not.
+static bool is_estimate(const Finder *f, const Var *v)
+{
+    bool made_of_sensors = false;
+
+    for (size_t w = 0; w < f->words; w++)
+        made_of_sensors |= f->data[v->index * f->words + w] != 0;
+    return made_of_sensors && !f->bounded[v->index];
+}
+
 // A bool that the machine writes; a number that is off at rest: an assignment, or the lower end of what it can be, makes it 0.  One that
 // the machine compares is a value of its own: a code, a count, an estimate.
 static bool is_actuator(const Finder *f, const Var *v)
@@ -558,9 +607,9 @@ static bool is_actuator(const Finder *f, const Var *v)
         return false;
     if (v->type == SM_BOOL)
         return true;
-    if (f->read[v->index] && !f->varied[v->index])
+    if ((f->read[v->index] && !f->varied[v->index]) || only_counts(f, v))
         return false;
-    return f->zeroed[v->index] && !(is_code(f, v->index) && !f->varied[v->index]);
+    return f->zeroed[v->index] && !is_estimate(f, v) && !(is_code(f, v->index) && !f->varied[v->index]);
 }
 
 // A copy of a local is what the local is.
@@ -584,6 +633,8 @@ static void note_lower_end(const StmtPlace *at, void *context)
     Finder *f = context;
     const StmtFact *fact = &f->t->a->stmt[at->stmt->number];
 
+    if (at->stmt->kind == ST_ASSIGN && fact->reached && !expr_is_constant(at->stmt->value) && fact->value.lo > -1e6 && fact->value.hi < 1e6)
+        f->bounded[at->stmt->var->index] = true;
     if (at->stmt->kind == ST_ASSIGN && f->varied[at->stmt->var->index] && fact->reached && fact->value.lo == 0 && fact->value.hi > 0 && fact->value.hi < 1e9)
         f->zeroed[at->stmt->var->index] = true;
 }
@@ -619,6 +670,7 @@ void trial_find_inputs(Trials *t)
 
     f.read = ARENA_ARRAY(f.arena, bool, n);
     f.zeroed = ARENA_ARRAY(f.arena, bool, n);
+    f.bounded = ARENA_ARRAY(f.arena, bool, n);
     f.varied = ARENA_ARRAY(f.arena, bool, n);
     f.given = arena_array(f.arena, n, sizeof *f.given);
     f.value = ARENA_ARRAY(f.arena, double, n);
@@ -633,6 +685,7 @@ void trial_find_inputs(Trials *t)
         if (t->input[i].group != i)
             t->input[i].scale = t->input[t->input[i].group].scale;
     find_waits(&f);
+    t->stamped = stamps_time(&f);
     find_counters(&f);
     find_actuators(&f);
     for (size_t s = 0; s < f.p->state.n; s++)

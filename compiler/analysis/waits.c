@@ -25,6 +25,7 @@ typedef struct Waits {
     Trials *t;
     void *at;
     double *in, *now;             // inputs at rest; of this step
+    double *mid;                  // variables half way through a long stay
     double noise;                 // on healthy sensors, in their scale
     const Failed *failed;         // or NULL
     const Stmt *on;               // of the state: what has an output on at the end, or now and then for ever; or NULL
@@ -56,10 +57,21 @@ static void note_on(Waits *w, const State *s)
     }
 }
 
-// Holds the inputs until windows are full, then for as long as anything can happen.  False: the state is left.
+// What falls back begins again and again: it does not advance.
+static void note_falls(Waits *w)
+{
+    const double *var = ir_run_vars(w->t->run, w->at);
+
+    for (uint32_t v = 0; v < w->t->run->m->var.n; v++)
+        if (var[v] < w->mid[v])
+            w->mid[v] = 1e300;
+}
+
+// Holds the inputs until windows are full, then for as long as anything can happen.  False: the state is left, or may be later.
 static bool stays_long(Waits *w, uint32_t state)
 {
     Trials *t = w->t;
+    int idle = 0;
 
     for (uint32_t n = t->window + 5; n > 0; n--) {
         set_inputs(w);
@@ -68,15 +80,18 @@ static bool stays_long(Waits *w, uint32_t state)
             return false;
     }
     w->on = NULL;
-    for (int n = 0, idle = 0; n < TRIAL_PASSES && idle < 2; n++) {
+    for (int n = 0; n < TRIAL_PASSES && idle < 2; n++) {
+        if (n == TRIAL_PASSES / 2)
+            memcpy(w->mid, ir_run_vars(t->run, w->at), t->run->m->var.n * sizeof *w->mid);
         set_inputs(w);
         idle = trial_pass(t, w->at, w->now, &t->trace) ? 0 : idle + 1;
         if (trial_state(w->at) != state)
             return false;
+        note_falls(w);
         if (idle == 2 || n > TRIAL_PASSES - LAST_PASSES)
             note_on(w, t->a->p->state.at[state - 1]);
     }
-    return true;
+    return idle == 2 || !trial_advances(t, w->mid, w->at);
 }
 
 static bool stays(Waits *w, uint32_t state)
@@ -169,7 +184,8 @@ static bool waits_for(Waits *w, const State *s, const TrialEntry *e, uint32_t in
 
 void question_waits_for_sensor(Trials *t)
 {
-    Waits w = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t)};
+    Waits w = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t),
+               .mid = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n)};
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
@@ -228,7 +244,8 @@ static bool find_no_timeout(Waits *w, const State *s, const TrialEntry *e)
 
 void question_missing_timeout(Trials *t)
 {
-    Waits w = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t)};
+    Waits w = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t),
+               .mid = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n)};
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
