@@ -32,12 +32,12 @@ enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // 
 enum {
     OUTPUTS = 4,                  // that one finding names
     TRIED = 6,                    // entries of a state
-    OTHERS_FIRST = 6,             // other inputs with which a case is tried
+    OTHERS_FIRST = 12,            // other inputs with which a case is tried
     OTHERS = 32,                  // other inputs that are tried before a finding
     QUIET_LEAST = 4,              // of them that must leave the healthy machine quiet
     PASSES = 200                  // of time, after a sensor has failed
 };
-static const uint64_t effort = 6000000, effort_in_all = 150000000;      // instructions spent on one sensor in one state; on all
+static const uint64_t effort = 4000000, effort_in_all = 100000000;      // instructions spent on one sensor in one state; on all
 
 typedef struct Case {             // one trial: the sensor reads `reading`, moving, and fails at some time
     const TrialEntry *entry;
@@ -73,6 +73,7 @@ typedef struct Zero {
     double others;                // noise on other sensors, in their scale
     double share;                 // of its largest level, by which an output has to rise
     bool leaves;                  // what is asked of an @abort state: whether it ends
+    int tries;                    // with other inputs
     uint64_t effort;              // instructions for one sensor in one state
     uint64_t until;               // Trials.run.work at which this sensor and state have had enough
 } Zero;
@@ -412,12 +413,13 @@ static void report(Zero *z, const Case *c, const Effect *e)
 
 // ---- what is tried ----
 
+// That a sensor sticks is seen only where it has moved; anything else is seen best where nothing else happens.
 static bool can_fail_so(const TrialInput *i, const Case *c, Failure f)
 {
     switch (f) {
-    case READS_ZERO: return c->reading != 0;
-    case READS_LOW_END: return i->v->range && i->lo != 0 && c->reading != i->lo;
-    case READS_HIGH_END: return i->v->range && i->hi != 0 && c->reading != i->hi;
+    case READS_ZERO: return c->motion == 0 && c->reading != 0;
+    case READS_LOW_END: return c->motion == 0 && i->v->range && i->lo != 0 && c->reading != i->lo;
+    case READS_HIGH_END: return c->motion == 0 && i->v->range && i->hi != 0 && c->reading != i->hi;
     case STICKS: return c->motion != 0;
     case READS_FAR_ABOVE: case READS_FAR_BELOW: case FAILURES: break;
     }
@@ -453,7 +455,7 @@ static void try_reading(Zero *z, Case *c)
 {
     Trials *t = z->t;
 
-    for (int others = 0; others < OTHERS_FIRST && t->run->work < z->until; others++) {
+    for (int others = 0; others < z->tries && t->run->work < z->until; others++) {
         memcpy(z->in, c->entry->in, t->inputs * sizeof *z->in);
         if (others > 0)
             trial_draw(t, z->in, &t->state[trial_state(c->entry->situation) - 1], others > 1, false);
@@ -492,16 +494,27 @@ static bool has_healthy_entry(const TrialState *s)
     return false;
 }
 
+// Whether the state depends on an input that is not of this group.
+static bool depends_on_others(const Zero *z, const TrialState *s, uint32_t group)
+{
+    for (uint32_t i = 0; i < z->t->inputs; i++)
+        if (s->relevant[i] && z->t->input[i].group != group)
+            return true;
+    return false;
+}
+
 static void try_sensor(Zero *z, const TrialState *s, uint32_t sensor)
 {
     const TrialInput *i = &z->t->input[sensor];
     const uint32_t motions = i->rough ? MOTIONS : MOTIONS_OF_SCALE;
     Case c = {.sensor = sensor};
 
-    z->until = z->t->run->work + z->effort;
     memset(z->told, 0, (z->t->a->p->stmts + 1u) * sizeof *z->told);
-    for (c.motion = 0; c.motion < motions; c.motion++)
+    z->tries = depends_on_others(z, s, i->group) ? OTHERS_FIRST : 1;
+    for (c.motion = 0; c.motion < motions; c.motion++) {
+        z->until = z->t->run->work + z->effort / (c.motion == 0 ? 1 : 2);
         try_entries(z, &c, s, !has_healthy_entry(s));
+    }
 }
 
 void question_output_on_zero(Trials *t)

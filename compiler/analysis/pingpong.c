@@ -27,7 +27,7 @@ typedef struct Flips {
     const Transition *made[STEPS];
 } Flips;
 
-// At most one command is given, as one person does.
+// No command is given, one, or any of them.
 static void choose_inputs(Flips *f, const TrialEntry *e, int n)
 {
     Trials *t = f->t;
@@ -35,7 +35,9 @@ static void choose_inputs(Flips *f, const TrialEntry *e, int n)
     memcpy(f->in, e->in, t->inputs * sizeof *f->in);
     if (n == 0)
         return;
-    trial_draw(t, f->in, NULL, false, false);
+    trial_draw(t, f->in, NULL, n % 4 == 3, false);
+    if (n % 4 == 3)
+        return;
     for (uint32_t i = 0; i < t->inputs; i++)
         if (t->input[i].command)
             f->in[i] = 0;

@@ -431,7 +431,7 @@ static void find_readings(Finder *f, uint32_t input)
     const bool whole = sm_type_info[i->v->type].kind != SM_KIND_FLOAT;
     Roots r = {{0}, 0};
 
-    i->reading = ARENA_ARRAY(f->arena, double, 3 * ROOTS + 8);
+    i->reading = ARENA_ARRAY(f->arena, double, 3 * ROOTS + 16);
     find_roots(f, set_alone, input, input, NOTHING, &r);
     if (i->v->type == SM_BOOL)
         r.n = 0;
@@ -456,6 +456,10 @@ static void find_readings(Finder *f, uint32_t input)
     add_reading(i, 0);
     if (i->v->type == SM_BOOL || r.n == 0)
         add_reading(i, 1);
+    if (!i->v->range && r.n > 0) {
+        add_reading(i, r.at[0] - 20 * i->scale - 20);
+        add_reading(i, r.at[r.n - 1] + 20 * i->scale + 20);
+    }
     if (i->rough && i->v->type != SM_BOOL)
         for (double x = 30; x < 1e5; x *= 30)
             add_reading(i, x);
