@@ -26,7 +26,7 @@ typedef enum Failure { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_
 // TrialInput.scale a step.  Only the group of the sensor that fails moves so; others tremble.
 typedef struct Motion { double noise, slope; } Motion;
 static const Motion motion[] = {{0, 0}, {0.02, 0}, {0, 0.003}, {0.3, 0}, {5, 0}, {100, 0}};
-static const double noise_of_others[] = {0, 0.02, 0.3, 100};
+static const double noise_of_others[] = {0, 0.02, 0.3};
 enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // the others where the scale is not known
 
 enum {
@@ -70,7 +70,7 @@ typedef struct Zero {
     double *level;                // by IR variable: its largest magnitude while the healthy machine was at rest
     uint32_t only;                // the place (Stmt.number) that counts; 0: any
     bool *told;                   // by Stmt.number: it was reported for this sensor and state
-    double others;                // noise on other sensors, in their scale
+    double others;                // noise on other sensors, in distances to their next reading
     double share;                 // of its largest level, by which an output has to rise
     bool leaves;                  // what is asked of an @abort state: whether it ends
     int tries;                    // with other inputs
@@ -116,6 +116,12 @@ static double gap(const TrialInput *i, double reading)
     return least;
 }
 
+// How far noise takes another sensor: never to a reading that a comparison distinguishes.
+static double reach(const Zero *z, const TrialInput *i, double reading)
+{
+    return z->others == 0 ? i->scale / 1000 : i->rough ? 300 * z->others : z->others * gap(i, reading);
+}
+
 static void move(const Zero *z, const Case *c, double *in)
 {
     const Trials *t = z->t;
@@ -125,7 +131,7 @@ static void move(const Zero *z, const Case *c, double *in)
 
     for (uint32_t k = 0; k < t->inputs && (m.noise > 0 || z->others > 0); k++)
         if (!t->input[k].command && t->input[k].group != i->group)
-            in[k] = clamped(&t->input[k], in[k] + sm_max(z->others, 0.001) * t->input[k].scale * noise(z->clock, t->input[k].group));
+            in[k] = clamped(&t->input[k], in[k] + reach(z, &t->input[k], in[k]) * noise(z->clock, t->input[k].group));
     if (by != 0)
         trial_set_group(t, in, c->sensor, clamped(i, c->reading + by));
 }
@@ -335,7 +341,7 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
         trial_set_group(t, other, c->sensor, c->reading);
         trial_copy(t, z->healthy, z->settled);
         z->clock = clock;
-        z->others = noise_of_others[n % 4];
+        z->others = noise_of_others[n % 3];
         if (!rest(z, c))
             continue;
         quiet++;
