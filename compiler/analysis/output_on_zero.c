@@ -251,7 +251,7 @@ static Outcome step_both(Zero *z, const Case *c, Effect *e)
         e->at = t->stmt[e->transition];
         return !is_bound(z, z->failed) ? WENT_ON : NOTHING;
     }
-    if (is_bound(z, z->failed))
+    if (e->transition && is_bound(z, z->failed))
         return NOT_QUIET;
     add_outputs(z, e);
     return e->outputs > 0 ? WENT_ON : NOTHING;
@@ -542,7 +542,7 @@ void question_output_on_zero(Trials *t)
     z.effort = effort_in_all / (t->a->p->state.n * t->inputs + 1) < effort ? effort_in_all / (t->a->p->state.n * t->inputs + 1) : effort;
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         z.leaves = t->a->p->state.at[s]->is_abort;
-        for (uint32_t i = 0; i < t->inputs && (z.leaves || !z.bound.bound[s]); i++)
+        for (uint32_t i = 0; i < t->inputs; i++)
             if (!t->input[i].command && t->state[s].relevant[i])
                 try_sensor(&z, &t->state[s], i);
     }

@@ -16,8 +16,6 @@ static uint32_t node_of_guard(const Sensors *s, const Stmt *stmt) { return (uint
 
 // ---- what elements are ----
 
-bool is_output(const Var *v) { return v->kind == VAR_ELEMENT && v->written; }
-
 static bool is_only_read(const Sensors *s, const Var *v)
 {
     return v->kind == VAR_ELEMENT && !v->written && v != s->a->p->g && v != s->a->p->s;
@@ -60,7 +58,7 @@ static void find_commands(Sensors *s)
 
     each_stmt(p, count_uses, &u);
     for (size_t v = 0; v < p->var.n; v++)
-        s->command[v] = is_whole(p->var.at[v]) && u.reads[v] > 0 && u.reads[v] == u.coded[v];
+        s->command[v] = p->var.at[v]->command || (is_whole(p->var.at[v]) && u.reads[v] > 0 && u.reads[v] == u.coded[v]);
 }
 
 // ---- sets ----
@@ -238,70 +236,17 @@ const Stmt *looks_through(const Sensors *s, const Expr *e, const Var *sensor)
     return t.itself ? NULL : t.store;
 }
 
-// ---- what states read ----
-
-typedef struct Reads {
-    Sensors *s;
-    uint32_t state;               // its number
-    uint32_t *local, *window;     // by Var.index, by Program.window: the state that read it last
-} Reads;
-
-static void note_read_in(const Reads *r, Numbers *list, uint32_t *last, uint32_t x)
-{
-    if (last[x] == r->state)
-        return;
-    last[x] = r->state;
-    vec_push(r->s->a->arena, list, x);
-}
-
-static void note_use(Expr *e, void *context)
-{
-    Reads *r = context;
-
-    if (e->kind == EX_VAR && e->var->kind == VAR_LOCAL && !e->var->is_constant)
-        note_read_in(r, &r->s->local[r->state - 1], r->local, e->var->index);
-    else if (e->kind == EX_ROLL)
-        note_read_in(r, &r->s->window[r->state - 1], r->window, e->window);
-}
-
-static void note_uses(const StmtPlace *at, void *context)
-{
-    Reads *r = context;
-
-    r->state = at->state->number;
-    if (at->stmt->value)
-        expr_walk(at->stmt->value, note_use, r);
-    if (at->stmt->kind != ST_ASSIGN)
-        return;
-    vec_push(r->s->a->arena, &r->s->stored[r->state - 1], at->stmt->var->index);
-    if (!at->when && at->block != BLOCK_EXIT)
-        vec_push(r->s->a->arena, &r->s->kept[r->state - 1], at->stmt->var->index);
-}
-
-static void list_reads(Sensors *s)
-{
-    const Program *p = s->a->p;
-    Reads r = {s, 0, ARENA_ARRAY(s->a->arena, uint32_t, p->var.n), ARENA_ARRAY(s->a->arena, uint32_t, p->window.n + 1)};
-
-    each_place(s->a->arena, p, note_uses, &r);
-}
-
 const Sensors *sensors_of(Analysis *a)
 {
     Arena *arena = a->arena;
-    const size_t n = a->p->var.n, states = a->p->state.n;
+    const size_t n = a->p->var.n;
     Sensors *s = ARENA_NEW(arena, Sensors);
 
     s->a = a;
     s->command = ARENA_ARRAY(arena, bool, n);
     s->looks = ARENA_ARRAY(arena, Looks, n + a->p->stmts + 1);
     s->stores = ARENA_ARRAY(arena, Stores, n);
-    s->local = ARENA_ARRAY(arena, Numbers, states);
-    s->window = ARENA_ARRAY(arena, Numbers, states);
-    s->kept = ARENA_ARRAY(arena, Numbers, states);
-    s->stored = ARENA_ARRAY(arena, Numbers, states);
     find_commands(s);
     spread(s);
-    list_reads(s);
     return s;
 }

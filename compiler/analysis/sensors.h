@@ -22,18 +22,14 @@ typedef VEC(uint32_t) Numbers;
 
 typedef struct Sensors {
     Analysis *a;
-    bool *command;                // by Var.index: an integer that is only ever compared with constants by == or !=
+    bool *command;                // by Var.index: marked @command; or an integer that is only ever compared with constants by == or !=
     Looks *looks;                 // by Var.index, and behind these by Stmt.number, of a conditional: its guard and those around it
     Stores *stores;               // by Var.index
-    Numbers *local, *window;      // by state (State.number - 1): the locals and the windows that its blocks read, each once
-    Numbers *kept;                // by state: the locals that it stores at each step or when it begins, under no guard
-    Numbers *stored;              // by state: all that it stores
 } Sensors;
 
 const Sensors *sensors_of(Analysis *a);
 
 bool is_sensor(const Sensors *s, const Var *v);       // a numeric element that the machine only reads; no command, no G, S, T
-bool is_output(const Var *v);                         // an element that the machine writes
 
 // What decides whether all these conditions hold; what decides on a value.
 Looks looks_of_condition(const Sensors *s, const Condition *when);

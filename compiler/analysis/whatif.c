@@ -20,16 +20,6 @@ const Env *suppose(const Analysis *a, const Env *env, const Var *v, Fact f)
     return var == IR_NONE ? env : env_set(&a->facts->shape, env, var, fact_convert(f, v->type));
 }
 
-const Var **whatif_vars(const Analysis *a)
-{
-    const Var **out = ARENA_ARRAY(a->arena, const Var *, a->m->var.n);
-
-    for (size_t v = 0; v < a->p->var.n; v++)
-        if (a->m->var_of[v] != IR_NONE)
-            out[a->m->var_of[v]] = a->p->var.at[v];
-    return out;
-}
-
 // ---- guards ----
 
 typedef struct Answer {
@@ -109,8 +99,6 @@ Fact suppose_value(const Analysis *a, const Env *env, const Expr *e)
         return env_get(&a->facts->shape, env, a->m->var_of[e->var->index]);
     return value_of(a, env, ir_build_guard(a->arena, a->m, e));
 }
-
-Fact suppose_stored(const Analysis *a, const Env *env, const Stmt *assign) { return value_of(a, env, function_of(a, assign)); }
 
 // ---- sensors ----
 

@@ -18,13 +18,8 @@ bool suppose_guard(const Analysis *a, const Env **env, const Expr *guard, bool h
 // *env, and all conditions are as they must be.
 bool suppose_condition(const Analysis *a, const Env **env, const Condition *when);
 
-// By IR variable: which of Program.var it is.
-const Var **whatif_vars(const Analysis *a);
-
 // What an expression can be there; of one that is true or false, as a bool.
 Fact suppose_value(const Analysis *a, const Env *env, const Expr *e);
-// The same of the value that an assignment stores, before its conversion.
-Fact suppose_stored(const Analysis *a, const Env *env, const Stmt *assign);
 
 // The analysis of a machine whose sensors stay in their @range for ever, with its locals; a itself if there is no @range.
 Analysis suppose_ranges(const Analysis *a);

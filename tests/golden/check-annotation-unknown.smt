@@ -36,7 +36,7 @@ every 10 ms:
 -- stderr --
 a.sm:4:7: error: unknown annotation '@slot' [E0360]
     4 | F64 x @slot
-      |       ^~~~~ here may stand @read_only, @alias, @range and @allow
+      |       ^~~~~ here may stand @read_only, @alias, @range, @command and @allow
 a.sm:6:11: error: unknown annotation '@const' [E0360]
     6 | F64 y = 0 @const
       |           ^~~~~~ here may stand @read_only and @allow
@@ -49,7 +49,7 @@ a.sm:8:9: error: unknown annotation '@abrot' [E0360]
 4 errors
 a.sv:3:7: error: unknown annotation '@slot' [E0360]
     3 | F64 x @slot
-      |       ^~~~~ here may stand @range and @allow
+      |       ^~~~~ here may stand @range, @command and @allow
 a.io:2:7: error: unknown annotation '@filter' [E0360]
     2 | i 0 x @filter 3
       |       ^~~~~~~ here may stand @allow, @scale, @offset and @hold

@@ -10,7 +10,7 @@ F64  temperature @read_only
 bool heater
 bool valve
 [local]
-F64  smooth = 0
+F64  smooth = 30
 [Burn]
 .entry
     valve = true
@@ -29,7 +29,7 @@ F64  smooth = 0
     -> Abort
 [Abort] @abort @safe
 -- stderr --
-a.sm:10:2: warning: state 'Burn' cannot abort if 'pressure' sticks, say at 30.5: no transition to an @abort state is left [W0902 abort-single-sensor]
+a.sm:10:2: warning: state 'Burn' cannot abort if 'pressure' sticks, say at 1: no transition to an @abort state is left [W0902 abort-single-sensor]
    10 | [Burn]
       |  ^~~~
 a.sm:15:5: note: this way to 'Close', and from there to 'Abort', waits for 'pressure'
@@ -37,15 +37,14 @@ a.sm:14:5: note: 'smooth' is made of 'pressure' here
 a.sm:16:5: note: this way to 'Close', and from there to 'Abort', waits for 'pressure'
 a.sm:14:5: note: 'smooth' is made of 'pressure' here
 note: let a second sensor, a switch or a limit to T lead to an @abort state too
-a.sm:20:18: warning: 'heater' goes on when 'pressure' reads 0, as it does when the sensor is broken [W0903 output-on-zero]
+a.sm:20:18: warning: 'pressure' alone switches on 'heater' when it reads 0, as a broken sensor can [W0903 output-on-zero]
    20 |     smooth < 20: heater = true
       |                  ^~~~~~~~~~~~~
-a.sm:14:5: note: step 1: 'smooth' is made of 'pressure' here
-a.sm:20:5: note: step 2: this holds when 'pressure' is 0
-note: exclude that 'pressure' is 0, or ask a second sensor too
-a.sm:21:22: warning: 'heater' goes on when 'temperature' reads 0, as it does when the sensor is broken [W0903 output-on-zero]
+note: for example in 'Burn': 'pressure' reads 30.5, then 0; this happens in step 2 after that
+note: require that 'pressure' is plausible, or that a second sensor agrees
+a.sm:21:22: warning: 'temperature' alone switches on 'heater' when it reads 0, as a broken sensor can [W0903 output-on-zero]
    21 |     temperature < 5: heater = true
       |                      ^~~~~~~~~~~~~
-a.sm:21:5: note: this holds when 'temperature' is 0
-note: exclude that 'temperature' is 0, or ask a second sensor too
+note: for example in 'Burn': 'temperature' reads 8.5, then 0; this happens in step 1 after that
+note: require that 'temperature' is plausible, or that a second sensor agrees
 3 warnings

@@ -112,7 +112,7 @@ condition holds comes before, and is not counted.
 
   State  Can it abort?         Steps, once a condition holds
   Full   yes                   1
-  Hold   yes                   1
+  Hold   only by a command     1
   Abort  it is an abort state
 
 The ways to abort
