@@ -623,7 +623,7 @@ static void note_copy(const StmtPlace *at, void *context)
     const Var *from = at->stmt->kind == ST_ASSIGN && at->stmt->value->kind == EX_VAR ? at->stmt->value->var : NULL;
     const uint32_t to = from ? at->stmt->var->index : 0;
 
-    if (!from || from->kind != VAR_LOCAL || from->is_constant)
+    if (!from || from->kind != VAR_LOCAL || from->is_constant || from->index == to)
         return;
     f->varied[to] |= f->varied[from->index];
     f->zeroed[to] |= f->zeroed[from->index];

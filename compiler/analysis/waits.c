@@ -5,6 +5,7 @@
 //                       other sensors read and no time leads out
 //   missing-timeout     the state switches an output on, and while inputs stay as they are no time leads out
 //
+// The first state is asked only if it switches something on: nothing has begun that would have to go on.
 // Elements marked @command are not moved: a state that a person can end may still last for ever in flight.  Other bools are, where
 // one sensor is asked about: they can be switches that the flight operates, as a pull wire.
 #include <string.h>
@@ -182,6 +183,20 @@ static bool waits_for(Waits *w, const State *s, const TrialEntry *e, uint32_t in
     return found;
 }
 
+// Whether the state switches an output on.
+static bool drives(const Trials *t, const State *state)
+{
+    bool found = false;
+
+    for (uint32_t n = 1; n <= t->a->p->stmts; n++) {
+        const Stmt *s = t->stmt[n];
+        const StmtFact *f = &t->a->stmt[n];
+        if (s && s->kind == ST_ASSIGN && t->state_of[n] == state && t->actuator[t->a->m->var_of[s->var->index]] && f->reached)
+            found |= f->value.lo < 0 || f->value.hi > 0;
+    }
+    return found;
+}
+
 void question_waits_for_sensor(Trials *t)
 {
     Waits w = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t),
@@ -190,7 +205,7 @@ void question_waits_for_sensor(Trials *t)
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
         bool found = false;
-        if (state->is_safe || state->is_abort)
+        if (state->is_safe || state->is_abort || (s == 0 && !drives(t, state)))
             continue;
         for (size_t n = 0; n < t->state[s].entry.n && n < TRIED && !found; n++) {
             const TrialEntry *e = &t->state[s].entry.at[n];
