@@ -26,7 +26,9 @@ typedef struct Asking {
     double *in;
     bool commands;                // people may give any
     const Failed *failed;         // or NULL
+    bool left;                    // some trial left the state before that, and not to abort
     bool stayed;                  // some trial stayed in the state until windows were full
+    bool aborted;                 // some trial aborted
     bool driven;                  // an output was on meanwhile
     uint64_t until;               // Trials.run.work at which the question has had enough
 } Asking;
@@ -63,6 +65,7 @@ static Fate hold(Asking *k, uint32_t state)
     for (uint32_t n = t->window + 5; n > 0 && f == STAYS; n--)
         f = step(k, state);
     k->stayed |= f == STAYS;
+    k->left |= f == LEAVES;
     for (int n = 0, idle = 0; n < TRIAL_PASSES && f == STAYS && idle < 2; n++) {
         idle = trial_pass(t, k->at, k->in, &t->trace) ? 0 : idle + 1;
         f = fate(k, state);
@@ -131,11 +134,12 @@ static bool can_abort(Asking *k, const AbortRow *r, bool commands, const Failed 
 
     k->commands = commands;
     k->failed = failed;
-    k->stayed = false;
+    k->stayed = k->left = false;
     k->until = k->t->run->work + WORK;
     for (size_t n = 0; n < s->entry.n && n < TRIED && !found; n++)
         found = aborts_from(k, &s->entry.at[n]);
     k->failed = NULL;
+    k->aborted = found;
     return found || !k->stayed;
 }
 
@@ -193,7 +197,7 @@ static bool cannot_at(Asking *k, const AbortRow *r, uint32_t input, double readi
 {
     const Failed f = {input, reading};
 
-    return !can_abort(k, r, false, &f);
+    return !can_abort(k, r, false, &f) || (!k->stayed && k->left && !k->aborted);
 }
 
 // Besides 0 the readings outside the range, as far as the type has any.

@@ -159,7 +159,7 @@ void question_cascade(Trials *t)
         const Transition *in = &a->transition.at[i], *out;
         const TrialNext next = t->next[in->stmt->number];
         Diag *d;
-        if (!in->when || next.trials < ARRIVALS || next.transition == 0)
+        if (!in->when || next.trials < ARRIVALS || next.left < next.trials || next.most <= 0)
             continue;
         out = t->transition[next.transition];
         if (!may_be_untaken(a, out) || !follows_from(s, in, out) || out->to == in->from || out->to == out->from || in->to == in->from)

@@ -295,8 +295,11 @@ static void note_next(Search *k, uint32_t transition)
 
     if (next->trials == UINT32_MAX)
         return;
-    trial_step(t, trial_copy(t, k->after, k->at), k->in, t->dt, &t->trace);
-    next->transition = next->trials == 0 || next->transition == t->trace.transition ? t->trace.transition : 0;
+    trial_step(t, trial_copy(t, k->after, k->at), k->now, t->dt, &t->trace);
+    next->left += t->trace.transition != 0;
+    if (next->most == 0)
+        next->transition = t->trace.transition;
+    next->most += next->transition == t->trace.transition ? 1 : -1;
     next->trials++;
 }
 

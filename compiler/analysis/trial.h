@@ -45,8 +45,9 @@ typedef struct TrialEntry {
 
 // What the step after a transition did, over all trials, with the inputs that led to the transition.
 typedef struct TrialNext {
-    uint32_t trials;
-    uint32_t transition;              // Stmt.number of the transition that it made each time; 0: none, or not always the same
+    uint32_t trials, left;            // how many; how many of them made a transition
+    uint32_t transition;              // Stmt.number of the one that most made, if most made one
+    int most;                         // by how many more than any other
 } TrialNext;
 
 typedef struct TrialState {

@@ -15,7 +15,7 @@
 #include "stdlib/math.h"
 
 enum {
-    ROOTS = 12,                   // of one input
+    ROOTS = 16,                   // of one input
     COMPARED_MOST = 400           // comparisons that are compared with each other
 };
 
@@ -353,7 +353,7 @@ static void find_differences(Finder *f, Remembered remembered, double *d)
 // set: gives the variable, or the group, that is varied the reading x.
 static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double x), uint32_t which, uint32_t bit, Remembered remembered, Roots *out)
 {
-    static const double at[] = {0, 1, 90, 3000, -40};
+    static const double at[] = {-1e5, -40, 0, 1, 90, 3000, 1e5};
     enum { POINTS = sizeof at / sizeof *at };
     const size_t n = f->comparison.n;
     double *d = ARENA_ARRAY(f->arena, double, n * POINTS + 1);

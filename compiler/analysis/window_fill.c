@@ -14,11 +14,11 @@
 
 enum {
     TRIED = 8,                    // entries of a state
-    DRAWS = 120,                  // inputs tried in each
+    DRAWS = 500,                  // inputs tried in each
     LATER = 60                    // steps and times that are followed once windows are full
 };
 static const uint64_t effort = 60000000;          // instructions
-static const double noise[] = {0, 0.02, 0.3, 5, 100};          // in TrialInput.scale
+static const double noise[] = {0.001, 0.02, 0.3, 5, 100};          // in TrialInput.scale
 enum { NOISES = sizeof noise / sizeof *noise };
 
 typedef struct WindowFill {
@@ -31,6 +31,7 @@ typedef struct WindowFill {
     uint32_t clock;
     double *earlier;              // what full windows hold
     double *before, *before_full; // variables before a step
+    bool same;                    // sensors have read what they read now since the start
     bool later;                   // both are full, or in another state: what differs now was decided before
     const Stmt *guard;            // on which the two differed first
     uint32_t samples;             // that the one had then
@@ -141,7 +142,7 @@ static void fill(WindowFill *w, const TrialEntry *e, void *situation, uint32_t e
     ir_run_clear_windows(t->run, w->filled);
     w->in = w->earlier;
     ir_run_fill(t->run, w->filled, earlier, fill_inputs, w);
-    w->in = e->in;
+    w->in = w->same ? in : e->in;
     w->noise = 0;                     // the same in both
     ir_run_fill(t->run, w->filled, e->steps, fill_inputs, w);
     ir_run_copy_window(t->run, situation, w->filled, w->window);
@@ -259,8 +260,9 @@ static void try_entry(WindowFill *w, const TrialState *s, const TrialEntry *e)
         w->window = n % windows;
         memcpy(w->in, e->in, t->inputs * sizeof *w->in);
         trial_draw(t, w->in, s, true, false);
+        w->same = trial_below(t, 2);
         choose_earlier(w, trial_below(t, 4));
-        w->noise = noise[trial_below(t, NOISES)];
+        w->noise = trial_below(t, 2) ? 0 : noise[trial_below(t, NOISES)];
         if (glitch != IR_NONE && t->input[glitch].command)
             continue;
         if (decides(w, e, glitch, glitch == IR_NONE ? 0 : t->input[glitch].reading[trial_below(t, t->input[glitch].readings)]))

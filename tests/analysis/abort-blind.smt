@@ -148,7 +148,8 @@ U32  weird = 0
 .step
     weird > 40: -> Abort
     T > 5000: -> Away
-[Away]                      # at 0 the state is left
+[Away]                      #! W0901 'thrust' reads 0
+# it is left, for something else than an @abort state
 .step
     thrust < 5: -> Close2
     thrust > 1000: -> Abort
