@@ -167,7 +167,7 @@ docs/flight.svg: $(B)/flight/flight.log
 	$(FLIGHT_SVG) -o $@
 
 # tests/analysis: what the analyses find, and what they leave alone.
-CHECK_LINES += "analysis: $(B)/smc test tests/analysis" "findings: sh tests/findings/run.sh $(B)/smc"
+CHECK_LINES += "analysis: $(B)/smc test tests/analysis" "findings: sh tests/findings/run.sh $(B)/smc" "findings-seeded: sh tests/findings/seeded.sh $(B)/smc"
 
 # tests/graph: state diagrams, how they are laid out; and that others can read them, where Graphviz and librsvg are installed.
 GRAPH_MACHINES = $(wildcard tests/graph/machines/*.sm)

@@ -74,6 +74,8 @@ void question_abort(Trials *t)
     const AbortMatrix x = abort_matrix(t);
 
     for (size_t s = 0; s < x.n && x.declared; s++) {
+        if (x.row[s].state->is_safe && !x.row[s].drives)
+            continue;                                 // there is nothing to abort
         report_missing(a, &x.row[s]);
         if (x.row[s].latch)
             diag_report(a->diags, DIAG_abort_latched, x.row[s].latched->first->stmt->span, x.row[s].state->name->text,

@@ -6,7 +6,7 @@
 //   cascade        a state that is left in its first step by what led into it, and not always
 //
 // A state that is left without a condition lasts one step on purpose: a cycle with such a state and a condition is a way to do
-// something again for as long as the condition is true.
+// something again for as long as the condition is true.  If it switches an output at every step, it is reported all the same.
 #include <string.h>
 
 #include "compiler/analysis/questions.h"
@@ -25,6 +25,8 @@ typedef struct Flips {
     void *at;
     double *in;
     const Transition *made[STEPS];
+    bool switches;                // an output has changed in these steps
+    double *level;                // by IR variable: in the step before
 } Flips;
 
 // No command is given, one, or any of them.
@@ -48,12 +50,24 @@ static void choose_inputs(Flips *f, const TrialEntry *e, int n)
     }
 }
 
+static void note_switching(Flips *f, bool counts)
+{
+    const Trials *t = f->t;
+    const double *var = ir_run_vars(t->run, f->at);
+
+    for (uint32_t v = 0; v < t->run->m->var.n; v++) {
+        f->switches |= counts && t->actuator[v] && var[v] != f->level[v];
+        f->level[v] = var[v];
+    }
+}
+
 // How many transitions the cycle has that the last steps went through; 0: some step made none, or there is no cycle.
 static size_t run_cycle(Flips *f, const TrialEntry *e)
 {
     Trials *t = f->t;
     size_t n = 1;
 
+    f->switches = false;
     trial_copy(t, f->at, e->situation);
     for (uint32_t left = STEPS + t->window + (t->count ? 300 : 0); left > 0; left--) {       // what a counter ends is no cycle
         trial_step(t, f->at, f->in, t->dt, &t->trace);
@@ -61,6 +75,7 @@ static size_t run_cycle(Flips *f, const TrialEntry *e)
             return 0;
         if (t->trace.transition == 0)
             continue;
+        note_switching(f, left <= STEPS);
         memmove(f->made, f->made + 1, sizeof f->made - sizeof *f->made);
         f->made[STEPS - 1] = t->transition[t->trace.transition];
     }
@@ -116,7 +131,7 @@ static void report_cycle(const Flips *f, size_t n)
             if (f->made[STEPS - k] != there)
                 diag_note(a->diags, d, f->made[STEPS - k]->stmt->span, DIAG_note_goes_on, f->made[STEPS - k]->from->name->text,
                           f->made[STEPS - k]->to->name->text);
-    } else if (conditions == n) {
+    } else if (conditions == n || (f->switches && n > 1)) {
         d = diag_report(a->diags, DIAG_ping_pong, there->stmt->span, there->from->name->text, there->to->name->text);
         diag_note(a->diags, d, back->stmt->span, DIAG_note_way_back, condition_text(a->arena, back->when));
     }
@@ -126,6 +141,7 @@ void question_ping_pong(Trials *t)
 {
     Flips f = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
 
+    f.level = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     for (size_t s = 0; s < t->a->p->state.n; s++)
         for (size_t n = 0; n < t->state[s].entry.n && n < TRIED; n++)
             for (int k = 0; k < HELD; k++) {

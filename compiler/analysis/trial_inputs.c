@@ -593,14 +593,14 @@ static bool only_counts(const Finder *f, const Var *v)
     return counts;
 }
 
-// A value made of sensors drives something only where it is bounded: an estimate is not.
+// A value made of sensors drives something only where it is bounded, or where it is given levels too: an estimate is not.
 static bool is_estimate(const Finder *f, const Var *v)
 {
     bool made_of_sensors = false;
 
     for (size_t w = 0; w < f->words; w++)
         made_of_sensors |= f->data[v->index * f->words + w] != 0;
-    return made_of_sensors && !f->bounded[v->index];
+    return made_of_sensors && !f->bounded[v->index] && distinct(f->given[v->index].at, f->given[v->index].n) == 0;
 }
 
 // A bool that the machine writes; a number that is off at rest: an assignment, or the lower end of what it can be, makes it 0.  One that
