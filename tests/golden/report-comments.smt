@@ -106,13 +106,13 @@ Abort matrix
 ------------
 
 From which states the machine can abort, and whether it still can when one sensor is dead, sticks,
-or leaves its range. Steps are those at worst, from the one in which the condition holds to the
-first in the abort state. How long a counter, a timer or a rolling statistic takes until its
-condition holds comes before, and is not counted.
+or leaves its range: with people who give commands, and without. Steps are those at worst, from the
+one in which the condition holds to the first in the abort state. How long a counter, a timer or a
+rolling statistic takes until its condition holds comes before, and is not counted.
 
-  State  Can it abort?         Steps, once a condition holds
-  Full   yes                   1
-  Hold   only by a command     1
+  State  Can it abort?         Without a command?  Steps, once a condition holds
+  Full   yes                   yes                 1
+  Hold   yes                   no                  1
   Abort  it is an abort state
 
 The ways to abort

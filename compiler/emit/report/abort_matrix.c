@@ -6,19 +6,28 @@
 #include "compiler/emit/report/words.h"
 
 static const DocColumn abort_columns[] = {
-    {"state", "State"}, {"verdict", "Can it abort?"}, {"steps", "Steps, once a condition holds"}, {"hangs_on", "What it hangs on"}};
+    {"state", "State"}, {"verdict", "Can it abort?"}, {"alone", "Without a command?"}, {"steps", "Steps, once a condition holds"}, {"hangs_on", "What it hangs on"}};
 static const DocColumn way_columns[] = {
     {"state", "State"}, {"to", "To"}, {"guard", "When"}, {"watches", "Watches"}, {"steps", "Steps, once it holds"}, {"line", "Line"}};
 
-static const char *verdict_text(const AbortRow *row)
+static bool has_command(const AbortRow *row)
+{
+    for (size_t w = 0; w < row->way.n; w++)
+        if (row->way.at[w].by_input && row->way.at[w].possible)
+            return true;
+    return false;
+}
+
+// With people who give commands, or without.
+static const char *verdict_text(const AbortRow *row, bool commands)
 {
     switch (row->verdict) {
-    case ABORT_ITSELF: return "it is an abort state";
-    case ABORT_UNREACHED: return "the machine never comes here";
+    case ABORT_ITSELF: return commands ? "it is an abort state" : "";
+    case ABORT_UNREACHED: return commands ? "the machine never comes here" : "";
     case ABORT_NO_PATH: return "no";
-    case ABORT_LATER: return "only through states that may wait";
-    case ABORT_BY_COMMAND: return "only by a command";
-    case ABORT_ONE_SENSOR: return "not if one sensor fails";
+    case ABORT_LATER: return commands ? "only through states that may wait" : "";
+    case ABORT_BY_COMMAND: return commands ? "yes" : "no";
+    case ABORT_ONE_SENSOR: return commands && has_command(row) ? "yes" : "not if one sensor fails";
     case ABORT_OK: return "yes";
     }
     return "";
@@ -45,7 +54,8 @@ static void put_steps(const Report *r, DocTable *t, uint32_t steps)
 static void put_row(const Report *r, DocTable *t, const AbortRow *row)
 {
     cell_state(t, row->state->name->text);
-    cell_plain(t, verdict_text(row));
+    cell_plain(t, verdict_text(row, true));
+    cell_plain(t, verdict_text(row, false));
     put_steps(r, t, row->steps);
     cell_text(t, hangs_on(r, row));
 }
@@ -113,7 +123,7 @@ void report_abort(Report *r, Doc *d)
         return;
     }
     doc_paragraph(d, "From which states the machine can abort, and whether it still can when one sensor is dead, sticks, or leaves "
-                     "its range. Steps are those at worst, from the one in which the condition holds to the first in the abort "
+                     "its range: with people who give commands, and without. Steps are those at worst, from the one in which the condition holds to the first in the abort "
                      "state. How long a counter, a timer or a rolling statistic takes until its condition holds comes before, "
                      "and is not counted.");
     t = DOC_TABLE_OF(d, "abort", abort_columns);
