@@ -273,7 +273,10 @@ static void count_stmt(const Stmt *s, void *context)
 
 // ---- the case ----
 
-static void prepare(Sound *r, Subject *s, Arena *arena)
+// Trial runs take by far the longest and claim nothing for every input: of some programs they are made to see that they end.
+static bool is_run(const char *analysis, const Gen *g) { return strcmp(analysis, "trials") != 0 || g->seed % 20 == 0; }
+
+static void prepare(Sound *r, Subject *s, const Gen *g, Arena *arena)
 {
     Arena *a = &s->session.arena;
     const Program *p = s->program;
@@ -289,7 +292,7 @@ static void prepare(Sound *r, Subject *s, Arena *arena)
     r->no_state = ARENA_ARRAY(a, bool, p->state.n);
     r->no_block = arena_array(a, p->state.n, sizeof *r->no_block);
     analysis_begin(&r->a, a, &s->session.diags, p);
-#define ANALYSIS(name, group, sentence) analyse_##name(&r->a);
+#define ANALYSIS(name, group, sentence) if (is_run(#name, g)) analyse_##name(&r->a);
 #include "compiler/analysis/analyses.def"
 #undef ANALYSIS
     claim_all(r);
@@ -326,7 +329,7 @@ RunResult run_sound(Gen *g, Arena *arena)
     out.message = subject_compile(&s, g, arena);
     if (out.message == NULL) {
         Count c = { &r, false, false };
-        prepare(&r, &s, arena);
+        prepare(&r, &s, g, arena);
         run_steps(&r, &s, g, &out);
         each_stmt(s.program, count_stmt, &c);
         out.met.impossible = c.impossible;
