@@ -7,4 +7,5 @@ F64 b @alias c            #! E0363 '@alias'
 F64 d @range 0 1
 F64 e @safe               #! E0375 [Name] @safe
 F64 f @range 1            #! E0377 the highest value
+F64 h @command
 F64 g
