@@ -4,7 +4,10 @@
 delta_t 50
 
 [all_states]
-G == 0: chill = true
+G == 0 {
+    chill    = true
+    lineTemp = 170
+}
 true: linePressure = 2
 
 [Soak]

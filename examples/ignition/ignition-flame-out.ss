@@ -27,7 +27,7 @@ true {
     pressureB = 5
     pressureC = 5
 }
-true: @assert T <= 2110
+true: @assert T <= 2090
 
 [all_states]
 2700 < G < 4600: @assert S == 5 and oxidizerValve and fuelValve

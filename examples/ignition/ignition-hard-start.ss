@@ -16,7 +16,7 @@ T >= 30 {
     pressureB = 45
     pressureC = 45
 }
-true: @assert T <= 60
+true: @assert T <= 40
 
 [Abort]
 true: @assert abortReason == 5 and not oxidizerValve and not fuelValve and not igniter and purgeValve

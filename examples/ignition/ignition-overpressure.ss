@@ -27,7 +27,7 @@ T >= 1500 {
     pressureB = 31
     pressureC = 29
 }
-true: @assert T <= 1530
+true: @assert T <= 1510
 
 [all_states]
 2700 < G < 4100: @assert S == 5 and fuelValve

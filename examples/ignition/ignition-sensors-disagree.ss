@@ -34,7 +34,7 @@ T >= 2000 {
     pressureB = 27
     pressureC = 13
 }
-true: @assert T <= 2120
+true: @assert T <= 2090
 
 [all_states]
 2700 < G < 4600: @assert S == 5 and fuelValve

@@ -7,6 +7,6 @@ delta_t 10
 true: altitude = min(400, max(0, 60 * (G / 1000 - 1)))
 G == 19000: @assert S == 2 and not drogueCharge
 G == 20000: @assert S == 3 and drogueCharge
-G == 79000: @assert S == 3 and not mainCharge
-G == 80000: @assert S == 4 and mainCharge
+G == 64000: @assert S == 3 and not mainCharge
+G == 65000: @assert S == 4 and mainCharge
 G == 90000: @stop

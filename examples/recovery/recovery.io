@@ -1,4 +1,5 @@
-# Which pin of an Arduino is what. The altimeter gives 0.5 V on the pad and 1 V more every 100 m.
+# Which pin of an Arduino is what. The altimeter gives 0.5 V on the pad and 1 V more every 100 m. A resistor
+# pulls its pin to ground: a broken wire reads -50 m and a short to the supply 450 m, neither of which the machine believes.
 # Igniters hang on transistors: a high pin lets the current through, and none must be high before the machine says so.
 
 [analog]

@@ -4,7 +4,7 @@
 U64  time               # ms since power-on
 
 [Altimeter]
-F32  altitude           # m above the pad
+F32  altitude @range -20 400  # m above the pad
 
 [Recovery]
 U32  state

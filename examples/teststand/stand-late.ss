@@ -33,9 +33,12 @@ G == 27500 {
     @assert abortReason == 4 and not igniter
 }
 G == 28000: key = false
-G == 28000: tankPressure = 2
-G == 33000: @assert S == 1
-G == 33000 {
+# A tank that reads 0 is not empty: its sensor is broken, and the vent stays open.
+G == 28000: tankPressure = 0
+G == 32500: @assert S == 7 and ventValve
+G == 32500: tankPressure = 2
+G == 33200: @assert S == 1
+G == 33300 {
     key          = true
     tankPressure = 40
 }
