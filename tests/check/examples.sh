@@ -1,13 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Runs the examples as their reader would: examples.sh SMC FOLDER...  Each machine M.sm of a folder is checked, without a word from
-# smc, and tested on every engine by its scripts M.ss and M-*.ss; a state vector (.sv) in the folder is for all its machines.
-# A script that belongs to no machine is a failure, as is a machine without a script.
+# Runs the examples as their reader would: examples.sh SMC FOLDER...  Each machine M.sm of a folder is checked for a flight, with the
+# step that its comment names ("Stepped every 10 ms"), and there must be no finding.  It is tested on every engine by its scripts
+# M.ss and M-*.ss; a state vector (.sv) in the folder is for all its machines.
+# A script that belongs to no machine is a failure, as is a machine without a script or without a step.
+# So that silence means something, machines that have @safe or @allow are checked again without them: most must draw a finding.
 smc=$1
 shift
 out=${TMPDIR:-/tmp}/smc-examples.$$
-trap 'rm -f "$out" "$out".smb' EXIT
-passed=0 failed=0
+trap 'rm -f "$out" "$out".smb "$out".sm' EXIT
+passed=0 failed=0 machines=0 marked=0
 
 # A test: its name, then the command, which must succeed; with quiet=1 it must say nothing either.
 expect() {
@@ -29,6 +31,17 @@ scripts_of() {
     done
 }
 
+# The option for the step that the comment of the machine $1 names.
+step_of() {
+    sed -n 's/.*Stepped every \([0-9]*\) ms.*/--step=\1/p' "$1"
+}
+
+# Without its marks, the machine $1 with the step $2 draws a finding.
+draws_finding() {
+    sed 's/ *@safe//; s/@allow([^)]*)//' "$1" >"$out".sm
+    "$smc" check -Wflight "$2" ${sv:+"$sv"} "$out".sm 2>&1 | grep ' \[W09[0-9]* '
+}
+
 # Sets `sv` to the option for the folder's state vector, or to nothing.
 find_vector() {
     sv=
@@ -45,10 +58,17 @@ for folder; do
         # shellcheck disable=SC2086
         set -- $scripts
         seen=$((seen + $#))
+        step=$(step_of "$machine")
+        machines=$((machines + 1))
+        expect "a step in the comment of $machine" test -n "$step"
         quiet=1
         expect check "$smc" check ${sv:+"$sv"} "$machine" "$@"
+        expect "check for a flight" "$smc" check -Wflight ${step:+"$step"} ${sv:+"$sv"} "$machine"
         expect build "$smc" build ${sv:+"$sv"} "$machine" -o "$out".smb
         quiet=
+        if grep -q '@safe\|@allow' "$machine"; then
+            draws_finding "$machine" "$step" >"$out" && marked=$((marked + 1))
+        fi
         expect scripts test $# -gt 0
         for script; do
             expect test "$smc" test --engine=all -Werror ${sv:+"$sv"} "$machine" "$script"
@@ -57,5 +77,6 @@ for folder; do
     # shellcheck disable=SC2012
     expect "a script of no machine in $folder" test "$(ls "$folder"/*.ss | wc -l)" -eq "$seen"
 done
+expect "ten machines, seven of them with findings without their marks" test "$machines" -ge 10 -a "$marked" -ge 7
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

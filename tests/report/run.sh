@@ -48,7 +48,9 @@ page tank 0 "$examples/tank/tank.sm" "$examples/tank/tank.ss"
 page chilldown 0 "$examples/chilldown/chilldown.sm" "$examples"/chilldown/chilldown*.ss
 page ignition 0 "$examples/ignition/ignition.sm" "$examples"/ignition/ignition*.ss
 page parachutes 0 "$examples/parachutes/parachutes.sm" "$examples"/parachutes/parachutes*.ss
-page mission 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/mission*.ss
+# Four scripts: the pages of the print are counted below.
+page mission 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/mission.ss \
+    "$examples"/mission/mission-accelerometer-broken.ss "$examples"/mission/mission-plugged-in.ss "$examples"/mission/mission-weak-motor.ss
 page airbrakes 0 "$examples/mission/airbrakes.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/airbrakes*.ss
 page hostile 1 "$here/hostile.sm" "$here/hostile.ss" "$here/failing.ss"
 page alone 0 "$examples/tank/tank.sm"
