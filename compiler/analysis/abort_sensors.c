@@ -82,27 +82,35 @@ static void failed_inputs(void *context, double *vars, uint32_t sample)
         vars[k->t->input[i].var] = ir_run_number(k->t->input[i].v->type, k->in[i]);
 }
 
-// Commands as they were if the state cannot last without; else none.
-static void begin(Asking *k, const TrialEntry *e)
+static bool lasts(Asking *k, const TrialEntry *e)
 {
-    Trials *t = k->t;
     const uint32_t state = trial_state(e->situation);
     Fate f = STAYS;
 
+    trial_copy(k->t, k->at, e->situation);
+    for (int n = 0; n < 3 && f == STAYS; n++)
+        f = step(k, state);
+    return f == STAYS;
+}
+
+// No command is given, unless the state lasts only with those that led here.
+static void begin(Asking *k, const TrialEntry *e)
+{
+    Trials *t = k->t;
+    bool as_they_were;
+
     memcpy(k->in, e->in, t->inputs * sizeof *k->in);
+    as_they_were = lasts(k, e);
     for (uint32_t i = 0; i < t->inputs; i++)
         if (t->input[i].command)
             k->in[i] = 0;
-    trial_copy(t, k->at, e->situation);
-    for (int n = 0; n < 3 && f == STAYS; n++)
-        f = step(k, state);
+    if (!lasts(k, e) && as_they_were)
+        memcpy(k->in, e->in, t->inputs * sizeof *k->in);
     trial_copy(t, k->at, e->situation);
     if (k->failed) {
         k->in[k->failed->input] = k->failed->reading;
         ir_run_fill(t->run, k->at, t->window, failed_inputs, k);
     }
-    if (f != STAYS)
-        memcpy(k->in, e->in, t->inputs * sizeof *k->in);
 }
 
 static bool aborts_from(Asking *k, const TrialEntry *e)
@@ -197,7 +205,13 @@ static bool cannot_at(Asking *k, const AbortRow *r, uint32_t input, double readi
 {
     const Failed f = {input, reading};
 
-    return !can_abort(k, r, false, &f) || (!k->stayed && k->left && !k->aborted);
+    return !can_abort(k, r, false, &f);
+}
+
+// A reading that no healthy sensor delivers must not lead anywhere else, either.
+static bool is_blind_at(Asking *k, const AbortRow *r, uint32_t input, double reading)
+{
+    return cannot_at(k, r, input, reading) || (!k->stayed && k->left && !k->aborted);
 }
 
 // Besides 0 the readings outside the range, as far as the type has any.
@@ -206,11 +220,11 @@ static void ask_blind(Asking *k, AbortRow *r, uint32_t input)
     const TrialInput *i = &k->t->input[input];
     const Fact type = fact_of_type(i->v->type);
     const bool ranged = i->v->range != NULL;
-    const bool zero = cannot_at(k, r, input, 0);
-    const bool below = ranged && fact_below(type, i->lo) >= type.lo && cannot_at(k, r, input, fact_below(type, i->lo)) &&
-                       cannot_at(k, r, input, i->lo - i->scale);
-    const bool above = ranged && fact_above(type, i->hi) <= type.hi && cannot_at(k, r, input, fact_above(type, i->hi)) &&
-                       cannot_at(k, r, input, i->hi + i->scale);
+    const bool zero = is_blind_at(k, r, input, 0);
+    const bool below = ranged && fact_below(type, i->lo) >= type.lo && is_blind_at(k, r, input, fact_below(type, i->lo)) &&
+                       is_blind_at(k, r, input, i->lo - i->scale);
+    const bool above = ranged && fact_above(type, i->hi) <= type.hi && is_blind_at(k, r, input, fact_above(type, i->hi)) &&
+                       is_blind_at(k, r, input, i->hi + i->scale);
     Arena *arena = k->t->a->arena;
     const bool say_zero = zero && !(below && i->lo > 0) && !(above && i->hi < 0);
 

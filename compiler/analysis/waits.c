@@ -101,23 +101,31 @@ static bool stays(Waits *w, uint32_t state)
     return trial_state(w->at) == state;
 }
 
-// Commands as they were, if the state cannot last without; else none is given.
-static void begin(Waits *w, const TrialEntry *e)
+static bool lasts_a_while(Waits *w, const TrialEntry *e)
 {
-    Trials *t = w->t;
     const uint32_t state = trial_state(e->situation);
     bool lasts = true;
 
+    trial_copy(w->t, w->at, e->situation);
+    for (int n = 0; n < 3 && lasts; n++)
+        lasts = stays(w, state);
+    return lasts;
+}
+
+// No command is given, unless the state lasts only with those that led here.
+static void begin(Waits *w, const TrialEntry *e)
+{
+    Trials *t = w->t;
+    bool as_they_were;
+
     memcpy(w->in, e->in, t->inputs * sizeof *w->in);
+    as_they_were = lasts_a_while(w, e);
     for (uint32_t i = 0; i < t->inputs; i++)
         if (t->input[i].command)
             w->in[i] = 0;
-    trial_copy(t, w->at, e->situation);
-    for (int n = 0; n < 3 && lasts; n++)
-        lasts = stays(w, state);
-    trial_copy(t, w->at, e->situation);
-    if (!lasts)
+    if (!lasts_a_while(w, e) && as_they_were)
         memcpy(w->in, e->in, t->inputs * sizeof *w->in);
+    trial_copy(t, w->at, e->situation);
 }
 
 // One history: other inputs change now and then.
