@@ -26,7 +26,7 @@ typedef struct Asking {
     double *in;
     bool commands;                // people may give any
     const Failed *failed;         // or NULL
-    bool left;                    // some trial left the state before that, and not to abort
+    bool left_at_once, left;      // some trial left it in two steps, or later but before that, and not to abort
     bool stayed;                  // some trial stayed in the state until windows were full
     bool aborted;                 // some trial aborted
     bool driven;                  // an output was on meanwhile
@@ -62,10 +62,11 @@ static Fate hold(Asking *k, uint32_t state)
     Trials *t = k->t;
     Fate f = STAYS;
 
-    for (uint32_t n = t->window + 5; n > 0 && f == STAYS; n--)
+    for (uint32_t n = t->window + 5; n > 0 && f == STAYS; n--) {
         f = step(k, state);
+        *(n > t->window + 3 ? &k->left_at_once : &k->left) |= f == LEAVES;
+    }
     k->stayed |= f == STAYS;
-    k->left |= f == LEAVES;
     for (int n = 0, idle = 0; n < TRIAL_PASSES && f == STAYS && idle < 2; n++) {
         idle = trial_pass(t, k->at, k->in, &t->trace) ? 0 : idle + 1;
         f = fate(k, state);
@@ -142,7 +143,7 @@ static bool can_abort(Asking *k, const AbortRow *r, bool commands, const Failed 
 
     k->commands = commands;
     k->failed = failed;
-    k->stayed = k->left = false;
+    k->stayed = k->left = k->left_at_once = false;
     k->until = k->t->run->work + WORK;
     for (size_t n = 0; n < s->entry.n && n < TRIED && !found; n++)
         found = aborts_from(k, &s->entry.at[n]);
@@ -205,13 +206,13 @@ static bool cannot_at(Asking *k, const AbortRow *r, uint32_t input, double readi
 {
     const Failed f = {input, reading};
 
-    return !can_abort(k, r, false, &f);
+    return !can_abort(k, r, false, &f) || (!k->stayed && !k->aborted && k->left && !k->left_at_once);
 }
 
 // A reading that no healthy sensor delivers must not lead anywhere else, either.
 static bool is_blind_at(Asking *k, const AbortRow *r, uint32_t input, double reading)
 {
-    return cannot_at(k, r, input, reading) || (!k->stayed && k->left && !k->aborted);
+    return cannot_at(k, r, input, reading) || (!k->stayed && !k->aborted && k->left_at_once);
 }
 
 // Besides 0 the readings outside the range, as far as the type has any.
