@@ -83,14 +83,20 @@ static void failed_inputs(void *context, double *vars, uint32_t sample)
         vars[k->t->input[i].var] = ir_run_number(k->t->input[i].v->type, k->in[i]);
 }
 
+// Whether the state lasts some steps with these commands and some healthy readings.
 static bool lasts(Asking *k, const TrialEntry *e)
 {
     const uint32_t state = trial_state(e->situation);
-    Fate f = STAYS;
+    Fate f = LEAVES;
 
-    trial_copy(k->t, k->at, e->situation);
-    for (int n = 0; n < 3 && f == STAYS; n++)
-        f = step(k, state);
+    for (int readings = 0; readings < 6 && f != STAYS; readings++) {
+        if (readings > 0)
+            trial_draw(k->t, k->in, &k->t->state[state - 1], false, false);
+        trial_copy(k->t, k->at, e->situation);
+        f = STAYS;
+        for (int n = 0; n < 3 && f == STAYS; n++)
+            f = step(k, state);
+    }
     return f == STAYS;
 }
 

@@ -101,14 +101,20 @@ static bool stays(Waits *w, uint32_t state)
     return trial_state(w->at) == state;
 }
 
+// Whether the state lasts some steps with these commands and some healthy readings.
 static bool lasts_a_while(Waits *w, const TrialEntry *e)
 {
     const uint32_t state = trial_state(e->situation);
-    bool lasts = true;
+    bool lasts = false;
 
-    trial_copy(w->t, w->at, e->situation);
-    for (int n = 0; n < 3 && lasts; n++)
-        lasts = stays(w, state);
+    for (int readings = 0; readings < 6 && !lasts; readings++) {
+        if (readings > 0)
+            trial_draw(w->t, w->in, &w->t->state[state - 1], false, false);
+        trial_copy(w->t, w->at, e->situation);
+        lasts = true;
+        for (int n = 0; n < 3 && lasts; n++)
+            lasts = stays(w, state);
+    }
     return lasts;
 }
 
