@@ -83,6 +83,7 @@ static void diagnose_app(Run *r, const TestFile *f)
 static void open_run(Run *r, const TestFile *f, size_t changed, const Buf *text)
 {
     session_init(&r->s, host_alloc, NULL, &host_oom);
+    r->s.warnings &= ~(1u << DIAG_GROUP_FLIGHT);          // they take long and propose no edits
     r->program = NULL;
     r->src = ARENA_ARRAY(&r->s.arena, Source *, f->part.n + 1);
     for (size_t i = 0; i < f->part.n; i++) {
