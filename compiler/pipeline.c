@@ -83,6 +83,28 @@ Program *session_program(Session *s, const MachineInput *in)
     return s->diags.met > errors ? NULL : p;
 }
 
+static bool declares_written_local(const Program *p, const Map *written)
+{
+    for (size_t i = 0; written && i < p->var.n; i++)
+        if (p->var.at[i]->kind == VAR_LOCAL && map_find(written, p->var.at[i]->name))
+            return true;
+    return false;
+}
+
+// Only errors can be new: of a local that is a constant in flight and a variable here.
+Program *session_program_for_scripts(Session *s, const MachineInput *in, Program *flown)
+{
+    const Diags reported = s->diags;
+    Program *p;
+
+    if (!declares_written_local(flown, in->written_outside))
+        return flown;
+    diags_init(&s->diags, &s->arena);
+    p = session_program(s, in);
+    s->diags = reported;
+    return p ? p : session_program(s, in);
+}
+
 // ---- an application ----
 
 static const Source *source_of(const AppFiles *files, FileKind kind)

@@ -2,6 +2,8 @@
 // Analyses: what looks wrong in a machine that is no error.  They read a machine as it was written, with what can be known of its
 // values, and report warnings.  They change nothing, and nothing that is compiled depends on them.
 //
+// A machine is analysed as it flies: compiled without the names that scripts write, so no local is `outside`.
+//
 // What is known (`facts`, `stmt`) comes from compiler/facts on the IR before any pass, of a machine that starts in its first
 // state; elements can be anything their type holds at the start of every step.  So what is called impossible here is
 // impossible, whatever the inputs.  What @range declares is used only where an analysis says so (whatif.h).

@@ -76,7 +76,7 @@ static bool comes_to(const Counter *c, const Var *v, SmF64 start, SmF64 x)
 
 static bool is_stepped_over(const Counter *c, const Var *v, SmF64 x)
 {
-    if (v->outside || c->other || sm_eq(c->by, sm_from_i32(0)) || comes_to(c, v, sm_cell_to_f64(v->type, v->init), x))
+    if (c->other || sm_eq(c->by, sm_from_i32(0)) || comes_to(c, v, sm_cell_to_f64(v->type, v->init), x))
         return false;
     for (uint32_t i = 0; i < c->starts; i++)
         if (comes_to(c, v, c->start[i], x))

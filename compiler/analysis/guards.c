@@ -25,7 +25,7 @@ uint32_t dead_of(Structure *k, Cause cause, const Stmt *stmt, const Stmt *earlie
 // Made of numbers and of locals that never change: those that are not marked @read_only have a finding of their own.
 static bool is_fixed(const Expr *e)
 {
-    if (e->kind == EX_ROLL || (e->kind == EX_VAR && (e->var->kind != VAR_LOCAL || e->var->written || e->var->outside)))
+    if (e->kind == EX_ROLL || (e->kind == EX_VAR && (e->var->kind != VAR_LOCAL || e->var->written)))
         return false;
     for (uint32_t i = 0; i < e->n; i++)
         if (!is_fixed(e->arg[i]))

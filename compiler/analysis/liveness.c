@@ -225,7 +225,7 @@ static void note_shown(Liveness *l)
 
     l->shown = new_set(l);
     for (uint32_t v = 0; v < m->var.n; v++)
-        if (m->var.at[v].space != IR_LOCAL || m->var.at[v].outside)
+        if (m->var.at[v].space != IR_LOCAL)
             put(l, l->shown, v);
     for (size_t i = 0; m->sample && i < m->sample->ins.n; i++)
         if (m->sample->ins.at[i].op == IR_load)

@@ -133,7 +133,7 @@ static void find(Finder *f)
         for (int b = 0; b < BLOCK_COUNT; b++)
             look_at_stmts(f, &f->m.p->state.at[s]->block[b]);
     for (size_t v = 0; v < f->m.p->var.n; v++)
-        f->m.of[v] = f->refused[v] || f->m.p->var.at[v]->outside ? (uint8_t)MOMENT_NONE : f->found[v];
+        f->m.of[v] = f->refused[v] ? (uint8_t)MOMENT_NONE : f->found[v];
 }
 
 Moments moments_of(Arena *arena, const Program *p)

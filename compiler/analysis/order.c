@@ -54,7 +54,7 @@ static bool add(const Order *o, Word *set, const Word *more)
 
 static bool is_looked_at(const Var *v)
 {
-    return v->kind == VAR_LOCAL && v->written && v->read && !v->outside;
+    return v->kind == VAR_LOCAL && v->written && v->read;
 }
 
 // Whether there are any.

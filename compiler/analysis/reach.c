@@ -194,7 +194,7 @@ static void note_change(const Stmt *s, void *context)
     const Var *v = s->var;
     double x;
 
-    if (s->kind != ST_ASSIGN || v->kind != VAR_LOCAL || v->outside || !f->reached)
+    if (s->kind != ST_ASSIGN || v->kind != VAR_LOCAL || !f->reached)
         return;
     if (fact_is_number(fact_convert(f->value, v->type), &x) && x == sm_cell_to_f64(v->type, v->init))
         k->stored[v->index] |= STORED_INITIAL;

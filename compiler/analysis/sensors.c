@@ -110,7 +110,7 @@ static Looks looks_of_var(const Sensors *s, const Var *v)
         add_sensor(&l, v);
     else if (is_only_read(s, v))
         l.input = true;
-    else if (v->kind == VAR_ELEMENT || v->outside)
+    else if (v->kind == VAR_ELEMENT)
         l.other = true;
     return l;
 }

@@ -51,7 +51,7 @@ static bool has_effect(const Stmt *stmt)
 {
     switch (stmt->kind) {
     case ST_TRANSITION: return true;
-    case ST_ASSIGN: return stmt->var->kind != VAR_LOCAL || stmt->var->outside;
+    case ST_ASSIGN: return stmt->var->kind != VAR_LOCAL;
     case ST_IF: return stmt->then.n == 0 && stmt->otherwise.n == 0;
     }
     return true;
@@ -166,13 +166,11 @@ static void report_never_written(Analysis *a, const Var *v)
 // Read and written, but perhaps for itself alone.
 static bool may_feed_itself(const Var *v)
 {
-    return v->kind == VAR_LOCAL && !v->outside && !v->read_only && v->read && v->written;
+    return v->kind == VAR_LOCAL && !v->read_only && v->read && v->written;
 }
 
 static void look_at_local(Analysis *a, const Var *v, bool needed)
 {
-    if (v->outside)
-        return;
     if (!v->read)
         diag_report(a->diags, v->written ? DIAG_unread_local : DIAG_unused_local, v->span, v->name->text);
     else if (!v->read_only && !v->written)

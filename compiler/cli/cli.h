@@ -84,9 +84,11 @@ const char *cli_shown(Arena *a, const char *name);
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v);
 void cli_put_pin(Buf *out, const SmvmPin *p);          // "digital input 2 with @pull_up"
 // Reads the scripts of the call, once each: by argument, NULL for what is no script or cannot be read (after a message).
-// The names that they assign go into `written`: a machine is compiled with those locals as variables.
+// Then cli_note_scripts.
 Source **cli_load_scripts(Cli *c, Map *written);
-void cli_note_written(Cli *c, const Source *ss, Map *written);     // the names that one script assigns
+// The names that scripts (by argument) assign go into `written`: a machine is compiled with those locals as variables, to run
+// them.  Without --step, the session's step becomes the delta_t of the scripts if all have the same.
+void cli_note_scripts(Cli *c, Source *const *ss, Map *written);
 // Writes outputs, after outputs_check.  EXIT_OK, or the exit code after a message: nothing has been replaced then.
 int cli_write(Cli *c, const OsOutput *out, size_t n);
 // The same for a command that edits its input in place; nothing is checked.
@@ -135,7 +137,8 @@ const char *warnings_complaint(Arena *arena, const Warnings *w);
 
 // ---- limits.c: --step, --max-ram, --max-step and --max-cycles ----
 
-bool limits_known(Cli *c);                // takes --step; false after a message: one of them is no number
+bool step_known(Cli *c);                  // reads --step; false after a message: it is no number
+bool limits_known(Cli *c);                // reads --step and the others; false after a message: one of them is no number
 bool limits_given(const Cli *c);
 // Reports what machine m, compiled from p as it will fly, takes beyond them.
 void limits_check(Cli *c, const Program *p, IrMachine *m);

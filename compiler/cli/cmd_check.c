@@ -16,15 +16,11 @@ static int check_scripts(Cli *c, Source *const *ss, const Program *p)
     return EXIT_OK;
 }
 
-// The machine as it will fly: without names, and nobody writes its locals.
-static void check_limits(Cli *c, const Source *sm, const Source *sv)
+// The machine as it will fly: without names.
+static void check_limits(Cli *c, const Program *p)
 {
-    MachineInput in = {sm, sv, NULL, option_level(c)};
-    Program *p;
-
     c->session.hide_locals = true;
-    if ((p = session_program(&c->session, &in)) != NULL)
-        limits_check(c, p, session_ir(&c->session, p, in.opt_level));
+    limits_check(c, p, session_ir(&c->session, p, option_level(c)));
     c->session.hide_locals = false;
 }
 
@@ -34,7 +30,7 @@ typedef VEC(const IoMap *) IoMaps;
 static int check_machine_file(Cli *c, const char *path, const Source *sv, Programs *all)
 {
     Map written = {&c->session.arena, NULL, NULL, 0, 0};
-    MachineInput in = {cli_load(c, path), sv, &written, option_level(c)};
+    MachineInput in = {cli_load(c, path), sv, NULL, option_level(c)};
     Source **ss;
     Program *p;
 
@@ -46,8 +42,10 @@ static int check_machine_file(Cli *c, const char *path, const Source *sv, Progra
     vec_push(&c->session.arena, all, p);
     session_analyse(&c->session, p);
     if (limits_given(c))
-        check_limits(c, in.sm, sv);
-    return check_scripts(c, ss, p);
+        check_limits(c, p);
+    in.written_outside = &written;
+    p = session_program_for_scripts(&c->session, &in, p);
+    return p ? check_scripts(c, ss, p) : EXIT_OK;
 }
 
 static int check_file(Cli *c, const char *path, const Source *sv, Programs *all, IoMaps *pins)

@@ -36,14 +36,19 @@ static void diagnose_machine(Fix *f, size_t machine)
 {
     Cli *c = f->c;
     Map written = {&c->session.arena, NULL, NULL, 0, 0};
-    MachineInput in = {f->src[machine], state_vector(f), &written, option_level(c)};
+    MachineInput in = {f->src[machine], state_vector(f), NULL, option_level(c)};
+    Source **ss = ARENA_ARRAY(&c->session.arena, Source *, c->files);
     Program *p;
 
     for (size_t i = 0; i < c->files; i++)
         if (is_script_of_machine(f, i))
-            cli_note_written(c, f->src[i], &written);
-    if ((p = session_program(&c->session, &in)) != NULL)
+            ss[i] = f->src[i];
+    cli_note_scripts(c, ss, &written);
+    if ((p = session_program(&c->session, &in)) != NULL) {
         session_analyse(&c->session, p);
+        in.written_outside = &written;
+        p = session_program_for_scripts(&c->session, &in, p);
+    }
     for (size_t i = 0; i < c->files; i++)
         if (is_script_of_machine(f, i) && p)
             session_script(&c->session, f->src[i], p);
@@ -199,6 +204,8 @@ int cmd_fix(Cli *c)
 
     if (code != EXIT_OK)
         return code;
+    if (!step_known(c))
+        return EXIT_USAGE;
     if (!load(&f))
         return EXIT_ENVIRONMENT;
     diagnose(&f);

@@ -19,11 +19,11 @@ static PutGraph *find_format(Cli *c)
 }
 
 // With scripts, what their runs have done is drawn over it.
-static int count_runs(Cli *c, const Analysis *a, Source *const *ss, Report *r)
+static int count_runs(Cli *c, const Analysis *a, const Program *scripted, Source *const *ss, Report *r)
 {
     r->arena = &c->session.arena;
     r->analysis = *a;
-    return runs_make(c, r, ss);
+    return runs_make(c, r, scripted, ss);
 }
 
 // The diagram shows how far a script came that failed.
@@ -39,8 +39,8 @@ static int tell_failures(Cli *c, const Report *r)
     return code;
 }
 
-// The diagram shows what the report says: warnings that are switched off are not marked.
-static int draw(Cli *c, const Program *p, PutGraph *put, Source *const *ss)
+// The diagram shows what the report says: warnings that are switched off are not marked.  `scripted`: p, compiled for scripts.
+static int draw(Cli *c, const Program *p, const Program *scripted, PutGraph *put, Source *const *ss)
 {
     Diags found;
     GraphOptions o = {&found, NULL, NULL};
@@ -58,7 +58,7 @@ static int draw(Cli *c, const Program *p, PutGraph *put, Source *const *ss)
     if ((code = cli_report(c)) != EXIT_OK)
         return code;
     analysis_begin(&a, &c->session.arena, &c->session.diags, p);
-    if ((code = count_runs(c, &a, ss, &r)) != EXIT_OK) {
+    if ((code = count_runs(c, &a, scripted, ss, &r)) != EXIT_OK) {
         cli_report(c);
         return code;
     }
@@ -77,18 +77,23 @@ static int draw(Cli *c, const Program *p, PutGraph *put, Source *const *ss)
 int cmd_graph(Cli *c)
 {
     Map written = {&c->session.arena, NULL, NULL, 0, 0};
-    MachineInput in = {NULL, NULL, &written, 2};
+    MachineInput in = {NULL, NULL, NULL, 2};
     PutGraph *put = find_format(c);
     const char *machine;
     int code = put ? runs_machine(c, &machine) : EXIT_USAGE;
+    Program *p, *scripted = NULL;
     Source **ss;
-    Program *p;
 
     if (code != EXIT_OK)
         return code;
+    if (!step_known(c))
+        return EXIT_USAGE;
     if ((in.sm = cli_load(c, machine)) == NULL || (c->given[OPT_SV] && (in.sv = cli_load(c, c->value[OPT_SV])) == NULL)
         || !runs_load(c, &ss, &written))
         return EXIT_ENVIRONMENT;
-    p = session_program(&c->session, &in);
-    return p ? draw(c, p, put, ss) : cli_report(c);
+    if ((p = session_program(&c->session, &in)) != NULL) {
+        in.written_outside = &written;
+        scripted = session_program_for_scripts(&c->session, &in, p);
+    }
+    return scripted ? draw(c, p, scripted, put, ss) : cli_report(c);
 }

@@ -19,6 +19,7 @@ typedef struct ReportCommand {
     const char *machine;
     const Source *sm, *sv, *pins;
     const IoMap *io;          // of the image that flies; or NULL
+    const Program *scripted;  // the machine, compiled for its scripts
     Report r;
 } ReportCommand;
 
@@ -32,28 +33,13 @@ static bool make_image(ReportCommand *x, IrMachine *m, bool debug, Buf *image)
     return session_image(&x->c->session, &m, 1, &o, image);
 }
 
-// Compiled once more, without regard to what scripts write: all that can be said of it has been said.
-static Program *compile_alone(ReportCommand *x)
+static bool weigh(ReportCommand *x, const Program *p)
 {
     Session *s = &x->c->session;
-    const MachineInput in = {x->sm, x->sv, NULL, option_level(x->c)};
-    const Diags said = s->diags;
-    Program *p;
-
-    diags_init(&s->diags, &s->arena);
-    p = session_program(s, &in);
-    s->diags = said;
-    return p;
-}
-
-static bool weigh(ReportCommand *x)
-{
-    Session *s = &x->c->session;
-    Program *p = compile_alone(x);
     Buf image, with_lines;
     IrMachine *m;
 
-    if (!p || (x->pins && (x->io = session_io(s, x->pins, x->sv)) == NULL))
+    if (x->pins && (x->io = session_io(s, x->pins, x->sv)) == NULL)
         return false;
     s->hide_locals = true;
     m = session_ir(s, p, option_level(x->c));
@@ -73,19 +59,24 @@ static bool weigh(ReportCommand *x)
 static int look_at_machine(ReportCommand *x, const Map *written)
 {
     Session *s = &x->c->session;
-    const MachineInput in = {x->sm, x->sv, written, option_level(x->c)};
+    MachineInput in = {x->sm, x->sv, NULL, option_level(x->c)};
     Program *p = session_program(s, &in);
 
     if (!p)
         return EXIT_PROBLEM;
+    in.written_outside = written;
+    if ((x->scripted = session_program_for_scripts(s, &in, p)) == NULL)
+        return EXIT_PROBLEM;
     x->r.arena = &s->arena;
     x->r.maker = "smc " SMC_VERSION;
+    x->r.step_given = x->c->given[OPT_STEP];
     s->warnings = DIAG_GROUPS_ALL;
     session_analyse(s, p);
     diags_apply_allows(&s->diags);
     diags_sort(&s->diags);
     analysis_begin(&x->r.analysis, &s->arena, &s->diags, p);
-    return s->diags.errors == 0 && weigh(x) ? EXIT_OK : EXIT_PROBLEM;
+    x->r.analysis.step = s->step;
+    return s->diags.errors == 0 && weigh(x, p) ? EXIT_OK : EXIT_PROBLEM;
 }
 
 // ---- the command ----
@@ -136,12 +127,14 @@ int cmd_report(Cli *c)
         return code;
     if ((writer = find_format(c)) == NULL)
         return EXIT_USAGE;
+    if (!step_known(c))
+        return EXIT_USAGE;
     if (c->given[OPT_IO] && !c->given[OPT_SV])
         return cli_usage(c, "--io names the pins of the image by the state vector that --sv names");
     if ((x.sm = cli_load(c, x.machine)) == NULL || (c->given[OPT_SV] && (x.sv = cli_load(c, c->value[OPT_SV])) == NULL)
         || (c->given[OPT_IO] && (x.pins = cli_load(c, c->value[OPT_IO])) == NULL) || !runs_load(c, &ss, &written))
         return EXIT_ENVIRONMENT;
-    if ((code = look_at_machine(&x, &written)) != EXIT_OK || (code = runs_make(c, &x.r, ss)) != EXIT_OK) {
+    if ((code = look_at_machine(&x, &written)) != EXIT_OK || (code = runs_make(c, &x.r, x.scripted, ss)) != EXIT_OK) {
         cli_report(c);
         return code;
     }

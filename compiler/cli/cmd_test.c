@@ -199,7 +199,7 @@ static int read_options(TestRun *t)
         return cli_usage(c, "--max-steps wants a whole number from 1, not '%s'", c->value[OPT_MAX_STEPS]);
     if (c->given[OPT_ENGINE] && (t->engines = engines_named(c->value[OPT_ENGINE])) == 0)
         return cli_usage(c, "--engine is ref, vm, vm-soft, c, c-soft or all, not '%s'", c->value[OPT_ENGINE]);
-    return EXIT_OK;
+    return step_known(c) ? EXIT_OK : EXIT_USAGE;
 }
 
 int cmd_test(Cli *c)

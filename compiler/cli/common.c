@@ -106,15 +106,34 @@ Source *cli_load(Cli *c, const char *path)
 }
 
 // Its mistakes are reported when it is compiled, not here.
-void cli_note_written(Cli *c, const Source *ss, Map *written)
+static uint64_t note_script(Cli *c, const Source *ss, Map *written)
 {
     Diags real = c->session.diags;
+    uint64_t delta_t = 0;
     AstFile *f;
 
     c->session.diags.muted = true;
-    if ((f = session_parse(&c->session, ss, FILE_SS)) != NULL)
+    if ((f = session_parse(&c->session, ss, FILE_SS)) != NULL) {
         script_written_names(f, written);
+        delta_t = script_delta_t(f);
+    }
     c->session.diags = real;
+    return delta_t;
+}
+
+void cli_note_scripts(Cli *c, Source *const *ss, Map *written)
+{
+    uint64_t step = 0;
+    bool agree = true;
+
+    for (size_t i = 0; i < c->files; i++)
+        if (ss[i]) {
+            const uint64_t delta_t = note_script(c, ss[i], written);
+            agree = agree && delta_t > 0 && (step == 0 || delta_t == step);
+            step = delta_t;
+        }
+    if (!c->given[OPT_STEP])
+        c->session.step = agree ? step : 0;
 }
 
 Source **cli_load_scripts(Cli *c, Map *written)
@@ -122,8 +141,9 @@ Source **cli_load_scripts(Cli *c, Map *written)
     Source **ss = ARENA_ARRAY(&c->session.arena, Source *, c->files);
 
     for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".ss") && (ss[i] = cli_load(c, c->file[i])) != NULL)
-            cli_note_written(c, ss[i], written);
+        if (has_suffix(c->file[i], ".ss"))
+            ss[i] = cli_load(c, c->file[i]);
+    cli_note_scripts(c, ss, written);
     return ss;
 }
 

@@ -28,11 +28,16 @@ static bool limit_is_number(Cli *c, OptionId id, const char *spelling)
     return false;
 }
 
-bool limits_known(Cli *c)
+bool step_known(Cli *c)
 {
     if (c->given[OPT_STEP])
         c->session.step = number_in(c->value[OPT_STEP]);
-    return limit_is_number(c, OPT_STEP, "--step") && limit_is_number(c, OPT_MAX_RAM, "--max-ram") && limit_is_number(c, OPT_MAX_STEP, "--max-step")
+    return limit_is_number(c, OPT_STEP, "--step");
+}
+
+bool limits_known(Cli *c)
+{
+    return step_known(c) && limit_is_number(c, OPT_MAX_RAM, "--max-ram") && limit_is_number(c, OPT_MAX_STEP, "--max-step")
         && limit_is_number(c, OPT_MAX_CYCLES, "--max-cycles");
 }
 

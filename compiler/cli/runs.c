@@ -49,7 +49,7 @@ static Engine *open_engine(Cli *c, const Program *p, const char **error)
     return engine_vm_open(&c->session.arena, p, (const uint8_t *)image.at, image.n, 0, error);
 }
 
-static void run_script(Cli *c, const Report *r, ReportRun *run, const Source *ss, Engine *vm)
+static void run_script(Cli *c, const Report *r, const Program *p, ReportRun *run, const Source *ss, Engine *vm)
 {
     Session *s = &c->session;
     const ScriptOptions o = {STEPS_MOST, NULL, NULL, true};
@@ -57,9 +57,9 @@ static void run_script(Cli *c, const Report *r, ReportRun *run, const Source *ss
     Engine *traced;
 
     run->name = report_file_name(ss->name);
-    trace_init(&run->trace, &s->arena, r->analysis.p, &r->analysis.transition);
+    trace_init(&run->trace, &s->arena, p, &r->analysis.transition);
     diags_init(&s->diags, &s->arena);
-    if ((run->script = session_script(s, ss, r->analysis.p)) != NULL) {
+    if ((run->script = session_script(s, ss, p)) != NULL) {
         traced = trace_engine(&run->trace, vm);
         run->result = script_run(&s->arena, &s->diags, run->script, &traced, 1, &o);
     }
@@ -67,21 +67,21 @@ static void run_script(Cli *c, const Report *r, ReportRun *run, const Source *ss
     s->diags = machine;
 }
 
-int runs_make(Cli *c, Report *r, Source *const *ss)
+int runs_make(Cli *c, Report *r, const Program *p, Source *const *ss)
 {
     const char *error;
     Engine *vm;
 
     if (c->files < 2)
         return EXIT_OK;
-    if ((vm = open_engine(c, r->analysis.p, &error)) == NULL) {
+    if ((vm = open_engine(c, p, &error)) == NULL) {
         cli_say(c, "%s", error);
         return EXIT_PROBLEM;
     }
     r->run = ARENA_ARRAY(&c->session.arena, ReportRun, c->files);
     for (size_t i = 0; i < c->files; i++)
         if (ss[i])
-            run_script(c, r, &r->run[r->runs++], ss[i], vm);
+            run_script(c, r, p, &r->run[r->runs++], ss[i], vm);
     vm->close(vm);
     return EXIT_OK;
 }

@@ -10,7 +10,7 @@
 int runs_machine(Cli *c, const char **machine);
 // Reads the scripts, by argument; false after a message.
 bool runs_load(Cli *c, Source ***ss, Map *written);
-// Runs them on an image with names of the machine that r->analysis is of, into r->run.
-int runs_make(Cli *c, Report *r, Source *const *ss);
+// Runs them into r->run, on an image with names of p: the machine of r->analysis, compiled for scripts.
+int runs_make(Cli *c, Report *r, const Program *p, Source *const *ss);
 
 #endif

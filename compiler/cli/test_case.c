@@ -142,17 +142,34 @@ static void collect_written(Case *c, Map *written)
     c->s.diags.muted = false;
 }
 
+static bool wants_analyses(const Case *c)
+{
+    const char *analyses = testfile_header(c->f, "analyses");
+
+    return c->warn.n > 0 || (analyses && strcmp(analyses, "on") == 0);
+}
+
+// The machine that runs the scripts.  What is found is found in the machine as it flies.
 static Program *compile_machine(Case *c)
 {
     Map written = {&c->s.arena, NULL, NULL, 0, 0};
-    MachineInput in = {find_source(c, ".sm"), find_source(c, ".sv"), &written, option_level(c->t->c)};
+    MachineInput in = {find_source(c, ".sm"), find_source(c, ".sv"), NULL, option_level(c->t->c)};
+    Program *flown;
 
     if (!in.sm) {
         session_state_vector(&c->s, in.sv);
         return NULL;
     }
+    if ((flown = session_program(&c->s, &in)) == NULL)
+        return NULL;
+    if (wants_analyses(c)) {
+        c->s.warnings = warnings_groups(&c->warn);
+        c->s.step = c->f->advance;
+        session_analyse(&c->s, flown);
+    }
     collect_written(c, &written);
-    return session_program(&c->s, &in);
+    in.written_outside = &written;
+    return session_program_for_scripts(&c->s, &in, flown);
 }
 
 static void compile_pins(Case *c)
@@ -190,9 +207,6 @@ static void compile_app(Case *c)
 
 static void compile_case(Case *c)
 {
-    const char *analyses = testfile_header(c->f, "analyses");
-    bool analysed = c->warn.n > 0 || (analyses && strcmp(analyses, "on") == 0);
-
     make_sources(c);
     if (count_parts(c->f, ".app")) {
         c->s.warnings = warnings_groups(&c->warn);
@@ -200,11 +214,6 @@ static void compile_case(Case *c)
         return;
     }
     c->p = compile_machine(c);
-    if (c->p && analysed) {
-        c->s.warnings = warnings_groups(&c->warn);
-        c->s.step = c->f->advance;
-        session_analyse(&c->s, c->p);
-    }
     compile_pins(c);
     compile_scripts(c);
     c->is_ready = c->f->outcome != TEST_ERROR && c->s.diags.errors == 0 && count_parts(c->f, ".ss") > 0;

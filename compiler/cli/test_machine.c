@@ -104,14 +104,18 @@ static int compile_machine(MachineTest *m, const char *path)
 {
     Cli *c = m->t->c;
     Map written = {m->t->arena, NULL, NULL, 0, 0};
-    MachineInput in = {NULL, NULL, &written, option_level(c)};
+    MachineInput in = {NULL, NULL, NULL, option_level(c)};
 
     if ((in.sm = cli_load(c, path)) == NULL)
         return EXIT_ENVIRONMENT;
     if (c->given[OPT_SV] && (in.sv = cli_load(c, c->value[OPT_SV])) == NULL)
         return EXIT_ENVIRONMENT;
     m->ss = cli_load_scripts(c, &written);
-    m->p = session_program(&c->session, &in);
+    if ((m->p = session_program(&c->session, &in)) == NULL)
+        return EXIT_PROBLEM;
+    session_analyse(&c->session, m->p);
+    in.written_outside = &written;
+    m->p = session_program_for_scripts(&c->session, &in, m->p);
     return m->p ? EXIT_OK : EXIT_PROBLEM;
 }
 

@@ -34,6 +34,8 @@ App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const Io
 
 // Puts the names that the script assigns into `names` (name to itself): what check_machine wants as written_outside.
 void script_written_names(const AstFile *ss, Map *names);
+// How much G advances from step to step in the script; 0: it has no valid delta_t.
+uint64_t script_delta_t(const AstFile *ss);
 
 // Offsets, sizes and hash of a state vector whose elements and regions are in place (layout.c).
 void layout_state_vector(StateVec *sv, Arena *arena);

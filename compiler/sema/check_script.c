@@ -17,20 +17,25 @@ typedef struct ScriptCheck {
 
 // ---- options ----
 
-// One number without a sign, whole, 1 … 2^63.
+// One number without a sign, whole, 1 … 2^63; 0: it is none.
+static uint64_t delta_t_value(const AstOption *o)
+{
+    const SmF64 highest = sm_from_u64(0x8000000000000000u);
+    SmF64 x;
+
+    if (!o->number || o->number->kind != AST_NUMBER)
+        return 0;
+    x = o->number->number;
+    return !sm_eq(sm_trunc(x), x) || sm_lt(x, sm_from_i32(1)) || sm_lt(highest, x) ? 0 : sm_to_u64(x);
+}
+
 static void check_delta_t(ScriptCheck *k, const AstOption *o)
 {
-    SmF64 highest = sm_from_u64(0x8000000000000000u), x;
-
     k->has_delta_t = true;
     k->script->delta_t_span = o->value_span;
-    if (!o->number || o->number->kind != AST_NUMBER)
-        return;                   // the parser has reported it
-    x = o->number->number;
-    if (!sm_eq(sm_trunc(x), x) || sm_lt(x, sm_from_i32(1)) || sm_lt(highest, x))
+    k->script->delta_t = delta_t_value(o);
+    if (k->script->delta_t == 0 && o->number && o->number->kind == AST_NUMBER)        // else the parser has reported it
         diag_report(k->s.diags, DIAG_delta_t_value, o->value_span);
-    else
-        k->script->delta_t = sm_to_u64(x);
 }
 
 static void check_init_state(ScriptCheck *k, const AstOption *o)
@@ -245,6 +250,17 @@ static void add_written(const AstStmts *stmts, Map *names)
     for (size_t i = 0; i < stmts->n; i++)
         if (stmts->at[i]->kind == AST_ASSIGN)
             map_put(names, stmts->at[i]->name, (void *)stmts->at[i]->name);
+}
+
+uint64_t script_delta_t(const AstFile *ss)
+{
+    uint64_t found = 0;
+
+    for (size_t i = 0; i < ss->sections.n; i++)
+        for (size_t o = 0; ss->sections.at[i]->kind == AST_OPTIONS && o < ss->sections.at[i]->options.n; o++)
+            if (strcmp(ss->sections.at[i]->options.at[o].name->text, "delta_t") == 0)
+                found = delta_t_value(&ss->sections.at[i]->options.at[o]);
+    return found;
 }
 
 void script_written_names(const AstFile *ss, Map *names)

@@ -1,4 +1,4 @@
-# A local that never changes is a constant; what a script writes is none, and a window's size is a constant too.
+# A local that never changes is a constant; also where a script writes it, and a window's size is a constant too.
 warn never-written
 -- app.sm --
 [state_vector]
@@ -11,7 +11,7 @@ F64 scale = (2)               #! W0207 'scale' is never written
 U16 n     = 20                #! W0207 'n'
 F64 limit = scale + 1         #! W0207 'limit'
 F64 pi    = 3.14159 @read_only
-F64 tuned = 5
+F64 tuned = 5                 #! W0207 'tuned'
 F64 last  = 0
 [Hold]
 .step

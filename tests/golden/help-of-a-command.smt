@@ -11,6 +11,7 @@ Options:
   --force                  replace an existing file that smc did not write; never a source or an input
   --sv=FILE                the application's state vector
   -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 2)
+  --step=N                 how much time advances from step to step, for what analyses find (default: delta_t of the scripts, if all have the same)
   --engine=ENGINE          what runs the machine: vm (default), vm-soft, ref, c, c-soft, several between commas, or all (but c-soft)
   --trace=FILE             write the values after every step as CSV: script, step, G, state, elements; - is standard output, and the result goes to standard error
   --trace-elements=NAMES   the columns of the trace after the state, as a,b,c (default: all that can change)

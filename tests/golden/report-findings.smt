@@ -29,15 +29,23 @@ Findings
 What the analyses found, of all groups. `smc explain` with a name or code prints what it means and
 what to do.
 
-  No.  Name            Group          Place     What was found                             Code
-    1  unused-element  on by default  a.sm:5:5  element 'unused' is listed but never used  W0203
+Time advances by 10 in a step, as in the scripts (`delta_t`).
+
+  No.  Name            Group          Place     What was found                                                          Code
+    1  unused-element  on by default  a.sm:5:5  element 'unused' is listed but never used                               W0203
+    2  never-written   on by default  a.sm:8:5  local 'wait' is never written, so it is a constant: mark it @read_only  W0207
 
 Allowed with a reason
   No.  Name            Place     What was found                            Why it is allowed
-    2  unused-element  a.sm:4:5  element 'spare' is listed but never used  wired, for the next flight
+    3  unused-element  a.sm:4:5  element 'spare' is listed but never used  wired, for the next flight
 
 element 'unused' is listed but never used [W0203 unused-element]
       5 | F32 unused @read_only
+
+local 'wait' is never written, so it is a constant: mark it @read_only [W0207 never-written]
+      8 | F64 wait = 100
+
+What to do is certain: `smc fix` makes the edit.
 
 element 'spare' is listed but never used [allowed]
 Allowed: wired, for the next flight

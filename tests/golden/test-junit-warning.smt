@@ -54,6 +54,10 @@ note: the machine has been in state 'Idle' from the start
   </testsuite>
 </testsuites>
 -- stderr --
+a.sm:4:5: warning: element 'x' is listed but never used [W0203 unused-element]
+    4 | F64 x
+      |     ^
+1 warning
 good.ss:4:10: warning: the script has no @assert: it tests only that @stop is reached [W0751 script-without-assert]
     4 | G == 30: @stop
       |          ^~~~~

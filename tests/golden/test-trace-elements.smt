@@ -60,10 +60,50 @@ a.ss
 cases
 t.csv
 -- stderr --
+a.sm:8:4: warning: local 'limit' is never used [W0204 unused-local]
+    8 | U8 limit = 3 @read_only
+      |    ^~~~~
+a.sm:9:5: warning: local 'n' is read only to work itself out [W0206 unused-local]
+    9 | I64 n = -9007199254740993
+      |     ^
+a.sm:9:10: warning: 9007199254740993 is too large to be exact: it counts as 9007199254740992 [W0415 precision-loss]
+    9 | I64 n = -9007199254740993
+      |          ^~~~~~~~~~~~~~~~
+3 warnings
+a.sm:8:4: warning: local 'limit' is never used [W0204 unused-local]
+    8 | U8 limit = 3 @read_only
+      |    ^~~~~
+a.sm:9:5: warning: local 'n' is read only to work itself out [W0206 unused-local]
+    9 | I64 n = -9007199254740993
+      |     ^
+a.sm:9:10: warning: 9007199254740993 is too large to be exact: it counts as 9007199254740992 [W0415 precision-loss]
+    9 | I64 n = -9007199254740993
+      |          ^~~~~~~~~~~~~~~~
+3 warnings
 smc: --trace-elements: the machine has no 'oppen'; did you mean 'open'?
 Try 'smc test --help'.
+a.sm:8:4: warning: local 'limit' is never used [W0204 unused-local]
+    8 | U8 limit = 3 @read_only
+      |    ^~~~~
+a.sm:9:5: warning: local 'n' is read only to work itself out [W0206 unused-local]
+    9 | I64 n = -9007199254740993
+      |     ^
+a.sm:9:10: warning: 9007199254740993 is too large to be exact: it counts as 9007199254740992 [W0415 precision-loss]
+    9 | I64 n = -9007199254740993
+      |          ^~~~~~~~~~~~~~~~
+3 warnings
 smc: --trace-elements: the machine has no 'nothing_like_it'; it has G, S, T, limit, n, open, p, q
 Try 'smc test --help'.
+a.sm:8:4: warning: local 'limit' is never used [W0204 unused-local]
+    8 | U8 limit = 3 @read_only
+      |    ^~~~~
+a.sm:9:5: warning: local 'n' is read only to work itself out [W0206 unused-local]
+    9 | I64 n = -9007199254740993
+      |     ^
+a.sm:9:10: warning: 9007199254740993 is too large to be exact: it counts as 9007199254740992 [W0415 precision-loss]
+    9 | I64 n = -9007199254740993
+      |          ^~~~~~~~~~~~~~~~
+3 warnings
 smc: --trace-elements takes names between commas, as in --trace-elements=pressure,valveOpen
 Try 'smc test --help'.
 smc: --trace-elements requires --trace=FILE

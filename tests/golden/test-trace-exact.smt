@@ -68,6 +68,16 @@ G == 4: @stop
 3 p 0x1.4666666666666p+2
 3 q 0x1.051eb8p-1
 -- stderr --
+a.sm:8:4: warning: local 'limit' is never used [W0204 unused-local]
+    8 | U8 limit = 3 @read_only
+      |    ^~~~~
+a.sm:9:5: warning: local 'n' is read only to work itself out [W0206 unused-local]
+    9 | I64 n = -9007199254740993
+      |     ^
+a.sm:9:10: warning: 9007199254740993 is too large to be exact: it counts as 9007199254740992 [W0415 precision-loss]
+    9 | I64 n = -9007199254740993
+      |          ^~~~~~~~~~~~~~~~
+3 warnings
 smc: --trace-format=exact does not name the script in its lines: trace one script at a time, or as csv
 Try 'smc test --help'.
 smc: --trace-format=exact always has every element: leave out --trace-elements

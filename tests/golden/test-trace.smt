@@ -50,3 +50,14 @@ a.ss,3,20,Busy,0,-9007199254740991,1,5.1,0.5099999904632568
 """b,c"".ss",3,2,Idle,2,-9007199254740992,0,5e-324,0
 """b,c"".ss",4,3,Idle,3,-9007199254740992,1,inf,inf
 """b,c"".ss",5,4,Busy,0,-9007199254740991,1,123456789,inf
+-- stderr --
+a.sm:8:4: warning: local 'limit' is never used [W0204 unused-local]
+    8 | U8 limit = 3 @read_only
+      |    ^~~~~
+a.sm:9:5: warning: local 'n' is read only to work itself out [W0206 unused-local]
+    9 | I64 n = -9007199254740993
+      |     ^
+a.sm:9:10: warning: 9007199254740993 is too large to be exact: it counts as 9007199254740992 [W0415 precision-loss]
+    9 | I64 n = -9007199254740993
+      |          ^~~~~~~~~~~~~~~~
+3 warnings

@@ -82,6 +82,18 @@ static void put_all(const Report *r, Doc *d, Diag *const *diag, size_t n, size_t
         put_finding(r, d, diag[i], first + i);
 }
 
+// Some findings rely on how far time advances in a step.
+static const char *step_text(const Report *r)
+{
+    const unsigned long step = (unsigned long)r->analysis.step;
+
+    if (r->analysis.step == 0)
+        return r->runs > 1 ? "How far time advances in a step is not known: the scripts do not have one `delta_t`. With `--step` the analyses find more."
+                           : "How far time advances in a step is not known. With `--step` the analyses find more.";
+    return format_in(r->arena, r->step_given ? "Time advances by %lu in a step, as given with `--step`."
+                                             : "Time advances by %lu in a step, as in the scripts (`delta_t`).", step);
+}
+
 void report_findings(Report *r, Doc *d)
 {
     const Diags *diags = r->analysis.diags;
@@ -93,6 +105,7 @@ void report_findings(Report *r, Doc *d)
         d, open ? "What the analyses found, of all groups. `smc explain` with a name or code prints what it means and what to do."
            : allowed ? "The analyses of all groups found nothing that is not allowed with a reason."
                      : "The analyses of all groups found nothing.");
+    doc_paragraph(d, step_text(r));
     if (open) {
         t = DOC_TABLE_OF(d, "findings", finding_columns);
         for (size_t i = 0; i < open; i++)

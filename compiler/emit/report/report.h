@@ -22,7 +22,8 @@ typedef struct ReportRun {
 
 typedef struct Report {
     Arena *arena;
-    Analysis analysis;            // its diags hold all findings, and what an @allow covers
+    Analysis analysis;            // its diags hold all findings, and what an @allow covers; its step is what they rely on
+    bool step_given;              // that step was given to the command, else it is the delta_t of the scripts
     Cost cost, flash, eeprom; // in instructions; estimated in cycles of an ATmega328P, by where the image is
     const uint8_t *image;         // as `smc build` writes it
     size_t image_size;

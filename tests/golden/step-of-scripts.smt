@@ -1,0 +1,72 @@
+# Without --step the step is the delta_t of the scripts, where they agree; the report says which step its findings rely on.
+args check -Wflight --step=100 a.sm
+args check -Wflight a.sm a.ss
+args test -Wflight -Werror a.sm a.ss
+args test -Wflight -Werror --step=100 a.sm other.ss
+args build -Wflight --step=100 a.sm
+args test -Wflight -Werror a.sm a.ss other.ss
+args report a.sm a.ss --format=text | grep -E 'window-not-full  |advances'
+args report a.sm other.ss --step=100 --format=text | grep -E 'window-not-full  |advances'
+args report a.sm a.ss other.ss --format=text | grep -E 'window-not-full  |advances'
+args report a.sm --format=text | grep -E 'window-not-full  |advances'
+args report a.sm --step=x --format=text
+args test a.sm a.ss --step=0
+
+-- a.sm --
+[state_vector]
+U64   time   @alias G
+U32   state  @alias S
+F64   p      @read_only
+[Start]
+.step
+    T > 1000 and roll_avg(p, 20) > 500: -> Run
+[Run] @safe
+-- a.ss --
+[options]
+delta_t 100
+[all_states]
+G == 0: p = 600
+G == 2900: @assert S == 2
+G == 3000: @stop
+-- other.ss --
+[options]
+delta_t 50
+[all_states]
+G == 0: p = 600
+G == 2900: @assert S == 2
+G == 3000: @stop
+-- stdout --
+2 passed, 0 failed
+Time advances by 100 in a step, as in the scripts (`delta_t`).
+    1  window-not-full  -Wflight  a.sm:7:5  this guard can hold before the window of 'roll_avg(p, 20)' is full: it has 12 of 20 samples  W0965
+Time advances by 100 in a step, as given with `--step`.
+    1  window-not-full  -Wflight  a.sm:7:5  this guard can hold before the window of 'roll_avg(p, 20)' is full: it has 12 of 20 samples  W0965
+How far time advances in a step is not known: the scripts do not have one `delta_t`. With `--step`
+How far time advances in a step is not known. With `--step` the analyses find more.
+-- stderr --
+a.sm:7:5: warning: this guard can hold before the window of 'roll_avg(p, 20)' is full: it has 12 of 20 samples [W0965 window-not-full]
+    7 |     T > 1000 and roll_avg(p, 20) > 500: -> Run
+      |     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+1 warning
+a.sm:7:5: warning: this guard can hold before the window of 'roll_avg(p, 20)' is full: it has 12 of 20 samples [W0965 window-not-full]
+    7 |     T > 1000 and roll_avg(p, 20) > 500: -> Run
+      |     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+1 warning
+a.sm:7:5: error: this guard can hold before the window of 'roll_avg(p, 20)' is full: it has 12 of 20 samples [W0965 window-not-full]
+    7 |     T > 1000 and roll_avg(p, 20) > 500: -> Run
+      |     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+1 error
+a.sm:7:5: error: this guard can hold before the window of 'roll_avg(p, 20)' is full: it has 12 of 20 samples [W0965 window-not-full]
+    7 |     T > 1000 and roll_avg(p, 20) > 500: -> Run
+      |     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+1 error
+a.sm:7:5: warning: this guard can hold before the window of 'roll_avg(p, 20)' is full: it has 12 of 20 samples [W0965 window-not-full]
+    7 |     T > 1000 and roll_avg(p, 20) > 500: -> Run
+      |     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+1 warning
+smc: --step wants a whole number from 1, not 'x'
+Try 'smc report --help'.
+smc: --step wants a whole number from 1, not '0'
+Try 'smc test --help'.
+-- exit --
+0 0 1 1 0 0 0 0 0 0 2 2
