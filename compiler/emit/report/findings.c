@@ -101,11 +101,10 @@ void report_findings(Report *r, Doc *d)
     DocTable *t;
 
     doc_section(d, "findings", "Findings");
-    doc_paragraph(
-        d, open ? "What the analyses found, of all groups. `smc explain` with a name or code prints what it means and what to do."
-           : allowed ? "The analyses of all groups found nothing that is not allowed with a reason."
-                     : "The analyses of all groups found nothing.");
-    doc_paragraph(d, step_text(r));
+    doc_paragraph(d, format_in(r->arena, "%s %s",
+        open ? "What the analyses found, of all groups. `smc explain` with a name or code prints what it means and what to do."
+        : allowed ? "The analyses of all groups found nothing that is not allowed with a reason."
+                  : "The analyses of all groups found nothing.", step_text(r)));
     if (open) {
         t = DOC_TABLE_OF(d, "findings", finding_columns);
         for (size_t i = 0; i < open; i++)
