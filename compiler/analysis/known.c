@@ -136,21 +136,59 @@ static bool pair_excludes(const Analysis *a, const Expr *x, SmOperator op, const
     return contradicts_zero(a, x, o, y, d) || contradicts_zero(a, y, op_of(op, holds, true), x, d);
 }
 
+// A guard without `and`, `or` and `not`.
+static bool comparison_excludes(const Analysis *a, const Expr *g, bool holds, const Expr *d)
+{
+    if (g->kind == EX_BINARY && is_comparison(g->op))
+        return pair_excludes(a, g->arg[0], g->op, g->arg[1], holds, d);
+    for (uint32_t i = 0; g->kind == EX_CHAIN && holds && i + 1 < g->n; i++)
+        if (pair_excludes(a, g->arg[i], expr_ops(g)[i], g->arg[i + 1], true, d))
+            return true;
+    return holds && is_same(a, g, d);
+}
+
+static int sign_of(const Analysis *a, const Expr *e)
+{
+    const Fact f = fact_of_types(a, e);
+
+    return f.lo >= 0 ? 1 : f.hi <= 0 ? -1 : 0;
+}
+
+// A sum, difference or maximum that is 0 only where both operands are 0: they cannot cancel.
+static bool is_zero_only_with_both(const Analysis *a, const Expr *d)
+{
+    const bool is_sum = d->kind == EX_BINARY && d->op == SM_OP_ADD, is_difference = d->kind == EX_BINARY && d->op == SM_OP_SUB;
+    int one, other;
+
+    if (!is_sum && !is_difference && !is_call(d, SM_FN_max))
+        return false;
+    one = sign_of(a, d->arg[0]);
+    other = sign_of(a, d->arg[1]);
+    if (is_call(d, SM_FN_max))
+        return one > 0 && other > 0;
+    return one != 0 && other == (is_sum ? one : -one);
+}
+
+// As deep as expressions nest: AST_DEPTH_MAX bounds it.
+static bool part_excludes(const Analysis *a, const Expr *g, bool holds, const Expr *d)
+{
+    if (comparison_excludes(a, g, holds, d))
+        return true;
+    if (d->kind == EX_UNARY && d->op == SM_OP_NEG)
+        return part_excludes(a, g, holds, d->arg[0]);
+    return is_zero_only_with_both(a, d) && (part_excludes(a, g, holds, d->arg[0]) || part_excludes(a, g, holds, d->arg[1]));
+}
+
 // That g holds (or does not) excludes that d is 0.
 static bool guard_excludes(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
     if (g->kind == EX_UNARY && g->op == SM_OP_NOT)
         return guard_excludes(a, g->arg[0], !holds, d);
-    if (g->kind == EX_BINARY && is_comparison(g->op))
-        return pair_excludes(a, g->arg[0], g->op, g->arg[1], holds, d);
     if (g->kind == EX_BINARY && (g->op == SM_OP_AND || g->op == SM_OP_OR)) {
         const bool one = guard_excludes(a, g->arg[0], holds, d), other = guard_excludes(a, g->arg[1], holds, d);
         return holds == (g->op == SM_OP_AND) ? one || other : one && other;
     }
-    for (uint32_t i = 0; g->kind == EX_CHAIN && holds && i + 1 < g->n; i++)
-        if (pair_excludes(a, g->arg[i], expr_ops(g)[i], g->arg[i + 1], true, d))
-            return true;
-    return holds && is_same(a, g, d);
+    return part_excludes(a, g, holds, d);
 }
 
 static bool mentions(const Expr *e, const Var *v)

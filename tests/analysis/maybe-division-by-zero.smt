@@ -12,6 +12,9 @@ F64 flow @read_only @range 0 40
 F64 x
 U8 u
 bool y
+bool p @read_only
+bool q @read_only
+bool r @read_only
 [local]
 F64 first = 5
 F64 d = 0
@@ -43,6 +46,23 @@ U32 count = 1
     x = 1 / (supply * supply)
     T > 0: x = a / T
     b > 5: x = a / b
+    p or q: x = a / (p + q)
+    p or q {
+        x = a / (p + q)
+    }
+    p + q > 0: x = a / (p + q)
+    p: x = a / (q + p)
+    p or q or r: x = a / (p + q + r)
+    p or n > 3: x = a / (n + p)
+    p or q: x = a / max(p, q)
+    p or q: x = a / (-p - q)
+    not p and not q: x = 0
+    else: x = a / (p + q)
+    p or q: x = a / (p + r)           #! W0417 'p + r'
+    p or q: x = a / (p - q)           #! W0417 'p - q'
+    not p or q: x = a / (p + q)       #! W0417 'p + q'
+    a > 0 or b > 0: x = 1 / (a + b)   #! W0417 'a + b'
+    p or q: x = 1 / (p + q + a)       #! W0417 'p + q + a'
     n != 0: x = a / n
     n: x = a / n
     a > b: x = 1 / (a - b)
