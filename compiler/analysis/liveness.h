@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which variables' values may still be read: backward over every function, and for locals over the states.
 //
-// Elements are read by others at the end of each step, and so is a local that somebody outside writes; what windows sample is
-// read when the next step begins.  Guards are not looked at: every way counts.
+// Elements are read by others at the end of each step; what windows sample is read when the next step begins.  Guards are not
+// evaluated: every path counts.
 #ifndef SMC_LIVENESS_H
 #define SMC_LIVENESS_H
 

@@ -100,46 +100,94 @@ static const IrIns *store_from(Stores *k, size_t state, int block, uint32_t var)
     return found;
 }
 
-static size_t enqueue_next(Stores *k, size_t *queue, size_t n, size_t state)
+// States that are still to be searched, each once.
+typedef struct Queue { size_t state[STATES_TRIED], n; } Queue;
+
+static void enqueue(Stores *k, Queue *q, size_t state)
 {
-    for (size_t t = k->first[state]; t < k->first[state + 1] && n < STATES_TRIED; t++) {
-        const size_t to = k->a->transition.at[t].to->number - 1;
-        if (k->seen[to] != k->searches)
-            queue[n++] = to;
-        k->seen[to] = k->searches;
-    }
-    return n;
+    if (q->n < STATES_TRIED && k->seen[state] != k->searches)
+        q->state[q->n++] = state;
+    k->seen[state] = k->searches;
 }
 
-static const IrIns *store_in_later_state(Stores *k, size_t from, uint32_t var)
+static void enqueue_next(Stores *k, Queue *q, size_t from)
 {
-    size_t queue[STATES_TRIED], n = 0;
+    for (size_t t = k->first[from]; t < k->first[from + 1]; t++)
+        enqueue(k, q, k->a->transition.at[t].to->number - 1);
+}
+
+// Where control can go from block blk of f on: into the queue, the states of transitions.  Whether it can also reach the end of f.
+static bool enqueue_after(Stores *k, const IrFn *f, IrBlkRef blk, Queue *q)
+{
+    bool returns = false;
+
+    k->walked[blk] = ++k->walks;
+    for (size_t b = blk; b < f->blk.n && k->work > 0; b++, k->work--) {
+        const IrJump *j = &f->blk.at[b].jump;
+        if (k->walked[b] != k->walks)
+            continue;
+        if (j->kind == IR_BR || j->kind == IR_JMP)
+            k->walked[j->then] = k->walks;
+        if (j->kind == IR_BR)
+            k->walked[j->otherwise] = k->walks;
+        if (j->kind == IR_GOTO)
+            enqueue(k, q, j->state - 1);
+        returns |= j->kind == IR_RET;
+    }
+    return returns;
+}
+
+static const IrIns *store_in_queue(Stores *k, Queue *q, uint32_t var, size_t *state)
+{
     const IrIns *found = NULL;
 
-    k->searches++;
-    n = enqueue_next(k, queue, n, from);
-    for (size_t i = 0; i < n && !found; i++) {
-        found = store_from(k, queue[i], BLOCK_ENTRY, var);
-        n = enqueue_next(k, queue, n, queue[i]);
+    for (size_t i = 0; i < q->n && !found; i++) {
+        *state = q->state[i];
+        found = store_from(k, *state, BLOCK_ENTRY, var);
+        enqueue_next(k, q, *state);
     }
     return found;
 }
 
-// Elements are overwritten in the same step; of a local that is never again assigned nothing is said.
-static const IrIns *overwriter(Stores *k, const DeadStore *dead)
+typedef enum When { SAME_STEP, NEXT_STEP, LATER_STATE } When;
+typedef struct Overwriter { const IrIns *store; When when; size_t state; } Overwriter;
+
+// The rest of the step, at its end .exit where it leaves the state.
+static const IrIns *store_in_same_step(Stores *k, const DeadStore *dead, bool leaves)
 {
     const uint32_t var = dead->store->var;
     const IrIns *found = store_behind(k, dead->f, dead->blk, dead->at + 1, var);
 
-    if (!found)
-        found = store_from(k, dead->state, (int)dead->block + 1, var);
-    if (k->a->m->var.at[var].space != IR_LOCAL)
-        return found;
-    if (!found && dead->block != BLOCK_EXIT)
-        found = store_from(k, dead->state, BLOCK_STEP, var);                 // in the next step
-    if (!found)
-        found = store_in_later_state(k, dead->state, var);
+    if (!found && dead->block == BLOCK_ENTRY)
+        found = store_from(k, dead->state, BLOCK_STEP, var);
+    if (!found && dead->block == BLOCK_STEP && leaves)
+        found = store_from(k, dead->state, BLOCK_EXIT, var);
     return found;
+}
+
+// Elements are overwritten in the same step; of a local that is never again assigned nothing is reported.
+static Overwriter overwriter(Stores *k, const DeadStore *dead)
+{
+    const uint32_t var = dead->store->var;
+    Overwriter o = {NULL, SAME_STEP, dead->state};
+    Queue q = {.n = 0};
+    bool stays;
+
+    k->searches++;
+    stays = enqueue_after(k, dead->f, dead->blk, &q) && dead->block != BLOCK_EXIT;
+    o.store = store_in_same_step(k, dead, q.n > 0);
+    if (o.store || k->a->m->var.at[var].space != IR_LOCAL)
+        return o;
+    o.when = NEXT_STEP;
+    if (stays)
+        o.store = store_from(k, dead->state, BLOCK_STEP, var);
+    if (o.store)
+        return o;
+    o.when = LATER_STATE;
+    if (stays || dead->block == BLOCK_EXIT)
+        enqueue_next(k, &q, dead->state);
+    o.store = store_in_queue(k, &q, var, &o.state);
+    return o;
 }
 
 // On every way from ins.at[at] of block blk to the end of f var is stored; `after`: and where f returns, it is behind.
@@ -174,15 +222,22 @@ static void look_at_dead(Analysis *a, const DeadStore *dead, void *context)
     Stores *k = context;
     const Stmt *stmt = stmt_of(&a->p->state.at[dead->state]->block[dead->block], dead->store->stmt);
     const Var *v = stmt->var;
-    const IrIns *other;
+    Overwriter other;
     Diag *d;
 
     if (!a->stmt[stmt->number].reached || is_itself(stmt) || (v->kind == VAR_LOCAL && !v->read))
         return;
-    if (is_beginning(k, dead, stmt) || (other = overwriter(k, dead)) == NULL)
+    if (is_beginning(k, dead, stmt) || (other = overwriter(k, dead)).store == NULL)
         return;
     d = diag_report(a->diags, DIAG_dead_store, stmt->span, v->name->text);
-    diag_note(a->diags, d, other->span, DIAG_note_overwritten_here);
+    if (other.store->stmt == dead->store->stmt)
+        diag_note(a->diags, d, (Span){NULL, 0, 0}, DIAG_note_overwritten_by_itself);
+    else if (other.when == NEXT_STEP)
+        diag_note(a->diags, d, other.store->span, DIAG_note_overwritten_next_step);
+    else if (other.when == LATER_STATE)
+        diag_note(a->diags, d, other.store->span, DIAG_note_overwritten_later, a->p->state.at[other.state]->name->text);
+    else
+        diag_note(a->diags, d, other.store->span, DIAG_note_overwritten_here);
 }
 
 static size_t most_blocks(const IrMachine *m)
