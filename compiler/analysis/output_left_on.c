@@ -62,6 +62,7 @@ static void report(const LeftOn *l, const State *s)
     Diag *d = diag_report(a->diags, DIAG_output_left_on, s->span, s->name->text, question_names(a->arena, l->output, l->outputs));
 
     for (uint32_t i = 0; i < l->outputs; i++) {
+        diag_about(a->diags, d, DIAG_OUTPUTS, l->output[i]->span);
         diag_step(a->diags, d, l->on[i]->span, DIAG_note_switched_on, l->output[i]->name->text);
         diag_step(a->diags, d, l->via[i]->stmt->span, DIAG_note_still_on, l->output[i]->name->text, s->name->text);
         if (!is_ever_off(l, l->output[i]))

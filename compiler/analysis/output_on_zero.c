@@ -398,9 +398,11 @@ static Diag *report_outputs(Zero *z, const Case *c, const Effect *e)
     Diag *d = diag_report(a->diags, DIAG_output_on_zero, e->at->span, z->t->input[c->sensor].v->name->text,
                           question_names(a->arena, e->output, e->outputs), failure_text(a->arena, c, e));
 
-    for (uint32_t i = 0; i < e->outputs; i++)
+    for (uint32_t i = 0; i < e->outputs; i++) {
+        diag_about(a->diags, d, DIAG_OUTPUTS, e->output[i]->span);
         if (e->on[i] != e->at)
             diag_note(a->diags, d, e->on[i]->span, DIAG_note_switched_on, e->output[i]->name->text);
+    }
     return d;
 }
 
@@ -412,6 +414,7 @@ static void report(Zero *z, const Case *c, const Effect *e)
     Diag *d = z->leaves ? diag_report(a->diags, DIAG_abort_exit, e->at->span, sensor, state, failure_text(a->arena, c, e))
                         : report_outputs(z, c, e);
 
+    diag_about(a->diags, d, DIAG_SENSOR, z->t->input[c->sensor].v->span);
     diag_note(a->diags, d, (Span){0}, DIAG_note_failure_example, state, sensor, const_text(a->arena, question_rounded(e->before)),
               const_text(a->arena, e->failed), format_in(a->arena, "%lu", (unsigned long)e->steps));
     diag_note(a->diags, d, (Span){0}, DIAG_note_failure_advice, sensor);

@@ -197,18 +197,23 @@ static bool waits_for(Waits *w, const State *s, const TrialEntry *e, uint32_t in
     return found;
 }
 
+// Whether statement n belongs to the state and can switch an output on.
+static bool switches_on(const Trials *t, uint32_t n, const State *state)
+{
+    const Stmt *s = t->stmt[n];
+    const StmtFact *f = &t->a->stmt[n];
+
+    return s && s->kind == ST_ASSIGN && t->state_of[n] == state && t->actuator[t->a->m->var_of[s->var->index]] && f->reached &&
+           (f->value.lo < 0 || f->value.hi > 0);
+}
+
 // Whether the state switches an output on.
 static bool drives(const Trials *t, const State *state)
 {
-    bool found = false;
-
-    for (uint32_t n = 1; n <= t->a->p->stmts; n++) {
-        const Stmt *s = t->stmt[n];
-        const StmtFact *f = &t->a->stmt[n];
-        if (s && s->kind == ST_ASSIGN && t->state_of[n] == state && t->actuator[t->a->m->var_of[s->var->index]] && f->reached)
-            found |= f->value.lo < 0 || f->value.hi > 0;
-    }
-    return found;
+    for (uint32_t n = 1; n <= t->a->p->stmts; n++)
+        if (switches_on(t, n, state))
+            return true;
+    return false;
 }
 
 void question_waits_for_sensor(Trials *t)
@@ -233,15 +238,37 @@ void question_waits_for_sensor(Trials *t)
 
 // ---- no limit to the time ----
 
+// What the state switches on, `first` first: the time of none of them has a limit.
+static uint32_t outputs_of(const Trials *t, const State *s, const Var *first, const Var **output)
+{
+    uint32_t n = 0;
+
+    output[n++] = first;
+    for (uint32_t i = 1; i <= t->a->p->stmts; i++) {
+        uint32_t k = 0;
+        while (switches_on(t, i, s) && k < n && output[k] != t->stmt[i]->var)
+            k++;
+        if (k == n)
+            output[n++] = t->stmt[i]->var;
+    }
+    return n;
+}
+
 static bool report_no_timeout(Waits *w, const State *s)
 {
     const Analysis *a = w->t->a;
     const Stmt *on = w->on;
+    const Var **output;
+    uint32_t outputs;
     Diag *d;
 
     if (!on)
         return false;
-    d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, on->var->name->text);
+    output = ARENA_ARRAY(a->arena, const Var *, a->p->var.n + 1);
+    outputs = outputs_of(w->t, s, on->var, output);
+    d = diag_report(a->diags, DIAG_no_timeout, s->span, s->name->text, question_names(a->arena, output, outputs));
+    for (uint32_t i = 0; i < outputs; i++)
+        diag_about(a->diags, d, DIAG_OUTPUTS, output[i]->span);
     diag_note(a->diags, d, on->span, DIAG_note_switched_on, on->var->name->text);
     return true;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What @allow does: takes warnings that are known and wanted out of the list, and tells of an @allow that nothing needs.
-// The parts of a source that are covered lie within each other or apart, so one walk over allows and warnings in the order of
-// the file, with a stack of those that are open, finds the innermost for each.
+// What @allow does: takes warnings that are known and wanted out of the list, and reports an @allow that nothing needs.
+// The parts of a source that are covered lie within each other or apart, so one walk over allows and the places of warnings in
+// the order of the file, with a stack of those that are open, finds the innermost for each.
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,9 +50,16 @@ static int compare_spans(const void *a, const void *b)
     return compare_places(&x->span, &y->span);
 }
 
-static int compare_diags(const void *a, const void *b)
+// A place where an @allow can cover a warning: its own, or a declaration that it names.
+typedef struct Place {
+    Diag *diag;
+    Span span;
+    DiagAllow *by;            // the innermost @allow that covers the place; NULL: none
+} Place;
+
+static int compare_diag_places(const void *a, const void *b)
 {
-    const Diag *x = *(Diag *const *)a, *y = *(Diag *const *)b;
+    const Place *x = *(Place *const *)a, *y = *(Place *const *)b;
 
     return compare_places(&x->span, &y->span);
 }
@@ -92,30 +99,70 @@ static void walk_to(Walk *w, const Span *at)
         w->depth--;
 }
 
-static void allow_one(Walk *w, Diag *x)
+static void cover(Walk *w, Place *x)
 {
-    const char *flag = diag_info[x->code].flag;
+    const char *flag = diag_info[x->diag->code].flag;
 
     walk_to(w, &x->span);
-    for (size_t i = w->depth; i-- > 0; )
-        if (!x->allowed && strcmp(w->open[i]->flag, flag) == 0) {
-            w->open[i]->used = true;
-            x->allowed = w->open[i]->reason;
-        }
+    for (size_t i = w->depth; i-- > 0 && !x->by; )
+        if (strcmp(w->open[i]->flag, flag) == 0)
+            x->by = w->open[i];
 }
+
+// places[0] is that of the warning, the others are those of what it names.  An @allow of one output of several does not cover the
+// warning, but without it the warning would have to be allowed elsewhere: it counts as used.
+static void judge(Diag *x, const Place *places)
+{
+    size_t open[DIAG_SUBJECTS] = {0};
+    const char *reason[DIAG_SUBJECTS] = {NULL};
+
+    if (places[0].by) {
+        places[0].by->used = true;
+        x->allowed = places[0].by->reason;
+        return;
+    }
+    for (size_t i = 0; i < x->about.n; i++) {
+        DiagAllow *by = places[i + 1].by;
+        const DiagSubject subject = x->about.at[i].subject;
+        open[subject] += !by;
+        if (!by)
+            continue;
+        by->used = true;
+        if (!reason[subject])
+            reason[subject] = by->reason;
+    }
+    for (int s = 0; s < DIAG_SUBJECTS && !x->allowed; s++)
+        if (open[s] == 0)
+            x->allowed = reason[s];
+}
+
+static bool can_be_allowed(const Diag *x) { return x->severity == DIAG_WARNING && diag_info[x->code].flag && !x->allowed; }
 
 static void find_allowed(Diags *d)
 {
     Walk w = {sorted_allows(d, compare_covers), d->allow.n, 0, ARENA_ARRAY(d->arena, DiagAllow *, d->allow.n), 0};
-    Diag **warning = ARENA_ARRAY(d->arena, Diag *, d->list.n + 1);
-    size_t n = 0;
+    Place *place, **sorted;
+    size_t most = 1, n = 0;
 
     for (size_t i = 0; i < d->list.n; i++)
-        if (d->list.at[i]->severity == DIAG_WARNING && diag_info[d->list.at[i]->code].flag && !d->list.at[i]->allowed)
-            warning[n++] = d->list.at[i];
-    qsort(warning, n, sizeof *warning, compare_diags);
+        most += 1 + d->list.at[i]->about.n;
+    place = ARENA_ARRAY(d->arena, Place, most);
+    sorted = ARENA_ARRAY(d->arena, Place *, most);
+    for (size_t i = 0; i < d->list.n; i++) {
+        Diag *x = d->list.at[i];
+        if (!can_be_allowed(x))
+            continue;
+        place[n++] = (Place){x, x->span, NULL};
+        for (size_t k = 0; k < x->about.n; k++)
+            place[n++] = (Place){x, x->about.at[k].span, NULL};
+    }
     for (size_t i = 0; i < n; i++)
-        allow_one(&w, warning[i]);
+        sorted[i] = &place[i];
+    qsort(sorted, n, sizeof *sorted, compare_diag_places);
+    for (size_t i = 0; i < n; i++)
+        cover(&w, sorted[i]);
+    for (size_t i = 0; i < n; i += 1 + place[i].diag->about.n)
+        judge(place[i].diag, &place[i]);
 }
 
 static void take_out(Diags *d)

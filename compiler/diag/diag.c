@@ -18,6 +18,7 @@ typedef struct DiagPlace {
     uint32_t at;
     DiagCode code;
     bool used;
+    Diag *diag;               // NULL: it was not kept
 } DiagPlace;
 
 void diags_init(Diags *d, Arena *arena)
@@ -62,7 +63,7 @@ static bool is_new(Diags *d, DiagCode code, Span span)
     p = find_place(d, span.src, span.at, code);
     if (p->used)
         return false;
-    *p = (DiagPlace){span.src, span.at, code, true};
+    *p = (DiagPlace){span.src, span.at, code, true, NULL};
     d->place_n++;
     return true;
 }
@@ -128,9 +129,13 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
     Diag *x;
 
     span.src = file_of(d, span.src);
-    if (!is_wanted(d, code, span))
+    if (!is_wanted(d, code, span)) {
+        d->first = span.src && d->place_cap ? find_place(d, span.src, span.at, code)->diag : NULL;
         return dropped(d);
+    }
     x = ARENA_NEW(d->arena, Diag);
+    if (span.src)
+        find_place(d, span.src, span.at, code)->diag = x;
     x->code = code;
     x->severity = diag_info[code].severity;
     x->span = span;
@@ -191,6 +196,18 @@ void diag_label(Diags *d, Diag *to, DiagCode text, ...)
     va_start(args, text);
     to->label = fill_in(d->arena, diag_info[text].message, args);
     va_end(args);
+}
+
+void diag_about(Diags *d, Diag *to, DiagSubject subject, Span declaration)
+{
+    const DiagAbout about = {declaration, subject};
+    Diag *x = to == d->dropped ? d->first : to;
+
+    for (size_t i = 0; x && i < x->about.n; i++)
+        if (x->about.at[i].subject == subject && x->about.at[i].span.src == declaration.src && x->about.at[i].span.at == declaration.at)
+            return;
+    if (x)
+        vec_push(d->arena, &x->about, about);
 }
 
 void diag_edit(Diags *d, Diag *to, Span span, const char *text)

@@ -58,6 +58,10 @@ typedef struct DiagNote {
     unsigned step;            // 1, 2, 3 … of a finding that takes several; 0: no step
 } DiagNote;
 
+// A declaration that a finding names: an @allow there covers it too, where all declarations of one subject have one.
+typedef enum DiagSubject { DIAG_SENSOR, DIAG_OUTPUTS, DIAG_SUBJECTS } DiagSubject;
+typedef struct DiagAbout { Span span; DiagSubject subject; } DiagAbout;
+
 // @allow: warnings of one flag in one part of a source are known and wanted.
 typedef struct DiagAllow {
     const char *flag, *reason;
@@ -74,6 +78,7 @@ typedef struct Diag {
     const char *label;                    // behind the caret, as "did you mean 'valveOpen'?"; or NULL
     VEC(DiagNote) notes;
     VEC(DiagEdit) edits;                  // together one proposed fix
+    VEC(DiagAbout) about;
     const char *allowed;                  // the reason of the @allow that covers it; else NULL
 } Diag;
 
@@ -87,6 +92,7 @@ typedef struct Diags {
     unsigned analysed;                    // 1u << DiagGroup of each group whose every warning has been reported: analyses have run
     bool muted;                           // while set, reports are dropped
     Diag *dropped;                        // stands for every report that is not in the list; its fields mean nothing
+    Diag *first;                          // what the last dropped report repeats; NULL: it repeats none
     VEC(const Source *) files;            // in the order first seen
     struct DiagPlace *place;              // where something was reported already: open addressing, a power of two long
     size_t place_cap, place_n;
@@ -107,6 +113,9 @@ void diag_note(Diags *d, Diag *to, Span span, DiagCode text, ...);
 void diag_step(Diags *d, Diag *to, Span span, DiagCode text, ...);
 // Sets the text behind the caret; `text` is a DIAG_NOTE_TEXT row.
 void diag_label(Diags *d, Diag *to, DiagCode text, ...);
+// The name of a variable where it is declared, which the diagnostic names as its sensor or as one of its outputs.  A report that
+// repeats another adds to that one: it is allowed only if what all of them name is.
+void diag_about(Diags *d, Diag *to, DiagSubject subject, Span declaration);
 // Proposes an edit that is certain to be meant.  `text` must live as long as the diagnostics.
 void diag_edit(Diags *d, Diag *to, Span span, const char *text);
 
