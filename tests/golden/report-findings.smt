@@ -27,9 +27,7 @@ Findings
 --------
 
 What the analyses found, of all groups. `smc explain` with a name or code prints what it means and
-what to do.
-
-Time advances by 10 in a step, as in the scripts (`delta_t`).
+what to do. Time advances by 10 in a step, as in the scripts (`delta_t`).
 
   No.  Name            Group          Place     What was found                                                          Code
     1  unused-element  on by default  a.sm:5:5  element 'unused' is listed but never used                               W0203
