@@ -26,7 +26,9 @@ static uint64_t delta_t_value(const AstOption *o)
     if (!o->number || o->number->kind != AST_NUMBER)
         return 0;
     x = o->number->number;
-    return !sm_eq(sm_trunc(x), x) || sm_lt(x, sm_from_i32(1)) || sm_lt(highest, x) ? 0 : sm_to_u64(x);
+    if (!sm_eq(sm_trunc(x), x) || sm_lt(x, sm_from_i32(1)) || sm_lt(highest, x))
+        return 0;
+    return sm_to_u64(x);
 }
 
 static void check_delta_t(ScriptCheck *k, const AstOption *o)
