@@ -47,7 +47,7 @@ typedef struct AbortRow {
     const Var *blind;             // if this one reads `blind_at`, no way is left; or NULL
     const char *blind_at;         // "0", "more than 40", "0 or less than -5"
     const Var *latch;             // what keeps it from aborting when it begins again; or NULL
-    const AbortWay *latched;      // the way that reads it
+    const AbortWay *latched;      // the transition that reads it
     double latched_at;            // its value then
     bool drives;                  // some trial had an output on in this state
     bool by_itself;               // some trial aborted, or left the state at once, without a command

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ability to abort hangs on: trials in which a sensor has failed, and trials in which nobody gives a command.
+// What the ability to abort hangs on: trials in which a sensor has failed, and trials without any command.
 //
 // A state can abort if some trial from it reaches an @abort state, directly or through states that lead nowhere else.  That it
 // cannot is said only where both agree: no trial does, and every transition that could do it depends on what has failed.
@@ -173,7 +173,7 @@ static void note_looks(Asking *k, AbortWay *w)
 
 static bool is_by_command_alone(const AbortWay *w) { return w->by_input && w->sensors == 0 && !w->by_time; }
 
-// Whether every way that needs no person does.
+// Whether every transition to an abort that needs no person depends on this sensor.
 static bool all_look_at(const AbortRow *r, const Var *v)
 {
     bool any = false;

@@ -305,7 +305,7 @@ static void note_next(Search *k, uint32_t transition)
 
 // ---- the search ----
 
-// A longer time is many steps, of which only the samples matter; if nobody says how long a step is, they are too many to count.
+// A longer time is many steps, of which only the samples matter. If the step is not known, their number is not either.
 static void count_steps(Search *k, double before)
 {
     const Trials *t = k->t;
@@ -341,7 +341,7 @@ static bool search_step(Search *k, bool pass)
     via = t->transition[t->trace.transition];
     t->taken[t->trace.transition] = true;
     if (t->a->step == 0 && t->by_time[t->trace.transition])
-        k->steps = TRIAL_MANY;                        // nobody says how many steps that is
+        k->steps = TRIAL_MANY;                        // an unknown number of steps
     keep_entry(k, via);
     note_next(k, via->stmt->number);
     return via->to != via->from;

@@ -36,7 +36,7 @@ typedef struct TrialEntry {
     void *situation;
     double *in;                       // inputs of the step that led here, by input
     const Transition *via;            // NULL: the start
-    uint32_t steps;                   // that have run since the start; TRIAL_MANY: many, or nobody can say how many
+    uint32_t steps;                   // that have run since the start; TRIAL_MANY: many, or an unknown number
     bool sick;                        // on the way a sensor has left its healthy range, or disagreed with its group
     bool commanded;                   // a person has changed a command on the way
     uint64_t key;                     // which locals and elements are zero

@@ -202,7 +202,7 @@ static void join_places(const StmtPlace *at, void *context)
         join(f, at->stmt->var->index, q);
 }
 
-// Whether two expressions are the same but for the variables in them.  What stands at the same place measures the same.
+// Whether two expressions are the same but for the variables in them.  Variables at the same position measure the same quantity.
 static bool is_alike(Finder *f, const Expr *a, const Expr *b, bool join_them)
 {
     bool alike = a->kind == b->kind && a->op == b->op && a->fn == b->fn && a->stat == b->stat && a->n == b->n;
@@ -336,7 +336,7 @@ static double difference(const Finder *f, size_t c)
     return expr_eval(f->comparison.at[c].left, f->value) - expr_eval(f->comparison.at[c].right, f->value);
 }
 
-// Which assignments are made anew for a reading: what another state, or an earlier step, has stored may be of long ago.
+// Which assignments are repeated for a reading: another state, or an earlier step, can have stored its value long ago.
 typedef enum Remembered { NOTHING, OTHER_STATES, EVERYTHING, REMEMBERED } Remembered;
 
 static void find_differences(Finder *f, Remembered remembered, double *d)

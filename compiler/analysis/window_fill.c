@@ -7,7 +7,7 @@
 // a code that decides later.
 //
 // Only situations that are reached without a command and in a number of steps that is known count: a person waits long enough, and
-// where nobody says how long a step is, so does a timer.
+// and if the step is not known, so does a timer.
 #include <string.h>
 
 #include "compiler/analysis/questions.h"
