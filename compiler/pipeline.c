@@ -91,6 +91,18 @@ static bool declares_written_local(const Program *p, const Map *written)
     return false;
 }
 
+// That a local is never written is a finding, whatever scripts do; but an edit that marks it @read_only would make a script that
+// writes it draw a warning, so it is not certain to be meant.
+static void withdraw_edits(Diags *d, const Program *p, const Map *written)
+{
+    for (size_t i = 0; i < d->list.n; i++) {
+        Diag *x = d->list.at[i];
+        for (size_t v = 0; x->code == DIAG_never_written && v < p->var.n; v++)
+            if (p->var.at[v]->span.at == x->span.at && map_find(written, p->var.at[v]->name))
+                x->edits.n = 0;
+    }
+}
+
 // Only errors can be new: of a local that is a constant in flight and a variable here.
 Program *session_program_for_scripts(Session *s, const MachineInput *in, Program *flown)
 {
@@ -99,6 +111,7 @@ Program *session_program_for_scripts(Session *s, const MachineInput *in, Program
 
     if (!declares_written_local(flown, in->written_outside))
         return flown;
+    withdraw_edits(&s->diags, flown, in->written_outside);
     diags_init(&s->diags, &s->arena);
     p = session_program(s, in);
     s->diags = reported;

@@ -43,8 +43,8 @@ StateVec *session_state_vector(Session *s, const Source *sv);
 IoMap *session_io(Session *s, const Source *io, const Source *sv);
 Program *session_program(Session *s, const MachineInput *in);
 // The machine that runs state scripts: in->written_outside names the locals that they write.  `flown` is the machine as it flies,
-// compiled from the same sources without them; findings, costs and images come from that one.  Returns `flown` where no
-// local is written.
+// compiled from the same sources without them and analysed before; findings, costs and images come from that one.  Returns
+// `flown` where no local is written.
 Program *session_program_for_scripts(Session *s, const MachineInput *in, Program *flown);
 // An application and all that it names, analyses included: app_files of its tree tells which files are wanted; who called has
 // given their texts.  NULL when there were errors in any of them.

@@ -64,14 +64,14 @@ static int look_at_machine(ReportCommand *x, const Map *written)
 
     if (!p)
         return EXIT_PROBLEM;
-    in.written_outside = written;
-    if ((x->scripted = session_program_for_scripts(s, &in, p)) == NULL)
-        return EXIT_PROBLEM;
     x->r.arena = &s->arena;
     x->r.maker = "smc " SMC_VERSION;
     x->r.step_given = x->c->given[OPT_STEP];
     s->warnings = DIAG_GROUPS_ALL;
     session_analyse(s, p);
+    in.written_outside = written;
+    if ((x->scripted = session_program_for_scripts(s, &in, p)) == NULL)
+        return EXIT_PROBLEM;
     diags_apply_allows(&s->diags);
     diags_sort(&s->diags);
     analysis_begin(&x->r.analysis, &s->arena, &s->diags, p);

@@ -51,13 +51,16 @@ static void note_written(Run *r, const TestFile *f, Map *written)
 static void diagnose_machine(Run *r, const TestFile *f)
 {
     Map written = {&r->s.arena, NULL, NULL, 0, 0};
-    MachineInput in = {find_source(f, r, ".sm"), find_source(f, r, ".sv"), &written, 2};
+    MachineInput in = {find_source(f, r, ".sm"), find_source(f, r, ".sv"), NULL, 2};
     Program *p;
 
     note_written(r, f, &written);
     if ((p = session_program(&r->s, &in)) == NULL)
         return;
     session_analyse(&r->s, p);
+    in.written_outside = &written;
+    if ((p = session_program_for_scripts(&r->s, &in, p)) == NULL)
+        return;
     r->program = p;
     for (size_t i = 0; i < f->part.n; i++)
         if (testfile_has_suffix(&f->part.at[i], ".ss"))

@@ -59,10 +59,6 @@ final state vector:
     1  never-written     on by default  a.sm:10:6   local 'unit' is never written, so it is a constant: mark it @read_only           W0207
     2  division-by-zero  on by default  a.sm:17:24  this divides by zero                                                             W0407
     3  output-on-zero    -Wflight       a.sm:23:27  'altitude' alone switches on 'mainPyro' when it reads 0, as a broken sensor can  W0903
-a.sm:10:
-  - F64  unit = 0
-  + F64  unit = 0 @read_only
-a.sm: 1 fixed
 -- stderr --
 a.sm:10:6: warning: local 'unit' is never written, so it is a constant: mark it @read_only [W0207 never-written]
    10 | F64  unit = 0
@@ -124,6 +120,9 @@ a.sm:23:27: warning: 'altitude' alone switches on 'mainPyro' when it reads 0, as
 note: for example in 'Fall': 'altitude' reads 1.894e+06, then 0; this happens in step 1 after that
 note: require that 'altitude' is plausible, or that a second sensor agrees
 3 warnings
+a.sm:10:6: warning: local 'unit' is never written, so it is a constant: mark it @read_only [W0207 never-written]
+   10 | F64  unit = 0
+      |      ^~~~
 a.sm:17:24: warning: this divides by zero [W0407 division-by-zero]
    17 |     ratio = altitude / unit
       |                        ^~~~
@@ -132,8 +131,4 @@ a.sm:23:27: warning: 'altitude' alone switches on 'mainPyro' when it reads 0, as
       |                           ^~~~~~~~~~~~~~~
 note: for example in 'Fall': 'altitude' reads 1.894e+06, then 0; this happens in step 1 after that
 note: require that 'altitude' is plausible, or that a second sensor agrees
-a.ss:7:5: warning: the script writes 'unit', a @read_only local, which is therefore no constant in this test [W0701 script-writes-constant]
-    7 |     unit = 2
-      |     ^~~~
-a.sm:10:6: note: 'unit' is declared here
 3 warnings

@@ -43,8 +43,6 @@ element 'unused' is listed but never used [W0203 unused-element]
 local 'wait' is never written, so it is a constant: mark it @read_only [W0207 never-written]
       8 | F64 wait = 100
 
-What to do is certain: `smc fix` makes the edit.
-
 element 'spare' is listed but never used [allowed]
 Allowed: wired, for the next flight
 
