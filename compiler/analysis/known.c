@@ -19,11 +19,11 @@ static const Known *with_guard(Arena *arena, const Known *outer, const Expr *gua
     return k;
 }
 
-static const Known *with_assigned(Arena *arena, const Known *outer, const Var *v)
+static const Known *with_assigned(Arena *arena, const Known *outer, const Stmt *assigned)
 {
     Known *k = ARENA_NEW(arena, Known);
 
-    *k = (Known){NULL, false, v, outer};
+    *k = (Known){NULL, false, assigned, outer};
     return k;
 }
 
@@ -65,7 +65,7 @@ static After walk(Walk *w, const Stmts *stmts, const Known *known)
         if (stmt->kind == ST_IF)
             at = walk_if(w, stmt, at.known);
         else if (stmt->kind == ST_ASSIGN)
-            at.known = with_assigned(w->a->arena, at.known, stmt->var);
+            at.known = with_assigned(w->a->arena, at.known, stmt);
         else
             at.leaves = true;
     }
@@ -210,7 +210,7 @@ static bool some_guard_excludes(const Analysis *a, const Known *known, const Exp
     for (size_t i = 0; known && i < TRIED; i++, known = known->outer) {
         bool stale = false;
         if (known->assigned)
-            assigned[n++] = known->assigned;
+            assigned[n++] = known->assigned->var;
         for (size_t v = 0; known->guard && v < n; v++)
             stale |= mentions(known->guard, assigned[v]);
         if (known->guard && !stale && guard_excludes(a, known->guard, known->holds, d))

@@ -8,9 +8,9 @@
 
 typedef struct Known Known;
 struct Known {
-    const Expr *guard;            // holds, or does not; NULL: `assigned` got another value since what is further out
+    const Expr *guard;            // holds, or does not; NULL: `assigned` was or may have been executed since what is further out
     bool holds;
-    const Var *assigned;
+    const Stmt *assigned;
     const Known *outer;
 };
 

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Windows that sample a variable before the step assigns it.  Windows take their samples when a step begins (language.md 7.4), so
+// where the machine assigns the variable and then uses a statistic of it, the statistic lacks the value of this step.
+//
+// Not reported, for there the old value is what is meant or all that there is:
+// 1. assignments after the use, as in `rate = x - last` ... `last = x`: the variable itself is old at the use, too;
+// 2. assignments in .entry alone: a beginning, followed by samples of what .step leaves;
+// 3. an element beside an input, as in `abs(order - position)`: what was ordered in the step before and what came of it.
+#include "compiler/analysis/known.h"
+
+typedef struct Uses {
+    Analysis *a;
+    const Stmts *block;
+    const Known *known;           // where the expression is
+    const Expr *roll;             // whose sample is being searched
+} Uses;
+
+static const Stmt *assigned_before(const Known *known, const Var *v)
+{
+    for (; known; known = known->outer)
+        if (known->assigned && known->assigned->var == v)
+            return known->assigned;
+    return NULL;
+}
+
+static void look_for_change(Expr *e, void *context)
+{
+    bool *changes = context;
+
+    if (e->kind == EX_VAR)
+        *changes |= e->var->written;
+}
+
+// Whether the assignment is made at every step of the state, of what the machine itself does not change.
+static bool can_be_inlined(const Uses *u, const Stmt *assigned)
+{
+    bool is_always = false, changes = false;
+
+    for (size_t i = 0; i < u->block->n; i++)
+        is_always |= u->block->at[i] == assigned;
+    expr_walk(assigned->value, look_for_change, &changes);
+    return is_always && !changes;
+}
+
+static void look_for_input(Expr *e, void *context)
+{
+    bool *input = context;
+
+    if (e->kind == EX_VAR)
+        *input |= e->var->kind == VAR_ELEMENT && !e->var->written;
+}
+
+static bool is_order_beside_input(const Expr *roll, const Var *v)
+{
+    bool input = false;
+
+    expr_walk(roll->arg[0], look_for_input, &input);
+    return v->kind == VAR_ELEMENT && input;
+}
+
+static void report(const Uses *u, const Var *v, const Stmt *assigned)
+{
+    Diags *diags = u->a->diags;
+    Diag *d = diag_report(diags, DIAG_late_sample, u->roll->span, v->name->text);
+
+    diag_note(diags, d, assigned->span, DIAG_note_assigned_after_sample, v->name->text);
+    if (can_be_inlined(u, assigned))
+        diag_note(diags, d, (Span){0}, DIAG_note_sample_itself, v->name->text, source_text(diags->arena, assigned->value->span));
+}
+
+// Inner windows are found by themselves.
+static void search_sample(const Uses *u, const Expr *e)
+{
+    const Stmt *assigned = e->kind == EX_VAR ? assigned_before(u->known, e->var) : NULL;
+
+    if (assigned && !is_order_beside_input(u->roll, e->var))
+        report(u, e->var, assigned);
+    for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
+        search_sample(u, e->arg[i]);
+}
+
+static void look_at_roll(Expr *e, void *context)
+{
+    Uses *u = context;
+
+    if (e->kind != EX_ROLL)
+        return;
+    u->roll = e;
+    search_sample(u, e->arg[0]);
+}
+
+static void look_at_stmt(void *context, const Stmt *stmt, const Known *known)
+{
+    Uses *u = context;
+
+    u->known = known;
+    if (stmt->kind != ST_TRANSITION)
+        expr_walk(stmt->value, look_at_roll, u);
+}
+
+void analyse_late_sample(Analysis *a)
+{
+    Uses u = {.a = a};
+
+    for (size_t s = 0; a->p->window.n && s < a->p->state.n; s++) {
+        u.block = &a->p->state.at[s]->block[BLOCK_STEP];
+        known_each(a, u.block, look_at_stmt, &u);
+    }
+}

@@ -1,0 +1,49 @@
+# Statistics of what the same step has assigned; what is meant to be old is left alone.
+warn no-all late-sample
+
+-- app.sm --
+[state_vector]
+U64  G
+U32  S
+F64  a        @read_only
+F64  b        @read_only
+bool valve
+F64  shown
+F64  order
+F64  alone
+[local]
+F64  p     = 0
+F64  q     = 0
+F64  last  = 0
+F64  start = 0
+bool bad   = false
+F64  arm   = 0
+[Watch]
+.entry
+    start = a
+    p = 0
+.step
+    roll_avg(p, 5) > 7: valve = true        # before it is assigned
+    p = max(a, b)
+    roll_min(p, 2) > 28: -> Done            #! W0421 in place of 'p' write what it is: max(a, b)
+    q = q * 0.9 + p * 0.1
+    shown = roll_max(q + 1, 3)              #! W0421 'q' is assigned here, after the window
+    shown = roll_avg(a - last, 4) + roll_avg(start, 3)
+    last = a
+    a > 30: bad = true
+    else: bad = roll_avg(b, 4) > 30
+    roll_min(bad, 3) > 0: -> Done           #! W0421 'bad'
+    valve = roll_avg(roll_avg(p, 2), 3) > 5 #! W0421 'p'
+    order = a * 2
+    alone = a * 3
+    roll_min(abs(order - b), 4) > 3: -> Done    # what came of the last order
+    roll_min(alone, 4) > 3: -> Done             #! W0421 in place of 'alone' write what it is: a * 3
+    a > 1 {
+        arm = b
+    }
+    else {
+        shown = roll_avg(arm, 7)            # the other arm has assigned nothing
+    }
+[Done]
+.step
+    shown = roll_avg(p, 5)                  # only the other state assigns
