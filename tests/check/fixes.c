@@ -165,12 +165,10 @@ static bool is_still_there(const Diags *before, const Diags *after, const Diag *
     return false;
 }
 
-// What the second code says was true before: in what the first kept from being checked, or of a script that writes the local, which is a
-// constant in flight either way.
+// An error of the second code was there before, in what the first kept from being checked.
 static bool is_uncovered(int code, int then)
 {
-    static const int pairs[][2] = {{DIAG_assign_in_guard, DIAG_unknown_element}, {DIAG_reason_quotes, DIAG_foreign_operator},
-                                  {DIAG_never_written, DIAG_script_writes_constant}};
+    static const int pairs[][2] = {{DIAG_assign_in_guard, DIAG_unknown_element}, {DIAG_reason_quotes, DIAG_foreign_operator}};
 
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
         if (pairs[i][0] == code && pairs[i][1] == then)
@@ -189,7 +187,7 @@ static const char *wrong(const Diags *before, const Diags *after, const Diag *x)
         if (i != (int)x->code && diag_info[i].id && diag_info[i].severity == DIAG_ERROR && count(after, i) > count(before, i) && !is_uncovered(x->code, i))
             return format_in(after->arena, "has an edit that brings %s", diag_info[i].id);
     for (int i = 0; before->errors == 0 && i < DIAG_COUNT; i++)
-        if (is_on(i) && count(after, i) > count(before, i) && !(only_deletes(x) && may_follow(i)) && !is_uncovered(x->code, i))
+        if (is_on(i) && count(after, i) > count(before, i) && !(only_deletes(x) && may_follow(i)))
             return format_in(after->arena, "has an edit that brings %s", diag_info[i].id);
     return NULL;
 }
