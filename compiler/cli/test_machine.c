@@ -7,7 +7,7 @@
 typedef struct MachineTest {
     TestRun *t;
     const char *path;         // of the machine
-    double begin;             // when the script at hand began
+    double begin;             // when the current script began
     Program *p;
     EngineSet engines;
     Source **ss;              // by argument: the scripts, read once; NULL: no script, or it cannot be read

@@ -274,7 +274,7 @@ static void nest_calls(Sema *s, Diag *d, const AstExpr *e)
     diag_label(s->diags, d, DIAG_label_write, text);
 }
 
-// What the call means with so many arguments; false: nobody knows.
+// What the call means with so many arguments; false if unclear.
 static bool label_argument_count(Sema *s, Diag *d, const AstExpr *e, SmBuiltin fn)
 {
     const AstArgs *args = e->args;

@@ -17,7 +17,7 @@ typedef struct ScriptCheck {
 
 // ---- options ----
 
-// One number without a sign, whole, 1 … 2^63; 0: it is none.
+// One number without a sign, whole, 1 … 2^63; 0 if it is not one.
 static uint64_t delta_t_value(const AstOption *o)
 {
     const SmF64 highest = sm_from_u64(0x8000000000000000u);

@@ -164,7 +164,7 @@ typedef struct Shared {
     size_t n;
     uint32_t gap[STATEMENTS_MAX], begin[STATEMENTS_MAX];      // what separates a statement from the one before it begins; it begins
     uint32_t end;             // of the last one
-    uint32_t trailing;        // end of a ';' after it; 0: there is none
+    uint32_t trailing;        // end of a ';' after it; 0 if none
     bool clear;               // there is nothing else
 } Shared;
 
@@ -268,7 +268,7 @@ uint32_t hint_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at,
 
 // ---- lines below a colon ----
 
-// The line below l, which holds the source up to its end; false: there is none.
+// The line below l, which holds the source up to its end; false at the end of the source.
 static bool next_line(Line *l)
 {
     uint32_t p = l->end;

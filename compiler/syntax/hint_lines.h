@@ -18,7 +18,7 @@ typedef enum HintSeparator {
 uint32_t hint_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator);
 
 // A line ends after a condition's colon.  If the lines below are indented more, they are the condition's statements: proposes braces.
-// Returns where they end; 0: there are none.
+// Returns where they end; 0 if there is no such statement.
 uint32_t hint_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon);
 
 #endif

@@ -233,7 +233,7 @@ static void skip_continuation(Parser *p)
     }
 }
 
-// The statement that ended before `at` shares its line with another.  False if it is none.
+// The statement that ended before `at` shares its line with another.  False if no statement ended there.
 static bool shares_line(Parser *p, Diag *d, uint32_t at)
 {
     const uint32_t until = hint_shared_line(p->diags, d, p->lex.src, at, HINT_OTHER);
