@@ -25,7 +25,7 @@ ar)
     exec "${cc%gcc}ar" "$@" ;;
 present)
     command -v "$cc" >/dev/null && command -v "${emulator%% *}" >/dev/null &&
-        { [ "${link%% *}" != linux ] || echo 'int main(void) { return 0; }' | $cc $options -x c - -static -o /dev/null 2>/dev/null; } ||
+        { [ "${link%% *}" != linux ] || printf '#include <errno.h>\nint main(void) { return errno; }\n' | $cc $options -x c - -static -o /dev/null 2>/dev/null; } ||
         echo "apt-get install $(column 4 "$board")"
     exit 0 ;;
 vm)
