@@ -17,22 +17,13 @@ typedef struct Latch {
     double *in;
 } Latch;
 
-static void healthy_inputs(void *context, double *vars, uint32_t sample)
-{
-    const Latch *l = context;
-
-    (void)sample;
-    for (uint32_t i = 0; i < l->t->inputs; i++)
-        vars[l->t->input[i].var] = ir_run_number(l->t->input[i].v->type, l->in[i]);
-}
-
 // The transition that it makes to an abort within two steps; NULL: it makes another, or none.
 static const Transition *aborts_at_once(Latch *l, const TrialEntry *e)
 {
     Trials *t = l->t;
 
     trial_copy(t, l->at, e->situation);
-    ir_run_fill(t->run, l->at, t->window, healthy_inputs, l);
+    trial_fill_windows(t, l->at, l->in);
     for (int k = 0; k < AT_ONCE; k++) {
         const Transition *made;
         trial_step(t, l->at, l->in, t->dt, &t->trace);
@@ -66,29 +57,16 @@ static const Transition *aborts_where_not(Latch *l, const TrialEntry *e, const T
     return made;
 }
 
-typedef struct Differs { const Latch *l; const double *again, *first; const Var *found; } Differs;
-
-static void look_at_var(Expr *e, void *context)
-{
-    Differs *d = context;
-    const uint32_t v = e->kind == EX_VAR ? d->l->t->a->m->var_of[e->var->index] : IR_NONE;
-
-    if (v != IR_NONE && e->var->written && !d->found && d->again[v] != d->first[v])
-        d->found = e->var;
-}
-
 static bool look_at_pair(Latch *l, const State *state, const TrialEntry *e, const TrialEntry *other)
 {
     const Analysis *a = l->t->a;
     const Transition *made = aborts_where_not(l, e, other);
-    Differs d = {l, ir_run_vars(l->t->run, e->situation), ir_run_vars(l->t->run, other->situation), NULL};
+    const Var *latch = made ? trial_differing(l->t, made->when, e->situation, other->situation) : NULL;
 
-    for (const Condition *c = made ? made->when : NULL; c; c = c->outer)
-        expr_walk(c->stmt->value, look_at_var, &d);
-    if (d.found)
-        diag_report(a->diags, DIAG_abort_latch, made->stmt->span, state->name->text, d.found->name->text,
-                    const_text(a->arena, d.again[a->m->var_of[d.found->index]]));
-    return d.found != NULL;
+    if (latch)
+        diag_report(a->diags, DIAG_abort_latch, made->stmt->span, state->name->text, latch->name->text,
+                    const_text(a->arena, trial_vars(l->t, e->situation)[a->m->var_of[latch->index]]));
+    return latch != NULL;
 }
 
 static void look_at_state(Latch *l, const TrialState *s, const State *state)

@@ -3,8 +3,6 @@
 //
 // A state can abort if some trial from it reaches an @abort state, directly or through states that lead nowhere else.  That it
 // cannot is said only where both agree: no trial does, and every transition that could do it depends on what has failed.
-#include <string.h>
-
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/questions.h"
 
@@ -74,49 +72,12 @@ static Fate hold(Asking *k, uint32_t state)
     return f;
 }
 
-static void failed_inputs(void *context, double *vars, uint32_t sample)
-{
-    const Asking *k = context;
-
-    (void)sample;
-    for (uint32_t i = 0; i < k->t->inputs; i++)
-        vars[k->t->input[i].var] = ir_run_number(k->t->input[i].v->type, k->in[i]);
-}
-
-// Whether the state lasts some steps with these commands and some healthy readings.
-static bool lasts(Asking *k, const TrialEntry *e)
-{
-    const uint32_t state = trial_state(e->situation);
-    Fate f = LEAVES;
-
-    for (int readings = 0; readings < 6 && f != STAYS; readings++) {
-        if (readings > 0)
-            trial_draw(k->t, k->in, &k->t->state[state - 1], false, false);
-        trial_copy(k->t, k->at, e->situation);
-        f = STAYS;
-        for (int n = 0; n < 3 && f == STAYS; n++)
-            f = step(k, state);
-    }
-    return f == STAYS;
-}
-
-// No command is given, unless the state lasts only with those that led here.
 static void begin(Asking *k, const TrialEntry *e)
 {
-    Trials *t = k->t;
-    bool as_they_were;
-
-    memcpy(k->in, e->in, t->inputs * sizeof *k->in);
-    as_they_were = lasts(k, e);
-    for (uint32_t i = 0; i < t->inputs; i++)
-        if (t->input[i].command)
-            k->in[i] = 0;
-    if (!lasts(k, e) && as_they_were)
-        memcpy(k->in, e->in, t->inputs * sizeof *k->in);
-    trial_copy(t, k->at, e->situation);
+    trial_begin(k->t, e, k->at, k->in);
     if (k->failed) {
         k->in[k->failed->input] = k->failed->reading;
-        ir_run_fill(t->run, k->at, t->window, failed_inputs, k);
+        trial_fill_windows(k->t, k->at, k->in);
     }
 }
 
@@ -259,30 +220,15 @@ static void ask_single(Asking *k, AbortRow *r, uint32_t input)
 
 // ---- what is left from a former abort ----
 
-typedef struct Differs { const Asking *k; const double *now, *other; const Var *found; } Differs;
-
-static void look_at_var(Expr *e, void *context)
-{
-    Differs *d = context;
-    const uint32_t v = e->kind == EX_VAR ? d->k->t->a->m->var_of[e->var->index] : IR_NONE;
-
-    if (v != IR_NONE && e->var->written && !d->found && d->now[v] != d->other[v])
-        d->found = e->var;
-}
-
 // Of two entries one can abort and the other cannot: a variable that a way reads and that differs.
 static void note_latch(Asking *k, AbortRow *r, const TrialEntry *stuck, const TrialEntry *other)
 {
-    Differs d = {k, ir_run_vars(k->t->run, stuck->situation), ir_run_vars(k->t->run, other->situation), NULL};
-
     for (size_t w = 0; w < r->way.n && !r->latch; w++) {
-        for (const Condition *c = r->way.at[w].first->when; c; c = c->outer)
-            expr_walk(c->stmt->value, look_at_var, &d);
-        r->latch = d.found;
+        r->latch = trial_differing(k->t, r->way.at[w].first->when, stuck->situation, other->situation);
         r->latched = &r->way.at[w];
     }
     if (r->latch)
-        r->latched_at = d.now[k->t->a->m->var_of[r->latch->index]];
+        r->latched_at = trial_vars(k->t, stuck->situation)[k->t->a->m->var_of[r->latch->index]];
 }
 
 static void ask_latch(Asking *k, AbortRow *r)

@@ -6,218 +6,18 @@
 #include <string.h>
 
 #include "compiler/analysis/sensors.h"
-#include "stdlib/math.h"
 #include "compiler/analysis/trial_inputs.h"
+#include "stdlib/math.h"
 
 enum {
     ENTRIES = 32,                 // situations kept for each state
     ROUNDS = 8,
     MORE_ROUNDS = 16,             // from states with transitions that no trial has made
     TRIES = 40,                   // from each state in each round
-    STEPS_OF_PASS = 40,           // where something changes that is no counter
     SEGMENTS = 4,                 // changes of inputs in one try
     ROOM = 4 << 20                // bytes of situations kept in all
 };
 static const uint64_t effort = 40000000;          // instructions spent on the search
-
-// ---- running ----
-
-void *trial_copy(const Trials *t, void *to, const void *from)
-{
-    if (!to)
-        to = arena_alloc(t->a->arena, t->run->size);
-    return memcpy(to, from, t->run->size);
-}
-
-void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace)
-{
-    const IrSituation *s = situation;
-    double *var = ir_run_vars(t->run, situation);
-
-    var[t->run->m->g] = s->ran ? s->last_g + dt : 0;
-    for (uint32_t i = 0; i < t->inputs; i++)
-        var[t->input[i].var] = ir_run_number(t->input[i].v->type, in[i]);
-    ir_run_step(t->run, situation, trace);
-}
-
-// ---- letting time pass ----
-
-static const double ever = 1e9;                   // steps: longer than any timer
-
-static double steps_to(double from, double limit, double by)
-{
-    const double n = sm_ceil((limit - from) / by);
-
-    return n > 0 ? n - 1 : n == 0 ? 0 : ever;
-}
-
-static double steps_to_wait(const Trials *t, const void *situation)
-{
-    const IrSituation *s = situation;
-    double n = ever;
-
-    for (uint32_t w = 0; w < t->waits; w++)
-        if (t->wait[w] >= s->last_g - s->start)
-            n = sm_min(n, steps_to(s->last_g - s->start, t->wait[w], t->dt));
-    for (uint32_t w = 0; w < t->waits && t->stamped; w++)
-        n = sm_min(n, sm_max(sm_ceil(sm_max(t->wait[w] / 2, (s->last_g - s->start) / 4) / t->dt) - 1, 0));
-    return n;
-}
-
-uint32_t trial_wait_steps(const Trials *t, const void *situation)
-{
-    const double n = steps_to_wait(t, situation);
-
-    return n >= ever ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
-}
-
-uint32_t trial_leap_steps(const Trials *t, const double *before, const void *situation)
-{
-    const double *var = (const double *)(const void *)((const char *)situation + t->run->vars);
-    const IrMachine *m = t->run->m;
-    double n = steps_to_wait(t, situation);
-
-    for (uint32_t v = 0; v < m->var.n; v++) {
-        if (!m->var.at[v].writable || v == m->s || var[v] == before[v])
-            continue;
-        if (!t->limit[v])
-            return 0;
-        for (const double *l = t->limit[v]; *l == *l; l++)
-            n = sm_min(n, steps_to(var[v], *l, var[v] - before[v]));
-    }
-    return n >= ever ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
-}
-
-void trial_leap(const Trials *t, const double *before, void *situation, uint32_t steps)
-{
-    IrSituation *s = situation;
-    double *var = ir_run_vars(t->run, situation);
-    const IrMachine *m = t->run->m;
-    const double n = steps == TRIAL_MANY ? ever : steps;
-
-    s->last_g += n * t->dt;
-    for (uint32_t v = 0; v < m->var.n; v++)
-        if (t->limit[v] && m->var.at[v].writable)
-            var[v] = ir_run_number(m->var.at[v].type, var[v] + n * (var[v] - before[v]));
-}
-
-bool trial_pass(Trials *t, void *situation, const double *in, IrTrace *trace)
-{
-    uint32_t n = 0;
-
-    for (int k = 0; k < STEPS_OF_PASS && n == 0; k++) {
-        memcpy(t->before, ir_run_vars(t->run, situation), t->run->m->var.n * sizeof *t->before);
-        trial_step(t, situation, in, t->dt, trace);
-        if (trace->transition)
-            return true;
-        n = trial_leap_steps(t, t->before, situation);
-    }
-    trial_leap(t, t->before, situation, n);
-    return n != TRIAL_MANY;
-}
-
-bool trial_advances(const Trials *t, const double *before, const void *situation)
-{
-    const double *var = (const double *)(const void *)((const char *)situation + t->run->vars);
-    const IrMachine *m = t->run->m;
-
-    for (uint32_t w = 0; w < t->waits; w++)
-        if (var[m->t] > before[m->t] && t->wait[w] > var[m->t])
-            return true;
-    for (uint32_t v = 0; v < m->var.n; v++)
-        for (const double *l = t->limit[v]; l && *l == *l; l++)
-            if (var[v] > before[v] && *l > var[v])
-                return true;
-    return false;
-}
-
-bool trial_same(const Trials *t, const void *a, const void *b)
-{
-    const double *x = (const double *)(const void *)((const char *)a + t->run->vars);
-    const double *y = (const double *)(const void *)((const char *)b + t->run->vars);
-    const IrMachine *m = t->run->m;
-
-    if (trial_state(a) != trial_state(b) || trial_entering(a) != trial_entering(b))
-        return false;
-    for (uint32_t v = 0; v < m->var.n; v++)
-        if (m->var.at[v].writable && v != m->g && v != m->t && v != m->s && x[v] != y[v])
-            return false;
-    return true;
-}
-
-// ---- choosing ----
-
-uint32_t trial_below(Trials *t, uint32_t n)
-{
-    t->random = t->random * 6364136223846793005u + 1442695040888963407u;
-    return n == 0 ? 0 : (uint32_t)((t->random >> 33) % n);
-}
-
-double *trial_new_inputs(Trials *t) { return ARENA_ARRAY(t->a->arena, double, t->inputs + 1); }
-
-bool trial_is_healthy(const TrialInput *i, double reading) { return reading >= i->lo && reading <= i->hi; }
-
-void trial_set_group(const Trials *t, double *in, uint32_t input, double reading)
-{
-    for (uint32_t i = 0; i < t->inputs; i++)
-        if (t->input[i].group == t->input[input].group && !t->input[i].command)
-            in[i] = reading;
-}
-
-static double within(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
-
-void trial_add_noise(Trials *t, double *in, double most)
-{
-    for (uint32_t g = 0; g < t->inputs && most > 0; g++) {
-        const double noise = most * t->input[g].scale * (trial_below(t, 2001) / 1000.0 - 1);
-        if (t->input[g].command || t->input[g].group != g)
-            continue;
-        for (uint32_t i = g; i < t->inputs; i++)
-            if (t->input[i].group == g)
-                in[i] = trial_is_healthy(&t->input[i], in[i]) ? within(&t->input[i], in[i] + noise) : in[i] + noise;
-    }
-}
-
-void trial_tie_groups(const Trials *t, double *in)
-{
-    for (uint32_t i = 0; i < t->inputs; i++)
-        if (!t->input[i].command)
-            in[i] = in[t->input[i].group];
-}
-
-static double some_reading(Trials *t, const TrialInput *i, bool sick)
-{
-    double x = i->reading[trial_below(t, i->readings)];
-
-    for (int k = 0; k < 4 && !sick && !trial_is_healthy(i, x); k++)
-        x = i->reading[trial_below(t, i->readings)];
-    return x;
-}
-
-void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool sick)
-{
-    for (uint32_t i = 0; i < t->inputs; i++) {
-        const TrialInput *input = &t->input[i];
-        if (s && !s->relevant[i])
-            continue;
-        if (input->command) {
-            if (commands)
-                in[i] = trial_below(t, 2) ? 0 : some_reading(t, input, true);
-        } else if (input->group == i) {
-            trial_set_group(t, in, i, some_reading(t, input, sick));
-        } else if (trial_below(t, 3) == 0) {
-            in[i] = some_reading(t, input, sick);
-        }
-    }
-}
-
-void trial_draw_free(Trials *t, double *in, const TrialState *s)
-{
-    trial_draw(t, in, s, false, true);
-    for (uint32_t i = 0; i < t->inputs; i++)
-        if (t->input[i].command && !t->input[i].v->command)
-            in[i] = some_reading(t, &t->input[i], true);
-}
 
 // ---- entries ----
 
@@ -234,7 +34,7 @@ static uint32_t magnitude(double x)
 
 static uint64_t key_of(const Trials *t, const void *situation)
 {
-    const double *var = (const double *)(const void *)((const char *)situation + t->run->vars);
+    const double *var = trial_vars(t, situation);
     const IrMachine *m = t->run->m;
     uint64_t key = 0;
 
@@ -374,9 +174,9 @@ static void some_inputs(Search *k, const TrialState *s)
     } else {
         const uint32_t i = trial_below(t, t->inputs);
         if (t->inputs > 0 && t->input[i].command)
-            k->in[i] = some_reading(t, &t->input[i], true);
+            k->in[i] = trial_some_reading(t, &t->input[i], true);
         else if (t->inputs > 0)
-            trial_set_group(t, k->in, i, some_reading(t, &t->input[i], sick));
+            trial_set_group(t, k->in, i, trial_some_reading(t, &t->input[i], sick));
     }
     for (uint32_t i = 0; i < t->inputs; i++)
         if (t->input[i].command)

@@ -92,6 +92,10 @@ void *trial_copy(const Trials *t, void *to, const void *from);
 // One step, G being dt after the last one.
 void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace);
 static inline uint32_t trial_state(const void *situation) { return ((const IrSituation *)situation)->state; }
+static inline const double *trial_vars(const Trials *t, const void *situation)
+{
+    return (const double *)(const void *)((const char *)situation + t->run->vars);
+}
 static inline bool trial_entering(const void *situation) { return ((const IrSituation *)situation)->first; }
 // How many steps like the last one, which led from the variables `before` to the situation, can follow before a timer or a counter
 // comes to a limit.  0: something changes that is no counter.  TRIAL_MANY: nothing can happen any more.
@@ -107,11 +111,19 @@ enum { TRIAL_PASSES = 300 };          // after so many a machine that still does
 bool trial_advances(const Trials *t, const double *before, const void *situation);
 // Whether anything but time differs between two situations.
 bool trial_same(const Trials *t, const void *a, const void *b);
+// A variable that the machine writes, that one of these conditions reads, and that differs between two situations; NULL: there is none.
+const Var *trial_differing(const Trials *t, const Condition *when, const void *a, const void *b);
+// Begins at an entry, with the inputs that led there; without any command, unless the state lasts only with those.  Chooses other
+// readings where the state does not last with these.
+void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in);
+// Fills every window with samples taken while the inputs read this.
+void trial_fill_windows(Trials *t, void *situation, const double *in);
 
 // ---- choosing ----
 
 uint32_t trial_below(Trials *t, uint32_t n);                      // 0 … n - 1; 0 if n is 0
 double *trial_new_inputs(Trials *t);                              // one array for all inputs
+double trial_some_reading(Trials *t, const TrialInput *i, bool sick);     // within @range unless sick
 // Other readings for the inputs that matter to the state: groups read one number.  Commands are changed only with `commands`.
 void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool sick);
 // Sensors, sick ones too, and bools that are not marked @command.

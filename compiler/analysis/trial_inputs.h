@@ -6,7 +6,42 @@
 
 #include "compiler/analysis/trial.h"
 
-// Fills in input, state[].relevant, actuator, wait and count of trials whose run, state and var exist.
+// Fills in input, state[].relevant, actuator, wait, limit and count of trials whose run, state and var exist.
 void trial_find_inputs(Trials *t);
+
+// ---- its parts ----
+
+typedef struct Comparison { const Expr *left, *right; SmOperator op; uint32_t state; } Comparison;      // state: its number
+
+typedef struct Finder {
+    Trials *t;
+    Arena *arena;
+    const Program *p;
+    size_t words;                 // of 64 bits, one for each input
+    uint64_t *data, *all;         // by Var.index
+    uint32_t *input_of;           // by Var.index; IR_NONE
+    uint32_t *parent;             // by Var.index: sensors and what is made of them, joined by what they are combined with
+    VEC(Comparison) comparison;
+    VEC(const Stmt *) assign;     // every assignment, in file order
+    VEC(uint32_t) assign_state;   // the number of its state
+    double *value, *kept;         // by Var.index; the same, as it was before
+    uint32_t state;               // number of the state whose statements are looked at
+    uint64_t *bits;               // for one expression
+    bool *read;                   // by Var.index: a guard or another value reads it
+    bool *zeroed;                 // by Var.index: some assignment switches it off
+    bool *bounded;                // by Var.index: some assignment is of a bounded number
+    bool *varied;                 // by Var.index: some assignment is no constant
+    VEC(double) *given;           // by Var.index: the constants that it is given
+} Finder;
+
+static inline bool has_bit(const uint64_t *bits, uint32_t i) { return bits[i / 64] >> i % 64 & 1; }
+// Adds the inputs that an expression depends on, given those of each variable (data or all of Finder).
+void trial_add_bits(Finder *f, const Expr *e, const uint64_t *of, uint64_t *to);
+
+void trial_find_groups(Finder *f);            // input[].group
+void trial_find_readings(Finder *f);          // input[].reading and what follows it
+void trial_find_waits(Finder *f);             // wait, stamped
+void trial_find_counters(Finder *f);          // limit, count
+void trial_find_actuators(Finder *f);         // actuator
 
 #endif

@@ -95,52 +95,13 @@ static bool stays_long(Waits *w, uint32_t state)
     return idle == 2 || !trial_advances(t, w->mid, w->at);
 }
 
-static bool stays(Waits *w, uint32_t state)
-{
-    trial_step(w->t, w->at, w->in, w->t->dt, &w->t->trace);
-    return trial_state(w->at) == state;
-}
-
-// Whether the state lasts some steps with these commands and some healthy readings.
-static bool lasts_a_while(Waits *w, const TrialEntry *e)
-{
-    const uint32_t state = trial_state(e->situation);
-    bool lasts = false;
-
-    for (int readings = 0; readings < 6 && !lasts; readings++) {
-        if (readings > 0)
-            trial_draw(w->t, w->in, &w->t->state[state - 1], false, false);
-        trial_copy(w->t, w->at, e->situation);
-        lasts = true;
-        for (int n = 0; n < 3 && lasts; n++)
-            lasts = stays(w, state);
-    }
-    return lasts;
-}
-
-// No command is given, unless the state lasts only with those that led here.
-static void begin(Waits *w, const TrialEntry *e)
-{
-    Trials *t = w->t;
-    bool as_they_were;
-
-    memcpy(w->in, e->in, t->inputs * sizeof *w->in);
-    as_they_were = lasts_a_while(w, e);
-    for (uint32_t i = 0; i < t->inputs; i++)
-        if (t->input[i].command)
-            w->in[i] = 0;
-    if (!lasts_a_while(w, e) && as_they_were)
-        memcpy(w->in, e->in, t->inputs * sizeof *w->in);
-    trial_copy(t, w->at, e->situation);
-}
-
 // One history: other inputs change now and then.
 static bool lasts(Waits *w, const TrialEntry *e)
 {
     Trials *t = w->t;
     const uint32_t state = trial_state(e->situation);
 
-    begin(w, e);
+    trial_begin(t, e, w->at, w->in);
     for (int n = 0; n < CHANGES; n++) {
         static const double noise[] = {0, 0.001, 0.01, 0.1};
         trial_draw_free(t, w->in, &t->state[state - 1]);
@@ -216,10 +177,15 @@ static bool drives(const Trials *t, const State *state)
     return false;
 }
 
+static Waits waits_of(Trials *t)
+{
+    return (Waits){.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t),
+                   .mid = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n)};
+}
+
 void question_waits_for_sensor(Trials *t)
 {
-    Waits w = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t),
-               .mid = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n)};
+    Waits w = waits_of(t);
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];
@@ -289,7 +255,7 @@ static bool find_no_timeout(Waits *w, const State *s, const TrialEntry *e)
     Trials *t = w->t;
 
     for (int n = 0; n < LIVES; n++) {
-        begin(w, e);
+        trial_begin(t, e, w->at, w->in);
         if (n > 0)
             trial_draw(t, w->in, &t->state[s->number - 1], n % 2, false);
         if (stays_long(w, s->number) && report_no_timeout(w, s))
@@ -300,8 +266,7 @@ static bool find_no_timeout(Waits *w, const State *s, const TrialEntry *e)
 
 void question_missing_timeout(Trials *t)
 {
-    Waits w = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t), .now = trial_new_inputs(t),
-               .mid = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n)};
+    Waits w = waits_of(t);
 
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         const State *state = t->a->p->state.at[s];

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which sensors measure the same quantity.
+#include "compiler/analysis/trial_inputs.h"
+#include "stdlib/math.h"
+
+enum { COMPARED_MOST = 400 };         // comparisons that are compared with each other
+
+static uint32_t root_of(Finder *f, uint32_t v)
+{
+    while (f->parent[v] != v)
+        v = f->parent[v] = f->parent[f->parent[v]];
+    return v;
+}
+
+static uint32_t join(Finder *f, uint32_t a, uint32_t b)
+{
+    if (a == IR_NONE || b == IR_NONE)
+        return a == IR_NONE ? b : a;
+    f->parent[root_of(f, b)] = root_of(f, a);
+    return a;
+}
+
+static bool is_sum(const Expr *e)
+{
+    return (e->kind == EX_BINARY && (e->op == SM_OP_ADD || e->op == SM_OP_SUB)) || e->kind == EX_ROLL ||
+           (e->kind == EX_UNARY && e->op == SM_OP_NEG) || e->kind == EX_CALL;
+}
+
+static bool is_scaled(const Expr *e)
+{
+    return e->kind == EX_BINARY && (e->op == SM_OP_MUL || e->op == SM_OP_DIV) && (expr_is_constant(e->arg[0]) || expr_is_constant(e->arg[1]));
+}
+
+// The quantity that an expression is of, as a variable of that quantity; IR_NONE: none that is known.  Joins what is compared.
+static uint32_t quantity(Finder *f, const Expr *e)
+{
+    const bool compared = e->kind == EX_CHAIN || (e->kind == EX_BINARY && is_comparison(e->op));
+    uint32_t all = IR_NONE;
+
+    if (e->kind == EX_VAR)
+        return e->var->type != SM_BOOL && !e->var->is_constant && e->var->kind != VAR_TIME && e->var != f->p->g && e->var != f->p->s &&
+               (e->var->kind == VAR_LOCAL || e->var->written || (f->input_of[e->var->index] != IR_NONE && !f->t->input[f->input_of[e->var->index]].command))
+               ? e->var->index : IR_NONE;
+    for (uint32_t i = 0; i < e->n; i++) {
+        const uint32_t q = quantity(f, e->arg[i]);
+        if (compared || is_sum(e) || is_scaled(e))
+            all = join(f, all, q);
+    }
+    return compared ? IR_NONE : all;
+}
+
+static void join_places(const StmtPlace *at, void *context)
+{
+    Finder *f = context;
+    uint32_t q;
+
+    if (!at->stmt->value)
+        return;
+    q = quantity(f, at->stmt->value);
+    if (at->stmt->kind == ST_ASSIGN && at->stmt->var->type != SM_BOOL)
+        join(f, at->stmt->var->index, q);
+}
+
+// Whether two expressions are the same but for the variables in them.  Variables at the same position measure the same quantity.
+static bool is_alike(Finder *f, const Expr *a, const Expr *b, bool join_them)
+{
+    bool alike = a->kind == b->kind && a->op == b->op && a->fn == b->fn && a->stat == b->stat && a->n == b->n;
+
+    if (!alike || expr_is_constant(a) != expr_is_constant(b))
+        return false;
+    if (expr_is_constant(a))
+        return const_eval(a) == const_eval(b);
+    if (a->kind == EX_VAR) {
+        const uint32_t x = quantity(f, a), y = quantity(f, b);
+        if (x == IR_NONE || y == IR_NONE)
+            return a->var == b->var;
+        if (join_them)
+            join(f, x, y);
+        return true;
+    }
+    for (uint32_t i = 0; i < a->n && alike; i++)
+        alike = is_alike(f, a->arg[i], b->arg[i], join_them);
+    return alike;
+}
+
+// Sensors that one state compares in the same way are taken to measure the same quantity.
+static void join_alike(Finder *f)
+{
+    const size_t n = f->comparison.n < COMPARED_MOST ? f->comparison.n : COMPARED_MOST;
+
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < i; k++) {
+            const Comparison a = f->comparison.at[i], b = f->comparison.at[k];
+            if (a.op == b.op && a.state == b.state && is_alike(f, a.left, b.left, false) && is_alike(f, a.right, b.right, false)) {
+                is_alike(f, a.left, b.left, true);
+                is_alike(f, a.right, b.right, true);
+            }
+        }
+}
+
+// Two of one quantity have ranges that are mostly the same, as far as they are given.
+static bool same_range(const TrialInput *a, const TrialInput *b)
+{
+    const double wide = sm_max(a->hi - a->lo, b->hi - b->lo);
+
+    return !a->v->range || !b->v->range || sm_min(a->hi, b->hi) - sm_max(a->lo, b->lo) >= 0.8 * wide;
+}
+
+void trial_find_groups(Finder *f)
+{
+    Trials *t = f->t;
+
+    f->parent = ARENA_ARRAY(f->arena, uint32_t, f->p->var.n);
+    for (uint32_t v = 0; v < f->p->var.n; v++)
+        f->parent[v] = v;
+    each_place(f->arena, f->p, join_places, f);
+    join_alike(f);
+    for (uint32_t i = 0; i < t->inputs; i++)
+        for (uint32_t k = 0; k < i && t->input[i].group == i; k++)
+            if (!t->input[i].command && !t->input[k].command && same_range(&t->input[i], &t->input[k]) &&
+                root_of(f, t->input[i].v->index) == root_of(f, t->input[k].v->index))
+                t->input[i].group = t->input[k].group;
+}

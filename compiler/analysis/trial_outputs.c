@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the machine counts, and which of its outputs drive something.
+#include "compiler/analysis/trial_inputs.h"
+#include "stdlib/math.h"
+
+// ---- counters ----
+
+static bool is_count(const Stmt *s)
+{
+    const Expr *e = s->value;
+
+    return e->kind == EX_BINARY && (e->op == SM_OP_ADD || e->op == SM_OP_SUB) &&
+           ((e->arg[0]->kind == EX_VAR && e->arg[0]->var == s->var && expr_is_constant(e->arg[1])) ||
+            (e->op == SM_OP_ADD && e->arg[1]->kind == EX_VAR && e->arg[1]->var == s->var && expr_is_constant(e->arg[0])));
+}
+
+// Whether every assignment to v sets a constant or counts, and one counts.
+static bool is_counter(const Finder *f, const Var *v)
+{
+    bool counts = false;
+
+    for (size_t i = 0; i < f->assign.n; i++)
+        if (f->assign.at[i]->var == v) {
+            if (!is_count(f->assign.at[i]) && !expr_is_constant(f->assign.at[i]->value))
+                return false;
+            counts |= is_count(f->assign.at[i]);
+        }
+    return counts;
+}
+
+static double *limits_of(Finder *f, const Var *v)
+{
+    VEC(double) limit = {NULL, 0, 0};
+
+    for (size_t c = 0; c < f->comparison.n; c++)
+        for (int side = 0; side < 2; side++) {
+            const Expr *e = side ? f->comparison.at[c].right : f->comparison.at[c].left;
+            const Expr *to = side ? f->comparison.at[c].left : f->comparison.at[c].right;
+            if (e->kind == EX_VAR && e->var == v && expr_is_constant(to))
+                vec_push(f->arena, &limit, const_eval(to));
+        }
+    f->t->count += limit.n;
+    vec_push(f->arena, &limit, sm_from_bits(UINT64_C(0x7FF8000000000000)));
+    return limit.at;
+}
+
+void trial_find_counters(Finder *f)
+{
+    for (size_t v = 0; v < f->p->var.n; v++) {
+        const Var *var = f->p->var.at[v];
+        if (var->written && var->type != SM_BOOL && f->t->a->m->var_of[v] != IR_NONE && is_counter(f, var))
+            f->t->limit[f->t->a->m->var_of[v]] = limits_of(f, var);
+    }
+}
+
+// ---- actuators ----
+
+static int distinct(const double *at, uint32_t n)
+{
+    int count = 0;
+
+    for (uint32_t i = 0; i < n; i++) {
+        bool again = at[i] == 0;
+        for (uint32_t k = 0; k < i; k++)
+            again |= at[k] == at[i];
+        count += !again;
+    }
+    return count;
+}
+
+// Percent lie far apart, codes close together or without zero.
+static bool is_code(const Finder *f, uint32_t v)
+{
+    double least = 0, most = 0;
+
+    for (uint32_t i = 0; i < f->given[v].n; i++) {
+        least = sm_min(least, f->given[v].at[i]);
+        most = sm_max(most, f->given[v].at[i]);
+    }
+    return distinct(f->given[v].at, f->given[v].n) >= 2 && most - least < 100 && sm_type_info[f->p->var.at[v]->type].kind != SM_KIND_FLOAT &&
+           most != 100;
+}
+
+// How many there have been: it goes up by a constant, and back to 0.
+static bool only_counts(const Finder *f, const Var *v)
+{
+    bool counts = false;
+
+    for (size_t i = 0; i < f->assign.n; i++) {
+        const Stmt *s = f->assign.at[i];
+        if (s->var != v)
+            continue;
+        if (!(is_count(s) && s->value->op == SM_OP_ADD) && !(expr_is_constant(s->value) && const_eval(s->value) == 0))
+            return false;
+        counts |= is_count(s);
+    }
+    return counts;
+}
+
+// A value made of sensors drives something only where it is bounded, or where it is given levels too: an estimate is not.
+static bool is_estimate(const Finder *f, const Var *v)
+{
+    bool made_of_sensors = false;
+
+    for (size_t w = 0; w < f->words; w++)
+        made_of_sensors |= f->data[v->index * f->words + w] != 0;
+    return made_of_sensors && !f->bounded[v->index] && distinct(f->given[v->index].at, f->given[v->index].n) == 0;
+}
+
+// A bool that the machine writes; a number that is off at rest: an assignment, or the lower end of what it can be, makes it 0.  One that
+// the machine compares is a value of its own: a code, a count, an estimate.
+static bool is_actuator(const Finder *f, const Var *v)
+{
+    if (v->kind != VAR_ELEMENT || !v->written)
+        return false;
+    if (v->type == SM_BOOL)
+        return true;
+    if ((f->read[v->index] && !f->varied[v->index]) || only_counts(f, v))
+        return false;
+    return f->zeroed[v->index] && !is_estimate(f, v) && !(is_code(f, v->index) && !f->varied[v->index]);
+}
+
+// A copy of a local is what the local is.
+static void note_copy(const StmtPlace *at, void *context)
+{
+    Finder *f = context;
+    const Var *from = at->stmt->kind == ST_ASSIGN && at->stmt->value->kind == EX_VAR ? at->stmt->value->var : NULL;
+    const uint32_t to = from ? at->stmt->var->index : 0;
+
+    if (!from || from->kind != VAR_LOCAL || from->is_constant || from->index == to)
+        return;
+    f->varied[to] |= f->varied[from->index];
+    f->zeroed[to] |= f->zeroed[from->index];
+    for (uint32_t i = 0; i < f->given[from->index].n; i++)
+        vec_push(f->arena, &f->given[to], f->given[from->index].at[i]);
+}
+
+// A value that is clamped to 0 at its lower end switches off, too.
+static void note_lower_end(const StmtPlace *at, void *context)
+{
+    Finder *f = context;
+    const StmtFact *fact = &f->t->a->stmt[at->stmt->number];
+
+    if (at->stmt->kind == ST_ASSIGN && fact->reached && !expr_is_constant(at->stmt->value) && fact->value.lo > -1e6 && fact->value.hi < 1e6)
+        f->bounded[at->stmt->var->index] = true;
+    if (at->stmt->kind == ST_ASSIGN && f->varied[at->stmt->var->index] && fact->reached && fact->value.lo == 0 && fact->value.hi > 0 && fact->value.hi < 1e9)
+        f->zeroed[at->stmt->var->index] = true;
+}
+
+void trial_find_actuators(Finder *f)
+{
+    each_place(f->arena, f->p, note_copy, f);
+    each_place(f->arena, f->p, note_lower_end, f);
+    for (size_t v = 0; v < f->p->var.n; v++)
+        if (is_actuator(f, f->p->var.at[v]) && f->t->a->m->var_of[v] != IR_NONE)
+            f->t->actuator[f->t->a->m->var_of[v]] = true;
+}

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// The readings of an input that trials choose from, and the times that a machine waits for.
+//
+// Where the two sides of a comparison are equal, what the comparison decides changes.  That reading is found by a secant, for most
+// comparisons are of straight lines.  One reading from each interval between them, and zero, is enough to make every comparison
+// come out both ways.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/analysis/trial_inputs.h"
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
+enum { ROOTS = 16 };                  // of one input
+
+// Makes the assignments of one state, or of all, once each in file order.
+static void assign(Finder *f, uint32_t state)
+{
+    for (size_t i = 0; i < f->assign.n; i++)
+        if (state == 0 || f->assign_state.at[i] == state)
+            f->value[f->assign.at[i]->var->index] = expr_eval(f->assign.at[i]->value, f->value);
+}
+
+// The values that variables have once every assignment has been made, while the inputs read this.
+static void compute(Finder *f)
+{
+    for (size_t v = 0; v < f->p->var.n; v++)
+        if (f->p->var.at[v]->kind == VAR_LOCAL)
+            f->value[v] = sm_cell_to_f64(f->p->var.at[v]->type, f->p->var.at[v]->init);
+    assign(f, 0);
+}
+
+typedef struct Roots { double at[ROOTS]; uint32_t n; } Roots;
+
+static void add_root(Roots *r, double x)
+{
+    if (!(x > -1e15 && x < 1e15))
+        return;
+    for (uint32_t i = 0; i < r->n; i++)
+        if (sm_abs(r->at[i] - x) <= 1e-9 * sm_abs(x))
+            return;
+    if (r->n < ROOTS)
+        r->at[r->n++] = x;
+}
+
+static double difference(const Finder *f, size_t c)
+{
+    return expr_eval(f->comparison.at[c].left, f->value) - expr_eval(f->comparison.at[c].right, f->value);
+}
+
+// Which assignments are repeated for a reading: another state, or an earlier step, can have stored its value long ago.
+typedef enum Remembered { NOTHING, OTHER_STATES, EVERYTHING, REMEMBERED } Remembered;
+
+static void find_differences(Finder *f, Remembered remembered, double *d)
+{
+    for (size_t c = 0; c < f->comparison.n; c++) {
+        if (remembered == OTHER_STATES && (c == 0 || f->comparison.at[c].state != f->comparison.at[c - 1].state)) {
+            memcpy(f->value, f->kept, f->p->var.n * sizeof *f->value);
+            assign(f, f->comparison.at[c].state);
+        }
+        d[c] = difference(f, c);
+    }
+}
+
+// set: gives the variable, or the group, that is varied the reading x.
+static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double x), uint32_t which, uint32_t bit, Remembered remembered, Roots *out)
+{
+    static const double at[] = {-1e5, -40, 0, 1, 90, 3000, 1e5};
+    enum { POINTS = sizeof at / sizeof *at };
+    const size_t n = f->comparison.n;
+    double *d = ARENA_ARRAY(f->arena, double, n * POINTS + 1);
+
+    set(f, which, at[0]);
+    compute(f);
+    for (size_t k = 0; k < POINTS; k++) {
+        set(f, which, at[k]);
+        if (remembered == NOTHING)
+            compute(f);
+        memcpy(f->kept, f->value, f->p->var.n * sizeof *f->value);
+        find_differences(f, remembered, d + k * n);
+        memcpy(f->value, f->kept, f->p->var.n * sizeof *f->value);
+    }
+    for (size_t c = 0; c < n; c++) {
+        memset(f->bits, 0, f->words * sizeof *f->bits);
+        if (bit != IR_NONE) {
+            trial_add_bits(f, f->comparison.at[c].left, f->data, f->bits);
+            trial_add_bits(f, f->comparison.at[c].right, f->data, f->bits);
+        }
+        for (size_t k = 1; k < POINTS && (bit == IR_NONE || has_bit(f->bits, bit)); k++) {
+            const double d0 = d[(k - 1) * n + c], d1 = d[k * n + c];
+            if (d0 != d1)
+                add_root(out, at[k - 1] - d0 * (at[k] - at[k - 1]) / (d1 - d0));
+        }
+    }
+}
+
+static void set_alone(Finder *f, uint32_t input, double x)
+{
+    for (uint32_t i = 0; i < f->t->inputs; i++)
+        f->value[f->t->input[i].v->index] = 0;
+    f->value[f->p->g->index] = f->value[f->p->t->index] = 0;
+    f->value[f->t->input[input].v->index] = x;
+}
+
+static void set_group(Finder *f, uint32_t input, double x)
+{
+    set_alone(f, input, x);
+    for (uint32_t i = 0; i < f->t->inputs; i++)
+        if (f->t->input[i].group == f->t->input[input].group)
+            f->value[f->t->input[i].v->index] = x;
+}
+
+// G and T are the same as long as the machine has only begun; a time that was stored is 0.
+static void set_time(Finder *f, uint32_t which, double x)
+{
+    (void)which;
+    for (uint32_t i = 0; i < f->t->inputs; i++)
+        f->value[f->t->input[i].v->index] = 0;
+    f->value[f->p->g->index] = f->value[f->p->t->index] = x;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+static void add_reading(TrialInput *i, double x)
+{
+    const SmType type = i->v->type;
+
+    x = sm_cell_to_f64(type, sm_cell_from_f64(type, x));
+    for (uint32_t k = 0; k < i->readings; k++)
+        if (i->reading[k] == x)
+            return;
+    i->reading[i->readings++] = x;
+}
+
+static void find_readings(Finder *f, uint32_t input)
+{
+    TrialInput *i = &f->t->input[input];
+    const bool whole = sm_type_info[i->v->type].kind != SM_KIND_FLOAT;
+    Roots r = {{0}, 0};
+
+    i->reading = ARENA_ARRAY(f->arena, double, 3 * ROOTS + 16);
+    find_roots(f, set_alone, input, input, NOTHING, &r);
+    if (i->v->type == SM_BOOL)
+        r.n = 0;
+    else
+        for (int remembered = 0; remembered < REMEMBERED; remembered++)
+            find_roots(f, set_group, input, input, (Remembered)remembered, &r);
+    qsort(r.at, r.n, sizeof *r.at, ascending);
+    i->rough = !i->v->range && r.n == 0;
+    i->scale = i->v->range ? i->hi - i->lo : r.n > 1 ? r.at[r.n - 1] - r.at[0] : r.n == 1 && r.at[0] != 0 ? sm_abs(r.at[0]) : 1;
+    if (i->v->range) {
+        add_reading(i, i->lo);
+        add_reading(i, i->hi);
+        add_reading(i, (i->lo + i->hi) / 2);
+    }
+    for (uint32_t k = 0; k < r.n; k++) {
+        if (k == 0)
+            add_reading(i, r.at[0] - 0.5 * i->scale - 1);
+        if (whole || i->command)
+            add_reading(i, r.at[k]);
+        add_reading(i, k + 1 < r.n ? (r.at[k] + r.at[k + 1]) / 2 : r.at[k] + 0.5 * i->scale + 1);
+    }
+    add_reading(i, 0);
+    if (i->v->type == SM_BOOL || r.n == 0)
+        add_reading(i, 1);
+    if (!i->v->range && r.n > 0) {
+        add_reading(i, r.at[0] - 20 * i->scale - 20);
+        add_reading(i, r.at[r.n - 1] + 20 * i->scale + 20);
+    }
+    if (i->rough && i->v->type != SM_BOOL)
+        for (double x = 30; x < 1e5; x *= 30)
+            add_reading(i, x);
+    qsort(i->reading, i->readings, sizeof *i->reading, ascending);
+}
+
+void trial_find_readings(Finder *f)
+{
+    Trials *t = f->t;
+
+    for (uint32_t i = 0; i < t->inputs; i++)
+        find_readings(f, i);
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (t->input[i].group != i)
+            t->input[i].scale = t->input[t->input[i].group].scale;
+}
+
+// ---- times ----
+
+typedef struct Stamp { const Var *g; bool found; } Stamp;
+
+static void look_for_time(Expr *e, void *context)
+{
+    Stamp *s = context;
+
+    s->found |= e->kind == EX_VAR && e->var == s->g;
+}
+
+// Whether some local holds a time.
+static bool stamps_time(Finder *f)
+{
+    Stamp s = {f->p->g, false};
+
+    for (size_t i = 0; i < f->assign.n; i++)
+        expr_walk(f->assign.at[i]->value, look_for_time, &s);
+    return s.found;
+}
+
+void trial_find_waits(Finder *f)
+{
+    Roots r = {{0}, 0};
+    Trials *t = f->t;
+
+    find_roots(f, set_time, 0, IR_NONE, NOTHING, &r);
+    find_roots(f, set_time, 0, IR_NONE, EVERYTHING, &r);
+    qsort(r.at, r.n, sizeof *r.at, ascending);
+    t->wait = ARENA_ARRAY(f->arena, double, ROOTS);
+    for (uint32_t k = 0; k < r.n; k++)
+        if (r.at[k] > 0 && r.at[k] < 1e12)
+            t->wait[t->waits++] = sm_ceil(r.at[k]);
+    t->stamped = stamps_time(f);
+}

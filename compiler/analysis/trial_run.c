@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+// Running a machine from a situation, letting time pass in it, and choosing what its inputs read.
+#include <string.h>
+
+#include "compiler/analysis/trial.h"
+#include "stdlib/math.h"
+
+enum {
+    STEPS_OF_PASS = 40,           // where something changes that is no counter
+    BEGINNINGS = 6,               // readings with which a state is tried to last
+    BEGINNING = 3                 // steps that it lasts then
+};
+
+// ---- running ----
+
+void *trial_copy(const Trials *t, void *to, const void *from)
+{
+    if (!to)
+        to = arena_alloc(t->a->arena, t->run->size);
+    return memcpy(to, from, t->run->size);
+}
+
+void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace)
+{
+    const IrSituation *s = situation;
+    double *var = ir_run_vars(t->run, situation);
+
+    var[t->run->m->g] = s->ran ? s->last_g + dt : 0;
+    for (uint32_t i = 0; i < t->inputs; i++)
+        var[t->input[i].var] = ir_run_number(t->input[i].v->type, in[i]);
+    ir_run_step(t->run, situation, trace);
+}
+
+// ---- letting time pass ----
+
+static const double ever = 1e9;                   // steps: longer than any timer
+
+static double steps_to(double from, double limit, double by)
+{
+    const double n = sm_ceil((limit - from) / by);
+
+    return n > 0 ? n - 1 : n == 0 ? 0 : ever;
+}
+
+static double steps_to_wait(const Trials *t, const void *situation)
+{
+    const IrSituation *s = situation;
+    double n = ever;
+
+    for (uint32_t w = 0; w < t->waits; w++)
+        if (t->wait[w] >= s->last_g - s->start)
+            n = sm_min(n, steps_to(s->last_g - s->start, t->wait[w], t->dt));
+    for (uint32_t w = 0; w < t->waits && t->stamped; w++)
+        n = sm_min(n, sm_max(sm_ceil(sm_max(t->wait[w] / 2, (s->last_g - s->start) / 4) / t->dt) - 1, 0));
+    return n;
+}
+
+uint32_t trial_wait_steps(const Trials *t, const void *situation)
+{
+    const double n = steps_to_wait(t, situation);
+
+    return n >= ever ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
+}
+
+uint32_t trial_leap_steps(const Trials *t, const double *before, const void *situation)
+{
+    const double *var = trial_vars(t, situation);
+    const IrMachine *m = t->run->m;
+    double n = steps_to_wait(t, situation);
+
+    for (uint32_t v = 0; v < m->var.n; v++) {
+        if (!m->var.at[v].writable || v == m->s || var[v] == before[v])
+            continue;
+        if (!t->limit[v])
+            return 0;
+        for (const double *l = t->limit[v]; *l == *l; l++)
+            n = sm_min(n, steps_to(var[v], *l, var[v] - before[v]));
+    }
+    return n >= ever ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
+}
+
+void trial_leap(const Trials *t, const double *before, void *situation, uint32_t steps)
+{
+    IrSituation *s = situation;
+    double *var = ir_run_vars(t->run, situation);
+    const IrMachine *m = t->run->m;
+    const double n = steps == TRIAL_MANY ? ever : steps;
+
+    s->last_g += n * t->dt;
+    for (uint32_t v = 0; v < m->var.n; v++)
+        if (t->limit[v] && m->var.at[v].writable)
+            var[v] = ir_run_number(m->var.at[v].type, var[v] + n * (var[v] - before[v]));
+}
+
+bool trial_pass(Trials *t, void *situation, const double *in, IrTrace *trace)
+{
+    uint32_t n = 0;
+
+    for (int k = 0; k < STEPS_OF_PASS && n == 0; k++) {
+        memcpy(t->before, ir_run_vars(t->run, situation), t->run->m->var.n * sizeof *t->before);
+        trial_step(t, situation, in, t->dt, trace);
+        if (trace->transition)
+            return true;
+        n = trial_leap_steps(t, t->before, situation);
+    }
+    trial_leap(t, t->before, situation, n);
+    return n != TRIAL_MANY;
+}
+
+bool trial_advances(const Trials *t, const double *before, const void *situation)
+{
+    const double *var = trial_vars(t, situation);
+    const IrMachine *m = t->run->m;
+
+    for (uint32_t w = 0; w < t->waits; w++)
+        if (var[m->t] > before[m->t] && t->wait[w] > var[m->t])
+            return true;
+    for (uint32_t v = 0; v < m->var.n; v++)
+        for (const double *l = t->limit[v]; l && *l == *l; l++)
+            if (var[v] > before[v] && *l > var[v])
+                return true;
+    return false;
+}
+
+bool trial_same(const Trials *t, const void *a, const void *b)
+{
+    const double *x = trial_vars(t, a);
+    const double *y = trial_vars(t, b);
+    const IrMachine *m = t->run->m;
+
+    if (trial_state(a) != trial_state(b) || trial_entering(a) != trial_entering(b))
+        return false;
+    for (uint32_t v = 0; v < m->var.n; v++)
+        if (m->var.at[v].writable && v != m->g && v != m->t && v != m->s && x[v] != y[v])
+            return false;
+    return true;
+}
+
+// ---- choosing ----
+
+uint32_t trial_below(Trials *t, uint32_t n)
+{
+    t->random = t->random * 6364136223846793005u + 1442695040888963407u;
+    return n == 0 ? 0 : (uint32_t)((t->random >> 33) % n);
+}
+
+double *trial_new_inputs(Trials *t) { return ARENA_ARRAY(t->a->arena, double, t->inputs + 1); }
+
+bool trial_is_healthy(const TrialInput *i, double reading) { return reading >= i->lo && reading <= i->hi; }
+
+void trial_set_group(const Trials *t, double *in, uint32_t input, double reading)
+{
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (t->input[i].group == t->input[input].group && !t->input[i].command)
+            in[i] = reading;
+}
+
+static double within(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
+
+void trial_add_noise(Trials *t, double *in, double most)
+{
+    for (uint32_t g = 0; g < t->inputs && most > 0; g++) {
+        const double noise = most * t->input[g].scale * (trial_below(t, 2001) / 1000.0 - 1);
+        if (t->input[g].command || t->input[g].group != g)
+            continue;
+        for (uint32_t i = g; i < t->inputs; i++)
+            if (t->input[i].group == g)
+                in[i] = trial_is_healthy(&t->input[i], in[i]) ? within(&t->input[i], in[i] + noise) : in[i] + noise;
+    }
+}
+
+void trial_tie_groups(const Trials *t, double *in)
+{
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (!t->input[i].command)
+            in[i] = in[t->input[i].group];
+}
+
+double trial_some_reading(Trials *t, const TrialInput *i, bool sick)
+{
+    double x = i->reading[trial_below(t, i->readings)];
+
+    for (int k = 0; k < 4 && !sick && !trial_is_healthy(i, x); k++)
+        x = i->reading[trial_below(t, i->readings)];
+    return x;
+}
+
+void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool sick)
+{
+    for (uint32_t i = 0; i < t->inputs; i++) {
+        const TrialInput *input = &t->input[i];
+        if (s && !s->relevant[i])
+            continue;
+        if (input->command) {
+            if (commands)
+                in[i] = trial_below(t, 2) ? 0 : trial_some_reading(t, input, true);
+        } else if (input->group == i) {
+            trial_set_group(t, in, i, trial_some_reading(t, input, sick));
+        } else if (trial_below(t, 3) == 0) {
+            in[i] = trial_some_reading(t, input, sick);
+        }
+    }
+}
+
+void trial_draw_free(Trials *t, double *in, const TrialState *s)
+{
+    trial_draw(t, in, s, false, true);
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (t->input[i].command && !t->input[i].v->command)
+            in[i] = trial_some_reading(t, &t->input[i], true);
+}
+
+// ---- beginning ----
+
+typedef struct Held { const Trials *t; const double *in; } Held;
+
+static void held_inputs(void *context, double *vars, uint32_t sample)
+{
+    const Held *h = context;
+
+    (void)sample;
+    for (uint32_t i = 0; i < h->t->inputs; i++)
+        vars[h->t->input[i].var] = ir_run_number(h->t->input[i].v->type, h->in[i]);
+}
+
+void trial_fill_windows(Trials *t, void *situation, const double *in)
+{
+    Held h = {t, in};
+
+    ir_run_fill(t->run, situation, t->window, held_inputs, &h);
+}
+
+// Whether the state lasts some steps with these commands and some healthy readings.
+static bool lasts(Trials *t, const TrialEntry *e, void *situation, double *in)
+{
+    const uint32_t state = trial_state(e->situation);
+    bool same = false;
+
+    for (int readings = 0; readings < BEGINNINGS && !same; readings++) {
+        if (readings > 0)
+            trial_draw(t, in, &t->state[state - 1], false, false);
+        trial_copy(t, situation, e->situation);
+        same = true;
+        for (int n = 0; n < BEGINNING && same; n++) {
+            trial_step(t, situation, in, t->dt, &t->trace);
+            same = trial_state(situation) == state;
+        }
+    }
+    return same;
+}
+
+void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in)
+{
+    bool lasts_with_commands;
+
+    memcpy(in, e->in, t->inputs * sizeof *in);
+    lasts_with_commands = lasts(t, e, situation, in);
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (t->input[i].command)
+            in[i] = 0;
+    if (!lasts(t, e, situation, in) && lasts_with_commands)
+        memcpy(in, e->in, t->inputs * sizeof *in);
+    trial_copy(t, situation, e->situation);
+}
+
+// ---- comparing ----
+
+typedef struct Differing { const Trials *t; const double *a, *b; const Var *found; } Differing;
+
+static void compare_var(Expr *e, void *context)
+{
+    Differing *d = context;
+    const uint32_t v = e->kind == EX_VAR ? d->t->a->m->var_of[e->var->index] : IR_NONE;
+
+    if (v != IR_NONE && e->var->written && !d->found && d->a[v] != d->b[v])
+        d->found = e->var;
+}
+
+const Var *trial_differing(const Trials *t, const Condition *when, const void *a, const void *b)
+{
+    Differing d = {t, trial_vars(t, a), trial_vars(t, b), NULL};
+
+    for (const Condition *c = when; c; c = c->outer)
+        expr_walk(c->stmt->value, compare_var, &d);
+    return d.found;
+}
