@@ -270,6 +270,7 @@ bool os_write(const OsOutput *out, size_t n, const char **failed_path, const cha
         *failed_path = out[i].path;
         ok = write_one(&out[i], (int)i, &target[i], why);
     }
+    os_signals_hold();                                // all of them or none
     for (size_t i = 0; ok && i < n; i++)
         if (target[i]) {
             *failed_path = out[i].path;
@@ -282,6 +283,7 @@ bool os_write(const OsOutput *out, size_t n, const char **failed_path, const cha
         forget_temporary((int)i);
         free(target[i]);
     }
+    os_signals_resume();
     os_signals_end();
     return ok;
 }
