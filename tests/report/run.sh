@@ -3,7 +3,7 @@
 # Pages of smc report: run.sh SMC FOLDER.  Well-formed, with nothing in them that is fetched or runs, the same bytes wherever they are made, and
 # shown and printed by a browser (chromium; without one that part is skipped).
 smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
-out=$2
+out=${2:?run.sh SMC FOLDER}
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 passed=0 failed=0 skipped=0
@@ -48,8 +48,9 @@ page tank 0 "$examples/tank/tank.sm" "$examples/tank/tank.ss"
 page chilldown 0 "$examples/chilldown/chilldown.sm" "$examples"/chilldown/chilldown*.ss
 page ignition 0 "$examples/ignition/ignition.sm" "$examples"/ignition/ignition*.ss
 page parachutes 0 "$examples/parachutes/parachutes.sm" "$examples"/parachutes/parachutes*.ss
+page mission 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/mission*.ss
 # Four scripts: the pages of the print are counted below.
-page mission 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/mission.ss \
+page four-scripts 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/mission.ss \
     "$examples"/mission/mission-accelerometer-broken.ss "$examples"/mission/mission-plugged-in.ss "$examples"/mission/mission-weak-motor.ss
 page airbrakes 0 "$examples/mission/airbrakes.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/airbrakes*.ss
 page hostile 1 "$here/hostile.sm" "$here/hostile.ss" "$here/failing.ss"
@@ -98,14 +99,14 @@ shown() {
     timeout 120 "$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,4000 "$2" "file://$1" >/dev/null 2>&1
 }
 if [ -n "$browser" ] && timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom about:blank >/dev/null 2>&1; then
-    for name in hostile mission; do
+    for name in hostile four-scripts; do
         expect "screenshot $name" shown "$out/$name.html" "--screenshot=$out/$name.png"
         expect "screenshot of $name shows it" drawn "$name"
         expect "print $name" shown "$out/$name.html" "--print-to-pdf=$out/$name.pdf"
         expect "print of $name is one" sh -c "head -c 5 '$out/$name.pdf' | grep -q %PDF-"
     done
     # On paper the diagram stands on the first page, and no section begins a new one: 12 pages without.
-    expect "pages of mission" no_more_pages "$out/mission.pdf" 10
+    expect "pages of four scripts" no_more_pages "$out/four-scripts.pdf" 10
     # The browser's own tree has the page, and the hostile texts as texts: no element came of them.
     timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom "file://$out/hostile.html" >"$out/dom.html" 2>/dev/null
     expect "the tree is that of the page" grep -q '<h1>hostile</h1>' "$out/dom.html"
