@@ -88,6 +88,14 @@ static bool rests(LeftOn *l, uint32_t state)
     return true;
 }
 
+// A guarded block that switches an output on and goes to this state means it to be on there.
+static bool is_meant(const Trials *t, const Stmt *on, const Transition *via)
+{
+    const Condition *when = t->when[on->number];
+
+    return when && via->when && when->stmt == via->when->stmt && when->holds == via->when->holds;
+}
+
 // What is on now and was switched on by another state.
 static bool look_at_outputs(LeftOn *l, const TrialEntry *e, const State *s)
 {
@@ -98,7 +106,7 @@ static bool look_at_outputs(LeftOn *l, const TrialEntry *e, const State *s)
 
     for (uint32_t v = 0; v < t->run->m->var.n; v++) {
         const Stmt *on = t->actuator[v] && var[v] != 0 ? t->stmt[writer[v]] : NULL;
-        if (!on || t->state_of[on->number] == s)
+        if (!on || t->state_of[on->number] == s || is_meant(t, on, e->via))
             continue;
         add_output(l, t->var[v], on, e->via);
         any = true;

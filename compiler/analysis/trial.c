@@ -272,6 +272,7 @@ static void note_stmt(const StmtPlace *at, void *context)
 
     t->stmt[at->stmt->number] = at->stmt;
     t->state_of[at->stmt->number] = at->state;
+    t->when[at->stmt->number] = at->when;
 }
 
 Trials *trials_of(Analysis *a)
@@ -285,6 +286,7 @@ Trials *trials_of(Analysis *a)
     t->transition = ARENA_ARRAY(a->arena, const Transition *, a->p->stmts + 1u);
     t->stmt = ARENA_ARRAY(a->arena, const Stmt *, a->p->stmts + 1u);
     t->state_of = ARENA_ARRAY(a->arena, const State *, a->p->stmts + 1u);
+    t->when = ARENA_ARRAY(a->arena, const Condition *, a->p->stmts + 1u);
     each_place(a->arena, a->p, note_stmt, t);
     t->taken = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);
     t->by_time = ARENA_ARRAY(a->arena, bool, a->p->stmts + 1u);

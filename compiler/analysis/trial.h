@@ -64,6 +64,7 @@ typedef struct Trials {
     const Transition **transition;    // by Stmt.number
     const Stmt **stmt;                // by Stmt.number; of 0 NULL
     const State **state_of;           // by Stmt.number
+    const Condition **when;           // by Stmt.number: what it is under
     bool *taken;                      // by Stmt.number of a transition: some trial made it
     bool *by_time;                    // by Stmt.number of a transition: its condition depends on T or G
     TrialNext *next;                  // by Stmt.number of a transition

@@ -221,6 +221,17 @@ static void note_finding(WindowFill *w)
     }
 }
 
+// With all its samples it is no longer the window that decides, but what the machine stored before.
+static const char *what_is_early(const Analysis *a, const Expr *roll, uint32_t samples)
+{
+    const char *text = source_text(a->arena, roll->span);
+    const uint32_t size = a->p->window.at[roll->window].size;
+
+    if (samples >= size)
+        return format_in(a->arena, "it reads what was stored before the window of '%s' was full", text);
+    return format_in(a->arena, "the window of '%s' has %lu of %lu samples", text, (unsigned long)samples, (unsigned long)size);
+}
+
 static void report(const WindowFill *w)
 {
     const Analysis *a = w->t->a;
@@ -230,9 +241,7 @@ static void report(const WindowFill *w)
     expr_walk(w->guard->value, find_roll, &f);
     if (!f.roll)
         return;
-    d = diag_report(a->diags, DIAG_window_not_full, w->guard->value->span, source_text(a->arena, f.roll->span),
-                    format_in(a->arena, "%lu", (unsigned long)w->samples),
-                    format_in(a->arena, "%lu", (unsigned long)a->p->window.at[f.roll->window].size));
+    d = diag_report(a->diags, DIAG_window_not_full, w->guard->value->span, what_is_early(a, f.roll, w->samples));
     if (f.through)
         diag_note(a->diags, d, f.roll->span, DIAG_note_statistic_here, f.through->name->text);
 }

@@ -12,9 +12,9 @@ bool bad = false
 F64  mean = 0
 [Watch]
 .step
-    T > 0 and roll_range(p, 100) == 0: bad = true           #! W0965 'roll_range(p, 100)' is full: it has 2 of 100
+    T > 0 and roll_range(p, 100) == 0: bad = true           #! W0965 'roll_range(p, 100)' has 2 of 100
     mean = roll_avg(p, 20)
-    if mean > 50: code = 3                        #! W0965 'roll_avg(p, 20)' is full: it has 1 of 20
+    if mean > 50: code = 3                        #! W0965 'roll_avg(p, 20)' has 1 of 20
     code > 0: -> Open
     bad: -> Stop
 [Open] @safe

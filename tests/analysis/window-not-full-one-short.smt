@@ -8,7 +8,7 @@ U32 S
 F32 wind @read_only
 [Hold]
 .step
-    T > 6000 and roll_avg(wind, 63) < 5: -> Load         #! W0965 it has 62 of 63
+    T > 6000 and roll_avg(wind, 63) < 5: -> Load         #! W0965 has 62 of 63
 [Load]
 .step
     T > 20: -> Hold

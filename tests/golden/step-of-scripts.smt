@@ -44,23 +44,23 @@ Time advances by 100 in a step, as given with `--step`.
 How far time advances in a step is not known: the scripts do not have one `delta_t`.
 How far time advances in a step is not known.
 -- stderr --
-a.sm:7:5: warning: this guard can hold before the window of 'roll_avg(p, 20)' is full: it has 12 of 20 samples [W0965 window-not-full]
+a.sm:7:5: warning: this guard can be true too early: the window of 'roll_avg(p, 20)' has 12 of 20 samples [W0965 window-not-full]
     7 |     T > 1000 and roll_avg(p, 20) > 500: -> Run
       |     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 1 warning
-a.sm:7:5: warning: this guard can hold before the window of 'roll_avg(p, 20)' is full: it has 12 of 20 samples [W0965 window-not-full]
+a.sm:7:5: warning: this guard can be true too early: the window of 'roll_avg(p, 20)' has 12 of 20 samples [W0965 window-not-full]
     7 |     T > 1000 and roll_avg(p, 20) > 500: -> Run
       |     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 1 warning
-a.sm:7:5: error: this guard can hold before the window of 'roll_avg(p, 20)' is full: it has 12 of 20 samples [W0965 window-not-full]
+a.sm:7:5: error: this guard can be true too early: the window of 'roll_avg(p, 20)' has 12 of 20 samples [W0965 window-not-full]
     7 |     T > 1000 and roll_avg(p, 20) > 500: -> Run
       |     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 1 error
-a.sm:7:5: error: this guard can hold before the window of 'roll_avg(p, 20)' is full: it has 12 of 20 samples [W0965 window-not-full]
+a.sm:7:5: error: this guard can be true too early: the window of 'roll_avg(p, 20)' has 12 of 20 samples [W0965 window-not-full]
     7 |     T > 1000 and roll_avg(p, 20) > 500: -> Run
       |     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 1 error
-a.sm:7:5: warning: this guard can hold before the window of 'roll_avg(p, 20)' is full: it has 12 of 20 samples [W0965 window-not-full]
+a.sm:7:5: warning: this guard can be true too early: the window of 'roll_avg(p, 20)' has 12 of 20 samples [W0965 window-not-full]
     7 |     T > 1000 and roll_avg(p, 20) > 500: -> Run
       |     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 1 warning
