@@ -288,6 +288,19 @@ static bool takes_c(Cli *c, const char *path)
     return false;
 }
 
+// Whether #include "…" can name the header of each input.
+static bool is_includable(Cli *c)
+{
+    for (size_t i = 0; i < c->files; i++) {
+        const char *path = output_path(c, c->file[i], ".c"), *name = file_part(path);
+        if (strpbrk(name, "\"\\")) {
+            cli_usage(c, "emitted C cannot be named '%s': an #include cannot contain quotation marks or backslashes; choose another name with -o", path);
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool is_named_c(const char *path) { return has_suffix(path, ".c") || has_suffix(path, ".h"); }
 
 // Whether the inputs, the kind of output and -o go together.
@@ -320,6 +333,8 @@ static int check_use(Cli *c, Emit emit, FileKind *first)
     if (emit == EMIT_BYTECODE && !c->given[OPT_EMIT] && c->given[OPT_OUTPUT] && is_named_c(c->value[OPT_OUTPUT]))
         return cli_usage(c, "'%s' is a name for C: say --emit=c for C, or --emit=array for bytecode as a C array", c->value[OPT_OUTPUT]);
     if (emit == EMIT_C && c->given[OPT_OUTPUT] && !takes_c(c, c->value[OPT_OUTPUT]))
+        return EXIT_USAGE;
+    if (emit == EMIT_C && !is_includable(c))
         return EXIT_USAGE;
     if (emit == EMIT_C && c->files > 1 && (c->given[OPT_OUTPUT] || c->given[OPT_PREFIX]))
         return cli_usage(c, "with several inputs %s would name several outputs", c->given[OPT_OUTPUT] ? "-o" : "--prefix");
