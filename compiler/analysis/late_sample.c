@@ -5,14 +5,16 @@
 // Not reported, for there the old value is what is meant or all that there is:
 // 1. assignments after the use, as in `rate = x - last` ... `last = x`: the variable itself is old at the use, too;
 // 2. assignments in .entry alone: a beginning, followed by samples of what .step leaves;
-// 3. an element beside an input, as in `abs(order - position)`: what was ordered in the step before and what came of it.
+// 3. an element beside an input, as in `abs(order - position)`: what was ordered in the step before and what came of it;
+// 4. a variable that the same expression reads without a window, as in `min(p, roll_min(p, 1))`: it has this step's value, too.
 #include "compiler/analysis/known.h"
 
 typedef struct Uses {
     Analysis *a;
     const Stmts *block;
     const Known *known;           // where the expression is
-    const Expr *roll;             // whose sample is being searched
+    const Expr *value;            // the whole expression
+    const Expr *roll;             // in it: whose sample is being searched
 } Uses;
 
 static const Stmt *assigned_before(const Known *known, const Var *v)
@@ -58,6 +60,15 @@ static bool is_order_beside_input(const Expr *roll, const Var *v)
     return v->kind == VAR_ELEMENT && input;
 }
 
+static bool is_read_without_window(const Expr *e, const Var *v)
+{
+    bool read = e->kind == EX_VAR && e->var == v;
+
+    for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
+        read |= is_read_without_window(e->arg[i], v);
+    return read;
+}
+
 static void report(const Uses *u, const Var *v, const Stmt *assigned)
 {
     Diags *diags = u->a->diags;
@@ -73,7 +84,7 @@ static void search_sample(const Uses *u, const Expr *e)
 {
     const Stmt *assigned = e->kind == EX_VAR ? assigned_before(u->known, e->var) : NULL;
 
-    if (assigned && !is_order_beside_input(u->roll, e->var))
+    if (assigned && !is_order_beside_input(u->roll, e->var) && !is_read_without_window(u->value, e->var))
         report(u, e->var, assigned);
     for (uint32_t i = 0; e->kind != EX_ROLL && i < e->n; i++)
         search_sample(u, e->arg[i]);
@@ -94,6 +105,7 @@ static void look_at_stmt(void *context, const Stmt *stmt, const Known *known)
     Uses *u = context;
 
     u->known = known;
+    u->value = stmt->value;
     if (stmt->kind != ST_TRANSITION)
         expr_walk(stmt->value, look_at_roll, u);
 }

@@ -26,6 +26,9 @@ F64  arm   = 0
     roll_avg(p, 5) > 7: valve = true        # before it is assigned
     p = max(a, b)
     roll_min(p, 2) > 28: -> Done            #! W0421 in place of 'p' write what it is: max(a, b)
+    min(p, roll_min(p, 1)) > 28: -> Done    # this step's value stands beside it
+    roll_max(p, 3) - p > 5: -> Done
+    b > roll_max(p, 3): -> Done             #! W0421 'p'
     q = q * 0.9 + p * 0.1
     shown = roll_max(q + 1, 3)              #! W0421 'q' is assigned here, after the window
     shown = roll_avg(a - last, 4) + roll_avg(start, 3)
