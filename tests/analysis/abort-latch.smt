@@ -20,7 +20,7 @@ U8   fresh = 0
     fresh = 0
 .step
     p > 45: why = 1
-    why > 0: -> Abort                   #! W0907 when 'Prime' begins again after an abort, it aborts at once: 'why' is still 1
+    p >= 0 and why > 0: -> Abort        #! W0907 when 'Prime' begins again after an abort, it aborts at once: 'why' is still 1
     p > 50: fresh = 1
     fresh > 0: -> Abort                 # set back at the beginning
     not key: -> Idle

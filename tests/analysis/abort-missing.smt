@@ -30,7 +30,14 @@ U8   shown
     clamps = false
 [Coast]                     # drives nothing
 .step
-    T > 2000: -> Idle
+    T > 2000: -> Mark
+[Mark]                      # lasts one step
+.entry
+    clamps = true
+.step
+    -> Idle
+.exit
+    clamps = false
 [Abort] @abort @safe
 .entry
     valve = false

@@ -35,3 +35,4 @@ U16 by = 4 @read_only
     down == 1: a = false
     down == 2: a = true                 #! W0408
     many == 5: b = false
+    ms == 0: b = true                   # where it begins
