@@ -33,7 +33,8 @@ enum {
     OUTPUTS = 4,                  // that one finding names
     TRIED = 6,                    // entries of a state
     OTHERS_FIRST = 12,            // other inputs with which a case is tried
-    OTHERS = 32,                  // other inputs that are tried before a finding
+    OTHERS = 32,                  // other inputs at random that are tried before a finding
+    OTHERS_OF_ONE = 12,           // readings of one sensor that are tried before
     QUIET_LEAST = 4,              // of them that must leave the healthy machine quiet
     PASSES = 200                  // of time, after a sensor has failed
 };
@@ -317,12 +318,37 @@ static Outcome fail(Zero *z, const Case *c, Effect *e)
 
 // ---- whether it is a finding ----
 
+// Other readings of the other sensors, as long as there are any: each group alone through its readings, then all at random.
+static bool choose_others(Zero *z, const Case *c, uint32_t n)
+{
+    Trials *t = z->t;
+    const TrialState *s = &t->state[trial_state(z->settled) - 1];
+
+    memcpy(z->other, z->in, t->inputs * sizeof *z->other);
+    for (uint32_t g = 0; g < t->inputs; g++) {
+        const TrialInput *i = &t->input[g];
+        const uint32_t readings = i->readings < OTHERS_OF_ONE ? i->readings : OTHERS_OF_ONE;
+        if (i->command || i->group != g || g == t->input[c->sensor].group || !s->relevant[g])
+            continue;
+        if (n < readings) {
+            const double x = i->reading[n * i->readings / readings];
+            trial_set_group(t, z->other, g, trial_is_healthy(i, x) ? x : z->in[g]);
+            return true;
+        }
+        n -= readings;
+    }
+    trial_draw(t, z->other, s, false, false);
+    trial_tie_groups(t, z->other);
+    trial_set_group(t, z->other, c->sensor, c->reading);
+    return n < OTHERS;
+}
+
 // Whether the output goes on whatever other sensors read from now on, as long as the healthy machine stays quiet and has it off.  What
 // they have read before, and what a person has ordered, stays as it was: it says nothing about this moment.
 static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
 {
     Trials *t = z->t;
-    double *in = z->in, *other = z->other;
+    double *in = z->in;
     const uint32_t clock = z->clock;
     const double reading = z->reading;
     const double *level = z->leaves ? NULL : &z->level[t->a->m->var_of[e->output[0]->index]];
@@ -331,26 +357,22 @@ static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
     Effect again;
 
     trial_copy(t, z->settled, z->begin);
-    z->in = other;
     z->share = 0.02;
     z->only = e->at->number;
-    for (int n = 0; n < OTHERS && !needed; n++) {
-        memcpy(other, in, t->inputs * sizeof *other);
-        trial_draw(t, other, &t->state[trial_state(z->settled) - 1], false, false);
-        trial_tie_groups(t, other);
-        trial_set_group(t, other, c->sensor, c->reading);
+    for (uint32_t n = 0; !needed && choose_others(z, c, n); n++) {
         trial_copy(t, z->healthy, z->settled);
         z->clock = clock;
         z->others = noise_of_others[n % 3];
-        if (!rest(z, c))
-            continue;
-        quiet++;
-        z->reading = z->now[c->sensor];
-        trial_copy(t, z->begin, z->healthy);
-        needed = fail(z, c, &again) != WENT_ON && (!level || *level == 0);
+        z->in = z->other;
+        if (rest(z, c)) {
+            quiet++;
+            z->reading = z->now[c->sensor];
+            trial_copy(t, z->begin, z->healthy);
+            needed = fail(z, c, &again) != WENT_ON && (!level || *level == 0);
+        }
+        z->in = in;
     }
     trial_copy(t, z->begin, z->settled);
-    z->in = in;
     z->clock = clock;
     z->reading = reading;
     z->others = 0;

@@ -296,6 +296,7 @@ Trials *trials_of(Analysis *a)
     t->actuator = ARENA_ARRAY(a->arena, bool, a->m->var.n);
     t->peak = ARENA_ARRAY(a->arena, double, a->m->var.n);
     t->limit = ARENA_ARRAY(a->arena, double *, a->m->var.n);
+    t->scratch = arena_alloc(a->arena, t->run->size);
     t->before = ARENA_ARRAY(a->arena, double, a->m->var.n);
     t->trace.at = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 2u);
     t->random = TRIAL_SEED;
@@ -308,6 +309,7 @@ Trials *trials_of(Analysis *a)
     for (size_t w = 0; w < a->m->window.n; w++)
         if (a->m->window.at[w].size > t->window)
             t->window = a->m->window.at[w].size;
+    t->computed = ARENA_ARRAY(a->arena, bool, a->m->window.n + 1u);
     trial_find_inputs(t);
     t->dt = usual_step(t);
     search(t);

@@ -77,9 +77,11 @@ typedef struct Trials {
     double **limit;                   // by IR variable that only counts by a constant: what it is compared with, ended by NaN; else NULL
     double dt;                        // how far G advances in a step
     uint32_t window;                  // samples until every window is full
+    bool *computed;                   // by IrMachine.window: it samples what the machine itself writes
     uint32_t count;                   // limits of counters, in all
     uint64_t random;
     double *before;                   // variables before a step, for trial_pass
+    void *scratch;                    // a situation, for trial_fill_windows
     IrTrace trace;
 } Trials;
 
@@ -117,7 +119,7 @@ const Var *trial_differing(const Trials *t, const Condition *when, const void *a
 // Begins at an entry, with the inputs that led there; without any command, unless the state lasts only with those.  Chooses other
 // readings where the state does not last with these.
 void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in);
-// Fills every window with samples taken while the inputs read this.
+// Fills every window with samples taken while the inputs read this; what windows hold of variables that the machine writes stays.
 void trial_fill_windows(Trials *t, void *situation, const double *in);
 
 // ---- choosing ----

@@ -109,6 +109,13 @@ static void list_inputs(Finder *f)
 
 // ---- comparisons ----
 
+static void note_computed(Expr *e, void *context)
+{
+    bool *computed = context;
+
+    *computed |= e->kind == EX_VAR && e->var->written;
+}
+
 static void note_comparison(Expr *e, void *context)
 {
     Finder *f = context;
@@ -119,6 +126,8 @@ static void note_comparison(Expr *e, void *context)
     if (e->kind == EX_CALL && e->n > 1)
         for (uint32_t i = 1; i < e->n; i++)
             vec_push(f->arena, &f->comparison, ((Comparison){e->arg[0], e->arg[i], SM_OP_COUNT, f->state}));
+    if (e->kind == EX_ROLL)
+        expr_walk(e->arg[0], note_computed, &f->t->computed[f->t->a->m->window_of[e->window]]);
     if (e->kind == EX_VAR)
         f->read[e->var->index] = true;
 }

@@ -225,9 +225,13 @@ static void held_inputs(void *context, double *vars, uint32_t sample)
 
 void trial_fill_windows(Trials *t, void *situation, const double *in)
 {
+    void *before = trial_copy(t, t->scratch, situation);
     Held h = {t, in};
 
     ir_run_fill(t->run, situation, t->window, held_inputs, &h);
+    for (uint32_t w = 0; w < t->run->m->window.n; w++)
+        if (t->computed[w])
+            ir_run_copy_window(t->run, situation, before, w);
 }
 
 // Whether the state lasts some steps with these commands and some healthy readings.

@@ -23,6 +23,10 @@ F64  limit = 40
 F64  noted = -1
 F64  most = 40 @read_only
 
+[Decide]                    # lasts one step: nothing can stick in it
+.step
+    thrust > 90: -> Abort
+    else: -> Both
 [Both]                      #! W0902 state 'Both' cannot abort if 'pressure' sticks, say at 20.25
 .step
     pressure > 40: -> Abort
