@@ -80,6 +80,7 @@ Program *session_program(Session *s, const MachineInput *in)
     AstFile *sm = parse(s, in->sm, FILE_SM);
     Program *p = check_machine(&c, sm, sv, in->written_outside);
 
+    s->diags.known |= in->sv ? 1u << DIAG_JUDGED_VECTOR : 0;
     return s->diags.met > errors ? NULL : p;
 }
 
@@ -163,6 +164,7 @@ static void analyse_app(Session *s, const App *a)
         session_analyse(s, p[i]);
     }
     s->step = 0;
+    s->diags.known |= 1u << DIAG_JUDGED_VECTOR | 1u << DIAG_JUDGED_APP;
     analyse_together(&s->arena, &s->diags, p, a->machine.n);
     for (size_t i = 0; a->pins && i < a->machine.n; i++)
         analyse_pins(&s->arena, &s->diags, a->pins, p[i]);
@@ -201,6 +203,7 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
 void session_analyse(Session *s, const Program *p)
 {
     s->diags.analysed |= s->warnings;
+    s->diags.known |= 1u << (s->step ? DIAG_JUDGED_STEP : DIAG_JUDGED_NO_STEP);
     if (s->warnings == 0)
         return;
     s->built = ir_build(&s->arena, p);

@@ -33,6 +33,17 @@ static void look_for_change(Expr *e, void *context)
         *changes |= e->var->written;
 }
 
+// Whether the variable then holds the assigned number itself: nothing is rounded, cut or limited.
+static bool is_stored_exactly(const Uses *u, const Stmt *assigned)
+{
+    const Fact value = u->a->stmt[assigned->number].value;
+    const SmType type = assigned->var->type;
+
+    if (sm_type_info[type].kind == SM_KIND_FLOAT)
+        return fact_fits(value, type) && (type == SM_F64 || value.f32);
+    return fact_fits(value, type) && value.whole && !value.minus_zero;
+}
+
 // Whether the assignment is made at every step of the state, of what the machine itself does not change.
 static bool can_be_inlined(const Uses *u, const Stmt *assigned)
 {
@@ -41,7 +52,7 @@ static bool can_be_inlined(const Uses *u, const Stmt *assigned)
     for (size_t i = 0; i < u->block->n; i++)
         is_always |= u->block->at[i] == assigned;
     expr_walk(assigned->value, look_for_change, &changes);
-    return is_always && !changes;
+    return is_always && !changes && is_stored_exactly(u, assigned);
 }
 
 static void look_for_input(Expr *e, void *context)

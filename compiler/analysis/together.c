@@ -36,12 +36,13 @@ static Owners *owners_of(Together *t, Str element)
     return o;
 }
 
-// `at` does something to the element that belongs to `owner`.
+// `at` does something to the element that belongs to `owner`.  An @allow at the owner's place covers it, too.
 static void report(Together *t, DiagCode code, Place at, Str element, Place owner, DiagCode note)
 {
     Diag *d = diag_report(t->diags, code, at.span, at.p->name->text, element->text, owner.p->name->text);
 
     diag_note(t->diags, d, owner.span, note, owner.p->name->text);
+    diag_about(t->diags, d, DIAG_OTHER_WRITER, owner.span);
 }
 
 static bool is_other(Place place, const Program *p) { return place.p && place.p != p; }

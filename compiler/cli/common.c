@@ -214,7 +214,7 @@ int cli_report(Cli *c)
     code = d->errors ? EXIT_PROBLEM : EXIT_OK;
     if (!cli_print(c, 2, &out) && !code)
         code = EXIT_ENVIRONMENT;
-    diags_init(d, &c->session.arena);
+    diags_clear(d);
     c->reported = true;
     return code;
 }

@@ -210,7 +210,13 @@ static void report_useless(Diags *d, const DiagAllow *a)
     diag_edit(d, x, without(a->span), "");
 }
 
-static bool was_looked_for(const Diags *d, const DiagAllow *a) { return (d->analysed >> diag_find_flag(a->flag)->group & 1u) != 0; }
+// Whether this run would have found what the @allow is for.
+static bool can_be_judged(const Diags *d, const DiagAllow *a)
+{
+    const DiagFlag *flag = diag_find_flag(a->flag);
+
+    return (d->analysed >> flag->group & 1u) && (flag->judged == DIAG_JUDGED_ALWAYS || d->known >> flag->judged & 1u);
+}
 
 // One annotation may be there several times, for each place that it covers.  `about_itself`: those that allow this very warning.
 static void report_unused(Diags *d, bool about_itself)
@@ -223,7 +229,7 @@ static void report_unused(Diags *d, bool about_itself)
         used = used || all[i]->used || all[i]->shared;
         if (i + 1 < d->allow.n && compare_spans(&all[i], &all[i + 1]) == 0)
             continue;
-        if (!used && was_looked_for(d, all[i]) && (strcmp(all[i]->flag, itself) == 0) == about_itself)
+        if (!used && can_be_judged(d, all[i]) && (strcmp(all[i]->flag, itself) == 0) == about_itself)
             report_useless(d, all[i]);
         used = false;
     }
@@ -240,5 +246,6 @@ void diags_apply_allows(Diags *d)
         report_unused(d, true);
     }
     take_out(d);
-    d->allow.n = 0;
+    for (size_t i = 0; i < d->allow.n; i++)
+        d->allow.at[i].shared = true;
 }

@@ -21,6 +21,15 @@ typedef struct DiagPlace {
     Diag *diag;               // NULL: it was not kept
 } DiagPlace;
 
+void diags_clear(Diags *d)
+{
+    const Diags reported = *d;
+
+    diags_init(d, reported.arena);
+    d->allow = reported.allow;
+    d->known = reported.known;
+}
+
 void diags_init(Diags *d, Arena *arena)
 {
     memset(d, 0, sizeof *d);
@@ -280,7 +289,7 @@ static bool same_word(const char *a, const char *b)
 }
 
 const DiagFlag diag_flag[] = {
-#define FLAG(name, group, sentence) {name, DIAG_GROUP_##group, sentence},
+#define FLAG(name, group, judged, sentence) {name, DIAG_GROUP_##group, DIAG_JUDGED_##judged, sentence},
 #include "compiler/diag/flags.def"
 #undef FLAG
 };

@@ -40,9 +40,13 @@ extern const DiagInfo diag_info[DIAG_COUNT];
 // A row of flags.def.
 typedef enum DiagGroup { DIAG_GROUP_ALL, DIAG_GROUP_EXTRA, DIAG_GROUP_FLIGHT, DIAG_GROUPS } DiagGroup;
 #define DIAG_GROUPS_ALL ((1u << DIAG_GROUPS) - 1u)        // all of them, as bits
+typedef enum DiagJudged {
+    DIAG_JUDGED_ALWAYS, DIAG_JUDGED_VECTOR, DIAG_JUDGED_APP, DIAG_JUDGED_STEP, DIAG_JUDGED_NO_STEP, DIAG_JUDGED_NEVER
+} DiagJudged;
 typedef struct DiagFlag {
     const char *name;         // behind -W
     DiagGroup group;
+    DiagJudged judged;
     const char *sentence;
 } DiagFlag;
 
@@ -59,14 +63,14 @@ typedef struct DiagNote {
 } DiagNote;
 
 // A declaration that a finding names: an @allow there covers it too, where all declarations of one subject have one.
-typedef enum DiagSubject { DIAG_SENSOR, DIAG_OUTPUTS, DIAG_SUBJECTS } DiagSubject;
+typedef enum DiagSubject { DIAG_SENSOR, DIAG_OUTPUTS, DIAG_OTHER_WRITER, DIAG_CONSTANT, DIAG_SUBJECTS } DiagSubject;
 typedef struct DiagAbout { Span span; DiagSubject subject; } DiagAbout;
 
 // @allow: warnings of one flag in one part of a source are known and wanted.
 typedef struct DiagAllow {
     const char *flag, *reason;
     Span span, covers;        // the annotation; what it is about
-    bool shared;              // it stands in a file that other machines use too
+    bool shared;              // it may be needed elsewhere: by other machines, or by what is reported later
     bool used;
 } DiagAllow;
 
@@ -89,6 +93,7 @@ typedef struct Diags {
     size_t met;                           // errors met, repeated and muted ones too: what tells a caller that it failed
     VEC(DiagAllow) allow;
     VEC(Diag *) allowed;                  // what diags_apply_allows took out of the list
+    unsigned known;                       // 1u << DiagJudged of what this run knows beyond the machine
     unsigned analysed;                    // 1u << DiagGroup of each group whose every warning has been reported: analyses have run
     bool muted;                           // while set, reports are dropped
     Diag *dropped;                        // stands for every report that is not in the list; its fields mean nothing
@@ -101,6 +106,7 @@ typedef struct Diags {
 enum { DIAG_KEPT_MAX = 10000 };
 
 void diags_init(Diags *d, Arena *arena);
+void diags_clear(Diags *d);               // forgets what was reported; every @allow still covers what is reported from now on
 
 // Adds a diagnostic.  One `const char *` follows for each {} of its message.  Returns it, so that notes, a label and
 // edits can be added; never NULL.  A second report of one code at one place is dropped (what is returned then is not in the

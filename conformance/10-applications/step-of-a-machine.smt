@@ -22,7 +22,7 @@ U32  state  @alias S
 F32  wind   @read_only
 [Hold]
 .step
-    T > 6000 and roll_avg(wind, 600) < 5: -> Load        #! W0965 it has 62 of 600 samples
+    T > 6000 and roll_avg(wind, 600) < 5: -> Load        #! W0965 has 62 of 600 samples
     T > 6000 and roll_avg(wind, 62) < 4: -> Load
 [Load]
 .step

@@ -2,6 +2,7 @@
 # What two sensors can do each alone is covered where both are.
 # One that covers only some of the outputs does not cover the finding, and is not useless either.
 warn flight unused-allow
+advance 10
 
 -- app.sm --
 [state_vector]

@@ -8,6 +8,9 @@ U32  S
 F64  a        @read_only
 F64  b        @read_only
 bool valve
+U8   duty
+bool high
+bool far
 F64  shown
 F64  order
 F64  alone
@@ -41,6 +44,12 @@ F64  arm   = 0
     alone = a * 3
     roll_min(abs(order - b), 4) > 3: -> Done    # what came of the last order
     roll_min(alone, 4) > 3: -> Done             #! W0421 in place of 'alone' write what it is: a * 3
+    duty = a * 2
+    roll_avg(duty, 5) > 300: -> Done        #! W0421
+    high = a
+    roll_avg(high, 5) > 0.5: -> Done        #! W0421
+    far = a > 7
+    roll_avg(far, 5) > 0.5: -> Done         #! W0421 in place of 'far' write what it is: a > 7
     a > 1 {
         arm = b
     }
