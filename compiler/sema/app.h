@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A typed application: what the checker makes of a .app whose files have no errors (docs/config.md 10).  Elements and states are
-// bound, times are exact.  Read by the C backend and the command, changed by nobody.
+// A typed application: the checker's output for a .app whose files have no errors (docs/config.md 10).  Elements and states are
+// bound and times are exact.  The C backend and the command read it.  No code changes it after the check.
 #ifndef SMC_APP_H
 #define SMC_APP_H
 
@@ -53,11 +53,11 @@ typedef struct App {
     Str name;                 // "rocket" of rocket.app
     const Source *src;
     const StateVec *sv;
-    const Element *time;      // or NULL: there are no machines that want it
+    const Element *time;      // or NULL: no machine needs the time
     Span time_span;
     uint64_t unit, watchdog;  // nanoseconds; watchdog 0: none
     uint32_t events;
-    Str io, log, keep;        // names of files as written; NULL: none
+    Str io, log, keep;        // file names as written; NULL if absent
     Str io_name;              // the stem of io: "rocket" of pins/rocket.io
     const IoMap *pins;        // or NULL
     uint32_t log_room;        // bytes
@@ -67,14 +67,14 @@ typedef struct App {
     VEC(AppMachine *) machine;
 } App;
 
-// The files that an application is made of, each once: the state vector first, then the pins, then machines in file order.
+// The files of an application, each once: the state vector first, then the pins, then machines in file order.
 typedef struct AppFile {
     FileKind kind;
-    AstWord name;             // as written, where it is named first
-    bool wrong_kind;          // its name has another ending: nobody need open it
-    const Source *src;        // given by who can open files: the text, or NULL and
-    const char *problem;      // why it cannot be read
-    const Program *program;   // of a machine, once checked
+    AstWord name;             // as written at its first use
+    bool wrong_kind;          // its name has the wrong extension, so it need not be opened
+    const Source *src;        // set by the caller, which opens files: the source, or NULL and
+    const char *problem;      // the reason why it cannot be read
+    const Program *program;   // of a machine, after its check
 } AppFile;
 
 typedef struct AppFiles { AppFile *at; size_t n; } AppFiles;

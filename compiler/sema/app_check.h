@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the files of the checker of applications share.  Inside sema/ only.
+// Shared by the files that check applications.  Include it inside sema/ only.
 #ifndef SMC_APP_CHECK_H
 #define SMC_APP_CHECK_H
 
@@ -11,18 +11,18 @@ typedef struct AppCheck {
     const AstApp *ast;
     App *app;
     const AppFiles *files;
-    const StateVec *sv;           // NULL: it has errors; then elements are not looked for
+    const StateVec *sv;           // NULL if it has errors; then elements are not looked up
     const IoMap *pins;            // or NULL
-    unsigned guesses;             // how many more unknown names are compared with all known ones
-    Map file_index;               // of machines: name as written to 1 + its place in files
-    Map machine_file;             // name as written to the Span where it is named first
+    unsigned guesses;             // how many more unknown names may be compared with all known ones
+    Map file_index;               // of machines: name as written to 1 + its index in files
+    Map machine_file;             // name as written to the Span of its first use
     Map task, executor;           // name to the Span of the first
-    Map vital;                    // element's name to what it holds: const char *
+    Map vital;                    // element's name to a description of its content: const char *
     Map start;                    // element's name to the Span of its first value
-    Span service[AST_APP_TASK_COUNT];     // where inputs, outputs, log, keep stand
+    Span service[AST_APP_TASK_COUNT];     // positions of the inputs, outputs, log and keep tasks
 } AppCheck;
 
-// The element, or NULL after a message (or where the state vector has errors).
+// Returns the element, or NULL after a report.  Also returns NULL, without a report, if the state vector has errors.
 const Element *app_find_element(AppCheck *k, const AstWord *name);
 
 Str app_stem(AppCheck *k, Str path);      // "rocket" of pins/rocket.io
@@ -30,21 +30,21 @@ Str app_stem(AppCheck *k, Str path);      // "rocket" of pins/rocket.io
 // ---- check_app_names.c ----
 
 void check_app_products(AppCheck *k);
-void check_app_platform_files(AppCheck *k);     // the log's and keep's
+void check_app_platform_files(AppCheck *k);     // the files of log and keep
 
 // ---- check_app_time.c ----
 
 typedef struct AppRange { uint64_t least, most; bool power_of_two; const char *text; } AppRange;
 
-// The amount as a whole number; false after a message: `what` is not what `r` says.
+// Converts the amount to a whole number.  Returns false after reporting that `what` is not in the range `r`.
 bool app_whole(AppCheck *k, const AstAmount *a, const AppRange *r, const char *what, uint64_t *value);
 void check_app_rates(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);
 
 // ---- check_app_task.c ----
 
-bool app_is_of_runtime(const char *name);       // what begins with it may be a name of runtime-c
+bool app_is_of_runtime(const char *name);       // names with this prefix may belong to runtime-c
 
-void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);      // behind its rates
+void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);      // call after check_app_rates
 
 // ---- check_app_start.c ----
 

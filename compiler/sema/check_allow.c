@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// @allow (language.md 5): which part of the source each one covers.  The diagnostics know it from then on (diag/allow.c), even
-// where errors keep a program from being made; Program.allow is for reports.
+// @allow (language.md 5): which part of the source each annotation covers.  It is registered with the diagnostics at once
+// (diag/allow.c), so it applies even if errors prevent a Program.  Program.allow is for reports.
 #include "compiler/sema/sema.h"
 
 static Span from_to(const Source *src, uint32_t at, uint32_t end)
@@ -73,7 +73,7 @@ void allow_state(Sema *s, const AstSection *section, uint32_t end)
             add(s, allow_of(&section->annotations.at[i], from_to(section->header.src, section->header.at, end)));
 }
 
-// The end of a conditional with all that belongs to it.
+// The end of a conditional, including all its branches.
 static uint32_t end_of_if(const AstStmt *s)
 {
     while (s->arms->has_else && !s->arms->else_body_span.src && s->arms->otherwise.n)           // else if

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An application (docs/config.md 10) to an App: its files, options and executors.  Tasks are check_app_task.c's, times
-// check_app_time.c's, values at the start check_app_start.c's.
+// Checks an application (docs/config.md 10) and builds an App: its files, options and executors.  Tasks are checked in
+// check_app_task.c, times in check_app_time.c, values at the start in check_app_start.c.
 #include "compiler/sema/app_check.h"
 
 #include <string.h>
@@ -173,7 +173,7 @@ static void check_option(AppCheck *k, const AstAppOption *o)
     }
 }
 
-// The smallest ring that the runtime takes: runtime-c/log.h, SM_LOG_LEAST.
+// Checks against the smallest ring that the runtime accepts: runtime-c/log.h, SM_LOG_LEAST.
 static void check_log_room(AppCheck *k, const AstAppOption *o)
 {
     uint32_t least = 0;
@@ -186,7 +186,7 @@ static void check_log_room(AppCheck *k, const AstAppOption *o)
                     format_in(k->c->arena, "for this state vector at least %lu B", (unsigned long)least));
 }
 
-// The platform opens these names; runtime-c/config.h PAL_NAME.
+// The platform opens files with these names; their length is limited by PAL_NAME in runtime-c/config.h.
 static void check_name_length(AppCheck *k, const AstAppOption *o)
 {
     enum { MOST = 127 };
@@ -212,7 +212,7 @@ static void check_options(AppCheck *k)
 
 static const char *const vitals[] = {"its ticks", "its overruns", "its skipped ticks", "its lateness", "how long it was busy"};
 
-// An element that an executor writes and a machine or an input too.
+// Reports an element that an executor writes and that a machine or an input writes too.
 static void check_writers(AppCheck *k, const AstAppAnnotation *a, const Element *e)
 {
     for (size_t i = 0; i < k->files->n; i++) {
@@ -311,7 +311,7 @@ static void want_lock(AppCheck *k, size_t executors)
 
 static void check_executors(AppCheck *k)
 {
-    enum { MOST = 254 };                          // threads that a platform can be built for (runtime-c/config.h)
+    enum { MOST = 254 };                          // the most threads that a platform can be built for (runtime-c/config.h)
     size_t n = k->ast->executors.n;
 
     for (size_t i = 0; i < n; i++)
@@ -326,7 +326,7 @@ static void check_executors(AppCheck *k)
 
 // ---- all together ----
 
-// What an option is for, and nothing does.
+// Reports an option that no task uses.
 static void check_unused(AppCheck *k)
 {
     static const struct { AstAppOptionKind option; AstAppTaskKind a, b; const char *missing; } uses[] = {
@@ -341,7 +341,7 @@ static void check_unused(AppCheck *k)
     }
 }
 
-// Pins of one direction, of which only the other's task is there.
+// Reports pins of one direction if only the other direction's task exists.
 static void check_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, AstAppTaskKind other)
 {
     const AstAppOption *o = find_option(k->ast, AST_APP_io);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that an application becomes: none may be called like another (docs/config.md 10.17).
+// The files generated from an application: no two may have the same name (docs/config.md 10.17).
 #include "compiler/sema/app_check.h"
 
 #include <string.h>
 
 typedef struct Product { const char *what; Span span; } Product;
 
-// As names of files that do not tell upper from lower case.
+// Folds case, for file systems that ignore it.
 static Str folded(AppCheck *k, const char *name)
 {
     char *copy = arena_alloc(k->c->arena, strlen(name) + 1);
@@ -39,7 +39,7 @@ static bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 static bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 static bool is_letter(char c) { return is_lower(c) || is_upper(c); }
 
-// Whether it begins with this word: sm, SM_x, sm-x, SmX; but not smoke, SMOKE.
+// Whether the stem begins with this word: sm, SM_x, sm-x, SmX; but not smoke, SMOKE.
 static bool begins_with_word(const char *stem, const char *word)
 {
     size_t n = 0;
@@ -51,7 +51,7 @@ static bool begins_with_word(const char *stem, const char *word)
     return !is_letter(stem[n]) || (is_upper(stem[n]) && is_lower(stem[n - 1]));
 }
 
-// sm.sv would give sm_vector, which may be the runtime's; SM.sm SM_OK, SmApp.sm a struct SmApp.
+// A prefix of the runtime would cause clashes: sm.sv would generate sm_vector, SM.sm SM_OK, SmApp.sm a struct SmApp.
 static bool is_of_runtime(const char *stem)
 {
     while (*stem && !is_letter(*stem) && !(*stem >= '0' && *stem <= '9'))
@@ -59,7 +59,7 @@ static bool is_of_runtime(const char *stem)
     return begins_with_word(stem, "sm") || begins_with_word(stem, "pal") || begins_with_word(stem, "smvm");
 }
 
-// Whether it can stand in #include "…" and in a comment of one line.
+// Whether the stem can appear in #include "…" and in a one-line comment.
 static bool is_printable(const char *stem)
 {
     for (; *stem; stem++)
@@ -86,7 +86,7 @@ static bool has_bytecode(const AstAppTask *t)
     return false;
 }
 
-// Files of machines that become C: one with @bytecode is an array in the application's.
+// Files of machines that are emitted as C.  A machine with @bytecode becomes an array in the application's file instead.
 static Map become_c(AppCheck *k)
 {
     Map files = {k->c->arena, NULL, NULL, 0, 0};
@@ -122,7 +122,7 @@ void check_app_products(AppCheck *k)
 
 // ---- files of the running application ----
 
-// ./a is a.
+// Treats ./a as a.
 static const char *plain(const char *name)
 {
     while (name[0] == '.' && name[1] == '/')
@@ -138,7 +138,7 @@ static void check_taken(AppCheck *k, const AstAppOption *o, const AstWord *other
                   other->span, DIAG_note_named_here);
 }
 
-// The log and what is kept are written: neither is the other, or a source.
+// The log and keep files are written.  They must differ from each other and from every source.
 void check_app_platform_files(AppCheck *k)
 {
     static const char *const what[] = {[FILE_SV] = "the state vector's", [FILE_SM] = "a machine's", [FILE_IO] = "that of the pins"};

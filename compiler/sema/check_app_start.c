@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// [start] of an application: what elements hold before anything runs (docs/config.md 10.8).  Values are checked as those of a
-// machine, of which no variable is known.
+// [start] of an application: the values of elements before anything runs (docs/config.md 10.8).  Values are checked like those
+// of a machine without variables.
 #include "compiler/sema/app_check.h"
 
 #include <string.h>
 
 #include "stdlib/convert.h"
 
-// Whether it is made of numbers; reports what is not.
+// Whether the expression contains only numbers; reports the parts that are not.
 static bool is_of_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
 {
     const SmBuiltinInfo *fn = e->kind == AST_CALL ? scope_find_function(s, e->name) : NULL;
@@ -26,7 +26,7 @@ static bool is_of_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
     return good && e->kind != AST_ERROR;
 }
 
-// A value that its element cannot hold.
+// Reports a value that the type of its element cannot represent.
 static void check_fit(AppCheck *k, const AstStmt *in, const Element *e, SmF64 value, uint64_t cell)
 {
     SmF64 kept = sm_cell_to_f64(e->type, cell);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tasks of an application: their names, modes, machines, and what they need (docs/config.md 10.13 to 10.18).
+// The tasks of an application: their names, modes, machines and required options (docs/config.md 10.13 to 10.18).
 #include "compiler/sema/app_check.h"
 
 #include <string.h>
@@ -18,7 +18,7 @@ bool app_is_of_runtime(const char *name)
     return false;
 }
 
-// What is wrong with it as the beginning of names of C functions; NULL: nothing.
+// Why the name cannot be the prefix of C function names; NULL if it can.
 static const char *name_problem(const char *name)
 {
     size_t n = strlen(name);
@@ -45,7 +45,7 @@ static void check_name(AppCheck *k, const AstAppTask *in)
         map_put(&k->task, in->name.text, (void *)(size_t)&in->name.span);
 }
 
-// inputs, outputs, log, keep: once, and not without their option.
+// inputs, outputs, log and keep: each at most once, and only with its option.
 static void check_service(AppCheck *k, const AstAppTask *in)
 {
     AstAppOptionKind needs = app_task_needs(in->kind);
@@ -91,7 +91,7 @@ static void check_time_of(AppCheck *k, const AstAppTask *in, const Program *p)
 
     for (size_t i = 0; i < k->ast->options.n; i++)
         if (k->ast->options.at[i].kind == AST_APP_time && !time)
-            return;                               // reported: there is no such element
+            return;                               // reported: the element does not exist
     if (!time) {
         if (!k->ast->lost)
             diag_report(k->c->diags, DIAG_app_missing, in->name.span,
@@ -106,7 +106,7 @@ static void check_time_of(AppCheck *k, const AstAppTask *in, const Program *p)
     diag_note(k->c->diags, d, k->app->time_span, DIAG_note_named_here);
 }
 
-// Two of one file would write the same elements, S among them.
+// Two tasks with one machine file would write the same elements, including S.
 static void check_machine_file(AppCheck *k, const AstAppTask *in)
 {
     const Span *first = map_find(&k->machine_file, in->file.text);
@@ -164,7 +164,7 @@ static void check_annotation(AppCheck *k, const AstAppAnnotation *a, AppTask *t)
     t->has_safe = t->has_safe || a->kind == AST_ON_safe;
 }
 
-// The first element but S that a machine writes; NULL: none.
+// The first element except S that a machine writes; NULL if there is none.
 static const Var *first_written(const Program *p)
 {
     for (size_t i = 0; p && i < p->var.n; i++)
@@ -173,7 +173,7 @@ static const Var *first_written(const Program *p)
     return NULL;
 }
 
-// Safed, a task without @safe does nothing: what it has begun goes on.
+// In safe mode a task without @safe does nothing: what it has started continues.
 static void check_rest(AppCheck *k, const AppTask *t)
 {
     const Var *left = t->machine ? first_written(t->machine->program) : NULL;
@@ -206,7 +206,7 @@ static AppTask *check_task(AppCheck *k, const AstAppTask *in)
     return t;
 }
 
-// Between two steps of a machine its time advances, or the second is refused.
+// The time must advance between two steps of a machine, or the second step is refused.
 static void check_pace(AppCheck *k, const AstAppTask *in, const AppRate *rate)
 {
     if (in->kind == AST_TASK_machine && k->app->time && rate->period && rate->period < k->app->unit)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The times and counts of an application, exactly: whole nanoseconds, whole multiples of the tick (docs/config.md 10.11, 10.12).
+// The times and counts of an application, computed exactly: whole nanoseconds, whole multiples of the tick (docs/config.md
+// 10.11, 10.12).
 #include "compiler/sema/app_check.h"
 
 // ---- amounts ----
@@ -45,7 +46,7 @@ static const char *amount_text(AppCheck *k, const AstAmount *a)
     return format_in(k->c->arena, "%.*s", (int)a->span.len, a->span.src->text + a->span.at);
 }
 
-// "32 KB or 64 KB would be".
+// Adds a label such as "32 KB or 64 KB would be".
 static void label_powers(AppCheck *k, Diag *d, const AstAmount *a, uint64_t value)
 {
     const char *text[2];
@@ -91,7 +92,7 @@ const char *app_time_text(Arena *arena, uint64_t ns)
 enum { SECOND = 1000000000 };
 static const uint64_t shortest = 1000, longest = (uint64_t)3600 * SECOND;
 
-// 10^9 / (digits * 10^exponent * factor); of a FRACTION the whole part.
+// 10^9 / (digits * 10^exponent * factor).  For a FRACTION the result is rounded down.
 static Exactness frequency_period(const AstAmount *a, uint64_t *period)
 {
     uint64_t numerator = SECOND, hertz = a->digits;
@@ -112,7 +113,7 @@ static void report_fraction(AppCheck *k, const AstAppRate *r, uint64_t period)
         diag_label(k->c->diags, d, DIAG_label_every_instead, app_time_text(k->c->arena, period));
 }
 
-// 0 after a message.
+// Returns 0 after a report.
 static uint64_t period_of(AppCheck *k, const AstAppRate *r)
 {
     uint64_t period = 0;
@@ -143,7 +144,7 @@ static void check_multiple(AppCheck *k, const AppExecutor *e, const AppRate *r)
                app_time_text(k->c->arena, below + e->period));
 }
 
-// Groups of one period; sorted by it they are neighbours.
+// Reports two groups with the same period.
 static void check_twice(AppCheck *k, const AppExecutor *e, const AppRate *r, Map *seen)
 {
     Str key = str_c(k->c->strings, app_time_text(k->c->arena, r->period));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// [state_vector] and [local] of a machine to its variables (language.md 5): a name means one thing, listed elements agree
-// with the state vector, G and S are there, initial values are worked out.
+// [state_vector] and [local] of a machine: builds its variables (language.md 5).  Checks that each name has one meaning, that
+// listed elements agree with the state vector, and that G and S exist.  Computes initial values.
 #include "compiler/sema/sema.h"
 
 #include <string.h>
@@ -13,7 +13,7 @@ typedef struct LocalDecl { Var *var; const AstDecl *decl; } LocalDecl;
 typedef struct Declarations {
     Sema *s;
     Program *p;
-    StateVec *sv;                 // the machine's own is filled here
+    StateVec *sv;                 // filled here if the machine has its own
     const Map *written_outside;
     VEC(LocalDecl) local;
     Str time;                     // "T"
@@ -60,7 +60,7 @@ static void declare(Declarations *k, Var *v, Str name, Span span)
 
 // ---- annotations ----
 
-// An unknown type was reported by the parser.
+// The parser has already reported an unknown type.
 static bool is_known(SmType type)
 {
     return type < SM_TYPE_COUNT;
@@ -104,7 +104,7 @@ static void add_alias(Declarations *k, Var *v, const AstAnnotation *a)
 
 // ---- @range ----
 
-// An end of a range that the type cannot hold.
+// Reports an end of a range that the type cannot represent.
 static void check_end(const CheckContext *c, const AstAnnotation *a, SmF64 end, Str name, SmType type)
 {
     const SmF64 kept = sm_cell_to_f64(type, sm_cell_from_f64(type, sm_trunc(end)));
@@ -142,7 +142,7 @@ static bool same_range(const Range *a, const Range *b)
     return sm_eq(a->lo, b->lo) && sm_eq(a->hi, b->hi);
 }
 
-// What the machine says counts for the machine, and must be what the .sv says, if that says anything.
+// The machine's @range applies to the machine.  It must equal the @range of the .sv, if the .sv has one.
 static void give_range(Declarations *k, Var *v, const AstDecl *decl)
 {
     const CheckContext c = {k->s->arena, k->s->strings, k->s->diags};
@@ -180,7 +180,7 @@ static void guess_element(Declarations *k, Diag *d, Str name)
     guess_label(k->s->diags, d, &g);
 }
 
-// Whether it is G or S, by name or alias, with the type that these must have.
+// Whether it is G or S, by name or alias, with its required type.
 static bool is_special(const AstDecl *decl)
 {
     const char *name = decl->name->text;
@@ -191,7 +191,7 @@ static bool is_special(const AstDecl *decl)
     return (strcmp(name, "G") == 0 && decl->type == SM_U64) || (strcmp(name, "S") == 0 && decl->type == SM_U32);
 }
 
-// The element in the .sv that is meant; NULL if there is none of that name.
+// The element of the .sv with this name; NULL after a report if there is none.
 static Element *find_element(Declarations *k, const AstDecl *decl)
 {
     Element *e = map_find(&k->sv->by_name, decl->name);
@@ -315,7 +315,7 @@ static Var *find_special(Declarations *k, const char *name, SmType type, DiagCod
 {
     Str key = str_c(k->s->strings, name);
     Var *v = map_find(&k->p->by_name, key);
-    bool told;                    // as E0206: the state vector has the right type
+    bool told;                    // already reported as E0206: the state vector has the right type
 
     if (!v && !k->s->lost->names)
         diag_report(k->s->diags, missing, k->list->header);
@@ -330,7 +330,7 @@ static Var *find_special(Declarations *k, const char *name, SmType type, DiagCod
 
 static void find_specials(Declarations *k)
 {
-    bool any = k->p->var.n > k->local.n + 1;       // beside locals and T
+    bool any = k->p->var.n > k->local.n + 1;       // any besides locals and T
 
     if (any && k->list) {
         k->p->g = find_special(k, "G", SM_U64, DIAG_no_global_time, DIAG_global_time_type);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions (language.md 3): names bound, chains of relations flattened, parentheses and unary plus dropped.
-// Recursion is as deep as the tree, which AST_DEPTH_MAX bounds.
+// Expressions (language.md 3): binds names, flattens chains of relations, drops parentheses and unary plus.  Recursion depth
+// equals the depth of the tree, which AST_DEPTH_MAX bounds.
 #include "compiler/sema/sema.h"
 
 #include <string.h>
@@ -19,7 +19,7 @@ Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
     return e;
 }
 
-// Checks all of them, so that each one's mistakes are found; whether all were good.
+// Checks all arguments, so that errors in each are found.  Returns whether all are valid.
 static bool check_args(Sema *s, AstExpr *const *in, uint32_t n, Expr **out)
 {
     bool good = true;
@@ -33,7 +33,7 @@ static bool check_args(Sema *s, AstExpr *const *in, uint32_t n, Expr **out)
 
 // ---- names ----
 
-// An initial value is worked out when compiling: only what is declared above has a value by then.
+// An initial value is computed at compile time, when only the locals declared above have a value.
 static bool allowed_in_initial(Sema *s, const Var *v, const AstExpr *e)
 {
     Diag *d;
@@ -52,7 +52,7 @@ static bool allowed_in_initial(Sema *s, const Var *v, const AstExpr *e)
     return false;
 }
 
-// A window's size is fixed when compiling, from the locals' initial values.
+// A window's size is computed at compile time from the locals' initial values.
 static bool allowed_in_size(Sema *s, Var *v, const AstExpr *e)
 {
     SizeUse use = {v, e->span};
@@ -146,7 +146,7 @@ static Span span_between(uint32_t from, Span to)
     return span;
 }
 
-// `not a == b` is `(not a) == b`, and rarely meant: both readings are shown (language.md 3.13).
+// `not a == b` means `(not a) == b`, which is rarely intended.  The warning shows both readings (language.md 3.13).
 static void warn_of_not(Sema *s, const AstExpr *whole)
 {
     const AstExpr *left = whole;
@@ -164,7 +164,7 @@ static void warn_of_not(Sema *s, const AstExpr *whole)
 
 static void look_for_not(Sema *s, const AstExpr *e)
 {
-    bool inside = s->spine == e;                // part of a whole that was looked at
+    bool inside = s->spine == e;                // part of an expression that was already searched
 
     if (class_of(e) == SM_CLASS_LOGIC)
         return;
@@ -173,7 +173,7 @@ static void look_for_not(Sema *s, const AstExpr *e)
         warn_of_not(s, e);
 }
 
-// The comparison that stands nearest before the right side of an `and` or `or`; NULL if none does.
+// The nearest comparison before the right side of an `and` or `or`; NULL if there is none.
 static const AstExpr *compared_before(const AstExpr *e)
 {
     while (e->kind == AST_BINARY && class_of(e) == SM_CLASS_LOGIC)
@@ -181,7 +181,7 @@ static const AstExpr *compared_before(const AstExpr *e)
     return e->kind == AST_BINARY && (class_of(e) == SM_CLASS_RELATION || class_of(e) == SM_CLASS_EQUALITY) ? e : NULL;
 }
 
-// 0 and 1, true and false may be switches: `steps and 1`.  Behind mode == 2 they are not.
+// 0, 1, true and false may be switches, as in `steps and 1`.  After mode == 2 a 0 or 1 is not a switch.
 static bool may_be_switch(const AstExpr *number, const char *text, const AstExpr *before)
 {
     const bool is_word = strcmp(text, "true") == 0 || strcmp(text, "false") == 0;
@@ -190,7 +190,7 @@ static bool may_be_switch(const AstExpr *number, const char *text, const AstExpr
                        !(before && before->op == SM_OP_EQ && before->b->kind == AST_NUMBER));
 }
 
-// `mode == 1 or 2`
+// Warns of `mode == 1 or 2`.
 static void warn_of_number(Sema *s, const AstExpr *logic, const AstExpr *number)
 {
     const AstExpr *before = number == logic->b ? compared_before(logic->a) : NULL;
@@ -217,7 +217,7 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
     return check_args(s, operands, 2, out->arg) ? out : NULL;
 }
 
-// (a < b) <= c without parentheses: one EX_CHAIN of a, b, c.
+// Flattens (a < b) <= c without parentheses into one EX_CHAIN of a, b, c.
 static Expr *check_chain(Sema *s, const AstExpr *e)
 {
     uint32_t n = 2, i;
@@ -254,7 +254,7 @@ static Expr *check_unary(Sema *s, const AstExpr *e)
 
 // ---- calls ----
 
-// max(a, b, c) as max(max(a, b), c)
+// Suggests max(max(a, b), c) for max(a, b, c).
 static void nest_calls(Sema *s, Diag *d, const AstExpr *e)
 {
     const AstArgs *args = e->args;
@@ -274,7 +274,7 @@ static void nest_calls(Sema *s, Diag *d, const AstExpr *e)
     diag_label(s->diags, d, DIAG_label_write, text);
 }
 
-// What the call means with so many arguments; false if unclear.
+// Suggests what the user may mean with this number of arguments; returns false if that is unclear.
 static bool label_argument_count(Sema *s, Diag *d, const AstExpr *e, SmBuiltin fn)
 {
     const AstArgs *args = e->args;
@@ -310,7 +310,7 @@ static Expr *check_pure(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
     return check_args(s, e->args->at, fn->arguments, out->arg) ? out : NULL;
 }
 
-// An argument that the parser could not read: there may have been more, or fewer.
+// Whether the parser could not read an argument.  Then the real number of arguments is unknown.
 static bool is_broken(const AstExpr *e)
 {
     for (size_t i = 0; i < e->args->n; i++)
@@ -329,7 +329,7 @@ static Expr *check_call(Sema *s, const AstExpr *e)
         report_argument_count(s, e, fn);
     else if (!fn)
         scope_report_unknown_function(s, e->name, ast_op_span(e));
-    if (s->at == PLACE_STEP)                    // mistakes of their own; but what is allowed depends on the function
+    if (s->at == PLACE_STEP)                    // report errors in the arguments too; elsewhere, what is allowed depends on the function
         for (size_t i = 0; i < e->args->n; i++)
             check_expr(s, e->args->at[i]);
     return NULL;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pin file (config.md 9) to an IoMap: elements known and of the right type, pins and inputs taken once, annotations sensible.
+// Checks a pin file (config.md 9) and builds an IoMap: elements exist and have the right type, no pin and no input element is
+// used twice, annotations are valid.
 #include "compiler/sema/sema.h"
 
 #include <string.h>
@@ -7,10 +8,10 @@
 typedef struct IoCheck {
     const CheckContext *c;
     IoMap *io;
-    Map taken[2];                 // analog, digital: the number to its first AstPin
-    Map input;                    // elements that an input is read into, to the first AstPin
-    Map unknown;                  // names reported already
-    unsigned guesses;             // how many more unknown names are compared with all known ones
+    Map taken[2];                 // analog, digital: the pin number to the first AstPin that uses it
+    Map input;                    // elements that an input writes, to the first AstPin
+    Map unknown;                  // names already reported
+    unsigned guesses;             // how many more unknown names may be compared with all known ones
 } IoCheck;
 
 static const AstAnnotation *find(const AstPin *pin, AstAnnotationKind kind)
@@ -81,7 +82,7 @@ static void check_input(IoCheck *k, const AstPin *pin, const Element *e)
 
 // ---- numbers ----
 
-// Whether x is a whole number from 0 to `most`; then *out is it.
+// Whether x is a whole number from 0 to `most`.  If so, stores it in *out.
 static bool whole(SmF64 x, uint32_t most, uint32_t *out)
 {
     if (!sm_le(sm_from_i32(0), x) || !sm_le(x, sm_from_u32(most)))
@@ -171,7 +172,7 @@ static void check_level(IoCheck *k, const AstPin *pin, Pin *out)
     diag_note(k->c->diags, d, up->span.at > down->span.at ? down->span : up->span, DIAG_note_first_here);
 }
 
-// Whether one is needed shows only when machines are known: none is called useless.
+// Only the check of machines shows whether an @allow here is needed, so none is reported as unused.
 static void note_allows(IoCheck *k, const AstPin *pin)
 {
     Span covers = pin->element_span;
@@ -210,7 +211,7 @@ static void check_pin(IoCheck *k, const AstPin *pin, bool digital)
     vec_push(k->c->arena, &k->io->pin, p);
 }
 
-// runtime-c/io.h counts them with 16 bits.
+// runtime-c/io.h counts pins with 16 bits.
 static void check_count(IoCheck *k)
 {
     enum { MOST = 65535 };

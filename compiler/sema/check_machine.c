@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine file to a Program: its states are numbered, its variables declared, its blocks checked.
+// Checks a machine file and builds a Program: numbers its states, declares its variables, checks its blocks.
 #include "compiler/sema/sema.h"
 
 // ---- states ----

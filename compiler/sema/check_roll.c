@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of roll functions (language.md 7): the sampled expression, and a size that is known when compiling.
+// Calls of roll functions (language.md 7): the sampled expression, and a size that is known at compile time.
 #include "compiler/sema/sema.h"
 
 #include "stdlib/convert.h"
@@ -10,7 +10,7 @@ static bool is_whole(SmF64 x)
     return sm_eq(sm_trunc(x), x);
 }
 
-// The size, or 0 when it was reported.
+// The size, or 0 after a report.
 static uint32_t size_of_window(Sema *s, const AstExpr *n, const Expr *value, const SmBuiltinInfo *fn)
 {
     SmF64 x = const_eval(value);
@@ -54,7 +54,7 @@ Expr *check_roll(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
     if (!allowed_here(s, call))
         return NULL;
     out = expr_new(s, EX_ROLL, call->span, 1);
-    out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // windows inside get their place before this one
+    out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // inner windows get a lower index than this one
     w.size = check_size(s, call, fn);
     w.stat = out->stat = fn->stat;
     w.span = call->span;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A state script (language.md 8) to a Script: options, sections of states that exist, conditionals with their items.
+// Checks a state script (language.md 8) and builds a Script: options, sections of existing states, conditionals with their
+// items.
 #include "compiler/sema/sema.h"
 
 #include <string.h>
@@ -10,14 +11,14 @@
 typedef struct ScriptCheck {
     Sema s;
     Script *script;
-    Str delta_t, init_state;      // the options' names
+    Str delta_t, init_state;      // the names of the options
     bool has_delta_t, has_stop;
     Map section;                  // state name to the Span of its section
 } ScriptCheck;
 
 // ---- options ----
 
-// One number without a sign, whole, 1 … 2^63; 0 if it is not one.
+// Accepts one whole number without a sign, 1 … 2^63.  Returns 0 for anything else.
 static uint64_t delta_t_value(const AstOption *o)
 {
     const SmF64 highest = sm_from_u64(0x8000000000000000u);
@@ -36,7 +37,7 @@ static void check_delta_t(ScriptCheck *k, const AstOption *o)
     k->has_delta_t = true;
     k->script->delta_t_span = o->value_span;
     k->script->delta_t = delta_t_value(o);
-    if (k->script->delta_t == 0 && o->number && o->number->kind == AST_NUMBER)        // else the parser has reported it
+    if (k->script->delta_t == 0 && o->number && o->number->kind == AST_NUMBER)        // otherwise the parser has reported it
         diag_report(k->s.diags, DIAG_delta_t_value, o->value_span);
 }
 
@@ -125,7 +126,7 @@ static bool is_all(const char *name)
     return strcmp(name, "all") == 0 || strcmp(name, "any") == 0 || strcmp(name, "every") == 0 || strcmp(name, "always") == 0;
 }
 
-// [All_States], [option]: no state, but nearly a section that every script may have.
+// [All_States], [option]: not a state, but similar to a section that every script may have.
 static bool is_misspelt(ScriptCheck *k, const AstSection *in)
 {
     Guess g = guess_start(in->name);
@@ -172,7 +173,7 @@ static void check_any_section(ScriptCheck *k, const AstSection *in)
 
 static bool is_moment(const ScriptCheck *k, SmF64 x)
 {
-    const SmF64 limit = sm_from_u64(0x20000000000000u);          // 2^53: beyond it not every number is an F64
+    const SmF64 limit = sm_from_u64(0x20000000000000u);          // 2^53: above it some whole numbers are not an F64
 
     if (sm_lt(x, sm_from_i32(0)) || !sm_eq(sm_trunc(x), x))
         return false;
@@ -184,7 +185,7 @@ static const char *source_of(const ScriptCheck *k, Span span)
     return format_in(k->s.arena, "%.*s", (int)span.len, span.src->text + span.at);
 }
 
-// G == 15, where G is 0, 10, 20.  As deep as expressions nest: AST_DEPTH_MAX bounds it.
+// Warns of G == 15, where G is 0, 10, 20.  Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
 static void warn_of_moments(ScriptCheck *k, const Expr *e)
 {
     const bool logic = e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR);
@@ -200,7 +201,7 @@ static void warn_of_moments(ScriptCheck *k, const Expr *e)
     }
 }
 
-// Where nothing but asserts hangs on it, it is they that are reported, after the run.
+// If the body has only asserts, the unchecked asserts are reported after the run instead.
 static void check_moments(ScriptCheck *k)
 {
     for (size_t i = 0; k->script->delta_t > 0 && i < k->script->section.n; i++)

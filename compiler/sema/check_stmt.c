@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements (language.md 5): what may be written, where transitions may stand and lead, what can never run.
-// Recursion is as deep as conditionals nest, which AST_DEPTH_MAX bounds.
+// Statements (language.md 5): what may be written, where transitions may appear and lead, what can never run.  Recursion depth
+// equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
 #include "compiler/sema/sema.h"
 
 static Stmt *stmt_new(Sema *s, StmtKind kind, const AstStmt *in)
@@ -41,7 +41,7 @@ static Diag *report_read_only(Sema *s, const Var *v, Span span, Str name)
     return diag_report(s->diags, DIAG_write_read_only, span, name->text);
 }
 
-// G, S and T belong to nobody's assignments; what is marked @read_only a script may write.
+// G, S and T may never be assigned.  A script may write variables that are marked @read_only.
 static bool may_write(Sema *s, const Var *v, Str name, Span span)
 {
     bool own = v == s->p->g || v == s->p->s || v == s->p->t;
@@ -54,7 +54,7 @@ static bool may_write(Sema *s, const Var *v, Str name, Span span)
     return false;
 }
 
-// The state that `S = Vent` or `S = 2` means; NULL: none.
+// The state that `S = Vent` or `S = 2` refers to; NULL if there is none.
 static const State *state_meant(const Sema *s, const AstExpr *e)
 {
     if (e->kind == AST_NUMBER && sm_le(sm_from_i32(1), e->number) && sm_le(e->number, sm_from_u32((uint32_t)s->p->state.n)))
@@ -62,7 +62,7 @@ static const State *state_meant(const Sema *s, const AstExpr *e)
     return e->kind == AST_NAME ? map_find(&s->p->state_by_name, e->name) : NULL;
 }
 
-// S = Vent; or state = Vent, where nothing is called `state`.
+// Reports S = Vent; also state = Vent, if no variable is named `state`.
 static bool assigns_state(Sema *s, const Var *v, const AstStmt *in)
 {
     const bool may_mean = !s->in_script && (v ? v == s->p->s : in->value->kind == AST_NAME && !scope_find(s, in->value->name));
@@ -79,7 +79,7 @@ static bool assigns_state(Sema *s, const Var *v, const AstStmt *in)
     return true;
 }
 
-// 2.14, 8: who writes x = 0/0 into a script wants to see what a broken sensor does, and sees a 0.  (Of machines an analysis tells it.)
+// 2.14, 8: x = 0/0 in a script is meant to simulate a broken sensor, but stores 0. (An analysis reports it in machines.)
 static void warn_of_nan(Sema *s, const Var *v, const Expr *value)
 {
     if (expr_is_constant(value) && sm_is_nan(const_eval(value)))
@@ -173,7 +173,7 @@ static Stmt *check_stmt(Sema *s, const AstStmt *in)
 
 // ---- lists ----
 
-// Which statements belong together is not known then.
+// Then the checker does not know which statements belong together.
 static bool braces_are_lost(const Diags *diags)
 {
     for (size_t i = 0; i < diags->list.n; i++)
@@ -192,7 +192,7 @@ static void warn_of_the_rest(Sema *s, const AstStmt *transition, const AstStmt *
     diag_note(s->diags, d, transition->span, DIAG_note_transition_here);
 }
 
-// Those @allow that stand directly before statement i.
+// Applies the @allow annotations directly before statement i.
 static void check_allows(Sema *s, const AstStmts *in, size_t i)
 {
     for (size_t k = i; s->making && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A state vector file (language.md 4) to a StateVec: names unique, regions not empty, everything placed.
+// Checks a state vector file (language.md 4) and builds a StateVec: names are unique, regions are not empty, all offsets are
+// computed.
 #include "compiler/sema/sema.h"
 
 typedef struct SvCheck {
     const CheckContext *c;
     StateVec *sv;
-    Str lock;                     // the option's name
+    Str lock;                     // the name of the option
     Map region_by_name;
 } SvCheck;
 

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// A transition to an @abort state directly below a one-line conditional may have been meant to depend on it:
+// A transition to an @abort state directly below a one-line conditional may have been intended to depend on it:
 //
 //     p > 50: code = 1
 //     -> Abort
 //
-// It is the layout that raises the question, so this works on the tree as written.  No question is asked where the layout or the
-// statements say that the transition is meant for every case:
-//   - the state is an @abort state itself, or consists of an .entry alone: it passes the machine on;
-//   - another line, empty or a comment, comes between them;
-//   - the conditional goes elsewhere itself, or has an else: what is left over aborts, or every case has been dealt with;
-//   - what it assigns has been assigned before in the block: the lines classify, and then the machine aborts.
-// A transition that is indented more than the conditional is asked about in any case.
+// Only the layout shows this, so the check works on the tree as written.  It does not warn where the layout or the statements
+// show that the transition is unconditional:
+//   - the state is itself an @abort state, or has only an .entry block: it is passed through;
+//   - another line, empty or a comment, separates them;
+//   - the conditional itself has a transition, or has an else: the remaining cases abort, or every case is handled;
+//   - an earlier statement of the block assigns the same variable: the lines classify, then the machine aborts.
+// A transition that is indented more than the conditional always causes the warning.
 #include "compiler/sema/sema.h"
 
 static uint32_t line_of(Span span) { return source_position(span.src, span.at).line; }
 
 static uint32_t column_of(Span span) { return source_position(span.src, span.at).col; }
 
-// The statement that a conditional ends with if that is on its line; NULL: it ends with braces.
+// The last statement of a conditional, if it ends without braces; NULL if it ends with braces.
 static const AstStmt *last_on_line(const AstStmt *s)
 {
     while (s && s->kind == AST_IF) {
@@ -48,7 +48,7 @@ static bool stmt_assigns(const AstStmt *s, Str name, const AstStmt *but)
     return s->kind == AST_IF && (assigns(&s->arms->then, name, but) || assigns(&s->arms->otherwise, name, but));
 }
 
-// As deep as conditionals nest: AST_DEPTH_MAX bounds it.
+// Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
 static bool assigns(const AstStmts *list, Str name, const AstStmt *but)
 {
     for (size_t i = 0; i < list->n; i++)
@@ -69,7 +69,7 @@ static bool is_meant(const AstStmts *in, const AstStmt *above, const AstStmt *la
     return false;
 }
 
-// What comes before statement i; NULL: nothing does.
+// The statement before statement i; NULL if there is none.
 static const AstStmt *statement_above(const AstStmts *in, size_t i)
 {
     while (i > 0 && in->at[i - 1]->kind == AST_ALLOWED)

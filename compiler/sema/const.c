@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The value of an expression, by the very functions that targets run (stdlib).
+// Evaluates an expression with the same functions that run on targets (stdlib).
 #include "compiler/sema/sema.h"
 
 #include <stdio.h>
@@ -66,10 +66,10 @@ static SmF64 call(const Expr *e, const SmF64 *value)
 #undef SM_ROLL
     case SM_FN_COUNT: break;
     }
-    return sm_from_i32(0);                                  // the checker lets no roll call stand here
+    return sm_from_i32(0);                                  // a roll call cannot reach this: the checker excludes it
 }
 
-// The statistic of a window that holds the same sample everywhere.
+// The statistic of a window filled with equal samples.
 static SmF64 statistic(const Expr *e, const SmF64 *value)
 {
     return value && e->stat != SM_STAT_RANGE ? expr_eval(e->arg[0], value) : sm_from_i32(0);
@@ -103,7 +103,7 @@ bool expr_is_constant(const Expr *e)
 
 const char *const_text(Arena *arena, SmF64 x)
 {
-    enum { FEW = 6, ENOUGH = 17 };             // decimal digits; with 17 no two F64 look alike
+    enum { FEW = 6, ENOUGH = 17 };             // decimal digits; 17 distinguish every two F64
     const char *text = "";
 
     if (sm_is_nan(x))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Visits an expression and everything in it; compares two.  Both as deep as trees are: AST_DEPTH_MAX bounds it.
+// Visits an expression and all its subexpressions; compares two expressions.  AST_DEPTH_MAX bounds the recursion depth.
 #include "compiler/sema/program.h"
 
 #include <string.h>

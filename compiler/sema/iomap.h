@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The typed .io (config.md 9): which pin is which element.  What the checker makes of a tree that has no errors; read by the
-// emitters, changed by nobody.
+// The typed .io (config.md 9): which pin is connected to which element.  The checker's output for a tree without errors.  The
+// emitters read it; no code changes it after the check.
 #ifndef SMC_IOMAP_H
 #define SMC_IOMAP_H
 

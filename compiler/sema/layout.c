@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places the elements of a state vector in memory and on the wire, and draws the hash by which machines are bound to a layout.
+// Computes where the elements of a state vector are in memory and on the wire, and the hash that binds machines to a layout.
 #include "compiler/sema/check.h"
 
 #include "stdlib/crc32.h"
 
-// language.md 4: each element at the next multiple of its size.
+// language.md 4: each element starts at the next multiple of its size.
 static uint32_t align(uint32_t offset, uint32_t to)
 {
     return (offset + to - 1) / to * to;
@@ -34,7 +34,8 @@ static uint32_t crc_text(uint32_t crc, const char *text)
     return crc;
 }
 
-// The text "[Region]\nTYPE name\n…": equal layouts have equal texts, and the other way round.
+// CRC of one line "[Region]" per region, followed by a line "TYPE name" per element.  Layouts are equal exactly if these texts
+// are equal.
 static uint32_t hash_regions(const StateVec *sv)
 {
     uint32_t crc = SM_CRC32_START;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the parser's errors may have hidden: the words of a declaration that could not be read, or of a section whose header
-// could not.  If such a word is unknown later, that follows from an error already reported.
+// What the parser's errors may have hidden: the words of an unreadable declaration, or of a section whose header is unreadable.
+// If such a word is unknown later, that follows from an error already reported.
 #include "compiler/sema/sema.h"
 
-// How many sections begin at or before a place.
+// The number of sections that begin at or before a position.
 static size_t sections_up_to(const AstFile *f, uint32_t at)
 {
     size_t low = 0, high = f->sections.n;
@@ -18,7 +18,7 @@ static size_t sections_up_to(const AstFile *f, uint32_t at)
     return low;
 }
 
-// The last declaration that begins at or before a place; NULL if there is none.
+// The last declaration that begins at or before a position; NULL if there is none.
 static const AstDecl *decl_at(const AstSection *section, uint32_t at)
 {
     size_t low = 0, high = section->decls.n;
@@ -33,7 +33,7 @@ static const AstDecl *decl_at(const AstSection *section, uint32_t at)
     return low ? &section->decls.at[low - 1] : NULL;
 }
 
-// A mistake behind a name, on its line, has lost nothing; but behind an @ it may have lost an alias.
+// An error after a name, on the same line, hides no name.  After an @ it may hide an alias.
 static bool keeps_names(const AstSection *section, Span error)
 {
     const AstDecl *decl = decl_at(section, error.at);
@@ -47,7 +47,7 @@ static bool keeps_names(const AstSection *section, Span error)
     return *end != '@';
 }
 
-// Whether a mistake may have swallowed a declaration.
+// Whether an error may have hidden a declaration.
 static bool may_hide(const AstSection *section, Span error)
 {
     switch (section->kind) {
@@ -85,7 +85,7 @@ typedef struct Losing {
     Lost *l;
     StrPool *strings;
     const AstFile *f;
-    uint32_t done;                // words before this place have been taken
+    uint32_t done;                // words before this position are already added
 } Losing;
 
 static void lose(Losing *k, uint32_t from, uint32_t to)
@@ -110,7 +110,7 @@ static void lose_line(Losing *k, uint32_t at)
     lose(k, from, to);
 }
 
-// What is read as a state, but has no block, may have been meant for declarations.
+// A section that is parsed as a state, but has no block, may have been intended for declarations.
 static bool is_no_state(const AstSection *section)
 {
     bool blocks = section->kind != AST_STATE;
@@ -127,7 +127,7 @@ static void look_at_error(Losing *k, const Diag *d)
     const AstSection *section = n > 0 ? k->f->sections.at[n - 1] : NULL;
     uint32_t end = n < k->f->sections.n ? k->f->sections.at[n]->header.at : k->f->src->len;
 
-    if (!section || section->name->len == 0) {          // its header is missing, or unreadable
+    if (!section || section->name->len == 0) {          // its header is missing or unreadable
         k->l->sections = true;
         lose(k, error.at, end);
     } else if (d->code == DIAG_code_before_label && is_no_state(section)) {

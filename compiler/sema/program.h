@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The typed program: what the checker makes of an AST that has no errors.  Every name is bound, every number exact, every
-// element placed; aliases, parentheses and operator spelling are gone.  Read by the reference interpreter, the IR builder,
-// the script engine and reports; changed by nobody.
+// The typed program: the checker's output for an AST without errors.  Every name is bound, every number is exact and every
+// element has its offset.  Aliases, parentheses and operator spelling are resolved.  The reference interpreter, the IR builder,
+// the script engine and the reports read it.  No code changes it after the check.
 #ifndef SMC_PROGRAM_H
 #define SMC_PROGRAM_H
 
@@ -17,31 +17,31 @@
 
 typedef struct Region Region;
 
-// @range: what a sensor delivers while it is healthy.  Nothing relies on it but reports.
+// @range: the values that a healthy sensor delivers.  Only reports rely on it.
 typedef struct Range {
     SmF64 lo, hi;             // lo <= hi, both finite
     Span span;                // the annotation
 } Range;
 
-// @allow(flag, "reason"): findings of this name in this part of the source are known and wanted.
+// @allow(flag, "reason"): findings with this name in this part of the source are known and accepted.
 typedef struct Allow {
-    const char *flag;         // the warning's name behind -W
+    const char *flag;         // the warning's name, as after -W
     Str reason;
     Span span;                // the annotation
-    Span covers;              // the declaration, the state's whole section, or the statement with all that is in it
+    Span covers;              // the declaration, the whole section of the state, or the statement with its body
 } Allow;
 
 typedef struct Element {
     Str name;
     SmType type;
-    bool untyped;             // no type stands there; that was reported
+    bool untyped;             // the declaration has no valid type; already reported
     const Range *range;       // or NULL
-    bool command;             // @command: a person operates it
-    uint32_t first_allow, allows;     // StateVec.allow: those that stand behind it
-    uint32_t index;           // its place in StateVec.element
+    bool command;             // @command: operated by a person
+    uint32_t first_allow, allows;     // StateVec.allow: the @allow annotations of its declaration
+    uint32_t index;           // index in StateVec.element
     uint32_t offset;          // bytes from the start of the state vector in memory (layout.c)
     Region *region;
-    Span span;                // its name where it is declared
+    Span span;                // its name in the declaration
 } Element;
 
 struct Region {
@@ -58,10 +58,10 @@ typedef struct StateVec {
     bool from_machine;        // no .sv was given: [state_vector] of the machine is the vector, one region of that name
     VEC(Element *) element;   // in declaration order
     VEC(Region *) region;
-    VEC(Allow) allow;         // of a .sv: what stands behind its elements
+    VEC(Allow) allow;         // of a .sv: the @allow annotations of its elements
     Map by_name;              // name to Element
     uint32_t size;            // bytes in memory, a multiple of 8
-    uint32_t hash;            // of names, types and order: machines are bound to a layout by it
+    uint32_t hash;            // of names, types and order: binds machines to a layout
 } StateVec;
 
 // ---- variables ----
@@ -78,21 +78,21 @@ typedef struct Var {
     VarKind kind;
     Str name;                 // as listed
     Str alias;                // or NULL
-    Str report_name;          // the name it has in reports: of name and alias the one that comes first in ASCII
+    Str report_name;          // its name in reports: name or alias, whichever comes first in ASCII
     SmType type;
     uint32_t index;           // in Program.var
     Element *element;         // ELEMENT
-    const Range *range;       // ELEMENT: given here, or with the element in the .sv; or NULL
+    const Range *range;       // ELEMENT: from the machine, or else from the .sv; or NULL
     bool read_only;           // the machine may not write it; true for G, S and T
     bool command;             // ELEMENT: marked @command, here or in the .sv
     uint64_t init;            // LOCAL: its initial value, as a bit cell of its type (convert.h)
-    Expr *init_value;         // LOCAL: what init was worked out from
-    bool outside;             // LOCAL: somebody beside the machine writes it between steps (a state script)
-    bool is_constant;         // LOCAL: read-only and not written from outside: `init` is its value for ever
-    bool written;             // an assignment to it stands somewhere in the machine
-    bool read;                // it is read somewhere in the machine
-    bool sizes;               // LOCAL: the size of a window is made of it
-    Span span;                // its name where it is listed
+    Expr *init_value;         // LOCAL: the expression that init was computed from
+    bool outside;             // LOCAL: code outside the machine (a state script) writes it between steps
+    bool is_constant;         // LOCAL: read-only and not written from outside, so `init` is always its value
+    bool written;             // the machine contains an assignment to it
+    bool read;                // the machine reads it
+    bool sizes;               // LOCAL: the size of a window depends on it
+    Span span;                // its name in the list
 } Var;
 
 // ---- expressions: every value is an F64 ----
@@ -100,14 +100,14 @@ typedef struct Var {
 typedef enum ExprKind {
     EX_NUMBER,                // number
     EX_VAR,                   // var, read as F64
-    EX_UNARY,                 // op arg[0]          (NOT NEG; PLUS is gone)
-    EX_BINARY,                // arg[0] op arg[1]   (no chain: its operands are evaluated once each)
-    EX_CHAIN,                 // arg[0] ops[0] arg[1] ops[1] arg[2] …: relations only, all must hold
+    EX_UNARY,                 // op arg[0]          (NOT NEG; PLUS was dropped)
+    EX_BINARY,                // arg[0] op arg[1]   (never part of a chain; each operand is evaluated once)
+    EX_CHAIN,                 // arg[0] ops[0] arg[1] ops[1] arg[2] …: relations only; true if all of them are
     EX_CALL,                  // fn(arg …), pure
     EX_ROLL                   // statistic `stat` of window `window`; arg[0] is the sampled expression
 } ExprKind;
 
-struct Expr {                 // without gaps: a program is mostly these
+struct Expr {                 // bit fields save memory: most of a program is Exprs
     ExprKind kind : 8;
     SmOperator op : 8;        // UNARY, BINARY
     SmBuiltin fn : 8;         // CALL
@@ -116,13 +116,13 @@ struct Expr {                 // without gaps: a program is mostly these
     Span span;
     SmF64 number;
     Var *var;
-    Expr **arg;               // they stand behind this, and in a CHAIN n - 1 operators behind them
+    Expr **arg;               // stored directly after this struct; a CHAIN's n - 1 operators follow them
     uint32_t window;          // ROLL: index into the owner's window list
 };
 
 static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *)(e->arg + e->n); }      // CHAIN
 
-// One roll call of the source.  Every call has its own; sharing is the IR builder's business.
+// One roll call of the source.  Every call has its own window; the IR builder shares equal ones.
 typedef struct Window {
     Expr *sample;             // what it samples
     uint32_t size;            // n: 1 … SM_WINDOW_MAX
@@ -130,7 +130,7 @@ typedef struct Window {
     Span span;
 } Window;
 
-typedef VEC(Window) Windows;  // in an order in which inner calls come before outer ones: sample them in index order
+typedef VEC(Window) Windows;  // inner calls come before outer ones: sample them in index order
 
 // ---- the machine ----
 
@@ -142,10 +142,10 @@ typedef enum StmtKind { ST_ASSIGN, ST_IF, ST_TRANSITION } StmtKind;
 
 struct Stmt {
     StmtKind kind;
-    uint32_t number;          // 1, 2, 3 … in file order, in all of the machine, or of the script
-    Span span;                // of an IF up to the end of its guard
-    uint32_t operators;       // 1u << SmOperator of each that stands in `value`: who looks for one need not look at the others
-    bool varies;              // `value` reads an element, T or a statistic, so it is no constant
+    uint32_t number;          // 1, 2, 3 … in file order, over the whole machine or script
+    Span span;                // of an IF: up to the end of its guard
+    uint32_t operators;       // 1u << SmOperator for each operator in `value`; lets analyses skip the other statements
+    bool varies;              // `value` reads an element, T or a statistic, so it is not constant
     Var *var;                 // ASSIGN: what is written
     Expr *value;              // ASSIGN: converted to var's type; IF: converted to bool
     Stmts then, otherwise;    // IF
@@ -158,10 +158,10 @@ struct State {
     Str name;
     uint32_t number;          // 1, 2, 3 … in file order
     Stmts block[BLOCK_COUNT];
-    Span block_span[BLOCK_COUNT];     // the label; at no source where the block is missing
+    Span block_span[BLOCK_COUNT];     // the label; its source is NULL if the block is missing
     Span span;                // the name in its header
-    bool is_abort;            // @abort: where the machine goes when something is wrong
-    bool is_safe;             // @safe: it may stay here for good
+    bool is_abort;            // @abort: the machine goes here after a fault
+    bool is_safe;             // @safe: the machine may stay here forever
 };
 
 typedef struct Program {
@@ -171,11 +171,11 @@ typedef struct Program {
     VEC(Var *) var;           // listed elements in order, then locals in order, then T
     Var *g, *s, *t;
     VEC(State *) state;       // at[0] is number 1, the initial state
-    uint32_t operators;       // 1u << SmOperator of each that stands in it: analyses without any work look no further
-    bool large_numbers;       // a literal of 2^53 or more does
-    uint32_t stmts;           // statements in all its blocks: the largest Stmt.number
+    uint32_t operators;       // 1u << SmOperator for each operator in the program; lets analyses without work return early
+    bool large_numbers;       // the program contains a literal of 2^53 or more
+    uint32_t stmts;           // statements in all blocks: the largest Stmt.number
     Windows window;
-    VEC(Allow) allow;         // those of the .sv are there once more, covering the element where it is listed
+    VEC(Allow) allow;         // includes those of the .sv, each covering the place where the machine lists the element
     Map by_name;              // name or alias to Var
     Map state_by_name;
 } Program;
@@ -186,8 +186,8 @@ typedef struct ScriptItem {   // one conditional
     Expr *guard;
     Span span;
     Stmts inputs;             // ST_ASSIGN, executed at once when the guard is true
-    VEC(Expr *) asserts;      // judged after the step, in order
-    bool stop;                // @stop stands last
+    VEC(Expr *) asserts;      // evaluated after the step, in order
+    bool stop;                // the body ends with @stop
     Span stop_span;
 } ScriptItem;
 
@@ -203,24 +203,25 @@ typedef struct Script {
     Span delta_t_span;        // its value in [options]
     State *init_state;
     VEC(ScriptSection) section;       // in file order
-    Windows window;           // the script's own, of all sections
+    Windows window;           // the script's own, over all sections
 } Script;
 
-// Whether two expressions are the same operators on the same numbers, variables and statistics: they have one value wherever
-// nothing is assigned between them.  window_of: by Window number, something that is equal for windows that hold the same
-// (IrMachine.window_of).
+// Whether two expressions apply the same operators to the same numbers, variables and statistics.  Equal expressions have the
+// same value if no assignment happens between them. window_of maps a Window number to an id that is equal for windows with
+// equal contents (IrMachine.window_of).
 bool expr_equal(const Expr *a, const Expr *b, const uint32_t *window_of);
 
-// Calls f(x, context) for e and every expression in it, operands before their owner.
+// Calls f(x, context) for e and all its subexpressions, operands before the expression that owns them.
 void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context);
 
-// Whether e has one value for ever: it is made of numbers, constant locals, operators and pure functions.
+// Whether the value of e never changes: it contains only numbers, constant locals, operators and pure functions.
 bool expr_is_constant(const Expr *e);
-// That value; of other locals than constant ones their initial value counts.
+// The value of a constant expression.  A local that is not constant counts with its initial value.
 SmF64 const_eval(const Expr *e);
-// The value of any expression where variables have these values (by Var.index) and every window holds its current sample alone.
+// The value of any expression, given the values of variables (by Var.index).  Every window is assumed to be filled with its
+// current sample.
 SmF64 expr_eval(const Expr *e, const SmF64 *value);
-// A value for messages: the fewest digits that give it back.
+// A value for messages, with the fewest digits that read back as the same number.
 const char *const_text(Arena *arena, SmF64 x);
 
 #endif

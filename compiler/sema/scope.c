@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names in force: finds what a name means, and reports one that means nothing, once, with the nearest that does.
+// Names in scope: finds what a name refers to.  Reports an unknown name once, with the most similar known one.
 #include "compiler/sema/sema.h"
 
 // ---- guesses ----
@@ -17,7 +17,7 @@ static bool same_but_for_case(const char *a, const char *b)
     return *a == *b;
 }
 
-// One wrong letter in three is a slip; more is another word.
+// Accepts one wrong character in three as a typo; more make it another word.
 Guess guess_start(Str wanted)
 {
     size_t slips = wanted->len / 3;
@@ -44,7 +44,7 @@ void guess_label(Diags *diags, Diag *d, const Guess *g)
         diag_label(diags, d, DIAG_label_did_you_mean, g->best->text);
 }
 
-// Comparing with every known name costs; hostile text must not make it cost the square of its length.
+// Each comparison with all known names is expensive.  The limit keeps the cost of hostile input from growing quadratically.
 static bool may_guess(Sema *s)
 {
     if (s->guesses == 0)
@@ -53,7 +53,7 @@ static bool may_guess(Sema *s)
     return true;
 }
 
-// True the first time, false for a name that is in the map already.
+// Returns true the first time, false for a name that is already in the map.
 static bool first_report(Map *reported, Str name)
 {
     if (map_find(reported, name))
@@ -89,7 +89,7 @@ static const char nan_text[] = "what is stored is never NaN: a sensor's NaN is r
 
 static const char pi_text[] = "declare it in [local]: F64 pi = 3.141592653589793 @read_only";
 
-// True, TRUE, on, off, ELSE: words of this language, as others write them.
+// True, TRUE, on, off, ELSE: keywords of this language in another language's spelling.
 static bool guess_word(Sema *s, Diag *d, Str name)
 {
     static const char *const words[][2] = {{"true", "true"}, {"false", "false"}, {"yes", "true"}, {"no", "false"},
@@ -143,7 +143,7 @@ static void label_state(Sema *s, Diag *d, const State *state)
                format_in(s->arena, "%u", (unsigned)state->number));
 }
 
-// Letters of other alphabets in a name: they have been reported.
+// Letters of other alphabets in a name: already reported.
 static bool is_foreign(Str name)
 {
     for (size_t i = 0; i < name->len; i++)
@@ -211,7 +211,8 @@ static const char multiply_text[] = "multiply, as in x * x";
 static const char remainder_text[] = "for a remainder, use x - n * floor(x / n)";
 static const char clock_text[] = "write G for the time, T for the time in this state";
 
-// Functions of spreadsheets and other languages, and what to write instead.  The nearest name would mislead: sin is no min.
+// Functions of spreadsheets and other languages, and what to write instead.  The most similar name would mislead: sin is not a
+// typo of min.
 static const struct { const char *name, *advice; } foreign_functions[] = {
     {"avg", "write roll_avg(x, n)"}, {"average", "write roll_avg(x, n)"}, {"mean", "write roll_avg(x, n)"},
     {"roll_average", "write roll_avg(x, n)"}, {"roll_mean", "write roll_avg(x, n)"}, {"movmean", "write roll_avg(x, n)"},
@@ -237,7 +238,7 @@ static const char *foreign_advice(Str name)
     return NULL;
 }
 
-// "abs, floor, ..., clamp; over the last n steps: roll_avg, ..."
+// Adds the note "abs, floor, ..., clamp; over the last n steps: roll_avg, ...".
 static void note_functions(Sema *s, Diag *d)
 {
     const char *list[2] = {"", ""};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Begins the check of a machine or script: empty scopes, the functions that exist, the name of the file.
+// Starts the check of a machine or script: initial scopes, the known functions, the name of the file.
 #include "compiler/sema/sema.h"
 
 #include <string.h>
