@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The start of an application, what is said when it is refused, and its end.  (How it runs: run.c.)
+// Starts an application, prints why it cannot start, and ends it.  (Running it: run.c.)
 #include "runtime-c/app.h"
 
 #include <string.h>
@@ -15,7 +15,7 @@
 
 void sm_run_say(const SmApp *app, const char *text)
 {
-    char line[32];                         // no more, for on AVR this is part of main
+    char line[32];                         // small, because on AVR this is part of main's stack frame
     size_t n;
 
     do {
@@ -128,7 +128,7 @@ static SmResult fill_vector(SmApp *app)
     return r;
 }
 
-// The pin that the I/O task `failed` could not open.  What was no row of a table is no pin either.
+// Stores the name of the pin that the I/O task `failed` could not open.  An invalid table row has no pin number to report.
 static void name_pin(SmApp *app, SmResult r)
 {
     const SmIo *const io = app->failed->context == app->inputs ? app->inputs : app->failed->context == app->outputs ? app->outputs : NULL;
@@ -188,7 +188,7 @@ static SmResult start(SmApp *app)
 
 // ---- from start to end ----
 
-// STOP is in the last record of the log.  Threads that are stopped before tick 0 is due end before the start.
+// The last record of the log contains STOP.  If the threads are stopped before tick 0 is due, the end precedes the start.
 static void end(SmApp *app)
 {
     const uint64_t now = pal_clock_now();

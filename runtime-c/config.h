@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sizes of the runtime's static tables.  Define SM_CONFIG as the name of a header ("my_config.h") that defines any of
-// these, or have a header "smc_config.h" on the path; the rest is as below.  Nothing of the runtime grows while it runs: what does not fit is refused at start.
+// The sizes of the runtime's static tables.  To change some of them, either define SM_CONFIG as the name of a header
+// ("my_config.h") that defines them, or put a header "smc_config.h" on the include path.  The others keep the values below.
+// Nothing in the runtime grows while it runs: a table that is too small makes the start fail.
 #ifndef SM_CONFIG_H
 #define SM_CONFIG_H
 
@@ -13,7 +14,7 @@
 #include SM_CONFIG
 #endif
 
-// How many of each may be open at once, 1 to 254.
+// The maximum number of each that can be open at once, 1 to 254.
 #ifndef PAL_LOCKS
 #define PAL_LOCKS 8
 #endif
@@ -39,30 +40,30 @@
 #define PAL_LOGS 2
 #endif
 
-// Bytes of stack of a thread whose creator does not say.
+// Stack size in bytes of a thread whose creator does not specify one.
 #ifndef PAL_THREAD_STACK
 #define PAL_THREAD_STACK 65536u
 #endif
 
-// How often a lock that is held is tried again before its taker goes to sleep.  Critical sections are a few memory accesses,
-// shorter than two changes of thread; on one core spinning never helps, so a small number costs least.
+// How often a thread retries a held lock before it sleeps.  Critical sections are a few memory accesses, shorter than two context
+// switches.  On a single core spinning never helps, so a small number costs least.
 #ifndef PAL_LOCK_SPINS
 #define PAL_LOCK_SPINS 100
 #endif
 
-// How long the state vector and the events wait for their lock, in nanoseconds.  It is held for a few memory accesses; whoever waits as
-// long as this waits for a thread that is no more.
+// How long the state vector and the events wait for their lock, in nanoseconds.  The lock is held for a few memory accesses only.
+// A wait that lasts this long means that the holding thread has died.
 #ifndef SM_LOCK_WAIT
 #define SM_LOCK_WAIT 1000000000u
 #endif
 
-// The longest a name or path may be, with the zero at its end.
+// The maximum size of a name or path, including the terminating zero.
 #ifndef PAL_NAME
 #define PAL_NAME 128
 #endif
 
-// The log (log.h): bytes that go to the medium at once; after how many the description is repeated; after how many nanoseconds the
-// medium is waited for, which is what a power cut may cost.
+// The log (log.h).  SM_LOG_PIECE: bytes written to the medium at once.  SM_LOG_AGAIN: bytes after which the description is
+// repeated.  SM_LOG_SYNC: nanoseconds after which the log waits for the medium; a power cut can lose the records of this time.
 #ifndef SM_LOG_PIECE
 #define SM_LOG_PIECE 4096u
 #endif
@@ -73,8 +74,8 @@
 #define SM_LOG_SYNC 1000000000u
 #endif
 
-// What is kept (keep.h) is stored in pieces that a memory may want to be multiples of up to so many bytes (pal/nvm.h, write): 1 is
-// enough for an EEPROM.
+// The saved state vector (keep.h) is written in pieces of a multiple of this many bytes.  Some memories require such alignment
+// (pal/nvm.h, write).  1 is enough for an EEPROM.
 #ifndef SM_KEEP_UNIT
 #define SM_KEEP_UNIT 32u
 #endif

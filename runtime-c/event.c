@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ring of events.  Event number n lies at n modulo the room, which divides 2^32: so counting may wrap.
+// The ring of events.  Event number n is at index n modulo `room`.  `room` divides 2^32, so the counter may wrap around.
 #include "runtime-c/event.h"
 
 #include "runtime-c/tally.h"
@@ -27,7 +27,7 @@ static void leave(SmEvents *e)
         pal_lock_give(e->lock);
 }
 
-// Byte by byte: for as few as these a small chip has no shorter way.
+// Copies byte by byte: for so few bytes a small chip has no faster method.
 static void copy(SmEvent *to, const SmEvent *from)
 {
     for (uint8_t i = 0; i < sizeof *to; i++)
@@ -44,7 +44,7 @@ void sm_event(SmEvents *e, const SmEvent *event)
     leave(e);
 }
 
-// What has gone between a cursor and the oldest that is still there.
+// The number of events after a cursor that have been overwritten.
 static uint32_t gone(const SmEvents *e, uint32_t cursor)
 {
     const uint32_t behind = e->next - cursor;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What happened and when: a ring of events that tasks fill and that a log, a ground link, a test drain, each with a cursor of its own.
-// A reader that is too slow loses the oldest and is told how many.  Nobody waits for readers.
+// Timestamped events.  Tasks write them to a ring.  Readers, such as a log, a ground link or a test, each read it with their own
+// cursor.  A slow reader loses the oldest events and learns how many.  Writers never wait for readers.
 //
 //     static SmEvent storage[64];
 //     SmEvents events = {storage, 64, true, {0}, 0, 0};
@@ -27,32 +27,35 @@ typedef enum SmEventKind {
 } SmEventKind;
 
 typedef struct SmEvent {
-    uint64_t time;            // nanoseconds since the application started, of the tick in which it happened
-    uint32_t a, b;            // by kind: events.def
-    uint16_t source;          // number of the task, machine or executor (they are numbered apart, from 0)
+    uint64_t time;            // nanoseconds from the start of the application to the tick in which it happened
+    uint32_t a, b;            // meaning depends on `kind`: events.def
+    uint16_t source;          // number of the task, machine or executor (each kind is numbered separately, from 0)
     uint8_t kind;             // SmEventKind
 } SmEvent;
 
 typedef struct SmEvents {
     SmEvent *at;
-    uint16_t room;            // how many of them, a power of two
-    bool guarded;             // several threads use it
+    uint16_t room;            // number of elements, a power of two
+    bool guarded;             // used by several threads
     PalLock lock;
-    uint32_t next;            // how many there have been, modulo 2^32
-    uint32_t faults;          // how often the lock could not be had within SM_LOCK_WAIT: an event was dropped, or none was read
+    uint32_t next;            // number of events so far, modulo 2^32
+    uint32_t faults;          // how often the lock timed out (SM_LOCK_WAIT): an event was dropped, or a read returned none
 } SmEvents;
 
-// Empties it and opens its lock.  SM_E_ARGUMENT: `room` is no power of two, or there is no storage.  SM_E_FULL: no lock left.
+// Empties the ring and opens its lock.  SM_E_ARGUMENT: `room` is not a power of two, or `at` is NULL.  SM_E_FULL: the lock table
+// has no free entry.
 SmResult sm_events_init(SmEvents *e);
 
-// Never fails: the newest takes the place of the oldest.  e may be NULL: then it is dropped.
+// Adds an event.  If the ring is full, it overwrites the oldest event.  If `e` is NULL, it drops the event.  Never waits for a
+// reader.
 void sm_event(SmEvents *e, const SmEvent *event);
 
-// Takes up to n events from *cursor on, the oldest first, and moves *cursor behind them; gives how many.  *lost, where it is not
-// NULL: how many between the cursor and them are gone.  A cursor starts at 0.  All counts are modulo 2^32.
+// Reads up to n events from *cursor on, the oldest first, advances *cursor past them, and returns their number.  If `lost` is not
+// NULL, *lost receives the number of events after the cursor that were overwritten before this read.  A cursor starts at 0.  All
+// counts are modulo 2^32.
 uint32_t sm_events_read(SmEvents *e, uint32_t *cursor, SmEvent *out, uint32_t n, uint32_t *lost);
 
-// "STATE", …; "" for a number that is no kind.
+// The name of a kind ("STATE", …), or "" for an unknown number.
 const char *sm_event_name(uint8_t kind);
 
 #ifdef __cplusplus

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// An executor: runs a tick, and works out which comes next.  Moments on the PAL clock are compared by their difference.
+// An executor: runs a tick, and determines the next one.  PAL clock times are compared by their difference.
 #include "runtime-c/executor.h"
 
 #include "runtime-c/pal/clock.h"
 
 // ---- the plan ----
 
-// NULL is of any vector.
+// NULL is accepted for any vector.
 static bool is_of(const SmStateVec *sv, const SmElement *e)
 {
     return !e || (sv && sv->layout && (uintptr_t)e - (uintptr_t)sv->layout->element < sv->layout->elements * sizeof *e);
@@ -80,7 +80,7 @@ SmResult sm_executor_init(SmExecutor *e, const SmTask **failed)
         return r;
     e->step = e->period % e->unit == 0 ? e->period / e->unit : 0;
     r = sm_enter(e->sv);
-    if (r == SM_OK) {                     // else it would count from 0, behind a G that was restored
+    if (r == SM_OK) {                     // otherwise it would count from 0, less than a restored G
         e->base = *(const uint64_t *)place(e, e->time);
         sm_leave(e->sv);
     }
@@ -89,7 +89,7 @@ SmResult sm_executor_init(SmExecutor *e, const SmTask **failed)
 
 // ---- elements ----
 
-// Several executors may set G: what is larger stays.
+// Several executors may set G, so it only increases.
 static void set_time(const SmExecutor *e, const SmTick *tick)
 {
     const uint64_t since = e->step > 0 ? tick->number * e->step : tick->time / e->unit;
@@ -152,7 +152,7 @@ uint64_t sm_executor_due(const SmExecutor *e)
     return e->start + e->next * e->period;
 }
 
-// Small chips divide 32 bits several times faster than 64.
+// A division of 32 bits is several times faster than one of 64 bits on small chips.
 static bool is_due(const SmRate *r, uint64_t number)
 {
     if (r->every == 1)
@@ -172,13 +172,13 @@ static void run_groups(const SmExecutor *e, const SmTick *tick)
     }
 }
 
-// From a to b; 0 if b is before a.
+// The time from a to b; 0 if b is before a.
 static uint64_t since(uint64_t a, uint64_t b)
 {
     return (int64_t)(b - a) > 0 ? b - a : 0;
 }
 
-// The ticks due before now, from the next on, of which the policy leaves out.
+// How many of the ticks that are due before `now` the policy leaves out.
 static uint64_t left_out(const SmExecutor *e, uint64_t now)
 {
     const uint64_t behind = since(sm_executor_due(e), now);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of log and keep: a task's step hands over to a thread without a deadline.  Around the few numbers that both look at there is a
-// lock, where the platform has locks; where it has none there are no threads.
+// Internal to log and keep: passes data from a task's step to a thread without a deadline.  A lock protects the few counters that
+// both use.  A platform without locks has no threads either, and then no lock is taken.
 #ifndef SM_HANDOVER_H
 #define SM_HANDOVER_H
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pins to elements and back (config.md 9).  Elements go through `value` on their way, so that pins and arithmetic, both slow, stay
-// outside of the one critical section.
+// Copies pins to elements and back (config.md 9).  Values pass through `value`, so that slow pin accesses and arithmetic stay
+// outside the single critical section.
 #include "runtime-c/io.h"
 
 #include "stdlib/convert.h"
 
-enum { OUTPUT = 1, DIGITAL = 2 };             // bits of SmIoKind
+enum { OUTPUT = 1, DIGITAL = 2 };             // bit masks of SmIoKind
 
 static bool is_mine(const SmIo *io, uint16_t i, uint8_t direction) { return (io->pin[i].kind & OUTPUT) == direction; }
 static bool is_digital(const SmIoPin *p) { return p->kind & DIGITAL; }
 static SmType type_of(const SmIoPin *p) { return (SmType)p->type; }
 
-// Notes how a call for pin i went.
+// Records the result of a call for pin i.
 static SmResult note(SmIo *io, uint16_t i, SmResult r)
 {
     if (r == SM_OK) {
@@ -26,7 +26,7 @@ static SmResult note(SmIo *io, uint16_t i, SmResult r)
 
 static SmResult first_of(SmResult before, SmResult now) { return before == SM_OK ? now : before; }
 
-// What an element holds that nobody knows: NaN, where the type has one.
+// The value of an element without a valid measurement: NaN, if the type has one.
 static uint64_t unknown_cell(SmType type)
 {
     return type == SM_F64 ? 0x7FF8000000000000u : type == SM_F32 ? 0x7FC00000u : 0;
@@ -34,7 +34,7 @@ static uint64_t unknown_cell(SmType type)
 
 // ---- one pin ----
 
-// The pin's element goes to `value`.
+// Reads the pin and stores the value of its element in `value`.
 static SmResult read_pin(SmIo *io, uint16_t i)
 {
     SmF64 x;
@@ -107,7 +107,7 @@ SmResult sm_outputs_init(void *io) { return open_all((SmIo *)io, OUTPUT); }
 
 static uint8_t *element_of(const SmIo *io, uint16_t i) { return (uint8_t *)io->sv->at + io->pin[i].offset; }
 
-// 9.11: what has failed for longer than it may be held is not known any more.
+// 9.11: after more than `hold` consecutive failures the value is no longer valid.
 static void store_inputs(SmIo *io)
 {
     for (uint16_t i = 0; i < io->pins; i++) {

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two I/O tasks: inputs bring pins to elements before the other tasks of a tick, outputs bring elements to pins after them.
-// The table comes from a .io file (docs/config.md 9): as C, or carried by an image.
+// The two I/O tasks.  Inputs copy pins to elements before the other tasks of a tick.  Outputs copy elements to pins after them.
+// The pin table comes from a .io file (docs/config.md 9), either as C or as part of an image.
 //
-//     SmResult r = sm_inputs_init(&rocket_inputs);                  // once; the same of the outputs
+//     SmResult r = sm_inputs_init(&rocket_inputs);                  // once; likewise for the outputs
 //     r = sm_inputs_step(&rocket_inputs, &tick);                    // then in every tick: inputs, tasks, outputs
 //
-// A number at an analog pin is in volts (or amperes): millionths of pal/aio.h divided by 1,000,000.  The element is that times
-// scale, plus offset; an output goes the other way, and the nearest millionth is set, halves away from 0, as far as an int32_t
-// reaches.  A pin that cannot be read gives no measurement: for `hold` steps the element stays as it is, then it becomes NaN,
-// which is 0 in integers and false in bool (language.md).  The other pins are read all the same.
+// Analog values are in volts (or amperes): the millionths of pal/aio.h divided by 1,000,000.  The element of an input is this value
+// times `scale`, plus `zero`.  An output uses the inverse, rounded to the nearest millionth, halves away from 0, and saturated to
+// int32_t.  If an input cannot be read, its element keeps its value for `hold` steps.  After that it becomes NaN, which is 0 in
+// integers and false in bool (language.md).  The other pins are still read.
 //
-// All elements of one direction are stored, or read, in one critical section, and nothing else happens in it: no pin is touched
-// while the lock is held.
+// All elements of one direction are stored, or loaded, in one critical section.  No pin is accessed while the lock is held.
 #ifndef SM_IO_H
 #define SM_IO_H
 
@@ -26,30 +25,31 @@ typedef struct SmIo {
     const SmIoPin *pin;
     uint16_t pins;
     SmStateVec *sv;
-    uint8_t *handle;          // one byte a pin: the PAL's handles
-    uint16_t *missed;         // one a pin: failed steps in a row, up to 65535; any value before init
-    uint64_t *value;          // one a pin: the element's bits on their way
-    // What follows is the runtime's.
-    uint16_t failed;          // INIT: which of `pin` could not be opened; afterwards the last one that failed
+    uint8_t *handle;          // one byte for each pin: the PAL handles
+    uint16_t *missed;         // one for each pin: consecutive failed steps, at most 65535; init does not need a defined value
+    uint64_t *value;          // one for each pin: the bits of the element between vector and pin
+    // The field below belongs to the runtime.
+    uint16_t failed;          // index into `pin`: after init, the pin that could not be opened; later, the last pin that failed
 } SmIo;
 
-// As SmTaskInit and SmTaskStep; the context is an SmIo.  A table may hold both directions: each of these minds its own.
+// Compatible with SmTaskInit and SmTaskStep; the context is an SmIo.  A table may contain both directions; each function ignores
+// the pins of the other one.
 
-// Opens all pins, outputs at their safe value.  The result is that of the first that fails: then `failed` tells which, and those
-// opened are closed again.  SM_E_ARGUMENT: a row that nothing could be done with (an element beyond the vector, a type or a kind
-// that there is not, a scale of 0).
+// Opens all pins, outputs at their safe value.  If a pin fails, the result is its error, `failed` is its index, and the pins opened
+// so far are closed.  SM_E_ARGUMENT: a row is invalid (an element outside the vector, an unknown type or kind, a scale of 0).
 SmResult sm_inputs_init(void *io);
 SmResult sm_outputs_init(void *io);
 
-// SM_OK, or what the first pin that failed said; SM_E_TIMEOUT: the vector could not be had, elements stay as they are.
+// Returns SM_OK, or the error of the first pin that failed.  SM_E_TIMEOUT: the lock of the state vector timed out, and no element
+// was changed.
 SmResult sm_inputs_step(void *io, const SmTick *tick);
 
-// Sets every output in every step, whether its element has changed or not: what disturbed a pin does so for one step only.
-// Results as above; where the vector cannot be had, outputs stay as they are.
+// Sets every output in every step, even if its element has not changed, so that a disturbance of a pin lasts at most one step.
+// Results as for sm_inputs_step.  If the lock of the state vector times out, outputs stay as they are.
 SmResult sm_outputs_step(void *io, const SmTick *tick);
-SmResult sm_outputs_safe(void *io, const SmTick *tick);       // every output to its safe value
+SmResult sm_outputs_safe(void *io, const SmTick *tick);       // sets every output to its safe value
 
-// Outputs to their safe values, then gives all pins of that direction back.  For an application that ends.
+// Closes all pins of one direction; outputs are first set to their safe values.  For an application that ends.
 void sm_inputs_close(SmIo *io);
 void sm_outputs_close(SmIo *io);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slot is its number, the layout's hash, the length of the packed vector, a CRC-32 over these and it, and the vector; numbers have their
-// least significant byte first.  The slot with an even number is the first one: so a slot is written while the newest stays.
+// A slot consists of: a sequence number, the layout's hash, the length of the packed vector, a CRC-32 over these three and the
+// vector, and the packed vector.  Numbers are little-endian.  Even sequence numbers use the first slot and odd ones the second, so
+// a write never overwrites the newest slot.
 #include "runtime-c/keep.h"
 
 #include <string.h>
@@ -21,7 +22,7 @@ static uint32_t check_of(const SmKeep *k, const uint8_t *slot)
 
 static uint32_t round_up(uint32_t n, uint32_t unit) { return unit > 1 ? (n + unit - 1) / unit * unit : n; }
 
-// Finds out where slots lie in this memory.
+// Determines the distance between the slots in this memory.
 static SmResult lay_out(SmKeep *k)
 {
     PalNvmInfo info;
@@ -37,10 +38,11 @@ static SmResult lay_out(SmKeep *k)
 
 // ---- is it ours? ----
 
-// A power cut can leave anything in the slot that was being written, and nothing else in the other; so of a memory of ours one head at
-// least can be known again, and a bit that flips in each does not hide both hash and length.  What is not ours is never written.
+// A power cut can leave anything in the slot that was being written, but does not affect the other one.  So in a memory that
+// contains our data, at least one head is recognisable.  A single bit flip in each head cannot change both hash and length.  A
+// memory without our data is never written.
 
-// The head at `at`, with `blank` where the memory is shorter; false: it cannot be read.
+// Reads the head at `at`; bytes beyond the end of the memory read as `blank`.  Returns false if the memory cannot be read.
 static bool read_head(const SmKeep *k, const PalNvmInfo *info, uint32_t at, uint8_t head[SM_KEEP_HEAD])
 {
     const uint32_t there = at < info->size ? info->size - at : 0;
@@ -61,7 +63,7 @@ static bool is_known(const SmKeep *k, const uint8_t *head)
     return log_get32(head + 4) == k->sv->layout->hash || log_get32(head + 8) == packed_of(k);
 }
 
-// A whole slot of any layout at the memory's beginning.
+// Whether the memory begins with an intact slot of any layout.
 static bool is_whole(const SmKeep *k, const PalNvmInfo *info, const uint8_t *head)
 {
     const uint32_t n = log_get32(head + 8);
@@ -78,20 +80,21 @@ static bool is_whole(const SmKeep *k, const PalNvmInfo *info, const uint8_t *hea
     return n > 0 && log_get32(head + 12) == sm_crc32_end(crc);
 }
 
-// Blank: number and hash alone, for an erase may have been cut behind them.
+// Whether the memory is ours or blank.  For blank only the number and the hash are checked, because an erase may have been cut
+// after them.
 static bool is_ours(const SmKeep *k, const PalNvmInfo *info)
 {
     uint8_t first[SM_KEEP_HEAD], second[SM_KEEP_HEAD];
 
     if (!read_head(k, info, 0, first) || !read_head(k, info, round_up(size_of(k), info->erase), second))
-        return true;                                      // a medium that cannot be read now: nothing can be said of it
+        return true;                                      // the medium cannot be read now, so the content is unknown
     return is_blank(first, 8, info->blank) || is_known(k, first) || is_known(k, second) || is_whole(k, info, first) ||
-        (info->erase != 0 && is_blank(second, SM_KEEP_HEAD, info->blank));        // a cut erase of the first leaves anything there
+        (info->erase != 0 && is_blank(second, SM_KEEP_HEAD, info->blank));        // a cut erase of the first leaves undefined bytes there
 }
 
 // ---- opening ----
 
-// As it is: whoever opens it for more than it has lengthens it.
+// Opens the memory at its current size, because opening it with a larger size would extend it.
 static SmResult look_first(SmKeep *k, bool *fits)
 {
     PalNvmInfo info;
@@ -131,7 +134,7 @@ static SmResult open_memory(SmKeep *k)
 
 // ---- what is kept ----
 
-// Reads slot 0 or 1 into its half; whether it is whole and of this layout.
+// Reads slot 0 or 1 into its half of the buffer.  Returns whether it is intact and of this layout.
 static bool read_slot(SmKeep *k, uint8_t which)
 {
     uint8_t *slot = half(k, (uint8_t)(which + 1));
@@ -140,7 +143,7 @@ static bool read_slot(SmKeep *k, uint8_t which)
         log_get32(slot + 4) == k->sv->layout->hash && log_get32(slot + 8) == packed_of(k) && log_get32(slot + 12) == check_of(k, slot);
 }
 
-// Something was kept once: what is read of the slots is not blank.
+// Whether a vector was ever saved: the bytes read from the slots are not all blank.
 static bool holds_something(const SmKeep *k)
 {
     const uint32_t n = SM_KEEP_HEAD + packed_of(k);
@@ -149,7 +152,7 @@ static bool holds_something(const SmKeep *k)
     return pal_nvm_info(k->nvm, &info) == SM_OK && !(is_blank(half(k, 1), n, info.blank) && is_blank(half(k, 2), n, info.blank));
 }
 
-// The half of the buffer that holds the newest slot; 0: there is none.
+// The half of the buffer that contains the newest slot; 0: none.
 static uint8_t newest(SmKeep *k)
 {
     const bool first = read_slot(k, 0), second = read_slot(k, 1);
@@ -182,7 +185,8 @@ SmResult sm_keep_restore(SmKeep *k)
 
 // ---- taking snapshots ----
 
-// The half that a snapshot may go into: not the one that is being written; the one that waits only if it has to be.
+// Chooses the half for the next snapshot.  It never chooses the half that is being written, and chooses the waiting one only if
+// necessary.
 static uint8_t claim(SmKeep *k)
 {
     uint8_t into;
@@ -191,14 +195,14 @@ static uint8_t claim(SmKeep *k)
         return 0;
     into = k->busy != 1 && k->full != 1 ? 1 : k->busy != 2 && k->full != 2 ? 2 : k->full;
     if (into == k->full) {
-        k->full = 0;                                      // withdrawn: the writer must not begin with it now
+        k->full = 0;                                      // withdrawn, so that the writer does not start on it now
         k->missed++;
     }
     sm_handover_give(k->lock);
     return into;
 }
 
-// The result is that of the medium.
+// Returns the result of the last write to the medium.
 static SmResult hand_over(SmKeep *k, uint8_t snapshot)
 {
     SmResult r = sm_handover_take(k->lock);
@@ -227,7 +231,7 @@ SmResult sm_keep_step(void *context, const SmTick *tick)
 
 // ---- writing ----
 
-// The snapshot that waits becomes the one that is being written; 0: none waits.
+// Moves the waiting snapshot to `busy`.  Returns 0 if none waits.
 static uint8_t begin(SmKeep *k)
 {
     if (sm_handover_take(k->lock) != SM_OK)
@@ -291,7 +295,7 @@ SmResult sm_keep_write(SmKeep *k)
     return r;
 }
 
-// The older slot first: whatever happens in between, the next start is with the newest or with none.
+// Erases the older slot first.  If this is interrupted, the next start uses the newest slot or none.
 SmResult sm_keep_forget(SmKeep *k)
 {
     const uint32_t newer = k->number % 2 * k->slot;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps the state vector in non-volatile memory, so that an application that was killed goes on where it was (thesis 2.4).
-// Two slots are written in turn, each with a number, the layout's hash and a checksum: whatever moment the power goes, one of them is
-// whole, the last or the one before.  A slot of another .sv is not taken.  A task's step takes the snapshot; it is written by a thread without a
-// deadline (or by the step itself, where there is none).
+// Saves the state vector in non-volatile memory, so that an application that was killed can continue where it was (thesis 2.4).
+// Two slots are written alternately.  Each has a sequence number, the layout's hash and a checksum.  Whenever the power fails, one
+// of them is intact: the last one or the one before it.  A slot written with another .sv is not used.  A task's step takes the
+// snapshot.  A thread without a deadline writes it to the memory; without threads the executor does, while it is idle.
 #ifndef SM_KEEP_H
 #define SM_KEEP_H
 
@@ -14,38 +14,40 @@ extern "C" {
 #endif
 
 typedef struct SmKeep {
-    const char *memory;       // a name as pal/nvm.h takes it
+    const char *memory;       // name of the memory, for pal_nvm_open
     SmStateVec *sv;
-    uint8_t *buffer;          // SM_KEEP_SIZE(packed size of the vector) bytes, twice
-    // What follows is the runtime's; all zero at first.
+    uint8_t *buffer;          // 2 * SM_KEEP_SIZE(packed size of the vector) bytes
+    // The fields below belong to the runtime; initially all zero.
     PalNvm nvm;
-    PalLock lock;             // around `full`, `busy` and `result`
-    uint32_t slot;            // bytes from the first slot to the second
-    uint32_t number;          // of the newest slot
-    uint8_t full, busy;       // the half of the buffer, 1 or 2, that waits to be written, that is being written; 0: none
-    uint32_t pending, stored, missed;     // snapshots taken, written, replaced by a later one before they were written
-    SmResult result;          // of the medium, the last time
+    PalLock lock;             // protects `full`, `busy` and `result`
+    uint32_t slot;            // distance between the two slots in bytes
+    uint32_t number;          // sequence number of the newest slot
+    uint8_t full, busy;       // the half of `buffer`, 1 or 2, that waits to be written, and that is being written; 0: none
+    uint32_t pending, stored, missed;     // number of snapshots taken, written, and replaced by a later one before being written
+    SmResult result;          // of the last access to the medium
     bool restored;
-    bool unusable;            // there was one, damaged or of another layout
+    bool unusable;            // there was a slot, but it is damaged or of another layout
 } SmKeep;
 
-#define SM_KEEP_HEAD 16u      // bytes beside the packed vector: number, hash, length, checksum
-// (Rounded up to what memories are written in multiples of: config.h.)
+#define SM_KEEP_HEAD 16u      // bytes of a slot before the packed vector: number, hash, length, checksum
+// (Rounded up to SM_KEEP_UNIT, the write alignment of the memory: config.h.)
 #define SM_KEEP_SIZE(packed) (((packed) + SM_KEEP_HEAD + SM_KEEP_UNIT - 1u) / SM_KEEP_UNIT * SM_KEEP_UNIT)
 
-// Opens the memory and, where a slot is whole and of this layout, brings the vector back: keep->restored.  No slot is no error, a damaged one
-// or one of another layout is none either: keep->unusable.
-// SM_E_FOREIGN: the memory is neither blank nor does it hold a slot; it stays as it is, to the byte.
-// To be called before the tasks' init.  SM_E_SPACE: two slots do not fit.  SM_E_UNSUPPORTED: it is written in multiples of something that
-// SM_KEEP_UNIT is no multiple of.  Otherwise as pal_nvm_open.
+// Opens the memory.  If it contains an intact slot of this layout, restores the vector and sets keep->restored.  A missing slot is
+// not an error.  A damaged slot or one of another layout is not an error either, but sets keep->unusable.  Call this before the
+// tasks' init.
+//     SM_E_FOREIGN       the memory is neither blank nor contains a slot; it is left unchanged
+//     SM_E_SPACE         two slots do not fit
+//     SM_E_UNSUPPORTED   SM_KEEP_UNIT is not a multiple of the memory's write size
+// Other results as for pal_nvm_open.
 SmResult sm_keep_restore(SmKeep *keep);
-// As SmTaskStep.  Takes a snapshot; one that still waits is replaced.  When that is done and the medium refused the last one that it was
-// given, the result is what it said: so it is told as the task's fault, until it takes one again.
+// Compatible with SmTaskStep.  Takes a snapshot and replaces one that still waits to be written.  If the previous write to the
+// medium failed, returns its error after taking the snapshot.  It is then reported as the task's fault until a write succeeds.
 SmResult sm_keep_step(void *keep, const SmTick *tick);
-// Writes the snapshot that waits, if one does; waits for the medium; from one thread only, any.  After an error it waits again, if no later
-// one does, and the slot that was there before still counts.
+// Writes the waiting snapshot, if there is one, and waits for the medium.  Call it from one thread only; any thread will do.  After
+// an error the snapshot waits again, unless a later one does, and the previous slot stays valid.
 SmResult sm_keep_write(SmKeep *keep);
-// Forgets what is kept and what waits: the next start is a fresh one.  From the thread that writes.
+// Erases both slots and discards a waiting snapshot, so that the next start is a fresh one.  Call it from the thread that writes.
 SmResult sm_keep_forget(SmKeep *keep);
 
 #ifdef __cplusplus

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step's side of the log: blocks into the ring.  A block lies in one piece: where it does not fit before the end of the ring,
-// `end` notes where the last one ended, and the ring begins anew.  head == tail is an empty ring, so it is never filled up.
+// The step's side of the log: puts blocks into the ring.  A block is contiguous.  If it does not fit before the end of the ring,
+// `end` records the end of the last block, and the next one starts at the front. head == tail means empty, so the ring is never
+// filled completely.
 #include "runtime-c/log.h"
 
 #include <string.h>
@@ -10,11 +11,11 @@
 
 enum { EVENTS_AT_ONCE = 4 };
 
-// Whether the file begins as a log does.  Damage to one byte does not hide it; a file system that lost what it had not stored yet gives
-// zeros; a log that was cut in its first bytes has its mark.
+// Whether the file begins like a log.  One damaged byte is tolerated.  A file system that lost unsynced data leaves zeros.  A log
+// cut within its first bytes still has its mark.
 static bool is_log(const SmLog *log)
 {
-    enum { LOOK = LOG_HEAD + 9 };                         // up to the end of the first session's beginning, which is 0
+    enum { LOOK = LOG_HEAD + 9 };                         // up to and including the start offset of the first session, which is 0
     const uint8_t beginning[9] = {LOG_VERSION};
     const uint32_t n = log->start < LOOK ? (uint32_t)log->start : LOOK;
     uint8_t b[LOOK] = {0};
@@ -65,7 +66,7 @@ SmResult sm_log_init(void *context)
 
 // ---- room in the ring ----
 
-// Where a block of n bytes finds room; false: nowhere.
+// Finds space for a block of n bytes; false if there is none.
 static bool find_room(SmLog *log, uint32_t n, uint32_t *at)
 {
     uint32_t tail;
@@ -83,7 +84,7 @@ static bool find_room(SmLog *log, uint32_t n, uint32_t *at)
     return n < tail;
 }
 
-// Hands the block of n bytes at `at` over to the drain.
+// Passes the block of n bytes at `at` to the drain.
 static bool hand_over(SmLog *log, uint32_t at, uint32_t n)
 {
     if (sm_handover_take(log->lock) != SM_OK)
@@ -106,7 +107,7 @@ static void put_event(uint8_t *to, const SmEvent *e)
     log_put32(to + 15, e->b);
 }
 
-// Up to EVENTS_AT_ONCE of them as a block; gives how many.  Without room they stay where they are.
+// Puts up to EVENTS_AT_ONCE events into a block and returns their number.  Without space, the events stay in the event ring.
 static uint32_t put_some_events(SmLog *log)
 {
     SmEvent e[EVENTS_AT_ONCE];
@@ -128,7 +129,7 @@ static uint32_t put_some_events(SmLog *log)
     return n;
 }
 
-// Those that there are now, not those that come meanwhile.
+// Limited to the size of the event ring, so that events emitted meanwhile cannot prolong the loop.
 static void put_events(SmLog *log)
 {
     uint32_t left = log->events ? log->events->room : 0, n = 1;
@@ -139,7 +140,7 @@ static void put_events(SmLog *log)
     }
 }
 
-// How much is missing here, if anything is that has not been told.
+// Reports the losses that the log has not reported yet, if there are any.
 static void put_gap(SmLog *log)
 {
     uint32_t at;

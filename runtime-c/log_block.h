@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The format of the log, for who writes it and who reads it; docs/log.md explains it.  Numbers have their least significant byte first.
+// The format of the log, for writers and readers; docs/log.md explains it.  Numbers are little-endian.
 //
-// A block is a mark, its kind, the length of what it holds, that, and a CRC-32 of all of it, which of all kinds but the description
-// goes on from the CRC-32 of the session's identity: so no block is ever taken for one of another session or another layout.
+// A block is a mark, its kind, the length of its payload, the payload, and a CRC-32 of all of these.  For all kinds except the
+// description, the CRC starts from the CRC-32 of the session's identity.  A block of another session or layout is therefore never
+// accepted.
 #ifndef SM_LOG_BLOCK_H
 #define SM_LOG_BLOCK_H
 
@@ -15,7 +16,7 @@ enum {
     LOG_MARK = 0xA5,
     LOG_HEAD = 6,             // mark, kind, four bytes of length
     LOG_CHECK = 4,            // the CRC
-    LOG_IDENTITY = 13,        // the first bytes of a description: version, where it began in the file (8), layout hash (4)
+    LOG_IDENTITY = 13,        // the first bytes of a description: version, its position in the file (8), layout hash (4)
     LOG_EVENT = 19,           // time (8), kind, source (2), a (4), b (4)
     LOG_DROPPED = 8           // records, events
 };
@@ -55,7 +56,7 @@ static inline uint64_t log_get64(const uint8_t *from)
     return log_get32(from) | (uint64_t)log_get32(from + 4) << 32;
 }
 
-// The CRC of n bytes that goes on from `crc`, which is SM_CRC32_START or a CRC that has not been ended.
+// Continues the CRC `crc` over n bytes.  `crc` is SM_CRC32_START or a CRC that has not been finalised.
 static inline uint32_t log_check(uint32_t crc, const uint8_t *bytes, uint32_t n)
 {
     while (n-- > 0)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The description: the same bytes are made again for each piece of it that is written, so that it needs no memory.
+// The description.  It is generated again for each piece that is written, so it needs no memory.
 #include <string.h>
 
 #include "runtime-c/log_block.h"
 #include "runtime-c/log_describe.h"
 
-// Takes all bytes in order and keeps those from `from` on for which there is room.
+// Receives all bytes in order and stores up to `room` of them, starting at byte `from`.
 typedef struct Sink {
     uint32_t at, from, room;
     uint8_t *out;
@@ -79,7 +79,7 @@ static void put_layout(Sink *s, const SmNames *names)
     }
 }
 
-// Which element a machine's S is; 0xFFFF: none.
+// The index of a machine's element S; 0xFFFF: none.
 static uint16_t number_of(const SmLayout *l, const SmMachine *m)
 {
     const SmPlace at = m->type->number(m->self);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the log: the description with which a session begins.
+// Internal to the log: the description that begins each session.
 #ifndef SM_LOG_DESCRIBE_H
 #define SM_LOG_DESCRIBE_H
 
 #include "runtime-c/log.h"
 
-// Bytes of the whole block, its mark and checksum with it.
+// Size of the whole block in bytes, including its head and checksum.
 uint32_t sm_log_description_size(const SmLog *log);
 
-// Fills in up to `room` of the bytes of a block of `size` bytes, from byte `from` on; gives how many.
+// Fills `out` with up to `room` bytes of a block of `size` bytes, from byte `from` on, and returns the number of bytes.
 uint32_t sm_log_describe(const SmLog *log, uint32_t size, uint32_t from, uint8_t *out, uint32_t room);
 
-// The CRC, not ended, of the session's identity, from which the CRCs of its other blocks go on.
+// The CRC of the session's identity, not finalised.  The CRCs of the session's other blocks continue from it.
 uint32_t sm_log_identity(const SmLog *log);
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The drain's side of the log: what is in the ring, with checksums filled in, to the medium; and the description, first of all and
-// again from time to time, so that a log whose beginning is damaged can still be read.
+// The drain's side of the log: fills in checksums and writes the ring to the medium.  It writes the description first, and repeats
+// it from time to time, so that a log whose beginning is damaged can still be read.
 //
-// What the medium took of a piece before it refused is known by the file's size, so that the rest follows where it stopped.
+// If the medium fails in the middle of a piece, the file's size shows how much was written.  The next write continues there.
 #include "runtime-c/handover.h"
 #include "runtime-c/log_block.h"
 #include "runtime-c/log_describe.h"
@@ -10,7 +10,7 @@
 
 enum { DESCRIBE_AT_ONCE = 64 };
 
-// Gives how many of the bytes are in the file now.
+// Returns how many of the bytes are in the file now.
 static uint32_t append(SmLog *log, const uint8_t *bytes, uint32_t n)
 {
     uint64_t size = log->written;
@@ -48,7 +48,7 @@ static void describe(SmLog *log)
     log->describing += append(log, bytes, n);
 }
 
-// Not before something else has been written since, however long it is itself.
+// Requires other data between two descriptions, however long the description is.
 static bool is_description_due(const SmLog *log)
 {
     return log->description == 0 || log->written - log->described > (uint64_t)log->description + SM_LOG_AGAIN;
@@ -56,7 +56,7 @@ static bool is_description_due(const SmLog *log)
 
 // ---- the ring ----
 
-// Up to where there are blocks from the tail on; moves the tail to the front of the ring when it is at its end.
+// The end of the contiguous blocks that start at the tail.  Moves the tail to the front if it is at the end of the ring.
 static uint32_t look(SmLog *log)
 {
     uint32_t limit;
@@ -70,8 +70,8 @@ static uint32_t look(SmLog *log)
     return limit;
 }
 
-// Fills in checksums up to `limit`, of no more than SM_LOG_PIECE bytes but at least of one block; of no further one when the next is to be
-// the description.
+// Fills in the checksums of blocks before `limit`: of at least one block, then up to SM_LOG_PIECE bytes.  If the description is
+// due, it stops after one block.
 static void close_blocks(SmLog *log, uint32_t limit)
 {
     const uint32_t identity = sm_log_identity(log), most = is_description_due(log) ? 0 : SM_LOG_PIECE;
@@ -88,12 +88,12 @@ static void close_blocks(SmLog *log, uint32_t limit)
 static void give_room(SmLog *log, uint32_t n)
 {
     if (sm_handover_take(log->lock) != SM_OK)
-        return;                                           // seen the next time: the bytes will be there twice
+        return;                                           // retried next time; these bytes will then be in the file twice
     log->tail += n;
     sm_handover_give(log->lock);
 }
 
-// Something is left in the ring or of the description.
+// Returns true if data remains in the ring or in the description.
 static bool drain_piece(SmLog *log)
 {
     uint32_t limit, n;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a machine as a task: in place, or on a snapshot of a guarded state vector; and tells what happened as events.
+// Runs a machine as a task, either in place or on a snapshot of a guarded state vector, and emits its events.
 #include "runtime-c/machine.h"
 
 #include <string.h>
@@ -38,7 +38,7 @@ static SmResult check(const SmMachine *m)
     return m->type->publish != NULL ? SM_OK : SM_E_UNSUPPORTED;
 }
 
-// The state that S tells; 0 if it tells none.
+// Reads the state number from S; 0 if no such state exists.
 static SmResult kept_state(const SmMachine *m, uint32_t *state)
 {
     SmResult r = sm_enter(m->sv);
@@ -104,7 +104,7 @@ SmResult sm_machine_init(void *machine)
 
 // ---- step ----
 
-// What others see of the last step; to be called inside the critical section.
+// Makes the last step's stores visible to others.  Must be called inside the critical section.
 static void publish(SmMachine *m)
 {
     m->type->publish(m->self, m->copy, m->sv->at);
@@ -136,7 +136,7 @@ static SmResult deliver(SmMachine *m)
     return SM_OK;
 }
 
-// How the step went; *delivered: how writing it went.
+// Returns the result of the step; *delivered is the result of writing its stores back.
 static SmResult step_on_copy(SmMachine *m, SmResult *delivered)
 {
     SmResult r = take_snapshot(m);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// A state machine as a task runs it, whether it is C that smc emitted or an image on the VM (machine_type.h).
+// A state machine that runs as a task: either C emitted by smc, or an image on the VM (machine_type.h).
 //
 //     static Mission mission;
-//     static uint64_t copy[sizeof(RocketSv) / 8];                       // where the .sv says `lock`
+//     static uint64_t copy[sizeof(RocketSv) / 8];                       // if the .sv says `lock`
 //     static SmMachine m = {.name = "mission", .type = &mission_machine, .self = &mission, .sv = &rocket_vector, .events = &events, .copy = copy};
 //     static SmTask task = {.name = "mission", .init = sm_machine_init, .step = sm_machine_step, .context = &m};
 //
-// On a guarded state vector a step works on a snapshot: what the machine may read is copied in one critical section, the step runs
-// without the lock, and in a second one those elements are written that it stored, no others.  So whatever others write meanwhile stays;
-// the machine never sees half of what somebody wrote in one go, nor anybody half of what it stored.  On an unguarded vector it works in place.
+// On a guarded state vector a step works on a snapshot:
+// 1. One critical section copies everything that the machine may read.
+// 2. The step runs without the lock.
+// 3. A second critical section writes back only the elements that the step stored.
+// So writes by other tasks in the meantime are preserved.  The machine never sees a partial update by another task, and no other
+// task sees a partial update by the machine.  On an unguarded vector the step works in place.
 #ifndef SM_MACHINE_H
 #define SM_MACHINE_H
 
@@ -22,38 +25,43 @@ extern "C" {
 typedef struct SmMachine {
     const char *name;
     const SmMachineType *type;
-    void *self;               // the emitted struct, or an SmvmTarget; its own, of no other SmMachine
+    void *self;               // the emitted struct, or an SmvmTarget; not shared with another SmMachine
     SmStateVec *sv;
     SmEvents *events;
-    void *copy;               // layout->whole.size bytes aligned as uint64_t, its own; NULL where sv is not guarded
-    uint32_t initial;         // the state it starts in; 0: the first
-    bool resume;              // after a restart with a restored vector it starts in the state that S tells, if there is one of that number
+    void *copy;               // layout->whole.size bytes, aligned as uint64_t, not shared; NULL if sv is not guarded
+    uint32_t initial;         // the initial state; 0: the first
+    bool resume;              // after a restart with a restored vector, start in the state whose number is in S, if that state exists
     const bool *restored;     // whether the vector was restored; or NULL
     uint16_t number;          // of the machine in its application: SmEvent.source
-    // What follows is the runtime's; all zero at first.
-    uint32_t last;            // the state that the next step runs; 0 where init has not succeeded
-    uint32_t refused;         // steps
+    // The fields below belong to the runtime; initially all zero.
+    uint32_t last;            // the state that the next step runs; 0 if init has not succeeded
+    uint32_t refused;         // number of refused steps
     bool standing;            // the last step was refused
-    bool owed;                // `copy` holds stores that could not be written yet
+    bool owed;                // `copy` contains stores that could not be written back yet
 } SmMachine;
 
-// As SmTaskInit and SmTaskStep; the context is an SmMachine.
+// Compatible with SmTaskInit and SmTaskStep; the context is an SmMachine.
 
-// Starts it: locals at their initial values, windows empty, the state's number in S.  Event STATE from 0.
-// SM_E_LAYOUT: it was made for another state vector.  SM_E_ARGUMENT: there is no such state, or no `copy` for a guarded vector.
-// SM_E_ALIGNMENT: copy or vector.  SM_E_UNSUPPORTED: its numbers would come out otherwise here, or the vector is guarded and the machine
-// cannot tell what it stores.  An image: what bytecode-vm/target/machine.h says.
+// Starts the machine: sets locals to their initial values, empties windows, and stores the number of the state in S.  Emits event
+// STATE from state 0.
+//     SM_E_LAYOUT        the machine was built for another state vector
+//     SM_E_ARGUMENT      no such state, or a guarded vector without `copy`
+//     SM_E_ALIGNMENT     `copy` or the vector is misaligned
+//     SM_E_UNSUPPORTED   floating-point results would differ on this platform, or the vector is guarded and the machine does not
+//                        record its stores
+// For an image also the results of bytecode-vm/target/machine.h.
 SmResult sm_machine_init(void *machine);
 
-// SM_REFUSED: time did not advance; nothing has changed.  Event REFUSED when that begins.  Event STATE at each transition, also of a
-// state to itself.  SM_E_TIMEOUT (guarded): the lock could not be had.  Then either nothing has happened; or the step was run and what it stored is
-// written when the lock can be had again, before the next step.
+// Runs one step.  Emits event STATE at each transition, including a transition of a state to itself.
+// SM_REFUSED: time did not advance, and nothing has changed.  The first of several refused steps emits event REFUSED.
+// SM_E_TIMEOUT (guarded vector): the lock timed out.  Either nothing has happened, or the step ran and its stores are written
+// later, when the lock is available again and before the next step.
 SmResult sm_machine_step(void *machine, const SmTick *tick);
 
-// Of a machine whose init succeeded.  The first two from the thread that steps it; from others read S.
-uint32_t sm_machine_state(const SmMachine *m);        // that the next step runs
+// For a machine whose init succeeded.  Call the first two only from the thread that steps the machine; other threads read S.
+uint32_t sm_machine_state(const SmMachine *m);        // the state that the next step runs
 uint64_t sm_machine_time(const SmMachine *m);         // T, as of the last step
-const char *sm_machine_state_name(const SmMachine *m, uint32_t state);     // "" where names were not kept
+const char *sm_machine_state_name(const SmMachine *m, uint32_t state);     // "" if the machine was built without names
 
 #ifdef __cplusplus
 }

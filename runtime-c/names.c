@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements and regions of the state vector by their names.
+// Finds elements and regions of the state vector by name.
 #include "runtime-c/statevec.h"
 
 static bool same(const char *a, const char *b)
@@ -9,7 +9,7 @@ static bool same(const char *a, const char *b)
     return *a == *b;
 }
 
-// Where `name` stands among n names; n: nowhere.
+// The index of `name` among n names; n if it is not found.
 static uint16_t find(const char *const *names, uint16_t n, const char *name)
 {
     uint16_t i = 0;

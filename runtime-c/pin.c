@@ -20,7 +20,7 @@ SmF64 sm_pin_number(const SmIoPin *p, int32_t v)
     return sm_add(sm_mul(sm_div(sm_from_i32(v), million()), sm_from_bits(p->scale)), sm_from_bits(p->zero));
 }
 
-// sm_to_i32(sm_round(x)), without what sm_round does for larger numbers.
+// Equals sm_to_i32(sm_round(x)), without the code of sm_round for larger numbers.
 static int32_t nearest(SmF64 x)
 {
     const int32_t n = sm_to_i32(x);
@@ -103,7 +103,7 @@ static SmResult open_digital(const SmIoPin *p, uint8_t *handle)
     return r;
 }
 
-// An output has no value before its first write: it is open when it is safe.
+// An output is undefined before its first write, so opening it includes writing its safe value.
 static SmResult open_analog(const SmIoPin *p, uint8_t *handle)
 {
     PalAio aio = {0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One pin and the element that it stands for (docs/config.md 9); io.h has tables of them.
+// One pin and its element (docs/config.md 9). io.h has tables of them.
 #ifndef SM_PIN_H
 #define SM_PIN_H
 
@@ -19,27 +19,27 @@ enum { SM_IO_INVERTED = 1, SM_IO_PULL_UP = 2, SM_IO_PULL_DOWN = 4 };     // SmIo
 
 typedef struct SmIoPin {
     uint8_t kind;             // SmIoKind
-    uint8_t type;             // of the element
+    uint8_t type;             // type of the element (SmType)
     uint8_t flags;
-    uint8_t hold;             // IN: steps that the last measurement is kept
+    uint8_t hold;             // IN: number of failed steps for which the last measurement stays valid
     uint16_t pin;
-    uint32_t offset;          // the element's place in the state vector
+    uint32_t offset;          // offset of the element in the state vector, in bytes
     // Bits of an SmF64 (sm_from_bits), so that the table is constant on every chip:
     uint64_t scale, zero;     // analog: element = volts * scale + zero
-    uint64_t safe;            // OUT: what it is set to while the outputs are safed; what it has before the first step
+    uint64_t safe;            // OUT: value before the first step and while the outputs are in their safe mode
 } SmIoPin;
 
-// `handle` is the PAL's, one byte.  Results are those of pal/dio.h and pal/aio.h.
-SmResult sm_pin_open(const SmIoPin *p, uint8_t *handle);             // an output at its safe value
-SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, SmF64 *x);  // x: the element's number
+// `handle` is a PAL handle of one byte.  Results are those of pal/dio.h and pal/aio.h.
+SmResult sm_pin_open(const SmIoPin *p, uint8_t *handle);             // an output starts at its safe value
+SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, SmF64 *x);  // x: the value of the element
 SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x);
-void sm_pin_close(const SmIoPin *p, uint8_t handle);                 // as it is
+void sm_pin_close(const SmIoPin *p, uint8_t handle);                 // leaves the level unchanged
 
-// The same in parts.  v: millionths; of a digital pin 1 where its element is true, else 0.
+// The same operations in parts. v: millionths; for a digital pin, 1 if its element is true, else 0.
 SmResult sm_pin_get(const SmIoPin *p, uint8_t handle, int32_t *v);
 SmResult sm_pin_set(const SmIoPin *p, uint8_t handle, int32_t v);
-SmF64 sm_pin_number(const SmIoPin *p, int32_t v);                     // the element's number of it (9.8)
-int32_t sm_pin_value(const SmIoPin *p, SmF64 x);                      // and back: the nearest millionth, as far as there are any
+SmF64 sm_pin_number(const SmIoPin *p, int32_t v);                     // converts v to the value of the element (9.8)
+int32_t sm_pin_value(const SmIoPin *p, SmF64 x);                      // the inverse: the nearest millionth, saturated to int32_t
 
 #ifdef __cplusplus
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Regions of the state vector, in memory's form and in wire form (language.md 4.12, 4.13).
+// Regions of the state vector, in memory layout and in wire form (language.md 4.12, 4.13).
 #include "runtime-c/statevec.h"
 
 #include <string.h>
 
 #include "stdlib/convert.h"
 
-// Where r lies; NULL: not a region of the vector.  Those are in its table, whose places and counts are right.
+// The address of r; NULL if it is not a region of the vector.  The offsets and counts in the vector's own table are trusted.
 static uint8_t *place(const SmStateVec *sv, const SmRegion *r)
 {
     if (!sv || (r != &sv->layout->whole && (uintptr_t)r - (uintptr_t)sv->layout->region >= sv->layout->regions * sizeof *r))
@@ -40,8 +40,8 @@ SmResult sm_write_region(SmStateVec *sv, const SmRegion *r, const void *bytes)
 
 // ---- the wire ----
 
-// Elements to their places on the wire, still as they are in memory: those that follow each other without a gap in one go, so that
-// the lock is held for no longer than copying takes.
+// Copies elements to their positions in wire form, still in memory byte order.  Adjacent elements are copied together, so that the
+// lock is held only for the time of copying.
 static void gather(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
 {
     const SmElement *e = &sv->layout->element[r->first], *end = e + r->count;
@@ -57,7 +57,7 @@ static void gather(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
     }
 }
 
-// A cell's n bytes in the order of the wire, and back: shifts mean the same on every computer.
+// Convert a cell of n bytes to wire order and back.  Shifts work the same on every byte order.
 static void put(uint8_t *out, uint64_t cell, uint8_t n)
 {
     switch (n) {
@@ -84,7 +84,7 @@ static uint64_t get(const uint8_t *in, uint8_t n)
     return cell;
 }
 
-// Each element's bytes to their order on the wire, in place.
+// Converts the bytes of each element to wire order, in place.
 static void order(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
 {
     const SmElement *e = &sv->layout->element[r->first];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the executors of an application, all in one thread or each in its own.  Moments on the PAL clock are compared by their difference.
+// Runs the executors of an application, all in one thread or each in its own.  PAL clock times are compared by their difference.
 #include "runtime-c/run.h"
 
 #include "runtime-c/pal/clock.h"
@@ -8,12 +8,14 @@
 #include "runtime-c/shared.h"
 #include "stdlib/flash.h"
 
-// How long nobody looks whether the application is to stop; how often logs are looked after; how long threads sleep before the gate.
+// SLICE: longest time between checks of `stop`.  WRITING: interval of log writes.  OPENING: sleep time of threads waiting at the
+// gate.
 #define SLICE    (100 * (uint64_t)PAL_MILLISECOND)
 #define WRITING  (10 * (uint64_t)PAL_MILLISECOND)
 #define OPENING  ((uint64_t)PAL_MILLISECOND)
 
-// SmApp.gate: threads wait until it is open; then those that run executors do, and the watchdog's until it is closed.
+// SmApp.gate.  All threads wait until it is open.  Then executor threads run until the application stops, and the watchdog thread
+// until the gate is closed.
 enum { GATE_WAIT, GATE_OPEN, GATE_CLOSED };
 
 static uint64_t least(uint64_t a, uint64_t b)
@@ -28,7 +30,7 @@ static uint64_t until(uint64_t now, uint64_t then)
 
 // ---- the watchdog ----
 
-// How often its thread looks.
+// The check interval of the watchdog thread.
 static uint64_t look(const SmApp *app)
 {
     return app->watchdog / 8 > PAL_MILLISECOND ? app->watchdog / 8 : PAL_MILLISECOND;
@@ -88,7 +90,7 @@ static void tick(SmExecutor *e)
     sm_shared_write(&e->alive, (uint32_t)e->next);
 }
 
-// How long after the start e could have had its turn.
+// The time after the start since which e has been waiting to run.
 static uint64_t turn(const SmApp *app, const SmExecutor *e)
 {
     const uint64_t due = sm_executor_due(e) - app->start, ended = e->ended - app->start;
@@ -106,7 +108,7 @@ static SmExecutor *first(const SmApp *app)
     return best;
 }
 
-// One step of waiting until then; what is to be written is, in that time.
+// Waits for one slice, at most until `then`, and uses the time to write pending data.
 static void idle(SmApp *app, uint64_t now, uint64_t then)
 {
     const uint64_t slice = app->watchdog > 0 ? least(SLICE, look(app)) : SLICE;
@@ -145,7 +147,7 @@ static void wait_at_gate(const SmApp *app)
         sleep(OPENING);
 }
 
-// Until the next tick is due; false: the application is to stop.
+// Waits until the next tick is due.  Returns false if the application is stopping.
 static bool wait(const SmExecutor *e)
 {
     while (!sm_app_stopping(e->app)) {
@@ -189,7 +191,7 @@ static void run_threads(SmApp *app)
     for (uint16_t i = 0; i < app->executors; i++) {
         while (pal_thread_join(app->executor[i]->thread, WRITING) == SM_E_TIMEOUT)
             write(app, app->start, WRITING);
-        app->executor[i]->thread.id = 0;      // the number may be another thread's from now on
+        app->executor[i]->thread.id = 0;      // the number may be reused for another thread
     }
 }
 
@@ -233,7 +235,7 @@ static SmResult create(SmApp *app, SmExecutor *e)
     return r;
 }
 
-// More urgent than all executors: one that is always busy is not stuck.
+// The watchdog thread has a higher priority than all executors, because a busy executor is not stuck.
 static SmResult create_watch(SmApp *app)
 {
     PalThreadPlan plan = {"watchdog", 0, 0};
@@ -293,7 +295,7 @@ SmResult sm_run_prepare(SmApp *app)
     return r;
 }
 
-// Tick 0 is due when all threads have seen the gate open.
+// Sets the due time of tick 0 late enough for all threads to see the gate open.
 static void open_gate(SmApp *app, bool threads)
 {
     app->start = app->fed = app->wrote = pal_clock_now();
@@ -303,7 +305,7 @@ static void open_gate(SmApp *app, bool threads)
     sm_shared_write(&app->gate, GATE_OPEN);
 }
 
-// The calling thread is as urgent as the most urgent of its executors.
+// Gives the calling thread the highest priority of its executors.
 static void run_alone(SmApp *app)
 {
     const uint8_t priority = highest(app);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How an application that has started runs: in one thread or in several, and its watchdog.  Between app.c and run.c alone.
+// Internal to app.c and run.c: runs an application that has started, in one thread or several, and feeds its watchdog.
 #ifndef SM_RUN_H
 #define SM_RUN_H
 
@@ -9,16 +9,16 @@
 extern "C" {
 #endif
 
-// Whether executors are to have threads of their own, if the platform has threads.
+// Whether executors get their own threads if the platform has threads.
 bool sm_run_wants_threads(const SmApp *app);
 
-// Creates the threads, which wait, and starts the watchdog.  Where that is refused the threads have ended again.
+// Creates the threads, which wait, and starts the watchdog.  If it fails, no thread is left running.
 SmResult sm_run_prepare(SmApp *app);
 
-// Runs until the application is to stop and all ticks have ended; then stops the watchdog.
+// Runs until the application stops and all ticks have ended, then stops the watchdog.
 void sm_run(SmApp *app);
 
-// On the console, if it is wanted: a text (SM_TEXT, flash.h); a name, or NULL.
+// Print on the console if app->tell is set: a flash string (SM_TEXT, flash.h); a name, or nothing for NULL.
 void sm_run_say(const SmApp *app, const char *text);
 void sm_run_say_name(const SmApp *app, const char *name);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A word that one thread writes and others read.  What was written before the word can be seen by whoever has read it.  C99 has nothing
-// for it; gcc and clang have.  Elsewhere (8-bit chips, which have one thread, and other compilers) it is a volatile access.
+// A word that one thread writes and others read, with release and acquire semantics: a reader that sees the new value also sees all
+// earlier writes of the writer.  C99 has no such operation, but gcc and clang do.  Otherwise (8-bit chips, which have one thread,
+// and other compilers) it is a volatile access.
 #ifndef SM_SHARED_H
 #define SM_SHARED_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state vector: its lock, and its elements one by one.  (Regions and the wire: region.c; names: names.c.)
+// The state vector: its lock and its single elements.  (Regions and wire form: region.c; names: names.c.)
 #include "runtime-c/statevec.h"
 
 #include "runtime-c/tally.h"
@@ -36,7 +36,7 @@ void sm_leave(SmStateVec *sv)
         pal_lock_give(sv->lock);
 }
 
-// ---- where an element lies ----
+// ---- location of an element ----
 
 const uint8_t sm_type_bytes[SM_TYPE_COUNT] = {
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) bytes,
@@ -44,7 +44,7 @@ const uint8_t sm_type_bytes[SM_TYPE_COUNT] = {
 #undef SM_TYPE
 };
 
-// NULL: not an element of the vector.  Those are in its table, whose places and types are right.
+// NULL if it is not an element of the vector.  The offsets and types in the vector's own table are trusted.
 static uint8_t *place(const SmStateVec *sv, const SmElement *e)
 {
     if (!sv || (uintptr_t)e - (uintptr_t)sv->layout->element >= sv->layout->elements * sizeof *e)
@@ -87,7 +87,7 @@ SmResult sm_write_number(SmStateVec *sv, const SmElement *e, SmF64 value)
     return SM_OK;
 }
 
-// ---- as what they are ----
+// ---- typed ----
 
 static SmResult read_typed(SmStateVec *sv, const SmElement *e, SmType type, void *value)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A count that several threads raise without a lock.  C99 has nothing for it; gcc and clang have, and say where it is one instruction or
-// a few.  Elsewhere (8-bit chips, which have one thread, and other compilers) it is an ordinary addition.
+// A counter that several threads increment without a lock.  C99 has no such operation. gcc and clang do, and report whether it
+// takes only a few instructions.  Otherwise (8-bit chips, which have one thread, and other compilers) it is an ordinary addition.
 #ifndef SM_TALLY_H
 #define SM_TALLY_H
 

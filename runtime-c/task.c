@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A task: calls what its mode says, counts, and tells what has changed.
+// A task: calls the function that its mode selects, counts calls, and emits events for changes.
 #include "runtime-c/task.h"
 
 SmResult sm_task_init(SmTask *t)
@@ -17,7 +17,7 @@ static void tell(const SmTask *t, SmEvents *events, const SmTick *tick, SmEventK
     sm_event(events, &e);
 }
 
-// A mode that cannot be read has not changed.
+// If the mode cannot be read, it has not changed.
 static uint8_t mode_of(const SmTask *t, SmStateVec *sv)
 {
     uint8_t mode;
@@ -26,7 +26,7 @@ static uint8_t mode_of(const SmTask *t, SmStateVec *sv)
         return SM_ENABLED;
     if (sm_enter(sv) != SM_OK)
         return t->last_mode;
-    mode = ((const uint8_t *)sv->at)[t->mode->offset];     // that it is one of sv, executor.c has seen to
+    mode = ((const uint8_t *)sv->at)[t->mode->offset];     // executor.c has checked that it is an element of sv
     sm_leave(sv);
     return mode <= SM_ENABLED ? mode : (uint8_t)SM_SAFED;
 }
@@ -38,7 +38,7 @@ static void note_mode(SmTask *t, uint8_t mode, SmEvents *events, const SmTick *t
     t->last_mode = mode;
 }
 
-// -r as the event carries it: results are negative.
+// The event contains -r, because results are negative.
 static uint32_t fault_number(SmResult r)
 {
     return 0u - (uint32_t)(int32_t)r;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A task: a short piece of work that an executor calls again and again.  It reads and writes the state vector; what it keeps for itself
-// is behind `context`.  A step waits for nothing and takes a bounded time.
+// A task: a short piece of work that an executor calls repeatedly.  It reads and writes the state vector.  `context` points to its
+// private data.  A step never waits and takes a bounded time.
 //
-// A U8 element may say how it runs, and anybody may change it at any time: SM_DISABLED nothing is called; SM_SAFED `safe` is called
-// (nothing, where there is none): whatever brings a dangerous device to rest; SM_ENABLED `step` is called.  Any other value is taken
-// for SM_SAFED.  A state vector that is all zero has its tasks disabled.  While the element cannot be read (statevec.h: a thread died
-// inside a critical section) the task stays in the mode it had.
+// A U8 element may select the mode of a task.  Any task or thread may change it at any time:
+//   SM_DISABLED   nothing is called
+//   SM_SAFED      `safe` is called, if there is one; it puts a dangerous device into a safe state
+//   SM_ENABLED    `step` is called
+// Any other value is treated as SM_SAFED.  In a state vector that is all zero, tasks are disabled.  If the element cannot be read
+// (statevec.h: a thread died inside a critical section), the task stays in its previous mode.
 #ifndef SM_TASK_H
 #define SM_TASK_H
 
@@ -20,9 +22,9 @@ extern "C" {
 
 typedef enum SmMode { SM_DISABLED = 0, SM_SAFED = 1, SM_ENABLED = 2 } SmMode;
 
-// When a step runs.  All tasks of one tick are given the same.
+// The time at which a step runs.  All tasks of a tick receive the same value.
 typedef struct SmTick {
-    uint64_t time;            // nanoseconds since the application started at which this tick was due: k times the executor's period
+    uint64_t time;            // due time of this tick in nanoseconds since the start of the application: k times the executor's period
     uint64_t number;          // k
 } SmTick;
 
@@ -31,27 +33,27 @@ typedef SmResult SmTaskStep(void *context, const SmTick *tick);
 
 typedef struct SmTask {
     const char *name;
-    SmTaskInit *init;         // once, before the first step of any task; or NULL.  What it refuses keeps the application from starting
-    SmTaskStep *step;         // SM_OK, or why it failed: that is counted and told as an event, and the task is called again as ever
+    SmTaskInit *init;         // called once, before the first step of any task; or NULL.  If it fails, the application does not start
+    SmTaskStep *step;         // SM_OK or an error, which is counted and emitted as an event; the task is called again regardless
     SmTaskStep *safe;         // or NULL
     void *context;
     const SmElement *mode;    // of type U8; NULL: always enabled
     uint16_t number;          // of the task in its application: SmEvent.source
-    // What follows is the runtime's; all zero at first.
-    uint8_t last_mode;        // in which it ran last, or was left alone
+    // The fields below belong to the runtime; initially all zero.
+    uint8_t last_mode;        // mode at its last tick
     SmResult last;            // of the last call of step or safe
-    uint32_t steps, safings, failures;        // how many calls of step, of safe, of both that failed; modulo 2^32
-    uint32_t failing;         // failures in a row, up to UINT32_MAX
+    uint32_t steps, safings, failures;        // number of calls of step, of safe, and of failed calls of both; modulo 2^32
+    uint32_t failing;         // consecutive failures, at most UINT32_MAX
 } SmTask;
 
-// Calls init.  SM_E_ARGUMENT: there is no step, or `mode` is not a U8.
+// Calls init.  SM_E_ARGUMENT: `step` is NULL, or `mode` is not a U8.
 SmResult sm_task_init(SmTask *t);
 
-// Runs it once, as its mode in sv says.  Event MODE when the mode has changed (before the first time it was SM_DISABLED); event FAULT
-// when failing begins and when it ends, not in between.
+// Runs the task once in the mode selected in sv.  Emits event MODE if the mode has changed (its value before the first tick is
+// SM_DISABLED).  Emits event FAULT at the first of several consecutive failures, and when they end.
 void sm_task_run(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick);
 
-// The end of the application: `safe` is called once, whatever the mode but SM_DISABLED.
+// Called at the end of the application: calls `safe` once, unless the task is disabled.
 void sm_task_rest(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick);
 
 #ifdef __cplusplus

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an application does for its log and its kept state vector: the only file of those that refers to them (app.h).
+// The log and the saved state vector of an application.  No other file of an application's code refers to these two modules
+// (app.h).
 #include "runtime-c/app.h"
 
 static SmResult restore(SmApp *app)
@@ -10,7 +11,7 @@ static SmResult restore(SmApp *app)
     return r;
 }
 
-// A medium that refuses is asked again the next time.
+// If a medium fails, the next call retries.
 static void write(SmApp *app, uint64_t budget)
 {
     if (app->keep)
@@ -23,7 +24,7 @@ static void close(SmApp *app, const SmTick *last)
 {
     if (app->keep)
         (void)sm_keep_write(app->keep);
-    if (!app->log || app->log->out.id == 0)               // no task of its own has opened it
+    if (!app->log || app->log->out.id == 0)               // no task opened it
         return;
     (void)sm_log_step(app->log, last);
     (void)sm_log_close(app->log);

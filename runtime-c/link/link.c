@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// COBS (Cheshire and Baker, 1999), in place in both directions.  A frame is shorter than 254 bytes, so one code byte more than it
-// holds zeros is all that stuffing adds.
+// COBS (Cheshire and Baker, 1999), in place in both directions.  A frame is shorter than 254 bytes, so the encoding adds exactly
+// one byte.
 #include "runtime-c/link/link.h"
 
 #include "stdlib/crc32.h"
@@ -31,7 +31,7 @@ uint32_t sm_link_check(const uint8_t *bytes, uint16_t n) { return sm_crc32(bytes
 uint16_t sm_link_frame(uint8_t *frame, uint16_t n)
 {
     const uint16_t end = (uint16_t)(1 + n + LINK_TAIL);
-    uint16_t zero = end;      // the next zero behind the byte that is looked at
+    uint16_t zero = end;      // position of the next zero after byte i
 
     sm_link_put(frame + 1 + n, sm_link_check(frame + 1, n), LINK_TAIL);
     frame[end] = 0;
@@ -50,7 +50,7 @@ static void start(LinkReceiver *r)
 {
     r->n = 0;
     r->left = 0;
-    r->code = 0xff;           // no zero stands before the first run
+    r->code = 0xff;           // no zero precedes the first run
     r->lost = false;
 }
 
@@ -62,7 +62,7 @@ void sm_link_receiver(LinkReceiver *r, uint8_t *buffer, uint16_t room)
     start(r);
 }
 
-// Whether what arrived up to the zero is a frame; its checksum is taken off then.
+// Whether the bytes received up to the zero are an intact frame.  If so, removes its checksum.
 static bool is_frame(LinkReceiver *r)
 {
     if (r->lost || r->left != 0 || r->n < LINK_HEAD + LINK_TAIL)

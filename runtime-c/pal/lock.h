@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Locks: one thread at a time.  Made for critical sections of a few memory accesses: a taker first tries a bounded number of times
-// (PAL_LOCK_SPINS), then sleeps and lends its priority to the holder, so that an urgent thread waits for one critical
-// section and not for whoever is in between (priority inheritance).  On bare metal a lock masks interrupts.
+// Mutual exclusion locks, for critical sections of a few memory accesses.  A thread that finds the lock held first retries a
+// bounded number of times (PAL_LOCK_SPINS).  It then sleeps and lends its priority to the holder (priority inheritance).  An urgent
+// thread therefore waits for one critical section, and not for threads of intermediate priority.  On bare metal a lock masks
+// interrupts.
 //
-// For the sake of bare metal: keep what is done under a lock short, wait for nothing there, and give locks back in the
-// opposite order of taking them.  (Rules for all of these headers: pal.h.)
+// Bare metal requires three things of the caller: keep critical sections short, do not wait inside them, and release locks in the
+// reverse order of taking them.  (Rules for all of these headers: pal.h.)
 #ifndef PAL_LOCK_H
 #define PAL_LOCK_H
 
@@ -16,17 +17,18 @@ extern "C" {
 
 typedef struct PalLock { uint8_t id; } PalLock;
 
-// A new lock that nobody holds.  SM_E_FULL.
+// Creates a lock that is free.  SM_E_FULL: the table has no free entry.
 SmResult pal_lock_open(PalLock *lock);
 
-// Frees it.  SM_E_BUSY: somebody holds it.  No other thread may be using the handle.
+// Destroys a lock.  No other thread may be using the handle.  SM_E_BUSY: the lock is held.
 SmResult pal_lock_close(PalLock lock);
 
-// Takes it; any thread may, with the same handle.  Everything that the last holder wrote can be seen.
-// SM_E_TIMEOUT: it was held all the time, or its holder's thread has ended, which may be told at once.  SM_E_BUSY: the caller itself holds it already.
+// Takes the lock.  Any thread may call this with the same handle.  All writes by the previous holder are visible afterwards.
+// SM_E_TIMEOUT: the lock was held for the whole timeout, or the thread that held it has ended.  The second case may return
+// immediately.  SM_E_BUSY: the calling thread already holds the lock.
 SmResult pal_lock_take(PalLock lock, uint64_t timeout);
 
-// Gives it back.  SM_E_BUSY: the caller does not hold it.
+// Releases the lock.  SM_E_BUSY: the calling thread does not hold it.
 SmResult pal_lock_give(PalLock lock);
 
 #ifdef __cplusplus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Threads with priorities.  Of those that can run, the one with the highest real-time priority does, until it waits; among equals
-// the first that was ready.  Threads without one (priority 0) share what is left.  A platform with one thread answers
-// SM_E_UNSUPPORTED.  (Rules for all of these headers: pal.h.)
+// Threads with priorities.  Of the ready threads, the one with the highest real-time priority runs until it waits.  Threads of
+// equal priority run in the order in which they became ready.  Threads without a real-time priority (priority 0) share the
+// remaining time.  A platform with only one thread returns SM_E_UNSUPPORTED.  (Rules for all of these headers: pal.h.)
 #ifndef PAL_THREAD_H
 #define PAL_THREAD_H
 
@@ -13,34 +13,35 @@ extern "C" {
 
 typedef struct PalThread { uint8_t id; } PalThread;
 
-// What a thread runs.  It ends by returning; it should hold no lock then, for nobody could give it back.
+// The main function of a thread.  The thread ends when it returns.  It must not hold a lock then, because no other thread can
+// release it.
 typedef void PalThreadMain(void *argument);
 
 #define PAL_PRIORITY_MAX 99
 
 typedef struct PalThreadPlan {
-    const char *name;         // for debuggers, which may show 15 bytes of it; NULL: none.  Not kept
-    uint8_t priority;         // 0: not real-time; 1 … PAL_PRIORITY_MAX: the larger the more urgent
-                              // (a platform with fewer levels keeps the order)
-    uint32_t stack;           // bytes; 0: PAL_THREAD_STACK.  Rounded up to what the platform can do
+    const char *name;         // for debuggers, which may show 15 bytes of it; NULL: none.  Used during the call only
+    uint8_t priority;         // 0: not real-time; 1 … PAL_PRIORITY_MAX: higher values are more urgent
+                              // (a platform with fewer levels preserves the order)
+    uint32_t stack;           // stack size in bytes; 0: PAL_THREAD_STACK.  Rounded up to a size that the platform supports
 } PalThreadPlan;
 
-// Starts a thread that calls run(argument).  Where real-time priorities are not permitted the thread runs all the same,
-// without: ask pal_thread_is_realtime.  Its stack is the platform's, taken here and given back by join.
-// SM_E_ARGUMENT: priority above PAL_PRIORITY_MAX, a stack beyond what the platform can do.  SM_E_FULL.  SM_E_MEMORY: no room
-// for the stack.
+// Starts a thread that calls run(argument).  If real-time priorities are not permitted, the thread runs without one; see
+// pal_thread_is_realtime.  The platform allocates the stack here and frees it in pal_thread_join.
+// SM_E_ARGUMENT: `priority` exceeds PAL_PRIORITY_MAX, or the platform does not support the stack size.  SM_E_FULL: the table has no
+// free entry.  SM_E_MEMORY: no memory for the stack.
 SmResult pal_thread_create(PalThread *thread, const PalThreadPlan *plan, PalThreadMain *run, void *argument);
 
-// Waits until the thread has ended, then frees the handle.  What it wrote can be seen afterwards.  Every thread is to be
-// joined, by one other.  SM_E_TIMEOUT: it still runs, the handle stays.  SM_E_BUSY: a thread cannot wait for itself, nor two
-// for one.
+// Waits until the thread has ended, then frees the handle.  Everything that the thread wrote is visible afterwards.  Every thread
+// must be joined by exactly one other thread.  SM_E_TIMEOUT: the thread still runs, and the handle stays valid.  SM_E_BUSY: the
+// thread is the caller itself, or another thread is already waiting for it.
 SmResult pal_thread_join(PalThread thread, uint64_t timeout);
 
-// Whether the thread has the real-time priority that its plan asked for.  False for priority 0 and for a handle that is not open.
+// Whether the thread has the real-time priority that its plan requested.  False for priority 0 and for a handle that is not open.
 bool pal_thread_is_realtime(PalThread thread);
 
-// Gives the calling thread another priority (a program's first thread, for example).  SM_E_DENIED: not permitted; it stays as
-// it was.
+// Changes the priority of the calling thread, for example of a program's first thread.  SM_E_DENIED: not permitted; the priority
+// does not change.
 SmResult pal_thread_set_priority(uint8_t priority);
 
 #ifdef __cplusplus

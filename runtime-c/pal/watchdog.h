@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The watchdog: starts the computer, or where there is no hardware for that the program, anew when nobody feeds it for some
-// time.  There is one, it has no handle.  (Rules for all of these headers: pal.h.)
+// The watchdog: restarts the computer if it is not fed in time.  Without watchdog hardware it restarts the program.  There is one
+// watchdog, so it has no handle.  (Rules for all of these headers: pal.h.)
 #ifndef PAL_WATCHDOG_H
 #define PAL_WATCHDOG_H
 
@@ -10,18 +10,21 @@
 extern "C" {
 #endif
 
-// Starts it: from now on it must be fed at least every `period` nanoseconds.  The platform takes the shortest period that it
-// has and that is not shorter; *actual says which.  SM_E_ARGUMENT: 0, or longer than any it has.  SM_E_BUSY: it runs already.
-// SM_E_MISSING: this computer has none.  SM_E_DENIED: not permitted.
+// Starts the watchdog.  From now on it must be fed at least every `period` nanoseconds.  The platform chooses the shortest period
+// that it supports and that is not below `period`, and stores it in *actual.
+//     SM_E_ARGUMENT      `period` is 0, or longer than any supported period
+//     SM_E_BUSY          it is already running
+//     SM_E_MISSING       this computer has no watchdog
+//     SM_E_DENIED        no permission
 SmResult pal_watchdog_start(uint64_t period, uint64_t *actual);
 
-// Feeds it.  SM_E_HANDLE: it is not running.
+// Feeds the watchdog.  SM_E_HANDLE: it is not running.
 SmResult pal_watchdog_feed(void);
 
-// Stops it.  SM_E_DENIED: it cannot be stopped, and runs on.  SM_E_HANDLE: it is not running.
+// Stops the watchdog.  SM_E_DENIED: it cannot be stopped and keeps running.  SM_E_HANDLE: it is not running.
 SmResult pal_watchdog_stop(void);
 
-// Whether it was the watchdog that started the computer or the program this time.  SM_E_UNSUPPORTED: nobody can tell.
+// Whether the watchdog caused this start of the computer or program.  SM_E_UNSUPPORTED: the platform cannot determine this.
 SmResult pal_watchdog_bit(bool *bit);
 
 #ifdef __cplusplus
