@@ -855,7 +855,7 @@ clean:
 
 find_code = { find stdlib compiler bytecode-vm runtime-c arduino tests examples -name '*.[ch]' -o -name '*.def' -o -name '*.awk' -o -name '*.sh' \
               -o -name '*.cpp' -o -name '*.mk'; echo Makefile; } 2>/dev/null | sort
-find_text = { find stdlib compiler bytecode-vm runtime-c arduino tests examples conformance docs editors -type f; ls README.md Makefile; } 2>/dev/null | sort
+find_text = { find stdlib compiler bytecode-vm runtime-c arduino tests examples conformance docs editors -type f; ls README.md CONTRIBUTING.md Makefile; } 2>/dev/null | sort
 find_smt  = find conformance tests -name '*.smt' | sort
 
 check-layers:
@@ -872,9 +872,11 @@ check-places:
 	@$(find_text) | awk -f tests/check/places.awk
 check-arguments:
 	@$(find_code) | grep "^compiler/.*c$$" | awk -f tests/check/arguments.awk compiler/diag/codes.def -
+check-words:
+	@$(find_text) | awk -f tests/check/words.awk tests/check/words.txt -
 check-configurations:
 	@sh tests/check/configurations.sh
-HOUSE_RULES = check-configurations check-layers check-codes check-arguments check-headers check-imports check-licence check-places
+HOUSE_RULES = check-words check-configurations check-layers check-codes check-arguments check-headers check-imports check-licence check-places
 CHECK_LINES += $(foreach rule,$(HOUSE_RULES),"+$(rule): $(MAKE) -s --no-print-directory $(rule)")
 
 # ---- the language and its evidence ----

@@ -9,7 +9,7 @@ G == 0 {
     acceleration = 9.8
 }
 G == 1000: umbilical = false
-G == 1500: acceleration = 60           # somebody knocks at the rocket: 50 ms
+G == 1500: acceleration = 60           # a knock at the rocket: 50 ms
 G == 1550: acceleration = 9.8
 2000 <= G < 6000 {
     acceleration = 50

@@ -1,5 +1,5 @@
 # The altimeter reads 0 from the fourth second of the flight on. That is no fall from 250 m: the drogue must wait for its timer,
-# since at full speed it would tear. The main, afterwards, opens at once: nobody knows how high the rocket is.
+# since at full speed it would tear. The main, afterwards, opens at once: its altitude is unknown.
 
 [options]
 delta_t 10

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What tests/check/applications.sh looks at when the rocket has flown on the desk; run by it, with its functions.
+# What tests/check/applications.sh checks when the rocket has flown on the desk; run by it, with its functions.
 app=$folder/rocket.app
 
 # The states of the mission, in the order of the log.

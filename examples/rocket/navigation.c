@@ -30,7 +30,7 @@ static bool believes(double error)
     return !far || rocket_unbelieved() >= patience;
 }
 
-// The pressure on the pad: a slow average, which begins with the first measurement, or anew where that was a wild one.
+// The pressure on the pad: a slow average, which begins with the first measurement, or again after a wild one.
 static void learn_pad(double pressure)
 {
     double before = rocket_padPressure();

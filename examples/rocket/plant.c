@@ -102,7 +102,7 @@ static double move(void)
 
 // ---- the sensors ----
 
-// One measurement in two hundred is wild: somebody talks on the radio.
+// One measurement in two hundred is wild: the radio is transmitting.
 static void measure(double felt)
 {
     bool wild = draw() > 0.99;

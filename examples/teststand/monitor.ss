@@ -1,4 +1,4 @@
-# Sensors that tremble as real ones do, and one after the other breaks and is mended.
+# Sensors with realistic noise; one after the other breaks and is repaired.
 
 [options]
 delta_t 10

@@ -16,5 +16,5 @@ o 9  oxidizerValve     @safe false
 o 10 fuelValve         @safe false
 o 11 chillValve        @safe false
 o 12 purgeValve        @safe false
-# Without current the vent is open: a stand that nobody controls has no pressure.
+# Without current the vent is open: a stand without control loses its pressure.
 o 13 ventValve         @inverted @safe true
