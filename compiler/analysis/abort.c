@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The abort matrix: for each state its ways to @abort states.
+// The abort matrix: for each state its paths to @abort states.
 #include "compiler/analysis/abort.h"
 
 static size_t at(const State *s) { return s->number - 1u; }
 
-// ---- ways ----
+// ---- paths ----
 
 static AbortWay way_of(Analysis *a, const AbortBound *b, const Transition *t)
 {

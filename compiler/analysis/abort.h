@@ -1,39 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-// The abort matrix: from which states a machine can abort, by which guards, how fast, and what the ability hangs on.  Reports show
-// it, the findings abort-blind and abort-single-sensor are drawn from it.
+// The abort matrix: from which states a machine can abort, by which guards, how fast, and what that depends on.  Reports show
+// it.  The findings abort-blind and abort-single-sensor are derived from it.
 //
 //     const AbortMatrix x = abort_matrix(trials_of(a));
 //     for (size_t s = 0; s < x.n; s++)                          // x.row[s] is of State.number s + 1
 //         for (size_t w = 0; w < x.row[s].way.n; w++) …
 //
-// All of it lives in the analysis' arena.
+// The analysis' arena owns the matrix.
 #ifndef SMC_ABORT_H
 #define SMC_ABORT_H
 
 #include "compiler/analysis/sensors.h"
 #include "compiler/analysis/trial.h"
 
-#define ABORT_NOT_BOUNDED UINT32_MAX      // of steps: a state on the way may wait for something
+#define ABORT_NOT_BOUNDED UINT32_MAX      // a number of steps: a state on the path may wait for something
 
-// One transition out of a state that leads to @abort states and nowhere else.
+// One transition out of a state from which every path ends in an @abort state.
 typedef struct AbortWay {
-    const Transition *first;      // its condition is first->when, its place first->stmt->span
-    const char *guard;            // condition_text of it; "" where it stands alone
-    uint32_t steps;               // at worst, from the step in which the guard holds to the first in an @abort state: 1 directly
-    const Var **sensor;           // that its guard looks at, through windows and locals too
+    const Transition *first;      // its condition is first->when, its position first->stmt->span
+    const char *guard;            // condition_text of it; "" if it is unconditional
+    uint32_t steps;               // at worst, from the step in which the guard is true to the first step in an @abort state; 1: directly
+    const Var **sensor;           // the sensors that its guard depends on, also through windows and locals
     size_t sensors;
-    bool by_time;                 // its guard looks at T or G
-    bool by_input;                // at a bool or a command (an integer that is only compared by == or !=), which are no sensors
-    bool possible;                // it can be made at all
+    bool by_time;                 // its guard depends on T or G
+    bool by_input;      // its guard depends on a bool or a command (an integer that is only compared by == or !=); these are not sensors
+    bool possible;                // it can be taken at all
 } AbortWay;
 
 typedef enum AbortVerdict {
     ABORT_ITSELF,                 // an @abort state
-    ABORT_UNREACHED,              // the machine never comes here
-    ABORT_NO_PATH,                // no transition from here leads to @abort states only
+    ABORT_UNREACHED,              // the machine never reaches it
+    ABORT_NO_PATH,                // no transition from here leads only to @abort states
     ABORT_LATER,                  // only through states that may wait
     ABORT_BY_COMMAND,             // only when a person gives a command
-    ABORT_ONE_SENSOR,             // no way is left if one sensor fails: `single` or `blind`
+    ABORT_ONE_SENSOR,             // no path remains if one sensor fails: `single` or `blind`
     ABORT_OK
 } AbortVerdict;
 
@@ -41,46 +41,46 @@ typedef struct AbortRow {
     const State *state;
     AbortVerdict verdict;
     VEC(AbortWay) way;            // in file order
-    uint32_t steps;               // the worst of those ways that are bounded; 0: none is
-    const Var *single;            // if this one sticks at `stuck`, which may well be a healthy reading, no way is left; or NULL
+    uint32_t steps;               // the worst of the bounded paths; 0: none is bounded
+    const Var *single;            // if this sensor sticks at `stuck`, which can be a healthy reading, no path remains; or NULL
     SmF64 stuck;
-    const Var *blind;             // if this one reads `blind_at`, no way is left; or NULL
+    const Var *blind;             // if this sensor reads `blind_at`, no path remains; or NULL
     const char *blind_at;         // "0", "more than 40", "0 or less than -5"
-    const Var *latch;             // what keeps it from aborting when it begins again; or NULL
+    const Var *latch;             // a variable whose old value prevents an abort when the state begins again; or NULL
     const AbortWay *latched;      // the transition that reads it
     double latched_at;            // its value then
-    bool drives;                  // some trial had an output on in this state
+    bool drives;                  // an output was on in this state in some trial
     bool by_itself;               // some trial aborted, or left the state at once, without a command
-    bool by_command;              // no trial did, but with a command some did
-    const State *onward;          // where a way leads on from here at worst; NULL: nowhere, or this is an @abort state
+    bool by_command;              // no trial without commands did so, but some trial with a command did
+    const State *onward;          // the next state of the longest path from here; NULL: no path, or this is an @abort state
 } AbortRow;
 
 typedef struct AbortMatrix {
-    bool declared;                // some state is marked @abort; else every row says ABORT_NO_PATH or ABORT_UNREACHED
+    bool declared;                // some state is marked @abort; else every row has ABORT_NO_PATH or ABORT_UNREACHED
     AbortRow *row;
     size_t n;
-    const Sensors *sensors;       // where some state is marked
+    const Sensors *sensors;       // set if some state is marked
 } AbortMatrix;
 
 AbortMatrix abort_matrix(Trials *t);
 
-// The states of a way in order: first->to, then what this gives, until it is marked @abort.
+// Walks the states of a path in order: start with first->to, then call this until the state is marked @abort.
 const State *abort_onward(const AbortMatrix *x, const State *s);
 
 // ---- inside compiler/analysis ----
 
-// By state (State.number - 1).
+// Indexed by state (State.number - 1).
 typedef struct AbortBound {
-    bool *bound;                  // it is an @abort state, or all its ways out lead to bound states
-    uint32_t *steps;              // of a bound one: at worst until the machine is in the @abort state, or ABORT_NOT_BOUNDED
-    const State **onward;         // of a bound one that is no @abort state: the next one on that way
+    bool *bound;                  // it is an @abort state, or all its transitions lead to bound states
+    uint32_t *steps;              // of a bound state: at worst until the machine is in the @abort state, or ABORT_NOT_BOUNDED
+    const State **onward;         // of a bound state that is not an @abort state: the next state on that path
 } AbortBound;
 
 AbortBound abort_bound(Analysis *a);
 uint32_t abort_one_more(uint32_t steps);
-bool abort_is_sure(const AbortWay *w);         // it can be made, and then the machine is in an @abort state within some steps
+bool abort_is_sure(const AbortWay *w);         // it can be taken, and from there an @abort state follows within a bounded number of steps
 
-// Fills in what the ways of each row look at, and what trials show.
+// Fills in the inputs that the paths of each row depend on, and the results of the trials.
 void abort_ask(Trials *t, AbortMatrix *x, const AbortBound *b);
 
 #endif

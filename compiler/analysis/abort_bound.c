@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which states are bound for an @abort state: those that have ways out and whose every way leads to one that is.  Found backwards
-// from the @abort states; each transition is looked at once.
+// Finds the states that are bound for an @abort state: those with transitions, all of which lead to bound or @abort states.
+// The search runs backwards from the @abort states and visits each transition once.
 #include "compiler/analysis/abort.h"
 
 typedef struct Search {
     Analysis *a;
     AbortBound out;
     uint32_t *ways;               // by state: transitions out of it whose target is not yet known to be bound
-    bool *waits;                  // by state: it may be there for more than a step
+    bool *waits;                  // by state: the machine may stay in it for more than a step
     uint32_t *first, *into;       // transitions by target: into[first[target]] … into[first[target + 1]], numbers in the list
-    VEC(const State *) found;     // bound, what leads to them not yet looked at
+    VEC(const State *) found;     // states found to be bound whose incoming transitions are not yet visited
 } Search;
 
 static size_t at(const State *s) { return s->number - 1u; }
 
-// A transition to the state itself leads nowhere else.
+// A transition from a state to itself does not lead to another state.
 static bool leads_on(const Search *b, const Transition *t) { return b->a->stmt[t->stmt->number].reached && t->to != t->from; }
 
 // ---- the graph ----
@@ -54,7 +54,7 @@ static bool may_end_in_place(const FlowPlace *place)
     return false;
 }
 
-// A state is left for sure by the end of its first step if one of its blocks has no end but transitions.
+// A state is always left by the end of its first step if one of its blocks can end only in transitions.
 static void note_ends(Analysis *a, const FlowPlace *place, void *context)
 {
     Search *b = context;

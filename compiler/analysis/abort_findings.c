@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// States from which a broken sensor leaves no way to an @abort state: what the abort matrix says, one finding a state and kind.
+// States from which a failed sensor leaves no path to an @abort state: reports the abort matrix, one finding per state and
+// kind.
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/questions.h"
 
 enum { WAYS_SHOWN = 3, STATES_FOLLOWED = 50 };
 
-// Where a way ends that leads through others.
+// The @abort state at the end of a path through other states.
 static const State *end_of(const AbortMatrix *x, const State *s)
 {
     for (int i = 0; i < STATES_FOLLOWED && !s->is_abort; i++)
@@ -26,7 +27,8 @@ static void show_way(Analysis *a, Diag *d, const AbortMatrix *x, const AbortWay 
         diag_note(a->diags, d, store->span, DIAG_note_made_of_sensor, store->var->name->text, name);
 }
 
-// The transitions that fail, each with what it leads through; one of those that wait for the same guard.
+// Adds notes for the failing transitions, each with the states that it leads through.  Of several that wait for the same guard,
+// only one is noted.
 static void show_ways(Analysis *a, Diag *d, const AbortMatrix *x, const AbortRow *r, const Var *sensor)
 {
     const Stmt *last = NULL;
@@ -59,7 +61,7 @@ static void report_single(Analysis *a, const AbortMatrix *x, const AbortRow *r)
     diag_note(a->diags, d, (Span){0}, DIAG_note_abort_single_advice);
 }
 
-// States that lead to an @abort state by waiting for another state are not asked about.
+// States that reach an @abort state only by waiting in another state are not reported.
 static void report_missing(Analysis *a, const AbortRow *r)
 {
     if (r->verdict == ABORT_NO_PATH && r->drives && !r->state->is_safe)
@@ -75,7 +77,7 @@ void question_abort(Trials *t)
 
     for (size_t s = 0; s < x.n && x.declared; s++) {
         if (x.row[s].state->is_safe && !x.row[s].drives)
-            continue;                                 // there is nothing to abort
+            continue;                                 // nothing to abort
         report_missing(a, &x.row[s]);
         if (x.row[s].latch)
             diag_report(a->diags, DIAG_abort_latched, x.row[s].latched->first->stmt->span, x.row[s].state->name->text,

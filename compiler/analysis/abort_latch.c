@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// States that abort at once when they begin again, because what was set on the way to the last abort is still set.
+// States that abort as soon as they are entered again, because a variable set before the last abort is still set.
 //
-// Of two situations at the beginning of a state, one goes to an @abort state within two steps with all healthy readings, windows full
-// of them, with which the other one does not.  A variable that the transition reads and that differs between the two is the reason.
+// Compares two situations at the entry of a state, with full windows and the same healthy readings.  One goes to an @abort
+// state within two steps for all readings for which the other does not.  A variable that the transition reads and that differs
+// between the two is the reason.
 #include <string.h>
 
 #include "compiler/analysis/abort.h"
@@ -17,7 +18,7 @@ typedef struct Latch {
     double *in;
 } Latch;
 
-// The transition that it makes to an abort within two steps; NULL: it makes another, or none.
+// The transition to an abort that it takes within two steps; NULL: it takes another transition or none.
 static const Transition *aborts_at_once(Latch *l, const TrialEntry *e)
 {
     Trials *t = l->t;
@@ -34,7 +35,7 @@ static const Transition *aborts_at_once(Latch *l, const TrialEntry *e)
     return NULL;
 }
 
-// The transition that it makes whenever the other one does not abort; NULL: not always, or the other one always does.
+// The transition that e always takes when `other` does not abort.  NULL: e does not always take it, or `other` always aborts.
 static const Transition *aborts_where_not(Latch *l, const TrialEntry *e, const TrialEntry *other)
 {
     Trials *t = l->t;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ability to abort hangs on: trials in which a sensor has failed, and trials without any command.
+// What the ability to abort depends on: trials in which a sensor has failed, and trials without any command.
 //
-// A state can abort if some trial from it reaches an @abort state, directly or through states that lead nowhere else.  That it
-// cannot is said only where both agree: no trial does, and every transition that could do it depends on what has failed.
+// A state can abort if some trial from it reaches an @abort state, directly or through states that lead nowhere else.  It is
+// reported as unable to abort only if both agree: no trial aborts, and every transition that could depends on the failed
+// sensor.
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/questions.h"
 
 enum {
-    TRIED = 4,                    // entries of a state
-    ENTRIES = 8,                  // of a state that begins again
-    LIVES = 80,                   // trials before it is said that none aborts
-    CHANGES = 4,                  // of the inputs in one
+    TRIED = 4,                    // entries of a state that are tried
+    ENTRIES = 8,                  // the same, for a state that begins again
+    LIVES = 80,                   // trials before the search concludes that none aborts
+    CHANGES = 4,                  // of the inputs in one trial
     WORK = 400000                 // instructions spent on one question
 };
 
@@ -22,13 +23,13 @@ typedef struct Asking {
     const Sensors *s;
     void *at;
     double *in;
-    bool commands;                // people may give any
+    bool commands;                // the trial may give any command
     const Failed *failed;         // or NULL
-    bool left_at_once, left;      // some trial left it in two steps, or later but before that, and not to abort
+    bool left_at_once, left;      // some trial left the state within two steps; or later, but before windows were full; both not to abort
     bool stayed;                  // some trial stayed in the state until windows were full
     bool aborted;                 // some trial aborted
-    bool driven;                  // an output was on meanwhile
-    uint64_t until;               // Trials.run.work at which the question has had enough
+    bool driven;                  // an output was on during a trial
+    uint64_t until;               // value of Trials.run.work at which the question stops
 } Asking;
 
 typedef enum Fate { STAYS, ABORTS, LEAVES } Fate;
@@ -102,7 +103,7 @@ static bool aborts_from(Asking *k, const TrialEntry *e)
     return false;
 }
 
-// Whether some trial aborts.  Commands are given or not, and the sensor has failed or not.
+// Whether some trial aborts, with or without commands, and with or without a failed sensor.
 static bool can_abort(Asking *k, const AbortRow *r, bool commands, const Failed *failed)
 {
     const TrialState *s = &k->t->state[r->state->number - 1];
@@ -119,7 +120,7 @@ static bool can_abort(Asking *k, const AbortRow *r, bool commands, const Failed 
     return found || !k->stayed;
 }
 
-// ---- what ways look at ----
+// ---- what paths depend on ----
 
 static void note_looks(Asking *k, AbortWay *w)
 {
@@ -176,13 +177,13 @@ static bool cannot_at(Asking *k, const AbortRow *r, uint32_t input, double readi
     return !can_abort(k, r, false, &f) || (!k->stayed && !k->aborted && k->left && !k->left_at_once);
 }
 
-// A reading that no healthy sensor delivers must not lead anywhere else, either.
+// A reading that no healthy sensor delivers must not lead to any other state either.
 static bool is_blind_at(Asking *k, const AbortRow *r, uint32_t input, double reading)
 {
     return cannot_at(k, r, input, reading) || (!k->stayed && !k->aborted && k->left_at_once);
 }
 
-// Besides 0 the readings outside the range, as far as the type has any.
+// Tries 0 and the readings outside the range, as far as the type can represent them.
 static void ask_blind(Asking *k, AbortRow *r, uint32_t input)
 {
     const TrialInput *i = &k->t->input[input];
@@ -218,9 +219,9 @@ static void ask_single(Asking *k, AbortRow *r, uint32_t input)
     }
 }
 
-// ---- what is left from a former abort ----
+// ---- state that remains from an earlier abort ----
 
-// Of two entries one can abort and the other cannot: a variable that a way reads and that differs.
+// One entry can abort and the other cannot: finds a variable that a path reads and that differs between them.
 static void note_latch(Asking *k, AbortRow *r, const TrialEntry *stuck, const TrialEntry *other)
 {
     for (size_t w = 0; w < r->way.n && !r->latch; w++) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs all analyses; what they share.
+// Runs all analyses.  Contains the functions that they share.
 #include "compiler/analysis/analysis.h"
 
 #include <string.h>
@@ -31,7 +31,7 @@ SmOperator relation_mirrored(SmOperator op)
 
 // ---- statements ----
 
-// As deep as conditionals nest: AST_DEPTH_MAX bounds it.
+// Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
 static void each_in(const Stmts *stmts, void (*f)(const Stmt *stmt, void *context), void *context)
 {
     for (size_t i = 0; i < stmts->n; i++) {
@@ -62,7 +62,7 @@ void each_flow(Analysis *a, void (*f)(Analysis *a, const FlowPlace *at, void *co
         }
 }
 
-// What is stored before its conversion, which is one instruction, or none of a bool.
+// The fact of the stored value before its conversion.  The conversion is one instruction, or none for a bool.
 static Fact stored(const IrFn *f, const FactFlow *flow, const IrIns *store)
 {
     const IrIns *value = &f->ins.at[store->a];
@@ -97,7 +97,7 @@ static void note_jump(Analysis *a, const FactFlow *flow, const IrJump *j, const 
     s->value = fact_meet(flow->of[j->cond], fact_of_bool(s->otherwise, s->then));
 }
 
-// A function may be looked at several times, each time with all that was reached before: what is noted last holds.
+// May be called several times for one function, each time with everything reached so far.  The last call is final.
 static void note_flow(void *context, const IrFn *f, FactFlow flow)
 {
     Analysis *a = context;
@@ -149,7 +149,7 @@ static void work_in(Analysis *a, Arena *arena)
     a->arena = arena;
     facts_work_in(a->facts, arena);
     if (a->asked[0])
-        memset(a->asked, 0, (a->p->stmts + 1u) * sizeof *a->asked);  // what the last arena held
+        memset(a->asked, 0, (a->p->stmts + 1u) * sizeof *a->asked);  // these functions were in the arena that was freed
 }
 
 typedef struct Row { void (*run)(Analysis *a); DiagGroup group; } Row;

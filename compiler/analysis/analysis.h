@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analyses: what looks wrong in a machine that is no error.  They read a machine as it was written, with what can be known of its
-// values, and report warnings.  They change nothing, and nothing that is compiled depends on them.
+// Analyses: warnings about parts of a machine that look wrong but are not errors.  They read a machine as it was written, with
+// the facts about its values, and report warnings.  They change nothing, and the compiled output does not depend on them.
 //
-// A machine is analysed as it flies: compiled without the names that scripts write, so no local is `outside`.
+// A machine is analysed as it runs on the target: compiled without the names that scripts write, so no local is `outside`.
 //
-// What is known (`facts`, `stmt`) comes from compiler/facts on the IR before any pass, of a machine that starts in its first
-// state; elements can be anything their type holds at the start of every step.  So what is called impossible here is
-// impossible, whatever the inputs.  What @range declares is used only where an analysis says so (whatif.h).
+// The facts (`facts`, `stmt`) come from compiler/facts, run on the IR before any pass.  They assume that the machine starts in
+// its first state and that elements can have any value of their type at the start of every step.  So whatever is called
+// impossible here is impossible for all inputs.  @range is used only where an analysis documents it (whatif.h).
 #ifndef SMC_ANALYSIS_H
 #define SMC_ANALYSIS_H
 
@@ -16,40 +16,41 @@
 #include "compiler/sema/iomap.h"
 #include "compiler/sema/program.h"
 
-// What is known of a statement.
+// The facts about a statement.
 typedef struct StmtFact {
-    bool reached;                 // some run may execute it
-    bool then, otherwise;         // IF: its guard may hold; it may not hold
-    Fact value;                   // ASSIGN: what is stored, before it is converted to the variable's type; IF: its guard, as a bool
-    const Env *env;               // IF: what is known where its guard decides; TRANSITION: where it is made
+    bool reached;                 // a run may execute it
+    bool then, otherwise;         // IF: its guard can be true; it can be false
+    Fact value;                   // ASSIGN: the stored value before conversion to the variable's type; IF: its guard, as a bool
+    const Env *env;               // IF: the facts where its guard is evaluated; TRANSITION: where it is taken
 } StmtFact;
 
 typedef struct Analysis {
-    unsigned groups;              // 1u << DiagGroup of each whose warnings are wanted
-    uint64_t step;                // how much G advances from one step to the next; 0: not known
-    Arena *arena;                 // for the work of one analysis: given back after it.  What a diagnostic keeps (the text of an
-                                  // edit) lives in diags->arena
+    unsigned groups;              // 1u << DiagGroup for each group whose warnings are wanted
+    uint64_t step;                // how much G advances per step; 0: unknown
+    Arena *arena;                 // working memory of one analysis, freed after it.  Data that a diagnostic stores (such as the
+                                  // text of an edit) is in diags->arena
     Diags *diags;
     const Program *p;
     const IrMachine *m;           // as built
     FactMachine *facts;
     StmtFact *stmt;               // by Stmt.number
-    bool large_sums;              // somewhere a sum has an operand that is surely 2^53 or beyond
-    Transitions transition;       // all that stand in the machine, in file order
-    const IrFn **asked;           // by Stmt.number: what whatif.h has built of its guard or value; NULL: not yet.  [0]: any
+    bool large_sums;              // some sum has an operand whose magnitude is always 2^53 or more
+    Transitions transition;       // all transitions of the machine, in file order
+    const IrFn **asked;      // by Stmt.number: the function that whatif.h built for its guard or value; NULL: none yet. [0]: any of them
 } Analysis;
 
-// Everything but the findings: what the reports use too.  `arena` holds it.
+// Prepares everything except the findings; reports use it too.  `arena` owns the result.
 void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p);
 
-// All analyses of a machine, as built, whose warnings are of these groups (1u << DiagGroup of each); `step` as above.  Nothing in
-// `arena` is needed afterwards; `scratch` is empty before and after.
+// Runs all analyses of a machine, as built, whose warnings belong to these groups (1u << DiagGroup for each).  `step` is as
+// above.  Nothing in `arena` is needed afterwards.  `scratch` must be empty and is empty again on return.
 void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine *m, unsigned groups, uint64_t step);
 
-// What can be said of several machines over one state vector only: who writes what.  Their names come from one pool.
+// Findings that need several machines over one state vector: which machine writes which element.  Their names come from one
+// pool.
 void analyse_together(Arena *arena, Diags *diags, const Program *const *p, size_t n);
 
-// The same of a machine and the pins of its elements (config.md 9.13): G and S are nobody's inputs, which are errors.
+// The same for a machine and the pins of its elements (config.md 9.13).  An input for G or S is reported as an error.
 void analyse_pins(Arena *arena, Diags *diags, const IoMap *io, const Program *p);
 
 // ---- for analyses ----
@@ -58,7 +59,7 @@ void analyse_pins(Arena *arena, Diags *diags, const IoMap *io, const Program *p)
 #include "compiler/analysis/analyses.def"
 #undef ANALYSIS
 
-// Sets of operators, as Stmt.operators is one.
+// Sets of operators, in the format of Stmt.operators.
 enum {
     EQUALITIES = 1 << SM_OP_EQ | 1 << SM_OP_NE,
     COMPARISONS = EQUALITIES | 1 << SM_OP_LT | 1 << SM_OP_LE | 1 << SM_OP_GT | 1 << SM_OP_GE
@@ -66,17 +67,17 @@ enum {
 
 static inline bool is_comparison(SmOperator op) { return (COMPARISONS >> op & 1) != 0; }
 
-// The comparison that holds where this one does not (of numbers: NaN apart), and the one with its operands exchanged.
+// The comparison that is true exactly where this one is false (for numbers, not NaN), and the one with exchanged operands.
 SmOperator relation_opposite(SmOperator op);
 SmOperator relation_mirrored(SmOperator op);
 
-// Whether every way through these statements ends in a transition, as written, whatever guards say (dead.c).
+// Whether every path through these statements ends in a transition, whatever the guards evaluate to (dead.c).
 bool always_leaves(const Stmts *stmts);
 
-// Calls f for every statement of a machine, those inside conditionals after the conditional itself.
+// Calls f for every statement of a machine.  A conditional comes before the statements inside it.
 void each_stmt(const Program *p, void (*f)(const Stmt *stmt, void *context), void *context);
 
-// Calls f for every function of a state that can be reached, with the facts of its temporaries, which hold until f returns.
+// Calls f for every reachable function of a state, with the facts of its temporaries, which are valid until f returns.
 typedef struct FlowPlace { const State *state; BlockKind block; const IrFn *f; FactFlow flow; } FlowPlace;
 void each_flow(Analysis *a, void (*f)(Analysis *a, const FlowPlace *at, void *context), void *context);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guards that have decided before another one is asked: those around it that did not hold, and those under which the machine has
-// left.  Which of them leaves nothing for it, or leaves it just the rest.
+// Guards that were evaluated before another one: enclosing guards that were false, and guards whose branch left the state.
+// Finds the one that leaves no case for the current guard, or leaves exactly its cases.
 #include "compiler/analysis/before.h"
 
 #include "compiler/analysis/implies.h"
@@ -16,7 +16,8 @@ bool is_unchanged(const Structure *k, const Stmt *s, const Expr *e)
     return true;
 }
 
-// Whether what stands on `way` comes after all of the arm: it is in the same list as the arm's conditional, or deeper.
+// Whether the statements inside `way` come after the whole branch: `way` is in the same list as the branch's conditional, or
+// deeper.
 static bool is_beside(const Way *arm, const Way *way)
 {
     for (unsigned n = 0; way && way->depth >= arm->depth && n < LOOK_BACK; n++)
@@ -59,7 +60,7 @@ static bool excluded(const Structure *k, const Expr *guard, const Before *b)
     return b->holds ? guard_implies(k->a, guard, b->stmt->value) : guard_excludes(k->a, guard, b->stmt->value);
 }
 
-// Whether the guard can hold only where b has been so, by what values can be.
+// Whether, according to the facts, the guard can be true only where b has its excluded outcome.
 static bool covered(const Structure *k, const Expr *guard, const Before *b)
 {
     const Env *env = k->a->stmt[b->stmt->number].env;
@@ -91,7 +92,7 @@ const Before *the_one_before(const Structure *k, const Expr *guard, const Before
     return found ? found : find_before(k, guard, b, covered);
 }
 
-// ---- the rest of what guards before have left over ----
+// ---- the cases that earlier guards leave ----
 
 static void stamp_vars(Structure *k, const Expr *e)
 {

@@ -4,13 +4,13 @@
 
 #include "compiler/analysis/structure.h"
 
-enum { LOOK_BACK = 16 };              // earlier guards that one is compared with
+enum { LOOK_BACK = 16 };              // how many earlier guards a guard is compared with
 
-// One that decided before: it held, or did not, on every way that gets here.
+// An earlier guard with the same outcome on every path to the current position.
 typedef struct Before {
     const Stmt *stmt;
-    bool holds;                       // what is excluded here: that it holds
-    bool left;                        // where it is so, a transition has been made; of guards around it: to be asked
+    bool holds;                       // the excluded outcome: that the guard is true
+    bool left;                        // that outcome made a transition; false for enclosing guards, where the caller has to check
 } Before;
 
 typedef struct Befores {
@@ -18,18 +18,18 @@ typedef struct Befores {
     size_t n;
 } Befores;
 
-// Of a guard that is asked on `way`, now.
+// The earlier guards of a guard that is evaluated inside `way`, at the current position of the walk.
 Befores befores_of(const Structure *k, const Way *way);
 
-// Whether no variable of e has been assigned since s decided.
+// Whether no variable of e has been assigned since s was evaluated.
 bool is_unchanged(const Structure *k, const Stmt *s, const Expr *e);
 
 bool is_same(const Structure *k, const Expr *guard, const Before *b);
-// One that has been so wherever the guard holds: as they are written; by what values can be, too.
+// An earlier guard with its excluded outcome wherever the guard is true: from their source form; from the facts too.
 const Before *written_before(const Structure *k, const Expr *guard, const Befores *b);
 const Before *the_one_before(const Structure *k, const Expr *guard, const Befores *b);
 
-// Whether the guard just says in full what they have left over: `p > 10: -> A` and then `p <= 10: -> B`.
+// Whether the guard states exactly the remaining cases: `p > 10: -> A` and then `p <= 10: -> B`.
 bool is_the_rest(Structure *k, const Expr *guard, const Befores *b);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Comparisons that types decide, whatever the values, and equalities with what a type cannot hold.  What was found out on the way
-// (facts) decides guards too, but that is no mistake of the comparison: see constant-guard.
+// Comparisons that types decide, whatever the values, and equalities with a value that the type cannot represent.  Facts decide
+// guards too, but that is not a mistake in the comparison: see constant-guard.
 #include "compiler/analysis/compare.h"
 
 #include "compiler/analysis/whatif.h"
@@ -36,7 +36,7 @@ static Answer answer_of(SmOperator op, Fact a, Fact b)
     return f.lo == 1 ? ALWAYS : f.hi == 0 ? NEVER : SOMETIMES;
 }
 
-// ---- what is compared ----
+// ---- the operands ----
 
 typedef struct Side { const Expr *e; Fact fact; bool is_constant; } Side;
 
@@ -51,21 +51,21 @@ static Side side_of(const Analysis *a, const Expr *e)
 }
 
 typedef struct Pair {
-    Side a, b;                // b is the constant where one is
+    Side a, b;                // b is the constant if one is
     SmOperator op;
     const Expr *whole;        // the comparison, or the chain that it is part of
-    const Expr *within;       // the `and` whose half it is; or NULL
+    const Expr *within;       // the `and` that it is one operand of; or NULL
     Answer answer;
 } Pair;
 
-// An equality that the bounds alone would allow: it is the kind of number that rules it out.
+// An equality that the bounds alone would allow.  It is never true because the type has no such number.
 static bool is_no_such_number(const Pair *p)
 {
     return (p->op == SM_OP_EQ || p->op == SM_OP_NE) && p->b.is_constant && p->b.fact.lo >= p->a.fact.lo &&
            p->b.fact.lo <= p->a.fact.hi;
 }
 
-// Whole numbers of limited types; what has no bound is decided by arithmetic, if at all.
+// Whole numbers of limited types.  Unbounded values are decided by arithmetic, if at all.
 static bool is_bounded(Fact f) { return f.lo - f.lo == 0 && f.hi - f.hi == 0; }
 
 static bool make_pair(const Analysis *a, Pair *p, const Expr *x, SmOperator op, const Expr *y)
@@ -83,11 +83,11 @@ static bool make_pair(const Analysis *a, Pair *p, const Expr *x, SmOperator op, 
     return p->answer != SOMETIMES && (is_bounded(p->a.fact) || is_no_such_number(p));
 }
 
-// ---- habits ----
+// ---- idioms ----
 
 static bool is_upper(SmOperator op) { return op == SM_OP_LT || op == SM_OP_LE; }
 
-// `n >= 0` in `n >= 0 and n <= 100`: the other half bounds the same variable from the other side.
+// `n >= 0` in `n >= 0 and n <= 100`: the other operand bounds the same variable from the other side.
 static bool is_half_of_range(const Pair *p)
 {
     if (!p->within || p->a.e->kind != EX_VAR)
@@ -104,7 +104,7 @@ static bool is_half_of_range(const Pair *p)
     return false;
 }
 
-// In a chain what always holds is a habit (0 <= x <= 100), what never holds a mistake.
+// In a chain, a comparison that is always true is an idiom (0 <= x <= 100); one that is never true is a mistake.
 static bool is_habit(const Pair *p)
 {
     return p->answer == ALWAYS && (p->whole->kind == EX_CHAIN || is_half_of_range(p));
@@ -128,11 +128,11 @@ static void report_no_such_number(const Analysis *a, const Pair *p)
     diag_label(a->diags, d, DIAG_label_nearest_f32, const_text(a->arena, sm_from_f32(sm_round_f32(x))));
 }
 
-// Of a variable that is a whole number its type says it best, of other expressions what they can come to.
+// For a whole-number variable the message shows the bounds of its type, for other expressions their possible values.
 static void report_decided(const Analysis *a, const Pair *p)
 {
     const Expr *e = p->a.e;
-    const SmF64 zero = sm_from_i32(0);                        // added, it makes 0 of -0
+    const SmF64 zero = sm_from_i32(0);                        // adding it turns -0 into 0
     const char *lo = const_text(a->arena, sm_add(p->a.fact.lo, zero)), *hi = const_text(a->arena, sm_add(p->a.fact.hi, zero));
 
     if (e->kind == EX_VAR) {
@@ -176,7 +176,7 @@ static void look_at_comparison(Look *k, const Expr *e, const Expr *within)
 
 static bool compares(const Expr *e) { return e->kind == EX_CHAIN || (e->kind == EX_BINARY && is_comparison(e->op)); }
 
-// As deep as expressions nest: AST_DEPTH_MAX bounds it.
+// Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
 static void look_within(Look *k, const Expr *e, const Expr *within)
 {
     const Expr *both = e->kind == EX_BINARY && e->op == SM_OP_AND ? e : NULL;

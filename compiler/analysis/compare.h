@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What types decide of comparisons: for analyses that say why a guard comes out one way only.
+// Comparisons that types decide: for analyses that explain why a guard always has the same result.
 #ifndef SMC_COMPARE_H
 #define SMC_COMPARE_H
 
 #include "compiler/analysis/analysis.h"
 
-// Whether some comparison in e has been reported as decided by types, or as an equality with what a type cannot hold: then that
-// is why a guard made of it always or never holds.
+// Whether some comparison in e has been reported as decided by types, or as an equality with a value that the type cannot
+// represent.  Then that is the reason why a guard with this comparison is always or never true.
 bool types_decide_in(const Analysis *a, const Expr *e);
 
-// What an expression can be by its types alone, locals that nobody writes included.
+// The possible values of an expression by its types alone, including locals that are never written.
 Fact fact_of_types(const Analysis *a, const Expr *e);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the longest way through each function.  Jumps only go forward, so a walk from the last instruction to the first knows at
-// each how far the end can be, by ways that end in `end` and by ways that end in `goto`; following the larger number from the
-// start gives the way itself.
+// Finds the longest path through each function.  Jumps only go forward.  A walk from the last instruction to the first
+// computes, for each, the longest distance to the end, separately for paths that end in `end` and in `goto`.  The path itself
+// follows the larger number from the start.
 #include "compiler/analysis/cost.h"
 
 #include <string.h>
@@ -15,26 +15,26 @@ typedef enum WayEnd { WAY_ENDS, WAY_LEAVES, WAYS } WayEnd;        // in `end`, i
 typedef struct Ins {
     uint32_t at;                  // in the image
     uint8_t op;
-    uint32_t to;                  // where it jumps, in the image; 0: it does not
-    uint32_t line, units;         // what it takes itself
-    uint32_t left[WAYS];          // what the longest way from here on takes, itself included; 0: there is none
+    uint32_t to;                  // target of its jump, in the image; 0: not a jump
+    uint32_t line, units;         // its own cost
+    uint32_t left[WAYS];          // cost of the longest path from here on, this instruction included; 0: there is no path
 } Ins;
 
 typedef struct Fn {
     Ins *ins;
     uint32_t n;
-    uint32_t longest[WAYS];       // of a function without code: none at all, which ends
-    bool ends;                    // some way ends in `end`
+    uint32_t longest[WAYS];       // all zero for a function without code, which ends
+    bool ends;                    // some path ends in `end`
 } Fn;
 
 typedef struct Reader {
     Arena *arena;
     CostUnit unit;
-    uint32_t always;              // what a step takes beside its functions
+    uint32_t always;              // the cost of a step besides its functions
     SmvmMachine m;
-    Cycles cycles;                // behind the last instruction that was read
+    Cycles cycles;                // state after the last instruction that was read
     SmvmLines lines;              // the next line that has not begun
-    bool more;                    // there is one
+    bool more;                    // there is a next line
     uint32_t line;                // of the instruction being read
 } Reader;
 
@@ -50,7 +50,7 @@ static void find_line(Reader *r, uint32_t at)
     }
 }
 
-// Reads an instruction; gives where the next one begins.
+// Reads an instruction and returns the position of the next one.
 static uint32_t read_ins(Reader *r, uint32_t at, uint32_t end, Ins *out)
 {
     const uint8_t op = smvm_u8(r->m.image, at);
@@ -63,7 +63,7 @@ static uint32_t read_ins(Reader *r, uint32_t at, uint32_t end, Ins *out)
     while (next < end && n < 2 && smvm_u8(r->m.image, next) < SMVM_OP_LEAST)
         smvm_varint(r->m.image, &next, (SmvmAt)end, &number[n++]);
     *out = (Ins){at, op, 0, r->line, r->unit == COST_INSTRUCTIONS ? 1 : cycles_of(&r->cycles, op, number, n), {0, 0}};
-    if (jumps)                                        // how far is the last number
+    if (jumps)                                        // the last number is the jump distance
         out->to = next + number[n - 1];
     return next;
 }
@@ -77,9 +77,9 @@ static uint32_t count_ins(const Reader *r, uint32_t at, uint32_t end)
     return n;
 }
 
-// ---- the longest way ----
+// ---- the longest path ----
 
-static uint32_t find_ins(const Fn *f, uint32_t at)                // the instruction that begins there
+static uint32_t find_ins(const Fn *f, uint32_t at)                // the instruction at this position
 {
     uint32_t low = 0, high = f->n - 1;
 
@@ -126,7 +126,7 @@ static Fn read_function(Reader *r, uint32_t index)
     return f;
 }
 
-// ---- the way as lines ----
+// ---- the path as lines ----
 
 static void put_line(Reader *r, StateCost *s, CostPart part, const Ins *ins)
 {
@@ -151,7 +151,7 @@ static void follow(Reader *r, StateCost *s, const Fn *f, CostPart part, WayEnd w
 
 // ---- a state ----
 
-typedef struct Step { uint32_t n; bool entry, step, exit; WayEnd entry_way, step_way; } Step;      // which functions run, how
+typedef struct Step { uint32_t n; bool entry, step, exit; WayEnd entry_way, step_way; } Step;      // which functions run, and how they end
 
 static void consider(Step *best, Step s)
 {
@@ -159,7 +159,7 @@ static void consider(Step *best, Step s)
         *best = s;
 }
 
-// The longest of the ways that `.step` can go, after what `s` took before.
+// Considers the longest paths through `.step`, after the cost `s` so far.
 static void consider_step(Step *best, const Fn *f, Step s)
 {
     const uint32_t before = s.n;
@@ -210,7 +210,7 @@ static void cost_of_state(Reader *r, uint32_t state, const Fn *sample, StateCost
     for (uint32_t b = 0; b < BLOCK_COUNT; b++)
         f[b] = read_function(r, 1 + 3 * state + b);
     first = longest_first(f);
-    if (f[BLOCK_ENTRY].ends && f[BLOCK_STEP].ends)                // else its first step is its last
+    if (f[BLOCK_ENTRY].ends && f[BLOCK_STEP].ends)                // otherwise its first step is its last
         consider_step(&later, f, later);
     s->first = r->always + sample->longest[WAY_ENDS] + first.n;
     s->later = f[BLOCK_ENTRY].ends && f[BLOCK_STEP].ends ? r->always + sample->longest[WAY_ENDS] + later.n : 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What X and Y hold is followed from one instruction to the next: a jump leads only to what loads X anew, so nothing has to be known of
-// other ways (opcodes.def).
+// Tracks what X and Y contain from one instruction to the next.  The target of a jump always reloads X, so nothing has to be
+// known about other paths (opcodes.def).
 #include "compiler/analysis/cycles.h"
 
 #include "bytecode-vm/smvm.h"
@@ -46,11 +46,11 @@ uint32_t cycles_window(CyclesWindow row, uint8_t type, uint32_t slots)
     return window_cycles[row][2 * key] + window_cycles[row][2 * key + 1] * slots;
 }
 
-// ---- what registers hold ----
+// ---- contents of registers ----
 
 static const CyclesReg any = {false, true, UINT32_MAX};
 
-static CyclesReg whole(bool is_signed, uint64_t most)         // any number, if it has more than 32 bits
+static CyclesReg whole(bool is_signed, uint64_t most)         // unknown if it has more than 32 bits
 {
     const CyclesReg r = {true, is_signed, (uint32_t)most};
 
@@ -68,7 +68,7 @@ static CyclesReg of_type(uint8_t type)
     }
 }
 
-// Of X and another number; what does not fit is any.
+// The result of X and another number; unknown if it does not fit.
 static CyclesReg of_two(uint8_t op, const CyclesReg *x, const CyclesReg *y)
 {
     const uint64_t most = x->most > y->most ? x->most : y->most;
@@ -197,7 +197,7 @@ static uint32_t by_opcode(Cycles *c, uint8_t op, const uint32_t *number)
 
 uint32_t cycles_of(Cycles *c, uint8_t op, const uint32_t number[2], unsigned numbers)
 {
-    const bool compares = op >= SMVM_jxn && op < SMVM_jt;          // whose first number is in its row
+    const bool compares = op >= SMVM_jxn && op < SMVM_jt;          // their first number is part of their row
     uint32_t cycles = by_opcode(c, op, number);
 
     for (unsigned i = compares; i < numbers; i++)

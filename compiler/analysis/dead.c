@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements that no run executes: behind conditionals that always leave, in arms that are never taken, in a .step or .exit that
-// never runs.  Told once, at the outermost.  As deep as conditionals nest: AST_DEPTH_MAX bounds it.
+// Statements that no run executes: after conditionals that always leave, in branches that are never taken, in a .step or .exit
+// that never runs.  Reported once, at the outermost.  AST_DEPTH_MAX bounds the recursion, which follows nested conditionals.
 #include <string.h>
 
 #include "compiler/analysis/structure.h"
 
-// Whether every way through these statements ends in a transition.
+// Whether every path through these statements ends in a transition.
 bool always_leaves(const Stmts *stmts)
 {
     for (size_t i = 0; i < stmts->n; i++) {
@@ -36,7 +36,7 @@ static void tell(Structure *k, const Stmts *list, size_t first, Diag *d)
     mark_from(k, list, first, dead_of(k, CAUSE_TOLD, list->at[first], NULL, d));
 }
 
-// list->at[first] is behind a conditional that leaves in every case.
+// list->at[first] follows a conditional that leaves in every case.
 static void tell_rest(Structure *k, const Stmts *list, size_t first, bool explained)
 {
     const Stmt *before = list->at[first - 1];
@@ -79,7 +79,7 @@ static void undo_writes(Structure *k, size_t to)
 
 static bool walk(Structure *k, const Stmts *list, const Way *way);
 
-// What an arm that leaves has assigned, nobody behind it sees.
+// Assignments in a branch that leaves are not visible after the conditional.
 static bool walk_arm(Structure *k, const Stmts *list, const Stmt *s, bool holds, const Way *outer)
 {
     const uint32_t log = k->log.n, left = k->left.n;
@@ -99,7 +99,7 @@ static bool walk_arm(Structure *k, const Stmts *list, const Stmt *s, bool holds,
     return leaves;
 }
 
-// Whether nothing gets past it.
+// Whether no path continues after the conditional.
 static bool walk_if(Structure *k, const Stmt *s, const Way *way)
 {
     const Verdict v = judge(k, s, way);
@@ -119,7 +119,7 @@ static bool walk_if(Structure *k, const Stmt *s, const Way *way)
     return then && otherwise;
 }
 
-// False where something may get past the list.
+// Returns false if some path may continue after the list.
 static bool walk(Structure *k, const Stmts *list, const Way *way)
 {
     for (size_t i = 0; i < list->n; i++) {
@@ -161,7 +161,7 @@ static void look_at_step(Structure *k, bool entry_leaves, bool explained)
     if (step->n == 0)
         return;
     if (!entry_leaves) {
-        if (!always_leaves(step))             // else it runs behind .entry only
+        if (!always_leaves(step))             // otherwise it runs directly after .entry only
             forget(k);
         walk_block(k, BLOCK_STEP);
         return;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Divisions by what is always 0, and by what can be 0 because nothing on the way excludes it: no value stored before, no guard, no
-// @range of a sensor.
+// Divisions by a value that is always 0, and by a value that can be 0 because no stored value, guard or @range of a sensor
+// excludes it.
 //
-// Facts see one variable at a time.  What a guard says of two, as `a > b` of a - b, or of an expression, as `abs(d) > 0.1` of d,
-// is looked for in the guards themselves, but only where facts leave a doubt.
+// Facts describe one variable at a time.  Relations between two variables (`a > b` for a - b), or on an expression, as in
+// `abs(d) > 0.1` for d, are searched in the guards themselves, but only where the facts leave a doubt.
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/compare.h"
 #include "compiler/analysis/known.h"
@@ -13,7 +13,7 @@
 #include "stdlib/math.h"
 
 typedef struct Doubt Doubt;
-struct Doubt {                    // a divisor that can be 0 as far as facts go
+struct Doubt {                    // a divisor that can be 0 according to the facts
     Span span;
     const Doubt *next;            // of the same statement
 };
@@ -21,14 +21,14 @@ struct Doubt {                    // a divisor that can be 0 as far as facts go
 typedef struct Divide {
     Analysis *a;
     const Doubt **doubt;          // by Stmt.number; 0 for windows
-    const Stmt *stmt;             // at hand; NULL: a window
+    const Stmt *stmt;             // the current statement; NULL: a window
 } Divide;
 
 // ---- facts ----
 
 static bool has_zero(Fact f) { return f.lo <= 0 && f.hi >= 0; }
 
-// A product that is too small to be told from 0 does not count: each factor has to be one that can be 0.
+// A product that underflows to 0 does not count: one of its factors must be able to be 0.
 static bool can_be_zero(const Analysis *a, const IrFn *f, const Fact *of, IrRef r)
 {
     const IrIns *i = &f->ins.at[r];
@@ -96,7 +96,7 @@ static bool is_doubted(const Divide *k, const Expr *divisor)
     return false;
 }
 
-// What the infinity or the NaN becomes where it is stored.
+// The value that is stored in place of the infinity or the NaN.
 static const char *outcome(const Divide *k)
 {
     const Stmt *stmt = k->stmt;

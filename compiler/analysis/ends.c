@@ -2,7 +2,7 @@
 // States that are never left.
 #include "compiler/analysis/analysis.h"
 
-// By state: whether some transition to another state can be made.
+// By state: whether some transition to another state can be taken.
 static bool *find_left(const Analysis *a)
 {
     bool *left = ARENA_ARRAY(a->arena, bool, a->p->state.n);
@@ -15,7 +15,7 @@ static bool *find_left(const Analysis *a)
     return left;
 }
 
-// ---- no way out ----
+// ---- states without an exit ----
 
 static void report_no_way_out(Analysis *a, const State *s)
 {
@@ -29,7 +29,7 @@ void analyse_ends(Analysis *a)
     const bool *left;
 
     if (a->p->state.n == 1)
-        return;                               // a machine that does one thing for ever
+        return;                               // a machine with a single task that runs forever
     left = find_left(a);
     for (size_t s = 0; s < a->p->state.n; s++)
         if (!left[s] && !a->p->state.at[s]->is_safe && facts_reach(a->facts, s, BLOCK_ENTRY))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clocks made of counters: a variable that only counts up or down by one constant, compared by == or != with a number that it steps
-// over.  Whether it does is found by counting, with the rounding of its type, from each constant that it is set to.
+// Counters used as clocks: a variable that only counts up or down by one constant is compared by == or != with a number that it
+// skips.  Whether it skips the number is found by counting from each constant that is assigned to it, with the rounding of its
+// type.
 #include "compiler/analysis/analysis.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
@@ -8,8 +9,8 @@
 enum { STARTS = 8, COUNTS = 2000000 };
 
 typedef struct Counter {
-    bool other;                   // something else is assigned, or different steps
-    SmF64 by;                     // 0: not known yet
+    bool other;                   // other values are assigned, or different increments
+    SmF64 by;                     // 0: not yet known
     SmF64 start[STARTS];
     uint32_t starts;
 } Counter;
@@ -24,7 +25,7 @@ static void add_start(Counter *c, SmF64 x)
         c->start[c->starts++] = x;
 }
 
-// v + k, k + v or v - k; k is 0 of anything else.
+// The increment k of v + k, k + v or v - k (there -k); 0 for anything else.
 static SmF64 step_of(const Stmt *s)
 {
     const Expr *e = s->value;
@@ -57,7 +58,7 @@ static void look_at_store(const Stmt *s, void *context)
         c->by = by;
 }
 
-// Whether the variable can become x, counting from a start.  True if that is not known.
+// Whether the variable can become x, counting from a start.  Also true if that is unknown.
 static bool comes_to(const Counter *c, const Var *v, SmF64 start, SmF64 x)
 {
     const bool up = sm_lt(sm_from_i32(0), c->by);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guards that always or never hold, and why: a switch of constants, a type, a part that contradicts another, an earlier guard
-// that has let nothing else pass, or what is known of the variables.
+// Guards that are always or never true, and the reason: a switch of constants, a type, a part that contradicts another, an
+// earlier guard that covers all other cases, or the facts about the variables.
 #include "compiler/analysis/compare.h"
 #include <string.h>
 
@@ -20,9 +20,9 @@ uint32_t dead_of(Structure *k, Cause cause, const Stmt *stmt, const Stmt *earlie
     return (uint32_t)k->dead.n;
 }
 
-// ---- what others explain ----
+// ---- explained by other findings ----
 
-// Made of numbers and of locals that never change: those that are not marked @read_only have a finding of their own.
+// Contains only numbers and locals that never change.  If such a local is not marked @read_only, it has its own finding.
 static bool is_fixed(const Expr *e)
 {
     if (e->kind == EX_ROLL || (e->kind == EX_VAR && (e->var->kind != VAR_LOCAL || e->var->written)))
@@ -35,7 +35,7 @@ static bool is_fixed(const Expr *e)
 
 static Answer either(Answer a, Answer b, Answer decides) { return a == decides || b == decides ? decides : a == b ? a : SOMETIMES; }
 
-// What constants alone make of a guard.
+// The value of a guard if constants alone decide it.
 static Answer switched(const Expr *e)
 {
     if (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR))
@@ -45,7 +45,7 @@ static Answer switched(const Expr *e)
     return sm_to_bool(const_eval(e)) ? ALWAYS : NEVER;
 }
 
-// A local that still has its initial value here and gets others elsewhere: that it is read too early is told at it.
+// A local that has its initial value here and gets other values elsewhere.  Reading it too early is reported at that local.
 static bool reads_initial(const Structure *k, const Expr *e, const Env *env)
 {
     const Var *v = e->var;
@@ -60,7 +60,7 @@ static bool reads_initial(const Structure *k, const Expr *e, const Env *env)
     return false;
 }
 
-// ---- what is known of it here ----
+// ---- the facts at the guard ----
 
 static const Expr *compared(const Expr *e)
 {
@@ -74,7 +74,7 @@ static const Expr *compared(const Expr *e)
     return found;
 }
 
-// "above 400" where facts say from 400.00000000000006 on.
+// Writes "above 400" if the facts contain 400.00000000000006 and more.
 static const char *bound_text(Arena *arena, double x, double beside, const char *strict, const char *or_equal)
 {
     const char *text = const_text(arena, x), *other = const_text(arena, beside);
@@ -93,7 +93,7 @@ static const char *range_text(Arena *arena, const char *what, Fact f)
     return format_in(arena, "here '%s' is always %s%s%s", what, open ? "" : lo, open || endless ? "" : " and ", endless ? "" : hi);
 }
 
-// "here 'mode' is always at most 2", or NULL if no more is known than that it is a number.
+// "here 'mode' is always at most 2", or NULL if the facts only show that it is a number.
 static const char *known_text(const Structure *k, const Stmt *s)
 {
     const Expr *e = compared(s->value);
@@ -111,7 +111,7 @@ static const char *known_text(const Structure *k, const Stmt *s)
     return range_text(k->a->arena, name, f);
 }
 
-// Whether it holds, or does not, whatever the variables are.
+// Whether the guard is always true (or always false) for all values of its variables.
 static bool decides_itself(const Structure *k, const Expr *guard, bool holds)
 {
     const Env *env = NULL;
@@ -176,7 +176,7 @@ static bool makes_transition(const Stmts *list)
     return false;
 }
 
-// s can only hold where b has been so.
+// s can be true only where b has its excluded outcome.
 static uint32_t forestalled(Structure *k, const Stmt *s, const Before *b)
 {
     const bool same = is_same(k, s->value, b);
@@ -225,7 +225,7 @@ static Verdict judge_always(Structure *k, const Stmt *s, const Befores *b, const
     return v;
 }
 
-// One around it that holds and implies it, as in `a > b { a > b: … }`; or NULL.
+// An enclosing guard that is true here and implies this one, as in `a > b { a > b: … }`; or NULL.
 static const Stmt *implied_by(const Structure *k, const Stmt *s, const Way *way)
 {
     for (unsigned n = 0; way && n < LOOK_BACK; way = way->outer, n++)

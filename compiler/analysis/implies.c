@@ -3,7 +3,7 @@
 
 #include "stdlib/math.h"
 
-enum { BUDGET = 64 };                 // pairs of parts that are looked at: `and` and `or` multiply
+enum { BUDGET = 64 };                 // pairs of parts that are compared; `and` and `or` multiply them
 
 typedef struct Ask {
     const uint32_t *window_of;
@@ -12,7 +12,8 @@ typedef struct Ask {
 
 // ---- comparisons ----
 
-// One side: base + plus, or the number plus alone.  Adding a constant keeps the order of what it is added to, rounded or not.
+// One side: base + plus, or the number plus alone.  Adding a constant preserves the order of the bases, with or without
+// rounding.
 typedef struct Side {
     const Expr *base;                 // NULL: none
     SmF64 plus;
@@ -52,7 +53,7 @@ static bool same_base(const Ask *k, const Side *p, const Side *q)
 static bool at_most(const Ask *k, const Side *p, const Side *q) { return sm_le(p->plus, q->plus) && same_base(k, p, q); }
 static bool below(const Side *p, const Side *q) { return !p->base && !q->base && sm_lt(p->plus, q->plus); }
 
-// a.small <= a.large gives b.small <= b.large if b's sides lie no nearer to each other than a's.
+// a.small <= a.large implies b.small <= b.large if b.small is at most a.small and b.large at least a.large.
 static bool order_implies(const Ask *k, const Order *a, const Order *b)
 {
     if (!at_most(k, &b->small, &a->small) || !at_most(k, &a->large, &b->large))
@@ -81,7 +82,7 @@ static Order relation_of(const Comparison *c)
     return order_of(less ? c->a : c->b, less ? c->b : c->a, c->op == SM_OP_LE || c->op == SM_OP_GE);
 }
 
-// What a comparison says: one order of its sides, or of == both.
+// Whether a comparison implies an order of its sides.  An == implies both orders.
 static bool comparison_gives(const Ask *k, const Comparison *c, const Order *o)
 {
     Order one, other;
@@ -117,7 +118,7 @@ static bool comparison_implies(const Ask *k, const Comparison *x, const Comparis
 static bool is_logic(const Expr *e, SmOperator op) { return e->kind == EX_BINARY && e->op == op; }
 static bool is_not(const Expr *e) { return e->kind == EX_UNARY && e->op == SM_OP_NOT; }
 
-// What of a chain is asked one by one; of anything else that is a comparison, it alone.
+// The number of comparisons in a chain; 1 for any other comparison, 0 for anything else.
 static uint32_t comparisons(const Expr *e)
 {
     return e->kind == EX_CHAIN ? e->n - 1 : e->kind == EX_BINARY && is_comparison(e->op) ? 1 : 0;
@@ -172,7 +173,7 @@ static bool implies(Ask *k, const Expr *x, const Expr *y)
 
 // ---- contradictions ----
 
-// Of two comparisons that both hold nobody is NaN but in !=, so one that implies the opposite of the other excludes it.
+// If two comparisons are both true, no operand is NaN, except in !=. So one that implies the opposite of the other excludes it.
 static bool parts_exclude(Ask *k, const Expr *x, const Expr *y)
 {
     for (uint32_t i = 0; i < comparisons(y); i++) {
@@ -204,10 +205,10 @@ static bool excludes(Ask *k, const Expr *x, const Expr *y)
     return parts_exclude(k, x, y);
 }
 
-// What is read is never NaN; what is worked out may be.
+// Variables and numbers are never NaN; computed values may be.
 static bool is_read(const Expr *e) { return e->kind == EX_VAR || e->kind == EX_NUMBER; }
 
-// Whether one of two comparisons always holds.
+// Whether one of two comparisons is always true.
 static bool covers(Ask *k, const Expr *x, const Expr *y)
 {
     Comparison a, b;
@@ -224,7 +225,7 @@ static bool covers(Ask *k, const Expr *x, const Expr *y)
     return is_read(a.a) && is_read(a.b) && comparison_implies(k, &a, &b);
 }
 
-// x < x, x == x.
+// x < x, x == x: whether it is always true, or never (`holds` is false).
 static bool is_reflexive(const Ask *k, const Expr *e, bool holds)
 {
     if (e->kind != EX_BINARY || !is_comparison(e->op) || !expr_equal(e->arg[0], e->arg[1], k->window_of))
@@ -258,7 +259,7 @@ static bool never(Ask *k, const Expr *e)
     return is_reflexive(k, e, false);
 }
 
-// ---- questions ----
+// ---- queries ----
 
 bool guard_implies(const Analysis *a, const Expr *x, const Expr *y)
 {

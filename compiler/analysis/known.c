@@ -5,9 +5,9 @@
 #include "compiler/analysis/whatif.h"
 #include "stdlib/f64.h"
 
-enum { TRIED = 64 };              // how many guards and assignments are looked back at
+enum { TRIED = 64 };              // how many earlier guards and assignments are checked
 
-// ---- on the way ----
+// ---- the walk ----
 
 typedef struct Walk { Analysis *a; KnownStmt *f; void *context; } Walk;
 
@@ -31,7 +31,7 @@ typedef struct After { const Known *known; bool leaves; } After;
 
 static After walk(Walk *w, const Stmts *stmts, const Known *known);
 
-// What is assigned in an arm; behind the conditional it may or may not have been.
+// Adds the assignments of a branch.  After the conditional they may or may not have been executed.
 static const Known *with_assigned_in(Arena *arena, const Known *known, const Known *arm, const Known *begin)
 {
     for (; arm && arm != begin; arm = arm->outer)
@@ -40,7 +40,7 @@ static const Known *with_assigned_in(Arena *arena, const Known *known, const Kno
     return known;
 }
 
-// An arm that always leaves was not gone through: of its guard the opposite is known behind it.
+// A branch that always leaves does not reach the statements after it.  There the opposite of its guard is known.
 static After walk_if(Walk *w, const Stmt *stmt, const Known *known)
 {
     const Known *yes = with_guard(w->a->arena, known, stmt->value, true), *no = with_guard(w->a->arena, known, stmt->value, false);
@@ -54,7 +54,7 @@ static After walk_if(Walk *w, const Stmt *stmt, const Known *known)
     return (After){after, then.leaves && otherwise.leaves};
 }
 
-// As deep as conditionals nest: AST_DEPTH_MAX bounds it.
+// Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
 static After walk(Walk *w, const Stmts *stmts, const Known *known)
 {
     After at = {known, false};
@@ -79,7 +79,7 @@ void known_each(Analysis *a, const Stmts *block, KnownStmt *f, void *context)
     walk(&w, block, NULL);
 }
 
-// `b != 0 and a / b > 5`: where b is 0 the whole does not hold, whatever the other side gives.
+// `b != 0 and a / b > 5`: if b is 0 the whole is false, whatever the other side evaluates to.
 void known_within(Analysis *a, const Expr *e, const Known *known, bool (*wanted)(const Expr *e), KnownExpr *f, void *context)
 {
     const bool logic = e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR);
@@ -92,7 +92,7 @@ void known_within(Analysis *a, const Expr *e, const Known *known, bool (*wanted)
     }
 }
 
-// ---- what follows ----
+// ---- conclusions ----
 
 static bool is_same(const Analysis *a, const Expr *x, const Expr *y) { return expr_equal(x, y, a->m->window_of); }
 
@@ -116,7 +116,7 @@ static IrOp op_of(SmOperator op, bool holds, bool mirrored)
     return holds ? (mirrored ? IR_le : IR_ge) : mirrored ? IR_gt : IR_lt;
 }
 
-// x op y; 0 in the place of d would contradict it.
+// Whether x op y is false if x, which is d or its magnitude, is 0.
 static bool contradicts_zero(const Analysis *a, const Expr *x, IrOp op, const Expr *y, const Expr *d)
 {
     const IrIns i = {.op = op, .type = SM_BOOL};
@@ -136,7 +136,7 @@ static bool pair_excludes(const Analysis *a, const Expr *x, SmOperator op, const
     return contradicts_zero(a, x, o, y, d) || contradicts_zero(a, y, op_of(op, holds, true), x, d);
 }
 
-// A guard without `and`, `or` and `not`.
+// For a guard without `and`, `or` and `not`.
 static bool comparison_excludes(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
     if (g->kind == EX_BINARY && is_comparison(g->op))
@@ -154,7 +154,7 @@ static int sign_of(const Analysis *a, const Expr *e)
     return f.lo >= 0 ? 1 : f.hi <= 0 ? -1 : 0;
 }
 
-// A sum, difference or maximum that is 0 only where both operands are 0: they cannot cancel.
+// A sum, difference or maximum that is 0 only if both operands are 0, because they cannot cancel.
 static bool is_zero_only_with_both(const Analysis *a, const Expr *d)
 {
     const bool is_sum = d->kind == EX_BINARY && d->op == SM_OP_ADD, is_difference = d->kind == EX_BINARY && d->op == SM_OP_SUB;
@@ -169,7 +169,7 @@ static bool is_zero_only_with_both(const Analysis *a, const Expr *d)
     return one != 0 && other == (is_sum ? one : -one);
 }
 
-// As deep as expressions nest: AST_DEPTH_MAX bounds it.
+// Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
 static bool part_excludes(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
     if (comparison_excludes(a, g, holds, d))
@@ -179,7 +179,7 @@ static bool part_excludes(const Analysis *a, const Expr *g, bool holds, const Ex
     return is_zero_only_with_both(a, d) && (part_excludes(a, g, holds, d->arg[0]) || part_excludes(a, g, holds, d->arg[1]));
 }
 
-// That g holds (or does not) excludes that d is 0.
+// Whether g being true (or false) excludes that d is 0.
 static bool guard_excludes(const Analysis *a, const Expr *g, bool holds, const Expr *d)
 {
     if (g->kind == EX_UNARY && g->op == SM_OP_NOT)
@@ -201,7 +201,7 @@ static bool mentions(const Expr *e, const Var *v)
     return false;
 }
 
-// What was assigned since a guard was asked tells nothing any more where the guard speaks of it.
+// A guard no longer counts if a variable that it reads was assigned after it was evaluated.
 static bool some_guard_excludes(const Analysis *a, const Known *known, const Expr *d)
 {
     const Var *assigned[TRIED];

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Windows that sample a variable before the step assigns it.  Windows take their samples when a step begins (language.md 7.4), so
-// where the machine assigns the variable and then uses a statistic of it, the statistic lacks the value of this step.
+// Windows that sample a variable before the step assigns it.  Windows take their samples when a step begins (language.md 7.4).
+// If the machine assigns the variable and then uses a statistic of it, the statistic lacks the value of this step.
 //
-// Not reported, for there the old value is what is meant or all that there is:
-// 1. assignments after the use, as in `rate = x - last` ... `last = x`: the variable itself is old at the use, too;
-// 2. assignments in .entry alone: a beginning, followed by samples of what .step leaves;
-// 3. an element beside an input, as in `abs(order - position)`: what was ordered in the step before and what came of it;
-// 4. a variable that the same expression reads without a window, as in `min(p, roll_min(p, 1))`: it has this step's value, too.
+// Not reported, because there the old value is intended or is all there is:
+// 1. assignments after the use, as in `rate = x - last` ... `last = x`: the variable itself is also old at the use;
+// 2. assignments in .entry alone: an initial value, followed by samples of the values that .step leaves;
+// 3. an element combined with an input, as in `abs(order - position)`: the order of the step before, and its result;
+// 4. a variable that the same expression also reads without a window, as in `min(p, roll_min(p, 1))`: it has this step's value.
 #include "compiler/analysis/known.h"
 
 typedef struct Uses {
     Analysis *a;
     const Stmts *block;
-    const Known *known;           // where the expression is
+    const Known *known;           // guards and assignments at the expression
     const Expr *value;            // the whole expression
-    const Expr *roll;             // in it: whose sample is being searched
+    const Expr *roll;             // the window call in it whose sample is being searched
 } Uses;
 
 static const Stmt *assigned_before(const Known *known, const Var *v)
@@ -33,7 +33,7 @@ static void look_for_change(Expr *e, void *context)
         *changes |= e->var->written;
 }
 
-// Whether the variable then holds the assigned number itself: nothing is rounded, cut or limited.
+// Whether the variable then contains exactly the assigned number: nothing is rounded, truncated or limited.
 static bool is_stored_exactly(const Uses *u, const Stmt *assigned)
 {
     const Fact value = u->a->stmt[assigned->number].value;
@@ -44,7 +44,7 @@ static bool is_stored_exactly(const Uses *u, const Stmt *assigned)
     return fact_fits(value, type) && value.whole && !value.minus_zero;
 }
 
-// Whether the assignment is made at every step of the state, of what the machine itself does not change.
+// Whether the assignment is executed in every step of the state, from values that the machine does not change.
 static bool can_be_inlined(const Uses *u, const Stmt *assigned)
 {
     bool is_always = false, changes = false;
@@ -90,7 +90,7 @@ static void report(const Uses *u, const Var *v, const Stmt *assigned)
         diag_note(diags, d, (Span){0}, DIAG_note_sample_itself, v->name->text, source_text(diags->arena, assigned->value->span));
 }
 
-// Inner windows are found by themselves.
+// Inner windows are visited separately.
 static void search_sample(const Uses *u, const Expr *e)
 {
     const Stmt *assigned = e->kind == EX_VAR ? assigned_before(u->known, e->var) : NULL;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The questions that trial runs answer, each a row of questions.def, and what they share.
+// The questions that trial runs answer, each a row of questions.def, and the helpers that they share.
 #ifndef SMC_QUESTIONS_H
 #define SMC_QUESTIONS_H
 
@@ -9,9 +9,9 @@
 #include "compiler/analysis/questions.def"
 #undef QUESTION
 
-// "a', 'b' and 'c": for a place in a message that is already in quotes.
+// "a', 'b' and 'c": for a position in a message that is already inside quotes.
 const char *question_names(Arena *arena, const Var *const *v, uint32_t n);
-// With a few digits, for a reader.
+// Rounded to a few digits, for messages.
 double question_rounded(double x);
 
 #endif

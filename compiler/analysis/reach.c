@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// States to which no transition leads that can be made.  Told of the first of them on each way: what only they lead to follows.
+// States that no transition can reach.  Only the first on each path is reported: the states reachable only from it follow from
+// it.
 #include "compiler/analysis/structure.h"
 #include "stdlib/convert.h"
 
-enum { NAMED = 3 };                   // followers, or transitions, that notes name
+enum { NAMED = 3 };                   // followers, or transitions, named in notes
 
 typedef struct Reach {
     Structure *k;
-    const Transitions *t;             // a state's stand together
-    size_t *first;                    // by state (from 0), one more: where its transitions begin
+    const Transitions *t;             // the transitions of a state are adjacent
+    size_t *first;                    // by state (from 0), plus one: index of its first transition
     uint32_t *waiting;                // a stack of states
     size_t n;
-    bool *reached, *known;            // by state: a way leads to it; nothing more is to be told of it
+    bool *reached, *known;            // by state: it is reachable; nothing more is to be reported about it
 } Reach;
 
 typedef bool (*Follow)(const Reach *r, const Transition *t);
@@ -45,7 +46,7 @@ static void find_reached(Reach *r)
         r->known[s] = r->reached[s];
 }
 
-// ---- explained ----
+// ---- explained by other findings ----
 
 static const Dead *dead_at(const Reach *r, const Transition *t)
 {
@@ -54,7 +55,7 @@ static const Dead *dead_at(const Reach *r, const Transition *t)
     return why != 0 && r->reached[t->from->number - 1] ? &r->k->dead.at[why - 1] : NULL;
 }
 
-// States behind transitions that a finding, or a switch, has explained.
+// Marks states after transitions that another finding, or a switch, explains.
 static void spread_explained(Reach *r)
 {
     for (size_t i = 0; i < r->t->n; i++) {
@@ -69,7 +70,7 @@ static void spread_explained(Reach *r)
     spread(r, r->known, any);
 }
 
-// ---- told ----
+// ---- reported ----
 
 static void note_followers(Reach *r, Diag *d, uint32_t state)
 {
@@ -95,7 +96,7 @@ static void tell_state(Reach *r, uint32_t state, DiagCode code, Diag **out)
     spread(r, r->known, any);
 }
 
-// Those to which guards lead that never hold.  What is told at the state is not told at the guard.
+// States whose every incoming guard is always false.  Reporting the state suppresses the finding on the guard.
 static void tell_impossible(Reach *r)
 {
     Diag **told = ARENA_ARRAY(r->k->a->arena, Diag *, r->k->a->p->state.n);
@@ -115,7 +116,7 @@ static void tell_impossible(Reach *r)
     }
 }
 
-// Postorder of the states that are left: the last of it leads to others and is led to by none but its own cycle.
+// Postorder of the remaining states.  The last of it leads to others and can be reached only from its own cycle.
 static size_t order_left(const Reach *r, uint32_t *order)
 {
     const size_t states = r->k->a->p->state.n;

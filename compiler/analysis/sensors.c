@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What values look at.  A local looks at what is stored in it and at the guards it is stored under; a guard at what it reads and
-// at the guards around it.  These are the nodes of a graph through which what is looked at spreads until nothing is added: a node
-// takes in at most LOOKS_MAX sensors, so this ends after a few visits of each.
+// Computes what values depend on.  A local depends on the values stored in it and on the guards around those stores.  A guard
+// depends on the variables it reads and on the enclosing guards.  These are the nodes of a graph.  Dependencies propagate along
+// its edges to a fixed point.  A node stores at most LOOKS_MAX sensors, so each node is visited only a few times.
 #include "compiler/analysis/sensors.h"
 
 typedef struct Spread {
     Sensors *s;
-    Numbers *readers;             // by node: the nodes that look at what it looks at
+    Numbers *readers;             // by node: the nodes that depend on it
     Numbers waiting;
     bool *waits;
     uint32_t to;                  // the node whose expression is being walked
@@ -14,7 +14,7 @@ typedef struct Spread {
 
 static uint32_t node_of_guard(const Sensors *s, const Stmt *stmt) { return (uint32_t)s->a->p->var.n + stmt->number; }
 
-// ---- what elements are ----
+// ---- roles of elements ----
 
 static bool is_only_read(const Sensors *s, const Var *v)
 {
@@ -172,7 +172,7 @@ static void spread(Sensors *s)
         spread_from(&g, g.waiting.at[--g.waiting.n]);
 }
 
-// ---- what looks at a sensor ----
+// ---- queries ----
 
 Looks looks_of_condition(const Sensors *s, const Condition *when)
 {
@@ -213,7 +213,7 @@ typedef struct Through {
     const Sensors *s;
     const Var *sensor;
     const Stmt *store;
-    bool itself;                  // the sensor is read
+    bool itself;                  // the expression reads the sensor
 } Through;
 
 static void look_through(Expr *e, void *context)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the analysis of structure shares: dead.c walks the statements, guards.c judges each guard on the way, reach.c tells of
-// states.  One cause, one finding: what a finding, or a switch set on purpose, explains is not told again.
+// Shared by the analysis of structure: dead.c walks the statements, guards.c judges each guard that the walk meets, reach.c
+// reports states.  One cause produces one finding: consequences of a finding, or of an intentional switch, are not reported
+// again.
 #ifndef SMC_STRUCTURE_H
 #define SMC_STRUCTURE_H
 
@@ -8,17 +9,17 @@
 
 // Why something is never executed.
 typedef enum Cause {
-    CAUSE_TOLD,                   // a finding says so, here or in another analysis
-    CAUSE_SWITCH,                 // a guard of constants: on purpose
-    CAUSE_NEVER                   // a guard that never holds: told at the state to which it leads, or else at the guard
+    CAUSE_TOLD,                   // explained by a finding, here or in another analysis
+    CAUSE_SWITCH,                 // a guard of constants: intentional
+    CAUSE_NEVER                   // a guard that is never true: reported at the state to which it leads, or else at the guard
 } Cause;
 
 typedef struct Dead {
     Cause cause;
     const Stmt *stmt;             // NEVER: the conditional
-    const Stmt *earlier;          // NEVER: one whose guard has held where this one would; or NULL
-    Diag *told;                   // TOLD, here: to which the states that become unreachable are added
-    bool folded;                  // NEVER: told at the state
+    const Stmt *earlier;          // NEVER: an earlier conditional whose guard is true whenever this one is; or NULL
+    Diag *told;                   // TOLD, here: the finding to which states that become unreachable are added
+    bool folded;                  // NEVER: reported at the state
 } Dead;
 
 // The conditionals around a statement, within its block.
@@ -30,34 +31,34 @@ struct Way {
     uint32_t depth;
 };
 
-typedef struct Wrote {            // to be undone
+typedef struct Wrote {            // for undoing
     uint32_t var, was;
 } Wrote;
 
-enum { STORED_INITIAL = 1, STORED_OTHER = 2 };    // what a local begins with; something else
+enum { STORED_INITIAL = 1, STORED_OTHER = 2 };    // the initial value of the local; any other value
 
 typedef struct Structure {
     Analysis *a;
-    const State *state;           // at which the walk is
+    const State *state;           // the state that the walk is in
     BlockKind block;
     VEC(Dead) dead;
-    uint32_t *why;                // by Stmt.number of a transition that is never made: 1 + index in `dead`; 0: it may be made
-    VEC(const Way *) left;        // arms of this block that have ended in a transition
-    uint32_t *order, passed;      // by Stmt.number: when it was walked over; how many were
-    uint32_t *written;            // by Program.var: when this block wrote it last; 0: never
+    uint32_t *why;                // by Stmt.number of a transition that is never taken: 1 + index in `dead`; 0: it may be taken
+    VEC(const Way *) left;        // branches of this block that ended in a transition
+    uint32_t *order, passed;      // by Stmt.number: its position in the walk; how many statements the walk has passed
+    uint32_t *written;            // by Program.var: the position of its last write in this block; 0: never
     VEC(Wrote) log;
-    uint8_t *stored;              // by Program.var: what is stored in locals of the machine's own, STORED_…
-    uint32_t *stamp, stamps;      // by Program.var: in the guard that is looked at
-    size_t explained;             // conditionals so far of which an arm is dead and explained
+    uint8_t *stored;              // by Program.var: which values the machine stores in its locals, STORED_…
+    uint32_t *stamp, stamps;      // by Program.var: equal to `stamps` if the current guard reads it
+    size_t explained;             // how many conditionals so far have a dead branch that is explained
 } Structure;
 
-// dead.c: all statements of the states that facts reach.
+// Walks all statements of the states that are reachable according to the facts.
 void find_dead(Structure *k);
 
-// guards.c: which arms of a conditional may be executed, and what explains it if one may not.
+// guards.c: which branches of a conditional may be executed, and the cause if one may not.
 typedef struct Verdict {
     bool then, otherwise;
-    uint32_t dead;                // 1 + index in Structure.dead; 0: guards before this one cover everything, as was meant
+    uint32_t dead;                // 1 + index in Structure.dead; 0: earlier guards cover all other cases, as intended
 } Verdict;
 Verdict judge(Structure *k, const Stmt *s, const Way *way);
 void report_never(Structure *k, const Dead *d);                   // at the guard

@@ -25,7 +25,7 @@ static void find_under(Finder *f, const Stmts *stmts, const Stmt *stmt, bool hol
     find_in(f, stmts, c);
 }
 
-// As deep as conditionals nest: AST_DEPTH_MAX bounds it.
+// Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
 static void find_in(Finder *f, const Stmts *stmts, const Condition *when)
 {
     for (size_t i = 0; i < stmts->n; i++) {
@@ -148,7 +148,7 @@ const char *condition_brief(Arena *arena, const Condition *when, size_t most)
 
     buf_init(&out, arena);
     for (; when && n < most; when = when->outer)
-        if (when->holds || n == 0 || shown[n - 1]->holds)              // else else: one will do
+        if (when->holds || n == 0 || shown[n - 1]->holds)              // of adjacent "else" only one is shown
             shown[n++] = when;
     if (when)
         buf_str(&out, "… and ");

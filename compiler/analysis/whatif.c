@@ -24,7 +24,7 @@ const Env *suppose(const Analysis *a, const Env *env, const Var *v, Fact f)
 
 typedef struct Answer {
     const IrFn *f;
-    const Env *env[2];            // where it does not hold, where it does
+    const Env *env[2];            // the facts where the guard is false, and where it is true
     bool possible[2];
 } Answer;
 
@@ -46,7 +46,7 @@ static Answer ask(const Analysis *a, const IrFn *f, const Env *env)
     return out;
 }
 
-// Asked twice: what the first half of `p > 20 and p < 10` leaves is what the second is asked of.
+// Evaluates the guard twice: for `p > 20 and p < 10`, the second pass starts from what the first half leaves possible.
 static bool suppose_function(const Analysis *a, const Env **env, const IrFn *f, bool holds)
 {
     Answer first = ask(a, f, *env), second;
@@ -65,7 +65,7 @@ bool suppose_guard(const Analysis *a, const Env **env, const Expr *guard, bool h
     return suppose_function(a, env, ir_build_guard(a->arena, a->m, guard), holds);
 }
 
-// Of a statement it is built once: what-if questions come by the dozen.
+// The function of a statement is built once, because what-if questions are frequent.
 static const IrFn *function_of(const Analysis *a, const Stmt *stmt)
 {
     if (!a->asked[stmt->number])
@@ -95,7 +95,7 @@ static Fact value_of(const Analysis *a, const Env *env, const IrFn *f)
 
 Fact suppose_value(const Analysis *a, const Env *env, const Expr *e)
 {
-    if (e->kind == EX_VAR && a->m->var_of[e->var->index] != IR_NONE)       // most are, and it needs no function
+    if (e->kind == EX_VAR && a->m->var_of[e->var->index] != IR_NONE)       // the most frequent case, which needs no function
         return env_get(&a->facts->shape, env, a->m->var_of[e->var->index]);
     return value_of(a, env, ir_build_guard(a->arena, a->m, e));
 }
