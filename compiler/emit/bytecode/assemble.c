@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places locals and turns instructions into bytes.
+// Places locals and encodes instructions as bytes.
 #include "bytecode-vm/image.h"
 #include "compiler/emit/bytecode/bytecode.h"
 #include "stdlib/convert.h"
@@ -8,7 +8,7 @@
 
 enum { VARINT_MOST = 4 };
 
-// Puts v so that it ends before `end`; gives where it begins.
+// Writes v so that it ends before `end`; returns its first byte.
 static uint8_t *varint_before(uint8_t *end, uint32_t v)
 {
     if (v < SMVM_VARINT_1) {
@@ -96,9 +96,9 @@ const char *bc_layout(Arena *arena, BcMachine *m)
 
 // ---- instructions ----
 
-// From a function's end to its start: jumps only go forward, so where they lead is known and each distance gets the
-// shortest form at once.  Each of these puts an instruction so that it ends before `end`, and gives where it begins.
-// `op` is the first of those that load X, load Y or store.
+// Encodes from a function's end to its start.  Jumps only go forward, so their targets are already placed and each distance gets its
+// shortest form at once.  Each of these functions writes an instruction that ends before `end`, and returns its first byte. `op` is the
+// first opcode of the group that loads X, loads Y or stores.
 
 static uint8_t *put_number(uint8_t *end, uint32_t op, uint32_t n)
 {
@@ -145,7 +145,7 @@ static uint8_t *put_store(uint8_t *end, const BcMachine *m, const BcOperand *o)
     return o->output ? put_number(end, SMVM_out, o->output - 1) : put_access(end, m, SMVM_st_local, o);
 }
 
-// How far from the function's end an instruction begins.
+// Distance from the first byte of instruction i to the function's end.
 static uint32_t to_end(const BcFn *f, size_t i) { return i < f->ins.n ? f->ins.at[i].at : 0; }
 
 static uint8_t *put_other(uint8_t *end, const BcFn *f, size_t i)
@@ -174,7 +174,7 @@ static uint8_t *put(uint8_t *end, const BcMachine *m, const BcFn *f, size_t i)
 
 void bc_assemble(Arena *arena, const BcMachine *m, BcFn *f, Buf *out, bool *ok)
 {
-    enum { MOST = 1 + 3 * VARINT_MOST };                         // bytes of an instruction
+    enum { MOST = 1 + 3 * VARINT_MOST };                         // the longest instruction, in bytes
     const size_t room = f->ins.n * MOST;
     uint8_t *const end = (uint8_t *)arena_room(arena, room) + room, *from = end;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// From IR to an image.  plan.c says of each instruction of the IR whether it waits for its user; select.c and jumps.c turn functions
-// into instructions whose operands are symbols and whose jumps lead to labels, and registers.c knows what X and Y hold meanwhile;
-// assemble.c places locals and turns instructions into bytes; image.c and debug.c put the sections of all machines together.
+// From IR to an image.  plan.c decides which IR instructions wait for their user.  select.c and jumps.c turn functions into bytecode
+// instructions with symbolic operands and labels; registers.c tracks the contents of X and Y meanwhile.  assemble.c places locals and
+// encodes instructions.  image.c and debug.c join the sections of all machines.
 #ifndef SMC_EMIT_BYTECODE_H
 #define SMC_EMIT_BYTECODE_H
 
@@ -14,45 +14,45 @@
 #include "compiler/ir/ir.h"
 #include "compiler/sema/iomap.h"
 
-// Makes one image of n machines, and of pins (io may be NULL).  False if they exceed what the format can hold, which is then reported.
+// Builds one image of n machines and of pins (io may be NULL).  Returns false, and reports it, if they exceed the limits of the format.
 bool emit_image(Arena *arena, Diags *diags, IrMachine *const *m, size_t n, const IoMap *io, bool debug, Buf *out);
 
-// ---- between the files ----
+// ---- shared between the files ----
 
-enum { BC_RAW = SM_TYPE_COUNT, BC_POOLS };            // as the type of a slot: an F64 as it is
+enum { BC_RAW = SM_TYPE_COUNT, BC_POOLS };            // BC_RAW as the type of a slot: an F64, stored unchanged
 
 typedef enum BcOperandKind {
-    BC_VAR,                   // element, local or T: `var`
-    BC_SLOT,                  // a local that no source names, of type `type`; the `index`-th of its type
+    BC_VAR,                   // element, local or T: variable `var`
+    BC_SLOT,                  // a temporary local of type `type`, without a source name; the `index`-th slot of its type
     BC_STAT,                  // statistic `index` of window `var`
-    BC_CONST                  // the F64 with these `bits`; where it is no whole number that stands in the code, the `index`-th of its table
+    BC_CONST                  // the F64 with these `bits`; unless bc_whole finds it encodable in the code, the `index`-th of its table
 } BcOperandKind;
 
 typedef struct BcOperand {
     BcOperandKind kind;
-    uint32_t type;            // SmType, or of a slot BC_RAW
+    uint32_t type;            // SmType; for a slot also BC_RAW
     uint32_t var, index;
     uint64_t bits;
-    uint32_t output;          // of an element: 1 + its number among the outputs; 0: nothing writes it
+    uint32_t output;          // for an element: 1 + its number among the outputs; 0: never written
 } BcOperand;
 
 typedef uint32_t BcRef;       // index into BcMachine.operand
 #define BC_NONE UINT32_MAX
 
-// An instruction.  SMVM_ldx_local, ldy_local and st_local stand for all that load X, load Y and store: which it is, `what` says.
+// An instruction.  SMVM_ldx_local, ldy_local and st_local represent all loads of X, loads of Y and stores; `what` selects which one.
 typedef struct BcIns {
     uint8_t op;
     BcRef what;
-    uint32_t n;               // the number that follows the opcode, but a jump's
-    uint32_t to;              // of a jump: its label
+    uint32_t n;               // the number that follows the opcode, unless that is a jump distance
+    uint32_t to;              // for a jump: its target label
     Span span;
-    bool of_many;             // it belongs to several lines
+    bool of_many;             // it belongs to several source lines
     uint32_t at;              // offset in its function (assemble.c)
 } BcIns;
 
 typedef struct BcLabel {
-    uint32_t at;              // the instruction it stands before
-    uint32_t jumped;          // 1 + the last instruction that jumps here; 0: none does
+    uint32_t at;              // index of the instruction that it precedes
+    uint32_t jumped;          // 1 + the last instruction that jumps here; 0: no jump
 } BcLabel;
 
 typedef struct BcFn {
@@ -65,43 +65,43 @@ typedef struct BcMachine {
     const IrMachine *ir;
     VEC(BcOperand) operand;
     BcRef *of_var;            // by variable: its operand, or BC_NONE
-    BcRef *of_stat;           // by window and statistic likewise
+    BcRef *of_stat;           // by window and statistic: its operand, or BC_NONE
     BcRef *const_slot;        // hash table of the BC_CONST operands
     size_t const_cap, consts;
     VEC(uint32_t) f32s;
     VEC(uint64_t) f64s;
-    VEC(uint32_t) output;     // variables by number
-    uint32_t slots[BC_POOLS]; // how many of each type
-    uint32_t *window_number;  // by IR window: its number in the image, the order in which they take samples
+    VEC(uint32_t) output;     // the machine's outputs: variables by output number
+    uint32_t slots[BC_POOLS]; // number of slots of each type
+    uint32_t *window_number;  // by IR window: its number in the image, which is the order of sampling
     BcFn *fn;                 // 1 + 3 * states, as in the image's table of functions
     size_t fns;
-    // assemble.c fills in:
+    // filled in by assemble.c:
     uint32_t *local_at;       // by variable: offset among the locals
     uint32_t slot_at[BC_POOLS];
-    uint32_t locals;          // bytes
+    uint32_t locals;          // size in bytes
 } BcMachine;
 
 // Fills in everything up to `fns` for m.
 void bc_select(Arena *arena, BcMachine *out, const IrMachine *m);
 
-// A place as three bytes of the image have it; offset in units of the type's size.
+// Packs a place into the three bytes that the image stores.  The offset is in units of the type's size.
 uint32_t bc_pack(uint32_t offset, uint32_t type);
-// A variable's.  UINT32_MAX if it lies too far behind.
+// The packed place of a variable; UINT32_MAX if its offset is too large for the format.
 uint32_t bc_place(const BcMachine *m, uint32_t var);
 
-// Places locals.  NULL, or what does not fit the format.
+// Places locals.  Returns NULL, or the name of what exceeds the format.
 const char *bc_layout(Arena *arena, BcMachine *m);
-// Appends the function's bytes; *ok becomes false when it is too long.
+// Appends the function's bytes; sets *ok to false when it is too long.
 void bc_assemble(Arena *arena, const BcMachine *m, BcFn *f, Buf *out, bool *ok);
 
 void bc_varint(Buf *out, uint32_t value);
 void bc_u24(Buf *out, uint32_t value);
 
-// Whether x is a whole number that stands in the code, from -0x1000c60 to 0x1000c5f; then *n is it.
+// Whether x is a whole number that an instruction can encode, from -0x1000c60 to 0x1000c5f; then sets *n to it.
 bool bc_whole(SmF64 x, int32_t *n);
 bool bc_is_f32(SmF64 x);
 
-// The DEBUG section.
+// Appends the DEBUG section.
 void bc_debug(Arena *arena, const BcMachine *m, Buf *out);
 
 #endif

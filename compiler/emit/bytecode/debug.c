@@ -7,7 +7,7 @@
 
 // ---- lines ----
 
-// 0 for what several lines have in common.
+// 0 for an instruction that belongs to several lines.
 static uint32_t line_of(const BcIns *i, uint32_t last)
 {
     if (i->of_many)
@@ -15,7 +15,7 @@ static uint32_t line_of(const BcIns *i, uint32_t last)
     return i->span.src ? source_position(i->span.src, i->span.at).line : last;
 }
 
-// Lines as steps: how many bytes on in the code, how many lines on (zigzag: 0, -1, 1, -2 …).
+// Lines are encoded as deltas: of the code offset in bytes, and of the line number (zigzag: 0, -1, 1, -2 …).
 static void put_lines(Arena *arena, Buf *out, const BcMachine *m)
 {
     uint32_t start = 0, last_at = 0, last_line = 0, n = 0;
@@ -38,9 +38,9 @@ static void put_lines(Arena *arena, Buf *out, const BcMachine *m)
     buf_put(out, b.at, b.n);
 }
 
-// ---- variables: by what they are, type and place, so that a name is found by bisection ----
+// ---- variables: sorted by kind, type and place, for binary search ----
 
-// Sorts n keys; `other` is as long.  A merge sort: the C library's may ask for memory.
+// Sorts n keys; `other` has the same length.  A merge sort, because the C library's qsort can allocate memory.
 static void sort(uint64_t *key, uint64_t *other, size_t n)
 {
     for (size_t width = 1; width < n; width *= 2) {
@@ -64,7 +64,7 @@ static SmvmVariable what_is(const IrVar *v)
     return SMVM_IS_TIME;
 }
 
-static uint64_t *order_of(Arena *arena, const BcMachine *m)      // a variable's number in the low half of each
+static uint64_t *order_of(Arena *arena, const BcMachine *m)      // the low half of each key is the variable's number
 {
     const size_t n = m->ir->var.n;
     uint64_t *key = ARENA_ARRAY(arena, uint64_t, n);
@@ -89,7 +89,7 @@ static const char *base_name(const char *path)
     return name;
 }
 
-// The 0 behind it is not counted: it lets a name be read in place, as text.
+// A 0 byte follows, not counted in the length, so that a name can be read in place as a C string.
 static void put_name(Buf *b, const char *text, size_t len)
 {
     if (len >= SMVM_VARINT_MID)
@@ -101,7 +101,7 @@ static void put_name(Buf *b, const char *text, size_t len)
 
 typedef struct Names {
     Buf *tables, names;
-    uint32_t first;           // where the names will start, from the start of the section
+    uint32_t first;           // offset of the first name from the start of the section
 } Names;
 
 static void add_name(Names *n, const char *text, size_t len)
@@ -122,7 +122,7 @@ static void put_variables(Arena *arena, Names *n, const BcMachine *m)
     }
 }
 
-// Numbers, then tables of offsets of names, then the names, then the lines.
+// Writes numbers, then tables of name offsets, then the names, then the lines.
 void bc_debug(Arena *arena, const BcMachine *m, Buf *out)
 {
     const Program *p = m->ir->program;

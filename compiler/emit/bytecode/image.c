@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts the sections of an image together (docs/bytecode.md) and has the target's own verifier look at the result.
+// Joins the sections of an image (docs/bytecode.md) and runs the target's own verifier on the result.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
@@ -13,11 +13,11 @@ enum { SECTIONS_MOST = 255 };
 typedef struct Writer {
     Arena *arena;
     Diags *diags;
-    Buf table, body;          // the section table; what comes behind it, whose offsets count from its own start
+    Buf table, body;          // the section table; the sections after it, whose offsets count from the start of `body`
     uint32_t sections;
 } Writer;
 
-// Offsets are made to count from the image's start when the size of the table is known.
+// Records an offset within the body.  `join` makes it count from the image's start, when the size of the table is known.
 static void add_section(Writer *w, uint8_t id, uint8_t version, const Buf *bytes)
 {
     buf_char(&w->table, (char)id);
@@ -28,7 +28,7 @@ static void add_section(Writer *w, uint8_t id, uint8_t version, const Buf *bytes
     w->sections++;
 }
 
-// ---- IDENTITY: FNV-1a, 64 bits, over the texts of the machines ----
+// ---- IDENTITY: FNV-1a, 64 bits, over the source text of the machines ----
 
 static void add_identity(Writer *w, IrMachine *const *m, size_t n)
 {
@@ -50,7 +50,7 @@ static void add_identity(Writer *w, IrMachine *const *m, size_t n)
 
 enum { PIN_SCALE = 0x20, PIN_OFFSET = 0x40, PIN_MORE = 0x80 };
 
-enum { NUMBER_F32 = 8, NUMBER_F64 = 9, NUMBER_WHOLE = 15 };      // in the place of a type
+enum { NUMBER_F32 = 8, NUMBER_F64 = 9, NUMBER_WHOLE = 15 };      // used in place of a type
 
 static bool is_whole(SmF64 x)
 {
@@ -82,7 +82,7 @@ static uint8_t front_of(const Pin *p)
                      | (is_zero(p->offset) ? 0u : PIN_OFFSET) | (more ? PIN_MORE : 0u));
 }
 
-// False if the element lies too far behind for a place.
+// Returns false if the element's offset is too large for a place.
 static bool put_pin(Buf *b, const Pin *p)
 {
     const uint32_t at = p->element->offset >> smvm_type_shift(p->element->type), front = front_of(p);
@@ -141,7 +141,7 @@ static void put_windows(Writer *w, Buf *b, const BcMachine *m)
     }
 }
 
-// The part of the state vector that the machine names, in units of 8 bytes: [*from, *to).
+// The part of the state vector that the machine uses, in units of 8 bytes: [*from, *to).
 static void find_span(const BcMachine *m, uint32_t *from, uint32_t *to)
 {
     const IrMachine *ir = m->ir;
@@ -223,7 +223,7 @@ static void add_safe(Writer *w, const IrMachine *m)
     add_section(w, SMVM_S_SAFE, SMVM_V_SAFE, &b);
 }
 
-// ---- the whole ----
+// ---- the whole image ----
 
 static bool too_much(Writer *w, const IrMachine *m, const char *what)
 {
@@ -283,7 +283,7 @@ static uint32_t u32_at(const Buf *b, size_t at)
     return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
 }
 
-// Header, table with its offsets made absolute, sections, checksum.
+// Joins header, table with absolute offsets, sections and checksum.
 static bool join(Writer *w, Buf *out)
 {
     size_t first = SMVM_HEADER + (size_t)SMVM_ENTRY * w->sections, start = out->n;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions, which become jumps over jumps and never numbers; the order of blocks; functions and machines.  Blocks that an `if` leaves
-// the function by go behind the others, so that what X holds survives the guards that do not hold.
+// Conditions, block order, functions and machines.  Conditions become jumps over jumps, never numbers.  A block in which an `if` leaves the
+// function is placed after the others, so that X keeps its contents across guards that are false.
 #include <string.h>
 
 #include "compiler/emit/bytecode/select.h"
@@ -17,7 +17,8 @@ static void put_jump(Select *s, uint32_t op, uint32_t n, uint32_t label)
     s->out->label.at[label].jumped = (uint32_t)s->out->ins.n;
 }
 
-// Behind a label inside a block's jump X has been forgotten, and who comes there by a jump must find in its slot what is still needed.
+// At a label inside a block's jump the contents of X are forgotten.  Before a jump to it, a value that is still needed must be saved to its
+// slot.
 static bool is_inside(const Select *s, uint32_t label) { return label >= s->inside; }
 
 static bool stands_in_jump(const Select *s, IrRef r, int32_t *n)
@@ -25,7 +26,7 @@ static bool stands_in_jump(const Select *s, IrRef r, int32_t *n)
     return bc_ins(s, r)->op == IR_const && bc_whole(bc_const_value(bc_ins(s, r)), n) && *n >= 0;
 }
 
-// Jumps to the label if the comparison gives `when`.
+// Jumps to the label if the result of the comparison is `when`.
 static void jump_compare(Select *s, const IrIns *i, bool when, uint32_t label)
 {
     uint32_t relation = when ? bc_relation(i->op) : bc_contrary(bc_relation(i->op));
@@ -66,7 +67,7 @@ static void jump_number(Select *s, IrRef r, bool when, uint32_t label)
     put_jump(s, when ? SMVM_jt : SMVM_jf, 0, label);
 }
 
-// Jumps to the label if r is true (`when`) or not true (!when), else goes on.
+// Jumps to the label if the truth of r equals `when`; otherwise falls through.
 static void jump_on(Select *s, IrRef r, bool when, uint32_t label)
 {
     const IrIns *i;
@@ -81,7 +82,7 @@ static void jump_on(Select *s, IrRef r, bool when, uint32_t label)
     if (!s->value[r].waits) {
         jump_number(s, r, when, label);
     } else if (i->op == IR_and || i->op == IR_or) {
-        if ((i->op == IR_or) == when) {                          // either decides
+        if ((i->op == IR_or) == when) {                          // either operand decides
             jump_on(s, i->a, when, label);
             jump_on(s, i->b, when, label);
         } else {
@@ -128,7 +129,7 @@ static void put_end(Select *s, const IrJump *j)
     bc_forget(s);
 }
 
-// Where jumps to block `to` lead; those to an end of the function, to the last such end.
+// The label for jumps to block `to`.  For a block that only ends the function, it is the label of the last such end.
 static uint32_t label_of(Select *s, IrBlkRef to)
 {
     const IrJump *j = &s->f->blk.at[to].jump;
@@ -145,7 +146,7 @@ static uint32_t label_of(Select *s, IrBlkRef to)
     return e->label;
 }
 
-// Where no such end stands behind the last jump to it, one is added.
+// Places the label of an end.  Adds an end if none follows the last jump to it.
 static void place_exit(Select *s, uint32_t state)
 {
     Exit *e = &s->exit[state];
@@ -167,7 +168,7 @@ static void place_exit(Select *s, uint32_t state)
 
 // ---- a block's jump ----
 
-// Goes on at block `to`; `next` is the block that follows in the output.  A jump to an end is an end.
+// Continues at block `to`; `next` is the block that follows in the output.  A jump to an end becomes that end.
 static void select_jmp(Select *s, IrBlkRef to, IrBlkRef next)
 {
     if (to == next)
@@ -222,7 +223,7 @@ static void select_block(Select *s, IrBlkRef block, IrBlkRef next)
 
 // ---- the order of blocks ----
 
-// Label and `through` of each block.  Gives which are put out: those that can be reached and do more than jump or end.
+// Sets label and `through` of each block.  Returns which blocks are emitted: those that are reachable and do more than jump or end.
 static bool *plan_blocks(Select *s)
 {
     const IrFn *f = s->f;
@@ -241,7 +242,7 @@ static bool *plan_blocks(Select *s)
     return kept;
 }
 
-static uint32_t *count_entries(Select *s, const bool *kept)      // of each block, by jumps and by passing on
+static uint32_t *count_entries(Select *s, const bool *kept)      // of each block, by jump or fall-through
 {
     uint32_t *n = ARENA_ARRAY(s->arena, uint32_t, s->f->blk.n);
 
@@ -255,7 +256,8 @@ static uint32_t *count_entries(Select *s, const bool *kept)      // of each bloc
     return n;
 }
 
-// Moves blocks behind all others that one `if` leads to, that end the function, and beside which the other side goes on.
+// Marks blocks to be placed after all others: a block that ends the function and is entered only from one `if`, whose other side also has a
+// block.
 static void put_off(Select *s, const bool *kept, bool *late)
 {
     const uint32_t *entries = count_entries(s, kept);
@@ -307,7 +309,7 @@ void bc_select_function(Select *s, const IrFn *f, BcFn *out)
     s->value = s->values.at;
     if (f->ins.n)
         memset(s->value, 0, f->ins.n * sizeof *s->value);
-    out->ins.cap = f->ins.n;                                     // mostly enough
+    out->ins.cap = f->ins.n;                                     // usually enough
     out->ins.at = arena_room(s->arena, out->ins.cap * sizeof *out->ins.at);
     order = order_blocks(s, plan_blocks(s), &n);
     bc_forget(s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What instructions name: variables, statistics, numbers, and slots for what an operation gives.
+// Operands of instructions: variables, statistics, constants, and slots for intermediate results.
 #include <string.h>
 
 #include "compiler/emit/bytecode/select.h"
@@ -48,12 +48,12 @@ bool bc_whole(SmF64 x, int32_t *n)
     if (!sm_le(sm_from_i32(-(int32_t)SMVM_VARINT_END), x) || !sm_lt(x, sm_from_i32((int32_t)SMVM_VARINT_END)))
         return false;
     *n = sm_to_i32(x);
-    return sm_bits(sm_from_i32(*n)) == sm_bits(x);               // whole, and not -0
+    return sm_bits(sm_from_i32(*n)) == sm_bits(x);               // a whole number and not -0
 }
 
 bool bc_is_f32(SmF64 x) { return sm_is_nan(x) || sm_bits(sm_from_f32(sm_round_f32(x))) == sm_bits(x); }
 
-static void add_constant(Select *s, BcOperand *o)                // to its table
+static void add_constant(Select *s, BcOperand *o)                // to the table of F32 or F64 constants, if it needs one
 {
     const SmF64 x = sm_from_bits(o->bits);
     int32_t n;

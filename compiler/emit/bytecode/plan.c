@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of the instructions of a block before any is selected.  An operation whose result is used once waits for its user,
-// which then asks for it; what is used more often is computed where it stands.  A load is read by its users directly, unless
-// a store to its variable comes before the last of them.
+// Analyses the instructions of a block before any is selected.  An operation whose result is used once waits for its user, which then
+// requests it.  A result with several uses is computed at its own position.  Users read a load directly, unless a store to its variable
+// precedes the last of them.
 #include "compiler/emit/bytecode/select.h"
 #include "stdlib/convert.h"
 
-enum { DEEPEST = 100 };       // how many operations may wait for each other: a bound of the recursion in select.c
+enum { DEEPEST = 100 };       // bound on the chain of waiting operations, and so on the recursion in select.c
 
 uint32_t bc_depth(const Select *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
 
-// ---- what a number can be ----
+// ---- possible values ----
 
-// (A NaN is one only as an F64, and then stays one.)
+// A constant NaN is a NaN only as an F64, where it stays one.
 SmF64 bc_const_value(const IrIns *i) { return i->type == SM_F64 ? sm_from_bits(i->bits) : sm_cell_to_f64(i->type, i->bits); }
 
-// Whether r's number can be one that its type has not: a NaN, or of an F32 operation a number that is not yet rounded, for it is
-// computed as F64.  What was read, converted or counted is of its type.
+// Whether r can have a value outside its type: a NaN, or for an F32 operation an unrounded number, because it is computed as F64. Loads,
+// conversions and integer operations always have a value of their type.
 static bool is_raw(const Select *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
@@ -25,7 +25,7 @@ static bool is_raw(const Select *s, IrRef r)
     return bc_is_float(i->type) && i->op != IR_load && i->op != IR_cvt;
 }
 
-// Whether every number of type `a` is one of type `b`.  (Of I64 and U64 those that the F64 they are read as stands for.)
+// Whether type `b` can represent every number of type `a`.  For I64 and U64 only those values count that are read exactly as an F64.
 bool bc_is_within(SmType a, SmType b)
 {
     const SmTypeInfo *x = &sm_type_info[a], *y = &sm_type_info[b];
@@ -46,7 +46,7 @@ bool bc_is_exact(const Select *s, IrRef r, SmType type)
 
 // ---- conversions that need no instruction ----
 
-// Whether a conversion leaves the number as it is once its operand has been read.
+// Whether a conversion leaves the number unchanged, once its operand has been read.
 static bool changes_nothing(const Select *s, const IrIns *cvt) { return bc_is_exact(s, cvt->a, cvt->type); }
 
 IrRef bc_converted(const Select *s, IrRef r)
@@ -63,8 +63,8 @@ IrRef bc_without_truth(const Select *s, IrRef r)
     return r;
 }
 
-// Whether storing in a destination of type `type` does what a conversion to `to` does before it.  NaN becomes 0 in all of them, so
-// conversions of F64 to itself vanish; and what is cut to a range is cut again to one inside it.
+// Whether a store to type `type` performs the conversion to `to` that precedes it.  NaN becomes 0 in all of them, so conversions of F64 to
+// itself vanish.  A value clamped to a range can skip the clamp if the store clamps to a narrower range.
 static bool storing_converts(SmType to, SmType type)
 {
     return to == type || to == SM_F64 || (!bc_is_float(to) && type != SM_BOOL && to != SM_BOOL && bc_is_within(type, to));
@@ -99,7 +99,7 @@ static void note_store(Select *s, const IrIns *i, Value *v, uint32_t at)
     s->store_in[i->var] = s->count;
 }
 
-// Counts the uses by what is live, from the block's end; `at` is a position + 1.
+// Counts uses by live instructions, from the end of the block to its start.  `at` is a position + 1.
 static void count_block(Select *s, const IrBlk *b, bool deep_known)
 {
     s->count++;
@@ -138,7 +138,7 @@ static bool is_positive(const Select *s, IrRef r)
     return bc_ins(s, r)->op == IR_const && sm_lt(sm_from_i32(0), bc_const_value(bc_ins(s, r)));
 }
 
-// Whether an integer may be below zero, by what it is made of; x and y are what is known of its operands.
+// Whether an integer can be below zero, judged by its operation; x and y describe its operands.
 static bool may_be_negative(const Select *s, const IrIns *i, const Value *x, const Value *y)
 {
     const bool is_signed = sm_type_info[i->type].kind == SM_KIND_SIGNED;
@@ -153,7 +153,7 @@ static bool may_be_negative(const Select *s, const IrIns *i, const Value *x, con
     }
 }
 
-// An integer product or negation that is 0 may be -0 on F64, and so may what operations on integers make of such a number.
+// An integer product or negation that is 0 can be -0 as an F64.  Most integer operations can pass a -0 on.
 static bool may_be_minus_zero(const Select *s, const IrIns *i, const Value *x, const Value *y)
 {
     const bool of_such = x->minus_zero || y->minus_zero;
@@ -187,7 +187,7 @@ static void find_signs(Select *s, const IrBlk *b)
 
 // ---- a block ----
 
-// Whether it is too deep.
+// Returns whether the chain of waiting operations is too deep.
 static bool find_depth(Select *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts instructions out and keeps account of what X and Y hold, so that nothing is loaded that is there.  What X holds and somebody
-// will still ask for goes to a slot only when X is needed for something else.
+// Emits instructions and tracks the contents of X and Y, so that a value already in a register is not loaded again.  A value in X that is
+// still needed is saved to a slot only when X is needed for something else.
 #include "compiler/emit/bytecode/select.h"
 
-// ---- what is held ----
+// ---- register contents ----
 
 static Held nothing(void) { return (Held){IR_NONE, {BC_NONE, BC_NONE, BC_NONE}}; }
 
@@ -35,14 +35,14 @@ BcIns *bc_put(Select *s, uint8_t op)
     return &s->out->ins.at[s->out->ins.n - 1];
 }
 
-static bool is_pending(const Select *s)               // nothing but X holds it, and somebody will ask for it
+static bool is_pending(const Select *s)               // X holds the only copy of a value that is still needed
 {
     const Value *v = s->x.value == IR_NONE ? NULL : &s->value[s->x.value];
 
     return v && v->placed && v->left > 0 && v->slot == BC_NONE;
 }
 
-// Where r lies when X does not hold it: what is converted, or no F64, in a slot of its type.  An F64 stays as it is.
+// The pool of the slot that saves r: its own type, or BC_RAW for the result of an F64 operation, which is saved unchanged.
 static uint32_t pool_of(const Select *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
@@ -60,7 +60,7 @@ void bc_drop_cvt(Select *s, uint32_t type)
     }
 }
 
-static void save(Select *s, bool used)                // used: X is needed as it is
+static void save(Select *s, bool used)                // used: X is still needed unchanged
 {
     const IrRef r = s->x.value;
     Value *v = &s->value[r];

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// IR to instructions, within a block: each value is computed into X.  Of two operands the one that is only to be loaded goes to Y; of two that
-// both have to be computed the deeper one goes first, and waits in a slot.  Loads, stores and most conversions cost nothing
-// beside the load or store itself: `counter = counter + 1` is three instructions.
+// IR to instructions, within a block.  Each value is computed into X.  Of two operands, one that only needs a load goes to Y. If both must
+// be computed, the deeper one is computed first and waits in a slot.  Loads, stores and most conversions cost nothing besides the load or
+// store itself: `counter = counter + 1` is three instructions.
 #include "compiler/emit/bytecode/select.h"
 #include "stdlib/convert.h"
 
-enum { MUCH_DEEPER = 3 };     // left sides deeper than right ones by more than this go first, lest too many right ones wait
+enum { MUCH_DEEPER = 3 };     // a left side deeper than the right by more than this is computed first: fewer right sides wait
 
-// ---- where a value is ----
+// ---- the location of a value ----
 
-// What r is loaded from; BC_NONE: it has to be computed, or only X holds it.
+// The operand that r can be loaded from; BC_NONE: r must be computed, or only X holds it.
 static BcRef place_of(Select *s, IrRef r)
 {
     Value *v = &s->value[r];
@@ -51,7 +51,7 @@ void bc_to_x(Select *s, IrRef r)
     used(s, r);
 }
 
-// Computes what waits where it is not yet used.
+// Computes a waiting value before its use.
 static void place(Select *s, IrRef r)
 {
     if (bc_ins(s, r)->op == IR_load)
@@ -79,12 +79,12 @@ static bool better_turned(Select *s, IrRef a, IrRef b)
     return is_to_come(s, a) && is_to_come(s, b) && bc_depth(s, a) > bc_depth(s, b);
 }
 
-// Sees to it that b can be loaded to Y when a has come to X.
+// Ensures that b can be loaded into Y once a is in X.
 static void lay_down(Select *s, IrRef b, IrRef a)
 {
     if (!s->value[b].placed && place_of(s, b) == BC_NONE)
         place(s, b);
-    if (place_of(s, b) == BC_NONE && x_holds(s, a))              // else it is laid down when a comes
+    if (place_of(s, b) == BC_NONE && x_holds(s, a))              // otherwise b is saved when a is computed into X
         bc_keep_x(s);
 }
 
@@ -111,7 +111,7 @@ bool bc_operands(Select *s, IrRef a, IrRef b, bool turns, bool keep)
     return turned;
 }
 
-// Whether r is a number that stands in an instruction; then *n is it.
+// Whether r is a number that an instruction can encode; then sets *n to it.
 static bool is_whole(const Select *s, IrRef r, int32_t *n)
 {
     return bc_ins(s, r)->op == IR_const && bc_whole(bc_const_value(bc_ins(s, r)), n);
@@ -141,7 +141,7 @@ static void compute_add(Select *s, IrRef a, IrRef b)
     }
 }
 
-// a - b where only a can be loaded: -b + a, which is the same number.
+// a - b where only a can be loaded: computed as -b + a, which is the same number.
 static void compute_turned_sub(Select *s, IrRef a, IrRef b)
 {
     bc_to_x(s, b);
@@ -221,7 +221,7 @@ static void compute_compare(Select *s, const IrIns *i, bool inverted)
     bc_change_x(s, SMVM_set, inverted ? bc_contrary(relation) : relation);
 }
 
-// Whether r, a truth, can as well be computed as its contrary; `now`: it shall be.
+// Whether the negation of boolean r can be computed at the same cost as r.  With `now`, requests it.
 static bool invert(Select *s, IrRef r, bool now)
 {
     const IrIns *i = bc_ins(s, r = bc_without_truth(s, r));
@@ -246,7 +246,7 @@ static void compute_not(Select *s, IrRef a)
     bc_change_x(s, SMVM_set, SMVM_EQUAL | SMVM_UNORDERED);
 }
 
-// What X holds is 0 and not -0 where a float is to become of the integer r; true if that took an instruction.
+// Turns a possible -0 in X into 0 where the integer r becomes a float.  Returns true if that took an instruction.
 static bool clean_zero(Select *s, IrRef r, SmType to)
 {
     if (!bc_is_float(to) || !s->value[r].minus_zero)
@@ -292,7 +292,7 @@ static void compute_one(Select *s, const IrIns *i)
     bc_change_x(s, opcode(i->op), 0);
 }
 
-// An operation, into X.
+// Computes an operation into X.
 static void compute(Select *s, IrRef r)
 {
     const IrIns *i = bc_ins(s, r);
@@ -315,7 +315,7 @@ static void compute(Select *s, IrRef r)
 
 // ---- instructions ----
 
-// Whether what X holds of r can be read from the variable of the store `at` by all who will ask for it.
+// Whether all later users of r, which is in X, can read it from the variable that the store `at` writes.
 static bool finds_home(const Select *s, IrRef r, const Value *at)
 {
     const Value *v = &s->value[r];
@@ -336,7 +336,7 @@ static void select_store(Select *s, const IrIns *i, const Value *at)
         bc_drop_cvt(s, (uint32_t)i->type);
         same = s->x.value == r;
     }
-    bc_store_x(s, d, same && !s->value[r].minus_zero);           // where X may be -0 the variable is 0
+    bc_store_x(s, d, same && !s->value[r].minus_zero);           // if X can be -0, the variable is 0
 }
 
 static void select_sample(Select *s, const IrIns *i)
