@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// An application as C: a header with what the user writes, and one source of static tables on top of runtime-c, whose headers tell
-// what stands in them.  Names of its own have no underscore or end in Step, Init, Safe, Self, Copy behind the user's, so that none
-// is another's.
+// An application as C: a header that declares the functions the user writes, and a source file of static tables on top of runtime-c, whose
+// headers document their contents.  The file's own names have no underscore, or are a user's name followed by Step, Init, Safe, Self or
+// Copy, so that no two clash.
 #include "compiler/emit/c/app_emit.h"
 
 #include <string.h>
@@ -9,16 +9,16 @@
 #include "compiler/emit/c/unit.h"
 #include "stdlib/convert.h"
 
-// The names of what the application is made of.
+// The names of the application's parts.
 typedef struct Emitter {
     Arena *arena;
     const App *app;
-    const char *prefix;           // rocket: of rocket_app
-    const char *sv;               // rocket: of rocket_vector
-    const char *io;               // rocket: of rocket_inputs, rocket_io.h
-    CUnit vector;                 // with the names of its members
-    CVectorNames names;           // of its elements' numbers
-    const Buf *const *image;      // by machine; NULL: it is C
+    const char *prefix;           // rocket, in rocket_app
+    const char *sv;               // rocket, in rocket_vector
+    const char *io;               // rocket, in rocket_inputs, rocket_io.h
+    CUnit vector;                 // with the names of the vector's members
+    CVectorNames names;           // of the elements' numbers
+    const Buf *const *image;      // by machine; NULL if the machine is emitted as C
     Buf *out;
 } Emitter;
 
@@ -156,7 +156,7 @@ static unsigned packed_size(const StateVec *sv)
     return size;
 }
 
-// As a string of C.
+// Escapes a text for a C string literal.
 static const char *quoted(const Emitter *e, Str text)
 {
     Buf b;
@@ -365,9 +365,9 @@ static void put_executors(const Emitter *e)
     buf_str(e->out, "};\n");
 }
 
-// ---- the values at the start ----
+// ---- initial values ----
 
-// Bits, so that a number is the same whatever `double` is; those of integers are their value.
+// Bits, so that a number is the same whatever `double` is.  The bits of an integer are its value.
 static void put_value(const Emitter *e, const AppStart *s)
 {
     const Element *x = s->element;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the files of the emitter of applications share.
+// Shared by the files that emit applications.
 #ifndef SMC_EMIT_C_APP_EMIT_H
 #define SMC_EMIT_C_APP_EMIT_H
 
@@ -7,7 +7,7 @@
 
 // ---- app_image.c ----
 
-// The variables NAMEImage, NAMEMemory and NAMESelf.
+// Writes the variables NAMEImage, NAMEMemory and NAMESelf.
 void put_app_image(const AppMachine *m, const Buf *image, Buf *out);
 
 #endif

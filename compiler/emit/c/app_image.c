@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine of an application that runs on the VM: its image as a constant, and the memory that it needs.
+// A machine of an application that runs on the VM: its image as a constant, and its memory.
 #include "bytecode-vm/image.h"
 #include "compiler/emit/c/app_emit.h"
 #include "compiler/emit/c/emit_c.h"

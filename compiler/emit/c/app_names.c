@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names that an application has in C: each stands for one thing.  What the files of an application declare for each other,
-// what the user writes, and what the application's own file holds beside names without an underscore, which nothing else has.
+// Checks that each C name of an application denotes only one thing.  Covered: names that the application's files declare for each other,
+// names that the user writes, and the names in the application's own file.  Names without an underscore cannot clash.
 #include "compiler/emit/c/app.h"
 
 #include <string.h>
@@ -112,7 +112,7 @@ static void claim_task(Claims *k, const AppTask *t)
     }
 }
 
-// Machines as C, each file once.
+// Claims the names of machines emitted as C, once for each file.
 static void claim_machines(Claims *k)
 {
     Map seen = {k->arena, NULL, NULL, 0, 0};

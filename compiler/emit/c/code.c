@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of the IR as functions of C: statements, and conditionals nested as in the source.  Where blocks do not nest, or
-// nest deeper than compilers take, a forward goto stands in.
+// IR functions as C functions: statements, and conditionals nested as in the source.  Where blocks do not nest, or nest deeper than
+// compilers accept, forward gotos are used.
 #include <string.h>
 
 #include "compiler/emit/c/fn.h"
 
 enum {
-    LINE_MAX_LEN = 110,       // where lines are broken
-    INDENT_MAX = 40,          // nesting beyond which arms are not indented any more but jumped to
-    CHAIN_MAX = 60            // else-ifs in one chain; each nests in the compiler's eyes
+    LINE_MAX_LEN = 110,       // longer lines are broken
+    INDENT_MAX = 40,          // arms nested deeper are not indented further but reached by jumps
+    CHAIN_MAX = 60            // maximum of else-ifs in a chain; compilers count each as a nesting level
 };
 
 // ---- lines ----
@@ -22,7 +22,7 @@ static bool starts_operator(const char *text)
     return strchr("&|+-*/<>=!?:", text[0]) && (text[1] == ' ' || (text[1] && text[2] == ' ')) && !(text[0] == '=' && text[1] == ' ') && !comment;
 }
 
-// How little one wants to break before what follows a blank: the less tightly an operator binds, the better.
+// The cost of a break before the operator at `text`: lower for operators that bind less tightly.
 static unsigned reluctance(const char *text)
 {
     static const char *const order = "||&&?:=!<>+-*/";
@@ -31,7 +31,7 @@ static unsigned reluctance(const char *text)
     return at ? (unsigned)(at - order) / 2 : 0;
 }
 
-// The blank at which `text` is best broken to stay within `width`: outermost first, then late.  0 if there is none.
+// The best blank at which to break `text` within `width`: outermost first, then latest.  0 if there is none.
 static size_t break_at(const char *text, size_t len, size_t width)
 {
     size_t best = 0;
@@ -50,7 +50,7 @@ static size_t break_at(const char *text, size_t len, size_t width)
     return best;
 }
 
-// Ends the line under construction and writes it, broken where it is too long.
+// Ends the current line and writes it, broken if it is too long.
 void end_line(CFn *fn)
 {
     const char *text = buf_text(&fn->line);
@@ -81,7 +81,7 @@ static void put_line(CFn *fn, const char *text)
 
 static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 
-// Sets `variable` from r: with its declaration, unless that has to stand at the top.
+// Sets a new variable from r, with its declaration unless that must be at the top.
 static void put_variable(CFn *fn, IrRef r)
 {
     const SmType type = ins(fn, r)->type;
@@ -119,7 +119,7 @@ static void put_store(CFn *fn, const IrIns *i)
     vec_push(fn->u->arena, &fn->stored, i->var);
 }
 
-// Says which elements the statements of a block have stored: `m->stored.a = m->stored.b = true;`
+// Records which elements the statements of a block have stored: `m->stored.a = m->stored.b = true;`
 static void put_stored(CFn *fn)
 {
     for (size_t i = 0; i < fn->stored.n; i++) {
@@ -159,11 +159,11 @@ static bool has_statements(const CFn *fn, uint32_t b)
 
 // ---- control flow ----
 
-// How to get to block `to` where control would go on to `next` by itself.
+// How control reaches block `to` from a point that falls through to `next`.
 typedef enum Way {
-    WAY_FALL,                 // it gets there by itself
+    WAY_FALL,                 // by falling through
     WAY_LEAVE,                // by return or goto
-    WAY_HERE                  // its code stands here and nowhere else
+    WAY_HERE                  // its code is written here and nowhere else
 } Way;
 
 static bool is_end(const CFn *fn, uint32_t b) { return b == fn->flow.n - 1; }
@@ -200,7 +200,7 @@ static void put_transition(CFn *fn, uint32_t state)
 
 static void put_tree(CFn *fn, uint32_t b, uint32_t next);
 
-// One arm of a conditional, between its braces.
+// One arm of a conditional, inside its braces.
 static void put_arm(CFn *fn, uint32_t to, uint32_t next)
 {
     fn->indent++;
@@ -222,14 +222,14 @@ static void put_if(CFn *fn, const char *before, IrRef cond, bool negated)
 
 static bool is_two_way(const CFn *fn, uint32_t b) { return !is_end(fn, b) && fn->flow.other[b] != IR_NONE; }
 
-// Whether block b is nothing but a conditional, so that `else if` can say it.
+// Whether block b is only a conditional, so that it can become an `else if`.
 static bool is_chain_link(const CFn *fn, uint32_t b, uint32_t next)
 {
     return way_to(fn, b, next) == WAY_HERE && is_two_way(fn, b) && fn->flow.kid[b] == IR_NONE && !has_statements(fn, b) &&
            way_to(fn, fn->flow.then[b], next) != WAY_FALL;
 }
 
-// if … else if … else …, both arms of which go on to `next`.
+// if … else if … else …, where both arms continue at `next`.
 static void put_if_else(CFn *fn, uint32_t b, uint32_t next)
 {
     const CFlow *w = &fn->flow;
@@ -262,7 +262,7 @@ static bool goes_on(const CFn *fn, uint32_t to, uint32_t next)
     return way_to(fn, to, next) == WAY_HERE && fn->flow.falls[to];
 }
 
-// Past the depth that compilers take: arms stand one behind the other, and jumps lead around them.
+// Beyond the depth that compilers accept: arms are written one after the other, with jumps around them.
 static uint32_t put_deep_branch(CFn *fn, uint32_t b, uint32_t next)
 {
     const uint32_t then = fn->flow.then[b], other = fn->flow.other[b];
@@ -281,8 +281,8 @@ static uint32_t put_deep_branch(CFn *fn, uint32_t b, uint32_t next)
     return aside;
 }
 
-// The conditional that ends block b.  Gives the block whose code follows at the same level, or IR_NONE: where one arm never
-// comes back the other needs no `else`.
+// Writes the conditional that ends block b.  Returns the block whose code follows at the same level, or IR_NONE.  If one arm never falls
+// through, the other needs no `else`.
 static uint32_t put_branch(CFn *fn, uint32_t b, uint32_t next)
 {
     const uint32_t then = fn->flow.then[b], other = fn->flow.other[b];
@@ -302,7 +302,7 @@ static uint32_t put_branch(CFn *fn, uint32_t b, uint32_t next)
     return other;
 }
 
-// Block b without what it dominates, as far as that stands behind it.  Gives the block that follows at the same level.
+// Writes block b, without the dominated blocks that follow it.  Returns the block that follows at the same level, or IR_NONE.
 static uint32_t put_block(CFn *fn, uint32_t b, uint32_t next)
 {
     uint32_t to = fn->flow.then[b];
@@ -321,7 +321,7 @@ static uint32_t put_block(CFn *fn, uint32_t b, uint32_t next)
     return IR_NONE;
 }
 
-// Block b and all that it dominates; control then goes on to `next` by itself.
+// Writes block b and all blocks that it dominates; control then falls through to `next`.
 static void put_tree(CFn *fn, uint32_t b, uint32_t next)
 {
     while (!is_end(fn, b)) {
@@ -420,7 +420,7 @@ CSignature put_function(CUnit *u, const CFunction *what, Buf *out)
     copies = fn->body;
     buf_init(&fn->body, u->arena);
     put_body(fn);
-    if (fn->labels_used && fn->values > 0) {          // C++ lets no goto pass an initialisation
+    if (fn->labels_used && fn->values > 0) {          // C++ does not allow a goto past an initialisation
         fn->hoist = true;
         put_body(fn);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Comparisons.  Both sides are of one type and come out as that, but where compilers would warn that the comparison holds
-// always or never: then as doubles, of which they cannot know.
+// Comparisons.  Both sides have the same type and are written in it.  If compilers would warn that a comparison is always true or always
+// false, both sides are written as doubles, for which compilers cannot know that.
 #include "compiler/emit/c/fn.h"
 #include "stdlib/convert.h"
 
@@ -17,7 +17,7 @@ static const char *const compare_text[] = {
     [IR_le - IR_eq] = " <= ", [IR_gt - IR_eq] = " > ", [IR_ge - IR_eq] = " >= ",
 };
 
-// Whether two temporaries may come out as the same text.
+// Whether two temporaries can produce the same C expression.
 static bool is_same_text(const CFn *fn, IrRef a, IrRef b)
 {
     const IrIns *x = ins(fn, a), *y = ins(fn, b);
@@ -35,7 +35,7 @@ static bool is_same_text(const CFn *fn, IrRef a, IrRef b)
 
 // ---- integers ----
 
-// Whether values of an integer type are on both sides of the limit.
+// Whether an integer type has values on both sides of the limit.
 static bool is_undecided(const CFn *fn, IrOp op, IrRef limit, SmType t)
 {
     const Fact r = fact_of_type(t);
@@ -44,7 +44,7 @@ static bool is_undecided(const CFn *fn, IrOp op, IrRef limit, SmType t)
     return x >= r.lo && x <= r.hi && !(x == r.lo && (op == IR_lt || op == IR_ge)) && !(x == r.hi && (op == IR_gt || op == IR_le));
 }
 
-// The type of what is compared, before C converts it.
+// The type of the operand before C converts it.
 static SmType source_type(const CFn *fn, IrRef r) { return ins(fn, is_widening(fn, r) ? ins(fn, r)->a : r)->type; }
 
 static bool compares_integers(const CFn *fn, const IrIns *i)
@@ -63,13 +63,13 @@ static bool compares_bools(const CFn *fn, const IrIns *i)
     return (i->op == IR_eq || i->op == IR_ne) && ins(fn, i->a)->type == SM_BOOL && !is_same_text(fn, i->a, i->b);
 }
 
-// ---- all of them ----
+// ---- all types ----
 
 static void put_sides(CFn *fn, const IrIns *i, const char *text)
 {
     const SmType type = ins(fn, i->a)->type;
     const bool integers = compares_integers(fn, i), bools = compares_bools(fn, i);
-    // C converts a shorter integer by itself where the other side is as wide as both.
+    // C converts the shorter integer implicitly if the other side has the common type.
     const bool bare = integers && !(is_widening(fn, i->a) && is_widening(fn, i->b));
 
     for (int side = 0; side < 2; side++) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversions.  C's own stand where they do the same: where nothing can be NaN, saturate or lose more than the fraction.
-// Elsewhere the functions of stdlib do it.
+// Conversions.  C's own are used where they have the same result: where the value cannot be NaN, saturate or lose more than its fraction.
+// Otherwise functions of stdlib are called.
 #include "compiler/emit/c/fn.h"
 #include "stdlib/convert.h"
 
@@ -40,7 +40,7 @@ static const char *const to_helper[SM_TYPE_COUNT] = {
     [SM_BOOL] = "sm_to_bool",
 };
 
-// A truth as a number, spelled as the type of that number wants it.
+// Writes a boolean as a number, with literals of type `to`.
 static void put_choice(CFn *fn, IrRef r, SmType to, int prec)
 {
     const bool opened = open_parens(fn, PREC_ANY, prec);
@@ -51,7 +51,7 @@ static void put_choice(CFn *fn, IrRef r, SmType to, int prec)
     close_parens(fn, opened);
 }
 
-// An F32 element where it is used: its checked reading gives a double.
+// Whether r is an inlined load of an F32 element: its checked read produces a double.
 static bool is_read_here(const CFn *fn, IrRef r)
 {
     const IrIns *i = ins(fn, r);
@@ -59,7 +59,7 @@ static bool is_read_here(const CFn *fn, IrRef r)
     return i->op == IR_load && i->type == SM_F32 && fn->u->m->var.at[i->var].space == IR_ELEMENT && fn->ins[r].how == C_INLINE;
 }
 
-// Whether a double holds every integer that r can be.  A bound of 2^53 itself may have been rounded from 2^53 + 1.
+// Whether a double can represent every value of integer r exactly.  A bound of 2^53 itself can be 2^53 + 1, rounded.
 static bool is_exact(const CFn *fn, IrRef r) { return fact_within(fn->ins[r].fact, -FACT_EXACT + 1, FACT_EXACT - 1); }
 
 static void put_cast(CFn *fn, SmType to, IrRef r, int prec)
@@ -71,7 +71,7 @@ static void put_cast(CFn *fn, SmType to, IrRef r, int prec)
         soft_put_cast(fn, to, r);
         return;
     }
-    if (to == SM_F64 && c_is_integer(from) && bits_of(from) == 64 && !is_exact(fn, r)) {      // C's own cast need not round (f64.h)
+    if (to == SM_F64 && c_is_integer(from) && bits_of(from) == 64 && !is_exact(fn, r)) {  // C's own cast need not round (f64.h)
         buf_printf(&fn->line, "%s(", helper_use(fn->u, from == SM_I64 ? "sm_from_i64" : "sm_from_u64"));
         put_value(fn, r, PREC_ANY);
         put(fn, ")");
@@ -136,10 +136,10 @@ static const char *const most[SM_TYPE_COUNT] = {
     [SM_U8] = "UINT8_MAX", [SM_U16] = "UINT16_MAX", [SM_U32] = "UINT32_MAX", [SM_U64] = "UINT64_MAX",
 };
 
-// The narrowest signed type that is computed in and holds all of `from`: I32 or I64.
+// The type in which a value is clamped: I32 if it can represent all of `from`, otherwise I64.
 static SmType clipping_type(SmType from) { return c_holds_all(SM_I32, from) ? SM_I32 : SM_I64; }
 
-// r, or the limit of `to` that it is beyond.  Its own limit stands where that is the nearer one.
+// Writes r clamped to the limits of `to`.  Where a limit of the clipping type is tighter, that one is used.
 static void put_clipped(CFn *fn, IrRef r, SmType to, int prec)
 {
     const SmType from = ins(fn, r)->type, in = clipping_type(from);
@@ -157,7 +157,7 @@ static void put_clipped(CFn *fn, IrRef r, SmType to, int prec)
     close_parens(fn, opened);
 }
 
-// What is not exactly an F64 is rounded on its way.
+// A value that is not exactly representable as an F64 is rounded to one first.
 static bool goes_by_double(const CFn *fn, IrRef r, SmType to)
 {
     return bits_of(to) == 64 && bits_of(ins(fn, r)->type) == 64 && !is_exact(fn, r);
@@ -179,7 +179,7 @@ static void put_integer(CFn *fn, IrRef r, SmType to, int prec)
 
 // ---- float to integer ----
 
-// Whether x is in the type's range once its fraction is gone.
+// Whether x is in the type's range once it is truncated.
 static bool fits_when_cut(Fact x, SmType to)
 {
     const Fact t = fact_of_type(to);
@@ -187,8 +187,8 @@ static bool fits_when_cut(Fact x, SmType to)
     return bits_of(to) == 64 ? fact_fits(x, to) : !x.nan && x.lo > t.lo - 1 && x.hi < t.hi + 1;
 }
 
-// x / d of two integers of 32 bits loses its fraction in C as it does on its way from F64: the nearest F64 to a quotient that
-// is not whole is not whole, since that has a distance of 1/d.  So `x * 2^-k` is x / 2^k.
+// For two 32-bit integers, x / d in C has the same result as the truncated F64 quotient.  A quotient that is not whole differs from every
+// whole number by at least 1/d, so the nearest F64 is not whole either.  And `x * 2^-k` is x / 2^k.
 typedef struct Quotient {
     IrRef x;                  // an integer
     double d;
@@ -228,7 +228,7 @@ static void put_quotient(CFn *fn, const Quotient *q, int prec)
     close_parens(fn, opened);
 }
 
-// As an I32, where it cannot leave that.
+// Writes r truncated to an I32, whose range it must not exceed.
 static void put_cut_i32(CFn *fn, IrRef r, int prec)
 {
     Quotient q;
@@ -264,7 +264,7 @@ static void put_cut(CFn *fn, IrRef r, SmType to, int prec)
     close_parens(fn, opened);
 }
 
-// ---- all of them ----
+// ---- all conversions ----
 
 static void put_to_float(CFn *fn, IrRef r, SmType to, int prec)
 {
@@ -287,7 +287,7 @@ static void put_to_float(CFn *fn, IrRef r, SmType to, int prec)
     else if (from == SM_F64 || bits_of(from) < 64 || fn->u->soft)
         put_cast(fn, SM_F32, r, prec);
     else {
-        put(fn, "(float)");               // rounded twice, as an F64 on its way
+        put(fn, "(float)");               // rounded twice, since the language converts through F64
         put_cast(fn, SM_F64, r, PREC_UNARY);
     }
 }

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counters and sums of 64 bits.  What is stored is a number, exact up to 2^53 and rounded beyond, where counting by one ends: no
-// operation of the IR says that on integers, but a function of stdlib does, which looks at run time.
+// Counters and sums of 64 bits.  The stored value is exact up to 2^53 and rounded above that, where counting by one ends.  No IR operation
+// on integers expresses this; a function of stdlib does, which checks at run time.
 #include "compiler/emit/c/fn.h"
 #include "stdlib/convert.h"
 
 static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 static void put(CFn *fn, const char *text) { buf_str(&fn->line, text); }
 
-// What is counted, and by what: a constant or the conversion of an integer or a truth.
+// A counter and its increment: a constant, or the conversion of an integer or a boolean.
 typedef struct Count {
     IrRef v, by;
-    IrRef truth;              // it counts by one if this holds; or IR_NONE
+    IrRef truth;              // it counts by one if this is true; or IR_NONE
     bool down;
 } Count;
 
-// The integer that r converts to F64 in place, or IR_NONE.
+// The integer that r, inlined, converts to F64; or IR_NONE.
 static IrRef integer_of(const CFn *fn, IrRef r)
 {
     const IrIns *i = ins(fn, r);
@@ -22,7 +22,7 @@ static IrRef integer_of(const CFn *fn, IrRef r)
     return !fn->ins[r].is_const && fn->ins[r].how == C_INLINE && i->op == IR_cvt && c_is_integer(ins(fn, i->a)->type) ? i->a : IR_NONE;
 }
 
-// The truth that r converts to F64 in place, or IR_NONE.
+// The boolean that r, inlined, converts to F64; or IR_NONE.
 static IrRef truth_of(const CFn *fn, IrRef r)
 {
     const IrIns *i = ins(fn, r);
@@ -44,7 +44,7 @@ static bool is_counted(const CFn *fn, IrRef r, SmType to)
     return integer_of(fn, r) != IR_NONE && ins(fn, integer_of(fn, r))->type == to;
 }
 
-// Whether r is an F64 `v + n` or `v - n`, written in place.
+// Whether r is an inlined F64 `v + n` or `v - n`.
 static bool find_count(const CFn *fn, IrRef r, SmType to, Count *c)
 {
     const IrIns *i = ins(fn, r);
@@ -67,7 +67,7 @@ static bool is_up_by_one(const CFn *fn, const Count *c, SmType to)
     return to == SM_U64 && !c->down && by_one && fact_within(fn->ins[c->v].fact, 0, FACT_EXACT);
 }
 
-// By what a helper counts: `up` if it is one that counts up by one.
+// Writes the increment argument of a helper; `up`: the helper counts up by one.
 static void put_step(CFn *fn, const Count *c, bool up)
 {
     const IrRef n = integer_of(fn, c->by);

@@ -31,7 +31,7 @@ static void put_padding(Arena *a, Buf *out, uint32_t from, uint32_t to)
         buf_printf(out, "    uint8_t  %s[%u];\n", c_padding_name(a, from), (unsigned)(to - from));
 }
 
-// `type name;` and what there is to say about it, in columns.
+// Writes `type name;` and its comment, in columns.
 static void put_member(Buf *out, const char *type, const char *name, const char *comment)
 {
     const size_t start = out->n;
@@ -44,16 +44,16 @@ static void put_member(Buf *out, const char *type, const char *name, const char 
     buf_char(out, '\n');
 }
 
-// The name in the source where C does not allow it.
+// The name in the source if C does not allow it, otherwise "".
 static const char *source_name(const char *member, Str name) { return strcmp(member, name->text) != 0 ? name->text : ""; }
 
-// Two things to say of a member, either of which may be nothing.
+// Joins two parts of a comment on a member; either can be empty.
 static const char *joined(Arena *a, const char *first, const char *second)
 {
     return *first && *second ? format_in(a, "%s: %s", first, second) : *first ? first : second;
 }
 
-// A vector for the runtime has the runtime's headers; a machine stands alone.
+// A vector for the runtime includes the runtime's headers; a machine is self-contained.
 static bool knows_f64(const CUnit *u) { return u->runtime && !u->m; }
 
 static void put_element(const CUnit *u, const CElement *e, Buf *out)
@@ -61,7 +61,7 @@ static void put_element(const CUnit *u, const CElement *e, Buf *out)
     Arena *a = u->arena;
     const char *name = source_name(e->member, e->name), *said = remark_at(a, e->span);
 
-    // C's bool may have any size, and reading another byte than 0 or 1 from it is undefined.
+    // C's bool can have any size, and reading a byte other than 0 or 1 from it is undefined.
     if (e->type == SM_BOOL)
         put_member(out, "uint8_t", e->member, joined(a, *name ? format_in(a, "bool %s", name) : "bool", said));
     else

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program around emitted machines that runs them at the command of its standard input: the other end of
-// compiler/device/engine_c.c.  emit_c.h describes the exchange.
+// A program around emitted machines that runs them on commands from its standard input: the counterpart of compiler/device/engine_c.c.
+// emit_c.h describes the exchange.
 #include <string.h>
 
 #include "compiler/emit/c/fn.h"
 #include "compiler/emit/c/emit_c.h"
 
-// What every driver begins with, behind the machines themselves.
+// The common part of every driver, after the machines.
 static const char common[] =
     "#ifndef SM_IN_FLASH\n"
     "#define SM_IN_FLASH          // tables of constants stay in flash where this is __flash, as on AVR\n"
@@ -149,7 +149,7 @@ static void put_variable_row(const CUnit *u, size_t v, Buf *out)
     buf_printf(out, type == 'b' ? "0, '%c' },\n" : "0, %c },\n", type);
 }
 
-// The row of a variable of the program, which the IR knows by name unless it is a constant.
+// The row of a program variable.  The IR knows it by name unless it is a constant.
 static void put_program_row(const CUnit *u, const Map *by_name, const Var *var, Buf *out)
 {
     const IrVar *v = map_find(by_name, var->name);
@@ -176,7 +176,7 @@ static void put_rows(const CUnit *u, Buf *out)
     buf_str(out, "};\n");
 }
 
-// The enumerators of TankStatus to what the exchange says: no state and unfit are one to it.
+// Maps the enumerators of TankStatus to the status codes of the exchange, which has one code for no state and unfit.
 static void put_calls(const CUnit *u, Buf *out)
 {
     const char *p = u->names.prefix;
@@ -210,9 +210,9 @@ static void put_machine_row(const CUnit *u, Buf *out)
                p, p, p, p, u->track_stores ? "true" : "false");
 }
 
-// ---- all of them ----
+// ---- the whole driver ----
 
-// Types and code of one machine, behind those before it.  What it needs of stdlib is added to `helper`.
+// Appends types and code of one machine.  Counts the stdlib snippets that it needs in `helper`.
 static CUnit *put_one(Arena *arena, const IrMachine *m, size_t i, bool track_stores, bool soft, uint32_t *helper, Buf *out)
 {
     CUnit *u = ARENA_NEW(arena, CUnit);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs while smc is built: turns the stdlib headers named as arguments into a table of their functions' texts, on standard
-// output, for the C emitter to quote.  A line `//: NAME` opens the text of NAME, the next such line closes it (`//: end`
-// opens nothing); `//: NAME double` says that it stands only where SmF64 is a double.  Which texts need which is found by looking for
-// their names, comments apart; a text may only need texts before it, so the emitter writes the table's order.
-// `-lines NAME FILE…` gives whole files as an array of lines, without what includes files of stdlib.
+// Runs while smc is built.  Turns the stdlib headers named as arguments into a table of snippets, on standard output, from which the C
+// emitter copies.  A line `//: NAME` begins the snippet NAME and the next such line ends it (`//: end` begins none).  `//: NAME double`
+// marks a snippet that exists only where SmF64 is a double.  Dependencies are found by searching snippets for each other's names, except in
+// comments.  A snippet can only need earlier ones, so the emitter writes them in table order.  `-lines NAME FILE…` outputs whole files as
+// an array of lines, without SPDX lines and includes of stdlib files.
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,8 +13,8 @@ enum { SNIPPETS_MAX = 200, DEPS_MAX = 16, NAME_MAX_LEN = 40, TEXT_MAX = 4000, LI
 
 typedef struct Snippet {
     char name[NAME_MAX_LEN];
-    bool native;              // for a double
-    char text[TEXT_MAX];      // C99 promises string literals of 4095 characters
+    bool native;              // only where SmF64 is a double
+    char text[TEXT_MAX];      // C99 guarantees string literals of up to 4095 characters
     int dep[DEPS_MAX];
     int deps;
 } Snippet;
@@ -72,7 +72,7 @@ static void read_header(const char *path)
     fclose(f);
 }
 
-// The end of the comment or word that starts at p, or p + 1.
+// The end of the comment or word that starts at p; otherwise p + 1.
 static const char *token_end(const char *p)
 {
     if (p[0] == '/' && p[1] == '/')

@@ -53,7 +53,7 @@ static int by_offset(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-// Of a machine that was read from text: only what it lists is known.
+// For a machine that was read from IR text: only the elements that it lists are known.
 static void vector_of_machine(Arena *a, const IrMachine *m, CVector *out)
 {
     out->at = ARENA_ARRAY(a, CElement, m->var.n);
@@ -101,14 +101,14 @@ void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const
     u->fit = format_in(a, "%s_is_fit", prefix);
 }
 
-// Numbers in software, or not: those need no test of the computer's.
+// Chooses soft numbers or not; soft ones need no self-test of the computer's arithmetic.
 void unit_soften(CUnit *u, bool soft)
 {
     u->soft = soft;
     u->fit = soft ? NULL : u->fit;
 }
 
-// `include`: a header beside the usual ones, or NULL.
+// `include`: an additional header, or NULL.
 static void put_header_start(const char *macro, const char *include, bool soft, bool runtime, Buf *out)
 {
     buf_printf(out, "#ifndef %s_H_INCLUDED\n#define %s_H_INCLUDED\n\n#include <stdbool.h>\n#include <stdint.h>\n\n", macro, macro);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pin file to C: two tables of constants for runtime-c/io.h, one of inputs and one of outputs.
+// A pin file as C: two tables of constants for runtime-c/io.h, one for inputs and one for outputs.
 #include <string.h>
 
 #include "compiler/emit/c/emit_c.h"
@@ -57,7 +57,7 @@ static const char *flags(Arena *a, const Pin *p)
     return pull ? format_in(a, "SM_IO_INVERTED | %s", pull) : "SM_IO_INVERTED";
 }
 
-// As bits: the same number whatever this compiler's double is.
+// Written as bits, so that the number is the same whatever this compiler's double is.
 static void put_number(SmF64 x, Buf *out)
 {
     if (sm_bits(x) == 0)
@@ -66,7 +66,7 @@ static void put_number(SmF64 x, Buf *out)
         buf_printf(out, ", 0x%08lx%08lxu", (unsigned long)(sm_bits(x) >> 32), (unsigned long)(sm_bits(x) & 0xffffffffu));
 }
 
-// The element and its numbers, for who reads the table.
+// The element and its parameters, as a comment for readers of the table.
 static const char *as_written(Arena *a, const Pin *p)
 {
     const char *text = p->element->name->text;
@@ -117,7 +117,7 @@ static void put_table(const IoUnit *u, bool output, Buf *out)
                what, what);
 }
 
-// Places are those of one layout: with another vector it does not compile.
+// Offsets are those of one layout: with another vector the code does not compile.
 static void put_includes(const IoUnit *u, const char *header, Buf *out)
 {
     buf_printf(out, "#include \"%s\"\n\n#include \"%s.h\"\n\n", header, u->io->sv->name->text);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions.  Operators come out as C's own, with the parentheses that C needs and that its compilers ask for.  The text of
-// a temporary is of its type, but for what C does by itself: an integer shorter than int is an int, a truth is whatever
-// comparisons give, and a constant has the type of its digits.
+// Expressions.  Operators become C's own, with the parentheses that C needs and its compilers ask for.  The C expression of a temporary has
+// the temporary's type, with three exceptions due to C: an integer shorter than int is an int, a boolean has the type of C's comparisons,
+// and a constant has the type of its literal.
 #include <string.h>
 
 #include "compiler/emit/c/fn.h"
@@ -44,13 +44,13 @@ static void put_call(CFn *fn, const char *helper, const IrIns *i)
 
 static bool can_be_zero(Fact x) { return x.lo <= 0 && x.hi >= 0; }
 
-// Whether the comparison y < x, or y > x, alone tells which to take: no NaN in y, and where they are equal x will do.
+// Whether one comparison, y < x or y > x, decides the result: y is never NaN, and if both are equal x is correct.
 static bool is_simple_choice(IrOp op, Fact x, Fact y)
 {
     return !y.nan && !(op == IR_max ? x.minus_zero && can_be_zero(y) : y.minus_zero && can_be_zero(x));
 }
 
-// min and max of F64 without NaN and the signs of zeros, where they do not matter.
+// Writes min and max of F64s for which NaN and the signs of zeros do not matter.
 static bool put_simple_choice(CFn *fn, const IrIns *i)
 {
     IrRef x = i->a, y = i->b;
@@ -71,7 +71,7 @@ static bool put_simple_choice(CFn *fn, const IrIns *i)
     return true;
 }
 
-// A builtin's function: its F64 one is called sm_NAME, a narrow one sm_NAME_TYPE.
+// Writes a call of a builtin.  Its F64 function is called sm_NAME, a narrow one sm_NAME_TYPE.
 static void put_builtin(CFn *fn, const IrIns *i)
 {
     const char *name = ir_op_info[i->op].name;
@@ -97,7 +97,7 @@ void put_cell(CFn *fn, uint32_t v)
 
 static bool starts_with(const char *name, const char *start) { return strncmp(name, start, strlen(start)) == 0; }
 
-// Whether a name at the top of the emitted file, or another in the function, is or may be the same.
+// Whether a name equals, or could equal, one at the top of the emitted file or another in the function.
 static bool is_taken(const CNames *n, const char *name)
 {
     static const char *const starts[] = { "sm_", "value", "test", "mem" };
@@ -106,13 +106,13 @@ static bool is_taken(const CNames *n, const char *name)
     for (size_t i = 0; i < sizeof starts / sizeof *starts; i++)
         if (starts_with(name, starts[i]))
             return true;
-    if (name[0] == 'e' && name[1] >= '0' && name[1] <= '9')       // what copy_name makes
+    if (name[0] == 'e' && name[1] >= '0' && name[1] <= '9')       // the form of names that copy_name makes
         return true;
     return strcmp(name, "m") == 0 || strcmp(name, "sv") == 0 || starts_with(name, n->type) || starts_with(name, n->sv_type) ||
            (starts_with(name, n->prefix) && name[prefix] == '_') || (starts_with(name, n->macro) && name[macro] == '_');
 }
 
-// A name for the function's own variable: the element's, where that is free.
+// A name for the function's own variable: the element's, if that is free.
 const char *copy_name(CFn *fn, uint32_t v)
 {
     const char *name = fn->u->names.var[v];
@@ -184,7 +184,7 @@ static void put_load_value(CFn *fn, IrRef r, int prec)
 
 // ---- constants ----
 
-// A local that is a constant has become a number: its name stands behind it as a comment.
+// A local that is a constant has become a number; its name follows as a comment.
 void put_constant(CFn *fn, IrRef r, SmType type, uint64_t bits)
 {
     const char *name = remark_constant(fn->u, ins(fn, r)->span);
@@ -196,8 +196,8 @@ void put_constant(CFn *fn, IrRef r, SmType type, uint64_t bits)
 
 // ---- the rest ----
 
-// C computes a sum of two integers shorter than int in an int, which may have 16 bits: one operand has to be as wide as the
-// result.  Where the other is, or is being converted, its own conversion may be left to C.
+// C computes a sum of two integers shorter than int in an int, which can have 16 bits, so one operand must be as wide as the result.  If
+// one operand is, or is converted to be, the conversion of the other can be left to C.
 static void put_integer_binary(CFn *fn, const IrIns *i, const char *text, int own, int prec)
 {
     const bool a = is_widening(fn, i->a), b = is_widening(fn, i->b), opened = open_parens(fn, own, prec);
@@ -221,7 +221,7 @@ static void put_binary(CFn *fn, const IrIns *i, const char *text, int own, int p
         soft_put_binary(fn, i);
         return;
     }
-    // A float may be computed as a double, as long as it does not stay one.
+    // A float can be computed as a double if it is rounded back.
     opened = open_parens(fn, i->type == SM_F32 ? PREC_UNARY : own, prec);
     put(fn, i->type == SM_F32 ? "(float)(" : "");
     put_value(fn, i->a, own);
@@ -301,7 +301,7 @@ void put_value(CFn *fn, IrRef r, int prec)
     }
 }
 
-// A bool where C wants a truth: an element's byte needs no comparison there.
+// Writes a bool as a condition of C: an element's byte needs no comparison there.
 void put_condition(CFn *fn, IrRef r, bool negated, int prec)
 {
     const IrIns *i = ins(fn, r);

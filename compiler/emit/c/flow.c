@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nesting of a function's blocks.  Control only moves forward, so block order is a topological order and every question
-// is answered by one walk.  A block that only one way leads to stands inside the arm of the conditional that leads there;
-// a block where ways meet stands behind the whole of the block that dominates it.
+// The nesting of a function's blocks.  Control only moves forward, so block order is a topological order and one pass answers every
+// question.  A block with one predecessor is written inside the arm of the conditional that leads there.  A join block is written after the
+// whole code of the block that dominates it.
 #include "compiler/emit/c/fn.h"
 
 typedef CDominators Tree;
@@ -24,7 +24,7 @@ static uint32_t meet(const Tree *t, uint32_t a, uint32_t b)
     return a;
 }
 
-// Shortcuts of lengths 1, 1, 3, 1, 1, 3, 7 …
+// Skip pointers of lengths 1, 1, 3, 1, 1, 3, 7 …
 static void tree_add(Tree *t, uint32_t x, uint32_t parent)
 {
     const uint32_t s = t->shortcut[parent], ss = t->shortcut[s];
@@ -108,7 +108,7 @@ static void list_meeting_points(CFlow *w, const Tree *t)
     }
 }
 
-// b falls on to something outside when a way leads from what it dominates to a block that hangs higher in the tree.
+// Control falls out of b if an edge leads from a block that b dominates to a block whose immediate dominator is above b.
 static void find_falls(Arena *arena, CFlow *w, const Tree *t)
 {
     uint32_t *highest = ARENA_ARRAY(arena, uint32_t, w->n);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emitted C keeps its meaning under any compiler and any flags, or does not compile, or does not start.  Three lines of
-// defence: pragmas that forbid what can be forbidden, #error for what a macro gives away, and for the rest a self-test at
-// run time whose operands no compiler can know.
+// Emitted C keeps its meaning under any compiler and any flags, or does not compile, or does not start.  Three lines of defence: pragmas
+// that forbid what can be forbidden, #error for what a macro reveals, and for the rest a self-test at run time whose operands are unknown
+// to the compiler.
 #include "compiler/emit/c/unit.h"
 
 static const char includes[] =
@@ -11,7 +11,7 @@ static const char includes[] =
     "#include <stdint.h>\n"
     "#include <string.h>\n";
 
-// FLT_EVAL_METHOD 1 widens float alone, from which results are cut back; 16 and more tell of types that are not used.
+// FLT_EVAL_METHOD 1 widens only float, whose results are rounded back; 16 and above concern types that are not used.
 static const char guards[] =
     "// ---- what this file asks of the compiler ----\n"
     "\n"
@@ -41,7 +41,7 @@ static const char guards[] =
     "// A flag can shorten the constants.\n"
     "typedef char %s_constants_are_double[sizeof 0.1 == sizeof(double) && sizeof(double) == 8 ? 1 : -1];\n";
 
-// With soft numbers little can go wrong: no float is computed with.
+// With soft numbers little can go wrong: there is no floating-point arithmetic.
 static const char soft_guards[] =
     "// ---- what this file asks of the compiler ----\n"
     "\n"
@@ -68,7 +68,7 @@ void put_guards(Buf *out, const char *what, bool soft)
         buf_printf(out, guards, what);
 }
 
-// Each line is one way in which a compiler, a flag or the processor's mode can change results.
+// Each line tests one way in which a compiler, a flag or the processor's mode can change results.
 static const char self_test[] =
     "// Tries what no macro tells: the rounding mode, whether numbers near zero survive, and what flags may have allowed the\n"
     "// compiler to do to arithmetic.  The operands are volatile, so that nothing is known before it runs.\n"

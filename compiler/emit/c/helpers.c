@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions of stdlib that emitted C carries with it, quoted from the headers that the VM and the constant folder use.
+// The stdlib functions that emitted C includes, copied from the headers that the VM and the constant folder use.
 #include <string.h>
 
 #include "compiler/emit/c/unit.h"
@@ -47,7 +47,7 @@ static bool names_word(const char *text, const char *name)
     return false;
 }
 
-// What the C of text i still names after its operations have become C's.
+// Counts the snippets that snippet i still names after its operations have become C's own.
 static void use_dependencies(CUnit *u, int i, const char *text)
 {
     for (int d = 0; d < stdlib_text[i].deps; d++) {
@@ -57,8 +57,8 @@ static void use_dependencies(CUnit *u, int i, const char *text)
     }
 }
 
-// Called from so many places, a conversion or a look for NaN is better called than inlined: gcc takes half the time over a machine of
-// a thousand states and makes half the code.
+// With this many calls, a conversion or NaN check is better not inlined.  For a machine of a thousand states gcc then takes half the time
+// and produces half the code.
 enum { TOO_MANY = 500 };
 static const char apart_text[] =
     "#if defined(__GNUC__)\n"
@@ -87,7 +87,7 @@ static void put_text(const CUnit *u, int i, const char *text, Buf *out)
 
 static bool is_type(int i) { return strncmp(stdlib_text[i].name, "Sm", 2) == 0; }
 
-// A text needs only texts before it, so one walk downwards finds all.
+// A snippet needs only snippets before it, so a single pass from last to first finds all.
 void helpers_put(CUnit *u, Buf *out)
 {
     Buf text[STDLIB_TEXT_COUNT];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An image as a constant of C: for programs that have no files, such as Arduino sketches.
+// An image as a C constant, for programs without files, such as Arduino sketches.
 #include <string.h>
 
 #include "compiler/emit/c/emit_c.h"

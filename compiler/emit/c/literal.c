@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants as C writes them, every bit kept.  Decimal, since C++11 has no hexadecimal fractions: the fewest digits that
-// come back as the same number.
+// Constants as C literals that preserve every bit.  Decimal, because C++11 has no hexadecimal floats: the fewest digits that convert back
+// to the same number.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #include "compiler/emit/c/unit.h"
 #include "stdlib/convert.h"
 
-// The host may have been told to write a comma.
+// The locale of the host can print a decimal comma.
 static void use_point(char *text)
 {
     for (; *text; text++)
@@ -17,7 +17,7 @@ static void use_point(char *text)
             *text = '.';
 }
 
-// 1e+300 to 1e300; 42 to 42.0.
+// Turns 1e+300 into 1e300, 42 into 42.0.
 static void put_tidy(Buf *out, char *text)
 {
     char *e = strchr(text, 'e');
@@ -53,7 +53,7 @@ void literal_put_finite(Buf *out, double x)
     put_tidy(out, text);
 }
 
-// The bits, and behind them the number for those who read it.
+// Writes the bits, followed by the number as a comment for readers.
 static void put_soft_f64(CUnit *u, Buf *out, double x)
 {
     const unsigned long high = (unsigned long)(sm_bits(x) >> 32), low = (unsigned long)(sm_bits(x) & 0xffffffffu);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions of a machine: one for each block that does something, and those that the user calls.
+// The functions of a machine: one for each block that has code, and those that the user calls.
 #include <string.h>
 
 #include "compiler/emit/c/fn.h"
 
-// States.  gcc makes a function that is called once part of its caller until that has grown to 2,700 of its units: of a hundred states
-// with ten statements each not half went in, and it took 1.4 times as long over a machine of a thousand, as over parts of 32.
+// In states.  gcc inlines a function that is called once until the caller reaches 2,700 of its size units.  With a hundred states of ten
+// statements each, less than half were inlined.  Compiling a machine of a thousand states took 1.4 times as long as compiling it in parts
+// of 32.
 enum { CUT_FROM = 100, PART = 32 };
 
-// What the step must know of a state.
+// What the step function needs to know about a state.
 typedef struct CState {
     CSignature block[BLOCK_COUNT];
     bool has[BLOCK_COUNT];
@@ -27,7 +28,7 @@ static const char *base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-// tank.sm:12, or nothing where the source is not known.
+// `, tank.sm:12`, or "" if the source is unknown.
 static const char *place(const CUnit *u, Span s)
 {
     if (!s.src)
@@ -117,9 +118,9 @@ static void put_init(CUnit *u, Buf *out)
     buf_printf(out, "    sv->%s = state;\n    return %s_OK;\n}\n\n", s, n->macro);
 }
 
-// ---- the blocks of the state ----
+// ---- the blocks of the current state ----
 
-// What a group of blocks, one a state, asks of the function that calls them.
+// The signature that serves all blocks of a kind, one for each state.
 static CSignature group_signature(const CUnit *u, const CState *s, BlockKind k)
 {
     CSignature all = { false, true, false };
@@ -161,8 +162,8 @@ static void put_switch(const CUnit *u, const char *name, BlockKind k, const CSta
     buf_printf(out, "    default:\n        %s;\n    }\n}\n\n", as.returns_state ? "return 0" : "break");
 }
 
-// Compilers choke on a function of ten thousand states.  Above some hundreds the switch is cut into functions that a table
-// leads to, for what is called directly would be put together again.
+// Compilers cannot cope with a function of ten thousand states.  Above CUT_FROM states the switch is split into functions called through a
+// table, because compilers would inline direct calls again.
 static void put_parts(const CUnit *u, const char *name, BlockKind k, const CState *s, CSignature as, Buf *out)
 {
     const size_t n = u->m->state.n;
@@ -184,7 +185,7 @@ static void put_parts(const CUnit *u, const char *name, BlockKind k, const CStat
     buf_str(out, "}\n\n");
 }
 
-// Who calls the blocks of a kind.
+// The function that calls the blocks of a kind.
 static const char *group_name(const CUnit *u, BlockKind k)
 {
     return format_in(u->arena, "%s_%s", u->names.prefix, k == BLOCK_ENTRY ? "enter" : k == BLOCK_STEP ? "run" : "leave");
@@ -209,8 +210,8 @@ static CSignature put_group(const CUnit *u, BlockKind k, const CState *s, Buf *o
 typedef struct CStep {
     bool has[BLOCK_COUNT];
     CSignature group[BLOCK_COUNT];
-    const CSignature *sample;     // NULL: there is none
-    bool first, transition;       // whether it is a first step is asked; there are transitions
+    const CSignature *sample;     // NULL: no windows to sample
+    bool first, transition;       // the step must know whether it is a first step; there are transitions
 } CStep;
 
 static CStep step_of(CUnit *u, const CState *s, const CSignature *sample, Buf *out)
@@ -237,7 +238,7 @@ static void put_gate(const CUnit *u, const CStep *w, Buf *out)
                w->first ? "        first = true;\n" : "", n->var[u->m->g], n->var[u->m->s]);
 }
 
-// A chip of 8 bits looks at a flag sooner than at 64 bits, and leaves those in memory.
+// An 8-bit chip checks a flag faster than 64 bits, which can stay in memory.
 static void put_soft_gate(const CUnit *u, const CStep *w, Buf *out)
 {
     const CNames *n = &u->names;

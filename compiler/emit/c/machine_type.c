@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A machine for the flight runtime: the SmMachineType of runtime-c/machine_type.h, whose functions call those of the machine.
 //
-// Functions of blocks end in _entry, _step or _exit and those for the user have names of their own; here all begin with PREFIX_any_ and
-// end otherwise, so that none meets another.
+// Names of block functions end in _entry, _step or _exit; functions for the user have names of their own.  All names here begin with
+// PREFIX_any_ and end differently, so that none collides.
 #include <string.h>
 
 #include "compiler/emit/c/unit.h"

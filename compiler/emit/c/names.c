@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of the source to names of C.  A name stays as it is wherever C and C++ allow it; where they do not it loses what
-// they forbid, or gets an underscore behind it, and a number where that is taken.  Names that stay as they are come first,
-// so that which others a machine has never changes them.
+// Names in the source to names in C.  A name is unchanged wherever C and C++ allow it.  Otherwise it loses the forbidden characters or gets
+// an underscore appended, and a number if the result is taken.  Unchanged names are assigned first, so that the machine's other names never
+// affect them.
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
@@ -23,7 +23,7 @@ static bool ends_with(const char *name, const char *end)
 
 bool c_is_reserved(const char *name)
 {
-    static const char *const own[] = { "_H_INCLUDED", "_SV_LAYOUT", "_slot_", "_sorted_" };   // the emitted headers'
+    static const char *const own[] = { "_H_INCLUDED", "_SV_LAYOUT", "_slot_", "_sorted_" };   // reserved for the emitted headers
 
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
         if (ends_with(name, own[i]))
@@ -93,7 +93,7 @@ const char *c_macro_name(Arena *arena, const char *prefix)
     return buf_text(&b);
 }
 
-// ---- a set of names, each given once ----
+// ---- a set of names, each assigned once ----
 
 typedef struct NameSet {
     Arena *arena;
@@ -119,7 +119,7 @@ static bool set_take(NameSet *s, const char *name)
     return true;
 }
 
-// `name` if it is free, else with the first number behind it that makes it so.
+// Returns `name` if it is free, otherwise with the first number appended that makes it free.
 static const char *set_take_free(NameSet *s, const char *name)
 {
     const char *tried = name;
@@ -129,7 +129,7 @@ static const char *set_take_free(NameSet *s, const char *name)
     return tried;
 }
 
-// What C allows of a name that it does not allow as it is.
+// The closest valid C name for a name that C does not allow.
 static const char *tamed(Arena *arena, const char *name)
 {
     const char *plain = c_identifier(arena, name, strlen(name));
@@ -137,7 +137,7 @@ static const char *tamed(Arena *arena, const char *name)
     return strcmp(plain, name) == 0 || c_is_reserved(plain) ? format_in(arena, "%s_", plain) : plain;
 }
 
-// Members for `n` names: first those that can stay, then the others.
+// Assigns members to `n` names: first those that can be unchanged, then the others.
 static void take_all(NameSet *s, const char **name, const char **member, size_t n)
 {
     for (size_t i = 0; i < n; i++)
@@ -148,9 +148,9 @@ static void take_all(NameSet *s, const char **name, const char **member, size_t 
             member[i] = set_take_free(s, tamed(s->arena, name[i]));
 }
 
-// ---- the names of a unit ----
+// ---- the names in a unit ----
 
-// The bytes between elements have names too: `pad_at_12_`.
+// The bytes between elements are named too: `pad_at_12_`.
 static void take_padding(NameSet *s, const CVector *sv)
 {
     uint32_t at = 0;
@@ -171,7 +171,7 @@ void names_elements(Arena *arena, CNames *names, CVector *sv)
     NameSet s;
 
     set_init(&s, arena);
-    set_take(&s, names->sv_type);                     // C++ wants no member of its struct's name
+    set_take(&s, names->sv_type);                     // C++ does not allow a member with the name of its struct
     take_padding(&s, sv);
     for (size_t i = 0; i < sv->n; i++)
         name[i] = sv->at[i].name->text;
@@ -183,15 +183,15 @@ void names_elements(Arena *arena, CNames *names, CVector *sv)
     }
 }
 
-// ---- the names of a vector's runtime view ----
+// ---- the names in a vector's runtime view ----
 
-// A name that stands in the middle or at the end of another: keywords may stay.
+// A name for use in the middle or at the end of another, where keywords are allowed.
 static const char *within(Arena *a, const char *name)
 {
     return name[0] != '_' && !strstr(name, "__") ? name : c_identifier(a, name, strlen(name));
 }
 
-// What an application made from files of one name calls its own things: elements give way.
+// Reserves the names that an application with the same file name uses itself: elements give way.
 static void take_vector_own(NameSet *s, const char *prefix)
 {
     static const char *const own[] = { "sv", "vector", "layout", "element", "names", "regions", "element_names", "region_names",
@@ -201,7 +201,7 @@ static void take_vector_own(NameSet *s, const char *prefix)
         set_take(s, format_in(s->arena, "%s_%s", prefix, own[i]));
 }
 
-// PREFIX_kind_name for each of n names.
+// MACRO_kind_name for each of n names.
 static const char **enumerators(NameSet *s, const char *macro, char kind, const char **name, size_t n)
 {
     const char **out = ARENA_ARRAY(s->arena, const char *, n);
@@ -239,7 +239,7 @@ void names_runtime(Arena *arena, const CNames *names, const StateVec *sv, CVecto
     out->region = enumerators(&s, names->macro, 'R', region, sv->region.n);
 }
 
-// What the machine's struct holds beside the locals.
+// Reserves the members of the machine's struct that are not locals.
 static void take_own_members(NameSet *s, const CNames *n)
 {
     static const char *const own[] = { "T", "stored", "state_", "first_", "gate_", "left_", "start_" };
@@ -252,7 +252,7 @@ static void take_own_members(NameSet *s, const CNames *n)
     set_take(s, format_in(s->arena, "%sStatus", n->type));
 }
 
-// The variable whose value each window samples; IR_NONE of one that samples something else.
+// The variable whose value each window samples; IR_NONE if it samples something else.
 static uint32_t *sampled_variables(const CUnit *u)
 {
     uint32_t *var = ARENA_ARRAY(u->arena, uint32_t, u->m->window.n);
@@ -273,7 +273,7 @@ static uint32_t *sampled_variables(const CUnit *u)
     return var;
 }
 
-// `altitude_last_9` of a window that samples a variable, `window2` of one that samples something else.
+// `altitude_last_9` for a window that samples a variable, `window2` for one that samples something else.
 static const char *window_name(const CUnit *u, size_t w, uint32_t var)
 {
     return var == IR_NONE ? format_in(u->arena, "window%lu", (unsigned long)w)
@@ -321,7 +321,7 @@ static void name_states(CUnit *u)
     u->names.state = ARENA_ARRAY(u->arena, const char *, n);
     for (size_t i = 0; i < n; i++)
         name[i] = u->m->state.at[i].name->text;
-    for (size_t i = 0; i < n; i++)                    // keywords may stay: they stand in the middle of a name
+    for (size_t i = 0; i < n; i++)                    // keywords are allowed in the middle of a name
         if (name[i][0] != '_' && !strstr(name[i], "__") && name[i][strlen(name[i]) - 1] != '_' && set_take(&s, name[i]))
             u->names.state[i] = name[i];
     for (size_t i = 0; i < n; i++)

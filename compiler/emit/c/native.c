@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// stdlib speaks of F64 through functions, so that it can be built where double is too short.  Emitted C has a double, and its
-// readers want to see C: sm_lt(sm_from_i32(0), x) becomes 0.0 < x.
+// stdlib computes with F64 through functions, so that it can be built where double is too short.  Emitted C has a full double, and C
+// operators are easier to read: sm_lt(sm_from_i32(0), x) becomes 0.0 < x.
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,8 +11,8 @@ typedef enum Form {
     FORM_BINARY,              // a op b
     FORM_CAST,                // (type)a
     FORM_NUMBER,              // a as a double
-    FORM_WIDE,                // a, an integer of 64 bits, as a double: a call (f64.h says why), but for a constant
-    FORM_BITS,                // the double of these bits, where they are a finite constant
+    FORM_WIDE,                // a, a 64-bit integer, as a double: a call (f64.h explains why), except for a constant
+    FORM_BITS,                // the double with these bits, if they are a finite constant
     FORM_SELF                 // a != a
 } Form;
 
@@ -75,7 +75,7 @@ typedef struct Text {
     size_t n;
 } Text;
 
-// The argument at p, up to a comma or the parenthesis that closes the call.
+// The argument at p, up to a comma or the closing parenthesis of the call.
 static Text argument(const char *p)
 {
     Text t = { p, 0 };
@@ -96,7 +96,7 @@ static bool is_number(Text t)
     return t.n > 0;
 }
 
-// How tightly a text that is no primitive's call holds together: names, members, calls and subscripts do.
+// The precedence of an expression that is not a primitive's call: PRIMARY for names, members, calls and subscripts.
 static int prec_of_text(Text t)
 {
     int depth = 0;
@@ -113,7 +113,7 @@ static int prec_of_text(Text t)
 
 static void put_range(CUnit *u, const char *from, const char *to, Buf *out);
 
-// One finite number of known bits; gives false where the text is something else.
+// Writes the finite number with these constant bits; returns false if t is something else.
 static bool put_bits(CUnit *u, Text t, Buf *out)
 {
     uint64_t bits;
@@ -189,7 +189,7 @@ static void put_primitive(CUnit *u, const Primitive *p, Text a, Text b, Buf *out
     }
 }
 
-// The call at p, which is one; gives where it ends.  `tight`: something binds to it from the left.
+// Writes the primitive's call at `at`; returns its end.  `tight`: a unary operator precedes it.
 static const char *put_call(CUnit *u, const Primitive *p, const char *at, bool tight, Buf *out)
 {
     const Text a = argument(at + word_length(at) + 1);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which temporaries of a function stand inside the expressions that use them, and which become variables.  A temporary is
-// inlined when it is used once, when nothing between its place and its use stores what it reads, and while the expression
-// is not too deep for compilers.  Also: what is constant, and which elements are read once for the whole function.
+// Decides which temporaries of a function become part of the expressions that use them, and which become variables.  A temporary is inlined
+// if it is used once, if no store between its position and its use changes what it reads, and as long as the expression is not too deep for
+// compilers.  Also finds constants, and elements that are read once for the whole function.
 #include "compiler/emit/c/fn.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-enum { LEVEL_MAX = 40 };      // expressions deeper than this are cut; clang stops at 256 nested parentheses
+enum { LEVEL_MAX = 40 };      // deeper expressions are split; clang's limit is 256 nested parentheses
 
 static bool is_float(SmType t) { return t == SM_F64 || t == SM_F32; }
 
 // ---- constants ----
 
-// The number of a constant; unlike an element's, an F64's NaN is kept.
+// The number of a constant.  Unlike an element's, an F64's NaN is preserved.
 static SmF64 number(const CFn *fn, IrRef r)
 {
     if (r == IR_NONE)
@@ -20,7 +20,7 @@ static SmF64 number(const CFn *fn, IrRef r)
     return fn->f->ins.at[r].type == SM_F64 ? sm_from_bits(fn->ins[r].bits) : sm_cell_to_f64(fn->f->ins.at[r].type, fn->ins[r].bits);
 }
 
-// The result of a SAME operation, whatever type it is narrowed to.
+// The result of a SAME operation, rounded to its type.
 static uint64_t result(SmType type, SmF64 x)
 {
     if (type == SM_F64)
@@ -64,7 +64,7 @@ static uint64_t fold(const CFn *fn, const IrIns *i)
     return 0;
 }
 
-// `and` is false, `or` true, where one operand is, whatever the other.
+// `and` is false if either operand is false, `or` is true if either is true, whatever the other operand is.
 static bool decides(const CFn *fn, IrOp op, IrRef r)
 {
     return fn->ins[r].is_const && (fn->ins[r].bits != 0) == (op == IR_or);
@@ -81,7 +81,7 @@ static bool can_fold(const CFn *fn, const IrIns *i)
     return fn->ins[i->a].is_const && (i->b == IR_NONE || fn->ins[i->b].is_const);
 }
 
-// Nothing is said of blocks to which facts leave no way.
+// In a block that is unreachable according to the facts, only the type restricts a value.
 static Fact fact_of(const FactFlow *flow, size_t b, IrRef r, SmType type)
 {
     Fact any = fact_of_type(type);
@@ -112,7 +112,7 @@ bool plan_branch(const CFn *fn, const IrJump *j, bool *taken)
     return fn->ins[j->cond].is_const;
 }
 
-// ---- who is needed, and how often ----
+// ---- which instructions are needed, and how often ----
 
 static void use(CFn *fn, IrRef r)
 {
@@ -178,7 +178,7 @@ static void settle_readings(CFn *fn, uint32_t b)
 
 // ---- elements that are read once for the whole function ----
 
-// Reading a float takes a check for NaN, T a subtraction.
+// Reading a float needs a check for NaN, and T a subtraction.
 static bool is_computed(const CFn *fn, uint32_t v)
 {
     const IrVar *var = &fn->u->m->var.at[v];
@@ -204,7 +204,7 @@ static void choose_copies(CFn *fn, uint32_t b)
     }
 }
 
-// ---- the place of each temporary ----
+// ---- the position of each temporary ----
 
 static uint32_t later(uint32_t a, uint32_t b) { return a > b ? a : b; }
 
@@ -223,7 +223,7 @@ static uint32_t next_store(CFn *fn, const IrIns *i)
     return i->op == IR_stat ? fn->window_sample[i->var] : UINT32_MAX;
 }
 
-// Whether writing it twice costs nothing: a plain member, or that as a wider integer.
+// Whether repeating it costs nothing: a plain member, or one converted to a wider integer.
 static bool is_plain(CFn *fn, const IrIns *i, const CIns *c)
 {
     const IrIns *from = i->op == IR_cvt ? &fn->f->ins.at[i->a] : i;
@@ -269,7 +269,7 @@ static void place(CFn *fn, uint32_t b)
         CIns *c = &fn->ins[r];
         c->how = how(fn, i, c);
         if (c->how != C_DEAD) {
-            const bool own = c->how != C_INLINE;      // a statement of its own
+            const bool own = c->how != C_INLINE;      // it is its own statement
             place_operand(fn, i->a, own ? (uint32_t)p : c->latest, own ? 1 : c->level + 1);
             place_operand(fn, i->b, own ? (uint32_t)p : c->latest, own ? 1 : c->level + 1);
         }

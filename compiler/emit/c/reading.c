@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which float elements are read as they are, without a look for NaN.  What the function itself has stored is none.  A NaN reads
-// as 0; where a condition comes out the same for both nobody can tell them apart: x > 775 holds for neither, and neither does
-// 500 < x and x < 825, though 0 < 825.
+// Finds float elements that can be read without a NaN check.  A value that the function itself has stored is never NaN.  A NaN reads as 0.
+// If a condition has the same result for NaN and 0, the difference is not visible: x > 775 is false for both.  So is 500 < x and x < 825,
+// although 0 < 825.
 #include "compiler/emit/c/fn.h"
 
 static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 static bool is_compare(IrOp op) { return op >= IR_eq && op <= IR_ge; }
 
-// The load of a float element whose value r is, as an F32 or an F64; or IR_NONE.
+// The load of a float element whose value, as an F32 or an F64, is r; or IR_NONE.
 static IrRef read_by(const CFn *fn, IrRef r)
 {
     const IrIns *i;
@@ -20,7 +20,7 @@ static IrRef read_by(const CFn *fn, IrRef r)
     return i->op == IR_load && fn->u->m->var.at[i->var].space == IR_ELEMENT && sm_type_info[i->type].kind == SM_KIND_FLOAT ? r : IR_NONE;
 }
 
-// Whether 0 op y comes out as NaN op y does, for all y in a range.
+// Whether 0 op y equals NaN op y for all y in a range.
 static bool is_as_nan(IrOp op, Fact y)
 {
     switch (op) {
@@ -38,7 +38,7 @@ static IrOp mirrored(IrOp op)
     return op == IR_lt ? IR_gt : op == IR_le ? IR_ge : op == IR_gt ? IR_lt : op == IR_ge ? IR_le : op;
 }
 
-// The operand of a comparison that reads an element, where only one does; else IR_NONE.
+// The operand of a comparison that reads an element, if only one does; otherwise IR_NONE.
 static IrRef reading_side(const CFn *fn, const IrIns *i)
 {
     const IrRef a = read_by(fn, i->a), b = read_by(fn, i->b);
@@ -63,7 +63,7 @@ static void note_compare(CFn *fn, IrRef r)
     fn->ins[x].careless += c->uses > 0;
 }
 
-// In what hangs on r alone, other comparisons with the same load may come out as they like.
+// In conditions that only r depends on, the results of other comparisons with the same load do not matter.
 static void excuse(CFn *fn, IrRef r, IrRef load)
 {
     const IrIns *i = ins(fn, r);
@@ -82,7 +82,7 @@ static void excuse(CFn *fn, IrRef r, IrRef load)
     }
 }
 
-// `and` is false, `or` true, where one operand is, whatever the other.
+// `and` is false if either operand is false, `or` is true if either is true, whatever the other operand is.
 static void note_logic(CFn *fn, IrRef r)
 {
     const IrIns *i = ins(fn, r);
@@ -119,7 +119,7 @@ static void note(CFn *fn, IrRef r)
     }
 }
 
-// Blocks are seen in their order, so what dominates one has been.
+// Blocks are visited in order, so a block's dominators have been visited before it.
 static void note_stored(CFn *fn, uint32_t b, IrRef r)
 {
     const IrIns *i = ins(fn, r);
@@ -146,7 +146,7 @@ void plan_readings(CFn *fn, uint32_t b)
         note_stored(fn, b, blk->ins.at[p]);
         note(fn, blk->ins.at[p]);
     }
-    for (size_t p = blk->ins.n; p-- > 0;) {           // conversions before what they convert
+    for (size_t p = blk->ins.n; p-- > 0;) {           // conversions before their operands
         const IrRef r = blk->ins.at[p], load = read_by(fn, r);
         CIns *c = &fn->ins[r];
         if (load == IR_NONE || c->uses == 0 || c->careless != c->uses)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of the source that emitted C repeats in its comments: what the author said of an element, what a window was asked.
+// Source text that emitted C repeats in its comments: the author's comment on an element, the call that reads a window.
 #include <string.h>
 
 #include "compiler/emit/c/fn.h"
 
 enum { REMARK_MAX = 60 };
 
-// What can stand in a comment that ends with its line: printable, and no backslash, which would join it to the next.
+// Whether the text can appear in a comment that ends with its line: printable, and no backslash, which would join the next line.
 static bool is_harmless(const char *text, size_t n)
 {
     for (size_t i = 0; i < n; i++)
@@ -63,7 +63,7 @@ const char *remark_constant(CUnit *u, Span s)
     return map_find(&u->constants, name) ? name->text : "";
 }
 
-// ---- the calls that ask a window ----
+// ---- the calls that read a window ----
 
 static void note_call(CUnit *u, const IrIns *in, const char **call)
 {

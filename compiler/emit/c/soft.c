@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers where no `double` is an IEEE binary64 (EmitCOptions.soft): an F64 is an SmF64, the bits of one, and expressions on it are
-// calls of the functions of sm_soft.h.  C's own arithmetic on floats is not used either, for nobody promises its rounding there: an
-// F32 is computed on as an F64 and rounded after each operation, which gives the same F32.  Integers are as ever.
+// Numbers where `double` is not an IEEE binary64 (EmitCOptions.soft).  An F64 is an SmF64, the bits of a binary64, and expressions on it
+// are calls of the functions of sm_soft.h.  C's own arithmetic on floats is not used either, because its rounding is not guaranteed there.
+// An F32 is computed as an F64 and rounded after each operation, which produces the same F32.  Integers are not affected.
 #include "compiler/emit/c/emit_c.h"
 #include "compiler/emit/c/fn.h"
 #include "soft_text.h"
@@ -69,9 +69,10 @@ void soft_put_compare(CFn *fn, const IrIns *i, bool negated)
     put(fn, ")");
 }
 
-// ---- looking at some bytes ----
+// ---- comparisons that read only some bytes ----
 
-// What is compared: a variable that is read, perhaps through a conversion to F64, and a constant; `op` as if the variable stood first.
+// The parts of such a comparison: a variable that is read, possibly through a conversion to F64, and a constant.  `op` is as if the
+// variable were the left operand.
 typedef struct Look {
     IrRef side, load, constant;
     IrOp op;
@@ -97,7 +98,7 @@ static double number_of(const CFn *fn, const Look *l)
     return sm_cell_to_f64(ins(fn, l->constant)->type, fn->ins[l->constant].bits);
 }
 
-// Whether looking at the upper half of a float is not enough: the constant has digits below, or is none of the float's type.
+// Whether the upper half of a float is not enough: the constant has digits in the lower half, or is not a number of the float's type.
 static bool has_lower_half(const CFn *fn, const Look *l)
 {
     const double x = number_of(fn, l);
@@ -113,7 +114,7 @@ bool soft_looks(const CFn *fn, const IrIns *i, IrRef x)
     return find_look(fn, i, &l) && x == l.side && !has_lower_half(fn, &l);
 }
 
-// Where it is: a variable of the function's own, or of the machine, of which nothing else is stored meanwhile.
+// Writes the address of the variable: the function's own copy, or the member itself, which no store changes in between.
 static void put_place(CFn *fn, const Look *l)
 {
     const IrRef r = fn->ins[l->side].variable ? l->side : l->load;
@@ -125,7 +126,8 @@ static void put_place(CFn *fn, const Look *l)
         put_cell(fn, ins(fn, r)->var);
 }
 
-// By the sign of the constant: x > 5 is beyond 5, x >= 5 reaches it, and x < 5 does not; x < -5 is beyond -5.  Of 0 only `beyond` is asked.
+// Compares away from zero, in the direction of the constant's sign: x > 5 is beyond 5, x >= 5 reaches 5, x < 5 does not reach it; x < -5 is
+// beyond -5.  For 0 only `beyond` is used.
 static void put_float_look(CFn *fn, const Look *l, bool negated)
 {
     const double x = number_of(fn, l);
@@ -188,7 +190,7 @@ void soft_put_not_zero(CFn *fn, IrRef r, bool negated)
     put(fn, ")");
 }
 
-// ---- the files that go with it ----
+// ---- the library files ----
 
 static void put_lines(const char *const *line, Buf *out)
 {

@@ -1,35 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditionals that only say which come out without a jump, at which a processor would have to guess.  Where both arms store a truth,
-// `if p > 775 { open = true } else: open = false`, the condition is what is stored; where an arm counts a local by one, the condition
-// is what is added.  An element is stored by a step only where the source does: others may write it; a local is the machine's own.
+// Replaces conditionals that only choose a value by code without a jump, which a processor would have to predict.  Where both arms store a
+// boolean constant, `if p > 775 { open = true } else: open = false`, the condition itself is stored.  Where an arm counts a local by one,
+// the condition is added to it.  A step stores an element only where the source does, because others can write it; a local belongs to the
+// machine alone.
 #include "compiler/emit/c/fn.h"
 #include "stdlib/convert.h"
 
-enum { ARM_INS = 32, ARM_STORES = 8 };       // what an arm may have at most: more is worth a jump
+enum { ARM_INS = 32, ARM_STORES = 8 };       // limits of an arm: a larger one is worth a jump
 
-// What an arm does with a variable: stores a truth, or counts it by the constant `one`.
+// The effect of an arm on a variable: it stores a boolean, or counts by the constant `one`.
 typedef struct Setting {
     uint32_t var;
-    bool truth;               // what is stored, where it does not count
-    IrRef store, one;         // one: IR_NONE where it does not count
+    bool truth;               // the stored value, unless it counts
+    IrRef store, one;         // one: IR_NONE unless it counts
 } Setting;
 
 typedef struct Arm {
     Setting at[ARM_STORES];
     unsigned n;
-    IrBlkRef blk, to;         // to: IR_NONE is the function's end
+    IrBlkRef blk, to;         // to: the block after the arm; IR_NONE is the function's end
 } Arm;
 
 typedef struct Straight {
     Arena *arena;
     const IrMachine *m;
     const IrFn *f;
-    IrFn *copy;               // f, as it is to be; NULL as long as nothing has changed
+    IrFn *copy;               // the modified copy of f; NULL as long as nothing has changed
     uint32_t *preds;
     bool counts;
 } Straight;
 
-// Whether every value of a counter's type is a number of this one: then x + 0 is x on it.  A stored integer of 64 bits is a number.
+// Whether `type` can represent every value of a counter's type: then x + 0 is x in it.  A stored 64-bit integer is always exactly an F64.
 static bool holds(SmType type, SmType counter)
 {
     const bool wide = sm_type_info[counter].bytes == 8;
@@ -59,7 +60,8 @@ static bool counts_by(const Straight *s, uint32_t counter, IrRef x, IrRef one, S
     return value->op == IR_load && value->var == counter && is_one(&s->f->ins.at[set->one]);
 }
 
-// Whether `store` counts its variable by one, up or down: a local, which may be stored when the condition does not hold as well.
+// Whether `store` counts its variable by one, up or down.  The variable must be a local, which can be stored when the condition is false,
+// too.
 static bool is_count(const Straight *s, const IrIns *store, Setting *set)
 {
     const IrVar *v = &s->m->var.at[store->var];
@@ -102,7 +104,7 @@ static bool add_setting(const Straight *s, IrRef r, Arm *arm)
     return is_truth(s, store, set) || is_count(s, store, set);
 }
 
-// Reads block b as an arm; false if it does anything else.
+// Reads block b as an arm; returns false if it does anything else.
 static bool read_arm(const Straight *s, IrBlkRef b, Arm *arm)
 {
     const IrBlk *blk = &s->f->blk.at[b];
@@ -121,7 +123,7 @@ static bool read_arm(const Straight *s, IrBlkRef b, Arm *arm)
     return fits;
 }
 
-// A truth needs one in the other arm; a counter must be left alone there.
+// A variable set to a boolean needs the same in the other arm; a counter must not occur there.
 static bool agree(const Arm *arm, const Arm *other)
 {
     for (unsigned i = 0; i < arm->n; i++) {
@@ -132,7 +134,7 @@ static bool agree(const Arm *arm, const Arm *other)
     return true;
 }
 
-// The arms of the conditional that ends block b, one of them maybe empty, if it only says which.
+// Finds the arms of the conditional that ends block b, one of which can be empty.  Returns whether it only chooses values.
 static bool find_arms(const Straight *s, IrBlkRef b, Arm *then, Arm *other)
 {
     const IrJump *j = &s->f->blk.at[b].jump;
@@ -173,7 +175,8 @@ static IrRef negation(Straight *s, IrBlkRef b, IrRef cond)
     return ir_emit(s->arena, s->copy, b, i);
 }
 
-// What the arm works out, behind block b; what it counts by is one where `cond` holds and nothing where it does not.
+// Moves the arm's computations to the end of block b.  The constant `one` of a counter becomes the conversion of `cond`: 1 if it is true,
+// otherwise 0.
 static void move_values(Straight *s, IrBlkRef b, const Arm *arm, IrRef cond)
 {
     const IrBlk *from = &s->f->blk.at[arm->blk];
@@ -237,7 +240,7 @@ const IrFn *fn_straight(CUnit *u, const IrFn *f)
     Arm then, other;
 
     for (IrBlkRef b = (IrBlkRef)f->blk.n; b-- > 0;)
-        if (s.preds[b] > 0 && find_arms(&s, b, &then, &other))       // a block that nobody reaches takes no arms from others
+        if (s.preds[b] > 0 && find_arms(&s, b, &then, &other))       // an unreachable block must not take arms from others
             straighten(&s, b, &then, &other);
     return s.copy ? s.copy : f;
 }

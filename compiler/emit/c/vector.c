@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A state vector for the flight runtime (runtime-c/statevec.h): its storage, the tables that describe it, and two functions for each
-// element.  They take the lock of a vector that has one; without, they are what an access to the member is.
+// element.  If the vector has a lock, they acquire it; otherwise they are plain accesses to the member.
 #include "compiler/emit/c/unit.h"
 
-// What the functions take and give.
+// The type of parameter and result of these functions.
 static const char *value_type(const CUnit *u, SmType type) { return type == SM_F64 ? "SmF64" : c_type_of(u, type); }
 
 // ---- the header ----
@@ -50,7 +50,7 @@ static void put_variables(const CUnit *u, const StateVec *sv, const CVectorNames
     put_enum(out, n->region, sv->region.n, format_in(u->arena, "%s_REGIONS", u->names.macro));
 }
 
-// A region from and to its place in a copy of the vector: no buffer that could be too small, no cast.
+// Functions that copy a region from and to its offset in a copy of the vector: no buffer that could be too small, no cast.
 static void put_region(const CUnit *u, const char *region, const char *reader, const char *writer, uint32_t offset, Buf *out)
 {
     const char *p = u->names.prefix, *type = u->names.sv_type;
@@ -73,7 +73,7 @@ void put_vector_interface(const CUnit *u, const StateVec *sv, const CVectorNames
     buf_str(out, "// A whole region, in one go, from and to its members in a copy of the vector; the others are left as they are.\n\n");
     for (size_t r = 0; r < sv->region.n; r++)
         put_region(u, n->region[r], n->reader[r], n->writer[r], sv->region.at[r]->offset, out);
-    out->n--;                        // the blank line behind the last
+    out->n--;                        // the blank line after the last one
     out->at[out->n] = '\0';
 }
 

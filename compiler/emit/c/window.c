@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rolling windows in emitted C: an array of words for each, and calls into stdlib/roll.h whose size and kind are constants, so
-// that a compiler makes each of them for the one window.
+// Rolling windows in emitted C: an array of words for each, and calls into stdlib/roll.h.  Size and kind are constants, so that a compiler
+// specialises each call for its window.
 #include "compiler/emit/c/fn.h"
 #include "stdlib/roll.h"
 
@@ -46,7 +46,7 @@ bool window_reads_nan(const CFn *fn, const IrIns *i)
     return (type == SM_ROLL_F32 || type == SM_ROLL_F64) && (uint32_t)fn->f->ins.at[i->a].type == type;
 }
 
-// The key of a sample, which is a number of the window's type: an integer is its own.
+// Writes the key of a sample, which is a number of the window's type.  An integer is its own key.
 static void put_key(CFn *fn, IrRef r, SmType type)
 {
     const SmType from = fn->f->ins.at[r].type;
@@ -63,7 +63,7 @@ static void put_key(CFn *fn, IrRef r, SmType type)
         buf_char(&fn->line, ')');
 }
 
-// Which of roll.h's functions takes a sample.
+// The function of roll.h that adds a sample.
 static const char *push_helper(const IrWindow *w)
 {
     if (w->stats & 1u << SM_STAT_MEDIAN)
@@ -95,7 +95,7 @@ void put_sample(CFn *fn, const IrIns *i)
     end_line(fn);
 }
 
-// ---- statistics: a function each, called from as many places as ask ----
+// ---- statistics: one function for each, called wherever it is read ----
 
 static const char *const stat_name[SM_STAT_COUNT] = { "avg", "median", "min", "max", "range" };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much memory a rolling window takes in emitted C that is compiled with SM_ROLL_SMALL.
+// The memory for a rolling window in emitted C that is compiled with SM_ROLL_SMALL.
 #define SM_ROLL_SMALL 1
 #include "compiler/emit/c/unit.h"
 #include "stdlib/roll.h"
