@@ -132,7 +132,7 @@ static SmResult open_memory(SmKeep *k)
     return r;
 }
 
-// ---- what is kept ----
+// ---- reading slots ----
 
 // Reads slot 0 or 1 into its half of the buffer.  Returns whether it is intact and of this layout.
 static bool read_slot(SmKeep *k, uint8_t which)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analog inputs: channel n is An, 10 bits of the supply, 5 V.  Analog outputs: channel n is pin n, a PWM of 976 Hz between 0 and 5 V; what
-// wants a voltage puts a resistor and a capacitor behind it.
+// Analog inputs: channel n is pin An, 10 bits, relative to the supply of 5 V.  Analog outputs: channel n is pin n, a PWM of 976 Hz
+// between 0 and 5 V.  A resistor and a capacitor at the pin turn it into a voltage.
 #include "runtime-c/pal/aio.h"
 
 #include "runtime-c/psl/avr/avr.h"
@@ -10,13 +10,13 @@
 #include <util/atomic.h>
 
 enum { DDR = 1, PORT = 2, OUTPUT = AVR_ANALOGS };
-// Channels, whose handles are one more: inputs, and from OUTPUT on the rows of avr_pwms.
+// Channel indexes; the handle is the index plus 1.  Inputs come first.  From OUTPUT on, they are the rows of avr_pwms.
 
 #define SUPPLY 5000000                         // microvolts
 
 static void pwm_of(uint8_t channel, AvrPwm *p) { memcpy_P(p, &avr_pwms[(uint8_t)(channel - OUTPUT)], sizeof *p); }
 
-static uint8_t row_of(uint16_t pin)            // AVR_PWMS: it has none
+static uint8_t row_of(uint16_t pin)            // AVR_PWMS: the pin has no PWM
 {
     uint8_t row = 0;
 
@@ -48,11 +48,11 @@ static SmResult open_input(PalAio *channel, uint16_t number)
         return SM_E_MISSING;
     r = take(channel, (uint8_t)number, (uint8_t)(AVR_ANALOG_FIRST + number));
     if (r == SM_OK)
-        ADCSRA = 1 << ADEN | 7 << ADPS0;       // 125 kHz
+        ADCSRA = 1 << ADEN | 7 << ADPS0;       // 125 kHz ADC clock
     return r;
 }
 
-// 8 bits, from the crystal through 64: timer 2 counts up to its end, the wide ones to 255.
+// 8-bit PWM, clocked at 16 MHz / 64.  Timer 2 counts to its maximum, the 16-bit timers to 255.
 static void start_timer(const AvrPwm *p)
 {
     const bool narrow = p->control == _SFR_ADDR(TCCR2A);
@@ -124,13 +124,13 @@ SmResult pal_aio_read(PalAio channel, int32_t *millionths)
     ADCSRB = (uint8_t)(n >> 3 << MUX5);
 #endif
     ADCSRA |= 1 << ADSC;
-    while (ADCSRA & 1 << ADSC)                 // 13 cycles of its clock
+    while (ADCSRA & 1 << ADSC)                 // 13 cycles of the ADC clock
         ;
     *millionths = (int32_t)((uint32_t)ADC * (SUPPLY / 64) >> 4);
     return SM_OK;
 }
 
-// At both ends no timer is asked: a PWM of 0 still has pulses.
+// At both ends of the range the timer is disconnected, because a PWM with duty 0 still has pulses.
 static void set(const AvrPwm *p, uint8_t duty)
 {
     volatile uint8_t *port;
@@ -140,14 +140,14 @@ static void set(const AvrPwm *p, uint8_t duty)
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
     {
         if (p->control != _SFR_ADDR(TCCR2A))
-            *reg(p->compare + 1) = 0;          // the high byte waits for the low one
+            *reg(p->compare + 1) = 0;          // the high byte is buffered until the low one is written
         *reg(p->compare) = duty;
         *reg(p->control) = (uint8_t)(duty == 0 || duty == 255 ? *reg(p->control) & ~p->connect : *reg(p->control) | p->connect);
         port[PORT] = (uint8_t)(duty == 255 ? port[PORT] | mask : port[PORT] & ~mask);
     }
 }
 
-// Of 255, rounded: divided bit by bit, in half the time and half the code of gcc's division.
+// The duty of 255, rounded.  The division bit by bit takes half the time and half the code of gcc's division.
 static uint8_t duty_of(uint32_t millionths)
 {
     uint32_t left = millionths * 51 + SUPPLY / 10, part = SUPPLY / 5 * UINT32_C(128);
@@ -189,7 +189,7 @@ uint8_t avr_pin_place(uint16_t number, uint8_t kind)
     if ((kind & 3) == 0)
         return number < AVR_ANALOGS ? (uint8_t)(AVR_ANALOG_FIRST + number) : AVR_NO_PIN;
     if (kind & 16)
-        return AVR_NO_PIN;                     // there are no such resistors
+        return AVR_NO_PIN;                     // there are no pull-down resistors
     return (kind & 2 ? number >= AVR_LINE && number < AVR_PINS : row_of(number) < AVR_PWMS) ? (uint8_t)number : AVR_NO_PIN;
 }
 

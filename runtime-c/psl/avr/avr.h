@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the files of this platform share, and what a firmware for AVR may use beyond the PAL: it runs its control steps in the clock's
-// interrupt, and the line and the EEPROM behind them.
+// Internal to this platform, and used by firmware for AVR that needs more than the PAL.  Such firmware runs its control steps in
+// the clock's interrupt.  The serial line and the EEPROM have lower priority.
 #ifndef PSL_AVR_H
 #define PSL_AVR_H
 
@@ -9,17 +9,17 @@
 
 #include "stdlib/result.h"
 
-// The chips of Uno and Mega; elsewhere these files are there, and empty.  Another one is a table in board.h, too.
+// The chips of Uno and Mega.  For other chips these files compile to nothing.  A new chip also needs a table in board.h.
 #if defined(__AVR_ATmega328P__) || defined(__AVR_ATmega2560__)
 #define PSL_AVR
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
-// ---- clock: timer 0, a millisecond a tick (so the pins of timer 0 have no PWM) ----
+// ---- clock: timer 0 with a period of 1 ms (so its pins have no PWM) ----
 
-void avr_clock_start(void (*tick)(void));              // `tick`, or NULL, is called every millisecond in the interrupt
-uint32_t avr_milliseconds(void);                       // since then, modulo 2^32
-uint16_t avr_fine(void);                               // in units of 4 microseconds, modulo 2^16; with interrupts off
+void avr_clock_start(void (*tick)(void));              // the interrupt calls `tick`, unless NULL, every ms
+uint32_t avr_milliseconds(void);                       // since the start of the clock, modulo 2^32
+uint16_t avr_fine(void);                               // in units of 4 microseconds, modulo 2^16; call with interrupts off
 
 // ---- pins: one owner each, digital or analog ----
 
@@ -28,19 +28,20 @@ uint16_t avr_fine(void);                               // in units of 4 microsec
 #else
 #define AVR_PINS 20
 #endif
-#define AVR_LINE 2            // pins 0 and 1 are the serial line's
+#define AVR_LINE 2            // pins 0 and 1 belong to the serial line
 #define AVR_NO_PIN 0xffu
-// The digital number of what an analog channel, too, is a pin of.  AVR_NO_PIN: there is none, or the serial line has it.
-uint8_t avr_pin_place(uint16_t number, uint8_t kind);         // 1: an output, 2: digital, 16: pulled down
-SmResult avr_pin_take(uint8_t number);                 // SM_E_BUSY: it is taken, or the serial line has it
+// The number of the digital pin that a pin or analog channel uses.  AVR_NO_PIN: it does not exist, or belongs to the serial line.
+uint8_t avr_pin_place(uint16_t number, uint8_t kind);         // kind: 1: output, 2: digital, 16: pull-down
+SmResult avr_pin_take(uint8_t number);                 // SM_E_BUSY: in use, or the serial line's
 void avr_pin_free(uint8_t number);
-bool avr_pin_taken(uint8_t number);                    // behind the pins are numbers for what else is taken: analog channels
-volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask);         // the port's PIN; DDR and PORT stand behind it
+bool avr_pin_taken(uint8_t number);                    // numbers from AVR_PINS on are analog channels
+volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask);         // the port's PIN register; DDR and PORT follow it
 
 // ---- EEPROM ----
 
-// A byte takes 3.4 ms to be written, and until then none can be read.  Before each, `may` is asked with interrupts off until it says
-// yes: what must read in time says no when it is soon to do so.  NULL: always.
+// A byte takes 3.4 ms to write, and no byte can be read meanwhile.  Before each write, `may` is called with interrupts off,
+// repeatedly until it returns true.  Code that reads the EEPROM in real time returns false shortly before it reads.  NULL: always
+// allowed.
 void avr_eeprom_ask(bool (*may)(void));
 
 static inline uint8_t avr_eeprom_read(uint16_t at)
@@ -52,7 +53,8 @@ static inline uint8_t avr_eeprom_read(uint16_t at)
     return EEDR;
 }
 
-// An interrupt that reads: around all its reads.  What was interrupted may have been about to.
+// An interrupt handler that reads the EEPROM calls these two around its reads.  They restore the address and the data of a read that
+// the interrupt may have interrupted.
 static inline uint16_t avr_eeprom_enter(void) { return EEAR; }
 static inline void avr_eeprom_leave(uint16_t address)
 {
@@ -64,7 +66,7 @@ static inline void avr_eeprom_leave(uint16_t address)
 
 // ---- the end ----
 
-void avr_restart(void) __attribute__((noreturn));      // from the reset vector on; pins keep their levels until they are opened
+void avr_restart(void) __attribute__((noreturn));      // jumps to the reset vector; pins keep their levels until they are opened
 
 #endif
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which pin of which port has which number on the board, and what can make a PWM.  Numbers are Arduino's: Uno and Mega.
+// The port and bit of each pin, and which pins have PWM.  Numbers are those of Arduino Uno and Mega.
 #ifndef PSL_AVR_BOARD_H
 #define PSL_AVR_BOARD_H
 
@@ -8,7 +8,7 @@
 #include <avr/pgmspace.h>
 #include <stdint.h>
 
-// A port's registers stand in threes: PIN, DDR, PORT; those of H to L behind the others.
+// Each port has three registers, PIN, DDR and PORT, in this order.  The ports H to L are at higher addresses.
 enum { AVR_PORT_LOW = 0x20, AVR_PORT_HIGH = 0x100, AVR_PORTS_LOW = 7 };
 enum { AVR_A, AVR_B, AVR_C, AVR_D, AVR_E, AVR_F, AVR_G, AVR_H, AVR_J, AVR_K, AVR_L };
 
@@ -16,7 +16,7 @@ enum { AVR_A, AVR_B, AVR_C, AVR_D, AVR_E, AVR_F, AVR_G, AVR_H, AVR_J, AVR_K, AVR
 #define AVR_UP(port) AVR_P(port, 0), AVR_P(port, 1), AVR_P(port, 2), AVR_P(port, 3), AVR_P(port, 4), AVR_P(port, 5), AVR_P(port, 6), AVR_P(port, 7)
 #define AVR_DOWN(port) AVR_P(port, 7), AVR_P(port, 6), AVR_P(port, 5), AVR_P(port, 4), AVR_P(port, 3), AVR_P(port, 2), AVR_P(port, 1), AVR_P(port, 0)
 
-// A pin with PWM: the timer's TCCRnA (TCCRnB stands behind it), its compare register, the bit that connects them.
+// A pin with PWM: its timer's register TCCRnA (TCCRnB follows it), its compare register, and the bit that connects the two.
 typedef struct AvrPwm { uint8_t pin; uint16_t control, compare; uint8_t connect; } AvrPwm;
 enum { AVR_COM_A = 0x80, AVR_COM_B = 0x20, AVR_COM_C = 0x08 };
 #define AVR_PWM(pin, timer, unit) {pin, _SFR_ADDR(TCCR##timer##A), _SFR_ADDR(OCR##timer##unit), AVR_COM_##unit}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The clock: timer 0 counts 4 µs at a time and begins anew every millisecond.
+// The clock: timer 0 counts in steps of 4 µs and restarts every millisecond.
 #include "runtime-c/pal/clock.h"
 
 #include "runtime-c/psl/avr/avr.h"
@@ -8,10 +8,10 @@
 #include <avr/sleep.h>
 #include <util/atomic.h>
 
-enum { STEPS = 250, STEP = 4 };        // of the timer in a millisecond; microseconds in each
+enum { STEPS = 250, STEP = 4 };        // timer steps in a millisecond; microseconds in a step
 
 static volatile uint32_t milliseconds;
-static volatile uint16_t wraps;        // of these
+static volatile uint16_t wraps;        // how often `milliseconds` wrapped around
 static void (*each)(void);
 
 ISR(TIMER0_COMPA_vect)
@@ -25,7 +25,7 @@ ISR(TIMER0_COMPA_vect)
 void avr_clock_start(void (*tick)(void))
 {
     each = tick;
-    TCCR0A = 1 << WGM01;               // up to OCR0A
+    TCCR0A = 1 << WGM01;               // counts up to OCR0A
     OCR0A = STEPS - 1;
     TCNT0 = 0;
     TIFR0 = 1 << OCF0A;
@@ -41,7 +41,7 @@ uint32_t avr_milliseconds(void)
     return now;
 }
 
-// The timer, and one more millisecond where it has begun anew and nobody has counted that yet.
+// Reads the timer. *more is 1 if it has restarted and the interrupt has not counted that millisecond yet.
 static uint8_t timer(uint8_t *more)
 {
     uint8_t t = TCNT0;
@@ -77,7 +77,7 @@ SmResult pal_clock_resolution(uint64_t *ns)
 {
     if (!ns)
         return SM_E_ARGUMENT;
-    if (TCCR0B == 0) {                 // nobody has started it
+    if (TCCR0B == 0) {                 // not started yet
         avr_clock_start(0);
         sei();
     }

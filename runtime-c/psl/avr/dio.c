@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Digital pins by Arduino's numbers; pin n has handle n + 1.
+// Digital pins by Arduino pin number; pin n has handle n + 1.
 #include "runtime-c/pal/dio.h"
 
 #include "runtime-c/psl/avr/avr.h"
@@ -8,7 +8,7 @@
 #ifdef PSL_AVR
 #include <util/atomic.h>
 
-enum { DDR = 1, PORT = 2 };                    // registers behind PIN
+enum { DDR = 1, PORT = 2 };                    // offsets of registers from PIN
 
 static uint8_t taken[(AVR_PINS + AVR_ANALOGS + AVR_PWMS + 7) / 8] = {(1 << AVR_LINE) - 1};
 
@@ -63,7 +63,7 @@ SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
         return r;
     port = avr_pin_port((uint8_t)number, &mask);
     if (mode != PAL_DIO_OUTPUT)
-        put(port + DDR, mask, false);          // as an output it would drive the level of the pull-up
+        put(port + DDR, mask, false);          // otherwise an output would drive the level of the pull-up
     put(port + PORT, mask, mode == PAL_DIO_OUTPUT ? level : mode == PAL_DIO_PULL_UP);
     put(port + DDR, mask, mode == PAL_DIO_OUTPUT);
     pin->id = (uint8_t)(number + 1);
@@ -100,7 +100,7 @@ SmResult pal_dio_write(PalDio pin, bool level)
     return SM_OK;
 }
 
-// An output keeps its level.
+// An output keeps its level after the close.
 SmResult pal_dio_close(PalDio pin)
 {
     if (!is_open(pin))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Locks mask interrupts.  Locks are given back in the opposite order of taking: the first that is taken keeps what was before.
+// Locks mask interrupts.  They are released in the reverse order of taking, so only the first one saves the interrupt flag.
 #include "runtime-c/pal/lock.h"
 
 #include "runtime-c/psl/avr/avr.h"
@@ -8,7 +8,7 @@
 #ifdef PSL_AVR
 
 static bool used[PAL_LOCKS], held[PAL_LOCKS];
-static uint8_t depth, before;          // locks held; the interrupt flag before the first of them
+static uint8_t depth, before;          // number of held locks; the interrupt flag before the first of them
 
 SmResult pal_lock_open(PalLock *lock)
 {

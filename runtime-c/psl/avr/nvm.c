@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// "eeprom": byte by byte, each when whoever reads in time agrees (avr.h).  A byte that is there already is not written.
+// "eeprom": written byte by byte, each when real-time readers permit it (avr.h).  A byte that already has the value is not written.
 #include "runtime-c/pal/nvm.h"
 
 #include <string.h>
@@ -63,7 +63,7 @@ SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
     return r;
 }
 
-// Whether it could be begun.  From the look whether it may be to the beginning no interrupt comes in between.
+// Starts a write if permitted.  Interrupts are off from the check to the start.
 static bool begin(uint16_t at, uint8_t byte)
 {
     const uint8_t flags = SREG;
@@ -75,7 +75,7 @@ static bool begin(uint16_t at, uint8_t byte)
         EEAR = at;
         EEDR = byte;
         EECR = 1 << EEMPE;
-        EECR |= 1 << EEPE;             // within four cycles
+        EECR |= 1 << EEPE;             // must follow within four cycles
     }
     SREG = flags;
     return may;

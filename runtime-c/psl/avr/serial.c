@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// "Serial": the line of the USB socket.  An interrupt puts what arrives into a ring; what is sent is waited for.
+// "Serial": the line of the USB connector.  An interrupt stores received bytes in a ring.  Sending waits until all bytes are
+// accepted.
 #include "runtime-c/pal/serial.h"
 
 #include <string.h>
@@ -11,14 +12,14 @@
 #include <util/atomic.h>
 
 #ifndef AVR_SERIAL_RING
-#define AVR_SERIAL_RING 128            // bytes, a power of two, 256 at most
+#define AVR_SERIAL_RING 128            // bytes, a power of two, at most 256
 #endif
 
-static volatile uint8_t ring[AVR_SERIAL_RING], head, tail;     // head: where the next goes
+static volatile uint8_t ring[AVR_SERIAL_RING], head, tail;     // head: index for the next byte
 static bool open;
 
 #ifdef USART0_RX_vect
-#define ARRIVED USART0_RX_vect          // a Mega has four
+#define ARRIVED USART0_RX_vect          // a Mega has four serial lines
 #else
 #define ARRIVED USART_RX_vect
 #endif
@@ -51,7 +52,7 @@ SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_se
     return SM_OK;
 }
 
-// A byte of 1200 bits a second takes 8 ms: no timeout is needed, the chip does not stop sending.
+// A byte at 1200 bits per second takes 8 ms.  No timeout is needed, because the chip never stops sending.
 SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
 {
     const uint8_t *from = bytes;
@@ -64,7 +65,7 @@ SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *se
     for (; *sent < n; ++*sent) {
         UCSR0A = 1 << TXC0 | 1 << U2X0;
         UDR0 = *from++;
-        while ((UCSR0A & 1 << UDRE0) == 0)         // waited for behind each: before the first, simavr does not say it where the line was
+        while ((UCSR0A & 1 << UDRE0) == 0)         // wait after each byte: before the first, simavr does not set UDRE0 if the line was
             ;                                      // switched off, as Arduino's core does at its start
     }
     return SM_OK;

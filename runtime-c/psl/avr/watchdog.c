@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chip's watchdog.  After it has bitten it runs on with its shortest period: it is stopped before anything else begins.
+// The chip's watchdog.  After it has fired it keeps running with its shortest period, so it is stopped before any other start-up
+// code.
 #include "runtime-c/pal/watchdog.h"
 
 #include "runtime-c/psl/avr/avr.h"
@@ -9,7 +10,7 @@
 
 enum { LONGEST = WDTO_8S };
 
-static uint8_t why __attribute__((section(".noinit")));        // what started the chip; 0: a boot loader has taken it
+static uint8_t why __attribute__((section(".noinit")));        // cause of the reset; 0: a boot loader has cleared it
 static bool running;
 
 static void look(void) __attribute__((naked, used, section(".init3")));
@@ -20,7 +21,7 @@ static void look(void)
     wdt_disable();
 }
 
-// The periods are 16 ms and its doubles.  (Without a loop: of a period that is a constant the compiler finds its own.)
+// The periods are 16 ms times powers of two.  (Without a loop, the compiler can evaluate a constant period.)
 #define PERIOD(i) ((uint64_t)16 * PAL_MILLISECOND << (i))
 #define ABOVE(i) (period > PERIOD(i))
 

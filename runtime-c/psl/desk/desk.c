@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What sim_reset starts anew and a desk does not: a console, memories and logs that are real.
+// Empty resets for the parts that are real and not simulated on a desk: console, memories and logs.
 #include "runtime-c/psl/sim/world.h"
 
 void sim_console_reset(void)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analog channels: the IIO subsystem through sysfs, one file a value.  Channel 1000 × device + channel is voltage or else current
-// `channel` of iio:device`device`.  What the file says becomes millivolts or milliamperes as (raw + offset) × scale.
+// Analog channels: the IIO subsystem through sysfs, which has one file for each value.  Channel 1000 × device + channel is voltage
+// `channel` of iio:device`device`, or else its current `channel`.  (raw + offset) × scale is in millivolts or milliamperes.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -14,18 +14,18 @@
 #define CHANNELS_OF_A_DEVICE 1000u
 
 typedef struct Entry {
-    int fd;                   // the raw value's file
+    int fd;                   // the file of the raw value
     bool output;
     uint16_t number;
-    double offset, scale;     // scale: millionths a step
+    double offset, scale;     // scale: millionths per step
 } Entry;
 
 static bool used[PAL_AIOS];
 static Entry entries[PAL_AIOS];
 
-// ---- texts of sysfs ----
+// ---- sysfs values ----
 
-// A decimal number at the start of a text, whatever the locale; 0 where there is none.
+// Parses a decimal number at the start of `text`, independent of the locale; 0 if there is none.
 static double number_in(const char *text)
 {
     double x = 0, unit = 1;
@@ -64,7 +64,7 @@ static SmResult write_number(int fd, long long x)
     return pwrite(fd, text, (size_t)n, 0) == n ? SM_OK : errno == EINVAL ? SM_E_DEVICE : psl_result(errno);
 }
 
-// Opens DEVICE/NAME of the channel's device; -1 and errno if there is none.
+// Opens the file `name` of the channel's device.  Returns -1 and sets errno on failure.
 static int open_file(uint16_t number, const char *name, int flags)
 {
     char path[PAL_NAME + 64];
@@ -73,7 +73,7 @@ static int open_file(uint16_t number, const char *name, int flags)
     return open(path, flags | O_CLOEXEC);
 }
 
-// The channel's own number of a kind ("in_voltage3_scale"), or the device's ("in_voltage_scale"), or the one given.
+// Reads a setting of the channel ("in_voltage3_scale"), else of its device ("in_voltage_scale"), else returns `otherwise`.
 static double setting(uint16_t number, const char *what, const char *kind, double otherwise)
 {
     char name[64];
@@ -166,7 +166,7 @@ SmResult pal_aio_info(PalAio channel, PalAioInfo *info)
     if (!psl_table_holds(used, PAL_AIOS, channel.id))
         return SM_E_HANDLE;
     step = entries[channel.id - 1].scale < 0 ? -entries[channel.id - 1].scale : entries[channel.id - 1].scale;
-    info->lowest = INT32_MIN;                             // sysfs tells the range of few channels
+    info->lowest = INT32_MIN;                             // sysfs reports the range of few channels only
     info->highest = INT32_MAX;
     info->step = step >= UINT32_MAX ? UINT32_MAX : (uint32_t)step;
     return SM_OK;

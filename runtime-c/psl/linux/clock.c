@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The clock: CLOCK_MONOTONIC, which no change of the time of day touches.  Its rate is trimmed by at most 500 ppm where a
-// time server is followed.  It stands still while the computer is suspended.
+// The clock: CLOCK_MONOTONIC, which ignores changes of the time of day.  A time server adjusts its rate by at most 500 ppm.  It
+// stops while the computer is suspended.
 #define _GNU_SOURCE
 #include <errno.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console: standard output.  It may be a terminal, a pipe or a file; where it would make us wait, text is dropped.
+// The console: standard output, which may be a terminal, a pipe or a file.  Text is dropped if a write would block.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -9,11 +9,11 @@
 #include "runtime-c/pal/console.h"
 #include "runtime-c/psl/linux/linux.h"
 
-// A pipe that is ready takes so many bytes at once without waiting (PIPE_BUF of POSIX), and does not mix them with others.
+// A pipe that is ready accepts this many bytes at once without blocking and without interleaving (PIPE_BUF of POSIX).
 #define CHUNK 512u
 
-// A terminal that is ready takes one byte, perhaps no more.  So it is opened once more, not to be waited for; standard output
-// itself may be shared with programs that would not expect that of it.
+// A terminal that is ready may accept only one byte before it blocks.  So the terminal is opened again in non-blocking mode.
+// Standard output itself may be shared with programs that expect blocking mode.
 static int open_console(void)
 {
     int fd = isatty(STDOUT_FILENO) ? open("/proc/self/fd/1", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC) : -1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Digital pins: lines of the GPIO character devices, version 2 of their interface (Linux 5.10).  Pin 1000 × chip + line is line
-// `line` of /dev/gpiochip`chip`.  Each open pin keeps its line to itself; when the program ends, however it ends, the kernel
-// frees the lines, and most drivers leave an output as it is.
-// A driver that has no pull resistors ignores the wish for one: then an input that nothing is connected to floats.
+// Digital pins: lines of the GPIO character devices, interface version 2 (Linux 5.10).  Pin 1000 × chip + line is line `line` of
+// /dev/gpiochip`chip`.  An open pin has exclusive use of its line.  When the program ends, for any reason, the kernel frees the
+// lines.  Most drivers then leave an output unchanged.  A driver without pull resistors ignores a request for one, and an
+// unconnected input then floats.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -18,7 +18,7 @@
 #define LINES_OF_A_CHIP 1000u
 
 typedef struct Entry {
-    int fd;                   // the line, as the kernel hands it out
+    int fd;                   // file descriptor of the line
     bool output;
 } Entry;
 
@@ -36,7 +36,7 @@ static uint64_t flags_of(PalDioMode mode)
     return 0;
 }
 
-// Asks a chip for a line; the level is part of the request, so an output never has another.
+// Requests a line from a chip.  The level is part of the request, so an output never has another level.
 static SmResult request(int chip, uint32_t line, PalDioMode mode, bool level, int *fd)
 {
     struct gpiochip_info info;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the files of this platform share.
+// Functions shared by the files of this platform.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -84,7 +84,7 @@ SmResult psl_wait(int fd, short events, uint64_t deadline)
     }
 }
 
-// The name of the folder that a path is in; to: PAL_NAME bytes.
+// Stores the folder of `path` in `to`, which has PAL_NAME bytes.
 static void folder_of(char *to, const char *path)
 {
     char *slash;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the files of this platform share: one lock for the tables, the system's errors as results, waiting for a descriptor.
+// Internal to this platform: a mutex for the tables, conversion of errno to results, waiting for a file descriptor.
 #ifndef PSL_LINUX_H
 #define PSL_LINUX_H
 
@@ -8,7 +8,7 @@
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/psl/table.h"
 
-// Where the system shows its devices; tests put a folder of their own there.
+// Paths of the system's devices; tests replace them with folders of their own.
 #ifndef PSL_LINUX_GPIO
 #define PSL_LINUX_GPIO "/dev/gpiochip"
 #endif
@@ -19,23 +19,25 @@
 #define PSL_LINUX_WATCHDOG "/dev/watchdog"
 #endif
 
-// Taken while a table is searched and an entry filled in or freed.
+// Lock and unlock the mutex.  It must be locked while a table is searched and an entry is filled in or freed.
 void psl_guard(void);
 void psl_unguard(void);
 
-// An entry of a table by itself (table.h): what fills it in may take its time, as nobody else has it.
+// Takes an entry of a table (table.h) with the mutex locked only during this call.  The caller may then fill in the entry slowly,
+// because no other thread has its handle yet.
 uint8_t psl_take(bool *used, uint8_t size);
 void psl_release(bool *used, uint8_t id);
 
-// An errno as a result; SM_E_DEVICE for those that the PAL has no number for.
+// Converts an errno to a result; SM_E_DEVICE for an error without a PAL code.
 SmResult psl_result(int error);
 
 struct timespec psl_timespec(uint64_t ns);
 
-// Waits until `events` (of poll) are there or the clock shows `deadline`: SM_OK, SM_E_TIMEOUT.  A descriptor that hung up is ready.
+// Waits until one of `events` (of poll) occurs or the clock reaches `deadline`.  Returns SM_OK, SM_E_TIMEOUT or an error.  A
+// descriptor that was hung up counts as ready.
 SmResult psl_wait(int fd, short events, uint64_t deadline);
 
-// Waits until the folder that `path` is in knows its files: 0, or an errno.
+// Waits until the entries of the folder that contains `path` are on the medium (fsync).  Returns 0 or an errno.
 int psl_sync_folder(const char *path);
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Locks: a word that holds its holder's thread number, 0 while it is free.  A free one is taken, and one that nobody waits for given back,
-// by one exchange; the kernel queues those that wait and lends the holder their priority (futex(2), "priority-inheritance futexes").
+// Locks: a word that contains the thread id of its holder, or 0 while it is free.  Taking a free lock, and releasing one without
+// waiters, is one atomic exchange.  With contention, the kernel queues the waiters and lends their priority to the holder
+// (futex(2), "priority-inheritance futexes").
 #define _GNU_SOURCE
 #include <errno.h>
 #include <linux/futex.h>
@@ -12,19 +13,19 @@
 #include "runtime-c/psl/linux/linux.h"
 
 #ifndef FUTEX_LOCK_PI2
-#define FUTEX_LOCK_PI2 13         // since Linux 5.14; headers may be older
+#define FUTEX_LOCK_PI2 13         // since Linux 5.14; older headers lack it
 #endif
 
 static bool used[PAL_LOCKS];
 static uint32_t words[PAL_LOCKS];
-static __thread uint32_t own;     // the caller's thread number; 0: not asked for yet
+static __thread uint32_t own;     // the caller's thread id; 0: not yet requested
 
 static void forget(void)
 {
     own = 0;
 }
 
-// A child process has another number than the thread that made it.
+// A child process has another thread id than the thread that forked it.
 static void watch_forks(void)
 {
     pthread_atfork(NULL, NULL, forget);
@@ -55,7 +56,7 @@ static bool take(uint32_t *word)
     return __atomic_compare_exchange_n(word, &nobody, self(), false, __ATOMIC_ACQUIRE, __ATOMIC_RELAXED);
 }
 
-// When nobody waits, that is; else the kernel has to.
+// Succeeds only without waiters; otherwise the kernel must release the lock.
 static bool give(uint32_t *word)
 {
     uint32_t alone = self();
@@ -89,7 +90,8 @@ SmResult pal_lock_close(PalLock lock)
     return r;
 }
 
-// A kernel before 5.14 counts on the time of day, which may be set while it waits: the caller asks our own clock.
+// Kernels before 5.14 measure the timeout by the time of day, which may be set during the wait.  The caller therefore checks the
+// monotonic clock.
 static int wait_by_the_day(uint32_t *word, uint64_t left)
 {
     struct timespec end, more = psl_timespec(left);
@@ -100,7 +102,7 @@ static int wait_by_the_day(uint32_t *word, uint64_t left)
     return futex(word, FUTEX_LOCK_PI, &end);
 }
 
-// A holder whose thread has ended (ESRCH) will not give it back.
+// A holder whose thread has ended (ESRCH) will never release the lock.
 static SmResult wait(uint32_t *word, uint64_t deadline)
 {
     const struct timespec end = psl_timespec(deadline);
@@ -113,11 +115,11 @@ static SmResult wait(uint32_t *word, uint64_t deadline)
         if (error == ENOSYS)
             error = wait_by_the_day(word, now < deadline ? deadline - now : 0);
     } while ((error == ETIMEDOUT || error == EAGAIN || error == EINTR) && now < deadline);
-    (void)holder(word);                                   // with this we see what the last holder wrote
+    (void)holder(word);                                   // acquire: makes the writes of the last holder visible
     return error == ESRCH ? SM_E_TIMEOUT : psl_result(error);
 }
 
-// One that somebody holds.  Not inlined: what it keeps in registers, taking a free one would have to save.
+// Takes a lock that is held.  Not inlined, because its register use would slow down taking a free lock.
 __attribute__((noinline)) static SmResult take_held(uint32_t *word, uint64_t timeout)
 {
     uint64_t deadline = pal_clock_now() + timeout;
@@ -130,7 +132,7 @@ __attribute__((noinline)) static SmResult take_held(uint32_t *word, uint64_t tim
     return timeout == 0 ? SM_E_TIMEOUT : wait(word, deadline);
 }
 
-// A free one is taken without a look at the clock: that is how it is nearly always.
+// Takes a free lock without reading the clock, which is the usual case.
 SmResult pal_lock_take(PalLock lock, uint64_t timeout)
 {
     if (timeout > PAL_TIMEOUT_MAX)
@@ -140,7 +142,7 @@ SmResult pal_lock_take(PalLock lock, uint64_t timeout)
     return take(&words[lock.id - 1]) ? SM_OK : take_held(&words[lock.id - 1], timeout);
 }
 
-// The thread sanitizer, which does not see the kernel, sees an exchange that changes nothing.
+// The exchange changes nothing.  It shows the release to the thread sanitizer, which does not see the system call.
 __attribute__((noinline)) static SmResult give_to_another(uint32_t *word)
 {
     if (holder(word) != self())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that only grow: regular files, opened to append.  The system's lock on the file keeps other programs out as long as it is open.
+// Append-only files: regular files opened with O_APPEND.  While a file is open, its flock keeps other programs out.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -15,7 +15,7 @@
 static bool used[PAL_LOGS];
 static int descriptors[PAL_LOGS];
 
-// O_NONBLOCK: a pipe without a reader is refused rather than waited for.
+// O_NONBLOCK: a pipe without a reader fails immediately.
 static SmResult open_file(const char *name, int *fd)
 {
     *fd = open(name, O_RDWR | O_APPEND | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0644);
@@ -24,7 +24,7 @@ static SmResult open_file(const char *name, int *fd)
     return errno == EISDIR || errno == ENXIO || errno == ENODEV ? SM_E_UNSUPPORTED : psl_result(errno);
 }
 
-// A regular file that nobody else has, with its name on the medium.
+// Checks that the file is regular, locks it, and makes sure that its directory entry is on the medium.
 static SmResult claim(int fd, const char *name)
 {
     struct stat s;
@@ -52,8 +52,8 @@ static SmResult enter(uint8_t id, const char *name)
     return r;
 }
 
-// A file that has grown to its limit (ulimit -f) is refused, as a full medium is; what the system does unless told otherwise is to
-// end the program.
+// Ignores SIGXFSZ if it has the default action, which ends the program.  A file at its size limit (ulimit -f) then fails like a
+// full medium.
 static void refuse_large_files(void)
 {
     struct sigaction now;
@@ -106,7 +106,7 @@ SmResult pal_log_sync(PalLogFile file)
 {
     if (!psl_table_holds(used, PAL_LOGS, file.id))
         return SM_E_HANDLE;
-    while (fdatasync(descriptors[file.id - 1]) != 0)          // the new length as well: without it the bytes could not be read
+    while (fdatasync(descriptors[file.id - 1]) != 0)          // also writes the new length, which is needed to read the bytes
         if (errno != EINTR)
             return psl_result(errno);
     return SM_OK;

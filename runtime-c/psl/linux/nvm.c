@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Non-volatile memory: a regular file.  Each write makes a new file beside the old one (NAME.new), waits until it is on the
-// medium, gives it the old one's name and waits for the folder: after a power cut the file is the old one or the new one as a
-// whole, on every file system that renames at once (all journalled ones).  A write costs a copy of the memory: fit for some
-// kilobytes of settings and counters, not for a log.
+// Non-volatile memory: a regular file.  Each write replaces the file:
+// 1. Write a new file NAME.new beside the old one, and wait until it is on the medium.
+// 2. Rename it to the old name.
+// 3. Wait until the folder is on the medium.
+// After a power cut the file is entirely the old or entirely the new one, on every file system with atomic rename (all journaling
+// ones).  A write costs a copy of the memory, so this suits some kilobytes of settings and counters, but not a log.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -18,12 +20,12 @@
 #define BLANK 0xff
 
 typedef struct Entry {
-    int fd;                   // holds the system's lock on the file as long as it is open
+    int fd;                   // keeps the flock on the file while it is open
     uint32_t size;
     char path[PAL_NAME];
 } Entry;
 
-// What is to be stored: n bytes from place `at` on, blank ones where bytes is NULL.
+// Bytes to store: n bytes at address `at`; blank ones if `bytes` is NULL.
 typedef struct Change {
     uint32_t at, n;
     const uint8_t *bytes;
@@ -65,7 +67,7 @@ static int write_all(int fd, const uint8_t *from, size_t n)
     return 0;
 }
 
-// The file's size, or -1 if it is no regular file or beyond what a place can count.
+// The file's size, or -1 if it is not a regular file or exceeds the address range.
 static int64_t size_of(int fd)
 {
     struct stat s;
@@ -73,16 +75,16 @@ static int64_t size_of(int fd)
     return fstat(fd, &s) == 0 && S_ISREG(s.st_mode) && s.st_size <= INT32_MAX ? (int64_t)s.st_size : -1;
 }
 
-// ---- a new file in place of the old one ----
+// ---- replacing the file ----
 
 static void lay_over(uint8_t *block, uint32_t at, uint32_t n, const Change *c)
 {
     for (uint32_t i = 0; i < n; i++)
-        if (at + i - c->at < c->n)                         // at + i ≥ c->at as well: the difference wraps
+        if (at + i - c->at < c->n)                         // also implies at + i ≥ c->at: the difference wraps around
             block[i] = c->bytes ? c->bytes[at + i - c->at] : BLANK;
 }
 
-// Copies the first `size` bytes of `old`, blank where it is shorter, with the change laid over them.
+// Copies the first `size` bytes of `old` with the change applied.  Bytes after the end of `old` are blank.
 static int copy(int to, int old, uint32_t old_size, uint32_t size, const Change *c)
 {
     uint8_t block[512];
@@ -101,7 +103,7 @@ static int copy(int to, int old, uint32_t old_size, uint32_t size, const Change 
     return error;
 }
 
-// An empty NAME.new that nobody else has.
+// Opens NAME.new, empty and locked.
 static int open_new(const char *name, int *error)
 {
     int fd = open(name, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
@@ -115,7 +117,7 @@ static int open_new(const char *name, int *error)
     return fd;
 }
 
-// Replaces the file by one with the change; e->fd is -1 where there is none yet.
+// Replaces the file by a copy with the change.  If no file exists yet, e->fd is -1.
 static int replace(Entry *e, uint32_t old_size, const Change *c)
 {
     char name[PAL_NAME + 4];
@@ -141,7 +143,7 @@ static int replace(Entry *e, uint32_t old_size, const Change *c)
 
 // ---- opening ----
 
-// Whether the locked file still has its name: another program may have replaced it in between.
+// Whether the locked file still has its name: another program may have replaced it meanwhile.
 static bool is_current(int fd, const char *path)
 {
     struct stat a, b;
@@ -161,7 +163,7 @@ static SmResult open_old(Entry *e, int64_t *size)
     return flock(e->fd, LOCK_EX | LOCK_NB) == 0 && is_current(e->fd, e->path) ? SM_OK : SM_E_BUSY;
 }
 
-// Fills in an entry that has been taken.
+// Fills in a new entry.
 static SmResult enter(Entry *e, const char *path, uint32_t size)
 {
     const Change nothing = {0, 0, NULL};
@@ -189,7 +191,7 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
         return SM_E_SPACE;
     id = psl_take(used, PAL_NVMS);
     if (id != 0)
-        r = enter(&entries[id - 1], name, size);           // takes its time: nobody else has to wait for it
+        r = enter(&entries[id - 1], name, size);           // slow; the table is not locked meanwhile
     if (r == SM_OK)
         memory->id = id;
     else if (id != 0)
@@ -212,7 +214,7 @@ SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
     return SM_OK;
 }
 
-// Whether the handle is open and the range within.
+// Checks that the handle is open and the range is valid.
 static SmResult look(PalNvm memory, uint32_t at, uint32_t n)
 {
     if (!psl_table_holds(used, PAL_NVMS, memory.id))

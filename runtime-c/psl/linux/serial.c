@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Serial lines: terminal devices (/dev/ttyS0, /dev/ttyUSB0), set to pass every byte as it is.
+// Serial lines: terminal devices (/dev/ttyS0, /dev/ttyUSB0) in raw mode.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -25,7 +25,7 @@ static const struct {
     {1000000, B1000000}, {1500000, B1500000}, {2000000, B2000000}, {3000000, B3000000}, {4000000, B4000000},
 };
 
-// B0, which hangs up, for a speed that there is not.
+// Returns B0, which means hang up, for an unsupported speed.
 static speed_t speed_of(uint32_t bits_per_second)
 {
     for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++)
@@ -34,7 +34,7 @@ static speed_t speed_of(uint32_t bits_per_second)
     return B0;
 }
 
-// tcsetattr is content if it could do anything at all: what came of the speed is looked at again.
+// tcsetattr succeeds if it could make any of the changes, so the resulting speed is checked afterwards.
 static SmResult set_up(int fd, speed_t speed)
 {
     struct termios t;
@@ -43,7 +43,7 @@ static SmResult set_up(int fd, speed_t speed)
         return psl_result(errno);
     cfmakeraw(&t);
     t.c_cflag &= ~(tcflag_t)(CSTOPB | CRTSCTS);
-    t.c_cflag |= CLOCAL | CREAD;                           // no modem to wait for
+    t.c_cflag |= CLOCAL | CREAD;                           // ignore modem control lines
     t.c_iflag &= ~(tcflag_t)(IXOFF | IXANY);
     if (cfsetspeed(&t, speed) != 0 || tcsetattr(fd, TCSANOW, &t) != 0 || tcgetattr(fd, &t) != 0)
         return psl_result(errno);
@@ -60,7 +60,7 @@ static SmResult open_line(const char *name, speed_t speed, int *fd)
         return psl_result(errno);
     r = !isatty(*fd) ? SM_E_UNSUPPORTED : flock(*fd, LOCK_EX | LOCK_NB) != 0 ? SM_E_BUSY : set_up(*fd, speed);
     if (r == SM_OK)
-        ioctl(*fd, TIOCEXCL);                             // also against programs that do not lock
+        ioctl(*fd, TIOCEXCL);                             // excludes programs that do not use flock
     else
         close(*fd);
     return r;
@@ -86,7 +86,7 @@ SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_se
     return r;
 }
 
-// A line that hung up reads as ended or as EIO.
+// A read from a line that hung up returns 0 or fails with EIO.
 static SmResult failed(ssize_t got)
 {
     return got == 0 || errno == EIO ? SM_E_CLOSED : psl_result(errno);
@@ -147,7 +147,7 @@ SmResult pal_serial_close(PalSerial line)
 
     psl_guard();
     if (psl_table_holds(used, PAL_SERIALS, line.id)) {
-        tcflush(lines[line.id - 1], TCOFLUSH);            // or close would wait until all has gone
+        tcflush(lines[line.id - 1], TCOFLUSH);            // otherwise close waits until all bytes are transmitted
         close(lines[line.id - 1]);
         used[line.id - 1] = false;
         r = SM_OK;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sockets: those of the system, never blocking; whoever waits does so in psl_wait.
+// Sockets: non-blocking sockets of the system.  All waiting happens in psl_wait.
 #define _GNU_SOURCE
 #include <arpa/inet.h>
 #include <errno.h>
@@ -32,7 +32,7 @@ static struct sockaddr_in to_system(const PalAddress *a)
     memset(&s, 0, sizeof s);
     s.sin_family = AF_INET;
     s.sin_port = htons(a->port);
-    memcpy(&s.sin_addr, a->ip, sizeof a->ip);              // both in the order in which they are written
+    memcpy(&s.sin_addr, a->ip, sizeof a->ip);              // both are in written order (network byte order)
     return s;
 }
 
@@ -47,7 +47,7 @@ static PalAddress from_system(const struct sockaddr_in *s)
 
 // ---- the table ----
 
-// Whether the handle is open and of that kind; *fd is its descriptor.
+// Checks that the handle is open and of the given kind; *fd receives its descriptor.
 static SmResult look(PalSocket socket, Kind kind, int *fd)
 {
     if (!psl_table_holds(used, PAL_SOCKETS, socket.id))
@@ -75,7 +75,7 @@ static void release(uint8_t id)
     psl_unguard();
 }
 
-// Gives the descriptor to the entry, or closes it where r says that it is of no use.
+// If r is SM_OK, stores the descriptor in the entry.  Otherwise closes the descriptor and frees the entry.
 static SmResult settle(PalSocket *s, uint8_t id, int fd, Kind kind, SmResult r)
 {
     if (r == SM_OK) {
@@ -129,7 +129,7 @@ SmResult pal_socket_udp(PalSocket *s, const PalAddress *own)
     return settle(s, id, fd, DATAGRAMS, r);
 }
 
-// The port of a program that has just ended may be taken again at once.
+// SO_REUSEADDR: the port of a program that has just ended is immediately available again.
 SmResult pal_socket_listen(PalSocket *s, const PalAddress *own)
 {
     uint8_t id;
@@ -150,7 +150,7 @@ SmResult pal_socket_listen(PalSocket *s, const PalAddress *own)
     return settle(s, id, fd, LISTENING, r);
 }
 
-// Whether the connection that was begun is there.
+// Waits until the pending connection is established.
 static SmResult connected(int fd, uint64_t deadline)
 {
     SmResult r = psl_wait(fd, POLLOUT, deadline);
@@ -190,7 +190,7 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
     return settle(stream, id, fd, STREAM, r == SM_E_CLOSED ? SM_E_UNREACHABLE : r);
 }
 
-// Who connected and went away again before we looked is not worth a word: wait for the next.
+// Ignores a peer that disconnected before it was accepted, and waits for the next one.
 static SmResult accept_one(int listening, int *fd, struct sockaddr_in *a, uint64_t deadline)
 {
     for (;;) {
@@ -253,7 +253,7 @@ SmResult pal_socket_send_to(PalSocket s, const PalAddress *to, const void *bytes
     return SM_OK;
 }
 
-// Of a stream whose peer no longer answers the system says that it timed out or cannot be reached.
+// For a stream whose peer no longer answers, the system reports a timeout or an unreachable host.
 static SmResult lost(int error)
 {
     SmResult r = psl_result(error);
@@ -261,7 +261,7 @@ static SmResult lost(int error)
     return r == SM_E_TIMEOUT || r == SM_E_UNREACHABLE ? SM_E_CLOSED : r;
 }
 
-// Receives on what is ready or becomes so; -1 with *r set when it does not.
+// Waits until the socket is ready and receives.  On failure returns -1 and sets *r.
 static ssize_t receive(int fd, struct msghdr *m, uint64_t deadline, SmResult *r)
 {
     for (;;) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Threads: SCHED_FIFO where it is permitted (root, CAP_SYS_NICE or a limit on rtprio), else ordinary ones.  Stacks have a guard
-// page: one that overflows ends the program instead of overwriting its neighbour.
+// Threads: SCHED_FIFO if permitted (root, CAP_SYS_NICE or an rtprio limit), otherwise ordinary scheduling.  Stacks have a guard
+// page, so that an overflow ends the program instead of overwriting adjacent memory.
 #define _GNU_SOURCE
 #include <alloca.h>
 #include <errno.h>
@@ -21,13 +21,13 @@ typedef struct Entry {
     PalThreadMain *run;
     void *argument;
     bool realtime, joining, ended;
-    size_t settle;            // bytes of its stack, if it is a real-time thread
+    size_t settle;            // stack size in bytes of a real-time thread; 0 for others
 } Entry;
 
 static bool used[PAL_THREADS];
 static Entry entries[PAL_THREADS];
 
-// Both for `ended` and what else changes of an entry.
+// Both protect `ended` and the other changing fields of an entry.
 static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t changed;
 static pthread_once_t once = PTHREAD_ONCE_INIT;
@@ -42,8 +42,8 @@ static void start(void)
     pthread_condattr_destroy(&kind);
 }
 
-// A real-time thread does not wait for memory: most of its stack is touched, and what the program has by now stays in memory where
-// that is permitted.  (What it may ask for later does not: beyond a limit that would be refused.)
+// Prevents page faults in a real-time thread: touches most of its stack, and locks the program's present memory if permitted.
+// (Memory allocated later is not locked: beyond a limit, the allocation would fail.)
 static void settle(size_t stack)
 {
     const size_t page = 4096, n = stack / 4 * 3;
@@ -106,7 +106,7 @@ static void name(pthread_t thread, const char *text)
     }
 }
 
-// With the mutex held: the entry's creator and its joiner see all of it or nothing.
+// Called with the mutex held, so that the creator and the joiner never see a partial entry.
 static SmResult create(Entry *e, const PalThreadPlan *plan)
 {
     int error = launch(e, plan, plan->priority > 0);
@@ -144,7 +144,7 @@ SmResult pal_thread_create(PalThread *thread, const PalThreadPlan *plan, PalThre
     return r;
 }
 
-// With the mutex held; lets go of it while it waits.
+// Called with the mutex held; releases it while waiting.
 static SmResult wait(Entry *e, uint64_t deadline)
 {
     struct timespec end = psl_timespec(deadline);
@@ -171,7 +171,7 @@ SmResult pal_thread_join(PalThread thread, uint64_t timeout)
         r = wait(&entries[thread.id - 1], deadline);
     if (r == SM_OK) {
         pthread_mutex_unlock(&mutex);
-        pthread_join(entries[thread.id - 1].thread, NULL);     // it has run to its end: this takes no time
+        pthread_join(entries[thread.id - 1].thread, NULL);     // the thread has ended, so this does not wait
         pthread_mutex_lock(&mutex);
         used[thread.id - 1] = false;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The watchdog: /dev/watchdog, hardware that restarts the computer.  Periods are whole seconds.  A driver that is set to run for
-// ever (nowayout) runs on after stop, which Linux does not tell us; one that cannot be stopped at all is asked first.
-// A program that merely ends does not stop it: the computer restarts, which is what a watchdog is for.
+// The watchdog: /dev/watchdog, hardware that restarts the computer.  Periods are whole seconds. pal_watchdog_stop asks the driver
+// whether it can be stopped at all.  A driver with nowayout continues to run after a stop, which Linux does not report.  Ending the
+// program does not stop the watchdog: the computer restarts, which is the purpose of a watchdog.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -14,14 +14,14 @@
 #include "runtime-c/pal/watchdog.h"
 #include "runtime-c/psl/linux/linux.h"
 
-// Where the kernel says why the computer started; asking the device itself would start the watchdog.
+// The file in which the kernel reports the cause of the start.  Opening the device itself would start the watchdog.
 #ifndef PSL_LINUX_BOOTSTATUS
 #define PSL_LINUX_BOOTSTATUS "/sys/class/watchdog/watchdog0/bootstatus"
 #endif
 
 static int device = -1;
 
-// 'V' before the close says that it is meant.
+// A 'V' before the close tells the driver that the stop is intended.
 static void stop(void)
 {
     while (write(device, "V", 1) < 0 && errno == EINTR) {}

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The watchdog where there is no hardware for it: a timer of the kernel that kills the program (SIGKILL, which no
-// program can put off).  Who starts it again is whoever started it: systemd, a shell loop.  Does not help against a
-// kernel that hangs.
+// The watchdog without hardware: a kernel timer that kills the program (SIGKILL, which cannot be blocked).  The program's
+// supervisor must restart it: systemd, a shell loop.  It does not protect against a kernel that hangs.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <signal.h>

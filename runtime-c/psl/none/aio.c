@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No analog channels here.
+// Platform without analog channels.
 #include "runtime-c/pal/aio.h"
 
 SmResult pal_aio_open(PalAio *channel, uint16_t number, PalAioMode mode)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No clock here: time stands still at 0.
+// Platform without a clock: the time is always 0.
 #include "runtime-c/pal/clock.h"
 
 SmResult pal_clock_resolution(uint64_t *ns)

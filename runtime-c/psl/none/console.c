@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No console here.
+// Platform without a console.
 #include "runtime-c/pal/console.h"
 
 SmResult pal_console_write(const char *text, size_t n)

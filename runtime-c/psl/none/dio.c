@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No digital pins here.
+// Platform without digital pins.
 #include "runtime-c/pal/dio.h"
 
 SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No locks here.
+// Platform without locks.
 #include "runtime-c/pal/lock.h"
 
 SmResult pal_lock_open(PalLock *lock)

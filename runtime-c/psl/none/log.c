@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No files here.
+// Platform without files.
 #include "runtime-c/pal/log.h"
 
 SmResult pal_log_open(PalLogFile *file, const char *name)

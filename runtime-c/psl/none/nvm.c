@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No non-volatile memory here.
+// Platform without non-volatile memory.
 #include "runtime-c/pal/nvm.h"
 
 SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)

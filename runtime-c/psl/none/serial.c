@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No serial lines here.
+// Platform without serial lines.
 #include "runtime-c/pal/serial.h"
 
 SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_second)

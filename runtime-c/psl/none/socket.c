@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No network here.
+// Platform without a network.
 #include "runtime-c/pal/socket.h"
 
 SmResult pal_socket_udp(PalSocket *socket, const PalAddress *own)

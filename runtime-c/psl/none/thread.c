@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One thread here.
+// Platform with only one thread.
 #include "runtime-c/pal/thread.h"
 
 SmResult pal_thread_create(PalThread *thread, const PalThreadPlan *plan, PalThreadMain *run, void *argument)

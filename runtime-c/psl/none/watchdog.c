@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No watchdog here.
+// Platform without a watchdog.
 #include "runtime-c/pal/watchdog.h"
 
 SmResult pal_watchdog_start(uint64_t period, uint64_t *actual)

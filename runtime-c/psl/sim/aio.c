@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulated analog channels, 0 to 15: ±10 V in steps of 5 µV, as an instrument might have.
+// Simulated analog channels, 0 to 15: ±10 V with a resolution of 5 µV, like a typical instrument.
 #include <string.h>
 
 #include "runtime-c/pal/aio.h"
@@ -12,7 +12,7 @@
 static struct {
     bool open;
     int32_t value;
-    uint16_t source;          // 1 more than the channel it is wired to; 0: none
+    uint16_t source;          // 1 + number of the channel that it is wired to; 0: none
 } channels[CHANNELS];
 
 static bool used[PAL_AIOS];

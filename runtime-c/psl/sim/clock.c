@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated clock: stands still until somebody sleeps, waits, or a test moves it.
+// The simulated clock: the time advances only in a sleep, in a wait, or when a test advances it.
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/psl/sim/world.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated console: keeps the text for the test.
+// The simulated console: stores the text for the test.
 #include <string.h>
 
 #include "runtime-c/pal/console.h"

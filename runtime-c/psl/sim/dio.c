@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulated digital pins, 0 to SIM_PINS - 1.  A pin has what drives it from outside and, as an output, what it drives itself.
+// Simulated digital pins, 0 to SIM_PINS - 1.  A pin has an external level and, as an output, its own level.
 #include <string.h>
 
 #include "runtime-c/pal/dio.h"
@@ -7,9 +7,9 @@
 
 typedef struct Pin {
     bool open, output, level;      // level: of an output
-    bool driven, outside;          // whether somebody drives it, and how
+    bool driven, outside;          // whether it is driven externally, and the external level
     bool pulled_up;
-    uint16_t source;               // 1 more than the pin it is wired to; 0: none
+    uint16_t source;               // 1 + number of the pin that it is wired to; 0: none
     uint32_t edges;
 } Pin;
 
@@ -23,7 +23,7 @@ void sim_dio_reset(void)
     memset(used, 0, sizeof used);
 }
 
-// What stands at a pin that drives nothing itself.  A wire leads to an output, not to another wire.
+// The level at a pin that is not an output.  A wire connects to an output, not to another wire.
 static bool arriving(const Pin *p)
 {
     if (p->source != 0 && pins[p->source - 1].output)
@@ -122,7 +122,7 @@ SmResult pal_dio_write(PalDio pin, bool level)
     return r;
 }
 
-// An output keeps its level, as most hardware does.
+// An output keeps its level after the close, as on most hardware.
 SmResult pal_dio_close(PalDio pin)
 {
     if (!psl_table_holds(used, PAL_DIOS, pin.id))

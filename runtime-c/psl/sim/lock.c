@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulated locks: there is one thread, so a lock that is held is held by the caller.
+// Simulated locks.  There is only one thread, so a held lock is always held by the caller.
 #include <string.h>
 
 #include "runtime-c/pal/lock.h"
@@ -37,7 +37,7 @@ SmResult pal_lock_close(PalLock lock)
     return SM_OK;
 }
 
-// A test that wants SM_E_TIMEOUT asks for it (sim_fail).
+// Returns SM_E_TIMEOUT only if a test requests it with sim_fail.
 SmResult pal_lock_take(PalLock lock, uint64_t timeout)
 {
     SmResult r;

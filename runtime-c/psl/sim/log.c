@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulated logs: bytes in memory, under any name.  A medium that is full takes what still fits; so does one whose power goes, and one
-// byte more that may be anything.
+// Simulated logs: bytes in memory, under any name.  A full medium accepts the bytes that still fit.  A power cut stores the bytes
+// before the cut and one more byte with an undefined value.
 #include <string.h>
 
 #include "runtime-c/pal/log.h"
@@ -9,7 +9,7 @@
 #define TORN 0xa5
 
 static struct {
-    char name[PAL_NAME];      // "": none
+    char name[PAL_NAME];      // "": unused
     bool open;
     uint32_t size, synced;
     uint8_t bytes[SIM_LOG_SIZE];
@@ -36,7 +36,7 @@ void sim_log_power_on(void)
         logs[i].open = false;
 }
 
-// SIM_LOGS: there is none of that name.
+// The index of the log with that name; SIM_LOGS if there is none.
 static uint8_t find(const char *name)
 {
     uint8_t i = 0;
@@ -76,7 +76,7 @@ void sim_log_shrink(const char *name, size_t bytes)
 
 // ---- the PAL ----
 
-// The log of that name, or a new one.
+// Finds the log with that name, or an unused one.
 static SmResult find_or_make(const char *name, uint8_t *log)
 {
     *log = find(name);
@@ -95,7 +95,7 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
     if (!file || !name || name[0] == '\0' || strlen(name) >= PAL_NAME)
         return SM_E_ARGUMENT;
     if (strchr(name, '/'))
-        return SM_E_MISSING;                              // no folders here
+        return SM_E_MISSING;                              // there are no folders
     r = find_or_make(name, &log);
     if (r != SM_OK)
         return r;

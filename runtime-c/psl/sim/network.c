@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is under way between simulated sockets.
+// Data in transit between simulated sockets.
 #include <string.h>
 
 #include "runtime-c/pal/clock.h"
@@ -59,7 +59,7 @@ bool sim_air_send(const Datagram *d)
     bool flies = true;
 
     sent++;
-    if (is_turn(network.reorder) && !held.used) {          // waits for the next
+    if (is_turn(network.reorder) && !held.used) {          // held back until the next one is sent
         held = *d;
         held.used = true;
         return true;
@@ -90,7 +90,7 @@ static Datagram *earliest(const PalAddress *at)
     return next;
 }
 
-// Where no next one came, the one that waited for it goes on.
+// If no next datagram follows, the one that was held back for reordering is released.
 Datagram *sim_air_next(const PalAddress *at)
 {
     Datagram *next = earliest(at);

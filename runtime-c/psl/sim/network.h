@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is under way between simulated sockets: datagrams in the air, streams in their queues.  socket.c holds the sockets.
+// Data in transit between simulated sockets: datagrams and streams. socket.c contains the sockets.
 #ifndef PSL_SIM_NETWORK_H
 #define PSL_SIM_NETWORK_H
 
@@ -15,13 +15,13 @@ typedef struct Datagram {
 
 void sim_air_reset(void);
 
-// Sends a datagram through the air, with what may happen to it there.  False: the air is full; it is lost.
+// Sends a datagram, subject to the faults of SimNetwork.  Returns false if there are too many in transit; the datagram is lost.
 bool sim_air_send(const Datagram *d);
 
-// The next to arrive at an address, or NULL.  The caller clears `used` when it has taken it.
+// The next datagram for an address, or NULL.  The caller clears `used` after reading it.
 Datagram *sim_air_next(const PalAddress *at);
 
-// Whether what is sent to `to` comes to a socket at `own`.
+// Whether a message to `to` reaches a socket at `own`.
 bool sim_reaches(const PalAddress *to, const PalAddress *own);
 
 // ---- streams ----
@@ -30,30 +30,30 @@ bool sim_reaches(const PalAddress *to, const PalAddress *own);
 
 typedef struct Stream {
     bool used;
-    bool open[2];             // its ends: 0 connected, 1 accepted
-    uint8_t listening;        // the socket that has not accepted it yet; 0: none
+    bool open[2];             // its ends: 0 the connecting one, 1 the accepting one
+    uint8_t listening;        // the listening socket that has not accepted it yet; 0: none
     uint64_t order;
     PalAddress address[2];
-    size_t n[2];              // bytes on their way to each end
+    size_t n[2];              // bytes in transit to each end
     uint8_t bytes[2][SIM_STREAM_ROOM];
 } Stream;
 
 void sim_streams_reset(void);
 
-// A new stream with its near end open, or NULL if there is no room.
+// A new stream with end 0 open, or NULL if the table is full.
 Stream *sim_stream_new(uint8_t listening);
 
-// The oldest that waits for that socket, or NULL.
+// The oldest stream that waits for that listening socket, or NULL.
 Stream *sim_stream_waiting(uint8_t listening);
 
-// Puts bytes on their way to an end, as many as fit; takes those that have come there.
+// Put: sends bytes to an end, as many as fit.  Take: receives the bytes that arrived at an end.
 size_t sim_stream_put(Stream *s, int end, const void *bytes, size_t n);
 size_t sim_stream_take(Stream *s, int end, void *bytes, size_t room);
 
-// Closes an end; frees the stream with the last one.
+// Closes an end; frees the stream when both are closed.
 void sim_stream_close(Stream *s, int end);
 
-// The listening socket is gone: so are those that wait for it.
+// Called when a listening socket is closed: drops the streams that wait for it.
 void sim_streams_forget(uint8_t listening);
 
 #endif

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulated non-volatile memory: "eeprom", which takes any byte at any time, and "flash", which is written in units that must
-// have been erased.  A power cut stops a write in its middle and leaves one byte that may be anything.
+// Simulated non-volatile memory: "eeprom", in which any byte can be written at any time, and "flash", which is written in units
+// that must have been erased.  A power cut interrupts a write and leaves one byte with an undefined value.
 #include <string.h>
 
 #include "runtime-c/pal/nvm.h"
 #include "runtime-c/psl/sim/world.h"
 
 #define BLANK 0xff
-#define TORN  0xa5            // what the byte becomes in which the cut came: neither old nor new, if the test chose its bytes so
+#define TORN  0xa5            // value of the byte at which the power was cut; tests use other values, so it is neither old nor new
 
 static struct {
     const char *name;
@@ -144,7 +144,7 @@ SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
     return SM_OK;
 }
 
-// The bytes from place `at` on, if the handle is open and the range lies within and on multiples of `unit`.
+// Stores the address of byte `at` in *bytes.  Checks that the handle is open, and that the range is valid and aligned to `unit`.
 static SmResult look(PalNvm memory, uint32_t at, uint32_t n, uint32_t unit, uint8_t **bytes)
 {
     if (!psl_table_holds(used, PAL_NVMS, memory.id))
@@ -182,7 +182,7 @@ static bool is_blank(const uint8_t *bytes, uint32_t n)
     return true;
 }
 
-// Stores n bytes, blank ones where `bytes` is NULL, as far as the power lasts.
+// Stores n bytes, blank ones if `bytes` is NULL, until the power is cut.
 static SmResult store(uint8_t *here, const uint8_t *bytes, uint32_t n, SimCall call)
 {
     SmResult r = cut.gone ? SM_E_DEVICE : sim_enter(call);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulated serial lines, "serial0" and "serial1", of any usual speed: what is sent arrives at once, as far as there is room.
+// Simulated serial lines, "serial0" and "serial1", with any of the usual speeds.  Sent bytes arrive immediately while the buffer
+// has space.
 #include <string.h>
 
 #include "runtime-c/pal/clock.h"
@@ -51,7 +52,7 @@ static size_t take(Queue *q, void *bytes, size_t room)
 
 // ---- the far end ----
 
-// The line's number, or LINES.
+// The index of the line, or LINES if there is none of that name.
 static uint8_t find(const char *name)
 {
     return strcmp(name, "serial0") == 0 ? 0 : strcmp(name, "serial1") == 0 ? 1 : LINES;

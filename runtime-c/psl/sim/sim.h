@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated platform, for tests: the hand that moves its time, its pins and its lines, and that lets things fail.  One
-// thread; nothing is real, so a run is the same each time.
+// The simulated platform, for tests.  This header lets a test control time, pins and lines, and inject faults.  There is one
+// thread, and nothing depends on the real world, so a run is the same each time.
 //
 //     sim_reset();
 //     sim_wire(4, 7);                            // pin 7 follows pin 4
-//     sim_fail(SIM_dio_write, 2, SM_E_DEVICE);   // the third write from now says so and does nothing
-//     run_the_mission();                         // time moves when it sleeps or waits, by exactly as much
+//     sim_fail(SIM_dio_write, 2, SM_E_DEVICE);   // the third write from now fails with this result and does nothing
+//     run_the_mission();                         // a sleep or wait advances time by exactly its duration
 //     CHECK(sim_pin(4));
 #ifndef PSL_SIM_H
 #define PSL_SIM_H
@@ -17,12 +17,12 @@
 extern "C" {
 #endif
 
-// Everything as it is when a program starts: time at 1 s, nothing open, pins low, no faults, memories gone.
+// Restores the state of program start: time at 1 s, nothing open, pins low, no faults, memories and logs erased.
 void sim_reset(void);
 
 // ---- faults ----
 
-// The calls that can be made to fail or to take time: SIM_dio_write is pal_dio_write.
+// The calls for which a test can inject faults or delays: SIM_dio_write is pal_dio_write.
 typedef enum SimCall {
 #define SIM_CALL(name) SIM_##name,
 #include "runtime-c/psl/sim/calls.def"
@@ -30,65 +30,66 @@ typedef enum SimCall {
     SIM_CALLS
 } SimCall;
 
-// After `after` more calls of that kind, one gives `result` and does nothing.  A later sim_fail takes the place of this one.
+// After `after` more calls of that kind, one call fails with `result` and does nothing.  A later sim_fail replaces this one.
 void sim_fail(SimCall call, uint32_t after, SmResult result);
 
-// As sim_fail, and all after that one as well: the device is broken.  SM_OK mends it.
+// Like sim_fail, but all later calls fail too: the device is broken.  SM_OK repairs it.
 void sim_break(SimCall call, uint32_t after, SmResult result);
 
-// From now on each call of that kind takes so many nanoseconds.
+// From now on each call of that kind takes `ns` nanoseconds.
 void sim_delay(SimCall call, uint64_t ns);
 
-// How often such a call was made since sim_reset.
+// The number of calls of that kind since sim_reset.
 uint32_t sim_count(SimCall call);
 
 // ---- time ----
 
 void sim_advance(uint64_t ns);
 
-// Each sleep ends so much later than it should.
+// Each sleep ends `ns` nanoseconds late.
 void sim_oversleep(uint64_t ns);
 
-// The world outside: from now on, whatever moves time, `world` is called at every multiple of `period` nanoseconds from here, when
-// the clock shows just that, before whoever sleeps until then wakes.  It drives pins and looks at them; it must not wait or sleep.
-// NULL, or a period of 0: none.
+// Simulates the external world.  From now on `world` is called every `period` nanoseconds, whatever advances the time.  The clock
+// then shows exactly that time, and threads that sleep until then have not continued yet.  `world` may set and read pins, but must
+// not wait or sleep.  NULL or a period of 0 removes it.
 void sim_every(uint64_t period, void (*world)(void));
 
 // ---- the console ----
 
-// What was written since sim_reset, up to 4095 bytes of it.
+// The text written since sim_reset, at most 4095 bytes.
 const char *sim_console(void);
 
 // ---- digital and analog ----
 
 #define SIM_PINS 64
 
-// Drives an input from outside; a pin that is neither driven nor wired reads as its pull resistor says, low without one.
+// Drives a pin externally.  A pin that is neither driven nor wired reads as the level of its pull resistor, or low without one.
 void sim_drive(uint16_t pin, bool level);
 
-// Connects pin `from`, an output, to pin `to`; channels likewise.
+// Connects output pin `from` to pin `to`; likewise for analog channels.
 void sim_wire(uint16_t from, uint16_t to);
 void sim_wire_analog(uint16_t from, uint16_t to);
 
-// The level at a pin, as an oscilloscope would see it, and how often it has changed since sim_reset.
+// The level at a pin, as on an oscilloscope, and how often it has changed since sim_reset.
 bool sim_pin(uint16_t pin);
 uint32_t sim_edges(uint16_t pin);
 
-// What a channel measures; what an output was set to.
+// Sets the value that a channel measures; reads the value of an output.
 void sim_set_analog(uint16_t channel, int32_t millionths);
 int32_t sim_analog(uint16_t channel);
 
 // ---- serial ----
 
-// The far end of line "serial0" or "serial1": sends to it, takes what came from it (giving how much), pulls the plug or puts it
-// back.
+// The remote end of line "serial0" or "serial1": sends bytes to the program, receives the program's bytes (returning their number),
+// or unplugs and replugs the line.
 void sim_serial_send(const char *name, const void *bytes, size_t n);
 size_t sim_serial_take(const char *name, void *bytes, size_t room);
 void sim_serial_plug(const char *name, bool in);
 
 // ---- the network ----
 
-// All datagrams: each takes so long; of so many, counted from now, one is lost, comes twice, or comes after the next.  0: none.
+// Applies to all datagrams.  `delay` is their transit time in nanoseconds.  Of every `lose`, `repeat` or `reorder` datagrams,
+// counted from now, one is lost, arrives twice, or arrives after the next one.  0: none.
 typedef struct SimNetwork {
     uint64_t delay;
     uint32_t lose, repeat, reorder;
@@ -97,42 +98,43 @@ void sim_network(SimNetwork network);
 
 // ---- non-volatile memory ----
 
-// The kinds of memory: "eeprom" (each byte on its own, no erase), "flash" (writes of 8, erase 32 at a time, to 0xff).
+// The memories: "eeprom" (single bytes, no erase) and "flash" (writes of 8 bytes, erases of 32 bytes, to 0xff).
 #define SIM_NVM_SIZE 2048u
 
-// The power goes in the write, erase or append to a log that comes after `after` more of them, when `bytes` bytes of it are done (and
-// one byte more is anything).  That call and all after it give SM_E_DEVICE until sim_power_on, which closes all memories and
-// logs and keeps what they hold.
+// Cuts the power during a write, an erase or an append to a log, after `after` more of these calls.  The call stores `bytes` bytes,
+// and the byte after them becomes undefined.  It and all later ones return SM_E_DEVICE until sim_power_on. sim_power_on closes all
+// memories and logs and preserves their content.
 void sim_cut_power(uint32_t after, uint32_t bytes);
 void sim_power_on(void);
 
-// The SIM_NVM_SIZE bytes of a memory, to be looked at and damaged.
+// The SIM_NVM_SIZE bytes of a memory.  Tests may read and damage them.
 uint8_t *sim_nvm(const char *name);
 
-// From now on those of `bits` at a place of that memory read as `value` has them, whatever is written.  0 bits: it is mended.
+// From now on the bits in `bits` of byte `at` have the values in `value`, whatever is written.  `bits` = 0 repairs it.
 void sim_stick(const char *name, uint32_t at, uint8_t bits, uint8_t value);
 
 // ---- logs ----
 
-// How many there can be, and how many bytes each holds.
+// Maximum number of logs, and bytes in each.
 #define SIM_LOGS 2
 #ifndef SIM_LOG_SIZE
 #define SIM_LOG_SIZE 1048576u
 #endif
 
-// What the log of that name holds, *n bytes, until sim_reset; NULL: there is none.  How many of them a sync has brought to the medium.
+// The content of the log with that name, *n bytes, valid until sim_reset; NULL if there is none.  The number of bytes that a sync
+// has brought to the medium.
 const uint8_t *sim_log(const char *name, size_t *n);
 size_t sim_log_synced(const char *name);
 
-// From now on a log takes no more than so many bytes in all.
+// From now on a log accepts at most `bytes` bytes in total.
 void sim_log_space(uint32_t bytes);
 
-// The log of that name loses its end and has no more than so many bytes, as on a file system that was repaired.
+// Truncates the log with that name to at most `bytes` bytes, like the repair of a file system.
 void sim_log_shrink(const char *name, size_t bytes);
 
 // ---- the watchdog ----
 
-// Whether it has bitten: time went by without food.
+// Whether it has fired, because it was not fed in time.
 bool sim_watchdog_bitten(void);
 
 #ifdef __cplusplus

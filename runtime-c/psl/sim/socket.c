@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulated sockets.  This computer has the addresses 127.x.x.x and 10.x.x.x: a test plays the others of its network itself.
+// Simulated sockets.  The simulated computer has the addresses 127.x.x.x and 10.x.x.x.  A test simulates the other computers
+// itself.
 #include <string.h>
 
 #include "runtime-c/pal/clock.h"
@@ -54,7 +55,7 @@ static SmResult choose(PalAddress *a, Kind kind)
     return SM_OK;
 }
 
-// What others see as the sender: an address that is not "any".
+// The sender address that others see, which is never "any".
 static PalAddress shown(const PalAddress *own)
 {
     PalAddress a = *own;
@@ -68,7 +69,7 @@ static PalAddress shown(const PalAddress *own)
 
 // ---- opening ----
 
-// Takes an entry for a socket at `own`, or gives the reason why not.
+// Takes an entry for a socket at `own`, or returns the reason for the failure.
 static SmResult take(PalSocket *s, Kind kind, const PalAddress *own)
 {
     PalAddress a = *own;
@@ -150,7 +151,7 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
     return SM_OK;
 }
 
-// ---- looking up ----
+// ---- checking handles ----
 
 static SmResult look(PalSocket s, Kind kind, Entry **e)
 {

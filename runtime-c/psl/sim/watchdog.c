@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated watchdog: bites when time has gone by unfed, and remembers it; the program goes on, for the test to look.
+// The simulated watchdog: records that it was not fed in time.  The program continues, so that the test can check.
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/watchdog.h"
 #include "runtime-c/psl/sim/world.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated platform as a whole: starting anew, and faults on demand.
+// The simulated platform as a whole: reset and fault injection.
 #include <string.h>
 
 #include "runtime-c/psl/sim/world.h"
@@ -7,7 +7,7 @@
 static struct {
     uint32_t count, after;
     uint64_t delay;
-    SmResult result;          // SM_OK: none is to fail
+    SmResult result;          // SM_OK: no call fails
     bool for_good;
 } calls[SIM_CALLS];
 
