@@ -8,10 +8,10 @@ enum { WORD_BITS = 64 };
 
 typedef VEC(uint32_t) Numbers;
 
-// A load or store of a function.  Every function is looked at several times, and these are a fifth of its IR.
+// A load or store of a function.  Every function is visited several times, and only a fifth of its IR are accesses.
 typedef struct Access {
     uint32_t var;
-    uint32_t at;                  // in its block's list
+    uint32_t at;                  // index in its block's list
     IrBlkRef blk;
     bool store;
 } Access;
@@ -19,18 +19,18 @@ typedef VEC(Access) Accesses;
 
 struct Liveness {
     Analysis *a;
-    size_t words;                 // of a set: a bit for each variable of the IR that is written
-    uint32_t *bit;                // by IrVar; IR_NONE: it never is
+    size_t words;                 // words of a set: one bit for each variable of the IR that is written
+    uint32_t *bit;                // by IrVar; IR_NONE: it is never written
     Word *shown;                  // read at the end of each step
-    Word **begin[BLOCK_COUNT];    // by state: what is live when the block begins; of a missing one, when it would
-    Numbers *before, *after;      // by state: which states lead to it, and where it leads
+    Word **begin[BLOCK_COUNT];    // by state: what is live at the start of the block; for a missing block, where it would start
+    Numbers *before, *after;      // by state: the states that lead to it, and those that it leads to
     Accesses *access[BLOCK_COUNT];    // by state, in order
-    size_t blocks;                // how many of a function's `end` has room for
-    Word *end;                    // by block of the function at hand: what is live where it begins
-    uint32_t *queue;              // states to look at
+    size_t blocks;                // the number of blocks that `end` has room for
+    Word *end;                    // by block of the current function: what is live at its start
+    uint32_t *queue;              // states to visit
     bool *waits;
     size_t head, waiting;
-    size_t state;                 // at hand
+    size_t state;                 // the current state
     BlockKind block;
     void (*dead)(Analysis *a, const DeadStore *dead, void *context);
     void *context;
@@ -62,7 +62,7 @@ static void add(const Liveness *l, Word *set, const Word *more)
         set[w] |= more[w];
 }
 
-// True if it was another one.
+// Returns true if the set changed.
 static bool assign(const Liveness *l, Word *set, const Word *now)
 {
     const bool changed = memcmp(set, now, l->words * sizeof *set) != 0;
@@ -79,7 +79,7 @@ static void add_next_step(const Liveness *l, Word *set, size_t state, BlockKind 
     add(l, set, l->begin[block][state]);
 }
 
-// .exit does not know where the transition leads.
+// .exit does not know the target of the transition.
 static void add_after_exit(const Liveness *l, Word *set)
 {
     const Numbers *after = &l->after[l->state];
@@ -127,7 +127,7 @@ static void look_at_store(Liveness *l, const IrFn *f, const Access *store, Word 
     take(l, live, store->var);
 }
 
-// What is live where the function begins.
+// Returns what is live at the start of the function.
 static const Word *look_at_function(Liveness *l, const IrFn *f)
 {
     const Accesses *all = &l->access[l->block][l->state];
@@ -186,7 +186,7 @@ static uint32_t dequeue(Liveness *l)
     return state;
 }
 
-// What is live where .step begins is so too where it returns; of that nothing new comes to be live where it begins.
+// What is live at the start of .step is also live where it returns.  That adds nothing to what is live at its start.
 static void look_at_state(Liveness *l)
 {
     look_at_block(l, BLOCK_EXIT);

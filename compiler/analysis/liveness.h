@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which variables' values may still be read: backward over every function, and for locals over the states.
+// Which variables have values that may still be read: backward over every function, and for locals over the states.
 //
-// Elements are read by others at the end of each step; what windows sample is read when the next step begins.  Guards are not
-// evaluated: every path counts.
+// Other code reads the elements at the end of each step.  Windows read what they sample when the next step begins.  Guards are
+// not evaluated: every path counts.
 #ifndef SMC_LIVENESS_H
 #define SMC_LIVENESS_H
 
@@ -12,7 +12,7 @@ typedef struct Liveness Liveness;
 
 Liveness *liveness_of(Analysis *a);
 
-// Calls f for each store of a state that can be reached whose value nothing can read.
+// Calls f for each store, in a reachable state, whose value is never read.
 typedef struct DeadStore {
     size_t state;                 // from 0
     BlockKind block;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Waiting for one exact moment: T, G, or a local that is reckoned from them, compared by == or != with a moment that steps may
-// jump over.  Zero is none: T == 0 is a state's first step, G == start the step in which start was noted.  And limits of T that are
-// shorter than a step, or no whole numbers: seconds were meant where milliseconds are counted.
+// Waiting for one exact time: T, G, or a local computed from them is compared by == or != with a time that steps may jump over.
+// A difference of zero is not reported: T == 0 is a state's first step, G == start is the step in which start was stored.  Also
+// limits of T that are shorter than a step, or not whole numbers: the user probably meant seconds where milliseconds are
+// counted.
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/moments.h"
 #include "stdlib/math.h"
 
 typedef struct Look { Analysis *a; Moments m; } Look;
 
-// Neither side moves against the other by more than a plain copy does.
+// The difference of the two sides is zero apart from plain copies of the time.
 static bool is_beginning(const TimeSum *s)
 {
     const bool zero = sm_eq(s->number, sm_from_i32(0)) && !s->other;
@@ -16,7 +17,7 @@ static bool is_beginning(const TimeSum *s)
     return zero && (!s->shifted || !s->time);
 }
 
-// T == 5.5 is never: W0414 says so.
+// T == 5.5 is never true; W0414 reports it.
 static bool never_is(const Expr *time, const Expr *other)
 {
     const SmF64 x = expr_is_constant(other) ? const_eval(other) : sm_from_i32(0);
@@ -24,7 +25,7 @@ static bool never_is(const Expr *time, const Expr *other)
     return time->kind == EX_VAR && !sm_eq(x, sm_floor(x));
 }
 
-// T counts in whole steps where it is known how far they are apart.
+// T is a multiple of the step, if the step is known.
 static bool is_on_a_step(const Look *k, const Expr *time, const Expr *other)
 {
     double steps;
@@ -35,7 +36,7 @@ static bool is_on_a_step(const Look *k, const Expr *time, const Expr *other)
     return steps == sm_floor(steps);
 }
 
-// Whether a limit x of T tells steps apart as nobody wants to.  T >= 1 and T < 1 (`behind`) is about the first step.
+// Whether a limit x of T separates steps in an unlikely place.  T >= 1 and T < 1 (`behind`) are about the first step.
 static bool is_short(const Look *k, SmF64 x, bool behind)
 {
     const SmF64 one = sm_from_i32(1);

@@ -67,7 +67,7 @@ static TimeSum operator_sum(const Moments *m, const Expr *e)
     return time_difference(time_sum(m, e->arg[0]), b);
 }
 
-// As deep as expressions nest: AST_DEPTH_MAX bounds it.
+// Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
 TimeSum time_sum(const Moments *m, const Expr *e)
 {
     TimeSum s;
@@ -90,7 +90,7 @@ TimeSum time_sum(const Moments *m, const Expr *e)
 
 typedef struct Finder {
     Moments m;
-    bool *refused;            // by Var.index: something else is assigned to it too
+    bool *refused;            // by Var.index: it has another kind of assignment too
     uint8_t *found;
 } Finder;
 
@@ -126,7 +126,7 @@ static void look_at_stmts(Finder *f, const Stmts *stmts)
     }
 }
 
-// Twice: a moment may be worked out from another one.
+// Called twice, because a time may be computed from another one.
 static void find(Finder *f)
 {
     for (size_t s = 0; s < f->m.p->state.n; s++)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which locals hold moments: every assignment to them is the time, plus or minus something, or a plain number.
+// Which locals contain a time: every assignment to them is the time, plus or minus something, or a plain number.
 #ifndef SMC_MOMENTS_H
 #define SMC_MOMENTS_H
 
@@ -7,21 +7,21 @@
 
 typedef enum Moment {
     MOMENT_NONE,
-    MOMENT_COPY,              // of G or T, just as it was, or a difference of two such
-    MOMENT_SHIFTED            // something was added: a time to come, or one that is long past
+    MOMENT_COPY,              // of G or T, unchanged, or a difference of two such copies
+    MOMENT_SHIFTED            // something was added: a time in the future, or one that is long past
 } Moment;
 
 typedef struct Moments { const Program *p; uint8_t *of; } Moments;        // by Var.index
 
 Moments moments_of(Arena *arena, const Program *p);
 
-// An expression as a sum: what it says of time.
+// An expression as a sum: how it depends on time.
 typedef struct TimeSum {
-    bool linear;              // it is nothing but a sum of numbers and variables, scaled by constants
-    bool time;                // T or G is in it
-    bool moment;              // a local that holds a moment is
-    bool shifted;             // one that has been shifted is
-    bool other;               // another variable is
+    bool linear;              // it contains only numbers and variables, added and scaled by constants
+    bool time;                // it contains T or G
+    bool moment;              // it contains a local that holds a time
+    bool shifted;             // it contains a shifted one
+    bool other;               // it contains another variable
     bool scaled;              // time is multiplied or divided
     SmF64 number;             // the sum of its constants
 } TimeSum;

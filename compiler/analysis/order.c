@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// Locals that are read where nothing can have been stored in them yet, though a state that comes later stores something: the
-// assignment was meant to come first.
+// Locals that are read before any store to them can have been executed, although a later state stores to them: the assignment
+// was intended to come first.
 //
-// An initial value that is not 0 was chosen by somebody, so it is doubted only where it decides a guard once and for all.  A plain
-// copy (shown = phase) tells what there is, and what goes on from its own value, as a counter does, is meant to.
+// An initial value other than 0 was chosen by the author, so it is doubted only where it always decides a guard.  A plain copy
+// (shown = phase) publishes the current value.  A statement that reads the variable it assigns, as a counter does, is intended.
 #include <string.h>
 
 #include "compiler/analysis/analysis.h"
 #include "stdlib/convert.h"
 
 typedef uint64_t Word;
-enum { WORD_BITS = 64, STATES_TRIED = 1000 };      // how far the one that writes is looked for
+enum { WORD_BITS = 64, STATES_TRIED = 1000 };      // STATES_TRIED: limit of the search for the later store
 
 typedef VEC(const State *) States;
 
 typedef struct Order {
     Analysis *a;
-    uint32_t *bit;                // by Var.index; IR_NONE: not looked at
+    uint32_t *bit;                // by Var.index; IR_NONE: not checked
     size_t words;
     Word *stored[BLOCK_COUNT];    // by state, `words` each: what the block may store
-    Word *before, *after;         // by state: what may have been stored when it begins; what states behind it store
-    const States *next;           // by State.number: where it leads
-    Word *here;                   // what may have been stored when the statement at hand is executed
+    Word *before, *after;         // by state: what may have been stored when it begins; what later states store
+    const States *next;           // by State.number: the states that it leads to
+    Word *here;                   // what may have been stored when the current statement is executed
     bool *told;                   // by Var.index
-    uint32_t *seen, searches;     // by State.number: the last search that has come there
-    const State *state;           // at hand
+    uint32_t *seen, searches;     // by State.number: the last search that visited it
+    const State *state;           // the current state
     BlockKind block;
 } Order;
 
@@ -38,7 +38,7 @@ static bool has(const Order *o, const Word *set, uint32_t bit)
 
 static void put(Word *set, uint32_t bit) { set[bit / WORD_BITS] |= (Word)1 << bit % WORD_BITS; }
 
-// True if something new came.
+// Returns true if the set grew.
 static bool add(const Order *o, Word *set, const Word *more)
 {
     bool changed = false;
@@ -50,14 +50,14 @@ static bool add(const Order *o, Word *set, const Word *more)
     return changed;
 }
 
-// ---- which locals ----
+// ---- the locals to check ----
 
 static bool is_looked_at(const Var *v)
 {
     return v->kind == VAR_LOCAL && v->written && v->read;
 }
 
-// Whether there are any.
+// Returns whether there are any.
 static bool number_locals(Order *o)
 {
     const Program *p = o->a->p;
@@ -70,7 +70,7 @@ static bool number_locals(Order *o)
     return n > 0;
 }
 
-// ---- what is stored where ----
+// ---- where values are stored ----
 
 static void note_stores(Order *o, const Stmts *stmts, Word *set)
 {
@@ -98,7 +98,7 @@ static void note_all_stores(Order *o)
 
 typedef struct Spread {
     Order *o;
-    States *next;                 // by state: where what it has goes on to
+    States *next;                 // by state: the states that receive its set
     const State **ring;           // states that wait for a visit
     bool *waits;
     size_t head, n;
@@ -136,7 +136,7 @@ static void spread_one(Spread *w, Word *sets, const State *from)
     }
 }
 
-// By state: what the states store from which it is reached, or, backwards, to which it leads.
+// Computes by state: what its predecessors store; or, backwards, what its successors store, both transitively.
 static Word *spread(Order *o, bool backwards)
 {
     const Analysis *a = o->a;
@@ -151,7 +151,7 @@ static Word *spread(Order *o, bool backwards)
             vec_push(a->arena, &w.next[(backwards ? way->to : way->from)->number], backwards ? way->from : way->to);
     }
     w.ring = ARENA_ARRAY(a->arena, const State *, a->p->state.n);
-    for (size_t s = 0; s < a->p->state.n; s++)                // mostly transitions lead on in the order of the file
+    for (size_t s = 0; s < a->p->state.n; s++)                // transitions mostly follow the order of the file
         wait_for(&w, a->p->state.at[backwards ? a->p->state.n - 1 - s : s]);
     while (w.n > 0)
         spread_one(&w, sets, next_waiting(&w));
@@ -181,7 +181,7 @@ static void writer_in(Writer *w, const Stmts *stmts)
     }
 }
 
-// The state nearest behind the one at hand that stores the variable, or this one in its .exit.
+// The nearest state after the current one that stores the variable, or the current one if its .exit does.
 static const State *find_later(Order *o, Writer *w)
 {
     const Analysis *a = o->a;
@@ -242,7 +242,7 @@ static bool is_decided(const Order *o, const Stmt *stmt)
     return stmt->kind == ST_IF && (!f->then || !f->otherwise);
 }
 
-// Windows take their samples in every state: what they read is no matter of order.
+// Windows take their samples in every state, so the order of states does not affect what they read.
 static void look_at_expr(Order *o, const Stmt *stmt, const Expr *e)
 {
     if (e->kind == EX_ROLL)
@@ -277,7 +277,7 @@ static void look_at_state(Order *o)
     memcpy(o->here, of_state(o, o->before, o->state), o->words * sizeof *o->here);
     for (int b = 0; b < BLOCK_COUNT; b++) {
         o->block = (BlockKind)b;
-        if (b == BLOCK_STEP)                                  // what a step stores the next one reads
+        if (b == BLOCK_STEP)                                  // the next step reads what a step stores
             add(o, o->here, of_state(o, o->stored[b], o->state));
         look_at_stmts(o, &o->state->block[b]);
     }

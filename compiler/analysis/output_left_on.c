@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs that stay on where the machine may rest: in a state marked @safe, and in one that nothing but a person ends.
+// Outputs that stay on where the machine may rest: in a state marked @safe, and in a state that only a person can end.
 //
-// Every situation that the search found at the beginning of such a state is held with inputs at which the machine stays.  If an
-// output that another state has switched on is still on after all that time, it is a finding about the state.
+// Takes every situation that the search found at the entry of such a state, and holds inputs with which the machine stays.  If
+// an output that another state switched on is still on after that time, the state is reported.
 #include <string.h>
 
 #include "compiler/analysis/questions.h"
 
 enum {
     HELD = 10,                    // inputs tried in each situation
-    OUTPUTS = 4                   // that one finding names
+    OUTPUTS = 4                   // outputs named in one finding
 };
 
 typedef struct LeftOn {
     Trials *t;
     void *at;
     double *in;
-    const Var *output[OUTPUTS];   // found on in the state that is looked at
-    const Stmt *on[OUTPUTS];      // what switched it on
+    const Var *output[OUTPUTS];   // found on in the current state
+    const Stmt *on[OUTPUTS];      // the statement that switched it on
     const Transition *via[OUTPUTS];
     uint32_t outputs;
 } LeftOn;
@@ -55,7 +55,7 @@ static void add_output(LeftOn *l, const Var *v, const Stmt *on, const Transition
     l->via[l->outputs++] = via;
 }
 
-// One finding for a state, with what is on there and the way it came in.
+// One finding for a state, with the outputs that are on and the transition into it.
 static void report(const LeftOn *l, const State *s)
 {
     const Analysis *a = l->t->a;
@@ -70,7 +70,7 @@ static void report(const LeftOn *l, const State *s)
     }
 }
 
-// Holds the inputs as long as anything can happen.  False: the state is left.
+// Holds the inputs as long as anything can happen.  Returns false if the state is left.
 static bool rests(LeftOn *l, uint32_t state)
 {
     Trials *t = l->t;
@@ -88,7 +88,7 @@ static bool rests(LeftOn *l, uint32_t state)
     return true;
 }
 
-// A guarded block that switches an output on and goes to this state means it to be on there.
+// If a guarded block switches an output on and goes to this state, the output is intended to be on there.
 static bool is_meant(const Trials *t, const Stmt *on, const Transition *via)
 {
     const Condition *when = t->when[on->number];
@@ -96,7 +96,7 @@ static bool is_meant(const Trials *t, const Stmt *on, const Transition *via)
     return when && via->when && when->stmt == via->when->stmt && when->holds == via->when->holds;
 }
 
-// What is on now and was switched on by another state.
+// Adds the outputs that are on now and were switched on by another state.
 static bool look_at_outputs(LeftOn *l, const TrialEntry *e, const State *s)
 {
     Trials *t = l->t;
@@ -131,7 +131,7 @@ static void try_entry(LeftOn *l, const State *s, const TrialEntry *e)
     }
 }
 
-// Whether sensors and time can end the state.
+// Whether sensors and time alone can end the state.
 static bool ends_by_itself(LeftOn *l, const State *s)
 {
     Trials *t = l->t;

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// What happens because one sensor has failed: an output goes on, or an @abort state ends.
+// Effects of a single failed sensor: an output switches on, or an @abort state ends.
 //
-// Two machines run side by side from one situation.  In the healthy one every reading stays where it is, or moves a little; in the
-// other one sensor fails.  If the healthy machine stays in its state and an output goes on in the other, the failure did it.
+// Two machines run side by side from one situation.  In the healthy one every reading is constant or moves a little; in the
+// other one sensor fails.  If the healthy machine stays in its state and an output switches on in the other, the failure is the
+// cause.
 //
-// It is a finding if it does not depend on another sensor: whatever the others read, as long as the healthy machine stays quiet, the
-// same output goes on.  What a second sensor must agree to now is no finding.  What another sensor has seen before, what a person has
-// ordered before, and that a timer would have done it later are no excuse.
+// It is reported only if it does not depend on another sensor: whatever the others read, as long as the healthy machine stays
+// quiet, the same output switches on.  An effect that a second sensor must currently confirm is not reported.  Earlier readings
+// of other sensors, earlier commands of a person, and a timer that would have done it later do not prevent a report.
 //
-// An @abort state is asked in the same way whether the machine leaves it, with no command given.
+// For an @abort state the same test asks whether the machine leaves it, without any command.
 //
-// A machine may answer a failed sensor on purpose:
-//   - it goes to an @abort state, or to one that leads there in any case;
-//   - the same output goes on at a reading far above as at one far below;
-//   - no reading within the @range does it.
+// A reaction to a failed sensor can be intended:
+//   - the machine goes to an @abort state, or to a state that always leads there;
+//   - the same output switches on at a reading far above and at one far below;
+//   - no reading within the @range has this effect.
 #include <string.h>
 
 #include "compiler/analysis/abort.h"
@@ -22,23 +23,23 @@
 
 typedef enum Failure { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_FAR_ABOVE, READS_FAR_BELOW, FAILURES } Failure;
 
-// How readings move while they are healthy: `noise` is in distances to the next reading that a comparison distinguishes, `slope` in
-// TrialInput.scale a step.  Only the group of the sensor that fails moves so; others tremble.
+// How healthy readings move.  `noise` is in units of the distance to the next reading that a comparison distinguishes.  `slope`
+// is in TrialInput.scale per step.  Only the group of the failing sensor moves like this; others have small noise.
 typedef struct Motion { double noise, slope; } Motion;
 static const Motion motion[] = {{0, 0}, {0.02, 0}, {0, 0.003}, {0.3, 0}, {5, 0}, {100, 0}};
 static const double noise_of_others[] = {0, 0.02, 0.3};
-enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // the others where the scale is not known
+enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // the other motions are used if the scale is unknown
 
 enum {
-    OUTPUTS = 4,                  // that one finding names
+    OUTPUTS = 4,                  // outputs named in one finding
     TRIED = 6,                    // entries of a state
     OTHERS_FIRST = 12,            // other inputs with which a case is tried
-    OTHERS = 32,                  // other inputs at random that are tried before a finding
-    OTHERS_OF_ONE = 12,           // readings of one sensor that are tried before
-    QUIET_LEAST = 4,              // of them that must leave the healthy machine quiet
-    PASSES = 200                  // of time, after a sensor has failed
+    OTHERS = 32,                  // random other inputs that are tried before a finding
+    OTHERS_OF_ONE = 12,           // readings of one sensor that are tried before the random inputs
+    QUIET_LEAST = 4,              // of all these inputs: how many must leave the healthy machine quiet
+    PASSES = 200                  // passes of time after a sensor has failed
 };
-static const uint64_t effort = 4000000, effort_in_all = 100000000;      // instructions spent on one sensor in one state; on all
+static const uint64_t effort = 4000000, effort_in_all = 100000000;      // instructions per sensor and state; in total
 
 typedef struct Case {             // one trial: the sensor reads `reading`, moving, and fails at some time
     const TrialEntry *entry;
@@ -49,12 +50,12 @@ typedef struct Case {             // one trial: the sensor reads `reading`, movi
 } Case;
 
 typedef struct Effect {
-    uint32_t transition;          // the first that the failed machine made (Stmt.number); 0: none
-    const Stmt *at;               // what the failed machine did that the healthy one did not: a transition, or the assignment
+    uint32_t transition;          // the first transition of the failed machine (Stmt.number); 0: none
+    const Stmt *at;               // the cause in the failed machine, absent in the healthy one: a transition, or the assignment
     const Var *output[OUTPUTS];
     const Stmt *on[OUTPUTS];      // the assignment that switched it on
     uint32_t outputs;
-    double before, failed;        // what the sensor read
+    double before, failed;        // readings of the sensor
     uint32_t steps;
 } Effect;
 
@@ -62,21 +63,21 @@ typedef struct Zero {
     Trials *t;
     AbortBound bound;
     void *healthy, *failed;
-    void *begin, *settled;        // where the sensor fails; the same, while other inputs are tried
+    void *begin, *settled;        // when the sensor fails; the same, while other inputs are tried
     double *in, *now, *broken;    // inputs: at rest; of the healthy machine in this step; of the failed one
     double *before, *before_failed;       // variables before a step
-    double *other;                // in the place of `in` meanwhile
-    double reading;               // what the sensor read in the step before it fails
+    double *other;                // replaces `in` during that time
+    double reading;               // the sensor's reading in the step before it fails
     uint32_t clock;               // steps of this trial, for the motion
     double *level;                // by IR variable: its largest magnitude while the healthy machine was at rest
-    uint32_t only;                // the place (Stmt.number) that counts; 0: any
-    bool *told;                   // by Stmt.number: it was reported for this sensor and state
+    uint32_t only;                // only this position (Stmt.number) counts; 0: any
+    bool *told;                   // by Stmt.number: already reported for this sensor and state
     double others;                // noise on other sensors, in distances to their next reading
-    double share;                 // of its largest level, by which an output has to rise
-    bool leaves;                  // what is asked of an @abort state: whether it ends
-    int tries;                    // with other inputs
+    double share;                 // the fraction of its largest level by which an output has to rise
+    bool leaves;                  // test for an @abort state: whether it ends
+    int tries;                    // number of attempts with other inputs
     uint64_t effort;              // instructions for one sensor in one state
-    uint64_t until;               // Trials.run.work at which this sensor and state have had enough
+    uint64_t until;               // value of Trials.run.work at which this sensor and state are finished
 } Zero;
 
 // ---- readings ----
@@ -96,7 +97,7 @@ static double failed_reading(const TrialInput *i, Failure f, double before)
     return before;
 }
 
-// A number between -1 and 1 for each step and input.
+// A pseudo-random number between -1 and 1 for each step and input.
 static double noise(uint32_t step, uint32_t input)
 {
     return (double)((step * 2654435761u ^ (input + 1) * 2246822519u) * 3266489917u >> 8) / 8388608.0 - 1;
@@ -106,7 +107,7 @@ static double noise(uint32_t step, uint32_t input)
 
 static double clamped(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
 
-// From the reading of the case to the next one.
+// The distance from the reading of the case to the next one.
 static double gap(const TrialInput *i, double reading)
 {
     double least = i->scale;
@@ -117,7 +118,7 @@ static double gap(const TrialInput *i, double reading)
     return least;
 }
 
-// How far noise takes another sensor: never to a reading that a comparison distinguishes.
+// How far noise moves another sensor: never to a reading that a comparison distinguishes.
 static double reach(const Zero *z, const TrialInput *i, double reading)
 {
     return z->others == 0 ? i->scale / 1000 : i->rough ? 300 * z->others : z->others * gap(i, reading);
@@ -153,7 +154,7 @@ static void note_levels(Zero *z)
         z->level[v] = sm_max(z->level[v], sm_abs(var[v]));
 }
 
-// Steps until windows are full of what inputs are now.  False: the machine leaves its state.
+// Steps until windows are full of the current inputs.  Returns false if the machine leaves its state.
 static bool rest(Zero *z, const Case *c)
 {
     memset(z->level, 0, z->t->run->m->var.n * sizeof *z->level);
@@ -167,7 +168,7 @@ static bool rest(Zero *z, const Case *c)
     return true;
 }
 
-// Comes to rest with the inputs of the case.  False: the machine leaves its state.
+// Runs to a steady state with the inputs of the case.  Returns false if the machine leaves its state.
 static bool settle(Zero *z, const Case *c)
 {
     z->clock = 0;
@@ -175,8 +176,8 @@ static bool settle(Zero *z, const Case *c)
     return rest(z, c);
 }
 
-// From z->begin, lets time pass until the next timer or counter comes to its limit.  False: the machine leaves its state, or nothing more
-// can happen.
+// From z->begin, lets time pass until the next timer or counter reaches its limit.  Returns false if the machine leaves its
+// state, or if nothing more can happen.
 static bool pass_healthy(Zero *z, const Case *c)
 {
     Trials *t = z->t;
@@ -198,7 +199,8 @@ static bool pass_healthy(Zero *z, const Case *c)
     return rest(z, c);
 }
 
-// The outputs that have gone on, at one place: the transition made, or one assignment.  A place that has been reported is not again.
+// Adds the outputs that have switched on at one position: the transition taken, or one assignment.  A position is reported
+// once.
 static void add_outputs(Zero *z, Effect *e)
 {
     const Trials *t = z->t;
@@ -222,7 +224,7 @@ static bool is_bound(const Zero *z, const void *situation) { return z->bound.bou
 
 typedef enum Outcome { NOTHING, NOT_QUIET, WENT_ON } Outcome;
 
-// A second transition, out of a state in which the machine can rest: what follows is that state's doing.
+// A second transition, out of a state in which the machine can rest.  What follows is caused by that state.
 static bool has_rested(const Zero *z, const Effect *e)
 {
     const uint32_t made = z->t->trace.transition;
@@ -230,7 +232,7 @@ static bool has_rested(const Zero *z, const Effect *e)
     return made && made != e->transition && z->t->transition[made]->from->is_safe;
 }
 
-// Both machines make a step.
+// Runs one step of both machines.
 static Outcome step_both(Zero *z, const Case *c, Effect *e)
 {
     Trials *t = z->t;
@@ -258,7 +260,7 @@ static Outcome step_both(Zero *z, const Case *c, Effect *e)
     return e->outputs > 0 ? WENT_ON : NOTHING;
 }
 
-// A step of both, and then as many more as nothing happens in, in either.
+// Runs one step of both, and then as many more as nothing happens in, in either.
 static Outcome pass_both(Zero *z, const Case *c, Effect *e, bool *more)
 {
     Trials *t = z->t;
@@ -280,7 +282,7 @@ static Outcome pass_both(Zero *z, const Case *c, Effect *e, bool *more)
     return o;
 }
 
-// Steps until nothing differs any more, or for as long as windows last; then for as long as anything can happen.
+// Steps until nothing differs any more, or until windows are filled; then for as long as anything can happen.
 static Outcome run_both(Zero *z, const Case *c, Effect *e)
 {
     Trials *t = z->t;
@@ -299,7 +301,7 @@ static Outcome run_both(Zero *z, const Case *c, Effect *e)
     return o;
 }
 
-// z->begin is where the sensor fails.
+// z->begin is the situation in which the sensor fails.
 static Outcome fail(Zero *z, const Case *c, Effect *e)
 {
     Trials *t = z->t;
@@ -309,16 +311,17 @@ static Outcome fail(Zero *z, const Case *c, Effect *e)
     memset(e, 0, sizeof *e);
     trial_copy(t, z->healthy, z->begin);
     trial_copy(t, z->failed, z->begin);
-    e->before = motion[c->motion].noise > 0 ? c->reading : z->reading;      // at rest, not at a peak of the noise
+    e->before = motion[c->motion].noise > 0 ? c->reading : z->reading;      // the value at rest, not at a peak of the noise
     e->failed = failed_reading(&t->input[c->sensor], c->failure, e->before);
     o = run_both(z, c, e);
     z->clock = clock;
     return o;
 }
 
-// ---- whether it is a finding ----
+// ---- confirming a finding ----
 
-// Other readings of the other sensors, as long as there are any: each group alone through its readings, then all at random.
+// Chooses other readings of the other sensors: first each group alone through its readings, then all at random.  Returns false
+// after the last.
 static bool choose_others(Zero *z, const Case *c, uint32_t n)
 {
     Trials *t = z->t;
@@ -343,8 +346,9 @@ static bool choose_others(Zero *z, const Case *c, uint32_t n)
     return n < OTHERS;
 }
 
-// Whether the output goes on whatever other sensors read from now on, as long as the healthy machine stays quiet and has it off.  What
-// they have read before, and what a person has ordered, stays as it was: it says nothing about this moment.
+// Whether the output switches on whatever other sensors read from now on, as long as the healthy machine stays quiet and has it
+// off.  Their earlier readings, and earlier commands of a person, stay as they were, because they do not describe the current
+// situation.
 static bool needs_no_other(Zero *z, const Case *c, const Effect *e)
 {
     Trials *t = z->t;
@@ -395,7 +399,7 @@ static bool happens_at(Zero *z, const Case *c, Failure f, const Effect *e)
     return found;
 }
 
-// z->begin is still where the sensor failed.
+// z->begin is still the situation in which the sensor failed.
 static bool is_on_purpose(Zero *z, const Case *c, const Effect *e)
 {
     const TrialInput *i = &z->t->input[c->sensor];
@@ -442,9 +446,9 @@ static void report(Zero *z, const Case *c, const Effect *e)
     diag_note(a->diags, d, (Span){0}, DIAG_note_failure_advice, sensor);
 }
 
-// ---- what is tried ----
+// ---- the cases ----
 
-// That a sensor sticks is seen only where it has moved; anything else is seen best where nothing else happens.
+// A stuck sensor shows only if the reading has moved.  Other failures show best if nothing else moves.
 static bool can_fail_so(const TrialInput *i, const Case *c, Failure f)
 {
     switch (f) {
@@ -457,7 +461,7 @@ static bool can_fail_so(const TrialInput *i, const Case *c, Failure f)
     return false;
 }
 
-// The case once it has settled: each way in which the sensor can fail.
+// Tries each failure of the sensor, once the case has settled.
 static void try_failures(Zero *z, Case *c)
 {
     Effect e;
@@ -525,7 +529,7 @@ static bool has_healthy_entry(const TrialState *s)
     return false;
 }
 
-// Whether the state depends on an input that is not of this group.
+// Whether the state depends on an input outside this group.
 static bool depends_on_others(const Zero *z, const TrialState *s, uint32_t group)
 {
     for (uint32_t i = 0; i < z->t->inputs; i++)

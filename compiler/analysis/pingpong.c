@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Machines that change their state at every step while their inputs stay as they are.
+// Machines that change their state in every step while their inputs are constant.
 //
 //   ping-pong      two states, or a few, whose conditions are true together
 //   never-rests    a cycle of transitions without any condition
-//   cascade        a state that is left in its first step by what led into it, and not always
+//   cascade        a state that is always left in its first step for the reason that led into it, through a conditional transition
 //
-// A state that is left without a condition lasts one step on purpose: a cycle with such a state and a condition is a way to do
-// something again for as long as the condition is true.  If it switches an output at every step, it is reported all the same.
+// A state that is left without a condition lasts one step intentionally.  A cycle with such a state and a condition repeats
+// something as long as the condition is true.  If it switches an output in every step, it is still reported.
 #include <string.h>
 
 #include "compiler/analysis/questions.h"
@@ -15,8 +15,8 @@
 enum {
     TRIED = 6,                    // entries of a state
     HELD = 80,                    // inputs tried in each
-    STEPS = 24,                   // the last ones of a run, in which a cycle is looked for
-    ARRIVALS = 8,                 // at a state by one transition, before something is said of all
+    STEPS = 24,                   // the last steps of a run, which are searched for a cycle
+    ARRIVALS = 8,                 // arrivals at a state by one transition that are needed for a conclusion
     CYCLE = 8                     // states in the longest cycle
 };
 
@@ -26,10 +26,10 @@ typedef struct Flips {
     double *in;
     const Transition *made[STEPS];
     bool switches;                // an output has changed in these steps
-    double *level;                // by IR variable: in the step before
+    double *level;                // by IR variable: its value in the step before
 } Flips;
 
-// No command is given, one, or any of them.
+// Chooses inputs without commands, with one command, or with any.
 static void choose_inputs(Flips *f, const TrialEntry *e, int n)
 {
     Trials *t = f->t;
@@ -61,7 +61,7 @@ static void note_switching(Flips *f, bool counts)
     }
 }
 
-// How many transitions the cycle has that the last steps went through; 0: some step made none, or there is no cycle.
+// The number of transitions in the cycle of the last steps; 0: a step made no transition, or there is no cycle.
 static size_t run_cycle(Flips *f, const TrialEntry *e)
 {
     Trials *t = f->t;
@@ -69,7 +69,7 @@ static size_t run_cycle(Flips *f, const TrialEntry *e)
 
     f->switches = false;
     trial_copy(t, f->at, e->situation);
-    for (uint32_t left = STEPS + t->window + (t->count ? 300 : 0); left > 0; left--) {       // what a counter ends is no cycle
+    for (uint32_t left = STEPS + t->window + (t->count ? 300 : 0); left > 0; left--) {      // a sequence that a counter ends is not a cycle
         trial_step(t, f->at, f->in, t->dt, &t->trace);
         if (t->trace.transition == 0 && left <= STEPS + (t->count ? 300 : 0))
             return 0;
@@ -95,7 +95,7 @@ static bool may_be_untaken(const Analysis *a, const Transition *x)
     return false;
 }
 
-// Of the cycle that the last n transitions are: the one out of the state that stands first in the file.
+// Of the cycle of the last n transitions: the one whose source state is first in the file.
 static const Transition *first_of(const Flips *f, size_t n)
 {
     const Transition *first = f->made[STEPS - 1];
@@ -124,7 +124,7 @@ static void report_cycle(const Flips *f, size_t n)
     for (size_t k = 0; k < n; k++)
         conditions += may_be_untaken(f->t->a, f->made[STEPS - 1 - k]);
     if (n == 1 && conditions == 1)
-        return;                               // a state that begins again for as long as an input says so
+        return;                               // a state that repeats as long as an input requests it
     if (conditions == 0) {
         d = diag_report(a->diags, DIAG_never_rests, there->stmt->span, there->from->name->text);
         for (size_t k = n; k > 0 && n > 1; k--)
@@ -153,9 +153,9 @@ void question_ping_pong(Trials *t)
             }
 }
 
-// ---- straight on ----
+// ---- cascades ----
 
-// Whether the way out depends on nothing but sensors and time that the way in depends on, and on one of those sensors.
+// Whether `out` depends only on sensors and time, and shares at least one sensor with `in`.
 static bool follows_from(const Sensors *s, const Transition *in, const Transition *out)
 {
     const Looks by = looks_of_condition(s, in->when), then = looks_of_condition(s, out->when);

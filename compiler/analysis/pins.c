@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine beside the pins of its elements: an element belongs to one writer, and an input is one.
+// A machine and the pins of its elements: an element has one writer, and an input pin is a writer.
 #include "compiler/analysis/analysis.h"
 
 typedef struct Beside {
@@ -19,7 +19,7 @@ static void note_first(const Stmt *stmt, void *context)
 
 static const Var *var_of(const Program *p, Str element)
 {
-    const Var *v = map_find(&p->by_name, element);            // or what has it for an alias
+    const Var *v = map_find(&p->by_name, element);            // or the variable with this alias
 
     return v && v->kind == VAR_ELEMENT && v->element->name == element ? v : NULL;
 }

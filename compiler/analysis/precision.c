@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole numbers beyond 2^53, which F64 cannot tell apart: literals that are not what they say, and sums whose smaller part is
-// always rounded away.
+// Whole numbers beyond 2^53, which F64 cannot distinguish: literals whose value differs from their digits, and sums whose
+// smaller operand is always lost in rounding.
 #include "compiler/analysis/analysis.h"
 #include "stdlib/math.h"
 
 // ---- literals ----
 
-// The value of a literal that is a whole number of digits; false for others, and from 2^64 on.
+// The value of a literal that is a whole number of digits.  Returns false for other literals, and from 2^64 on.
 static bool read_digits(Span span, uint64_t *out)
 {
     const char *text = span.src->text + span.at;
@@ -27,7 +27,7 @@ static bool read_digits(Span span, uint64_t *out)
     return true;
 }
 
-// F64 keeps 53 digits of base 2.  The largest values of U64 and I64 are stored as they are written.
+// F64 has 53 binary digits.  The largest values of U64 and I64 are stored as written.
 static bool is_kept(uint64_t n)
 {
     if (n == UINT64_MAX || n == INT64_MAX)
@@ -65,7 +65,7 @@ static void look_at_stmt(const Stmt *stmt, void *context)
 static SmF64 least_size(Fact f) { return f.lo > 0 ? f.lo : f.hi < 0 ? sm_neg(f.hi) : sm_from_i32(0); }
 static SmF64 largest_size(Fact f) { return sm_max(sm_abs(f.lo), sm_abs(f.hi)); }
 
-// The distance between two neighbours of size x and above, at least.
+// A lower bound of the distance between two adjacent numbers of magnitude x or more.
 static SmF64 spacing(SmF64 x)
 {
     SmF64 step = sm_from_i32(1);
@@ -75,7 +75,7 @@ static SmF64 spacing(SmF64 x)
     return step;
 }
 
-// What is whole and smaller than the distance between neighbours of what it is added to is lost, or changed.
+// A whole number smaller than the spacing at the other operand is lost or changed.
 static bool is_lost(Fact large, Fact small)
 {
     const SmF64 size = least_size(large);

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assignments that change nothing anybody could see: a variable's own value, or one that is overwritten on every way before
-// anything reads it.
+// Assignments without a visible effect: a variable's own value, or a value that is overwritten on every path before it is read.
 #include "compiler/analysis/liveness.h"
 
-// How far the assignment that overwrites is looked for; how many blocks are walked for all of them together.
+// Limits of the search for the overwriting assignment: states per search, and blocks for all searches together.
 enum { STATES_TRIED = 100, BLOCKS_WALKED = 10000000 };
 
 typedef struct Stores {
     Analysis *a;
-    size_t *first;                // by state: where its transitions begin in the list of all; one more for the end
-    uint32_t *seen, searches;     // by state: the last search that has come there
-    uint32_t *walked, walks;      // by block of a function: the last walk that has come there
+    size_t *first;                // by state: index of its first transition in the list of all; one more for the end
+    uint32_t *seen, searches;     // by state: the last search that visited it
+    uint32_t *walked, walks;      // by block of a function: the last walk that visited it
     size_t work;                  // blocks that may still be walked
 } Stores;
 
-// ---- itself ----
+// ---- assignments of a variable to itself ----
 
 static bool is_itself(const Stmt *stmt)
 {
@@ -32,7 +31,7 @@ static void look_at_stmts(Stores *k, const Stmts *list)
     }
 }
 
-// The last of a list that is not behind the statement of that number.
+// The last statement of a list that does not come after the statement with that number.
 static const Stmt *last_before(const Stmts *list, uint32_t number)
 {
     size_t low = 0, high = list->n;
@@ -47,7 +46,7 @@ static const Stmt *last_before(const Stmts *list, uint32_t number)
     return list->at[low];
 }
 
-// The statement of that number, in a block or below: they are numbered in file order.
+// The statement with that number, in a block or nested in it.  Statements are numbered in file order.
 static const Stmt *stmt_of(const Stmts *block, uint32_t number)
 {
     const Stmt *stmt = last_before(block, number);
@@ -59,7 +58,7 @@ static const Stmt *stmt_of(const Stmts *block, uint32_t number)
     return stmt;
 }
 
-// ---- what overwrites ----
+// ---- the overwriting store ----
 
 static const IrIns *store_in(const IrFn *f, size_t blk, size_t at, uint32_t var)
 {
@@ -71,7 +70,7 @@ static const IrIns *store_in(const IrFn *f, size_t blk, size_t at, uint32_t var)
     return NULL;
 }
 
-// The first store to var in f behind ins.at[at] of block blk that control can come to; NULL if there is none.
+// The first store to var in f that can be reached from ins.at[at] of block blk; NULL if there is none.
 static const IrIns *store_behind(Stores *k, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var)
 {
     const IrIns *found = NULL;
@@ -116,7 +115,8 @@ static void enqueue_next(Stores *k, Queue *q, size_t from)
         enqueue(k, q, k->a->transition.at[t].to->number - 1);
 }
 
-// Where control can go from block blk of f on: into the queue, the states of transitions.  Whether it can also reach the end of f.
+// Adds to the queue the target states of transitions that can be reached from block blk of f.  Returns whether the end of f can
+// be reached too.
 static bool enqueue_after(Stores *k, const IrFn *f, IrBlkRef blk, Queue *q)
 {
     bool returns = false;
@@ -152,7 +152,7 @@ static const IrIns *store_in_queue(Stores *k, Queue *q, uint32_t var, size_t *st
 typedef enum When { SAME_STEP, NEXT_STEP, LATER_STATE } When;
 typedef struct Overwriter { const IrIns *store; When when; size_t state; } Overwriter;
 
-// The rest of the step, at its end .exit where it leaves the state.
+// Searches the rest of the step, including .exit at its end if it leaves the state.
 static const IrIns *store_in_same_step(Stores *k, const DeadStore *dead, bool leaves)
 {
     const uint32_t var = dead->store->var;
@@ -165,7 +165,7 @@ static const IrIns *store_in_same_step(Stores *k, const DeadStore *dead, bool le
     return found;
 }
 
-// Elements are overwritten in the same step; of a local that is never again assigned nothing is reported.
+// An element is overwritten in the same step.  A local that is never assigned again is not reported.
 static Overwriter overwriter(Stores *k, const DeadStore *dead)
 {
     const uint32_t var = dead->store->var;
@@ -190,7 +190,8 @@ static Overwriter overwriter(Stores *k, const DeadStore *dead)
     return o;
 }
 
-// On every way from ins.at[at] of block blk to the end of f var is stored; `after`: and where f returns, it is behind.
+// Whether var is stored on every path from ins.at[at] of block blk to the end of f.  `after`: whether it is stored after f
+// returns.
 static bool is_always_stored(Stores *k, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var, bool after)
 {
     const uint32_t yes = ++k->walks;
@@ -204,7 +205,8 @@ static bool is_always_stored(Stores *k, const IrFn *f, IrBlkRef blk, size_t at, 
     return k->walked[blk] == yes;
 }
 
-// An output set to a number in .entry is begun in order, even if all ways through .step and .exit together assign it again.
+// Setting an output to a number in .entry is a proper initialisation, even if all paths through .step and .exit together assign
+// it again.
 static bool is_beginning(Stores *k, const DeadStore *dead, const Stmt *stmt)
 {
     const IrFn *step = k->a->m->state.at[dead->state].block[BLOCK_STEP];

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machines of one application side by side: an element belongs to one writer, and so do the time and the state of each.
+// The machines of one application together: an element has one writer, and the time and the state of each machine have one
+// owner.
 #include "compiler/analysis/analysis.h"
 
-typedef struct Place { const Program *p; Span span; } Place;      // p is NULL: nobody
+typedef struct Place { const Program *p; Span span; } Place;      // p is NULL: no machine
 
 typedef struct Owners {           // of an element
-    Place writer, state, time;    // who assigns it; whose S it is; whose G
+    Place writer, state, time;    // the machine that assigns it; the machine whose S it is; whose G
 } Owners;
 
 typedef struct Together {
     Arena *arena;
     Diags *diags;
     Map by_name;                  // element to Owners
-    const Program *p;             // at hand
+    const Program *p;             // the current machine
     Span *first;                  // by Var.index: its first assignment in p
 } Together;
 
@@ -36,7 +37,7 @@ static Owners *owners_of(Together *t, Str element)
     return o;
 }
 
-// `at` does something to the element that belongs to `owner`.  An @allow at the owner's place covers it, too.
+// `at` does something to the element that belongs to `owner`.  An @allow at the owner's position covers it, too.
 static void report(Together *t, DiagCode code, Place at, Str element, Place owner, DiagCode note)
 {
     Diag *d = diag_report(t->diags, code, at.span, at.p->name->text, element->text, owner.p->name->text);

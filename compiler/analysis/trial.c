@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search for situations: from each one found, inputs are changed and held, for a step, until windows are full, or for as long
-// as a timer still needs, and every way into a state is kept with what led there.
+// The search for situations.  From each one found, inputs are changed and held for a step, until windows are full, or as long
+// as a timer still needs.  Every new entry into a state is stored with the inputs that led there.
 #include "compiler/analysis/trial.h"
 
 #include <string.h>
@@ -10,12 +10,12 @@
 #include "stdlib/math.h"
 
 enum {
-    ENTRIES = 32,                 // situations kept for each state
+    ENTRIES = 32,                 // situations stored for each state
     ROUNDS = 8,
-    MORE_ROUNDS = 16,             // from states with transitions that no trial has made
+    MORE_ROUNDS = 16,             // from states with transitions that no trial has taken
     TRIES = 40,                   // from each state in each round
     SEGMENTS = 4,                 // changes of inputs in one try
-    ROOM = 4 << 20                // bytes of situations kept in all
+    ROOM = 4 << 20                // bytes for all stored situations
 };
 static const uint64_t effort = 40000000;          // instructions spent on the search
 
@@ -44,7 +44,7 @@ static uint64_t key_of(const Trials *t, const void *situation)
     return key;
 }
 
-// How many entries of a state there are from the same transition with the same key.
+// How many entries of a state have the same transition, key and `sick`.
 static uint32_t count_alike(const TrialState *s, const TrialEntry *e)
 {
     uint32_t n = 0;
@@ -56,12 +56,12 @@ static uint32_t count_alike(const TrialState *s, const TrialEntry *e)
 
 typedef struct Search {
     Trials *t;
-    void *at;                     // the situation that is tried from
+    void *at;                     // the starting situation of the try
     double *in, *now, *was;       // inputs at rest; of this step; at rest before they were changed
-    double noise;                 // on sensors, in their scale
+    double noise;                 // on sensors, in units of their scale
     uint32_t steps;
     bool sick, commanded;
-    uint32_t most;                // entries kept for each state
+    uint32_t most;                // entries stored for each state
     void *after;                  // for the step after a transition
 } Search;
 
@@ -105,7 +105,7 @@ static void note_next(Search *k, uint32_t transition)
 
 // ---- the search ----
 
-// A longer time is many steps, of which only the samples matter. If the step is not known, their number is not either.
+// A longer time is many steps, of which only the samples matter.  If the step is unknown, so is their number.
 static void count_steps(Search *k, double before)
 {
     const Trials *t = k->t;
@@ -120,7 +120,8 @@ static void count_steps(Search *k, double before)
         ir_run_fill(t->run, k->at, n - 1 < t->window ? (uint32_t)n - 1 : t->window, NULL, NULL);
 }
 
-// One step, or as many as nothing happens in.  True: a transition to another state, which is kept if it is new.
+// Runs one step, or as many as nothing happens in.  Returns true after a transition to another state, which is stored if it is
+// new.
 static bool search_step(Search *k, bool pass)
 {
     Trials *t = k->t;
@@ -202,7 +203,7 @@ static void try_from(Search *k, uint32_t state)
     }
 }
 
-// Whether the state has a transition that no trial has made and that is not impossible.
+// Whether the state has a transition that no trial has taken and that is not impossible.
 static bool has_untaken(const Trials *t, uint32_t state)
 {
     for (size_t i = 0; i < t->a->transition.n; i++) {
@@ -213,7 +214,8 @@ static bool has_untaken(const Trials *t, uint32_t state)
     return false;
 }
 
-// What the search could not reach is begun in by itself, everything else being as at the start: a machine can be started in any state.
+// Starts directly in each state that the search could not reach, with everything else as at the start: a machine can be started
+// in any state.
 static void begin_unreached(Search *k)
 {
     Trials *t = k->t;
@@ -260,7 +262,7 @@ static void search(Trials *t)
 
 // ---- the whole ----
 
-// Times are mostly in milliseconds, and steps 10 of them; where no time is long, it is counted in something else.
+// Times are mostly in milliseconds, with steps of 10.  If no time is long, time is counted in another unit.
 static double usual_step(const Trials *t)
 {
     return t->a->step > 0 ? (double)t->a->step : t->waits > 0 && t->wait[t->waits - 1] < 100 ? 1 : 10;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trial runs: the machine is run, from situations that it can reach, with inputs that are chosen to make its conditions come out
-// both ways.  A question supposes something (a sensor fails, a window is full, nothing changes any more) and compares what the
-// machine does with what it would have done.  What a trial shows does happen with those inputs; what no trial shows may
-// happen all the same.
+// Trial runs: the machine is run, from situations that it can reach, with inputs that are chosen to make its conditions true
+// and false.  A question assumes something (a sensor fails, a window is full, nothing changes any more).  It compares the
+// machine's behaviour with and without the assumption.  What a trial shows does happen with those inputs.  What no trial shows
+// may still happen.
 //
-// All choices come from one generator with a fixed seed, and the effort is bounded by instructions, not by time: the same machine
-// gives the same findings everywhere.
+// All choices come from one generator with a fixed seed, and the effort is bounded by instructions, not by time.  So the same
+// machine produces the same findings everywhere.
 //
-// What inputs are:
+// Inputs are:
 //   sensor    a number that the machine only reads
-//   command   what a person operates: an element marked @command; a bool, or a number that is only compared with constants by ==
-//             and !=, that the machine only reads
-// Sensors that are added, compared, averaged or stored in the same variable, or that one state compares in the same way, measure the
-// same quantity: they form a group, and a healthy group reads one number.
+//   command   operated by a person: an element marked @command; a bool that the machine only reads, or a number that it only reads
+//             and only compares with constants by == and !=
+// Sensors measure the same quantity if they are added, compared, averaged or stored in the same variable, or if one state
+// compares them in the same way.  They form a group, and in a healthy group all sensors read the same number.
 #ifndef SMC_TRIAL_H
 #define SMC_TRIAL_H
 
@@ -24,11 +24,11 @@ typedef struct TrialInput {
     uint32_t var;                     // in IrMachine.var
     bool command;
     uint32_t group;                   // the first input (index) of its group
-    double lo, hi;                    // what a healthy sensor reads: @range, or what its type holds
-    double *reading;                  // readings that differ in what comparisons make of them, ascending
+    double lo, hi;                    // the readings of a healthy sensor: @range, or the range of its type
+    double *reading;                  // readings that comparisons distinguish, ascending
     uint32_t readings;
-    bool rough;                       // no comparison tells the scale
-    double scale;                     // of its group: how far apart its readings are: the unit for noise and slopes
+    bool rough;                       // no comparison shows the scale
+    double scale;                     // of its group: the spread of its readings; the unit of noise and slopes
 } TrialInput;
 
 // A situation just before the first step in a state.
@@ -36,23 +36,23 @@ typedef struct TrialEntry {
     void *situation;
     double *in;                       // inputs of the step that led here, by input
     const Transition *via;            // NULL: the start
-    uint32_t steps;                   // that have run since the start; TRIAL_MANY: many, or an unknown number
-    bool sick;                        // on the way a sensor has left its healthy range, or disagreed with its group
-    bool commanded;                   // a person has changed a command on the way
-    uint64_t key;                     // which locals and elements are zero
+    uint32_t steps;                   // steps since the start; TRIAL_MANY: many, or an unknown number
+    bool sick;                        // earlier in this trial a sensor left its healthy range, or disagreed with its group
+    bool commanded;                   // earlier in this trial a person changed a command
+    uint64_t key;                     // which locals and elements are zero, and the rough size of the others
 } TrialEntry;
 #define TRIAL_MANY UINT32_MAX
 
-// What the step after a transition did, over all trials, with the inputs that led to the transition.
+// The step after a transition, over all trials, with the inputs that led to the transition.
 typedef struct TrialNext {
-    uint32_t trials, left;            // how many; how many of them made a transition
-    uint32_t transition;              // Stmt.number of the one that most made, if most made one
+    uint32_t trials, left;            // number of trials; how many of them made a transition
+    uint32_t transition;              // Stmt.number of the transition made in most trials, if there is a majority
     int most;                         // by how many more than any other
 } TrialNext;
 
 typedef struct TrialState {
     VEC(TrialEntry) entry;
-    bool *relevant;                   // by input: what the state does can depend on it
+    bool *relevant;                   // by input: the state's behaviour can depend on it
 } TrialState;
 
 typedef struct Trials {
@@ -62,37 +62,37 @@ typedef struct Trials {
     uint32_t inputs;
     TrialState *state;                // by State.number - 1
     const Transition **transition;    // by Stmt.number
-    const Stmt **stmt;                // by Stmt.number; of 0 NULL
+    const Stmt **stmt;                // by Stmt.number; [0] is NULL
     const State **state_of;           // by Stmt.number
-    const Condition **when;           // by Stmt.number: what it is under
-    bool *taken;                      // by Stmt.number of a transition: some trial made it
+    const Condition **when;           // by Stmt.number: the conditions around it
+    bool *taken;                      // by Stmt.number of a transition: it was taken in some trial
     bool *by_time;                    // by Stmt.number of a transition: its condition depends on T or G
     TrialNext *next;                  // by Stmt.number of a transition
     bool *actuator;                   // by IR variable
-    double *peak;                     // by IR variable: the largest magnitude it had in a trial
+    double *peak;                     // by IR variable: its largest magnitude in a trial
     const Var **var;                  // by IR variable
     double *wait;                     // times that conditions on T and G wait for, ascending
     uint32_t waits;
-    bool stamped;                     // some variable holds a time: waits begin at any time
-    double **limit;                   // by IR variable that only counts by a constant: what it is compared with, ended by NaN; else NULL
-    double dt;                        // how far G advances in a step
+    bool stamped;                     // some variable holds a time: waits may begin at any time
+    double **limit;      // by IR variable that only counts by a constant: the values it is compared with, ended by NaN; else NULL
+    double dt;                        // how much G advances in a step
     uint32_t window;                  // samples until every window is full
-    bool *computed;                   // by IrMachine.window: it samples what the machine itself writes
-    uint32_t count;                   // limits of counters, in all
+    bool *computed;                   // by IrMachine.window: it samples values that the machine itself writes
+    uint32_t count;                   // total number of limits of counters
     uint64_t random;
     double *before;                   // variables before a step, for trial_pass
     void *scratch;                    // a situation, for trial_fill_windows
     IrTrace trace;
 } Trials;
 
-#define TRIAL_SEED 20221              // where the choices of each question begin
+#define TRIAL_SEED 20221              // the seed for the choices of each question
 
 Trials *trials_of(Analysis *a);
 
 // ---- running ----
 
 void *trial_copy(const Trials *t, void *to, const void *from);
-// One step, G being dt after the last one.
+// Runs one step; G is dt later than in the last one.
 void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace);
 static inline uint32_t trial_state(const void *situation) { return ((const IrSituation *)situation)->state; }
 static inline const double *trial_vars(const Trials *t, const void *situation)
@@ -100,26 +100,29 @@ static inline const double *trial_vars(const Trials *t, const void *situation)
     return (const double *)(const void *)((const char *)situation + t->run->vars);
 }
 static inline bool trial_entering(const void *situation) { return ((const IrSituation *)situation)->first; }
-// How many steps like the last one, which led from the variables `before` to the situation, can follow before a timer or a counter
-// comes to a limit.  0: something changes that is no counter.  TRIAL_MANY: nothing can happen any more.
-// The same of timers alone, whatever else changes.
+// trial_leap_steps: how many steps like the last one can follow before a timer or a counter reaches a limit.  The last one led
+// from the variables `before` to the situation. 0: a variable that is not a counter changes.  TRIAL_MANY: nothing can happen
+// any more.
+// trial_wait_steps: the same for timers alone, whatever else changes.
 uint32_t trial_wait_steps(const Trials *t, const void *situation);
 uint32_t trial_leap_steps(const Trials *t, const double *before, const void *situation);
-// Makes them at once.  Windows keep their samples.
+// Runs these steps at once.  Windows keep their samples.
 void trial_leap(const Trials *t, const double *before, void *situation, uint32_t steps);
-// Some steps, and then as many more as nothing happens in.  False: nothing can happen any more while inputs stay as they are.
+// Runs some steps, and then as many more as nothing happens in.  Returns false if nothing can happen any more while inputs are
+// constant.
 bool trial_pass(Trials *t, void *situation, const double *in, IrTrace *trace);
-enum { TRIAL_PASSES = 300 };          // after so many a machine that still does something goes on so
-// Whether a timer or a counter that goes up has come closer to a limit since variables were `before`, in the same state: it can still get there.
+enum { TRIAL_PASSES = 300 };          // a machine that is still active after so many passes stays active
+// Whether, in the same state, a timer or a rising counter has moved closer to a limit since `before`: it can still reach the
+// limit.
 bool trial_advances(const Trials *t, const double *before, const void *situation);
 // Whether anything but time differs between two situations.
 bool trial_same(const Trials *t, const void *a, const void *b);
-// A variable that the machine writes, that one of these conditions reads, and that differs between two situations; NULL: there is none.
+// A variable that the machine writes, that one of these conditions reads, and that differs between two situations; NULL: none.
 const Var *trial_differing(const Trials *t, const Condition *when, const void *a, const void *b);
-// Begins at an entry, with the inputs that led there; without any command, unless the state lasts only with those.  Chooses other
-// readings where the state does not last with these.
+// Begins at an entry, with the inputs that led there, but without any command unless the state lasts only with commands.
+// Chooses other readings if the state does not last with these.
 void trial_begin(Trials *t, const TrialEntry *e, void *situation, double *in);
-// Fills every window with samples taken while the inputs read this; what windows hold of variables that the machine writes stays.
+// Fills every window with samples of these inputs.  Windows over variables that the machine writes keep their samples.
 void trial_fill_windows(Trials *t, void *situation, const double *in);
 
 // ---- choosing ----
@@ -127,11 +130,13 @@ void trial_fill_windows(Trials *t, void *situation, const double *in);
 uint32_t trial_below(Trials *t, uint32_t n);                      // 0 … n - 1; 0 if n is 0
 double *trial_new_inputs(Trials *t);                              // one array for all inputs
 double trial_some_reading(Trials *t, const TrialInput *i, bool sick);     // within @range unless sick
-// Other readings for the inputs that matter to the state: groups read one number.  Commands are changed only with `commands`.
+// Chooses other readings for the inputs that the state depends on.  Each group reads one number.  Commands change only with
+// `commands`.
 void trial_draw(Trials *t, double *in, const TrialState *s, bool commands, bool sick);
-// Sensors, sick ones too, and bools that are not marked @command.
+// The same for sensors, including sick readings, and for bools that are not marked @command.
 void trial_draw_free(Trials *t, double *in, const TrialState *s);
-// Noise on sensors, so much of their scale at most, the same on each of a group; healthy readings stay within their range.
+// Adds noise to sensors: at most this fraction of their scale, the same within a group.  Healthy readings stay within their
+// range.
 void trial_add_noise(Trials *t, double *in, double most);
 // Makes every group read one number.
 void trial_tie_groups(const Trials *t, double *in);

@@ -3,7 +3,7 @@
 #include "compiler/analysis/trial_inputs.h"
 #include "stdlib/math.h"
 
-enum { COMPARED_MOST = 400 };         // comparisons that are compared with each other
+enum { COMPARED_MOST = 400 };         // limit of the comparisons that are compared pairwise
 
 static uint32_t root_of(Finder *f, uint32_t v)
 {
@@ -31,7 +31,7 @@ static bool is_scaled(const Expr *e)
     return e->kind == EX_BINARY && (e->op == SM_OP_MUL || e->op == SM_OP_DIV) && (expr_is_constant(e->arg[0]) || expr_is_constant(e->arg[1]));
 }
 
-// The quantity that an expression is of, as a variable of that quantity; IR_NONE: none that is known.  Joins what is compared.
+// A variable with the same quantity as the expression; IR_NONE: unknown.  Joins the operands of comparisons.
 static uint32_t quantity(Finder *f, const Expr *e)
 {
     const bool compared = e->kind == EX_CHAIN || (e->kind == EX_BINARY && is_comparison(e->op));
@@ -61,7 +61,7 @@ static void join_places(const StmtPlace *at, void *context)
         join(f, at->stmt->var->index, q);
 }
 
-// Whether two expressions are the same but for the variables in them.  Variables at the same position measure the same quantity.
+// Whether two expressions are equal except for their variables.  Variables at the same position measure the same quantity.
 static bool is_alike(Finder *f, const Expr *a, const Expr *b, bool join_them)
 {
     bool alike = a->kind == b->kind && a->op == b->op && a->fn == b->fn && a->stat == b->stat && a->n == b->n;
@@ -83,7 +83,7 @@ static bool is_alike(Finder *f, const Expr *a, const Expr *b, bool join_them)
     return alike;
 }
 
-// Sensors that one state compares in the same way are taken to measure the same quantity.
+// Sensors that one state compares in the same way are assumed to measure the same quantity.
 static void join_alike(Finder *f)
 {
     const size_t n = f->comparison.n < COMPARED_MOST ? f->comparison.n : COMPARED_MOST;
@@ -98,7 +98,7 @@ static void join_alike(Finder *f)
         }
 }
 
-// Two of one quantity have ranges that are mostly the same, as far as they are given.
+// Two sensors of one quantity have ranges that mostly overlap, if both have a range.
 static bool same_range(const TrialInput *a, const TrialInput *b)
 {
     const double wide = sm_max(a->hi - a->lo, b->hi - b->lo);

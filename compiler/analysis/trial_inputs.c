@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which inputs a value depends on is a bit for each input, spread through variables until nothing is added: `data` through values
-// alone, `all` through the guards of assignments too.
+// The inputs that a value depends on are a set with a bit for each input.  The sets propagate through variables to a fixed
+// point: `data` through values alone, `all` also through the guards of assignments.
 #include "compiler/analysis/trial_inputs.h"
 
 #include <string.h>
 
 #include "compiler/analysis/sensors.h"
 
-// ---- what depends on what ----
+// ---- dependencies ----
 
 typedef struct Sum { const uint64_t *of; size_t words; uint64_t *to; } Sum;
 
@@ -152,7 +152,7 @@ static void note_place(const StmtPlace *at, void *context)
     }
 }
 
-// ---- what states depend on ----
+// ---- dependencies of states ----
 
 static void note_relevant(const StmtPlace *at, void *context)
 {
@@ -192,5 +192,5 @@ void trial_find_inputs(Trials *t)
     each_place(f.arena, f.p, note_relevant, &f);
     for (size_t s = 0; s < f.p->state.n; s++)
         for (uint32_t i = 0; i < t->inputs; i++)
-            t->state[s].relevant[t->input[i].group] |= t->state[s].relevant[i];        // a group is moved by its first
+            t->state[s].relevant[t->input[i].group] |= t->state[s].relevant[i];        // the first input of a group moves the whole group
 }

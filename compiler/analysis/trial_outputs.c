@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine counts, and which of its outputs drive something.
+// Finds the machine's counters, and the outputs that drive something.
 #include "compiler/analysis/trial_inputs.h"
 #include "stdlib/math.h"
 
@@ -14,7 +14,7 @@ static bool is_count(const Stmt *s)
             (e->op == SM_OP_ADD && e->arg[1]->kind == EX_VAR && e->arg[1]->var == s->var && expr_is_constant(e->arg[0])));
 }
 
-// Whether every assignment to v sets a constant or counts, and one counts.
+// Whether every assignment to v sets a constant or counts, and at least one counts.
 static bool is_counter(const Finder *f, const Var *v)
 {
     bool counts = false;
@@ -68,7 +68,7 @@ static int distinct(const double *at, uint32_t n)
     return count;
 }
 
-// Percent lie far apart, codes close together or without zero.
+// Percentages are far apart; codes are close together or never zero.
 static bool is_code(const Finder *f, uint32_t v)
 {
     double least = 0, most = 0;
@@ -81,7 +81,7 @@ static bool is_code(const Finder *f, uint32_t v)
            most != 100;
 }
 
-// How many there have been: it goes up by a constant, and back to 0.
+// A count of events: it goes up by a constant, and back to 0.
 static bool only_counts(const Finder *f, const Var *v)
 {
     bool counts = false;
@@ -97,7 +97,8 @@ static bool only_counts(const Finder *f, const Var *v)
     return counts;
 }
 
-// A value made of sensors drives something only where it is bounded, or where it is given levels too: an estimate is not.
+// A value computed from sensors drives something only if it is bounded, or if constant levels are assigned too.  Otherwise it
+// is an estimate.
 static bool is_estimate(const Finder *f, const Var *v)
 {
     bool made_of_sensors = false;
@@ -107,8 +108,8 @@ static bool is_estimate(const Finder *f, const Var *v)
     return made_of_sensors && !f->bounded[v->index] && distinct(f->given[v->index].at, f->given[v->index].n) == 0;
 }
 
-// A bool that the machine writes; a number that is off at rest: an assignment, or the lower end of what it can be, makes it 0.  One that
-// the machine compares is a value of its own: a code, a count, an estimate.
+// A bool that the machine writes drives something.  So does a number that is off at rest: an assignment, or the lower end of
+// its values, makes it 0.  A number that the machine compares is a code, a count or an estimate instead.
 static bool is_actuator(const Finder *f, const Var *v)
 {
     if (v->kind != VAR_ELEMENT || !v->written)
@@ -120,7 +121,7 @@ static bool is_actuator(const Finder *f, const Var *v)
     return f->zeroed[v->index] && !is_estimate(f, v) && !(is_code(f, v->index) && !f->varied[v->index]);
 }
 
-// A copy of a local is what the local is.
+// A copy of a local has the properties of the local.
 static void note_copy(const StmtPlace *at, void *context)
 {
     Finder *f = context;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The readings of an input that trials choose from, and the times that a machine waits for.
 //
-// Where the two sides of a comparison are equal, what the comparison decides changes.  That reading is found by a secant, for most
-// comparisons are of straight lines.  One reading from each interval between them, and zero, is enough to make every comparison
-// come out both ways.
+// A comparison changes its result where its two sides are equal.  That reading is found with the secant method, because most
+// comparisons are linear.  One reading from each interval between such readings, and zero, are enough to make every comparison
+// true and false.
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,9 +11,9 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-enum { ROOTS = 16 };                  // of one input
+enum { ROOTS = 16 };                  // for one input
 
-// Makes the assignments of one state, or of all, once each in file order.
+// Executes the assignments of one state, or of all (0), once each in file order.
 static void assign(Finder *f, uint32_t state)
 {
     for (size_t i = 0; i < f->assign.n; i++)
@@ -21,7 +21,7 @@ static void assign(Finder *f, uint32_t state)
             f->value[f->assign.at[i]->var->index] = expr_eval(f->assign.at[i]->value, f->value);
 }
 
-// The values that variables have once every assignment has been made, while the inputs read this.
+// Computes the values of the variables after every assignment has been executed, with the current inputs.
 static void compute(Finder *f)
 {
     for (size_t v = 0; v < f->p->var.n; v++)
@@ -48,7 +48,7 @@ static double difference(const Finder *f, size_t c)
     return expr_eval(f->comparison.at[c].left, f->value) - expr_eval(f->comparison.at[c].right, f->value);
 }
 
-// Which assignments are repeated for a reading: another state, or an earlier step, can have stored its value long ago.
+// Which assignments are executed again for a reading.  Another state, or an earlier step, can have stored its value long ago.
 typedef enum Remembered { NOTHING, OTHER_STATES, EVERYTHING, REMEMBERED } Remembered;
 
 static void find_differences(Finder *f, Remembered remembered, double *d)
@@ -62,7 +62,7 @@ static void find_differences(Finder *f, Remembered remembered, double *d)
     }
 }
 
-// set: gives the variable, or the group, that is varied the reading x.
+// set: sets the varied variable or group to the reading x.
 static void find_roots(Finder *f, void (*set)(Finder *f, uint32_t which, double x), uint32_t which, uint32_t bit, Remembered remembered, Roots *out)
 {
     static const double at[] = {-1e5, -40, 0, 1, 90, 3000, 1e5};
@@ -110,7 +110,7 @@ static void set_group(Finder *f, uint32_t input, double x)
             f->value[f->t->input[i].v->index] = x;
 }
 
-// G and T are the same as long as the machine has only begun; a time that was stored is 0.
+// G and T are equal when the machine has just begun.  A stored time is 0.
 static void set_time(Finder *f, uint32_t which, double x)
 {
     (void)which;

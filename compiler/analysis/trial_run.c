@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Running a machine from a situation, letting time pass in it, and choosing what its inputs read.
+// Runs a machine from a situation, lets time pass in it, and chooses the readings of its inputs.
 #include <string.h>
 
 #include "compiler/analysis/trial.h"
 #include "stdlib/math.h"
 
 enum {
-    STEPS_OF_PASS = 40,           // where something changes that is no counter
-    BEGINNINGS = 6,               // readings with which a state is tried to last
-    BEGINNING = 3                 // steps that it lasts then
+    STEPS_OF_PASS = 40,           // if a variable changes that is not a counter
+    BEGINNINGS = 6,               // readings that are tried to make a state last
+    BEGINNING = 3                 // steps for which it has to last
 };
 
 // ---- running ----

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What has no effect on anything that the machine shows or decides: elements that it lists and never uses, locals that nothing
-// but themselves needs, rolling statistics that feed only such.  And locals that never change, which are constants.
+// Parts without any effect on what the machine shows or decides: elements that are listed but never used, locals that only they
+// themselves need, rolling statistics that feed only such parts.  Also locals that never change, which are constants.
 //
-// What has an effect: a transition and an assignment to an element, with every guard around them.  From there it goes back: of a
-// local that is needed, every assignment is, with its guards; of a statistic that is needed, what it samples.
+// A transition and an assignment to an element have an effect, and so does every guard around them.  The search goes backwards
+// from there.  If a local is needed, so is every assignment to it, with its guards.  If a statistic is needed, so is its
+// sample.
 #include "compiler/analysis/analysis.h"
 
-// ---- what is needed ----
+// ---- needed variables ----
 
 typedef struct Place Place;
 struct Place {                    // of an assignment
@@ -17,11 +18,11 @@ struct Place {                    // of an assignment
 
 typedef struct Needs {
     Analysis *a;
-    bool everywhere;              // what is never executed counts too
-    bool *var, *window;           // by Var.index, by index of window: it is needed
-    bool *guard;                  // by Stmt.number: the guard is
-    const Place **place;          // by Var.index: where it is assigned
-    VEC(const Var *) waiting;     // needed, their assignments not yet looked at
+    bool everywhere;              // statements that are never executed count too
+    bool *var, *window;           // by Var.index; by index of the window: it is needed
+    bool *guard;                  // by Stmt.number: the guard is needed
+    const Place **place;          // by Var.index: its assignments
+    VEC(const Var *) waiting;     // needed, but their assignments are not yet visited
 } Needs;
 
 static void need_expr(Needs *n, const Expr *e)
@@ -46,7 +47,7 @@ static void need_guards(Needs *n, const Condition *when)
     }
 }
 
-// A transition, or an assignment that others see.  (A conditional without statements is an oversight of its own.)
+// A transition, or an assignment that is visible outside. (A conditional without statements has its own warning.)
 static bool has_effect(const Stmt *stmt)
 {
     switch (stmt->kind) {
@@ -85,8 +86,8 @@ static void note_place(Needs *n, const Stmt *stmt, const Condition *when)
     n->place[stmt->var->index] = p;
 }
 
-// As deep as conditionals nest: AST_DEPTH_MAX bounds it.  Where only what is executed counts, every guard does: that one is
-// decided is a finding of its own.
+// Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.  If only executed statements count, every
+// guard counts: an always decided guard has its own finding.
 static void look_at_stmts(Needs *n, const Stmts *stmts, const Condition *when)
 {
     for (size_t i = 0; i < stmts->n; i++) {
@@ -129,7 +130,7 @@ static Needs needs_of(Analysis *a, bool everywhere)
 
 // ---- variables ----
 
-// G and S have their use without being named.
+// G and S are used even if the machine does not name them.
 static void look_at_element(Analysis *a, const Var *v)
 {
     if (!v->read && !v->written && v != a->p->g && v != a->p->s)
@@ -138,8 +139,8 @@ static void look_at_element(Analysis *a, const Var *v)
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-// Writes @read_only behind the declaration of a local: behind the last ')' of the initial value, for the parentheses around an
-// expression are not part of its place.
+// Inserts @read_only after the declaration of a local.  It must follow the last ')' of the initial value, because the span of
+// an expression does not include the parentheses around it.
 static void mark_read_only(Diags *diags, Diag *d, const Var *local)
 {
     const Source *src = local->span.src;
@@ -163,7 +164,7 @@ static void report_never_written(Analysis *a, const Var *v)
     mark_read_only(a->diags, d, v);
 }
 
-// Read and written, but perhaps for itself alone.
+// Read and written, but perhaps only by its own assignments.
 static bool may_feed_itself(const Var *v)
 {
     return v->kind == VAR_LOCAL && !v->read_only && v->read && v->written;
@@ -187,7 +188,7 @@ static void need_var(Expr *e, void *context)
         needed[e->var->index] = true;
 }
 
-// Initial values and sizes of windows need what they are made of.
+// Initial values and window sizes need the variables that they read.
 static void need_constants(const Program *p, bool *needed)
 {
     for (size_t i = 0; i < p->var.n; i++) {
@@ -216,7 +217,7 @@ static void look_at_windows(Analysis *a, const Needs *all)
 void analyse_unused(Analysis *a)
 {
     const Program *p = a->p;
-    bool asked = p->window.n > 0;                      // whether anybody asks what is needed: it is a walk through all there is
+    bool asked = p->window.n > 0;                      // whether the needed set is used at all: computing it visits the whole program
     Needs all = {.var = NULL};
 
     for (size_t i = 0; i < p->var.n; i++)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that the variable they are stored in cannot hold: constants, and computed ones that never fit.
+// Values that do not fit the variable they are stored in: constants, and computed ones that never fit.
 #include "compiler/analysis/analysis.h"
 
 #include "stdlib/convert.h"
@@ -38,7 +38,8 @@ static const char *bounds_text(Analysis *a, Fact f)
     return f.lo == f.hi ? lo : format_in(a->arena, "from %s to %s", lo, const_text(a->arena, f.hi));
 }
 
-// Above the largest value of the type in all cases, or below the smallest; what drops to the limit with its fraction fits.
+// Whether all values are above the largest value of the type, or all below the smallest.  A value that only loses its fraction
+// fits.
 static bool never_fits(Fact f, SmType type)
 {
     const Fact t = fact_of_type(type);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// States that the machine may stay in for ever.
+// States that the machine may stay in forever.
 //
-//   waits-for-sensor    one sensor alone can end the state: while it reads 0, an end of its @range, sticks or is noisy, nothing that
-//                       other sensors read and no time leads out
-//   missing-timeout     the state switches an output on, and while inputs stay as they are no time leads out
+//   waits-for-sensor    only one sensor can end the state: while it reads 0, an end of its @range, sticks or is noisy, no reading of
+//                       another sensor and no time leads out
+//   missing-timeout     the state switches an output on, and while inputs are constant it never ends
 //
-// The first state is asked only if it switches something on: nothing has begun that would have to go on.
-// Elements marked @command are not moved: a state that a person can end may still last for ever in flight.  Other bools are, where
+// The first state is checked only if it switches something on: otherwise nothing has begun that would have to continue.
+// Elements marked @command do not move: a state that a person can end may still last forever in flight.  Other bools do move in
+// the check for one sensor: they can be switches that the flight operates, such as a pull wire.
 // one sensor is asked about: they can be switches that the flight operates, as a pull wire.
 #include <string.h>
 
@@ -14,25 +15,25 @@
 
 enum {
     TRIED = 3,                    // entries of a state
-    LIVES = 24,                   // histories that are tried before a state is said never to end
-    LAST_PASSES = 20,             // of TRIAL_PASSES: what happens then happens for ever
-    CHANGES = 4                   // of the other inputs, in one history
+    LIVES = 24,                   // histories that are tried before a state is reported as never ending
+    LAST_PASSES = 20,             // of TRIAL_PASSES: what happens in these happens forever
+    CHANGES = 4                   // changes of the other inputs, in one history
 };
 
-// A sensor that has failed: it reads one number, with noise on it or without.
+// A sensor that has failed: it reads one number, with or without noise.
 typedef struct Failed { uint32_t input; double reading, noise; } Failed;
 
 typedef struct Waits {
     Trials *t;
     void *at;
     double *in, *now;             // inputs at rest; of this step
-    double *mid;                  // variables half way through a long stay
-    double noise;                 // on healthy sensors, in their scale
+    double *mid;                  // variables halfway through a long stay
+    double noise;                 // on healthy sensors, in units of their scale
     const Failed *failed;         // or NULL
-    const Stmt *on;               // of the state: what has an output on at the end, or now and then for ever; or NULL
+    const Stmt *on;               // statement of the state that has an output on at the end, or now and then forever; or NULL
 } Waits;
 
-// What the inputs are in this step.
+// Sets the inputs of this step.
 static void set_inputs(Waits *w)
 {
     Trials *t = w->t;
@@ -44,7 +45,7 @@ static void set_inputs(Waits *w)
         w->now[f->input] = f->reading + f->noise * (trial_below(t, 2001) / 1000.0 - 1);
 }
 
-// The statement of the state that has an output on now.
+// Finds the statement of the state that has an output on now.
 static void note_on(Waits *w, const State *s)
 {
     const Trials *t = w->t;
@@ -58,7 +59,7 @@ static void note_on(Waits *w, const State *s)
     }
 }
 
-// What falls back begins again and again: it does not advance.
+// A variable that falls starts again, so it does not count as advancing.
 static void note_falls(Waits *w)
 {
     const double *var = ir_run_vars(w->t->run, w->at);
@@ -68,7 +69,8 @@ static void note_falls(Waits *w)
             w->mid[v] = 1e300;
 }
 
-// Holds the inputs until windows are full, then for as long as anything can happen.  False: the state is left, or may be later.
+// Holds the inputs until windows are full, then for as long as anything can happen.  Returns false if the state is left, now or
+// perhaps later.
 static bool stays_long(Waits *w, uint32_t state)
 {
     Trials *t = w->t;
@@ -95,7 +97,7 @@ static bool stays_long(Waits *w, uint32_t state)
     return idle == 2 || !trial_advances(t, w->mid, w->at);
 }
 
-// One history: other inputs change now and then.
+// Runs one history, in which other inputs change now and then.
 static bool lasts(Waits *w, const TrialEntry *e)
 {
     Trials *t = w->t;
@@ -202,9 +204,9 @@ void question_waits_for_sensor(Trials *t)
     }
 }
 
-// ---- no limit to the time ----
+// ---- no time limit ----
 
-// What the state switches on, `first` first: the time of none of them has a limit.
+// The outputs that the state switches on, `first` first.  None of them has a time limit.
 static uint32_t outputs_of(const Trials *t, const State *s, const Var *first, const Var **output)
 {
     uint32_t n = 0;
@@ -239,7 +241,7 @@ static bool report_no_timeout(Waits *w, const State *s)
     return true;
 }
 
-// A state that is never left at all is missing-way-out's.
+// A state that is never left is reported by missing-way-out instead.
 static bool is_ever_left(const Trials *t, const State *s)
 {
     for (size_t i = 0; i < t->a->transition.n; i++) {

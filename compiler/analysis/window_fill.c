@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rolling windows that decide before they are full.
 //
-// Two machines run side by side from a situation in which windows have few samples.  In one of them they are filled first, with what
-// the sensors are about to read.  If that one stays as it is while the other makes a transition or switches an output on, it
-// was the missing samples that decided: the finding is at the first guard on which the two differ, which may set a flag or
-// a code that decides later.
+// Two machines run side by side from a situation in which windows have few samples.  In one of them the windows are filled
+// first, with the readings that the sensors are about to deliver.  If that one does nothing while the other makes a transition
+// or switches an output on, the missing samples decided.  The finding is at the first guard on which the two differ, which may
+// set a flag or a code that decides later.
 //
-// Only situations that are reached without a command and in a number of steps that is known count: a person waits long enough, and
-// and if the step is not known, so does a timer.
+// Only situations that are reached without a command and in a known number of steps count.  A person waits long enough, and so
+// does a timer if the step is unknown.
 #include <string.h>
 
 #include "compiler/analysis/questions.h"
@@ -15,7 +15,7 @@
 enum {
     TRIED = 8,                    // entries of a state
     DRAWS = 500,                  // inputs tried in each
-    LATER = 60                    // steps and times that are followed once windows are full
+    LATER = 60                    // steps and times that are followed after windows are full
 };
 static const uint64_t effort = 30000000;          // instructions
 static const double noise[] = {0.001, 0.02, 0.3, 5, 100};          // in TrialInput.scale
@@ -24,19 +24,19 @@ enum { NOISES = sizeof noise / sizeof *noise };
 typedef struct WindowFill {
     Trials *t;
     void *full, *few, *filled;
-    uint32_t window;              // in IrMachine.window: the one that is full in `full`
+    uint32_t window;              // in IrMachine.window: the window that is full in `full`
     double *in, *now;
     IrTrace few_did, full_did;
     double noise;
     uint32_t clock;
-    double *earlier;              // what full windows hold
+    double *earlier;              // the samples of the full window before the start
     double *before, *before_full; // variables before a step
-    bool same;                    // sensors have read what they read now since the start
-    bool later;                   // both are full, or in another state: what differs now was decided before
-    const Stmt *guard;            // on which the two differed first
-    uint32_t samples;             // that the one had then
-    uint64_t until;               // Trials.run.work at which there has been enough
-    uint32_t *deciding;           // the window that did
+    bool same;                    // sensors have had their current readings since the start
+    bool later;                   // both are full, or in another state: a difference now was decided before
+    const Stmt *guard;            // the first guard on which the two differed
+    uint32_t samples;             // number of samples in the window then
+    uint64_t until;               // value of Trials.run.work at which the search stops
+    uint32_t *deciding;           // by Stmt.number: the window that decided
     uint32_t *found;              // by Stmt.number of a guard: the fewest samples with which it decided; 0: none
 } WindowFill;
 
@@ -72,7 +72,7 @@ static bool switches_on(const WindowFill *w)
     return false;
 }
 
-// The first guard that came out differently.
+// Finds the first guard with different results.
 static void note_guard(WindowFill *w, uint32_t samples)
 {
     const uint32_t n = samples > w->t->window ? 0 : w->few_did.n < w->full_did.n ? w->few_did.n : w->full_did.n;
@@ -89,10 +89,10 @@ static void note_guard(WindowFill *w, uint32_t samples)
 
 typedef enum Outcome { SAME, FULL_ACTS, FEW_DECIDE } Outcome;
 
-// Both make a step.  That a full window decides is no finding.
+// Compares the two after a step.  A decision by the full window is not a finding.
 static Outcome compare(WindowFill *w, uint32_t samples)
 {
-    const bool before = w->guard && w->later;         // they have differed, and it has not been seen yet
+    const bool before = w->guard && w->later;         // they have differed, without a visible effect yet
 
     note_guard(w, samples);
     if (w->few_did.transition != w->full_did.transition)
@@ -103,7 +103,7 @@ static Outcome compare(WindowFill *w, uint32_t samples)
     return SAME;
 }
 
-// What has been decided wrongly may show only later, in another state: time passes, and people give commands.
+// A wrong decision may show only later, in another state: time passes, and people give commands.
 static bool shows_later(WindowFill *w)
 {
     Trials *t = w->t;
@@ -132,7 +132,8 @@ static bool shows_later(WindowFill *w)
     return o == FEW_DECIDE;
 }
 
-// The window holds what the last step read, once for each step so far, and before that `earlier` so many times.
+// Fills the window with `earlier` samples of the earlier readings, then with one sample of the last step's readings for each
+// step so far.
 static void fill(WindowFill *w, const TrialEntry *e, void *situation, uint32_t earlier)
 {
     Trials *t = w->t;
@@ -150,8 +151,8 @@ static void fill(WindowFill *w, const TrialEntry *e, void *situation, uint32_t e
     w->noise = usual;
 }
 
-// One window is full in one of the two, of what `earlier` reads; then both read the same.  glitch: an input that reads something else in the first
-// step; IR_NONE.
+// One window is full of `earlier` readings in one of the two; then both read the same. glitch: an input with another reading in
+// the first step; or IR_NONE.
 static bool decides(WindowFill *w, const TrialEntry *e, uint32_t glitch, double reading)
 {
     Trials *t = w->t;
@@ -210,7 +211,7 @@ static void find_roll(Expr *e, void *context)
     }
 }
 
-// Of several at one guard the one with the fewest samples.
+// Of several findings at one guard, stores the one with the fewest samples.
 static void note_finding(WindowFill *w)
 {
     uint32_t *least = &w->found[w->guard->number];
@@ -221,7 +222,7 @@ static void note_finding(WindowFill *w)
     }
 }
 
-// With all its samples it is no longer the window that decides, but what the machine stored before.
+// If the window has all its samples, the cause is not the window but a value that the machine stored before.
 static const char *what_is_early(const Analysis *a, const Expr *roll, uint32_t samples)
 {
     const char *text = source_text(a->arena, roll->span);
@@ -246,7 +247,7 @@ static void report(const WindowFill *w)
         diag_note(a->diags, d, f.roll->span, DIAG_note_statistic_here, f.through->name->text);
 }
 
-// The same as now, other readings, or far too much or too little.
+// The current readings, other readings, or far too high or too low ones.
 static void choose_earlier(WindowFill *w, uint32_t kind)
 {
     Trials *t = w->t;
