@@ -185,7 +185,7 @@ SmResult sm_machine_step(void *machine, const SmTick *tick)
     return r != SM_OK ? r : delivered;
 }
 
-// ---- looking at it ----
+// ---- access ----
 
 uint32_t sm_machine_state(const SmMachine *m) { return m->type->state(m->self); }
 uint64_t sm_machine_time(const SmMachine *m) { return m->type->time(m->self); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers of engines: space for one, and the comparison that a run in lock step makes after every step.
+// Results of engines: their allocation, and the comparison after every step of a run in lock step.
 #include "compiler/script/engine.h"
 
 #include <inttypes.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can run a machine, seen from the script engine: reference interpreter, VM, emitted C in another process, a board
-// behind a serial line.  One exchange a step, in typed bit cells, so that a link costs one message each way.
+// Interface of the engines that can run a machine for a script: reference interpreter, VM, emitted C in another process, a board on
+// a serial line.  Each step is one exchange of typed cells, so that a link needs one message in each direction.
 //
-// A cell is the value's bits in its own type, zero-extended to 64 (I8 -1 is 0xff; F32 its binary32; bool 0 or 1).
-// Variables are numbered as in Program.var.  A cell that is read is as stored, NaN included.
+// A cell is the value's bits in its own type, zero-extended to 64 bits (I8 -1 is 0xff; F32 is its binary32; bool is 0 or 1).
+// Variables are numbered as in Program.var.  A cell is read as stored, including NaN.
 #ifndef SMC_ENGINE_H
 #define SMC_ENGINE_H
 
@@ -16,50 +16,51 @@ typedef struct EngineWrite { uint32_t var; uint64_t cell; } EngineWrite;
 
 typedef enum EngineStatus {
     ENGINE_OK,
-    ENGINE_REFUSED,           // time did not advance: nothing changed (language.md 6.1)
-    ENGINE_BROKEN             // the engine itself failed; `error` says how
+    ENGINE_REFUSED,           // time did not advance, so nothing changed (language.md 6.1)
+    ENGINE_BROKEN             // the engine itself failed; `error` is the reason
 } EngineStatus;
 
 typedef struct EngineStep {
     EngineStatus status;
-    uint32_t next_state;      // number of the state the next step will run
-    bool next_is_first;       // that will be a first step: after init and after a transition, one to the same state too
+    uint32_t next_state;      // number of the state that the next step runs
+    bool next_is_first;       // the next step is a first step: after init and after a transition, even to the same state
     uint64_t *cell;           // every variable after the step; program->var.n of them
-    uint8_t *stored;          // 1 for each element that the step stored, by variable
+    uint8_t *stored;          // by variable: 1 for each element that the step stored
 } EngineStep;
 
 typedef struct Engine Engine;
 struct Engine {
     const char *name;         // "ref", "vm", "vm-soft", "c"
     const Program *program;
-    const char *error;        // after ENGINE_BROKEN: what happened
+    const char *error;        // after ENGINE_BROKEN: the reason
     void *self;
-    // Puts the machine at `state`: elements zero, locals at their initial values, then `S`, as init does (language.md 6).
-    // Gives in *out the cells as they are then.
+    // Puts the machine into `state` like init (language.md 6): elements are zero, locals have their initial values, then `S` is
+    // stored. *out receives the resulting cells.
     EngineStatus (*init)(Engine *e, uint32_t state, EngineStep *out);
-    // Writes n cells (locals too, read-only ones that are no constants included), steps, and tells what is there then.
+    // Writes n cells, runs one step, and stores the result in *out.  Cells may be locals, including read-only ones that are not
+    // constants.
     EngineStatus (*step)(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out);
     void (*close)(Engine *e);
 };
 
-// Space for the answer of an engine that runs p.
+// Allocates the result of an engine that runs p.
 void engine_step_init(EngineStep *s, Arena *arena, const Program *p);
-// NULL when two engines gave the same answer bit for bit; else a sentence that names the first difference, in arena.
+// Returns NULL if two engines gave bit-identical results; otherwise a sentence in `arena` that names the first difference.
 const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a, const Engine *b, const EngineStep *of_b);
 
 // The reference interpreter.
 Engine *engine_ref_open(Arena *arena, const Program *p);
-const Stmt *engine_ref_transition(const Engine *ref);      // that the last step made; NULL: none
-// The VM, on an image that holds p as machine number `machine`.
+const Stmt *engine_ref_transition(const Engine *ref);      // made by the last step; NULL: none
+// The VM, with an image in which p is machine number `machine`.
 Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
-// Where an engine that engine_vm_open gave keeps a variable, for who runs its image elsewhere.
+// Where an engine from engine_vm_open stores a variable; for code that runs its image elsewhere.
 typedef struct EnginePlace {
     enum { PLACE_CONSTANT, PLACE_TIME, PLACE_ELEMENT, PLACE_LOCAL } in;
     uint32_t offset;          // in bytes: in the state vector, or among the locals
-    uint32_t output;          // 1 + its number among the machine's outputs, as smvm_stored has them; 0: it is none
+    uint32_t output;          // 1 + its number among the machine's outputs, as in smvm_stored; 0: not an output
 } EnginePlace;
 EnginePlace engine_vm_place(const Engine *e, uint32_t var);
-// The VM as it is on a chip without binary64: engine_vm.c and bytecode-vm/, compiled once more with the soft type (see the Makefile).
+// The VM as on a chip without binary64: engine_vm.c and bytecode-vm/ compiled a second time with the soft type (see the Makefile).
 Engine *engine_vm_soft_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
 
 #endif

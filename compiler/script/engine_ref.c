@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference interpreter: runs a Program as language.md 6 says, sentence by sentence.  It is the oracle of every
-// differential test, so it is slow where that makes it plainer, and nothing in it is shared with another engine.
+// The reference interpreter: runs a Program by the rules of language.md 6, sentence by sentence.  It is the oracle of every
+// differential test.  It therefore prefers plain code to speed, and shares nothing with another engine.
 #include "compiler/script/engine.h"
 
 #include <string.h>
@@ -20,7 +20,7 @@ typedef struct Ref {
     bool has_run;             // a step has run since init
     uint64_t last_g;          // G at the last step that ran
     uint64_t start;           // G at the first step of the state
-    const Stmt *transition;   // that the last step made, or NULL
+    const Stmt *transition;   // made by the last step, or NULL
 } Ref;
 
 static void store(Ref *r, const Var *v, uint64_t cell)
@@ -29,7 +29,7 @@ static void store(Ref *r, const Var *v, uint64_t cell)
     r->stored[v->index] = v->kind == VAR_ELEMENT;
 }
 
-// Executes statements in order; gives the target of the transition that ended them, or NULL.
+// Executes statements in order.  Returns the target of the transition that ended them, or NULL.
 static const State *execute(Ref *r, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++) {
@@ -49,7 +49,7 @@ static const State *execute(Ref *r, const Stmts *list)
             break;
         }
         if (target)
-            return target;                            // a transition ends its block at once
+            return target;                            // a transition ends its block immediately
     }
     return NULL;
 }
@@ -131,7 +131,7 @@ static EngineStatus ref_init(Engine *e, uint32_t state, EngineStep *out)
 
 const Stmt *engine_ref_transition(const Engine *e) { return ((const Ref *)e->self)->transition; }
 
-static void ref_close(Engine *e) { (void)e; }         // everything lives in the arena
+static void ref_close(Engine *e) { (void)e; }         // everything is in the arena
 
 Engine *engine_ref_open(Arena *arena, const Program *p)
 {

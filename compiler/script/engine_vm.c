@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The VM as an engine: what flies, in this process.  Elements lie in a state vector of its own at the program's offsets;
-// locals are found by their names in the image's debug section.
+// The VM as an engine in this process, with the same code as in flight.  Elements are in its own state vector, at the program's
+// offsets.  Locals are found by name in the image's debug section.
 //
-// The machine runs twice: decoded, which gives the answers, and in place beside it.  Every difference between the two is an error.
+// The machine runs twice: in decoded form, which returns the results, and in place for comparison.  Any difference between the two
+// is an error.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
@@ -15,12 +16,12 @@ typedef struct VmEngine {
     Engine engine;
     const Program *p;
     SmvmMachine m;
-    SmVm *vm, *beside;        // decoded, in place
+    SmVm *vm, *beside;        // `vm` runs decoded, `beside` runs in place
     SmvmDecoded *decoded;
-    uint32_t size;            // bytes at vm, and at beside
+    uint32_t size;            // size in bytes of vm, and of beside
     uint64_t *sv, *sv_beside; // their state vectors
-    uint8_t **at;             // by variable: where its value lies; NULL: T and constants
-    uint32_t *output;         // by variable: 1 + its number among the outputs; 0: it is none
+    uint8_t **at;             // by variable: address of its value; NULL: T and constants
+    uint32_t *output;         // by variable: 1 + its number among the outputs; 0: not an output
 } VmEngine;
 
 // ---- stepping ----
@@ -56,7 +57,7 @@ static bool both_stored(const VmEngine *v)
     return smvm_stored_state(v->vm) == smvm_stored_state(v->beside);
 }
 
-// Decoded and in place; what is computed on the way lies among the locals.
+// Compares the decoded run and the run in place.  Intermediate values are among the locals.
 static bool agree(const VmEngine *v)
 {
     return memcmp(v->sv, v->sv_beside, v->m.sv_size) == 0 && memcmp(smvm_locals(v->vm), smvm_locals(v->beside), v->m.locals) == 0
@@ -119,13 +120,13 @@ static EngineStatus vm_init(Engine *e, uint32_t state, EngineStep *out)
     return ENGINE_OK;
 }
 
-static void vm_close(Engine *e) { (void)e; }          // everything lives in the arena
+static void vm_close(Engine *e) { (void)e; }          // everything is in the arena
 
 // ---- opening ----
 
 static void find_elements(VmEngine *v, Arena *arena)
 {
-    uint32_t *var_at = ARENA_ARRAY(arena, uint32_t, v->m.sv_size);       // by offset: 1 + the variable that begins there
+    uint32_t *var_at = ARENA_ARRAY(arena, uint32_t, v->m.sv_size);       // by offset: 1 + the variable at that offset
 
     for (uint32_t k = 0; k < v->p->var.n; k++) {
         const Var *var = v->p->var.at[k];
@@ -150,7 +151,7 @@ static bool is_variable(const VmEngine *v, uint32_t k, SmvmName name, const Smvm
         && memcmp(var->name->text, v->m.image + name.at, name.size) == 0;
 }
 
-// The image has those of a type in the program's order, some left out: so each search begins behind the last find.
+// The image has the locals of a type in the program's order, possibly with gaps, so each search starts after the previous match.
 static void find_locals(VmEngine *v)
 {
     uint8_t *locals = smvm_locals(v->vm);
@@ -169,7 +170,7 @@ static void find_locals(VmEngine *v)
     }
 }
 
-// NULL, or why the image cannot stand for the program.
+// Returns NULL, or the reason why the image cannot represent the program.
 static const char *check(const VmEngine *v, Arena *arena)
 {
     for (uint32_t k = 0; k < v->p->var.n; k++) {

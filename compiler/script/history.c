@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What led to a bad end: the last steps, with the values that matter, and the last transitions with the lines that made them.  A run
-// keeps no history.  A script that ended badly is run once more, on the reference interpreter, which knows the statement of each
-// transition; so scripts that pass pay nothing.
+// The history of a failed run: the last steps with the relevant values, and the last transitions with their source lines.  A run
+// does not record its history.  A script that failed runs again on the reference interpreter, which knows the statement of each
+// transition.  Scripts that pass therefore have no extra cost.
 #include "compiler/script/run.h"
 
 #include <inttypes.h>
@@ -9,7 +9,7 @@
 
 enum {
     STEPS = 5, TRANSITIONS = 3, COLUMNS = 6, COLUMN_WIDTH = 40, STOPS = 3,
-    WORK_MOST = 1000000000            // samples that the second run may look at: a few seconds
+    WORK_MOST = 1000000000            // limit for samples read in the second run: a few seconds
 };
 
 typedef struct PastStep {
@@ -26,18 +26,18 @@ typedef struct PastTransition {
 
 typedef struct History {
     Run *failed;
-    Run run;                          // the same script once more
+    Run run;                          // the second run of the same script
     const Expr *column[COLUMNS];
     size_t columns;
-    PastStep step[STEPS];             // the last ones, in order
+    PastStep step[STEPS];             // the last steps, in order
     size_t steps;
     PastTransition transition[TRANSITIONS];
-    size_t transitions;               // likewise
+    size_t transitions;               // the last transitions, in order
 } History;
 
 static const char *count_text(Arena *arena, uint64_t n) { return format_in(arena, "%" PRIu64, n); }
 
-// ---- what is shown ----
+// ---- columns of the table ----
 
 static bool is_column(const History *h, const Expr *e)
 {
@@ -47,19 +47,19 @@ static bool is_column(const History *h, const Expr *e)
     return false;
 }
 
-// The variables and windows that an expression reads; what never changes is no news.
+// Adds the variables and windows that an expression reads, except constants.
 static void add_columns(History *h, const Expr *e)
 {
     const bool is_value = e->kind == EX_ROLL || (e->kind == EX_VAR && !e->var->is_constant);
 
     if (is_value && h->columns < COLUMNS && e->span.src && e->span.len <= COLUMN_WIDTH && !memchr(e->span.src->text + e->span.at, '\n', e->span.len) &&
-        !is_column(h, e) && !(e->kind == EX_VAR && e->var == h->failed->p->g))          // every row has G
+        !is_column(h, e) && !(e->kind == EX_VAR && e->var == h->failed->p->g))          // G has its own column
         h->column[h->columns++] = e;
     for (uint32_t i = 0; i < e->n && e->kind != EX_ROLL; i++)
         add_columns(h, e->arg[i]);
 }
 
-// ---- the run, once more ----
+// ---- the second run ----
 
 static const char *value_text(Run *r, const Expr *e)
 {
@@ -104,7 +104,7 @@ static void note(void *context, const ScriptStep *step)
     note_transition(context);
 }
 
-// The reference interpreter looks at every sample of every window in each step.
+// The reference interpreter reads every sample of every window in each step.
 static bool is_too_long(const Run *r)
 {
     uint64_t work = 1;
@@ -116,7 +116,7 @@ static bool is_too_long(const Run *r)
     return r->result.steps > WORK_MOST / work;
 }
 
-// Whether the values at the end are those of the run that ended badly.
+// Runs the script again.  Returns whether its final values equal those of the failed run.
 static bool run_again(History *h)
 {
     const Run *failed = h->failed;
@@ -131,7 +131,7 @@ static bool run_again(History *h)
     return h->run.result.steps == failed->result.steps && memcmp(h->run.cell, failed->cell, failed->p->var.n * sizeof *failed->cell) == 0;
 }
 
-// ---- as notes ----
+// ---- notes of the diagnostic ----
 
 static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 
@@ -205,7 +205,7 @@ static void add_transitions(History *h, Diag *d)
         diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, r->s->init_state->name->text);
 }
 
-// The run did not end: where the machine is.
+// For a run that did not stop: adds the machine's current state.
 static void add_state(const Run *r, Diag *d)
 {
     const uint64_t step = r->answer[0].next_is_first ? r->result.steps + 1 : r->start / r->s->delta_t + 1;
@@ -250,7 +250,7 @@ void history_add(Run *failed, Diag *d)
     if (failed->failed)
         add_columns(h, failed->failed);
     if (failed->failed && h->columns == 0)
-        add_columns(h, failed->failed_item->guard);       // @assert false: what made its condition true
+        add_columns(h, failed->failed_item->guard);       // for @assert false: the operands of its guard
     if (stop)
         add_columns(h, stop->guard);
     if (!failed->failed) {

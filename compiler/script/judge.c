@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Asserts and @stop after a step, and what to say of an assert that does not hold: the values it was made of.
+// Evaluates asserts and @stop after a step, and reports a false assert with the values of its operands.
 #include "compiler/script/run.h"
 
 #include <inttypes.h>
@@ -29,7 +29,7 @@ static bool was_seen(const Operands *o, const Expr *e)
     return false;
 }
 
-// As the user wrote it, on one line.
+// Whether the source text fits on one line of a message.
 static bool is_showable(Span s)
 {
     return s.src && s.len > 0 && s.len <= OPERAND_LENGTH && !memchr(s.src->text + s.at, '\n', s.len);
@@ -61,12 +61,12 @@ static bool is_relation(const Expr *e)
     return sm_op_info[e->op].op_class == SM_CLASS_RELATION || sm_op_info[e->op].op_class == SM_CLASS_EQUALITY;
 }
 
-// Variables and calls wherever they stand, and what a comparison compares.
+// Adds the variables and calls anywhere in e, and the operands of comparisons.
 static void add_operands(Operands *o, const Expr *e, bool is_compared)
 {
     if (e->kind == EX_NUMBER || o->n == OPERANDS_MOST)
         return;
-    if (e->kind != EX_ROLL)                           // a window's sample is not what it was
+    if (e->kind != EX_ROLL)                           // its operands may have changed since the sample
         for (uint32_t i = 0; i < e->n; i++)
             add_operands(o, e->arg[i], is_relation(e));
     if (e->kind == EX_VAR || e->kind == EX_CALL || e->kind == EX_ROLL || is_compared)
@@ -87,7 +87,7 @@ void judge_report_failure(Run *r)
     history_add(r, d);
 }
 
-// ---- judging ----
+// ---- evaluating ----
 
 void judge_step(Run *r)
 {
@@ -109,15 +109,15 @@ void judge_step(Run *r)
     }
 }
 
-// ---- what was not judged ----
+// ---- asserts never evaluated ----
 
-// `@assert false` says that its condition is never true: that no step judges it is what it wants.
+// `@assert false` states that its condition is never true, so it is intended that no step evaluates it.
 static bool is_never(const Run *r, const Expr *assert)
 {
     return expr_is_constant(assert) && !ref_true(ref_eval(assert, r->cell, &r->windows));
 }
 
-// Asserts that were not judged for one reason: one warning, at the first.
+// Asserts that were not evaluated for the same reason.  They share one warning, at the first one.
 typedef struct Unjudged { const Expr *first; size_t n; } Unjudged;
 
 static void add_unjudged(const Run *r, const ScriptItem *item, size_t number, Unjudged *u)
@@ -167,7 +167,7 @@ static bool has_assert(const Script *s)
     return false;
 }
 
-// A run that ended badly has judged less than it could: it says nothing of the rest.
+// A run that failed has evaluated fewer asserts than it could, so the others are not reported.
 void judge_unjudged(const Run *r)
 {
     if (r->result.outcome == SCRIPT_PASSED || r->result.outcome == SCRIPT_ENDLESS)

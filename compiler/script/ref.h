@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference: what numbers, expressions and windows mean, written down a second time with the host's doubles and as
-// plainly as can be.  It shares no arithmetic, conversion or window code with the rest, so that a differential test
-// against it proves something.  The script engine evaluates guards, inputs and asserts with it too (language.md 8).
+// The reference semantics of numbers, expressions and windows: a second implementation with the host's doubles, as plain as
+// possible.  It shares no arithmetic, conversion or window code with the rest, so that a differential test against it is
+// meaningful.  The script engine also evaluates guards, inputs and asserts with it (language.md 8).
 #ifndef SMC_REF_H
 #define SMC_REF_H
 
@@ -14,17 +14,17 @@
 
 double ref_read(SmType type, uint64_t cell);          // an element as an F64; a stored NaN reads as 0
 uint64_t ref_convert(SmType type, double x);          // an F64 as the cell of an element
-bool ref_true(double x);                              // as deciding takes it: not zero and not NaN
-bool ref_negative(double x);                          // below zero, or -0; no NaN
+bool ref_true(double x);                              // truth of a condition: not zero and not NaN
+bool ref_negative(double x);                          // below zero, or -0; not NaN
 double ref_pure(SmBuiltin fn, const double *arg);
 
 // ---- ref_window.c: language.md 7 ----
 
 typedef struct RefWindow {
     const Window *what;
-    double *slot;             // what->size of them
-    uint32_t next;            // where the next sample goes
-    uint32_t filled;          // slots 0 … filled - 1 hold samples
+    double *slot;             // what->size samples
+    uint32_t next;            // index of the next sample
+    uint32_t filled;          // slots 0 … filled - 1 contain samples
 } RefWindow;
 
 typedef struct RefWindows {
@@ -34,13 +34,13 @@ typedef struct RefWindows {
 } RefWindows;
 
 void ref_windows_init(RefWindows *w, Arena *arena, const Windows *list);
-void ref_windows_clear(RefWindows *w);                            // all empty, as at init
-void ref_windows_sample(RefWindows *w, const uint64_t *cell);     // every window takes its sample, in index order
+void ref_windows_clear(RefWindows *w);                            // empties all windows, as init does
+void ref_windows_sample(RefWindows *w, const uint64_t *cell);     // stores a sample in every window, in index order
 double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat);
 
 // ---- ref_eval.c: language.md 3 ----
 
-// The value of e where variable i holds cell[i]; w are the windows of e's owner, machine or script.
+// The value of e if variable i has cell[i]. w are the windows of e's owner, the machine or the script.
 double ref_eval(const Expr *e, const uint64_t *cell, const RefWindows *w);
 
 #endif

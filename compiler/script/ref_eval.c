@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions of the reference (language.md 3): one recursion over the tree, whose depth the parser has bounded.
+// Expressions of the reference (language.md 3): one recursion over the tree.  The parser limits its depth.
 #include "compiler/script/ref.h"
 
 static double apply_unary(SmOperator op, double a)
 {
     if (op == SM_OP_NOT)
         return !ref_true(a);
-    return op == SM_OP_NEG ? -a : a;                  // C's minus flips the sign, of zero too
+    return op == SM_OP_NEG ? -a : a;                  // C's minus flips the sign, even of zero
 }
 
 static double apply_binary(SmOperator op, double a, double b)
@@ -15,7 +15,7 @@ static double apply_binary(SmOperator op, double a, double b)
     case SM_OP_OR: return ref_true(a) || ref_true(b);
     case SM_OP_AND: return ref_true(a) && ref_true(b);
     case SM_OP_EQ: return a == b;
-    case SM_OP_NE: return a != b;                     // 1 when either is NaN; the other five give 0
+    case SM_OP_NE: return a != b;                     // 1 if either is NaN; the other five return 0
     case SM_OP_LT: return a < b;
     case SM_OP_LE: return a <= b;
     case SM_OP_GT: return a > b;
@@ -44,7 +44,7 @@ static double eval_chain(const Expr *e, const uint64_t *cell, const RefWindows *
 
 static double eval_call(const Expr *e, const uint64_t *cell, const RefWindows *w)
 {
-    double arg[3] = {0, 0, 0};                        // builtins.def: no function takes more
+    double arg[3] = {0, 0, 0};                        // builtins.def: no function has more parameters
 
     for (uint32_t i = 0; i < e->n && i < 3; i++)
         arg[i] = ref_eval(e->arg[i], cell, w);

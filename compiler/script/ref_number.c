@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of the reference: cells to doubles and back, and the pure builtins.  Plain C on doubles, no bit tricks: where
-// another implementation works on bits, this one compares and calculates, and the two check each other.
-// A cell's bits are taken apart with memcpy only for F32 and F64, whose bits are the value.
+// Numbers of the reference: conversion of cells to doubles and back, and the pure builtins.  Plain C on doubles, without bit
+// manipulation: the other implementations work on bits, this one compares and calculates, and so they check each other. memcpy of a
+// cell is used only for F32 and F64, whose bits are the value.
 #include "compiler/script/ref.h"
 
 #include <float.h>
@@ -67,11 +67,11 @@ static double power_of_two(unsigned n)
     return x;
 }
 
-// A C cast from double to integer truncates toward zero; outside the integer's range it would be undefined.
+// A C cast from double to integer truncates toward zero.  It is undefined outside the integer's range.
 static uint64_t to_signed(double x, unsigned bits)
 {
     uint64_t half = (uint64_t)1 << (bits - 1);
-    double limit = power_of_two(bits - 1);            // the first number too large; -limit is the smallest that fits
+    double limit = power_of_two(bits - 1);            // the smallest number that is too large; -limit is the smallest that fits
 
     if (is_nan(x))
         return 0;
@@ -93,7 +93,7 @@ static uint64_t to_unsigned(double x, unsigned bits)
     return (uint64_t)x;
 }
 
-// A C cast rounds to nearest even where the result is in range; from FLT_MAX and half a step on it would not be.
+// A C cast rounds to nearest even if the result is in range.  FLT_MAX plus half a unit in the last place is already out of range.
 static uint64_t to_f32(double x)
 {
     double limit = power_of_two(127) * 2 - power_of_two(127 - 24);      // FLT_MAX is 2^128 - 2^104
@@ -143,7 +143,7 @@ static double ref_trunc(double x)
     double whole;
 
     if (is_nan(x) || x >= power_of_two(52) || x <= -power_of_two(52))
-        return x;                                     // no double from 2^52 on has a fraction
+        return x;                                     // doubles from 2^52 on have no fraction
     whole = (double)(int64_t)x;
     return whole == 0 ? with_sign_of(0.0, x) : whole;
 }
@@ -153,7 +153,7 @@ static double ref_ceil(double x) { return -ref_floor(-x); }
 
 static double ref_round(double x)
 {
-    double t = ref_trunc(x), fraction = x - t;        // exact; NaN for an infinity, which is whole
+    double t = ref_trunc(x), fraction = x - t;        // exact; NaN for an infinity, which is already whole
 
     if (fraction >= 0.5)
         return t + 1;
@@ -179,7 +179,7 @@ static double ref_max(double a, double b) { return -ref_min(-a, -b); }
 
 typedef struct Wide { uint64_t high, low; } Wide;
 
-static Wide product(uint64_t a, uint64_t b)           // a, b < 2^54, in halves of 32 bits as one multiplies by hand
+static Wide product(uint64_t a, uint64_t b)           // long multiplication in halves of 32 bits; a, b < 2^54
 {
     uint64_t a1 = a >> 32, a0 = a & 0xffffffff, b1 = b >> 32, b0 = b & 0xffffffff;
     uint64_t middle = a1 * b0 + a0 * b1 + (a0 * b0 >> 32);
@@ -190,9 +190,9 @@ static Wide product(uint64_t a, uint64_t b)           // a, b < 2^54, in halves 
 
 static bool not_above(Wide a, Wide b) { return a.high < b.high || (a.high == b.high && a.low <= b.low); }
 
-// The root of f (1 <= f < 4) is k / 2^52 for the whole k nearest to the root of f * 2^104.  It is found by halving the
-// stretch it must lie in.  The root is never half-way between k and k + 1, and is nearer to k + 1 exactly if f * 2^104,
-// a whole number, is above k * (k + 1), which is (k + 1/2)^2 less a quarter.
+// The root of f (1 <= f < 4) is k / 2^52 for the integer k nearest to the root of f * 2^104.  Bisection finds it.  The root is
+// never half-way between k and k + 1.  It is nearer to k + 1 exactly if f * 2^104, an integer, is above k * (k + 1), which is (k +
+// 1/2)^2 minus a quarter.
 static double root_of_1_to_4(double f)
 {
     uint64_t n = (uint64_t)(f * power_of_two(52)), low = (uint64_t)1 << 52, high = low * 2;
@@ -216,7 +216,7 @@ static double ref_sqrt(double x)
         return nothing();
     if (x == 0 || is_nan(x) || is_infinite(x))
         return x;
-    for (; x >= 4; x /= 4)                            // exact, as are all steps by powers of two here
+    for (; x >= 4; x /= 4)                            // exact, as all steps by powers of two here
         scale *= 2;
     for (; x < 1; x *= 4)
         scale /= 2;
@@ -237,7 +237,7 @@ double ref_pure(SmBuiltin fn, const double *arg)
     case SM_FN_max: return ref_max(arg[0], arg[1]);
     case SM_FN_clamp: return ref_min(ref_max(arg[0], arg[1]), arg[2]);
     case SM_FN_roll_avg: case SM_FN_roll_median: case SM_FN_roll_min: case SM_FN_roll_max: case SM_FN_roll_range:
-    case SM_FN_COUNT: break;                          // no pure functions: the checker lets none through
+    case SM_FN_COUNT: break;                          // not pure; the checker excludes them
     }
     return nothing();
 }

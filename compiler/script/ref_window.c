@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rolling windows of the reference (language.md 7): the slots are kept, and every statistic is worked out anew from what
-// they hold whenever it is asked for.
+// Rolling windows of the reference (language.md 7).  They store the samples, and each access computes its statistic from all of
+// them.
 #include "compiler/script/ref.h"
 
 #include <float.h>
@@ -33,7 +33,7 @@ void ref_windows_sample(RefWindows *w, const uint64_t *cell)
         RefWindow *r = &w->at[i];
         double x = ref_eval(r->what->sample, cell, w);
 
-        r->slot[r->next] = x != x ? 0 : x;            // NaN enters as 0
+        r->slot[r->next] = x != x ? 0 : x;            // NaN is stored as 0
         r->next = r->next + 1 == r->what->size ? 0 : r->next + 1;
         if (r->filled < r->what->size)
             r->filled++;
@@ -45,7 +45,7 @@ static bool is_before(double a, double b)             // the order of the sample
     return a < b || (a == b && ref_negative(a) && !ref_negative(b));
 }
 
-static void sort(double *x, size_t n)                 // Shell's way: insertion over ever shorter distances
+static void sort(double *x, size_t n)                 // shellsort: insertion sort over decreasing distances
 {
     size_t gap = 1;
 
@@ -61,7 +61,7 @@ static void sort(double *x, size_t n)                 // Shell's way: insertion 
         }
 }
 
-// The list of samples becomes the list of the sums of its pairs, an odd last one passing through, until one is left.
+// Pairwise summation: repeatedly replaces the list by the sums of its pairs until one is left.  An odd last element is copied.
 static double average(double *x, uint32_t n)
 {
     uint32_t left = n;
@@ -115,7 +115,7 @@ double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat)
     double *x = w->scratch;
 
     if (r->filled == 0)
-        return 0;                                     // before any step: nobody asks
+        return 0;                                     // before the first step; no expression reads it
     memcpy(x, r->slot, r->filled * sizeof *x);
     switch (stat) {
     case SM_STAT_AVG: return average(x, r->filled);

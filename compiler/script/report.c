@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report of a script (thesis Figure 3.4), and values as text.  The C library prints digits; its locale
-// never shows, for whatever stands between them becomes a point.
+// The report of a script (thesis Figure 3.4), and values as text.  The C library prints the digits.  Its locale has no effect,
+// because the characters between the digits are replaced by a point.
 #include "compiler/script/script.h"
 
 #include <inttypes.h>
@@ -17,7 +17,7 @@ static int64_t signed_of(SmType type, uint64_t cell)
     return cell < half ? (int64_t)cell : (int64_t)(cell - half) - (int64_t)(half - 1) - 1;
 }
 
-// The number a float cell holds, NaN included.
+// The number in a float cell, NaN included.
 static double float_of(SmType type, uint64_t cell)
 {
     uint32_t low = (uint32_t)cell;
@@ -29,7 +29,7 @@ static double float_of(SmType type, uint64_t cell)
     return type == SM_F32 ? f : d;
 }
 
-// false, and the text put, when x is no finite number.
+// Whether x is finite.  If not, appends its text.
 static bool is_finite(Buf *out, double x)
 {
     if (x != x)
@@ -43,7 +43,7 @@ static bool is_finite(Buf *out, double x)
 
 static bool is_number_char(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == 'e'; }
 
-// printf's decimal point is the locale's, of one or more bytes.
+// printf uses the locale's decimal point, which has one or more bytes.
 static void put_decimal(Buf *out, const char *digits)
 {
     for (const char *c = digits; *c; c++) {
@@ -56,7 +56,7 @@ static void put_decimal(Buf *out, const char *digits)
 
 static void put_fixed(Buf *out, double x)             // as %f
 {
-    char digits[400];                                 // 309 before the point, 6 behind it
+    char digits[400];                                 // 309 before the point, 6 after it
 
     if (!is_finite(out, x))
         return;
@@ -64,12 +64,13 @@ static void put_fixed(Buf *out, double x)             // as %f
     put_decimal(out, digits);
 }
 
-static bool is_whole(double x)                        // and as an integer looks as it should: not -0
+static bool is_whole(double x)                        // and prints correctly as an integer: not -0
 {
     return x > -9007199254740992.0 && x < 9007199254740992.0 && x == (double)(int64_t)x && !(x == 0 && 1 / x < 0);
 }
 
-// Of a normal number with at most 15 digits %.15g gives exactly these; a subnormal one may have fewer than its neighbours need.
+// For a normal number that has at most 15 digits, %.15g prints exactly these.  Fewer digits may identify a subnormal number, so its
+// search starts at 1.
 void format_number_exact(Buf *out, double x)
 {
     const bool is_normal = x >= 2.2250738585072014e-308 || x <= -2.2250738585072014e-308;
@@ -89,7 +90,7 @@ void format_number_exact(Buf *out, double x)
     put_decimal(out, digits);
 }
 
-// glibc's %a: the shortest fraction, 1 before the point of a normal number and 0 of a subnormal one.
+// Same output as glibc's %a: the shortest fraction, with 1 before the point for a normal number and 0 for a subnormal one.
 static void put_hex(Buf *out, double x)
 {
     static const char hex[] = "0123456789abcdef";
@@ -99,7 +100,7 @@ static void put_hex(Buf *out, double x)
     if (!is_finite(out, x))
         return;
     memcpy(&bits, &x, sizeof bits);
-    fraction = bits << 12;                            // the first digit on top
+    fraction = bits << 12;                            // moves the first digit to the top
     exponent = (int)(bits >> 52 & 0x7ff);
     buf_str(out, bits >> 63 ? "-0x" : "0x");
     buf_char(out, exponent ? '1' : '0');
@@ -133,7 +134,7 @@ static bool is_before(const Var *a, const Var *b)
     return strcmp(a->report_name->text, b->report_name->text) < 0;
 }
 
-static void sort(const Var **v, size_t n)             // Shell's way: the C library's qsort may take heap memory
+static void sort(const Var **v, size_t n)             // shellsort: the C library's qsort may allocate heap memory
 {
     size_t gap = 1;
 

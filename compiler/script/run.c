@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a state script (language.md 8): before each step the sections that match write their inputs and note their
-// asserts, then every engine makes the step, then what was noted is judged.  The first engine's values are what the
-// script sees; the others must give the same, bit for bit.
+// Runs a state script (language.md 8).  For each step:
+// 1. The sections that match write their inputs and note their asserts.
+// 2. Every engine runs the step.
+// 3. The noted asserts are evaluated.
+// The script sees the values of the first engine.  The others must produce the same values, bit for bit.
 #include "compiler/script/run.h"
 
 #include <inttypes.h>
@@ -23,7 +25,7 @@ static void put_input(Run *r, const Var *v, uint64_t cell)
     r->write[r->writes++] = w;
 }
 
-// G, T and S as the step about to run will have them, which guards and inputs may read.
+// Sets G, T and S to their values in the next step, because guards and inputs may read them.
 static void bring_up_to_date(Run *r)
 {
     const EngineStep *last = &r->answer[0];
@@ -87,7 +89,7 @@ static void break_run(Run *r, const Engine *e, const char *why)
     run_end(r, SCRIPT_BROKEN);
 }
 
-// What the engines say after init or a step: all well, all the same?
+// Checks the results of all engines after init or a step: for errors, and for differences.
 static void check_answers(Run *r)
 {
     for (size_t i = 0; i < r->engines && !r->over; i++) {
@@ -188,7 +190,7 @@ static void allocate(Run *r)
         engine_step_init(&r->answer[i], r->arena, r->p);
     r->cell = ARENA_ARRAY(r->arena, uint64_t, r->p->var.n);
     ref_windows_init(&r->windows, r->arena, &r->s->window);
-    r->write = ARENA_ARRAY(r->arena, EngineWrite, t.inputs + 1);      // and G
+    r->write = ARENA_ARRAY(r->arena, EngineWrite, t.inputs + 1);      // one more for G
     r->noted = ARENA_ARRAY(r->arena, Noted, t.notes);
     r->judged = arena_alloc(r->arena, t.asserts);
     r->was_true = arena_alloc(r->arena, t.items);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a state script against a machine on an engine (language.md 8) and tells what happened.
+// Runs a state script against a machine on one or more engines (language.md 8) and returns the result.
 #ifndef SMC_SCRIPT_H
 #define SMC_SCRIPT_H
 
@@ -10,7 +10,7 @@
 
 typedef enum ScriptOutcome {
     SCRIPT_PASSED,
-    SCRIPT_FAILED,            // an assert did not hold
+    SCRIPT_FAILED,            // an assert was false
     SCRIPT_ENDLESS,           // max_steps without @stop
     SCRIPT_TIME_OVER,         // G cannot advance any further
     SCRIPT_BROKEN,            // an engine failed
@@ -20,15 +20,15 @@ typedef enum ScriptOutcome {
 typedef struct ScriptStep {
     uint64_t number;          // from 1
     uint64_t g;               // G in this step
-    const State *state;       // that the step ran
-    const uint64_t *cell;     // every variable after it
+    const State *state;       // the state that the step ran
+    const uint64_t *cell;     // every variable after the step
 } ScriptStep;
 
 typedef struct ScriptOptions {
     uint64_t max_steps;
-    void (*after_step)(void *context, const ScriptStep *step);      // NULL, or called after each step, before its asserts
+    void (*after_step)(void *context, const ScriptStep *step);      // called after each step, before its asserts are evaluated; or NULL
     void *context;
-    bool is_compared;         // its report or trace is compared with another, or only shown: it needs no assert
+    bool is_compared;         // the report or trace is compared or only displayed, so the script needs no assert
 } ScriptOptions;
 
 typedef struct ScriptResult {
@@ -36,32 +36,32 @@ typedef struct ScriptResult {
     uint64_t steps;
     uint64_t asserts_passed;
     uint64_t *cell;           // the final values, by variable
-    const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: what and where
+    const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: description and location
 } ScriptResult;
 
-// Runs the engines in lock step on one script; the first one's values decide guards and asserts.  A failed assert, an
-// assert never judged and the other bad ends are reported to `diags`.
+// Runs the engines in lock step on one script.  The values of the first engine decide guards and asserts.  A failed assert, an
+// assert that was never evaluated and other failures are reported to `diags`.
 ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **engine, size_t engines, const ScriptOptions *o);
 
-// The report of thesis Figure 3.4.
+// Appends the report of thesis Figure 3.4.
 void script_report(const ScriptResult *r, const Program *p, Buf *out);
-// A cell as the report prints it, and as a trace does.
+// Append a cell in the format of the report, and in that of an exact trace.
 void format_cell(Buf *out, SmType type, uint64_t cell);
 void format_cell_trace(Buf *out, SmType type, uint64_t cell);
-// With the fewest digits that give the same number when they are read as a double.
+// Append a value with the fewest digits that read back as the same double.
 void format_cell_exact(Buf *out, SmType type, uint64_t cell);
 void format_number_exact(Buf *out, double x);
 
-// The variables in the order of reports and traces; in arena.
+// The variables in the order of reports and traces; allocated in `arena`.
 const Var **report_order(Arena *arena, const Program *p);
 
 // ---- script_trace.c ----
 
-// CSV: a header, then a row for each step with the script, the step, G, the name of the state, and the columns.  bool is 1 or 0, which
-// every reader takes for a number.  A column that would be called like one of the first is called MACHINE.NAME.
+// CSV: a header, then one row for each step: the script, the step, G, the name of the state, and the columns. bool is 1 or 0, which
+// every reader accepts as a number.  A column with the name of one of these first columns is called MACHINE.NAME.
 void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n);
 void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n);
-// A line `STEP NAME VALUE` for each of `order`; floats as C99 %a, in which every bit can be read.
+// Appends a line `STEP NAME VALUE` for each variable of `order`.  Floats are printed as C99 %a, which is exact.
 void script_trace_exact(Buf *out, const ScriptStep *step, const Var *const *order, size_t n);
 
 #endif

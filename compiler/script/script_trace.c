@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The trace of a script: its values after every step, as CSV for spreadsheets and data tools, or exact to the last bit.
+// The trace of a script: its values after every step, as CSV for spreadsheets and data tools, or bit-exact.
 #include <inttypes.h>
 #include <string.h>
 
 #include "compiler/script/script.h"
 
-// Names that the first columns have already.
+// Whether the name is that of one of the first columns.
 static bool is_taken(const Var *v)
 {
     const char *name = v->report_name->text;
@@ -27,7 +27,7 @@ void script_trace_header(Buf *out, const Program *p, const Var *const *column, s
     buf_char(out, '\n');
 }
 
-// A field that is quoted where it has to be.
+// Appends a CSV field, quoted if necessary.
 static void put_field(Buf *out, const char *text)
 {
     if (!strpbrk(text, ",\"\r\n")) {
@@ -56,7 +56,7 @@ void script_trace_row(Buf *out, const char *script, const ScriptStep *step, cons
             buf_char(out, cell ? '1' : '0');
         else
             format_cell_exact(out, column[i]->type, cell);
-        if (out->n == start + 2 && memcmp(out->at + start, "-0", 2) == 0)      // which a reader of integers would make 0
+        if (out->n == start + 2 && memcmp(out->at + start, "-0", 2) == 0)      // a reader of integers would convert it to 0
             buf_str(out, ".0");
     }
     buf_char(out, '\n');

@@ -164,7 +164,7 @@ static void read_header_line(Reader *r, Line l)
     vec_push(r->arena, &r->f->header, h);
 }
 
-static uint64_t read_number(const char *text)         // 0 when it is none
+static uint64_t read_number(const char *text)         // 0 if it is not a number
 {
     uint64_t n = 0;
 
@@ -184,7 +184,8 @@ static uint32_t header_line(const TestFile *f, const char *key)
     return 0;
 }
 
-// A machine that must not compile announces errors; a script that must fail announces those of a run, E075x.
+// If an announced diagnostic is an error of the compiler, the test must not compile.  If it is an error of a run, E075x, the script
+// must fail.
 static TestOutcome suggested_outcome(const TestFile *f)
 {
     TestOutcome outcome = TEST_PASS;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The .smt file, the one form of a test: a header, then named parts.  This splits it and finds the diagnostics that its
-// parts announce; whoever runs it decides what the parts are for.
+// The .smt file, the only format of a test: a header, then named parts.  This module splits it, and finds the diagnostics that its
+// parts announce.  The test runner decides how the parts are used.
 //
 //     spec 5.7   When two guards hold in one step, the first in source order is taken.
 //     on   ref vm c
@@ -9,9 +9,9 @@
 //     .step
 //         x = nosuch      #! E0204 unknown element
 //
-// A header line is a key and, behind blanks, its value; `#` starts a comment line.  The keys and what they mean are the
-// reader's business, but for `expect pass|fail|error`, `steps N` and `advance N`, which are read here.  A part's text is all that stands
-// between its `-- NAME --` line and the next, byte for byte.
+// A header line is a key followed by blanks and its value; `#` starts a comment line.  This module reads `expect pass|fail|error`,
+// `steps N` and `advance N`.  The other keys are defined by the test runner.  A part's text is everything between its `-- NAME --`
+// line and the next one, byte for byte.
 #ifndef SMC_TESTFILE_H
 #define SMC_TESTFILE_H
 
@@ -27,15 +27,15 @@ typedef struct TestPart {
     const char *name;
     const char *text;         // n bytes and a NUL
     size_t n;
-    uint32_t line;            // of the .smt, where its first line stands
+    uint32_t line;            // line number of its first line in the .smt file
 } TestPart;
 
-// `#! E0204 unknown element` behind a line of a source part.
+// `#! E0204 unknown element` after a line of a source part.
 typedef struct TestExpected {
     size_t part;              // index
     uint32_t line;            // within the part, from 1
     const char *id;           // "E0204"
-    const char *text;         // what the diagnostic must contain; may be ""
+    const char *text;         // text that the diagnostic must contain; may be ""
 } TestExpected;
 
 typedef enum TestOutcome {
@@ -46,23 +46,23 @@ typedef enum TestOutcome {
 
 typedef struct TestFile {
     const char *name;
-    const char *error;        // NULL, or what is wrong with the file: "line 3: …"; nothing else is to be used then
+    const char *error;        // NULL, or the error in the file: "line 3: …"; the other fields are then invalid
     VEC(TestHeader) header;
     VEC(TestPart) part;
     VEC(TestExpected) expected;       // in file order
-    TestOutcome outcome;      // as `expect` says, or what the announced diagnostics suggest
-    uint64_t steps;           // `steps N`; 0 when it is not given
-    uint64_t advance;         // `advance N`, likewise: how much G advances in each step, for the analyses
+    TestOutcome outcome;      // from `expect`, else derived from the announced diagnostics
+    uint64_t steps;           // `steps N`; 0 if absent
+    uint64_t advance;         // `advance N`, likewise: increment of G per step, for the analyses
 } TestFile;
 
-// Takes text (not copied).  Everything lives in the arena.
+// Parses text (not copied).  Everything is allocated in the arena.
 TestFile *testfile_parse(Arena *arena, const char *name, const char *text, size_t n);
 
-const char *testfile_header(const TestFile *f, const char *key);          // the first one's value; NULL when absent
-const TestPart *testfile_part(const TestFile *f, const char *name);       // NULL when absent
+const char *testfile_header(const TestFile *f, const char *key);          // value of the first one; NULL if absent
+const TestPart *testfile_part(const TestFile *f, const char *name);       // NULL if absent
 bool testfile_is_source(const TestPart *p);                               // NAME.sv, .sm, .ss, .io or .app
 bool testfile_has_suffix(const TestPart *p, const char *suffix);
-// Does a header's value, a list of words, hold this one?
+// Whether a header's value, a list of words, contains this word.
 bool testfile_has_word(const char *list, const char *word);
 
 #endif
