@@ -57,7 +57,7 @@ static AbortVerdict verdict_of(const Analysis *a, const AbortRow *r)
     return r->by_command ? ABORT_BY_COMMAND : r->single || r->blind ? ABORT_ONE_SENSOR : ABORT_OK;
 }
 
-// ---- the whole ----
+// ---- entry points ----
 
 AbortMatrix abort_matrix(Trials *t)
 {

@@ -48,7 +48,7 @@ typedef struct AbortRow {
     const char *blind_at;         // "0", "more than 40", "0 or less than -5"
     const Var *latch;             // a variable whose old value prevents an abort when the state begins again; or NULL
     const AbortWay *latched;      // the transition that reads it
-    double latched_at;            // its value then
+    double latched_at;            // its value at that time
     bool drives;                  // an output was on in this state in some trial
     bool by_itself;               // some trial aborted, or left the state at once, without a command
     bool by_command;              // no trial without commands did so, but some trial with a command did

@@ -64,7 +64,7 @@ static void note_ends(Analysis *a, const FlowPlace *place, void *context)
         b->waits[at(place->state)] = false;
 }
 
-// ---- backwards ----
+// ---- backward search ----
 
 static void found_bound(Search *b, const State *s, uint32_t steps)
 {

@@ -120,7 +120,7 @@ static bool can_abort(Asking *k, const AbortRow *r, bool commands, const Failed 
     return found || !k->stayed;
 }
 
-// ---- what paths depend on ----
+// ---- inputs of the paths ----
 
 static void note_looks(Asking *k, AbortWay *w)
 {

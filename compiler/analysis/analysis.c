@@ -112,7 +112,7 @@ static void note_flow(void *context, const IrFn *f, FactFlow flow)
     }
 }
 
-// ---- the whole ----
+// ---- entry points ----
 
 static void forget_flows(void *context)
 {

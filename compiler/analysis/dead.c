@@ -18,7 +18,7 @@ bool always_leaves(const Stmts *stmts)
     return false;
 }
 
-// ---- what is dead ----
+// ---- dead statements ----
 
 static void mark_from(Structure *k, const Stmts *list, size_t first, uint32_t dead)
 {

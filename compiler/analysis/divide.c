@@ -2,8 +2,8 @@
 // Divisions by a value that is always 0, and by a value that can be 0 because no stored value, guard or @range of a sensor
 // excludes it.
 //
-// Facts describe one variable at a time.  Relations between two variables (`a > b` for a - b), or on an expression, as in
-// `abs(d) > 0.1` for d, are searched in the guards themselves, but only where the facts leave a doubt.
+// Facts describe one variable at a time.  Guards can relate two variables (`a > b` for a - b) or limit an expression, as
+// `abs(d) > 0.1` does for d.  Those relations are searched in the guards themselves, but only where the facts leave a doubt.
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/compare.h"
 #include "compiler/analysis/known.h"

@@ -206,7 +206,7 @@ static void look_at_all(Liveness *l)
     }
 }
 
-// ---- the whole ----
+// ---- entry points ----
 
 static void number_variables(Liveness *l)
 {

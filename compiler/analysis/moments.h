@@ -19,7 +19,7 @@ Moments moments_of(Arena *arena, const Program *p);
 typedef struct TimeSum {
     bool linear;              // it contains only numbers and variables, added and scaled by constants
     bool time;                // it contains T or G
-    bool moment;              // it contains a local that holds a time
+    bool moment;              // it contains a local with a time
     bool shifted;             // it contains a shifted one
     bool other;               // it contains another variable
     bool scaled;              // time is multiplied or divided

@@ -186,7 +186,7 @@ static void look_for_empty(Diags *diags, const State *s)
             diag_report(diags, DIAG_empty_block, s->block_span[b], label[b], s->name->text);
 }
 
-// ---- all of it ----
+// ---- entry points ----
 
 static void note_change(const Stmt *s, void *context)
 {

@@ -3,7 +3,7 @@
 
 #include "compiler/base/buf.h"
 
-// ---- finding them ----
+// ---- finding transitions ----
 
 typedef struct Finder {
     Arena *arena;

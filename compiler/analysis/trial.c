@@ -260,7 +260,7 @@ static void search(Trials *t)
     search_rounds(&k, ROUNDS, ROUNDS + MORE_ROUNDS);
 }
 
-// ---- the whole ----
+// ---- entry points ----
 
 // Times are mostly in milliseconds, with steps of 10.  If no time is long, time is counted in another unit.
 static double usual_step(const Trials *t)

@@ -73,7 +73,7 @@ typedef struct Trials {
     const Var **var;                  // by IR variable
     double *wait;                     // times that conditions on T and G wait for, ascending
     uint32_t waits;
-    bool stamped;                     // some variable holds a time: waits may begin at any time
+    bool stamped;                     // some variable contains a time: waits may begin at any time
     double **limit;      // by IR variable that only counts by a constant: the values it is compared with, ended by NaN; else NULL
     double dt;                        // how much G advances in a step
     uint32_t window;                  // samples until every window is full

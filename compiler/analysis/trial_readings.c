@@ -200,7 +200,7 @@ static void look_for_time(Expr *e, void *context)
     s->found |= e->kind == EX_VAR && e->var == s->g;
 }
 
-// Whether some local holds a time.
+// Whether some local contains a time.
 static bool stamps_time(Finder *f)
 {
     Stamp s = {f->p->g, false};

@@ -31,7 +31,7 @@ void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace
     ir_run_step(t->run, situation, trace);
 }
 
-// ---- letting time pass ----
+// ---- passing time ----
 
 static const double ever = 1e9;                   // steps: longer than any timer
 
@@ -210,7 +210,7 @@ void trial_draw_free(Trials *t, double *in, const TrialState *s)
             in[i] = trial_some_reading(t, &t->input[i], true);
 }
 
-// ---- beginning ----
+// ---- the start of a trial ----
 
 typedef struct Held { const Trials *t; const double *in; } Held;
 

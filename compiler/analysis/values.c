@@ -68,7 +68,7 @@ static void check_computed(Analysis *a, const Stmt *stmt)
                 const_text(a->arena, stored), bounds_text(a, fact->value));
 }
 
-// ---- all of it ----
+// ---- entry points ----
 
 static void look_at_stmt(const Stmt *stmt, void *context)
 {

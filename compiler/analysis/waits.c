@@ -8,7 +8,6 @@
 // The first state is checked only if it switches something on: otherwise nothing has begun that would have to continue.
 // Elements marked @command do not move: a state that a person can end may still last forever in flight.  Other bools do move in
 // the check for one sensor: they can be switches that the flight operates, such as a pull wire.
-// one sensor is asked about: they can be switches that the flight operates, as a pull wire.
 #include <string.h>
 
 #include "compiler/analysis/questions.h"

@@ -14,7 +14,7 @@ typedef struct AppMachine {
     Str name;
     uint32_t file;            // AppFiles.at[file]
     const Program *program;
-    const State *initial;     // NULL: the first
+    const State *initial;     // NULL: the first state
     bool bytecode, resume;
     uint16_t number;          // 0, 1, 2 … of machines, in file order
 } AppMachine;

@@ -324,7 +324,7 @@ static void check_executors(AppCheck *k)
         want_lock(k, n);
 }
 
-// ---- all together ----
+// ---- entry points ----
 
 // Reports an option that no task uses.
 static void check_unused(AppCheck *k)
@@ -366,7 +366,7 @@ static void check_allows(const AppCheck *k)
 
 App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMap *pins, const AppFiles *files)
 {
-    enum { GUESSES = 30 };        // more than are shown
+    enum { GUESSES = 30 };        // more than the reports that are shown
     size_t errors = c->diags->met;
     AppCheck k;
 

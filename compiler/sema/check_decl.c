@@ -341,7 +341,7 @@ static void find_specials(Declarations *k)
     }
 }
 
-// ---- all of it ----
+// ---- entry points ----
 
 static void check_declaration_section(Declarations *k, const AstSection *section)
 {

@@ -222,7 +222,7 @@ static void check_count(IoCheck *k)
 
 IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
 {
-    enum { GUESSES = 30 };            // more than are shown
+    enum { GUESSES = 30 };            // more than the reports that are shown
     size_t errors = c->diags->met;
     const Map none = {c->arena, NULL, NULL, 0, 0};
     IoCheck k = {c, ARENA_NEW(c->arena, IoMap), {none, none}, none, none, GUESSES};

@@ -69,7 +69,7 @@ static void check_states(Sema *s, Program *p, const AstFile *sm)
         }
 }
 
-// ---- the whole ----
+// ---- entry points ----
 
 static StateVec *own_state_vector(CheckContext *c, Program *p)
 {

@@ -212,7 +212,7 @@ static void check_moments(ScriptCheck *k)
         }
 }
 
-// ---- the whole ----
+// ---- entry points ----
 
 static void init_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, const Program *program)
 {

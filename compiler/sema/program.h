@@ -124,7 +124,7 @@ static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *
 
 // One roll call of the source.  Every call has its own window; the IR builder shares equal ones.
 typedef struct Window {
-    Expr *sample;             // what it samples
+    Expr *sample;             // the sampled expression
     uint32_t size;            // n: 1 … SM_WINDOW_MAX
     SmStat stat;
     Span span;
@@ -146,7 +146,7 @@ struct Stmt {
     Span span;                // of an IF: up to the end of its guard
     uint32_t operators;       // 1u << SmOperator for each operator in `value`; lets analyses skip the other statements
     bool varies;              // `value` reads an element, T or a statistic, so it is not constant
-    Var *var;                 // ASSIGN: what is written
+    Var *var;                 // ASSIGN: the variable that is written
     Expr *value;              // ASSIGN: converted to var's type; IF: converted to bool
     Stmts then, otherwise;    // IF
     State *target;            // TRANSITION

@@ -12,7 +12,7 @@ static void add_functions(Sema *s)
 
 void sema_init(Sema *s, const CheckContext *c, const Lost *lost, const Program *p, Windows *windows)
 {
-    enum { GUESSES = 30 };        // more than are shown
+    enum { GUESSES = 30 };        // more than the reports that are shown
 
     memset(s, 0, sizeof *s);
     s->arena = c->arena;

@@ -86,7 +86,7 @@ Guess guess_start(Str wanted);
 void guess_try(Guess *g, Str candidate);
 void guess_label(Diags *diags, Diag *d, const Guess *g);   // "did you mean …?", if a near word was found
 
-// ---- the chapters ----
+// ---- the parts of the checker ----
 
 // [state_vector] and [local] of a machine: its variables.
 void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside);
