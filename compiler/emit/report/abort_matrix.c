@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From where the machine can abort, by what, how fast, and what that hangs on (analysis/abort.h).
+// By state: whether the machine can abort from there, by what, how fast, and what that depends on (analysis/abort.h).
 #include "compiler/analysis/abort.h"
 
 #include "compiler/emit/report/report.h"
@@ -18,7 +18,7 @@ static bool has_command(const AbortRow *row)
     return false;
 }
 
-// With people who give commands, or without.
+// commands: whether people can give commands.
 static const char *verdict_text(const AbortRow *row, bool commands)
 {
     switch (row->verdict) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The comments of a source, found again by their lines: the compiler has thrown them away.
+// Finds the comments of a source by their lines, because the compiler has not stored them.
 #include "compiler/emit/report/words.h"
 
 bool comment_starts(const char *line, uint32_t len, uint32_t *at)
 {
-    bool quoted = false;              // the reason of an @allow
+    bool quoted = false;              // inside the reason of an @allow
 
     for (uint32_t i = 0; i < len; i++) {
         quoted ^= line[i] == '"';
@@ -18,7 +18,7 @@ bool comment_starts(const char *line, uint32_t len, uint32_t *at)
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-// The text behind the mark, without blanks around it.
+// Appends the comment after its mark, without surrounding blanks.
 static void put_comment(Buf *out, const char *line, uint32_t len, uint32_t at)
 {
     while (at < len && (line[at] == '#' || is_blank(line[at])))
@@ -66,7 +66,7 @@ const char *comment_beside(Arena *arena, Span span)
     return text_or_null(&out);
 }
 
-// Whether the line holds a comment and nothing else.
+// Whether the line contains only a comment.
 static bool is_comment(const Source *src, uint32_t number)
 {
     uint32_t len, at, i = 0;
@@ -77,7 +77,7 @@ static bool is_comment(const Source *src, uint32_t number)
     return comment_starts(line, len, &at) && at == i;
 }
 
-// Whether nothing, or a brace alone, stands before a comment or column `len`.
+// Whether only blanks, or also a brace, precede a comment or column `len`.
 static bool is_bare(const char *line, uint32_t len)
 {
     uint32_t i = 0;
@@ -110,7 +110,7 @@ static bool is_indented(const char *line, uint32_t len, uint32_t at)
     return at + 2 < len && is_blank(line[at + 1]) && is_blank(line[at + 2]);
 }
 
-// Lines of one paragraph become one; an empty line, an indented one, and one that begins as an item of a list stand for themselves.
+// Joins the lines of a paragraph.  An empty line, an indented one, and one that starts a list item remain separate.
 static void join(Buf *out, size_t before, bool indented)
 {
     const char first = before < out->n ? out->at[before] : '\0';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What it costs: the longest steps with the lines that make them, and bytes.
+// Costs: the longest steps with their most expensive lines, and bytes.
 #include "compiler/analysis/cycles.h"
 #include "compiler/emit/report/report.h"
 #include "compiler/emit/report/words.h"
@@ -48,9 +48,9 @@ static void put_steps(const Report *r, Doc *d)
     }
 }
 
-// ---- the longest way of all ----
+// ---- the longest step of all ----
 
-static const char *line_text(const Report *r, uint32_t line)     // line 0: what several lines lead to
+static const char *line_text(const Report *r, uint32_t line)     // line 0: shared by several lines
 {
     uint32_t len, at;
     const char *text;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine as a diagram: transitions gathered into edges, their guards as text.
+// A machine as a diagram: combines transitions into edges, and writes their guards as text.
 #include "compiler/emit/report/diagram.h"
 
-// ---- what can happen ----
+// ---- reachability ----
 
 typedef VEC(uint32_t) Waiting;
 
@@ -14,7 +14,7 @@ static void reach(Diagram *d, Waiting *waiting, uint32_t node)
     vec_push(d->a->arena, waiting, node);
 }
 
-// A state can be reached if it is the first, or a transition leads to it that can be made and whose state can be reached.
+// A state is reachable if it is the first, or if a possible transition leads to it from a reachable state.
 static void note_reached(Diagram *d)
 {
     Waiting waiting = {NULL, 0, 0};
@@ -32,7 +32,7 @@ static void note_reached(Diagram *d)
 
 // ---- guards ----
 
-// Of a transition without a guard: what is before it in its block decides.
+// The text for a transition without a guard: it depends on the transitions before it in the block.
 static const char *unguarded(const Analysis *a, const Transition *t)
 {
     const Transition *before = t->number > 0 ? &a->transition.at[t->number - 1] : NULL;
@@ -40,7 +40,7 @@ static const char *unguarded(const Analysis *a, const Transition *t)
     return before && before->from == t->from && before->block == t->block ? "otherwise" : "at once";
 }
 
-// most: as condition_brief has it; 0: the whole.
+// most: as for condition_brief; 0: the whole text.
 static const char *guard_text(const Analysis *a, const Transition *t, size_t most)
 {
     const char *text = !t->when ? unguarded(a, t) : most ? condition_brief(a->arena, t->when, most) : condition_text(a->arena, t->when);
@@ -55,8 +55,8 @@ static TextLines guard_lines(const Analysis *a, const Transition *t, size_t most
     return text_wrap(a->arena, guard_text(a, t, most), GUARD_SIZE, GUARD_W, GUARD_LINES);
 }
 
-// Of an else if, what comes last decides: where not all of it fits, what is around it is left out as far as that helps.  An else alone is
-// what it is not, and stays that.
+// For an else if, the last condition matters most.  If the text does not fit, conditions around it are omitted, as long as that helps.  A
+// plain else consists of negated conditions only and is not shortened.
 static TextLines guard_fitted(const Analysis *a, const Transition *t)
 {
     TextLines line = guard_lines(a, t, 0);
@@ -89,7 +89,7 @@ static void size_label(DiagramEdge *e)
 
 // ---- edges ----
 
-// last[s]: 1 + the edge of the state at hand that leads to s, if it is not below the state's first edge.
+// last[s]: 1 + the current state's edge to s.  A value up to the state's first edge is from an earlier state and does not count.
 static DiagramEdge *edge_to(Diagram *d, size_t *last, const Transition *t)
 {
     const uint32_t from = t->from->number - 1, to = t->to->number - 1;
@@ -106,7 +106,7 @@ static DiagramEdge *edge_to(Diagram *d, size_t *last, const Transition *t)
     return &d->edge.at[last[to] - 1];
 }
 
-// Transitions come state by state.
+// Transitions are sorted by state.
 static void gather(Diagram *d)
 {
     size_t *last = ARENA_ARRAY(d->a->arena, size_t, d->nodes), next = 0;
@@ -141,7 +141,7 @@ const char *count_text(const Diagram *d, const char *done, uint64_t count)
                       : format_in(d->a->arena, "%s %llu times", done, (unsigned long long)count);
 }
 
-// Of several transitions from one state to another a run does not tell which it made.
+// If several transitions lead from one state to another, a run does not record which it took.
 const char *edge_count_text(const Diagram *d, const DiagramEdge *e)
 {
     const char *text = count_text(d, "taken", edge_count(d, e));
@@ -149,7 +149,7 @@ const char *edge_count_text(const Diagram *d, const DiagramEdge *e)
     return e->guard.n > 1 ? format_in(d->a->arena, "any of these: %s", text) : text;
 }
 
-// Below the last guard of an edge.
+// Adds the count below the last guard of an edge.
 static void add_count(const Diagram *d, DiagramEdge *e)
 {
     const char *text = edge_count_text(d, e);
@@ -158,7 +158,7 @@ static void add_count(const Diagram *d, DiagramEdge *e)
     vec_push(d->a->arena, &e->guard.at[e->guard.n - 1].line, line);
 }
 
-// ---- the whole ----
+// ---- the whole diagram ----
 
 enum { NAME_W = 220 };
 

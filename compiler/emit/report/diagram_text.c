@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How wide a text is.  Nobody knows which font the reader will see, so each letter counts with the widest that it has in the
-// usual ones (DejaVu Sans, and Liberation Sans, which has Arial's and Helvetica's widths): what is drawn has that or less.
+// The width of a text.  The reader's font is unknown, so each character has its largest width in the usual fonts: DejaVu Sans, and
+// Liberation Sans, which has the widths of Arial and Helvetica.  The drawn text is never wider.
 #include <string.h>
 
 #include "compiler/base/utf8.h"
 #include "compiler/emit/report/diagram.h"
 
-// In thousandths of the letter's size, from ' ' to '~'.
+// In thousandths of the font size, from ' ' to '~'.
 static const uint16_t letter_width[2][95] = {
     {318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337,
      636, 636, 636, 636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 556,
@@ -21,9 +21,9 @@ static const uint16_t letter_width[2][95] = {
      500, 675, 716, 593, 716, 678, 435, 716, 712, 343, 343, 665, 343, 1042, 712, 687,
      716, 716, 493, 595, 478, 712, 652, 924, 645, 652, 582, 712, 365, 712, 838}};
 
-enum { OTHER_WIDTH = 1000 };      // of what is not ASCII
+enum { OTHER_WIDTH = 1000 };      // of characters outside ASCII
 
-// The letter at s in thousandths, and its length in bytes.
+// The width of the character at s in thousandths of the font size, and its length in bytes.
 static int32_t letter(const char *s, size_t n, bool bold, size_t *bytes)
 {
     uint32_t code;
@@ -49,7 +49,7 @@ int32_t text_width(const char *text, int32_t size, bool bold)
     return width_of(text, strlen(text), size, bold);
 }
 
-// How many bytes from the start of n are no wider than w.
+// The number of bytes from the start of the text whose width is at most w.
 static size_t fitting(const char *text, size_t n, int32_t size, bool bold, int32_t w)
 {
     int64_t sum = 0;
@@ -79,8 +79,8 @@ static bool is_joint(const char *s)
     return strncmp(s, " and ", 5) == 0 || strncmp(s, " or ", 4) == 0;
 }
 
-// Where to end a line of which `fits` bytes would fit: at a blank, as far right as may be; before "and" or "or" is worth three
-// quarters of a line, behind a comma or an operator costs a third.  Without a blank, there.
+// Where to end a line of which `fits` bytes would fit: at a blank, as far right as possible.  A break before "and" or "or" gains three
+// quarters of a line; one after a comma or an operator costs a third.  Without a blank, at `fits`.
 static size_t line_end(const char *text, size_t fits)
 {
     size_t best = 0, found = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Building a report.
+// Builds a report.
 #include "compiler/emit/report/doc.h"
 
 void doc_section(Doc *d, const char *id, const char *title)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A report between what is said and how it looks: sections of paragraphs, tables, lists and figures.  Who has something to say
-// builds it; doc_html.c, doc_text.c and doc_json.c each write all of it.
+// A report as content without form: sections of paragraphs, tables, lists and figures.  The sections of a report build it; doc_html.c,
+// doc_text.c and doc_json.c each write all of it.
 //
-// Texts may hold `code` in backticks, and ^Name^ for a state, so they are ours; what an author of a machine wrote goes in as plain
-// text or code.
+// Texts can contain `code` in backticks, and ^Name^ for a state, so only the compiler's own texts are allowed there.  Text from the author
+// of a machine must be plain text or code.
 #ifndef SMC_DOC_H
 #define SMC_DOC_H
 
@@ -14,12 +14,12 @@
 #include "compiler/base/vec.h"
 
 typedef enum DocCellKind {
-    CELL_TEXT,                // may hold `code`
-    CELL_PLAIN,               // as it is
+    CELL_TEXT,                // can contain `code`
+    CELL_PLAIN,               // written unchanged
     CELL_CODE,
     CELL_NUMBER,
-    CELL_BAR,                 // a number, shown beside a bar of its share in `most`
-    CELL_LINE,                // the number of a line of the source; 0: none
+    CELL_BAR,                 // a number, with a bar that shows its share of `most`
+    CELL_LINE,                // a line number in the source; 0: none
     CELL_STATE                // a state's name
 } DocCellKind;
 
@@ -36,44 +36,44 @@ typedef struct DocTable {
     const char *key;          // its name in JSON, unique in its section
     const DocColumn *column;
     size_t columns;
-    bool facts;               // names and values: shown without a head
-    bool narrow;              // no wider than it has to be
+    bool facts;               // pairs of name and value: shown without column titles
+    bool narrow;              // no wider than necessary
     VEC(DocCell) cell;        // row by row
 } DocTable;
 
 typedef struct DocLine {
-    unsigned depth;           // 0: the outermost
+    unsigned depth;           // 0: outermost
     const char *text;
-    uint32_t line;            // of the source; 0: none
-    const char *comment;      // plain: what its author wrote above it; or NULL
+    uint32_t line;            // in the source; 0: none
+    const char *comment;      // plain: the author's comment; or NULL
 } DocLine;
 
 typedef struct DocList {
     Arena *arena;
     const char *key;
-    const char *label;        // before it, as "When it enters"; or NULL
+    const char *label;        // precedes the list, such as "When it enters"; or NULL
     VEC(DocLine) line;
 } DocList;
 
 typedef enum DocKind {
-    DOC_HEADING,              // text; id: what links lead to, or NULL
+    DOC_HEADING,              // text; id: the target of links, or NULL
     DOC_PARAGRAPH,            // text
-    DOC_QUOTE,                // plain: words of the machine's author
+    DOC_QUOTE,                // plain: text by the machine's author
     DOC_TABLE,
     DOC_LIST,
-    DOC_EXCERPT,              // a line of a source with a part of it marked; text: plain, behind the mark, or NULL
-    DOC_FIGURE,               // text: SVG, for HTML alone; caption
-    DOC_SOURCE                // a whole source, for HTML alone
+    DOC_EXCERPT,              // a line of a source with a marked part; text: plain, follows the mark, or NULL
+    DOC_FIGURE,               // text: SVG, only for HTML; caption
+    DOC_SOURCE                // a whole source, only for HTML
 } DocKind;
 
 typedef struct DocPart {
     DocKind kind;
     const char *id, *text;
-    bool plain;               // HEADING, PARAGRAPH: the text has no marks
-    const char *state;        // HEADING: of a state
-    const char *tone;         // HEADING: "good", "bad", "note": a badge's colour; badge: its text; or NULL
+    bool plain;               // HEADING, PARAGRAPH: the text has no markup
+    const char *state;        // HEADING: the name of its state
+    const char *tone;         // HEADING: the badge's colour, "good", "bad" or "note"; badge: its text; or NULL
     const char *badge;
-    bool low;                 // FIGURE: on paper it takes a part of a page, so that it need not begin a new one
+    bool low;                 // FIGURE: fits on part of a printed page, so that it need not begin a new one
     DocTable *table;
     DocList *list;
     Span span;                // EXCERPT
@@ -96,19 +96,19 @@ typedef struct Doc {
 // ---- building: each adds to the end of the last section ----
 
 void doc_section(Doc *d, const char *id, const char *title);
-DocPart *doc_heading(Doc *d, const char *id, const char *text);        // good until the next part
+DocPart *doc_heading(Doc *d, const char *id, const char *text);        // the pointer is valid until the next part is added
 void doc_paragraph(Doc *d, const char *text);
-void doc_plain(Doc *d, const char *text);             // a paragraph without marks
-void doc_quote(Doc *d, const char *plain);            // nothing of NULL and ""
+void doc_plain(Doc *d, const char *text);             // a paragraph without markup
+void doc_quote(Doc *d, const char *plain);            // adds nothing for NULL and ""
 void doc_excerpt(Doc *d, Span span, const char *label);
-DocPart *doc_figure(Doc *d, const char *svg, const char *caption);     // good until the next part
+DocPart *doc_figure(Doc *d, const char *svg, const char *caption);     // the pointer is valid until the next part is added
 void doc_source(Doc *d, const Source *src);
 DocTable *doc_table(Doc *d, const char *key, const DocColumn *column, size_t columns);
 DocList *doc_list(Doc *d, const char *key, const char *label);
 
 #define DOC_TABLE_OF(d, key, column) doc_table((d), (key), (column), sizeof(column) / sizeof(column)[0])
 
-// The next cell of a table.
+// Each adds the next cell of a table.
 void cell_text(DocTable *t, const char *text);
 void cell_plain(DocTable *t, const char *text);
 void cell_code(DocTable *t, const char *text);
@@ -118,19 +118,19 @@ void cell_line(DocTable *t, uint32_t line);
 void cell_state(DocTable *t, const char *name);
 
 void list_line(DocList *l, unsigned depth, uint32_t line, const char *text);
-void list_comment(DocList *l, const char *plain);     // to the line before
+void list_comment(DocList *l, const char *plain);     // for the last line
 
 // ---- writing ----
 
-// By column, whether any row says something in it.  JSON has them all.
+// By column, whether any row has content in it.  JSON contains all columns.
 bool *doc_columns_used(const DocTable *t);
-const char *doc_unmarked(Arena *arena, const char *text);         // ^Name^ as `Name`, for who has no links
+const char *doc_unmarked(Arena *arena, const char *text);         // ^Name^ as `Name`, for formats without links
 
 void doc_write_html(const Doc *d, Buf *out);
 void doc_write_text(const Doc *d, Buf *out);
 void doc_write_json(const Doc *d, Buf *out);
 
-// Text in HTML, and in the values of attributes.  What would not be seen or would turn the writing is spelled out.
+// Escapes text for HTML, including attribute values.  Invisible characters and those that change the text direction are spelled out.
 void html_put(Buf *out, const char *text, size_t n);
 void html_str(Buf *out, const char *text);
 

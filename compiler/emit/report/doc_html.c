@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A report as one page of HTML: nothing is fetched, nothing runs, and whatever an author wrote is escaped.
+// A report as one HTML page.  It loads nothing and contains no scripts, and all text of the machine's author is escaped.
 #include <string.h>
 
 #include "compiler/base/utf8.h"
@@ -51,7 +51,7 @@ static void put_state_link(Buf *out, const char *name, size_t n)
     buf_str(out, "</a>");
 }
 
-// `code` in backticks, ^a state^.
+// Handles markup: `code` in backticks, ^a state^.
 static void put_marked(Buf *out, const char *text)
 {
     while (*text) {
@@ -110,7 +110,7 @@ static void put_cell(Buf *out, const DocCell *c)
     }
 }
 
-// -Wflight is not broken at its hyphen.
+// Prevents a line break at the hyphen of -Wflight.
 static const char *class_of(const DocCell *c)
 {
     if (c->kind == CELL_PLAIN && c->text[0] == '-')
@@ -179,7 +179,7 @@ static void put_item(Buf *out, const DocLine *l)
 
 static void put_list(Buf *out, const DocList *l)
 {
-    unsigned open = 0;                                // lists that are open, each in an item of the one around it
+    unsigned open = 0;                                // number of open lists, each inside an item of the previous one
 
     buf_str(out, "<div class=\"do\">");
     if (l->label) {
@@ -205,7 +205,7 @@ static void put_list(Buf *out, const DocList *l)
 
 // ---- sources ----
 
-// A line of a source with its comment set apart; `from` to `to` is marked.
+// Writes a source line with its comment in a separate style; `from` to `to` is marked.
 static void put_source_text(Buf *out, const char *line, uint32_t len, uint32_t from, uint32_t to)
 {
     html_put(out, line, from);
@@ -313,7 +313,7 @@ static void put_part(Buf *out, const DocPart *p)
     }
 }
 
-// What belongs together stays together on paper: a heading with all behind it up to the next.
+// Keeps a heading and everything up to the next heading together on paper.
 static void put_section(Buf *out, const DocSection *s)
 {
     bool open = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A report as one JSON object: by section {"title", "text": […], "tables": {KEY: [{…}]}, "lists": {KEY: [{…}]}}.  Figures and
-// sources are left out.
+// A report as one JSON object: by section {"title", "text": […], "tables": {KEY: [{…}]}, "lists": {KEY: [{…}]}}.  Figures and sources are
+// omitted.
 #include "compiler/base/json.h"
 #include "compiler/emit/report/doc.h"
 
@@ -29,7 +29,7 @@ static void put_row(Buf *out, const DocTable *t, size_t first)
     buf_char(out, '}');
 }
 
-// Names and values as one object, whose keys are the names.
+// Writes pairs of name and value as one object whose keys are the names.
 static void put_facts(Buf *out, const DocTable *t)
 {
     buf_str(out, "{");
@@ -71,7 +71,7 @@ static void put_list(Buf *out, const DocList *l)
     buf_str(out, l->line.n ? "\n    ]" : "]");
 }
 
-// The parts of one kind as an object by key, if there are any.
+// Writes the parts of one kind as an object by key, if there are any.
 static void put_parts(Buf *out, const DocSection *s, DocKind kind, const char *name)
 {
     bool any = false;

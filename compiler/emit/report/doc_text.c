@@ -5,9 +5,9 @@
 #include "compiler/base/utf8.h"
 #include "compiler/emit/report/doc.h"
 
-enum { WIDE = 100 };                  // columns of a paragraph
+enum { WIDE = 100 };                  // maximum width of a paragraph, in columns
 
-static size_t columns_in(const char *text, size_t n)              // one a character
+static size_t columns_in(const char *text, size_t n)              // one for each character
 {
     size_t columns = 0;
 
@@ -16,7 +16,7 @@ static size_t columns_in(const char *text, size_t n)              // one a chara
     return columns;
 }
 
-// Text with what would not be seen or would turn the writing spelled out.
+// Writes text; invisible characters and those that change the text direction are spelled out.
 static void put_seen(Buf *out, const char *text, size_t n)
 {
     while (n > 0) {
@@ -46,7 +46,7 @@ static void put_underlined(Buf *out, const char *text, char line)
     buf_char(out, '\n');
 }
 
-// A paragraph in lines of at most WIDE columns; line ends in it stay.
+// Wraps a paragraph at WIDE columns; its line ends are preserved.
 static void put_wrapped(Buf *out, const char *text)
 {
     size_t column = 0;
@@ -92,7 +92,7 @@ static const char *cell_of(const DocTable *t, size_t i)
     return buf_text(&b);
 }
 
-static bool is_right(const DocTable *t, size_t i)     // numbers stand below each other
+static bool is_right(const DocTable *t, size_t i)     // numbers are right-aligned
 {
     const DocCellKind k = t->cell.at[i].kind;
 
@@ -108,7 +108,7 @@ static void put_padded(Buf *out, const char *text, size_t wide, bool right)
     buf_spaces(out, right ? 0 : pad);
 }
 
-static void end_row(Buf *out)                         // without blanks that nobody sees
+static void end_row(Buf *out)                         // without trailing blanks
 {
     while (out->n && out->at[out->n - 1] == ' ')
         out->n--;
@@ -160,7 +160,7 @@ static void put_table(Buf *out, const DocTable *t)
     buf_char(out, '\n');
 }
 
-// ---- the rest ----
+// ---- lists, excerpts and the whole report ----
 
 static void put_comment(Buf *out, const char *comment, size_t indent)
 {

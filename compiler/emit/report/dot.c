@@ -2,7 +2,7 @@
 // A diagram for Graphviz, which lays it out: `smc graph tank.sm --format=dot | dot -Tpdf`.
 #include "compiler/emit/report/diagram.h"
 
-// Inside quotes; Graphviz reads entities there too.
+// Escapes for use in quotes, where Graphviz also interprets entities.
 static void put_quoted(Buf *out, const char *text)
 {
     for (; *text; text++)
@@ -28,7 +28,7 @@ static void put_findings(Buf *out, const Findings *f)
     buf_char(out, '"');
 }
 
-// What cannot be is dashed, what no run has done dotted.
+// Impossible transitions and unreachable states are dashed, those that no run has executed are dotted.
 static const char *line_style(const Diagram *d, bool possible, uint64_t count, const char *before)
 {
     const char *style = !possible ? "dashed" : d->o->counts && count == 0 ? "dotted" : NULL;

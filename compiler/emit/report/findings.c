@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the analyses found: all groups of warnings, whatever is switched on elsewhere, and those that an @allow covers with its
-// reason.
+// The findings of the analyses: all groups of warnings, even if disabled elsewhere, and those that an @allow covers, with its reason.
 #include "compiler/emit/report/report.h"
 
 FindingCount report_count_findings(const Report *r)
@@ -18,7 +17,7 @@ static const char *group_of(const Diag *diag)
 
 static const char *name_of(const Diag *diag) { return diag_info[diag->code].flag ? diag_info[diag->code].flag : ""; }
 
-// ---- one finding at length ----
+// ---- one finding in detail ----
 
 static const char *place_of(const Report *r, Span span)
 {
@@ -75,14 +74,14 @@ static void put_row(const Report *r, DocTable *t, const Diag *diag, size_t numbe
     cell_plain(t, diag->allowed ? diag->allowed : diag_info[diag->code].id);
 }
 
-// Findings at length, with numbers from `first` on.
+// Writes findings in detail, numbered from `first`.
 static void put_all(const Report *r, Doc *d, Diag *const *diag, size_t n, size_t first)
 {
     for (size_t i = 0; i < n; i++)
         put_finding(r, d, diag[i], first + i);
 }
 
-// Some findings rely on how far time advances in a step.
+// Some findings assume how far time advances in a step.
 static const char *step_text(const Report *r)
 {
     const unsigned long step = (unsigned long)r->analysis.step;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `smc log` shows of a flight log: a summary in words, tables for other programs, a drawing.
+// The output of `smc log` for a flight log: a summary in words, tables for other programs, a drawing.
 #ifndef SMC_FLIGHT_H
 #define SMC_FLIGHT_H
 
@@ -10,10 +10,10 @@ typedef struct Flight {
     Arena *arena;
     const char *name;             // of the file
     const Log *log;
-    const LogSession *session;    // the one that is shown; of text: NULL is all
-    const LogElement *const *element;     // those that are shown, of that session; none: all
+    const LogSession *session;    // the session to show; for flight_text NULL is all
+    const LogElement *const *element;     // the elements to show, of that session; none: all
     size_t elements;
-    const LogMachine *machine;    // whose states the drawing shows; or NULL
+    const LogMachine *machine;    // its states are drawn; or NULL
 } Flight;
 
 void flight_text(const Flight *f, Buf *out);
@@ -21,13 +21,13 @@ void flight_csv(const Flight *f, Buf *out);
 void flight_json(const Flight *f, Buf *out);
 void flight_svg(const Flight *f, Buf *out);
 
-// ---- inside ----
+// ---- internal ----
 
-// Nanoseconds as seconds, exactly: "12.05".
+// Writes nanoseconds as seconds, exactly: "12.05".
 void flight_time(Buf *out, uint64_t ns);
 // "mission: Coast -> Recovery", "task engine fails: it is in use".
 void flight_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out);
-// As the log has it: NaN is NaN here, and not the 0 that machines read.
+// The value as logged: NaN stays NaN, while machines read it as 0.
 double flight_number(SmType type, uint64_t cell);
 size_t flight_elements(const Flight *f, const LogDescription *d);
 const LogElement *flight_element(const Flight *f, const LogDescription *d, size_t i);

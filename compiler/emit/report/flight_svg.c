@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// A flight as a drawing: the states of a machine as bands, elements below them, over time (thesis, Figure 4.1).  It is the plot of a
-// script's run: a session's records are laid into as many slots of time as that plot has.  States begin where their events say, to the
-// nanosecond; the circle there is on the curve, at the last value of the slot.
+// A flight as a drawing: the states of a machine as bands, and elements below them, over time (thesis, Figure 4.1).  It reuses the plot of
+// a script's run: the records of a session are distributed over the plot's slots of time.  A state begins at the exact time of its event,
+// to the nanosecond.  The circle that marks it is on the curve, at the last value of its slot.
 #include <string.h>
 
 #include "compiler/emit/report/flight.h"
 #include "compiler/emit/report/plot.h"
 #include "compiler/emit/report/style.h"
 
-// A session on its way to a plot.
+// A session being converted to a plot.
 typedef struct Drawing {
     const Flight *f;
     const LogSession *s;
     StrPool names;
     Program p;
     Trace t;
-    double span;                  // nanoseconds, with one period behind the last record
+    double span;                  // in nanoseconds, including one period after the last record
 } Drawing;
 
 // ---- time ----
 
-// In slots, and parts of one.
+// Position on the time axis in slots, with fraction.
 static double place_of(const Drawing *d, uint64_t time)
 {
     const double share = time <= d->s->first ? 0 : (double)(time - d->s->first) / d->span;
@@ -28,7 +28,7 @@ static double place_of(const Drawing *d, uint64_t time)
     return (share < 1 ? share : 1) * (double)d->t.steps;
 }
 
-// A record that comes a millionth of a slot too early is of the next one: what is divided and multiplied again has been rounded.
+// A record up to a millionth of a slot too early belongs to the next slot, because division and multiplication round its time.
 static uint64_t slot_of(const Drawing *d, uint64_t time)
 {
     const uint64_t slot = (uint64_t)(place_of(d, time) + 1e-6);
@@ -56,7 +56,7 @@ static void put_value(TraceBucket *b, double x, bool first)
 {
     if (first || b->first != b->first)
         *b = (TraceBucket){x, x, x, x};
-    if (x != x)                                   // the numbers of a slot are drawn
+    if (x != x)                                   // NaN among numbers of a slot is not drawn
         return;
     b->lo = x < b->lo ? x : b->lo;
     b->hi = x > b->hi ? x : b->hi;
@@ -65,7 +65,7 @@ static void put_value(TraceBucket *b, double x, bool first)
 
 static void fill(Drawing *d, TraceSeries *series, const LogElement *e)
 {
-    bool *filled = ARENA_ARRAY(d->f->arena, bool, (size_t)d->t.steps);        // slots
+    bool *filled = ARENA_ARRAY(d->f->arena, bool, (size_t)d->t.steps);        // by slot
 
     for (size_t i = 0; i < d->s->item.n; i++) {
         const LogItem *item = &d->s->item.at[i];
@@ -78,7 +78,7 @@ static void fill(Drawing *d, TraceSeries *series, const LogElement *e)
             series->nan = series->nan || x != x;
         }
     }
-    for (uint64_t k = 1; k < d->t.steps; k++)             // where nothing was recorded it stays as it was
+    for (uint64_t k = 1; k < d->t.steps; k++)             // a slot without a record has the last value before it
         if (!filled[k])
             put_value(&series->at[k], series->at[k - 1].last, true);
     for (uint64_t k = 0; k < d->t.steps; k++)
@@ -95,7 +95,7 @@ static void add_series(Drawing *d, const LogElement *e)
     v->name = str_c(&d->names, e->name);
     series->v = v;
     fill(d, series, e);
-    series->changes = series->changes || d->f->elements > 0;      // what was asked for is drawn
+    series->changes = series->changes || d->f->elements > 0;      // elements that the user asked for are always drawn
     vec_push(d->f->arena, &d->t.series, series);
 }
 
@@ -141,7 +141,7 @@ static void visit_by_events(Drawing *d)
         }
 }
 
-// Where events are missing: by the element that holds the state's number, at the time of the record.
+// Used if events are missing: finds visits by the element that stores the state's number, at the time of the record.
 static void visit_by_records(Drawing *d)
 {
     uint64_t last = 0;
@@ -167,7 +167,7 @@ static void add_visits(Drawing *d)
 
 // ---- the file ----
 
-// The value of "--name" in the light page's variables.
+// Writes the value of "--name" among the variables of the light page.
 static void put_variable(Buf *out, const char *name, size_t n)
 {
     const char *at = plot_style_light;
@@ -181,7 +181,7 @@ static void put_variable(Buf *out, const char *name, size_t n)
         }
 }
 
-// The rules with their variables put in, for readers that know none.
+// Writes the rules with variables replaced by their values, for viewers that do not support variables.
 static void put_style(Buf *out)
 {
     const char *at = plot_style, *next;

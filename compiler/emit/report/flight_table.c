@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A session for other programs: as CSV, a line a record; as JSON, a line a record, event or gap, in the order of the file.
-// Numbers have as many digits as tell them from all others.
+// A session for other programs: as CSV, one line per record; as JSON, one line per record, event or gap, in file order.  Numbers have
+// enough digits to be unique.
 #include "compiler/base/json.h"
 #include "compiler/emit/report/flight.h"
 #include "compiler/script/script.h"

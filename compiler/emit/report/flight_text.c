@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A flight log in words: how long, how much, what happened, between which values elements were.
+// A flight log in words: duration, size, events, and the range of each element.
 #include <string.h>
 
 #include "compiler/emit/report/flight.h"
@@ -72,7 +72,7 @@ static void put_fault(const Flight *f, const char *task, const LogEvent *e, Buf 
         buf_printf(out, "%s fails: %s", task, e->a <= 0x7FFFFFFF ? sm_result_text((SmResult)-(int32_t)e->a) : "?");
 }
 
-// What a kind of event is called that was not known when this was written.
+// Writes the name of a kind of event that this version does not know.
 static void put_unknown(const LogDescription *d, const LogEvent *e, Buf *out)
 {
     const char *name = "event";
@@ -168,7 +168,7 @@ static void put_events(const Flight *f, const LogSession *s, Buf *out)
 
 // ---- values ----
 
-typedef struct Extremes { uint64_t first, lo, hi, last; bool any, number; uint64_t nans; } Extremes;        // lo, hi: of what is a number
+typedef struct Extremes { uint64_t first, lo, hi, last; bool any, number; uint64_t nans; } Extremes;        // lo, hi: of numbers only
 
 double flight_number(SmType type, uint64_t cell)
 {

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages of a layout, and the items that they work on.
+// The stages of a layout, and the items that they place.
 #include "compiler/emit/report/layout.h"
 
 // ---- layers ----
 
 enum {
-    LABELS_W = 700,               // labels that stand side by side are about so wide together before they take another layer
-    NODES_W = 900,                // the same of states
-    ROWS = 8,                     // most layers for what stands side by side
-    LABEL_SIDE = 10, BEND_SIDE = 7            // room on both sides of a label's text, of a line
+    LABELS_W = 700,               // labels that are wider together take another layer
+    NODES_W = 900,                // the same for states
+    ROWS = 8,                     // maximum number of layers of a band
+    LABEL_SIDE = 10, BEND_SIDE = 7            // space on both sides of a label's text, and of a line
 };
 
-// The states of a rank, or the labels between a rank and the next: `rows` layers, the first of them number `layer`.
+// The states of a rank, or the labels between a rank and the next.  They occupy `rows` layers, the first of which is `layer`.
 typedef struct Band {
-    int64_t load;                 // how wide they are together
+    int64_t load;                 // their total width
     uint32_t rows, layer;
     int64_t row_load[ROWS];
 } Band;
 
 typedef struct Bands {
-    Band *rank, *gap;             // by rank; by the rank above
-    uint32_t *gap_of;             // by edge: where its label stands
+    Band *rank, *gap;             // by rank; by the rank above the gap
+    uint32_t *gap_of;             // by edge: the gap of its label
 } Bands;
 
 static uint32_t top_rank(const Layout *l, const DiagramEdge *e) { return l->rank[e->up ? e->to : e->from]; }
@@ -28,7 +28,7 @@ static uint32_t bottom_rank(const Layout *l, const DiagramEdge *e) { return l->r
 
 static int32_t label_room(const DiagramEdge *e) { return e->label.w + 2 * LABEL_SIDE; }
 
-// The gap between an edge's ends that holds least, the one nearest to where it starts if several do.
+// The least filled gap between an edge's ends; of several, the one nearest to the edge's start.
 static uint32_t best_gap(const Layout *l, const Bands *b, const DiagramEdge *e)
 {
     const uint32_t top = top_rank(l, e), n = bottom_rank(l, e) - top;
@@ -44,7 +44,7 @@ static uint32_t best_gap(const Layout *l, const Bands *b, const DiagramEdge *e)
 
 static void fill_gaps(const Layout *l, Bands *b)
 {
-    for (int is_long = 0; is_long < 2; is_long++)         // those that have no choice first
+    for (int is_long = 0; is_long < 2; is_long++)         // first those with only one gap
         for (size_t e = 0; e < l->d->edge.n; e++) {
             const DiagramEdge *edge = &l->d->edge.at[e];
             if (edge->form != EDGE_LINE || (bottom_rank(l, edge) - top_rank(l, edge) > 1) != is_long)
@@ -63,7 +63,7 @@ static void number_band(Layout *l, Band *band, int64_t most)
     l->layers += band->rows;
 }
 
-// The least filled layer of the band.
+// Chooses the layer of the band that is filled least.
 static uint32_t take_layer(Band *band, int32_t room)
 {
     uint32_t best = 0;
@@ -90,7 +90,7 @@ static uint32_t add_item(Layout *l, ItemKind kind, uint32_t ref, uint32_t layer)
     return (uint32_t)l->item.n - 1;
 }
 
-// Makes the items of nodes; they have no layer yet.
+// Adds the items of nodes, without layers.
 static void add_nodes(Layout *l, Bands *b)
 {
     uint32_t *above = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes), *below = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
@@ -110,7 +110,7 @@ static void add_nodes(Layout *l, Bands *b)
     }
 }
 
-// How many layers there are is known: puts the nodes into theirs.
+// Numbers the layers, when their number is known, and puts the nodes into theirs.
 static void begin_layers(Layout *l, Bands *b)
 {
     for (uint32_t r = 0; r < l->ranks; r++) {
@@ -158,7 +158,7 @@ void layout_items(Layout *l)
     l->first_link[l->d->edge.n] = (uint32_t)l->link.n;
     for (uint32_t i = 0; i < l->layers; i++) {
         l->layer[i].item = ARENA_ARRAY(l->arena, uint32_t, l->layer[i].n);
-        l->layer[i].n = 0;        // until they are put in order
+        l->layer[i].n = 0;        // items are added in order later
     }
 }
 
@@ -176,7 +176,7 @@ static void count_links(const Layout *l, uint32_t *above, uint32_t *below)
     }
 }
 
-// Puts each link where its other end has it, item by item in the order of the layers.
+// Copies the links to the lists of their other ends, item by item in the order of the layers.
 static void deal(const Layout *l, const Links *from, bool down, uint32_t *next, uint32_t *to)
 {
     for (uint32_t y = 0; y < l->layers; y++)
@@ -215,7 +215,7 @@ void layout_sort_links(Layout *l)
     deal(l, &l->above, false, l->next, l->below.at);
 }
 
-// ---- the whole ----
+// ---- the whole layout ----
 
 void layout_diagram(Diagram *d)
 {

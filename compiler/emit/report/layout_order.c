@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order of items within their layers: sweeps down and up that put each near the middle of its neighbours in the layer before,
-// and swaps of neighbours, as long as that saves crossings.
+// The order of items within their layers.  Sweeps down and up move each item near the average position of its neighbours in the previous
+// layer.  Then neighbours are swapped if that saves crossings.
 #include <stdlib.h>
 #include <string.h>
 
 #include "compiler/emit/report/layout.h"
 
-enum { SWEEPS = 24, PATIENCE = 6 };       // most sweeps; so many without a better order are enough
+enum { SWEEPS = 24, PATIENCE = 6 };       // maximum number of sweeps; maximum without improvement
 
-// ---- to begin with ----
+// ---- initial order ----
 
 static void append(Layout *l, uint32_t item)
 {
@@ -18,7 +18,7 @@ static void append(Layout *l, uint32_t item)
     layer->item[layer->n++] = item;
 }
 
-// What belongs together side by side: down each link as far as it leads, then the next.
+// Appends connected items next to each other: depth first, down the links.
 static void walk(Layout *l, bool *met, uint32_t start)
 {
     VEC(uint32_t) waiting = {NULL, 0, 0};
@@ -46,7 +46,7 @@ static void first_order(Layout *l)
 
 // ---- crossings ----
 
-// Counts pairs of links whose ends stand in different order above and below: by a tree of sums over the lower layer.
+// Counts pairs of links whose ends are in different order above and below, with a Fenwick tree over the lower layer.
 uint64_t layout_crossings(const Layout *l, uint32_t layer)
 {
     const Layer *upper = &l->layer[layer];
@@ -90,7 +90,7 @@ static int by_key(const void *a, const void *b)
     return x->at != y->at ? (x->at < y->at ? -1 : 1) : (x->pos > y->pos) - (x->pos < y->pos);
 }
 
-// Where an item's neighbours above (or below) have their middle, in 1024ths of a place; where it is if it has none.
+// The average position of an item's neighbours above (or below), in 1024ths; its own position if it has none.
 static int64_t middle(const Layout *l, uint32_t item, bool down)
 {
     const Links *links = down ? &l->above : &l->below;
@@ -124,9 +124,9 @@ static void sweep(Layout *l, bool down, Key *key)
 
 // ---- swaps ----
 
-enum { DEGREE = 32 };             // what has more neighbours is not swapped: comparing takes as long as both have together, squared
+enum { DEGREE = 32 };             // items with more links are not swapped: comparing two takes the product of their numbers of links
 
-// By how much swapping i with its right neighbour j would reduce crossings on one side.
+// The number of crossings that swapping i with its right neighbour j would save on one side.
 static int64_t gain(const Layout *l, const Links *links, bool down, uint32_t i, uint32_t j)
 {
     int64_t sum = 0;
@@ -159,7 +159,7 @@ static void swap_pass(Layout *l)
         }
 }
 
-// ---- the best of them ----
+// ---- the best order ----
 
 static void keep(const Layout *l, uint32_t *pos)
 {

@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where items stand from left to right, after Brandes and Köpf (2001): items are gathered into columns, four times (from above and
-// from below, preferring left and right), each as narrow as it can be; what an item gets is the middle of the four.
+// Horizontal positions of items, after Brandes and Köpf (2001).  Items are aligned in columns four times: from above and from below,
+// preferring left and right.  Each alignment is as narrow as possible.  The final position is the mean of the two middle ones.
 #include <string.h>
 
 #include "compiler/emit/report/layout.h"
 
-enum { APART = 14 };              // between neighbours in a layer
+enum { APART = 14 };              // minimum gap between neighbours in a layer
 
-// One of the four.  `mirrored`: right and left change places, so that columns are always made towards the left.
+// One of the four alignments.  `mirrored`: left and right are exchanged, so that columns are always packed to the left.
 typedef struct Columns {
     Layout *l;
     bool from_below, mirrored;
-    const Link **above, **below;  // by item: its link there that should be straight; or NULL
-    uint32_t *root;               // by item: the item that its column is named after
-    uint32_t *next;               // by item: the next of its column, in a circle
-    int64_t *x;                   // by item, when they are placed
+    const Link **above, **below;  // by item: its link on that side that should be straight; or NULL
+    uint32_t *root;               // by item: the item that represents its column
+    uint32_t *next;               // by item: the next in its column, circular
+    int64_t *x;                   // by item, once columns are placed
 } Columns;
 
-// ---- which links can be straight ----
+// ---- links that can be straight ----
 
-// The inner part of a long edge, and all of one that belongs to the spine.
+// The inner parts of a long edge, and all parts of an edge of the spine.
 static bool is_inner(const Layout *l, const Link *k)
 {
     return l->spine[k->edge] || (l->item.at[k->above].kind != ITEM_NODE && l->item.at[k->below].kind != ITEM_NODE);
 }
 
-// Of the links above each item, or below, the one that should be straight, the first if there are several.
+// By item, the link above (or below) that should be straight; the first if there are several.
 static const Link **find_inner(const Layout *l, const Links *links)
 {
     const Link **out = ARENA_ARRAY(l->arena, const Link *, l->item.n);
@@ -39,7 +39,8 @@ static const Link **find_inner(const Layout *l, const Links *links)
 
 static int64_t pos_of(const Layout *l, uint32_t item) { return l->item.at[item].pos; }
 
-// What crosses a link that is to be straight is not straight itself; of two such that cross each other that is not said.
+// Marks links that cross a link that should be straight: they cannot be straight.  Two links that should both be straight and cross each
+// other are not marked.
 static void mark_gap(Layout *l, uint32_t y, const Link *const *above)
 {
     const Layer *lower = &l->layer[y + 1];
@@ -77,7 +78,7 @@ static void join(Columns *c, uint32_t item, uint32_t to)
     c->next[item] = c->root[item];
 }
 
-// Joins an item with the one at the other end of a link, if that is right of all that was joined before.
+// Joins an item to the item at the other end of a link, if that is right of all joined before in this layer.
 static bool try_link(Columns *c, uint32_t item, const Link *link, int64_t *used)
 {
     const uint32_t to = c->from_below ? link->below : link->above;
@@ -90,8 +91,8 @@ static bool try_link(Columns *c, uint32_t item, const Link *link, int64_t *used)
     return true;
 }
 
-// An item joins the neighbour to which its link should be straight, else the middle one; of two, the one further left first.  One
-// that should be straight with another item is left to that.
+// An item joins the neighbour to which its link should be straight, otherwise its median neighbour; of two medians, the further left is
+// tried first.  A neighbour whose own straight link leads to another item is not joined.
 static void align(Columns *c, uint32_t item, int64_t *used)
 {
     const Layout *l = c->l;
@@ -123,13 +124,13 @@ static void make_columns(Columns *c)
     }
 }
 
-// ---- how far apart ----
+// ---- distances ----
 
-// Neighbours in a layer: `from` has to stand so far left of `to`.  Both are columns.
+// Neighbours in a layer: `from` must be at least `apart` left of `to`.  Both are columns.
 typedef struct Step { uint32_t from, to; int64_t apart; } Step;
 
 typedef struct Steps {
-    uint32_t *first;              // by column it starts from: at[first[c]] … at[first[c + 1] - 1]
+    uint32_t *first;              // by column where the step starts: at[first[c]] … at[first[c + 1] - 1]
     Step *at;
 } Steps;
 
@@ -166,7 +167,7 @@ static Steps steps_of(const Columns *c)
     return s;
 }
 
-// Columns from left to right: each after those it has to stand right of.
+// Columns in topological order: each after those that must be left of it.
 static uint32_t *left_to_right(const Columns *c, const Steps *s, uint32_t *n)
 {
     const size_t items = c->l->item.n;
@@ -185,7 +186,7 @@ static uint32_t *left_to_right(const Columns *c, const Steps *s, uint32_t *n)
     return order;
 }
 
-// As far left as may be; then what has room on its right moves there, closer to what it stands beside.
+// Places columns as far left as possible.  Then columns with free space on their right move right, close to their neighbours.
 static void place_columns(Columns *c)
 {
     const Steps s = steps_of(c);
@@ -209,7 +210,7 @@ static void place_columns(Columns *c)
         c->x[i] = c->x[c->root[i]];
 }
 
-// ---- four into one ----
+// ---- combining the four ----
 
 typedef struct Extent { int64_t low, high; } Extent;
 
@@ -225,7 +226,7 @@ static Extent extent(const Columns *c)
     return e;
 }
 
-// Turns a mirrored one round, and moves it to where the narrowest has its left edge, or its right edge.
+// Undoes the mirroring.  Aligns the left edge of the alignment with that of the narrowest, or its right edge if it was mirrored.
 static void line_up(Columns *c, int64_t width)
 {
     const Extent e = extent(c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranks of states: how far down each stands.
+// Ranks of states: their vertical order.
 #include <string.h>
 
 #include "compiler/emit/report/layout.h"
@@ -7,9 +7,9 @@
 // ---- which edges are stubs ----
 
 enum {
-    HUB_ABORT = 3,                // so many states that lead to an @abort state make all edges to it stubs
-    HUB = 6,                      // to any other state
-    LONGEST = 6                   // ranks that a line may cross
+    HUB_ABORT = 3,                // with this many predecessors of an @abort state, all edges to it become stubs
+    HUB = 6,                      // the same for other states
+    LONGEST = 6                   // maximum number of ranks that a line can cross
 };
 
 static void stub(Diagram *d, uint32_t edge)
@@ -33,13 +33,13 @@ void layout_stub_hubs(Diagram *d)
     }
 }
 
-// ---- circles ----
+// ---- cycles ----
 
-typedef struct Visit { uint32_t node, next; } Visit;      // next: its edges that have been followed
+typedef struct Visit { uint32_t node, next; } Visit;      // next: number of its edges that have been followed
 
 typedef struct Search {
     Layout *l;
-    char *met;                    // 0 not yet, 1 on the way here, 2 done
+    char *met;                    // 0 not visited, 1 on the current path, 2 done
     VEC(Visit) way;
 } Search;
 
@@ -51,7 +51,8 @@ static void enter(Search *s, uint32_t node)
     vec_push(s->l->arena, &s->way, v);
 }
 
-// In file order from the first state on.  An edge back to a state on the way there closes a circle.  The first state stays on top.
+// Depth-first search in file order, starting with the first state.  An edge back to a state on the current path closes a cycle.  The first
+// state stays at the top.
 static void search_from(Search *s, uint32_t start)
 {
     const Diagram *d = s->l->d;
@@ -82,11 +83,11 @@ static void break_circles(Layout *l)
 
 // ---- ranks ----
 
-// The upper and the lower end of a line.
+// The upper and lower end of a line.
 static uint32_t upper(const DiagramEdge *e) { return e->up ? e->to : e->from; }
 static uint32_t lower(const DiagramEdge *e) { return e->up ? e->from : e->to; }
 
-// The lines at each node, wherever they lead.
+// By node, the lines of which it is the upper (or lower) end.
 typedef struct Ends { uint32_t *first, *edge; } Ends;
 
 static Ends ends_of(const Layout *l, uint32_t (*end)(const DiagramEdge *e))
@@ -105,7 +106,7 @@ static Ends ends_of(const Layout *l, uint32_t (*end)(const DiagramEdge *e))
     return out;
 }
 
-// Nodes so that every line leads from an earlier to a later one.
+// Topological order: every line leads from an earlier to a later node.
 static uint32_t *downwards(const Layout *l, const Ends *out, const Ends *in)
 {
     const Diagram *d = l->d;
@@ -134,7 +135,7 @@ static uint32_t lowest_above(const Layout *l, const Ends *in, uint32_t v)
     return rank;
 }
 
-// The lowest rank that the lines out of v allow; of none, its own.
+// The lowest rank that the lines out of v allow; its own if there are none.
 static uint32_t highest_below(const Layout *l, const Ends *out, uint32_t v)
 {
     uint32_t rank = UINT32_MAX;
@@ -146,7 +147,7 @@ static uint32_t highest_below(const Layout *l, const Ends *out, uint32_t v)
     return rank == UINT32_MAX ? l->rank[v] : rank;
 }
 
-// What has more lines out than in is better off as far down as it may be.
+// Moves a node with more lines out than in as far down as possible.
 static void sink(Layout *l, const Ends *out, const Ends *in, const uint32_t *order)
 {
     for (size_t i = l->d->nodes; i-- > 0;) {
@@ -156,7 +157,7 @@ static void sink(Layout *l, const Ends *out, const Ends *in, const uint32_t *ord
     }
 }
 
-// ---- parts that no line joins to the first state ----
+// ---- parts not connected to the first state ----
 
 static void spread(const Layout *l, const Ends *out, const Ends *in, uint32_t *part, uint32_t start)
 {
@@ -180,9 +181,9 @@ static void spread(const Layout *l, const Ends *out, const Ends *in, uint32_t *p
     }
 }
 
-enum { ROW = 4 };                 // single states that stand side by side
+enum { ROW = 4 };                 // isolated states per rank
 
-// Each part ends where the first one ends; states that stand alone come below, some to a rank.
+// Moves every part down to end at the lowest rank in use, except the part of the first state.  Isolated states follow, ROW to a rank.
 static void settle_parts(Layout *l, const Ends *out, const Ends *in)
 {
     const size_t n = l->d->nodes;
@@ -209,7 +210,7 @@ static void settle_parts(Layout *l, const Ends *out, const Ends *in)
 
 // ---- the spine ----
 
-// How many lines the longest way downwards has that begins at each state.  Only transitions that can be made count.
+// By state, the number of lines on the longest downward path from it.  Only possible transitions count.
 static uint32_t *longest_ways(const Layout *l, const Ends *out, const uint32_t *order)
 {
     uint32_t *way = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
@@ -223,7 +224,7 @@ static uint32_t *longest_ways(const Layout *l, const Ends *out, const uint32_t *
     return way;
 }
 
-// The line with which the longest way from v goes on; UINT32_MAX: v is its end.
+// The next line of the longest path from v; UINT32_MAX: v is its end.
 static uint32_t next_of(const Layout *l, const Ends *out, const uint32_t *way, uint32_t v)
 {
     for (uint32_t k = out->first[v]; k < out->first[v + 1]; k++) {
@@ -234,7 +235,7 @@ static uint32_t next_of(const Layout *l, const Ends *out, const uint32_t *way, u
     return UINT32_MAX;
 }
 
-// The longest way from the first state, then from each other as far as none was before.
+// The spine is the longest path from the first state, then from each other state up to the first state that is already taken.
 static void find_spine(Layout *l, const Ends *out, const uint32_t *order)
 {
     const uint32_t *way = longest_ways(l, out, order);
@@ -256,7 +257,7 @@ static void find_spine(Layout *l, const Ends *out, const uint32_t *order)
 
 // ---- stubs ----
 
-// What stands beside a state to which stubs lead.
+// Writes the text beside a state that is the target of stubs.
 static void name_origins(Diagram *d)
 {
     for (size_t i = 0; i < d->nodes; i++) {
@@ -270,7 +271,7 @@ static void name_origins(Diagram *d)
     }
 }
 
-// A state that leads to itself and has stubs shows that as one of them.
+// Draws the loop of a state that has stubs as one of them.
 static void join_loops(Diagram *d)
 {
     for (size_t i = 0; i < d->nodes; i++) {

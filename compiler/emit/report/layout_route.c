@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the order and x of items to boxes and ways: how far apart layers are, what stands beside a state, where lines meet it.
+// Turns order and x of items into boxes and paths: the distance of layers, the stubs beside a state, the points where lines meet a state.
 #include "compiler/emit/report/layout.h"
 
 enum {
@@ -48,7 +48,7 @@ static int32_t node_w(const DiagramNode *n, uint32_t lines)
     return ((w > NODE_LEAST ? w : NODE_LEAST) + 1) & ~1;
 }
 
-// Puts the width of the state's box into n->box, and what it takes with everything beside it into `out`.
+// Sets the width of the state's box in n->box, and the size with everything beside it in `out`.
 void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, Item *out)
 {
     DiagramNode *n = &d->node[node];
@@ -80,11 +80,11 @@ static void place_rows(Diagram *d, const DiagramNode *n)
     }
 }
 
-// ---- where lines meet a state ----
+// ---- the points where lines meet a state ----
 
 typedef struct Ports { int32_t *x; } Ports;       // by link
 
-// Each line as near to where it goes as its state is wide, and PORT from the next.
+// Places each line as near to its other end as the state's width allows, and at least PORT from the next.
 static void spread_ports(const Layout *l, const Item *i, const Links *links, uint32_t item, bool below, int32_t *port)
 {
     const uint32_t first = links->first[item], n = links->first[item + 1] - first;
@@ -171,7 +171,7 @@ static void place_items(Layout *l)
     l->d->h = last->y + last->h + MARGIN;
 }
 
-// ---- ways ----
+// ---- paths ----
 
 static void add_point(Layout *l, DiagramEdge *e, int32_t x, int32_t y)
 {
@@ -180,7 +180,7 @@ static void add_point(Layout *l, DiagramEdge *e, int32_t x, int32_t y)
     vec_push(l->arena, &e->way, p);
 }
 
-// The way from top to bottom: out of the upper state, through each layer, into the lower one.
+// The path from top to bottom: out of the upper state, through each layer, into the lower state.
 static void route_down(Layout *l, DiagramEdge *e, uint32_t first, uint32_t end, const int32_t *top, const int32_t *bottom)
 {
     for (uint32_t k = first; k < end; k++) {
@@ -211,7 +211,7 @@ void layout_route(Layout *l)
     find_ports(l, top, bottom);
     place_layers(l, top, bottom);
     place_items(l);
-    find_ports(l, top, bottom);               // now that everything has moved by one distance
+    find_ports(l, top, bottom);               // again, because all items have been shifted by the same distance
     for (uint32_t e = 0; e < l->d->edge.n; e++) {
         DiagramEdge *edge = &l->d->edge.at[e];
         route_down(l, edge, l->first_link[e], l->first_link[e + 1], top, bottom);

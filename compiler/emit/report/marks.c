@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Findings on a diagram: each belongs to the transition it points at, or whose guard it points at, else to the state whose
-// section it points into, else to nothing that a diagram shows.
+// Findings on a diagram.  A finding belongs to the transition at whose statement or guard it points, otherwise to the state whose section
+// it points into, otherwise to nothing that a diagram shows.
 #include <stdlib.h>
 
 #include "compiler/emit/report/diagram.h"
 
-// A stretch of the source, and what findings in it belong to.
+// A range of the source, and the list for findings in it.
 typedef struct Place { uint32_t at, end, order; Findings *finding; } Place;
 typedef VEC(Place) Places;
 
@@ -30,7 +30,7 @@ static void sort_places(Places *p)
         qsort(p->at, p->n, sizeof *p->at, in_order);
 }
 
-// The last place that begins at `at` or before, if it reaches that far.
+// The last range that begins at or before `at`, if it extends that far.
 static const Place *place_at(const Places *p, uint32_t at)
 {
     size_t low = 0, high = p->n;
@@ -45,9 +45,9 @@ static const Place *place_at(const Places *p, uint32_t at)
     return low > 0 && at < p->at[low - 1].end ? &p->at[low - 1] : NULL;
 }
 
-// ---- what stands where ----
+// ---- source ranges of states and transitions ----
 
-// A transition, and the guard directly around it.  Of several in one conditional the first has the guard.
+// A transition, and its innermost guard.  If a conditional contains several transitions, the first one has the guard.
 static Places transition_places(Diagram *d)
 {
     Places out = {NULL, 0, 0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A diagram for Mermaid (stateDiagram-v2), which GitHub, GitLab and many wikis draw.  States have numbers for names there, since
-// `end` or `state` could be names of ours.
+// A diagram for Mermaid (stateDiagram-v2), which GitHub, GitLab and many wikis draw.  States are named by number there, because a machine
+// can have a state called `end` or `state`.
 #include <string.h>
 
 #include "compiler/base/utf8.h"
@@ -11,7 +11,7 @@ static bool is_plain(uint32_t c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c < 128 && strchr(" _.,()+-*/=", (int)c));
 }
 
-// What could mean something to Mermaid becomes #NUMBER;.
+// Characters that can have a meaning in Mermaid become #NUMBER;.
 static void put_plain(Buf *out, const char *text)
 {
     const size_t n = strlen(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first page: what the machine is, what it is made of, and the diagram.
+// The first page: what the machine is, its parts, and the diagram.
 #include "bytecode-vm/image.h"
 #include "compiler/emit/report/graph.h"
 #include "compiler/emit/report/report.h"
@@ -7,7 +7,7 @@
 
 static const DocColumn fact_columns[] = {{"name", "Name"}, {"value", "Value"}};
 
-static const char *identity(const Report *r)          // as the image has it
+static const char *identity(const Report *r)          // as in the image
 {
     SmvmReader at;
 
@@ -79,7 +79,7 @@ static void put_facts(const Report *r, Doc *d)
 
 // ---- in words ----
 
-// The names of variables that `wanted` picks, in backticks, with "and" before the last.
+// The names of the variables for which `wanted` is true, in backticks, with "and" before the last.
 static const char *names(const Report *r, bool (*wanted)(const Program *p, const Var *v), size_t *n)
 {
     const Program *p = r->analysis.p;
@@ -139,8 +139,8 @@ static void put_words(Report *r, Doc *d)
     doc_paragraph(d, buf_text(&b));
 }
 
-// Smaller, its letters would be too small to read on paper.
-enum { PAPER_W = 688, LOW = 416, LEGIBLE = 65 };      // pixels between the margins of A4; 110 mm, as style.c has it; percent
+// Below LEGIBLE, letters would be too small to read on paper.
+enum { PAPER_W = 688, LOW = 416, LEGIBLE = 65 };      // pixels between the margins of A4; 110 mm, as in style.c; percent
 
 bool report_is_low(GraphSize s)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run as a drawing: the states as a band, below it every element that changes, over one time axis.  Numbers are drawn as the
-// machine sees them, in steps; where a bucket holds several, from its smallest to its largest.  Bools are strips.
+// Draws a run: the states as a band, and below it every element that changes, over one time axis.  Numbers are drawn as the machine reads
+// them, in steps.  A bucket with several values is drawn from its smallest to its largest.  Bools are strips.
 #include "compiler/emit/report/plot.h"
 
 #include <stdio.h>
@@ -8,7 +8,7 @@
 
 #include "compiler/emit/report/words.h"
 
-// ---- small things ----
+// ---- helpers ----
 
 void plot_tenths(Buf *out, long x)
 {
@@ -80,7 +80,7 @@ const char *plot_label(Arena *arena, double x)
 
     buf_init(&b, arena);
     snprintf(digits, sizeof digits, x > -1e7 && x < 1e7 && x == (double)(long)x ? "%.0f" : "%.5g", x == 0 ? 0.0 : x);
-    for (const char *c = digits; *c; c++)             // the point is the locale's
+    for (const char *c = digits; *c; c++)             // the decimal point depends on the locale
         buf_char(&b, strchr("0123456789+-einfa", *c) ? *c : '.');
     return buf_text(&b);
 }
@@ -89,7 +89,7 @@ const char *plot_label(Arena *arena, double x)
 
 typedef struct Row {
     const TraceSeries *s;
-    double lo, hi;                // what the row shows
+    double lo, hi;                // range of the row
     long top;                     // of its frame
 } Row;
 
@@ -113,7 +113,7 @@ static Row row_of(const Trace *t, const TraceSeries *s, long top)
         widen(&r, s->at[i].hi);
     }
     if (r.lo > r.hi)
-        r.lo = r.hi = 0;                              // infinities alone
+        r.lo = r.hi = 0;                              // only infinities
     margin = r.hi / 16 - r.lo / 16;
     r.lo -= margin > 0 ? margin : 1;
     r.hi += margin > 0 ? margin : 1;
@@ -122,7 +122,7 @@ static Row row_of(const Trace *t, const TraceSeries *s, long top)
 
 static long y_of(const Row *r, double x)
 {
-    const double share = (x / 2 - r->lo / 2) / (r->hi / 2 - r->lo / 2);       // halves: the difference of two numbers may be none
+    const double share = (x / 2 - r->lo / 2) / (r->hi / 2 - r->lo / 2);       // halved, because the difference could overflow
 
     return r->top + PLOT_ROW - (long)((double)PLOT_ROW * (!(share > 0) ? 0 : share > 1 ? 1 : share));
 }
@@ -174,7 +174,7 @@ static void set_down(Pen *pen, long x, long y)
     plot_tenths(pen->out, y);
 }
 
-static void lift(Pen *pen, long x)                    // up to x it stays
+static void lift(Pen *pen, long x)                    // draws up to x, then lifts
 {
     if (!pen->down)
         return;
@@ -183,7 +183,7 @@ static void lift(Pen *pen, long x)                    // up to x it stays
     pen->down = false;
 }
 
-static void draw_to(Pen *pen, long x, long y)         // along, then up or down
+static void draw_to(Pen *pen, long x, long y)         // horizontally, then vertically
 {
     if (y == pen->y)
         return;
@@ -259,7 +259,7 @@ static void put_stretch(Plot *p, const char *class_name, size_t from, size_t to,
     plot_rect(p, class_name, x, top, plot_x(p->t, (double)end) - x, PLOT_STRIP);
 }
 
-static int is_on(const TraceBucket *b) { return b->lo > 0 ? 2 : b->hi > 0 ? 1 : 0; }       // 1: at times
+static int is_on(const TraceBucket *b) { return b->lo > 0 ? 2 : b->hi > 0 ? 1 : 0; }       // 1: some of the time
 
 static void put_strip(Plot *p, const TraceSeries *s, long top)
 {
@@ -279,7 +279,7 @@ static void put_strip(Plot *p, const TraceSeries *s, long top)
     plot_rect(p, "frame", PLOT_LEFT, top, PLOT_RIGHT - PLOT_LEFT, PLOT_STRIP);
 }
 
-// ---- the whole ----
+// ---- the whole plot ----
 
 static bool is_strip(const TraceSeries *s) { return s->v->type == SM_BOOL; }
 

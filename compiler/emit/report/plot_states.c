@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of a run as bands.  A state has a colour (style.c) and a pattern, of which no two are alike for the first 32 states.
+// The states of a run as bands.  A state has a colour (style.c) and a pattern; their combination is unique for the first 32 states.
 #include <string.h>
 
 #include "compiler/emit/report/plot.h"
 
-enum { COLOURS = 8, PATTERNS = 4, TINTS_MOST = 200, LETTER = 68 };    // LETTER: about as wide as one is
+enum { COLOURS = 8, PATTERNS = 4, TINTS_MOST = 200, LETTER = 68 };    // LETTER: approximate width of a character
 
 const char plot_defs[] =
     "<defs>\n"
@@ -38,7 +38,7 @@ static void put_swatch(Plot *p, const State *s, long x, long y, long wide, long 
 
 static long text_wide(const char *text) { return (long)strlen(text) * LETTER; }
 
-// The name where it fits, else the number.
+// Writes the name if it fits, otherwise the number.
 static void put_name(Plot *p, const State *s, long x, long wide)
 {
     const char *number = format_in(p->out->arena, "%u", (unsigned)s->number);

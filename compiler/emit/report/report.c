@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order of a report, and what its sections share.
+// The order of a report, and helpers that its sections share.
 #include "compiler/emit/report/report.h"
 
 #include "compiler/emit/report/words.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the scripts went: results, what they visited, and a plot of each.
+// The results of the scripts, what they visited, and a plot of each.
 #include "compiler/emit/report/graph.h"
 #include "compiler/emit/report/report.h"
 #include "compiler/emit/report/words.h"
@@ -50,7 +50,7 @@ static void put_runs(const Report *r, Doc *d)
 
 static const DocColumn way_columns[] = {{"from", "From"}, {"to", "To"}, {"times", "Times"}, {"note", "Remark"}};
 
-// Whether no transition before number i leads from its state to its target; *same: how many do.  Looks at one state's.
+// Whether transition i is the first from its state to its target; *same: how many lead there.  Visits only transitions of one state.
 static bool is_first_way(const Transitions *t, size_t i, size_t *same)
 {
     size_t first = i, last = i;
@@ -92,7 +92,7 @@ static void put_cover(const Report *r, Doc *d)
     }
 }
 
-// The ways between states that the scripts have gone: of several transitions from one state to another, which was made is not seen.
+// The ways between states that the scripts have executed.  A run does not record which of several transitions between two states it took.
 static void put_ways(const Report *r, Doc *d)
 {
     const Transitions *t = &r->analysis.transition;
@@ -118,7 +118,7 @@ static void put_ways(const Report *r, Doc *d)
     }
 }
 
-// The diagram draws one arrow from a state to another, so what several transitions share is counted once.
+// Counts by transition.  The diagram draws one arrow from a state to another, so the count of several transitions is stored at the first.
 GraphCounts report_counts(const Report *r)
 {
     const size_t states = r->analysis.p->state.n, ways = r->analysis.transition.n;
@@ -152,7 +152,7 @@ Coverage report_coverage(const Report *r)
     return c;
 }
 
-// Which of them was made is not seen; where none was, that is.
+// Names transitions whose count is shared: a run does not record which of them it took.  If none was taken, all are known to be unused.
 static void put_shared_ways(const Report *r, Doc *d)
 {
     const GraphCounts counts = report_counts(r);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each state in words, and the table of all transitions.
+// A description of each state, and the table of all transitions.
 #include "compiler/emit/report/report.h"
 #include "compiler/emit/report/words.h"
 
@@ -25,9 +25,9 @@ static void put_badge(const Report *r, const State *s, DocPart *heading)
         heading->badge = "begins here";
 }
 
-// ---- where it comes from ----
+// ---- predecessors ----
 
-typedef struct Sources { VEC(const State *) from; } Sources;      // of one state, each once
+typedef struct Sources { VEC(const State *) from; } Sources;      // the predecessors of a state, each once
 
 static Sources *find_sources(const Report *r)
 {
@@ -36,7 +36,7 @@ static Sources *find_sources(const Report *r)
 
     for (size_t i = 0; i < t->n; i++) {
         Sources *s = &of[t->at[i].to->number];
-        if (s->from.n == 0 || s->from.at[s->from.n - 1] != t->at[i].from)     // transitions stand by state
+        if (s->from.n == 0 || s->from.at[s->from.n - 1] != t->at[i].from)     // transitions are sorted by state
             vec_push(r->arena, &s->from, t->at[i].from);
     }
     return of;
@@ -106,7 +106,7 @@ static const char *remark(const Report *r, const Transition *t)
     return t->to->is_abort ? "abort" : "";
 }
 
-// Behind it, or behind the guard of which it is all there is.
+// The comment after the transition, or after the guard if the transition is its only statement.
 static const char *comment_of_transition(const Report *r, const Transition *t)
 {
     const char *own = comment_beside(r->arena, t->stmt->span);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The style sheet.  Colours are variables, once light, once dark; paper is always light.  Bands of states (.s0 to .s7) have a
-// lightness of their own each, and patterns over them (plot.c), so that they can be told apart in grey.
+// The style sheet.  Colours are variables, with values for light and for dark; paper is always light.  Bands of states (.s0 to .s7) each
+// have their own lightness, and patterns over them (plot_states.c), so that they are distinguishable in greyscale.
 #include "compiler/emit/report/style.h"
 
 #define LIGHT \

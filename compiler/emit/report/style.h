@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the page of a report looks: light or dark as the reader's screen is, and on paper.
+// The style of a report page: light or dark as the reader's screen is, and for paper.
 #ifndef SMC_REPORT_STYLE_H
 #define SMC_REPORT_STYLE_H
 
-extern const char *const report_style[];              // NULL closes it
+extern const char *const report_style[];              // NULL-terminated
 
-// Of these, for a plot that stands alone: ":root{--name:value;…}" of the light page, and rules that use them.
+// The part for a plot in a file of its own: ":root{--name:value;…}" of the light page, and rules that use these variables.
 extern const char plot_style_light[], plot_style[];
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A diagram as SVG.  Whole numbers only, so that it is the same on every machine.
+// A diagram as SVG.  Only whole numbers, so that it is the same on every computer.
 #include <stdio.h>
 
 #include "compiler/emit/report/layout.h"
@@ -8,7 +8,7 @@
 
 // ---- style ----
 
-// Everything that has a colour, light and dark.  Shapes tell the same as colours do.
+// Everything with a colour, light and dark.  Shapes convey the same information as colours.
 //   STYLE(selector, light, dark)
 typedef struct Style { const char *selector, *light, *dark; } Style;
 
@@ -28,7 +28,7 @@ static const Style styles[] = {
     {".g-bang", "fill:#3d2f00", "fill:#3d2f00"},
 };
 
-// What is the same in both.
+// The part that is the same for light and dark.
 static const char shapes[] =
     ".smc-graph text{font-family:Helvetica,Arial,sans-serif;font-size:11px}\n"
     ".smc-graph .g-name{font-size:13px;font-weight:bold;text-anchor:middle}\n"
@@ -87,7 +87,7 @@ static void put_head(Buf *out, Point tip, Towards to)
     buf_printf(out, "<path class=\"g-head\" d=\"M%ld %ld%s\"/>", (long)tip.x, (long)tip.y, shape[to]);
 }
 
-// All findings of one place, with the number of its note, and how grave the gravest is.
+// Writes the mark for all findings of one place: the number of its note, coloured by severity.  The findings are its tooltip.
 static void put_mark(Buf *out, const Findings *f, uint32_t number, int32_t x, int32_t y)
 {
     char text[12];
@@ -109,7 +109,7 @@ static void put_mark(Buf *out, const Findings *f, uint32_t number, int32_t x, in
     buf_str(out, "</g>");
 }
 
-// " g-unrun" for what a run has not done.
+// " g-unrun" if no run has executed it.
 static const char *run_class(const Diagram *d, uint64_t count) { return d->o->counts && count == 0 ? " g-unrun" : ""; }
 
 // ---- states ----
@@ -119,7 +119,7 @@ static const char *box_class(const DiagramNode *n)
     return n->state->is_abort ? "g-box g-abort" : n->state->is_safe ? "g-box g-safe" : "g-box g-state";
 }
 
-// @abort: corners cut off; @safe: round ends; others: round corners.  `in`: so far inside the box.
+// @abort: cut corners; @safe: round ends; others: rounded corners.  `in`: inset from the box.
 static void put_outline(Buf *out, const char *class, const DiagramNode *n, Box b, int32_t in)
 {
     const long x = b.x + in, y = b.y + in, w = b.w - 2 * in, h = b.h - 2 * in, cut = h / 3;
@@ -197,7 +197,7 @@ static void put_edge_title(Buf *out, const Diagram *d, const DiagramEdge *e)
     buf_str(out, "</title>");
 }
 
-// The guards, each line in the middle of the label, or beginning at its left.
+// Writes the guards, each line centred in the label or aligned to its left.
 static void put_guards(Buf *out, const DiagramEdge *e, bool centred)
 {
     const int32_t x = centred ? e->label.x + e->label.w / 2 : e->label.x;
@@ -215,7 +215,7 @@ static void put_guards(Buf *out, const DiagramEdge *e, bool centred)
     }
 }
 
-// Where a way is drawn: its points, but that it ends a little before the head's tip, so that this stays sharp.
+// Point i of the path as drawn.  The path ends slightly before the tip of the arrowhead, so that the tip stays sharp.
 static Point way_point(const DiagramEdge *e, size_t i)
 {
     const int32_t tip = e->way.at[e->way.n - 1].y, end = tip + (e->up ? 6 : -6);
@@ -232,7 +232,7 @@ static void put_vertical(Buf *out, int32_t from, int32_t to)
         buf_printf(out, "V%ld", (long)to);
 }
 
-// A vertical line, around the label if it stands on it.
+// Writes a vertical line, interrupted for the label if it is on the line.
 static void put_straight(Buf *out, const DiagramEdge *e, Point from, Point to)
 {
     const int32_t above = e->label.y - 2, below = e->label.y + e->label.h + 2;
@@ -274,7 +274,7 @@ static void put_way(Buf *out, const DiagramEdge *e)
     put_head(out, e->way.at[e->way.n - 1], e->up ? UP : DOWN);
 }
 
-// A stub: the line from a state to the name of the other, and that.
+// Draws a stub: a line from a state to the name of the other state, and that name.
 static void put_beside(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
     const DiagramNode *from = &d->node[e->from], *to = &d->node[e->to];
@@ -287,7 +287,7 @@ static void put_beside(Buf *out, const Diagram *d, const DiagramEdge *e)
     put_text(out, "g-to", e->name.x + e->name.w / 2, y + 4, to->name);
 }
 
-// A state whose only neighbour is itself: a line that comes back.
+// Draws the loop of a state without stubs.
 static void put_loop(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
     const DiagramNode *n = &d->node[e->from];
@@ -297,7 +297,7 @@ static void put_loop(Buf *out, const Diagram *d, const DiagramEdge *e)
     put_head(out, tip, LEFT);
 }
 
-// What was taken often is wide: half a pixel more each time that the count is twice as high, up to 6.
+// Lines taken often are wider: half a pixel more for each doubling of the count, up to 6.4.
 static void put_width(Buf *out, uint64_t count)
 {
     unsigned tenths = 14;
@@ -324,7 +324,7 @@ static void put_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
     buf_str(out, "</g>\n");
 }
 
-// ---- the whole ----
+// ---- the whole diagram ----
 
 static void put_description(Buf *out, const Diagram *d)
 {

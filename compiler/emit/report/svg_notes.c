@@ -19,7 +19,7 @@ static void add_note(const Diagram *d, SvgNotes *n, uint32_t number, const char 
     }
 }
 
-// Gives the number of their note, or 0.
+// Returns the number of their note, or 0.
 static uint32_t add_findings(const Diagram *d, SvgNotes *n, uint32_t *marks, const Findings *f)
 {
     for (size_t i = 0; i < f->n; i++)

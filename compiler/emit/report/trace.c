@@ -116,7 +116,7 @@ static void note_step(Trace *t, const uint64_t *cell)
     if (t->steps == 0)
         t->first_g = g;
     t->last_g = g;
-    if (cell[t->p->t->index] == 0)                    // T is 0 in the first step of a state and in no other
+    if (cell[t->p->t->index] == 0)                    // T is 0 in the first step of a state only
         note_visit(t, t->p->state.at[number - 1], g);
     t->last = (uint32_t)number;
     t->spent[number - 1]++;

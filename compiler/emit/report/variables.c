@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine reads, writes and remembers: elements, parameters, other locals, windows; with what its author wrote beside
-// them.
+// What the machine reads, writes and stores: elements, parameters, other locals, windows; with the comments of its author.
 #include "compiler/emit/report/report.h"
 #include "compiler/emit/report/words.h"
 
-// ---- who uses what ----
+// ---- uses of variables by state ----
 
 typedef struct Use { const State *last_read, *last_written; Buf readers, writers; } Use;      // names of states
 
@@ -30,7 +29,7 @@ static void note_read(Expr *e, void *context)
         note(&u->of[e->var->index].readers, &u->of[e->var->index].last_read, u->state);
 }
 
-// As deep as conditionals nest: AST_DEPTH_MAX bounds it.
+// Recursion is bounded by the nesting of conditionals, AST_DEPTH_MAX.
 static void note_stmts(Uses *u, const Stmts *stmts)
 {
     for (size_t i = 0; i < stmts->n; i++) {
@@ -100,7 +99,7 @@ static const char *range_of(Arena *arena, const Var *v)
                      report_number(arena, number_of(v->range->hi)));
 }
 
-// Beside the machine's own declaration, else beside that of the state vector.
+// The comment at the machine's own declaration, otherwise at that in the state vector.
 static const char *comment_of(Arena *arena, const Var *v)
 {
     const char *own = comment_behind(arena, v->span);
@@ -129,7 +128,7 @@ static void put_elements(const Report *r, Doc *d, const Use *use)
 
 // ---- locals ----
 
-// Sizes of windows are worked out when compiling, and read in no state.
+// The sizes of windows are computed at compile time; no state reads them.
 static const char *readers_of(const Report *r, const Var *v, Use *use)
 {
     return format_in(r->arena, "%s%s%s", buf_text(&use->readers), v->sizes && use->readers.n ? ", " : "",

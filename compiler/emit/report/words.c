@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements as sentences.  What a sentence calls by the author's names and formulas stands in backticks.
+// Statements as sentences.  Names and formulas of the author appear in backticks.
 #include "compiler/emit/report/words.h"
 
 #include "compiler/analysis/transitions.h"
 #include "stdlib/convert.h"
 
-// ---- small things ----
+// ---- helpers ----
 
 const char *words_count(Arena *arena, size_t n, const char *one, const char *many)
 {
@@ -22,7 +22,7 @@ const char *words_window(Arena *arena, const Window *w)
 
 static uint32_t line_of(Span span) { return source_position(span.src, span.at).line; }
 
-// A sentence, with what the author wrote above and behind the statement.  Of several on one line the first has it.
+// Adds a sentence, with the comments above and after the statement.  Of several statements on one line only the first gets them.
 static void put_line(DocList *l, unsigned depth, Span span, const char *text)
 {
     const uint32_t line = line_of(span);
@@ -72,7 +72,7 @@ static const char *simple(Arena *arena, const Stmt *s)
 
 static void put_stmts(DocList *l, const Stmts *stmts, unsigned depth);
 
-// What stands under the sentence of a branch: its only statement is part of it.
+// Adds the sentence of a branch that includes its only statement, with the comments of both.
 static void put_only(DocList *l, unsigned depth, Span span, const char *text, const Stmt *only)
 {
     DocLine *line;
@@ -99,7 +99,7 @@ static void put_branch(DocList *l, const char *when, const Stmts *stmts, Span sp
     }
 }
 
-// A conditional and the `else if` that hang on it, each in a line of its own depth.
+// Writes a conditional and its `else if` branches, one line each, at the same depth.
 static void put_if(DocList *l, const Stmt *s, unsigned depth)
 {
     const char *when = "if";
@@ -115,7 +115,7 @@ static void put_if(DocList *l, const Stmt *s, unsigned depth)
         put_branch(l, "otherwise", &last->otherwise, comment_else(last->otherwise.at[0]->span), depth);
 }
 
-// As deep as conditionals nest: AST_DEPTH_MAX bounds it.
+// Recursion is bounded by the nesting of conditionals, AST_DEPTH_MAX.
 static void put_stmts(DocList *l, const Stmts *stmts, unsigned depth)
 {
     for (size_t i = 0; i < stmts->n; i++)

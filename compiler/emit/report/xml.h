@@ -5,8 +5,8 @@
 
 #include "compiler/base/buf.h"
 
-// The text with what means something there escaped, also within quotes.  Bytes that are not UTF-8, and characters that XML does
-// not know, become U+FFFD.
+// Writes the text with special characters escaped, also for use in quotes.  Bytes that are not UTF-8, and characters that XML does not
+// allow, become U+FFFD.
 void xml_put(Buf *out, const char *text);
 
 #endif
