@@ -202,7 +202,7 @@ static bool excludes(Ask *k, const Expr *x, const Expr *y)
         return excludes(k, x->arg[0], y) || excludes(k, x->arg[1], y);
     if (is_logic(y, SM_OP_AND))
         return excludes(k, x, y->arg[0]) || excludes(k, x, y->arg[1]);
-    return parts_exclude(k, x, y);
+    return parts_exclude(k, x, y) || parts_exclude(k, y, x);
 }
 
 // Variables and numbers are never NaN; computed values may be.

@@ -202,8 +202,9 @@ static void find_roll(Expr *e, void *context)
 
     if (e->kind == EX_ROLL && !f->roll && f->w->t->a->m->window_of[e->window] == f->w->window)
         f->roll = e;
-    if (e->kind == EX_VAR && e->var->written && !f->roll && f->depth++ < 4) {
+    if (e->kind == EX_VAR && e->var->written && !f->roll && f->depth < 4) {
         StoresOf k = {f, e->var};
+        f->depth++;
         each_stmt(f->w->t->a->p, look_at_store, &k);
         f->depth--;
         if (f->roll && !f->through)

@@ -15,6 +15,8 @@ U8 mode = 0
     p > 20 and p < 10: valve = true      #! W0510 exclude each other
     20 < p < 10: valve = false           #! W0510
     p > q and p < q: valve = true        #! W0510
+    p != q and p == q: valve = true      #! W0510
+    p == q and p != q: valve = true      #! W0510
     valve and not valve: valve = true    #! W0510
     p > p: valve = true                  #! W0508
     p > 10 or p < 20: valve = false      #! W0511 cover every case
