@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // IR to self-contained C: one header and one source file, C99 and C++11, that need only the compiler's own headers and memcpy.
-// docs/embedding-c.md documents what users of that C may rely on.
+// docs/embedding-c.md documents what users of that C can rely on.
 #ifndef SMC_EMIT_C_H
 #define SMC_EMIT_C_H
 

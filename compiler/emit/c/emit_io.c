@@ -8,7 +8,7 @@
 typedef struct IoUnit {
     Arena *arena;
     const IoMap *io;
-    const char *prefix, *vector;      // of its own names, and of those of the state vector
+    const char *prefix, *vector;      // for its own names, and for those of the state vector
     const char *source;               // the .io, for comments
 } IoUnit;
 

@@ -57,7 +57,7 @@ typedef struct CFlow {
     bool *reached;
     uint32_t *preds;          // number of incoming edges
     uint32_t *kid, *sibling;  // by block: list, in order, of the join blocks of which it is the immediate dominator
-    bool *falls;              // an edge leads from a block that it dominates to one that it does not
+    bool *falls;              // by block: an edge leads from a block that it dominates to one that it does not
     CDominators dominators;
 } CFlow;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emitted C keeps its meaning under any compiler and any flags, or does not compile, or does not start.  Three lines of defence: pragmas
-// that forbid what can be forbidden, #error for what a macro reveals, and for the rest a self-test at run time whose operands are unknown
-// to the compiler.
+// Emitted C keeps its meaning under any compiler and any flags, or does not compile, or does not start.  There are three lines of defence.
+// Pragmas forbid what they can.  #error rejects what a macro reveals.  A self-test at run time, with operands that the compiler cannot
+// know, covers the rest.
 #include "compiler/emit/c/unit.h"
 
 static const char includes[] =

@@ -191,7 +191,7 @@ static const char *within(Arena *a, const char *name)
     return name[0] != '_' && !strstr(name, "__") ? name : c_identifier(a, name, strlen(name));
 }
 
-// Reserves the names that an application with the same file name uses itself: elements give way.
+// Reserves the names that an application with the same file name uses itself.  An element with such a name is renamed.
 static void take_vector_own(NameSet *s, const char *prefix)
 {
     static const char *const own[] = { "sv", "vector", "layout", "element", "names", "regions", "element_names", "region_names",

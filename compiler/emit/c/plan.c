@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides which temporaries of a function become part of the expressions that use them, and which become variables.  A temporary is inlined
-// if it is used once, if no store between its position and its use changes what it reads, and as long as the expression is not too deep for
-// compilers.  Also finds constants, and elements that are read once for the whole function.
+// if it is used once and no store between its position and its use changes what it reads.  Expressions too deep for compilers are split.
+// Also finds constants, and elements that are read once for the whole function.
 #include "compiler/emit/c/fn.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"

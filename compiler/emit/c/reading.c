@@ -63,7 +63,8 @@ static void note_compare(CFn *fn, IrRef r)
     fn->ins[x].careless += c->uses > 0;
 }
 
-// In conditions that only r depends on, the results of other comparisons with the same load do not matter.
+// The other operand is settled if `load` reads NaN or 0, so the value of r does not matter then.  Excuses comparisons with `load` in r that
+// have no other use.
 static void excuse(CFn *fn, IrRef r, IrRef load)
 {
     const IrIns *i = ins(fn, r);

@@ -123,7 +123,7 @@ static bool read_arm(const Straight *s, IrBlkRef b, Arm *arm)
     return fits;
 }
 
-// A variable set to a boolean needs the same in the other arm; a counter must not occur there.
+// A variable that an arm sets to a boolean must be set in the other arm, too; a counter must not be stored there.
 static bool agree(const Arm *arm, const Arm *other)
 {
     for (unsigned i = 0; i < arm->n; i++) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Findings on a diagram.  A finding belongs to the transition at whose statement or guard it points, otherwise to the state whose section
-// it points into, otherwise to nothing that a diagram shows.
+// Findings on a diagram.  A finding that points at a transition or its guard belongs to that transition.  Otherwise it belongs to the state
+// whose section it points into.  A finding elsewhere is not shown.
 #include <stdlib.h>
 
 #include "compiler/emit/report/diagram.h"
