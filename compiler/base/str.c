@@ -92,6 +92,11 @@ Str str_c(StrPool *p, const char *text)
     return str_intern(p, text, strlen(text));
 }
 
+void str_declare(StrPool *p, Str name)
+{
+    intern(p, name->text, name->len)->declared = true;
+}
+
 void str_mark(StrPool *p, const char *text, uint8_t mark)
 {
     intern(p, text, strlen(text))->mark = mark;

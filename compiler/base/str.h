@@ -13,6 +13,7 @@ typedef struct StrData {
     uint32_t hash;
     uint32_t len;         // without the closing NUL
     uint8_t mark;         // whatever str_mark gave it; 0: nothing
+    bool declared;        // by str_declare
     char text[1];         // len bytes and a NUL
 } StrData;
 typedef const StrData *Str;
@@ -25,6 +26,7 @@ typedef struct StrPool {
 
 void str_pool_init(StrPool *p, Arena *arena);
 Str str_intern(StrPool *p, const char *text, size_t len);
+void str_declare(StrPool *p, Str name);                     // a source declares an element or a variable of that name
 Str str_find(const StrPool *p, const char *text, size_t len);      // NULL when it has not been interned
 Str str_c(StrPool *p, const char *text);                    // of a C string
 void str_mark(StrPool *p, const char *text, uint8_t mark);   // for whoever asks of every string whether it is one of a few

@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include "compiler/syntax/lex.h"
 #include "stdlib/convert.h"
 
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
@@ -205,6 +206,19 @@ static void warn_of_number(Sema *s, const AstExpr *logic, const AstExpr *number)
                    format_in(s->arena, "%s %s %s", sema_quote(s, before->a->span), sm_op_info[before->op].spelling, text));
 }
 
+// `mode == not 5`
+static void warn_of_negated_number(Sema *s, const AstExpr *e)
+{
+    const AstExpr *not = e->b, *number = not->a;
+    Diag *d;
+
+    if (not->kind != AST_UNARY || not->op != SM_OP_NOT || number->kind != AST_NUMBER || may_be_switch(number, sema_quote(s, number->span), NULL))
+        return;
+    d = diag_report(s->diags, DIAG_number_as_condition, not->span, sema_quote(s, not->span), "never");
+    if (e->op == SM_OP_EQ)
+        diag_label(s->diags, d, DIAG_label_did_you_mean, format_in(s->arena, "%s != %s", sema_quote(s, e->a->span), sema_quote(s, number->span)));
+}
+
 static Expr *check_binary(Sema *s, const AstExpr *e)
 {
     Expr *out = expr_new(s, EX_BINARY, e->span, 2);
@@ -212,6 +226,8 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
 
     for (int k = 0; k < 2 && class_of(e) == SM_CLASS_LOGIC; k++)
         warn_of_number(s, e, operands[k]);
+    if (class_of(e) == SM_CLASS_EQUALITY)
+        warn_of_negated_number(s, e);
     note_operator(s, e->op);
     out->op = e->op;
     return check_args(s, operands, 2, out->arg) ? out : NULL;
@@ -292,6 +308,46 @@ static bool label_argument_count(Sema *s, Diag *d, const AstExpr *e, SmBuiltin f
     return true;
 }
 
+// The comma after e, if it is directly between the digits of two whole numbers, as in 0,5; its length is 0 otherwise.
+static Span decimal_comma_after(const AstExpr *e)
+{
+    const char *text = e->span.src->text;
+    const uint32_t comma = e->span.at + e->span.len;
+    uint32_t from = comma, end = comma + 1;
+
+    if (text[comma] != ',')
+        return (Span){e->span.src, comma, 0};
+    while (from > e->span.at && (is_letter(text[from - 1]) || is_digit(text[from - 1]) || text[from - 1] == '.'))
+        from--;
+    while (is_letter(text[end]) || is_digit(text[end]) || text[end] == '.')
+        end++;
+    for (uint32_t at = from; at < end; at++)
+        if (at != comma && !is_digit(text[at]))
+            return (Span){e->span.src, comma, 0};
+    return (Span){e->span.src, comma, from < comma && end > comma + 1};
+}
+
+// min(p, 0,5): a comma in a number has made two arguments of it.
+static bool report_decimal_comma(Sema *s, const AstExpr *e)
+{
+    for (size_t i = 0; i + 1 < e->args->n; i++) {
+        const Span comma = decimal_comma_after(e->args->at[i]);
+        if (comma.len > 0) {
+            const char *text = comma.src->text;
+            uint32_t from = comma.at, end = comma.at + 1;
+            while (is_digit(text[from - 1]))
+                from--;
+            while (is_digit(text[end]))
+                end++;
+            diag_label(s->diags, diag_report(s->diags, DIAG_decimal_comma, comma), DIAG_label_text,
+                       format_in(s->arena, "a decimal point is written %.*s.%.*s; put a blank after a comma that separates two values",
+                                 (int)(comma.at - from), text + from, (int)(end - comma.at - 1), text + comma.at + 1));
+            return true;
+        }
+    }
+    return false;
+}
+
 static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
 {
     const char *wanted = format_in(s->arena, "%u argument%s", fn->arguments, fn->arguments == 1 ? "" : "s");
@@ -325,7 +381,7 @@ static Expr *check_call(Sema *s, const AstExpr *e)
 
     if (fn && e->args->n == fn->arguments)
         return fn->is_roll ? check_roll(s, e, fn) : check_pure(s, e, fn);
-    if (fn && !is_broken(e))
+    if (fn && !is_broken(e) && (e->args->n < fn->arguments || !report_decimal_comma(s, e)))
         report_argument_count(s, e, fn);
     else if (!fn)
         scope_report_unknown_function(s, e->name, ast_op_span(e));

@@ -168,6 +168,12 @@ typedef struct Shared {
     bool clear;               // there is nothing else
 } Shared;
 
+// No statement after -> or @stop is executed: what follows one on its line was meant otherwise.
+static bool leaves_block(const Line *l, uint32_t p)
+{
+    return l->text[p] == '-' || (l->text[p] == '@' && has_text(l, p + 1, skip_word(l, p + 1), "stop"));
+}
+
 // Splits the statements from p on, up to a }, an else, a comment or the end of the line.
 static Shared split(const Line *l, uint32_t p)
 {
@@ -205,6 +211,8 @@ static Shared split(const Line *l, uint32_t p)
         s.end = next;
     }
     s.clear = s.n > 1 && depth == 0 && (gap == 0 || s.trailing > 0);
+    for (size_t i = 0; i + 1 < s.n; i++)
+        s.clear = s.clear && !leaves_block(l, s.begin[i]);
     return s;
 }
 
@@ -229,7 +237,7 @@ static void put_on_lines(Diags *diags, Diag *d, const Line *l, const Before *b, 
     const Shared s = split(l, b->begin);
 
     for (size_t i = 1; i < s.n; i++)
-        if (s.gap[i] <= at && s.begin[i] >= at)
+        if (s.gap[i] <= at && s.begin[i] >= at && !leaves_block(l, s.begin[i - 1]))
             diag_edit(diags, d, span_of(l, s.gap[i], s.begin[i]), new_line(diags->arena, l, b->braces));
 }
 
@@ -266,6 +274,23 @@ uint32_t hint_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at,
     return s.clear ? (s.trailing ? s.trailing : s.end) : l.end;
 }
 
+bool hint_is_first_of_several(const Source *src, uint32_t at)
+{
+    const Line l = line_of(src, at);
+    uint32_t p = at, depth = 0;
+
+    for (; p < l.end && l.text[p] != '#' && l.text[p] != '}'; p++) {
+        depth += l.text[p] == '(';
+        depth -= l.text[p] == ')' && depth > 0;
+        if (l.text[p] == ';' && depth == 0) {
+            const uint32_t next = skip_blanks(&l, p + 1);
+            if (next < l.end && l.text[next] != '#' && l.text[next] != '}' && !has_text(&l, next, skip_word(&l, next), "else"))
+                return true;
+        }
+    }
+    return is_too_long(&l);
+}
+
 // ---- lines below a colon ----
 
 // The line below l, which holds the source up to its end; false at the end of the source.
@@ -288,12 +313,61 @@ static bool is_empty_line(const Line *l)
     return p == l->end || l->text[p] == '#';
 }
 
-// Begins with the indentation of `outer`, and goes on with a blank.
+static uint32_t indentation(const Line *l) { return skip_blanks(l, l->from) - l->from; }
+
+// Begins with the indentation of `outer`.
+static bool is_indented_like(const Line *l, const Line *outer)
+{
+    const uint32_t indent = indentation(outer);
+
+    return l->end - l->from > indent && memcmp(l->text + l->from, outer->text + outer->from, indent) == 0;
+}
+
+// The same, and goes on with a blank.
 static bool is_deeper(const Line *l, const Line *outer)
 {
-    const uint32_t indent = skip_blanks(outer, outer->from) - outer->from;
+    return is_indented_like(l, outer) && is_blank(l->text[l->from + indentation(outer)]);
+}
 
-    return l->end - l->from > indent && memcmp(l->text + l->from, outer->text + outer->from, indent) == 0 && is_blank(l->text[l->from + indent]);
+enum { LEVELS_MAX = 16 };     // of indentation; deeper ones get no edit
+
+// The indentations of a block, each deeper than the one before.
+typedef struct Levels {
+    size_t n;
+    uint32_t at[LEVELS_MAX];
+} Levels;
+
+// False if the line is indented by a depth between two of those before it: which condition it belongs to is unclear.
+static bool enter_level(Levels *levels, uint32_t indent)
+{
+    while (levels->n > 0 && levels->at[levels->n - 1] > indent)
+        if (--levels->n == 0 || levels->at[levels->n - 1] < indent)
+            return false;
+    if (levels->n == LEVELS_MAX)
+        return false;
+    if (levels->n == 0 || levels->at[levels->n - 1] < indent)
+        levels->at[levels->n++] = indent;
+    return true;
+}
+
+// Whether the line below a block clearly does not belong to it: it is indented like the condition or less, and an else exactly like it.
+static bool ends_block(const Line *l, const Line *guard, uint32_t colon)
+{
+    const uint32_t p = skip_blanks(l, l->from);
+
+    if (!has_text(l, p, skip_word(l, p), "else"))
+        return is_indented_like(l, guard) || is_indented_like(guard, l);
+    return is_indented_like(l, guard) && indentation(l) == indentation(guard) && !memchr(guard->text + guard->from, ':', colon - guard->from);
+}
+
+// How many parentheses are open at the end of the line.
+static uint32_t open_parens(const Line *l, uint32_t depth)
+{
+    for (uint32_t p = l->from; p < l->end && l->text[p] != '#'; p++) {
+        depth += l->text[p] == '(';
+        depth -= l->text[p] == ')' && depth > 0;
+    }
+    return depth;
 }
 
 // How many braces the line opens; closing ones count down.
@@ -312,6 +386,8 @@ uint32_t hint_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t 
     Line l = guard, last = guard;
     const uint32_t after = skip_blanks(&guard, colon + 1), from = before_blanks(&guard, colon);
     int braces = 0;
+    uint32_t parens = 0;
+    Levels levels = {0};
 
     if (is_too_long(&guard) || (after < guard.end && guard.text[after] != '#'))
         return 0;
@@ -319,15 +395,19 @@ uint32_t hint_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t 
         const char c = l.text[skip_blanks(&l, l.from)];
         if (is_empty_line(&l))
             continue;
-        if (!is_deeper(&l, &guard))
+        if (!is_deeper(&l, &guard)) {
+            if (!ends_block(&l, &guard, colon))
+                return 0;
             break;
-        if (is_too_long(&l))
+        }
+        if (is_too_long(&l) || (parens == 0 && !enter_level(&levels, indentation(&l))))
             return 0;
+        parens = open_parens(&l, parens);
         if (strchr("{.[", c) || (braces += opened(&l)) < 0)
             return 0;
         last = l;
     }
-    if (last.from == guard.from || braces != 0)
+    if (last.from == guard.from || braces != 0 || parens != 0)
         return 0;
     diag_edit(diags, d, span_of(&guard, from, colon + 1), " {");
     diag_edit(diags, d, span_of(&last, last.end, last.end), format_in(diags->arena, "%s}", new_line(diags->arena, &guard, 0)));

@@ -347,7 +347,7 @@ static bool lex_one(Lexer *l, Token *t)
         return lex_slip_semicolon(l, t);
     else if (c == '?')
         return lex_slip_choice(l), false;
-    else if (c == '|' && lexer_byte(l, l->at + 1) != '|' && lex_slip_bars(l, t))
+    else if (c == '|' && lex_slip_bars(l, t))
         return true;
     else if ((s = find_sign(l)) != NULL)
         lex_sign(l, t, s);

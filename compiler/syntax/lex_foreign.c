@@ -5,6 +5,7 @@
 
 #include "compiler/syntax/hint_lines.h"
 #include "compiler/syntax/hint_unit.h"
+#include "compiler/syntax/hint_words.h"
 #include "compiler/syntax/lexer.h"
 
 // ---- comments, numbers, headers ----
@@ -34,23 +35,24 @@ static uint32_t skip_name(const Lexer *l, uint32_t p)
     return lex_is_reserved(str_intern(l->strings, l->src->text + p, end - p), &reserved) ? p : end;
 }
 
-// Two words in a row are prose.
+// Two words in a row are prose, unless an expression could go on so: size AND, size then.
 static bool is_prose(const Lexer *l, uint32_t p)
 {
     uint32_t end = skip_name(l, p), next = skip_gap(l, end);
 
-    return end > p && next > end && skip_name(l, next) > next;
+    return end > p && next > end && skip_name(l, next) > next &&
+           !(lexer_is_declared(l, p, end) && hint_is_operator_word(l->src->text, next));
 }
 
 // `-- …` and `% …`: what no expression can go on with is a comment.
 bool lex_slip_is_remark(const Lexer *l)
 {
-    uint32_t len = l->src->text[l->at] == '%' ? 1 : 2, p = skip_gap(l, l->at + len);
+    uint32_t len = l->src->text[l->at] == '%' ? 1 : 2, p = skip_gap(l, l->at + len), end = skip_name(l, p);
 
     if (is_prose(l, p))
         return true;
     return len == 1 && (l->first || l->last == TOK_TRUE || l->last == TOK_FALSE ||
-                        (!l->stores && ends_line(l, skip_gap(l, skip_name(l, p)))));
+                        (!l->stores && !lexer_is_declared(l, p, end) && ends_line(l, skip_gap(l, end))));
 }
 
 // What a value can stand before, or a bar that closes: not where an operand is missing.
@@ -71,19 +73,28 @@ static bool is_set_off(const Lexer *l, uint32_t at, uint32_t text)
 // `a // b` divides in other languages.  How sure that is: 0 not at all, 1 it may as well be a comment, 2 an expression goes on behind b.
 static int is_division(const Lexer *l)
 {
-    uint32_t p, end;
+    uint32_t p, end, after;
+    bool known;
 
-    if (!follows_value(l, l->first) || l->src->text[l->at + 1] != '/')
+    if (!follows_value(l, l->first && l->parens == 0) || l->src->text[l->at + 1] != '/')
         return 0;
     p = skip_gap(l, l->at + 2);
+    if (lexer_byte(l, p) == '-' || lexer_byte(l, p) == '+')
+        p = skip_gap(l, p + 1);
     end = lexer_skip_word(l, p);
+    after = skip_gap(l, end);
     if (is_prose(l, p))
         return 0;
     if (lexer_byte(l, p) == '(')
         return is_prose(l, skip_gap(l, p + 1)) ? 0 : 2;
-    if (end == p || (!ends_line(l, skip_gap(l, end)) && !strchr(":<>=!+-*/)&|{", lexer_byte(l, skip_gap(l, end)))))
+    if (end == p)
         return 0;
-    return is_digit(lexer_byte(l, p)) || !ends_line(l, skip_gap(l, end)) ? 2 : !is_set_off(l, l->at, p);
+    if (ends_line(l, after) ? is_digit(lexer_byte(l, p)) : strchr(":<>=!+-*/)&|{", lexer_byte(l, after)) != NULL)
+        return 2;
+    known = is_digit(lexer_byte(l, p)) ? skip_name(l, after) == after || hint_is_operator_word(l->src->text, after) : lexer_is_declared(l, p, end);
+    if (!ends_line(l, after))
+        return known && lexer_byte(l, after) != '.';
+    return known || !is_set_off(l, l->at, p);
 }
 
 // The one of Python, as the single / that is meant.
@@ -414,43 +425,100 @@ static bool is_about_bits(const Lexer *l, const Token *t)
            lexer_byte(l, behind) != '>' && lexer_byte(l, behind) != '.';
 }
 
-// Whether the word `and` or `or` ends before `at`.
-static bool is_logic_word(const char *s, uint32_t at, uint32_t least)
-{
-    uint32_t from = at;
+// What is on one side of a & or |, up to the next sign or word that joins conditions, in the same parentheses.
+typedef struct Side {
+    bool compares;            // holds a comparison
+    enum { SIDE_END, SIDE_AND, SIDE_OR, SIDE_BIT_AND, SIDE_BIT_OR } until;
+} Side;
 
-    while (from > least && lexer_is_word(s[from - 1]))
-        from--;
-    return (at - from == 3 && memcmp(s + from, "and", 3) == 0) || (at - from == 2 && memcmp(s + from, "or", 2) == 0);
+enum { FAR = 200 };           // bytes: hostile text must not cost the square of its length
+
+static bool is_text(const char *s, uint32_t at, uint32_t end, const char *word)
+{
+    return end - at == strlen(word) && memcmp(s + at, word, end - at) == 0;
 }
 
-// A comparison, `and` or `or` is left of the sign, in its parentheses: it joins conditions.
-static bool follows_condition(const Lexer *l, uint32_t at)
+// What joins conditions at `p`, a sign or the first letter of a word; *len: its length.
+static int joins(const Lexer *l, uint32_t p, uint32_t *len)
 {
-    enum { FAR = 200 };               // bytes: hostile text must not cost the square of its length
-    const uint32_t least = at - l->line_start > FAR ? at - FAR : l->line_start;
     const char *s = l->src->text;
-    unsigned depth = 0;
+    const uint32_t end = lexer_skip_word(l, p);
 
-    while (at-- > least && s[at] != ':' && s[at] != '{' && s[at] != '}' && (s[at] != '(' || depth > 0)) {
-        depth += s[at] == ')';
-        depth -= s[at] == '(';
-        if (s[at] == '<' || s[at] == '>' || (s[at] == '=' && at > least && (s[at - 1] == '=' || s[at - 1] == '!')))
-            return true;
-        if (lexer_is_word(s[at]) && !lexer_is_word(s[at + 1]) && is_logic_word(s, at + 1, least))
-            return true;
-    }
-    return false;
+    *len = end > p ? end - p : 1;
+    if (end > p)
+        return is_text(s, p, end, "and") || is_text(s, p, end, "AND") ? SIDE_AND : is_text(s, p, end, "or") || is_text(s, p, end, "OR") ? SIDE_OR : SIDE_END;
+    if (s[p] != '&' && s[p] != '|')
+        return SIDE_END;
+    *len = lexer_byte(l, p + 1) == s[p] ? 2 : 1;
+    if (*len == 2)
+        return s[p] == '&' ? SIDE_AND : SIDE_OR;
+    return s[p] == '&' ? SIDE_BIT_AND : SIDE_BIT_OR;
 }
 
-// `status & mask`, `x = ~mask`: of bits, perhaps.
+static bool compares_at(const char *s, uint32_t p)
+{
+    return s[p] == '<' || s[p] == '>' || (s[p] == '=' && (s[p + 1] == '=' || (p > 0 && s[p - 1] == '!')));
+}
+
+static Side right_side(const Lexer *l, uint32_t p)
+{
+    const char *s = l->src->text;
+    const uint32_t most = p + FAR;
+    Side side = {false, SIDE_END};
+    uint32_t depth = 0, len = 1;
+
+    for (; p < most && p < l->src->len && !strchr(":{}#\n", s[p]); p += len) {
+        int joined = joins(l, p, &len);
+        if (depth == 0 && (joined || s[p] == ')')) {
+            side.until = (unsigned)joined;
+            break;
+        }
+        depth += s[p] == '(';
+        depth -= s[p] == ')';
+        side.compares |= compares_at(s, p);
+    }
+    return side;
+}
+
+// The sides before a sign, from the beginning of its parentheses or of the line on: only the last one counts.
+static Side left_side(const Lexer *l, uint32_t at)
+{
+    const char *s = l->src->text;
+    uint32_t from = at, depth = 0, len = 1;
+    Side side = {false, SIDE_END};
+
+    while (from > l->line_start && at - from < FAR && !strchr(":{}", s[from - 1]) && (s[from - 1] != '(' || depth > 0)) {
+        from--;
+        depth += s[from] == ')';
+        depth -= s[from] == '(';
+    }
+    depth = 0;
+    for (uint32_t p = from; p < at; p += len) {
+        int joined = joins(l, p, &len);
+        if (depth == 0 && joined)
+            side = (Side){false, (unsigned)joined};
+        depth += s[p] == '(';
+        depth -= s[p] == ')' && depth > 0;
+        side.compares |= compares_at(s, p);
+    }
+    return side;
+}
+
+// `status & mask`, `x = ~mask`: of bits, perhaps; or a | beside an `and`, which binds the other way round in other languages.
 static bool may_be_bits(const Lexer *l, const Token *t)
 {
     const char sign = l->src->text[t->at];
+    Side left, right;
 
-    if (t->len > 1)
+    if (t->len > 1 || sign == '~')
+        return t->len == 1 && l->stores;
+    if (sign != '&' && sign != '|')
         return false;
-    return sign == '~' ? l->stores : (sign == '&' || sign == '|') && !follows_condition(l, t->at);
+    left = left_side(l, t->at);
+    right = right_side(l, t->at + 1);
+    if (sign == '|' && (left.until == SIDE_AND || right.until == SIDE_AND))
+        return true;
+    return !left.compares || (!right.compares && right.until >= SIDE_BIT_AND);
 }
 
 static void report_foreign(Lexer *l, Token *t, const char *spelling, const char *native)
@@ -479,6 +547,39 @@ static void report_foreign(Lexer *l, Token *t, const char *spelling, const char 
                         native, blank && lexer_is_word(lexer_byte(l, t->at + t->len)) ? " " : ""));
 }
 
+// |a - |b||: which bars belong together is for the reader to tell.  Skips up to the last one.
+static void skip_nested_bars(Lexer *l, Token *t)
+{
+    uint32_t at = l->at, end = at + 1;
+    Diag *d;
+
+    for (uint32_t p = end; !ends_line(l, p); p++)
+        if (lexer_byte(l, p) == '|')
+            end = p + 1;
+    d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, at, end - at), lexer_text(l, at, end));
+    diag_label(l->diags, d, DIAG_label_write, "abs(x)");
+    lexer_finish(l, t, TOK_ERROR, end);
+}
+
+// Whether the text between two bars is one value.
+static bool is_between_bars(const Lexer *l, uint32_t at, uint32_t end)
+{
+    const char *s = l->src->text;
+    uint32_t depth = 0, last = end;
+
+    at = skip_gap(l, at);
+    while (last > at && is_gap(s[last - 1]))
+        last--;
+    if (last == at || !(lexer_is_word(s[last - 1]) || s[last - 1] == ')' || s[last - 1] == '.') || !(lexer_is_word(s[at]) || strchr("(-+.", s[at])))
+        return false;
+    for (; at < last; at++) {
+        depth += s[at] == '(';
+        if (strchr(",;:{}\"", s[at]) || (s[at] == ')' && depth-- == 0))
+            return false;
+    }
+    return depth == 0;
+}
+
 // |x| of mathematics, as (x).
 bool lex_slip_bars(Lexer *l, Token *t)
 {
@@ -490,16 +591,21 @@ bool lex_slip_bars(Lexer *l, Token *t)
         lexer_finish(l, t, TOK_RPAREN, end);
         return true;
     }
-    if (follows_value(l, t->first))
+    if (follows_value(l, t->first) || (lexer_byte(l, end) == '|' && is_gap(lexer_byte(l, end + 1))))
         return false;
+    end += lexer_byte(l, end) == '|';                  // ||a| - b|
     while (lexer_byte(l, end) != '|' && !ends_line(l, end))
         end++;
-    if (lexer_byte(l, end) != '|' || end == at + 1)
+    if (lexer_byte(l, end) != '|')
         return false;
+    if (lexer_byte(l, at + 1) == '|' || lexer_byte(l, end + 1) == '|' || !is_between_bars(l, at + 1, end)) {
+        skip_nested_bars(l, t);
+        return true;
+    }
     fixed = format_in(l->diags->arena, "abs(%s)", lexer_text(l, at + 1, end));
     d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, at, end + 1 - at), lexer_text(l, at, end + 1));
     diag_label(l->diags, d, DIAG_label_write, fixed);
-    diag_edit(l->diags, d, lexer_span(l, at, 1), "abs(");
+    diag_edit(l->diags, d, lexer_span(l, at, 1), at > 0 && lexer_is_word(l->src->text[at - 1]) ? " abs(" : "abs(");
     diag_edit(l->diags, d, lexer_span(l, end, 1), ")");
     l->bar = end;
     lexer_finish(l, t, TOK_LPAREN, at + 1);
@@ -519,13 +625,26 @@ void lex_slip_sign(Lexer *l, Token *t, const char *spelling, const char *native,
     }
 }
 
+// Whether the line has a comma directly between digits: where ; separates values, that is a decimal comma.
+static bool has_decimal_comma(const Lexer *l)
+{
+    const char *s = l->src->text;
+    const uint32_t from = l->at - l->line_start > FAR ? l->at - FAR : l->line_start;
+
+    for (uint32_t p = from + 1; p < l->at + FAR && p + 1 < l->src->len && s[p] != '\n' && s[p] != '#'; p++)
+        if (s[p] == ',' && is_digit(s[p - 1]) && is_digit(s[p + 1]))
+            return true;
+    return false;
+}
+
 // f(a; b)
 static void semicolon_for_comma(Lexer *l, Token *t)
 {
     Diag *d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, l->at, 1), ";", ",");
 
     diag_label(l->diags, d, DIAG_label_write, ",");
-    diag_edit(l->diags, d, lexer_span(l, l->at, 1), ",");
+    if (!has_decimal_comma(l))
+        diag_edit(l->diags, d, lexer_span(l, l->at, 1), ",");
     lexer_finish(l, t, TOK_COMMA, l->at + 1);
 }
 

@@ -69,6 +69,20 @@ static bool is_long_arrow(const Lexer *l, uint32_t at, uint32_t len, size_t like
     return like < NO_LOOKALIKE && lookalikes[like].kind == TOK_MINUS && lexer_byte(l, at + len) == '>';
 }
 
+// @range 0 – 5: a dash between two numbers is no sign of the second.
+static bool is_dash_of_range(const Lexer *l, size_t like)
+{
+    return l->annotated && l->last == TOK_NUMBER && like < NO_LOOKALIKE && lookalikes[like].kind == TOK_MINUS;
+}
+
+// 0·5, 60 000 with a blank that does not break: the character belongs to the number, so what it looks like does not replace it.
+static bool is_inside_number(const Lexer *l, uint32_t at, uint32_t len, uint32_t code)
+{
+    const bool may_be = code == 0xb7 || code == 0x22c5 || code == 0xa0 || code == 0x2007 || code == 0x2009 || code == 0x202f;
+
+    return may_be && at > 0 && is_digit(l->src->text[at - 1]) && is_digit(lexer_byte(l, at + len)) && l->last == TOK_NUMBER;
+}
+
 static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
 {
     const char *shown = utf8_is_hidden(code) || code == 0xa0 ? format_in(l->diags->arena, "U+%04X", (unsigned)code)
@@ -90,6 +104,11 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
         diag_label(l->diags, d, DIAG_label_name_ascii);
     if (!ascii)
         return;
+    if (is_dash_of_range(l, like) || is_inside_number(l, at, len, code)) {
+        diag_label(l->diags, d, DIAG_label_text, l->annotated ? "separate two numbers by a blank, and write a sign as -" :
+                   "leave it out of the number; a decimal point is written .");
+        return;
+    }
     if (*ascii == ' ' && !ascii[1])
         diag_label(l->diags, d, DIAG_label_plain_blank);
     else
@@ -180,6 +199,13 @@ static void lex_reason(Lexer *l, Token *t, uint32_t quote_len)
 // A word that the sources use, so it may be declared.
 bool lexer_knows_word(const Lexer *l, uint32_t from, uint32_t end) { return str_find(l->strings, l->src->text + from, end - from) != NULL; }
 
+bool lexer_is_declared(const Lexer *l, uint32_t from, uint32_t end)
+{
+    Str word = str_find(l->strings, l->src->text + from, end - from);
+
+    return word && (word->declared || strcmp(word->text, "T") == 0);
+}
+
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 // @assert p > 5, "too low": from the blanks and the comma before the quote, which ends the line at `end`; 0: it is something else,
@@ -247,7 +273,7 @@ static bool lex_lookalike(Lexer *l, Token *t, uint32_t code)
     uint32_t len = lex_slip_byte(l, l->at);
     const bool arrow = is_long_arrow(l, l->at, len, like);
 
-    if (like == NO_LOOKALIKE || lookalikes[like].kind == TOK_END) {
+    if (like == NO_LOOKALIKE || lookalikes[like].kind == TOK_END || is_dash_of_range(l, like)) {
         l->at += len;
         return false;
     }

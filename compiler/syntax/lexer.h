@@ -24,6 +24,7 @@ bool lexer_is_hex_prefix(const Lexer *l, uint32_t p);       // 0x
 // ---- lex_slip.c ----
 
 bool lexer_knows_word(const Lexer *l, uint32_t from, uint32_t end);      // the sources use it before here: it may be declared
+bool lexer_is_declared(const Lexer *l, uint32_t from, uint32_t end);     // as an element or a variable, before here; or T
 
 void lex_slip_control(Lexer *l, uint32_t at);                   // reports a control character
 uint32_t lex_slip_comment_byte(Lexer *l, uint32_t at);      // what is not ASCII in a comment; returns its length

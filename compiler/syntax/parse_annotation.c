@@ -164,6 +164,8 @@ static void take_name(Parser *p, AstAnnotation *a)
     if (p->tok.kind == TOK_NAME) {
         a->name = p->tok.text;
         a->name_span = parser_here(p);
+        if (a->kind == AST_ALIAS)
+            str_declare(p->strings, a->name);
         parser_next(p);
         return;
     }

@@ -81,6 +81,7 @@ static bool take_name(Parser *p, AstDecl *d)
     d->name = p->tok.text;
     d->name_span = parser_here(p);
     if (p->tok.kind == TOK_NAME) {
+        str_declare(p->strings, d->name);
         parser_next(p);
         return !slip_dotted_name(p, d->name_span);
     }

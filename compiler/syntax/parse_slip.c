@@ -3,6 +3,7 @@
 // these functions find the likeliest reason and say that instead of what token was expected.
 #include "compiler/syntax/hint_lines.h"
 #include "compiler/syntax/hint_unit.h"
+#include "compiler/syntax/hint_words.h"
 #include "compiler/syntax/parser.h"
 
 // ---- words ----
@@ -35,26 +36,29 @@ void slip_replace_word(Parser *p, const char *native, TokenKind kind)
 
 // ---- in expressions ----
 
+// NOT reaches further in some languages than here: NOT a > b.
 void slip_prefix(Parser *p)
 {
-    if (slip_is_word(&p->tok, "not") && slip_begins_value(&p->ahead) && (p->parens || !p->ahead.first))
+    const bool negates = slip_is_word(&p->tok, "not") && slip_begins_value(&p->ahead) && (p->parens || !p->ahead.first);
+
+    if (negates && hint_is_negated_alone(p->lex.src->text, p->tok.at + p->tok.len)) {
         slip_replace_word(p, "not", TOK_NOT);
+    } else if (negates) {
+        diag_label(p->diags, parser_fail(p, DIAG_foreign_word, parser_here(p), p->tok.text->text), DIAG_label_write, "not (...)");
+        p->tok.kind = TOK_NOT;
+    }
 }
 
-static const struct { const char *word, *native; TokenKind kind; } infix[] = {
-    {"and", "and", TOK_AND}, {"or", "or", TOK_OR}, {"is", "==", TOK_EQ}, {"equals", "==", TOK_EQ}, {"eq", "==", TOK_EQ},
-    {"ne", "!=", TOK_NE}, {"gt", ">", TOK_GT}, {"lt", "<", TOK_LT}, {"ge", ">=", TOK_GE}, {"le", "<=", TOK_LE}};
-
-enum { NO_INFIX = sizeof infix / sizeof *infix };
-
-// The row of the word at hand where it stands as an operator of another language would.
-static size_t infix_row(const Parser *p)
+// The operator in words that begins with the word at hand, if a value follows it; *end: where it ends.
+static const HintPhrase *find_infix(const Parser *p, uint32_t *end)
 {
-    size_t i = 0;
+    const HintPhrase *phrase = p->tok.kind == TOK_NAME ? hint_phrase(p->lex.src->text, p->tok.at, end) : NULL;
 
-    while (i < NO_INFIX && (!slip_is_word(&p->tok, infix[i].word) || !slip_begins_value(&p->ahead)))
-        i++;
-    return i;
+    if (!phrase)
+        return NULL;
+    if (*end == p->tok.at + p->tok.len)
+        return slip_begins_value(&p->ahead) ? phrase : NULL;
+    return hint_skip_operand(p->lex.src->text, *end) > *end ? phrase : NULL;
 }
 
 // IF(a; b; c) of spreadsheets: no value begins with it.
@@ -80,13 +84,14 @@ static int find_function(Str name)
 bool slip_operand(Parser *p, AstExpr *name)
 {
     Span operand = parser_here(p);
+    uint32_t end;
     Diag *d;
     int fn;
 
     if (p->tok.first || (p->tok.kind != TOK_NAME && p->tok.kind != TOK_NUMBER) || p->ahead.kind == TOK_ASSIGN)
         return false;
     fn = find_function(name->name);
-    if (fn == SM_FN_COUNT || infix_row(p) < NO_INFIX || slip_is_word(&p->tok, "then") || slip_is_word(&p->tok, "do") ||
+    if (fn == SM_FN_COUNT || find_infix(p, &end) || slip_is_word(&p->tok, "then") || slip_is_word(&p->tok, "do") ||
         slip_is_word(&p->tok, "between"))
         return false;
     d = parser_report(p, DIAG_function_without_call, name->span, name->name->text, name->name->text,
@@ -116,15 +121,36 @@ void slip_assign(Parser *p, Span sign)
     }
     d = parser_report(p, DIAG_assign_in_guard, sign);
     diag_label(p->diags, d, DIAG_label_write, "==");
-    diag_edit(p->diags, d, sign, "==");
+    if (!hint_is_doubtful_comparison(p->lex.src->text, sign.at + sign.len))
+        diag_edit(p->diags, d, sign, "==");
+}
+
+// Takes the words of the operator up to `end` for what they mean.  Where its operands are unclear, the condition is given up.
+static void replace_phrase(Parser *p, const HintPhrase *phrase, uint32_t end)
+{
+    const Span words = {p->lex.src, p->tok.at, end - p->tok.at};
+    Diag *d;
+
+    if (phrase->kind != TOK_AND && phrase->kind != TOK_OR && hint_is_doubtful_comparison(p->lex.src->text, end)) {
+        d = parser_fail(p, DIAG_foreign_word, words, parser_text(p, words));
+        diag_label(p->diags, d, DIAG_label_text, "compare with == != < <= > or >=, and join comparisons with and, or");
+        return;
+    }
+    d = parser_report(p, DIAG_foreign_word, words, parser_text(p, words));
+    diag_label(p->diags, d, DIAG_label_write, phrase->native);
+    diag_edit(p->diags, d, words, phrase->native);
+    while (p->tok.at + p->tok.len < end)
+        parser_next(p);
+    p->tok.kind = phrase->kind;
 }
 
 void slip_infix(Parser *p)
 {
     if (p->tok.kind == TOK_NAME) {
-        size_t row = infix_row(p);
-        if (row < NO_INFIX)
-            slip_replace_word(p, infix[row].native, infix[row].kind);
+        uint32_t end;
+        const HintPhrase *phrase = find_infix(p, &end);
+        if (phrase)
+            replace_phrase(p, phrase, end);
         return;
     }
     if (p->tok.kind != TOK_ASSIGN || (!p->is_guard && p->parens == 0))

@@ -4,6 +4,7 @@
 
 #include "compiler/syntax/hint_lines.h"
 #include "compiler/syntax/hint_unit.h"
+#include "compiler/syntax/hint_words.h"
 #include "compiler/syntax/parser.h"
 
 // ---- expressions that stand alone ----
@@ -31,7 +32,8 @@ static void colon_word(Parser *p)
         diag_label(p->diags, d, DIAG_label_braces_instead);
     } else {
         diag_label(p->diags, d, DIAG_label_colon_instead);
-        diag_edit(p->diags, d, (Span){p->lex.src, from, p->tok.at + p->tok.len - from}, ":");
+        if (p->ahead.kind != TOK_NUMBER && (p->ahead.kind == TOK_COLON || !hint_is_first_of_several(p->lex.src, p->ahead.at)))
+            diag_edit(p->diags, d, (Span){p->lex.src, from, p->tok.at + p->tok.len - from}, p->ahead.kind == TOK_COLON ? "" : ":");
     }
     parser_next(p);
     if (p->tok.kind == TOK_COLON && !p->tok.first)
@@ -84,6 +86,13 @@ static bool prose_in_guard(Parser *p, AstExpr *e)
 // p > 5 => Idle: the lexer has said that a colon is missing too.
 static bool is_foreign_arrow(const Parser *p) { return p->tok.kind == TOK_ARROW && p->lex.src->text[p->tok.at] == '='; }
 
+// Not where more statements follow: after a colon all of them would depend on the condition.
+static void edit_colon(Parser *p, Diag *d)
+{
+    if (!hint_is_first_of_several(p->lex.src, p->tok.at))
+        diag_edit(p->diags, d, parser_gap(p), ":");
+}
+
 // Another statement follows the guard on its line, or a word that other languages have there.
 static bool missing_colon(Parser *p, AstExpr *e)
 {
@@ -103,7 +112,7 @@ static bool missing_colon(Parser *p, AstExpr *e)
         return true;
     d = parser_report(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
     diag_label(p->diags, d, DIAG_label_insert_colon);
-    diag_edit(p->diags, d, parser_gap(p), ":");
+    edit_colon(p, d);
     return true;
 }
 
@@ -121,7 +130,7 @@ static void no_effect(Parser *p, AstExpr *e)
 {
     Diag *d;
 
-    if (e->kind == AST_NAME && slip_is_label(e->name->text)) {
+    if (e->kind == AST_NAME && slip_is_label(e->name->text) && !e->name->declared) {
         d = parser_report(p, DIAG_label_without_dot, e->span, e->name->text);
         diag_edit(p->diags, d, (Span){e->span.src, e->span.at, 0}, ".");
         e->kind = AST_ERROR;
@@ -136,7 +145,9 @@ static void no_effect(Parser *p, AstExpr *e)
         do
             parser_next(p);
         while (!p->tok.first && p->tok.kind != TOK_RBRACE);
-    } else if (e->kind == AST_BINARY && e->op == SM_OP_EQ && e->a->kind == AST_NAME)
+    } else if (e->kind == AST_BINARY && p->kind == FILE_SS)
+        diag_label(p->diags, d, DIAG_label_text, format_in(p->arena, "to check this, write @assert %s", parser_text(p, e->span)));
+    else if (e->kind == AST_BINARY && e->op == SM_OP_EQ && e->a->kind == AST_NAME)
         diag_label(p->diags, d, DIAG_label_store,
                    format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
     else
@@ -179,7 +190,7 @@ void slip_colon(Parser *p, AstExpr *guard, Span colon)
     const char *before = guard ? parser_text(p, guard->span) : "else";
     Diag *d;
 
-    if (guard && guard->kind == AST_NAME && slip_is_label(guard->name->text) && p->tok.first) {
+    if (guard && guard->kind == AST_NAME && slip_is_label(guard->name->text) && !guard->name->declared && p->tok.first) {
         d = parser_report(p, DIAG_label_without_dot, guard->span, guard->name->text);
         diag_edit(p->diags, d, (Span){colon.src, guard->span.at, 0}, ".");
         diag_edit(p->diags, d, colon, "");
@@ -232,7 +243,7 @@ void slip_else(Parser *p)
     if (p->tok.first || parser_at_end_of_block(p))
         return;
     diag_label(p->diags, d, DIAG_label_insert_colon);
-    diag_edit(p->diags, d, parser_gap(p), ":");
+    edit_colon(p, d);
 }
 
 // ---- statements of other languages ----
@@ -256,13 +267,23 @@ bool slip_remark(Parser *p)
     return true;
 }
 
+// Whether one operand after the sign at hand is all that the statement has.
+static bool ends_after_operand(const Parser *p)
+{
+    const char *text = p->lex.src->text;
+    uint32_t end = hint_skip_operand(text, p->tok.at + p->tok.len);
+
+    end += (uint32_t)strspn(text + end, " \t\r");
+    return !text[end] || strchr("\n#;}", text[end]) != NULL;
+}
+
 void slip_op_assign(Parser *p, Span name)
 {
     const char *sign = parser_text(p, parser_here(p));
     Diag *d = parser_report(p, DIAG_op_assign, parser_here(p), sign);
 
     diag_label(p->diags, d, DIAG_label_write,
-               format_in(p->arena, "%s = %s %c ...", parser_text(p, name), parser_text(p, name), sign[0]));
+               format_in(p->arena, ends_after_operand(p) ? "%s = %s %c ..." : "%s = %s %c (...)", parser_text(p, name), parser_text(p, name), sign[0]));
 }
 
 static const char wait_text[] = "put what follows in braces, under a limit to the time in the state: T >= 100 { ... }";

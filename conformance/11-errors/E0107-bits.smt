@@ -12,7 +12,7 @@ bool x
 [Hold]
 .step
     p > 1 & armed: x = 1                #! E0107 write and
-    armed and x | armed: x = 1          #! E0107 write or
+    armed and x | armed: x = 1          #! E0107 for the bits
     (p > 1) | armed: x = 1              #! E0107 write or
     p > 1 & (status & mask): x = 1      #! E0107 write and #! E0107 for the bits
     armed & p > 1: x = 1                #! E0107 for the bits
@@ -21,3 +21,6 @@ bool x
     status == 4: x = armed | p          #! E0107 for the bits
     ~armed: x = 1                       #! E0107 write not
     mask = ~status                      #! E0107 for the bits
+    p > 5 && status & mask: x = 1       #! E0107 write and #! E0107 for the bits
+    p > 5 & status & mask: x = 1        #! E0107 for the bits #! E0107 for the bits
+    p > 1 | p < 0 && armed: x = 1       #! E0107 for the bits #! E0107 write and

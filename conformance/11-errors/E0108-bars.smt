@@ -12,4 +12,5 @@ bool on
     if |p| > 5: on = true                # the magnitude    #! E0108 write abs(p)
     x = |p - 1| + 1           #! E0108 write abs(p - 1)
     p > 5 | x > 3: on = false #! E0107 'or'
+    |p - |x|| > 5: on = true  #! E0108 write abs(x)
     if |p| > 5 and |x| > 3: on = true    #! E0108 abs(p) #! E0108 abs(x)

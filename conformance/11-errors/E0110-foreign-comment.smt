@@ -13,4 +13,6 @@ F64 p
      two */
     x = 3
     x = p // x      #! E0110 floor(a / b)
+    x = p  // x     #! E0110 floor(a / b)
+    x = p  // y     #! E0110 begin the comment with #
     x = 4 // open the valve      #! E0110 begin the comment with #

@@ -16,5 +16,9 @@ F64 p
     set x = 3                   #! E0329 leave it out
     x = NOT p                   #! E0329 write not
     p is 3: x = p               #! E0329 write ==
+    p is not 3: x = p           #! E0329 write !=
+    p IS AT LEAST 3: x = p      #! E0329 write >=
+    p is between 3 and 5: x = p #! E0329 compare with ==
+    NOT p > 5: x = p            #! E0329 write not (...)
     x = NOT(p)                  #! E0329 write not
     goto Hold                   #! E0329 write ->

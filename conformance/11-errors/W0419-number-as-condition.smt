@@ -16,6 +16,8 @@ F64 limit = 5 @read_only
     on or x < 3 or 4.5: -> Hold        #! W0419 did you mean 'x < 4.5'?
     7 and on: -> Hold                  #! W0419 7
     on = x > 1 or (mode and 3)         #! W0419 3
+    mode == not 5: -> Hold             #! W0419 did you mean 'mode != 5'?
+    mode == not 1: -> Hold             # a switch
     mode == 1 or mode == 2: -> Hold
     on and true: -> Hold
     on and 0: -> Hold                  # a switch, as are the next two

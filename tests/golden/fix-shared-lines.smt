@@ -19,7 +19,7 @@ bool valve
     else if p > 40: code = 3 and then -> Abort
     else: code = 4; valve = p > 10;
     hot { p > 30: code = 5; -> Abort }
-    p > 20 then code = 6; -> Abort
+    p > 20 then code = 6, -> Abort
     if p < 1:
         # burst
         code = 7; valve = false
@@ -94,7 +94,7 @@ app.sm:12:
   -     else if p > 40: code = 3 and then -> Abort
   -     else: code = 4; valve = p > 10;
   -     hot { p > 30: code = 5; -> Abort }
-  -     p > 20 then code = 6; -> Abort
+  -     p > 20 then code = 6, -> Abort
   -     if p < 1:
   -         # burst
   -         code = 7; valve = false

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/syntax/hint_words.h"
+
+#include <string.h>
+
+// A phrase comes before every shorter one that it begins with.
+static const HintPhrase phrases[] = {
+    {"is not equal to", "!=", TOK_NE}, {"is equal to", "==", TOK_EQ},
+    {"is greater than or equal to", ">=", TOK_GE}, {"is less than or equal to", "<=", TOK_LE},
+    {"is greater than", ">", TOK_GT}, {"is more than", ">", TOK_GT}, {"is larger than", ">", TOK_GT}, {"is higher than", ">", TOK_GT},
+    {"is less than", "<", TOK_LT}, {"is smaller than", "<", TOK_LT}, {"is lower than", "<", TOK_LT},
+    {"is at least", ">=", TOK_GE}, {"is at most", "<=", TOK_LE}, {"is above", ">", TOK_GT}, {"is below", "<", TOK_LT},
+    {"is not", "!=", TOK_NE}, {"equals not", "!=", TOK_NE}, {"eq not", "!=", TOK_NE},
+    {"and", "and", TOK_AND}, {"or", "or", TOK_OR}, {"is", "==", TOK_EQ}, {"equals", "==", TOK_EQ}, {"eq", "==", TOK_EQ},
+    {"ne", "!=", TOK_NE}, {"gt", ">", TOK_GT}, {"lt", "<", TOK_LT}, {"ge", ">=", TOK_GE}, {"le", "<=", TOK_LE}};
+
+static bool is_word(char c) { return is_letter(c) || is_digit(c); }
+
+static uint32_t skip_blanks(const char *text, uint32_t p)
+{
+    while (text[p] == ' ' || text[p] == '\t' || text[p] == '\r')
+        p++;
+    return p;
+}
+
+static uint32_t skip_word(const char *text, uint32_t p)
+{
+    while (is_word(text[p]))
+        p++;
+    return p;
+}
+
+static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
+
+// The end of `words` at p; 0 if other text is there.
+static uint32_t skip_words(const char *text, uint32_t p, const char *words)
+{
+    for (; *words; words++)
+        if (*words == ' ' && (text[p] == ' ' || text[p] == '\t'))
+            p = skip_blanks(text, p);
+        else if (lower(text[p++]) != *words)
+            return 0;
+    return is_word(text[p]) ? 0 : p;
+}
+
+const HintPhrase *hint_phrase(const char *text, uint32_t at, uint32_t *end)
+{
+    for (size_t i = 0; i < sizeof phrases / sizeof *phrases; i++)
+        if ((*end = skip_words(text, at, phrases[i].words)) > 0)
+            return &phrases[i];
+    return NULL;
+}
+
+bool hint_is_operator_word(const char *text, uint32_t at)
+{
+    uint32_t end;
+
+    return hint_phrase(text, at, &end) || skip_words(text, at, "then") || skip_words(text, at, "do");
+}
+
+// The end of the parentheses that open at p; p if they do not close on the line.
+static uint32_t skip_parens(const char *text, uint32_t p)
+{
+    uint32_t depth = 0;
+
+    for (uint32_t at = p; text[at] && text[at] != '\n' && text[at] != '#'; at++) {
+        depth += text[at] == '(';
+        if (text[at] == ')' && --depth == 0)
+            return at + 1;
+    }
+    return p;
+}
+
+static uint32_t skip_number(const char *text, uint32_t p)
+{
+    while (is_word(text[p]) || (text[p] == '.' && is_digit(text[p + 1])))
+        p++;
+    return p;
+}
+
+uint32_t hint_skip_operand(const char *text, uint32_t at)
+{
+    uint32_t p = skip_blanks(text, at), end;
+
+    if (text[p] == '-' || text[p] == '+')
+        p = skip_blanks(text, p + 1);
+    if (is_digit(text[p]) || text[p] == '.')
+        return skip_number(text, p);
+    end = skip_word(text, p);
+    if (text[skip_blanks(text, end)] == '(')
+        end = skip_parens(text, skip_blanks(text, end));
+    return end > p ? end : at;
+}
+
+// The text at p ends a condition, or joins another one to it.
+static bool ends_condition(const char *text, uint32_t p)
+{
+    p = skip_blanks(text, p);
+    return !text[p] || strchr("\n#:;{})", text[p]) || skip_words(text, p, "and") || skip_words(text, p, "or") || skip_words(text, p, "then") ||
+           skip_words(text, p, "do") || memcmp(text + p, "&&", 2) == 0 || memcmp(text + p, "||", 2) == 0;
+}
+
+// `or 6`, `and 6`, `or burning`: perhaps what was compared should be compared with that too.
+static bool adds_another_value(const char *text, uint32_t p)
+{
+    uint32_t value, is_or;
+
+    p = skip_blanks(text, p);
+    is_or = skip_words(text, p, "or");
+    value = skip_blanks(text, is_or ? is_or : skip_words(text, p, "and"));
+    if (value == 0 || (!is_or && !is_digit(text[value])))
+        return false;
+    return is_word(text[value]) && ends_condition(text, skip_number(text, value));
+}
+
+bool hint_is_doubtful_comparison(const char *text, uint32_t at)
+{
+    const uint32_t p = skip_blanks(text, at), negated = text[p] == '!' ? p + 1 : skip_words(text, p, "not");
+    uint32_t end, next;
+
+    if (negated)
+        return is_digit(text[skip_blanks(text, negated)]) || skip_words(text, skip_blanks(text, negated), "not");
+    end = hint_skip_operand(text, p);
+    next = skip_blanks(text, end);
+    if (next > end && is_word(text[next]) && is_letter(text[p])) {
+        const uint32_t then = skip_words(text, next, "then");            // `is greater then 5`
+        if (then ? is_digit(text[skip_blanks(text, then)]) : !hint_is_operator_word(text, next))
+            return true;                               // words in a row are prose
+    }
+    return adds_another_value(text, end);
+}
+
+bool hint_is_negated_alone(const char *text, uint32_t at)
+{
+    const uint32_t end = hint_skip_operand(text, at);
+
+    return end > at && ends_condition(text, end);
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hints about operators written as words (`is not`, `is greater than`), and about the operands that follow an operator.  An edit
+// replaces the operator only; these functions check whether the operands then mean what they meant before.
+// All of them read the text of one line.  The text ends with a NUL.
+#ifndef SMC_HINT_WORDS_H
+#define SMC_HINT_WORDS_H
+
+#include "compiler/syntax/lex.h"
+
+typedef struct HintPhrase {
+    const char *words;        // in small letters, separated by single blanks
+    const char *native;
+    TokenKind kind;
+} HintPhrase;
+
+// The longest operator in words that begins at `at`, and where it ends; NULL if there is none.
+const HintPhrase *hint_phrase(const char *text, uint32_t at, uint32_t *end);
+
+// The end of the operand at `at`, which may have a sign; `at` if there is none.  Blanks before the operand are skipped.
+uint32_t hint_skip_operand(const char *text, uint32_t at);
+
+// Whether the word at `at` continues or ends a condition: and, or, then, do, is, gt, in any case of the letters.
+bool hint_is_operator_word(const char *text, uint32_t at);
+
+// Whether what follows a comparison sign that ends before `at` has more than one reading: not 5, 5 or 6, between 3 and 5.
+bool hint_is_doubtful_comparison(const char *text, uint32_t at);
+
+// Whether only the one operand at `at` is negated by a `not` before it, in every language: no comparison or calculation follows.
+bool hint_is_negated_alone(const char *text, uint32_t at);
+
+#endif

@@ -1,0 +1,88 @@
+# Comparisons in words become the sign that they name. Where the rest of the condition has several readings, the line stays as it is.
+args fix app.sm
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p @read_only
+F64 q @read_only
+U8 mode @read_only
+bool fault @read_only
+bool valve
+bool pump
+[Run] @safe
+.step
+    mode is not 5: valve = true
+    mode IS NOT -5: valve = true
+    mode equals not 5: valve = true
+    mode is not equal to 5 AND p Is  Greater Than q: valve = true
+    if p is at least 5 then valve = true
+    p > 3 then: valve = true
+    fault is not pump: valve = true
+    valve = NOT fault AND NOT (p is below 3)
+    mode is 5 or 6: valve = false
+    mode is 5 or fault: valve = false
+    mode is not not 5: valve = false
+    if mode = not 5: valve = false
+    if mode = 5 or 6: valve = false
+    p is between 3 and 5: valve = false
+    p is not greater than 5: valve = false
+    p is greater then 5: valve = false
+    NOT p > 5: valve = false
+-- stdout --
+app.sm:12:
+  -     mode is not 5: valve = true
+  -     mode IS NOT -5: valve = true
+  -     mode equals not 5: valve = true
+  -     mode is not equal to 5 AND p Is  Greater Than q: valve = true
+  -     if p is at least 5 then valve = true
+  -     p > 3 then: valve = true
+  -     fault is not pump: valve = true
+  -     valve = NOT fault AND NOT (p is below 3)
+  +     mode != 5: valve = true
+  +     mode != -5: valve = true
+  +     mode != 5: valve = true
+  +     mode != 5 and p > q: valve = true
+  +     if p >= 5: valve = true
+  +     p > 3: valve = true
+  +     fault != pump: valve = true
+  +     valve = not fault and not (p < 3)
+app.sm: 14 fixed
+-- stderr --
+app.sm:20:10: error: 'is' is not a word of this language [E0329]
+   20 |     mode is 5 or 6: valve = false
+      |          ^~ compare with == != < <= > or >=, and join comparisons with and, or
+app.sm:21:10: error: 'is' is not a word of this language [E0329]
+   21 |     mode is 5 or fault: valve = false
+      |          ^~ compare with == != < <= > or >=, and join comparisons with and, or
+app.sm:22:10: error: 'is not' is not a word of this language [E0329]
+   22 |     mode is not not 5: valve = false
+      |          ^~~~~~ compare with == != < <= > or >=, and join comparisons with and, or
+app.sm:23:13: error: '=' stores a value; a comparison is written '==' [E0324]
+   23 |     if mode = not 5: valve = false
+      |             ^ write ==
+app.sm:23:15: warning: not 5 stands here as a condition of its own, which never holds [W0419 number-as-condition]
+   23 |     if mode = not 5: valve = false
+      |               ^~~~~ did you mean 'mode != 5'?
+app.sm:24:13: error: '=' stores a value; a comparison is written '==' [E0324]
+   24 |     if mode = 5 or 6: valve = false
+      |             ^ write ==
+app.sm:24:20: warning: 6 stands here as a condition of its own, which always holds [W0419 number-as-condition]
+   24 |     if mode = 5 or 6: valve = false
+      |                    ^ did you mean 'mode == 6'?
+app.sm:25:7: error: 'is' is not a word of this language [E0329]
+   25 |     p is between 3 and 5: valve = false
+      |       ^~ compare with == != < <= > or >=, and join comparisons with and, or
+app.sm:26:7: error: 'is not' is not a word of this language [E0329]
+   26 |     p is not greater than 5: valve = false
+      |       ^~~~~~ compare with == != < <= > or >=, and join comparisons with and, or
+app.sm:27:7: error: 'is' is not a word of this language [E0329]
+   27 |     p is greater then 5: valve = false
+      |       ^~ compare with == != < <= > or >=, and join comparisons with and, or
+app.sm:28:5: error: 'NOT' is not a word of this language [E0329]
+   28 |     NOT p > 5: valve = false
+      |     ^~~ write not (...)
+9 errors, 2 warnings
+-- exit --
+1
