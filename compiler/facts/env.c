@@ -5,8 +5,8 @@ enum { BITS = 3, KIDS = 1 << BITS };
 
 struct Env {
     union {
-        const Env *env;               // of an inner node
-        const Fact *fact;             // of the lowest
+        const Env *env;               // in an inner node
+        const Fact *fact;             // in a leaf
     } kid[KIDS];
 };
 
@@ -18,7 +18,7 @@ EnvShape env_shape(Arena *arena, const IrMachine *m)
 
     while ((m->var.n - 1) >> (s.levels * BITS))
         s.levels++;
-    s.levels++;                                       // the root: private ones apart from the others
+    s.levels++;                                       // the root separates private variables from the others
     return s;
 }
 
@@ -81,7 +81,7 @@ static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, u
     SmType type;
     Fact r;
 
-    if (a == b || !a || !b)                // as behind the last variable
+    if (a == b || !a || !b)                // past the last variable both are NULL, so `var` is valid below
         return a && b ? a : NULL;
     type = s->m->var.at[var].type;
     r = fact_join(*a, *b);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts of a machine's variables at one place: a persistent tree, so that thousands of blocks and states share what they have in
-// common and joining two costs what differs.  A variable that is in none is only known by its type.  NULL is an empty one.
+// Facts about a machine's variables at one program point, as a persistent tree.  Thousands of blocks and states share their common
+// subtrees, and joining two trees costs only their difference.  A variable without an entry is known only by its type.  NULL is the
+// empty tree.
 #ifndef SMC_ENV_H
 #define SMC_ENV_H
 
@@ -18,11 +19,12 @@ EnvShape env_shape(Arena *arena, const IrMachine *m);
 
 Fact env_get(const EnvShape *s, const Env *e, uint32_t var);
 const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact);
-// What holds in both.  Gives `a` itself if b adds nothing; with limits, bounds beyond those of a are widened (else NULL).
+// The facts that are true in both.  Returns `a` itself if b adds nothing.  `widen`: limits for widening bounds beyond those of a; NULL
+// for a plain join.
 const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLimits *widen);
 
-bool env_is_private(const IrVar *v);                          // a local that nobody beside the machine writes
-// What e tells of those, and `outside` of all others.
+bool env_is_private(const IrVar *v);                          // whether v is a local that only the machine itself writes
+// The facts of e for private variables, and those of `outside` for all others.
 const Env *env_begin(const EnvShape *s, const Env *e, const Env *outside);
 
 #endif

@@ -6,7 +6,7 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-// ---- small things about numbers ----
+// ---- helpers for numbers ----
 
 static double infinity(void) { return sm_from_bits(0x7FF0000000000000u); }
 static bool has(Fact a, double x) { return a.lo <= x && x <= a.hi; }
@@ -25,7 +25,7 @@ static double next_up(double x)
     return x == 0 ? sm_from_bits(1) : sm_from_bits(x > 0 ? u + 1 : u - 1);
 }
 
-// What follows from the rest.
+// Updates the fields that follow from the other fields.
 static inline Fact settle(Fact a)
 {
     if (a.whole && !is_finite(a))
@@ -48,8 +48,8 @@ static Fact make(double lo, double hi, bool whole, bool nan, bool minus_zero)
 
 static Fact anything(void) { return make(-infinity(), infinity(), false, true, true); }
 
-// 2^63 - 1 and 2^64 - 1 are no F64: the bounds are one above.
-#define HALF(bytes) (2.0 * (double)(UINT64_C(1) << (bytes * 8 - 2)))              // of the numbers of so many bytes
+// 2^63 - 1 and 2^64 - 1 are not F64 numbers.  The bounds of these types are one higher.
+#define HALF(bytes) (2.0 * (double)(UINT64_C(1) << (bytes * 8 - 2)))              // half the number of values of that many bytes
 #define BELOW(x, bytes) ((x) - (bytes < 8))
 #define BOUNDS_SM_KIND_SIGNED(bytes) -HALF(bytes), BELOW(HALF(bytes), bytes), true, bytes < 4, false, false
 #define BOUNDS_SM_KIND_UNSIGNED(bytes) 0, BELOW(2 * HALF(bytes), bytes), true, bytes < 4, false, false
@@ -58,7 +58,7 @@ static Fact anything(void) { return make(-infinity(), infinity(), false, true, t
 
 Fact fact_of_type(SmType type)
 {
-    switch (type) {                                  // no table: to tcc HUGE_VAL is no constant
+    switch (type) {                                  // not a table: in tcc HUGE_VAL is not a constant expression
     case SM_TYPE_COUNT: break;
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) \
     case SM_##name: return (Fact){BOUNDS_##kind(bytes)};
@@ -83,7 +83,7 @@ Fact fact_of_bool(bool may_be_false, bool may_be_true)
 }
 
 // ---- arithmetic ----
-// Bounds that come out NaN (inf - inf, 0 * inf) are none.
+// A bound that evaluates to NaN (inf - inf, 0 * inf) is discarded.
 
 static Fact no_number(bool nan) { return make(1, 0, false, nan, false); }
 static bool is_empty(Fact a) { return a.lo > a.hi; }
@@ -120,7 +120,7 @@ static void stretch(Fact *r, double x)
         r->hi = x;
 }
 
-// The hull of what combining the bounds in four ways gives.
+// The smallest interval that contains the four combinations of two operands' bounds.
 static Fact hull(SmF64 w, SmF64 x, SmF64 y, SmF64 z)
 {
     Fact r = {infinity(), -infinity(), false, false, false, false};
@@ -141,13 +141,13 @@ static Fact multiply(Fact a, Fact b)
         stretch(&r, 0);
     r.whole = a.whole && b.whole;
     r.nan = a.nan || b.nan || zero_by_infinity;
-    // A product of whole numbers is zero only if one of them is; others also come to zero when they are small.
+    // A product of whole numbers is zero only if a factor is zero.  Other products can also underflow to zero.
     r.minus_zero = r.whole ? a.minus_zero || b.minus_zero || (has(a, 0) && b.lo < 0) || (has(b, 0) && a.lo < 0)
                            : can_be_negative(a) || can_be_negative(b);
     return settle(r);
 }
 
-// Of one value by itself: never below zero, and no zero by an infinity.
+// A value multiplied by itself: the result is never negative, and zero is never multiplied by infinity.
 static Fact square(Fact a)
 {
     const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), least = has(a, 0) ? 0 : sm_min(sm_abs(a.lo), sm_abs(a.hi));
@@ -215,7 +215,7 @@ static Fact to_integer(Fact a, SmType to)
     return make(sm_min(sm_max(sm_trunc(a.lo), t.lo), t.hi), sm_max(sm_min(sm_trunc(a.hi), t.hi), t.lo), true, false, false);
 }
 
-// Rounding to F32 is monotonic; what is small and negative becomes -0.
+// Rounding to F32 is monotonic.  A small negative number becomes -0.
 static Fact to_f32(Fact a)
 {
     Fact r = make(sm_from_f32(sm_round_f32(a.lo)), sm_from_f32(sm_round_f32(a.hi)), a.whole, false,
@@ -242,13 +242,13 @@ static Fact truth(bool always, bool never) { return fact_of_bool(!always, !never
 static Fact less(Fact a, Fact b, bool nan) { return truth(!nan && a.hi < b.lo, a.lo >= b.hi); }
 static Fact less_or_equal(Fact a, Fact b, bool nan) { return truth(!nan && a.hi <= b.lo, a.lo > b.hi); }
 
-// Numbers that no value of both kinds can be.
+// Whether b is one number that a cannot be: a is whole and b is not, or a is an F32 and b is not.
 static bool never_meets(Fact a, Fact b) { return b.lo == b.hi && ((a.whole && !b.whole) || (a.f32 && !b.f32)); }
 
 static bool always_equal(Fact a, Fact b, bool nan) { return !nan && a.lo == a.hi && b.lo == b.hi && a.lo == b.lo; }
 static bool never_equal(Fact a, Fact b) { return a.hi < b.lo || b.hi < a.lo || never_meets(a, b) || never_meets(b, a); }
 
-// Of I64 and U64 the facts are bounds of the number before it is rounded to F64; 2^53 and beyond may round to each other.
+// For I64 and U64, a fact bounds the number before it is rounded to F64.  From 2^53 on, different numbers may round to the same F64.
 static bool is_beyond(Fact a, SmType type)
 {
     return sm_type_info[type].bytes == 8 && type != SM_F64 && !fact_within(a, -FACT_EXACT, FACT_EXACT);
@@ -304,7 +304,7 @@ static Fact arithmetic(const IrIns *i, Fact a, Fact b)
     return anything();
 }
 
-// A narrowed operation gives the number that it gives on F64, of which on F32 only the F32 counts.
+// A narrowed operation produces the same number as on F64.  On F32, only that number rounded to F32 counts.
 static Fact same(const IrIns *i, Fact a, Fact b)
 {
     const bool two = ir_op_info[i->op].operands == 2;
@@ -336,7 +336,7 @@ Fact fact_of_result(const IrIns *i, const Fact *a, const Fact *b, SmType type_of
     return anything();
 }
 
-// Sums of up to SM_WINDOW_MAX whole numbers of 32 bits are exact.  Others are rounded at 17 levels of pairs, and may overflow.
+// A sum of up to SM_WINDOW_MAX whole 32-bit numbers is exact.  Other sums are pairwise: they are rounded at 17 levels and may overflow.
 static Fact average(Fact a)
 {
     const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), slip = reach / 1099511627776.0;       // 2^-40
@@ -354,7 +354,7 @@ Fact fact_of_stat(SmStat stat, Fact sample)
 
     switch (stat) {
     case SM_STAT_AVG: return average(sample);
-    case SM_STAT_MEDIAN: return make(sample.lo, sample.hi, false, infinite, true);      // of two in the middle, half way
+    case SM_STAT_MEDIAN: return make(sample.lo, sample.hi, false, infinite, true);      // with two middle samples, their mean
     case SM_STAT_RANGE: return make(0, infinite ? infinity() : sample.hi - sample.lo, sample.whole, infinite, false);
     case SM_STAT_MIN: case SM_STAT_MAX: case SM_STAT_COUNT: break;
     }
@@ -412,7 +412,7 @@ Fact fact_widen(Fact before, Fact now, SmType type, const FactLimits *limits)
     return settle(now);
 }
 
-// ---- questions ----
+// ---- queries ----
 
 bool fact_is_number(Fact a, double *x)
 {
@@ -426,7 +426,7 @@ bool fact_fits(Fact a, SmType type)
 {
     const Fact t = fact_of_type(type);
 
-    // 2^63 and 2^64 are bounds that the 64-bit types themselves do not reach.
+    // The bounds 2^63 and 2^64 are one above the largest value of the 64-bit types.
     return fact_within(a, t.lo, t.hi) && (sm_type_info[type].bytes < 8 || type == SM_F64 || a.hi < t.hi);
 }
 

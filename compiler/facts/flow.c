@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts within one function: blocks in their order, which is that of control, each beginning with what holds on all ways to it.
+// Facts within one function.  Control only moves forward, so one visit of the blocks in order is enough.  Each block begins with the
+// facts that are true on every edge into it.
 #include <string.h>
 
 #include "compiler/facts/facts.h"
 
-enum { REFINEMENTS = 200 };           // how many conditions of one branch are looked at: `and` of shared parts is no tree
+enum { REFINEMENTS = 200 };           // conditions visited per branch: conditions that share operands form a DAG, not a tree
 
 typedef struct Flow {
     FactMachine *fm;
     const IrFn *f;
     FactFlow out;
     const Env **begin;                // by block
-    const Env *env;                   // here
-    uint32_t epoch;                   // of the block
+    const Env *env;                   // at the current instruction
+    uint32_t epoch;                   // of the current block
     FactHome *home;                   // by temporary
     unsigned budget;
-    bool impossible;                  // the way that is looked at: what it demands contradicts itself
+    bool impossible;                  // the conditions of the edge being checked contradict the facts
 } Flow;
 
 static const IrIns *ins(const Flow *w, IrRef r) { return &w->f->ins.at[r]; }
@@ -67,9 +68,9 @@ static void step_over(Flow *w, IrRef r, uint32_t at)
     }
 }
 
-// ---- what a branch tells ----
+// ---- facts from a branch ----
 
-// The variable still holds temporary r's value.
+// Whether the home of temporary r still holds r's value.
 static bool is_home(const Flow *w, IrRef r)
 {
     const FactHome h = w->home[r];
@@ -77,7 +78,7 @@ static bool is_home(const Flow *w, IrRef r)
     return h.var != IR_NONE && (w->fm->epoch[h.var] != w->epoch || w->fm->stored[h.var] <= h.at);
 }
 
-// Bounds on a number that was converted from a 64-bit integer say the same of the integer only where it is exact.
+// Bounds on a number that was converted from a 64-bit integer apply to the integer only where the conversion is exact.
 static Fact before_conversion(Fact bounds, SmType type)
 {
     if (sm_type_info[type].bytes == 8 && type != SM_F64) {
@@ -90,8 +91,8 @@ static Fact before_conversion(Fact bounds, SmType type)
     return bounds;
 }
 
-// Variable var holds a value within bounds, and is no NaN.  Where that leaves nothing, nobody comes this way: so
-// `p > 20 and p < 10` is known never to hold, which neither half is.
+// Records that variable var is within bounds and not NaN.  If no value remains, the edge is impossible.  This proves that
+// `p > 20 and p < 10` is always false, although neither half is.
 static const Env *confine_var(Flow *w, const Env *env, uint32_t var, Fact bounds)
 {
     const Fact known = env_get(&w->fm->shape, env, var);
@@ -101,7 +102,7 @@ static const Env *confine_var(Flow *w, const Env *env, uint32_t var, Fact bounds
     return env_set(&w->fm->shape, env, var, fact_meet(known, bounds));
 }
 
-// r is within bounds: its variable too, and what it is a conversion of.
+// Records that r is within bounds, for its home variable and for the values from which r was converted.
 static const Env *confine(Flow *w, const Env *env, IrRef r, Fact bounds)
 {
     w->impossible |= bounds.lo > bounds.hi;
@@ -176,7 +177,7 @@ static void refine_pair(Pair *p, IrOp op)
     }
 }
 
-// A comparison of 64-bit integers is one of their F64: near 2^53 and beyond a bound of one is none of the other.
+// 64-bit integers are compared as F64.  Near 2^53 and beyond, a bound of one operand is not a bound of the other.
 static bool is_exact(const Flow *w, IrRef r)
 {
     const SmType type = ins(w, r)->type;
@@ -225,7 +226,7 @@ static void go(Flow *w, IrBlkRef to, const Env *env)
     w->out.reached[to] = true;
 }
 
-// Whether facts leave the way that is taken when cond holds, or does not.
+// Follows the edge that is taken when the value of cond is `holds`.  Returns whether the facts allow that edge.
 static bool take_way(Flow *w, IrRef cond, bool holds, IrBlkRef to)
 {
     const Fact f = w->out.of[cond];
@@ -254,7 +255,7 @@ static void leave(Flow *w, const IrJump *j, FactExit *exit, const FactEnds *ends
     }
 }
 
-// The tables of a flow are the machine's, and used again: thousands of functions are looked at several times.
+// Uses the tables of the machine for this flow, because thousands of functions are analysed several times each.
 static void take_tables(Flow *w)
 {
     FactMachine *fm = w->fm;

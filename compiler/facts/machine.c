@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts of a machine: what its locals can hold when each function begins, found by following transitions until nothing is added.
-// Bounds that keep growing are widened, so this ends after a few visits of each state; one last round of all takes back what
-// widening gave away beyond need.
+// Facts of a machine: the possible values of its locals when each function begins.  Transitions are followed until no fact changes.
+// Bounds that keep growing are widened, so this ends after a few visits of each state.  If anything was widened, one last round over
+// all functions narrows the facts again (narrowing).
 #include <stddef.h>
 
 #include "compiler/facts/facts.h"
 
-// Changes after which bounds are widened to the program's own numbers; to a few round ones; after which no more is claimed than is
-// constant.
+// Limits on the number of changes of a function's facts.  After PATIENCE changes, bounds are widened to numbers of the program; after
+// IMPATIENCE, to a few round numbers.  After ENOUGH, only constants remain known.  NUMBERS limits how many numbers are collected.
 enum { PATIENCE = 3, IMPATIENCE = 12, ENOUGH = 20, NUMBERS = 64 };
 
-// States that wait for a visit, in a ring.
+// The states to visit, in a ring buffer.
 typedef struct Queue {
     uint32_t *at;
     bool *waits;                      // by state
@@ -19,15 +19,15 @@ typedef struct Queue {
 
 typedef struct Visit {
     FactMachine *fm;
-    FactBegin (*to)[BLOCK_COUNT];     // where ways arrive: what is being found, or in the last round, what follows from it
-    bool *(*made)[BLOCK_COUNT];       // by state with an .exit, of a function by block: the transition there is possible
+    FactBegin (*to)[BLOCK_COUNT];     // receives the facts: fm->begin, or in the last round a new table that replaces it
+    bool *(*made)[BLOCK_COUNT];       // by state with an .exit and by function, a table by block: its transition is possible
     Queue queue;
-    uint32_t state;                   // the one that is looked at
+    uint32_t state;                   // the current one
     int block;
     bool anywhere;                    // the machine may be started in any state
     const FactWatch *watch;           // or NULL
-    bool widened;                     // somewhere: there may be something to take back
-    FactLimits numbers;               // that stand in the program, and their neighbours: where guards stop what counts
+    bool widened;                     // some bound was widened, so the last round may improve facts
+    FactLimits numbers;               // constants of the program and their neighbours, because guards stop counters there
 } Visit;
 
 static void enqueue(Queue *q, uint32_t state)
@@ -48,7 +48,7 @@ static uint32_t dequeue(Queue *q)
     return state;
 }
 
-// ---- ways into functions ----
+// ---- paths into functions ----
 
 static const Env *with_more(Visit *v, const FactBegin *b, const Env *env)
 {
@@ -78,7 +78,7 @@ static void arrive(Visit *v, uint32_t state, int block, const Env *env)
         enqueue(&v->queue, state);
 }
 
-// Where .exit ends, for the transitions that have been found possible.
+// At the end of .exit: enters the target of each transition that has been found possible.
 static void arrive_at_targets(Visit *v, int block, const Env *env)
 {
     const IrFn *f = v->fm->shape.m->state.at[v->state].block[block];
@@ -89,7 +89,7 @@ static void arrive_at_targets(Visit *v, int block, const Env *env)
             arrive(v, f->blk.at[b].jump.state - 1, BLOCK_ENTRY, env);
 }
 
-// A transition is possible: .exit is to be looked at for it even if that begins with nothing new.
+// Records that a transition is possible.  A new one requires a visit of .exit, even if it adds no fact at the beginning of .exit.
 static void make_transition(Visit *v, const IrJump *j, const Env *env)
 {
     const IrFn *f = v->fm->shape.m->state.at[v->state].block[v->block];
@@ -108,7 +108,7 @@ static void make_transition(Visit *v, const IrJump *j, const Env *env)
     (*made)[b] = true;
 }
 
-// The function that is looked at ends; elements are others' from now on.
+// Called at each end of the current function.  From here on, other code may have written the elements.
 static void end_of_function(void *context, const IrJump *end, const Env *env)
 {
     Visit *v = context;
@@ -160,7 +160,7 @@ static void begin_all(Visit *v, const Env *env)
         arrive(v, s, BLOCK_ENTRY, env);
 }
 
-// What follows from facts that hold holds as well, and may be less.
+// Derives all facts once more from facts that are true.  The results are also true, and may be tighter.
 static void last_round(Visit *v, const Env *env)
 {
     v->to = arena_array(v->fm->shape.arena, v->fm->shape.m->state.n, sizeof *v->to);
@@ -281,7 +281,7 @@ FactMachine *facts_supposing(Arena *arena, const IrMachine *m, const Env *outsid
     return find_facts(arena, m, false, outside, NULL);
 }
 
-// ---- answers ----
+// ---- results ----
 
 const Env *facts_begin(const FactMachine *fm, size_t state, int block)
 {
@@ -295,7 +295,7 @@ const Env *facts_begin(const FactMachine *fm, size_t state, int block)
 void facts_work_in(FactMachine *fm, Arena *arena)
 {
     fm->shape.arena = arena;
-    fm->temps = fm->blocks = 0;       // its tables were the last arena's
+    fm->temps = fm->blocks = 0;       // the old tables belong to the previous arena
 }
 
 bool facts_reach(const FactMachine *fm, size_t state, int block) { return fm->begin[state][block].found; }
