@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Part of `identity`: operations that become another one, which gives the same bits for all operands and costs less.  The
-// proof stands beside each rule.  NaN has no sign and no payload that anyone could see (language.md 2).
+// Part of `identity`: replaces an operation by a cheaper one that produces the same bits for all operands.  The proof is next to each
+// rule.  The sign and payload of a NaN are not observable (language.md 2).
 //
-// x / 2^k is exactly x * 2^-k, and not among them: the VM holds 8 in an operand, 0.125 in eight bytes more, and C compilers know.
+// x / 2^k is exactly x * 2^-k, but is not replaced.  The VM encodes 8 in an operand and needs eight more bytes for 0.125, and C
+// compilers know this rule.
 #include "compiler/passes/identity.h"
 
 static void become(IrIns *i, IrOp op, IrRef a, IrRef b)
@@ -24,7 +25,7 @@ static IrRef inner(const Identity *d, IrRef ref) { return identity_at(d, ref)->a
 
 static bool is_neg(const Identity *d, IrRef ref) { return is_op(d, ref, IR_neg); }
 
-// IEEE 754 defines a - b as a + (-b); addition commutes.  An integer has no -0 that could come of it.
+// IEEE 754 defines a - b as a + (-b), and addition commutes.  An integer result has no -0.
 static void rewrite_sum(const Identity *d, IrIns *i)
 {
     if (is_neg(d, i->b))                                      // a + -b, a - -b
@@ -33,7 +34,7 @@ static void rewrite_sum(const Identity *d, IrIns *i)
         become(i, IR_sub, i->b, inner(d, i->a));
 }
 
-// The sign of a product or quotient is that of both operands together, and nothing else depends on signs.
+// The sign of a product or quotient is the product of the operands' signs, and nothing else depends on their signs.
 static bool drop_signs(const Identity *d, IrIns *i)
 {
     if (!is_neg(d, i->a) || !is_neg(d, i->b))
@@ -46,7 +47,7 @@ static void rewrite_product(const Identity *d, IrIns *i)
 {
     if (drop_signs(d, i))
         return;
-    if (identity_is(d, i->b, sm_from_i32(-1)))                // exact, and only the sign differs
+    if (identity_is(d, i->b, sm_from_i32(-1)))                // exact: only the sign changes
         become(i, IR_neg, i->a, IR_NONE);
     else if (identity_is(d, i->a, sm_from_i32(-1)))
         become(i, IR_neg, i->b, IR_NONE);
@@ -58,7 +59,7 @@ static const IrOp opposite[IR_OP_COUNT] = {
     [IR_eq] = IR_ne, [IR_ne] = IR_eq, [IR_lt] = IR_ge, [IR_le] = IR_gt, [IR_gt] = IR_le, [IR_ge] = IR_lt,
 };
 
-// ne is the opposite of eq always, the others only if there is no NaN, with which all of them are false.
+// ne is always the opposite of eq.  lt, le, gt and ge have an opposite only if no operand is NaN: with a NaN they are all false.
 static bool has_opposite(const Identity *d, const IrIns *i)
 {
     if (ir_op_info[i->op].types != IR_T_COMPARE)
@@ -83,7 +84,8 @@ static bool compare(IrOp op, SmF64 x, SmF64 y)
     return op == IR_le ? sm_le(x, y) : sm_le(y, x);
 }
 
-// A bool is 0 or 1: held against a number it gives false, true, itself (`b and b`, which goes as that) or its opposite.
+// A bool is 0 or 1.  Compared with a number, it produces false, true, its negation, or itself.  Itself is written as `b and b`, which
+// same_as then replaces by b.
 static void rewrite_bool(IrIns *i, IrRef boolean, SmF64 number, bool first)
 {
     bool of[2];
@@ -125,7 +127,7 @@ static void rewrite_comparison(const Identity *d, IrIns *i)
 
     if (rewrite_bools(d, i) || i->a != i->b)
         return;
-    if (i->op == IR_lt || i->op == IR_gt || d->never_nan[i->a])       // x < x is false of NaN too
+    if (i->op == IR_lt || i->op == IR_gt || d->never_nan[i->a])       // x < x is false for NaN too
         become_bool(i, holds_of_equals);
 }
 
@@ -138,7 +140,7 @@ static void rewrite_cvt(const Identity *d, IrIns *i)
     if (i->type != SM_F64 && from->op == IR_cvt && from->type == SM_F64 && identity_at(d, from->a)->type == SM_F64)
         i->a = from->a;                                       // NaN becomes 0 or false either way
     else if (from->op == IR_trunc && identity_is_integer(i->type))
-        i->a = from->a;                                       // a conversion to an integer truncates by itself
+        i->a = from->a;                                       // a conversion to an integer already truncates
     else if ((from->op == IR_neg || from->op == IR_abs) && i->type == SM_BOOL)
         i->a = from->a;                                       // whether a number is zero does not depend on its sign
 }

@@ -1,40 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// cse: within a block, what was computed already is not computed again.  Every temporary gets the number of the first one
-// that certainly has the same value: the same operation on values of the same numbers.  A load has the value of the last
-// store to its variable in the block, or of the last load: a stored value is never NaN and of the variable's type, so that
-// loading it gives the very same bits (ir.h).  Operands of add, mul, eq, ne, min, max, and, or may change places: nobody
-// sees which NaN comes out, and min and max tell -0 from +0 in either order.
+// cse: common subexpression elimination within a block, by value numbering.  Every temporary gets the number of the first one that
+// certainly has the same value: the same operation on operands with the same numbers.  A load has the value of the last store to its
+// variable in the block, or of the last load.  This is correct because a stored value is never NaN and is of the variable's type, so
+// loading it returns the same bits (ir.h).  Operands of add, mul, eq, ne, min, max, and, or are sorted: which NaN results is not
+// observable, and min and max order -0 and +0 the same for both operand orders.
 //
-// Not every repetition is worth a temporary.  An operation whose only user is a store or a branch costs nothing beside
-// itself: both backends compute it right there.  So an operation is left out only if neither it nor the one before is such,
-// except statistics of windows and roots, which cost more than a copy.  A conversion to F64 that changes nothing costs
-// nothing either.  A load after a store stays a load: the variable is where the value is.
+// Not every repetition is worth a temporary.  An operation is "sunk" if its only user is a store or a branch.  Both backends compute a
+// sunk operation in place, so it needs no temporary.  An operation is therefore replaced only if neither it nor the earlier one is
+// sunk.  Exceptions are window statistics and square roots, which cost more than a copy.  A conversion to F64 that changes nothing is
+// free and is not replaced.  A load after a store stays a load, because the variable already contains the value.
 //
-// A store of what the variable holds already is dropped: of an element if the block has stored it before (that it was
-// stored is seen), of a local unless others write it.
-// Needs uses and keeps them right while it works.
+// A store of the value that the variable already has is dropped.  For an element, this requires an earlier store in the block, because
+// it is observable that an element was stored.  For a local, it requires that no other code writes it.
+// Needs uses and updates them.
 #include <string.h>
 
 #include "compiler/passes/pass.h"
 #include "stdlib/f64.h"
 
-typedef struct Slot { uint32_t block; IrRef ref; } Slot;      // of a block numbered from 1; of another one it is empty
+typedef struct Slot { uint32_t block; IrRef ref; } Slot;      // empty unless `block`, counted from 1, is the current one
 
 typedef struct Cse {
     IrFn *f;
     Facts *facts;
-    IrRef *value;             // by instruction: the first one of the same value
-    IrRef *keeper;            // by such a first one: whom others of the value are replaced by
-    IrRef *same;              // by instruction: what its users name from now on
+    IrRef *value;             // by instruction: its value number, which is the first instruction of the same value
+    IrRef *keeper;            // by value number: the instruction that replaces others of that value
+    IrRef *same;              // by instruction: the temporary that its users must name
     bool *sunk;               // by instruction: its only user is a store or a branch
-    Slot *table;              // operations of the block, by what they are
+    Slot *table;              // hash table of the block's operations, by Key
     size_t cap;               // a power of two
     uint32_t block;
 } Cse;
 
 static IrIns *ins_at(const Cse *c, IrRef ref) { return &c->f->ins.at[ref]; }
 
-// ---- what two operations must have in common ----
+// ---- when two operations have the same value ----
 
 typedef struct Key { IrOp op; SmType type; IrRef a, b; uint32_t var; uint64_t bits; } Key;
 
@@ -87,7 +87,7 @@ static size_t hash(const Key *k)
     return (size_t)((h ^ h >> 32 ^ k->var) * UINT64_C(0x94d049bb133111eb) >> 32);
 }
 
-// The first operation of the block that is like `ref`: itself if there is none.
+// The first operation of the block with the same key as `ref`, which may be `ref` itself.
 static IrRef find(Cse *c, IrRef ref)
 {
     Key k = key_of(c, ins_at(c, ref)), other;
@@ -103,14 +103,14 @@ static IrRef find(Cse *c, IrRef ref)
     return ref;
 }
 
-// ---- which operations cost nothing where they are ----
+// ---- operations that cost nothing in place ----
 
 static void sink(Cse *c, IrRef ref)
 {
     c->sunk[ref] = c->facts->uses[ref] == 1;
 }
 
-// From the block's end: a store's or branch's operand; through conversions and logic on the way to it.
+// Walks from the block's end.  The operand of a store or branch is sunk, and so are the operands of sunk conversions and logic.
 static void find_sunk(Cse *c, const IrBlk *blk)
 {
     if (blk->jump.kind == IR_BR)
@@ -150,7 +150,7 @@ static void visit_load(Cse *c, IrRef ref)
         note->load = ref;
 }
 
-// False if it can go.
+// False if the store can be dropped.
 static bool visit_store(Cse *c, const IrIns *i)
 {
     VarNote *note = notes_of(c->facts->notes, i->var);
@@ -184,7 +184,7 @@ static void visit_operation(Cse *c, IrRef ref)
         c->keeper[first] = ref;
 }
 
-// What a user of `ref` names from now on.
+// The temporary that replaces `ref` as an operand.  Updates the use counts.
 static IrRef renamed(Cse *c, IrRef ref)
 {
     c->facts->uses[ref]--;
@@ -192,7 +192,7 @@ static IrRef renamed(Cse *c, IrRef ref)
     return c->same[ref];
 }
 
-// False if the instruction can go at once.
+// False if the instruction can be dropped at once.
 static bool visit(Cse *c, IrRef ref)
 {
     IrIns *i = ins_at(c, ref);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// dce: drops operations whose results nobody uses, last ones first, so that one walk drops whole expressions.
-// Needs uses and keeps them right while it works.
+// dce: drops operations whose results are unused.  It walks backwards, so that one walk drops whole expressions.
+// Needs uses and updates them.
 #include "compiler/passes/pass.h"
 
 static bool is_dead(const IrIns *i, uint32_t uses)
@@ -20,7 +20,7 @@ static void clean_block(const IrFn *f, IrBlk *blk, uint32_t *uses)
 {
     uint32_t kept = blk->ins.n, n = 0;
 
-    for (size_t i = blk->ins.n; i-- > 0;) {                  // the living end up at the end of the list
+    for (size_t i = blk->ins.n; i-- > 0;) {                  // live instructions are collected at the end of the list
         const IrIns *ins = &f->ins.at[blk->ins.at[i]];
         if (is_dead(ins, uses[blk->ins.at[i]]))
             release_operands(ins, uses);

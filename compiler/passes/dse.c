@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// dse: drops a store that the same block overwrites before anybody reads it.  What is seen of a step is what variables hold
-// at its end and which elements were stored: the store behind it leaves the same.
-// Needs uses, for a load whose result nobody uses reads nothing; keeps them right while it works.
+// dse: drops a store that the same block overwrites before any load reads it.  Only two effects of a step are observable: the values
+// of variables at its end, and which elements were stored.  The later store produces both.
+// Needs uses, because a load whose result is unused does not count as a read.  Updates them.
 #include "compiler/passes/pass.h"
 
-// Whether the store is needed; walking backwards, a note tells that a store follows with no load in between.
+// Whether the store is needed.  The walk is backwards: a note means that a store follows with no load in between.
 static bool is_needed(Facts *facts, const IrIns *i)
 {
     VarNote *note = notes_of(facts->notes, i->var);
@@ -31,7 +31,7 @@ static void clean_block(const IrFn *f, IrBlk *blk, Facts *facts)
     uint32_t kept = blk->ins.n, n = 0;
 
     notes_begin_block(facts->notes);
-    for (size_t p = blk->ins.n; p-- > 0;)                      // the needed end up at the end of the list
+    for (size_t p = blk->ins.n; p-- > 0;)                      // needed instructions are collected at the end of the list
         if (keep(f, blk->ins.at[p], facts))
             blk->ins.at[--kept] = blk->ins.at[p];
     while (kept < blk->ins.n)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// empty: a state's function that does nothing is no function; a hidden local that no function names is no variable.
-// Needs nothing; breaks nothing of a function, but gives variables other numbers.
+// empty: removes functions of states that do nothing, and hidden locals that no function names.
+// Needs nothing.  Breaks no facts about functions, but renumbers variables.
 #include "compiler/passes/pass.h"
 
 static bool does_nothing(const IrFn *f)
@@ -26,7 +26,7 @@ static void rename_in(IrFn *f, const uint32_t *number)
                 f->ins.at[f->blk.at[b].ins.at[p]].var = number[f->ins.at[f->blk.at[b].ins.at[p]].var];
 }
 
-// Takes out what is not kept; false if that is nothing.
+// Removes hidden variables that are not named.  Returns false if it removed none.
 static bool drop_variables(IrMachine *m, const bool *named, uint32_t *number)
 {
     uint32_t n = 0;

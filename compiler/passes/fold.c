@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// fold: an operation whose operands are numbers becomes the number it gives; a relation of logic that one operand decides
-// becomes that.  It computes with stdlib's functions and never with the host's operators, so it cannot disagree with the
-// engines.  Needs nothing; breaks uses: the operands lose a user.
+// fold: constant folding.  An operation on constants becomes its result.  `and` and `or` become a constant if one operand decides them.
+// It computes with stdlib's functions and never with the host's operators, so it cannot disagree with the engines.
+// Needs nothing; breaks uses, because the operands lose a user.
 #include "compiler/passes/pass.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
@@ -11,7 +11,7 @@ static bool is_const(const IrFn *f, IrRef ref)
     return f->ins.at[ref].op == IR_const;
 }
 
-// Of a constant of any type: a narrowed operation gives what it gives on F64.  NaN is one only as an F64, and stays one.
+// The number of a constant of any type: a narrowed operation has the same result as on F64.  Only an F64 can be NaN, and it stays NaN.
 static SmF64 f64_of(const IrFn *f, IrRef ref)
 {
     const IrIns *i = &f->ins.at[ref];
@@ -26,7 +26,7 @@ static void become(IrIns *i, uint64_t bits)
     i->bits = bits;
 }
 
-// The result in the operation's type.  (Of a NaN in F32 all that is asked is its F32, which is 0.)
+// The result in the operation's type.  (Users of an F32 operation read only its F32 conversion, which is 0 for a NaN.)
 static void become_f64(IrIns *i, SmF64 x)
 {
     if (i->type == SM_F64)
@@ -42,7 +42,7 @@ static void fold_cvt(const IrFn *f, IrIns *i)
     become(i, sm_cell_from_f64(i->type, sm_cell_to_f64(from->type, from->bits)));
 }
 
-// and, or with one operand known to decide it; false if it does not.
+// Folds `and` or `or` if the constant `operand` decides it.  Returns false if it does not.
 static bool fold_decided(const IrFn *f, IrIns *i, IrRef operand)
 {
     bool decides = i->op == IR_or;
@@ -53,7 +53,7 @@ static bool fold_decided(const IrFn *f, IrIns *i, IrRef operand)
     return true;
 }
 
-// All operands of i are numbers.
+// Requires that all operands of i are constants.
 static void fold_ins(const IrFn *f, IrIns *i)
 {
     SmF64 x = i->a != IR_NONE ? f64_of(f, i->a) : sm_from_i32(0);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// identity: an operation that gives a temporary's value unchanged is left out, and its users name that temporary instead.
-//   x * 1, x / 1             exact, signs of zero included
-//   x - 0, x + -0            likewise: -0 - 0 is -0, and 0 + -0 is 0.  x + 0 is not x if x is -0: only of integers, and of what
-//                            comes of a conversion from one or of abs
+// identity: bypasses operations whose result equals an operand.  Users of the result name the operand instead.
+//   x * 1, x / 1             exact, including the sign of zero
+//   x - 0, x + -0            likewise: -0 - 0 is -0, and 0 + -0 is 0.  x + 0 is not x if x is -0.  It is bypassed only if x is an
+//                            integer, was converted from an integer, or is the result of abs
 //   --x, min(x, x), max(x, x)
-//   floor, ceil, trunc, round of what is whole because such a one or an integer made it: whole numbers, infinities, NaN and
-//                            the sign of zero stay as they are
-//   cvt there and back       U8 to F64 to U8: when the type between holds every value of the other exactly
-//   cvt to the same type     unless of a float that may be NaN, which it would make 0
-//   and, or with a constant  that does not decide; or with the same operand twice
+//   floor, ceil, trunc, round of the result of one of these, or of a converted integer.  They do not change whole numbers,
+//                            infinities, NaN or the sign of zero
+//   cvt there and back       U8 to F64 to U8: if the intermediate type represents every value of the other type exactly
+//   cvt to the same type     unless the operand is a float that may be NaN, which cvt would change to 0
+//   and, or                  with a constant that does not decide the result, or with the same operand twice
 //   not of a not
-// Operations that become cheaper ones are in algebra.c.
-// Needs nothing; breaks uses.  What became useless is left to dce.
+// algebra.c replaces operations by cheaper ones.
+// Needs nothing; breaks uses.  dce removes the operations that become unused.
 #include "compiler/passes/identity.h"
 
 #include "compiler/passes/pass.h"
@@ -35,7 +35,7 @@ bool identity_is(const Identity *d, IrRef ref, SmF64 number)
 
 // ---- arithmetic ----
 
-// An integer or truth that is not computed: what was narrowed may still be computed on F64 (ir.h), and be -0 there.
+// Whether ref is an integer or bool that was not computed.  A narrowed operation may still be computed on F64 (ir.h) and be -0 there.
 static bool is_plain_integer(const Identity *d, IrRef ref)
 {
     const IrIns *i = identity_at(d, ref);
@@ -43,7 +43,7 @@ static bool is_plain_integer(const Identity *d, IrRef ref)
     return !is_float(i->type) && (ir_op_info[i->op].types != IR_T_SAME && i->op != IR_cvt);
 }
 
-// Whether it cannot be -0.
+// Whether ref cannot be -0.
 static bool has_no_minus_zero(const Identity *d, IrRef ref)
 {
     const IrIns *i = identity_at(d, ref);
@@ -84,7 +84,7 @@ static unsigned bits_of(SmType type) { return 8u * sm_type_info[type].bytes; }
 
 static bool is_signed(SmType type) { return type <= SM_I64; }
 
-// Whether `wide` has every value of `type`, so that a conversion there and back changes nothing.
+// Whether `wide` represents every value of `type`, so that a conversion there and back changes nothing.
 static bool holds_all(SmType wide, SmType type)
 {
     if (wide == type || type == SM_BOOL)
@@ -123,7 +123,7 @@ static IrRef same_as_logic(const Identity *d, const IrIns *i)
     return is_bool_const(d, i->a, neutral) ? i->b : IR_NONE;
 }
 
-// The temporary whose value instruction i gives unchanged; IR_NONE if there is none.
+// The temporary whose value equals the result of instruction i, or IR_NONE.
 static IrRef same_as(const Identity *d, const IrIns *i)
 {
     switch (i->op) {

@@ -8,18 +8,18 @@
 
 typedef struct Identity {
     IrFn *f;
-    IrRef *same;          // by instruction: the temporary that has the same value, itself if there is none
-    bool *never_nan;      // by instruction: certainly a number, or no float at all
+    IrRef *same;          // by instruction: an earlier temporary with the same value, or itself
+    bool *never_nan;      // by instruction: certainly not NaN, or not a float
 } Identity;
 
 static inline const IrIns *identity_at(const Identity *d, IrRef ref) { return &d->f->ins.at[ref]; }
 
 SmF64 identity_number(const IrIns *constant);         // as an F64; NaN stays NaN
-// Whether ref is a constant of any type that is this number, told by its bits as an F64: 0 and -0 are two.
+// Whether ref is a constant of any type that is this number.  Compares the bits as F64, so 0 and -0 differ.
 bool identity_is(const Identity *d, IrRef ref, SmF64 number);
 bool identity_is_integer(SmType type);
 
-// Makes another operation of it that gives the same and costs less, or leaves it alone.
+// Replaces i by a cheaper operation with the same result, if there is one.
 void algebra_rewrite(const Identity *d, IrIns *i);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// known: what facts decide.  An operation that can only give one number becomes that number: comparisons that come out one way,
-// guards that an earlier guard implies, locals that hold one value.  An operation that changes none of the numbers that reach it
-// is left out: NaN turned into 0 where there is none, rounding of whole numbers, limits that are never reached.
+// known: simplifies with facts about values.  An operation that has only one possible result becomes a constant: a comparison with a
+// known result, a guard that an earlier guard implies, a local with one possible value.  An operation that never changes its operand
+// is bypassed: removing NaN where none occurs, rounding of whole numbers, limits that are never reached.
 // Needs values; breaks uses.
 #include "compiler/facts/facts.h"
 #include "compiler/passes/pass.h"
@@ -10,14 +10,15 @@
 typedef struct Known {
     IrFn *f;
     const Fact *of;
-    IrRef *same;          // by temporary: the one that has the same value, itself if there is none
+    IrRef *same;          // by temporary: another with the same value, or itself
 } Known;
 
 static bool is_whole_or_infinite(const IrIns *i) { return i->op == IR_floor || i->op == IR_ceil || i->op == IR_trunc || i->op == IR_round; }
 
 static bool is_never_negative(Fact a) { return a.lo >= 0 && !a.minus_zero; }
 
-// Which operand a min or max always gives: one is never beyond the other.  Zeros of both signs are told apart, NaN spoils it.
+// The operand that a min or max always returns, or IR_NONE.  The bounds must not touch, because -0 and +0 differ, and neither operand
+// may be NaN.
 static IrRef decided_extreme(const IrIns *i, Fact a, Fact b)
 {
     const Fact low = i->op == IR_min ? a : b, high = i->op == IR_min ? b : a;
@@ -29,7 +30,7 @@ static IrRef decided_extreme(const IrIns *i, Fact a, Fact b)
     return high.hi < low.lo ? i->b : IR_NONE;
 }
 
-// The operand whose value i gives unchanged, or IR_NONE.
+// The operand that i always returns unchanged, or IR_NONE.
 static IrRef unchanged(const Known *k, const IrIns *i)
 {
     const Fact a = k->of[i->a];
@@ -37,9 +38,9 @@ static IrRef unchanged(const Known *k, const IrIns *i)
     if (i->op == IR_cvt)
         return i->type == SM_F64 && k->f->ins.at[i->a].type == SM_F64 && !a.nan ? i->a : IR_NONE;
     if (is_whole_or_infinite(i))
-        return a.whole ? i->a : IR_NONE;                         // NaN and -0 stay what they are
+        return a.whole ? i->a : IR_NONE;                         // these do not change NaN and -0 either
     if (i->op == IR_abs)
-        return is_never_negative(a) ? i->a : IR_NONE;            // a NaN's sign means nothing
+        return is_never_negative(a) ? i->a : IR_NONE;            // the sign of a NaN is not observable
     if (i->op == IR_min || i->op == IR_max)
         return decided_extreme(i, a, k->of[i->b]);
     return IR_NONE;

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// locals: what a local does not need memory for.
-//   One that nothing stores to is a constant: its initial value.  (A script may write it from outside: then it is none.)
-//   A hidden one that nothing reads needs no stores.
-//   A hidden one that is only read behind a store in the same block is a name for what was stored: its readers take that.
-// A stored value is never NaN and of the variable's type, so loading it gives the very same bits (ir.h).  Loads that nobody uses
-// count as readers: run dce before.  Needs nothing; breaks uses.
+// locals: removes accesses to locals that need no memory.
+//   A local that no code stores to is a constant: its initial value.  (Not if a script may write it from outside.)
+//   A hidden local that is never loaded needs no stores.
+//   A hidden local that is only loaded after a store in the same block needs no memory: its loads are replaced by the stored value.
+// A stored value is never NaN and is of the variable's type, so loading it returns the same bits (ir.h).  Loads whose results are
+// unused count as reads: run dce before.  Needs nothing; breaks uses.
 #include "compiler/passes/pass.h"
 
 typedef struct Local {
     bool stored, loaded;
-    bool exposed;             // some load may see what an earlier block or step left, or the temporary stored is not all of it
-    uint32_t block;           // the last block that stored it, and what
+    bool exposed;             // a load may read the value of an earlier block or step, or a stored temporary cannot replace its loads
+    uint32_t block;           // the last block that stored to it, and the stored temporary
     IrRef held;
 } Local;
 
 typedef struct Locals {
     IrMachine *m;
     Local *at;                // by variable
-    uint32_t block;           // all blocks of the machine, counted from 1
-    IrRef *same;              // by instruction of a function: what its users name from now on
+    uint32_t block;           // the current block; counts all blocks of the machine from 1
+    IrRef *same;              // by instruction of a function: the temporary that its users must name
 } Locals;
 
-// Of an operation narrowed to F32 only the F32 may be asked for, as a store does; readers of the local may ask for more.
+// A user may only read the F32 conversion of an operation narrowed to F32 (ir.h).  A store does so; readers of the local may not.
 static bool is_f32_operation(const IrIns *i) { return i->type == SM_F32 && ir_op_info[i->op].types == IR_T_SAME; }
 
 static void note_ins(Locals *l, const IrFn *f, const IrIns *i)
@@ -62,7 +62,7 @@ static bool needs_no_memory(const Locals *l, uint32_t var)
     return l->m->var.at[var].hidden && !l->at[var].exposed;
 }
 
-// False if the instruction can go.
+// False if the instruction can be dropped.
 static bool visit_load(Locals *l, IrIns *i, IrRef ref)
 {
     if (is_constant(l, i->var)) {

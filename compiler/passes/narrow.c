@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// narrow: F64 work becomes work on the types that the numbers come in, where facts prove that nobody can tell.
-//   sums, products, …   of whole numbers that stay within 2^53: on I32 or I64.  F64 would be exact too; only the sign of a zero is
-//                       lost, so nobody may ask for it (a store to a float, a division, …)
+// narrow: moves F64 operations to the types of their inputs, where facts prove that the difference is not observable.
+//   sums, products, …   of whole numbers that stay within 2^53: on I32 or I64.  F64 is exact there too.  Only the sign of a zero is
+//                       lost, so it must not be observable (by a store to a float, a division, …)
 //   sign of an F32      neg and abs: on F32
-//   op, then to F32     of operands that are F32: on F32.  Rounding to F64 in between changes nothing, since F64 has more than twice
-//                       the digits of F32 and two
+//   op, then to F32     of F32 operands: on F32.  The intermediate rounding to F64 changes nothing, because F64 has more than twice
+//                       the digits of F32, plus two
 //   comparisons         see narrow_compare.c
-//   conversions         of what exists in a narrower type: from that
-//   windows             keep samples in the narrowest type that holds all of them
-// Needs values; breaks uses.  What became useless is left to dce.
+//   conversions         of a number that also exists in a narrower type: from that type
+//   windows             store samples in the narrowest type that represents all of them
+// Needs values; breaks uses.  dce removes the operations that become unused.
 #include "compiler/passes/narrow.h"
 
 #include <string.h>
@@ -48,7 +48,7 @@ bool narrow_is_const(const Narrow *n, IrRef r, double *x)
     return !sm_is_nan(*x);
 }
 
-// ---- who can tell -0 from 0 ----
+// ---- where -0 and 0 are distinguishable ----
 
 static void tell(Narrow *n, IrRef r, bool yes) { n->zero_sign[r] |= yes; }
 
@@ -58,10 +58,10 @@ static void tell_two(Narrow *n, const IrIns *i, bool told)
 {
     const Fact a = n->of[i->a], b = n->of[i->b];
 
-    if (i->op == IR_add) {                            // -0 + -0 alone is -0
+    if (i->op == IR_add) {                            // only -0 + -0 is -0
         tell(n, i->a, told && b.minus_zero);
         tell(n, i->b, told && a.minus_zero);
-    } else if (i->op == IR_sub) {                     // -0 - 0 alone is -0
+    } else if (i->op == IR_sub) {                     // only -0 - 0 is -0
         tell(n, i->a, told && can_be_zero(b));
         tell(n, i->b, told && a.minus_zero);
     } else if (i->op == IR_div) {
@@ -130,7 +130,8 @@ IrRef narrow_integer(Narrow *n, IrRef r, SmType type)
     return *made;
 }
 
-// A bound of 2^53 may have been rounded from beyond it: 1 + 2^53 is 2^53 on F64 and not on I64.
+// Whether ref can be computed on integers.  A bound of 2^53 may be the rounding of a larger number: 1 + 2^53 is 2^53 on F64, but not on
+// I64.
 static bool is_integer_result(const Narrow *n, IrRef ref)
 {
     const Fact r = n->of[ref];
@@ -138,7 +139,7 @@ static bool is_integer_result(const Narrow *n, IrRef ref)
     return r.whole && fact_within(r, -FACT_EXACT + 1, FACT_EXACT - 1) && !(r.minus_zero && n->zero_sign[ref]);
 }
 
-// i, which gives ref's number in a narrower type, is computed; ref then is its conversion.
+// Emits i, which computes ref's number in a narrower type, and turns ref into a conversion of it.
 static void replace_by_narrow(Narrow *n, IrRef ref, IrIns i)
 {
     n->narrow[ref] = narrow_emit(n, i);
@@ -162,7 +163,7 @@ static void narrow_to_integer(Narrow *n, IrRef ref)
 
 // ---- F32 ----
 
-// An F32's sign is its own, whoever asks for the result.
+// neg and abs of an F32 are exact on F32, for every use of the result.
 static void narrow_sign(Narrow *n, IrRef ref)
 {
     IrIns i = *narrow_ins(n, ref);
@@ -191,7 +192,7 @@ static IrRef as_f32(Narrow *n, IrRef r)
     return narrow_is_const(n, r, &x) ? narrow_const(n, SM_F32, x, narrow_ins(n, r)->span) : n->narrow[r];
 }
 
-// `cvt F32` of an operation on F32s that nobody else uses.
+// Narrows an operation on F32s whose only user is the `cvt F32`.
 static void narrow_to_f32(Narrow *n, IrRef cvt)
 {
     const IrRef r = narrow_ins(n, cvt)->a;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// narrow: comparisons in the type that the numbers come in.  Against a constant, the constant is moved to the next number that
-// the type has, where the answer changes at the same place.  An I64 or U64 rounds on its way to F64, which keeps the order to every
-// constant below 2^53, where nothing is rounded.
+// narrow: comparisons in the type of the inputs.  A constant is replaced by the nearest number of that type that does not exceed it,
+// and the operator is changed so that the result is the same for every value.  Converting an I64 or U64 to F64 may round it, but
+// preserves its order relative to every constant below 2^53, because numbers of that size are not rounded.
 #include "compiler/passes/narrow.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
@@ -32,7 +32,7 @@ static bool compares(IrOp op, double x, double c)
     }
 }
 
-// A truth against a constant is itself, its opposite, or known.
+// A bool compared with a constant is the bool itself, its negation, or a constant.
 static void compare_bool(Narrow *n, IrRef ref, IrOp op, IrRef flag, double c)
 {
     const bool of_false = compares(op, 0, c), of_true = compares(op, 1, c);
@@ -49,7 +49,7 @@ static void compare_bool(Narrow *n, IrRef ref, IrOp op, IrRef flag, double c)
     i->bits = of_true;
 }
 
-// x op c, where the type has no c: `below` is the largest number below c that it has.
+// The operator that makes `x beside(op) below` equal to `x op c`.  c is not a number of the type; `below` is the largest one below c.
 static IrOp beside(IrOp op) { return op == IR_lt || op == IR_le ? IR_le : IR_gt; }
 
 static void compare_at(Narrow *n, IrRef ref, IrOp op, IrRef x, double c, double below)

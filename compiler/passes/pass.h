@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The optimiser: the passes of passes.def, run in order on a machine.  It changes the machine in place, never what it means,
-// and never reports anything to the user.
+// The optimiser: the passes of passes.def, run in order on a machine.  It changes the machine in place, preserves its meaning, and
+// never reports anything to the user.
 #ifndef SMC_PASS_H
 #define SMC_PASS_H
 
@@ -11,27 +11,27 @@
 enum {
     FACT_NONE = 0,
     FACT_USES = 1,        // how many operands and jumps name each instruction
-    FACT_VALUES = 2       // what values can be (compiler/facts); of the machine.  Who renumbers variables or windows breaks it
+    FACT_VALUES = 2       // possible values (compiler/facts), for the machine.  A pass that renumbers variables or windows invalidates them
 };
 
-// What a pass notes of each variable while it walks a block.  One table serves all functions, for a machine may have as many
-// states as variables: begin_block makes all notes empty at once.
+// A pass's notes about each variable while it walks a block.  One table serves all functions, because a machine may have as many
+// states as variables.  notes_begin_block empties all notes at once.
 typedef struct VarNote {
-    uint32_t block;       // in which block it was made: run.c's own count
+    uint32_t block;       // the block in which the note was made, counted by VarNotes.block
     IrRef ref, load;
     bool stored;
 } VarNote;
 
 typedef struct VarNotes {
     VarNote *at;          // by variable
-    uint32_t block;       // the present one
+    uint32_t block;       // counts blocks; the current one
 } VarNotes;
 
 void notes_begin_block(VarNotes *n);
 VarNote *notes_of(VarNotes *n, uint32_t var);         // empty (IR_NONE, false) if nothing was noted in this block
 
 typedef struct Facts {
-    unsigned valid;       // which of the following hold
+    unsigned valid;       // which facts are valid: FACT_USES or nothing
     uint32_t *uses;       // by instruction
     const IrMachine *m;   // whose function it is
     VarNotes *notes;      // free for use by a pass
@@ -62,17 +62,18 @@ typedef enum PassId {
 
 extern const PassInfo pass_info[PASS_COUNT];
 
-const PassInfo *pass_find(const char *name);          // NULL if there is none of that name
+const PassInfo *pass_find(const char *name);          // NULL if no pass has that name
 
 typedef struct PassOptions {
-    int level;                                        // -O: passes above it do not run; 0 runs none
+    int level;                                        // -O: passes of a higher level do not run; 0 runs none
     const char *only;                                 // a comma-separated list: run just these, in this order; or NULL
     bool verify;                                      // check the machine before the first pass and after each
     void (*after)(void *context, const PassInfo *pass, const IrMachine *m);    // called after each pass; or NULL
     void *context;
 } PassOptions;
 
-// Runs the optimiser.  NULL, or with `verify` what a pass broke, as a sentence; or that `only` names no pass.
+// Runs the optimiser.  Returns NULL, or an error as a sentence: `only` contains an unknown name, or `verify` found that a pass broke
+// the machine.
 const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o);
 
 // ---- the passes, each in its own file ----

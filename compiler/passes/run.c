@@ -32,7 +32,7 @@ typedef struct Runner {
     const PassOptions *o;
     Facts *facts;                     // of the sample function, then of every state's functions
     VarNotes notes;
-    FactMachine *values;              // NULL: not known, or broken
+    FactMachine *values;              // NULL: not computed yet, or invalidated
 } Runner;
 
 static const PassInfo *find_n(const char *name, size_t n)
@@ -99,7 +99,7 @@ static void run_on_machine(Runner *r, const PassInfo *pass)
         r->facts[f].valid &= ~pass->breaks;
 }
 
-// Whether the facts that are said to hold of a function do.
+// Whether the use counts of a function are correct, if they are marked valid.
 static bool uses_hold(Runner *r, const IrFn *f, const Facts *facts)
 {
     const uint32_t *uses;

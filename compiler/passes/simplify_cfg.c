@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// simplify_cfg: a branch on a known condition becomes a jump; one on `not c` becomes one on c the other way round; a jump to an empty block that only jumps on leads to where
-// that one leads; a block that has a single predecessor which only leads to it is joined to it; blocks that nothing
-// reaches are dropped.  Conditionals stay properly nested: no way is added, ways only become shorter.
-// Needs nothing; breaks uses: conditions lose their user.
+// simplify_cfg:
+//   a branch on a constant becomes a jump
+//   a branch on `not c` becomes a branch on c with its targets swapped
+//   a jump to an empty block that only jumps on goes directly to that block's target
+//   a block whose single predecessor has it as its only successor is merged into that predecessor
+//   unreachable blocks are dropped
+// Conditionals stay properly nested, because no path is added and paths only become shorter.
+// Needs nothing; breaks uses, because conditions lose their user.
 #include "compiler/passes/pass.h"
 
 static void turn_branch(const IrFn *f, IrJump *j)
@@ -31,7 +35,7 @@ static void decide_branch(const IrFn *f, IrJump *j)
     }
 }
 
-// From the last block to the first: where a jump to it really leads is known of every block behind.
+// Walks from the last block to the first.  The final target of a jump to any later block is then already known.
 static void shorten_jumps(Arena *arena, IrFn *f)
 {
     IrBlkRef *leads_to = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);
@@ -47,7 +51,7 @@ static void shorten_jumps(Arena *arena, IrFn *f)
     }
 }
 
-// Moves the code of blocks that only follow b to b's end.
+// Appends to b the code of successors that have no other predecessor.
 static void join_followers(Arena *arena, IrFn *f, IrBlkRef b, uint32_t *predecessors)
 {
     IrBlk *blk = &f->blk.at[b];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// windows: a statistic that no code asks for is not kept; a window without statistics is dropped, with the computation of
-// its sample.  That may leave an inner window without one, so the sample function is walked from its end.  A window whose samples
-// are all of a narrower type than F64 keeps them in that.
+// windows: drops statistics that no code reads.  A window without statistics is dropped, with the computation of its sample.  This may
+// leave an inner window without statistics, so the sample function is walked backwards.  A window whose samples are all of a type
+// narrower than F64 stores them in that type.
 // Needs nothing; breaks uses.
 #include "compiler/passes/pass.h"
 
@@ -30,10 +30,10 @@ static void use_operands(const IrIns *i, bool *used)
         used[i->b] = true;
 }
 
-// Whether every number of the type is one of a window's that is kept in it.  I64 and U64 are rounded to F64.
+// Whether a window can store its samples in this type.  I64 and U64 are excluded, because a sample is rounded to F64.
 static bool is_window_type(SmType t) { return t != SM_I64 && t != SM_U64; }
 
-// The type in which a window keeps its samples: that of what is converted to F64 for it, a NaN being 0 either way.
+// Chooses the type in which a window stores its samples: the type before the conversion to F64.  A NaN becomes 0 either way.
 static void choose_type(IrMachine *m, IrFn *f, IrIns *sample)
 {
     const IrIns *x = &f->ins.at[sample->a];
@@ -45,7 +45,7 @@ static void choose_type(IrMachine *m, IrFn *f, IrIns *sample)
         w->type = f->ins.at[sample->a].type;
 }
 
-// Keeps of the sample function what gives wanted windows their samples, and notes what that wants in turn.
+// Drops from the sample function everything that wanted windows do not need, and records the statistics that their samples need.
 static void clean_samples(Arena *arena, IrMachine *m, uint32_t *wanted)
 {
     IrFn *f = m->sample;
