@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Typed program to IR: variables, windows, and a function for each block of statements that has any.
-// Blocks are made in the order control passes them, so that every jump leads forward.
+// Typed program to IR: variables, windows, and a function for each nonempty entry, step or exit block.
+// Basic blocks are created in the order of control flow, so that every jump leads forward.
 #include "compiler/ir/build.h"
 
 #include <string.h>
@@ -13,8 +13,8 @@ void build_begin_function(Builder *b)
     b->b = ir_block(b->arena, b->f);
 }
 
-// Instructions stand in the order of their blocks.  The lists of all blocks are one piece of memory, in which each begins as if it
-// had one of its own, so that it may grow.
+// Instructions are numbered in the order of their blocks.  The lists of all blocks share one allocation.  Each list begins where a
+// separate allocation could begin, so that it may grow.
 IrFn *build_end_function(Builder *b)
 {
     IrFn *f = arena_copy(b->arena, b->f, sizeof *f);
@@ -38,7 +38,7 @@ IrFn *build_end_function(Builder *b)
 
 // ---- statements ----
 
-// Blocks that end in a jump whose target is not built yet.
+// Blocks whose final jump has no target yet.
 typedef VEC(IrBlkRef) Ends;
 
 static IrJump *jump_of(Builder *b, IrBlkRef blk)
@@ -67,7 +67,8 @@ static void build_transition(Builder *b, const Stmt *s)
     j->span = s->span;
 }
 
-// Ends the block being filled with a branch to the next new block; gives the block, whose `otherwise` is still open.
+// Ends the current block with a branch to a new block, which becomes the current one.  Returns the old block; its `otherwise` is not set
+// yet.
 static IrBlkRef build_branch_on(Builder *b, const Expr *guard)
 {
     IrRef cond = build_truth(b, guard);
@@ -90,7 +91,7 @@ static IrBlkRef build_branch(Builder *b, const Stmt *s)
     return build_branch_on(b, s->value);
 }
 
-// Builds one arm; where control can leave it at its end, that is noted.
+// Builds one arm.  If control can reach the arm's end, its last block is added to `ends`.
 static void build_arm(Builder *b, const Stmts *list, Ends *ends)
 {
     if (build_stmts(b, list))
@@ -114,7 +115,7 @@ static void build_join(Builder *b, const Ends *ends, IrBlkRef skips)
     }
 }
 
-// A conditional with its whole chain of `else if`, by a loop: a chain may be long.  False when no way leads past it.
+// A conditional with its whole chain of `else if`.  A loop, because a chain may be long.  False if no path continues after it.
 static bool build_if(Builder *b, const Stmt *s)
 {
     Ends ends = {NULL, 0, 0};
@@ -149,7 +150,7 @@ static bool build_stmt(Builder *b, const Stmt *s)
     return true;
 }
 
-// False when control cannot get past the list; what stands behind such a statement is not built.
+// False if control cannot reach the end of the list.  Statements after the last reachable one are not built.
 static bool build_stmts(Builder *b, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++)
@@ -163,7 +164,7 @@ static IrFn *build_function(Builder *b, const Stmts *list)
     if (list->n == 0)
         return NULL;
     build_begin_function(b);
-    build_stmts(b, list);                                     // a block that is left open ends in `ret`
+    build_stmts(b, list);                                     // a block without another jump ends in `ret`
     return build_end_function(b);
 }
 

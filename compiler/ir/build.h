@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the files that build IR share.  build.c makes the machine and its statements, build_expr.c expressions,
+// Declarations that the files which build IR share.  build.c builds the machine and its statements, build_expr.c expressions,
 // build_windows.c rolling windows.
 #ifndef SMC_IR_BUILD_H
 #define SMC_IR_BUILD_H
@@ -13,21 +13,21 @@ typedef struct Builder {
     uint32_t *var;        // by Program.var: index into m->var, or IR_NONE for a local that is a constant
     uint32_t *window;     // by Program.window: index into m->window
     uint32_t stmt;        // Stmt.number of the statement being built
-    IrFn *f;              // the function being built: room that all use, and build_end_function copies
-    IrBlkRef b;           // its last block, which is being filled
+    IrFn *f;              // the function being built: a buffer reused for all functions, which build_end_function copies
+    IrBlkRef b;           // its last block, the current one
 } Builder;
 
-// The value of an expression at the end of the block being filled, as an F64 or as a bool.
+// Appends the evaluation of an expression to the current block.  The value is an F64 (build_number) or a bool (build_truth).
 IrRef build_number(Builder *b, const Expr *e);
 IrRef build_truth(Builder *b, const Expr *e);
-// Converted as storing does.
+// The same, converted to `type` as a store requires.
 IrRef build_stored(Builder *b, const Expr *e, SmType type);
-// An instruction at the end of the block being filled.
+// Appends an instruction to the current block.
 IrRef build_emit(Builder *b, const IrIns *ins);
 
-// Finds out which roll calls share a window, and builds the sample function.
+// Determines which roll calls share a window, and builds the sample function.
 void build_windows(Builder *b);
-void build_begin_function(Builder *b);        // sets b, and f once
+void build_begin_function(Builder *b);        // sets b; allocates f on the first call
 IrFn *build_end_function(Builder *b);
 
 #endif

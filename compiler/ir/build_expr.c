@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions to straight-line IR (language.md 3).  Every value of the language is an F64; here relations, logic and bool
-// variables give a bool, and it is converted where a number is needed.  That loses nothing: a bool is 0 or 1 either way.
-// Recursion is as deep as the tree, which AST_DEPTH_MAX bounds.
+// Expressions to straight-line IR (language.md 3).  Every value of the language is an F64.  Here comparisons, logic and bool variables
+// produce a bool, which is converted where a number is needed.  The result is the same, because a bool is 0 or 1 in both types.
+// The recursion depth is the depth of the tree, which AST_DEPTH_MAX bounds.
 #include <stddef.h>
 
 #include "compiler/ir/build.h"
@@ -51,7 +51,7 @@ IrRef build_stored(Builder *b, const Expr *e, SmType type)
 
     if (b->f->ins.at[value].type == type && type == SM_BOOL)
         return value;
-    return emit(b, IR_cvt, type, convert(b, value, SM_F64, e->span), IR_NONE, e->span);   // to F64 too: it makes a NaN 0
+    return emit(b, IR_cvt, type, convert(b, value, SM_F64, e->span), IR_NONE, e->span);   // also F64 to F64: it turns NaN into 0
 }
 
 static IrRef build_constant(Builder *b, const Var *v, Span span)
@@ -82,7 +82,7 @@ static IrRef build_roll(Builder *b, const Expr *e)
 
 // ---- operators ----
 
-// The operation of an operator; IR_OP_COUNT for unary plus, which is none.
+// The operation of an operator; IR_OP_COUNT for unary plus, which has none.
 static IrOp op_of(SmOperator op)
 {
     switch (op) {
@@ -141,7 +141,7 @@ static IrRef build_chain(Builder *b, const Expr *e)
 
 // ---- builtins ----
 
-// Row for row the pure builtins that are one operation.
+// The operation of a pure builtin that is a single operation; IR_OP_COUNT for the others.
 static IrOp op_of_builtin(SmBuiltin fn)
 {
     switch (fn) {

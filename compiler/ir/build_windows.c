@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rolling windows: every roll call of the source has one of its own; calls of one size whose samples have the same shape
-// share one here (language.md 7).  Then the function that gives every window its sample.
+// Rolling windows.  In the source, every roll call has its own window.  Here, calls of the same size whose sample expressions have the
+// same shape share a window (language.md 7).  Also builds the function that samples every window.
 #include <string.h>
 
 #include "compiler/ir/build.h"
 #include "stdlib/convert.h"
 
 // ---- shape ----
-// What expr_equal looks at, as a number.  An inner roll call is its shared window and its statistic; that it comes before the
-// outer one makes the window known by then.
+// A hash of everything that expr_equal compares.  An inner roll call is hashed as its shared window and its statistic.  Its window is
+// already known, because inner roll calls precede the outer one.
 
 static uint64_t mix(uint64_t hash, uint64_t x)
 {
@@ -16,7 +16,7 @@ static uint64_t mix(uint64_t hash, uint64_t x)
     return hash ^ hash >> 29;
 }
 
-// What an expression is beside its arguments.
+// The hash of an expression without its arguments.
 static uint64_t own_hash(const Builder *b, const Expr *e)
 {
     uint64_t h = mix((uint64_t)e->kind, e->n);
@@ -47,7 +47,7 @@ static uint64_t shape_hash(const Builder *b, const Expr *e)
 
 // ---- sharing ----
 
-// A slot of an open-addressing table; empty while first is NULL.
+// A slot of an open-addressing hash table; empty if `first` is NULL.
 typedef struct Shared { const Window *first; uint32_t index; } Shared;
 
 static Shared *find_slot(const Builder *b, Shared *table, size_t cap, const Window *w)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shape of a function's control flow.  Jumps only lead to blocks with a higher number, so every question about it is
-// answered by one walk in block order, forwards or backwards.
+// The control-flow graph of a function.  Jumps only lead to blocks with a higher number, so every analysis here is one walk in block
+// order, forwards or backwards.
 #include "compiler/ir/ir.h"
 
 bool *ir_reachable(Arena *arena, const IrFn *f)
@@ -34,8 +34,8 @@ uint32_t *ir_count_ways(Arena *arena, const IrFn *f)
     return n;
 }
 
-// Where the ways to the end from x and from y meet.  A postdominator has a higher number than what it postdominates, and
-// IR_NONE, the function's end, the highest.
+// The nearest common postdominator of x and y.  A postdominator has a higher number than the blocks that it postdominates.  IR_NONE, the
+// function's end, is the highest number.
 static IrBlkRef meet(const IrBlkRef *post, IrBlkRef x, IrBlkRef y)
 {
     while (x != y) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of operations and the small steps of building a function: blocks, instructions, counting their uses.
+// The table of operations, and helpers for functions: append blocks and instructions, count uses.
 #include "compiler/ir/ir.h"
 
 const IrOpInfo ir_op_info[IR_OP_COUNT] = {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The intermediate representation, on which passes and both backends work.
+// The intermediate representation (IR) on which the passes and both backends work.
 //
-// A machine is a set of functions: one that samples the windows, and up to three blocks a state.  A function is a list of
-// basic blocks; control only moves forward, from a block to one with a higher number.  A block is a list of three-address
-// instructions and ends in one jump.  Every instruction gives at most one result, a temporary named by the instruction's
-// own number (%7).  A temporary is assigned once and lives in its block; what crosses blocks is a variable.  So there are
-// no phis, no way out of SSA is needed, and emitted C keeps the author's names.
+// A machine is a set of functions: one that samples the windows, and up to three for each state (entry, step, exit).  A function is a
+// list of basic blocks.  Control only moves forward, from a block to one with a higher number.  A block is a list of three-address
+// instructions and ends in one jump.  Every instruction produces at most one result, a temporary named by the instruction's own number
+// (%7).  A temporary is assigned once and is only used in its block.  Values that cross blocks are variables.  So there are no phi
+// functions, no conversion out of SSA is needed, and emitted C preserves the author's names.
 //
 // Letters, here and in all of compiler/: m machine, f function, b block, i instruction, v variable.
 #ifndef SMC_IR_H
@@ -29,13 +29,14 @@ typedef enum IrOp {
 
 typedef enum IrTypes { IR_T_CONST, IR_T_CONVERT, IR_T_SAME, IR_T_COMPARE, IR_T_LOGIC, IR_T_LOAD, IR_T_STORE, IR_T_SAMPLE, IR_T_STAT } IrTypes;
 
-// What a SAME operation beside that on F64 may work on.  It then gives the same number as on F64: who narrowed has proved that
-// every operand is exactly of that type and
-//   on I32, I64  that the result is a whole number that fits and is at most 2^53 in magnitude, and no -0 that anyone could tell;
-//   on F32       that all anyone asks of the result is its F32 (rounding to F64 first changes nothing, by the widths of both).
-// So a pass may change narrowed operations only in ways that would be right on F64: 0 + x stays, for on F64 it makes 0 of -0.
-// Likewise a comparison of operands that are not F64 gives what it gives of them converted to F64: of I64 and U64 beyond 2^53
-// that is not so by itself.
+// The types other than F64 on which a SAME operation may work.  It then produces the same number as on F64.  The pass that narrowed it
+// has proved that every operand is exactly of that type, and
+//   on I32, I64  that the result is a whole number that fits, is at most 2^53 in magnitude, and is never an observable -0;
+//   on F32       that every user reads only the F32 conversion of the result.  (The widths of both types imply that rounding to F64
+//                first changes nothing.)
+// So a pass may change a narrowed operation only where the change is also correct on F64: 0 + x stays, because on F64 it turns -0
+// into 0.  Likewise, a comparison of operands that are not F64 must have the same result as after converting them to F64.  For I64 and
+// U64 beyond 2^53 this is not automatic.
 typedef enum IrNarrow { IR_N_NONE, IR_N_INT, IR_N_F32, IR_N_BOTH } IrNarrow;
 
 typedef struct IrOpInfo {
@@ -50,27 +51,27 @@ extern const IrOpInfo ir_op_info[IR_OP_COUNT];
 
 bool ir_may_be_of(IrOp op, SmType type);          // whether a SAME operation may work on this type
 
-typedef uint32_t IrRef;               // a temporary: the number of the instruction that gives it
+typedef uint32_t IrRef;               // a temporary: the number of the instruction that produces it
 typedef uint32_t IrBlkRef;            // index into IrFn.blk
 #define IR_NONE UINT32_MAX
-#define IR_NAN UINT64_C(0x7ff8000000000000)   // the one spelling of NaN in a const
+#define IR_NAN UINT64_C(0x7ff8000000000000)   // the only bit pattern of NaN in a const
 
-typedef struct IrIns {                // small: a machine is mostly these, and every pass goes through all of them
+typedef struct IrIns {                // small, because a machine consists mostly of these and every pass visits all of them
     IrOp op : 8;
-    SmType type : 8;                  // of the result; of a store: the variable's; of a sample: unused, F64
+    SmType type : 8;                  // type of the result; store: the variable's type; sample: unused, F64
     SmStat stat : 8;                  // stat
     IrRef a, b;                       // operands, or IR_NONE
     uint32_t var;                     // load, store: index into IrMachine.var; stat, sample: into IrMachine.window
     uint64_t bits;                    // const: the value as a bit cell of `type` (stdlib/convert.h)
-    Span span;                        // what in the source it comes from
-    uint32_t stmt;                    // as built: the statement it comes from (Stmt.number); else 0
+    Span span;                        // its origin in the source
+    uint32_t stmt;                    // set by ir_build: the statement of its origin (Stmt.number); else 0
 } IrIns;
 
 typedef enum IrJumpKind {
-    IR_RET,                           // the block of the state is over
+    IR_RET,                           // ends the function without a transition
     IR_JMP,                           // to `then`
-    IR_BR,                            // to `then` if temporary `cond` (bool), else to `otherwise`
-    IR_GOTO                           // transition to state `state` (a number): the block is over
+    IR_BR,                            // to `then` if temporary `cond` (bool) is true, else to `otherwise`
+    IR_GOTO                           // transition to the state with number `state`; ends the function
 } IrJumpKind;
 
 typedef struct IrJump {
@@ -83,13 +84,13 @@ typedef struct IrJump {
 } IrJump;
 
 typedef struct IrBlk {
-    VEC(IrRef) ins;                   // which instructions, in order
+    VEC(IrRef) ins;                   // its instructions, in order
     IrJump jump;
 } IrBlk;
 
 typedef struct IrFn {
     VEC(IrIns) ins;                   // the pool; an instruction in no block is dead
-    VEC(IrBlk) blk;                   // at[0] is where it starts
+    VEC(IrBlk) blk;                   // at[0] is the entry block
 } IrFn;
 
 typedef enum IrSpace { IR_ELEMENT, IR_LOCAL, IR_TIME } IrSpace;
@@ -101,15 +102,15 @@ typedef struct IrVar {
     uint32_t offset;                  // ELEMENT: in the state vector
     uint64_t init;                    // LOCAL: bit cell
     bool writable;                    // some function of the machine stores to it
-    bool outside;                     // LOCAL: somebody beside the machine writes it between steps; else it starts at init
-    bool hidden;                      // LOCAL: nobody beside the machine sees what it holds between steps
+    bool outside;                     // LOCAL: code outside the machine writes it between steps; else it starts at init
+    bool hidden;                      // LOCAL: no code outside the machine reads it between steps
     Span span;
 } IrVar;
 
 typedef struct IrWindow {
-    SmType type;                      // in which samples are kept: every sample is exactly of it
-    uint32_t size;                    // n
-    uint32_t stats;                   // 1u << SmStat for each statistic that is asked for
+    SmType type;                      // of the stored samples: every sample is exactly of this type
+    uint32_t size;                    // number of samples
+    uint32_t stats;                   // 1u << SmStat for each statistic that is read
 } IrWindow;
 
 typedef struct IrState {
@@ -126,38 +127,38 @@ typedef struct IrMachine {
     VEC(IrVar) var;
     uint32_t g, s, t;                 // indices into var
     VEC(IrWindow) window;
-    IrFn *sample;                     // gives every window its sample; NULL when there is none
+    IrFn *sample;                     // samples every window; NULL if there are no windows
     VEC(IrState) state;               // at[0] is number 1
-    const Program *program;           // what it was built from, for names and spans; NULL when read from text
-    const uint32_t *var_of;           // as built: by Program.var, which of `var` it is; IR_NONE: it is a constant
-    const uint32_t *window_of;        // as built: by Program.window, which of `window` it is
+    const Program *program;           // the program it was built from, for names and spans; NULL if read from text
+    const uint32_t *var_of;           // set by ir_build: by Program.var, the index into `var`; IR_NONE: a constant
+    const uint32_t *window_of;        // set by ir_build: by Program.window, the index into `window`
 } IrMachine;
 
 // ---- building, text, checks ----
 
-// The whole machine, unoptimised.  Constant locals become constants; equal windows are one.
+// The whole machine, unoptimised.  Constant locals become constants; equal windows are merged.
 IrMachine *ir_build(Arena *arena, const Program *p);
-// A function that decides an expression of the machine that m was built from: block 1 where it holds, block 2 where it does not.
+// A function that evaluates a condition of the program that m was built from.  Control reaches block 1 if it is true, else block 2.
 IrFn *ir_build_guard(Arena *arena, const IrMachine *m, const Expr *guard);
 
 void ir_print(const IrMachine *m, Buf *out);                  // --emit=ir
-// Reads what ir_print wrote.  NULL and a message in *error ("line 7: …") if it cannot.
+// Parses the output of ir_print.  On a syntax error returns NULL and sets *error to a message ("line 7: …").
 IrMachine *ir_read(Arena *arena, StrPool *strings, const char *text, size_t len, const char **error);
 
-// Checks everything this header promises.  NULL, or what is wrong, as a sentence.
+// Checks every invariant that this header states.  Returns NULL, or the first violation as a sentence.
 const char *ir_verify(Arena *arena, const IrMachine *m);
 
 // ---- working on functions ----
 
 IrRef ir_emit(Arena *arena, IrFn *f, IrBlkRef b, IrIns ins);  // appends an instruction to a block
 IrBlkRef ir_block(Arena *arena, IrFn *f);                     // a new, empty block, last in f
-// For each instruction how many operands and jumps name it.
+// For each instruction, the number of operands and jumps that name it.
 uint32_t *ir_count_uses(Arena *arena, const IrFn *f);
-// Whether each block can be reached from the first.
+// For each block, whether it is reachable from the first.
 bool *ir_reachable(Arena *arena, const IrFn *f);
-// How many ways lead to each block from blocks that are reached; to the first one more, the function's start.
+// For each block, the number of edges into it from reachable blocks.  The first block counts one more, for the start of the function.
 uint32_t *ir_count_ways(Arena *arena, const IrFn *f);
-// For each block the nearest block through which every way from it to the function's end passes; IR_NONE for the end itself.
+// For each block its immediate postdominator: the nearest block on every path from it to the function's end; IR_NONE is the end.
 IrBlkRef *ir_postdominators(Arena *arena, const IrFn *f);
 
 #endif

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// IR to text, the form that read.c reads back.  One thing a line; `#` starts a comment; blanks do not matter.
+// IR to text, in the format that read.c parses.  One item per line; `#` starts a comment; extra blanks are ignored.
 //
-//     machine "tank"                              name
+//     machine "tank"                              its name
 //     vector "tank" size 32 hash 0x1c0ffee5       the state vector it is bound to
 //
 //     element U64 time at 0 is G                  type, name, offset; the roles G and S
 //     element U32 state at 8 is S
 //     element F64 tankPressure at 16
-//     element bool valveOpen writable at 24       by the machine
+//     element bool valveOpen writable at 24       writable by the machine
 //     local U64 counter writable = 0              initial value; "outside", "hidden": see ir.h
 //     time U64 T
 //     window w0 F64 size 10 stats avg max
 //
-//     sample {                                    the function that gives every window its sample
+//     sample {                                    the function that samples every window
 //     b0:
 //         %0 = load F64 tankPressure
 //         sample w0, %0
 //         ret
 //     }
-//     state Vent safe                             number 1, and so on; marked @safe
+//     state Vent safe                             states are numbered from 1; this one is marked @safe
 //     step {                                      entry, step, exit
 //     b0:
 //         %0 = stat avg w0
@@ -33,9 +33,9 @@
 //         ret
 //     }
 //
-// The type behind an operation is that of its result; behind a comparison that of its operands; logic, statistics and
-// samples have none, for it is always the same.  Temporaries are numbered as they appear; blocks are numbered in order.
-// A value is a whole number, as `-3`, or its bit cell in hexadecimal, as 0x3fb999999999999a, which keeps every bit.
+// The type after an operation is the type of its result; after a comparison, the type of its operands.  Logic, statistics and samples
+// have no type in the text, because it is always the same.  Temporaries are numbered in order of appearance, and blocks in order.
+// A value is a whole number, as `-3`, or its bit cell in hexadecimal, as 0x3fb999999999999a, which preserves every bit.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,7 +67,7 @@ static bool reads_back(const char *text, SmType type, double d)
     return type == SM_F32 ? (float)back == (float)d : back == d;
 }
 
-// The fewest digits that give the number back.
+// The fewest digits that read back as the same number.
 static void put_shortest(Buf *out, SmType type, double d)
 {
     char text[40];
@@ -171,7 +171,7 @@ static void put_head(const IrMachine *m, Buf *out)
 typedef struct Printer {
     const IrMachine *m;
     const IrFn *f;
-    uint32_t *number;                 // what each temporary is called
+    uint32_t *number;                 // the printed number of each temporary
     uint32_t next;
     Buf *out;
 } Printer;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text to IR: reads the form that the head of print.c shows, line by line.  It settles names and numbers and nothing more;
-// whether the machine makes sense is ir_verify's business.  The first thing it does not understand ends it with a message.
+// Text to IR: parses the format described at the top of print.c, line by line.  It resolves names and numbers only; ir_verify checks
+// the machine.  Reading stops with a message at the first error.
 #include <string.h>
 
 #include "compiler/ir/ir.h"
@@ -14,10 +14,10 @@ typedef struct Reader {
     Scan scan;
     IrMachine *m;
     Map vars, states;                 // name to index + 1
-    Map temps;                        // of the function being read: "%7" to instruction + 1
-    IrFn *f;                          // the function being read
-    bool open;                        // its last block still lacks a jump
-    VEC(PendingGoto) gotos;           // states may be named before they are introduced
+    Map temps;                        // of the current function: "%7" to instruction + 1
+    IrFn *f;                          // the current function
+    bool open;                        // its last block has no jump yet
+    VEC(PendingGoto) gotos;           // transitions to resolve at the end, because they may name later states
 } Reader;
 
 // ---- declarations ----
@@ -165,7 +165,7 @@ static bool window_name(Reader *r, IrIns *i)
     return i->var < r->m->window.n || scan_fail(&r->scan, "there is no window w%lu", (unsigned long)i->var);
 }
 
-// The type that is written with a comparison is that of its operands.
+// The type in the text of a comparison is the type of its operands.
 static bool compare_operands(Reader *r, IrIns *i)
 {
     SmType type = i->type;
@@ -212,7 +212,7 @@ static bool ins_details(Reader *r, IrIns *i)
     return false;
 }
 
-static IrOp find_op(Str w)             // IR_OP_COUNT: there is none
+static IrOp find_op(Str w)             // IR_OP_COUNT if there is no such operation
 {
     int op = 0;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Executes IR on doubles.  Functions are flattened once: instructions of a block are adjacent, operands are indices of temporaries.
+// Executes IR on doubles.  Functions are flattened once: the instructions of a block are adjacent, and operands are indices of temporaries.
 #include "compiler/ir/run.h"
 
 #include <string.h>
@@ -10,7 +10,7 @@
 
 typedef struct Op {
     IrOp op : 8;
-    SmType type : 8;                  // CONVERT, STORE: what the number is converted to
+    SmType type : 8;                  // CONVERT, STORE: the type to which the number is converted
     SmStat stat : 8;
     IrRef to, a, b;
     uint32_t var;
@@ -59,7 +59,7 @@ static IrRunFn *prepare(Arena *arena, const IrFn *f, size_t *temps)
     return out;
 }
 
-// Windows keep their samples as F64: every sample is one exactly.
+// Windows store their samples as F64, because every sample is exactly an F64.
 static void lay_out(Arena *arena, IrRun *r)
 {
     const IrMachine *m = r->m;
@@ -173,7 +173,7 @@ static void note(IrTrace *trace, uint32_t entry)
         trace->at[trace->n++] = entry;
 }
 
-// Runs a function to its end.  The number of the state that it goes to; 0: it ends without a transition.
+// Runs a function to its end.  Returns the number of the target state, or 0 if it ends without a transition.
 static uint32_t run(IrRun *r, const IrRunFn *f, void *situation, IrTrace *trace)
 {
     double *var = ir_run_vars(r, situation), *temp = r->temp;

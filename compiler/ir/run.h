@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a machine from its IR, step by step, as language.md chapter 6 defines a step.  For analyses that try out what a machine
-// does: a situation of the machine is one piece of memory that can be copied, so that a search can return to it.
+// Runs a machine from its IR, step by step, as language.md chapter 6 defines a step.  For analyses that search by running the machine.
+// A situation is the complete state of a running machine in one block of memory.  It can be copied, so that a search can return to it.
 //
 //     IrRun *r = ir_run_of(arena, m);
 //     void *s = arena_alloc(arena, r->size);
 //     ir_run_start(r, s, 1);
-//     ir_run_vars(r, s)[m->g] = 10;                     // inputs, by IR variable, as the numbers that the language reads
+//     ir_run_vars(r, s)[m->g] = 10;                     // inputs, by IR variable, as the F64 that a load produces
 //     ir_run_step(r, s, NULL);
 //
-// Numbers are kept as F64 in every variable: of I64 and U64 beyond 2^53 that is what reading them gives.
+// Every variable is stored as F64.  For I64 and U64 beyond 2^53, that is the rounded number that a load produces.
 #ifndef SMC_IR_RUN_H
 #define SMC_IR_RUN_H
 
@@ -22,44 +22,44 @@ typedef struct IrRun {
     size_t vars, writers, windows;    // byte offsets of its parts
     size_t *window_at;                // by window: offset of its words
     uint32_t *window_kind;            // by window: as sm_roll_kind
-    uint64_t work;                    // instructions executed and window slots sampled so far: what callers bound
+    uint64_t work;                    // instructions and jumps executed so far; callers limit it
     IrRunFn *sample;
     IrRunFn *(*block)[BLOCK_COUNT];   // by state
-    double *temp;                     // for the function that runs
+    double *temp;                     // temporaries of the running function
 } IrRun;
 
-// The head of a situation; the rest is reached by the functions below.
+// The head of a situation.  The functions below access the rest.
 typedef struct IrSituation {
-    double last_g, start;             // of the last step that ran; when the state began
+    double last_g, start;             // G of the last step that ran; G when the current state began
     uint32_t state;                   // number of the state that the next step runs
     bool first;                       // the next step is its first
     bool ran;                         // a step has run
 } IrSituation;
 
-// What one step did, in order.  Each statement of a machine is executed at most once in a step.
+// The events of one step, in order.  Each statement of a machine is executed at most once in a step.
 typedef struct IrTrace {
-    uint32_t *at;                     // a store or transition: its Stmt.number << 1; a decided guard: the same, plus 1 where it was true
-    uint32_t n;                       // entries; room for one per statement of the machine
-    uint32_t transition;              // Stmt.number of the one made; 0: none
+    uint32_t *at;                     // a store or transition: its Stmt.number << 1; an evaluated guard: the same, plus 1 if it was true
+    uint32_t n;                       // number of entries; `at` has room for one per statement of the machine
+    uint32_t transition;              // Stmt.number of the transition that was executed; 0: none
 } IrTrace;
 
-// The machine prepared for running; it lives in the arena.
+// Prepares a machine for running.  The result is allocated in the arena.
 IrRun *ir_run_of(Arena *arena, const IrMachine *m);
-// Elements 0, locals at their initial values, windows empty, no step has run.
+// Initialises a situation: elements 0, locals at their initial values, windows empty, no step has run.
 void ir_run_start(const IrRun *r, void *situation, uint32_t state);
-// By IR variable: its value.
+// The values, by IR variable.
 double *ir_run_vars(const IrRun *r, void *situation);
-// By IR variable: the statement (Stmt.number) that stored it last; 0: none.
+// By IR variable, the statement (Stmt.number) that stored to it last; 0: none.
 const uint32_t *ir_run_writers(const IrRun *r, const void *situation);
-// What a variable of this type holds after x has been stored in it.
+// The value of a variable of this type after x was stored in it.
 double ir_run_number(SmType type, double x);
-// One step.  False, with nothing changed, if G forbids it (language.md 6.3).  `trace` may be NULL.
+// Runs one step.  Returns false and leaves the situation unchanged if G forbids the step (language.md 6.3).  `trace` may be NULL.
 bool ir_run_step(IrRun *r, void *situation, IrTrace *trace);
-// Gives every window n samples of what its expression samples now, with inputs as `inputs` sets them before each sample.
+// Samples every window n times.  `inputs` may be NULL; it is called before each sample to set the inputs.
 void ir_run_fill(IrRun *r, void *situation, uint32_t n, void (*inputs)(void *context, double *vars, uint32_t sample), void *context);
 
 void ir_run_clear_windows(const IrRun *r, void *situation);
-// Makes one window of a situation the same as in another.
+// Copies one window from one situation to another.
 void ir_run_copy_window(const IrRun *r, void *to, const void *from, uint32_t window);
 
 #endif

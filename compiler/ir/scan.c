@@ -199,7 +199,7 @@ bool scan_type(Scan *s, SmType *out)
     return w && (find_type(w, out) || scan_fail(s, "expected a type, found '%.40s'", w->text));
 }
 
-// The cell of a whole number; false when the type cannot hold it exactly.
+// The bit cell of a whole number; false if the type cannot represent it exactly.
 static bool whole_cell(SmType type, bool negative, uint64_t magnitude, uint64_t *cell)
 {
     unsigned bits = 8u * sm_type_info[type].bytes;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words and numbers of IR text, for read.c.  Every function that wants something and does not find it notes an error and
-// gives false; the first error stands.
+// The words and numbers of IR text, for read.c.  A function that does not find what it requires sets an error and returns false (or
+// NULL).  The first error is kept.
 #ifndef SMC_IR_SCAN_H
 #define SMC_IR_SCAN_H
 
@@ -9,29 +9,29 @@
 typedef struct Scan {
     Arena *arena;
     StrPool *strings;
-    const char *at, *end;             // what is not read yet
+    const char *at, *end;             // the remaining input
     uint32_t line;
-    const char *error;                // "line 7: …"; NULL while there is none
+    const char *error;                // the first error, "line 7: …", or NULL
 } Scan;
 
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-bool scan_fail(Scan *s, const char *format, ...);             // notes an error; always false
-bool scan_next_line(Scan *s);                                 // to the first word of the next line that has one; false at the end
-bool scan_at_line_end(Scan *s);                               // nothing more stands on the line, comments apart
+bool scan_fail(Scan *s, const char *format, ...);             // sets the error if there is none yet; always returns false
+bool scan_next_line(Scan *s);                                 // skips to the first word of the next nonempty line; false at the end
+bool scan_at_line_end(Scan *s);                               // whether only blanks and a comment are left on the line
 
 Str scan_word(Scan *s, const char *expected);                 // the next word of the line, or NULL
 bool scan_is(Str word, const char *text);                     // false for NULL
 bool scan_char(Scan *s, char c);
-bool scan_optional_char(Scan *s, char c);                     // takes it if it comes next
+bool scan_optional_char(Scan *s, char c);                     // consumes c if it is next
 bool scan_this(Scan *s, const char *text);
-bool scan_optional(Scan *s, const char *text);                // takes the word if it comes next
+bool scan_optional(Scan *s, const char *text);                // consumes the word if it is next
 bool scan_quoted(Scan *s, Str *out);
 bool scan_number(Scan *s, const char *what, uint32_t *out);
-bool scan_lettered(Scan *s, char letter, const char *what, uint32_t *out);    // b7, w7: the number
+bool scan_lettered(Scan *s, char letter, const char *what, uint32_t *out);    // the number after a letter: b7, w7
 bool scan_type(Scan *s, SmType *out);
 bool scan_value(Scan *s, SmType type, uint64_t *cell);        // a whole number that fits the type, or a cell in hexadecimal
-bool scan_parse_number(const char *text, uint64_t *out);      // decimal, or hexadecimal behind 0x
+bool scan_parse_number(const char *text, uint64_t *out);      // decimal, or hexadecimal after 0x
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks what ir.h promises, so that passes and emitters need not.  The first thing found wrong is told as a sentence;
-// tests/ir/verify.c breaks each of the promises once.
+// Checks the invariants of ir.h, so that passes and emitters can rely on them.  The first violation is reported as a sentence.
+// tests/ir/verify.c breaks each invariant once.
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,12 +12,12 @@ typedef struct Checker {
     Arena *arena;
     const IrMachine *m;
     const char *error;                // the first
-    const IrFn *f;                    // the function being checked, and what is wrong with it is told with:
+    const IrFn *f;                    // the function being checked; messages about it contain:
     const char *state;                // its state; NULL for the sample function
     const char *block;
-    bool *given;                      // by instruction: its result is there, in this block
-    bool *placed;                     // by instruction: it stands in a block
-    bool *sampled;                    // by window: its sample has been given
+    bool *given;                      // by instruction: its result is available in the current block
+    bool *placed;                     // by instruction: it is in a block
+    bool *sampled;                    // by window: it has been sampled
 } Checker;
 
 #if defined(__GNUC__)
@@ -87,8 +87,8 @@ static bool check_element(Checker *c, const IrVar *v)
     return true;
 }
 
-// Elements are at multiples of their size, so each lies in one group of eight bytes; a hash table says which bytes of a
-// group are taken.
+// Elements are at multiples of their size, so each is within one group of eight bytes.  A hash table records which bytes of each group
+// are taken.
 typedef struct Taken { uint32_t group, bytes; } Taken;                // bytes 0: an empty slot
 
 static bool take_bytes(Taken *table, size_t cap, const IrVar *v)
@@ -321,7 +321,7 @@ static bool check_block(Checker *c, IrBlkRef b)
           && check_ins(c, blk->ins.at[i]);
     ok = ok && check_jump(c, b, &blk->jump);
     for (size_t i = 0; ok && i < blk->ins.n; i++)
-        c->given[blk->ins.at[i]] = false;                    // a temporary lives in its block
+        c->given[blk->ins.at[i]] = false;                    // a temporary is only valid in its block
     return ok;
 }
 
