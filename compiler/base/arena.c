@@ -7,10 +7,10 @@
 
 struct ArenaChunk {
     ArenaChunk *older;
-    size_t size;          // usable bytes behind this header
+    size_t size;          // usable bytes after this header
 };
 
-#ifndef ARENA_FIRST_CHUNK                // a test makes chunks so small that each allocation asks the host
+#ifndef ARENA_FIRST_CHUNK                // a test makes chunks so small that every allocation calls the host
 #define ARENA_FIRST_CHUNK (32 * 1024)
 #define ARENA_LARGEST_CHUNK (16 * 1024 * 1024)
 #endif
@@ -58,7 +58,7 @@ static void add_chunk(Arena *a, size_t wanted)
     a->clean = a->next;
 }
 
-// Zeroes the chunk up to `to` at least, and some more: one call for many small pieces.
+// Zeroes the chunk up to `to`, and some bytes beyond it, so that one memset serves many small allocations.
 static void clean_to(Arena *a, char *to)
 {
     char *up = (size_t)(a->end - to) > AHEAD ? to + AHEAD : a->end;
@@ -99,7 +99,7 @@ void *arena_room(Arena *a, size_t size)
     return p;
 }
 
-// What is copied need not be zeroed before; what lies behind it must be, for it may grow there.
+// The bytes to be overwritten need not be zeroed.  The rest of `room` must be.
 static void *copy(Arena *a, const void *from, size_t size, size_t room)
 {
     char *p = take(a, room);
@@ -128,7 +128,7 @@ void *arena_array(Arena *a, size_t count, size_t size)
 void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size)
 {
     if (old && (char *)old + (old_size + ALIGN - 1) / ALIGN * ALIGN == a->next && new_size >= old_size) {
-        a->next = old;                                  // the last block: extend it where it is, if it fits
+        a->next = old;                                  // the last allocation: extend it in place if it fits
         if ((size_t)(a->end - a->next) >= new_size + ALIGN) {
             a->next += (new_size + ALIGN - 1) / ALIGN * ALIGN;
             if (a->next > a->clean)

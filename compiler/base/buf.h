@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text or bytes under construction, in an arena.  Always closed by a NUL that `n` does not count.
+// A growing buffer of text or bytes, in an arena.  It always ends with a NUL that `n` does not count.
 #ifndef SMC_BUF_H
 #define SMC_BUF_H
 
@@ -10,7 +10,7 @@
 
 typedef struct Buf {
     Arena *arena;
-    char *at;             // n bytes and a NUL; NULL while nothing was put
+    char *at;             // n bytes and a NUL; NULL until the first write
     size_t n, cap;
 } Buf;
 
@@ -27,12 +27,12 @@ static inline void buf_char(Buf *b, char c)
 }
 void buf_str(Buf *b, const char *text);
 void buf_spaces(Buf *b, size_t n);
-// As printf; understands whatever the C library's vsnprintf does.
+// Like printf, with the formats of the C library's vsnprintf.
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
 void buf_printf(Buf *b, const char *format, ...);
-const char *buf_text(const Buf *b);          // the text so far; "" when empty
+const char *buf_text(const Buf *b);          // the text so far; "" if empty
 void buf_u32(Buf *b, uint32_t v);            // little-endian
 void buf_u64(Buf *b, uint64_t v);
 

@@ -5,7 +5,7 @@
 
 #include "compiler/base/utf8.h"
 
-// One character of a JSON string; bytes that are not UTF-8 become U+FFFD.
+// Appends one character of a JSON string, and returns its length in bytes.  A byte that is not UTF-8 becomes U+FFFD.
 static size_t put_character(Buf *out, const char *s, size_t n)
 {
     uint32_t code = 0;

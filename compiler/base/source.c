@@ -23,7 +23,7 @@ Source *source_new(Arena *arena, const char *name, const char *text, size_t len)
     s->len = (uint32_t)len;
     s->lines = count_lines(text, len);
     s->line = ARENA_ARRAY(arena, uint32_t, s->lines);
-    s->line[n++] = len >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;     // a byte-order mark is no part of the line
+    s->line[n++] = len >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;     // a byte-order mark is not part of the line
     for (const char *at = text; (at = memchr(at, '\n', (size_t)(text + len - at))) != NULL; )
         s->line[n++] = (uint32_t)(++at - text);
     return s;
@@ -31,7 +31,7 @@ Source *source_new(Arena *arena, const char *name, const char *text, size_t len)
 
 LineCol source_position(const Source *s, uint32_t at)
 {
-    uint32_t low = 0, high = s->lines;      // the line starts at line[low] <= at < line[high]
+    uint32_t low = 0, high = s->lines;      // invariant: line[low] <= at < line[high]
 
     while (high - low > 1) {
         uint32_t mid = low + (high - low) / 2;

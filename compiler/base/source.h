@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A source text and places in it.  Lines and columns count from 1; a column is a byte.
+// A source text and positions in it.  Lines and columns count from 1; columns count bytes.
 #ifndef SMC_SOURCE_H
 #define SMC_SOURCE_H
 
@@ -10,13 +10,13 @@
 
 typedef struct Source {
     const char *name;     // as the user named it, for messages
-    const char *text;     // len bytes and a NUL; may hold NUL bytes of its own
+    const char *text;     // len bytes and a NUL; may contain NUL bytes itself
     uint32_t len;
     uint32_t *line;       // offset of the first byte of each line
     uint32_t lines;       // at least 1
 } Source;
 
-// A stretch of a source.  Zeroed: no place (src is NULL).
+// A range of a source.  Zeroed: no position (src is NULL).
 typedef struct Span {
     const Source *src;
     uint32_t at, len;     // byte offset and length; a length of 0 points between bytes
@@ -26,7 +26,7 @@ typedef struct LineCol { uint32_t line, col; } LineCol;
 
 enum { SOURCE_MAX = 0x40000000 };   // the longest source in bytes: offsets and their sums fit 32 bits
 
-// Takes text (not copied) and finds its lines.  `name` and `text` must outlive the result; len <= SOURCE_MAX.
+// Wraps `text` without copying it, and finds its lines.  `name` and `text` must outlive the result; len <= SOURCE_MAX.
 Source *source_new(Arena *arena, const char *name, const char *text, size_t len);
 LineCol source_position(const Source *s, uint32_t at);
 // The line's text without its LF or CR LF.

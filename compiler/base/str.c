@@ -47,7 +47,7 @@ static void grow_pool(StrPool *p)
     p->cap = cap;
 }
 
-// Where the string is, or where it would be.
+// The slot of the string, or the free slot where it would be inserted.
 static size_t find_slot(const StrPool *p, const char *text, size_t len, uint32_t hash)
 {
     size_t at = hash & (p->cap - 1);
@@ -110,7 +110,7 @@ static size_t smallest(size_t a, size_t b, size_t c)
 
 size_t str_distance(const char *a, const char *b, size_t limit)
 {
-    enum { LONGEST = 64 };                                  // longer names are never offered
+    enum { LONGEST = 64 };                                  // longer names are never suggested
     size_t row[3][LONGEST + 1];
     size_t la = strlen(a), lb = strlen(b);
     size_t *before = row[0], *last = row[1], *now = row[2];

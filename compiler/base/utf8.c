@@ -3,7 +3,7 @@
 
 size_t utf8_decode(const char *s, size_t n, uint32_t *code)
 {
-    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};    // of each length: below it the form is too long
+    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};    // by length: a smaller code point is an overlong form
     unsigned char first = n ? (unsigned char)s[0] : 0x80;
     size_t len = first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
     uint32_t c = len == 1 ? first : first & (0x7fu >> len);

@@ -7,12 +7,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// The length in bytes (1 to 4) of the character at s, of which n bytes can be read, and its code point; 0 when they are not
-// UTF-8: too short, too long a form, a surrogate, beyond U+10FFFF.
+// Decodes the character at s, where n bytes can be read.  Returns its length in bytes (1 to 4) and stores its code point.  Returns 0 if
+// it is not UTF-8: truncated, an overlong form, a surrogate, or above U+10FFFF.
 size_t utf8_decode(const char *s, size_t n, uint32_t *code);
 
-// A character that would not be seen or would disturb the text around it on a screen: controls, invisible ones, those
-// that turn the direction of writing.
+// Whether a character is invisible or can disturb the text around it on a screen: control characters, invisible characters, and those
+// that change the writing direction.
 bool utf8_is_hidden(uint32_t code);
 
 #endif

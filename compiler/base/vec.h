@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Growable arrays in an arena: a count, a capacity and the items.  VEC(T) declares one; zeroed memory is an empty one.
+// Growable arrays in an arena: a count, a capacity and the items.  VEC(T) declares one; zeroed memory is an empty array.
 #ifndef SMC_VEC_H
 #define SMC_VEC_H
 
@@ -15,7 +15,7 @@
     ((v)->n == (v)->cap ? vec_reserve((arena), (void **)&(v)->at, &(v)->cap, sizeof *(v)->at) : (void)0, \
      (v)->at[(v)->n++] = (item))
 
-// What a list of n items may hold in the same memory: none shorter ends where another begins, for the arena aligns.
+// The capacity of a list of n items: the arena aligns allocations, so the padding after them can store more items.
 #define vec_room(n, item_size) ((uint32_t)(((n) * (item_size) + ARENA_ALIGN - 1) / ARENA_ALIGN * ARENA_ALIGN / (item_size)))
 
 void vec_reserve(Arena *a, void **items, uint32_t *cap, size_t item_size);   // doubles the capacity
