@@ -5,7 +5,7 @@
 
 enum { HELLO_BYTES = 15, HELLO_SIGNED = HELLO_BYTES + 5, HELLO_LIMITS = HELLO_SIGNED + 7, HELLO_MARK = HELLO_LIMITS + 4, IMAGE_BYTES = 18, DATA_HEAD = 5, RESTARTS = 3 };
 
-// An answer that is shorter than it must be is none of this protocol.
+// Sends a request.  An answer with less than `least` bytes does not follow the protocol and counts as SM_E_UNSUPPORTED.
 static bool ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n, size_t least)
 {
     if (!link_ask(h, message, body, n))
@@ -15,7 +15,7 @@ static bool ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n,
     return h->result == SM_OK;
 }
 
-// ---- what there is ----
+// ---- the board and its images ----
 
 static void take_limits(const uint8_t *b, DeviceInfo *info)
 {
@@ -114,7 +114,7 @@ bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place
     return true;
 }
 
-// The answer may be lost: that the board answers to HELLO afterwards is all that is wanted.
+// The answer to RESTART may be lost.  It is enough that the board answers HELLO afterwards.
 bool device_restart(LinkHost *h, DeviceInfo *info)
 {
     const unsigned tries = h->tries;
@@ -128,7 +128,7 @@ bool device_restart(LinkHost *h, DeviceInfo *info)
 
 // ---- an update ----
 
-// With the session in front of it.
+// Sends a request whose body is the session.
 static bool ask_session(LinkHost *h, const Update *u, LinkMessage message)
 {
     uint8_t body[2];
@@ -174,7 +174,7 @@ static bool end(LinkHost *h, Update *u)
     return ok;
 }
 
-// Compares what lies in the slot, byte by byte.
+// Compares the contents of the slot with the image, byte by byte.
 static bool same_bytes(LinkHost *h, const DeviceInfo *info, const Update *u, uint8_t slot)
 {
     for (uint32_t at = 0; at < u->length;) {
@@ -192,7 +192,7 @@ static bool same_bytes(LinkHost *h, const DeviceInfo *info, const Update *u, uin
     return true;
 }
 
-// What it runs is left out: an update never goes there.
+// Skips the slot of the running image, because an update is never written there.
 static bool read_back(LinkHost *h, const DeviceInfo *info, const Update *u)
 {
     DeviceImage image;
@@ -229,7 +229,7 @@ static DeviceStep store(LinkHost *h, const DeviceInfo *info, Update *u)
     return activate(h, u) ? DEVICE_DONE : DEVICE_ACTIVATE;
 }
 
-// Whether the image is the chosen one already, and whether it runs.
+// Checks whether the image is already the chosen one, and whether it also runs.
 static bool look(LinkHost *h, const DeviceInfo *info, const Update *u, bool *chosen, bool *runs)
 {
     DeviceImage image;
@@ -246,7 +246,7 @@ static bool look(LinkHost *h, const DeviceInfo *info, const Update *u, bool *cho
     return true;
 }
 
-// A board that restarted on its own has forgotten the session: all begins anew, if it was not chosen already.
+// A board that restarted unexpectedly has lost the session.  The update then starts again, unless the image is already chosen.
 static DeviceStep store_again(LinkHost *h, const DeviceInfo *info, Update *u, bool *runs)
 {
     DeviceStep step = DEVICE_LOOK;
@@ -282,7 +282,7 @@ DeviceStep device_update(LinkHost *h, DeviceInfo *info, Update *u)
         if (runs)
             return DEVICE_DONE;
         if (!chosen)
-            break;                         // the board went back by itself
+            break;                         // the board has fallen back to another image
     }
     return DEVICE_RUN;
 }

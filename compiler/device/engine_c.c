@@ -12,7 +12,7 @@ typedef struct EngineC {
     EngineCBatch *batch;
     uint32_t machine;         // its number in the batch
     Buf message;
-    uint8_t *answer;          // two, one behind the other
+    uint8_t *answer;          // the answers of both forms, one after the other
 } EngineC;
 
 struct EngineCBatch {
@@ -22,8 +22,8 @@ struct EngineCBatch {
     size_t n;
 };
 
-// Each machine is there twice and both make every step: with the flags of stored elements, whose answer is the engine's, and
-// without, as it flies.
+// Each machine is emitted in two forms, and both execute every step.  The first sets the flags of stored elements, and its answer is the
+// engine's.  The second does not, as in flight.
 enum { FORMS = 2 };
 
 enum { PATH_LEN = 512, MESSAGE_MAX = 2000 };
@@ -65,8 +65,8 @@ static bool write_source(Workshop *w, const Buf *code)
 
 typedef VEC(const char *) Words;
 
-// Appends the words of a command, which blanks separate.  A part in '…' or "…" belongs to one word, and a backslash, but for one in '…',
-// makes the next character an ordinary one, as in a shell; nothing is expanded.  False: a quote is not closed.
+// Appends the words of a command, which are separated by blanks.  Quotes and backslashes work as in a shell: a part in '…' or "…" belongs
+// to one word, and a backslash outside '…' makes the next character ordinary.  Nothing is expanded.  False if a quote is not closed.
 static bool split_words(Arena *a, const char *text, Words *words)
 {
     while (*(text += strspn(text, " \t\n")) != '\0') {
@@ -88,7 +88,7 @@ static bool split_words(Arena *a, const char *text, Words *words)
     return true;
 }
 
-// What the compiler said, without the folder that nobody knows.
+// The compiler's messages, cut off after MESSAGE_MAX bytes.
 static const char *read_log(Workshop *w)
 {
     char *text;
@@ -120,7 +120,7 @@ bool engine_c_present(const EngineCOptions *o)
 
     arena_init(&arena, os_alloc, NULL, &no_memory);
     if (setjmp(no_memory) == 0) {
-        present = !split_words(&arena, compiler_of(o), &words);           // then opening the engine reports it
+        present = !split_words(&arena, compiler_of(o), &words);           // an unclosed quote: engine_c_open reports it
         argv[0] = words.n > 0 ? words.at[0] : NULL;
         present = present || (argv[0] && os_run(argv, "/dev/null", &exit_code, &why) && exit_code == 0);
     }
@@ -157,8 +157,8 @@ static bool start(Workshop *w, OsPartner *partner)
     return os_partner_start(partner, argv, &why) ? true : failed(w, "cannot start the compiled machine", why);
 }
 
-// Builds and starts; the folder is gone afterwards, for a program that runs needs its file no more.  It goes even if memory
-// runs out in between: that passes by here on its way to whoever waits for it.
+// Builds the program and starts it.  The folder is always removed, because a running program does not need its file.  If memory runs out,
+// this function intercepts the longjmp, removes the folder, and passes the longjmp on to the outer target.
 static bool build_and_start(Arena *arena, const Buf *code, const EngineCOptions *o, OsPartner *partner, const char **error)
 {
     Workshop *w = ARENA_NEW(arena, Workshop);
@@ -208,7 +208,7 @@ static void message_start(EngineC *e, uint32_t form, uint32_t command)
 
 static size_t answer_size(const Program *p) { return 12 + 9 * p->var.n; }
 
-// Sends the messages and takes the answer apart.
+// Sends the messages to both forms and decodes the answers, which must be equal except for the flags of stored elements.
 static EngineStatus exchange(EngineC *e, EngineStep *out)
 {
     const size_t vars = e->engine.program->var.n, size = answer_size(e->engine.program);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emitted C as an engine: machines are written as one C program, which the host's compiler builds in a folder of its own and
-// which then runs as a partner process.  Nothing is left behind, and no crash of it is one of ours.
+// Emitted C as an engine.  Machines are emitted as one C program, which the host's compiler builds in a temporary folder.  The program
+// then runs as a partner process.  No files are left behind, and a crash of the program does not crash this process.
 #ifndef SMC_ENGINE_C_H
 #define SMC_ENGINE_C_H
 
@@ -8,22 +8,22 @@
 #include "compiler/script/engine.h"
 
 typedef struct EngineCOptions {
-    const char *cc;           // the compiler and first options, as words of a shell: blanks separate, quotes and \ as there; NULL: $CC, or cc
-    bool soft;                // with numbers in software
-    const char *flags;        // more options; NULL: -O1, unless cc has one such
+    const char *cc;           // the compiler and its first options, split and quoted like words in a shell; NULL: $CC, or else cc
+    bool soft;                // floating-point arithmetic in software
+    const char *flags;        // more options; NULL: -O1, unless cc contains an -O option
 } EngineCOptions;
 
-// Whether there is such a compiler.
+// Whether the compiler can be run.  Also true if its command has an unclosed quote; engine_c_open then reports that.
 bool engine_c_present(const EngineCOptions *o);
 
-// One machine.  `o` may be NULL.  NULL and a sentence in *error when it cannot be built or started.
+// An engine for one machine.  `o` may be NULL.  Returns NULL and sets *error to a sentence if it cannot be built or started.
 Engine *engine_c_open(Arena *arena, const Program *p, const IrMachine *m, const EngineCOptions *o, const char **error);
 
 // Many machines in one program: one run of the compiler for all of them.  m[i] was built from p[i].
 typedef struct EngineCBatch EngineCBatch;
 EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n,
                                   const EngineCOptions *o, const char **error);
-// The engine of machine i.  Those of a batch may be used in any order; closing one does nothing.
+// The engine of machine i.  The engines of a batch may be used in any order.  Closing a single engine of a batch does nothing.
 Engine *engine_c_batch_engine(EngineCBatch *b, size_t i);
 void engine_c_batch_close(EngineCBatch *b);
 

@@ -13,7 +13,7 @@ void link_host(LinkHost *h, const Line *line, uint32_t wait, unsigned tries, uin
     sm_link_receiver(&h->in, h->arrived, sizeof h->arrived);
 }
 
-// Whether what arrived answers the request that is under way: an answer to an earlier one may still come.
+// Whether the received frame answers the current request.  It may be a late answer to an earlier one.
 static bool is_answer(LinkHost *h, LinkMessage message)
 {
     const uint8_t *b = h->in.buffer;
@@ -26,7 +26,7 @@ static bool is_answer(LinkHost *h, LinkMessage message)
     return true;
 }
 
-// One byte a time: what comes behind an answer stays on the line.
+// Reads byte by byte, so that bytes after an answer stay on the line.
 static bool wait_for(LinkHost *h, LinkMessage message)
 {
     const uint32_t start = h->line->now(h->line->context);
@@ -48,7 +48,7 @@ static bool wait_for(LinkHost *h, LinkMessage message)
 
 bool link_ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n)
 {
-    uint8_t frame[LINK_ROOM(LINK_BODY_MAX) + 1] = {0};           // a zero first, which ends whatever noise stands before it
+    uint8_t frame[LINK_ROOM(LINK_BODY_MAX) + 1] = {0};           // begins with a zero, which ends noise before the frame
     uint16_t length;
 
     if (n > LINK_BODY_MAX)

@@ -14,7 +14,7 @@ static void put(uint8_t *at, uint32_t value, unsigned bytes)
         *at++ = (uint8_t)value;
 }
 
-// The same image with room for AUTH at its end, and an entry for it behind those of its table.
+// Copies the image, with space for AUTH at its end and an entry for AUTH as the last of its section table.
 static uint32_t make_room(const uint8_t *image, uint32_t length, uint8_t *out)
 {
     const uint8_t n = smvm_sections(image);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A session's description.  Its checksum was right, and yet nothing it says is believed: whoever made it may have meant harm.
+// Parses the description of a session.  Its contents are not trusted although its checksum is right: an attacker may have written it.
 #include <string.h>
 
 #include "compiler/log/log.h"
@@ -31,7 +31,7 @@ static uint16_t take_u16(Cursor *c) { return log_get16(take(c, 2)); }
 static uint32_t take_u32(Cursor *c) { return log_get32(take(c, 4)); }
 static uint64_t take_u64(Cursor *c) { return log_get64(take(c, 8)); }
 
-// What no name has becomes '?': it could mean something to a terminal or a table.
+// Whether c can be part of a name.  Other bytes are replaced by '?', because they could have a meaning to a terminal or in a table.
 static bool is_plain(uint8_t c)
 {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.' || c == '-';
@@ -52,7 +52,7 @@ static const char *take_name(Cursor *c)
     return name;
 }
 
-// How many things of at least `least` bytes follow; never more than there is room for.
+// Checks a count n of items that have at least `least` bytes each.  Fails and returns 0 if the remaining bytes are too few.
 static uint32_t take_count(Cursor *c, uint32_t n, uint32_t least)
 {
     if (n > c->left / least)

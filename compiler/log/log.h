@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A flight log (docs/log.md), read: any bytes at all give what is whole in them.
+// Reads a flight log (docs/log.md).  Accepts any bytes, and returns the undamaged parts.
 #ifndef SMC_LOG_H
 #define SMC_LOG_H
 
@@ -14,7 +14,7 @@ enum { LOG_NONE = 0xFFFF };       // no element
 typedef struct LogElement {
     const char *name;
     SmType type;
-    uint32_t at;                  // byte in a packed vector
+    uint32_t at;                  // byte offset in a packed vector
 } LogElement;
 
 typedef struct LogNames { const char **name; uint32_t n; } LogNames;
@@ -22,26 +22,26 @@ typedef struct LogNames { const char **name; uint32_t n; } LogNames;
 typedef struct LogMachine {
     uint16_t number;
     const char *name;
-    uint16_t s;                   // the element that holds its state's number; LOG_NONE
+    uint16_t s;                   // the element with the number of its state, or LOG_NONE
     LogNames state;               // name[0] is state 1
 } LogMachine;
 
 typedef struct LogKindName { uint8_t kind; const char *name; } LogKindName;
 
-// What a description says.
+// The contents of a description block.
 typedef struct LogDescription {
-    uint32_t pos, size;           // where it lies in the file
+    uint32_t pos, size;           // of its block in the file
     uint8_t version;
-    uint64_t start;
-    uint32_t layout;
-    uint32_t identity;            // the CRC, not ended, from which those of the session's blocks go on
+    uint64_t start;               // length of the file when the session began
+    uint32_t layout;              // hash of the state vector's layout
+    uint32_t identity;            // unfinished CRC over the session's identity: the CRC of each of its blocks continues from it
     const char *vector;
-    uint32_t packed;
+    uint32_t packed;              // bytes of a packed vector
     LogElement *element;
     uint32_t elements;
     LogMachine *machine;
     uint32_t machines;
-    LogNames task, executor;      // by number; none where the log does not tell
+    LogNames task, executor;      // by number; empty if the log does not contain them
     LogKindName *kind;            // of events
     uint32_t kinds;
 } LogDescription;
@@ -53,7 +53,7 @@ typedef struct LogEvent {
     uint32_t a, b;
 } LogEvent;
 
-// Every kind of event that is known here.
+// Every kind of event that this reader knows.
 typedef enum LogEventKind {
 #define SM_EVENT(name, number, source, a, b, text) LOG_EVENT_##name = number,
 #include "runtime-c/events.def"
@@ -65,47 +65,47 @@ typedef enum LogItemKind { ITEM_RECORD, ITEM_EVENTS, ITEM_GAP } LogItemKind;
 
 typedef struct LogItem {
     LogItemKind kind;
-    uint32_t n;                   // EVENTS: how many
-    const uint8_t *at;            // RECORD: its time; EVENTS: the first; GAP: the counts
+    uint32_t n;                   // EVENTS: number of events
+    const uint8_t *at;            // the bytes of the block.  RECORD: its time; EVENTS: the first event; GAP: the counts
 } LogItem;
 
 // One run of an application.
 typedef struct LogSession {
     const LogDescription *d;
-    bool entered;                 // the reader's
+    bool entered;                 // used by read.c: it is in Log.session
     VEC(LogItem) item;            // in the order of the file
     uint64_t records, events;
     uint64_t first, last;         // times of its first and last record
-    uint64_t dropped, lost;       // records and events that the application had no room for
+    uint64_t dropped, lost;       // records and events that were left out because the application had no room for them
 } LogSession;
 
 typedef struct Log {
     VEC(LogSession *) session;
     uint64_t size;
-    uint64_t damaged;             // bytes that belong to nothing whole
-    uint64_t places;              // in so many stretches
-    uint64_t torn;                // of `damaged`: at the end of the file
-    bool newer;                   // there is a description of a version that is not known here
+    uint64_t damaged;             // bytes outside undamaged blocks
+    uint64_t places;              // number of contiguous ranges of such bytes
+    uint64_t torn;                // how many of `damaged` are in the range at the end of the file
+    bool newer;                   // the file contains a description of a later, unknown version
 } Log;
 
-// `bytes` stay where they are.  No session: nothing is readable.
+// `bytes` must outlive the result.  The result has no session if nothing is readable.
 Log *log_read(Arena *arena, const uint8_t *bytes, uint32_t n);
 
-typedef struct LogGap { uint32_t records, events; } LogGap;       // that were dropped, that were lost
+typedef struct LogGap { uint32_t records, events; } LogGap;       // records dropped, events lost
 LogGap log_gap(const LogItem *item);
 LogEvent log_event(const LogItem *item, uint32_t i);
 uint64_t log_time(const LogItem *record);
-// An element of a record as a bit cell of its type (stdlib/convert.h).
+// The value of an element in a record, as a bit cell of its type (stdlib/convert.h).
 uint64_t log_cell(const LogItem *record, const LogElement *e);
 
 const LogElement *log_find_element(const LogDescription *d, const char *name);        // or NULL
 const LogMachine *log_find_machine(const LogDescription *d, const char *name);
 const LogMachine *log_machine(const LogDescription *d, uint16_t number);
-const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state);        // "state 7" where it has no name
+const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state);        // "state 7" if it has no name
 
 // ---- inside: describe.c ----
 
-// What a description says whose checksum is right; false: it contradicts itself, or its version is not known.
+// Parses the contents of a description whose checksum is right.  False if it is inconsistent or its version is unknown.
 bool log_parse(Arena *arena, const uint8_t *bytes, uint32_t n, LogDescription *d);
 
 #endif

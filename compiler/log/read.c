@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds what is whole in the bytes of a log.  First all descriptions, whose checksums stand by themselves; then block after block, each
-// tried as one of the session that it would belong to, and of the next where its own beginning may be damaged.  What is no
-// block is stepped over byte by byte.
+// Finds the undamaged blocks of a log.
 //
-// A file made for it could have a checksum tried at each byte over all that follows; after a number of fruitless bytes that
-// no damage reaches, reading ends.
+//   1. Finds all descriptions.  Their checksums do not depend on a session.
+//   2. Walks the blocks in order.  The checksum of a block is tried with the current session, then with the next session, whose own
+//      description may be damaged.  Bytes that do not begin a block are skipped one by one.
+//
+// A crafted file could force a checksum over all following bytes at every byte.  So the bytes in failed checksums are counted, and reading
+// stops at a number that real damage does not reach.
 #include <string.h>
 
 #include "compiler/base/buf.h"
@@ -16,18 +18,18 @@ typedef struct Reader {
     const uint8_t *bytes;
     uint32_t n;
     VEC(LogDescription *) found;
-    size_t next;                  // of found: the first that has not been passed
-    VEC(LogSession *) sessions;   // of found, in the same order; one that is described again is there again
-    LogSession *now;
-    size_t *other;                // by row of sessions: the next row that is of another one
-    uint64_t fruitless;
-    uint32_t damage;              // where the stretch began that belongs to nothing
+    size_t next;                  // index into `found` of the first description that the walk has not passed
+    VEC(LogSession *) sessions;   // the session of each description in `found`; a repeated description repeats its session
+    LogSession *now;              // the current session
+    size_t *other;                // by index into `sessions`: the next index with a different session
+    uint64_t fruitless;           // bytes covered by failed checksums
+    uint32_t damage;              // end of the last undamaged block: a damaged range begins here
     Log *log;
 } Reader;
 
 static bool has_patience(const Reader *r) { return r->fruitless <= 16 * (uint64_t)r->n + 65536; }
 
-// The length of what a block at `pos` would hold; false: there is none.
+// The content length of a possible block at `pos`; false if no block can begin there.
 static bool is_head(const Reader *r, uint32_t pos, uint32_t *length)
 {
     if (r->n - pos < LOG_HEAD + LOG_CHECK || r->bytes[pos] != LOG_MARK)
@@ -117,7 +119,7 @@ static void enter(Reader *r, LogSession *s)
 
 // ---- blocks ----
 
-// How long a block of this kind is in a session; false: it cannot be.
+// Whether a block of this kind can have this length in a session.
 static bool is_length(const LogSession *s, uint8_t kind, uint32_t length)
 {
     switch (kind) {
@@ -163,7 +165,7 @@ static bool try_block(Reader *r, LogSession *s, uint32_t pos, uint32_t length)
     return true;
 }
 
-// The session that begins next, if its first blocks may stand here without the description in front of them.
+// The session that follows the current one, or NULL.  Its first blocks may be here, without the description before them.
 static LogSession *coming(const Reader *r)
 {
     size_t i = r->next;
@@ -173,7 +175,7 @@ static LogSession *coming(const Reader *r)
     return i < r->sessions.n ? r->sessions.at[i] : NULL;
 }
 
-// The size of the whole block at pos; 0: there is none.
+// Processes the undamaged block at pos and returns its size, or 0 if there is none.
 static uint32_t take_block(Reader *r, uint32_t pos)
 {
     uint32_t length;
@@ -209,7 +211,7 @@ static void walk(Reader *r)
         }
         pos += size > 0 ? size : 1;
         while (r->next < r->found.n && r->found.at[r->next]->pos < pos)
-            r->next++;                                    // it lay within a block
+            r->next++;                                    // this description was inside another block
     }
     end_damage(r, r->n);
 }
@@ -230,7 +232,7 @@ Log *log_read(Arena *arena, const uint8_t *bytes, uint32_t n)
     return r.log;
 }
 
-// ---- what is in it ----
+// ---- contents ----
 
 LogEvent log_event(const LogItem *item, uint32_t i)
 {
