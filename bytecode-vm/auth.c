@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See auth.h.  Nothing here branches on a bit of the key or of a code.
+// See auth.h.  No branch here depends on a bit of the key or of a code.
 #include "bytecode-vm/auth.h"
 
 #include <string.h>
@@ -10,7 +10,7 @@ enum { BLOCK = 16, ROUNDS = 12 };
 
 // ---- Chaskey-12 ----
 
-// Where byte i of the block is: words have their least significant byte first.
+// The address of byte i of the block: words have their least significant byte first.
 static uint8_t *byte_of(uint32_t *v, uint8_t i)
 {
     const uint16_t one = 1;
@@ -20,7 +20,8 @@ static uint8_t *byte_of(uint32_t *v, uint8_t i)
     return (uint8_t *)v + (low ? i : i ^ 3);
 }
 
-// Turns to the left by 5, 8, 13 and 7 made of turns by whole bytes, which cost an 8-bit computer least, and single ones back.
+// Rotations to the left by 5, 8, 13 and 7 are composed of rotations by whole bytes, which cost an 8-bit computer least, and of single
+// bits back.
 static uint32_t right(uint32_t x) { return x >> 1 | x << 31; }
 static uint32_t left_8(uint32_t x) { return x << 8 | x >> 24; }
 static uint32_t left_16(uint32_t x) { return x << 16 | x >> 16; }
@@ -41,7 +42,7 @@ static void permute(uint32_t *v)
     }
 }
 
-// Doubles it as a polynomial over GF(2), modulo x^128 + x^7 + x^2 + x + 1.
+// Doubles the key as a polynomial over GF(2), modulo x^128 + x^7 + x^2 + x + 1.
 static void twice(uint8_t *key)
 {
     const uint8_t out = (uint8_t)(0u - (key[BLOCK - 1] >> 7));
@@ -101,7 +102,7 @@ void smvm_auth_code(SmvmBytes image, uint32_t length, const uint8_t *key, uint8_
     smvm_mac_end(&m, key, code);
 }
 
-// Where AUTH is; 0: the image does not end with one.
+// The offset of AUTH; 0: the image does not end with one.
 static SmvmAt find(SmvmBytes image)
 {
     for (uint8_t i = 0; i < smvm_sections(image); i++) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who made an image: the code in its section AUTH, which only who has the key can make, and a number that grows from image to image.
-// The code is Chaskey-12 (ISO/IEC 29192-6), with 16 bytes of key and of code.  It proves the key and nothing else: who can read the
-// key out of one board can make images for all that have it.
+// Authenticates the author of an image.  The section AUTH has a code that only an owner of the key can compute, and a number that
+// grows from image to image.  The code is Chaskey-12 (ISO/IEC 29192-6), with a key and a code of 16 bytes each.  It proves possession of
+// the key and nothing else: an attacker who reads the key from one board can create images for all boards with that key.
 //
-//     AUTH: u32 number, u32 mark of the key, then 16 bytes of code, with which the image ends.  The code is made of all bytes before it,
-//     those of the CRC taken as 0.
+//     AUTH: u32 number, u32 mark of the key, then 16 bytes of code, which end the image.  The code covers all bytes before it; the
+//     bytes of the CRC count as 0.
 //
-// The mark tells keys apart without telling them: a host sees by it, before it sends anything, that a board has another key.
+// The mark identifies a key without revealing it: a host can see that a board has another key before it sends anything.
 #ifndef SMVM_AUTH_H
 #define SMVM_AUTH_H
 
@@ -18,23 +18,23 @@ extern "C" {
 
 enum { SMVM_KEY = 16, SMVM_CODE = 16, SMVM_AUTH = 8 + SMVM_CODE };     // bytes
 
-// What an image that the verifier accepts says of its code.  False: it has none.
+// Reads the number and the mark of an image that the verifier accepts.  Returns false if the image has no AUTH section.
 typedef struct SmvmAuth { uint32_t number, mark; } SmvmAuth;
 bool smvm_auth_read(SmvmBytes image, SmvmAuth *auth);
 
 // The mark of a key: the first four bytes of its code over no bytes at all.
 uint32_t smvm_auth_mark(const uint8_t *key);
 
-// Whether an image's code was made with this key, and its number.  Takes the same time wherever a code is wrong.
+// Whether an image's code was computed with this key; stores its number.  The comparison takes the same time wherever a code is wrong.
 bool smvm_auth_check(SmvmBytes image, const uint8_t *key, uint32_t *number);
 
-// The code of an image whose last SMVM_CODE bytes are left for it: `length` is that of all before them.
+// Computes the code of an image whose last SMVM_CODE bytes are reserved for it.  `length` is the number of bytes before them.
 void smvm_auth_code(SmvmBytes image, uint32_t length, const uint8_t *key, uint8_t *code);
 
-// Chaskey-12 over bytes as they come.
+// Chaskey-12 over a stream of bytes.
 typedef struct SmvmMac {
     uint32_t v[4];
-    uint8_t n;                // bytes of the last block that are in v
+    uint8_t n;                // how many bytes of the last block are in v
 } SmvmMac;
 
 void smvm_mac_begin(SmvmMac *m, const uint8_t *key);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a target may decide about the VM.  Define SMVM_CONFIG as the name of a header ("my_vm_config.h") that defines any
-// of these, or have a header "smc_config.h" on the path; the rest is as below.
+// The settings of the VM that a target can override.  Define SMVM_CONFIG as the name of a header ("my_vm_config.h") that defines
+// any of them, or put a header "smc_config.h" on the include path.  The defaults are below.
 #ifndef SMVM_CONFIG_H
 #define SMVM_CONFIG_H
 
@@ -24,34 +24,36 @@
 #define SMVM_RAM_MAX 0x7fffu
 #endif
 
-// Where an image lies, and how its bytes are read: the only access to an image there is.  For EEPROM: define SMVM_BYTES as uint16_t and
-// SMVM_FETCH(image, at) as eeprom_read_byte((image) + (at)), or as what tells memories apart.  An SMVM_BYTES plus an offset is where the
-// bytes from there on lie.
+// Where an image is stored, and how the VM reads its bytes.  SMVM_FETCH is the only access to an image.  For EEPROM, define SMVM_BYTES as
+// uint16_t and SMVM_FETCH(image, at) as eeprom_read_byte((image) + (at)), or as a function that selects among several memories.  An
+// SMVM_BYTES plus an offset must be the location of the bytes from that offset on.
 #ifndef SMVM_FETCH
 #define SMVM_BYTES const uint8_t *
 #define SMVM_FETCH(image, at) ((image)[at])
 #define SMVM_TEXT(image, at) ((const char *)(image) + (at))
 #endif
 
-// Assembly in place of the interpreter, on AVR with uint16_t as SMVM_BYTES and SMVM_AT, and with SMVM_KEEP_TABLES: 1 interp_avr.S, where
-// SMVM_FETCH reads flash; 2 interp_avr_eeprom.S, where it reads EEPROM at addresses from 0x8000 on, less that, and flash below; 0 none.
+// Selects assembly in place of the C interpreter.  It needs AVR, uint16_t as SMVM_BYTES and SMVM_AT, and SMVM_KEEP_TABLES.
+//   0  none
+//   1  interp_avr.S: SMVM_FETCH reads flash
+//   2  interp_avr_eeprom.S: SMVM_FETCH reads EEPROM at address - 0x8000 for addresses from 0x8000 on, and flash below
 #if !defined(SMVM_FETCH_AVR) || !defined(__AVR_HAVE_MUL__) || defined(SMVM_PORTABLE)
 #undef SMVM_FETCH_AVR
 #define SMVM_FETCH_AVR 0
 #endif
 
-// Names in an image as text, where an image lies in memory like any other.
+// Names in an image as text, if the image is in memory that pointers can address.
 #ifndef SMVM_TEXT
 #define SMVM_TEXT(image, at) ""
 #endif
 
-// Holds any offset in an image and in a state vector: uint16_t where neither reaches 64 KB, as the two limits below say.  Its largest
-// value is beyond both: what is larger than this target can hold becomes that.
+// A type for any offset in an image or in a state vector: uint16_t if both limits below are under 64 KB.  Its largest value is beyond both
+// limits, and represents every offset or size that this target cannot hold.
 #ifndef SMVM_AT
 #define SMVM_AT uint32_t
 #endif
 
-// The largest image; and the most RAM that one machine may need, and the largest state vector.  Images beyond are refused.
+// The largest image; and the limit on the RAM of one machine and on the size of a state vector.  The verifier rejects images beyond them.
 #ifndef SMVM_IMAGE_MAX
 #define SMVM_IMAGE_MAX 0x00ffffffu
 #endif
@@ -63,7 +65,7 @@
 #endif
 #endif
 
-// 1: a machine that runs keeps in RAM where its tables are, ten SMVM_AT and a byte; 0: it reads that out of the image at each step,
+// 1: a running machine stores the places of its tables in RAM, which takes ten SMVM_AT and a byte.  0: each step reads them from the image,
 // which takes an 8-bit computer several thousand cycles.
 #ifndef SMVM_KEEP_TABLES
 #if SIZE_MAX < 0x7fffffff
@@ -73,7 +75,7 @@
 #endif
 #endif
 
-// Whether the verifier counts the longest step: 1; or 0, where that is for whoever sends images to know.
+// 1: the verifier computes the longest step.  0: it does not; the sender of an image must check it.
 #ifndef SMVM_LONGEST
 #if SIZE_MAX < 0x7fffffff
 #define SMVM_LONGEST 0
@@ -82,24 +84,24 @@
 #endif
 #endif
 
-// 1: the memory of images (target/store.h) is written byte by byte and again without erasing, as an EEPROM is, and the store is made for no other;
-// 0: it goes by what the memory says of itself.
+// 1: the store (target/store.h) supports only memory that can be written byte by byte and again without erasing, such as EEPROM.
+// 0: it asks the memory for these properties at run time.
 #ifndef SMVM_STORE_BYTES
 #define SMVM_STORE_BYTES 0
 #endif
 
-// Whether the store and the agent can have a key (target/store.h): 1; or 0, where no board that they are made for has one.
+// 1: the store and the agent support a key (target/store.h).  0: they do not, for builds whose boards never have one.
 #ifndef SMVM_STORE_KEY
 #define SMVM_STORE_KEY 1
 #endif
 
-// How many jumps whose targets are still ahead the verifier follows exactly when it counts the longest step; beyond, it adds
-// up all instructions, which is never less.  Eight bytes of its stack each.
+// How many pending forward jump targets the verifier follows exactly when it computes the longest step.  Beyond that number it adds up all
+// instructions instead, which is never less than the exact result.  Each takes eight bytes of its stack.
 #ifndef SMVM_JOINS
 #define SMVM_JOINS 32
 #endif
 
-// Whether the decoded form goes from instruction to instruction by addresses of labels, which GNU C has.
+// Whether the decoded form dispatches by addresses of labels, an extension of GNU C.
 #ifndef SMVM_COMPUTED_GOTO
 #ifdef __GNUC__
 #define SMVM_COMPUTED_GOTO 1
@@ -108,14 +110,14 @@
 #endif
 #endif
 
-// Of functions that are seldom called by those that are called at every turn: not made part of them where code is to be small.
+// Marks functions that frequently executed functions rarely call.  They are not inlined when the compiler optimizes for size.
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define SMVM_APART __attribute__((noinline))
 #else
 #define SMVM_APART
 #endif
 
-// Of small functions whose arguments must stay in registers.
+// For small functions whose arguments must stay in registers.
 #ifdef __GNUC__
 #define SMVM_INLINE static inline __attribute__((always_inline))
 #else
@@ -124,8 +126,8 @@
 
 typedef SMVM_BYTES SmvmBytes;
 
-// An array as an image, where the VM fetches from the memory that the array is in; and what puts it there: `const uint8_t a[] SMVM_IMAGE_IN = {…}`
-// is in flash on AVR, whose constants are copied into RAM else.
+// SMVM_IMAGE converts an array to an image; the array must be in the memory that the VM fetches from.  SMVM_IMAGE_IN puts it there:
+// `const uint8_t a[] SMVM_IMAGE_IN = {…}` is in flash on AVR.  Without it, AVR copies constants into RAM.
 #define SMVM_IMAGE(array) ((SmvmBytes)(uintptr_t)(array))
 #ifndef SMVM_IMAGE_IN
 #ifdef __AVR__

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads names and lines from the DEBUG section.  The verifier does not look at it, for nothing needs it to run; so nothing
-// here believes it: what does not lie inside the section is as if it were not there.
+// Reads names and lines from the DEBUG section.  The verifier does not check it, because nothing needs it to run.  So the functions
+// here trust nothing in it: they treat data that is not inside the section as absent.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
 
-// `at` bytes into the section, and where it ends: places in the image.
+// Offsets in the image: `at` bytes into the section, and the end of the section.
 static SmvmAt place_of(const SmvmMachine *m, uint32_t at) { return (SmvmAt)(m->debug_at + at); }
 static SmvmAt end_of(const SmvmMachine *m) { return place_of(m, m->debug_size); }
 
-static bool number_at(const SmvmMachine *m, uint32_t at, uint32_t *value)        // of three bytes, `at` bytes into the section
+static bool number_at(const SmvmMachine *m, uint32_t at, uint32_t *value)        // a number of three bytes, `at` bytes into the section
 {
     if (m->debug_size < 3 || at > m->debug_size - 3u)
         return false;
@@ -17,7 +17,7 @@ static bool number_at(const SmvmMachine *m, uint32_t at, uint32_t *value)       
     return true;
 }
 
-static SmvmName name_at(const SmvmMachine *m, uint32_t at)                      // whose offset is the number at `at`
+static SmvmName name_at(const SmvmMachine *m, uint32_t at)                      // the name whose offset is the number at `at`
 {
     SmvmName none = {0, 0}, n;
     uint32_t offset;
@@ -53,7 +53,7 @@ SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, S
     return name_at(m, at + 1 + SMVM_PLACE);
 }
 
-// Whether variable `index` stands before one of this kind at this place.
+// Whether variable `index` sorts before one of this kind at this place.
 static bool is_before(const SmvmMachine *m, uint32_t index, SmvmVariable is, const SmvmPlace *place)
 {
     SmvmVariable there;

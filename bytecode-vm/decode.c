@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the code of an image to the decoded form (fast.def): what is loaded becomes part of what is done with it, as an address or a
-// number, and its type chooses the instruction.  The image has been verified; nothing is checked again.  Everything is done twice, at
-// first only to count the words.
+// Translates the code of an image to the decoded form (fast.def).  A loaded operand becomes part of the instruction that uses it, as an
+// address or a number, and its type selects the instruction.  The image has been verified; nothing is checked again.  There are two
+// passes; the first one only counts the words.
 //
-// The decoded form has one register, F.  Y of the image is always something that can be loaded where it is used, for nothing is stored
-// before; X may wait likewise, as what was loaded or as an operation on that (Later), until it is known what becomes of it.  All that is
-// known of X and Y ends where they end: behind whatever a jump can lead to, X is loaded anew.
+// The decoded form has one register, F.  Loading Y can always be deferred until its use, because no store happens in between.  X can be
+// deferred too, as an operand or as an operation on operands (Later), until the decoder knows how X is used.  Nothing known about X and Y
+// crosses the target of a jump: the code there loads X again.
 #include <string.h>
 
 #include "bytecode-vm/decode.h"
 
-enum { THE_END = 0 };                                 // the word that ends a step, and no jump's
+enum { THE_END = 0 };                                 // index of the word that ends a step; never the target of a jump
 
 // ---- what is loaded ----
 
@@ -26,7 +26,7 @@ static Value constant(const Decode *d, unsigned op, uint32_t n)
     }
 }
 
-// What ldx_ or ldy_ loads.
+// The operand that ldx_ or ldy_ loads.
 static Value loaded(const Decode *d, unsigned op)
 {
     unsigned kind = op & 15u;
@@ -40,7 +40,7 @@ static Value loaded(const Decode *d, unsigned op)
 
 // ---- instructions ----
 
-// A transition: to the end of the step, or where the state's .exit will begin.
+// A transition: jumps to the state's .exit, which is resolved later, or to the end of the step.
 static void put_go(Decode *d, uint32_t state)
 {
     uint64_t before = d->goes;
@@ -51,7 +51,7 @@ static void put_go(Decode *d, uint32_t state)
     smvm_put_u(d, state);
 }
 
-// On to .step, which stands behind.
+// Jumps to .step, which follows .entry.
 static void put_end_of_entry(Decode *d)
 {
     if (d->at < d->end)
@@ -66,7 +66,7 @@ static void decode_end(Decode *d)
         smvm_put_op(d, d->in == IN_SAMPLE ? FAST_BODY_OP : FAST_END_OP);
 }
 
-// What gives X, from itself or from nothing.
+// An operation that sets X from X, from X and Y, or from nothing.
 static void decode_operation(Decode *d, uint8_t op)
 {
     if (op == SMVM_addi || op == SMVM_subi)
@@ -103,7 +103,7 @@ static void decode_instruction(Decode *d)
         d->x = loaded(d, op);
 }
 
-// The targets of the jumps of a function, when it is known where everything in it lies.
+// Resolves the jumps of a function once the words of all its instructions are known.
 static void link_jumps(Decode *d)
 {
     while (d->jumps != 0) {
@@ -113,7 +113,7 @@ static void link_jumps(Decode *d)
     }
 }
 
-// The same for the transitions of a state, when it is known where its .exit begins.
+// Resolves the transitions of a state once the start of its .exit is known.
 static void link_goes(Decode *d, uint32_t exit)
 {
     while (d->out != NULL && d->goes != 0) {
@@ -123,7 +123,7 @@ static void link_goes(Decode *d, uint32_t exit)
     }
 }
 
-// Gives where the function begins, or where there is none THE_END.
+// Returns the word where the function begins, or THE_END if it is empty.
 static uint32_t decode_function(Decode *d, uint32_t index)
 {
     uint32_t first = d->words, length;
@@ -183,7 +183,7 @@ static void decode_machine(Decode *d)
         decode_state(d, s);
 }
 
-// ---- the whole: SmvmDecoded, the words, the states, and while it is made `where` of the longest function ----
+// ---- memory: SmvmDecoded, the words, the states, and during decoding `where` for the longest function ----
 
 static uint64_t size_of(const SmvmMachine *m, uint32_t *words)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Jumps in the decoded form, with what they compare.  A condition is a sum of relations of x to y: SMVM_LESS and so on.
+// Jumps in the decoded form, together with their comparisons.  A condition is a sum of relations of x to y: SMVM_LESS and so on.
 #include "bytecode-vm/decode.h"
 
 static unsigned mirrored(unsigned m) { return (m & 10u) | (m & SMVM_LESS) << 2 | (m & SMVM_GREATER) >> 2; }
@@ -11,8 +11,8 @@ static unsigned relation(SmF64 x, SmF64 y)
     return sm_lt(y, x) ? SMVM_GREATER : sm_eq(x, y) ? SMVM_EQUAL : SMVM_UNORDERED;
 }
 
-// A condition by its relations, in its forms: F and y; two in memory of one type; one in memory and a number; an integer and a whole
-// number.  0: there is none, for NaN is in some as well as in others of one line.
+// The forms of a condition, indexed by its relations: F with y; two values of one type in memory; one in memory with a number; an integer
+// with a whole number.  0: there is no such form.  The operands of `pair` and `whole` are never NaN.
 typedef struct Condition { uint16_t with, pair, number, whole; } Condition;
 
 static const Condition conditions[16] = {
@@ -51,7 +51,7 @@ static void put_jump_truth(Decode *d, bool when, const Value *x, uint32_t target
     smvm_put_jump(d, when ? FAST_JT_A_OP : FAST_JF_A_OP, target);
 }
 
-// F and y; F may be NaN.
+// Compares F, which may be NaN, with y.
 static void put_jump_with(Decode *d, unsigned m, const Value *y, uint32_t target)
 {
     unsigned with = conditions[m].with;
@@ -66,7 +66,8 @@ static void put_jump_with(Decode *d, unsigned m, const Value *y, uint32_t target
         smvm_put_u(d, m);
 }
 
-// x in memory and a number.  Elements and locals are compared as they are, a NaN among them too: of it the form makes what is made of 0.
+// x in memory, and a number.  These forms compare a stored NaN as it is, but in the language it reads as 0.  Therefore UNORDERED is set
+// in m exactly if 0 satisfies the condition.
 static void put_jump_number(Decode *d, unsigned m, const Value *x, const Value *c, uint32_t target)
 {
     int64_t v;
@@ -91,7 +92,7 @@ static void put_jump_number(Decode *d, unsigned m, const Value *x, const Value *
     }
 }
 
-// Whether there is a form with y before x only.
+// Whether a form exists only with y before x.
 static bool is_swapped(unsigned m, const Value *x, const Value *y)
 {
     return is_memory(y) && (is_number(x) || (x->kind == y->kind && (m == SMVM_GREATER || m == (SMVM_GREATER | SMVM_EQUAL))));
@@ -123,7 +124,7 @@ static void put_jump_if(Decode *d, unsigned m, Value x, Value y, uint32_t target
     }
 }
 
-// jt and jf.  Of what was only just compared the condition is the jump's.
+// jt and jf.  If X is a deferred comparison, its condition becomes the jump's.
 static void decode_jump_truth(Decode *d, bool when, uint32_t target)
 {
     if (d->x.kind == LATER && d->later.op == SMVM_set)

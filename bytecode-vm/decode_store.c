@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores in the decoded form: X to a local or an output, together with what X waits for where one instruction does both.
+// Stores in the decoded form: X to a local or an output, combined with X's deferred operation where one instruction does both.
 #include "bytecode-vm/decode.h"
 #include "bytecode-vm/step.h"
 
-// Whether nobody reads X behind this instruction.  (Who jumps leads to where X is loaded.)
+// Whether no code reads X after this instruction.  A jump is no exception: code at its target loads X again.
 static bool is_x_dead(const Decode *d)
 {
     SmvmAt at = d->at;
@@ -14,13 +14,13 @@ static bool is_x_dead(const Decode *d)
             return false;
         if ((shape & (SMVM_SHAPE_GX | SMVM_SHAPE_Z)) != 0)
             return true;
-        while (smvm_u8(d->m->image, at) < SMVM_OP_LEAST)         // Y is loaded
+        while (smvm_u8(d->m->image, at) < SMVM_OP_LEAST)         // skips the operands of a load of Y
             at++;
     }
 }
 
-// Up to the destination.  That an output is written stands in the first 64 bits, or for others in a bit of a byte: which byte
-// above, mask in the low eight bits.
+// Puts a store up to its destination operand.  It notes an output as written: the first 64 by a bit of a 64-bit mask, others by a NOTE
+// instruction, whose word has the index of a byte from bit 8 on and a mask in the low eight bits.
 static void put_written(Decode *d, FastOp family, FastOp noting, unsigned which, const Place *to)
 {
     if (to->output && to->index >= 64) {
@@ -36,7 +36,7 @@ static void put_written(Decode *d, FastOp family, FastOp noting, unsigned which,
     smvm_put_value(d, &to->to);
 }
 
-static void put_number(Decode *d, const Place *to, SmF64 c)      // to memory: as it will lie there
+static void put_number(Decode *d, const Place *to, SmF64 c)      // to memory; c is encoded as its cell
 {
     unsigned kind = to->to.kind;
     uint64_t cell = kind == FAST_RAW ? sm_bits(smvm_raw(c)) : sm_cell_from_f64((SmType)kind, c);
@@ -45,7 +45,7 @@ static void put_number(Decode *d, const Place *to, SmF64 c)      // to memory: a
     smvm_put_u(d, cell);
 }
 
-// `to = x + c`, both of one integer type, c whole and small, and X not used again.  False if it is not that.
+// `to = x + c`, where both are of the same integer type, c is whole and small, and X is dead afterwards.  Returns false if it is not that.
 static bool put_count(Decode *d, const Place *to)
 {
     Value x = d->later.a, y = d->later.b;
@@ -63,7 +63,7 @@ static bool put_count(Decode *d, const Place *to)
     return true;
 }
 
-// `to = F op y`, of an output or local of F32 or F64; y is one of that type, or a number.  False if it is not that.
+// `to = F op y`, for an output or local of F32 or F64; y is of that type or a number.  Returns false if it is not that.
 static bool put_operation_to(Decode *d, const Place *to)
 {
     static const uint16_t family[2][4][2] = {
@@ -89,7 +89,7 @@ static bool put_operation_to(Decode *d, const Place *to)
     return true;
 }
 
-// X to where it goes.  Where X still lies in memory, it is the same behind a move: what overlaps that and is of its type is that.
+// Stores X at its destination.  X may still refer to memory after a move: an overlapping place of the same type is the same place.
 static void put_store(Decode *d, const Place *to)
 {
     if (put_count(d, to) || put_operation_to(d, to) || smvm_put_statistic_to(d, to))

@@ -24,7 +24,7 @@ static void put_window(Decode *d, const Window *w)
     smvm_put_u(d, w->kind);
 }
 
-// The windows that instructions are made for: of five types, not long, that keep nothing but what one statistic needs, or both ends.
+// The windows that have special instructions: of five types, not long, and with data for one statistic only or for both ends.
 enum { FOR_MEDIAN, FOR_AVG, FOR_ENDS, FOR_NONE };
 
 static unsigned made_for(const Window *w, unsigned *type)
@@ -54,7 +54,7 @@ static unsigned sampling(const Window *w, bool memory)
 
 static unsigned asking(const Window *w, uint32_t stat, bool store)
 {
-    static const uint16_t family[2][SM_STAT_COUNT] = {             // by SmStat; 0: there is none that stores
+    static const uint16_t family[2][SM_STAT_COUNT] = {             // indexed by SmStat; 0: no such instruction
         {FAST_AVG_I16_OP, FAST_MEDIAN_I16_OP, FAST_SMALLEST_I16_OP, FAST_LARGEST_I16_OP, FAST_RANGE_I16_OP},
         {FAST_AVGN_I16_OP, FAST_MEDIANN_I16_OP, 0, 0, FAST_RANGEN_I16_OP}};
     unsigned type;
@@ -85,7 +85,7 @@ void smvm_put_statistic(Decode *d)
     smvm_put_u(d, d->later.n);
 }
 
-// Where there is an instruction for it: to one of the first 64 outputs.
+// Succeeds if such an instruction exists and the destination is one of the first 64 outputs.
 bool smvm_put_statistic_to(Decode *d, const Place *to)
 {
     Window w;

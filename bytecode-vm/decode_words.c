@@ -51,7 +51,8 @@ void smvm_put_value(Decode *d, const Value *v)
     d->words++;
 }
 
-// The target of a jump: until all code is decoded its offset in the function and where the jump before it is, both 32 bits.
+// The target of a jump.  Until the whole function is decoded, the word contains the index of the previous jump and the target's
+// offset in the function, 32 bits each.
 void smvm_put_target(Decode *d, uint32_t target)
 {
     uint64_t before = d->jumps;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// X while machine code is decoded: what is computed waits as an operation on what was loaded, until it is known what becomes of it.
+// X during decoding: a computation is deferred, as an operation on loaded operands, until the decoder knows how its result is used.
 #include <string.h>
 
 #include "bytecode-vm/decode.h"
 
-// ---- operations, which give F ----
+// ---- operations, whose result is in F ----
 
 static void put_one(Decode *d, uint8_t op, const Value *x)
 {
@@ -14,7 +14,7 @@ static void put_one(Decode *d, uint8_t op, const Value *x)
     smvm_put_op(d, plain[op - SMVM_neg]);
 }
 
-// An operation of two, in its forms: F op y, x in memory op a number, a number op y in memory, two in memory of one type.
+// The forms of an operation on two operands: F op y, x in memory op a number, a number op y in memory, two in memory of one type.
 typedef struct Forms { uint16_t with, number, number_first, pair; } Forms;
 
 static const Forms forms[] = {                        // from SMVM_add to SMVM_or; 0: there is no such form
@@ -32,13 +32,13 @@ static void put_two(Decode *d, uint8_t op, Value x, Value y)
 {
     const Forms *f = &forms[op - SMVM_add];
 
-    if (op == SMVM_sub && is_number(&y)) {            // x - c is x + -c, of zeros too
+    if (op == SMVM_sub && is_number(&y)) {            // x - c equals x + -c, also for zeros
         y.c = sm_neg(y.c);
         f = &forms[0];
     }
     if (is_f(&x)) {
         smvm_put_with(d, (FastOp)f->with, &y);
-    } else if (is_f(&y)) {                            // of sub only
+    } else if (is_f(&y)) {                            // only for sub
         smvm_put_with(d, FAST_RSUB_I8_OP, &x);
     } else if (is_memory(&x) && is_number(&y) && f->number != 0) {
         smvm_put_pair(d, (FastOp)f->number, &x, &y);
@@ -88,9 +88,9 @@ static void put_set(Decode *d, unsigned m, Value x, Value y)
         smvm_put_u(d, m);
 }
 
-// ---- X that waits ----
+// ---- deferred X ----
 
-// Puts what X waits for: then it is in F.
+// Puts the deferred operation of X, whose result is then in F.
 static void compute(Decode *d)
 {
     const Later *l = &d->later;
@@ -123,7 +123,7 @@ void smvm_load_x(Decode *d)
     d->x.kind = FAST_A;
 }
 
-// Whether X is as a local of this type would keep it: it was read from one, or is 0 or 1, which all types have.
+// Whether X already has a value that a local of this type can store: it was read from one, or is 0 or 1, which all types have.
 static bool is_of_type(const Decode *d, uint32_t type)
 {
     const uint8_t kind = d->x.kind, op = d->later.op;

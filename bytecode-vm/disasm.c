@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An image as text, for people; on hosts.  It prints whatever the verifier accepts.  One line an instruction: offset in the
-// code, opcode, what it works on; where a line of the source begins, its number behind.
+// Disassembles an image, for people; on hosts.  It prints every image that the verifier accepts.  Each instruction is one line: offset in
+// the code, opcode, operands; where a source line begins, its number follows.
 //
 //     TankVentControl.step:
 //        7  ldx     tankPressure                    tank.sm:22
@@ -8,8 +8,8 @@
 //       13  ldx     1                               tank.sm:23
 //       15  out     valveOpen
 //
-// Conditions are written as the language has them.  `not x < y` also holds where one of them is NaN; `x <> y` is less or greater, and
-// `x <=> y` neither of them NaN.
+// Conditions are written as in the language.  `not x < y` is also true if one of them is NaN.  `x <> y` means less or greater; `x <=> y`
+// means that neither is NaN.
 #include <string.h>
 
 #include "bytecode-vm/disasm.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the files of the disassembler share.
+// Declarations that the disassembler's files share.
 #ifndef SMVM_DISASM_H
 #define SMVM_DISASM_H
 
@@ -18,11 +18,11 @@ typedef struct Out {
 // ---- text (disasm_text.c) ----
 
 void smvm_text(Out *o, const char *s);
-void smvm_text_pad(Out *o, uint32_t column);          // a space, and more up to this column
+void smvm_text_pad(Out *o, uint32_t column);          // at least one space, and more up to this column
 void smvm_text_number(Out *o, uint64_t v);
 void smvm_text_whole(Out *o, int32_t v);
 void smvm_text_hex(Out *o, uint64_t v, uint8_t digits);
-void smvm_text_f64(Out *o, SmF64 x);                  // as a decimal where a short one says it, else as C99's %a has it
+void smvm_text_f64(Out *o, SmF64 x);                  // as a decimal if a short one is exact, else like C99's %a
 void smvm_text_name(Out *o, SmvmName n);
 void smvm_text_place(Out *o, const char *space, const SmvmPlace *p);
 void smvm_text_variable(Out *o, SmvmVariable is, const SmvmPlace *p);

@@ -3,7 +3,7 @@
 #include "bytecode-vm/disasm.h"
 #include "stdlib/convert.h"
 
-static void right(Out *o, uint32_t v, uint32_t width)            // to the right end of so many columns
+static void right(Out *o, uint32_t v, uint32_t width)            // right-aligned in `width` columns
 {
     for (uint32_t least = 10, i = 1; i < width; i++, least *= 10)
         if (v < least)
@@ -11,7 +11,7 @@ static void right(Out *o, uint32_t v, uint32_t width)            // to the right
     smvm_text_number(o, v);
 }
 
-// The opcode by its name, up to what says where its operand is: ldx, not ldx_local.
+// The name of the opcode without its suffix for the operand's place: ldx, not ldx_local.
 static void mnemonic(Out *o, uint8_t op)
 {
     static const struct { uint8_t last; const char *name; } ops[] = {
@@ -77,7 +77,7 @@ static void statistic(Out *o, uint32_t k)
     smvm_text(o, stat[k % SM_STAT_COUNT]);
 }
 
-// One of what follows an opcode: its letter in the shape, and its number; a jump's already where it leads.
+// One operand: its bit in the shape, and its number.  For a jump the number is already the target.
 static void follows(Out *o, uint8_t op, uint32_t letter, uint32_t v)
 {
     switch (letter) {
@@ -96,7 +96,7 @@ static void follows(Out *o, uint8_t op, uint32_t letter, uint32_t v)
     }
 }
 
-static void source_line(Out *o, uint32_t code)                   // if one begins at this offset
+static void source_line(Out *o, uint32_t code)                   // the line that begins at this offset, if any
 {
     uint32_t line = 0;
 

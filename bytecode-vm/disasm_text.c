@@ -46,7 +46,7 @@ void smvm_text_hex(Out *o, uint64_t v, uint8_t digits)
     }
 }
 
-// Cut where it is longer than any sane one: the listing's length is in proportion to the image's.
+// Cuts names that are unreasonably long, so that the listing's length is proportional to the image's.
 void smvm_text_name(Out *o, SmvmName n)
 {
     char t[2] = "";
@@ -82,8 +82,8 @@ static void decimal(Out *o, uint64_t m, uint8_t places)
     smvm_text_number(o, m);
 }
 
-// The decimal of at most 15 places whose nearest F64 is x >= 0, if there is one.  Dividing one exact number by another rounds
-// as reading the decimal does.
+// Writes the decimal with at most 15 places whose nearest F64 is x >= 0, if there is one.  Dividing one exact number by another rounds
+// like reading the decimal does.
 static bool short_decimal(Out *o, SmF64 x)
 {
     const SmF64 ten = sm_from_i32(10), limit = sm_from_u64((uint64_t)1 << 53);

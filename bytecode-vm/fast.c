@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the decoded form of a machine.  It gives bit for bit what the interpreter gives (interp.c), for the code is made of the same
-// functions of stdlib; only whole numbers go another way where that cannot be told.
+// Runs the decoded form of a machine.  Its results equal those of the interpreter (interp.c) bit for bit, because it uses the same
+// functions of stdlib.  Only whole numbers take another path, where no difference can be observed.
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8
-#define SM_ROLL_FLAT _Pragma("GCC unroll 4")           // loops over short windows (stdlib/roll.h), whose sizes are not known here
+#define SM_ROLL_FLAT _Pragma("GCC unroll 4")           // unrolls loops over short windows (stdlib/roll.h) of unknown size
 #endif
 #include <string.h>
 
@@ -18,16 +18,16 @@
 #define BRANCH
 #endif
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("no-gcse", "no-crossjumping", "no-tree-tail-merge")   // they bring the jumps from instruction to instruction together again
-#pragma GCC optimize("no-tree-fre", "no-tree-pre")     // a third of gcc's time over this file, and nothing gained
+#pragma GCC optimize("no-gcse", "no-crossjumping", "no-tree-tail-merge")   // they would merge the jumps between instructions again
+#pragma GCC optimize("no-tree-fre", "no-tree-pre")     // they take a third of gcc's time for this file and gain nothing
 #endif
 
-// ---- what the instructions of a type are made of; `w` is the word of the operand ----
-//   get      what the language reads; `f` is F         put      stores as the language does
-//   bare     the same, a NaN as it is
-//   convert  what is read again after it was stored    true     whether it is not zero
-//   whole    an integer as it is                       number   what it is compared with
-//   move     from one place to another of the type     count    x + c, stored: w[0] = w[1] + w[2]
+// ---- the operations of each type; `w` is the word of the operand ----
+//   get      reads as the language does; `f` is F      put      stores as the language does
+//   bare     reads, but a NaN remains NaN
+//   convert  stores and reads again                    true     whether it is not zero
+//   whole    reads an integer as it is                 number   the number to compare with it
+//   move     copies within the type                    count    x + c, stored: w[0] = w[1] + w[2]
 
 #define TYPE(K, ctype, from, to, bare, is_true)                                                                                     \
     static inline ctype cell_##K(const SmvmWord *w) { ctype v; memcpy(&v, w->p, sizeof v); return v; }                  \
@@ -37,7 +37,7 @@
     static inline SmF64 convert_##K(SmF64 x) { return from(to(x)); }                                                    \
     static inline bool true_##K(const SmvmWord *w) { return is_true(cell_##K(w)); }
 
-// Moved, a number of up to 32 bits stays what it is; sums of two are exact in 64 bits, and cut at the same ends.
+// A move does not change a number of up to 32 bits.  The sum of two is exact in 64 bits, and is clipped at the same limits.
 #define SMALL(K, ctype, from, to, lo, hi)                                                                               \
     TYPE(K, ctype, from, to, from, is_not_zero)                                                                                       \
     static inline int64_t whole_##K(const SmvmWord *w) { return cell_##K(w); }                                          \
@@ -63,7 +63,7 @@
     static inline void move_##K(const SmvmWord *d, const SmvmWord *x) { put_##K(d, get_##K(x, sm_from_i32(0))); }
 
 static inline int64_t clip(int64_t x, int64_t lo, int64_t hi) { return x < lo ? lo : x > hi ? hi : x; }
-// As sm_read_f64; by a branch that is hardly ever taken, where compilers put several dependent instructions.
+// Like sm_read_f64, but with a rarely taken branch; without it compilers generate a chain of dependent instructions.
 static inline SmF64 read_f64(SmF64 x)
 {
     if (sm_is_nan(x)) {
@@ -97,7 +97,7 @@ static inline uint64_t number_U64(const SmvmWord *w) { return w->u; }
 static inline SmF64 get_C(const SmvmWord *w, SmF64 f) { (void)f; return w->f; }
 
 #define SET(ctype, n) do { const ctype v_ = (ctype)ip[(n) + 1].u; memcpy(ip[n].p, &v_, sizeof v_); } while (0)
-#define NOTE notes |= ip[1].u                          // an output is written; of the first 64
+#define NOTE notes |= ip[1].u                          // one of the first 64 outputs is written
 
 // Whether x and y are in one of the relations m (image.h).
 static inline bool related(unsigned m, SmF64 x, SmF64 y)
@@ -107,11 +107,11 @@ static inline bool related(unsigned m, SmF64 x, SmF64 y)
     return (m & (is != 0 ? is : (unsigned)SMVM_UNORDERED)) != 0;
 }
 
-// ---- what is too long to stand in the code of an instruction ----
+// ---- code that is too long for an instruction ----
 
 static SmF64 root(SmF64 x) { return sm_sqrt(x); }
 
-// ---- running: each instruction goes straight to the next, or where C has no such thing through a switch ----
+// ---- execution: each instruction jumps directly to the next, or through a switch if C has no computed goto ----
 
 #if SMVM_COMPUTED_GOTO
 #pragma GCC diagnostic ignored "-Wpedantic"
@@ -127,7 +127,7 @@ static SmF64 root(SmF64 x) { return sm_sqrt(x); }
 #endif
 #define GO_IF(condition, n) if (condition) { ip = ip[1].to; NEXT(0); } NEXT(n)
 
-// Written like this it is one store on machines that keep bytes in this order.
+// Compilers turn this into one store on little-endian machines.
 static inline void keep(uint8_t *stored, uint64_t notes)
 {
     stored[0] = (uint8_t)notes;
@@ -140,7 +140,7 @@ static inline void keep(uint8_t *stored, uint64_t notes)
     stored[7] = (uint8_t)(notes >> 56);
 }
 
-// A step on another state vector; or for a decoded form without a machine: where the code of each instruction is.
+// A step on another state vector; or, for a decoded form without a machine, returns the addresses of all instructions' code.
 static SmResult elsewhere(SmvmDecoded *d, void *sv, const void *const *place)
 {
     if (d->vm != NULL)
@@ -171,9 +171,9 @@ SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
         return elsewhere(d, sv, place);
     if (!smvm_advance(vm, d->g))
         return SM_REFUSED;
-    if (vm->first || vm->entered) {                   // most often neither
+    if (vm->first || vm->entered) {                   // most often neither is set
         smvm_enter(vm, d->s);
-        vm->first = false;                            // until it goes somewhere; `entered` says what it was
+        vm->first = false;                            // until a transition sets it; `entered` has the old value
     }
     d->t = vm->next - vm->start;
     ip = d->samples ? d->code + 1 : d->body[2 * (size_t)vm->state + vm->entered];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decoded form of a machine, between decode*.c, which make it, and fast.c, which runs it.
+// The decoded form of a machine: the interface between decode*.c, which create it, and fast.c, which runs it.
 #ifndef SMVM_FAST_H
 #define SMVM_FAST_H
 
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
 
-// The types of what lies in memory, by their numbers, and behind them a temp (RAW).  INTS have all values in an int64_t but for
-// the upper half of U64.  Behind them: a number in the code (C), and what is in F already (A).
+// The types of values in memory, in the order of their numbers, followed by a temporary (RAW).  An int64_t can represent all values of
+// FAST_INTS except the upper half of U64.  Two more sources follow: a number in the code (C), and the contents of F (A).
 #define FAST_TYPES(M) M(I8) M(I16) M(I32) M(I64) M(U8) M(U16) M(U32) M(U64) M(F32) M(F64) M(BOOL)
 #define FAST_KINDS(M) FAST_TYPES(M) M(RAW)
 #define FAST_SOURCES(M) FAST_KINDS(M) M(C)
@@ -16,7 +16,7 @@
 
 enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 
-// The families: what each does with one type.
+// The families: the code of each instruction, for a type K.
 #define FAST_LD(K) FAST(LD_##K, F = get_##K(ip + 1, F); NEXT(2);)
 #define FAST_ADD(K) FAST(ADD_##K, F = sm_add(F, get_##K(ip + 1, F)); NEXT(2);)
 #define FAST_SUB(K) FAST(SUB_##K, F = sm_sub(F, get_##K(ip + 1, F)); NEXT(2);)
@@ -53,7 +53,7 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_INC(K) FAST(INC_##K, count_##K(ip + 1); NEXT(4);)
 #define FAST_INCN(K) FAST(INCN_##K, NOTE; count_##K(ip + 2); NEXT(5);)
 
-// F op y, stored as the type of y; or as this type where y is a number.
+// F op y, stored as the type of y; if y is a number, as type K.
 #define FAST_ADDST(K) FAST(ADDST_##K, F = sm_add(F, get_##K(ip + 2, F)); put_##K(ip + 1, F); NEXT(3);)
 #define FAST_SUBST(K) FAST(SUBST_##K, F = sm_sub(F, get_##K(ip + 2, F)); put_##K(ip + 1, F); NEXT(3);)
 #define FAST_MULST(K) FAST(MULST_##K, F = sm_mul(F, get_##K(ip + 2, F)); put_##K(ip + 1, F); NEXT(3);)
@@ -102,7 +102,7 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_JNE2(K) FAST(JNE2_##K, GO_IF(!sm_eq(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 #define FAST_JLT2(K) FAST(JLT2_##K, GO_IF(sm_lt(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
 #define FAST_JLE2(K) FAST(JLE2_##K, GO_IF(sm_le(get_##K(ip + 2, F), get_##K(ip + 3, F)), 4);)
-// With a number: a stored NaN stays one here, and decode_jump.c chooses the condition that makes of it what it makes of 0.
+// Comparison with a number.  A stored NaN remains NaN here; decode_jump.c selects a condition whose result for NaN is that for 0.
 #define FAST_JEQC(K) FAST(JEQC_##K, GO_IF(sm_eq(bare_##K(ip + 2), ip[3].f), 4);)
 #define FAST_JNEC(K) FAST(JNEC_##K, GO_IF(!sm_eq(bare_##K(ip + 2), ip[3].f), 4);)
 #define FAST_JLTC(K) FAST(JLTC_##K, GO_IF(sm_lt(bare_##K(ip + 2), ip[3].f), 4);)
@@ -113,7 +113,8 @@ enum { FAST_RAW = SM_TYPE_COUNT, FAST_C, FAST_A, FAST_SOURCE_COUNT };
 #define FAST_JNGTC(K) FAST(JNGTC_##K, GO_IF(!sm_lt(ip[3].f, bare_##K(ip + 2)), 4);)
 #define FAST_JGEC(K) FAST(JGEC_##K, GO_IF(sm_le(ip[3].f, bare_##K(ip + 2)), 4);)
 #define FAST_JNGEC(K) FAST(JNGEC_##K, GO_IF(!sm_le(ip[3].f, bare_##K(ip + 2)), 4);)
-// With a whole number of less than 53 bits integers compare as their F64 do, rounded or not; U64 with one that is not negative.
+// Comparison with a whole number of less than 53 bits.  Integers compare like their F64 values, rounded or not; for U64 the number is not
+// negative.
 #define FAST_JEQI(K) FAST(JEQI_##K, GO_IF(whole_##K(ip + 2) == number_##K(ip + 3), 4);)
 #define FAST_JNEI(K) FAST(JNEI_##K, GO_IF(whole_##K(ip + 2) != number_##K(ip + 3), 4);)
 #define FAST_JLTI(K) FAST(JLTI_##K, GO_IF(whole_##K(ip + 2) < number_##K(ip + 3), 4);)
@@ -128,32 +129,32 @@ typedef enum FastOp {
     FAST_OPS
 } FastOp;
 
-// The code is a row of words: an instruction, then what it works on.
+// The code is an array of words: each instruction is followed by its operands.
 typedef union SmvmWord {
-    const void *go;           // its instruction: where its code is, or its FastOp
+    const void *go;           // an instruction: the address of its code, or its FastOp
     void *p;                  // an operand in memory
-    const union SmvmWord *to; // where a jump leads
+    const union SmvmWord *to; // the target of a jump
     SmF64 f;                  // a number
     int64_t i;
     uint64_t u;
 } SmvmWord;
 
-// The functions that a step runs are joined: the sample function leads to what the state has to run, `.entry` to `.step`, a
-// transition to `.exit`.
+// The functions that a step runs are linked: the sample function continues with the first block that the state runs, `.entry` with
+// `.step`, and a transition with `.exit`.
 struct SmvmDecoded {
     SmVm *vm;
-    void *sv;                 // the state vector that the code's addresses lie in
-    const void *g;            // in it: G and S
+    void *sv;                 // the state vector that addresses in the code point into
+    const void *g;            // its elements G and S
     void *s;
     SmvmParts parts;          // of the machine's memory
     uint64_t t;               // T
     SmvmWord *code;           // the sample function first
-    const SmvmWord **body;    // by state, two each: where in the code its steps begin, and its first step
+    const SmvmWord **body;    // two for each state: where its later steps start in the code, and its first step
     const void *const *place; // see smvm_fast_places
-    bool samples;             // something comes before that, from the second word of the code on
+    bool samples;             // code precedes those blocks, from the second word on
 };
 
-// Where the code of each FastOp is, or NULL where its number stands for it.
+// The address of the code of each FastOp, or NULL if the code contains its number instead.
 const void *const *smvm_fast_places(void);
 
 #endif

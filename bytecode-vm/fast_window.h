@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Windows in the decoded form: what its instructions for the usual types and statistics are made of (stdlib/roll.h).  The size is not
-// known before it runs, but up to where it goes: the decoder has chosen the instruction by that.
-//   w        the words of a window: where it is, its size
-//   sample   a sample out of F                  taken    one that lies in memory as the type
-//   push     takes it                           asked    a statistic
+// Windows in the decoded form: the functions for the common types and statistics, on top of stdlib/roll.h.  The size of a window is
+// known only at run time, but the decoder has selected the instruction by an upper bound of it.
+//   w        the words of a window: its address, its size
+//   sample   converts F to a sample             taken    reads a sample of type K from memory
+//   push     adds a sample                      others   a statistic
 #ifndef SMVM_FAST_WINDOW_H
 #define SMVM_FAST_WINDOW_H
 
@@ -13,7 +13,7 @@
 #include "stdlib/convert.h"
 #include "stdlib/roll.h"
 
-// Compilers leave out what is for other sizes.
+// Lets the compiler omit code for other sizes.
 #ifdef __GNUC__
 #define KNOWN(condition) do { if (!(condition)) __builtin_unreachable(); } while (0)
 #else
@@ -29,9 +29,10 @@ static inline uint32_t size(const SmvmWord *w, uint32_t most)
     return n;
 }
 
-// ---- averages: the samples of a short window are added in pairs, those sums in pairs, and so on ----
+// ---- averages: samples of a short window are added in pairs, the sums in pairs again, and so on ----
 
-// Of the last two, four, … slots before `end`; those that have no other half are of the end, the fewer the later.  -0 changes no sum.
+// The sums of the last 1, 2, 4, … samples before `end`.  Samples without a partner are at the end; later groups are smaller.  The start
+// value is -0, which changes no sum.
 #define SUMS(K)                                                                                                                    \
     static inline SmF64 sum_1_##K(const unsigned char *at) { return sm_roll_value(SM_ROLL_##K | SM_ROLL_AVG, sm_roll_get(at, 0, SM_ROLL_##K)); } \
     static inline SmF64 sum_2_##K(const unsigned char *at) { return sm_add(sum_1_##K(at), sum_1_##K(at + BYTES_##K)); }            \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interpreter: one step of a machine (language.md 6).  It checks nothing that the verifier has decided: what is named
-// exists, code ends, jumps land on instructions, memory is there.
+// The interpreter: one step of a machine (language.md 6).  It does not check again what the verifier has proved: operands exist, code
+// ends, jumps lead to instructions, memory is large enough.
 #include <stddef.h>
 #include <string.h>
 
@@ -8,7 +8,7 @@
 #include "bytecode-vm/smvm.h"
 
 #if SM_F64_SOFT && SMVM_FETCH_AVR
-// ---- on AVR: the assembly does all but windows ----
+// ---- on AVR: assembly does everything except windows ----
 
 #include "bytecode-vm/interp_avr.h"
 
@@ -53,7 +53,7 @@ SmF64 smvm_load(uint8_t type, const void *at) { return smvm_load_eeprom(type, at
 void smvm_store(SmF64 x, uint8_t type, void *at) { smvm_store_eeprom(x, type, at); }
 #endif
 
-// A sample is in y, as its type.
+// The sample is in vm->y, in the window's type.
 void smvm_do_sample(SmVm *vm, SmvmAt w)
 {
     const uint32_t entry = smvm_window(vm->image, vm->tables.windows, w);
@@ -91,7 +91,7 @@ SMVM_INLINE uint8_t *placed(uint8_t *base, uint8_t type, SmvmAt at)
     return base + at;
 }
 
-static void note(Run *r, SmvmAt output)               // that it is written
+static void note(Run *r, SmvmAt output)               // marks an output as written
 {
     uint8_t *bits = r->vm->stored, bit = 1;
 
@@ -117,7 +117,7 @@ SMVM_APART static void put_out(Run *r, SmvmAt output)
     number_store(&r->x, high & 0xf, placed(r->sv, high & 0xf, offset));
 }
 
-// As a local of the type would keep it.
+// Converts x to the value that a local of this type would store.
 SMVM_APART static void convert(Number *x, uint8_t type)
 {
     uint64_t cell;
@@ -126,7 +126,7 @@ SMVM_APART static void convert(Number *x, uint8_t type)
     number_load(x, type, (uint8_t *)&cell);
 }
 
-// ---- for what stands around the VM: no second text of it in a chip's flash ----
+// ---- for code around the VM: shares one copy of these in a chip's flash ----
 
 SmF64 smvm_load(uint8_t type, const void *at)
 {
@@ -160,7 +160,7 @@ SMVM_APART static void do_stat(Run *r, uint8_t stat, SmvmAt w)
 
 // ---- instructions ----
 
-// and, or; what has no operand.
+// and, or; operations without operand bytes.
 SMVM_APART static void do_compute(Run *r, uint8_t op)
 {
     if (op == SMVM_and)
@@ -179,7 +179,7 @@ static uint64_t constant(const Run *r, SmvmAt table, uint32_t n, uint8_t bytes)
     return smvm_cell(r->vm->image, (SmvmAt)(table + bytes * (SmvmAt)n), bytes);
 }
 
-// ldx_plus … ldx_f64, those of Y, addi, subi.
+// ldx_plus … ldx_f64, the same for Y, addi, subi.
 SMVM_APART static void with_number(Run *r, uint8_t op, uint32_t n)
 {
     Number *x = op & 0x20 ? &r->y : &r->x, y;
@@ -195,7 +195,7 @@ SMVM_APART static void with_number(Run *r, uint8_t op, uint32_t n)
     }
 }
 
-// All that load, and those.
+// All loads, and the instructions of with_number.
 SMVM_APART static void do_load(Run *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;
@@ -227,7 +227,7 @@ SMVM_APART static void do_put(Run *r, uint8_t op, uint32_t n)
     }
 }
 
-// A varint of two or four bytes, of whose first this is `b`; the others are at `at`.
+// A varint of two or four bytes.  b is the first byte; the others start at `at`.
 SMVM_APART static uint32_t long_number(SmvmBytes at, uint8_t b)
 {
     uint32_t v;
@@ -240,7 +240,7 @@ SMVM_APART static uint32_t long_number(SmvmBytes at, uint8_t b)
     return SMVM_VARINT_MID + v;
 }
 
-SMVM_INLINE SmvmBytes behind(SmvmBytes at, uint8_t b)           // the others of one whose first is b
+SMVM_INLINE SmvmBytes behind(SmvmBytes at, uint8_t b)           // skips the other bytes of a varint that starts with b
 {
     return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
 }
@@ -255,7 +255,7 @@ SMVM_APART static bool jumps(const Run *r, uint8_t op)           // all but jxn
     }
 }
 
-// Runs code up to its end; gives the state that it goes to, or 0.
+// Runs code up to its end.  Returns the state that it transitions to, or 0.
 SMVM_APART static SmvmAt run_code(Run *r, SmvmBytes at)
 {
     for (;;) {
@@ -312,7 +312,7 @@ static SmvmAt end_at(const Run *r, SmvmBytes at)      // an entry of the table o
     return end;
 }
 
-// Runs a function; gives the state that it goes to, or 0.
+// Runs a function.  Returns the state that it transitions to, or 0.
 static SmvmAt run(Run *r, SmvmAt function)
 {
     SmvmBytes at = r->vm->image + r->t->functions;
@@ -326,7 +326,7 @@ static SmvmAt run(Run *r, SmvmAt function)
     return start == end_at(r, at) ? 0 : run_code(r, r->vm->image + (SmvmAt)(r->vm->code + start));
 }
 
-// G advances; nothing is stored yet.
+// Advances G and clears the notes of stored outputs.  Returns false if G did not advance.
 static bool begin(SmVm *vm, const void *g)
 {
     if (!smvm_advance(vm, g))
@@ -346,7 +346,7 @@ static void clear_more(Run *r)
 static SmResult one_step(Run *r)
 {
     SmVm *vm = r->vm;
-    SmvmAt block = (SmvmAt)(3 * vm->state - 2), to = 0;        // the functions of the state: entry, step, exit
+    SmvmAt block = (SmvmAt)(3 * vm->state - 2), to = 0;        // the state's functions: entry, step, exit
 
     if (!begin(vm, r->sv + r->t->g))
         return SM_REFUSED;

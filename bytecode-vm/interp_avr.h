@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What interp.c and interp_avr.S have in common on AVR: where in SmVm what lies, and what a step gives.
+// Shared by interp.c and interp_avr.S on AVR: offsets of the members of SmVm, and the results of a step.
 #ifndef SMVM_INTERP_AVR_H
 #define SMVM_INTERP_AVR_H
 

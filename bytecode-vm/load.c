@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From an image to a machine that can run: finds the parts, computes the memory needed, lays it out and fills it.
+// Prepares a machine of an image to run: finds its parts, computes the memory that it needs, lays out and initializes that memory.
 #include <stddef.h>
 #include <string.h>
 
@@ -80,7 +80,7 @@ SmvmFound smvm_number(SmvmReader *r)
 
 uint8_t smvm_shift(uint8_t type) { return smvm_type_shift(type); }
 
-// In units of 1 << shift; SMVM_NOWHERE where this target cannot hold it.
+// Converts from units of 1 << shift; SMVM_NOWHERE if this target cannot hold the result.
 static SmvmAt scaled(SmvmAt at, uint8_t shift)
 {
     for (; shift > 0; shift--)
@@ -140,7 +140,7 @@ bool smvm_find(SmvmBytes image, uint8_t id, SmvmReader *r)
 
 // ---- machines ----
 
-// The numbers of a record, in their order: where each goes, and in units of 1 << what it counts.
+// The numbers of a MACHINE record, in order: the field for each, and its unit as a power of 2.
 #define SMVM_NUMBER(field, shift) {offsetof(SmvmMachine, field), shift}
 static const struct Field { uint8_t at, shift; } record[] SM_FLASH = {
     SMVM_NUMBER(sv_size, 3), SMVM_NUMBER(from, 3), SMVM_NUMBER(to, 3), SMVM_NUMBER(locals, 0), SMVM_NUMBER(windows, 0),
@@ -165,7 +165,7 @@ static uint8_t read_numbers(SmvmMachine *m, SmvmReader *r)
     return m->states == 0 || m->width < 1 || m->width > 3 ? SMVM_R_STATES : 0;
 }
 
-// Finds the next table, whose entries take so many bytes.
+// Finds the next table; each entry has `bytes` bytes.
 static bool find_table(SmvmReader *r, SmvmAt *table, SmvmAt count, uint8_t bytes)
 {
     *table = r->at;
@@ -175,7 +175,7 @@ static bool find_table(SmvmReader *r, SmvmAt *table, SmvmAt count, uint8_t bytes
     return true;
 }
 
-// Reads what a MACHINE section says and finds its tables.  Gives 0, or the rule that is broken.  Checks only what it reads.
+// Reads a MACHINE section and finds its tables.  Returns 0, or the rule that is broken.  Checks only what it reads.
 static uint8_t read_machine(SmvmMachine *m)
 {
     SmvmReader r = {m->image, m->machine_at, (SmvmAt)(m->machine_at + m->machine_size), 0};
@@ -200,7 +200,7 @@ void smvm_again(const SmVm *vm, SmvmMachine *m)
     read_machine(m);
 }
 
-// Notes where the parts of a machine are: its sections stand behind its MACHINE, before the next one.
+// Stores where the parts of a machine are: its sections follow its MACHINE section and precede the next one.
 static void look_for(uint8_t number, SmvmMachine *m)
 {
     bool inside = false;
@@ -252,11 +252,11 @@ SmvmPlace smvm_output(const SmvmMachine *m, uint32_t output)
     return smvm_place(m->image, (SmvmAt)(m->outputs_at + SMVM_PLACE * (SmvmAt)output));
 }
 
-// ---- memory: SmVm, then where the windows are, windows, locals, and bits of the outputs from 64 on ----
+// ---- memory: SmVm, then pointers to the windows, windows, locals, and bits of the outputs from 64 on ----
 
 static SmvmAt up8(SmvmAt n) { return (SmvmAt)((n + 7u) & ~7u); }
 
-static SmvmAt plus(SmvmAt a, uint32_t b)              // a sum that sticks at the end
+static SmvmAt plus(SmvmAt a, uint32_t b)              // a saturating sum
 {
     return b > (SmvmAt)(SMVM_NOWHERE - a) ? SMVM_NOWHERE : (SmvmAt)(a + b);
 }
@@ -333,7 +333,7 @@ static void set_locals(SmVm *vm, const SmvmMachine *m)
     }
 }
 
-// As the strictest of what lies in there asks for: 8 on most targets, 1 on some.
+// Whether p has the strictest alignment of the data stored there: 8 on most targets, 1 on some.
 static bool is_aligned(const void *p)
 {
     struct Strict { char c; union { uint64_t time; SmF64 number; void *pointer; } at; };
@@ -370,7 +370,7 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
     return SM_OK;
 }
 
-// ---- looking at it ----
+// ---- reading its state ----
 
 uint32_t smvm_state(const SmVm *vm) { return vm->state; }
 uint64_t smvm_time(const SmVm *vm) { return vm->next - vm->start; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The longest way through a function, in instructions, counted on the verifier's walk: the number on arriving at the next
-// instruction, and at each target still ahead.  Jumps only go forward, so when the walk comes to a target all jumps to it have
-// been seen.  Internal to verify.c; nothing of it is left where SMVM_LONGEST is 0.
+// The longest path through a function, in instructions, computed during the verifier's pass.  It tracks the cost of reaching the next
+// instruction and of reaching each pending jump target.  Jumps only lead forward, so all jumps to a target have been seen when the pass
+// arrives there.  Internal to verify.c; compiles to nothing if SMVM_LONGEST is 0.
 #ifndef SMVM_LONGEST_H
 #define SMVM_LONGEST_H
 
@@ -9,22 +9,22 @@
 
 #include "bytecode-vm/image.h"
 
-typedef enum SmvmIn { SMVM_IN_SAMPLE, SMVM_IN_ENTRY, SMVM_IN_STEP, SMVM_IN_EXIT } SmvmIn;      // what kind of function
+typedef enum SmvmIn { SMVM_IN_SAMPLE, SMVM_IN_ENTRY, SMVM_IN_STEP, SMVM_IN_EXIT } SmvmIn;      // the kind of a function
 
 #if SMVM_LONGEST
 static inline uint32_t longest_of(uint32_t a, uint32_t b) { return a > b ? a : b; }
 
 typedef struct Longest {
-    struct { uint32_t at, cost; } join[SMVM_JOINS];   // the nearest target last
+    struct { uint32_t at, cost; } join[SMVM_JOINS];   // pending targets; the nearest is last
     uint8_t joins;
-    bool live;                // some way leads to the next instruction
-    bool sum;                 // too many targets: every instruction counts
-    uint32_t cost;            // the longest way to the next instruction
-    uint32_t ends, leaves;    // the longest that ends with `end`, with `goto`; 0: none does
-    uint32_t sample, left, ended, most;   // of functions: the first; those of the state so far, that left it and did not; of all states
+    bool live;                // the next instruction is reachable
+    bool sum;                 // too many targets: adds up every instruction
+    uint32_t cost;            // of the longest path to the next instruction
+    uint32_t ends, leaves;    // the longest path that ends with `end`, with `goto`; 0: none does
+    uint32_t sample, left, ended, most;   // the sample function; the state's paths so far, with and without goto; the largest of all states
 } Longest;
 
-static inline void longest_begin(Longest *w)          // a function
+static inline void longest_begin(Longest *w)          // at the start of a function
 {
     w->joins = 0;
     w->live = true;
@@ -32,7 +32,7 @@ static inline void longest_begin(Longest *w)          // a function
     w->cost = w->ends = w->leaves = 0;
 }
 
-static inline void longest_arrive(Longest *w, uint32_t at)                      // at an instruction
+static inline void longest_arrive(Longest *w, uint32_t at)                      // at the start of an instruction
 {
     while (w->joins > 0 && w->join[w->joins - 1].at == at) {
         w->joins--;
@@ -71,7 +71,7 @@ static inline void longest_jump(Longest *w, uint32_t at)
     }
 }
 
-static inline void longest_leave(Longest *w, uint8_t op)                        // control does not go on
+static inline void longest_leave(Longest *w, uint8_t op)                        // control does not continue with the next instruction
 {
     if (w->live && op == SMVM_end)
         w->ends = longest_of(w->ends, w->cost);
@@ -80,7 +80,8 @@ static inline void longest_leave(Longest *w, uint8_t op)                        
     w->live = w->sum;
 }
 
-// After a function.  A step is: sample; entry if it is the first; step unless entry left; exit if either did.
+// At the end of a function.  A step is: sample; entry if it is the state's first; step unless entry had a transition; exit after a
+// transition.
 static inline void longest_end(Longest *w, SmvmIn in)
 {
     switch (in) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a register of the interpreter holds.  Internal to interp.c.
+// The contents of a register of the interpreter.  Internal to interp.c.
 //
-// It is always an F64.  Where those are calculated in software, it is kept as a whole number of 32 bits as long as it is one, and what
-// gives one of two of them is done on integers: on an 8-bit computer ten times as fast.  Such a 0 is +0; -0 is never kept so.
+// The value is always an F64.  Where floating point is done in software, it is stored as a 32-bit whole number as long as it is one, and
+// operations whose result is whole use integers.  On an 8-bit computer that is ten times as fast.  A whole 0 means +0; -0 is never
+// stored as a whole number.
 #ifndef SMVM_NUMBER_H
 #define SMVM_NUMBER_H
 
@@ -35,7 +36,7 @@ SMVM_APART static SmF64 number_f64(const Number *x) { return x->is_real ? x->as.
 
 // ---- memory ----
 
-// Half of a number of eight bytes, as this computer keeps it.
+// One half of a number of eight bytes, in the byte order of this computer.
 static inline uint32_t number_half(const uint8_t *p, bool upper)
 {
     const uint16_t one = 1;
@@ -47,7 +48,7 @@ static inline uint32_t number_half(const uint8_t *p, bool upper)
     return half;
 }
 
-// What may be no whole number of 32 bits: apart, so that the others need no room for one.
+// The types whose values may not be 32-bit whole numbers.  A separate function, so that the others reserve no stack for them.
 SMVM_APART static void number_load_wide(Number *x, uint8_t type, const uint8_t *p)
 {
     uint32_t v;
@@ -62,7 +63,7 @@ SMVM_APART static void number_load_wide(Number *x, uint8_t type, const uint8_t *
     }
 }
 
-// An F64, as it is where `type` is RAW.
+// An F64; if `type` is RAW, NaN is preserved.
 SMVM_APART static void number_load_f64(Number *x, uint8_t type, const uint8_t *p)
 {
     const uint32_t upper = number_half(p, true);
@@ -113,7 +114,7 @@ SMVM_APART static void number_load(Number *x, uint8_t type, const uint8_t *p)
     number_whole(x, whole);
 }
 
-// What is not within a type becomes its end.
+// Clips a value to the range of a type.
 SMVM_APART static int32_t number_clipped(int32_t v, uint8_t type)
 {
     switch (type) {
@@ -201,7 +202,7 @@ static inline uint8_t number_relation_to(const Number *x, int32_t n)
     return x->is_real ? number_relation_to_real(x, n) : number_relation_whole(x->as.whole, n);
 }
 
-// Of whole numbers: false where that is none, or would be -0.
+// Operations on whole numbers.  They return false if the result is not a whole number of 32 bits, or would be -0.
 static bool number_add_whole(Number *x, int32_t a, int32_t b)
 {
     if (b < 0 ? a < INT32_MIN - b : a > INT32_MAX - b)
@@ -254,7 +255,7 @@ static bool number_whole_of_one(Number *x, uint8_t op)
 static uint64_t number_min(uint64_t a, uint64_t b) { return sm_bits(sm_min(sm_from_bits(a), sm_from_bits(b))); }
 static uint64_t number_max(uint64_t a, uint64_t b) { return sm_bits(sm_max(sm_from_bits(a), sm_from_bits(b))); }
 
-// One call for all, which is small: each takes its numbers in the same registers.
+// All operations share one call, which saves code: each takes its arguments in the same registers.
 SMVM_APART static void number_real_of_two(Number *x, uint8_t op, const Number *y)
 {
     uint64_t (*f)(uint64_t a, uint64_t b) = sm_soft_add;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pins that an image carries (docs/bytecode.md, IO), read in place and row by row.
+// The pins of an image (docs/bytecode.md, IO), read in place, row by row.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
 #include "stdlib/convert.h"
 
-// What stands in front of a row.
+// The first byte of a row.
 enum {
     KIND = 3, DIGITAL = 2, OUTPUT = 1,        // bits 0 and 1, as SmvmPin.kind
     FLAGS_AT = 2, FLAGS = 7,                  // bits 2 to 4, as SmvmPin.flags
-    SCALED = 0x20, SHIFTED = 0x40, MORE = 0x80        // scale; offset; hold of an input, safe value of an output
+    SCALED = 0x20, SHIFTED = 0x40, MORE = 0x80        // scale; offset; hold of an input or safe value of an output
 };
 
-// A number; one beyond the largest becomes that.
+// Reads a number; one beyond `most` becomes `most`.  Returns false if it is cut short.
 static bool take_up_to(SmvmPins *p, SmvmAt most, SmvmAt *n)
 {
     const bool there = smvm_number(&p->in) != SMVM_CUT_SHORT;
@@ -33,7 +33,7 @@ bool smvm_pins(SmvmBytes image, SmvmPins *p)
     return take_up_to(p, SMVM_NOWHERE >> 3, &p->sv_size) && take_up_to(p, SMVM_NOWHERE, &p->left);
 }
 
-// In the place of a type: that a whole number stands in the place of the offset, of 20 bits in two's complement.
+// A value of the type field: the offset field then contains a whole number, 20 bits in two's complement.
 enum { WHOLE = 15 };
 
 static bool take_number(SmvmPins *p, SmF64 *x)
@@ -75,7 +75,7 @@ static bool take_element(SmvmPins *p, SmvmPin *pin)
     return true;
 }
 
-// What bit MORE announces.
+// Reads the field that bit MORE announces.
 static bool take_more(SmvmPins *p, SmvmPin *pin)
 {
     SmvmAt at;
@@ -97,7 +97,7 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
     if (p->left == 0 || (at = smvm_take(&p->in, 1)) == 0)
         return false;
     front = smvm_u8(p->in.image, at);
-    memset(pin, 0, sizeof *pin);                      // 0 as a number too
+    memset(pin, 0, sizeof *pin);                      // all zero bits are 0 as a number too
     pin->kind = front & KIND;
     pin->flags = front >> FLAGS_AT & FLAGS;
     pin->scale = sm_from_i32(1);
@@ -123,7 +123,7 @@ static bool is_in_vector(const SmvmPins *p, const SmvmPin *pin)
     return bytes <= size && pin->offset <= (SmvmAt)(size - bytes);
 }
 
-// Pulls are of digital inputs, one at most; inversion is of digital pins.
+// Only digital inputs have pull resistors, at most one of the two; only digital pins can be inverted.
 static bool are_flags_of(const SmvmPin *pin)
 {
     if (pin->kind & DIGITAL)
@@ -164,5 +164,5 @@ SMVM_APART uint8_t smvm_check_pins(SmvmBytes image, SmvmAt *at)
     if (smvm_pins(image, &p))
         return check_pins(&p, at);
     *at = p.in.at;
-    return p.in.at == 0 ? 0 : SMVM_R_IO;              // none at all, or one that is cut short
+    return p.in.at == 0 ? 0 : SMVM_R_IO;              // no section IO, or one that is cut short
 }

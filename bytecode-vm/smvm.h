@@ -16,8 +16,8 @@
 //         …use what it stored…
 //     }
 //
-// The verifier decides everything once.  Of an image that it accepted the interpreter cannot leave its memory, loop without
-// bound or trap, whatever the state vector holds.  An image that it did not accept must not be given to any other function here.
+// The verifier makes every safety decision once.  When the interpreter runs an image that the verifier accepted, it cannot leave
+// its memory, loop without bound or trap, whatever the state vector contains.  Pass no other image to any other function here.
 #ifndef SMVM_H
 #define SMVM_H
 
@@ -38,115 +38,117 @@ extern "C" {
 
 typedef struct SmvmVerdict {
     uint8_t rule;             // 0: accepted; else the number of the rule that is broken (rules.def)
-    SmvmAt at;                // where: offset in the image
-    SmvmAt machine;           // in which machine, counted from 0
-    uint32_t longest;         // accepted: instructions in the longest step, of the machine where that is largest; as smvm_longest_step
+    SmvmAt at;                // offset in the image of what breaks the rule
+    SmvmAt machine;           // number of the faulty machine, counted from 0
+    uint32_t longest;         // accepted: the largest smvm_longest_step of all machines
 } SmvmVerdict;
 
-// Checks `size` bytes; an image may be shorter than that.  Gives v->rule.  Linear in size, no memory but ~600 bytes of stack.
+// Checks an image within the first `size` bytes; it may be shorter than that.  Returns v->rule.  Takes time linear in the size and
+// no memory but about 600 bytes of stack.
 uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v);
 
-// A part of an image, read one thing behind the other.
+// A part of an image that is read sequentially.
 typedef struct SmvmReader {
     SmvmBytes image;
     SmvmAt at, end;
-    SmvmAt n;                 // the number that was read last
+    SmvmAt n;                 // the number read last
 } SmvmReader;
 
-// What a machine is and where its parts lie in the image (all offsets count from the image's start).
+// The properties of a machine and the places of its parts in the image.  All offsets count from the start of the image.
 typedef struct SmvmMachine {
-    SmvmAt sv_size;           // bytes of that state vector in memory
-    SmvmAt from, to;          // it reads and writes only these of them, from a multiple of 8 up to before one
-    SmvmAt windows, f32s, f64s;       // how many of each
+    SmvmAt sv_size;           // bytes of the machine's state vector in memory
+    SmvmAt from, to;          // the machine accesses bytes from … to - 1 of it only; both are multiples of 8
+    SmvmAt windows, f32s, f64s;       // the number of each
     SmvmAt states;            // numbered from 1
-    // (From here to width as SmvmTables has them, which has others in the place of these two: bytes of locals, and of what is computed on the
-    // way; and how many elements it may store, beside S.)
+    // The fields from here to width match the layout of SmvmTables, except for locals and outputs.  locals: bytes of locals and of
+    // intermediate results.  outputs: the number of elements that the machine can store, besides S.
     SmvmAt windows_at, outputs_at, functions_at, f32s_at, f64s_at;
     SmvmAt locals, outputs;
-    SmvmAt g, s;              // where in the state vector G and S are, in bytes
+    SmvmAt g, s;              // byte offsets of G and S in the state vector
     SmvmAt width;             // bytes of an entry in the table of functions
     SmvmAt machine_at, machine_size;
-    SmvmAt code_at, code_size, init_at, init_size, debug_at, debug_size;       // size 0: there is none
-    SmvmAt safe_at, safe_size;        // which states are marked @safe: a bit each; safe_at 0: it marks none
+    SmvmAt code_at, code_size, init_at, init_size, debug_at, debug_size;       // size 0: the section is absent
+    SmvmAt safe_at, safe_size;        // a bit for each state: whether it is marked @safe; safe_at 0: no state is
     SmvmBytes image;
-    uint32_t layout;          // hash of the layout of the state vector it was made for
+    uint32_t layout;          // layout hash of the state vector that the machine was compiled for
 } SmvmMachine;
 
-// Reads machine `number`, counted from 0.  False if the image has no such machine.
+// Reads machine `number`, counted from 0.  Returns false if the image has no such machine.
 bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m);
 
-// The instructions of its longest step, not counting the time that statistics take to walk over their windows; 0 where the VM is made
-// without (SMVM_LONGEST).
+// The number of instructions in the longest step.  Does not include the time that statistics need to traverse their windows.
+// 0 if the VM is compiled without this count (SMVM_LONGEST).
 uint32_t smvm_longest_step(const SmvmMachine *m);
 
-// Whether a state of it (1 to m->states) is marked @safe.  Of a machine that marks none, each is.
+// Whether state `state` (1 to m->states) is marked @safe.  True for every state of a machine that marks none.
 bool smvm_state_is_safe(const SmvmMachine *m, uint32_t state);
 
-// Where an element lies in the state vector, or a local among the locals.
+// The place of an element in the state vector, or of a local among the locals.
 typedef struct SmvmPlace {
     SmType type;
     SmvmAt offset;            // in bytes
 } SmvmPlace;
-SmvmPlace smvm_output(const SmvmMachine *m, uint32_t output);         // from 0
+SmvmPlace smvm_output(const SmvmMachine *m, uint32_t output);         // counted from 0
 
 // ---- pins ----
 
-// A pin that an image carries, as config.md 9 says; numbers of kinds and flags are those of runtime-c/io.h.
+// A pin that an image describes (config.md 9).  The values of kind and flags are those of runtime-c/io.h.
 typedef struct SmvmPin {
     uint8_t kind;             // bit 0: an output; bit 1: digital
     uint8_t type;             // of the element
     uint8_t flags;            // 1 inverted, 2 pulled up, 4 pulled down
-    uint8_t hold;             // inputs: steps that the last measurement is kept
+    uint8_t hold;             // inputs: for how many steps the last measurement remains valid
     uint32_t pin;             // 0 to 65535
-    SmvmAt offset;            // the element's place in the state vector
+    SmvmAt offset;            // of the element in the state vector
     SmF64 scale, zero;        // analog: element = volts * scale + zero
     SmF64 safe;               // outputs
 } SmvmPin;
 
-// Two pins with the same place are one pin of the chip.  SMVM_NO_PIN: none that an image may have.  `kind` as above, and from bit 2 on flags.
+// Two pins with the same place are the same pin of the chip.  SMVM_NO_PIN: an image may not use this pin.  `kind` is as above, with the
+// flags from bit 2 on.
 typedef uint8_t SmvmPinPlace(uint16_t number, uint8_t kind);
 static inline uint8_t smvm_pin_kind(const SmvmPin *p) { return (uint8_t)(p->kind | p->flags << 2); }
 #define SMVM_NO_PIN 0xffu
 
-// Stands before the next of them.
+// An iterator over the pins of an image.
 typedef struct SmvmPins {
     SmvmReader in;
-    uint32_t layout;          // hash of the layout of the state vector they are for
-    SmvmAt sv_size;           // of that, in units of 8 bytes; the largest that there is where it is beyond what this target allows
-    SmvmAt left;              // how many are still to come
+    uint32_t layout;          // layout hash of the state vector that the pins belong to
+    SmvmAt sv_size;           // of that state vector, in units of 8 bytes; the largest SmvmAt if this target cannot hold it
+    SmvmAt left;              // the number of pins not read yet
 } SmvmPins;
 
-// Before the first pin of an image; false if it carries none.
+// Positions p before the first pin of an image.  Returns false if the image has no pins.
 bool smvm_pins(SmvmBytes image, SmvmPins *p);
 
-// Reads the next one, in the order of the .io; false at the end.
+// Reads the next pin, in the order of the .io file.  Returns false at the end.
 bool smvm_next_pin(SmvmPins *p, SmvmPin *pin);
 
 // ---- running ----
 
-// Where in its image, its memory and the state vector a machine that runs has what.
+// Where the tables and elements of a running machine are, as offsets.
 typedef struct SmvmTables {
     SmvmAt windows, outputs, functions, f32s, f64s;       // in the image
-    SmvmAt more, more_bytes;                              // behind the SmVm: bits of the outputs from 64 on
+    SmvmAt more, more_bytes;                              // from the SmVm: bits of the outputs from 64 on
     SmvmAt g, s;                                          // in the state vector
     uint8_t width;            // bytes of an entry in the table of functions
 } SmvmTables;
 
-// A machine that runs; lies at the start of the memory given to smvm_init.  Read it through the functions below.
+// A running machine.  It is at the start of the memory passed to smvm_init.  Read it through the functions below.
 typedef struct SmVm {
     SmvmBytes image;
-    uint64_t start, next;     // 1 more than G at the first step of `state`, and at the last step that ran; 0: there was none
-    uint8_t stored[8];        // one bit for each of the first 64 outputs; behind the locals are more where there are more
-    SmvmAt machine, code;     // where in the image its MACHINE and CODE are; what they say is read again at each step
-    SmvmAt local;             // how far behind this the locals are
-    SmvmAt state;             // the one that the next step runs
+    uint64_t start, next;     // G + 1 at the first step of `state`, and at the last step that ran; 0: none has run
+    uint8_t stored[8];        // one bit for each of the first 64 outputs; the bits of further outputs follow the locals
+    SmvmAt machine, code;     // offsets in the image of MACHINE and CODE, which are read again at each step
+    SmvmAt local;             // offset of the locals from this structure
+    SmvmAt state;             // the state that the next step runs
 #if SMVM_KEEP_TABLES
     SmvmTables tables;
 #endif
-    // first: the next step is the first of `state`; entered: the last step was the first of its state: it stored S
-#if SMVM_FETCH_AVR            // and what the assembly keeps (interp_avr.h): there are samples to take; there are more than eight outputs
+    // first: the next step is the first one of `state`; entered: the last step was the first one of its state, so it stored S
+#if SMVM_FETCH_AVR            // for the assembly (interp_avr.h): there are samples to take; more than 8 outputs
     bool first : 1, entered : 1, samples : 1, many : 1;
-    uint16_t body;            // address of the state's .step
+    uint16_t body;            // address of the state's .step block
     uint8_t y[8];             // register Y
 #else
     bool first, entered;
@@ -156,53 +158,54 @@ typedef struct SmVm {
 // Bytes of memory that smvm_init needs for m.
 SmvmAt smvm_ram_size(const SmvmMachine *m);
 
-// The state vector that there is, or a snapshot of it.
+// The state vector, or a snapshot of it.
 typedef struct SmvmVector {
     void *at;                 // aligned as a uint64_t
     uint32_t size;            // in bytes
-    uint32_t layout;          // its hash, as the machine's
+    uint32_t layout;          // its layout hash, to compare with the machine's
 } SmvmVector;
 
-// Puts a machine at state `state` (1 is the initial one) in memory that is the caller's, aligned as an array of uint64_t and of at
-// least smvm_ram_size(m) bytes: locals at their initial values, windows empty.  Writes the state's number to S.
-// SM_E_LAYOUT: m was made for a state vector of another layout or size.  SM_E_ARGUMENT: there is no such state.
-// SM_E_MEMORY: `size` is too small.  SM_E_ALIGNMENT: memory or state vector is not aligned.
+// Places a machine in state `state` (1 is the initial state) in memory that the caller owns.  The memory must be aligned as an array
+// of uint64_t and have at least smvm_ram_size(m) bytes.  Sets locals to their initial values, empties windows, and writes the state's
+// number to S.
+// SM_E_LAYOUT: m was compiled for a state vector of another layout or size.  SM_E_ARGUMENT: there is no such state.
+// SM_E_MEMORY: `size` is too small.  SM_E_ALIGNMENT: the memory or the state vector is not aligned.
 SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state);
 
-// One step (language.md 6) on the state vector or another snapshot of it.  SM_REFUSED: G did not advance; nothing changed.
+// Runs one step (language.md 6) on the state vector or on another snapshot of it.  SM_REFUSED: G did not advance; nothing changed.
 SmResult smvm_step(SmVm *vm, void *sv);
 
 uint32_t smvm_state(const SmVm *vm);                  // the state that the next step runs
 uint64_t smvm_time(const SmVm *vm);                   // T
 bool smvm_stored(const SmVm *vm, uint32_t output);    // whether the last step that ran stored output 0 … m.outputs - 1
-bool smvm_stored_state(const SmVm *vm);               // whether it stored S
-void *smvm_locals(SmVm *vm);                          // the locals, as the code and the debug section place them
+bool smvm_stored_state(const SmVm *vm);               // whether that step stored S
+void *smvm_locals(SmVm *vm);                          // the locals, at the offsets that the code and the debug section use
 
-// ---- running faster, where there is RAM to spare ----
+// ---- faster execution, where there is RAM to spare ----
 
-// The code of a machine with its operands looked up, for one state vector; several times as fast as reading the image.
+// The code of a machine with its operands resolved for one state vector.  It runs several times as fast as the image.
 typedef struct SmvmDecoded SmvmDecoded;
 
 // Bytes of memory that smvm_decode needs for m.
 uint32_t smvm_decoded_size(const SmvmMachine *m);
 
-// Decodes the code of the machine that smvm_init has put at vm, for steps on the state vector at sv, into memory that is the caller's,
-// aligned as an array of uint64_t; *decoded is then that memory.  The locals, windows and everything else stay at vm, where all functions
-// above find them; a new smvm_init of the same machine at the same place leaves the decoded code as it is.
+// Decodes the code of the machine that smvm_init placed at vm, for steps on the state vector at sv.  The caller owns the memory, which
+// must be aligned as an array of uint64_t; *decoded is set to it.  Locals, windows and everything else stay at vm, so all functions above
+// work as before.  The decoded code remains valid after another smvm_init of the same machine at the same place.
 // SM_E_MEMORY: `size` is too small.  SM_E_ALIGNMENT: the memory is not aligned.
 SmResult smvm_decode(SmvmDecoded **decoded, void *memory, uint32_t size, const SmvmMachine *m, SmVm *vm, void *sv);
 
-// As smvm_step, with the same results.  On another state vector than that given to smvm_decode it is smvm_step.
+// Like smvm_step, with the same results.  On any state vector other than the one passed to smvm_decode it calls smvm_step.
 SmResult smvm_step_decoded(SmvmDecoded *decoded, void *sv);
 
-// ---- for people; on hosts ----
+// ---- text for people; on hosts ----
 
 typedef void (*SmvmWrite)(void *context, const char *text, size_t length);
 
-// Any image that the verifier accepts, as text.
+// Disassembles an image that the verifier accepts.
 void smvm_disasm(SmvmBytes image, SmvmWrite write, void *context);
 
-const char *smvm_rule_text(uint8_t rule);             // the sentence of a rule; "" for a number that has none
+const char *smvm_rule_text(uint8_t rule);             // the sentence of a rule; "" if there is no such rule
 
 #ifdef __cplusplus
 }

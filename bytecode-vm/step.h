@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all that runs code has in common: how a step begins (language.md 6), and what a RAW local keeps.  Internal to the VM.
+// The parts of a step that all interpreters share: how it begins (language.md 6), and the value of a RAW local.  Internal to the VM.
 #ifndef SMVM_STEP_H
 #define SMVM_STEP_H
 
 #include "bytecode-vm/smvm.h"
 #include "stdlib/convert.h"
 
-// `g` and `s` are where elements G and S are.  False if G did not advance.  Else what the step before stored is yet to be cleared.
+// g points to element G.  Returns false if G did not advance.  Otherwise the caller must still clear
+// what the previous step noted as stored.
 static inline bool smvm_advance(SmVm *vm, const void *g)
 {
-    uint64_t next = sm_cell_load(SM_U64, g) + 1;      // 0 for the last one there is
+    uint64_t next = sm_cell_load(SM_U64, g) + 1;      // wraps to 0 for the largest G
 
     if (next <= vm->next)
         return false;
@@ -17,7 +18,7 @@ static inline bool smvm_advance(SmVm *vm, const void *g)
     return true;
 }
 
-static inline void smvm_enter(SmVm *vm, void *s)      // once it has advanced
+static inline void smvm_enter(SmVm *vm, void *s)      // call after smvm_advance returned true
 {
     vm->entered = vm->first;
     if (vm->first) {
@@ -26,8 +27,8 @@ static inline void smvm_enter(SmVm *vm, void *s)      // once it has advanced
     }
 }
 
-// What a RAW local keeps of x: of all NaNs one, for which of two comes out of an operation is the C compiler's choice, and whoever
-// reads the local as another type would see it.
+// The value that a RAW local stores for x.  Every NaN becomes one fixed NaN: which NaN an operation on two NaNs returns depends on the
+// C compiler, and code that reads the local as another type could see the difference.
 static inline SmF64 smvm_raw(SmF64 x) { return sm_is_nan(x) ? sm_from_bits(UINT64_C(0x7ff8000000000000)) : x; }
 
 #endif

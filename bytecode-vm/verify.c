@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proves an image safe before it runs: after this, neither image nor state vector can make the interpreter leave its memory,
-// loop without bound or trap.  One walk over the sections, the tables and the code, which also counts the longest step.
+// Proves an image safe before it runs.  After that, neither image nor state vector can make the interpreter leave its memory, loop
+// without bound or trap.  A single pass over sections, tables and code checks everything and computes the longest step.
 //
-// That code can be checked in one walk without remembering where instructions begin rests on the encoding: the bytes of an
-// instruction behind its opcode are below 0x80, an opcode never is.  So a jump lands on an instruction if it lands on a byte
-// from 0x80 in code that is itself found to be well formed.
+// One pass suffices, without a record of where instructions begin, because of the encoding: the operand bytes after an opcode are
+// below 0x80, and an opcode never is.  So a jump leads to an instruction if and only if it leads to a byte from 0x80 on, in code that
+// is itself well formed.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
@@ -20,11 +20,11 @@ enum {
     K = SMVM_SHAPE_K, W = SMVM_SHAPE_W, T = SMVM_SHAPE_T, M = SMVM_SHAPE_M, J = SMVM_SHAPE_J, X = SMVM_SHAPE_X, Y = SMVM_SHAPE_Y,
     GX = SMVM_SHAPE_GX
 };
-#define GY SMVM_SHAPE_GY                              // these are beyond what an int may hold
+#define GY SMVM_SHAPE_GY                              // these three may be too large for an int
 #define FY SMVM_SHAPE_FY
 #define Z SMVM_SHAPE_Z
 
-// What follows an opcode, of a shape.
+// Encodes which operands follow an opcode, from its shape.
 #define SMVM_IS(what, number) ((uint16_t)((what) & SMVM_SHAPE_FOLLOWS) == (number))
 #define SMVM_FOLLOWS(s) \
     (SMVM_IS(s, L) ? SMVM_AN_L : SMVM_IS(s, E) ? SMVM_AN_E : SMVM_IS(s, N) ? SMVM_AN_N : SMVM_IS(s, F) ? SMVM_AN_F : SMVM_IS(s, D) ? SMVM_A_D : \
@@ -43,7 +43,7 @@ enum {
 #undef SMVM_OP
 };
 
-// Where the rows of sixteen opcodes begin, which ascend: most looked for are the first or second there.
+// The first row of each group of sixteen opcodes.  Rows ascend; the most frequent opcodes are in the first or second row of a group.
 static const uint8_t row_of[] SM_FLASH = {ROW_ldx_local, ROW_ldx_elem, ROW_ldy_local, ROW_ldy_elem,
                                           ROW_st_local, ROW_jxy, ROW_jf, ROW_add};
 
@@ -59,19 +59,19 @@ uint16_t smvm_form(uint8_t opcode)
     return opcode < r.first ? 0 : r.form;
 }
 
-// ---- the walk ----
+// ---- the pass ----
 
-enum { HAS_X = 1, HAS_Y = 2 };                        // registers that hold a number
+enum { HAS_X = 1, HAS_Y = 2 };                        // registers that contain a number
 
-// Functions give 0, or the rule that is broken at `where`.
+// The functions below return 0, or the rule that is broken at `where`.
 typedef struct Check {
-    SmvmReader in;            // where the walk stands, and the end of the function that it is in
-    SmvmAt where;             // what is looked at
-    SmvmAt far;               // how far a jump of the function has led
-    SmvmAt sampled;           // windows that have their sample
-    uint8_t stat;             // that the instruction asks for
+    SmvmReader in;            // the current position, and the end of the current function
+    SmvmAt where;             // offset of what is being checked
+    SmvmAt far;               // the furthest target of the function's jumps
+    SmvmAt sampled;           // how many windows have their sample
+    uint8_t stat;             // the statistic that the instruction reads
     uint8_t known;            // HAS_X, HAS_Y
-    bool over;                // control does not go on behind the last instruction
+    bool over;                // control cannot continue after the last instruction
     uint8_t kind;             // of the function: SmvmIn
     SmvmMachine m;
     Longest way;
@@ -108,12 +108,12 @@ static uint8_t check_crc(Check *c)
     return sm_crc32_end(crc) == smvm_uint(c->in.image, SMVM_CRC_AT, 4) ? 0 : SMVM_R_CRC;
 }
 
-// Sections in order, of ids known, in groups that each are MACHINE, CODE once, INIT and SAFE at most once.
+// Sections must be in order, with known ids, in groups of one MACHINE, one CODE, at most one INIT and at most one SAFE.
 SMVM_APART static uint8_t check_sections(Check *c)
 {
     const uint8_t n = smvm_sections(c->in.image);
     SmvmAt free_from = (SmvmAt)(SMVM_HEADER + SMVM_ENTRY * n);
-    uint8_t before = SMVM_A_CODE;                     // as if a machine that is whole stood before the first
+    uint8_t before = SMVM_A_CODE;                     // as if a complete machine preceded the first
 
     c->where = SMVM_HEADER;
     for (uint8_t i = 0; i < n; i++, c->where = (SmvmAt)(c->where + SMVM_ENTRY)) {
@@ -151,7 +151,7 @@ SMVM_APART static bool is_inside(SmvmAt offset, uint8_t bytes, SmvmAt from, Smvm
     return offset >= from && offset < to && bytes <= (SmvmAt)(to - offset);
 }
 
-// Of what is inside, so that no end is beyond what an SmvmAt holds.
+// Only for places inside the part, so that no end exceeds an SmvmAt.
 SMVM_APART static bool overlap(SmvmAt a, uint8_t bytes, SmvmAt b, uint8_t others)
 {
     return a < (SmvmAt)(b + others) && b < (SmvmAt)(a + bytes);
@@ -159,7 +159,7 @@ SMVM_APART static bool overlap(SmvmAt a, uint8_t bytes, SmvmAt b, uint8_t others
 
 SMVM_APART static uint8_t size_of(SmType type) { return (uint8_t)(1u << smvm_shift((uint8_t)type)); }
 
-// Whether the place that is looked at is of a type that exists and inside.
+// Whether the place at `where` has a type that exists and is inside.
 SMVM_APART static bool is_place(const Check *c, SmvmPlace *p, SmvmAt from, SmvmAt to)
 {
     *p = smvm_place(c->in.image, c->where);
@@ -205,7 +205,7 @@ static uint8_t check_init(Check *c)
     return 0;
 }
 
-// A bit for each state, no other, and one of them at least.
+// SAFE has a bit for each state and no others; at least one is set.
 static uint8_t check_safe(Check *c)
 {
     SmvmAt left = c->m.safe_size, at = c->m.safe_at;
@@ -223,7 +223,7 @@ static uint8_t check_safe(Check *c)
 
 // ---- instructions ----
 
-// Whether a jump may lead to an instruction: the registers hold nothing there.
+// Whether an instruction may be the target of a jump, where no register is defined.
 static bool is_target(uint8_t op)
 {
     return op < SMVM_addi || op == SMVM_goto || op == SMVM_end || op == SMVM_jmp;
@@ -247,7 +247,7 @@ static uint8_t check_jump(Check *c)
     return 0;
 }
 
-// A window that exists, by `sample` or `stat`.
+// A window that `sample` or `stat` uses.
 static uint8_t check_window(Check *c, uint8_t op)
 {
     const SmvmAt w = c->in.n;
@@ -259,12 +259,12 @@ static uint8_t check_window(Check *c, uint8_t op)
     return w < c->sampled ? 0 : SMVM_R_SAMPLE;
 }
 
-static uint8_t check_sampled(const Check *c)          // where a function ends
+static uint8_t check_sampled(const Check *c)          // at the end of a function
 {
     return c->kind != SMVM_IN_SAMPLE || c->sampled == c->m.windows ? 0 : SMVM_R_SAMPLE;
 }
 
-// What a number that follows an opcode must be below: a field of the machine, or a number; counted from which one; and the rule.
+// The limit of an operand: the field of the machine, or the number, that it must be below; its first value; and the rule.
 #define OF(field) offsetof(SmvmMachine, field)
 enum { CONSTANT = 0x80 };
 static const struct Limit { uint8_t below, from, rule; } limits[] SM_FLASH = {
@@ -273,7 +273,7 @@ static const struct Limit { uint8_t below, from, rule; } limits[] SM_FLASH = {
     {OF(windows), 0, SMVM_R_WINDOW_USED}, {CONSTANT | SM_TYPE_COUNT, 0, SMVM_R_OPERAND}, {CONSTANT | 14, 1, SMVM_R_OPERAND},
 };
 
-// A number that follows an opcode, one of SMVM_AN_L to SMVM_A_J.
+// Checks one operand; `what` is SMVM_AN_L to SMVM_A_J.
 SMVM_APART static uint8_t check_operand(Check *c, uint8_t op, uint8_t what)
 {
     const SmvmMachine *m = &c->m;
@@ -320,7 +320,7 @@ static uint8_t check_operands(Check *c, uint8_t op, uint8_t follow)
     return rule != 0 || follow == SMVM_NOTHING ? rule : check_operand(c, op, follow);
 }
 
-// The registers that an instruction needs, and what it leaves in them.
+// The bits of a form: the registers that an instruction reads, and how it changes them.
 enum { NEEDS = SMVM_SHAPE_X >> 8, GIVES = SMVM_SHAPE_GX >> 8, FORGETS_Y = (int)(SMVM_SHAPE_FY >> 8), IS_OVER = (int)(SMVM_SHAPE_Z >> 8) };
 typedef char verify_registers_are_those_of_forms[NEEDS == HAS_X << 4 && NEEDS << 1 == SMVM_SHAPE_Y >> 8 && GIVES == HAS_X << 6 &&
                                                  (int)(SMVM_SHAPE_GY >> 8) == HAS_Y << 6 ? 1 : -1];
@@ -404,7 +404,7 @@ static uint8_t check_machine(Check *c)
     return check_code(c);
 }
 
-// There are at most as many as sections, 255: asking for each by its number stays linear in practice and bound.
+// There are at most 255 machines, one for each section.  So looking up each by its number is bounded, and linear in practice.
 static uint8_t check_machines(Check *c, SmvmVerdict *v)
 {
     uint8_t rule;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The VM and the runtime in the firmware (SMVM_CONFIG, SM_CONFIG): images lie in flash, or in EEPROM, which has addresses from 0x8000 on.
+// Configures VM and runtime for the firmware (SMVM_CONFIG, SM_CONFIG).  Images are in flash, or in EEPROM at addresses from 0x8000 on.
 #ifndef SMVM_FIRMWARE_CONFIG_H
 #define SMVM_FIRMWARE_CONFIG_H
 
@@ -29,9 +29,10 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 #endif
 #define PAL_LOCKS 1
 
-// By chip: bytes of EEPROM and how many slots they are; bytes of RAM for state vector, machines and pins; events that are kept; the
-// largest body of a frame: with its head, its end and a zero before it fits into the ring of the line, so that a request that arrives during a long
-// step is whole.
+// These depend on the chip.  FIRMWARE_STORE, FIRMWARE_SLOTS: bytes of EEPROM, and the number of slots in it.  FIRMWARE_MEMORY: bytes of RAM
+// for state vector, machines and pins.  FIRMWARE_EVENTS: the number of events that are stored.  FIRMWARE_BODY: the largest body of a frame.
+// A frame with its head, its end and a zero before it must fit into the ring buffer of the line.  Otherwise a request that arrives during
+// a long step would be cut off.
 #if defined(__AVR_ATmega2560__)
 #define FIRMWARE_STORE 4096
 #define FIRMWARE_SLOTS 2
