@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// A step of a machine on AVR, image in flash: what interp.c does, to the same bits.  interp_avr_eeprom.S is the same for images in flash
-// or EEPROM.  This file fetches, loads, stores and jumps; number_avr.S, which it includes, calculates.
+// A step of a machine on AVR, with the image in flash.  Its results equal those of interp.c bit for bit.  interp_avr_eeprom.S is the same
+// for images in flash or EEPROM.  This file fetches, loads, stores and jumps; number_avr.S, which it includes, does arithmetic.
 //
-// Between instructions:
-//   r9:r2    X: a number of 64 bits, or a whole one in r5:r2        r17  bit 0: it is the former, bit 1: so is Y
-//   r15:r14  the locals        r13:r12  the state vector        Y  SmVm, with register Y in it        Z  the next byte of the image
-// and in one
-//   r16      the opcode        r19:r18  the number behind it, in r21:r18 where it counts
-// Calls leave r2 to r17 as they were.
+// Registers between instructions:
+//   r9:r2    X: an F64, or a whole number in r5:r2        r17  bit 0: X is an F64, bit 1: Y is an F64
+//   r15:r14  the locals        r13:r12  the state vector        Y  SmVm, which includes register Y        Z  the next byte of the image
+// and within an instruction
+//   r16      the opcode        r19:r18  its first operand, in r21:r18 if it can have 32 bits
+// Calls preserve r2 to r17.
 #if defined(__AVR_HAVE_MUL__) && !defined(SMVM_PORTABLE)
 #include "bytecode-vm/interp_avr.h"
 
-; The next byte of the image.
+; Macros that read the next byte of the image.
 #ifdef SMVM_EEPROM
 #define STEP smvm_step_eeprom
 #define LOAD smvm_load_eeprom
 #define STORE smvm_store_eeprom
 #include <avr/io.h>
-.macro from_eeprom to                     ; bit 7 of r31 is clear
+.macro from_eeprom to                     ; bit 7 of r31 must be clear
 	out _SFR_IO_ADDR(EEARH), r31
 	out _SFR_IO_ADDR(EEARL), r30
 	sbi _SFR_IO_ADDR(EECR), EERE
 	in \to, _SFR_IO_ADDR(EEDR)
 	adiw r30, 1
 .endm
-.macro fetch_here to, second              ; where it is often: from the right memory, two bytes if there is a second register
+.macro fetch_here to, second              ; inline, for hot code: from flash or EEPROM, two bytes if there is a second register
 	sbrs r31, 7
 	rjmp .Lflash\@
 .Lwait\@:
@@ -46,7 +46,7 @@
 	rjmp .Lgot\@
 	.previous
 .endm
-.macro if_long                            ; it is further than a branch reaches
+.macro if_long                            ; the target is out of range of a branch
 	brlo decode
 	rjmp longer
 .endm
@@ -82,10 +82,10 @@
 #endif
 .endm
 
-; How much less than its digits a varint of two bytes is, 0x60 + (b - 0x60) * 0x80 + b1.
+; A varint of two bytes is 0x60 + (b - 0x60) * 0x80 + b1; it equals b * 0x80 + b1 less this constant.
 #define TWO_LESS (0x60 * 0x80 - 0x60)
 
-; To Z what a table of the image begins with, or the code.
+; Sets Z to the start of a table of the image, or of the code.
 .macro image_at table
 	ldd r30, Y+\table
 	ldd r31, Y+\table+1
@@ -95,20 +95,20 @@
 	adc r31, r0
 .endm
 
-; r19:r18 times 2, as an offset.
+; Doubles the offset in r19:r18.
 .macro twice
 	lsl r18
 	rol r19
 .endm
 
-.macro place                              ; X is an offset further
+.macro place                              ; adds the offset to X
 	add r26, r18
 	adc r27, r19
 .endm
 
 	.section .text.STEP, "ax", @progbits
 
-; The others of a varint of two or four bytes, of whose first r18 is.
+; Reads the other bytes of a varint of two or four bytes; r18 is the first.
 long_number:
 	cpi r18, 0x78
 	brsh four_bytes
@@ -144,7 +144,7 @@ four_bytes:
 	sbci r21, 0xFF
 	ret
 
-; An entry of the table of functions, of r18 bytes, to r21:r20.
+; Reads an entry of the table of functions, r18 bytes, into r21:r20.
 entry:
 	fetch r20
 	clr r21
@@ -156,14 +156,14 @@ entry:
 	fetch r0
 1:	ret
 
-; ---- one instruction alone ----
+; ---- a single instruction ----
 
 	.section .progmem.data.STEP, "a", @progbits
 just_end:
 	.byte 0xCE, 0xCE
 	.previous
 
-; SmF64 LOAD(uint8_t type, const void *at): what `ldx_local` gives
+; SmF64 LOAD(uint8_t type, const void *at): the result of `ldx_local`
 	.global LOAD
 	.type LOAD, @function
 LOAD:
@@ -171,7 +171,7 @@ LOAD:
 	clc
 	rjmp entered
 
-; void STORE(SmF64 x, uint8_t type, void *at): what `st_local` does
+; void STORE(SmF64 x, uint8_t type, void *at): executes `st_local`
 	.global STORE
 	.type STORE, @function
 STORE:
@@ -192,7 +192,7 @@ cell:
 	rcall alone
 	rjmp step_over
 
-alone:                                    ; with 0 as its number
+alone:                                    ; with operand 0
 	clr r18
 	clr r19
 	ldi r30, lo8(just_end)
@@ -206,7 +206,7 @@ alone:                                    ; with 0 as its number
 	.type STEP, @function
 STEP:
 	clt
-entered:                                  ; T: not by STEP; then carry: by STORE
+entered:                                  ; T set: from LOAD or STORE; then carry set: from STORE
 	.irp r, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 14, 15, 16, 17, 28, 29
 	push r\r
 	.endr
@@ -218,7 +218,7 @@ entered:                                  ; T: not by STEP; then carry: by STORE
 	add r14, r28
 	adc r15, r29
 	clr r17
-	ldd r26, Y+VM_G                   ; has it advanced, and is it not the last one there is?
+	ldd r26, Y+VM_G                   ; has G advanced, and is it not the largest value?
 	ldd r27, Y+VM_G+1
 	add r26, r12
 	adc r27, r13
@@ -249,7 +249,7 @@ body:
 	ldd r31, Y+VM_BODY+1
 	rcall next
 	sbiw r24, 0
-	brne leaves                       ; else it is STEP_OK
+	brne leaves                       ; else r25:r24 is STEP_OK
 step_over:
 	.irp r, 29, 28, 17, 16, 15, 14, 13, 12, 9, 8, 7, 6, 5, 4, 3, 2
 	pop r\r
@@ -266,7 +266,7 @@ refused:
 	ldi r25, hi8(STEP_REFUSED)
 	rjmp step_over
 
-leaves:                                   ; for state r25:r24
+leaves:                                   ; transition to state r25:r24
 	movw r26, r24
 	ldi r22, 2
 	rcall block
@@ -280,7 +280,7 @@ leaves:                                   ; for state r25:r24
 	clr r25
 	rjmp step_over
 
-; The first step of a state, or the one behind it, or of a machine with samples or more than eight outputs.  r25:r18 is what VM_NEXT is.
+; The first or second step of a state, or a step of a machine with samples or more than eight outputs.  r25:r18 is the value of VM_NEXT.
 not_plain:
 	bst r16, VM_FIRST
 	bld r16, VM_ENTERED
@@ -298,19 +298,19 @@ not_plain:
 	st X+, r0
 	st X+, r1
 	st X, r1
-	ldi r16, 1 << VM_ENTERED          ; what is so of all steps of the state is found out here
+	ldi r16, 1 << VM_ENTERED          ; computes the flags that apply to all steps of the state
 	image_at VM_FUNCTIONS
 	ldd r24, Y+VM_FUNCTIONS
 	ldd r25, Y+VM_FUNCTIONS+1
 	ldd r20, Y+VM_OUTPUTS
 	ldd r21, Y+VM_OUTPUTS+1
-	sub r24, r20                      ; three bytes each
+	sub r24, r20                      ; an output takes three bytes
 	sbc r25, r21
 	sbiw r24, 3 * 8 + 1
 	brcs 1f
 	ori r16, 1 << VM_MANY
 1:	ldd r18, Y+VM_WIDTH
-	rcall entry                       ; the sample function begins at 0
+	rcall entry                       ; the sample function begins at 0, so this is its size
 	or r20, r21
 	breq 1f
 	ori r16, 1 << VM_SAMPLES
@@ -324,7 +324,7 @@ not_plain:
 	.irp i, 1, 2, 3, 4, 5, 6, 7
 	std Y+VM_STORED+\i, r1
 	.endr
-	ldd r24, Y+VM_MORE_BYTES          ; outputs from 64 on
+	ldd r24, Y+VM_MORE_BYTES          ; clears the bits of outputs from 64 on
 	ldd r25, Y+VM_MORE_BYTES+1
 	ldd r26, Y+VM_MORE
 	ldd r27, Y+VM_MORE+1
@@ -353,7 +353,7 @@ not_plain:
 
 ; ---- functions ----
 
-; To Z where block r22 of the state begins: 0 entry, 1 step, 2 exit.
+; Sets Z to the start of block r22 of the state: 0 entry, 1 step, 2 exit.
 block:
 	ldd r24, Y+VM_STATE
 	ldd r25, Y+VM_STATE+1
@@ -380,13 +380,13 @@ block:
 	cp r20, r24
 	cpc r21, r25
 	breq 1f
-code_at:                                  ; to Z r25:r24 in the code
+code_at:                                  ; sets Z to offset r25:r24 in the code
 	image_at VM_CODE
 	add r30, r24
 	adc r31, r25
 1:	ret
 
-; A function is called: it begins at `next`, and gives in r25:r24 the state that it goes to, or 0.
+; A function is called at `next`, with Z at its start.  It returns in r25:r24 the state of its transition, or 0.
 
 longer:
 	cpi r18, 0x78
@@ -401,7 +401,7 @@ longer:
 	sbci r19, hi8(TWO_LESS)
 	cpi r16, 0xE0
 	brlo 9f
-; jxn, or jf or jt, which have no second number: what is found out of X and n is of no use there
+; jxn, jf or jt.  For jf and jt, which have no second operand, the result of comparing X with n is not used.
 with_n:
 	sbrc r17, 0
 	rjmp with_real
@@ -443,7 +443,7 @@ half:
 	sbrc r19, 7
 	rjmp half_signed
 	clr r21
-whole:                                    ; r21:r18 to X, or Y
+whole:                                    ; whole number r21:r18 to X or Y
 	sbrc r16, 5
 	rjmp whole_y
 whole_x:
@@ -451,7 +451,7 @@ whole_x:
 	movw r4, r20
 	andi r17, 2
 next:
-	fetch_here r16, r18               ; behind `end`, which is last, the second may be anything
+	fetch_here r16, r18               ; after `end`, the last opcode, the second byte is arbitrary
 	clr r19
 	cpi r18, 0x60
 	if_long
@@ -513,7 +513,7 @@ longest:
 	cpc r5, r21
 	rjmp compared
 no_number:
-	sbiw r30, 1                       ; the next opcode
+	sbiw r30, 1                       ; it was the next opcode
 	sbrs r16, 6
 	rjmp time
 	rjmp compute
@@ -553,7 +553,7 @@ time:                                     ; T
 	.endr
 	rjmp long
 
-words:                                    ; four bytes or eight
+words:                                    ; four or eight bytes
 	sbrs r16, 0
 	rjmp 2f
 eight:
@@ -592,7 +592,7 @@ long:                                     ; an I64 or U64 in r25:r18
 	sbrc r16, 2
 	sbrs r21, 7
 	rjmp whole
-	clr r22                           ; a U32 that is no I32
+	clr r22                           ; a U32 beyond the range of I32
 	clr r23
 	movw r24, r22
 	rjmp 1b
@@ -626,14 +626,14 @@ f32:
 	ld r25, X
 read_f32:
 	rcall from_f32
-real:                                     ; r25:r18 is an F64, or RAW
+real:                                     ; r25:r18 is an F64 or RAW
 	mov r26, r25
 	ori r26, 0x80
 	cpi r26, 0xFF
 	brne given
 	sbrs r16, 1
 	rcall no_nan
-given:                                    ; r25:r18 to X, or Y
+given:                                    ; F64 r25:r18 to X or Y
 	sbrc r16, 5
 	rjmp 1f
 given_x:
@@ -646,7 +646,7 @@ given_x:
 1:	rcall a_to_y
 	rjmp next
 
-; ---- numbers, and what has no place in memory ----
+; ---- constants, and operations without a place in memory ----
 
 others:
 	sbrc r16, 4
@@ -674,7 +674,7 @@ set:
 	mov r16, r18
 	rcall relate
 	and r24, r16
-truth_x:                                  ; whether r24 is not 0, to X
+truth_x:                                  ; X = whether r24 is not 0
 	mov r18, r24
 	andi r16, 0x1F
 	rjmp bool
@@ -754,7 +754,7 @@ out_further:
 	cpi r22, 8
 	cpc r23, r1
 	brlo 2f
-	ldd r26, Y+VM_MORE                ; from 64 on they are behind the locals
+	ldd r26, Y+VM_MORE                ; the bits of outputs from 64 on follow the locals
 	ldd r27, Y+VM_MORE+1
 	sbiw r26, 8
 	add r26, r28
@@ -784,7 +784,7 @@ no_load:                                  ; 0xC0 and above
 3:	rjmp end
 
 out:
-	ldi r24, 1                        ; its bit, of those that say what is written
+	ldi r24, 1                        ; the mask of its bit in VM_STORED
 	sbrc r18, 1
 	ldi r24, 4
 	sbrc r18, 0
@@ -798,7 +798,7 @@ out:
 	or r0, r24
 	std Y+VM_STORED, r0
 output:
-	movw r24, r30                     ; its place
+	movw r24, r30                     ; saves Z
 	movw r26, r18
 	twice
 	add r26, r18
@@ -812,7 +812,7 @@ output:
 	andi r16, 0x0F
 	movw r30, r24
 	movw r26, r12
-; X to what is r19:r18 units of type r16 behind r27:r26.
+; Stores X as type r16 at base r27:r26 plus r19:r18 units of the size of the type.
 store:
 	sbrc r16, 3
 	rjmp store_wide
@@ -823,7 +823,7 @@ store:
 	clr r0
 	sbrc r16, 0
 	rjmp 2f
-	sbrs r16, 2                       ; one byte, if the others are its sign
+	sbrs r16, 2                       ; one byte, if the others are its sign extension
 	sbrs r2, 7
 	rjmp 1f
 	com r0
@@ -834,7 +834,7 @@ store:
 	place
 	st X, r2
 	rjmp next
-2:	sbrs r16, 2                       ; two bytes
+2:	sbrs r16, 2                       ; two bytes, likewise
 	sbrs r3, 7
 	rjmp 3f
 	com r0
@@ -847,8 +847,8 @@ store:
 	st X, r3
 	rjmp next
 
-put:                                      ; what has to be converted
-	mov r24, r16                      ; its size is 1 << r24
+put:                                      ; a value that needs conversion
+	mov r24, r16                      ; the size is 1 << r24
 	andi r24, 3
 	sbrs r16, 3
 	rjmp 1f
@@ -892,7 +892,7 @@ store_words:
 	sbrs r5, 7
 	rjmp 1f
 	sbrc r16, 2
-	rjmp put                          ; below 0
+	rjmp put                          ; X is below 0
 	com r0
 1:	twice
 	twice
@@ -925,7 +925,7 @@ store_wide:
 	lsl r24
 	cpi r24, 0xFE
 	brne 1f
-	rjmp put                          ; perhaps NaN
+	rjmp put                          ; may be NaN
 1:	twice
 	twice
 	twice
@@ -958,7 +958,7 @@ sample:
 	add r30, r18
 	adc r31, r19
 	adiw r30, 2
-	fetch r16                   ; bits 1 to 4: its type
+	fetch r16                   ; its bits 1 to 4 are the type of the window
 	lsr r16
 	andi r16, 0x0F
 	rcall convert
@@ -989,7 +989,7 @@ jxy:
 	brne jump
 	rjmp next
 
-; An F64 and a number below 2^16: mostly what is before the point decides.
+; Compares an F64 with a number below 2^16.  Usually the integer part decides.
 with_real_long:
 	mov r24, r20
 	or r24, r21
@@ -1004,7 +1004,7 @@ with_real:
 	sbci r25, hi8(0x3FF0)
 	brcs 3f
 	tst r25
-	brne 6f                           ; from 2^16 on
+	brne 6f                           ; X is 2^16 or more
 	mov r23, r24
 	swap r23
 	andi r23, 0x0F
@@ -1026,15 +1026,15 @@ with_real:
 less:
 	ldi r24, 1
 	rjmp related
-3:	mov r24, r18                      ; from 0 up to 1
+3:	mov r24, r18                      ; X is from 0 to below 1
 	or r24, r19
 	brne less
 	rjmp 5f
-4:	cpi r25, 0xFF                     ; below 0, but for NaN and -0
+4:	cpi r25, 0xFF                     ; X is negative, except for NaN and -0
 	breq 5f
 	cpi r25, 0x80
 	brne less
-5:	mov r24, r16                      ; not for jf and jt
+5:	mov r24, r16                      ; the comparison is not needed for jf and jt
 	inc r24
 	andi r24, 0x0E
 	brne 1f
@@ -1056,7 +1056,7 @@ less:
 #include "bytecode-vm/number_avr.S"
 
 #ifdef SMVM_EEPROM
-read:                                     ; the next byte to r0
+read:                                     ; reads the next byte into r0
 	fetch_here r0
 	ret
 #endif

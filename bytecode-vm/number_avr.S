@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What interp_avr.S, which includes this, calculates: to the bits of number.h, and in its registers.
+// The arithmetic of interp_avr.S, which includes this file.  Results equal those of number.h bit for bit, in the registers of interp_avr.S.
 //
-//   a  r25:r18, an F64; so that operations of soft.h take it as their first number, and give theirs
+//   a  r25:r18, an F64: the first argument and the result of operations of soft.h
 //   n  r21:r18, a whole number
-// Nothing here changes Z.
+// All code here preserves Z.
 #ifdef STEP
 
 .macro zero_64
@@ -14,12 +14,12 @@
 	movw r24, r18
 .endm
 
-; Calls an operation of soft.h, with Z as it is afterwards.
+; Calls an operation of soft.h and preserves Z.
 .macro soft name
 	soft_at \name
 	rcall keeping_z
 .endm
-.macro soft_at name                       ; it goes to r27:r26
+.macro soft_at name                       ; its address to r27:r26
 	ldi r26, pm_lo8(\name)
 	ldi r27, pm_hi8(\name)
 .endm
@@ -56,7 +56,7 @@ a_to_y:
 	ori r17, 2
 	ret
 
-; As an F64 to a: X, Y, n.
+; Convert to an F64 in a: X, Y, n.
 x_to_f64:
 	sbrc r17, 0
 	rjmp x_to_a
@@ -79,11 +79,11 @@ y_as_it_is:
 	.endr
 	ret
 
-from_f32:                                 ; of r25:r22
+from_f32:                                 ; r25:r22
 	soft_at sm_soft_from_f32
 	rjmp keeping_z
 
-; An I64, or U64 where r16 says unsigned: T is set if that is a whole number, then it is n, else a.
+; Converts an I64, or a U64 if type r16 is unsigned.  If the value is a whole number of 32 bits, sets T and returns it in n; else in a.
 from_long:
 	sbrc r16, 2
 	rjmp 1f
@@ -104,7 +104,7 @@ from_long:
 	clt
 	ret
 
-; A NaN in a becomes 0; where r16 says RAW, the NaN that such keeps.
+; Replaces a NaN in a by 0, or by the NaN that a local stores if type r16 is RAW.
 no_nan:
 	mov r26, r25
 	ori r26, 0x80
@@ -120,7 +120,7 @@ no_nan:
 	or r26, r20
 	or r26, r19
 	or r26, r18
-	breq 1f                           ; infinite
+	breq 1f                           ; infinity
 	zero_64
 	sbrs r16, 1
 	ret
@@ -128,9 +128,9 @@ no_nan:
 	ldi r25, 0x7F
 1:	ret
 
-; ---- truths, relations ----
+; ---- truth, relations ----
 
-; Whether X is true, to r24: 0 or 1.
+; r24 = whether X is true: 0 or 1.
 x_truth:
 	rcall x_to_a
 	mov r0, r17
@@ -154,7 +154,7 @@ truth:
 	soft sm_soft_truth
 	rjmp restore
 
-; The relation of X to Y to r24.
+; r24 = the relation of X to Y.
 relate:
 	ldd r18, Y+VM_Y
 	ldd r19, Y+VM_Y+1
@@ -181,11 +181,11 @@ restore:
 	pop r26
 	ret
 
-relate_n:                                 ; of X to n
+relate_n:                                 ; the relation of X to n
 	rcall n_to_a
 relate_a:
 	soft_at sm_soft_relation
-; Calls the operation of soft.h that r27:r26 points to, on X and a.
+; Calls the operation of soft.h at r27:r26 with arguments X and a.
 with_a:
 	.irp r, 10, 11, 12, 13, 14, 15, 16, 17
 	push r\r
@@ -213,9 +213,9 @@ x_to_f64_of_whole:
 	movw r20, r4
 	rjmp n_to_a
 
-; ---- storing ----
+; ---- conversion for stores ----
 
-; What type r16 keeps of X, to r25:r18: an integer or bool as one of 64 bits, the 32 bits of an F32, an F64.
+; Converts X to type r16, in r25:r18: an integer or bool as 64 bits, an F32 as its 32 bits, or an F64.
 convert:
 	sbrc r16, 3
 	rjmp 5f
@@ -247,7 +247,7 @@ converted:
 	pop r31
 	pop r30
 	ret
-6:	movw r18, r22                     ; from where those of 32 bits leave theirs
+6:	movw r18, r22                     ; results of 32 bits are returned in r25:r22
 	movw r20, r24
 	clr r22
 	clr r23
@@ -270,17 +270,17 @@ converted:
 	clr r21
 	ret
 
-; n, or the end of type r16 that it is beyond, as 64 bits.
+; Clips n to type r16, as 64 bits.
 clip:
-	clr r0                            ; what its upper bytes are
+	clr r0                            ; the value of the upper bytes
 	sbrs r21, 7
 	rjmp 1f
 	sbrc r16, 2
-	rjmp 5f                           ; below 0
+	rjmp 5f                           ; n is below 0
 	com r0
 1:	sbrc r16, 1
-	rjmp 4f                           ; 32 bits or 64: it fits
-	mov r24, r18                      ; has its sign
+	rjmp 4f                           ; 32 or 64 bits: it fits
+	mov r24, r18                      ; the byte with the sign of the type
 	cp r20, r0
 	cpc r21, r0
 	brne 2f
@@ -293,7 +293,7 @@ clip:
 	sbrc r24, 7
 	sbrc r16, 2
 	rjmp 4f
-2:	mov r18, r0                       ; too far: all ones or zeros, the topmost apart
+2:	mov r18, r0                       ; out of range: all ones or zeros except for the highest bit
 	com r18
 	mov r19, r0
 	sbrc r16, 0
@@ -348,7 +348,7 @@ choose:
 	sbrs r24, 0
 	rjmp 3f
 	rjmp next
-1:	ldd r24, Y+VM_Y+7                 ; equal: of zeros min takes -0, max takes the other
+1:	ldd r24, Y+VM_Y+7                 ; equal: for zeros min returns -0, max +0
 	mov r25, r17
 	lsr r25
 	sbrs r16, 0
@@ -392,7 +392,7 @@ with_y:
 	soft_at sm_soft_div
 	rjmp operate
 
-; X + n, or minus where the opcode is odd.
+; X = X + n, or X - n if the opcode is odd.
 plus:
 	sbrc r17, 0
 	rjmp 2f
@@ -425,7 +425,7 @@ operate:
 	rcall with_a
 	rjmp given_x
 
-; Whole numbers of 16 bits; a 0 that might be -0 is none.
+; Multiplies whole numbers of 16 bits.  A zero product that may be -0 is left to sm_soft_mul.
 product:
 	mov r24, r3
 	lsl r24
@@ -476,7 +476,7 @@ of_one:
 	cpi r16, 0xFE
 	breq 2f
 	cpi r16, 0xFA
-	brsh 3f                           ; floor ... round: it is whole
+	brsh 3f                           ; floor ... round: X is whole already
 	sbrs r16, 0
 	rjmp 1f
 	sbrs r5, 7
@@ -488,7 +488,7 @@ of_one:
 	sbc r19, r3
 	sbc r20, r4
 	sbc r21, r5
-	breq 2f                           ; -0
+	breq 2f                           ; would be -0
 	brvs 2f
 	rjmp whole_x
 2:	rcall x_to_f64
@@ -536,10 +536,10 @@ round:
 	cpi r24, 0x30
 	ldi r26, 0x43
 	cpc r25, r26
-	brsh 3b                           ; no fraction, or infinite, or NaN
+	brsh 3b                           ; no fraction, infinity or NaN
 	cpi r16, 0xFD
 	brne 1f
-	ldi r26, 0xFF                     ; less than a half by the last digit: from a half on it makes one more
+	ldi r26, 0xFF                     ; the largest number below 0.5: the sum reaches the next whole number from a fraction of 0.5 on
 	ldi r24, 0xDF
 	rcall add_further
 	rcall a_to_x
@@ -559,7 +559,7 @@ round:
 	cpc r24, r8
 	cpc r25, r9
 	breq 3f
-	clr r26                           ; floor goes on below 0, ceil above
+	clr r26                           ; floor adjusts negative numbers, ceil positive ones
 	bld r26, 0
 	eor r26, r16
 	sbrs r26, 0
@@ -571,7 +571,7 @@ round:
 2:	rjmp given_x
 3:	rjmp next
 
-; X + 0x3F...... with the sign of X, of which r24 and, for all other bytes, r26 are given; to a.
+; a = X + c with the sign of X.  The bytes of c are 0x3F, then r24, then r26 for all others.
 add_further:
 	ldi r25, 0x3F
 	bst r9, 7
@@ -583,7 +583,7 @@ add_further:
 	soft_at sm_soft_add
 	rjmp with_a
 
-; sqrt, one binary digit at a time
+; sqrt, one bit at a time
 root:
 	rcall x_truth
 	tst r24
@@ -594,7 +594,7 @@ root:
 	cpi r24, 0xF0
 	ldi r26, 0x7F
 	cpc r25, r26
-	brsh 3b                           ; infinite
+	brsh 3b                           ; infinity
 	.irp r, 10, 11, 12, 13, 14, 15, 30, 31
 	push r\r
 	.endr
@@ -624,7 +624,7 @@ root:
 	movw r12, r10
 	movw r14, r10
 	clr r16
-	movw r2, r10                      ; r8:r2  the digit in question
+	movw r2, r10                      ; r8:r2  the current bit
 	movw r4, r10
 	movw r6, r10
 	ldi r25, 0x20
@@ -675,7 +675,7 @@ root:
 	ror r3
 	ror r2
 	brcc 4b
-	ldi r25, 2                        ; there is one digit more than fits, and no tie
+	ldi r25, 2                        ; rounds: the root has one bit more than fits, and a tie is impossible
 	add r10, r25
 	adc r11, r1
 	adc r12, r1
@@ -710,7 +710,7 @@ root:
 	.endr
 	rjmp next
 
-double_a:                                 ; its lower seven bytes
+double_a:                                 ; shifts the lower seven bytes of a
 	lsl r18
 	rol r19
 	rol r20

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The generic firmware of an Arduino Uno or Mega (docs/boards.md): runs the image that the store chooses, its pins and period included, and
-// takes new ones over the line while it does.  Control steps run in the interrupt of the clock; the line, the verifier and the EEPROM
-// behind them, in what time is left.
+// The generic firmware of an Arduino Uno or Mega (docs/boards.md).  It runs the image that the store chooses, with its pins and period, and
+// accepts new images over the line meanwhile.  Control steps run in the interrupt of the clock.  The line, the verifier and the EEPROM use
+// the remaining time.
 #include <string.h>
 
 #include "bytecode-vm/auth.h"
@@ -19,9 +19,9 @@
 #include <avr/sleep.h>
 
 enum {
-    PERIOD = 10,              // ms, of an image that was sent without one
-    EEPROM_WRITE = 4,         // ms, rounded up: no byte is begun that would be under way at the next step
-    STEP_CYCLES = 14400,      // that a step may take of each of the 16,000 of a millisecond: the others are for the clock and the line
+    PERIOD = 10,              // ms, for an image that was sent without one
+    EEPROM_WRITE = 4,         // ms, rounded up: no byte write starts if it would still be in progress at the next step
+    STEP_CYCLES = 14400,      // limit for a step per millisecond, of 16,000: the rest is for the clock and the line
     BITS_PER_SECOND = 115200
 };
 
@@ -39,7 +39,7 @@ typedef char firmware_has_no_pin_as_the_vm[AVR_NO_PIN == SMVM_NO_PIN ? 1 : -1];
 #endif
 static PalDio arming;
 
-// A plug to ground keeps the board from being armed: pulled out, or its wire broken, it is.
+// A plug to ground keeps the board disarmed.  If it is removed or its wire breaks, the board is armed.
 static bool is_armed(void)
 {
     bool armed = true;
@@ -62,22 +62,22 @@ static void open_arming(void) {}
 #define place_of avr_pin_place
 #endif
 
-// ---- what runs ----
+// ---- running an image ----
 
 typedef char firmware_windows_have_room[FIRMWARE_MEMORY / 4 <= UINT32_C(1) << (SM_ROLL_WAITING - 1) ? 1 : -1];
 static uint64_t memory[FIRMWARE_MEMORY / 8];
 static SmvmRunner runner = {.memory = memory, .size = sizeof memory, .pin_place = place_of};
 static SmEvent kept[FIRMWARE_EVENTS];
 static SmEvents events = {.at = kept, .room = FIRMWARE_EVENTS, .guarded = true};
-static uint16_t state[SMVM_RUNNER_MACHINES];           // that the last step left each machine in
+static uint16_t state[SMVM_RUNNER_MACHINES];           // the state of each machine after the last step
 
-static volatile uint16_t left = 1, period = PERIOD;    // ms to the next step, and between two
+static volatile uint16_t left = 1, period = PERIOD;    // ms until the next step, and between steps
 static volatile bool stepping, held = true;            // held: no step begins
 static volatile bool behind_step;      // a step has ended in this millisecond
-static uint16_t skipped;                               // steps that were due while one ran
-static struct { uint32_t low, high; } now;             // G; as halves it takes avr-gcc a third
+static uint16_t skipped;                               // steps that were due while another ran
+static struct { uint32_t low, high; } now;             // G; two halves cost a third of a uint64_t with avr-gcc
 
-// Milliseconds to nanoseconds: times 125, times 125 and times 64, byte by byte, which takes half the flash of gcc's multiplication.
+// Converts milliseconds to nanoseconds: multiplies by 125, 125 and 64, byte by byte.  This takes half the flash of gcc's multiplication.
 typedef char firmware_multiplies_by_a_million[UINT32_C(125) * 125 * 64 == PAL_MILLISECOND ? 1 : -1];
 
 static void to_nanoseconds(uint8_t *time)
@@ -130,7 +130,7 @@ static void step(void)
     skipped = 0;
 }
 
-// Every millisecond, in the interrupt.
+// Called every millisecond, in the interrupt.
 static void tick(void)
 {
     behind_step = false;
@@ -144,7 +144,7 @@ static void tick(void)
         return;
     }
     stepping = true;
-    GPIOR0 = 1;                            // for whoever emulates the chip and counts
+    GPIOR0 = 1;                            // lets an emulator of the chip count the cycles of a step
     sei();
     step();
     cli();
@@ -153,7 +153,7 @@ static void tick(void)
     behind_step = true;
 }
 
-// Whether a byte of EEPROM may be begun: if it is done before the next step; or, where there is never so much time, right behind a step.
+// Whether a byte write to EEPROM may start: if it ends before the next step, or, if there is never enough time, directly after a step.
 static bool may_write(void)
 {
     const bool may = held || left > EEPROM_WRITE || behind_step;
@@ -190,12 +190,12 @@ static void run_built_in(void)
     SmvmVerdict why;
 
     if (smvm_verify((SmvmBytes)(uint16_t)built_in, sizeof built_in, &why) != 0 || run((SmvmBytes)(uint16_t)built_in, PERIOD) != SM_OK)
-        board.built_in_size = 0;           // it is not said to run
+        board.built_in_size = 0;           // the agent must not report it as running
 }
 
-// ---- the board, as the agent asks it ----
+// ---- callbacks for the agent ----
 
-// Whether every machine is in a state that is marked @safe, or marks none.
+// Whether every machine is in a state marked @safe, or marks none.
 static bool is_safe(void)
 {
     SmvmMachine m;
@@ -292,13 +292,13 @@ static void start_store(void)
     for (uint8_t i = 0; i < FIRMWARE_SLOTS && slot != STORE_BUILT_IN; i++) {
         if (run(plan.image[slot], smvm_store_period(&store, slot)) == SM_OK)
             return;
-        (void)smvm_store_pass_over(&store, &slot);     // a pin may be wanted twice, which only opening them tells
+        (void)smvm_store_pass_over(&store, &slot);     // only opening the pins shows whether one is used twice
     }
     smvm_store_leave(&store);
     run_built_in();
 }
 
-// (Apart: what it needs of the stack is given back.)
+// (Not inlined, so that its stack is released.)
 SMVM_APART static void start(void)
 {
     uint64_t period_ns;
@@ -318,7 +318,7 @@ SMVM_APART static void start(void)
     smvm_agent_init(&agent, &store, &board, &events, frame, FIRMWARE_BODY);
 }
 
-// A byte from the line; false: there is none.
+// Processes a byte from the line; returns false if there is none.
 static bool serve(void)
 {
     uint8_t byte;
@@ -341,7 +341,7 @@ static bool serve(void)
 void smvm_firmware(void)
 {
     start();
-    SMCR = 1 << SE;                        // idle; the clock wakes it, if nothing else does
+    SMCR = 1 << SE;                        // idle mode; at the latest the clock wakes it
     for (;;) {
         (void)pal_watchdog_feed();
         if (!serve())
@@ -349,7 +349,7 @@ void smvm_firmware(void)
     }
 }
 
-#ifndef ARDUINO                            // which has a main of its own, and a sketch
+#ifndef ARDUINO                            // Arduino has its own main, and a sketch
 int main(void) { smvm_firmware(); }
 #endif
 

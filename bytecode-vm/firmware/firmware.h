@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The generic firmware (docs/boards.md) as a function, for programs that have a main already, as Arduino sketches do.
+// The generic firmware (docs/boards.md) as a function, for programs that have their own main, such as Arduino sketches.
 #ifndef SMVM_FIRMWARE_H
 #define SMVM_FIRMWARE_H
 
@@ -7,7 +7,7 @@
 extern "C" {
 #endif
 
-// Takes timer 0, the serial line and the EEPROM, and never returns.  On AVR.
+// Uses timer 0, the serial line and the EEPROM, and never returns.  On AVR.
 #ifdef __GNUC__
 __attribute__((noreturn))
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See runner.h.  Of a pin a step needs no more than stands before SmIoPin.safe, of a digital one before SmIoPin.scale: rows are kept so far and
-// no further, one behind the other behind the machines.  They hold the pin's handle where SmIoPin has `hold`, for a pin of a chip does not fail.
+// See runner.h.  A step needs only the fields of a pin before SmIoPin.safe, or before SmIoPin.scale for a digital pin.  Rows are truncated
+// to that and stored consecutively after the machines.  Their field `hold` contains the pin's handle, because a pin of a chip cannot fail.
 #include "bytecode-vm/firmware/runner.h"
 
 #include <string.h>
@@ -8,13 +8,13 @@
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/target/io.h"
 
-// ---- what it takes ----
+// ---- memory needed ----
 
 static uint16_t time_at(const SmvmMachine *m) { return (uint16_t)m->g; }
 
 static uint16_t up8(uint32_t n) { return (uint16_t)(((uint16_t)n + 7u) & ~7u); }
 
-// Of memory that is left; what the verifier accepts needs no more than SMVM_RAM_MAX.
+// Takes bytes from the memory that is left.  An image that the verifier accepts needs no more than SMVM_RAM_MAX.
 static bool take(uint16_t *left, SmvmAt bytes)
 {
     if (bytes > *left || up8(bytes) > *left)
@@ -23,7 +23,7 @@ static bool take(uint16_t *left, SmvmAt bytes)
     return true;
 }
 
-SMVM_INLINE uint8_t step_over(uint8_t kind) { return kind & 2 ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }      // for steps, which are in haste
+SMVM_INLINE uint8_t step_over(uint8_t kind) { return kind & 2 ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }      // inline, for fast steps
 SMVM_APART static uint8_t row_bytes(uint8_t kind) { return step_over(kind); }
 
 static SmResult take_pins(const SmvmRunner *r, uint16_t *left, SmvmPins *p)
@@ -99,7 +99,7 @@ static SmIoPin *row_at(const SmvmRunner *r, uint16_t at) { return (SmIoPin *)(vo
 static bool is_output(const SmIoPin *row) { return row->kind & 1; }
 static bool is_digital(const SmIoPin *row) { return row->kind & 2; }
 
-// Gives up at the first that fails; r->rows_end tells how many are open.
+// Stops at the first pin that fails.  r->rows_end shows how many are open.
 static SmResult open_pins(SmvmRunner *r)
 {
     SmvmPins p;
@@ -118,7 +118,7 @@ static SmResult open_pins(SmvmRunner *r)
     return result;
 }
 
-// Those that are open, outputs at their safe values.
+// Closes the open pins, outputs at their safe values.
 static void close_pins(SmvmRunner *r)
 {
     SmvmPins p;
@@ -138,7 +138,7 @@ static void close_pins(SmvmRunner *r)
     r->rows_end = r->rows;
 }
 
-// A digital pin's element is a bool; an analog one's number is never NaN, so that an F64 takes it as it is.
+// The element of a digital pin is a bool.  The number of an analog pin is never NaN, so an F64 can store it without conversion.
 static void read_pin(const SmIoPin *row, uint8_t *element)
 {
     int32_t v;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An image as a whole application: its machines on one state vector, its pins before and behind them.  Nothing of it is known when
-// this is compiled.
+// Runs an image as a whole application: its machines on one state vector, input pins before them and output pins after.  Everything about
+// the image is found out at run time.
 //
 //     static uint64_t memory[128];
 //     SmvmRunner r = {.memory = memory, .size = sizeof memory};
@@ -22,28 +22,28 @@ extern "C" {
 enum { SMVM_RUNNER_MACHINES = 4, SMVM_RUNNER_DIGITAL = offsetof(SmIoPin, scale), SMVM_RUNNER_ANALOG = offsetof(SmIoPin, safe) };     // bytes of a pin
 
 typedef struct SmvmRunner {
-    uint64_t *memory;         // for the state vector, and behind it machines and pins
+    uint64_t *memory;         // for the state vector, followed by machines and pins
     uint16_t size;            // bytes of it
-    SmvmPinPlace *pin_place;  // NULL: whether there is such a pin is seen when it is opened
-    // What follows is the runner's.
+    SmvmPinPlace *pin_place;  // NULL: a missing pin is only found when it is opened
+    // The remaining fields belong to the runner.
     uint8_t machines;         // 0: nothing runs
     uint16_t rows, rows_end;  // where in `memory` the open pins are
     SmvmBytes image;
     SmVm *vm[SMVM_RUNNER_MACHINES];
-    uint16_t g[SMVM_RUNNER_MACHINES];                  // where in the state vector it finds the time
+    uint16_t g[SMVM_RUNNER_MACHINES];                  // offset of the time in the state vector
 } SmvmRunner;
 
-// Whether there is room for an image that smvm_verify has accepted.  SM_E_MEMORY: too little RAM, too many machines.
-// SM_E_MISSING: it names a pin that there is not.  SM_E_LAYOUT: its machines and pins are not all for one state vector.
+// Whether an image that smvm_verify has accepted fits.  SM_E_MEMORY: too little RAM or too many machines.
+// SM_E_MISSING: it uses a pin that does not exist.  SM_E_LAYOUT: its machines and pins belong to different state vectors.
 SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image);
 
-// Puts all machines at their initial states and opens all pins, outputs at their safe values.  Results as above, or of the first pin that
-// could not be opened; then nothing runs and no pin is open.
+// Sets all machines to their initial states and opens all pins, outputs at their safe values.  Returns the errors above, or that of the
+// first pin that could not be opened; then nothing runs and no pin is open.
 SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image);
 
 void smvm_runner_step(SmvmRunner *r, const void *g);       // g: the time, as a U64 in memory
 
-// Outputs to their safe values, pins closed; nothing runs any more.
+// Sets outputs to their safe values, closes the pins and stops all machines.
 void smvm_runner_stop(SmvmRunner *r);
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests and their answers, one function a message (runtime-c/link/link.def).  One buffer serves both: a request has been used up
-// when its answer is written.
+// Requests and their answers, one function per message (runtime-c/link/link.def).  One buffer serves both: a handler has read the request
+// before it writes the answer over it.
 #include "bytecode-vm/target/agent.h"
 
 #include <string.h>
@@ -22,7 +22,7 @@ void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *
     sm_link_receiver(&a->in, frame + 1, (uint16_t)(LINK_HEAD + a->body + LINK_TAIL));
 }
 
-// A request's body; its answer's, behind the result, lies over it.
+// The body of a request, and that of its answer after the result, which overlaps it.
 static const uint8_t *body_of(const Agent *a) { return a->frame + RESULT_AT; }
 static uint8_t *answer_of(const Agent *a) { return a->frame + ANSWER_AT; }
 
@@ -34,7 +34,7 @@ static void put(Agent *a, uint32_t value, uint8_t bytes)
         put1(a, (uint8_t)value);
 }
 
-// ---- what there is ----
+// ---- queries ----
 
 static SmResult hello(Agent *a)
 {
@@ -65,14 +65,14 @@ SMVM_APART static SmvmBytes image_of(const Agent *a, uint8_t slot)
     return slot == STORE_BUILT_IN ? a->board->built_in : a->store->plan.image[slot];
 }
 
-// Of an image, as they lie there.
+// Copies bytes of an image.
 static void put_bytes(Agent *a, SmvmBytes image, SmvmAt at, uint8_t n)
 {
     while (n-- > 0)
         put1(a, smvm_u8(image, at++));
 }
 
-// What an image says of itself: length, checksum, identity; zeros where there is none.
+// The length, checksum and identity of an image; zeros for a missing identity.
 static void put_image(Agent *a, SmvmBytes image)
 {
     SmvmReader identity;
@@ -132,7 +132,7 @@ static SmResult begin(Agent *a)
     const SmResult r = session_of(a) == 0 ? SM_E_ARGUMENT : smvm_get_at(body_of(a) + 2, &length) ? smvm_store_may_begin(a->store, length) : SM_E_SPACE;
 
     if (r != SM_OK)
-        return r;                      // before a machine is stopped for nothing
+        return r;                      // before a machine is stopped in vain
     if (a->store->plan.slots == 1 && a->store->running != STORE_BUILT_IN) {
         a->board->leave_slot(a->board->context);
         smvm_store_leave(a->store);
@@ -198,7 +198,7 @@ static SmResult restart(Agent *a)
 
 // ---- events ----
 
-// Its fields in the order in which they are sent.
+// The fields of an event in the order of transmission.
 static const struct Field { uint8_t at, bytes; } fields[] SM_FLASH = {
     {offsetof(SmEvent, time), 8}, {offsetof(SmEvent, kind), 1}, {offsetof(SmEvent, source), 2}, {offsetof(SmEvent, a), 4}, {offsetof(SmEvent, b), 4},
 };
@@ -230,11 +230,11 @@ static SmResult events(Agent *a)
     return SM_OK;
 }
 
-// ---- all of them ----
+// ---- dispatch ----
 
 typedef struct Handler {
     uint8_t message, least;   // the shortest body
-    bool guarded;             // it changes something, or keeps the board busy: only while may_update agrees
+    bool guarded;             // changes something, or keeps the board busy: only allowed while may_update returns SM_OK
     SmResult (*run)(Agent *a);
 } Handler;
 

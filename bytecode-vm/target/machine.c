@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An image behind the interface of runtime-c/machine_type.h.
+// Implements the interface of runtime-c/machine_type.h for an image.
 #include "bytecode-vm/target/machine.h"
 
 #include <string.h>
@@ -47,7 +47,7 @@ static void copy(const void *from, void *to, SmPlace p)
     memcpy((uint8_t *)to + p.offset, (const uint8_t *)from + p.offset, (size_t)p.size);
 }
 
-// What is refused stores nothing: not the S that smvm_init has stored before the decoded form was refused.
+// A failed init stores nothing: if decoding fails, this restores the S that smvm_init has overwritten.
 static SmResult decode(SmvmTarget *t, const SmvmMachine *m, void *sv, uint32_t s)
 {
     SmResult r = SM_OK;
@@ -111,7 +111,7 @@ static void target_publish(const void *self, const void *from, void *to)
     }
 }
 
-// ---- looking at it ----
+// ---- queries ----
 
 static uint32_t target_state(const void *self) { return smvm_state(((const SmvmTarget *)self)->vm); }
 static bool target_moved(const void *self) { return ((const SmvmTarget *)self)->vm->first; }
@@ -120,7 +120,7 @@ static uint32_t target_states(const void *self) { return ((const SmvmTarget *)se
 static SmPlace target_uses(const void *self) { return ((const SmvmTarget *)self)->uses; }
 static SmPlace target_number(const void *self) { return ((const SmvmTarget *)self)->number; }
 
-// The verifier does not look at names: one that does not end in 0 where it says is none.
+// The verifier does not check names: a name without a terminating 0 after its last character is treated as absent.
 static const char *target_state_name(const void *self, uint32_t state)
 {
     const SmvmTarget *t = self;

@@ -6,7 +6,7 @@
 //     static SmvmTarget mission = {.image = SMVM_IMAGE(image), .size = sizeof image, .memory = memory, .memory_size = sizeof memory};
 //     static SmMachine m = {.name = "mission", .type = &smvm_machine_type, .self = &mission, .sv = &rocket_vector, …};
 //
-// The image is verified in sm_machine_init, whoever made it.  An image of several machines has an SmvmTarget for each.
+// sm_machine_init verifies every image.  An image with several machines needs an SmvmTarget for each.
 // Link load.c, pins.c, interp.c, verify.c, debug.c and this folder's machine.c.
 #ifndef SMVM_TARGET_MACHINE_H
 #define SMVM_TARGET_MACHINE_H
@@ -18,8 +18,8 @@
 extern "C" {
 #endif
 
-// The decoded form of a machine (smvm_decode), several times as fast.  Behind pointers, so that only who names smvm_decoder links
-// decode*.c, fast.c and this folder's decoder.c.
+// The decoded form of a machine (smvm_decode), several times as fast.  It is called through pointers, so that only programs that refer to
+// smvm_decoder link decode*.c, fast.c and this folder's decoder.c.
 typedef struct SmvmDecoder {
     SmResult (*decode)(SmvmDecoded **decoded, void *memory, uint32_t size, const SmvmMachine *m, SmVm *vm, void *sv);
     SmResult (*step)(SmvmDecoded *decoded, void *sv);
@@ -27,35 +27,35 @@ typedef struct SmvmDecoder {
 extern const SmvmDecoder smvm_decoder;
 
 typedef struct SmvmTarget {
-    SmvmBytes image;          // as SMVM_FETCH reads it (config.h); stays as it is while the machine runs
+    SmvmBytes image;          // for SMVM_FETCH (config.h); must not change while the machine runs
     uint32_t size;            // bytes; an image may be shorter
-    uint32_t machine;         // which one of the image, counted from 0
-    void *memory;             // its own, aligned as an array of uint64_t
-    uint32_t memory_size;     // bytes; smvm_target_memory or SMVM_WORDS tell how many it takes
-    const SmvmDecoder *decoder;       // &smvm_decoder; NULL: it runs from the image
-    void *decoded;            // then: memory for the decoded form, aligned likewise
-    uint32_t decoded_size;    // bytes; smvm_decoded_size tells how many it takes
-    // What follows is the runtime's; all zero at first.
-    SmvmVerdict why;          // what is wrong with an image that was refused: why.rule, why.at
-    SmVm *vm;                 // NULL where it cannot step
+    uint32_t machine;         // number of the machine in the image, counted from 0
+    void *memory;             // for this machine only, aligned as an array of uint64_t
+    uint32_t memory_size;     // bytes; smvm_target_memory or SMVM_WORDS compute how many it needs
+    const SmvmDecoder *decoder;       // &smvm_decoder; NULL: run from the image
+    void *decoded;            // with a decoder: memory for the decoded form, with the same alignment
+    uint32_t decoded_size;    // bytes; smvm_decoded_size computes how many it needs
+    // The remaining fields belong to the runtime; all zero initially.
+    SmvmVerdict why;          // the error in an image that the verifier rejected: why.rule, why.at
+    SmVm *vm;                 // NULL if it cannot step
     SmvmDecoded *fast;
-    const uint8_t *more;      // what it stored of the outputs from 64 on, a bit each
+    const uint8_t *more;      // bits of the outputs from 64 on that the last step stored
     uint32_t states, outputs;
     SmvmAt outputs_at;
     SmPlace uses, number;
 } SmvmTarget;
 
 // The type of all images; `self` is an SmvmTarget.
-//   open   SM_E_IMAGE: the verifier refuses it.  SM_E_MISSING: it has no machine of that number.  SM_E_LAYOUT.
+//   open   SM_E_IMAGE: the verifier rejects it.  SM_E_MISSING: it has no machine of that number.  SM_E_LAYOUT.
 //   init   SM_E_MEMORY: memory_size or decoded_size is too small.  SM_E_ALIGNMENT.  SM_E_ARGUMENT: no such state.
-// States have names where the image was built with -g and lies in plain memory.
+// States have names if the image was built with -g and is in memory that pointers can address.
 extern const SmMachineType smvm_machine_type;
 
-// Verifies an image and tells how much `memory` a machine of it needs here; 0: it is refused, or has no such machine.
+// Verifies an image.  Returns how much `memory` a machine of it needs here, or 0 if it is rejected or has no such machine.
 uint32_t smvm_target_memory(SmvmBytes image, uint32_t size, uint32_t machine);
 
-// The same as a constant, in words of 8 bytes, from the numbers that `smc image` shows; window_words are those of all windows
-// (sm_roll_words).
+// The same as a constant expression, in words of 8 bytes, from the numbers that `smc image` prints.  window_words is the sum for all
+// windows (sm_roll_words).
 #define SMVM_WORDS(windows, window_words, locals, outputs) \
     ((sizeof(SmVm) + 7) / 8 + ((windows) * sizeof(uint64_t *) + 7) / 8 + (window_words) + \
      ((locals) + ((outputs) > 64 ? ((outputs) - 64u + 7u) / 8 : 0u) + 7) / 8)

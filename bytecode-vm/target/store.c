@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Selector records and slots.  What is chosen changes by one write of the older record; everything before it touches only what is
-// not chosen.
+// Selector records and slots.  Writing the older record is the one write that changes the choice; everything before that only modifies
+// what is not chosen.
 #include "bytecode-vm/target/store.h"
 
 #include <string.h>
@@ -24,7 +24,7 @@ bool smvm_get_at(const uint8_t *field, SmvmAt *at)
 
 // ---- the memory ----
 
-// What it erases at once; 0: it need not be erased.  And what it writes at once.
+// The erase unit, or 0 if the memory need not be erased; and the write unit.
 static SmvmAt erase_of(const Store *s) { return (SmvmAt)(SMVM_STORE_BYTES ? 0 : s->erase); }
 static uint8_t write_of(const Store *s) { return (uint8_t)(SMVM_STORE_BYTES ? 1 : s->write); }
 
@@ -41,7 +41,7 @@ static bool is_record(const Store *s, const StoreChoice *c)
            is_choice(c->before, s) && c->tries <= STORE_TRIES;
 }
 
-// Where the record of a number stands: they take turns.
+// The offset of the record with this number: the two places alternate.
 static SmvmAt record_at(const Store *s, const uint8_t *number) { return number[0] & 1u ? s->record_size : 0; }
 
 static void read_selector(Store *s)
@@ -57,7 +57,7 @@ static void read_selector(Store *s)
         }
 }
 
-// Makes a choice last.  Until the write is done the choice before counts.
+// Writes a choice to the medium.  The previous choice counts until the write is complete.
 static SmResult choose(Store *s, StoreChoice *c)
 {
     SmvmAt at;
@@ -77,7 +77,7 @@ static SmResult choose(Store *s, StoreChoice *c)
 
 // ---- places ----
 
-static bool is_power(uint32_t unit) { return (unit & (unit - 1)) == 0; }       // or zero
+static bool is_power(uint32_t unit) { return (unit & (unit - 1)) == 0; }       // also true for 0
 
 static SmvmAt unit_of(const Store *s) { return erase_of(s) ? erase_of(s) : write_of(s); }
 
@@ -131,9 +131,9 @@ SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan)
     return r;
 }
 
-// ---- what slots hold ----
+// ---- contents of slots ----
 
-// The length of what a slot holds as it says itself; 0: it says nothing that could be.
+// The length field of the image in a slot; 0: the slot cannot contain an image.
 SMVM_APART static SmvmAt length_in(const Store *s, uint8_t slot)
 {
     SmvmAt length;
@@ -146,7 +146,8 @@ SMVM_APART static SmvmAt length_in(const Store *s, uint8_t slot)
 
 SMVM_APART static uint32_t checksum_in(const Store *s, uint8_t slot) { return smvm_uint(s->plan.image[slot], SMVM_CRC_AT, 4); }
 
-// Of an image that the verifier accepts; without a key every one is.  A checksum can be forged, so this is asked at each start too.
+// For an image that the verifier accepts; without a key, every one is authentic.
+// Checked at every start too, because a checksum can be forged.
 static bool is_authentic(const Store *s, uint8_t slot, uint32_t *number)
 {
     *number = 0;
@@ -190,15 +191,15 @@ uint16_t smvm_store_period(const Store *s, uint8_t slot)
 
 // ---- starting ----
 
-// Whether the image before the active one is what it was.  With one slot it never is: what has its checksum there was sent again, and
-// nobody has accepted it.
+// Whether the previous image is intact.  With one slot it never is: an image in the slot with its checksum has been sent again, and was
+// not accepted yet.
 static bool has_before(const Store *s)
 {
     return s->plan.slots > 1 && s->now.before != STORE_BUILT_IN && holds(s, s->now.before, s->now.checksum_before);
 }
 
-// What runs when the active image is not to be run: the one before it, or the built-in one.  (Apart, and without has_before in it: the
-// verifier and a record on the stack at once are much.)
+// Chooses the image that runs if the active one must not: the previous one if `there`, else the built-in one.  (Not inlined, and has_before
+// is called outside: verifier and record together would need much stack.)
 SMVM_APART static SmResult step_back(Store *s, bool there, uint8_t *slot)
 {
     StoreChoice c = s->now;
@@ -213,7 +214,7 @@ SMVM_APART static SmResult step_back(Store *s, bool there, uint8_t *slot)
     return choose(s, &c);
 }
 
-// Whether the active image may run now.  A trial is counted first: what cannot be counted is not run, or it might be run for ever.
+// Whether the active image may run now.  A trial is counted first; if that fails, the image does not run, or it could run forever.
 static bool may_run(Store *s)
 {
     StoreChoice c = s->now;
@@ -234,7 +235,7 @@ SmResult smvm_store_boot(Store *s, uint8_t *slot)
     if (may_run(s))
         *slot = s->now.active;
     else
-        r = step_back(s, has_before(s), slot);         // it runs even where that could not be written down
+        r = step_back(s, has_before(s), slot);         // the image runs even if this choice could not be written
     s->running = *slot;
     return r;
 }
@@ -256,8 +257,8 @@ void smvm_store_leave(Store *s) { s->running = STORE_BUILT_IN; }
 
 static bool on_trial(const Store *s) { return s->now.active != STORE_BUILT_IN && !s->now.confirmed; }
 
-// A slot that is neither chosen nor running; with one slot, that one, once it does not run.  (What is chosen by its checksum is not
-// run any more as soon as the first byte of it has changed.)
+// Finds a slot that is neither chosen nor running; a single slot only must not be running.  (An image chosen by its checksum does not run
+// any more as soon as its first byte has changed.)
 static bool find_target(const Store *s, uint8_t *target)
 {
     for (uint8_t i = 0; i < s->plan.slots; i++)
@@ -298,8 +299,7 @@ SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t ch
     put32(s->checksum, checksum);
     s->next = 0;
     s->whole = false;
-    // On a board with a key, what is overwritten is not gone back to: an old image that somebody has recorded, sent again, would run with
-    // nobody having looked at its number.
+    // With a key, never fall back to a slot that has been overwritten: a replayed old image would run without its number being checked.
     r = smvm_store_has_key(s) && s->target == s->now.before ? forget_before(s) : SM_OK;
     if (r == SM_OK)
         r = erase(s, s->slot_at[s->target], round_up(s->length, unit_of(s)));
@@ -316,7 +316,7 @@ static bool is_there(const Store *s, SmvmAt at, const uint8_t *bytes, uint8_t n)
     return true;
 }
 
-// Whole units at once, and what is left padded with blanks.
+// Writes whole units at once, and pads the rest with blank bytes.
 SMVM_APART static SmResult write_padded(const Store *s, SmvmAt place, const uint8_t *bytes, uint8_t n)
 {
     const uint8_t rest = n & (uint8_t)(write_of(s) - 1), whole = (uint8_t)(n - rest);
@@ -330,8 +330,8 @@ SMVM_APART static SmResult write_padded(const Store *s, SmvmAt place, const uint
     return put(s, (SmvmAt)(place + whole), last, write_of(s));
 }
 
-// Whether n bytes at `at`, which is not beyond s->next, go on from what there is or lie within it, in whole units but at the
-// image's end.
+// Whether n bytes at `at`, which is at most s->next, either continue the data written so far or are inside it.  Requires whole units except
+// at the image's end.
 static bool is_part(const Store *s, SmvmAt at, uint8_t n)
 {
     const uint8_t rest = (uint8_t)(write_of(s) - 1);
@@ -358,7 +358,7 @@ SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *
     if (!there) {
         const SmResult r = write_padded(s, (SmvmAt)(s->slot_at[s->target] + at), bytes, n);
         if (r != SM_OK) {
-            s->session = 0;            // what is there now is not known
+            s->session = 0;            // the contents are unknown now
             return r;
         }
     }
@@ -366,7 +366,7 @@ SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *
     return SM_OK;
 }
 
-// Whether it comes from who has the key, and is no old one.
+// Whether the image comes from an owner of the key and is newer than all confirmed ones.
 static SmResult judge(const Store *s)
 {
     uint32_t number;
@@ -404,7 +404,7 @@ SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
         memcpy(c.checksum_before, c.checksum, 4);
         memcpy(c.period_before, c.period, 2);
     } else if (sm_link_get(c.period, 2) == period) {
-        return SM_OK;                  // the answer was lost; it may even be confirmed by now
+        return SM_OK;                  // the answer was lost; the image may already be confirmed
     }
     c.active = s->target;
     sm_link_put(c.period, period, 2);
@@ -414,7 +414,7 @@ SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
     return choose(s, &c);
 }
 
-// ---- afterwards ----
+// ---- after an update ----
 
 SmResult smvm_store_confirm(Store *s, uint32_t checksum)
 {
@@ -426,7 +426,7 @@ SmResult smvm_store_confirm(Store *s, uint32_t checksum)
     if (c.confirmed)
         return SM_OK;
     if (!is_authentic(s, c.active, &number))
-        return SM_E_UNSIGNED;          // it was, when it was chosen
+        return SM_E_UNSIGNED;          // it was authentic when it was chosen
     if (smvm_store_has_key(s) && number > get32(c.newest))
         put32(c.newest, number);
     c.confirmed = 1;
@@ -434,7 +434,7 @@ SmResult smvm_store_confirm(Store *s, uint32_t checksum)
     return choose(s, &c);
 }
 
-// Makes what a slot holds no image; what is running is left as it is.
+// Destroys the image in a slot, unless it is running.
 static SmResult blank(const Store *s, uint8_t slot)
 {
     uint8_t nothing[SMVM_STORE_BYTES ? 4 : STORE_UNIT];

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images in non-volatile memory, so that an update cut off at any byte leaves the old image or the new one, never neither.
+// Stores images in non-volatile memory.  An update that is interrupted at any byte leaves either the old image or the new one.
 //
 //     StorePlan plan = {1024, 2, {SLOT_0, SLOT_1}};
 //     smvm_store_open(&store, nvm, &plan);
 //     smvm_store_boot(&store, &slot);                         // which image to run: a slot, or STORE_BUILT_IN
 //
-// Two records of a selector stand at the start of the memory.  They are written in turn, each with a number and a checksum: the
-// newest whole one counts, so that one write changes everything at once.  Behind them are two slots, or one.
+// The memory starts with two records of a selector.  They are written alternately, each with a number and a checksum.  The newest
+// valid record counts, so that a single write changes everything at once.  One or two slots follow.
 //
-// An update writes the slot that does not run, verifies it where it lies, and only then chooses it.  It starts as a trial: every
-// start counts it down before it runs, and when nothing is left the image before it runs again.  Confirmed, it stays.
+// An update writes a slot that is not running, verifies it in place, and only then chooses it.  The new image starts as a trial: every
+// start decrements its count before the image runs, and when the count is used up, the previous image runs again.  A confirmed image
+// stays.
 //
-// A board that has a key runs no image whose code (bytecode-vm/auth.h) is not made with it, nor takes one again whose number is not above
-// that of an image that was confirmed.  That number is part of the record that confirms.
+// A board with a key runs only images whose code (bytecode-vm/auth.h) was computed with that key.  It rejects an update whose number is
+// not above that of every confirmed image.  The highest confirmed number is part of the record that confirms.
 //
-// With one slot (the EEPROM of an Uno has 1 KB) there is no image before it but the one that is built into the firmware: it runs
-// from the first byte of an update to its choice, and whoever runs the image in the slot must have changed to it before.
+// With one slot (the EEPROM of an Uno has 1 KB) the only previous image is the one built into the firmware.  It runs from the first byte
+// of an update until the new image is chosen.  The caller must switch to it before an update overwrites the slot.
 #ifndef SMVM_STORE_H
 #define SMVM_STORE_H
 
@@ -27,31 +28,31 @@ extern "C" {
 #endif
 
 enum {
-    STORE_TRIES = 3,          // starts that a trial has
-    STORE_RECORD = 32,        // bytes of a selector record, before it is rounded up to what the memory erases
-    STORE_UNIT = 32           // the largest unit of writing that is supported
+    STORE_TRIES = 3,          // the number of starts of a trial
+    STORE_RECORD = 32,        // bytes of a selector record, before rounding up to the erase unit of the memory
+    STORE_UNIT = 32           // the largest supported write unit
 };
-#define STORE_BUILT_IN 0xffu  // stands for a slot: the image that is part of the firmware
+#define STORE_BUILT_IN 0xffu  // in place of a slot: the image that is part of the firmware
 
 typedef struct StorePlan {
-    uint32_t size;            // bytes of the memory that may be used
+    uint32_t size;            // bytes of the memory that the store may use
     uint8_t slots;            // 1 or 2
-    SmvmBytes image[2];       // how the VM reads the slots (SMVM_FETCH)
+    SmvmBytes image[2];       // the addresses at which the VM reads the slots (SMVM_FETCH)
 } StorePlan;
 
-// What the selector says: a record, byte for byte as it lies on the medium; numbers have their least significant byte first.
+// A record of the selector, byte for byte as on the medium.  Numbers are stored least significant byte first.
 typedef struct StoreChoice {
-    uint8_t number[4];        // of the record; each is one larger
+    uint8_t number[4];        // of the record; each new record has the next one
     uint8_t version;
-    uint8_t active;           // what runs: a slot or STORE_BUILT_IN
-    uint8_t before;           // what runs again if the trial fails
-    uint8_t tries;            // starts that are left to a trial
+    uint8_t active;           // the image that runs: a slot or STORE_BUILT_IN
+    uint8_t before;           // the image that runs again if the trial fails
+    uint8_t tries;            // remaining starts of a trial
     uint8_t confirmed;        // 0 or 1
     uint8_t zeros[3];
-    uint8_t checksum[4];      // of the active image: a slot that holds another is not run
+    uint8_t checksum[4];      // of the active image; a slot whose image has another checksum does not run
     uint8_t checksum_before[4];   // the same for `before`
     uint8_t newest[4];        // the highest number (image section AUTH) of an image that a board with a key has confirmed
-    uint8_t period[2], period_before[2];      // milliseconds between steps of each, as the host gave them; 0: the board's own
+    uint8_t period[2], period_before[2];      // milliseconds between steps of each image, as set by the host; 0: the board's default
     uint8_t crc[4];           // CRC-32 of all before it
 } StoreChoice;
 
@@ -59,81 +60,81 @@ typedef struct Store {
     PalNvm nvm;
     StorePlan plan;
     SmvmAt record_size, slot_size, slot_at[2];
-    SmvmAt erase;             // of the memory: PalNvmInfo; write is 1 at least
+    SmvmAt erase;             // erase unit of the memory, see PalNvmInfo; write is at least 1
     uint8_t write, blank;
     StoreChoice now;
-    uint8_t running;          // what smvm_store_boot gave
-    // Whether the board's key has made this image's code, and its number (smvm_auth_check); NULL: there is no key.  To be set between
-    // smvm_store_open and smvm_store_boot.
+    uint8_t running;          // the slot that smvm_store_boot returned
+    // Whether the board's key has produced this image's code; stores its number (smvm_auth_check).  NULL: no key.  Set it after
+    // smvm_store_open and before smvm_store_boot.
     bool (*is_authentic)(SmvmBytes image, uint32_t *number);
-    // An update under way.
-    uint16_t session;         // as the host numbers it; 0: none
+    // The current update.
+    uint16_t session;         // the host's number for it; 0: none
     uint8_t target;
     bool whole;               // smvm_store_end has accepted it
     SmvmAt length, next;
     uint8_t checksum[4];
 } Store;
 
-// Reads the selector; where no record is whole, as in a new chip, the built-in image is chosen.  SM_E_SPACE: the memory has no room
-// for records and slots.  SM_E_UNSUPPORTED: it writes in units larger than STORE_UNIT, or its units are no powers of two.
+// Reads the selector.  Without a valid record, as in a new chip, the built-in image is chosen.  SM_E_SPACE: the memory is too small for
+// records and slots.  SM_E_UNSUPPORTED: its write unit is larger than STORE_UNIT, or its units are not powers of two.
 SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan);
 
-// Which image to run; once a start.  A trial is counted down on the medium before this returns.  An image that is not whole any
-// more is passed over: the one before it, then the built-in one.
+// Decides which image to run; call it once per start.  A trial's count is decremented on the medium before this returns.  An image that
+// is damaged is skipped: the previous image runs, or else the built-in one.
 SmResult smvm_store_boot(Store *s, uint8_t *slot);
 
-// The caller cannot run the image that smvm_store_boot gave, for a pin of it is taken: which to run instead.  A trial is over by that; a
-// confirmed image stays chosen, for other firmware can.
+// The caller cannot run the image that smvm_store_boot returned, because one of its pins is in use.  Returns in *slot the image to run
+// instead.  A trial ends.  A confirmed image stays chosen, because other firmware may be able to run it.
 SmResult smvm_store_pass_over(Store *s, uint8_t *slot);
 
-// The caller does not run the image in the slot any more, but the built-in one.
+// The caller has stopped the image in the slot and runs the built-in one.
 void smvm_store_leave(Store *s);
 
 // ---- an update, step by step; each step may be repeated ----
 
-// Whether an update may begin once a slot is free (with one slot: left).  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen
-// image is on trial.
+// Whether an update can begin once a slot is free (with one slot: after smvm_store_leave).  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the
+// chosen image is on trial.
 SmResult smvm_store_may_begin(const Store *s, SmvmAt length);
 
-// SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is on trial, it is to be confirmed or erased first; or every slot is
-// chosen or running.
+// SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is on trial and must first be confirmed or erased; or every slot is chosen
+// or running.
 SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t checksum);
 
-// n bytes from place `at` on, which is s->next or, of what was written before, less; a multiple of s->write, and so is n but at the
-// end.  SM_E_HANDLE: no such session.  SM_E_ARGUMENT: not the next bytes, and not the same as before.
+// Writes n bytes at offset `at`: s->next, or less to repeat bytes written before.  `at` must be a multiple of s->write, and n too except at
+// the end.  SM_E_HANDLE: no such session.  SM_E_ARGUMENT: these are neither the next bytes nor the same as before.
 SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *bytes, uint8_t n);
 
-// Reads it back and verifies it where it lies.  SM_E_DEVICE: it is not what was sent.  SM_E_ARGUMENT: the verifier refuses it, *why
-// says.  SM_E_UNSIGNED: its code is wrong, or it has none.  SM_E_REPLAY: it is not newer than one that was confirmed.
+// Reads the image back and verifies it in place.  SM_E_DEVICE: it differs from what was sent.  SM_E_ARGUMENT: the verifier rejects it, see
+// *why.  SM_E_UNSIGNED: its code is wrong or missing.  SM_E_REPLAY: its number is not above that of a confirmed image.
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why);
 
-// Chooses it: from the next start on it is on trial, and runs every `period` milliseconds (0: as the board does).  SM_E_HANDLE:
-// smvm_store_end has not accepted it.
+// Chooses the image: from the next start on it is on trial, with `period` milliseconds between steps (0: the board's default).
+// SM_E_HANDLE: smvm_store_end has not accepted it.
 SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period);
 
-// ---- afterwards ----
+// ---- after an update ----
 
-// The running image stays.  SM_E_ARGUMENT: another one runs.
+// Confirms the running image.  SM_E_ARGUMENT: another one is running.
 SmResult smvm_store_confirm(Store *s, uint32_t checksum);
 
-// From the next start on the image with this checksum is not run: the one before it or the built-in one is.  SM_E_MISSING: no slot
-// holds it.  Another failure: some slots may still hold it, the caller can try again.
+// From the next start on, the image with this checksum does not run; the previous or the built-in one does.  SM_E_MISSING: no slot contains
+// it.  Any other error: some slots may still contain it, and the caller can try again.
 SmResult smvm_store_erase(Store *s, uint32_t checksum);
 
-// ---- what there is ----
+// ---- queries ----
 
-// A place or length of three bytes; false: it is beyond any image here.
+// Reads an offset or length of three bytes.  Returns false if it exceeds every image on this target.
 bool smvm_get_at(const uint8_t *field, SmvmAt *at);
 
 static inline bool smvm_store_has_key(const Store *s) { return SMVM_STORE_KEY && s->is_authentic; }
 
 typedef enum StoreState { STORE_EMPTY, STORE_WHOLE, STORE_TRIAL, STORE_CONFIRMED } StoreState;
 
-uint16_t smvm_store_period(const Store *s, uint8_t slot);      // 0 where nobody has said
+uint16_t smvm_store_period(const Store *s, uint8_t slot);      // 0 if none was set
 
 StoreState smvm_store_state(const Store *s, uint8_t slot);
 
-bool smvm_store_is_before(const Store *s, uint8_t slot);       // it runs where the chosen one cannot, if it is whole
+bool smvm_store_is_before(const Store *s, uint8_t slot);       // it runs if the chosen image cannot, provided that it is intact
 
 #ifdef __cplusplus
 }
