@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Conversion between F64 and the types of elements (language.md 2), as values, as bit cells and in memory.
 //
-//   sm_to_X(x)     F64 to X, as storing does: NaN gives 0; integers truncate toward zero, then saturate.
-//   sm_from_X(v)   X to F64: exact, except that I64 and U64 round to nearest even above 2^53 (f64.h has the wide ones).
-//   sm_read_X(v)   what reading a stored X gives: as sm_from_X, but a stored NaN reads as 0.
-//   sm_no_nan_f32  the same as an F32.
+//   sm_to_X(x)     F64 to X, as a store does: NaN becomes 0; integers truncate toward zero, then saturate.
+//   sm_from_X(v)   X to F64: exact, except that I64 and U64 round to nearest even above 2^53 (these two are in f64.h).
+//   sm_read_X(v)   the value that reading a stored X returns: as sm_from_X, but a stored NaN reads as 0.
+//   sm_no_nan_f32  the same, with an F32 as the result.
 //
-// A cell is a value's bits in its own type, zero-extended to 64: I8 -1 is 0xff, F32 its binary32, bool 0 or 1.
-// Memory is in the host's byte order and need not be aligned.  A bool is one byte; any non-zero byte reads as true.
+// A cell is the bits of a value in its own type, zero-extended to 64: I8 -1 is 0xff, F32 its binary32, bool 0 or 1.
+// Memory is in the host's byte order and need not be aligned.  A bool is one byte; any nonzero byte reads as true.
 #ifndef SM_CONVERT_H
 #define SM_CONVERT_H
 
@@ -88,27 +88,27 @@ static inline SmF64 sm_to_f64(SmF64 x)
 //: sm_to_bool double
 static inline bool sm_to_bool(SmF64 x)
 {
-    return sm_lt(x, sm_from_i32(0)) || sm_lt(sm_from_i32(0), x);   // neither holds for NaN
+    return sm_lt(x, sm_from_i32(0)) || sm_lt(sm_from_i32(0), x);   // both are false for NaN
 }
 //: end
 #endif
 //: sm_clip_i32
-// x, or the limit that it is beyond: an integer on its way to another type of integer.
+// x, clipped to the limits of another integer type.
 static inline int32_t sm_clip_i32(int32_t x, int32_t lo, int32_t hi) { return x < lo ? lo : x > hi ? hi : x; }
 //: sm_clip_i64
-// x, or the limit that it is beyond: an integer on its way to another type of integer.
+// x, clipped to the limits of another integer type.
 static inline int64_t sm_clip_i64(int64_t x, int64_t lo, int64_t hi) { return x < lo ? lo : x > hi ? hi : x; }
 //: sm_clip_u64
-// x, or the limit that it is beyond: an integer on its way to another type of integer.
+// x, clipped to the upper limit of another integer type.
 static inline uint64_t sm_clip_u64(uint64_t x, uint64_t hi) { return x > hi ? hi : x; }
 //: sm_count_up
-// v + 1 as a number, for v up to 2^53, where counting by one ends.
+// v + 1 as computed in F64, for v up to 2^53, where counting by one stops.
 static inline uint64_t sm_count_up(uint64_t v) { return v + (v < 0x20000000000000u); }
 //: sm_count_up_if
-// v + 1 as a number where c holds, else v; for v up to 2^53, where counting by one ends.
+// v + 1 as computed in F64 if c is true, else v; for v up to 2^53, where counting by one stops.
 static inline uint64_t sm_count_up_if(uint64_t v, bool c) { return v + (c && v < 0x20000000000000u); }
 //: sm_count_u64
-// v + n as numbers, stored again: exact while v is small, rounded as every number is beyond 2^53.  n is up to 2^52.
+// v + n as computed in F64 and stored: exact for small v, rounded beyond 2^53 like every F64.  n is up to 2^52.
 static inline uint64_t sm_count_u64(uint64_t v, int64_t n)
 {
     if (v <= 0x10000000000000u && (n >= 0 || v >= (uint64_t)-n))
@@ -116,7 +116,7 @@ static inline uint64_t sm_count_u64(uint64_t v, int64_t n)
     return sm_to_u64(sm_add(sm_from_u64(v), sm_from_i64(n)));
 }
 //: sm_count_i64
-// v + n as numbers, stored again: exact while v is small, rounded as every number is beyond 2^53.  n is up to 2^52.
+// v + n as computed in F64 and stored: exact for small v, rounded beyond 2^53 like every F64.  n is up to 2^52.
 static inline int64_t sm_count_i64(int64_t v, int64_t n)
 {
     if (-0x10000000000000 <= v && v <= 0x10000000000000)
@@ -153,7 +153,7 @@ static inline SmF64 sm_from_bool(bool v) { return sm_from_i32(v); }
 static inline uint32_t sm_f32_bits(float v) { uint32_t u; memcpy(&u, &v, sizeof u); return u; }
 static inline float sm_f32_from_bits(uint32_t u) { float v; memcpy(&v, &u, sizeof v); return v; }
 
-// Reading a cell: the F64 that an element holding it gives.  Bits beyond the type's width are not looked at.
+// Reads a cell: the F64 value of an element with this cell.  Ignores bits beyond the type's width.
 static inline SmF64 sm_cell_to_f64(SmType type, uint64_t cell)
 {
     switch (type) {
@@ -173,7 +173,7 @@ static inline SmF64 sm_cell_to_f64(SmType type, uint64_t cell)
     return sm_from_i32(0);
 }
 
-// Storing: the cell that an element holds after x was assigned to it.
+// Stores: the cell of an element after x was assigned to it.
 static inline uint64_t sm_cell_from_f64(SmType type, SmF64 x)
 {
     switch (type) {
@@ -193,7 +193,7 @@ static inline uint64_t sm_cell_from_f64(SmType type, SmF64 x)
     return 0;
 }
 
-// The cell at p, as stored (a NaN too); a bool's is 0 or 1.
+// The cell at p, as stored, even if it is a NaN; that of a bool is 0 or 1.
 static inline uint64_t sm_cell_load(SmType type, const void *p)
 {
     switch (type) {
@@ -207,7 +207,7 @@ static inline uint64_t sm_cell_load(SmType type, const void *p)
     return 0;
 }
 
-// Writes as many bytes as the type has, as they are; a bool's becomes 0 or 1.
+// Writes the low bytes of a cell, as many as the type has, without conversion; a bool becomes 0 or 1.
 static inline void sm_cell_store(SmType type, void *p, uint64_t cell)
 {
     switch (type) {
@@ -220,7 +220,7 @@ static inline void sm_cell_store(SmType type, void *p, uint64_t cell)
     }
 }
 
-// Reading and assigning an element at p: as through a cell, but an 8-bit computer need not make 64 bits of what has 8.
+// Reads and assigns an element at p.  Equivalent to using a cell, but an 8-bit computer need not widen 8 bits to 64.
 static inline SmF64 sm_load(SmType type, const void *p)
 {
     switch (type) {
@@ -241,7 +241,7 @@ static inline SmF64 sm_load(SmType type, const void *p)
 }
 
 #if defined(__OPTIMIZE_SIZE__) && !SM_F64_SOFT
-// Where code is to be small: integers are those of 64 bits, cut off at the limits of their type, and all go to memory as cells.
+// When optimizing for size: integers are converted to 64 bits, then clipped to the limits of their type, and all are stored as cells.
 static inline int64_t sm_to_signed(SmType type, SmF64 x)
 {
     const int64_t v = sm_to_i64(x), one = 1;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// CRC-32 as IEEE 802.3 has it (reflected 0xEDB88320, all ones in and out): "123456789" gives 0xCBF43926.
-// Four bits at a time; on AVR, whose tables lie in RAM, bit by bit.
+// CRC-32 as in IEEE 802.3 (reflected 0xEDB88320, initial value and final XOR all ones); for "123456789" it is 0xCBF43926.
+// Computed four bits at a time; bit by bit on AVR, where tables take RAM.
 #ifndef SM_CRC32_H
 #define SM_CRC32_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-// Byte by byte, for bytes that lie where no pointer reaches: start with SM_CRC32_START, end with sm_crc32_end.
+// Byte by byte, for bytes that a pointer cannot address: start with SM_CRC32_START, end with sm_crc32_end.
 #define SM_CRC32_START 0xFFFFFFFFu
 
 #ifdef __AVR__
@@ -26,7 +26,7 @@ __attribute__((noinline, unused)) static uint32_t sm_crc32_byte(uint32_t crc, ui
 #else
 static inline uint32_t sm_crc32_byte(uint32_t crc, uint8_t byte)
 {
-    static const uint32_t step[16] = {                // what four bits that leave on the right do to the rest
+    static const uint32_t step[16] = {                // the effect of the four bits that are shifted out
         0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu, 0x76DC4190u, 0x6B6B51F4u, 0x4DB26158u, 0x5005713Cu,
         0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu, 0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu,
     };
@@ -36,7 +36,7 @@ static inline uint32_t sm_crc32_byte(uint32_t crc, uint8_t byte)
 }
 #endif
 
-// What the CRC is of bytes that end with their own, least significant byte first.
+// The CRC of any bytes followed by their own CRC, least significant byte first.
 #define SM_CRC32_WHOLE 0x2144DF1Cu
 
 static inline uint32_t sm_crc32_end(uint32_t crc) { return crc ^ 0xFFFFFFFFu; }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// SmF64: the one number of the language, IEEE binary64, and its operators.  The only file that decides how it is
-// represented: a C `double` where that is binary64; where it is not, as on AVR, or is not computed right, the bits, and arithmetic in
-// software (soft.h).  -DSM_F64_SOFT=1 chooses the latter anywhere; all that is compiled together must agree on it.  Callers use the functions below
-// and never C's operators, which the soft type does not have.
+// SmF64: the only number type of the language, IEEE binary64, and its operators.  Only this file decides how it is
+// represented.  Where C's `double` is binary64 and is computed correctly, it is a `double`.  Elsewhere, as on AVR, it is the bits, with
+// arithmetic in software (soft.h).  -DSM_F64_SOFT=1 selects software on any target; all files of a program must agree on it.  Callers use
+// the functions below and never C's operators, which the software type does not support.
 // All functions are exact IEEE: round to nearest even, no trap, no errno.  The sign and payload of a NaN carry no meaning.
 //
-// Emitted C carries the text of the functions that it uses.  A line `//: NAME` opens the text of NAME, which runs to the
-// next such line; `//: end` closes the last one.  Comments between them are read by the readers of emitted C.
+// Emitted C includes the source of the functions that it uses.  A line `//: NAME` begins the source of NAME, which ends at the
+// next such line; `//: end` ends the last one.  Write comments between them for readers of emitted C.
 #ifndef SM_F64_H
 #define SM_F64_H
 
@@ -15,7 +15,8 @@
 #include <stdint.h>
 #include <string.h>
 
-// gcc's own double for ARM chips without one, but for the smallest (Cortex-M0), rounds some sums wrongly whose operands lie 33 bits apart.
+// gcc's software double for ARM chips without a double FPU rounds some sums wrongly whose operands are 33 bits apart.  The version for the
+// smallest chips (Cortex-M0) is correct.
 #ifndef SM_F64_SOFT
 #if defined(__arm__) && defined(__GNUC__) && !defined(__clang__) && !(__ARM_FP & 8) && __ARM_ARCH_ISA_THUMB != 1
 #define SM_F64_SOFT 1
@@ -31,7 +32,7 @@
 #if FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128
 #error "smc: this compiler's float is not IEEE binary32"
 #endif
-// 1 is harmless: it widens float alone, and no float arithmetic is done here.
+// FLT_EVAL_METHOD 1 is harmless: it only widens float, and nothing here computes with float.
 #if !SM_F64_SOFT && defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)
 #error "smc: this compiler computes doubles with excess precision; on 32-bit x86 build with -msse2 -mfpmath=sse"
 #endif
@@ -39,8 +40,8 @@
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
 #error "smc: fast-math changes what programs mean; build without it"
 #endif
-// a * b + c is two operations, each rounded.  Builds say so by -ffp-contract=off; where a chip has both in one, gcc makes use of that unless it
-// is told here, and the Arduino tools have no place for options.
+// a * b + c must be two operations, each rounded.  Builds ensure that with -ffp-contract=off.  If a chip has a fused multiply-add, gcc uses
+// it unless disabled here; and the Arduino tools offer no way to pass options.
 #if (defined(ARDUINO) || defined(__FP_FAST_FMA)) && !SM_F64_SOFT && defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize ("fp-contract=off")
 #elif defined(ARDUINO) && !SM_F64_SOFT && defined(__clang__)
@@ -68,7 +69,7 @@ static inline SmF64 sm_mul(SmF64 a, SmF64 b) { return a * b; }
 //: sm_div double
 static inline SmF64 sm_div(SmF64 a, SmF64 b) { return a / b; }
 //: sm_neg double
-// Flips the sign bit, of zero and NaN too.
+// Flips the sign bit, also of zero and NaN.
 static inline SmF64 sm_neg(SmF64 a) { return sm_from_bits(sm_bits(a) ^ 0x8000000000000000u); }
 //: sm_lt double
 static inline bool sm_lt(SmF64 a, SmF64 b) { return a < b; }    // false if either is NaN
@@ -83,8 +84,8 @@ static inline SmF64 sm_from_i32(int32_t v) { return (SmF64)v; }
 //: sm_from_u32 double
 static inline SmF64 sm_from_u32(uint32_t v) { return (SmF64)v; }
 //: sm_from_i64 double
-// Rounds above 2^53.  32-bit x86 converts 64 bits in an x87 register, where compilers can leave more digits than a double has.
-// There the two halves are converted, which is exact, and their sum is rounded once, as every sum is.
+// Rounds above 2^53.  32-bit x86 converts 64 bits in an x87 register, where compilers can leave more bits than a double has.
+// Therefore the two halves are converted, which is exact, and their sum is rounded once, like every sum.
 static inline SmF64 sm_from_i64(int64_t v)
 {
 #if defined(__i386__) || defined(_M_IX86)
@@ -114,7 +115,7 @@ static inline int64_t sm_cut_i64(SmF64 x) { return (int64_t)x; }    // toward ze
 //: sm_cut_u64 double
 static inline uint64_t sm_cut_u64(SmF64 x) { return (uint64_t)x; }  // toward zero; the result must fit
 //: sm_round_f32 double
-static inline float sm_round_f32(SmF64 x) { return (float)x; }      // to nearest even, too large to infinity
+static inline float sm_round_f32(SmF64 x) { return (float)x; }      // to nearest even, overflow to infinity
 //: end
 #endif
 

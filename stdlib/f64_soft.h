@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SmF64 without a `double`: the functions of f64.h made of those of soft.h.  Included by f64.h alone.
+// SmF64 without a `double`: implements the functions of f64.h with those of soft.h.  Included only by f64.h.
 #ifndef SM_F64_SOFT_H
 #define SM_F64_SOFT_H
 
@@ -9,7 +9,7 @@
 
 #include "stdlib/soft.h"
 
-// A struct, so that C's operators do not compile.
+// A struct, so that C's operators do not compile for it.
 typedef struct SmF64 { uint64_t bits; } SmF64;
 
 static inline uint64_t sm_bits(SmF64 x) { return x.bits; }
@@ -36,7 +36,7 @@ static inline uint32_t sm_cut_u32(SmF64 x) { return sm_soft_to_u32(x.bits); }
 static inline int64_t sm_cut_i64(SmF64 x) { return sm_soft_to_i64(x.bits); }
 static inline uint64_t sm_cut_u64(SmF64 x) { return sm_soft_to_u64(x.bits); }
 
-// What convert.h says of storing in an element.
+// Stores to an element, as specified in convert.h.
 static inline int32_t sm_to_i32(SmF64 x) { return sm_cut_i32(x); }
 static inline uint32_t sm_to_u32(SmF64 x) { return sm_cut_u32(x); }
 static inline int64_t sm_to_i64(SmF64 x) { return sm_cut_i64(x); }
@@ -52,7 +52,7 @@ static inline uint16_t sm_to_u16(SmF64 x) { return (uint16_t)sm_to_within(x, 0, 
 static inline uint8_t sm_to_u8(SmF64 x) { return (uint8_t)sm_to_within(x, 0, UINT8_MAX); }
 static inline bool sm_to_bool(SmF64 x) { return sm_soft_truth(x.bits); }
 
-// What it says of reading one.
+// Reads from an element, as specified there.
 static inline float sm_no_nan_f32(float v)
 {
     uint32_t u;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants that stay in flash on AVR, which copies all others into RAM: tables, and text that is only said.
+// Constants that stay in flash on AVR, which copies all other constants into RAM: tables, and texts that are only printed.
 //     static const Row rows[] SM_FLASH = {…};
 //     Row row;
 //     sm_flash_get(&row, &rows[i], sizeof row);
 //
-//     const char *what = SM_TEXT("the clock");          // within a function; on AVR no pointer to RAM
+//     const char *what = SM_TEXT("the clock");          // inside a function; on AVR this is not a pointer to RAM
 //     for (; (c = sm_text_byte(what)) != '\0'; what++) …
 #ifndef SM_FLASH_H
 #define SM_FLASH_H

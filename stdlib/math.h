@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pure builtins (language.md 3), F64 in and F64 out.  All are exact, so every target gives the same bits; no libm.
+// The pure builtins (language.md 3), F64 in and F64 out.  All are exact, so their results have the same bits on every target; no libm.
 #ifndef SM_MATH_H
 #define SM_MATH_H
 
@@ -9,12 +9,12 @@
 // x without its sign bit.
 static inline SmF64 sm_abs(SmF64 x) { return sm_from_bits(sm_bits(x) & 0x7FFFFFFFFFFFFFFFu); }
 //: sm_trunc
-// x without its fraction; keeps the sign of zero.
+// x without its fraction; preserves the sign of zero.
 static inline SmF64 sm_trunc(SmF64 x)
 {
     const uint64_t u = sm_bits(x);
     const unsigned exponent = (unsigned)(u >> 52) & 0x7FFu;
-    if (exponent >= 1075u)   // no fraction, or infinite, or NaN
+    if (exponent >= 1075u)   // no fraction, infinity or NaN
         return x;
     if (exponent < 1023u)    // below 1
         return sm_from_bits(u & 0x8000000000000000u);
@@ -33,7 +33,7 @@ static inline SmF64 sm_ceil(SmF64 x)
     return sm_lt(t, x) ? sm_add(t, sm_from_i32(1)) : t;
 }
 //: sm_round
-// The nearest whole number, halves away from zero; keeps the sign of zero.
+// The nearest whole number, halves away from zero; preserves the sign of zero.
 static inline SmF64 sm_round(SmF64 x)
 {
     const SmF64 t = sm_trunc(x);
@@ -43,7 +43,7 @@ static inline SmF64 sm_round(SmF64 x)
     return sm_le(twice, sm_from_i32(-1)) ? sm_sub(t, sm_from_i32(1)) : t;
 }
 //: sm_sqrt
-// The square root, correctly rounded, one binary digit at a time; NaN below zero, -0 of -0.
+// The square root, correctly rounded, computed one bit at a time; NaN below zero, -0 for -0.
 static inline SmF64 sm_sqrt(SmF64 x)
 {
     uint64_t rest = sm_bits(x) & 0x000FFFFFFFFFFFFFu, root = 0, done = 0, bit;
@@ -55,7 +55,7 @@ static inline SmF64 sm_sqrt(SmF64 x)
     else
         for (exponent = 1; rest < 0x0010000000000000u; exponent--)
             rest <<= 1;
-    exponent += 1023;        // twice the bias: its half is the result's exponent
+    exponent += 1023;        // twice the bias: half of it is the result's exponent
     rest <<= exponent % 2 != 0 ? 2 : 1;
     for (bit = 0x0020000000000000u; bit != 0; bit >>= 1) {
         if (done + bit <= rest) {
@@ -65,11 +65,11 @@ static inline SmF64 sm_sqrt(SmF64 x)
         }
         rest <<= 1;
     }
-    // root has one digit more than fits; a tie cannot be.
+    // root has one bit more than fits; a tie is impossible.
     return sm_from_bits((((root + 1) >> 1) & 0x000FFFFFFFFFFFFFu) | (uint64_t)(exponent / 2) << 52);
 }
 //: sm_sign
-// -1, 1, or x where it is a zero or NaN.
+// -1, 1, or x itself if it is a zero or NaN.
 static inline SmF64 sm_sign(SmF64 x)
 {
     return sm_lt(x, sm_from_i32(0)) ? sm_from_i32(-1) : sm_lt(sm_from_i32(0), x) ? sm_from_i32(1) : x;
@@ -78,7 +78,7 @@ static inline SmF64 sm_sign(SmF64 x)
 // The smaller; -0 is below +0; NaN if either is.
 static inline SmF64 sm_min(SmF64 a, SmF64 b)
 {
-    if (sm_eq(a, b))         // then only zeros differ in a bit: the sign
+    if (sm_eq(a, b))         // only zeros can differ here, in their sign bit
         return sm_from_bits(sm_bits(a) | sm_bits(b));
     return sm_lt(a, b) || sm_is_nan(a) ? a : b;
 }
@@ -86,18 +86,18 @@ static inline SmF64 sm_min(SmF64 a, SmF64 b)
 // The larger; +0 is above -0; NaN if either is.
 static inline SmF64 sm_max(SmF64 a, SmF64 b)
 {
-    if (sm_eq(a, b))         // then only zeros differ in a bit: the sign
+    if (sm_eq(a, b))         // only zeros can differ here, in their sign bit
         return sm_from_bits(sm_bits(a) & sm_bits(b));
     return sm_lt(b, a) || sm_is_nan(a) ? a : b;
 }
 //: sm_lower
-// The smaller, where y is no NaN and zeros of either sign do not meet.
+// The smaller one.  y must not be NaN, and x and y must not be zeros of different signs.
 static inline SmF64 sm_lower(SmF64 x, SmF64 y) { return sm_lt(y, x) ? y : x; }
 //: sm_higher
-// The larger, where y is no NaN and zeros of either sign do not meet.
+// The larger one.  y must not be NaN, and x and y must not be zeros of different signs.
 static inline SmF64 sm_higher(SmF64 x, SmF64 y) { return sm_lt(x, y) ? y : x; }
 //: sm_abs_i32
-// Of an integer: stands where that gives the same as of its F64.
+// For an integer; used where the result equals that for its F64.
 static inline int32_t sm_abs_i32(int32_t x) { return x < 0 ? -x : x; }
 //: sm_abs_i64
 static inline int64_t sm_abs_i64(int64_t x) { return x < 0 ? -x : x; }

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rolling windows (language.md 7) over memory that the caller owns.  Sample k sits in slot k mod n; a statistic is a function
-// of what the slots hold and nothing else, so what has left the window leaves no trace.
+// Rolling windows (language.md 7) in memory that the caller owns.  Sample k is stored in slot k mod n.  A statistic depends only on the
+// contents of the slots, so a sample that has left the window has no influence.
 //
-//     uint32_t kind = sm_roll_kind(SM_F32, stats);      // the samples' type; a bit for each statistic that will be asked
-//     uint64_t w[…];                                    // sm_roll_words(n, kind) of them, all zero: an empty window
+//     uint32_t kind = sm_roll_kind(SM_F32, stats);      // the samples' type; a bit for each statistic that will be read
+//     uint64_t w[…];                                    // sm_roll_words(n, kind) words, all zero: an empty window
 //     sm_roll_sample(w, n, kind, x);                    // once a step
 //     y = sm_roll_stat(w, n, kind, SM_STAT_MEDIAN);
 //
-// An empty window gives 0.  A sample comes as an int64_t: a whole number itself, of F32 and F64 the bits, from sm_roll_of_…, where NaN
-// is 0 already.  Inside it is its key, in the order of the numbers, -0 below 0.  I64 and U64 are kept as F64.
+// A statistic of an empty window is 0.  A sample is passed as an int64_t: a whole number as it is, an F32 or F64 as the bits from
+// sm_roll_of_…, where NaN has become 0.  A window stores the key of a sample.  Keys have the order of the numbers, with -0 below 0.  I64
+// and U64 are stored as F64.
 //
-// Emitted C calls the functions below sm_roll_sample, with n and kind as constants: sm_roll_push or one of its kind, then
-// sm_roll_combine where there are parts; and sm_roll_avg and its like.
+// Emitted C calls the functions that sm_roll_sample is built from, with n and kind as constants: sm_roll_push or one of its variants;
+// then sm_roll_combine, if the window stores partial results; and sm_roll_avg and similar.
 //
-// What a sample costs, what asking does, and the memory beside the n slots.
+// The cost of adding a sample, the cost of reading a statistic, and the memory beside the n slots:
 //
-//                                           a sample                             asking           memory
+//                                           add a sample                          read             memory
 //     average of integers                   constant                             constant         a word
 //     of F32, F64: n <= SM_ROLL_SHORT       constant                             n additions      none
 //                  longer                   log2 n additions                     constant         n F64: sums of 2, 4, 8, … slots
@@ -25,8 +26,8 @@
 //                  longer                   2 log2 n comparisons, moving 2 SM_   constant         n samples, in order, and
 //                                           ROLL_BLOCK samples and 1 a block                      2 bytes a block
 //
-// With a median, smallest and largest come for nothing.  With SM_ROLL_SMALL a window has its slots and, for a median, the samples in
-// order, no more: average, smallest and largest then look at all slots when asked, and a sample of a median moves up to n.
+// With a median, the smallest and largest are free.  With SM_ROLL_SMALL a window stores only its slots and, for a median, the samples in
+// order.  Average, smallest and largest then visit all slots, and adding a sample for a median moves up to n samples.
 #ifndef SM_ROLL_H
 #define SM_ROLL_H
 
@@ -39,7 +40,7 @@
 
 //: SmRoll
 #ifndef SM_ROLL_SMALL
-// 1: rolling windows take as little memory as they can, and more time.  The same for all that is compiled together.
+// 1: rolling windows use as little memory as possible, and more time.  Must be the same for all files that are compiled together.
 #ifdef __AVR__
 #define SM_ROLL_SMALL 1
 #else
@@ -47,31 +48,32 @@
 #endif
 #endif
 //: SM_ROLL_INLINE
-// Size and kind of a window are constants where it is used: made for it, these functions are short.
+// Callers pass size and kind of a window as constants; inlined with them, these functions are short.
 #if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define SM_ROLL_INLINE static inline __attribute__((always_inline))
 #else
 #define SM_ROLL_INLINE static inline
 #endif
-// The kind of a window: in which type it keeps its samples, and which statistics it is made for.
+// The kind of a window: the type in which it stores its samples, and the statistics that it supports.
 enum {
     SM_ROLL_I8 = 0, SM_ROLL_I16 = 1, SM_ROLL_I32 = 2, SM_ROLL_U8 = 4, SM_ROLL_U16 = 5, SM_ROLL_U32 = 6,
     SM_ROLL_F32 = 8, SM_ROLL_F64 = 9, SM_ROLL_BOOL = 10, SM_ROLL_TYPE = 15,
     SM_ROLL_AVG = 16, SM_ROLL_MEDIAN = 32, SM_ROLL_MIN = 64, SM_ROLL_MAX = 128, SM_ROLL_RANGE = 256,
-    SM_ROLL_ORDER = 480        // those that ask which is larger
+    SM_ROLL_ORDER = 480        // the statistics that need an order
 };
-// The longest window whose samples are added up when that is asked, and put in order by a pass over all; the longest of which all are
-// looked at for the smallest and largest; how many samples in order make a block that moves at once.
+// SM_ROLL_SHORT: the longest window whose average is summed up when it is read, and which is sorted by one pass over all samples.
+// SM_ROLL_SCAN: the longest window whose smallest and largest are found by visiting all samples.
+// SM_ROLL_BLOCK: the number of ordered samples in a block that moves at once.
 #define SM_ROLL_SHORT 32u
 #define SM_ROLL_SCAN 64u
 #define SM_ROLL_BLOCK 2048u
 #define SM_ROLL_LONG(n) (!SM_ROLL_SMALL && (n) > SM_ROLL_BLOCK)
 //: end
 #ifndef SM_ROLL_FLAT
-#define SM_ROLL_FLAT        // here, where sizes are known when it runs
+#define SM_ROLL_FLAT        // not unrolled here: sizes are only known at run time
 #endif
 //: SM_ROLL_FLAT
-// Before a loop over a short window: it is to be laid out flat.
+// Placed before a loop over a short window, to unroll it completely.
 #ifndef SM_ROLL_FLAT
 #if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(__clang__) && defined(__GNUC__) && __GNUC__ >= 8
 #define SM_ROLL_FLAT _Pragma("GCC unroll 32")
@@ -80,7 +82,7 @@ enum {
 #endif
 #endif
 //: SM_ROLL_AT_ONCE
-// How many samples are added up or compared at once: 4, or 1 where code is to be small.
+// The number of samples that one iteration adds or compares: 4, or 1 when optimizing for size.
 #ifdef __OPTIMIZE_SIZE__
 #define SM_ROLL_AT_ONCE 1u
 #else
@@ -103,7 +105,8 @@ static inline int64_t sm_roll_of_f64(SmF64 x)
     return sm_is_nan(x) ? 0 : bits;
 }
 //: sm_roll_turned
-// The key of a sample, ordered as the numbers are, -0 below 0; of a key the sample.  Who is not asked for an order needs none.
+// Converts a sample to its key, or a key to its sample.  Keys have the order of the numbers, with -0 below 0.  A window without a statistic
+// that needs an order stores the sample as it is.
 SM_ROLL_INLINE int64_t sm_roll_turned(uint32_t kind, int64_t sample)
 {
     if ((kind & SM_ROLL_TYPE) < SM_ROLL_F32 || sample >= 0 || (!SM_ROLL_SMALL && (kind & SM_ROLL_ORDER) == 0))
@@ -111,7 +114,7 @@ SM_ROLL_INLINE int64_t sm_roll_turned(uint32_t kind, int64_t sample)
     return sample ^ ((kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? 0x7FFFFFFF : 0x7FFFFFFFFFFFFFFF);
 }
 //: sm_roll_value
-// The number of a key.
+// Converts a key to its number.
 SM_ROLL_INLINE SmF64 sm_roll_value(uint32_t kind, int64_t key)
 {
     const int64_t sample = sm_roll_turned(kind, key);
@@ -125,7 +128,7 @@ SM_ROLL_INLINE SmF64 sm_roll_value(uint32_t kind, int64_t key)
     return sm_from_f32(f);
 }
 //: sm_roll_shift
-// A sample takes 1 << this bytes.
+// A sample has 1 << this bytes.
 SM_ROLL_INLINE unsigned sm_roll_shift(uint32_t kind)
 {
     const unsigned type = kind & SM_ROLL_TYPE;
@@ -156,7 +159,7 @@ SM_ROLL_INLINE void sm_roll_put(unsigned char *a, uint32_t i, uint32_t kind, int
     }
 }
 //: sm_roll_keeps
-// What a window keeps beside its samples: their sum as a whole number (1) or as an F64 (2), the smallest (4), the largest (8).
+// What a window stores beside its samples: their sum as a whole number (1) or as an F64 (2), the smallest (4), the largest (8).
 SM_ROLL_INLINE unsigned sm_roll_keeps(uint32_t n, uint32_t kind)
 {
     const bool real = (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64;
@@ -168,67 +171,67 @@ SM_ROLL_INLINE unsigned sm_roll_keeps(uint32_t n, uint32_t kind)
     return sum | ((kind & (SM_ROLL_MIN | SM_ROLL_RANGE)) != 0 ? 4u : 0) | ((kind & (SM_ROLL_MAX | SM_ROLL_RANGE)) != 0 ? 8u : 0);
 }
 //: sm_roll_size
-// A word each.
+// The number of words for these.
 SM_ROLL_INLINE unsigned sm_roll_size(unsigned keeps) { return ((keeps & 3u) != 0) + (keeps >> 2 & 1u) + (keeps >> 3); }
 //: sm_roll_node_keeps
-// What it keeps of 2, 4, 8, … slots.
+// Those that it also stores for groups of 2, 4, 8, … slots.
 SM_ROLL_INLINE unsigned sm_roll_node_keeps(uint32_t n, uint32_t kind) { return sm_roll_keeps(n, kind) & 14u; }
 //: sm_roll_slots
-// In which word the slots begin.  Before them: a word that counts the samples and names the next slot; what is kept of them all,
-// in the order of sm_roll_keeps, of the largest the key's complement.  Behind them: the samples in order, for a median; what is kept
-// of two, four, eight, … slots.
+// The index of the word where the slots begin.  Layout: a word with the number of samples and the next slot; the results for the whole
+// window, in the order of sm_roll_keeps, the largest as the complement of its key; the slots; for a median the samples in order; the
+// results for groups of 2, 4, 8, … slots.
 SM_ROLL_INLINE unsigned sm_roll_slots(uint32_t n, uint32_t kind) { return 1u + sm_roll_size(sm_roll_keeps(n, kind)); }
 //: sm_roll_row
-// Bytes of n samples in a row.
+// Bytes of an array of n samples, rounded up to words.
 SM_ROLL_INLINE uint32_t sm_roll_row(uint32_t n, uint32_t kind) { return ((n << sm_roll_shift(kind)) + 7u) & ~(uint32_t)7; }
 //: sm_roll_heads
-// Bytes of the numbers that say where the blocks of ordered samples begin.
+// Bytes of the numbers that store where the blocks of ordered samples begin.
 SM_ROLL_INLINE uint32_t sm_roll_heads(uint32_t n) { return SM_ROLL_LONG(n) ? (n / SM_ROLL_BLOCK * 2u + 9u) & ~(uint32_t)7 : 0; }
 //: sm_roll_tree
-// Words for what is kept of two, four, eight, … slots, all but the last: half of them, a quarter, …, each rounded up.
+// Words for the results of groups of 2, 4, 8, … slots, n / 2, n / 4, …, each rounded up.  Used for all such trees but the last.
 SM_ROLL_INLINE uint32_t sm_roll_tree(uint32_t n) { return n + 15; }
 //: sm_roll_nodes
-// In which word what is kept of two slots begins.
+// The index of the word where the results for pairs of slots begin.
 SM_ROLL_INLINE uint32_t sm_roll_nodes(uint32_t n, uint32_t kind)
 {
     const uint32_t row = sm_roll_row(n, kind);
     return sm_roll_slots(n, kind) + ((kind & SM_ROLL_MEDIAN) == 0 ? row : 2 * row + sm_roll_heads(n)) / 8;
 }
 //: sm_roll_count
-// How many samples there are.
+// The number of samples.
 SM_ROLL_INLINE uint32_t sm_roll_count(const uint64_t *w) { return (uint32_t)sm_roll_get((const unsigned char *)w, 0, SM_ROLL_U32); }
 //: sm_roll_next
 // The slot of the next sample.
 SM_ROLL_INLINE uint32_t sm_roll_next(const uint64_t *w) { return (uint32_t)sm_roll_get((const unsigned char *)w, 1, SM_ROLL_U32); }
 //: sm_roll_slot
-// Slot i.
+// The key in slot i.
 SM_ROLL_INLINE int64_t sm_roll_slot(const uint64_t *w, uint32_t n, uint32_t kind, uint32_t i)
 {
     return sm_roll_get((const unsigned char *)(w + sm_roll_slots(n, kind)), i, kind);
 }
 //: sm_roll_oldest
-// The key of the sample that leaves when the next one comes, if the window is full.
+// In a full window, the key of the sample that the next one will replace.
 SM_ROLL_INLINE int64_t sm_roll_oldest(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_slot(w, n, kind, sm_roll_next(w)); }
 //: sm_roll_enter
-// A window of n slots takes a sample, by its key.
+// Adds a sample to a window of n slots, by its key.
 SM_ROLL_INLINE void sm_roll_enter(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
 {
     const uint32_t next = sm_roll_next(w), count = sm_roll_count(w);
     if ((sm_roll_keeps(n, kind) & 1u) != 0)
-        w[1] += (uint64_t)(key - sm_roll_oldest(w, n, kind));       // an empty slot holds 0
+        w[1] += (uint64_t)(key - sm_roll_oldest(w, n, kind));       // an empty slot contains 0
     sm_roll_put((unsigned char *)(w + sm_roll_slots(n, kind)), next, kind, key);
     sm_roll_put((unsigned char *)w, 1, SM_ROLL_U32, next + 1 < n ? next + 1 : 0);
     if (count < n)
         sm_roll_put((unsigned char *)w, 0, SM_ROLL_U32, count + 1);
 }
 //: sm_roll_push
-// A window of n slots takes a sample.
+// Adds a sample to a window of n slots.
 SM_ROLL_INLINE void sm_roll_push(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
     sm_roll_enter(w, n, kind, sm_roll_turned(kind, sample));
 }
 //: sm_roll_push_sorted
-// The same for a short window that keeps its samples in order: one pass without a branch puts the new one in and takes the oldest out.
+// The same for a short window that also stores its samples in order.  One pass without branches inserts the new one and removes the oldest.
 SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
     unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots(n, kind)) + sm_roll_row(n, kind);
@@ -241,7 +244,7 @@ SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, 
         SM_ROLL_FLAT
         for (i = 0; i + 1 < n; i++) {
             next = sm_roll_get(sorted, i + 1, kind);
-            a = a < old ? a : next;                      // number i of those that stay
+            a = a < old ? a : next;                      // the remaining sample of rank i
             sm_roll_put(sorted, i, kind, key < a ? key : a);
             key = key < a ? a : key;
             a = next;
@@ -253,7 +256,7 @@ SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, 
     sm_roll_put(sorted, i, kind, key);
 }
 //: sm_roll_place
-// Where the ordered sample of a rank is.  A long row is a row of blocks, and each of them a ring that begins anywhere.
+// The index of the ordered sample of a rank.  A long array consists of blocks, each of them a ring that may begin anywhere.
 SM_ROLL_INLINE uint32_t sm_roll_place(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t rank)
 {
     const uint32_t first = rank & ~(SM_ROLL_BLOCK - 1), end = n - first < SM_ROLL_BLOCK ? n : first + SM_ROLL_BLOCK;
@@ -263,7 +266,7 @@ SM_ROLL_INLINE uint32_t sm_roll_place(const unsigned char *sorted, uint32_t n, u
     return rank < end ? rank : rank - end + first;
 }
 //: sm_roll_rank
-// How many of the first `count` ordered samples are below key.
+// The number of the first `count` ordered samples that are below key.
 SM_ROLL_INLINE uint32_t sm_roll_rank(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t count, int64_t key)
 {
     uint32_t lo = 0, half;
@@ -274,7 +277,7 @@ SM_ROLL_INLINE uint32_t sm_roll_rank(const unsigned char *sorted, uint32_t n, ui
     return lo + (count == 1 && sm_roll_get(sorted, sm_roll_place(sorted, n, kind, lo), kind) < key);
 }
 //: sm_roll_slide
-// Moves ordered samples by one place so that the free one is no longer `from` but `to`.
+// Moves the free place from `from` to `to` by shifting the ordered samples between them by one place.
 SM_ROLL_INLINE void sm_roll_slide(unsigned char *sorted, uint32_t kind, uint32_t from, uint32_t to)
 {
     const unsigned shift = sm_roll_shift(kind);
@@ -285,7 +288,7 @@ SM_ROLL_INLINE void sm_roll_slide(unsigned char *sorted, uint32_t kind, uint32_t
         memmove(b + ((size_t)1 << shift), b, (size_t)(a - b));
 }
 //: sm_roll_turn
-// The same for ranks of one block: its ring may have to be moved in two pieces.
+// The same for ranks of one block.  The shift may need two parts, because a block is a ring.
 SM_ROLL_INLINE void sm_roll_turn(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
 {
     const uint32_t first = from & ~(SM_ROLL_BLOCK - 1), last = (n - first < SM_ROLL_BLOCK ? n : first + SM_ROLL_BLOCK) - 1;
@@ -300,7 +303,7 @@ SM_ROLL_INLINE void sm_roll_turn(unsigned char *sorted, uint32_t n, uint32_t kin
     sm_roll_slide(sorted, kind, a, b);
 }
 //: sm_roll_move
-// The same for any ranks: samples cross from block to block at their ends, and blocks between are only turned.
+// The same for any ranks.  Samples cross from block to block at the blocks' ends; blocks in between are only rotated.
 SM_ROLL_INLINE void sm_roll_move(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
 {
     unsigned char *const heads = sorted + sm_roll_row(n, kind);
@@ -321,27 +324,27 @@ SM_ROLL_INLINE void sm_roll_move(unsigned char *sorted, uint32_t n, uint32_t kin
     sm_roll_turn(sorted, n, kind, from, to);
 }
 //: sm_roll_sort_in
-// A key is about to enter a longer one: finds its place and that of the oldest, and moves what is between.
+// Before a key enters a longer window: finds its place among the ordered samples and that of the oldest, and shifts those between.
 SM_ROLL_INLINE void sm_roll_sort_in(uint64_t *w, uint32_t n, uint32_t kind, int64_t key)
 {
     unsigned char *const sorted = (unsigned char *)(w + sm_roll_slots(n, kind)) + sm_roll_row(n, kind);
     const uint32_t count = sm_roll_count(w);
     const uint32_t from = count < n ? count : sm_roll_rank(sorted, n, kind, count, sm_roll_oldest(w, n, kind));
     uint32_t to = sm_roll_rank(sorted, n, kind, count, key);
-    to -= from < to;                                 // without the old one
+    to -= from < to;                                 // not counting the old one
     sm_roll_move(sorted, n, kind, from, to);
     sm_roll_put(sorted, sm_roll_place(sorted, n, kind, to), kind, key);
 }
 //: sm_roll_push_blocks
-// The same for a longer window that keeps its samples in order.
+// Adds a sample to a longer window that also stores its samples in order.
 SM_ROLL_INLINE void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
     sm_roll_sort_in(w, n, kind, sm_roll_turned(kind, sample));
     sm_roll_push(w, n, kind, sample);
 }
 //: sm_roll_sum_up
-// The sum of all slots, of which sample i is new; `sum` is that of its pair.  Notes the sums of four, eight, … slots; an odd last one
-// passes on as it is.
+// Returns the sum of all slots after sample i was added; `sum` is the sum of its pair.  Stores the sums of pairs and of groups of four,
+// eight, … slots.  An odd last group passes its sum on unchanged.
 SM_ROLL_INLINE SmF64 sm_roll_sum_up(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, SmF64 sum)
 {
     for (n = (n + 1) / 2; n > 1; n = (n + 1) / 2) {
@@ -355,7 +358,7 @@ SM_ROLL_INLINE SmF64 sm_roll_sum_up(uint64_t *node, uint32_t n, uint32_t i, uint
     return sum;
 }
 //: sm_roll_least_up
-// The same for the least key.
+// The same for the smallest key.
 SM_ROLL_INLINE int64_t sm_roll_least_up(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, int64_t least)
 {
     for (n = (n + 1) / 2; n > 1; n = (n + 1) / 2) {
@@ -369,7 +372,7 @@ SM_ROLL_INLINE int64_t sm_roll_least_up(uint64_t *node, uint32_t n, uint32_t i, 
     return least;
 }
 //: sm_roll_combine
-// After a sample has come: works out anew what is kept of the two, four, eight, … slots that it belongs to, and of all of them.
+// After a sample was added: updates the results of the groups of 2, 4, 8, … slots that contain it, and of the whole window.
 SM_ROLL_INLINE void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
 {
     const unsigned keeps = sm_roll_node_keeps(n, kind);
@@ -391,7 +394,7 @@ SM_ROLL_INLINE void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind)
         *all = (uint64_t)sm_roll_least_up(node, n, i, count, key > other ? ~key : ~other);
 }
 //: sm_roll_sum_of_some
-// The sum of up to SM_ROLL_AT_ONCE slots, in pairs; at: the first of those that are left.
+// The sum of up to SM_ROLL_AT_ONCE slots, in pairs.  `at` is the first of the `left` remaining slots.
 SM_ROLL_INLINE SmF64 sm_roll_sum_of_some(const unsigned char *at, uint32_t left, uint32_t kind)
 {
     SmF64 sum = sm_roll_value(kind, sm_roll_get(at, 0, kind)), other;
@@ -404,7 +407,7 @@ SM_ROLL_INLINE SmF64 sm_roll_sum_of_some(const unsigned char *at, uint32_t left,
     return sm_add(sum, left > 3 ? sm_add(other, sm_roll_value(kind, sm_roll_get(at, 3, kind))) : other);
 }
 //: sm_roll_sum
-// Slots are added in pairs, those sums in pairs, and so on: what waits for its other half stands in a row.
+// Adds slots in pairs, the sums in pairs again, and so on.  `part` has the sums that wait for their partner.
 SM_ROLL_INLINE SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32_t kind)
 {
     const unsigned char *at = (const unsigned char *)(w + sm_roll_slots(n, kind));
@@ -435,10 +438,10 @@ SM_ROLL_INLINE SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32_t kind)
     return sm_div(sum, sm_from_u32(count));
 }
 //: sm_roll_further
-// The smaller one, or the larger.
+// The smaller key, or the larger if `up`.
 SM_ROLL_INLINE int64_t sm_roll_further(bool up, int64_t a, int64_t b) { return (up ? a > b : a < b) ? a : b; }
 //: sm_roll_end
-// The least key of all, or the largest.
+// The smallest key of all, or the largest if `up`.
 SM_ROLL_INLINE int64_t sm_roll_end(const uint64_t *w, uint32_t n, uint32_t kind, bool up)
 {
     const unsigned char *at = (const unsigned char *)(w + sm_roll_slots(n, kind));
@@ -455,7 +458,7 @@ SM_ROLL_INLINE int64_t sm_roll_end(const uint64_t *w, uint32_t n, uint32_t kind,
     return end;
 }
 //: sm_roll_ordered
-// The ordered sample of a rank.
+// The number of the ordered sample of a rank.
 SM_ROLL_INLINE SmF64 sm_roll_ordered(const uint64_t *w, uint32_t n, uint32_t kind, uint32_t rank)
 {
     const unsigned char *const sorted = (const unsigned char *)(w + sm_roll_slots(n, kind)) + sm_roll_row(n, kind);
@@ -475,12 +478,12 @@ SM_ROLL_INLINE SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind
     if (sm_eq(a, b))
         return a;
     d = sm_sub(b, a);
-    if (!sm_lt(d, sm_from_bits(0x7FF0000000000000u)))   // too far apart: infinite
+    if (!sm_lt(d, sm_from_bits(0x7FF0000000000000u)))   // too far apart: the difference is infinite
         return sm_add(sm_div(a, sm_from_i32(2)), sm_div(b, sm_from_i32(2)));
     return sm_add(a, sm_div(d, sm_from_i32(2)));
 }
 //: sm_roll_extreme
-// The smallest sample, or the largest; -0 is below +0.
+// The smallest sample, or the largest if `up`; -0 is below +0.
 SM_ROLL_INLINE SmF64 sm_roll_extreme(const uint64_t *w, uint32_t n, uint32_t kind, bool up)
 {
     const unsigned keeps = sm_roll_keeps(n, kind);
@@ -498,7 +501,7 @@ SM_ROLL_INLINE SmF64 sm_roll_min(const uint64_t *w, uint32_t n, uint32_t kind) {
 //: sm_roll_max
 SM_ROLL_INLINE SmF64 sm_roll_max(const uint64_t *w, uint32_t n, uint32_t kind) { return sm_roll_extreme(w, n, kind, true); }
 //: sm_roll_range
-// The largest less the smallest sample; 0 if they are equal, infinities too.
+// The largest minus the smallest sample; 0 if they are equal, even if infinite.
 SM_ROLL_INLINE SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint32_t kind)
 {
     const SmF64 lo = sm_roll_min(w, n, kind), hi = sm_roll_max(w, n, kind);
@@ -507,12 +510,12 @@ SM_ROLL_INLINE SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint32_t kind)
 //: end
 
 #ifndef SM_ROLL_NONE
-// 1: a VM without windows, for chips that have no room for them: its verifier refuses images that have any.  The same for all that is
-// compiled together.  Emitted C has windows all the same.
+// 1: a VM without windows, for chips with too little memory: its verifier rejects images that have any.  Must be the same for all files
+// that are compiled together.  Emitted C still supports windows.
 #define SM_ROLL_NONE 0
 #endif
 
-// The kind of a window over samples of a type; stats has the bit 1u << SmStat of each statistic that will be asked for.
+// The kind of a window over samples of a type; stats has the bit 1u << SmStat for each statistic that will be read.
 static inline uint32_t sm_roll_kind(SmType type, uint32_t stats)
 {
     return (type == SM_I64 || type == SM_U64 ? (uint32_t)SM_ROLL_F64 : (uint32_t)type) | stats << 4;
@@ -523,7 +526,7 @@ static inline bool sm_roll_is_kind(uint32_t kind)
     return !SM_ROLL_NONE && kind >> 4 >> SM_STAT_COUNT == 0 && (0x777u >> (kind & SM_ROLL_TYPE) & 1u) != 0;
 }
 
-// How many words of memory a window needs.  n is at most SM_WINDOW_MAX.
+// The number of words of memory that a window needs.  n is at most SM_WINDOW_MAX.
 static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
 {
     const unsigned keeps = sm_roll_node_keeps(n, kind);
@@ -544,7 +547,7 @@ static inline uint32_t sm_roll_bytes(uint32_t n, uint32_t kind)
     return 8 * sm_roll_words(n, kind);
 }
 
-// A sample that is converted to the window's type, as storing does.
+// Converts a number to a sample of the window's type, as a store does.
 static inline int64_t sm_roll_converted(uint32_t kind, SmF64 x)
 {
     const SmType type = (SmType)(kind & SM_ROLL_TYPE);
@@ -553,7 +556,7 @@ static inline int64_t sm_roll_converted(uint32_t kind, SmF64 x)
     return sm_roll_get(cell, 0, kind);
 }
 
-// A window of any kind takes a sample.
+// Adds a sample to a window of any kind.
 SM_ROLL_INLINE void sm_roll_take(uint64_t *w, uint32_t n, uint32_t kind, int64_t sample)
 {
 #ifndef __OPTIMIZE_SIZE__
@@ -580,7 +583,7 @@ static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, S
     return sm_from_i32(0);
 }
 #elif SM_ROLL_SMALL
-// A window as roll_small.h sees it.
+// Describes a window for roll_small.h.
 SM_ROLL_APART void sm_roll_small(SmRollSmall *s, const uint64_t *w, size_t n, uint16_t kind)
 {
     s->type = (uint8_t)kind & SM_ROLL_TYPE;
@@ -592,7 +595,7 @@ SM_ROLL_APART void sm_roll_small(SmRollSmall *s, const uint64_t *w, size_t n, ui
     s->next = (size_t)sm_roll_next(w);
 }
 
-// A window takes a sample that is stored as its type already, in a cell that is used up by that.
+// Adds a sample that is already stored in the window's type.  Overwrites the cell.
 static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, unsigned char *cell)
 {
     SmRollSmall s;
@@ -603,7 +606,7 @@ static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, u
     sm_roll_put((unsigned char *)w, 1, SM_ROLL_U32, (int64_t)(s.next + 1 < s.n ? s.next + 1 : 0));
 }
 
-// A window takes a sample, which is converted to its type as storing does.
+// Converts a number to the window's type, as a store does, and adds it as a sample.
 static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
 {
     unsigned char cell[8];
@@ -611,18 +614,18 @@ static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 
     sm_roll_sample_cell(w, n, kind, cell);
 }
 
-// One of the statistics that a window was made for.
+// Reads one of the statistics that the window supports.
 static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
     SmF64 x[SM_ROLL_WAITING];
     SmRollSmall s;
     sm_roll_small(&s, w, (size_t)n, (uint16_t)kind);
-    s.count += s.count == 0;                         // its slots hold 0
+    s.count += s.count == 0;                         // an empty window: its slots contain 0
     sm_roll_small_stat(&s, stat, x);
     return x[0];
 }
 #else
-// A window takes a sample, which is converted to its type as storing does.  Where there is room, made for each type.
+// Converts a number to the window's type, as a store does, and adds it as a sample.  Specialized for each type unless optimizing for size.
 static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
 {
 #ifdef __OPTIMIZE_SIZE__
@@ -642,7 +645,7 @@ static inline void sm_roll_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 
 #endif
 }
 
-// One of the statistics that a window was made for.
+// Reads one of the statistics that the window supports.
 SM_ROLL_INLINE SmF64 sm_roll_ask(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
     switch (stat) {
@@ -656,7 +659,7 @@ SM_ROLL_INLINE SmF64 sm_roll_ask(const uint64_t *w, uint32_t n, uint32_t kind, S
     return sm_from_i32(0);
 }
 
-// The same of a window of any kind.  Where there is room, made for each type.
+// The same for a window of any kind.  Specialized for each type unless optimizing for size.
 static inline SmF64 sm_roll_stat(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat)
 {
 #ifdef __OPTIMIZE_SIZE__

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rolling window of whatever type, in little code: what sm_roll_sample and sm_roll_stat of roll.h are made of where SM_ROLL_SMALL is
-// set.  One text serves all types, since samples are bytes here: their keys (roll.h), compared byte by byte.  Numbers go from
-// function to function in memory: handing over two in registers takes an 8-bit computer fifty bytes of code each time.
+// Rolling windows of any type, in little code: sm_roll_sample and sm_roll_stat of roll.h use this if SM_ROLL_SMALL is set.  The same code
+// serves all types, because it treats samples as bytes: their keys (roll.h), compared byte by byte.  Functions pass numbers in memory,
+// because passing two in registers costs an 8-bit computer fifty bytes of code each time.
 #ifndef SM_ROLL_SMALL_H
 #define SM_ROLL_SMALL_H
 
@@ -9,7 +9,7 @@
 
 #include "stdlib/convert.h"
 
-// Functions that are not made part of others where code is to be small.
+// For functions that must not be inlined when optimizing for size.
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define SM_ROLL_APART __attribute__((noinline, unused)) static
 #else
@@ -17,12 +17,12 @@
 #endif
 
 typedef struct SmRollSmall {
-    unsigned char *slot, *sorted;      // sorted: the samples in order; NULL: nobody asks for a median
-    size_t n, count, next;             // slots, samples, the slot of the next one
-    uint8_t type, bytes;               // of a sample: SmType, its size
+    unsigned char *slot, *sorted;      // sorted: the samples in order; NULL: no median is needed
+    size_t n, count, next;             // number of slots, number of samples, slot of the next sample
+    uint8_t type, bytes;               // of a sample: its SmType and size
 } SmRollSmall;
 
-// Where byte i of a key is, counted from the least significant one.
+// The index of byte i of a key, where i counts from the least significant byte.
 static inline uint8_t sm_roll_byte(uint8_t i, uint8_t bytes)
 {
     const uint16_t one = 1;
@@ -34,7 +34,7 @@ static inline uint8_t sm_roll_byte(uint8_t i, uint8_t bytes)
 static inline bool sm_roll_is_real(uint8_t type) { return type == SM_F32 || type == SM_F64; }
 static inline bool sm_roll_is_signed(uint8_t type) { return type < SM_U8 || sm_roll_is_real(type); }
 
-// Makes the key of what an F32 or F64 holds, and the other way round: of a negative one all bits but the sign turn over.
+// Converts the bits of an F32 or F64 to a key, or a key to these bits: for negative ones, flips all bits but the sign.
 SM_ROLL_APART void sm_roll_turn_over(uint8_t type, uint8_t bytes, unsigned char *key)
 {
     uint8_t i;
@@ -45,7 +45,7 @@ SM_ROLL_APART void sm_roll_turn_over(uint8_t type, uint8_t bytes, unsigned char 
     key[sm_roll_byte((uint8_t)(bytes - 1), bytes)] ^= 0x80u;
 }
 
-// Sample i of a row.
+// The address of sample i in an array.
 SM_ROLL_APART unsigned char *sm_roll_at(const SmRollSmall *s, unsigned char *row, size_t i) { return row + i * s->bytes; }
 
 // Whether key a is below key b.
@@ -80,7 +80,7 @@ SM_ROLL_APART void sm_roll_add_whole(const SmRollSmall *s, unsigned char *sum, c
     }
 }
 
-// The number of a key.
+// Converts a key to its number.
 SM_ROLL_APART void sm_roll_number(const SmRollSmall *s, SmF64 *x, const unsigned char *key)
 {
     uint64_t whole = 0;
@@ -100,7 +100,7 @@ SM_ROLL_APART void sm_roll_number(const SmRollSmall *s, SmF64 *x, const unsigned
 
 // ---- a sample ----
 
-// The place behind those of the ordered samples that are below key.
+// The first place after the ordered samples that are below key.
 static inline unsigned char *sm_roll_find(const SmRollSmall *s, const unsigned char *key)
 {
     unsigned char *at = s->sorted;
@@ -115,7 +115,7 @@ static inline unsigned char *sm_roll_find(const SmRollSmall *s, const unsigned c
     return at;
 }
 
-// Puts a key among the ordered ones and takes out the oldest, if the window is full.
+// Inserts a key among the ordered ones; if the window is full, removes the oldest.
 SM_ROLL_APART void sm_roll_sort(const SmRollSmall *s, const unsigned char *key)
 {
     unsigned char *from = sm_roll_at(s, s->sorted, s->count), *to = sm_roll_find(s, key);
@@ -130,7 +130,7 @@ SM_ROLL_APART void sm_roll_sort(const SmRollSmall *s, const unsigned char *key)
     memcpy(to, key, s->bytes);
 }
 
-// Takes a sample, which is stored as its type already; the caller counts it.
+// Adds a sample that is already stored in the window's type.  The caller must count it.
 SM_ROLL_APART void sm_roll_small_push(const SmRollSmall *s, unsigned char *key)
 {
     sm_roll_turn_over(s->type, s->bytes, key);
@@ -141,15 +141,15 @@ SM_ROLL_APART void sm_roll_small_push(const SmRollSmall *s, unsigned char *key)
 
 // ---- statistics ----
 
-// *x becomes x op y.
+// *x = *x op *y.
 SM_ROLL_APART void sm_roll_calculate(SmF64 *x, char op, const SmF64 *y)
 {
     const SmF64 a = *x, b = *y;
     *x = op == '+' ? sm_add(a, b) : op == '-' ? sm_sub(a, b) : op == '*' ? sm_mul(a, b) : sm_div(a, b);
 }
 
-// Slots are added in pairs, those sums in pairs, and so on: what waits for its other half stands in a row.  Whole numbers come out the
-// same in any order, since a sum of 100000 of them has less than 53 bits: x[0] holds it as such.
+// Adds slots in pairs, the sums in pairs again, and so on; sums that wait for their partner are stored in x.  Whole numbers have the same
+// sum in any order, because the sum of 100000 of them has less than 53 bits.  So they are added to x[0] as an integer.
 SM_ROLL_APART void sm_roll_small_avg(const SmRollSmall *s, SmF64 *x)
 {
     const bool real = sm_roll_is_real(s->type);
@@ -173,7 +173,7 @@ SM_ROLL_APART void sm_roll_small_avg(const SmRollSmall *s, SmF64 *x)
     sm_roll_calculate(x, '/', end);
 }
 
-// The ordered sample of a rank.  Without an order: the smallest for rank 0, else the largest.
+// The number of the ordered sample of a rank.  Without an order: the smallest for rank 0, else the largest.
 SM_ROLL_APART void sm_roll_small_ordered(const SmRollSmall *s, SmF64 *x, size_t rank)
 {
     const unsigned char *at = s->slot, *best = at;
@@ -189,19 +189,19 @@ SM_ROLL_APART void sm_roll_small_ordered(const SmRollSmall *s, SmF64 *x, size_t 
     sm_roll_number(s, x, best);
 }
 
-static inline bool sm_roll_is_infinite(const SmF64 *x)       // not of what is below 0
+static inline bool sm_roll_is_infinite(const SmF64 *x)       // only for positive numbers
 {
     const unsigned char *const byte = (const unsigned char *)x;
     return byte[sm_roll_byte(7, 8)] == 0x7Fu && byte[sm_roll_byte(6, 8)] >= 0xF0u;
 }
 
-// How many numbers of 8 bytes wait on the stack at most: enough for 2^(so many - 1) slots.  A window has less than 2^17; where memory
-// has room for less samples of F32, less is enough.
+// The most numbers of 8 bytes that wait on the stack: enough for 2^(this - 1) slots.  A window has fewer than 2^17.  If memory has
+// room for fewer samples of F32, a smaller number is enough.
 #ifndef SM_ROLL_WAITING
 #define SM_ROLL_WAITING 18
 #endif
 
-// One of the statistics of a window that has a sample, into the first of so many.
+// Computes a statistic of a window with at least one sample, into x[0].  x has room for SM_ROLL_WAITING numbers.
 SM_ROLL_APART void sm_roll_small_stat(const SmRollSmall *s, SmStat stat, SmF64 *x)
 {
     const bool median = stat == SM_STAT_MEDIAN;
@@ -217,7 +217,7 @@ SM_ROLL_APART void sm_roll_small_stat(const SmRollSmall *s, SmStat stat, SmF64 *
         return;
     sm_roll_small_ordered(s, b, high);
     sm_roll_calculate(b, '-', x);
-    if (!sm_to_bool(*b)) {                 // 0, or not a number: equal infinities
+    if (!sm_to_bool(*b)) {                 // 0, or NaN: equal infinities
         if (!median)
             *x = sm_from_bits(0);
         return;
@@ -227,7 +227,7 @@ SM_ROLL_APART void sm_roll_small_stat(const SmRollSmall *s, SmStat stat, SmF64 *
         return;
     }
     *half = sm_from_bits(0x3FE0000000000000u);
-    if (sm_roll_is_infinite(b)) {          // too far apart
+    if (sm_roll_is_infinite(b)) {          // too far apart: the difference is infinite
         sm_roll_small_ordered(s, b, high);
         sm_roll_calculate(x, '*', half);
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft binary64: the operations of f64.h on the bits of numbers, without a `double`.  f64.h is made of them where a C `double` is
-// not IEEE binary64.  In portable C: soft_arith.c, soft_convert.c; for AVR in its
-// assembly, to the same bits: soft_avr.S.
+// Software binary64: the operations of f64.h on the bits of numbers, without a `double`.  f64.h uses them where C's `double` is
+// not IEEE binary64.  There is a portable C version (soft_arith.c, soft_convert.c), and one in assembly for AVR (soft_avr.S) whose
+// results have the same bits.
 //
-// Rounded to nearest even, with subnormals, signed zeros and infinities; a NaN that comes out is SM_SOFT_NAN, whatever went in.
+// They round to nearest even and support subnormals, signed zeros and infinities.  A NaN result is always SM_SOFT_NAN.
 #ifndef SM_SOFT_H
 #define SM_SOFT_H
 
@@ -34,11 +34,11 @@ uint64_t sm_soft_from_i64(int64_t v);         // rounds above 2^53
 uint64_t sm_soft_from_u64(uint64_t v);        // rounds above 2^53
 uint64_t sm_soft_from_f32(uint32_t v);        // from the bits of a binary32: exact
 
-int32_t sm_soft_to_i32(uint64_t a);           // toward zero, then to the nearest that fits; NaN gives 0
+int32_t sm_soft_to_i32(uint64_t a);           // truncates toward zero, then saturates; NaN becomes 0
 uint32_t sm_soft_to_u32(uint64_t a);
 int64_t sm_soft_to_i64(uint64_t a);
 uint64_t sm_soft_to_u64(uint64_t a);
-uint32_t sm_soft_to_f32(uint64_t a);          // the bits of a binary32: to nearest even, too large to infinity
+uint32_t sm_soft_to_f32(uint64_t a);          // the bits of a binary32: to nearest even, overflow to infinity
 
 #ifdef __cplusplus
 }

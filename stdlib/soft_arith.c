@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft binary64 in portable C: add, subtract, multiply, divide (soft.h).  Plain rather than fast.
+// Software binary64 in portable C: add, subtract, multiply, divide (soft.h).  Simple rather than fast.
 #include "stdlib/soft.h"
 #include "stdlib/soft_pack.h"
 
 #ifndef SM_SOFT_ASSEMBLY
 // ---- add, subtract ----
 
-// |a| and |b| together, or |a| less |b|, with the sign of a; |a| is not below |b|, and both are finite.
+// |a| + |b|, or |a| - |b| if `less`, with the sign of a.  |a| must not be below |b|, and both must be finite.
 static uint64_t add_ordered(uint64_t a, uint64_t b, bool less)
 {
     SmSoft x = sm_soft_unpack(a), y = sm_soft_unpack(b);
@@ -14,7 +14,7 @@ static uint64_t add_ordered(uint64_t a, uint64_t b, bool less)
     y.digits = sm_soft_shift(y.digits, (int16_t)(x.exponent - y.exponent));
     x.digits += less ? ~y.digits + 1 : y.digits;
     if (less)
-        return x.digits == 0 ? 0 : sm_soft_pack(sm_soft_normal(x));      // a number less itself is 0, not -0
+        return x.digits == 0 ? 0 : sm_soft_pack(sm_soft_normal(x));      // the difference of equal numbers is 0, not -0
     if (x.digits >> 63 != 0) {
         x.digits = sm_soft_shift(x.digits, 1);
         x.exponent++;
@@ -33,14 +33,14 @@ uint64_t sm_soft_add(uint64_t a, uint64_t b)
     }
     if (sm_soft_is_finite(a))
         return add_ordered(a, b, less);
-    return sm_soft_is_nan(a) || (less && !sm_soft_is_finite(b)) ? SM_SOFT_NAN : a;      // a NaN is larger than all others
+    return sm_soft_is_nan(a) || (less && !sm_soft_is_finite(b)) ? SM_SOFT_NAN : a;      // the bits of a NaN compare above all others
 }
 
 uint64_t sm_soft_sub(uint64_t a, uint64_t b) { return sm_soft_add(a, b ^ SM_SOFT_SIGN); }
 
 // ---- multiply, divide ----
 
-// The upper half of a product of 128 bits; its lowest bit is set, too, if the lower half is not zero.
+// The upper half of a 128-bit product.  Its lowest bit is also set if the lower half is not zero.
 static uint64_t upper_half(uint64_t a, uint64_t b)
 {
     const uint64_t mask = 0xFFFFFFFFu, a0 = a & mask, a1 = a >> 32, b0 = b & mask, b1 = b >> 32;
@@ -69,8 +69,8 @@ uint64_t sm_soft_mul(uint64_t a, uint64_t b)
     return sm_soft_pack(sm_soft_normal(x));
 }
 
-// a / b, both with their first digit at bit 62, digit by digit; it is less than 2, and its 1 is at bit 62.  What is left over marks
-// the lowest bit.
+// a / b by long division, one bit at a time.  The first bit of both is bit 62.  The quotient is less than 2; bit 62 has weight 1.
+// A nonzero remainder sets the lowest bit.
 static uint64_t quotient(uint64_t a, uint64_t b)
 {
     uint64_t q = 0;
@@ -91,7 +91,7 @@ uint64_t sm_soft_div(uint64_t a, uint64_t b)
     const uint64_t sign = (a ^ b) & SM_SOFT_SIGN;
     SmSoft x, y;
 
-    if (sm_soft_is_nan(a) || sm_soft_is_nan(b) || a << 1 == b << 1) {      // or 1 of either sign, but for 0/0 and the like
+    if (sm_soft_is_nan(a) || sm_soft_is_nan(b) || a << 1 == b << 1) {      // |a| == |b| is 1 or -1, or NaN for 0/0 and infinities
         const bool one = sm_soft_is_finite(a) && sm_soft_is_finite(b) && a << 1 != 0;
         return one ? sign | UINT64_C(0x3FF0000000000000) : SM_SOFT_NAN;
     }
@@ -107,5 +107,5 @@ uint64_t sm_soft_div(uint64_t a, uint64_t b)
     return sm_soft_pack(sm_soft_normal(x));
 }
 #else
-extern int sm_soft_arith_is_assembly;         // C wants something in a file
+extern int sm_soft_arith_is_assembly;         // a file must not be empty in C
 #endif

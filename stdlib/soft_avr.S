@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft binary64 for AVR with a multiplier (soft.h): what soft_arith.c and soft_convert.c do, to the same bits, about ten times faster
-// than avr-gcc makes it of them.
+// Software binary64 for AVR with a multiplier (soft.h).  Its results have the same bits as those of soft_arith.c and soft_convert.c.  It is
+// about ten times as fast as their code compiled by avr-gcc.
 //
-// avr-gcc's calls: a is in r25:r18, b in r17:r10, a result in r25:r18, 32 bits in r25:r22, 8 bits in r24.  A function may change
-// r18 to r27, r30, r31, r0 and the flag T; r1 is 0.
+// The calling convention of avr-gcc: a is in r25:r18, b in r17:r10.  A result is in r25:r18, one of 32 bits in r25:r22,
+// one of 8 bits in r24.  A function may change r18 to r27, r30, r31, r0 and the flag T; r1 is 0.
 //
 // Inside an operation:
-//   r24:r18  the digits of a, as binary64 has them: the first one, which it does not store, is bit 4 of r24
-//   r16:r10  those of b
-//   r27      the eight digits below r18; its lowest is also set if anything but zeros stood further below
-//   r31:r30  the exponent; in X16 form times 16, as it stands in the upper two bytes of a number
+//   r24:r18  the significand of a as in binary64, with its leading bit, which is not stored, at bit 4 of r24
+//   r16:r10  that of b
+//   r27      the eight bits below r18; the lowest is sticky: also set if a nonzero bit was below it
+//   r31:r30  the exponent; in X16 form times 16, as in the upper two bytes of a number
 //   T        the sign
 #include "stdlib/soft_pack.h"
 
@@ -25,7 +25,7 @@
 
 	.section .text.sm_soft_compare, "ax", @progbits
 
-; a and b to r24: -1 a is less, 0 equal, 1 greater, 2 one of them is NaN; the flags are those of `tst r24`.
+; Compares a and b.  r24 is -1 if a is less, 0 if equal, 1 if greater, 2 if one is NaN; the flags are those of `tst r24`.
 compare:
 	mov r26, r24
 	mov r27, r25
@@ -34,7 +34,7 @@ compare:
 	ldi r30, 0xFF
 	cpi r26, 0xE0
 	cpc r27, r30
-	brsh .Lcheck_a                    ; infinite or NaN
+	brsh .Lcheck_a                    ; infinity or NaN
 .Lcheck_b:
 	mov r26, r16
 	mov r27, r17
@@ -56,7 +56,7 @@ compare:
 	cpc r24, r16
 	cpc r25, r17
 	breq .Lequal
-	sbc r24, r24                      ; -1 where a is below b
+	sbc r24, r24                      ; -1 if a is below b as integers
 	sbrc r25, 7
 	com r24
 	ori r24, 1
@@ -64,7 +64,7 @@ compare:
 .Lequal:
 	clr r24
 	ret
-.Lsigns:                                  ; of different signs, but 0 is -0
+.Lsigns:                                  ; of different signs, but 0 equals -0
 	mov r26, r25
 	or r26, r17
 	lsl r26
@@ -190,11 +190,11 @@ function sm_soft_truth
 	clr r24
 	ret
 
-; ---- rounding and putting together ----
+; ---- rounding and packing ----
 
 	.section .text.sm_soft_arith, "ax", @progbits
 
-; The digits of a one down; what is lost below them stays seen in the last of r27.
+; Shifts the significand of a right by one.  The lowest bit of r27 is sticky.
 .macro one_down
 	lsr r24
 	ror r23
@@ -209,18 +209,18 @@ function sm_soft_truth
 7:
 .endm
 
-; Exponent as it is and of any size, the first digit at its place.
+; Packs a.  The exponent is not in X16 form and can have any value; the leading bit is in its place.
 finish:
 	cp r1, r30
 	cpc r1, r31
 	brlt 3f
-	; Below the smallest exponent: digits move down to where it is 1.
+	; Below the smallest exponent: shift right until the exponent is 1.
 	subi r30, 1
 	sbci r31, 0
 	cpi r30, 0xC9                     ; -55
 	ldi r26, 0xFF
 	cpc r31, r26
-	brlt .Lzero                       ; less than a quarter of the last digit
+	brlt .Lzero                       ; less than a quarter of the lowest bit
 1:	one_down
 	inc r30
 	brne 1b
@@ -237,12 +237,12 @@ finish:
 	andi r26, 0x0F
 	or r31, r26
 	andi r30, 0xF0
-; Exponent in X16 form, within its limits; where it is that of 1 the digits may begin lower.
+; Packs a.  The exponent is in X16 form and within its range; if it is that of 1, the leading bit may be lower.
 finish16:
 	cpi r27, 0x80
 	brlo 2f
 	brne 1f
-	sbrs r18, 0                       ; a tie: to even
+	sbrs r18, 0                       ; a tie: round to even
 	rjmp 2f
 1:	sec
 	adc r18, r1
@@ -252,7 +252,7 @@ finish16:
 	adc r22, r1
 	adc r23, r1
 	adc r24, r1
-; The first digit counts up the exponent, which therefore stands one too low; so does what rounding carried beyond it.
+; The leading bit adds one to the exponent, so one is subtracted first.  A carry from rounding adds one too.
 2:	subi r30, 0x10
 	sbci r31, 0
 	mov r25, r31
@@ -286,7 +286,7 @@ down:
 	one_down
 	ret
 
-; Whether any digit of a is not 0: not Z.
+; Clears flag Z if any bit of the significand of a is set.
 any_of_a:
 	mov r0, r24
 	or r0, r23
@@ -346,7 +346,7 @@ add:
 	cpc r24, r16
 	cpc r25, r17
 	brsh 1f
-	exchange r18, r10                 ; a is the larger one, and the sign its sign
+	exchange r18, r10                 ; |a| must be the larger; the result has its sign
 	exchange r19, r11
 	exchange r20, r12
 	exchange r21, r13
@@ -379,14 +379,14 @@ add:
 .Lb_is_nothing:
 	clr r27
 	rjmp finish16
-3:	ldi r30, 0x10                     ; no first digit, and the exponent is that of 1
+3:	ldi r30, 0x10                     ; no leading bit, and the exponent is that of 1
 4:	mov r25, r17
 	or r25, r27
 	breq 5f
 	ori r16, 0x10
 	rjmp 6f
 5:	ldi r27, 0x10
-; How far b has to move down.
+; The distance by which b must be shifted right.
 6:	mov r25, r30
 	sub r25, r27
 	mov r0, r31
@@ -402,12 +402,12 @@ add:
 	or r25, r17
 	cpi r25, 56
 	brsh .Lb_is_nothing
-	clr r0                            ; what has fallen out
+	clr r0                            ; collects the bits that are shifted out
 	mov r17, r25
 	andi r17, 7
 	cpi r17, 5
 	brlo .Lbytes
-; By 5, 6 or 7: up by 3, 2 or 1, then down by one byte more.
+; By 5, 6 or 7 bits: left by 3, 2 or 1, then right by one byte more.
 1:	lsl r10
 	rol r11
 	rol r12
@@ -463,7 +463,7 @@ add:
 	adc r24, r16
 	sbrs r24, 5
 	rjmp finish16
-	rcall down                        ; a digit more
+	rcall down                        ; the sum has one bit more
 	subi r30, 0xF0
 	sbci r31, 0xFF
 	cpi r30, 0xF0
@@ -484,7 +484,7 @@ add:
 	sbrc r24, 4
 	rjmp finish16
 	tst r24
-	brne .Lup                         ; digits were lost at the top: up again
+	brne .Lup                         ; leading bits were cancelled: normalize
 	mov r26, r27
 	or r26, r18
 	or r26, r19
@@ -493,7 +493,7 @@ add:
 	or r26, r22
 	or r26, r23
 	brne 1f
-	clt                               ; nothing is left: 0, not -0
+	clt                               ; the difference is 0, not -0
 	rjmp .Lzero
 1:	tst r24
 	brne .Lup
@@ -518,7 +518,7 @@ add:
 	rjmp finish16
 	cpi r30, 0x10
 	cpc r31, r1
-	breq 2f                           ; the smallest exponent: it stays subnormal
+	breq 2f                           ; the smallest exponent: the result stays subnormal
 	subi r30, 0x10
 	sbci r31, 0
 	lsl r27
@@ -532,21 +532,21 @@ add:
 	rjmp .Lup
 2:	rjmp finish16
 
-.Ladd_special:                            ; a is infinite or NaN, b anything not above it
+.Ladd_special:                            ; a is infinite or NaN; |b| is not above |a|
 	andi r24, 0x0F
 	rcall any_of_a
 	brne 1f
-	cpi r27, 0xF0                     ; a is infinite: is b, too?
+	cpi r27, 0xF0                     ; a is infinite: is b infinite, too?
 	cpc r17, r25
 	brne 2f
 	sbrc r26, 7
 1:	rjmp .Lnot_a_number
 2:	rjmp .Linfinity
 
-; ---- what multiplying and dividing begin with ----
+; ---- unpacking for multiplication and division ----
 
-; Takes a and b apart: exponents in r31:r30 and r29:r28 as they are, the sign of the result in T.  Carry: one is not a finite number
-; other than 0; then r26 has for a, r27 for b: 0 a number, 1 zero, 2 infinite, 4 NaN.
+; Unpacks a and b: exponents to r31:r30 and r29:r28, not in X16 form, the sign of the result to T.  Sets carry if one is not a finite
+; nonzero number.  Then r26 for a and r27 for b are 0 for such a number, 1 for zero, 2 for infinity, 4 for NaN.
 take_apart:
 	mov r26, r25
 	eor r26, r17
@@ -647,7 +647,7 @@ any_of_b:
 	or r0, r10
 	ret
 
-.Lexponent:                               ; of the upper bytes of a number without its sign
+.Lexponent:                               ; extracts it from the upper bytes of a number without sign
 	swap r30
 	andi r30, 0x0F
 	swap r31
@@ -695,7 +695,7 @@ function sm_soft_div
 	rcall divide
 	rjmp .Lrestore
 
-; Adds the products of which byte k of the result is the lower one.
+; Adds all products of two bytes whose lower byte is byte k of the result.
 .macro column k, low, mid, high
 	.set i, 0
 	.rept 7
@@ -732,8 +732,8 @@ multiply:
 	rol r23
 	rol r24
 	.endr
-; Of 14 bytes the upper 7 take the places of a's as those are no longer needed, byte 6 is below them, of the others only remains
-; whether they are 0.
+; The upper 7 of 14 bytes replace those of a as soon as these are not needed any more.  Byte 6 is below them.  The other bytes only set the
+; sticky bit.
 	clr r17
 	clr r25
 	clr r28
@@ -848,18 +848,18 @@ divide:
 	brsh 4f
 	double_a
 	sbiw r30, 1
-4:	mov r25, r14                      ; has b no more than 16 digits?
+4:	mov r25, r14                      ; has the significand of b at most 16 bits?
 	andi r25, 0x1F
 	or r25, r13
 	or r25, r12
 	or r25, r11
 	or r25, r10
 	breq short
-	ldi r26, 7                        ; bytes of the result; the upper one has 6 digits
+	ldi r26, 7                        ; bytes of the result; the upper one has 6 bits
 	ldi r25, 6
 	clr r0
 	com r0
-; The digits come inverted into r0.  Mostly the first byte tells.
+; The bits of the quotient enter r0 inverted.  Usually the first byte decides the comparison.
 5:	cp r24, r16
 	brlo 6f
 	brne 9f
@@ -876,7 +876,7 @@ divide:
 	dec r26
 	brne 5b
 	clr r27
-divided:                                  ; one digit below, and whether anything is left
+divided:                                  ; appends the sticky bit, and restores one bit of position
 	rcall any_of_a
 	breq 8f
 	ldi r27, 1
@@ -890,8 +890,8 @@ divided:                                  ; one digit below, and whether anythin
 	rcall down
 	rjmp finish
 
-; By b of 16 digits, as most whole numbers are, a byte of the result at a time.  The digits of b to r16:r15, the first at bit 7; what is
-; left of a is below b, in r24:r23, and the next byte in r22.
+; Divides by b with a significand of 16 bits, as in most whole numbers, one byte of the result at a time.  The significand of b is in
+; r16:r15, with its leading bit at bit 7.  The remainder of a is below b, in r24:r23, and the next byte in r22.
 short:
 	ldi r26, 3
 1:	lsl r14
@@ -899,7 +899,7 @@ short:
 	rol r16
 	dec r26
 	brne 1b
-; To r26, in 256ths, 1 / (1 - t) - 1 or a little less, where 256 (1 - t) is r16 + 1: t + t (t + t (t + ...)).
+; r26 = 256 (1 / (1 - t) - 1), or slightly less, with 256 (1 - t) = r16 + 1; computed as t + t (t + t (t + ...)).
 	mov r17, r16
 	com r17
 	mov r26, r17
@@ -911,7 +911,7 @@ short:
 	brne 1b
 	clr r17
 	ldi r27, 7
-2:	mul r24, r26                      ; no more than the byte is, and mostly one or two less
+2:	mul r24, r26                      ; a lower bound of the byte, usually one or two below it
 	add r1, r24
 	mov r25, r1
 	mul r25, r15
@@ -970,7 +970,7 @@ function sm_soft_from_u64
 1:	ldi r31, hi8((1023 + 60) * 16)
 	rjmp .Lwhole
 
-; 32 bits are the upper half of 64.
+; A 32-bit integer is processed as the upper half of 64 bits.
 function sm_soft_from_i32
 	bst r25, 7
 	brtc 1f
@@ -990,7 +990,7 @@ function sm_soft_from_u32
 	clr r20
 	clr r21
 	ldi r31, hi8((1023 + 60 - 32) * 16)
-; The exponent is that of a first digit at bit 4 of r25: it moves there.
+; The exponent is for a leading bit at bit 4 of r25; the code moves it there.
 .Lwhole:
 	ldi r30, lo8((1023 + 60) * 16)
 	clr r27
@@ -1072,7 +1072,7 @@ function sm_soft_from_f32
 	mov r26, r24
 	andi r26, 0x7F
 	or r26, r23
-	or r26, r22                       ; 0: no fraction
+	or r26, r22                       ; 0: the fraction is zero
 	cpi r30, 0xFF
 	breq 4f
 	ori r24, 0x80
@@ -1080,7 +1080,7 @@ function sm_soft_from_f32
 	brne 2f
 	tst r26
 	breq 5f
-	andi r24, 0x7F                    ; subnormal: binary64 has an exponent for it
+	andi r24, 0x7F                    ; subnormal: it is a normal number in binary64
 	adiw r30, 1
 1:	sbiw r30, 1
 	lsl r22
@@ -1112,7 +1112,7 @@ function sm_soft_from_f32
 
 	.section .text.sm_soft_to, "ax", @progbits
 
-; The power of two of the first digit to r31:r30, the sign to T.  Carry: |a| is below 1.
+; The exponent of the leading bit as a power of two to r31:r30, the sign to T.  Sets carry if |a| is below 1.
 .Lpower:
 	bst r25, 7
 	mov r30, r24
@@ -1129,7 +1129,7 @@ function sm_soft_from_f32
 	sbci r31, hi8(1023)
 	ret
 
-; The digits, from bit 60 of 64, down by r26, or up if that is negative.
+; Shifts the significand, with its leading bit at bit 60 of 64, right by r26, or left if that is negative.
 .Lmove:
 	andi r24, 0x0F
 	ori r24, 0x10
@@ -1179,7 +1179,7 @@ function sm_soft_from_f32
 	brne 4b
 5:	ret
 
-; All ones for what is too large; for NaN 0, and T.
+; For an overflow, sets all bits; for NaN, sets 0 and clears T.
 .Ltoo_large:
 	cpi r31, 4
 	brne 1f
@@ -1287,12 +1287,12 @@ function sm_soft_to_i64
 function sm_soft_to_f32
 	rcall .Lpower
 	andi r24, 0x0F
-	ldi r26, 4                        ; 1024: infinite or NaN
+	ldi r26, 4                        ; 1024: infinity or NaN
 	cp r30, r1
 	cpc r31, r26
 	brne 4f
 	rjmp 8f
-4:	ori r24, 0x10                     ; subnormal ones become 0 with or without
+4:	ori r24, 0x10                     ; subnormals become 0 with or without this bit
 	ldi r25, 3
 1:	lsl r20
 	rol r21
@@ -1310,7 +1310,7 @@ function sm_soft_to_f32
 	cp r1, r30
 	cpc r1, r31
 	brlt 2f
-	subi r30, 1                       ; below the smallest exponent
+	subi r30, 1                       ; the result is subnormal
 	sbci r31, 0
 	cpi r30, 0xE7                     ; -25
 	ldi r26, 0xFF

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// 64 bits where they are (soft_cells.h), in portable C.
+// Operations on 64-bit values in memory (soft_cells.h), in portable C.
 #define SM_F64_SOFT 1
 #include "stdlib/soft_cells.h"
 #include "stdlib/soft_pack.h"
 
 #ifndef SM_SOFT_ASSEMBLY
-// x on the side of n, whose sign is taken away; what is on the other side, and NaN, is made 0.
+// x with the sign of n removed.  A value of the other sign, and NaN, becomes 0.
 static uint64_t on_side(const SmF64 *x, uint32_t n)
 {
     const uint64_t u = x->bits ^ ((uint64_t)(n & 0x80000000u) << 32);
@@ -28,5 +28,5 @@ bool sm_soft_advance(uint64_t *gate, const uint64_t *time)
     return true;
 }
 #else
-extern int sm_soft_cells_is_assembly;         // C wants something in a file
+extern int sm_soft_cells_is_assembly;         // a file must not be empty in C
 #endif

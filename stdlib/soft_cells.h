@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What emitted C asks of 64 bits where they are (smc build --soft): a chip of 8 bits looks at the bytes that matter and moves none.  In
-// portable C: soft_cells.c; for AVR in its assembly: soft_cells_avr.S.
+// Operations of emitted C on 64-bit values in memory (smc build --soft).  An 8-bit chip thus reads only the bytes that matter and copies
+// none.  There is a version in portable C (soft_cells.c), and one in assembly for AVR (soft_cells_avr.S).
 #ifndef SM_SOFT_CELLS_H
 #define SM_SOFT_CELLS_H
 
@@ -13,23 +13,23 @@
 extern "C" {
 #endif
 
-// Comparisons with a finite number whose lower 32 bits are zero: `n` has the upper ones.  A NaN in memory counts as 0.
-bool sm_soft_beyond(const SmF64 *x, uint32_t n);      // farther from zero than n, on its side (that of -0: below)
-bool sm_soft_reaches(const SmF64 *x, uint32_t n);     // that, or n itself; n is not zero
+// Comparisons with a finite number whose lower 32 bits are zero; `n` is its upper 32 bits.  A NaN in memory counts as 0.
+bool sm_soft_beyond(const SmF64 *x, uint32_t n);      // beyond n, away from zero, with the sign of n (for -0: below 0)
+bool sm_soft_reaches(const SmF64 *x, uint32_t n);     // beyond n or equal to it; n is not zero
 
 bool sm_soft_more(const uint64_t *v, uint32_t n);                               // *v > n
 bool sm_soft_since(const uint64_t *start, const uint64_t *time, uint32_t n);    // *time - *start > n
-void sm_soft_count(uint64_t *v);                      // up by one as a number: from 2^53 on it stays
+void sm_soft_count(uint64_t *v);                      // adds one as F64 does: the value stays at 2^53
 
-// A step at that time: whether it is later than the last one, and not the end of time; then it is the last one.  *gate is the time of
-// the last one and 1, or 0 where there was none.
+// Begins a step at *time.  Returns true and updates *gate if that is later than the last step and not the largest time.  *gate is the time
+// of the last step plus 1, or 0 before the first.
 bool sm_soft_advance(uint64_t *gate, const uint64_t *time);
 
 #ifdef __cplusplus
 }
 #endif
 
-// The same of a float, `n` being the bits of one.
+// The same for a float; `n` is the bits of a float.
 static inline bool sm_soft_beyond_f32(float x, uint32_t n)
 {
     uint32_t u;

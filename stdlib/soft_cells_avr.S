@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// 64 bits where they are, for AVR (soft_cells.h).  avr-gcc's calls: the first pointer is in r25:r24, the second in r23:r22, 32 bits behind one
-// pointer in r23:r20, behind two in r21:r18; an answer is in r24.
+// Operations on 64-bit values in memory, for AVR (soft_cells.h).  The calling convention of avr-gcc: the first pointer is in r25:r24, the
+// second in r23:r22.  A 32-bit argument after one pointer is in r23:r20, after two in r21:r18.  The result is in r24.
 #include "stdlib/soft_pack.h"
 
 #ifdef SM_SOFT_ASSEMBLY
 	.section .text.sm_soft_cells, "ax", @progbits
 
-; The upper half of x to r25:r24:r19:r18 and n to r23:r20, both without a sign; N if x is on the other side.  Z: where x is.
+; Loads the upper half of x to r25:r24:r19:r18 and n to r23:r20, both without the sign of n.  N is set if x has the other sign.
+; Z points to x.
 take_sides:
 	movw r30, r24
 	ldd r18, Z+4
@@ -89,7 +90,7 @@ sm_soft_more:
 	cpc r22, r24
 	ldd r24, Z+3
 	cpc r23, r24
-	sbc r25, r25                      ; not 0 where n is below the lower half
+	sbc r25, r25                      ; nonzero if n is below the lower half
 	ldd r24, Z+4
 	or r25, r24
 	ldd r24, Z+5
@@ -107,8 +108,8 @@ sm_soft_more:
 	.global sm_soft_since
 	.type sm_soft_since, @function
 sm_soft_since:
-	movw r30, r24                     ; the start
-	movw r26, r22                     ; the time
+	movw r30, r24                     ; start
+	movw r26, r22                     ; time
 	ld r22, X+
 	ld r0, Z
 	sub r22, r0
@@ -121,12 +122,12 @@ sm_soft_since:
 	ld r25, X+
 	ldd r0, Z+3
 	sbc r25, r0
-	sbc r0, r0                        ; keeps the borrow
+	sbc r0, r0                        ; saves the borrow
 	cp r18, r22
 	cpc r19, r23
 	cpc r20, r24
 	cpc r21, r25
-	sbc r18, r18                      ; not 0 where n is below the lower half
+	sbc r18, r18                      ; nonzero if n is below the lower half
 	lsl r0
 	ld r22, X+
 	ldd r0, Z+4
@@ -162,12 +163,12 @@ sm_soft_count:
 	st Z+, r24
 	breq 1f
 	ret
-1:	ld r24, Z                         ; carries: not beyond the eighth byte, for it is below 2^53
+1:	ld r24, Z                         ; carry; it never leaves the eighth byte, because the value is below 2^53
 	inc r24
 	st Z+, r24
 	breq 1b
 	ret
-.Lcount_end:                                 ; 2^53 has a 0 there
+.Lcount_end:                                 ; 2^53 has a zero low byte
 	ldd r25, Z+6
 	sbrs r25, 5
 	rjmp .Lcount_up
@@ -177,8 +178,8 @@ sm_soft_count:
 	.global sm_soft_advance
 	.type sm_soft_advance, @function
 sm_soft_advance:
-	movw r30, r24                     ; the gate
-	movw r26, r22                     ; the time
+	movw r30, r24                     ; gate
+	movw r26, r22                     ; time
 	ld r18, X+
 	ld r19, X+
 	ld r20, X+
@@ -187,7 +188,7 @@ sm_soft_advance:
 	ld r23, X+
 	ld r24, X+
 	ld r25, X
-	subi r18, 0xFF                    ; and 1
+	subi r18, 0xFF                    ; + 1
 	sbci r19, 0xFF
 	sbci r20, 0xFF
 	sbci r21, 0xFF

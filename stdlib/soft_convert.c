@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft binary64 in portable C: comparisons, and to and from integers and binary32 (soft.h).
+// Software binary64 in portable C: comparisons, conversions from and to integers and binary32 (soft.h).
 #include "stdlib/soft.h"
 #include "stdlib/soft_pack.h"
 
@@ -14,7 +14,7 @@ bool sm_soft_eq(uint64_t a, uint64_t b)
     return !sm_soft_is_nan(a) && (a == b || (a | b) << 1 == 0);
 }
 
-// As sm_soft_lt, but the zeros count as different.
+// Like sm_soft_lt, but zeros of different signs count as different.
 static bool below(uint64_t a, uint64_t b)
 {
     const bool negative = a >> 63 != 0;
@@ -52,11 +52,11 @@ uint64_t sm_soft_from_i32(int32_t v) { return sm_soft_from_i64(v); }
 
 // ---- to integers ----
 
-// |a| toward zero, or the limit if that is less; 0 for NaN.
+// |a| truncated toward zero, at most `limit`; 0 for NaN.
 static uint64_t to_whole(uint64_t a, uint64_t limit)
 {
     const int16_t exponent = (int16_t)((int16_t)(a >> 52) & 0x7FF);
-    uint64_t digits = (a << 11) | SM_SOFT_SIGN;        // the first one at bit 63
+    uint64_t digits = (a << 11) | SM_SOFT_SIGN;        // the first bit is bit 63
 
     if (exponent < 1023 || sm_soft_is_nan(a))
         return 0;
@@ -113,12 +113,12 @@ uint32_t sm_soft_to_f32(uint64_t a)
     x.exponent = (int16_t)(x.exponent - 1023 + 127);
     if (x.exponent >= 0xFF)
         return sign | infinity;
-    digits = (uint32_t)sm_soft_shift(x.digits, x.exponent < 1 ? (int16_t)(33 - x.exponent) : 32);      // the first one at bit 30
+    digits = (uint32_t)sm_soft_shift(x.digits, x.exponent < 1 ? (int16_t)(33 - x.exponent) : 32);      // the first bit is bit 30
     kept = (digits + 0x40) >> 7;
     if ((digits & 0x7F) == 0x40)
         kept &= ~(uint32_t)1;
     return sign | (((uint32_t)(x.exponent < 1 ? 0 : x.exponent - 1) << 23) + kept);
 }
 #else
-extern int sm_soft_convert_is_assembly;       // C wants something in a file
+extern int sm_soft_convert_is_assembly;       // a file must not be empty in C
 #endif

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every type, operator and builtin of the language means.  Freestanding C99 (also C++11): no heap, no libm, no I/O.
+// The semantics of every type, operator and builtin of the language.  Freestanding C99 (also C++11): no heap, no libm, no I/O.
 //
 //   types.h    the types, operators and builtins as tables
-//   f64.h      SmF64, the one number, and its arithmetic
+//   f64.h      SmF64, the only number type, and its arithmetic
 //   convert.h  between F64 and the other types, saturating
 //   math.h     abs floor ceil trunc round sqrt sign min max clamp
 //   roll.h     rolling windows
 //   crc32.h    the checksum of images and links
-//   result.h   how a call went
+//   result.h   the status of a call
 #ifndef SM_STD_H
 #define SM_STD_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names for the rows of types.def, operators.def and builtins.def.  No code: every layer may include it.
+// Names for the rows of types.def, operators.def and builtins.def.  Contains no code: every layer may include it.
 #ifndef SM_TYPES_H
 #define SM_TYPES_H
 
@@ -24,8 +24,8 @@ typedef enum SmType {
 } SmType;
 
 typedef struct SmTypeInfo {
-    const char *spelling;   // as the user writes it
-    const char *ctype;      // the C type that holds it in emitted C
+    const char *spelling;   // as written by the user
+    const char *ctype;      // its C type in emitted C
     uint8_t bytes;          // size and alignment in memory and on the wire
     SmKind kind;
 } SmTypeInfo;
@@ -63,10 +63,10 @@ typedef enum SmBuiltin {
 
 typedef struct SmBuiltinInfo {
     const char *name;
-    const char *sentence;   // what it gives, for messages and docs
+    const char *sentence;   // describes the result, for messages and docs
     uint8_t arguments;      // a roll function has 2
     bool is_roll;
-    SmStat stat;            // of a roll function
+    SmStat stat;            // for a roll function
 } SmBuiltinInfo;
 
 extern const SmBuiltinInfo sm_builtin_info[SM_FN_COUNT];   // indexed by SmBuiltin
