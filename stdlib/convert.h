@@ -102,13 +102,13 @@ static inline int64_t sm_clip_i64(int64_t x, int64_t lo, int64_t hi) { return x 
 // x, clipped to the upper limit of another integer type.
 static inline uint64_t sm_clip_u64(uint64_t x, uint64_t hi) { return x > hi ? hi : x; }
 //: sm_count_up
-// v + 1 as computed in F64, for v up to 2^53, where counting by one stops.
+// v + 1 as computed in floating point, for v up to 2^53, where counting by one stops.
 static inline uint64_t sm_count_up(uint64_t v) { return v + (v < 0x20000000000000u); }
 //: sm_count_up_if
-// v + 1 as computed in F64 if c is true, else v; for v up to 2^53, where counting by one stops.
+// v + 1 as computed in floating point if c is true, else v; for v up to 2^53, where counting by one stops.
 static inline uint64_t sm_count_up_if(uint64_t v, bool c) { return v + (c && v < 0x20000000000000u); }
 //: sm_count_u64
-// v + n as computed in F64 and stored: exact for small v, rounded beyond 2^53 like every F64.  n is up to 2^52.
+// v + n as computed in floating point and stored: exact for small v, rounded beyond 2^53 like every number.  n is up to 2^52.
 static inline uint64_t sm_count_u64(uint64_t v, int64_t n)
 {
     if (v <= 0x10000000000000u && (n >= 0 || v >= (uint64_t)-n))
@@ -116,7 +116,7 @@ static inline uint64_t sm_count_u64(uint64_t v, int64_t n)
     return sm_to_u64(sm_add(sm_from_u64(v), sm_from_i64(n)));
 }
 //: sm_count_i64
-// v + n as computed in F64 and stored: exact for small v, rounded beyond 2^53 like every F64.  n is up to 2^52.
+// v + n as computed in floating point and stored: exact for small v, rounded beyond 2^53 like every number.  n is up to 2^52.
 static inline int64_t sm_count_i64(int64_t v, int64_t n)
 {
     if (-0x10000000000000 <= v && v <= 0x10000000000000)

@@ -70,5 +70,5 @@ static uint8_t a_Idle_step(A *m, ASv *sv)
 
 ==> sm_soft_avr.S <==
 // Numbers for emitted C where no `double` is an IEEE binary64: assembly for AVR, nothing elsewhere.  Made by smc from its stdlib: change that, not this file.
-// How the operations of soft.h take a number apart and put one together.  Internal to stdlib/soft_*.c.
+// Unpacks and packs numbers for the operations of soft.h.  Internal to stdlib/soft_*.c.
 //
