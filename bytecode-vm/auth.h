@@ -22,7 +22,7 @@ enum { SMVM_KEY = 16, SMVM_CODE = 16, SMVM_AUTH = 8 + SMVM_CODE };     // bytes
 typedef struct SmvmAuth { uint32_t number, mark; } SmvmAuth;
 bool smvm_auth_read(SmvmBytes image, SmvmAuth *auth);
 
-// The mark of a key: the first four bytes of its code over no bytes at all.
+// The mark of a key: the first four bytes of its code for empty input.
 uint32_t smvm_auth_mark(const uint8_t *key);
 
 // Whether an image's code was computed with this key; stores its number.  The comparison takes the same time wherever a code is wrong.

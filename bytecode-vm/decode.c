@@ -12,7 +12,7 @@
 
 enum { THE_END = 0 };                                 // index of the word that ends a step; never the target of a jump
 
-// ---- what is loaded ----
+// ---- operands ----
 
 static Value constant(const Decode *d, unsigned op, uint32_t n)
 {

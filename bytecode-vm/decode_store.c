@@ -20,7 +20,7 @@ static bool is_x_dead(const Decode *d)
 }
 
 // Puts a store up to its destination operand.  It notes an output as written: the first 64 by a bit of a 64-bit mask, others by a NOTE
-// instruction, whose word has the index of a byte from bit 8 on and a mask in the low eight bits.
+// instruction.  The word of NOTE has the index of a byte from bit 8 on, and a mask in the low eight bits.
 static void put_written(Decode *d, FastOp family, FastOp noting, unsigned which, const Place *to)
 {
     if (to->output && to->index >= 64) {

@@ -4,7 +4,7 @@
 //
 //     SmvmVerdict why;
 //     SmvmMachine m;
-//     if (smvm_verify(image, size, &why) != 0)           // once, when the image arrives: why.rule says what is wrong
+//     if (smvm_verify(image, size, &why) != 0)           // once, when the image arrives: why.rule is the broken rule
 //         refuse();
 //     smvm_machine(image, 0, &m);                        // its first machine
 //     SmvmVector v = {sv, sizeof sv, MY_LAYOUT};
@@ -13,7 +13,7 @@
 //     for (;;) {
 //         …put inputs and G into sv…
 //         smvm_step(memory, sv);                         // SM_OK, or SM_REFUSED when G did not advance
-//         …use what it stored…
+//         …use the stored outputs…
 //     }
 //
 // The verifier makes every safety decision once.  When the interpreter runs an image that the verifier accepted, it cannot leave
@@ -38,7 +38,7 @@ extern "C" {
 
 typedef struct SmvmVerdict {
     uint8_t rule;             // 0: accepted; else the number of the rule that is broken (rules.def)
-    SmvmAt at;                // offset in the image of what breaks the rule
+    SmvmAt at;                // offset of the error in the image
     SmvmAt machine;           // number of the faulty machine, counted from 0
     uint32_t longest;         // accepted: the largest smvm_longest_step of all machines
 } SmvmVerdict;
@@ -114,7 +114,7 @@ static inline uint8_t smvm_pin_kind(const SmvmPin *p) { return (uint8_t)(p->kind
 typedef struct SmvmPins {
     SmvmReader in;
     uint32_t layout;          // layout hash of the state vector that the pins belong to
-    SmvmAt sv_size;           // of that state vector, in units of 8 bytes; the largest SmvmAt if this target cannot hold it
+    SmvmAt sv_size;           // of that state vector, in units of 8 bytes; at most the largest SmvmAt / 8
     SmvmAt left;              // the number of pins not read yet
 } SmvmPins;
 

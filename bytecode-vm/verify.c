@@ -66,7 +66,7 @@ enum { HAS_X = 1, HAS_Y = 2 };                        // registers that contain 
 // The functions below return 0, or the rule that is broken at `where`.
 typedef struct Check {
     SmvmReader in;            // the current position, and the end of the current function
-    SmvmAt where;             // offset of what is being checked
+    SmvmAt where;             // offset of the data being checked
     SmvmAt far;               // the furthest target of the function's jumps
     SmvmAt sampled;           // how many windows have their sample
     uint8_t stat;             // the statistic that the instruction reads

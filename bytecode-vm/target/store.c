@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Selector records and slots.  Writing the older record is the one write that changes the choice; everything before that only modifies
-// what is not chosen.
+// data that is not chosen.
 #include "bytecode-vm/target/store.h"
 
 #include <string.h>
