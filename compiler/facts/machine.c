@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Facts of a machine: the possible values of its locals when each function begins.  Transitions are followed until no fact changes.
 // Bounds that keep growing are widened, so this ends after a few visits of each state.  If anything was widened, one last round over
-// all functions narrows the facts again (narrowing).
+// all functions is the narrowing step.
 #include <stddef.h>
 
 #include "compiler/facts/facts.h"

@@ -150,7 +150,7 @@ static bool build_stmt(Builder *b, const Stmt *s)
     return true;
 }
 
-// False if control cannot reach the end of the list.  Statements after the last reachable one are not built.
+// False if control cannot reach the end of the list.  Unreachable statements at its end are not built.
 static bool build_stmts(Builder *b, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++)

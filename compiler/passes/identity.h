@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What identity.c and algebra.c share: the pass `identity`.
+// Declarations that the files of the pass `identity` share: identity.c and algebra.c.
 #ifndef SMC_PASSES_IDENTITY_H
 #define SMC_PASSES_IDENTITY_H
 

@@ -49,7 +49,8 @@ static void compare_bool(Narrow *n, IrRef ref, IrOp op, IrRef flag, double c)
     i->bits = of_true;
 }
 
-// The operator that makes `x beside(op) below` equal to `x op c`.  c is not a number of the type; `below` is the largest one below c.
+// The operator for which comparing x with `below` has the same result as `x op c`.  c is not a number of the type; `below` is the
+// largest number of the type below c.
 static IrOp beside(IrOp op) { return op == IR_lt || op == IR_le ? IR_le : IR_gt; }
 
 static void compare_at(Narrow *n, IrRef ref, IrOp op, IrRef x, double c, double below)
