@@ -97,7 +97,7 @@ static bool ends_condition(const char *text, uint32_t p)
 {
     p = skip_blanks(text, p);
     return !text[p] || strchr("\n#:;{})", text[p]) || skip_words(text, p, "and") || skip_words(text, p, "or") || skip_words(text, p, "then") ||
-           skip_words(text, p, "do") || memcmp(text + p, "&&", 2) == 0 || memcmp(text + p, "||", 2) == 0;
+           skip_words(text, p, "do") || strncmp(text + p, "&&", 2) == 0 || strncmp(text + p, "||", 2) == 0;
 }
 
 // `or 6`, `and 6`, `or burning`: perhaps what was compared should be compared with that too.
@@ -106,8 +106,8 @@ static bool adds_another_value(const char *text, uint32_t p)
     uint32_t value, is_or;
 
     p = skip_blanks(text, p);
-    is_or = skip_words(text, p, "or");
-    value = skip_blanks(text, is_or ? is_or : skip_words(text, p, "and"));
+    is_or = strncmp(text + p, "||", 2) == 0 ? p + 2 : skip_words(text, p, "or");
+    value = skip_blanks(text, is_or ? is_or : strncmp(text + p, "&&", 2) == 0 ? p + 2 : skip_words(text, p, "and"));
     if (value == 0 || (!is_or && !is_digit(text[value])))
         return false;
     return is_word(text[value]) && ends_condition(text, skip_number(text, value));

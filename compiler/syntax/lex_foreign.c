@@ -10,6 +10,8 @@
 
 // ---- comments, numbers, headers ----
 
+enum { FAR = 200 };           // bytes: hostile text must not cost the square of its length
+
 static bool is_gap(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 static uint32_t skip_gap(const Lexer *l, uint32_t p)
@@ -115,6 +117,39 @@ static void edit_closed_comment(Lexer *l, Diag *d, uint32_t at, uint32_t end)
     diag_edit(l->diags, d, lexer_span(l, end - 2, 2), "");
 }
 
+// p > 50 % of limit: -> Vent.  The text after the sign is not only prose: it has a declared name or begins a body.
+static bool is_percentage(const Lexer *l)
+{
+    uint32_t p = l->at + 1, end;
+
+    if (l->src->text[l->at] != '%' || l->last != TOK_NUMBER || l->annotated || l->first)
+        return false;
+    for (; !ends_line(l, p); p = end) {
+        end = lexer_skip_word(l, p);
+        if (strchr(":{", lexer_byte(l, p)) || (end > p && lexer_is_declared(l, p, end)))
+            return true;
+        end += end == p;
+    }
+    return false;
+}
+
+// p > 5 -- high: -> Vent.  A condition is before the sign and a colon or brace after it: perhaps the text is a part of the statement.
+static bool hides_body(const Lexer *l)
+{
+    const char *s = l->src->text;
+    bool compares = false;
+    uint32_t p = l->at - l->line_start > FAR ? l->at - FAR : l->line_start;
+
+    for (; p < l->at; p++) {
+        if (s[p] == ':' || s[p] == '{')
+            return false;
+        compares = compares || s[p] == '<' || s[p] == '>' || (s[p] == '=' && s[p + 1] == '=');
+    }
+    while (compares && !ends_line(l, p) && s[p] != ':' && s[p] != '{')
+        p++;
+    return compares && !ends_line(l, p);
+}
+
 // `// …`, `/* … */`, `-- …` and `% …` of other languages; true: it was a division.
 bool lex_slip_comment(Lexer *l, Token *t)
 {
@@ -125,7 +160,10 @@ bool lex_slip_comment(Lexer *l, Token *t)
     if (division == 2)
         return floor_division(l, t), true;
     d = diag_report(l->diags, DIAG_foreign_comment, lexer_span(l, at, p - at), lexer_text(l, at, p));
-    diag_label(l->diags, d, division ? DIAG_label_floor : DIAG_label_comment);
+    if (is_percentage(l))
+        diag_label(l->diags, d, DIAG_label_text, "write a percentage as a factor, as in 0.5 * x; a comment begins with #");
+    else
+        diag_label(l->diags, d, division ? DIAG_label_floor : DIAG_label_comment);
     if (l->src->text[at] == '/' && l->src->text[at + 1] == '*' && !l->no_comment_end) {
         while (p + 1 < l->src->len && !(l->src->text[p] == '*' && l->src->text[p + 1] == '/'))
             p++;
@@ -139,7 +177,7 @@ bool lex_slip_comment(Lexer *l, Token *t)
                 l->at++;
     }
     if (l->at == at) {
-        if (!division)
+        if (!division && !is_percentage(l) && !hides_body(l))
             diag_edit(l->diags, d, lexer_span(l, at, p - at), "#");
         lexer_skip_comment(l);
     }
@@ -406,7 +444,7 @@ static bool names_state(const Lexer *l, const Token *t)
 {
     uint32_t from = skip_gap(l, t->at + t->len), end = lexer_skip_word(l, from), p = skip_gap(l, end);
 
-    if (l->stores || l->annotated || l->parens || !is_identifier(l->src->text + from, end - from) ||
+    if (l->stores || l->annotated || l->parens || !is_identifier(l->src->text + from, end - from) || lexer_is_declared(l, from, end) ||
         !(ends_line(l, p) || lexer_byte(l, p) == '}'))
         return false;
     while (lexer_byte(l, p) == '\n' || lexer_byte(l, p) == '#') {
@@ -430,8 +468,6 @@ typedef struct Side {
     bool compares;            // holds a comparison
     enum { SIDE_END, SIDE_AND, SIDE_OR, SIDE_BIT_AND, SIDE_BIT_OR } until;
 } Side;
-
-enum { FAR = 200 };           // bytes: hostile text must not cost the square of its length
 
 static bool is_text(const char *s, uint32_t at, uint32_t end, const char *word)
 {
@@ -511,7 +547,7 @@ static bool may_be_bits(const Lexer *l, const Token *t)
     Side left, right;
 
     if (t->len > 1 || sign == '~')
-        return t->len == 1 && l->stores;
+        return t->len == 1 && l->stores && !t->first;      // l->stores is of the line before at a first token
     if (sign != '&' && sign != '|')
         return false;
     left = left_side(l, t->at);
@@ -519,6 +555,20 @@ static bool may_be_bits(const Lexer *l, const Token *t)
     if (sign == '|' && (left.until == SIDE_AND || right.until == SIDE_AND))
         return true;
     return !left.compares || (!right.compares && right.until >= SIDE_BIT_AND);
+}
+
+// Only a name is before `at` in its statement: x := 1.
+static bool is_after_target(const Lexer *l, uint32_t at)
+{
+    const char *s = l->src->text;
+
+    while (at > l->line_start && is_gap(s[at - 1]))
+        at--;
+    while (at > l->line_start && lexer_is_word(s[at - 1]))
+        at--;
+    while (at > l->line_start && is_gap(s[at - 1]))
+        at--;
+    return at == l->line_start || strchr(":{};", s[at - 1]);
 }
 
 static void report_foreign(Lexer *l, Token *t, const char *spelling, const char *native)
@@ -540,6 +590,8 @@ static void report_foreign(Lexer *l, Token *t, const char *spelling, const char 
         return;
     }
     diag_label(l->diags, d, DIAG_label_write, native);
+    if ((*native == 'n' && !hint_is_negated_alone(l->src->text, t->at + t->len)) || (*spelling == ':' && !is_after_target(l, t->at)))
+        return;
     while (*native == ':' && from && is_gap(l->src->text[from - 1]))
         from--;
     diag_edit(l->diags, d, lexer_span(l, from, t->at + t->len - from),

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compiler/base/utf8.h"
+#include "compiler/syntax/hint_words.h"
 #include "compiler/syntax/lexer.h"
 
 // Characters that word processors and mathematics put where ASCII has a sign.
@@ -72,7 +73,7 @@ static bool is_long_arrow(const Lexer *l, uint32_t at, uint32_t len, size_t like
 // @range 0 – 5: a dash between two numbers is no sign of the second.
 static bool is_dash_of_range(const Lexer *l, size_t like)
 {
-    return l->annotated && l->last == TOK_NUMBER && like < NO_LOOKALIKE && lookalikes[like].kind == TOK_MINUS;
+    return l->annotated && !l->first && l->last == TOK_NUMBER && like < NO_LOOKALIKE && lookalikes[like].kind == TOK_MINUS;
 }
 
 // 0·5, 60 000 with a blank that does not break: the character belongs to the number, so what it looks like does not replace it.
@@ -107,6 +108,10 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
     if (is_dash_of_range(l, like) || is_inside_number(l, at, len, code)) {
         diag_label(l->diags, d, DIAG_label_text, l->annotated ? "separate two numbers by a blank, and write a sign as -" :
                    "leave it out of the number; a decimal point is written .");
+        return;
+    }
+    if (*ascii == '!' && !ascii[1] && !hint_is_negated_alone(l->src->text, at + len)) {
+        diag_label(l->diags, d, DIAG_label_write, "not (...)");
         return;
     }
     if (*ascii == ' ' && !ascii[1])

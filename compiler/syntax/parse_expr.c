@@ -276,7 +276,7 @@ static AstExpr *parse_level(Parser *p, int least)
 
     while (!p->failed && !line_ends(p)) {
         Span op_span;
-        slip_infix(p);
+        slip_infix(p, e);
         if (!infix_operator(p->tok.kind, &op) || sm_op_info[op].precedence < least || slip_is_and_then(p))
             break;
         op_span = parser_here(p);

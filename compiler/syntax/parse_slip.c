@@ -109,6 +109,21 @@ bool slip_operand(Parser *p, AstExpr *name)
     return true;
 }
 
+// `valve = true: pump = true`, at the colon: where a colon separates statements, the first one stores.
+static bool separates_statements(const Parser *p)
+{
+    const char *text = p->lex.src->text;
+    uint32_t at = p->tok.at + 1;
+
+    if (p->tok.kind != TOK_COLON || p->tok.first)
+        return false;
+    at += (uint32_t)strspn(text + at, " \t");
+    while (is_letter(text[at]) || is_digit(text[at]))
+        at++;
+    at += (uint32_t)strspn(text + at, " \t");
+    return text[at] == '=' && text[at + 1] != '=' && text[at + 1] != '>';
+}
+
 // `=` where two values are compared; `=!` was to be `!=`, or not.
 void slip_assign(Parser *p, Span sign)
 {
@@ -121,17 +136,18 @@ void slip_assign(Parser *p, Span sign)
     }
     d = parser_report(p, DIAG_assign_in_guard, sign);
     diag_label(p->diags, d, DIAG_label_write, "==");
-    if (!hint_is_doubtful_comparison(p->lex.src->text, sign.at + sign.len))
+    if (p->lex.src->text[sign.at] == '=' && !hint_is_doubtful_comparison(p->lex.src->text, sign.at + sign.len) && !separates_statements(p))
         diag_edit(p->diags, d, sign, "==");
 }
 
 // Takes the words of the operator up to `end` for what they mean.  Where its operands are unclear, the condition is given up.
-static void replace_phrase(Parser *p, const HintPhrase *phrase, uint32_t end)
+static void replace_phrase(Parser *p, const AstExpr *left, const HintPhrase *phrase, uint32_t end)
 {
     const Span words = {p->lex.src, p->tok.at, end - p->tok.at};
+    const bool negated = left->kind == AST_UNARY && left->op == SM_OP_NOT;         // not x is 3: `not` reaches further elsewhere
     Diag *d;
 
-    if (phrase->kind != TOK_AND && phrase->kind != TOK_OR && hint_is_doubtful_comparison(p->lex.src->text, end)) {
+    if (phrase->kind != TOK_AND && phrase->kind != TOK_OR && (negated || hint_is_doubtful_comparison(p->lex.src->text, end))) {
         d = parser_fail(p, DIAG_foreign_word, words, parser_text(p, words));
         diag_label(p->diags, d, DIAG_label_text, "compare with == != < <= > or >=, and join comparisons with and, or");
         return;
@@ -144,13 +160,13 @@ static void replace_phrase(Parser *p, const HintPhrase *phrase, uint32_t end)
     p->tok.kind = phrase->kind;
 }
 
-void slip_infix(Parser *p)
+void slip_infix(Parser *p, const AstExpr *left)
 {
     if (p->tok.kind == TOK_NAME) {
         uint32_t end;
         const HintPhrase *phrase = find_infix(p, &end);
         if (phrase)
-            replace_phrase(p, phrase, end);
+            replace_phrase(p, left, phrase, end);
         return;
     }
     if (p->tok.kind != TOK_ASSIGN || (!p->is_guard && p->parens == 0))

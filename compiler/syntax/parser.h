@@ -81,7 +81,7 @@ void skip_line(Parser *p);                              // to the next line, hea
 // ---- slips: what people write who know other languages, or type too fast ----
 
 void slip_prefix(Parser *p);                            // NOT x
-void slip_infix(Parser *p);                             // x AND y, x = y in a guard
+void slip_infix(Parser *p, const AstExpr *left);        // x AND y, x = y in a guard
 void slip_assign(Parser *p, Span sign);                 // reports the = of such a guard
 bool slip_choice(const Parser *p);                      // IF(a; b; c)
 bool slip_operand(Parser *p, AstExpr *name);            // abs x, behind the name; true when reported
