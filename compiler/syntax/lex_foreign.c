@@ -410,6 +410,14 @@ static void report_range(Lexer *l, Token *t, Span wrong, Span lo, Span hi, uint3
     lexer_finish(l, t, TOK_ERROR, end);
 }
 
+// What follows the two numbers of a range: another annotation, a comment, or the end of the line.
+static bool ends_range(const Lexer *l, uint32_t p)
+{
+    const char c = lexer_byte(l, p);
+
+    return ends_line(l, p) || c == '@' || (c == '/' && strchr("/*", lexer_byte(l, p + 1))) || (c == ';' && ends_line(l, skip_gap(l, p + 1)));
+}
+
 // Behind @range: [0, 5], be it closed or not, and 0..5 and 0, 5.  0,5 10 has a decimal comma.
 bool lex_slip_range(Lexer *l, Token *t)
 {
@@ -425,7 +433,7 @@ bool lex_slip_range(Lexer *l, Token *t)
     if (back < sizeof word - 1 || memcmp(s + back - (sizeof word - 1), word, sizeof word - 1) != 0 || lo_end == lo || hi_end == hi)
         return false;
     closed = brackets && s[end] == (open == '[' ? ']' : ')');
-    if (brackets ? !closed && !ends_line(l, end) : sign_end == sign || lexer_is_word(s[end]) || s[hi_end] == '.')
+    if (brackets ? !closed && !ends_line(l, end) : sign_end == sign || !ends_range(l, end) || (s[sign] == ',' && sign == lo_end && hi == sign_end))
         return false;
     report_range(l, t, brackets ? lexer_span(l, l->at, 1) : lexer_span(l, sign, sign_end - sign), lexer_span(l, lo, lo_end - lo),
                  lexer_span(l, hi, hi_end - hi), closed ? end + 1 : hi_end);
@@ -444,7 +452,7 @@ static bool names_state(const Lexer *l, const Token *t)
 {
     uint32_t from = skip_gap(l, t->at + t->len), end = lexer_skip_word(l, from), p = skip_gap(l, end);
 
-    if (l->stores || l->annotated || l->parens || !is_identifier(l->src->text + from, end - from) || lexer_is_declared(l, from, end) ||
+    if (l->stores || l->annotated || l->parens || !is_identifier(l->src->text + from, end - from) ||
         !(ends_line(l, p) || lexer_byte(l, p) == '}'))
         return false;
     while (lexer_byte(l, p) == '\n' || lexer_byte(l, p) == '#') {
@@ -452,6 +460,14 @@ static bool names_state(const Lexer *l, const Token *t)
         p = lexer_byte(l, p) ? skip_gap(l, p + 1) : p;
     }
     return lexer_byte(l, p) != '{';
+}
+
+// The name after the sign is no state but a declared value: a comparison, the body of which is missing.
+static bool names_declared(const Lexer *l, const Token *t)
+{
+    const uint32_t from = skip_gap(l, t->at + t->len);
+
+    return lexer_is_declared(l, from, lexer_skip_word(l, from));
 }
 
 // fault & 4, ~3: bits are meant, of which there are none.  In p > 5 & 3 < x they are not.
@@ -573,13 +589,13 @@ static bool is_after_target(const Lexer *l, uint32_t at)
 
 static void report_foreign(Lexer *l, Token *t, const char *spelling, const char *native)
 {
-    bool arrow = strcmp(spelling, "=>") == 0, blank;
+    bool arrow = strcmp(spelling, "=>") == 0, blank, names_value = false;
     uint32_t from = t->at;
     Diag *d;
 
     if (arrow && begins_statement(l, t))
         native = "->";
-    else if (arrow && names_state(l, t))
+    else if (arrow && names_state(l, t) && !(names_value = names_declared(l, t)))
         native = ": ->";
     if (native[strlen(native) - 1] == '>')
         t->kind = TOK_ARROW;
@@ -590,7 +606,7 @@ static void report_foreign(Lexer *l, Token *t, const char *spelling, const char 
         return;
     }
     diag_label(l->diags, d, DIAG_label_write, native);
-    if ((*native == 'n' && !hint_is_negated_alone(l->src->text, t->at + t->len)) || (*spelling == ':' && !is_after_target(l, t->at)))
+    if (names_value || (*native == 'n' && !hint_is_negated_alone(l->src->text, t->at + t->len)) || (*spelling == ':' && !is_after_target(l, t->at)))
         return;
     while (*native == ':' && from && is_gap(l->src->text[from - 1]))
         from--;

@@ -109,6 +109,9 @@ bool slip_operand(Parser *p, AstExpr *name)
     return true;
 }
 
+// not x is 3: in other languages `not` reaches further than to x.
+static bool is_negated(const AstExpr *e) { return e && e->kind == AST_UNARY && e->op == SM_OP_NOT; }
+
 // `valve = true: pump = true`, at the colon: where a colon separates statements, the first one stores.
 static bool separates_statements(const Parser *p)
 {
@@ -125,7 +128,7 @@ static bool separates_statements(const Parser *p)
 }
 
 // `=` where two values are compared; `=!` was to be `!=`, or not.
-void slip_assign(Parser *p, Span sign)
+void slip_assign(Parser *p, const AstExpr *left, Span sign)
 {
     Diag *d;
 
@@ -136,7 +139,7 @@ void slip_assign(Parser *p, Span sign)
     }
     d = parser_report(p, DIAG_assign_in_guard, sign);
     diag_label(p->diags, d, DIAG_label_write, "==");
-    if (p->lex.src->text[sign.at] == '=' && !hint_is_doubtful_comparison(p->lex.src->text, sign.at + sign.len) && !separates_statements(p))
+    if (p->lex.src->text[sign.at] == '=' && !is_negated(left) && !hint_is_doubtful_comparison(p->lex.src->text, sign.at + sign.len) && !separates_statements(p))
         diag_edit(p->diags, d, sign, "==");
 }
 
@@ -144,10 +147,9 @@ void slip_assign(Parser *p, Span sign)
 static void replace_phrase(Parser *p, const AstExpr *left, const HintPhrase *phrase, uint32_t end)
 {
     const Span words = {p->lex.src, p->tok.at, end - p->tok.at};
-    const bool negated = left->kind == AST_UNARY && left->op == SM_OP_NOT;         // not x is 3: `not` reaches further elsewhere
     Diag *d;
 
-    if (phrase->kind != TOK_AND && phrase->kind != TOK_OR && (negated || hint_is_doubtful_comparison(p->lex.src->text, end))) {
+    if (phrase->kind != TOK_AND && phrase->kind != TOK_OR && (is_negated(left) || hint_is_doubtful_comparison(p->lex.src->text, end))) {
         d = parser_fail(p, DIAG_foreign_word, words, parser_text(p, words));
         diag_label(p->diags, d, DIAG_label_text, "compare with == != < <= > or >=, and join comparisons with and, or");
         return;
@@ -173,7 +175,7 @@ void slip_infix(Parser *p, const AstExpr *left)
         return;
     if (p->last.first && p->parens)                    // a new statement: the parenthesis before was never closed
         return;
-    slip_assign(p, parser_here(p));
+    slip_assign(p, left, parser_here(p));
     p->tok.kind = TOK_EQ;
 }
 

@@ -119,7 +119,7 @@ static bool missing_colon(Parser *p, AstExpr *e)
 static void assign_to_expression(Parser *p, const AstExpr *e)
 {
     if (slip_is_guard(p)) {
-        slip_assign(p, parser_here(p));
+        slip_assign(p, e, parser_here(p));
         p->failed = true;
     } else {
         parser_fail(p, DIAG_assign_target, e->span, parser_text(p, e->span));

@@ -162,7 +162,7 @@ static void parse_if(Parser *p, AstStmts *into, AstExpr *guard);
 // `x = 5: …` was meant to compare.
 static void assignment_as_guard(Parser *p, AstStmts *into, AstStmt *s, Span sign)
 {
-    slip_assign(p, sign);
+    slip_assign(p, NULL, sign);
     into->n--;
     parse_if(p, into, s->value);
 }

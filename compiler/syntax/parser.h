@@ -82,7 +82,7 @@ void skip_line(Parser *p);                              // to the next line, hea
 
 void slip_prefix(Parser *p);                            // NOT x
 void slip_infix(Parser *p, const AstExpr *left);        // x AND y, x = y in a guard
-void slip_assign(Parser *p, Span sign);                 // reports the = of such a guard
+void slip_assign(Parser *p, const AstExpr *left, Span sign);      // reports the = of such a guard; left may be NULL
 bool slip_choice(const Parser *p);                      // IF(a; b; c)
 bool slip_operand(Parser *p, AstExpr *name);            // abs x, behind the name; true when reported
 bool slip_remark(Parser *p);                            // -- x, where no expression can stand; true when reported

@@ -111,9 +111,13 @@ F64 b @range –10 –5
 F64 c @range -10 – 5
 F64 d @range 0–5
 F64 e
+F64 f @range 0,5
+F64 g @range 0,5; 1,5
+F64 h @range 0,1,2
+F64 i @range 0, 5 @read_only
 [Run] @safe
 .step
-    e = a – b + c + d
+    e = a – b + c + d + f + g + h + i
 -- stdout --
 app.sm:20:
   -     n = count  // the size
@@ -158,10 +162,13 @@ braces.sm: 1 fixed
 numbers.sm:5:
   - F64 b @range –10 –5
   + F64 b @range -10 –5
-numbers.sm:11:
-  -     e = a – b + c + d
-  +     e = a - b + c + d
-numbers.sm: 2 fixed
+numbers.sm:12:
+  - F64 i @range 0, 5 @read_only
+  + F64 i @range 0 5 @read_only
+numbers.sm:15:
+  -     e = a – b + c + d + f + g + h + i
+  +     e = a - b + c + d + f + g + h + i
+numbers.sm: 3 fixed
 -- stderr --
 app.sm:15:16: error: a comment begins with '#', not with '//' [E0110]
    15 |     n = count  // size
@@ -302,6 +309,21 @@ numbers.sm:6:18: error: the character '–' may stand in comments only [E0102]
 numbers.sm:7:15: error: the character '–' may stand in comments only [E0102]
     7 | F64 d @range 0–5
       |               ^ separate two numbers by a blank, and write a sign as -
-4 errors
+numbers.sm:9:15: error: expected a number, the highest value of '@range', found ',' [E0377]
+    9 | F64 f @range 0,5
+      |               ^ write two numbers, as in @range 0 40
+numbers.sm:10:15: error: expected a number, the highest value of '@range', found ',' [E0377]
+   10 | F64 g @range 0,5; 1,5
+      |               ^ write two numbers, as in @range 0 40
+numbers.sm:10:17: error: a statement ends with its line, not with ';' [E0109]
+   10 | F64 g @range 0,5; 1,5
+      |                 ^ put each statement on a line of its own
+numbers.sm:10:19: error: expected a type and a name in [state_vector], found the number 1 [E0350]
+   10 | F64 g @range 0,5; 1,5
+      |                   ^
+numbers.sm:11:15: error: expected a number, the highest value of '@range', found ',' [E0377]
+   11 | F64 h @range 0,1,2
+      |               ^ write two numbers, as in @range 0 40
+9 errors
 -- exit --
 1 1 1 1 1

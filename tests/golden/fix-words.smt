@@ -31,6 +31,7 @@ bool pump
     p is greater then 5: valve = false
     NOT p > 5: valve = false
     not p is 5: valve = false
+    if not p = 5: valve = false
     mode = 5 || 6: valve = false
     ~p > 5: valve = false
     ¬p > 5: valve = false
@@ -58,13 +59,10 @@ app.sm:12:
   +     p > 3: valve = true
   +     fault != pump: valve = true
   +     valve = not fault and not (p < 3)
-app.sm:30:
+app.sm:31:
   -     mode = 5 || 6: valve = false
   +     mode = 5 or 6: valve = false
-app.sm:35:
-  -     p => q
-  +     p >= q
-app.sm: 16 fixed
+app.sm: 15 fixed
 -- stderr --
 app.sm:20:10: error: 'is' is not a word of this language [E0329]
    20 |     mode is 5 or 6: valve = false
@@ -102,53 +100,58 @@ app.sm:28:5: error: 'NOT' is not a word of this language [E0329]
 app.sm:29:11: error: 'is' is not a word of this language [E0329]
    29 |     not p is 5: valve = false
       |           ^~ compare with == != < <= > or >=, and join comparisons with and, or
-app.sm:30:10: error: '=' stores a value; a comparison is written '==' [E0324]
-   30 |     mode = 5 or 6: valve = false
+app.sm:30:8: warning: 'not' reaches only to the next value [W0401 not-precedence]
+   30 |     if not p = 5: valve = false
+      |        ^~~~~
+note: as it stands: (not p) = 5
+note: perhaps meant: not (p = 5)
+app.sm:30:14: error: '=' stores a value; a comparison is written '==' [E0324]
+   30 |     if not p = 5: valve = false
+      |              ^ write ==
+app.sm:31:10: error: '=' stores a value; a comparison is written '==' [E0324]
+   31 |     mode = 5 or 6: valve = false
       |          ^ write ==
-app.sm:30:12: warning: 5 stands here as a condition of its own, which always holds [W0419 number-as-condition]
-   30 |     mode = 5 or 6: valve = false
+app.sm:31:12: warning: 5 stands here as a condition of its own, which always holds [W0419 number-as-condition]
+   31 |     mode = 5 or 6: valve = false
       |            ^
-app.sm:30:17: warning: 6 stands here as a condition of its own, which always holds [W0419 number-as-condition]
-   30 |     mode = 5 or 6: valve = false
+app.sm:31:17: warning: 6 stands here as a condition of its own, which always holds [W0419 number-as-condition]
+   31 |     mode = 5 or 6: valve = false
       |                 ^
-app.sm:31:5: error: '~' is written 'not' here [E0107]
-   31 |     ~p > 5: valve = false
+app.sm:32:5: error: '~' is written 'not' here [E0107]
+   32 |     ~p > 5: valve = false
       |     ^ write not
-app.sm:31:5: warning: 'not' reaches only to the next value [W0401 not-precedence]
-   31 |     ~p > 5: valve = false
-      |     ^~
-note: as it stands: (not p) > 5
-note: perhaps meant: not (p > 5)
-app.sm:32:5: error: the character '¬' may stand in comments only [E0102]
-   32 |     ¬p > 5: valve = false
-      |     ^ write not (...)
 app.sm:32:5: warning: 'not' reaches only to the next value [W0401 not-precedence]
-   32 |     ¬p > 5: valve = false
+   32 |     ~p > 5: valve = false
       |     ^~
 note: as it stands: (not p) > 5
 note: perhaps meant: not (p > 5)
-app.sm:33:14: error: ':=' is written '=' here [E0107]
-   33 |     if valve := p > 5: pump = false
+app.sm:33:5: error: the character '¬' may stand in comments only [E0102]
+   33 |     ¬p > 5: valve = false
+      |     ^ write not (...)
+app.sm:33:5: warning: 'not' reaches only to the next value [W0401 not-precedence]
+   33 |     ¬p > 5: valve = false
+      |     ^~
+note: as it stands: (not p) > 5
+note: perhaps meant: not (p > 5)
+app.sm:34:14: error: ':=' is written '=' here [E0107]
+   34 |     if valve := p > 5: pump = false
       |              ^~ write =
-app.sm:33:14: error: '=' stores a value; a comparison is written '==' [E0324]
-   33 |     if valve := p > 5: pump = false
+app.sm:34:14: error: '=' stores a value; a comparison is written '==' [E0324]
+   34 |     if valve := p > 5: pump = false
       |              ^~ write ==
-app.sm:34:11: error: '=' stores a value; a comparison is written '==' [E0324]
-   34 |     valve = true: pump = false
+app.sm:35:11: error: '=' stores a value; a comparison is written '==' [E0324]
+   35 |     valve = true: pump = false
       |           ^ write ==
-app.sm:35:5: error: this is a value and does nothing [E0327]
-   35 |     p >= q
+app.sm:36:5: error: this is a value and does nothing [E0327]
+   36 |     p => q
       |     ^~~~~~ a statement is x = value, -> State, or condition: statement
-app.sm:37:5: error: this is a value and does nothing [E0327]
-   37 |     p > 50 % of q: valve = false
-      |     ^~~~~~ a statement is x = value, -> State, or condition: statement
-app.sm:37:12: error: a comment begins with '#', not with '%' [E0110]
-   37 |     p > 50 % of q: valve = false
-      |            ^ write a percentage as a factor, as in 0.5 * x; a comment begins with #
+app.sm:36:7: error: '=>' is written '>=' here [E0107]
+   36 |     p => q
+      |       ^~ write >=
 app.sm:38:5: error: this is a value and does nothing [E0327]
-   38 |     p > 5 -- too high: valve = false
-      |     ^~~~~ a statement is x = value, -> State, or condition: statement
-and 1 more error
-21 errors, 6 warnings
+   38 |     p > 50 % of q: valve = false
+      |     ^~~~~~ a statement is x = value, -> State, or condition: statement
+and 3 more errors
+23 errors, 7 warnings
 -- exit --
 1
