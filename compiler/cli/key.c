@@ -8,11 +8,19 @@ enum { DIGITS = 2 * SMVM_KEY };
 
 static const char digit[] = "0123456789abcdef";
 
-static bool is_key(const Source *s)
-{
-    const size_t n = strspn(s->text, "0123456789abcdefABCDEF");
+static bool is_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
-    return n == DIGITS && strspn(s->text + n, "\r\n") == s->len - n;
+bool key_is_file(const char *text, size_t n)
+{
+    size_t i = 0;
+
+    while (i < n && i < DIGITS && is_digit(text[i]))
+        i++;
+    if (i < DIGITS)
+        return false;
+    while (i < n && (text[i] == '\r' || text[i] == '\n'))
+        i++;
+    return i == n;
 }
 
 static uint8_t value_of(char c)
@@ -27,7 +35,7 @@ int key_load(Cli *c, uint8_t key[SMVM_KEY])
 
     if (!s)
         return EXIT_ENVIRONMENT;
-    if (!is_key(s)) {
+    if (!key_is_file(s->text, s->len)) {
         cli_say(c, "'%s' is no key: a key is %d hexadecimal digits; 'smc key FILE' makes one", path, DIGITS);
         return EXIT_PROBLEM;
     }

@@ -6,6 +6,9 @@
 #include "bytecode-vm/auth.h"
 #include "compiler/cli/cli.h"
 
+// Whether a file with these bytes is a key: 32 hexadecimal digits and line ends.
+bool key_is_file(const char *text, size_t n);
+
 // EXIT_OK, or the exit code after a message.  Warns of a file that others can read.
 int key_load(Cli *c, uint8_t key[SMVM_KEY]);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a command may write to.  Sources and inputs are never replaced; another file only if smc wrote it, or with --force.
+// What a command may write to.  Sources, inputs and keys are never replaced; another file only if smc wrote it, or with --force.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
-#include "compiler/cli/cli.h"
+#include "compiler/cli/key.h"
 
 enum { HEAD = 1 << 16 };                  // bytes of an existing file that are read to recognise it
 
@@ -124,6 +124,162 @@ static bool is_exact_trace(const Head *h)
     return lines >= 3;
 }
 
+// ---- tables ----
+
+// A field of CSV; *n: its length.  False: the line is not of the form that smc writes.
+static bool next_field(const char **at, const char *lf, const char **field, size_t *n)
+{
+    const char *c = *at;
+
+    *field = c;
+    if (c < lf && *c == '"') {
+        for (c++; c < lf && (*c != '"' || (c + 1 < lf && c[1] == '"')); c++)
+            c += *c == '"';
+        if (c++ == lf)
+            return false;
+    } else {
+        while (c < lf && *c != ',')
+            c++;
+    }
+    *n = (size_t)(c - *field);
+    *at = c < lf ? c + 1 : lf;
+    return *n > 0 && (c == lf || (*c == ',' && c + 1 < lf));
+}
+
+static bool is_name(const char *at, size_t n)
+{
+    size_t i = 0;
+
+    while (i < n && (is_name_char(at[i]) || at[i] == '.'))         // "tank.state" where "state" is taken
+        i++;
+    return i == n;
+}
+
+static bool is_value(const char *at, size_t n)
+{
+    static const char *const words[] = {"true", "false", "inf", "-inf", "nan", "-nan"};
+    size_t i = 0;
+
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+        if (n == strlen(words[k]) && memcmp(at, words[k], n) == 0)
+            return true;
+    while (i < n && at[i] && strchr("0123456789+-.e", at[i]))
+        i++;
+    return i == n;
+}
+
+// A header that begins with the columns `first`, then lines with a value for each.  `kinds` has a letter for each of these columns: t text,
+// n name, # value.  The other columns have names of elements and hold values.
+static bool is_table(const Head *h, const char *first, const char *kinds)
+{
+    const char *at = h->at, *end = h->at + h->n, *lf = memchr(at, '\n', h->n), *field;
+    size_t columns = strlen(kinds), n;
+
+    if (!lf || (size_t)(lf - at) < strlen(first) || memcmp(at, first, strlen(first)) != 0)
+        return false;
+    for (at += strlen(first); at < lf; columns++)
+        if (*at++ != ',' || !next_field(&at, lf, &field, &n) || !is_name(field, n))
+            return false;
+        else
+            at -= at < lf;                                         // its comma begins the next column
+    for (at = lf + 1; at < end && (lf = memchr(at, '\n', (size_t)(end - at))) != NULL; at = lf + 1)
+        for (size_t i = 0; i < columns; i++) {
+            const char kind = i < strlen(kinds) ? kinds[i] : '#';
+            if (!next_field(&at, lf, &field, &n) || (kind != 't' && !(kind == 'n' ? is_name(field, n) : is_value(field, n))) ||
+                (at == lf) != (i + 1 == columns))
+                return false;
+        }
+    return at == end || !h->is_whole;                              // without its last line feed a line may be cut
+}
+
+static bool is_trace(const Head *h) { return is_table(h, "script,step,G,state", "t##n"); }
+static bool is_log_table(const Head *h) { return is_table(h, "session,seconds", "##"); }
+
+// ---- results as JUnit XML ----
+
+typedef struct XmlForm { const char *tag, *parent, *attributes; bool has_text; } XmlForm;
+
+static const XmlForm junit_forms[] = {
+    {"testsuites", "", " name tests failures errors time ", false},
+    {"testsuite", "testsuites", " name tests failures errors skipped time file ", false},
+    {"testcase", "testsuite", " name classname time ", false},
+    {"failure", "testcase", " message type ", true},
+    {"error", "testcase", " message type ", true},
+    {"skipped", "testcase", " message ", true},
+};
+
+enum { JUNIT_DEPTH = 4 };
+
+typedef struct XmlOpen { const XmlForm *form[JUNIT_DEPTH]; size_t depth; } XmlOpen;
+
+static bool has_word(const char *words, const char *word, size_t n)
+{
+    for (; (words = strchr(words, ' ')) != NULL && words[1]; words++)
+        if (n > 0 && n < strlen(words) && memcmp(words + 1, word, n) == 0 && words[1 + n] == ' ')
+            return true;
+    return false;
+}
+
+// The tag that begins at `at`; returns what follows it, or NULL if smc would not have written it there.
+static const char *read_tag(XmlOpen *open, const char *at, const char *end)
+{
+    const bool closes = end - at > 1 && at[1] == '/';
+    const char *name = at + 1 + closes, *const parent = open->depth ? open->form[open->depth - 1]->tag : "";
+    const XmlForm *form = NULL;
+    size_t n = 0;
+
+    while (name + n < end && is_name_char(name[n]))
+        n++;
+    at = name + n;
+    if (closes) {
+        if (at == end || *at != '>' || strlen(parent) != n || memcmp(parent, name, n) != 0 || n == 0)
+            return NULL;
+        open->depth--;
+        return at + 1;
+    }
+    for (size_t i = 0; i < sizeof junit_forms / sizeof *junit_forms; i++)
+        if (strlen(junit_forms[i].tag) == n && memcmp(junit_forms[i].tag, name, n) == 0 && strcmp(junit_forms[i].parent, parent) == 0)
+            form = &junit_forms[i];
+    while (form && at < end && *at == ' ') {
+        const char *equals = memchr(at, '=', (size_t)(end - at)), *quote = equals && end - equals > 1 && equals[1] == '"' ? equals + 2 : NULL;
+        if (!quote || !has_word(form->attributes, at + 1, (size_t)(equals - at - 1)) ||
+            (quote = memchr(quote, '"', (size_t)(end - quote))) == NULL)
+            return NULL;
+        at = quote + 1;
+    }
+    if (form && end - at > 1 && at[0] == '/' && at[1] == '>')
+        return at + 2;
+    if (!form || at == end || *at != '>')
+        return NULL;
+    open->form[open->depth++] = form;
+    return at + 1;
+}
+
+static bool is_junit(const Head *h)
+{
+    static const char mark[] = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"smc test\" ";
+    const char *at = h->at, *end = h->at + h->n, *root;
+    XmlOpen open = {{NULL}, 0};
+
+    if (!begins_like(at, end, mark))
+        return false;
+    at = root = strchr(at, '\n') + 1;
+    while (!h->is_whole && end[-1] != '>')                         // which only ends tags
+        end--;
+    while (at < end)
+        if (*at == '<') {
+            if ((open.depth == 0 && at != root) || (at = read_tag(&open, at, end)) == NULL)
+                return false;
+        } else if (*at == ' ' || *at == '\n' || (open.depth && open.form[open.depth - 1]->has_text)) {
+            at++;
+        } else {
+            return false;
+        }
+    return open.depth == 0 || !h->is_whole;
+}
+
+// ---- all kinds ----
+
 // Every kind of file that smc writes through an option, and how one is recognised.
 static const struct {
     const char *mark;                     // what it begins with, as begins_like reads it; or NULL
@@ -142,13 +298,13 @@ static const struct {
     {"digraph \"*\" { // drawn by smc\n", NULL},
     {"stateDiagram-v2\n    %% drawn by smc\n", NULL},
     {"*: * bytes, * session*\n\nsession *: ", NULL},                      // log --format=text
-    {"session,seconds", NULL},                                            // log --format=csv
+    {NULL, is_log_table},                                                 // log --format=csv
     {"{\"time\":*,\"values\":{", NULL},                                   // log --format=json: a record, an event or a gap
     {"{\"time\":*,\"event\":\"*\",\"number\":*,\"source\":", NULL},
     {"{\"dropped\":*,\"lost\":", NULL},
     {"<svg *class=\"plot smc-flight\"", NULL},
-    {"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"smc test\"", NULL},
-    {"script,step,G,state", NULL},                                        // test --trace
+    {NULL, is_junit},                                                     // test --junit
+    {NULL, is_trace},                                                     // test --trace
     {NULL, is_exact_trace},
 };
 
@@ -184,7 +340,8 @@ static bool is_named(const Cli *c, OptionId id, const char *path)
 
 static bool is_input(const Cli *c, const char *path)
 {
-    const size_t files = c->command->run == cmd_log && c->files ? 1 : c->files;      // elements are named behind a log
+    const size_t files = c->command->run == cmd_sign ? 0                              // sign edits its image
+                       : c->command->run == cmd_log && c->files ? 1 : c->files;       // elements are named after a log
 
     for (size_t i = 0; i < files; i++)
         if (os_same_file(strcmp(c->file[i], "-") == 0 ? "/dev/stdin" : c->file[i], path))
@@ -220,21 +377,24 @@ static int check_name(Cli *c, const char *path, const char *option)
     return EXIT_OK;
 }
 
-// What does not exist, holds nothing or is no regular file has nothing to lose.
+// What does not exist, holds nothing or is no regular file has nothing to lose.  A key cannot be made again: boards that have it would
+// refuse every other, so that --force does not replace one.
 static int check_existing(Cli *c, const char *path)
 {
     char *head;
     Head h = {NULL, 0, false};
 
-    if (c->given[OPT_FORCE] || strcmp(path, "-") == 0 || os_is_special(path))
+    if (strcmp(path, "-") == 0 || os_is_special(path))
         return EXIT_OK;
     h.at = head = arena_alloc(&c->session.arena, HEAD);
     if (!os_read_head(path, head, HEAD, &h.n)) {
-        cli_say(c, "'%s' would be replaced, but cannot be read to see whether smc wrote it", path);
+        cli_say(c, "'%s' would be replaced, but cannot be read to see what it is; use another name, or remove it first", path);
         return EXIT_ENVIRONMENT;
     }
     h.is_whole = h.n < HEAD;
-    if (h.n == 0 || is_ours(&h))
+    if (key_is_file(h.at, h.n))
+        return cli_usage(c, "'%s' is a key, and keys are never replaced; use another name", path);
+    if (h.n == 0 || c->given[OPT_FORCE] || is_ours(&h))
         return EXIT_OK;
     return cli_usage(c, "'%s' exists and was not written by smc; use another name, or --force to replace it", path);
 }

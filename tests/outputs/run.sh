@@ -123,6 +123,7 @@ while IFS=$tab read -r option rest; do
     # Nor is what the command reads: as it is named, and otherwise.
     for input in tank.sm image.smb rocket.key tank.ss flight.log; do
         case " $rest " in *[\ =]$input\ *) ;; *) continue ;; esac
+        [ "$input/${rest%% *}" = image.smb/sign ] && continue          # sign edits its image: below
         cp -p $input input.copy
         ln -s $input link.out; ln $input hard.out
         for name in ./$input "$PWD/$input" link.out hard.out; do
@@ -149,6 +150,18 @@ while IFS=$tab read -r option rest; do
     : >empty
     call empty; code=$?
     if [ $code = 0 ] && [ -s empty ]; then good; else bad "$option empty, $rest: exit $code"; fi
+
+    # A key that this command does not read is not replaced either, not even by force.
+    cp rocket.key other.key; tr 'a-f\n' 'A-F\r' <other.key >upper.key
+    ln -s other.key link.out
+    for name in other.key upper.key link.out; do
+        for force in '' --force; do
+            call $name $force; code=$?
+            if [ $code = 2 ] && grep -q 'is a key' log; then good; else bad "$option $name $force, $rest: exit $code"; fi
+        done
+    done
+    same other.key rocket.key
+    rm -f other.key upper.key link.out
 
     # A device and standard output take anything, any number of times.
     for name in /dev/null /dev/null -; do
@@ -207,7 +220,20 @@ twice build one/tank.sm two/tank.sm --emit=c
 
 # ---- what edits: only fix, and only sources; keys are never replaced ----
 
-"$smc" sign image.smb --key=rocket.key --number=9 2>log && good || bad "an image is signed in place"
+# in_place NUMBER ARGUMENTS...: signs image.smb itself
+in_place()
+{
+    number=$1; shift
+    "$smc" sign image.smb --key=rocket.key --number=$number "$@" >out 2>log && "$smc" verify image.smb --key=rocket.key >out 2>>log &&
+        grep -q "number $number\b" out && good || bad "an image is signed in place: $*"
+}
+ln -s image.smb link.smb
+in_place 9
+in_place 10 -o image.smb
+in_place 11 -o link.smb
+in_place 12 -o "$PWD/image.smb" --force
+[ -L link.smb ] && good || bad "the link to an image was replaced"
+rm link.smb
 "$smc" key rocket.key 2>log; [ $? = 3 ] && good || bad "a key replaces another"
 "$smc" key new.sm 2>log; if [ $? = 2 ] && [ ! -e new.sm ]; then good; else bad "a key is written to a source"; fi
 "$smc" build tank.sm -MD -o - >out 2>log; if [ $? = 2 ] && grep -q -e '-MF' log; then good; else bad "-MD has no name for its file"; fi
@@ -243,6 +269,21 @@ near()
 }
 near 'seconds,altitude\n0,1\n'
 near 'script,step\n'
+trace='script,step,G,state,T,open\n"a, b.ss",1,0,Idle,0,1\n'
+near "script,step,G,state,T,my notes\na.ss,1,0,Idle,0,1\n"
+near "script,step,G,state,T,notes\na.ss,1,0,Idle,0,ok\n"
+near "script,step,G,state,T,notes\na.ss,1,0,Idle,0,\n"
+near "script,step,G,state,T,open\r\na.ss,1,0,Idle,0,1\r\n"
+near "script,step,G,state,T,open,\na.ss,1,0,Idle,0,1,\n"
+near "${trace}a.ss,2,10,Idle,10,1,checked\n"
+near "${trace}a.ss,2,10,Idle,10\n"
+near "${trace}a.ss,two,10,Idle,10,1\n"
+near "${trace}a.ss,2,10,In Idle,10,1\n"
+near "${trace}\nmean,,,,5,1\n"
+near "${trace}a.ss,2,10,Idle,10,=F2"
+near 'session,seconds,altitude,my notes\n1,0.000,5,1\n'
+near 'session,seconds,altitude\n1,0.000,5,high\n'
+near 'session,seconds,altitude\n1,0:00,5\n'
 near 'int main(void);  // Made by hand\n'
 near 'tank.smb: tank.sm\n\tsmc build tank.sm\n'
 near 'tank.o: tank.c tank.h\n'
@@ -250,12 +291,49 @@ near 'smc: notes on it\n'
 near 'Shopping:\n'
 near '<svg class="plot"></svg>\n'
 near '<?xml version="1.0" encoding="UTF-8"?>\n<testsuites name="pytest tests"/>\n'
+xml='<?xml version="1.0" encoding="UTF-8"?>\n<testsuites name="smc test"'
+suites=' tests="1" failures="0" errors="0" time="0.1">\n'
+suite='  <testsuite name="a.sm" tests="1" failures="0" errors="0" skipped="0" time="0.1">\n'
+case='    <testcase name="a.ss" classname="a" time="0.1"'
+end='  </testsuite>\n</testsuites>\n'
+near "$xml/>\n"
+near "$xml><note>mine</note></testsuites>\n"
+near "$xml$suites  <!-- mine -->\n$suite$case/>\n$end"
+near "$xml$suites${suite}    <properties/>\n$case/>\n$end"
+near "$xml$suites$suite$case owner=\"me\"/>\n$end"
+near "$xml$suites$suite$case>\n      <system-out>mine</system-out>\n    </testcase>\n$end"
+near "$xml$suites$suite$case/>\n    mine\n$end"
+near "$xml$suites$suite$case/>\n${end}mine\n"
+near "$xml$suites$suite$case/>\n"
 near '1 apple 3\n2 pears 4\n'
 near '# my tokens\n'
 near '{"time":0}\n'
 near 'digraph "tank" {\n}\n'
 near 'stateDiagram-v2\n    [*] --> s1\n'
 near '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8"/>\n<title>mine</title>\n'
+
+# ---- what is ours, whatever its names and messages ----
+
+ours()
+{
+    printf "$1" >ours
+    "$smc" graph tank.sm -o ours 2>log && good || bad "taken for foreign: $1"
+}
+ours "$trace"
+ours 'script,step,G,state\n'
+ours "${trace}\"say \"\"it\"\"\",2,10,Idle,-1.5e-300,inf\na.ss,3,20,Idle,nan,-inf\na.ss,4,30,Idle,-0.0,1e22\n" 
+ours 'script,step,G,state,tank.state,x\n'
+ours 'session,seconds,altitude\n1,-0.000001,5\n2,0.000000,nan\n3,1e-06,true\n'
+ours "$xml$suites$suite$case/>\n$end"
+ours "$xml$suites$suite$case>\n      <failure message=\"a &#60; b\" type=\"E0750\">a &#60; b\n\n  x\n</failure>\n    </testcase>\n$end"
+ours "$xml$suites$suite$case>\n      <skipped message=\"why\">why</skipped>\n    </testcase>\n$end"
+cp tank.ss 'a, "b".ss'
+printf '[options]\ndelta_t 10\n[all_states]\ntrue: @assert open and "no such'>wrong.ss
+printf '[options]\ndelta_t 10\n[all_states]\nG == 20000 {\n    @assert open\n    @stop\n}\n' >long.ss
+for again in 1 2; do
+    "$smc" test tank.sm 'a, "b".ss' wrong.ss long.ss missing.ss --trace=long.csv --junit=long.xml >out 2>log
+    [ $? = 3 ] && [ "$(wc -c <long.csv)" -gt 50000 ] && grep -q '<failure' long.xml && grep -q '<error' long.xml && good || bad "a trace and results of every kind, again"
+done
 
 [ $commands -ge 21 ] || { echo "tests/outputs: only $commands commands were tried" >&2; failed=$((failed + 1)); }
 echo "$passed passed, $failed failed"
