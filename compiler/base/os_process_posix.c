@@ -96,7 +96,6 @@ static void wake(int number) { (void)number; }
 // the last look and the sleep; SIGCHLD has a handler because what is ignored wakes nothing.
 static bool wait_or_signal(pid_t pid, int *exit_code)
 {
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGCHLD};
     struct sigaction action, before;
     sigset_t blocked, mask;
     int status = 0;
@@ -107,8 +106,8 @@ static bool wait_or_signal(pid_t pid, int *exit_code)
     action.sa_handler = wake;
     sigaction(SIGCHLD, &action, &before);
     sigemptyset(&blocked);
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        sigaddset(&blocked, numbers[i]);
+    os_signals_add(&blocked);
+    sigaddset(&blocked, SIGCHLD);
     sigprocmask(SIG_BLOCK, &blocked, &mask);
     while ((ended = waitpid(pid, &status, WNOHANG)) == 0 && os_signal_waiting() == 0)
         sigsuspend(&mask);

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signals that end the process (SIGINT, SIGTERM, SIGHUP) while it has unfinished files or folders.  For the files os_*_posix.c.
+// Signals that end the process while it has unfinished files or folders.  For the files os_*_posix.c.
+// These are all of POSIX that can be caught, among them SIGPIPE: the report may go into a pipe that is closed while a trace is unfinished.
+// Not caught are those that a fault of the program itself raises (SIGSEGV, SIGABRT ...): its memory cannot be trusted then.
 // A signal that was ignored when the process started stays ignored.
 #ifndef SMC_OS_SIGNAL_H
 #define SMC_OS_SIGNAL_H
 
-// From os_signals_begin to os_signals_end, a signal removes the files registered here, then ends the process with 128 + its number.
+#include <signal.h>
+
+// From os_signals_begin to os_signals_end, a signal removes the files registered here, then ends the process as the system would have done.
 // Pairs can nest.
 void os_signals_begin(void);
 void os_signals_end(void);
+void os_signals_add(sigset_t *set);                   // these signals
 
 // The files to remove, by number below OS_UNFINISHED.  NULL: none.  The path must stay valid until it is replaced.
 enum { OS_UNFINISHED = 65 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// os_signal.h on POSIX systems.  The handler only calls what is safe in one: unlink and _exit.
+// os_signal.h on POSIX systems.  The handler only calls what is safe in one: unlink, and what ends the process.
 #define _XOPEN_SOURCE 700
 
 #include "compiler/base/os_signal.h"
@@ -13,6 +13,10 @@ static char *volatile unfinished[OS_UNFINISHED];      // written by the main flo
 static volatile sig_atomic_t waiting, held;
 static int begun;                                     // how often os_signals_begin is open
 
+static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2};
+enum { NUMBERS = sizeof numbers / sizeof *numbers };
+static struct sigaction before[NUMBERS];              // what os_signals_begin replaced
+
 void os_unfinished(int number, char *path) { unfinished[number] = path; }
 char *os_unfinished_path(int number) { return unfinished[number]; }
 int os_signal_waiting(void) { return waiting; }
@@ -24,9 +28,23 @@ void os_remove_unfinished(void)
             unlink(unfinished[i]);
 }
 
+void os_signals_add(sigset_t *set)
+{
+    for (int i = 0; i < NUMBERS; i++)
+        sigaddset(set, numbers[i]);
+}
+
+// As the signal would have ended it, so that whatever started this process sees which signal that was.
 static void end_process(int number)
 {
+    sigset_t set;
+
     os_remove_unfinished();
+    signal(number, SIG_DFL);
+    sigemptyset(&set);
+    sigaddset(&set, number);
+    sigprocmask(SIG_UNBLOCK, &set, NULL);
+    raise(number);
     _exit(128 + number);
 }
 
@@ -38,31 +56,29 @@ static void on_signal(int number)
 }
 
 // Without SA_RESTART: a call that blocks returns, and its caller can ask os_signal_waiting.
-static void catch_signals(void (*handler)(int))
-{
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
-    struct sigaction action, now;
-
-    memset(&action, 0, sizeof action);
-    sigemptyset(&action.sa_mask);
-    action.sa_handler = handler;
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        if (sigaction(numbers[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
-            sigaction(numbers[i], &action, NULL);
-}
-
 void os_signals_begin(void)
 {
+    struct sigaction action;
+
     if (begun++ > 0)
         return;
-    catch_signals(on_signal);
+    memset(&action, 0, sizeof action);
+    sigemptyset(&action.sa_mask);
+    os_signals_add(&action.sa_mask);
+    action.sa_handler = on_signal;
+    for (int i = 0; i < NUMBERS; i++)
+        if (sigaction(numbers[i], NULL, &before[i]) == 0 && before[i].sa_handler == SIG_DFL)
+            sigaction(numbers[i], &action, NULL);
     signal(SIGXFSZ, SIG_IGN);                         // a file larger than allowed: write reports it instead
 }
 
 void os_signals_end(void)
 {
-    if (--begun == 0)
-        catch_signals(SIG_DFL);
+    if (--begun > 0)
+        return;
+    for (int i = 0; i < NUMBERS; i++)
+        if (before[i].sa_handler == SIG_DFL)
+            sigaction(numbers[i], &before[i], NULL);
 }
 
 void os_signals_hold(void)

@@ -95,6 +95,8 @@ static void (*handler_of(int number))(int)
     return sigaction(number, NULL, &now) == 0 ? now.sa_handler : SIG_ERR;
 }
 
+static void own_handler(int number) { (void)number; }
+
 // A signal that the caller ignores, as under nohup, stays ignored; the others are as they were once all is written.
 static void test_signals(void)
 {
@@ -105,6 +107,8 @@ static void test_signals(void)
     CHECK(os_stream_open(&s, "a", &why) && handler_of(SIGHUP) == SIG_IGN && handler_of(SIGTERM) != SIG_DFL);
     CHECK(os_stream_close(&s, true, &why) && handler_of(SIGHUP) == SIG_IGN && handler_of(SIGTERM) == SIG_DFL);
     CHECK(signal(SIGHUP, SIG_DFL) == SIG_IGN && unlink("a") == 0);
+    CHECK(signal(SIGUSR1, own_handler) == SIG_DFL && write_file("a", "text", 4) && handler_of(SIGUSR1) == own_handler);
+    CHECK(signal(SIGUSR1, SIG_DFL) == own_handler && unlink("a") == 0);
 }
 
 static void test_folders(void)

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A signal that ends `smc test --engine=c` while the C compiler runs leaves no folder in TMPDIR, no process and no half-written trace, and
-// the exit code says which signal it was.     signals SMC MACHINE SCRIPT FOLDER     (FOLDER is empty; absolute paths)
+// the exit code says which signal it was.  So does output into a pipe that nobody reads.     signals SMC MACHINE SCRIPT FOLDER     (FOLDER is empty; absolute paths)
 #define _XOPEN_SOURCE 700
 
 #include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -19,6 +20,10 @@ static const char *smc, *machine, *script;
 static char whole[1 << 20];                           // the trace of a run that no signal disturbs
 static size_t whole_n;
 
+// Every signal of POSIX that ends a process unless it is caught, but for those by which a program's own mistakes end it.
+static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2};
+enum { NUMBERS = sizeof numbers / sizeof *numbers, AT_ANY_TIME = 3 };       // the first ones are sent at many times
+
 static void sleep_ms(long ms)
 {
     const struct timespec t = {ms / 1000, ms % 1000 * 1000000};
@@ -26,24 +31,30 @@ static void sleep_ms(long ms)
     nanosleep(&t, NULL);
 }
 
-// The command in a process group of its own, as a shell would start it.
-static pid_t start(const char *cc)
+// The command in a process group of its own, as a shell would start it.  `output` is its standard output.
+static pid_t start_with(const char *engine, int output)
 {
+    const struct rlimit none = {0, 0};
     const pid_t pid = fork();
 
     if (pid == 0) {
         const int quiet = open("/dev/null", O_WRONLY);
         setpgid(0, 0);
-        signal(SIGINT, SIG_DFL);                      // a shell that runs tests in the background ignores it
-        signal(SIGTERM, SIG_DFL);
-        signal(SIGHUP, SIG_DFL);
-        setenv("CC", cc, 1);
-        dup2(quiet, 1);
+        for (size_t i = 0; i < NUMBERS; i++)
+            signal(numbers[i], SIG_DFL);              // a shell that runs tests in the background ignores some
+        setrlimit(RLIMIT_CORE, &none);
+        dup2(output < 0 ? quiet : output, 1);
         dup2(quiet, 2);
-        execl(smc, "smc", "test", machine, script, "--engine=c", "--trace=made/trace.csv", (char *)NULL);
+        execl(smc, "smc", "test", machine, script, engine, "--trace=made/trace.csv", (char *)NULL);
         _exit(127);
     }
     return pid;
+}
+
+static pid_t start(const char *cc)
+{
+    setenv("CC", cc, 1);
+    return start_with("--engine=c", -1);
 }
 
 static int end_of(pid_t pid)
@@ -152,9 +163,22 @@ static void at_any_time(int number, long ms)
     remove("made/trace.csv");
 }
 
+// As of `smc test ... | true`: the report is written while the trace is unfinished.
+static void into_a_closed_pipe(void)
+{
+    static const char *const engines[] = {"--engine=vm", "--engine=c"};
+    int end[2];
+
+    setenv("CC", "cc", 1);
+    for (size_t i = 0; i < sizeof engines / sizeof *engines; i++) {
+        CHECK(pipe(end) == 0 && close(end[0]) == 0);
+        CHECK(end_of(start_with(engines[i], end[1])) == 128 + SIGPIPE);
+        CHECK(close(end[1]) == 0 && entries("tmp") == 0 && entries("made") == 0);
+    }
+}
+
 int main(int argc, char **argv)
 {
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
     char tmp[1000];
 
     if (argc != 5 || chdir(argv[4]) != 0 || mkdir("tmp", 0777) != 0 || mkdir("made", 0777) != 0)
@@ -166,9 +190,10 @@ int main(int argc, char **argv)
     setenv("TMPDIR", tmp, 1);
     make_slow_compiler();
     undisturbed();
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+    into_a_closed_pipe();
+    for (size_t i = 0; i < NUMBERS; i++) {
         during_the_compiler(numbers[i]);
-        for (long ms = 1; ms < 400; ms += 23)
+        for (long ms = 1; ms < 400 && i < AT_ANY_TIME; ms += 23)
             at_any_time(numbers[i], ms);
     }
     return test_end("host-signals");
