@@ -19,7 +19,8 @@ bool os_is_name(const char *name);                 // whether it contains no con
 bool os_read(const char *path, size_t most, char **text, size_t *len, const char **why);
 
 // Writes files so that each appears complete or not at all.  Each is written to a temporary file next to its target.  When all are
-// complete, they are renamed.  The path "-" is standard output.  A signal that ends the process removes unfinished files.
+// complete, they are renamed.  The path "-" is standard output.  Devices, pipes and open files of this process (os_own_descriptor) receive
+// the bytes directly.  A signal that ends the process removes unfinished files.
 // A replaced file keeps its mode and, as far as the system allows, its owner.  A symbolic link stays a link, and its target is replaced.
 // If a file has several names (hard links), only this name gets the new contents.  To change all of them, the file would have to be
 // overwritten in place: a power cut would leave half of it, and a backup made of hard links would change.
@@ -28,7 +29,7 @@ bool os_write(const OsOutput *out, size_t n, const char **failed_path, const cha
 
 // A file written piece by piece.  It appears when it is closed with `keep`.  Standard output and devices receive the data at once.
 // Only one stream may be open at a time.
-typedef struct OsStream { char *target; int fd; bool is_direct; } OsStream;
+typedef struct OsStream { char *target; int fd; bool is_direct, is_own; } OsStream;
 bool os_stream_open(OsStream *s, const char *path, const char **why);
 bool os_stream_put(OsStream *s, const void *bytes, size_t n, const char **why);
 bool os_stream_close(OsStream *s, bool keep, const char **why);
@@ -40,7 +41,9 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why);
 bool os_read_head(const char *path, char *into, size_t n, size_t *len);
 
 bool os_is_folder(const char *path);
-bool os_is_special(const char *path);              // a device or pipe, as /dev/null
+// The number of the open file of this process that a path names, as /dev/stdout, /dev/fd/1, /proc/self/fd/1 or a link to one; else -1.
+int os_own_descriptor(const char *path);
+bool os_is_special(const char *path);              // a device or pipe, as /dev/null, or an open file of this process
 bool os_make_folder(const char *path, const char **why);     // the folder only, not its parents; true if it already exists
 // The path with symbolic links resolved, allocated on the heap.  The file need not exist.  NULL if its folder does not exist.
 char *os_real_path(const char *path);

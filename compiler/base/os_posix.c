@@ -167,7 +167,18 @@ static mode_t wanted_mode(const char *target)
 bool os_is_special(const char *path)
 {
     struct stat st;
-    return stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode);
+    return os_own_descriptor(path) >= 0 || (stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode));
+}
+
+// A path that is written to directly, for writing.  Open files of this process keep their position: what is written follows what is there.
+static int open_directly(const char *path, bool *is_own, const char **why)
+{
+    int fd = strcmp(path, "-") == 0 ? 1 : os_own_descriptor(path);
+
+    *is_own = fd >= 0;
+    if (fd < 0 && (fd = open(path, O_WRONLY)) < 0)
+        fails(why);
+    return fd;
 }
 
 // The file that `path` names, symbolic links followed, so that a link stays a link; from the heap.
@@ -233,13 +244,13 @@ static void forget_temporary(int number)
 
 static bool write_directly(const OsOutput *out, const char **why)
 {
-    bool ok, is_stdout = strcmp(out->path, "-") == 0;
-    int fd = is_stdout ? 1 : open(out->path, O_WRONLY);
+    bool ok, is_own;
+    int fd = open_directly(out->path, &is_own, why);
 
     if (fd < 0)
-        return fails(why);
+        return false;
     ok = write_all(fd, out->bytes, out->n, why);
-    if (!is_stdout && close(fd) != 0 && ok)
+    if (!is_own && close(fd) != 0 && ok)
         ok = fails(why);
     return ok;
 }
@@ -296,10 +307,8 @@ bool os_stream_open(OsStream *s, const char *path, const char **why)
         return false;
     s->target = NULL;
     s->is_direct = strcmp(path, "-") == 0 || os_is_special(path);
-    if (s->is_direct) {
-        s->fd = strcmp(path, "-") == 0 ? 1 : open(path, O_WRONLY);
-        return s->fd >= 0 || fails(why);
-    }
+    if (s->is_direct)
+        return (s->fd = open_directly(path, &s->is_own, why)) >= 0;
     if ((s->target = target_of(path, why)) == NULL)
         return false;
     os_signals_begin();
@@ -322,7 +331,7 @@ bool os_stream_close(OsStream *s, bool keep, const char **why)
     bool ok = true;
 
     if (s->is_direct)
-        return s->fd == 1 || close(s->fd) == 0 || fails(why);
+        return s->is_own || close(s->fd) == 0 || fails(why);
     ok = close_temporary(s->fd, s->target, true, why);
     if (ok && keep && rename(os_unfinished_path(STREAM), s->target) != 0)
         ok = fails(why);
@@ -355,31 +364,77 @@ static char *real_folder(const char *path)
     return real;
 }
 
+enum { LINKS_MOST = 40, LINK_LENGTH = 4096 };         // as many as systems follow
+
+// Where a symbolic link in the folder `folder` leads to, from the heap.  NULL: `path` is no link, or there is no memory.
+static char *follow_link(const char *path, const char *folder)
+{
+    char target[LINK_LENGTH], *next;
+    const ssize_t n = readlink(path, target, sizeof target - 1);
+    const bool is_absolute = n > 0 && target[0] == '/';
+
+    if (n < 0 || (next = malloc(strlen(folder) + (size_t)n + 2)) == NULL)
+        return NULL;
+    target[n] = '\0';
+    strcpy(next, is_absolute ? "" : folder);
+    strcat(next, is_absolute ? "" : "/");
+    strcat(next, target);
+    return next;
+}
+
+// The number of the open file that `name` in `folder` is.  On Linux /dev/fd leads to /proc/PID/fd; elsewhere it is a folder of its own.
+static int descriptor_named(const char *folder, const char *name)
+{
+    char own[40];
+    const int n = snprintf(own, sizeof own, "/proc/%ld/", (long)getpid());
+    const size_t length = strlen(folder);
+    const bool is_proc = strncmp(folder, own, (size_t)n) == 0 && strcmp(folder + length - 3, "/fd") == 0;
+
+    if (strcmp(folder, "/dev") == 0)
+        return strcmp(name, "stdin") == 0 ? 0 : strcmp(name, "stdout") == 0 ? 1 : strcmp(name, "stderr") == 0 ? 2 : -1;
+    if ((!is_proc && strcmp(folder, "/dev/fd") != 0) || *name == '\0' || strlen(name) > 6 || strspn(name, "0123456789") != strlen(name))
+        return -1;
+    return atoi(name);
+}
+
+int os_own_descriptor(const char *path)
+{
+    char *at = strdup(path);
+    int fd = -1;
+
+    for (int i = 0; at && fd < 0 && i < LINKS_MOST; i++) {
+        const char *slash = strrchr(at, '/');
+        char *folder = real_folder(at), *next = NULL;
+        if (folder && (fd = descriptor_named(folder, slash ? slash + 1 : at)) < 0)
+            next = follow_link(at, folder);
+        free(folder);
+        free(at);
+        at = next;
+    }
+    free(at);
+    return fd;
+}
+
 char *os_real_path(const char *path)
 {
-    enum { LINKS_MOST = 40 };             // as many as systems follow
     char *at = strdup(path), *real = NULL;
 
     for (int i = 0; at && !real && i < LINKS_MOST; i++) {
-        char target[4096], *folder, *next = NULL;
         const char *slash = strrchr(at, '/'), *name = slash ? slash + 1 : at;
-        ssize_t n;
+        char *folder, *next;
+        struct stat st;
         if ((real = realpath(at, NULL)) != NULL || (folder = real_folder(at)) == NULL)
             break;
-        n = readlink(at, target, sizeof target - 1);      // a link to what does not exist
-        target[n < 0 ? 0 : n] = '\0';
-        if ((next = malloc(strlen(folder) + strlen(name) + sizeof target + 2)) != NULL) {
-            strcpy(next, n >= 0 && target[0] == '/' ? "" : folder);
-            strcat(next, n >= 0 && target[0] == '/' ? "" : "/");
-            strcat(next, n >= 0 ? target : name);
-        }
-        free(folder);
-        if (n < 0) {
-            real = next;
-        } else {
+        if (lstat(at, &st) == 0 && S_ISLNK(st.st_mode)) {         // a link to what does not exist
+            next = follow_link(at, folder);
             free(at);
             at = next;
+        } else if ((real = malloc(strlen(folder) + strlen(name) + 2)) != NULL) {
+            strcpy(real, folder);
+            strcat(real, "/");
+            strcat(real, name);
         }
+        free(folder);
     }
     free(at);
     return real;

@@ -122,7 +122,7 @@ const char *path_stem(Cli *c, const char *path);
 // Whether all of these may be written: no source, no input, no file that smc did not write (--force allows that one), and no name
 // twice.  EXIT_OK, or the exit code after a message.
 int outputs_check(Cli *c, const OsOutput *out, size_t n);
-// The same for the outputs that options name, before anything is read.
+// The same for the outputs that options name, before anything is read.  Other names of standard output, as /dev/stdout, become "-".
 int outputs_check_options(Cli *c);
 bool outputs_is_source_name(const char *name, size_t n);
 

@@ -420,6 +420,14 @@ int outputs_check(Cli *c, const OsOutput *out, size_t n)
     return code;
 }
 
+// Standard output by its other names is "-", for all that follows.
+static const char *output_named(Cli *c, OptionId id)
+{
+    if (c->given[id] && os_own_descriptor(c->value[id]) == 1)
+        c->value[id] = "-";
+    return c->value[id];
+}
+
 int outputs_check_options(Cli *c)
 {
     static const struct { OptionId id; const char *spelling; } option[] = {
@@ -428,7 +436,7 @@ int outputs_check_options(Cli *c)
     int code = EXIT_OK;
 
     for (size_t i = 0; i < sizeof option / sizeof *option && code == EXIT_OK; i++) {
-        const char *path = c->value[option[i].id];
+        const char *path = output_named(c, option[i].id);
         if (!c->given[option[i].id])
             continue;
         for (size_t k = 0; k < i; k++)

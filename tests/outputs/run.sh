@@ -98,6 +98,15 @@ refuses()
 
 same() { if cmp -s "$1" "$2"; then good; else bad "$option $1, $rest: it was changed"; fi; }
 
+without_time() { sed 's/ time="[^"]*"//g' "$1" >"$2"; }
+
+own_1= own_7= : >before.txt
+exec 7>before.txt
+for n in /dev/fd /proc/self/fd /proc/thread-self/fd; do
+    [ -e $n/7 ] && own_1="$own_1 $n/1" own_7="$own_7 $n/7"
+done
+exec 7>&-
+
 commands=0
 writers >writers.txt
 while IFS=$tab read -r option rest; do
@@ -168,6 +177,30 @@ while IFS=$tab read -r option rest; do
         call $name; code=$?
         [ $code = 0 ] && good || bad "$option $name, $rest: exit $code"
     done
+
+    # Names of this process's own files are these files as they are open, whatever they were redirected to.
+    call -; without_time out expected
+    ln -s /dev/stdout own.out
+    for name in /dev/stdout /dev/../dev/stdout own.out $own_1; do
+        for force in '' --force; do
+            ln -f out same.out
+            call $name $force; code=$?
+            without_time out found
+            if [ $code = 0 ] && cmp -s found expected && [ out -ef same.out ]; then good; else bad "$option $name $force, $rest: exit $code, or other than to -"; fi
+        done
+    done
+    for name in $own_7; do
+        ln -f before.txt seven; echo before >seven
+        call $name 7>>seven; code=$?
+        { echo before; cat expected; } >sum
+        without_time seven found
+        if [ $code = 0 ] && cmp -s found sum && [ seven -ef before.txt ]; then good; else bad "$option $name, $rest: exit $code, or not as it is open"; fi
+        rm seven
+    done
+    call /dev/stderr; code=$?
+    without_time log found
+    if [ $code = 0 ] && [ "$(tail -c +1 found | grep -acxFf expected)" -ge "$(grep -ac '' expected)" ]; then good; else bad "$option /dev/stderr, $rest: exit $code"; fi
+    rm own.out same.out
     mkfifo pipe
     timeout 20 cat pipe >piped &
     call pipe; code=$?
@@ -179,6 +212,10 @@ done <writers.txt
 # ---- C: two files, and more beside them ----
 
 option='-o @' rest='build tank.sm --emit=c --soft'
+for name in - /dev/stdout /dev/stderr $own_1; do
+    refuses $name "C is two files"
+done
+[ -e /dev/stdout.c ] || [ -e /dev/stderr.c ] && bad "a file was made in /dev" || good
 refuses other.ss "a source"
 for name in x.c x.h sm_soft.c sm_soft.h sm_soft_avr.S; do
     echo 'int mine;' >$name; cp $name mine.copy
@@ -212,6 +249,8 @@ twice test tank.sm tank.ss --junit=a --trace=b
 twice test tank.sm tank.ss --junit=- --trace=-
 twice build tank.sm -o a -MF a
 twice build tank.sm -o - -MF -
+twice build tank.sm -o - -MF /dev/stdout
+twice test tank.sm tank.ss --junit=/dev/stdout --trace=-
 twice build tank.sm --emit=c -o y.c -MF y.h
 mkdir -p one two; cp tank.sm one; cp tank.sm two
 twice build one/tank.sm two/tank.sm --emit=c
