@@ -448,7 +448,17 @@ bool os_is_folder(const char *path)
 
 bool os_make_folder(const char *path, const char **why)
 {
-    return !is_clean(path, why) ? false : os_is_folder(path) || mkdir(path, 0777) == 0 || os_is_folder(path) || fails(why);
+    int error;
+
+    if (!is_clean(path, why))
+        return false;
+    if (os_is_folder(path) || mkdir(path, 0777) == 0)
+        return true;
+    error = errno;
+    if (os_is_folder(path))                               // another process has made it
+        return true;
+    *why = strerror(error);
+    return false;
 }
 
 static int by_name(const void *a, const void *b)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What compiler/base/os.h promises of files, folders and signals, where the command's own tests cannot see it.  Works in a folder of its own.
 #define _XOPEN_SOURCE 700
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdint.h>
@@ -131,6 +132,19 @@ static void test_folders(void)
     CHECK(unlink("beta") == 0 && unlink("gamma") == 0 && files() == 0);
 }
 
+// A folder that cannot be made: the reason is that of the attempt.
+static void test_make_folder(void)
+{
+    const uid_t user = geteuid();
+
+    CHECK(os_make_folder("new", &why) && os_make_folder("new", &why) && os_is_folder("new") && chmod("new", 0555) == 0);
+    CHECK(symlink("nothing", "lost") == 0 && !os_make_folder("lost", &why) && strcmp(why, strerror(EEXIST)) == 0);
+    CHECK(!os_make_folder("no/such", &why) && strcmp(why, strerror(ENOENT)) == 0);
+    CHECK(chmod(".", 0755) == 0 && (user != 0 || seteuid(65534) == 0));           // root may write everywhere
+    CHECK(!os_make_folder("new/inner", &why) && strcmp(why, strerror(EACCES)) == 0);
+    CHECK(seteuid(user) == 0 && unlink("lost") == 0 && rmdir("new") == 0);
+}
+
 // A key is never written over, and is its owner's alone.
 static void test_private(void)
 {
@@ -153,6 +167,7 @@ int main(void)
     test_stream();
     test_signals();
     test_folders();
+    test_make_folder();
     test_private();
     CHECK(chdir("/") == 0 && rmdir(folder) == 0);
     return test_end("folders");
