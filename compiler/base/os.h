@@ -47,6 +47,7 @@ bool os_is_special(const char *path);              // a device or pipe, as /dev/
 bool os_make_folder(const char *path, const char **why);     // the folder only, not its parents; true if it already exists
 // The path with symbolic links resolved, allocated on the heap.  The file need not exist.  NULL if its folder does not exist.
 char *os_real_path(const char *path);
+bool os_has_other_names(const char *path);         // a regular file with several hard links
 bool os_same_file(const char *a, const char *b);   // whether both name the same existing regular file; "-" is not a file
 // The names in a folder, sorted, without . and ..; *names and its strings are one heap allocation.
 bool os_list(const char *path, char ***names, size_t *n, const char **why);

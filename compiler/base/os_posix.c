@@ -354,6 +354,13 @@ bool os_same_file(const char *a, const char *b)
     return S_ISREG(x.st_mode) && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
 }
 
+bool os_has_other_names(const char *path)
+{
+    struct stat st;
+
+    return stat(path, &st) == 0 && S_ISREG(st.st_mode) && st.st_nlink > 1;
+}
+
 // The folder that `path` is in, links followed; from the heap.
 static char *real_folder(const char *path)
 {

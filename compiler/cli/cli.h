@@ -91,8 +91,8 @@ Source **cli_load_scripts(Cli *c, Map *written);
 void cli_note_scripts(Cli *c, Source *const *ss, Map *written);
 // Writes outputs, after outputs_check.  EXIT_OK, or the exit code after a message: nothing has been replaced then.
 int cli_write(Cli *c, const OsOutput *out, size_t n);
-// The same for a command that edits its input in place; nothing is checked.
-int cli_rewrite(Cli *c, const OsOutput *out, size_t n);
+// Writes what a command has edited over its input, without outputs_check.  Reports hard links, of which os_write changes one.
+int cli_rewrite(Cli *c, const OsOutput *out);
 bool cli_print(Cli *c, int fd, const Buf *text);          // to standard output or error; false after a message
 
 // Prints what the session's diagnostics say, warnings as -W… wants them, to standard error and empties the list.

@@ -177,7 +177,7 @@ static bool write_fixed(Fix *f, Buf *report)
         OsOutput out = {c->file[i], f->src[i]->text, f->src[i]->len};
         if (f->fixed[i] == 0)
             continue;
-        if (!c->given[OPT_DRY_RUN] && cli_rewrite(c, &out, 1) != EXIT_OK)
+        if (!c->given[OPT_DRY_RUN] && cli_rewrite(c, &out) != EXIT_OK)
             return false;
         fix_list(f->was[i], f->src[i], report);
         buf_printf(report, "%s: %lu %s\n", c->file[i], (unsigned long)f->fixed[i], c->given[OPT_DRY_RUN] ? "to fix" : "fixed");

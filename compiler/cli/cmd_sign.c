@@ -44,7 +44,7 @@ static int sign(Cli *c, const Source *image, const uint8_t *key, uint32_t number
     out.n = image_sign((const uint8_t *)image->text, (uint32_t)image->len, key, number, bytes);
     if (out.n == 0)
         return cli_say(c, "%s has no room for a code: it has too many sections", image->name), EXIT_PROBLEM;
-    return c->given[OPT_OUTPUT] ? cli_write(c, &out, 1) : cli_rewrite(c, &out, 1);
+    return !c->given[OPT_OUTPUT] || os_same_file(out.path, c->file[0]) ? cli_rewrite(c, &out) : cli_write(c, &out, 1);
 }
 
 int cmd_sign(Cli *c)

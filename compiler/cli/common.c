@@ -147,14 +147,7 @@ Source **cli_load_scripts(Cli *c, Map *written)
     return ss;
 }
 
-int cli_write(Cli *c, const OsOutput *out, size_t n)
-{
-    const int code = outputs_check(c, out, n);
-
-    return code == EXIT_OK ? cli_rewrite(c, out, n) : code;
-}
-
-int cli_rewrite(Cli *c, const OsOutput *out, size_t n)
+static int write_files(Cli *c, const OsOutput *out, size_t n)
 {
     const char *path, *why;
 
@@ -162,6 +155,23 @@ int cli_rewrite(Cli *c, const OsOutput *out, size_t n)
         return EXIT_OK;
     cli_say(c, "cannot write '%s': %s", strcmp(path, "-") == 0 ? "standard output" : cli_shown(&c->session.arena, path), why);
     return EXIT_ENVIRONMENT;
+}
+
+int cli_write(Cli *c, const OsOutput *out, size_t n)
+{
+    const int code = outputs_check(c, out, n);
+
+    return code == EXIT_OK ? write_files(c, out, n) : code;
+}
+
+int cli_rewrite(Cli *c, const OsOutput *out)
+{
+    const bool has_other_names = os_has_other_names(out->path);
+    const int code = write_files(c, out, 1);
+
+    if (code == EXIT_OK && has_other_names)
+        cli_remark(c, "'%s' is a hard link: the file's other names still have the old contents", out->path);
+    return code;
 }
 
 bool cli_print(Cli *c, int fd, const Buf *text)

@@ -277,6 +277,15 @@ rm link.smb
 "$smc" key new.sm 2>log; if [ $? = 2 ] && [ ! -e new.sm ]; then good; else bad "a key is written to a source"; fi
 "$smc" build tank.sm -MD -o - >out 2>log; if [ $? = 2 ] && grep -q -e '-MF' log; then good; else bad "-MD has no name for its file"; fi
 
+# What edits a file with several names changes the one that it was given, and reports that.
+printf '[state_vector]\nU64 G\nU32 S\nbool x\n[A]\n.step\n    x = true   // on\n' >links.sm; cp links.sm links.copy; ln links.sm link.copy
+"$smc" fix links.sm --dry-run >out 2>log && ! grep -q 'hard link' log && good || bad "fix --dry-run of a hard link"
+"$smc" fix links.sm >out 2>log && grep -q "'links.sm' .*hard link" log && grep -q '# on' links.sm && cmp -s links.copy link.copy && good || bad "fix of a hard link"
+cp links.copy links.sm
+"$smc" fix links.sm >out 2>log && ! grep -q 'hard link' log && good || bad "fix of a file with one name"
+ln image.smb image.copy
+"$smc" sign image.smb --key=rocket.key --number=13 >out 2>log && grep -q "'image.smb' .*hard link" log && good || bad "sign of a hard link"
+
 cp tank.sm in.txt
 for force in '' --force; do
     "$smc" graph - -o in.txt $force <in.txt >out 2>log
