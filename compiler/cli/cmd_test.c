@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compiler/cli/test.h"
+#include "compiler/device/engine_c.h"
 
 enum { FOLDER_DEPTH_MAX = 40 };       // folders in folders: a link may lead in a circle
 
@@ -70,11 +71,27 @@ bool test_is_read(const Cli *c) { return c->given[OPT_TAP] || is_standard_output
 
 int test_result_fd(const Cli *c) { return is_standard_output(c, OPT_TRACE) ? 2 : 1; }
 
-static void say_absent(TestRun *t)
+static bool all_engines(const Cli *c) { return c->given[OPT_ENGINE] && strcmp(c->value[OPT_ENGINE], "all") == 0; }
+
+// Only emitted C depends on anything outside smc.
+unsigned test_absent_engines(TestRun *t, unsigned which)
+{
+    which &= 1u << ENGINE_C | 1u << ENGINE_C_SOFT;
+    if (which == 0 || (t->engines && !all_engines(t->c)) || (all_engines(t->c) && os_getenv("CC")))
+        return 0;
+    if (!t->c_was_tried)
+        t->c_runs = engine_c_present(t->arena, NULL, &t->why_absent);
+    t->c_was_tried = true;
+    which = t->c_runs ? 0 : which;
+    t->absent |= which;
+    return which;
+}
+
+static void report_absent(TestRun *t)
 {
     for (unsigned i = 0; i < ENGINE_KINDS; i++)
         if (t->absent & 1u << i)
-            cli_remark(t->c, "engine %s is not present here; cases ran without it", engine_name[i]);
+            cli_remark(t->c, "engine %s was left out: %s", engine_name[i], t->why_absent);
 }
 
 static int write_results(TestRun *t, bool summary)
@@ -218,7 +235,7 @@ int cmd_test(Cli *c)
         if (!has_suffix(c->file[i], ".ss") && c->file[i] != f.machine)
             collect_argument(&t, c->file[i]);
     test_cases(&t, t.path.at, t.path.n);
-    say_absent(&t);
+    report_absent(&t);
     written = write_results(&t, f.cases > 0 || f.scripts > 1);
     code = exit_code(&t);
     code = code > ran ? code : ran;

@@ -41,21 +41,6 @@ unsigned engines_in_list(const char *list)
     return which;
 }
 
-// Emitted C wants a C compiler: asked for once a run.
-static bool c_is_present(void)
-{
-    static int present = -1;
-
-    if (present < 0)
-        present = engine_c_present(NULL);
-    return present == 1;
-}
-
-unsigned engines_present(void)
-{
-    return 1u << ENGINE_REF | 1u << ENGINE_VM | 1u << ENGINE_VM_SOFT | (c_is_present() ? 1u << ENGINE_C | 1u << ENGINE_C_SOFT : 0u);
-}
-
 typedef Engine *OpenVm(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
 
 static Engine *open_vm(OpenVm *open, Session *s, const Program *p, int opt_level, const char **error)
@@ -80,11 +65,6 @@ static Engine *open_c(bool soft, Session *s, const Program *p, int opt_level, co
         return engine_c_open(&s->arena, p, m, &o, error);
     *error = "the machine could not be made into C";
     return NULL;
-}
-
-unsigned engines_default(void)
-{
-    return engines_present() & 1u << ENGINE_VM ? 1u << ENGINE_VM : 1u << ENGINE_REF;
 }
 
 static Engine *open_one(EngineKind kind, Session *s, const Program *p, int opt_level, const char **error)

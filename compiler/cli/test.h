@@ -21,8 +21,6 @@ typedef struct EngineSet {
 
 unsigned engines_named(const char *name);             // a bit of 1u << kind each, of names between commas; "all": but c-soft; 0: unknown
 unsigned engines_in_list(const char *list);           // those of a header's `on ref vm c`; others are left out
-unsigned engines_present(void);                       // those that can run here
-unsigned engines_default(void);                       // what runs a script when nothing is said: the VM
 bool engines_open(EngineSet *set, Session *s, const Program *p, unsigned which, int opt_level);
 void engines_close(EngineSet *set);
 
@@ -48,8 +46,10 @@ typedef struct TestRun {      // one call of smc test
     Cli *c;
     Arena *arena;
     unsigned engines;         // bits asked for; 0: as each case says, or vm
-    unsigned absent;          // engines that a case wanted and that are not here
-    size_t left_out;          // runs on them that cases did without
+    unsigned absent;          // engines that were wanted and left out
+    const char *why_absent;   // a sentence
+    bool c_was_tried, c_runs; // whether the C compiler runs, once it was tried
+    size_t left_out;          // runs on absent engines that cases did without
     uint64_t max_steps;
     VEC(const char *) path;   // .smt cases to run, in order
     VEC(TestResult) result;
@@ -64,6 +64,10 @@ const char *test_folder(Arena *arena, const char *path);           // cmd_test.c
 // Runs every script of the call on the machine `path` and adds a result for each.  EXIT_OK, or the exit code after a message;
 // EXIT_USAGE: nothing has been run.
 int test_machine(TestRun *t, const char *path);                    // test_machine.c
+
+// Those of the engines `which` that cannot run here and that are left out, which is noted for the end of the run.  Engines that the call
+// names are not among them: they must run.  Nor is emitted C with --engine=all and the variable CC set.
+unsigned test_absent_engines(TestRun *t, unsigned which);           // cmd_test.c
 
 // ---- test_case.c: one .smt file ----
 

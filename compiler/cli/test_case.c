@@ -358,20 +358,17 @@ static void run_scripts(Case *c, Engine *const *emitted)
 
 // ---- the case ----
 
-// Of those the case wants and the call asks for, the ones that are here.
+// Of those that the case wants and the call asks for, the ones that it runs on.
 static unsigned choose_engines(Case *c)
 {
     const char *on = testfile_header(c->f, "on");
-    const unsigned asked = c->t->engines ? c->t->engines : engines_named("all"), present = engines_present();
-    const unsigned wanted = on ? engines_in_list(on) & asked : asked;
-    unsigned absent;
+    const unsigned asked = c->t->engines ? c->t->engines : engines_named("all");
+    const unsigned wanted = on ? engines_in_list(on) & asked : asked, absent = test_absent_engines(c->t, wanted);
 
-    absent = wanted & ~present;
-    c->t->absent |= absent;
-    if (wanted & present)
+    if (wanted & ~absent)
         for (unsigned i = 0; i < ENGINE_KINDS; i++)
             c->t->left_out += absent >> i & 1u;
-    return wanted & present;
+    return wanted & ~absent;
 }
 
 static void prepare(Case *c)

@@ -123,12 +123,11 @@ static int compile_machine(MachineTest *m, const char *path)
 static bool open_engines(MachineTest *m)
 {
     TestRun *t = m->t;
-    unsigned which = t->engines ? t->engines : engines_default();
+    unsigned which = t->engines ? t->engines : 1u << ENGINE_VM;
     const char *message;
     int code;
 
-    if (t->engines == engines_named("all"))
-        which &= engines_present();
+    which &= ~test_absent_engines(t, which);
     if (engines_open(&m->engines, &t->c->session, m->p, which, option_level(t->c)))
         return true;
     cli_say(t->c, "%s", m->engines.error);

@@ -88,16 +88,19 @@ static bool split_words(Arena *a, const char *text, Words *words)
     return true;
 }
 
-// The compiler's messages, cut off after MESSAGE_MAX bytes.
-static const char *read_log(Workshop *w)
+// The compiler's messages, cut off after MESSAGE_MAX bytes; its exit code if there are none.
+static const char *read_log(Workshop *w, int exit_code)
 {
     char *text;
     const char *why, *result;
-    size_t len;
+    size_t len = 0;
 
     if (!os_read(w->log, 1 << 20, &text, &len, &why))
-        return "";
-    result = format_in(w->arena, "%.*s%s", len > MESSAGE_MAX ? MESSAGE_MAX : (int)len, text, len > MESSAGE_MAX ? "…" : "");
+        text = NULL;
+    if (len == 0)
+        result = format_in(w->arena, "it ended with exit code %d and no message", exit_code);
+    else
+        result = format_in(w->arena, "%.*s%s", len > MESSAGE_MAX ? MESSAGE_MAX : (int)len, text, len > MESSAGE_MAX ? "…" : "");
     os_alloc(NULL, text, 0);
     return result;
 }
@@ -109,23 +112,28 @@ static const char *compiler_of(const EngineCOptions *o)
     return os_getenv("CC") ? os_getenv("CC") : "cc";
 }
 
-bool engine_c_present(const EngineCOptions *o)
+static const char *cannot_run(Arena *arena, const char *compiler)
 {
-    const char *argv[] = { NULL, "--version", NULL }, *why;
-    Words words = {0};
-    jmp_buf no_memory;
-    Arena arena;
-    volatile bool present = false;
+    return format_in(arena, "cannot run the C compiler %s (the variable CC names another)", compiler);
+}
+
+bool engine_c_present(Arena *arena, const EngineCOptions *o, const char **why)
+{
+    Words argv = {0};
+    const char *reason;
     int exit_code;
 
-    arena_init(&arena, os_alloc, NULL, &no_memory);
-    if (setjmp(no_memory) == 0) {
-        present = !split_words(&arena, compiler_of(o), &words);           // an unclosed quote: engine_c_open reports it
-        argv[0] = words.n > 0 ? words.at[0] : NULL;
-        present = present || (argv[0] && os_run(argv, "/dev/null", &exit_code, &why) && exit_code == 0);
-    }
-    arena_free(&arena);
-    return present;
+    if (!split_words(arena, compiler_of(o), &argv) || argv.n == 0)
+        return true;
+    vec_push(arena, &argv, "--version");
+    vec_push(arena, &argv, NULL);
+    if (!os_run(argv.at, "/dev/null", &exit_code, &reason))
+        *why = format_in(arena, "%s: %s", cannot_run(arena, argv.at[0]), reason);
+    else if (exit_code != 0)
+        *why = format_in(arena, "%s: '%s --version' ended with exit code %d", cannot_run(arena, argv.at[0]), compiler_of(o), exit_code);
+    else
+        return true;
+    return false;
 }
 
 static bool compile(Workshop *w, const EngineCOptions *o)
@@ -144,9 +152,9 @@ static bool compile(Workshop *w, const EngineCOptions *o)
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         vec_push(w->arena, &argv, others[i]);
     if (!os_run(argv.at, w->log, &exit_code, &why))
-        return failed(w, format_in(w->arena, "cannot run the C compiler %s (the variable CC names another)", argv.at[0]), why);
+        return failed(w, cannot_run(w->arena, argv.at[0]), why);
     if (exit_code != 0)
-        return failed(w, format_in(w->arena, "the C compiler %s does not take the emitted C", argv.at[0]), read_log(w));
+        return failed(w, format_in(w->arena, "the C compiler %s does not accept the emitted C", argv.at[0]), read_log(w, exit_code));
     return true;
 }
 

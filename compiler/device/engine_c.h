@@ -13,8 +13,9 @@ typedef struct EngineCOptions {
     const char *flags;        // more options; NULL: -O1, unless cc contains an -O option
 } EngineCOptions;
 
-// Whether the compiler can be run.  Also true if its command has an unclosed quote; engine_c_open then reports that.
-bool engine_c_present(const EngineCOptions *o);
+// Whether the compiler can be run; if not, *why is a sentence in arena.  Also true if its command has an unclosed quote; engine_c_open then
+// reports that.
+bool engine_c_present(Arena *arena, const EngineCOptions *o, const char **why);
 
 // An engine for one machine.  `o` may be NULL.  Returns NULL and sets *error to a sentence if it cannot be built or started.
 Engine *engine_c_open(Arena *arena, const Program *p, const IrMachine *m, const EngineCOptions *o, const char **error);

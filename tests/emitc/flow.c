@@ -246,7 +246,7 @@ int main(int argc, char **argv)
         p[i] = &s[i].p;
         m[i] = &s[i].m;
     }
-    if (!engine_c_present(NULL)) {
+    if (!engine_c_present(&arena, NULL, &error)) {
         arena_free(&arena);
         puts("flow: no C compiler\n0 passed, 0 failed, 1 skipped");
         return 0;

@@ -325,6 +325,7 @@ int main(int argc, char **argv)
     Subject *s;
     const Program **p;
     const IrMachine **m;
+    const char *error;
 
     seed = argc > 2 ? (uint64_t)atoi(argv[2]) : 1;
     if (setjmp(oom))
@@ -344,7 +345,7 @@ int main(int argc, char **argv)
         if (wrong)
             fprintf(stderr, "%s\n", wrong);
     }
-    if (!engine_c_present(NULL)) {
+    if (!engine_c_present(&arena, NULL, &error)) {
         arena_free(&arena);
         puts("typed: no C compiler\n0 passed, 0 failed, 1 skipped");
         return 0;

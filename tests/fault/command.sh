@@ -69,7 +69,7 @@ judge_files() {
 
 # What could not be had may be done without, if that is said: an engine that is not present.
 judge() {
-    missing=$(grep -c "is not present here" "$dir/err")
+    missing=$(grep -c "was left out" "$dir/err")
     case $1 in
     0)
         [ "$missing" -eq 0 ] || { judge_files; return; }

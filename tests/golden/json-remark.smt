@@ -14,4 +14,4 @@ delta_t 1
 G == 0: @assert S == 1
 G == 1: @stop
 -- stderr --
-{"severity":"note","code":null,"message":"engine c is not present here; cases ran without it","file":null,"line":null,"column":null,"endLine":null,"endColumn":null,"label":null,"notes":[],"edits":[],"flag":null,"group":null}
+{"severity":"note","code":null,"message":"engine c was left out: cannot run the C compiler nocc (the variable CC names another): No such file or directory","file":null,"line":null,"column":null,"endLine":null,"endColumn":null,"label":null,"notes":[],"edits":[],"flag":null,"group":null}

@@ -34,6 +34,6 @@ G == 1: @stop
 1 passed, 0 failed, 1 skipped
 -- stderr --
 smc: engine c: cannot run the C compiler nocc (the variable CC names another): No such file or directory
-smc: engine c is not present here; cases ran without it
+smc: engine c was left out: cannot run the C compiler nocc (the variable CC names another): No such file or directory
 -- exit --
 3 0
