@@ -51,6 +51,7 @@ struct Cli {
     Warnings warn;
     Sentences said;                       // for the end of a document in SARIF
     bool reported;                        // that has been begun
+    const char *last_error;               // the last message of cli_say; lives in the session
 };
 
 // ---- options.c ----
@@ -83,9 +84,9 @@ const char *cli_shown(Arena *a, const char *name);
 // Reads an image and runs the device's own verifier on it.  EXIT_OK, or the exit code after a message.
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v);
 void cli_put_pin(Buf *out, const SmvmPin *p);          // "digital input 2 with @pull_up"
-// Reads the scripts of the call, once each: by argument, NULL for what is no script or cannot be read (after a message).
-// Then cli_note_scripts.
-Source **cli_load_scripts(Cli *c, Map *written);
+// Reads the scripts of the call, once each: by argument, NULL for what is no script or cannot be read (after a message, which is then in
+// problem[argument] unless `problem` is NULL).  Then cli_note_scripts.
+Source **cli_load_scripts(Cli *c, Map *written, const char **problem);
 // The names that scripts (by argument) assign go into `written`: a machine is compiled with those locals as variables, to run
 // them.  Without --step, the session's step becomes the delta_t of the scripts if all have the same.
 void cli_note_scripts(Cli *c, Source *const *ss, Map *written);

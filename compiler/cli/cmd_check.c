@@ -36,7 +36,7 @@ static int check_machine_file(Cli *c, const char *path, const Source *sv, Progra
 
     if (!in.sm)
         return EXIT_ENVIRONMENT;
-    ss = cli_load_scripts(c, &written);
+    ss = cli_load_scripts(c, &written, NULL);
     if ((p = session_program(&c->session, &in)) == NULL)
         return EXIT_OK;
     vec_push(&c->session.arena, all, p);

@@ -42,11 +42,16 @@ static void say(Cli *c, const char *severity, const char *format, va_list args)
 
 void cli_say(Cli *c, const char *format, ...)
 {
+    char sentence[5000];
     va_list args;
 
     va_start(args, format);
     say(c, "error", format, args);
     va_end(args);
+    va_start(args, format);
+    vsnprintf(sentence, sizeof sentence, format, args);
+    va_end(args);
+    c->last_error = format_in(&c->session.arena, "%s", sentence);
 }
 
 void cli_remark(Cli *c, const char *format, ...)
@@ -136,13 +141,13 @@ void cli_note_scripts(Cli *c, Source *const *ss, Map *written)
         c->session.step = agree ? step : 0;
 }
 
-Source **cli_load_scripts(Cli *c, Map *written)
+Source **cli_load_scripts(Cli *c, Map *written, const char **problem)
 {
     Source **ss = ARENA_ARRAY(&c->session.arena, Source *, c->files);
 
     for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".ss"))
-            ss[i] = cli_load(c, c->file[i]);
+        if (has_suffix(c->file[i], ".ss") && (ss[i] = cli_load(c, c->file[i])) == NULL && problem)
+            problem[i] = c->last_error;
     cli_note_scripts(c, ss, written);
     return ss;
 }

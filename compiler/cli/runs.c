@@ -27,7 +27,7 @@ int runs_machine(Cli *c, const char **machine)
 
 bool runs_load(Cli *c, Source ***ss, Map *written)
 {
-    *ss = cli_load_scripts(c, written);
+    *ss = cli_load_scripts(c, written, NULL);
     for (size_t i = 0; i < c->files; i++)
         if (has_suffix(c->file[i], ".ss") && !(*ss)[i])
             return false;

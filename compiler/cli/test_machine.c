@@ -11,6 +11,7 @@ typedef struct MachineTest {
     Program *p;
     EngineSet engines;
     Source **ss;              // by argument: the scripts, read once; NULL: no script, or it cannot be read
+    const char **problem;     // by argument: why a script cannot be read
     Buf report;               // of the last script
     TestTrace *trace;         // or NULL
 } MachineTest;
@@ -79,8 +80,10 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
     add_result(m, path, code == EXIT_OK ? TEST_PASSED : code == EXIT_PROBLEM ? TEST_FAILED : TEST_BROKEN, message, code);
 }
 
-static void test_script(MachineTest *m, const char *path, const Source *src)
+static void test_script(MachineTest *m, size_t argument)
 {
+    const char *const path = m->t->c->file[argument];
+    const Source *const src = m->ss[argument];
     const char *message;
     Script *s;
 
@@ -88,7 +91,7 @@ static void test_script(MachineTest *m, const char *path, const Source *src)
     m->begin = os_seconds();
     if (!src) {
         test_trace_left_out(m->trace, path);
-        add_result(m, path, TEST_BROKEN, "the script cannot be read", EXIT_ENVIRONMENT);
+        add_result(m, path, TEST_BROKEN, m->problem[argument], EXIT_ENVIRONMENT);
         return;
     }
     if ((s = session_script(&m->t->c->session, src, m->p)) != NULL) {
@@ -110,7 +113,8 @@ static int compile_machine(MachineTest *m, const char *path)
         return EXIT_ENVIRONMENT;
     if (c->given[OPT_SV] && (in.sv = cli_load(c, c->value[OPT_SV])) == NULL)
         return EXIT_ENVIRONMENT;
-    m->ss = cli_load_scripts(c, &written);
+    m->problem = ARENA_ARRAY(m->t->arena, const char *, c->files);
+    m->ss = cli_load_scripts(c, &written, m->problem);
     if ((m->p = session_program(&c->session, &in)) == NULL)
         return EXIT_PROBLEM;
     session_analyse(&c->session, m->p);
@@ -159,10 +163,10 @@ static int test_scripts(MachineTest *m)
     int code = test_trace_open(m->t, m->p, &m->trace), closed;
 
     if (code == EXIT_ENVIRONMENT)
-        add_errors(m, "the trace cannot be written", code);
+        add_errors(m, c->last_error, code);
     for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
         if (has_suffix(c->file[i], ".ss")) {
-            test_script(m, c->file[i], m->ss[i]);
+            test_script(m, i);
             code = print_report(m, c->file[i]);
         }
     closed = test_trace_close(m->trace);
@@ -173,14 +177,14 @@ int test_machine(TestRun *t, const char *path)
 {
     MachineTest m = {.t = t, .path = path, .begin = os_seconds()};
     const char *message;
-    int code, reported;
+    int code, compiled, reported;
 
     buf_init(&m.report, t->arena);
-    code = compile_machine(&m, path);
+    compiled = compile_machine(&m, path);
     reported = report_diagnostics(t, &message);
-    code = code == EXIT_OK ? reported : code;
+    code = compiled == EXIT_OK ? reported : compiled;
     if (code != EXIT_OK)
-        add_errors(&m, code == EXIT_ENVIRONMENT ? "the machine or its state vector cannot be read" : message, code);
+        add_errors(&m, compiled == EXIT_ENVIRONMENT ? t->c->last_error : message, code);
     else if (open_engines(&m))
         code = test_scripts(&m);
     engines_close(&m.engines);
