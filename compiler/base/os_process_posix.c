@@ -106,7 +106,8 @@ static bool wait_or_signal(pid_t pid, int *exit_code)
     action.sa_handler = wake;
     sigaction(SIGCHLD, &action, &before);
     sigemptyset(&blocked);
-    os_signals_add(&blocked);
+    for (int i = 0; os_signal_at(i); i++)
+        sigaddset(&blocked, os_signal_at(i));
     sigaddset(&blocked, SIGCHLD);
     sigprocmask(SIG_BLOCK, &blocked, &mask);
     while ((ended = waitpid(pid, &status, WNOHANG)) == 0 && os_signal_waiting() == 0)

@@ -6,13 +6,11 @@
 #ifndef SMC_OS_SIGNAL_H
 #define SMC_OS_SIGNAL_H
 
-#include <signal.h>
-
 // From os_signals_begin to os_signals_end, a signal removes the files registered here, then ends the process as the system would have done.
 // Pairs can nest.
 void os_signals_begin(void);
 void os_signals_end(void);
-void os_signals_add(sigset_t *set);                   // these signals
+int os_signal_at(int i);                              // the number of signal i of these, from 0; after the last one 0
 
 // The files to remove, by number below OS_UNFINISHED.  NULL: none.  The path must stay valid until it is replaced.
 enum { OS_UNFINISHED = 65 };

@@ -28,11 +28,7 @@ void os_remove_unfinished(void)
             unlink(unfinished[i]);
 }
 
-void os_signals_add(sigset_t *set)
-{
-    for (int i = 0; i < NUMBERS; i++)
-        sigaddset(set, numbers[i]);
-}
+int os_signal_at(int i) { return i < NUMBERS ? numbers[i] : 0; }
 
 // As the signal would have ended it, so that whatever started this process sees which signal that was.
 static void end_process(int number)
@@ -64,7 +60,8 @@ void os_signals_begin(void)
         return;
     memset(&action, 0, sizeof action);
     sigemptyset(&action.sa_mask);
-    os_signals_add(&action.sa_mask);
+    for (int i = 0; i < NUMBERS; i++)
+        sigaddset(&action.sa_mask, numbers[i]);
     action.sa_handler = on_signal;
     for (int i = 0; i < NUMBERS; i++)
         if (sigaction(numbers[i], NULL, &before[i]) == 0 && before[i].sa_handler == SIG_DFL)

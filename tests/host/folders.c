@@ -106,6 +106,7 @@ static void test_signals(void)
     CHECK(signal(SIGHUP, SIG_IGN) != SIG_ERR && signal(SIGTERM, SIG_DFL) != SIG_ERR);
     CHECK(write_file("a", "text", 4) && handler_of(SIGHUP) == SIG_IGN && handler_of(SIGTERM) == SIG_DFL && handler_of(SIGINT) == SIG_DFL);
     CHECK(os_stream_open(&s, "a", &why) && handler_of(SIGHUP) == SIG_IGN && handler_of(SIGTERM) != SIG_DFL);
+    CHECK(handler_of(SIGPIPE) != SIG_DFL && handler_of(SIGQUIT) != SIG_DFL && handler_of(SIGXCPU) != SIG_DFL);
     CHECK(os_stream_close(&s, true, &why) && handler_of(SIGHUP) == SIG_IGN && handler_of(SIGTERM) == SIG_DFL);
     CHECK(signal(SIGHUP, SIG_DFL) == SIG_IGN && unlink("a") == 0);
     CHECK(signal(SIGUSR1, own_handler) == SIG_DFL && write_file("a", "text", 4) && handler_of(SIGUSR1) == own_handler);
