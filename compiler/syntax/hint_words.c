@@ -58,12 +58,14 @@ bool hint_is_operator_word(const char *text, uint32_t at)
     return hint_phrase(text, at, &end) || skip_words(text, at, "then") || skip_words(text, at, "do");
 }
 
+enum { PARENS_MAX = 1000 };   // bytes; longer ones are not followed, so that hostile text does not take the square of its length
+
 // The end of the parentheses that open at p; p if they do not close on the line.
 static uint32_t skip_parens(const char *text, uint32_t p)
 {
     uint32_t depth = 0;
 
-    for (uint32_t at = p; text[at] && text[at] != '\n' && text[at] != '#'; at++) {
+    for (uint32_t at = p; at - p < PARENS_MAX && text[at] && text[at] != '\n' && text[at] != '#'; at++) {
         depth += text[at] == '(';
         if (text[at] == ')' && --depth == 0)
             return at + 1;
@@ -120,6 +122,8 @@ bool hint_is_doubtful_comparison(const char *text, uint32_t at)
 
     if (negated)
         return is_digit(text[skip_blanks(text, negated)]) || skip_words(text, skip_blanks(text, negated), "not");
+    if (text[p] && strchr("=<>", text[p]))
+        return true;                                   // p = > 5
     end = hint_skip_operand(text, p);
     next = skip_blanks(text, end);
     if (next > end && is_word(text[next]) && is_letter(text[p])) {
@@ -128,6 +132,36 @@ bool hint_is_doubtful_comparison(const char *text, uint32_t at)
             return true;                               // words in a row are prose
     }
     return adds_another_value(text, end);
+}
+
+// The parenthesis around `at`; at if it is not found near it on the line.
+static uint32_t find_open_paren(const char *text, uint32_t at)
+{
+    uint32_t depth = 0;
+
+    for (uint32_t p = at; p > 0 && at - p < PARENS_MAX && text[p - 1] != '\n'; p--)
+        if (text[p - 1] == ')')
+            depth++;
+        else if (text[p - 1] == '(' && depth-- == 0)
+            return p - 1;
+    return at;
+}
+
+bool hint_stores_in_parens(const char *text, uint32_t at)
+{
+    const uint32_t open = find_open_paren(text, at), close = skip_parens(text, open);
+    uint32_t end = open, from;
+
+    while (end > 0 && (text[end - 1] == ' ' || text[end - 1] == '\t'))
+        end--;
+    for (from = end; from > 0 && is_word(text[from - 1]); from--)
+        ;
+    if (open == at || close == open)
+        return true;
+    if (end > from && !hint_is_operator_word(text, from) && !skip_words(text, from, "if") && !skip_words(text, from, "not"))
+        return true;                                   // the word calls a function
+    end = skip_blanks(text, close);
+    return text[end] && strchr("<>=!+-*/%^", text[end]);
 }
 
 bool hint_is_negated_alone(const char *text, uint32_t at)

@@ -25,6 +25,9 @@ bool hint_is_operator_word(const char *text, uint32_t at);
 // Whether what follows a comparison sign that ends before `at` has more than one reading: not 5, 5 or 6, between 3 and 5.
 bool hint_is_doubtful_comparison(const char *text, uint32_t at);
 
+// Whether an '=' at `at`, which is inside parentheses, can be meant to store or to name an argument: (x = p) > 3, roll_avg(p, n = 5).
+bool hint_stores_in_parens(const char *text, uint32_t at);
+
 // Whether only the one operand at `at` is negated by a `not` before it, in every language: no comparison or calculation follows.
 bool hint_is_negated_alone(const char *text, uint32_t at);
 

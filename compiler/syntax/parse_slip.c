@@ -109,6 +109,12 @@ bool slip_operand(Parser *p, AstExpr *name)
     return true;
 }
 
+// `x = (p = 9)`, `(x = p) > 3: ...`: in C both store.
+static bool stores_inside(const Parser *p, uint32_t at)
+{
+    return p->parens > 0 && (!(p->is_guard || slip_is_guard(p)) || hint_stores_in_parens(p->lex.src->text, at));
+}
+
 // not x is 3: in other languages `not` reaches further than to x.
 static bool is_negated(const AstExpr *e) { return e && e->kind == AST_UNARY && e->op == SM_OP_NOT; }
 
@@ -139,7 +145,7 @@ void slip_assign(Parser *p, const AstExpr *left, Span sign)
     }
     d = parser_report(p, DIAG_assign_in_guard, sign);
     diag_label(p->diags, d, DIAG_label_write, "==");
-    if (p->lex.src->text[sign.at] == '=' && !is_negated(left) && !hint_is_doubtful_comparison(p->lex.src->text, sign.at + sign.len) && !separates_statements(p))
+    if (p->lex.src->text[sign.at] == '=' && !is_negated(left) && !stores_inside(p, sign.at) && !hint_is_doubtful_comparison(p->lex.src->text, sign.at + sign.len) && !separates_statements(p))
         diag_edit(p->diags, d, sign, "==");
 }
 

@@ -42,6 +42,12 @@ F64 n
     n = clamp(p; 0,5)
     n = max(p, 1.5,2)
     n = 0·5
+    n = (p = 9)
+    if ((n = p) > 3): valve = true
+    if max(p, b = 5) > 3: valve = true
+    p = > 5: valve = true
+    if (p = 7): valve = true
+    (p = 8) and (q = 3): valve = true
 -- label.sm --
 [state_vector]
 U64 G
@@ -137,7 +143,12 @@ app.sm:29:
 app.sm:35:
   -     n = max(p, 1.5,2)
   +     n = max(max(p, 1.5),2)
-app.sm: 8 fixed
+app.sm:41:
+  -     if (p = 7): valve = true
+  -     (p = 8) and (q = 3): valve = true
+  +     if (p == 7): valve = true
+  +     (p == 8) and (q == 3): valve = true
+app.sm: 11 fixed
 label.sm:8:
   -     entry:
   +     entry {
@@ -232,7 +243,11 @@ app.sm:34:16: error: ';' is written ',' here [E0107]
 app.sm:36:10: error: the character '·' may stand in comments only [E0102]
    36 |     n = 0·5
       |          ^ leave it out of the number; a decimal point is written .
-19 errors, 1 warning
+app.sm:37:12: error: '=' stores a value; a comparison is written '==' [E0324]
+   37 |     n = (p = 9)
+      |            ^ write ==
+and 5 more errors
+25 errors, 1 warning
 label.sm:11:5: error: this is a value and does nothing [E0327]
    11 |     entry
       |     ^~~~~ a statement is x = value, -> State, or condition: statement
