@@ -104,6 +104,55 @@ static bool begins_declaration(const Line *l, uint32_t p)
     return false;
 }
 
+// ---- lines below ----
+
+// The line below l, which holds the source up to its end; false at the end of the source.
+static bool next_line(Line *l)
+{
+    uint32_t p = l->end;
+
+    while (p < l->src->len && l->text[p] != '\n')
+        p++;
+    if (p == l->src->len)
+        return false;
+    *l = line_of(l->src, p + 1);
+    return true;
+}
+
+static bool is_empty_line(const Line *l)
+{
+    const uint32_t p = skip_blanks(l, l->from);
+
+    return p == l->end || l->text[p] == '#';
+}
+
+static uint32_t indentation(const Line *l) { return skip_blanks(l, l->from) - l->from; }
+
+// Begins with the indentation of `outer`.
+static bool is_indented_like(const Line *l, const Line *outer)
+{
+    const uint32_t indent = indentation(outer);
+
+    return l->end - l->from > indent && memcmp(l->text + l->from, outer->text + outer->from, indent) == 0;
+}
+
+// The same, and goes on with a blank.
+static bool is_deeper(const Line *l, const Line *outer)
+{
+    return is_indented_like(l, outer) && is_blank(l->text[l->from + indentation(outer)]);
+}
+
+// The next line that is not empty is indented more: perhaps it depends on the same condition.
+static bool continues_below(const Line *l)
+{
+    Line next = *l;
+
+    while (next_line(&next))
+        if (!is_empty_line(&next))
+            return is_deeper(&next, l);
+    return false;
+}
+
 // ---- what comes before ----
 
 // The statement before `at`, as far as its line tells.
@@ -269,7 +318,7 @@ uint32_t hint_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at,
     }
     diag_label(diags, d, DIAG_label_all_in_braces);
     s = split(&l, b.begin);
-    if (s.clear)
+    if (s.clear && !continues_below(&l))
         put_in_braces(diags, d, &l, &b, &s);
     return s.clear ? (s.trailing ? s.trailing : s.end) : l.end;
 }
@@ -288,46 +337,10 @@ bool hint_is_first_of_several(const Source *src, uint32_t at)
                 return true;
         }
     }
-    return is_too_long(&l);
+    return is_too_long(&l) || continues_below(&l);
 }
 
 // ---- lines below a colon ----
-
-// The line below l, which holds the source up to its end; false at the end of the source.
-static bool next_line(Line *l)
-{
-    uint32_t p = l->end;
-
-    while (p < l->src->len && l->text[p] != '\n')
-        p++;
-    if (p == l->src->len)
-        return false;
-    *l = line_of(l->src, p + 1);
-    return true;
-}
-
-static bool is_empty_line(const Line *l)
-{
-    const uint32_t p = skip_blanks(l, l->from);
-
-    return p == l->end || l->text[p] == '#';
-}
-
-static uint32_t indentation(const Line *l) { return skip_blanks(l, l->from) - l->from; }
-
-// Begins with the indentation of `outer`.
-static bool is_indented_like(const Line *l, const Line *outer)
-{
-    const uint32_t indent = indentation(outer);
-
-    return l->end - l->from > indent && memcmp(l->text + l->from, outer->text + outer->from, indent) == 0;
-}
-
-// The same, and goes on with a blank.
-static bool is_deeper(const Line *l, const Line *outer)
-{
-    return is_indented_like(l, outer) && is_blank(l->text[l->from + indentation(outer)]);
-}
 
 enum { LEVELS_MAX = 16 };     // of indentation; deeper ones get no edit
 

@@ -17,7 +17,8 @@ typedef enum HintSeparator {
 // adds nothing, if what ends before `at` is no statement.
 uint32_t hint_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator);
 
-// Whether more statements follow, after a ';', the one at `at` on its line.  In C only that one depends on a condition before it.
+// Whether more statements follow the one at `at`: after a ';' on its line, where in C they depend on no condition before it, or on a line
+// below that is indented more, where they seem to depend on it.
 bool hint_is_first_of_several(const Source *src, uint32_t at);
 
 // A line ends after a condition's colon.  If the lines below are indented more, they are the condition's statements: proposes braces.

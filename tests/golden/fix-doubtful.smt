@@ -76,6 +76,14 @@ bool pump
     if (p > 7) valve = true; else pump = true; valve = false
     if (p > 8) valve = true;
     -> Idle; pump = true
+    if p > 9 then valve = true
+        pump = true
+    p > 10: valve = true; pump = true
+
+        # and
+        valve = false
+    else pump = true
+      valve = true
 [Idle] @safe
 [Abort] @safe
 -- braces.sm --
@@ -282,7 +290,16 @@ lines.sm:14:45: error: a statement ends with its line, not with ';' [E0109]
 lines.sm:16:12: error: a statement ends with its line, not with ';' [E0109]
    16 |     -> Idle; pump = true
       |            ^ put each statement on a line of its own
-10 errors
+lines.sm:17:14: error: 'then' is not a word of this language [E0329]
+   17 |     if p > 9 then valve = true
+      |              ^~~~ write ':' instead
+lines.sm:19:25: error: a statement ends with its line, not with ';' [E0109]
+   19 |     p > 10: valve = true; pump = true
+      |                         ^ put all that depends on the condition in braces, each statement on a line of its own
+lines.sm:23:9: error: expected ':', '{' or 'if' after 'else', found 'pump' [E0319]
+   23 |     else pump = true
+      |         ^ insert ':'
+13 errors
 braces.sm:9:13: error: the condition has no statement on its line: after the colon stands the end of the line [E0316]
     9 |     if p > 5:
       |             ^ write '{' instead, and '}' after the statements that depend on the condition
