@@ -148,6 +148,15 @@ assert does not hold after step 6 (G = 50, state Idle) [E0750]
       5 | true: @assert not valve
         | valve = true
 
+  the last steps, and the values after each:
+  step   G  state  valve
+     2  10  Idle   false
+     3  20  Idle   false
+     4  30  Idle   false
+     5  40  Idle   false
+     6  50  Idle    true
+  the machine has been in state 'Idle' from the start
+
   Step  G  State that began  Stayed for
      1  0  Idle              the end
 

@@ -45,6 +45,12 @@ void doc_quote(Doc *d, const char *plain)
         add(d, DOC_QUOTE)->text = plain;
 }
 
+void doc_lines(Doc *d, const char *plain)
+{
+    if (*plain)
+        add(d, DOC_LINES)->text = plain;
+}
+
 void doc_excerpt(Doc *d, Span span, const char *label)
 {
     DocPart *p;

@@ -62,6 +62,7 @@ typedef enum DocKind {
     DOC_TABLE,
     DOC_LIST,
     DOC_EXCERPT,              // a line of a source with a marked part; text: plain, follows the mark, or NULL
+    DOC_LINES,                // text: plain lines, shown as they are
     DOC_FIGURE,               // text: SVG, only for HTML; caption
     DOC_SOURCE                // a whole source, only for HTML
 } DocKind;
@@ -101,6 +102,7 @@ void doc_paragraph(Doc *d, const char *text);
 void doc_plain(Doc *d, const char *text);             // a paragraph without markup
 void doc_quote(Doc *d, const char *plain);            // adds nothing for NULL and ""
 void doc_excerpt(Doc *d, Span span, const char *label);
+void doc_lines(Doc *d, const char *plain);            // lines shown as they are; adds nothing for ""
 DocPart *doc_figure(Doc *d, const char *svg, const char *caption);     // the pointer is valid until the next part is added
 void doc_source(Doc *d, const Source *src);
 DocTable *doc_table(Doc *d, const char *key, const DocColumn *column, size_t columns);

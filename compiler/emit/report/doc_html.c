@@ -308,6 +308,7 @@ static void put_part(Buf *out, const DocPart *p)
     case DOC_TABLE: put_table(out, p->table); break;
     case DOC_LIST: put_list(out, p->list); break;
     case DOC_EXCERPT: put_excerpt(out, p); break;
+    case DOC_LINES: put_in(out, "<pre class=\"ex\">", p->text, false, "</pre>\n"); break;
     case DOC_FIGURE: put_figure(out, p); break;
     case DOC_SOURCE: put_source(out, p->source); break;
     }

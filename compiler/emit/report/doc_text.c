@@ -200,6 +200,18 @@ static void put_excerpt(Buf *out, const DocPart *p)
     buf_str(out, "\n\n");
 }
 
+static void put_lines(Buf *out, const char *text)
+{
+    while (*text) {
+        const size_t n = strcspn(text, "\n");
+        buf_str(out, n ? "  " : "");
+        buf_put(out, text, n);
+        buf_char(out, '\n');
+        text += n + (text[n] == '\n');
+    }
+    buf_char(out, '\n');
+}
+
 static const char *text_of(const Buf *out, const DocPart *p)
 {
     return p->plain || p->kind == DOC_QUOTE ? p->text : doc_unmarked(out->arena, p->text);
@@ -215,6 +227,7 @@ static void put_part(Buf *out, const DocPart *p)
     case DOC_TABLE: put_table(out, p->table); break;
     case DOC_LIST: put_list(out, p->list); break;
     case DOC_EXCERPT: put_excerpt(out, p); break;
+    case DOC_LINES: put_lines(out, p->text); break;
     case DOC_FIGURE: case DOC_SOURCE: break;
     }
 }

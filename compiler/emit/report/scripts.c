@@ -241,6 +241,22 @@ static void put_plot(const Report *r, Doc *d, const ReportRun *run)
                          same, *same ? "." : ""));
 }
 
+// What led to a failure, as smc test shows it: the last steps with the values that the assert reads, and the last transitions.
+static void put_history(const Report *r, Doc *d, const Diag *failure)
+{
+    Buf lines;
+
+    buf_init(&lines, r->arena);
+    for (size_t i = 0; i < failure->notes.n; i++) {
+        const DiagNote *note = &failure->notes.at[i];
+        if (note->span.src)
+            buf_printf(&lines, "%s:%lu: ", report_file_name(note->span.src->name),
+                       (unsigned long)source_position(note->span.src, note->span.at).line);
+        buf_printf(&lines, "%s\n", note->text);
+    }
+    doc_lines(d, buf_text(&lines));
+}
+
 static void put_run(const Report *r, Doc *d, const ReportRun *run, size_t number)
 {
     DocPart *heading = doc_heading(d, format_in(r->arena, "script-%lu", (unsigned long)number), run->name);
@@ -254,6 +270,7 @@ static void put_run(const Report *r, Doc *d, const ReportRun *run, size_t number
         const Diag *said = run->diags.list.at[i];
         doc_plain(d, format_in(r->arena, "%s [%s]", said->text, diag_code_and_name(said, r->arena)));
         doc_excerpt(d, said->span, said->label);
+        put_history(r, d, said);
     }
     if (!run->script || run->trace.steps == 0)
         return;
