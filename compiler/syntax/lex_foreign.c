@@ -78,7 +78,7 @@ static int is_division(const Lexer *l)
     uint32_t p, end, after;
     bool known;
 
-    if (!follows_value(l, l->first && l->parens == 0) || l->src->text[l->at + 1] != '/')
+    if (!follows_value(l, l->first) || l->src->text[l->at + 1] != '/')
         return 0;
     p = skip_gap(l, l->at + 2);
     if (lexer_byte(l, p) == '-' || lexer_byte(l, p) == '+')
