@@ -77,7 +77,8 @@ const TestPart *testfile_part(const TestFile *f, const char *name)
 
 static void read_part(Reader *r, Line head)
 {
-    Line l = trim((Line){head.at + 3, trim(head).n - 6});
+    const Line mark = trim(head);                     // "-- NAME --"
+    Line l = trim((Line){mark.at + 3, mark.n - 6});
     TestPart p = {copy(r, l.at, l.n), r->at, 0, r->line + 1};
     Reader before = *r;
 

@@ -46,6 +46,8 @@ static void check_parts(void)
     CHECK(strcmp(testfile_part(f, "a.sm")->text, "x = 1\n\n -- no part\n--y--\n") == 0);
     CHECK(strcmp(testfile_part(f, "ir out")->text, "last") == 0 && !testfile_part(f, "a"));
     CHECK(testfile_is_source(&f->part.at[0]) && !testfile_is_source(&f->part.at[1]));
+    f = parse(" \t--  app.sm  -- \nx\n  -- b --\n");                                  // blanks around the line and the name
+    CHECK(f->part.n == 2 && testfile_part(f, "app.sm") && strcmp(testfile_part(f, "app.sm")->text, "x\n") == 0 && testfile_part(f, "b"));
 }
 
 static void check_expected(void)
