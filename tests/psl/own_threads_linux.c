@@ -65,7 +65,7 @@ static void waiting_is_free(void)
 static void hold(void *lock)
 {
     pal_lock_take(*(PalLock *)lock, PAL_SECOND);
-    pal_clock_sleep_until(pal_clock_now() + 20 * MS);
+    pal_clock_sleep_until(pal_clock_now() + 100 * MS);
     pal_lock_give(*(PalLock *)lock);
 }
 
@@ -83,6 +83,25 @@ static void is_waited_for(int answer)
     CHECK(pal_lock_take(lock, 20 * (uint64_t)PAL_SECOND) == SM_OK);
     no_fault();
     CHECK(pal_lock_give(lock) == SM_OK);
+    CHECK(pal_thread_join(thread, PAL_SECOND) == SM_OK);
+    CHECK(pal_lock_close(lock) == SM_OK);
+}
+
+// The timeout ends the wait for a lock that stays held, whatever the kernel returned last.
+static void is_waited_for_in_vain(int answer)
+{
+    const PalThreadPlan plan = {NULL, 0, 0};
+    PalThread thread = {0};
+    PalLock lock = {0};
+    uint64_t before;
+
+    CHECK(pal_lock_open(&lock) == SM_OK);
+    CHECK(pal_thread_create(&thread, &plan, hold, &lock) == SM_OK);
+    pal_clock_sleep_until(pal_clock_now() + 5 * MS);
+    before = pal_clock_now();
+    fault(0, answer, true);
+    CHECK(pal_lock_take(lock, 2 * MS) == SM_E_TIMEOUT && pal_clock_now() - before >= 2 * MS);
+    no_fault();
     CHECK(pal_thread_join(thread, PAL_SECOND) == SM_OK);
     CHECK(pal_lock_close(lock) == SM_OK);
 }
@@ -119,6 +138,9 @@ static void waiting_for_a_lock(void)
     is_waited_for(ETIMEDOUT);                              // too early
     is_waited_for(EAGAIN);
     is_waited_for(ENOSYS);                                 // a kernel that only has waiting by the time of day
+    is_waited_for_in_vain(ETIMEDOUT);
+    is_waited_for_in_vain(EAGAIN);
+    is_waited_for_in_vain(EINTR);
     locks_and_forks();
 }
 

@@ -102,7 +102,7 @@ static int wait_by_the_day(uint32_t *word, uint64_t left)
     return futex(word, FUTEX_LOCK_PI, &end);
 }
 
-// A holder whose thread has ended (ESRCH) will never release the lock.
+// A holder whose thread has ended (ESRCH) will never release the lock.  EINTR is left over if a signal interrupted the last call.
 static SmResult wait(uint32_t *word, uint64_t deadline)
 {
     const struct timespec end = psl_timespec(deadline);
@@ -116,7 +116,7 @@ static SmResult wait(uint32_t *word, uint64_t deadline)
             error = wait_by_the_day(word, now < deadline ? deadline - now : 0);
     } while ((error == ETIMEDOUT || error == EAGAIN || error == EINTR) && now < deadline);
     (void)holder(word);                                   // acquire: makes the writes of the last holder visible
-    return error == ESRCH ? SM_E_TIMEOUT : psl_result(error);
+    return error == ESRCH || error == EINTR ? SM_E_TIMEOUT : psl_result(error);
 }
 
 // Takes a lock that is held.  Not inlined, because its register use would slow down taking a free lock.
