@@ -17,7 +17,8 @@ static void without(SmResult expected)
     if (expected != SM_E_UNSUPPORTED)
         return;
     CHECK(pal_serial_open(NULL, NULL, 0) == SM_E_UNSUPPORTED);
-    CHECK(pal_serial_send(line, &x, 1, &n, 0) == SM_E_UNSUPPORTED);
+    CHECK(pal_serial_send(line, &x, 1, &n, 0) == SM_E_UNSUPPORTED && n == 0);
+    CHECK(pal_serial_send(line, &x, 1, NULL, 0) == SM_E_UNSUPPORTED);
     CHECK(pal_serial_receive(line, &x, 1, &n, 0) == SM_E_UNSUPPORTED);
     CHECK(pal_serial_close(line) == SM_E_UNSUPPORTED);
 }

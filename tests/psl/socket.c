@@ -22,7 +22,8 @@ static void without(void)
     CHECK(pal_socket_connect(&s, &here, 0) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_send_to(s, &here, &x, 1) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_receive_from(s, &a, &x, 1, &n, 0) == SM_E_UNSUPPORTED);
-    CHECK(pal_socket_send(s, &x, 1, &n, 0) == SM_E_UNSUPPORTED);
+    CHECK(pal_socket_send(s, &x, 1, &n, 0) == SM_E_UNSUPPORTED && n == 0);
+    CHECK(pal_socket_send(s, &x, 1, NULL, 0) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_receive(s, &x, 1, &n, 0) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_own(s, &a) == SM_E_UNSUPPORTED);
     CHECK(pal_socket_close(s) == SM_E_UNSUPPORTED);

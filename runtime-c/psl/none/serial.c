@@ -10,7 +10,9 @@ SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_se
 
 SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
 {
-    (void)line, (void)bytes, (void)n, (void)sent, (void)timeout;
+    (void)line, (void)bytes, (void)n, (void)timeout;
+    if (sent)
+        *sent = 0;
     return SM_E_UNSUPPORTED;
 }
 

@@ -40,7 +40,9 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
 
 SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
 {
-    (void)stream, (void)bytes, (void)n, (void)sent, (void)timeout;
+    (void)stream, (void)bytes, (void)n, (void)timeout;
+    if (sent)
+        *sent = 0;
     return SM_E_UNSUPPORTED;
 }
 
