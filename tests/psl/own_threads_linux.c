@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time, locks and priorities on Linux: what signals, rights and a time of day that is set must not change.
+// Time, locks, priorities and failing writes on Linux: what signals, rights and a time of day that is set must not change.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <sched.h>
@@ -12,7 +12,10 @@
 #include <unistd.h>
 
 #include "runtime-c/pal/clock.h"
+#include "runtime-c/pal/console.h"
 #include "runtime-c/pal/lock.h"
+#include "runtime-c/pal/log.h"
+#include "runtime-c/pal/nvm.h"
 #include "runtime-c/pal/serial.h"
 #include "runtime-c/pal/socket.h"
 #include "runtime-c/pal/thread.h"
@@ -60,6 +63,99 @@ static void waiting_is_free(void)
     no_fault();
     CHECK(strlen(calls()) <= 3);
     CHECK(pal_socket_close(s) == SM_OK);
+}
+
+static volatile sig_atomic_t handled;
+
+static void on_signal(int number)
+{
+    (void)number;
+    handled++;
+}
+
+static bool is_pending(int number)
+{
+    sigset_t pending;
+
+    return sigpending(&pending) != 0 || sigismember(&pending, number) != 0;
+}
+
+static bool is_blocked(int number)
+{
+    sigset_t mask;
+
+    return pthread_sigmask(SIG_BLOCK, NULL, &mask) != 0 || sigismember(&mask, number) != 0;
+}
+
+// Whether a write without a reader, to the console, and writes beyond the size limit of files, to a log and a memory, return their
+// results and leave nothing of a signal behind.
+static bool writes_fail(void)
+{
+    const uint8_t bytes[64] = {0};
+    PalLogFile file = {0};
+    PalNvm memory = {0};
+    const struct rlimit small = {16, 16};
+    bool ok = pal_console_write("x\n", 2) == SM_E_CLOSED && pal_console_write("y\n", 2) == SM_E_CLOSED;
+
+    ok = pal_log_open(&file, "limited") == SM_OK && pal_nvm_open(&memory, "small", sizeof bytes) == SM_OK && ok;
+    ok = setrlimit(RLIMIT_FSIZE, &small) == 0 && ok;
+    ok = pal_log_append(file, bytes, sizeof bytes) == SM_E_SPACE && ok;
+    ok = pal_nvm_write(memory, 0, bytes, sizeof bytes) == SM_E_SPACE && ok;
+    return ok && handled == 0;
+}
+
+// 0 if the writes fail as they should and the program's handling of both signals, `before`, is unchanged.
+static int with_handling(void (*before)(int), bool blocked)
+{
+    const int numbers[] = {SIGPIPE, SIGXFSZ};
+    sigset_t both;
+    int ends[2], wrong = 0;
+
+    sigemptyset(&both);
+    for (size_t i = 0; i < COUNT(numbers); i++) {
+        sigaddset(&both, numbers[i]);
+        wrong |= signal(numbers[i], before) == SIG_ERR;
+    }
+    wrong |= pthread_sigmask(blocked ? SIG_BLOCK : SIG_UNBLOCK, &both, NULL) != 0;
+    wrong |= pipe(ends) != 0 || dup2(ends[1], STDOUT_FILENO) < 0 || close(ends[0]) != 0;
+    wrong |= writes_fail() ? 0 : 2;
+    for (size_t i = 0; i < COUNT(numbers); i++)
+        if (is_pending(numbers[i]) || is_blocked(numbers[i]) != blocked || signal(numbers[i], SIG_DFL) != before)
+            wrong |= 4;
+    return wrong;
+}
+
+// A signal that was pending before a failing write stays pending.
+static int with_pending(void)
+{
+    sigset_t one;
+    int ends[2], wrong = 0;
+
+    sigemptyset(&one);
+    sigaddset(&one, SIGPIPE);
+    wrong |= pthread_sigmask(SIG_BLOCK, &one, NULL) != 0 || raise(SIGPIPE) != 0;
+    wrong |= pipe(ends) != 0 || dup2(ends[1], STDOUT_FILENO) < 0 || close(ends[0]) != 0;
+    wrong |= pal_console_write("x\n", 2) == SM_E_CLOSED ? 0 : 2;
+    return wrong | (is_pending(SIGPIPE) ? 0 : 4);
+}
+
+// A write that fails does not end the program, and changes nothing about its signals.
+static void failing_writes(void)
+{
+    void (*const before[])(int) = {SIG_DFL, SIG_IGN, on_signal};
+
+    for (size_t i = 0; i < 2 * COUNT(before) + 1; i++) {
+        int status = 1;
+        pid_t pid;
+
+        fflush(NULL);
+        pid = fork();
+        if (pid == 0)
+            _exit(i == 2 * COUNT(before) ? with_pending() : with_handling(before[i / 2], i % 2 != 0));
+        CHECK(pid > 0 && waitpid(pid, &status, 0) == pid && status == 0);
+        unlink("limited");
+        unlink("small");
+    }
 }
 
 static void hold(void *lock)
@@ -264,6 +360,7 @@ static void inheritance(void)
 Tally own_threads_linux(void)
 {
     signals();
+    failing_writes();
     waiting_is_free();
     waiting_for_a_lock();
     priorities();

@@ -28,7 +28,7 @@ static SmResult write_all(int fd, const char *text, size_t n)
 
         if (psl_wait(fd, POLLOUT, 0) != SM_OK)
             return SM_E_BUSY;
-        taken = write(fd, text, n < CHUNK ? n : CHUNK);
+        taken = psl_write(fd, text, n < CHUNK ? n : CHUNK);
         if (taken < 0 && errno != EINTR)
             return errno == EAGAIN ? SM_E_BUSY : psl_result(errno);
         if (taken > 0) {

@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
+#include <signal.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -82,6 +83,34 @@ SmResult psl_wait(int fd, short events, uint64_t deadline)
         if (ready == 0 && pal_clock_now() >= deadline)
             return SM_E_TIMEOUT;
     }
+}
+
+// The kernel sends these signals to the thread that writes, and leaves them pending while they are blocked.  A write that is not
+// complete may have caused one, also if it wrote some bytes.  A signal that was pending before belongs to the caller.
+ssize_t psl_write(int fd, const void *bytes, size_t n)
+{
+    const int numbers[] = {SIGPIPE, SIGXFSZ};
+    const struct timespec at_once = {0, 0};
+    sigset_t both, own, mask, pending;
+    ssize_t written;
+    int error;
+
+    sigemptyset(&both);
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        sigaddset(&both, numbers[i]);
+    pthread_sigmask(SIG_BLOCK, &both, &mask);
+    sigpending(&pending);
+    own = both;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        if (sigismember(&pending, numbers[i]))
+            sigdelset(&own, numbers[i]);
+    written = write(fd, bytes, n);
+    error = errno;
+    if (written != (ssize_t)n)
+        while (sigtimedwait(&own, NULL, &at_once) < 0 && errno == EINTR) {}
+    pthread_sigmask(SIG_SETMASK, &mask, NULL);
+    errno = error;
+    return written;
 }
 
 // Stores the folder of `path` in `to`, which has PAL_NAME bytes.

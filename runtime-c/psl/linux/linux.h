@@ -3,6 +3,7 @@
 #ifndef PSL_LINUX_H
 #define PSL_LINUX_H
 
+#include <sys/types.h>
 #include <time.h>
 
 #include "runtime-c/pal/clock.h"
@@ -36,6 +37,11 @@ struct timespec psl_timespec(uint64_t ns);
 // Waits until one of `events` (of poll) occurs or the clock reaches `deadline`.  Returns SM_OK, SM_E_TIMEOUT or an error.  A
 // descriptor that was hung up counts as ready.
 SmResult psl_wait(int fd, short events, uint64_t deadline);
+
+// Like write, but never raises a signal: without a reader it only fails with EPIPE, and beyond the size limit of files (ulimit -f) only
+// with EFBIG.  The program's own handling of SIGPIPE and SIGXFSZ is unchanged.  Use it for all files that may be a pipe, a socket or a
+// regular file.
+ssize_t psl_write(int fd, const void *bytes, size_t n);
 
 // Waits until the entries of the folder that contains `path` are on the medium (fsync).  Returns 0 or an errno.
 int psl_sync_folder(const char *path);

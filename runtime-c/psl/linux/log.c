@@ -3,7 +3,6 @@
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
-#include <signal.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -52,16 +51,6 @@ static SmResult enter(uint8_t id, const char *name)
     return r;
 }
 
-// Ignores SIGXFSZ if it has the default action, which ends the program.  A file at its size limit (ulimit -f) then fails like a
-// full medium.
-static void refuse_large_files(void)
-{
-    struct sigaction now;
-
-    if (sigaction(SIGXFSZ, NULL, &now) == 0 && !(now.sa_flags & SA_SIGINFO) && now.sa_handler == SIG_DFL)
-        signal(SIGXFSZ, SIG_IGN);
-}
-
 SmResult pal_log_open(PalLogFile *file, const char *name)
 {
     SmResult r;
@@ -72,7 +61,6 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
     id = psl_take(used, PAL_LOGS);
     if (id == 0)
         return SM_E_FULL;
-    refuse_large_files();
     r = enter(id, name);
     if (r == SM_OK)
         file->id = id;
@@ -90,7 +78,7 @@ SmResult pal_log_append(PalLogFile file, const void *bytes, size_t n)
     if (!bytes)
         return SM_E_ARGUMENT;
     while (n > 0) {
-        ssize_t taken = write(descriptors[file.id - 1], from, n);
+        ssize_t taken = psl_write(descriptors[file.id - 1], from, n);
 
         if (taken < 0 && errno != EINTR)
             return psl_result(errno);

@@ -55,7 +55,7 @@ static int read_all(int fd, uint8_t *to, size_t n, uint32_t at)
 static int write_all(int fd, const uint8_t *from, size_t n)
 {
     while (n > 0) {
-        ssize_t taken = write(fd, from, n);
+        ssize_t taken = psl_write(fd, from, n);
 
         if (taken < 0 && errno != EINTR)
             return errno;
