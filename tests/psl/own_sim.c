@@ -7,6 +7,8 @@
 #include "runtime-c/pal/lock.h"
 #include "runtime-c/pal/log.h"
 #include "runtime-c/pal/nvm.h"
+#include "runtime-c/pal/serial.h"
+#include "runtime-c/pal/socket.h"
 #include "runtime-c/pal/watchdog.h"
 #include "runtime-c/psl/sim/sim.h"
 #include "tests/psl/suite.h"
@@ -218,13 +220,134 @@ static void datagrams(void)
     overtaking(a, b);
 }
 
+// ---- waits that the world ends ----
+
+// Each call waits up to 100 ns.  The world acts after 10 and 20 ns: what it does then ends the wait at exactly that time.
+static unsigned world_turn;
+static PalSocket world_socket;
+static const PalAddress world_to = {{127, 0, 0, 1}, 2000};
+
+static bool is_second_turn(void) { return ++world_turn == 2; }
+
+static void begin_wait(void (*act)(void))
+{
+    world_turn = 0;
+    sim_every(10, act);
+}
+
+static bool took(uint64_t since, uint64_t ns)
+{
+    return pal_clock_now() - since == ns;
+}
+
+static void sends_to_line(void) { if (is_second_turn()) sim_serial_send("serial0", "hi", 2); }
+static void unplugs_line(void) { if (is_second_turn()) sim_serial_plug("serial0", false); }
+static void sends_on_line(void)
+{
+    static uint8_t bytes[100];
+
+    (void)sim_serial_take("serial0", bytes, sizeof bytes);
+}
+
+static void waits_for_a_line(void)
+{
+    static const uint8_t many[65536];
+    PalSerial line = {0};
+    char text[8] = {0};
+    uint64_t start;
+    size_t n = 7;
+
+    sim_reset();
+    CHECK(pal_serial_open(&line, "serial0", 9600) == SM_OK);
+    begin_wait(sends_to_line);
+    start = pal_clock_now();
+    CHECK(pal_serial_receive(line, text, sizeof text, &n, 100) == SM_OK && n == 2 && memcmp(text, "hi", 2) == 0 && took(start, 20));
+    start = pal_clock_now();
+    CHECK(pal_serial_receive(line, text, sizeof text, &n, 15) == SM_E_TIMEOUT && n == 2 && took(start, 15));
+    sim_every(0, NULL);
+    CHECK(pal_serial_send(line, many, sizeof many, &n, 0) == SM_E_TIMEOUT && n > 0);      // the line is full
+    begin_wait(sends_on_line);
+    start = pal_clock_now();
+    CHECK(pal_serial_send(line, many, 250, &n, 100) == SM_OK && n == 250 && took(start, 30));
+    begin_wait(unplugs_line);
+    start = pal_clock_now();
+    CHECK(pal_serial_receive(line, text, sizeof text, &n, 100) == SM_E_CLOSED && took(start, 20));
+}
+
+static void sends_datagram(void) { if (is_second_turn()) CHECK(pal_socket_send_to(world_socket, &world_to, "d", 1) == SM_OK); }
+static void connects(void) { if (is_second_turn()) CHECK(pal_socket_connect(&world_socket, &world_to, 0) == SM_OK); }
+static void sends_on_stream(void)
+{
+    size_t n;
+
+    if (is_second_turn())
+        CHECK(pal_socket_send(world_socket, "s", 1, &n, 0) == SM_OK);
+}
+static void receives_on_stream(void)
+{
+    static uint8_t bytes[100];
+    size_t n;
+
+    CHECK(pal_socket_receive(world_socket, bytes, sizeof bytes, &n, 0) == SM_OK && n == sizeof bytes);
+}
+static void closes_stream(void) { if (is_second_turn()) CHECK(pal_socket_close(world_socket) == SM_OK); }
+
+static void waits_for_a_datagram(void)
+{
+    const SimNetwork slow = {5, 0, 0, 0};
+    PalSocket s = {0};
+    uint64_t start;
+    char x = 0;
+    size_t n = 7;
+
+    sim_reset();
+    CHECK(pal_socket_udp(&s, &world_to) == SM_OK);
+    CHECK(pal_socket_udp(&world_socket, &(PalAddress){{127, 0, 0, 1}, 1000}) == SM_OK);
+    begin_wait(sends_datagram);
+    start = pal_clock_now();
+    CHECK(pal_socket_receive_from(s, NULL, &x, 1, &n, 100) == SM_OK && n == 1 && x == 'd' && took(start, 20));
+    sim_network(slow);
+    begin_wait(sends_datagram);
+    start = pal_clock_now();
+    CHECK(pal_socket_receive_from(s, NULL, &x, 1, &n, 100) == SM_OK && took(start, 25));
+    begin_wait(sends_datagram);
+    start = pal_clock_now();
+    CHECK(pal_socket_receive_from(s, NULL, &x, 1, &n, 24) == SM_E_TIMEOUT && took(start, 24));
+}
+
+static void waits_for_a_stream(void)
+{
+    static const uint8_t many[65536];
+    PalSocket listening = {0}, s = {0};
+    uint64_t start;
+    char x = 0;
+    size_t n = 7;
+
+    sim_reset();
+    CHECK(pal_socket_listen(&listening, &world_to) == SM_OK);
+    begin_wait(connects);
+    start = pal_clock_now();
+    CHECK(pal_socket_accept(listening, &s, NULL, 100) == SM_OK && took(start, 20));
+    begin_wait(sends_on_stream);
+    start = pal_clock_now();
+    CHECK(pal_socket_receive(s, &x, 1, &n, 100) == SM_OK && n == 1 && x == 's' && took(start, 20));
+    sim_every(0, NULL);
+    CHECK(pal_socket_send(s, many, sizeof many, &n, 0) == SM_E_TIMEOUT && n > 0);         // the stream is full
+    begin_wait(receives_on_stream);
+    start = pal_clock_now();
+    CHECK(pal_socket_send(s, many, 250, &n, 100) == SM_OK && n == 250 && took(start, 30));
+    begin_wait(closes_stream);
+    start = pal_clock_now();
+    CHECK(pal_socket_receive(s, &x, 1, &n, 100) == SM_E_CLOSED && took(start, 20));
+}
+
 // ---- non-volatile memory ----
 
 // A write of eight bytes over 'o's, cut after so many: what is there when the power is back.
 static const char *after_cut(uint32_t bytes)
 {
     static char text[11];
-    PalNvm memory = {0};
+    PalNvm memory = {0}, other = {0};
 
     sim_reset();
     CHECK(pal_nvm_open(&memory, "eeprom", 16) == SM_OK);
@@ -233,7 +356,8 @@ static const char *after_cut(uint32_t bytes)
     CHECK(pal_nvm_write(memory, 9, "e", 1) == SM_OK);     // this one is still whole
     CHECK(pal_nvm_write(memory, 1, "nnnnnnnn", 8) == SM_E_DEVICE);
     CHECK(pal_nvm_read(memory, 0, text, 10) == SM_E_DEVICE);
-    CHECK(pal_nvm_write(memory, 0, "x", 1) == SM_E_DEVICE);
+    CHECK(pal_nvm_write(memory, 0, "x", 1) == SM_E_DEVICE && pal_nvm_erase(memory, 0, 1) == SM_E_DEVICE);
+    CHECK(pal_nvm_open(&other, "flash", 16) == SM_E_DEVICE && pal_nvm_open(&other, "eeprom", 16) == SM_E_DEVICE && other.id == 0);
     sim_power_on();
     CHECK(pal_nvm_read(memory, 0, text, 10) == SM_E_HANDLE);
     CHECK(pal_nvm_open(&memory, "eeprom", 16) == SM_OK);
@@ -278,6 +402,8 @@ static void torn_log(void)
 {
     PalLogFile file = {0}, more = {0}, third = {0};
     const uint8_t *bytes;
+    uint64_t size = 99;
+    char text[2] = {0};
     size_t n;
 
     sim_reset();
@@ -286,7 +412,9 @@ static void torn_log(void)
     sim_cut_power(1, 2);
     CHECK(pal_log_append(file, "34", 2) == SM_OK && sim_log_synced("a") == 2);
     CHECK(pal_log_append(file, "5678", 4) == SM_E_DEVICE && pal_log_append(file, "9", 1) == SM_E_DEVICE);
-    CHECK(pal_log_sync(file) == SM_E_DEVICE);
+    CHECK(pal_log_sync(file) == SM_E_DEVICE && pal_log_read(file, text, 2) == SM_E_DEVICE && text[0] == 0);
+    CHECK(pal_log_size(file, &size) == SM_E_DEVICE && size == 99);
+    CHECK(pal_log_open(&more, "b") == SM_E_DEVICE && more.id == 0);
     sim_power_on();
     bytes = sim_log("a", &n);
     CHECK(n == 7 && memcmp(bytes, "123456\xa5", 7) == 0);
@@ -324,6 +452,9 @@ Tally own_sim(void)
     pins();
     channels();
     datagrams();
+    waits_for_a_line();
+    waits_for_a_datagram();
+    waits_for_a_stream();
     torn_writes();
     torn_log();
     flash();

@@ -44,6 +44,14 @@ void sim_move_to(uint64_t time)
         sim_advance(time - now);
 }
 
+bool sim_wait(uint64_t end)
+{
+    if (now >= end)
+        return false;
+    sim_move_to(world.step && world.next < end ? world.next : end);
+    return true;
+}
+
 void sim_oversleep(uint64_t ns)
 {
     late = ns;

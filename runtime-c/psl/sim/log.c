@@ -96,7 +96,7 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
         return SM_E_ARGUMENT;
     if (strchr(name, '/'))
         return SM_E_MISSING;                              // there are no folders
-    r = find_or_make(name, &log);
+    r = sim_power_gone() ? SM_E_DEVICE : find_or_make(name, &log);
     if (r != SM_OK)
         return r;
     id = psl_table_take(used, PAL_LOGS);
@@ -153,6 +153,8 @@ SmResult pal_log_read(PalLogFile file, void *bytes, size_t n)
         return SM_E_HANDLE;
     if (!bytes || n > logs[log_of[file.id - 1]].size)
         return SM_E_ARGUMENT;
+    if (sim_power_gone())
+        return SM_E_DEVICE;
     memcpy(bytes, logs[log_of[file.id - 1]].bytes, n);
     return SM_OK;
 }
@@ -163,6 +165,8 @@ SmResult pal_log_size(PalLogFile file, uint64_t *size)
         return SM_E_ARGUMENT;
     if (!psl_table_holds(used, PAL_LOGS, file.id))
         return SM_E_HANDLE;
+    if (sim_power_gone())
+        return SM_E_DEVICE;
     *size = logs[log_of[file.id - 1]].size;
     return SM_OK;
 }

@@ -122,7 +122,7 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
 
     if (!memory || !name || size == 0 || name[0] == '\0' || strlen(name) >= PAL_NAME)
         return SM_E_ARGUMENT;
-    r = open_medium(name, size, &medium);
+    r = cut.gone ? SM_E_DEVICE : open_medium(name, size, &medium);
     if (r != SM_OK)
         return r;
     id = psl_table_take(used, PAL_NVMS);

@@ -119,6 +119,8 @@ static SmResult look(PalSerial line, const void *bytes, const size_t *n, uint64_
 
 SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
 {
+    const uint64_t deadline = pal_clock_now() + timeout;
+    const uint8_t *from = bytes;
     SmResult r;
 
     if (sent)
@@ -126,31 +128,32 @@ SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *se
     r = look(line, bytes, sent, timeout);
     if (r == SM_OK)
         r = sim_enter(SIM_serial_send);
-    if (r != SM_OK)
-        return r;
-    *sent = put(&lines[line_of[line.id - 1]].out, bytes, n);
-    if (*sent == n)
-        return SM_OK;
-    sim_advance(timeout);
-    return SM_E_TIMEOUT;
+    while (r == SM_OK) {
+        *sent += put(&lines[line_of[line.id - 1]].out, from + *sent, n - *sent);
+        if (*sent == n)
+            break;
+        r = sim_wait(deadline) ? look(line, bytes, sent, timeout) : SM_E_TIMEOUT;
+    }
+    return r;
 }
 
 SmResult pal_serial_receive(PalSerial line, void *bytes, size_t room, size_t *n, uint64_t timeout)
 {
+    const uint64_t deadline = pal_clock_now() + timeout;
     SmResult r = room == 0 ? SM_E_ARGUMENT : look(line, bytes, n, timeout);
-    size_t got;
 
     if (r == SM_OK)
         r = sim_enter(SIM_serial_receive);
-    if (r != SM_OK)
-        return r;
-    got = take(&lines[line_of[line.id - 1]].in, bytes, room);
-    if (got > 0) {
-        *n = got;
-        return SM_OK;
+    while (r == SM_OK) {
+        const size_t got = take(&lines[line_of[line.id - 1]].in, bytes, room);
+
+        if (got > 0) {
+            *n = got;
+            break;
+        }
+        r = sim_wait(deadline) ? look(line, bytes, n, timeout) : SM_E_TIMEOUT;
     }
-    sim_advance(timeout);
-    return SM_E_TIMEOUT;
+    return r;
 }
 
 SmResult pal_serial_close(PalSerial line)

@@ -50,8 +50,8 @@ void sim_advance(uint64_t ns);
 void sim_oversleep(uint64_t ns);
 
 // Simulates the external world.  From now on `world` is called every `period` nanoseconds, whatever advances the time.  The clock
-// then shows exactly that time, and threads that sleep until then have not continued yet.  `world` may set and read pins, but must
-// not wait or sleep.  NULL or a period of 0 removes it.
+// then shows exactly that time, and threads that sleep until then have not continued yet.  `world` may set and read pins, send and
+// receive, but must not wait or sleep.  A call that waits, for instance to receive, returns at the time at which `world` ends its wait.  NULL or a period of 0 removes it.
 void sim_every(uint64_t period, void (*world)(void));
 
 // ---- the console ----
@@ -102,8 +102,9 @@ void sim_network(SimNetwork network);
 #define SIM_NVM_SIZE 2048u
 
 // Cuts the power during a write, an erase or an append to a log, after `after` more of these calls.  The call stores `bytes` bytes,
-// and the byte after them becomes undefined.  It and all later ones return SM_E_DEVICE until sim_power_on. sim_power_on closes all
-// memories and logs and preserves their content.
+// and the byte after them becomes undefined.  It and all later calls of memories and logs return SM_E_DEVICE until sim_power_on, except
+// pal_nvm_info and the two closes, which do not access the medium.  sim_power_on closes all memories and logs and preserves their
+// content.
 void sim_cut_power(uint32_t after, uint32_t bytes);
 void sim_power_on(void);
 

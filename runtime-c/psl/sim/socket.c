@@ -163,8 +163,9 @@ static SmResult look(PalSocket s, Kind kind, Entry **e)
 
 SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *peer, uint64_t timeout)
 {
+    const uint64_t deadline = pal_clock_now() + timeout;
+    Stream *s = NULL;
     Entry *e;
-    Stream *s;
     SmResult r;
 
     if (!stream || timeout > PAL_TIMEOUT_MAX)
@@ -174,11 +175,12 @@ SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *p
         r = is_full() ? SM_E_FULL : sim_enter(SIM_socket_accept);
     if (r != SM_OK)
         return r;
-    s = sim_stream_waiting(listening.id);
-    if (!s) {
-        sim_advance(timeout);
-        return SM_E_TIMEOUT;
-    }
+    while (r == SM_OK && (s = sim_stream_waiting(listening.id)) == NULL)
+        r = sim_wait(deadline) ? look(listening, LISTENING, &e) : SM_E_TIMEOUT;
+    if (r == SM_OK && is_full())                           // the world has taken the last entry meanwhile
+        r = SM_E_FULL;
+    if (r != SM_OK)
+        return r;
     stream->id = psl_table_take(used, PAL_SOCKETS);
     e = &entries[stream->id - 1];
     e->kind = STREAM;
@@ -227,8 +229,8 @@ static SmResult deliver(Datagram *d, PalAddress *from, void *bytes, size_t room,
 
 SmResult pal_socket_receive_from(PalSocket s, PalAddress *from, void *bytes, size_t room, size_t *n, uint64_t timeout)
 {
-    uint64_t deadline = pal_clock_now() + timeout;
-    Datagram *d;
+    const uint64_t deadline = pal_clock_now() + timeout;
+    Datagram *d = NULL;
     Entry *e;
     SmResult r;
 
@@ -237,21 +239,23 @@ SmResult pal_socket_receive_from(PalSocket s, PalAddress *from, void *bytes, siz
     r = look(s, DATAGRAMS, &e);
     if (r == SM_OK)
         r = sim_enter(SIM_socket_receive_from);
-    if (r != SM_OK)
-        return r;
-    d = sim_air_next(&e->own);
-    if (!d || d->arrives > deadline) {
-        sim_move_to(deadline);
-        return SM_E_TIMEOUT;
-    }
-    sim_move_to(d->arrives);
-    return deliver(d, from, bytes, room, n);
+    while (r == SM_OK && ((d = sim_air_next(&e->own)) == NULL || d->arrives > pal_clock_now()))
+        r = sim_wait(d && d->arrives < deadline ? d->arrives : deadline) ? look(s, DATAGRAMS, &e) : SM_E_TIMEOUT;
+    return r == SM_OK ? deliver(d, from, bytes, room, n) : r;
 }
 
 // ---- streams ----
 
+// Whether the peer has closed its end.
+static bool is_lost(const Entry *e)
+{
+    return !e->stream->open[!e->end] && e->stream->listening == 0;
+}
+
 SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
 {
+    const uint64_t deadline = pal_clock_now() + timeout;
+    const uint8_t *next = bytes;
     Entry *e;
     SmResult r;
 
@@ -262,20 +266,20 @@ SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *
     r = look(stream, STREAM, &e);
     if (r == SM_OK)
         r = sim_enter(SIM_socket_send);
-    if (r != SM_OK)
-        return r;
-    if (!e->stream->open[!e->end] && e->stream->listening == 0)
-        return SM_E_CLOSED;
-    *sent = sim_stream_put(e->stream, !e->end, bytes, n);
-    if (*sent == n)
-        return SM_OK;
-    sim_advance(timeout);
-    return SM_E_TIMEOUT;
+    while (r == SM_OK) {
+        if (is_lost(e))
+            return SM_E_CLOSED;
+        *sent += sim_stream_put(e->stream, !e->end, next + *sent, n - *sent);
+        if (*sent == n)
+            break;
+        r = sim_wait(deadline) ? look(stream, STREAM, &e) : SM_E_TIMEOUT;
+    }
+    return r;
 }
 
 SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *n, uint64_t timeout)
 {
-    size_t got;
+    const uint64_t deadline = pal_clock_now() + timeout;
     Entry *e;
     SmResult r;
 
@@ -284,17 +288,18 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
     r = look(stream, STREAM, &e);
     if (r == SM_OK)
         r = sim_enter(SIM_socket_receive);
-    if (r != SM_OK)
-        return r;
-    got = sim_stream_take(e->stream, e->end, bytes, room);
-    if (got > 0) {
-        *n = got;
-        return SM_OK;
+    while (r == SM_OK) {
+        const size_t got = sim_stream_take(e->stream, e->end, bytes, room);
+
+        if (got > 0) {
+            *n = got;
+            break;
+        }
+        if (is_lost(e))
+            return SM_E_CLOSED;
+        r = sim_wait(deadline) ? look(stream, STREAM, &e) : SM_E_TIMEOUT;
     }
-    if (!e->stream->open[!e->end] && e->stream->listening == 0)
-        return SM_E_CLOSED;
-    sim_advance(timeout);
-    return SM_E_TIMEOUT;
+    return r;
 }
 
 // ---- all ----

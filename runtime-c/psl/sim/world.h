@@ -12,6 +12,10 @@ SmResult sim_enter(SimCall call);
 // Advances time to `time`, if that is in the future.
 void sim_move_to(uint64_t time);
 
+// For a call that waits for something that the world (sim_every) may do: advances time to `end`, but stops after the next action of
+// the world.  The caller then checks again.  Returns false if `end` had been reached before.
+bool sim_wait(uint64_t end);
+
 // The parts of sim_reset.
 void sim_clock_reset(void);
 void sim_console_reset(void);
