@@ -46,7 +46,7 @@ SmResult pal_socket_receive_from(PalSocket socket, PalAddress *from, void *bytes
 SmResult pal_socket_listen(PalSocket *socket, const PalAddress *own);
 
 // Accepts the next incoming stream.  If `peer` is not NULL, it receives the peer's address.  The caller must close the new socket
-// separately.
+// separately.  A stream that broke before it could be accepted is skipped.
 //     SM_E_TIMEOUT       no peer connected
 //     SM_E_FULL          the table has no free entry; the peer stays in the queue
 //     SM_E_ARGUMENT      the socket is not a listening socket

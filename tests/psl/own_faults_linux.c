@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <stdarg.h>
 #include <string.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>
@@ -24,6 +25,12 @@ int __real_timer_settime(timer_t timer, int flags, const struct itimerspec *to, 
 int __wrap_timer_settime(timer_t timer, int flags, const struct itimerspec *to, struct itimerspec *old);
 int __real_ppoll(struct pollfd *fds, nfds_t n, const struct timespec *timeout, const sigset_t *mask);
 int __wrap_ppoll(struct pollfd *fds, nfds_t n, const struct timespec *timeout, const sigset_t *mask);
+int __real_accept4(int fd, struct sockaddr *a, socklen_t *n, int flags);
+int __wrap_accept4(int fd, struct sockaddr *a, socklen_t *n, int flags);
+ssize_t __real_recvmsg(int fd, struct msghdr *m, int flags);
+ssize_t __wrap_recvmsg(int fd, struct msghdr *m, int flags);
+int __real_connect(int fd, const struct sockaddr *a, socklen_t n);
+int __wrap_connect(int fd, const struct sockaddr *a, socklen_t n);
 ssize_t __wrap_write(int fd, const void *from, size_t n);
 int __wrap_fsync(int fd);
 int __wrap_rename(const char *from, const char *to);
@@ -95,6 +102,10 @@ int __wrap_ppoll(struct pollfd *fds, nfds_t n, const struct timespec *timeout, c
 {
     return fails('p') ? -1 : __real_ppoll(fds, n, timeout, mask);
 }
+
+int __wrap_accept4(int fd, struct sockaddr *a, socklen_t *n, int flags) { return fails('a') ? -1 : __real_accept4(fd, a, n, flags); }
+ssize_t __wrap_recvmsg(int fd, struct msghdr *m, int flags) { return fails('m') ? -1 : __real_recvmsg(fd, m, flags); }
+int __wrap_connect(int fd, const struct sockaddr *a, socklen_t n) { return fails('c') ? -1 : __real_connect(fd, a, n); }
 
 void fault(int left, int error, bool for_good)
 {

@@ -10,7 +10,8 @@
 void fault(int left, int error, bool for_good);
 void no_fault(void);
 
-// The calls since then, a letter each: w write, f fsync, d fdatasync, r rename, u unlink, l waiting for a lock, t setting a timer, p ppoll.
+// The calls since then, a letter each: w write, f fsync, d fdatasync, r rename, u unlink, l waiting for a lock, t setting a timer, p ppoll,
+// a accept4, m recvmsg, c connect.
 const char *calls(void);
 
 #endif

@@ -158,6 +158,66 @@ static void failing_writes(void)
     }
 }
 
+// ---- errors of the network ----
+
+// What the system may report on a socket about a peer or an earlier packet (accept(2), ip(7)).
+static const int of_network[] = {ENETDOWN, EPROTO, ENOPROTOOPT, EHOSTDOWN, ENONET, EHOSTUNREACH, EOPNOTSUPP, ENETUNREACH, ETIMEDOUT,
+                                 ECONNABORTED, ECONNRESET, ECONNREFUSED};
+
+// A listening socket goes on to the next peer, and a datagram socket to the next datagram; at once if there is one already.
+static void passing_errors(void)
+{
+    const PalAddress here = {{127, 0, 0, 1}, 0};
+    PalSocket listening = {0}, s = {0}, stream = {0}, peer = {0};
+    PalAddress to, at;
+    uint8_t x = 0;
+    size_t n = 0;
+
+    CHECK(pal_socket_listen(&listening, &here) == SM_OK && pal_socket_own(listening, &to) == SM_OK);
+    CHECK(pal_socket_udp(&s, &here) == SM_OK && pal_socket_own(s, &at) == SM_OK);
+    for (size_t i = 0; i < COUNT(of_network); i++) {
+        fault(0, of_network[i], false);
+        CHECK(pal_socket_accept(listening, &stream, NULL, 2 * MS) == SM_E_TIMEOUT && calls()[0] == 'a');
+        no_fault();
+        CHECK(pal_socket_connect(&peer, &to, PAL_SECOND) == SM_OK);
+        fault(0, of_network[i], false);
+        CHECK(pal_socket_accept(listening, &stream, NULL, 0) == SM_OK);
+        fault(0, of_network[i], false);                   // on a stream, it is the end of the connection
+        CHECK(pal_socket_receive(stream, &x, 1, &n, 0) == SM_E_CLOSED && calls()[0] == 'm');
+        no_fault();
+        CHECK(pal_socket_close(stream) == SM_OK && pal_socket_close(peer) == SM_OK);
+        fault(0, of_network[i], false);
+        CHECK(pal_socket_receive_from(s, NULL, &x, 1, &n, 2 * MS) == SM_E_TIMEOUT && calls()[0] == 'm');
+        no_fault();
+        CHECK(pal_socket_send_to(s, &at, "x", 1) == SM_OK);
+        fault(0, of_network[i], false);
+        CHECK(pal_socket_receive_from(s, NULL, &x, 1, &n, 0) == SM_OK && n == 1);
+        no_fault();
+    }
+    fault(0, EIO, false);
+    CHECK(pal_socket_accept(listening, &stream, NULL, 0) == SM_E_DEVICE);
+    fault(0, EIO, false);
+    CHECK(pal_socket_receive_from(s, NULL, &x, 1, &n, 0) == SM_E_DEVICE);
+    no_fault();
+    CHECK(pal_socket_close(listening) == SM_OK && pal_socket_close(s) == SM_OK);
+}
+
+// A connection that cannot be made: SM_E_TIMEOUT if there is no answer, SM_E_UNREACHABLE for all other reports of the network.
+static void failing_connects(void)
+{
+    const PalAddress to = {{127, 0, 0, 1}, 9};
+    PalSocket stream = {0};
+
+    for (size_t i = 0; i < COUNT(of_network); i++) {
+        fault(0, of_network[i], false);
+        CHECK(pal_socket_connect(&stream, &to, MS) == (of_network[i] == ETIMEDOUT ? SM_E_TIMEOUT : SM_E_UNREACHABLE));
+        no_fault();
+    }
+    CHECK(stream.id == 0);
+}
+
+// ---- locks ----
+
 static void hold(void *lock)
 {
     pal_lock_take(*(PalLock *)lock, PAL_SECOND);
@@ -362,6 +422,8 @@ Tally own_threads_linux(void)
     signals();
     failing_writes();
     waiting_is_free();
+    passing_errors();
+    failing_connects();
     waiting_for_a_lock();
     priorities();
     inheritance();

@@ -45,6 +45,30 @@ static PalAddress from_system(const struct sockaddr_in *s)
     return a;
 }
 
+// ---- errors of the network ----
+
+// Whether an error is about a peer, a route or an earlier packet, and not about the socket (accept(2), ip(7)).  The system reports
+// such an error once, by whatever call comes next.
+static bool is_of_network(int error)
+{
+    switch (error) {
+    case ENETDOWN: case ENETUNREACH: case EHOSTDOWN: case EHOSTUNREACH: case ENONET: case EPROTO: case ENOPROTOOPT: case EOPNOTSUPP:
+    case ETIMEDOUT: case ECONNABORTED: case ECONNRESET: case ECONNREFUSED: return true;
+    default: return false;
+    }
+}
+
+// For a connected stream.  A peer that no longer answers ends the stream, too.
+static SmResult stream_result(int error)
+{
+    return is_of_network(error) ? SM_E_CLOSED : psl_result(error);
+}
+
+static SmResult connect_result(int error)
+{
+    return is_of_network(error) && error != ETIMEDOUT ? SM_E_UNREACHABLE : psl_result(error);
+}
+
 // ---- the table ----
 
 // Checks that the handle is open and of the given kind; *fd receives its descriptor.
@@ -159,7 +183,7 @@ static SmResult connected(int fd, uint64_t deadline)
 
     if (r != SM_OK)
         return r;
-    return getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &n) == 0 ? psl_result(error) : psl_result(errno);
+    return getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &n) == 0 ? connect_result(error) : psl_result(errno);
 }
 
 static SmResult connect_to(int fd, const PalAddress *to, uint64_t deadline)
@@ -168,7 +192,7 @@ static SmResult connect_to(int fd, const PalAddress *to, uint64_t deadline)
 
     if (connect(fd, (struct sockaddr *)&a, sizeof a) == 0)
         return SM_OK;
-    return errno == EINPROGRESS || errno == EINTR ? connected(fd, deadline) : psl_result(errno);
+    return errno == EINPROGRESS || errno == EINTR ? connected(fd, deadline) : connect_result(errno);
 }
 
 SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t timeout)
@@ -187,10 +211,10 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
     r = fd < 0 ? psl_result(errno) : set(fd, IPPROTO_TCP, TCP_NODELAY);
     if (r == SM_OK)
         r = connect_to(fd, to, deadline);
-    return settle(stream, id, fd, STREAM, r == SM_E_CLOSED ? SM_E_UNREACHABLE : r);
+    return settle(stream, id, fd, STREAM, r);
 }
 
-// Ignores a peer that disconnected before it was accepted, and waits for the next one.
+// Ignores a peer whose connection broke before it was accepted, and waits for the next one.
 static SmResult accept_one(int listening, int *fd, struct sockaddr_in *a, uint64_t deadline)
 {
     for (;;) {
@@ -199,12 +223,12 @@ static SmResult accept_one(int listening, int *fd, struct sockaddr_in *a, uint64
         *fd = accept4(listening, (struct sockaddr *)a, &n, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (*fd >= 0)
             return set(*fd, IPPROTO_TCP, TCP_NODELAY);
-        if (errno == EAGAIN) {
+        if (errno == EAGAIN || is_of_network(errno)) {
             SmResult r = psl_wait(listening, POLLIN, deadline);
 
             if (r != SM_OK)
                 return r;
-        } else if (errno != EINTR && errno != ECONNABORTED)
+        } else if (errno != EINTR)
             return psl_result(errno);
     }
 }
@@ -253,26 +277,19 @@ SmResult pal_socket_send_to(PalSocket s, const PalAddress *to, const void *bytes
     return SM_OK;
 }
 
-// For a stream whose peer no longer answers, the system reports a timeout or an unreachable host.
-static SmResult lost(int error)
-{
-    SmResult r = psl_result(error);
-
-    return r == SM_E_TIMEOUT || r == SM_E_UNREACHABLE ? SM_E_CLOSED : r;
-}
-
-// Waits until the socket is ready and receives.  On failure returns -1 and sets *r.
-static ssize_t receive(int fd, struct msghdr *m, uint64_t deadline, SmResult *r)
+// Waits until the socket is ready and receives.  On failure returns -1 and sets *r.  An error of the network does not concern the next
+// datagram, but ends a stream.
+static ssize_t receive(int fd, Kind kind, struct msghdr *m, uint64_t deadline, SmResult *r)
 {
     for (;;) {
         ssize_t got = recvmsg(fd, m, 0);
 
         if (got >= 0)
             return got;
-        if (errno == EAGAIN)
+        if (errno == EAGAIN || (kind == DATAGRAMS && is_of_network(errno)))
             *r = psl_wait(fd, POLLIN, deadline);
         else if (errno != EINTR)
-            *r = lost(errno);
+            *r = stream_result(errno);
         if (*r != SM_OK)
             return -1;
     }
@@ -299,7 +316,7 @@ SmResult pal_socket_receive_from(PalSocket s, PalAddress *from, void *bytes, siz
     m.msg_namelen = sizeof a;
     m.msg_iov = &part;
     m.msg_iovlen = 1;
-    got = receive(fd, &m, deadline, &r);
+    got = receive(fd, DATAGRAMS, &m, deadline, &r);
     if (got < 0)
         return r;
     *n = (size_t)got;
@@ -330,7 +347,7 @@ SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *
         else if (errno == EAGAIN)
             r = psl_wait(fd, POLLOUT, deadline);
         else if (errno != EINTR)
-            r = lost(errno);
+            r = stream_result(errno);
     }
     return r;
 }
@@ -352,7 +369,7 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
     memset(&m, 0, sizeof m);
     m.msg_iov = &part;
     m.msg_iovlen = 1;
-    got = receive(fd, &m, deadline, &r);
+    got = receive(fd, STREAM, &m, deadline, &r);
     if (got == 0)
         return SM_E_CLOSED;
     if (got > 0)
