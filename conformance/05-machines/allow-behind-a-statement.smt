@@ -7,4 +7,4 @@ U32 S
 F64 x
 [A]
 .step
-    x = 2 @allow(dead-code, "x")          #! E0330 it stands before the statement
+    x = 2 @allow(dead-code, "x")          #! E0330 write it before the statement

@@ -14,7 +14,7 @@ F64 e @range -0 1
 U64 G
 U32 S
 F64 a @range 0.0 4e1
-F64 b @range 0 41         #! E0221 the state vector file says this
+F64 b @range 0 41         #! E0221 the range in the state vector file
 F64 c
 F64 d @range 0 1
 F64 e @range 0 1

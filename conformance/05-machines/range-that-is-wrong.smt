@@ -12,7 +12,7 @@ F64 e @range 0            #! E0377 the highest value
 F64 f @range 0, 40        #! E0377 found ','
 F64 g @range lo hi        #! E0377 found 'lo'
 F64 h @range (0 40)       #! E0377 found '('
-F64 i @range 0 40 @range 0 50     #! E0361 a second '@range' on 'i'
+F64 i @range 0 40 @range 0 50     #! E0361 duplicate '@range' on 'i'
 F64 j @range 0 40 50      #! E0330
 [local]
 F64 k = 0 @range 0 1      #! E0362 '@range'

@@ -12,6 +12,6 @@ bool vent
 F32 heater
 -- app.io --
 [analog]
-i 0 pressure @scale 2 @hold 1 @scale 3       #! E0361 a second '@scale' on 'pressure'
+i 0 pressure @scale 2 @hold 1 @scale 3       #! E0361 duplicate '@scale' on 'pressure'
 [digital]
 i 0 limit @inverted @inverted                #! E0361

@@ -13,7 +13,7 @@ F32 heater
 -- app.io --
 [analogue]         #! E1170 did you mean '[analog]'?
 i 0 pressure
-[options]          #! E1170 [options] has no place among pins
+[options]          #! E1170 section [options] is not allowed among pins
 lock
 [digital]
 o 0 open

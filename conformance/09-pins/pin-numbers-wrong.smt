@@ -12,6 +12,6 @@ bool vent
 F32 heater
 -- app.io --
 [analog]
-i 65536 pressure       #! E1181 65536 is no pin
-i -1 flow              #! E1181 -1 is no pin
-i 1.5 count            #! E1181 1.5 is no pin
+i 65536 pressure       #! E1181 65536 is not a pin: a pin is a whole number from 0 to 65535
+i -1 flow              #! E1181 -1 is not a pin: a pin is a whole number from 0 to 65535
+i 1.5 count            #! E1181 1.5 is not a pin: a pin is a whole number from 0 to 65535

@@ -13,10 +13,10 @@ F32 heater
 -- app.io --
 [analog]
 i 0 pressure
-o 0 heater         #! E1177 analog pin 0 stands twice
+o 0 heater         #! E1177 duplicate analog pin 0
 i 16 flow
-i 0x10 count       #! E1177 analog pin 0x10 stands twice
+i 0x10 count       #! E1177 duplicate analog pin 0x10
 [digital]
 o 0 open
 o 16 vent
-o 16 open          #! E1177 digital pin 16 stands twice
+o 16 open          #! E1177 duplicate digital pin 16

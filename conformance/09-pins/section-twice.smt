@@ -15,5 +15,5 @@ F32 heater
 o 0 open
 [analog]
 i 0 pressure
-[digital]          #! E0302 a second section [digital]
+[digital]          #! E0302 duplicate section [digital]
 o 1 vent

@@ -15,5 +15,5 @@ F32 heater
 i 0 limit        #! E1176 'limit' is bool
 o 1 open         #! E1176
 [digital]
-i 0 count        #! E1175 'count' is U16: a digital pin goes with a bool
+i 0 count        #! E1175 'count' is U16: a digital pin needs a bool
 o 1 heater       #! E1175 'heater' is F32

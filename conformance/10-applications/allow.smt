@@ -6,12 +6,12 @@ warn flight
 state_vector "rocket.sv"
 time         time 1 ms
 log          "flight.log" 4 KB @allow(option-without-task, "the ground turns it on in the next version")
-keep         "rocket.state" #! W1040 'keep' stands in [options], but
+keep         "rocket.state" #! W1040 'keep' is in [options], but 'keep' is a task of no executor
 [flight]
 every 10 ms:
     task    engine    @mode mode @allow(mode-without-safe, "its valves shut by a spring")
     task    parachute @mode mode                                #! W1045 'parachute' has a mode and no @safe
-    task    horn      @allow(mode-without-safe, "it is quiet")  #! W0210 nothing here needs this
+    task    horn      @allow(mode-without-safe, "it is quiet")  #! W0210 unused '@allow(mode-without-safe)': no warning needs it here
     machine phase     "phase.sm"
 [slow] @allow(mode-without-safe, "nothing in here moves")
 every 1 s:

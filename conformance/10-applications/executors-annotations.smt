@@ -5,11 +5,11 @@ spec 10.10   Annotations of an executor stand once, behind its header.
 state_vector "rocket.sv"
 [flight] @priority 1 @priority 2     #! E0361 priority
 every 10 ms:
-    task a @priority 3        #! E1024 behind a task
+    task a @priority 3        #! E1024 '@priority' is not allowed after a task
     task b @mod mode          #! E0360 @mode
     log @safe                 #! E1024 'log' and 'keep'
     inputs @mode mode         #! E1024 'inputs'
-    machine m "m.sm" @safe    #! E1024 behind a machine
+    machine m "m.sm" @safe    #! E1024 '@safe' is not allowed after a machine
     outputs @init             #! E1024 'outputs'
 [slow] @mode mode             #! E1024 an executor
 every 10 ms:

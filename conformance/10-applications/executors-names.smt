@@ -6,7 +6,7 @@ state_vector "rocket.sv"
 [flight]
 every 10 ms:
     task a
-[flight]              #! E1039 executor called 'flight'
+[flight]              #! E1039 duplicate executor 'flight'
 every 10 ms:
     task b
 [10Hz]                #! E1026 10Hz

@@ -3,7 +3,7 @@ spec 10.1   [options] stands once.
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-[options]      #! E0302 second section [options]
+[options]      #! E0302 duplicate section [options]
 events 8
 [flight]
 every 10 ms:

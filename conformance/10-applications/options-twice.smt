@@ -4,7 +4,7 @@ spec 10.7   An option stands once.
 [options]
 state_vector "rocket.sv"
 events 8
-events 16     #! E1022 second 'events'
+events 16     #! E1022 duplicate 'events'
 [flight]
 every 10 ms:
     task navigation

@@ -3,7 +3,7 @@ spec 10.10   A name consists of letters, digits and _; what is proposed for an u
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-[flight] @core 1              #! E0360 here may stand @priority
+[flight] @core 1              #! E0360 allowed here: @priority
 every 10 ms:
     task tele-metry           #! E0330 letters, digits and _
     task tele_metry

@@ -5,7 +5,7 @@ spec 10.8   [start] stands once.
 state_vector "rocket.sv"
 [start]
 mode = 1
-[start]                      #! E0302 second section [start]
+[start]                      #! E0302 duplicate section [start]
 late = 1
 [flight]
 every 10 ms:

@@ -4,9 +4,9 @@ spec 10.8   Values are made of numbers, once for each element.
 [options]
 state_vector "rocket.sv"
 [start]
-altitude = target * 2        #! E1041 made of numbers
+altitude = target * 2        #! E1041 a value of [start] must be computed from numbers
 mode     = 1
-mode     = 2                 #! E1042 second value
+mode     = 2                 #! E1042 duplicate value for 'mode'
 target   = roll_avg(1, 3)    #! E1041
 otherMode = (1 +             
 late 5                       #! E0313

@@ -9,5 +9,5 @@ F64 p
 [Hold]
 .step
     x = 1;              #! E0109 leave it out
-    x = 1; x = 2        #! E0109 ends with its line
+    x = 1; x = 2        #! E0109 a statement ends at the end of its line, without ';'
     x = 3

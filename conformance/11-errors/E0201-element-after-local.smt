@@ -5,5 +5,5 @@ F64 pressure = 1
 [state_vector]
 U64 G
 U32 S
-F64 pressure     #! E0201 already means a local
+F64 pressure     #! E0201 the name 'pressure' is already used: it is a local
 [Hold]

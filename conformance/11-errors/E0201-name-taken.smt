@@ -5,11 +5,11 @@ U64 G
 U32 S
 F64 pressure
 F64 flow  @alias q
-F64 rate  @alias pressure     #! E0201 already means an element
+F64 rate  @alias pressure     #! E0201 the name 'pressure' is already used: it is an element
 [local]
 F64 q = 1                     #! E0201 'q' is declared here
 F64 limit = 800
-U8  limit = 5                 #! E0201 already means a local
+U8  limit = 5                 #! E0201 the name 'limit' is already used: it is a local
 [Hold]
 .step
     flow = pressure + rate + q + limit

@@ -9,7 +9,7 @@ F64 x
 [options]
 delta_t 10
 [all_states]
-G == 0: p = 1              #! E0204 nothing that this script names is in 'app.sm'
+G == 0: p = 1              #! E0204 unknown element 'p'
 T > 5: @assert q           #! E0204 'q'
 [Burn]                     #! E0501
 G == 20: @stop

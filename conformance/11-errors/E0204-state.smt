@@ -5,9 +5,9 @@ U64 G
 U32 S
 [Hold]
 .step
-    Abort: -> Abort       #! E0204 'Abort' is a state: -> Abort goes there, S == 2 asks for it
-    S == Hold: -> Abort   #! E0204 S == 1 asks for it
-    Burn                  #! E0204 S == 3 asks for it
+    Abort: -> Abort       #! E0204 'Abort' is a state: -> Abort goes there, S == 2 tests for it
+    S == Hold: -> Abort   #! E0204 unknown element 'Hold'
+    Burn                  #! E0204 unknown element 'Burn'
     S = Hold              #! E0215 write -> Hold
     S = 1                 #! E0215 'S'
 [Abort]

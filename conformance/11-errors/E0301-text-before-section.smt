@@ -2,7 +2,7 @@ spec 5.21   Nothing but comments stands before the first section.
 
 -- app.sm --
 # a comment
-F64 y           #! E0301 before the first section
+F64 y           #! E0301 this must be in a section
 F64 z
 [state_vector]
 U64 G

@@ -11,5 +11,5 @@ F64 p
     x = 1
 .exit
     x = p
-.step           #! E0309 a second '.step'
+.step           #! E0309 duplicate '.step'
     x = 2

@@ -8,5 +8,5 @@ F64 x
 F64 p
 [Hold]
 .step
-    x = (p + 1))        #! E0314 closes nothing
-    p > 1): x = 1       #! E0314 closes nothing
+    x = (p + 1))        #! E0314 unmatched ')'
+    p > 1): x = 1       #! E0314 unmatched ')'

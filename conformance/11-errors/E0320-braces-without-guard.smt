@@ -8,6 +8,6 @@ F64 x
 F64 p
 [Hold]
 .step
-    {                   #! E0320 no condition
+    {                   #! E0320 expected a condition before these braces
         x = p
     }

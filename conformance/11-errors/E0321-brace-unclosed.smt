@@ -8,7 +8,7 @@ F64 x
 F64 p
 [Hold]
 .step
-    p > 5 {         #! E0321 never closed
+    p > 5 {         #! E0321 this '{' has no matching '}'
         x = 1
 .exit
     x = 2

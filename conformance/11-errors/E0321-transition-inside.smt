@@ -7,7 +7,7 @@ U32 S
 F64 p
 [Hold]
 .step
-    if p > 3 {            #! E0321 never closed
+    if p > 3 {            #! E0321 this '{' has no matching '}'
         p = 1
         -> Idle
     p > 5: p = 0

@@ -9,5 +9,5 @@ F64 p
 [Hold]
 .step
     p > 5 { x = 1 }
-    }                   #! E0322 closes nothing
+    }                   #! E0322 unmatched '}'
     x = 2

@@ -5,14 +5,14 @@ spec 5.45   A state bears the marks of states only, each once.
 U64 G
 U32 S
 bool open
-[A] @read_only            #! E0376 '@read_only' marks a variable, and no state
+[A] @read_only            #! E0376 '@read_only' marks a variable, not a state
 .step
     open = true
 [B] @alias                #! E0376 '@alias'
 .step
     -> A
 [C] @safe @abort
-    @safe                 #! E0361 a second '@safe' on 'C'
+    @safe                 #! E0361 duplicate '@safe' on 'C'
 [D] @save                 #! E0360 did you mean '@safe'?
 [E] @abort x = 1          #! E0310
 [F] @Abort                #! E0360 did you mean '@abort'?

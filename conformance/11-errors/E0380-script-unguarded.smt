@@ -13,6 +13,6 @@ F64 p
 [options]
 delta_t 10
 [all_states]
-p = 600             #! E0380 say when
+p = 600             #! E0380 in a script this must be under a condition
 x = 1
 G == 100: @stop

@@ -13,5 +13,5 @@ F64 p
 [options]
 delta_t 10
 [all_states]
-G == 0 { }          #! E0384 nothing
+G == 0 { }          #! E0384 this conditional is empty
 G == 100: @stop

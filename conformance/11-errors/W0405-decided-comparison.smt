@@ -17,7 +17,7 @@ F64 f
     b == 2: -> Hold           #! W0405 bool
     0 > x: -> Hold            #! W0405
     f > 3 and 10 < x < 500 < y: -> Hold   #! W0405 'y'
-    x >= 0: -> Hold           #! W0406 this always holds
+    x >= 0: -> Hold           #! W0406 this is always true: 'x' is U8, a whole number from 0 to 255
     x <= 255: -> Hold         #! W0406
     y != 128: -> Hold         #! W0406
     T >= 0: -> Hold           #! W0406 'T' is U64

@@ -17,7 +17,7 @@ F64 top = 0
     T > 100: -> Sum
 [Coast]
 .step
-    alt > 500: -> Fall                  #! W0925 'Coast' is left at once: what led into it (alt > 1000) fulfils this too
+    alt > 500: -> Fall                  #! W0925 'Coast' is left at once: the condition that led into it (alt > 1000) also ends it
     T > 10: -> Climb
 [Fall]
 .step

@@ -25,7 +25,7 @@ U8 mode = 0
         p > 3: valve = false             #! W0509 here 'p' is always above 5
         p < 4: valve = true              #! W0508
     }
-    else if p > 6: valve = false         #! W0508 where it would hold, this one has held before
+    else if p > 6: valve = false         #! W0508 whenever it would be true, this earlier one has been true
     mode = 5
     mode > 10: valve = true              #! W0508 here 'mode' is always 5
     p > q {

@@ -13,8 +13,8 @@ F64 tenth = 0.1 @read_only
 F32 short = 0.1 @read_only
 [Hold]
 .step
-    x == 0.1: -> Hold         #! W0413 never holds: 'x' is F32
-    x != 0.1: y = 1           #! W0413 always holds
+    x == 0.1: -> Hold         #! W0413 this is never true: 'x' is F32 and is never exactly 0.1
+    x != 0.1: y = 1           #! W0413 this is always true: 'x' is F32 and is never exactly 0.1
     0.3 == x: -> Hold         #! W0413 the nearest F32 is 0.3
     x == tenth: -> Hold       #! W0413
     n == 2.5: -> Hold         #! W0414 whole number and is never 2.5

@@ -28,7 +28,7 @@ F64  arm   = 0
 .step
     roll_avg(p, 5) > 7: valve = true        # before it is assigned
     p = max(a, b)
-    roll_min(p, 2) > 28: -> Done            #! W0421 in place of 'p' write what it is: max(a, b)
+    roll_min(p, 2) > 28: -> Done            #! W0421 replace 'p' by the expression itself: max(a, b)
     min(p, roll_min(p, 1)) > 28: -> Done    # this step's value stands beside it
     roll_max(p, 3) - p > 5: -> Done
     b > roll_max(p, 3): -> Done             #! W0421 'p'
@@ -43,13 +43,13 @@ F64  arm   = 0
     order = a * 2
     alone = a * 3
     roll_min(abs(order - b), 4) > 3: -> Done    # what came of the last order
-    roll_min(alone, 4) > 3: -> Done             #! W0421 in place of 'alone' write what it is: a * 3
+    roll_min(alone, 4) > 3: -> Done             #! W0421 replace 'alone' by the expression itself: a * 3
     duty = a * 2
     roll_avg(duty, 5) > 300: -> Done        #! W0421
     high = a
     roll_avg(high, 5) > 0.5: -> Done        #! W0421
     far = a > 7
-    roll_avg(far, 5) > 0.5: -> Done         #! W0421 in place of 'far' write what it is: a > 7
+    roll_avg(far, 5) > 0.5: -> Done         #! W0421 replace 'far' by the expression itself: a > 7
     a > 1 {
         arm = b
     }

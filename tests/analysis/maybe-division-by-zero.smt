@@ -25,7 +25,7 @@ U32 count = 1
     first = supply
     count = 1
 .step
-    x = a / b                         #! W0417 'b' can be 0 here: the division then gives an infinity, or NaN
+    x = a / b                         #! W0417 'b' can be 0 here: the division then results in an infinity, or NaN
     u = a / n                         #! W0417 an infinity, stored as 255
     y = a / b > 3                     #! W0417
     x = a / (a - b)                   #! W0417 'a - b'

@@ -23,7 +23,7 @@ U64 limit = 5000 @read_only
     phase = 0
 .step
     level > 1: -> Plain
-[Plain]                     #! W0921 'Plain' switches 'valve' on and has no way out by time alone
+[Plain]                     #! W0921 'Plain' switches 'valve' on and has no transition that time alone makes
 .entry
     valve = true
 .step

@@ -13,7 +13,7 @@ bool lamp
 .entry
     lamp = true
 .step
-    -> Gap                  #! W0927 the machine changes its state at every step from 'Flash' on
+    -> Gap                  #! W0927 the machine changes its state at every step, beginning with 'Flash': no transition of this cycle has a condition
 [Gap]
 .entry
     lamp = false

@@ -7,7 +7,7 @@ U32 S
 F64 x @read_only
 F64 y
 [local]
-F64 scale = (2)               #! W0207 'scale' is never written
+F64 scale = (2)               #! W0207 local 'scale' is never assigned, so it is a constant: mark it @read_only
 U16 n     = 20                #! W0207 'n'
 F64 limit = scale + 1         #! W0207 'limit'
 F64 pi    = 3.14159 @read_only

@@ -11,10 +11,10 @@ F64 x
 [local]
 U64 huge = 9007199254740992
 U64 last = 18446744073709551615 @read_only
-F64 odd = 0x20000000000001 @read_only         #! W0415 0x20000000000001 is too large to be exact: it counts as 9007199254740992
+F64 odd = 0x20000000000001 @read_only         #! W0415 0x20000000000001 is too large to be exact: its value is 9007199254740992
 [Hold]
 .step
-    code == 9007199254740993: -> Hold         #! W0415 it counts as 9007199254740992
+    code == 9007199254740993: -> Hold         #! W0415 9007199254740993 is too large to be exact: its value is 9007199254740992
     code == -9_007_199_254_740_995: -> Hold   #! W0415
     huge = huge + 1                           #! W0416
     p > 9007199254740992: x = p - 1           #! W0416

@@ -22,7 +22,7 @@ F64 before  = 0
 F64 after   = 0
 [Boost]
 .step
-    G - start > 5000: -> Coast                #! W0208 'start' is still 0 here: it is written only later, in state 'Coast'
+    G - start > 5000: -> Coast                #! W0208 'start' is still 0 here: it is first assigned later, in state 'Coast'
     altitude - ground > 50: -> Coast          #! W0208 'ground' is still 0
     altitude > limit: -> Coast
     mode > 3 and altitude > 5: -> Coast       #! W0208 'mode' is still 2 here

@@ -14,7 +14,7 @@ F64 x = 0
 [Bounds]
 .step
     p > 10: -> A
-    p > 20: -> B                         #! W0506 an earlier one has been made already
+    p > 20: -> B                         #! W0506 this transition is never made: whenever its guard is true, an earlier transition has been made
     p >= 10 and q > 1: -> C
     15 < p <= 18: -> C                   #! W0506
 [A]

@@ -61,7 +61,7 @@ U8 second = 0
 .step
     first = 1
     -> Idle
-[Lost]                           #! W0503 so state 'Loop' cannot be reached
+[Lost]                           #! W0503 state 'Lost' is unreachable
 .step
     p > 2: -> Loop
     p > 1: -> Run

@@ -121,7 +121,7 @@ bool valve
 .entry
     valve = true
 -- stderr --
-d.sm:9:5: warning: nothing here needs this '@allow(window-not-full)' [W0210 unused-allow]
+d.sm:9:5: warning: unused '@allow(window-not-full)': no warning needs it here [W0210 unused-allow]
     9 |     @allow(window-not-full, "p is warm by then")
       |     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ leave it out
 1 warning

@@ -55,11 +55,11 @@ Try 'smc check --help'.
 smc: a command comes before the file, as in 'smc check a.app'
 Try 'smc --help'.
 smc: cannot read 'nosuch.app': No such file or directory
-{"severity":"error","code":"E1035","message":"25 ms is no multiple of 10 ms, the tick of [flight]","file":"a.app","line":4,"column":1,"endLine":4,"endColumn":13,"label":"20 ms or 30 ms would be","notes":[],"edits":[],"flag":null,"group":null}
+{"severity":"error","code":"E1035","message":"25 ms is not a multiple of 10 ms, the tick of [flight]","file":"a.app","line":4,"column":1,"endLine":4,"endColumn":13,"label":"20 ms or 30 ms would be","notes":[],"edits":[],"flag":null,"group":null}
 {"severity":"error","code":"E0204","message":"unknown element 'tim'","file":"a.app","line":5,"column":18,"endLine":5,"endColumn":21,"label":"did you mean 'time'?","notes":[{"message":"'time' is declared here","file":"a.sv","line":2,"column":5,"endLine":2,"endColumn":9,"step":null}],"edits":[],"flag":null,"group":null}
 {"severity":"error","code":"E1030","message":"machine 'm' needs the time: in [options], time ELEMENT 1 ms","file":"a.app","line":7,"column":13,"endLine":7,"endColumn":14,"label":null,"notes":[],"edits":[],"flag":null,"group":null}
 {"severity":"error","code":"E1031","message":"cannot read 'missing.sm': No such file or directory","file":"a.app","line":7,"column":15,"endLine":7,"endColumn":27,"label":null,"notes":[],"edits":[],"flag":null,"group":null}
-a.app:4:1: error: 25 ms is no multiple of 10 ms, the tick of [flight] [E1035]
+a.app:4:1: error: 25 ms is not a multiple of 10 ms, the tick of [flight] [E1035]
     4 | every 25 ms:
       | ^~~~~~~~~~~~ 20 ms or 30 ms would be
 a.app:5:18: error: unknown element 'tim' [E0204]

@@ -32,11 +32,11 @@ F64  smooth = 30
 a.sm:10:2: warning: state 'Burn' cannot abort if 'pressure' sticks, say at 1: no transition to an @abort state is left [W0902 abort-single-sensor]
    10 | [Burn]
       |  ^~~~
-a.sm:15:5: note: this way to 'Close', and from there to 'Abort', waits for 'pressure'
-a.sm:14:5: note: 'smooth' is made of 'pressure' here
-a.sm:16:5: note: this way to 'Close', and from there to 'Abort', waits for 'pressure'
-a.sm:14:5: note: 'smooth' is made of 'pressure' here
-note: let a second sensor, a switch or a limit to T lead to an @abort state too
+a.sm:15:5: note: this transition to 'Close', and from there to 'Abort', depends on 'pressure'
+a.sm:14:5: note: 'smooth' is computed from 'pressure' here
+a.sm:16:5: note: this transition to 'Close', and from there to 'Abort', depends on 'pressure'
+a.sm:14:5: note: 'smooth' is computed from 'pressure' here
+note: let a second sensor, a switch or a time limit with T lead to an @abort state, too
 a.sm:20:18: warning: 'pressure' alone switches on 'heater' when it reads 0, as a broken sensor can [W0903 output-on-zero]
    20 |     smooth < 20: heater = true
       |                  ^~~~~~~~~~~~~

@@ -34,61 +34,61 @@ mode = 1
     if hold
         mode = ~3
 -- stderr --
-app.sm:9:1: error: this stands before the first label of the state 'Hold' [E0310]
+app.sm:9:1: error: this must follow a label of state 'Hold' [E0310]
     9 | mode = 1
       | ^~~~ put it behind a label: .entry is run once, .step in every step, .exit at the end
-app.sm:11:5: error: 'p' begins no statement [E0328]
+app.sm:11:5: error: a statement cannot begin with 'p' [E0328]
    11 |     p between 30 and 50: -> Vent
       |     ^ write 30 <= p <= 50
-app.sm:12:5: error: 'wait' is not a word of this language [E0329]
+app.sm:12:5: error: 'wait' is not part of this language [E0329]
    12 |     wait(200)
       |     ^~~~ put what follows in braces: T >= 200 { ... }, in the unit of 'G'
-app.sm:13:5: error: 'sleep' is not a word of this language [E0329]
+app.sm:13:5: error: 'sleep' is not part of this language [E0329]
    13 |     sleep 2.5
       |     ^~~~~ put what follows in braces: T >= 2500 { ... }, if 'G' counts milliseconds
-app.sm:14:12: error: the number 1 runs into ''000' [E0114]
+app.sm:14:12: error: the number 1 is directly followed by ''000' [E0114]
    14 |     mode = 1'000
       |            ^~~~~ write 1000
 app.sm:15:14: error: expected the end of the line, found the number 000 [E0330]
    15 |     mode = 1 000
       |              ^~~ write 1000
-app.sm:16:11: error: the character '°' may stand in comments only [E0102]
+app.sm:16:11: error: the character '°' is allowed only in comments [E0102]
    16 |     p > 50°: -> Vent
       |           ^ numbers have no units: convert the value in ° to the unit of the element and write the number alone
-app.sm:17:5: error: 'for' is not a word of this language [E0329]
+app.sm:17:5: error: 'for' is not part of this language [E0329]
    17 |     for (int i = 0; i < 3; i++) { mode = 1 }
       |     ^~~ there are no loops: .step runs again in every step
-app.sm:18:13: error: a statement ends with its line, not with ';' [E0109]
+app.sm:18:13: error: a statement ends at the end of its line, without ';' [E0109]
    18 |     mode = 1; valve = false
       |             ^ put each statement on a line of its own
 app.sm:19:25: error: expected the end of the line, found ',' [E0330]
    19 |     p > 50: valve = true, -> Vent
-      |                         ^ put all that depends on the condition in braces, each statement on a line of its own
-app.sm:20:5: error: variables are declared in the section [local] [E0338]
+      |                         ^ put everything that depends on the condition in braces, each statement on a line of its own
+app.sm:20:5: error: declare variables in the section [local] [E0338]
    20 |     int x = 3
       |     ^~~ write 'I32 x = 3' in [local], and 'x = 3' here
-app.sm:21:5: error: variables are declared in the section [local] [E0338]
+app.sm:21:5: error: declare variables in the section [local] [E0338]
    21 |     const F64 y = 3
       |     ^~~~~ write 'F64 y = 3 @read_only' in [local]
 app.sm:22:5: error: unknown function 'isnan' [E0217]
    22 |     isnan(p): -> Vent
       |     ^~~~~ what is stored is never NaN: a sensor's NaN is read as 0; ask for what is healthy, as in not (0.5 < x < 60)
-app.sm:23:5: error: this is a value and does nothing [E0327]
+app.sm:23:5: error: this value has no effect [E0327]
    23 |     p > 3
       |     ^~~~~ a line may be continued only inside parentheses
-app.sm:25:5: error: 'S' cannot be written: it holds the number of the state [E0215]
+app.sm:25:5: error: 'S' cannot be assigned: it holds the number of the state [E0215]
    25 |     S = 2
       |     ^ to go to the state 'Vent', write -> Vent
-app.sm:26:13: error: the character 'ä' may stand in comments only [E0102]
+app.sm:26:13: error: the character 'ä' is allowed only in comments [E0102]
    26 |     mode = wärme
-      |             ^ names are made of a to z, A to Z, 0 to 9 and _
-app.sm:28:7: error: this stands before the first label of the state 'Vent' [E0310]
+      |             ^ a name consists of a to z, A to Z, 0 to 9 and _
+app.sm:28:7: error: this must follow a label of state 'Vent' [E0310]
    28 | [Vent]:
       |       ^ leave it out
 app.sm:30:12: error: expected ':' or '{' after the condition, found the end of the line [E0315]
    30 |     if hold
       |            ^ insert '{', and write '}' below the statements that depend on it
-app.sm:31:16: error: there is no operator '~' [E0108]
+app.sm:31:16: error: unknown operator '~' [E0108]
    31 |         mode = ~3
       |                ^ numbers have no bits here: keep each flag in a bool of its own
 19 errors

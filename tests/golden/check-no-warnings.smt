@@ -15,7 +15,7 @@ F64 spare
 .step
     open = false
 -- stderr --
-a.sm:9:2: warning: state 'Lost' cannot be reached [W0503 unreachable-state]
+a.sm:9:2: warning: state 'Lost' is unreachable [W0503 unreachable-state]
     9 | [Lost]
       |  ^~~~
 1 warning

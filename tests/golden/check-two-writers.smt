@@ -46,7 +46,7 @@ bool lamp @read_only
 .step
     valve and lamp: clock = G
 -- stderr --
-b.sm:11:5: warning: machine 'b' writes 'valve', as machine 'a' does [W0960 two-writers]
+b.sm:11:5: warning: machine 'b' writes 'valve', and so does machine 'a' [W0960 two-writers]
    11 |     door = true
       |     ^~~~~~~~~~~
 a.sm:8:5: note: machine 'a' writes it here
@@ -58,7 +58,7 @@ b.sm:13:5: warning: machine 'b' writes 'aState', which is the state, S, of machi
    13 |     aState = 2
       |     ^~~~~~~~~~
 a.sm:3:5: note: machine 'a' lists it here
-c.sm:3:5: warning: machine 'c' keeps its state in 'S', as machine 'b' does [W0961 two-writers]
+c.sm:3:5: warning: machine 'c' stores its state in 'S', and so does machine 'b' [W0961 two-writers]
     3 | U32 S
       |     ^
 b.sm:3:5: note: machine 'b' lists it here

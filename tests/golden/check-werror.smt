@@ -14,10 +14,10 @@ F64 spare
 .step
     open = false
 -- stderr --
-a.sm:5:5: error: element 'spare' is listed but never used [W0203 unused-element]
+a.sm:5:5: error: element 'spare' is never used [W0203 unused-element]
     5 | F64 spare
       |     ^~~~~
-a.sm:9:2: error: state 'Lost' cannot be reached [W0503 unreachable-state]
+a.sm:9:2: error: state 'Lost' is unreachable [W0503 unreachable-state]
     9 | [Lost]
       |  ^~~~
 2 errors

@@ -49,43 +49,43 @@ F64 own = 0
     own = 3
     altitude < mean: -> Main
 -- stderr --
-a.sm:14:5: warning: what is stored in 'high' here is overwritten before anything reads it [W0410 dead-store]
+a.sm:14:5: warning: the value assigned to 'high' is overwritten before it is read [W0410 dead-store]
    14 |     high = altitude
       |     ^~~~~~~~~~~~~~~
 a.sm:32:5: note: it is overwritten here
-a.sm:17:5: warning: what is stored in 'low' here is overwritten before anything reads it [W0410 dead-store]
+a.sm:17:5: warning: the value assigned to 'low' is overwritten before it is read [W0410 dead-store]
    17 |     low = altitude
       |     ^~~~~~~~~~~~~~
 a.sm:23:9: note: it is overwritten here
-a.sm:18:5: warning: what is stored in 'speed' here is overwritten before anything reads it [W0410 dead-store]
+a.sm:18:5: warning: the value assigned to 'speed' is overwritten before it is read [W0410 dead-store]
    18 |     speed = 1
       |     ^~~~~~~~~
 a.sm:19:5: note: it is overwritten here
-a.sm:22:9: warning: what is stored in 'mean' here is overwritten before anything reads it [W0410 dead-store]
+a.sm:22:9: warning: the value assigned to 'mean' is overwritten before it is read [W0410 dead-store]
    22 |         mean = 3
       |         ^~~~~~~~
 a.sm:39:5: note: it is overwritten here when the machine is in 'Main'
-a.sm:23:9: warning: what is stored in 'low' here is overwritten before anything reads it [W0410 dead-store]
+a.sm:23:9: warning: the value assigned to 'low' is overwritten before it is read [W0410 dead-store]
    23 |         low = 1
       |         ^~~~~~~
 a.sm:35:5: note: it is overwritten here when the machine is in 'Main'
-a.sm:24:9: warning: what is stored in 'turn' here is overwritten before anything reads it [W0410 dead-store]
+a.sm:24:9: warning: the value assigned to 'turn' is overwritten before it is read [W0410 dead-store]
    24 |         turn = 7
       |         ^~~~~~~~
 a.sm:36:5: note: it is overwritten here when the machine is in 'Main'
-a.sm:27:5: warning: what is stored in 'low' here is overwritten before anything reads it [W0410 dead-store]
+a.sm:27:5: warning: the value assigned to 'low' is overwritten before it is read [W0410 dead-store]
    27 |     low = 5
       |     ^~~~~~~
 a.sm:17:5: note: it is overwritten here in the next step
-a.sm:32:5: warning: what is stored in 'high' here is overwritten before anything reads it [W0410 dead-store]
+a.sm:32:5: warning: the value assigned to 'high' is overwritten before it is read [W0410 dead-store]
    32 |     high = 4
       |     ^~~~~~~~
 a.sm:37:5: note: it is overwritten here when the machine is in 'Main'
-a.sm:40:5: warning: what is stored in 'own' here is overwritten before anything reads it [W0410 dead-store]
+a.sm:40:5: warning: the value assigned to 'own' is overwritten before it is read [W0410 dead-store]
    40 |     own = altitude
       |     ^~~~~~~~~~~~~~
 note: the same assignment overwrites it the next time
-a.sm:45:5: warning: what is stored in 'own' here is overwritten before anything reads it [W0410 dead-store]
+a.sm:45:5: warning: the value assigned to 'own' is overwritten before it is read [W0410 dead-store]
    45 |     own = 3
       |     ^~~~~~~
 a.sm:40:5: note: it is overwritten here when the machine is in 'Main'

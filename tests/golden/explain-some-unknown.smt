@@ -2,7 +2,7 @@
 args explain E0109 W9999
 
 -- stdout --
-E0109: a statement ends with its line, not with ';'
+E0109: a statement ends at the end of its line, without ';'
 ...
 -- stderr --
 smc: no diagnostic is called 'W9999'[..]

@@ -15,7 +15,7 @@ A name is used that is neither an element listed in [state_vector] nor a local n
         valve0pe = true      # E0204: a zero for the letter O
 
 Check the spelling, or add the element to [state_vector] or the value to [local].
-W0750: this assert was never judged  [-Wunjudged-assert]
+W0750: this assert was never evaluated  [-Wunjudged-assert]
 
 The script ended and no step judged this @assert: its condition was never true, the machine was never in the state of
 its section, or the script stopped before.  The message says which.  The assert has tested nothing.

@@ -56,11 +56,11 @@ final state vector:
   ratio = 0.000000
   scale = 2.000000
   unit = 2.000000
-    1  never-written     on by default  a.sm:10:6   local 'unit' is never written, so it is a constant: mark it @read_only           W0207
+    1  never-written     on by default  a.sm:10:6   local 'unit' is never assigned, so it is a constant: mark it @read_only          W0207
     2  division-by-zero  on by default  a.sm:17:24  this divides by zero                                                             W0407
     3  output-on-zero    -Wflight       a.sm:23:27  'altitude' alone switches on 'mainPyro' when it reads 0, as a broken sensor can  W0903
 -- stderr --
-a.sm:10:6: warning: local 'unit' is never written, so it is a constant: mark it @read_only [W0207 never-written]
+a.sm:10:6: warning: local 'unit' is never assigned, so it is a constant: mark it @read_only [W0207 never-written]
    10 | F64  unit = 0
       |      ^~~~
 a.sm:17:24: warning: this divides by zero [W0407 division-by-zero]
@@ -72,7 +72,7 @@ a.sm:23:27: warning: 'altitude' alone switches on 'mainPyro' when it reads 0, as
 note: for example in 'Fall': 'altitude' reads 1.894e+06, then 0; this happens in step 1 after that
 note: require that 'altitude' is plausible, or that a second sensor agrees
 3 warnings
-a.sm:10:6: warning: local 'unit' is never written, so it is a constant: mark it @read_only [W0207 never-written]
+a.sm:10:6: warning: local 'unit' is never assigned, so it is a constant: mark it @read_only [W0207 never-written]
    10 | F64  unit = 0
       |      ^~~~
 a.sm:17:24: warning: this divides by zero [W0407 division-by-zero]
@@ -84,7 +84,7 @@ a.sm:23:27: warning: 'altitude' alone switches on 'mainPyro' when it reads 0, as
 note: for example in 'Fall': 'altitude' reads 1.894e+06, then 0; this happens in step 1 after that
 note: require that 'altitude' is plausible, or that a second sensor agrees
 3 warnings
-a.sm:10:6: warning: local 'unit' is never written, so it is a constant: mark it @read_only [W0207 never-written]
+a.sm:10:6: warning: local 'unit' is never assigned, so it is a constant: mark it @read_only [W0207 never-written]
    10 | F64  unit = 0
       |      ^~~~
 a.sm:17:24: warning: this divides by zero [W0407 division-by-zero]
@@ -96,7 +96,7 @@ a.sm:23:27: warning: 'altitude' alone switches on 'mainPyro' when it reads 0, as
 note: for example in 'Fall': 'altitude' reads 1.894e+06, then 0; this happens in step 1 after that
 note: require that 'altitude' is plausible, or that a second sensor agrees
 3 warnings
-a.sm:10:6: warning: local 'unit' is never written, so it is a constant: mark it @read_only [W0207 never-written]
+a.sm:10:6: warning: local 'unit' is never assigned, so it is a constant: mark it @read_only [W0207 never-written]
    10 | F64  unit = 0
       |      ^~~~
 a.sm:17:24: warning: this divides by zero [W0407 division-by-zero]
@@ -108,7 +108,7 @@ a.sm:23:27: warning: 'altitude' alone switches on 'mainPyro' when it reads 0, as
 note: for example in 'Fall': 'altitude' reads 1.894e+06, then 0; this happens in step 1 after that
 note: require that 'altitude' is plausible, or that a second sensor agrees
 3 warnings
-a.sm:10:6: warning: local 'unit' is never written, so it is a constant: mark it @read_only [W0207 never-written]
+a.sm:10:6: warning: local 'unit' is never assigned, so it is a constant: mark it @read_only [W0207 never-written]
    10 | F64  unit = 0
       |      ^~~~
 a.sm:17:24: warning: this divides by zero [W0407 division-by-zero]
@@ -120,7 +120,7 @@ a.sm:23:27: warning: 'altitude' alone switches on 'mainPyro' when it reads 0, as
 note: for example in 'Fall': 'altitude' reads 1.894e+06, then 0; this happens in step 1 after that
 note: require that 'altitude' is plausible, or that a second sensor agrees
 3 warnings
-a.sm:10:6: warning: local 'unit' is never written, so it is a constant: mark it @read_only [W0207 never-written]
+a.sm:10:6: warning: local 'unit' is never assigned, so it is a constant: mark it @read_only [W0207 never-written]
    10 | F64  unit = 0
       |      ^~~~
 a.sm:17:24: warning: this divides by zero [W0407 division-by-zero]

@@ -83,7 +83,7 @@ app.sm: 5 fixed
 app.sm:16:5: warning: 'x' is assigned to itself [W0412 self-assignment]
    16 |     x = x
       |     ^~~~~
-app.sm:17:5: warning: what is stored in 'y' here is overwritten before anything reads it [W0410 dead-store]
+app.sm:17:5: warning: the value assigned to 'y' is overwritten before it is read [W0410 dead-store]
    17 |     y = 1
       |     ^~~~~
 app.sm:18:5: note: it is overwritten here
@@ -96,7 +96,7 @@ app.sm:22:9: warning: 'v' is assigned to itself [W0412 self-assignment]
 app.sm:25:9: warning: 'v' is assigned to itself [W0412 self-assignment]
    25 |         v = v   # why
       |         ^~~~~
-app.sm:26:9: warning: what is stored in 'x' here is overwritten before anything reads it [W0410 dead-store]
+app.sm:26:9: warning: the value assigned to 'x' is overwritten before it is read [W0410 dead-store]
    26 |         x = 1
       |         ^~~~~
 app.sm:28:9: note: it is overwritten here
@@ -107,7 +107,7 @@ app.sm:30:5: warning: 'x' is assigned to itself [W0412 self-assignment]
 app.sm:16:5: warning: 'x' is assigned to itself [W0412 self-assignment]
    16 |     x = x
       |     ^~~~~
-app.sm:17:5: warning: what is stored in 'y' here is overwritten before anything reads it [W0410 dead-store]
+app.sm:17:5: warning: the value assigned to 'y' is overwritten before it is read [W0410 dead-store]
    17 |     y = 1
       |     ^~~~~
 app.sm:18:5: note: it is overwritten here
@@ -120,7 +120,7 @@ app.sm:22:9: warning: 'v' is assigned to itself [W0412 self-assignment]
 app.sm:25:9: warning: 'v' is assigned to itself [W0412 self-assignment]
    25 |         v = v   # why
       |         ^~~~~
-app.sm:26:9: warning: what is stored in 'x' here is overwritten before anything reads it [W0410 dead-store]
+app.sm:26:9: warning: the value assigned to 'x' is overwritten before it is read [W0410 dead-store]
    26 |         x = 1
       |         ^~~~~
 app.sm:28:9: note: it is overwritten here

@@ -204,78 +204,78 @@ app.sm:18:16: error: a comment begins with '#', not with '//' [E0110]
 app.sm:19:12: error: a comment begins with '#', not with '//' [E0110]
    19 |     n = G  // T
       |            ^~ to divide and round down, write floor(a / b); a comment begins with #
-app.sm:21:11: error: there is no operator '%' [E0108]
+app.sm:21:11: error: unknown operator '%' [E0108]
    21 |     p > n % size: valve = true
       |           ^ for a remainder, use x - n * floor(x / n); a comment begins with #
 app.sm:22:20: error: '&' is written 'and' here [E0107]
    22 |     p > 5 and mode & mask: valve = true
-      |                    ^ write and for conditions; for the bits of a number there is no operator
+      |                    ^ write and for conditions; there are no operators for the bits of a number
 app.sm:23:11: error: '&' is written 'and' here [E0107]
    23 |     p > 5 & mode & mask: valve = true
-      |           ^ write and for conditions; for the bits of a number there is no operator
+      |           ^ write and for conditions; there are no operators for the bits of a number
 app.sm:23:18: error: '&' is written 'and' here [E0107]
    23 |     p > 5 & mode & mask: valve = true
-      |                  ^ write and for conditions; for the bits of a number there is no operator
+      |                  ^ write and for conditions; there are no operators for the bits of a number
 app.sm:24:11: error: '|' is written 'or' here [E0107]
    24 |     p > 5 | q > 5 and fault: valve = true
-      |           ^ write or for conditions; for the bits of a number there is no operator
+      |           ^ write or for conditions; there are no operators for the bits of a number
 app.sm:25:21: error: '|' is written 'or' here [E0107]
    25 |     p > 5 and q > 5 | fault: valve = true
-      |                     ^ write or for conditions; for the bits of a number there is no operator
-app.sm:27:5: error: there is no operator '|p - |q||' [E0108]
+      |                     ^ write or for conditions; there are no operators for the bits of a number
+app.sm:27:5: error: unknown operator '|p - |q||' [E0108]
    27 |     |p - |q|| > 5: valve = true
       |     ^~~~~~~~~ write abs(x)
-app.sm:28:5: error: there is no operator '||p| - q|' [E0108]
+app.sm:28:5: error: unknown operator '||p| - q|' [E0108]
    28 |     ||p| - q| > 5: valve = true
       |     ^~~~~~~~~ write abs(x)
-app.sm:29:5: warning: 'not' reaches only to the next value [W0401 not-precedence]
+app.sm:29:5: warning: 'not' applies only to the next value [W0401 not-precedence]
    29 |     not abs(p) > 5 or abs(q) > 5: valve = true
       |     ^~~~~~~~~~
-note: as it stands: (not abs(p)) > 5
+note: as written: (not abs(p)) > 5
 note: perhaps meant: not (abs(p) > 5)
-app.sm:30:7: error: there is no '*=' [E0326]
+app.sm:30:7: error: unknown operator '*=' [E0326]
    30 |     n *= p + q
       |       ^~ write n = n * (...)
-app.sm:31:7: error: there is no '-=' [E0326]
+app.sm:31:7: error: unknown operator '-=' [E0326]
    31 |     n -= 2
       |       ^~ write n = n - ...
-app.sm:32:7: error: there is no '/=' [E0326]
+app.sm:32:7: error: unknown operator '/=' [E0326]
    32 |     n /= max(p, q) # of both
       |       ^~ write n = n / ...
-app.sm:33:17: error: no comma stands in a number [E0116]
+app.sm:33:17: error: a number cannot contain a comma [E0116]
    33 |     n = min(p, 0,5)
       |                 ^ a decimal point is written 0.5; put a blank after a comma that separates two values
 app.sm:34:16: error: ';' is written ',' here [E0107]
    34 |     n = clamp(p; 0,5)
       |                ^ write ,
-app.sm:36:10: error: the character '·' may stand in comments only [E0102]
+app.sm:36:10: error: the character '·' is allowed only in comments [E0102]
    36 |     n = 0·5
       |          ^ leave it out of the number; a decimal point is written .
-app.sm:37:12: error: '=' stores a value; a comparison is written '==' [E0324]
+app.sm:37:12: error: '=' assigns a value; use '==' to compare [E0324]
    37 |     n = (p = 9)
       |            ^ write ==
 and 5 more errors
 25 errors, 1 warning
-label.sm:11:5: error: this is a value and does nothing [E0327]
+label.sm:11:5: error: this value has no effect [E0327]
    11 |     entry
       |     ^~~~~ a statement is x = value, -> State, or condition: statement
 1 error
-lines.sm:10:19: error: a statement ends with its line, not with ';' [E0109]
+lines.sm:10:19: error: a statement ends at the end of its line, without ';' [E0109]
    10 |     p > 5: -> Idle; pump = true
-      |                   ^ put all that depends on the condition in braces, each statement on a line of its own
-lines.sm:11:20: error: a statement ends with its line, not with ';' [E0109]
+      |                   ^ put everything that depends on the condition in braces, each statement on a line of its own
+lines.sm:11:20: error: a statement ends at the end of its line, without ';' [E0109]
    11 |     fault: -> Abort; -> Idle
-      |                    ^ put all that depends on the condition in braces, each statement on a line of its own
+      |                    ^ put everything that depends on the condition in braces, each statement on a line of its own
 lines.sm:12:15: error: expected ':' or '{' after the condition, found 'valve' [E0315]
    12 |     if (p > 5) valve = true; pump = true
       |               ^ insert ':'
-lines.sm:12:28: error: a statement ends with its line, not with ';' [E0109]
+lines.sm:12:28: error: a statement ends at the end of its line, without ';' [E0109]
    12 |     if (p > 5) valve = true; pump = true
       |                            ^ put each statement on a line of its own, inside braces if it depends on a condition
-lines.sm:13:11: error: 'then' is not a word of this language [E0329]
+lines.sm:13:11: error: 'then' is not part of this language [E0329]
    13 |     p > 6 then valve = true; pump = true
       |           ^~~~ write ':' instead
-lines.sm:13:28: error: a statement ends with its line, not with ';' [E0109]
+lines.sm:13:28: error: a statement ends at the end of its line, without ';' [E0109]
    13 |     p > 6 then valve = true; pump = true
       |                            ^ put each statement on a line of its own, inside braces if it depends on a condition
 lines.sm:14:15: error: expected ':' or '{' after the condition, found 'valve' [E0315]
@@ -284,61 +284,61 @@ lines.sm:14:15: error: expected ':' or '{' after the condition, found 'valve' [E
 lines.sm:14:33: error: expected ':', '{' or 'if' after 'else', found 'pump' [E0319]
    14 |     if (p > 7) valve = true else pump = true; valve = false
       |                                 ^ insert ':'
-lines.sm:14:45: error: a statement ends with its line, not with ';' [E0109]
+lines.sm:14:45: error: a statement ends at the end of its line, without ';' [E0109]
    14 |     if (p > 7) valve = true else pump = true; valve = false
       |                                             ^ put each statement on a line of its own, inside braces if it depends on a condition
-lines.sm:16:12: error: a statement ends with its line, not with ';' [E0109]
+lines.sm:16:12: error: a statement ends at the end of its line, without ';' [E0109]
    16 |     -> Idle; pump = true
       |            ^ put each statement on a line of its own
-lines.sm:17:14: error: 'then' is not a word of this language [E0329]
+lines.sm:17:14: error: 'then' is not part of this language [E0329]
    17 |     if p > 9 then valve = true
       |              ^~~~ write ':' instead
-lines.sm:19:25: error: a statement ends with its line, not with ';' [E0109]
+lines.sm:19:25: error: a statement ends at the end of its line, without ';' [E0109]
    19 |     p > 10: valve = true; pump = true
-      |                         ^ put all that depends on the condition in braces, each statement on a line of its own
+      |                         ^ put everything that depends on the condition in braces, each statement on a line of its own
 lines.sm:23:9: error: expected ':', '{' or 'if' after 'else', found 'pump' [E0319]
    23 |     else pump = true
       |         ^ insert ':'
 13 errors
-braces.sm:9:13: error: the condition has no statement on its line: after the colon stands the end of the line [E0316]
+braces.sm:9:13: error: expected a statement after the condition, found the end of the line [E0316]
     9 |     if p > 5:
       |             ^ write '{' instead, and '}' after the statements that depend on the condition
 note: statements on lines of their own need braces: p > 5 { ... }
-braces.sm:12:13: error: the condition has no statement on its line: after the colon stands the end of the line [E0316]
+braces.sm:12:13: error: expected a statement after the condition, found the end of the line [E0316]
    12 |     if p > 6:
       |             ^ write '{' instead, and '}' after the statements that depend on the condition
 note: statements on lines of their own need braces: p > 6 { ... }
-braces.sm:13:17: error: the condition has no statement on its line: after the colon stands the end of the line [E0316]
+braces.sm:13:17: error: expected a statement after the condition, found the end of the line [E0316]
    13 |         if q > 6:
       |                 ^ write '{' instead, and '}' after the statements that depend on the condition
 note: statements on lines of their own need braces: q > 6 { ... }
-braces.sm:16:13: error: the condition has no statement on its line: after the colon stands the end of the line [E0316]
+braces.sm:16:13: error: expected a statement after the condition, found the end of the line [E0316]
    16 |     if p > 7:
       |             ^ write '{' instead, and '}' after the statements that depend on the condition
 note: statements on lines of their own need braces: p > 7 { ... }
-braces.sm:19:17: error: the condition has no statement on its line: after the colon stands the end of the line [E0316]
+braces.sm:19:17: error: expected a statement after the condition, found the end of the line [E0316]
    19 |     q > 7: p > 7:
       |                 ^ write '{' instead, and '}' after the statements that depend on the condition
 note: statements on lines of their own need braces: p > 7 { ... }
-braces.sm:22:13: error: the condition has no statement on its line: after the colon stands the end of the line [E0316]
+braces.sm:22:13: error: expected a statement after the condition, found the end of the line [E0316]
    22 |     if p > 8:
       |             ^ write '{' instead, and '}' after the statements that depend on the condition
 note: statements on lines of their own need braces: p > 8 { ... }
-braces.sm:26:17: error: the condition has no statement on its line: after the colon stands the end of the line [E0316]
+braces.sm:26:17: error: expected a statement after the condition, found the end of the line [E0316]
    26 |         if q > 9:
       |                 ^ write '{' instead, and '}' after the statements that depend on the condition
 note: statements on lines of their own need braces: q > 9 { ... }
 7 errors
-numbers.sm:4:16: error: the character '–' may stand in comments only [E0102]
+numbers.sm:4:16: error: the character '–' is allowed only in comments [E0102]
     4 | F64 a @range 0 – 5
       |                ^ separate two numbers by a blank, and write a sign as -
-numbers.sm:5:18: error: the character '–' may stand in comments only [E0102]
+numbers.sm:5:18: error: the character '–' is allowed only in comments [E0102]
     5 | F64 b @range -10 –5
       |                  ^ separate two numbers by a blank, and write a sign as -
-numbers.sm:6:18: error: the character '–' may stand in comments only [E0102]
+numbers.sm:6:18: error: the character '–' is allowed only in comments [E0102]
     6 | F64 c @range -10 – 5
       |                  ^ separate two numbers by a blank, and write a sign as -
-numbers.sm:7:15: error: the character '–' may stand in comments only [E0102]
+numbers.sm:7:15: error: the character '–' is allowed only in comments [E0102]
     7 | F64 d @range 0–5
       |               ^ separate two numbers by a blank, and write a sign as -
 numbers.sm:9:15: error: expected a number, the highest value of '@range', found ',' [E0377]
@@ -347,7 +347,7 @@ numbers.sm:9:15: error: expected a number, the highest value of '@range', found 
 numbers.sm:10:15: error: expected a number, the highest value of '@range', found ',' [E0377]
    10 | F64 g @range 0,5; 1,5
       |               ^ write two numbers, as in @range 0 40
-numbers.sm:10:17: error: a statement ends with its line, not with ';' [E0109]
+numbers.sm:10:17: error: a statement ends at the end of its line, without ';' [E0109]
    10 | F64 g @range 0,5; 1,5
       |                 ^ put each statement on a line of its own
 numbers.sm:10:19: error: expected a type and a name in [state_vector], found the number 1 [E0350]

@@ -49,11 +49,11 @@ wrong.sm:6:
   + .step
 wrong.sm: 1 fixed
 -- stderr --
-wrong.sm:7:5: error: this is a value and does nothing [E0327]
+wrong.sm:7:5: error: this value has no effect [E0327]
     7 |     x == 3
       |     ^~~~~~ to store, write x = 3; a condition needs ':' or '{' after it
 1 error
-wrong.sm:7:5: error: this is a value and does nothing [E0327]
+wrong.sm:7:5: error: this value has no effect [E0327]
     7 |     x == 3
       |     ^~~~~~ to store, write x = 3; a condition needs ':' or '{' after it
 1 error

@@ -43,19 +43,19 @@ app.sm:11:
   +     valve = true # open the valve
 app.sm: 8 fixed
 -- stderr --
-app.sm:19:14: error: there is no operator '//' [E0108]
+app.sm:19:14: error: unknown operator '//' [E0108]
    19 |     secs = T // 1000
       |              ^~ to divide and round down, write floor(a / b); a comment begins with #
 app.sm:20:14: error: a comment begins with '#', not with '//' [E0110]
    20 |     secs = T // mode
       |              ^~ to divide and round down, write floor(a / b); a comment begins with #
-app.sm:21:8: error: there is no operator '//' [E0108]
+app.sm:21:8: error: unknown operator '//' [E0108]
    21 |     (p // 2
       |        ^~ to divide and round down, write floor(a / b); a comment begins with #
-app.sm:23:10: error: there is no operator '=!' [E0108]
+app.sm:23:10: error: unknown operator '=!' [E0108]
    23 |     mode =! 3: -> Hold
       |          ^~ did you mean '!='?
-app.sm:24:11: error: there is no operator '&' [E0108]
+app.sm:24:11: error: unknown operator '&' [E0108]
    24 |     (mode & 4) == 4: -> Hold
       |           ^ numbers have no bits here: keep each flag in a bool of its own
 app.sm:25:13: error: unknown element 'NaN' [E0204]

@@ -147,37 +147,37 @@ app.sm:30:
   + 
 app.sm: 12 fixed
 -- stderr --
-app.sm:11:5: warning: what is stored in 'code' here is overwritten before anything reads it [W0410 dead-store]
+app.sm:11:5: warning: the value assigned to 'code' is overwritten before it is read [W0410 dead-store]
    11 |     code = 0   # both
       |     ^~~~~~~~
 app.sm:14:9: note: it is overwritten here
-app.sm:29:5: warning: this guard has been looked at above already, so here it never holds [W0507 duplicate-guard]
+app.sm:29:5: warning: this condition repeats an earlier one and is never true here [W0507 duplicate-guard]
    29 |     hot { p > 30 {
       |     ^~~
-app.sm:17:5: note: the same guard, looked at first
-app.sm:40:9: warning: what is stored in 'valve' here is overwritten before anything reads it [W0410 dead-store]
+app.sm:17:5: note: the earlier condition is here
+app.sm:40:9: warning: the value assigned to 'valve' is overwritten before it is read [W0410 dead-store]
    40 |         valve = false
       |         ^~~~~~~~~~~~~
 app.sm:50:5: note: it is overwritten here
-app.sm:45:9: warning: this guard has been looked at above already, so here it never holds [W0507 duplicate-guard]
+app.sm:45:9: warning: this condition repeats an earlier one and is never true here [W0507 duplicate-guard]
    45 |         hot {
       |         ^~~
-app.sm:17:5: note: the same guard, looked at first
+app.sm:17:5: note: the earlier condition is here
 4 warnings
-app.sm:11:5: warning: what is stored in 'code' here is overwritten before anything reads it [W0410 dead-store]
+app.sm:11:5: warning: the value assigned to 'code' is overwritten before it is read [W0410 dead-store]
    11 |     code = 0   # both
       |     ^~~~~~~~
 app.sm:14:9: note: it is overwritten here
-app.sm:29:5: warning: this guard has been looked at above already, so here it never holds [W0507 duplicate-guard]
+app.sm:29:5: warning: this condition repeats an earlier one and is never true here [W0507 duplicate-guard]
    29 |     hot { p > 30 {
       |     ^~~
-app.sm:17:5: note: the same guard, looked at first
-app.sm:40:9: warning: what is stored in 'valve' here is overwritten before anything reads it [W0410 dead-store]
+app.sm:17:5: note: the earlier condition is here
+app.sm:40:9: warning: the value assigned to 'valve' is overwritten before it is read [W0410 dead-store]
    40 |         valve = false
       |         ^~~~~~~~~~~~~
 app.sm:50:5: note: it is overwritten here
-app.sm:45:9: warning: this guard has been looked at above already, so here it never holds [W0507 duplicate-guard]
+app.sm:45:9: warning: this condition repeats an earlier one and is never true here [W0507 duplicate-guard]
    45 |         hot {
       |         ^~~
-app.sm:17:5: note: the same guard, looked at first
+app.sm:17:5: note: the earlier condition is here
 4 warnings

@@ -64,91 +64,91 @@ app.sm:31:
   +     mode = 5 or 6: valve = false
 app.sm: 15 fixed
 -- stderr --
-app.sm:20:10: error: 'is' is not a word of this language [E0329]
+app.sm:20:10: error: 'is' is not part of this language [E0329]
    20 |     mode is 5 or 6: valve = false
       |          ^~ compare with == != < <= > or >=, and join comparisons with and, or
-app.sm:21:10: error: 'is' is not a word of this language [E0329]
+app.sm:21:10: error: 'is' is not part of this language [E0329]
    21 |     mode is 5 or fault: valve = false
       |          ^~ compare with == != < <= > or >=, and join comparisons with and, or
-app.sm:22:10: error: 'is not' is not a word of this language [E0329]
+app.sm:22:10: error: 'is not' is not part of this language [E0329]
    22 |     mode is not not 5: valve = false
       |          ^~~~~~ compare with == != < <= > or >=, and join comparisons with and, or
-app.sm:23:13: error: '=' stores a value; a comparison is written '==' [E0324]
+app.sm:23:13: error: '=' assigns a value; use '==' to compare [E0324]
    23 |     if mode = not 5: valve = false
       |             ^ write ==
-app.sm:23:15: warning: not 5 stands here as a condition of its own, which never holds [W0419 number-as-condition]
+app.sm:23:15: warning: not 5 is a condition of its own here, and is never true [W0419 number-as-condition]
    23 |     if mode = not 5: valve = false
       |               ^~~~~ did you mean 'mode != 5'?
-app.sm:24:13: error: '=' stores a value; a comparison is written '==' [E0324]
+app.sm:24:13: error: '=' assigns a value; use '==' to compare [E0324]
    24 |     if mode = 5 or 6: valve = false
       |             ^ write ==
-app.sm:24:20: warning: 6 stands here as a condition of its own, which always holds [W0419 number-as-condition]
+app.sm:24:20: warning: 6 is a condition of its own here, and is always true [W0419 number-as-condition]
    24 |     if mode = 5 or 6: valve = false
       |                    ^ did you mean 'mode == 6'?
-app.sm:25:7: error: 'is' is not a word of this language [E0329]
+app.sm:25:7: error: 'is' is not part of this language [E0329]
    25 |     p is between 3 and 5: valve = false
       |       ^~ compare with == != < <= > or >=, and join comparisons with and, or
-app.sm:26:7: error: 'is not' is not a word of this language [E0329]
+app.sm:26:7: error: 'is not' is not part of this language [E0329]
    26 |     p is not greater than 5: valve = false
       |       ^~~~~~ compare with == != < <= > or >=, and join comparisons with and, or
-app.sm:27:7: error: 'is' is not a word of this language [E0329]
+app.sm:27:7: error: 'is' is not part of this language [E0329]
    27 |     p is greater then 5: valve = false
       |       ^~ compare with == != < <= > or >=, and join comparisons with and, or
-app.sm:28:5: error: 'NOT' is not a word of this language [E0329]
+app.sm:28:5: error: 'NOT' is not part of this language [E0329]
    28 |     NOT p > 5: valve = false
       |     ^~~ write not (...)
-app.sm:29:11: error: 'is' is not a word of this language [E0329]
+app.sm:29:11: error: 'is' is not part of this language [E0329]
    29 |     not p is 5: valve = false
       |           ^~ compare with == != < <= > or >=, and join comparisons with and, or
-app.sm:30:8: warning: 'not' reaches only to the next value [W0401 not-precedence]
+app.sm:30:8: warning: 'not' applies only to the next value [W0401 not-precedence]
    30 |     if not p = 5: valve = false
       |        ^~~~~
-note: as it stands: (not p) = 5
+note: as written: (not p) = 5
 note: perhaps meant: not (p = 5)
-app.sm:30:14: error: '=' stores a value; a comparison is written '==' [E0324]
+app.sm:30:14: error: '=' assigns a value; use '==' to compare [E0324]
    30 |     if not p = 5: valve = false
       |              ^ write ==
-app.sm:31:10: error: '=' stores a value; a comparison is written '==' [E0324]
+app.sm:31:10: error: '=' assigns a value; use '==' to compare [E0324]
    31 |     mode = 5 or 6: valve = false
       |          ^ write ==
-app.sm:31:12: warning: 5 stands here as a condition of its own, which always holds [W0419 number-as-condition]
+app.sm:31:12: warning: 5 is a condition of its own here, and is always true [W0419 number-as-condition]
    31 |     mode = 5 or 6: valve = false
       |            ^
-app.sm:31:17: warning: 6 stands here as a condition of its own, which always holds [W0419 number-as-condition]
+app.sm:31:17: warning: 6 is a condition of its own here, and is always true [W0419 number-as-condition]
    31 |     mode = 5 or 6: valve = false
       |                 ^
 app.sm:32:5: error: '~' is written 'not' here [E0107]
    32 |     ~p > 5: valve = false
       |     ^ write not
-app.sm:32:5: warning: 'not' reaches only to the next value [W0401 not-precedence]
+app.sm:32:5: warning: 'not' applies only to the next value [W0401 not-precedence]
    32 |     ~p > 5: valve = false
       |     ^~
-note: as it stands: (not p) > 5
+note: as written: (not p) > 5
 note: perhaps meant: not (p > 5)
-app.sm:33:5: error: the character '¬' may stand in comments only [E0102]
+app.sm:33:5: error: the character '¬' is allowed only in comments [E0102]
    33 |     ¬p > 5: valve = false
       |     ^ write not (...)
-app.sm:33:5: warning: 'not' reaches only to the next value [W0401 not-precedence]
+app.sm:33:5: warning: 'not' applies only to the next value [W0401 not-precedence]
    33 |     ¬p > 5: valve = false
       |     ^~
-note: as it stands: (not p) > 5
+note: as written: (not p) > 5
 note: perhaps meant: not (p > 5)
 app.sm:34:14: error: ':=' is written '=' here [E0107]
    34 |     if valve := p > 5: pump = false
       |              ^~ write =
-app.sm:34:14: error: '=' stores a value; a comparison is written '==' [E0324]
+app.sm:34:14: error: '=' assigns a value; use '==' to compare [E0324]
    34 |     if valve := p > 5: pump = false
       |              ^~ write ==
-app.sm:35:11: error: '=' stores a value; a comparison is written '==' [E0324]
+app.sm:35:11: error: '=' assigns a value; use '==' to compare [E0324]
    35 |     valve = true: pump = false
       |           ^ write ==
-app.sm:36:5: error: this is a value and does nothing [E0327]
+app.sm:36:5: error: this value has no effect [E0327]
    36 |     p => q
       |     ^~~~~~ a statement is x = value, -> State, or condition: statement
 app.sm:36:7: error: '=>' is written '>=' here [E0107]
    36 |     p => q
       |       ^~ write >=
-app.sm:38:5: error: this is a value and does nothing [E0327]
+app.sm:38:5: error: this value has no effect [E0327]
    38 |     p > 50 % of q: valve = false
       |     ^~~~~~ a statement is x = value, -> State, or condition: statement
 and 3 more errors

@@ -35,7 +35,7 @@ app.sm:6:
   +     x = max(x, 1)   # larger
 app.sm: 10 fixed
 -- stderr --
-app.sm:10:5: error: this is a value and does nothing [E0327]
+app.sm:10:5: error: this value has no effect [E0327]
    10 |     x == 3
       |     ^~~~~~ to store, write x = 3; a condition needs ':' or '{' after it
 1 error

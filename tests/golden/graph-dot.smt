@@ -39,7 +39,7 @@ digraph "tank" { // drawn by smc
     "Fill" [label="Fill", style="filled,rounded"];
     "Abort" [label="Abort", style="filled", shape=octagon, color="#b5320f", fillcolor="#fdeae4"];
     "Done" [label="Done", style="filled,rounded", color="#0c7268", fillcolor="#e3f3f1", peripheries=2];
-    "Lost" [label="Lost\n(W0503)", style="filled,rounded,dashed", tooltip="W0503: state 'Lost' cannot be reached"];
+    "Lost" [label="Lost\n(W0503)", style="filled,rounded,dashed", tooltip="W0503: state 'Lost' is unreachable"];
     "Idle" -> "Fill" [label="armed"];
     "Fill" -> "Abort" [label="pressure > 800 or pressure < 1\nor\nT > 60000"];
     "Fill" -> "Done" [label="pressure > 500 and armed"];
@@ -48,7 +48,7 @@ digraph "tank" { // drawn by smc
     "Lost" -> "Idle" [label="on entry", style=dashed];
 }
 -- stderr --
-tank.sm:24:2: warning: state 'Lost' cannot be reached [W0503 unreachable-state]
+tank.sm:24:2: warning: state 'Lost' is unreachable [W0503 unreachable-state]
    24 | [Lost]
       |  ^~~~
 1 warning

@@ -51,9 +51,9 @@ stateDiagram-v2
     class s3 abort
     class s4 safe
     class s5 never
-    note right of s5 : W0503 state #39;Lost#39; cannot be reached
+    note right of s5 : W0503 state #39;Lost#39; is unreachable
 -- stderr --
-tank.sm:24:2: warning: state 'Lost' cannot be reached [W0503 unreachable-state]
+tank.sm:24:2: warning: state 'Lost' is unreachable [W0503 unreachable-state]
    24 | [Lost]
       |  ^~~~
 1 warning

@@ -86,7 +86,7 @@ stateDiagram-v2
       2 never taken
       4 taken once
 -- stderr --
-wrong.ss:5:18: error: assert does not hold after step 4 (G = 30, state Fill) [E0750]
+wrong.ss:5:18: error: assert failed after step 4 (G = 30, state Fill) [E0750]
     5 | T == 20: @assert pressure > 1
       |                  ^~~~~~~~~~~~ pressure = 0
 note: the last steps, and the values after each:

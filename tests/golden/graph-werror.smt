@@ -31,7 +31,7 @@ bool valve
 -- stdout --
 tank.sm
 -- stderr --
-tank.sm:24:2: error: state 'Lost' cannot be reached [W0503 unreachable-state]
+tank.sm:24:2: error: state 'Lost' is unreachable [W0503 unreachable-state]
    24 | [Lost]
       |  ^~~~
 1 error

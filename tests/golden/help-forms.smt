@@ -8,7 +8,7 @@ args explain '[nothing]'
 -- stdout --
 Usage: smc check FILE...|X.app
 Usage: smc check FILE...|X.app
-W0750: this assert was never judged  [-Wunjudged-assert]
+W0750: this assert was never evaluated  [-Wunjudged-assert]
 -- stderr --
 smc: unknown command 'chek'; did you mean 'check'?
 Try 'smc --help'.

@@ -21,7 +21,7 @@ U16 n
 .step
     n = n + 1
 -- stderr --
-a.sm:6:2: error: a step of machine 'a' in state 'Flow' is estimated at [..] cycles at worst, and --max-cycles allows 5000 [E0862]
+a.sm:6:2: error: a step of machine 'a' in state 'Flow' is estimated at up to [..] cycles, but --max-cycles allows 5000 [E0862]
     6 | [Flow] @safe
       |  ^~~~
 a.sm:8:5: note: [..] of them are for this line

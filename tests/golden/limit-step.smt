@@ -24,14 +24,14 @@ bool open
 .exit
     open = false
 -- stderr --
-a.sm:10:2: error: a step of machine 'a' in state 'Vent' can take 26 instructions, and --max-step allows 6 [E0861]
+a.sm:10:2: error: a step of machine 'a' in state 'Vent' can take 26 instructions, but --max-step allows 6 [E0861]
    10 | [Vent]
       |  ^~~~
 a.sm:14:5: note: 14 of them are for this line
 a.sm:14:5: note: 3 of them are for the samples of this line's windows, in every step
 a.sm:12:5: note: 3 of them are for this line
 1 error
-a.sm:10:2: error: a step of machine 'a' in state 'Vent' can take 26 instructions, and --max-step allows 6 [E0861]
+a.sm:10:2: error: a step of machine 'a' in state 'Vent' can take 26 instructions, but --max-step allows 6 [E0861]
    10 | [Vent]
       |  ^~~~
 a.sm:14:5: note: 14 of them are for this line

@@ -143,7 +143,7 @@ Where no script has been
 Nowhere: the scripts have been in every state and gone every way from one state to another.
 
 bad.ss [failed]
-assert does not hold after step 6 (G = 50, state Idle) [E0750]
+assert failed after step 6 (G = 50, state Idle) [E0750]
 
       5 | true: @assert not valve
         | valve = true
@@ -165,7 +165,7 @@ unknown element 'y' [E0204]
 
       4 | G == 50: y = 6
 
-no @stop stands in the script, so it would never end [E0703]
+the script has no @stop, so it would never end [E0703]
 
       1 | [options]
 -- stderr --

@@ -29,21 +29,21 @@ Findings
 What the analyses found, of all groups. `smc explain` with a name or code prints what it means and
 what to do. Time advances by 10 in a step, as in the scripts (`delta_t`).
 
-  No.  Name            Group          Place     What was found                                                          Code
-    1  unused-element  on by default  a.sm:5:5  element 'unused' is listed but never used                               W0203
-    2  never-written   on by default  a.sm:8:5  local 'wait' is never written, so it is a constant: mark it @read_only  W0207
+  No.  Name            Group          Place     What was found                                                           Code
+    1  unused-element  on by default  a.sm:5:5  element 'unused' is never used                                           W0203
+    2  never-written   on by default  a.sm:8:5  local 'wait' is never assigned, so it is a constant: mark it @read_only  W0207
 
 Allowed with a reason
-  No.  Name            Place     What was found                            Why it is allowed
-    3  unused-element  a.sm:4:5  element 'spare' is listed but never used  wired, for the next flight
+  No.  Name            Place     What was found                 Why it is allowed
+    3  unused-element  a.sm:4:5  element 'spare' is never used  wired, for the next flight
 
-element 'unused' is listed but never used [W0203 unused-element]
+element 'unused' is never used [W0203 unused-element]
       5 | F32 unused @read_only
 
-local 'wait' is never written, so it is a constant: mark it @read_only [W0207 never-written]
+local 'wait' is never assigned, so it is a constant: mark it @read_only [W0207 never-written]
       8 | F64 wait = 100
 
-element 'spare' is listed but never used [allowed]
+element 'spare' is never used [allowed]
 Allowed: wired, for the next flight
 
       4 | F32 spare @read_only @allow(unused-element, "wired, for the next flight")
@@ -51,5 +51,5 @@ Allowed: wired, for the next flight
 Abort matrix
 ...
 a.ss [passed]
-this assert was never judged [W0750 unjudged-assert]
+this assert was never evaluated [W0750 unjudged-assert]
 ...

@@ -13,7 +13,7 @@ limit = 3
 .step
     open = p > limit
 -- stderr --
-a.sm:7:1: error: this stands before the first label of the state 'parameters' [E0310]
+a.sm:7:1: error: this must follow a label of state 'parameters' [E0310]
     7 | limit = 3
       | ^~~~~ a list of constants is [local], each with its type: F64 limit = 3
 1 error

@@ -52,7 +52,7 @@ expect perhaps
 1 passed, 3 failed
 -- stderr --
 cases/bad.smt: failed
-    not announced: app.sm:4:7: warning: the alias is the name of 'x' itself [W0201 alias-own-name]
+    not announced: app.sm:4:7: warning: the alias of 'x' repeats its own name [W0201 alias-own-name]
     not announced: app.sm:7:5: error: unknown element 'y' [E0204]
     announced, but not reported: app.sm:9: W0501 nothing
 cases/inner/report.smt: failed

@@ -18,7 +18,7 @@ G == 20 {
     @stop
 }
 -- stderr --
-a.ss:5:13: warning: this assert was never judged [W0750 unjudged-assert]
+a.ss:5:13: warning: this assert was never evaluated [W0750 unjudged-assert]
     5 |     @assert open
       |             ^~~~ its condition was never true
 a.ss:6:5: error: the script did not reach @stop within 2 steps [E0751]

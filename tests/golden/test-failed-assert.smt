@@ -16,7 +16,7 @@ delta_t 10
 G == 20: @assert not open
 G == 30: @stop
 -- stderr --
-bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]
+bad.ss:4:18: error: assert failed after step 3 (G = 20, state Idle) [E0750]
     4 | G == 20: @assert not open
       |                  ^~~~~~~~ open = true
 note: the last steps, and the values after each:

@@ -108,11 +108,11 @@ final state vector:
   n = 2
   open = false
   p = 0.000000
-failed: a.ss:7:16: error: assert does not hold after step 8 (G = 70, state Idle) [E0750]
-failed: b.ss:4:17: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]
+failed: a.ss:7:16: error: assert failed after step 8 (G = 70, state Idle) [E0750]
+failed: b.ss:4:17: error: assert failed after step 1 (G = 0, state Idle) [E0750]
 1 passed, 2 failed
 -- stderr --
-a.ss:7:16: error: assert does not hold after step 8 (G = 70, state Idle) [E0750]
+a.ss:7:16: error: assert failed after step 8 (G = 70, state Idle) [E0750]
     7 | n > 6: @assert (p < limit or highest < 55) and not open and roll_max(p, 3) < G
       |                ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ p = 35, limit = 50, highest = 35, open = true, roll_max(p, 3) = 30, G = 70
 note: the last steps, and the values after each:
@@ -124,7 +124,7 @@ note: the last steps, and the values after each:
          8  70  Idle   35       35  true              30
 a.sm:16:23: note: transition in step 8 (G = 70): Idle -> Abort
 1 error
-a.ss:7:16: error: assert does not hold after step 8 (G = 70, state Idle) [E0750]
+a.ss:7:16: error: assert failed after step 8 (G = 70, state Idle) [E0750]
     7 | n > 6: @assert (p < limit or highest < 55) and not open and roll_max(p, 3) < G
       |                ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ p = 35, limit = 50, highest = 35, open = true, roll_max(p, 3) = 30, G = 70
 note: the last steps, and the values after each:
@@ -136,7 +136,7 @@ note: the last steps, and the values after each:
          8  70  Idle   35       35  true              30
 a.sm:16:23: note: transition in step 8 (G = 70): Idle -> Abort
 1 error
-b.ss:4:17: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]
+b.ss:4:17: error: assert failed after step 1 (G = 0, state Idle) [E0750]
     4 | p > -1: @assert false
       |                 ^~~~~
 note: the step, and the values after it:
@@ -161,7 +161,7 @@ note: the last steps, and the values after each:
       1000000  9999990  Abort
 a.sm:15:16: note: transition in step 3 (G = 20): Idle -> Abort
 1 error, 1 warning
-a.ss:7:16: error: assert does not hold after step 8 (G = 70, state Idle) [E0750]
+a.ss:7:16: error: assert failed after step 8 (G = 70, state Idle) [E0750]
     7 | n > 6: @assert (p < limit or highest < 55) and not open and roll_max(p, 3) < G
       |                ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ p = 35, limit = 50, highest = 35, open = true, roll_max(p, 3) = 30, G = 70
 note: the last steps, and the values after each:
@@ -173,7 +173,7 @@ note: the last steps, and the values after each:
          8  70  Idle   35       35  true              30
 a.sm:16:23: note: transition in step 8 (G = 70): Idle -> Abort
 1 error
-b.ss:4:17: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]
+b.ss:4:17: error: assert failed after step 1 (G = 0, state Idle) [E0750]
     4 | p > -1: @assert false
       |                 ^~~~~
 note: the step, and the values after it:
@@ -181,6 +181,6 @@ note: the step, and the values after it:
          1  0  Idle   0
 note: the machine has been in state 'Idle' from the start
 1 error
-{"severity":"error","code":"E0750","message":"assert does not hold after step 8 (G = 70, state Idle)","file":"a.ss","line":7,"column":16,"endLine":7,"endColumn":79,"label":"p = 35, limit = 50, highest = 35, open = true, roll_max(p, 3) = 30, G = 70","notes":[{"message":"the last steps, and the values after each:\u000astep   G  state   p  highest  open  roll_max(p, 3)\u000a   4  30  Idle   15       15  true              10\u000a   5  40  Idle   20       20  true              15\u000a   6  50  Idle   25       25  true              20\u000a   7  60  Idle   30       30  true              25\u000a   8  70  Idle   35       35  true              30","file":null,"line":null,"column":null,"endLine":null,"endColumn":null,"step":null},{"message":"transition in step 8 (G = 70): Idle -> Abort","file":"a.sm","line":16,"column":23,"endLine":16,"endColumn":31,"step":null}],"edits":[],"flag":null,"group":null}
+{"severity":"error","code":"E0750","message":"assert failed after step 8 (G = 70, state Idle)","file":"a.ss","line":7,"column":16,"endLine":7,"endColumn":79,"label":"p = 35, limit = 50, highest = 35, open = true, roll_max(p, 3) = 30, G = 70","notes":[{"message":"the last steps, and the values after each:\u000astep   G  state   p  highest  open  roll_max(p, 3)\u000a   4  30  Idle   15       15  true              10\u000a   5  40  Idle   20       20  true              15\u000a   6  50  Idle   25       25  true              20\u000a   7  60  Idle   30       30  true              25\u000a   8  70  Idle   35       35  true              30","file":null,"line":null,"column":null,"endLine":null,"endColumn":null,"step":null},{"message":"transition in step 8 (G = 70): Idle -> Abort","file":"a.sm","line":16,"column":23,"endLine":16,"endColumn":31,"step":null}],"edits":[],"flag":null,"group":null}
 -- exit --
 1 1 1 1 1 1

@@ -29,12 +29,12 @@ G == 30: @stop
 <testsuites name="smc test" tests="2" failures="1" errors="0" time="[..]">
   <testsuite name="a.sm" tests="2" failures="1" errors="0" skipped="0" time="[..]" file="a.sm">
     <testcase name="bad.ss" classname="a" time="[..]">
-      <failure message="bad.ss:4:15: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]" type="E0750">bad.ss:4:15: warning: 'not' reaches only to the next value [W0401 not-precedence]
+      <failure message="bad.ss:4:15: error: assert failed after step 1 (G = 0, state Idle) [E0750]" type="E0750">bad.ss:4:15: warning: 'not' applies only to the next value [W0401 not-precedence]
     4 | true: @assert not open == (x &#60; 1)
       |               ^~~~~~~~
-note: as it stands: (not open) == (x &#60; 1)
+note: as written: (not open) == (x &#60; 1)
 note: perhaps meant: not (open == (x &#60; 1))
-bad.ss:4:15: error: assert does not hold after step 1 (G = 0, state Idle) [E0750]
+bad.ss:4:15: error: assert failed after step 1 (G = 0, state Idle) [E0750]
     4 | true: @assert not open == (x &#60; 1)
       |               ^~~~~~~~~~~~~~~~~~~ open = true, not open = 0, x = 0, x &#60; 1 = 1
 note: the step, and the values after it:
@@ -54,7 +54,7 @@ note: the machine has been in state 'Idle' from the start
   </testsuite>
 </testsuites>
 -- stderr --
-a.sm:4:5: warning: element 'x' is listed but never used [W0203 unused-element]
+a.sm:4:5: warning: element 'x' is never used [W0203 unused-element]
     4 | F64 x
       |     ^
 1 warning

@@ -67,7 +67,7 @@ G == 30: @stop
 <testsuites name="smc test" tests="5" failures="3" errors="1" time="[..]">
   <testsuite name="a.sm" tests="1" failures="1" errors="0" skipped="0" time="[..]" file="a.sm">
     <testcase name="bad.ss" classname="a" time="[..]">
-      <failure message="bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]" type="E0750">bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]
+      <failure message="bad.ss:4:18: error: assert failed after step 3 (G = 20, state Idle) [E0750]" type="E0750">bad.ss:4:18: error: assert failed after step 3 (G = 20, state Idle) [E0750]
     4 | G == 20: @assert not open
       |                  ^~~~~~~~ open = true
 note: the last steps, and the values after each:

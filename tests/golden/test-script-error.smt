@@ -23,7 +23,7 @@ opne: @stop
 -- stdout --
 1 passed, 1 failed
 -- stderr --
-bad.ss:1:1: error: the script does not say how far G advances in a step; add delta_t to [options] [E0701]
+bad.ss:1:1: error: the script does not define how far G advances in a step; add delta_t to [options] [E0701]
     1 | [all_states]
       | ^
 bad.ss:2:1: error: unknown element 'opne' [E0204]

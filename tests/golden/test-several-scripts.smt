@@ -26,7 +26,7 @@ G == 30: @stop
 -- stdout --
 1 passed, 1 failed
 -- stderr --
-bad.ss:4:18: error: assert does not hold after step 3 (G = 20, state Idle) [E0750]
+bad.ss:4:18: error: assert failed after step 3 (G = 20, state Idle) [E0750]
     4 | G == 20: @assert not open
       |                  ^~~~~~~~ open = true
 note: the last steps, and the values after each:

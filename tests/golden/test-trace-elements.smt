@@ -63,20 +63,20 @@ t.csv
 a.sm:8:4: warning: local 'limit' is never used [W0204 unused-local]
     8 | U8 limit = 3 @read_only
       |    ^~~~~
-a.sm:9:5: warning: local 'n' is read only to work itself out [W0206 unused-local]
+a.sm:9:5: warning: local 'n' is read only to compute its own next value [W0206 unused-local]
     9 | I64 n = -9007199254740993
       |     ^
-a.sm:9:10: warning: 9007199254740993 is too large to be exact: it counts as 9007199254740992 [W0415 precision-loss]
+a.sm:9:10: warning: 9007199254740993 is too large to be exact: its value is 9007199254740992 [W0415 precision-loss]
     9 | I64 n = -9007199254740993
       |          ^~~~~~~~~~~~~~~~
 3 warnings
 a.sm:8:4: warning: local 'limit' is never used [W0204 unused-local]
     8 | U8 limit = 3 @read_only
       |    ^~~~~
-a.sm:9:5: warning: local 'n' is read only to work itself out [W0206 unused-local]
+a.sm:9:5: warning: local 'n' is read only to compute its own next value [W0206 unused-local]
     9 | I64 n = -9007199254740993
       |     ^
-a.sm:9:10: warning: 9007199254740993 is too large to be exact: it counts as 9007199254740992 [W0415 precision-loss]
+a.sm:9:10: warning: 9007199254740993 is too large to be exact: its value is 9007199254740992 [W0415 precision-loss]
     9 | I64 n = -9007199254740993
       |          ^~~~~~~~~~~~~~~~
 3 warnings
@@ -85,10 +85,10 @@ Try 'smc test --help'.
 a.sm:8:4: warning: local 'limit' is never used [W0204 unused-local]
     8 | U8 limit = 3 @read_only
       |    ^~~~~
-a.sm:9:5: warning: local 'n' is read only to work itself out [W0206 unused-local]
+a.sm:9:5: warning: local 'n' is read only to compute its own next value [W0206 unused-local]
     9 | I64 n = -9007199254740993
       |     ^
-a.sm:9:10: warning: 9007199254740993 is too large to be exact: it counts as 9007199254740992 [W0415 precision-loss]
+a.sm:9:10: warning: 9007199254740993 is too large to be exact: its value is 9007199254740992 [W0415 precision-loss]
     9 | I64 n = -9007199254740993
       |          ^~~~~~~~~~~~~~~~
 3 warnings
@@ -97,10 +97,10 @@ Try 'smc test --help'.
 a.sm:8:4: warning: local 'limit' is never used [W0204 unused-local]
     8 | U8 limit = 3 @read_only
       |    ^~~~~
-a.sm:9:5: warning: local 'n' is read only to work itself out [W0206 unused-local]
+a.sm:9:5: warning: local 'n' is read only to compute its own next value [W0206 unused-local]
     9 | I64 n = -9007199254740993
       |     ^
-a.sm:9:10: warning: 9007199254740993 is too large to be exact: it counts as 9007199254740992 [W0415 precision-loss]
+a.sm:9:10: warning: 9007199254740993 is too large to be exact: its value is 9007199254740992 [W0415 precision-loss]
     9 | I64 n = -9007199254740993
       |          ^~~~~~~~~~~~~~~~
 3 warnings

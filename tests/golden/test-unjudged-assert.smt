@@ -33,11 +33,11 @@ final state vector:
   T = 20
   open = true
 -- stderr --
-a.ss:4:18: warning: this assert was never judged [W0750 unjudged-assert]
+a.ss:4:18: warning: this assert was never evaluated [W0750 unjudged-assert]
     4 | G == 15: @assert open
       |                  ^~~~ its condition was never true
 1 warning
-a.ss:4:18: error: this assert was never judged [W0750 unjudged-assert]
+a.ss:4:18: error: this assert was never evaluated [W0750 unjudged-assert]
     4 | G == 15: @assert open
       |                  ^~~~ its condition was never true
 1 error

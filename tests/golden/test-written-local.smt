@@ -30,7 +30,7 @@ final state vector:
   limit = 7
   open = true
 -- stderr --
-a.ss:4:9: warning: the script writes 'limit', a @read_only local, which is therefore no constant in this test [W0701 script-writes-constant]
+a.ss:4:9: warning: the script assigns 'limit', a @read_only local, which is therefore not a constant in this test [W0701 script-writes-constant]
     4 | G == 0: limit = 7
       |         ^~~~~
 a.sm:6:4: note: 'limit' is declared here

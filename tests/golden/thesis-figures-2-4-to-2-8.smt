@@ -76,10 +76,10 @@ final state vector:
 tank.sm:8:6: warning: local 'pi' is never used [W0204 unused-local]
     8 | F64  pi              = 3.14159 @read_only
       |      ^~
-tank.sm:9:6: warning: local 'P_WarnThreshold' is never written, so it is a constant: mark it @read_only [W0207 never-written]
+tank.sm:9:6: warning: local 'P_WarnThreshold' is never assigned, so it is a constant: mark it @read_only [W0207 never-written]
     9 | U16  P_WarnThreshold = 800
       |      ^~~~~~~~~~~~~~~
-tank.sm:10:6: warning: local 'P_AbortThreshold' is never written, so it is a constant: mark it @read_only [W0207 never-written]
+tank.sm:10:6: warning: local 'P_AbortThreshold' is never assigned, so it is a constant: mark it @read_only [W0207 never-written]
    10 | U16  P_AbortThreshold = P_WarnThreshold + 25
       |      ^~~~~~~~~~~~~~~~
 3 warnings

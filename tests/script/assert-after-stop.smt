@@ -15,7 +15,7 @@ true {
     @assert x == 0
     @stop
 }
-true: @assert x == 1    #! W0750 never judged
+true: @assert x == 1    #! W0750 this assert was never evaluated
 G == 7: @assert x == 1  #! W0750
 [Never]
 true: @assert x == 1    #! W0750

@@ -231,7 +231,7 @@ static void test_json(void)
         "\"endColumn\":3,\"step\":null},{\"message\":\"'c' is declared here\",\"file\":null,\"line\":null,\"column\":null,"
         "\"endLine\":null,\"endColumn\":null,\"step\":1}],\"edits\":[{\"text\":\"ab\",\"file\":\"dir\\\\a\\\".sm\",\"line\":2,\"column\":1,\"endLine\":2,"
         "\"endColumn\":3}],\"flag\":null,\"group\":null}\n"
-        "{\"severity\":\"warning\",\"code\":\"W0301\",\"message\":\"'@a' belongs to 'b' above, not to what follows on its line\","
+        "{\"severity\":\"warning\",\"code\":\"W0301\",\"message\":\"'@a' belongs to 'b' above it, not to what follows on its line\","
         "\"file\":null,\"line\":null,\"column\":null,\"endLine\":null,\"endColumn\":null,\"label\":null,\"notes\":[],\"edits\":[],"
         "\"flag\":\"annotation-above\",\"group\":\"all\"}\n");
     arena_free(&arena);
@@ -252,7 +252,7 @@ static void test_steps(void)
     diag_note(&diags, d, (Span){s, 4, 3}, DIAG_note_declared_here, "aside");
     diag_step(&diags, d, (Span){0}, DIAG_note_declared_here, "second");
     check_text(rendered(0),
-        "a.sm:1:1: warning: '@x' belongs to 'y' above, not to what follows on its line [W0301 annotation-above]\n"
+        "a.sm:1:1: warning: '@x' belongs to 'y' above it, not to what follows on its line [W0301 annotation-above]\n"
         "    1 | one two\n"
         "      | ^~~\n"
         "a.sm:1:1: note: step 1: 'first' is declared here\n"
