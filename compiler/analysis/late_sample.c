@@ -2,7 +2,7 @@
 // Windows that sample a variable before the step assigns it.  Windows take their samples when a step begins (language.md 7.4).
 // If the machine assigns the variable and then uses a statistic of it, the statistic lacks the value of this step.
 //
-// Not reported, because there the old value is intended or is all there is:
+// Not reported, because there the old value is intended or is the only one available:
 // 1. assignments after the use, as in `rate = x - last` ... `last = x`: the variable itself is also old at the use;
 // 2. assignments in .entry alone: an initial value, followed by samples of the values that .step leaves;
 // 3. an element combined with an input, as in `abs(order - position)`: the order of the step before, and its result;

@@ -162,7 +162,7 @@ static void test_refused(void)
     CHECK(refused("crew: the watchdog does not start: there is no such device, file or address\n"));
     start(2);
     sim_break(SIM_lock_take, 0, SM_E_TIMEOUT);
-    CHECK(refused("crew: executor 'one' does not start: it did not happen in the time given\n"));
+    CHECK(refused("crew: executor 'one' does not start: timeout\n"));
     sim_break(SIM_lock_take, 0, SM_OK);
     start(2);
     sim_fail(SIM_clock_sleep_until, 0, SM_E_DEVICE);
@@ -176,7 +176,7 @@ static void test_no_lock_left(void)
     start(1);
     while (pal_lock_open(&lock) == SM_OK) {}
     CHECK(sm_app_main(&app) == 1);
-    CHECK(strcmp(sim_console(), "crew: the state vector does not start: the table for these has no entry left\n") == 0 && called == 0);
+    CHECK(strcmp(sim_console(), "crew: the state vector does not start: its table is full\n") == 0 && called == 0);
 }
 
 // In one thread nothing needs to be guarded.

@@ -92,7 +92,7 @@ static void put_cover(const Report *r, Doc *d)
     }
 }
 
-// The ways between states that the scripts have executed.  A run does not record which of several transitions between two states it took.
+// The pairs of states between which the scripts have made a transition.  A run does not record which of several transitions between two states it took.
 static void put_ways(const Report *r, Doc *d)
 {
     const Transitions *t = &r->analysis.transition;
