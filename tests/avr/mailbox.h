@@ -37,6 +37,9 @@ typedef struct PinsBox {
     int8_t result;            // out
 } PinsBox;
 
+// psl.c: the checks that held and did not, and the line of the first that did not.
+typedef struct PslBox { uint16_t passed, failed, line; } PslBox;
+
 // auth.c: whether an image in flash is signed with a key.
 typedef struct AuthBox {
     uint32_t number;          // out

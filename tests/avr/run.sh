@@ -120,5 +120,9 @@ $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr
 "$1/smc" build -w tests/avr/pins.sm --sv tests/avr/pins.sv --io tests/avr/pins.io -o "$B/pins.smb" || exit 1
 "$1/smc" build -w examples/tank/tank.sm --sv tests/avr/tank.sv --io tests/avr/tank.io -o "$B/tank_pins.smb" || exit 1
 count "$B/run_pins" "$B/pins.elf" 200 "$B/pins.smb" "$B/tank_pins.smb"
+# The platform layer: pins that are opened for another use, and results.
+avr psl -DF_CPU=16000000UL tests/avr/psl.c runtime-c/psl/avr/*.c || exit 1
+$CC -std=gnu99 -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_psl.c -o "$B/run_psl" -lsimavr -lelf || exit 1
+count "$B/run_psl" "$B/psl.elf"
 echo "avr: $passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

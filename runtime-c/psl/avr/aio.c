@@ -40,16 +40,36 @@ static SmResult take(PalAio *channel, uint8_t index, uint8_t pin)
     return r;
 }
 
+// The pin may have been a digital output or had a pull-up resistor before.
 static SmResult open_input(PalAio *channel, uint16_t number)
 {
+    volatile uint8_t *port;
+    uint8_t mask;
     SmResult r;
 
     if (number >= AVR_ANALOGS)
         return SM_E_MISSING;
-    r = take(channel, (uint8_t)number, (uint8_t)(AVR_ANALOG_FIRST + number));
-    if (r == SM_OK)
-        ADCSRA = 1 << ADEN | 7 << ADPS0;       // 125 kHz ADC clock
-    return r;
+    if ((r = take(channel, (uint8_t)number, (uint8_t)(AVR_ANALOG_FIRST + number))) != SM_OK)
+        return r;
+    port = avr_pin_port((uint8_t)(AVR_ANALOG_FIRST + number), &mask);
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
+    {
+        port[DDR] &= (uint8_t)~mask;
+        port[PORT] &= (uint8_t)~mask;
+    }
+    ADCSRA = 1 << ADEN | 7 << ADPS0;           // 125 kHz ADC clock
+    return SM_OK;
+}
+
+void avr_pin_disconnect(uint8_t number)
+{
+    const uint8_t row = row_of(number);
+    AvrPwm p;
+
+    if (row == AVR_PWMS)
+        return;
+    pwm_of((uint8_t)(OUTPUT + row), &p);
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) *reg(p.control) &= (uint8_t)~p.connect;
 }
 
 // 8-bit PWM, clocked at 16 MHz / 64.  Timer 2 counts to its maximum, the 16-bit timers to 255.
@@ -174,6 +194,7 @@ SmResult pal_aio_write(PalAio channel, int32_t millionths)
     return SM_OK;
 }
 
+// An output keeps its value after the close.
 SmResult pal_aio_close(PalAio channel)
 {
     if (!is_open(channel))

@@ -65,6 +65,7 @@ SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
     if (mode != PAL_DIO_OUTPUT)
         put(port + DDR, mask, false);          // otherwise an output would drive the level of the pull-up
     put(port + PORT, mask, mode == PAL_DIO_OUTPUT ? level : mode == PAL_DIO_PULL_UP);
+    avr_pin_disconnect((uint8_t)number);       // after the level is set: the pin may still have the value of an analog output
     put(port + DDR, mask, mode == PAL_DIO_OUTPUT);
     pin->id = (uint8_t)(number + 1);
     return SM_OK;

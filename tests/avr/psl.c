@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Firmware: calls of the platform layer, checked on the chip itself: what a pin that is opened for another use still does, and results
+// that need no other end of a line.
+#include "runtime-c/pal/aio.h"
+#include "runtime-c/pal/dio.h"
+#include "runtime-c/pal/serial.h"
+#include "runtime-c/psl/avr/avr.h"
+#include "tests/avr/mailbox.h"
+
+static PslBox box;
+
+// Stores the line of the first check that fails.
+#define CHECK(condition) check((condition), __LINE__)
+
+static void check(bool held, uint16_t line)
+{
+    box.passed += held;
+    if (!held && box.failed++ == 0)
+        box.line = line;
+}
+
+// The pins with PWM: their control register, the bit in it that connects the timer, port and bit.
+static const struct {
+    uint8_t pin;
+    volatile uint8_t *control;
+    uint8_t connect;
+    volatile uint8_t *port;   // its DDR is one below
+    uint8_t mask;
+} pwm[] = {
+    {3, &TCCR2A, 1 << COM2B1, &PORTD, 1 << 3},
+    {9, &TCCR1A, 1 << COM1A1, &PORTB, 1 << 1},
+    {10, &TCCR1A, 1 << COM1B1, &PORTB, 1 << 2},
+    {11, &TCCR2A, 1 << COM2A1, &PORTB, 1 << 3},
+};
+enum { PWMS = sizeof pwm / sizeof *pwm };
+
+static bool is_connected(uint8_t i) { return (*pwm[i].control & pwm[i].connect) != 0; }
+static bool drives(uint8_t i) { return (pwm[i].port[-1] & pwm[i].mask) != 0; }
+static bool is_high(uint8_t i) { return (*pwm[i].port & pwm[i].mask) != 0; }
+
+// Closing leaves the value of an output, here half of the supply: it is the safe value.
+static void leave_analog(uint8_t i)
+{
+    PalAio channel = {0};
+
+    CHECK(pal_aio_open(&channel, pwm[i].pin, PAL_AIO_OUTPUT) == SM_OK && !is_connected(i));
+    CHECK(pal_aio_write(channel, 2500000) == SM_OK && is_connected(i));
+    CHECK(pal_aio_close(channel) == SM_OK && is_connected(i) && drives(i));
+}
+
+// A pin that was an analog output becomes a digital pin: its level is that of the port alone, and the other analog outputs keep theirs.
+static void analog_to_digital(uint8_t i, PalDioMode mode, bool level)
+{
+    const bool output = mode == PAL_DIO_OUTPUT;
+    PalDio pin = {0};
+
+    for (uint8_t k = 0; k < PWMS; k++)
+        leave_analog(k);
+    CHECK(pal_dio_open(&pin, pwm[i].pin, mode, level) == SM_OK);
+    for (uint8_t k = 0; k < PWMS; k++)
+        CHECK(is_connected(k) == (k != i));
+    CHECK(drives(i) == output && is_high(i) == (output ? level : mode == PAL_DIO_PULL_UP));
+    if (output) {
+        CHECK(pal_dio_write(pin, !level) == SM_OK && is_high(i) == !level);
+        CHECK(!is_connected(i));
+    }
+    CHECK(pal_dio_close(pin) == SM_OK);
+}
+
+// A pin that was a digital output, or an input with a pull-up resistor, becomes an analog input: it neither drives nor pulls.
+static void digital_to_analog(uint8_t channel, PalDioMode mode)
+{
+    const uint8_t mask = (uint8_t)(1 << channel);
+    PalDio pin = {0};
+    PalAio input = {0};
+
+    CHECK(pal_dio_open(&pin, (uint16_t)(14 + channel), mode, true) == SM_OK && (PORTC & mask) != 0);
+    CHECK(pal_dio_close(pin) == SM_OK);
+    CHECK(pal_aio_open(&input, channel, PAL_AIO_INPUT) == SM_OK);
+    CHECK((DDRC & mask) == 0 && (PORTC & mask) == 0);
+    CHECK(pal_aio_close(input) == SM_OK);
+}
+
+// *sent is filled in whatever the result.
+static void sending(void)
+{
+    const PalSerial none = {0};
+    PalSerial line = {0};
+    uint8_t x = 0;
+    size_t n = 7;
+
+    CHECK(pal_serial_send(none, &x, 1, &n, 0) == SM_E_HANDLE && n == 0);
+    CHECK(pal_serial_open(&line, "Serial", 115200) == SM_OK);
+    n = 7;
+    CHECK(pal_serial_send(line, NULL, 1, &n, 0) == SM_E_ARGUMENT && n == 0);
+    n = 7;
+    CHECK(pal_serial_send(line, &x, 1, &n, PAL_TIMEOUT_MAX + 1) == SM_E_ARGUMENT && n == 0);
+    CHECK(pal_serial_send(line, &x, 1, NULL, 0) == SM_E_ARGUMENT);
+    CHECK(pal_serial_close(line) == SM_OK);
+}
+
+static void act(void)
+{
+    for (uint8_t i = 0; i < PWMS; i++) {
+        analog_to_digital(i, PAL_DIO_INPUT, false);
+        analog_to_digital(i, PAL_DIO_PULL_UP, false);
+        analog_to_digital(i, PAL_DIO_OUTPUT, false);
+        analog_to_digital(i, PAL_DIO_OUTPUT, true);
+    }
+    for (uint8_t channel = 0; channel < 6; channel++) {
+        digital_to_analog(channel, PAL_DIO_OUTPUT);
+        digital_to_analog(channel, PAL_DIO_PULL_UP);
+    }
+    sending();
+}
+
+int main(void) { mailbox_serve(&box, act, 0); }
