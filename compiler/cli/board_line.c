@@ -115,8 +115,7 @@ static int greet(Cli *c, BoardLine *b, const char *port, unsigned long speed)
                 port, speed);
         return EXIT_ENVIRONMENT;
     }
-    if (b->info.protocol == LINK_PROTOCOL && b->info.block > 0 && b->info.body <= LINK_BODY_MAX &&
-        b->info.block + 5u <= b->info.body && b->info.slots >= 1 && b->info.slots <= 2)
+    if (device_is_usable(&b->info))
         return EXIT_OK;
     cli_say(c, "the board at '%s' speaks version %u of the link, this smc knows version %u", port, (unsigned)b->info.protocol,
             (unsigned)LINK_PROTOCOL);

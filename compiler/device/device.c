@@ -115,6 +115,11 @@ bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place
 }
 
 // The answer to RESTART may be lost.  It is enough that the board answers HELLO afterwards.
+bool device_is_usable(const DeviceInfo *i)
+{
+    return i->protocol == LINK_PROTOCOL && i->block > 0 && i->body <= LINK_BODY_MAX && i->block + 5u <= i->body && i->slots >= 1 && i->slots <= 2;
+}
+
 bool device_restart(LinkHost *h, DeviceInfo *info)
 {
     const unsigned tries = h->tries;
@@ -123,7 +128,7 @@ bool device_restart(LinkHost *h, DeviceInfo *info)
     h->tries = 1;
     refused = link_ask(h, LINK_RESTART, NULL, 0) && h->result != SM_OK;
     h->tries = tries;
-    return !refused && device_hello(h, info);
+    return !refused && device_hello(h, info) && device_is_usable(info);
 }
 
 // ---- an update ----

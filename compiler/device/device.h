@@ -38,6 +38,8 @@ typedef struct DeviceImage {
 
 // These return false if the board did not answer (h->answered is false) or refused (h->result is the reason).
 bool device_hello(LinkHost *h, DeviceInfo *info);
+// Whether its version of the link and the sizes that it reports are usable.  What follows assumes it.
+bool device_is_usable(const DeviceInfo *info);
 bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image);
 // The running image.
 bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
@@ -46,7 +48,7 @@ bool device_ask_about(LinkHost *h, LinkMessage message, uint32_t checksum);     
 bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 // The pin of the board's chip for a pin of an image (SmvmPinPlace).  False with SM_E_UNSUPPORTED if the board does not report it.
 bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place);
-// Restarts the board.  The request is never repeated, because every start of a trial counts.  True if the board answers again.
+// Restarts the board.  The request is never repeated, because every start of a trial counts.  True if a usable board answers again.
 bool device_restart(LinkHost *h, DeviceInfo *info);
 
 // ---- an update ----

@@ -51,10 +51,10 @@ bool link_ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n)
     uint8_t frame[LINK_ROOM(LINK_BODY_MAX) + 1] = {0};           // begins with a zero, which ends noise before the frame
     uint16_t length;
 
+    h->answered = false;
     if (n > LINK_BODY_MAX)
         return false;
     h->sequence++;
-    h->answered = false;
     frame[2] = h->sequence;
     frame[3] = (uint8_t)message;
     if (n > 0)

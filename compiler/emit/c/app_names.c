@@ -71,8 +71,12 @@ static void claim_vector(Claims *k)
         claim(k, n.setter[i], e);
         claim(k, n.element[i], e);
     }
-    for (size_t i = 0; i < sv->region.n; i++)
-        claim(k, n.region[i], owner(k, sv->region.at[i]->span, format_in(k->arena, "region '%s'", sv->region.at[i]->name->text)));
+    for (size_t i = 0; i < sv->region.n; i++) {
+        const Owner *r = owner(k, sv->region.at[i]->span, format_in(k->arena, "region '%s'", sv->region.at[i]->name->text));
+        claim(k, n.region[i], r);
+        claim(k, n.reader[i], r);
+        claim(k, n.writer[i], r);
+    }
 }
 
 static void claim_machine(Claims *k, const Program *p)

@@ -148,10 +148,11 @@ static void put_title(Plot *p, const Var *v, long top)
 static void put_grid(Plot *p, const Row *r)
 {
     const double step = plot_round_step(r->lo, r->hi, 4);
-    double first = step > 0 ? (double)(long)(r->lo / step) : 0;
+    double first;
 
     if (step <= 0 || r->lo / step < -1e15 || r->hi / step > 1e15)
         return;
+    first = (double)(int64_t)(r->lo / step);
     for (int i = -1; i < 12; i++) {
         const double x = (first + i) * step;
         if (x < r->lo || x > r->hi)
