@@ -6,15 +6,15 @@ args explain unused-element | head -n 1
 -- stdout --
 E0204: unknown element '...'
 
-A name is used that is neither an element listed in [state_vector] nor a local nor T.
+This name is not an element listed in [state_vector], not a local and not T.
 
     [state_vector]
     bool valveOpen
     [Vent]
     .step
-        valve0pe = true      # E0204: a zero for the letter O
+        valve0pe = true      # E0204: a zero instead of the letter O
 
-Check the spelling, or add the element to [state_vector] or the value to [local].
+Check the spelling. Or add it: an element to [state_vector], a value of the machine's own to [local].
 W0750: this assert was never evaluated  [-Wunjudged-assert]
 
 The script ended and no step judged this @assert: its condition was never true, the machine was never in the state of
