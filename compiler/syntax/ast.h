@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree exactly as written: one shape for every kind of file.  The parser builds it, nobody changes it afterwards.
-// Where the source was wrong an error node stands; whoever meets one stays silent, for it has been reported.
+// The syntax tree exactly as written, with one shape for every kind of file. The parser builds it; no later stage changes it. Where the
+// source was wrong the tree has an error node. Code that meets an error node stays silent, because the error has already been reported.
 #ifndef SMC_AST_H
 #define SMC_AST_H
 
@@ -15,11 +15,11 @@
 // ---- expressions ----
 
 typedef enum AstExprKind {
-    AST_ERROR,        // reported already
+    AST_ERROR,        // already reported
     AST_NUMBER,       // 5 0x1F true false
     AST_NAME,         // tankPressure
     AST_UNARY,        // op a
-    AST_BINARY,       // a op b; a chain a < b <= c is (a < b) <= c here, without AST_PAREN
+    AST_BINARY,       // a op b; a chain a < b <= c is stored as (a < b) <= c, without AST_PAREN
     AST_PAREN,        // ( a )
     AST_CALL          // name ( args )
 } AstExprKind;
@@ -29,8 +29,8 @@ typedef VEC(AstExpr *) AstArgs;
 struct AstExpr {
     AstExprKind kind;
     SmOperator op;            // UNARY, BINARY
-    uint32_t depth;           // 1 + the deepest operand's; at most AST_DEPTH_MAX, so that recursion over trees is bounded
-    bool alone;               // a name or call where a statement should be: E0327, if nothing else is wrong with it
+    uint32_t depth;           // 1 + the depth of the deepest operand; at most AST_DEPTH_MAX, so that recursion over trees is bounded
+    bool alone;               // a name or call where a statement is expected: E0327, if nothing else is wrong with it
     Span span;                // the whole expression
     uint32_t op_at, op_len;   // UNARY, BINARY: the operator; CALL: the name; PAREN: unused
     SmF64 number;             // NUMBER
@@ -53,26 +53,26 @@ typedef enum AstAnnotationKind {
     AST_ANNOTATION_COUNT
 } AstAnnotationKind;
 
-// What an annotation may stand behind: a column of annotations.def.
+// What an annotation can follow: a column of annotations.def.
 typedef enum AstPlace {
     AST_ON_ELEMENT,           // listed in [state_vector] of a machine
     AST_ON_SV_ELEMENT,        // of a .sv
     AST_ON_LOCAL,
-    AST_ON_STATE,             // behind its header
+    AST_ON_STATE,             // after its header
     AST_ON_ANALOG_INPUT, AST_ON_ANALOG_OUTPUT, AST_ON_DIGITAL_INPUT, AST_ON_DIGITAL_OUTPUT,       // of a .io
     AST_PLACES
 } AstPlace;
 
-// A number with its sign, where no expression may stand.
+// A number with its sign, where an expression is not allowed.
 typedef struct AstNumber { SmF64 value; Span span; } AstNumber;
 
 typedef struct AstAnnotation {
     AstAnnotationKind kind;
-    Span span;                // with its @ and its arguments
-    Str name;                 // ALIAS: the other name; ALLOW: the warning's, as behind -W
+    Span span;                // including its @ and its arguments
+    Str name;                 // ALIAS: the other name; ALLOW: the name of the warning, as after -W
     Span name_span;
     Str reason;               // ALLOW
-    AstNumber lo, hi;         // RANGE; what takes one number, or a value: lo
+    AstNumber lo, hi;         // RANGE: both; annotations with one number or a value: lo
     bool is_truth;            // lo was written as true or false
 } AstAnnotation;
 
@@ -84,7 +84,7 @@ typedef enum AstStmtKind {
     AST_STMT_ERROR,
     AST_ASSIGN,       // name = value
     AST_TRANSITION,   // -> name
-    AST_ALLOWED,      // @allow(name, "reason"), of the next statement
+    AST_ALLOWED,      // @allow(name, "reason"), for the next statement
     AST_IF,           // [if] value: … or { … }, else …
     AST_ASSERT,       // @assert value     (scripts)
     AST_STOP          // @stop             (scripts)
@@ -94,16 +94,16 @@ typedef struct AstStmt AstStmt;
 typedef VEC(AstStmt *) AstStmts;
 typedef struct AstArms {      // of a conditional
     AstStmts then, otherwise;
-    Span body_span, else_body_span;   // the colon's statement, or { … } braces included
+    Span body_span, else_body_span;   // the statement after the colon, or { … } including the braces
     Span else_span;           // the word `else`
     bool braces, else_braces; // written { } rather than with a colon
     bool has_else;
 } AstArms;
 struct AstStmt {
     AstStmtKind kind;
-    bool flawed;              // an error has been reported in it
-    Span span;                // the whole statement; of IF: up to the end of its guard
-    Str name;                 // ASSIGN: what is written; TRANSITION: the state
+    bool flawed;              // an error in it has been reported
+    Span span;                // the whole statement; IF: up to the end of its guard
+    Str name;                 // ASSIGN: the assigned variable; TRANSITION: the target state
     Span name_span;
     const AstAnnotation *allow;       // ALLOWED
     AstExpr *value;           // ASSIGN, ASSERT: the expression; IF: the guard
@@ -155,14 +155,14 @@ typedef enum AstSectionKind {
     AST_STATE,                // a state of a machine: blocks
     AST_SCRIPT_STATE,         // a state's section in a script, or [all_states]: items
     AST_PINS,                 // [analog] and [digital] of a .io: pins
-    AST_IGNORED               // reported already
+    AST_IGNORED               // already reported
 } AstSectionKind;
 
 typedef struct AstSection {
     AstSectionKind kind;
     Str name;
     Span name_span;           // between the brackets
-    Span header;              // with the brackets
+    Span header;              // including the brackets
     AstAnnotations annotations;   // STATE
     VEC(AstDecl) decls;
     VEC(AstOption) options;
@@ -175,14 +175,14 @@ typedef struct AstSection {
 
 typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP } FileKind;     // .io, .app: docs/config.md
 
-// Which one a file of that name is; false: none.
+// Finds the kind of a file from its name; returns false if the name has no known ending.
 bool file_kind(const char *path, FileKind *kind);
 
 typedef struct AstFile {
     FileKind kind;
     const Source *src;
     VEC(AstSection *) sections;       // in file order
-    struct AstApp *app;               // of a .app instead (ast_app.h)
+    struct AstApp *app;               // a .app has this instead (ast_app.h)
 } AstFile;
 
 const char *function_usage(const SmBuiltinInfo *fn);    // how a function's arguments are written: "(x, n)"

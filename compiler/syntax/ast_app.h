@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree of an application (.app) as written: options, values at the start, executors with their rate groups.  app.def has its
-// words.  What could not be read was reported, and is not there.
+// The syntax tree of an application (.app) as written: options, start values, executors with their rate groups. app.def lists its words.
+// Parts that could not be parsed have been reported and are missing here.
 #ifndef SMC_AST_APP_H
 #define SMC_AST_APP_H
 
 #include "compiler/syntax/ast.h"
 
-typedef struct AstWord { Str text; Span span; } AstWord;      // text NULL: it is not there
+typedef struct AstWord { Str text; Span span; } AstWord;      // text NULL: absent
 
 typedef enum AppMeasure { APP_NOTHING, APP_NUMBER, APP_TIME, APP_FREQUENCY, APP_SIZE } AppMeasure;
 
-// 10 ms, 1 kHz, 64 KB, 80: exactly digits * 10^exponent * factor in ns, Hz, bytes or one by one.
+// 10 ms, 1 kHz, 64 KB, 80: exactly digits * 10^exponent * factor, in ns, Hz, bytes or without a unit.
 typedef struct AstAmount {
-    AppMeasure of;            // NOTHING: it is not there
+    AppMeasure of;            // NOTHING: absent
     uint64_t digits;
     int exponent;
     uint64_t factor;
-    bool is_exact;            // false: more digits than anything needs; the others are 0 then
+    bool is_exact;            // false: more digits than any amount needs; the other fields are 0 then
     Span span;
 } AstAmount;
 
@@ -41,7 +41,7 @@ typedef enum AstAppAnnotationKind {
 
 typedef struct AstAppAnnotation {
     AstAppAnnotationKind kind;
-    Span span;                // with its @ and what it takes
+    Span span;                // including its @ and its argument
     AstWord word;             // an element, a state, `skip`, `catch_up`
     AstAmount amount;
 } AstAppAnnotation;
@@ -72,7 +72,7 @@ typedef struct AstAppExecutor {
     Span header;
     AstAppAnnotations annotations;
     VEC(AstAppRate) rates;
-    bool lost;                // something in it could not be read
+    bool lost;                // part of it could not be parsed
 } AstAppExecutor;
 
 // An @allow, and the line or section that it covers.
@@ -83,13 +83,13 @@ typedef struct AstAppAllow {
 
 typedef struct AstApp AstApp;
 struct AstApp {
-    Span options_header, start_header;    // src NULL: there is none
+    Span options_header, start_header;    // src NULL: absent
     VEC(AstAppOption) options;
     AstStmts start;           // AST_ASSIGN
     VEC(AstAppExecutor *) executors;
     VEC(AstAppAllow) allows;
-    bool lost;                // there were errors: something may not be here
-    bool strayed;             // options stand in another section, which was reported
+    bool lost;                // there were errors: entries may be missing
+    bool strayed;             // options appeared in another section; this has been reported
 };
 
 void ast_print_app(const AstApp *app, Buf *out);
@@ -97,6 +97,6 @@ void ast_print_app(const AstApp *app, Buf *out);
 const char *app_option_name(AstAppOptionKind kind);
 const char *app_task_word(AstAppTaskKind kind);
 const char *app_annotation_name(AstAppAnnotationKind kind);
-AstAppOptionKind app_task_needs(AstAppTaskKind kind);         // AST_APP_OPTION_COUNT: nothing
+AstAppOptionKind app_task_needs(AstAppTaskKind kind);         // AST_APP_OPTION_COUNT: no option
 
 #endif

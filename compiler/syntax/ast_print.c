@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree as text, for --emit=ast and for tests: one node a line for sections and statements, indented below its owner;
-// an expression on one line with every operation in parentheses.
+// Prints the syntax tree, for --emit=ast and for tests. Each section and statement is one line, indented below its owner; each expression
+// is on one line with every operation in parentheses.
 #include <string.h>
 
 #include "compiler/syntax/ast_app.h"
@@ -13,7 +13,7 @@ static void put_line_start(Buf *out, unsigned depth) { buf_spaces(out, depth * 2
 
 static void put_name(Buf *out, Str name) { buf_put(out, name ? name->text : "?", name ? name->len : 1); }
 
-// As written, so that nothing is lost.
+// Prints the source text unchanged, so that nothing is lost.
 static void put_source(Buf *out, Span span) { buf_put(out, span.src->text + span.at, span.len); }
 
 static void put_expr(Buf *out, const AstExpr *e)

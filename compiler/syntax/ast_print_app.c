@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree of an application as text: a line for each entry, indented below its owner.
+// Prints the syntax tree of an application: one line per entry, indented below its owner.
 #include "compiler/syntax/ast_app.h"
 
 static void put_source(Buf *out, Span span) { buf_put(out, span.src->text + span.at, span.len); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What kind of source a file is, by its name.
+// Finds the kind of a source file from its name.
 #include <string.h>
 
 #include "compiler/syntax/ast.h"

@@ -6,15 +6,15 @@
 #include "compiler/syntax/lex.h"
 
 enum {
-    STATEMENTS_MAX = 16,      // of one line; more get no edit
-    LINE_MAX = 1000           // bytes; a longer line gets no hint, so that hostile text does not take the square of its length
+    STATEMENTS_MAX = 16,      // on one line; a line with more gets no edit
+    LINE_MAX = 1000           // bytes; a longer line gets no hint, so that hostile text cannot cost time quadratic in its length
 };
 
 typedef struct Line {
     const Source *src;
     const char *text;         // of the source
     uint32_t from, end;       // end: without the line end and blanks before it
-    const char *line_end;     // as this line ends
+    const char *line_end;     // the line end of this line
 } Line;
 
 static bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -63,7 +63,7 @@ static Line line_of(const Source *src, uint32_t at)
     return l;
 }
 
-// A line end and the indentation of l, `levels` deeper.
+// A line end followed by the indentation of l, plus `levels`.
 static const char *new_line(Arena *arena, const Line *l, unsigned levels)
 {
     const uint32_t indent = skip_blanks(l, l->from) - l->from;
@@ -78,7 +78,7 @@ static const char *new_line(Arena *arena, const Line *l, unsigned levels)
 static bool is_too_long(const Line *l) { return l->end - l->from >= LINE_MAX; }
 static Span span_of(const Line *l, uint32_t at, uint32_t end) { return (Span){l->src, at, end - at}; }
 
-// x = 1, -> Idle, @assert or @stop begins at p.
+// Whether x = 1, -> Idle, @assert or @stop begins at p.
 static bool begins_statement(const Line *l, uint32_t p)
 {
     uint32_t sign;
@@ -93,7 +93,7 @@ static bool begins_statement(const Line *l, uint32_t p)
     return sign < l->end && l->text[sign] == '=' && (sign + 1 == l->end || (l->text[sign + 1] != '=' && l->text[sign + 1] != '>'));
 }
 
-// F64 x begins at p.
+// Whether F64 x begins at p.
 static bool begins_declaration(const Line *l, uint32_t p)
 {
     const uint32_t end = skip_word(l, p);
@@ -106,7 +106,7 @@ static bool begins_declaration(const Line *l, uint32_t p)
 
 // ---- lines below ----
 
-// The line below l, which holds the source up to its end; false at the end of the source.
+// Moves l to the next line; false at the end of the source.
 static bool next_line(Line *l)
 {
     uint32_t p = l->end;
@@ -128,7 +128,7 @@ static bool is_empty_line(const Line *l)
 
 static uint32_t indentation(const Line *l) { return skip_blanks(l, l->from) - l->from; }
 
-// Begins with the indentation of `outer`.
+// Whether l begins with the indentation of `outer`.
 static bool is_indented_like(const Line *l, const Line *outer)
 {
     const uint32_t indent = indentation(outer);
@@ -136,7 +136,7 @@ static bool is_indented_like(const Line *l, const Line *outer)
     return l->end - l->from > indent && memcmp(l->text + l->from, outer->text + outer->from, indent) == 0;
 }
 
-// The same, and goes on with a blank.
+// The same, and a blank follows that indentation.
 static bool is_deeper(const Line *l, const Line *outer)
 {
     return is_indented_like(l, outer) && is_blank(l->text[l->from + indentation(outer)]);
@@ -153,9 +153,9 @@ static bool continues_below(const Line *l)
     return false;
 }
 
-// ---- what comes before ----
+// ---- the preceding statement ----
 
-// The statement before `at`, as far as its line tells.
+// The statement before `at`, as far as its line shows.
 typedef struct Before {
     enum { PLAIN, GUARDED, UNKNOWN } is;      // GUARDED: after a condition's colon on this line
     uint32_t colon;
@@ -167,7 +167,7 @@ static Before look_before(const Line *l, uint32_t at)
 {
     Before b = {UNKNOWN, 0, l->from, false};
     uint32_t depth = 0;
-    bool colon = false, lost = false;         // lost: something before is no statement, perhaps a condition
+    bool colon = false, lost = false;         // lost: earlier text on the line is not a statement, perhaps a condition
 
     for (uint32_t p = l->from; p < at; p++)
         switch (l->text[p]) {
@@ -211,13 +211,13 @@ static Before look_before(const Line *l, uint32_t at)
 
 typedef struct Shared {
     size_t n;
-    uint32_t gap[STATEMENTS_MAX], begin[STATEMENTS_MAX];      // what separates a statement from the one before it begins; it begins
+    uint32_t gap[STATEMENTS_MAX], begin[STATEMENTS_MAX];  // gap: start of the separator before each statement; begin: its first byte
     uint32_t end;             // of the last one
     uint32_t trailing;        // end of a ';' after it; 0 if none
-    bool clear;               // there is nothing else
+    bool clear;               // the line contains nothing else
 } Shared;
 
-// No statement after -> or @stop is executed: what follows one on its line was meant otherwise.
+// No statement after -> or @stop is executed, so the user meant something else by a statement that follows one on its line.
 static bool leaves_block(const Line *l, uint32_t p)
 {
     return l->text[p] == '-' || (l->text[p] == '@' && has_text(l, p + 1, skip_word(l, p + 1), "stop"));
@@ -228,7 +228,7 @@ static Shared split(const Line *l, uint32_t p)
 {
     Shared s = {.end = p};
     uint32_t depth = 0, gap = 0, next;
-    bool strong = false;              // the gap holds a sign or word that no expression holds
+    bool strong = false;              // the gap contains a sign or word that no expression contains
 
     for (p = skip_blanks(l, p); p < l->end; p = skip_blanks(l, next)) {
         const char c = l->text[p];
@@ -265,7 +265,7 @@ static Shared split(const Line *l, uint32_t p)
     return s;
 }
 
-// condition: a; b   becomes   condition { a b } on lines of their own.
+// Changes   condition: a; b   to   condition { a b } on lines of their own.
 static void put_in_braces(Diags *diags, Diag *d, const Line *l, const Before *b, const Shared *s)
 {
     const uint32_t end = s->trailing ? s->trailing : s->end, after = skip_blanks(l, end), colon = before_blanks(l, b->colon);
@@ -280,7 +280,7 @@ static void put_in_braces(Diags *diags, Diag *d, const Line *l, const Before *b,
     diag_edit(diags, d, last ? span_of(l, l->end, l->end) : span_of(l, end, after), format_in(diags->arena, "%s}%s", outer, last ? "" : " "));
 }
 
-// a; b   becomes two lines.
+// Changes   a; b   to two lines.
 static void put_on_lines(Diags *diags, Diag *d, const Line *l, const Before *b, uint32_t at)
 {
     const Shared s = split(l, b->begin);
@@ -290,7 +290,7 @@ static void put_on_lines(Diags *diags, Diag *d, const Line *l, const Before *b, 
             diag_edit(diags, d, span_of(l, s.gap[i], s.begin[i]), new_line(diags->arena, l, b->braces));
 }
 
-// A -> follows p, perhaps after a comma or words.
+// Whether a -> follows p, perhaps after a comma or words.
 static bool is_transition(const Line *l, uint32_t p)
 {
     while (p < l->end && !begins_statement(l, p))
@@ -342,7 +342,7 @@ bool hint_is_first_of_several(const Source *src, uint32_t at)
 
 // ---- lines below a colon ----
 
-enum { LEVELS_MAX = 16 };     // of indentation; deeper ones get no edit
+enum { LEVELS_MAX = 16 };     // of indentation; a block with more gets no edit
 
 // The indentations of a block, each deeper than the one before.
 typedef struct Levels {
@@ -350,7 +350,7 @@ typedef struct Levels {
     uint32_t at[LEVELS_MAX];
 } Levels;
 
-// False if the line is indented by a depth between two of those before it: which condition it belongs to is unclear.
+// Returns false if the line's indentation is between two earlier depths: it is unclear which condition the line belongs to.
 static bool enter_level(Levels *levels, uint32_t indent)
 {
     while (levels->n > 0 && levels->at[levels->n - 1] > indent)
@@ -363,7 +363,8 @@ static bool enter_level(Levels *levels, uint32_t indent)
     return true;
 }
 
-// Whether the line below a block clearly does not belong to it: it is indented like the condition or less, and an else exactly like it.
+// Whether the line below a block clearly does not belong to it. Such a line is indented like the condition or less, an else exactly like
+// it.
 static bool ends_block(const Line *l, const Line *guard, uint32_t colon)
 {
     const uint32_t p = skip_blanks(l, l->from);
@@ -373,7 +374,7 @@ static bool ends_block(const Line *l, const Line *guard, uint32_t colon)
     return is_indented_like(l, guard) && indentation(l) == indentation(guard) && !memchr(guard->text + guard->from, ':', colon - guard->from);
 }
 
-// How many parentheses are open at the end of the line.
+// The number of parentheses open at the end of the line.
 static uint32_t open_parens(const Line *l, uint32_t depth)
 {
     for (uint32_t p = l->from; p < l->end && l->text[p] != '#'; p++) {
@@ -383,7 +384,7 @@ static uint32_t open_parens(const Line *l, uint32_t depth)
     return depth;
 }
 
-// How many braces the line opens; closing ones count down.
+// The number of braces that the line opens, minus those that it closes.
 static int opened(const Line *l)
 {
     int n = 0;

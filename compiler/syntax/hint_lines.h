@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints about line ends: several statements share a line, or the statements of a condition follow on lines of their own.
-// They work on the text of the lines alone, so that they also help where a line has other mistakes.  An edit is proposed only if no
-// statement loses a condition by it: of what depends on a condition, everything goes into braces.
+// Hints about line ends: several statements share a line, or the statements of a condition follow on lines of their own. The functions
+// work only on the text of the lines, so they also help where a line has other errors. They propose an edit only if it removes no
+// statement from its condition: all statements that depend on a condition go into braces.
 #ifndef SMC_HINT_LINES_H
 #define SMC_HINT_LINES_H
 
@@ -14,15 +14,15 @@ typedef enum HintSeparator {
 
 // Another statement follows the one that ends before `at`, on the same line.  Labels d with what to do, and proposes the edit if that is
 // unambiguous.  Returns up to where in the source this is about: separators before that need no message of their own.  Returns 0, and
-// adds nothing, if what ends before `at` is no statement.
+// adds nothing, if the text that ends before `at` is not a statement.
 uint32_t hint_shared_line(Diags *diags, Diag *d, const Source *src, uint32_t at, HintSeparator separator);
 
-// Whether more statements follow the one at `at`: after a ';' on its line, where in C they depend on no condition before it, or on a line
-// below that is indented more, where they seem to depend on it.
+// Returns whether more statements follow the one at `at`. They follow after a ';' on its line, where in C they depend on no condition
+// before it. Or they follow on a line below with more indentation, where they seem to depend on it.
 bool hint_is_first_of_several(const Source *src, uint32_t at);
 
-// A line ends after a condition's colon.  If the lines below are indented more, they are the condition's statements: proposes braces.
-// Returns where they end; 0 if there is no such statement.
+// A line ends after a condition's colon. If the lines below are indented more, they are the condition's statements, and the function
+// proposes braces. Returns the end of these statements; 0 if there are none.
 uint32_t hint_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon);
 
 #endif

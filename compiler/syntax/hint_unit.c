@@ -11,7 +11,7 @@ static const struct { const char *name; unsigned factor; int exponent; } times[]
     {"s", 1, 3}, {"sec", 1, 3}, {"secs", 1, 3}, {"second", 1, 3}, {"seconds", 1, 3}, {"S", 1, 3},
     {"min", 6, 4}, {"mins", 6, 4}, {"minute", 6, 4}, {"minutes", 6, 4}, {"h", 36, 5}, {"hour", 36, 5}, {"hours", 36, 5}};
 
-// digits * 10^exponent without an exponent; NULL: that would be too long to read.
+// Writes digits * 10^exponent without an exponent; NULL if the text would be too long to read.
 static const char *decimal_text(Arena *arena, uint64_t digits, int exponent)
 {
     enum { LONGEST = 15 };

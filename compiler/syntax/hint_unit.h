@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A number with a unit: T > 5 s.  Leaving the unit out would change the value, so the hint says what number to write.
+// A number with a unit: T > 5 s. Removing the unit would change the value, so the hint contains the number to write.
 #ifndef SMC_HINT_UNIT_H
 #define SMC_HINT_UNIT_H
 
@@ -8,7 +8,7 @@
 // `number` is a number literal as written, `unit` the word after it.
 void hint_unit(Diags *diags, Diag *d, const char *number, const char *unit);
 bool hint_is_time_unit(const char *unit);
-// The number as milliseconds; NULL: `unit` is no unit of time, or the result is too long to read.
+// The number in milliseconds; NULL if `unit` is not a unit of time or the result is too long to read.
 const char *hint_milliseconds(Arena *arena, const char *number, const char *unit);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-// A phrase comes before every shorter one that it begins with.
+// A phrase comes before every shorter phrase that is a prefix of it.
 static const HintPhrase phrases[] = {
     {"is not equal to", "!=", TOK_NE}, {"is equal to", "==", TOK_EQ},
     {"is greater than or equal to", ">=", TOK_GE}, {"is less than or equal to", "<=", TOK_LE},
@@ -32,7 +32,7 @@ static uint32_t skip_word(const char *text, uint32_t p)
 
 static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
 
-// The end of `words` at p; 0 if other text is there.
+// Returns the end of `words` at p; 0 if the text there differs.
 static uint32_t skip_words(const char *text, uint32_t p, const char *words)
 {
     for (; *words; words++)
@@ -58,9 +58,9 @@ bool hint_is_operator_word(const char *text, uint32_t at)
     return hint_phrase(text, at, &end) || skip_words(text, at, "then") || skip_words(text, at, "do");
 }
 
-enum { PARENS_MAX = 1000 };   // bytes; longer ones are not followed, so that hostile text does not take the square of its length
+enum { PARENS_MAX = 1000 };   // bytes; longer ones are not scanned, so that hostile text cannot cost time quadratic in its length
 
-// The end of the parentheses that open at p; p if they do not close on the line.
+// Returns the end of the parentheses that open at p; p if they do not close on the line.
 static uint32_t skip_parens(const char *text, uint32_t p)
 {
     uint32_t depth = 0;
@@ -94,7 +94,7 @@ uint32_t hint_skip_operand(const char *text, uint32_t at)
     return end > p ? end : at;
 }
 
-// The text at p ends a condition, or joins another one to it.
+// Whether the text at p ends a condition, or joins another one to it.
 static bool ends_condition(const char *text, uint32_t p)
 {
     p = skip_blanks(text, p);
@@ -102,7 +102,7 @@ static bool ends_condition(const char *text, uint32_t p)
            skip_words(text, p, "do") || strncmp(text + p, "&&", 2) == 0 || strncmp(text + p, "||", 2) == 0;
 }
 
-// `or 6`, `and 6`, `or burning`: perhaps what was compared should be compared with that too.
+// `or 6`, `and 6`, `or burning`: perhaps the user meant to compare with that value too.
 static bool adds_another_value(const char *text, uint32_t p)
 {
     uint32_t value, is_or;
@@ -134,7 +134,7 @@ bool hint_is_doubtful_comparison(const char *text, uint32_t at)
     return adds_another_value(text, end);
 }
 
-// The parenthesis around `at`; at if it is not found near it on the line.
+// Returns the parenthesis around `at`; `at` if it is not found nearby on the line.
 static uint32_t find_open_paren(const char *text, uint32_t at)
 {
     uint32_t depth = 0;
@@ -159,7 +159,7 @@ bool hint_stores_in_parens(const char *text, uint32_t at)
     if (open == at || close == open)
         return true;
     if (end > from && !hint_is_operator_word(text, from) && !skip_words(text, from, "if") && !skip_words(text, from, "not"))
-        return true;                                   // the word calls a function
+        return true;                                   // the word is a function call
     end = skip_blanks(text, close);
     return text[end] && strchr("<>=!+-*/%^", text[end]);
 }

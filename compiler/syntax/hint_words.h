@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints about operators written as words (`is not`, `is greater than`), and about the operands that follow an operator.  An edit
-// replaces the operator only; these functions check whether the operands then mean what they meant before.
-// All of them read the text of one line.  The text ends with a NUL.
+// Hints about operators written as words (`is not`, `is greater than`), and about the operands that follow an operator. An edit replaces
+// the operator only; these functions check whether the operands then have the same meaning as before. All of them read the text of one
+// line, which ends with a NUL.
 #ifndef SMC_HINT_WORDS_H
 #define SMC_HINT_WORDS_H
 
 #include "compiler/syntax/lex.h"
 
 typedef struct HintPhrase {
-    const char *words;        // in small letters, separated by single blanks
+    const char *words;        // lower case, separated by single blanks
     const char *native;
     TokenKind kind;
 } HintPhrase;
 
-// The longest operator in words that begins at `at`, and where it ends; NULL if there is none.
+// Returns the longest operator in words that begins at `at`, and its end in *end; NULL if there is none.
 const HintPhrase *hint_phrase(const char *text, uint32_t at, uint32_t *end);
 
 // The end of the operand at `at`, which may have a sign; `at` if there is none.  Blanks before the operand are skipped.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scanner.  It goes over each byte once (a sign is compared with the rows of tokens.def), and every name is interned
-// where it is met.
+// The scanner. It reads each byte once (signs are compared with the rows of tokens.def) and interns every name when it finds it.
 #include "compiler/syntax/lexer.h"
 
 #include <string.h>
@@ -27,13 +26,13 @@ static const Word words[] = {
 #undef SM_TYPE
 };
 
-static const Word *word_of(Str s) { return s->mark ? &words[s->mark - 1] : NULL; }      // lex_init marks them
+static const Word *word_of(Str s) { return s->mark ? &words[s->mark - 1] : NULL; }      // lex_init sets the marks
 
 typedef struct Sign {
     const char *spelling;
     size_t len;
     TokenKind kind;
-    const char *native;       // FOREIGN: how it is written here
+    const char *native;       // FOREIGN: our spelling
     const char *label;        // ABSENT: what to do
 } Sign;
 
@@ -84,7 +83,7 @@ bool is_identifier(const char *s, size_t n)
 
 uint32_t lexer_skip_word(const Lexer *l, uint32_t p)
 {
-    const char *text = l->src->text;                               // a NUL closes it
+    const char *text = l->src->text;                               // terminated by a NUL
 
     while (lexer_is_word(text[p]))
         p++;
@@ -125,10 +124,10 @@ void lexer_skip_comment(Lexer *l)
     l->at += len;
 }
 
-// Blanks, line ends and, unless they are wanted, comments.
+// Skips blanks, line ends and, unless keep_comments is set, comments.
 static void skip_blanks(Lexer *l)
 {
-    const char *text = l->src->text;                               // a NUL closes it
+    const char *text = l->src->text;                               // terminated by a NUL
     uint32_t at = l->at;
     char c;
 
@@ -225,7 +224,7 @@ bool lex_is_header_name(const char *s, size_t n)
     return n > 0;
 }
 
-// [name.  Nothing closes it on this line, so it ends with what could be the name.
+// [name without a closing bracket on this line: it ends after the longest possible name.
 static void lex_open_header(Lexer *l, Token *t)
 {
     uint32_t from = l->at + 1, end;
@@ -258,7 +257,7 @@ static void lex_header(Lexer *l, Token *t)
     while (from < to && (s[from] == ' ' || s[from] == '\t'))
         from++;
     t->text = str_intern(l->strings, s + from, to - from);
-    if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && (t->first || l->last != TOK_ASSIGN))        // x = [1, 2]: a value is missing
+    if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && (t->first || l->last != TOK_ASSIGN))  // x = [1, 2]: the value is missing
         lex_slip_header(l, l->at + 1, end, t->text);
     lexer_finish(l, t, TOK_HEADER, end + 1);
 }
@@ -278,7 +277,7 @@ static void lex_prefixed(Lexer *l, Token *t, TokenKind kind)
 
 static const Sign *find_sign(const Lexer *l)
 {
-    const char *s = l->src->text + l->at;                          // a NUL closes it, which no sign holds
+    const char *s = l->src->text + l->at;                          // terminated by a NUL, which no sign contains
 
     for (size_t row = (unsigned char)*s < sizeof l->sign ? l->sign[(unsigned char)*s] : 0; row > 0; row = l->next_sign[row - 1]) {
         const Sign *sign = &signs[row - 1];
@@ -320,7 +319,7 @@ bool lex_is_reserved(Str word, TokenKind *kind)
 
 // ---- the next token ----
 
-// False if what stands here was skipped.
+// Returns false if it skipped text instead of producing a token.
 static bool lex_one(Lexer *l, Token *t)
 {
     char c = l->src->text[l->at];
@@ -356,7 +355,7 @@ static bool lex_one(Lexer *l, Token *t)
     return true;
 }
 
-// What follows an @allow, up to what cannot be in it.
+// Returns the state after token t: inside an @allow, until a token that cannot be part of it.
 static LexAllow allow_after(const Lexer *l, const Token *t)
 {
     static const char word[] = "allow";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text to tokens.  Line ends are no tokens: a token knows whether it is the first on its line.  Whatever is wrong with
-// single characters, numbers and signs of other languages is reported here, and the nearest sensible token given.
+// Converts text to tokens. Line ends are not tokens: each token records whether it is the first on its line. Errors in single characters,
+// numbers and signs of other languages are reported here; the lexer then returns the nearest sensible token.
 #ifndef SMC_LEX_H
 #define SMC_LEX_H
 
@@ -25,18 +25,18 @@ typedef enum TokenKind {
 
 typedef struct Token {
     TokenKind kind;
-    bool first;               // on its line
+    bool first;               // the first token on its line
     uint32_t at, len;         // in the source
     Str text;                 // NAME, TYPE, words: as written; HEADER, LABEL, ANNOTATION: the name without its signs; TEXT: without quotes
     SmType type;              // TYPE
     SmF64 number;             // NUMBER
 } Token;
 
-// A text in quotes exists in an @allow( ), and where Lexer.config says so.
+// Quoted text is a token only inside an @allow( ), and wherever Lexer.config is set.
 typedef enum LexAllow {
     LEX_NO_ALLOW,
-    LEX_ALLOW,                // behind its name: to the end of the line
-    LEX_IN_ALLOW              // in its parentheses
+    LEX_ALLOW,                // after its name: until the end of the line
+    LEX_IN_ALLOW              // inside its parentheses
 } LexAllow;
 
 enum {
@@ -58,32 +58,32 @@ typedef struct Lexer {
     const Source *src;
     StrPool *strings;
     Diags *diags;
-    uint8_t sign[128];        // by character: 1 + the first row of the signs that begin with it; 0: none does
-    uint8_t next_sign[LEX_SIGNS];     // by row: 1 + the next that begins with the same
-    uint32_t at;              // what comes next
-    uint32_t line_start;      // just behind the last line end seen
+    uint8_t sign[128];        // by character: 1 + the first row of the signs that begin with it; 0: none
+    uint8_t next_sign[LEX_SIGNS];     // by row: 1 + the next row that begins with the same character
+    uint32_t at;              // the next byte to read
+    uint32_t line_start;      // directly after the last line end seen
     uint32_t reported_line;   // 1 + line_start of the line whose stray characters have been reported
     bool first;               // the next token is the first on its line
-    bool keep_comments;       // give them as tokens
-    bool no_comment_end;      // there is no */ any more
-    bool config;              // a .io or .app: names of files stand in quotes, and behind numbers units
-    TokenKind last;           // kind of the token given last
-    LexAllow allow;           // where in an @allow( ) this is
-    bool stores, annotated;   // an =, an annotation stands before it on the line
-    uint32_t bar;             // where the | stands that closes |x|
+    bool keep_comments;       // return them as tokens
+    bool no_comment_end;      // the rest of the source contains no */
+    bool config;              // a .io or .app: file names are quoted, and units follow numbers
+    TokenKind last;           // kind of the last token returned
+    LexAllow allow;           // the current position relative to an @allow( )
+    bool stores, annotated;   // an = precedes it on the line; an annotation does
+    uint32_t bar;             // position of the | that closes |x|
     uint32_t parens;          // opened on this line and still open
-    uint32_t hinted;          // up to here statements share a line in a way that has been reported
+    uint32_t hinted;          // shared lines before this position have been reported
 } Lexer;
 
 void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src);
-void lex_next(Lexer *l, Token *t);          // after the last token END, for ever
+void lex_next(Lexer *l, Token *t);          // after the last token always END
 
-void lex_skip_to(Lexer *l, uint32_t at);    // goes on at the start of a line
+void lex_skip_to(Lexer *l, uint32_t at);    // continues at the start of a line
 
 // How a message names tokens of a kind: "+", "if", "name".
 const char *token_name(TokenKind kind);
 
-void lex_skip_choice(Lexer *l);             // what belongs to c ? a : b or IF(c, a, b), to the end of the line
+void lex_skip_choice(Lexer *l);             // skips the rest of c ? a : b or IF(c, a, b), up to the end of the line
 extern const char *const lex_no_choice;     // what to write instead of c ? a : b
 
 bool lex_is_reserved(Str word, TokenKind *kind);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What other languages write and this one does not: their comments, units, headers of states, ranges and operators.  Reported here,
-// and the token given that was meant.
+// Handles what other languages have and this one does not: their comments, units, state headers, ranges and operators. Reports them here
+// and returns the token that the user meant.
 #include <string.h>
 
 #include "compiler/syntax/hint_lines.h"
@@ -10,7 +10,7 @@
 
 // ---- comments, numbers, headers ----
 
-enum { FAR = 200 };           // bytes: hostile text must not cost the square of its length
+enum { FAR = 200 };           // bytes: hostile text must not cost time quadratic in its length
 
 static bool is_gap(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
@@ -26,7 +26,7 @@ static bool ends_line(const Lexer *l, uint32_t p)
     return p == l->src->len || l->src->text[p] == '\n' || l->src->text[p] == '#';
 }
 
-// An identifier that is no word of the language: where it ends, or `p` if there is none.
+// Returns the end of the identifier at p that is not a word of the language; `p` if there is none.
 static uint32_t skip_name(const Lexer *l, uint32_t p)
 {
     uint32_t end = lexer_skip_word(l, p);
@@ -37,7 +37,7 @@ static uint32_t skip_name(const Lexer *l, uint32_t p)
     return lex_is_reserved(str_intern(l->strings, l->src->text + p, end - p), &reserved) ? p : end;
 }
 
-// Two words in a row are prose, unless an expression could go on so: size AND, size then.
+// Two words in a row are prose, unless an expression could continue with the second: size AND, size then.
 static bool is_prose(const Lexer *l, uint32_t p)
 {
     uint32_t end = skip_name(l, p), next = skip_gap(l, end);
@@ -46,7 +46,7 @@ static bool is_prose(const Lexer *l, uint32_t p)
            !(lexer_is_declared(l, p, end) && hint_is_operator_word(l->src->text, next));
 }
 
-// `-- …` and `% …`: what no expression can go on with is a comment.
+// `-- …` and `% …`: a comment, if no expression can continue like this.
 bool lex_slip_is_remark(const Lexer *l)
 {
     uint32_t len = l->src->text[l->at] == '%' ? 1 : 2, p = skip_gap(l, l->at + len), end = skip_name(l, p);
@@ -57,14 +57,14 @@ bool lex_slip_is_remark(const Lexer *l)
                         (!l->stores && !lexer_is_declared(l, p, end) && ends_line(l, skip_gap(l, end))));
 }
 
-// What a value can stand before, or a bar that closes: not where an operand is missing.
+// Whether the last token can end a value, or is a bar that closes one. If not, an operand is missing here.
 static bool follows_value(const Lexer *l, bool first)
 {
     return !first && (l->last == TOK_NAME || l->last == TOK_NUMBER || l->last == TOK_RPAREN || l->last == TOK_TRUE || l->last == TOK_FALSE ||
                       l->last == TOK_ERROR);
 }
 
-// Set off from what stands before it as a comment is, and no operator: `x = 1   // open`, `x = 1 //open`.
+// Whether the sign is separated from the preceding text like a comment, and is not an operator: `x = 1   // open`, `x = 1 //open`.
 static bool is_set_off(const Lexer *l, uint32_t at, uint32_t text)
 {
     const char *s = l->src->text;
@@ -72,7 +72,8 @@ static bool is_set_off(const Lexer *l, uint32_t at, uint32_t text)
     return is_gap(s[at - 1]) && (text == at + 2 || is_gap(s[at - 2]));
 }
 
-// `a // b` divides in other languages.  How sure that is: 0 not at all, 1 it may as well be a comment, 2 an expression goes on behind b.
+// `a // b` is a division in other languages. Returns how likely it is: 0 impossible, 1 it could also be a comment, 2 certain, because the
+// expression continues after b.
 static int is_division(const Lexer *l)
 {
     uint32_t p, end, after;
@@ -99,7 +100,7 @@ static int is_division(const Lexer *l)
     return known || !is_set_off(l, l->at, p);
 }
 
-// The one of Python, as the single / that is meant.
+// Replaces Python's floor division with the single / that the user meant.
 static void floor_division(Lexer *l, Token *t)
 {
     Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, l->at, 2), "//");
@@ -108,7 +109,7 @@ static void floor_division(Lexer *l, Token *t)
     lexer_finish(l, t, TOK_SLASH, l->at + 2);
 }
 
-// One that has been closed on its line, behind which nothing stands, becomes one of this language.
+// Changes a comment that is closed on its line, with nothing after it, to a comment of this language.
 static void edit_closed_comment(Lexer *l, Diag *d, uint32_t at, uint32_t end)
 {
     if (memchr(l->src->text + at, '\n', end - at) || !ends_line(l, skip_gap(l, end)))
@@ -117,7 +118,7 @@ static void edit_closed_comment(Lexer *l, Diag *d, uint32_t at, uint32_t end)
     diag_edit(l->diags, d, lexer_span(l, end - 2, 2), "");
 }
 
-// p > 50 % of limit: -> Vent.  The text after the sign is not only prose: it has a declared name or begins a body.
+// p > 50 % of limit: -> Vent. The text after the sign is not only prose: it contains a declared name or begins a body.
 static bool is_percentage(const Lexer *l)
 {
     uint32_t p = l->at + 1, end;
@@ -133,7 +134,7 @@ static bool is_percentage(const Lexer *l)
     return false;
 }
 
-// p > 5 -- high: -> Vent.  A condition is before the sign and a colon or brace after it: perhaps the text is a part of the statement.
+// p > 5 -- high: -> Vent. A condition precedes the sign and a colon or brace follows it, so the text may be part of the statement.
 static bool hides_body(const Lexer *l)
 {
     const char *s = l->src->text;
@@ -184,7 +185,7 @@ bool lex_slip_comment(Lexer *l, Token *t)
     return false;
 }
 
-// Whether the word before it is followed by a name: task, machine, @mode.
+// Whether a name follows the preceding word: task, machine, @mode.
 static bool is_name_place(const Lexer *l, uint32_t at)
 {
     uint32_t end, from;
@@ -213,7 +214,7 @@ static void number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t stop)
         hint_unit(l->diags, d, lexer_text(l, at, end), lexer_text(l, end, stop));
 }
 
-// The number at..end runs on: 5psi, 1__0, 0x, 1e, 1.2.3.  Reports it; returns where it stops.
+// More characters follow the number at..end: 5psi, 1__0, 0x, 1e, 1.2.3. Reports this; returns the end of those characters.
 uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
 {
     uint32_t stop = lexer_skip_word(l, end + (lexer_byte(l, end) == '\''));
@@ -245,7 +246,7 @@ uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
     return stop;
 }
 
-// `Hold Pressure`, `Vent-Fast`: the same with _ between the words; NULL if that is not what is wrong.
+// `Hold Pressure`, `Vent-Fast`: returns the name with _ between the words; NULL if the error is a different one.
 static const char *joined(Arena *arena, Str name)
 {
     char *fixed = (char *)format_in(arena, "[%s]", name->text);
@@ -256,7 +257,7 @@ static const char *joined(Arena *arena, Str name)
     return lex_is_header_name(fixed + 1, name->len) ? fixed : NULL;
 }
 
-// `Abort @abort`: the annotations stand within the brackets.  How it is written; NULL if that is not what is wrong.
+// `Abort @abort`: the annotations are inside the brackets. Returns the correct form; NULL if the error is a different one.
 static const char *annotations_outside(Arena *arena, Str name)
 {
     const char *at = strchr(name->text, '@');
@@ -342,7 +343,7 @@ static bool is_include_word(Str word)
     return false;
 }
 
-// "common.sm", <common.sm> or common ends the line from p on.
+// Whether "common.sm", <common.sm> or common is the rest of the line from p on.
 static bool is_file_name(const Lexer *l, uint32_t p)
 {
     const char open = lexer_byte(l, p);
@@ -373,7 +374,7 @@ bool lex_slip_include(Lexer *l, const Token *t)
     return true;
 }
 
-// Where the number with or without a sign at p ends, or p if there is none.  A point must be followed by a digit: 0..5.
+// Returns the end of the number at p, with or without a sign; p if there is none. A digit must follow a point: 0..5.
 static uint32_t skip_plain_number(const Lexer *l, uint32_t p)
 {
     uint32_t at = p + (lexer_byte(l, p) == '-' || lexer_byte(l, p) == '+'), end = at;
@@ -386,10 +387,10 @@ static uint32_t skip_plain_number(const Lexer *l, uint32_t p)
     return end > at ? end : p;
 }
 
-// Behind what others write between the two numbers: 0, 5 or 0..5 or 0 to 5; `p` if nothing of it stands there.
+// Returns the end of the separator that other languages have between two numbers: 0, 5 or 0..5 or 0 to 5. Returns `p` if there is none.
 static uint32_t skip_between(const Lexer *l, uint32_t p)
 {
-    const char *s = l->src->text + p;                              // a NUL closes it
+    const char *s = l->src->text + p;                              // terminated by a NUL
 
     if (*s == ',' || *s == ';' || *s == ':')
         return p + 1;
@@ -410,7 +411,7 @@ static void report_range(Lexer *l, Token *t, Span wrong, Span lo, Span hi, uint3
     lexer_finish(l, t, TOK_ERROR, end);
 }
 
-// What follows the two numbers of a range: another annotation, a comment, or the end of the line.
+// Whether the text at p can follow a range: another annotation, a comment, or the end of the line.
 static bool ends_range(const Lexer *l, uint32_t p)
 {
     const char c = lexer_byte(l, p);
@@ -418,7 +419,7 @@ static bool ends_range(const Lexer *l, uint32_t p)
     return ends_line(l, p) || c == '@' || (c == '/' && strchr("/*", lexer_byte(l, p + 1))) || (c == ';' && ends_line(l, skip_gap(l, p + 1)));
 }
 
-// Behind @range: [0, 5], be it closed or not, and 0..5 and 0, 5.  0,5 10 has a decimal comma.
+// After @range: [0, 5], closed or not, and 0..5 and 0, 5. 0,5 10 has a decimal comma.
 bool lex_slip_range(Lexer *l, Token *t)
 {
     static const char word[] = "@range";
@@ -447,7 +448,7 @@ static bool begins_statement(const Lexer *l, const Token *t)
     return t->first || l->last == TOK_COLON || l->last == TOK_LBRACE || l->last == TOK_LABEL || l->last == TOK_HEADER;
 }
 
-// A name ends the line behind a sign at the end of a condition; no brace comes below it.
+// Whether a name is the last word of the line after the sign, and no brace follows on the line below.
 static bool names_state(const Lexer *l, const Token *t)
 {
     uint32_t from = skip_gap(l, t->at + t->len), end = lexer_skip_word(l, from), p = skip_gap(l, end);
@@ -462,7 +463,7 @@ static bool names_state(const Lexer *l, const Token *t)
     return lexer_byte(l, p) != '{';
 }
 
-// The name after the sign is no state but a declared value: a comparison, the body of which is missing.
+// Whether the name after the sign is a declared value, not a state: a comparison whose body is missing.
 static bool names_declared(const Lexer *l, const Token *t)
 {
     const uint32_t from = skip_gap(l, t->at + t->len);
@@ -470,7 +471,7 @@ static bool names_declared(const Lexer *l, const Token *t)
     return lexer_is_declared(l, from, lexer_skip_word(l, from));
 }
 
-// fault & 4, ~3: bits are meant, of which there are none.  In p > 5 & 3 < x they are not.
+// fault & 4, ~3: the user means bits, which the language does not have. In p > 5 & 3 < x this is not the case.
 static bool is_about_bits(const Lexer *l, const Token *t)
 {
     const uint32_t p = skip_gap(l, t->at + 1), behind = skip_gap(l, lexer_skip_word(l, p));
@@ -479,9 +480,9 @@ static bool is_about_bits(const Lexer *l, const Token *t)
            lexer_byte(l, behind) != '>' && lexer_byte(l, behind) != '.';
 }
 
-// What is on one side of a & or |, up to the next sign or word that joins conditions, in the same parentheses.
+// The text on one side of a & or |, up to the next sign or word that joins conditions, within the same parentheses.
 typedef struct Side {
-    bool compares;            // holds a comparison
+    bool compares;            // contains a comparison
     enum { SIDE_END, SIDE_AND, SIDE_OR, SIDE_BIT_AND, SIDE_BIT_OR } until;
 } Side;
 
@@ -490,7 +491,7 @@ static bool is_text(const char *s, uint32_t at, uint32_t end, const char *word)
     return end - at == strlen(word) && memcmp(s + at, word, end - at) == 0;
 }
 
-// What joins conditions at `p`, a sign or the first letter of a word; *len: its length.
+// Returns what kind of sign or word at `p` joins conditions; *len: its length.
 static int joins(const Lexer *l, uint32_t p, uint32_t *len)
 {
     const char *s = l->src->text;
@@ -532,7 +533,7 @@ static Side right_side(const Lexer *l, uint32_t p)
     return side;
 }
 
-// The sides before a sign, from the beginning of its parentheses or of the line on: only the last one counts.
+// Scans the sides before a sign, from the start of its parentheses or of the line. Only the last one counts.
 static Side left_side(const Lexer *l, uint32_t at)
 {
     const char *s = l->src->text;
@@ -556,14 +557,14 @@ static Side left_side(const Lexer *l, uint32_t at)
     return side;
 }
 
-// `status & mask`, `x = ~mask`: of bits, perhaps; or a | beside an `and`, which binds the other way round in other languages.
+// `status & mask`, `x = ~mask`: perhaps bits are meant. Or a | next to an `and`: in other languages their precedence is reversed.
 static bool may_be_bits(const Lexer *l, const Token *t)
 {
     const char sign = l->src->text[t->at];
     Side left, right;
 
     if (t->len > 1 || sign == '~')
-        return t->len == 1 && l->stores && !t->first;      // l->stores is of the line before at a first token
+        return t->len == 1 && l->stores && !t->first;      // at a first token l->stores describes the previous line
     if (sign != '&' && sign != '|')
         return false;
     left = left_side(l, t->at);
@@ -573,7 +574,7 @@ static bool may_be_bits(const Lexer *l, const Token *t)
     return !left.compares || (!right.compares && right.until >= SIDE_BIT_AND);
 }
 
-// Only a name is before `at` in its statement: x := 1.
+// Whether `at` follows only a name in its statement: x := 1.
 static bool is_after_target(const Lexer *l, uint32_t at)
 {
     const char *s = l->src->text;
@@ -615,7 +616,7 @@ static void report_foreign(Lexer *l, Token *t, const char *spelling, const char 
                         native, blank && lexer_is_word(lexer_byte(l, t->at + t->len)) ? " " : ""));
 }
 
-// |a - |b||: which bars belong together is for the reader to tell.  Skips up to the last one.
+// |a - |b||: which bars belong together is ambiguous. Skips up to the last one.
 static void skip_nested_bars(Lexer *l, Token *t)
 {
     uint32_t at = l->at, end = at + 1;
@@ -648,7 +649,7 @@ static bool is_between_bars(const Lexer *l, uint32_t at, uint32_t end)
     return depth == 0;
 }
 
-// |x| of mathematics, as (x).
+// |x| of mathematics is read as (x).
 bool lex_slip_bars(Lexer *l, Token *t)
 {
     uint32_t at = l->at, end = at + 1;
@@ -693,7 +694,7 @@ void lex_slip_sign(Lexer *l, Token *t, const char *spelling, const char *native,
     }
 }
 
-// Whether the line has a comma directly between digits: where ; separates values, that is a decimal comma.
+// Whether the line has a comma directly between digits. Where ; separates values, this is a decimal comma.
 static bool has_decimal_comma(const Lexer *l)
 {
     const char *s = l->src->text;
@@ -721,7 +722,7 @@ static bool is_else(const Lexer *l, uint32_t p)
     return lexer_skip_word(l, p) - p == 4 && memcmp(l->src->text + p, "else", 4) == 0;
 }
 
-// The token after a ';' is read as the first of a line.
+// Skips the ';' and reads the next token as the first of a line.
 static void skip_semicolon(Lexer *l)
 {
     const Span span = lexer_span(l, l->at, 1);
@@ -756,7 +757,7 @@ bool lex_slip_semicolon(Lexer *l, Token *t)
 
 const char *const lex_no_choice = "write it as if ...: x = a, and on the next line else: x = b";
 
-// c ? a : b of other languages; what follows belongs to it.
+// c ? a : b of other languages; the text that follows belongs to it.
 void lex_slip_choice(Lexer *l)
 {
     Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, l->at, 1), "?");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tokens of a source as text: --emit=tokens.  A line each: place, kind, the text as written.
+// Prints the tokens of a source: --emit=tokens. Each line has the position, the kind, and the text as written.
 #include "compiler/syntax/lex.h"
 #include "compiler/syntax/parse.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may be wrong with characters: reported here, and the nearest sensible token given.
+// Handles wrong characters: reports them here and returns the nearest sensible token.
 #include <string.h>
 
 #include "compiler/base/utf8.h"
 #include "compiler/syntax/hint_words.h"
 #include "compiler/syntax/lexer.h"
 
-// Characters that word processors and mathematics put where ASCII has a sign.
+// Characters that word processors and mathematical texts use where ASCII has a sign.
 static const struct { uint32_t code; const char *ascii; TokenKind kind; } lookalikes[] = {
     {0xa0, " ", TOK_END}, {0x2007, " ", TOK_END}, {0x2009, " ", TOK_END}, {0x202f, " ", TOK_END},
     {0x2010, "-", TOK_MINUS}, {0x2011, "-", TOK_MINUS}, {0x2012, "-", TOK_MINUS}, {0x2013, "-", TOK_MINUS},
@@ -29,7 +29,7 @@ const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end)
 
 // ---- characters that have no place ----
 
-// One report a line will do: what follows on it is mostly of the same kind.
+// Returns true once per line: one report is enough, because later characters on the line are mostly of the same kind.
 static bool first_on_line(Lexer *l)
 {
     bool first = l->reported_line != l->line_start + 1;
@@ -64,19 +64,19 @@ static bool is_quote(uint32_t code)
     return code == '"' || code == '\'' || (code >= 0x2018 && code <= 0x201f) || code == 0xab || code == 0xbb;
 }
 
-// A dash and >.
+// Whether the text is a dash followed by >.
 static bool is_long_arrow(const Lexer *l, uint32_t at, uint32_t len, size_t like)
 {
     return like < NO_LOOKALIKE && lookalikes[like].kind == TOK_MINUS && lexer_byte(l, at + len) == '>';
 }
 
-// @range 0 – 5: a dash between two numbers is no sign of the second.
+// @range 0 – 5: a dash between two numbers is not a sign of the second number.
 static bool is_dash_of_range(const Lexer *l, size_t like)
 {
     return l->annotated && !l->first && l->last == TOK_NUMBER && like < NO_LOOKALIKE && lookalikes[like].kind == TOK_MINUS;
 }
 
-// 0·5, 60 000 with a blank that does not break: the character belongs to the number, so what it looks like does not replace it.
+// 0·5, 60 000 with a no-break space: the character belongs to the number, so the sign that it resembles does not replace it.
 static bool is_inside_number(const Lexer *l, uint32_t at, uint32_t len, uint32_t code)
 {
     const bool may_be = code == 0xb7 || code == 0x22c5 || code == 0xa0 || code == 0x2007 || code == 0x2009 || code == 0x202f;
@@ -121,7 +121,7 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
     diag_edit(l->diags, d, lexer_span(l, at, len), ascii);
 }
 
-// Reports what stands at `at` and is neither ASCII nor, in a comment, UTF-8.  Returns its length.
+// Reports the text at `at`, which is not ASCII or, in a comment, not UTF-8. Returns its length.
 uint32_t lex_slip_byte(Lexer *l, uint32_t at)
 {
     uint32_t code = 0;
@@ -138,7 +138,7 @@ uint32_t lex_slip_byte(Lexer *l, uint32_t at)
     return 1;
 }
 
-// Characters that turn the direction of writing can make a reviewer see another text than the compiler.
+// Characters that change the direction of writing can show a reviewer a different text from the one that the compiler reads.
 static bool turns_direction(uint32_t code)
 {
     return (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
@@ -157,7 +157,7 @@ uint32_t lex_slip_comment_byte(Lexer *l, uint32_t at)
     return (uint32_t)len;
 }
 
-// The letter of another alphabet at p, if there is one: its length.
+// Returns the length of a letter of another alphabet at p; 0 if there is none.
 size_t lex_slip_letter(const Lexer *l, uint32_t p)
 {
     uint32_t code = 0;
@@ -168,7 +168,8 @@ size_t lex_slip_letter(const Lexer *l, uint32_t p)
 
 // ---- what begins no token ----
 
-// Where the quote that closes the text from p on stands, or the end of its line; *len: of the quote, 0 if there is none.
+// Returns the position of the quote that closes the text from p on, or the end of its line; *len: the length of the quote, 0 if there is
+// none.
 static uint32_t find_quote(const Lexer *l, uint32_t p, bool plain, uint32_t *len)
 {
     uint32_t code = 0;
@@ -183,7 +184,7 @@ static uint32_t find_quote(const Lexer *l, uint32_t p, bool plain, uint32_t *len
     return p;
 }
 
-// The reason of an @allow, or the name of a file.  It may hold what a comment may hold.
+// The reason of an @allow, or the name of a file. It can contain what a comment can contain.
 static void lex_reason(Lexer *l, Token *t, uint32_t quote_len)
 {
     bool plain = l->src->text[l->at] == '"';
@@ -201,7 +202,7 @@ static void lex_reason(Lexer *l, Token *t, uint32_t quote_len)
     lexer_finish(l, t, d ? TOK_ERROR : TOK_TEXT, end + closing);
 }
 
-// A word that the sources use, so it may be declared.
+// Whether the word appeared in the sources, so that it may be declared.
 bool lexer_knows_word(const Lexer *l, uint32_t from, uint32_t end) { return str_find(l->strings, l->src->text + from, end - from) != NULL; }
 
 bool lexer_is_declared(const Lexer *l, uint32_t from, uint32_t end)
@@ -213,8 +214,8 @@ bool lexer_is_declared(const Lexer *l, uint32_t from, uint32_t end)
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-// @assert p > 5, "too low": from the blanks and the comma before the quote, which ends the line at `end`; 0: it is something else,
-// as in init_state "Idle".
+// @assert p > 5, "too low": returns where the blanks and the comma before the quote begin; the quote ends the line at `end`. Returns 0 in
+// other cases, as in init_state "Idle".
 static uint32_t begins_remark(const Lexer *l, uint32_t end)
 {
     const char *s = l->src->text;
@@ -257,7 +258,7 @@ static void label_string(Lexer *l, Diag *d, uint32_t from, uint32_t end, uint32_
     }
 }
 
-// Text in quotes, to the closing one or the end of the line.
+// Handles quoted text, up to the closing quote or the end of the line.
 static void lex_string(Lexer *l, Token *t, uint32_t quote_len)
 {
     uint32_t closing = 0, p = find_quote(l, l->at + quote_len, false, &closing);
@@ -271,7 +272,7 @@ static void lex_string(Lexer *l, Token *t, uint32_t quote_len)
     lexer_finish(l, t, TOK_ERROR, p + closing);
 }
 
-// What looks like a sign is taken for it; a blank, or a byte that is not UTF-8, is skipped.
+// Reads a character that looks like a sign as that sign; skips a blank, or a byte that is not UTF-8.
 static bool lex_lookalike(Lexer *l, Token *t, uint32_t code)
 {
     size_t like = lookalike_of(code);
@@ -286,7 +287,7 @@ static bool lex_lookalike(Lexer *l, Token *t, uint32_t code)
     return true;
 }
 
-// Something that begins no token.  True if it gave one all the same.
+// Handles text that begins no token. Returns true if it produced a token anyway.
 bool lex_slip_stray(Lexer *l, Token *t)
 {
     unsigned char c = (unsigned char)l->src->text[l->at];
@@ -311,7 +312,7 @@ bool lex_slip_stray(Lexer *l, Token *t)
     return false;
 }
 
-// What is no text is not read: one message, not one for every byte of it.
+// A source that is not text is not read: it gets one message, not one for every byte.
 const char *lex_slip_no_text(const Source *s)
 {
     uint32_t n = s->len < 512 ? s->len : 512, controls = 0, zeros = 0;
@@ -322,7 +323,7 @@ const char *lex_slip_no_text(const Source *s)
         zeros++;
     if (zeros > 1)
         return zeros == n ? "nothing but NUL bytes" : "binary data";
-    if (n >= 4 && ((s->text[0] == 0 && s->text[2] == 0) || (s->text[1] == 0 && s->text[3] == 0)))         // [, and a zero behind or before it
+    if (n >= 4 && ((s->text[0] == 0 && s->text[2] == 0) || (s->text[1] == 0 && s->text[3] == 0)))  // a [ with a zero byte beside it
         return "UTF-16";
     for (uint32_t i = 0; i < n; i++)
         controls += (unsigned char)s->text[i] < 0x20 && !strchr("\t\n\r\f", s->text[i] ? s->text[i] : '?');

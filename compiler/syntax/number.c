@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A literal is digits times a power of ten.  As a fraction of two big whole numbers it is divided, bit by bit, to 63 or 64
-// bits and a remark whether anything is left; that is rounded once.  Short literals take an exact shortcut.
+// A literal is digits times a power of ten. It becomes a fraction of two big whole numbers. Their quotient is computed bit by bit, to 63
+// or 64 bits and a flag for a nonzero remainder, and is rounded once. Short literals take an exact shortcut.
 #include "compiler/syntax/number.h"
 
 #include <string.h>
@@ -9,18 +9,18 @@
 
 enum { E_MIN = -1022, E_MAX = 1023 };
 
-// Rounds q * 2^e, to which something less than one unit of q is added when `more`.  q is not 0.
+// Rounds q * 2^e. `more` means that the true value is larger by less than one unit of q. q is not 0.
 static bool assemble(uint64_t q, long e, bool more, SmF64 *value)
 {
     uint64_t mantissa, rest, half, bits;
-    long drop = 11;                                   // of the 64 bits, 53 stay
+    long drop = 11;                                   // 53 of the 64 bits remain
 
     for (; !(q >> 63); e--)
         q <<= 1;
     e += 63;                                          // now 2^e <= value < 2^(e + 1)
     if (e > E_MAX)
         return false;
-    if (e < E_MIN) {                                  // subnormal: fewer bits stay
+    if (e < E_MIN) {                                  // subnormal: fewer bits remain
         drop += E_MIN - e;
         e = E_MIN;
     }
@@ -40,7 +40,7 @@ static bool assemble(uint64_t q, long e, bool more, SmF64 *value)
 
 enum { LIMBS = 128 };                                 // 4096 bits: 810 digits, or 10^1140 and 64 bits more
 
-typedef struct Big { uint32_t limb[LIMBS]; int n; } Big;      // least first; n without leading zeros
+typedef struct Big { uint32_t limb[LIMBS]; int n; } Big;      // least significant limb first; n does not count leading zeros
 
 static void big_multiply_add(Big *b, uint32_t factor, uint32_t add)
 {
@@ -108,7 +108,7 @@ static void big_subtract(Big *a, const Big *b)        // a >= b
         a->n--;
 }
 
-// top / bottom < 2^64, rounded down; `top` becomes something that is not 0 exactly when the division leaves a rest.
+// Returns top / bottom, which is < 2^64, rounded down. Afterwards `top` is nonzero exactly if the division has a remainder.
 static uint64_t big_divide(Big *top, Big *bottom)
 {
     uint64_t q = 0;
@@ -128,7 +128,7 @@ static uint64_t big_divide(Big *top, Big *bottom)
 // ---- decimal ----
 
 enum {
-    KEPT = 800,               // digits that count: the edge between two F64 has at most 767
+    KEPT = 800,               // digits that count: the midpoint between two F64 has at most 767
     LARGEST = 310, SMALLEST = -330
 };
 
@@ -136,7 +136,7 @@ typedef struct Decimal {
     char digit[KEPT + 1];     // '0' … '9', the first not '0'; value: 0.d d d… * 10^point
     int n;
     int64_t point;
-    bool more;                // digits were left out, one of them not 0
+    bool more;                // digits were left out, at least one of them nonzero
 } Decimal;
 
 static void add_digit(Decimal *d, char c)
@@ -182,10 +182,10 @@ static void read_decimal(Decimal *d, const char *s, const char *end)
     while (d->n && !d->more && d->digit[d->n - 1] == '0')
         d->n--;
     if (d->more)
-        d->digit[d->n++] = '1';                       // whatever was left out, it is neither nothing nor a whole unit
+        d->digit[d->n++] = '1';                       // the digits left out are worth more than nothing and less than one unit
 }
 
-// Few digits, a small power of ten: one operation on two exact numbers, so one rounding.
+// Few digits and a small power of ten: one operation on two exact numbers, so it rounds only once.
 static bool by_shortcut(const Decimal *d, SmF64 *value)
 {
     enum { EXACT = 15 };                              // 10^15 < 2^53

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file: its sections, and the labels and blocks of a state.
+// Parses a file: its sections, and the labels and blocks of a state.
 #include "compiler/syntax/ast_app.h"
 #include "compiler/syntax/parser.h"
 
@@ -171,7 +171,7 @@ void label_annotations(Parser *p, Diag *d, const char *const *here, size_t n)
 
 static const char *const labels[AST_LABEL_COUNT] = {"entry", "step", "exit"};
 
-// What others call them.
+// The names of labels in other languages.
 static const struct { const char *word; AstLabel label; } synonyms[] = {
     {"start", AST_ENTRY}, {"enter", AST_ENTRY}, {"init", AST_ENTRY}, {"begin", AST_ENTRY}, {"on_entry", AST_ENTRY},
     {"loop", AST_STEP}, {"run", AST_STEP}, {"do", AST_STEP}, {"update", AST_STEP}, {"during", AST_STEP},
@@ -195,7 +195,7 @@ static int guess_label(const char *word)
     return near ? find_label(near) : -1;
 }
 
-// Reports the unknown label at hand; gives the one it probably means, or -1.
+// Reports the current label, which is unknown; returns the label that the user probably meant, or -1.
 static int unknown_label(Parser *p)
 {
     int guess = guess_label(p->tok.text->text);
@@ -206,7 +206,7 @@ static int unknown_label(Parser *p)
     return guess;
 }
 
-// The block that the label at hand opens; NULL if its statements belong nowhere.
+// Returns the block that the current label opens; NULL if its statements belong nowhere.
 static AstBlock *open_block(Parser *p, AstSection *s)
 {
     int i = find_label(p->tok.text->text);
@@ -245,8 +245,7 @@ static void parse_labelled(Parser *p, AstSection *s)
     parse_block(p, b ? &b->stmts : &ignored);
 }
 
-// Statements (or what else there may be) between a header and the first label.  If they are wrong in themselves, that is
-// said first.
+// Parses statements, or other text, between a header and the first label. Errors inside them are reported first.
 static void parse_unlabelled(Parser *p, AstSection *s)
 {
     AstStmts ignored = {0};
@@ -272,7 +271,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
         diag_label(p->diags, d, DIAG_label_text, "a list of constants is [local], each with its type: F64 limit = 3");
 }
 
-// Line ends between a header, its annotations and the first label are blanks.
+// Between a header, its annotations and the first label, line ends count as blanks.
 static void parse_state(Parser *p, AstSection *s)
 {
     parse_annotations(p, AST_ON_STATE, s->name, s->name_span, &s->annotations);
@@ -322,7 +321,7 @@ static AstSectionKind section_kind(FileKind file, const AstSection *s)
     return is_called(s, "state_vector") || is_called(s, "local") ? AST_IGNORED : AST_SCRIPT_STATE;
 }
 
-// A section that stands only once: tells when it is the second.
+// Reports the second occurrence of a section that a file can have only once.
 static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 {
     if (s->kind != AST_STATE_VECTOR && s->kind != AST_LOCAL && s->kind != AST_PINS && (s->kind != AST_OPTIONS || f->kind == FILE_SS))
@@ -337,7 +336,7 @@ static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 
 // ---- sections with another name than they should have ----
 
-// The line of the next token holds an =, as the declarations of locals do.
+// Whether the line of the next token contains an =, as the declarations of locals do.
 static bool line_assigns(const Parser *p)
 {
     const Source *s = p->lex.src;
@@ -348,8 +347,8 @@ static bool line_assigns(const Parser *p)
     return false;
 }
 
-// A state of a machine that begins with a declaration is one of the two sections that hold them; a section of a script
-// that begins with an option is [options].
+// A state of a machine that begins with a declaration is treated as one of the two sections for declarations. A section of a script that
+// begins with an option is treated as [options].
 static void correct_kind(Parser *p, AstSection *s)
 {
     static const char *const names[] = {[AST_STATE_VECTOR] = "state_vector", [AST_LOCAL] = "local", [AST_OPTIONS] = "options"};
@@ -461,7 +460,7 @@ static void start(Parser *p, Arena *arena, StrPool *strings, Diags *diags, const
     lex_next(&p->lex, &p->ahead);
 }
 
-// What is told of whatever stands before a file's first section.
+// The message for any text before the first section of a file.
 static const char *const first_section[] = {
     [FILE_SV] = "elements stand in sections, as under [Tank]",
     [FILE_SM] = "a machine begins with [state_vector]",

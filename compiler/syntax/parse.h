@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text to tree.  The parser judges everything that can be judged without knowing what a name means: characters, numbers,
-// grammar, sections and labels out of place, annotations, options, the shape of scripts.  Its diagnostics are E01xx and
-// E03xx.  Left to the checker: names and types, values of options, transitions in .exit, what draws a warning.
+// Converts text to a syntax tree. The parser checks everything that does not require the meaning of a name: characters, numbers, grammar,
+// sections and labels out of place, annotations, options, the shape of scripts. Its diagnostics are E01xx and E03xx. The checker handles
+// the rest: names and types, values of options, transitions in .exit, all warnings.
 #ifndef SMC_PARSE_H
 #define SMC_PARSE_H
 
 #include "compiler/diag/diag.h"
 #include "compiler/syntax/ast.h"
 
-// Always gives a tree; where the source was wrong it holds error nodes, and `diags` has said so.  Everything lives in
+// Always returns a tree. Where the source was wrong the tree contains error nodes, and the errors are in `diags`. Everything lives in
 // `arena`; names are interned in `strings`.
 AstFile *parse_file(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind);
 
-// The tokens of a source as text, one a line, comments included: --emit=tokens.
+// Prints the tokens of a source, one per line, comments included: --emit=tokens.
 void lex_print(StrPool *strings, Diags *diags, const Source *src, FileKind kind, Buf *out);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Annotations: @read_only and its like, behind declarations, the headers of states, pins.  Where each may stand and what it
-// takes says annotations.def; what follows from one is the checker's business.
+// Annotations: @read_only and others, after declarations, the headers of states, and pins. annotations.def defines where each is allowed
+// and what it takes. The checker handles their effects.
 #include "compiler/syntax/parser.h"
 
 typedef enum Takes { TAKES_NOTHING, TAKES_NAME, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_FINDING } Takes;
@@ -14,15 +14,15 @@ static const struct { const char *spelling; Takes takes; unsigned where; } rows[
 #undef ANNOTATION
 };
 
-// The places of one sort of file: what may stand at none of them is unknown there.
+// The places of one sort of file. An annotation that is allowed at none of them is unknown in such a file.
 static const unsigned families[] = {ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE), ON_PINS};
 
-// What the annotations being parsed stand behind.
+// The declaration, header or pin that the current annotations follow.
 typedef struct Owner {
     AstPlace place;
     Str name;
     Span span;                // of the name
-    AstAnnotations *all;      // those it has
+    AstAnnotations *all;      // the annotations found so far
 } Owner;
 
 // ---- which one it is ----
@@ -37,7 +37,7 @@ static unsigned family_of(AstPlace place)
 
 static bool may_be_on(int row, AstPlace place) { return rows[row].where >> place & 1u; }
 
-// The row of that name that stands at such a place, else one of the same sort of file; AST_ANNOTATION_COUNT if there is none.
+// Returns the row of that name for this place, else one for the same sort of file; AST_ANNOTATION_COUNT if there is none.
 static int find_row(Str word, AstPlace place)
 {
     int found = AST_ANNOTATION_COUNT;
@@ -85,7 +85,7 @@ static void unknown_annotation(Parser *p, AstPlace place)
         parser_next(p);
 }
 
-// ---- whether it may stand there ----
+// ---- whether it is allowed there ----
 
 static void belongs_to_state(Parser *p, Diag *d, const char *word)
 {
@@ -99,7 +99,7 @@ static const char *pin_name(AstPlace place)
     return name[place - AST_ON_ANALOG_INPUT];
 }
 
-// Names the pins that it is for.
+// Names the pins that the annotation is for.
 static void annotation_of_other_pins(Parser *p, const Owner *o, const AstAnnotation *a)
 {
     Diag *d = parser_report(p, DIAG_annotation_on_pin, a->span, rows[a->kind].spelling, pin_name(o->place));
@@ -111,7 +111,7 @@ static void annotation_of_other_pins(Parser *p, const Owner *o, const AstAnnotat
     diag_label(p->diags, d, DIAG_label_of_pins, list);
 }
 
-// False after a message.
+// Returns false after a message.
 static bool may_stand(Parser *p, const Owner *o, const AstAnnotation *a)
 {
     const char *word = rows[a->kind].spelling;
@@ -144,7 +144,7 @@ static bool is_first_of_its_kind(Parser *p, const Owner *o, const AstAnnotation 
     return true;
 }
 
-// A line end is a blank: what looks as if it belonged to the declaration behind it belongs to the one above.
+// Line ends count as blanks. An annotation that looks as if it belonged to the declaration after it belongs to the one above.
 static void annotation_above(Parser *p, const Owner *o, const AstAnnotation *a)
 {
     Diag *d = parser_report(p, DIAG_annotation_above, a->span, rows[a->kind].spelling, o->name->text);
@@ -208,7 +208,7 @@ static void take_numbers(Parser *p, AstAnnotation *a)
         take_number(p, &a->hi, "highest");
 }
 
-// One number; of a VALUE true or false may stand for it.
+// Parses one number; for a VALUE also true or false.
 static void take_value(Parser *p, AstAnnotation *a, bool truth)
 {
     if (truth && (p->tok.kind == TOK_TRUE || p->tok.kind == TOK_FALSE)) {
@@ -266,7 +266,7 @@ static void unknown_flag(Parser *p, const AstAnnotation *a)
         diag_label(p->diags, d, DIAG_label_error_stays);
 }
 
-// A warning's name is words with dashes between them, some of which are words of the language.
+// A warning's name consists of words with dashes between them; some of the words are words of the language.
 static bool is_part_of_flag(const Token *t)
 {
     return t->kind == TOK_MINUS || (t->text && t->kind != TOK_TEXT && t->kind != TOK_HEADER && t->kind != TOK_LABEL &&
@@ -320,7 +320,7 @@ static void take_finding(Parser *p, AstAnnotation *a)
         take_sign(p, TOK_RPAREN, "')'");
 }
 
-// ---- what it takes ----
+// ---- arguments ----
 
 static void take_arguments(Parser *p, AstAnnotation *a)
 {
@@ -336,7 +336,7 @@ static void take_arguments(Parser *p, AstAnnotation *a)
 
 // ---- all of them ----
 
-// What one that has no place there takes; whether that is right matters no more.
+// Skips the arguments of an annotation that is not allowed here; whether they are correct is irrelevant.
 static void skip_arguments(Parser *p, AstAnnotation *a)
 {
     p->failed = true;
@@ -344,7 +344,7 @@ static void skip_arguments(Parser *p, AstAnnotation *a)
     p->failed = false;
 }
 
-// What comes is declared like the owner.
+// Whether the next token begins a declaration of the owner's kind.
 static bool begins_another(const Parser *p, AstPlace place)
 {
     if (ON_PINS >> place & 1u)
@@ -388,7 +388,7 @@ void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, As
         parse_annotation(p, &o);
 }
 
-// ---- where none may stand ----
+// ---- where annotations are not allowed ----
 
 void annotation_before_decl(Parser *p)
 {

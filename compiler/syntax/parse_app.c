@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// An application: its sections, options, values at the start, executors, rate groups and tasks (docs/config.md 10).
+// Parses an application: its sections, options, start values, executors, rate groups and tasks (docs/config.md 10).
 #include "compiler/syntax/parser_app.h"
 
 static bool at_section_end(const Parser *p) { return p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END; }
 
-// After a mistake in the entry that began at `at`: on to the next line, and on in any case.
+// After an error in the entry that began at `at`: skips to the next line, and always makes progress.
 static void next_entry(Parser *p, AstApp *app, uint32_t at)
 {
     if (!p->failed)
@@ -16,7 +16,7 @@ static void next_entry(Parser *p, AstApp *app, uint32_t at)
     p->failed = false;
 }
 
-// Something begins no entry.  Reports it with the nearest of the words that would.
+// Reports text that begins no entry, with the nearest of the words that begin one.
 static void unknown_entry(Parser *p, DiagCode code, const char *const *words, size_t n)
 {
     const char *near = p->tok.kind == TOK_NAME ? nearest_word(p->tok.text->text, words, n) : NULL;
@@ -87,7 +87,7 @@ static bool at_stray_option(const Parser *p)
     return p->ahead.kind == behind;
 }
 
-// Reported once, whatever follows: their header is missing.
+// Reported once per application: the header of these options is missing.
 static void parse_stray_option(Parser *p, AstApp *app)
 {
     if (!app->strayed)
@@ -115,7 +115,7 @@ static void parse_value(Parser *p, AstApp *app)
                    DIAG_label_as_in, "engineMode = 2");
         return;
     }
-    name.text = p->tok.text;                      // an element may be called like a word of another section
+    name.text = p->tok.text;                      // an element can have the name of a word of another section
     name.span = parser_here(p);
     parser_next(p);
     s->name = name.text;
@@ -152,7 +152,7 @@ static const char *const task_words[] = {
 #include "compiler/syntax/app.def"
 };
 
-// Adds the task at hand, of which app_at_task has told the kind.
+// Adds the current task, whose kind app_at_task has returned.
 static void parse_task(Parser *p, AstApp *app, AstAppTaskKind kind, AstAppRate *r)
 {
     AstAppTask t = {0};
@@ -247,7 +247,7 @@ static void parse_entries(Parser *p, AstApp *app, void (*entry)(Parser *p, AstAp
     }
 }
 
-// A rate among options begins an executor of which the header is missing, or that of a section called like neither.
+// A rate among the options begins an executor whose header is missing or misspelt.
 static void parse_app_options(Parser *p, AstApp *app, AstWord name, Span header)
 {
     while (!at_section_end(p) && !app_at_rate(p)) {
@@ -264,7 +264,7 @@ static void parse_app_options(Parser *p, AstApp *app, AstWord name, Span header)
     parse_executor(p, app, name, header);
 }
 
-// A section that begins with a line of [options] or of [start] is misspelt.
+// A section that begins with a line of [options] or of [start] has a misspelt name.
 static const char *probably(const Parser *p)
 {
     AstAppOptionKind option;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pieces of an application's lines: words, names of files, amounts with their units, annotations.
+// Parses the parts of an application's lines: words, file names, amounts with their units, annotations.
 #include "compiler/syntax/parser_app.h"
 
 #include "compiler/syntax/number.h"
@@ -64,7 +64,7 @@ bool app_at_rate(const Parser *p)
     return find_word(p, words, 2) < 2;
 }
 
-// The first word of a line that begins another entry is not the name that is missing in this one.
+// The first word of a line that begins another entry is not the missing name of this one.
 static bool begins_entry(const Parser *p)
 {
     AstAppOptionKind option;
@@ -124,7 +124,7 @@ static const Unit units[] = {
 
 static const char *const measure_units[] = {"", "", "ns, us, ms or s", "Hz or kHz", "B or KB"};
 
-// What others write: sec, msec, MS, seconds.
+// Common spellings of units: sec, msec, MS, seconds.
 static const char *near_unit(Parser *p, AppMeasure of)
 {
     static const struct { const char *word, *unit; } others[] = {
@@ -150,7 +150,8 @@ static const Unit *find_unit(const Parser *p)
     return NULL;
 }
 
-// `every` counts time and `at` frequencies: the other one's line, if that is the unit behind the number; else NULL.
+// `every` takes a time and `at` a frequency. If the unit after the number belongs to the other keyword, returns the line written with
+// that one; else NULL.
 static const char *other_rate(Parser *p, const Unit *u, Span number, const char *form)
 {
     const char *word = NULL;

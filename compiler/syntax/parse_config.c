@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pins of a .io (config.md 9): lines of a direction, a pin and an element, in which line ends are blanks.
+// Parses the pins of a .io (config.md 9): lines of a direction, a pin and an element, in which line ends count as blanks.
 #include "compiler/syntax/parser.h"
 
 // ---- sections ----
@@ -10,7 +10,7 @@ void refuse_pin_section(Parser *p, const AstSection *s)
     const char *near = nearest_word(s->name->text, sections, 2);
     Diag *d;
 
-    if (s->name->len == 0)                    // the lexer has said what is wrong with it
+    if (s->name->len == 0)                    // the lexer has reported what is wrong with it
         return;
     d = parser_report(p, DIAG_pin_section, s->header, s->name->text);
     if (near)
@@ -19,7 +19,7 @@ void refuse_pin_section(Parser *p, const AstSection *s)
 
 // ---- one pin ----
 
-// What others call the two directions.
+// Common spellings of the two directions.
 static const struct { const char *word; const char *direction; } directions[] = {
     {"in", "i"}, {"input", "i"}, {"inputs", "i"}, {"I", "i"}, {"IN", "i"}, {"ai", "i"}, {"di", "i"}, {"AI", "i"}, {"DI", "i"},
     {"read", "i"}, {"sensor", "i"}, {"out", "o"}, {"output", "o"}, {"outputs", "o"}, {"O", "o"}, {"OUT", "o"}, {"ao", "o"},
@@ -38,7 +38,7 @@ static bool is_direction(const Token *t)
     return t->kind == TOK_NAME && t->text->len == 1 && (t->text->text[0] == 'i' || t->text->text[0] == 'o');
 }
 
-// batt 0 i, of which the number is at hand.
+// batt 0 i, where the number is the current token.
 static bool wrong_order(Parser *p, Diag *d, const char *name)
 {
     if (!is_direction(&p->ahead) || p->ahead.first)
@@ -49,7 +49,7 @@ static bool wrong_order(Parser *p, Diag *d, const char *name)
     return true;
 }
 
-// The pin at hand begins with another word: tells.  True if a number follows all the same, which is at hand then.
+// Reports that the current pin begins with another word. Returns true if a number follows anyway; it is then the current token.
 static bool recover_direction(Parser *p, AstPin *pin)
 {
     const char *guess = p->tok.kind == TOK_NAME ? guess_direction(p->tok.text->text) : NULL;
@@ -82,7 +82,7 @@ static bool take_direction(Parser *p, AstPin *pin)
     return true;
 }
 
-// The next pin begins here: what this one lacks is not to be looked for in it.
+// Whether the next pin begins here. The missing parts of this pin must not be searched for in that one.
 static bool at_next_pin(const Parser *p)
 {
     return p->tok.first && is_direction(&p->tok) && p->ahead.kind == TOK_NUMBER;
@@ -102,7 +102,7 @@ static void label_analog_as_digital(Parser *p, Diag *d, const char *name, int n)
         diag_label(p->diags, d, DIAG_label_printed_pin, mega, name);
 }
 
-// What is printed on an Arduino is a letter before the number: A3, D7, D13.
+// Arduino boards print a letter before the number: A3, D7, D13.
 static void label_printed_name(Parser *p, const AstSection *s, const AstPin *pin, Diag *d, const char *name)
 {
     const char letter = (char)(*name & ~0x20), *digits = *name ? name + 1 : name;         // a3 as A3

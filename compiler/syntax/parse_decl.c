@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists of declarations and of options: words, in which line ends are blanks.
+// Parses lists of declarations and of options, in which line ends count as blanks.
 #include "compiler/syntax/hint_unit.h"
 #include "compiler/syntax/parser.h"
 
 // ---- types ----
 
-// What types are called elsewhere.
+// Names of types in other languages.
 static const struct { const char *word, *type; } foreign_types[] = {
     {"int", "I32"}, {"long", "I64"}, {"short", "I16"}, {"char", "I8"}, {"byte", "U8"}, {"unsigned", "U32"},
     {"uint", "U32"}, {"word", "U16"}, {"float", "F32"}, {"single", "F32"}, {"double", "F64"}, {"real", "F64"},
@@ -46,7 +46,7 @@ static void unknown_type(Parser *p)
         diag_label(p->diags, d, DIAG_label_did_you_mean, near);
 }
 
-// What stands where a declaration should begin, and is no type.  True if a name follows all the same.
+// Reports text that is not a type where a declaration should begin. Returns true if a name follows anyway.
 static bool recover_type(Parser *p, const AstSection *s)
 {
     if (slip_remark(p))
@@ -129,7 +129,7 @@ static void label_slip(Parser *p, Diag *d)
         diag_label(p->diags, d, p->tok.kind == TOK_MINUS ? DIAG_label_name_letters : DIAG_label_unit_comment);
 }
 
-// F32 pressure [bar] @read_only: no section begins there.
+// F32 pressure [bar] @read_only: the bracket does not begin a section.
 static void slip_bracketed_unit(Parser *p)
 {
     if (p->failed || p->tok.kind != TOK_HEADER || p->tok.first ||
@@ -141,7 +141,7 @@ static void slip_bracketed_unit(Parser *p)
     parser_next(p);
 }
 
-// Something more stands behind a declaration.
+// Reports further text after a declaration.
 static void slip_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
 {
     if (slip_decimal_comma(p) || slip_remark(p))
@@ -151,7 +151,7 @@ static void slip_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
     else if (p->tok.kind == TOK_COMMA)
         parser_fail(p, DIAG_decl_comma, parser_here(p));
     else if (p->tok.kind == TOK_NAME && s->kind != AST_LOCAL && p->ahead.kind == TOK_NAME && !p->ahead.first)
-        return;                                    // a type, misspelt: the next declaration
+        return;                                    // a misspelt type: the next declaration
     else if (s->kind != AST_LOCAL && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_LPAREN || p->tok.kind == TOK_MINUS))
         label_slip(p, parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)));
     else

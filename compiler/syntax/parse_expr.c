@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions, by precedence climbing over operators.def.  Operators of one level are iterated; only parentheses, calls,
-// operators before a value and tighter levels recurse, and p->depth bounds that.
+// Parses expressions by precedence climbing over operators.def. A loop handles operators of one level. Only parentheses, calls, prefix
+// operators and tighter levels recurse, and p->depth bounds that.
 #include "compiler/syntax/parser.h"
 
 static AstExpr *parse_level(Parser *p, int least);
@@ -32,7 +32,7 @@ static AstExpr *too_deep(Parser *p, Span span)
     return error_expr(p);
 }
 
-// Sets the depth of `e`, which has `a` below it; gives an error node in its place where that grows too large.
+// Sets the depth of `e`, whose operand is `a`; returns an error node instead if the depth exceeds the limit.
 static AstExpr *check_depth(Parser *p, AstExpr *e, const AstExpr *a)
 {
     if (a->depth >= e->depth)
@@ -42,7 +42,7 @@ static AstExpr *check_depth(Parser *p, AstExpr *e, const AstExpr *a)
     return too_deep(p, ast_op_span(e));
 }
 
-// Counts one level of recursion; false, and reported, if it is one too many.
+// Counts one level of recursion; reports an error and returns false if there are too many.
 static bool enter(Parser *p)
 {
     if (p->depth < AST_DEPTH_MAX) {
@@ -53,7 +53,7 @@ static bool enter(Parser *p)
     return false;
 }
 
-// Outside parentheses the line's end ends the expression.
+// Outside parentheses, a line end ends the expression.
 static bool line_ends(const Parser *p) { return p->tok.first && p->parens == 0; }
 
 // ---- values ----
@@ -67,7 +67,7 @@ static AstExpr *parse_number(Parser *p)
     return e;
 }
 
-// The ) that closes the ( at `open`.
+// Parses the ) that closes the ( at `open`.
 static void expect_close(Parser *p, Span open)
 {
     Diag *d;
@@ -104,7 +104,7 @@ static AstExpr *parse_paren(Parser *p)
 static void parse_arguments(Parser *p, AstExpr *call, Span open)
 {
     p->parens++;
-    while (p->tok.kind != TOK_RPAREN) {                // with none, the checker knows how many there should be
+    while (p->tok.kind != TOK_RPAREN) {                // if there are none, the checker reports how many are required
         AstExpr *a = parse_level(p, 1);
         vec_push(p->arena, call->args, a);
         if (a->depth >= call->depth)
@@ -131,7 +131,7 @@ static AstExpr *parse_call(Parser *p)
     parser_next(p);
     parse_arguments(p, e, open);
     e->span = parser_since(p, e->span.at);
-    if (p->failed)                                     // how many arguments were meant, nobody knows
+    if (p->failed)                                     // the intended number of arguments is unknown
         e->kind = AST_ERROR;
     if (e->depth <= AST_DEPTH_MAX)
         return e;
@@ -163,7 +163,7 @@ static AstExpr *missing_value(Parser *p)
     AstExpr *e = error_expr(p);
     Diag *d;
 
-    if (p->tok.kind == TOK_ERROR) {                    // the lexer has reported it: goes on as if it were a value
+    if (p->tok.kind == TOK_ERROR) {                    // the lexer has reported it: continue as if it were a value
         parser_next(p);
         return e;
     }
@@ -211,7 +211,7 @@ static bool infix_operator(TokenKind kind, SmOperator *op)
     return false;
 }
 
-// A value with the operators before it.
+// Parses a value with its prefix operators.
 static AstExpr *parse_prefixed(Parser *p)
 {
     SmOperator op;
@@ -254,7 +254,7 @@ static AstExpr *new_binary(Parser *p, SmOperator op, Span op_span, AstExpr *a, A
     return check_depth(p, check_depth(p, e, a), b);
 }
 
-// What stands right of an operator of precedence `above`.
+// Parses the right operand of an operator of precedence `above`.
 static AstExpr *parse_right(Parser *p, int above)
 {
     AstExpr *e;
@@ -268,7 +268,7 @@ static AstExpr *parse_right(Parser *p, int above)
     return e;
 }
 
-// Operators of precedence `least` and above.
+// Parses operators of precedence `least` and above.
 static AstExpr *parse_level(Parser *p, int least)
 {
     AstExpr *e = parse_prefixed(p);

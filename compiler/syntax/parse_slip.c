@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slips: what people write who know other languages, who do not program, or who type fast.  Where the grammar has no way on,
-// these functions find the likeliest reason and say that instead of what token was expected.
+// Hints: errors of users who know other languages, do not program, or type fast. Where the grammar does not allow the next token, these
+// functions find the likeliest cause and report it instead of the expected token.
 #include "compiler/syntax/hint_lines.h"
 #include "compiler/syntax/hint_unit.h"
 #include "compiler/syntax/hint_words.h"
@@ -24,7 +24,7 @@ bool slip_begins_value(const Token *t)
            t->kind == TOK_FALSE || t->kind == TOK_NOT || t->kind == TOK_BANG;
 }
 
-// Says how the word at hand is written here, and takes it for that.
+// Reports our spelling of the current word and reads the word as that token.
 void slip_replace_word(Parser *p, const char *native, TokenKind kind)
 {
     Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
@@ -36,7 +36,7 @@ void slip_replace_word(Parser *p, const char *native, TokenKind kind)
 
 // ---- in expressions ----
 
-// NOT reaches further in some languages than here: NOT a > b.
+// In some languages the operand of NOT is longer than here: NOT a > b.
 void slip_prefix(Parser *p)
 {
     const bool negates = slip_is_word(&p->tok, "not") && slip_begins_value(&p->ahead) && (p->parens || !p->ahead.first);
@@ -49,7 +49,7 @@ void slip_prefix(Parser *p)
     }
 }
 
-// The operator in words that begins with the word at hand, if a value follows it; *end: where it ends.
+// Returns the operator in words that begins with the current word, if a value follows it; *end: its end.
 static const HintPhrase *find_infix(const Parser *p, uint32_t *end)
 {
     const HintPhrase *phrase = p->tok.kind == TOK_NAME ? hint_phrase(p->lex.src->text, p->tok.at, end) : NULL;
@@ -61,7 +61,7 @@ static const HintPhrase *find_infix(const Parser *p, uint32_t *end)
     return hint_skip_operand(p->lex.src->text, *end) > *end ? phrase : NULL;
 }
 
-// IF(a; b; c) of spreadsheets: no value begins with it.
+// IF(a; b; c) of spreadsheets: no value begins like this.
 bool slip_choice(const Parser *p) { return slip_is_word(&p->tok, "if") && p->ahead.kind == TOK_LPAREN && !p->ahead.first; }
 
 const char *function_usage(const SmBuiltinInfo *fn)
@@ -80,7 +80,7 @@ static int find_function(Str name)
     return i;
 }
 
-// abs x, with the operand at hand, of which nothing could follow an element called like that.
+// abs x, where the operand is the current token. An element named `abs` could not have one.
 bool slip_operand(Parser *p, AstExpr *name)
 {
     Span operand = parser_here(p);
@@ -103,22 +103,22 @@ bool slip_operand(Parser *p, AstExpr *name)
         return true;
     }
     if (!p->tok.first && (p->tok.kind == TOK_PLUS || p->tok.kind == TOK_MINUS || p->tok.kind == TOK_STAR || p->tok.kind == TOK_SLASH))
-        return true;                                   // abs x - y may mean abs(x - y)
+        return true;                                   // abs x - y can mean abs(x - y)
     diag_edit(p->diags, d, (Span){operand.src, name->span.at + name->span.len, operand.at - name->span.at - name->span.len}, "(");
     diag_edit(p->diags, d, (Span){operand.src, operand.at + operand.len, 0}, ")");
     return true;
 }
 
-// `x = (p = 9)`, `(x = p) > 3: ...`: in C both store.
+// `x = (p = 9)`, `(x = p) > 3: ...`: in C both assign.
 static bool stores_inside(const Parser *p, uint32_t at)
 {
     return p->parens > 0 && (!(p->is_guard || slip_is_guard(p)) || hint_stores_in_parens(p->lex.src->text, at));
 }
 
-// not x is 3: in other languages `not` reaches further than to x.
+// not x is 3: in other languages the operand of `not` is longer than x.
 static bool is_negated(const AstExpr *e) { return e && e->kind == AST_UNARY && e->op == SM_OP_NOT; }
 
-// `valve = true: pump = true`, at the colon: where a colon separates statements, the first one stores.
+// `valve = true: pump = true`, at the colon: if the colon separates statements, the first one assigns.
 static bool separates_statements(const Parser *p)
 {
     const char *text = p->lex.src->text;
@@ -133,7 +133,7 @@ static bool separates_statements(const Parser *p)
     return text[at] == '=' && text[at + 1] != '=' && text[at + 1] != '>';
 }
 
-// `=` where two values are compared; `=!` was to be `!=`, or not.
+// Handles `=` where two values are compared. `=!` was meant as `!=`, or as `=` and a negation.
 void slip_assign(Parser *p, const AstExpr *left, Span sign)
 {
     Diag *d;
@@ -149,7 +149,7 @@ void slip_assign(Parser *p, const AstExpr *left, Span sign)
         diag_edit(p->diags, d, sign, "==");
 }
 
-// Takes the words of the operator up to `end` for what they mean.  Where its operands are unclear, the condition is given up.
+// Reads the words up to `end` as the operator that they mean. If its operands are unclear, gives up the condition.
 static void replace_phrase(Parser *p, const AstExpr *left, const HintPhrase *phrase, uint32_t end)
 {
     const Span words = {p->lex.src, p->tok.at, end - p->tok.at};
@@ -179,7 +179,7 @@ void slip_infix(Parser *p, const AstExpr *left)
     }
     if (p->tok.kind != TOK_ASSIGN || (!p->is_guard && p->parens == 0))
         return;
-    if (p->last.first && p->parens)                    // a new statement: the parenthesis before was never closed
+    if (p->last.first && p->parens)                    // a new statement: the parenthesis before it was never closed
         return;
     slip_assign(p, left, parser_here(p));
     p->tok.kind = TOK_EQ;
@@ -248,12 +248,12 @@ static bool is_comparison(TokenKind k)
     return k == TOK_LT || k == TOK_LE || k == TOK_GT || k == TOK_GE || k == TOK_EQ || k == TOK_NE;
 }
 
-// Whether what stands here is a guard: its line, which goes on inside parentheses, holds a : or a {, or a { stands below.
+// Whether this is a guard: its line, which continues inside parentheses, contains a : or a {; or the next line has a {.
 bool slip_is_guard(const Parser *p)
 {
     const Source *s = p->lex.src;
     uint32_t depth = 0, i = p->tok.at;
-    bool below = false;                                // behind the line's end, where only '{' may follow
+    bool below = false;                                // after the line end, where only '{' may follow
 
     for (; i < s->len; i++) {
         const char c = s->text[i];
@@ -271,7 +271,7 @@ bool slip_is_guard(const Parser *p)
     return false;
 }
 
-// The line ended with an operator, and the next one looks like what should follow it: it has been spoken of then.
+// The line ended with an operator and the next line looks like its operand. Skips that line, because the error is already reported.
 static void skip_continuation(Parser *p)
 {
     while (slip_begins_value(&p->tok) && p->ahead.kind != TOK_ASSIGN && !slip_is_guard(p)) {
@@ -283,7 +283,7 @@ static void skip_continuation(Parser *p)
     }
 }
 
-// The statement that ended before `at` shares its line with another.  False if no statement ended there.
+// The statement that ended before `at` shares its line with another. Returns false if no statement ended there.
 static bool shares_line(Parser *p, Diag *d, uint32_t at)
 {
     const uint32_t until = hint_shared_line(p->diags, d, p->lex.src, at, HINT_OTHER);
@@ -323,7 +323,7 @@ void slip_missing_value(Parser *p, Diag *d)
 
 // ---- where a statement should end ----
 
-// 60,000 may be sixty thousand; 0,125 and 3,14 may not.
+// 60,000 can mean sixty thousand; 0,125 and 3,14 cannot.
 static bool may_be_thousands(const Parser *p)
 {
     return p->ahead.len == 3 && p->lex.src->text[p->last.at] != '0';
@@ -356,7 +356,7 @@ static bool unit_after_number(const Parser *p)
     return p->last.kind == TOK_NUMBER && p->tok.kind == TOK_NAME && (p->ahead.first || p->ahead.kind == TOK_COLON);
 }
 
-// Behind `then`: no expression goes on so.
+// At `and then`: no expression continues like this.
 bool slip_is_and_then(const Parser *p)
 {
     const char *s = p->lex.src->text + p->ahead.at + p->ahead.len;
@@ -387,7 +387,7 @@ void slip_at_end(Parser *p)
 
     if (p->tok.kind == TOK_ERROR || (p->ahead.kind == TOK_ERROR && !p->ahead.first) ||
         (p->lex.src->text[p->tok.at] & 0x80) || (p->tok.kind == TOK_ELSE && p->last.at < p->lex.hinted)) {
-        p->failed = true;                              // the line has been spoken of
+        p->failed = true;                              // the line is already reported
         return;
     }
     if (slip_decimal_comma(p) || slip_remark(p))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slips in statements: a guard without its body, a value where a statement should be, statements of other languages.  See parse_slip.c.
+// Hints for statements: a guard without its body, a value where a statement should be, statements of other languages. See parse_slip.c.
 #include <string.h>
 
 #include "compiler/syntax/hint_lines.h"
@@ -7,7 +7,7 @@
 #include "compiler/syntax/hint_words.h"
 #include "compiler/syntax/parser.h"
 
-// ---- expressions that stand alone ----
+// ---- expressions used as statements ----
 
 // T > 5 s: ...
 static bool unit_in_guard(Parser *p)
@@ -15,7 +15,7 @@ static bool unit_in_guard(Parser *p)
     if (p->last.kind != TOK_NUMBER || p->tok.kind != TOK_NAME ||
         (p->ahead.kind != TOK_COLON && p->ahead.kind != TOK_LBRACE))
         return false;
-    if (!(p->lex.src->text[p->tok.at] & 0x80))         // 5° has been spoken of
+    if (!(p->lex.src->text[p->tok.at] & 0x80))         // 5° is already reported
         hint_unit(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
                   parser_text(p, parser_span(p, &p->last)), p->tok.text->text);
     p->failed = true;
@@ -40,7 +40,7 @@ static void colon_word(Parser *p)
         parser_next(p);
 }
 
-// The word or number behind blanks at *at, which is moved behind it; empty: there is none.
+// Returns the word or number after blanks at *at, and moves *at to its end; returns "" if there is none.
 static const char *take_word(const Parser *p, uint32_t *at)
 {
     const char *text = p->lex.src->text;
@@ -54,7 +54,7 @@ static const char *take_word(const Parser *p, uint32_t *at)
     return parser_text(p, (Span){p->lex.src, from, end - from});
 }
 
-// x between a and b, with `between` at hand.
+// x between a and b, where `between` is the current token.
 static const char *between_text(const Parser *p, const AstExpr *e)
 {
     uint32_t at = p->ahead.at;
@@ -65,7 +65,7 @@ static const char *between_text(const Parser *p, const AstExpr *e)
     return format_in(p->arena, "write %s <= %s <= %s", *hi ? lo : "3", parser_text(p, e->span), *hi ? hi : "5");
 }
 
-// Something follows the guard on its line that is no statement: a colon would not help.
+// The text after the guard on its line is not a statement: a colon would not help.
 static bool prose_in_guard(Parser *p, AstExpr *e)
 {
     Diag *d;
@@ -83,17 +83,17 @@ static bool prose_in_guard(Parser *p, AstExpr *e)
     return true;
 }
 
-// p > 5 => Idle: the lexer has said that a colon is missing too.
+// p > 5 => Idle: the lexer has also reported the missing colon.
 static bool is_foreign_arrow(const Parser *p) { return p->tok.kind == TOK_ARROW && p->lex.src->text[p->tok.at] == '='; }
 
-// Not where more statements follow: after a colon all of them would depend on the condition.
+// No edit if more statements follow: after a colon all of them would depend on the condition.
 static void edit_colon(Parser *p, Diag *d)
 {
     if (!hint_is_first_of_several(p->lex.src, p->tok.at))
         diag_edit(p->diags, d, parser_gap(p), ":");
 }
 
-// Another statement follows the guard on its line, or a word that other languages have there.
+// Another statement follows the guard on its line, or a word that other languages require there.
 static bool missing_colon(Parser *p, AstExpr *e)
 {
     Diag *d;
@@ -140,7 +140,7 @@ static void no_effect(Parser *p, AstExpr *e)
     if (e->alone)
         return;
     d = parser_report(p, DIAG_no_effect, e->span);
-    if (p->tok.kind == TOK_AND || p->tok.kind == TOK_OR) {         // the next line goes on
+    if (p->tok.kind == TOK_AND || p->tok.kind == TOK_OR) {         // the next line continues the guard
         diag_label(p->diags, d, DIAG_label_line_break);
         do
             parser_next(p);
@@ -154,7 +154,7 @@ static void no_effect(Parser *p, AstExpr *e)
         diag_label(p->diags, d, DIAG_label_statements);
 }
 
-// Two names in a row: prose, or something of another language.
+// Reports two names in a row: prose, or text of another language.
 static void no_statement(Parser *p, AstExpr *e)
 {
     Diag *d = parser_fail(p, DIAG_no_statement, e->span, e->name->text);
@@ -248,7 +248,7 @@ void slip_else(Parser *p)
 
 // ---- statements of other languages ----
 
-// `-- …` where an expression cannot stand: a comment.
+// `-- …` where an expression is impossible: a comment.
 bool slip_remark(Parser *p)
 {
     const Source *src = p->lex.src;
@@ -267,7 +267,7 @@ bool slip_remark(Parser *p)
     return true;
 }
 
-// Whether one operand after the sign at hand is all that the statement has.
+// Whether the rest of the statement is the current sign and one operand.
 static bool ends_after_operand(const Parser *p)
 {
     const char *text = p->lex.src->text;
@@ -290,7 +290,7 @@ static const char wait_text[] = "put what follows in braces, under a limit to th
 
 typedef enum SlipDoes { SLIP_IF, SLIP_ELSE, SLIP_ARROW, SLIP_DROP, SLIP_SKIP } SlipDoes;
 
-// `does`: what the word is taken for; SKIP: the statement is given up.
+// `does`: how the word is read; SKIP: the statement is given up.
 static const struct { const char *word; SlipDoes does; const char *say; } slips[] = {
     {"if", SLIP_IF, "if"}, {"when", SLIP_IF, "if"}, {"elif", SLIP_IF, "else if"}, {"elseif", SLIP_IF, "else if"},
     {"elsif", SLIP_IF, "else if"}, {"iff", SLIP_IF, "if"},
@@ -309,25 +309,25 @@ static const struct { const char *word; SlipDoes does; const char *say; } slips[
     {"end", SLIP_SKIP, "close braces with }"}, {"endif", SLIP_SKIP, "close braces with }"},
     {"assert", SLIP_SKIP, "write @assert"}, {"stop", SLIP_SKIP, "write @stop"}};
 
-// Stands as a word of another language would, and not as a name of this one.
+// Whether the word is used as in another language, and not as a name of this one.
 static bool stands_foreign(const Parser *p, SlipDoes does)
 {
     const Token *next = &p->ahead;
 
     if (next->first)
-        return does == SLIP_SKIP && next->kind != TOK_LBRACE;     // `stop` and { on the next line: a guard
+        return does == SLIP_SKIP && next->kind != TOK_LBRACE;     // `stop` with { on the next line is a guard
     if (does == SLIP_ELSE)
-        return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // ELSE: may be a guard
+        return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // ELSE: can be a guard
     return slip_begins_value(next) && (next->kind != TOK_LPAREN || does == SLIP_IF || does == SLIP_SKIP);
 }
 
-// Whether the token behind a statement's first word lets any word stand as foreign; behind a name of this language there is mostly `=`.
+// Whether the token after a statement's first word allows any word to be foreign. After a name of this language it is mostly `=`.
 static bool may_follow_foreign(const Token *next)
 {
     return next->first || slip_begins_value(next) || next->kind == TOK_IF || next->kind == TOK_ARROW;
 }
 
-// What is after the name of a declaration among statements: "" or "= 3".
+// Returns the text after the name of a declaration among statements: "" or "= 3".
 static const char *value_of_decl(const Parser *p, uint32_t at)
 {
     const char *text = p->lex.src->text;
@@ -346,8 +346,8 @@ static bool is_number_text(const char *s)
     return strcmp(s, "true") == 0 || strcmp(s, "false") == 0 || (*s && s[strspn(s, "-+.0123456789eE_")] == '\0');
 }
 
-// The declaration of a variable among statements: U8 x, int x = 3, const U8 x = 3.  A value that it has here is stored here each time,
-// which the initial value of a local is not.
+// The declaration of a variable among statements: U8 x, int x = 3, const U8 x = 3. Its value would be assigned every time it is executed;
+// the initial value of a local is not.
 static void misplaced_decl(Parser *p)
 {
     Diag *d = parser_fail(p, DIAG_decl_in_state, parser_here(p));
@@ -382,7 +382,7 @@ static void replace_arrow(Parser *p)
     p->tok.kind = TOK_ARROW;
 }
 
-// wait(200), delay(200), sleep(2): with that number.  Elsewhere delay counts milliseconds and sleep seconds.
+// wait(200), delay(200), sleep(2): the message repeats that number. In other languages delay takes milliseconds and sleep takes seconds.
 static const char *waited(const Parser *p)
 {
     uint32_t at = p->ahead.at + (p->ahead.kind == TOK_LPAREN);
@@ -397,7 +397,7 @@ static const char *waited(const Parser *p)
     return number ? format_in(p->arena, "put what follows in braces: T >= %s { ... }, %s", number, unit) : wait_text;
 }
 
-// for (...; ...; ...): what stands in the parentheses has been spoken of.
+// for (...; ...; ...): skips the parentheses, which are already reported.
 static void skip_header_of_loop(Parser *p)
 {
     const char *text = p->lex.src->text;

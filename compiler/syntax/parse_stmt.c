@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements of machines and items of scripts: one grammar, with what only one of the two may hold reported here.
+// Parses statements of machines and items of scripts. They share one grammar; items that only one of the two may contain are reported
+// here.
 #include "compiler/syntax/parser.h"
 
 static void parse_statement(Parser *p, AstStmts *into);
@@ -22,7 +23,7 @@ static bool in_script(const Parser *p) { return p->kind == FILE_SS; }
 
 static void parse_braces(Parser *p, AstStmts *into, Span *span);
 
-// After a mistake: on to the next statement.  Braces on the way are looked into, so that their } is not a stray one.
+// After an error: skips to the next statement. Blocks in braces are parsed on the way, so that their } is not reported as stray.
 static void recover(Parser *p)
 {
     AstStmts ignored = {0};
@@ -65,7 +66,7 @@ static const AstStmt *last_of(const AstStmts *list)
     return list->n ? list->at[list->n - 1] : NULL;
 }
 
-// A list has ended: an @allow at its end allows nothing.
+// At the end of a list: an @allow there allows nothing.
 static void check_allows(Parser *p, const AstStmts *list)
 {
     const AstStmt *s = last_of(list);
@@ -77,7 +78,7 @@ static void check_allows(Parser *p, const AstStmts *list)
 void parse_block(Parser *p, AstStmts *into)
 {
     bool lost_body = p->lost_body;
-    bool claimed;                               // a condition that was reported already should have had this statement
+    bool claimed;                               // a condition that was already reported should have had this statement
     size_t errors;
     uint32_t at;
 
@@ -95,7 +96,7 @@ void parse_block(Parser *p, AstStmts *into)
         errors = p->diags->errors;
         after_stop(p, into);
         parse_statement(p, into);
-        if (p->tok.at == at)                    // nothing was taken: it begins no statement
+        if (p->tok.at == at)                    // no token was consumed: the token begins no statement
             parser_next(p);
         finish_statement(p);
         claimed = at < p->lex.hinted || at < p->indented;
@@ -124,7 +125,7 @@ static void parse_braces(Parser *p, AstStmts *into, Span *span)
     *span = parser_since(p, open.at);
 }
 
-// One level deeper.  A file that goes too deep is read no further.
+// Enters one nesting level. If a file is nested too deeply, the rest of it is not read.
 static bool enter_nesting(Parser *p)
 {
     if (++p->nesting <= AST_DEPTH_MAX)
@@ -148,7 +149,7 @@ static void unguarded_braces(Parser *p)
 
 // ---- assignment, transition, assert, stop ----
 
-// An item of a script that stands outside every conditional.
+// Reports an item of a script that is outside every conditional.
 static void check_guarded(Parser *p, const AstStmt *s)
 {
     if (!in_script(p) || p->nesting > 0 || p->told_unguarded || s->span.at < p->lex.hinted)
@@ -159,7 +160,7 @@ static void check_guarded(Parser *p, const AstStmt *s)
 
 static void parse_if(Parser *p, AstStmts *into, AstExpr *guard);
 
-// `x = 5: …` was meant to compare.
+// `x = 5: …` was meant as a comparison.
 static void assignment_as_guard(Parser *p, AstStmts *into, AstStmt *s, Span sign)
 {
     slip_assign(p, NULL, sign);
@@ -170,7 +171,7 @@ static void assignment_as_guard(Parser *p, AstStmts *into, AstStmt *s, Span sign
 static void parse_assignment(Parser *p, AstStmts *into)
 {
     AstStmt *s = new_stmt(p, AST_ASSIGN, into);
-    bool behind_colon = p->last.kind == TOK_COLON;       // x = 1: y = 2 there are two statements
+    bool behind_colon = p->last.kind == TOK_COLON;       // x = 1: y = 2 is two statements there
     Span sign;
 
     s->name = p->tok.text;
@@ -231,7 +232,7 @@ static void parse_annotated(Parser *p, AstStmts *into)
 
 // ---- @allow ----
 
-// Those that stand here; the statement may follow on their line.
+// Parses the annotations here; the statement can follow on their line.
 static void parse_allows(Parser *p, AstStmts *into)
 {
     while (annotation_is_allow(&p->tok) && !p->failed) {
@@ -248,7 +249,7 @@ static void parse_allows(Parser *p, AstStmts *into)
 
 // ---- conditionals ----
 
-// Something is wrong in the guard: on to what closes it, so that its statements still belong to it.
+// After an error in the guard: skips to the token that closes it, so that its statements still belong to it.
 static void recover_guard(Parser *p)
 {
     while (!parser_at_end_of_block(p) && p->tok.kind != TOK_COLON && p->tok.kind != TOK_LBRACE && !p->tok.first)
@@ -267,13 +268,13 @@ static AstExpr *parse_guard(Parser *p)
     return guard;
 }
 
-// The statement that should stand behind the colon is missing.
+// The statement after the colon is missing.
 static void missing_statement(Parser *p, const AstStmt *s, Span colon, AstStmts *into)
 {
     bool lines_below = p->tok.first && !parser_at_end_of_block(p) && p->tok.kind != TOK_ELSE;
 
     slip_colon(p, s->arms->has_else ? NULL : s->value, colon);
-    if (lines_below)                          // most likely it stands there
+    if (lines_below)                          // most likely it is there
         parse_statement(p, into);
     p->lost_body = true;
 }
@@ -307,7 +308,7 @@ static bool may_begin_statement(const Parser *p)
                              p->tok.kind == TOK_IF);
 }
 
-// Neither : nor { follows the guard, or `else`.
+// The guard, or `else`, is followed by neither : nor {.
 static void parse_bare_body(Parser *p, const AstStmt *s, AstStmts *into, bool has_if)
 {
     if (p->failed)
@@ -349,7 +350,7 @@ static void check_script_conditional(Parser *p, const AstStmt *s, size_t errors)
         parser_report(p, DIAG_script_empty, s->span);
 }
 
-// `else …` after s.  Returns the conditional of an `else if`, whose guard comes next; else NULL.
+// Parses `else …` after s. Returns the conditional of an `else if`, whose guard comes next; else NULL.
 static AstStmt *parse_else(Parser *p, AstStmt *s)
 {
     if (p->tok.kind != TOK_ELSE)
@@ -366,7 +367,7 @@ static AstStmt *parse_else(Parser *p, AstStmt *s)
     return NULL;
 }
 
-// From the guard on, with all its `else if`.  They nest in the tree, hence the count.
+// Parses the guard, the body and every `else if`. They nest in the tree, hence the count.
 static void parse_branches(Parser *p, AstStmt *s)
 {
     for (bool chained = false; s; chained = true) {

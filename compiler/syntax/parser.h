@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the parser's files share.  parse.c: files, sections, blocks; parse_decl.c: declarations and options;
-// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions; parse_slip.c and parse_slip_stmt.c: guess what was
-// meant where something is wrong.
-// A mistake is reported once: p->failed then silences everything up to the next statement, where it is cleared.
+// Declarations shared by the files of the parser. parse.c: files, sections, blocks; parse_decl.c: declarations and options;
+// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions; parse_slip.c and
+// parse_slip_stmt.c: hints, which guess what the user meant where something is wrong.
+// An error is reported once: p->failed then silences everything up to the next statement, where it is cleared.
 #ifndef SMC_PARSER_H
 #define SMC_PARSER_H
 
@@ -13,106 +13,107 @@
 
 typedef struct Parser {
     Lexer lex;
-    Token tok, ahead;             // the next token and the one behind it
-    Token last;                   // the one taken before
+    Token tok, ahead;             // the next token and the one after it
+    Token last;                   // the last token consumed
     Arena *arena;
     StrPool *strings;
     Diags *diags;
     FileKind kind;
     bool failed;                  // reports are dropped until the next statement
-    bool lost_body;               // in this block a conditional lost statements: its `else` will look misplaced
-    bool stopped;                 // gave up: everything further is END and silence
+    bool lost_body;               // in this block a conditional lost statements, so its `else` will look misplaced
+    bool stopped;                 // parsing was abandoned: every further token is END and nothing is reported
     unsigned braces;              // open
     bool told_unguarded;          // SS: this section's unguarded items have been reported
     unsigned nesting;             // of conditionals
-    unsigned depth;               // of the place in the expression being parsed
-    unsigned parens;              // open around that place: line ends are blanks
-    uint32_t indented;            // up to here lines hang on a condition whose braces are missing
-    bool is_guard;                // the expression being parsed decides: an = in it was meant as ==
+    unsigned depth;               // of the current position in the expression
+    unsigned parens;              // open at that position: line ends count as blanks
+    uint32_t indented;            // lines before this position belong to a condition whose braces are missing
+    bool is_guard;                // the current expression is a condition: an = in it was meant as ==
 } Parser;
 
 // ---- tokens ----
 
 void parser_next(Parser *p);
-void parser_stop(Parser *p);                            // reads no further, says no more
+void parser_stop(Parser *p);                            // stops reading and reporting
 Span parser_span(const Parser *p, const Token *t);
 Span parser_here(const Parser *p);                      // of the next token
-Span parser_gap(const Parser *p);                       // directly behind the last token
+Span parser_gap(const Parser *p);                       // directly after the last token
 Span parser_since(const Parser *p, uint32_t at);        // from `at` to the end of the last token
 bool parser_at_end_of_statement(const Parser *p);
 bool parser_at_end_of_block(const Parser *p);           // } label header end
 
 // ---- messages ----
 
-// As diag_report; dropped while p->failed.
+// Like diag_report, but does nothing while p->failed is set.
 Diag *parser_report(Parser *p, DiagCode code, Span span, ...);
 // The same, and sets p->failed.
 Diag *parser_fail(Parser *p, DiagCode code, Span span, ...);
 const char *parser_text(const Parser *p, Span span);    // the source text, cut to a readable length
 // A token as a message names it: "'>='", "the end of the line", "the section [Idle]".
 const char *parser_describe(const Parser *p, const Token *t);
-const char *parser_found(const Parser *p);              // the next one, or the end of the line before it
-// The nearest of `n` words to `word`, or NULL if none is near.
+const char *parser_found(const Parser *p);              // describes the next token, or the end of the line before it
+// Returns the word nearest to `word` among `n` words, or NULL if none is near.
 const char *nearest_word(const char *word, const char *const *words, size_t n);
-// Labels the annotation at hand, an unknown one, with the nearest of those that may stand here; where none is near with all of them.
+// Labels the current annotation, which is unknown, with the nearest one allowed here. If none is near, the label lists all of them.
 void label_annotations(Parser *p, Diag *d, const char *const *here, size_t n);
 
 // ---- grammar ----
 
-AstExpr *parse_expr(Parser *p, bool is_guard);          // begins with the next token, wherever that stands
+AstExpr *parse_expr(Parser *p, bool is_guard);          // begins with the next token, on whatever line
 AstExpr *parse_value_of(Parser *p, bool is_guard);      // the same, but must begin on this line
 void parse_block(Parser *p, AstStmts *into);            // statements up to }, a label, a header or the end
 void parse_decls(Parser *p, AstSection *s);
-const char *parse_foreign_type(const char *word);       // the type that another language calls so, or NULL
+const char *parse_foreign_type(const char *word);       // our type for a type name of another language, or NULL
 void parse_options(Parser *p, AstSection *s);
-// All annotations that come, of what is called `owner`.
+// Parses all annotations that follow; `owner` is the name of what they annotate.
 void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, AstAnnotations *into);
-bool parse_signed_number(Parser *p, AstNumber *into);   // a number with or without a sign; false: there is none
+bool parse_signed_number(Parser *p, AstNumber *into);   // a number with or without a sign; false: none found
 void parse_pins(Parser *p, AstSection *s);
 void refuse_pin_section(Parser *p, const AstSection *s);
 bool annotation_is_allow(const Token *t);
 const AstAnnotation *parse_allow(Parser *p);            // an @allow before a statement; NULL after a message
-void annotation_before_decl(Parser *p);                 // reports the one at hand, where a declaration should begin
-void annotation_in_block(Parser *p);                    // the same, where a statement should
+void annotation_before_decl(Parser *p);                 // reports the current annotation, where a declaration should begin
+void annotation_in_block(Parser *p);                    // the same, where a statement should begin
 void parse_app_section(Parser *p, struct AstApp *app);  // at its header
-void skip_section(Parser *p);                           // to the next line that begins with a header; not even tokens are read
+void skip_section(Parser *p);                           // to the next line that begins with a header; does not even read tokens
 void skip_line(Parser *p);                              // to the next line, header or the end
 
-// ---- slips: what people write who know other languages, or type too fast ----
+// ---- hints: errors of users who know other languages, or type too fast ----
 
 void slip_prefix(Parser *p);                            // NOT x
 void slip_infix(Parser *p, const AstExpr *left);        // x AND y, x = y in a guard
 void slip_assign(Parser *p, const AstExpr *left, Span sign);      // reports the = of such a guard; left may be NULL
 bool slip_choice(const Parser *p);                      // IF(a; b; c)
-bool slip_operand(Parser *p, AstExpr *name);            // abs x, behind the name; true when reported
-bool slip_remark(Parser *p);                            // -- x, where no expression can stand; true when reported
+bool slip_operand(Parser *p, AstExpr *name);            // abs x, after the name; true when reported
+bool slip_remark(Parser *p);                            // -- x, where an expression is impossible; true when reported
 bool slip_unit_step(Parser *p);                         // x++ where a value is missing; true when reported
 void slip_missing_value(Parser *p, Diag *d);            // adds to the message that a value is missing here
 bool slip_decimal_comma(Parser *p);                     // 3,14 at the comma; true when reported
-bool slip_dotted_name(Parser *p, Span name);            // tank.pressure behind `tank`; true when reported
+bool slip_dotted_name(Parser *p, Span name);            // tank.pressure after `tank`; true when reported
 void slip_after_name(Parser *p, AstExpr *name);   // tank.pressure, a[3]
 bool slip_is_and_then(const Parser *p);                 // x = 1 and then -> Idle, at `and`
 void slip_equality_chain(Parser *p, const AstExpr *e);  // a == b == c
-// A statement is complete, yet something follows on its line.  Reports it.
+// A statement is complete, but more text follows on its line. Reports it.
 void slip_at_end(Parser *p);
-// An expression stands alone where a statement should: x + 1, valveOpen == true, a guard without its colon.
+// An expression appears alone where a statement is expected: x + 1, valveOpen == true, a guard without its colon.
 void slip_expression(Parser *p, AstExpr *e, bool has_if);
 void slip_op_assign(Parser *p, Span name);              // x += 1, at the sign
-// Nothing stands behind the colon of a guard, or of `else` (guard is NULL).
+// Nothing follows the colon of a guard, or of `else` (guard is NULL).
 void slip_colon(Parser *p, AstExpr *guard, Span colon);
 void slip_colon_assign(Parser *p, const AstExpr *guard, Span colon);      // x: = 1, at the =
 bool slip_bracketed_state(Parser *p);                   // -> [Idle] at the bracket; true when reported
-void slip_else(Parser *p);                              // neither : nor { nor if behind `else`
-// What comes begins no statement, though it looks like one of another language.  Reports it and returns true, or false.
+void slip_else(Parser *p);                              // `else` is followed by neither : nor { nor if
+// The next text does not begin a statement. If it looks like one of another language, reports it and returns true; otherwise returns
+// false.
 bool slip_statement(Parser *p);
 
-// ---- what the two files of slips share ----
+// ---- shared by the two files of hints ----
 
-bool slip_is_word(const Token *t, const char *lower);   // a name that is this word, in whatever case
+bool slip_is_word(const Token *t, const char *lower);   // a name that is this word, in upper or lower case
 bool slip_is_label(const char *word);                   // entry, step, exit
-bool slip_touches(const Token *a, const Token *b);      // nothing stands between them
+bool slip_touches(const Token *a, const Token *b);      // the two are adjacent
 bool slip_begins_value(const Token *t);
-bool slip_is_guard(const Parser *p);                    // its line, which goes on inside parentheses, holds a : or a {, or a { stands below
-void slip_replace_word(Parser *p, const char *native, TokenKind kind);       // reports a foreign word, which becomes a token of that kind
+bool slip_is_guard(const Parser *p);  // its line, which continues inside parentheses, contains a : or a {; or the next line has a {
+void slip_replace_word(Parser *p, const char *native, TokenKind kind);  // reports a foreign word and turns it into a token of that kind
 
 #endif
