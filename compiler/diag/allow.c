@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What @allow does: takes warnings that are known and wanted out of the list, and reports an @allow that nothing needs.
-// The parts of a source that are covered lie within each other or apart, so one walk over allows and the places of warnings in
-// the order of the file, with a stack of those that are open, finds the innermost for each.
+// Implements @allow: removes warnings that the user has accepted from the list, and reports an @allow that no warning needs. Any two
+// covered parts of a source are either nested or disjoint. So one walk over allows and warnings in file order, with a stack of the open
+// allows, finds the innermost one for each warning.
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,7 +34,7 @@ static int compare_places(const Span *a, const Span *b)
     return (a->at > b->at) - (a->at < b->at);
 }
 
-// By what is covered; of two that begin at one place the wider first.
+// Sorts by covered text; of two that begin at one position the longer first.
 static int compare_covers(const void *a, const void *b)
 {
     const DiagAllow *x = *(DiagAllow *const *)a, *y = *(DiagAllow *const *)b;
@@ -50,11 +50,11 @@ static int compare_spans(const void *a, const void *b)
     return compare_places(&x->span, &y->span);
 }
 
-// A place where an @allow can cover a warning: its own, or a declaration that it names.
+// A position where an @allow can cover a warning: the warning's own, or a declaration that it names.
 typedef struct Place {
     Diag *diag;
     Span span;
-    DiagAllow *by;            // the innermost @allow that covers the place; NULL: none
+    DiagAllow *by;            // the innermost @allow that covers the position; NULL: none
 } Place;
 
 static int compare_diag_places(const void *a, const void *b)
@@ -109,8 +109,8 @@ static void cover(Walk *w, Place *x)
             x->by = w->open[i];
 }
 
-// places[0] is that of the warning, the others are those of what it names.  An @allow of one output of several does not cover the
-// warning, but without it the warning would have to be allowed elsewhere: it counts as used.
+// places[0] is the warning's position; the others are the declarations that it names. An @allow of one output of several does not cover
+// the warning. It still counts as used, because without it the warning would have to be allowed elsewhere.
 static void judge(Diag *x, const Place *places)
 {
     size_t open[DIAG_SUBJECTS] = {0};
@@ -183,7 +183,7 @@ static void take_out(Diags *d)
 
 static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-// The annotation with the blanks before it; where it is all that stands on its line, the line.
+// Returns the annotation with the blanks before it, or the whole line if it contains nothing else.
 static Span without(Span s)
 {
     const char *text = s.src->text;
@@ -210,7 +210,7 @@ static void report_useless(Diags *d, const DiagAllow *a)
     diag_edit(d, x, without(a->span), "");
 }
 
-// Whether this run would have found what the @allow is for.
+// Whether this run would have produced the finding that the @allow is for.
 static bool can_be_judged(const Diags *d, const DiagAllow *a)
 {
     const DiagFlag *flag = diag_find_flag(a->flag);
@@ -218,7 +218,8 @@ static bool can_be_judged(const Diags *d, const DiagAllow *a)
     return (d->analysed >> flag->group & 1u) && (flag->judged == DIAG_JUDGED_ALWAYS || d->known >> flag->judged & 1u);
 }
 
-// One annotation may be there several times, for each place that it covers.  `about_itself`: those that allow this very warning.
+// The list can contain an annotation several times, once for each position that it covers. `about_itself`: the allows of this very
+// warning.
 static void report_unused(Diags *d, bool about_itself)
 {
     DiagAllow **all = sorted_allows(d, compare_spans);

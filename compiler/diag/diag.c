@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Collects diagnostics: fills arguments into the texts of codes.def, drops what was said already, sorts.
+// Collects diagnostics: fills arguments into the messages of codes.def, drops repeated reports, sorts.
 #include "compiler/diag/diag.h"
 
 #include <string.h>
@@ -12,13 +12,13 @@ const DiagInfo diag_info[DIAG_COUNT] = {
 #undef DIAG_NOTE_TEXT
 };
 
-// One code at one place.
+// One code at one position.
 typedef struct DiagPlace {
-    const Source *src;        // with `used` false: an empty slot
+    const Source *src;        // valid only if `used` is set; otherwise the slot is empty
     uint32_t at;
     DiagCode code;
     bool used;
-    Diag *diag;               // NULL: it was not kept
+    Diag *diag;               // NULL: it was not stored
 } DiagPlace;
 
 void diags_clear(Diags *d)
@@ -36,7 +36,7 @@ void diags_init(Diags *d, Arena *arena)
     d->arena = arena;
 }
 
-// ---- what was said already ----
+// ---- repeated reports ----
 
 static DiagPlace *find_place(const Diags *d, const Source *src, uint32_t at, DiagCode code)
 {
@@ -60,7 +60,7 @@ static void grow_places(Diags *d)
             *find_place(d, old[i].src, old[i].at, old[i].code) = old[i];
 }
 
-// Notes code and place; false when they had been noted before.  What has no place is always new.
+// Records code and position; returns false if they were already recorded. A report without a position is always new.
 static bool is_new(Diags *d, DiagCode code, Span span)
 {
     DiagPlace *p;
@@ -79,7 +79,7 @@ static bool is_new(Diags *d, DiagCode code, Span span)
 
 // ---- reporting ----
 
-// The text of a row, each {} replaced by the next argument.
+// Returns the message of a row, with each {} replaced by the next argument.
 static const char *fill_in(Arena *arena, const char *message, va_list args)
 {
     Buf b;
@@ -95,7 +95,7 @@ static const char *fill_in(Arena *arena, const char *message, va_list args)
     return buf_text(&b);
 }
 
-// The source in the list that has this name and text, else src: a file that was loaded twice is one file.
+// Returns the listed source with the same name and text, else src: a file that was loaded twice counts as one.
 static const Source *file_of(const Diags *d, const Source *src)
 {
     for (size_t i = d->files.n; src && i-- > 0; ) {
@@ -114,7 +114,7 @@ static void note_file(Diags *d, const Source *src)
     vec_push(d->arena, &d->files, src);
 }
 
-// Counts a report; true if it is to stand in the list.
+// Counts a report; returns true if it belongs in the list.
 static bool is_wanted(Diags *d, DiagCode code, Span span)
 {
     size_t *count = diag_info[code].severity == DIAG_ERROR ? &d->errors : &d->warnings;
@@ -123,7 +123,7 @@ static bool is_wanted(Diags *d, DiagCode code, Span span)
     return !d->muted && is_new(d, code, span) && ++*count <= DIAG_KEPT_MAX;
 }
 
-// What a report that is not wanted gives: one for all, so that a flood of them costs no memory.
+// Returns the diagnostic for reports that are not wanted. All of them share one, so that a flood of reports costs no memory.
 static Diag *dropped(Diags *d)
 {
     if (!d->dropped) {
@@ -245,7 +245,7 @@ static bool comes_before(const Diags *d, const Diag *a, const Diag *b)
     return a->span.at < b->span.at;
 }
 
-// Merges two sorted runs; of equals the left run's comes first, which makes the sort stable.
+// Merges two sorted runs. On ties the left run's item comes first, which makes the sort stable.
 static void merge(const Diags *d, Diag **to, Diag **a, size_t na, Diag **b, size_t nb)
 {
     while (na && nb) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What tells a finding again when lines above it come and go: a hash of its code, its file's name and the text of its line, and a
-// number where several have the same.
+// Identifies a finding when lines above it are added or removed. A fingerprint is a hash of the code, the file's name and the text of the
+// line, and a number that distinguishes findings with the same hash.
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,7 +25,7 @@ static const char *without_folders(const char *path)
 
 static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-// Where the comment begins, or the end of the line.
+// Returns where the comment begins, or the end of the line.
 static size_t without_comment(const char *s, size_t n)
 {
     bool quoted = false;
@@ -38,7 +38,7 @@ static size_t without_comment(const char *s, size_t n)
     return n;
 }
 
-// Of blanks it counts only that there are some between words, of a comment nothing.
+// Hashes a line. Any run of blanks between words counts as one; comments are ignored.
 static uint64_t hash_line(uint64_t h, const char *s, size_t n)
 {
     n = without_comment(s, n);
@@ -67,7 +67,7 @@ static uint64_t hash_of(const Diag *d)
     return hash_line(hash_text(h, file, strlen(file) + 1), line, len);
 }
 
-// Twins stand in the order of the file, allowed ones among the others.
+// Twins are in file order, with allowed ones among the others.
 static int compare_items(const void *a, const void *b)
 {
     const Item *x = a, *y = b;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the edits that diagnostics propose.  The edits of one diagnostic belong together: all are made or none.
+// Applies the edits that diagnostics propose. The edits of one diagnostic belong together: either all are applied or none.
 #include <stdlib.h>
 #include <string.h>
 
@@ -44,7 +44,7 @@ static Changes collect(const Diags *d, const Source *src)
     return all;
 }
 
-// Refuses diagnostics whose edits touch those of one before: what they meant is no longer there.
+// Refuses diagnostics whose edits touch those of an earlier one: the text that they apply to has changed.
 static void refuse_overlaps(const Changes *all, bool *refused)
 {
     uint32_t end = 0;

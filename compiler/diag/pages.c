@@ -4,7 +4,7 @@
 
 #include "compiler/diag/diag.h"
 
-// By the first two digits of the codes, from 01.
+// By the first two digits of the codes, starting at 01.
 static const char *const chapters[] = {
     "Characters and numbers", "Names and declarations", "Grammar", "Expressions and constants", "States and transitions", "State vector",
     "Scripts", "Files and images", "Flight", "Applications", "Pins"};
@@ -27,7 +27,7 @@ static const struct { const char *title, *words; } groups[] = {
     [DIAG_GROUP_EXTRA]  = {"-Wextra", "What is untidy."},
     [DIAG_GROUP_FLIGHT] = {"-Wflight", "What a review before flight asks for. The marks `@abort`, `@safe` and `@range` tell it what a machine cannot know."}};
 
-// How a warning is switched.
+// Writes how to switch a warning.
 static void put_switches(Buf *out, const DiagFlag *flag)
 {
     if (flag->group == DIAG_GROUP_ALL)
@@ -102,6 +102,6 @@ void diags_write_markdown(Buf *out)
             if (diag_info[i].id && chapter_of(&diag_info[i]) == c + 1)
                 put_page(out, &diag_info[i]);
     }
-    out->n--;                                             // one line end at the end of the file
+    out->n--;                                             // the file ends with one line end
     out->at[out->n] = '\0';
 }

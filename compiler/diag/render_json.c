@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagnostics as a machine reads them: one JSON object a line.  The keys and their order are a promise:
-// severity, code, message, file, line, column, endLine, endColumn, label, notes[], edits[], flag, group.  The end is exclusive;
-// what has no place has null for all five; a label that is absent is null.  A note that is a step has its number, others null.
-// An error has null for flag (what stands behind -W) and group; what is wrong with no file but the call has no code either,
-// and what is only remarked has the severity note.
+// Renders diagnostics for programs: one JSON object per line. The keys and their order are stable: severity, code, message, file, line,
+// column, endLine, endColumn, label, notes[], edits[], flag, group. The end is exclusive. A diagnostic without a position has null for
+// all five; an absent label is null. A note that is a step has its number; other notes have null. An error has null for flag (the name
+// after -W) and group. A problem of the call, not of a file, also has no code. A remark has the severity note.
 #include "compiler/base/json.h"
 #include "compiler/diag/diag.h"
 

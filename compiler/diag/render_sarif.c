@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagnostics as one document of SARIF 2.1.0, the OASIS format that code-hosting sites and review tools read.
-// Columns count characters there, not bytes, and the end is exclusive.
+// Renders the diagnostics as one document of SARIF 2.1.0, the OASIS format that code-hosting sites and review tools read. Columns count
+// characters, not bytes, and the end is exclusive.
 #include <string.h>
 
 #include "compiler/base/json.h"
@@ -14,7 +14,7 @@ static bool may_stand_in_uri(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c && strchr("-._~/", c));
 }
 
-// A path as a relative reference: what has a meaning in URIs is written as %XX, a backslash as a slash.
+// Writes a path as a relative reference: characters with a meaning in URIs become %XX, a backslash becomes a slash.
 static void put_uri(Buf *out, const char *path)
 {
     buf_char(out, '"');
@@ -75,7 +75,7 @@ static void put_message(Buf *out, const char *text)
 
 // ---- rules: the codes that were used, each once, in the order of codes.def ----
 
-// The first paragraph of a page that is no example, on one line; the message where there is none.
+// Returns the first paragraph of a page that is not an example, on one line; the message if there is none.
 static const char *first_paragraph(Arena *arena, const DiagInfo *row)
 {
     const char *at = row->page, *end;
@@ -112,7 +112,7 @@ static void put_rule_defaults(Buf *out, const DiagInfo *row)
         buf_printf(out, ",\"properties\":{\"tags\":[\"%s\",\"%s\"]}", diag_group_name[flag->group], flag->name);
 }
 
-// The name of a warning is the one behind -W, which `smc explain` and @allow take.
+// The name of a warning is the one after -W, which `smc explain` and @allow accept.
 static void put_rule(Buf *out, const DiagInfo *row)
 {
     buf_printf(out, "{\"id\":\"%s\",\"name\":\"%s\",\"shortDescription\":", row->id, row->flag ? row->flag : row->name);
@@ -196,7 +196,7 @@ static void put_related(Buf *out, const Diag *d)
     buf_char(out, ']');
 }
 
-// Steps are one flow that leads to the finding.
+// The steps form one flow that leads to the finding.
 static void put_flow(Buf *out, const Diag *d)
 {
     bool any = false;
@@ -231,7 +231,7 @@ static void put_fix(Buf *out, const Diag *d)
     buf_str(out, "]}]}]");
 }
 
-// The name is the one that code-hosting sites look for.
+// Code-hosting sites search for this key.
 static void put_fingerprint(Buf *out, const DiagPrint *p)
 {
     buf_printf(out, ",\"partialFingerprints\":{\"primaryLocationLineHash\":\"%08lx%08lx:%lu\"}", (unsigned long)(p->hash >> 32),
@@ -249,7 +249,7 @@ static void put_suppressions(Buf *out, const Diag *d)
     buf_char(out, ']');
 }
 
-// `suppressions`: some result of the run is suppressed, and then each has to say whether it is.
+// `suppressions`: at least one result of the run is suppressed; then every result must state whether it is.
 static void put_result(Buf *out, const Diag *d, const DiagPrint *print, size_t rule, bool suppressions)
 {
     Buf text;
@@ -271,7 +271,7 @@ static void put_result(Buf *out, const Diag *d, const DiagPrint *print, size_t r
     buf_char(out, '}');
 }
 
-// What is reported, then what is allowed.
+// Writes the reported diagnostics, then the allowed ones.
 static void put_results(const Diags *d, Buf *out, const size_t *index)
 {
     const DiagPrint *print = diags_fingerprints(d, out->arena);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagnostics as a person reads them: place and message, the line with a caret below what is meant, notes, a count.
-// A line is shown one column a character, whatever stands in it: a tab as a blank, what cannot be printed as \x07.
+// Renders the diagnostics for people: position and message, the source line with a caret below the marked text, notes, a count. Every
+// character of a line takes one column: a tab becomes a blank, an unprintable byte becomes \x07.
 #include <string.h>
 
 #include "compiler/base/utf8.h"
 #include "compiler/diag/diag.h"
 
 enum {
-    WIDEST = 160,             // columns of a source line that are shown
-    BEFORE = 60               // of them before the caret, where a line is cut
+    WIDEST = 160,             // columns of a source line that are printed
+    BEFORE = 60               // how many of them are before the caret in a shortened line
 };
 
 typedef enum Paint { PAINT_OFF, PAINT_PLACE, PAINT_ERROR, PAINT_WARNING, PAINT_NOTE, PAINT_CARET } Paint;
@@ -62,13 +62,13 @@ static void put_text(Buf *out, const char *s) { diag_put_printable(out, s, strle
 
 typedef struct Excerpt {
     const char *text;         // the line
-    size_t len, from, to;     // its bytes from … to are shown
-    size_t at, end;           // the marked ones: from <= at <= end <= to
+    size_t len, from, to;     // bytes [from, to) are printed
+    size_t at, end;           // the marked bytes: from <= at <= end <= to
 } Excerpt;
 
 static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }
 
-// From `from` as many bytes as fill at most `columns`; *left says how many columns are left then.
+// Returns the end of the bytes after `from` that fit in `columns`; *left: the columns that remain.
 static size_t fill(Buf *scratch, const Excerpt *e, size_t from, size_t columns, size_t *left)
 {
     while (from < e->len) {
@@ -83,7 +83,7 @@ static size_t fill(Buf *scratch, const Excerpt *e, size_t from, size_t columns, 
     return from;
 }
 
-// Cuts a long line to what stands around the mark.
+// Shortens a long line to the text around the mark.
 static void cut(Buf *scratch, Excerpt *e)
 {
     size_t left;
@@ -94,7 +94,7 @@ static void cut(Buf *scratch, Excerpt *e)
     }
     e->from = e->at > BEFORE ? e->at - BEFORE : 0;
     while (e->from > 0 && e->from < e->at && ((unsigned char)e->text[e->from] & 0xc0) == 0x80)
-        e->from++;                                                // no character is cut
+        e->from++;                                                // do not split a character
     while (fill(scratch, e, e->from, BEFORE, &left) < e->at)
         e->from++;
     e->to = fill(scratch, e, e->at, WIDEST - BEFORE + left, &left);
@@ -109,7 +109,7 @@ static Excerpt find_excerpt(Buf *scratch, Span span, LineCol where)
     e.len = len;
     e.at = smaller(where.col - 1, e.len);
     cut(scratch, &e);
-    e.end = smaller(e.at + (span.len ? span.len : 1), e.to);      // of a span over several lines: to the end of the first
+    e.end = smaller(e.at + (span.len ? span.len : 1), e.to);      // a span over several lines ends at the end of the first
     return e;
 }
 
@@ -120,7 +120,7 @@ static size_t put_cut(Buf *out, bool cut)
     return cut ? 3 : 0;
 }
 
-// Writes the line; *indent columns stand before what is marked, which takes *marked.
+// Writes the line; *indent: columns before the marked text; *marked: its width.
 static void put_line(Buf *out, const Excerpt *e, size_t *indent, size_t *marked)
 {
     *indent = put_cut(out, e->from > 0);
@@ -197,7 +197,7 @@ static void put_note(const DiagStyle *style, Buf *out, const DiagNote *n)
     put_severity(style, out, DIAG_NOTE);
     if (n->step)
         buf_printf(out, "step %u: ", n->step);
-    for (const char *line = n->text;; line++) {           // a table stands below its note, a row a line
+    for (const char *line = n->text;; line++) {           // a table is printed below its note, one row per line
         const size_t len = strcspn(line, "\n");
         if (line != n->text)
             buf_str(out, "      ");
