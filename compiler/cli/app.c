@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// An application and the files that it names, from the disk: relative to the .app, each read once.
+// Loads an application and the files that it names from the disk: relative to the .app, each once.
 #include <string.h>
 
 #include "compiler/cli/app.h"
 #include "compiler/syntax/parse.h"
 
-// A file beside `app`: its folder and the name.
+// Returns the path of a file in the folder of `app`.
 static const char *beside(Cli *c, const char *app, Str name)
 {
     const char *slash = strrchr(app, '/');

@@ -6,7 +6,7 @@
 
 #include "compiler/base/os_serial.h"
 
-// An Arduino begins anew when its line is opened, and its boot loader listens for two seconds: patience for six.
+// An Arduino restarts when its line is opened, and its boot loader then listens for two seconds. So wait up to six.
 enum { WAIT = 500, TRIES = 12, SPEED = 115200 };
 
 static bool line_send(void *context, const uint8_t *bytes, size_t n)
@@ -25,7 +25,7 @@ static uint32_t line_now(void *context)
     return os_milliseconds();
 }
 
-// ---- what is said ----
+// ---- messages ----
 
 static const struct { SmResult result; const char *text; } reasons[] = {
     {SM_E_ARMED, "the board is armed; disarm it first"},
@@ -86,7 +86,7 @@ void board_describe(Buf *out, const DeviceImage *i)
         buf_str(out, i->runs ? "no image; nothing runs" : "no image");
     } else {
         buf_printf(out, "%lu bytes, checksum %08lx, identity ", (unsigned long)i->length, (unsigned long)i->checksum);
-        for (size_t k = sizeof i->identity; k-- > 0;)          // a number, as disasm and report show it
+        for (size_t k = sizeof i->identity; k-- > 0;)          // as a number, in the form of disasm and report
             buf_printf(out, "%02x", i->identity[k]);
         put_state(out, i);
     }

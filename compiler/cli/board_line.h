@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `smc flash` and `smc device` share: the line to a board, and what is said of it.
+// Functions shared by `smc flash` and `smc device`: the line to a board, and the description of its images.
 #ifndef SMC_BOARD_LINE_H
 #define SMC_BOARD_LINE_H
 
@@ -14,12 +14,12 @@ typedef struct BoardLine {
     DeviceInfo info;
 } BoardLine;
 
-// Opens --port and asks who is there.  EXIT_OK, or the exit code after a message.
+// Opens --port and queries the board. EXIT_OK, or the exit code after a message.
 int board_open(Cli *c, BoardLine *b);
 void board_close(BoardLine *b);
 
-// Why the last request came to nothing, as a message behind `what`, and the exit code: EXIT_PROBLEM, the board refused;
-// EXIT_ENVIRONMENT, nobody answers.
+// Prints why the last request failed, as a message after `what`. Returns EXIT_PROBLEM if the board refused, EXIT_ENVIRONMENT if there was
+// no answer.
 int board_failed(BoardLine *b, const char *what);
 
 // "slot 1: 443 bytes, checksum 2f0a11c4, identity 0011223344556677, runs, on trial (2 starts left)"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc build NAME.app: everything that an application is made of, as C in one folder.
+// smc build NAME.app: emits all parts of an application as C in one folder.
 #include <string.h>
 
 #include "compiler/cli/app.h"
@@ -38,7 +38,7 @@ static void add(AppBuild *b, const char *name, const Buf *text)
     b->out[b->n++] = (OsOutput){in_folder(b, name), buf_text(text), text->n};
 }
 
-// Code and header called after `stem`.
+// Adds a code file and a header named after `stem`.
 static void add_pair(AppBuild *b, const char *stem, const Buf *header, const Buf *code)
 {
     add(b, plus(b, stem, ".c"), code);
@@ -88,7 +88,7 @@ static void add_pins(AppBuild *b)
     add_pair(b, stem, header, code);
 }
 
-// With names, which a log wants, unless they are to be left out.
+// Includes names, which a log requires, unless --strip is given.
 static bool make_image(AppBuild *b, const Program *p, Buf *out)
 {
     ImageOptions o = {!b->c->given[OPT_STRIP], NULL};
@@ -128,7 +128,7 @@ static void add_all(AppBuild *b)
         add_pins(b);
 }
 
-// What -MD names: the application, and every file that it names and that is there.
+// The inputs for -MD: the application, and every existing file that it names.
 static Inputs all_inputs(Cli *c, const AppFiles *files)
 {
     Inputs in = {ARENA_ARRAY(&c->session.arena, const char *, files->n + 1), 1};
@@ -154,7 +154,7 @@ static int check_use(Cli *c)
     return EXIT_OK;
 }
 
-// The folder of -o, where it is not there yet.
+// Creates the folder of -o if it does not exist.
 static bool make_folder(Cli *c)
 {
     const char *folder = c->value[OPT_OUTPUT], *why;

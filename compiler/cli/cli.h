@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The smc command: what its subcommands share.  A subcommand is arguments, a call into the library, an exit code.
+// The smc command: declarations shared by its subcommands. A subcommand parses arguments, calls the library and returns an exit code.
 #ifndef SMC_CLI_H
 #define SMC_CLI_H
 
@@ -10,14 +10,14 @@
 #include "compiler/base/os.h"
 #include "compiler/pipeline.h"
 
-// Exit codes: a promise (docs and scripts rely on them).
+// Exit codes: stable, because docs and scripts rely on them.
 enum {
     EXIT_OK = 0,
     EXIT_PROBLEM = 1,         // the user's input has a problem: compile error, failed script
     EXIT_USAGE = 2,
-    EXIT_ENVIRONMENT = 3,     // cannot read, write, no memory, no device
-    EXIT_INTERNAL = 4,        // a bug of ours
-    EXIT_INCONCLUSIVE = 5     // a bound was hit
+    EXIT_ENVIRONMENT = 3,     // cannot read or write, out of memory, no device
+    EXIT_INTERNAL = 4,        // a bug in smc
+    EXIT_INCONCLUSIVE = 5     // a bound was reached
 };
 
 typedef enum OptionId {
@@ -42,25 +42,25 @@ typedef struct Warnings {
 } Warnings;
 
 struct Cli {
-    Session session;                      // one compilation; out of memory anywhere ends the command with exit 3
+    Session session;                      // one compilation; out of memory anywhere ends the command with exit code 3
     const Command *command;
-    const char **file;                    // the arguments that are no options, in order; "-" included
+    const char **file;                    // the arguments that are not options, in order; "-" included
     size_t files;
     bool given[OPT_COUNT];
-    const char *value[OPT_COUNT];         // of an option that takes one; the last one given
+    const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
     Warnings warn;
-    Sentences said;                       // for the end of a document in SARIF
-    bool reported;                        // that has been begun
-    const char *last_error;               // the last message of cli_say; lives in the session
+    Sentences said;                       // messages for the end of a SARIF document
+    bool reported;                        // output of that document has begun
+    const char *last_error;               // the last message of cli_say; allocated in the session
 };
 
 // ---- options.c ----
 
-// Sorts argv behind the subcommand into the fields of c.  false: a message has been printed, exit with EXIT_USAGE.
+// Parses argv after the subcommand into the fields of c. false: a message has been printed, exit with EXIT_USAGE.
 bool options_parse(Cli *c, int argc, char **argv);
-void options_help(const Command *command, Buf *out);      // the options a subcommand knows, a line each
+void options_help(const Command *command, Buf *out);      // the options of a subcommand, one per line
 int option_level(const Cli *c);                           // -O: 0, 1 or 2
-// The nearest of the names to `name`, or NULL if none is near.
+// Returns the name nearest to `name`, or NULL if none is near.
 const char *nearest_name(const char *name, const char *const *names, size_t n);
 
 // ---- common.c ----
@@ -71,82 +71,83 @@ const char *nearest_name(const char *name, const char *const *names, size_t n);
 #define CLI_PRINTF
 #endif
 
-// "smc: " and a message to standard error; in the form that --message-format asks for.
+// Prints "smc: " and a message to standard error, in the form that --message-format selects.
 CLI_PRINTF void cli_say(Cli *c, const char *format, ...);
-CLI_PRINTF void cli_remark(Cli *c, const char *format, ...);      // of what hinders nothing
-// Usage error: a message, and a hint at --help.  Gives EXIT_USAGE.
+CLI_PRINTF void cli_remark(Cli *c, const char *format, ...);      // for a message that stops nothing
+// Usage error: prints a message and refers to --help. Returns EXIT_USAGE.
 CLI_PRINTF int cli_usage(Cli *c, const char *format, ...);
 
-// Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT).  The name stands in diagnostics as given.
+// Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT). Diagnostics show the name as given.
 Source *cli_load(Cli *c, const char *path);
-// A name for a message: control characters, with which no file is opened, as \x0a.  cli_usage does it by itself.
+// A name for a message, with control characters as \x0a; no file with such a name is ever opened. cli_usage calls this itself.
 const char *cli_shown(Arena *a, const char *name);
 // Reads an image and runs the device's own verifier on it.  EXIT_OK, or the exit code after a message.
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v);
 void cli_put_pin(Buf *out, const SmvmPin *p);          // "digital input 2 with @pull_up"
-// Reads the scripts of the call, once each: by argument, NULL for what is no script or cannot be read (after a message, which is then in
-// problem[argument] unless `problem` is NULL).  Then cli_note_scripts.
+// Reads the scripts of the call, each once. The result is indexed by argument; an entry is NULL if the argument is not a script or cannot
+// be read. In the latter case a message was printed, which is also in problem[argument] unless `problem` is NULL. Then calls
+// cli_note_scripts.
 Source **cli_load_scripts(Cli *c, Map *written, const char **problem);
-// The names that scripts (by argument) assign go into `written`: a machine is compiled with those locals as variables, to run
-// them.  Without --step, the session's step becomes the delta_t of the scripts if all have the same.
+// Adds the names that scripts (by argument) assign to `written`: to run them, a machine is compiled with those locals as variables.
+// Without --step, the session's step becomes the delta_t of the scripts if all have the same one.
 void cli_note_scripts(Cli *c, Source *const *ss, Map *written);
-// Writes outputs, after outputs_check.  EXIT_OK, or the exit code after a message: nothing has been replaced then.
+// Writes outputs, after outputs_check. Returns EXIT_OK, or the exit code after a message: then no file has been replaced.
 int cli_write(Cli *c, const OsOutput *out, size_t n);
-// Writes what a command has edited over its input, without outputs_check.  Reports hard links, of which os_write changes one.
+// Writes an edited file over its input, without outputs_check. Reports hard links, because os_write changes only one of them.
 int cli_rewrite(Cli *c, const OsOutput *out);
 bool cli_print(Cli *c, int fd, const Buf *text);          // to standard output or error; false after a message
 
-// Prints what the session's diagnostics say, warnings as -W… wants them, to standard error and empties the list.
-// EXIT_PROBLEM if an error was among them, EXIT_ENVIRONMENT if it could not print, else EXIT_OK.
+// Prints the session's diagnostics to standard error, with warnings as -W… selects them, and empties the list. Returns EXIT_PROBLEM if
+// there was an error, EXIT_ENVIRONMENT if printing failed, else EXIT_OK.
 int cli_report(Cli *c);
 
-// What the command is left through, with its exit code: ends what cli_report has begun.
+// Every command returns through this with its exit code: it ends the output that cli_report has begun.
 int cli_end(Cli *c, int code);
 
 bool has_suffix(const char *path, const char *suffix);
 
-// What a command can write, the default first.
+// A format that a command can write; the first one is the default.
 typedef struct CliFormat {
     const char *name;
-    const char *ending[3];                // ".dot"; NULL: no more
-    const char *viewer;                   // what it is looked at with, where a terminal shows nothing of it: "a browser"
+    const char *ending[3];                // ".dot"; NULL: end of the list
+    const char *viewer;                   // a program to view it with, if a terminal cannot display it: "a browser"
 } CliFormat;
-// Which of `formats` --format names; without it, which one the name behind -o ends like; else the first, unless that would flood a
-// terminal.  false after a message.
+// Finds the one of `formats` that --format names. Without --format, the ending of the -o name decides; otherwise it is the first, unless
+// that would flood a terminal. Returns false after a message.
 bool cli_format(Cli *c, const CliFormat *format, size_t formats, size_t *found);
 
-// "tank" of "dir/tank.sm"; of "-" it is "stdin".  Lives in the session.
+// "tank" for "dir/tank.sm"; "stdin" for "-". Allocated in the session.
 const char *path_stem(Cli *c, const char *path);
 
 // ---- outputs.c: what a command may write to ----
 
-// Whether all of these may be written: no source, no input, no file that smc did not write (--force allows that one), and no name
-// twice.  EXIT_OK, or the exit code after a message.
+// Whether all outputs can be written. None can be a source, an input, or a file that smc did not write (--force allows that last one),
+// and no name can occur twice. Returns EXIT_OK, or the exit code after a message.
 int outputs_check(Cli *c, const OsOutput *out, size_t n);
-// The same for the outputs that options name, before anything is read.  Other names of standard output, as /dev/stdout, become "-".
+// The same for the outputs that options name, before anything is read. Other names of standard output, such as /dev/stdout, become "-".
 int outputs_check_options(Cli *c);
 bool outputs_is_source_name(const char *name, size_t n);
 
 // ---- warnings.c ----
 
-// 1u << DiagGroup of each group of which some warning is wanted.
+// 1u << DiagGroup of each group with at least one enabled warning.
 unsigned warnings_groups(const Warnings *w);
-// Drops the warnings that are switched off and makes errors of those that -Werror names.
+// Drops disabled warnings and turns those that -Werror names into errors.
 void warnings_apply(const Warnings *w, Diags *d);
-// What is wrong with the words: "no warning is called 'x'; did you mean 'y'?"; NULL if nothing is.
+// Returns what is wrong with the words: "no warning is called 'x'; did you mean 'y'?"; NULL if they are correct.
 const char *warnings_complaint(Arena *arena, const Warnings *w);
 
 // ---- limits.c: --step, --max-ram, --max-step and --max-cycles ----
 
-bool step_known(Cli *c);                  // reads --step; false after a message: it is no number
-bool limits_known(Cli *c);                // reads --step and the others; false after a message: one of them is no number
+bool step_known(Cli *c);                  // reads --step; false after a message: not a number
+bool limits_known(Cli *c);                // reads --step and the others; false after a message: one of them is not a number
 bool limits_given(const Cli *c);
-// Reports what machine m, compiled from p as it will fly, takes beyond them.
+// Reports by how much machine m, compiled from p as it will fly, exceeds them.
 void limits_check(Cli *c, const Program *p, IrMachine *m);
 
 // ---- fix_list.c ----
 
-// Which lines of a source are other ones now: NAME:LINE: as it was, then before and after.
+// Lists the changed lines of a source: NAME:LINE: with its old number, then the text before and after.
 void fix_list(const Source *was, const Source *is, Buf *out);
 
 // ---- one file each ----

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc build: machines to bytecode, as a file or as a C array, to C, or to the text of a stage.
+// smc build: compiles machines to bytecode (a file or a C array), to C, or to the text of a stage.
 #include <string.h>
 
 #include "compiler/analysis/analysis.h"
@@ -15,7 +15,7 @@ static const char *const emit_name[EMIT_COUNT] = {"bytecode", "array", "c", "ir"
 
 static bool is_image(Emit e) { return e == EMIT_BYTECODE || e == EMIT_ARRAY; }
 
-// What a build writes: at most the C and header of each machine, soft numbers beside it, and the make rule.
+// The outputs of a build: at most the C and header of each machine, the soft-float files, and the make rule.
 typedef struct Outputs {
     OsOutput *at;
     size_t n;
@@ -51,7 +51,7 @@ static void add_output(Outputs *o, const char *path, const Buf *bytes)
     o->at[o->n++].n = bytes->n;
 }
 
-// A fresh buffer that outlives the call.
+// Returns a new buffer that outlives the call.
 static Buf *new_buf(Cli *c)
 {
     Buf *b = ARENA_NEW(&c->session.arena, Buf);
@@ -100,7 +100,7 @@ static const char *output_path(Cli *c, const char *input, const char *suffix)
     return c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : format_in(&c->session.arena, "%s%s", path_stem(c, input), suffix);
 }
 
-// The two C files of one input: -o names the .c, or their common stem.
+// Finds the two C files of one input: -o names the .c, or their common stem.
 static void c_paths(Cli *c, const char *input, const char *suffix, const char **code, const char **header)
 {
     const char *path = output_path(c, input, suffix);
@@ -132,7 +132,7 @@ static bool has_output(const Outputs *o, const char *path)
     return false;
 }
 
-// The files that soft numbers are made of, once a folder.
+// Adds the soft-float files, once per folder.
 static void add_soft_library(Cli *c, const char *code, Outputs *o)
 {
     static const char *const name[] = {"sm_soft.h", "sm_soft.c", "sm_soft_avr.S"};
@@ -197,7 +197,7 @@ static void emit_array(Cli *c, const Buf *image, Outputs *o)
     add_output(o, path, text);
 }
 
-// The pins of --io beside the machines; *io is NULL where there were mistakes.
+// Loads the pins of --io; *io is NULL if there were errors.
 static int load_pins(Cli *c, const Source *sv, const Program *const *programs, size_t n, const IoMap **io)
 {
     const Source *src = cli_load(c, c->value[OPT_IO]);
@@ -220,7 +220,7 @@ static int build_machines(Cli *c, Emit emit, const Source *sv, Outputs *o)
     size_t built = 0;
     int code;
 
-    c->session.hide_locals = emit != EMIT_C && !image.debug;     // in C anyone can look at them
+    c->session.hide_locals = emit != EMIT_C && !image.debug;     // in C other code can read them
     for (size_t i = 0; i < c->files; i++) {
         MachineInput in = {cli_load(c, c->file[i]), sv, NULL, option_level(c)};
         Program *p;
@@ -272,7 +272,7 @@ static int build_state_vectors(Cli *c, Outputs *o)
 
 // ---- the command ----
 
-// Whether the two files of C can be called after what stands behind -o.
+// Whether -o names a possible pair of C files.
 static bool takes_c(Cli *c, const char *path)
 {
     const size_t n = strlen(path);
@@ -303,7 +303,7 @@ static bool is_includable(Cli *c)
 
 static bool is_named_c(const char *path) { return has_suffix(path, ".c") || has_suffix(path, ".h"); }
 
-// Whether the inputs, the kind of output and -o go together.
+// Checks that the inputs, the kind of output and -o are compatible.
 static int check_use(Cli *c, Emit emit, FileKind *first)
 {
     FileKind kind;
@@ -381,7 +381,7 @@ static int build(Cli *c, Emit emit, FileKind first, Outputs *o)
     return first == FILE_IO ? build_pins(c, sv, o) : build_machines(c, emit, sv, o);
 }
 
-// What -MD names: all files of the call, the state vector and the pins.
+// The inputs for -MD: all files of the call, the state vector and the pins.
 static Inputs build_inputs(Cli *c)
 {
     Inputs in = {ARENA_ARRAY(&c->session.arena, const char *, c->files + 2), 0};

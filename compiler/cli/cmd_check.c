@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc check: everything that can be said of sources and images without running them.
+// smc check: checks sources and images without running them.
 #include "compiler/analysis/analysis.h"
 #include "compiler/cli/app.h"
 #include "compiler/cli/cli.h"
@@ -16,7 +16,7 @@ static int check_scripts(Cli *c, Source *const *ss, const Program *p)
     return EXIT_OK;
 }
 
-// The machine as it will fly: without names.
+// Checks the machine as it will fly: without names.
 static void check_limits(Cli *c, const Program *p)
 {
     c->session.hide_locals = true;
@@ -66,7 +66,7 @@ static int check_file(Cli *c, const char *path, const Source *sv, Programs *all,
     return EXIT_OK;
 }
 
-// What can be said of all of them only together.
+// Reports findings that require all machines together.
 static void check_together(Cli *c, const Programs *all, const IoMaps *pins)
 {
     analyse_together(&c->session.arena, &c->session.diags, all->at, all->n);

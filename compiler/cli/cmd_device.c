@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc device: what a board runs and says.
+// smc device: lists what a board runs and reports.
 #include <stdlib.h>
 #include <string.h>
 
@@ -104,7 +104,7 @@ static int confirm(BoardLine *b, Buf *out)
     return EXIT_OK;
 }
 
-// Looked at before the line is opened, which may restart a board.
+// Checked before the line is opened, because opening it can restart a board.
 static bool names_checksum(const Cli *c)
 {
     return c->files == 2 && strlen(c->file[1]) == 8 && strspn(c->file[1], "0123456789abcdefABCDEF") == 8;
@@ -130,7 +130,7 @@ static int erase(BoardLine *b, Buf *out)
         return list(b, out);
     if (!b->host.answered || b->host.result != SM_E_MISSING)
         return board_failed(b, "it was not erased");
-    if (was_there)                     // the answer was lost, and the request came twice
+    if (was_there)                     // the answer was lost, so the request was sent twice
         return list(b, out);
     cli_say(b->c, "no slot holds an image with the checksum %s", word);
     return EXIT_PROBLEM;
@@ -165,7 +165,8 @@ static void put_event(Buf *out, const uint8_t *e)
     buf_printf(out, "event %u of %lu: %lu, %lu\n", (unsigned)e[8], source, a, b);
 }
 
-// What a board keeps are far fewer; who makes them faster than the line carries them would be asked for ever.
+// A board stores far fewer. Without this limit, a board that produces events faster than the line transfers them would be queried
+// forever.
 enum { EVENTS_SHOWN = 1000 };
 
 static int show_log(BoardLine *b, Buf *out)

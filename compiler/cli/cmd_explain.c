@@ -47,7 +47,7 @@ static void explain_all(Buf *out)
         }
 }
 
-// As it stands at the end of a message, [W0901 abort-blind], without its brackets.
+// Accepts the form at the end of a message, [W0901 abort-blind], and removes its brackets.
 static const char *bare(Cli *c, const char *name)
 {
     size_t n = strlen(name + (*name == '['));
@@ -56,7 +56,7 @@ static const char *bare(Cli *c, const char *name)
     return format_in(&c->session.arena, "%.*s", (int)(n && name[n - 1] == ']' ? n - 1 : n), name);
 }
 
-// Of several names those that are known are explained.
+// If some names are unknown, the known ones are still explained.
 static int explain_names(Cli *c, Buf *out)
 {
     int code = EXIT_OK;

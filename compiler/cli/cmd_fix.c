@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc fix FILE…: makes the edits that the findings of `smc check` propose, tells them, and says what is left.
+// smc fix FILE…: applies the edits that the findings of `smc check` propose, lists them, and reports the remaining findings.
 #include <string.h>
 
 #include "compiler/cli/cli.h"
 #include "compiler/syntax/parse.h"
 
-enum { ROUNDS = 10 };         // one edit may bring another mistake to light
+enum { ROUNDS = 10 };         // one edit can reveal another error
 
 typedef struct Fix {
     Cli *c;
-    Source **src, **was;      // of each argument, as it is by now and as it was read
-    size_t *fixed;            // findings of each that are gone
-    const Source *sv;         // of --sv; NULL: none
+    Source **src, **was;      // of each argument: the current text, and the text as read
+    size_t *fixed;            // number of findings fixed in each
+    const Source *sv;         // from --sv; NULL: none
     size_t machines;
 } Fix;
 
-// ---- what there is to say ----
+// ---- messages ----
 
 static const Source *state_vector(const Fix *f)
 {
@@ -91,7 +91,7 @@ static size_t count(const Diags *d, DiagCode code)
     return n;
 }
 
-// Where the first error of a file stands; UINT32_MAX: there is none.
+// Returns the position of the first error of a file; UINT32_MAX if there is none.
 static uint32_t first_error(const Diags *d, const Source *src)
 {
     for (size_t i = 0; i < d->list.n; i++)
@@ -100,8 +100,8 @@ static uint32_t first_error(const Diags *d, const Source *src)
     return UINT32_MAX;
 }
 
-// Some mistakes are gone, and as far as errors go no others have come: less of something that could be edited is left.  Or the first
-// error is gone, and has brought to light one further on.
+// A round is better in one of two cases. Some findings are fixed and no other errors appeared, so fewer editable findings remain. Or the
+// first error is fixed, and a later one was revealed.
 static bool is_better(const Diags *now, const Source *src, const Diags *before, const Source *was)
 {
     const uint32_t grown = src->len > was->len ? src->len - was->len : 0, old = first_error(before, was);
@@ -118,7 +118,7 @@ static bool is_better(const Diags *now, const Source *src, const Diags *before, 
     return false;
 }
 
-// One round on one file; false if there was nothing to do, or it did not help.
+// Runs one round on one file; returns false if there was nothing to do, or it did not help.
 static bool improve(Fix *f, size_t i)
 {
     Cli *c = f->c;

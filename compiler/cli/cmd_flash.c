@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc flash: an image to a board, over a serial line.  Until the board has it whole and verified, what ran before stays chosen.
+// smc flash: sends an image to a board over a serial line. The previous image stays selected until the board has received and verified
+// the whole new one.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,10 +12,10 @@
 #include "compiler/cli/board_line.h"
 #include "compiler/cli/key.h"
 
-// What the image asks for, wherever it runs, its state vector included: what the VM itself needs differs from computer to computer.
+// The requirements of the image on any computer, its state vector included. The VM's own requirements differ between computers.
 typedef struct Needs { uint32_t ram, longest, machines, windows, cycles; } Needs;
 
-// What a pin takes in a step, in cycles of an ATmega: the most that tests/avr/run_pins.c saw, rounded up.
+// The cost of a pin in a step, in cycles of an ATmega: the maximum measured by tests/avr/run_pins.c, rounded up.
 enum { DIGITAL_CYCLES = 400, INPUT_CYCLES = 5000, OUTPUT_CYCLES = 5000 };
 
 static void need_pins(const DeviceInfo *info, const Source *image, Needs *n)
@@ -61,7 +62,7 @@ static int no_time(Cli *c, const Source *image, uint32_t cycles, uint32_t period
     return EXIT_PROBLEM;
 }
 
-// Before a byte is sent.
+// Checks the size limits before a byte is sent.
 static int fits(Cli *c, const BoardLine *b, const Source *image, const SmvmVerdict *v, uint16_t period)
 {
     const DeviceInfo *i = &b->info;
@@ -106,7 +107,7 @@ static int wrong_pin(Cli *c, const Source *image, const SmvmPin *p, const SmvmPi
     return EXIT_PROBLEM;
 }
 
-// Each is asked about: what a board of this kind would refuse, or leave lying, is not sent.
+// Queries the board about each pin. An image is not sent if a board of this kind would refuse or ignore one of its pins.
 static int pins_are_there(BoardLine *b, const Source *image)
 {
     SmvmPin at[SMVM_NO_PIN] = {{0}};   // by place
@@ -127,7 +128,7 @@ static int pins_are_there(BoardLine *b, const Source *image)
     return EXIT_OK;
 }
 
-// ---- what the board takes now ----
+// ---- what the board accepts now ----
 
 static int is_signed(Cli *c, BoardLine *b, const Source *image)
 {
@@ -154,7 +155,7 @@ static bool is_same(const DeviceImage *there, const Source *image, uint16_t peri
     return there->length == image->len && there->checksum == smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4) && there->period == period;
 }
 
-// Whether the board's own answer would be no: what it runs already is not sent, and so not asked about.
+// Whether the board itself would accept the image. If the board already runs it, nothing is sent and this is not checked.
 static int is_welcome(Cli *c, BoardLine *b, const Source *image, uint16_t period, const DeviceImage *now)
 {
     DeviceImage trial;
@@ -188,7 +189,7 @@ static void show(void *context, uint32_t done)
     }
 }
 
-// What became of what ran before an update that failed before it was chosen.
+// Reports the state of the previous image after an update that failed before the new one was selected.
 static void say_what_runs(BoardLine *b, const DeviceImage *before)
 {
     DeviceImage now;
@@ -274,7 +275,7 @@ static int update(BoardLine *b, const Source *image, uint16_t period, const Devi
     return say_done(b, &u, before);
 }
 
-// 5.46: where it cannot be confirmed as soon as it runs.
+// 5.46: warns about an image that cannot be confirmed as soon as it runs.
 static void warn_of_starts(Cli *c, const Source *image)
 {
     SmvmMachine m;
@@ -293,7 +294,7 @@ static void warn_of_no_pins(BoardLine *b, const Source *image)
         cli_say(b->c, "warning: %s names no pins: on this board it reads nothing and moves nothing; 'smc build' takes them with --io=FILE", image->name);
 }
 
-// Armed or not safe.  A machine on trial that comes into no safe state by itself is got rid of by starts.
+// The machine is armed or not safe. Restarts discard a machine on trial that never reaches a safe state.
 static int not_now(BoardLine *b)
 {
     DeviceImage now;
@@ -338,7 +339,7 @@ static int flash(Cli *c, BoardLine *b, const Source *image, const SmvmVerdict *v
     return EXIT_OK;
 }
 
-// "20" or "20ms"; 0: it is not given.
+// Accepts "20" or "20ms"; 0: not given.
 static bool period_known(Cli *c, uint16_t *period)
 {
     const char *word = c->given[OPT_PERIOD] ? c->value[OPT_PERIOD] : NULL;
@@ -353,7 +354,8 @@ static bool period_known(Cli *c, uint16_t *period)
     return word[0] >= '0' && word[0] <= '9' && n >= 1 && n <= UINT16_MAX && (!*end || strcmp(end, "ms") == 0);
 }
 
-// A board tells which key it has, but finds out only when it has the image whole that it was changed since; one with one slot has lost by then what it ran.
+// A board reports which key it has. But it detects a modified image only after receiving all of it; a board with one slot has then lost
+// its previous image.
 static int is_signed_with(Cli *c, const Source *image)
 {
     uint8_t key[SMVM_KEY];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc graph: the state diagram of a machine, with what was found in it and where its scripts have been.
+// smc graph: draws the state diagram of a machine, with its findings and the parts that its scripts have reached.
 #include <string.h>
 
 #include "compiler/cli/runs.h"
@@ -18,7 +18,7 @@ static PutGraph *find_format(Cli *c)
     return cli_format(c, formats, FORMATS, &i) ? put[i] : NULL;
 }
 
-// With scripts, what their runs have done is drawn over it.
+// With scripts, the diagram shows the results of their runs.
 static int count_runs(Cli *c, const Analysis *a, const Program *scripted, Source *const *ss, Report *r)
 {
     r->arena = &c->session.arena;
@@ -26,7 +26,7 @@ static int count_runs(Cli *c, const Analysis *a, const Program *scripted, Source
     return runs_make(c, r, scripted, ss);
 }
 
-// The diagram shows how far a script came that failed.
+// The diagram shows how far a failed script got.
 static int tell_failures(Cli *c, const Report *r)
 {
     int code = EXIT_OK, said;
@@ -39,7 +39,7 @@ static int tell_failures(Cli *c, const Report *r)
     return code;
 }
 
-// The diagram shows what the report says: warnings that are switched off are not marked.  `scripted`: p, compiled for scripts.
+// The diagram shows the same findings as the report: disabled warnings are not marked. `scripted`: p, compiled for scripts.
 static int draw(Cli *c, const Program *p, const Program *scripted, PutGraph *put, Source *const *ss)
 {
     Diags found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc disasm and smc verify: images inspected with the device's own code.
+// smc disasm and smc verify: inspect images with the device's own code.
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
 #include "compiler/cli/key.h"
@@ -9,7 +9,7 @@ static void put_text(void *context, const char *text, size_t length)
     buf_put(context, text, length);
 }
 
-// What to do about an image that is refused; NULL: only who made it can tell.
+// Returns what to do about a refused image; NULL if only its creator can know.
 static const char *advice(uint8_t rule)
 {
     switch (rule) {
@@ -20,7 +20,7 @@ static const char *advice(uint8_t rule)
     }
 }
 
-// Where images lie on a board there may be anything behind them; a file holds nothing else.
+// On a board, arbitrary bytes can follow an image; a file must not contain any.
 static int ends_in_time(Cli *c, const Source *image)
 {
     const uint32_t length = smvm_uint((SmvmBytes)image->text, SMVM_LENGTH_AT, 3);
@@ -96,7 +96,7 @@ static void describe(const char *name, const Source *image, Buf *out)
     describe_pins(name, image, out);
 }
 
-// Says whether an image is signed; with a key, also whether with that.
+// Reports whether an image is signed; with a key, also whether it is signed with that key.
 static int describe_code(Cli *c, const Source *image, const uint8_t *key, Buf *out)
 {
     SmvmAuth a;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc log: what a flight log holds.
+// smc log: shows the contents of a flight log.
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,7 +17,7 @@ static const uint32_t size_most = 0x7FFFFFFF;
 
 // ---- the file ----
 
-// *bytes are what the log goes on lying in: the caller gives them back.
+// The log keeps referring to *bytes; the caller frees them.
 static Log *read_log(Cli *c, const char *path, char **bytes)
 {
     const char *why;
@@ -30,7 +30,7 @@ static Log *read_log(Cli *c, const char *path, char **bytes)
     return log_read(&c->session.arena, (const uint8_t *)*bytes, (uint32_t)n);
 }
 
-// What is to be said of damage; 0, or EXIT_PROBLEM when there is nothing else.
+// Reports damage. Returns 0, or EXIT_PROBLEM if the log contains nothing else.
 static int judge(Cli *c, const char *path, const Log *log)
 {
     if (log->newer)
@@ -79,7 +79,7 @@ static int unknown(Cli *c, const Flight *f, const char *what, const char *name, 
     return EXIT_PROBLEM;
 }
 
-// Of the session that is shown; of the last, where all are.
+// The description of the shown session; of the last one, if all are shown.
 static const LogDescription *described(const Flight *f)
 {
     return f->session ? f->session->d : f->log->session.at[f->log->session.n - 1]->d;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc report: one page about a machine for a design review.  Findings are those of `smc check` with the same files; costs are of
-// the image that `smc build` makes; the scripts are run on the VM, on an image with names.
+// smc report: one page about a machine for a design review. Findings are those of `smc check` with the same files. Costs are
+// those of the image that `smc build` makes. The scripts run on the VM, on an image with names.
 #include <string.h>
 
 #include "bytecode-vm/smvm.h"
@@ -18,7 +18,7 @@ typedef struct ReportCommand {
     Cli *c;
     const char *machine;
     const Source *sm, *sv, *pins;
-    const IoMap *io;          // of the image that flies; or NULL
+    const IoMap *io;          // of the flight image; or NULL
     const Program *scripted;  // the machine, compiled for its scripts
     Report r;
 } ReportCommand;

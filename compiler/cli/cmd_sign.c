@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc sign: an image gets a number and the code of a key.
+// smc sign: adds a number and an authentication code, made with a key, to an image.
 #include <time.h>
 
 #include "compiler/cli/key.h"
 #include "compiler/device/sign.h"
 
-// Of the first second of 2020.  And numbers beyond which there would be too few: no mistake uses up those that a board can still take.
+// Numbers count seconds from the start of 2020. Numbers above MOST are refused, so that no mistake uses up those that a board can still
+// accept.
 enum { YEAR_2020 = 1577836800 };
 #define MOST 4000000000u
 
-// Time grows by itself, on every computer that signs.
+// Time increases on every computer that signs, so it serves as the default number.
 static bool by_the_clock(Cli *c, uint32_t *number)
 {
     const int64_t seconds = (int64_t)time(NULL) - YEAR_2020;

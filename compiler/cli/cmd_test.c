@@ -5,7 +5,7 @@
 #include "compiler/cli/test.h"
 #include "compiler/device/engine_c.h"
 
-enum { FOLDER_DEPTH_MAX = 40 };       // folders in folders: a link may lead in a circle
+enum { FOLDER_DEPTH_MAX = 40 };       // nesting of folders: a link can form a cycle
 
 const char *test_folder(Arena *arena, const char *path)
 {
@@ -51,7 +51,7 @@ static void collect(TestRun *t, const char *path, int depth)
     os_alloc(NULL, names, 0);
 }
 
-// A case or folder that the call names; one without any case is a mistake.
+// Collects a case or folder that the call names; a folder without any case is an error.
 static void collect_argument(TestRun *t, const char *path)
 {
     size_t before = t->path.n + t->result.n;
@@ -63,7 +63,7 @@ static void collect_argument(TestRun *t, const char *path)
     add_error(t, path, "no .smt case is in it", EXIT_PROBLEM);
 }
 
-// ---- what comes out ----
+// ---- results ----
 
 static bool is_standard_output(const Cli *c, OptionId id) { return c->given[id] && strcmp(c->value[id], "-") == 0; }
 
@@ -73,7 +73,7 @@ int test_result_fd(const Cli *c) { return is_standard_output(c, OPT_TRACE) ? 2 :
 
 static bool all_engines(const Cli *c) { return c->given[OPT_ENGINE] && strcmp(c->value[OPT_ENGINE], "all") == 0; }
 
-// Only emitted C depends on anything outside smc.
+// Only emitted C depends on tools outside smc.
 unsigned test_absent_engines(TestRun *t, unsigned which)
 {
     which &= 1u << ENGINE_C | 1u << ENGINE_C_SOFT;
@@ -116,7 +116,7 @@ static int write_results(TestRun *t, bool summary)
     return cli_write(t->c, &junit, 1);
 }
 
-// The gravest of the results: a bug of ours before a fault of the environment before a problem of the user's.
+// Returns the most serious result: a bug of smc, then a fault of the environment, then a problem in the user's input.
 static int exit_code(const TestRun *t)
 {
     int code = EXIT_OK;

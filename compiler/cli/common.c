@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every subcommand needs: messages, sources in, outputs out, the report of diagnostics.
+// Functions for every subcommand: messages, reading sources, writing outputs, reporting diagnostics.
 #include "compiler/cli/cli.h"
 #include "compiler/version.h"
 
@@ -12,7 +12,7 @@ static bool speaks(const Cli *c, const char *format)
     return strcmp(c->given[OPT_FORMAT] ? c->value[OPT_FORMAT] : "text", format) == 0;
 }
 
-// What reads JSON or SARIF reads this too.
+// Programs that read JSON or SARIF read these messages too.
 static void say_to_machine(Cli *c, const char *severity, const char *sentence)
 {
     Buf out;
@@ -110,7 +110,7 @@ Source *cli_load(Cli *c, const char *path)
     return source_new(&c->session.arena, strcmp(path, "-") == 0 ? "<stdin>" : path, copy, len);
 }
 
-// Its mistakes are reported when it is compiled, not here.
+// Errors in the script are reported when it is compiled, not here.
 static uint64_t note_script(Cli *c, const Source *ss, Map *written)
 {
     Diags real = c->session.diags;
@@ -274,7 +274,7 @@ static bool format_unknown(Cli *c, const CliFormat *format, size_t formats)
     return false;
 }
 
-// A file called so would be written, and whatever opens it would call it damaged.
+// smc would write a file with this ending, but programs that open it would report it as damaged.
 static bool ends_foreign(Cli *c, const CliFormat *format, size_t formats)
 {
     static const char *const foreign[] = {".pdf", ".png", ".jpg", ".jpeg", ".gif", ".docx", ".doc", ".xlsx", ".pptx"};
@@ -293,7 +293,7 @@ static bool ends_foreign(Cli *c, const CliFormat *format, size_t formats)
     return true;
 }
 
-// Nobody has said where to or what, and a terminal would be full of it.
+// The call names neither an output nor a format, and the output would flood the terminal.
 static bool floods_terminal(Cli *c, const CliFormat *format)
 {
     if (c->given[OPT_OUTPUT] || !format->viewer || !os_is_terminal(1))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// -MD, -MF, -MT, -MP: what an output depends on, as a make rule.
+// -MD, -MF, -MT, -MP: the dependencies of an output, as a make rule.
 #include "compiler/cli/deps.h"
 
 #include <string.h>
@@ -25,7 +25,7 @@ static void put_make_name(Buf *out, const char *name)
     }
 }
 
-// Beside the output, its ending replaced.
+// Returns the output's path with its ending replaced.
 static const char *deps_path(Cli *c, const char *output)
 {
     const char *slash = strrchr(output, '/'), *name = slash ? slash + 1 : output, *dot = strrchr(name, '.');
@@ -39,7 +39,7 @@ static const char *deps_path(Cli *c, const char *output)
 static void put_targets(Cli *c, const OsOutput *products, size_t n, Buf *out)
 {
     if (c->given[OPT_DEPS_NAME])
-        buf_str(out, c->value[OPT_DEPS_NAME]);             // as it is, as compilers do: it may be several names
+        buf_str(out, c->value[OPT_DEPS_NAME]);             // verbatim, as compilers do: it can be several names
     else
         for (size_t i = 0; i < n; i++) {
             buf_str(out, i ? " " : "");

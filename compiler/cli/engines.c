@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engines that this build has, by name.
+// The engines of this build, by name.
 #include <string.h>
 
 #include "compiler/cli/test.h"

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What smc fix changed in a file, line by line: where two texts differ, the next lines that both have are those nearest.
+// Lists the changes of smc fix in a file, line by line. Where two texts differ, they are resynchronised at the nearest lines that both
+// contain.
 #include <string.h>
 
 #include "compiler/cli/cli.h"
 
 typedef struct Texts { const Source *was, *is; } Texts;
 
-static bool same(const Texts *t, uint32_t i, uint32_t k)         // line i of what was and line k of what is
+static bool same(const Texts *t, uint32_t i, uint32_t k)         // line i of `was` and line k of `is`
 {
     uint32_t n, m;
     const char *a = source_line(t->was, i, &n), *b = source_line(t->is, k, &m);
@@ -14,7 +15,7 @@ static bool same(const Texts *t, uint32_t i, uint32_t k)         // line i of wh
     return n == m && memcmp(a, b, n) == 0;
 }
 
-// How many lines differ from i and k on, until both go on alike or end.
+// Finds how many lines differ from i and k on, until both texts continue with equal lines or end.
 static void find_change(const Texts *t, uint32_t i, uint32_t k, uint32_t *gone, uint32_t *come)
 {
     const uint32_t n = t->was->lines + 1 - i, m = t->is->lines + 1 - k;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc key, and reading what it makes: a key file is a line of 32 hexadecimal digits.
+// smc key, and reading key files: a key file is a line of 32 hexadecimal digits.
 #include "compiler/cli/key.h"
 
 #include <string.h>
@@ -63,7 +63,7 @@ bool key_signed(Cli *c, const Source *image, const uint8_t *key, const char *the
     return false;
 }
 
-// Which key it is, as boards and images tell it.
+// Prints which key it is, in the form that boards and images report.
 static int say_mark(Cli *c, const uint8_t *key)
 {
     Buf out;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// --step, and --max-ram, --max-step and --max-cycles: a machine that takes more than a board gives is an error, found where it is built.
+// --step, and --max-ram, --max-step and --max-cycles: a machine that needs more than a board has is an error, reported when it is built.
 #include "compiler/analysis/cost.h"
 #include "compiler/cli/cli.h"
 
 #include <string.h>
 
-enum { LINES_SHOWN = 3 };             // of the longest step, those that take most of it
+enum { LINES_SHOWN = 3 };             // of the longest step: the most expensive ones
 
-// A whole number from 1; 0: it is none.
+// Returns a whole number from 1; 0 if the text is not one.
 static uint32_t number_in(const char *text)
 {
     uint32_t n = 0;
@@ -57,7 +57,7 @@ static const CostWindow *largest_window(const Cost *cost)
     return most;
 }
 
-// Where a window of that size is asked for; without one, the start of the machine.
+// Returns where a window of that size is used; without one, the start of the machine.
 static Span place_of_window(const Program *p, const CostWindow *w)
 {
     for (size_t i = 0; w && i < p->window.n; i++)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The smc command: finds the subcommand, reads its options, runs it.  Out of memory anywhere lands here.
+// The smc command: finds the subcommand, reads its options, runs it. Out of memory anywhere returns here by longjmp.
 #include <stdio.h>
 #include <string.h>
 

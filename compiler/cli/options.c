@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns argv into the fields of Cli, as options.def says, and the same table into help.
+// Parses argv into the fields of Cli according to options.def, and prints the same table as help.
 #include "compiler/cli/cli.h"
 
 #include <stdio.h>
@@ -15,7 +15,7 @@ static const OptionInfo option_info[OPT_COUNT] = {
 
 static bool is_joined(const OptionInfo *o) { return o->value && o->value[0] == '='; }
 
-// A subcommand's letter in options.def: its first, a capital one where another began with that before.
+// Returns a subcommand's letter in options.def: its first letter, or a capital one if an earlier subcommand already uses it.
 static char letter(const Command *command)
 {
     return strcmp(command->name, "flash") == 0 ? 'F' : strcmp(command->name, "device") == 0 ? 'D' : command->name[0];
@@ -28,7 +28,7 @@ static bool applies(const OptionInfo *o, const Command *command)
 
 const char *nearest_name(const char *name, const char *const *names, size_t n)
 {
-    size_t best = strlen(name) / 3 + 2;       // a third of the letters may be wrong, and one
+    size_t best = strlen(name) / 3 + 2;       // up to a third of the letters, plus one, can be wrong
     const char *found = NULL;
 
     for (size_t i = 0; i < n; i++) {
@@ -41,7 +41,7 @@ const char *nearest_name(const char *name, const char *const *names, size_t n)
     return found;
 }
 
-// Which option `arg` spells, and where its joined value starts (NULL: none).  OPT_COUNT if it is none of ours.
+// Finds the option that `arg` spells, and where its joined value starts (NULL: none). Returns OPT_COUNT for an unknown option.
 static OptionId recognise(const char *arg, const char **value)
 {
     *value = NULL;
@@ -117,7 +117,7 @@ static bool one_of(Cli *c, OptionId id, const char *const *allowed, size_t n, co
     return false;
 }
 
-// A SARIF document stands for one run: only what reports once can write one.
+// A SARIF document describes one run, so only a command that reports once can write one.
 static bool sarif_fits(Cli *c)
 {
     if (!c->given[OPT_FORMAT] || strcmp(c->value[OPT_FORMAT], "sarif") != 0 || strcmp(c->command->name, "check") == 0 ||
@@ -137,7 +137,7 @@ static bool warnings_known(Cli *c)
     return !wrong;
 }
 
-// It goes into a make rule as it is, and no file of that name is opened.
+// The name is copied verbatim into a make rule; no file of that name is opened.
 static bool target_is_name(Cli *c)
 {
     if (!c->given[OPT_DEPS_NAME] || os_is_name(c->value[OPT_DEPS_NAME]))

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a command may write to.  Sources, inputs and keys are never replaced; another file only if smc wrote it, or with --force.
+// Decides which files a command can write. Sources, inputs and keys are never replaced; other files only if smc wrote them, or with
+// --force.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
 #include "compiler/cli/key.h"
 
-enum { HEAD = 1 << 16 };                  // bytes of an existing file that are read to recognise it
+enum { HEAD = 1 << 16 };                  // bytes read from an existing file to recognise it
 
 typedef struct Head { const char *at; size_t n; bool is_whole; } Head;
 
 // ---- how files of smc begin ----
 
-// Whether text begins like `pattern`, in which * is any text within a line.
+// Whether text begins with `pattern`, in which * matches any text within a line.
 static bool begins_like(const char *text, const char *end, const char *pattern)
 {
     for (; *pattern; pattern++, text++) {
@@ -34,7 +35,7 @@ static bool is_image(const Head *h)
     return h->n >= 4 && (b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16) == SMVM_MAGIC;
 }
 
-// The next word of a make rule, blanks and '#' in it behind a backslash; false at the end of the line.
+// Reads the next word of a make rule, where a backslash escapes blanks and '#'; returns false at the end of the line.
 static bool next_make_word(const char **at, const char *end, const char **word, size_t *n)
 {
     while (*at < end && **at == ' ')
@@ -53,8 +54,8 @@ static bool ends_in(const char *word, size_t n, const char *ending)
     return n > m && memcmp(word + n - m, ending, m) == 0;
 }
 
-// What -MD writes has no place for a mark, but a form of its own: one rule without commands whose prerequisites are sources (none
-// where the machine came from standard input), and below it with -MP an empty rule for each.
+// The output of -MD has no room for a mark, but it has a fixed form. It is one rule without commands whose prerequisites are sources
+// (none if the machine came from standard input). With -MP an empty rule for each follows.
 static bool is_make_rule(const Head *h)
 {
     const char *end = h->at + h->n, *at = memchr(h->at, ':', h->n), *word, *first_end;
@@ -62,7 +63,7 @@ static bool is_make_rule(const Head *h)
     size_t n;
 
     while (!h->is_whole && end > h->at && end[-1] != ' ' && end[-1] != '\n')
-        end--;                                    // the last word may be cut
+        end--;                                    // the last word may be truncated
     first_end = memchr(h->at, '\n', (size_t)(end - h->at));
     first_end = first_end || h->is_whole ? first_end : end;
     if (!at || !first_end || at >= first_end || *h->at == '\t' || *h->at == ' ')
@@ -126,7 +127,7 @@ static bool is_exact_trace(const Head *h)
 
 // ---- tables ----
 
-// A field of CSV; *n: its length.  False: the line is not of the form that smc writes.
+// Reads a field of CSV; *n: its length. Returns false if the line does not have the form that smc writes.
 static bool next_field(const char **at, const char *lf, const char **field, size_t *n)
 {
     const char *c = *at;
@@ -150,7 +151,7 @@ static bool is_name(const char *at, size_t n)
 {
     size_t i = 0;
 
-    while (i < n && (is_name_char(at[i]) || at[i] == '.'))         // "tank.state" where "state" is taken
+    while (i < n && (is_name_char(at[i]) || at[i] == '.'))         // "tank.state" if "state" is in use
         i++;
     return i == n;
 }
@@ -168,8 +169,8 @@ static bool is_value(const char *at, size_t n)
     return i == n;
 }
 
-// A header that begins with the columns `first`, then lines with a value for each.  `kinds` has a letter for each of these columns: t text,
-// n name, # value.  The other columns have names of elements and hold values.
+// Whether the file is a header that begins with the columns `first`, followed by lines with a value for each. `kinds` has a letter for
+// each of these columns: t text, n name, # value. The other columns are named after elements and contain values.
 static bool is_table(const Head *h, const char *first, const char *kinds)
 {
     const char *at = h->at, *end = h->at + h->n, *lf = memchr(at, '\n', h->n), *field;
@@ -189,7 +190,7 @@ static bool is_table(const Head *h, const char *first, const char *kinds)
                 (at == lf) != (i + 1 == columns))
                 return false;
         }
-    return at == end || !h->is_whole;                              // without its last line feed a line may be cut
+    return at == end || !h->is_whole;                              // without its last line feed, a line may be truncated
 }
 
 static bool is_trace(const Head *h) { return is_table(h, "script,step,G,state", "t##n"); }
@@ -220,7 +221,7 @@ static bool has_word(const char *words, const char *word, size_t n)
     return false;
 }
 
-// The tag that begins at `at`; returns what follows it, or NULL if smc would not have written it there.
+// Reads the tag that begins at `at`. Returns the text after it, or NULL if smc would not have written it there.
 static const char *read_tag(XmlOpen *open, const char *at, const char *end)
 {
     const bool closes = end - at > 1 && at[1] == '/';
@@ -264,7 +265,7 @@ static bool is_junit(const Head *h)
     if (!begins_like(at, end, mark))
         return false;
     at = root = strchr(at, '\n') + 1;
-    while (!h->is_whole && end[-1] != '>')                         // which only ends tags
+    while (!h->is_whole && end[-1] != '>')                         // '>' only ends tags
         end--;
     while (at < end)
         if (*at == '<') {
@@ -280,9 +281,9 @@ static bool is_junit(const Head *h)
 
 // ---- all kinds ----
 
-// Every kind of file that smc writes through an option, and how one is recognised.
+// Every kind of file that smc writes through an option, and how to recognise it.
 static const struct {
-    const char *mark;                     // what it begins with, as begins_like reads it; or NULL
+    const char *mark;                     // its first text, as begins_like reads it; or NULL
     bool (*is_ours)(const Head *h);
 } kinds[] = {
     {NULL, is_image},                                                     // build, sign
@@ -325,7 +326,7 @@ bool outputs_is_source_name(const char *name, size_t n)
     for (size_t i = 0; i < sizeof ending / sizeof *ending; i++) {
         const size_t m = strlen(ending[i]);
         size_t k = 0;
-        while (n >= m && k < m && (name[n - m + k] | (ending[i][k] & 0x20)) == ending[i][k])      // in capitals too
+        while (n >= m && k < m && (name[n - m + k] | (ending[i][k] & 0x20)) == ending[i][k])      // also in capitals
             k++;
         if (k == m)
             return true;
@@ -340,7 +341,7 @@ static bool is_named(const Cli *c, OptionId id, const char *path)
 
 static bool is_input(const Cli *c, const char *path)
 {
-    const size_t files = c->command->run == cmd_sign ? 0                              // sign edits its image
+    const size_t files = c->command->run == cmd_sign ? 0                              // elements are named in arguments after a log
                        : c->command->run == cmd_log && c->files ? 1 : c->files;       // elements are named after a log
 
     for (size_t i = 0; i < files; i++)
@@ -349,7 +350,7 @@ static bool is_input(const Cli *c, const char *path)
     return is_named(c, OPT_SV, path) || is_named(c, OPT_IO, path) || is_named(c, OPT_KEY, path);
 }
 
-// Where a path leads to, links followed; the path itself where that cannot be found.
+// Returns the path with links followed; the path itself if that fails.
 static const char *real_path(Cli *c, const char *path)
 {
     char *real = strcmp(path, "-") == 0 ? NULL : os_real_path(path);
@@ -361,7 +362,7 @@ static const char *real_path(Cli *c, const char *path)
 
 // ---- what is refused ----
 
-// `option`: what named the output, or NULL where the command chose the name.
+// `option`: the option that named the output, or NULL if the command chose the name.
 static int check_name(Cli *c, const char *path, const char *option)
 {
     const char *real = real_path(c, path);
@@ -377,8 +378,8 @@ static int check_name(Cli *c, const char *path, const char *option)
     return EXIT_OK;
 }
 
-// What does not exist, holds nothing or is no regular file has nothing to lose.  A key cannot be made again: boards that have it would
-// refuse every other, so that --force does not replace one.
+// Checks a file that exists. A missing, empty or non-regular file has nothing to lose. --force does not replace a key, because a key
+// cannot be made again: boards that have it would refuse every other key.
 static int check_existing(Cli *c, const char *path)
 {
     char *head;
@@ -420,7 +421,7 @@ int outputs_check(Cli *c, const OsOutput *out, size_t n)
     return code;
 }
 
-// Standard output by its other names is "-", for all that follows.
+// From here on, other names of standard output are replaced with "-".
 static const char *output_named(Cli *c, OptionId id)
 {
     if (c->given[id] && os_own_descriptor(c->value[id]) == 1)
@@ -444,7 +445,7 @@ int outputs_check_options(Cli *c)
                 return cli_usage(c, strcmp(path, "-") == 0 ? "%s and %s cannot both write to standard output" : "%s and %s name the same file",
                                  option[k].spelling, option[i].spelling);
         code = check_name(c, path, option[i].spelling);
-        if (code == EXIT_OK && !(is_build && option[i].id == OPT_OUTPUT))          // -o of a build may be the stem of several names
+        if (code == EXIT_OK && !(is_build && option[i].id == OPT_OUTPUT))          // -o of a build can be the stem of several names
             code = check_existing(c, path);
     }
     return code;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine and its scripts, as smc report and smc graph take them: what they are called with, and how the scripts go on the VM.
+// A machine and its scripts for smc report and smc graph: their arguments, and the runs of the scripts on the VM.
 #ifndef SMC_CLI_RUNS_H
 #define SMC_CLI_RUNS_H
 
 #include "compiler/cli/cli.h"
 #include "compiler/emit/report/report.h"
 
-// The one machine among the arguments, all others of which are scripts.  EXIT_OK, or the exit code after a message.
+// Finds the one machine among the arguments; all others are scripts. Returns EXIT_OK, or the exit code after a message.
 int runs_machine(Cli *c, const char **machine);
 // Reads the scripts, by argument; false after a message.
 bool runs_load(Cli *c, Source ***ss, Map *written);

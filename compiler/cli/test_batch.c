@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many cases.  They are compiled and run by the batch, so that the C emitted for all of a batch is one program and the C
-// compiler, which takes longer than everything else, is started once for it.
+// Runs many cases. Cases are compiled and run in batches, so that the C emitted for a whole batch is one program. The C compiler, which
+// takes longer than everything else, then runs only once per batch.
 #include "compiler/cli/test.h"
 #include "compiler/device/engine_c.h"
 
@@ -9,12 +9,12 @@ enum { BATCH = 50 };
 typedef struct Batch {
     Arena arena;
     TestCase *at[BATCH];
-    Engine *engine[BATCH][ENGINE_KINDS];      // emitted C, of those that want it
+    Engine *engine[BATCH][ENGINE_KINDS];      // emitted C, for the cases that want it
     size_t n;
     EngineCBatch *c[ENGINE_KINDS];            // or NULL
 } Batch;
 
-// Where the whole batch cannot be built, each case builds its own and the one to blame tells why.
+// If the whole batch cannot be built, each case builds its own C, so that the faulty case reports the error.
 static void open_c(Batch *b, EngineKind kind)
 {
     const EngineCOptions o = {.soft = kind == ENGINE_C_SOFT};

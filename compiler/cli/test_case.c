@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One .smt case: its sources are compiled, its scripts run on the engines it names in lock step, and what comes out is
-// held against what the case announces: diagnostics on their lines, outcome, report, trace.
+// Runs one .smt case: compiles its sources and runs its scripts in lock step on the engines that it names. Then compares the results with
+// those that the case expects: diagnostics on their lines, outcome, report, trace.
 #include <inttypes.h>
 #include <string.h>
 
@@ -15,17 +15,17 @@ struct TestCase {
     jmp_buf oom;
     Session s;
     EngineSet engines;
-    char *text;               // of the file, from the heap
-    Warnings warn;            // what its header `warn` asks for
+    char *text;               // of the file; on the heap
+    Warnings warn;            // as its header `warn` selects
     Source **src;             // of each part that is a source
-    Buf why;                  // what is wrong, a line or more each
-    int code;                 // the exit code of that; 0: EXIT_PROBLEM
+    Buf why;                  // the problems, one or more lines each
+    int code;                 // the exit code for them; 0: EXIT_PROBLEM
     unsigned which;           // engines it runs on
     Program *p;
-    IrMachine *ir;            // of p, where emitted C is among them
-    Script **script;          // by part; NULL where there is none or it has errors
+    IrMachine *ir;            // of p, if emitted C is among them
+    Script **script;          // by part; NULL: no script, or it has errors
     bool is_ready;            // compiled without errors, and there are scripts to run
-    bool is_done;             // nothing more to do: `result` stands
+    bool is_done;             // nothing more to do: `result` is final
     TestResult result;
 };
 
@@ -65,7 +65,7 @@ static const char *unknown_key(Case *c)
     return NULL;
 }
 
-// `warn extra no-dead-code`: what stands behind -W.  Gives what is wrong with it, or NULL.
+// `warn extra no-dead-code`: the words after -W. Returns what is wrong with them, or NULL.
 static const char *read_warnings(Case *c)
 {
     const char *words = testfile_header(c->f, "warn");
@@ -80,7 +80,7 @@ static const char *read_warnings(Case *c)
     return warnings_complaint(&c->s.arena, &c->warn);
 }
 
-// What is wrong with the file itself, or NULL.
+// Returns what is wrong with the file itself, or NULL.
 static const char *malformed(Case *c)
 {
     const TestFile *f = c->f;
@@ -129,7 +129,7 @@ static void make_sources(Case *c)
     }
 }
 
-// The locals that scripts write.  Mistakes in a script are reported when it is compiled.
+// Collects the locals that scripts write. Errors in a script are reported when it is compiled.
 static void collect_written(Case *c, Map *written)
 {
     c->s.diags.muted = true;
@@ -149,7 +149,7 @@ static bool wants_analyses(const Case *c)
     return c->warn.n > 0 || (analyses && strcmp(analyses, "on") == 0);
 }
 
-// The machine that runs the scripts.  What is found is found in the machine as it flies.
+// Compiles the machine that runs the scripts. All findings come from the machine as it flies.
 static Program *compile_machine(Case *c)
 {
     Map written = {&c->s.arena, NULL, NULL, 0, 0};
@@ -189,7 +189,7 @@ static void compile_scripts(Case *c)
             c->script[i] = session_script(&c->s, c->src[i], c->p);
 }
 
-// The files that an application names are the parts of those names.
+// Parts of the file supply the files that an application names.
 static void compile_app(Case *c)
 {
     AstFile *tree = parse_file(&c->s.arena, &c->s.strings, &c->s.diags, find_source(c, ".app"), FILE_APP);
@@ -221,7 +221,7 @@ static void compile_case(Case *c)
         c->ir = session_ir(&c->s, c->p, option_level(c->t->c));
 }
 
-// ---- diagnostics, both ways ----
+// ---- diagnostics: missing and unexpected ----
 
 static bool mentions(const Diag *d, const char *text)
 {
@@ -342,7 +342,7 @@ static void run_scripts(Case *c, Engine *const *emitted)
         own &= emitted[kind] ? ~(1u << kind) : ~0u;
     if (!engines_open(&c->engines, &c->s, c->p, own, option_level(c->t->c))) {
         complain(c, c->engines.error);
-        if (c->s.diags.errors == 0)           // else an image may be too large
+        if (c->s.diags.errors == 0)           // otherwise an image can be too large
             c->code = EXIT_ENVIRONMENT;
         return;
     }
@@ -358,7 +358,7 @@ static void run_scripts(Case *c, Engine *const *emitted)
 
 // ---- the case ----
 
-// Of those that the case wants and the call asks for, the ones that it runs on.
+// Returns the engines that the case wants and the call requests, without those that are not available.
 static unsigned choose_engines(Case *c)
 {
     const char *on = testfile_header(c->f, "on");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine and its scripts: compiled, run, reported.
+// Compiles a machine and its scripts, runs the scripts and reports the results.
 #include <string.h>
 
 #include "compiler/cli/test.h"
@@ -7,10 +7,10 @@
 typedef struct MachineTest {
     TestRun *t;
     const char *path;         // of the machine
-    double begin;             // when the current script began
+    double begin;             // start time of the current script
     Program *p;
     EngineSet engines;
-    Source **ss;              // by argument: the scripts, read once; NULL: no script, or it cannot be read
+    Source **ss;              // by argument: the scripts, each read once; NULL: not a script, or unreadable
     const char **problem;     // by argument: why a script cannot be read
     Buf report;               // of the last script
     TestTrace *trace;         // or NULL
@@ -23,7 +23,7 @@ static void add_result(MachineTest *m, const char *path, TestStatus status, cons
     vec_push(m->t->arena, &m->t->result, r);
 }
 
-// All scripts, where none of them can run.
+// Adds an error for every script when none of them can run.
 static void add_errors(MachineTest *m, const char *message, int code)
 {
     Cli *c = m->t->c;
@@ -31,13 +31,13 @@ static void add_errors(MachineTest *m, const char *message, int code)
     for (size_t i = 0; i < c->files; i++)
         if (has_suffix(c->file[i], ".ss")) {
             add_result(m, c->file[i], TEST_BROKEN, message, code);
-            m->begin = os_seconds();          // the time that it took to find out counts once
+            m->begin = os_seconds();          // count the time spent so far only once
         }
 }
 
 // ---- one script ----
 
-// Prints what the session's diagnostics say and keeps it for the result's message.
+// Prints the session's diagnostics and stores them for the result's message.
 static int report_diagnostics(TestRun *t, const char **text)
 {
     DiagStyle plain = {false, 20};
@@ -123,7 +123,7 @@ static int compile_machine(MachineTest *m, const char *path)
     return m->p ? EXIT_OK : EXIT_PROBLEM;
 }
 
-// Without them no script runs, and each has an error for a result.
+// Opens the engines. If this fails, no script runs and the result of each is an error.
 static bool open_engines(MachineTest *m)
 {
     TestRun *t = m->t;
@@ -135,7 +135,7 @@ static bool open_engines(MachineTest *m)
     if (engines_open(&m->engines, &t->c->session, m->p, which, option_level(t->c)))
         return true;
     cli_say(t->c, "%s", m->engines.error);
-    code = report_diagnostics(t, &message) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // an image may be too large
+    code = report_diagnostics(t, &message) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // an image can be too large
     add_errors(m, format_in(t->arena, "%s\n%s", m->engines.error, message), code);
     return false;
 }

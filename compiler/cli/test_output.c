@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of smc test, all together: for people, as JUnit XML and in the Test Anything Protocol.
+// Writes the results of smc test after all tests: for people, as JUnit XML and in the Test Anything Protocol.
 #include <string.h>
 
 #include "compiler/base/utf8.h"
@@ -14,7 +14,7 @@ static size_t first_line(const char *text)
     return lf ? (size_t)(lf - text) : strlen(text);
 }
 
-// The line that says why: of diagnostics the first error, whatever warnings stand above it.
+// Returns the line that gives the reason: the first error among diagnostics, even after warnings.
 static const char *line_of_failure(const char *text)
 {
     const char *error = strstr(text, ": error: ");
@@ -37,7 +37,7 @@ static size_t count(const TestRun *t, TestStatus status)
     return n;
 }
 
-// Where many scripts failed, what was printed of each is long: a line each, at the end.
+// If many scripts failed, their output is long; this adds one line for each at the end.
 static void put_failed(const TestRun *t, Buf *out)
 {
     size_t scripts = 0;
@@ -71,7 +71,7 @@ static bool is_xml_character(uint32_t code)
     return code == '\t' || code == '\n' || (code >= 0x20 && code != 0x7f && code != 0xfffe && code != 0xffff);
 }
 
-// One character; what XML cannot hold, as control bytes and bytes that are not UTF-8, becomes U+FFFD.
+// Writes one character. Bytes that XML cannot contain, such as control bytes and invalid UTF-8, become U+FFFD.
 static size_t put_xml_character(Buf *out, const char *s, size_t n, bool is_attribute)
 {
     uint32_t code = 0;
@@ -102,7 +102,7 @@ static void put_attribute(Buf *out, const char *name, const char *value, size_t 
     buf_char(out, '"');
 }
 
-// The code of a diagnostic that its line ends with: "E0750" of "... [E0750]".
+// Writes the code of a diagnostic at the end of its line: "E0750" for "... [E0750]".
 static void put_type(Buf *out, const char *line, size_t n)
 {
     size_t at = n;
@@ -122,7 +122,7 @@ static void put_time(Buf *out, double seconds)
 
 static bool is_case(const char *path) { return has_suffix(path, ".smt"); }
 
-// A machine or a folder as a class of Java, whose packages readers show as a tree: "flight.tank" of "flight/tank.sm".
+// Writes a machine or a folder as a Java class name, because readers show Java packages as a tree: "flight.tank" for "flight/tank.sm".
 static void put_classname(Buf *out, Arena *arena, const char *suite)
 {
     const size_t end = strlen(suite) - (has_suffix(suite, ".sm") ? 3 : 0);
@@ -166,7 +166,7 @@ static void put_testcase(Buf *out, const TestResult *r)
 
 typedef struct Totals { size_t by_status[TEST_SKIPPED + 1], tests; double seconds; } Totals;
 
-// Of one suite; of all where it is NULL.
+// Adds up one suite, or all suites if `suite` is NULL.
 static Totals add_up(const TestRun *t, const char *suite)
 {
     Totals all = {{0}, 0, 0};
@@ -230,7 +230,7 @@ void test_write_junit(const TestRun *t, Buf *out)
 
 // ---- TAP ----
 
-// A name on its line: no line end, and no # that would begin a directive.
+// Writes a name on its line, without line ends and without a # that would begin a directive.
 static void put_tap_name(Buf *out, const char *s)
 {
     for (; *s; s++) {

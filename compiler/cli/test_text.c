@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports and traces held against what a case expects, line by line.
+// Compares reports and traces with those that a case expects, line by line.
 #include <string.h>
 
 #include "compiler/cli/test.h"

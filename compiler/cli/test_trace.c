@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc test --trace: one file for all scripts of the call, written as it grows.
+// smc test --trace: one file for all scripts of the call, written incrementally.
 #include <string.h>
 
 #include "compiler/cli/test.h"
 
-enum { BLOCK = 1 << 16, NEAR_MOST = 3 };      // bytes gathered before they are written; names that a mistake is compared with
+enum { BLOCK = 1 << 16, NEAR_MOST = 3 };      // bytes buffered before a write; most suggestions for a misspelt name
 
 struct TestTrace {
     Cli *c;
@@ -13,10 +13,10 @@ struct TestTrace {
     size_t columns;
     bool is_exact;
     const char *script;           // the current one; NULL: none has run yet
-    const Var *rounded;           // the first column with a value that a double cannot hold
+    const Var *rounded;           // the first column with a value that a double cannot represent
     Buf text;                     // not yet written
     OsStream file;
-    const char *error;            // why it could not be written; NULL while it could
+    const char *error;            // why writing failed; NULL: no failure
 };
 
 // ---- columns ----
@@ -72,7 +72,7 @@ static int choose_columns(TestTrace *t, const char *list)
     }
 }
 
-// All that can change, but for G and S, which every row has.
+// Selects every column that can change, except G and S, which every row has.
 static void take_all_columns(TestTrace *t)
 {
     const Var **order = report_order(&t->c->session.arena, t->p);
@@ -107,7 +107,7 @@ static bool is_a_double(SmType type, uint64_t cell)
     return x <= (uint64_t)1 << 53 || (x < UINT64_MAX - 1024 && (uint64_t)(double)x == x);
 }
 
-// Whole numbers are exact in the file, but a reader that makes doubles of them rounds some beyond 2^53.
+// Whole numbers are exact in the file, but a reader that converts them to doubles rounds some beyond 2^53.
 static void note_rounded(TestTrace *t, const uint64_t *cell)
 {
     const Var *g = t->p->g;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What -Wname, -Wno-name, -Werror, -Werror=name and -w make of the warnings that were reported.
+// Applies -Wname, -Wno-name, -Werror, -Werror=name and -w to the reported warnings.
 #include "compiler/cli/cli.h"
 
 #include <string.h>
 
-// Which groups a name behind -W speaks of, as bits; 0: it names no group.
+// The groups that a name after -W covers, as bits; 0: not a group.
 typedef struct Group { const char *name; unsigned groups; } Group;
 
 enum { ALL = 1u << DIAG_GROUP_ALL, EXTRA = 1u << DIAG_GROUP_EXTRA, FLIGHT = 1u << DIAG_GROUP_FLIGHT };
@@ -76,7 +76,7 @@ static bool speaks_of(const char *name, const DiagFlag *flag)
     return strcmp(name, flag->name) == 0 || (group_named(name) & 1u << flag->group) != 0;
 }
 
-// Applies one -W… to what is decided so far about a warning.
+// Applies one -W… to the current decision about a warning.
 static void apply_one(const char *w, const DiagFlag *flag, Verdict *v)
 {
     const char *name = flag_in(w);
@@ -118,7 +118,7 @@ unsigned warnings_groups(const Warnings *w)
     return wanted;
 }
 
-// What is switched off needs no @allow either.
+// A disabled warning needs no @allow either.
 static void drop_allowed(const Warnings *w, Diags *d)
 {
     uint32_t kept = 0;
@@ -149,6 +149,6 @@ void warnings_apply(const Warnings *w, Diags *d)
     }
     d->list.n = kept;
     if (w->none)
-        d->warnings = 0;              // those too that were too many to be kept
+        d->warnings = 0;              // including those that were too many to store
     drop_allowed(w, d);
 }
