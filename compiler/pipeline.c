@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data flow of the compiler: text to tree, tree to program, program to IR, IR to what runs.
-// Each stage is one call; what a stage may rely on is said in the header of its folder.
+// The data flow of the compiler: text to tree, tree to program, program to IR, IR to executable form. Each stage is one call; the header
+// of its folder states what it can rely on.
 #include "compiler/pipeline.h"
 
 #include <assert.h>
@@ -32,7 +32,7 @@ void session_free(Session *s)
 
 // ---- text to tree to program ----
 
-// Gives a tree even where there were errors, so that checking finds the others in the same run.
+// Returns a tree even if there were errors, so that checking finds further errors in the same run.
 static AstFile *parse(Session *s, const Source *src, FileKind kind)
 {
     return parse_file(&s->arena, &s->strings, &s->diags, src, kind);
@@ -92,8 +92,8 @@ static bool declares_written_local(const Program *p, const Map *written)
     return false;
 }
 
-// That a local is never written is a finding, whatever scripts do; but an edit that marks it @read_only would make a script that
-// writes it draw a warning, so it is not certain to be meant.
+// A local that the machine never writes is a finding, whatever scripts do. But an edit that marks it @read_only would cause a warning in
+// a script that writes it. So the edit is not certain to be what the user wants.
 static void withdraw_edits(Diags *d, const Program *p, const Map *written)
 {
     for (size_t i = 0; i < d->list.n; i++) {
@@ -104,7 +104,7 @@ static void withdraw_edits(Diags *d, const Program *p, const Map *written)
     }
 }
 
-// Only errors can be new: of a local that is a constant in flight and a variable here.
+// Only errors can be new: those about a local that is a constant in flight and a variable here.
 Program *session_program_for_scripts(Session *s, const MachineInput *in, Program *flown)
 {
     const Diags reported = s->diags;
@@ -129,7 +129,7 @@ static const Source *source_of(const AppFiles *files, FileKind kind)
     return NULL;
 }
 
-// Without the state vector only what is wrong in a machine's text itself can be said.
+// Without the state vector, only errors in a machine's own text can be reported.
 static const Program *app_program(Session *s, const Source *sm, StateVec *sv)
 {
     size_t errors = s->diags.met;
@@ -140,7 +140,7 @@ static const Program *app_program(Session *s, const Source *sm, StateVec *sv)
     return s->diags.met > errors ? NULL : p;
 }
 
-// How much time advances from step to step of a machine.
+// Returns how much time advances from step to step of a machine.
 static uint64_t step_of(const App *a, const AppMachine *m)
 {
     for (size_t e = 0; e < a->executor.n; e++)
@@ -153,7 +153,7 @@ static uint64_t step_of(const App *a, const AppMachine *m)
     return 0;
 }
 
-// What can be said of each machine at its rate, and of all together.
+// Analyses each machine at its rate, and then all machines together.
 static void analyse_app(Session *s, const App *a)
 {
     const Program **p = ARENA_ARRAY(&s->arena, const Program *, a->machine.n);
@@ -226,14 +226,14 @@ static void after_pass(void *context, const PassInfo *pass, const IrMachine *m)
     print_if_asked(context, pass->name, m);
 }
 
-// Scripts and debuggers see locals; in what flies without names nobody does.
+// Hides locals. Scripts and debuggers observe locals, but nothing does in a flight image without names.
 static void hide_locals(IrMachine *m)
 {
     for (size_t v = 0; v < m->var.n; v++)
         m->var.at[v].hidden = m->var.at[v].space == IR_LOCAL && !m->var.at[v].outside;
 }
 
-// The machine as built: the one that was analysed, if that was the last; passes will change it.
+// Returns the machine as built: the one that was analysed, if it was the last. Passes will change it.
 static IrMachine *take_built(Session *s, const Program *p)
 {
     IrMachine *m = s->built && s->built->program == p ? s->built : ir_build(&s->arena, p);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The version of everything in this tree; the only place that names it.
+// The version of everything in this tree, defined only here.
 #ifndef SMC_VERSION_H
 #define SMC_VERSION_H
 

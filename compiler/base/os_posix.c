@@ -26,7 +26,7 @@ void *os_alloc(void *context, void *old, size_t size)
         free(old);
         return NULL;
     }
-#ifdef MADV_HUGEPAGE                     // Linux: what is large is given by pages of 2 MB, where a page of 4 KB takes a fault each
+#ifdef MADV_HUGEPAGE                     // Linux: large blocks get pages of 2 MB; with 4 KB pages each page costs a fault
     if (!old && size >= HUGE_PAGE && posix_memalign(&old, HUGE_PAGE, size) == 0)
         return madvise(old, size, MADV_HUGEPAGE), old;
 #endif
@@ -56,7 +56,7 @@ static bool is_clean(const char *path, const char **why)
 
 // ---- reading ----
 
-// Reads to the end of the file into a buffer that doubles.
+// Reads to the end of the file into a buffer that doubles when full.
 static bool read_all(int fd, size_t most, char **text, size_t *len, const char **why)
 {
     size_t cap = 16384, n = 0;
@@ -150,10 +150,10 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why)
     return write_all(fd, bytes, n, why);
 }
 
-// Temporary files, by their number in os_signal.h.
+// Temporary files, by their numbers in os_signal.h.
 enum { MOST_OUTPUTS = OS_UNFINISHED - 1, STREAM = MOST_OUTPUTS };
 
-// The mode of the file that is replaced, or else the one that a file made in the usual way has.
+// Returns the mode of the replaced file, or else the default mode of a new file.
 static mode_t wanted_mode(const char *target)
 {
     struct stat st;
@@ -163,14 +163,14 @@ static mode_t wanted_mode(const char *target)
     return stat(target, &st) == 0 ? st.st_mode & 07777 : (mode_t)(0666 & ~mask);
 }
 
-// (One cannot be replaced by renaming: it is written to directly.)
+// (Renaming cannot replace such a file, so it is written directly.)
 bool os_is_special(const char *path)
 {
     struct stat st;
     return os_own_descriptor(path) >= 0 || (stat(path, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode));
 }
 
-// A path that is written to directly, for writing.  Open files of this process keep their position: what is written follows what is there.
+// Opens a path that is written directly. Open files of this process keep their position, so the output is appended at that position.
 static int open_directly(const char *path, bool *is_own, const char **why)
 {
     int fd = strcmp(path, "-") == 0 ? 1 : os_own_descriptor(path);
@@ -181,7 +181,7 @@ static int open_directly(const char *path, bool *is_own, const char **why)
     return fd;
 }
 
-// The file that `path` names, symbolic links followed, so that a link stays a link; from the heap.
+// Returns the file that `path` names after following symbolic links, so that a link remains a link; allocated on the heap.
 static char *target_of(const char *path, const char **why)
 {
     struct stat st;
@@ -193,7 +193,7 @@ static char *target_of(const char *path, const char **why)
     return target;
 }
 
-// A new file beside `target`; a signal removes it from the moment it exists.
+// Creates a new file next to `target`. From its creation on, a signal removes it.
 static int open_temporary(const char *target, int number, const char **why)
 {
     char *temp;
@@ -218,15 +218,15 @@ static int open_temporary(const char *target, int number, const char **why)
     return fd;
 }
 
-// Gives the finished file the owner and mode of the one that it replaces, and closes it.  Its bytes are on the medium before it gets its
-// name: after a power cut there is the old file or the new one.
+// Gives the finished file the owner and mode of the file that it replaces, and closes it. Its bytes are on the medium before it is
+// renamed: after a power cut either the old file or the new one exists.
 static bool close_temporary(int fd, const char *target, bool ok, const char **why)
 {
     struct stat old, own;
 
     if (ok && stat(target, &old) == 0 && fstat(fd, &own) == 0 && (old.st_uid != own.st_uid || old.st_gid != own.st_gid) &&
         fchown(fd, old.st_uid, old.st_gid) != 0)
-        errno = 0;                                    // only root can give a file away
+        errno = 0;                                    // only root can change a file's owner
     if (ok && (fchmod(fd, wanted_mode(target)) != 0 || fsync(fd) != 0))
         ok = fails(why);
     if (close(fd) != 0 && ok)
@@ -255,7 +255,7 @@ static bool write_directly(const OsOutput *out, const char **why)
     return ok;
 }
 
-// Up to the renaming, for which *target is set; it stays NULL where there is nothing to rename.
+// Does everything except the renaming, for which it sets *target; *target stays NULL if there is nothing to rename.
 static bool write_one(const OsOutput *out, int number, char **target, const char **why)
 {
     int fd;
@@ -281,7 +281,7 @@ bool os_write(const OsOutput *out, size_t n, const char **failed_path, const cha
         *failed_path = out[i].path;
         ok = write_one(&out[i], (int)i, &target[i], why);
     }
-    os_signals_hold();                                // all of them or none
+    os_signals_hold();                                // rename all of them or none
     for (size_t i = 0; ok && i < n; i++)
         if (target[i]) {
             *failed_path = out[i].path;
@@ -361,7 +361,7 @@ bool os_has_other_names(const char *path)
     return stat(path, &st) == 0 && S_ISREG(st.st_mode) && st.st_nlink > 1;
 }
 
-// The folder that `path` is in, links followed; from the heap.
+// Returns the folder that contains `path`, with links followed; allocated on the heap.
 static char *real_folder(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -371,9 +371,10 @@ static char *real_folder(const char *path)
     return real;
 }
 
-enum { LINKS_MOST = 40, LINK_LENGTH = 4096 };         // as many as systems follow
+enum { LINKS_MOST = 40, LINK_LENGTH = 4096 };         // the usual limits of systems
 
-// Where a symbolic link in the folder `folder` leads to, from the heap.  NULL: `path` is no link, or there is no memory.
+// Returns the target of a symbolic link in the folder `folder`, allocated on the heap. NULL: `path` is not a link, or memory is
+// exhausted.
 static char *follow_link(const char *path, const char *folder)
 {
     char target[LINK_LENGTH], *next;
@@ -389,7 +390,8 @@ static char *follow_link(const char *path, const char *folder)
     return next;
 }
 
-// The number of the open file that `name` in `folder` is.  On Linux /dev/fd leads to /proc/PID/fd; elsewhere it is a folder of its own.
+// Returns the descriptor that `name` in `folder` stands for. On Linux /dev/fd links to /proc/PID/fd; on other systems it is a separate
+// folder.
 static int descriptor_named(const char *folder, const char *name)
 {
     char own[40];
@@ -432,7 +434,7 @@ char *os_real_path(const char *path)
         struct stat st;
         if ((real = realpath(at, NULL)) != NULL || (folder = real_folder(at)) == NULL)
             break;
-        if (lstat(at, &st) == 0 && S_ISLNK(st.st_mode)) {         // a link to what does not exist
+        if (lstat(at, &st) == 0 && S_ISLNK(st.st_mode)) {         // a link to a missing file
             next = follow_link(at, folder);
             free(at);
             at = next;
@@ -462,7 +464,7 @@ bool os_make_folder(const char *path, const char **why)
     if (os_is_folder(path) || mkdir(path, 0777) == 0)
         return true;
     error = errno;
-    if (os_is_folder(path))                               // another process has made it
+    if (os_is_folder(path))                               // another process has created it
         return true;
     *why = strerror(error);
     return false;

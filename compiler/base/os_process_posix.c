@@ -73,7 +73,7 @@ static int wait_for(pid_t pid)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-// Ends a process group whose leader is our child: as the signal asks for, or after a second by force.
+// Ends a process group whose leader is our child: first with the pending signal, after a second by force.
 static void end_group(pid_t leader)
 {
     const struct timespec pause = {0, 10 * 1000 * 1000};
@@ -92,8 +92,8 @@ static void end_group(pid_t leader)
 
 static void wake(int number) { (void)number; }
 
-// Waits for the child.  False: a signal waits to end this process.  All of them are blocked but while it sleeps, so that none comes between
-// the last look and the sleep; SIGCHLD has a handler because what is ignored wakes nothing.
+// Waits for the child. Returns false if a signal is pending that ends this process. All signals are blocked except while it sleeps, so
+// that none can arrive between the last check and the sleep. SIGCHLD has a handler because an ignored signal does not wake the sleep.
 static bool wait_or_signal(pid_t pid, int *exit_code)
 {
     struct sigaction action, before;
@@ -118,7 +118,7 @@ static bool wait_or_signal(pid_t pid, int *exit_code)
     return ended != 0;
 }
 
-// In a process group of its own, for end_group.
+// Starts the process in its own process group, for end_group.
 static int spawn_group(pid_t *pid, const char *const *argv, const posix_spawn_file_actions_t *actions)
 {
     posix_spawnattr_t attributes;
@@ -177,7 +177,7 @@ static int spawn_on(int fd, const char *const *argv, pid_t *pid)
     return error;
 }
 
-// A socket pair and no pipes: writing to a partner that has died is then an error and no signal.
+// Uses a socket pair instead of pipes: writing to a dead partner then returns an error instead of raising a signal.
 bool os_partner_start(OsPartner *p, const char *const *argv, const char **why)
 {
     int pair[2], error;

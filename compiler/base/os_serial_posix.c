@@ -59,7 +59,7 @@ static bool set_up(int fd, speed_t speed)
         return false;
     tcflush(fd, TCIFLUSH);
 #ifdef TIOCEXCL
-    ioctl(fd, TIOCEXCL);                   // no other process may use the port meanwhile
+    ioctl(fd, TIOCEXCL);                   // no other process can use the port meanwhile
 #endif
     return true;
 }

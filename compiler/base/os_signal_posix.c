@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// os_signal.h on POSIX systems.  The handler only calls what is safe in one: unlink, and what ends the process.
+// os_signal.h on POSIX systems. The handler calls only async-signal-safe functions: unlink, and those that end the process.
 #define _XOPEN_SOURCE 700
 
 #include "compiler/base/os_signal.h"
@@ -11,11 +11,11 @@
 
 static char *volatile unfinished[OS_UNFINISHED];      // written by the main flow, read by the handler
 static volatile sig_atomic_t waiting, held;
-static int begun;                                     // how often os_signals_begin is open
+static int begun;                                     // nesting depth of os_signals_begin
 
 static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2};
 enum { NUMBERS = sizeof numbers / sizeof *numbers };
-static struct sigaction before[NUMBERS];              // what os_signals_begin replaced
+static struct sigaction before[NUMBERS];              // the handlers that os_signals_begin replaced
 
 void os_unfinished(int number, char *path) { unfinished[number] = path; }
 char *os_unfinished_path(int number) { return unfinished[number]; }
@@ -30,7 +30,7 @@ void os_remove_unfinished(void)
 
 int os_signal_at(int i) { return i < NUMBERS ? numbers[i] : 0; }
 
-// As the signal would have ended it, so that whatever started this process sees which signal that was.
+// Ends the process by the same signal, so that its parent process sees which signal it was.
 static void end_process(int number)
 {
     sigset_t set;
@@ -51,7 +51,7 @@ static void on_signal(int number)
     waiting = number;
 }
 
-// Without SA_RESTART: a call that blocks returns, and its caller can ask os_signal_waiting.
+// Without SA_RESTART: a blocking call returns, and its caller can query os_signal_waiting.
 void os_signals_begin(void)
 {
     struct sigaction action;
@@ -66,7 +66,7 @@ void os_signals_begin(void)
     for (int i = 0; i < NUMBERS; i++)
         if (sigaction(numbers[i], NULL, &before[i]) == 0 && before[i].sa_handler == SIG_DFL)
             sigaction(numbers[i], &action, NULL);
-    signal(SIGXFSZ, SIG_IGN);                         // a file larger than allowed: write reports it instead
+    signal(SIGXFSZ, SIG_IGN);                         // a file above the size limit: write reports it instead
 }
 
 void os_signals_end(void)
