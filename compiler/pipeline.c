@@ -257,7 +257,7 @@ IrMachine *session_ir(Session *s, const Program *p, int opt_level)
     return m;
 }
 
-// ---- IR to what runs ----
+// ---- IR to executable form ----
 
 bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out)
 {

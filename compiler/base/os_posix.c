@@ -299,7 +299,7 @@ bool os_write(const OsOutput *out, size_t n, const char **failed_path, const cha
     return ok;
 }
 
-// ---- one file that grows ----
+// ---- a file written incrementally ----
 
 bool os_stream_open(OsStream *s, const char *path, const char **why)
 {
@@ -343,7 +343,7 @@ bool os_stream_close(OsStream *s, bool keep, const char **why)
     return ok;
 }
 
-// ---- folders and surroundings ----
+// ---- folders and environment ----
 
 bool os_same_file(const char *a, const char *b)
 {

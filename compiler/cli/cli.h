@@ -119,7 +119,7 @@ bool cli_format(Cli *c, const CliFormat *format, size_t formats, size_t *found);
 // "tank" for "dir/tank.sm"; "stdin" for "-". Allocated in the session.
 const char *path_stem(Cli *c, const char *path);
 
-// ---- outputs.c: what a command may write to ----
+// ---- outputs.c: which files a command can write ----
 
 // Whether all outputs can be written. None can be a source, an input, or a file that smc did not write (--force allows that last one),
 // and no name can occur twice. Returns EXIT_OK, or the exit code after a message.

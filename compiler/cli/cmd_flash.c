@@ -155,7 +155,7 @@ static bool is_same(const DeviceImage *there, const Source *image, uint16_t peri
     return there->length == image->len && there->checksum == smvm_uint((SmvmBytes)image->text, SMVM_CRC_AT, 4) && there->period == period;
 }
 
-// Whether the board itself would accept the image. If the board already runs it, nothing is sent and this is not checked.
+// Whether the board itself would accept the image. If the board already runs it, or has it on trial, it is not sent and not checked.
 static int is_welcome(Cli *c, BoardLine *b, const Source *image, uint16_t period, const DeviceImage *now)
 {
     DeviceImage trial;

@@ -46,7 +46,7 @@ static int judge(Cli *c, const char *path, const Log *log)
     return EXIT_OK;
 }
 
-// ---- what is asked for ----
+// ---- the selected session ----
 
 static int choose_session(Cli *c, Flight *f, size_t format)
 {

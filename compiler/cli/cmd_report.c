@@ -54,7 +54,7 @@ static bool weigh(ReportCommand *x, const Program *p)
     return true;
 }
 
-// ---- what is found in it ----
+// ---- findings ----
 
 static int look_at_machine(ReportCommand *x, const Map *written)
 {

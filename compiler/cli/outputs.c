@@ -10,7 +10,7 @@ enum { HEAD = 1 << 16 };                  // bytes read from an existing file to
 
 typedef struct Head { const char *at; size_t n; bool is_whole; } Head;
 
-// ---- how files of smc begin ----
+// ---- recognising files of smc ----
 
 // Whether text begins with `pattern`, in which * matches any text within a line.
 static bool begins_like(const char *text, const char *end, const char *pattern)
@@ -360,7 +360,7 @@ static const char *real_path(Cli *c, const char *path)
     return copy;
 }
 
-// ---- what is refused ----
+// ---- refused outputs ----
 
 // `option`: the option that named the output, or NULL if the command chose the name.
 static int check_name(Cli *c, const char *path, const char *option)

@@ -74,7 +74,7 @@ static DiagAllow **sorted_allows(const Diags *d, int (*compare)(const void *, co
     return all;
 }
 
-// ---- taking out ----
+// ---- removing allowed warnings ----
 
 typedef struct Walk {
     DiagAllow **all;          // by compare_covers
@@ -179,7 +179,7 @@ static void take_out(Diags *d)
     d->list.n = kept;
 }
 
-// ---- those that nothing needed ----
+// ---- unused @allow ----
 
 static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 

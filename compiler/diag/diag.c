@@ -277,7 +277,7 @@ void diags_sort(Diags *d)
         memcpy(d->list.at, from, n * sizeof *from);
 }
 
-// ---- looking up ----
+// ---- lookup ----
 
 static char capital(char c) { return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c; }
 

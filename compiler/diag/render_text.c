@@ -21,7 +21,7 @@ static void paint(const DiagStyle *style, Buf *out, Paint what)
         buf_str(out, code[what]);
 }
 
-// ---- a stretch of text, made printable ----
+// ---- printable text ----
 
 // Writes the character at s, of which n bytes can be read.  Returns how many bytes it has; *width: columns it takes.
 static size_t put_character(Buf *out, const char *s, size_t n, size_t *width)

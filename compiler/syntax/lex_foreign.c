@@ -57,7 +57,7 @@ bool lex_slip_is_remark(const Lexer *l)
                         (!l->stores && !lexer_is_declared(l, p, end) && ends_line(l, skip_gap(l, end))));
 }
 
-// Whether the last token can end a value, or is a bar that closes one. If not, an operand is missing here.
+// Whether the last token ends a value. Then a binary operator or a closing bar can follow; otherwise an operand is missing.
 static bool follows_value(const Lexer *l, bool first)
 {
     return !first && (l->last == TOK_NAME || l->last == TOK_NUMBER || l->last == TOK_RPAREN || l->last == TOK_TRUE || l->last == TOK_FALSE ||
@@ -448,7 +448,7 @@ static bool begins_statement(const Lexer *l, const Token *t)
     return t->first || l->last == TOK_COLON || l->last == TOK_LBRACE || l->last == TOK_LABEL || l->last == TOK_HEADER;
 }
 
-// Whether a name is the last word of the line after the sign, and no brace follows on the line below.
+// Whether a name is the last word of the line after the sign, and the next line with code does not begin with a brace.
 static bool names_state(const Lexer *l, const Token *t)
 {
     uint32_t from = skip_gap(l, t->at + t->len), end = lexer_skip_word(l, from), p = skip_gap(l, end);

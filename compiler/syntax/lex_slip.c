@@ -27,7 +27,7 @@ const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end)
                      end - at > most ? "..." : "");
 }
 
-// ---- characters that have no place ----
+// ---- characters that are not allowed ----
 
 // Returns true once per line: one report is enough, because later characters on the line are mostly of the same kind.
 static bool first_on_line(Lexer *l)
@@ -166,7 +166,7 @@ size_t lex_slip_letter(const Lexer *l, uint32_t p)
     return len > 1 && lookalike_of(code) == NO_LOOKALIKE && !is_quote(code) && !utf8_is_hidden(code) ? len : 0;
 }
 
-// ---- what begins no token ----
+// ---- text that begins no token ----
 
 // Returns the position of the quote that closes the text from p on, or the end of its line; *len: the length of the quote, 0 if there is
 // none.

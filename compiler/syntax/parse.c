@@ -334,7 +334,7 @@ static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
         }
 }
 
-// ---- sections with another name than they should have ----
+// ---- misnamed sections ----
 
 // Whether the line of the next token contains an =, as the declarations of locals do.
 static bool line_assigns(const Parser *p)

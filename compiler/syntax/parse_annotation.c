@@ -25,7 +25,7 @@ typedef struct Owner {
     AstAnnotations *all;      // the annotations found so far
 } Owner;
 
-// ---- which one it is ----
+// ---- the row of an annotation ----
 
 static unsigned family_of(AstPlace place)
 {

@@ -73,7 +73,7 @@ static bool begins_entry(const Parser *p)
     return p->tok.first && (app_at_option(p, &option) || app_at_task(p, &task) || app_at_rate(p));
 }
 
-// ---- pieces ----
+// ---- parts of a line ----
 
 void app_wrong_form(Parser *p, const char *expected, const char *form)
 {

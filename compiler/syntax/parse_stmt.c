@@ -19,7 +19,7 @@ static AstStmt *new_stmt(Parser *p, AstStmtKind kind, AstStmts *into)
 
 static bool in_script(const Parser *p) { return p->kind == FILE_SS; }
 
-// ---- one mistake, one message ----
+// ---- error recovery ----
 
 static void parse_braces(Parser *p, AstStmts *into, Span *span);
 
