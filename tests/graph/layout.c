@@ -336,8 +336,8 @@ static void check_findings(void)
     diag_report(&found, DIAG_unreachable_state, p->var.at[2]->span, "nowhere");
     svg = drawn(&a, &o);
     CHECK(times(svg, "\"g-mark\"") == 2 && times(svg, "\"g-mark g-error\"") == 1);
-    CHECK(strstr(svg, "state &#39;&lt;&amp;&quot;&#39;\xef\xbf\xbd\xef\xbf\xbd&gt;&#39; cannot be reached"));
-    CHECK(strstr(svg, "guard&#39; cannot") && strstr(svg, "transition&#39; cannot") && !strstr(svg, "nowhere"));
+    CHECK(strstr(svg, "state &#39;&lt;&amp;&quot;&#39;\xef\xbf\xbd\xef\xbf\xbd&gt;&#39; is unreachable"));
+    CHECK(strstr(svg, "guard&#39; is") && strstr(svg, "transition&#39; is") && !strstr(svg, "nowhere"));
 }
 
 // A file may have any name.
