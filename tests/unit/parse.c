@@ -221,7 +221,7 @@ static void repaired(const char *before, const char *after)
 static void test_edits(void)
 {
     repaired("a && b || !c: x = 1", "a and b or !c: x = 1");
-    repaired("a||b|c: x = 1", "a or b or c: x = 1");
+    repaired("a||b > 2|c: x = 1", "a or b > 2 or c: x = 1");
     repaired("a === b: x := 1;", "a == b: x = 1");
     repaired("IF a THEN x = 1   // y", "if a: x = 1   # y");
     repaired("if a: x = 1\nELIF b -> A\nElse y = 1", "if a: x = 1\nelse if b: -> A\nelse: y = 1");
