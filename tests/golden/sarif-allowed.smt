@@ -16,7 +16,7 @@ U8 x
 -- stderr --
 {"$schema":"https://json.schemastore.org/sarif-2.1.0.json","version":"2.1.0","runs":[{
 "tool":{"driver":{"name":"smc","version":"[..]","rules":[
-{"id":"W0403","name":"constant-range","shortDescription":{"text":"'...' is ... and stores ... instead of ..."},"fullDescription":{"text":"The value does not fit the type of the variable, which then holds the nearest value that it can."},"help":{"text":"[..]","markdown":"[..]"},"defaultConfiguration":{"enabled":true,"level":"warning"},"properties":{"tags":["all","constant-range"]}}]}},
+{"id":"W0403","name":"constant-range","shortDescription":{"text":"'...' is ... and stores ... instead of ..."},"fullDescription":{"text":"The value does not fit the type of the variable. The variable then stores the nearest value of its type."},"help":{"text":"[..]","markdown":"[..]"},"defaultConfiguration":{"enabled":true,"level":"warning"},"properties":{"tags":["all","constant-range"]}}]}},
 "columnKind":"unicodeCodePoints",
 "results":[
 {"ruleId":"W0403","ruleIndex":0,"level":"warning","message":{"text":"'x' is U8 and stores 255 instead of 300"},"locations":[{"physicalLocation":{"artifactLocation":{"uri":"a.sm"},"region":{"startLine":9,"startColumn":9,"endLine":9,"endColumn":12}}}],"partialFingerprints":{"primaryLocationLineHash":"8b007e73b9c1f11c:2"},"suppressions":[]},
