@@ -114,12 +114,12 @@ bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place
     return true;
 }
 
-// The answer to RESTART may be lost.  It is enough that the board answers HELLO afterwards.
 bool device_is_usable(const DeviceInfo *i)
 {
     return i->protocol == LINK_PROTOCOL && i->block > 0 && i->body <= LINK_BODY_MAX && i->block + 5u <= i->body && i->slots >= 1 && i->slots <= 2;
 }
 
+// The answer to RESTART may be lost. It is enough that the board answers HELLO afterwards.
 bool device_restart(LinkHost *h, DeviceInfo *info)
 {
     const unsigned tries = h->tries;
