@@ -17,16 +17,16 @@ This name is not an element listed in [state_vector], not a local and not T.
 Check the spelling. Or add it: an element to [state_vector], a value of the machine's own to [local].
 W0750: this assert was never evaluated  [-Wunjudged-assert]
 
-The script ended and no step judged this @assert: its condition was never true, the machine was never in the state of
-its section, or the script stopped before.  The message says which.  The assert has tested nothing.
+The script ended and this @assert was never evaluated. It has tested nothing. The message gives the reason:
+its condition was never true, the machine was never in the state of its section, or the script stopped before.
 
     [all_states]
     G == 15: @assert valveOpen            # W0750 when delta_t is 10
     G == 100: @stop
 
-Correct the condition, or let the script run on until it is true.  An @assert false says that its condition must never be
-true; it draws no warning:
+Correct the condition, or let the script run until it is true. An @assert false states that its condition must
+never be true, and causes no warning:
 
     [Start]
     T > 400: @assert false                # the state must be left before
-unused-element: an element that is listed and not used
+unused-element: an element that the machine lists and does not use
