@@ -8,7 +8,7 @@ Usage:
   smc build M.sm...|X.app [--sv V.sv] [--emit=KIND] [-o OUT]
       compile machines to bytecode, or to C with --emit=c; an application (.app) to C in a folder
   smc check FILE...|X.app
-      say all that can be said without running
+      report everything that can be found without running
   smc test M.sm SCRIPT.ss... [--sv V.sv] [--engine=ENGINE]
       run state scripts, .smt cases and folders of them
   smc report M.sm [SCRIPT.ss...] [--sv V.sv] [-o FILE.html]
