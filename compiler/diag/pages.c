@@ -23,9 +23,9 @@ void diag_put_title(const DiagInfo *row, Buf *out)
 }
 
 static const struct { const char *title, *words; } groups[] = {
-    [DIAG_GROUP_ALL]    = {"On unless switched off", "`-Wno-all` switches all of them off. Something is certainly not as it was meant."},
-    [DIAG_GROUP_EXTRA]  = {"-Wextra", "What is untidy."},
-    [DIAG_GROUP_FLIGHT] = {"-Wflight", "What a review before flight asks for. The marks `@abort`, `@safe` and `@range` tell it what a machine cannot know."}};
+    [DIAG_GROUP_ALL]    = {"On by default", "Each finding is almost certainly a mistake. `-Wno-all` switches all of these warnings off."},
+    [DIAG_GROUP_EXTRA]  = {"-Wextra", "Untidy code."},
+    [DIAG_GROUP_FLIGHT] = {"-Wflight", "Questions of a flight review. They use the marks `@abort`, `@safe`, `@command` and `@range`."}};
 
 // Writes how to switch a warning.
 static void put_switches(Buf *out, const DiagFlag *flag)
@@ -69,7 +69,7 @@ void diag_put_flag(Buf *out, const DiagFlag *flag)
         buf_printf(out, "This warning is on: -Wno-%s switches it off", name);
     else
         buf_printf(out, "This warning is one of -W%s: -W%s switches it on alone", diag_group_name[flag->group], name);
-    buf_printf(out, ", and -Werror=%s makes it an error.\nWhere it is right as it is: @allow(%s, \"the reason\")\n", name, name);
+    buf_printf(out, ", and -Werror=%s makes it an error.\nTo accept it in one place: @allow(%s, \"the reason\")\n", name, name);
 }
 
 static void put_page(Buf *out, const DiagInfo *row)
@@ -86,13 +86,13 @@ static void put_page(Buf *out, const DiagInfo *row)
 void diags_write_markdown(Buf *out)
 {
     buf_str(out, "# Diagnostics\n\n"
-                 "Every error and warning of the compiler, by its code. `smc explain E0204` prints one of these pages. A code never\n"
-                 "changes its meaning and is never used again for something else.\n\n"
-                 "This page is made from `compiler/diag/codes.def` and `flags.def` by `make docs`.\n\n"
+                 "Every error and warning of the compiler, by code. `smc explain E0204` prints one of these pages. The meaning of a code\n"
+                 "never changes, and a code is never reused.\n\n"
+                 "This page is generated from `compiler/diag/codes.def` and `flags.def` by `make docs`.\n\n"
                  "## Warnings\n\n"
-                 "Warnings have names, which stand behind the code: `[W0921 missing-timeout]`. `-Wname` switches one on, `-Wno-name` off,\n"
-                 "`-Werror=name` makes it an error; the words `all`, `extra`, `flight` and `everything` stand for groups of them.\n"
-                 "`@allow(name, \"reason\")` says that one is right as it is, in one place ([language.md](language.md), 5.49).\n"
+                 "Each warning has a name, which follows its code: `[W0921 missing-timeout]`. `-Wname` switches it on, `-Wno-name` off.\n"
+                 "`-Werror=name` makes it an error. The names `all`, `extra`, `flight` and `everything` select groups of warnings.\n"
+                 "`@allow(name, \"reason\")` accepts a warning in one place ([language.md](language.md), 5.49).\n"
                  "`smc explain` with a name prints the pages of its codes.\n\n");
     for (int g = DIAG_GROUP_ALL; g <= DIAG_GROUP_FLIGHT; g++)
         put_group(out, (DiagGroup)g);
