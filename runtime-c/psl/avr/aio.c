@@ -43,20 +43,18 @@ static SmResult take(PalAio *channel, uint8_t index, uint8_t pin)
 // The pin may have been a digital output or had a pull-up resistor before.
 static SmResult open_input(PalAio *channel, uint16_t number)
 {
+    const uint8_t pin = (uint8_t)(AVR_ANALOG_FIRST + number);
     volatile uint8_t *port;
     uint8_t mask;
     SmResult r;
 
     if (number >= AVR_ANALOGS)
         return SM_E_MISSING;
-    if ((r = take(channel, (uint8_t)number, (uint8_t)(AVR_ANALOG_FIRST + number))) != SM_OK)
+    if ((r = take(channel, (uint8_t)number, pin)) != SM_OK)
         return r;
-    port = avr_pin_port((uint8_t)(AVR_ANALOG_FIRST + number), &mask);
-    ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
-    {
-        port[DDR] &= (uint8_t)~mask;
-        port[PORT] &= (uint8_t)~mask;
-    }
+    port = avr_pin_port(pin, &mask);
+    avr_pin_set(port + PORT, mask, false);
+    avr_pin_set(port + DDR, mask, false);
     ADCSRA = 1 << ADEN | 7 << ADPS0;           // 125 kHz ADC clock
     return SM_OK;
 }
@@ -69,7 +67,7 @@ void avr_pin_disconnect(uint8_t number)
     if (row == AVR_PWMS)
         return;
     pwm_of((uint8_t)(OUTPUT + row), &p);
-    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) *reg(p.control) &= (uint8_t)~p.connect;
+    avr_pin_set(reg(p.control), p.connect, false);
 }
 
 // 8-bit PWM, clocked at 16 MHz / 64.  Timer 2 counts to its maximum, the 16-bit timers to 255.
@@ -162,9 +160,9 @@ static void set(const AvrPwm *p, uint8_t duty)
         if (p->control != _SFR_ADDR(TCCR2A))
             *reg(p->compare + 1) = 0;          // the high byte is buffered until the low one is written
         *reg(p->compare) = duty;
-        *reg(p->control) = (uint8_t)(duty == 0 || duty == 255 ? *reg(p->control) & ~p->connect : *reg(p->control) | p->connect);
-        port[PORT] = (uint8_t)(duty == 255 ? port[PORT] | mask : port[PORT] & ~mask);
     }
+    avr_pin_set(port + PORT, mask, duty == 255);           // first: the pin has this level as soon as the timer is disconnected
+    avr_pin_set(reg(p->control), p->connect, duty != 0 && duty != 255);
 }
 
 // The duty of 255, rounded.  The division bit by bit takes half the time and half the code of gcc's division.

@@ -42,13 +42,14 @@ SmResult avr_pin_take(uint8_t number)
 
 void avr_pin_free(uint8_t number) { taken[number >> 3] &= (uint8_t)~bit_of(number); }
 
-static void put(volatile uint8_t *byte, uint8_t mask, bool level)
+void avr_pin_set(volatile uint8_t *byte, uint8_t mask, bool level)
 {
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE) *byte = (uint8_t)(level ? *byte | mask : *byte & ~mask);
 }
 
 SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
 {
+    const bool output = mode == PAL_DIO_OUTPUT;
     volatile uint8_t *port;
     uint8_t mask;
     SmResult r;
@@ -62,11 +63,14 @@ SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
     if ((r = avr_pin_take((uint8_t)number)) != SM_OK)
         return r;
     port = avr_pin_port((uint8_t)number, &mask);
-    if (mode != PAL_DIO_OUTPUT)
-        put(port + DDR, mask, false);          // otherwise an output would drive the level of the pull-up
-    put(port + PORT, mask, mode == PAL_DIO_OUTPUT ? level : mode == PAL_DIO_PULL_UP);
+    if (!output) {
+        avr_pin_set(port + DDR, mask, false);  // before the level is set: otherwise the pin would drive that of the pull-up
+        level = mode == PAL_DIO_PULL_UP;
+    }
+    avr_pin_set(port + PORT, mask, level);
     avr_pin_disconnect((uint8_t)number);       // after the level is set: the pin may still have the value of an analog output
-    put(port + DDR, mask, mode == PAL_DIO_OUTPUT);
+    if (output)
+        avr_pin_set(port + DDR, mask, true);
     pin->id = (uint8_t)(number + 1);
     return SM_OK;
 }
@@ -97,7 +101,7 @@ SmResult pal_dio_write(PalDio pin, bool level)
     port = avr_pin_port((uint8_t)(pin.id - 1), &mask);
     if ((port[DDR] & mask) == 0)
         return SM_E_ARGUMENT;
-    put(port + PORT, mask, level);
+    avr_pin_set(port + PORT, mask, level);
     return SM_OK;
 }
 

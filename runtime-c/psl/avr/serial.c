@@ -57,9 +57,10 @@ SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *se
 {
     const uint8_t *from = bytes;
 
-    if (sent)
-        *sent = 0;
-    if ((!bytes && n > 0) || !sent || timeout > PAL_TIMEOUT_MAX)
+    if (!sent)
+        return SM_E_ARGUMENT;
+    *sent = 0;
+    if ((!bytes && n > 0) || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
     if (line.id != 1 || !open)
         return SM_E_HANDLE;
