@@ -341,8 +341,8 @@ static bool is_named(const Cli *c, OptionId id, const char *path)
 
 static bool is_input(const Cli *c, const char *path)
 {
-    const size_t files = c->command->run == cmd_sign ? 0                              // elements are named in arguments after a log
-                       : c->command->run == cmd_log && c->files ? 1 : c->files;       // elements are named after a log
+    const size_t files = c->command->run == cmd_sign ? 0                              // sign can replace its own image
+                       : c->command->run == cmd_log && c->files ? 1 : c->files;       // after the log come names of elements
 
     for (size_t i = 0; i < files; i++)
         if (os_same_file(strcmp(c->file[i], "-") == 0 ? "/dev/stdin" : c->file[i], path))
