@@ -175,3 +175,18 @@ void map_put(Map *m, Str key, void *value)
     m->key[at] = key;
     m->value[at] = value;
 }
+
+const char *str_nearest(const char *word, const char *const *among, size_t n)
+{
+    size_t limit = strlen(word) / 3 + 2;
+    const char *found = NULL;
+
+    for (size_t i = 0; i < n; i++) {
+        const size_t d = str_distance(word, among[i], limit);
+        if (d < limit) {
+            limit = d;
+            found = among[i];
+        }
+    }
+    return found;
+}

@@ -33,6 +33,8 @@ void str_mark(StrPool *p, const char *text, uint8_t mark);   // for fast tests w
 
 // The edit distance from a to b: insertions, deletions, replacements and swaps of adjacent characters.  Returns at most `limit`.
 size_t str_distance(const char *a, const char *b, size_t limit);
+// Returns the word nearest to `word`; NULL if none is near.  Up to a third of its characters, plus one, can differ.
+const char *str_nearest(const char *word, const char *const *among, size_t n);
 
 // A map from interned strings to pointers.  Zeroed memory with `arena` set is an empty map.
 typedef struct Map {

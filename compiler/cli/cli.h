@@ -34,13 +34,6 @@ typedef struct Command {
     int (*run)(Cli *c);
 } Command;
 
-// -W… as given: each word without its -W, in order.
-typedef struct Warnings {
-    const char **word;
-    size_t n;
-    bool none;                            // -w
-} Warnings;
-
 struct Cli {
     Session session;                      // one compilation; out of memory anywhere ends the command with exit code 3
     const Command *command;
@@ -48,7 +41,7 @@ struct Cli {
     size_t files;
     bool given[OPT_COUNT];
     const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
-    Warnings warn;
+    DiagSelection warn;
     Sentences said;                       // messages for the end of a SARIF document
     bool reported;                        // output of that document has begun
     const char *last_error;               // the last message of cli_say; allocated in the session
@@ -60,8 +53,6 @@ struct Cli {
 bool options_parse(Cli *c, int argc, char **argv);
 void options_help(const Command *command, Buf *out);      // the options of a subcommand, one per line
 int option_level(const Cli *c);                           // -O: 0, 1 or 2
-// Returns the name nearest to `name`, or NULL if none is near.
-const char *nearest_name(const char *name, const char *const *names, size_t n);
 
 // ---- common.c ----
 
@@ -127,15 +118,6 @@ int outputs_check(Cli *c, const OsOutput *out, size_t n);
 // The same for the outputs that options name, before anything is read. Other names of standard output, such as /dev/stdout, become "-".
 int outputs_check_options(Cli *c);
 bool outputs_is_source_name(const char *name, size_t n);
-
-// ---- warnings.c ----
-
-// 1u << DiagGroup of each group with at least one enabled warning.
-unsigned warnings_groups(const Warnings *w);
-// Drops disabled warnings and turns those that -Werror names into errors.
-void warnings_apply(const Warnings *w, Diags *d);
-// Returns what is wrong with the words: "no warning is called 'x'; did you mean 'y'?"; NULL if they are correct.
-const char *warnings_complaint(Arena *arena, const Warnings *w);
 
 // ---- limits.c: --step, --max-ram, --max-step and --max-cycles ----
 

@@ -221,7 +221,7 @@ int cmd_device(Cli *c)
     for (size_t i = 0; i < ACTIONS; i++)
         if (strcmp(c->file[0], names[i]) == 0 && c->files <= (actions[i].run == erase ? 2u : 1u))
             return run(c, i);
-    near = nearest_name(c->file[0], names, ACTIONS);
+    near = str_nearest(c->file[0], names, ACTIONS);
     return near && strcmp(near, c->file[0]) == 0 ? cli_usage(c, "device %s takes nothing more than --port", near)
            : near ? cli_usage(c, "'%s' is nothing to ask a device; did you mean '%s'?", c->file[0], near)
                   : cli_usage(c, "'%s' is nothing to ask a device: info, list, confirm, erase or log is", c->file[0]);

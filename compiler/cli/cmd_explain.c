@@ -23,7 +23,7 @@ static int unknown_code(Cli *c, const char *name)
             names[n++] = diag_info[i].id;
     for (size_t i = 0; i < diag_flag_count; i++)
         names[n++] = diag_flag[i].name;
-    near = nearest_name(name, names, n);
+    near = str_nearest(name, names, n);
     return near ? cli_usage(c, "no diagnostic is called '%s'; did you mean '%s'?", name, near)
                 : cli_usage(c, "no diagnostic is called '%s'", name);
 }

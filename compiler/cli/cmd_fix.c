@@ -76,7 +76,7 @@ static void diagnose(Fix *f)
         else if (!is_script_of_machine(f, i))
             session_parse(&c->session, f->src[i], FILE_SS);
     diags_apply_allows(d);
-    warnings_apply(&c->warn, d);
+    diags_select(d, &c->warn);
     diags_sort(d);
 }
 

@@ -53,7 +53,7 @@ static int draw(Cli *c, const Program *p, const Program *scripted, PutGraph *put
 
     memset(&r, 0, sizeof r);
     session_analyse(&c->session, p);
-    warnings_apply(&c->warn, &c->session.diags);
+    diags_select(&c->session.diags, &c->warn);
     found = c->session.diags;
     if ((code = cli_report(c)) != EXIT_OK)
         return code;

@@ -73,7 +73,7 @@ static int choose_session(Cli *c, Flight *f, size_t format)
 
 static int unknown(Cli *c, const Flight *f, const char *what, const char *name, const char *const *names, size_t n)
 {
-    const char *near = nearest_name(name, names, n);
+    const char *near = str_nearest(name, names, n);
 
     cli_say(c, near ? "%s: unknown %s '%s'; did you mean '%s'?" : "%s: unknown %s '%s'", f->name, what, name, near);
     return EXIT_PROBLEM;

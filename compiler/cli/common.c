@@ -222,7 +222,7 @@ int cli_report(Cli *c)
     int code;
 
     diags_apply_allows(d);
-    warnings_apply(&c->warn, d);
+    diags_select(d, &c->warn);
     diags_sort(d);
     buf_init(&out, &c->session.arena);
     render(c, d, &out);

@@ -31,7 +31,7 @@ static const Command *find_command(Cli *c, const char *name)
         if (strcmp(name, names[i]) == 0)
             return &commands[i];
     }
-    near = nearest_name(name, names, COMMANDS);
+    near = str_nearest(name, names, COMMANDS);
     if (has_suffix(name, ".sm") || has_suffix(name, ".sv") || has_suffix(name, ".io") || has_suffix(name, ".app"))
         cli_usage(c, "a command comes before the file, as in 'smc check %s'", name);
     else if (near)

@@ -26,21 +26,6 @@ static bool applies(const OptionInfo *o, const Command *command)
     return o->commands[0] == '*' || strchr(o->commands, letter(command)) != NULL;
 }
 
-const char *nearest_name(const char *name, const char *const *names, size_t n)
-{
-    size_t best = strlen(name) / 3 + 2;       // up to a third of the letters, plus one, can be wrong
-    const char *found = NULL;
-
-    for (size_t i = 0; i < n; i++) {
-        size_t d = str_distance(name, names[i], best);
-        if (d < best) {
-            best = d;
-            found = names[i];
-        }
-    }
-    return found;
-}
-
 // Finds the option that `arg` spells, and where its joined value starts (NULL: none). Returns OPT_COUNT for an unknown option.
 static OptionId recognise(const char *arg, const char **value)
 {
@@ -72,7 +57,7 @@ static bool unknown_option(Cli *c, const char *arg)
     for (size_t i = 0; i < OPT_COUNT; i++)
         if (applies(&option_info[i], c->command))
             names[n++] = option_info[i].spelling;
-    near = nearest_name(head, names, n);
+    near = str_nearest(head, names, n);
     if (near)
         cli_usage(c, "unknown option '%s'; did you mean '%s'?", arg, near);
     else
@@ -129,11 +114,11 @@ static bool sarif_fits(Cli *c)
 
 static bool warnings_known(Cli *c)
 {
-    const char *wrong = warnings_complaint(&c->session.arena, &c->warn);
+    const char *wrong = diag_selection_error(&c->session.arena, &c->warn);
 
     if (wrong)
         cli_usage(c, "%s", wrong);
-    c->session.warnings = warnings_groups(&c->warn);
+    c->session.warnings = diag_selection_groups(&c->warn);
     return !wrong;
 }
 

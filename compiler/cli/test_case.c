@@ -16,7 +16,7 @@ struct TestCase {
     Session s;
     EngineSet engines;
     char *text;               // of the file; on the heap
-    Warnings warn;            // as its header `warn` selects
+    DiagSelection warn;            // as its header `warn` selects
     Source **src;             // of each part that is a source
     Buf why;                  // the problems, one or more lines each
     int code;                 // the exit code for them; 0: EXIT_PROBLEM
@@ -77,7 +77,7 @@ static const char *read_warnings(Case *c)
             c->warn.word[c->warn.n++] = format_in(&c->s.arena, "%.*s", (int)n, words);
         words += n + (words[n] != '\0');
     }
-    return warnings_complaint(&c->s.arena, &c->warn);
+    return diag_selection_error(&c->s.arena, &c->warn);
 }
 
 // Returns what is wrong with the file itself, or NULL.
@@ -163,7 +163,7 @@ static Program *compile_machine(Case *c)
     if ((flown = session_program(&c->s, &in)) == NULL)
         return NULL;
     if (wants_analyses(c)) {
-        c->s.warnings = warnings_groups(&c->warn);
+        c->s.warnings = diag_selection_groups(&c->warn);
         c->s.step = c->f->advance;
         session_analyse(&c->s, flown);
     }
@@ -209,7 +209,7 @@ static void compile_case(Case *c)
 {
     make_sources(c);
     if (count_parts(c->f, ".app")) {
-        c->s.warnings = warnings_groups(&c->warn);
+        c->s.warnings = diag_selection_groups(&c->warn);
         compile_app(c);
         return;
     }
@@ -259,7 +259,7 @@ static void check_diagnostics(Case *c)
     uint8_t *met = arena_alloc(&c->s.arena, c->f->expected.n);
 
     diags_apply_allows(&c->s.diags);
-    warnings_apply(&c->warn, &c->s.diags);
+    diags_select(&c->s.diags, &c->warn);
     for (size_t i = 0; i < c->s.diags.list.n; i++) {
         const Diag *d = c->s.diags.list.at[i];
         size_t j = 0;

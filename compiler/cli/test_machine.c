@@ -45,7 +45,7 @@ static int report_diagnostics(TestRun *t, const char **text)
 
     buf_init(&b, t->arena);
     diags_apply_allows(&t->c->session.diags);
-    warnings_apply(&t->c->warn, &t->c->session.diags);
+    diags_select(&t->c->session.diags, &t->c->warn);
     diags_render_text(&t->c->session.diags, &plain, &b);
     *text = buf_text(&b);
     return cli_report(t->c);

@@ -131,6 +131,20 @@ void diag_allow_shared(Diags *d, const char *flag, const char *reason, Span span
 // run and there is no error, it also reports every @allow that no warning needed.
 void diags_apply_allows(Diags *d);
 
+// -W… as given: each word without its -W, in order. The caller owns the words.
+typedef struct DiagSelection {
+    const char **word;
+    size_t n;
+    bool none;                            // -w: no warnings
+} DiagSelection;
+
+// Drops disabled warnings and turns those that -Werror names into errors (select.c). Call it once, after diags_apply_allows.
+void diags_select(Diags *d, const DiagSelection *w);
+// 1u << DiagGroup of each group with at least one enabled warning.
+unsigned diag_selection_groups(const DiagSelection *w);
+// Returns what is wrong with the words: "no warning is called 'x'; did you mean 'y'?"; NULL if they are correct.
+const char *diag_selection_error(Arena *arena, const DiagSelection *w);
+
 void diags_sort(Diags *d);                // by file as first seen, then position; stable
 
 typedef struct DiagStyle {
@@ -145,8 +159,7 @@ size_t diag_put_printable(Buf *out, const char *s, size_t n);
 // One JSON object per line.
 void diags_render_json(const Diags *d, Buf *out);
 void diag_plain_json(const char *severity, const char *message, Buf *out);    // for other messages: a file that cannot be read
-// for other messages: a file that cannot be read
-// complete only after diags_end_sarif, which adds the messages that are not diagnostics.
+// SARIF is one document: the output is complete only after diags_end_sarif, which adds the messages that are not diagnostics.
 typedef VEC(const char *) Sentences;
 void diags_render_sarif(const Diags *d, const char *version, Buf *out);
 void diags_end_sarif(const Sentences *plain, Buf *out);

@@ -140,24 +140,9 @@ const char *parser_found(const Parser *p)
     return p->tok.first && p->tok.kind != TOK_END ? "the end of the line" : parser_describe(p, &p->tok);
 }
 
-const char *nearest_word(const char *word, const char *const *among, size_t n)
-{
-    size_t best = strlen(word) / 3 + 1, limit = best < 2 ? 2 : best + 1;
-    const char *found = NULL;
-
-    for (size_t i = 0; i < n; i++) {
-        size_t d = str_distance(word, among[i], limit);
-        if (d < limit) {
-            limit = d;
-            found = among[i];
-        }
-    }
-    return found;
-}
-
 void label_annotations(Parser *p, Diag *d, const char *const *here, size_t n)
 {
-    const char *word = p->tok.text->text, *near = nearest_word(word, here, n), *list = "";
+    const char *word = p->tok.text->text, *near = str_nearest(word, here, n), *list = "";
 
     for (size_t i = 0; i < n; i++)
         list = format_in(p->arena, "%s%s@%s", list, i == 0 ? "" : i + 1 < n ? ", " : " and ", here[i]);
@@ -187,7 +172,7 @@ static int find_label(const char *word)
 
 static int guess_label(const char *word)
 {
-    const char *near = nearest_word(word, labels, AST_LABEL_COUNT);
+    const char *near = str_nearest(word, labels, AST_LABEL_COUNT);
 
     for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
         if (strcmp(word, synonyms[i].word) == 0)

@@ -249,7 +249,7 @@ static const char *nearest_flag(Parser *p, const char *word)
         return code->flag;
     for (size_t i = 0; i < diag_flag_count; i++)
         names[i] = diag_flag[i].name;
-    return nearest_word(word, names, diag_flag_count);
+    return str_nearest(word, names, diag_flag_count);
 }
 
 static void unknown_flag(Parser *p, const AstAnnotation *a)
@@ -420,7 +420,7 @@ const AstAnnotation *parse_allow(Parser *p)
 void annotation_in_block(Parser *p)
 {
     static const char *const script_words[] = {"assert", "stop"};
-    const char *word = p->tok.text->text, *near = nearest_word(word, script_words, 2);
+    const char *word = p->tok.text->text, *near = str_nearest(word, script_words, 2);
     Diag *d = parser_fail(p, DIAG_annotation_here, parser_here(p), word);
 
     if (is_for_states_only(find_row(p->tok.text, AST_ON_STATE)))

@@ -19,7 +19,7 @@ static void next_entry(Parser *p, AstApp *app, uint32_t at)
 // Reports text that begins no entry, with the nearest of the words that begin one.
 static void unknown_entry(Parser *p, DiagCode code, const char *const *words, size_t n)
 {
-    const char *near = p->tok.kind == TOK_NAME ? nearest_word(p->tok.text->text, words, n) : NULL;
+    const char *near = p->tok.kind == TOK_NAME ? str_nearest(p->tok.text->text, words, n) : NULL;
     Diag *d;
 
     if (p->tok.kind == TOK_ERROR)

@@ -7,7 +7,7 @@
 void refuse_pin_section(Parser *p, const AstSection *s)
 {
     static const char *const sections[] = {"analog", "digital"};
-    const char *near = nearest_word(s->name->text, sections, 2);
+    const char *near = str_nearest(s->name->text, sections, 2);
     Diag *d;
 
     if (s->name->len == 0)                    // the lexer has reported what is wrong with it

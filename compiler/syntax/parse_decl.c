@@ -34,7 +34,7 @@ static const char *nearest_type(const char *word)
 
     const char *type = parse_foreign_type(word);
 
-    return type ? type : nearest_word(word, types, sizeof types / sizeof *types);
+    return type ? type : str_nearest(word, types, sizeof types / sizeof *types);
 }
 
 static void unknown_type(Parser *p)
@@ -230,7 +230,7 @@ enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
 
 static void unknown_option(Parser *p)
 {
-    const char *near = nearest_word(p->tok.text->text, option_words, OPTION_COUNT);
+    const char *near = str_nearest(p->tok.text->text, option_words, OPTION_COUNT);
     Diag *d = parser_fail(p, DIAG_option_unknown, parser_here(p), p->tok.text->text);
 
     if (strcmp(p->tok.text->text, "dt") == 0 || strcmp(p->tok.text->text, "step") == 0)

@@ -52,8 +52,6 @@ const char *parser_text(const Parser *p, Span span);    // the source text, cut 
 // A token as a message names it: "'>='", "the end of the line", "the section [Idle]".
 const char *parser_describe(const Parser *p, const Token *t);
 const char *parser_found(const Parser *p);              // describes the next token, or the end of the line before it
-// Returns the word nearest to `word` among `n` words, or NULL if none is near.
-const char *nearest_word(const char *word, const char *const *words, size_t n);
 // Labels the current annotation, which is unknown, with the nearest one allowed here. If none is near, the label lists all of them.
 void label_annotations(Parser *p, Diag *d, const char *const *here, size_t n);
 
