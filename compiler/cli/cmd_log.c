@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "compiler/cli/cli.h"
-#include "compiler/emit/report/flight.h"
+#include "compiler/report/flight.h"
 
 typedef void PutFlight(const Flight *f, Buf *out);
 

@@ -4,7 +4,7 @@
 #define SMC_CLI_RUNS_H
 
 #include "compiler/cli/cli.h"
-#include "compiler/emit/report/report.h"
+#include "compiler/report/report.h"
 
 // Finds the one machine among the arguments; all others are scripts. Returns EXIT_OK, or the exit code after a message.
 int runs_machine(Cli *c, const char **machine);

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "compiler/emit/report/graph.h"
+#include "compiler/report/graph.h"
 #include "compiler/pipeline.h"
 #include "tests/bench/shapes.h"
 #include "tests/test.h"

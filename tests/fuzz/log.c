@@ -3,7 +3,7 @@
 // is shown of what is read.
 #include <setjmp.h>
 
-#include "compiler/emit/report/flight.h"
+#include "compiler/report/flight.h"
 #include "runtime-c/log_block.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/emit/report/layout.h"
+#include "compiler/report/layout.h"
 #include "compiler/pipeline.h"
 #include "tests/test.h"
 #include "tests/unit/random.h"

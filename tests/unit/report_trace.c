@@ -4,7 +4,7 @@
 #include <setjmp.h>
 #include <string.h>
 
-#include "compiler/emit/report/trace.h"
+#include "compiler/report/trace.h"
 #include "compiler/pipeline.h"
 #include "stdlib/convert.h"
 #include "tests/test.h"

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// By state: whether the machine can abort from there, by what, how fast, and what that depends on (analysis/abort.h).
+#include "compiler/analysis/abort.h"
+
+#include "compiler/report/report.h"
+#include "compiler/report/words.h"
+
+static const DocColumn abort_columns[] = {
+    {"state", "State"}, {"verdict", "Can it abort?"}, {"alone", "Without a command?"}, {"steps", "Steps, once a condition holds"}, {"hangs_on", "What it hangs on"}};
+static const DocColumn way_columns[] = {
+    {"state", "State"}, {"to", "To"}, {"guard", "When"}, {"watches", "Watches"}, {"steps", "Steps, once it holds"}, {"line", "Line"}};
+
+static bool has_command(const AbortRow *row)
+{
+    for (size_t w = 0; w < row->way.n; w++)
+        if (row->way.at[w].by_input && row->way.at[w].possible)
+            return true;
+    return false;
+}
+
+// commands: whether people can give commands.
+static const char *verdict_text(const AbortRow *row, bool commands)
+{
+    switch (row->verdict) {
+    case ABORT_ITSELF: return commands ? "it is an abort state" : "";
+    case ABORT_UNREACHED: return commands ? "the machine never comes here" : "";
+    case ABORT_NO_PATH: return "no";
+    case ABORT_LATER: return commands ? "only through states that may wait" : "";
+    case ABORT_BY_COMMAND: return commands ? "yes" : "no";
+    case ABORT_ONE_SENSOR: return commands && has_command(row) ? "yes" : "not if one sensor fails";
+    case ABORT_OK: return "yes";
+    }
+    return "";
+}
+
+static const char *hangs_on(const Report *r, const AbortRow *row)
+{
+    Buf b;
+
+    buf_init(&b, r->arena);
+    if (row->blind)
+        buf_printf(&b, "none fires when `%s` reads %s", row->blind->name->text, row->blind_at);
+    if (row->single)
+        buf_printf(&b, "%sall hang on `%s`: none fires if it sticks at %s", b.n ? "; " : "", row->single->name->text,
+                   report_number(r->arena, trace_number(SM_F64, sm_bits(row->stuck))));
+    return buf_text(&b);
+}
+
+static void put_steps(const Report *r, DocTable *t, uint32_t steps)
+{
+    cell_plain(t, steps == 0 ? "" : steps == ABORT_NOT_BOUNDED ? "not bounded" : format_in(r->arena, "%lu", (unsigned long)steps));
+}
+
+static void put_row(const Report *r, DocTable *t, const AbortRow *row)
+{
+    cell_state(t, row->state->name->text);
+    cell_plain(t, verdict_text(row, true));
+    cell_plain(t, verdict_text(row, false));
+    put_steps(r, t, row->steps);
+    cell_text(t, hangs_on(r, row));
+}
+
+static const char *watches(const Report *r, const AbortWay *w)
+{
+    Buf b;
+
+    buf_init(&b, r->arena);
+    for (size_t i = 0; i < w->sensors; i++)
+        buf_printf(&b, "%s`%s`", b.n ? ", " : "", w->sensor[i]->name->text);
+    if (w->by_time)
+        buf_str(&b, b.n ? ", time" : "time");
+    if (w->by_input)
+        buf_str(&b, b.n ? ", a switch or command" : "a switch or command");
+    return buf_text(&b);
+}
+
+static void put_way(const Report *r, DocTable *t, const AbortRow *row, const AbortWay *w)
+{
+    cell_state(t, row->state->name->text);
+    cell_state(t, w->first->to->name->text);
+    if (*w->guard)
+        cell_code(t, w->guard);
+    else
+        cell_plain(t, "always");
+    cell_text(t, w->possible ? watches(r, w) : "can never be made");
+    put_steps(r, t, w->steps);
+    cell_line(t, report_line(w->first->stmt->span));
+}
+
+static bool has_unbounded(const AbortMatrix *x)
+{
+    for (size_t i = 0; i < x->n; i++)
+        for (size_t w = 0; w < x->row[i].way.n; w++)
+            if (x->row[i].way.at[w].steps == ABORT_NOT_BOUNDED)
+                return true;
+    return false;
+}
+
+static void put_ways(const Report *r, Doc *d, const AbortMatrix *x)
+{
+    DocTable *t;
+
+    doc_heading(d, "abort-ways", "The ways to abort");
+    if (has_unbounded(x))
+        doc_paragraph(d, "\"Not bounded\": from the state that such a way leads to, the machine can go nowhere but to an abort state, "
+                         "but may first wait there, or on the way, for something that need not come.");
+    t = DOC_TABLE_OF(d, "ways", way_columns);
+    for (size_t i = 0; i < x->n; i++)
+        for (size_t w = 0; w < x->row[i].way.n; w++)
+            put_way(r, t, &x->row[i], &x->row[i].way.at[w]);
+}
+
+void report_abort(Report *r, Doc *d)
+{
+    const AbortMatrix x = abort_matrix(trials_of(&r->analysis));
+    DocTable *t;
+
+    doc_section(d, "abort", "Abort matrix");
+    if (!x.declared) {
+        doc_paragraph(d, "No state is marked `@abort`, so nothing can be said about how this machine aborts. Write the mark behind "
+                         "the header of the "
+                         "state where it goes when something is wrong, as in `[Abort] @abort`.");
+        return;
+    }
+    doc_paragraph(d, "From which states the machine can abort, and whether it still can when one sensor is dead, sticks, or leaves "
+                     "its range: with people who give commands, and without. Steps are those at worst, from the one in which the condition holds to the first in the abort "
+                     "state. How long a counter, a timer or a rolling statistic takes until its condition holds comes before, "
+                     "and is not counted.");
+    t = DOC_TABLE_OF(d, "abort", abort_columns);
+    for (size_t i = 0; i < x.n; i++)
+        put_row(r, t, &x.row[i]);
+    put_ways(r, d, &x);
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds the comments of a source by their lines, because the compiler has not stored them.
+#include "compiler/report/words.h"
+
+bool comment_starts(const char *line, uint32_t len, uint32_t *at)
+{
+    bool quoted = false;              // inside the reason of an @allow
+
+    for (uint32_t i = 0; i < len; i++) {
+        quoted ^= line[i] == '"';
+        if (line[i] == '#' && !quoted) {
+            *at = i;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+// Appends the comment after its mark, without surrounding blanks.
+static void put_comment(Buf *out, const char *line, uint32_t len, uint32_t at)
+{
+    while (at < len && (line[at] == '#' || is_blank(line[at])))
+        at++;
+    while (len > at && is_blank(line[len - 1]))
+        len--;
+    buf_put(out, line + at, len - at);
+}
+
+static const char *text_or_null(const Buf *b) { return b->n ? buf_text(b) : NULL; }
+
+static const char *behind(Arena *arena, const Source *src, uint32_t number)
+{
+    uint32_t len, at;
+    const char *line = source_line(src, number, &len);
+    Buf out;
+
+    if (!comment_starts(line, len, &at))
+        return NULL;
+    buf_init(&out, arena);
+    put_comment(&out, line, len, at);
+    return text_or_null(&out);
+}
+
+const char *comment_behind(Arena *arena, Span span)
+{
+    return span.src ? behind(arena, span.src, source_position(span.src, span.at).line) : NULL;
+}
+
+const char *comment_beside(Arena *arena, Span span)
+{
+    uint32_t line, last;
+    Buf out;
+
+    if (!span.src)
+        return NULL;
+    line = source_position(span.src, span.at).line;
+    last = source_position(span.src, span.at + span.len).line;
+    buf_init(&out, arena);
+    for (; line <= last; line++) {
+        const char *text = behind(arena, span.src, line);
+        if (text)
+            buf_printf(&out, "%s%s", out.n ? "\n" : "", text);
+    }
+    return text_or_null(&out);
+}
+
+// Whether the line contains only a comment.
+static bool is_comment(const Source *src, uint32_t number)
+{
+    uint32_t len, at, i = 0;
+    const char *line = source_line(src, number, &len);
+
+    while (i < len && is_blank(line[i]))
+        i++;
+    return comment_starts(line, len, &at) && at == i;
+}
+
+// Whether only blanks, or also a brace, precede a comment or column `len`.
+static bool is_bare(const char *line, uint32_t len)
+{
+    uint32_t i = 0;
+
+    while (i < len && (is_blank(line[i]) || line[i] == '{'))
+        i++;
+    return i == len || line[i] == '#';
+}
+
+Span comment_else(Span first)
+{
+    uint32_t line, len;
+    const char *text;
+    LineCol at;
+
+    if (!first.src)
+        return first;
+    at = source_position(first.src, first.at);
+    text = source_line(first.src, at.line, &len);
+    if (at.line == 1 || !is_bare(text, at.col - 1u))
+        return first;
+    for (line = at.line - 1; line > 1 && is_bare(source_line(first.src, line, &len), len);)
+        line--;
+    text = source_line(first.src, line, &len);
+    return (Span){first.src, (uint32_t)(text - first.src->text), 0};
+}
+
+static bool is_indented(const char *line, uint32_t len, uint32_t at)
+{
+    return at + 2 < len && is_blank(line[at + 1]) && is_blank(line[at + 2]);
+}
+
+// Joins the lines of a paragraph.  An empty line, an indented one, and one that starts a list item remain separate.
+static void join(Buf *out, size_t before, bool indented)
+{
+    const char first = before < out->n ? out->at[before] : '\0';
+    const bool apart = indented || first == '\0' || first == '-' || first == '*' || (before && out->at[before - 1] == '\n');
+    Buf line;
+
+    if (before == 0)
+        return;
+    buf_init(&line, out->arena);
+    buf_put(&line, out->at + before, out->n - before);
+    out->n = before;
+    buf_char(out, apart ? '\n' : ' ');
+    buf_put(out, line.at, line.n);
+}
+
+static const char *comment_of_lines(Arena *arena, const Source *src, uint32_t from, uint32_t to)
+{
+    Buf out;
+
+    buf_init(&out, arena);
+    for (; from < to; from++) {
+        uint32_t len, at = 0;
+        const char *line = source_line(src, from, &len);
+        const size_t before = out.n;
+        comment_starts(line, len, &at);
+        put_comment(&out, line, len, at);
+        join(&out, before, is_indented(line, len, at));
+    }
+    return text_or_null(&out);
+}
+
+const char *comment_above(Arena *arena, Span span)
+{
+    const uint32_t line = span.src ? source_position(span.src, span.at).line : 1;
+    uint32_t from = line;
+
+    while (from > 1 && is_comment(span.src, from - 1))
+        from--;
+    return from < line ? comment_of_lines(arena, span.src, from, line) : NULL;
+}
+
+const char *comment_at(Arena *arena, Span span)
+{
+    const char *above = comment_above(arena, span), *beside = comment_beside(arena, span);
+
+    return above && beside ? format_in(arena, "%s\n%s", above, beside) : above ? above : beside;
+}
+
+const char *comment_of_file(Arena *arena, const Source *src)
+{
+    uint32_t to = 1;
+
+    while (to <= src->lines && is_comment(src, to))
+        to++;
+    return comment_of_lines(arena, src, 1, to);
+}

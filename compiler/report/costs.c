@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Costs: the longest steps with their most expensive lines, and bytes.
+#include "compiler/analysis/cycles.h"
+#include "compiler/report/report.h"
+#include "compiler/report/words.h"
+
+static const DocColumn step_columns[] = {
+    {"state", "State"}, {"first", "Its first step"}, {"later", "Any other step"}, {"dearest", "Dearest lines of its longest step"},
+    {"cycles", "Cycles on an Uno"}};
+static const DocColumn byte_columns[] = {{"part", "Part"}, {"bytes", "Bytes"}};
+static const DocColumn board_columns[] = {{"part", "Part"}, {"takes", "Takes"}};
+static const DocColumn way_columns[] = {{"block", "In"}, {"line", "Line"}, {"text", "Statement"}, {"instructions", "Instructions"}};
+
+// ---- where the time goes ----
+
+const char *report_cycles(const Report *r, uint32_t cycles)
+{
+    enum { MHZ = 16 };                                // of a stock Uno
+    const unsigned long hundredths = (cycles + 10 * MHZ - 1) / (10 * MHZ);
+
+    return format_in(r->arena, "%lu cycles, %lu.%02lu ms", (unsigned long)cycles, hundredths / 100, hundredths % 100);
+}
+
+static const char *dearest(const Report *r, const StateCost *s)
+{
+    enum { SHOWN = 3 };
+    const CostLine *l = NULL;
+    Buf b;
+
+    buf_init(&b, r->arena);
+    for (int i = 0; i < SHOWN && (l = cost_next_dearest(s, l)) != NULL; i++)
+        buf_printf(&b, "%sline %lu%s: %lu", b.n ? ", " : "", (unsigned long)l->line, l->part == COST_SAMPLE ? " (samples)" : "",
+                   (unsigned long)l->units);
+    return buf_text(&b);
+}
+
+static void put_steps(const Report *r, Doc *d)
+{
+    const Cost *c = &r->cost;
+    DocTable *t = DOC_TABLE_OF(d, "steps", step_columns);
+
+    for (uint32_t i = 0; i < c->states; i++) {
+        cell_state(t, r->analysis.p->state.at[i]->name->text);
+        cell_bar(t, c->state[i].first, c->worst);
+        cell_bar(t, c->state[i].later, c->worst);
+        cell_plain(t, dearest(r, &c->state[i]));
+        cell_number(t, r->eeprom.state[i].worst);
+    }
+}
+
+// ---- the longest step of all ----
+
+static const char *line_text(const Report *r, uint32_t line)     // line 0: shared by several lines
+{
+    uint32_t len, at;
+    const char *text;
+
+    if (line == 0)
+        return "-> of several lines";
+    text = source_line(r->analysis.p->src, line, &len);
+    if (comment_starts(text, len, &at))
+        len = at;
+    while (len > 0 && (text[len - 1] == ' ' || text[len - 1] == '\t'))
+        len--;
+    while (len > 0 && (*text == ' ' || *text == '\t'))
+        text++, len--;
+    return format_in(r->arena, "%.*s", (int)len, text);
+}
+
+static void put_way(const Report *r, Doc *d)
+{
+    enum { SHOWN = 60 };
+    static const char *const block[] = {".entry", ".step", ".exit", "samples"};
+    const StateCost *s = &r->cost.state[r->cost.worst_state - 1];
+    DocTable *t;
+
+    doc_heading(d, "longest",
+                format_in(r->arena, "The longest step, in ^%s^", r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
+    t = DOC_TABLE_OF(d, "longest", way_columns);
+    for (size_t i = 0; i < s->way.n && i < SHOWN; i++) {
+        cell_plain(t, block[s->way.at[i].part]);
+        cell_line(t, s->way.at[i].line);
+        cell_code(t, line_text(r, s->way.at[i].line));
+        cell_number(t, s->way.at[i].units);
+    }
+    if (s->way.n > SHOWN)
+        doc_paragraph(d, format_in(r->arena, "And %lu more.", (unsigned long)(s->way.n - SHOWN)));
+}
+
+// ---- a board ----
+
+bool report_fits_uno(const Report *r) { return r->cost.windows_small < 2048; }
+
+static void put_board(const Report *r, Doc *d)
+{
+    DocTable *t;
+
+    doc_heading(d, "board", "On an Arduino Uno");
+    doc_paragraph(
+        d, "What the worst step takes on an ATmega328P at 16 MHz. It is an estimate: of each instruction the most that was seen in "
+           "measurements counts, whatever numbers it works on. Real steps take less, a third to three quarters of it in tests; that none can "
+           "take more is not proved. What emitted C takes there depends on its compiler and is not estimated.");
+    t = DOC_TABLE_OF(d, "board", board_columns);
+    t->narrow = true;
+    cell_plain(t, "Worst step, image in EEPROM");
+    cell_plain(t, report_cycles(r, r->eeprom.worst));
+    cell_plain(t, "Worst step, image in flash");
+    cell_plain(t, report_cycles(r, r->flash.worst));
+    cell_plain(t, "Stack below a step, the most that was seen");
+    cell_plain(t, format_in(r->arena, "%lu bytes", (unsigned long)cycles_stack()));
+    if (report_fits_uno(r))
+        return;
+    cell_plain(t, "Windows alone");
+    cell_plain(t, "more than its 2048 bytes of memory");
+}
+
+// ---- bytes ----
+
+static void bytes(DocTable *t, const char *part, uint32_t n)
+{
+    cell_plain(t, part);
+    cell_number(t, n);
+}
+
+static void put_bytes(const Report *r, Doc *d)
+{
+    const Cost *c = &r->cost;
+    DocTable *t;
+
+    doc_heading(d, "bytes", "Memory");
+    doc_paragraph(
+        d, "RAM of this machine on the VM of a computer with pointers of 64 bits; a board with shorter ones needs a little less. "
+           "The state vector, which the application shares, comes on top.");
+    t = DOC_TABLE_OF(d, "bytes", byte_columns);
+    t->narrow = true;
+    bytes(t, "Windows of rolling statistics", c->windows);
+    bytes(t, "Locals, and values on the way", c->locals);
+    bytes(t, "The VM's own", c->own);
+    bytes(t, "RAM in all", c->ram);
+    bytes(t, "State vector", r->analysis.p->sv->size);
+    bytes(t, "Image, in flash or RAM", (uint32_t)r->image_size);
+    bytes(t, "of which code", c->code);
+}
+
+void report_cost(Report *r, Doc *d)
+{
+    doc_section(d, "cost", "What it costs");
+    doc_paragraph(
+        d, "Instructions of the VM in the longest step of each state, found on the very image that flies; no step can take more. "
+           "The first step of a state runs `.entry` too, and a step that leaves runs `.exit`.");
+    if (r->cost.sample)
+        doc_paragraph(
+            d, format_in(r->arena,
+                         "%s of each step give the windows their samples; what a sample takes beyond its instruction depends on "
+                         "the window.",
+                         words_count(r->arena, r->cost.sample, "instruction", "instructions")));
+    put_steps(r, d);
+    put_way(r, d);
+    put_board(r, d);
+    put_bytes(r, d);
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// The width of a text.  The reader's font is unknown, so each character has its largest width in the usual fonts: DejaVu Sans, and
+// Liberation Sans, which has the widths of Arial and Helvetica.  The drawn text is never wider.
+#include <string.h>
+
+#include "compiler/base/utf8.h"
+#include "compiler/report/diagram.h"
+
+// In thousandths of the font size, from ' ' to '~'.
+static const uint16_t letter_width[2][95] = {
+    {318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337,
+     636, 636, 636, 636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 556,
+     1015, 684, 686, 722, 770, 667, 611, 778, 752, 295, 500, 667, 557, 863, 748, 787,
+     667, 787, 722, 667, 611, 732, 684, 989, 685, 667, 685, 390, 337, 390, 838, 556,
+     500, 613, 635, 550, 635, 615, 352, 635, 634, 278, 278, 579, 278, 974, 634, 612,
+     635, 635, 411, 521, 392, 634, 592, 818, 592, 592, 525, 636, 337, 636, 838},
+    {348, 456, 521, 838, 696, 1002, 872, 306, 457, 457, 523, 838, 380, 415, 380, 365,
+     696, 696, 696, 696, 696, 696, 696, 696, 696, 696, 400, 400, 838, 838, 838, 611,
+     1000, 774, 762, 734, 830, 683, 683, 821, 837, 372, 556, 775, 637, 995, 837, 850,
+     733, 850, 770, 720, 682, 812, 774, 1103, 771, 724, 725, 457, 365, 457, 838, 556,
+     500, 675, 716, 593, 716, 678, 435, 716, 712, 343, 343, 665, 343, 1042, 712, 687,
+     716, 716, 493, 595, 478, 712, 652, 924, 645, 652, 582, 712, 365, 712, 838}};
+
+enum { OTHER_WIDTH = 1000 };      // of characters outside ASCII
+
+// The width of the character at s in thousandths of the font size, and its length in bytes.
+static int32_t letter(const char *s, size_t n, bool bold, size_t *bytes)
+{
+    uint32_t code;
+
+    *bytes = utf8_decode(s, n, &code);
+    if (*bytes == 0)
+        *bytes = 1;
+    return *bytes == 1 && *s >= ' ' && *s <= '~' ? letter_width[bold][*s - ' '] : OTHER_WIDTH;
+}
+
+static int32_t width_of(const char *text, size_t n, int32_t size, bool bold)
+{
+    int64_t sum = 0;
+    size_t bytes;
+
+    for (size_t i = 0; i < n; i += bytes)
+        sum += letter(text + i, n - i, bold, &bytes);
+    return (int32_t)((sum * size + 999) / 1000);
+}
+
+int32_t text_width(const char *text, int32_t size, bool bold)
+{
+    return width_of(text, strlen(text), size, bold);
+}
+
+// The number of bytes from the start of the text whose width is at most w.
+static size_t fitting(const char *text, size_t n, int32_t size, bool bold, int32_t w)
+{
+    int64_t sum = 0;
+    size_t bytes, i;
+
+    for (i = 0; i < n; i += bytes) {
+        sum += letter(text + i, n - i, bold, &bytes);
+        if (sum * size > (int64_t)w * 1000)
+            break;
+    }
+    return i < n ? i : n;
+}
+
+static const char dots[] = "\xe2\x80\xa6";        // …
+
+const char *text_cut(Arena *arena, const char *text, int32_t size, bool bold, int32_t w)
+{
+    const size_t n = strlen(text), fits = fitting(text, n, size, bold, w);
+
+    if (fits == n)
+        return text;
+    return format_in(arena, "%.*s%s", (int)fitting(text, n, size, bold, w - text_width(dots, size, bold)), text, dots);
+}
+
+static bool is_joint(const char *s)
+{
+    return strncmp(s, " and ", 5) == 0 || strncmp(s, " or ", 4) == 0;
+}
+
+// Where to end a line of which `fits` bytes would fit: at a blank, as far right as possible.  A break before "and" or "or" gains three
+// quarters of a line; one after a comma or an operator costs a third.  Without a blank, at `fits`.
+static size_t line_end(const char *text, size_t fits)
+{
+    size_t best = 0, found = 0;
+
+    for (size_t i = 1; i <= fits; i++) {
+        const bool joint = is_joint(text + i) && strncmp(text, dots, i) != 0;         // "… and" stays together
+        const size_t worth = fits + i + (joint ? fits * 3 / 4 : 0) - (strchr(",<>=+-*/", text[i - 1]) ? fits / 3 : 0);
+        if (text[i] == ' ' && worth >= best) {
+            best = worth;
+            found = i;
+        }
+    }
+    return found ? found : fits ? fits : 1;
+}
+
+static void add_line(Arena *arena, TextLines *out, const char *text, int32_t size)
+{
+    TextLine line = {text, text_width(text, size, false)};
+
+    vec_push(arena, out, line);
+}
+
+TextLines text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines)
+{
+    TextLines out = {NULL, 0, 0};
+
+    while (out.n + 1 < lines) {
+        const size_t n = strlen(text), fits = fitting(text, n, size, false, w);
+        size_t end;
+        if (fits == n)
+            break;
+        end = line_end(text, fits);
+        add_line(arena, &out, format_in(arena, "%.*s", (int)end, text), size);
+        text += end + (text[end] == ' ');
+    }
+    add_line(arena, &out, text_cut(arena, text, size, false, w), size);
+    return out;
+}
+
+bool text_is_cut(const TextLines *lines)
+{
+    const char *last = lines->at[lines->n - 1].text;
+    const size_t n = strlen(last), tail = sizeof dots - 1;
+
+    return n >= tail && strcmp(last + n - tail, dots) == 0;
+}

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds a report.
+#include "compiler/report/doc.h"
+
+void doc_section(Doc *d, const char *id, const char *title)
+{
+    DocSection *s = ARENA_NEW(d->arena, DocSection);
+
+    s->id = id;
+    s->title = title;
+    vec_push(d->arena, &d->section, s);
+}
+
+static DocPart *add(Doc *d, DocKind kind)
+{
+    DocSection *s = d->section.at[d->section.n - 1];
+    DocPart part = {.kind = kind};
+
+    vec_push(d->arena, &s->part, part);
+    return &s->part.at[s->part.n - 1];
+}
+
+DocPart *doc_heading(Doc *d, const char *id, const char *text)
+{
+    DocPart *p = add(d, DOC_HEADING);
+
+    p->id = id;
+    p->text = text;
+    return p;
+}
+
+void doc_paragraph(Doc *d, const char *text) { add(d, DOC_PARAGRAPH)->text = text; }
+
+void doc_plain(Doc *d, const char *text)
+{
+    DocPart *p = add(d, DOC_PARAGRAPH);
+
+    p->text = text;
+    p->plain = true;
+}
+
+void doc_quote(Doc *d, const char *plain)
+{
+    if (plain && *plain)
+        add(d, DOC_QUOTE)->text = plain;
+}
+
+void doc_lines(Doc *d, const char *plain)
+{
+    if (*plain)
+        add(d, DOC_LINES)->text = plain;
+}
+
+void doc_excerpt(Doc *d, Span span, const char *label)
+{
+    DocPart *p;
+
+    if (!span.src)
+        return;
+    p = add(d, DOC_EXCERPT);
+    p->span = span;
+    p->text = label;
+}
+
+DocPart *doc_figure(Doc *d, const char *svg, const char *caption)
+{
+    DocPart *p = add(d, DOC_FIGURE);
+
+    p->text = svg;
+    p->badge = caption;
+    return p;
+}
+
+void doc_source(Doc *d, const Source *src) { add(d, DOC_SOURCE)->source = src; }
+
+DocTable *doc_table(Doc *d, const char *key, const DocColumn *column, size_t columns)
+{
+    DocTable *t = ARENA_NEW(d->arena, DocTable);
+
+    t->arena = d->arena;
+    t->key = key;
+    t->column = column;
+    t->columns = columns;
+    add(d, DOC_TABLE)->table = t;
+    return t;
+}
+
+DocList *doc_list(Doc *d, const char *key, const char *label)
+{
+    DocList *l = ARENA_NEW(d->arena, DocList);
+
+    l->arena = d->arena;
+    l->key = key;
+    l->label = label;
+    add(d, DOC_LIST)->list = l;
+    return l;
+}
+
+bool *doc_columns_used(const DocTable *t)
+{
+    bool *used = ARENA_ARRAY(t->arena, bool, t->columns);
+
+    for (size_t i = 0; i < t->cell.n; i++) {
+        const DocCell *c = &t->cell.at[i];
+        if (*c->text || c->number || c->kind == CELL_NUMBER || c->kind == CELL_BAR)
+            used[i % t->columns] = true;
+    }
+    return used;
+}
+
+const char *doc_unmarked(Arena *arena, const char *text)
+{
+    Buf b;
+
+    buf_init(&b, arena);
+    for (; *text; text++)
+        buf_char(&b, *text == '^' ? '`' : *text);
+    return buf_text(&b);
+}
+
+// ---- cells ----
+
+static void cell(DocTable *t, DocCellKind kind, const char *text, uint64_t number, uint64_t most)
+{
+    DocCell c = {kind, text ? text : "", number, most};
+
+    vec_push(t->arena, &t->cell, c);
+}
+
+void cell_text(DocTable *t, const char *text) { cell(t, CELL_TEXT, text, 0, 0); }
+void cell_plain(DocTable *t, const char *text) { cell(t, CELL_PLAIN, text, 0, 0); }
+void cell_code(DocTable *t, const char *text) { cell(t, CELL_CODE, text, 0, 0); }
+void cell_number(DocTable *t, uint64_t n) { cell(t, CELL_NUMBER, NULL, n, 0); }
+void cell_bar(DocTable *t, uint64_t n, uint64_t most) { cell(t, CELL_BAR, NULL, n, most); }
+void cell_line(DocTable *t, uint32_t line) { cell(t, CELL_LINE, NULL, line, 0); }
+void cell_state(DocTable *t, const char *name) { cell(t, CELL_STATE, name, 0, 0); }
+
+void list_line(DocList *l, unsigned depth, uint32_t line, const char *text)
+{
+    DocLine one = {depth, text, line, NULL};
+
+    vec_push(l->arena, &l->line, one);
+}
+
+void list_comment(DocList *l, const char *plain) { l->line.at[l->line.n - 1].comment = plain; }

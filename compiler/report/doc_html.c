@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: Apache-2.0
+// A report as one HTML page.  It loads nothing and contains no scripts, and all text of the machine's author is escaped.
+#include <string.h>
+
+#include "compiler/base/utf8.h"
+#include "compiler/report/doc.h"
+#include "compiler/report/style.h"
+#include "compiler/report/words.h"
+
+// ---- text ----
+
+static void put_character(Buf *out, const char *text, size_t len, uint32_t code)
+{
+    if (len == 0)
+        buf_str(out, "\xef\xbf\xbd");
+    else if (code != '\n' && code != '\t' && utf8_is_hidden(code))
+        buf_printf(out, "&lt;U+%04lX&gt;", (unsigned long)code);
+    else if (code == '&')
+        buf_str(out, "&amp;");
+    else if (code == '<')
+        buf_str(out, "&lt;");
+    else if (code == '>')
+        buf_str(out, "&gt;");
+    else if (code == '"')
+        buf_str(out, "&quot;");
+    else if (code == '\'')
+        buf_str(out, "&#39;");
+    else
+        buf_put(out, text, len);
+}
+
+void html_put(Buf *out, const char *text, size_t n)
+{
+    while (n > 0) {
+        uint32_t code = 0;
+        const size_t len = utf8_decode(text, n, &code), used = len ? len : 1;
+        put_character(out, text, len, code);
+        text += used;
+        n -= used;
+    }
+}
+
+void html_str(Buf *out, const char *text) { html_put(out, text, strlen(text)); }
+
+static void put_state_link(Buf *out, const char *name, size_t n)
+{
+    buf_str(out, "<a class=\"st\" href=\"#state-");
+    html_put(out, name, n);
+    buf_str(out, "\">");
+    html_put(out, name, n);
+    buf_str(out, "</a>");
+}
+
+// Handles markup: `code` in backticks, ^a state^.
+static void put_marked(Buf *out, const char *text)
+{
+    while (*text) {
+        const size_t n = strcspn(text, "`^");
+        const char mark = text[n];
+        size_t inner;
+        html_put(out, text, n);
+        if (!mark)
+            break;
+        text += n + 1;
+        inner = strcspn(text, mark == '`' ? "`" : "^");
+        if (mark == '^')
+            put_state_link(out, text, inner);
+        else {
+            buf_str(out, "<code>");
+            html_put(out, text, inner);
+            buf_str(out, "</code>");
+        }
+        text += inner + (text[inner] != '\0');
+    }
+}
+
+static void put_line_link(Buf *out, uint32_t line)
+{
+    if (line)
+        buf_printf(out, "<a class=\"ln\" href=\"#L%lu\">%lu</a>", (unsigned long)line, (unsigned long)line);
+}
+
+// ---- tables ----
+
+static void put_bar(Buf *out, uint64_t n, uint64_t most)
+{
+    const unsigned long share = most ? (unsigned long)(n * 100 / most) : 0;
+
+    buf_printf(out, "<span class=\"bar\"><i style=\"width:%lu%%\"></i></span> %llu", share, (unsigned long long)n);
+}
+
+static void put_cell(Buf *out, const DocCell *c)
+{
+    switch (c->kind) {
+    case CELL_TEXT: put_marked(out, c->text); break;
+    case CELL_PLAIN: html_str(out, c->text); break;
+    case CELL_CODE:
+        if (*c->text) {
+            buf_str(out, "<code>");
+            html_str(out, c->text);
+            buf_str(out, "</code>");
+        }
+        break;
+    case CELL_NUMBER: buf_printf(out, "%llu", (unsigned long long)c->number); break;
+    case CELL_BAR: put_bar(out, c->number, c->most); break;
+    case CELL_LINE: put_line_link(out, (uint32_t)c->number); break;
+    case CELL_STATE:
+        put_state_link(out, c->text, strlen(c->text));
+        break;
+    }
+}
+
+// Prevents a line break at the hyphen of -Wflight.
+static const char *class_of(const DocCell *c)
+{
+    if (c->kind == CELL_PLAIN && c->text[0] == '-')
+        return " class=\"b\"";
+    return c->kind == CELL_NUMBER || c->kind == CELL_LINE ? " class=\"n\"" : c->kind == CELL_BAR ? " class=\"b\"" : "";
+}
+
+static void put_facts(Buf *out, const DocTable *t)
+{
+    buf_str(out, "<dl>\n");
+    for (size_t i = 0; i + 1 < t->cell.n; i += t->columns) {
+        buf_str(out, "<div><dt>");
+        put_cell(out, &t->cell.at[i]);
+        buf_str(out, "</dt><dd>");
+        put_cell(out, &t->cell.at[i + 1]);
+        buf_str(out, "</dd></div>\n");
+    }
+    buf_str(out, "</dl>\n");
+}
+
+static void put_table(Buf *out, const DocTable *t)
+{
+    const bool *used = doc_columns_used(t);
+
+    if (t->facts) {
+        put_facts(out, t);
+        return;
+    }
+    buf_printf(out, "<div class=\"wide\"><table%s>\n<thead><tr>", t->narrow ? " class=\"narrow\"" : "");
+    for (size_t i = 0; i < t->columns; i++) {
+        if (!used[i])
+            continue;
+        buf_printf(out, "<th scope=\"col\"%s>", t->cell.n ? class_of(&t->cell.at[i]) : "");
+        html_str(out, t->column[i].title);
+        buf_str(out, "</th>");
+    }
+    buf_str(out, "</tr></thead>\n<tbody>\n");
+    for (size_t i = 0; i < t->cell.n; i++) {
+        if (i % t->columns == 0)
+            buf_str(out, i ? "</tr>\n<tr>" : "<tr>");
+        if (!used[i % t->columns])
+            continue;
+        buf_printf(out, "<td%s>", class_of(&t->cell.at[i]));
+        put_cell(out, &t->cell.at[i]);
+        buf_str(out, "</td>");
+    }
+    buf_str(out, t->cell.n ? "</tr>\n" : "");
+    buf_str(out, "</tbody>\n</table></div>\n");
+}
+
+// ---- lists ----
+
+static void put_item(Buf *out, const DocLine *l)
+{
+    put_marked(out, l->text);
+    if (l->line) {
+        buf_char(out, ' ');
+        put_line_link(out, l->line);
+    }
+    if (l->comment) {
+        buf_str(out, "<span class=\"c\">");
+        html_str(out, l->comment);
+        buf_str(out, "</span>");
+    }
+}
+
+static void put_list(Buf *out, const DocList *l)
+{
+    unsigned open = 0;                                // number of open lists, each inside an item of the previous one
+
+    buf_str(out, "<div class=\"do\">");
+    if (l->label) {
+        buf_str(out, "<b>");
+        html_str(out, l->label);
+        buf_str(out, "</b>");
+    }
+    for (size_t i = 0; i < l->line.n; i++) {
+        const unsigned depth = l->line.at[i].depth + 1;
+        if (depth <= open)
+            buf_str(out, "</li>\n");
+        for (; open < depth; open++)
+            buf_str(out, "\n<ul>");
+        for (; open > depth; open--)
+            buf_str(out, "</ul></li>\n");
+        buf_str(out, "<li>");
+        put_item(out, &l->line.at[i]);
+    }
+    for (; open > 0; open--)
+        buf_str(out, "</li></ul>");
+    buf_str(out, "</div>\n");
+}
+
+// ---- sources ----
+
+// Writes a source line with its comment in a separate style; `from` to `to` is marked.
+static void put_source_text(Buf *out, const char *line, uint32_t len, uint32_t from, uint32_t to)
+{
+    html_put(out, line, from);
+    if (to > from) {
+        buf_str(out, "<mark>");
+        html_put(out, line + from, to - from);
+        buf_str(out, "</mark>");
+    }
+    html_put(out, line + to, len - to);
+}
+
+static void put_excerpt(Buf *out, const DocPart *p)
+{
+    const LineCol at = source_position(p->span.src, p->span.at);
+    uint32_t len, from = at.col - 1, to;
+    const char *line = source_line(p->span.src, at.line, &len);
+
+    from = from < len ? from : len;
+    to = p->span.len < len - from ? from + p->span.len : len;
+    buf_printf(out, "<pre class=\"ex\"><span class=\"no\">%lu</span>", (unsigned long)at.line);
+    put_source_text(out, line, len, from, to);
+    buf_str(out, "</pre>\n");
+    if (p->text) {
+        buf_str(out, "<p class=\"label\">");
+        html_str(out, p->text);
+        buf_str(out, "</p>\n");
+    }
+}
+
+static void put_source(Buf *out, const Source *src)
+{
+    buf_str(out, "<pre class=\"source\">");
+    for (uint32_t i = 1; i <= src->lines; i++) {
+        uint32_t len;
+        const char *line = source_line(src, i, &len);
+        uint32_t comment = len;
+        comment_starts(line, len, &comment);
+        if (i == src->lines && len == 0)
+            break;
+        buf_printf(out, "<span id=\"L%lu\"><span class=\"no\">%lu</span>", (unsigned long)i, (unsigned long)i);
+        html_put(out, line, comment);
+        if (comment < len) {
+            buf_str(out, "<span class=\"c\">");
+            html_put(out, line + comment, len - comment);
+            buf_str(out, "</span>");
+        }
+        buf_str(out, "</span>\n");
+    }
+    buf_str(out, "</pre>\n");
+}
+
+// ---- parts ----
+
+static void put_heading(Buf *out, const DocPart *p)
+{
+    buf_str(out, "<h3");
+    if (p->id || p->state) {
+        buf_str(out, p->state ? " id=\"state-" : " id=\"");
+        html_str(out, p->state ? p->state : p->id);
+        buf_char(out, '"');
+    }
+    buf_char(out, '>');
+    if (p->plain)
+        html_str(out, p->text);
+    else
+        put_marked(out, p->text);
+    if (p->badge) {
+        buf_printf(out, " <span class=\"badge %s\">", p->tone ? p->tone : "note");
+        html_str(out, p->badge);
+        buf_str(out, "</span>");
+    }
+    buf_str(out, "</h3>\n");
+}
+
+static void put_in(Buf *out, const char *open, const char *text, bool marked, const char *close)
+{
+    buf_str(out, open);
+    if (marked)
+        put_marked(out, text);
+    else
+        html_str(out, text);
+    buf_str(out, close);
+}
+
+static void put_figure(Buf *out, const DocPart *p)
+{
+    buf_str(out, p->low ? "<figure class=\"low\">\n" : "<figure>\n");
+    buf_str(out, p->text);
+    if (p->badge)
+        put_in(out, "<figcaption>", p->badge, true, "</figcaption>\n");
+    buf_str(out, "</figure>\n");
+}
+
+static void put_part(Buf *out, const DocPart *p)
+{
+    switch (p->kind) {
+    case DOC_HEADING: put_heading(out, p); break;
+    case DOC_PARAGRAPH: put_in(out, "<p>", p->text, !p->plain, "</p>\n"); break;
+    case DOC_QUOTE: put_in(out, "<blockquote>", p->text, false, "</blockquote>\n"); break;
+    case DOC_TABLE: put_table(out, p->table); break;
+    case DOC_LIST: put_list(out, p->list); break;
+    case DOC_EXCERPT: put_excerpt(out, p); break;
+    case DOC_LINES: put_in(out, "<pre class=\"ex\">", p->text, false, "</pre>\n"); break;
+    case DOC_FIGURE: put_figure(out, p); break;
+    case DOC_SOURCE: put_source(out, p->source); break;
+    }
+}
+
+// Keeps a heading and everything up to the next heading together on paper.
+static void put_section(Buf *out, const DocSection *s)
+{
+    bool open = false;
+
+    buf_printf(out, "<section id=\"%s\">\n<h2>", s->id);
+    html_str(out, s->title);
+    buf_str(out, "</h2>\n");
+    for (size_t i = 0; i < s->part.n; i++) {
+        if (s->part.at[i].kind == DOC_HEADING) {
+            buf_str(out, open ? "</article>\n<article>\n" : "<article>\n");
+            open = true;
+        }
+        put_part(out, &s->part.at[i]);
+    }
+    buf_str(out, open ? "</article>\n</section>\n" : "</section>\n");
+}
+
+void doc_write_html(const Doc *d, Buf *out)
+{
+    buf_str(out,
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"generator\" content=\"smc\"/>\n"
+            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n<title>");
+    html_str(out, d->title);
+    buf_str(out, " &#8211; design review</title>\n<style>\n");
+    for (size_t i = 0; report_style[i]; i++)
+        buf_str(out, report_style[i]);
+    buf_str(out, "</style>\n</head>\n<body>\n<header>\n<h1>");
+    html_str(out, d->title);
+    buf_str(out, "</h1>\n<p>");
+    html_str(out, d->subtitle);
+    buf_str(out, "</p>\n<nav><ol>\n");
+    for (size_t i = 0; i < d->section.n; i++) {
+        buf_printf(out, "<li><a href=\"#%s\">", d->section.at[i]->id);
+        html_str(out, d->section.at[i]->title);
+        buf_str(out, "</a></li>\n");
+    }
+    buf_str(out, "</ol></nav>\n</header>\n<main>\n");
+    for (size_t i = 0; i < d->section.n; i++)
+        put_section(out, d->section.at[i]);
+    buf_str(out, "</main>\n<footer><p>Made by ");
+    html_str(out, d->maker);
+    buf_str(out, ". The same sources give the same page, byte for byte.</p></footer>\n</body>\n</html>\n");
+}

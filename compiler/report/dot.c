@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// A diagram for Graphviz, which lays it out: `smc graph tank.sm --format=dot | dot -Tpdf`.
+#include "compiler/report/diagram.h"
+
+// Escapes for use in quotes, where Graphviz also interprets entities.
+static void put_quoted(Buf *out, const char *text)
+{
+    for (; *text; text++)
+        if (*text == '"' || *text == '\\')
+            buf_printf(out, "\\%c", *text);
+        else if (*text == '&')
+            buf_str(out, "&amp;");
+        else if ((unsigned char)*text < ' ')
+            buf_char(out, ' ');
+        else
+            buf_char(out, *text);
+}
+
+static void put_findings(Buf *out, const Findings *f)
+{
+    if (f->n == 0)
+        return;
+    buf_str(out, ", tooltip=\"");
+    for (size_t i = 0; i < f->n; i++) {
+        buf_printf(out, "%s%s: ", i ? "\\n" : "", diag_info[f->at[i]->code].id);
+        put_quoted(out, f->at[i]->text);
+    }
+    buf_char(out, '"');
+}
+
+// Impossible transitions and unreachable states are dashed, those that no run has executed are dotted.
+static const char *line_style(const Diagram *d, bool possible, uint64_t count, const char *before)
+{
+    const char *style = !possible ? "dashed" : d->o->counts && count == 0 ? "dotted" : NULL;
+
+    return style ? format_in(d->a->arena, "%s%s", before, style) : "";
+}
+
+// ---- states ----
+
+static const char *shape(const DiagramNode *n)
+{
+    return n->state->is_abort ? "shape=octagon, color=\"#b5320f\", fillcolor=\"#fdeae4\"" :
+           n->state->is_safe  ? "color=\"#0c7268\", fillcolor=\"#e3f3f1\"" : "";
+}
+
+static void put_node(Buf *out, const Diagram *d, const DiagramNode *n)
+{
+    const char *style = n->state->is_abort ? "filled" : "filled,rounded";
+
+    buf_printf(out, "    \"%s\" [label=\"%s", n->state->name->text, n->state->name->text);
+    for (size_t i = 0; i < n->finding.n; i++)
+        buf_printf(out, "\\n(%s)", diag_info[n->finding.at[i]->code].id);
+    if (d->o->counts)
+        buf_printf(out, "\\n%s", count_text(d, "entered", node_count(d, n)));
+    buf_printf(out, "\", style=\"%s%s\"%s%s%s", style, line_style(d, n->reached, node_count(d, n), ","), *shape(n) ? ", " : "", shape(n),
+               n->state->is_safe ? ", peripheries=2" : "");
+    put_findings(out, &n->finding);
+    buf_str(out, "];\n");
+}
+
+// ---- transitions ----
+
+static void put_guard(Buf *out, const Guard *g)
+{
+    for (size_t i = 0; i < g->line.n; i++) {
+        buf_str(out, i ? "\\n" : "");
+        put_quoted(out, g->line.at[i].text);
+    }
+    for (size_t i = 0; i < g->finding.n; i++)
+        buf_printf(out, " (%s)", diag_info[g->finding.at[i]->code].id);
+}
+
+static void put_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
+{
+    buf_printf(out, "    \"%s\" -> \"%s\" [label=\"", d->node[e->from].state->name->text, d->node[e->to].state->name->text);
+    for (size_t g = 0; g < e->guard.n; g++) {
+        buf_str(out, g ? "\\nor\\n" : "");
+        put_guard(out, &e->guard.at[g]);
+    }
+    buf_printf(out, "\"%s", line_style(d, e->possible, edge_count(d, e), ", style="));
+    for (size_t g = 0; g < e->guard.n; g++)
+        if (e->guard.at[g].finding.n > 0) {
+            put_findings(out, &e->guard.at[g].finding);
+            break;
+        }
+    buf_str(out, "];\n");
+}
+
+void graph_dot(const Analysis *a, const GraphOptions *o, Buf *out)
+{
+    const Diagram *d = diagram_of(a, o);
+
+    buf_str(out, "digraph \"");
+    put_quoted(out, a->p->name->text);
+    buf_str(out, "\" { // drawn by smc\n    graph [fontname=\"Helvetica\"];\n");
+    buf_str(out, "    node [shape=box, fontname=\"Helvetica\", color=\"#46566b\", fillcolor=\"#eef3f9\"];\n");
+    buf_str(out, "    edge [fontname=\"Helvetica\", fontsize=10, color=\"#6a7787\"];\n");
+    buf_printf(out, "    \"/start\" [shape=point, width=0.15];\n    \"/start\" -> \"%s\";\n", d->node[0].state->name->text);
+    for (size_t n = 0; n < d->nodes; n++)
+        put_node(out, d, &d->node[n]);
+    for (size_t e = 0; e < d->edge.n; e++)
+        put_edge(out, d, &d->edge.at[e]);
+    buf_str(out, "}\n");
+}

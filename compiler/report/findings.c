@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The findings of the analyses: all groups of warnings, even if disabled elsewhere, and those that an @allow covers, with its reason.
+#include "compiler/report/report.h"
+
+FindingCount report_count_findings(const Report *r)
+{
+    return (FindingCount){r->analysis.diags->list.n, r->analysis.diags->allowed.n};
+}
+
+static const char *group_of(const Diag *diag)
+{
+    static const char *const name[] = {"on by default", "-Wextra", "-Wflight"};
+    const DiagFlag *flag = diag_info[diag->code].flag ? diag_find_flag(diag_info[diag->code].flag) : NULL;
+
+    return flag ? name[flag->group] : "";
+}
+
+static const char *name_of(const Diag *diag) { return diag_info[diag->code].flag ? diag_info[diag->code].flag : ""; }
+
+// ---- one finding in detail ----
+
+static const char *place_of(const Report *r, Span span)
+{
+    LineCol at;
+
+    if (!span.src)
+        return "";
+    at = source_position(span.src, span.at);
+    return format_in(r->arena, "%s:%lu:%lu", report_file_name(span.src->name), (unsigned long)at.line, (unsigned long)at.col);
+}
+
+static void put_notes(const Report *r, Doc *d, const Diag *diag, size_t number)
+{
+    DocList *l;
+
+    if (diag->notes.n == 0)
+        return;
+    l = doc_list(d, format_in(r->arena, "notes.%lu", (unsigned long)number), NULL);
+    for (size_t i = 0; i < diag->notes.n; i++)
+        list_line(l, 0, diag->notes.at[i].span.src == r->analysis.p->src ? report_line(diag->notes.at[i].span) : 0,
+                  diag->notes.at[i].text);
+}
+
+static void put_finding(const Report *r, Doc *d, const Diag *diag, size_t number)
+{
+    DocPart *heading = doc_heading(d, format_in(r->arena, "finding-%lu", (unsigned long)number), diag->text);
+
+    heading->plain = true;
+    heading->badge = diag->allowed ? "allowed" : diag_code_and_name(diag, r->arena);
+    heading->tone = diag->allowed ? "good" : diag->severity == DIAG_ERROR ? "bad" : "note";
+    if (diag->allowed)
+        doc_quote(d, format_in(r->arena, "Allowed: %s", diag->allowed));
+    doc_excerpt(d, diag->span, diag->label);
+    put_notes(r, d, diag, number);
+    if (diag->edits.n)
+        doc_paragraph(d, "What to do is certain: `smc fix` makes the edit.");
+}
+
+// ---- the tables ----
+
+static const DocColumn finding_columns[] = {
+    {"number", "No."}, {"name", "Name"}, {"group", "Group"}, {"place", "Place"}, {"message", "What was found"}, {"code", "Code"}};
+static const DocColumn allowed_columns[] = {
+    {"number", "No."}, {"name", "Name"}, {"place", "Place"}, {"message", "What was found"}, {"reason", "Why it is allowed"}};
+
+static void put_row(const Report *r, DocTable *t, const Diag *diag, size_t number)
+{
+    cell_number(t, number);
+    cell_code(t, name_of(diag));
+    if (!diag->allowed)
+        cell_plain(t, group_of(diag));
+    cell_plain(t, place_of(r, diag->span));
+    cell_plain(t, diag->text);
+    cell_plain(t, diag->allowed ? diag->allowed : diag_info[diag->code].id);
+}
+
+// Writes findings in detail, numbered from `first`.
+static void put_all(const Report *r, Doc *d, Diag *const *diag, size_t n, size_t first)
+{
+    for (size_t i = 0; i < n; i++)
+        put_finding(r, d, diag[i], first + i);
+}
+
+// Some findings assume how far time advances in a step.
+static const char *step_text(const Report *r)
+{
+    const unsigned long step = (unsigned long)r->analysis.step;
+
+    if (r->analysis.step == 0)
+        return r->runs > 1 ? "How far time advances in a step is not known: the scripts do not have one `delta_t`. With `--step` the analyses find more."
+                           : "How far time advances in a step is not known. With `--step` the analyses find more.";
+    return format_in(r->arena, r->step_given ? "Time advances by %lu in a step, as given with `--step`."
+                                             : "Time advances by %lu in a step, as in the scripts (`delta_t`).", step);
+}
+
+void report_findings(Report *r, Doc *d)
+{
+    const Diags *diags = r->analysis.diags;
+    const size_t open = diags->list.n, allowed = diags->allowed.n;
+    DocTable *t;
+
+    doc_section(d, "findings", "Findings");
+    doc_paragraph(d, format_in(r->arena, "%s %s",
+        open ? "What the analyses found, of all groups. `smc explain` with a name or code prints what it means and what to do."
+        : allowed ? "The analyses of all groups found nothing that is not allowed with a reason."
+                  : "The analyses of all groups found nothing.", step_text(r)));
+    if (open) {
+        t = DOC_TABLE_OF(d, "findings", finding_columns);
+        for (size_t i = 0; i < open; i++)
+            put_row(r, t, diags->list.at[i], i + 1);
+    }
+    if (allowed) {
+        doc_heading(d, "allowed", "Allowed with a reason");
+        t = DOC_TABLE_OF(d, "allowed", allowed_columns);
+        for (size_t i = 0; i < allowed; i++)
+            put_row(r, t, diags->allowed.at[i], open + i + 1);
+    }
+    put_all(r, d, diags->list.at, open, 1);
+    put_all(r, d, diags->allowed.at, allowed, open + 1);
+}

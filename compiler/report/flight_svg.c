@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// A flight as a drawing: the states of a machine as bands, and elements below them, over time (thesis, Figure 4.1).  It reuses the plot of
+// a script's run: the records of a session are distributed over the plot's slots of time.  A state begins at the exact time of its event,
+// to the nanosecond.  The circle that marks it is on the curve, at the last value of its slot.
+#include <string.h>
+
+#include "compiler/report/flight.h"
+#include "compiler/report/plot.h"
+#include "compiler/report/style.h"
+
+// A session being converted to a plot.
+typedef struct Drawing {
+    const Flight *f;
+    const LogSession *s;
+    StrPool names;
+    Program p;
+    Trace t;
+    double span;                  // in nanoseconds, including one period after the last record
+} Drawing;
+
+// ---- time ----
+
+// Position on the time axis in slots, with fraction.
+static double place_of(const Drawing *d, uint64_t time)
+{
+    const double share = time <= d->s->first ? 0 : (double)(time - d->s->first) / d->span;
+
+    return (share < 1 ? share : 1) * (double)d->t.steps;
+}
+
+// A record up to a millionth of a slot too early belongs to the next slot, because division and multiplication round its time.
+static uint64_t slot_of(const Drawing *d, uint64_t time)
+{
+    const uint64_t slot = (uint64_t)(place_of(d, time) + 1e-6);
+
+    return slot < d->t.steps ? slot : d->t.steps - 1;
+}
+
+static void lay_out_time(Drawing *d)
+{
+    const uint64_t n = d->s->records;
+    const double length = (double)(d->s->last - d->s->first);
+
+    d->span = length > 0 && n > 1 ? length / (double)(n - 1) * (double)n : 1;
+    d->t.steps = n < TRACE_BUCKETS ? n : TRACE_BUCKETS;
+    d->t.per = 1;
+    d->t.first_g = d->s->first;
+    d->t.last_g = d->s->first + (uint64_t)(d->span * ((double)(d->t.steps - 1) / (double)d->t.steps));
+    d->t.unit = 1e-9;
+    d->t.axis = "Time since the application started, s";
+}
+
+// ---- elements ----
+
+static void put_value(TraceBucket *b, double x, bool first)
+{
+    if (first || b->first != b->first)
+        *b = (TraceBucket){x, x, x, x};
+    if (x != x)                                   // NaN among numbers of a slot is not drawn
+        return;
+    b->lo = x < b->lo ? x : b->lo;
+    b->hi = x > b->hi ? x : b->hi;
+    b->last = x;
+}
+
+static void fill(Drawing *d, TraceSeries *series, const LogElement *e)
+{
+    bool *filled = ARENA_ARRAY(d->f->arena, bool, (size_t)d->t.steps);        // by slot
+
+    for (size_t i = 0; i < d->s->item.n; i++) {
+        const LogItem *item = &d->s->item.at[i];
+        if (item->kind == ITEM_RECORD) {
+            const size_t slot = (size_t)slot_of(d, log_time(item));
+            const double x = flight_number(e->type, log_cell(item, e));
+            put_value(&series->at[slot], x, !filled[slot]);
+            filled[slot] = true;
+            series->infinite = series->infinite || (x == x && x - x != 0);
+            series->nan = series->nan || x != x;
+        }
+    }
+    for (uint64_t k = 1; k < d->t.steps; k++)             // a slot without a record has the last value before it
+        if (!filled[k])
+            put_value(&series->at[k], series->at[k - 1].last, true);
+    for (uint64_t k = 0; k < d->t.steps; k++)
+        series->changes = series->changes || series->at[k].lo != series->at[0].first || series->at[k].hi != series->at[0].first;
+}
+
+static void add_series(Drawing *d, const LogElement *e)
+{
+    TraceSeries *series = ARENA_NEW(d->f->arena, TraceSeries);
+    Var *v = ARENA_NEW(d->f->arena, Var);
+
+    v->kind = VAR_ELEMENT;
+    v->type = e->type;
+    v->name = str_c(&d->names, e->name);
+    series->v = v;
+    fill(d, series, e);
+    series->changes = series->changes || d->f->elements > 0;      // elements that the user asked for are always drawn
+    vec_push(d->f->arena, &d->t.series, series);
+}
+
+static bool is_state(const Drawing *d, const LogElement *e)
+{
+    return d->f->elements == 0 && d->f->machine && d->f->machine->s != LOG_NONE && e == &d->s->d->element[d->f->machine->s];
+}
+
+// ---- states ----
+
+static void add_states(Drawing *d)
+{
+    const LogMachine *m = d->f->machine;
+
+    d->t.entered = ARENA_ARRAY(d->f->arena, uint64_t, m ? m->state.n + 1 : 1);
+    for (uint32_t i = 1; m && i <= m->state.n; i++) {
+        State *s = ARENA_NEW(d->f->arena, State);
+        s->name = str_c(&d->names, log_state_name(d->f->arena, m, i));
+        s->number = i;
+        vec_push(d->f->arena, &d->p.state, s);
+    }
+}
+
+static void add_visit(Drawing *d, uint32_t state, uint64_t time)
+{
+    TraceVisit v = {NULL, slot_of(d, time), time, place_of(d, time)};
+
+    if (state < 1 || state > d->p.state.n)
+        return;
+    v.state = d->p.state.at[state - 1];
+    d->t.entered[state - 1]++;
+    if (d->t.visits++ < TRACE_VISITS_MAX)
+        vec_push(d->f->arena, &d->t.visit, v);
+}
+
+static void visit_by_events(Drawing *d)
+{
+    for (size_t i = 0; i < d->s->item.n; i++)
+        for (uint32_t k = 0; d->s->item.at[i].kind == ITEM_EVENTS && k < d->s->item.at[i].n; k++) {
+            const LogEvent e = log_event(&d->s->item.at[i], k);
+            if (e.kind == LOG_EVENT_STATE && e.source == d->f->machine->number)
+                add_visit(d, e.b, e.time);
+        }
+}
+
+// Used if events are missing: finds visits by the element that stores the state's number, at the time of the record.
+static void visit_by_records(Drawing *d)
+{
+    uint64_t last = 0;
+
+    for (size_t i = 0; i < d->s->item.n; i++) {
+        const LogItem *item = &d->s->item.at[i];
+        const uint64_t now = item->kind == ITEM_RECORD ? log_cell(item, &d->s->d->element[d->f->machine->s]) : last;
+        if (now != last && now <= d->p.state.n)
+            add_visit(d, (uint32_t)now, log_time(item));
+        last = now;
+    }
+}
+
+static void add_visits(Drawing *d)
+{
+    if (!d->f->machine)
+        return;
+    if ((d->s->lost == 0 && d->f->log->damaged == 0) || d->f->machine->s == LOG_NONE)
+        visit_by_events(d);
+    if (d->t.visits == 0 && d->f->machine->s != LOG_NONE)
+        visit_by_records(d);
+}
+
+// ---- the file ----
+
+// Writes the value of "--name" among the variables of the light page.
+static void put_variable(Buf *out, const char *name, size_t n)
+{
+    const char *at = plot_style_light;
+
+    while ((at = strstr(at, "--")) != NULL)
+        if (strncmp(at, name, n) == 0 && at[n] == ':') {
+            buf_put(out, at + n + 1, strcspn(at + n + 1, ";}"));
+            return;
+        } else {
+            at += 2;
+        }
+}
+
+// Writes the rules with variables replaced by their values, for viewers that do not support variables.
+static void put_style(Buf *out)
+{
+    const char *at = plot_style, *next;
+
+    while ((next = strstr(at, "var(")) != NULL) {
+        const size_t n = strcspn(next + 4, ")");
+        buf_put(out, at, (size_t)(next - at));
+        put_variable(out, next + 4, n);
+        at = next + 4 + n + 1;
+    }
+    buf_str(out, at);
+}
+
+static void put_drawing(const Drawing *d, Buf *out)
+{
+    Buf body;
+    const long high = plot_body(d->f->arena, &d->t, &body);
+
+    buf_printf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot smc-flight\" width=\"%d\" height=\"", PLOT_WIDE / 10);
+    plot_tenths(out, high + PLOT_GAP);
+    buf_printf(out, "\" viewBox=\"0 0 %d ", PLOT_WIDE / 10);
+    plot_tenths(out, high + PLOT_GAP);
+    buf_str(out, "\">\n<style>\n.plot text{font-family:Helvetica,Arial,sans-serif}\n");
+    put_style(out);
+    buf_printf(out, "</style>\n%s\n<rect width=\"100%%\" height=\"100%%\" fill=\"", plot_defs);
+    put_variable(out, "--bg", 4);
+    buf_str(out, "\"/>\n");
+    buf_put(out, body.at, body.n);
+    buf_str(out, "</svg>\n");
+}
+
+void flight_svg(const Flight *f, Buf *out)
+{
+    Drawing *d = ARENA_NEW(f->arena, Drawing);
+
+    d->f = f;
+    d->s = f->session;
+    str_pool_init(&d->names, f->arena);
+    d->t.arena = f->arena;
+    d->t.p = &d->p;
+    lay_out_time(d);
+    add_states(d);
+    add_visits(d);
+    for (size_t i = 0; i < flight_elements(f, d->s->d); i++)
+        if (!is_state(d, flight_element(f, d->s->d, i)))
+            add_series(d, flight_element(f, d->s->d, i));
+    put_drawing(d, out);
+}

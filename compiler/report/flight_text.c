@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+// A flight log in words: duration, size, events, and the range of each element.
+#include <string.h>
+
+#include "compiler/report/flight.h"
+#include "compiler/report/report.h"
+#include "compiler/report/trace.h"
+#include "compiler/report/words.h"
+#include "stdlib/convert.h"
+#include "stdlib/result.h"
+
+// ---- shared ----
+
+void flight_time(Buf *out, uint64_t ns)
+{
+    unsigned long fraction = (unsigned long)(ns % 1000000000u);
+    int digits = 9;
+
+    buf_printf(out, "%llu", (unsigned long long)(ns / 1000000000u));
+    if (fraction == 0)
+        return;
+    for (; fraction % 10 == 0; digits--)
+        fraction /= 10;
+    buf_printf(out, ".%0*lu", digits, fraction);
+}
+
+size_t flight_elements(const Flight *f, const LogDescription *d) { return f->elements ? f->elements : d->elements; }
+
+const LogElement *flight_element(const Flight *f, const LogDescription *d, size_t i)
+{
+    return f->elements ? f->element[i] : &d->element[i];
+}
+
+// ---- events ----
+
+static const char *name_of(const Flight *f, const LogNames *names, const char *what, uint16_t number)
+{
+    return number < names->n && names->name[number][0] ? format_in(f->arena, "%s %s", what, names->name[number])
+                                                       : format_in(f->arena, "%s %u", what, (unsigned)number);
+}
+
+static const char *machine_name(const Flight *f, const LogDescription *d, uint16_t number)
+{
+    const LogMachine *m = log_machine(d, number);
+
+    return m && m->name[0] ? m->name : format_in(f->arena, "machine %u", (unsigned)number);
+}
+
+static const char *mode_name(Arena *arena, uint32_t mode)
+{
+    static const char *const names[] = {"disabled", "safed", "enabled"};
+
+    return mode < 3 ? names[mode] : format_in(arena, "mode %lu (safed)", (unsigned long)mode);
+}
+
+static void put_state(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
+{
+    const LogMachine *m = log_machine(d, e->source);
+
+    buf_printf(out, "%s: ", machine_name(f, d, e->source));
+    if (e->a == 0)
+        buf_printf(out, "starts in %s", log_state_name(f->arena, m, e->b));
+    else
+        buf_printf(out, "%s -> %s", log_state_name(f->arena, m, e->a), log_state_name(f->arena, m, e->b));
+}
+
+static void put_fault(const Flight *f, const char *task, const LogEvent *e, Buf *out)
+{
+    if (e->a == 0)
+        buf_printf(out, "%s works again, after %s", task, words_count(f->arena, e->b, "failure", "failures"));
+    else
+        buf_printf(out, "%s fails: %s", task, e->a <= 0x7FFFFFFF ? sm_result_text((SmResult)-(int32_t)e->a) : "?");
+}
+
+// Writes the name of a kind of event that this version does not know.
+static void put_unknown(const LogDescription *d, const LogEvent *e, Buf *out)
+{
+    const char *name = "event";
+
+    for (uint32_t i = 0; i < d->kinds; i++)
+        if (d->kind[i].kind == e->kind)
+            name = d->kind[i].name;
+    buf_printf(out, "%s %u: source %u, a %lu, b %lu", name, (unsigned)e->kind, (unsigned)e->source, (unsigned long)e->a,
+               (unsigned long)e->b);
+}
+
+static const char *kept_words(uint32_t a)
+{
+    return a == 0 ? "" : a == 1 ? ", with the state vector that was kept" :
+        "; what was kept of the state vector could not be used: it is damaged or of another layout";
+}
+
+void flight_event(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
+{
+    const char *task = name_of(f, &d->task, "task", e->source);
+
+    switch (e->kind) {
+    case LOG_EVENT_START:
+        buf_printf(out, "the application started%s%s", kept_words(e->a),
+                   e->b ? ", after the watchdog bit" : "");
+        break;
+    case LOG_EVENT_STATE: put_state(f, d, e, out); break;
+    case LOG_EVENT_MODE: buf_printf(out, "%s: %s -> %s", task, mode_name(f->arena, e->a), mode_name(f->arena, e->b)); break;
+    case LOG_EVENT_FAULT: put_fault(f, task, e, out); break;
+    case LOG_EVENT_OVERRUN:
+        buf_printf(out, "%s is late by %lu us, and left out %s", name_of(f, &d->executor, "executor", e->source),
+                   (unsigned long)e->b, words_count(f->arena, e->a, "tick", "ticks"));
+        break;
+    case LOG_EVENT_REFUSED:
+        buf_printf(out, "%s does not step: time does not advance (%lu so far)", machine_name(f, d, e->source), (unsigned long)e->a);
+        break;
+    case LOG_EVENT_STOP: buf_str(out, "the application was stopped"); break;
+    default: put_unknown(d, e, out); break;
+    }
+}
+
+// ---- the summary ----
+
+static const char *count(Arena *arena, uint64_t n, const char *one, const char *many)
+{
+    return format_in(arena, "%llu %s", (unsigned long long)n, n == 1 ? one : many);
+}
+
+static void put_file(const Flight *f, Buf *out)
+{
+    const Log *log = f->log;
+
+    buf_printf(out, "%s: %s, %s", f->name, count(f->arena, log->size, "byte", "bytes"),
+               count(f->arena, log->session.n, "session", "sessions"));
+    if (log->damaged)
+        buf_printf(out, ", %s damaged in %s", count(f->arena, log->damaged, "byte", "bytes"),
+                   count(f->arena, log->places, "place", "places"));
+    buf_char(out, '\n');
+}
+
+static void put_extent(const Flight *f, const LogSession *s, Buf *out)
+{
+    buf_printf(out, "  %s", count(f->arena, s->records, "record", "records"));
+    if (s->records > 0) {
+        buf_str(out, " from ");
+        flight_time(out, s->first);
+        buf_str(out, " s to ");
+        flight_time(out, s->last);
+        buf_str(out, " s");
+    }
+    buf_printf(out, ", %s", count(f->arena, s->events, "event", "events"));
+    if (s->dropped)
+        buf_printf(out, "; %s dropped", count(f->arena, s->dropped, "record", "records"));
+    if (s->lost)
+        buf_printf(out, "; %s lost", count(f->arena, s->lost, "event", "events"));
+    buf_char(out, '\n');
+}
+
+static void put_events(const Flight *f, const LogSession *s, Buf *out)
+{
+    if (s->events)
+        buf_str(out, "\n  events\n");
+    for (size_t i = 0; i < s->item.n; i++)
+        for (uint32_t k = 0; s->item.at[i].kind == ITEM_EVENTS && k < s->item.at[i].n; k++) {
+            const LogEvent e = log_event(&s->item.at[i], k);
+            buf_str(out, "    ");
+            flight_time(out, e.time);
+            buf_str(out, " s  ");
+            flight_event(f, s->d, &e, out);
+            buf_char(out, '\n');
+        }
+}
+
+// ---- values ----
+
+typedef struct Extremes { uint64_t first, lo, hi, last; bool any, number; uint64_t nans; } Extremes;        // lo, hi: of numbers only
+
+double flight_number(SmType type, uint64_t cell)
+{
+    unsigned char memory[8] = {0};
+    float f = 0;
+    double d = 0;
+
+    sm_cell_store(type, memory, cell);
+    if (type == SM_F32)
+        memcpy(&f, memory, sizeof f);
+    if (type == SM_F64)
+        memcpy(&d, memory, sizeof d);
+    return f != f ? (double)f : d != d ? d : trace_number(type, cell);
+}
+
+static void widen(Extremes *x, SmType type, uint64_t cell)
+{
+    const double value = flight_number(type, cell);
+
+    if (!x->any)
+        x->first = cell;
+    x->any = true;
+    x->last = cell;
+    if (value != value) {
+        x->nans++;
+        return;
+    }
+    if (!x->number || value < flight_number(type, x->lo))
+        x->lo = cell;
+    if (!x->number || value > flight_number(type, x->hi))
+        x->hi = cell;
+    x->number = true;
+}
+
+static void put_values(const Flight *f, const LogSession *s, const LogElement *e, Buf *out)
+{
+    Extremes x = {0, 0, 0, 0, false, false, 0};
+
+    for (size_t i = 0; i < s->item.n; i++)
+        if (s->item.at[i].kind == ITEM_RECORD)
+            widen(&x, e->type, log_cell(&s->item.at[i], e));
+    buf_printf(out, "    %-24s %-5s ", e->name, sm_type_info[e->type].spelling);
+    if (x.number)
+        buf_printf(out, "%s .. %s, from %s to %s", report_cell(f->arena, e->type, x.lo), report_cell(f->arena, e->type, x.hi),
+                   report_cell(f->arena, e->type, x.first), report_cell(f->arena, e->type, x.last));
+    if (x.nans)
+        buf_printf(out, "%snan in %s", x.number ? ", " : "", count(f->arena, x.nans, "record", "records"));
+    buf_char(out, '\n');
+}
+
+static void put_session(const Flight *f, size_t number, const LogSession *s, Buf *out)
+{
+    buf_printf(out, "\nsession %lu: %s, %s, layout %08lx\n", (unsigned long)number, s->d->vector,
+               count(f->arena, s->d->elements, "element", "elements"), (unsigned long)s->d->layout);
+    put_extent(f, s, out);
+    put_events(f, s, out);
+    if (s->records == 0)
+        return;
+    buf_str(out, "\n  elements: smallest .. largest, from first to last\n");
+    for (size_t i = 0; i < flight_elements(f, s->d); i++)
+        put_values(f, s, flight_element(f, s->d, i), out);
+}
+
+void flight_text(const Flight *f, Buf *out)
+{
+    put_file(f, out);
+    for (size_t i = 0; i < f->log->session.n; i++)
+        if (!f->session || f->session == f->log->session.at[i])
+            put_session(f, i + 1, f->log->session.at[i], out);
+}

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages of a layout, and the items that they place.
+#include "compiler/report/layout.h"
+
+// ---- layers ----
+
+enum {
+    LABELS_W = 700,               // labels that are wider together take another layer
+    NODES_W = 900,                // the same for states
+    ROWS = 8,                     // maximum number of layers of a band
+    LABEL_SIDE = 10, BEND_SIDE = 7            // space on both sides of a label's text, and of a line
+};
+
+// The states of a rank, or the labels between a rank and the next.  They occupy `rows` layers, the first of which is `layer`.
+typedef struct Band {
+    int64_t load;                 // their total width
+    uint32_t rows, layer;
+    int64_t row_load[ROWS];
+} Band;
+
+typedef struct Bands {
+    Band *rank, *gap;             // by rank; by the rank above the gap
+    uint32_t *gap_of;             // by edge: the gap of its label
+} Bands;
+
+static uint32_t top_rank(const Layout *l, const DiagramEdge *e) { return l->rank[e->up ? e->to : e->from]; }
+static uint32_t bottom_rank(const Layout *l, const DiagramEdge *e) { return l->rank[e->up ? e->from : e->to]; }
+
+static int32_t label_room(const DiagramEdge *e) { return e->label.w + 2 * LABEL_SIDE; }
+
+// The least filled gap between an edge's ends; of several, the one nearest to the edge's start.
+static uint32_t best_gap(const Layout *l, const Bands *b, const DiagramEdge *e)
+{
+    const uint32_t top = top_rank(l, e), n = bottom_rank(l, e) - top;
+    uint32_t best = e->up ? top + n - 1 : top;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t gap = e->up ? top + n - 1 - i : top + i;
+        if (b->gap[gap].load < b->gap[best].load)
+            best = gap;
+    }
+    return best;
+}
+
+static void fill_gaps(const Layout *l, Bands *b)
+{
+    for (int is_long = 0; is_long < 2; is_long++)         // first those with only one gap
+        for (size_t e = 0; e < l->d->edge.n; e++) {
+            const DiagramEdge *edge = &l->d->edge.at[e];
+            if (edge->form != EDGE_LINE || (bottom_rank(l, edge) - top_rank(l, edge) > 1) != is_long)
+                continue;
+            b->gap_of[e] = best_gap(l, b, edge);
+            b->gap[b->gap_of[e]].load += label_room(edge);
+        }
+}
+
+static void number_band(Layout *l, Band *band, int64_t most)
+{
+    const int64_t rows = (band->load + most - 1) / most;
+
+    band->rows = (uint32_t)(rows > ROWS ? ROWS : rows);
+    band->layer = l->layers;
+    l->layers += band->rows;
+}
+
+// Chooses the layer of the band that is filled least.
+static uint32_t take_layer(Band *band, int32_t room)
+{
+    uint32_t best = 0;
+
+    for (uint32_t r = 1; r < band->rows; r++)
+        if (band->row_load[r] < band->row_load[best])
+            best = r;
+    band->row_load[best] += room;
+    return band->layer + best;
+}
+
+// ---- items ----
+
+static uint32_t add_item(Layout *l, ItemKind kind, uint32_t ref, uint32_t layer)
+{
+    Item i = {kind, ref, layer, 0, BEND_SIDE, BEND_SIDE, 0, 0};
+
+    if (kind == ITEM_LABEL) {
+        i.left = i.right = label_room(&l->d->edge.at[ref]) / 2;
+        i.h = l->d->edge.at[ref].label.h + 4;
+    }
+    l->layer[layer].n++;
+    vec_push(l->arena, &l->item, i);
+    return (uint32_t)l->item.n - 1;
+}
+
+// Adds the items of nodes, without layers.
+static void add_nodes(Layout *l, Bands *b)
+{
+    uint32_t *above = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes), *below = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
+
+    for (size_t e = 0; e < l->d->edge.n; e++) {
+        const DiagramEdge *edge = &l->d->edge.at[e];
+        if (edge->form != EDGE_LINE)
+            continue;
+        below[edge->up ? edge->to : edge->from]++;
+        above[edge->up ? edge->from : edge->to]++;
+    }
+    for (uint32_t n = 0; n < l->d->nodes; n++) {
+        Item i = {ITEM_NODE, n, 0, 0, 0, 0, 0, 0};
+        layout_size_node(l->d, n, above[n] > below[n] ? above[n] : below[n], &i);
+        b->rank[l->rank[n]].load += i.left + i.right;
+        vec_push(l->arena, &l->item, i);
+    }
+}
+
+// Numbers the layers, when their number is known, and puts the nodes into theirs.
+static void begin_layers(Layout *l, Bands *b)
+{
+    for (uint32_t r = 0; r < l->ranks; r++) {
+        number_band(l, &b->rank[r], NODES_W);
+        number_band(l, &b->gap[r], LABELS_W);
+    }
+    l->layer = ARENA_ARRAY(l->arena, Layer, l->layers);
+    for (uint32_t n = 0; n < l->d->nodes; n++) {
+        Item *i = &l->item.at[n];
+        i->layer = take_layer(&b->rank[l->rank[n]], i->left + i->right);
+        l->layer[i->layer].n++;
+    }
+}
+
+static void add_chain(Layout *l, uint32_t edge, uint32_t label)
+{
+    const DiagramEdge *e = &l->d->edge.at[edge];
+    const uint32_t bottom = e->up ? e->from : e->to;
+    uint32_t above = e->up ? e->to : e->from;
+
+    for (uint32_t layer = l->item.at[above].layer + 1; layer <= l->item.at[bottom].layer; layer++) {
+        Link link = {above, bottom, edge, false};
+        if (layer < l->item.at[bottom].layer)
+            link.below = add_item(l, layer == label ? ITEM_LABEL : ITEM_BEND, edge, layer);
+        above = link.below;
+        vec_push(l->arena, &l->link, link);
+    }
+}
+
+void layout_items(Layout *l)
+{
+    Bands b = {ARENA_ARRAY(l->arena, Band, l->ranks), ARENA_ARRAY(l->arena, Band, l->ranks),
+               ARENA_ARRAY(l->arena, uint32_t, l->d->edge.n + 1)};
+
+    add_nodes(l, &b);
+    fill_gaps(l, &b);
+    begin_layers(l, &b);
+    l->first_link = ARENA_ARRAY(l->arena, uint32_t, l->d->edge.n + 1);
+    for (uint32_t e = 0; e < l->d->edge.n; e++) {
+        const DiagramEdge *edge = &l->d->edge.at[e];
+        l->first_link[e] = (uint32_t)l->link.n;
+        if (edge->form == EDGE_LINE)
+            add_chain(l, e, take_layer(&b.gap[b.gap_of[e]], label_room(edge)));
+    }
+    l->first_link[l->d->edge.n] = (uint32_t)l->link.n;
+    for (uint32_t i = 0; i < l->layers; i++) {
+        l->layer[i].item = ARENA_ARRAY(l->arena, uint32_t, l->layer[i].n);
+        l->layer[i].n = 0;        // items are added in order later
+    }
+}
+
+// ---- links ----
+
+static void count_links(const Layout *l, uint32_t *above, uint32_t *below)
+{
+    for (size_t k = 0; k < l->link.n; k++) {
+        above[l->link.at[k].below + 1]++;
+        below[l->link.at[k].above + 1]++;
+    }
+    for (size_t i = 0; i < l->item.n; i++) {
+        above[i + 1] += above[i];
+        below[i + 1] += below[i];
+    }
+}
+
+// Copies the links to the lists of their other ends, item by item in the order of the layers.
+static void deal(const Layout *l, const Links *from, bool down, uint32_t *next, uint32_t *to)
+{
+    for (uint32_t y = 0; y < l->layers; y++)
+        for (uint32_t p = 0; p < l->layer[y].n; p++) {
+            const uint32_t i = l->layer[y].item[p];
+            for (uint32_t k = from->first[i]; k < from->first[i + 1]; k++) {
+                const Link *link = &l->link.at[from->at[k]];
+                to[next[down ? link->below : link->above]++] = from->at[k];
+            }
+        }
+}
+
+static void begin_links(Layout *l)
+{
+    uint32_t *next = ARENA_ARRAY(l->arena, uint32_t, l->item.n + 1);
+
+    l->above.first = ARENA_ARRAY(l->arena, uint32_t, l->item.n + 1);
+    l->below.first = ARENA_ARRAY(l->arena, uint32_t, l->item.n + 1);
+    l->above.at = ARENA_ARRAY(l->arena, uint32_t, l->link.n + 1);
+    l->below.at = ARENA_ARRAY(l->arena, uint32_t, l->link.n + 1);
+    count_links(l, l->above.first, l->below.first);
+    for (size_t i = 0; i < l->item.n; i++)
+        next[i] = l->below.first[i];
+    for (uint32_t k = 0; k < l->link.n; k++)
+        l->below.at[next[l->link.at[k].above]++] = k;
+    l->next = next;
+}
+
+void layout_sort_links(Layout *l)
+{
+    for (size_t i = 0; i < l->item.n; i++)
+        l->next[i] = l->above.first[i];
+    deal(l, &l->below, true, l->next, l->above.at);
+    for (size_t i = 0; i < l->item.n; i++)
+        l->next[i] = l->below.first[i];
+    deal(l, &l->above, false, l->next, l->below.at);
+}
+
+// ---- the whole layout ----
+
+void layout_diagram(Diagram *d)
+{
+    Layout *l = ARENA_NEW(d->a->arena, Layout);
+
+    l->arena = d->a->arena;
+    l->d = d;
+    layout_stub_hubs(d);
+    layout_rank(l);
+    layout_items(l);
+    begin_links(l);
+    layout_order(l);
+    layout_place(l);
+    layout_route(l);
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Places every state, guard and line of a diagram, in layers after Sugiyama, Tagawa and Toda (1981), in whole pixels.
+//
+//   rank    assigns every state a rank; edges lead from a rank to a later one, and edges that close a cycle are reversed
+//   items   ranks become layers, with layers for guards between them; a long edge has an item in every layer that it crosses
+//   order   the order within each layer, for few crossings
+//   place   x, for straight lines (Brandes and Köpf, 2001); then y
+//   route   where lines leave, bend and arrive
+//
+// Guards are items like states, so nothing overlaps.  Lines bend only between layers, where there are no items.  Edges that would form a
+// tangle of lines become stubs: edges to a state with many predecessors, and edges across many ranks.  Every stage is linear in the number
+// of items, times a bounded number of sweeps.
+#ifndef SMC_LAYOUT_H
+#define SMC_LAYOUT_H
+
+#include "compiler/report/diagram.h"
+
+typedef enum ItemKind {
+    ITEM_NODE,                    // a state with the stubs beside it
+    ITEM_LABEL,                   // the guards of an edge
+    ITEM_BEND                     // the crossing of an edge through a layer
+} ItemKind;
+
+typedef struct Item {
+    ItemKind kind;
+    uint32_t ref;                 // NODE: Diagram.node; else Diagram.edge
+    uint32_t layer, pos;          // pos: its position in the layer
+    int32_t left, right, h;       // its extent from x; h: height, centred in its layer
+    int32_t x;
+} Item;
+
+// A part of an edge, from an item to one in the next layer.
+typedef struct Link {
+    uint32_t above, below;        // items
+    uint32_t edge;
+    bool crossed;                 // by a part of an edge that should be straight: this link cannot be straight
+} Link;
+
+typedef struct Layer {
+    uint32_t *item;               // in order
+    uint32_t n;
+    int32_t y, h;
+} Layer;
+
+// The links of each item, ordered by the items at their other ends.
+typedef struct Links {
+    uint32_t *first;              // by item: at[first[i]] … at[first[i + 1] - 1]
+    uint32_t *at;
+} Links;
+
+typedef struct Layout {
+    Arena *arena;
+    Diagram *d;
+    uint32_t *rank;               // by node
+    uint32_t ranks;
+    bool *spine;                  // by edge: it should be straight from end to end
+    VEC(Item) item;               // first the nodes, then the other items
+    VEC(Link) link;               // those of an edge are consecutive, downwards
+    uint32_t *first_link;         // by edge, plus the end of the last
+    Layer *layer;
+    uint32_t layers;
+    Links above, below;
+    uint32_t *next;               // by item: scratch for layout_sort_links
+    uint64_t *sums;               // scratch for layout_crossings
+} Layout;
+
+// Runs all stages: fills in the boxes and paths of the diagram.
+//
+// An edge's path starts and ends at its states.  Its points are joined by alternating vertical lines and curves, with a vertical line first
+// and last.  The label is on one of the vertical lines, between its points.
+void layout_diagram(Diagram *d);
+
+// ---- the stages ----
+
+void layout_stub_hubs(Diagram *d);        // before rank: edges to states with many predecessors become stubs
+void layout_rank(Layout *l);              // sets `rank` and DiagramEdge.up; edges across many ranks become stubs
+void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, Item *out);
+void layout_items(Layout *l);
+void layout_order(Layout *l);
+void layout_sort_links(Layout *l);        // sorts `above` and `below` by the current order
+uint64_t layout_crossings(const Layout *l, uint32_t layer);       // between this layer and the next
+void layout_place(Layout *l);
+void layout_route(Layout *l);
+
+#endif

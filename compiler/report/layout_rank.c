@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ranks of states: their vertical order.
+#include <string.h>
+
+#include "compiler/report/layout.h"
+
+// ---- which edges are stubs ----
+
+enum {
+    HUB_ABORT = 3,                // with this many predecessors of an @abort state, all edges to it become stubs
+    HUB = 6,                      // the same for other states
+    LONGEST = 6                   // maximum number of ranks that a line can cross
+};
+
+static void stub(Diagram *d, uint32_t edge)
+{
+    DiagramEdge *e = &d->edge.at[edge];
+
+    e->form = EDGE_STUB;
+    vec_push(d->a->arena, &d->node[e->to].stub_in, edge);
+}
+
+void layout_stub_hubs(Diagram *d)
+{
+    uint32_t *in = ARENA_ARRAY(d->a->arena, uint32_t, d->nodes);
+
+    for (size_t e = 0; e < d->edge.n; e++)
+        in[d->edge.at[e].to] += d->edge.at[e].form == EDGE_LINE;
+    for (uint32_t e = 0; e < d->edge.n; e++) {
+        const uint32_t to = d->edge.at[e].to;
+        if (d->edge.at[e].form == EDGE_LINE && in[to] >= (d->node[to].state->is_abort ? HUB_ABORT : HUB))
+            stub(d, e);
+    }
+}
+
+// ---- cycles ----
+
+typedef struct Visit { uint32_t node, next; } Visit;      // next: number of its edges that have been followed
+
+typedef struct Search {
+    Layout *l;
+    char *met;                    // 0 not visited, 1 on the current path, 2 done
+    VEC(Visit) way;
+} Search;
+
+static void enter(Search *s, uint32_t node)
+{
+    Visit v = {node, 0};
+
+    s->met[node] = 1;
+    vec_push(s->l->arena, &s->way, v);
+}
+
+// Depth-first search in file order, starting with the first state.  An edge back to a state on the current path closes a cycle.  The first
+// state stays at the top.
+static void search_from(Search *s, uint32_t start)
+{
+    const Diagram *d = s->l->d;
+
+    enter(s, start);
+    while (s->way.n > 0) {
+        Visit *v = &s->way.at[s->way.n - 1];
+        const DiagramNode *n = &d->node[v->node];
+        DiagramEdge *e = &d->edge.at[n->first_edge + v->next];
+        if (v->next++ == n->edges) {
+            s->met[v->node] = 2;
+            s->way.n--;
+        } else if (s->met[e->to] == 1 || e->to == 0)
+            e->up = e->to != e->from;
+        else if (s->met[e->to] == 0)
+            enter(s, e->to);
+    }
+}
+
+static void break_circles(Layout *l)
+{
+    Search s = {l, ARENA_ARRAY(l->arena, char, l->d->nodes), {NULL, 0, 0}};
+
+    for (uint32_t n = 0; n < l->d->nodes; n++)
+        if (s.met[n] == 0)
+            search_from(&s, n);
+}
+
+// ---- ranks ----
+
+// The upper and lower end of a line.
+static uint32_t upper(const DiagramEdge *e) { return e->up ? e->to : e->from; }
+static uint32_t lower(const DiagramEdge *e) { return e->up ? e->from : e->to; }
+
+// By node, the lines of which it is the upper (or lower) end.
+typedef struct Ends { uint32_t *first, *edge; } Ends;
+
+static Ends ends_of(const Layout *l, uint32_t (*end)(const DiagramEdge *e))
+{
+    const Diagram *d = l->d;
+    Ends out = {ARENA_ARRAY(l->arena, uint32_t, d->nodes + 2), ARENA_ARRAY(l->arena, uint32_t, d->edge.n + 1)};
+
+    for (size_t e = 0; e < d->edge.n; e++)
+        if (d->edge.at[e].form == EDGE_LINE)
+            out.first[end(&d->edge.at[e]) + 2]++;
+    for (size_t n = 2; n < d->nodes + 2; n++)
+        out.first[n] += out.first[n - 1];
+    for (uint32_t e = 0; e < d->edge.n; e++)
+        if (d->edge.at[e].form == EDGE_LINE)
+            out.edge[out.first[end(&d->edge.at[e]) + 1]++] = e;
+    return out;
+}
+
+// Topological order: every line leads from an earlier to a later node.
+static uint32_t *downwards(const Layout *l, const Ends *out, const Ends *in)
+{
+    const Diagram *d = l->d;
+    uint32_t *order = ARENA_ARRAY(l->arena, uint32_t, d->nodes), *waits = ARENA_ARRAY(l->arena, uint32_t, d->nodes), n = 0;
+
+    for (uint32_t v = 0; v < d->nodes; v++)
+        if ((waits[v] = in->first[v + 1] - in->first[v]) == 0)
+            order[n++] = v;
+    for (uint32_t i = 0; i < n; i++)
+        for (uint32_t k = out->first[order[i]]; k < out->first[order[i] + 1]; k++) {
+            const uint32_t to = lower(&d->edge.at[out->edge[k]]);
+            if (--waits[to] == 0)
+                order[n++] = to;
+        }
+    return order;
+}
+
+static uint32_t lowest_above(const Layout *l, const Ends *in, uint32_t v)
+{
+    uint32_t rank = 0;
+
+    for (uint32_t k = in->first[v]; k < in->first[v + 1]; k++) {
+        const uint32_t r = l->rank[upper(&l->d->edge.at[in->edge[k]])] + 1;
+        rank = r > rank ? r : rank;
+    }
+    return rank;
+}
+
+// The lowest rank that the lines out of v allow; its own if there are none.
+static uint32_t highest_below(const Layout *l, const Ends *out, uint32_t v)
+{
+    uint32_t rank = UINT32_MAX;
+
+    for (uint32_t k = out->first[v]; k < out->first[v + 1]; k++) {
+        const uint32_t r = l->rank[lower(&l->d->edge.at[out->edge[k]])] - 1;
+        rank = r < rank ? r : rank;
+    }
+    return rank == UINT32_MAX ? l->rank[v] : rank;
+}
+
+// Moves a node with more lines out than in as far down as possible.
+static void sink(Layout *l, const Ends *out, const Ends *in, const uint32_t *order)
+{
+    for (size_t i = l->d->nodes; i-- > 0;) {
+        const uint32_t v = order[i], outs = out->first[v + 1] - out->first[v], ins = in->first[v + 1] - in->first[v];
+        if (v != 0 && outs > ins)
+            l->rank[v] = highest_below(l, out, v);
+    }
+}
+
+// ---- parts not connected to the first state ----
+
+static void spread(const Layout *l, const Ends *out, const Ends *in, uint32_t *part, uint32_t start)
+{
+    VEC(uint32_t) waiting = {NULL, 0, 0};
+
+    part[start] = start;
+    vec_push(l->arena, &waiting, start);
+    while (waiting.n > 0) {
+        const uint32_t v = waiting.at[--waiting.n];
+        for (int side = 0; side < 2; side++) {
+            const Ends *ends = side ? in : out;
+            for (uint32_t k = ends->first[v]; k < ends->first[v + 1]; k++) {
+                const DiagramEdge *e = &l->d->edge.at[ends->edge[k]];
+                const uint32_t to = side ? upper(e) : lower(e);
+                if (part[to] == UINT32_MAX) {
+                    part[to] = start;
+                    vec_push(l->arena, &waiting, to);
+                }
+            }
+        }
+    }
+}
+
+enum { ROW = 4 };                 // isolated states per rank
+
+// Moves every part down to end at the lowest rank in use, except the part of the first state.  Isolated states follow, ROW to a rank.
+static void settle_parts(Layout *l, const Ends *out, const Ends *in)
+{
+    const size_t n = l->d->nodes;
+    uint32_t *part = ARENA_ARRAY(l->arena, uint32_t, n), *last = ARENA_ARRAY(l->arena, uint32_t, n), alone = 0, end = 0;
+
+    memset(part, 0xFF, n * sizeof *part);
+    for (uint32_t v = 0; v < n; v++)
+        if (part[v] == UINT32_MAX)
+            spread(l, out, in, part, v);
+    for (uint32_t v = 0; v < n; v++)
+        if (l->rank[v] > last[part[v]])
+            last[part[v]] = l->rank[v];
+    for (uint32_t v = 0; v < n; v++)
+        end = last[v] > end ? last[v] : end;
+    for (uint32_t v = 0; v < n; v++)
+        if (part[v] != 0 && last[part[v]] > 0)
+            l->rank[v] += end - last[part[v]];
+        else if (part[v] != 0)
+            l->rank[v] = end + (last[0] > 0) + alone++ / ROW;
+    l->ranks = 0;
+    for (uint32_t v = 0; v < n; v++)
+        l->ranks = l->rank[v] >= l->ranks ? l->rank[v] + 1 : l->ranks;
+}
+
+// ---- the spine ----
+
+// By state, the number of lines on the longest downward path from it.  Only possible transitions count.
+static uint32_t *longest_ways(const Layout *l, const Ends *out, const uint32_t *order)
+{
+    uint32_t *way = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
+
+    for (size_t i = l->d->nodes; i-- > 0;)
+        for (uint32_t k = out->first[order[i]]; k < out->first[order[i] + 1]; k++) {
+            const DiagramEdge *e = &l->d->edge.at[out->edge[k]];
+            if (!e->up && e->possible && way[e->to] + 1 > way[order[i]])
+                way[order[i]] = way[e->to] + 1;
+        }
+    return way;
+}
+
+// The next line of the longest path from v; UINT32_MAX: v is its end.
+static uint32_t next_of(const Layout *l, const Ends *out, const uint32_t *way, uint32_t v)
+{
+    for (uint32_t k = out->first[v]; k < out->first[v + 1]; k++) {
+        const DiagramEdge *e = &l->d->edge.at[out->edge[k]];
+        if (e->form == EDGE_LINE && !e->up && e->possible && way[e->to] + 1 == way[v])
+            return out->edge[k];
+    }
+    return UINT32_MAX;
+}
+
+// The spine is the longest path from the first state, then from each other state up to the first state that is already taken.
+static void find_spine(Layout *l, const Ends *out, const uint32_t *order)
+{
+    const uint32_t *way = longest_ways(l, out, order);
+    bool *taken = ARENA_ARRAY(l->arena, bool, l->d->nodes), *done = ARENA_ARRAY(l->arena, bool, l->d->nodes);
+
+    l->spine = ARENA_ARRAY(l->arena, bool, l->d->edge.n + 1);
+    for (size_t i = 0; i <= l->d->nodes; i++) {
+        uint32_t v = i == 0 ? 0 : order[i - 1], e;
+        while (!done[v] && (e = next_of(l, out, way, v)) != UINT32_MAX) {
+            const uint32_t to = l->d->edge.at[e].to;
+            done[v] = true;
+            if (taken[to])
+                break;
+            l->spine[e] = taken[to] = true;
+            v = to;
+        }
+    }
+}
+
+// ---- stubs ----
+
+// Writes the text beside a state that is the target of stubs.
+static void name_origins(Diagram *d)
+{
+    for (size_t i = 0; i < d->nodes; i++) {
+        DiagramNode *n = &d->node[i];
+        if (n->stub_in.n == 1)
+            n->from = format_in(d->a->arena, "from %s", d->node[d->edge.at[n->stub_in.at[0]].from].name);
+        else if (n->stub_in.n > 1)
+            n->from = format_in(d->a->arena, "from %lu states", (unsigned long)n->stub_in.n);
+        if (n->from)
+            n->from_w = text_width(n->from, GUARD_SIZE, false);
+    }
+}
+
+// Draws the loop of a state that has stubs as one of them.
+static void join_loops(Diagram *d)
+{
+    for (size_t i = 0; i < d->nodes; i++) {
+        const DiagramNode *n = &d->node[i];
+        DiagramEdge *loop = NULL;
+        bool stubs = false;
+        for (uint32_t e = n->first_edge; e < n->first_edge + n->edges; e++) {
+            if (d->edge.at[e].form == EDGE_LOOP)
+                loop = &d->edge.at[e];
+            stubs = stubs || d->edge.at[e].form == EDGE_STUB;
+        }
+        if (loop && stubs)
+            loop->form = EDGE_STUB;
+    }
+}
+
+void layout_rank(Layout *l)
+{
+    Ends out, in;
+    uint32_t *order;
+
+    break_circles(l);
+    out = ends_of(l, upper);
+    in = ends_of(l, lower);
+    order = downwards(l, &out, &in);
+    l->rank = ARENA_ARRAY(l->arena, uint32_t, l->d->nodes);
+    for (size_t i = 0; i < l->d->nodes; i++)
+        l->rank[order[i]] = lowest_above(l, &in, order[i]);
+    sink(l, &out, &in, order);
+    settle_parts(l, &out, &in);
+    for (uint32_t e = 0; e < l->d->edge.n; e++) {
+        const DiagramEdge *edge = &l->d->edge.at[e];
+        if (edge->form == EDGE_LINE && l->rank[lower(edge)] - l->rank[upper(edge)] > LONGEST)
+            stub(l->d, e);
+    }
+    find_spine(l, &out, order);
+    name_origins(l->d);
+    join_loops(l->d);
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// Turns order and x of items into boxes and paths: the distance of layers, the stubs beside a state, the points where lines meet a state.
+#include "compiler/report/layout.h"
+
+enum {
+    MARGIN = 16,
+    NODE_H = 34, NODE_SIDE = 16, NODE_LEAST = 76,
+    PORT = 14,                    // between two lines at a state
+    START_H = 26,                 // the mark above the first state
+    STUB_AT = 26, STUB_SIDE = 8,  // from the state to a stub's name; on both sides of the name
+    STUB_GAP = 6, STUB_TEXT = 6,  // between two stubs; between a stub's name and its guards
+    FROM_AT = 28,                 // from "from 5 states" to the state
+    GAP = 20, GAP_MOST = 70       // between layers
+};
+
+// ---- beside a state ----
+
+static bool is_beside(const DiagramEdge *e) { return e->form != EDGE_LINE; }
+
+static int32_t name_w(const Diagram *d, const DiagramEdge *e)
+{
+    return e->form == EDGE_LOOP ? 0 : d->node[e->to].name_w * GUARD_SIZE / NAME_SIZE + 1 + 2 * STUB_SIDE;
+}
+
+static int32_t row_h(const DiagramEdge *e) { return e->label.h > STUB_H ? e->label.h : STUB_H; }
+
+typedef struct Rows { int32_t name_w, label_w, h; } Rows;
+
+static Rows rows_of(const Diagram *d, const DiagramNode *n)
+{
+    Rows r = {0, 0, -STUB_GAP};
+
+    for (uint32_t k = 0; k < n->edges; k++) {
+        const DiagramEdge *e = &d->edge.at[n->first_edge + k];
+        if (!is_beside(e))
+            continue;
+        r.name_w = name_w(d, e) > r.name_w ? name_w(d, e) : r.name_w;
+        r.label_w = e->label.w > r.label_w ? e->label.w : r.label_w;
+        r.h += row_h(e) + STUB_GAP;
+    }
+    return r;
+}
+
+static int32_t node_w(const DiagramNode *n, uint32_t lines)
+{
+    const int32_t text = n->name_w + 2 * NODE_SIDE, ports = (int32_t)(lines + 1) * PORT, w = text > ports ? text : ports;
+
+    return ((w > NODE_LEAST ? w : NODE_LEAST) + 1) & ~1;
+}
+
+// Sets the width of the state's box in n->box, and the size with everything beside it in `out`.
+void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, Item *out)
+{
+    DiagramNode *n = &d->node[node];
+    const Rows r = rows_of(d, n);
+
+    n->box.w = node_w(n, lines);
+    n->box.h = NODE_H;
+    out->left = out->right = n->box.w / 2;
+    out->h = r.h > NODE_H ? r.h : NODE_H;
+    if (r.h > 0)
+        out->right += STUB_AT + r.name_w + STUB_TEXT + r.label_w;
+    if (n->from)
+        out->left += FROM_AT + n->from_w;
+}
+
+static void place_rows(Diagram *d, const DiagramNode *n)
+{
+    const Rows r = rows_of(d, n);
+    int32_t y = n->box.y + (n->box.h - r.h) / 2;
+
+    for (uint32_t k = 0; k < n->edges; k++) {
+        DiagramEdge *e = &d->edge.at[n->first_edge + k];
+        if (!is_beside(e))
+            continue;
+        e->name = (Box){n->box.x + n->box.w + STUB_AT, y + (row_h(e) - STUB_H) / 2, name_w(d, e), STUB_H};
+        e->label.x = e->name.x + r.name_w + STUB_TEXT;
+        e->label.y = y + (row_h(e) - e->label.h) / 2;
+        y += row_h(e) + STUB_GAP;
+    }
+}
+
+// ---- the points where lines meet a state ----
+
+typedef struct Ports { int32_t *x; } Ports;       // by link
+
+// Places each line as near to its other end as the state's width allows, and at least PORT from the next.
+static void spread_ports(const Layout *l, const Item *i, const Links *links, uint32_t item, bool below, int32_t *port)
+{
+    const uint32_t first = links->first[item], n = links->first[item + 1] - first;
+    const int32_t half = l->d->node[i->ref].box.w / 2 - PORT / 2 - 2;
+
+    for (uint32_t k = 0; k < n; k++) {
+        const Link *link = &l->link.at[links->at[first + k]];
+        const int32_t to = l->item.at[below ? link->below : link->above].x, low = i->x - half + (int32_t)k * PORT;
+        int32_t x = to < low ? to < i->x - half ? low : low : to;
+        if (k > 0 && x < port[links->at[first + k - 1]] + PORT)
+            x = port[links->at[first + k - 1]] + PORT;
+        port[links->at[first + k]] = x;
+    }
+    for (uint32_t k = n; k-- > 0;) {
+        const int32_t high = i->x + half - (int32_t)(n - 1 - k) * PORT;
+        int32_t *x = &port[links->at[first + k]];
+        if (*x > high)
+            *x = high;
+    }
+}
+
+static void find_ports(const Layout *l, int32_t *top, int32_t *bottom)
+{
+    for (uint32_t i = 0; i < l->item.n; i++) {
+        const Item *item = &l->item.at[i];
+        if (item->kind == ITEM_NODE) {
+            spread_ports(l, item, &l->above, i, false, bottom);
+            spread_ports(l, item, &l->below, i, true, top);
+        }
+    }
+    for (uint32_t k = 0; k < l->link.n; k++) {
+        const Item *above = &l->item.at[l->link.at[k].above], *below = &l->item.at[l->link.at[k].below];
+        if (above->kind != ITEM_NODE)
+            top[k] = above->x;
+        if (below->kind != ITEM_NODE)
+            bottom[k] = below->x;
+    }
+}
+
+// ---- layers from top to bottom ----
+
+static void place_layers(Layout *l, const int32_t *top, const int32_t *bottom)
+{
+    int32_t *far = ARENA_ARRAY(l->arena, int32_t, l->layers), y = MARGIN + START_H;
+
+    for (uint32_t k = 0; k < l->link.n; k++) {
+        const uint32_t layer = l->item.at[l->link.at[k].above].layer;
+        const int32_t dx = top[k] > bottom[k] ? top[k] - bottom[k] : bottom[k] - top[k];
+        far[layer] = dx > far[layer] ? dx : far[layer];
+    }
+    for (uint32_t i = 0; i < l->layers; i++) {
+        Layer *layer = &l->layer[i];
+        for (uint32_t p = 0; p < layer->n; p++)
+            if (l->item.at[layer->item[p]].h > layer->h)
+                layer->h = l->item.at[layer->item[p]].h;
+        layer->y = y;
+        y += layer->h + (far[i] / 8 > GAP_MOST - GAP ? GAP_MOST : GAP + far[i] / 8);
+    }
+}
+
+static void place_items(Layout *l)
+{
+    int32_t left = INT32_MAX, right = INT32_MIN;
+    const Layer *last = &l->layer[l->layers - 1];
+
+    for (uint32_t i = 0; i < l->item.n; i++) {
+        const Item *item = &l->item.at[i];
+        left = item->x - item->left < left ? item->x - item->left : left;
+        right = item->x + item->right > right ? item->x + item->right : right;
+    }
+    for (uint32_t i = 0; i < l->item.n; i++) {
+        Item *item = &l->item.at[i];
+        const int32_t middle = l->layer[item->layer].y + l->layer[item->layer].h / 2;
+        Box *box = item->kind == ITEM_NODE ? &l->d->node[item->ref].box : &l->d->edge.at[item->ref].label;
+        item->x += MARGIN - left;
+        if (item->kind == ITEM_BEND)
+            continue;
+        box->x = item->x - box->w / 2;
+        box->y = middle - box->h / 2;
+        if (item->kind == ITEM_NODE)
+            place_rows(l->d, &l->d->node[item->ref]);
+    }
+    l->d->w = right - left + 2 * MARGIN;
+    l->d->h = last->y + last->h + MARGIN;
+}
+
+// ---- paths ----
+
+static void add_point(Layout *l, DiagramEdge *e, int32_t x, int32_t y)
+{
+    Point p = {x, y};
+
+    vec_push(l->arena, &e->way, p);
+}
+
+// The path from top to bottom: out of the upper state, through each layer, into the lower state.
+static void route_down(Layout *l, DiagramEdge *e, uint32_t first, uint32_t end, const int32_t *top, const int32_t *bottom)
+{
+    for (uint32_t k = first; k < end; k++) {
+        const Item *above = &l->item.at[l->link.at[k].above], *below = &l->item.at[l->link.at[k].below];
+        const Layer *from = &l->layer[above->layer], *to = &l->layer[below->layer];
+        if (k == first) {
+            add_point(l, e, top[k], l->d->node[above->ref].box.y + NODE_H);
+            add_point(l, e, top[k], from->y + from->h);
+        }
+        add_point(l, e, bottom[k], to->y);
+        add_point(l, e, bottom[k], k + 1 < end ? to->y + to->h : l->d->node[below->ref].box.y);
+    }
+}
+
+static void turn_round(DiagramEdge *e)
+{
+    for (size_t i = 0; i < e->way.n / 2; i++) {
+        const Point p = e->way.at[i];
+        e->way.at[i] = e->way.at[e->way.n - 1 - i];
+        e->way.at[e->way.n - 1 - i] = p;
+    }
+}
+
+void layout_route(Layout *l)
+{
+    int32_t *top = ARENA_ARRAY(l->arena, int32_t, l->link.n + 1), *bottom = ARENA_ARRAY(l->arena, int32_t, l->link.n + 1);
+
+    find_ports(l, top, bottom);
+    place_layers(l, top, bottom);
+    place_items(l);
+    find_ports(l, top, bottom);               // again, because all items have been shifted by the same distance
+    for (uint32_t e = 0; e < l->d->edge.n; e++) {
+        DiagramEdge *edge = &l->d->edge.at[e];
+        route_down(l, edge, l->first_link[e], l->first_link[e + 1], top, bottom);
+        if (edge->up)
+            turn_round(edge);
+    }
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// A diagram for Mermaid (stateDiagram-v2), which GitHub, GitLab and many wikis draw.  States are named by number there, because a machine
+// can have a state called `end` or `state`.
+#include <string.h>
+
+#include "compiler/base/utf8.h"
+#include "compiler/report/diagram.h"
+
+static bool is_plain(uint32_t c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c < 128 && strchr(" _.,()+-*/=", (int)c));
+}
+
+// Characters that can have a meaning in Mermaid become #NUMBER;.
+static void put_plain(Buf *out, const char *text)
+{
+    const size_t n = strlen(text);
+    size_t bytes;
+
+    for (size_t i = 0; i < n; i += bytes) {
+        uint32_t code;
+        bytes = utf8_decode(text + i, n - i, &code);
+        if (bytes == 0)
+            code = 0xFFFD, bytes = 1;
+        if (code < ' ')
+            buf_char(out, ' ');
+        else if (is_plain(code))
+            buf_char(out, (char)code);
+        else
+            buf_printf(out, "#%lu;", (unsigned long)code);
+    }
+}
+
+static void put_findings(Buf *out, const Findings *f, uint32_t state)
+{
+    for (size_t i = 0; i < f->n; i++) {
+        buf_printf(out, "    note right of s%lu : %s ", (unsigned long)state, diag_info[f->at[i]->code].id);
+        put_plain(out, f->at[i]->text);
+        buf_char(out, '\n');
+    }
+}
+
+static void put_class(Buf *out, const Diagram *d, const DiagramNode *n)
+{
+    const unsigned long s = n->state->number;
+
+    if (n->state->is_abort)
+        buf_printf(out, "    class s%lu abort\n", s);
+    else if (n->state->is_safe)
+        buf_printf(out, "    class s%lu safe\n", s);
+    if (!n->reached)
+        buf_printf(out, "    class s%lu never\n", s);
+    if (d->o->counts && node_count(d, n) == 0)
+        buf_printf(out, "    class s%lu unrun\n", s);
+    put_findings(out, &n->finding, n->state->number);
+}
+
+static void put_times(Buf *out, const Diagram *d, const DiagramEdge *e, const Guard *g)
+{
+    if (d->o->counts && g == &e->guard.at[e->guard.n - 1])
+        buf_printf(out, " (%s)", edge_count_text(d, e));
+}
+
+static void put_transition(Buf *out, const Diagram *d, const DiagramEdge *e, const Guard *g)
+{
+    buf_printf(out, "    s%lu --> s%lu : ", (unsigned long)e->from + 1, (unsigned long)e->to + 1);
+    put_plain(out, g->text);
+    if (!e->possible)
+        buf_str(out, " (never)");
+    put_times(out, d, e, g);
+    buf_char(out, '\n');
+    put_findings(out, &g->finding, e->from + 1);
+}
+
+void graph_mermaid(const Analysis *a, const GraphOptions *o, Buf *out)
+{
+    const Diagram *d = diagram_of(a, o);
+
+    buf_str(out, "stateDiagram-v2\n    %% drawn by smc\n"
+                 "    classDef abort fill:#fdeae4,stroke:#b5320f,stroke-width:3px,color:#1c2430\n"
+                 "    classDef safe fill:#e3f3f1,stroke:#0c7268,stroke-width:3px,color:#1c2430\n"
+                 "    classDef never stroke-dasharray:5\n"
+                 "    classDef unrun stroke-dasharray:1\n");
+    for (size_t n = 0; n < d->nodes; n++)
+        buf_printf(out, "    state \"%s\" as s%lu\n", d->node[n].state->name->text, (unsigned long)n + 1);
+    buf_str(out, "    [*] --> s1\n");
+    for (size_t e = 0; e < d->edge.n; e++)
+        for (size_t g = 0; g < d->edge.at[e].guard.n; g++)
+            put_transition(out, d, &d->edge.at[e], &d->edge.at[e].guard.at[g]);
+    for (size_t n = 0; n < d->nodes; n++)
+        put_class(out, d, &d->node[n]);
+}

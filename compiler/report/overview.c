@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first page: what the machine is, its parts, and the diagram.
+#include "bytecode-vm/image.h"
+#include "compiler/report/graph.h"
+#include "compiler/report/report.h"
+#include "compiler/report/words.h"
+
+static const DocColumn fact_columns[] = {{"name", "Name"}, {"value", "Value"}};
+
+static const char *identity(const Report *r)          // as in the image
+{
+    SmvmReader at;
+
+    if (smvm_find(r->image, SMVM_S_IDENTITY, &at) && at.end - at.at == 8)
+        return format_in(r->arena, "%016llx", (unsigned long long)smvm_cell(r->image, at.at, 8));
+    return "";
+}
+
+static const char *scripts_text(const Report *r)
+{
+    size_t passed = 0;
+
+    for (size_t i = 0; i < r->runs; i++)
+        passed += r->run[i].script && r->run[i].result.outcome == SCRIPT_PASSED;
+    if (r->runs == 0)
+        return "none were run";
+    return format_in(r->arena, "%lu of %lu passed", (unsigned long)passed, (unsigned long)r->runs);
+}
+
+static const char *coverage_text(const Report *r)
+{
+    const Coverage c = report_coverage(r);
+    const char *text = format_in(r->arena, "%lu of %lu states, %lu of %lu ways", (unsigned long)c.states_seen, (unsigned long)c.states,
+                                 (unsigned long)c.ways_seen, (unsigned long)c.ways);
+
+    if (c.ways_shared == 0)
+        return text;
+    return format_in(r->arena, "%s; of %lu it is not seen by which transition", text, (unsigned long)c.ways_shared);
+}
+
+static const char *findings_text(const Report *r)
+{
+    const FindingCount n = report_count_findings(r);
+
+    if (n.allowed == 0)
+        return n.open ? format_in(r->arena, "%lu", (unsigned long)n.open) : "none";
+    return format_in(r->arena, "%lu, and %lu allowed", (unsigned long)n.open, (unsigned long)n.allowed);
+}
+
+static void fact(DocTable *t, const char *name, const char *value)
+{
+    cell_plain(t, name);
+    cell_plain(t, value);
+}
+
+static void put_facts(const Report *r, Doc *d)
+{
+    const Program *p = r->analysis.p;
+    DocTable *t = DOC_TABLE_OF(d, "facts", fact_columns);
+    const char *state = p->state.at[r->cost.worst_state - 1]->name->text;
+
+    t->facts = true;
+    fact(t, "States", format_in(r->arena, "%lu", (unsigned long)p->state.n));
+    fact(t, "Transitions", format_in(r->arena, "%lu", (unsigned long)r->analysis.transition.n));
+    fact(t, "Findings", findings_text(r));
+    fact(t, "Scripts", scripts_text(r));
+    if (r->runs)
+        fact(t, "Seen by scripts", coverage_text(r));
+    fact(t, "Longest step", format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, state));
+    fact(t, "On an Arduino Uno", report_fits_uno(r) ? format_in(r->arena, "about %s", report_cycles(r, r->eeprom.worst))
+                                                 : "does not fit its memory");
+    fact(t, "Memory on the VM", format_in(r->arena, "%lu bytes on a 64-bit computer", (unsigned long)r->cost.ram));
+    fact(t, "Image", format_in(r->arena, "%lu bytes", (unsigned long)r->image_size));
+    fact(t, "Image CRC", format_in(r->arena, "%08lx", (unsigned long)smvm_uint(r->image, SMVM_CRC_AT, 4)));
+    fact(t, "Source identity", identity(r));
+    fact(t, "State vector", p->sv->from_machine ? "the machine's own" : format_in(r->arena, "%s (layout %08lx)", p->sv->name->text,
+                                                                               (unsigned long)p->sv->hash));
+}
+
+// ---- in words ----
+
+// The names of the variables for which `wanted` is true, in backticks, with "and" before the last.
+static const char *names(const Report *r, bool (*wanted)(const Program *p, const Var *v), size_t *n)
+{
+    const Program *p = r->analysis.p;
+    size_t left;
+    Buf out;
+
+    *n = 0;
+    buf_init(&out, r->arena);
+    for (size_t i = 0; i < p->var.n; i++)
+        *n += wanted(p, p->var.at[i]);
+    left = *n;
+    for (size_t i = 0; i < p->var.n; i++)
+        if (wanted(p, p->var.at[i])) {
+            buf_printf(&out, "`%s`", p->var.at[i]->name->text);
+            left--;
+            buf_str(&out, left > 1 ? ", " : left == 1 ? " and " : "");
+        }
+    return buf_text(&out);
+}
+
+static bool is_element(const Program *p, const Var *v) { return v->kind == VAR_ELEMENT && v != p->g && v != p->s; }
+static bool is_input(const Program *p, const Var *v) { return is_element(p, v) && v->read && !v->written; }
+static bool is_output(const Program *p, const Var *v) { return is_element(p, v) && v->written; }
+
+static const char *final_states(const Report *r, size_t *n)
+{
+    const Program *p = r->analysis.p;
+    bool *left = ARENA_ARRAY(r->arena, bool, p->state.n + 1u);
+    Buf out;
+
+    *n = 0;
+    for (size_t i = 0; i < r->analysis.transition.n; i++)
+        if (r->analysis.transition.at[i].from != r->analysis.transition.at[i].to)
+            left[r->analysis.transition.at[i].from->number] = true;
+    buf_init(&out, r->arena);
+    for (size_t i = 0; i < p->state.n; i++)
+        if (!left[i + 1])
+            buf_printf(&out, "%s^%s^", (*n)++ ? ", " : "", p->state.at[i]->name->text);
+    return buf_text(&out);
+}
+
+static void put_words(Report *r, Doc *d)
+{
+    const Program *p = r->analysis.p;
+    size_t reads, writes, final;
+    const char *read = names(r, is_input, &reads), *written = names(r, is_output, &writes), *last = final_states(r, &final);
+    Buf b;
+
+    buf_init(&b, r->arena);
+    buf_printf(&b, "The machine has %s and begins in ^%s^. ", words_count(r->arena, p->state.n, "state", "states"),
+               p->state.at[0]->name->text);
+    if (reads)
+        buf_printf(&b, "It watches %s. ", read);
+    buf_printf(&b, writes ? "It drives %s. " : "It writes no element of the state vector%s. ", writes ? written : "");
+    if (final)
+        buf_printf(&b, final == 1 ? "Once in %s, it stays there." : "Once in one of %s, it stays there.", last);
+    doc_paragraph(d, buf_text(&b));
+}
+
+// Below LEGIBLE, letters would be too small to read on paper.
+enum { PAPER_W = 688, LOW = 416, LEGIBLE = 65 };      // pixels between the margins of A4; 110 mm, as in style.c; percent
+
+bool report_is_low(GraphSize s)
+{
+    const int64_t h = s.w > PAPER_W ? (int64_t)s.h * PAPER_W / s.w : s.h;
+
+    return h * LEGIBLE <= LOW * 100;
+}
+
+static void put_diagram(Report *r, Doc *d)
+{
+    GraphSize size;
+    const GraphOptions o = {r->analysis.diags, NULL, &size};
+    Buf svg;
+
+    buf_init(&svg, r->arena);
+    graph_svg(&r->analysis, &o, &svg);
+    doc_section(d, "diagram", "State diagram");
+    doc_figure(d, buf_text(&svg), NULL)->low = report_is_low(size);
+}
+
+void report_overview(Report *r, Doc *d)
+{
+    doc_section(d, "overview", "At a glance");
+    doc_quote(d, comment_of_file(r->arena, r->analysis.p->src));
+    put_words(r, d);
+    put_facts(r, d);
+    put_diagram(r, d);
+}

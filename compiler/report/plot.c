@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws a run: the states as a band, and below it every element that changes, over one time axis.  Numbers are drawn as the machine reads
+// them, in steps.  A bucket with several values is drawn from its smallest to its largest.  Bools are strips.
+#include "compiler/report/plot.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "compiler/report/words.h"
+
+// ---- helpers ----
+
+void plot_tenths(Buf *out, long x)
+{
+    buf_printf(out, "%s%ld", x < 0 ? "-" : "", (x < 0 ? -x : x) / 10);
+    if (x % 10)
+        buf_printf(out, ".%ld", (x < 0 ? -x : x) % 10);
+}
+
+long plot_x(const Trace *t, double step)
+{
+    return PLOT_LEFT + (long)((double)(PLOT_RIGHT - PLOT_LEFT) * (step / (double)t->steps));
+}
+
+static void put_length(Buf *out, const char *name, long x)
+{
+    buf_printf(out, " %s=\"", name);
+    plot_tenths(out, x);
+    buf_char(out, '"');
+}
+
+void plot_line(Plot *p, const char *class_name, long x1, long y1, long x2, long y2)
+{
+    buf_printf(p->out, "<line class=\"%s\"", class_name);
+    put_length(p->out, "x1", x1);
+    put_length(p->out, "y1", y1);
+    put_length(p->out, "x2", x2);
+    put_length(p->out, "y2", y2);
+    buf_str(p->out, "/>\n");
+}
+
+void plot_rect(Plot *p, const char *class_name, long x, long y, long wide, long high)
+{
+    buf_printf(p->out, "<rect class=\"%s\"", class_name);
+    put_length(p->out, "x", x);
+    put_length(p->out, "y", y);
+    put_length(p->out, "width", wide);
+    put_length(p->out, "height", high);
+    buf_str(p->out, "/>\n");
+}
+
+void plot_text(Plot *p, const char *class_name, const char *anchor, long x, long y, const char *text)
+{
+    buf_printf(p->out, "<text class=\"%s\" text-anchor=\"%s\"", class_name, anchor);
+    put_length(p->out, "x", x);
+    put_length(p->out, "y", y);
+    buf_char(p->out, '>');
+    html_str(p->out, text);
+    buf_str(p->out, "</text>\n");
+}
+
+double plot_round_step(double lo, double hi, int about)
+{
+    const double wanted = (hi - lo) / about;
+    double step = 1;
+
+    if (!(wanted > 1e-300) || wanted > 1e300)
+        return 0;
+    while (step < wanted)
+        step *= 10;
+    while (step / 10 >= wanted)
+        step /= 10;
+    return step / 5 >= wanted ? step / 5 : step / 2 >= wanted ? step / 2 : step;
+}
+
+const char *plot_label(Arena *arena, double x)
+{
+    char digits[40];
+    Buf b;
+
+    buf_init(&b, arena);
+    snprintf(digits, sizeof digits, x > -1e7 && x < 1e7 && x == (double)(long)x ? "%.0f" : "%.5g", x == 0 ? 0.0 : x);
+    for (const char *c = digits; *c; c++)             // the decimal point depends on the locale
+        buf_char(&b, strchr("0123456789+-einfa", *c) ? *c : '.');
+    return buf_text(&b);
+}
+
+// ---- a row of numbers ----
+
+typedef struct Row {
+    const TraceSeries *s;
+    double lo, hi;                // range of the row
+    long top;                     // of its frame
+} Row;
+
+static bool is_finite(double x) { return x - x == 0; }
+
+static void widen(Row *r, double x)
+{
+    if (!is_finite(x))
+        return;
+    r->lo = x < r->lo ? x : r->lo;
+    r->hi = x > r->hi ? x : r->hi;
+}
+
+static Row row_of(const Trace *t, const TraceSeries *s, long top)
+{
+    Row r = {s, 1e308 * 10, -1e308 * 10, top};
+    double margin;
+
+    for (size_t i = 0; i < trace_buckets(t); i++) {
+        widen(&r, s->at[i].lo);
+        widen(&r, s->at[i].hi);
+    }
+    if (r.lo > r.hi)
+        r.lo = r.hi = 0;                              // only infinities
+    margin = r.hi / 16 - r.lo / 16;
+    r.lo -= margin > 0 ? margin : 1;
+    r.hi += margin > 0 ? margin : 1;
+    return r;
+}
+
+static long y_of(const Row *r, double x)
+{
+    const double share = (x / 2 - r->lo / 2) / (r->hi / 2 - r->lo / 2);       // halved, because the difference could overflow
+
+    return r->top + PLOT_ROW - (long)((double)PLOT_ROW * (!(share > 0) ? 0 : share > 1 ? 1 : share));
+}
+
+static void put_title(Plot *p, const Var *v, long top)
+{
+    const char *comment = comment_behind(p->out->arena, v->span);
+
+    if (!comment && v->element)
+        comment = comment_behind(p->out->arena, v->element->span);
+    buf_str(p->out, "<text class=\"t\"");
+    put_length(p->out, "x", PLOT_LEFT + 40);
+    put_length(p->out, "y", top + PLOT_TITLE - 50);
+    buf_printf(p->out, "><tspan font-weight=\"600\">%s</tspan>", v->name->text);
+    if (comment) {
+        buf_str(p->out, " <tspan class=\"dim\">");
+        html_str(p->out, comment);
+        buf_str(p->out, "</tspan>");
+    }
+    buf_str(p->out, "</text>\n");
+}
+
+static void put_grid(Plot *p, const Row *r)
+{
+    const double step = plot_round_step(r->lo, r->hi, 4);
+    double first;
+
+    if (step <= 0 || r->lo / step < -1e15 || r->hi / step > 1e15)
+        return;
+    first = (double)(int64_t)(r->lo / step);
+    for (int i = -1; i < 12; i++) {
+        const double x = (first + i) * step;
+        if (x < r->lo || x > r->hi)
+            continue;
+        plot_line(p, "grid", PLOT_LEFT, y_of(r, x), PLOT_RIGHT, y_of(r, x));
+        plot_text(p, "dim", "end", PLOT_LEFT - 60, y_of(r, x) + 40, plot_label(p->out->arena, x));
+    }
+}
+
+typedef struct Pen { Buf *out; long x, y; bool down; } Pen;
+
+static void set_down(Pen *pen, long x, long y)
+{
+    if (pen->down)
+        return;
+    *pen = (Pen){pen->out, x, y, true};
+    buf_char(pen->out, 'M');
+    plot_tenths(pen->out, x);
+    buf_char(pen->out, ' ');
+    plot_tenths(pen->out, y);
+}
+
+static void lift(Pen *pen, long x)                    // draws up to x, then lifts
+{
+    if (!pen->down)
+        return;
+    buf_char(pen->out, 'H');
+    plot_tenths(pen->out, x);
+    pen->down = false;
+}
+
+static void draw_to(Pen *pen, long x, long y)         // horizontally, then vertically
+{
+    if (y == pen->y)
+        return;
+    if (x != pen->x) {
+        buf_char(pen->out, 'H');
+        plot_tenths(pen->out, x);
+    }
+    buf_char(pen->out, 'V');
+    plot_tenths(pen->out, y);
+    pen->x = x;
+    pen->y = y;
+}
+
+static void put_trace(Plot *p, const Row *r)
+{
+    const TraceBucket *b = r->s->at;
+    Pen pen = {p->out, PLOT_LEFT, 0, false};
+
+    buf_str(p->out, "<path class=\"trace\" d=\"");
+    for (size_t i = 0; i < trace_buckets(p->t); i++) {
+        const long x = plot_x(p->t, (double)(i * p->t->per));
+        if (b[i].first != b[i].first) {
+            lift(&pen, x);
+            continue;
+        }
+        set_down(&pen, x, y_of(r, b[i].first));
+        draw_to(&pen, x, y_of(r, b[i].first));
+        draw_to(&pen, x, y_of(r, b[i].lo));
+        draw_to(&pen, x, y_of(r, b[i].hi));
+        draw_to(&pen, x, y_of(r, b[i].last));
+    }
+    lift(&pen, PLOT_RIGHT);
+    buf_str(p->out, "\"/>\n");
+}
+
+static void put_circles(Plot *p, const Row *r)
+{
+    enum { MOST = 100 };
+
+    for (size_t i = 0; i < p->t->visit.n && p->t->visits <= MOST; i++) {
+        const TraceVisit *v = &p->t->visit.at[i];
+        if (r->s->at[v->step / p->t->per].last != r->s->at[v->step / p->t->per].last)
+            continue;
+        buf_str(p->out, "<circle class=\"begin\"");
+        put_length(p->out, "cx", plot_x(p->t, v->place));
+        put_length(p->out, "cy", y_of(r, r->s->at[v->step / p->t->per].last));
+        buf_str(p->out, " r=\"3.4\"/>\n");
+    }
+}
+
+static void put_row(Plot *p, const TraceSeries *s, long top)
+{
+    const Row r = row_of(p->t, s, top + PLOT_TITLE);
+
+    put_title(p, s->v, top);
+    put_grid(p, &r);
+    plot_rect(p, "frame", PLOT_LEFT, r.top, PLOT_RIGHT - PLOT_LEFT, PLOT_ROW);
+    put_trace(p, &r);
+    put_circles(p, &r);
+    if (s->infinite)
+        plot_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "beyond all numbers at times");
+    else if (s->nan)
+        plot_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "no number (nan) where the line is broken");
+}
+
+// ---- a strip of a bool ----
+
+static void put_stretch(Plot *p, const char *class_name, size_t from, size_t to, long top)
+{
+    const uint64_t end = to * p->t->per < p->t->steps ? to * p->t->per : p->t->steps;
+    const long x = plot_x(p->t, (double)(from * p->t->per));
+
+    plot_rect(p, class_name, x, top, plot_x(p->t, (double)end) - x, PLOT_STRIP);
+}
+
+static int is_on(const TraceBucket *b) { return b->lo > 0 ? 2 : b->hi > 0 ? 1 : 0; }       // 1: some of the time
+
+static void put_strip(Plot *p, const TraceSeries *s, long top)
+{
+    const size_t n = trace_buckets(p->t);
+    size_t from = 0;
+
+    put_title(p, s->v, top);
+    top += PLOT_TITLE;
+    for (size_t i = 1; i <= n; i++) {
+        const int now = is_on(&s->at[from]);
+        if (i < n && is_on(&s->at[i]) == now)
+            continue;
+        if (now)
+            put_stretch(p, now == 2 ? "on" : "both", from, i, top);
+        from = i;
+    }
+    plot_rect(p, "frame", PLOT_LEFT, top, PLOT_RIGHT - PLOT_LEFT, PLOT_STRIP);
+}
+
+// ---- the whole plot ----
+
+static bool is_strip(const TraceSeries *s) { return s->v->type == SM_BOOL; }
+
+static long put_rows(Plot *p, bool strips, bool draw, long y)
+{
+    for (size_t i = 0; i < p->t->series.n; i++) {
+        const TraceSeries *s = p->t->series.at[i];
+        if (!s->changes || is_strip(s) != strips)
+            continue;
+        if (draw && strips)
+            put_strip(p, s, y);
+        else if (draw)
+            put_row(p, s, y);
+        y += PLOT_TITLE + (strips ? PLOT_STRIP : PLOT_ROW) + PLOT_GAP;
+    }
+    return y;
+}
+
+static const char *axis_of(const Plot *p)
+{
+    const Var *g = p->t->p->g;
+    const char *comment = p->t->axis ? NULL : comment_behind(p->out->arena, g->span);
+
+    if (p->t->axis)
+        return p->t->axis;
+    if (!comment && g->element)
+        comment = comment_behind(p->out->arena, g->element->span);
+    return format_in(p->out->arena, "Time, G%s%s", comment ? ": " : "", comment ? comment : "");
+}
+
+static void put_time(Plot *p)
+{
+    const Trace *t = p->t;
+    const double unit = t->unit > 0 ? t->unit : 1, span = (double)(t->last_g - t->first_g) * unit, from = (double)t->first_g * unit;
+    const double step = plot_round_step(0, span, 8);
+
+    for (int i = 0; step > 0 && i < 20 && i * step <= span; i++) {
+        const long x =
+            PLOT_LEFT + (long)((double)(PLOT_RIGHT - PLOT_LEFT) * (i * step / span) * ((double)(t->steps - 1) / (double)t->steps));
+        plot_line(p, "grid", x, p->bottom, x, p->bottom + 50);
+        plot_text(p, "dim", x > PLOT_RIGHT - 150 ? "end" : "middle", x, p->bottom + 170,
+                  plot_label(p->out->arena, from + i * step));
+    }
+    plot_text(p, "dim", "start", PLOT_LEFT, p->bottom + 310, axis_of(p));
+}
+
+long plot_body(Arena *arena, const Trace *t, Buf *out)
+{
+    Plot p = {out, t, PLOT_BAND + PLOT_GAP, 0};
+    long y;
+
+    buf_init(out, arena);
+    p.bottom = put_rows(&p, true, false, put_rows(&p, false, false, p.top));
+    plot_bands(&p);
+    y = put_rows(&p, false, true, p.top);
+    put_rows(&p, true, true, y);
+    put_time(&p);
+    return plot_legend(&p, p.bottom + 420);
+}
+
+const char *plot_run(Arena *arena, const Trace *t)
+{
+    Buf body, out;
+    const long y = plot_body(arena, t, &body);
+
+    buf_init(&out, arena);
+    buf_printf(&out,
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" role=\"img\" aria-label=\"States and values over time\" "
+               "viewBox=\"0 0 %d ",
+               PLOT_WIDE / 10);
+    plot_tenths(&out, y);
+    buf_str(&out, "\">\n");
+    buf_put(&out, body.at, body.n);
+    buf_str(&out, "</svg>\n");
+    return buf_text(&out);
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Internals of plots: positions.  Lengths are in tenths of a drawing unit, so that all are whole numbers.
+#ifndef SMC_REPORT_PLOT_H
+#define SMC_REPORT_PLOT_H
+
+#include "compiler/report/report.h"
+
+enum {
+    PLOT_WIDE = 9600, PLOT_LEFT = 640, PLOT_RIGHT = 9480,         // width of the plot; start and end of the time axis
+    PLOT_BAND = 220,                                              // the band of states at the top
+    PLOT_TITLE = 190, PLOT_ROW = 800, PLOT_STRIP = 110, PLOT_GAP = 60
+};
+
+typedef struct Plot {
+    Buf *out;
+    const Trace *t;
+    long top, bottom;             // of the rows below the band
+} Plot;
+
+void plot_tenths(Buf *out, long x);                   // writes 123 as 12.3
+long plot_x(const Trace *t, double step);             // where a step, or a fraction of one, begins
+void plot_line(Plot *p, const char *class_name, long x1, long y1, long x2, long y2);
+void plot_rect(Plot *p, const char *class_name, long x, long y, long wide, long high);
+// Writes text of a class; `anchor` aligns its start, middle or end at x.
+void plot_text(Plot *p, const char *class_name, const char *anchor, long x, long y, const char *text);
+
+// A step size with about `about` round numbers from lo to hi; 0 if there is none.
+double plot_round_step(double lo, double hi, int about);
+const char *plot_label(Arena *arena, double x);       // at most five digits
+
+extern const char plot_defs[];                        // the patterns, for the start of a drawing
+long plot_body(Arena *arena, const Trace *t, Buf *out);       // everything inside the <svg> tag; returns the height
+
+void plot_bands(Plot *p);                             // at the top, and tinted behind the rows
+long plot_legend(Plot *p, long y);                    // returns the y of its end
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// The states of a run as bands.  A state has a colour (style.c) and a pattern; their combination is unique for the first 32 states.
+#include <string.h>
+
+#include "compiler/report/plot.h"
+
+enum { COLOURS = 8, PATTERNS = 4, TINTS_MOST = 200, LETTER = 68 };    // LETTER: approximate width of a character
+
+const char plot_defs[] =
+    "<defs>\n"
+    "<pattern id=\"hatch1\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 6L6 0\"/></pattern>\n"
+    "<pattern id=\"hatch2\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 2.5H5\"/></pattern>\n"
+    "<pattern id=\"hatch3\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><path class=\"hatch\" d=\"M0 0L6 6\"/></pattern>\n"
+    "</defs>";
+
+const char *plot_patterns(Arena *arena)
+{
+    return format_in(arena, "<svg class=\"plot\" aria-hidden=\"true\" style=\"position:absolute;width:0;height:0\">%s</svg>\n", plot_defs);
+}
+
+static void put_swatch(Plot *p, const State *s, long x, long y, long wide, long high)
+{
+    const unsigned n = s->number - 1u, pattern = (n + n / COLOURS) % PATTERNS;
+
+    plot_rect(p, format_in(p->out->arena, "s%u", n % COLOURS), x, y, wide, high);
+    if (pattern == 0)
+        return;
+    buf_str(p->out, "<rect x=\"");
+    plot_tenths(p->out, x);
+    buf_str(p->out, "\" y=\"");
+    plot_tenths(p->out, y);
+    buf_str(p->out, "\" width=\"");
+    plot_tenths(p->out, wide);
+    buf_str(p->out, "\" height=\"");
+    plot_tenths(p->out, high);
+    buf_printf(p->out, "\" fill=\"url(#hatch%u)\"/>\n", pattern);
+}
+
+static long text_wide(const char *text) { return (long)strlen(text) * LETTER; }
+
+// Writes the name if it fits, otherwise the number.
+static void put_name(Plot *p, const State *s, long x, long wide)
+{
+    const char *number = format_in(p->out->arena, "%u", (unsigned)s->number);
+    const char *text = text_wide(s->name->text) + 60 < wide ? s->name->text : text_wide(number) + 20 < wide ? number : NULL;
+
+    if (text)
+        plot_text(p, "name", "middle", x + wide / 2, PLOT_BAND - 65, text);
+}
+
+static void put_band(Plot *p, size_t i)
+{
+    const Trace *t = p->t;
+    const TraceVisit *v = &t->visit.at[i];
+    const double end = i + 1 < t->visit.n ? v[1].place : (double)t->steps;
+    const long from = plot_x(t, v->place), wide = plot_x(t, end) - from;
+
+    if (wide <= 0)
+        return;
+    put_swatch(p, v->state, from, 0, wide, PLOT_BAND);
+    if (t->visits <= TINTS_MOST) {
+        plot_rect(p, format_in(p->out->arena, "tint s%u", (unsigned)(v->state->number - 1u) % COLOURS), from, p->top, wide,
+                  p->bottom - p->top);
+        if (i > 0)
+            plot_line(p, "cut", from, PLOT_BAND, from, p->bottom);
+    }
+    put_name(p, v->state, from, wide);
+}
+
+void plot_bands(Plot *p)
+{
+    for (size_t i = 0; i < p->t->visit.n; i++)
+        put_band(p, i);
+    if (p->t->visits > TRACE_VISITS_MAX)
+        plot_text(p, "dim", "end", PLOT_RIGHT, PLOT_BAND - 65, "the state changes too often to be drawn");
+}
+
+long plot_legend(Plot *p, long y)
+{
+    long x = PLOT_LEFT;
+
+    for (size_t s = 0; s < p->t->p->state.n; s++) {
+        const State *state = p->t->p->state.at[s];
+        const char *text = format_in(p->out->arena, "%u %s", (unsigned)state->number, state->name->text);
+        if (p->t->entered[s] == 0)
+            continue;
+        if (x + 300 + text_wide(text) > PLOT_RIGHT && x > PLOT_LEFT) {
+            x = PLOT_LEFT;
+            y += 200;
+        }
+        put_swatch(p, state, x, y, 220, 130);
+        plot_text(p, "t", "start", x + 270, y + 110, text);
+        x += 430 + text_wide(text);
+    }
+    return y + 180;
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// The order of a report, and helpers that its sections share.
+#include "compiler/report/report.h"
+
+#include "compiler/report/words.h"
+
+uint32_t report_line(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
+
+const char *report_number(Arena *arena, double x)
+{
+    Buf b;
+
+    buf_init(&b, arena);
+    format_number_exact(&b, x);
+    return buf_text(&b);
+}
+
+const char *report_cell(Arena *arena, SmType type, uint64_t cell)
+{
+    Buf b;
+
+    buf_init(&b, arena);
+    format_cell_exact(&b, type, cell);
+    return buf_text(&b);
+}
+
+const char *report_file_name(const char *path)
+{
+    const char *name = path;
+
+    for (; *path; path++)
+        if (*path == '/' || *path == '\\')
+            name = path + 1;
+    return name;
+}
+
+static void report_source(Report *r, Doc *d)
+{
+    const StateVec *sv = r->analysis.p->sv;
+
+    doc_section(d, "source", "Source");
+    doc_source(d, r->analysis.p->src);
+    if (!sv->from_machine && sv->element.n) {
+        doc_heading(d, NULL, format_in(r->arena, "State vector `%s`", report_file_name(sv->element.at[0]->span.src->name)));
+        doc_paragraph(
+            d, "The elements that this machine lists are described above; the whole state vector is not part of this report.");
+    }
+}
+
+Doc *report_build(Report *r)
+{
+    Doc *d = ARENA_NEW(r->arena, Doc);
+    const Program *p = r->analysis.p;
+
+    d->arena = r->arena;
+    d->title = p->name->text;
+    d->subtitle = format_in(r->arena, "Design review of the state machine in %s", report_file_name(p->src->name));
+    d->maker = r->maker;
+    report_overview(r, d);
+    report_states(r, d);
+    report_transitions(r, d);
+    report_variables(r, d);
+    report_findings(r, d);
+    report_abort(r, d);
+    report_cost(r, d);
+    report_scripts(r, d);
+    report_source(r, d);
+    return d;
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// The report of a machine for a design review: an overview, what the machine does in words, its diagram, tables, findings, costs, and the
+// results of its scripts.  The same inputs produce the same bytes; it contains no time, path or host name.
+#ifndef SMC_REPORT_H
+#define SMC_REPORT_H
+
+#include "compiler/analysis/analysis.h"
+#include "compiler/analysis/cost.h"
+#include "compiler/report/doc.h"
+#include "compiler/report/graph.h"
+#include "compiler/report/trace.h"
+#include "compiler/script/script.h"
+
+// One script's run.
+typedef struct ReportRun {
+    const char *name;             // its file name, without folders
+    const Script *script;         // NULL: it does not compile
+    ScriptResult result;          // if the script ran
+    Trace trace;
+    Diags diags;                  // diagnostics of the script
+} ReportRun;
+
+typedef struct Report {
+    Arena *arena;
+    Analysis analysis;            // its diags hold all findings, including those that an @allow covers; findings assume its step
+    bool step_given;              // the user gave that step to the command; otherwise it is the delta_t of the scripts
+    Cost cost, flash, eeprom; // in instructions; estimated in cycles of an ATmega328P, with the image in flash or in EEPROM
+    const uint8_t *image;         // as `smc build` writes it
+    size_t image_size;
+    ReportRun *run;
+    size_t runs;
+    const char *maker;            // "smc 0.1"
+} Report;
+
+Doc *report_build(Report *r);
+
+// ---- the sections, one file each ----
+
+void report_overview(Report *r, Doc *d);
+void report_states(Report *r, Doc *d);
+void report_transitions(Report *r, Doc *d);
+void report_variables(Report *r, Doc *d);
+void report_findings(Report *r, Doc *d);
+void report_abort(Report *r, Doc *d);
+void report_cost(Report *r, Doc *d);
+void report_scripts(Report *r, Doc *d);
+
+// Number of findings that count, and of findings that an @allow covers.
+typedef struct FindingCount { size_t open, allowed; } FindingCount;
+FindingCount report_count_findings(const Report *r);
+
+// The part of the machine that the scripts have executed.  A way is a pair of states that one or more transitions connect.
+typedef struct Coverage {
+    size_t states_seen, states, ways_seen, ways;
+    size_t ways_shared;           // seen, but by which of several transitions is unknown
+} Coverage;
+Coverage report_coverage(const Report *r);
+GraphCounts report_counts(const Report *r);   // how often the scripts visited states and took transitions, summed over all scripts
+
+// ---- plots (plot.c) ----
+
+// Plots the states of a run over time, and below them each series that changes.  Uses the patterns of plot_patterns.
+const char *plot_run(Arena *arena, const Trace *t);
+const char *plot_patterns(Arena *arena);      // an invisible drawing that plots refer to; include it once in a page
+
+// ---- shared helpers ----
+
+bool report_is_low(GraphSize s);              // a diagram of this size is readable on part of a printed page
+uint32_t report_line(Span span);              // line in the source; 0: none
+bool report_fits_uno(const Report *r);                            // judged by its windows alone
+const char *report_cycles(const Report *r, uint32_t cycles);      // with their duration on an Uno
+const char *report_number(Arena *arena, double x);
+const char *report_cell(Arena *arena, SmType type, uint64_t cell);
+const char *report_file_name(const char *path);
+
+#endif

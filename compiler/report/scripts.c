@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+// The results of the scripts, what they visited, and a plot of each.
+#include "compiler/report/graph.h"
+#include "compiler/report/report.h"
+#include "compiler/report/words.h"
+
+static const DocColumn run_columns[] = {{"script", "Script"},
+                                        {"result", "Result"},
+                                        {"steps", "Steps"},
+                                        {"asserts", "Asserts that held"},
+                                        {"states", "States it was in"}};
+static const DocColumn visit_columns[] = {{"step", "Step"}, {"g", "G"}, {"state", "State that began"}, {"stayed", "Stayed for"}};
+static const DocColumn cover_columns[] = {
+    {"state", "State"}, {"entered", "Times it began"}, {"steps", "Steps in it"}, {"scripts", "Scripts that were there"}};
+
+static const char *outcome_text(const ReportRun *run)
+{
+    if (!run->script)
+        return "does not compile";
+    switch (run->result.outcome) {
+    case SCRIPT_PASSED: return "passed";
+    case SCRIPT_FAILED: return "failed: an assert did not hold";
+    case SCRIPT_ENDLESS: return "failed: it did not end";
+    case SCRIPT_TIME_OVER: return "failed: the time ran out";
+    case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: return "failed: the engine broke";
+    }
+    return "";
+}
+
+static bool passed(const ReportRun *run) { return run->script && run->result.outcome == SCRIPT_PASSED; }
+
+// ---- tables ----
+
+static void put_runs(const Report *r, Doc *d)
+{
+    DocTable *t = DOC_TABLE_OF(d, "runs", run_columns);
+
+    for (size_t i = 0; i < r->runs; i++) {
+        const ReportRun *run = &r->run[i];
+        size_t visited = 0;
+        for (size_t s = 0; run->script && s < r->analysis.p->state.n; s++)
+            visited += run->trace.entered[s] > 0;
+        cell_plain(t, run->name);
+        cell_plain(t, outcome_text(run));
+        cell_number(t, run->result.steps);
+        cell_number(t, run->result.asserts_passed);
+        cell_plain(t, format_in(r->arena, "%lu of %lu", (unsigned long)visited, (unsigned long)r->analysis.p->state.n));
+    }
+}
+
+static const DocColumn way_columns[] = {{"from", "From"}, {"to", "To"}, {"times", "Times"}, {"note", "Remark"}};
+
+// Whether transition i is the first from its state to its target; *same: how many lead there.  Visits only transitions of one state.
+static bool is_first_way(const Transitions *t, size_t i, size_t *same)
+{
+    size_t first = i, last = i;
+
+    while (first > 0 && t->at[first - 1].from == t->at[i].from)
+        first--;
+    while (last < t->n && t->at[last].from == t->at[i].from)
+        last++;
+    for (; first < i; first++)
+        if (t->at[first].to == t->at[i].to)
+            return false;
+    for (; i < last; i++)
+        *same += t->at[i].to == t->at[first].to;
+    return true;
+}
+
+static void put_cover(const Report *r, Doc *d)
+{
+    const Program *p = r->analysis.p;
+    DocTable *t;
+
+    doc_heading(d, "cover", "States that the scripts have seen");
+    t = DOC_TABLE_OF(d, "cover", cover_columns);
+    for (size_t s = 0; s < p->state.n; s++) {
+        uint64_t entered = 0, spent = 0, scripts = 0;
+        for (size_t i = 0; i < r->runs; i++)
+            if (r->run[i].script) {
+                entered += r->run[i].trace.entered[s];
+                spent += r->run[i].trace.spent[s];
+                scripts += r->run[i].trace.entered[s] > 0;
+            }
+        cell_state(t, p->state.at[s]->name->text);
+        cell_number(t, entered);
+        cell_number(t, spent);
+        if (scripts)
+            cell_number(t, scripts);
+        else
+            cell_plain(t, "none");
+    }
+}
+
+// The pairs of states between which the scripts have made a transition.  A run does not record which of several transitions between two states it took.
+static void put_ways(const Report *r, Doc *d)
+{
+    const Transitions *t = &r->analysis.transition;
+    DocTable *table;
+
+    if (t->n == 0)
+        return;
+    doc_heading(d, "ways", "Ways that the scripts have gone");
+    table = DOC_TABLE_OF(d, "ways", way_columns);
+    for (size_t i = 0; i < t->n; i++) {
+        uint64_t taken = 0;
+        size_t same = 0;
+        if (!is_first_way(t, i, &same))
+            continue;
+        for (size_t k = 0; k < r->runs; k++)
+            taken += r->run[k].trace.taken[i];
+        cell_state(table, t->at[i].from->name->text);
+        cell_state(table, t->at[i].to->name->text);
+        cell_number(table, taken);
+        cell_plain(table, taken == 0 ? "never gone"
+                          : same > 1 ? format_in(r->arena, "%lu transitions, counted together", (unsigned long)same)
+                                     : "");
+    }
+}
+
+// Counts by transition.  The diagram draws one arrow from a state to another, so the count of several transitions is stored at the first.
+GraphCounts report_counts(const Report *r)
+{
+    const size_t states = r->analysis.p->state.n, ways = r->analysis.transition.n;
+    uint64_t *state = ARENA_ARRAY(r->arena, uint64_t, states), *way = ARENA_ARRAY(r->arena, uint64_t, ways);
+
+    for (size_t i = 0; i < r->runs; i++) {
+        for (size_t s = 0; s < states; s++)
+            state[s] += r->run[i].trace.entered[s];
+        for (size_t w = 0; w < ways; w++)
+            way[w] += r->run[i].trace.taken[w];
+    }
+    return (GraphCounts){state, way};
+}
+
+Coverage report_coverage(const Report *r)
+{
+    const GraphCounts counts = report_counts(r);
+    const Transitions *t = &r->analysis.transition;
+    Coverage c = {0, r->analysis.p->state.n, 0, 0, 0};
+
+    for (size_t s = 0; s < c.states; s++)
+        c.states_seen += counts.state[s] > 0;
+    for (size_t i = 0; i < t->n; i++) {
+        size_t same = 0;
+        if (!is_first_way(t, i, &same))
+            continue;
+        c.ways++;
+        c.ways_seen += counts.transition[i] > 0;
+        c.ways_shared += counts.transition[i] > 0 && same > 1;
+    }
+    return c;
+}
+
+// Names transitions whose count is shared: a run does not record which of them it took.  If none was taken, all are known to be unused.
+static void put_shared_ways(const Report *r, Doc *d)
+{
+    const GraphCounts counts = report_counts(r);
+    const Transitions *t = &r->analysis.transition;
+    Buf out;
+
+    buf_init(&out, r->arena);
+    for (size_t i = 0; i < t->n; i++) {
+        size_t same = 0;
+        if (counts.transition[i] == 0 || !is_first_way(t, i, &same) || same < 2)
+            continue;
+        buf_printf(&out, "%s from ^%s^ to ^%s^ (lines", out.n ? "," : "", t->at[i].from->name->text, t->at[i].to->name->text);
+        for (size_t k = i; k < t->n && t->at[k].from == t->at[i].from; k++)
+            if (t->at[k].to == t->at[i].to)
+                buf_printf(&out, "%s %lu", k == i ? "" : ",", (unsigned long)source_position(t->at[k].stmt->span.src, t->at[k].stmt->span.at).line);
+        buf_char(&out, ')');
+    }
+    if (out.n)
+        doc_paragraph(d, format_in(r->arena, "Of transitions between the same two states it is not seen which was made:%s. Some of them may never have been.", buf_text(&out)));
+}
+
+static void put_diagram(Report *r, Doc *d)
+{
+    const Coverage c = report_coverage(r);
+    const GraphCounts counts = report_counts(r);
+    GraphSize size;
+    DocPart *figure;
+    const GraphOptions o = {NULL, &counts, &size};
+    Buf svg;
+
+    doc_heading(d, "seen", "Where no script has been");
+    if (c.states_seen == c.states && c.ways_seen == c.ways) {
+        doc_paragraph(d, c.ways_shared ? "The scripts have been in every state, and have gone from each to every other it leads to."
+                                       : "Nowhere: the scripts have been in every state and gone every way from one state to another.");
+        put_shared_ways(r, d);
+        return;
+    }
+    buf_init(&svg, r->arena);
+    graph_svg(&r->analysis, &o, &svg);
+    figure = doc_figure(d, buf_text(&svg), "Dotted: states in which no script has been, and ways that none has gone.");
+    figure->low = report_is_low(size);
+    put_shared_ways(r, d);
+}
+
+// ---- one script ----
+
+static void put_visits(const Report *r, Doc *d, const ReportRun *run)
+{
+    enum { SHOWN = 20 };
+    const Trace *t = &run->trace;
+    DocTable *table = DOC_TABLE_OF(d, format_in(r->arena, "visits.%s", run->name), visit_columns);
+
+    for (size_t i = 0; i < t->visit.n && i < SHOWN; i++) {
+        cell_number(table, t->visit.at[i].step + 1);
+        cell_number(table, t->visit.at[i].g);
+        cell_state(table, t->visit.at[i].state->name->text);
+        if (i + 1 < t->visit.n)
+            cell_number(table, t->visit.at[i + 1].g - t->visit.at[i].g);
+        else
+            cell_plain(table, "the end");
+    }
+    table->narrow = true;
+    if (t->visits > SHOWN)
+        doc_paragraph(d, format_in(r->arena, "And %llu more.", (unsigned long long)(t->visits - SHOWN)));
+}
+
+static const char *unchanged(const Report *r, const ReportRun *run)
+{
+    const Trace *t = &run->trace;
+    Buf b;
+
+    buf_init(&b, r->arena);
+    for (size_t i = 0; i < t->series.n; i++)
+        if (!t->series.at[i]->changes && t->steps > 0)
+            buf_printf(&b, "%s`%s` = %s", b.n ? ", " : "", t->series.at[i]->v->name->text,
+                       report_cell(r->arena, t->series.at[i]->v->type, run->result.cell[t->series.at[i]->v->index]));
+    return buf_text(&b);
+}
+
+static void put_plot(const Report *r, Doc *d, const ReportRun *run)
+{
+    const char *same = unchanged(r, run);
+
+    doc_figure(d, plot_run(r->arena, &run->trace),
+               format_in(r->arena, "Values after each step; circles mark where a state began.%s%s%s", *same ? " Unchanged: " : "",
+                         same, *same ? "." : ""));
+}
+
+// What led to a failure, as smc test shows it: the last steps with the values that the assert reads, and the last transitions.
+static void put_history(const Report *r, Doc *d, const Diag *failure)
+{
+    Buf lines;
+
+    buf_init(&lines, r->arena);
+    for (size_t i = 0; i < failure->notes.n; i++) {
+        const DiagNote *note = &failure->notes.at[i];
+        if (note->span.src)
+            buf_printf(&lines, "%s:%lu: ", report_file_name(note->span.src->name),
+                       (unsigned long)source_position(note->span.src, note->span.at).line);
+        buf_printf(&lines, "%s\n", note->text);
+    }
+    doc_lines(d, buf_text(&lines));
+}
+
+static void put_run(const Report *r, Doc *d, const ReportRun *run, size_t number)
+{
+    DocPart *heading = doc_heading(d, format_in(r->arena, "script-%lu", (unsigned long)number), run->name);
+
+    heading->plain = true;
+    heading->badge = passed(run) ? "passed" : "failed";
+    heading->tone = passed(run) ? "good" : "bad";
+    if (run->script)
+        doc_quote(d, comment_of_file(r->arena, run->script->src));
+    for (size_t i = 0; i < run->diags.list.n; i++) {
+        const Diag *said = run->diags.list.at[i];
+        doc_plain(d, format_in(r->arena, "%s [%s]", said->text, diag_code_and_name(said, r->arena)));
+        doc_excerpt(d, said->span, said->label);
+        put_history(r, d, said);
+    }
+    if (!run->script || run->trace.steps == 0)
+        return;
+    put_plot(r, d, run);
+    put_visits(r, d, run);
+}
+
+void report_scripts(Report *r, Doc *d)
+{
+    doc_section(d, "scripts", "Scripts");
+    if (r->runs == 0) {
+        doc_paragraph(d, "No script was run. Name some behind the machine, as in `smc report tank.sm tank.ss`.");
+        return;
+    }
+    put_runs(r, d);
+    put_cover(r, d);
+    put_ways(r, d);
+    put_diagram(r, d);
+    doc_figure(d, plot_patterns(r->arena), NULL);
+    for (size_t i = 0; i < r->runs; i++)
+        put_run(r, d, &r->run[i], i + 1);
+}

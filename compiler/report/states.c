@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// A description of each state, and the table of all transitions.
+#include "compiler/report/report.h"
+#include "compiler/report/words.h"
+
+static bool is_reached(const Report *r, const State *s)
+{
+    for (int b = 0; b < BLOCK_COUNT; b++)
+        if (facts_reach(r->analysis.facts, s->number - 1u, b))
+            return true;
+    return false;
+}
+
+static void put_badge(const Report *r, const State *s, DocPart *heading)
+{
+    heading->state = s->name->text;
+    heading->tone = s->is_abort ? "bad" : s->is_safe ? "good" : "note";
+    if (s->is_abort)
+        heading->badge = s->is_safe ? "abort, safe to stay" : "abort";
+    else if (s->is_safe)
+        heading->badge = "safe to stay";
+    else if (!is_reached(r, s))
+        heading->badge = "never reached";
+    else if (s->number == 1)
+        heading->badge = "begins here";
+}
+
+// ---- predecessors ----
+
+typedef struct Sources { VEC(const State *) from; } Sources;      // the predecessors of a state, each once
+
+static Sources *find_sources(const Report *r)
+{
+    const Transitions *t = &r->analysis.transition;
+    Sources *of = ARENA_ARRAY(r->arena, Sources, r->analysis.p->state.n + 1u);
+
+    for (size_t i = 0; i < t->n; i++) {
+        Sources *s = &of[t->at[i].to->number];
+        if (s->from.n == 0 || s->from.at[s->from.n - 1] != t->at[i].from)     // transitions are sorted by state
+            vec_push(r->arena, &s->from, t->at[i].from);
+    }
+    return of;
+}
+
+static void put_sources(const Report *r, Doc *d, const Sources *s)
+{
+    Buf b;
+
+    if (s->from.n == 0)
+        return;
+    buf_init(&b, r->arena);
+    buf_str(&b, "Entered from ");
+    for (size_t i = 0; i < s->from.n; i++)
+        buf_printf(&b, "%s^%s^", i == 0 ? "" : i + 1 < s->from.n ? ", " : " and ", s->from.at[i]->name->text);
+    buf_char(&b, '.');
+    doc_paragraph(d, buf_text(&b));
+}
+
+// ---- a state ----
+
+static void put_blocks(const Report *r, Doc *d, const State *s)
+{
+    static const char *const label[BLOCK_COUNT] = {"When it enters, it", "At each step, it", "When it leaves, it"};
+    static const char *const key[BLOCK_COUNT] = {"entry", "step", "exit"};
+    bool any = false;
+
+    for (int b = 0; b < BLOCK_COUNT; b++)
+        if (s->block[b].n) {
+            words_block(doc_list(d, format_in(r->arena, "%s.%s", s->name->text, key[b]), label[b]), &s->block[b]);
+            any = true;
+        }
+    if (!any)
+        doc_paragraph(d, "In this state the machine does nothing, and stays.");
+}
+
+void report_states(Report *r, Doc *d)
+{
+    const Program *p = r->analysis.p;
+    const Sources *from = find_sources(r);
+
+    doc_section(d, "states", "What it does in each state");
+    doc_paragraph(
+        d, "The machine is run again and again; each time is a step. What stands under \"at each step\" is done from top to "
+           "bottom, in "
+           "the step in which the machine enters too. The first way out whose condition holds is taken, and nothing behind it is "
+           "done any more; the state it leads to begins with the next step. `T` is the time since the state began, `G` the time.");
+    for (size_t i = 0; i < p->state.n; i++) {
+        const State *s = p->state.at[i];
+        put_badge(r, s, doc_heading(d, NULL, format_in(r->arena, "%u. %s", (unsigned)s->number, s->name->text)));
+        doc_quote(d, comment_at(r->arena, s->span));
+        put_blocks(r, d, s);
+        put_sources(r, d, &from[s->number]);
+    }
+}
+
+// ---- transitions ----
+
+static const DocColumn transition_columns[] = {
+    {"number", "No."}, {"from", "From"}, {"to", "To"}, {"when", "When"}, {"block", "In"}, {"line", "Line"}, {"note", "Remark"},
+    {"comment", "What its author wrote"}};
+
+static const char *remark(const Report *r, const Transition *t)
+{
+    if (!r->analysis.stmt[t->stmt->number].reached)
+        return "can never be made";
+    return t->to->is_abort ? "abort" : "";
+}
+
+// The comment after the transition, or after the guard if the transition is its only statement.
+static const char *comment_of_transition(const Report *r, const Transition *t)
+{
+    const char *own = comment_beside(r->arena, t->stmt->span);
+    const Stmt *guard = t->when && t->when->holds ? t->when->stmt : NULL;
+
+    return own || !guard || guard->then.n != 1 ? own : comment_beside(r->arena, guard->span);
+}
+
+static void put_transition(const Report *r, DocTable *table, const Transition *t)
+{
+    static const char *const block[BLOCK_COUNT] = {".entry", ".step", ".exit"};
+    const char *when = condition_text(r->arena, t->when);
+
+    cell_number(table, t->number + 1u);
+    cell_state(table, t->from->name->text);
+    cell_state(table, t->to->name->text);
+    if (*when)
+        cell_code(table, when);
+    else
+        cell_plain(table, "always");
+    cell_plain(table, block[t->block]);
+    cell_line(table, report_line(t->stmt->span));
+    cell_plain(table, remark(r, t));
+    cell_plain(table, comment_of_transition(r, t));
+}
+
+void report_transitions(Report *r, Doc *d)
+{
+    const Transitions *t = &r->analysis.transition;
+    DocTable *table;
+
+    doc_section(d, "transitions", "Transitions");
+    if (t->n == 0) {
+        doc_paragraph(d, "There are none: the machine stays in its first state.");
+        return;
+    }
+    doc_paragraph(d, "In the order of the file. Of two that could be made in one step, the upper one is made.");
+    table = DOC_TABLE_OF(d, "transitions", transition_columns);
+    for (size_t i = 0; i < t->n; i++)
+        put_transition(r, table, &t->at[i]);
+}

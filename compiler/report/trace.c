@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/report/trace.h"
+
+#include <string.h>
+
+#include "stdlib/convert.h"
+
+double trace_number(SmType type, uint64_t cell)
+{
+    unsigned char memory[8] = {0};
+    uint64_t bits;
+    double x;
+
+    sm_cell_store(type, memory, cell);
+    bits = sm_bits(sm_load(type, memory));
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+size_t trace_buckets(const Trace *t) { return (size_t)((t->steps + t->per - 1) / t->per); }
+
+static void add_series(Trace *t, const Var *v)
+{
+    TraceSeries *s = ARENA_NEW(t->arena, TraceSeries);
+
+    s->v = v;
+    vec_push(t->arena, &t->series, s);
+}
+
+static void find_first(Trace *t)
+{
+    size_t i = 0;
+
+    for (size_t s = 0; s < t->p->state.n; s++) {
+        while (i < t->transition->n && t->transition->at[i].from->number < s + 1)
+            i++;
+        t->first[s] = i;
+    }
+}
+
+void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *transition)
+{
+    memset(t, 0, sizeof *t);
+    t->arena = arena;
+    t->p = p;
+    t->transition = transition;
+    t->first = ARENA_ARRAY(arena, size_t, p->state.n);
+    t->taken = ARENA_ARRAY(arena, uint64_t, transition->n);
+    find_first(t);
+    t->per = 1;
+    t->entered = ARENA_ARRAY(arena, uint64_t, p->state.n);
+    t->spent = ARENA_ARRAY(arena, uint64_t, p->state.n);
+    for (size_t i = 0; i < p->var.n; i++) {
+        const Var *v = p->var.at[i];
+        if (v != p->g && v != p->s && (v->kind == VAR_ELEMENT || (v->kind == VAR_LOCAL && !v->is_constant)))
+            add_series(t, v);
+    }
+}
+
+// ---- buckets ----
+
+static TraceBucket joined(const TraceBucket *a, const TraceBucket *b)
+{
+    return (TraceBucket){a->first, a->lo < b->lo ? a->lo : b->lo, a->hi > b->hi ? a->hi : b->hi, b->last};
+}
+
+static void join_pairs(Trace *t)
+{
+    for (size_t i = 0; i < t->series.n; i++) {
+        TraceBucket *at = t->series.at[i]->at;
+        for (size_t k = 0; k < TRACE_BUCKETS / 2; k++)
+            at[k] = joined(&at[2 * k], &at[2 * k + 1]);
+    }
+    t->per *= 2;
+}
+
+static void put_value(Trace *t, TraceSeries *s, double x)
+{
+    TraceBucket *b = &s->at[t->steps / t->per], alone = {x, x, x, x};
+
+    s->infinite = s->infinite || x - x != 0;
+    s->changes = s->changes || (t->steps > 0 && x != s->at[0].first);
+    *b = t->steps % t->per == 0 ? alone : joined(b, &alone);
+}
+
+// ---- a step ----
+
+static void note_way(Trace *t, uint32_t from, uint32_t to)
+{
+    for (size_t i = t->first[from - 1]; i < t->transition->n && t->transition->at[i].from->number == from; i++)
+        if (t->transition->at[i].to->number == to) {
+            t->taken[i]++;
+            return;
+        }
+}
+
+static void note_visit(Trace *t, const State *state, uint64_t g)
+{
+    TraceVisit v = {state, t->steps, g, (double)t->steps};
+
+    if (t->steps > 0)
+        note_way(t, t->last, state->number);
+    t->entered[state->number - 1]++;
+    if (t->visits++ < TRACE_VISITS_MAX)
+        vec_push(t->arena, &t->visit, v);
+}
+
+static void note_step(Trace *t, const uint64_t *cell)
+{
+    const uint64_t number = cell[t->p->s->index], g = cell[t->p->g->index];
+
+    if (number < 1 || number > t->p->state.n)
+        return;
+    if (t->steps == (uint64_t)TRACE_BUCKETS * t->per)
+        join_pairs(t);
+    if (t->steps == 0)
+        t->first_g = g;
+    t->last_g = g;
+    if (cell[t->p->t->index] == 0)                    // T is 0 in the first step of a state only
+        note_visit(t, t->p->state.at[number - 1], g);
+    t->last = (uint32_t)number;
+    t->spent[number - 1]++;
+    for (size_t i = 0; i < t->series.n; i++)
+        put_value(t, t->series.at[i], trace_number(t->series.at[i]->v->type, cell[t->series.at[i]->v->index]));
+    t->steps++;
+}
+
+// ---- the engine ----
+
+typedef struct TraceEngine {
+    Engine engine;
+    Engine *inner;
+    Trace *trace;
+} TraceEngine;
+
+static EngineStatus pass_on(Engine *e, EngineStatus status)
+{
+    e->error = ((TraceEngine *)e->self)->inner->error;
+    return status;
+}
+
+static EngineStatus traced_init(Engine *e, uint32_t state, EngineStep *out)
+{
+    Engine *inner = ((TraceEngine *)e->self)->inner;
+
+    return pass_on(e, inner->init(inner, state, out));
+}
+
+static EngineStatus traced_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
+{
+    TraceEngine *t = e->self;
+    const EngineStatus status = t->inner->step(t->inner, write, n, out);
+
+    if (status == ENGINE_OK)
+        note_step(t->trace, out->cell);
+    return pass_on(e, status);
+}
+
+static void traced_close(Engine *e)
+{
+    Engine *inner = ((TraceEngine *)e->self)->inner;
+
+    inner->close(inner);
+}
+
+Engine *trace_engine(Trace *t, Engine *inner)
+{
+    TraceEngine *e = ARENA_NEW(t->arena, TraceEngine);
+
+    e->inner = inner;
+    e->trace = t;
+    e->engine = *inner;
+    e->engine.self = e;
+    e->engine.init = traced_init;
+    e->engine.step = traced_step;
+    e->engine.close = traced_close;
+    return &e->engine;
+}
