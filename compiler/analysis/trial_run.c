@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compiler/analysis/trial.h"
+#include "compiler/ir/eval.h"
 #include "stdlib/math.h"
 
 enum {
@@ -27,7 +28,7 @@ void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace
 
     var[t->run->m->g] = s->ran ? s->last_g + dt : 0;
     for (uint32_t i = 0; i < t->inputs; i++)
-        var[t->input[i].var] = ir_run_number(t->input[i].v->type, in[i]);
+        var[t->input[i].var] = ir_convert(t->input[i].v->type, in[i]);
     ir_run_step(t->run, situation, trace);
 }
 
@@ -89,7 +90,7 @@ void trial_leap(const Trials *t, const double *before, void *situation, uint32_t
     s->last_g += n * t->dt;
     for (uint32_t v = 0; v < m->var.n; v++)
         if (t->limit[v] && m->var.at[v].writable)
-            var[v] = ir_run_number(m->var.at[v].type, var[v] + n * (var[v] - before[v]));
+            var[v] = ir_convert(m->var.at[v].type, var[v] + n * (var[v] - before[v]));
 }
 
 bool trial_pass(Trials *t, void *situation, const double *in, IrTrace *trace)
@@ -220,7 +221,7 @@ static void held_inputs(void *context, double *vars, uint32_t sample)
 
     (void)sample;
     for (uint32_t i = 0; i < h->t->inputs; i++)
-        vars[h->t->input[i].var] = ir_run_number(h->t->input[i].v->type, h->in[i]);
+        vars[h->t->input[i].var] = ir_convert(h->t->input[i].v->type, h->in[i]);
 }
 
 void trial_fill_windows(Trials *t, void *situation, const double *in)

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "compiler/analysis/questions.h"
+#include "compiler/ir/eval.h"
 
 enum {
     TRIED = 8,                    // entries of a state
@@ -57,7 +58,7 @@ static void fill_inputs(void *context, double *vars, uint32_t sample)
     (void)sample;
     set_inputs(w);
     for (uint32_t i = 0; i < w->t->inputs; i++)
-        vars[w->t->input[i].var] = ir_run_number(w->t->input[i].v->type, w->now[i]);
+        vars[w->t->input[i].var] = ir_convert(w->t->input[i].v->type, w->now[i]);
 }
 
 // ---- one trial ----

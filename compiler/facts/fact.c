@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "compiler/ir/eval.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
@@ -70,7 +71,7 @@ Fact fact_of_type(SmType type)
 
 Fact fact_of_cell(SmType type, uint64_t bits)
 {
-    const SmF64 x = type == SM_F64 ? sm_from_bits(bits) : sm_cell_to_f64(type, bits);
+    const SmF64 x = ir_number(type, bits);
 
     if (sm_is_nan(x))
         return make(1, 0, false, true, false);

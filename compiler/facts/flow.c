@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compiler/facts/facts.h"
+#include "compiler/ir/comparison.h"
 
 enum { REFINEMENTS = 200 };           // conditions visited per branch: conditions that share operands form a DAG, not a tree
 
@@ -153,18 +154,6 @@ static void refine_unequal(Fact *a, const Fact *b)
         bound_above(a, fact_below(*a, a->hi));
 }
 
-static IrOp opposite(IrOp op)
-{
-    switch ((int)op) {
-    case IR_eq: return IR_ne;
-    case IR_ne: return IR_eq;
-    case IR_lt: return IR_ge;
-    case IR_le: return IR_gt;
-    case IR_gt: return IR_le;
-    default: return IR_lt;
-    }
-}
-
 static void refine_pair(Pair *p, IrOp op)
 {
     switch ((int)op) {
@@ -197,7 +186,7 @@ static const Env *refine_compare(Flow *w, const Env *env, const IrIns *i, bool h
         return env;
     if (!b_exact && !(a_exact && p.a.lo == p.a.hi))
         return env;
-    refine_pair(&p, holds ? i->op : opposite(i->op));
+    refine_pair(&p, holds ? i->op : ir_negate_comparison(i->op));
     p.a.nan = p.b.nan = false;
     return confine(w, confine(w, env, i->a, p.a), i->b, p.b);
 }

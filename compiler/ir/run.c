@@ -4,8 +4,8 @@
 
 #include <string.h>
 
+#include "compiler/ir/eval.h"
 #include "stdlib/convert.h"
-#include "stdlib/math.h"
 #include "stdlib/roll.h"
 
 typedef struct Op {
@@ -15,7 +15,7 @@ typedef struct Op {
     IrRef to, a, b;
     uint32_t var;
     uint32_t stmt;
-    double number;                    // CONST
+    SmF64 number;                     // CONST
 } Op;
 
 typedef struct RunBlk { uint32_t first, end; IrJump jump; } RunBlk;
@@ -33,7 +33,7 @@ static Op op_of(const IrFn *f, IrRef ref)
     Op op = {i->op, i->type, i->stat, ref, i->a, i->b, i->var, i->stmt, 0};
 
     if (i->op == IR_const)
-        op.number = i->type == SM_F64 ? sm_from_bits(i->bits) : sm_cell_to_f64(i->type, i->bits);
+        op.number = ir_number(i->type, i->bits);
     return op;
 }
 
@@ -109,15 +109,6 @@ static uint64_t *window_of(const IrRun *r, void *situation, uint32_t w)
     return (uint64_t *)(void *)((char *)situation + r->window_at[w]);
 }
 
-double ir_run_number(SmType type, double x)
-{
-    if (type == SM_F64)
-        return x != x ? 0 : x;
-    if (type == SM_BOOL)
-        return x != 0 && x == x;
-    return sm_cell_to_f64(type, sm_cell_from_f64(type, x));
-}
-
 void ir_run_start(const IrRun *r, void *situation, uint32_t state)
 {
     IrSituation *s = situation;
@@ -128,44 +119,11 @@ void ir_run_start(const IrRun *r, void *situation, uint32_t state)
     s->first = true;
     for (size_t v = 0; v < r->m->var.n; v++)
         if (r->m->var.at[v].space == IR_LOCAL)
-            var[v] = ir_run_number(r->m->var.at[v].type, sm_cell_to_f64(r->m->var.at[v].type, r->m->var.at[v].init));
+            var[v] = ir_convert(r->m->var.at[v].type, sm_cell_to_f64(r->m->var.at[v].type, r->m->var.at[v].init));
     var[r->m->s] = state;
 }
 
 // ---- running ----
-
-static double number_of(const Op *op, double x, double y)
-{
-    switch (op->op) {
-    case IR_const: return op->number;
-    case IR_cvt: return ir_run_number(op->type, x);
-    case IR_add: return sm_add(x, y);
-    case IR_sub: return sm_sub(x, y);
-    case IR_mul: return sm_mul(x, y);
-    case IR_div: return sm_div(x, y);
-    case IR_neg: return sm_neg(x);
-    case IR_abs: return sm_abs(x);
-    case IR_floor: return sm_floor(x);
-    case IR_ceil: return sm_ceil(x);
-    case IR_trunc: return sm_trunc(x);
-    case IR_round: return sm_round(x);
-    case IR_sqrt: return sm_sqrt(x);
-    case IR_sign: return sm_sign(x);
-    case IR_min: return sm_min(x, y);
-    case IR_max: return sm_max(x, y);
-    case IR_eq: return x == y;
-    case IR_ne: return !(x == y);
-    case IR_lt: return x < y;
-    case IR_le: return x <= y;
-    case IR_gt: return x > y;
-    case IR_ge: return x >= y;
-    case IR_and: return x != 0 && y != 0;
-    case IR_or: return x != 0 || y != 0;
-    case IR_not: return x == 0;
-    case IR_load: case IR_store: case IR_stat: case IR_sample: case IR_OP_COUNT: break;
-    }
-    return 0;
-}
 
 static void note(IrTrace *trace, uint32_t entry)
 {
@@ -185,7 +143,7 @@ static uint32_t run(IrRun *r, const IrRunFn *f, void *situation, IrTrace *trace)
             switch (op->op) {
             case IR_load: temp[op->to] = var[op->var]; break;
             case IR_store:
-                var[op->var] = ir_run_number(op->type, temp[op->a]);
+                var[op->var] = ir_convert(op->type, temp[op->a]);
                 writers_of(r, situation)[op->var] = op->stmt;
                 note(trace, op->stmt << 1);
                 break;
@@ -197,8 +155,9 @@ static uint32_t run(IrRun *r, const IrRunFn *f, void *situation, IrTrace *trace)
                 sm_roll_sample(window_of(r, situation, op->var), r->m->window.at[op->var].size, r->window_kind[op->var],
                                temp[op->a]);
                 break;
+            case IR_const: temp[op->to] = op->number; break;
             default:
-                temp[op->to] = number_of(op, op->a == IR_NONE ? 0 : temp[op->a], op->b == IR_NONE ? 0 : temp[op->b]);
+                temp[op->to] = ir_eval(op->op, op->type, temp[op->a], op->b == IR_NONE ? 0 : temp[op->b]);
             }
         switch (b->jump.kind) {
         case IR_RET: return 0;

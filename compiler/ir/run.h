@@ -51,8 +51,6 @@ void ir_run_start(const IrRun *r, void *situation, uint32_t state);
 double *ir_run_vars(const IrRun *r, void *situation);
 // By IR variable, the statement (Stmt.number) that stored to it last; 0: none.
 const uint32_t *ir_run_writers(const IrRun *r, const void *situation);
-// The value of a variable of this type after x was stored in it.
-double ir_run_number(SmType type, double x);
 // Runs one step.  Returns false and leaves the situation unchanged if G forbids the step (language.md 6.3).  `trace` may be NULL.
 bool ir_run_step(IrRun *r, void *situation, IrTrace *trace);
 // Samples every window n times.  `inputs` may be NULL; it is called before each sample to set the inputs.

@@ -4,6 +4,8 @@
 //
 // x / 2^k is exactly x * 2^-k, but is not replaced.  The VM encodes 8 in an operand and needs eight more bytes for 0.125, and C
 // compilers know this rule.
+#include "compiler/ir/comparison.h"
+#include "compiler/ir/eval.h"
 #include "compiler/passes/identity.h"
 
 static void become(IrIns *i, IrOp op, IrRef a, IrRef b)
@@ -55,46 +57,31 @@ static void rewrite_product(const Identity *d, IrIns *i)
 
 // ---- comparisons ----
 
-static const IrOp opposite[IR_OP_COUNT] = {
-    [IR_eq] = IR_ne, [IR_ne] = IR_eq, [IR_lt] = IR_ge, [IR_le] = IR_gt, [IR_gt] = IR_le, [IR_ge] = IR_lt,
-};
-
-// ne is always the opposite of eq.  lt, le, gt and ge have an opposite only if no operand is NaN: with a NaN they are all false.
-static bool has_opposite(const Identity *d, const IrIns *i)
+// Whether i is a comparison that can be negated: lt, le, gt and ge are all false if an operand is NaN.
+static bool is_negatable(const Identity *d, const IrIns *i)
 {
-    if (ir_op_info[i->op].types != IR_T_COMPARE)
+    if (!ir_is_comparison(i->op))
         return false;
-    return i->op == IR_eq || i->op == IR_ne || (d->never_nan[i->a] && d->never_nan[i->b]);
+    return ir_is_equality(i->op) || (d->never_nan[i->a] && d->never_nan[i->b]);
 }
 
 static void rewrite_not(const Identity *d, IrIns *i)
 {
     const IrIns *from = identity_at(d, i->a);
 
-    if (has_opposite(d, from))
-        become(i, opposite[from->op], from->a, from->b);
+    if (is_negatable(d, from))
+        become(i, ir_negate_comparison(from->op), from->a, from->b);
 }
 
-static bool compare(IrOp op, SmF64 x, SmF64 y)
-{
-    if (op == IR_eq || op == IR_ne)
-        return sm_eq(x, y) == (op == IR_eq);
-    if (op == IR_lt || op == IR_gt)
-        return op == IR_lt ? sm_lt(x, y) : sm_lt(y, x);
-    return op == IR_le ? sm_le(x, y) : sm_le(y, x);
-}
-
-// A bool is 0 or 1.  Compared with a number, it produces false, true, its negation, or itself.  Itself is written as `b and b`, which
+// A bool is 0 or 1.  `boolean op number` produces false, true, its negation, or itself.  Itself is written as `b and b`, which
 // same_as then replaces by b.
-static void rewrite_bool(IrIns *i, IrRef boolean, SmF64 number, bool first)
+static void rewrite_bool(IrIns *i, IrOp op, IrRef boolean, SmF64 number)
 {
-    bool of[2];
+    const bool of_false = ir_compare(op, sm_from_i32(0), number), of_true = ir_compare(op, sm_from_i32(1), number);
 
-    for (int b = 0; b < 2; b++)
-        of[b] = first ? compare(i->op, sm_from_i32(b), number) : compare(i->op, number, sm_from_i32(b));
-    if (of[0] == of[1])
-        become_bool(i, of[0]);
-    else if (of[0])
+    if (of_false == of_true)
+        become_bool(i, of_false);
+    else if (of_false)
         become(i, IR_not, boolean, IR_NONE);
     else
         become(i, IR_and, boolean, boolean);
@@ -111,13 +98,13 @@ static IrRef bool_under(const Identity *d, IrRef ref)
 
 static bool rewrite_bools(const Identity *d, IrIns *i)
 {
-    const IrIns *a = identity_at(d, i->a), *b = identity_at(d, i->b);
-    bool first = b->op == IR_const;
-    IrRef boolean = bool_under(d, first ? i->a : i->b);
+    const bool swap = identity_at(d, i->b)->op != IR_const;
+    const IrIns *constant = identity_at(d, swap ? i->a : i->b);
+    const IrRef boolean = bool_under(d, swap ? i->b : i->a);
 
-    if (boolean == IR_NONE || (!first && a->op != IR_const))
+    if (boolean == IR_NONE || constant->op != IR_const)
         return false;
-    rewrite_bool(i, boolean, identity_number(first ? b : a), first);
+    rewrite_bool(i, swap ? ir_swap_comparison(i->op) : i->op, boolean, ir_number(constant->type, constant->bits));
     return true;
 }
 

@@ -15,6 +15,7 @@
 // Needs uses and updates them.
 #include <string.h>
 
+#include "compiler/ir/comparison.h"
 #include "compiler/passes/pass.h"
 #include "stdlib/f64.h"
 
@@ -60,7 +61,7 @@ static Key key_of(const Cse *c, const IrIns *i)
     if (ir_op_info[i->op].operands > 1)
         k.b = c->value[i->b];
     if (i->op == IR_gt || i->op == IR_ge) {                   // a > b is b < a
-        k.op = i->op == IR_gt ? IR_lt : IR_le;
+        k.op = ir_swap_comparison(i->op);
         swap_operands(&k);
     } else if (commutes(i->op) && k.b < k.a) {
         swap_operands(&k);

@@ -14,23 +14,18 @@
 // Needs nothing; breaks uses.  dce removes the operations that become unused.
 #include "compiler/passes/identity.h"
 
+#include "compiler/ir/eval.h"
 #include "compiler/passes/pass.h"
-#include "stdlib/convert.h"
 
 static bool is_float(SmType type) { return type == SM_F64 || type == SM_F32; }
 
 bool identity_is_integer(SmType type) { return !is_float(type) && type != SM_BOOL; }
 
-SmF64 identity_number(const IrIns *constant)
-{
-    return constant->type == SM_F64 ? sm_from_bits(constant->bits) : sm_cell_to_f64(constant->type, constant->bits);
-}
-
 bool identity_is(const Identity *d, IrRef ref, SmF64 number)
 {
     const IrIns *i = identity_at(d, ref);
 
-    return i->op == IR_const && sm_bits(identity_number(i)) == sm_bits(number);
+    return i->op == IR_const && sm_bits(ir_number(i->type, i->bits)) == sm_bits(number);
 }
 
 // ---- arithmetic ----

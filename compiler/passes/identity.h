@@ -14,7 +14,6 @@ typedef struct Identity {
 
 static inline const IrIns *identity_at(const Identity *d, IrRef ref) { return &d->f->ins.at[ref]; }
 
-SmF64 identity_number(const IrIns *constant);         // as an F64; NaN stays NaN
 // Whether ref is a constant of any type that is this number.  Compares the bits as F64, so 0 and -0 differ.
 bool identity_is(const Identity *d, IrRef ref, SmF64 number);
 bool identity_is_integer(SmType type);

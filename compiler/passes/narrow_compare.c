@@ -2,14 +2,10 @@
 // narrow: comparisons in the type of the inputs.  A constant is replaced by the nearest number of that type that does not exceed it,
 // and the operator is changed so that the result is the same for every value.  Converting an I64 or U64 to F64 may round it, but
 // preserves its order relative to every constant below 2^53, because numbers of that size are not rounded.
+#include "compiler/ir/comparison.h"
 #include "compiler/passes/narrow.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
-
-static IrOp mirrored(IrOp op)
-{
-    return op == IR_lt ? IR_gt : op == IR_le ? IR_ge : op == IR_gt ? IR_lt : op == IR_ge ? IR_le : op;
-}
 
 static void become_compare(Narrow *n, IrRef ref, IrOp op, IrRef a, IrRef b)
 {
@@ -20,22 +16,10 @@ static void become_compare(Narrow *n, IrRef ref, IrOp op, IrRef a, IrRef b)
     i->b = b;
 }
 
-static bool compares(IrOp op, double x, double c)
-{
-    switch ((int)op) {
-    case IR_eq: return x == c;
-    case IR_ne: return x != c;
-    case IR_lt: return x < c;
-    case IR_le: return x <= c;
-    case IR_gt: return x > c;
-    default: return x >= c;
-    }
-}
-
 // A bool compared with a constant is the bool itself, its negation, or a constant.
 static void compare_bool(Narrow *n, IrRef ref, IrOp op, IrRef flag, double c)
 {
-    const bool of_false = compares(op, 0, c), of_true = compares(op, 1, c);
+    const bool of_false = ir_compare(op, 0, c), of_true = ir_compare(op, 1, c);
     IrIns *i = narrow_ins(n, ref);
 
     if (of_true && !of_false) {
@@ -58,7 +42,7 @@ static void compare_at(Narrow *n, IrRef ref, IrOp op, IrRef x, double c, double 
     const SmType type = narrow_ins(n, x)->type;
     IrRef constant;
 
-    if (below != c && (op == IR_eq || op == IR_ne))
+    if (below != c && ir_is_equality(op))
         return;
     constant = narrow_const(n, type, below, narrow_ins(n, ref)->span);
     become_compare(n, ref, below == c ? op : beside(op), x, constant);
@@ -125,7 +109,7 @@ void narrow_compare(Narrow *n, IrRef ref)
     if (narrow_is_const(n, i.b, &c))
         compare_constant(n, ref, i.op, i.a, c);
     else if (narrow_is_const(n, i.a, &c))
-        compare_constant(n, ref, mirrored(i.op), i.b, c);
+        compare_constant(n, ref, ir_swap_comparison(i.op), i.b, c);
     else
         compare_two(n, ref);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates an expression with the same functions that run on targets (stdlib).
+// Evaluates an expression with the same functions that run on targets (stdlib).  ir/eval.c does the same for IR operations.  They share
+// no code because this one evaluates the language's operators and builtins, chains and clamp among them, and sema is below the IR.
 #include "compiler/sema/sema.h"
 
 #include <stdio.h>

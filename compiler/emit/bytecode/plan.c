@@ -11,9 +11,6 @@ uint32_t bc_depth(const Select *s, IrRef r) { return s->value[r].waits && s->val
 
 // ---- possible values ----
 
-// A constant NaN is a NaN only as an F64, where it stays one.
-SmF64 bc_const_value(const IrIns *i) { return i->type == SM_F64 ? sm_from_bits(i->bits) : sm_cell_to_f64(i->type, i->bits); }
-
 // Whether r can have a value outside its type: a NaN, or for an F32 operation an unrounded number, because it is computed as F64. Loads,
 // conversions and integer operations always have a value of their type.
 static bool is_raw(const Select *s, IrRef r)

@@ -6,6 +6,7 @@
 
 #include "bytecode-vm/image.h"
 #include "compiler/emit/bytecode/bytecode.h"
+#include "compiler/ir/eval.h"
 
 #define BC_UNASKED (BC_NONE - 1)      // its operand is created when first needed, because constants are numbered in that order
 
@@ -70,7 +71,7 @@ static inline bool bc_is_float(uint32_t type) { return type == SM_F32 || type ==
 
 void bc_plan_block(Select *s, uint32_t block);
 uint32_t bc_depth(const Select *s, IrRef r);          // longest chain of waiting operations in r; 0 if r does not wait
-SmF64 bc_const_value(const IrIns *i);                 // the value of a constant as an F64
+static inline SmF64 bc_const_value(const IrIns *i) { return ir_number(i->type, i->bits); }      // i is a const
 static inline bool bc_is_waiting_cvt(const Select *s, IrRef r) { return s->value[r].waits && bc_ins(s, r)->op == IR_cvt; }
 IrRef bc_converted(const Select *s, IrRef r);         // the value that waiting conversion r passes on unchanged, or r
 static inline IrRef bc_source(const Select *s, IrRef r) { return bc_is_waiting_cvt(s, r) ? bc_converted(s, r) : r; }

@@ -2,15 +2,11 @@
 // Comparisons.  Both sides have the same type and are written in it.  If compilers would warn that a comparison is always true or always
 // false, both sides are written as doubles, for which compilers cannot know that.
 #include "compiler/emit/c/fn.h"
+#include "compiler/ir/comparison.h"
 #include "stdlib/convert.h"
 
 static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 static void put(CFn *fn, const char *text) { buf_str(&fn->line, text); }
-
-static IrOp mirrored(IrOp op)
-{
-    return op == IR_lt ? IR_gt : op == IR_le ? IR_ge : op == IR_gt ? IR_lt : op == IR_ge ? IR_le : op;
-}
 
 static const char *const compare_text[] = {
     [IR_eq - IR_eq] = " == ", [IR_ne - IR_eq] = " != ", [IR_lt - IR_eq] = " < ",
@@ -52,7 +48,7 @@ static bool compares_integers(const CFn *fn, const IrIns *i)
     if (!c_is_integer(ins(fn, i->a)->type) || is_same_text(fn, i->a, i->b))
         return false;
     if (fn->ins[i->a].is_const)
-        return !fn->ins[i->b].is_const && is_undecided(fn, mirrored(i->op), i->a, source_type(fn, i->b));
+        return !fn->ins[i->b].is_const && is_undecided(fn, ir_swap_comparison(i->op), i->a, source_type(fn, i->b));
     return !fn->ins[i->b].is_const || is_undecided(fn, i->op, i->b, source_type(fn, i->a));
 }
 
@@ -60,7 +56,7 @@ static bool compares_integers(const CFn *fn, const IrIns *i)
 
 static bool compares_bools(const CFn *fn, const IrIns *i)
 {
-    return (i->op == IR_eq || i->op == IR_ne) && ins(fn, i->a)->type == SM_BOOL && !is_same_text(fn, i->a, i->b);
+    return ir_is_equality(i->op) && ins(fn, i->a)->type == SM_BOOL && !is_same_text(fn, i->a, i->b);
 }
 
 // ---- all types ----
@@ -86,8 +82,8 @@ static void put_sides(CFn *fn, const IrIns *i, const char *text)
 
 void put_compare(CFn *fn, const IrIns *i, bool negated, int prec)
 {
-    const bool equality = i->op == IR_eq || i->op == IR_ne, inverted = negated && !equality;
-    const IrOp op = !negated ? i->op : i->op == IR_eq ? IR_ne : i->op == IR_ne ? IR_eq : i->op;
+    const bool equality = ir_is_equality(i->op), inverted = negated && !equality;
+    const IrOp op = negated && equality ? ir_negate_comparison(i->op) : i->op;
     bool opened;
 
     if (fn->u->soft && soft_put_look(fn, i, negated))

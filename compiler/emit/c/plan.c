@@ -3,8 +3,7 @@
 // if it is used once and no store between its position and its use changes what it reads.  Expressions too deep for compilers are split.
 // Also finds constants, and elements that are read once for the whole function.
 #include "compiler/emit/c/fn.h"
-#include "stdlib/convert.h"
-#include "stdlib/math.h"
+#include "compiler/ir/eval.h"
 
 enum { LEVEL_MAX = 40 };      // deeper expressions are split; clang's limit is 256 nested parentheses
 
@@ -12,62 +11,20 @@ static bool is_float(SmType t) { return t == SM_F64 || t == SM_F32; }
 
 // ---- constants ----
 
-// The number of a constant.  Unlike an element's, an F64's NaN is preserved.
+static bool decides(const CFn *fn, IrOp op, IrRef r) { return fn->ins[r].is_const && ir_decides(op, fn->ins[r].bits != 0); }
+
 static SmF64 number(const CFn *fn, IrRef r)
 {
-    if (r == IR_NONE)
-        return sm_from_i32(0);
-    return fn->f->ins.at[r].type == SM_F64 ? sm_from_bits(fn->ins[r].bits) : sm_cell_to_f64(fn->f->ins.at[r].type, fn->ins[r].bits);
-}
-
-// The result of a SAME operation, rounded to its type.
-static uint64_t result(SmType type, SmF64 x)
-{
-    if (type == SM_F64)
-        return sm_is_nan(x) ? IR_NAN : sm_bits(x);
-    return sm_cell_from_f64(type, x);
+    return r == IR_NONE ? sm_from_i32(0) : ir_number(fn->f->ins.at[r].type, fn->ins[r].bits);
 }
 
 static uint64_t fold(const CFn *fn, const IrIns *i)
 {
-    const uint64_t cell_a = i->a != IR_NONE ? fn->ins[i->a].bits : 0, cell_b = i->b != IR_NONE ? fn->ins[i->b].bits : 0;
-    const SmF64 a = number(fn, i->a), b = number(fn, i->b);
-
-    switch (i->op) {
-    case IR_const: return i->bits;
-    case IR_cvt: return sm_cell_from_f64(i->type, a);
-    case IR_add: return result(i->type, sm_add(a, b));
-    case IR_sub: return result(i->type, sm_sub(a, b));
-    case IR_mul: return result(i->type, sm_mul(a, b));
-    case IR_div: return result(i->type, sm_div(a, b));
-    case IR_neg: return result(i->type, sm_neg(a));
-    case IR_abs: return result(i->type, sm_abs(a));
-    case IR_floor: return result(i->type, sm_floor(a));
-    case IR_ceil: return result(i->type, sm_ceil(a));
-    case IR_trunc: return result(i->type, sm_trunc(a));
-    case IR_round: return result(i->type, sm_round(a));
-    case IR_sqrt: return result(i->type, sm_sqrt(a));
-    case IR_sign: return result(i->type, sm_sign(a));
-    case IR_min: return result(i->type, sm_min(a, b));
-    case IR_max: return result(i->type, sm_max(a, b));
-    case IR_eq: return sm_eq(a, b);
-    case IR_ne: return !sm_eq(a, b);
-    case IR_lt: return sm_lt(a, b);
-    case IR_le: return sm_le(a, b);
-    case IR_gt: return sm_lt(b, a);
-    case IR_ge: return sm_le(b, a);
-    case IR_and: return cell_a & cell_b;
-    case IR_or: return cell_a | cell_b;
-    case IR_not: return !cell_a;
-    case IR_load: case IR_store: case IR_stat: case IR_sample: case IR_OP_COUNT: break;
-    }
-    return 0;
-}
-
-// `and` is false if either operand is false, `or` is true if either is true, whatever the other operand is.
-static bool decides(const CFn *fn, IrOp op, IrRef r)
-{
-    return fn->ins[r].is_const && (fn->ins[r].bits != 0) == (op == IR_or);
+    if (i->op == IR_const)
+        return i->bits;
+    if (decides(fn, i->op, i->a) || (i->b != IR_NONE && decides(fn, i->op, i->b)))
+        return i->op == IR_or;
+    return ir_cell(i->type, ir_eval(i->op, i->type, number(fn, i->a), number(fn, i->b)));
 }
 
 static bool can_fold(const CFn *fn, const IrIns *i)

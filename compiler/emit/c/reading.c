@@ -3,9 +3,9 @@
 // If a condition has the same result for NaN and 0, the difference is not visible: x > 775 is false for both.  So is 500 < x and x < 825,
 // although 0 < 825.
 #include "compiler/emit/c/fn.h"
+#include "compiler/ir/comparison.h"
 
 static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
-static bool is_compare(IrOp op) { return op >= IR_eq && op <= IR_ge; }
 
 // The load of a float element whose value, as an F32 or an F64, is r; or IR_NONE.
 static IrRef read_by(const CFn *fn, IrRef r)
@@ -33,11 +33,6 @@ static bool is_as_nan(IrOp op, Fact y)
     }
 }
 
-static IrOp mirrored(IrOp op)
-{
-    return op == IR_lt ? IR_gt : op == IR_le ? IR_ge : op == IR_gt ? IR_lt : op == IR_ge ? IR_le : op;
-}
-
 // The operand of a comparison that reads an element, if only one does; otherwise IR_NONE.
 static IrRef reading_side(const CFn *fn, const IrIns *i)
 {
@@ -56,7 +51,7 @@ static void note_compare(CFn *fn, IrRef r)
         fn->ins[x].careless += c->uses > 0;
         return;
     }
-    if (x == IR_NONE || !is_as_nan(x == i->a ? i->op : mirrored(i->op), fn->ins[x == i->a ? i->b : i->a].fact))
+    if (x == IR_NONE || !is_as_nan(x == i->a ? i->op : ir_swap_comparison(i->op), fn->ins[x == i->a ? i->b : i->a].fact))
         return;
     c->settled_by = read_by(fn, x);
     c->settled_value = i->op == IR_ne;
@@ -69,7 +64,7 @@ static void excuse(CFn *fn, IrRef r, IrRef load)
 {
     const IrIns *i = ins(fn, r);
     CIns *c = &fn->ins[r];
-    const IrRef x = is_compare(i->op) ? reading_side(fn, i) : IR_NONE;
+    const IrRef x = ir_is_comparison(i->op) ? reading_side(fn, i) : IR_NONE;
 
     if (c->is_const || c->uses != 1 || c->excused)
         return;
@@ -110,7 +105,7 @@ static void note(CFn *fn, IrRef r)
         return;
     if (i->op == IR_sample) {
         fn->ins[i->a].careless += window_reads_nan(fn, i);
-    } else if (is_compare(i->op)) {
+    } else if (ir_is_comparison(i->op)) {
         note_compare(fn, r);
     } else if (i->op == IR_and || i->op == IR_or) {
         note_logic(fn, r);

@@ -4,6 +4,7 @@
 // An F32 is computed as an F64 and rounded after each operation, which produces the same F32.  Integers are not affected.
 #include "compiler/emit/c/emit_c.h"
 #include "compiler/emit/c/fn.h"
+#include "compiler/ir/comparison.h"
 #include "soft_text.h"
 #include "stdlib/convert.h"
 
@@ -59,7 +60,7 @@ void soft_put_binary(CFn *fn, const IrIns *i)
 
 void soft_put_compare(CFn *fn, const IrIns *i, bool negated)
 {
-    const bool equality = i->op == IR_eq || i->op == IR_ne, swap = i->op == IR_gt || i->op == IR_ge;
+    const bool equality = ir_is_equality(i->op), swap = i->op == IR_gt || i->op == IR_ge;
 
     put(fn, negated != (i->op == IR_ne) ? "!" : "");
     put(fn, equality ? "sm_eq(" : i->op == IR_lt || i->op == IR_gt ? "sm_lt(" : "sm_le(");
@@ -80,14 +81,13 @@ typedef struct Look {
 
 static bool find_look(const CFn *fn, const IrIns *i, Look *l)
 {
-    static const IrOp mirrored[] = {[IR_lt - IR_lt] = IR_gt, [IR_le - IR_lt] = IR_ge, [IR_gt - IR_lt] = IR_lt, [IR_ge - IR_lt] = IR_le};
     const bool swap = fn->ins[i->a].is_const;
 
-    if (!fn->u->soft || i->op < IR_lt || i->op > IR_ge)
+    if (!fn->u->soft || ir_is_equality(i->op))
         return false;
     l->side = l->load = swap ? i->b : i->a;
     l->constant = swap ? i->a : i->b;
-    l->op = swap ? mirrored[i->op - IR_lt] : i->op;
+    l->op = swap ? ir_swap_comparison(i->op) : i->op;
     if (ins(fn, l->side)->op == IR_cvt && ins(fn, l->side)->type == SM_F64 && ins(fn, ins(fn, l->side)->a)->type == SM_F32)
         l->load = ins(fn, l->side)->a;
     return ins(fn, l->load)->op == IR_load && fn->ins[l->constant].is_const && !fn->ins[l->side].is_const;

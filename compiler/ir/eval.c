@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/ir/eval.h"
+
+#include "compiler/ir/comparison.h"
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
+SmF64 ir_number(SmType type, uint64_t cell) { return type == SM_F64 ? sm_from_bits(cell) : sm_cell_to_f64(type, cell); }
+
+// (Users of an F32 operation read only its F32 conversion, which is 0 for a NaN.)
+uint64_t ir_cell(SmType type, SmF64 x)
+{
+    if (type == SM_F64)
+        return sm_is_nan(x) ? IR_NAN : sm_bits(x);
+    return sm_cell_from_f64(type, x);
+}
+
+SmF64 ir_convert(SmType type, SmF64 x)
+{
+    if (type == SM_F64)
+        return sm_is_nan(x) ? sm_from_i32(0) : x;
+    if (type == SM_BOOL)
+        return sm_from_bool(sm_to_bool(x));
+    return sm_cell_to_f64(type, sm_cell_from_f64(type, x));
+}
+
+SmF64 ir_eval(IrOp op, SmType type, SmF64 a, SmF64 b)
+{
+    switch (op) {
+    case IR_cvt: return ir_convert(type, a);
+    case IR_add: return sm_add(a, b);
+    case IR_sub: return sm_sub(a, b);
+    case IR_mul: return sm_mul(a, b);
+    case IR_div: return sm_div(a, b);
+    case IR_neg: return sm_neg(a);
+    case IR_abs: return sm_abs(a);
+    case IR_floor: return sm_floor(a);
+    case IR_ceil: return sm_ceil(a);
+    case IR_trunc: return sm_trunc(a);
+    case IR_round: return sm_round(a);
+    case IR_sqrt: return sm_sqrt(a);
+    case IR_sign: return sm_sign(a);
+    case IR_min: return sm_min(a, b);
+    case IR_max: return sm_max(a, b);
+    case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge: return sm_from_bool(ir_compare(op, a, b));
+    case IR_and: return sm_from_bool(sm_to_bool(a) && sm_to_bool(b));
+    case IR_or: return sm_from_bool(sm_to_bool(a) || sm_to_bool(b));
+    case IR_not: return sm_from_bool(!sm_to_bool(a));
+    case IR_const: case IR_load: case IR_store: case IR_stat: case IR_sample: case IR_OP_COUNT: break;
+    }
+    return sm_from_i32(0);
+}
