@@ -841,7 +841,7 @@ help:
 	@echo 'make stress-runtime  N=1000000 steps of random applications of the flight runtime, from SEED=1; make lateness: how late ticks begin here'
 	@echo 'make asan            runs the tests under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'
-	@echo 'make docs            makes docs/diagnostics.md'
+	@echo 'make docs            writes docs/diagnostics.md and the pictures of documents; wrap-docs: wraps documents at 100 columns'
 	@echo 'make bench           measures what a step costs and what code weighs: W=mission, one workload; bench-scale: how compile time grows; bench-runtime: the state vector'
 	@echo 'make sizes           measures what the parts take on boards: flash, RAM, stack, cycles'
 	@echo 'make arduino         makes the Arduino library, $(ARDUINO) and smc.zip beside it'
@@ -857,6 +857,7 @@ find_code = { find stdlib compiler bytecode-vm runtime-c arduino tests examples 
               -o -name '*.cpp' -o -name '*.mk'; echo Makefile; } 2>/dev/null | sort
 find_text = { find stdlib compiler bytecode-vm runtime-c arduino tests examples conformance docs editors -type f; ls README.md CONTRIBUTING.md Makefile; } 2>/dev/null | sort
 find_smt  = find conformance tests -name '*.smt' | sort
+find_md   = $(find_text) | grep '[.]md$$'
 
 check-layers:
 	@$(find_code) | awk -f tests/check/layers.awk tests/check/layers.txt -
@@ -874,9 +875,15 @@ check-arguments:
 	@$(find_code) | grep "^compiler/.*c$$" | awk -f tests/check/arguments.awk compiler/diag/codes.def -
 check-words:
 	@$(find_text) | awk -f tests/check/words.awk tests/check/words.txt -
+# The prose of documents is wrapped at 100 columns; `make wrap-docs` wraps it.
+check-wrap:
+	@sh tests/check/wrap.sh $$($(find_md))
+wrap-docs:
+	@sh tests/check/wrap.sh -w $$($(find_md))
+.PHONY: wrap-docs
 check-configurations:
 	@sh tests/check/configurations.sh
-HOUSE_RULES = check-words check-configurations check-layers check-codes check-arguments check-headers check-imports check-licence check-places
+HOUSE_RULES = check-words check-wrap check-configurations check-layers check-codes check-arguments check-headers check-imports check-licence check-places
 CHECK_LINES += $(foreach rule,$(HOUSE_RULES),"+$(rule): $(MAKE) -s --no-print-directory $(rule)")
 
 # ---- the language and its evidence ----
@@ -901,14 +908,15 @@ check: $(CLAUSE_TESTS) $(B)/clauses/probe.smb
 CHECK_LINES += "clauses-steps: $(B)/clauses/steps" "clauses-memory: $(B)/clauses/memory $(B)/clauses/probe.smb" \
                "clauses-regions: $(B)/clauses/regions"
 
-# docs/diagnostics.md is made from codes.def; the copy that is kept must be the one that would be made.
+# docs/diagnostics.md is generated from codes.def, and must be the one that would be generated now; `make docs` writes it.
+DIAGNOSTICS = $(B)/diagnostics | LC_ALL=C awk -f tests/check/wrap.awk
 $(B)/diagnostics: tests/check/diagnostics.c $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $< -o $@ $(B)/libsmc.a
 docs: $(B)/diagnostics
-	$(B)/diagnostics >docs/diagnostics.md
+	$(DIAGNOSTICS) >docs/diagnostics.md
 check: $(B)/diagnostics
-CHECK_LINES += "diagnostics: $(B)/diagnostics docs/diagnostics.md"
+CHECK_LINES += "diagnostics: $(DIAGNOSTICS) | cmp - docs/diagnostics.md && echo 1 passed, 0 failed"
 .PHONY: docs
 
 # Every edit that a finding proposes helps and does no harm.
