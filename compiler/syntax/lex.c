@@ -110,9 +110,9 @@ void lexer_check_comment(Lexer *l, uint32_t at, uint32_t end)
 {
     for (; at < end; at++)
         if ((unsigned char)l->src->text[at] >= 0x80)
-            at += lex_slip_comment_byte(l, at) - 1;
+            at += lex_hint_comment_byte(l, at) - 1;
         else if (is_control(l, at))
-            lex_slip_control(l, at);
+            lex_hint_control(l, at);
 }
 
 void lexer_skip_comment(Lexer *l)
@@ -160,8 +160,8 @@ void lexer_word(Lexer *l, Token *t)
     uint32_t end = lexer_skip_word(l, l->at);
     const Word *w;
 
-    while ((unsigned char)lexer_byte(l, end) >= 0x80 && lex_slip_letter(l, end))   // one word, reported once
-        end = lexer_skip_word(l, end + lex_slip_byte(l, end));
+    while ((unsigned char)lexer_byte(l, end) >= 0x80 && lex_hint_letter(l, end))   // one word, reported once
+        end = lexer_skip_word(l, end + lex_hint_byte(l, end));
     t->text = str_intern(l->strings, l->src->text + l->at, end - l->at);
     w = word_of(t->text);
     if (w)
@@ -211,7 +211,7 @@ static void lex_number(Lexer *l, Token *t)
     if (!number_value(l->src->text + l->at, end - l->at, &t->number) && !runs_on)
         diag_report(l->diags, DIAG_number_too_large, lexer_span(l, l->at, end - l->at), lexer_text(l, l->at, end));
     if (runs_on)
-        lexer_finish(l, t, TOK_ERROR, lex_slip_number(l, l->at, end));
+        lexer_finish(l, t, TOK_ERROR, lex_hint_number(l, l->at, end));
     else
         lexer_finish(l, t, TOK_NUMBER, end);
 }
@@ -258,7 +258,7 @@ static void lex_header(Lexer *l, Token *t)
         from++;
     t->text = str_intern(l->strings, s + from, to - from);
     if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && (t->first || l->last != TOK_ASSIGN))  // x = [1, 2]: the value is missing
-        lex_slip_header(l, l->at + 1, end, t->text);
+        lex_hint_header(l, l->at + 1, end, t->text);
     lexer_finish(l, t, TOK_HEADER, end + 1);
 }
 
@@ -305,7 +305,7 @@ static void lex_sign(Lexer *l, Token *t, const Sign *s)
     l->parens += t->kind == TOK_LPAREN;
     l->parens -= t->kind == TOK_RPAREN && l->parens > 0;
     if (s->native || s->label)
-        lex_slip_sign(l, t, s->spelling, s->native, s->label);
+        lex_hint_sign(l, t, s->spelling, s->native, s->label);
 }
 
 bool lex_is_reserved(Str word, TokenKind *kind)
@@ -325,11 +325,11 @@ static bool lex_one(Lexer *l, Token *t)
     char c = l->src->text[l->at];
     const Sign *s;
 
-    if (l->last == TOK_ANNOTATION && lex_slip_range(l, t))
+    if (l->last == TOK_ANNOTATION && lex_hint_range(l, t))
         return true;
     if (is_letter(c)) {
         lexer_word(l, t);
-        if (t->first && t->kind == TOK_NAME && (lex_slip_state(l, t) || lex_slip_include(l, t)))
+        if (t->first && t->kind == TOK_NAME && (lex_hint_state(l, t) || lex_hint_include(l, t)))
             return t->kind != TOK_NAME;
     } else if (is_digit(c) || (c == '.' && is_digit(lexer_byte(l, l->at + 1))))
         lex_number(l, t);
@@ -340,18 +340,18 @@ static bool lex_one(Lexer *l, Token *t)
     else if (c == '@')
         lex_prefixed(l, t, TOK_ANNOTATION);
     else if ((c == '/' && (lexer_byte(l, l->at + 1) == '/' || lexer_byte(l, l->at + 1) == '*')) ||
-             ((c == '%' || (c == '-' && lexer_byte(l, l->at + 1) == '-')) && lex_slip_is_remark(l)))
-        return lex_slip_comment(l, t);
+             ((c == '%' || (c == '-' && lexer_byte(l, l->at + 1) == '-')) && lex_hint_is_remark(l)))
+        return lex_hint_comment(l, t);
     else if (c == ';')
-        return lex_slip_semicolon(l, t);
+        return lex_hint_semicolon(l, t);
     else if (c == '?')
-        return lex_slip_choice(l), false;
-    else if (c == '|' && lex_slip_bars(l, t))
+        return lex_hint_choice(l), false;
+    else if (c == '|' && lex_hint_bars(l, t))
         return true;
     else if ((s = find_sign(l)) != NULL)
         lex_sign(l, t, s);
     else
-        return lex_slip_stray(l, t);
+        return lex_hint_stray(l, t);
     return true;
 }
 
@@ -420,7 +420,7 @@ void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src)
         str_mark(strings, words[i].spelling, (uint8_t)(i + 1));
     if (src->len >= 3 && memcmp(src->text, "\xef\xbb\xbf", 3) == 0)
         l->at = l->line_start = 3;
-    other = lex_slip_no_text(src);
+    other = lex_hint_no_text(src);
     if (other) {
         Diag *d = diag_report(diags, DIAG_not_text, lexer_span(l, 0, 0), other);
         if (strcmp(other, "UTF-16") == 0)

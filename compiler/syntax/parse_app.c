@@ -128,7 +128,7 @@ static void parse_value(Parser *p, AstApp *app)
     s->value = parse_value_of(p, false);
     s->span = parser_since(p, s->span.at);
     if (!p->failed && !p->tok.first && !at_section_end(p))
-        slip_at_end(p);
+        hint_at_end(p);
     if (!p->failed)
         vec_push(p->arena, &app->start, s);
 }

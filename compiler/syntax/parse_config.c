@@ -133,7 +133,7 @@ static bool take_element(Parser *p, AstPin *pin)
         pin->element = p->tok.text;
         pin->element_span = parser_here(p);
         parser_next(p);
-        return !slip_dotted_name(p, pin->element_span);
+        return !hint_dotted_name(p, pin->element_span);
     }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
@@ -160,7 +160,7 @@ static void parse_pin(Parser *p, AstSection *s)
     if (!take_direction(p, &pin) || !take_number(p, s, &pin) || !take_element(p, &pin))
         return;
     parse_annotations(p, place_of(s, &pin), pin.element, pin.element_span, &pin.annotations);
-    if (!p->failed && !ends_pin(p) && !slip_decimal_comma(p))
+    if (!p->failed && !ends_pin(p) && !hint_decimal_comma(p))
         parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok));
     vec_push(p->arena, &s->pins, pin);
 }

@@ -49,7 +49,7 @@ static void unknown_type(Parser *p)
 // Reports text that is not a type where a declaration should begin. Returns true if a name follows anyway.
 static bool recover_type(Parser *p, const AstSection *s)
 {
-    if (slip_remark(p))
+    if (hint_remark(p))
         return false;
     if (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NAME && !p->ahead.first) {
         unknown_type(p);
@@ -83,7 +83,7 @@ static bool take_name(Parser *p, AstDecl *d)
     if (p->tok.kind == TOK_NAME) {
         str_declare(p->strings, d->name);
         parser_next(p);
-        return !slip_dotted_name(p, d->name_span);
+        return !hint_dotted_name(p, d->name_span);
     }
     if (p->tok.kind == TOK_ERROR) {
         p->failed = true;
@@ -121,7 +121,7 @@ static bool ends_decl(const Parser *p, const AstSection *s, const AstDecl *d)
     return p->tok.kind == TOK_TYPE && (s->kind != AST_LOCAL || d->annotations.n > 0 || p->last.kind == TOK_ANNOTATION);
 }
 
-static void label_slip(Parser *p, Diag *d)
+static void label_after_decl(Parser *p, Diag *d)
 {
     if (p->tok.kind == TOK_NAME && strcmp(p->tok.text->text, "read_only") == 0)
         diag_label(p->diags, d, DIAG_label_write, "@read_only");
@@ -130,7 +130,7 @@ static void label_slip(Parser *p, Diag *d)
 }
 
 // F32 pressure [bar] @read_only: the bracket does not begin a section.
-static void slip_bracketed_unit(Parser *p)
+static void hint_bracketed_unit(Parser *p)
 {
     if (p->failed || p->tok.kind != TOK_HEADER || p->tok.first ||
         !(p->ahead.first ? p->ahead.kind == TOK_TYPE && strcmp(p->tok.text->text, "local") != 0
@@ -142,9 +142,9 @@ static void slip_bracketed_unit(Parser *p)
 }
 
 // Reports further text after a declaration.
-static void slip_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
+static void hint_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
 {
-    if (slip_decimal_comma(p) || slip_remark(p))
+    if (hint_decimal_comma(p) || hint_remark(p))
         return;
     if (p->tok.kind == TOK_ASSIGN && s->kind != AST_LOCAL)
         parser_fail(p, DIAG_element_with_value, parser_here(p), d->name->text);
@@ -153,13 +153,13 @@ static void slip_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
     else if (p->tok.kind == TOK_NAME && s->kind != AST_LOCAL && p->ahead.kind == TOK_NAME && !p->ahead.first)
         return;                                    // a misspelt type: the next declaration
     else if (s->kind != AST_LOCAL && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_LPAREN || p->tok.kind == TOK_MINUS))
-        label_slip(p, parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)));
+        label_after_decl(p, parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)));
     else
-        slip_at_end(p);
+        hint_at_end(p);
 }
 
 // const F64 limit = 5
-static void slip_const(Parser *p)
+static void hint_const(Parser *p)
 {
     if (p->tok.kind != TOK_NAME || p->ahead.kind != TOK_TYPE || p->ahead.first)
         return;
@@ -181,7 +181,7 @@ static void parse_decl(Parser *p, AstSection *s)
 {
     AstDecl d = {0};
 
-    slip_const(p);
+    hint_const(p);
     d.type = p->tok.kind == TOK_TYPE ? p->tok.type : SM_TYPE_COUNT;
     d.type_span = parser_here(p);
     if (p->tok.kind == TOK_TYPE)
@@ -192,10 +192,10 @@ static void parse_decl(Parser *p, AstSection *s)
         return;
     if (s->kind == AST_LOCAL)
         parse_initial_value(p, &d);
-    slip_bracketed_unit(p);
+    hint_bracketed_unit(p);
     parse_annotations(p, place_of_decls(s), d.name, d.name_span, &d.annotations);
     if (!p->failed && !ends_decl(p, s, &d))
-        slip_after_decl(p, s, &d);
+        hint_after_decl(p, s, &d);
     vec_push(p->arena, &s->decls, d);
 }
 

@@ -142,7 +142,7 @@ static AstExpr *parse_name(Parser *p)
 {
     AstExpr *e;
 
-    if (slip_choice(p)) {
+    if (hint_choice(p)) {
         p->tok.kind = TOK_IF;
         return missing_value(p);
     }
@@ -151,10 +151,10 @@ static AstExpr *parse_name(Parser *p)
     e = new_expr(p, AST_NAME, parser_here(p));
     e->name = p->tok.text;
     parser_next(p);
-    if (slip_operand(p, e))
+    if (hint_operand(p, e))
         e->kind = AST_ERROR;
     else
-        slip_after_name(p, e);
+        hint_after_name(p, e);
     return e;
 }
 
@@ -167,11 +167,11 @@ static AstExpr *missing_value(Parser *p)
         parser_next(p);
         return e;
     }
-    if (slip_unit_step(p))
+    if (hint_unit_step(p))
         return e;
     d = parser_fail(p, DIAG_expected_value, p->tok.first ? parser_gap(p) : parser_here(p),
                     parser_text(p, parser_span(p, &p->last)), parser_found(p));
-    slip_missing_value(p, d);
+    hint_missing_value(p, d);
     return e;
 }
 
@@ -219,7 +219,7 @@ static AstExpr *parse_prefixed(Parser *p)
 
     if (!enter(p))
         return error_expr(p);
-    slip_prefix(p);
+    hint_prefix(p);
     if (prefix_operator(p->tok.kind, &op)) {
         e = new_expr(p, AST_UNARY, parser_here(p));
         e->op = op;
@@ -250,7 +250,7 @@ static AstExpr *new_binary(Parser *p, SmOperator op, Span op_span, AstExpr *a, A
     e->b = b;
     e->span = parser_since(p, a->span.at);
     if (is_equality(e) && is_equality(a) && !is_equality(a->a) && !p->failed)
-        slip_equality_chain(p, e);
+        hint_equality_chain(p, e);
     return check_depth(p, check_depth(p, e, a), b);
 }
 
@@ -276,8 +276,8 @@ static AstExpr *parse_level(Parser *p, int least)
 
     while (!p->failed && !line_ends(p)) {
         Span op_span;
-        slip_infix(p, e);
-        if (!infix_operator(p->tok.kind, &op) || sm_op_info[op].precedence < least || slip_is_and_then(p))
+        hint_infix(p, e);
+        if (!infix_operator(p->tok.kind, &op) || sm_op_info[op].precedence < least || hint_is_and_then(p))
             break;
         op_span = parser_here(p);
         parser_next(p);

@@ -46,7 +46,7 @@ static void recover(Parser *p)
 static void finish_statement(Parser *p)
 {
     if (!p->failed && !parser_at_end_of_statement(p))
-        slip_at_end(p);
+        hint_at_end(p);
     if (p->failed && !p->tok.first)
         recover(p);
     p->lost_body = p->lost_body || p->failed;
@@ -163,7 +163,7 @@ static void parse_if(Parser *p, AstStmts *into, AstExpr *guard);
 // `x = 5: …` was meant as a comparison.
 static void assignment_as_guard(Parser *p, AstStmts *into, AstStmt *s, Span sign)
 {
-    slip_assign(p, NULL, sign);
+    hint_assign(p, NULL, sign);
     into->n--;
     parse_if(p, into, s->value);
 }
@@ -179,7 +179,7 @@ static void parse_assignment(Parser *p, AstStmts *into)
     parser_next(p);
     sign = parser_here(p);
     if (p->tok.kind != TOK_ASSIGN)
-        slip_op_assign(p, s->name_span);
+        hint_op_assign(p, s->name_span);
     parser_next(p);
     s->value = parse_value_of(p, false);
     s->span = parser_since(p, s->span.at);
@@ -204,7 +204,7 @@ static void parse_transition(Parser *p, AstStmts *into)
         return;
     }
     s->kind = AST_STMT_ERROR;
-    if (slip_bracketed_state(p))
+    if (hint_bracketed_state(p))
         return;
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
@@ -273,7 +273,7 @@ static void missing_statement(Parser *p, const AstStmt *s, Span colon, AstStmts 
 {
     bool lines_below = p->tok.first && !parser_at_end_of_block(p) && p->tok.kind != TOK_ELSE;
 
-    slip_colon(p, s->arms->has_else ? NULL : s->value, colon);
+    hint_colon(p, s->arms->has_else ? NULL : s->value, colon);
     if (lines_below)                          // most likely it is there
         parse_statement(p, into);
     p->lost_body = true;
@@ -293,7 +293,7 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
         return;
     }
     if (p->tok.kind == TOK_ASSIGN && !p->tok.first)
-        slip_colon_assign(p, s->value, colon);
+        hint_colon_assign(p, s->value, colon);
     else if (p->tok.first || p->tok.kind == TOK_ELSE || parser_at_end_of_block(p))
         missing_statement(p, s, colon, into);
     else
@@ -314,9 +314,9 @@ static void parse_bare_body(Parser *p, const AstStmt *s, AstStmts *into, bool ha
     if (p->failed)
         return;
     if (s->arms->has_else)
-        slip_else(p);
+        hint_else(p);
     else
-        slip_expression(p, s->value, has_if);
+        hint_expression(p, s->value, has_if);
     if (!p->failed && may_begin_statement(p))
         parse_statement(p, into);
     else
@@ -448,7 +448,7 @@ static void parse_statement(Parser *p, AstStmts *into)
     }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    else if (slip_statement(p))
+    else if (hint_statement(p))
         return;
     else if (p->tok.kind == TOK_NAME && is_assignment_sign(p->ahead.kind) && !p->ahead.first)
         parse_assignment(p, into);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Declarations shared by the files of the parser. parse.c: files, sections, blocks; parse_decl.c: declarations and options;
-// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions; parse_slip.c and
-// parse_slip_stmt.c: hints, which guess what the user meant where something is wrong.
+// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions; hint_expr.c and
+// hint_stmt.c: hints, which guess what the user meant where something is wrong.
 // An error is reported once: p->failed then silences everything up to the next statement, where it is cleared.
 #ifndef SMC_PARSER_H
 #define SMC_PARSER_H
@@ -78,40 +78,40 @@ void skip_line(Parser *p);                              // to the next line, hea
 
 // ---- hints: errors of users who know other languages, or type too fast ----
 
-void slip_prefix(Parser *p);                            // NOT x
-void slip_infix(Parser *p, const AstExpr *left);        // x AND y, x = y in a guard
-void slip_assign(Parser *p, const AstExpr *left, Span sign);      // reports the = of such a guard; left may be NULL
-bool slip_choice(const Parser *p);                      // IF(a; b; c)
-bool slip_operand(Parser *p, AstExpr *name);            // abs x, after the name; true when reported
-bool slip_remark(Parser *p);                            // -- x, where an expression is impossible; true when reported
-bool slip_unit_step(Parser *p);                         // x++ where a value is missing; true when reported
-void slip_missing_value(Parser *p, Diag *d);            // adds to the message that a value is missing here
-bool slip_decimal_comma(Parser *p);                     // 3,14 at the comma; true when reported
-bool slip_dotted_name(Parser *p, Span name);            // tank.pressure after `tank`; true when reported
-void slip_after_name(Parser *p, AstExpr *name);   // tank.pressure, a[3]
-bool slip_is_and_then(const Parser *p);                 // x = 1 and then -> Idle, at `and`
-void slip_equality_chain(Parser *p, const AstExpr *e);  // a == b == c
+void hint_prefix(Parser *p);                            // NOT x
+void hint_infix(Parser *p, const AstExpr *left);        // x AND y, x = y in a guard
+void hint_assign(Parser *p, const AstExpr *left, Span sign);      // reports the = of such a guard; left may be NULL
+bool hint_choice(const Parser *p);                      // IF(a; b; c)
+bool hint_operand(Parser *p, AstExpr *name);            // abs x, after the name; true when reported
+bool hint_remark(Parser *p);                            // -- x, where an expression is impossible; true when reported
+bool hint_unit_step(Parser *p);                         // x++ where a value is missing; true when reported
+void hint_missing_value(Parser *p, Diag *d);            // adds to the message that a value is missing here
+bool hint_decimal_comma(Parser *p);                     // 3,14 at the comma; true when reported
+bool hint_dotted_name(Parser *p, Span name);            // tank.pressure after `tank`; true when reported
+void hint_after_name(Parser *p, AstExpr *name);   // tank.pressure, a[3]
+bool hint_is_and_then(const Parser *p);                 // x = 1 and then -> Idle, at `and`
+void hint_equality_chain(Parser *p, const AstExpr *e);  // a == b == c
 // A statement is complete, but more text follows on its line. Reports it.
-void slip_at_end(Parser *p);
+void hint_at_end(Parser *p);
 // An expression appears alone where a statement is expected: x + 1, valveOpen == true, a guard without its colon.
-void slip_expression(Parser *p, AstExpr *e, bool has_if);
-void slip_op_assign(Parser *p, Span name);              // x += 1, at the sign
+void hint_expression(Parser *p, AstExpr *e, bool has_if);
+void hint_op_assign(Parser *p, Span name);              // x += 1, at the sign
 // Nothing follows the colon of a guard, or of `else` (guard is NULL).
-void slip_colon(Parser *p, AstExpr *guard, Span colon);
-void slip_colon_assign(Parser *p, const AstExpr *guard, Span colon);      // x: = 1, at the =
-bool slip_bracketed_state(Parser *p);                   // -> [Idle] at the bracket; true when reported
-void slip_else(Parser *p);                              // `else` is followed by neither : nor { nor if
+void hint_colon(Parser *p, AstExpr *guard, Span colon);
+void hint_colon_assign(Parser *p, const AstExpr *guard, Span colon);      // x: = 1, at the =
+bool hint_bracketed_state(Parser *p);                   // -> [Idle] at the bracket; true when reported
+void hint_else(Parser *p);                              // `else` is followed by neither : nor { nor if
 // The next text does not begin a statement. If it looks like one of another language, reports it and returns true; otherwise returns
 // false.
-bool slip_statement(Parser *p);
+bool hint_statement(Parser *p);
 
 // ---- shared by the two files of hints ----
 
-bool slip_is_word(const Token *t, const char *lower);   // a name that is this word, in upper or lower case
-bool slip_is_label(const char *word);                   // entry, step, exit
-bool slip_touches(const Token *a, const Token *b);      // the two are adjacent
-bool slip_begins_value(const Token *t);
-bool slip_is_guard(const Parser *p);  // its line, which continues inside parentheses, contains a : or a {; or the next line has a {
-void slip_replace_word(Parser *p, const char *native, TokenKind kind);  // reports a foreign word and turns it into a token of that kind
+bool hint_is_word(const Token *t, const char *lower);   // a name that is this word, in upper or lower case
+bool hint_is_label(const char *word);                   // entry, step, exit
+bool hint_touches(const Token *a, const Token *b);      // the two are adjacent
+bool hint_begins_value(const Token *t);
+bool hint_is_guard(const Parser *p);  // its line, which continues inside parentheses, contains a : or a {; or the next line has a {
+void hint_replace_word(Parser *p, const char *native, TokenKind kind);  // reports a foreign word and turns it into a token of that kind
 
 #endif

@@ -75,7 +75,7 @@ function check_call(file, text,    n, i, part, rest) {
     n = split_arguments(text, part)
     for (i = 1; i <= n; i++) {
         rest = part[i]
-        sub(/(diag_report|diag_note|diag_step|diag_label|parser_report|parser_fail|lex_report|slip_report)\(.*/, "", rest)      # a call of its own
+        sub(/(diag_report|diag_note|diag_step|diag_label|parser_report|parser_fail|lex_report)\(.*/, "", rest)      # a call of its own
         while (match(rest, /(^|[^A-Za-z0-9_])DIAG_[a-z][a-z0-9_]*/)) {
             code = substr(rest, RSTART, RLENGTH)
             sub(/.*DIAG_/, "", code)
@@ -90,7 +90,7 @@ FILENAME !~ /codes\.def$/ {
     while ((getline line < $0) > 0)
         text = text " " plain(line)
     close($0)
-    while (match(text, /(diag_report|diag_note|diag_step|diag_label|parser_report|parser_fail|lex_report|slip_report)\(/)) {
+    while (match(text, /(diag_report|diag_note|diag_step|diag_label|parser_report|parser_fail|lex_report)\(/)) {
         text = substr(text, RSTART + RLENGTH)
         check_call($0, substr(text, 1, 600))
     }

@@ -82,7 +82,7 @@ static void test_lines(void)
     tokens(" \xef\xbb\xbf[a]", "|header", 1);
 }
 
-static void test_slips(void)
+static void test_hints(void)
 {
     tokens("a && b || c & d | e", "|name and name or name and name or name", 4);
     tokens("a === b !== c <> d => e =< f := g", "|name == name != name != name >= name <= name = name", 6);
@@ -128,7 +128,7 @@ int main(void)
     test_words();
     test_numbers();
     test_lines();
-    test_slips();
+    test_hints();
     test_characters();
     test_print();
     return test_end("lex");

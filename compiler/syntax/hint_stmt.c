@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints for statements: a guard without its body, a value where a statement should be, statements of other languages. See parse_slip.c.
+// Hints for statements: a guard without its body, a value where a statement should be, statements of other languages. See hint_expr.c.
 #include <string.h>
 
 #include "compiler/syntax/hint_lines.h"
@@ -72,13 +72,13 @@ static bool prose_in_guard(Parser *p, AstExpr *e)
 
     if (p->tok.kind == TOK_COMMA && e->kind != AST_NAME && p->ahead.kind == TOK_NAME)
         d = parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
-    else if (p->tok.kind == TOK_NAME && p->ahead.kind != TOK_ASSIGN && slip_is_guard(p))
+    else if (p->tok.kind == TOK_NAME && p->ahead.kind != TOK_ASSIGN && hint_is_guard(p))
         d = parser_fail(p, DIAG_guard_without_body, parser_here(p), parser_found(p));
     else
         return false;
     if (p->tok.kind == TOK_COMMA)
         diag_label(p->diags, d, DIAG_label_colon_instead);
-    else if (slip_is_word(&p->tok, "between"))
+    else if (hint_is_word(&p->tok, "between"))
         diag_label(p->diags, d, DIAG_label_text, between_text(p, e));
     return true;
 }
@@ -100,7 +100,7 @@ static bool missing_colon(Parser *p, AstExpr *e)
 
     if (p->tok.first)
         return false;
-    if (slip_is_word(&p->tok, "then") || slip_is_word(&p->tok, "do")) {
+    if (hint_is_word(&p->tok, "then") || hint_is_word(&p->tok, "do")) {
         colon_word(p);
         return true;
     }
@@ -118,8 +118,8 @@ static bool missing_colon(Parser *p, AstExpr *e)
 
 static void assign_to_expression(Parser *p, const AstExpr *e)
 {
-    if (slip_is_guard(p)) {
-        slip_assign(p, e, parser_here(p));
+    if (hint_is_guard(p)) {
+        hint_assign(p, e, parser_here(p));
         p->failed = true;
     } else {
         parser_fail(p, DIAG_assign_target, e->span, parser_text(p, e->span));
@@ -130,7 +130,7 @@ static void no_effect(Parser *p, AstExpr *e)
 {
     Diag *d;
 
-    if (e->kind == AST_NAME && slip_is_label(e->name->text) && !e->name->declared) {
+    if (e->kind == AST_NAME && hint_is_label(e->name->text) && !e->name->declared) {
         d = parser_report(p, DIAG_label_without_dot, e->span, e->name->text);
         diag_edit(p->diags, d, (Span){e->span.src, e->span.at, 0}, ".");
         e->kind = AST_ERROR;
@@ -159,25 +159,25 @@ static void no_statement(Parser *p, AstExpr *e)
 {
     Diag *d = parser_fail(p, DIAG_no_statement, e->span, e->name->text);
 
-    if (slip_is_word(&p->tok, "between"))
+    if (hint_is_word(&p->tok, "between"))
         diag_label(p->diags, d, DIAG_label_text, between_text(p, e));
     else
         diag_label(p->diags, d, DIAG_label_statements);
     e->kind = AST_ERROR;
 }
 
-void slip_expression(Parser *p, AstExpr *e, bool has_if)
+void hint_expression(Parser *p, AstExpr *e, bool has_if)
 {
     if (p->failed)
         return;
     if (p->tok.kind == TOK_ASSIGN && !p->tok.first)
         assign_to_expression(p, e);
-    else if (!has_if && e->kind == AST_NAME && p->tok.kind == TOK_NAME && !p->tok.first && !slip_is_word(&p->tok, "then"))
+    else if (!has_if && e->kind == AST_NAME && p->tok.kind == TOK_NAME && !p->tok.first && !hint_is_word(&p->tok, "then"))
         no_statement(p, e);
     else if (missing_colon(p, e))
         return;
     else if (!parser_at_end_of_statement(p))
-        slip_at_end(p);
+        hint_at_end(p);
     else if (has_if)
         diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p)), DIAG_label_text,
                    "insert '{', and write '}' below the statements that depend on it");
@@ -185,12 +185,12 @@ void slip_expression(Parser *p, AstExpr *e, bool has_if)
         no_effect(p, e);
 }
 
-void slip_colon(Parser *p, AstExpr *guard, Span colon)
+void hint_colon(Parser *p, AstExpr *guard, Span colon)
 {
     const char *before = guard ? parser_text(p, guard->span) : "else";
     Diag *d;
 
-    if (guard && guard->kind == AST_NAME && slip_is_label(guard->name->text) && !guard->name->declared && p->tok.first) {
+    if (guard && guard->kind == AST_NAME && hint_is_label(guard->name->text) && !guard->name->declared && p->tok.first) {
         d = parser_report(p, DIAG_label_without_dot, guard->span, guard->name->text);
         diag_edit(p->diags, d, (Span){colon.src, guard->span.at, 0}, ".");
         diag_edit(p->diags, d, colon, "");
@@ -209,7 +209,7 @@ void slip_colon(Parser *p, AstExpr *guard, Span colon)
 }
 
 // x: = 1
-void slip_colon_assign(Parser *p, const AstExpr *guard, Span colon)
+void hint_colon_assign(Parser *p, const AstExpr *guard, Span colon)
 {
     Diag *d = parser_fail(p, DIAG_expected_statement, parser_here(p), "'='");
 
@@ -220,7 +220,7 @@ void slip_colon_assign(Parser *p, const AstExpr *guard, Span colon)
 }
 
 // -> [Idle]
-bool slip_bracketed_state(Parser *p)
+bool hint_bracketed_state(Parser *p)
 {
     Diag *d;
 
@@ -233,7 +233,7 @@ bool slip_bracketed_state(Parser *p)
     return true;
 }
 
-void slip_else(Parser *p)
+void hint_else(Parser *p)
 {
     Diag *d;
 
@@ -249,13 +249,13 @@ void slip_else(Parser *p)
 // ---- statements of other languages ----
 
 // `-- …` where an expression is impossible: a comment.
-bool slip_remark(Parser *p)
+bool hint_remark(Parser *p)
 {
     const Source *src = p->lex.src;
     Span sign = parser_here(p);
     Diag *d;
 
-    if (p->tok.kind != TOK_MINUS || p->ahead.kind != TOK_MINUS || !slip_touches(&p->tok, &p->ahead) || slip_is_guard(p))
+    if (p->tok.kind != TOK_MINUS || p->ahead.kind != TOK_MINUS || !hint_touches(&p->tok, &p->ahead) || hint_is_guard(p))
         return false;
     sign.len = 2;
     d = parser_fail(p, DIAG_foreign_comment, sign, "--");
@@ -277,7 +277,7 @@ static bool ends_after_operand(const Parser *p)
     return !text[end] || strchr("\n#;}", text[end]) != NULL;
 }
 
-void slip_op_assign(Parser *p, Span name)
+void hint_op_assign(Parser *p, Span name)
 {
     const char *sign = parser_text(p, parser_here(p));
     Diag *d = parser_report(p, DIAG_op_assign, parser_here(p), sign);
@@ -288,43 +288,43 @@ void slip_op_assign(Parser *p, Span name)
 
 static const char wait_text[] = "put what follows in braces, under a limit to the time in the state: T >= 100 { ... }";
 
-typedef enum SlipDoes { SLIP_IF, SLIP_ELSE, SLIP_ARROW, SLIP_DROP, SLIP_SKIP } SlipDoes;
+typedef enum HintEffect { HINT_IF, HINT_ELSE, HINT_ARROW, HINT_DROP, HINT_SKIP } HintEffect;
 
 // `does`: how the word is read; SKIP: the statement is given up.
-static const struct { const char *word; SlipDoes does; const char *say; } slips[] = {
-    {"if", SLIP_IF, "if"}, {"when", SLIP_IF, "if"}, {"elif", SLIP_IF, "else if"}, {"elseif", SLIP_IF, "else if"},
-    {"elsif", SLIP_IF, "else if"}, {"iff", SLIP_IF, "if"},
-    {"else", SLIP_ELSE, "else"}, {"otherwise", SLIP_ELSE, "else"},
-    {"goto", SLIP_ARROW, "->"}, {"go", SLIP_ARROW, "->"}, {"transition", SLIP_ARROW, "->"},
-    {"let", SLIP_DROP, NULL}, {"set", SLIP_DROP, NULL}, {"var", SLIP_DROP, NULL}, {"const", SLIP_DROP, NULL},
-    {"while", SLIP_SKIP, "there are no loops: write 'if' instead; .step runs again in every step"},
-    {"for", SLIP_SKIP, "there are no loops: .step runs again in every step"},
-    {"repeat", SLIP_SKIP, "there are no loops: .step runs again in every step"},
-    {"loop", SLIP_SKIP, "there are no loops: .step runs again in every step"},
-    {"until", SLIP_SKIP, "there are no loops: write 'if not (...)' instead; .step runs again in every step"},
-    {"unless", SLIP_SKIP, "write the opposite condition: if not (...)"},
-    {"switch", SLIP_SKIP, "write it as if ... else if ... else"}, {"case", SLIP_SKIP, "write it as if ... else if ... else"},
-    {"return", SLIP_SKIP, "put what follows into an 'else'"}, {"break", SLIP_SKIP, "put what follows into an 'else'"},
-    {"wait", SLIP_SKIP, wait_text}, {"delay", SLIP_SKIP, wait_text}, {"sleep", SLIP_SKIP, wait_text},
-    {"end", SLIP_SKIP, "close braces with }"}, {"endif", SLIP_SKIP, "close braces with }"},
-    {"assert", SLIP_SKIP, "write @assert"}, {"stop", SLIP_SKIP, "write @stop"}};
+static const struct { const char *word; HintEffect does; const char *say; } foreign_words[] = {
+    {"if", HINT_IF, "if"}, {"when", HINT_IF, "if"}, {"elif", HINT_IF, "else if"}, {"elseif", HINT_IF, "else if"},
+    {"elsif", HINT_IF, "else if"}, {"iff", HINT_IF, "if"},
+    {"else", HINT_ELSE, "else"}, {"otherwise", HINT_ELSE, "else"},
+    {"goto", HINT_ARROW, "->"}, {"go", HINT_ARROW, "->"}, {"transition", HINT_ARROW, "->"},
+    {"let", HINT_DROP, NULL}, {"set", HINT_DROP, NULL}, {"var", HINT_DROP, NULL}, {"const", HINT_DROP, NULL},
+    {"while", HINT_SKIP, "there are no loops: write 'if' instead; .step runs again in every step"},
+    {"for", HINT_SKIP, "there are no loops: .step runs again in every step"},
+    {"repeat", HINT_SKIP, "there are no loops: .step runs again in every step"},
+    {"loop", HINT_SKIP, "there are no loops: .step runs again in every step"},
+    {"until", HINT_SKIP, "there are no loops: write 'if not (...)' instead; .step runs again in every step"},
+    {"unless", HINT_SKIP, "write the opposite condition: if not (...)"},
+    {"switch", HINT_SKIP, "write it as if ... else if ... else"}, {"case", HINT_SKIP, "write it as if ... else if ... else"},
+    {"return", HINT_SKIP, "put what follows into an 'else'"}, {"break", HINT_SKIP, "put what follows into an 'else'"},
+    {"wait", HINT_SKIP, wait_text}, {"delay", HINT_SKIP, wait_text}, {"sleep", HINT_SKIP, wait_text},
+    {"end", HINT_SKIP, "close braces with }"}, {"endif", HINT_SKIP, "close braces with }"},
+    {"assert", HINT_SKIP, "write @assert"}, {"stop", HINT_SKIP, "write @stop"}};
 
 // Whether the word is used as in another language, and not as a name of this one.
-static bool stands_foreign(const Parser *p, SlipDoes does)
+static bool stands_foreign(const Parser *p, HintEffect does)
 {
     const Token *next = &p->ahead;
 
     if (next->first)
-        return does == SLIP_SKIP && next->kind != TOK_LBRACE;     // `stop` with { on the next line is a guard
-    if (does == SLIP_ELSE)
+        return does == HINT_SKIP && next->kind != TOK_LBRACE;     // `stop` with { on the next line is a guard
+    if (does == HINT_ELSE)
         return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // ELSE: can be a guard
-    return slip_begins_value(next) && (next->kind != TOK_LPAREN || does == SLIP_IF || does == SLIP_SKIP);
+    return hint_begins_value(next) && (next->kind != TOK_LPAREN || does == HINT_IF || does == HINT_SKIP);
 }
 
 // Whether the token after a statement's first word allows any word to be foreign. After a name of this language it is mostly `=`.
 static bool may_follow_foreign(const Token *next)
 {
-    return next->first || slip_begins_value(next) || next->kind == TOK_IF || next->kind == TOK_ARROW;
+    return next->first || hint_begins_value(next) || next->kind == TOK_IF || next->kind == TOK_ARROW;
 }
 
 // Returns the text after the name of a declaration among statements: "" or "= 3".
@@ -351,7 +351,7 @@ static bool is_number_text(const char *s)
 static void misplaced_decl(Parser *p)
 {
     Diag *d = parser_fail(p, DIAG_decl_in_state, parser_here(p));
-    const bool word = p->tok.kind == TOK_NAME && (slip_is_word(&p->tok, "const") || slip_is_word(&p->tok, "var"));
+    const bool word = p->tok.kind == TOK_NAME && (hint_is_word(&p->tok, "const") || hint_is_word(&p->tok, "var"));
     uint32_t at = p->ahead.at;
     const char *type = word ? take_word(p, &at) : p->tok.text->text, *name = take_word(p, &at);
     const char *value = value_of_decl(p, at), *initial;
@@ -361,7 +361,7 @@ static void misplaced_decl(Parser *p)
     if (!is_identifier(name, strlen(name)))
         return;
     initial = *value && is_number_text(value + 1 + strspn(value + 1, " ")) ? value : "= 0";
-    if (word && slip_is_word(&p->tok, "const") && initial == value)
+    if (word && hint_is_word(&p->tok, "const") && initial == value)
         diag_label(p->diags, d, DIAG_label_decl_constant, type, name, value);
     else if (*value)
         diag_label(p->diags, d, DIAG_label_decl_and_store, type, name, initial, format_in(p->arena, "%s %s", name, value));
@@ -375,7 +375,7 @@ static void replace_arrow(Parser *p)
     Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
     uint32_t at = p->tok.at;
 
-    if (slip_is_word(&p->ahead, "to") && !p->ahead.first)
+    if (hint_is_word(&p->ahead, "to") && !p->ahead.first)
         parser_next(p);
     diag_label(p->diags, d, DIAG_label_write, "->");
     diag_edit(p->diags, d, (Span){p->lex.src, at, p->tok.at + p->tok.len - at}, "->");
@@ -390,9 +390,9 @@ static const char *waited(const Parser *p)
 
     if (!is_digit(*number))
         return wait_text;
-    if (slip_is_word(&p->tok, "sleep"))
+    if (hint_is_word(&p->tok, "sleep"))
         number = hint_milliseconds(p->arena, number, "s");
-    else if (!slip_is_word(&p->tok, "delay"))
+    else if (!hint_is_word(&p->tok, "delay"))
         unit = "in the unit of 'G'";
     return number ? format_in(p->arena, "put what follows in braces: T >= %s { ... }, %s", number, unit) : wait_text;
 }
@@ -414,16 +414,16 @@ static void skip_header_of_loop(Parser *p)
     }
 }
 
-static bool apply_slip(Parser *p, SlipDoes does, const char *say)
+static bool apply_hint(Parser *p, HintEffect does, const char *say)
 {
     Diag *d;
 
     switch (does) {
-    case SLIP_IF:    slip_replace_word(p, say, TOK_IF); return false;
-    case SLIP_ELSE:  slip_replace_word(p, say, TOK_ELSE); p->lost_body = true; return false;
-    case SLIP_ARROW: replace_arrow(p); return false;
-    case SLIP_DROP:  break;
-    case SLIP_SKIP:
+    case HINT_IF:    hint_replace_word(p, say, TOK_IF); return false;
+    case HINT_ELSE:  hint_replace_word(p, say, TOK_ELSE); p->lost_body = true; return false;
+    case HINT_ARROW: replace_arrow(p); return false;
+    case HINT_DROP:  break;
+    case HINT_SKIP:
         d = parser_fail(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
         diag_label(p->diags, d, DIAG_label_text, say == wait_text ? waited(p) : say);
         skip_header_of_loop(p);
@@ -445,12 +445,12 @@ static bool is_decl(const Parser *p)
     if (p->ahead.first || (!name && !type))
         return false;
     return (p->tok.kind == TOK_TYPE && name) || (p->tok.kind == TOK_NAME && (name ? parse_foreign_type(p->tok.text->text) != NULL
-                                                                              : slip_is_word(&p->tok, "const") || slip_is_word(&p->tok, "var")));
+                                                                              : hint_is_word(&p->tok, "const") || hint_is_word(&p->tok, "var")));
 }
 
-bool slip_statement(Parser *p)
+bool hint_statement(Parser *p)
 {
-    if (slip_remark(p))
+    if (hint_remark(p))
         return true;
     if (is_decl(p)) {
         misplaced_decl(p);
@@ -458,8 +458,8 @@ bool slip_statement(Parser *p)
     }
     if (p->tok.kind != TOK_NAME || !may_follow_foreign(&p->ahead))
         return false;
-    for (size_t i = 0; i < sizeof slips / sizeof *slips; i++)
-        if (slip_is_word(&p->tok, slips[i].word) && stands_foreign(p, slips[i].does))
-            return apply_slip(p, slips[i].does, slips[i].say);
+    for (size_t i = 0; i < sizeof foreign_words / sizeof *foreign_words; i++)
+        if (hint_is_word(&p->tok, foreign_words[i].word) && stands_foreign(p, foreign_words[i].does))
+            return apply_hint(p, foreign_words[i].does, foreign_words[i].say);
     return false;
 }

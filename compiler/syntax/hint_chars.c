@@ -38,7 +38,7 @@ static bool first_on_line(Lexer *l)
     return first;
 }
 
-void lex_slip_control(Lexer *l, uint32_t at)
+void lex_hint_control(Lexer *l, uint32_t at)
 {
     unsigned char c = (unsigned char)l->src->text[at];
     Diag *d;
@@ -101,7 +101,7 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
     d = diag_report(l->diags, DIAG_not_ascii, lexer_span(l, at, len), shown);
     if (!ascii && l->last == TOK_NUMBER && !l->first)
         diag_label(l->diags, d, DIAG_label_no_unit, "the value in", shown);
-    else if (lex_slip_letter(l, at))
+    else if (lex_hint_letter(l, at))
         diag_label(l->diags, d, DIAG_label_name_ascii);
     if (!ascii)
         return;
@@ -122,7 +122,7 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
 }
 
 // Reports the text at `at`, which is not ASCII or, in a comment, not UTF-8. Returns its length.
-uint32_t lex_slip_byte(Lexer *l, uint32_t at)
+uint32_t lex_hint_byte(Lexer *l, uint32_t at)
 {
     uint32_t code = 0;
     size_t len = utf8_decode(l->src->text + at, l->src->len - at, &code);
@@ -144,13 +144,13 @@ static bool turns_direction(uint32_t code)
     return (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
 }
 
-uint32_t lex_slip_comment_byte(Lexer *l, uint32_t at)
+uint32_t lex_hint_comment_byte(Lexer *l, uint32_t at)
 {
     uint32_t code = 0;
     size_t len = utf8_decode(l->src->text + at, l->src->len - at, &code);
 
     if (len == 0)
-        return lex_slip_byte(l, at);
+        return lex_hint_byte(l, at);
     if (turns_direction(code) && first_on_line(l))
         diag_report(l->diags, DIAG_hidden_direction, lexer_span(l, at, (uint32_t)len),
                     format_in(l->diags->arena, "U+%04X", (unsigned)code));
@@ -158,7 +158,7 @@ uint32_t lex_slip_comment_byte(Lexer *l, uint32_t at)
 }
 
 // Returns the length of a letter of another alphabet at p; 0 if there is none.
-size_t lex_slip_letter(const Lexer *l, uint32_t p)
+size_t lex_hint_letter(const Lexer *l, uint32_t p)
 {
     uint32_t code = 0;
     size_t len = utf8_decode(l->src->text + p, l->src->len - p, &code);
@@ -276,7 +276,7 @@ static void lex_string(Lexer *l, Token *t, uint32_t quote_len)
 static bool lex_lookalike(Lexer *l, Token *t, uint32_t code)
 {
     size_t like = lookalike_of(code);
-    uint32_t len = lex_slip_byte(l, l->at);
+    uint32_t len = lex_hint_byte(l, l->at);
     const bool arrow = is_long_arrow(l, l->at, len, like);
 
     if (like == NO_LOOKALIKE || lookalikes[like].kind == TOK_END || is_dash_of_range(l, like)) {
@@ -288,7 +288,7 @@ static bool lex_lookalike(Lexer *l, Token *t, uint32_t code)
 }
 
 // Handles text that begins no token. Returns true if it produced a token anyway.
-bool lex_slip_stray(Lexer *l, Token *t)
+bool lex_hint_stray(Lexer *l, Token *t)
 {
     unsigned char c = (unsigned char)l->src->text[l->at];
     uint32_t code = c;
@@ -298,14 +298,14 @@ bool lex_slip_stray(Lexer *l, Token *t)
         lex_string(l, t, (uint32_t)len);
         return true;
     }
-    if (lex_slip_letter(l, l->at)) {
+    if (lex_hint_letter(l, l->at)) {
         lexer_word(l, t);
         return true;
     }
     if (c >= 0x80)
         return lex_lookalike(l, t, code);
     if (c < 0x20 || c == 0x7f)
-        lex_slip_control(l, l->at);
+        lex_hint_control(l, l->at);
     else if (first_on_line(l))
         diag_report(l->diags, DIAG_stray_character, lexer_span(l, l->at, 1), lexer_text(l, l->at, l->at + 1));
     l->at++;
@@ -313,7 +313,7 @@ bool lex_slip_stray(Lexer *l, Token *t)
 }
 
 // A source that is not text is not read: it gets one message, not one for every byte.
-const char *lex_slip_no_text(const Source *s)
+const char *lex_hint_no_text(const Source *s)
 {
     uint32_t n = s->len < 512 ? s->len : 512, controls = 0, zeros = 0;
 

@@ -47,7 +47,7 @@ static bool is_prose(const Lexer *l, uint32_t p)
 }
 
 // `-- …` and `% …`: a comment, if no expression can continue like this.
-bool lex_slip_is_remark(const Lexer *l)
+bool lex_hint_is_remark(const Lexer *l)
 {
     uint32_t len = l->src->text[l->at] == '%' ? 1 : 2, p = skip_gap(l, l->at + len), end = skip_name(l, p);
 
@@ -152,7 +152,7 @@ static bool hides_body(const Lexer *l)
 }
 
 // `// …`, `/* … */`, `-- …` and `% …` of other languages; true: it was a division.
-bool lex_slip_comment(Lexer *l, Token *t)
+bool lex_hint_comment(Lexer *l, Token *t)
 {
     uint32_t at = l->at, p = at + (l->src->text[at] == '%' ? 1 : 2);
     const int division = is_division(l);
@@ -215,7 +215,7 @@ static void number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t stop)
 }
 
 // More characters follow the number at..end: 5psi, 1__0, 0x, 1e, 1.2.3. Reports this; returns the end of those characters.
-uint32_t lex_slip_number(Lexer *l, uint32_t at, uint32_t end)
+uint32_t lex_hint_number(Lexer *l, uint32_t at, uint32_t end)
 {
     uint32_t stop = lexer_skip_word(l, end + (lexer_byte(l, end) == '\''));
     char c = lexer_byte(l, end), before = lexer_byte(l, end - 1);
@@ -268,7 +268,7 @@ static const char *annotations_outside(Arena *arena, Str name)
     return lex_is_header_name(name->text, n) ? format_in(arena, "[%.*s] %s", (int)n, name->text, at) : NULL;
 }
 
-void lex_slip_header(Lexer *l, uint32_t from, uint32_t end, Str name)
+void lex_hint_header(Lexer *l, uint32_t from, uint32_t end, Str name)
 {
     Span whole = lexer_span(l, l->at, end + 1 - l->at);
     Diag *d = diag_report(l->diags, DIAG_header_name, lexer_span(l, from, end - from), lexer_text(l, l->at, end + 1));
@@ -303,7 +303,7 @@ static bool is_state_word(const Lexer *l, const Token *t)
 }
 
 // `state Hold:` and `def hold():` at the start of a line: [Hold].
-bool lex_slip_state(Lexer *l, Token *t)
+bool lex_hint_state(Lexer *l, Token *t)
 {
     uint32_t from, end, p;
     const char *written;
@@ -361,7 +361,7 @@ static bool is_file_name(const Lexer *l, uint32_t p)
 }
 
 // `include "common.sm"`, `import common`: the line is skipped.
-bool lex_slip_include(Lexer *l, const Token *t)
+bool lex_hint_include(Lexer *l, const Token *t)
 {
     Diag *d;
 
@@ -420,7 +420,7 @@ static bool ends_range(const Lexer *l, uint32_t p)
 }
 
 // After @range: [0, 5], closed or not, and 0..5 and 0, 5. 0,5 10 has a decimal comma.
-bool lex_slip_range(Lexer *l, Token *t)
+bool lex_hint_range(Lexer *l, Token *t)
 {
     static const char word[] = "@range";
     const char *s = l->src->text, open = s[l->at];
@@ -650,7 +650,7 @@ static bool is_between_bars(const Lexer *l, uint32_t at, uint32_t end)
 }
 
 // |x| of mathematics is read as (x).
-bool lex_slip_bars(Lexer *l, Token *t)
+bool lex_hint_bars(Lexer *l, Token *t)
 {
     uint32_t at = l->at, end = at + 1;
     const char *fixed;
@@ -681,7 +681,7 @@ bool lex_slip_bars(Lexer *l, Token *t)
     return true;
 }
 
-void lex_slip_sign(Lexer *l, Token *t, const char *spelling, const char *native, const char *label)
+void lex_hint_sign(Lexer *l, Token *t, const char *spelling, const char *native, const char *label)
 {
     if (native && is_about_bits(l, t)) {
         diag_label(l->diags, diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling), DIAG_label_bits);
@@ -745,7 +745,7 @@ static void skip_semicolon(Lexer *l)
     }
 }
 
-bool lex_slip_semicolon(Lexer *l, Token *t)
+bool lex_hint_semicolon(Lexer *l, Token *t)
 {
     if (l->parens == 0) {
         skip_semicolon(l);
@@ -758,7 +758,7 @@ bool lex_slip_semicolon(Lexer *l, Token *t)
 const char *const lex_no_choice = "write it as if ...: x = a, and on the next line else: x = b";
 
 // c ? a : b of other languages; the text that follows belongs to it.
-void lex_slip_choice(Lexer *l)
+void lex_hint_choice(Lexer *l)
 {
     Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, l->at, 1), "?");
 

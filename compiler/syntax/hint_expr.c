@@ -16,16 +16,16 @@ static bool same_letters(const char *a, const char *lower)
     return !*a && !*lower;
 }
 
-bool slip_is_word(const Token *t, const char *lower) { return t->kind == TOK_NAME && same_letters(t->text->text, lower); }
+bool hint_is_word(const Token *t, const char *lower) { return t->kind == TOK_NAME && same_letters(t->text->text, lower); }
 
-bool slip_begins_value(const Token *t)
+bool hint_begins_value(const Token *t)
 {
     return t->kind == TOK_NAME || t->kind == TOK_NUMBER || t->kind == TOK_LPAREN || t->kind == TOK_TRUE ||
            t->kind == TOK_FALSE || t->kind == TOK_NOT || t->kind == TOK_BANG;
 }
 
 // Reports our spelling of the current word and reads the word as that token.
-void slip_replace_word(Parser *p, const char *native, TokenKind kind)
+void hint_replace_word(Parser *p, const char *native, TokenKind kind)
 {
     Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
 
@@ -37,12 +37,12 @@ void slip_replace_word(Parser *p, const char *native, TokenKind kind)
 // ---- in expressions ----
 
 // In some languages the operand of NOT is longer than here: NOT a > b.
-void slip_prefix(Parser *p)
+void hint_prefix(Parser *p)
 {
-    const bool negates = slip_is_word(&p->tok, "not") && slip_begins_value(&p->ahead) && (p->parens || !p->ahead.first);
+    const bool negates = hint_is_word(&p->tok, "not") && hint_begins_value(&p->ahead) && (p->parens || !p->ahead.first);
 
     if (negates && hint_is_negated_alone(p->lex.src->text, p->tok.at + p->tok.len)) {
-        slip_replace_word(p, "not", TOK_NOT);
+        hint_replace_word(p, "not", TOK_NOT);
     } else if (negates) {
         diag_label(p->diags, parser_fail(p, DIAG_foreign_word, parser_here(p), p->tok.text->text), DIAG_label_write, "not (...)");
         p->tok.kind = TOK_NOT;
@@ -57,12 +57,12 @@ static const HintPhrase *find_infix(const Parser *p, uint32_t *end)
     if (!phrase)
         return NULL;
     if (*end == p->tok.at + p->tok.len)
-        return slip_begins_value(&p->ahead) ? phrase : NULL;
+        return hint_begins_value(&p->ahead) ? phrase : NULL;
     return hint_skip_operand(p->lex.src->text, *end) > *end ? phrase : NULL;
 }
 
 // IF(a; b; c) of spreadsheets: no value begins like this.
-bool slip_choice(const Parser *p) { return slip_is_word(&p->tok, "if") && p->ahead.kind == TOK_LPAREN && !p->ahead.first; }
+bool hint_choice(const Parser *p) { return hint_is_word(&p->tok, "if") && p->ahead.kind == TOK_LPAREN && !p->ahead.first; }
 
 const char *function_usage(const SmBuiltinInfo *fn)
 {
@@ -81,7 +81,7 @@ static int find_function(Str name)
 }
 
 // abs x, where the operand is the current token. An element named `abs` could not have one.
-bool slip_operand(Parser *p, AstExpr *name)
+bool hint_operand(Parser *p, AstExpr *name)
 {
     Span operand = parser_here(p);
     uint32_t end;
@@ -91,8 +91,8 @@ bool slip_operand(Parser *p, AstExpr *name)
     if (p->tok.first || (p->tok.kind != TOK_NAME && p->tok.kind != TOK_NUMBER) || p->ahead.kind == TOK_ASSIGN)
         return false;
     fn = find_function(name->name);
-    if (fn == SM_FN_COUNT || find_infix(p, &end) || slip_is_word(&p->tok, "then") || slip_is_word(&p->tok, "do") ||
-        slip_is_word(&p->tok, "between"))
+    if (fn == SM_FN_COUNT || find_infix(p, &end) || hint_is_word(&p->tok, "then") || hint_is_word(&p->tok, "do") ||
+        hint_is_word(&p->tok, "between"))
         return false;
     d = parser_report(p, DIAG_function_without_call, name->span, name->name->text, name->name->text,
                       function_usage(&sm_builtin_info[fn]));
@@ -112,7 +112,7 @@ bool slip_operand(Parser *p, AstExpr *name)
 // `x = (p = 9)`, `(x = p) > 3: ...`: in C both assign.
 static bool stores_inside(const Parser *p, uint32_t at)
 {
-    return p->parens > 0 && (!(p->is_guard || slip_is_guard(p)) || hint_stores_in_parens(p->lex.src->text, at));
+    return p->parens > 0 && (!(p->is_guard || hint_is_guard(p)) || hint_stores_in_parens(p->lex.src->text, at));
 }
 
 // not x is 3: in other languages the operand of `not` is longer than x.
@@ -134,7 +134,7 @@ static bool separates_statements(const Parser *p)
 }
 
 // Handles `=` where two values are compared. `=!` was meant as `!=`, or as `=` and a negation.
-void slip_assign(Parser *p, const AstExpr *left, Span sign)
+void hint_assign(Parser *p, const AstExpr *left, Span sign)
 {
     Diag *d;
 
@@ -168,7 +168,7 @@ static void replace_phrase(Parser *p, const AstExpr *left, const HintPhrase *phr
     p->tok.kind = phrase->kind;
 }
 
-void slip_infix(Parser *p, const AstExpr *left)
+void hint_infix(Parser *p, const AstExpr *left)
 {
     if (p->tok.kind == TOK_NAME) {
         uint32_t end;
@@ -181,11 +181,11 @@ void slip_infix(Parser *p, const AstExpr *left)
         return;
     if (p->last.first && p->parens)                    // a new statement: the parenthesis before it was never closed
         return;
-    slip_assign(p, left, parser_here(p));
+    hint_assign(p, left, parser_here(p));
     p->tok.kind = TOK_EQ;
 }
 
-bool slip_unit_step(Parser *p)
+bool hint_unit_step(Parser *p)
 {
     const char *text = p->lex.src->text;
     uint32_t at = p->last.at;
@@ -200,16 +200,16 @@ bool slip_unit_step(Parser *p)
     return true;
 }
 
-bool slip_touches(const Token *a, const Token *b) { return a->at + a->len == b->at; }
+bool hint_touches(const Token *a, const Token *b) { return a->at + a->len == b->at; }
 
-bool slip_is_label(const char *s)
+bool hint_is_label(const char *s)
 {
     return strcmp(s, "entry") == 0 || strcmp(s, "step") == 0 || strcmp(s, "exit") == 0;
 }
 
-bool slip_dotted_name(Parser *p, Span name)
+bool hint_dotted_name(Parser *p, Span name)
 {
-    if (!slip_touches(&p->last, &p->tok) || p->tok.kind != TOK_LABEL || slip_is_label(p->tok.text->text))
+    if (!hint_touches(&p->last, &p->tok) || p->tok.kind != TOK_LABEL || hint_is_label(p->tok.text->text))
         return false;
     name.len += p->tok.len;
     parser_fail(p, DIAG_name_with_dot, name, parser_text(p, name));
@@ -217,14 +217,14 @@ bool slip_dotted_name(Parser *p, Span name)
     return true;
 }
 
-void slip_after_name(Parser *p, AstExpr *name)
+void hint_after_name(Parser *p, AstExpr *name)
 {
     Span both = name->span;
 
-    if (!slip_touches(&p->last, &p->tok))
+    if (!hint_touches(&p->last, &p->tok))
         return;
     both.len += p->tok.len;
-    if (slip_dotted_name(p, name->span)) {
+    if (hint_dotted_name(p, name->span)) {
         name->kind = AST_ERROR;
     } else if (p->tok.kind == TOK_HEADER && !is_identifier(p->tok.text->text, p->tok.text->len)) {
         name->kind = AST_ERROR;
@@ -233,7 +233,7 @@ void slip_after_name(Parser *p, AstExpr *name)
     }
 }
 
-void slip_equality_chain(Parser *p, const AstExpr *e)
+void hint_equality_chain(Parser *p, const AstExpr *e)
 {
     const AstExpr *a = e->a;
     Diag *d = parser_report(p, DIAG_equality_chain, ast_op_span(e), sm_op_info[a->op].spelling, sm_op_info[e->op].spelling);
@@ -249,7 +249,7 @@ static bool is_comparison(TokenKind k)
 }
 
 // Whether this is a guard: its line, which continues inside parentheses, contains a : or a {; or the next line has a {.
-bool slip_is_guard(const Parser *p)
+bool hint_is_guard(const Parser *p)
 {
     const Source *s = p->lex.src;
     uint32_t depth = 0, i = p->tok.at;
@@ -274,7 +274,7 @@ bool slip_is_guard(const Parser *p)
 // The line ended with an operator and the next line looks like its operand. Skips that line, because the error is already reported.
 static void skip_continuation(Parser *p)
 {
-    while (slip_begins_value(&p->tok) && p->ahead.kind != TOK_ASSIGN && !slip_is_guard(p)) {
+    while (hint_begins_value(&p->tok) && p->ahead.kind != TOK_ASSIGN && !hint_is_guard(p)) {
         parser_next(p);
         while (!p->tok.first)
             parser_next(p);
@@ -293,7 +293,7 @@ static bool shares_line(Parser *p, Diag *d, uint32_t at)
     return until > 0;
 }
 
-void slip_missing_value(Parser *p, Diag *d)
+void hint_missing_value(Parser *p, Diag *d)
 {
     if (p->tok.first && p->tok.kind != TOK_END && p->last.kind != TOK_ASSIGN) {
         diag_label(p->diags, d, DIAG_label_line_break);
@@ -330,13 +330,13 @@ static bool may_be_thousands(const Parser *p)
 }
 
 // 3,14
-bool slip_decimal_comma(Parser *p)
+bool hint_decimal_comma(Parser *p)
 {
     const char *before, *after;
     Diag *d;
 
     if (p->tok.kind != TOK_COMMA || p->last.kind != TOK_NUMBER || p->ahead.kind != TOK_NUMBER ||
-        !slip_touches(&p->last, &p->tok) || !slip_touches(&p->tok, &p->ahead))
+        !hint_touches(&p->last, &p->tok) || !hint_touches(&p->tok, &p->ahead))
         return false;
     before = parser_text(p, parser_span(p, &p->last));
     after = parser_text(p, parser_span(p, &p->ahead));
@@ -357,11 +357,11 @@ static bool unit_after_number(const Parser *p)
 }
 
 // At `and then`: no expression continues like this.
-bool slip_is_and_then(const Parser *p)
+bool hint_is_and_then(const Parser *p)
 {
     const char *s = p->lex.src->text + p->ahead.at + p->ahead.len;
 
-    if (p->tok.kind != TOK_AND || !slip_is_word(&p->ahead, "then") || p->ahead.first)
+    if (p->tok.kind != TOK_AND || !hint_is_word(&p->ahead, "then") || p->ahead.first)
         return false;
     s += strspn(s, " \t");
     return is_letter(*s) || (s[0] == '-' && s[1] == '>');
@@ -377,11 +377,11 @@ static bool begins_statement(const Parser *p)
 {
     const bool next = !p->ahead.first && (p->ahead.kind == TOK_NAME || p->ahead.kind == TOK_ARROW || p->ahead.kind == TOK_ANNOTATION);
 
-    return p->tok.kind == TOK_ARROW || is_item(&p->tok) || (p->tok.kind == TOK_COMMA && next) || (slip_is_word(&p->tok, "then") && next) || slip_is_and_then(p) ||
+    return p->tok.kind == TOK_ARROW || is_item(&p->tok) || (p->tok.kind == TOK_COMMA && next) || (hint_is_word(&p->tok, "then") && next) || hint_is_and_then(p) ||
            (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_ASSIGN && !p->ahead.first);
 }
 
-void slip_at_end(Parser *p)
+void hint_at_end(Parser *p)
 {
     Diag *d;
 
@@ -390,7 +390,7 @@ void slip_at_end(Parser *p)
         p->failed = true;                              // the line is already reported
         return;
     }
-    if (slip_decimal_comma(p) || slip_remark(p))
+    if (hint_decimal_comma(p) || hint_remark(p))
         return;
     if (p->tok.kind == TOK_RPAREN) {
         parser_fail(p, DIAG_stray_paren, parser_here(p));
@@ -403,7 +403,7 @@ void slip_at_end(Parser *p)
         diag_label(p->diags, d, DIAG_label_else_after_if);
     else if (unit_after_number(p))
         hint_unit(p->diags, d, parser_text(p, parser_span(p, &p->last)), p->tok.text->text);
-    else if (p->tok.kind == TOK_IF || slip_is_word(&p->tok, "when"))
+    else if (p->tok.kind == TOK_IF || hint_is_word(&p->tok, "when"))
         diag_label(p->diags, d, DIAG_label_condition_first);
     else if (annotation_is_allow(&p->tok))
         diag_label(p->diags, d, DIAG_label_allow_before);
