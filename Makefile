@@ -881,9 +881,12 @@ check-wrap:
 wrap-docs:
 	@sh tests/check/wrap.sh -w $$($(find_md))
 .PHONY: wrap-docs
+# No sentence of a document is too long.  What docs/evidence/ collects stays as it was written on its day.
+check-sentences:
+	@$(find_md) | grep -v '^docs/evidence' | LC_ALL=C awk -f tests/check/sentences.awk
 check-configurations:
 	@sh tests/check/configurations.sh
-HOUSE_RULES = check-words check-wrap check-configurations check-layers check-codes check-arguments check-headers check-imports check-licence check-places
+HOUSE_RULES = check-words check-wrap check-sentences check-configurations check-layers check-codes check-arguments check-headers check-imports check-licence check-places
 CHECK_LINES += $(foreach rule,$(HOUSE_RULES),"+$(rule): $(MAKE) -s --no-print-directory $(rule)")
 
 # ---- the language and its evidence ----

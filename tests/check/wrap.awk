@@ -3,6 +3,8 @@
 # awk counts bytes (a UTF-8 character is one column).
 #
 #     -v width=N     another width
+#     -v units=1     writes no document, but its prose: a line `LINE TAB text` for each paragraph and list item, and
+#                    `LINE TAB | TAB text` for each cell of a table (for sentences.awk)
 #
 # Prose is what paragraphs and list items consist of.  Everything else is written as it is read: fenced and indented code, tables,
 # headings, rules, link definitions, HTML.  Invariants:
