@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles wrong characters: reports them here and returns the nearest sensible token.
+// Hints about characters: signs of word processors and mathematics, letters of other alphabets, quotation marks.
 #include <string.h>
 
 #include "compiler/base/utf8.h"
+#include "compiler/syntax/hint_text.h"
 #include "compiler/syntax/hint_words.h"
-#include "compiler/syntax/lexer.h"
 
 // Characters that word processors and mathematical texts use where ASCII has a sign.
 static const struct { uint32_t code; const char *ascii; TokenKind kind; } lookalikes[] = {
@@ -19,36 +19,7 @@ static const struct { uint32_t code; const char *ascii; TokenKind kind; } lookal
 
 enum { NO_LOOKALIKE = sizeof lookalikes / sizeof *lookalikes };
 
-const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end)
-{
-    const uint32_t most = 40;
-
-    return format_in(l->diags->arena, "%.*s%s", (int)(end - at < most ? end - at : most), l->src->text + at,
-                     end - at > most ? "..." : "");
-}
-
 // ---- characters that are not allowed ----
-
-// Returns true once per line: one report is enough, because later characters on the line are mostly of the same kind.
-static bool first_on_line(Lexer *l)
-{
-    bool first = l->reported_line != l->line_start + 1;
-
-    l->reported_line = l->line_start + 1;
-    return first;
-}
-
-void lex_hint_control(Lexer *l, uint32_t at)
-{
-    unsigned char c = (unsigned char)l->src->text[at];
-    Diag *d;
-
-    if (!first_on_line(l))
-        return;
-    d = diag_report(l->diags, DIAG_control_character, lexer_span(l, at, 1), format_in(l->diags->arena, "0x%02X", c));
-    if (c == '\r')
-        diag_label(l->diags, d, DIAG_label_carriage_return);
-}
 
 static size_t lookalike_of(uint32_t code)
 {
@@ -62,6 +33,15 @@ static size_t lookalike_of(uint32_t code)
 static bool is_quote(uint32_t code)
 {
     return code == '"' || code == '\'' || (code >= 0x2018 && code <= 0x201f) || code == 0xab || code == 0xbb;
+}
+
+// Returns the length of a letter of another alphabet at p; 0 if there is none.
+static size_t skip_foreign_letter(const Lexer *l, uint32_t p)
+{
+    uint32_t code = 0;
+    size_t len = utf8_decode(l->src->text + p, l->src->len - p, &code);
+
+    return len > 1 && lookalike_of(code) == NO_LOOKALIKE && !is_quote(code) && !utf8_is_hidden(code) ? len : 0;
 }
 
 // Whether the text is a dash followed by >.
@@ -92,7 +72,7 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
     const char *ascii = like < NO_LOOKALIKE ? lookalikes[like].ascii : NULL;
     Diag *d;
 
-    if (!ascii && !first_on_line(l))
+    if (!ascii && !lexer_is_first_report(l))
         return;
     if (is_long_arrow(l, at, len, like)) {
         ascii = "->";
@@ -101,7 +81,7 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
     d = diag_report(l->diags, DIAG_not_ascii, lexer_span(l, at, len), shown);
     if (!ascii && l->last == TOK_NUMBER && !l->first)
         diag_label(l->diags, d, DIAG_label_no_unit, "the value in", shown);
-    else if (lex_hint_letter(l, at))
+    else if (skip_foreign_letter(l, at))
         diag_label(l->diags, d, DIAG_label_name_ascii);
     if (!ascii)
         return;
@@ -121,8 +101,7 @@ static void report_non_ascii(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
     diag_edit(l->diags, d, lexer_span(l, at, len), ascii);
 }
 
-// Reports the text at `at`, which is not ASCII or, in a comment, not UTF-8. Returns its length.
-uint32_t lex_hint_byte(Lexer *l, uint32_t at)
+uint32_t hint_report_byte(Lexer *l, uint32_t at)
 {
     uint32_t code = 0;
     size_t len = utf8_decode(l->src->text + at, l->src->len - at, &code);
@@ -131,39 +110,7 @@ uint32_t lex_hint_byte(Lexer *l, uint32_t at)
         report_non_ascii(l, at, (uint32_t)len, code);
         return (uint32_t)len;
     }
-    if (first_on_line(l))
-        diag_label(l->diags, diag_report(l->diags, DIAG_not_utf8, lexer_span(l, at, 1),
-                                         format_in(l->diags->arena, "0x%02X", (unsigned)(unsigned char)l->src->text[at])),
-                   DIAG_label_text, "save the file as UTF-8");
-    return 1;
-}
-
-// Characters that change the direction of writing can show a reviewer a different text from the one that the compiler reads.
-static bool turns_direction(uint32_t code)
-{
-    return (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
-}
-
-uint32_t lex_hint_comment_byte(Lexer *l, uint32_t at)
-{
-    uint32_t code = 0;
-    size_t len = utf8_decode(l->src->text + at, l->src->len - at, &code);
-
-    if (len == 0)
-        return lex_hint_byte(l, at);
-    if (turns_direction(code) && first_on_line(l))
-        diag_report(l->diags, DIAG_hidden_direction, lexer_span(l, at, (uint32_t)len),
-                    format_in(l->diags->arena, "U+%04X", (unsigned)code));
-    return (uint32_t)len;
-}
-
-// Returns the length of a letter of another alphabet at p; 0 if there is none.
-size_t lex_hint_letter(const Lexer *l, uint32_t p)
-{
-    uint32_t code = 0;
-    size_t len = utf8_decode(l->src->text + p, l->src->len - p, &code);
-
-    return len > 1 && lookalike_of(code) == NO_LOOKALIKE && !is_quote(code) && !utf8_is_hidden(code) ? len : 0;
+    return lexer_report_not_utf8(l, at);
 }
 
 // ---- text that begins no token ----
@@ -184,32 +131,20 @@ static uint32_t find_quote(const Lexer *l, uint32_t p, bool plain, uint32_t *len
     return p;
 }
 
-// The reason of an @allow, or the name of a file. It can contain what a comment can contain.
-static void lex_reason(Lexer *l, Token *t, uint32_t quote_len)
+// The reason of an @allow, or the name of a file, in other quotes or not closed on its line.
+static void read_text(Lexer *l, Token *t, uint32_t quote_len)
 {
     bool plain = l->src->text[l->at] == '"';
     uint32_t from = l->at + quote_len, closing = 0, end = find_quote(l, from, plain, &closing);
-    Diag *d = NULL;
+    Diag *d = diag_report(l->diags, l->config ? DIAG_file_quotes : DIAG_reason_quotes, lexer_span(l, l->at, end + closing - l->at));
 
-    if (!plain || closing == 0)
-        d = diag_report(l->diags, l->config ? DIAG_file_quotes : DIAG_reason_quotes, lexer_span(l, l->at, end + closing - l->at));
-    if (d && closing) {
+    if (closing) {
         diag_edit(l->diags, d, lexer_span(l, l->at, quote_len), "\"");
         diag_edit(l->diags, d, lexer_span(l, end, closing), "\"");
     }
     t->text = str_intern(l->strings, l->src->text + from, end - from);
     lexer_check_comment(l, from, end);
-    lexer_finish(l, t, d ? TOK_ERROR : TOK_TEXT, end + closing);
-}
-
-// Whether the word appeared in the sources, so that it may be declared.
-bool lexer_knows_word(const Lexer *l, uint32_t from, uint32_t end) { return str_find(l->strings, l->src->text + from, end - from) != NULL; }
-
-bool lexer_is_declared(const Lexer *l, uint32_t from, uint32_t end)
-{
-    Str word = str_find(l->strings, l->src->text + from, end - from);
-
-    return word && (word->declared || strcmp(word->text, "T") == 0);
+    lexer_finish(l, t, TOK_ERROR, end + closing);
 }
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
@@ -246,7 +181,7 @@ static void label_string(Lexer *l, Diag *d, uint32_t from, uint32_t end, uint32_
         text = format_in(l->diags->arena, "  # %.*s", (int)(end - from), l->src->text + from);
         diag_label(l->diags, d, DIAG_label_text, "write it as a comment, after #");
         diag_edit(l->diags, d, lexer_span(l, remark, end + closing - remark), text);
-    } else if (is_word && (l->last == TOK_ARROW || lexer_knows_word(l, from, end))) {
+    } else if (is_word && (l->last == TOK_ARROW || hint_knows_word(l, from, end))) {
         diag_label(l->diags, d, DIAG_label_write, text);
         diag_edit(l->diags, d, whole, text);
     } else if (is_word) {
@@ -259,74 +194,61 @@ static void label_string(Lexer *l, Diag *d, uint32_t from, uint32_t end, uint32_
 }
 
 // Handles quoted text, up to the closing quote or the end of the line.
-static void lex_string(Lexer *l, Token *t, uint32_t quote_len)
+static void read_string(Lexer *l, Token *t, uint32_t quote_len)
 {
     uint32_t closing = 0, p = find_quote(l, l->at + quote_len, false, &closing);
 
     if (l->allow != LEX_NO_ALLOW || l->config) {
-        lex_reason(l, t, quote_len);
+        read_text(l, t, quote_len);
         return;
     }
-    if (first_on_line(l))
+    if (lexer_is_first_report(l))
         label_string(l, diag_report(l->diags, DIAG_string, lexer_span(l, l->at, p + closing - l->at)), l->at + quote_len, p, closing);
     lexer_finish(l, t, TOK_ERROR, p + closing);
 }
 
 // Reads a character that looks like a sign as that sign; skips a blank, or a byte that is not UTF-8.
-static bool lex_lookalike(Lexer *l, Token *t, uint32_t code)
+static HintLexed read_lookalike(Lexer *l, Token *t, uint32_t code)
 {
     size_t like = lookalike_of(code);
-    uint32_t len = lex_hint_byte(l, l->at);
+    uint32_t len = hint_report_byte(l, l->at);
     const bool arrow = is_long_arrow(l, l->at, len, like);
 
     if (like == NO_LOOKALIKE || lookalikes[like].kind == TOK_END || is_dash_of_range(l, like)) {
         l->at += len;
-        return false;
+        return HINT_SKIPPED;
     }
     lexer_finish(l, t, arrow ? TOK_ARROW : lookalikes[like].kind, l->at + len + arrow);
-    return true;
+    return HINT_TOKEN;
 }
 
-// Handles text that begins no token. Returns true if it produced a token anyway.
-bool lex_hint_stray(Lexer *l, Token *t)
+uint32_t hint_rest_of_name(Lexer *l, uint32_t end)
+{
+    while ((unsigned char)lexer_byte(l, end) >= 0x80 && skip_foreign_letter(l, end))   // one word, reported once
+        end = lexer_skip_word(l, end + hint_report_byte(l, end));
+    return end;
+}
+
+HintLexed hint_stray_text(Lexer *l, Token *t)
 {
     unsigned char c = (unsigned char)l->src->text[l->at];
     uint32_t code = c;
     size_t len = utf8_decode(l->src->text + l->at, l->src->len - l->at, &code);
 
     if (len && is_quote(code)) {
-        lex_string(l, t, (uint32_t)len);
-        return true;
+        read_string(l, t, (uint32_t)len);
+        return HINT_TOKEN;
     }
-    if (lex_hint_letter(l, l->at)) {
+    if (skip_foreign_letter(l, l->at)) {
         lexer_word(l, t);
-        return true;
+        return HINT_TOKEN;
     }
     if (c >= 0x80)
-        return lex_lookalike(l, t, code);
+        return read_lookalike(l, t, code);
     if (c < 0x20 || c == 0x7f)
-        lex_hint_control(l, l->at);
-    else if (first_on_line(l))
+        lexer_report_control(l, l->at);
+    else if (lexer_is_first_report(l))
         diag_report(l->diags, DIAG_stray_character, lexer_span(l, l->at, 1), lexer_text(l, l->at, l->at + 1));
     l->at++;
-    return false;
+    return HINT_SKIPPED;
 }
-
-// A source that is not text is not read: it gets one message, not one for every byte.
-const char *lex_hint_no_text(const Source *s)
-{
-    uint32_t n = s->len < 512 ? s->len : 512, controls = 0, zeros = 0;
-
-    if (s->len >= 2 && (memcmp(s->text, "\xff\xfe", 2) == 0 || memcmp(s->text, "\xfe\xff", 2) == 0))
-        return "UTF-16";
-    while (zeros < n && s->text[zeros] == 0)
-        zeros++;
-    if (zeros > 1)
-        return zeros == n ? "nothing but NUL bytes" : "binary data";
-    if (n >= 4 && ((s->text[0] == 0 && s->text[2] == 0) || (s->text[1] == 0 && s->text[3] == 0)))  // a [ with a zero byte beside it
-        return "UTF-16";
-    for (uint32_t i = 0; i < n; i++)
-        controls += (unsigned char)s->text[i] < 0x20 && !strchr("\t\n\r\f", s->text[i] ? s->text[i] : '?');
-    return controls > 4 && controls > n / 10 ? "binary data" : NULL;
-}
-

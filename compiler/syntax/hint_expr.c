@@ -2,6 +2,7 @@
 // Hints: errors of users who know other languages, do not program, or type fast. Where the grammar does not allow the next token, these
 // functions find the likeliest cause and report it instead of the expected token.
 #include "compiler/syntax/hint_lines.h"
+#include "compiler/syntax/hint_text.h"
 #include "compiler/syntax/hint_unit.h"
 #include "compiler/syntax/hint_words.h"
 #include "compiler/syntax/parser.h"
@@ -311,9 +312,9 @@ void hint_missing_value(Parser *p, Diag *d)
         diag_label(p->diags, d, DIAG_label_leave_out);
         diag_edit(p->diags, d, (Span){p->lex.src, p->last.at, p->tok.at - p->last.at}, "");
     } else if (p->tok.kind == TOK_IF) {
-        diag_label(p->diags, d, DIAG_label_text, lex_no_choice);
+        diag_label(p->diags, d, DIAG_label_text, hint_no_choice);
         if (!p->ahead.first)
-            lex_skip_choice(&p->lex);
+            hint_skip_choice(&p->lex);
     } else if ((p->tok.kind == TOK_AND || p->tok.kind == TOK_OR) && p->ahead.kind == TOK_LPAREN) {
         diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "a %s b", p->tok.kind == TOK_AND ? "and" : "or"));
     } else if (p->last.kind == TOK_MINUS && p->tok.kind == TOK_GT && p->ahead.kind == TOK_NAME) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scanner. It reads each byte once (signs are compared with the rows of tokens.def) and interns every name when it finds it.
-#include "compiler/syntax/lexer.h"
-
 #include <string.h>
 
+#include "compiler/syntax/hints.h"
+#include "compiler/syntax/lexer.h"
 #include "compiler/syntax/number.h"
 
 // ---- tables ----
@@ -14,13 +14,9 @@ static const Word words[] = {
 #define TOKEN(kind, name)
 #define WORD(kind, spelling) {spelling, TOK_##kind, SM_TYPE_COUNT},
 #define SIGN(kind, spelling)
-#define FOREIGN(spelling, kind, native)
-#define ABSENT(spelling, kind, label)
 #include "compiler/syntax/tokens.def"
 #undef WORD
 #undef SIGN
-#undef FOREIGN
-#undef ABSENT
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) {spelling, TOK_TYPE, SM_##name},
 #include "stdlib/types.def"
 #undef SM_TYPE
@@ -32,21 +28,15 @@ typedef struct Sign {
     const char *spelling;
     size_t len;
     TokenKind kind;
-    const char *native;       // FOREIGN: our spelling
-    const char *label;        // ABSENT: what to do
 } Sign;
 
 static const Sign signs[] = {
 #define WORD(kind, spelling)
-#define SIGN(kind, spelling) {spelling, sizeof spelling - 1, TOK_##kind, NULL, NULL},
-#define FOREIGN(spelling, kind, native) {spelling, sizeof spelling - 1, TOK_##kind, native, NULL},
-#define ABSENT(spelling, kind, label) {spelling, sizeof spelling - 1, TOK_##kind, NULL, label},
+#define SIGN(kind, spelling) {spelling, sizeof spelling - 1, TOK_##kind},
 #include "compiler/syntax/tokens.def"
 #undef TOKEN
 #undef WORD
 #undef SIGN
-#undef FOREIGN
-#undef ABSENT
 };
 
 const char *token_name(TokenKind kind)
@@ -55,14 +45,10 @@ const char *token_name(TokenKind kind)
 #define TOKEN(kind, name) name,
 #define WORD(kind, spelling) spelling,
 #define SIGN(kind, spelling) spelling,
-#define FOREIGN(spelling, kind, native)
-#define ABSENT(spelling, kind, label)
 #include "compiler/syntax/tokens.def"
 #undef TOKEN
 #undef WORD
 #undef SIGN
-#undef FOREIGN
-#undef ABSENT
     };
     return name[kind];
 }
@@ -90,6 +76,14 @@ uint32_t lexer_skip_word(const Lexer *l, uint32_t p)
     return p;
 }
 
+const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end)
+{
+    const uint32_t most = 40;
+
+    return format_in(l->diags->arena, "%.*s%s", (int)(end - at < most ? end - at : most), l->src->text + at,
+                     end - at > most ? "..." : "");
+}
+
 // ---- blanks and comments ----
 
 void lexer_end_line(Lexer *l)
@@ -97,22 +91,6 @@ void lexer_end_line(Lexer *l)
     l->parens = 0;
     l->first = true;
     l->line_start = ++l->at;
-}
-
-static bool is_control(const Lexer *l, uint32_t at)
-{
-    unsigned char c = (unsigned char)l->src->text[at];
-
-    return (c < 0x20 && c != '\t' && !(c == '\r' && lexer_byte(l, at + 1) == '\n')) || c == 0x7f;
-}
-
-void lexer_check_comment(Lexer *l, uint32_t at, uint32_t end)
-{
-    for (; at < end; at++)
-        if ((unsigned char)l->src->text[at] >= 0x80)
-            at += lex_hint_comment_byte(l, at) - 1;
-        else if (is_control(l, at))
-            lex_hint_control(l, at);
 }
 
 void lexer_skip_comment(Lexer *l)
@@ -160,8 +138,8 @@ void lexer_word(Lexer *l, Token *t)
     uint32_t end = lexer_skip_word(l, l->at);
     const Word *w;
 
-    while ((unsigned char)lexer_byte(l, end) >= 0x80 && lex_hint_letter(l, end))   // one word, reported once
-        end = lexer_skip_word(l, end + lex_hint_byte(l, end));
+    if ((unsigned char)lexer_byte(l, end) >= 0x80)
+        end = hint_rest_of_token(l, t, TOK_NAME, end);
     t->text = str_intern(l->strings, l->src->text + l->at, end - l->at);
     w = word_of(t->text);
     if (w)
@@ -211,7 +189,7 @@ static void lex_number(Lexer *l, Token *t)
     if (!number_value(l->src->text + l->at, end - l->at, &t->number) && !runs_on)
         diag_report(l->diags, DIAG_number_too_large, lexer_span(l, l->at, end - l->at), lexer_text(l, l->at, end));
     if (runs_on)
-        lexer_finish(l, t, TOK_ERROR, lex_hint_number(l, l->at, end));
+        lexer_finish(l, t, TOK_ERROR, hint_rest_of_token(l, t, TOK_NUMBER, end));
     else
         lexer_finish(l, t, TOK_NUMBER, end);
 }
@@ -258,7 +236,7 @@ static void lex_header(Lexer *l, Token *t)
         from++;
     t->text = str_intern(l->strings, s + from, to - from);
     if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && (t->first || l->last != TOK_ASSIGN))  // x = [1, 2]: the value is missing
-        lex_hint_header(l, l->at + 1, end, t->text);
+        hint_rest_of_token(l, t, TOK_HEADER, end);
     lexer_finish(l, t, TOK_HEADER, end + 1);
 }
 
@@ -271,6 +249,26 @@ static void lex_prefixed(Lexer *l, Token *t, TokenKind kind)
         diag_report(l->diags, kind == TOK_LABEL ? DIAG_lone_dot : DIAG_lone_at, lexer_span(l, l->at, 1));
     t->text = str_intern(l->strings, l->src->text + l->at + 1, end - l->at - 1);
     lexer_finish(l, t, end == l->at + 1 ? TOK_ERROR : kind, end);
+}
+
+// The reason of an @allow, or the name of a file, in quotes. It can contain what a comment can contain. Returns false if no text is
+// allowed here or it does not end on its line.
+static bool lex_text(Lexer *l, Token *t)
+{
+    const char *s = l->src->text;
+    const uint32_t from = l->at + 1;
+    uint32_t end = from;
+
+    if (s[l->at] != '"' || (l->allow == LEX_NO_ALLOW && !l->config))
+        return false;
+    while (end < l->src->len && s[end] != '"' && s[end] != '\n')
+        end++;
+    if (lexer_byte(l, end) != '"')
+        return false;
+    t->text = str_intern(l->strings, s + from, end - from);
+    lexer_check_comment(l, from, end);
+    lexer_finish(l, t, TOK_TEXT, end + 1);
+    return true;
 }
 
 // ---- signs ----
@@ -299,13 +297,16 @@ static void note_signs(Lexer *l)
     }
 }
 
-static void lex_sign(Lexer *l, Token *t, const Sign *s)
+static bool lex_sign(Lexer *l, Token *t)
 {
+    const Sign *s = find_sign(l);
+
+    if (!s)
+        return false;
     lexer_finish(l, t, s->kind, l->at + (uint32_t)s->len);
     l->parens += t->kind == TOK_LPAREN;
     l->parens -= t->kind == TOK_RPAREN && l->parens > 0;
-    if (s->native || s->label)
-        lex_hint_sign(l, t, s->spelling, s->native, s->label);
+    return true;
 }
 
 bool lex_is_reserved(Str word, TokenKind *kind)
@@ -322,16 +323,14 @@ bool lex_is_reserved(Str word, TokenKind *kind)
 // Returns false if it skipped text instead of producing a token.
 static bool lex_one(Lexer *l, Token *t)
 {
-    char c = l->src->text[l->at];
-    const Sign *s;
+    const char c = l->src->text[l->at];
+    const HintLexed foreign = hint_foreign_text(l, t);
 
-    if (l->last == TOK_ANNOTATION && lex_hint_range(l, t))
-        return true;
-    if (is_letter(c)) {
+    if (foreign != HINT_NONE)
+        return foreign == HINT_TOKEN;
+    if (is_letter(c))
         lexer_word(l, t);
-        if (t->first && t->kind == TOK_NAME && (lex_hint_state(l, t) || lex_hint_include(l, t)))
-            return t->kind != TOK_NAME;
-    } else if (is_digit(c) || (c == '.' && is_digit(lexer_byte(l, l->at + 1))))
+    else if (is_digit(c) || (c == '.' && is_digit(lexer_byte(l, l->at + 1))))
         lex_number(l, t);
     else if (c == '[')
         lex_header(l, t);
@@ -339,19 +338,8 @@ static bool lex_one(Lexer *l, Token *t)
         lex_prefixed(l, t, TOK_LABEL);
     else if (c == '@')
         lex_prefixed(l, t, TOK_ANNOTATION);
-    else if ((c == '/' && (lexer_byte(l, l->at + 1) == '/' || lexer_byte(l, l->at + 1) == '*')) ||
-             ((c == '%' || (c == '-' && lexer_byte(l, l->at + 1) == '-')) && lex_hint_is_remark(l)))
-        return lex_hint_comment(l, t);
-    else if (c == ';')
-        return lex_hint_semicolon(l, t);
-    else if (c == '?')
-        return lex_hint_choice(l), false;
-    else if (c == '|' && lex_hint_bars(l, t))
-        return true;
-    else if ((s = find_sign(l)) != NULL)
-        lex_sign(l, t, s);
-    else
-        return lex_hint_stray(l, t);
+    else if (!lex_text(l, t) && !lex_sign(l, t))
+        return hint_stray_text(l, t) == HINT_TOKEN;
     return true;
 }
 
@@ -408,8 +396,6 @@ void lex_skip_to(Lexer *l, uint32_t at)
 
 void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src)
 {
-    const char *other;
-
     memset(l, 0, sizeof *l);
     l->src = src;
     l->strings = strings;
@@ -420,11 +406,6 @@ void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src)
         str_mark(strings, words[i].spelling, (uint8_t)(i + 1));
     if (src->len >= 3 && memcmp(src->text, "\xef\xbb\xbf", 3) == 0)
         l->at = l->line_start = 3;
-    other = lex_hint_no_text(src);
-    if (other) {
-        Diag *d = diag_report(diags, DIAG_not_text, lexer_span(l, 0, 0), other);
-        if (strcmp(other, "UTF-16") == 0)
-            diag_label(diags, d, DIAG_label_text, "save it as UTF-8");
+    if (!lexer_check_is_text(l))
         l->at = src->len;
-    }
 }

@@ -12,14 +12,10 @@ typedef enum TokenKind {
 #define TOKEN(kind, name) TOK_##kind,
 #define WORD(kind, spelling) TOK_##kind,
 #define SIGN(kind, spelling) TOK_##kind,
-#define FOREIGN(spelling, kind, native)
-#define ABSENT(spelling, kind, label)
 #include "compiler/syntax/tokens.def"
 #undef TOKEN
 #undef WORD
 #undef SIGN
-#undef FOREIGN
-#undef ABSENT
     TOK_COUNT
 } TokenKind;
 
@@ -44,14 +40,10 @@ enum {
 #define TOKEN(kind, name)
 #define WORD(kind, spelling)
 #define SIGN(kind, spelling) + 1
-#define FOREIGN(spelling, kind, native) + 1
-#define ABSENT(spelling, kind, label) + 1
 #include "compiler/syntax/tokens.def"
 #undef TOKEN
 #undef WORD
 #undef SIGN
-#undef FOREIGN
-#undef ABSENT
 };
 
 typedef struct Lexer {
@@ -82,9 +74,6 @@ void lex_skip_to(Lexer *l, uint32_t at);    // continues at the start of a line
 
 // How a message names tokens of a kind: "+", "if", "name".
 const char *token_name(TokenKind kind);
-
-void lex_skip_choice(Lexer *l);             // skips the rest of c ? a : b or IF(c, a, b), up to the end of the line
-extern const char *const lex_no_choice;     // what to write instead of c ? a : b
 
 bool lex_is_reserved(Str word, TokenKind *kind);
 

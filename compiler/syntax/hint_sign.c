@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hints about operators of other languages: && for and, => for ->, | and & for bits, |x| for abs(x).
+#include <string.h>
+
+#include "compiler/syntax/hint_text.h"
+#include "compiler/syntax/hint_words.h"
+
+// ---- arrows ----
+
+static bool begins_statement(const Lexer *l, const Token *t)
+{
+    return t->first || l->last == TOK_COLON || l->last == TOK_LBRACE || l->last == TOK_LABEL || l->last == TOK_HEADER;
+}
+
+// Whether a name is the last word of the line after the sign, and the next line with code does not begin with a brace.
+static bool names_state(const Lexer *l, const Token *t)
+{
+    uint32_t from = hint_skip_gap(l, t->at + t->len), end = lexer_skip_word(l, from), p = hint_skip_gap(l, end);
+
+    if (l->stores || l->annotated || l->parens || !is_identifier(l->src->text + from, end - from) ||
+        !(hint_ends_line(l, p) || lexer_byte(l, p) == '}'))
+        return false;
+    while (lexer_byte(l, p) == '\n' || lexer_byte(l, p) == '#') {
+        p += (uint32_t)strcspn(l->src->text + p, "\n");
+        p = lexer_byte(l, p) ? hint_skip_gap(l, p + 1) : p;
+    }
+    return lexer_byte(l, p) != '{';
+}
+
+// Whether the name after the sign is a declared value, not a state: a comparison whose body is missing.
+static bool names_declared(const Lexer *l, const Token *t)
+{
+    const uint32_t from = hint_skip_gap(l, t->at + t->len);
+
+    return hint_is_declared(l, from, lexer_skip_word(l, from));
+}
+
+// ---- bits ----
+
+// fault & 4, ~3: the user means bits, which the language does not have. In p > 5 & 3 < x this is not the case.
+static bool is_about_bits(const Lexer *l, const Token *t)
+{
+    const uint32_t p = hint_skip_gap(l, t->at + 1), behind = hint_skip_gap(l, lexer_skip_word(l, p));
+
+    return t->len == 1 && strchr("&|~", l->src->text[t->at]) && is_digit(lexer_byte(l, p)) && lexer_byte(l, behind) != '<' &&
+           lexer_byte(l, behind) != '>' && lexer_byte(l, behind) != '.';
+}
+
+// The text on one side of a & or |, up to the next sign or word that joins conditions, within the same parentheses.
+typedef struct Side {
+    bool compares;            // contains a comparison
+    enum { SIDE_END, SIDE_AND, SIDE_OR, SIDE_BIT_AND, SIDE_BIT_OR } until;
+} Side;
+
+static bool is_text(const char *s, uint32_t at, uint32_t end, const char *word)
+{
+    return end - at == strlen(word) && memcmp(s + at, word, end - at) == 0;
+}
+
+// Returns what kind of sign or word at `p` joins conditions; *len: its length.
+static int joins(const Lexer *l, uint32_t p, uint32_t *len)
+{
+    const char *s = l->src->text;
+    const uint32_t end = lexer_skip_word(l, p);
+
+    *len = end > p ? end - p : 1;
+    if (end > p)
+        return is_text(s, p, end, "and") || is_text(s, p, end, "AND") ? SIDE_AND : is_text(s, p, end, "or") || is_text(s, p, end, "OR") ? SIDE_OR : SIDE_END;
+    if (s[p] != '&' && s[p] != '|')
+        return SIDE_END;
+    *len = lexer_byte(l, p + 1) == s[p] ? 2 : 1;
+    if (*len == 2)
+        return s[p] == '&' ? SIDE_AND : SIDE_OR;
+    return s[p] == '&' ? SIDE_BIT_AND : SIDE_BIT_OR;
+}
+
+static bool compares_at(const char *s, uint32_t p)
+{
+    return s[p] == '<' || s[p] == '>' || (s[p] == '=' && (s[p + 1] == '=' || (p > 0 && s[p - 1] == '!')));
+}
+
+static Side right_side(const Lexer *l, uint32_t p)
+{
+    const char *s = l->src->text;
+    const uint32_t most = p + HINT_FAR;
+    Side side = {false, SIDE_END};
+    uint32_t depth = 0, len = 1;
+
+    for (; p < most && p < l->src->len && !strchr(":{}#\n", s[p]); p += len) {
+        int joined = joins(l, p, &len);
+        if (depth == 0 && (joined || s[p] == ')')) {
+            side.until = (unsigned)joined;
+            break;
+        }
+        depth += s[p] == '(';
+        depth -= s[p] == ')';
+        side.compares |= compares_at(s, p);
+    }
+    return side;
+}
+
+// Scans the sides before a sign, from the start of its parentheses or of the line. Only the last one counts.
+static Side left_side(const Lexer *l, uint32_t at)
+{
+    const char *s = l->src->text;
+    uint32_t from = at, depth = 0, len = 1;
+    Side side = {false, SIDE_END};
+
+    while (from > l->line_start && at - from < HINT_FAR && !strchr(":{}", s[from - 1]) && (s[from - 1] != '(' || depth > 0)) {
+        from--;
+        depth += s[from] == ')';
+        depth -= s[from] == '(';
+    }
+    depth = 0;
+    for (uint32_t p = from; p < at; p += len) {
+        int joined = joins(l, p, &len);
+        if (depth == 0 && joined)
+            side = (Side){false, (unsigned)joined};
+        depth += s[p] == '(';
+        depth -= s[p] == ')' && depth > 0;
+        side.compares |= compares_at(s, p);
+    }
+    return side;
+}
+
+// `status & mask`, `x = ~mask`: perhaps bits are meant. Or a | next to an `and`: in other languages their precedence is reversed.
+static bool may_be_bits(const Lexer *l, const Token *t)
+{
+    const char sign = l->src->text[t->at];
+    Side left, right;
+
+    if (t->len > 1 || sign == '~')
+        return t->len == 1 && l->stores && !t->first;      // at a first token l->stores describes the previous line
+    if (sign != '&' && sign != '|')
+        return false;
+    left = left_side(l, t->at);
+    right = right_side(l, t->at + 1);
+    if (sign == '|' && (left.until == SIDE_AND || right.until == SIDE_AND))
+        return true;
+    return !left.compares || (!right.compares && right.until >= SIDE_BIT_AND);
+}
+
+// ---- a sign ----
+
+// Whether `at` follows only a name in its statement: x := 1.
+static bool is_after_target(const Lexer *l, uint32_t at)
+{
+    const char *s = l->src->text;
+
+    while (at > l->line_start && hint_is_gap(s[at - 1]))
+        at--;
+    while (at > l->line_start && lexer_is_word(s[at - 1]))
+        at--;
+    while (at > l->line_start && hint_is_gap(s[at - 1]))
+        at--;
+    return at == l->line_start || strchr(":{};", s[at - 1]);
+}
+
+static void report_foreign(Lexer *l, Token *t, const char *spelling, const char *native)
+{
+    bool arrow = strcmp(spelling, "=>") == 0, blank, names_value = false;
+    uint32_t from = t->at;
+    Diag *d;
+
+    if (arrow && begins_statement(l, t))
+        native = "->";
+    else if (arrow && names_state(l, t) && !(names_value = names_declared(l, t)))
+        native = ": ->";
+    if (native[strlen(native) - 1] == '>')
+        t->kind = TOK_ARROW;
+    blank = is_letter(*native);
+    d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, t->at, t->len), spelling, native);
+    if (may_be_bits(l, t)) {
+        diag_label(l->diags, d, DIAG_label_no_bits, native);
+        return;
+    }
+    diag_label(l->diags, d, DIAG_label_write, native);
+    if (names_value || (*native == 'n' && !hint_is_negated_alone(l->src->text, t->at + t->len)) || (*spelling == ':' && !is_after_target(l, t->at)))
+        return;
+    while (*native == ':' && from && hint_is_gap(l->src->text[from - 1]))
+        from--;
+    diag_edit(l->diags, d, lexer_span(l, from, t->at + t->len - from),
+              format_in(l->diags->arena, "%s%s%s", blank && t->at && lexer_is_word(l->src->text[t->at - 1]) ? " " : "",
+                        native, blank && lexer_is_word(lexer_byte(l, t->at + t->len)) ? " " : ""));
+}
+
+void hint_report_sign(Lexer *l, Token *t, const char *spelling, const char *native, const char *label)
+{
+    if (native && is_about_bits(l, t)) {
+        diag_label(l->diags, diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling), DIAG_label_bits);
+        t->kind = *spelling == '~' ? TOK_MINUS : TOK_STAR;
+    } else if (native) {
+        report_foreign(l, t, spelling, native);
+    } else if (label) {
+        Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling);
+        diag_label(l->diags, d, DIAG_label_text, label);
+    }
+}
+
+// ---- bars ----
+
+// |a - |b||: which bars belong together is ambiguous. Skips up to the last one.
+static void skip_nested_bars(Lexer *l, Token *t)
+{
+    uint32_t at = l->at, end = at + 1;
+    Diag *d;
+
+    for (uint32_t p = end; !hint_ends_line(l, p); p++)
+        if (lexer_byte(l, p) == '|')
+            end = p + 1;
+    d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, at, end - at), lexer_text(l, at, end));
+    diag_label(l->diags, d, DIAG_label_write, "abs(x)");
+    lexer_finish(l, t, TOK_ERROR, end);
+}
+
+// Whether the text between two bars is one value.
+static bool is_between_bars(const Lexer *l, uint32_t at, uint32_t end)
+{
+    const char *s = l->src->text;
+    uint32_t depth = 0, last = end;
+
+    at = hint_skip_gap(l, at);
+    while (last > at && hint_is_gap(s[last - 1]))
+        last--;
+    if (last == at || !(lexer_is_word(s[last - 1]) || s[last - 1] == ')' || s[last - 1] == '.') || !(lexer_is_word(s[at]) || strchr("(-+.", s[at])))
+        return false;
+    for (; at < last; at++) {
+        depth += s[at] == '(';
+        if (strchr(",;:{}\"", s[at]) || (s[at] == ')' && depth-- == 0))
+            return false;
+    }
+    return depth == 0;
+}
+
+// |x| of mathematics is read as (x).
+HintLexed hint_read_bars(Lexer *l, Token *t)
+{
+    uint32_t at = l->at, end = at + t->len;
+    const char *fixed;
+    Diag *d;
+
+    if (at == l->bar && at > 0) {
+        lexer_finish(l, t, TOK_RPAREN, end);
+        return HINT_TOKEN;
+    }
+    if (hint_follows_value(l, t->first) || (lexer_byte(l, end) == '|' && hint_is_gap(lexer_byte(l, end + 1))))
+        return HINT_NONE;
+    end += lexer_byte(l, end) == '|';                  // ||a| - b|
+    while (lexer_byte(l, end) != '|' && !hint_ends_line(l, end))
+        end++;
+    if (lexer_byte(l, end) != '|')
+        return HINT_NONE;
+    if (lexer_byte(l, at + 1) == '|' || lexer_byte(l, end + 1) == '|' || !is_between_bars(l, at + 1, end)) {
+        skip_nested_bars(l, t);
+        return HINT_TOKEN;
+    }
+    fixed = format_in(l->diags->arena, "abs(%s)", lexer_text(l, at + 1, end));
+    d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, at, end + 1 - at), lexer_text(l, at, end + 1));
+    diag_label(l->diags, d, DIAG_label_write, fixed);
+    diag_edit(l->diags, d, lexer_span(l, at, 1), at > 0 && lexer_is_word(l->src->text[at - 1]) ? " abs(" : "abs(");
+    diag_edit(l->diags, d, lexer_span(l, end, 1), ")");
+    l->bar = end;
+    lexer_finish(l, t, TOK_LPAREN, at + 1);
+    return HINT_TOKEN;
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks characters: a comment is UTF-8 text without control characters and without characters that hide what it says; a source is text.
+#include <string.h>
+
+#include "compiler/base/utf8.h"
+#include "compiler/syntax/lexer.h"
+
+bool lexer_is_first_report(Lexer *l)
+{
+    bool first = l->reported_line != l->line_start + 1;
+
+    l->reported_line = l->line_start + 1;
+    return first;
+}
+
+// ---- comments ----
+
+static bool is_control(const Lexer *l, uint32_t at)
+{
+    unsigned char c = (unsigned char)l->src->text[at];
+
+    return (c < 0x20 && c != '\t' && !(c == '\r' && lexer_byte(l, at + 1) == '\n')) || c == 0x7f;
+}
+
+void lexer_report_control(Lexer *l, uint32_t at)
+{
+    unsigned char c = (unsigned char)l->src->text[at];
+    Diag *d;
+
+    if (!lexer_is_first_report(l))
+        return;
+    d = diag_report(l->diags, DIAG_control_character, lexer_span(l, at, 1), format_in(l->diags->arena, "0x%02X", c));
+    if (c == '\r')
+        diag_label(l->diags, d, DIAG_label_carriage_return);
+}
+
+uint32_t lexer_report_not_utf8(Lexer *l, uint32_t at)
+{
+    if (lexer_is_first_report(l))
+        diag_label(l->diags, diag_report(l->diags, DIAG_not_utf8, lexer_span(l, at, 1),
+                                         format_in(l->diags->arena, "0x%02X", (unsigned)(unsigned char)l->src->text[at])),
+                   DIAG_label_text, "save the file as UTF-8");
+    return 1;
+}
+
+// Characters that change the direction of writing can show a reviewer a different text from the one that the compiler reads.
+static bool turns_direction(uint32_t code)
+{
+    return (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+}
+
+// Checks the character at `at` of a comment, which is not ASCII. Returns its length.
+static uint32_t check_comment_byte(Lexer *l, uint32_t at)
+{
+    uint32_t code = 0;
+    size_t len = utf8_decode(l->src->text + at, l->src->len - at, &code);
+
+    if (len == 0)
+        return lexer_report_not_utf8(l, at);
+    if (turns_direction(code) && lexer_is_first_report(l))
+        diag_report(l->diags, DIAG_hidden_direction, lexer_span(l, at, (uint32_t)len),
+                    format_in(l->diags->arena, "U+%04X", (unsigned)code));
+    return (uint32_t)len;
+}
+
+void lexer_check_comment(Lexer *l, uint32_t at, uint32_t end)
+{
+    for (; at < end; at++)
+        if ((unsigned char)l->src->text[at] >= 0x80)
+            at += check_comment_byte(l, at) - 1;
+        else if (is_control(l, at))
+            lexer_report_control(l, at);
+}
+
+// ---- the whole source ----
+
+// Names the format of a source that is not text ("UTF-16", "binary data"); NULL for text.
+static const char *find_format(const Source *s)
+{
+    uint32_t n = s->len < 512 ? s->len : 512, controls = 0, zeros = 0;
+
+    if (s->len >= 2 && (memcmp(s->text, "\xff\xfe", 2) == 0 || memcmp(s->text, "\xfe\xff", 2) == 0))
+        return "UTF-16";
+    while (zeros < n && s->text[zeros] == 0)
+        zeros++;
+    if (zeros > 1)
+        return zeros == n ? "nothing but NUL bytes" : "binary data";
+    if (n >= 4 && ((s->text[0] == 0 && s->text[2] == 0) || (s->text[1] == 0 && s->text[3] == 0)))  // a [ with a zero byte beside it
+        return "UTF-16";
+    for (uint32_t i = 0; i < n; i++)
+        controls += (unsigned char)s->text[i] < 0x20 && !strchr("\t\n\r\f", s->text[i] ? s->text[i] : '?');
+    return controls > 4 && controls > n / 10 ? "binary data" : NULL;
+}
+
+bool lexer_check_is_text(Lexer *l)
+{
+    const char *format = find_format(l->src);
+    Diag *d;
+
+    if (!format)
+        return true;
+    d = diag_report(l->diags, DIAG_not_text, lexer_span(l, 0, 0), format);
+    if (strcmp(format, "UTF-16") == 0)
+        diag_label(l->diags, d, DIAG_label_text, "save it as UTF-8");
+    return false;
+}
