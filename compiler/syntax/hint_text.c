@@ -129,6 +129,22 @@ static bool is_set_off(const Lexer *l, uint32_t at, uint32_t text)
     return hint_is_gap(s[at - 1]) && (text == at + 2 || hint_is_gap(s[at - 2]));
 }
 
+// Whether a line that begins with `//` continues the expression of the line above: it closes a parenthesis of that line.
+static bool divides_line_above(const Lexer *l)
+{
+    const char *text = l->src->text;
+    uint32_t p = hint_skip_operand(text, l->at + 2), depth = 0;
+
+    if (l->open_parens == 0 || p == l->at + 2 || !strchr(")+-*/", lexer_byte(l, hint_skip_gap(l, p))))
+        return false;
+    for (; !hint_ends_line(l, p); p++) {
+        if (text[p] == ')' && depth-- == 0)
+            return true;
+        depth += text[p] == '(';
+    }
+    return false;
+}
+
 // `a // b` is a division in other languages. Returns how likely it is: 0 impossible, 1 it could also be a comment, 2 certain, because the
 // expression continues after b.
 static int is_division(const Lexer *l)
@@ -136,8 +152,10 @@ static int is_division(const Lexer *l)
     uint32_t p, end, after;
     bool known;
 
-    if (!hint_follows_value(l, l->first) || l->src->text[l->at + 1] != '/')
+    if (!hint_follows_value(l, false) || l->src->text[l->at + 1] != '/')
         return 0;
+    if (l->first)
+        return divides_line_above(l) ? 2 : 0;
     p = hint_skip_gap(l, l->at + 2);
     if (lexer_byte(l, p) == '-' || lexer_byte(l, p) == '+')
         p = hint_skip_gap(l, p + 1);

@@ -297,6 +297,17 @@ static void note_signs(Lexer *l)
     }
 }
 
+// Counts parentheses. A sign that no parentheses contain ends those that were never closed.
+static void count_parens(Lexer *l, TokenKind kind)
+{
+    l->parens += kind == TOK_LPAREN;
+    l->parens -= kind == TOK_RPAREN && l->parens > 0;
+    l->open_parens += kind == TOK_LPAREN;
+    l->open_parens -= kind == TOK_RPAREN && l->open_parens > 0;
+    if (kind == TOK_ASSIGN || kind == TOK_COLON || kind == TOK_ARROW || kind == TOK_LBRACE || kind == TOK_RBRACE)
+        l->open_parens = 0;
+}
+
 static bool lex_sign(Lexer *l, Token *t)
 {
     const Sign *s = find_sign(l);
@@ -304,8 +315,7 @@ static bool lex_sign(Lexer *l, Token *t)
     if (!s)
         return false;
     lexer_finish(l, t, s->kind, l->at + (uint32_t)s->len);
-    l->parens += t->kind == TOK_LPAREN;
-    l->parens -= t->kind == TOK_RPAREN && l->parens > 0;
+    count_parens(l, s->kind);
     return true;
 }
 

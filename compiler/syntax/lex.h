@@ -64,6 +64,7 @@ typedef struct Lexer {
     bool stores, annotated;   // an = precedes it on the line; an annotation does
     uint32_t bar;             // position of the | that closes |x|
     uint32_t parens;          // opened on this line and still open
+    uint32_t open_parens;     // opened in this statement and still open, also on earlier lines
     uint32_t hinted;          // shared lines before this position have been reported
 } Lexer;
 
