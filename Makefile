@@ -22,7 +22,7 @@ VM_FAST  = $(wildcard bytecode-vm/decode*.c) bytecode-vm/fast.c
 LINK     = $(wildcard runtime-c/link/*.c)
 EMIT_C   = $(filter-out %/embed_tool.c,$(wildcard compiler/emit/c/*.c))
 LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
-             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/report/*.c compiler/script/*.c compiler/log/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
+             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c compiler/budget/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/report/*.c compiler/script/*.c compiler/log/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
 COMMAND  = $(wildcard compiler/base/os_*.c compiler/device/*.c compiler/cli/*.c)
 
 # `make V=1` shows the commands themselves, `make -s` nothing.
@@ -442,7 +442,7 @@ avr-campaign:
 	$(MAKE) check-avr N= SEED=
 	nice -n 19 sh tests/avr/campaign.sh $(B) $(or $(N),10000) $(or $(SEED),1)
 
-# The cycles of compiler/analysis/avr_cycles.def.  `make avr-cycles`: measured anew, some minutes; `N=4000 SEED=7`: more operands, others.
+# The cycles of compiler/budget/avr_cycles.def.  `make avr-cycles`: measured anew, some minutes; `N=4000 SEED=7`: more operands, others.
 OTHERS_LINES += "avr-cycles: sh tests/avr/cycles.sh $(B) '$(CC)'"
 avr-cycles: $(B)/libsmc.a
 	sh tests/avr/cycles.sh $(B) '$(CC)' make $(or $(N),800) $(or $(SEED),1)

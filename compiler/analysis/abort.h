@@ -10,7 +10,7 @@
 #ifndef SMC_ABORT_H
 #define SMC_ABORT_H
 
-#include "compiler/analysis/sensors.h"
+#include "compiler/analysis/input_deps.h"
 #include "compiler/analysis/trial.h"
 
 #define ABORT_NOT_BOUNDED UINT32_MAX      // a number of steps: a state on the path may wait for something

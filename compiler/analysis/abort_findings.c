@@ -2,7 +2,7 @@
 // States from which a failed sensor leaves no path to an @abort state: reports the abort matrix, one finding per state and
 // kind.
 #include "compiler/analysis/abort.h"
-#include "compiler/analysis/questions.h"
+#include "compiler/analysis/trial_checks.h"
 
 enum { WAYS_SHOWN = 3, STATES_FOLLOWED = 50 };
 

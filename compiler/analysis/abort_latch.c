@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "compiler/analysis/abort.h"
-#include "compiler/analysis/questions.h"
+#include "compiler/analysis/trial_checks.h"
 
 enum { DRAWS = 40, AT_ONCE = 2 };
 

@@ -5,7 +5,7 @@
 // reported as unable to abort only if both agree: no trial aborts, and every transition that could depends on the failed
 // sensor.
 #include "compiler/analysis/abort.h"
-#include "compiler/analysis/questions.h"
+#include "compiler/analysis/trial_checks.h"
 
 enum {
     TRIED = 4,                    // entries of a state that are tried

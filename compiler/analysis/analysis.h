@@ -6,7 +6,7 @@
 //
 // The facts (`facts`, `stmt`) come from compiler/facts, run on the IR before any pass.  They assume that the machine starts in
 // its first state and that elements can have any value of their type at the start of every step.  So whatever is called
-// impossible here is impossible for all inputs.  @range is used only where an analysis documents it (whatif.h).
+// impossible here is impossible for all inputs.  @range is used only where an analysis documents it (assume.h).
 #ifndef SMC_ANALYSIS_H
 #define SMC_ANALYSIS_H
 
@@ -36,7 +36,7 @@ typedef struct Analysis {
     StmtFact *stmt;               // by Stmt.number
     bool large_sums;              // some sum has an operand whose magnitude is always 2^53 or more
     Transitions transition;       // all transitions of the machine, in file order
-    const IrFn **asked;      // by Stmt.number: the function that whatif.h built for its guard or value; NULL: none yet. [0]: any of them
+    const IrFn **asked;      // by Stmt.number: the function that assume.h built for its guard or value; NULL: none yet. [0]: any of them
 } Analysis;
 
 // Prepares everything except the findings; reports use it too.  `arena` owns the result.
@@ -71,7 +71,7 @@ static inline bool is_comparison(SmOperator op) { return (COMPARISONS >> op & 1)
 SmOperator relation_opposite(SmOperator op);
 SmOperator relation_mirrored(SmOperator op);
 
-// Whether every path through these statements ends in a transition, whatever the guards evaluate to (dead.c).
+// Whether every path through these statements ends in a transition, whatever the guards evaluate to (dead_code.c).
 bool always_leaves(const Stmts *stmts);
 
 // Calls f for every statement of a machine.  A conditional comes before the statements inside it.

@@ -7,7 +7,7 @@
 // 2. assignments in .entry alone: an initial value, followed by samples of the values that .step leaves;
 // 3. an element combined with an input, as in `abs(order - position)`: the order of the step before, and its result;
 // 4. a variable that the same expression also reads without a window, as in `min(p, roll_min(p, 1))`: it has this step's value.
-#include "compiler/analysis/known.h"
+#include "compiler/analysis/guards_known.h"
 
 typedef struct Uses {
     Analysis *a;

@@ -5,7 +5,7 @@
 // an output that another state switched on is still on after that time, the state is reported.
 #include <string.h>
 
-#include "compiler/analysis/questions.h"
+#include "compiler/analysis/trial_checks.h"
 
 enum {
     HELD = 10,                    // inputs tried in each situation

@@ -18,7 +18,7 @@
 #include <string.h>
 
 #include "compiler/analysis/abort.h"
-#include "compiler/analysis/questions.h"
+#include "compiler/analysis/trial_checks.h"
 #include "stdlib/math.h"
 
 typedef enum Failure { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_FAR_ABOVE, READS_FAR_BELOW, FAILURES } Failure;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // States that no transition can reach.  Only the first on each path is reported: the states reachable only from it follow from
 // it.
-#include "compiler/analysis/structure.h"
+#include "compiler/analysis/reach.h"
 #include "stdlib/convert.h"
 
 enum { NAMED = 3 };                   // followers, or transitions, named in notes

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "compiler/analysis/sensors.h"
+#include "compiler/analysis/input_deps.h"
 #include "compiler/analysis/trial_inputs.h"
 #include "stdlib/math.h"
 

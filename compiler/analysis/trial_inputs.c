@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "compiler/analysis/sensors.h"
+#include "compiler/analysis/input_deps.h"
 
 // ---- dependencies ----
 

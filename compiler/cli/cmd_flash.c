@@ -7,8 +7,8 @@
 
 #include "bytecode-vm/auth.h"
 #include "bytecode-vm/image.h"
-#include "compiler/analysis/cost.h"
 #include "compiler/base/os_serial.h"
+#include "compiler/budget/cost.h"
 #include "compiler/cli/board_line.h"
 #include "compiler/cli/key.h"
 

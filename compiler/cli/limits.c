@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // --step, and --max-ram, --max-step and --max-cycles: a machine that needs more than a board has is an error, reported when it is built.
-#include "compiler/analysis/cost.h"
+#include "compiler/budget/cost.h"
 #include "compiler/cli/cli.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Costs: the longest steps with their most expensive lines, and bytes.
-#include "compiler/analysis/cycles.h"
+#include "compiler/budget/cycles.h"
 #include "compiler/report/report.h"
 #include "compiler/report/words.h"
 

@@ -5,7 +5,7 @@
 #define SMC_REPORT_H
 
 #include "compiler/analysis/analysis.h"
-#include "compiler/analysis/cost.h"
+#include "compiler/budget/cost.h"
 #include "compiler/report/doc.h"
 #include "compiler/report/graph.h"
 #include "compiler/report/trace.h"

@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# The table of cycles on an ATmega328P (compiler/analysis/avr_cycles.def) against what simavr counts, or made anew.
+# The table of cycles on an ATmega328P (compiler/budget/avr_cycles.def) against what simavr counts, or made anew.
 #     cycles.sh BUILD CC [check | make] [OPERANDS [SEED]]
 # Wants gcc-avr avr-libc libsimavr-dev libelf-dev; AVR_CC names the compiler.
 B=$1/avr CC=$2 what=${3:-check} OPERANDS=${4:-150} SEED=${5:-1}
 AVR_CC=${AVR_CC:-avr-gcc}
-table=compiler/analysis/avr_cycles.def
+table=compiler/budget/avr_cycles.def
 if ! command -v "$AVR_CC" >/dev/null 2>&1; then
     echo "no $AVR_CC here (gcc-avr, avr-libc): 0 passed, 0 failed, 1 skipped"
     exit 0

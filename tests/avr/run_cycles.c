@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "bytecode-vm/smvm.h"
-#include "compiler/analysis/cycles.h"
+#include "compiler/budget/cycles.h"
 #include "stdlib/convert.h"
 #include "stdlib/roll.h"
 #include "tests/avr/mailbox.h"
@@ -487,7 +487,7 @@ static const char *const row_name[] = {
 #define CYCLES_ROW(name, ...) #name,
 #define CYCLES_WINDOW(name, ...)
 #define CYCLES_STACK(bytes)
-#include "compiler/analysis/avr_cycles.def"
+#include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
 #undef CYCLES_STACK
@@ -496,7 +496,7 @@ static const char *const window_name[] = {
 #define CYCLES_ROW(name, ...)
 #define CYCLES_WINDOW(name, ...) #name,
 #define CYCLES_STACK(bytes)
-#include "compiler/analysis/avr_cycles.def"
+#include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
 #undef CYCLES_STACK

@@ -10,7 +10,7 @@
 
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
-#include "compiler/analysis/cost.h"
+#include "compiler/budget/cost.h"
 #include "stdlib/convert.h"
 #include "stdlib/crc32.h"
 #include "tests/avr/mailbox.h"

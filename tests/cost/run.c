@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "bytecode-vm/smvm.h"
-#include "compiler/analysis/cost.h"
+#include "compiler/budget/cost.h"
 #include "tests/cost/config.h"
 #include "tests/diff/subject.h"
 #include "tests/test.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/analysis/implies.h"
+#include "compiler/analysis/guards_imply.h"
 
 #include "stdlib/math.h"
 

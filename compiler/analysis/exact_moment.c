@@ -4,7 +4,7 @@
 // limits of T that are shorter than a step, or not whole numbers: the user probably meant seconds where milliseconds are
 // counted.
 #include "compiler/analysis/analysis.h"
-#include "compiler/analysis/moments.h"
+#include "compiler/analysis/timestamps.h"
 #include "stdlib/math.h"
 
 typedef struct Look { Analysis *a; Moments m; } Look;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The questions that trial runs answer, each a row of questions.def, and the helpers that they share.
-#ifndef SMC_QUESTIONS_H
-#define SMC_QUESTIONS_H
+#ifndef SMC_TRIAL_CHECKS_H
+#define SMC_TRIAL_CHECKS_H
 
 #include "compiler/analysis/trial.h"
 
 #define QUESTION(name, sentence) void question_##name(Trials *t);
-#include "compiler/analysis/questions.def"
+#include "compiler/analysis/trial_checks.def"
 #undef QUESTION
 
 // "a', 'b' and 'c": for a position in a message that is already inside quotes.

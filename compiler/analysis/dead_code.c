@@ -3,7 +3,7 @@
 // that never runs.  Reported once, at the outermost.  AST_DEPTH_MAX bounds the recursion, which follows nested conditionals.
 #include <string.h>
 
-#include "compiler/analysis/structure.h"
+#include "compiler/analysis/reach.h"
 
 // Whether every path through these statements ends in a transition.
 bool always_leaves(const Stmts *stmts)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Comparisons that types decide, whatever the values, and equalities with a value that the type cannot represent.  Facts decide
 // guards too, but that is not a mistake in the comparison: see constant-guard.
-#include "compiler/analysis/compare.h"
+#include "compiler/analysis/decided_comparison.h"
 
-#include "compiler/analysis/whatif.h"
+#include "compiler/analysis/assume.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 

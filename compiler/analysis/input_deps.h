@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The role of a machine's elements, and the inputs that its values depend on: which sensors a guard depends on, directly,
 // through rolling windows, and through locals computed from them.
-#ifndef SMC_SENSORS_H
-#define SMC_SENSORS_H
+#ifndef SMC_INPUT_DEPS_H
+#define SMC_INPUT_DEPS_H
 
 #include "compiler/analysis/analysis.h"
 

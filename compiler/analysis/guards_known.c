@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/analysis/known.h"
+#include "compiler/analysis/guards_known.h"
 
-#include "compiler/analysis/compare.h"
-#include "compiler/analysis/whatif.h"
+#include "compiler/analysis/assume.h"
+#include "compiler/analysis/decided_comparison.h"
 #include "stdlib/f64.h"
 
 enum { TRIED = 64 };              // how many earlier guards and assignments are checked

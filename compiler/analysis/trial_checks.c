@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/analysis/questions.h"
+#include "compiler/analysis/trial_checks.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,6 +26,6 @@ void analyse_trials(Analysis *a)
     Trials *t = trials_of(a);
 
 #define QUESTION(name, sentence) t->random = TRIAL_SEED, question_##name(t);
-#include "compiler/analysis/questions.def"
+#include "compiler/analysis/trial_checks.def"
 #undef QUESTION
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The guards that apply where a statement or an expression is: enclosing guards, guards of earlier transitions, and the other
 // side of an `and` or `or`.  For conclusions that facts about single variables do not support.
-#ifndef SMC_KNOWN_H
-#define SMC_KNOWN_H
+#ifndef SMC_GUARDS_KNOWN_H
+#define SMC_GUARDS_KNOWN_H
 
 #include "compiler/analysis/analysis.h"
 

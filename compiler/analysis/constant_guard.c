@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Guards that are always or never true, and the reason: a switch of constants, a type, a part that contradicts another, an
 // earlier guard that covers all other cases, or the facts about the variables.
-#include "compiler/analysis/compare.h"
+#include "compiler/analysis/decided_comparison.h"
 #include <string.h>
 
-#include "compiler/analysis/before.h"
-#include "compiler/analysis/implies.h"
-#include "compiler/analysis/whatif.h"
+#include "compiler/analysis/assume.h"
+#include "compiler/analysis/earlier_guards.h"
+#include "compiler/analysis/guards_imply.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 

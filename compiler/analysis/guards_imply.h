@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What one guard implies about another because of how they are written: x > 20 and ready implies x > 10; also a > b + 5 implies
 // a > b.  Facts are bounds of single variables.  This module handles relations between expressions, for any values.
-#ifndef SMC_IMPLIES_H
-#define SMC_IMPLIES_H
+#ifndef SMC_GUARDS_IMPLY_H
+#define SMC_GUARDS_IMPLY_H
 
 #include "compiler/analysis/analysis.h"
 

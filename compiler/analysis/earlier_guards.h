@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef SMC_BEFORE_H
-#define SMC_BEFORE_H
+#ifndef SMC_EARLIER_GUARDS_H
+#define SMC_EARLIER_GUARDS_H
 
-#include "compiler/analysis/structure.h"
+#include "compiler/analysis/reach.h"
 
 enum { LOOK_BACK = 16 };              // how many earlier guards a guard is compared with
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Comparisons that types decide: for analyses that explain why a guard always has the same result.
-#ifndef SMC_COMPARE_H
-#define SMC_COMPARE_H
+#ifndef SMC_DECIDED_COMPARISON_H
+#define SMC_DECIDED_COMPARISON_H
 
 #include "compiler/analysis/analysis.h"
 

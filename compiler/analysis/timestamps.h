@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which locals contain a time: every assignment to them is the time, plus or minus something, or a plain number.
-#ifndef SMC_MOMENTS_H
-#define SMC_MOMENTS_H
+#ifndef SMC_TIMESTAMPS_H
+#define SMC_TIMESTAMPS_H
 
 #include "compiler/sema/program.h"
 

@@ -5,8 +5,8 @@
 //     const Env *env = facts_begin(a->facts, state, BLOCK_STEP);
 //     env = suppose(a, env, pressure, fact_of_cell(SM_F64, 0));
 //     if (!suppose_guard(a, &env, guard, true)) …             // it cannot be true
-#ifndef SMC_WHATIF_H
-#define SMC_WHATIF_H
+#ifndef SMC_ASSUME_H
+#define SMC_ASSUME_H
 
 #include "compiler/analysis/analysis.h"
 

@@ -2,7 +2,7 @@
 // Computes what values depend on.  A local depends on the values stored in it and on the guards around those stores.  A guard
 // depends on the variables it reads and on the enclosing guards.  These are the nodes of a graph.  Dependencies propagate along
 // its edges to a fixed point.  A node stores at most LOOKS_MAX sensors, so each node is visited only a few times.
-#include "compiler/analysis/sensors.h"
+#include "compiler/analysis/input_deps.h"
 
 typedef struct Spread {
     Sensors *s;

@@ -6,7 +6,7 @@
 #define SMC_COST_H
 
 #include "compiler/base/vec.h"
-#include "compiler/sema/program.h"
+#include "stdlib/types.h"
 
 typedef enum CostPart { COST_ENTRY, COST_STEP, COST_EXIT, COST_SAMPLE } CostPart;      // the first three as in BlockKind
 

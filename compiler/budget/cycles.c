@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tracks what X and Y contain from one instruction to the next.  The target of a jump always reloads X, so nothing has to be
 // known about other paths (opcodes.def).
-#include "compiler/analysis/cycles.h"
+#include "compiler/budget/cycles.h"
 
 #include "bytecode-vm/smvm.h"
 
@@ -9,7 +9,7 @@ static const uint16_t row_cycles[CYCLES_ROWS][4] = {
 #define CYCLES_ROW(name, ...) {__VA_ARGS__},
 #define CYCLES_WINDOW(name, ...)
 #define CYCLES_STACK(bytes)
-#include "compiler/analysis/avr_cycles.def"
+#include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
 #undef CYCLES_STACK
@@ -18,7 +18,7 @@ static const uint16_t window_cycles[CYCLES_WINDOW_ROWS][2 * CYCLES_KEYS] = {
 #define CYCLES_ROW(name, ...)
 #define CYCLES_WINDOW(name, ...) {__VA_ARGS__},
 #define CYCLES_STACK(bytes)
-#include "compiler/analysis/avr_cycles.def"
+#include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
 #undef CYCLES_STACK
@@ -30,7 +30,7 @@ uint32_t cycles_stack(void)
 #define CYCLES_ROW(name, ...)
 #define CYCLES_WINDOW(name, ...)
 #define CYCLES_STACK(bytes) + (bytes)
-#include "compiler/analysis/avr_cycles.def"
+#include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
 #undef CYCLES_STACK

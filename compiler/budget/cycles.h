@@ -14,7 +14,7 @@ typedef enum CyclesRow {
 #define CYCLES_ROW(name, ...) CYCLES_##name,
 #define CYCLES_WINDOW(name, ...)
 #define CYCLES_STACK(bytes)
-#include "compiler/analysis/avr_cycles.def"
+#include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
 #undef CYCLES_STACK
@@ -25,7 +25,7 @@ typedef enum CyclesWindow {
 #define CYCLES_ROW(name, ...)
 #define CYCLES_WINDOW(name, ...) CYCLES_##name,
 #define CYCLES_STACK(bytes)
-#include "compiler/analysis/avr_cycles.def"
+#include "compiler/budget/avr_cycles.def"
 #undef CYCLES_ROW
 #undef CYCLES_WINDOW
 #undef CYCLES_STACK

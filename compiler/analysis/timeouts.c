@@ -10,7 +10,7 @@
 // the check for one sensor: they can be switches that the flight operates, such as a pull wire.
 #include <string.h>
 
-#include "compiler/analysis/questions.h"
+#include "compiler/analysis/trial_checks.h"
 
 enum {
     TRIED = 3,                    // entries of a state

@@ -9,8 +9,8 @@
 // something as long as the condition is true.  If it switches an output in every step, it is still reported.
 #include <string.h>
 
-#include "compiler/analysis/questions.h"
-#include "compiler/analysis/sensors.h"
+#include "compiler/analysis/input_deps.h"
+#include "compiler/analysis/trial_checks.h"
 
 enum {
     TRIED = 6,                    // entries of a state

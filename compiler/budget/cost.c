@@ -2,13 +2,15 @@
 // Finds the longest path through each function.  Jumps only go forward.  A walk from the last instruction to the first
 // computes, for each, the longest distance to the end, separately for paths that end in `end` and in `goto`.  The path itself
 // follows the larger number from the start.
-#include "compiler/analysis/cost.h"
+#include "compiler/budget/cost.h"
 
 #include <string.h>
 
 #include "bytecode-vm/image.h"
 #include "bytecode-vm/smvm.h"
-#include "compiler/analysis/cycles.h"
+#include "compiler/budget/cycles.h"
+
+enum { STATE_FUNCTIONS = 3 };           // .entry, .step and .exit, by CostPart
 
 typedef enum WayEnd { WAY_ENDS, WAY_LEAVES, WAYS } WayEnd;        // in `end`, in `goto`
 
@@ -165,12 +167,12 @@ static void consider_step(Step *best, const Fn *f, Step s)
     const uint32_t before = s.n;
 
     s.step = true;
-    s.n = before + f[BLOCK_STEP].longest[WAY_ENDS];
+    s.n = before + f[COST_STEP].longest[WAY_ENDS];
     s.step_way = WAY_ENDS;
-    if (f[BLOCK_STEP].ends)
+    if (f[COST_STEP].ends)
         consider(best, s);
-    if (f[BLOCK_STEP].longest[WAY_LEAVES]) {
-        s.n = before + f[BLOCK_STEP].longest[WAY_LEAVES] + f[BLOCK_EXIT].longest[WAY_ENDS];
+    if (f[COST_STEP].longest[WAY_LEAVES]) {
+        s.n = before + f[COST_STEP].longest[WAY_LEAVES] + f[COST_EXIT].longest[WAY_ENDS];
         s.step_way = WAY_LEAVES;
         s.exit = true;
         consider(best, s);
@@ -181,12 +183,12 @@ static Step longest_first(const Fn *f)
 {
     Step best = {0, false, false, false, WAY_ENDS, WAY_ENDS};
     const Step left = {
-        f[BLOCK_ENTRY].longest[WAY_LEAVES] + f[BLOCK_EXIT].longest[WAY_ENDS], true, false, true, WAY_LEAVES, WAY_ENDS};
-    const Step ended = {f[BLOCK_ENTRY].longest[WAY_ENDS], true, false, false, WAY_ENDS, WAY_ENDS};
+        f[COST_ENTRY].longest[WAY_LEAVES] + f[COST_EXIT].longest[WAY_ENDS], true, false, true, WAY_LEAVES, WAY_ENDS};
+    const Step ended = {f[COST_ENTRY].longest[WAY_ENDS], true, false, false, WAY_ENDS, WAY_ENDS};
 
-    if (f[BLOCK_ENTRY].longest[WAY_LEAVES])
+    if (f[COST_ENTRY].longest[WAY_LEAVES])
         consider(&best, left);
-    if (f[BLOCK_ENTRY].ends)
+    if (f[COST_ENTRY].ends)
         consider_step(&best, f, ended);
     return best;
 }
@@ -195,25 +197,25 @@ static void follow_step(Reader *r, StateCost *s, const Fn *sample, const Fn *f, 
 {
     follow(r, s, sample, COST_SAMPLE, WAY_ENDS);
     if (step->entry)
-        follow(r, s, &f[BLOCK_ENTRY], COST_ENTRY, step->entry_way);
+        follow(r, s, &f[COST_ENTRY], COST_ENTRY, step->entry_way);
     if (step->step)
-        follow(r, s, &f[BLOCK_STEP], COST_STEP, step->step_way);
+        follow(r, s, &f[COST_STEP], COST_STEP, step->step_way);
     if (step->exit)
-        follow(r, s, &f[BLOCK_EXIT], COST_EXIT, WAY_ENDS);
+        follow(r, s, &f[COST_EXIT], COST_EXIT, WAY_ENDS);
 }
 
 static void cost_of_state(Reader *r, uint32_t state, const Fn *sample, StateCost *s)
 {
-    Fn f[BLOCK_COUNT];
+    Fn f[STATE_FUNCTIONS];
     Step first, later = {0, false, false, false, WAY_ENDS, WAY_ENDS};
 
-    for (uint32_t b = 0; b < BLOCK_COUNT; b++)
+    for (uint32_t b = 0; b < STATE_FUNCTIONS; b++)
         f[b] = read_function(r, 1 + 3 * state + b);
     first = longest_first(f);
-    if (f[BLOCK_ENTRY].ends && f[BLOCK_STEP].ends)                // otherwise its first step is its last
+    if (f[COST_ENTRY].ends && f[COST_STEP].ends)                // otherwise its first step is its last
         consider_step(&later, f, later);
     s->first = r->always + sample->longest[WAY_ENDS] + first.n;
-    s->later = f[BLOCK_ENTRY].ends && f[BLOCK_STEP].ends ? r->always + sample->longest[WAY_ENDS] + later.n : 0;
+    s->later = f[COST_ENTRY].ends && f[COST_STEP].ends ? r->always + sample->longest[WAY_ENDS] + later.n : 0;
     s->worst = larger(s->first, s->later);
     follow_step(r, s, sample, f, first.n >= later.n ? &first : &later);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/analysis/moments.h"
+#include "compiler/analysis/timestamps.h"
 
 #include "stdlib/math.h"
 

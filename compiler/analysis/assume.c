@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/analysis/whatif.h"
+#include "compiler/analysis/assume.h"
 
 Fact fact_of_number(SmF64 x) { return fact_of_cell(SM_F64, sm_bits(x)); }
 

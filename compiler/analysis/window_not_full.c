@@ -10,7 +10,7 @@
 // does a timer if the step is unknown.
 #include <string.h>
 
-#include "compiler/analysis/questions.h"
+#include "compiler/analysis/trial_checks.h"
 #include "compiler/ir/eval.h"
 
 enum {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Guards that were evaluated before another one: enclosing guards that were false, and guards whose branch left the state.
 // Finds the one that leaves no case for the current guard, or leaves exactly its cases.
-#include "compiler/analysis/before.h"
+#include "compiler/analysis/earlier_guards.h"
 
-#include "compiler/analysis/implies.h"
-#include "compiler/analysis/whatif.h"
+#include "compiler/analysis/assume.h"
+#include "compiler/analysis/guards_imply.h"
 
 bool is_unchanged(const Structure *k, const Stmt *s, const Expr *e)
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared by the analysis of structure: dead.c walks the statements, guards.c judges each guard that the walk meets, reach.c
+// Shared by the analysis of structure: dead_code.c walks the statements, constant_guard.c judges each guard that the walk meets, reach.c
 // reports states.  One cause produces one finding: consequences of a finding, or of an intentional switch, are not reported
 // again.
-#ifndef SMC_STRUCTURE_H
-#define SMC_STRUCTURE_H
+#ifndef SMC_REACH_H
+#define SMC_REACH_H
 
 #include "compiler/analysis/analysis.h"
 
@@ -55,7 +55,7 @@ typedef struct Structure {
 // Walks all statements of the states that are reachable according to the facts.
 void find_dead(Structure *k);
 
-// guards.c: which branches of a conditional may be executed, and the cause if one may not.
+// constant_guard.c: which branches of a conditional may be executed, and the cause if one may not.
 typedef struct Verdict {
     bool then, otherwise;
     uint32_t dead;                // 1 + index in Structure.dead; 0: earlier guards cover all other cases, as intended
