@@ -245,7 +245,7 @@ static IrMachine *take_built(Session *s, const Program *p)
 IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 {
     IrMachine *m = take_built(s, p);
-    PassOptions o = {opt_level, NULL, s->check_passes, after_pass, s};
+    PassOptions o = {opt_level, NULL, s->check_passes, false, after_pass, s};
     const char *wrong;
 
     if (s->hide_locals)
@@ -266,7 +266,9 @@ bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions
 
 void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code)
 {
-    emit_c_machine(&s->arena, m, o, header, code);
+    const PassOptions p = {0, NULL, s->check_passes, o && o->soft, after_pass, s};
+
+    emit_c_machine(&s->arena, passes_for_c(&s->arena, m, &p), o, header, code);
 }
 
 void session_emit_c_io(Session *s, const IoMap *io, const EmitCOptions *o, Buf *header, Buf *code)

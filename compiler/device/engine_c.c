@@ -5,6 +5,7 @@
 
 #include "compiler/base/os.h"
 #include "compiler/base/os_process.h"
+#include "compiler/passes/pass.h"
 #include "compiler/pipeline.h"
 
 typedef struct EngineC {
@@ -306,9 +307,10 @@ static void emit(Arena *arena, const IrMachine *const *m, size_t n, bool soft, B
 {
     const IrMachine **form = ARENA_ARRAY(arena, const IrMachine *, FORMS * n);
     bool *track_stores = ARENA_ARRAY(arena, bool, FORMS * n);
+    const PassOptions o = {.soft = soft};
 
     for (size_t i = 0; i < FORMS * n; i++) {
-        form[i] = m[i / FORMS];
+        form[i] = i % FORMS == 0 ? passes_for_c(arena, m[i / FORMS], &o) : form[i - 1];
         track_stores[i] = i % FORMS == 0;
     }
     emit_c_driver(arena, form, track_stores, FORMS * n, soft, code);

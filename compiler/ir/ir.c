@@ -2,6 +2,8 @@
 // The table of operations, and helpers for functions: append blocks and instructions, count uses.
 #include "compiler/ir/ir.h"
 
+#include <string.h>
+
 const IrOpInfo ir_op_info[IR_OP_COUNT] = {
 #define IR_OP(name, operands, types, narrow, effect, meaning) {#name, operands, IR_T_##types, IR_N_##narrow, effect},
 #include "compiler/ir/ops.def"
@@ -30,6 +32,40 @@ IrBlkRef ir_block(Arena *arena, IrFn *f)
 
     vec_push(arena, &f->blk, b);
     return (IrBlkRef)(f->blk.n - 1);
+}
+
+static IrFn *copy_function(Arena *arena, const IrFn *f)
+{
+    IrFn *copy;
+
+    if (!f)
+        return NULL;
+    copy = ARENA_NEW(arena, IrFn);
+    for (size_t i = 0; i < f->ins.n; i++)
+        vec_push(arena, &copy->ins, f->ins.at[i]);
+    for (size_t b = 0; b < f->blk.n; b++) {
+        IrBlk blk = {.jump = f->blk.at[b].jump};
+        for (size_t p = 0; p < f->blk.at[b].ins.n; p++)
+            vec_push(arena, &blk.ins, f->blk.at[b].ins.at[p]);
+        vec_push(arena, &copy->blk, blk);
+    }
+    return copy;
+}
+
+IrMachine *ir_copy(Arena *arena, const IrMachine *m)
+{
+    IrMachine *copy = ARENA_NEW(arena, IrMachine);
+
+    *copy = *m;
+    copy->sample = copy_function(arena, m->sample);
+    memset(&copy->state, 0, sizeof copy->state);
+    for (size_t s = 0; s < m->state.n; s++) {
+        IrState state = m->state.at[s];
+        for (int k = 0; k < BLOCK_COUNT; k++)
+            state.block[k] = copy_function(arena, state.block[k]);
+        vec_push(arena, &copy->state, state);
+    }
+    return copy;
 }
 
 static void count_operands(const IrIns *i, uint32_t *uses)

@@ -51,6 +51,17 @@ extern const IrOpInfo ir_op_info[IR_OP_COUNT];
 
 bool ir_may_be_of(IrOp op, SmType type);          // whether a SAME operation may work on this type
 
+static inline bool ir_is_float(SmType t) { return sm_type_info[t].kind == SM_KIND_FLOAT; }
+static inline bool ir_is_integer(SmType t) { return sm_type_info[t].kind == SM_KIND_SIGNED || sm_type_info[t].kind == SM_KIND_UNSIGNED; }
+
+// Whether integer type `wide` represents every value of integer type `type`.
+static inline bool ir_integer_contains(SmType wide, SmType type)
+{
+    const SmTypeInfo *w = &sm_type_info[wide], *t = &sm_type_info[type];
+
+    return w->bytes > t->bytes ? w->kind == SM_KIND_SIGNED || t->kind == SM_KIND_UNSIGNED : w->bytes == t->bytes && w->kind == t->kind;
+}
+
 typedef uint32_t IrRef;               // a temporary: the number of the instruction that produces it
 typedef uint32_t IrBlkRef;            // index into IrFn.blk
 #define IR_NONE UINT32_MAX
@@ -132,6 +143,7 @@ typedef struct IrMachine {
     const Program *program;           // the program it was built from, for names and spans; NULL if read from text
     const uint32_t *var_of;           // set by ir_build: by Program.var, the index into `var`; IR_NONE: a constant
     const uint32_t *window_of;        // set by ir_build: by Program.window, the index into `window`
+    struct FactMachine *values;       // set by passes_for_c: the possible values of variables when functions begin (facts/facts.h)
 } IrMachine;
 
 // ---- building, text, checks ----
@@ -152,6 +164,8 @@ const char *ir_verify(Arena *arena, const IrMachine *m);
 
 IrRef ir_emit(Arena *arena, IrFn *f, IrBlkRef b, IrIns ins);  // appends an instruction to a block
 IrBlkRef ir_block(Arena *arena, IrFn *f);                     // a new, empty block, last in f
+// A copy whose functions can be changed.  It shares everything else with m.
+IrMachine *ir_copy(Arena *arena, const IrMachine *m);
 // For each instruction, the number of operands and jumps that name it.
 uint32_t *ir_count_uses(Arena *arena, const IrFn *f);
 // For each block, whether it is reachable from the first.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The optimiser: the passes of passes.def, run in order on a machine.  It changes the machine in place, preserves its meaning, and
-// never reports anything to the user.
+// never reports anything to the user.  passes.def has two pipelines: RUN for every machine, and RUN_FOR_C for what only emitted C profits
+// from, which runs after it on a copy.
 #ifndef SMC_PASS_H
 #define SMC_PASS_H
 
@@ -35,6 +36,7 @@ typedef struct Facts {
     uint32_t *uses;       // by instruction
     const IrMachine *m;   // whose function it is
     VarNotes *notes;      // free for use by a pass
+    bool soft;            // PassOptions.soft
 } Facts;
 
 // A pass over one function.  It may change `facts` along with the function.
@@ -53,10 +55,12 @@ typedef enum PassId {
 #define PASS(name, needs, breaks, sentence) PASS_##name,
 #define PASS_MACHINE(name, needs, breaks, sentence) PASS_##name,
 #define RUN(level, name)
+#define RUN_FOR_C(name)
 #include "compiler/passes/passes.def"
 #undef PASS
 #undef PASS_MACHINE
 #undef RUN
+#undef RUN_FOR_C
     PASS_COUNT
 } PassId;
 
@@ -68,6 +72,7 @@ typedef struct PassOptions {
     int level;                                        // -O: passes of a higher level do not run; 0 runs none
     const char *only;                                 // a comma-separated list: run just these, in this order; or NULL
     bool verify;                                      // check the machine before the first pass and after each
+    bool soft;                                        // for emitted C whose numbers are computed in software
     void (*after)(void *context, const PassInfo *pass, const IrMachine *m);    // called after each pass; or NULL
     void *context;
 } PassOptions;
@@ -76,14 +81,20 @@ typedef struct PassOptions {
 // the machine.
 const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o);
 
+// Prepares a machine for the C emitter, after passes_run: returns a copy on which the passes marked RUN_FOR_C have run, with `values` set.
+// m is unchanged and can become an image.  `o` may be NULL; `level` and `only` are ignored.
+IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o);
+
 // ---- the passes, each in its own file ----
 
 #define PASS(name, needs, breaks, sentence) void pass_##name(Arena *arena, IrFn *f, Facts *facts);
 #define PASS_MACHINE(name, needs, breaks, sentence) void pass_##name(Arena *arena, IrMachine *m, FactMachine *values);
 #define RUN(level, name)
+#define RUN_FOR_C(name)
 #include "compiler/passes/passes.def"
 #undef PASS
 #undef PASS_MACHINE
 #undef RUN
+#undef RUN_FOR_C
 
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the passes in their order, computes the facts they need when those are missing, and checks their work.
+#include <assert.h>
 #include <string.h>
 
 #include "compiler/passes/pass.h"
@@ -8,10 +9,12 @@ const PassInfo pass_info[PASS_COUNT] = {
 #define PASS(name, needs, breaks, sentence) {#name, needs, breaks, sentence, pass_##name, NULL},
 #define PASS_MACHINE(name, needs, breaks, sentence) {#name, needs, breaks, sentence, NULL, pass_##name},
 #define RUN(level, name)
+#define RUN_FOR_C(name)
 #include "compiler/passes/passes.def"
 #undef PASS
 #undef PASS_MACHINE
 #undef RUN
+#undef RUN_FOR_C
 };
 
 typedef struct PassRun { int level; PassId pass; } PassRun;
@@ -20,10 +23,24 @@ static const PassRun runs[] = {
 #define PASS(name, needs, breaks, sentence)
 #define PASS_MACHINE(name, needs, breaks, sentence)
 #define RUN(level, name) {level, PASS_##name},
+#define RUN_FOR_C(name)
 #include "compiler/passes/passes.def"
 #undef PASS
 #undef PASS_MACHINE
 #undef RUN
+#undef RUN_FOR_C
+};
+
+static const PassId runs_for_c[] = {
+#define PASS(name, needs, breaks, sentence)
+#define PASS_MACHINE(name, needs, breaks, sentence)
+#define RUN(level, name)
+#define RUN_FOR_C(name) PASS_##name,
+#include "compiler/passes/passes.def"
+#undef PASS
+#undef PASS_MACHINE
+#undef RUN
+#undef RUN_FOR_C
 };
 
 typedef struct Runner {
@@ -171,6 +188,7 @@ static void prepare_facts(Runner *r)
     for (size_t f = 0; f < functions; f++) {
         r->facts[f].m = r->m;
         r->facts[f].notes = &r->notes;
+        r->facts[f].soft = r->o->soft;
     }
 }
 
@@ -187,4 +205,21 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
         if (runs[p].level <= o->level)
             wrong = run_pass(&r, &pass_info[runs[p].pass]);
     return wrong;
+}
+
+// The values are found before the passes run.  They stay true, because passes preserve the meaning of the machine.  Afterwards less would be
+// found: without its branch, the limit of a counter is no longer a guard.
+IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o)
+{
+    static const PassOptions none = {0};
+    Runner r = {arena, ir_copy(arena, m), o ? o : &none, NULL, {NULL, 0}, NULL};
+    const char *wrong = NULL;
+
+    prepare_facts(&r);
+    r.m->values = r.values = facts_of_machine(arena, r.m);
+    for (size_t p = 0; !wrong && p < sizeof runs_for_c / sizeof runs_for_c[0]; p++)
+        wrong = run_pass(&r, &pass_info[runs_for_c[p]]);
+    assert(!wrong && !ir_verify(arena, r.m));
+    (void)wrong;
+    return r.m;
 }

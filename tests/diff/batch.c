@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "compiler/emit/c/emit_c.h"
+#include "compiler/passes/pass.h"
 #include "tests/diff/subject.h"
 
 enum { PATH = 500 };
@@ -87,9 +88,10 @@ static void emit(Talk *t, bool soft, const char *folder)
 {
     const IrMachine *m[BATCH_MAX * FORM_COUNT];
     bool track[BATCH_MAX * FORM_COUNT];
+    const PassOptions o = {.verify = true, .soft = soft};
     Buf code;
     for (uint32_t i = 0; i < t->n; i++) {
-        m[i] = t->part[i].ir;
+        m[i] = passes_for_c(t->arena, t->part[i].ir, &o);
         track[i] = t->part[i].tracks;
     }
     buf_init(&code, t->arena);

@@ -55,7 +55,7 @@ static void check_backends(Session *s, IrMachine *m)
 
 static void check_sound(Session *s, IrMachine *m)
 {
-    PassOptions o = {2, NULL, true, NULL, NULL};
+    PassOptions o = {.level = 2, .verify = true};
     const char *text;
 
     for (size_t k = 0; k < m->state.n * BLOCK_COUNT; k++)

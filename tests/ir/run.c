@@ -198,7 +198,7 @@ static IrMachine *machine_of(Session *s, const TestFile *t)
 
 static bool check_passes(Session *s, const TestFile *t, bool print)
 {
-    PassOptions o = {0, testfile_header(t, "passes"), true, NULL, NULL};
+    PassOptions o = {.only = testfile_header(t, "passes"), .verify = true, .soft = testfile_header(t, "soft") != NULL};
     IrMachine *m = machine_of(s, t);
     const char *wrong = m ? passes_run(&s->arena, m, &o) : NULL, *got;
 

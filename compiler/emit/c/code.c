@@ -79,12 +79,11 @@ static void put_line(CFn *fn, const char *text)
 
 // ---- statements ----
 
-static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 
 // Sets a new variable from r, with its declaration unless that must be at the top.
 static void put_variable(CFn *fn, IrRef r)
 {
-    const SmType type = ins(fn, r)->type;
+    const SmType type = c_ins(fn, r)->type;
     const char *name = format_in(fn->u->arena, type == SM_BOOL ? "test%u" : "value%u", ++fn->values);
 
     if (fn->hoist)
@@ -139,10 +138,10 @@ static void put_statements(CFn *fn, uint32_t b)
         const IrRef r = blk->ins.at[p];
         if (fn->ins[r].how == C_VARIABLE)
             put_variable(fn, r);
-        else if (fn->ins[r].how == C_EFFECT && ins(fn, r)->op == IR_store)
-            put_store(fn, ins(fn, r));
+        else if (fn->ins[r].how == C_EFFECT && c_ins(fn, r)->op == IR_store)
+            put_store(fn, c_ins(fn, r));
         else if (fn->ins[r].how == C_EFFECT)
-            put_sample(fn, ins(fn, r));
+            put_sample(fn, c_ins(fn, r));
     }
     put_stored(fn);
 }
@@ -387,7 +386,7 @@ static CFn *fn_new(CUnit *u, const IrFn *f, const Env *begin)
     CFn *fn = ARENA_NEW(u->arena, CFn);
 
     fn->u = u;
-    fn->f = f = fn_straight(u, f);
+    fn->f = f;
     fn->ins = ARENA_ARRAY(u->arena, CIns, f->ins.n);
     fn->var = u->var_use;
     fn->window_sample = u->window_sample;
@@ -398,7 +397,7 @@ static CFn *fn_new(CUnit *u, const IrFn *f, const Env *begin)
     buf_init(&fn->body, u->arena);
     buf_init(&fn->line, u->arena);
     buf_init(&fn->declarations, u->arena);
-    plan_constants(fn, begin);
+    plan_facts(fn, begin);
     flow_init(fn);
     plan_function(fn);
     fn->returns_state = makes_transition(f, &fn->flow);

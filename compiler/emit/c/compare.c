@@ -5,7 +5,6 @@
 #include "compiler/ir/comparison.h"
 #include "stdlib/convert.h"
 
-static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 static void put(CFn *fn, const char *text) { buf_str(&fn->line, text); }
 
 static const char *const compare_text[] = {
@@ -16,12 +15,12 @@ static const char *const compare_text[] = {
 // Whether two temporaries can produce the same C expression.
 static bool is_same_text(const CFn *fn, IrRef a, IrRef b)
 {
-    const IrIns *x = ins(fn, a), *y = ins(fn, b);
+    const IrIns *x = c_ins(fn, a), *y = c_ins(fn, b);
 
     if (a == b)
         return true;
-    if (fn->ins[a].is_const || fn->ins[b].is_const)
-        return fn->ins[a].is_const && fn->ins[b].is_const && fn->ins[a].bits == fn->ins[b].bits;
+    if (c_is_const(fn, a) || c_is_const(fn, b))
+        return c_is_const(fn, a) && c_is_const(fn, b) && c_ins(fn, a)->bits == c_ins(fn, b)->bits;
     if (x->op != y->op || x->type != y->type)
         return false;
     if (x->op == IR_load || x->op == IR_stat)
@@ -35,35 +34,35 @@ static bool is_same_text(const CFn *fn, IrRef a, IrRef b)
 static bool is_undecided(const CFn *fn, IrOp op, IrRef limit, SmType t)
 {
     const Fact r = fact_of_type(t);
-    const double x = sm_cell_to_f64(ins(fn, limit)->type, fn->ins[limit].bits);
+    const double x = sm_cell_to_f64(c_ins(fn, limit)->type, c_ins(fn, limit)->bits);
 
     return x >= r.lo && x <= r.hi && !(x == r.lo && (op == IR_lt || op == IR_ge)) && !(x == r.hi && (op == IR_gt || op == IR_le));
 }
 
 // The type of the operand before C converts it.
-static SmType source_type(const CFn *fn, IrRef r) { return ins(fn, is_widening(fn, r) ? ins(fn, r)->a : r)->type; }
+static SmType source_type(const CFn *fn, IrRef r) { return c_ins(fn, is_widening(fn, r) ? c_ins(fn, r)->a : r)->type; }
 
 static bool compares_integers(const CFn *fn, const IrIns *i)
 {
-    if (!c_is_integer(ins(fn, i->a)->type) || is_same_text(fn, i->a, i->b))
+    if (!c_is_integer(c_ins(fn, i->a)->type) || is_same_text(fn, i->a, i->b))
         return false;
-    if (fn->ins[i->a].is_const)
-        return !fn->ins[i->b].is_const && is_undecided(fn, ir_swap_comparison(i->op), i->a, source_type(fn, i->b));
-    return !fn->ins[i->b].is_const || is_undecided(fn, i->op, i->b, source_type(fn, i->a));
+    if (c_is_const(fn, i->a))
+        return !c_is_const(fn, i->b) && is_undecided(fn, ir_swap_comparison(i->op), i->a, source_type(fn, i->b));
+    return !c_is_const(fn, i->b) || is_undecided(fn, i->op, i->b, source_type(fn, i->a));
 }
 
 // ---- bools ----
 
 static bool compares_bools(const CFn *fn, const IrIns *i)
 {
-    return ir_is_equality(i->op) && ins(fn, i->a)->type == SM_BOOL && !is_same_text(fn, i->a, i->b);
+    return ir_is_equality(i->op) && c_ins(fn, i->a)->type == SM_BOOL && !is_same_text(fn, i->a, i->b);
 }
 
 // ---- all types ----
 
 static void put_sides(CFn *fn, const IrIns *i, const char *text)
 {
-    const SmType type = ins(fn, i->a)->type;
+    const SmType type = c_ins(fn, i->a)->type;
     const bool integers = compares_integers(fn, i), bools = compares_bools(fn, i);
     // C converts the shorter integer implicitly if the other side has the common type.
     const bool bare = integers && !(is_widening(fn, i->a) && is_widening(fn, i->b));
@@ -72,7 +71,7 @@ static void put_sides(CFn *fn, const IrIns *i, const char *text)
         const IrRef r = side ? i->b : i->a;
         put(fn, side ? text : "");
         if (integers)
-            put_value(fn, bare && is_widening(fn, r) ? ins(fn, r)->a : r, PREC_ADD);
+            put_value(fn, bare && is_widening(fn, r) ? c_ins(fn, r)->a : r, PREC_ADD);
         else if (bools || type == SM_F32)
             put_value(fn, r, bools ? PREC_PRIMARY : PREC_ADD);
         else

@@ -4,7 +4,6 @@
 #include "compiler/emit/c/fn.h"
 #include "stdlib/convert.h"
 
-static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 static void put(CFn *fn, const char *text) { buf_str(&fn->line, text); }
 static unsigned bits_of(SmType t) { return sm_type_info[t].bytes * 8u; }
 static bool is_signed(SmType t) { return sm_type_info[t].kind == SM_KIND_SIGNED; }
@@ -19,16 +18,16 @@ bool c_holds_all(SmType to, SmType from)
 
 bool is_widening(const CFn *fn, IrRef r)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
 
-    return !fn->ins[r].is_const && fn->ins[r].how == C_INLINE && i->op == IR_cvt && c_is_integer(i->type) &&
-           c_is_integer(ins(fn, i->a)->type) && c_holds_all(i->type, ins(fn, i->a)->type);
+    return !c_is_const(fn, r) && fn->ins[r].how == C_INLINE && i->op == IR_cvt && c_is_integer(i->type) &&
+           c_is_integer(c_ins(fn, i->a)->type) && c_holds_all(i->type, c_ins(fn, i->a)->type);
 }
 
 void put_assigned(CFn *fn, IrRef r)
 {
     while (is_widening(fn, r))
-        r = ins(fn, r)->a;
+        r = c_ins(fn, r)->a;
     put_value(fn, r, PREC_ANY);
 }
 
@@ -54,7 +53,7 @@ static void put_choice(CFn *fn, IrRef r, SmType to, int prec)
 // Whether r is an inlined load of an F32 element: its checked read produces a double.
 static bool is_read_here(const CFn *fn, IrRef r)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
 
     return i->op == IR_load && i->type == SM_F32 && fn->u->m->var.at[i->var].space == IR_ELEMENT && fn->ins[r].how == C_INLINE;
 }
@@ -64,7 +63,7 @@ static bool is_exact(const CFn *fn, IrRef r) { return fact_within(fn->ins[r].fac
 
 static void put_cast(CFn *fn, SmType to, IrRef r, int prec)
 {
-    const SmType from = ins(fn, r)->type;
+    const SmType from = c_ins(fn, r)->type;
     bool opened;
 
     if (c_is_soft(fn, from) || (c_is_soft(fn, to) && bits_of(from) > 16)) {
@@ -85,10 +84,10 @@ static void put_cast(CFn *fn, SmType to, IrRef r, int prec)
 
 void put_double(CFn *fn, IrRef r, int prec)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
 
-    if (fn->ins[r].is_const && i->type != SM_F64)
-        put_constant(fn, r, SM_F64, sm_bits(sm_cell_to_f64(i->type, fn->ins[r].bits)));
+    if (c_is_const(fn, r) && i->type != SM_F64)
+        put_constant(fn, r, SM_F64, sm_bits(sm_cell_to_f64(i->type, c_ins(fn, r)->bits)));
     else if (is_read_here(fn, r))
         put_float_load(fn, r, SM_F64);
     else if (i->type == SM_F64)
@@ -111,7 +110,7 @@ static void put_call_on_double(CFn *fn, const char *helper, IrRef r)
 
 void put_not_zero(CFn *fn, IrRef r, bool negated, int prec)
 {
-    const SmType type = ins(fn, r)->type;
+    const SmType type = c_ins(fn, r)->type;
     bool opened;
 
     if (c_is_soft(fn, type)) {
@@ -142,7 +141,7 @@ static SmType clipping_type(SmType from) { return c_holds_all(SM_I32, from) ? SM
 // Writes r clamped to the limits of `to`.  Where a limit of the clipping type is tighter, that one is used.
 static void put_clipped(CFn *fn, IrRef r, SmType to, int prec)
 {
-    const SmType from = ins(fn, r)->type, in = clipping_type(from);
+    const SmType from = c_ins(fn, r)->type, in = clipping_type(from);
     const bool opened = open_parens(fn, PREC_UNARY, prec);
 
     put(fn, "(");
@@ -160,12 +159,12 @@ static void put_clipped(CFn *fn, IrRef r, SmType to, int prec)
 // A value that is not exactly representable as an F64 is rounded to one first.
 static bool goes_by_double(const CFn *fn, IrRef r, SmType to)
 {
-    return bits_of(to) == 64 && bits_of(ins(fn, r)->type) == 64 && !is_exact(fn, r);
+    return bits_of(to) == 64 && bits_of(c_ins(fn, r)->type) == 64 && !is_exact(fn, r);
 }
 
 static void put_integer(CFn *fn, IrRef r, SmType to, int prec)
 {
-    const SmType from = ins(fn, r)->type;
+    const SmType from = c_ins(fn, r)->type;
 
     if (goes_by_double(fn, r, to))
         put_call_on_double(fn, to_helper[to], r);
@@ -205,22 +204,22 @@ static bool find_divisor(const CFn *fn, const IrIns *i, double *d)
 
 static bool find_quotient(const CFn *fn, IrRef r, Quotient *q)
 {
-    const IrIns *i = ins(fn, r), *a;
+    const IrIns *i = c_ins(fn, r), *a;
 
-    if (fn->ins[r].is_const || fn->ins[r].how != C_INLINE || i->type != SM_F64 || (i->op != IR_div && i->op != IR_mul))
+    if (c_is_const(fn, r) || fn->ins[r].how != C_INLINE || i->type != SM_F64 || (i->op != IR_div && i->op != IR_mul))
         return false;
-    a = ins(fn, i->a);
-    if (fn->ins[i->a].is_const || fn->ins[i->a].how != C_INLINE || a->op != IR_cvt || !fn->ins[i->b].is_const)
+    a = c_ins(fn, i->a);
+    if (c_is_const(fn, i->a) || fn->ins[i->a].how != C_INLINE || a->op != IR_cvt || !c_is_const(fn, i->b))
         return false;
     q->x = a->a;
-    return c_is_integer(ins(fn, q->x)->type) && c_holds_all(SM_I32, ins(fn, q->x)->type) && find_divisor(fn, i, &q->d);
+    return c_is_integer(c_ins(fn, q->x)->type) && c_holds_all(SM_I32, c_ins(fn, q->x)->type) && find_divisor(fn, i, &q->d);
 }
 
 static void put_quotient(CFn *fn, const Quotient *q, int prec)
 {
     const bool opened = open_parens(fn, PREC_MUL, prec);
 
-    if (ins(fn, q->x)->type != SM_I32)
+    if (c_ins(fn, q->x)->type != SM_I32)
         put_cast(fn, SM_I32, q->x, PREC_MUL);
     else
         put_value(fn, q->x, PREC_MUL);
@@ -268,7 +267,7 @@ static void put_cut(CFn *fn, IrRef r, SmType to, int prec)
 
 static void put_to_float(CFn *fn, IrRef r, SmType to, int prec)
 {
-    const SmType from = ins(fn, r)->type;
+    const SmType from = c_ins(fn, r)->type;
     const bool nan = is_float(from) && fn->ins[r].fact.nan;
 
     if (from == to && !nan)
@@ -302,7 +301,7 @@ static void put_to_bool(CFn *fn, IrRef r, int prec)
 
 void put_cvt(CFn *fn, const IrIns *i, int prec)
 {
-    const SmType from = ins(fn, i->a)->type, to = i->type;
+    const SmType from = c_ins(fn, i->a)->type, to = i->type;
 
     if (from == SM_F64 && put_count(fn, i->a, to))
         return;

@@ -4,7 +4,6 @@
 #include "compiler/emit/c/fn.h"
 #include "stdlib/convert.h"
 
-static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 static void put(CFn *fn, const char *text) { buf_str(&fn->line, text); }
 
 // A counter and its increment: a constant, or the conversion of an integer or a boolean.
@@ -17,17 +16,17 @@ typedef struct Count {
 // The integer that r, inlined, converts to F64; or IR_NONE.
 static IrRef integer_of(const CFn *fn, IrRef r)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
 
-    return !fn->ins[r].is_const && fn->ins[r].how == C_INLINE && i->op == IR_cvt && c_is_integer(ins(fn, i->a)->type) ? i->a : IR_NONE;
+    return !c_is_const(fn, r) && fn->ins[r].how == C_INLINE && i->op == IR_cvt && c_is_integer(c_ins(fn, i->a)->type) ? i->a : IR_NONE;
 }
 
 // The boolean that r, inlined, converts to F64; or IR_NONE.
 static IrRef truth_of(const CFn *fn, IrRef r)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
 
-    return !fn->ins[r].is_const && fn->ins[r].how == C_INLINE && i->op == IR_cvt && ins(fn, i->a)->type == SM_BOOL ? i->a : IR_NONE;
+    return !c_is_const(fn, r) && fn->ins[r].how == C_INLINE && i->op == IR_cvt && c_ins(fn, i->a)->type == SM_BOOL ? i->a : IR_NONE;
 }
 
 static bool is_step(const CFn *fn, IrRef r)
@@ -36,18 +35,18 @@ static bool is_step(const CFn *fn, IrRef r)
 
     if (truth_of(fn, r) != IR_NONE)
         return true;
-    return x.whole && fact_within(x, -FACT_EXACT / 2, FACT_EXACT / 2) && (fn->ins[r].is_const ? x.lo != 0 : integer_of(fn, r) != IR_NONE);
+    return x.whole && fact_within(x, -FACT_EXACT / 2, FACT_EXACT / 2) && (c_is_const(fn, r) ? x.lo != 0 : integer_of(fn, r) != IR_NONE);
 }
 
 static bool is_counted(const CFn *fn, IrRef r, SmType to)
 {
-    return integer_of(fn, r) != IR_NONE && ins(fn, integer_of(fn, r))->type == to;
+    return integer_of(fn, r) != IR_NONE && c_ins(fn, integer_of(fn, r))->type == to;
 }
 
 // Whether r is an inlined F64 `v + n` or `v - n`.
 static bool find_count(const CFn *fn, IrRef r, SmType to, Count *c)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
     const bool swap = i->op == IR_add && !is_counted(fn, i->a, to);
 
     if ((i->op != IR_add && i->op != IR_sub) || i->type != SM_F64 || fn->ins[r].how != C_INLINE)
@@ -79,9 +78,9 @@ static void put_step(CFn *fn, const Count *c, bool up)
     if (c->truth != IR_NONE) {
         put_condition(fn, c->truth, false, up ? PREC_ANY : PREC_OR);
         put(fn, up ? "" : c->down ? " ? -1 : 0" : " ? 1 : 0");
-    } else if (fn->ins[c->by].is_const) {
+    } else if (c_is_const(fn, c->by)) {
         put_constant(fn, c->by, SM_I64, sm_cell_from_f64(SM_I64, c->down ? -x : x));
-    } else if (c->down || ins(fn, n)->type == SM_U64) {
+    } else if (c->down || c_ins(fn, n)->type == SM_U64) {
         put(fn, c->down ? "-(int64_t)" : "(int64_t)");
         put_value(fn, n, PREC_PRIMARY);
     } else {
@@ -91,16 +90,16 @@ static void put_step(CFn *fn, const Count *c, bool up)
 
 bool soft_put_count(CFn *fn, const IrIns *store)
 {
-    const IrIns *i = ins(fn, store->a);
+    const IrIns *i = c_ins(fn, store->a);
     IrRef v;
     Count c;
 
-    if (!fn->u->soft || i->op != IR_cvt || i->type != SM_U64 || fn->ins[store->a].is_const || fn->ins[store->a].how != C_INLINE ||
-        ins(fn, i->a)->type != SM_F64 || !find_count(fn, i->a, SM_U64, &c) || c.truth != IR_NONE ||
+    if (!fn->u->soft || i->op != IR_cvt || i->type != SM_U64 || c_is_const(fn, store->a) || fn->ins[store->a].how != C_INLINE ||
+        c_ins(fn, i->a)->type != SM_F64 || !find_count(fn, i->a, SM_U64, &c) || c.truth != IR_NONE ||
         !is_up_by_one(fn, &c, SM_U64))
         return false;
     v = integer_of(fn, c.v);
-    if (ins(fn, v)->op != IR_load || ins(fn, v)->var != store->var || fn->ins[v].how != C_INLINE)
+    if (c_ins(fn, v)->op != IR_load || c_ins(fn, v)->var != store->var || fn->ins[v].how != C_INLINE)
         return false;
     put(fn, "sm_soft_count(&");
     put_cell(fn, store->var);

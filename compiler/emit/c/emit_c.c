@@ -97,7 +97,7 @@ void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const
     u->window_sample = ARENA_ARRAY(a, uint32_t, m->window.n);
     for (size_t w = 0; w < m->window.n; w++)
         u->window_sample[w] = UINT32_MAX;
-    u->facts = facts_of_machine(a, m);
+    u->facts = m->values;
     u->fit = format_in(a, "%s_is_fit", prefix);
 }
 

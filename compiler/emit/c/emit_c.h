@@ -23,7 +23,7 @@ typedef struct EmitCOptions {
 // start with an underscore and has no two in a row.
 const char *emit_c_prefix_error(const char *prefix);
 
-// Emits one machine.  `o` may be NULL.  The output depends on the arguments alone.
+// Emits one machine, which passes_for_c (passes/pass.h) has prepared.  `o` may be NULL.  The output depends on the arguments alone.
 void emit_c_machine(Arena *arena, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code);
 
 // Emits a state vector alone: the struct that the headers of its machines also declare.  With `runtime` also its storage, its tables, and
@@ -41,7 +41,7 @@ void emit_c_bytes(const Buf *image, Buf *out);
 // because that includes it.
 void emit_c_soft_library(Buf *header, Buf *code, Buf *assembly);
 
-// Emits several machines and a main as one translation unit: a program that runs them on commands from its standard input.
+// Emits several machines, prepared likewise, and a main as one translation unit: a program that runs them on commands from its standard input.
 // compiler/device/engine_c.c compiles and drives it.  track_stores is by machine.  `soft` is as above, with its library included.  The
 // exchange, lowest byte first and without padding:
 //   to it:    u32 machine, u32 command, then

@@ -7,7 +7,6 @@
 #include "compiler/emit/c/fn.h"
 #include "stdlib/convert.h"
 
-static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 static const IrVar *var(const CFn *fn, uint32_t v) { return &fn->u->m->var.at[v]; }
 
 bool c_is_integer(SmType t)
@@ -136,7 +135,7 @@ static bool has_copy(const CFn *fn, const IrIns *i)
 
 void put_float_load(CFn *fn, IrRef r, SmType as)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
     const bool copy = !fn->ins[r].unchecked && has_copy(fn, i);
     const SmType held = fn->ins[r].unchecked ? i->type : copy ? fn->var[i->var].copy_type : as;
 
@@ -169,7 +168,7 @@ static void put_time_value(CFn *fn, const IrIns *i, int prec)
 
 static void put_load_value(CFn *fn, IrRef r, int prec)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
     const bool truth = is_element(fn, i) && i->type == SM_BOOL;
     const bool checked = is_element(fn, i) && sm_type_info[i->type].kind == SM_KIND_FLOAT;
     const bool opened = open_parens(fn, truth ? PREC_EQ : checked && has_copy(fn, i) ? PREC_UNARY : PREC_PRIMARY, prec);
@@ -187,7 +186,7 @@ static void put_load_value(CFn *fn, IrRef r, int prec)
 // A local that is a constant has become a number; its name follows as a comment.
 void put_constant(CFn *fn, IrRef r, SmType type, uint64_t bits)
 {
-    const char *name = remark_constant(fn->u, ins(fn, r)->span);
+    const char *name = remark_constant(fn->u, c_ins(fn, r)->span);
 
     literal_put(fn->u, &fn->line, type, bits);
     if (*name)
@@ -201,11 +200,11 @@ void put_constant(CFn *fn, IrRef r, SmType type, uint64_t bits)
 static void put_integer_binary(CFn *fn, const IrIns *i, const char *text, int own, int prec)
 {
     const bool a = is_widening(fn, i->a), b = is_widening(fn, i->b), opened = open_parens(fn, own, prec);
-    const bool bare_a = a && !b && !fn->ins[i->b].is_const, bare_b = b && !fn->ins[i->a].is_const;
+    const bool bare_a = a && !b && !c_is_const(fn, i->b), bare_b = b && !c_is_const(fn, i->a);
 
-    put_value(fn, bare_a ? ins(fn, i->a)->a : i->a, own);
+    put_value(fn, bare_a ? c_ins(fn, i->a)->a : i->a, own);
     put(fn, text);
-    put_value(fn, bare_b ? ins(fn, i->b)->a : i->b, own + 1);
+    put_value(fn, bare_b ? c_ins(fn, i->b)->a : i->b, own + 1);
     close_parens(fn, opened);
 }
 
@@ -254,7 +253,7 @@ static void put_negative(CFn *fn, const IrIns *i, int prec)
 
 static void put_literal(CFn *fn, IrRef r, uint64_t bits, int prec)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
     const SmKind kind = sm_type_info[i->type].kind;
     const bool sign_bit = (bits >> (sm_type_info[i->type].bytes * 8 - 1) & 1) != 0;
     const bool negative = sign_bit && !(fn->u->soft && i->type == SM_F64) && (kind == SM_KIND_FLOAT || kind == SM_KIND_SIGNED);
@@ -266,11 +265,11 @@ static void put_literal(CFn *fn, IrRef r, uint64_t bits, int prec)
 
 void put_value(CFn *fn, IrRef r, int prec)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
     const CIns *c = &fn->ins[r];
 
-    if (c->is_const) {
-        put_literal(fn, r, c->bits, prec);
+    if (i->op == IR_const) {
+        put_literal(fn, r, i->bits, prec);
         return;
     }
     if (c->variable) {
@@ -304,9 +303,9 @@ void put_value(CFn *fn, IrRef r, int prec)
 // Writes a bool as a condition of C: an element's byte needs no comparison there.
 void put_condition(CFn *fn, IrRef r, bool negated, int prec)
 {
-    const IrIns *i = ins(fn, r);
-    const bool inside = !fn->ins[r].is_const && !fn->ins[r].variable;
-    const SmType from = inside && i->op == IR_cvt ? ins(fn, i->a)->type : SM_TYPE_COUNT;
+    const IrIns *i = c_ins(fn, r);
+    const bool inside = !c_is_const(fn, r) && !fn->ins[r].variable;
+    const SmType from = inside && i->op == IR_cvt ? c_ins(fn, i->a)->type : SM_TYPE_COUNT;
 
     if (inside && i->op == IR_not) {
         put_condition(fn, i->a, !negated, prec);

@@ -55,7 +55,6 @@ static void find_ways(CFn *fn)
     for (uint32_t b = end; b-- > 0;) {
         const IrBlk *blk = &fn->f->blk.at[b];
         const IrJump *j = &blk->jump;
-        bool taken;
         w->then[b] = w->other[b] = IR_NONE;
         switch (j->kind) {
         case IR_RET: w->then[b] = end; break;
@@ -64,9 +63,9 @@ static void find_ways(CFn *fn)
         case IR_BR:
             w->then[b] = thread[j->then];
             w->other[b] = thread[j->otherwise];
-            if (plan_branch(fn, j, &taken))
-                w->then[b] = taken ? w->then[b] : w->other[b];
-            if (plan_branch(fn, j, &taken) || w->then[b] == w->other[b])
+            if (c_is_const(fn, j->cond) && c_ins(fn, j->cond)->bits == 0)
+                w->then[b] = w->other[b];
+            if (c_is_const(fn, j->cond) || w->then[b] == w->other[b])
                 w->other[b] = IR_NONE;
             break;
         }

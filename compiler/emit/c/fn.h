@@ -16,8 +16,6 @@ typedef enum CHow {
 // What plan.c and expr.c know about an instruction.
 typedef struct CIns {
     CHow how;
-    bool is_const;            // its value is constant: `bits`
-    uint64_t bits;
     Fact fact;                // its possible values
     uint32_t uses;            // number of uses by instructions that are neither dead nor constant
     uint32_t latest;          // position in its block of the last statement whose expression contains it
@@ -50,7 +48,7 @@ typedef struct CDominators {
     uint32_t *parent, *shortcut, *depth;
 } CDominators;
 
-// The structure of the control flow, as code.c writes it.
+// The structure of the control flow, as code.c writes it.  A branch on a constant is not one.
 typedef struct CFlow {
     uint32_t n;               // number of blocks, plus one: the last represents the function's end
     uint32_t *then, *other;   // successors, with empty blocks skipped; IR_NONE: none
@@ -85,18 +83,15 @@ typedef struct CFn {
     bool returns_state;
 } CFn;
 
+static inline const IrIns *c_ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
+static inline bool c_is_const(const CFn *fn, IrRef r) { return c_ins(fn, r)->op == IR_const; }
+
 // ---- flow.c ----
 void flow_init(CFn *fn);
 bool flow_dominates(const CFlow *w, uint32_t a, uint32_t b);      // a and b must be reachable
 
-// ---- straight.c ----
-
-// Returns f, or a copy in which conditionals that only choose a value are replaced by straight-line code.
-const IrFn *fn_straight(CUnit *u, const IrFn *f);
-
 // ---- plan.c ----
-void plan_constants(CFn *fn, const Env *begin);   // must run first: finds constants and facts
-bool plan_branch(const CFn *fn, const IrJump *j, bool *taken);   // returns whether the branch is already decided
+void plan_facts(CFn *fn, const Env *begin);       // must run first
 void plan_function(CFn *fn);              // after flow_init
 
 // ---- reading.c ----

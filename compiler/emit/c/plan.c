@@ -1,42 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides which temporaries of a function become part of the expressions that use them, and which become variables.  A temporary is inlined
 // if it is used once and no store between its position and its use changes what it reads.  Expressions too deep for compilers are split.
-// Also finds constants, and elements that are read once for the whole function.
+// Also finds elements that are read once for the whole function.
 #include "compiler/emit/c/fn.h"
-#include "compiler/ir/eval.h"
 
 enum { LEVEL_MAX = 40 };      // deeper expressions are split; clang's limit is 256 nested parentheses
 
 static bool is_float(SmType t) { return t == SM_F64 || t == SM_F32; }
 
-// ---- constants ----
-
-static bool decides(const CFn *fn, IrOp op, IrRef r) { return fn->ins[r].is_const && ir_decides(op, fn->ins[r].bits != 0); }
-
-static SmF64 number(const CFn *fn, IrRef r)
-{
-    return r == IR_NONE ? sm_from_i32(0) : ir_number(fn->f->ins.at[r].type, fn->ins[r].bits);
-}
-
-static uint64_t fold(const CFn *fn, const IrIns *i)
-{
-    if (i->op == IR_const)
-        return i->bits;
-    if (decides(fn, i->op, i->a) || (i->b != IR_NONE && decides(fn, i->op, i->b)))
-        return i->op == IR_or;
-    return ir_cell(i->type, ir_eval(i->op, i->type, number(fn, i->a), number(fn, i->b)));
-}
-
-static bool can_fold(const CFn *fn, const IrIns *i)
-{
-    if (i->op == IR_const)
-        return true;
-    if (i->op == IR_and || i->op == IR_or)
-        return decides(fn, i->op, i->a) || decides(fn, i->op, i->b) || (fn->ins[i->a].is_const && fn->ins[i->b].is_const);
-    if (ir_op_info[i->op].effect || i->op == IR_load || i->op == IR_stat)
-        return false;
-    return fn->ins[i->a].is_const && (i->b == IR_NONE || fn->ins[i->b].is_const);
-}
+// ---- facts ----
 
 // In a block that is unreachable according to the facts, only the type restricts a value.
 static Fact fact_of(const FactFlow *flow, size_t b, IrRef r, SmType type)
@@ -47,33 +19,23 @@ static Fact fact_of(const FactFlow *flow, size_t b, IrRef r, SmType type)
     return flow->reached[b] ? flow->of[r] : any;
 }
 
-void plan_constants(CFn *fn, const Env *begin)
+void plan_facts(CFn *fn, const Env *begin)
 {
     const IrFn *f = fn->f;
     const FactFlow flow = facts_of_function(fn->u->facts, f, begin);
 
-    for (size_t b = 0; b < f->blk.n; b++) {
+    for (size_t b = 0; b < f->blk.n; b++)
         for (size_t p = 0; p < f->blk.at[b].ins.n; p++) {
             const IrRef r = f->blk.at[b].ins.at[p];
-            const IrIns *i = &f->ins.at[r];
-            fn->ins[r].is_const = can_fold(fn, i);
-            fn->ins[r].bits = fn->ins[r].is_const ? fold(fn, i) : 0;
-            fn->ins[r].fact = fact_of(&flow, b, r, i->type);
+            fn->ins[r].fact = fact_of(&flow, b, r, f->ins.at[r].type);
         }
-    }
-}
-
-bool plan_branch(const CFn *fn, const IrJump *j, bool *taken)
-{
-    *taken = fn->ins[j->cond].bits != 0;
-    return fn->ins[j->cond].is_const;
 }
 
 // ---- which instructions are needed, and how often ----
 
 static void use(CFn *fn, IrRef r)
 {
-    if (r != IR_NONE && !fn->ins[r].is_const)
+    if (r != IR_NONE && !c_is_const(fn, r))
         fn->ins[r].uses++;
 }
 
@@ -113,7 +75,7 @@ static void count_uses(CFn *fn, uint32_t b)
             var_use(fn, i->var)->stored = true;
         if (i->op == IR_load)
             var_use(fn, i->var)->loads += c->uses;
-        if ((c->uses == 0 && !ir_op_info[i->op].effect) || c->is_const)
+        if ((c->uses == 0 && !ir_op_info[i->op].effect) || i->op == IR_const)
             continue;
         use(fn, i->a);
         use(fn, i->b);
@@ -194,7 +156,7 @@ static CHow how(CFn *fn, const IrIns *i, const CIns *c)
 {
     if (ir_op_info[i->op].effect)
         return C_EFFECT;
-    if (c->uses == 0 || c->is_const)
+    if (c->uses == 0 || i->op == IR_const)
         return C_DEAD;
     if (next_store(fn, i) < c->latest)
         return C_VARIABLE;

@@ -5,18 +5,17 @@
 #include "compiler/emit/c/fn.h"
 #include "compiler/ir/comparison.h"
 
-static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 
 // The load of a float element whose value, as an F32 or an F64, is r; or IR_NONE.
 static IrRef read_by(const CFn *fn, IrRef r)
 {
     const IrIns *i;
 
-    if (r == IR_NONE || fn->ins[r].is_const)
+    if (r == IR_NONE || c_is_const(fn, r))
         return IR_NONE;
-    i = ins(fn, r);
-    if (i->op == IR_cvt && i->type == SM_F64 && ins(fn, i->a)->type == SM_F32)
-        i = ins(fn, r = i->a);
+    i = c_ins(fn, r);
+    if (i->op == IR_cvt && i->type == SM_F64 && c_ins(fn, i->a)->type == SM_F32)
+        i = c_ins(fn, r = i->a);
     return i->op == IR_load && fn->u->m->var.at[i->var].space == IR_ELEMENT && sm_type_info[i->type].kind == SM_KIND_FLOAT ? r : IR_NONE;
 }
 
@@ -43,7 +42,7 @@ static IrRef reading_side(const CFn *fn, const IrIns *i)
 
 static void note_compare(CFn *fn, IrRef r)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
     const IrRef x = reading_side(fn, i);
     CIns *c = &fn->ins[r];
 
@@ -62,11 +61,11 @@ static void note_compare(CFn *fn, IrRef r)
 // have no other use.
 static void excuse(CFn *fn, IrRef r, IrRef load)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
     CIns *c = &fn->ins[r];
     const IrRef x = ir_is_comparison(i->op) ? reading_side(fn, i) : IR_NONE;
 
-    if (c->is_const || c->uses != 1 || c->excused)
+    if (i->op == IR_const || c->uses != 1 || c->excused)
         return;
     if (x != IR_NONE && read_by(fn, x) == load && c->settled_by == IR_NONE) {
         c->excused = true;
@@ -81,13 +80,13 @@ static void excuse(CFn *fn, IrRef r, IrRef load)
 // `and` is false if either operand is false, `or` is true if either is true, whatever the other operand is.
 static void note_logic(CFn *fn, IrRef r)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
     CIns *c = &fn->ins[r];
 
     for (int side = 0; side < 2; side++) {
         const IrRef x = side ? i->b : i->a, y = side ? i->a : i->b;
         const CIns *by = &fn->ins[x];
-        if (by->is_const || by->settled_by == IR_NONE || by->settled_value != (i->op == IR_or))
+        if (c_is_const(fn, x) || by->settled_by == IR_NONE || by->settled_value != (i->op == IR_or))
             continue;
         excuse(fn, y, by->settled_by);
         c->settled_by = by->settled_by;
@@ -97,11 +96,11 @@ static void note_logic(CFn *fn, IrRef r)
 
 static void note(CFn *fn, IrRef r)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
     CIns *c = &fn->ins[r];
 
     c->settled_by = IR_NONE;
-    if (c->is_const)
+    if (i->op == IR_const)
         return;
     if (i->op == IR_sample) {
         fn->ins[i->a].careless += window_reads_nan(fn, i);
@@ -109,7 +108,7 @@ static void note(CFn *fn, IrRef r)
         note_compare(fn, r);
     } else if (i->op == IR_and || i->op == IR_or) {
         note_logic(fn, r);
-    } else if (i->op == IR_not && !fn->ins[i->a].is_const) {
+    } else if (i->op == IR_not && !c_is_const(fn, i->a)) {
         c->settled_by = fn->ins[i->a].settled_by;
         c->settled_value = !fn->ins[i->a].settled_value;
     }
@@ -118,7 +117,7 @@ static void note(CFn *fn, IrRef r)
 // Blocks are visited in order, so a block's dominators have been visited before it.
 static void note_stored(CFn *fn, uint32_t b, IrRef r)
 {
-    const IrIns *i = ins(fn, r);
+    const IrIns *i = c_ins(fn, r);
     CVarUse *w;
 
     if (i->op != IR_store && i->op != IR_load)

@@ -8,7 +8,6 @@
 #include "soft_text.h"
 #include "stdlib/convert.h"
 
-static const IrIns *ins(const CFn *fn, IrRef r) { return &fn->f->ins.at[r]; }
 static void put(CFn *fn, const char *text) { buf_str(&fn->line, text); }
 
 bool c_is_soft(const CFn *fn, SmType t) { return fn->u->soft && sm_type_info[t].kind == SM_KIND_FLOAT; }
@@ -36,7 +35,7 @@ static void put_arithmetic(CFn *fn, const IrIns *i)
 
 void soft_put_number(CFn *fn, IrRef r)
 {
-    put(fn, from_integer[ins(fn, r)->type]);
+    put(fn, from_integer[c_ins(fn, r)->type]);
     put(fn, "(");
     put_value(fn, r, PREC_ANY);
     put(fn, ")");
@@ -81,28 +80,28 @@ typedef struct Look {
 
 static bool find_look(const CFn *fn, const IrIns *i, Look *l)
 {
-    const bool swap = fn->ins[i->a].is_const;
+    const bool swap = c_is_const(fn, i->a);
 
     if (!fn->u->soft || ir_is_equality(i->op))
         return false;
     l->side = l->load = swap ? i->b : i->a;
     l->constant = swap ? i->a : i->b;
     l->op = swap ? ir_swap_comparison(i->op) : i->op;
-    if (ins(fn, l->side)->op == IR_cvt && ins(fn, l->side)->type == SM_F64 && ins(fn, ins(fn, l->side)->a)->type == SM_F32)
-        l->load = ins(fn, l->side)->a;
-    return ins(fn, l->load)->op == IR_load && fn->ins[l->constant].is_const && !fn->ins[l->side].is_const;
+    if (c_ins(fn, l->side)->op == IR_cvt && c_ins(fn, l->side)->type == SM_F64 && c_ins(fn, c_ins(fn, l->side)->a)->type == SM_F32)
+        l->load = c_ins(fn, l->side)->a;
+    return c_ins(fn, l->load)->op == IR_load && c_is_const(fn, l->constant) && !c_is_const(fn, l->side);
 }
 
 static double number_of(const CFn *fn, const Look *l)
 {
-    return sm_cell_to_f64(ins(fn, l->constant)->type, fn->ins[l->constant].bits);
+    return sm_cell_to_f64(c_ins(fn, l->constant)->type, c_ins(fn, l->constant)->bits);
 }
 
 // Whether the upper half of a float is not enough: the constant has digits in the lower half, or is not a number of the float's type.
 static bool has_lower_half(const CFn *fn, const Look *l)
 {
     const double x = number_of(fn, l);
-    const SmType t = ins(fn, l->load)->type;
+    const SmType t = c_ins(fn, l->load)->type;
 
     return (t != SM_F64 && t != SM_F32) || (sm_bits(x) & 0xffffffffu) != 0 || !(x - x == 0) || (t == SM_F32 && (double)sm_round_f32(x) != x);
 }
@@ -119,11 +118,11 @@ static void put_place(CFn *fn, const Look *l)
 {
     const IrRef r = fn->ins[l->side].variable ? l->side : l->load;
 
-    put(fn, ins(fn, r)->type != SM_F32 ? "&" : "");
+    put(fn, c_ins(fn, r)->type != SM_F32 ? "&" : "");
     if (fn->ins[r].variable)
         put(fn, fn->ins[r].variable);
     else
-        put_cell(fn, ins(fn, r)->var);
+        put_cell(fn, c_ins(fn, r)->var);
 }
 
 // Compares away from zero, in the direction of the constant's sign: x > 5 is beyond 5, x >= 5 reaches 5, x < 5 does not reach it; x < -5 is
@@ -134,9 +133,9 @@ static void put_float_look(CFn *fn, const Look *l, bool negated)
     const bool less = l->op == IR_lt || l->op == IR_le, strict = l->op == IR_lt || l->op == IR_gt;
     const bool negative = x == 0 ? less == strict : x < 0, out = less == negative;
     const IrRef at = fn->ins[l->side].variable ? l->side : l->load;
-    const bool is_f32 = ins(fn, at)->type == SM_F32;
+    const bool is_f32 = c_ins(fn, at)->type == SM_F32;
     const uint32_t n = is_f32 ? sm_f32_bits(sm_round_f32(x)) : (uint32_t)(sm_bits(x) >> 32);
-    const char *name = remark_constant(fn->u, ins(fn, l->constant)->span);
+    const char *name = remark_constant(fn->u, c_ins(fn, l->constant)->span);
 
     buf_printf(&fn->line, "%s%s%s(", negated == out ? "!" : "", strict == out ? "sm_soft_beyond" : "sm_soft_reaches", is_f32 ? "_f32" : "");
     put_place(fn, l);
@@ -148,12 +147,12 @@ static void put_float_look(CFn *fn, const Look *l, bool negated)
 static void put_integer_look(CFn *fn, const Look *l, uint64_t n, bool negated)
 {
     const bool less = l->op == IR_lt || l->op == IR_le, exact = l->op == IR_gt || l->op == IR_le;
-    const char *name = remark_constant(fn->u, ins(fn, l->constant)->span);
-    const bool is_time = fn->u->m->var.at[ins(fn, l->load)->var].space == IR_TIME;
+    const char *name = remark_constant(fn->u, c_ins(fn, l->constant)->span);
+    const bool is_time = fn->u->m->var.at[c_ins(fn, l->load)->var].space == IR_TIME;
 
     put(fn, negated != less ? "!" : "");
     put(fn, is_time ? "sm_soft_since(&m->start_, &" : "sm_soft_more(&");
-    put_cell(fn, is_time ? fn->u->m->g : ins(fn, l->load)->var);
+    put_cell(fn, is_time ? fn->u->m->g : c_ins(fn, l->load)->var);
     fn->uses_m = fn->uses_m || is_time;
     buf_printf(&fn->line, ", %lu%s%s%s)", (unsigned long)(exact ? n : n - 1), *name && exact ? " /* " : "", exact ? name : "",
                *name && exact ? " */" : "");
@@ -162,9 +161,9 @@ static void put_integer_look(CFn *fn, const Look *l, uint64_t n, bool negated)
 static bool is_integer_look(const CFn *fn, const Look *l)
 {
     const bool exact = l->op == IR_gt || l->op == IR_le;
-    const uint64_t n = fn->ins[l->constant].bits;
+    const uint64_t n = c_ins(fn, l->constant)->bits;
 
-    return ins(fn, l->load)->type == SM_U64 && ins(fn, l->constant)->type == SM_U64 && n <= UINT32_MAX && (exact || n > 0) &&
+    return c_ins(fn, l->load)->type == SM_U64 && c_ins(fn, l->constant)->type == SM_U64 && n <= UINT32_MAX && (exact || n > 0) &&
            fn->ins[l->load].how == C_INLINE;
 }
 
@@ -175,7 +174,7 @@ bool soft_put_look(CFn *fn, const IrIns *i, bool negated)
     if (!find_look(fn, i, &l))
         return false;
     if (is_integer_look(fn, &l))
-        put_integer_look(fn, &l, fn->ins[l.constant].bits, negated);
+        put_integer_look(fn, &l, c_ins(fn, l.constant)->bits, negated);
     else if (!has_lower_half(fn, &l))
         put_float_look(fn, &l, negated);
     else
