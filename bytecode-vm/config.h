@@ -112,9 +112,9 @@
 
 // Marks functions that frequently executed functions rarely call.  They are not inlined when the compiler optimizes for size.
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
-#define SMVM_APART __attribute__((noinline))
+#define SMVM_NOINLINE __attribute__((noinline))
 #else
-#define SMVM_APART
+#define SMVM_NOINLINE
 #endif
 
 // For small functions whose arguments must stay in registers.

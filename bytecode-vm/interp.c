@@ -105,7 +105,7 @@ static void note(Run *r, SmvmAt output)               // marks an output as writ
     *bits |= bit;
 }
 
-SMVM_APART static void put_out(Run *r, SmvmAt output)
+SMVM_NOINLINE static void put_out(Run *r, SmvmAt output)
 {
     const SmvmBytes at = r->vm->image + (SmvmAt)(r->t->outputs + SMVM_PLACE * output);
     const uint8_t high = byte_at(at + 2);
@@ -118,7 +118,7 @@ SMVM_APART static void put_out(Run *r, SmvmAt output)
 }
 
 // Converts x to the value that a local of this type would store.
-SMVM_APART static void convert(Number *x, uint8_t type)
+SMVM_NOINLINE static void convert(Number *x, uint8_t type)
 {
     uint64_t cell;
 
@@ -143,14 +143,14 @@ void smvm_store(SmF64 x, uint8_t type, void *at) { number_store_real(x, type, (u
 void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(w, n, kind, x); }
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat) { return sm_roll_stat(w, n, kind, stat); }
 
-SMVM_APART static void sample(Run *r, SmvmAt w)
+SMVM_NOINLINE static void sample(Run *r, SmvmAt w)
 {
     const uint32_t entry = smvm_window(r->vm->image, r->t->windows, w);
 
     smvm_sample(smvm_windows_of(r->vm)[w], smvm_window_size(entry), smvm_window_kind(entry), number_f64(&r->x));
 }
 
-SMVM_APART static void do_stat(Run *r, uint8_t stat, SmvmAt w)
+SMVM_NOINLINE static void do_stat(Run *r, uint8_t stat, SmvmAt w)
 {
     const uint32_t entry = smvm_window(r->vm->image, r->t->windows, w);
     const uint32_t n = smvm_window_size(entry), kind = smvm_window_kind(entry);
@@ -161,7 +161,7 @@ SMVM_APART static void do_stat(Run *r, uint8_t stat, SmvmAt w)
 // ---- instructions ----
 
 // and, or; operations without operand bytes.
-SMVM_APART static void do_compute(Run *r, uint8_t op)
+SMVM_NOINLINE static void do_compute(Run *r, uint8_t op)
 {
     if (op == SMVM_and)
         number_whole(&r->x, number_is_true(&r->x) && number_is_true(&r->y));
@@ -180,7 +180,7 @@ static uint64_t constant(const Run *r, SmvmAt table, uint32_t n, uint8_t bytes)
 }
 
 // ldx_plus … ldx_f64, the same for Y, addi, subi.
-SMVM_APART static void with_number(Run *r, uint8_t op, uint32_t n)
+SMVM_NOINLINE static void with_number(Run *r, uint8_t op, uint32_t n)
 {
     Number *x = op & 0x20 ? &r->y : &r->x, y;
 
@@ -196,7 +196,7 @@ SMVM_APART static void with_number(Run *r, uint8_t op, uint32_t n)
 }
 
 // All loads, and the instructions of with_number.
-SMVM_APART static void do_load(Run *r, uint8_t op, uint32_t n)
+SMVM_NOINLINE static void do_load(Run *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;
 
@@ -206,7 +206,7 @@ SMVM_APART static void do_load(Run *r, uint8_t op, uint32_t n)
         number_load(op & 0x20 ? &r->y : &r->x, type, placed(op & 0x10 ? r->sv : r->locals, type, (SmvmAt)n));
 }
 
-SMVM_APART static void do_time(Run *r, uint8_t op)
+SMVM_NOINLINE static void do_time(Run *r, uint8_t op)
 {
     const uint64_t time = r->vm->next - r->vm->start;
 
@@ -214,7 +214,7 @@ SMVM_APART static void do_time(Run *r, uint8_t op)
 }
 
 // st_local, out, set, cvt, sample.
-SMVM_APART static void do_put(Run *r, uint8_t op, uint32_t n)
+SMVM_NOINLINE static void do_put(Run *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;
 
@@ -228,7 +228,7 @@ SMVM_APART static void do_put(Run *r, uint8_t op, uint32_t n)
 }
 
 // A varint of two or four bytes.  b is the first byte; the others start at `at`.
-SMVM_APART static uint32_t long_number(SmvmBytes at, uint8_t b)
+SMVM_NOINLINE static uint32_t long_number(SmvmBytes at, uint8_t b)
 {
     uint32_t v;
 
@@ -245,7 +245,7 @@ SMVM_INLINE SmvmBytes behind(SmvmBytes at, uint8_t b)           // skips the oth
     return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
 }
 
-SMVM_APART static bool jumps(const Run *r, uint8_t op)           // all but jxn
+SMVM_NOINLINE static bool jumps(const Run *r, uint8_t op)           // all but jxn
 {
     switch (op) {
     case SMVM_jmp: return true;
@@ -256,7 +256,7 @@ SMVM_APART static bool jumps(const Run *r, uint8_t op)           // all but jxn
 }
 
 // Runs code up to its end.  Returns the state that it transitions to, or 0.
-SMVM_APART static SmvmAt run_code(Run *r, SmvmBytes at)
+SMVM_NOINLINE static SmvmAt run_code(Run *r, SmvmBytes at)
 {
     for (;;) {
         const uint8_t op = byte_at(at++);

@@ -27,7 +27,7 @@ void smvm_get(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes)
         p[sm_roll_byte(i, bytes)] = smvm_u8(image, at++);
 }
 
-SMVM_APART static SmvmAt at_most(uint32_t v) { return v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v; }
+SMVM_NOINLINE static SmvmAt at_most(uint32_t v) { return v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v; }
 
 SmvmAt smvm_at(SmvmBytes image, SmvmAt at, uint8_t bytes) { return at_most(smvm_uint(image, at, bytes)); }
 
@@ -41,7 +41,7 @@ SmvmAt smvm_take(SmvmReader *r, uint8_t bytes)
     return at;
 }
 
-SMVM_APART static uint8_t next_byte(SmvmReader *r)
+SMVM_NOINLINE static uint8_t next_byte(SmvmReader *r)
 {
     return r->at < r->end ? smvm_u8(r->image, r->at++) : SMVM_OP_LEAST;
 }
@@ -268,7 +268,7 @@ static SmvmAt plus_window(const SmvmMachine *m, SmvmAt w, SmvmAt n)
     return plus(n, sm_roll_bytes(smvm_window_size(entry), smvm_window_kind(entry)));
 }
 
-SMVM_APART static SmvmAt stored_bytes(const SmvmMachine *m) { return (SmvmAt)(m->outputs > 64 ? (m->outputs - 64u + 7) >> 3 : 0); }
+SMVM_NOINLINE static SmvmAt stored_bytes(const SmvmMachine *m) { return (SmvmAt)(m->outputs > 64 ? (m->outputs - 64u + 7) >> 3 : 0); }
 
 static SmvmAt windows_start(const SmvmMachine *m)
 {

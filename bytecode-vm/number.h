@@ -32,7 +32,7 @@ static inline void number_real(Number *x, SmF64 v)
     x->is_real = true;
 }
 
-SMVM_APART static SmF64 number_f64(const Number *x) { return x->is_real ? x->as.real : sm_from_i32(x->as.whole); }
+SMVM_NOINLINE static SmF64 number_f64(const Number *x) { return x->is_real ? x->as.real : sm_from_i32(x->as.whole); }
 
 // ---- memory ----
 
@@ -49,7 +49,7 @@ static inline uint32_t number_half(const uint8_t *p, bool upper)
 }
 
 // The types whose values may not be 32-bit whole numbers.  A separate function, so that the others reserve no stack for them.
-SMVM_APART static void number_load_wide(Number *x, uint8_t type, const uint8_t *p)
+SMVM_NOINLINE static void number_load_wide(Number *x, uint8_t type, const uint8_t *p)
 {
     uint32_t v;
     uint64_t w;
@@ -64,7 +64,7 @@ SMVM_APART static void number_load_wide(Number *x, uint8_t type, const uint8_t *
 }
 
 // An F64; if `type` is RAW, NaN is preserved.
-SMVM_APART static void number_load_f64(Number *x, uint8_t type, const uint8_t *p)
+SMVM_NOINLINE static void number_load_f64(Number *x, uint8_t type, const uint8_t *p)
 {
     const uint32_t upper = number_half(p, true);
 
@@ -81,7 +81,7 @@ static bool number_is_small(uint8_t type, uint32_t upper, uint32_t lower)      /
     return lower <= INT32_MAX ? upper == 0 : type == SM_I64 && upper == UINT32_MAX;
 }
 
-SMVM_APART static void number_load(Number *x, uint8_t type, const uint8_t *p)
+SMVM_NOINLINE static void number_load(Number *x, uint8_t type, const uint8_t *p)
 {
     int32_t whole;
 
@@ -115,7 +115,7 @@ SMVM_APART static void number_load(Number *x, uint8_t type, const uint8_t *p)
 }
 
 // Clips a value to the range of a type.
-SMVM_APART static int32_t number_clipped(int32_t v, uint8_t type)
+SMVM_NOINLINE static int32_t number_clipped(int32_t v, uint8_t type)
 {
     switch (type) {
     case SM_I8: return sm_clip_i32(v, INT8_MIN, INT8_MAX);
@@ -128,7 +128,7 @@ SMVM_APART static int32_t number_clipped(int32_t v, uint8_t type)
     }
 }
 
-SMVM_APART static void number_put(int32_t v, uint8_t bytes, uint8_t *p)
+SMVM_NOINLINE static void number_put(int32_t v, uint8_t bytes, uint8_t *p)
 {
     switch (bytes) {
     case 1: *p = (uint8_t)v; break;
@@ -138,7 +138,7 @@ SMVM_APART static void number_put(int32_t v, uint8_t bytes, uint8_t *p)
     }
 }
 
-SMVM_APART static void number_put_real(SmF64 x, uint8_t type, uint8_t *p)
+SMVM_NOINLINE static void number_put_real(SmF64 x, uint8_t type, uint8_t *p)
 {
     switch (type) {
     case SM_I64: { const int64_t v = sm_to_i64(x); memcpy(p, &v, sizeof v); break; }
@@ -158,7 +158,7 @@ static void number_put_whole(int32_t v, uint8_t type, uint8_t *p)
     number_put(number_clipped(v, type), (uint8_t)(1u << smvm_type_shift(type)), p);
 }
 
-SMVM_APART static void number_store_real(SmF64 x, uint8_t type, uint8_t *p)
+SMVM_NOINLINE static void number_store_real(SmF64 x, uint8_t type, uint8_t *p)
 {
     if (number_is_narrow(type))
         number_put_whole(sm_to_i32(x), type, p);
@@ -166,7 +166,7 @@ SMVM_APART static void number_store_real(SmF64 x, uint8_t type, uint8_t *p)
         number_put_real(x, type, p);
 }
 
-SMVM_APART static void number_store(const Number *x, uint8_t type, uint8_t *p)
+SMVM_NOINLINE static void number_store(const Number *x, uint8_t type, uint8_t *p)
 {
     if (!x->is_real && (type < SM_F32 || type == SM_BOOL))
         number_put_whole(x->as.whole, type, p);
@@ -178,21 +178,21 @@ SMVM_APART static void number_store(const Number *x, uint8_t type, uint8_t *p)
 
 static bool number_is_true(const Number *x) { return x->is_real ? sm_to_bool(x->as.real) : x->as.whole != 0; }
 
-SMVM_APART static uint8_t number_relation_real(const Number *x, const Number *y)
+SMVM_NOINLINE static uint8_t number_relation_real(const Number *x, const Number *y)
 {
     return sm_soft_relation(sm_bits(number_f64(x)), sm_bits(number_f64(y)));
 }
 
 SMVM_INLINE uint8_t number_relation_whole(int32_t x, int32_t y) { return x == y ? SMVM_EQUAL : x < y ? SMVM_LESS : SMVM_GREATER; }
 
-SMVM_APART static uint8_t number_relation(const Number *x, const Number *y)
+SMVM_NOINLINE static uint8_t number_relation(const Number *x, const Number *y)
 {
     if (x->is_real || y->is_real)
         return number_relation_real(x, y);
     return number_relation_whole(x->as.whole, y->as.whole);
 }
 
-SMVM_APART static uint8_t number_relation_to_real(const Number *x, int32_t n)
+SMVM_NOINLINE static uint8_t number_relation_to_real(const Number *x, int32_t n)
 {
     return sm_soft_relation(sm_bits(x->as.real), sm_bits(sm_from_i32(n)));
 }
@@ -256,7 +256,7 @@ static uint64_t number_min(uint64_t a, uint64_t b) { return sm_bits(sm_min(sm_fr
 static uint64_t number_max(uint64_t a, uint64_t b) { return sm_bits(sm_max(sm_from_bits(a), sm_from_bits(b))); }
 
 // All operations share one call, which saves code: each takes its arguments in the same registers.
-SMVM_APART static void number_real_of_two(Number *x, uint8_t op, const Number *y)
+SMVM_NOINLINE static void number_real_of_two(Number *x, uint8_t op, const Number *y)
 {
     uint64_t (*f)(uint64_t a, uint64_t b) = sm_soft_add;
 
@@ -285,7 +285,7 @@ static SmF64 number_rounded(uint8_t op, SmF64 x)
     }
 }
 
-SMVM_APART static void number_real_of_one(Number *x, uint8_t op)
+SMVM_NOINLINE static void number_real_of_one(Number *x, uint8_t op)
 {
     const SmF64 a = number_f64(x);
 
@@ -293,7 +293,7 @@ SMVM_APART static void number_real_of_one(Number *x, uint8_t op)
 }
 
 // add … max, neg … sign.
-SMVM_APART static void number_compute(Number *x, uint8_t op, const Number *y)
+SMVM_NOINLINE static void number_compute(Number *x, uint8_t op, const Number *y)
 {
     if (op >= SMVM_neg) {
         if (x->is_real || !number_whole_of_one(x, op))

@@ -157,7 +157,7 @@ static uint8_t check_pins(SmvmPins *p, SmvmAt *at)
     return p->in.at == p->in.end ? 0 : SMVM_R_IO;
 }
 
-SMVM_APART uint8_t smvm_check_pins(SmvmBytes image, SmvmAt *at)
+SMVM_NOINLINE uint8_t smvm_check_pins(SmvmBytes image, SmvmAt *at)
 {
     SmvmPins p;
 

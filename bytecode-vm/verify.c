@@ -109,7 +109,7 @@ static uint8_t check_crc(Check *c)
 }
 
 // Sections must be in order, with known ids, in groups of one MACHINE, one CODE, at most one INIT and at most one SAFE.
-SMVM_APART static uint8_t check_sections(Check *c)
+SMVM_NOINLINE static uint8_t check_sections(Check *c)
 {
     const uint8_t n = smvm_sections(c->in.image);
     SmvmAt free_from = (SmvmAt)(SMVM_HEADER + SMVM_ENTRY * n);
@@ -146,21 +146,21 @@ static uint8_t check_windows(Check *c)
     return 0;
 }
 
-SMVM_APART static bool is_inside(SmvmAt offset, uint8_t bytes, SmvmAt from, SmvmAt to)
+SMVM_NOINLINE static bool is_inside(SmvmAt offset, uint8_t bytes, SmvmAt from, SmvmAt to)
 {
     return offset >= from && offset < to && bytes <= (SmvmAt)(to - offset);
 }
 
 // Only for places inside the part, so that no end exceeds an SmvmAt.
-SMVM_APART static bool overlap(SmvmAt a, uint8_t bytes, SmvmAt b, uint8_t others)
+SMVM_NOINLINE static bool overlap(SmvmAt a, uint8_t bytes, SmvmAt b, uint8_t others)
 {
     return a < (SmvmAt)(b + others) && b < (SmvmAt)(a + bytes);
 }
 
-SMVM_APART static uint8_t size_of(SmType type) { return (uint8_t)(1u << smvm_shift((uint8_t)type)); }
+SMVM_NOINLINE static uint8_t size_of(SmType type) { return (uint8_t)(1u << smvm_shift((uint8_t)type)); }
 
 // Whether the place at `where` has a type that exists and is inside.
-SMVM_APART static bool is_place(const Check *c, SmvmPlace *p, SmvmAt from, SmvmAt to)
+SMVM_NOINLINE static bool is_place(const Check *c, SmvmPlace *p, SmvmAt from, SmvmAt to)
 {
     *p = smvm_place(c->in.image, c->where);
     return p->type < SM_TYPE_COUNT && is_inside(p->offset, size_of(p->type), from, to);
@@ -274,7 +274,7 @@ static const struct Limit { uint8_t below, from, rule; } limits[] SM_FLASH = {
 };
 
 // Checks one operand; `what` is SMVM_AN_L to SMVM_A_J.
-SMVM_APART static uint8_t check_operand(Check *c, uint8_t op, uint8_t what)
+SMVM_NOINLINE static uint8_t check_operand(Check *c, uint8_t op, uint8_t what)
 {
     const SmvmMachine *m = &c->m;
     struct Limit l;

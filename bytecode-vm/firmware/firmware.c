@@ -299,7 +299,7 @@ static void start_store(void)
 }
 
 // (Not inlined, so that its stack is released.)
-SMVM_APART static void start(void)
+SMVM_NOINLINE static void start(void)
 {
     uint64_t period_ns;
     bool bit = false;

@@ -24,7 +24,7 @@ static bool take(uint16_t *left, SmvmAt bytes)
 }
 
 SMVM_INLINE uint8_t step_over(uint8_t kind) { return kind & 2 ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }      // inline, for fast steps
-SMVM_APART static uint8_t row_bytes(uint8_t kind) { return step_over(kind); }
+SMVM_NOINLINE static uint8_t row_bytes(uint8_t kind) { return step_over(kind); }
 
 static SmResult take_pins(const SmvmRunner *r, uint16_t *left, SmvmPins *p)
 {

@@ -60,7 +60,7 @@ static SmResult hello(Agent *a)
     return SM_OK;
 }
 
-SMVM_APART static SmvmBytes image_of(const Agent *a, uint8_t slot)
+SMVM_NOINLINE static SmvmBytes image_of(const Agent *a, uint8_t slot)
 {
     return slot == STORE_BUILT_IN ? a->board->built_in : a->store->plan.image[slot];
 }

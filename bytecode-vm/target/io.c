@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bytecode-vm/target/io.h"
 
-SMVM_APART void smvm_target_pin(const SmvmPin *p, SmIoPin *row)
+SMVM_NOINLINE void smvm_target_pin(const SmvmPin *p, SmIoPin *row)
 {
     row->kind = p->kind;
     row->type = p->type;

@@ -13,8 +13,8 @@ enum { VERSION = 1, HEADER = 11, CHECKED = STORE_RECORD - 4 };
 
 typedef char store_choice_is_a_record[sizeof(StoreChoice) == STORE_RECORD ? 1 : -1];
 
-SMVM_APART static uint32_t get32(const uint8_t *at) { return sm_link_get(at, 4); }
-SMVM_APART static void put32(uint8_t *at, uint32_t value) { sm_link_put(at, value, 4); }
+SMVM_NOINLINE static uint32_t get32(const uint8_t *at) { return sm_link_get(at, 4); }
+SMVM_NOINLINE static void put32(uint8_t *at, uint32_t value) { sm_link_put(at, value, 4); }
 
 bool smvm_get_at(const uint8_t *field, SmvmAt *at)
 {
@@ -28,7 +28,7 @@ bool smvm_get_at(const uint8_t *field, SmvmAt *at)
 static SmvmAt erase_of(const Store *s) { return (SmvmAt)(SMVM_STORE_BYTES ? 0 : s->erase); }
 static uint8_t write_of(const Store *s) { return (uint8_t)(SMVM_STORE_BYTES ? 1 : s->write); }
 
-SMVM_APART static SmResult put(const Store *s, SmvmAt at, const void *from, uint8_t n) { return pal_nvm_write(s->nvm, at, from, n); }
+SMVM_NOINLINE static SmResult put(const Store *s, SmvmAt at, const void *from, uint8_t n) { return pal_nvm_write(s->nvm, at, from, n); }
 static SmResult erase(const Store *s, SmvmAt at, SmvmAt n) { return erase_of(s) ? pal_nvm_erase(s->nvm, at, n) : SM_OK; }
 
 // ---- the selector ----
@@ -134,7 +134,7 @@ SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan)
 // ---- contents of slots ----
 
 // The length field of the image in a slot; 0: the slot cannot contain an image.
-SMVM_APART static SmvmAt length_in(const Store *s, uint8_t slot)
+SMVM_NOINLINE static SmvmAt length_in(const Store *s, uint8_t slot)
 {
     SmvmAt length;
 
@@ -144,7 +144,7 @@ SMVM_APART static SmvmAt length_in(const Store *s, uint8_t slot)
     return length >= HEADER && length <= s->slot_size ? length : 0;
 }
 
-SMVM_APART static uint32_t checksum_in(const Store *s, uint8_t slot) { return smvm_uint(s->plan.image[slot], SMVM_CRC_AT, 4); }
+SMVM_NOINLINE static uint32_t checksum_in(const Store *s, uint8_t slot) { return smvm_uint(s->plan.image[slot], SMVM_CRC_AT, 4); }
 
 // For an image that the verifier accepts; without a key, every one is authentic.
 // Checked at every start too, because a checksum can be forged.
@@ -200,7 +200,7 @@ static bool has_before(const Store *s)
 
 // Chooses the image that runs if the active one must not: the previous one if `there`, else the built-in one.  (Not inlined, and has_before
 // is called outside: verifier and record together would need much stack.)
-SMVM_APART static SmResult step_back(Store *s, bool there, uint8_t *slot)
+SMVM_NOINLINE static SmResult step_back(Store *s, bool there, uint8_t *slot)
 {
     StoreChoice c = s->now;
 
@@ -274,7 +274,7 @@ SmResult smvm_store_may_begin(const Store *s, SmvmAt length)
     return length < HEADER ? SM_E_ARGUMENT : length > s->slot_size ? SM_E_SPACE : on_trial(s) ? SM_E_BUSY : SM_OK;
 }
 
-SMVM_APART static SmResult forget_before(Store *s)
+SMVM_NOINLINE static SmResult forget_before(Store *s)
 {
     StoreChoice c = s->now;
 
@@ -317,7 +317,7 @@ static bool is_there(const Store *s, SmvmAt at, const uint8_t *bytes, uint8_t n)
 }
 
 // Writes whole units at once, and pads the rest with blank bytes.
-SMVM_APART static SmResult write_padded(const Store *s, SmvmAt place, const uint8_t *bytes, uint8_t n)
+SMVM_NOINLINE static SmResult write_padded(const Store *s, SmvmAt place, const uint8_t *bytes, uint8_t n)
 {
     const uint8_t rest = n & (uint8_t)(write_of(s) - 1), whole = (uint8_t)(n - rest);
     uint8_t last[STORE_UNIT];
