@@ -15,7 +15,7 @@
 // any thread may call anything here.  Each call is one critical section of a few memory accesses.  To access several elements
 // consistently, read or write them together, as a region or as a snapshot.
 //
-// If the lock cannot be taken within SM_LOCK_WAIT (config.h), a thread has died inside a critical section; Linux reports this
+// If the lock cannot be taken within SM_LOCK_WAIT (pal/config.h), a thread has died inside a critical section; Linux reports this
 // immediately.  The call then does not access the vector, returns SM_E_TIMEOUT and increments `faults`.  A value that could not be
 // read is 0, whatever the reason.
 //
@@ -28,7 +28,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "runtime-c/config.h"
+#include "runtime-c/pal/config.h"
 #include "runtime-c/pal/lock.h"
 #include "stdlib/result.h"
 #include "stdlib/types.h"
@@ -79,7 +79,7 @@ typedef struct SmStateVec {
     uint32_t faults;          // how often the lock timed out; other threads read it with sm_shared_read (shared.h)
 } SmStateVec;
 
-// Opens the lock of a guarded vector.  Changes no element.  SM_E_FULL: the lock table has no free entry (config.h, PAL_LOCKS).
+// Opens the lock of a guarded vector.  Changes no element.  SM_E_FULL: the lock table has no free entry (pal/config.h, PAL_LOCKS).
 // SM_E_ALIGNMENT: sv->at is misaligned.
 SmResult sm_statevec_init(SmStateVec *sv);
 

@@ -186,7 +186,7 @@ static void check_log_room(AppCheck *k, const AstAppOption *o)
                     format_in(k->c->arena, "for this state vector at least %lu B", (unsigned long)least));
 }
 
-// The platform opens files with these names; their length is limited by PAL_NAME in runtime-c/config.h.
+// The platform opens files with these names; their length is limited by PAL_NAME in runtime-c/pal/config.h.
 static void check_name_length(AppCheck *k, const AstAppOption *o)
 {
     enum { MOST = 127 };
@@ -311,7 +311,7 @@ static void want_lock(AppCheck *k, size_t executors)
 
 static void check_executors(AppCheck *k)
 {
-    enum { MOST = 254 };                          // the most threads that a platform can be built for (runtime-c/config.h)
+    enum { MOST = 254 };                          // the most threads that a platform can be built for (runtime-c/pal/config.h)
     size_t n = k->ast->executors.n;
 
     for (size_t i = 0; i < n; i++)

@@ -8,7 +8,7 @@
 //             feature and never will.  SM_E_ARGUMENT: a pointer is null or a number is out of range.  SM_E_DEVICE: the operating
 //             system or the hardware failed for a reason without a code here; a retry may succeed.
 // Handles     Small structs with a number, which may be copied.  The number identifies an entry in a static table of the platform.
-//             {0} is never a valid handle.  SM_E_FULL: the table has no free entry (sizes: ../config.h).  SM_E_HANDLE: the handle
+//             {0} is never a valid handle.  SM_E_FULL: the table has no free entry (sizes: config.h).  SM_E_HANDLE: the handle
 //             was never opened, or is closed.  Numbers are reused after a close, so keep no copies of a closed handle.
 // Memory      No call allocates from a heap.  Unless its description says otherwise, a call reads or fills memory that the caller
 //             passes only during the call, and keeps no pointer to it.
@@ -27,7 +27,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "runtime-c/config.h"
+#include "runtime-c/pal/config.h"
 #include "stdlib/result.h"
 
 #define PAL_MICROSECOND 1000u

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Checks every include of ours against layers.txt.  Input: layers.txt, then the names of the files to look at, one a line.
+# Checks every include of ours against layers.txt, and that the includes between layers form no cycle.  Input: layers.txt, then the
+# names of the files to check, one per line.
 
 # The layer of a path: the longest that it begins with, at a border of words ("compiler/script/ref" holds ref_eval.c).
 function layer_of(path,    name, best) {
@@ -15,15 +16,36 @@ function may(from, path,    to) {
     return from == "" || to == from || (from, path) in allowed || (to != "" && (from, to) in allowed)
 }
 
-function look(file, line,    path) {
+function check_include(file, line,    path, from, to) {
     path = line
     sub(/^[ \t]*#[ \t]*include[ \t]*"/, "", path)
     sub(/".*/, "", path)
     seen++
+    from = layer_of(file)
+    to = layer_of(path)
+    if (from != "" && to != "" && from != to && !((from, to) in example)) {
+        example[from, to] = file " includes \"" path "\""
+        targets[from] = targets[from] " " to
+    }
     if (may(layer_of(file), path))
         return
     print file ": may not include \"" path "\": layer " layer_of(file) " may include:" list[layer_of(file)]
     bad++
+}
+
+# Depth-first search: a target that is still on the path closes a cycle.
+function find_cycles(node, path,    target, n, i) {
+    on_path[node] = 1
+    n = split(targets[node], target, " ")
+    for (i = 1; i <= n; i++) {
+        if (target[i] in on_path) {
+            print "layers include each other:" path " " node " " target[i] ": " example[node, target[i]]
+            bad++
+        } else if (!(target[i] in finished))
+            find_cycles(target[i], path " " node)
+    }
+    delete on_path[node]
+    finished[node] = 1
 }
 
 FNR == NR && /^[a-z]/ {
@@ -39,11 +61,16 @@ FNR == NR && /^[a-z]/ {
 FNR != NR {
     while ((getline line < $0) > 0)
         if (line ~ /^[ \t]*#[ \t]*include[ \t]*"/)
-            look($0, line)
+            check_include($0, line)
     close($0)
 }
 
 END {
+    for (name in known) {
+        seen++
+        if (!(name in finished))
+            find_cycles(name, "")
+    }
     print seen - bad " passed, " bad + (seen == 0) " failed"
     exit bad > 0 || seen == 0
 }
