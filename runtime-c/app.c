@@ -13,7 +13,7 @@
 
 // ---- messages ----
 
-void sm_run_say(const SmApp *app, const char *text)
+void sm_app_print(const SmApp *app, const char *text)
 {
     char line[32];                         // small, because on AVR this is part of main's stack frame
     size_t n;
@@ -21,55 +21,55 @@ void sm_run_say(const SmApp *app, const char *text)
     do {
         for (n = 0; n < sizeof line && (line[n] = sm_text_byte(text)) != '\0'; n++)
             text++;
-        if (app->tell && n > 0)
+        if (app->print_messages && n > 0)
             pal_console_write(line, n);
     } while (n == sizeof line);
 }
 
-void sm_run_say_name(const SmApp *app, const char *name)
+void sm_app_print_name(const SmApp *app, const char *name)
 {
     size_t n = 0;
 
     while (name && n < UINT16_MAX && name[n])
         n++;
-    if (app->tell && n > 0)
+    if (app->print_messages && n > 0)
         pal_console_write(name, n);
 }
 
-static void tell_who(const SmApp *app)
+static void print_what_failed(const SmApp *app)
 {
-    const bool has_name = app->failed || app->refused;
+    const bool has_name = app->failed_task || app->failed_executor;
 
-    sm_run_say(app, app->failed ? SM_TEXT("task '") : app->refused ? SM_TEXT("executor '") : app->what);
-    sm_run_say_name(app, app->failed ? app->failed->name : app->refused ? app->refused->name : NULL);
-    sm_run_say(app, has_name ? SM_TEXT("' does not start: ") : SM_TEXT(" does not start: "));
+    sm_app_print(app, app->failed_task ? SM_TEXT("task '") : app->failed_executor ? SM_TEXT("executor '") : app->failed_part);
+    sm_app_print_name(app, app->failed_task ? app->failed_task->name : app->failed_executor ? app->failed_executor->name : NULL);
+    sm_app_print(app, has_name ? SM_TEXT("' does not start: ") : SM_TEXT(" does not start: "));
 }
 
-static void tell_refused(const SmApp *app, SmResult r)
+static void print_start_failure(const SmApp *app, SmResult r)
 {
-    sm_run_say_name(app, app->name);
-    sm_run_say(app, SM_TEXT(": "));
-    tell_who(app);
-    sm_run_say_name(app, app->file);
-    if (app->file)
-        sm_run_say(app, SM_TEXT(": "));
-    sm_run_say_name(app, app->pin);
-    sm_run_say(app, app->why ? app->why : sm_result_text(r));
-    sm_run_say(app, SM_TEXT("\n"));
+    sm_app_print_name(app, app->name);
+    sm_app_print(app, SM_TEXT(": "));
+    print_what_failed(app);
+    sm_app_print_name(app, app->failed_file);
+    if (app->failed_file)
+        sm_app_print(app, SM_TEXT(": "));
+    sm_app_print_name(app, app->failed_pin);
+    sm_app_print(app, app->reason ? app->reason : sm_result_text(r));
+    sm_app_print(app, SM_TEXT("\n"));
 }
 
-static SmResult refuse(SmApp *app, SmResult r, const char *what, const char *why)
+static SmResult note_failure(SmApp *app, SmResult r, const char *what, const char *why)
 {
     if (r != SM_OK) {
-        app->what = what;
-        app->why = why;
+        app->failed_part = what;
+        app->reason = why;
     }
     return r;
 }
 
 // ---- events ----
 
-static void tell_event(const SmApp *app, SmEventKind kind, uint64_t time, uint32_t a, uint32_t b)
+static void emit_event(const SmApp *app, SmEventKind kind, uint64_t time, uint32_t a, uint32_t b)
 {
     SmEvent e = {time, a, b, 0, 0};
 
@@ -85,25 +85,25 @@ static SmResult check_clock(SmApp *app)
     SmResult r = pal_clock_resolution(&ns);
 
     if (r != SM_OK)
-        return refuse(app, r, SM_TEXT("the clock"), NULL);
+        return note_failure(app, r, SM_TEXT("the clock"), NULL);
     then = pal_clock_now() + ns;
     pal_clock_sleep_until(then);
     r = (int64_t)(pal_clock_now() - then) < 0 ? SM_E_DEVICE : SM_OK;
-    return refuse(app, r, SM_TEXT("the clock"), SM_TEXT("it stands still"));
+    return note_failure(app, r, SM_TEXT("the clock"), SM_TEXT("it stands still"));
 }
 
-static SmResult check(SmApp *app)
+static SmResult check_config(SmApp *app)
 {
     const bool shared = app->executors > 1 && sm_run_wants_threads(app);
 
     if (app->executors == 0 || !app->executor)
-        return refuse(app, SM_E_ARGUMENT, SM_TEXT("the application"), SM_TEXT("it has no executor"));
+        return note_failure(app, SM_E_ARGUMENT, SM_TEXT("the application"), SM_TEXT("it has no executor"));
     if (shared && app->sv && !app->sv->guarded)
-        return refuse(app, SM_E_ARGUMENT, SM_TEXT("the state vector"), SM_TEXT("several threads use it, so its .sv must say `lock`"));
+        return note_failure(app, SM_E_ARGUMENT, SM_TEXT("the state vector"), SM_TEXT("several threads use it, so its .sv must say `lock`"));
     if (shared && app->events && !app->events->guarded)
-        return refuse(app, SM_E_ARGUMENT, SM_TEXT("the ring of events"), SM_TEXT("several threads use it, so it must be guarded"));
+        return note_failure(app, SM_E_ARGUMENT, SM_TEXT("the ring of events"), SM_TEXT("several threads use it, so it must be guarded"));
     if ((app->keep || app->log) && !app->writing)
-        return refuse(app, SM_E_ARGUMENT, SM_TEXT("the log or kept state vector"), SM_TEXT("SmApp.writing is missing"));
+        return note_failure(app, SM_E_ARGUMENT, SM_TEXT("the log or kept state vector"), SM_TEXT("SmApp.writing is missing"));
     return check_clock(app);
 }
 
@@ -112,9 +112,9 @@ static SmResult open_vector(SmApp *app)
     SmResult r = app->sv ? sm_statevec_init(app->sv) : SM_OK;
 
     if (r != SM_OK)
-        return refuse(app, r, SM_TEXT("the state vector"), NULL);
+        return note_failure(app, r, SM_TEXT("the state vector"), NULL);
     r = app->events ? sm_events_init(app->events) : SM_OK;
-    return refuse(app, r, SM_TEXT("the ring of events"), NULL);
+    return note_failure(app, r, SM_TEXT("the ring of events"), NULL);
 }
 
 static SmResult fill_vector(SmApp *app)
@@ -123,16 +123,16 @@ static SmResult fill_vector(SmApp *app)
 
     if (app->set && app->sv)
         app->set(app->sv->at);
-    r = refuse(app, app->writing ? app->writing->restore(app) : SM_OK, SM_TEXT("the kept state vector"), NULL);
-    app->file = r != SM_OK && app->keep ? app->keep->memory : NULL;
+    r = note_failure(app, app->writing ? app->writing->restore(app) : SM_OK, SM_TEXT("the kept state vector"), NULL);
+    app->failed_file = r != SM_OK && app->keep ? app->keep->memory : NULL;
     return r;
 }
 
-// Stores the name of the pin that the I/O task `failed` could not open.  An invalid table row has no pin number to report.
-static void name_pin(SmApp *app, SmResult r)
+// Stores the name of the pin that the I/O task `failed_task` could not open.  An invalid table row has no pin number to report.
+static void note_pin(SmApp *app, SmResult r)
 {
-    const SmIo *const io = app->failed->context == app->inputs ? app->inputs : app->failed->context == app->outputs ? app->outputs : NULL;
-    char *at = app->pin + sizeof app->pin;
+    const SmIo *const io = app->failed_task->context == app->inputs ? app->inputs : app->failed_task->context == app->outputs ? app->outputs : NULL;
+    char *at = app->failed_pin + sizeof app->failed_pin;
     uint16_t left;
 
     if (!io || r == SM_E_ARGUMENT)
@@ -144,7 +144,7 @@ static void name_pin(SmApp *app, SmResult r)
         left = (uint16_t)(left / 10);
     } while (left != 0);
     memcpy(at -= 4, "pin ", 4);
-    memmove(app->pin, at, (size_t)(app->pin + sizeof app->pin - at));
+    memmove(app->failed_pin, at, (size_t)(app->failed_pin + sizeof app->failed_pin - at));
 }
 
 static SmResult init_executors(SmApp *app)
@@ -152,36 +152,36 @@ static SmResult init_executors(SmApp *app)
     SmResult r = SM_OK;
 
     for (uint16_t i = 0; i < app->executors && r == SM_OK; i++) {
-        r = sm_executor_init(app->executor[i], &app->failed);
+        r = sm_executor_init(app->executor[i], &app->failed_task);
         if (r != SM_OK) {
-            app->refused = app->executor[i];
-            if (app->failed) {
-                app->file = app->log && app->failed->context == app->log ? app->log->file : NULL;
-                name_pin(app, r);
+            app->failed_executor = app->executor[i];
+            if (app->failed_task) {
+                app->failed_file = app->log && app->failed_task->context == app->log ? app->log->file : NULL;
+                note_pin(app, r);
             } else if (r == SM_E_ARGUMENT) {
-                app->why = SM_TEXT("its plan is wrong");
+                app->reason = SM_TEXT("its plan is wrong");
             }
         }
     }
     return r;
 }
 
-static bool has_bitten(void)
+static bool watchdog_caused_start(void)
 {
     bool bit = false;
 
     return pal_watchdog_bit(&bit) == SM_OK && bit;
 }
 
-static SmResult start(SmApp *app)
+static SmResult start_app(SmApp *app)
 {
-    SmResult r = check(app);
+    SmResult r = check_config(app);
 
     r = r == SM_OK ? open_vector(app) : r;
     r = r == SM_OK ? fill_vector(app) : r;
     if (r != SM_OK)
         return r;
-    tell_event(app, SM_EVENT_START, 0, app->restored ? 1 : app->keep && app->keep->unusable ? 2 : 0, has_bitten());
+    emit_event(app, SM_EVENT_START, 0, app->restored ? 1 : app->keep && app->keep->unusable ? 2 : 0, watchdog_caused_start());
     r = init_executors(app);
     return r == SM_OK ? sm_run_prepare(app) : r;
 }
@@ -189,24 +189,24 @@ static SmResult start(SmApp *app)
 // ---- from start to end ----
 
 // The last record of the log contains STOP.  If the threads are stopped before tick 0 is due, the end precedes the start.
-static void end(SmApp *app)
+static void end_app(SmApp *app)
 {
     const uint64_t now = pal_clock_now();
     const SmTick last = {(int64_t)(now - app->start) > 0 ? now - app->start : 0, 0};
 
-    tell_event(app, SM_EVENT_STOP, last.time, 0, 0);
+    emit_event(app, SM_EVENT_STOP, last.time, 0, 0);
     if (app->writing)
         app->writing->close(app, &last);
 }
 
 SmResult sm_app_run(SmApp *app)
 {
-    const SmResult r = start(app);
+    const SmResult r = start_app(app);
 
     if (r != SM_OK)
         return r;
     sm_run(app);
-    end(app);
+    end_app(app);
     return SM_OK;
 }
 
@@ -224,9 +224,9 @@ int sm_app_main(SmApp *app)
 {
     SmResult r;
 
-    app->tell = true;
+    app->print_messages = true;
     r = sm_app_run(app);
     if (r != SM_OK)
-        tell_refused(app, r);
+        print_start_failure(app, r);
     return r != SM_OK;
 }

@@ -65,15 +65,15 @@ typedef struct SmApp {
     // The fields below belong to the runtime; initially all zero.
     bool restored;
     uint32_t stop;            // read and written through sm_app_stop and sm_app_stopping
-    const SmTask *failed;     // the task whose init failed
-    const SmExecutor *refused;            // the executor that did not start, or to which `failed` belongs
-    const char *what, *why;   // what else did not start; the reason, if the result does not explain it (flash strings, stdlib/flash.h)
-    const char *file;         // the file that the failure concerns; or NULL
-    char pin[16];             // "pin 17: ", likewise; or empty
-    bool tell;                // print messages on the console
+    const SmTask *failed_task;            // the task whose init failed
+    const SmExecutor *failed_executor;    // the executor that did not start, or to which `failed_task` belongs
+    const char *failed_part, *reason;     // what else did not start; the reason, if the result does not explain it (flash strings, stdlib/flash.h)
+    const char *failed_file;  // the file that the failure concerns; or NULL
+    char failed_pin[16];      // "pin 17: ", likewise; or empty
+    bool print_messages;      // print messages on the console
     uint64_t start;           // PAL clock time at which tick 0 is due
-    uint64_t fed, wrote;      // PAL clock times: of the last watchdog feed; of the last check for pending writes
-    PalThread watch;          // the thread that feeds the watchdog
+    uint64_t fed_at, wrote_at;// PAL clock times: of the last watchdog feed; of the last check for pending writes
+    PalThread watchdog_thread;// the thread that feeds the watchdog
     uint32_t gate;            // run.c
 } SmApp;
 

@@ -2,7 +2,7 @@
 // The ring of events.  Event number n is at index n modulo `room`.  `room` divides 2^32, so the counter may wrap around.
 #include "runtime-c/event.h"
 
-#include "runtime-c/tally.h"
+#include "runtime-c/shared.h"
 
 SmResult sm_events_init(SmEvents *e)
 {
@@ -13,39 +13,39 @@ SmResult sm_events_init(SmEvents *e)
     return e->guarded ? pal_lock_open(&e->lock) : SM_OK;
 }
 
-static bool enter(SmEvents *e)
+static bool lock_ring(SmEvents *e)
 {
     if (!e->guarded || pal_lock_take(e->lock, SM_LOCK_WAIT) == SM_OK)
         return true;
-    sm_tally(&e->faults);
+    sm_shared_increment(&e->faults);
     return false;
 }
 
-static void leave(SmEvents *e)
+static void unlock_ring(SmEvents *e)
 {
     if (e->guarded)
         pal_lock_give(e->lock);
 }
 
 // Copies byte by byte: for so few bytes a small chip has no faster method.
-static void copy(SmEvent *to, const SmEvent *from)
+static void copy_event(SmEvent *to, const SmEvent *from)
 {
     for (uint8_t i = 0; i < sizeof *to; i++)
         ((uint8_t *)to)[i] = ((const uint8_t *)from)[i];
 }
 
-static SmEvent *place(const SmEvents *e, uint32_t number) { return &e->at[(uint16_t)number & (uint16_t)(e->room - 1u)]; }
+static SmEvent *event_slot(const SmEvents *e, uint32_t number) { return &e->at[(uint16_t)number & (uint16_t)(e->room - 1u)]; }
 
 void sm_event(SmEvents *e, const SmEvent *event)
 {
-    if (!e || !event || !enter(e))
+    if (!e || !event || !lock_ring(e))
         return;
-    copy(place(e, e->next++), event);
-    leave(e);
+    copy_event(event_slot(e, e->next++), event);
+    unlock_ring(e);
 }
 
 // The number of events after a cursor that have been overwritten.
-static uint32_t gone(const SmEvents *e, uint32_t cursor)
+static uint32_t count_overwritten(const SmEvents *e, uint32_t cursor)
 {
     const uint32_t behind = e->next - cursor;
 
@@ -58,13 +58,13 @@ uint32_t sm_events_read(SmEvents *e, uint32_t *cursor, SmEvent *out, uint32_t n,
 
     if (lost)
         *lost = 0;
-    if (!e || !cursor || (!out && n > 0) || !enter(e))
+    if (!e || !cursor || (!out && n > 0) || !lock_ring(e))
         return 0;
-    missing = gone(e, *cursor);
+    missing = count_overwritten(e, *cursor);
     *cursor += missing;
     for (; taken < n && *cursor != e->next; taken++)
-        copy(&out[taken], place(e, (*cursor)++));
-    leave(e);
+        copy_event(&out[taken], event_slot(e, (*cursor)++));
+    unlock_ring(e);
     if (lost)
         *lost = missing;
     return taken;

@@ -15,12 +15,12 @@ static inline SmResult sm_handover_open(PalLock *lock)
     return r == SM_E_UNSUPPORTED ? SM_OK : r;
 }
 
-static inline SmResult sm_handover_take(PalLock lock)
+static inline SmResult sm_handover_lock(PalLock lock)
 {
     return lock.id != 0 ? pal_lock_take(lock, SM_LOCK_WAIT) : SM_OK;
 }
 
-static inline void sm_handover_give(PalLock lock)
+static inline void sm_handover_unlock(PalLock lock)
 {
     if (lock.id != 0)
         (void)pal_lock_give(lock);

@@ -7,12 +7,12 @@
 
 enum { OUTPUT = 1, DIGITAL = 2 };             // bit masks of SmIoKind
 
-static bool is_mine(const SmIo *io, uint16_t i, uint8_t direction) { return (io->pin[i].kind & OUTPUT) == direction; }
+static bool has_direction(const SmIo *io, uint16_t i, uint8_t direction) { return (io->pin[i].kind & OUTPUT) == direction; }
 static bool is_digital(const SmIoPin *p) { return p->kind & DIGITAL; }
 static SmType type_of(const SmIoPin *p) { return (SmType)p->type; }
 
 // Records the result of a call for pin i.
-static SmResult note(SmIo *io, uint16_t i, SmResult r)
+static SmResult record_result(SmIo *io, uint16_t i, SmResult r)
 {
     if (r == SM_OK) {
         io->missed[i] = 0;
@@ -24,7 +24,7 @@ static SmResult note(SmIo *io, uint16_t i, SmResult r)
     return r;
 }
 
-static SmResult first_of(SmResult before, SmResult now) { return before == SM_OK ? now : before; }
+static SmResult first_error(SmResult before, SmResult now) { return before == SM_OK ? now : before; }
 
 // The value of an element without a valid measurement: NaN, if the type has one.
 static uint64_t unknown_cell(SmType type)
@@ -55,69 +55,69 @@ static void close_pin(SmIo *io, uint16_t i)
 
 // ---- opening ----
 
-static bool is_number(uint64_t bits) { return (bits & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
+static bool is_finite(uint64_t bits) { return (bits & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
 
-static bool is_sensible(const SmIo *io, const SmIoPin *p)
+static bool is_row_valid(const SmIo *io, const SmIoPin *p)
 {
     const uint32_t size = io->sv->layout->whole.size;
 
     if (p->kind > SM_DIGITAL_OUT || p->type >= SM_TYPE_COUNT || is_digital(p) != (p->type == SM_BOOL))
         return false;
-    if (p->offset > size || size - p->offset < sm_type_bytes[p->type] || !is_number(p->safe))
+    if (p->offset > size || size - p->offset < sm_type_bytes[p->type] || !is_finite(p->safe))
         return false;
-    return is_digital(p) || (is_number(p->scale) && is_number(p->zero) && p->scale << 1 != 0);
+    return is_digital(p) || (is_finite(p->scale) && is_finite(p->zero) && p->scale << 1 != 0);
 }
 
 static SmResult open_pin(SmIo *io, uint16_t i)
 {
-    if (!is_sensible(io, &io->pin[i]))
+    if (!is_row_valid(io, &io->pin[i]))
         return SM_E_ARGUMENT;
     return sm_pin_open(&io->pin[i], &io->handle[i]);
 }
 
-static void close_first(SmIo *io, uint16_t n, uint8_t direction)
+static void close_pins(SmIo *io, uint16_t n, uint8_t direction)
 {
     for (uint16_t i = 0; i < n; i++)
-        if (is_mine(io, i, direction))
+        if (has_direction(io, i, direction))
             close_pin(io, i);
 }
 
-static SmResult open_all(SmIo *io, uint8_t direction)
+static SmResult open_pins(SmIo *io, uint8_t direction)
 {
     SmResult r = SM_OK;
 
     if (!io || !io->sv || !io->sv->layout || (io->pins && (!io->pin || !io->handle || !io->missed || !io->value)))
         return SM_E_ARGUMENT;
     for (uint16_t i = 0; i < io->pins; i++) {
-        if (!is_mine(io, i, direction))
+        if (!has_direction(io, i, direction))
             continue;
-        r = note(io, i, open_pin(io, i));
+        r = record_result(io, i, open_pin(io, i));
         if (r != SM_OK) {
-            close_first(io, i, direction);
+            close_pins(io, i, direction);
             return r;
         }
     }
     return SM_OK;
 }
 
-SmResult sm_inputs_init(void *io) { return open_all((SmIo *)io, 0); }
-SmResult sm_outputs_init(void *io) { return open_all((SmIo *)io, OUTPUT); }
+SmResult sm_inputs_init(void *io) { return open_pins((SmIo *)io, 0); }
+SmResult sm_outputs_init(void *io) { return open_pins((SmIo *)io, OUTPUT); }
 
 // ---- inputs ----
 
-static uint8_t *element_of(const SmIo *io, uint16_t i) { return (uint8_t *)io->sv->at + io->pin[i].offset; }
+static uint8_t *element_address(const SmIo *io, uint16_t i) { return (uint8_t *)io->sv->at + io->pin[i].offset; }
 
 // 9.11: after more than `hold` consecutive failures the value is no longer valid.
 static void store_inputs(SmIo *io)
 {
     for (uint16_t i = 0; i < io->pins; i++) {
         const SmIoPin *p = &io->pin[i];
-        if (!is_mine(io, i, 0))
+        if (!has_direction(io, i, 0))
             continue;
         if (io->missed[i] == 0)
-            sm_cell_store(type_of(p), element_of(io, i), io->value[i]);
+            sm_cell_store(type_of(p), element_address(io, i), io->value[i]);
         else if (io->missed[i] > p->hold)
-            sm_cell_store(type_of(p), element_of(io, i), unknown_cell(type_of(p)));
+            sm_cell_store(type_of(p), element_address(io, i), unknown_cell(type_of(p)));
     }
 }
 
@@ -128,8 +128,8 @@ SmResult sm_inputs_step(void *context, const SmTick *tick)
 
     (void)tick;
     for (uint16_t i = 0; i < io->pins; i++)
-        if (is_mine(io, i, 0))
-            result = first_of(result, note(io, i, read_pin(io, i)));
+        if (has_direction(io, i, 0))
+            result = first_error(result, record_result(io, i, read_pin(io, i)));
     r = sm_enter(io->sv);
     if (r != SM_OK)
         return r;
@@ -143,8 +143,8 @@ SmResult sm_inputs_step(void *context, const SmTick *tick)
 static void load_outputs(SmIo *io)
 {
     for (uint16_t i = 0; i < io->pins; i++)
-        if (is_mine(io, i, OUTPUT))
-            io->value[i] = sm_cell_load(type_of(&io->pin[i]), element_of(io, i));
+        if (has_direction(io, i, OUTPUT))
+            io->value[i] = sm_cell_load(type_of(&io->pin[i]), element_address(io, i));
 }
 
 SmResult sm_outputs_step(void *context, const SmTick *tick)
@@ -158,8 +158,8 @@ SmResult sm_outputs_step(void *context, const SmTick *tick)
     load_outputs(io);
     sm_leave(io->sv);
     for (uint16_t i = 0; i < io->pins; i++)
-        if (is_mine(io, i, OUTPUT))
-            result = first_of(result, note(io, i, write_pin(io, i, sm_cell_to_f64(type_of(&io->pin[i]), io->value[i]))));
+        if (has_direction(io, i, OUTPUT))
+            result = first_error(result, record_result(io, i, write_pin(io, i, sm_cell_to_f64(type_of(&io->pin[i]), io->value[i]))));
     return result;
 }
 
@@ -170,17 +170,17 @@ SmResult sm_outputs_safe(void *context, const SmTick *tick)
 
     (void)tick;
     for (uint16_t i = 0; i < io->pins; i++)
-        if (is_mine(io, i, OUTPUT))
-            result = first_of(result, note(io, i, write_pin(io, i, sm_from_bits(io->pin[i].safe))));
+        if (has_direction(io, i, OUTPUT))
+            result = first_error(result, record_result(io, i, write_pin(io, i, sm_from_bits(io->pin[i].safe))));
     return result;
 }
 
 // ---- closing ----
 
-void sm_inputs_close(SmIo *io) { close_first(io, io->pins, 0); }
+void sm_inputs_close(SmIo *io) { close_pins(io, io->pins, 0); }
 
 void sm_outputs_close(SmIo *io)
 {
     (void)sm_outputs_safe(io, NULL);
-    close_first(io, io->pins, OUTPUT);
+    close_pins(io, io->pins, OUTPUT);
 }

@@ -9,13 +9,13 @@
 #include "runtime-c/handover.h"
 #include "runtime-c/log_block.h"
 
-static uint32_t packed_of(const SmKeep *k) { return k->sv->layout->whole.packed; }
-static uint32_t size_of(const SmKeep *k) { return SM_KEEP_SIZE(packed_of(k)); }
-static uint8_t *half(const SmKeep *k, uint8_t n) { return k->buffer + (n - 1u) * size_of(k); }
+static uint32_t packed_size(const SmKeep *k) { return k->sv->layout->whole.packed; }
+static uint32_t slot_size(const SmKeep *k) { return SM_KEEP_SIZE(packed_size(k)); }
+static uint8_t *buffer_half(const SmKeep *k, uint8_t n) { return k->buffer + (n - 1u) * slot_size(k); }
 
-static uint32_t check_of(const SmKeep *k, const uint8_t *slot)
+static uint32_t slot_crc(const SmKeep *k, const uint8_t *slot)
 {
-    return sm_crc32_end(log_check(log_check(SM_CRC32_START, slot, 12), slot + SM_KEEP_HEAD, packed_of(k)));
+    return sm_crc32_end(log_check(log_check(SM_CRC32_START, slot, 12), slot + SM_KEEP_HEAD, packed_size(k)));
 }
 
 // ---- restoring ----
@@ -23,7 +23,7 @@ static uint32_t check_of(const SmKeep *k, const uint8_t *slot)
 static uint32_t round_up(uint32_t n, uint32_t unit) { return unit > 1 ? (n + unit - 1) / unit * unit : n; }
 
 // Determines the distance between the slots in this memory.
-static SmResult lay_out(SmKeep *k)
+static SmResult compute_slot_distance(SmKeep *k)
 {
     PalNvmInfo info;
     SmResult r = pal_nvm_info(k->nvm, &info);
@@ -32,7 +32,7 @@ static SmResult lay_out(SmKeep *k)
         return r;
     if (info.write == 0 || SM_KEEP_UNIT % info.write != 0)
         return SM_E_UNSUPPORTED;
-    k->slot = round_up(size_of(k), info.erase);
+    k->slot = round_up(slot_size(k), info.erase);
     return k->slot <= info.size / 2 ? SM_OK : SM_E_SPACE;
 }
 
@@ -58,13 +58,13 @@ static bool is_blank(const uint8_t *bytes, uint32_t n, uint8_t blank)
     return n == 0;
 }
 
-static bool is_known(const SmKeep *k, const uint8_t *head)
+static bool matches_layout(const SmKeep *k, const uint8_t *head)
 {
-    return log_get32(head + 4) == k->sv->layout->hash || log_get32(head + 8) == packed_of(k);
+    return log_get32(head + 4) == k->sv->layout->hash || log_get32(head + 8) == packed_size(k);
 }
 
 // Whether the memory begins with an intact slot of any layout.
-static bool is_whole(const SmKeep *k, const PalNvmInfo *info, const uint8_t *head)
+static bool begins_with_intact_slot(const SmKeep *k, const PalNvmInfo *info, const uint8_t *head)
 {
     const uint32_t n = log_get32(head + 8);
     uint32_t crc = log_check(SM_CRC32_START, head, 12);
@@ -82,20 +82,20 @@ static bool is_whole(const SmKeep *k, const PalNvmInfo *info, const uint8_t *hea
 
 // Whether the memory is ours or blank.  For blank only the number and the hash are checked, because an erase may have been cut
 // after them.
-static bool is_ours(const SmKeep *k, const PalNvmInfo *info)
+static bool is_ours_or_blank(const SmKeep *k, const PalNvmInfo *info)
 {
     uint8_t first[SM_KEEP_HEAD], second[SM_KEEP_HEAD];
 
-    if (!read_head(k, info, 0, first) || !read_head(k, info, round_up(size_of(k), info->erase), second))
+    if (!read_head(k, info, 0, first) || !read_head(k, info, round_up(slot_size(k), info->erase), second))
         return true;                                      // the medium cannot be read now, so the content is unknown
-    return is_blank(first, 8, info->blank) || is_known(k, first) || is_known(k, second) || is_whole(k, info, first) ||
+    return is_blank(first, 8, info->blank) || matches_layout(k, first) || matches_layout(k, second) || begins_with_intact_slot(k, info, first) ||
         (info->erase != 0 && is_blank(second, SM_KEEP_HEAD, info->blank));        // a cut erase of the first leaves undefined bytes there
 }
 
 // ---- opening ----
 
 // Opens the memory at its current size, because opening it with a larger size would extend it.
-static SmResult look_first(SmKeep *k, bool *fits)
+static SmResult open_at_current_size(SmKeep *k, bool *fits)
 {
     PalNvmInfo info;
     SmResult r = pal_nvm_open(&k->nvm, k->memory, 1);
@@ -103,9 +103,9 @@ static SmResult look_first(SmKeep *k, bool *fits)
     if (r != SM_OK)
         return r;
     r = pal_nvm_info(k->nvm, &info);
-    if (r == SM_OK && !is_ours(k, &info))
+    if (r == SM_OK && !is_ours_or_blank(k, &info))
         r = SM_E_FOREIGN;
-    *fits = r == SM_OK && info.size >= 2 * size_of(k);
+    *fits = r == SM_OK && info.size >= 2 * slot_size(k);
     if (!*fits)
         (void)pal_nvm_close(k->nvm);
     return r;
@@ -114,15 +114,15 @@ static SmResult look_first(SmKeep *k, bool *fits)
 static SmResult open_memory(SmKeep *k)
 {
     bool fits = false;
-    SmResult r = look_first(k, &fits);
+    SmResult r = open_at_current_size(k, &fits);
 
     if (r == SM_OK && !fits)
-        r = pal_nvm_open(&k->nvm, k->memory, 2 * size_of(k));
+        r = pal_nvm_open(&k->nvm, k->memory, 2 * slot_size(k));
     if (r != SM_OK) {
         k->nvm.id = 0;
         return r;
     }
-    r = lay_out(k);
+    r = compute_slot_distance(k);
     if (r == SM_OK)
         r = sm_handover_open(&k->lock);
     if (r != SM_OK) {
@@ -137,19 +137,19 @@ static SmResult open_memory(SmKeep *k)
 // Reads slot 0 or 1 into its half of the buffer.  Returns whether it is intact and of this layout.
 static bool read_slot(SmKeep *k, uint8_t which)
 {
-    uint8_t *slot = half(k, (uint8_t)(which + 1));
+    uint8_t *slot = buffer_half(k, (uint8_t)(which + 1));
 
-    return pal_nvm_read(k->nvm, which * k->slot, slot, SM_KEEP_HEAD + packed_of(k)) == SM_OK && log_get32(slot) % 2 == which &&
-        log_get32(slot + 4) == k->sv->layout->hash && log_get32(slot + 8) == packed_of(k) && log_get32(slot + 12) == check_of(k, slot);
+    return pal_nvm_read(k->nvm, which * k->slot, slot, SM_KEEP_HEAD + packed_size(k)) == SM_OK && log_get32(slot) % 2 == which &&
+        log_get32(slot + 4) == k->sv->layout->hash && log_get32(slot + 8) == packed_size(k) && log_get32(slot + 12) == slot_crc(k, slot);
 }
 
 // Whether a vector was ever saved: the bytes read from the slots are not all blank.
 static bool holds_something(const SmKeep *k)
 {
-    const uint32_t n = SM_KEEP_HEAD + packed_of(k);
+    const uint32_t n = SM_KEEP_HEAD + packed_size(k);
     PalNvmInfo info;
 
-    return pal_nvm_info(k->nvm, &info) == SM_OK && !(is_blank(half(k, 1), n, info.blank) && is_blank(half(k, 2), n, info.blank));
+    return pal_nvm_info(k->nvm, &info) == SM_OK && !(is_blank(buffer_half(k, 1), n, info.blank) && is_blank(buffer_half(k, 2), n, info.blank));
 }
 
 // The half of the buffer that contains the newest slot; 0: none.
@@ -158,7 +158,7 @@ static uint8_t newest(SmKeep *k)
     const bool first = read_slot(k, 0), second = read_slot(k, 1);
 
     if (first && second)
-        return log_get32(half(k, 1)) - log_get32(half(k, 2)) < UINT32_MAX / 2 ? 1 : 2;
+        return log_get32(buffer_half(k, 1)) - log_get32(buffer_half(k, 2)) < UINT32_MAX / 2 ? 1 : 2;
     return first ? 1 : second ? 2 : 0;
 }
 
@@ -177,8 +177,8 @@ SmResult sm_keep_restore(SmKeep *k)
         k->unusable = holds_something(k);
         return SM_OK;
     }
-    k->number = log_get32(half(k, found));
-    r = sm_unpack_region(k->sv, &k->sv->layout->whole, half(k, found) + SM_KEEP_HEAD, (size_t)packed_of(k));
+    k->number = log_get32(buffer_half(k, found));
+    r = sm_unpack_region(k->sv, &k->sv->layout->whole, buffer_half(k, found) + SM_KEEP_HEAD, (size_t)packed_size(k));
     k->restored = r == SM_OK;
     return r;
 }
@@ -187,85 +187,85 @@ SmResult sm_keep_restore(SmKeep *k)
 
 // Chooses the half for the next snapshot.  It never chooses the half that is being written, and chooses the waiting one only if
 // necessary.
-static uint8_t claim(SmKeep *k)
+static uint8_t claim_half(SmKeep *k)
 {
     uint8_t into;
 
-    if (sm_handover_take(k->lock) != SM_OK)
+    if (sm_handover_lock(k->lock) != SM_OK)
         return 0;
-    into = k->busy != 1 && k->full != 1 ? 1 : k->busy != 2 && k->full != 2 ? 2 : k->full;
-    if (into == k->full) {
-        k->full = 0;                                      // withdrawn, so that the writer does not start on it now
-        k->missed++;
+    into = k->writing != 1 && k->waiting != 1 ? 1 : k->writing != 2 && k->waiting != 2 ? 2 : k->waiting;
+    if (into == k->waiting) {
+        k->waiting = 0;                                      // withdrawn, so that the writer does not start on it now
+        k->replaced++;
     }
-    sm_handover_give(k->lock);
+    sm_handover_unlock(k->lock);
     return into;
 }
 
 // Returns the result of the last write to the medium.
-static SmResult hand_over(SmKeep *k, uint8_t snapshot)
+static SmResult hand_over_snapshot(SmKeep *k, uint8_t snapshot)
 {
-    SmResult r = sm_handover_take(k->lock);
+    SmResult r = sm_handover_lock(k->lock);
 
     if (r != SM_OK)
         return r;
-    k->missed += k->full != 0;
-    k->full = snapshot;
-    k->pending++;
+    k->replaced += k->waiting != 0;
+    k->waiting = snapshot;
+    k->taken++;
     r = k->result;
-    sm_handover_give(k->lock);
+    sm_handover_unlock(k->lock);
     return r;
 }
 
 SmResult sm_keep_step(void *context, const SmTick *tick)
 {
     SmKeep *k = (SmKeep *)context;
-    const uint8_t into = claim(k);
+    const uint8_t into = claim_half(k);
     SmResult r = into != 0 ? SM_OK : SM_E_TIMEOUT;
 
     (void)tick;
     if (r == SM_OK)
-        r = sm_pack_region(k->sv, &k->sv->layout->whole, half(k, into) + SM_KEEP_HEAD, (size_t)packed_of(k));
-    return r == SM_OK ? hand_over(k, into) : r;
+        r = sm_pack_region(k->sv, &k->sv->layout->whole, buffer_half(k, into) + SM_KEEP_HEAD, (size_t)packed_size(k));
+    return r == SM_OK ? hand_over_snapshot(k, into) : r;
 }
 
 // ---- writing ----
 
-// Moves the waiting snapshot to `busy`.  Returns 0 if none waits.
-static uint8_t begin(SmKeep *k)
+// Moves the waiting snapshot to `writing`.  Returns 0 if none waits.
+static uint8_t begin_write(SmKeep *k)
 {
-    if (sm_handover_take(k->lock) != SM_OK)
+    if (sm_handover_lock(k->lock) != SM_OK)
         return 0;
-    k->busy = k->full;
-    k->full = 0;
-    sm_handover_give(k->lock);
-    return k->busy;
+    k->writing = k->waiting;
+    k->waiting = 0;
+    sm_handover_unlock(k->lock);
+    return k->writing;
 }
 
-static void end(SmKeep *k, SmResult r)
+static void end_write(SmKeep *k, SmResult r)
 {
-    if (sm_handover_take(k->lock) != SM_OK)
+    if (sm_handover_lock(k->lock) != SM_OK)
         return;
     k->result = r;
     if (r == SM_OK)
-        k->stored++;
-    else if (k->full == 0)
-        k->full = k->busy;
+        k->written++;
+    else if (k->waiting == 0)
+        k->waiting = k->writing;
     else
-        k->missed++;
-    k->busy = 0;
-    sm_handover_give(k->lock);
+        k->replaced++;
+    k->writing = 0;
+    sm_handover_unlock(k->lock);
 }
 
-static void put_head(const SmKeep *k, uint8_t *slot, uint32_t number)
+static void fill_head(const SmKeep *k, uint8_t *slot, uint32_t number)
 {
     log_put32(slot, number);
     log_put32(slot + 4, k->sv->layout->hash);
-    log_put32(slot + 8, packed_of(k));
-    log_put32(slot + 12, check_of(k, slot));
+    log_put32(slot + 8, packed_size(k));
+    log_put32(slot + 12, slot_crc(k, slot));
 }
 
-static SmResult erase(const SmKeep *k, uint32_t at)
+static SmResult erase_slot(const SmKeep *k, uint32_t at)
 {
     PalNvmInfo info;
     SmResult r = pal_nvm_info(k->nvm, &info);
@@ -273,25 +273,25 @@ static SmResult erase(const SmKeep *k, uint32_t at)
     return r == SM_OK && info.erase != 0 ? pal_nvm_erase(k->nvm, at, k->slot) : r;
 }
 
-static SmResult store(const SmKeep *k, uint8_t *slot, uint32_t number)
+static SmResult write_slot(const SmKeep *k, uint8_t *slot, uint32_t number)
 {
     const uint32_t at = number % 2 * k->slot;
-    SmResult r = erase(k, at);
+    SmResult r = erase_slot(k, at);
 
-    put_head(k, slot, number);
-    return r == SM_OK ? pal_nvm_write(k->nvm, at, slot, size_of(k)) : r;
+    fill_head(k, slot, number);
+    return r == SM_OK ? pal_nvm_write(k->nvm, at, slot, slot_size(k)) : r;
 }
 
 SmResult sm_keep_write(SmKeep *k)
 {
-    const uint8_t snapshot = begin(k);
+    const uint8_t snapshot = begin_write(k);
     SmResult r;
 
     if (snapshot == 0)
         return SM_OK;
-    r = store(k, half(k, snapshot), k->number + 1);
+    r = write_slot(k, buffer_half(k, snapshot), k->number + 1);
     k->number += r == SM_OK;
-    end(k, r);
+    end_write(k, r);
     return r;
 }
 
@@ -304,11 +304,11 @@ SmResult sm_keep_forget(SmKeep *k)
     if (r == SM_OK)
         r = pal_nvm_erase(k->nvm, newer, k->slot);
     if (r == SM_OK)
-        r = sm_handover_take(k->lock);
+        r = sm_handover_lock(k->lock);
     if (r != SM_OK)
         return r;
-    k->missed += k->full != 0;
-    k->full = 0;
-    sm_handover_give(k->lock);
+    k->replaced += k->waiting != 0;
+    k->waiting = 0;
+    sm_handover_unlock(k->lock);
     return SM_OK;
 }

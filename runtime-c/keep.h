@@ -19,11 +19,11 @@ typedef struct SmKeep {
     uint8_t *buffer;          // 2 * SM_KEEP_SIZE(packed size of the vector) bytes
     // The fields below belong to the runtime; initially all zero.
     PalNvm nvm;
-    PalLock lock;             // protects `full`, `busy` and `result`
+    PalLock lock;             // protects `waiting`, `writing` and `result`
     uint32_t slot;            // distance between the two slots in bytes
     uint32_t number;          // sequence number of the newest slot
-    uint8_t full, busy;       // the half of `buffer`, 1 or 2, that waits to be written, and that is being written; 0: none
-    uint32_t pending, stored, missed;     // number of snapshots taken, written, and replaced by a later one before being written
+    uint8_t waiting, writing; // the half of `buffer`, 1 or 2, that waits to be written, and that is being written; 0: none
+    uint32_t taken, written, replaced;    // number of snapshots taken, written, and replaced by a later one before being written
     SmResult result;          // of the last access to the medium
     bool restored;
     bool unusable;            // there was a slot, but it is damaged or of another layout

@@ -15,17 +15,17 @@ enum { EVENTS_AT_ONCE = 4 };
 // cut within its first bytes still has its mark.
 static bool is_log(const SmLog *log)
 {
-    enum { LOOK = LOG_HEAD + 9 };                         // up to and including the start offset of the first session, which is 0
+    enum { BEGINNING = LOG_HEAD + 9 };                         // up to and including the start offset of the first session, which is 0
     const uint8_t beginning[9] = {LOG_VERSION};
-    const uint32_t n = log->start < LOOK ? (uint32_t)log->start : LOOK;
-    uint8_t b[LOOK] = {0};
+    const uint32_t n = log->start < BEGINNING ? (uint32_t)log->start : BEGINNING;
+    uint8_t b[BEGINNING] = {0};
     bool zeros = true;
 
     if (n == 0 || pal_log_read(log->out, b, (size_t)n) != SM_OK)
         return n == 0;
     for (uint32_t i = 0; i < n; i++)
         zeros = zeros && b[i] == 0;
-    if (zeros || n < LOOK)
+    if (zeros || n < BEGINNING)
         return zeros || b[0] == LOG_MARK;
     if (b[0] == LOG_MARK || b[1] == LOG_DESCRIPTION)
         return (b[0] == LOG_MARK && b[1] == LOG_DESCRIPTION) || memcmp(b + LOG_HEAD, beginning, sizeof beginning) == 0;
@@ -67,14 +67,14 @@ SmResult sm_log_init(void *context)
 // ---- room in the ring ----
 
 // Finds space for a block of n bytes; false if there is none.
-static bool find_room(SmLog *log, uint32_t n, uint32_t *at)
+static bool find_space(SmLog *log, uint32_t n, uint32_t *at)
 {
     uint32_t tail;
 
-    if (sm_handover_take(log->lock) != SM_OK)
+    if (sm_handover_lock(log->lock) != SM_OK)
         return false;
     tail = log->tail;
-    sm_handover_give(log->lock);
+    sm_handover_unlock(log->lock);
     *at = log->head;
     if (log->head < tail)
         return n < tail - log->head;
@@ -85,20 +85,20 @@ static bool find_room(SmLog *log, uint32_t n, uint32_t *at)
 }
 
 // Passes the block of n bytes at `at` to the drain.
-static bool hand_over(SmLog *log, uint32_t at, uint32_t n)
+static bool hand_over_block(SmLog *log, uint32_t at, uint32_t n)
 {
-    if (sm_handover_take(log->lock) != SM_OK)
+    if (sm_handover_lock(log->lock) != SM_OK)
         return false;
     if (at == 0)
         log->end = log->head;
     log->head = at + n;
-    sm_handover_give(log->lock);
+    sm_handover_unlock(log->lock);
     return true;
 }
 
 // ---- blocks ----
 
-static void put_event(uint8_t *to, const SmEvent *e)
+static void encode_event(uint8_t *to, const SmEvent *e)
 {
     log_put64(to, e->time);
     to[8] = e->kind;
@@ -108,13 +108,13 @@ static void put_event(uint8_t *to, const SmEvent *e)
 }
 
 // Puts up to EVENTS_AT_ONCE events into a block and returns their number.  Without space, the events stay in the event ring.
-static uint32_t put_some_events(SmLog *log)
+static uint32_t append_events_block(SmLog *log)
 {
     SmEvent e[EVENTS_AT_ONCE];
     uint32_t at, n, lost = 0;
     uint8_t *to;
 
-    if (!find_room(log, SM_LOG_BLOCK + EVENTS_AT_ONCE * LOG_EVENT, &at))
+    if (!find_space(log, SM_LOG_BLOCK + EVENTS_AT_ONCE * LOG_EVENT, &at))
         return 0;
     n = sm_events_read(log->events, &log->cursor, e, EVENTS_AT_ONCE, &lost);
     log->lost += lost;
@@ -123,51 +123,51 @@ static uint32_t put_some_events(SmLog *log)
     to = log->buffer + at;
     log_put_head(to, LOG_EVENTS, n * LOG_EVENT);
     for (uint32_t i = 0; i < n; i++)
-        put_event(to + LOG_HEAD + i * LOG_EVENT, &e[i]);
-    if (!hand_over(log, at, SM_LOG_BLOCK + n * LOG_EVENT))
+        encode_event(to + LOG_HEAD + i * LOG_EVENT, &e[i]);
+    if (!hand_over_block(log, at, SM_LOG_BLOCK + n * LOG_EVENT))
         log->lost += n;
     return n;
 }
 
 // Limited to the size of the event ring, so that events emitted meanwhile cannot prolong the loop.
-static void put_events(SmLog *log)
+static void append_events(SmLog *log)
 {
     uint32_t left = log->events ? log->events->room : 0, n = 1;
 
     while (left > 0 && n > 0) {
-        n = put_some_events(log);
+        n = append_events_block(log);
         left -= n < left ? n : left;
     }
 }
 
 // Reports the losses that the log has not reported yet, if there are any.
-static void put_gap(SmLog *log)
+static void append_gap(SmLog *log)
 {
     uint32_t at;
 
-    if ((log->dropped == log->dropped_told && log->lost == log->lost_told) || !find_room(log, SM_LOG_BLOCK + LOG_DROPPED, &at))
+    if ((log->dropped == log->dropped_reported && log->lost == log->lost_reported) || !find_space(log, SM_LOG_BLOCK + LOG_DROPPED, &at))
         return;
     log_put_head(log->buffer + at, LOG_GAP, LOG_DROPPED);
-    log_put32(log->buffer + at + LOG_HEAD, log->dropped - log->dropped_told);
-    log_put32(log->buffer + at + LOG_HEAD + 4, log->lost - log->lost_told);
-    if (hand_over(log, at, SM_LOG_BLOCK + LOG_DROPPED)) {
-        log->dropped_told = log->dropped;
-        log->lost_told = log->lost;
+    log_put32(log->buffer + at + LOG_HEAD, log->dropped - log->dropped_reported);
+    log_put32(log->buffer + at + LOG_HEAD + 4, log->lost - log->lost_reported);
+    if (hand_over_block(log, at, SM_LOG_BLOCK + LOG_DROPPED)) {
+        log->dropped_reported = log->dropped;
+        log->lost_reported = log->lost;
     }
 }
 
-static SmResult put_record(SmLog *log, uint64_t time)
+static SmResult append_record(SmLog *log, uint64_t time)
 {
     const SmRegion *whole = &log->sv->layout->whole;
     uint32_t at;
     SmResult r;
 
-    if (!find_room(log, SM_LOG_RECORD(whole->packed), &at))
+    if (!find_space(log, SM_LOG_RECORD(whole->packed), &at))
         return SM_E_FULL;
     log_put_head(log->buffer + at, LOG_RECORD, 8 + whole->packed);
     log_put64(log->buffer + at + LOG_HEAD, time);
     r = sm_pack_region(log->sv, whole, log->buffer + at + LOG_HEAD + 8, (size_t)whole->packed);
-    if (r == SM_OK && !hand_over(log, at, SM_LOG_RECORD(whole->packed)))
+    if (r == SM_OK && !hand_over_block(log, at, SM_LOG_RECORD(whole->packed)))
         r = SM_E_TIMEOUT;
     return r;
 }
@@ -177,9 +177,9 @@ SmResult sm_log_step(void *context, const SmTick *tick)
     SmLog *log = (SmLog *)context;
     SmResult r;
 
-    put_events(log);
-    put_gap(log);
-    r = put_record(log, tick->time);
+    append_events(log);
+    append_gap(log);
+    r = append_record(log, tick->time);
     log->dropped += r != SM_OK;
     return r;
 }

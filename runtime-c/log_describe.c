@@ -6,13 +6,13 @@
 #include "runtime-c/log_describe.h"
 
 // Receives all bytes in order and stores up to `room` of them, starting at byte `from`.
-typedef struct Sink {
+typedef struct DescriptionSink {
     uint32_t at, from, room;
     uint8_t *out;
     uint32_t crc;
-} Sink;
+} DescriptionSink;
 
-static void put(Sink *s, uint8_t byte)
+static void put_byte(DescriptionSink *s, uint8_t byte)
 {
     if (s->at >= s->from && s->at - s->from < s->room)
         s->out[s->at - s->from] = byte;
@@ -20,13 +20,13 @@ static void put(Sink *s, uint8_t byte)
     s->at++;
 }
 
-static void put_bytes(Sink *s, const uint8_t *bytes, uint32_t n)
+static void put_bytes(DescriptionSink *s, const uint8_t *bytes, uint32_t n)
 {
     while (n-- > 0)
-        put(s, *bytes++);
+        put_byte(s, *bytes++);
 }
 
-static void put_u16(Sink *s, uint16_t x)
+static void put_u16(DescriptionSink *s, uint16_t x)
 {
     uint8_t bytes[2];
 
@@ -34,7 +34,7 @@ static void put_u16(Sink *s, uint16_t x)
     put_bytes(s, bytes, 2);
 }
 
-static void put_u32(Sink *s, uint32_t x)
+static void put_u32(DescriptionSink *s, uint32_t x)
 {
     uint8_t bytes[4];
 
@@ -42,7 +42,7 @@ static void put_u32(Sink *s, uint32_t x)
     put_bytes(s, bytes, 4);
 }
 
-static void put_name(Sink *s, const char *name)
+static void put_name(DescriptionSink *s, const char *name)
 {
     uint16_t length = 0;
 
@@ -54,14 +54,14 @@ static void put_name(Sink *s, const char *name)
 
 // ---- its parts ----
 
-static void make_identity(const SmLog *log, uint8_t *to)
+static void encode_identity(const SmLog *log, uint8_t *to)
 {
     to[0] = LOG_VERSION;
     log_put64(to + 1, log->start);
     log_put32(to + 9, log->sv->layout->hash);
 }
 
-static void put_layout(Sink *s, const SmNames *names)
+static void put_layout(DescriptionSink *s, const SmNames *names)
 {
     const SmLayout *l = names->layout;
 
@@ -74,13 +74,13 @@ static void put_layout(Sink *s, const SmNames *names)
     }
     put_u16(s, l->elements);
     for (uint16_t i = 0; i < l->elements; i++) {
-        put(s, l->element[i].type);
+        put_byte(s, l->element[i].type);
         put_name(s, names->element[i]);
     }
 }
 
 // The index of a machine's element S; 0xFFFF: none.
-static uint16_t number_of(const SmLayout *l, const SmMachine *m)
+static uint16_t state_element_index(const SmLayout *l, const SmMachine *m)
 {
     const SmPlace at = m->type->number(m->self);
     uint16_t i = 0;
@@ -90,26 +90,26 @@ static uint16_t number_of(const SmLayout *l, const SmMachine *m)
     return i < l->elements ? i : UINT16_MAX;
 }
 
-static void put_machine(Sink *s, const SmLayout *l, const SmMachine *m)
+static void put_machine(DescriptionSink *s, const SmLayout *l, const SmMachine *m)
 {
     const uint32_t states = m->type->states(m->self);
 
     put_u16(s, m->number);
     put_name(s, m->name);
-    put_u16(s, number_of(l, m));
+    put_u16(s, state_element_index(l, m));
     put_u32(s, states);
     for (uint32_t i = 1; i <= states; i++)
         put_name(s, m->type->state_name(m->self, i));
 }
 
-static void put_names(Sink *s, const char *const *name, uint16_t n)
+static void put_names(DescriptionSink *s, const char *const *name, uint16_t n)
 {
     put_u16(s, name ? n : 0);
     for (uint16_t i = 0; name && i < n; i++)
         put_name(s, name[i]);
 }
 
-static void put_kinds(Sink *s)
+static void put_event_names(DescriptionSink *s)
 {
     static const uint8_t kinds[] = {
 #define SM_EVENT(name, number, source, a, b, text) number,
@@ -119,18 +119,18 @@ static void put_kinds(Sink *s)
 
     put_u16(s, sizeof kinds);
     for (uint16_t i = 0; i < sizeof kinds; i++) {
-        put(s, kinds[i]);
+        put_byte(s, kinds[i]);
         put_name(s, sm_event_name(kinds[i]));
     }
 }
 
-static void put_all(Sink *s, const SmLog *log, uint32_t length)
+static void put_description(DescriptionSink *s, const SmLog *log, uint32_t length)
 {
     uint8_t bytes[LOG_IDENTITY];
 
     log_put_head(bytes, LOG_DESCRIPTION, length);
     put_bytes(s, bytes, LOG_HEAD);
-    make_identity(log, bytes);
+    encode_identity(log, bytes);
     put_bytes(s, bytes, LOG_IDENTITY);
     put_layout(s, log->names);
     put_u16(s, log->machines);
@@ -138,7 +138,7 @@ static void put_all(Sink *s, const SmLog *log, uint32_t length)
         put_machine(s, log->sv->layout, log->machine[i]);
     put_names(s, log->task, log->tasks);
     put_names(s, log->executor, log->executors);
-    put_kinds(s);
+    put_event_names(s);
     put_u32(s, sm_crc32_end(s->crc));
 }
 
@@ -146,20 +146,20 @@ static void put_all(Sink *s, const SmLog *log, uint32_t length)
 
 uint32_t sm_log_description_size(const SmLog *log)
 {
-    Sink s = {0, 0, 0, NULL, SM_CRC32_START};
+    DescriptionSink s = {0, 0, 0, NULL, SM_CRC32_START};
 
-    put_all(&s, log, 0);
+    put_description(&s, log, 0);
     return s.at;
 }
 
 uint32_t sm_log_describe(const SmLog *log, uint32_t size, uint32_t from, uint8_t *out, uint32_t room)
 {
-    Sink s = {0, 0, 0, NULL, SM_CRC32_START};
+    DescriptionSink s = {0, 0, 0, NULL, SM_CRC32_START};
 
     s.from = from;
     s.room = room < size - from ? room : size - from;
     s.out = out;
-    put_all(&s, log, size - LOG_HEAD - LOG_CHECK);
+    put_description(&s, log, size - LOG_HEAD - LOG_CHECK);
     return s.room;
 }
 
@@ -167,6 +167,6 @@ uint32_t sm_log_identity(const SmLog *log)
 {
     uint8_t bytes[LOG_IDENTITY];
 
-    make_identity(log, bytes);
+    encode_identity(log, bytes);
     return log_check(SM_CRC32_START, bytes, LOG_IDENTITY);
 }

@@ -11,7 +11,7 @@
 enum { DESCRIBE_AT_ONCE = 64 };
 
 // Returns how many of the bytes are in the file now.
-static uint32_t append(SmLog *log, const uint8_t *bytes, uint32_t n)
+static uint32_t append_to_file(SmLog *log, const uint8_t *bytes, uint32_t n)
 {
     uint64_t size = log->written;
     uint32_t done = n;
@@ -30,67 +30,67 @@ static uint32_t append(SmLog *log, const uint8_t *bytes, uint32_t n)
 
 static bool is_describing(const SmLog *log)
 {
-    return log->describing < log->description;
+    return log->description_done < log->description_size;
 }
 
 static void begin_description(SmLog *log)
 {
-    log->description = sm_log_description_size(log);
-    log->describing = 0;
-    log->described = log->written;
+    log->description_size = sm_log_description_size(log);
+    log->description_done = 0;
+    log->described_at = log->written;
 }
 
-static void describe(SmLog *log)
+static void write_description_piece(SmLog *log)
 {
     uint8_t bytes[DESCRIBE_AT_ONCE];
-    const uint32_t n = sm_log_describe(log, log->description, log->describing, bytes, DESCRIBE_AT_ONCE);
+    const uint32_t n = sm_log_describe(log, log->description_size, log->description_done, bytes, DESCRIBE_AT_ONCE);
 
-    log->describing += append(log, bytes, n);
+    log->description_done += append_to_file(log, bytes, n);
 }
 
 // Requires other data between two descriptions, however long the description is.
 static bool is_description_due(const SmLog *log)
 {
-    return log->description == 0 || log->written - log->described > (uint64_t)log->description + SM_LOG_AGAIN;
+    return log->description_size == 0 || log->written - log->described_at > (uint64_t)log->description_size + SM_LOG_AGAIN;
 }
 
 // ---- the ring ----
 
 // The end of the contiguous blocks that start at the tail.  Moves the tail to the front if it is at the end of the ring.
-static uint32_t look(SmLog *log)
+static uint32_t find_limit(SmLog *log)
 {
     uint32_t limit;
 
-    if (sm_handover_take(log->lock) != SM_OK)
+    if (sm_handover_lock(log->lock) != SM_OK)
         return log->tail;
     if (log->head < log->tail && log->tail == log->end)
-        log->tail = log->closed = 0;
+        log->tail = log->sealed = 0;
     limit = log->head < log->tail ? log->end : log->head;
-    sm_handover_give(log->lock);
+    sm_handover_unlock(log->lock);
     return limit;
 }
 
 // Fills in the checksums of blocks before `limit`: of at least one block, then up to SM_LOG_PIECE bytes.  If the description is
 // due, it stops after one block.
-static void close_blocks(SmLog *log, uint32_t limit)
+static void add_checksums(SmLog *log, uint32_t limit)
 {
     const uint32_t identity = sm_log_identity(log), most = is_description_due(log) ? 0 : SM_LOG_PIECE;
 
-    while (log->closed < limit && (log->closed == log->tail || log->closed - log->tail < most)) {
-        uint8_t *block = log->buffer + log->closed;
+    while (log->sealed < limit && (log->sealed == log->tail || log->sealed - log->tail < most)) {
+        uint8_t *block = log->buffer + log->sealed;
         const uint32_t n = LOG_HEAD + log_get32(block + 2);
 
         log_put32(block + n, sm_crc32_end(log_check(identity, block, n)));
-        log->closed += n + LOG_CHECK;
+        log->sealed += n + LOG_CHECK;
     }
 }
 
-static void give_room(SmLog *log, uint32_t n)
+static void free_space(SmLog *log, uint32_t n)
 {
-    if (sm_handover_take(log->lock) != SM_OK)
+    if (sm_handover_lock(log->lock) != SM_OK)
         return;                                           // retried next time; these bytes will then be in the file twice
     log->tail += n;
-    sm_handover_give(log->lock);
+    sm_handover_unlock(log->lock);
 }
 
 // Returns true if data remains in the ring or in the description.
@@ -98,25 +98,25 @@ static bool drain_piece(SmLog *log)
 {
     uint32_t limit, n;
 
-    if (!is_describing(log) && is_description_due(log) && log->tail == log->closed)       // between blocks
+    if (!is_describing(log) && is_description_due(log) && log->tail == log->sealed)       // between blocks
         begin_description(log);
     if (is_describing(log)) {
-        describe(log);
+        write_description_piece(log);
         return true;
     }
-    limit = look(log);
+    limit = find_limit(log);
     if (log->tail == limit)
         return false;
-    close_blocks(log, limit);
-    n = log->closed - log->tail;
+    add_checksums(log, limit);
+    n = log->sealed - log->tail;
     n = n < SM_LOG_PIECE ? n : SM_LOG_PIECE;
-    give_room(log, append(log, log->buffer + log->tail, n));
+    free_space(log, append_to_file(log, log->buffer + log->tail, n));
     return true;
 }
 
 // ---- for the application ----
 
-static void sync(SmLog *log, uint64_t now)
+static void sync_file(SmLog *log, uint64_t now)
 {
     SmResult r = log->unsynced ? pal_log_sync(log->out) : SM_OK;
 
@@ -143,14 +143,14 @@ bool sm_log_drain(SmLog *log, uint64_t budget)
     const bool left = drain_until(log, start, budget);
 
     if (pal_clock_now() - log->synced_at >= SM_LOG_SYNC)
-        sync(log, pal_clock_now());
+        sync_file(log, pal_clock_now());
     return left;
 }
 
 SmResult sm_log_close(SmLog *log)
 {
     (void)sm_log_drain(log, UINT64_MAX);
-    sync(log, pal_clock_now());
+    sync_file(log, pal_clock_now());
     (void)pal_log_close(log->out);
     log->out.id = 0;
     if (log->lock.id != 0)

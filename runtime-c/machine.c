@@ -4,9 +4,9 @@
 
 #include <string.h>
 
-static uint8_t *place(void *vector, SmPlace p) { return (uint8_t *)vector + p.offset; }
+static uint8_t *address_of(void *vector, SmPlace p) { return (uint8_t *)vector + p.offset; }
 
-static void tell(const SmMachine *m, SmEventKind kind, uint64_t time, uint32_t a, uint32_t b)
+static void emit_event(const SmMachine *m, SmEventKind kind, uint64_t time, uint32_t a, uint32_t b)
 {
     SmEvent e;
 
@@ -27,7 +27,7 @@ static bool is_aligned(const void *p)
     return (uintptr_t)p % offsetof(struct Strict, at) == 0;
 }
 
-static SmResult check(const SmMachine *m)
+static SmResult check_config(const SmMachine *m)
 {
     if (!is_aligned(m->sv->at) || !is_aligned(m->copy))
         return SM_E_ALIGNMENT;
@@ -39,32 +39,32 @@ static SmResult check(const SmMachine *m)
 }
 
 // Reads the state number from S; 0 if no such state exists.
-static SmResult kept_state(const SmMachine *m, uint32_t *state)
+static SmResult read_restored_state(const SmMachine *m, uint32_t *state)
 {
     SmResult r = sm_enter(m->sv);
 
     if (r != SM_OK)
         return r;
-    memcpy(state, place(m->sv->at, m->type->number(m->self)), sizeof *state);
+    memcpy(state, address_of(m->sv->at, m->type->number(m->self)), sizeof *state);
     sm_leave(m->sv);
     if (*state > m->type->states(m->self))
         *state = 0;
     return SM_OK;
 }
 
-static SmResult first_state(const SmMachine *m, uint32_t *state)
+static SmResult choose_first_state(const SmMachine *m, uint32_t *state)
 {
     SmResult r = SM_OK;
 
     *state = 0;
     if (m->resume && m->restored != NULL && *m->restored)
-        r = kept_state(m, state);
+        r = read_restored_state(m, state);
     if (*state == 0)
         *state = m->initial != 0 ? m->initial : 1;
     return r;
 }
 
-static SmResult start(SmMachine *m, uint32_t state)
+static SmResult start_in_state(SmMachine *m, uint32_t state)
 {
     SmPlace number = m->type->number(m->self);
     SmResult r;
@@ -76,7 +76,7 @@ static SmResult start(SmMachine *m, uint32_t state)
         r = sm_enter(m->sv);
     if (r != SM_OK)
         return r;
-    memcpy(place(m->sv->at, number), place(m->copy, number), (size_t)number.size);
+    memcpy(address_of(m->sv->at, number), address_of(m->copy, number), (size_t)number.size);
     sm_leave(m->sv);
     return SM_OK;
 }
@@ -84,31 +84,31 @@ static SmResult start(SmMachine *m, uint32_t state)
 SmResult sm_machine_init(void *machine)
 {
     SmMachine *m = machine;
-    SmResult r = check(m);
+    SmResult r = check_config(m);
     uint32_t state;
 
-    m->last = m->refused = 0;
-    m->standing = m->owed = false;
+    m->last_state = m->refused = 0;
+    m->was_refused = m->write_back_due = false;
     if (r == SM_OK)
         r = m->type->open(m->self, m->sv->layout->hash, m->sv->layout->whole.size);
     if (r == SM_OK)
-        r = first_state(m, &state);
+        r = choose_first_state(m, &state);
     if (r == SM_OK)
-        r = start(m, state);
+        r = start_in_state(m, state);
     if (r != SM_OK)
         return r;
-    m->last = state;
-    tell(m, SM_EVENT_STATE, 0, 0, state);
+    m->last_state = state;
+    emit_event(m, SM_EVENT_STATE, 0, 0, state);
     return SM_OK;
 }
 
 // ---- step ----
 
 // Makes the last step's stores visible to others.  Must be called inside the critical section.
-static void publish(SmMachine *m)
+static void write_back(SmMachine *m)
 {
     m->type->publish(m->self, m->copy, m->sv->at);
-    m->owed = false;
+    m->write_back_due = false;
 }
 
 static SmResult take_snapshot(SmMachine *m)
@@ -118,20 +118,20 @@ static SmResult take_snapshot(SmMachine *m)
 
     if (r != SM_OK)
         return r;
-    if (m->owed)
-        publish(m);
-    memcpy(place(m->copy, uses), place(m->sv->at, uses), (size_t)uses.size);
+    if (m->write_back_due)
+        write_back(m);
+    memcpy(address_of(m->copy, uses), address_of(m->sv->at, uses), (size_t)uses.size);
     sm_leave(m->sv);
     return SM_OK;
 }
 
-static SmResult deliver(SmMachine *m)
+static SmResult enter_and_write_back(SmMachine *m)
 {
     SmResult r = sm_enter(m->sv);
 
     if (r != SM_OK)
         return r;
-    publish(m);
+    write_back(m);
     sm_leave(m->sv);
     return SM_OK;
 }
@@ -145,29 +145,29 @@ static SmResult step_on_copy(SmMachine *m, SmResult *delivered)
         r = m->type->step(m->self, m->copy);
     if (r != SM_OK)
         return r;
-    m->owed = true;
-    *delivered = deliver(m);
+    m->write_back_due = true;
+    *delivered = enter_and_write_back(m);
     return SM_OK;
 }
 
-static void tell_refused(SmMachine *m, const SmTick *tick)
+static void report_refused_step(SmMachine *m, const SmTick *tick)
 {
     m->refused++;
-    if (!m->standing)
-        tell(m, SM_EVENT_REFUSED, tick->time, m->refused, 0);
-    m->standing = true;
+    if (!m->was_refused)
+        emit_event(m, SM_EVENT_REFUSED, tick->time, m->refused, 0);
+    m->was_refused = true;
 }
 
-static void tell_stepped(SmMachine *m, const SmTick *tick)
+static void report_step(SmMachine *m, const SmTick *tick)
 {
     uint32_t state;
 
-    m->standing = false;
+    m->was_refused = false;
     if (!m->type->moved(m->self))
         return;
     state = m->type->state(m->self);
-    tell(m, SM_EVENT_STATE, tick->time, m->last, state);
-    m->last = state;
+    emit_event(m, SM_EVENT_STATE, tick->time, m->last_state, state);
+    m->last_state = state;
 }
 
 SmResult sm_machine_step(void *machine, const SmTick *tick)
@@ -175,13 +175,13 @@ SmResult sm_machine_step(void *machine, const SmTick *tick)
     SmMachine *m = machine;
     SmResult delivered = SM_OK, r;
 
-    if (m->last == 0)                     // init has not succeeded
+    if (m->last_state == 0)                     // init has not succeeded
         return SM_E_ARGUMENT;
     r = m->sv->guarded ? step_on_copy(m, &delivered) : m->type->step(m->self, m->sv->at);
     if (r == SM_REFUSED)
-        tell_refused(m, tick);
+        report_refused_step(m, tick);
     else if (r == SM_OK)
-        tell_stepped(m, tick);
+        report_step(m, tick);
     return r != SM_OK ? r : delivered;
 }
 

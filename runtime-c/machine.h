@@ -34,10 +34,10 @@ typedef struct SmMachine {
     const bool *restored;     // whether the vector was restored; or NULL
     uint16_t number;          // of the machine in its application: SmEvent.source
     // The fields below belong to the runtime; initially all zero.
-    uint32_t last;            // the state that the next step runs; 0 if init has not succeeded
+    uint32_t last_state;      // the state that the next step runs; 0 if init has not succeeded
     uint32_t refused;         // number of refused steps
-    bool standing;            // the last step was refused
-    bool owed;                // `copy` contains stores that could not be written back yet
+    bool was_refused;         // the last step was refused
+    bool write_back_due;      // `copy` contains stores that could not be written back yet
 } SmMachine;
 
 // Compatible with SmTaskInit and SmTaskStep; the context is an SmMachine.

@@ -2,7 +2,7 @@
 // Finds elements and regions of the state vector by name.
 #include "runtime-c/statevec.h"
 
-static bool same(const char *a, const char *b)
+static bool is_same_name(const char *a, const char *b)
 {
     while (*a && *a == *b)
         a++, b++;
@@ -10,11 +10,11 @@ static bool same(const char *a, const char *b)
 }
 
 // The index of `name` among n names; n if it is not found.
-static uint16_t find(const char *const *names, uint16_t n, const char *name)
+static uint16_t find_name(const char *const *names, uint16_t n, const char *name)
 {
     uint16_t i = 0;
 
-    while (i < n && !same(names[i], name))
+    while (i < n && !is_same_name(names[i], name))
         i++;
     return i;
 }
@@ -25,7 +25,7 @@ const SmElement *sm_find_element(const SmNames *names, const char *name)
 
     if (!names || !name)
         return NULL;
-    i = find(names->element, names->layout->elements, name);
+    i = find_name(names->element, names->layout->elements, name);
     return i < names->layout->elements ? &names->layout->element[i] : NULL;
 }
 
@@ -35,8 +35,8 @@ const SmRegion *sm_find_region(const SmNames *names, const char *name)
 
     if (!names || !name)
         return NULL;
-    if (same(name, "*"))
+    if (is_same_name(name, "*"))
         return &names->layout->whole;
-    i = find(names->region, names->layout->regions, name);
+    i = find_name(names->region, names->layout->regions, name);
     return i < names->layout->regions ? &names->layout->region[i] : NULL;
 }

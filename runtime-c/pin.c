@@ -13,7 +13,7 @@ static bool is_inverted(const SmIoPin *p) { return p->flags & SM_IO_INVERTED; }
 
 static SmF64 million(void) { return sm_from_bits(0x412E848000000000u); }
 
-SmF64 sm_pin_number(const SmIoPin *p, int32_t v)
+SmF64 sm_pin_from_raw(const SmIoPin *p, int32_t v)
 {
     if (is_digital(p))
         return sm_from_i32(v);
@@ -21,7 +21,7 @@ SmF64 sm_pin_number(const SmIoPin *p, int32_t v)
 }
 
 // Equals sm_to_i32(sm_round(x)), without the code of sm_round for larger numbers.
-static int32_t nearest(SmF64 x)
+static int32_t round_to_i32(SmF64 x)
 {
     const int32_t n = sm_to_i32(x);
     const SmF64 rest = sm_sub(x, sm_from_i32(n)), half = sm_from_bits(0x3FE0000000000000u);
@@ -31,16 +31,16 @@ static int32_t nearest(SmF64 x)
     return n > INT32_MIN && sm_le(rest, sm_neg(half)) ? n - 1 : n;
 }
 
-int32_t sm_pin_value(const SmIoPin *p, SmF64 x)
+int32_t sm_pin_to_raw(const SmIoPin *p, SmF64 x)
 {
     if (is_digital(p))
         return sm_to_bool(x);
-    return nearest(sm_mul(sm_div(sm_sub(x, sm_from_bits(p->zero)), sm_from_bits(p->scale)), million()));
+    return round_to_i32(sm_mul(sm_div(sm_sub(x, sm_from_bits(p->zero)), sm_from_bits(p->scale)), million()));
 }
 
 // ---- one pin ----
 
-SmResult sm_pin_set(const SmIoPin *p, uint8_t handle, int32_t v)
+SmResult sm_pin_write_raw(const SmIoPin *p, uint8_t handle, int32_t v)
 {
     const PalDio dio = {handle};
     const PalAio aio = {handle};
@@ -48,7 +48,7 @@ SmResult sm_pin_set(const SmIoPin *p, uint8_t handle, int32_t v)
     return is_digital(p) ? pal_dio_write(dio, (v != 0) != is_inverted(p)) : pal_aio_write(aio, v);
 }
 
-SmResult sm_pin_get(const SmIoPin *p, uint8_t handle, int32_t *v)
+SmResult sm_pin_read_raw(const SmIoPin *p, uint8_t handle, int32_t *v)
 {
     const PalDio dio = {handle};
     const PalAio aio = {handle};
@@ -62,15 +62,15 @@ SmResult sm_pin_get(const SmIoPin *p, uint8_t handle, int32_t *v)
     return r;
 }
 
-SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x) { return sm_pin_set(p, handle, sm_pin_value(p, x)); }
+SmResult sm_pin_write(const SmIoPin *p, uint8_t handle, SmF64 x) { return sm_pin_write_raw(p, handle, sm_pin_to_raw(p, x)); }
 
 SmResult sm_pin_read(const SmIoPin *p, uint8_t handle, SmF64 *x)
 {
     int32_t v = 0;
-    const SmResult r = sm_pin_get(p, handle, &v);
+    const SmResult r = sm_pin_read_raw(p, handle, &v);
 
     if (r == SM_OK)
-        *x = sm_pin_number(p, v);
+        *x = sm_pin_from_raw(p, v);
     return r;
 }
 
@@ -87,7 +87,7 @@ void sm_pin_close(const SmIoPin *p, uint8_t handle)
 
 // ---- opening ----
 
-static PalDioMode mode_of(const SmIoPin *p)
+static PalDioMode dio_mode(const SmIoPin *p)
 {
     if (p->kind == SM_DIGITAL_OUT)
         return PAL_DIO_OUTPUT;
@@ -97,7 +97,7 @@ static PalDioMode mode_of(const SmIoPin *p)
 static SmResult open_digital(const SmIoPin *p, uint8_t *handle)
 {
     PalDio dio = {0};
-    SmResult r = pal_dio_open(&dio, p->pin, mode_of(p), sm_to_bool(sm_from_bits(p->safe)) != is_inverted(p));
+    SmResult r = pal_dio_open(&dio, p->pin, dio_mode(p), sm_to_bool(sm_from_bits(p->safe)) != is_inverted(p));
 
     *handle = dio.id;
     return r;

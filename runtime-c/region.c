@@ -7,7 +7,7 @@
 #include "stdlib/convert.h"
 
 // The address of r; NULL if it is not a region of the vector.  The offsets and counts in the vector's own table are trusted.
-static uint8_t *place(const SmStateVec *sv, const SmRegion *r)
+static uint8_t *region_address(const SmStateVec *sv, const SmRegion *r)
 {
     if (!sv || (r != &sv->layout->whole && (uintptr_t)r - (uintptr_t)sv->layout->region >= sv->layout->regions * sizeof *r))
         return NULL;
@@ -16,7 +16,7 @@ static uint8_t *place(const SmStateVec *sv, const SmRegion *r)
 
 SmResult sm_read_region(SmStateVec *sv, const SmRegion *r, void *bytes)
 {
-    const uint8_t *at = place(sv, r);
+    const uint8_t *at = region_address(sv, r);
     SmResult result = at && bytes ? sm_enter(sv) : SM_E_ARGUMENT;
 
     if (result != SM_OK)
@@ -28,7 +28,7 @@ SmResult sm_read_region(SmStateVec *sv, const SmRegion *r, void *bytes)
 
 SmResult sm_write_region(SmStateVec *sv, const SmRegion *r, const void *bytes)
 {
-    uint8_t *at = place(sv, r);
+    uint8_t *at = region_address(sv, r);
     SmResult result = at && bytes ? sm_enter(sv) : SM_E_ARGUMENT;
 
     if (result != SM_OK)
@@ -42,7 +42,7 @@ SmResult sm_write_region(SmStateVec *sv, const SmRegion *r, const void *bytes)
 
 // Copies elements to their positions in wire form, still in memory byte order.  Adjacent elements are copied together, so that the
 // lock is held only for the time of copying.
-static void gather(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
+static void copy_packed(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
 {
     const SmElement *e = &sv->layout->element[r->first], *end = e + r->count;
 
@@ -58,7 +58,7 @@ static void gather(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
 }
 
 // Convert a cell of n bytes to wire order and back.  Shifts work the same on every byte order.
-static void put(uint8_t *out, uint64_t cell, uint8_t n)
+static void store_wire(uint8_t *out, uint64_t cell, uint8_t n)
 {
     switch (n) {
     case 8:
@@ -75,7 +75,7 @@ static void put(uint8_t *out, uint64_t cell, uint8_t n)
     }
 }
 
-static uint64_t get(const uint8_t *in, uint8_t n)
+static uint64_t load_wire(const uint8_t *in, uint8_t n)
 {
     uint64_t cell = 0;
 
@@ -85,21 +85,21 @@ static uint64_t get(const uint8_t *in, uint8_t n)
 }
 
 // Converts the bytes of each element to wire order, in place.
-static void order(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
+static void convert_to_wire(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
 {
     const SmElement *e = &sv->layout->element[r->first];
 
     for (uint16_t i = 0; i < r->count; i++) {
         const uint8_t n = sm_type_bytes[e[i].type];
 
-        put(out, sm_cell_load((SmType)e[i].type, out), n);
+        store_wire(out, sm_cell_load((SmType)e[i].type, out), n);
         out += n;
     }
 }
 
 SmResult sm_pack_region(SmStateVec *sv, const SmRegion *r, void *bytes, size_t room)
 {
-    SmResult result = place(sv, r) && bytes ? SM_OK : SM_E_ARGUMENT;
+    SmResult result = region_address(sv, r) && bytes ? SM_OK : SM_E_ARGUMENT;
 
     if (result == SM_OK && room < r->packed)
         result = SM_E_SIZE;
@@ -107,27 +107,27 @@ SmResult sm_pack_region(SmStateVec *sv, const SmRegion *r, void *bytes, size_t r
         result = sm_enter(sv);
     if (result != SM_OK)
         return result;
-    gather(sv, r, (uint8_t *)bytes);
+    copy_packed(sv, r, (uint8_t *)bytes);
     sm_leave(sv);
-    order(sv, r, (uint8_t *)bytes);
+    convert_to_wire(sv, r, (uint8_t *)bytes);
     return SM_OK;
 }
 
-static void scatter(const SmStateVec *sv, const SmRegion *r, const uint8_t *in)
+static void store_unpacked(const SmStateVec *sv, const SmRegion *r, const uint8_t *in)
 {
     const SmElement *e = &sv->layout->element[r->first];
 
     for (uint16_t i = 0; i < r->count; i++) {
         const uint8_t n = sm_type_bytes[e[i].type];
 
-        sm_cell_store((SmType)e[i].type, (uint8_t *)sv->at + e[i].offset, get(in, n));
+        sm_cell_store((SmType)e[i].type, (uint8_t *)sv->at + e[i].offset, load_wire(in, n));
         in += n;
     }
 }
 
 SmResult sm_unpack_region(SmStateVec *sv, const SmRegion *r, const void *bytes, size_t n)
 {
-    SmResult result = place(sv, r) && bytes ? SM_OK : SM_E_ARGUMENT;
+    SmResult result = region_address(sv, r) && bytes ? SM_OK : SM_E_ARGUMENT;
 
     if (result == SM_OK && n != r->packed)
         result = SM_E_SIZE;
@@ -135,7 +135,7 @@ SmResult sm_unpack_region(SmStateVec *sv, const SmRegion *r, const void *bytes, 
         result = sm_enter(sv);
     if (result != SM_OK)
         return result;
-    scatter(sv, r, (const uint8_t *)bytes);
+    store_unpacked(sv, r, (const uint8_t *)bytes);
     sm_leave(sv);
     return SM_OK;
 }

@@ -11,19 +11,19 @@
 // SLICE: longest time between checks of `stop`.  WRITING: interval of log writes.  OPENING: sleep time of threads waiting at the
 // gate.
 #define SLICE    (100 * (uint64_t)PAL_MILLISECOND)
-#define WRITING  (10 * (uint64_t)PAL_MILLISECOND)
-#define OPENING  ((uint64_t)PAL_MILLISECOND)
+#define WRITE_INTERVAL  (10 * (uint64_t)PAL_MILLISECOND)
+#define GATE_POLL_INTERVAL  ((uint64_t)PAL_MILLISECOND)
 
 // SmApp.gate.  All threads wait until it is open.  Then executor threads run until the application stops, and the watchdog thread
 // until the gate is closed.
 enum { GATE_WAIT, GATE_OPEN, GATE_CLOSED };
 
-static uint64_t least(uint64_t a, uint64_t b)
+static uint64_t earlier_of(uint64_t a, uint64_t b)
 {
     return a < b ? a : b;
 }
 
-static uint64_t until(uint64_t now, uint64_t then)
+static uint64_t time_until(uint64_t now, uint64_t then)
 {
     return (int64_t)(then - now) > 0 ? then - now : 0;
 }
@@ -31,35 +31,35 @@ static uint64_t until(uint64_t now, uint64_t then)
 // ---- the watchdog ----
 
 // The check interval of the watchdog thread.
-static uint64_t look(const SmApp *app)
+static uint64_t watchdog_check_interval(const SmApp *app)
 {
     return app->watchdog / 8 > PAL_MILLISECOND ? app->watchdog / 8 : PAL_MILLISECOND;
 }
 
-static uint64_t next_tick(const SmExecutor *e)
+static uint64_t next_tick_number(const SmExecutor *e)
 {
-    return e->seen + (uint32_t)(sm_shared_read(&e->alive) - (uint32_t)e->seen);
+    return e->next_at_feed + (uint32_t)(sm_shared_read(&e->next_shared) - (uint32_t)e->next_at_feed);
 }
 
 static bool is_stuck(const SmExecutor *e, uint64_t fed)
 {
-    const uint64_t next = next_tick(e);
+    const uint64_t next = next_tick_number(e);
 
-    return next == e->seen && until(fed, e->start + next * e->period) == 0 && !sm_shared_read(&e->done);
+    return next == e->next_at_feed && time_until(fed, e->start + next * e->period) == 0 && !sm_shared_read(&e->done);
 }
 
-static void feed(SmApp *app, uint64_t now)
+static void feed_watchdog(SmApp *app, uint64_t now)
 {
-    if (app->watchdog == 0 || now - app->fed < app->watchdog / 4)
+    if (app->watchdog == 0 || now - app->fed_at < app->watchdog / 4)
         return;
     for (uint16_t i = 0; i < app->executors; i++)
-        if (is_stuck(app->executor[i], app->fed))
+        if (is_stuck(app->executor[i], app->fed_at))
             return;
     if (pal_watchdog_feed() != SM_OK)
         return;
     for (uint16_t i = 0; i < app->executors; i++)
-        app->executor[i]->seen = next_tick(app->executor[i]);
-    app->fed = now;
+        app->executor[i]->next_at_feed = next_tick_number(app->executor[i]);
+    app->fed_at = now;
 }
 
 static SmResult start_watchdog(SmApp *app)
@@ -71,72 +71,72 @@ static SmResult start_watchdog(SmApp *app)
         return SM_OK;
     r = pal_watchdog_start(app->watchdog, &actual);
     if (r != SM_OK)
-        app->what = SM_TEXT("the watchdog");
+        app->failed_part = SM_TEXT("the watchdog");
     return r;
 }
 
-static void write(SmApp *app, uint64_t now, uint64_t budget)
+static void write_pending(SmApp *app, uint64_t now, uint64_t budget)
 {
-    app->wrote = now;
+    app->wrote_at = now;
     if (app->writing)
         app->writing->write(app, budget);
 }
 
 // ---- one thread ----
 
-static void tick(SmExecutor *e)
+static void run_tick(SmExecutor *e)
 {
     sm_executor_tick(e);
-    sm_shared_write(&e->alive, (uint32_t)e->next);
+    sm_shared_write(&e->next_shared, (uint32_t)e->next);
 }
 
 // The time after the start since which e has been waiting to run.
-static uint64_t turn(const SmApp *app, const SmExecutor *e)
+static uint64_t waiting_since(const SmApp *app, const SmExecutor *e)
 {
     const uint64_t due = sm_executor_due(e) - app->start, ended = e->ended - app->start;
 
     return due > ended ? due : ended;
 }
 
-static SmExecutor *first(const SmApp *app)
+static SmExecutor *longest_waiting(const SmApp *app)
 {
     SmExecutor *best = app->executor[0];
 
     for (uint16_t i = 1; i < app->executors; i++)
-        if (turn(app, app->executor[i]) < turn(app, best))
+        if (waiting_since(app, app->executor[i]) < waiting_since(app, best))
             best = app->executor[i];
     return best;
 }
 
 // Waits for one slice, at most until `then`, and uses the time to write pending data.
-static void idle(SmApp *app, uint64_t now, uint64_t then)
+static void write_and_sleep(SmApp *app, uint64_t now, uint64_t then)
 {
-    const uint64_t slice = app->watchdog > 0 ? least(SLICE, look(app)) : SLICE;
-    const uint64_t end = now + least(slice, until(now, then));
+    const uint64_t slice = app->watchdog > 0 ? earlier_of(SLICE, watchdog_check_interval(app)) : SLICE;
+    const uint64_t end = now + earlier_of(slice, time_until(now, then));
 
-    write(app, now, end - now);
+    write_pending(app, now, end - now);
     pal_clock_sleep_until(end);
 }
 
-static void run_here(SmApp *app)
+static void run_in_this_thread(SmApp *app)
 {
     while (!sm_app_stopping(app)) {
-        SmExecutor *const e = first(app);
+        SmExecutor *const e = longest_waiting(app);
         const uint64_t now = pal_clock_now(), due = sm_executor_due(e);
 
-        feed(app, now);
-        if (until(now, due) > 0)
-            idle(app, now, due);
+        feed_watchdog(app, now);
+        if (time_until(now, due) > 0)
+            write_and_sleep(app, now, due);
         else
-            tick(e);
-        if (now - app->wrote >= SLICE)
-            write(app, now, 0);
+            run_tick(e);
+        if (now - app->wrote_at >= SLICE)
+            write_pending(app, now, 0);
     }
 }
 
 // ---- several threads ----
 
-static void sleep(uint64_t ns)
+static void sleep_for(uint64_t ns)
 {
     pal_clock_sleep_until(pal_clock_now() + ns);
 }
@@ -144,53 +144,53 @@ static void sleep(uint64_t ns)
 static void wait_at_gate(const SmApp *app)
 {
     while (sm_shared_read(&app->gate) == GATE_WAIT)
-        sleep(OPENING);
+        sleep_for(GATE_POLL_INTERVAL);
 }
 
 // Waits until the next tick is due.  Returns false if the application is stopping.
-static bool wait(const SmExecutor *e)
+static bool wait_for_tick(const SmExecutor *e)
 {
     while (!sm_app_stopping(e->app)) {
-        const uint64_t now = pal_clock_now(), left = until(now, sm_executor_due(e));
+        const uint64_t now = pal_clock_now(), left = time_until(now, sm_executor_due(e));
 
         if (left == 0)
             return true;
-        pal_clock_sleep_until(now + least(left, SLICE));
+        pal_clock_sleep_until(now + earlier_of(left, SLICE));
     }
     return false;
 }
 
-static void run_executor(void *of)
+static void executor_thread_main(void *of)
 {
     SmExecutor *const e = of;
 
     wait_at_gate(e->app);
     if (sm_shared_read(&e->app->gate) == GATE_OPEN)
-        while (wait(e))
-            tick(e);
+        while (wait_for_tick(e))
+            run_tick(e);
     sm_shared_write(&e->done, 1);
 }
 
-static void run_watch(void *of)
+static void watchdog_thread_main(void *of)
 {
     SmApp *const app = of;
 
     wait_at_gate(app);
     while (sm_shared_read(&app->gate) == GATE_OPEN) {
-        feed(app, pal_clock_now());
-        sleep(look(app));
+        feed_watchdog(app, pal_clock_now());
+        sleep_for(watchdog_check_interval(app));
     }
 }
 
-static void run_threads(SmApp *app)
+static void write_until_threads_end(SmApp *app)
 {
     while (!sm_app_stopping(app)) {
-        write(app, app->start, WRITING);
-        sleep(app->writing ? WRITING : SLICE);
+        write_pending(app, app->start, WRITE_INTERVAL);
+        sleep_for(app->writing ? WRITE_INTERVAL : SLICE);
     }
     for (uint16_t i = 0; i < app->executors; i++) {
-        while (pal_thread_join(app->executor[i]->thread, WRITING) == SM_E_TIMEOUT)
-            write(app, app->start, WRITING);
+        while (pal_thread_join(app->executor[i]->thread, WRITE_INTERVAL) == SM_E_TIMEOUT)
+            write_pending(app, app->start, WRITE_INTERVAL);
         app->executor[i]->thread.id = 0;      // the number may be reused for another thread
     }
 }
@@ -202,7 +202,7 @@ bool sm_run_wants_threads(const SmApp *app)
     return !app->one_thread && (app->executors > 1 || app->writing);
 }
 
-static uint8_t highest(const SmApp *app)
+static uint8_t highest_priority(const SmApp *app)
 {
     uint8_t p = 0;
 
@@ -211,45 +211,45 @@ static uint8_t highest(const SmApp *app)
     return p;
 }
 
-static void tell_denied(const SmApp *app, const char *name)
+static void print_priority_denied(const SmApp *app, const char *name)
 {
-    sm_run_say_name(app, app->name);
-    sm_run_say(app, SM_TEXT(": executor '"));
-    sm_run_say_name(app, name);
-    sm_run_say(app, SM_TEXT("' runs without its real-time priority: "));
-    sm_run_say(app, sm_result_text(SM_E_DENIED));
-    sm_run_say(app, SM_TEXT("\n"));
+    sm_app_print_name(app, app->name);
+    sm_app_print(app, SM_TEXT(": executor '"));
+    sm_app_print_name(app, name);
+    sm_app_print(app, SM_TEXT("' runs without its real-time priority: "));
+    sm_app_print(app, sm_result_text(SM_E_DENIED));
+    sm_app_print(app, SM_TEXT("\n"));
 }
 
-static SmResult create(SmApp *app, SmExecutor *e)
+static SmResult create_executor_thread(SmApp *app, SmExecutor *e)
 {
     const PalThreadPlan plan = {e->name, e->priority, 0};
-    const SmResult r = pal_thread_create(&e->thread, &plan, run_executor, e);
+    const SmResult r = pal_thread_create(&e->thread, &plan, executor_thread_main, e);
 
     if (r == SM_OK && e->priority > 0 && !pal_thread_is_realtime(e->thread))
-        tell_denied(app, e->name);
+        print_priority_denied(app, e->name);
     if (r != SM_OK) {
-        app->refused = e;
-        app->why = r == SM_E_FULL ? SM_TEXT("there are more executors than threads (PAL_THREADS)") : NULL;
+        app->failed_executor = e;
+        app->reason = r == SM_E_FULL ? SM_TEXT("there are more executors than threads (PAL_THREADS)") : NULL;
     }
     return r;
 }
 
 // The watchdog thread has a higher priority than all executors, because a busy executor is not stuck.
-static SmResult create_watch(SmApp *app)
+static SmResult create_watchdog_thread(SmApp *app)
 {
     PalThreadPlan plan = {"watchdog", 0, 0};
     SmResult r;
 
-    plan.priority = highest(app);
+    plan.priority = highest_priority(app);
     plan.priority = (uint8_t)(plan.priority + (plan.priority > 0 && plan.priority < PAL_PRIORITY_MAX));
-    r = pal_thread_create(&app->watch, &plan, run_watch, app);
+    r = pal_thread_create(&app->watchdog_thread, &plan, watchdog_thread_main, app);
     if (r != SM_OK)
-        app->what = SM_TEXT("the watchdog's thread");
+        app->failed_part = SM_TEXT("the watchdog's thread");
     return r;
 }
 
-static void join(PalThread *thread)
+static void join_thread(PalThread *thread)
 {
     while (thread->id != 0 && pal_thread_join(*thread, SLICE) == SM_E_TIMEOUT) {}
     thread->id = 0;
@@ -259,18 +259,18 @@ static void close_gate(SmApp *app)
 {
     sm_shared_write(&app->gate, GATE_CLOSED);
     for (uint16_t i = 0; i < app->executors; i++)
-        join(&app->executor[i]->thread);
-    join(&app->watch);
+        join_thread(&app->executor[i]->thread);
+    join_thread(&app->watchdog_thread);
 }
 
-static SmResult create_all(SmApp *app)
+static SmResult create_threads(SmApp *app)
 {
     SmResult r = SM_OK;
 
     for (uint16_t i = 0; i < app->executors && r == SM_OK; i++)
-        r = create(app, app->executor[i]);
+        r = create_executor_thread(app, app->executor[i]);
     if (r == SM_OK && app->watchdog > 0)
-        r = create_watch(app);
+        r = create_watchdog_thread(app);
     return r;
 }
 
@@ -283,9 +283,9 @@ SmResult sm_run_prepare(SmApp *app)
     for (uint16_t i = 0; i < app->executors; i++)
         app->executor[i]->app = app;
     if (sm_run_wants_threads(app))
-        r = create_all(app);
+        r = create_threads(app);
     if (r == SM_E_UNSUPPORTED) {          // one thread
-        app->refused = NULL;
+        app->failed_executor = NULL;
         r = SM_OK;
     }
     if (r == SM_OK)
@@ -298,23 +298,23 @@ SmResult sm_run_prepare(SmApp *app)
 // Sets the due time of tick 0 late enough for all threads to see the gate open.
 static void open_gate(SmApp *app, bool threads)
 {
-    app->start = app->fed = app->wrote = pal_clock_now();
-    app->start += threads ? 5 * OPENING : 0;
+    app->start = app->fed_at = app->wrote_at = pal_clock_now();
+    app->start += threads ? 5 * GATE_POLL_INTERVAL : 0;
     for (uint16_t i = 0; i < app->executors; i++)
         sm_executor_start(app->executor[i], app->start);
     sm_shared_write(&app->gate, GATE_OPEN);
 }
 
 // Gives the calling thread the highest priority of its executors.
-static void run_alone(SmApp *app)
+static void run_without_threads(SmApp *app)
 {
-    const uint8_t priority = highest(app);
+    const uint8_t priority = highest_priority(app);
     const SmResult r = priority > 0 ? pal_thread_set_priority(priority) : SM_E_UNSUPPORTED;
 
     if (r != SM_OK && r != SM_E_UNSUPPORTED)
-        tell_denied(app, app->executor[0]->name);
+        print_priority_denied(app, app->executor[0]->name);
     open_gate(app, false);
-    run_here(app);
+    run_in_this_thread(app);
     if (r == SM_OK)
         pal_thread_set_priority(0);
 }
@@ -322,10 +322,10 @@ static void run_alone(SmApp *app)
 void sm_run(SmApp *app)
 {
     if (app->executor[0]->thread.id == 0) {
-        run_alone(app);
+        run_without_threads(app);
     } else {
         open_gate(app, true);
-        run_threads(app);
+        write_until_threads_end(app);
         close_gate(app);
     }
     for (uint16_t i = 0; i < app->executors; i++)

@@ -18,9 +18,9 @@ SmResult sm_run_prepare(SmApp *app);
 // Runs until the application stops and all ticks have ended, then stops the watchdog.
 void sm_run(SmApp *app);
 
-// Print on the console if app->tell is set: a flash string (SM_TEXT, flash.h); a name, or nothing for NULL.
-void sm_run_say(const SmApp *app, const char *text);
-void sm_run_say_name(const SmApp *app, const char *name);
+// Print on the console if app->print_messages is set: a flash string (SM_TEXT, flash.h); a name, or nothing for NULL.
+void sm_app_print(const SmApp *app, const char *text);
+void sm_app_print_name(const SmApp *app, const char *name);
 
 #ifdef __cplusplus
 }

@@ -2,7 +2,7 @@
 // The state vector: its lock and its single elements.  (Regions and wire form: region.c; names: names.c.)
 #include "runtime-c/statevec.h"
 
-#include "runtime-c/tally.h"
+#include "runtime-c/shared.h"
 #include "stdlib/convert.h"
 
 struct alignment { char c; uint64_t aligned; };
@@ -26,7 +26,7 @@ SmResult sm_enter(SmStateVec *sv)
         return SM_OK;
     r = pal_lock_take(sv->lock, SM_LOCK_WAIT);
     if (r != SM_OK)
-        sm_tally(&sv->faults);
+        sm_shared_increment(&sv->faults);
     return r;
 }
 
@@ -45,7 +45,7 @@ const uint8_t sm_type_bytes[SM_TYPE_COUNT] = {
 };
 
 // NULL if it is not an element of the vector.  The offsets and types in the vector's own table are trusted.
-static uint8_t *place(const SmStateVec *sv, const SmElement *e)
+static uint8_t *element_address(const SmStateVec *sv, const SmElement *e)
 {
     if (!sv || (uintptr_t)e - (uintptr_t)sv->layout->element >= sv->layout->elements * sizeof *e)
         return NULL;
@@ -56,7 +56,7 @@ static uint8_t *place(const SmStateVec *sv, const SmElement *e)
 
 SmResult sm_read_number(SmStateVec *sv, const SmElement *e, SmF64 *value)
 {
-    const uint8_t *at = place(sv, e);
+    const uint8_t *at = element_address(sv, e);
     SmResult r = at && value ? sm_enter(sv) : SM_E_ARGUMENT;
     uint64_t cell;
 
@@ -72,7 +72,7 @@ SmResult sm_read_number(SmStateVec *sv, const SmElement *e, SmF64 *value)
 
 SmResult sm_write_number(SmStateVec *sv, const SmElement *e, SmF64 value)
 {
-    uint8_t *at = place(sv, e);
+    uint8_t *at = element_address(sv, e);
     uint64_t cell;
     SmResult r;
 
@@ -91,7 +91,7 @@ SmResult sm_write_number(SmStateVec *sv, const SmElement *e, SmF64 value)
 
 static SmResult read_typed(SmStateVec *sv, const SmElement *e, SmType type, void *value)
 {
-    const uint8_t *at = place(sv, e);
+    const uint8_t *at = element_address(sv, e);
     SmResult r = at && value && e->type == type ? sm_enter(sv) : SM_E_ARGUMENT;
     uint64_t cell = 0;
 
@@ -106,7 +106,7 @@ static SmResult read_typed(SmStateVec *sv, const SmElement *e, SmType type, void
 
 static SmResult write_typed(SmStateVec *sv, const SmElement *e, SmType type, const void *value)
 {
-    uint8_t *at = place(sv, e);
+    uint8_t *at = element_address(sv, e);
     uint64_t cell = sm_cell_load(type, value);
     SmResult r = at && e->type == type ? sm_enter(sv) : SM_E_ARGUMENT;
 

@@ -9,7 +9,7 @@ SmResult sm_task_init(SmTask *t)
     return t->init ? t->init(t->context) : SM_OK;
 }
 
-static void tell(const SmTask *t, SmEvents *events, const SmTick *tick, SmEventKind kind, uint32_t a, uint32_t b)
+static void emit_event(const SmTask *t, SmEvents *events, const SmTick *tick, SmEventKind kind, uint32_t a, uint32_t b)
 {
     SmEvent e = {tick->time, a, b, t->number, 0};
 
@@ -18,7 +18,7 @@ static void tell(const SmTask *t, SmEvents *events, const SmTick *tick, SmEventK
 }
 
 // If the mode cannot be read, it has not changed.
-static uint8_t mode_of(const SmTask *t, SmStateVec *sv)
+static uint8_t read_mode(const SmTask *t, SmStateVec *sv)
 {
     uint8_t mode;
 
@@ -31,10 +31,10 @@ static uint8_t mode_of(const SmTask *t, SmStateVec *sv)
     return mode <= SM_ENABLED ? mode : (uint8_t)SM_SAFED;
 }
 
-static void note_mode(SmTask *t, uint8_t mode, SmEvents *events, const SmTick *tick)
+static void update_mode(SmTask *t, uint8_t mode, SmEvents *events, const SmTick *tick)
 {
     if (t->mode && mode != t->last_mode)
-        tell(t, events, tick, SM_EVENT_MODE, t->last_mode, mode);
+        emit_event(t, events, tick, SM_EVENT_MODE, t->last_mode, mode);
     t->last_mode = mode;
 }
 
@@ -44,19 +44,19 @@ static uint32_t fault_number(SmResult r)
     return 0u - (uint32_t)(int32_t)r;
 }
 
-static void note_result(SmTask *t, SmResult r, SmEvents *events, const SmTick *tick)
+static void record_result(SmTask *t, SmResult r, SmEvents *events, const SmTick *tick)
 {
-    t->last = r;
+    t->last_result = r;
     if (r == SM_OK) {
-        if (t->failing > 0)
-            tell(t, events, tick, SM_EVENT_FAULT, 0, t->failing);
-        t->failing = 0;
+        if (t->failures_in_row > 0)
+            emit_event(t, events, tick, SM_EVENT_FAULT, 0, t->failures_in_row);
+        t->failures_in_row = 0;
         return;
     }
     t->failures++;
-    t->failing += t->failing < UINT32_MAX;
-    if (t->failing == 1)
-        tell(t, events, tick, SM_EVENT_FAULT, fault_number(r), 1);
+    t->failures_in_row += t->failures_in_row < UINT32_MAX;
+    if (t->failures_in_row == 1)
+        emit_event(t, events, tick, SM_EVENT_FAULT, fault_number(r), 1);
 }
 
 static void call_safe(SmTask *t, SmEvents *events, const SmTick *tick)
@@ -64,24 +64,24 @@ static void call_safe(SmTask *t, SmEvents *events, const SmTick *tick)
     if (!t->safe)
         return;
     t->safings++;
-    note_result(t, t->safe(t->context, tick), events, tick);
+    record_result(t, t->safe(t->context, tick), events, tick);
 }
 
 void sm_task_run(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick)
 {
-    const uint8_t mode = mode_of(t, sv);
+    const uint8_t mode = read_mode(t, sv);
 
-    note_mode(t, mode, events, tick);
+    update_mode(t, mode, events, tick);
     if (mode == SM_SAFED)
         call_safe(t, events, tick);
     if (mode != SM_ENABLED)
         return;
     t->steps++;
-    note_result(t, t->step(t->context, tick), events, tick);
+    record_result(t, t->step(t->context, tick), events, tick);
 }
 
 void sm_task_rest(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick)
 {
-    if (mode_of(t, sv) != SM_DISABLED)
+    if (read_mode(t, sv) != SM_DISABLED)
         call_safe(t, events, tick);
 }

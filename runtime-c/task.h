@@ -41,9 +41,9 @@ typedef struct SmTask {
     uint16_t number;          // of the task in its application: SmEvent.source
     // The fields below belong to the runtime; initially all zero.
     uint8_t last_mode;        // mode at its last tick
-    SmResult last;            // of the last call of step or safe
+    SmResult last_result;     // of the last call of step or safe
     uint32_t steps, safings, failures;        // number of calls of step, of safe, and of failed calls of both; modulo 2^32
-    uint32_t failing;         // consecutive failures, at most UINT32_MAX
+    uint32_t failures_in_row; // consecutive failures, at most UINT32_MAX
 } SmTask;
 
 // Calls init.  SM_E_ARGUMENT: `step` is NULL, or `mode` is not a U8.

@@ -3,7 +3,7 @@
 // (app.h).
 #include "runtime-c/app.h"
 
-static SmResult restore(SmApp *app)
+static SmResult restore_vector(SmApp *app)
 {
     const SmResult r = app->keep ? sm_keep_restore(app->keep) : SM_OK;
 
@@ -12,7 +12,7 @@ static SmResult restore(SmApp *app)
 }
 
 // If a medium fails, the next call retries.
-static void write(SmApp *app, uint64_t budget)
+static void write_pending(SmApp *app, uint64_t budget)
 {
     if (app->keep)
         (void)sm_keep_write(app->keep);
@@ -20,7 +20,7 @@ static void write(SmApp *app, uint64_t budget)
         (void)sm_log_drain(app->log, budget);
 }
 
-static void close(SmApp *app, const SmTick *last)
+static void close_media(SmApp *app, const SmTick *last)
 {
     if (app->keep)
         (void)sm_keep_write(app->keep);
@@ -30,4 +30,4 @@ static void close(SmApp *app, const SmTick *last)
     (void)sm_log_close(app->log);
 }
 
-const SmWriting sm_writing = {restore, write, close};
+const SmWriting sm_writing = {restore_vector, write_pending, close_media};

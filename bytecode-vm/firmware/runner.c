@@ -144,13 +144,13 @@ static void read_pin(const SmIoPin *row, uint8_t *element)
     int32_t v;
     SmF64 x;
 
-    if (sm_pin_get(row, row->hold, &v) != SM_OK)
+    if (sm_pin_read_raw(row, row->hold, &v) != SM_OK)
         return;
     if (is_digital(row)) {
         *element = (uint8_t)v;
         return;
     }
-    x = sm_pin_number(row, v);
+    x = sm_pin_from_raw(row, v);
     if (row->type == SM_F64)
         memcpy(element, &x, sizeof x);
     else
@@ -159,7 +159,7 @@ static void read_pin(const SmIoPin *row, uint8_t *element)
 
 static void write_pin(const SmIoPin *row, const uint8_t *element)
 {
-    (void)sm_pin_set(row, row->hold, is_digital(row) ? *element : sm_pin_value(row, smvm_load(row->type, element)));
+    (void)sm_pin_write_raw(row, row->hold, is_digital(row) ? *element : sm_pin_to_raw(row, smvm_load(row->type, element)));
 }
 
 static void move_pins(SmvmRunner *r, bool outputs)

@@ -19,7 +19,7 @@ void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *
     a->frame = frame;
     a->body = body > LINK_BODY_MAX ? LINK_BODY_MAX : body;
     a->block = (uint8_t)((unsigned)(a->body - DATA_HEAD) & ~(store->write - 1u));
-    sm_link_receiver(&a->in, frame + 1, (uint16_t)(LINK_HEAD + a->body + LINK_TAIL));
+    sm_link_receiver_init(&a->in, frame + 1, (uint16_t)(LINK_HEAD + a->body + LINK_TAIL));
 }
 
 // The body of a request, and that of its answer after the result, which overlaps it.
@@ -49,7 +49,7 @@ static SmResult hello(Agent *a)
     put(a, board->longest_step, 4);
     put1(a, (uint8_t)board->may_update(board->context));
     put1(a, smvm_store_has_key(a->store));
-    put(a, sm_link_get(a->store->now.newest, 4), 4);
+    put(a, sm_link_load(a->store->now.newest, 4), 4);
     put1(a, (uint8_t)(board->machines | (board->windows ? LINK_WINDOWS : 0)));
     put1(a, board->ram_digital);
     put1(a, board->ram_analog);
@@ -118,13 +118,13 @@ static SmResult pin(Agent *a)
 
     if (!a->board->pin_place)
         return SM_E_UNSUPPORTED;
-    put1(a, a->board->pin_place((uint16_t)sm_link_get(body_of(a) + 1, 2), kind));
+    put1(a, a->board->pin_place((uint16_t)sm_link_load(body_of(a) + 1, 2), kind));
     return SM_OK;
 }
 
 // ---- an update ----
 
-static uint16_t session_of(const Agent *a) { return (uint16_t)sm_link_get(body_of(a), 2); }
+static uint16_t session_of(const Agent *a) { return (uint16_t)sm_link_load(body_of(a), 2); }
 
 static SmResult begin(Agent *a)
 {
@@ -137,7 +137,7 @@ static SmResult begin(Agent *a)
         a->board->leave_slot(a->board->context);
         smvm_store_leave(a->store);
     }
-    return smvm_store_begin(a->store, session_of(a), length, sm_link_get(body_of(a) + 5, 4));
+    return smvm_store_begin(a->store, session_of(a), length, sm_link_load(body_of(a) + 5, 4));
 }
 
 static SmResult data(Agent *a)
@@ -170,11 +170,11 @@ static SmResult end(Agent *a)
 
 static SmResult activate(Agent *a)
 {
-    return smvm_store_activate(a->store, session_of(a), a->n < 4 ? 0 : (uint16_t)sm_link_get(body_of(a) + 2, 2));
+    return smvm_store_activate(a->store, session_of(a), a->n < 4 ? 0 : (uint16_t)sm_link_load(body_of(a) + 2, 2));
 }
 
-static SmResult confirm(Agent *a) { return smvm_store_confirm(a->store, sm_link_get(body_of(a), 4)); }
-static SmResult erase(Agent *a) { return smvm_store_erase(a->store, sm_link_get(body_of(a), 4)); }
+static SmResult confirm(Agent *a) { return smvm_store_confirm(a->store, sm_link_load(body_of(a), 4)); }
+static SmResult erase(Agent *a) { return smvm_store_erase(a->store, sm_link_load(body_of(a), 4)); }
 
 static SmResult read(Agent *a)
 {
@@ -215,7 +215,7 @@ static void put_event(Agent *a, const uint8_t *event)
 
 static SmResult events(Agent *a)
 {
-    uint32_t cursor = sm_link_get(body_of(a), 4), lost = 0, gone;
+    uint32_t cursor = sm_link_load(body_of(a), 4), lost = 0, gone;
     SmEvent e;
 
     if (!a->events)
@@ -225,8 +225,8 @@ static SmResult events(Agent *a)
         lost += gone;
         put_event(a, (const uint8_t *)&e);
     }
-    sm_link_put(answer_of(a), cursor, 4);
-    sm_link_put(answer_of(a) + 4, lost, 4);
+    sm_link_store(answer_of(a), cursor, 4);
+    sm_link_store(answer_of(a) + 4, lost, 4);
     return SM_OK;
 }
 
@@ -277,5 +277,5 @@ uint16_t smvm_agent_receive(Agent *a, uint8_t byte)
     r = answer(a, message);
     frame[2] = (uint8_t)(message | LINK_ANSWER);
     frame[RESULT_AT] = (uint8_t)(int8_t)r;
-    return sm_link_frame(frame, (uint16_t)(LINK_HEAD + 1 + a->length));
+    return sm_link_encode(frame, (uint16_t)(LINK_HEAD + 1 + a->length));
 }

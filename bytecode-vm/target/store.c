@@ -13,12 +13,12 @@ enum { VERSION = 1, HEADER = 11, CHECKED = STORE_RECORD - 4 };
 
 typedef char store_choice_is_a_record[sizeof(StoreChoice) == STORE_RECORD ? 1 : -1];
 
-SMVM_NOINLINE static uint32_t get32(const uint8_t *at) { return sm_link_get(at, 4); }
-SMVM_NOINLINE static void put32(uint8_t *at, uint32_t value) { sm_link_put(at, value, 4); }
+SMVM_NOINLINE static uint32_t get32(const uint8_t *at) { return sm_link_load(at, 4); }
+SMVM_NOINLINE static void put32(uint8_t *at, uint32_t value) { sm_link_store(at, value, 4); }
 
 bool smvm_get_at(const uint8_t *field, SmvmAt *at)
 {
-    *at = (SmvmAt)sm_link_get(field, sizeof *at < 3 ? 2 : 3);
+    *at = (SmvmAt)sm_link_load(field, sizeof *at < 3 ? 2 : 3);
     return sizeof *at > 2 || field[2] == 0;
 }
 
@@ -37,7 +37,7 @@ static bool is_choice(uint8_t slot, const Store *s) { return slot < s->plan.slot
 
 static bool is_record(const Store *s, const StoreChoice *c)
 {
-    return c->version == VERSION && sm_link_check(c->number, STORE_RECORD) == SM_CRC32_WHOLE && is_choice(c->active, s) &&
+    return c->version == VERSION && sm_link_crc(c->number, STORE_RECORD) == SM_CRC32_WHOLE && is_choice(c->active, s) &&
            is_choice(c->before, s) && c->tries <= STORE_TRIES;
 }
 
@@ -65,7 +65,7 @@ static SmResult choose(Store *s, StoreChoice *c)
 
     put32(c->number, get32(c->number) + 1);
     c->version = VERSION;
-    put32(c->crc, sm_link_check(c->number, CHECKED));
+    put32(c->crc, sm_link_crc(c->number, CHECKED));
     at = record_at(s, c->number);
     r = erase(s, at, s->record_size);
     if (r == SM_OK)
@@ -186,7 +186,7 @@ uint16_t smvm_store_period(const Store *s, uint8_t slot)
 {
     const uint8_t *period = slot == s->now.active ? s->now.period : slot == s->now.before ? s->now.period_before : NULL;
 
-    return period && slot != STORE_BUILT_IN ? (uint16_t)sm_link_get(period, 2) : 0;
+    return period && slot != STORE_BUILT_IN ? (uint16_t)sm_link_load(period, 2) : 0;
 }
 
 // ---- starting ----
@@ -403,11 +403,11 @@ SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
         c.before = c.active;
         memcpy(c.checksum_before, c.checksum, 4);
         memcpy(c.period_before, c.period, 2);
-    } else if (sm_link_get(c.period, 2) == period) {
+    } else if (sm_link_load(c.period, 2) == period) {
         return SM_OK;                  // the answer was lost; the image may already be confirmed
     }
     c.active = s->target;
-    sm_link_put(c.period, period, 2);
+    sm_link_store(c.period, period, 2);
     memcpy(c.checksum, s->checksum, 4);
     c.tries = STORE_TRIES;
     c.confirmed = 0;

@@ -148,8 +148,8 @@ enum { EVENT = 19, EVENT_HEAD = 8 };
 
 static void put_event(Buf *out, const uint8_t *e)
 {
-    const double seconds = ((double)sm_link_get(e + 4, 4) * 4294967296.0 + (double)sm_link_get(e, 4)) * 1e-9;
-    const unsigned long a = sm_link_get(e + 11, 4), b = sm_link_get(e + 15, 4), source = sm_link_get(e + 9, 2);
+    const double seconds = ((double)sm_link_load(e + 4, 4) * 4294967296.0 + (double)sm_link_load(e, 4)) * 1e-9;
+    const unsigned long a = sm_link_load(e + 11, 4), b = sm_link_load(e + 15, 4), source = sm_link_load(e + 9, 2);
 
     buf_printf(out, "%12.6f s  ", seconds);
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
@@ -178,8 +178,8 @@ static int show_log(BoardLine *b, Buf *out)
         if (!link_ask(&b->host, LINK_EVENTS, body, sizeof body) || b->host.result != SM_OK || b->host.n < EVENT_HEAD)
             return board_failed(b, "reading events");
         memcpy(body, b->host.body, sizeof body);
-        if (sm_link_get(b->host.body + 4, 4) > 0)
-            buf_printf(out, "%lu earlier events are gone\n", (unsigned long)sm_link_get(b->host.body + 4, 4));
+        if (sm_link_load(b->host.body + 4, 4) > 0)
+            buf_printf(out, "%lu earlier events are gone\n", (unsigned long)sm_link_load(b->host.body + 4, 4));
         events = (b->host.n - EVENT_HEAD) / EVENT;
         for (size_t i = 0; i < events; i++)
             put_event(out, b->host.body + EVENT_HEAD + i * EVENT);

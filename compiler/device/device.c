@@ -23,8 +23,8 @@ static void take_limits(const uint8_t *b, DeviceInfo *info)
     info->machines = (uint8_t)(b[0] & ~LINK_WINDOWS);
     info->ram_digital = b[1];
     info->ram_analog = b[2];
-    info->period = (uint16_t)sm_link_get(b + 3, 2);
-    info->cycles = (uint16_t)sm_link_get(b + 5, 2);
+    info->period = (uint16_t)sm_link_load(b + 3, 2);
+    info->cycles = (uint16_t)sm_link_load(b + 5, 2);
 }
 
 bool device_hello(LinkHost *h, DeviceInfo *info)
@@ -39,17 +39,17 @@ bool device_hello(LinkHost *h, DeviceInfo *info)
     info->body = b[1];
     info->block = b[2];
     info->slots = b[3];
-    info->slot_size = sm_link_get(b + 4, 3);
-    info->ram = sm_link_get(b + 7, 3);
-    info->longest = sm_link_get(b + 10, 4);
+    info->slot_size = sm_link_load(b + 4, 3);
+    info->ram = sm_link_load(b + 7, 3);
+    info->longest = sm_link_load(b + 10, 4);
     info->may = (SmResult)(int8_t)b[14];
     info->wants_signed = h->n >= HELLO_SIGNED && b[15] != 0;
-    info->newest = h->n >= HELLO_SIGNED ? sm_link_get(b + 16, 4) : 0;
+    info->newest = h->n >= HELLO_SIGNED ? sm_link_load(b + 16, 4) : 0;
     info->tells = h->n >= HELLO_LIMITS;
     if (info->tells)
         take_limits(b + HELLO_SIGNED, info);
     info->tells_mark = h->n >= HELLO_MARK;
-    info->mark = info->tells_mark ? sm_link_get(b + HELLO_LIMITS, 4) : 0;
+    info->mark = info->tells_mark ? sm_link_load(b + HELLO_LIMITS, 4) : 0;
     return true;
 }
 
@@ -62,14 +62,14 @@ bool device_image(LinkHost *h, uint8_t slot, DeviceImage *image)
     b = h->body;
     image->slot = slot;
     image->state = b[0];
-    image->length = sm_link_get(b + 1, 3);
-    image->checksum = sm_link_get(b + 4, 4);
+    image->length = sm_link_load(b + 1, 3);
+    image->checksum = sm_link_load(b + 4, 4);
     memcpy(image->identity, b + 8, 8);
     image->runs = (b[16] & 1) != 0;
     image->chosen = (b[16] & 2) != 0;
     image->before = (b[16] & 4) != 0;
     image->starts = b[17];
-    image->period = h->n < IMAGE_BYTES + 2 ? 0 : (uint16_t)sm_link_get(b + IMAGE_BYTES, 2);
+    image->period = h->n < IMAGE_BYTES + 2 ? 0 : (uint16_t)sm_link_load(b + IMAGE_BYTES, 2);
     return true;
 }
 
@@ -99,7 +99,7 @@ bool device_ask_about(LinkHost *h, LinkMessage message, uint32_t checksum)
 {
     uint8_t body[4];
 
-    sm_link_put(body, checksum, 4);
+    sm_link_store(body, checksum, 4);
     return ask(h, message, body, sizeof body, 0);
 }
 
@@ -107,7 +107,7 @@ bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place
 {
     uint8_t body[3] = {kind, 0, 0};
 
-    sm_link_put(body + 1, number, 2);
+    sm_link_store(body + 1, number, 2);
     if (!ask(h, LINK_PIN, body, sizeof body, 1))
         return false;
     *place = h->body[0];
@@ -138,7 +138,7 @@ static bool ask_session(LinkHost *h, const Update *u, LinkMessage message)
 {
     uint8_t body[2];
 
-    sm_link_put(body, u->session, 2);
+    sm_link_store(body, u->session, 2);
     return ask(h, message, body, sizeof body, 0);
 }
 
@@ -146,9 +146,9 @@ static bool begin(LinkHost *h, const Update *u)
 {
     uint8_t body[9];
 
-    sm_link_put(body, u->session, 2);
-    sm_link_put(body + 2, u->length, 3);
-    sm_link_put(body + 5, u->checksum, 4);
+    sm_link_store(body, u->session, 2);
+    sm_link_store(body + 2, u->length, 3);
+    sm_link_store(body + 5, u->checksum, 4);
     return ask(h, LINK_BEGIN, body, sizeof body, 0);
 }
 
@@ -158,8 +158,8 @@ static bool data(LinkHost *h, const DeviceInfo *info, Update *u)
 
     for (uint32_t at = 0; at < u->length;) {
         const uint32_t n = u->length - at < info->block ? u->length - at : info->block;
-        sm_link_put(body, u->session, 2);
-        sm_link_put(body + 2, at, 3);
+        sm_link_store(body, u->session, 2);
+        sm_link_store(body + 2, at, 3);
         memcpy(body + DATA_HEAD, u->bytes + at, n);
         if (!ask(h, LINK_DATA, body, DATA_HEAD + n, 0))
             return false;
@@ -175,7 +175,7 @@ static bool end(LinkHost *h, Update *u)
     const bool ok = ask_session(h, u, LINK_END);
 
     u->rule = h->answered && h->n >= 4 ? h->body[0] : 0;
-    u->at = h->answered && h->n >= 4 ? sm_link_get(h->body + 1, 3) : 0;
+    u->at = h->answered && h->n >= 4 ? sm_link_load(h->body + 1, 3) : 0;
     return ok;
 }
 
@@ -185,7 +185,7 @@ static bool same_bytes(LinkHost *h, const DeviceInfo *info, const Update *u, uin
     for (uint32_t at = 0; at < u->length;) {
         const uint32_t most = info->body - 1u, n = u->length - at < most ? u->length - at : most;
         uint8_t body[5] = {slot, 0, 0, 0, (uint8_t)n};
-        sm_link_put(body + 1, at, 3);
+        sm_link_store(body + 1, at, 3);
         if (!ask(h, LINK_READ, body, sizeof body, n))
             return false;
         if (h->n != n || memcmp(h->body, u->bytes + at, n) != 0) {
@@ -216,8 +216,8 @@ static bool activate(LinkHost *h, const Update *u)
 {
     uint8_t body[4];
 
-    sm_link_put(body, u->session, 2);
-    sm_link_put(body + 2, u->period, 2);
+    sm_link_store(body, u->session, 2);
+    sm_link_store(body + 2, u->period, 2);
     return ask(h, LINK_ACTIVATE, body, sizeof body, 0);
 }
 

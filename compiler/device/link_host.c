@@ -10,7 +10,7 @@ void link_host(LinkHost *h, const Line *line, uint32_t wait, unsigned tries, uin
     h->wait = wait;
     h->tries = tries;
     h->sequence = sequence;
-    sm_link_receiver(&h->in, h->arrived, sizeof h->arrived);
+    sm_link_receiver_init(&h->in, h->arrived, sizeof h->arrived);
 }
 
 // Whether the received frame answers the current request.  It may be a late answer to an earlier one.
@@ -59,7 +59,7 @@ bool link_ask(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n)
     frame[3] = (uint8_t)message;
     if (n > 0)
         memcpy(frame + 4, body, n);
-    length = sm_link_frame(frame + 1, (uint16_t)(LINK_HEAD + n));
+    length = sm_link_encode(frame + 1, (uint16_t)(LINK_HEAD + n));
     for (unsigned i = 0; i < h->tries && !h->gone && !h->answered; i++) {
         if (!h->line->send(h->line->context, frame, length + 1u))
             h->gone = true;

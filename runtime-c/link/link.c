@@ -7,7 +7,7 @@
 
 typedef char link_frame_is_one_run[LINK_HEAD + LINK_BODY_MAX + LINK_TAIL < 254 ? 1 : -1];
 
-void sm_link_put(uint8_t *at, uint32_t value, unsigned bytes)
+void sm_link_store(uint8_t *at, uint32_t value, unsigned bytes)
 {
     for (unsigned i = 0; i < bytes; i++) {
         at[i] = (uint8_t)value;
@@ -15,7 +15,7 @@ void sm_link_put(uint8_t *at, uint32_t value, unsigned bytes)
     }
 }
 
-uint32_t sm_link_get(const uint8_t *at, unsigned bytes)
+uint32_t sm_link_load(const uint8_t *at, unsigned bytes)
 {
     uint32_t value = 0;
 
@@ -24,16 +24,16 @@ uint32_t sm_link_get(const uint8_t *at, unsigned bytes)
     return value;
 }
 
-uint32_t sm_link_check(const uint8_t *bytes, uint16_t n) { return sm_crc32(bytes, n); }
+uint32_t sm_link_crc(const uint8_t *bytes, uint16_t n) { return sm_crc32(bytes, n); }
 
 // ---- sending ----
 
-uint16_t sm_link_frame(uint8_t *frame, uint16_t n)
+uint16_t sm_link_encode(uint8_t *frame, uint16_t n)
 {
     const uint16_t end = (uint16_t)(1 + n + LINK_TAIL);
     uint16_t zero = end;      // position of the next zero after byte i
 
-    sm_link_put(frame + 1 + n, sm_link_check(frame + 1, n), LINK_TAIL);
+    sm_link_store(frame + 1 + n, sm_link_crc(frame + 1, n), LINK_TAIL);
     frame[end] = 0;
     for (uint16_t i = end; i-- > 1;)
         if (frame[i] == 0) {
@@ -46,7 +46,7 @@ uint16_t sm_link_frame(uint8_t *frame, uint16_t n)
 
 // ---- receiving ----
 
-static void start(LinkReceiver *r)
+static void reset(LinkReceiver *r)
 {
     r->n = 0;
     r->left = 0;
@@ -54,12 +54,12 @@ static void start(LinkReceiver *r)
     r->lost = false;
 }
 
-void sm_link_receiver(LinkReceiver *r, uint8_t *buffer, uint16_t room)
+void sm_link_receiver_init(LinkReceiver *r, uint8_t *buffer, uint16_t room)
 {
     r->buffer = buffer;
     r->room = room;
     r->done = false;
-    start(r);
+    reset(r);
 }
 
 // Whether the bytes received up to the zero are an intact frame.  If so, removes its checksum.
@@ -67,7 +67,7 @@ static bool is_frame(LinkReceiver *r)
 {
     if (r->lost || r->left != 0 || r->n < LINK_HEAD + LINK_TAIL)
         return false;
-    if (sm_link_check(r->buffer, r->n) != SM_CRC32_WHOLE)
+    if (sm_link_crc(r->buffer, r->n) != SM_CRC32_WHOLE)
         return false;
     r->n = (uint16_t)(r->n - LINK_TAIL);
     return true;
@@ -77,12 +77,12 @@ bool sm_link_receive(LinkReceiver *r, uint8_t byte)
 {
     if (r->done) {
         r->done = false;
-        start(r);
+        reset(r);
     }
     if (byte == 0) {
         r->done = is_frame(r);
         if (!r->done)
-            start(r);
+            reset(r);
         return r->done;
     }
     if (r->left > 0) {

@@ -43,7 +43,7 @@ typedef struct LinkReceiver {
     bool done;                // `buffer` contains a complete frame
 } LinkReceiver;
 
-void sm_link_receiver(LinkReceiver *r, uint8_t *buffer, uint16_t room);
+void sm_link_receiver_init(LinkReceiver *r, uint8_t *buffer, uint16_t room);
 
 // Processes one byte.  Returns true if r->buffer now contains an intact frame: sequence, message, body, r->n bytes in total.  It
 // stays valid until the next byte.
@@ -51,13 +51,13 @@ bool sm_link_receive(LinkReceiver *r, uint8_t byte);
 
 // Encodes a frame in place.  The n bytes from frame[1] on are sequence, message and body; LINK_TAIL + 1 further bytes must be
 // available after them.  Returns the number of bytes to send, starting at frame[0].
-uint16_t sm_link_frame(uint8_t *frame, uint16_t n);
+uint16_t sm_link_encode(uint8_t *frame, uint16_t n);
 
-uint32_t sm_link_check(const uint8_t *bytes, uint16_t n);           // their CRC-32
+uint32_t sm_link_crc(const uint8_t *bytes, uint16_t n);           // their CRC-32
 
 // Fields of 1 to 4 bytes, little-endian.
-uint32_t sm_link_get(const uint8_t *at, unsigned bytes);
-void sm_link_put(uint8_t *at, uint32_t value, unsigned bytes);
+uint32_t sm_link_load(const uint8_t *at, unsigned bytes);
+void sm_link_store(uint8_t *at, uint32_t value, unsigned bytes);
 
 #ifdef __cplusplus
 }

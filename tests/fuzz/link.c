@@ -11,7 +11,7 @@ static void answer_is_sound(const Board *b, uint16_t n)
     bool whole = false;
 
     FUZZ_CHECK(n <= sizeof b->frame);
-    sm_link_receiver(&in, buffer, sizeof buffer);
+    sm_link_receiver_init(&in, buffer, sizeof buffer);
     for (uint16_t i = 0; i < n; i++) {
         FUZZ_CHECK(!whole);
         whole = sm_link_receive(&in, b->frame[i]);
@@ -59,7 +59,7 @@ static size_t give_frame(Board *b, const uint8_t *data, size_t size)
     frame[1] = (uint8_t)size;
     frame[2] = message_of(data[1]);
     memcpy(frame + 3, data + 2, n);
-    give(b, frame, sm_link_frame(frame, (uint16_t)(LINK_HEAD + n)));
+    give(b, frame, sm_link_encode(frame, (uint16_t)(LINK_HEAD + n)));
     return n + 2;
 }
 

@@ -196,7 +196,7 @@ static void test_order(void)
     most = 3 + 25;
     CHECK(sm_app_run(&app) == SM_OK);
     CHECK(strcmp(calls, "012" "ABC" "A" "AB" "AC" "AB" "A" "ABC" "A" "AB" "AC" "AB" "A" "ABC") == 0);
-    CHECK(executor[0].late_most == 0 && executor[2].late_most == 0 && executor[0].start == executor[2].start);
+    CHECK(executor[0].late_max == 0 && executor[2].late_max == 0 && executor[0].start == executor[2].start);
 }
 
 // 10 Hz to 1 kHz in one executor, and beside it: so many calls, in order, in exactly ten seconds.
@@ -223,7 +223,7 @@ static void test_rates(void)
     CHECK(task[0].steps == 10000 && task[1].steps == 5000 && task[2].steps == 1000 && task[3].steps == 100 && task[4].steps == 1429);
     for (unsigned i = 6; i < CALLS; i++)                   // in a tick from A to D
         CHECK(ticks[i].number > ticks[i - 1].number || (ticks[i].number == ticks[i - 1].number && calls[i] >= calls[i - 1]));
-    CHECK(executor[0].late_most == 0 && executor[1].late_most == 0 && executor[0].overruns == 0 && crew_sv.time == 9999);
+    CHECK(executor[0].late_max == 0 && executor[1].late_max == 0 && executor[0].overruns == 0 && crew_sv.time == 9999);
 }
 
 static void test_same_in_every_run(void)
@@ -255,7 +255,7 @@ static void test_fair(void)
     part[1].takes = MS;
     most = 1000;
     CHECK(sm_app_run(&app) == SM_OK);
-    CHECK(executor[1].overruns == 0 && executor[1].late_most <= 5 * MS && count('B') >= 200);
+    CHECK(executor[1].overruns == 0 && executor[1].late_max <= 5 * MS && count('B') >= 200);
     CHECK(executor[0].skipped == 0 && executor[0].overruns > 700);
 }
 
@@ -309,14 +309,14 @@ static void test_sleep_fails(void)
     sim_delay(SIM_clock_sleep_until, 100000);
     most = 21;
     CHECK(sm_app_run(&app) == SM_OK && executor[0].ticks == 20 && executor[0].next == 20);
-    CHECK(pal_clock_now() >= executor[0].start + 190 * MS && executor[0].late_most <= 200000);
+    CHECK(pal_clock_now() >= executor[0].start + 190 * MS && executor[0].late_max <= 200000);
 }
 
 static void test_oversleep(void)
 {
     start(1);
     sim_oversleep(3 * MS);
-    CHECK(sm_app_run(&app) == SM_OK && executor[0].late_most == 3 * MS && executor[0].skipped == 0);
+    CHECK(sm_app_run(&app) == SM_OK && executor[0].late_max == 3 * MS && executor[0].skipped == 0);
     start(1);
     sim_oversleep(12 * MS);
     CHECK(sm_app_run(&app) == SM_OK && executor[0].overruns > 20 && executor[0].ticks + executor[0].skipped == executor[0].next);

@@ -175,7 +175,7 @@ static void test_stop_at_once(void)
 static void on_alarm(int signal)                       // again and again, until it has been under way
 {
     (void)signal;
-    if (sm_shared_read(&executor[0].alive) > 0)
+    if (sm_shared_read(&executor[0].next_shared) > 0)
         sm_app_stop(&app);
 }
 
@@ -252,7 +252,7 @@ static void test_written(void)
     app.writing = &sm_writing;
     seen[0].stop_at = 100;
     CHECK(run() == SM_OK && adds_up(0) && !pthread_equal(seen[0].thread, pthread_self()));
-    CHECK(log.cursor == events.next && log.written > 1000 && log.dropped == 0 && keep.stored > 0 && keep.stored + keep.missed == keep.pending);
+    CHECK(log.cursor == events.next && log.written > 1000 && log.dropped == 0 && keep.written > 0 && keep.written + keep.replaced == keep.taken);
     start(1);                                              // one executor that is not alone: still a thread of its own, no locks
     crew_vector.guarded = events.guarded = false;
     app.keep = &keep;
@@ -268,10 +268,10 @@ static void test_written(void)
 static void test_refused(void)
 {
     start(PAL_THREADS + 1);
-    CHECK(run() == SM_E_FULL && app.refused == &executor[PAL_THREADS] && app.why != NULL);
+    CHECK(run() == SM_E_FULL && app.failed_executor == &executor[PAL_THREADS] && app.reason != NULL);
     start(PAL_THREADS);
     app.watchdog = PAL_SECOND;
-    CHECK(run() == SM_E_FULL && app.refused == NULL && app.what != NULL);
+    CHECK(run() == SM_E_FULL && app.failed_executor == NULL && app.failed_part != NULL);
     for (int i = 0; i < PAL_THREADS; i++)
         CHECK(seen[i].calls == 0);
     start(2);                                              // their threads have ended: there is room

@@ -74,9 +74,9 @@ static void test_written(void)
 {
     start();
     CHECK(sm_app_run(&app) == SM_OK && !app.restored && crew_sv.number == 1100 && crew_sv.third == 42);
-    CHECK(executor.late_most == 0 && record.dropped == 0 && record.cursor == events.next && record.out.id == 0);
+    CHECK(executor.late_max == 0 && record.dropped == 0 && record.cursor == events.next && record.out.id == 0);
     CHECK(logged() > 100 * SM_LOG_RECORD(sizeof crew_sv) / 2 && sim_log_synced("flight") == logged());
-    CHECK(keeper.stored == 10 && keeper.missed == 0 && task[1].failures == 0 && task[2].failures == 0);
+    CHECK(keeper.written == 10 && keeper.replaced == 0 && task[1].failures == 0 && task[2].failures == 0);
     CHECK(is_event(SM_EVENT_START, 0, 0, 0) && is_event(SM_EVENT_STOP, 0, 0, 0) && is_no_event());
 }
 
@@ -143,7 +143,7 @@ static void test_busy(void)
     executor.most = UINT32_MAX;
     part.takes = 15 * MS;
     CHECK(sm_app_run(&app) == SM_OK && executor.overruns >= 97);
-    CHECK(record.dropped == 0 && keeper.stored >= 9 && sim_log_synced("flight") == logged());
+    CHECK(record.dropped == 0 && keeper.written >= 9 && sim_log_synced("flight") == logged());
 }
 
 // A medium that is broken or slow holds up nothing.
@@ -153,7 +153,7 @@ static void test_broken(void)
     sim_break(SIM_log_append, 3, SM_E_SPACE);
     sim_break(SIM_nvm_write, 1, SM_E_DEVICE);
     most = 1000;
-    CHECK(sm_app_run(&app) == SM_OK && executor.late_most == 0 && executor.ticks == 1000 && record.dropped > 0);
+    CHECK(sm_app_run(&app) == SM_OK && executor.late_max == 0 && executor.ticks == 1000 && record.dropped > 0);
 }
 
 int main(void)

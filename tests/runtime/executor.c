@@ -121,7 +121,7 @@ static void test_order(void)
     CHECK(strcmp(calls, "ABCABABCABABC") == 0 && pal_clock_now() == S + 40 * MS);
     for (unsigned i = 0; i < called; i++)
         CHECK(ticks[i].time == ticks[i].number * 10 * MS);
-    CHECK(ticks[0].number == 0 && ticks[12].number == 4 && e.ticks == 5 && e.skipped == 0 && e.overruns == 0 && e.late_most == 0);
+    CHECK(ticks[0].number == 0 && ticks[12].number == 4 && e.ticks == 5 && e.skipped == 0 && e.overruns == 0 && e.late_max == 0);
 }
 
 // What a tick takes does not move those after it.
@@ -131,7 +131,7 @@ static void test_absolute(void)
     begin();
     part[0].takes = 9 * MS;
     ticks_until(1000);
-    CHECK(pal_clock_now() == S + 999 * 10 * MS + 9 * MS && e.overruns == 0 && e.busy == 9 * MS && e.late_most == 0);
+    CHECK(pal_clock_now() == S + 999 * 10 * MS + 9 * MS && e.overruns == 0 && e.busy == 9 * MS && e.late_max == 0);
 }
 
 // A little late is no overrun, and is caught up.
@@ -143,9 +143,9 @@ static void test_late(void)
     tick();
     part[0].takes = 0;
     tick();
-    CHECK(e.late == 9 * MS && e.busy_most == 19 * MS && e.overruns == 0);
+    CHECK(e.late == 9 * MS && e.busy_max == 19 * MS && e.overruns == 0);
     tick();
-    CHECK(e.late == 0 && e.late_most == 9 * MS && e.next == 3 && pal_clock_now() == S + 20 * MS && is_no_event());
+    CHECK(e.late == 0 && e.late_max == 9 * MS && e.next == 3 && pal_clock_now() == S + 20 * MS && is_no_event());
 }
 
 // ---- overruns ----
@@ -266,7 +266,7 @@ static void test_told(void)
         last = event.time;
         n++;
     }
-    CHECK(n == 10 && told == e.told_skipped && e.skipped > told && e.skipped - told < 100);
+    CHECK(n == 10 && told == e.reported_skipped && e.skipped > told && e.skipped - told < 100);
 }
 
 // Overruns that are a second apart, to the nanosecond, are each told.

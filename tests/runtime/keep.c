@@ -72,9 +72,9 @@ static void test_plain(const char *name)
     CHECK(start(name, &wide_vector) == SM_OK && !keep.restored);
     CHECK(sm_keep_write(&keep) == SM_OK && sim_count(SIM_nvm_write) == 0);    // nothing waits
     for (uint32_t k = 1; k < 10; k++) {
-        CHECK(store(k) == SM_OK && keep.pending == k && keep.stored == k && keep.missed == 0);
+        CHECK(store(k) == SM_OK && keep.taken == k && keep.written == k && keep.replaced == 0);
         CHECK(restart(name, &wide_vector) == SM_OK && keep.restored && number() == k);
-        keep.pending = keep.stored = k;
+        keep.taken = keep.written = k;
     }
     CHECK(restart(name, &wide_vector) == SM_OK && number() == 9);     // reading changes nothing
 }
@@ -257,16 +257,16 @@ static void test_failed_write(const char *name)
     sim_reset();
     CHECK(start(name, &wide_vector) == SM_OK && store(1) == SM_OK);
     sim_fail(SIM_nvm_write, 0, SM_E_DEVICE);
-    CHECK(store(2) == SM_E_DEVICE && keep.stored == 1 && keep.missed == 0);
-    CHECK(sm_keep_write(&keep) == SM_OK && keep.stored == 2);
+    CHECK(store(2) == SM_E_DEVICE && keep.written == 1 && keep.replaced == 0);
+    CHECK(sm_keep_write(&keep) == SM_OK && keep.written == 2);
     CHECK(restart(name, &wide_vector) == SM_OK && number() == 2);
     sim_fail(SIM_nvm_write, 0, SM_E_DEVICE);
     CHECK(store(3) == SM_E_DEVICE);
     fill(4);
-    CHECK(sm_keep_step(&keep, &tick) == SM_E_DEVICE && keep.missed == 1);
+    CHECK(sm_keep_step(&keep, &tick) == SM_E_DEVICE && keep.replaced == 1);
     fill(5);
-    CHECK(sm_keep_step(&keep, &tick) == SM_E_DEVICE && keep.missed == 2);
-    CHECK(sm_keep_write(&keep) == SM_OK && keep.pending == 3 && keep.stored == 1);
+    CHECK(sm_keep_step(&keep, &tick) == SM_E_DEVICE && keep.replaced == 2);
+    CHECK(sm_keep_write(&keep) == SM_OK && keep.taken == 3 && keep.written == 1);
     CHECK(restart(name, &wide_vector) == SM_OK && number() == 5);
 }
 
@@ -290,7 +290,7 @@ static void test_told(const char *name)
     fill(2);
     sim_fail(SIM_nvm_write, 0, SM_E_SPACE);
     CHECK(sm_keep_step(&keep, &tick) == SM_OK && sm_keep_write(&keep) == SM_E_SPACE);
-    CHECK(sm_keep_step(&keep, &tick) == SM_E_SPACE && sm_keep_step(&keep, &tick) == SM_E_SPACE && keep.pending == 4);
+    CHECK(sm_keep_step(&keep, &tick) == SM_E_SPACE && sm_keep_step(&keep, &tick) == SM_E_SPACE && keep.taken == 4);
     CHECK(sm_keep_write(&keep) == SM_OK && sm_keep_step(&keep, &tick) == SM_OK);
 }
 
@@ -315,7 +315,7 @@ static void test_steps_meanwhile(const char *name)
     next_number = 2;
     sim_delay(SIM_nvm_write, 10 * PAL_MILLISECOND);
     sim_every(3 * PAL_MILLISECOND, step_meanwhile);
-    CHECK(sm_keep_write(&keep) == SM_OK && next_number == 4 && keep.stored == 1 && keep.missed == 1 && keep.pending == 3);
+    CHECK(sm_keep_write(&keep) == SM_OK && next_number == 4 && keep.written == 1 && keep.replaced == 1 && keep.taken == 3);
     sim_every(0, NULL);
     CHECK(restart(name, &wide_vector) == SM_OK && number() == 1);
     sim_reset();
@@ -325,8 +325,8 @@ static void test_steps_meanwhile(const char *name)
     next_number = 2;
     sim_delay(SIM_nvm_write, 10 * PAL_MILLISECOND);
     sim_every(3 * PAL_MILLISECOND, step_meanwhile);
-    CHECK(sm_keep_write(&keep) == SM_OK && sm_keep_write(&keep) == SM_OK && keep.stored == 2 && keep.missed == 1 && sm_keep_write(&keep) == SM_OK);
-    CHECK(keep.stored + keep.missed == keep.pending && restart(name, &wide_vector) == SM_OK && number() == 3);
+    CHECK(sm_keep_write(&keep) == SM_OK && sm_keep_write(&keep) == SM_OK && keep.written == 2 && keep.replaced == 1 && sm_keep_write(&keep) == SM_OK);
+    CHECK(keep.written + keep.replaced == keep.taken && restart(name, &wide_vector) == SM_OK && number() == 3);
 }
 
 static void test_forget(const char *name)
@@ -340,7 +340,7 @@ static void test_forget(const char *name)
             CHECK(sm_keep_step(&keep, &tick) == SM_OK);
             sim_cut_power(after, bytes);
             r = sm_keep_forget(&keep);
-            CHECK(r != SM_OK || (sm_keep_write(&keep) == SM_OK && keep.stored == 2));
+            CHECK(r != SM_OK || (sm_keep_write(&keep) == SM_OK && keep.written == 2));
             CHECK(restart(name, &wide_vector) == SM_OK && (keep.restored ? r != SM_OK && number() == 2 : number() == 0));
             CHECK(store(7) == SM_OK && restart(name, &wide_vector) == SM_OK && number() == 7);
         }

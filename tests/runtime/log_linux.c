@@ -56,7 +56,7 @@ static void run_both(void)
     (void)sm_log_drain(&flight, PAL_SECOND);
     fill(STEPS, 5);
     CHECK(sm_log_step(&flight, &end) == SM_OK && sm_log_close(&flight) == SM_OK);
-    CHECK(sm_keep_write(&keep) == SM_OK && keep.pending == STEPS && keep.stored + keep.missed == STEPS);
+    CHECK(sm_keep_write(&keep) == SM_OK && keep.taken == STEPS && keep.written + keep.replaced == STEPS);
     CHECK(pal_nvm_close(keep.nvm) == SM_OK);
 }
 

@@ -347,7 +347,7 @@ static void check_task(const Worker *w, const SmTask *t)
 {
     const uint32_t again = w->in_a_row > 0 ? w->rests : 0;
 
-    CHECK(t->steps == w->steps && t->safings == w->safings + w->rests && t->failures == w->failures + again && t->failing == w->in_a_row + again);
+    CHECK(t->steps == w->steps && t->safings == w->safings + w->rests && t->failures == w->failures + again && t->failures_in_row == w->in_a_row + again);
     CHECK(w->rests <= 1 && (t->mode || !w->has_safe || w->rests == 1));
     CHECK(w->steps + w->safings <= w->due && (t->mode || w->steps == w->due));
     CHECK(crew_vector.faults > 0 || (w->steps == w->to_step && w->safings == w->to_safe));
@@ -359,7 +359,7 @@ static void check_executor(int i)
     const SmExecutor *const e = &executor[i];
 
     CHECK(e->ticks == model[i].ticks && e->next == e->ticks + e->skipped && e->next == next_number(i));
-    CHECK(e->overruns == model[i].overruns && (events.faults > 0 || e->told_skipped == model[i].told));
+    CHECK(e->overruns == model[i].overruns && (events.faults > 0 || e->reported_skipped == model[i].told));
     for (int k = 0; k < GROUPS; k++)
         for (int n = 0; n < WORKERS; n++)
             check_task(&worker[i][k][n], &work[i][k][n]);

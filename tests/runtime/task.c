@@ -104,14 +104,14 @@ static void test_faults(void)
     CHECK(is_event(SM_EVENT_MODE, 7, 0, 2) && is_event(SM_EVENT_FAULT, 7, 17, 1));
     part.gives = SM_REFUSED;
     run(2);
-    CHECK(is_no_event() && task.last == SM_REFUSED && task.failing == 2);
+    CHECK(is_no_event() && task.last_result == SM_REFUSED && task.failures_in_row == 2);
     run(1);                                                // safing fails as well: it goes on failing
     CHECK(is_event(SM_EVENT_MODE, 7, 2, 1) && is_no_event() && task.failures == 3);
     part.gives = SM_OK;
     run(0);                                                // not called: nobody knows
-    CHECK(is_event(SM_EVENT_MODE, 7, 1, 0) && is_no_event() && task.failing == 3);
+    CHECK(is_event(SM_EVENT_MODE, 7, 1, 0) && is_no_event() && task.failures_in_row == 3);
     run(2);
-    CHECK(is_event(SM_EVENT_MODE, 7, 0, 2) && is_event(SM_EVENT_FAULT, 7, 0, 3) && task.failing == 0 && task.last == SM_OK);
+    CHECK(is_event(SM_EVENT_MODE, 7, 0, 2) && is_event(SM_EVENT_FAULT, 7, 0, 3) && task.failures_in_row == 0 && task.last_result == SM_OK);
     part.gives = SM_REFUSED;
     run(2);
     CHECK(is_event(SM_EVENT_FAULT, 7, 1, 1) && is_no_event());
@@ -121,10 +121,10 @@ static void test_long_failing(void)
 {
     start(NULL);
     part.gives = SM_E_DEVICE;
-    task.failing = UINT32_MAX;
+    task.failures_in_row = UINT32_MAX;
     run(2);
     run(2);
-    CHECK(task.failing == UINT32_MAX && is_no_event());
+    CHECK(task.failures_in_row == UINT32_MAX && is_no_event());
     part.gives = SM_OK;
     run(2);
     CHECK(is_event(SM_EVENT_FAULT, 7, 0, UINT32_MAX));

@@ -254,19 +254,19 @@ static void an_update_stops_when_it_is_armed(void)
     Pair p;
 
     prepare(&p, "eeprom", 2);
-    sm_link_put(body, 5, 2);
-    sm_link_put(body + 2, new_image.length, 3);
-    sm_link_put(body + 5, new_image.checksum, 4);
+    sm_link_store(body, 5, 2);
+    sm_link_store(body + 2, new_image.length, 3);
+    sm_link_store(body + 5, new_image.checksum, 4);
     CHECK(link_ask(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_OK);
-    sm_link_put(data, 5, 2);
-    sm_link_put(data + 2, 0, 3);
+    sm_link_store(data, 5, 2);
+    sm_link_store(data + 2, 0, 3);
     memcpy(data + 5, new_image.bytes, 8);
     p.board.may = SM_E_ARMED;
     CHECK(link_ask(&p.host, LINK_DATA, data, sizeof data) && p.host.result == SM_E_ARMED);
     CHECK(link_ask(&p.host, LINK_END, body, 2) && p.host.result == SM_E_ARMED);
     CHECK(link_ask(&p.host, LINK_ACTIVATE, body, 2) && p.host.result == SM_E_ARMED);
     p.board.may = SM_OK;
-    CHECK(link_ask(&p.host, LINK_DATA, data, sizeof data) && p.host.result == SM_OK && sm_link_get(p.host.body, 3) == 8);
+    CHECK(link_ask(&p.host, LINK_DATA, data, sizeof data) && p.host.result == SM_OK && sm_link_load(p.host.body, 3) == 8);
 }
 
 static void what_does_not_fit_is_refused(void)
@@ -277,7 +277,7 @@ static void what_does_not_fit_is_refused(void)
     Pair p;
 
     prepare(&p, "eeprom", 1);
-    sm_link_put(body + 2, SIM_NVM_SIZE, 3);
+    sm_link_store(body + 2, SIM_NVM_SIZE, 3);
     CHECK(link_ask(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_E_SPACE && p.board.left == 0);
     damaged.bytes[damaged.length - 1] ^= 1;
     for (int i = 0; i < 2; i++)        // no more chosen than the first time
@@ -413,7 +413,7 @@ static void what_is_no_request_is_said_to_be_none(void)
     for (uint32_t before = 0; before < 3; before++)                                             // up to the slot's end and not beyond
         for (uint8_t n = 0; n < 5; n++) {
             uint8_t end[5] = {0, 0, 0, 0, n};
-            sm_link_put(end + 1, p.board.store.slot_size - before, 3);
+            sm_link_store(end + 1, p.board.store.slot_size - before, 3);
             CHECK(link_ask(&p.host, LINK_READ, end, 5) && p.host.result == (n <= before ? SM_OK : SM_E_ARGUMENT) && p.host.n == (n <= before ? n : 0));
         }
     p.host.tries = 2;
@@ -457,14 +457,14 @@ static uint32_t drain(Pair *p, uint32_t *cursor, uint32_t *next)
     uint8_t body[4];
     uint32_t events;
 
-    sm_link_put(body, *cursor, 4);
+    sm_link_store(body, *cursor, 4);
     if (!link_ask(&p->host, LINK_EVENTS, body, 4) || p->host.result != SM_OK)
         return 0;
-    *cursor = sm_link_get(p->host.body, 4);
-    *next += sm_link_get(p->host.body + 4, 4);
+    *cursor = sm_link_load(p->host.body, 4);
+    *next += sm_link_load(p->host.body + 4, 4);
     events = (uint32_t)(p->host.n - 8) / 19;
     for (uint32_t i = 0; i < events; i++, ++*next)
-        CHECK(sm_link_get(p->host.body + 8 + 19 * i + 11, 4) == *next);
+        CHECK(sm_link_load(p->host.body + 8 + 19 * i + 11, 4) == *next);
     return events;
 }
 
@@ -581,7 +581,7 @@ static void events_fit_into_an_answer(void)
     for (uint32_t i = 0; i < 5; i++) {
         CHECK(link_ask(&p.host, LINK_EVENTS, cursor, 4) && p.host.result == SM_OK && p.host.n == 8 + 19);        // one: two would be 47 of 37 bytes
         memcpy(cursor, p.host.body, 4);
-        CHECK(sm_link_get(cursor, 4) == i + 1 && sm_link_get(p.host.body + 8, 4) == i);
+        CHECK(sm_link_load(cursor, 4) == i + 1 && sm_link_load(p.host.body + 8, 4) == i);
     }
     CHECK(link_ask(&p.host, LINK_EVENTS, cursor, 4) && p.host.n == 8);
 }
@@ -608,7 +608,7 @@ static bool canned_send(void *context, const uint8_t *bytes, size_t n)
             c->answer[2] = (uint8_t)(c->in.buffer[1] | LINK_ANSWER);
             c->answer[3] = SM_OK;
             memcpy(c->answer + 4, c->body, c->n);
-            c->length = sm_link_frame(c->answer, (uint16_t)(LINK_HEAD + 1 + c->n));
+            c->length = sm_link_encode(c->answer, (uint16_t)(LINK_HEAD + 1 + c->n));
             c->given = 0;
         }
     return true;
@@ -641,7 +641,7 @@ static void older_boards_say_less(void)
     uint8_t place;
 
     memset(&c, 0, sizeof c);
-    sm_link_receiver(&c.in, c.arrived, sizeof c.arrived);
+    sm_link_receiver_init(&c.in, c.arrived, sizeof c.arrived);
     link_host(&host, &line, 100, 1, 0);
     for (size_t n = 14; n <= sizeof all; n++) {
         memcpy(c.body, all, c.n = sizeof all);

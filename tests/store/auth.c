@@ -219,7 +219,7 @@ static void a_refused_begin_stops_nothing(void)
     Board b;
 
     CHECK(board_new(&b, "eeprom", 1) && runs_number(&b, 1, true) && board_start(&b) && b.slot == 0);
-    length = sm_link_frame(request, LINK_HEAD + 9);
+    length = sm_link_encode(request, LINK_HEAD + 9);
     for (uint16_t i = 0; i < length; i++)
         (void)board_takes(&b, request[i]);
     CHECK(b.left == 0 && b.slot == 0);
@@ -254,15 +254,15 @@ static void hello_says_so(void)
 
     board_with_key(&b, "eeprom", 2);
     CHECK(runs_number(&b, 0x01020304, true) && board_start(&b));
-    length = sm_link_frame(request, LINK_HEAD);
+    length = sm_link_encode(request, LINK_HEAD);
     for (uint16_t i = 0; i < length; i++)
         n = board_takes(&b, request[i]);
-    sm_link_receiver(&r, answer, sizeof answer);
+    sm_link_receiver_init(&r, answer, sizeof answer);
     for (uint16_t i = 0; i + 1 < n; i++)
         sm_link_receive(&r, b.frame[i]);
     CHECK(n > 0 && sm_link_receive(&r, b.frame[n - 1]) && r.n == LINK_HEAD + 1 + 31);
-    CHECK(answer[LINK_HEAD + 1 + 15] == 1 && sm_link_get(answer + LINK_HEAD + 1 + 16, 4) == 0x01020304);
-    CHECK(sm_link_get(answer + LINK_HEAD + 1 + 27, 4) == smvm_auth_mark(our_key));
+    CHECK(answer[LINK_HEAD + 1 + 15] == 1 && sm_link_load(answer + LINK_HEAD + 1 + 16, 4) == 0x01020304);
+    CHECK(sm_link_load(answer + LINK_HEAD + 1 + 27, 4) == smvm_auth_mark(our_key));
 }
 
 // ---- cuts ----

@@ -19,7 +19,7 @@ static void make(Line *l, uint16_t n, unsigned kind)
         l->sent[i] = kind == 1 ? 0 : kind == 2 ? (uint8_t)(r | 1) : kind == 3 ? (uint8_t)(r & r >> 3 & r >> 5 & 1) : r;
     }
     memcpy(l->bytes + 1, l->sent, n);
-    l->n = sm_link_frame(l->bytes, n);
+    l->n = sm_link_encode(l->bytes, n);
 }
 
 static bool arrives(LinkReceiver *r, const Line *l)
@@ -37,7 +37,7 @@ static void what_is_sent_arrives(void)
     LinkReceiver r;
     Line l;
 
-    sm_link_receiver(&r, buffer, sizeof buffer);
+    sm_link_receiver_init(&r, buffer, sizeof buffer);
     for (uint16_t n = LINK_HEAD; n <= LINK_HEAD + BODY; n++)
         for (unsigned kind = 0; kind < 4; kind++) {
             make(&l, n, kind);
@@ -64,7 +64,7 @@ static void what_is_damaged_does_not(void)
     LinkReceiver r;
     Line good, bad;
 
-    sm_link_receiver(&r, buffer, sizeof buffer);
+    sm_link_receiver_init(&r, buffer, sizeof buffer);
     for (unsigned i = 0; i < 20000; i++) {
         make(&good, (uint16_t)(LINK_HEAD + random_u64() % BODY), i % 4);
         bad = good;
@@ -82,7 +82,7 @@ static void what_is_too_long_is_dropped(void)
     LinkReceiver r;
     Line l;
 
-    sm_link_receiver(&r, buffer, LINK_HEAD + 16 + LINK_TAIL);
+    sm_link_receiver_init(&r, buffer, LINK_HEAD + 16 + LINK_TAIL);
     make(&l, LINK_HEAD + 17, 0);
     CHECK(!arrives(&r, &l));
     make(&l, LINK_HEAD + 16, 0);
@@ -109,7 +109,7 @@ static void what_is_cut_does_not_arrive(void)
     LinkReceiver r;
     Line l;
 
-    sm_link_receiver(&r, buffer, sizeof buffer);
+    sm_link_receiver_init(&r, buffer, sizeof buffer);
     for (unsigned more = 1; more < 100; more++) {
         make_one_block(&l, 20);
         l.bytes[0] = (uint8_t)(l.bytes[0] + more);
@@ -126,7 +126,7 @@ static void what_begins_well_and_is_too_long_is_dropped(void)
     LinkReceiver r;
     Line l;
 
-    sm_link_receiver(&r, buffer, sizeof buffer);
+    sm_link_receiver_init(&r, buffer, sizeof buffer);
     for (unsigned more = 1; more < 50; more++) {
         make_one_block(&l, LINK_HEAD + 16);
         memset(l.bytes + l.n - 1, 0x55, more);
@@ -143,8 +143,8 @@ static void fields(void)
 {
     uint8_t at[4];
 
-    sm_link_put(at, 0x01020304u, 4);
-    CHECK(at[0] == 4 && at[3] == 1 && sm_link_get(at, 4) == 0x01020304u && sm_link_get(at, 3) == 0x020304u);
+    sm_link_store(at, 0x01020304u, 4);
+    CHECK(at[0] == 4 && at[3] == 1 && sm_link_load(at, 4) == 0x01020304u && sm_link_load(at, 3) == 0x020304u);
 }
 
 int main(void)
