@@ -89,7 +89,7 @@ static SmResult check_clock(SmApp *app)
     then = pal_clock_now() + ns;
     pal_clock_sleep_until(then);
     r = (int64_t)(pal_clock_now() - then) < 0 ? SM_E_DEVICE : SM_OK;
-    return note_failure(app, r, SM_TEXT("the clock"), SM_TEXT("it stands still"));
+    return note_failure(app, r, SM_TEXT("the clock"), SM_TEXT("it does not advance"));
 }
 
 static SmResult check_config(SmApp *app)
@@ -103,7 +103,7 @@ static SmResult check_config(SmApp *app)
     if (shared && app->events && !app->events->guarded)
         return note_failure(app, SM_E_ARGUMENT, SM_TEXT("the ring of events"), SM_TEXT("several threads use it, so it must be guarded"));
     if ((app->keep || app->log) && !app->writing)
-        return note_failure(app, SM_E_ARGUMENT, SM_TEXT("the log or kept state vector"), SM_TEXT("SmApp.writing is missing"));
+        return note_failure(app, SM_E_ARGUMENT, SM_TEXT("the log or saved state vector"), SM_TEXT("SmApp.writing is missing"));
     return check_clock(app);
 }
 
@@ -123,7 +123,7 @@ static SmResult fill_vector(SmApp *app)
 
     if (app->set && app->sv)
         app->set(app->sv->at);
-    r = note_failure(app, app->writing ? app->writing->restore(app) : SM_OK, SM_TEXT("the kept state vector"), NULL);
+    r = note_failure(app, app->writing ? app->writing->restore(app) : SM_OK, SM_TEXT("the saved state vector"), NULL);
     app->failed_file = r != SM_OK && app->keep ? app->keep->memory : NULL;
     return r;
 }
@@ -159,7 +159,7 @@ static SmResult init_executors(SmApp *app)
                 app->failed_file = app->log && app->failed_task->context == app->log ? app->log->file : NULL;
                 note_pin(app, r);
             } else if (r == SM_E_ARGUMENT) {
-                app->reason = SM_TEXT("its plan is wrong");
+                app->reason = SM_TEXT("its configuration is invalid");
             }
         }
     }
@@ -168,9 +168,9 @@ static SmResult init_executors(SmApp *app)
 
 static bool watchdog_caused_start(void)
 {
-    bool bit = false;
+    bool caused = false;
 
-    return pal_watchdog_bit(&bit) == SM_OK && bit;
+    return pal_watchdog_caused_start(&caused) == SM_OK && caused;
 }
 
 static SmResult start_app(SmApp *app)

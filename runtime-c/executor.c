@@ -236,11 +236,11 @@ void sm_executor_tick(SmExecutor *e)
     store_statistics(e);
 }
 
-void sm_executor_rest(SmExecutor *e)
+void sm_executor_safe(SmExecutor *e)
 {
     const SmTick tick = {e->next * e->period, e->next};
 
     for (uint16_t i = 0; i < e->rates; i++)
         for (uint16_t t = 0; t < e->rate[i].tasks; t++)
-            sm_task_rest(e->rate[i].task[t], e->sv, e->events, &tick);
+            sm_task_safe(e->rate[i].task[t], e->sv, e->events, &tick);
 }

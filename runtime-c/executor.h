@@ -92,8 +92,8 @@ uint64_t sm_executor_due(const SmExecutor *e);
 // Runs the next tick immediately, and determines which tick follows it.
 void sm_executor_tick(SmExecutor *e);
 
-// Called after the last tick: puts all tasks into their safe state, in order (sm_task_rest).
-void sm_executor_rest(SmExecutor *e);
+// Called after the last tick: puts all tasks into their safe state, in order (sm_task_safe).
+void sm_executor_safe(SmExecutor *e);
 
 #ifdef __cplusplus
 }

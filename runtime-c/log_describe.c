@@ -82,7 +82,7 @@ static void put_layout(DescriptionSink *s, const SmNames *names)
 // The index of a machine's element S; 0xFFFF: none.
 static uint16_t state_element_index(const SmLayout *l, const SmMachine *m)
 {
-    const SmPlace at = m->type->number(m->self);
+    const SmRange at = m->type->state_number(m->self);
     uint16_t i = 0;
 
     while (i < l->elements && l->element[i].offset != at.offset)

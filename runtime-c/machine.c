@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-static uint8_t *address_of(void *vector, SmPlace p) { return (uint8_t *)vector + p.offset; }
+static uint8_t *address_of(void *vector, SmRange p) { return (uint8_t *)vector + p.offset; }
 
 static void emit_event(const SmMachine *m, SmEventKind kind, uint64_t time, uint32_t a, uint32_t b)
 {
@@ -45,7 +45,7 @@ static SmResult read_restored_state(const SmMachine *m, uint32_t *state)
 
     if (r != SM_OK)
         return r;
-    memcpy(state, address_of(m->sv->at, m->type->number(m->self)), sizeof *state);
+    memcpy(state, address_of(m->sv->at, m->type->state_number(m->self)), sizeof *state);
     sm_leave(m->sv);
     if (*state > m->type->states(m->self))
         *state = 0;
@@ -66,7 +66,7 @@ static SmResult choose_first_state(const SmMachine *m, uint32_t *state)
 
 static SmResult start_in_state(SmMachine *m, uint32_t state)
 {
-    SmPlace number = m->type->number(m->self);
+    SmRange number = m->type->state_number(m->self);
     SmResult r;
 
     if (!m->sv->guarded)
@@ -113,7 +113,7 @@ static void write_back(SmMachine *m)
 
 static SmResult take_snapshot(SmMachine *m)
 {
-    SmPlace uses = m->type->uses(m->self);
+    SmRange uses = m->type->accessed(m->self);
     SmResult r = sm_enter(m->sv);
 
     if (r != SM_OK)

@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 // A range of bytes in the state vector.
-typedef struct SmPlace { uint32_t offset, size; } SmPlace;
+typedef struct SmRange { uint32_t offset, size; } SmRange;
 
 // Constant: one for each emitted machine, one for all images.  `self` is the machine's memory: the emitted struct, or an
 // SmvmTarget.  Call `open` first, once.  If it fails, call nothing else.
@@ -34,8 +34,8 @@ typedef struct SmMachineType {
     uint64_t (*time)(const void *self);                           // T
     const char *(*state_name)(const void *self, uint32_t state);  // "" for an unknown state, and without names
     uint32_t (*states)(const void *self);                         // number of states; they are numbered from 1
-    SmPlace (*uses)(const void *self);                            // range of sv from the first byte that it may access to the last
-    SmPlace (*number)(const void *self);                          // the element S
+    SmRange (*accessed)(const void *self);                        // range of sv from the first byte that it may access to the last
+    SmRange (*state_number)(const void *self);                    // the element S
     // Copies what the last step stored from one state vector to another, including S if it was stored, and nothing else.  NULL: the
     // machine was built without --track-stores and does not record its stores, so it requires a state vector without `lock`.
     void (*publish)(const void *self, const void *from, void *to);

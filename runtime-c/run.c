@@ -329,7 +329,7 @@ void sm_run(SmApp *app)
         close_gate(app);
     }
     for (uint16_t i = 0; i < app->executors; i++)
-        sm_executor_rest(app->executor[i]);
+        sm_executor_safe(app->executor[i]);
     if (app->watchdog > 0)
         pal_watchdog_stop();
 }

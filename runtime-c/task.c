@@ -80,7 +80,7 @@ void sm_task_run(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick
     record_result(t, t->step(t->context, tick), events, tick);
 }
 
-void sm_task_rest(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick)
+void sm_task_safe(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick)
 {
     if (read_mode(t, sv) != SM_DISABLED)
         call_safe(t, events, tick);

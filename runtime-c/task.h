@@ -54,7 +54,7 @@ SmResult sm_task_init(SmTask *t);
 void sm_task_run(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick);
 
 // Called at the end of the application: calls `safe` once, unless the task is disabled.
-void sm_task_rest(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick);
+void sm_task_safe(SmTask *t, SmStateVec *sv, SmEvents *events, const SmTick *tick);
 
 #ifdef __cplusplus
 }

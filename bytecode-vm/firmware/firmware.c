@@ -302,16 +302,16 @@ static void start_store(void)
 SMVM_NOINLINE static void start(void)
 {
     uint64_t period_ns;
-    bool bit = false;
+    bool caused = false;
 
     avr_clock_start(tick);
     avr_eeprom_ask(may_write);
-    (void)pal_watchdog_bit(&bit);
+    (void)pal_watchdog_caused_start(&caused);
     (void)sm_events_init(&events);
     (void)pal_serial_open(&line, "Serial", BITS_PER_SECOND);
     sei();
     (void)pal_watchdog_start(4 * (uint64_t)PAL_SECOND, &period_ns);
-    report(SM_EVENT_START, 0, 0, bit);
+    report(SM_EVENT_START, 0, 0, caused);
     open_arming();
     start_store();
     board.built_in = (SmvmBytes)(uint16_t)built_in;

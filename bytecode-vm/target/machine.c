@@ -8,22 +8,22 @@
 
 // ---- open, init ----
 
-static SmPlace place(uint32_t offset, uint32_t size)
+static SmRange range_of(uint32_t offset, uint32_t size)
 {
-    SmPlace p;
+    SmRange p;
 
     p.offset = offset;
     p.size = size;
     return p;
 }
 
-static void note(SmvmTarget *t, const SmvmMachine *m)
+static void store_machine_facts(SmvmTarget *t, const SmvmMachine *m)
 {
     t->states = m->states;
     t->outputs = m->outputs;
     t->outputs_at = m->outputs_at;
-    t->uses = place(m->from, (uint32_t)m->to - m->from);
-    t->number = place(m->s, 4);
+    t->accessed = range_of(m->from, (uint32_t)m->to - m->from);
+    t->state_number = range_of(m->s, 4);
 }
 
 static SmResult target_open(void *self, uint32_t layout, uint32_t size)
@@ -38,11 +38,11 @@ static SmResult target_open(void *self, uint32_t layout, uint32_t size)
         return SM_E_MISSING;
     if (m.layout != layout || m.sv_size != size)
         return SM_E_LAYOUT;
-    note(t, &m);
+    store_machine_facts(t, &m);
     return SM_OK;
 }
 
-static void copy(const void *from, void *to, SmPlace p)
+static void copy_range(const void *from, void *to, SmRange p)
 {
     memcpy((uint8_t *)to + p.offset, (const uint8_t *)from + p.offset, (size_t)p.size);
 }
@@ -55,7 +55,7 @@ static SmResult decode(SmvmTarget *t, const SmvmMachine *m, void *sv, uint32_t s
     if (t->decoder != NULL)
         r = t->decoder->decode(&t->fast, t->decoded, t->decoded_size, m, t->memory, sv);
     if (r != SM_OK)
-        memcpy((uint8_t *)sv + t->number.offset, &s, sizeof s);
+        memcpy((uint8_t *)sv + t->state_number.offset, &s, sizeof s);
     return r;
 }
 
@@ -73,7 +73,7 @@ static SmResult target_init(void *self, void *sv, uint32_t state)
     v.at = sv;
     v.size = m.sv_size;
     v.layout = m.layout;
-    memcpy(&s, (uint8_t *)sv + t->number.offset, sizeof s);
+    memcpy(&s, (uint8_t *)sv + t->state_number.offset, sizeof s);
     r = smvm_init(t->memory, t->memory_size, &m, &v, state);
     if (r == SM_OK)
         r = decode(t, &m, sv, s);
@@ -101,13 +101,13 @@ static void target_publish(const void *self, const void *from, void *to)
     SmvmPlace o;
 
     if (smvm_stored_state(t->vm))
-        copy(from, to, t->number);
+        copy_range(from, to, t->state_number);
     for (uint32_t i = 0; i < t->outputs; i++) {
         uint8_t bits = i < 64 ? t->vm->stored[i >> 3] : t->more[(i - 64) >> 3];
         if ((bits >> (i & 7) & 1) == 0)
             continue;
         o = smvm_place(t->image, (SmvmAt)(t->outputs_at + SMVM_PLACE * i));
-        copy(from, to, place(o.offset, (uint32_t)1 << smvm_type_shift(o.type)));
+        copy_range(from, to, range_of(o.offset, (uint32_t)1 << smvm_type_shift(o.type)));
     }
 }
 
@@ -117,8 +117,8 @@ static uint32_t target_state(const void *self) { return smvm_state(((const SmvmT
 static bool target_moved(const void *self) { return ((const SmvmTarget *)self)->vm->first; }
 static uint64_t target_time(const void *self) { return smvm_time(((const SmvmTarget *)self)->vm); }
 static uint32_t target_states(const void *self) { return ((const SmvmTarget *)self)->states; }
-static SmPlace target_uses(const void *self) { return ((const SmvmTarget *)self)->uses; }
-static SmPlace target_number(const void *self) { return ((const SmvmTarget *)self)->number; }
+static SmRange target_accessed(const void *self) { return ((const SmvmTarget *)self)->accessed; }
+static SmRange target_state_number(const void *self) { return ((const SmvmTarget *)self)->state_number; }
 
 // The verifier does not check names: a name without a terminating 0 after its last character is treated as absent.
 static const char *target_state_name(const void *self, uint32_t state)
@@ -138,7 +138,7 @@ static const char *target_state_name(const void *self, uint32_t state)
 }
 
 const SmMachineType smvm_machine_type = {
-    target_open, target_init, target_step, target_state, target_moved, target_time, target_state_name, target_states, target_uses, target_number,
+    target_open, target_init, target_step, target_state, target_moved, target_time, target_state_name, target_states, target_accessed, target_state_number,
     target_publish,
 };
 

@@ -42,7 +42,7 @@ typedef struct SmvmTarget {
     const uint8_t *more;      // bits of the outputs from 64 on that the last step stored
     uint32_t states, outputs;
     SmvmAt outputs_at;
-    SmPlace uses, number;
+    SmRange accessed, state_number;
 } SmvmTarget;
 
 // The type of all images; `self` is an SmvmTarget.

@@ -73,7 +73,7 @@ static void keep_up(void)
         sim_break(SIM_dio_write, 0, SM_OK);
     if (f->kind == HANGS && run.world.since == 20)        // by now a reading has begun that takes all that time
         sim_delay(SIM_aio_read, 0);
-    run.world.off = sim_watchdog_bitten();
+    run.world.off = sim_watchdog_fired();
 }
 
 // ---- a millisecond ----

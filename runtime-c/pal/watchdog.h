@@ -25,7 +25,7 @@ SmResult pal_watchdog_feed(void);
 SmResult pal_watchdog_stop(void);
 
 // Whether the watchdog caused this start of the computer or program.  SM_E_UNSUPPORTED: the platform cannot determine this.
-SmResult pal_watchdog_bit(bool *bit);
+SmResult pal_watchdog_caused_start(bool *caused);
 
 #ifdef __cplusplus
 }

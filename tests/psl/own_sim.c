@@ -434,13 +434,13 @@ static void bites(void)
     CHECK(pal_watchdog_start(10 * MS - 1, &actual) == SM_OK && actual == 10 * MS);
     for (int i = 0; i < 5; i++) {
         sim_advance(actual);
-        CHECK(!sim_watchdog_bitten() && pal_watchdog_feed() == SM_OK);
+        CHECK(!sim_watchdog_fired() && pal_watchdog_feed() == SM_OK);
     }
-    CHECK(pal_watchdog_bit(&bit) == SM_OK && !bit);
+    CHECK(pal_watchdog_caused_start(&bit) == SM_OK && !bit);
     sim_advance(actual + 1);
-    CHECK(sim_watchdog_bitten() && pal_watchdog_bit(&bit) == SM_OK && bit);
+    CHECK(sim_watchdog_fired() && pal_watchdog_caused_start(&bit) == SM_OK && bit);
     sim_reset();
-    CHECK(!sim_watchdog_bitten());
+    CHECK(!sim_watchdog_fired());
 }
 
 Tally own_sim(void)

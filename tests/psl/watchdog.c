@@ -17,7 +17,7 @@ static void without(SmResult expected)
     CHECK(pal_watchdog_start(0, NULL) == SM_E_UNSUPPORTED);
     CHECK(pal_watchdog_feed() == SM_E_UNSUPPORTED);
     CHECK(pal_watchdog_stop() == SM_E_UNSUPPORTED);
-    CHECK(pal_watchdog_bit(&bit) == SM_E_UNSUPPORTED && bit);
+    CHECK(pal_watchdog_caused_start(&bit) == SM_E_UNSUPPORTED && bit);
 }
 
 static void not_running(void)
@@ -53,8 +53,8 @@ Tally contract_watchdog(void)
         CHECK(pal_watchdog_stop() == SM_OK);
         not_running();
     }
-    CHECK(pal_watchdog_bit(NULL) == SM_E_ARGUMENT);
-    r = pal_watchdog_bit(&bit);
+    CHECK(pal_watchdog_caused_start(NULL) == SM_E_ARGUMENT);
+    r = pal_watchdog_caused_start(&bit);
     CHECK((r == SM_OK && !bit) || r == SM_E_UNSUPPORTED);
     return TALLY();
 }

@@ -139,7 +139,7 @@ static void test_refused(void)
     CHECK(refused("crew: the ring of events does not start: an argument is out of its range\n"));
     start(2);
     executor[1].period = 0;
-    CHECK(refused("crew: executor 'two' does not start: its plan is wrong\n"));
+    CHECK(refused("crew: executor 'two' does not start: its configuration is invalid\n"));
     start(2);
     part[1].gives = SM_E_BUSY;
     CHECK(refused("crew: task 'b' does not start: it is in use\n"));
@@ -166,7 +166,7 @@ static void test_refused(void)
     sim_break(SIM_lock_take, 0, SM_OK);
     start(2);
     sim_fail(SIM_clock_sleep_until, 0, SM_E_DEVICE);
-    CHECK(refused("crew: the clock does not start: it stands still\n"));
+    CHECK(refused("crew: the clock does not start: it does not advance\n"));
 }
 
 static void test_no_lock_left(void)
@@ -330,7 +330,7 @@ static void test_fed(void)
     app.watchdog = 50 * MS;
     executor[1].period = 10 * S;                           // waits for longer than the watchdog does: it is not stuck
     most = 5000;
-    CHECK(sm_app_run(&app) == SM_OK && !sim_watchdog_bitten() && sim_count(SIM_watchdog_feed) > 900);
+    CHECK(sm_app_run(&app) == SM_OK && !sim_watchdog_fired() && sim_count(SIM_watchdog_feed) > 900);
     CHECK(sim_count(SIM_watchdog_feed) < 4500 && pal_watchdog_feed() == SM_E_HANDLE);
 }
 
@@ -341,7 +341,7 @@ static void test_fed_alone(void)
     app.watchdog = 50 * MS;
     executor[0].period = 10 * S;
     sim_fail(SIM_watchdog_feed, 20, SM_E_DEVICE);
-    CHECK(sm_app_run(&app) == SM_OK && !sim_watchdog_bitten() && executor[0].ticks == 49);
+    CHECK(sm_app_run(&app) == SM_OK && !sim_watchdog_fired() && executor[0].ticks == 49);
 }
 
 static bool bite(uint64_t stuck)
@@ -351,7 +351,7 @@ static bool bite(uint64_t stuck)
     part[1].takes = stuck;
     most = 4;
     CHECK(sm_app_run(&app) == SM_OK);
-    return sim_watchdog_bitten();
+    return sim_watchdog_fired();
 }
 
 // It bites when a tick takes longer than it does, counted from when it was fed: up to a quarter earlier.
@@ -366,7 +366,7 @@ static void test_cannot_be_fed(void)
     start(1);
     app.watchdog = 50 * MS;
     sim_break(SIM_watchdog_feed, 5, SM_E_DEVICE);
-    CHECK(sm_app_run(&app) == SM_OK && sim_watchdog_bitten());
+    CHECK(sm_app_run(&app) == SM_OK && sim_watchdog_fired());
 }
 
 int main(void)

@@ -116,7 +116,7 @@ static void test_refused(void)
     start();
     sim_fail(SIM_nvm_open, 0, SM_E_MISSING);
     CHECK(sm_app_main(&app) == 1 && called == 0);
-    CHECK(strcmp(sim_console(), "crew: the kept state vector does not start: eeprom: there is no such device, file or address\n") == 0);
+    CHECK(strcmp(sim_console(), "crew: the saved state vector does not start: eeprom: there is no such device, file or address\n") == 0);
     start();
     record.room = 10;
     CHECK(sm_app_main(&app) == 1 && strcmp(sim_console(), "crew: task 'log' does not start: flight: the memory given is too small\n") == 0);

@@ -20,11 +20,11 @@ static bool fake_moved(const void *self) { return (void)self, false; }
 static uint64_t fake_time(const void *self) { return (void)self, 0; }
 static uint32_t fake_states(const void *self) { return (void)self, 2; }
 static const char *fake_name(const void *self, uint32_t state) { return (void)self, state == 1 ? "Coast" : "Landed"; }
-static SmPlace fake_uses(const void *self) { return (void)self, (SmPlace){0, 0}; }
-static SmPlace fake_number(const void *self)
+static SmRange fake_uses(const void *self) { return (void)self, (SmRange){0, 0}; }
+static SmRange fake_number(const void *self)
 {
     (void)self;
-    return (SmPlace){wide_element[WIDE_E_state].offset, 4};
+    return (SmRange){wide_element[WIDE_E_state].offset, 4};
 }
 
 static const SmMachineType fake_type = {fake_open,  fake_init, fake_step,   fake_state, fake_moved,  fake_time,

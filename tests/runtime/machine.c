@@ -146,8 +146,8 @@ static void states_have_names(Kind kind, bool guarded)
 
 static void places_are_known(Kind kind, bool guarded)
 {
-    const SmPlace uses = (start_stage(kind, guarded), stage.machine.type->uses(stage.machine.self));
-    const SmPlace number = stage.machine.type->number(stage.machine.self);
+    const SmRange uses = (start_stage(kind, guarded), stage.machine.type->accessed(stage.machine.self));
+    const SmRange number = stage.machine.type->state_number(stage.machine.self);
     const uint32_t unit = kind == EMITTED ? 1 : 8;               // an image says it in units of 8 bytes
 
     CHECK(uses.offset == offsetof(StandSv, clock) / unit * unit);

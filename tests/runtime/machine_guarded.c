@@ -73,10 +73,10 @@ static void check_snapshot(Kind kind)
 static void check_copy(Kind kind)
 {
     const uint8_t *copy = (const uint8_t *)stage.copy;
-    SmPlace uses;
+    SmRange uses;
 
     start_stage(kind, true);
-    uses = stage.machine.type->uses(stage.machine.self);
+    uses = stage.machine.type->accessed(stage.machine.self);
     step(1);
     step(2);
     for (size_t i = 0; i < sizeof stage.copy; i++)

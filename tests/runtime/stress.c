@@ -370,8 +370,8 @@ static void check_watchdog(void)
 {
     if (app.watchdog == 0)
         return;
-    CHECK(sim_watchdog_bitten() || longest <= app.watchdog);
-    CHECK(!sim_watchdog_bitten() || longest + latest > app.watchdog / 8 || feeds_failed > 0);
+    CHECK(sim_watchdog_fired() || longest <= app.watchdog);
+    CHECK(!sim_watchdog_fired() || longest + latest > app.watchdog / 8 || feeds_failed > 0);
     CHECK(pal_watchdog_feed() == SM_E_HANDLE);
 }
 

@@ -155,7 +155,7 @@ SmResult pal_watchdog_feed(void)
     return dog.feeds++, dog.fed = now, SM_OK;
 }
 SmResult pal_watchdog_stop(void) { return dog.running = false, SM_OK; }
-SmResult pal_watchdog_bit(bool *bit) { return *bit = false, SM_OK; }
+SmResult pal_watchdog_caused_start(bool *bit) { return *bit = false, SM_OK; }
 
 SmResult pal_console_write(const char *text, size_t n) { return (void)text, (void)n, SM_OK; }
 

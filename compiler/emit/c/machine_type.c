@@ -59,10 +59,10 @@ static void put_looks(const CUnit *u, Buf *out)
     buf_printf(out, "const void *self)\n{\n    (void)self;\n    return %s_STATES;\n}\n\n", n->macro);
 }
 
-static void put_place(const CUnit *u, const char *name, uint32_t from, uint32_t to, Buf *out)
+static void put_range(const CUnit *u, const char *name, uint32_t from, uint32_t to, Buf *out)
 {
-    put_head(u, "SmPlace", name, out);
-    buf_printf(out, "const void *self)\n{\n    const SmPlace place = { %u, %u };\n\n    (void)self;\n    return place;\n}\n\n", (unsigned)from,
+    put_head(u, "SmRange", name, out);
+    buf_printf(out, "const void *self)\n{\n    const SmRange range = { %u, %u };\n\n    (void)self;\n    return range;\n}\n\n", (unsigned)from,
                (unsigned)(to - from));
 }
 
@@ -80,8 +80,8 @@ static void put_uses(const CUnit *u, Buf *out)
         to = end_of(&m->var.at[v]) > to ? end_of(&m->var.at[v]) : to;
     }
     buf_str(out, "// From the first element that it lists to the last.\n");
-    put_place(u, "uses", from, to, out);
-    put_place(u, "number", m->var.at[m->s].offset, end_of(&m->var.at[m->s]), out);
+    put_range(u, "uses", from, to, out);
+    put_range(u, "number", m->var.at[m->s].offset, end_of(&m->var.at[m->s]), out);
 }
 
 static void put_publish(const CUnit *u, Buf *out)

@@ -56,13 +56,13 @@ SmResult pal_watchdog_stop(void)
     return SM_OK;
 }
 
-SmResult pal_watchdog_bit(bool *bit)
+SmResult pal_watchdog_caused_start(bool *caused)
 {
-    if (!bit)
+    if (!caused)
         return SM_E_ARGUMENT;
     if (why == 0)
         return SM_E_UNSUPPORTED;
-    *bit = why >> WDRF & 1;
+    *caused = why >> WDRF & 1;
     return SM_OK;
 }
 

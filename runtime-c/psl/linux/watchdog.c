@@ -78,13 +78,13 @@ SmResult pal_watchdog_stop(void)
     return SM_OK;
 }
 
-SmResult pal_watchdog_bit(bool *bit)
+SmResult pal_watchdog_caused_start(bool *caused)
 {
     char text[32] = "";
     unsigned long status;
     FILE *f;
 
-    if (!bit)
+    if (!caused)
         return SM_E_ARGUMENT;
     f = fopen(PSL_LINUX_BOOTSTATUS, "re");
     if (!f)
@@ -94,6 +94,6 @@ SmResult pal_watchdog_bit(bool *bit)
         return SM_E_DEVICE;
     }
     fclose(f);
-    *bit = (status & WDIOF_CARDRESET) != 0;
+    *caused = (status & WDIOF_CARDRESET) != 0;
     return SM_OK;
 }

@@ -59,7 +59,7 @@ SmResult pal_watchdog_stop(void)
     return SM_OK;
 }
 
-SmResult pal_watchdog_bit(bool *bit)
+SmResult pal_watchdog_caused_start(bool *caused)
 {
-    return bit ? SM_E_UNSUPPORTED : SM_E_ARGUMENT;
+    return caused ? SM_E_UNSUPPORTED : SM_E_ARGUMENT;
 }

@@ -18,8 +18,8 @@ SmResult pal_watchdog_stop(void)
     return SM_E_UNSUPPORTED;
 }
 
-SmResult pal_watchdog_bit(bool *bit)
+SmResult pal_watchdog_caused_start(bool *caused)
 {
-    (void)bit;
+    (void)caused;
     return SM_E_UNSUPPORTED;
 }

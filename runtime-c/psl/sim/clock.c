@@ -31,11 +31,11 @@ void sim_advance(uint64_t ns)
     while (world.step && world.next <= end) {
         now = world.next;
         world.next += world.period;
-        sim_watchdog_look(now);
+        sim_watchdog_check(now);
         world.step();
     }
     now = end;
-    sim_watchdog_look(now);
+    sim_watchdog_check(now);
 }
 
 void sim_move_to(uint64_t time)

@@ -6,23 +6,23 @@
 
 #define LONGEST (60 * (uint64_t)PAL_SECOND)
 
-static bool running, bitten;
+static bool running, fired;
 static uint64_t period, fed;
 
 void sim_watchdog_reset(void)
 {
-    running = bitten = false;
+    running = fired = false;
 }
 
-void sim_watchdog_look(uint64_t now)
+void sim_watchdog_check(uint64_t now)
 {
     if (running && now - fed > period)
-        bitten = true;
+        fired = true;
 }
 
-bool sim_watchdog_bitten(void)
+bool sim_watchdog_fired(void)
 {
-    return bitten;
+    return fired;
 }
 
 // Periods are whole milliseconds.
@@ -58,10 +58,10 @@ SmResult pal_watchdog_stop(void)
     return SM_OK;
 }
 
-SmResult pal_watchdog_bit(bool *bit)
+SmResult pal_watchdog_caused_start(bool *caused)
 {
-    if (!bit)
+    if (!caused)
         return SM_E_ARGUMENT;
-    *bit = bitten;
+    *caused = fired;
     return SM_OK;
 }

@@ -37,6 +37,6 @@ bool sim_power_gone(void);
 void sim_log_power_on(void);
 
 // Reports the current time to the watchdog, without feeding it.
-void sim_watchdog_look(uint64_t now);
+void sim_watchdog_check(uint64_t now);
 
 #endif
