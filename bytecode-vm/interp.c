@@ -245,7 +245,7 @@ SMVM_INLINE SmvmBytes behind(SmvmBytes at, uint8_t b)           // skips the oth
     return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
 }
 
-SMVM_NOINLINE static bool jumps(const Run *r, uint8_t op)           // all but jxn
+SMVM_NOINLINE static bool jumps(const Run *r, uint8_t op)        // all but jxn
 {
     switch (op) {
     case SMVM_jmp: return true;

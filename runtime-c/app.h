@@ -65,9 +65,9 @@ typedef struct SmApp {
     // The fields below belong to the runtime; initially all zero.
     bool restored;
     uint32_t stop;            // read and written through sm_app_stop and sm_app_stopping
-    const SmTask *failed_task;            // the task whose init failed
+    const SmTask *failed_task;  // the task whose init failed
     const SmExecutor *failed_executor;    // the executor that did not start, or to which `failed_task` belongs
-    const char *failed_part, *reason;     // what else did not start; the reason, if the result does not explain it (flash strings, stdlib/flash.h)
+    const char *failed_part, *reason;  // what else did not start; the reason, if the result does not explain it (flash strings, stdlib/flash.h)
     const char *failed_file;  // the file that the failure concerns; or NULL
     char failed_pin[16];      // "pin 17: ", likewise; or empty
     bool print_messages;      // print messages on the console

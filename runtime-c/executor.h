@@ -62,15 +62,15 @@ typedef struct SmExecutor {
     uint64_t step;            // increment of G per tick; 0: the period is not a multiple of the unit
     uint64_t next;            // number of the next tick
     uint64_t ticks, overruns, skipped;
-    uint64_t late, late_max, busy, busy_max;    // nanoseconds
+    uint64_t late, late_max, busy, busy_max;      // nanoseconds
     uint64_t ended;           // PAL clock time at which the last tick ended
-    uint64_t reported_at, reported_skipped;                  // time of the last OVERRUN event, and ticks reported so far
+    uint64_t reported_at, reported_skipped;       // time of the last OVERRUN event, and ticks reported so far
     // Used by the application that runs the executor (run.c).
     struct SmApp *app;
     PalThread thread;
-    uint32_t next_shared;           // low 32 bits of `next`, for other threads
+    uint32_t next_shared;     // low 32 bits of `next`, for other threads
     uint32_t done;            // its thread has ended
-    uint64_t next_at_feed;            // value of `next` at the last watchdog feed
+    uint64_t next_at_feed;    // value of `next` at the last watchdog feed
 } SmExecutor;
 
 // Checks the configuration, calls init of all tasks in order, and reads the starting value of G.  If a task's init fails, returns

@@ -36,11 +36,11 @@ typedef struct SmLog {
     uint32_t tail, sealed;    // of the drain: start of what is not yet being written; end of the blocks that have their checksum
     uint32_t cursor;          // of the event ring
     uint32_t dropped, lost;   // totals: records dropped for lack of space, events overwritten before the step read them
-    uint32_t dropped_reported, lost_reported;     // parts of these totals that the log already reports
+    uint32_t dropped_reported, lost_reported;  // parts of these totals that the log already reports
     uint64_t start;           // size of the file in bytes before this session
     uint64_t written;         // its size now
     uint64_t described_at;    // value of `written` when the last description began
-    uint32_t description_done, description_size;      // bytes of the description that are written; its total size.  Both 0: not begun
+    uint32_t description_done, description_size;  // bytes of the description that are written; its total size.  Both 0: not begun
     uint64_t synced_at;       // PAL clock time of the last sync
     bool unsynced;
     SmResult result;          // of the last access to the medium

@@ -175,7 +175,7 @@ SmResult sm_machine_step(void *machine, const SmTick *tick)
     SmMachine *m = machine;
     SmResult delivered = SM_OK, r;
 
-    if (m->last_state == 0)                     // init has not succeeded
+    if (m->last_state == 0)               // init has not succeeded
         return SM_E_ARGUMENT;
     r = m->sv->guarded ? step_on_copy(m, &delivered) : m->type->step(m->self, m->sv->at);
     if (r == SM_REFUSED)

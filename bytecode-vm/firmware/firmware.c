@@ -34,7 +34,7 @@ static const uint8_t built_in[] PROGMEM = {
 typedef char firmware_has_no_pin_as_the_vm[AVR_NO_PIN == SMVM_NO_PIN ? 1 : -1];
 
 #ifdef FIRMWARE_ARM_PIN
-#if FIRMWARE_ARM_PIN < AVR_LINE || FIRMWARE_ARM_PIN >= AVR_PINS
+#if FIRMWARE_ARM_PIN < AVR_SERIAL_PINS || FIRMWARE_ARM_PIN >= AVR_PINS
 #error "ARM_PIN is a pin of the board as a number: 2 to 19 on an Uno, 2 to 69 on a Mega (0 and 1 are the line)"
 #endif
 static PalDio arming;
@@ -52,14 +52,14 @@ static void open_arming(void) { (void)pal_dio_open(&arming, FIRMWARE_ARM_PIN, PA
 
 static uint8_t place_of(uint16_t number, uint8_t kind)
 {
-    const uint8_t place = avr_pin_place(number, kind);
+    const uint8_t place = avr_physical_pin(number, kind);
 
     return place == FIRMWARE_ARM_PIN ? SMVM_NO_PIN : place;
 }
 #else
 static bool is_armed(void) { return false; }
 static void open_arming(void) {}
-#define place_of avr_pin_place
+#define place_of avr_physical_pin
 #endif
 
 // ---- running an image ----
@@ -116,12 +116,12 @@ static void note_states(void)
 
 static void step(void)
 {
-    const uint16_t address = avr_eeprom_enter();
+    const uint16_t address = avr_eeprom_save_address();
     uint32_t add;
 
     smvm_runner_step(&runner, &now);
     note_states();
-    avr_eeprom_leave(address);
+    avr_eeprom_restore_address(address);
     if (skipped > 0)
         report(SM_EVENT_OVERRUN, 0, skipped, (uint32_t)skipped * period * 1000u);
     add = (uint32_t)period * (skipped + 1u);
@@ -305,7 +305,7 @@ SMVM_NOINLINE static void start(void)
     bool caused = false;
 
     avr_clock_start(tick);
-    avr_eeprom_ask(may_write);
+    avr_eeprom_guard_writes(may_write);
     (void)pal_watchdog_caused_start(&caused);
     (void)sm_events_init(&events);
     (void)pal_serial_open(&line, "Serial", BITS_PER_SECOND);

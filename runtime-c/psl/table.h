@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 // Takes a free entry and returns its handle number, or 0 if all are in use.
-static inline uint8_t psl_table_take(bool used[], uint8_t entries)
+static inline uint8_t psl_table_allocate(bool used[], uint8_t entries)
 {
     for (uint8_t i = 0; i < entries; i++)
         if (!used[i]) {
@@ -19,7 +19,7 @@ static inline uint8_t psl_table_take(bool used[], uint8_t entries)
 }
 
 // Whether a handle number refers to an entry in use.
-static inline bool psl_table_holds(const bool used[], uint8_t entries, uint8_t id)
+static inline bool psl_table_is_used(const bool used[], uint8_t entries, uint8_t id)
 {
     return id != 0 && id <= entries && used[id - 1];
 }

@@ -16,7 +16,7 @@ static void far_send(const void *bytes, size_t n)
 
 static size_t far_receive(void *bytes, size_t room)
 {
-    return sim_serial_take("serial0", bytes, room);
+    return sim_serial_receive("serial0", bytes, room);
 }
 
 static void far_unplug(void)

@@ -246,7 +246,7 @@ static void sends_on_line(void)
 {
     static uint8_t bytes[100];
 
-    (void)sim_serial_take("serial0", bytes, sizeof bytes);
+    (void)sim_serial_receive("serial0", bytes, sizeof bytes);
 }
 
 static void waits_for_a_line(void)

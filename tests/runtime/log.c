@@ -302,7 +302,7 @@ static void test_refusals(void)
         for (uint64_t k = 0; k < 40; k++) {
             (void)step(k, room);
             if (k == 20 && room % 2 == 0)
-                flight.described_at -= SM_LOG_AGAIN;         // the description is due while a part of a block waits
+                flight.described_at -= SM_LOG_AGAIN;      // the description is due while a part of a block waits
             if (k == 30)
                 sim_log_space(SIM_LOG_SIZE);
             if (k == 3)
@@ -605,7 +605,7 @@ static void test_repeated(void)
     CHECK(sm_log_init(&flight) == SM_OK);
     for (uint64_t k = 0; k < 9000; k++) {
         if (k == 10)
-            flight.described_at -= SM_LOG_AGAIN;             // as if so many bytes had come in between
+            flight.described_at -= SM_LOG_AGAIN;          // as if so many bytes had come in between
         CHECK(step(k, 0) == SM_OK);
         sm_log_drain(&flight, PAL_SECOND);
     }

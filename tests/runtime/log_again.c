@@ -19,7 +19,7 @@ int main(void)
         CHECK(sm_log_step(&flight, &tick) == SM_OK && !sm_log_drain(&flight, PAL_SECOND) && flight.tail == flight.head);
     }
     before = flight.written;
-    CHECK(before > 20 * flight.description_size);              // it was repeated
+    CHECK(before > 20 * flight.description_size);         // it was repeated
     CHECK(sm_log_close(&flight) == SM_OK && flight.written - before <= flight.description_size);
     return test_end("log again");
 }

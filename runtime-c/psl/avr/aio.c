@@ -14,9 +14,9 @@ enum { DDR = 1, PORT = 2, OUTPUT = AVR_ANALOGS };
 
 #define SUPPLY 5000000                         // microvolts
 
-static void pwm_of(uint8_t channel, AvrPwm *p) { memcpy_P(p, &avr_pwms[(uint8_t)(channel - OUTPUT)], sizeof *p); }
+static void load_pwm(uint8_t channel, AvrPwm *p) { memcpy_P(p, &avr_pwms[(uint8_t)(channel - OUTPUT)], sizeof *p); }
 
-static uint8_t row_of(uint16_t pin)            // AVR_PWMS: the pin has no PWM
+static uint8_t pwm_row(uint16_t pin)           // AVR_PWMS: the pin has no PWM
 {
     uint8_t row = 0;
 
@@ -29,12 +29,12 @@ static volatile uint8_t *reg(uint16_t address) { return (volatile uint8_t *)addr
 
 // ---- opening ----
 
-static SmResult take(PalAio *channel, uint8_t index, uint8_t pin)
+static SmResult claim_channel(PalAio *channel, uint8_t index, uint8_t pin)
 {
-    const SmResult r = avr_pin_take(pin);
+    const SmResult r = avr_pin_claim(pin);
 
     if (r == SM_OK) {
-        (void)avr_pin_take((uint8_t)(AVR_PINS + index));
+        (void)avr_pin_claim((uint8_t)(AVR_PINS + index));
         channel->id = (uint8_t)(index + 1);
     }
     return r;
@@ -50,7 +50,7 @@ static SmResult open_input(PalAio *channel, uint16_t number)
 
     if (number >= AVR_ANALOGS)
         return SM_E_MISSING;
-    if ((r = take(channel, (uint8_t)number, pin)) != SM_OK)
+    if ((r = claim_channel(channel, (uint8_t)number, pin)) != SM_OK)
         return r;
     port = avr_pin_port(pin, &mask);
     avr_pin_set(port + PORT, mask, false);
@@ -61,12 +61,12 @@ static SmResult open_input(PalAio *channel, uint16_t number)
 
 void avr_pin_disconnect(uint8_t number)
 {
-    const uint8_t row = row_of(number);
+    const uint8_t row = pwm_row(number);
     AvrPwm p;
 
     if (row == AVR_PWMS)
         return;
-    pwm_of((uint8_t)(OUTPUT + row), &p);
+    load_pwm((uint8_t)(OUTPUT + row), &p);
     avr_pin_set(reg(p.control), p.connect, false);
 }
 
@@ -81,7 +81,7 @@ static void start_timer(const AvrPwm *p)
 
 static SmResult open_output(PalAio *channel, uint16_t number)
 {
-    const uint8_t row = row_of(number);
+    const uint8_t row = pwm_row(number);
     volatile uint8_t *port;
     uint8_t mask;
     AvrPwm p;
@@ -89,9 +89,9 @@ static SmResult open_output(PalAio *channel, uint16_t number)
 
     if (row == AVR_PWMS)
         return number < AVR_PINS ? SM_E_UNSUPPORTED : SM_E_MISSING;
-    if ((r = take(channel, (uint8_t)(OUTPUT + row), (uint8_t)number)) != SM_OK)
+    if ((r = claim_channel(channel, (uint8_t)(OUTPUT + row), (uint8_t)number)) != SM_OK)
         return r;
-    pwm_of((uint8_t)(OUTPUT + row), &p);
+    load_pwm((uint8_t)(OUTPUT + row), &p);
     start_timer(&p);
     port = avr_pin_port((uint8_t)number, &mask);
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
@@ -110,7 +110,7 @@ SmResult pal_aio_open(PalAio *channel, uint16_t number, PalAioMode mode)
     return mode == PAL_AIO_INPUT ? open_input(channel, number) : open_output(channel, number);
 }
 
-static bool is_open(PalAio c) { return c.id >= 1 && c.id <= OUTPUT + AVR_PWMS && avr_pin_taken((uint8_t)(AVR_PINS + c.id - 1)); }
+static bool is_open(PalAio c) { return c.id >= 1 && c.id <= OUTPUT + AVR_PWMS && avr_pin_is_claimed((uint8_t)(AVR_PINS + c.id - 1)); }
 static bool is_input(PalAio c) { return c.id <= OUTPUT; }
 
 SmResult pal_aio_info(PalAio channel, PalAioInfo *info)
@@ -149,7 +149,7 @@ SmResult pal_aio_read(PalAio channel, int32_t *millionths)
 }
 
 // At both ends of the range the timer is disconnected, because a PWM with duty 0 still has pulses.
-static void set(const AvrPwm *p, uint8_t duty)
+static void set_duty(const AvrPwm *p, uint8_t duty)
 {
     volatile uint8_t *port;
     uint8_t mask;
@@ -166,7 +166,7 @@ static void set(const AvrPwm *p, uint8_t duty)
 }
 
 // The duty of 255, rounded.  The division bit by bit takes half the time and half the code of gcc's division.
-static uint8_t duty_of(uint32_t millionths)
+static uint8_t compute_duty(uint32_t millionths)
 {
     uint32_t left = millionths * 51 + SUPPLY / 10, part = SUPPLY / 5 * UINT32_C(128);
     uint8_t duty = 0;
@@ -187,8 +187,8 @@ SmResult pal_aio_write(PalAio channel, int32_t millionths)
         return SM_E_HANDLE;
     if (is_input(channel))
         return SM_E_ARGUMENT;
-    pwm_of((uint8_t)(channel.id - 1), &p);
-    set(&p, millionths <= 0 ? 0 : millionths >= SUPPLY ? 255 : duty_of((uint32_t)millionths));
+    load_pwm((uint8_t)(channel.id - 1), &p);
+    set_duty(&p, millionths <= 0 ? 0 : millionths >= SUPPLY ? 255 : compute_duty((uint32_t)millionths));
     return SM_OK;
 }
 
@@ -197,19 +197,19 @@ SmResult pal_aio_close(PalAio channel)
 {
     if (!is_open(channel))
         return SM_E_HANDLE;
-    avr_pin_free((uint8_t)(AVR_PINS + channel.id - 1));
-    avr_pin_free((uint8_t)(is_input(channel) ? AVR_ANALOG_FIRST + channel.id - 1
+    avr_pin_release((uint8_t)(AVR_PINS + channel.id - 1));
+    avr_pin_release((uint8_t)(is_input(channel) ? AVR_ANALOG_FIRST + channel.id - 1
                                              : pgm_read_byte(&avr_pwms[channel.id - OUTPUT - 1].pin)));
     return SM_OK;
 }
 
-uint8_t avr_pin_place(uint16_t number, uint8_t kind)
+uint8_t avr_physical_pin(uint16_t number, uint8_t kind)
 {
     if ((kind & 3) == 0)
         return number < AVR_ANALOGS ? (uint8_t)(AVR_ANALOG_FIRST + number) : AVR_NO_PIN;
     if (kind & 16)
         return AVR_NO_PIN;                     // there are no pull-down resistors
-    return (kind & 2 ? number >= AVR_LINE && number < AVR_PINS : row_of(number) < AVR_PWMS) ? (uint8_t)number : AVR_NO_PIN;
+    return (kind & 2 ? number >= AVR_SERIAL_PINS && number < AVR_PINS : pwm_row(number) < AVR_PWMS) ? (uint8_t)number : AVR_NO_PIN;
 }
 
 #endif

@@ -19,7 +19,7 @@
 
 void avr_clock_start(void (*tick)(void));              // the interrupt calls `tick`, unless NULL, every ms
 uint32_t avr_milliseconds(void);                       // since the start of the clock, modulo 2^32
-uint16_t avr_fine(void);                               // in units of 4 microseconds, modulo 2^16; call with interrupts off
+uint16_t avr_time_4us(void);                           // in units of 4 microseconds, modulo 2^16; call with interrupts off
 
 // ---- pins: one owner each, digital or analog ----
 
@@ -28,13 +28,13 @@ uint16_t avr_fine(void);                               // in units of 4 microsec
 #else
 #define AVR_PINS 20
 #endif
-#define AVR_LINE 2            // pins 0 and 1 belong to the serial line
+#define AVR_SERIAL_PINS 2     // pins 0 and 1 belong to the serial line
 #define AVR_NO_PIN 0xffu
 // The number of the digital pin that a pin or analog channel uses.  AVR_NO_PIN: it does not exist, or belongs to the serial line.
-uint8_t avr_pin_place(uint16_t number, uint8_t kind);         // kind: 1: output, 2: digital, 16: pull-down
-SmResult avr_pin_take(uint8_t number);                 // SM_E_BUSY: in use, or the serial line's
-void avr_pin_free(uint8_t number);
-bool avr_pin_taken(uint8_t number);                    // numbers from AVR_PINS on are analog channels
+uint8_t avr_physical_pin(uint16_t number, uint8_t kind);      // kind: 1: output, 2: digital, 16: pull-down
+SmResult avr_pin_claim(uint8_t number);                // SM_E_BUSY: in use, or the serial line's
+void avr_pin_release(uint8_t number);
+bool avr_pin_is_claimed(uint8_t number);               // numbers from AVR_PINS on are analog channels
 void avr_pin_set(volatile uint8_t *byte, uint8_t mask, bool level);     // bits of a port's register, not interrupted
 void avr_pin_disconnect(uint8_t number);               // from the PWM of its timer, if it has one
 volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask);         // the port's PIN register; DDR and PORT follow it
@@ -44,7 +44,7 @@ volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask);         // the po
 // A byte takes 3.4 ms to write, and no byte can be read meanwhile.  Before each write, `may` is called with interrupts off,
 // repeatedly until it returns true.  Code that reads the EEPROM in real time returns false shortly before it reads.  NULL: always
 // allowed.
-void avr_eeprom_ask(bool (*may)(void));
+void avr_eeprom_guard_writes(bool (*may)(void));
 
 static inline uint8_t avr_eeprom_read(uint16_t at)
 {
@@ -57,8 +57,8 @@ static inline uint8_t avr_eeprom_read(uint16_t at)
 
 // An interrupt handler that reads the EEPROM calls these two around its reads.  They restore the address and the data of a read that
 // the interrupt may have interrupted.
-static inline uint16_t avr_eeprom_enter(void) { return EEAR; }
-static inline void avr_eeprom_leave(uint16_t address)
+static inline uint16_t avr_eeprom_save_address(void) { return EEAR; }
+static inline void avr_eeprom_restore_address(uint16_t address)
 {
     if (EECR & 1 << EEPE)
         return;                            // then nothing was read

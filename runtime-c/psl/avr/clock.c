@@ -12,19 +12,19 @@ enum { STEPS = 250, STEP = 4 };        // timer steps in a millisecond; microsec
 
 static volatile uint32_t milliseconds;
 static volatile uint16_t wraps;        // how often `milliseconds` wrapped around
-static void (*each)(void);
+static void (*tick_handler)(void);
 
 ISR(TIMER0_COMPA_vect)
 {
     if (++milliseconds == 0)
         wraps++;
-    if (each)
-        each();
+    if (tick_handler)
+        tick_handler();
 }
 
 void avr_clock_start(void (*tick)(void))
 {
-    each = tick;
+    tick_handler = tick;
     TCCR0A = 1 << WGM01;               // counts up to OCR0A
     OCR0A = STEPS - 1;
     TCNT0 = 0;
@@ -42,7 +42,7 @@ uint32_t avr_milliseconds(void)
 }
 
 // Reads the timer. *more is 1 if it has restarted and the interrupt has not counted that millisecond yet.
-static uint8_t timer(uint8_t *more)
+static uint8_t read_timer(uint8_t *more)
 {
     uint8_t t = TCNT0;
 
@@ -52,10 +52,10 @@ static uint8_t timer(uint8_t *more)
     return t;
 }
 
-uint16_t avr_fine(void)
+uint16_t avr_time_4us(void)
 {
     uint8_t more;
-    const uint8_t t = timer(&more);
+    const uint8_t t = read_timer(&more);
 
     return (uint16_t)((uint16_t)((uint16_t)milliseconds + more) * STEPS + t);
 }
@@ -67,7 +67,7 @@ uint64_t pal_clock_now(void)
 
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
     {
-        t = timer(&more);
+        t = read_timer(&more);
         ms = (uint64_t)wraps << 32 | milliseconds;
     }
     return (ms + more) * PAL_MILLISECOND + (uint32_t)t * (STEP * PAL_MICROSECOND);

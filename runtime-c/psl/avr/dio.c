@@ -10,7 +10,7 @@
 
 enum { DDR = 1, PORT = 2 };                    // offsets of registers from PIN
 
-static uint8_t taken[(AVR_PINS + AVR_ANALOGS + AVR_PWMS + 7) / 8] = {(1 << AVR_LINE) - 1};
+static uint8_t claimed[(AVR_PINS + AVR_ANALOGS + AVR_PWMS + 7) / 8] = {(1 << AVR_SERIAL_PINS) - 1};
 
 static uint8_t bit_of(uint8_t number)
 {
@@ -30,17 +30,17 @@ volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask)
     return (volatile uint8_t *)(uint16_t)(port < AVR_PORTS_LOW ? AVR_PORT_LOW + 3 * port : AVR_PORT_HIGH + 3 * (port - AVR_PORTS_LOW));
 }
 
-bool avr_pin_taken(uint8_t number) { return (taken[number >> 3] & bit_of(number)) != 0; }
+bool avr_pin_is_claimed(uint8_t number) { return (claimed[number >> 3] & bit_of(number)) != 0; }
 
-SmResult avr_pin_take(uint8_t number)
+SmResult avr_pin_claim(uint8_t number)
 {
-    if (avr_pin_taken(number))
+    if (avr_pin_is_claimed(number))
         return SM_E_BUSY;
-    taken[number >> 3] |= bit_of(number);
+    claimed[number >> 3] |= bit_of(number);
     return SM_OK;
 }
 
-void avr_pin_free(uint8_t number) { taken[number >> 3] &= (uint8_t)~bit_of(number); }
+void avr_pin_release(uint8_t number) { claimed[number >> 3] &= (uint8_t)~bit_of(number); }
 
 void avr_pin_set(volatile uint8_t *byte, uint8_t mask, bool level)
 {
@@ -60,7 +60,7 @@ SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
         return SM_E_MISSING;
     if (mode == PAL_DIO_PULL_DOWN)
         return SM_E_UNSUPPORTED;
-    if ((r = avr_pin_take((uint8_t)number)) != SM_OK)
+    if ((r = avr_pin_claim((uint8_t)number)) != SM_OK)
         return r;
     port = avr_pin_port((uint8_t)number, &mask);
     if (!output) {
@@ -75,7 +75,7 @@ SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
     return SM_OK;
 }
 
-static bool is_open(PalDio pin) { return pin.id > AVR_LINE && pin.id <= AVR_PINS && avr_pin_taken((uint8_t)(pin.id - 1)); }
+static bool is_open(PalDio pin) { return pin.id > AVR_SERIAL_PINS && pin.id <= AVR_PINS && avr_pin_is_claimed((uint8_t)(pin.id - 1)); }
 
 SmResult pal_dio_read(PalDio pin, bool *level)
 {
@@ -110,7 +110,7 @@ SmResult pal_dio_close(PalDio pin)
 {
     if (!is_open(pin))
         return SM_E_HANDLE;
-    avr_pin_free((uint8_t)(pin.id - 1));
+    avr_pin_release((uint8_t)(pin.id - 1));
     return SM_OK;
 }
 

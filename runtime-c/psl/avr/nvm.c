@@ -11,10 +11,10 @@
 enum { SIZE = E2END + 1, BLANK = 0xff };
 #define SLOWEST (3400u * (uint64_t)PAL_MICROSECOND)
 
-static bool open;
-static bool (*ask)(void);
+static bool is_opened;
+static bool (*may_write)(void);
 
-void avr_eeprom_ask(bool (*may)(void)) { ask = may; }
+void avr_eeprom_guard_writes(bool (*may)(void)) { may_write = may; }
 
 SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
 {
@@ -24,14 +24,14 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
         return SM_E_MISSING;
     if (size > SIZE)
         return SM_E_SPACE;
-    if (open)
+    if (is_opened)
         return SM_E_BUSY;
-    open = true;
+    is_opened = true;
     memory->id = 1;
     return SM_OK;
 }
 
-static bool is_open(PalNvm memory) { return open && memory.id == 1; }
+static bool is_open(PalNvm memory) { return is_opened && memory.id == 1; }
 
 SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
 {
@@ -64,13 +64,13 @@ SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
 }
 
 // Starts a write if permitted.  Interrupts are off from the check to the start.
-static bool begin(uint16_t at, uint8_t byte)
+static bool begin_write(uint16_t at, uint8_t byte)
 {
     const uint8_t flags = SREG;
     bool may;
 
     cli();
-    may = (EECR & 1 << EEPE) == 0 && (!ask || ask());
+    may = (EECR & 1 << EEPE) == 0 && (!may_write || may_write());
     if (may) {
         EEAR = at;
         EEDR = byte;
@@ -81,38 +81,38 @@ static bool begin(uint16_t at, uint8_t byte)
     return may;
 }
 
-static void put(uint16_t at, uint8_t byte)
+static void write_byte(uint16_t at, uint8_t byte)
 {
     if (avr_eeprom_read(at) == byte)
         return;
-    while (!begin(at, byte))
+    while (!begin_write(at, byte))
         ;
     while (EECR & 1 << EEPE)
         ;
 }
 
-static SmResult fill(PalNvm memory, uint32_t at, const uint8_t *bytes, uint32_t n)
+static SmResult write_bytes(PalNvm memory, uint32_t at, const uint8_t *bytes, uint32_t n)
 {
     const SmResult r = check(memory, at, n);
     uint16_t to = (uint16_t)at;
 
     for (uint16_t left = r == SM_OK ? (uint16_t)n : 0; left > 0; left--)
-        put(to++, bytes ? *bytes++ : BLANK);
+        write_byte(to++, bytes ? *bytes++ : BLANK);
     return r;
 }
 
 SmResult pal_nvm_write(PalNvm memory, uint32_t at, const void *bytes, uint32_t n)
 {
-    return bytes || n == 0 ? fill(memory, at, bytes, n) : SM_E_ARGUMENT;
+    return bytes || n == 0 ? write_bytes(memory, at, bytes, n) : SM_E_ARGUMENT;
 }
 
-SmResult pal_nvm_erase(PalNvm memory, uint32_t at, uint32_t n) { return fill(memory, at, NULL, n); }
+SmResult pal_nvm_erase(PalNvm memory, uint32_t at, uint32_t n) { return write_bytes(memory, at, NULL, n); }
 
 SmResult pal_nvm_close(PalNvm memory)
 {
     if (!is_open(memory))
         return SM_E_HANDLE;
-    open = false;
+    is_opened = false;
     return SM_OK;
 }
 

@@ -19,12 +19,12 @@ static volatile uint8_t ring[AVR_SERIAL_RING], head, tail;     // head: index fo
 static bool open;
 
 #ifdef USART0_RX_vect
-#define ARRIVED USART0_RX_vect          // a Mega has four serial lines
+#define RECEIVE_VECTOR USART0_RX_vect   // a Mega has four serial lines
 #else
-#define ARRIVED USART_RX_vect
+#define RECEIVE_VECTOR USART_RX_vect
 #endif
 
-ISR(ARRIVED)
+ISR(RECEIVE_VECTOR)
 {
     const uint8_t byte = UDR0, next = (uint8_t)((head + 1u) % AVR_SERIAL_RING);
 
@@ -73,7 +73,7 @@ SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *se
     return SM_OK;
 }
 
-static bool take(uint8_t *byte)
+static bool pop_byte(uint8_t *byte)
 {
     if (head == tail)
         return false;
@@ -94,7 +94,7 @@ SmResult pal_serial_receive(PalSerial line, void *bytes, size_t room, size_t *n,
     if (timeout != 0)
         for (start = pal_clock_now(); head == tail && pal_clock_now() - start < timeout;)
             ;
-    for (*n = 0; *n < room && take(to); ++*n)
+    for (*n = 0; *n < room && pop_byte(to); ++*n)
         to++;
     return *n > 0 ? SM_OK : SM_E_TIMEOUT;
 }

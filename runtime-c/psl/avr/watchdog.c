@@ -10,13 +10,13 @@
 
 enum { LONGEST = WDTO_8S };
 
-static uint8_t why __attribute__((section(".noinit")));        // cause of the reset; 0: a boot loader has cleared it
+static uint8_t reset_cause __attribute__((section(".noinit")));  // cause of the reset; 0: a boot loader has cleared it
 static bool running;
 
-static void look(void) __attribute__((naked, used, section(".init3")));
-static void look(void)
+static void read_reset_cause(void) __attribute__((naked, used, section(".init3")));
+static void read_reset_cause(void)
 {
-    why = MCUSR;
+    reset_cause = MCUSR;
     MCUSR = 0;
     wdt_disable();
 }
@@ -60,9 +60,9 @@ SmResult pal_watchdog_caused_start(bool *caused)
 {
     if (!caused)
         return SM_E_ARGUMENT;
-    if (why == 0)
+    if (reset_cause == 0)
         return SM_E_UNSUPPORTED;
-    *caused = why >> WDRF & 1;
+    *caused = reset_cause >> WDRF & 1;
     return SM_OK;
 }
 

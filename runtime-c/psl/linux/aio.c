@@ -13,20 +13,20 @@
 
 #define CHANNELS_OF_A_DEVICE 1000u
 
-typedef struct Entry {
+typedef struct AioEntry {
     int fd;                   // the file of the raw value
     bool output;
     uint16_t number;
     double offset, scale;     // scale: millionths per step
-} Entry;
+} AioEntry;
 
 static bool used[PAL_AIOS];
-static Entry entries[PAL_AIOS];
+static AioEntry entries[PAL_AIOS];
 
 // ---- sysfs values ----
 
 // Parses a decimal number at the start of `text`, independent of the locale; 0 if there is none.
-static double number_in(const char *text)
+static double parse_number(const char *text)
 {
     double x = 0, unit = 1;
     bool negative = *text == '-', fraction = false;
@@ -48,11 +48,11 @@ static SmResult read_number(int fd, double *x)
     ssize_t n = pread(fd, text, sizeof text - 1, 0);
 
     if (n <= 0)
-        return n < 0 && errno == EAGAIN ? SM_E_DEVICE : n < 0 ? psl_result(errno) : SM_E_DEVICE;
+        return n < 0 && errno == EAGAIN ? SM_E_DEVICE : n < 0 ? psl_result_of_errno(errno) : SM_E_DEVICE;
     text[n] = '\0';
     if (text[0] != '-' && (text[0] < '0' || text[0] > '9'))
         return SM_E_DEVICE;
-    *x = number_in(text);
+    *x = parse_number(text);
     return SM_OK;
 }
 
@@ -61,7 +61,7 @@ static SmResult write_number(int fd, long long x)
     char text[32];
     int n = snprintf(text, sizeof text, "%lld\n", x);
 
-    return pwrite(fd, text, (size_t)n, 0) == n ? SM_OK : errno == EINVAL ? SM_E_DEVICE : psl_result(errno);
+    return pwrite(fd, text, (size_t)n, 0) == n ? SM_OK : errno == EINVAL ? SM_E_DEVICE : psl_result_of_errno(errno);
 }
 
 // Opens the file `name` of the channel's device.  Returns -1 and sets errno on failure.
@@ -74,7 +74,7 @@ static int open_file(uint16_t number, const char *name, int flags)
 }
 
 // Reads a setting of the channel ("in_voltage3_scale"), else of its device ("in_voltage_scale"), else returns `otherwise`.
-static double setting(uint16_t number, const char *what, const char *kind, double otherwise)
+static double read_setting(uint16_t number, const char *what, const char *kind, double otherwise)
 {
     char name[64];
     double x = otherwise;
@@ -96,7 +96,7 @@ static double setting(uint16_t number, const char *what, const char *kind, doubl
 
 // ---- opening ----
 
-static SmResult open_channel(Entry *e, const char *const *what)
+static SmResult open_channel(AioEntry *e, const char *const *what)
 {
     for (; *what; what++) {
         char name[64];
@@ -104,17 +104,17 @@ static SmResult open_channel(Entry *e, const char *const *what)
         snprintf(name, sizeof name, "%s%u_raw", *what, e->number % CHANNELS_OF_A_DEVICE);
         e->fd = open_file(e->number, name, e->output ? O_WRONLY : O_RDONLY);
         if (e->fd >= 0) {
-            e->scale = setting(e->number, *what, "scale", 1) * 1000;
-            e->offset = setting(e->number, *what, "offset", 0);
+            e->scale = read_setting(e->number, *what, "scale", 1) * 1000;
+            e->offset = read_setting(e->number, *what, "offset", 0);
             return e->scale != 0 ? SM_OK : SM_E_DEVICE;
         }
         if (errno != ENOENT)
-            return psl_result(errno);
+            return psl_result_of_errno(errno);
     }
     return SM_E_MISSING;
 }
 
-static SmResult enter(Entry *e, uint16_t number, PalAioMode mode)
+static SmResult open_entry(AioEntry *e, uint16_t number, PalAioMode mode)
 {
     static const char *const inputs[] = {"in_voltage", "in_current", NULL}, *const outputs[] = {"out_voltage", "out_current", NULL};
     SmResult r;
@@ -138,13 +138,13 @@ SmResult pal_aio_open(PalAio *channel, uint16_t number, PalAioMode mode)
 
     if (!channel || (unsigned)mode > PAL_AIO_OUTPUT)
         return SM_E_ARGUMENT;
-    psl_guard();
-    id = psl_table_take(used, PAL_AIOS);
+    psl_lock_tables();
+    id = psl_table_allocate(used, PAL_AIOS);
     if (id != 0) {
-        r = enter(&entries[id - 1], number, mode);
+        r = open_entry(&entries[id - 1], number, mode);
         used[id - 1] = r == SM_OK;
     }
-    psl_unguard();
+    psl_unlock_tables();
     if (r == SM_OK)
         channel->id = id;
     return r;
@@ -152,7 +152,7 @@ SmResult pal_aio_open(PalAio *channel, uint16_t number, PalAioMode mode)
 
 // ---- using ----
 
-static int32_t saturated(double x)
+static int32_t saturate(double x)
 {
     return x >= INT32_MAX ? INT32_MAX : x <= INT32_MIN ? INT32_MIN : (int32_t)(x < 0 ? x - 0.5 : x + 0.5);
 }
@@ -163,7 +163,7 @@ SmResult pal_aio_info(PalAio channel, PalAioInfo *info)
 
     if (!info)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_AIOS, channel.id))
+    if (!psl_table_is_used(used, PAL_AIOS, channel.id))
         return SM_E_HANDLE;
     step = entries[channel.id - 1].scale < 0 ? -entries[channel.id - 1].scale : entries[channel.id - 1].scale;
     info->lowest = INT32_MIN;                             // sysfs reports the range of few channels only
@@ -174,45 +174,45 @@ SmResult pal_aio_info(PalAio channel, PalAioInfo *info)
 
 SmResult pal_aio_read(PalAio channel, int32_t *millionths)
 {
-    const Entry *e;
+    const AioEntry *e;
     double raw;
     SmResult r;
 
     if (!millionths)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_AIOS, channel.id))
+    if (!psl_table_is_used(used, PAL_AIOS, channel.id))
         return SM_E_HANDLE;
     e = &entries[channel.id - 1];
     if (e->output)
         return SM_E_ARGUMENT;
     r = read_number(e->fd, &raw);
     if (r == SM_OK)
-        *millionths = saturated((raw + e->offset) * e->scale);
+        *millionths = saturate((raw + e->offset) * e->scale);
     return r;
 }
 
 SmResult pal_aio_write(PalAio channel, int32_t millionths)
 {
-    const Entry *e;
+    const AioEntry *e;
 
-    if (!psl_table_holds(used, PAL_AIOS, channel.id))
+    if (!psl_table_is_used(used, PAL_AIOS, channel.id))
         return SM_E_HANDLE;
     e = &entries[channel.id - 1];
     if (!e->output)
         return SM_E_ARGUMENT;
-    return write_number(e->fd, saturated(millionths / e->scale - e->offset));
+    return write_number(e->fd, saturate(millionths / e->scale - e->offset));
 }
 
 SmResult pal_aio_close(PalAio channel)
 {
     SmResult r = SM_E_HANDLE;
 
-    psl_guard();
-    if (psl_table_holds(used, PAL_AIOS, channel.id)) {
+    psl_lock_tables();
+    if (psl_table_is_used(used, PAL_AIOS, channel.id)) {
         close(entries[channel.id - 1].fd);
         used[channel.id - 1] = false;
         r = SM_OK;
     }
-    psl_unguard();
+    psl_unlock_tables();
     return r;
 }

@@ -26,11 +26,11 @@ static SmResult write_all(int fd, const char *text, size_t n)
     while (n > 0) {
         ssize_t taken;
 
-        if (psl_wait(fd, POLLOUT, 0) != SM_OK)
+        if (psl_wait_for_events(fd, POLLOUT, 0) != SM_OK)
             return SM_E_BUSY;
         taken = psl_write(fd, text, n < CHUNK ? n : CHUNK);
         if (taken < 0 && errno != EINTR)
-            return errno == EAGAIN ? SM_E_BUSY : psl_result(errno);
+            return errno == EAGAIN ? SM_E_BUSY : psl_result_of_errno(errno);
         if (taken > 0) {
             text += taken;
             n -= (size_t)taken;

@@ -17,15 +17,15 @@
 
 #define LINES_OF_A_CHIP 1000u
 
-typedef struct Entry {
+typedef struct DioEntry {
     int fd;                   // file descriptor of the line
     bool output;
-} Entry;
+} DioEntry;
 
 static bool used[PAL_DIOS];
-static Entry entries[PAL_DIOS];
+static DioEntry entries[PAL_DIOS];
 
-static uint64_t flags_of(PalDioMode mode)
+static uint64_t line_flags(PalDioMode mode)
 {
     switch (mode) {
     case PAL_DIO_INPUT: return GPIO_V2_LINE_FLAG_INPUT;
@@ -37,21 +37,21 @@ static uint64_t flags_of(PalDioMode mode)
 }
 
 // Requests a line from a chip.  The level is part of the request, so an output never has another level.
-static SmResult request(int chip, uint32_t line, PalDioMode mode, bool level, int *fd)
+static SmResult request_line(int chip, uint32_t line, PalDioMode mode, bool level, int *fd)
 {
     struct gpiochip_info info;
     struct gpio_v2_line_request r;
 
     memset(&info, 0, sizeof info);
     if (ioctl(chip, GPIO_GET_CHIPINFO_IOCTL, &info) != 0)
-        return psl_result(errno);
+        return psl_result_of_errno(errno);
     if (line >= info.lines)
         return SM_E_MISSING;
     memset(&r, 0, sizeof r);
     r.offsets[0] = line;
     r.num_lines = 1;
     strcpy(r.consumer, "smc");
-    r.config.flags = flags_of(mode);
+    r.config.flags = line_flags(mode);
     if (mode == PAL_DIO_OUTPUT) {
         r.config.num_attrs = 1;
         r.config.attrs[0].attr.id = GPIO_V2_LINE_ATTR_ID_OUTPUT_VALUES;
@@ -59,7 +59,7 @@ static SmResult request(int chip, uint32_t line, PalDioMode mode, bool level, in
         r.config.attrs[0].mask = 1;
     }
     if (ioctl(chip, GPIO_V2_GET_LINE_IOCTL, &r) != 0)
-        return errno == EINVAL ? SM_E_UNSUPPORTED : psl_result(errno);
+        return errno == EINVAL ? SM_E_UNSUPPORTED : psl_result_of_errno(errno);
     *fd = r.fd;
     return SM_OK;
 }
@@ -73,8 +73,8 @@ static SmResult open_line(uint16_t number, PalDioMode mode, bool level, int *fd)
     snprintf(path, sizeof path, "%s%u", PSL_LINUX_GPIO, number / LINES_OF_A_CHIP);
     chip = open(path, O_RDWR | O_CLOEXEC);
     if (chip < 0)
-        return psl_result(errno);
-    r = request(chip, number % LINES_OF_A_CHIP, mode, level, fd);
+        return psl_result_of_errno(errno);
+    r = request_line(chip, number % LINES_OF_A_CHIP, mode, level, fd);
     close(chip);
     return r;
 }
@@ -84,16 +84,16 @@ SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
     SmResult r = SM_E_FULL;
     uint8_t id;
 
-    if (!pin || flags_of(mode) == 0)
+    if (!pin || line_flags(mode) == 0)
         return SM_E_ARGUMENT;
-    psl_guard();
-    id = psl_table_take(used, PAL_DIOS);
+    psl_lock_tables();
+    id = psl_table_allocate(used, PAL_DIOS);
     if (id != 0) {
         r = open_line(number, mode, level, &entries[id - 1].fd);
         entries[id - 1].output = mode == PAL_DIO_OUTPUT;
         used[id - 1] = r == SM_OK;
     }
-    psl_unguard();
+    psl_unlock_tables();
     if (r == SM_OK)
         pin->id = id;
     return r;
@@ -105,10 +105,10 @@ SmResult pal_dio_read(PalDio pin, bool *level)
 
     if (!level)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_DIOS, pin.id))
+    if (!psl_table_is_used(used, PAL_DIOS, pin.id))
         return SM_E_HANDLE;
     if (ioctl(entries[pin.id - 1].fd, GPIO_V2_LINE_GET_VALUES_IOCTL, &v) != 0)
-        return psl_result(errno);
+        return psl_result_of_errno(errno);
     *level = v.bits & 1;
     return SM_OK;
 }
@@ -117,23 +117,23 @@ SmResult pal_dio_write(PalDio pin, bool level)
 {
     struct gpio_v2_line_values v = {level, 1};
 
-    if (!psl_table_holds(used, PAL_DIOS, pin.id))
+    if (!psl_table_is_used(used, PAL_DIOS, pin.id))
         return SM_E_HANDLE;
     if (!entries[pin.id - 1].output)
         return SM_E_ARGUMENT;
-    return ioctl(entries[pin.id - 1].fd, GPIO_V2_LINE_SET_VALUES_IOCTL, &v) == 0 ? SM_OK : psl_result(errno);
+    return ioctl(entries[pin.id - 1].fd, GPIO_V2_LINE_SET_VALUES_IOCTL, &v) == 0 ? SM_OK : psl_result_of_errno(errno);
 }
 
 SmResult pal_dio_close(PalDio pin)
 {
     SmResult r = SM_E_HANDLE;
 
-    psl_guard();
-    if (psl_table_holds(used, PAL_DIOS, pin.id)) {
+    psl_lock_tables();
+    if (psl_table_is_used(used, PAL_DIOS, pin.id)) {
         close(entries[pin.id - 1].fd);
         used[pin.id - 1] = false;
         r = SM_OK;
     }
-    psl_unguard();
+    psl_unlock_tables();
     return r;
 }

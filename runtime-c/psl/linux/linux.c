@@ -13,34 +13,34 @@
 
 static pthread_mutex_t guard = PTHREAD_MUTEX_INITIALIZER;
 
-void psl_guard(void)
+void psl_lock_tables(void)
 {
     pthread_mutex_lock(&guard);
 }
 
-void psl_unguard(void)
+void psl_unlock_tables(void)
 {
     pthread_mutex_unlock(&guard);
 }
 
-uint8_t psl_take(bool *used, uint8_t size)
+uint8_t psl_allocate(bool *used, uint8_t size)
 {
     uint8_t id;
 
-    psl_guard();
-    id = psl_table_take(used, size);
-    psl_unguard();
+    psl_lock_tables();
+    id = psl_table_allocate(used, size);
+    psl_unlock_tables();
     return id;
 }
 
-void psl_release(bool *used, uint8_t id)
+void psl_free(bool *used, uint8_t id)
 {
-    psl_guard();
+    psl_lock_tables();
     used[id - 1] = false;
-    psl_unguard();
+    psl_unlock_tables();
 }
 
-SmResult psl_result(int error)
+SmResult psl_result_of_errno(int error)
 {
     switch (error) {
     case 0: return SM_OK;
@@ -67,7 +67,7 @@ struct timespec psl_timespec(uint64_t ns)
     return t;
 }
 
-SmResult psl_wait(int fd, short events, uint64_t deadline)
+SmResult psl_wait_for_events(int fd, short events, uint64_t deadline)
 {
     struct pollfd p = {fd, events, 0};
 
@@ -79,7 +79,7 @@ SmResult psl_wait(int fd, short events, uint64_t deadline)
         if (ready > 0)
             return SM_OK;
         if (ready < 0 && errno != EINTR)
-            return psl_result(errno);
+            return psl_result_of_errno(errno);
         if (ready == 0 && pal_clock_now() >= deadline)
             return SM_E_TIMEOUT;
     }

@@ -21,22 +21,22 @@
 #endif
 
 // Lock and unlock the mutex.  It must be locked while a table is searched and an entry is filled in or freed.
-void psl_guard(void);
-void psl_unguard(void);
+void psl_lock_tables(void);
+void psl_unlock_tables(void);
 
 // Takes an entry of a table (table.h) with the mutex locked only during this call.  The caller may then fill in the entry slowly,
 // because no other thread has its handle yet.
-uint8_t psl_take(bool *used, uint8_t size);
-void psl_release(bool *used, uint8_t id);
+uint8_t psl_allocate(bool *used, uint8_t size);
+void psl_free(bool *used, uint8_t id);
 
 // Converts an errno to a result; SM_E_DEVICE for an error without a PAL code.
-SmResult psl_result(int error);
+SmResult psl_result_of_errno(int error);
 
 struct timespec psl_timespec(uint64_t ns);
 
 // Waits until one of `events` (of poll) occurs or the clock reaches `deadline`.  Returns SM_OK, SM_E_TIMEOUT or an error.  A
 // descriptor that was hung up counts as ready.
-SmResult psl_wait(int fd, short events, uint64_t deadline);
+SmResult psl_wait_for_events(int fd, short events, uint64_t deadline);
 
 // Like write, but never raises a signal: without a reader it only fails with EPIPE, and beyond the size limit of files (ulimit -f) only
 // with EFBIG.  The program's own handling of SIGPIPE and SIGXFSZ is unchanged.  Use it for all files that may be a pipe, a socket or a

@@ -17,18 +17,18 @@
 #endif
 
 static bool used[PAL_LOCKS];
-static uint32_t words[PAL_LOCKS];
-static __thread uint32_t own;     // the caller's thread id; 0: not yet requested
+static uint32_t lock_words[PAL_LOCKS];
+static __thread uint32_t own_id;  // the caller's thread id; 0: not yet requested
 
-static void forget(void)
+static void forget_own_id(void)
 {
-    own = 0;
+    own_id = 0;
 }
 
 // A child process has another thread id than the thread that forked it.
 static void watch_forks(void)
 {
-    pthread_atfork(NULL, NULL, forget);
+    pthread_atfork(NULL, NULL, forget_own_id);
 }
 
 __attribute__((noinline)) static uint32_t ask(void)
@@ -36,30 +36,30 @@ __attribute__((noinline)) static uint32_t ask(void)
     static pthread_once_t once = PTHREAD_ONCE_INIT;
 
     pthread_once(&once, watch_forks);
-    return own = (uint32_t)syscall(SYS_gettid);
+    return own_id = (uint32_t)syscall(SYS_gettid);
 }
 
-static uint32_t self(void)
+static uint32_t thread_id(void)
 {
-    return own ? own : ask();
+    return own_id ? own_id : ask();
 }
 
-static uint32_t holder(uint32_t *word)
+static uint32_t read_holder(uint32_t *word)
 {
     return __atomic_load_n(word, __ATOMIC_ACQUIRE) & FUTEX_TID_MASK;
 }
 
-static bool take(uint32_t *word)
+static bool try_acquire(uint32_t *word)
 {
     uint32_t nobody = 0;
 
-    return __atomic_compare_exchange_n(word, &nobody, self(), false, __ATOMIC_ACQUIRE, __ATOMIC_RELAXED);
+    return __atomic_compare_exchange_n(word, &nobody, thread_id(), false, __ATOMIC_ACQUIRE, __ATOMIC_RELAXED);
 }
 
 // Succeeds only without waiters; otherwise the kernel must release the lock.
-static bool give(uint32_t *word)
+static bool try_release(uint32_t *word)
 {
-    uint32_t alone = self();
+    uint32_t alone = thread_id();
 
     return __atomic_compare_exchange_n(word, &alone, 0, false, __ATOMIC_RELEASE, __ATOMIC_RELAXED);
 }
@@ -73,7 +73,7 @@ SmResult pal_lock_open(PalLock *lock)
 {
     if (!lock)
         return SM_E_ARGUMENT;
-    lock->id = psl_take(used, PAL_LOCKS);
+    lock->id = psl_allocate(used, PAL_LOCKS);
     return lock->id == 0 ? SM_E_FULL : SM_OK;
 }
 
@@ -81,12 +81,12 @@ SmResult pal_lock_close(PalLock lock)
 {
     SmResult r = SM_E_HANDLE;
 
-    psl_guard();
-    if (psl_table_holds(used, PAL_LOCKS, lock.id)) {
-        r = holder(&words[lock.id - 1]) == 0 ? SM_OK : SM_E_BUSY;
+    psl_lock_tables();
+    if (psl_table_is_used(used, PAL_LOCKS, lock.id)) {
+        r = read_holder(&lock_words[lock.id - 1]) == 0 ? SM_OK : SM_E_BUSY;
         used[lock.id - 1] = r != SM_OK;
     }
-    psl_unguard();
+    psl_unlock_tables();
     return r;
 }
 
@@ -103,7 +103,7 @@ static int wait_by_the_day(uint32_t *word, uint64_t left)
 }
 
 // A holder whose thread has ended (ESRCH) will never release the lock.  EINTR is left over if a signal interrupted the last call.
-static SmResult wait(uint32_t *word, uint64_t deadline)
+static SmResult wait_for_lock(uint32_t *word, uint64_t deadline)
 {
     const struct timespec end = psl_timespec(deadline);
     uint64_t now;
@@ -115,8 +115,8 @@ static SmResult wait(uint32_t *word, uint64_t deadline)
         if (error == ENOSYS)
             error = wait_by_the_day(word, now < deadline ? deadline - now : 0);
     } while ((error == ETIMEDOUT || error == EAGAIN || error == EINTR) && now < deadline);
-    (void)holder(word);                                   // acquire: makes the writes of the last holder visible
-    return error == ESRCH || error == EINTR ? SM_E_TIMEOUT : psl_result(error);
+    (void)read_holder(word);                              // acquire: makes the writes of the last holder visible
+    return error == ESRCH || error == EINTR ? SM_E_TIMEOUT : psl_result_of_errno(error);
 }
 
 // Takes a lock that is held.  Not inlined, because its register use would slow down taking a free lock.
@@ -124,12 +124,12 @@ __attribute__((noinline)) static SmResult take_held(uint32_t *word, uint64_t tim
 {
     uint64_t deadline = pal_clock_now() + timeout;
 
-    if (holder(word) == self())
+    if (read_holder(word) == thread_id())
         return SM_E_BUSY;
     for (int i = 1; i < PAL_LOCK_SPINS; i++)
-        if (take(word))
+        if (try_acquire(word))
             return SM_OK;
-    return timeout == 0 ? SM_E_TIMEOUT : wait(word, deadline);
+    return timeout == 0 ? SM_E_TIMEOUT : wait_for_lock(word, deadline);
 }
 
 // Takes a free lock without reading the clock, which is the usual case.
@@ -137,23 +137,23 @@ SmResult pal_lock_take(PalLock lock, uint64_t timeout)
 {
     if (timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_LOCKS, lock.id))
+    if (!psl_table_is_used(used, PAL_LOCKS, lock.id))
         return SM_E_HANDLE;
-    return take(&words[lock.id - 1]) ? SM_OK : take_held(&words[lock.id - 1], timeout);
+    return try_acquire(&lock_words[lock.id - 1]) ? SM_OK : take_held(&lock_words[lock.id - 1], timeout);
 }
 
 // The exchange changes nothing.  It shows the release to the thread sanitizer, which does not see the system call.
 __attribute__((noinline)) static SmResult give_to_another(uint32_t *word)
 {
-    if (holder(word) != self())
+    if (read_holder(word) != thread_id())
         return SM_E_BUSY;
     __atomic_fetch_or(word, 0, __ATOMIC_RELEASE);
-    return psl_result(futex(word, FUTEX_UNLOCK_PI, NULL));
+    return psl_result_of_errno(futex(word, FUTEX_UNLOCK_PI, NULL));
 }
 
 SmResult pal_lock_give(PalLock lock)
 {
-    if (!psl_table_holds(used, PAL_LOCKS, lock.id))
+    if (!psl_table_is_used(used, PAL_LOCKS, lock.id))
         return SM_E_HANDLE;
-    return give(&words[lock.id - 1]) ? SM_OK : give_to_another(&words[lock.id - 1]);
+    return try_release(&lock_words[lock.id - 1]) ? SM_OK : give_to_another(&lock_words[lock.id - 1]);
 }

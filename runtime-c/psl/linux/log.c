@@ -20,31 +20,31 @@ static SmResult open_file(const char *name, int *fd)
     *fd = open(name, O_RDWR | O_APPEND | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0644);
     if (*fd >= 0)
         return SM_OK;
-    return errno == EISDIR || errno == ENXIO || errno == ENODEV ? SM_E_UNSUPPORTED : psl_result(errno);
+    return errno == EISDIR || errno == ENXIO || errno == ENODEV ? SM_E_UNSUPPORTED : psl_result_of_errno(errno);
 }
 
 // Checks that the file is regular, locks it, and makes sure that its directory entry is on the medium.
-static SmResult claim(int fd, const char *name)
+static SmResult lock_file(int fd, const char *name)
 {
     struct stat s;
 
     if (fstat(fd, &s) != 0)
-        return psl_result(errno);
+        return psl_result_of_errno(errno);
     if (!S_ISREG(s.st_mode))
         return SM_E_UNSUPPORTED;
     if (flock(fd, LOCK_EX | LOCK_NB) != 0)
-        return errno == EWOULDBLOCK ? SM_E_BUSY : psl_result(errno);
-    return s.st_size == 0 ? psl_result(psl_sync_folder(name)) : SM_OK;
+        return errno == EWOULDBLOCK ? SM_E_BUSY : psl_result_of_errno(errno);
+    return s.st_size == 0 ? psl_result_of_errno(psl_sync_folder(name)) : SM_OK;
 }
 
-static SmResult enter(uint8_t id, const char *name)
+static SmResult open_entry(uint8_t id, const char *name)
 {
     int fd;
     SmResult r = open_file(name, &fd);
 
     if (r != SM_OK)
         return r;
-    r = claim(fd, name);
+    r = lock_file(fd, name);
     if (r != SM_OK)
         close(fd);
     descriptors[id - 1] = fd;
@@ -58,14 +58,14 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
 
     if (!file || !name || name[0] == '\0' || strlen(name) >= PAL_NAME)
         return SM_E_ARGUMENT;
-    id = psl_take(used, PAL_LOGS);
+    id = psl_allocate(used, PAL_LOGS);
     if (id == 0)
         return SM_E_FULL;
-    r = enter(id, name);
+    r = open_entry(id, name);
     if (r == SM_OK)
         file->id = id;
     else
-        psl_release(used, id);
+        psl_free(used, id);
     return r;
 }
 
@@ -73,7 +73,7 @@ SmResult pal_log_append(PalLogFile file, const void *bytes, size_t n)
 {
     const uint8_t *from = (const uint8_t *)bytes;
 
-    if (!psl_table_holds(used, PAL_LOGS, file.id))
+    if (!psl_table_is_used(used, PAL_LOGS, file.id))
         return SM_E_HANDLE;
     if (!bytes)
         return SM_E_ARGUMENT;
@@ -81,7 +81,7 @@ SmResult pal_log_append(PalLogFile file, const void *bytes, size_t n)
         ssize_t taken = psl_write(descriptors[file.id - 1], from, n);
 
         if (taken < 0 && errno != EINTR)
-            return psl_result(errno);
+            return psl_result_of_errno(errno);
         if (taken > 0) {
             from += taken;
             n -= (size_t)taken;
@@ -92,11 +92,11 @@ SmResult pal_log_append(PalLogFile file, const void *bytes, size_t n)
 
 SmResult pal_log_sync(PalLogFile file)
 {
-    if (!psl_table_holds(used, PAL_LOGS, file.id))
+    if (!psl_table_is_used(used, PAL_LOGS, file.id))
         return SM_E_HANDLE;
     while (fdatasync(descriptors[file.id - 1]) != 0)          // also writes the new length, which is needed to read the bytes
         if (errno != EINTR)
-            return psl_result(errno);
+            return psl_result_of_errno(errno);
     return SM_OK;
 }
 
@@ -105,7 +105,7 @@ SmResult pal_log_read(PalLogFile file, void *bytes, size_t n)
     uint8_t *to = (uint8_t *)bytes;
     off_t at = 0;
 
-    if (!psl_table_holds(used, PAL_LOGS, file.id))
+    if (!psl_table_is_used(used, PAL_LOGS, file.id))
         return SM_E_HANDLE;
     if (!bytes)
         return SM_E_ARGUMENT;
@@ -115,7 +115,7 @@ SmResult pal_log_read(PalLogFile file, void *bytes, size_t n)
         if (got == 0)
             return SM_E_ARGUMENT;
         if (got < 0 && errno != EINTR)
-            return psl_result(errno);
+            return psl_result_of_errno(errno);
         if (got > 0) {
             at += got;
             n -= (size_t)got;
@@ -130,10 +130,10 @@ SmResult pal_log_size(PalLogFile file, uint64_t *size)
 
     if (!size)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_LOGS, file.id))
+    if (!psl_table_is_used(used, PAL_LOGS, file.id))
         return SM_E_HANDLE;
     if (fstat(descriptors[file.id - 1], &s) != 0)
-        return psl_result(errno);
+        return psl_result_of_errno(errno);
     *size = (uint64_t)s.st_size;
     return SM_OK;
 }
@@ -142,12 +142,12 @@ SmResult pal_log_close(PalLogFile file)
 {
     SmResult r = SM_E_HANDLE;
 
-    psl_guard();
-    if (psl_table_holds(used, PAL_LOGS, file.id)) {
+    psl_lock_tables();
+    if (psl_table_is_used(used, PAL_LOGS, file.id)) {
         close(descriptors[file.id - 1]);
         used[file.id - 1] = false;
         r = SM_OK;
     }
-    psl_unguard();
+    psl_unlock_tables();
     return r;
 }

@@ -19,11 +19,11 @@
 
 #define BLANK 0xff
 
-typedef struct Entry {
+typedef struct NvmEntry {
     int fd;                   // keeps the flock on the file while it is open
     uint32_t size;
     char path[PAL_NAME];
-} Entry;
+} NvmEntry;
 
 // Bytes to store: n bytes at address `at`; blank ones if `bytes` is NULL.
 typedef struct Change {
@@ -32,7 +32,7 @@ typedef struct Change {
 } Change;
 
 static bool used[PAL_NVMS];
-static Entry entries[PAL_NVMS];
+static NvmEntry entries[PAL_NVMS];
 
 // ---- descriptors ----
 
@@ -68,7 +68,7 @@ static int write_all(int fd, const uint8_t *from, size_t n)
 }
 
 // The file's size, or -1 if it is not a regular file or exceeds the address range.
-static int64_t size_of(int fd)
+static int64_t file_size(int fd)
 {
     struct stat s;
 
@@ -77,7 +77,7 @@ static int64_t size_of(int fd)
 
 // ---- replacing the file ----
 
-static void lay_over(uint8_t *block, uint32_t at, uint32_t n, const Change *c)
+static void apply_change(uint8_t *block, uint32_t at, uint32_t n, const Change *c)
 {
     for (uint32_t i = 0; i < n; i++)
         if (at + i - c->at < c->n)                         // also implies at + i ≥ c->at: the difference wraps around
@@ -85,7 +85,7 @@ static void lay_over(uint8_t *block, uint32_t at, uint32_t n, const Change *c)
 }
 
 // Copies the first `size` bytes of `old` with the change applied.  Bytes after the end of `old` are blank.
-static int copy(int to, int old, uint32_t old_size, uint32_t size, const Change *c)
+static int copy_changed(int to, int old, uint32_t old_size, uint32_t size, const Change *c)
 {
     uint8_t block[512];
     int error = 0;
@@ -96,7 +96,7 @@ static int copy(int to, int old, uint32_t old_size, uint32_t size, const Change 
         memset(block, BLANK, sizeof block);
         if (at < old_size)
             error = read_all(old, block, n < old_size - at ? n : old_size - at, at);
-        lay_over(block, at, n, c);
+        apply_change(block, at, n, c);
         if (!error)
             error = write_all(to, block, n);
     }
@@ -118,7 +118,7 @@ static int open_new(const char *name, int *error)
 }
 
 // Replaces the file by a copy with the change.  If no file exists yet, e->fd is -1.
-static int replace(Entry *e, uint32_t old_size, const Change *c)
+static int replace_file(NvmEntry *e, uint32_t old_size, const Change *c)
 {
     char name[PAL_NAME + 4];
     int error, fd;
@@ -127,7 +127,7 @@ static int replace(Entry *e, uint32_t old_size, const Change *c)
     fd = open_new(name, &error);
     if (fd < 0)
         return error;
-    error = copy(fd, e->fd, old_size, e->size, c);
+    error = copy_changed(fd, e->fd, old_size, e->size, c);
     if (!error && (fsync(fd) != 0 || rename(name, e->path) != 0))
         error = errno;
     if (error) {
@@ -151,30 +151,30 @@ static bool is_current(int fd, const char *path)
     return fstat(fd, &a) == 0 && stat(path, &b) == 0 && a.st_ino == b.st_ino && a.st_dev == b.st_dev;
 }
 
-static SmResult open_old(Entry *e, int64_t *size)
+static SmResult open_existing(NvmEntry *e, int64_t *size)
 {
     *size = 0;
     e->fd = open(e->path, O_RDWR | O_NOFOLLOW | O_CLOEXEC);
     if (e->fd < 0)
-        return errno == ENOENT ? SM_OK : errno == EISDIR ? SM_E_UNSUPPORTED : psl_result(errno);
-    *size = size_of(e->fd);
+        return errno == ENOENT ? SM_OK : errno == EISDIR ? SM_E_UNSUPPORTED : psl_result_of_errno(errno);
+    *size = file_size(e->fd);
     if (*size < 0)
         return SM_E_UNSUPPORTED;
     return flock(e->fd, LOCK_EX | LOCK_NB) == 0 && is_current(e->fd, e->path) ? SM_OK : SM_E_BUSY;
 }
 
 // Fills in a new entry.
-static SmResult enter(Entry *e, const char *path, uint32_t size)
+static SmResult open_entry(NvmEntry *e, const char *path, uint32_t size)
 {
     const Change nothing = {0, 0, NULL};
     int64_t old;
     SmResult r;
 
     strcpy(e->path, path);
-    r = open_old(e, &old);
+    r = open_existing(e, &old);
     e->size = old > (int64_t)size ? (uint32_t)old : size;
     if (r == SM_OK && old < (int64_t)size)
-        r = psl_result(replace(e, (uint32_t)old, &nothing));
+        r = psl_result_of_errno(replace_file(e, (uint32_t)old, &nothing));
     if (r != SM_OK && e->fd >= 0)
         close(e->fd);
     return r;
@@ -189,13 +189,13 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
         return SM_E_ARGUMENT;
     if (size > INT32_MAX)
         return SM_E_SPACE;
-    id = psl_take(used, PAL_NVMS);
+    id = psl_allocate(used, PAL_NVMS);
     if (id != 0)
-        r = enter(&entries[id - 1], name, size);           // slow; the table is not locked meanwhile
+        r = open_entry(&entries[id - 1], name, size);      // slow; the table is not locked meanwhile
     if (r == SM_OK)
         memory->id = id;
     else if (id != 0)
-        psl_release(used, id);
+        psl_free(used, id);
     return r;
 }
 
@@ -207,7 +207,7 @@ SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
 
     if (!info)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_NVMS, memory.id))
+    if (!psl_table_is_used(used, PAL_NVMS, memory.id))
         return SM_E_HANDLE;
     *info = file;
     info->size = info->atomic = entries[memory.id - 1].size;
@@ -215,52 +215,52 @@ SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
 }
 
 // Checks that the handle is open and the range is valid.
-static SmResult look(PalNvm memory, uint32_t at, uint32_t n)
+static SmResult check_range(PalNvm memory, uint32_t at, uint32_t n)
 {
-    if (!psl_table_holds(used, PAL_NVMS, memory.id))
+    if (!psl_table_is_used(used, PAL_NVMS, memory.id))
         return SM_E_HANDLE;
     return at <= entries[memory.id - 1].size && n <= entries[memory.id - 1].size - at ? SM_OK : SM_E_ARGUMENT;
 }
 
 SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
 {
-    SmResult r = look(memory, at, n);
+    SmResult r = check_range(memory, at, n);
 
     if (r == SM_OK && !bytes)
         r = SM_E_ARGUMENT;
-    return r == SM_OK ? psl_result(read_all(entries[memory.id - 1].fd, bytes, n, at)) : r;
+    return r == SM_OK ? psl_result_of_errno(read_all(entries[memory.id - 1].fd, bytes, n, at)) : r;
 }
 
-static SmResult change(PalNvm memory, uint32_t at, const void *bytes, uint32_t n)
+static SmResult change_bytes(PalNvm memory, uint32_t at, const void *bytes, uint32_t n)
 {
     const Change c = {at, n, bytes};
-    SmResult r = look(memory, at, n);
+    SmResult r = check_range(memory, at, n);
 
     if (r != SM_OK || n == 0)
         return r;
-    return psl_result(replace(&entries[memory.id - 1], entries[memory.id - 1].size, &c));
+    return psl_result_of_errno(replace_file(&entries[memory.id - 1], entries[memory.id - 1].size, &c));
 }
 
 SmResult pal_nvm_write(PalNvm memory, uint32_t at, const void *bytes, uint32_t n)
 {
-    return bytes ? change(memory, at, bytes, n) : SM_E_ARGUMENT;
+    return bytes ? change_bytes(memory, at, bytes, n) : SM_E_ARGUMENT;
 }
 
 SmResult pal_nvm_erase(PalNvm memory, uint32_t at, uint32_t n)
 {
-    return change(memory, at, NULL, n);
+    return change_bytes(memory, at, NULL, n);
 }
 
 SmResult pal_nvm_close(PalNvm memory)
 {
     SmResult r = SM_E_HANDLE;
 
-    psl_guard();
-    if (psl_table_holds(used, PAL_NVMS, memory.id)) {
+    psl_lock_tables();
+    if (psl_table_is_used(used, PAL_NVMS, memory.id)) {
         close(entries[memory.id - 1].fd);
         used[memory.id - 1] = false;
         r = SM_OK;
     }
-    psl_unguard();
+    psl_unlock_tables();
     return r;
 }

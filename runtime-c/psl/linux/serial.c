@@ -26,7 +26,7 @@ static const struct {
 };
 
 // Returns B0, which means hang up, for an unsupported speed.
-static speed_t speed_of(uint32_t bits_per_second)
+static speed_t find_speed(uint32_t bits_per_second)
 {
     for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++)
         if (speeds[i].bits_per_second == bits_per_second)
@@ -35,18 +35,18 @@ static speed_t speed_of(uint32_t bits_per_second)
 }
 
 // tcsetattr succeeds if it could make any of the changes, so the resulting speed is checked afterwards.
-static SmResult set_up(int fd, speed_t speed)
+static SmResult configure_line(int fd, speed_t speed)
 {
     struct termios t;
 
     if (tcgetattr(fd, &t) != 0)
-        return psl_result(errno);
+        return psl_result_of_errno(errno);
     cfmakeraw(&t);
     t.c_cflag &= ~(tcflag_t)(CSTOPB | CRTSCTS);
     t.c_cflag |= CLOCAL | CREAD;                           // ignore modem control lines
     t.c_iflag &= ~(tcflag_t)(IXOFF | IXANY);
     if (cfsetspeed(&t, speed) != 0 || tcsetattr(fd, TCSANOW, &t) != 0 || tcgetattr(fd, &t) != 0)
-        return psl_result(errno);
+        return psl_result_of_errno(errno);
     tcflush(fd, TCIOFLUSH);
     return cfgetospeed(&t) == speed ? SM_OK : SM_E_ARGUMENT;
 }
@@ -57,8 +57,8 @@ static SmResult open_line(const char *name, speed_t speed, int *fd)
 
     *fd = open(name, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     if (*fd < 0)
-        return psl_result(errno);
-    r = !isatty(*fd) ? SM_E_UNSUPPORTED : flock(*fd, LOCK_EX | LOCK_NB) != 0 ? SM_E_BUSY : set_up(*fd, speed);
+        return psl_result_of_errno(errno);
+    r = !isatty(*fd) ? SM_E_UNSUPPORTED : flock(*fd, LOCK_EX | LOCK_NB) != 0 ? SM_E_BUSY : configure_line(*fd, speed);
     if (r == SM_OK)
         ioctl(*fd, TIOCEXCL);                             // excludes programs that do not use flock
     else
@@ -68,35 +68,35 @@ static SmResult open_line(const char *name, speed_t speed, int *fd)
 
 SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_second)
 {
-    speed_t speed = speed_of(bits_per_second);
+    speed_t speed = find_speed(bits_per_second);
     SmResult r = SM_E_FULL;
     uint8_t id;
 
     if (!line || !name || strlen(name) >= PAL_NAME || speed == B0)
         return SM_E_ARGUMENT;
-    psl_guard();
-    id = psl_table_take(used, PAL_SERIALS);
+    psl_lock_tables();
+    id = psl_table_allocate(used, PAL_SERIALS);
     if (id != 0) {
         r = open_line(name, speed, &lines[id - 1]);
         used[id - 1] = r == SM_OK;
     }
-    psl_unguard();
+    psl_unlock_tables();
     if (r == SM_OK)
         line->id = id;
     return r;
 }
 
 // A read from a line that hung up returns 0 or fails with EIO.
-static SmResult failed(ssize_t got)
+static SmResult result_of_transfer(ssize_t got)
 {
-    return got == 0 || errno == EIO ? SM_E_CLOSED : psl_result(errno);
+    return got == 0 || errno == EIO ? SM_E_CLOSED : psl_result_of_errno(errno);
 }
 
-static SmResult look(PalSerial line, const void *bytes, const size_t *n, uint64_t timeout)
+static SmResult check_arguments(PalSerial line, const void *bytes, const size_t *n, uint64_t timeout)
 {
     if (!bytes || !n || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    return psl_table_holds(used, PAL_SERIALS, line.id) ? SM_OK : SM_E_HANDLE;
+    return psl_table_is_used(used, PAL_SERIALS, line.id) ? SM_OK : SM_E_HANDLE;
 }
 
 SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
@@ -107,16 +107,16 @@ SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *se
 
     if (sent)
         *sent = 0;
-    r = look(line, bytes, sent, timeout);
+    r = check_arguments(line, bytes, sent, timeout);
     while (r == SM_OK && *sent < n) {
         ssize_t taken = write(lines[line.id - 1], next + *sent, n - *sent);
 
         if (taken > 0)
             *sent += (size_t)taken;
         else if (taken < 0 && errno == EAGAIN)
-            r = psl_wait(lines[line.id - 1], POLLOUT, deadline);
+            r = psl_wait_for_events(lines[line.id - 1], POLLOUT, deadline);
         else if (taken == 0 || errno != EINTR)
-            r = failed(taken);
+            r = result_of_transfer(taken);
     }
     return r;
 }
@@ -124,11 +124,11 @@ SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *se
 SmResult pal_serial_receive(PalSerial line, void *bytes, size_t room, size_t *n, uint64_t timeout)
 {
     uint64_t deadline = pal_clock_now() + timeout;
-    SmResult r = look(line, bytes, n, timeout);
+    SmResult r = check_arguments(line, bytes, n, timeout);
 
     if (r == SM_OK && room == 0)
         r = SM_E_ARGUMENT;
-    while (r == SM_OK && (r = psl_wait(lines[line.id - 1], POLLIN, deadline)) == SM_OK) {
+    while (r == SM_OK && (r = psl_wait_for_events(lines[line.id - 1], POLLIN, deadline)) == SM_OK) {
         ssize_t got = read(lines[line.id - 1], bytes, room);
 
         if (got > 0) {
@@ -136,7 +136,7 @@ SmResult pal_serial_receive(PalSerial line, void *bytes, size_t room, size_t *n,
             break;
         }
         if (got == 0 || (errno != EINTR && errno != EAGAIN))
-            r = failed(got);
+            r = result_of_transfer(got);
     }
     return r;
 }
@@ -145,13 +145,13 @@ SmResult pal_serial_close(PalSerial line)
 {
     SmResult r = SM_E_HANDLE;
 
-    psl_guard();
-    if (psl_table_holds(used, PAL_SERIALS, line.id)) {
+    psl_lock_tables();
+    if (psl_table_is_used(used, PAL_SERIALS, line.id)) {
         tcflush(lines[line.id - 1], TCOFLUSH);            // otherwise close waits until all bytes are transmitted
         close(lines[line.id - 1]);
         used[line.id - 1] = false;
         r = SM_OK;
     }
-    psl_unguard();
+    psl_unlock_tables();
     return r;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sockets: non-blocking sockets of the system.  All waiting happens in psl_wait.
+// Sockets: non-blocking sockets of the system.  All waiting happens in psl_wait_for_events.
 #define _GNU_SOURCE
 #include <arpa/inet.h>
 #include <errno.h>
@@ -13,19 +13,19 @@
 #include "runtime-c/pal/socket.h"
 #include "runtime-c/psl/linux/linux.h"
 
-typedef enum Kind { DATAGRAMS, LISTENING, STREAM } Kind;
+typedef enum SocketKind { DATAGRAMS, LISTENING, STREAM } SocketKind;
 
-typedef struct Entry {
+typedef struct SocketEntry {
     int fd;
-    Kind kind;
-} Entry;
+    SocketKind kind;
+} SocketEntry;
 
 static bool used[PAL_SOCKETS];
-static Entry entries[PAL_SOCKETS];
+static SocketEntry entries[PAL_SOCKETS];
 
 // ---- addresses ----
 
-static struct sockaddr_in to_system(const PalAddress *a)
+static struct sockaddr_in to_sockaddr(const PalAddress *a)
 {
     struct sockaddr_in s;
 
@@ -36,7 +36,7 @@ static struct sockaddr_in to_system(const PalAddress *a)
     return s;
 }
 
-static PalAddress from_system(const struct sockaddr_in *s)
+static PalAddress from_sockaddr(const struct sockaddr_in *s)
 {
     PalAddress a;
 
@@ -49,7 +49,7 @@ static PalAddress from_system(const struct sockaddr_in *s)
 
 // Whether an error is about a peer, a route or an earlier packet, and not about the socket (accept(2), ip(7)).  The system reports
 // such an error once, by whatever call comes next.
-static bool is_of_network(int error)
+static bool is_network_error(int error)
 {
     switch (error) {
     case ENETDOWN: case ENETUNREACH: case EHOSTDOWN: case EHOSTUNREACH: case ENONET: case EPROTO: case ENOPROTOOPT: case EOPNOTSUPP:
@@ -61,46 +61,46 @@ static bool is_of_network(int error)
 // For a connected stream.  A peer that no longer answers ends the stream, too.
 static SmResult stream_result(int error)
 {
-    return is_of_network(error) ? SM_E_CLOSED : psl_result(error);
+    return is_network_error(error) ? SM_E_CLOSED : psl_result_of_errno(error);
 }
 
 static SmResult connect_result(int error)
 {
-    return is_of_network(error) && error != ETIMEDOUT ? SM_E_UNREACHABLE : psl_result(error);
+    return is_network_error(error) && error != ETIMEDOUT ? SM_E_UNREACHABLE : psl_result_of_errno(error);
 }
 
 // ---- the table ----
 
 // Checks that the handle is open and of the given kind; *fd receives its descriptor.
-static SmResult look(PalSocket socket, Kind kind, int *fd)
+static SmResult find_socket(PalSocket socket, SocketKind kind, int *fd)
 {
-    if (!psl_table_holds(used, PAL_SOCKETS, socket.id))
+    if (!psl_table_is_used(used, PAL_SOCKETS, socket.id))
         return SM_E_HANDLE;
     *fd = entries[socket.id - 1].fd;
     return entries[socket.id - 1].kind == kind ? SM_OK : SM_E_ARGUMENT;
 }
 
-static uint8_t take(void)
+static uint8_t allocate_entry(void)
 {
     uint8_t id;
 
-    psl_guard();
-    id = psl_table_take(used, PAL_SOCKETS);
+    psl_lock_tables();
+    id = psl_table_allocate(used, PAL_SOCKETS);
     if (id != 0)
         entries[id - 1].fd = -1;
-    psl_unguard();
+    psl_unlock_tables();
     return id;
 }
 
-static void release(uint8_t id)
+static void free_entry(uint8_t id)
 {
-    psl_guard();
+    psl_lock_tables();
     used[id - 1] = false;
-    psl_unguard();
+    psl_unlock_tables();
 }
 
 // If r is SM_OK, stores the descriptor in the entry.  Otherwise closes the descriptor and frees the entry.
-static SmResult settle(PalSocket *s, uint8_t id, int fd, Kind kind, SmResult r)
+static SmResult finish_open(PalSocket *s, uint8_t id, int fd, SocketKind kind, SmResult r)
 {
     if (r == SM_OK) {
         entries[id - 1].fd = fd;
@@ -110,7 +110,7 @@ static SmResult settle(PalSocket *s, uint8_t id, int fd, Kind kind, SmResult r)
     }
     if (fd >= 0)
         close(fd);
-    release(id);
+    free_entry(id);
     return r;
 }
 
@@ -121,18 +121,18 @@ static int new_socket(int type)
     return socket(AF_INET, type | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
 }
 
-static SmResult set(int fd, int level, int option)
+static SmResult set_option(int fd, int level, int option)
 {
     int on = 1;
 
-    return setsockopt(fd, level, option, &on, sizeof on) == 0 ? SM_OK : psl_result(errno);
+    return setsockopt(fd, level, option, &on, sizeof on) == 0 ? SM_OK : psl_result_of_errno(errno);
 }
 
 static SmResult bind_to(int fd, const PalAddress *own)
 {
-    struct sockaddr_in a = to_system(own);
+    struct sockaddr_in a = to_sockaddr(own);
 
-    return bind(fd, (struct sockaddr *)&a, sizeof a) == 0 ? SM_OK : psl_result(errno);
+    return bind(fd, (struct sockaddr *)&a, sizeof a) == 0 ? SM_OK : psl_result_of_errno(errno);
 }
 
 SmResult pal_socket_udp(PalSocket *s, const PalAddress *own)
@@ -143,14 +143,14 @@ SmResult pal_socket_udp(PalSocket *s, const PalAddress *own)
 
     if (!s || !own)
         return SM_E_ARGUMENT;
-    id = take();
+    id = allocate_entry();
     if (id == 0)
         return SM_E_FULL;
     fd = new_socket(SOCK_DGRAM);
-    r = fd < 0 ? psl_result(errno) : set(fd, SOL_SOCKET, SO_BROADCAST);
+    r = fd < 0 ? psl_result_of_errno(errno) : set_option(fd, SOL_SOCKET, SO_BROADCAST);
     if (r == SM_OK)
         r = bind_to(fd, own);
-    return settle(s, id, fd, DATAGRAMS, r);
+    return finish_open(s, id, fd, DATAGRAMS, r);
 }
 
 // SO_REUSEADDR: the port of a program that has just ended is immediately available again.
@@ -162,37 +162,37 @@ SmResult pal_socket_listen(PalSocket *s, const PalAddress *own)
 
     if (!s || !own)
         return SM_E_ARGUMENT;
-    id = take();
+    id = allocate_entry();
     if (id == 0)
         return SM_E_FULL;
     fd = new_socket(SOCK_STREAM);
-    r = fd < 0 ? psl_result(errno) : set(fd, SOL_SOCKET, SO_REUSEADDR);
+    r = fd < 0 ? psl_result_of_errno(errno) : set_option(fd, SOL_SOCKET, SO_REUSEADDR);
     if (r == SM_OK)
         r = bind_to(fd, own);
     if (r == SM_OK && listen(fd, PAL_SOCKETS) != 0)
-        r = psl_result(errno);
-    return settle(s, id, fd, LISTENING, r);
+        r = psl_result_of_errno(errno);
+    return finish_open(s, id, fd, LISTENING, r);
 }
 
 // Waits until the pending connection is established.
-static SmResult connected(int fd, uint64_t deadline)
+static SmResult wait_until_connected(int fd, uint64_t deadline)
 {
-    SmResult r = psl_wait(fd, POLLOUT, deadline);
+    SmResult r = psl_wait_for_events(fd, POLLOUT, deadline);
     int error = 0;
     socklen_t n = sizeof error;
 
     if (r != SM_OK)
         return r;
-    return getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &n) == 0 ? connect_result(error) : psl_result(errno);
+    return getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &n) == 0 ? connect_result(error) : psl_result_of_errno(errno);
 }
 
 static SmResult connect_to(int fd, const PalAddress *to, uint64_t deadline)
 {
-    struct sockaddr_in a = to_system(to);
+    struct sockaddr_in a = to_sockaddr(to);
 
     if (connect(fd, (struct sockaddr *)&a, sizeof a) == 0)
         return SM_OK;
-    return errno == EINPROGRESS || errno == EINTR ? connected(fd, deadline) : connect_result(errno);
+    return errno == EINPROGRESS || errno == EINTR ? wait_until_connected(fd, deadline) : connect_result(errno);
 }
 
 SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t timeout)
@@ -204,14 +204,14 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
 
     if (!stream || !to || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    id = take();
+    id = allocate_entry();
     if (id == 0)
         return SM_E_FULL;
     fd = new_socket(SOCK_STREAM);
-    r = fd < 0 ? psl_result(errno) : set(fd, IPPROTO_TCP, TCP_NODELAY);
+    r = fd < 0 ? psl_result_of_errno(errno) : set_option(fd, IPPROTO_TCP, TCP_NODELAY);
     if (r == SM_OK)
         r = connect_to(fd, to, deadline);
-    return settle(stream, id, fd, STREAM, r);
+    return finish_open(stream, id, fd, STREAM, r);
 }
 
 // Ignores a peer whose connection broke before it was accepted, and waits for the next one.
@@ -222,14 +222,14 @@ static SmResult accept_one(int listening, int *fd, struct sockaddr_in *a, uint64
 
         *fd = accept4(listening, (struct sockaddr *)a, &n, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (*fd >= 0)
-            return set(*fd, IPPROTO_TCP, TCP_NODELAY);
-        if (errno == EAGAIN || is_of_network(errno)) {
-            SmResult r = psl_wait(listening, POLLIN, deadline);
+            return set_option(*fd, IPPROTO_TCP, TCP_NODELAY);
+        if (errno == EAGAIN || is_network_error(errno)) {
+            SmResult r = psl_wait_for_events(listening, POLLIN, deadline);
 
             if (r != SM_OK)
                 return r;
         } else if (errno != EINTR)
-            return psl_result(errno);
+            return psl_result_of_errno(errno);
     }
 }
 
@@ -243,17 +243,17 @@ SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *p
 
     if (!stream || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    r = look(listening, LISTENING, &from);
+    r = find_socket(listening, LISTENING, &from);
     if (r != SM_OK)
         return r;
-    id = take();
+    id = allocate_entry();
     if (id == 0)
         return SM_E_FULL;
     memset(&a, 0, sizeof a);
     r = accept_one(from, &fd, &a, deadline);
-    r = settle(stream, id, fd, STREAM, r);
+    r = finish_open(stream, id, fd, STREAM, r);
     if (r == SM_OK && peer)
-        *peer = from_system(&a);
+        *peer = from_sockaddr(&a);
     return r;
 }
 
@@ -267,27 +267,27 @@ SmResult pal_socket_send_to(PalSocket s, const PalAddress *to, const void *bytes
 
     if (!to || !bytes || n > PAL_DATAGRAM_MAX)
         return SM_E_ARGUMENT;
-    r = look(s, DATAGRAMS, &fd);
+    r = find_socket(s, DATAGRAMS, &fd);
     if (r != SM_OK)
         return r;
-    a = to_system(to);
+    a = to_sockaddr(to);
     while (sendto(fd, bytes, n, MSG_NOSIGNAL, (struct sockaddr *)&a, sizeof a) < 0)
         if (errno != EINTR)
-            return errno == EAGAIN || errno == ENOBUFS ? SM_E_BUSY : psl_result(errno);
+            return errno == EAGAIN || errno == ENOBUFS ? SM_E_BUSY : psl_result_of_errno(errno);
     return SM_OK;
 }
 
 // Waits until the socket is ready and receives.  On failure returns -1 and sets *r.  An error of the network does not concern the next
 // datagram, but ends a stream.
-static ssize_t receive(int fd, Kind kind, struct msghdr *m, uint64_t deadline, SmResult *r)
+static ssize_t receive_message(int fd, SocketKind kind, struct msghdr *m, uint64_t deadline, SmResult *r)
 {
     for (;;) {
         ssize_t got = recvmsg(fd, m, 0);
 
         if (got >= 0)
             return got;
-        if (errno == EAGAIN || (kind == DATAGRAMS && is_of_network(errno)))
-            *r = psl_wait(fd, POLLIN, deadline);
+        if (errno == EAGAIN || (kind == DATAGRAMS && is_network_error(errno)))
+            *r = psl_wait_for_events(fd, POLLIN, deadline);
         else if (errno != EINTR)
             *r = stream_result(errno);
         if (*r != SM_OK)
@@ -307,7 +307,7 @@ SmResult pal_socket_receive_from(PalSocket s, PalAddress *from, void *bytes, siz
 
     if (!bytes || !n || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    r = look(s, DATAGRAMS, &fd);
+    r = find_socket(s, DATAGRAMS, &fd);
     if (r != SM_OK)
         return r;
     memset(&a, 0, sizeof a);
@@ -316,12 +316,12 @@ SmResult pal_socket_receive_from(PalSocket s, PalAddress *from, void *bytes, siz
     m.msg_namelen = sizeof a;
     m.msg_iov = &part;
     m.msg_iovlen = 1;
-    got = receive(fd, DATAGRAMS, &m, deadline, &r);
+    got = receive_message(fd, DATAGRAMS, &m, deadline, &r);
     if (got < 0)
         return r;
     *n = (size_t)got;
     if (from)
-        *from = from_system(&a);
+        *from = from_sockaddr(&a);
     return m.msg_flags & MSG_TRUNC ? SM_E_SIZE : SM_OK;
 }
 
@@ -338,14 +338,14 @@ SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *
         *sent = 0;
     if (!bytes || !sent || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    r = look(stream, STREAM, &fd);
+    r = find_socket(stream, STREAM, &fd);
     while (r == SM_OK && *sent < n) {
         ssize_t taken = send(fd, next + *sent, n - *sent, MSG_NOSIGNAL);
 
         if (taken > 0)
             *sent += (size_t)taken;
         else if (errno == EAGAIN)
-            r = psl_wait(fd, POLLOUT, deadline);
+            r = psl_wait_for_events(fd, POLLOUT, deadline);
         else if (errno != EINTR)
             r = stream_result(errno);
     }
@@ -363,13 +363,13 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
 
     if (!bytes || !n || room == 0 || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    r = look(stream, STREAM, &fd);
+    r = find_socket(stream, STREAM, &fd);
     if (r != SM_OK)
         return r;
     memset(&m, 0, sizeof m);
     m.msg_iov = &part;
     m.msg_iovlen = 1;
-    got = receive(fd, STREAM, &m, deadline, &r);
+    got = receive_message(fd, STREAM, &m, deadline, &r);
     if (got == 0)
         return SM_E_CLOSED;
     if (got > 0)
@@ -386,11 +386,11 @@ SmResult pal_socket_own(PalSocket s, PalAddress *own)
 
     if (!own)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_SOCKETS, s.id))
+    if (!psl_table_is_used(used, PAL_SOCKETS, s.id))
         return SM_E_HANDLE;
     if (getsockname(entries[s.id - 1].fd, (struct sockaddr *)&a, &n) != 0)
-        return psl_result(errno);
-    *own = from_system(&a);
+        return psl_result_of_errno(errno);
+    *own = from_sockaddr(&a);
     return SM_OK;
 }
 
@@ -398,12 +398,12 @@ SmResult pal_socket_close(PalSocket s)
 {
     SmResult r = SM_E_HANDLE;
 
-    psl_guard();
-    if (psl_table_holds(used, PAL_SOCKETS, s.id)) {
+    psl_lock_tables();
+    if (psl_table_is_used(used, PAL_SOCKETS, s.id)) {
         close(entries[s.id - 1].fd);
         used[s.id - 1] = false;
         r = SM_OK;
     }
-    psl_unguard();
+    psl_unlock_tables();
     return r;
 }

@@ -16,23 +16,23 @@
 
 #define STACK_MAX 0x40000000u
 
-typedef struct Entry {
+typedef struct ThreadEntry {
     pthread_t thread;
     PalThreadMain *run;
     void *argument;
     bool realtime, joining, ended;
-    size_t settle;            // stack size in bytes of a real-time thread; 0 for others
-} Entry;
+    size_t prefault;          // stack size in bytes of a real-time thread; 0 for others
+} ThreadEntry;
 
 static bool used[PAL_THREADS];
-static Entry entries[PAL_THREADS];
+static ThreadEntry entries[PAL_THREADS];
 
 // Both protect `ended` and the other changing fields of an entry.
 static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t changed;
 static pthread_once_t once = PTHREAD_ONCE_INIT;
 
-static void start(void)
+static void init_condition(void)
 {
     pthread_condattr_t kind;
 
@@ -44,7 +44,7 @@ static void start(void)
 
 // Prevents page faults in a real-time thread: touches most of its stack, and locks the program's present memory if permitted.
 // (Memory allocated later is not locked: beyond a limit, the allocation would fail.)
-static void settle(size_t stack)
+static void prefault(size_t stack)
 {
     const size_t page = 4096, n = stack / 4 * 3;
     volatile char *room = alloca(n);
@@ -54,12 +54,12 @@ static void settle(size_t stack)
     (void)mlockall(MCL_CURRENT);
 }
 
-static void *run(void *of)
+static void *thread_main(void *of)
 {
-    Entry *e = of;
+    ThreadEntry *e = of;
 
-    if (e->settle > 0)
-        settle(e->settle);
+    if (e->prefault > 0)
+        prefault(e->prefault);
     e->run(e->argument);
     pthread_mutex_lock(&mutex);
     e->ended = true;
@@ -75,7 +75,7 @@ static size_t stack_size(uint32_t wanted)
     return ((n > least ? n : least) + page - 1) / page * page;
 }
 
-static int launch(Entry *e, const PalThreadPlan *plan, bool realtime)
+static int start_thread(ThreadEntry *e, const PalThreadPlan *plan, bool realtime)
 {
     pthread_attr_t a;
     struct sched_param p = {0};
@@ -87,16 +87,16 @@ static int launch(Entry *e, const PalThreadPlan *plan, bool realtime)
     pthread_attr_setinheritsched(&a, PTHREAD_EXPLICIT_SCHED);
     pthread_attr_setschedpolicy(&a, realtime ? SCHED_FIFO : SCHED_OTHER);
     pthread_attr_setschedparam(&a, &p);
-    e->settle = realtime ? stack_size(plan->stack) : 0;
+    e->prefault = realtime ? stack_size(plan->stack) : 0;
     error = pthread_attr_setstacksize(&a, stack_size(plan->stack));
     if (!error)
-        error = pthread_create(&e->thread, &a, run, e);
+        error = pthread_create(&e->thread, &a, thread_main, e);
     pthread_attr_destroy(&a);
     e->realtime = realtime && !error;
     return error;
 }
 
-static void name(pthread_t thread, const char *text)
+static void name_thread(pthread_t thread, const char *text)
 {
     char short_name[16] = "";
 
@@ -107,15 +107,15 @@ static void name(pthread_t thread, const char *text)
 }
 
 // Called with the mutex held, so that the creator and the joiner never see a partial entry.
-static SmResult create(Entry *e, const PalThreadPlan *plan)
+static SmResult create_thread(ThreadEntry *e, const PalThreadPlan *plan)
 {
-    int error = launch(e, plan, plan->priority > 0);
+    int error = start_thread(e, plan, plan->priority > 0);
 
     if (error == EPERM)
-        error = launch(e, plan, false);
+        error = start_thread(e, plan, false);
     if (error)
-        return error == EAGAIN ? SM_E_MEMORY : psl_result(error);
-    name(e->thread, plan->name);
+        return error == EAGAIN ? SM_E_MEMORY : psl_result_of_errno(error);
+    name_thread(e->thread, plan->name);
     return SM_OK;
 }
 
@@ -126,16 +126,16 @@ SmResult pal_thread_create(PalThread *thread, const PalThreadPlan *plan, PalThre
 
     if (!thread || !plan || !function || plan->priority > PAL_PRIORITY_MAX || plan->stack > STACK_MAX)
         return SM_E_ARGUMENT;
-    pthread_once(&once, start);
+    pthread_once(&once, init_condition);
     pthread_mutex_lock(&mutex);
-    id = psl_table_take(used, PAL_THREADS);
+    id = psl_table_allocate(used, PAL_THREADS);
     if (id != 0) {
-        Entry *e = &entries[id - 1];
+        ThreadEntry *e = &entries[id - 1];
 
         memset(e, 0, sizeof *e);
         e->run = function;
         e->argument = argument;
-        r = create(e, plan);
+        r = create_thread(e, plan);
         used[id - 1] = r == SM_OK;
     }
     pthread_mutex_unlock(&mutex);
@@ -145,7 +145,7 @@ SmResult pal_thread_create(PalThread *thread, const PalThreadPlan *plan, PalThre
 }
 
 // Called with the mutex held; releases it while waiting.
-static SmResult wait(Entry *e, uint64_t deadline)
+static SmResult wait_for_end(ThreadEntry *e, uint64_t deadline)
 {
     struct timespec end = psl_timespec(deadline);
     int error = 0;
@@ -156,7 +156,7 @@ static SmResult wait(Entry *e, uint64_t deadline)
     while (!e->ended && !error)
         error = pthread_cond_timedwait(&changed, &mutex, &end);
     e->joining = e->ended;
-    return e->ended ? SM_OK : psl_result(error);
+    return e->ended ? SM_OK : psl_result_of_errno(error);
 }
 
 SmResult pal_thread_join(PalThread thread, uint64_t timeout)
@@ -167,8 +167,8 @@ SmResult pal_thread_join(PalThread thread, uint64_t timeout)
     if (timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
     pthread_mutex_lock(&mutex);
-    if (psl_table_holds(used, PAL_THREADS, thread.id))
-        r = wait(&entries[thread.id - 1], deadline);
+    if (psl_table_is_used(used, PAL_THREADS, thread.id))
+        r = wait_for_end(&entries[thread.id - 1], deadline);
     if (r == SM_OK) {
         pthread_mutex_unlock(&mutex);
         pthread_join(entries[thread.id - 1].thread, NULL);     // the thread has ended, so this does not wait
@@ -184,7 +184,7 @@ bool pal_thread_is_realtime(PalThread thread)
     bool is;
 
     pthread_mutex_lock(&mutex);
-    is = psl_table_holds(used, PAL_THREADS, thread.id) && entries[thread.id - 1].realtime;
+    is = psl_table_is_used(used, PAL_THREADS, thread.id) && entries[thread.id - 1].realtime;
     pthread_mutex_unlock(&mutex);
     return is;
 }
@@ -197,8 +197,8 @@ SmResult pal_thread_set_priority(uint8_t priority)
     if (priority > PAL_PRIORITY_MAX)
         return SM_E_ARGUMENT;
     p.sched_priority = priority;
-    r = psl_result(pthread_setschedparam(pthread_self(), priority > 0 ? SCHED_FIFO : SCHED_OTHER, &p));
+    r = psl_result_of_errno(pthread_setschedparam(pthread_self(), priority > 0 ? SCHED_FIFO : SCHED_OTHER, &p));
     if (r == SM_OK && priority > 0)
-        settle(PAL_THREAD_STACK);
+        prefault(PAL_THREAD_STACK);
     return r;
 }

@@ -22,7 +22,7 @@
 static int device = -1;
 
 // A 'V' before the close tells the driver that the stop is intended.
-static void stop(void)
+static void stop_device(void)
 {
     while (write(device, "V", 1) < 0 && errno == EINTR) {}
     close(device);
@@ -34,7 +34,7 @@ static SmResult set_period(uint64_t period, uint64_t *actual)
     int seconds = (int)((period + PAL_SECOND - 1) / PAL_SECOND), wanted = seconds;
 
     if (ioctl(device, WDIOC_SETTIMEOUT, &seconds) != 0)
-        return errno == EINVAL ? SM_E_ARGUMENT : psl_result(errno);
+        return errno == EINVAL ? SM_E_ARGUMENT : psl_result_of_errno(errno);
     if (seconds < wanted)
         return SM_E_ARGUMENT;
     *actual = (uint64_t)seconds * PAL_SECOND;
@@ -51,10 +51,10 @@ SmResult pal_watchdog_start(uint64_t period, uint64_t *actual)
         return SM_E_BUSY;
     device = open(PSL_LINUX_WATCHDOG, O_WRONLY | O_CLOEXEC);
     if (device < 0)
-        return psl_result(errno);
+        return psl_result_of_errno(errno);
     r = set_period(period, actual);
     if (r != SM_OK)
-        stop();
+        stop_device();
     return r;
 }
 
@@ -62,7 +62,7 @@ SmResult pal_watchdog_feed(void)
 {
     if (device < 0)
         return SM_E_HANDLE;
-    return ioctl(device, WDIOC_KEEPALIVE, 0) == 0 ? SM_OK : psl_result(errno);
+    return ioctl(device, WDIOC_KEEPALIVE, 0) == 0 ? SM_OK : psl_result_of_errno(errno);
 }
 
 SmResult pal_watchdog_stop(void)
@@ -74,7 +74,7 @@ SmResult pal_watchdog_stop(void)
     memset(&info, 0, sizeof info);
     if (ioctl(device, WDIOC_GETSUPPORT, &info) != 0 || !(info.options & WDIOF_MAGICCLOSE))
         return SM_E_DENIED;
-    stop();
+    stop_device();
     return SM_OK;
 }
 

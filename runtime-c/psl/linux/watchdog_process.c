@@ -13,13 +13,13 @@ static bool running;
 static timer_t timer;
 static uint64_t period;
 
-static SmResult set(uint64_t ns)
+static SmResult set_timer(uint64_t ns)
 {
     struct itimerspec t;
 
     memset(&t, 0, sizeof t);
     t.it_value = psl_timespec(ns);
-    return timer_settime(timer, 0, &t, NULL) == 0 ? SM_OK : psl_result(errno);
+    return timer_settime(timer, 0, &t, NULL) == 0 ? SM_OK : psl_result_of_errno(errno);
 }
 
 SmResult pal_watchdog_start(uint64_t wanted, uint64_t *actual)
@@ -35,8 +35,8 @@ SmResult pal_watchdog_start(uint64_t wanted, uint64_t *actual)
     event.sigev_notify = SIGEV_SIGNAL;
     event.sigev_signo = SIGKILL;
     if (timer_create(CLOCK_MONOTONIC, &event, &timer) != 0)
-        return psl_result(errno);
-    r = set(wanted);
+        return psl_result_of_errno(errno);
+    r = set_timer(wanted);
     running = r == SM_OK;
     if (running)
         *actual = period = wanted;
@@ -47,7 +47,7 @@ SmResult pal_watchdog_start(uint64_t wanted, uint64_t *actual)
 
 SmResult pal_watchdog_feed(void)
 {
-    return running ? set(period) : SM_E_HANDLE;
+    return running ? set_timer(period) : SM_E_HANDLE;
 }
 
 SmResult pal_watchdog_stop(void)

@@ -27,14 +27,14 @@ void sim_aio_reset(void)
     memset(used, 0, sizeof used);
 }
 
-static int32_t rounded(int32_t x)
+static int32_t round_to_step(int32_t x)
 {
     return (x < -LIMIT ? -LIMIT : x > LIMIT ? LIMIT : x) / STEP * STEP;
 }
 
 void sim_set_analog(uint16_t channel, int32_t millionths)
 {
-    channels[channel].value = rounded(millionths);
+    channels[channel].value = round_to_step(millionths);
 }
 
 int32_t sim_analog(uint16_t channel)
@@ -56,10 +56,10 @@ SmResult pal_aio_open(PalAio *channel, uint16_t number, PalAioMode mode)
         return SM_E_ARGUMENT;
     if (number >= CHANNELS)
         return SM_E_MISSING;
-    r = channels[number].open ? SM_E_BUSY : sim_enter(SIM_aio_open);
+    r = channels[number].open ? SM_E_BUSY : sim_begin_call(SIM_aio_open);
     if (r != SM_OK)
         return r;
-    id = psl_table_take(used, PAL_AIOS);
+    id = psl_table_allocate(used, PAL_AIOS);
     if (id == 0)
         return SM_E_FULL;
     channels[number].open = true;
@@ -73,7 +73,7 @@ SmResult pal_aio_info(PalAio channel, PalAioInfo *info)
 {
     if (!info)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_AIOS, channel.id))
+    if (!psl_table_is_used(used, PAL_AIOS, channel.id))
         return SM_E_HANDLE;
     info->lowest = -LIMIT;
     info->highest = LIMIT;
@@ -87,11 +87,11 @@ SmResult pal_aio_read(PalAio channel, int32_t *millionths)
 
     if (!millionths)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_AIOS, channel.id))
+    if (!psl_table_is_used(used, PAL_AIOS, channel.id))
         return SM_E_HANDLE;
     if (entries[channel.id - 1].output)
         return SM_E_ARGUMENT;
-    r = sim_enter(SIM_aio_read);
+    r = sim_begin_call(SIM_aio_read);
     if (r == SM_OK)
         *millionths = sim_analog(entries[channel.id - 1].channel);
     return r;
@@ -101,11 +101,11 @@ SmResult pal_aio_write(PalAio channel, int32_t millionths)
 {
     SmResult r;
 
-    if (!psl_table_holds(used, PAL_AIOS, channel.id))
+    if (!psl_table_is_used(used, PAL_AIOS, channel.id))
         return SM_E_HANDLE;
     if (!entries[channel.id - 1].output)
         return SM_E_ARGUMENT;
-    r = sim_enter(SIM_aio_write);
+    r = sim_begin_call(SIM_aio_write);
     if (r == SM_OK)
         sim_set_analog(entries[channel.id - 1].channel, millionths);
     return r;
@@ -113,7 +113,7 @@ SmResult pal_aio_write(PalAio channel, int32_t millionths)
 
 SmResult pal_aio_close(PalAio channel)
 {
-    if (!psl_table_holds(used, PAL_AIOS, channel.id))
+    if (!psl_table_is_used(used, PAL_AIOS, channel.id))
         return SM_E_HANDLE;
     used[channel.id - 1] = false;
     channels[entries[channel.id - 1].channel].open = false;

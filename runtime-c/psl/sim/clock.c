@@ -38,7 +38,7 @@ void sim_advance(uint64_t ns)
     sim_watchdog_check(now);
 }
 
-void sim_move_to(uint64_t time)
+void sim_advance_to(uint64_t time)
 {
     if (time > now)
         sim_advance(time - now);
@@ -48,7 +48,7 @@ bool sim_wait(uint64_t end)
 {
     if (now >= end)
         return false;
-    sim_move_to(world.step && world.next < end ? world.next : end);
+    sim_advance_to(world.step && world.next < end ? world.next : end);
     return true;
 }
 
@@ -76,8 +76,8 @@ SmResult pal_clock_sleep_until(uint64_t time)
 
     if (time > now && time - now > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    r = sim_enter(SIM_clock_sleep_until);
+    r = sim_begin_call(SIM_clock_sleep_until);
     if (r == SM_OK && time > now)
-        sim_move_to(time + late);
+        sim_advance_to(time + late);
     return r;
 }

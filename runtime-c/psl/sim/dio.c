@@ -5,15 +5,15 @@
 #include "runtime-c/pal/dio.h"
 #include "runtime-c/psl/sim/world.h"
 
-typedef struct Pin {
+typedef struct SimPin {
     bool open, output, level;      // level: of an output
     bool driven, outside;          // whether it is driven externally, and the external level
     bool pulled_up;
     uint16_t source;               // 1 + number of the pin that it is wired to; 0: none
     uint32_t edges;
-} Pin;
+} SimPin;
 
-static Pin pins[SIM_PINS];
+static SimPin pins[SIM_PINS];
 static bool used[PAL_DIOS];
 static uint8_t number_of[PAL_DIOS];
 
@@ -24,7 +24,7 @@ void sim_dio_reset(void)
 }
 
 // The level at a pin that is not an output.  A wire connects to an output, not to another wire.
-static bool arriving(const Pin *p)
+static bool input_level(const SimPin *p)
 {
     if (p->source != 0 && pins[p->source - 1].output)
         return pins[p->source - 1].level;
@@ -33,7 +33,7 @@ static bool arriving(const Pin *p)
 
 bool sim_pin(uint16_t pin)
 {
-    return pins[pin].output ? pins[pin].level : arriving(&pins[pin]);
+    return pins[pin].output ? pins[pin].level : input_level(&pins[pin]);
 }
 
 uint32_t sim_edges(uint16_t pin)
@@ -55,7 +55,7 @@ void sim_wire(uint16_t from, uint16_t to)
     pins[to].source = (uint16_t)(from + 1);
 }
 
-static void set(Pin *p, bool output, bool level)
+static void set_pin(SimPin *p, bool output, bool level)
 {
     uint16_t number = (uint16_t)(p - pins);
     bool before = sim_pin(number);
@@ -78,16 +78,16 @@ SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
         return SM_E_ARGUMENT;
     if (number >= SIM_PINS)
         return SM_E_MISSING;
-    r = pins[number].open ? SM_E_BUSY : sim_enter(SIM_dio_open);
+    r = pins[number].open ? SM_E_BUSY : sim_begin_call(SIM_dio_open);
     if (r != SM_OK)
         return r;
-    id = psl_table_take(used, PAL_DIOS);
+    id = psl_table_allocate(used, PAL_DIOS);
     if (id == 0)
         return SM_E_FULL;
     number_of[id - 1] = (uint8_t)number;
     pins[number].open = true;
     pins[number].pulled_up = mode == PAL_DIO_PULL_UP;
-    set(&pins[number], mode == PAL_DIO_OUTPUT, level);
+    set_pin(&pins[number], mode == PAL_DIO_OUTPUT, level);
     pin->id = id;
     return SM_OK;
 }
@@ -98,9 +98,9 @@ SmResult pal_dio_read(PalDio pin, bool *level)
 
     if (!level)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_DIOS, pin.id))
+    if (!psl_table_is_used(used, PAL_DIOS, pin.id))
         return SM_E_HANDLE;
-    r = sim_enter(SIM_dio_read);
+    r = sim_begin_call(SIM_dio_read);
     if (r == SM_OK)
         *level = sim_pin(number_of[pin.id - 1]);
     return r;
@@ -108,24 +108,24 @@ SmResult pal_dio_read(PalDio pin, bool *level)
 
 SmResult pal_dio_write(PalDio pin, bool level)
 {
-    Pin *p;
+    SimPin *p;
     SmResult r;
 
-    if (!psl_table_holds(used, PAL_DIOS, pin.id))
+    if (!psl_table_is_used(used, PAL_DIOS, pin.id))
         return SM_E_HANDLE;
     p = &pins[number_of[pin.id - 1]];
     if (!p->output)
         return SM_E_ARGUMENT;
-    r = sim_enter(SIM_dio_write);
+    r = sim_begin_call(SIM_dio_write);
     if (r == SM_OK)
-        set(p, true, level);
+        set_pin(p, true, level);
     return r;
 }
 
 // An output keeps its level after the close, as on most hardware.
 SmResult pal_dio_close(PalDio pin)
 {
-    if (!psl_table_holds(used, PAL_DIOS, pin.id))
+    if (!psl_table_is_used(used, PAL_DIOS, pin.id))
         return SM_E_HANDLE;
     used[pin.id - 1] = false;
     pins[number_of[pin.id - 1]].open = false;

@@ -19,7 +19,7 @@ SmResult pal_lock_open(PalLock *lock)
 
     if (!lock)
         return SM_E_ARGUMENT;
-    id = psl_table_take(used, PAL_LOCKS);
+    id = psl_table_allocate(used, PAL_LOCKS);
     if (id == 0)
         return SM_E_FULL;
     held[id - 1] = false;
@@ -29,7 +29,7 @@ SmResult pal_lock_open(PalLock *lock)
 
 SmResult pal_lock_close(PalLock lock)
 {
-    if (!psl_table_holds(used, PAL_LOCKS, lock.id))
+    if (!psl_table_is_used(used, PAL_LOCKS, lock.id))
         return SM_E_HANDLE;
     if (held[lock.id - 1])
         return SM_E_BUSY;
@@ -44,9 +44,9 @@ SmResult pal_lock_take(PalLock lock, uint64_t timeout)
 
     if (timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_LOCKS, lock.id))
+    if (!psl_table_is_used(used, PAL_LOCKS, lock.id))
         return SM_E_HANDLE;
-    r = held[lock.id - 1] ? SM_E_BUSY : sim_enter(SIM_lock_take);
+    r = held[lock.id - 1] ? SM_E_BUSY : sim_begin_call(SIM_lock_take);
     if (r == SM_OK)
         held[lock.id - 1] = true;
     return r;
@@ -54,7 +54,7 @@ SmResult pal_lock_take(PalLock lock, uint64_t timeout)
 
 SmResult pal_lock_give(PalLock lock)
 {
-    if (!psl_table_holds(used, PAL_LOCKS, lock.id))
+    if (!psl_table_is_used(used, PAL_LOCKS, lock.id))
         return SM_E_HANDLE;
     if (!held[lock.id - 1])
         return SM_E_BUSY;

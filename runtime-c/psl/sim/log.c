@@ -37,7 +37,7 @@ void sim_log_power_on(void)
 }
 
 // The index of the log with that name; SIM_LOGS if there is none.
-static uint8_t find(const char *name)
+static uint8_t find_log(const char *name)
 {
     uint8_t i = 0;
 
@@ -48,7 +48,7 @@ static uint8_t find(const char *name)
 
 const uint8_t *sim_log(const char *name, size_t *n)
 {
-    uint8_t i = find(name);
+    uint8_t i = find_log(name);
 
     *n = i < SIM_LOGS ? logs[i].size : 0;
     return i < SIM_LOGS ? logs[i].bytes : NULL;
@@ -56,7 +56,7 @@ const uint8_t *sim_log(const char *name, size_t *n)
 
 size_t sim_log_synced(const char *name)
 {
-    uint8_t i = find(name);
+    uint8_t i = find_log(name);
 
     return i < SIM_LOGS ? logs[i].synced : 0;
 }
@@ -68,7 +68,7 @@ void sim_log_space(uint32_t bytes)
 
 void sim_log_shrink(const char *name, size_t bytes)
 {
-    uint8_t i = find(name);
+    uint8_t i = find_log(name);
 
     if (i < SIM_LOGS && logs[i].size > bytes)
         logs[i].size = (uint32_t)bytes;
@@ -79,12 +79,12 @@ void sim_log_shrink(const char *name, size_t bytes)
 // Finds the log with that name, or an unused one.
 static SmResult find_or_make(const char *name, uint8_t *log)
 {
-    *log = find(name);
+    *log = find_log(name);
     if (*log == SIM_LOGS)
-        *log = find("");
+        *log = find_log("");
     if (*log == SIM_LOGS)
         return SM_E_SPACE;
-    return logs[*log].open ? SM_E_BUSY : sim_enter(SIM_log_open);
+    return logs[*log].open ? SM_E_BUSY : sim_begin_call(SIM_log_open);
 }
 
 SmResult pal_log_open(PalLogFile *file, const char *name)
@@ -96,10 +96,10 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
         return SM_E_ARGUMENT;
     if (strchr(name, '/'))
         return SM_E_MISSING;                              // there are no folders
-    r = sim_power_gone() ? SM_E_DEVICE : find_or_make(name, &log);
+    r = sim_is_power_off() ? SM_E_DEVICE : find_or_make(name, &log);
     if (r != SM_OK)
         return r;
-    id = psl_table_take(used, PAL_LOGS);
+    id = psl_table_allocate(used, PAL_LOGS);
     if (id == 0)
         return SM_E_FULL;
     strcpy(logs[log].name, name);
@@ -109,10 +109,10 @@ SmResult pal_log_open(PalLogFile *file, const char *name)
     return SM_OK;
 }
 
-static uint32_t take(uint8_t log, const uint8_t *bytes, uint32_t n)
+static uint32_t store_bytes(uint8_t log, const uint8_t *bytes, uint32_t n)
 {
     const uint32_t left = space > logs[log].size ? space - logs[log].size : 0, fits = n < left ? n : left;
-    const uint32_t done = sim_power_lasts(fits);
+    const uint32_t done = sim_bytes_before_power_cut(fits);
 
     memcpy(logs[log].bytes + logs[log].size, bytes, done);
     logs[log].size += done;
@@ -123,25 +123,25 @@ static uint32_t take(uint8_t log, const uint8_t *bytes, uint32_t n)
 
 SmResult pal_log_append(PalLogFile file, const void *bytes, size_t n)
 {
-    SmResult r = psl_table_holds(used, PAL_LOGS, file.id) ? SM_OK : SM_E_HANDLE;
+    SmResult r = psl_table_is_used(used, PAL_LOGS, file.id) ? SM_OK : SM_E_HANDLE;
     uint32_t done;
 
     if (r == SM_OK && (!bytes || n > UINT32_MAX))
         r = SM_E_ARGUMENT;
     if (r == SM_OK)
-        r = sim_power_gone() ? SM_E_DEVICE : sim_enter(SIM_log_append);
+        r = sim_is_power_off() ? SM_E_DEVICE : sim_begin_call(SIM_log_append);
     if (r != SM_OK || n == 0)
         return r;
-    done = take(log_of[file.id - 1], (const uint8_t *)bytes, (uint32_t)n);
-    return sim_power_gone() ? SM_E_DEVICE : done < n ? SM_E_SPACE : SM_OK;
+    done = store_bytes(log_of[file.id - 1], (const uint8_t *)bytes, (uint32_t)n);
+    return sim_is_power_off() ? SM_E_DEVICE : done < n ? SM_E_SPACE : SM_OK;
 }
 
 SmResult pal_log_sync(PalLogFile file)
 {
-    SmResult r = psl_table_holds(used, PAL_LOGS, file.id) ? SM_OK : SM_E_HANDLE;
+    SmResult r = psl_table_is_used(used, PAL_LOGS, file.id) ? SM_OK : SM_E_HANDLE;
 
     if (r == SM_OK)
-        r = sim_power_gone() ? SM_E_DEVICE : sim_enter(SIM_log_sync);
+        r = sim_is_power_off() ? SM_E_DEVICE : sim_begin_call(SIM_log_sync);
     if (r == SM_OK)
         logs[log_of[file.id - 1]].synced = logs[log_of[file.id - 1]].size;
     return r;
@@ -149,11 +149,11 @@ SmResult pal_log_sync(PalLogFile file)
 
 SmResult pal_log_read(PalLogFile file, void *bytes, size_t n)
 {
-    if (!psl_table_holds(used, PAL_LOGS, file.id))
+    if (!psl_table_is_used(used, PAL_LOGS, file.id))
         return SM_E_HANDLE;
     if (!bytes || n > logs[log_of[file.id - 1]].size)
         return SM_E_ARGUMENT;
-    if (sim_power_gone())
+    if (sim_is_power_off())
         return SM_E_DEVICE;
     memcpy(bytes, logs[log_of[file.id - 1]].bytes, n);
     return SM_OK;
@@ -163,9 +163,9 @@ SmResult pal_log_size(PalLogFile file, uint64_t *size)
 {
     if (!size)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_LOGS, file.id))
+    if (!psl_table_is_used(used, PAL_LOGS, file.id))
         return SM_E_HANDLE;
-    if (sim_power_gone())
+    if (sim_is_power_off())
         return SM_E_DEVICE;
     *size = logs[log_of[file.id - 1]].size;
     return SM_OK;
@@ -173,7 +173,7 @@ SmResult pal_log_size(PalLogFile file, uint64_t *size)
 
 SmResult pal_log_close(PalLogFile file)
 {
-    if (!psl_table_holds(used, PAL_LOGS, file.id))
+    if (!psl_table_is_used(used, PAL_LOGS, file.id))
         return SM_E_HANDLE;
     logs[log_of[file.id - 1]].open = false;
     used[file.id - 1] = false;

@@ -5,18 +5,18 @@
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/psl/sim/network.h"
 
-#define IN_THE_AIR 64
+#define DATAGRAMS_IN_TRANSIT 64
 
-static Datagram air[IN_THE_AIR], held;
+static SimDatagram in_transit[DATAGRAMS_IN_TRANSIT], held;
 static SimNetwork network;
 static uint32_t sent;
 static uint64_t order;
 
-void sim_air_reset(void)
+void sim_datagrams_reset(void)
 {
     const SimNetwork perfect = {0, 0, 0, 0};
 
-    memset(air, 0, sizeof air);
+    memset(in_transit, 0, sizeof in_transit);
     held.used = false;
     sim_network(perfect);
     order = 0;
@@ -33,28 +33,28 @@ static bool is_turn(uint32_t every)
     return every != 0 && sent % every == 0;
 }
 
-static bool put(const Datagram *d)
+static bool enqueue(const SimDatagram *d)
 {
-    for (size_t i = 0; i < IN_THE_AIR; i++)
-        if (!air[i].used) {
-            air[i] = *d;
-            air[i].used = true;
-            air[i].arrives = pal_clock_now() + network.delay;
-            air[i].order = order++;
+    for (size_t i = 0; i < DATAGRAMS_IN_TRANSIT; i++)
+        if (!in_transit[i].used) {
+            in_transit[i] = *d;
+            in_transit[i].used = true;
+            in_transit[i].arrives = pal_clock_now() + network.delay;
+            in_transit[i].order = order++;
             return true;
         }
     return false;
 }
 
-static bool release(void)
+static bool release_held(void)
 {
     bool was = held.used;
 
     held.used = false;
-    return was && put(&held);
+    return was && enqueue(&held);
 }
 
-bool sim_air_send(const Datagram *d)
+bool sim_datagram_send(const SimDatagram *d)
 {
     bool flies = true;
 
@@ -65,10 +65,10 @@ bool sim_air_send(const Datagram *d)
         return true;
     }
     if (!is_turn(network.lose))
-        flies = put(d);
+        flies = enqueue(d);
     if (is_turn(network.repeat))
-        flies = put(d) && flies;
-    release();
+        flies = enqueue(d) && flies;
+    release_held();
     return flies;
 }
 
@@ -79,11 +79,11 @@ bool sim_reaches(const PalAddress *to, const PalAddress *own)
     return to->port == own->port && (memcmp(own->ip, any, 4) == 0 || memcmp(own->ip, to->ip, 4) == 0);
 }
 
-static Datagram *earliest(const PalAddress *at)
+static SimDatagram *earliest(const PalAddress *at)
 {
-    Datagram *next = NULL;
+    SimDatagram *next = NULL;
 
-    for (Datagram *d = air; d < air + IN_THE_AIR; d++)
+    for (SimDatagram *d = in_transit; d < in_transit + DATAGRAMS_IN_TRANSIT; d++)
         if (d->used && sim_reaches(&d->to, at))
             if (!next || d->arrives < next->arrives || (d->arrives == next->arrives && d->order < next->order))
                 next = d;
@@ -91,25 +91,25 @@ static Datagram *earliest(const PalAddress *at)
 }
 
 // If no next datagram follows, the one that was held back for reordering is released.
-Datagram *sim_air_next(const PalAddress *at)
+SimDatagram *sim_datagram_next(const PalAddress *at)
 {
-    Datagram *next = earliest(at);
+    SimDatagram *next = earliest(at);
 
-    return !next && release() ? earliest(at) : next;
+    return !next && release_held() ? earliest(at) : next;
 }
 
 // ---- streams ----
 
-static Stream streams[PAL_SOCKETS];
+static SimStream streams[PAL_SOCKETS];
 
 void sim_streams_reset(void)
 {
     memset(streams, 0, sizeof streams);
 }
 
-Stream *sim_stream_new(uint8_t listening)
+SimStream *sim_stream_new(uint8_t listening)
 {
-    for (Stream *s = streams; s < streams + PAL_SOCKETS; s++)
+    for (SimStream *s = streams; s < streams + PAL_SOCKETS; s++)
         if (!s->used) {
             memset(s, 0, sizeof *s);
             s->used = s->open[0] = true;
@@ -120,17 +120,17 @@ Stream *sim_stream_new(uint8_t listening)
     return NULL;
 }
 
-Stream *sim_stream_waiting(uint8_t listening)
+SimStream *sim_stream_waiting(uint8_t listening)
 {
-    Stream *oldest = NULL;
+    SimStream *oldest = NULL;
 
-    for (Stream *s = streams; s < streams + PAL_SOCKETS; s++)
+    for (SimStream *s = streams; s < streams + PAL_SOCKETS; s++)
         if (s->used && s->listening == listening && (!oldest || s->order < oldest->order))
             oldest = s;
     return oldest;
 }
 
-size_t sim_stream_put(Stream *s, int end, const void *bytes, size_t n)
+size_t sim_stream_send(SimStream *s, int end, const void *bytes, size_t n)
 {
     size_t room = SIM_STREAM_ROOM - s->n[end], taken = n < room ? n : room;
 
@@ -139,7 +139,7 @@ size_t sim_stream_put(Stream *s, int end, const void *bytes, size_t n)
     return taken;
 }
 
-size_t sim_stream_take(Stream *s, int end, void *bytes, size_t room)
+size_t sim_stream_receive(SimStream *s, int end, void *bytes, size_t room)
 {
     size_t n = s->n[end] < room ? s->n[end] : room;
 
@@ -149,20 +149,20 @@ size_t sim_stream_take(Stream *s, int end, void *bytes, size_t room)
     return n;
 }
 
-static void free_if_unused(Stream *s)
+static void free_if_unused(SimStream *s)
 {
     s->used = s->open[0] || s->open[1] || s->listening != 0;
 }
 
-void sim_stream_close(Stream *s, int end)
+void sim_stream_close(SimStream *s, int end)
 {
     s->open[end] = false;
     free_if_unused(s);
 }
 
-void sim_streams_forget(uint8_t listening)
+void sim_streams_drop(uint8_t listening)
 {
-    for (Stream *s = streams; s < streams + PAL_SOCKETS; s++)
+    for (SimStream *s = streams; s < streams + PAL_SOCKETS; s++)
         if (s->used && s->listening == listening) {
             s->listening = 0;
             free_if_unused(s);

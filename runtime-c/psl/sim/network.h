@@ -5,21 +5,21 @@
 
 #include "runtime-c/psl/sim/world.h"
 
-typedef struct Datagram {
+typedef struct SimDatagram {
     bool used;
     uint64_t arrives, order;
     PalAddress from, to;
     size_t n;
     uint8_t bytes[PAL_DATAGRAM_MAX];
-} Datagram;
+} SimDatagram;
 
-void sim_air_reset(void);
+void sim_datagrams_reset(void);
 
 // Sends a datagram, subject to the faults of SimNetwork.  Returns false if there are too many in transit; the datagram is lost.
-bool sim_air_send(const Datagram *d);
+bool sim_datagram_send(const SimDatagram *d);
 
 // The next datagram for an address, or NULL.  The caller clears `used` after reading it.
-Datagram *sim_air_next(const PalAddress *at);
+SimDatagram *sim_datagram_next(const PalAddress *at);
 
 // Whether a message to `to` reaches a socket at `own`.
 bool sim_reaches(const PalAddress *to, const PalAddress *own);
@@ -28,7 +28,7 @@ bool sim_reaches(const PalAddress *to, const PalAddress *own);
 
 #define SIM_STREAM_ROOM 8192u
 
-typedef struct Stream {
+typedef struct SimStream {
     bool used;
     bool open[2];             // its ends: 0 the connecting one, 1 the accepting one
     uint8_t listening;        // the listening socket that has not accepted it yet; 0: none
@@ -36,24 +36,24 @@ typedef struct Stream {
     PalAddress address[2];
     size_t n[2];              // bytes in transit to each end
     uint8_t bytes[2][SIM_STREAM_ROOM];
-} Stream;
+} SimStream;
 
 void sim_streams_reset(void);
 
 // A new stream with end 0 open, or NULL if the table is full.
-Stream *sim_stream_new(uint8_t listening);
+SimStream *sim_stream_new(uint8_t listening);
 
 // The oldest stream that waits for that listening socket, or NULL.
-Stream *sim_stream_waiting(uint8_t listening);
+SimStream *sim_stream_waiting(uint8_t listening);
 
 // Put: sends bytes to an end, as many as fit.  Take: receives the bytes that arrived at an end.
-size_t sim_stream_put(Stream *s, int end, const void *bytes, size_t n);
-size_t sim_stream_take(Stream *s, int end, void *bytes, size_t room);
+size_t sim_stream_send(SimStream *s, int end, const void *bytes, size_t n);
+size_t sim_stream_receive(SimStream *s, int end, void *bytes, size_t room);
 
 // Closes an end; frees the stream when both are closed.
-void sim_stream_close(Stream *s, int end);
+void sim_stream_close(SimStream *s, int end);
 
 // Called when a listening socket is closed: drops the streams that wait for it.
-void sim_streams_forget(uint8_t listening);
+void sim_streams_drop(uint8_t listening);
 
 #endif

@@ -89,12 +89,12 @@ void sim_power_on(void)
     sim_log_power_on();
 }
 
-bool sim_power_gone(void)
+bool sim_is_power_off(void)
 {
     return cut.gone;
 }
 
-uint32_t sim_power_lasts(uint32_t n)
+uint32_t sim_bytes_before_power_cut(uint32_t n)
 {
     if (!cut.planned || cut.after-- > 0)
         return n;
@@ -110,7 +110,7 @@ static SmResult open_medium(const char *name, uint32_t size, uint8_t *medium)
     for (uint8_t i = 0; i < MEDIA; i++)
         if (strcmp(media[i].name, name) == 0) {
             *medium = i;
-            return size > SIM_NVM_SIZE ? SM_E_SPACE : media[i].open ? SM_E_BUSY : sim_enter(SIM_nvm_open);
+            return size > SIM_NVM_SIZE ? SM_E_SPACE : media[i].open ? SM_E_BUSY : sim_begin_call(SIM_nvm_open);
         }
     return SM_E_MISSING;
 }
@@ -125,7 +125,7 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
     r = cut.gone ? SM_E_DEVICE : open_medium(name, size, &medium);
     if (r != SM_OK)
         return r;
-    id = psl_table_take(used, PAL_NVMS);
+    id = psl_table_allocate(used, PAL_NVMS);
     if (id == 0)
         return SM_E_FULL;
     media[medium].open = true;
@@ -138,16 +138,16 @@ SmResult pal_nvm_info(PalNvm memory, PalNvmInfo *info)
 {
     if (!info)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_NVMS, memory.id))
+    if (!psl_table_is_used(used, PAL_NVMS, memory.id))
         return SM_E_HANDLE;
     *info = media[medium_of[memory.id - 1]].info;
     return SM_OK;
 }
 
 // Stores the address of byte `at` in *bytes.  Checks that the handle is open, and that the range is valid and aligned to `unit`.
-static SmResult look(PalNvm memory, uint32_t at, uint32_t n, uint32_t unit, uint8_t **bytes)
+static SmResult check_access(PalNvm memory, uint32_t at, uint32_t n, uint32_t unit, uint8_t **bytes)
 {
-    if (!psl_table_holds(used, PAL_NVMS, memory.id))
+    if (!psl_table_is_used(used, PAL_NVMS, memory.id))
         return SM_E_HANDLE;
     if (at > SIM_NVM_SIZE || n > SIM_NVM_SIZE - at || at % unit != 0 || n % unit != 0)
         return SM_E_ARGUMENT;
@@ -157,18 +157,18 @@ static SmResult look(PalNvm memory, uint32_t at, uint32_t n, uint32_t unit, uint
 
 static const PalNvmInfo *info_of(PalNvm memory)
 {
-    return &media[psl_table_holds(used, PAL_NVMS, memory.id) ? medium_of[memory.id - 1] : 0].info;
+    return &media[psl_table_is_used(used, PAL_NVMS, memory.id) ? medium_of[memory.id - 1] : 0].info;
 }
 
 SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
 {
     uint8_t *here;
-    SmResult r = look(memory, at, n, 1, &here);
+    SmResult r = check_access(memory, at, n, 1, &here);
 
     if (r == SM_OK && !bytes)
         r = SM_E_ARGUMENT;
     if (r == SM_OK)
-        r = cut.gone ? SM_E_DEVICE : sim_enter(SIM_nvm_read);
+        r = cut.gone ? SM_E_DEVICE : sim_begin_call(SIM_nvm_read);
     if (r == SM_OK)
         memcpy(bytes, here, n);
     return r;
@@ -183,14 +183,14 @@ static bool is_blank(const uint8_t *bytes, uint32_t n)
 }
 
 // Stores n bytes, blank ones if `bytes` is NULL, until the power is cut.
-static SmResult store(uint8_t *here, const uint8_t *bytes, uint32_t n, SimCall call)
+static SmResult store_bytes(uint8_t *here, const uint8_t *bytes, uint32_t n, SimCall call)
 {
-    SmResult r = cut.gone ? SM_E_DEVICE : sim_enter(call);
+    SmResult r = cut.gone ? SM_E_DEVICE : sim_begin_call(call);
     uint32_t done;
 
     if (r != SM_OK)
         return r;
-    done = sim_power_lasts(n);
+    done = sim_bytes_before_power_cut(n);
     if (bytes)
         memcpy(here, bytes, done);
     else
@@ -205,25 +205,25 @@ static SmResult store(uint8_t *here, const uint8_t *bytes, uint32_t n, SimCall c
 SmResult pal_nvm_write(PalNvm memory, uint32_t at, const void *bytes, uint32_t n)
 {
     uint8_t *here;
-    SmResult r = look(memory, at, n, info_of(memory)->write, &here);
+    SmResult r = check_access(memory, at, n, info_of(memory)->write, &here);
 
     if (r == SM_OK && (!bytes || (info_of(memory)->erase != 0 && !is_blank(here, n))))
         r = SM_E_ARGUMENT;
-    return r == SM_OK && n > 0 ? store(here, bytes, n, SIM_nvm_write) : r;
+    return r == SM_OK && n > 0 ? store_bytes(here, bytes, n, SIM_nvm_write) : r;
 }
 
 SmResult pal_nvm_erase(PalNvm memory, uint32_t at, uint32_t n)
 {
     uint32_t unit = info_of(memory)->erase;
     uint8_t *here;
-    SmResult r = look(memory, at, n, unit ? unit : 1, &here);
+    SmResult r = check_access(memory, at, n, unit ? unit : 1, &here);
 
-    return r == SM_OK && n > 0 ? store(here, NULL, n, SIM_nvm_erase) : r;
+    return r == SM_OK && n > 0 ? store_bytes(here, NULL, n, SIM_nvm_erase) : r;
 }
 
 SmResult pal_nvm_close(PalNvm memory)
 {
-    if (!psl_table_holds(used, PAL_NVMS, memory.id))
+    if (!psl_table_is_used(used, PAL_NVMS, memory.id))
         return SM_E_HANDLE;
     media[medium_of[memory.id - 1]].open = false;
     used[memory.id - 1] = false;

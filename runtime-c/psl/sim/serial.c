@@ -10,14 +10,14 @@
 #define LINES 2
 #define ROOM  4096
 
-typedef struct Queue {
+typedef struct SerialQueue {
     size_t n;
     uint8_t bytes[ROOM];
-} Queue;
+} SerialQueue;
 
 static struct {
     bool open, unplugged;
-    Queue in, out;
+    SerialQueue in, out;
 } lines[LINES];
 
 static bool used[PAL_SERIALS];
@@ -31,7 +31,7 @@ void sim_serial_reset(void)
 
 // ---- queues ----
 
-static size_t put(Queue *q, const void *bytes, size_t n)
+static size_t enqueue(SerialQueue *q, const void *bytes, size_t n)
 {
     if (n > ROOM - q->n)
         n = ROOM - q->n;
@@ -40,7 +40,7 @@ static size_t put(Queue *q, const void *bytes, size_t n)
     return n;
 }
 
-static size_t take(Queue *q, void *bytes, size_t room)
+static size_t dequeue(SerialQueue *q, void *bytes, size_t room)
 {
     size_t n = q->n < room ? q->n : room;
 
@@ -53,29 +53,29 @@ static size_t take(Queue *q, void *bytes, size_t room)
 // ---- the far end ----
 
 // The index of the line, or LINES if there is none of that name.
-static uint8_t find(const char *name)
+static uint8_t find_line(const char *name)
 {
     return strcmp(name, "serial0") == 0 ? 0 : strcmp(name, "serial1") == 0 ? 1 : LINES;
 }
 
 void sim_serial_send(const char *name, const void *bytes, size_t n)
 {
-    put(&lines[find(name)].in, bytes, n);
+    enqueue(&lines[find_line(name)].in, bytes, n);
 }
 
-size_t sim_serial_take(const char *name, void *bytes, size_t room)
+size_t sim_serial_receive(const char *name, void *bytes, size_t room)
 {
-    return take(&lines[find(name)].out, bytes, room);
+    return dequeue(&lines[find_line(name)].out, bytes, room);
 }
 
 void sim_serial_plug(const char *name, bool in)
 {
-    lines[find(name)].unplugged = !in;
+    lines[find_line(name)].unplugged = !in;
 }
 
 // ---- the PAL ----
 
-static bool is_usual(uint32_t bits_per_second)
+static bool is_supported_rate(uint32_t bits_per_second)
 {
     static const uint32_t usual[] = {9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600};
 
@@ -90,15 +90,15 @@ SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_se
     uint8_t id, number;
     SmResult r;
 
-    if (!line || !name || strlen(name) >= PAL_NAME || !is_usual(bits_per_second))
+    if (!line || !name || strlen(name) >= PAL_NAME || !is_supported_rate(bits_per_second))
         return SM_E_ARGUMENT;
-    number = find(name);
+    number = find_line(name);
     if (number == LINES || lines[number].unplugged)
         return SM_E_MISSING;
-    r = lines[number].open ? SM_E_BUSY : sim_enter(SIM_serial_open);
+    r = lines[number].open ? SM_E_BUSY : sim_begin_call(SIM_serial_open);
     if (r != SM_OK)
         return r;
-    id = psl_table_take(used, PAL_SERIALS);
+    id = psl_table_allocate(used, PAL_SERIALS);
     if (id == 0)
         return SM_E_FULL;
     lines[number].open = true;
@@ -108,11 +108,11 @@ SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_se
     return SM_OK;
 }
 
-static SmResult look(PalSerial line, const void *bytes, const size_t *n, uint64_t timeout)
+static SmResult check_arguments(PalSerial line, const void *bytes, const size_t *n, uint64_t timeout)
 {
     if (!bytes || !n || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_SERIALS, line.id))
+    if (!psl_table_is_used(used, PAL_SERIALS, line.id))
         return SM_E_HANDLE;
     return lines[line_of[line.id - 1]].unplugged ? SM_E_CLOSED : SM_OK;
 }
@@ -125,14 +125,14 @@ SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *se
 
     if (sent)
         *sent = 0;
-    r = look(line, bytes, sent, timeout);
+    r = check_arguments(line, bytes, sent, timeout);
     if (r == SM_OK)
-        r = sim_enter(SIM_serial_send);
+        r = sim_begin_call(SIM_serial_send);
     while (r == SM_OK) {
-        *sent += put(&lines[line_of[line.id - 1]].out, from + *sent, n - *sent);
+        *sent += enqueue(&lines[line_of[line.id - 1]].out, from + *sent, n - *sent);
         if (*sent == n)
             break;
-        r = sim_wait(deadline) ? look(line, bytes, sent, timeout) : SM_E_TIMEOUT;
+        r = sim_wait(deadline) ? check_arguments(line, bytes, sent, timeout) : SM_E_TIMEOUT;
     }
     return r;
 }
@@ -140,25 +140,25 @@ SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *se
 SmResult pal_serial_receive(PalSerial line, void *bytes, size_t room, size_t *n, uint64_t timeout)
 {
     const uint64_t deadline = pal_clock_now() + timeout;
-    SmResult r = room == 0 ? SM_E_ARGUMENT : look(line, bytes, n, timeout);
+    SmResult r = room == 0 ? SM_E_ARGUMENT : check_arguments(line, bytes, n, timeout);
 
     if (r == SM_OK)
-        r = sim_enter(SIM_serial_receive);
+        r = sim_begin_call(SIM_serial_receive);
     while (r == SM_OK) {
-        const size_t got = take(&lines[line_of[line.id - 1]].in, bytes, room);
+        const size_t got = dequeue(&lines[line_of[line.id - 1]].in, bytes, room);
 
         if (got > 0) {
             *n = got;
             break;
         }
-        r = sim_wait(deadline) ? look(line, bytes, n, timeout) : SM_E_TIMEOUT;
+        r = sim_wait(deadline) ? check_arguments(line, bytes, n, timeout) : SM_E_TIMEOUT;
     }
     return r;
 }
 
 SmResult pal_serial_close(PalSerial line)
 {
-    if (!psl_table_holds(used, PAL_SERIALS, line.id))
+    if (!psl_table_is_used(used, PAL_SERIALS, line.id))
         return SM_E_HANDLE;
     lines[line_of[line.id - 1]].open = false;
     used[line.id - 1] = false;

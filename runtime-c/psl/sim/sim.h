@@ -83,7 +83,7 @@ int32_t sim_analog(uint16_t channel);
 // The remote end of line "serial0" or "serial1": sends bytes to the program, receives the program's bytes (returning their number),
 // or unplugs and replugs the line.
 void sim_serial_send(const char *name, const void *bytes, size_t n);
-size_t sim_serial_take(const char *name, void *bytes, size_t room);
+size_t sim_serial_receive(const char *name, void *bytes, size_t room);
 void sim_serial_plug(const char *name, bool in);
 
 // ---- the network ----

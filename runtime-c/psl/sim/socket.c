@@ -8,22 +8,22 @@
 
 #define FIRST_PORT 49152u
 
-typedef enum Kind { DATAGRAMS, LISTENING, STREAM } Kind;
+typedef enum SimSocketKind { DATAGRAMS, LISTENING, STREAM } SimSocketKind;
 
-typedef struct Entry {
-    Kind kind;
+typedef struct SimSocket {
+    SimSocketKind kind;
     PalAddress own;
-    Stream *stream;
+    SimStream *stream;
     int end;                  // of the stream
-} Entry;
+} SimSocket;
 
 static bool used[PAL_SOCKETS];
-static Entry entries[PAL_SOCKETS];
+static SimSocket entries[PAL_SOCKETS];
 
 void sim_socket_reset(void)
 {
     memset(used, 0, sizeof used);
-    sim_air_reset();
+    sim_datagrams_reset();
     sim_streams_reset();
 }
 
@@ -34,7 +34,7 @@ static bool is_any(const PalAddress *a)
     return (a->ip[0] | a->ip[1] | a->ip[2] | a->ip[3]) == 0;
 }
 
-static bool is_taken(const PalAddress *a, Kind kind)
+static bool is_taken(const PalAddress *a, SimSocketKind kind)
 {
     for (uint8_t i = 0; i < PAL_SOCKETS; i++)
         if (used[i] && entries[i].kind == kind && entries[i].own.port == a->port &&
@@ -43,7 +43,7 @@ static bool is_taken(const PalAddress *a, Kind kind)
     return false;
 }
 
-static SmResult choose(PalAddress *a, Kind kind)
+static SmResult choose_port(PalAddress *a, SimSocketKind kind)
 {
     if (!is_any(a) && a->ip[0] != 127 && a->ip[0] != 10)
         return SM_E_MISSING;
@@ -56,7 +56,7 @@ static SmResult choose(PalAddress *a, Kind kind)
 }
 
 // The sender address that others see, which is never "any".
-static PalAddress shown(const PalAddress *own)
+static PalAddress visible_address(const PalAddress *own)
 {
     PalAddress a = *own;
 
@@ -70,15 +70,15 @@ static PalAddress shown(const PalAddress *own)
 // ---- opening ----
 
 // Takes an entry for a socket at `own`, or returns the reason for the failure.
-static SmResult take(PalSocket *s, Kind kind, const PalAddress *own)
+static SmResult open_socket(PalSocket *s, SimSocketKind kind, const PalAddress *own)
 {
     PalAddress a = *own;
-    SmResult r = choose(&a, kind);
+    SmResult r = choose_port(&a, kind);
     uint8_t id;
 
     if (r != SM_OK)
         return r;
-    id = psl_table_take(used, PAL_SOCKETS);
+    id = psl_table_allocate(used, PAL_SOCKETS);
     if (id == 0)
         return SM_E_FULL;
     memset(&entries[id - 1], 0, sizeof entries[0]);
@@ -102,8 +102,8 @@ SmResult pal_socket_udp(PalSocket *s, const PalAddress *own)
 
     if (!s || !own)
         return SM_E_ARGUMENT;
-    r = sim_enter(SIM_socket_udp);
-    return r == SM_OK ? take(s, DATAGRAMS, own) : r;
+    r = sim_begin_call(SIM_socket_udp);
+    return r == SM_OK ? open_socket(s, DATAGRAMS, own) : r;
 }
 
 SmResult pal_socket_listen(PalSocket *s, const PalAddress *own)
@@ -112,8 +112,8 @@ SmResult pal_socket_listen(PalSocket *s, const PalAddress *own)
 
     if (!s || !own)
         return SM_E_ARGUMENT;
-    r = sim_enter(SIM_socket_listen);
-    return r == SM_OK ? take(s, LISTENING, own) : r;
+    r = sim_begin_call(SIM_socket_listen);
+    return r == SM_OK ? open_socket(s, LISTENING, own) : r;
 }
 
 static uint8_t find_listening(const PalAddress *to)
@@ -128,12 +128,12 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
 {
     const PalAddress local = {{127, 0, 0, 1}, 0};
     uint8_t listening;
-    Stream *s;
+    SimStream *s;
     SmResult r;
 
     if (!stream || !to || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    r = sim_enter(SIM_socket_connect);
+    r = sim_begin_call(SIM_socket_connect);
     if (r != SM_OK)
         return r;
     if (is_full())
@@ -144,7 +144,7 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
     s = sim_stream_new(listening);
     if (!s)
         return SM_E_FULL;
-    take(stream, STREAM, &local);
+    open_socket(stream, STREAM, &local);
     entries[stream->id - 1].stream = s;
     s->address[0] = entries[stream->id - 1].own;
     s->address[1] = *to;
@@ -153,9 +153,9 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
 
 // ---- checking handles ----
 
-static SmResult look(PalSocket s, Kind kind, Entry **e)
+static SmResult find_socket(PalSocket s, SimSocketKind kind, SimSocket **e)
 {
-    if (!psl_table_holds(used, PAL_SOCKETS, s.id))
+    if (!psl_table_is_used(used, PAL_SOCKETS, s.id))
         return SM_E_HANDLE;
     *e = &entries[s.id - 1];
     return (*e)->kind == kind ? SM_OK : SM_E_ARGUMENT;
@@ -164,24 +164,24 @@ static SmResult look(PalSocket s, Kind kind, Entry **e)
 SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *peer, uint64_t timeout)
 {
     const uint64_t deadline = pal_clock_now() + timeout;
-    Stream *s = NULL;
-    Entry *e;
+    SimStream *s = NULL;
+    SimSocket *e;
     SmResult r;
 
     if (!stream || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    r = look(listening, LISTENING, &e);
+    r = find_socket(listening, LISTENING, &e);
     if (r == SM_OK)
-        r = is_full() ? SM_E_FULL : sim_enter(SIM_socket_accept);
+        r = is_full() ? SM_E_FULL : sim_begin_call(SIM_socket_accept);
     if (r != SM_OK)
         return r;
     while (r == SM_OK && (s = sim_stream_waiting(listening.id)) == NULL)
-        r = sim_wait(deadline) ? look(listening, LISTENING, &e) : SM_E_TIMEOUT;
+        r = sim_wait(deadline) ? find_socket(listening, LISTENING, &e) : SM_E_TIMEOUT;
     if (r == SM_OK && is_full())                           // the world has taken the last entry meanwhile
         r = SM_E_FULL;
     if (r != SM_OK)
         return r;
-    stream->id = psl_table_take(used, PAL_SOCKETS);
+    stream->id = psl_table_allocate(used, PAL_SOCKETS);
     e = &entries[stream->id - 1];
     e->kind = STREAM;
     e->own = s->address[1];
@@ -198,26 +198,26 @@ SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *p
 
 SmResult pal_socket_send_to(PalSocket s, const PalAddress *to, const void *bytes, size_t n)
 {
-    Datagram d;
-    Entry *e;
+    SimDatagram d;
+    SimSocket *e;
     SmResult r;
 
     if (!to || !bytes || n > PAL_DATAGRAM_MAX)
         return SM_E_ARGUMENT;
-    r = look(s, DATAGRAMS, &e);
+    r = find_socket(s, DATAGRAMS, &e);
     if (r == SM_OK)
-        r = sim_enter(SIM_socket_send_to);
+        r = sim_begin_call(SIM_socket_send_to);
     if (r != SM_OK)
         return r;
     memset(&d, 0, sizeof d);
-    d.from = shown(&e->own);
+    d.from = visible_address(&e->own);
     d.to = *to;
     d.n = n;
     memcpy(d.bytes, bytes, n);
-    return sim_air_send(&d) ? SM_OK : SM_E_BUSY;
+    return sim_datagram_send(&d) ? SM_OK : SM_E_BUSY;
 }
 
-static SmResult deliver(Datagram *d, PalAddress *from, void *bytes, size_t room, size_t *n)
+static SmResult deliver_datagram(SimDatagram *d, PalAddress *from, void *bytes, size_t room, size_t *n)
 {
     *n = d->n < room ? d->n : room;
     memcpy(bytes, d->bytes, *n);
@@ -230,24 +230,24 @@ static SmResult deliver(Datagram *d, PalAddress *from, void *bytes, size_t room,
 SmResult pal_socket_receive_from(PalSocket s, PalAddress *from, void *bytes, size_t room, size_t *n, uint64_t timeout)
 {
     const uint64_t deadline = pal_clock_now() + timeout;
-    Datagram *d = NULL;
-    Entry *e;
+    SimDatagram *d = NULL;
+    SimSocket *e;
     SmResult r;
 
     if (!bytes || !n || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    r = look(s, DATAGRAMS, &e);
+    r = find_socket(s, DATAGRAMS, &e);
     if (r == SM_OK)
-        r = sim_enter(SIM_socket_receive_from);
-    while (r == SM_OK && ((d = sim_air_next(&e->own)) == NULL || d->arrives > pal_clock_now()))
-        r = sim_wait(d && d->arrives < deadline ? d->arrives : deadline) ? look(s, DATAGRAMS, &e) : SM_E_TIMEOUT;
-    return r == SM_OK ? deliver(d, from, bytes, room, n) : r;
+        r = sim_begin_call(SIM_socket_receive_from);
+    while (r == SM_OK && ((d = sim_datagram_next(&e->own)) == NULL || d->arrives > pal_clock_now()))
+        r = sim_wait(d && d->arrives < deadline ? d->arrives : deadline) ? find_socket(s, DATAGRAMS, &e) : SM_E_TIMEOUT;
+    return r == SM_OK ? deliver_datagram(d, from, bytes, room, n) : r;
 }
 
 // ---- streams ----
 
 // Whether the peer has closed its end.
-static bool is_lost(const Entry *e)
+static bool is_lost(const SimSocket *e)
 {
     return !e->stream->open[!e->end] && e->stream->listening == 0;
 }
@@ -256,23 +256,23 @@ SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *
 {
     const uint64_t deadline = pal_clock_now() + timeout;
     const uint8_t *next = bytes;
-    Entry *e;
+    SimSocket *e;
     SmResult r;
 
     if (sent)
         *sent = 0;
     if (!bytes || !sent || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    r = look(stream, STREAM, &e);
+    r = find_socket(stream, STREAM, &e);
     if (r == SM_OK)
-        r = sim_enter(SIM_socket_send);
+        r = sim_begin_call(SIM_socket_send);
     while (r == SM_OK) {
         if (is_lost(e))
             return SM_E_CLOSED;
-        *sent += sim_stream_put(e->stream, !e->end, next + *sent, n - *sent);
+        *sent += sim_stream_send(e->stream, !e->end, next + *sent, n - *sent);
         if (*sent == n)
             break;
-        r = sim_wait(deadline) ? look(stream, STREAM, &e) : SM_E_TIMEOUT;
+        r = sim_wait(deadline) ? find_socket(stream, STREAM, &e) : SM_E_TIMEOUT;
     }
     return r;
 }
@@ -280,16 +280,16 @@ SmResult pal_socket_send(PalSocket stream, const void *bytes, size_t n, size_t *
 SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *n, uint64_t timeout)
 {
     const uint64_t deadline = pal_clock_now() + timeout;
-    Entry *e;
+    SimSocket *e;
     SmResult r;
 
     if (!bytes || !n || room == 0 || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    r = look(stream, STREAM, &e);
+    r = find_socket(stream, STREAM, &e);
     if (r == SM_OK)
-        r = sim_enter(SIM_socket_receive);
+        r = sim_begin_call(SIM_socket_receive);
     while (r == SM_OK) {
-        const size_t got = sim_stream_take(e->stream, e->end, bytes, room);
+        const size_t got = sim_stream_receive(e->stream, e->end, bytes, room);
 
         if (got > 0) {
             *n = got;
@@ -297,7 +297,7 @@ SmResult pal_socket_receive(PalSocket stream, void *bytes, size_t room, size_t *
         }
         if (is_lost(e))
             return SM_E_CLOSED;
-        r = sim_wait(deadline) ? look(stream, STREAM, &e) : SM_E_TIMEOUT;
+        r = sim_wait(deadline) ? find_socket(stream, STREAM, &e) : SM_E_TIMEOUT;
     }
     return r;
 }
@@ -308,7 +308,7 @@ SmResult pal_socket_own(PalSocket s, PalAddress *own)
 {
     if (!own)
         return SM_E_ARGUMENT;
-    if (!psl_table_holds(used, PAL_SOCKETS, s.id))
+    if (!psl_table_is_used(used, PAL_SOCKETS, s.id))
         return SM_E_HANDLE;
     *own = entries[s.id - 1].own;
     return SM_OK;
@@ -316,15 +316,15 @@ SmResult pal_socket_own(PalSocket s, PalAddress *own)
 
 SmResult pal_socket_close(PalSocket s)
 {
-    Entry *e;
+    SimSocket *e;
 
-    if (!psl_table_holds(used, PAL_SOCKETS, s.id))
+    if (!psl_table_is_used(used, PAL_SOCKETS, s.id))
         return SM_E_HANDLE;
     e = &entries[s.id - 1];
     if (e->kind == STREAM)
         sim_stream_close(e->stream, e->end);
     if (e->kind == LISTENING)
-        sim_streams_forget(s.id);
+        sim_streams_drop(s.id);
     used[s.id - 1] = false;
     return SM_OK;
 }

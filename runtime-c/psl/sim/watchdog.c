@@ -32,7 +32,7 @@ SmResult pal_watchdog_start(uint64_t wanted, uint64_t *actual)
 
     if (!actual || wanted == 0 || wanted > LONGEST)
         return SM_E_ARGUMENT;
-    r = running ? SM_E_BUSY : sim_enter(SIM_watchdog_start);
+    r = running ? SM_E_BUSY : sim_begin_call(SIM_watchdog_start);
     if (r != SM_OK)
         return r;
     running = true;
@@ -43,7 +43,7 @@ SmResult pal_watchdog_start(uint64_t wanted, uint64_t *actual)
 
 SmResult pal_watchdog_feed(void)
 {
-    SmResult r = running ? sim_enter(SIM_watchdog_feed) : SM_E_HANDLE;
+    SmResult r = running ? sim_begin_call(SIM_watchdog_feed) : SM_E_HANDLE;
 
     if (r == SM_OK)
         fed = pal_clock_now();

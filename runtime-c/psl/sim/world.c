@@ -26,7 +26,7 @@ void sim_reset(void)
     sim_watchdog_reset();
 }
 
-static void plan(SimCall call, uint32_t after, SmResult result, bool for_good)
+static void plan_fault(SimCall call, uint32_t after, SmResult result, bool for_good)
 {
     calls[call].after = after;
     calls[call].result = result;
@@ -35,12 +35,12 @@ static void plan(SimCall call, uint32_t after, SmResult result, bool for_good)
 
 void sim_fail(SimCall call, uint32_t after, SmResult result)
 {
-    plan(call, after, result, false);
+    plan_fault(call, after, result, false);
 }
 
 void sim_break(SimCall call, uint32_t after, SmResult result)
 {
-    plan(call, after, result, true);
+    plan_fault(call, after, result, true);
 }
 
 void sim_delay(SimCall call, uint64_t ns)
@@ -53,7 +53,7 @@ uint32_t sim_count(SimCall call)
     return calls[call].count;
 }
 
-SmResult sim_enter(SimCall call)
+SmResult sim_begin_call(SimCall call)
 {
     SmResult r = calls[call].result;
 

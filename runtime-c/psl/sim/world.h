@@ -7,10 +7,10 @@
 #include "runtime-c/psl/table.h"
 
 // Called first in each call of SimCall: counts it, advances time by its delay, and returns the result to fail with, or SM_OK.
-SmResult sim_enter(SimCall call);
+SmResult sim_begin_call(SimCall call);
 
 // Advances time to `time`, if that is in the future.
-void sim_move_to(uint64_t time);
+void sim_advance_to(uint64_t time);
 
 // For a call that waits for something that the world (sim_every) may do: advances time to `end`, but stops after the next action of
 // the world.  The caller then checks again.  Returns false if `end` had been reached before.
@@ -30,8 +30,8 @@ void sim_watchdog_reset(void);
 
 // Called before each write, erase or append of n bytes: returns how many are stored before a power cut.  After the cut all calls
 // fail.
-uint32_t sim_power_lasts(uint32_t n);
-bool sim_power_gone(void);
+uint32_t sim_bytes_before_power_cut(uint32_t n);
+bool sim_is_power_off(void);
 
 // Power on: all logs are closed, their content is unchanged.
 void sim_log_power_on(void);
