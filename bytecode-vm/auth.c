@@ -22,28 +22,28 @@ static uint8_t *byte_of(uint32_t *v, uint8_t i)
 
 // Rotations to the left by 5, 8, 13 and 7 are composed of rotations by whole bytes, which cost an 8-bit computer least, and of single
 // bits back.
-static uint32_t right(uint32_t x) { return x >> 1 | x << 31; }
-static uint32_t left_8(uint32_t x) { return x << 8 | x >> 24; }
-static uint32_t left_16(uint32_t x) { return x << 16 | x >> 16; }
+static uint32_t rotate_right_1(uint32_t x) { return x >> 1 | x << 31; }
+static uint32_t rotate_left_8(uint32_t x) { return x << 8 | x >> 24; }
+static uint32_t rotate_left_16(uint32_t x) { return x << 16 | x >> 16; }
 
 static void permute(uint32_t *v)
 {
     for (uint8_t i = 0; i < ROUNDS; i++) {
         v[0] += v[1];
-        v[1] = right(right(right(left_8(v[1])))) ^ v[0];
-        v[0] = left_16(v[0]);
+        v[1] = rotate_right_1(rotate_right_1(rotate_right_1(rotate_left_8(v[1])))) ^ v[0];
+        v[0] = rotate_left_16(v[0]);
         v[2] += v[3];
-        v[3] = left_8(v[3]) ^ v[2];
+        v[3] = rotate_left_8(v[3]) ^ v[2];
         v[0] += v[3];
-        v[3] = right(right(right(left_16(v[3])))) ^ v[0];
+        v[3] = rotate_right_1(rotate_right_1(rotate_right_1(rotate_left_16(v[3])))) ^ v[0];
         v[2] += v[1];
-        v[1] = right(left_8(v[1])) ^ v[2];
-        v[2] = left_16(v[2]);
+        v[1] = rotate_right_1(rotate_left_8(v[1])) ^ v[2];
+        v[2] = rotate_left_16(v[2]);
     }
 }
 
 // Doubles the key as a polynomial over GF(2), modulo x^128 + x^7 + x^2 + x + 1.
-static void twice(uint8_t *key)
+static void double_key(uint8_t *key)
 {
     const uint8_t out = (uint8_t)(0u - (key[BLOCK - 1] >> 7));
 
@@ -52,7 +52,7 @@ static void twice(uint8_t *key)
     key[0] = (uint8_t)(key[0] << 1 ^ (out & 0x87));
 }
 
-static void add(uint32_t *v, const uint8_t *bytes)
+static void xor_block(uint32_t *v, const uint8_t *bytes)
 {
     for (uint8_t i = 0; i < BLOCK; i++)
         *byte_of(v, i) ^= bytes[i];
@@ -61,7 +61,7 @@ static void add(uint32_t *v, const uint8_t *bytes)
 void smvm_mac_begin(SmvmMac *m, const uint8_t *key)
 {
     memset(m, 0, sizeof *m);
-    add(m->v, key);
+    xor_block(m->v, key);
 }
 
 void smvm_mac_byte(SmvmMac *m, uint8_t byte)
@@ -78,14 +78,14 @@ void smvm_mac_end(SmvmMac *m, const uint8_t *key, uint8_t *code)
     uint8_t last[BLOCK];
 
     memcpy(last, key, BLOCK);
-    twice(last);
+    double_key(last);
     if (m->n < BLOCK) {
-        twice(last);
+        double_key(last);
         *byte_of(m->v, m->n) ^= 1;
     }
-    add(m->v, last);
+    xor_block(m->v, last);
     permute(m->v);
-    add(m->v, last);
+    xor_block(m->v, last);
     for (uint8_t i = 0; i < BLOCK; i++)
         code[i] = *byte_of(m->v, i);
 }
@@ -103,11 +103,11 @@ void smvm_auth_code(SmvmBytes image, uint32_t length, const uint8_t *key, uint8_
 }
 
 // The offset of AUTH; 0: the image does not end with one.
-static SmvmAt find(SmvmBytes image)
+static SmvmAt find_section(SmvmBytes image)
 {
-    for (uint8_t i = 0; i < smvm_sections(image); i++) {
+    for (uint8_t i = 0; i < smvm_section_count(image); i++) {
         SmvmSection s;
-        smvm_section(image, i, &s);
+        smvm_read_section(image, i, &s);
         if (s.kind.id == SMVM_S_AUTH && s.size == SMVM_AUTH && s.at + s.size == smvm_u24(image, SMVM_LENGTH_AT))
             return (SmvmAt)s.at;
     }
@@ -116,7 +116,7 @@ static SmvmAt find(SmvmBytes image)
 
 bool smvm_auth_read(SmvmBytes image, SmvmAuth *auth)
 {
-    const SmvmAt at = find(image);
+    const SmvmAt at = find_section(image);
 
     auth->number = at ? smvm_uint(image, at, 4) : 0;
     auth->mark = at ? smvm_uint(image, (SmvmAt)(at + 4), 4) : 0;
@@ -135,7 +135,7 @@ uint32_t smvm_auth_mark(const uint8_t *key)
 
 bool smvm_auth_check(SmvmBytes image, const uint8_t *key, uint32_t *number)
 {
-    const SmvmAt at = find(image), end = (SmvmAt)(at + SMVM_AUTH - SMVM_CODE);
+    const SmvmAt at = find_section(image), end = (SmvmAt)(at + SMVM_AUTH - SMVM_CODE);
     uint8_t code[SMVM_CODE], differs = 0;
 
     if (at == 0)

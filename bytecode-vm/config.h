@@ -65,7 +65,7 @@
 #endif
 #endif
 
-// 1: a running machine stores the places of its tables in RAM, which takes ten SMVM_AT and a byte.  0: each step reads them from the image,
+// 1: a running machine stores the offsets of its tables in RAM, which takes ten SMVM_AT and a byte.  0: each step reads them from the image,
 // which takes an 8-bit computer several thousand cycles.
 #ifndef SMVM_KEEP_TABLES
 #if SIZE_MAX < 0x7fffffff

@@ -6,31 +6,31 @@
 #include "bytecode-vm/image.h"
 
 // Offsets in the image: `at` bytes into the section, and the end of the section.
-static SmvmAt place_of(const SmvmMachine *m, uint32_t at) { return (SmvmAt)(m->debug_at + at); }
-static SmvmAt end_of(const SmvmMachine *m) { return place_of(m, m->debug_size); }
+static SmvmAt debug_offset(const SmvmMachine *m, uint32_t at) { return (SmvmAt)(m->debug_at + at); }
+static SmvmAt debug_end(const SmvmMachine *m) { return debug_offset(m, m->debug_size); }
 
-static bool number_at(const SmvmMachine *m, uint32_t at, uint32_t *value)        // a number of three bytes, `at` bytes into the section
+static bool read_debug_number(const SmvmMachine *m, uint32_t at, uint32_t *value)  // a number of three bytes, `at` bytes into the section
 {
     if (m->debug_size < 3 || at > m->debug_size - 3u)
         return false;
-    *value = smvm_u24(m->image, place_of(m, at));
+    *value = smvm_u24(m->image, debug_offset(m, at));
     return true;
 }
 
-static SmvmName name_at(const SmvmMachine *m, uint32_t at)                      // the name whose offset is the number at `at`
+static SmvmName read_debug_name(const SmvmMachine *m, uint32_t at)              // the name whose offset is the number at `at`
 {
     SmvmName none = {0, 0}, n;
     uint32_t offset;
 
-    if (!number_at(m, at, &offset) || offset == 0 || offset >= m->debug_size)
+    if (!read_debug_number(m, at, &offset) || offset == 0 || offset >= m->debug_size)
         return none;
-    n.at = place_of(m, offset);
-    return smvm_varint(m->image, &n.at, end_of(m), &n.size) && n.size <= (SmvmAt)(end_of(m) - n.at) ? n : none;
+    n.at = debug_offset(m, offset);
+    return smvm_read_varint(m->image, &n.at, debug_end(m), &n.size) && n.size <= (SmvmAt)(debug_end(m) - n.at) ? n : none;
 }
 
-SmvmName smvm_name(const SmvmMachine *m, uint32_t which) { return name_at(m, 3 * which); }
+SmvmName smvm_name(const SmvmMachine *m, uint32_t which) { return read_debug_name(m, 3 * which); }
 
-SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state) { return name_at(m, 3 * (SMVM_DEBUG_NUMBERS + state - 1)); }
+SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state) { return read_debug_name(m, 3 * (SMVM_DEBUG_NUMBERS + state - 1)); }
 
 static uint32_t variables_at(const SmvmMachine *m) { return 3 * (SMVM_DEBUG_NUMBERS + m->states); }
 
@@ -38,43 +38,43 @@ uint32_t smvm_variables(const SmvmMachine *m)
 {
     uint32_t n, most;
 
-    if (!number_at(m, 0, &n) || m->debug_size < variables_at(m))
+    if (!read_debug_number(m, 0, &n) || m->debug_size < variables_at(m))
         return 0;
     most = (m->debug_size - variables_at(m)) / SMVM_DEBUG_VARIABLE;
     return n < most ? n : most;
 }
 
-SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, SmvmPlace *place)
+SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, SmvmLocation *location)
 {
     uint32_t at = variables_at(m) + SMVM_DEBUG_VARIABLE * index;
 
-    *is = (SmvmVariable)smvm_u8(m->image, place_of(m, at));
-    *place = smvm_place(m->image, place_of(m, at + 1));
-    return name_at(m, at + 1 + SMVM_PLACE);
+    *is = (SmvmVariable)smvm_u8(m->image, debug_offset(m, at));
+    *location = smvm_location(m->image, debug_offset(m, at + 1));
+    return read_debug_name(m, at + 1 + SMVM_LOCATION_BYTES);
 }
 
-// Whether variable `index` sorts before one of this kind at this place.
-static bool is_before(const SmvmMachine *m, uint32_t index, SmvmVariable is, const SmvmPlace *place)
+// Whether variable `index` sorts before one of this kind at this location.
+static bool precedes(const SmvmMachine *m, uint32_t index, SmvmVariable is, const SmvmLocation *location)
 {
     SmvmVariable there;
-    SmvmPlace p;
+    SmvmLocation p;
 
     smvm_variable(m, index, &there, &p);
     if (there != is || is == SMVM_IS_TIME)
         return there < is;
-    return p.type != place->type ? p.type < place->type : p.offset < place->offset;
+    return p.type != location->type ? p.type < location->type : p.offset < location->offset;
 }
 
-SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmPlace *place)
+SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmLocation *location)
 {
     uint32_t from = 0, end = smvm_variables(m), count = end;
     SmvmName none = {0, 0}, n;
     SmvmVariable there;
-    SmvmPlace p;
+    SmvmLocation p;
 
     while (from < end) {
         uint32_t middle = from + (end - from) / 2;
-        if (is_before(m, middle, is, place))
+        if (precedes(m, middle, is, location))
             from = middle + 1;
         else
             end = middle;
@@ -82,7 +82,7 @@ SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmPlace *pl
     if (from == count)
         return none;
     n = smvm_variable(m, from, &there, &p);
-    return there == is && (is == SMVM_IS_TIME || (p.type == place->type && p.offset == place->offset)) ? n : none;
+    return there == is && (is == SMVM_IS_TIME || (p.type == location->type && p.offset == location->offset)) ? n : none;
 }
 
 static bool open_lines(const SmvmMachine *m, SmvmLines *l)
@@ -90,10 +90,10 @@ static bool open_lines(const SmvmMachine *m, SmvmLines *l)
     uint32_t offset;
 
     l->open = true;
-    if (!number_at(m, 3, &offset) || offset == 0 || offset >= m->debug_size)
+    if (!read_debug_number(m, 3, &offset) || offset == 0 || offset >= m->debug_size)
         return false;
-    l->at = place_of(m, offset);
-    return smvm_varint(m->image, &l->at, end_of(m), &l->left);
+    l->at = debug_offset(m, offset);
+    return smvm_read_varint(m->image, &l->at, debug_end(m), &l->left);
 }
 
 bool smvm_next_line(const SmvmMachine *m, SmvmLines *l)
@@ -102,7 +102,7 @@ bool smvm_next_line(const SmvmMachine *m, SmvmLines *l)
 
     if (!l->open && !open_lines(m, l))
         l->left = 0;
-    if (l->left == 0 || !smvm_varint(m->image, &l->at, end_of(m), &code) || !smvm_varint(m->image, &l->at, end_of(m), &line)) {
+    if (l->left == 0 || !smvm_read_varint(m->image, &l->at, debug_end(m), &code) || !smvm_read_varint(m->image, &l->at, debug_end(m), &line)) {
         l->left = 0;
         return false;
     }

@@ -14,7 +14,7 @@ enum { THE_END = 0 };                                 // index of the word that 
 
 // ---- operands ----
 
-static Value constant(const Decode *d, unsigned op, uint32_t n)
+static DecodedValue constant(const DecodeState *d, unsigned op, uint32_t n)
 {
     const SmvmMachine *m = d->m;
 
@@ -27,7 +27,7 @@ static Value constant(const Decode *d, unsigned op, uint32_t n)
 }
 
 // The operand that ldx_ or ldy_ loads.
-static Value loaded(const Decode *d, unsigned op)
+static DecodedValue loaded(const DecodeState *d, unsigned op)
 {
     unsigned kind = op & 15u;
 
@@ -41,54 +41,54 @@ static Value loaded(const Decode *d, unsigned op)
 // ---- instructions ----
 
 // A transition: jumps to the state's .exit, which is resolved later, or to the end of the step.
-static void put_go(Decode *d, uint32_t state)
+static void emit_go(DecodeState *d, uint32_t state)
 {
-    uint64_t before = d->goes;
+    uint64_t before = d->gotos;
 
-    smvm_put_op(d, FAST_GO_OP);
-    d->goes = d->words;
-    smvm_put_u(d, before);
-    smvm_put_u(d, state);
+    smvm_emit_op(d, FAST_GO_OP);
+    d->gotos = d->words;
+    smvm_emit_u(d, before);
+    smvm_emit_u(d, state);
 }
 
 // Jumps to .step, which follows .entry.
-static void put_end_of_entry(Decode *d)
+static void emit_end_of_entry(DecodeState *d)
 {
     if (d->at < d->end)
-        smvm_put_jump(d, FAST_JMP_OP, (uint32_t)(d->end - d->start));
+        smvm_emit_jump(d, FAST_JMP_OP, (uint32_t)(d->end - d->start));
 }
 
-static void decode_end(Decode *d)
+static void decode_end(DecodeState *d)
 {
     if (d->in == IN_ENTRY)
-        put_end_of_entry(d);
+        emit_end_of_entry(d);
     else
-        smvm_put_op(d, d->in == IN_SAMPLE ? FAST_BODY_OP : FAST_END_OP);
+        smvm_emit_op(d, d->in == IN_SAMPLE ? FAST_BODY_OP : FAST_END_OP);
 }
 
 // An operation that sets X from X, from X and Y, or from nothing.
-static void decode_operation(Decode *d, uint8_t op)
+static void decode_operation(DecodeState *d, uint8_t op)
 {
     if (op == SMVM_addi || op == SMVM_subi)
-        smvm_wait_for(d, op == SMVM_addi ? SMVM_add : SMVM_sub, smvm_constant(sm_from_u32(d->n[0])));
+        smvm_defer(d, op == SMVM_addi ? SMVM_add : SMVM_sub, smvm_constant(sm_from_u32(d->n[0])));
     else if (op == SMVM_stat) {
         d->x = smvm_constant(sm_from_i32(0));
-        smvm_wait_for(d, op, d->x);
+        smvm_defer(d, op, d->x);
     } else
-        smvm_wait_for(d, op, d->y);
+        smvm_defer(d, op, d->y);
 }
 
-static void decode_instruction(Decode *d)
+static void decode_instruction(DecodeState *d)
 {
     uint8_t op = smvm_u8(d->m->image, d->at++);
     uint32_t shape = smvm_shape(op);
 
-    for (unsigned i = 0; i < 2 && d->at < d->end && smvm_u8(d->m->image, d->at) < SMVM_OP_LEAST; i++)
-        smvm_varint(d->m->image, &d->at, d->end, &d->n[i]);
+    for (unsigned i = 0; i < 2 && d->at < d->end && smvm_u8(d->m->image, d->at) < SMVM_OP_FIRST; i++)
+        smvm_read_varint(d->m->image, &d->at, d->end, &d->n[i]);
     if ((shape & SMVM_SHAPE_J) != 0)
         smvm_decode_jump(d, op);
     else if (op == SMVM_goto)
-        put_go(d, d->n[0]);
+        emit_go(d, d->n[0]);
     else if (op == SMVM_end)
         decode_end(d);
     else if (op == SMVM_sample)
@@ -104,7 +104,7 @@ static void decode_instruction(Decode *d)
 }
 
 // Resolves the jumps of a function once the words of all its instructions are known.
-static void link_jumps(Decode *d)
+static void link_jumps(DecodeState *d)
 {
     while (d->jumps != 0) {
         SmvmWord *w = &d->out->code[d->jumps];
@@ -114,17 +114,17 @@ static void link_jumps(Decode *d)
 }
 
 // Resolves the transitions of a state once the start of its .exit is known.
-static void link_goes(Decode *d, uint32_t exit)
+static void link_gotos(DecodeState *d, uint32_t exit)
 {
-    while (d->out != NULL && d->goes != 0) {
-        SmvmWord *w = &d->out->code[d->goes];
-        d->goes = (uint32_t)w->u;
+    while (d->out != NULL && d->gotos != 0) {
+        SmvmWord *w = &d->out->code[d->gotos];
+        d->gotos = (uint32_t)w->u;
         w->to = d->out->code + exit;
     }
 }
 
 // Returns the word where the function begins, or THE_END if it is empty.
-static uint32_t decode_function(Decode *d, uint32_t index)
+static uint32_t decode_function(DecodeState *d, uint32_t index)
 {
     uint32_t first = d->words, length;
 
@@ -146,37 +146,37 @@ static uint32_t decode_function(Decode *d, uint32_t index)
     return d->start == d->end ? THE_END : first;
 }
 
-static void decode_state(Decode *d, uint32_t s)
+static void decode_state(DecodeState *d, uint32_t s)
 {
     uint32_t entry, step;
 
-    d->goes = 0;
+    d->gotos = 0;
     d->in = IN_ENTRY;
     entry = decode_function(d, 3 * s - 2);
     d->in = IN_OTHERS;
     step = decode_function(d, 3 * s - 1);
     if (entry != THE_END && step == THE_END)
-        smvm_put_op(d, FAST_END_OP);
+        smvm_emit_op(d, FAST_END_OP);
     if (d->out != NULL) {
         d->out->body[2 * s] = d->out->code + step;
         d->out->body[2 * s + 1] = d->out->code + (entry == THE_END ? step : entry);
     }
-    link_goes(d, decode_function(d, 3 * s));
+    link_gotos(d, decode_function(d, 3 * s));
 }
 
-static void decode_machine(Decode *d)
+static void decode_machine(DecodeState *d)
 {
     const bool clears = d->m->outputs > 64;
     bool samples;
 
     d->words = 0;
-    smvm_put_op(d, FAST_END_OP);                      // THE_END
+    smvm_emit_op(d, FAST_END_OP);                     // THE_END
     if (clears)
-        smvm_put_op(d, FAST_CLEAR_OP);
+        smvm_emit_op(d, FAST_CLEAR_OP);
     d->in = IN_SAMPLE;
     samples = decode_function(d, 0) != THE_END;
     if (clears && !samples)
-        smvm_put_op(d, FAST_BODY_OP);
+        smvm_emit_op(d, FAST_BODY_OP);
     if (d->out != NULL)
         d->out->samples = clears || samples;
     for (uint32_t s = 1; s <= d->m->states; s++)
@@ -185,9 +185,9 @@ static void decode_machine(Decode *d)
 
 // ---- memory: SmvmDecoded, the words, the states, and during decoding `where` for the longest function ----
 
-static uint64_t size_of(const SmvmMachine *m, uint32_t *words)
+static uint64_t decoded_bytes(const SmvmMachine *m, uint32_t *words)
 {
-    Decode d;
+    DecodeState d;
 
     memset(&d, 0, sizeof d);
     d.m = m;
@@ -200,7 +200,7 @@ static uint64_t size_of(const SmvmMachine *m, uint32_t *words)
 uint32_t smvm_decoded_size(const SmvmMachine *m)
 {
     uint32_t words;
-    uint64_t size = size_of(m, &words);
+    uint64_t size = decoded_bytes(m, &words);
 
     return size > UINT32_MAX ? UINT32_MAX : (uint32_t)size;
 }
@@ -209,11 +209,11 @@ SmResult smvm_decode(SmvmDecoded **decoded, void *memory, uint32_t size, const S
 {
     SmvmDecoded *out = memory;
     uint32_t words;
-    Decode d;
+    DecodeState d;
 
     if ((uintptr_t)memory % sizeof(SmvmWord) != 0)
         return SM_E_ALIGNMENT;
-    if (size < size_of(m, &words))
+    if (size < decoded_bytes(m, &words))
         return SM_E_MEMORY;
     memset(&d, 0, sizeof d);
     d.m = m;
@@ -227,7 +227,7 @@ SmResult smvm_decode(SmvmDecoded **decoded, void *memory, uint32_t size, const S
     out->code = (SmvmWord *)(out + 1);
     out->body = (const SmvmWord **)(out->code + words);
     d.where = (uint32_t *)(out->body + 2 * ((size_t)m->states + 1));
-    d.place = out->place = smvm_fast_places();
+    d.label = out->label = smvm_fast_labels();
     decode_machine(&d);
     return SM_OK;
 }

@@ -2,7 +2,7 @@
 // Jumps in the decoded form, together with their comparisons.  A condition is a sum of relations of x to y: SMVM_LESS and so on.
 #include "bytecode-vm/decode.h"
 
-static unsigned mirrored(unsigned m) { return (m & 10u) | (m & SMVM_LESS) << 2 | (m & SMVM_GREATER) >> 2; }
+static unsigned mirror_relation(unsigned m) { return (m & 10u) | (m & SMVM_LESS) << 2 | (m & SMVM_GREATER) >> 2; }
 
 static unsigned relation(SmF64 x, SmF64 y)
 {
@@ -13,9 +13,9 @@ static unsigned relation(SmF64 x, SmF64 y)
 
 // The forms of a condition, indexed by its relations: F with y; two values of one type in memory; one in memory with a number; an integer
 // with a whole number.  0: there is no such form.  The operands of `pair` and `whole` are never NaN.
-typedef struct Condition { uint16_t with, pair, number, whole; } Condition;
+typedef struct JumpForms { uint16_t with, pair, number, whole; } JumpForms;
 
-static const Condition conditions[16] = {
+static const JumpForms conditions[16] = {
     {0, 0, 0, 0},
     {FAST_JLT_I8_OP, FAST_JLT2_I8_OP, FAST_JLTC_I8_OP, FAST_JLTI_I8_OP},
     {FAST_JEQ_I8_OP, FAST_JEQ2_I8_OP, FAST_JEQC_I8_OP, FAST_JEQI_I8_OP},
@@ -34,115 +34,115 @@ static const Condition conditions[16] = {
     {0, 0, 0, 0},
 };
 
-void smvm_put_jump(Decode *d, unsigned op, uint32_t target)
+void smvm_emit_jump(DecodeState *d, unsigned op, uint32_t target)
 {
-    smvm_put_op(d, op);
-    smvm_put_target(d, target);
+    smvm_emit_op(d, op);
+    smvm_emit_target(d, target);
 }
 
-static void put_jump_truth(Decode *d, bool when, const Value *x, uint32_t target)
+static void emit_jump_truth(DecodeState *d, bool when, const DecodedValue *x, uint32_t target)
 {
     if (is_memory(x)) {
-        smvm_put_jump(d, (when ? (unsigned)FAST_JT_I8_OP : (unsigned)FAST_JF_I8_OP) + x->kind, target);
-        smvm_put_value(d, x);
+        smvm_emit_jump(d, (when ? (unsigned)FAST_JT_I8_OP : (unsigned)FAST_JF_I8_OP) + x->kind, target);
+        smvm_emit_value(d, x);
         return;
     }
-    smvm_put_load(d, x);
-    smvm_put_jump(d, when ? FAST_JT_A_OP : FAST_JF_A_OP, target);
+    smvm_emit_load(d, x);
+    smvm_emit_jump(d, when ? FAST_JT_A_OP : FAST_JF_A_OP, target);
 }
 
 // Compares F, which may be NaN, with y.
-static void put_jump_with(Decode *d, unsigned m, const Value *y, uint32_t target)
+static void emit_jump_with(DecodeState *d, unsigned m, const DecodedValue *y, uint32_t target)
 {
     unsigned with = conditions[m].with;
 
     if (is_zero(y) && (m == IS_TRUE || m == IS_FALSE)) {
-        smvm_put_jump(d, m == IS_TRUE ? FAST_JT_A_OP : FAST_JF_A_OP, target);
+        smvm_emit_jump(d, m == IS_TRUE ? FAST_JT_A_OP : FAST_JF_A_OP, target);
         return;
     }
-    smvm_put_jump(d, (with != 0 ? with : (unsigned)FAST_JREL_I8_OP) + y->kind, target);
-    smvm_put_value(d, y);
+    smvm_emit_jump(d, (with != 0 ? with : (unsigned)FAST_JREL_I8_OP) + y->kind, target);
+    smvm_emit_value(d, y);
     if (with == 0)
-        smvm_put_u(d, m);
+        smvm_emit_u(d, m);
 }
 
 // x in memory, and a number.  These forms compare a stored NaN as it is, but in the language it reads as 0.  Therefore UNORDERED is set
 // in m exactly if 0 satisfies the condition.
-static void put_jump_number(Decode *d, unsigned m, const Value *x, const Value *c, uint32_t target)
+static void emit_jump_number(DecodeState *d, unsigned m, const DecodedValue *x, const DecodedValue *c, uint32_t target)
 {
     int64_t v;
 
     if (is_integer(x) && smvm_is_whole(c->c, ((int64_t)1 << 53) - 1, &v) && (v >= 0 || x->kind != SM_U64)) {
-        smvm_put_jump(d, (unsigned)conditions[smvm_with_nan(m, x, c)].whole + x->kind, target);
-        smvm_put_value(d, x);
-        smvm_put_u(d, (uint64_t)v);
+        smvm_emit_jump(d, (unsigned)conditions[smvm_with_nan(m, x, c)].whole + x->kind, target);
+        smvm_emit_value(d, x);
+        smvm_emit_u(d, (uint64_t)v);
         return;
     }
     if (is_never_nan(x))
         m = (m & 7u) | ((m & relation(sm_from_i32(0), c->c)) != 0 ? SMVM_UNORDERED : 0u);
     if (is_zero(c) && (m == IS_TRUE || m == IS_FALSE))
-        put_jump_truth(d, m == IS_TRUE, x, target);
+        emit_jump_truth(d, m == IS_TRUE, x, target);
     else if (conditions[m].number != 0) {
-        smvm_put_jump(d, (unsigned)conditions[m].number + x->kind, target);
-        smvm_put_value(d, x);
-        smvm_put_value(d, c);
+        smvm_emit_jump(d, (unsigned)conditions[m].number + x->kind, target);
+        smvm_emit_value(d, x);
+        smvm_emit_value(d, c);
     } else {
-        smvm_put_load(d, x);
-        put_jump_with(d, m, c, target);
+        smvm_emit_load(d, x);
+        emit_jump_with(d, m, c, target);
     }
 }
 
 // Whether a form exists only with y before x.
-static bool is_swapped(unsigned m, const Value *x, const Value *y)
+static bool is_swapped(unsigned m, const DecodedValue *x, const DecodedValue *y)
 {
-    return is_memory(y) && (is_number(x) || (x->kind == y->kind && (m == SMVM_GREATER || m == (SMVM_GREATER | SMVM_EQUAL))));
+    return is_memory(y) && (is_constant(x) || (x->kind == y->kind && (m == SMVM_GREATER || m == (SMVM_GREATER | SMVM_EQUAL))));
 }
 
-static void put_jump_if(Decode *d, unsigned m, Value x, Value y, uint32_t target)
+static void emit_jump_if(DecodeState *d, unsigned m, DecodedValue x, DecodedValue y, uint32_t target)
 {
     m = smvm_possible(m, &x, &y);
     if (m == 0)
         return;
     if (m == 15) {
-        smvm_put_jump(d, FAST_JMP_OP, target);
+        smvm_emit_jump(d, FAST_JMP_OP, target);
         return;
     }
     if (is_swapped(m, &x, &y)) {
         swap(&x, &y);
-        m = mirrored(m);
+        m = mirror_relation(m);
     }
-    if (is_memory(&x) && is_number(&y)) {
-        put_jump_number(d, m, &x, &y, target);
+    if (is_memory(&x) && is_constant(&y)) {
+        emit_jump_number(d, m, &x, &y, target);
     } else if (is_memory(&x) && is_never_nan(&x) && x.kind == y.kind) {
-        smvm_put_jump(d, (unsigned)conditions[smvm_with_nan(m, &x, &y)].pair + x.kind, target);
-        smvm_put_value(d, &x);
-        smvm_put_value(d, &y);
+        smvm_emit_jump(d, (unsigned)conditions[smvm_with_nan(m, &x, &y)].pair + x.kind, target);
+        smvm_emit_value(d, &x);
+        smvm_emit_value(d, &y);
     } else {
         m = smvm_with_nan(m, &x, &y);
-        smvm_put_load(d, &x);
-        put_jump_with(d, m, &y, target);
+        smvm_emit_load(d, &x);
+        emit_jump_with(d, m, &y, target);
     }
 }
 
 // jt and jf.  If X is a deferred comparison, its condition becomes the jump's.
-static void decode_jump_truth(Decode *d, bool when, uint32_t target)
+static void decode_jump_truth(DecodeState *d, bool when, uint32_t target)
 {
-    if (d->x.kind == LATER && d->later.op == SMVM_set)
-        put_jump_if(d, when ? d->later.n : 15u - d->later.n, d->later.a, d->later.b, target);
+    if (d->x.kind == DEFERRED && d->deferred.op == SMVM_set)
+        emit_jump_if(d, when ? d->deferred.n : 15u - d->deferred.n, d->deferred.a, d->deferred.b, target);
     else
-        put_jump_truth(d, when, smvm_x_of(d), target);
+        emit_jump_truth(d, when, smvm_x_of(d), target);
 }
 
-void smvm_decode_jump(Decode *d, uint8_t op)
+void smvm_decode_jump(DecodeState *d, uint8_t op)
 {
     bool counted = (smvm_shape(op) & SMVM_SHAPE_N) != 0;
     uint32_t target = (uint32_t)(d->at + d->n[counted] - d->start);
-    Value y = counted ? smvm_constant(sm_from_u32(d->n[0])) : d->y;
+    DecodedValue y = counted ? smvm_constant(sm_from_u32(d->n[0])) : d->y;
 
     if (op == SMVM_jmp)
-        smvm_put_jump(d, FAST_JMP_OP, target);
+        smvm_emit_jump(d, FAST_JMP_OP, target);
     else if (op == SMVM_jt || op == SMVM_jf)
         decode_jump_truth(d, op == SMVM_jt, target);
     else
-        put_jump_if(d, op & 15u, *smvm_x_of(d), y, target);
+        emit_jump_if(d, op & 15u, *smvm_x_of(d), y, target);
 }

@@ -4,7 +4,7 @@
 #include "bytecode-vm/step.h"
 
 // Whether no code reads X after this instruction.  A jump is no exception: code at its target loads X again.
-static bool is_x_dead(const Decode *d)
+static bool is_x_dead(const DecodeState *d)
 {
     SmvmAt at = d->at;
 
@@ -14,57 +14,57 @@ static bool is_x_dead(const Decode *d)
             return false;
         if ((shape & (SMVM_SHAPE_GX | SMVM_SHAPE_Z)) != 0)
             return true;
-        while (smvm_u8(d->m->image, at) < SMVM_OP_LEAST)         // skips the operands of a load of Y
+        while (smvm_u8(d->m->image, at) < SMVM_OP_FIRST)         // skips the operands of a load of Y
             at++;
     }
 }
 
 // Puts a store up to its destination operand.  It notes an output as written: the first 64 by a bit of a 64-bit mask, others by a NOTE
 // instruction.  The word of NOTE has the index of a byte from bit 8 on, and a mask in the low eight bits.
-static void put_written(Decode *d, FastOp family, FastOp noting, unsigned which, const Place *to)
+static void emit_written(DecodeState *d, FastOp family, FastOp noting, unsigned which, const StoreTarget *to)
 {
     if (to->output && to->index >= 64) {
-        smvm_put_op(d, FAST_NOTE_OP);
-        smvm_put_u(d, (uint64_t)((to->index - 64) >> 3) << 8 | 1u << (to->index & 7u));
+        smvm_emit_op(d, FAST_NOTE_OP);
+        smvm_emit_u(d, (uint64_t)((to->index - 64) >> 3) << 8 | 1u << (to->index & 7u));
     }
     if (to->output && to->index < 64) {
-        smvm_put_op(d, (unsigned)noting + which);
-        smvm_put_u(d, (uint64_t)1 << to->index);
+        smvm_emit_op(d, (unsigned)noting + which);
+        smvm_emit_u(d, (uint64_t)1 << to->index);
     } else {
-        smvm_put_op(d, (unsigned)family + which);
+        smvm_emit_op(d, (unsigned)family + which);
     }
-    smvm_put_value(d, &to->to);
+    smvm_emit_value(d, &to->to);
 }
 
-static void put_number(Decode *d, const Place *to, SmF64 c)      // to memory; c is encoded as its cell
+static void emit_number(DecodeState *d, const StoreTarget *to, SmF64 c)  // to memory; c is encoded as its cell
 {
     unsigned kind = to->to.kind;
     uint64_t cell = kind == FAST_RAW ? sm_bits(smvm_raw(c)) : sm_cell_from_f64((SmType)kind, c);
 
-    put_written(d, FAST_SET_1_OP, FAST_SETN_1_OP, smvm_type_shift(kind), to);
-    smvm_put_u(d, cell);
+    emit_written(d, FAST_SET_1_OP, FAST_SETN_1_OP, smvm_type_shift(kind), to);
+    smvm_emit_u(d, cell);
 }
 
 // `to = x + c`, where both are of the same integer type, c is whole and small, and X is dead afterwards.  Returns false if it is not that.
-static bool put_count(Decode *d, const Place *to)
+static bool put_count(DecodeState *d, const StoreTarget *to)
 {
-    Value x = d->later.a, y = d->later.b;
+    DecodedValue x = d->deferred.a, y = d->deferred.b;
     int64_t c;
 
-    if (d->x.kind != LATER || (d->later.op != SMVM_add && d->later.op != SMVM_sub) || !is_x_dead(d))
+    if (d->x.kind != DEFERRED || (d->deferred.op != SMVM_add && d->deferred.op != SMVM_sub) || !is_x_dead(d))
         return false;
-    if (d->later.op == SMVM_add && is_number(&x))
+    if (d->deferred.op == SMVM_add && is_constant(&x))
         swap(&x, &y);
-    if (!is_integer(&x) || to->to.kind != x.kind || !is_number(&y) || !smvm_is_whole(y.c, INT32_MAX, &c))
+    if (!is_integer(&x) || to->to.kind != x.kind || !is_constant(&y) || !smvm_is_whole(y.c, INT32_MAX, &c))
         return false;
-    put_written(d, FAST_INC_I8_OP, FAST_INCN_I8_OP, x.kind, to);
-    smvm_put_value(d, &x);
-    smvm_put_u(d, (uint64_t)(d->later.op == SMVM_sub ? -c : c));
+    emit_written(d, FAST_INC_I8_OP, FAST_INCN_I8_OP, x.kind, to);
+    smvm_emit_value(d, &x);
+    smvm_emit_u(d, (uint64_t)(d->deferred.op == SMVM_sub ? -c : c));
     return true;
 }
 
 // `to = F op y`, for an output or local of F32 or F64; y is of that type or a number.  Returns false if it is not that.
-static bool put_operation_to(Decode *d, const Place *to)
+static bool put_operation_to(DecodeState *d, const StoreTarget *to)
 {
     static const uint16_t family[2][4][2] = {
         {{FAST_ADDST_F32_OP, FAST_ADDSTN_F32_OP}, {FAST_SUBST_F32_OP, FAST_SUBSTN_F32_OP}, {FAST_MULST_F32_OP, FAST_MULSTN_F32_OP},
@@ -72,43 +72,43 @@ static bool put_operation_to(Decode *d, const Place *to)
         {{FAST_ADDCST_F32_OP, FAST_ADDCSTN_F32_OP}, {FAST_ADDCST_F32_OP, FAST_ADDCSTN_F32_OP}, {FAST_MULCST_F32_OP, FAST_MULCSTN_F32_OP},
          {FAST_DIVCST_F32_OP, FAST_DIVCSTN_F32_OP}},
     };
-    Value y = d->later.b;
-    const uint8_t op = d->later.op;
+    DecodedValue y = d->deferred.b;
+    const uint8_t op = d->deferred.op;
     const uint16_t *f;
 
-    if (d->x.kind != LATER || op < SMVM_add || op > SMVM_div || !is_f(&d->later.a) || (to->to.kind != SM_F32 && to->to.kind != SM_F64))
+    if (d->x.kind != DEFERRED || op < SMVM_add || op > SMVM_div || !is_in_f(&d->deferred.a) || (to->to.kind != SM_F32 && to->to.kind != SM_F64))
         return false;
-    if (y.kind != to->to.kind && !is_number(&y))
+    if (y.kind != to->to.kind && !is_constant(&y))
         return false;
-    if (is_number(&y) && op == SMVM_sub)
+    if (is_constant(&y) && op == SMVM_sub)
         y.c = sm_neg(y.c);
-    f = family[is_number(&y)][op - SMVM_add];
-    put_written(d, (FastOp)f[0], (FastOp)f[1], to->to.kind - (unsigned)SM_F32, to);
-    smvm_put_value(d, &y);
+    f = family[is_constant(&y)][op - SMVM_add];
+    emit_written(d, (FastOp)f[0], (FastOp)f[1], to->to.kind - (unsigned)SM_F32, to);
+    smvm_emit_value(d, &y);
     d->x.kind = FAST_A;
     return true;
 }
 
-// Stores X at its destination.  X may still refer to memory after a move: an overlapping place of the same type is the same place.
-static void put_store(Decode *d, const Place *to)
+// Stores X at its destination.  X may still refer to memory after a move: an overlapping location of the same type is the same location.
+static void put_store(DecodeState *d, const StoreTarget *to)
 {
-    if (put_count(d, to) || put_operation_to(d, to) || smvm_put_statistic_to(d, to))
+    if (put_count(d, to) || put_operation_to(d, to) || smvm_emit_statistic_to(d, to))
         return;
-    if (is_number(smvm_x_of(d))) {
-        put_number(d, to, d->x.c);
+    if (is_constant(smvm_x_of(d))) {
+        emit_number(d, to, d->x.c);
     } else if (d->x.kind == to->to.kind) {
-        put_written(d, FAST_MOV_I8_OP, FAST_MOVN_I8_OP, d->x.kind, to);
-        smvm_put_value(d, &d->x);
+        emit_written(d, FAST_MOV_I8_OP, FAST_MOVN_I8_OP, d->x.kind, to);
+        smvm_emit_value(d, &d->x);
     } else {
         smvm_load_x(d);
-        put_written(d, FAST_ST_I8_OP, FAST_STN_I8_OP, to->to.kind, to);
+        emit_written(d, FAST_ST_I8_OP, FAST_STN_I8_OP, to->to.kind, to);
     }
 }
 
-void smvm_decode_store(Decode *d, uint8_t op)
+void smvm_decode_store(DecodeState *d, uint8_t op)
 {
-    Place to;
-    SmvmPlace p;
+    StoreTarget to;
+    SmvmLocation p;
 
     to.output = op == SMVM_out;
     to.index = d->n[0];

@@ -4,7 +4,7 @@
 
 typedef struct Window { uint32_t index, n, kind; } Window;
 
-static Window window(const Decode *d, uint32_t w)
+static Window window(const DecodeState *d, uint32_t w)
 {
     const uint32_t entry = smvm_window(d->m->image, d->m->windows_at, w);
     Window v;
@@ -15,13 +15,13 @@ static Window window(const Decode *d, uint32_t w)
     return v;
 }
 
-static void put_window(Decode *d, const Window *w)
+static void put_window(DecodeState *d, const Window *w)
 {
     if (d->out != NULL)
         smvm_word(d)->p = d->out->parts.window[w->index];
     d->words++;
-    smvm_put_u(d, w->n);
-    smvm_put_u(d, w->kind);
+    smvm_emit_u(d, w->n);
+    smvm_emit_u(d, w->kind);
 }
 
 // The windows that have special instructions: of five types, not long, and with data for one statistic only or for both ends.
@@ -62,44 +62,44 @@ static unsigned asking(const Window *w, uint32_t stat, bool store)
     return made_for(w, &type) == FOR_NONE || family[store][stat] == 0 ? (unsigned)FAST_STAT_OP : family[store][stat] + type;
 }
 
-void smvm_decode_sample(Decode *d)
+void smvm_decode_sample(DecodeState *d)
 {
     const Window w = window(d, d->n[0]);
-    const Value *x = smvm_x_of(d);
+    const DecodedValue *x = smvm_x_of(d);
     const bool memory = is_memory(x) && x->kind == (w.kind & SM_ROLL_TYPE) && sampling(&w, true) != FAST_SAMPLE_OP;
 
     if (!memory)
         smvm_load_x(d);
-    smvm_put_op(d, sampling(&w, memory));
+    smvm_emit_op(d, sampling(&w, memory));
     put_window(d, &w);
     if (memory)
-        smvm_put_value(d, x);
+        smvm_emit_value(d, x);
 }
 
-void smvm_put_statistic(Decode *d)
+void smvm_emit_statistic(DecodeState *d)
 {
-    const Window w = window(d, d->later.w);
+    const Window w = window(d, d->deferred.w);
 
-    smvm_put_op(d, asking(&w, d->later.n, false));
+    smvm_emit_op(d, asking(&w, d->deferred.n, false));
     put_window(d, &w);
-    smvm_put_u(d, d->later.n);
+    smvm_emit_u(d, d->deferred.n);
 }
 
 // Succeeds if such an instruction exists and the destination is one of the first 64 outputs.
-bool smvm_put_statistic_to(Decode *d, const Place *to)
+bool smvm_emit_statistic_to(DecodeState *d, const StoreTarget *to)
 {
     Window w;
 
-    if (d->x.kind != LATER || d->later.op != SMVM_stat || !to->output || to->index >= 64)
+    if (d->x.kind != DEFERRED || d->deferred.op != SMVM_stat || !to->output || to->index >= 64)
         return false;
-    w = window(d, d->later.w);
-    if ((w.kind & SM_ROLL_TYPE) != to->to.kind || asking(&w, d->later.n, true) == FAST_STAT_OP)
+    w = window(d, d->deferred.w);
+    if ((w.kind & SM_ROLL_TYPE) != to->to.kind || asking(&w, d->deferred.n, true) == FAST_STAT_OP)
         return false;
-    smvm_put_op(d, asking(&w, d->later.n, true));
-    smvm_put_u(d, (uint64_t)1 << to->index);
-    smvm_put_value(d, &to->to);
+    smvm_emit_op(d, asking(&w, d->deferred.n, true));
+    smvm_emit_u(d, (uint64_t)1 << to->index);
+    smvm_emit_value(d, &to->to);
     put_window(d, &w);
-    smvm_put_u(d, d->later.n);
+    smvm_emit_u(d, d->deferred.n);
     d->x.kind = FAST_A;
     return true;
 }

@@ -6,32 +6,32 @@
 
 // ---- words ----
 
-SmvmWord *smvm_word(Decode *d) { return d->out != NULL ? &d->out->code[d->words] : NULL; }
+SmvmWord *smvm_word(DecodeState *d) { return d->out != NULL ? &d->out->code[d->words] : NULL; }
 
-void smvm_put_op(Decode *d, unsigned op)
+void smvm_emit_op(DecodeState *d, unsigned op)
 {
-    if (d->out != NULL && d->place != NULL)
-        smvm_word(d)->go = d->place[op];
+    if (d->out != NULL && d->label != NULL)
+        smvm_word(d)->go = d->label[op];
     else if (d->out != NULL)
         smvm_word(d)->u = op;
     d->words++;
 }
 
-void smvm_put_u(Decode *d, uint64_t u)
+void smvm_emit_u(DecodeState *d, uint64_t u)
 {
     if (d->out != NULL)
         smvm_word(d)->u = u;
     d->words++;
 }
 
-static void put_f(Decode *d, SmF64 f)
+static void emit_f(DecodeState *d, SmF64 f)
 {
     if (d->out != NULL)
         smvm_word(d)->f = f;
     d->words++;
 }
 
-static void *address(const Decode *d, const Value *v)
+static void *address(const DecodeState *d, const DecodedValue *v)
 {
     switch (v->is) {
     case A_LOCAL: return d->out->parts.local + v->offset;
@@ -40,10 +40,10 @@ static void *address(const Decode *d, const Value *v)
     }
 }
 
-void smvm_put_value(Decode *d, const Value *v)
+void smvm_emit_value(DecodeState *d, const DecodedValue *v)
 {
     if (v->kind == FAST_C) {
-        put_f(d, v->c);
+        emit_f(d, v->c);
         return;
     }
     if (d->out != NULL && v->kind <= FAST_RAW)
@@ -53,19 +53,19 @@ void smvm_put_value(Decode *d, const Value *v)
 
 // The target of a jump.  Until the whole function is decoded, the word contains the index of the previous jump and the target's
 // offset in the function, 32 bits each.
-void smvm_put_target(Decode *d, uint32_t target)
+void smvm_emit_target(DecodeState *d, uint32_t target)
 {
     uint64_t before = d->jumps;
 
     d->jumps = d->words;
-    smvm_put_u(d, before << 32 | target);
+    smvm_emit_u(d, before << 32 | target);
 }
 
 // ---- values ----
 
-Value smvm_in_memory(unsigned kind, unsigned is, uint32_t offset)
+DecodedValue smvm_in_memory(unsigned kind, unsigned is, uint32_t offset)
 {
-    Value v;
+    DecodedValue v;
 
     memset(&v, 0, sizeof v);
     v.kind = (uint8_t)kind;
@@ -74,9 +74,9 @@ Value smvm_in_memory(unsigned kind, unsigned is, uint32_t offset)
     return v;
 }
 
-Value smvm_constant(SmF64 c)
+DecodedValue smvm_constant(SmF64 c)
 {
-    Value v = smvm_in_memory(FAST_C, A_LOCAL, 0);
+    DecodedValue v = smvm_in_memory(FAST_C, A_LOCAL, 0);
 
     v.c = c;
     return v;
@@ -92,23 +92,23 @@ bool smvm_is_whole(SmF64 c, int64_t limit, int64_t *v)
 
 // ---- families ----
 
-void smvm_put_load(Decode *d, const Value *x)
+void smvm_emit_load(DecodeState *d, const DecodedValue *x)
 {
-    if (is_f(x))
+    if (is_in_f(x))
         return;
-    smvm_put_op(d, is_number(x) ? FAST_LD_C_OP : (unsigned)FAST_LD_I8_OP + x->kind);
-    smvm_put_value(d, x);
+    smvm_emit_op(d, is_constant(x) ? FAST_LD_C_OP : (unsigned)FAST_LD_I8_OP + x->kind);
+    smvm_emit_value(d, x);
 }
 
-void smvm_put_with(Decode *d, FastOp family, const Value *y)
+void smvm_emit_with(DecodeState *d, FastOp family, const DecodedValue *y)
 {
-    smvm_put_op(d, (unsigned)family + y->kind);
-    smvm_put_value(d, y);
+    smvm_emit_op(d, (unsigned)family + y->kind);
+    smvm_emit_value(d, y);
 }
 
-void smvm_put_pair(Decode *d, FastOp family, const Value *x, const Value *y)
+void smvm_emit_pair(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y)
 {
-    smvm_put_op(d, (unsigned)family + x->kind);
-    smvm_put_value(d, x);
-    smvm_put_value(d, y);
+    smvm_emit_op(d, (unsigned)family + x->kind);
+    smvm_emit_value(d, x);
+    smvm_emit_value(d, y);
 }

@@ -18,7 +18,7 @@
 
 // ---- the machine ----
 
-static void line(Out *o, const char *what, uint64_t v, const char *unit)
+static void print_line(DisasmOutput *o, const char *what, uint64_t v, const char *unit)
 {
     smvm_text(o, "    ");
     smvm_text(o, what);
@@ -27,7 +27,7 @@ static void line(Out *o, const char *what, uint64_t v, const char *unit)
     smvm_text(o, unit);
 }
 
-static void window(Out *o, uint32_t w)
+static void print_window(DisasmOutput *o, uint32_t w)
 {
     static const char *const stat[] = {" average", " median", " smallest", " largest", " range"};
     uint32_t entry = smvm_window(o->m->image, o->m->windows_at, w), kind = entry >> SMVM_WINDOW_SIZE_BITS;
@@ -45,51 +45,51 @@ static void window(Out *o, uint32_t w)
     smvm_text(o, "\n");
 }
 
-static void element(Out *o, const char *what, const SmvmPlace *p)
+static void print_element(DisasmOutput *o, const char *what, const SmvmLocation *p)
 {
     SmvmName n = smvm_name_of(o->m, SMVM_IS_ELEMENT, p);
 
     smvm_text(o, "    ");
     smvm_text(o, what);
     smvm_text_pad(o, 20);
-    smvm_text_place(o, "", p);
+    smvm_text_location(o, "", p);
     smvm_text(o, n.size > 0 ? " " : "");
     smvm_text_name(o, n);
     smvm_text(o, "\n");
 }
 
-static void elements(Out *o)
+static void print_elements(DisasmOutput *o)
 {
-    SmvmPlace g = {SM_U64, 0}, s = {SM_U32, 0}, p;
+    SmvmLocation g = {SM_U64, 0}, s = {SM_U32, 0}, p;
 
     g.offset = o->m->g;
     s.offset = o->m->s;
     for (uint32_t i = 0; i < o->m->outputs; i++) {
         p = smvm_output(o->m, i);
-        element(o, "output", &p);
+        print_element(o, "output", &p);
     }
-    element(o, "G", &g);
-    element(o, "S", &s);
+    print_element(o, "G", &g);
+    print_element(o, "S", &s);
 }
 
-static void initial_values(Out *o)
+static void print_initial_values(DisasmOutput *o)
 {
     const SmvmMachine *m = o->m;
 
     for (uint32_t at = m->init_at; at < m->init_at + m->init_size;) {
-        SmvmPlace p = smvm_place(m->image, at);
+        SmvmLocation p = smvm_location(m->image, at);
         uint8_t bytes = (uint8_t)(1u << smvm_type_shift(p.type));
         smvm_text(o, "    initial value");
         smvm_text_pad(o, 20);
-        smvm_text_place(o, "local ", &p);
+        smvm_text_location(o, "local ", &p);
         smvm_text(o, " = 0x");
-        smvm_text_hex(o, smvm_cell(m->image, at + SMVM_PLACE, bytes), (uint8_t)(2 * bytes));
+        smvm_text_hex(o, smvm_cell(m->image, at + SMVM_LOCATION_BYTES, bytes), (uint8_t)(2 * bytes));
         smvm_text(o, "\n");
-        at += (uint32_t)SMVM_PLACE + bytes;
+        at += (uint32_t)SMVM_LOCATION_BYTES + bytes;
     }
 }
 
-static void safe_states(Out *o)
+static void print_safe_states(DisasmOutput *o)
 {
     if (o->m->safe_at == 0)
         return;
@@ -102,7 +102,7 @@ static void safe_states(Out *o)
     smvm_text(o, "\n");
 }
 
-static void machine(Out *o, uint32_t index)
+static void print_machine(DisasmOutput *o, uint32_t index)
 {
     const SmvmMachine *m = o->m;
 
@@ -111,23 +111,23 @@ static void machine(Out *o, uint32_t index)
     smvm_text(o, " ");
     smvm_text_name(o, smvm_name(m, SMVM_NAME_MACHINE));
     smvm_text(o, "\n");
-    line(o, "state vector", m->sv_size, " bytes, layout ");
+    print_line(o, "state vector", m->sv_size, " bytes, layout ");
     smvm_text_hex(o, m->layout, 8);
     smvm_text(o, "; of these it names ");
     smvm_text_number(o, m->from);
     smvm_text(o, " to ");
     smvm_text_number(o, m->to);
     smvm_text(o, "\n");
-    line(o, "states", m->states, "\n");
-    safe_states(o);
-    line(o, "memory", smvm_ram_size_64(m), " bytes on a 64-bit computer, of these ");
+    print_line(o, "states", m->states, "\n");
+    print_safe_states(o);
+    print_line(o, "memory", smvm_ram_size_64(m), " bytes on a 64-bit computer, of these ");
     smvm_text_number(o, m->locals);
     smvm_text(o, " for locals\n");
-    line(o, "longest step", smvm_longest_step(m), " instructions\n");
-    elements(o);
-    initial_values(o);
+    print_line(o, "longest step", smvm_longest_step(m), " instructions\n");
+    print_elements(o);
+    print_initial_values(o);
     for (uint32_t w = 0; w < m->windows; w++)
-        window(o, w);
+        print_window(o, w);
     memset(&o->lines, 0, sizeof o->lines);
     o->more_lines = smvm_next_line(m, &o->lines);
     for (uint32_t f = 0; f <= 3 * m->states; f++)
@@ -136,7 +136,7 @@ static void machine(Out *o, uint32_t index)
 
 // ---- pins ----
 
-static void real(Out *o, const char *before, SmF64 x)
+static void print_real(DisasmOutput *o, const char *before, SmF64 x)
 {
     smvm_text(o, before);
     if (sm_eq(sm_trunc(x), x) && sm_le(sm_abs(x), sm_from_i32(INT32_MAX))) {
@@ -148,7 +148,7 @@ static void real(Out *o, const char *before, SmF64 x)
     }
 }
 
-static void pin(Out *o, const SmvmPin *p)
+static void print_pin(DisasmOutput *o, const SmvmPin *p)
 {
     smvm_text(o, p->kind & 2 ? "    digital " : "    analog ");
     smvm_text(o, p->kind & 1 ? "o " : "i ");
@@ -158,19 +158,19 @@ static void pin(Out *o, const SmvmPin *p)
     smvm_text(o, " at ");
     smvm_text_number(o, p->offset);
     if (!sm_eq(p->scale, sm_from_i32(1)))
-        real(o, " @scale ", p->scale);
+        print_real(o, " @scale ", p->scale);
     if (!sm_eq(p->zero, sm_from_i32(0)))
-        real(o, " @offset ", p->zero);
+        print_real(o, " @offset ", p->zero);
     if (!sm_eq(p->safe, sm_from_i32(0)))
-        real(o, " @safe ", p->safe);
+        print_real(o, " @safe ", p->safe);
     smvm_text(o, p->flags & 1 ? " @inverted" : "");
     smvm_text(o, p->flags & 2 ? " @pull_up" : p->flags & 4 ? " @pull_down" : "");
     if (p->hold)
-        real(o, " @hold ", sm_from_u32(p->hold));
+        print_real(o, " @hold ", sm_from_u32(p->hold));
     smvm_text(o, "\n");
 }
 
-static void pins(Out *o, SmvmBytes image)
+static void print_pins(DisasmOutput *o, SmvmBytes image)
 {
     SmvmPins all;
     SmvmPin p;
@@ -178,11 +178,11 @@ static void pins(Out *o, SmvmBytes image)
     if (!smvm_pins(image, &all))
         return;
     smvm_text(o, "\npins\n");
-    line(o, "state vector", 8 * all.sv_size, " bytes, layout ");
+    print_line(o, "state vector", 8 * all.sv_size, " bytes, layout ");
     smvm_text_hex(o, all.layout, 8);
     smvm_text(o, "\n");
     while (smvm_next_pin(&all, &p))
-        pin(o, &p);
+        print_pin(o, &p);
 }
 
 static const char *section_name(uint8_t id)
@@ -195,11 +195,11 @@ static const char *section_name(uint8_t id)
     }
 }
 
-static void sections(Out *o, SmvmBytes image)
+static void print_sections(DisasmOutput *o, SmvmBytes image)
 {
-    for (uint8_t i = 0; i < smvm_sections(image); i++) {
+    for (uint8_t i = 0; i < smvm_section_count(image); i++) {
         SmvmSection s;
-        smvm_section(image, i, &s);
+        smvm_read_section(image, i, &s);
         smvm_text(o, "    section ");
         smvm_text_hex(o, s.id, 2);
         smvm_text(o, " ");
@@ -219,7 +219,7 @@ static void sections(Out *o, SmvmBytes image)
 void smvm_disasm(SmvmBytes image, SmvmWrite write, void *context)
 {
     SmvmMachine m;
-    Out o;
+    DisasmOutput o;
 
     memset(&o, 0, sizeof o);
     o.write = write;
@@ -230,10 +230,10 @@ void smvm_disasm(SmvmBytes image, SmvmWrite write, void *context)
     smvm_text(&o, " bytes, format 2, crc ");
     smvm_text_hex(&o, smvm_uint(image, SMVM_CRC_AT, 4), 8);
     smvm_text(&o, "\n");
-    sections(&o, image);
-    pins(&o, image);
+    print_sections(&o, image);
+    print_pins(&o, image);
     for (uint32_t i = 0; smvm_machine(image, i, &m); i++)
-        machine(&o, i);
+        print_machine(&o, i);
 }
 
 const char *smvm_rule_text(uint8_t rule)

@@ -3,7 +3,7 @@
 #include "bytecode-vm/disasm.h"
 #include "stdlib/convert.h"
 
-static void right(Out *o, uint32_t v, uint32_t width)            // right-aligned in `width` columns
+static void print_right_aligned(DisasmOutput *o, uint32_t v, uint32_t width)  // right-aligned in `width` columns
 {
     for (uint32_t least = 10, i = 1; i < width; i++, least *= 10)
         if (v < least)
@@ -11,8 +11,8 @@ static void right(Out *o, uint32_t v, uint32_t width)            // right-aligne
     smvm_text_number(o, v);
 }
 
-// The name of the opcode without its suffix for the operand's place: ldx, not ldx_local.
-static void mnemonic(Out *o, uint8_t op)
+// The name of the opcode without its suffix for where the operand is: ldx, not ldx_local.
+static void print_mnemonic(DisasmOutput *o, uint8_t op)
 {
     static const struct { uint8_t last; const char *name; } ops[] = {
 #define SMVM_OP(name, first, last, shape, meaning) {last, #name},
@@ -30,7 +30,7 @@ static void mnemonic(Out *o, uint8_t op)
     }
 }
 
-static void relation(Out *o, uint32_t m)
+static void print_relation(DisasmOutput *o, uint32_t m)
 {
     static const char *const before[] = {"never x ? ", "x < ", "x == ", "x <= ", "x > ", "x <> ", "x >= ", "x <=> ", "not x <=> ",
                                          "not x >= ", "not x <> ", "not x > ", "not x <= ", "x != ", "not x < ", "always x ? "};
@@ -38,39 +38,39 @@ static void relation(Out *o, uint32_t m)
     smvm_text(o, before[m & 15u]);
 }
 
-static void variable_of(Out *o, uint8_t op, SmvmVariable is, uint32_t index)
+static void print_variable_of(DisasmOutput *o, uint8_t op, SmvmVariable is, uint32_t index)
 {
-    SmvmPlace p;
+    SmvmLocation p;
 
     p.type = (SmType)(op & 15u);
     p.offset = index << smvm_type_shift(op & 15u);
     smvm_text_variable(o, is, &p);
 }
 
-static void output(Out *o, uint32_t index)
+static void print_output(DisasmOutput *o, uint32_t index)
 {
-    SmvmPlace p = smvm_output(o->m, index);
+    SmvmLocation p = smvm_output(o->m, index);
 
     smvm_text_variable(o, SMVM_IS_ELEMENT, &p);
 }
 
-static void whole_number(Out *o, uint8_t op, uint32_t n)
+static void print_whole_number(DisasmOutput *o, uint8_t op, uint32_t n)
 {
     if (smvm_shape(op) & SMVM_SHAPE_J)
-        relation(o, op);
+        print_relation(o, op);
     smvm_text_whole(o, op == SMVM_ldx_minus || op == SMVM_ldy_minus ? -1 - (int32_t)n : (int32_t)n);
 }
 
-static void jump(Out *o, uint8_t op, uint32_t target)
+static void print_jump(DisasmOutput *o, uint8_t op, uint32_t target)
 {
     if (smvm_shape(op) & SMVM_SHAPE_Y) {
-        relation(o, op);
+        print_relation(o, op);
         smvm_text(o, "y, ");
     }
     smvm_text_number(o, target);
 }
 
-static void statistic(Out *o, uint32_t k)
+static void print_statistic(DisasmOutput *o, uint32_t k)
 {
     static const char *const stat[] = {"average", "median", "smallest", "largest", "range"};
 
@@ -78,25 +78,25 @@ static void statistic(Out *o, uint32_t k)
 }
 
 // One operand: its bit in the shape, and its number.  For a jump the number is already the target.
-static void follows(Out *o, uint8_t op, uint32_t letter, uint32_t v)
+static void print_operand(DisasmOutput *o, uint8_t op, uint32_t letter, uint32_t v)
 {
     switch (letter) {
-    case SMVM_SHAPE_L: variable_of(o, op, SMVM_IS_LOCAL, v); break;
-    case SMVM_SHAPE_E: variable_of(o, op, SMVM_IS_ELEMENT, v); break;
-    case SMVM_SHAPE_N: whole_number(o, op, v); break;
+    case SMVM_SHAPE_L: print_variable_of(o, op, SMVM_IS_LOCAL, v); break;
+    case SMVM_SHAPE_E: print_variable_of(o, op, SMVM_IS_ELEMENT, v); break;
+    case SMVM_SHAPE_N: print_whole_number(o, op, v); break;
     case SMVM_SHAPE_F: smvm_text_f64(o, sm_from_f32(sm_f32_from_bits(smvm_uint(o->m->image, o->m->f32s_at + 4 * v, 4)))); break;
     case SMVM_SHAPE_D: smvm_text_f64(o, sm_from_bits(smvm_cell(o->m->image, o->m->f64s_at + 8 * v, 8))); break;
-    case SMVM_SHAPE_O: output(o, v); break;
+    case SMVM_SHAPE_O: print_output(o, v); break;
     case SMVM_SHAPE_S: smvm_text_state(o, v); break;
-    case SMVM_SHAPE_K: statistic(o, v); break;
+    case SMVM_SHAPE_K: print_statistic(o, v); break;
     case SMVM_SHAPE_W: smvm_text(o, "w"); smvm_text_number(o, v); break;
     case SMVM_SHAPE_T: smvm_text(o, smvm_type_name(v)); break;
-    case SMVM_SHAPE_M: relation(o, v); smvm_text(o, "y"); break;
-    default: jump(o, op, v); break;
+    case SMVM_SHAPE_M: print_relation(o, v); smvm_text(o, "y"); break;
+    default: print_jump(o, op, v); break;
     }
 }
 
-static void source_line(Out *o, uint32_t code)                   // the line that begins at this offset, if any
+static void print_source_line(DisasmOutput *o, uint32_t code)    // the line that begins at this offset, if any
 {
     uint32_t line = 0;
 
@@ -111,32 +111,32 @@ static void source_line(Out *o, uint32_t code)                   // the line tha
     smvm_text_number(o, line);
 }
 
-static SmvmAt instruction(Out *o, SmvmAt at)                     // returns where the next one is
+static SmvmAt print_instruction(DisasmOutput *o, SmvmAt at)      // returns where the next one is
 {
     uint8_t op = smvm_u8(o->m->image, at);
     uint32_t start = (uint32_t)at++ - o->m->code_at, shape = smvm_shape(op) & SMVM_SHAPE_FOLLOWS, v = 0;
     const char *between = "";
 
-    right(o, start, 6);
+    print_right_aligned(o, start, 6);
     smvm_text(o, "  ");
-    mnemonic(o, op);
+    print_mnemonic(o, op);
     if (shape != 0 || op == SMVM_ldx_time || op == SMVM_ldy_time)
         smvm_text_pad(o, 16);
     if (op == SMVM_ldx_time || op == SMVM_ldy_time)
-        variable_of(o, op, SMVM_IS_TIME, 0);
+        print_variable_of(o, op, SMVM_IS_TIME, 0);
     for (uint32_t letter = 1; letter <= shape; letter <<= 1)
         if ((shape & letter) != 0) {
-            smvm_varint(o->m->image, &at, (SmvmAt)(o->m->code_at + o->m->code_size), &v);
+            smvm_read_varint(o->m->image, &at, (SmvmAt)(o->m->code_at + o->m->code_size), &v);
             smvm_text(o, between);
-            follows(o, op, letter, letter == SMVM_SHAPE_J ? at - o->m->code_at + v : v);
+            print_operand(o, op, letter, letter == SMVM_SHAPE_J ? at - o->m->code_at + v : v);
             between = ", ";
         }
-    source_line(o, start);
+    print_source_line(o, start);
     smvm_text(o, "\n");
     return at;
 }
 
-void smvm_text_function(Out *o, uint32_t index)
+void smvm_text_function(DisasmOutput *o, uint32_t index)
 {
     static const char *const block[] = {".entry", ".step", ".exit"};
     SmvmAt at = (SmvmAt)(o->m->code_at + (index == 0 ? 0 : smvm_function_end(o->m, index - 1)));
@@ -152,5 +152,5 @@ void smvm_text_function(Out *o, uint32_t index)
     smvm_text(o, index == 0 ? ":\n" : block[(index - 1) % 3]);
     smvm_text(o, index == 0 ? "" : ":\n");
     while (at < end)
-        at = instruction(o, at);
+        at = print_instruction(o, at);
 }

@@ -8,7 +8,7 @@ enum { NAME_MOST = 250 };
 
 // ---- text ----
 
-void smvm_text(Out *o, const char *s)
+void smvm_text(DisasmOutput *o, const char *s)
 {
     size_t n = 0;
 
@@ -18,14 +18,14 @@ void smvm_text(Out *o, const char *s)
     o->column = n > 0 && s[n - 1] == '\n' ? 0 : o->column + (uint32_t)n;
 }
 
-void smvm_text_pad(Out *o, uint32_t column)
+void smvm_text_pad(DisasmOutput *o, uint32_t column)
 {
     do
         smvm_text(o, " ");
     while (o->column < column);
 }
 
-void smvm_text_number(Out *o, uint64_t v)
+void smvm_text_number(DisasmOutput *o, uint64_t v)
 {
     char digits[21], *p = digits + 20;
 
@@ -36,7 +36,7 @@ void smvm_text_number(Out *o, uint64_t v)
     smvm_text(o, p);
 }
 
-void smvm_text_hex(Out *o, uint64_t v, uint8_t digits)
+void smvm_text_hex(DisasmOutput *o, uint64_t v, uint8_t digits)
 {
     char t[2] = "";
 
@@ -47,7 +47,7 @@ void smvm_text_hex(Out *o, uint64_t v, uint8_t digits)
 }
 
 // Cuts names that are unreasonably long, so that the listing's length is proportional to the image's.
-void smvm_text_name(Out *o, SmvmName n)
+void smvm_text_name(DisasmOutput *o, SmvmName n)
 {
     char t[2] = "";
 
@@ -59,7 +59,7 @@ void smvm_text_name(Out *o, SmvmName n)
 
 // ---- numbers and variables ----
 
-void smvm_text_whole(Out *o, int32_t v)
+void smvm_text_whole(DisasmOutput *o, int32_t v)
 {
     if (v < 0)
         smvm_text(o, "-");
@@ -67,7 +67,7 @@ void smvm_text_whole(Out *o, int32_t v)
 }
 
 // m / 10^places, with a point.
-static void decimal(Out *o, uint64_t m, uint8_t places)
+static void print_decimal(DisasmOutput *o, uint64_t m, uint8_t places)
 {
     uint64_t unit = 1;
 
@@ -84,7 +84,7 @@ static void decimal(Out *o, uint64_t m, uint8_t places)
 
 // Writes the decimal with at most 15 places whose nearest F64 is x >= 0, if there is one.  Dividing one exact number by another rounds
 // like reading the decimal does.
-static bool short_decimal(Out *o, SmF64 x)
+static bool print_short_decimal(DisasmOutput *o, SmF64 x)
 {
     const SmF64 ten = sm_from_i32(10), limit = sm_from_u64((uint64_t)1 << 53);
     SmF64 unit = sm_from_i32(1);
@@ -92,7 +92,7 @@ static bool short_decimal(Out *o, SmF64 x)
     for (uint8_t places = 0; places <= 15 && sm_lt(sm_mul(x, unit), limit); places++) {
         SmF64 m = sm_round(sm_mul(x, unit));
         if (sm_eq(sm_div(m, unit), x)) {
-            decimal(o, sm_to_u64(m), places);
+            print_decimal(o, sm_to_u64(m), places);
             return true;
         }
         unit = sm_mul(unit, ten);
@@ -100,7 +100,7 @@ static bool short_decimal(Out *o, SmF64 x)
     return false;
 }
 
-void smvm_text_f64(Out *o, SmF64 x)
+void smvm_text_f64(DisasmOutput *o, SmF64 x)
 {
     uint64_t bits = sm_bits(x), fraction = bits & 0xfffffffffffffu;
     int32_t exponent = (int32_t)(bits >> 52 & 0x7ff);
@@ -112,7 +112,7 @@ void smvm_text_f64(Out *o, SmF64 x)
         smvm_text(o, fraction != 0 ? "nan" : "inf");
         return;
     }
-    if (short_decimal(o, sm_abs(x)))
+    if (print_short_decimal(o, sm_abs(x)))
         return;
     for (; digits > 0 && (fraction & 15u) == 0; digits--)
         fraction >>= 4;
@@ -128,7 +128,7 @@ void smvm_text_f64(Out *o, SmF64 x)
 
 const char *smvm_type_name(uint32_t type) { return type < SM_TYPE_COUNT ? sm_type_info[type].spelling : "RAW"; }
 
-void smvm_text_place(Out *o, const char *space, const SmvmPlace *p)
+void smvm_text_location(DisasmOutput *o, const char *space, const SmvmLocation *p)
 {
     smvm_text(o, space);
     smvm_text(o, smvm_type_name(p->type));
@@ -136,7 +136,7 @@ void smvm_text_place(Out *o, const char *space, const SmvmPlace *p)
     smvm_text_number(o, p->offset);
 }
 
-void smvm_text_variable(Out *o, SmvmVariable is, const SmvmPlace *p)
+void smvm_text_variable(DisasmOutput *o, SmvmVariable is, const SmvmLocation *p)
 {
     SmvmName n = smvm_name_of(o->m, is, p);
 
@@ -145,10 +145,10 @@ void smvm_text_variable(Out *o, SmvmVariable is, const SmvmPlace *p)
     else if (is == SMVM_IS_TIME)
         smvm_text(o, "T");
     else
-        smvm_text_place(o, is == SMVM_IS_LOCAL ? "local " : "", p);
+        smvm_text_location(o, is == SMVM_IS_LOCAL ? "local " : "", p);
 }
 
-void smvm_text_state(Out *o, uint32_t s)
+void smvm_text_state(DisasmOutput *o, uint32_t s)
 {
     SmvmName n = smvm_state_name(o->m, s);
 

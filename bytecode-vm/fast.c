@@ -76,7 +76,7 @@ static inline SmF64 read_f32(float v) { return read_f64(sm_from_f32(v)); }
 static inline SmF64 from_byte(uint8_t v) { return sm_from_bool(v != 0); }
 #define is_not_zero(v) ((v) != 0)
 static inline bool is_f32_true(float v) { return sm_to_bool(sm_from_f32(v)); }
-static inline SmF64 as_it_is(SmF64 x) { return x; }
+static inline SmF64 unchanged(SmF64 x) { return x; }
 
 SMALL(I8, int8_t, sm_from_i8, sm_to_i8, INT8_MIN, INT8_MAX)
 SMALL(I16, int16_t, sm_from_i16, sm_to_i16, INT16_MIN, INT16_MAX)
@@ -87,9 +87,9 @@ SMALL(U16, uint16_t, sm_from_u16, sm_to_u16, 0, UINT16_MAX)
 SMALL(U32, uint32_t, sm_from_u32, sm_to_u32, 0, UINT32_MAX)
 LARGE(U64, uint64_t, sm_from_u64, sm_to_u64, sm_count_u64)
 FLOATING(F32, float, read_f32, sm_to_f32, sm_from_f32, is_f32_true)
-FLOATING(F64, SmF64, read_f64, sm_to_f64, as_it_is, sm_to_bool)
+FLOATING(F64, SmF64, read_f64, sm_to_f64, unchanged, sm_to_bool)
 FLOATING(BOOL, uint8_t, from_byte, sm_to_bool, from_byte, is_not_zero)
-FLOATING(RAW, SmF64, as_it_is, smvm_raw, as_it_is, sm_to_bool)
+FLOATING(RAW, SmF64, unchanged, smvm_raw, unchanged, sm_to_bool)
 static inline int64_t whole_I64(const SmvmWord *w) { return cell_I64(w); }
 static inline uint64_t whole_U64(const SmvmWord *w) { return cell_U64(w); }
 static inline int64_t number_I64(const SmvmWord *w) { return w->i; }
@@ -128,7 +128,7 @@ static SmF64 root(SmF64 x) { return sm_sqrt(x); }
 #define GO_IF(condition, n) if (condition) { ip = ip[1].to; NEXT(0); } NEXT(n)
 
 // Compilers turn this into one store on little-endian machines.
-static inline void keep(uint8_t *stored, uint64_t notes)
+static inline void store_notes(uint8_t *stored, uint64_t notes)
 {
     stored[0] = (uint8_t)notes;
     stored[1] = (uint8_t)(notes >> 8);
@@ -141,18 +141,18 @@ static inline void keep(uint8_t *stored, uint64_t notes)
 }
 
 // A step on another state vector; or, for a decoded form without a machine, returns the addresses of all instructions' code.
-static SmResult elsewhere(SmvmDecoded *d, void *sv, const void *const *place)
+static SmResult run_at_other_address(SmvmDecoded *d, void *sv, const void *const *label)
 {
     if (d->vm != NULL)
         return smvm_step(d->vm, sv);
-    d->place = place;
+    d->label = label;
     return SM_OK;
 }
 
 SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
 {
 #if SMVM_COMPUTED_GOTO
-    static const void *const place[] = {
+    static const void *const label[] = {
 #undef FAST
 #define FAST(name, ...) &&name##_,
 #include "bytecode-vm/fast.def"
@@ -160,7 +160,7 @@ SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
 #define FAST(name, ...) name##_: __VA_ARGS__
     };
 #else
-    static const void *const *const place = NULL;
+    static const void *const *const label = NULL;
 #endif
     SmVm *const vm = d->vm;
     const SmvmWord *ip;
@@ -168,7 +168,7 @@ SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
     SmF64 F = sm_from_i32(0);
 
     if (sv != d->sv)
-        return elsewhere(d, sv, place);
+        return run_at_other_address(d, sv, label);
     if (!smvm_advance(vm, d->g))
         return SM_REFUSED;
     if (vm->first || vm->entered) {                   // most often neither is set
@@ -182,11 +182,11 @@ SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
     FINISH
 }
 
-const void *const *smvm_fast_places(void)
+const void *const *smvm_fast_labels(void)
 {
     SmvmDecoded none;
 
     memset(&none, 0, sizeof none);
     smvm_step_decoded(&none, &none);
-    return none.place;
+    return none.label;
 }

@@ -150,11 +150,11 @@ struct SmvmDecoded {
     uint64_t t;               // T
     SmvmWord *code;           // the sample function first
     const SmvmWord **body;    // two for each state: where its later steps start in the code, and its first step
-    const void *const *place; // see smvm_fast_places
+    const void *const *label; // see smvm_fast_labels
     bool samples;             // code precedes those blocks, from the second word on
 };
 
 // The address of the code of each FastOp, or NULL if the code contains its number instead.
-const void *const *smvm_fast_places(void);
+const void *const *smvm_fast_labels(void);
 
 #endif

@@ -15,9 +15,9 @@
 
 // Lets the compiler omit code for other sizes.
 #ifdef __GNUC__
-#define KNOWN(condition) do { if (!(condition)) __builtin_unreachable(); } while (0)
+#define ASSUME(condition) do { if (!(condition)) __builtin_unreachable(); } while (0)
 #else
-#define KNOWN(condition) (void)0
+#define ASSUME(condition) (void)0
 #endif
 
 static inline uint64_t *window(const SmvmWord *w) { return (uint64_t *)w->p; }
@@ -25,7 +25,7 @@ static inline uint32_t size(const SmvmWord *w, uint32_t most)
 {
     const uint32_t n = (uint32_t)w[1].u;
 
-    KNOWN(n >= 1 && n <= most);
+    ASSUME(n >= 1 && n <= most);
     return n;
 }
 

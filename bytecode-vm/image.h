@@ -15,7 +15,7 @@
 enum {
     SMVM_FORMAT = 2,                  // the version of the whole format
     SMVM_CRC_AT = 4, SMVM_LENGTH_AT = 8, SMVM_SECTIONS_AT = 11, SMVM_HEADER = 12,
-    SMVM_ENTRY = 8,                   // of the section table: id u8, version u8, offset u24, length u24
+    SMVM_SECTION_ENTRY = 8,           // of the section table: id u8, version u8, offset u24, length u24
     SMVM_MUST_KNOW = 0x80             // a section whose id has this bit cannot be skipped
 };
 
@@ -38,7 +38,7 @@ typedef enum SmvmOp {
 #define SMVM_OP(name, first, last, shape, meaning) SMVM_##name = first,
 #include "bytecode-vm/opcodes.def"
 #undef SMVM_OP
-    SMVM_OP_LEAST = 0x80              // bytes below are never opcodes
+    SMVM_OP_FIRST = 0x80              // bytes below are never opcodes
 } SmvmOp;
 
 enum { SMVM_RAW = SM_TYPE_COUNT };    // as the type of a local: an F64 that is stored as it is, NaN included
@@ -57,10 +57,10 @@ enum {
 #define SMVM_SHAPE_FY UINT32_C(0x10000)
 #define SMVM_SHAPE_Z UINT32_C(0x20000)                // nonzero for every opcode, so that each has a shape
 
-// A place in the image, three bytes, of a local or element whose type the opcode does not imply.  The offset, in units of the type's
+// The location of a local or element whose type the opcode does not imply, as three bytes in the image.  The offset, in units of the type's
 // size, is in the low 16 bits and the highest 4; the type is in the 4 between.
-enum { SMVM_PLACE = 3 };
-#define SMVM_PLACES UINT32_C(0x100000)                // the number of possible offsets
+enum { SMVM_LOCATION_BYTES = 3 };
+#define SMVM_LOCATION_OFFSETS UINT32_C(0x100000)      // the number of possible offsets
 
 // A window in the image, four bytes: its size in the low 17 bits, above them its kind as defined in stdlib/roll.h.
 enum { SMVM_WINDOW_ENTRY = 4, SMVM_WINDOW_SIZE_BITS = 17 };
@@ -72,7 +72,7 @@ enum { SMVM_VARINT_1 = 0x60, SMVM_VARINT_2 = 0x78 };
 #define SMVM_VARINT_END (SMVM_VARINT_MID + 0x1000000u)
 
 // DEBUG begins with this many numbers of three bytes: count of variables, start of the lines, name of the machine, name of the source.
-// Then follow the offsets of the names of states (0: none).  Then follow, for each variable, its SmvmVariable, its place and its name's
+// Then follow the offsets of the names of states (0: none).  Then follow, for each variable, its SmvmVariable, its location and its name's
 // offset.
 enum { SMVM_DEBUG_NUMBERS = 4, SMVM_DEBUG_VARIABLE = 7 };
 
@@ -83,7 +83,7 @@ static inline uint8_t smvm_u8(SmvmBytes image, SmvmAt at) { return (uint8_t)SMVM
 uint32_t smvm_uint(SmvmBytes image, SmvmAt at, uint8_t bytes);   // little-endian, at most 4 bytes
 
 // Reads the bits of a number of `bytes` bytes into memory, in the byte order of this computer.
-void smvm_get(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes);
+void smvm_read_bits(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes);
 
 static inline uint32_t smvm_u24(SmvmBytes image, SmvmAt at) { return smvm_uint(image, at, 3); }
 
@@ -94,7 +94,7 @@ static inline uint64_t smvm_cell(SmvmBytes image, SmvmAt at, uint8_t bytes)
 
     if (bytes < 8)
         return smvm_uint(image, at, bytes);
-    smvm_get(image, at, &v, 8);
+    smvm_read_bits(image, at, &v, 8);
     return v;
 }
 
@@ -108,73 +108,73 @@ uint8_t smvm_shift(uint8_t type);                     // the same as a call, for
 
 // Reads an offset or size of up to three bytes.  A value that no image on this target can have becomes SMVM_NOWHERE, beyond every image.
 #define SMVM_NOWHERE ((SmvmAt)-1)
-SmvmAt smvm_at(SmvmBytes image, SmvmAt at, uint8_t bytes);
+SmvmAt smvm_read_offset(SmvmBytes image, SmvmAt at, uint8_t bytes);
 
 // Returns the offset of the next `bytes` bytes and moves past them; 0: fewer are left.
-SmvmAt smvm_take(SmvmReader *r, uint8_t bytes);
+SmvmAt smvm_skip(SmvmReader *r, uint8_t bytes);
 
 // Reads a varint that must end before r->end into r->n, which becomes SMVM_NOWHERE if the number is too large for it.
-typedef enum SmvmFound { SMVM_THERE, SMVM_CUT_SHORT, SMVM_TOO_LARGE } SmvmFound;
-SmvmFound smvm_number(SmvmReader *r);
+typedef enum SmvmVarintStatus { SMVM_VARINT_OK, SMVM_VARINT_CUT_SHORT, SMVM_VARINT_TOO_LARGE } SmvmVarintStatus;
+SmvmVarintStatus smvm_read_number(SmvmReader *r);
 
 // Reads a varint of any size, even one that an SmvmAt cannot hold (a constant can be such a number), and moves *at past it.
 // False if the varint does not end before `end`; then *value is unchanged.
-static inline bool smvm_varint(SmvmBytes image, SmvmAt *at, SmvmAt end, uint32_t *value)
+static inline bool smvm_read_varint(SmvmBytes image, SmvmAt *at, SmvmAt end, uint32_t *value)
 {
     const SmvmAt first = *at;
     SmvmReader r;
-    SmvmFound found;
+    SmvmVarintStatus found;
 
     r.image = image;
     r.at = first;
     r.end = end;
-    found = smvm_number(&r);
+    found = smvm_read_number(&r);
     *at = r.at;
-    if (found == SMVM_THERE)
+    if (found == SMVM_VARINT_OK)
         *value = r.n;
-    else if (found == SMVM_TOO_LARGE)                 // it has four bytes
+    else if (found == SMVM_VARINT_TOO_LARGE)          // it has four bytes
         *value = SMVM_VARINT_MID + ((smvm_u8(image, first) & 7u) * UINT32_C(0x200000) + smvm_u8(image, first + 1) * UINT32_C(0x4000) +
                                     smvm_u8(image, first + 2) * UINT32_C(0x80) + smvm_u8(image, first + 3));
-    return found != SMVM_CUT_SHORT;
+    return found != SMVM_VARINT_CUT_SHORT;
 }
 
 // The smvm_ram_size of a computer with 64-bit pointers, wherever this is compiled: for reports, which must not depend on the host.
-enum { SMVM_OWN_64 = 56 };                            // the size of SmVm; the pointers to the windows follow
-#define SMVM_OWN ((sizeof(SmVm) + 7) / 8 * 8)
-typedef char smvm_own_64_is_right[sizeof(void *) != 8 || SMVM_KEEP_TABLES || sizeof(SmvmAt) != 4 || SMVM_OWN == SMVM_OWN_64 ? 1 : -1];
+enum { SMVM_VM_BYTES_64 = 56 };                       // the size of SmVm; the pointers to the windows follow
+#define SMVM_VM_BYTES ((sizeof(SmVm) + 7) / 8 * 8)
+typedef char smvm_own_64_is_right[sizeof(void *) != 8 || SMVM_KEEP_TABLES || sizeof(SmvmAt) != 4 || SMVM_VM_BYTES == SMVM_VM_BYTES_64 ? 1 : -1];
 static inline uint32_t smvm_ram_size_64(const SmvmMachine *m)
 {
     const uint32_t pointers = (m->windows * (uint32_t)sizeof(uint64_t *) + 7) / 8 * 8;
 
-    return smvm_ram_size(m) - (uint32_t)SMVM_OWN - pointers + SMVM_OWN_64 + 8u * m->windows;
+    return smvm_ram_size(m) - (uint32_t)SMVM_VM_BYTES - pointers + SMVM_VM_BYTES_64 + 8u * m->windows;
 }
 
 // Flags for the order of sections: a section requires some of them before it, forbids others, and sets its own.
-enum { SMVM_A_MACHINE = 1, SMVM_A_CODE = 2, SMVM_AN_INIT = 4, SMVM_A_SAFE = 8, SMVM_AN_IO = 16 };
+enum { SMVM_HAS_MACHINE = 1, SMVM_HAS_CODE = 2, SMVM_HAS_INIT = 4, SMVM_HAS_SAFE = 8, SMVM_HAS_IO = 16 };
 
-typedef struct SmvmKind {
+typedef struct SmvmSectionKind {
     uint8_t id, version;
-    uint8_t asks, bars, gives;        // sets of these flags: required and forbidden before it; set by it
+    uint8_t requires, forbids, provides;  // sets of these flags: required and forbidden before it; set by it
     uint8_t part;             // where SmvmMachine stores its offset and size; 0: nowhere
-} SmvmKind;
+} SmvmSectionKind;
 
 typedef struct SmvmSection {  // as in the image; not checked
     uint8_t id;
     SmvmAt at, size;
-    SmvmKind kind;            // all zero if id or version is unknown
+    SmvmSectionKind kind;     // all zero if id or version is unknown
 } SmvmSection;
 
-void smvm_section(SmvmBytes image, uint8_t index, SmvmSection *s);
-uint8_t smvm_sections(SmvmBytes image);               // their number
+void smvm_read_section(SmvmBytes image, uint8_t index, SmvmSection *s);
+uint8_t smvm_section_count(SmvmBytes image);          // their number
 
 // Finds the first section of this id, in its known version, and sets r to it.  Returns false if there is none.
-bool smvm_find(SmvmBytes image, uint8_t id, SmvmReader *r);
+bool smvm_find_section(SmvmBytes image, uint8_t id, SmvmReader *r);
 
 // Reads machine `number`.  Returns 0, or the rule that its MACHINE section breaks; SMVM_R_GROUP: there is no such machine.
-uint8_t smvm_look(SmvmBytes image, uint8_t number, SmvmMachine *m);
+uint8_t smvm_read_machine(SmvmBytes image, uint8_t number, SmvmMachine *m);
 
 // Reads the machine that runs at vm again: all but INIT and DEBUG.
-void smvm_again(const SmVm *vm, SmvmMachine *m);
+void smvm_reread_machine(const SmVm *vm, SmvmMachine *m);
 
 // Extracts the tables of m that a step needs, for the memory at vm.
 void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t);
@@ -191,7 +191,7 @@ typedef struct SmvmParts {
 static inline uint64_t **smvm_windows_of(SmVm *vm) { return (uint64_t **)(void *)((uint8_t *)vm + (sizeof *vm + 7) / 8 * 8); }
 SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m);
 
-SmvmPlace smvm_place(SmvmBytes image, SmvmAt at);            // its type may not exist
+SmvmLocation smvm_location(SmvmBytes image, SmvmAt at);      // its type may not exist
 
 static inline uint32_t smvm_window(SmvmBytes image, SmvmAt windows_at, SmvmAt w)     // an entry of the table of windows
 {
@@ -206,14 +206,14 @@ static inline uint16_t smvm_window_kind(uint32_t entry) { return (uint16_t)((uin
 // A function starts where the previous one ends.
 static inline SmvmAt smvm_function_end(const SmvmMachine *m, SmvmAt index)
 {
-    return smvm_at(m->image, (SmvmAt)(m->functions_at + index * m->width), (uint8_t)m->width);
+    return smvm_read_offset(m->image, (SmvmAt)(m->functions_at + index * m->width), (uint8_t)m->width);
 }
 
 // The form of an opcode: its shape in fewer bits.  The low four encode the operands; above them are the bits from SMVM_SHAPE_X on.
 // 0: the opcode does not exist.
 enum {
-    SMVM_NOTHING, SMVM_AN_L, SMVM_AN_E, SMVM_AN_N, SMVM_AN_F, SMVM_A_D, SMVM_AN_O, SMVM_AN_S, SMVM_A_K, SMVM_A_W, SMVM_A_T, SMVM_AN_M, SMVM_A_J,
-    SMVM_K_AND_W, SMVM_N_AND_J
+    SMVM_OPERAND_NONE, SMVM_OPERAND_L, SMVM_OPERAND_E, SMVM_OPERAND_N, SMVM_OPERAND_F, SMVM_OPERAND_D, SMVM_OPERAND_O, SMVM_OPERAND_S,
+    SMVM_OPERAND_K, SMVM_OPERAND_W, SMVM_OPERAND_T, SMVM_OPERAND_M, SMVM_OPERAND_J, SMVM_OPERANDS_K_W, SMVM_OPERANDS_N_J
 };
 uint16_t smvm_form(uint8_t opcode);
 uint32_t smvm_shape(uint8_t opcode);                  // 0 if the opcode does not exist
@@ -237,10 +237,10 @@ enum { SMVM_NAME_MACHINE = 2, SMVM_NAME_SOURCE = 3 };
 SmvmName smvm_name(const SmvmMachine *m, uint32_t which);        // `which` is one of these two
 SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state);
 
-uint32_t smvm_variables(const SmvmMachine *m);                   // how many have names; sorted by SmvmVariable, type and place
+uint32_t smvm_variables(const SmvmMachine *m);                   // how many have names; sorted by SmvmVariable, type and location
 typedef enum SmvmVariable { SMVM_IS_LOCAL, SMVM_IS_ELEMENT, SMVM_IS_TIME } SmvmVariable;
-SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, SmvmPlace *place);
-SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmPlace *place);        // `place` is ignored for T
+SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, SmvmLocation *location);
+SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmLocation *location);  // `location` is ignored for T
 
 // Iterates over the lines in code order.  Starts zeroed; returns false at the end.
 typedef struct SmvmLines { bool open; SmvmAt at; uint32_t left, code, line; } SmvmLines;

@@ -21,26 +21,26 @@ void smvm_store_eeprom(SmF64 x, uint8_t type, void *at);
 void smvm_do_sample(SmVm *vm, SmvmAt w);
 SmF64 smvm_do_stat(SmVm *vm, uint8_t stat, SmvmAt w);
 
-#define SMVM_LIES(member, at) typedef char smvm_it_lies_at_##at[offsetof(SmVm, member) == (at) ? 1 : -1]
-SMVM_LIES(image, VM_IMAGE);
-SMVM_LIES(start, VM_START);
-SMVM_LIES(next, VM_NEXT);
-SMVM_LIES(stored, VM_STORED);
-SMVM_LIES(code, VM_CODE);
-SMVM_LIES(local, VM_LOCAL);
-SMVM_LIES(state, VM_STATE);
-SMVM_LIES(tables.windows, VM_WINDOWS);
-SMVM_LIES(tables.outputs, VM_OUTPUTS);
-SMVM_LIES(tables.functions, VM_FUNCTIONS);
-SMVM_LIES(tables.f32s, VM_F32S);
-SMVM_LIES(tables.f64s, VM_F64S);
-SMVM_LIES(tables.more, VM_MORE);
-SMVM_LIES(tables.more_bytes, VM_MORE_BYTES);
-SMVM_LIES(tables.g, VM_G);
-SMVM_LIES(tables.s, VM_S);
-SMVM_LIES(tables.width, VM_WIDTH);
-SMVM_LIES(body, VM_BODY);
-SMVM_LIES(y, VM_Y);
+#define SMVM_CHECK_OFFSET(member, at) typedef char smvm_it_lies_at_##at[offsetof(SmVm, member) == (at) ? 1 : -1]
+SMVM_CHECK_OFFSET(image, VM_IMAGE);
+SMVM_CHECK_OFFSET(start, VM_START);
+SMVM_CHECK_OFFSET(next, VM_NEXT);
+SMVM_CHECK_OFFSET(stored, VM_STORED);
+SMVM_CHECK_OFFSET(code, VM_CODE);
+SMVM_CHECK_OFFSET(local, VM_LOCAL);
+SMVM_CHECK_OFFSET(state, VM_STATE);
+SMVM_CHECK_OFFSET(tables.windows, VM_WINDOWS);
+SMVM_CHECK_OFFSET(tables.outputs, VM_OUTPUTS);
+SMVM_CHECK_OFFSET(tables.functions, VM_FUNCTIONS);
+SMVM_CHECK_OFFSET(tables.f32s, VM_F32S);
+SMVM_CHECK_OFFSET(tables.f64s, VM_F64S);
+SMVM_CHECK_OFFSET(tables.more, VM_MORE);
+SMVM_CHECK_OFFSET(tables.more_bytes, VM_MORE_BYTES);
+SMVM_CHECK_OFFSET(tables.g, VM_G);
+SMVM_CHECK_OFFSET(tables.s, VM_S);
+SMVM_CHECK_OFFSET(tables.width, VM_WIDTH);
+SMVM_CHECK_OFFSET(body, VM_BODY);
+SMVM_CHECK_OFFSET(y, VM_Y);
 typedef char smvm_step_gives_ok[SM_OK == STEP_OK && SM_REFUSED == STEP_REFUSED ? 1 : -1];
 
 #if SMVM_FETCH_AVR == 1
@@ -71,12 +71,12 @@ SmF64 smvm_do_stat(SmVm *vm, uint8_t stat, SmvmAt w)
 #include "bytecode-vm/number.h"
 #include "bytecode-vm/step.h"
 
-typedef struct Run {
+typedef struct Interpreter {
     SmVm *vm;
     uint8_t *sv, *locals;
     Number x, y;
     const SmvmTables *t;
-} Run;
+} Interpreter;
 
 // ---- numbers in the code ----
 
@@ -84,14 +84,14 @@ SMVM_INLINE uint8_t byte_at(SmvmBytes at) { return (uint8_t)SMVM_FETCH(at, 0); }
 
 // ---- loads and stores ----
 
-SMVM_INLINE uint8_t *placed(uint8_t *base, uint8_t type, SmvmAt at)
+SMVM_INLINE uint8_t *operand_address(uint8_t *base, uint8_t type, SmvmAt at)
 {
     for (uint8_t shift = smvm_type_shift(type); shift > 0; shift--)
         at = (SmvmAt)(at + at);
     return base + at;
 }
 
-static void note(Run *r, SmvmAt output)               // marks an output as written
+static void mark_written(Interpreter *r, SmvmAt output)
 {
     uint8_t *bits = r->vm->stored, bit = 1;
 
@@ -105,16 +105,16 @@ static void note(Run *r, SmvmAt output)               // marks an output as writ
     *bits |= bit;
 }
 
-SMVM_NOINLINE static void put_out(Run *r, SmvmAt output)
+SMVM_NOINLINE static void store_output(Interpreter *r, SmvmAt output)
 {
-    const SmvmBytes at = r->vm->image + (SmvmAt)(r->t->outputs + SMVM_PLACE * output);
+    const SmvmBytes at = r->vm->image + (SmvmAt)(r->t->outputs + SMVM_LOCATION_BYTES * output);
     const uint8_t high = byte_at(at + 2);
     SmvmAt offset = (SmvmAt)(byte_at(at) | (uint16_t)byte_at(at + 1) << 8);
 
     if (sizeof offset > 2)
         offset = (SmvmAt)(offset | (uint32_t)(high & 0xf0) << 12);
-    note(r, output);
-    number_store(&r->x, high & 0xf, placed(r->sv, high & 0xf, offset));
+    mark_written(r, output);
+    number_store(&r->x, high & 0xf, operand_address(r->sv, high & 0xf, offset));
 }
 
 // Converts x to the value that a local of this type would store.
@@ -143,70 +143,70 @@ void smvm_store(SmF64 x, uint8_t type, void *at) { number_store_real(x, type, (u
 void smvm_sample(uint64_t *w, uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(w, n, kind, x); }
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat) { return sm_roll_stat(w, n, kind, stat); }
 
-SMVM_NOINLINE static void sample(Run *r, SmvmAt w)
+SMVM_NOINLINE static void push_sample(Interpreter *r, SmvmAt w)
 {
     const uint32_t entry = smvm_window(r->vm->image, r->t->windows, w);
 
     smvm_sample(smvm_windows_of(r->vm)[w], smvm_window_size(entry), smvm_window_kind(entry), number_f64(&r->x));
 }
 
-SMVM_NOINLINE static void do_stat(Run *r, uint8_t stat, SmvmAt w)
+SMVM_NOINLINE static void read_statistic(Interpreter *r, uint8_t stat, SmvmAt w)
 {
     const uint32_t entry = smvm_window(r->vm->image, r->t->windows, w);
     const uint32_t n = smvm_window_size(entry), kind = smvm_window_kind(entry);
 
-    number_real(&r->x, smvm_statistic(smvm_windows_of(r->vm)[w], n, kind, (SmStat)stat));
+    number_set_real(&r->x, smvm_statistic(smvm_windows_of(r->vm)[w], n, kind, (SmStat)stat));
 }
 
 // ---- instructions ----
 
 // and, or; operations without operand bytes.
-SMVM_NOINLINE static void do_compute(Run *r, uint8_t op)
+SMVM_NOINLINE static void compute(Interpreter *r, uint8_t op)
 {
     if (op == SMVM_and)
-        number_whole(&r->x, number_is_true(&r->x) && number_is_true(&r->y));
+        number_set_integer(&r->x, number_is_true(&r->x) && number_is_true(&r->y));
     else if (op == SMVM_or)
-        number_whole(&r->x, number_is_true(&r->x) || number_is_true(&r->y));
+        number_set_integer(&r->x, number_is_true(&r->x) || number_is_true(&r->y));
     else
         number_compute(&r->x, op, &r->y);
 }
 
-static uint8_t do_relation(const Run *r) { return number_relation(&r->x, &r->y); }
-static bool is_in(const Run *r, uint8_t m) { return (do_relation(r) & m) != 0; }
+static uint8_t relate(const Interpreter *r) { return number_relation(&r->x, &r->y); }
+static bool is_related(const Interpreter *r, uint8_t m) { return (relate(r) & m) != 0; }
 
-static uint64_t constant(const Run *r, SmvmAt table, uint32_t n, uint8_t bytes)
+static uint64_t read_constant(const Interpreter *r, SmvmAt table, uint32_t n, uint8_t bytes)
 {
     return smvm_cell(r->vm->image, (SmvmAt)(table + bytes * (SmvmAt)n), bytes);
 }
 
 // ldx_plus … ldx_f64, the same for Y, addi, subi.
-SMVM_NOINLINE static void with_number(Run *r, uint8_t op, uint32_t n)
+SMVM_NOINLINE static void load_number(Interpreter *r, uint8_t op, uint32_t n)
 {
     Number *x = op & 0x20 ? &r->y : &r->x, y;
 
     switch (op & 0x1f) {
-    case SMVM_ldx_plus & 0x1f: number_whole(x, (int32_t)n); break;
-    case SMVM_ldx_minus & 0x1f: number_whole(x, -1 - (int32_t)n); break;
-    case SMVM_ldx_f32 & 0x1f: number_real(x, sm_from_f32(sm_f32_from_bits((uint32_t)constant(r, r->t->f32s, n, 4)))); break;
-    case SMVM_ldx_f64 & 0x1f: number_real(x, sm_from_bits(constant(r, r->t->f64s, n, 8))); break;
+    case SMVM_ldx_plus & 0x1f: number_set_integer(x, (int32_t)n); break;
+    case SMVM_ldx_minus & 0x1f: number_set_integer(x, -1 - (int32_t)n); break;
+    case SMVM_ldx_f32 & 0x1f: number_set_real(x, sm_from_f32(sm_f32_from_bits((uint32_t)read_constant(r, r->t->f32s, n, 4)))); break;
+    case SMVM_ldx_f64 & 0x1f: number_set_real(x, sm_from_bits(read_constant(r, r->t->f64s, n, 8))); break;
     default:
-        number_whole(&y, (int32_t)n);
+        number_set_integer(&y, (int32_t)n);
         number_compute(x, op == SMVM_addi ? SMVM_add : SMVM_sub, &y);
     }
 }
 
-// All loads, and the instructions of with_number.
-SMVM_NOINLINE static void do_load(Run *r, uint8_t op, uint32_t n)
+// All loads, and the instructions of load_number.
+SMVM_NOINLINE static void load_register(Interpreter *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;
 
     if (type > SMVM_RAW)
-        with_number(r, op, n);
+        load_number(r, op, n);
     else
-        number_load(op & 0x20 ? &r->y : &r->x, type, placed(op & 0x10 ? r->sv : r->locals, type, (SmvmAt)n));
+        number_load(op & 0x20 ? &r->y : &r->x, type, operand_address(op & 0x10 ? r->sv : r->locals, type, (SmvmAt)n));
 }
 
-SMVM_NOINLINE static void do_time(Run *r, uint8_t op)
+SMVM_NOINLINE static void load_time(Interpreter *r, uint8_t op)
 {
     const uint64_t time = r->vm->next - r->vm->start;
 
@@ -214,21 +214,21 @@ SMVM_NOINLINE static void do_time(Run *r, uint8_t op)
 }
 
 // st_local, out, set, cvt, sample.
-SMVM_NOINLINE static void do_put(Run *r, uint8_t op, uint32_t n)
+SMVM_NOINLINE static void store_x(Interpreter *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;
 
     switch (op) {
-    case SMVM_out: put_out(r, (SmvmAt)n); break;
-    case SMVM_set: number_whole(&r->x, is_in(r, (uint8_t)n)); break;
+    case SMVM_out: store_output(r, (SmvmAt)n); break;
+    case SMVM_set: number_set_integer(&r->x, is_related(r, (uint8_t)n)); break;
     case SMVM_cvt: convert(&r->x, (uint8_t)n); break;
-    case SMVM_sample: sample(r, (SmvmAt)n); break;
-    default: number_store(&r->x, type, placed(r->locals, type, (SmvmAt)n));
+    case SMVM_sample: push_sample(r, (SmvmAt)n); break;
+    default: number_store(&r->x, type, operand_address(r->locals, type, (SmvmAt)n));
     }
 }
 
 // A varint of two or four bytes.  b is the first byte; the others start at `at`.
-SMVM_NOINLINE static uint32_t long_number(SmvmBytes at, uint8_t b)
+SMVM_NOINLINE static uint32_t read_long_varint(SmvmBytes at, uint8_t b)
 {
     uint32_t v;
 
@@ -240,42 +240,42 @@ SMVM_NOINLINE static uint32_t long_number(SmvmBytes at, uint8_t b)
     return SMVM_VARINT_MID + v;
 }
 
-SMVM_INLINE SmvmBytes behind(SmvmBytes at, uint8_t b)           // skips the other bytes of a varint that starts with b
+SMVM_INLINE SmvmBytes skip_varint(SmvmBytes at, uint8_t b)      // skips the other bytes of a varint that starts with b
 {
     return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
 }
 
-SMVM_NOINLINE static bool jumps(const Run *r, uint8_t op)        // all but jxn
+SMVM_NOINLINE static bool is_jump_taken(const Interpreter *r, uint8_t op)  // all but jxn
 {
     switch (op) {
     case SMVM_jmp: return true;
     case SMVM_jf: return !number_is_true(&r->x);
     case SMVM_jt: return number_is_true(&r->x);
-    default: return is_in(r, op & 0xf);
+    default: return is_related(r, op & 0xf);
     }
 }
 
 // Runs code up to its end.  Returns the state that it transitions to, or 0.
-SMVM_NOINLINE static SmvmAt run_code(Run *r, SmvmBytes at)
+SMVM_NOINLINE static SmvmAt run_code(Interpreter *r, SmvmBytes at)
 {
     for (;;) {
         const uint8_t op = byte_at(at++);
         uint8_t b;
         uint32_t n;
         if (op >= SMVM_add) {
-            do_compute(r, op);
+            compute(r, op);
             continue;
         }
         if (op == SMVM_end)
             return 0;
         if ((op & (uint8_t)~0x20) == SMVM_ldx_time) {
-            do_time(r, op);
+            load_time(r, op);
             continue;
         }
         n = b = byte_at(at++);
         if (b >= SMVM_VARINT_1) {
-            n = long_number(at, b);
-            at = behind(at, b);
+            n = read_long_varint(at, b);
+            at = skip_varint(at, b);
         }
         if (op >= SMVM_jxy) {
             bool jump;
@@ -283,27 +283,27 @@ SMVM_NOINLINE static SmvmAt run_code(Run *r, SmvmBytes at)
                 jump = (number_relation_to(&r->x, (int32_t)n) & op) != 0;
                 n = b = byte_at(at++);
                 if (b >= SMVM_VARINT_1) {
-                    n = long_number(at, b);
-                    at = behind(at, b);
+                    n = read_long_varint(at, b);
+                    at = skip_varint(at, b);
                 }
             } else
-                jump = jumps(r, op);
+                jump = is_jump_taken(r, op);
             if (jump)
                 at += (SmvmAt)n;
         } else if (op == SMVM_goto)
             return (SmvmAt)n;
         else if (op == SMVM_stat) {
             b = byte_at(at++);
-            do_stat(r, (uint8_t)n, b < SMVM_VARINT_1 ? b : (SmvmAt)long_number(at, b));
-            at = behind(at, b);
+            read_statistic(r, (uint8_t)n, b < SMVM_VARINT_1 ? b : (SmvmAt)read_long_varint(at, b));
+            at = skip_varint(at, b);
         } else if (op < SMVM_cvt)
-            do_load(r, op, n);
+            load_register(r, op, n);
         else
-            do_put(r, op, n);
+            store_x(r, op, n);
     }
 }
 
-static SmvmAt end_at(const Run *r, SmvmBytes at)      // an entry of the table of functions (image.h)
+static SmvmAt read_function_end(const Interpreter *r, SmvmBytes at)  // an entry of the table of functions (image.h)
 {
     SmvmAt end = byte_at(at);
 
@@ -313,21 +313,21 @@ static SmvmAt end_at(const Run *r, SmvmBytes at)      // an entry of the table o
 }
 
 // Runs a function.  Returns the state that it transitions to, or 0.
-static SmvmAt run(Run *r, SmvmAt function)
+static SmvmAt run_function(Interpreter *r, SmvmAt function)
 {
     SmvmBytes at = r->vm->image + r->t->functions;
     SmvmAt start = 0;
 
     if (function > 0) {
         at += (SmvmAt)(r->t->width * (SmvmAt)(function - 1));
-        start = end_at(r, at);
+        start = read_function_end(r, at);
         at += r->t->width;
     }
-    return start == end_at(r, at) ? 0 : run_code(r, r->vm->image + (SmvmAt)(r->vm->code + start));
+    return start == read_function_end(r, at) ? 0 : run_code(r, r->vm->image + (SmvmAt)(r->vm->code + start));
 }
 
 // Advances G and clears the notes of stored outputs.  Returns false if G did not advance.
-static bool begin(SmVm *vm, const void *g)
+static bool begin_step(SmVm *vm, const void *g)
 {
     if (!smvm_advance(vm, g))
         return false;
@@ -337,28 +337,28 @@ static bool begin(SmVm *vm, const void *g)
 
 // ---- the step ----
 
-static void clear_more(Run *r)
+static void clear_further_stored(Interpreter *r)
 {
     if (r->t->more_bytes != 0)
         memset((uint8_t *)r->vm + r->t->more, 0, r->t->more_bytes);
 }
 
-static SmResult one_step(Run *r)
+static SmResult run_step(Interpreter *r)
 {
     SmVm *vm = r->vm;
     SmvmAt block = (SmvmAt)(3 * vm->state - 2), to = 0;        // the state's functions: entry, step, exit
 
-    if (!begin(vm, r->sv + r->t->g))
+    if (!begin_step(vm, r->sv + r->t->g))
         return SM_REFUSED;
     smvm_enter(vm, r->sv + r->t->s);
-    clear_more(r);
-    run(r, 0);
+    clear_further_stored(r);
+    run_function(r, 0);
     if (vm->first)
-        to = run(r, block);
+        to = run_function(r, block);
     if (to == 0)
-        to = run(r, (SmvmAt)(block + 1));
+        to = run_function(r, (SmvmAt)(block + 1));
     if (to != 0) {
-        run(r, (SmvmAt)(block + 2));
+        run_function(r, (SmvmAt)(block + 2));
         vm->state = to;
     }
     vm->first = to != 0;
@@ -367,20 +367,20 @@ static SmResult one_step(Run *r)
 
 SmResult smvm_step(SmVm *vm, void *sv)
 {
-    Run r;
+    Interpreter r;
 #if SMVM_KEEP_TABLES
     r.t = &vm->tables;
 #else
     SmvmTables tables;
     SmvmMachine m;
 
-    smvm_again(vm, &m);
+    smvm_reread_machine(vm, &m);
     smvm_tables(&m, vm, &tables);
     r.t = &tables;
 #endif
     r.vm = vm;
     r.sv = (uint8_t *)sv;
     r.locals = (uint8_t *)vm + vm->local;
-    return one_step(&r);
+    return run_step(&r);
 }
 #endif

@@ -19,7 +19,7 @@ uint32_t smvm_uint(SmvmBytes image, SmvmAt at, uint8_t bytes)
     return v;
 }
 
-void smvm_get(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes)
+void smvm_read_bits(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes)
 {
     uint8_t *p = (uint8_t *)to;
 
@@ -27,11 +27,11 @@ void smvm_get(SmvmBytes image, SmvmAt at, void *to, uint8_t bytes)
         p[sm_roll_byte(i, bytes)] = smvm_u8(image, at++);
 }
 
-SMVM_NOINLINE static SmvmAt at_most(uint32_t v) { return v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v; }
+SMVM_NOINLINE static SmvmAt clamp_offset(uint32_t v) { return v > SMVM_NOWHERE ? SMVM_NOWHERE : (SmvmAt)v; }
 
-SmvmAt smvm_at(SmvmBytes image, SmvmAt at, uint8_t bytes) { return at_most(smvm_uint(image, at, bytes)); }
+SmvmAt smvm_read_offset(SmvmBytes image, SmvmAt at, uint8_t bytes) { return clamp_offset(smvm_uint(image, at, bytes)); }
 
-SmvmAt smvm_take(SmvmReader *r, uint8_t bytes)
+SmvmAt smvm_skip(SmvmReader *r, uint8_t bytes)
 {
     const SmvmAt at = r->at;
 
@@ -43,17 +43,17 @@ SmvmAt smvm_take(SmvmReader *r, uint8_t bytes)
 
 SMVM_NOINLINE static uint8_t next_byte(SmvmReader *r)
 {
-    return r->at < r->end ? smvm_u8(r->image, r->at++) : SMVM_OP_LEAST;
+    return r->at < r->end ? smvm_u8(r->image, r->at++) : SMVM_OP_FIRST;
 }
 
-SmvmFound smvm_number(SmvmReader *r)
+SmvmVarintStatus smvm_read_number(SmvmReader *r)
 {
-    SmvmFound found = SMVM_THERE;
+    SmvmVarintStatus found = SMVM_VARINT_OK;
     uint8_t more = 0, next = next_byte(r);
     SmvmAt v = 0, base = 0;
 
-    if (next >= SMVM_OP_LEAST)
-        return SMVM_CUT_SHORT;
+    if (next >= SMVM_OP_FIRST)
+        return SMVM_VARINT_CUT_SHORT;
     if (next >= SMVM_VARINT_2) {
         more = 3;
         base = SMVM_VARINT_MID;
@@ -65,23 +65,23 @@ SmvmFound smvm_number(SmvmReader *r)
     }
     for (v = next; more > 0; more--) {
         next = next_byte(r);
-        if (next >= SMVM_OP_LEAST)
-            return SMVM_CUT_SHORT;
+        if (next >= SMVM_OP_FIRST)
+            return SMVM_VARINT_CUT_SHORT;
         if (v > SMVM_NOWHERE >> 7)
-            found = SMVM_TOO_LARGE;
+            found = SMVM_VARINT_TOO_LARGE;
         v = (SmvmAt)(v << 7 | next);
     }
     v = (SmvmAt)(v + base);
     if (v < base)
-        found = SMVM_TOO_LARGE;
-    r->n = found == SMVM_THERE ? v : SMVM_NOWHERE;
+        found = SMVM_VARINT_TOO_LARGE;
+    r->n = found == SMVM_VARINT_OK ? v : SMVM_NOWHERE;
     return found;
 }
 
 uint8_t smvm_shift(uint8_t type) { return smvm_type_shift(type); }
 
 // Converts from units of 1 << shift; SMVM_NOWHERE if this target cannot hold the result.
-static SmvmAt scaled(SmvmAt at, uint8_t shift)
+static SmvmAt scale_offset(SmvmAt at, uint8_t shift)
 {
     for (; shift > 0; shift--)
         at = at > SMVM_NOWHERE / 2 ? SMVM_NOWHERE : (SmvmAt)(at + at);
@@ -90,30 +90,30 @@ static SmvmAt scaled(SmvmAt at, uint8_t shift)
 
 // ---- sections ----
 
-static const SmvmKind kinds[] SM_FLASH = {
+static const SmvmSectionKind kinds[] SM_FLASH = {
 #define SMVM_SECTION(name, id, version, meaning) {id, version, KIND_##name},
 #define KIND_IDENTITY 0, 0, 0, 0
-#define KIND_DEBUG SMVM_A_MACHINE, 0, 0, offsetof(SmvmMachine, debug_at)
-#define KIND_IO 0, SMVM_A_MACHINE | SMVM_AN_IO, SMVM_AN_IO, 0
+#define KIND_DEBUG SMVM_HAS_MACHINE, 0, 0, offsetof(SmvmMachine, debug_at)
+#define KIND_IO 0, SMVM_HAS_MACHINE | SMVM_HAS_IO, SMVM_HAS_IO, 0
 #define KIND_AUTH 0, 0, 0, 0
-#define KIND_SAFE SMVM_A_MACHINE, SMVM_A_SAFE, SMVM_A_SAFE, offsetof(SmvmMachine, safe_at)
-#define KIND_MACHINE SMVM_A_CODE, 0, SMVM_A_MACHINE, offsetof(SmvmMachine, machine_at)
-#define KIND_CODE SMVM_A_MACHINE, SMVM_A_CODE, SMVM_A_CODE, offsetof(SmvmMachine, code_at)
-#define KIND_INIT SMVM_A_MACHINE, SMVM_AN_INIT, SMVM_AN_INIT, offsetof(SmvmMachine, init_at)
+#define KIND_SAFE SMVM_HAS_MACHINE, SMVM_HAS_SAFE, SMVM_HAS_SAFE, offsetof(SmvmMachine, safe_at)
+#define KIND_MACHINE SMVM_HAS_CODE, 0, SMVM_HAS_MACHINE, offsetof(SmvmMachine, machine_at)
+#define KIND_CODE SMVM_HAS_MACHINE, SMVM_HAS_CODE, SMVM_HAS_CODE, offsetof(SmvmMachine, code_at)
+#define KIND_INIT SMVM_HAS_MACHINE, SMVM_HAS_INIT, SMVM_HAS_INIT, offsetof(SmvmMachine, init_at)
 #include "bytecode-vm/image.def"
 #undef SMVM_SECTION
 };
 
-uint8_t smvm_sections(SmvmBytes image) { return smvm_u8(image, SMVM_SECTIONS_AT); }
+uint8_t smvm_section_count(SmvmBytes image) { return smvm_u8(image, SMVM_SECTIONS_AT); }
 
-void smvm_section(SmvmBytes image, uint8_t index, SmvmSection *s)
+void smvm_read_section(SmvmBytes image, uint8_t index, SmvmSection *s)
 {
-    const SmvmAt at = (SmvmAt)(SMVM_HEADER + index * SMVM_ENTRY);
-    const SmvmKind *k = kinds;
+    const SmvmAt at = (SmvmAt)(SMVM_HEADER + index * SMVM_SECTION_ENTRY);
+    const SmvmSectionKind *k = kinds;
 
     s->id = smvm_u8(image, at);
-    s->at = smvm_at(image, (SmvmAt)(at + 2), 3);
-    s->size = smvm_at(image, (SmvmAt)(at + 5), 3);
+    s->at = smvm_read_offset(image, (SmvmAt)(at + 2), 3);
+    s->size = smvm_read_offset(image, (SmvmAt)(at + 5), 3);
     do {
         sm_flash_get(&s->kind, k, sizeof *k);
         if (s->kind.id == s->id && s->kind.version == smvm_u8(image, (SmvmAt)(at + 1)))
@@ -122,12 +122,12 @@ void smvm_section(SmvmBytes image, uint8_t index, SmvmSection *s)
     memset(&s->kind, 0, sizeof s->kind);
 }
 
-bool smvm_find(SmvmBytes image, uint8_t id, SmvmReader *r)
+bool smvm_find_section(SmvmBytes image, uint8_t id, SmvmReader *r)
 {
     SmvmSection s;
 
-    for (uint8_t i = 0; i < smvm_sections(image); i++) {
-        smvm_section(image, i, &s);
+    for (uint8_t i = 0; i < smvm_section_count(image); i++) {
+        smvm_read_section(image, i, &s);
         if (s.kind.id != id)
             continue;
         r->image = image;
@@ -142,7 +142,7 @@ bool smvm_find(SmvmBytes image, uint8_t id, SmvmReader *r)
 
 // The numbers of a MACHINE record, in order: the field for each, and its unit as a power of 2.
 #define SMVM_NUMBER(field, shift) {offsetof(SmvmMachine, field), shift}
-static const struct Field { uint8_t at, shift; } record[] SM_FLASH = {
+static const struct RecordField { uint8_t at, shift; } record[] SM_FLASH = {
     SMVM_NUMBER(sv_size, 3), SMVM_NUMBER(from, 3), SMVM_NUMBER(to, 3), SMVM_NUMBER(locals, 0), SMVM_NUMBER(windows, 0),
     SMVM_NUMBER(outputs, 0), SMVM_NUMBER(states, 0), SMVM_NUMBER(width, 0), SMVM_NUMBER(f32s, 0), SMVM_NUMBER(f64s, 0),
     SMVM_NUMBER(g, 3), SMVM_NUMBER(s, 2),
@@ -153,12 +153,12 @@ static SmvmAt *field_at(SmvmMachine *m, uint8_t at) { return (SmvmAt *)(void *)(
 static uint8_t read_numbers(SmvmMachine *m, SmvmReader *r)
 {
     for (uint8_t i = 0; i < sizeof record / sizeof *record; i++) {
-        struct Field f;
+        struct RecordField f;
         SmvmAt n;
-        if (smvm_number(r) == SMVM_CUT_SHORT)
+        if (smvm_read_number(r) == SMVM_VARINT_CUT_SHORT)
             return SMVM_R_RECORD;
         sm_flash_get(&f, &record[i], sizeof f);
-        *field_at(m, f.at) = n = scaled(r->n, f.shift);
+        *field_at(m, f.at) = n = scale_offset(r->n, f.shift);
         if (n == SMVM_NOWHERE)
             return SMVM_R_RAM;
     }
@@ -170,7 +170,7 @@ static bool find_table(SmvmReader *r, SmvmAt *table, SmvmAt count, uint8_t bytes
 {
     *table = r->at;
     for (; count > 0; count--)
-        if (smvm_take(r, bytes) == 0)
+        if (smvm_skip(r, bytes) == 0)
             return false;
     return true;
 }
@@ -179,19 +179,19 @@ static bool find_table(SmvmReader *r, SmvmAt *table, SmvmAt count, uint8_t bytes
 static uint8_t read_machine(SmvmMachine *m)
 {
     SmvmReader r = {m->image, m->machine_at, (SmvmAt)(m->machine_at + m->machine_size), 0};
-    const SmvmAt layout = smvm_take(&r, 4);
+    const SmvmAt layout = smvm_skip(&r, 4);
     const uint8_t rule = layout != 0 ? read_numbers(m, &r) : SMVM_R_RECORD;
     const uint8_t width = (uint8_t)m->width;
 
     if (rule != 0)
         return rule;
     m->layout = smvm_uint(m->image, layout, 4);
-    return find_table(&r, &m->windows_at, m->windows, SMVM_WINDOW_ENTRY) && find_table(&r, &m->outputs_at, m->outputs, SMVM_PLACE)
-           && find_table(&r, &m->functions_at, m->states, (uint8_t)(3 * width)) && smvm_take(&r, width) != 0
+    return find_table(&r, &m->windows_at, m->windows, SMVM_WINDOW_ENTRY) && find_table(&r, &m->outputs_at, m->outputs, SMVM_LOCATION_BYTES)
+           && find_table(&r, &m->functions_at, m->states, (uint8_t)(3 * width)) && smvm_skip(&r, width) != 0
            && find_table(&r, &m->f32s_at, m->f32s, 4) && find_table(&r, &m->f64s_at, m->f64s, 8) && r.at == r.end ? 0 : SMVM_R_RECORD;
 }
 
-void smvm_again(const SmVm *vm, SmvmMachine *m)
+void smvm_reread_machine(const SmVm *vm, SmvmMachine *m)
 {
     m->image = vm->image;
     m->machine_at = vm->machine;
@@ -201,13 +201,13 @@ void smvm_again(const SmVm *vm, SmvmMachine *m)
 }
 
 // Stores where the parts of a machine are: its sections follow its MACHINE section and precede the next one.
-static void look_for(uint8_t number, SmvmMachine *m)
+static void find_machine_sections(uint8_t number, SmvmMachine *m)
 {
     bool inside = false;
     SmvmSection s;
 
-    for (uint8_t i = 0; i < smvm_sections(m->image); i++) {
-        smvm_section(m->image, i, &s);
+    for (uint8_t i = 0; i < smvm_section_count(m->image); i++) {
+        smvm_read_section(m->image, i, &s);
         if (s.kind.id == SMVM_S_MACHINE)
             inside = number-- == 0;
         if (inside && s.kind.part != 0) {
@@ -217,17 +217,17 @@ static void look_for(uint8_t number, SmvmMachine *m)
     }
 }
 
-uint8_t smvm_look(SmvmBytes image, uint8_t number, SmvmMachine *m)
+uint8_t smvm_read_machine(SmvmBytes image, uint8_t number, SmvmMachine *m)
 {
     memset(m, 0, sizeof *m);
     m->image = image;
-    look_for(number, m);
+    find_machine_sections(number, m);
     return m->machine_at == 0 ? SMVM_R_GROUP : read_machine(m);
 }
 
 bool smvm_machine(SmvmBytes image, uint32_t number, SmvmMachine *m)
 {
-    return number <= UINT8_MAX && smvm_look(image, (uint8_t)number, m) != SMVM_R_GROUP;
+    return number <= UINT8_MAX && smvm_read_machine(image, (uint8_t)number, m) != SMVM_R_GROUP;
 }
 
 bool smvm_state_is_safe(const SmvmMachine *m, uint32_t state)
@@ -237,38 +237,38 @@ bool smvm_state_is_safe(const SmvmMachine *m, uint32_t state)
     return m->safe_at == 0 || (smvm_u8(m->image, (SmvmAt)(m->safe_at + (bit >> 3))) >> (bit & 7) & 1) != 0;
 }
 
-SmvmPlace smvm_place(SmvmBytes image, SmvmAt at)
+SmvmLocation smvm_location(SmvmBytes image, SmvmAt at)
 {
     const uint8_t high = smvm_u8(image, (SmvmAt)(at + 2));
-    SmvmPlace p;
+    SmvmLocation p;
 
     p.type = (SmType)(high & 0xf);
-    p.offset = scaled(at_most(smvm_uint(image, at, 2) | (uint32_t)(high & 0xf0) << 12), smvm_shift(high & 0xf));
+    p.offset = scale_offset(clamp_offset(smvm_uint(image, at, 2) | (uint32_t)(high & 0xf0) << 12), smvm_shift(high & 0xf));
     return p;
 }
 
-SmvmPlace smvm_output(const SmvmMachine *m, uint32_t output)
+SmvmLocation smvm_output(const SmvmMachine *m, uint32_t output)
 {
-    return smvm_place(m->image, (SmvmAt)(m->outputs_at + SMVM_PLACE * (SmvmAt)output));
+    return smvm_location(m->image, (SmvmAt)(m->outputs_at + SMVM_LOCATION_BYTES * (SmvmAt)output));
 }
 
 // ---- memory: SmVm, then pointers to the windows, windows, locals, and bits of the outputs from 64 on ----
 
 static SmvmAt up8(SmvmAt n) { return (SmvmAt)((n + 7u) & ~7u); }
 
-static SmvmAt plus(SmvmAt a, uint32_t b)              // a saturating sum
+static SmvmAt add_saturated(SmvmAt a, uint32_t b)     // a saturating sum
 {
     return b > (SmvmAt)(SMVM_NOWHERE - a) ? SMVM_NOWHERE : (SmvmAt)(a + b);
 }
 
-static SmvmAt plus_window(const SmvmMachine *m, SmvmAt w, SmvmAt n)
+static SmvmAt add_window_bytes(const SmvmMachine *m, SmvmAt w, SmvmAt n)
 {
     const uint32_t entry = smvm_window(m->image, m->windows_at, w);
 
-    return plus(n, sm_roll_bytes(smvm_window_size(entry), smvm_window_kind(entry)));
+    return add_saturated(n, sm_roll_bytes(smvm_window_size(entry), smvm_window_kind(entry)));
 }
 
-SMVM_NOINLINE static SmvmAt stored_bytes(const SmvmMachine *m) { return (SmvmAt)(m->outputs > 64 ? (m->outputs - 64u + 7) >> 3 : 0); }
+SMVM_NOINLINE static SmvmAt stored_bits_bytes(const SmvmMachine *m) { return (SmvmAt)(m->outputs > 64 ? (m->outputs - 64u + 7) >> 3 : 0); }
 
 static SmvmAt windows_start(const SmvmMachine *m)
 {
@@ -280,8 +280,8 @@ SmvmAt smvm_ram_size(const SmvmMachine *m)
     SmvmAt n = windows_start(m);
 
     for (SmvmAt w = 0; w < m->windows; w++)
-        n = plus_window(m, w, n);
-    return plus(plus(n, m->locals), stored_bytes(m));
+        n = add_window_bytes(m, w, n);
+    return add_saturated(add_saturated(n, m->locals), stored_bits_bytes(m));
 }
 
 SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m)
@@ -291,7 +291,7 @@ SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m)
     p.window = smvm_windows_of(vm);
     p.local = (uint8_t *)vm + vm->local;
     p.stored = p.local + m->locals;
-    p.stored_bytes = stored_bytes(m);
+    p.stored_bytes = stored_bits_bytes(m);
     return p;
 }
 
@@ -303,17 +303,17 @@ void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t)
     memcpy(t, (const uint8_t *)m + offsetof(SmvmMachine, windows_at), offsetof(SmvmTables, width));
     t->width = (uint8_t)m->width;
     t->more = (SmvmAt)(vm->local + m->locals);
-    t->more_bytes = stored_bytes(m);
+    t->more_bytes = stored_bits_bytes(m);
 }
 
-static void lay_out(SmVm *vm, const SmvmMachine *m)
+static void set_window_pointers(SmVm *vm, const SmvmMachine *m)
 {
     uint64_t **window = smvm_parts(vm, m).window;
     SmvmAt at = windows_start(m);
 
     for (SmvmAt w = 0; w < m->windows; w++) {
         window[w] = (uint64_t *)(void *)((uint8_t *)vm + at);
-        at = plus_window(m, w, at);
+        at = add_window_bytes(m, w, at);
     }
     vm->local = at;
 }
@@ -323,13 +323,13 @@ static void set_locals(SmVm *vm, const SmvmMachine *m)
     SmvmAt at = m->init_at;
 
     while (at < m->init_at + m->init_size) {
-        SmvmPlace p = smvm_place(m->image, at);
+        SmvmLocation p = smvm_location(m->image, at);
         uint8_t bytes = (uint8_t)(1u << smvm_shift((uint8_t)p.type));
         uint8_t *to = (uint8_t *)vm + vm->local + p.offset;
-        smvm_get(m->image, (SmvmAt)(at + SMVM_PLACE), to, bytes);
+        smvm_read_bits(m->image, (SmvmAt)(at + SMVM_LOCATION_BYTES), to, bytes);
         if (p.type == SM_BOOL)
             *to = *to != 0;
-        at = (SmvmAt)(at + SMVM_PLACE + bytes);
+        at = (SmvmAt)(at + SMVM_LOCATION_BYTES + bytes);
     }
 }
 
@@ -359,7 +359,7 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
     vm->image = m->image;
     vm->machine = m->machine_at;
     vm->code = m->code_at;
-    lay_out(vm, m);
+    set_window_pointers(vm, m);
     set_locals(vm, m);
 #if SMVM_KEEP_TABLES
     smvm_tables(m, vm, &vm->tables);
@@ -383,7 +383,7 @@ bool smvm_stored(const SmVm *vm, uint32_t output)
     SmvmMachine m;
 
     if (output >= 64) {
-        smvm_again(vm, &m);
+        smvm_reread_machine(vm, &m);
         bits = (const uint8_t *)vm + vm->local + m.locals;
         output -= 64;
     }
@@ -392,13 +392,13 @@ bool smvm_stored(const SmVm *vm, uint32_t output)
 
 // ---- opcodes ----
 
-typedef char load_bits_are_in_the_order_of_forms[SMVM_SHAPE_L == 1 << SMVM_AN_L >> 1 && SMVM_SHAPE_J == 1 << SMVM_A_J >> 1 ? 1 : -1];
+typedef char load_bits_are_in_the_order_of_forms[SMVM_SHAPE_L == 1 << SMVM_OPERAND_L >> 1 && SMVM_SHAPE_J == 1 << SMVM_OPERAND_J >> 1 ? 1 : -1];
 
 uint32_t smvm_shape(uint8_t opcode)
 {
     const uint16_t form = smvm_form(opcode);
     const uint8_t what = form & 0xf;
-    const uint16_t follows = what == SMVM_K_AND_W ? SMVM_SHAPE_K | SMVM_SHAPE_W : what == SMVM_N_AND_J ? SMVM_SHAPE_N | SMVM_SHAPE_J
+    const uint16_t follows = what == SMVM_OPERANDS_K_W ? SMVM_SHAPE_K | SMVM_SHAPE_W : what == SMVM_OPERANDS_N_J ? SMVM_SHAPE_N | SMVM_SHAPE_J
                                                                                                      : (uint16_t)(1u << what >> 1);
 
     return follows | (uint32_t)(form >> 4) << 12;

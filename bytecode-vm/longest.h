@@ -9,105 +9,111 @@
 
 #include "bytecode-vm/image.h"
 
-typedef enum SmvmIn { SMVM_IN_SAMPLE, SMVM_IN_ENTRY, SMVM_IN_STEP, SMVM_IN_EXIT } SmvmIn;      // the kind of a function
+typedef enum SmvmFunctionKind { SMVM_SAMPLE_FUNCTION, SMVM_ENTRY_FUNCTION, SMVM_STEP_FUNCTION, SMVM_EXIT_FUNCTION } SmvmFunctionKind;
 
 #if SMVM_LONGEST
-static inline uint32_t longest_of(uint32_t a, uint32_t b) { return a > b ? a : b; }
+static inline uint32_t longest_max(uint32_t a, uint32_t b) { return a > b ? a : b; }
 
-typedef struct Longest {
-    struct { uint32_t at, cost; } join[SMVM_JOINS];   // pending targets; the nearest is last
-    uint8_t joins;
-    bool live;                // the next instruction is reachable
-    bool sum;                 // too many targets: adds up every instruction
+typedef struct LongestPath {
+    struct { uint32_t at, cost; } pending[SMVM_JOINS];  // pending targets; the nearest is last
+    uint8_t pending_count;
+    bool is_reachable;        // the next instruction is reachable
+    bool is_summing;          // too many targets: adds up every instruction
     uint32_t cost;            // of the longest path to the next instruction
-    uint32_t ends, leaves;    // the longest path that ends with `end`, with `goto`; 0: none does
-    uint32_t sample, left, ended, most;   // the sample function; the state's paths so far, with and without goto; the largest of all states
-} Longest;
+    uint32_t end_cost, goto_cost;  // the longest path that ends with `end`, with `goto`; 0: none does
+    uint32_t sample_cost;     // of the sample function
+    uint32_t state_goto_cost, state_end_cost;         // the state's longest paths so far, with and without goto
+    uint32_t max_state_cost;  // the largest of all states
+} LongestPath;
 
-static inline void longest_begin(Longest *w)          // at the start of a function
+static inline void longest_begin(LongestPath *w)      // at the start of a function
 {
-    w->joins = 0;
-    w->live = true;
-    w->sum = false;
-    w->cost = w->ends = w->leaves = 0;
+    w->pending_count = 0;
+    w->is_reachable = true;
+    w->is_summing = false;
+    w->cost = w->end_cost = w->goto_cost = 0;
 }
 
-static inline void longest_arrive(Longest *w, uint32_t at)                      // at the start of an instruction
+static inline void longest_at_instruction(LongestPath *w, uint32_t at)          // at the start of an instruction
 {
-    while (w->joins > 0 && w->join[w->joins - 1].at == at) {
-        w->joins--;
-        w->cost = longest_of(w->live ? w->cost : 0, w->join[w->joins].cost);
-        w->live = true;
+    while (w->pending_count > 0 && w->pending[w->pending_count - 1].at == at) {
+        w->pending_count--;
+        w->cost = longest_max(w->is_reachable ? w->cost : 0, w->pending[w->pending_count].cost);
+        w->is_reachable = true;
     }
-    if (w->live)
+    if (w->is_reachable)
         w->cost++;
 }
 
-static inline void longest_add_up(Longest *w)                               // from here on
+static inline void longest_begin_summing(LongestPath *w)                    // from here on
 {
-    for (uint8_t i = 0; i < w->joins; i++)
-        w->cost = longest_of(w->cost, w->join[i].cost);
-    w->joins = 0;
-    w->live = w->sum = true;
+    for (uint8_t i = 0; i < w->pending_count; i++)
+        w->cost = longest_max(w->cost, w->pending[i].cost);
+    w->pending_count = 0;
+    w->is_reachable = w->is_summing = true;
 }
 
-static inline void longest_jump(Longest *w, uint32_t at)
+static inline void longest_jump(LongestPath *w, uint32_t at)
 {
-    uint8_t i = w->joins;
+    uint8_t i = w->pending_count;
 
-    if (!w->live || w->sum)
+    if (!w->is_reachable || w->is_summing)
         return;
-    while (i > 0 && w->join[i - 1].at < at)
+    while (i > 0 && w->pending[i - 1].at < at)
         i--;
-    if (i > 0 && w->join[i - 1].at == at) {
-        w->join[i - 1].cost = longest_of(w->join[i - 1].cost, w->cost);
-    } else if (w->joins == SMVM_JOINS) {
-        longest_add_up(w);
+    if (i > 0 && w->pending[i - 1].at == at) {
+        w->pending[i - 1].cost = longest_max(w->pending[i - 1].cost, w->cost);
+    } else if (w->pending_count == SMVM_JOINS) {
+        longest_begin_summing(w);
     } else {
-        memmove(&w->join[i + 1], &w->join[i], (size_t)(w->joins - i) * sizeof w->join[0]);
-        w->join[i].at = at;
-        w->join[i].cost = w->cost;
-        w->joins++;
+        memmove(&w->pending[i + 1], &w->pending[i], (size_t)(w->pending_count - i) * sizeof w->pending[0]);
+        w->pending[i].at = at;
+        w->pending[i].cost = w->cost;
+        w->pending_count++;
     }
 }
 
-static inline void longest_leave(Longest *w, uint8_t op)                        // control does not continue with the next instruction
+static inline void longest_after_terminator(LongestPath *w, uint8_t op)         // control does not continue with the next instruction
 {
-    if (w->live && op == SMVM_end)
-        w->ends = longest_of(w->ends, w->cost);
-    if (w->live && op == SMVM_goto)
-        w->leaves = longest_of(w->leaves, w->cost);
-    w->live = w->sum;
+    if (w->is_reachable && op == SMVM_end)
+        w->end_cost = longest_max(w->end_cost, w->cost);
+    if (w->is_reachable && op == SMVM_goto)
+        w->goto_cost = longest_max(w->goto_cost, w->cost);
+    w->is_reachable = w->is_summing;
 }
 
 // At the end of a function.  A step is: sample; entry if it is the state's first; step unless entry had a transition; exit after a
 // transition.
-static inline void longest_end(Longest *w, SmvmIn in)
+static inline void longest_end(LongestPath *w, SmvmFunctionKind in)
 {
     switch (in) {
-    case SMVM_IN_SAMPLE: w->sample = w->ends; break;
-    case SMVM_IN_ENTRY:
-        w->left = w->leaves;
-        w->ended = w->ends;
+    case SMVM_SAMPLE_FUNCTION: w->sample_cost = w->end_cost; break;
+    case SMVM_ENTRY_FUNCTION:
+        w->state_goto_cost = w->goto_cost;
+        w->state_end_cost = w->end_cost;
         break;
-    case SMVM_IN_STEP:
-        if (w->leaves != 0)
-            w->left = longest_of(w->left, w->ended + w->leaves);
-        w->ended += w->ends;
+    case SMVM_STEP_FUNCTION:
+        if (w->goto_cost != 0)
+            w->state_goto_cost = longest_max(w->state_goto_cost, w->state_end_cost + w->goto_cost);
+        w->state_end_cost += w->end_cost;
         break;
-    case SMVM_IN_EXIT: w->most = longest_of(w->most, longest_of(w->ended, w->left == 0 ? 0 : w->left + w->ends)); break;
+    case SMVM_EXIT_FUNCTION:
+        if (w->state_goto_cost != 0)
+            w->max_state_cost = longest_max(w->max_state_cost, w->state_goto_cost + w->end_cost);
+        w->max_state_cost = longest_max(w->max_state_cost, w->state_end_cost);
+        break;
     }
 }
 
-static inline uint32_t longest_step(const Longest *w) { return w->sample + w->most; }
+static inline uint32_t longest_step(const LongestPath *w) { return w->sample_cost + w->max_state_cost; }
 #else
-typedef struct Longest { char nothing; } Longest;
-static inline void longest_begin(Longest *w) { (void)w; }
-static inline void longest_arrive(Longest *w, uint32_t at) { (void)w; (void)at; }
-static inline void longest_jump(Longest *w, uint32_t at) { (void)w; (void)at; }
-static inline void longest_leave(Longest *w, uint8_t op) { (void)w; (void)op; }
-static inline void longest_end(Longest *w, SmvmIn in) { (void)w; (void)in; }
-static inline uint32_t longest_step(const Longest *w) { (void)w; return 0; }
+typedef struct LongestPath { char nothing; } LongestPath;
+static inline void longest_begin(LongestPath *w) { (void)w; }
+static inline void longest_at_instruction(LongestPath *w, uint32_t at) { (void)w; (void)at; }
+static inline void longest_jump(LongestPath *w, uint32_t at) { (void)w; (void)at; }
+static inline void longest_after_terminator(LongestPath *w, uint8_t op) { (void)w; (void)op; }
+static inline void longest_end(LongestPath *w, SmvmFunctionKind in) { (void)w; (void)in; }
+static inline uint32_t longest_step(const LongestPath *w) { (void)w; return 0; }
 #endif
 
 #endif

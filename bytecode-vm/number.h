@@ -20,13 +20,13 @@ typedef struct Number {
     bool is_real;
 } Number;
 
-static inline void number_whole(Number *x, int32_t v)
+static inline void number_set_integer(Number *x, int32_t v)
 {
     x->as.whole = v;
     x->is_real = false;
 }
 
-static inline void number_real(Number *x, SmF64 v)
+static inline void number_set_real(Number *x, SmF64 v)
 {
     x->as.real = v;
     x->is_real = true;
@@ -37,7 +37,7 @@ SMVM_NOINLINE static SmF64 number_f64(const Number *x) { return x->is_real ? x->
 // ---- memory ----
 
 // One half of a number of eight bytes, in the byte order of this computer.
-static inline uint32_t number_half(const uint8_t *p, bool upper)
+static inline uint32_t number_load_half(const uint8_t *p, bool upper)
 {
     const uint16_t one = 1;
     uint8_t first;
@@ -56,20 +56,20 @@ SMVM_NOINLINE static void number_load_wide(Number *x, uint8_t type, const uint8_
 
     if (type == SM_F32 || type == SM_U32) {
         memcpy(&v, p, sizeof v);
-        number_real(x, type == SM_U32 ? sm_from_u32(v) : sm_read_f32(sm_f32_from_bits(v)));
+        number_set_real(x, type == SM_U32 ? sm_from_u32(v) : sm_read_f32(sm_f32_from_bits(v)));
     } else {
         memcpy(&w, p, sizeof w);
-        number_real(x, type == SM_I64 ? sm_from_i64((int64_t)w) : sm_from_u64(w));
+        number_set_real(x, type == SM_I64 ? sm_from_i64((int64_t)w) : sm_from_u64(w));
     }
 }
 
 // An F64; if `type` is RAW, NaN is preserved.
 SMVM_NOINLINE static void number_load_f64(Number *x, uint8_t type, const uint8_t *p)
 {
-    const uint32_t upper = number_half(p, true);
+    const uint32_t upper = number_load_half(p, true);
 
-    if (type == SM_F64 && (upper & 0x7FF00000u) == 0x7FF00000u && ((upper & 0xFFFFFu) | number_half(p, false)) != 0) {
-        number_whole(x, 0);                           // a NaN
+    if (type == SM_F64 && (upper & 0x7FF00000u) == 0x7FF00000u && ((upper & 0xFFFFFu) | number_load_half(p, false)) != 0) {
+        number_set_integer(x, 0);  // a NaN
         return;
     }
     memcpy(&x->as.real, p, sizeof x->as.real);
@@ -105,17 +105,17 @@ SMVM_NOINLINE static void number_load(Number *x, uint8_t type, const uint8_t *p)
         whole = v;
     } else if (type == SM_I32 || (type == SM_U32 && !(p[0] & 0x80) && !(p[3] & 0x80)))
         memcpy(&whole, p, sizeof whole);
-    else if ((type == SM_U64 || type == SM_I64) && number_is_small(type, number_half(p, true), number_half(p, false)))
-        whole = (int32_t)number_half(p, false);
+    else if ((type == SM_U64 || type == SM_I64) && number_is_small(type, number_load_half(p, true), number_load_half(p, false)))
+        whole = (int32_t)number_load_half(p, false);
     else {
         number_load_wide(x, type, p);
         return;
     }
-    number_whole(x, whole);
+    number_set_integer(x, whole);
 }
 
 // Clips a value to the range of a type.
-SMVM_NOINLINE static int32_t number_clipped(int32_t v, uint8_t type)
+SMVM_NOINLINE static int32_t number_clip(int32_t v, uint8_t type)
 {
     switch (type) {
     case SM_I8: return sm_clip_i32(v, INT8_MIN, INT8_MAX);
@@ -128,7 +128,7 @@ SMVM_NOINLINE static int32_t number_clipped(int32_t v, uint8_t type)
     }
 }
 
-SMVM_NOINLINE static void number_put(int32_t v, uint8_t bytes, uint8_t *p)
+SMVM_NOINLINE static void number_write_bytes(int32_t v, uint8_t bytes, uint8_t *p)
 {
     switch (bytes) {
     case 1: *p = (uint8_t)v; break;
@@ -138,7 +138,7 @@ SMVM_NOINLINE static void number_put(int32_t v, uint8_t bytes, uint8_t *p)
     }
 }
 
-SMVM_NOINLINE static void number_put_real(SmF64 x, uint8_t type, uint8_t *p)
+SMVM_NOINLINE static void number_write_real(SmF64 x, uint8_t type, uint8_t *p)
 {
     switch (type) {
     case SM_I64: { const int64_t v = sm_to_i64(x); memcpy(p, &v, sizeof v); break; }
@@ -153,23 +153,23 @@ SMVM_NOINLINE static void number_put_real(SmF64 x, uint8_t type, uint8_t *p)
 
 static bool number_is_narrow(uint8_t type) { return type <= SM_I32 || type == SM_U8 || type == SM_U16; }
 
-static void number_put_whole(int32_t v, uint8_t type, uint8_t *p)
+static void number_write_integer(int32_t v, uint8_t type, uint8_t *p)
 {
-    number_put(number_clipped(v, type), (uint8_t)(1u << smvm_type_shift(type)), p);
+    number_write_bytes(number_clip(v, type), (uint8_t)(1u << smvm_type_shift(type)), p);
 }
 
 SMVM_NOINLINE static void number_store_real(SmF64 x, uint8_t type, uint8_t *p)
 {
     if (number_is_narrow(type))
-        number_put_whole(sm_to_i32(x), type, p);
+        number_write_integer(sm_to_i32(x), type, p);
     else
-        number_put_real(x, type, p);
+        number_write_real(x, type, p);
 }
 
 SMVM_NOINLINE static void number_store(const Number *x, uint8_t type, uint8_t *p)
 {
     if (!x->is_real && (type < SM_F32 || type == SM_BOOL))
-        number_put_whole(x->as.whole, type, p);
+        number_write_integer(x->as.whole, type, p);
     else
         number_store_real(number_f64(x), type, p);
 }
@@ -178,18 +178,18 @@ SMVM_NOINLINE static void number_store(const Number *x, uint8_t type, uint8_t *p
 
 static bool number_is_true(const Number *x) { return x->is_real ? sm_to_bool(x->as.real) : x->as.whole != 0; }
 
-SMVM_NOINLINE static uint8_t number_relation_real(const Number *x, const Number *y)
+SMVM_NOINLINE static uint8_t number_real_relation(const Number *x, const Number *y)
 {
     return sm_soft_relation(sm_bits(number_f64(x)), sm_bits(number_f64(y)));
 }
 
-SMVM_INLINE uint8_t number_relation_whole(int32_t x, int32_t y) { return x == y ? SMVM_EQUAL : x < y ? SMVM_LESS : SMVM_GREATER; }
+SMVM_INLINE uint8_t number_integer_relation(int32_t x, int32_t y) { return x == y ? SMVM_EQUAL : x < y ? SMVM_LESS : SMVM_GREATER; }
 
 SMVM_NOINLINE static uint8_t number_relation(const Number *x, const Number *y)
 {
     if (x->is_real || y->is_real)
-        return number_relation_real(x, y);
-    return number_relation_whole(x->as.whole, y->as.whole);
+        return number_real_relation(x, y);
+    return number_integer_relation(x->as.whole, y->as.whole);
 }
 
 SMVM_NOINLINE static uint8_t number_relation_to_real(const Number *x, int32_t n)
@@ -199,11 +199,11 @@ SMVM_NOINLINE static uint8_t number_relation_to_real(const Number *x, int32_t n)
 
 static inline uint8_t number_relation_to(const Number *x, int32_t n)
 {
-    return x->is_real ? number_relation_to_real(x, n) : number_relation_whole(x->as.whole, n);
+    return x->is_real ? number_relation_to_real(x, n) : number_integer_relation(x->as.whole, n);
 }
 
 // Operations on whole numbers.  They return false if the result is not a whole number of 32 bits, or would be -0.
-static bool number_add_whole(Number *x, int32_t a, int32_t b)
+static bool number_integer_add(Number *x, int32_t a, int32_t b)
 {
     if (b < 0 ? a < INT32_MIN - b : a > INT32_MAX - b)
         return false;
@@ -211,7 +211,7 @@ static bool number_add_whole(Number *x, int32_t a, int32_t b)
     return true;
 }
 
-static bool number_mul_whole(Number *x, int32_t a, int32_t b)
+static bool number_integer_mul(Number *x, int32_t a, int32_t b)
 {
     if (sm_clip_i32(a, INT16_MIN, INT16_MAX) != a || sm_clip_i32(b, INT16_MIN, INT16_MAX) != b
         || ((a | b) < 0 && (a == 0 || b == 0)))
@@ -220,21 +220,21 @@ static bool number_mul_whole(Number *x, int32_t a, int32_t b)
     return true;
 }
 
-static bool number_whole_of_two(Number *x, uint8_t op, int32_t b)
+static bool number_integer_binary(Number *x, uint8_t op, int32_t b)
 {
     const int32_t a = x->as.whole;
 
     switch (op) {
-    case SMVM_add: return number_add_whole(x, a, b);
-    case SMVM_sub: return b != INT32_MIN && number_add_whole(x, a, -b);
-    case SMVM_mul: return number_mul_whole(x, a, b);
+    case SMVM_add: return number_integer_add(x, a, b);
+    case SMVM_sub: return b != INT32_MIN && number_integer_add(x, a, -b);
+    case SMVM_mul: return number_integer_mul(x, a, b);
     case SMVM_min: x->as.whole = a < b ? a : b; return true;
     case SMVM_max: x->as.whole = a > b ? a : b; return true;
     default: return false;
     }
 }
 
-static bool number_whole_of_one(Number *x, uint8_t op)
+static bool number_integer_unary(Number *x, uint8_t op)
 {
     const int32_t a = x->as.whole;
 
@@ -256,7 +256,7 @@ static uint64_t number_min(uint64_t a, uint64_t b) { return sm_bits(sm_min(sm_fr
 static uint64_t number_max(uint64_t a, uint64_t b) { return sm_bits(sm_max(sm_from_bits(a), sm_from_bits(b))); }
 
 // All operations share one call, which saves code: each takes its arguments in the same registers.
-SMVM_NOINLINE static void number_real_of_two(Number *x, uint8_t op, const Number *y)
+SMVM_NOINLINE static void number_real_binary(Number *x, uint8_t op, const Number *y)
 {
     uint64_t (*f)(uint64_t a, uint64_t b) = sm_soft_add;
 
@@ -270,10 +270,10 @@ SMVM_NOINLINE static void number_real_of_two(Number *x, uint8_t op, const Number
         f = number_min;
     else if (op == SMVM_max)
         f = number_max;
-    number_real(x, sm_from_bits(f(sm_bits(number_f64(x)), sm_bits(number_f64(y)))));
+    number_set_real(x, sm_from_bits(f(sm_bits(number_f64(x)), sm_bits(number_f64(y)))));
 }
 
-static SmF64 number_rounded(uint8_t op, SmF64 x)
+static SmF64 number_round(uint8_t op, SmF64 x)
 {
     switch (op) {
     case SMVM_floor: return sm_floor(x);
@@ -285,28 +285,28 @@ static SmF64 number_rounded(uint8_t op, SmF64 x)
     }
 }
 
-SMVM_NOINLINE static void number_real_of_one(Number *x, uint8_t op)
+SMVM_NOINLINE static void number_real_unary(Number *x, uint8_t op)
 {
     const SmF64 a = number_f64(x);
 
-    number_real(x, op == SMVM_neg ? sm_neg(a) : op == SMVM_abs ? sm_abs(a) : number_rounded(op, a));
+    number_set_real(x, op == SMVM_neg ? sm_neg(a) : op == SMVM_abs ? sm_abs(a) : number_round(op, a));
 }
 
 // add … max, neg … sign.
 SMVM_NOINLINE static void number_compute(Number *x, uint8_t op, const Number *y)
 {
     if (op >= SMVM_neg) {
-        if (x->is_real || !number_whole_of_one(x, op))
-            number_real_of_one(x, op);
-    } else if (x->is_real || y->is_real || !number_whole_of_two(x, op, y->as.whole))
-        number_real_of_two(x, op, y);
+        if (x->is_real || !number_integer_unary(x, op))
+            number_real_unary(x, op);
+    } else if (x->is_real || y->is_real || !number_integer_binary(x, op, y->as.whole))
+        number_real_binary(x, op, y);
 }
 
 #else
 typedef SmF64 Number;
 
-static inline void number_whole(Number *x, int32_t v) { *x = sm_from_i32(v); }
-static inline void number_real(Number *x, SmF64 v) { *x = v; }
+static inline void number_set_integer(Number *x, int32_t v) { *x = sm_from_i32(v); }
+static inline void number_set_real(Number *x, SmF64 v) { *x = v; }
 static inline SmF64 number_f64(const Number *x) { return *x; }
 
 static inline void number_load(Number *x, uint8_t type, const uint8_t *p)

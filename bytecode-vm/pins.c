@@ -14,9 +14,9 @@ enum {
 };
 
 // Reads a number; one beyond `most` becomes `most`.  Returns false if it is cut short.
-static bool take_up_to(SmvmPins *p, SmvmAt most, SmvmAt *n)
+static bool read_count(SmvmPins *p, SmvmAt most, SmvmAt *n)
 {
-    const bool there = smvm_number(&p->in) != SMVM_CUT_SHORT;
+    const bool there = smvm_read_number(&p->in) != SMVM_VARINT_CUT_SHORT;
 
     *n = there && p->in.n < most ? p->in.n : most;
     return there;
@@ -27,18 +27,18 @@ bool smvm_pins(SmvmBytes image, SmvmPins *p)
     SmvmAt at;
 
     memset(p, 0, sizeof *p);
-    if (!smvm_find(image, SMVM_S_IO, &p->in) || (at = smvm_take(&p->in, 4)) == 0)
+    if (!smvm_find_section(image, SMVM_S_IO, &p->in) || (at = smvm_skip(&p->in, 4)) == 0)
         return false;
     p->layout = smvm_uint(image, at, 4);
-    return take_up_to(p, SMVM_NOWHERE >> 3, &p->sv_size) && take_up_to(p, SMVM_NOWHERE, &p->left);
+    return read_count(p, SMVM_NOWHERE >> 3, &p->sv_size) && read_count(p, SMVM_NOWHERE, &p->left);
 }
 
 // A value of the type field: the offset field then contains a whole number, 20 bits in two's complement.
 enum { WHOLE = 15 };
 
-static bool take_number(SmvmPins *p, SmF64 *x)
+static bool read_f64(SmvmPins *p, SmF64 *x)
 {
-    const SmvmAt at = smvm_take(&p->in, SMVM_PLACE);
+    const SmvmAt at = smvm_skip(&p->in, SMVM_LOCATION_BYTES);
     uint16_t low;
     uint8_t type, high;
     SmvmAt bits;
@@ -53,36 +53,36 @@ static bool take_number(SmvmPins *p, SmF64 *x)
         *x = sm_from_i32((int32_t)low + (int32_t)(high < 8 ? high : high - 16) * 0x10000);
         return true;
     }
-    if ((type != SM_F32 && type != SM_F64) || high != 0 || low != 0 || (bits = smvm_take(&p->in, type == SM_F32 ? 4 : 8)) == 0)
+    if ((type != SM_F32 && type != SM_F64) || high != 0 || low != 0 || (bits = smvm_skip(&p->in, type == SM_F32 ? 4 : 8)) == 0)
         return false;
     if (type == SM_F32)
         *x = sm_from_f32(sm_f32_from_bits(smvm_uint(p->in.image, bits, 4)));
     else
-        smvm_get(p->in.image, bits, x, 8);
+        smvm_read_bits(p->in.image, bits, x, 8);
     return true;
 }
 
-static bool take_element(SmvmPins *p, SmvmPin *pin)
+static bool read_element(SmvmPins *p, SmvmPin *pin)
 {
-    const SmvmAt at = smvm_take(&p->in, SMVM_PLACE);
-    SmvmPlace place;
+    const SmvmAt at = smvm_skip(&p->in, SMVM_LOCATION_BYTES);
+    SmvmLocation element;
 
     if (at == 0)
         return false;
-    place = smvm_place(p->in.image, at);
-    pin->type = (uint8_t)place.type;
-    pin->offset = place.offset;
+    element = smvm_location(p->in.image, at);
+    pin->type = (uint8_t)element.type;
+    pin->offset = element.offset;
     return true;
 }
 
 // Reads the field that bit MORE announces.
-static bool take_more(SmvmPins *p, SmvmPin *pin)
+static bool read_safe_or_hold(SmvmPins *p, SmvmPin *pin)
 {
     SmvmAt at;
 
     if (pin->kind & OUTPUT)
-        return take_number(p, &pin->safe);
-    if ((at = smvm_take(&p->in, 1)) == 0)
+        return read_f64(p, &pin->safe);
+    if ((at = smvm_skip(&p->in, 1)) == 0)
         return false;
     pin->hold = smvm_u8(p->in.image, at);
     return true;
@@ -91,21 +91,21 @@ static bool take_more(SmvmPins *p, SmvmPin *pin)
 bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
 {
     SmvmAt at;
-    SmvmFound found;
+    SmvmVarintStatus found;
     uint8_t front;
 
-    if (p->left == 0 || (at = smvm_take(&p->in, 1)) == 0)
+    if (p->left == 0 || (at = smvm_skip(&p->in, 1)) == 0)
         return false;
     front = smvm_u8(p->in.image, at);
     memset(pin, 0, sizeof *pin);                      // all zero bits are 0 as a number too
     pin->kind = front & KIND;
     pin->flags = front >> FLAGS_AT & FLAGS;
     pin->scale = sm_from_i32(1);
-    if (!take_element(p, pin) || (found = smvm_number(&p->in)) == SMVM_CUT_SHORT)
+    if (!read_element(p, pin) || (found = smvm_read_number(&p->in)) == SMVM_VARINT_CUT_SHORT)
         return false;
-    pin->pin = found == SMVM_TOO_LARGE ? UINT16_MAX + UINT32_C(1) : p->in.n;
-    if ((front & SCALED && !take_number(p, &pin->scale)) || (front & SHIFTED && !take_number(p, &pin->zero))
-        || (front & MORE && !take_more(p, pin)))
+    pin->pin = found == SMVM_VARINT_TOO_LARGE ? UINT16_MAX + UINT32_C(1) : p->in.n;
+    if ((front & SCALED && !read_f64(p, &pin->scale)) || (front & SHIFTED && !read_f64(p, &pin->zero))
+        || (front & MORE && !read_safe_or_hold(p, pin)))
         return false;
     p->left--;
     return true;
@@ -124,7 +124,7 @@ static bool is_in_vector(const SmvmPins *p, const SmvmPin *pin)
 }
 
 // Only digital inputs have pull resistors, at most one of the two; only digital pins can be inverted.
-static bool are_flags_of(const SmvmPin *pin)
+static bool are_flags_valid(const SmvmPin *pin)
 {
     if (pin->kind & DIGITAL)
         return pin->kind & OUTPUT ? pin->flags <= 1 : pin->flags <= 5;
@@ -133,7 +133,7 @@ static bool are_flags_of(const SmvmPin *pin)
 
 static uint8_t check_pin(const SmvmPins *p, const SmvmPin *pin)
 {
-    if (pin->pin > UINT16_MAX || pin->type >= SM_TYPE_COUNT || !are_flags_of(pin) || (pin->type == SM_BOOL) != ((pin->kind & DIGITAL) != 0)
+    if (pin->pin > UINT16_MAX || pin->type >= SM_TYPE_COUNT || !are_flags_valid(pin) || (pin->type == SM_BOOL) != ((pin->kind & DIGITAL) != 0)
         || !is_in_vector(p, pin))
         return SMVM_R_PIN;
     if (!is_finite(&pin->scale) || !is_finite(&pin->zero) || !is_finite(&pin->safe) || !sm_to_bool(pin->scale))

@@ -54,7 +54,7 @@ typedef struct SmvmReader {
     SmvmAt n;                 // the number read last
 } SmvmReader;
 
-// The properties of a machine and the places of its parts in the image.  All offsets count from the start of the image.
+// The properties of a machine and where its parts are in the image.  All offsets count from the start of the image.
 typedef struct SmvmMachine {
     SmvmAt sv_size;           // bytes of the machine's state vector in memory
     SmvmAt from, to;          // the machine accesses bytes from … to - 1 of it only; both are multiples of 8
@@ -83,12 +83,12 @@ uint32_t smvm_longest_step(const SmvmMachine *m);
 // Whether state `state` (1 to m->states) is marked @safe.  True for every state of a machine that marks none.
 bool smvm_state_is_safe(const SmvmMachine *m, uint32_t state);
 
-// The place of an element in the state vector, or of a local among the locals.
-typedef struct SmvmPlace {
+// Where an element is in the state vector, or of a local among the locals.
+typedef struct SmvmLocation {
     SmType type;
     SmvmAt offset;            // in bytes
-} SmvmPlace;
-SmvmPlace smvm_output(const SmvmMachine *m, uint32_t output);         // counted from 0
+} SmvmLocation;
+SmvmLocation smvm_output(const SmvmMachine *m, uint32_t output);      // counted from 0
 
 // ---- pins ----
 
@@ -104,9 +104,9 @@ typedef struct SmvmPin {
     SmF64 safe;               // outputs
 } SmvmPin;
 
-// Two pins with the same place are the same pin of the chip.  SMVM_NO_PIN: an image may not use this pin.  `kind` is as above, with the
-// flags from bit 2 on.
-typedef uint8_t SmvmPinPlace(uint16_t number, uint8_t kind);
+// The number of the pin of the chip that a pin of an image uses: two pins with the same number are one.  SMVM_NO_PIN: an image may not use
+// this pin.  `kind` is as above, with the flags from bit 2 on.
+typedef uint8_t SmvmPhysicalPin(uint16_t number, uint8_t kind);
 static inline uint8_t smvm_pin_kind(const SmvmPin *p) { return (uint8_t)(p->kind | p->flags << 2); }
 #define SMVM_NO_PIN 0xffu
 
@@ -191,7 +191,7 @@ uint32_t smvm_decoded_size(const SmvmMachine *m);
 
 // Decodes the code of the machine that smvm_init placed at vm, for steps on the state vector at sv.  The caller owns the memory, which
 // must be aligned as an array of uint64_t; *decoded is set to it.  Locals, windows and everything else stay at vm, so all functions above
-// work as before.  The decoded code remains valid after another smvm_init of the same machine at the same place.
+// work as before.  The decoded code remains valid after another smvm_init of the same machine at the same address.
 // SM_E_MEMORY: `size` is too small.  SM_E_ALIGNMENT: the memory is not aligned.
 SmResult smvm_decode(SmvmDecoded **decoded, void *memory, uint32_t size, const SmvmMachine *m, SmVm *vm, void *sv);
 

@@ -27,11 +27,12 @@ enum {
 // Encodes which operands follow an opcode, from its shape.
 #define SMVM_IS(what, number) ((uint16_t)((what) & SMVM_SHAPE_FOLLOWS) == (number))
 #define SMVM_FOLLOWS(s) \
-    (SMVM_IS(s, L) ? SMVM_AN_L : SMVM_IS(s, E) ? SMVM_AN_E : SMVM_IS(s, N) ? SMVM_AN_N : SMVM_IS(s, F) ? SMVM_AN_F : SMVM_IS(s, D) ? SMVM_A_D : \
-     SMVM_IS(s, O) ? SMVM_AN_O : SMVM_IS(s, S) ? SMVM_AN_S : SMVM_IS(s, K) ? SMVM_A_K : SMVM_IS(s, W) ? SMVM_A_W : SMVM_IS(s, T) ? SMVM_A_T : \
-     SMVM_IS(s, M) ? SMVM_AN_M : SMVM_IS(s, J) ? SMVM_A_J : SMVM_IS(s, K | W) ? SMVM_K_AND_W : SMVM_IS(s, N | J) ? SMVM_N_AND_J : SMVM_NOTHING)
+    (SMVM_IS(s, L) ? SMVM_OPERAND_L : SMVM_IS(s, E) ? SMVM_OPERAND_E : SMVM_IS(s, N) ? SMVM_OPERAND_N : SMVM_IS(s, F) ? SMVM_OPERAND_F : \
+     SMVM_IS(s, D) ? SMVM_OPERAND_D : SMVM_IS(s, O) ? SMVM_OPERAND_O : SMVM_IS(s, S) ? SMVM_OPERAND_S : SMVM_IS(s, K) ? SMVM_OPERAND_K : \
+     SMVM_IS(s, W) ? SMVM_OPERAND_W : SMVM_IS(s, T) ? SMVM_OPERAND_T : SMVM_IS(s, M) ? SMVM_OPERAND_M : SMVM_IS(s, J) ? SMVM_OPERAND_J : \
+     SMVM_IS(s, K | W) ? SMVM_OPERANDS_K_W : SMVM_IS(s, N | J) ? SMVM_OPERANDS_N_J : SMVM_OPERAND_NONE)
 
-static const struct Row { uint8_t first, last; uint16_t form; } rows[] SM_FLASH = {
+static const struct OpcodeRow { uint8_t first, last; uint16_t form; } rows[] SM_FLASH = {
 #define SMVM_OP(name, first, last, shape, meaning) {first, last, (uint16_t)(SMVM_FOLLOWS(shape) | (uint32_t)(shape) >> 12 << 4)},
 #include "bytecode-vm/opcodes.def"
 #undef SMVM_OP
@@ -49,7 +50,7 @@ static const uint8_t row_of[] SM_FLASH = {ROW_ldx_local, ROW_ldx_elem, ROW_ldy_l
 
 uint16_t smvm_form(uint8_t opcode)
 {
-    struct Row r;
+    struct OpcodeRow r;
     uint8_t row;
 
     sm_flash_get(&row, &row_of[opcode >> 4 & 7], 1);
@@ -64,22 +65,22 @@ uint16_t smvm_form(uint8_t opcode)
 enum { HAS_X = 1, HAS_Y = 2 };                        // registers that contain a number
 
 // The functions below return 0, or the rule that is broken at `where`.
-typedef struct Check {
+typedef struct Verifier {
     SmvmReader in;            // the current position, and the end of the current function
     SmvmAt where;             // offset of the data being checked
-    SmvmAt far;               // the furthest target of the function's jumps
-    SmvmAt sampled;           // how many windows have their sample
+    SmvmAt furthest_target;   // the furthest target of the function's jumps
+    SmvmAt windows_sampled;   // how many windows have their sample
     uint8_t stat;             // the statistic that the instruction reads
-    uint8_t known;            // HAS_X, HAS_Y
-    bool over;                // control cannot continue after the last instruction
-    uint8_t kind;             // of the function: SmvmIn
+    uint8_t defined;          // HAS_X, HAS_Y
+    bool is_ended;            // control cannot continue after the last instruction
+    uint8_t kind;             // of the function: SmvmFunctionKind
     SmvmMachine m;
-    Longest way;
-} Check;
+    LongestPath longest;
+} Verifier;
 
 // ---- the container ----
 
-static uint8_t check_header(Check *c, uint32_t size)
+static uint8_t check_header(Verifier *c, uint32_t size)
 {
     const SmvmBytes image = c->in.image;
 
@@ -91,13 +92,13 @@ static uint8_t check_header(Check *c, uint32_t size)
     if (smvm_u8(image, 3) != SMVM_FORMAT)
         return SMVM_R_FORMAT;
     c->where = SMVM_LENGTH_AT;
-    c->in.end = smvm_at(image, SMVM_LENGTH_AT, 3);
-    if (c->in.end > size || c->in.end > SMVM_IMAGE_MAX || c->in.end < SMVM_HEADER + (SmvmAt)SMVM_ENTRY * smvm_sections(image))
+    c->in.end = smvm_read_offset(image, SMVM_LENGTH_AT, 3);
+    if (c->in.end > size || c->in.end > SMVM_IMAGE_MAX || c->in.end < SMVM_HEADER + (SmvmAt)SMVM_SECTION_ENTRY * smvm_section_count(image))
         return SMVM_R_LENGTH;
     return 0;
 }
 
-static uint8_t check_crc(Check *c)
+static uint8_t check_crc(Verifier *c)
 {
     uint32_t crc = SM_CRC32_START;
 
@@ -109,34 +110,34 @@ static uint8_t check_crc(Check *c)
 }
 
 // Sections must be in order, with known ids, in groups of one MACHINE, one CODE, at most one INIT and at most one SAFE.
-SMVM_NOINLINE static uint8_t check_sections(Check *c)
+SMVM_NOINLINE static uint8_t check_sections(Verifier *c)
 {
-    const uint8_t n = smvm_sections(c->in.image);
-    SmvmAt free_from = (SmvmAt)(SMVM_HEADER + SMVM_ENTRY * n);
-    uint8_t before = SMVM_A_CODE;                     // as if a complete machine preceded the first
+    const uint8_t n = smvm_section_count(c->in.image);
+    SmvmAt free_from = (SmvmAt)(SMVM_HEADER + SMVM_SECTION_ENTRY * n);
+    uint8_t before = SMVM_HAS_CODE;                   // as if a complete machine preceded the first
 
     c->where = SMVM_HEADER;
-    for (uint8_t i = 0; i < n; i++, c->where = (SmvmAt)(c->where + SMVM_ENTRY)) {
+    for (uint8_t i = 0; i < n; i++, c->where = (SmvmAt)(c->where + SMVM_SECTION_ENTRY)) {
         SmvmSection s;
-        smvm_section(c->in.image, i, &s);
+        smvm_read_section(c->in.image, i, &s);
         if (s.at < free_from || s.at > c->in.end || s.size > (SmvmAt)(c->in.end - s.at))
             return SMVM_R_SECTION;
         free_from = (SmvmAt)(s.at + s.size);
         if (s.kind.id == 0 && s.id >= SMVM_MUST_KNOW)
             return SMVM_R_UNKNOWN;
-        if ((s.kind.asks & ~before) != 0 || (s.kind.bars & before) != 0)
+        if ((s.kind.requires & ~before) != 0 || (s.kind.forbids & before) != 0)
             return SMVM_R_GROUP;
-        if (s.kind.gives == SMVM_A_MACHINE)
-            before &= SMVM_AN_IO;
-        before |= s.kind.gives;
+        if (s.kind.provides == SMVM_HAS_MACHINE)
+            before &= SMVM_HAS_IO;
+        before |= s.kind.provides;
     }
     c->where = SMVM_SECTIONS_AT;
-    return (~before & (SMVM_A_MACHINE | SMVM_A_CODE)) != 0 ? SMVM_R_GROUP : 0;
+    return (~before & (SMVM_HAS_MACHINE | SMVM_HAS_CODE)) != 0 ? SMVM_R_GROUP : 0;
 }
 
 // ---- the machine's tables ----
 
-static uint8_t check_windows(Check *c)
+static uint8_t check_windows(Verifier *c)
 {
     for (c->where = c->m.windows_at; c->where < c->m.outputs_at; c->where = (SmvmAt)(c->where + SMVM_WINDOW_ENTRY)) {
         const uint32_t entry = smvm_uint(c->in.image, c->where, SMVM_WINDOW_ENTRY);
@@ -151,36 +152,36 @@ SMVM_NOINLINE static bool is_inside(SmvmAt offset, uint8_t bytes, SmvmAt from, S
     return offset >= from && offset < to && bytes <= (SmvmAt)(to - offset);
 }
 
-// Only for places inside the part, so that no end exceeds an SmvmAt.
-SMVM_NOINLINE static bool overlap(SmvmAt a, uint8_t bytes, SmvmAt b, uint8_t others)
+// Only for locations inside the part, so that no end exceeds an SmvmAt.
+SMVM_NOINLINE static bool do_overlap(SmvmAt a, uint8_t bytes, SmvmAt b, uint8_t others)
 {
     return a < (SmvmAt)(b + others) && b < (SmvmAt)(a + bytes);
 }
 
-SMVM_NOINLINE static uint8_t size_of(SmType type) { return (uint8_t)(1u << smvm_shift((uint8_t)type)); }
+SMVM_NOINLINE static uint8_t type_size(SmType type) { return (uint8_t)(1u << smvm_shift((uint8_t)type)); }
 
-// Whether the place at `where` has a type that exists and is inside.
-SMVM_NOINLINE static bool is_place(const Check *c, SmvmPlace *p, SmvmAt from, SmvmAt to)
+// Whether the location at `where` has a type that exists and is inside.
+SMVM_NOINLINE static bool is_location_inside(const Verifier *c, SmvmLocation *p, SmvmAt from, SmvmAt to)
 {
-    *p = smvm_place(c->in.image, c->where);
-    return p->type < SM_TYPE_COUNT && is_inside(p->offset, size_of(p->type), from, to);
+    *p = smvm_location(c->in.image, c->where);
+    return p->type < SM_TYPE_COUNT && is_inside(p->offset, type_size(p->type), from, to);
 }
 
-static uint8_t check_outputs(Check *c)
+static uint8_t check_outputs(Verifier *c)
 {
     const SmvmMachine *m = &c->m;
-    SmvmPlace p;
+    SmvmLocation p;
 
-    for (c->where = m->outputs_at; c->where < m->functions_at; c->where = (SmvmAt)(c->where + SMVM_PLACE)) {
-        if (!is_place(c, &p, m->from, m->to))
+    for (c->where = m->outputs_at; c->where < m->functions_at; c->where = (SmvmAt)(c->where + SMVM_LOCATION_BYTES)) {
+        if (!is_location_inside(c, &p, m->from, m->to))
             return SMVM_R_OUTPUTS;
-        if (overlap(p.offset, size_of(p.type), m->g, 8) || overlap(p.offset, size_of(p.type), m->s, 4))
+        if (do_overlap(p.offset, type_size(p.type), m->g, 8) || do_overlap(p.offset, type_size(p.type), m->s, 4))
             return SMVM_R_PROTECTED;
     }
     return 0;
 }
 
-static uint8_t check_vector(Check *c)
+static uint8_t check_vector(Verifier *c)
 {
     const SmvmMachine *m = &c->m;
 
@@ -189,16 +190,17 @@ static uint8_t check_vector(Check *c)
         return SMVM_R_SPAN;
     if (!is_inside(m->g, 8, m->from, m->to) || !is_inside(m->s, 4, m->from, m->to))
         return SMVM_R_TIME_STATE;
-    return overlap(m->g, 8, m->s, 4) ? SMVM_R_PROTECTED : check_outputs(c);
+    return do_overlap(m->g, 8, m->s, 4) ? SMVM_R_PROTECTED : check_outputs(c);
 }
 
-static uint8_t check_init(Check *c)
+static uint8_t check_init(Verifier *c)
 {
     SmvmAt left = c->m.init_size, bytes;
-    SmvmPlace p;
+    SmvmLocation p;
 
     for (c->where = c->m.init_at; left > 0; c->where = (SmvmAt)(c->where + bytes)) {
-        if (left < SMVM_PLACE || !is_place(c, &p, 0, c->m.locals) || left < (bytes = (SmvmAt)(SMVM_PLACE + size_of(p.type))))
+        if (left < SMVM_LOCATION_BYTES || !is_location_inside(c, &p, 0, c->m.locals) ||
+            left < (bytes = (SmvmAt)(SMVM_LOCATION_BYTES + type_size(p.type))))
             return SMVM_R_INIT;
         left = (SmvmAt)(left - bytes);
     }
@@ -206,7 +208,7 @@ static uint8_t check_init(Check *c)
 }
 
 // SAFE has a bit for each state and no others; at least one is set.
-static uint8_t check_safe(Check *c)
+static uint8_t check_safe(Verifier *c)
 {
     SmvmAt left = c->m.safe_size, at = c->m.safe_at;
     uint8_t any = 0, last = 0;
@@ -229,7 +231,7 @@ static bool is_target(uint8_t op)
     return op < SMVM_addi || op == SMVM_goto || op == SMVM_end || op == SMVM_jmp;
 }
 
-static uint8_t check_jump(Check *c)
+static uint8_t check_jump(Verifier *c)
 {
     SmvmAt to = c->in.n;
     uint8_t op;
@@ -237,153 +239,153 @@ static uint8_t check_jump(Check *c)
     if (to >= (SmvmAt)(c->in.end - c->in.at))
         return SMVM_R_JUMP;
     to = (SmvmAt)(to + c->in.at);
-    if ((op = smvm_u8(c->in.image, to)) < SMVM_OP_LEAST)
+    if ((op = smvm_u8(c->in.image, to)) < SMVM_OP_FIRST)
         return SMVM_R_JUMP;
     if (!is_target(op))
         return SMVM_R_REGISTER;
-    if (to > c->far)
-        c->far = to;
-    longest_jump(&c->way, to);
+    if (to > c->furthest_target)
+        c->furthest_target = to;
+    longest_jump(&c->longest, to);
     return 0;
 }
 
 // A window that `sample` or `stat` uses.
-static uint8_t check_window(Check *c, uint8_t op)
+static uint8_t check_window(Verifier *c, uint8_t op)
 {
     const SmvmAt w = c->in.n;
 
     if (op == SMVM_sample)
-        return c->kind == SMVM_IN_SAMPLE && w == c->sampled++ && c->far <= c->where ? 0 : SMVM_R_SAMPLE;
+        return c->kind == SMVM_SAMPLE_FUNCTION && w == c->windows_sampled++ && c->furthest_target <= c->where ? 0 : SMVM_R_SAMPLE;
     if ((smvm_window_kind(smvm_window(c->in.image, c->m.windows_at, w)) & (unsigned)SM_ROLL_AVG << c->stat) == 0)
         return SMVM_R_WINDOW_USED;
-    return w < c->sampled ? 0 : SMVM_R_SAMPLE;
+    return w < c->windows_sampled ? 0 : SMVM_R_SAMPLE;
 }
 
-static uint8_t check_sampled(const Check *c)          // at the end of a function
+static uint8_t check_all_sampled(const Verifier *c)   // at the end of a function
 {
-    return c->kind != SMVM_IN_SAMPLE || c->sampled == c->m.windows ? 0 : SMVM_R_SAMPLE;
+    return c->kind != SMVM_SAMPLE_FUNCTION || c->windows_sampled == c->m.windows ? 0 : SMVM_R_SAMPLE;
 }
 
 // The limit of an operand: the field of the machine, or the number, that it must be below; its first value; and the rule.
 #define OF(field) offsetof(SmvmMachine, field)
 enum { CONSTANT = 0x80 };
-static const struct Limit { uint8_t below, from, rule; } limits[] SM_FLASH = {
+static const struct OperandLimit { uint8_t below, from, rule; } limits[] SM_FLASH = {
     {0, 0, 0}, {OF(locals), 0, SMVM_R_OPERAND}, {OF(to), 0, SMVM_R_OPERAND}, {0, 0, 0}, {OF(f32s), 0, SMVM_R_OPERAND},
     {OF(f64s), 0, SMVM_R_OPERAND}, {OF(outputs), 0, SMVM_R_OPERAND}, {OF(states), 1, SMVM_R_GOTO}, {CONSTANT | SM_STAT_COUNT, 0, SMVM_R_OPERAND},
     {OF(windows), 0, SMVM_R_WINDOW_USED}, {CONSTANT | SM_TYPE_COUNT, 0, SMVM_R_OPERAND}, {CONSTANT | 14, 1, SMVM_R_OPERAND},
 };
 
-// Checks one operand; `what` is SMVM_AN_L to SMVM_A_J.
-SMVM_NOINLINE static uint8_t check_operand(Check *c, uint8_t op, uint8_t what)
+// Checks one operand; `what` is SMVM_OPERAND_L to SMVM_OPERAND_J.
+SMVM_NOINLINE static uint8_t check_operand(Verifier *c, uint8_t op, uint8_t what)
 {
     const SmvmMachine *m = &c->m;
-    struct Limit l;
+    struct OperandLimit l;
     SmvmAt from, end;
 
     c->where = c->in.at;
-    if (smvm_number(&c->in) == SMVM_CUT_SHORT) {
+    if (smvm_read_number(&c->in) == SMVM_VARINT_CUT_SHORT) {
         c->where = c->in.at;
         return SMVM_R_TRUNCATED;
     }
-    if (what == SMVM_AN_N)
+    if (what == SMVM_OPERAND_N)
         return 0;
-    if (what == SMVM_A_J)
+    if (what == SMVM_OPERAND_J)
         return check_jump(c);
     sm_flash_get(&l, &limits[what], sizeof l);
     from = l.from;
     end = l.below & CONSTANT ? l.below & (CONSTANT - 1) : *(const SmvmAt *)(const void *)((const uint8_t *)m + l.below);
-    if (what <= SMVM_AN_E) {
+    if (what <= SMVM_OPERAND_E) {
         const uint8_t shift = smvm_shift(op & 0xf);
-        if (what == SMVM_AN_E)
+        if (what == SMVM_OPERAND_E)
             from = m->from;
         end = (SmvmAt)(end - from) >> shift;
         from = from >> shift;
     }
-    if ((SmvmAt)(c->in.n - from) >= end || (what == SMVM_AN_S && c->kind != SMVM_IN_ENTRY && c->kind != SMVM_IN_STEP))
+    if ((SmvmAt)(c->in.n - from) >= end || (what == SMVM_OPERAND_S && c->kind != SMVM_ENTRY_FUNCTION && c->kind != SMVM_STEP_FUNCTION))
         return l.rule;
-    if (what == SMVM_A_K)
+    if (what == SMVM_OPERAND_K)
         c->stat = (uint8_t)c->in.n;
-    return what == SMVM_A_W ? check_window(c, op) : 0;
+    return what == SMVM_OPERAND_W ? check_window(c, op) : 0;
 }
 
-static uint8_t check_operands(Check *c, uint8_t op, uint8_t follow)
+static uint8_t check_operands(Verifier *c, uint8_t op, uint8_t follow)
 {
     uint8_t rule = 0;
 
-    if (follow == SMVM_K_AND_W) {
-        rule = check_operand(c, op, SMVM_A_K);
-        follow = SMVM_A_W;
-    } else if (follow == SMVM_N_AND_J) {
-        rule = check_operand(c, op, SMVM_AN_N);
-        follow = SMVM_A_J;
+    if (follow == SMVM_OPERANDS_K_W) {
+        rule = check_operand(c, op, SMVM_OPERAND_K);
+        follow = SMVM_OPERAND_W;
+    } else if (follow == SMVM_OPERANDS_N_J) {
+        rule = check_operand(c, op, SMVM_OPERAND_N);
+        follow = SMVM_OPERAND_J;
     }
-    return rule != 0 || follow == SMVM_NOTHING ? rule : check_operand(c, op, follow);
+    return rule != 0 || follow == SMVM_OPERAND_NONE ? rule : check_operand(c, op, follow);
 }
 
 // The bits of a form: the registers that an instruction reads, and how it changes them.
-enum { NEEDS = SMVM_SHAPE_X >> 8, GIVES = SMVM_SHAPE_GX >> 8, FORGETS_Y = (int)(SMVM_SHAPE_FY >> 8), IS_OVER = (int)(SMVM_SHAPE_Z >> 8) };
-typedef char verify_registers_are_those_of_forms[NEEDS == HAS_X << 4 && NEEDS << 1 == SMVM_SHAPE_Y >> 8 && GIVES == HAS_X << 6 &&
+enum { READS = SMVM_SHAPE_X >> 8, WRITES = SMVM_SHAPE_GX >> 8, CLOBBERS_Y = (int)(SMVM_SHAPE_FY >> 8), ENDS_FLOW = (int)(SMVM_SHAPE_Z >> 8) };
+typedef char verify_registers_are_those_of_forms[READS == HAS_X << 4 && READS << 1 == SMVM_SHAPE_Y >> 8 && WRITES == HAS_X << 6 &&
                                                  (int)(SMVM_SHAPE_GY >> 8) == HAS_Y << 6 ? 1 : -1];
 
-static uint8_t check_instruction(Check *c, uint8_t op)
+static uint8_t check_instruction(Verifier *c, uint8_t op)
 {
     const uint16_t form = smvm_form(op);
     uint8_t rule;
 
     if (form == 0)
         return SMVM_R_OPCODE;
-    if (((uint8_t)form >> 4 & (HAS_X | HAS_Y) & ~c->known) != 0)
+    if (((uint8_t)form >> 4 & (HAS_X | HAS_Y) & ~c->defined) != 0)
         return SMVM_R_REGISTER;
-    if (form & FORGETS_Y)
-        c->known &= HAS_X;
-    c->known = (uint8_t)(c->known | (uint8_t)form >> 6);
-    c->over = (form & IS_OVER) != 0;
-    if (c->over)
-        c->known = 0;
+    if (form & CLOBBERS_Y)
+        c->defined &= HAS_X;
+    c->defined = (uint8_t)(c->defined | (uint8_t)form >> 6);
+    c->is_ended = (form & ENDS_FLOW) != 0;
+    if (c->is_ended)
+        c->defined = 0;
     if ((rule = check_operands(c, op, form & 0xf)) != 0)
         return rule;
-    return op == SMVM_end ? check_sampled(c) : 0;
+    return op == SMVM_end ? check_all_sampled(c) : 0;
 }
 
-static uint8_t check_function(Check *c)
+static uint8_t check_function(Verifier *c)
 {
     uint8_t rule;
 
-    c->far = c->in.at;
-    c->known = 0;
-    c->over = true;
-    longest_begin(&c->way);
+    c->furthest_target = c->in.at;
+    c->defined = 0;
+    c->is_ended = true;
+    longest_begin(&c->longest);
     while ((c->where = c->in.at) < c->in.end) {
         const uint8_t op = smvm_u8(c->in.image, c->in.at++);
-        longest_arrive(&c->way, c->where);
+        longest_at_instruction(&c->longest, c->where);
         if ((rule = check_instruction(c, op)) != 0)
             return rule;
-        if (c->over)
-            longest_leave(&c->way, op);
+        if (c->is_ended)
+            longest_after_terminator(&c->longest, op);
     }
-    longest_end(&c->way, (SmvmIn)c->kind);
-    rule = check_sampled(c);
-    return rule == 0 && !c->over ? SMVM_R_FALLS_OUT : rule;
+    longest_end(&c->longest, (SmvmFunctionKind)c->kind);
+    rule = check_all_sampled(c);
+    return rule == 0 && !c->is_ended ? SMVM_R_FALLS_OUT : rule;
 }
 
 // The sample function; then for each state entry, step and exit.
-static uint8_t check_code(Check *c)
+static uint8_t check_code(Verifier *c)
 {
     SmvmAt entry, size;
     uint8_t rule;
 
     c->in.at = c->m.code_at;
-    c->sampled = 0;
-    c->kind = SMVM_IN_SAMPLE;
+    c->windows_sampled = 0;
+    c->kind = SMVM_SAMPLE_FUNCTION;
     for (entry = c->m.functions_at; entry < c->m.f32s_at; entry = (SmvmAt)(entry + c->m.width)) {
         c->where = entry;
-        size = smvm_at(c->in.image, entry, (uint8_t)c->m.width);
+        size = smvm_read_offset(c->in.image, entry, (uint8_t)c->m.width);
         c->in.end = (SmvmAt)(c->m.code_at + size);
         if (size > c->m.code_size || c->in.end < c->in.at)
             return SMVM_R_FUNCTIONS;
         if ((rule = check_function(c)) != 0)
             return rule;
-        c->kind = c->kind == SMVM_IN_EXIT ? SMVM_IN_ENTRY : (uint8_t)(c->kind + 1);
+        c->kind = c->kind == SMVM_EXIT_FUNCTION ? SMVM_ENTRY_FUNCTION : (uint8_t)(c->kind + 1);
     }
     c->where = (SmvmAt)(entry - c->m.width);
     return c->in.at == (SmvmAt)(c->m.code_at + c->m.code_size) ? 0 : SMVM_R_FUNCTIONS;
@@ -391,7 +393,7 @@ static uint8_t check_code(Check *c)
 
 // ---- the whole ----
 
-static uint8_t check_machine(Check *c)
+static uint8_t check_machine(Verifier *c)
 {
     uint8_t rule;
 
@@ -400,21 +402,21 @@ static uint8_t check_machine(Check *c)
     c->where = c->m.windows_at;
     if (smvm_ram_size(&c->m) > SMVM_RAM_MAX || c->m.sv_size > SMVM_RAM_MAX)
         return SMVM_R_RAM;
-    memset(&c->way, 0, sizeof c->way);
+    memset(&c->longest, 0, sizeof c->longest);
     return check_code(c);
 }
 
 // There are at most 255 machines, one for each section.  So looking up each by its number is bounded, and linear in practice.
-static uint8_t check_machines(Check *c, SmvmVerdict *v)
+static uint8_t check_machines(Verifier *c, SmvmVerdict *v)
 {
     uint8_t rule;
 
-    for (; (rule = smvm_look(c->in.image, (uint8_t)v->machine, &c->m)) != SMVM_R_GROUP; v->machine++) {
+    for (; (rule = smvm_read_machine(c->in.image, (uint8_t)v->machine, &c->m)) != SMVM_R_GROUP; v->machine++) {
         uint32_t longest;
         c->where = c->m.machine_at;
         if (rule != 0 || (rule = check_machine(c)) != 0)
             return rule;
-        longest = longest_step(&c->way);
+        longest = longest_step(&c->longest);
         v->longest = longest > v->longest ? longest : v->longest;
     }
     v->machine = 0;
@@ -423,7 +425,7 @@ static uint8_t check_machines(Check *c, SmvmVerdict *v)
 
 uint32_t smvm_longest_step(const SmvmMachine *m)
 {
-    Check c;
+    Verifier c;
 
     if (!SMVM_LONGEST)
         return 0;
@@ -431,10 +433,10 @@ uint32_t smvm_longest_step(const SmvmMachine *m)
     c.in.image = m->image;
     c.m = *m;
     check_code(&c);
-    return longest_step(&c.way);
+    return longest_step(&c.longest);
 }
 
-static uint8_t check(Check *c, uint32_t size, SmvmVerdict *v)
+static uint8_t check_image(Verifier *c, uint32_t size, SmvmVerdict *v)
 {
     uint8_t rule;
 
@@ -446,12 +448,12 @@ static uint8_t check(Check *c, uint32_t size, SmvmVerdict *v)
 
 uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v)
 {
-    Check c;
+    Verifier c;
 
     memset(v, 0, sizeof *v);
     memset(&c, 0, sizeof c);
     c.in.image = image;
-    if ((v->rule = check(&c, size, v)) != 0)
+    if ((v->rule = check_image(&c, size, v)) != 0)
         v->at = c.where;
     return v->rule;
 }

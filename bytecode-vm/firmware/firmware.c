@@ -50,32 +50,32 @@ static bool is_armed(void)
 
 static void open_arming(void) { (void)pal_dio_open(&arming, FIRMWARE_ARM_PIN, PAL_DIO_PULL_UP, true); }
 
-static uint8_t place_of(uint16_t number, uint8_t kind)
+static uint8_t physical_pin_of(uint16_t number, uint8_t kind)
 {
-    const uint8_t place = avr_physical_pin(number, kind);
+    const uint8_t pin = avr_physical_pin(number, kind);
 
-    return place == FIRMWARE_ARM_PIN ? SMVM_NO_PIN : place;
+    return pin == FIRMWARE_ARM_PIN ? SMVM_NO_PIN : pin;
 }
 #else
 static bool is_armed(void) { return false; }
 static void open_arming(void) {}
-#define place_of avr_physical_pin
+#define physical_pin_of avr_physical_pin
 #endif
 
 // ---- running an image ----
 
 typedef char firmware_windows_have_room[FIRMWARE_MEMORY / 4 <= UINT32_C(1) << (SM_ROLL_WAITING - 1) ? 1 : -1];
 static uint64_t memory[FIRMWARE_MEMORY / 8];
-static SmvmRunner runner = {.memory = memory, .size = sizeof memory, .pin_place = place_of};
-static SmEvent kept[FIRMWARE_EVENTS];
-static SmEvents events = {.at = kept, .room = FIRMWARE_EVENTS, .guarded = true};
+static SmvmRunner runner = {.memory = memory, .size = sizeof memory, .physical_pin = physical_pin_of};
+static SmEvent event_ring[FIRMWARE_EVENTS];
+static SmEvents events = {.at = event_ring, .room = FIRMWARE_EVENTS, .guarded = true};
 static uint16_t state[SMVM_RUNNER_MACHINES];           // the state of each machine after the last step
 
-static volatile uint16_t left = 1, period = PERIOD;    // ms until the next step, and between steps
-static volatile bool stepping, held = true;            // held: no step begins
-static volatile bool behind_step;      // a step has ended in this millisecond
+static volatile uint16_t ms_left = 1, period = PERIOD;  // ms until the next step, and between steps
+static volatile bool stepping, is_paused = true;       // paused: no step begins
+static volatile bool is_after_step;    // a step has ended in this millisecond
 static uint16_t skipped;                               // steps that were due while another ran
-static struct { uint32_t low, high; } now;             // G; two halves cost a third of a uint64_t with avr-gcc
+static struct { uint32_t low, high; } now_g;           // G; two halves cost a third of a uint64_t with avr-gcc
 
 // Converts milliseconds to nanoseconds: multiplies by 125, 125 and 64, byte by byte.  This takes half the flash of gcc's multiplication.
 typedef char firmware_multiplies_by_a_million[UINT32_C(125) * 125 * 64 == PAL_MILLISECOND ? 1 : -1];
@@ -91,7 +91,7 @@ static void to_nanoseconds(uint8_t *time)
     }
 }
 
-static void report(uint8_t kind, uint8_t source, uint16_t a, uint32_t b)
+static void emit_event(uint8_t kind, uint8_t source, uint16_t a, uint32_t b)
 {
     SmEvent e;
 
@@ -104,40 +104,40 @@ static void report(uint8_t kind, uint8_t source, uint16_t a, uint32_t b)
     sm_event(&events, &e);
 }
 
-static void note_states(void)
+static void report_states(void)
 {
     for (uint8_t i = 0; i < runner.machines; i++) {
         const uint16_t to = (uint16_t)smvm_state(runner.vm[i]);
         if (to != state[i])
-            report(SM_EVENT_STATE, i, state[i], to);
+            emit_event(SM_EVENT_STATE, i, state[i], to);
         state[i] = to;
     }
 }
 
-static void step(void)
+static void step_machines(void)
 {
     const uint16_t address = avr_eeprom_save_address();
     uint32_t add;
 
-    smvm_runner_step(&runner, &now);
-    note_states();
+    smvm_runner_step(&runner, &now_g);
+    report_states();
     avr_eeprom_restore_address(address);
     if (skipped > 0)
-        report(SM_EVENT_OVERRUN, 0, skipped, (uint32_t)skipped * period * 1000u);
+        emit_event(SM_EVENT_OVERRUN, 0, skipped, (uint32_t)skipped * period * 1000u);
     add = (uint32_t)period * (skipped + 1u);
-    now.low += add;
-    now.high += now.low < add;
+    now_g.low += add;
+    now_g.high += now_g.low < add;
     skipped = 0;
 }
 
 // Called every millisecond, in the interrupt.
 static void tick(void)
 {
-    behind_step = false;
-    if (--left > 0)
+    is_after_step = false;
+    if (--ms_left > 0)
         return;
-    left = period;
-    if (held)
+    ms_left = period;
+    if (is_paused)
         return;
     if (stepping) {
         skipped += skipped < UINT16_MAX - 1;
@@ -146,39 +146,39 @@ static void tick(void)
     stepping = true;
     GPIOR0 = 1;                            // lets an emulator of the chip count the cycles of a step
     sei();
-    step();
+    step_machines();
     cli();
     GPIOR0 = 0;
     stepping = false;
-    behind_step = true;
+    is_after_step = true;
 }
 
 // Whether a byte write to EEPROM may start: if it ends before the next step, or, if there is never enough time, directly after a step.
 static bool may_write(void)
 {
-    const bool may = held || left > EEPROM_WRITE || behind_step;
+    const bool may = is_paused || ms_left > EEPROM_WRITE || is_after_step;
 
-    behind_step = false;
+    is_after_step = false;
     return may;
 }
 
-static SmResult run(SmvmBytes image, uint16_t milliseconds)
+static SmResult run_image(SmvmBytes image, uint16_t milliseconds)
 {
     SmResult r;
 
-    held = true;
+    is_paused = true;
     smvm_runner_stop(&runner);
     r = smvm_runner_open(&runner, image);
     if (r != SM_OK)
         return r;
     memset(state, 0, sizeof state);
-    note_states();
-    memset(&now, 0, sizeof now);
+    report_states();
+    memset(&now_g, 0, sizeof now_g);
     skipped = 0;
     cli();
     period = milliseconds != 0 ? milliseconds : PERIOD;
-    left = 1;
-    held = false;
+    ms_left = 1;
+    is_paused = false;
     sei();
     return SM_OK;
 }
@@ -189,7 +189,7 @@ static void run_built_in(void)
 {
     SmvmVerdict why;
 
-    if (smvm_verify((SmvmBytes)(uint16_t)built_in, sizeof built_in, &why) != 0 || run((SmvmBytes)(uint16_t)built_in, PERIOD) != SM_OK)
+    if (smvm_verify((SmvmBytes)(uint16_t)built_in, sizeof built_in, &why) != 0 || run_image((SmvmBytes)(uint16_t)built_in, PERIOD) != SM_OK)
         board.built_in_size = 0;           // the agent must not report it as running
 }
 
@@ -231,8 +231,8 @@ static void leave_slot(void *context)
 
 static AgentBoard board = {
     .ram = FIRMWARE_MEMORY - (sizeof(SmVm) + 7) / 8 * 8, .machines = SMVM_RUNNER_MACHINES, .windows = !SM_ROLL_NONE,
-    .ram_digital = SMVM_RUNNER_DIGITAL, .ram_analog = SMVM_RUNNER_ANALOG, .period = PERIOD, .cycles = STEP_CYCLES, .pin_place = place_of, .may_update = may_update, .fits = fits,
-    .leave_slot = leave_slot, .built_in_size = sizeof built_in};
+    .ram_digital = SMVM_RUNNER_DIGITAL, .ram_analog = SMVM_RUNNER_ANALOG, .period = PERIOD, .cycles = STEP_CYCLES,
+    .physical_pin = physical_pin_of, .may_update = may_update, .fits = fits, .leave_slot = leave_slot, .built_in_size = sizeof built_in};
 
 // ---- start ----
 
@@ -244,7 +244,7 @@ static PalSerial line;
 static uint8_t frame[LINK_ROOM(FIRMWARE_BODY)];
 
 #ifdef FIRMWARE_KEY
-static void get_key(uint8_t *key)
+static void read_key(uint8_t *key)
 {
     static const uint8_t in_flash[] PROGMEM = {
 #include "key.inc"
@@ -257,7 +257,7 @@ static bool is_authentic(SmvmBytes image, uint32_t *number)
 {
     uint8_t key[SMVM_KEY];
 
-    get_key(key);
+    read_key(key);
     return smvm_auth_check(image, key, number);
 }
 
@@ -265,7 +265,7 @@ static void use_key(void)
 {
     uint8_t key[SMVM_KEY];
 
-    get_key(key);
+    read_key(key);
     board.mark = smvm_auth_mark(key);
     store.is_authentic = is_authentic;
 }
@@ -273,7 +273,7 @@ static void use_key(void)
 static void use_key(void) {}
 #endif
 
-static bool opens(PalNvm nvm, const StorePlan *plan)
+static bool open_store(PalNvm nvm, const StorePlan *plan)
 {
     const SmResult r = smvm_store_open(&store, nvm, plan);
 
@@ -287,19 +287,19 @@ static void start_store(void)
     uint8_t slot = STORE_BUILT_IN;
     PalNvm nvm;
 
-    if (pal_nvm_open(&nvm, "eeprom", FIRMWARE_STORE) == SM_OK && opens(nvm, &plan))
+    if (pal_nvm_open(&nvm, "eeprom", FIRMWARE_STORE) == SM_OK && open_store(nvm, &plan))
         (void)smvm_store_boot(&store, &slot);
     for (uint8_t i = 0; i < FIRMWARE_SLOTS && slot != STORE_BUILT_IN; i++) {
-        if (run(plan.image[slot], smvm_store_period(&store, slot)) == SM_OK)
+        if (run_image(plan.image[slot], smvm_store_period(&store, slot)) == SM_OK)
             return;
-        (void)smvm_store_pass_over(&store, &slot);     // only opening the pins shows whether one is used twice
+        (void)smvm_store_skip(&store, &slot);          // only opening the pins shows whether one is used twice
     }
-    smvm_store_leave(&store);
+    smvm_store_run_built_in(&store);
     run_built_in();
 }
 
 // (Not inlined, so that its stack is released.)
-SMVM_NOINLINE static void start(void)
+SMVM_NOINLINE static void start_board(void)
 {
     uint64_t period_ns;
     bool caused = false;
@@ -311,7 +311,7 @@ SMVM_NOINLINE static void start(void)
     (void)pal_serial_open(&line, "Serial", BITS_PER_SECOND);
     sei();
     (void)pal_watchdog_start(4 * (uint64_t)PAL_SECOND, &period_ns);
-    report(SM_EVENT_START, 0, 0, caused);
+    emit_event(SM_EVENT_START, 0, 0, caused);
     open_arming();
     start_store();
     board.built_in = (SmvmBytes)(uint16_t)built_in;
@@ -319,7 +319,7 @@ SMVM_NOINLINE static void start(void)
 }
 
 // Processes a byte from the line; returns false if there is none.
-static bool serve(void)
+static bool serve_line(void)
 {
     uint8_t byte;
     size_t n;
@@ -331,7 +331,7 @@ static bool serve(void)
         (void)pal_serial_send(line, agent.frame, length, &n, 0);
     if (!agent.restart)
         return true;
-    held = true;
+    is_paused = true;
     smvm_runner_stop(&runner);
     while ((UCSR0A & 1 << TXC0) == 0)
         ;
@@ -340,11 +340,11 @@ static bool serve(void)
 
 void smvm_firmware(void)
 {
-    start();
+    start_board();
     SMCR = 1 << SE;                        // idle mode; at the latest the clock wakes it
     for (;;) {
         (void)pal_watchdog_feed();
-        if (!serve())
+        if (!serve_line())
             sleep_cpu();
     }
 }

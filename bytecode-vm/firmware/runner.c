@@ -10,28 +10,28 @@
 
 // ---- memory needed ----
 
-static uint16_t time_at(const SmvmMachine *m) { return (uint16_t)m->g; }
+static uint16_t time_offset(const SmvmMachine *m) { return (uint16_t)m->g; }
 
-static uint16_t up8(uint32_t n) { return (uint16_t)(((uint16_t)n + 7u) & ~7u); }
+static uint16_t round_up_8(uint32_t n) { return (uint16_t)(((uint16_t)n + 7u) & ~7u); }
 
 // Takes bytes from the memory that is left.  An image that the verifier accepts needs no more than SMVM_RAM_MAX.
-static bool take(uint16_t *left, SmvmAt bytes)
+static bool claim_bytes(uint16_t *left, SmvmAt bytes)
 {
-    if (bytes > *left || up8(bytes) > *left)
+    if (bytes > *left || round_up_8(bytes) > *left)
         return false;
-    *left = (uint16_t)(*left - up8(bytes));
+    *left = (uint16_t)(*left - round_up_8(bytes));
     return true;
 }
 
-SMVM_INLINE uint8_t step_over(uint8_t kind) { return kind & 2 ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }      // inline, for fast steps
-SMVM_NOINLINE static uint8_t row_bytes(uint8_t kind) { return step_over(kind); }
+SMVM_INLINE uint8_t row_bytes_inline(uint8_t kind) { return kind & 2 ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }  // inline, for fast steps
+SMVM_NOINLINE static uint8_t row_bytes(uint8_t kind) { return row_bytes_inline(kind); }
 
-static SmResult take_pins(const SmvmRunner *r, uint16_t *left, SmvmPins *p)
+static SmResult claim_pins(const SmvmRunner *r, uint16_t *left, SmvmPins *p)
 {
     SmvmPin pin;
 
     while (smvm_next_pin(p, &pin)) {
-        if (r->pin_place && r->pin_place((uint16_t)pin.pin, smvm_pin_kind(&pin)) == SMVM_NO_PIN)
+        if (r->physical_pin && r->physical_pin((uint16_t)pin.pin, smvm_pin_kind(&pin)) == SMVM_NO_PIN)
             return SM_E_MISSING;
         if (row_bytes(pin.kind) > *left)
             return SM_E_MEMORY;
@@ -53,28 +53,28 @@ SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image)
             return SM_E_MEMORY;
         if (n > 0 && (m.layout != layout || m.sv_size != sv))
             return SM_E_LAYOUT;
-        if (!take(&left, n == 0 ? m.sv_size : 0) || !take(&left, smvm_ram_size(&m)))
+        if (!claim_bytes(&left, n == 0 ? m.sv_size : 0) || !claim_bytes(&left, smvm_ram_size(&m)))
             return SM_E_MEMORY;
         layout = m.layout;
         sv = m.sv_size;
     }
     if (!smvm_pins(image, &p))
         return SM_OK;
-    return p.layout != layout || 8 * p.sv_size != sv ? SM_E_LAYOUT : take_pins(r, &left, &p);
+    return p.layout != layout || 8 * p.sv_size != sv ? SM_E_LAYOUT : claim_pins(r, &left, &p);
 }
 
 // ---- machines ----
 
-static SmResult start(SmvmRunner *r, uint8_t number, const SmvmMachine *m, uint16_t at)
+static SmResult start_machine(SmvmRunner *r, uint8_t number, const SmvmMachine *m, uint16_t at)
 {
     const SmvmVector v = {r->memory, m->sv_size, m->layout};
 
     r->vm[number] = (SmVm *)(void *)((uint8_t *)r->memory + at);
-    r->g[number] = time_at(m);
+    r->g[number] = time_offset(m);
     return smvm_init(r->vm[number], r->size - at, m, &v, 1);
 }
 
-static SmResult start_all(SmvmRunner *r)
+static SmResult start_machines(SmvmRunner *r)
 {
     SmvmMachine m;
     SmResult result = SM_OK;
@@ -84,8 +84,8 @@ static SmResult start_all(SmvmRunner *r)
     for (; result == SM_OK && smvm_machine(r->image, n, &m); n++) {
         if (n == 0)
             at = (uint16_t)m.sv_size;
-        result = start(r, n, &m, at);
-        at = (uint16_t)(at + up8(smvm_ram_size(&m)));
+        result = start_machine(r, n, &m, at);
+        at = (uint16_t)(at + round_up_8(smvm_ram_size(&m)));
     }
     r->machines = result == SM_OK ? n : 0;
     r->rows = r->rows_end = at;
@@ -166,7 +166,7 @@ static void move_pins(SmvmRunner *r, bool outputs)
 {
     const SmIoPin *row;
 
-    for (uint16_t at = r->rows; at < r->rows_end; at = (uint16_t)(at + step_over(row->kind))) {
+    for (uint16_t at = r->rows; at < r->rows_end; at = (uint16_t)(at + row_bytes_inline(row->kind))) {
         row = row_at(r, at);
         if (is_output(row) != outputs)
             continue;
@@ -187,7 +187,7 @@ SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image)
         return result;
     r->image = image;
     memset(r->memory, 0, r->size);
-    if ((result = start_all(r)) == SM_OK)
+    if ((result = start_machines(r)) == SM_OK)
         result = open_pins(r);
     if (result != SM_OK)
         smvm_runner_stop(r);

@@ -24,7 +24,7 @@ enum { SMVM_RUNNER_MACHINES = 4, SMVM_RUNNER_DIGITAL = offsetof(SmIoPin, scale),
 typedef struct SmvmRunner {
     uint64_t *memory;         // for the state vector, followed by machines and pins
     uint16_t size;            // bytes of it
-    SmvmPinPlace *pin_place;  // NULL: a missing pin is only found when it is opened
+    SmvmPhysicalPin *physical_pin;  // NULL: a missing pin is only found when it is opened
     // The remaining fields belong to the runner.
     uint8_t machines;         // 0: nothing runs
     uint16_t rows, rows_end;  // where in `memory` the open pins are

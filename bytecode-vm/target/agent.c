@@ -26,41 +26,41 @@ void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *
 static const uint8_t *body_of(const Agent *a) { return a->frame + RESULT_AT; }
 static uint8_t *answer_of(const Agent *a) { return a->frame + ANSWER_AT; }
 
-static void put1(Agent *a, uint8_t value) { a->frame[ANSWER_AT + a->length++] = value; }
+static void put_u8(Agent *a, uint8_t value) { a->frame[ANSWER_AT + a->length++] = value; }
 
-static void put(Agent *a, uint32_t value, uint8_t bytes)
+static void put_uint(Agent *a, uint32_t value, uint8_t bytes)
 {
     for (; bytes > 0; bytes--, value >>= 8)
-        put1(a, (uint8_t)value);
+        put_u8(a, (uint8_t)value);
 }
 
 // ---- queries ----
 
-static SmResult hello(Agent *a)
+static SmResult answer_hello(Agent *a)
 {
     const AgentBoard *board = a->board;
 
-    put1(a, LINK_PROTOCOL);
-    put1(a, a->body);
-    put1(a, a->block);
-    put1(a, a->store->plan.slots);
-    put(a, a->store->slot_size, 3);
-    put(a, board->ram, 3);
-    put(a, board->longest_step, 4);
-    put1(a, (uint8_t)board->may_update(board->context));
-    put1(a, smvm_store_has_key(a->store));
-    put(a, sm_link_load(a->store->now.newest, 4), 4);
-    put1(a, (uint8_t)(board->machines | (board->windows ? LINK_WINDOWS : 0)));
-    put1(a, board->ram_digital);
-    put1(a, board->ram_analog);
-    put(a, board->period, 2);
-    put(a, board->cycles, 2);
+    put_u8(a, LINK_PROTOCOL);
+    put_u8(a, a->body);
+    put_u8(a, a->block);
+    put_u8(a, a->store->plan.slots);
+    put_uint(a, a->store->slot_size, 3);
+    put_uint(a, board->ram, 3);
+    put_uint(a, board->longest_step, 4);
+    put_u8(a, (uint8_t)board->may_update(board->context));
+    put_u8(a, smvm_store_has_key(a->store));
+    put_uint(a, sm_link_load(a->store->choice.newest, 4), 4);
+    put_u8(a, (uint8_t)(board->machines | (board->windows ? LINK_WINDOWS : 0)));
+    put_u8(a, board->ram_digital);
+    put_u8(a, board->ram_analog);
+    put_uint(a, board->period, 2);
+    put_uint(a, board->cycles, 2);
     if (smvm_store_has_key(a->store))
-        put(a, board->mark, 4);
+        put_uint(a, board->mark, 4);
     return SM_OK;
 }
 
-SMVM_NOINLINE static SmvmBytes image_of(const Agent *a, uint8_t slot)
+SMVM_NOINLINE static SmvmBytes image_in(const Agent *a, uint8_t slot)
 {
     return slot == STORE_BUILT_IN ? a->board->built_in : a->store->plan.image[slot];
 }
@@ -69,7 +69,7 @@ SMVM_NOINLINE static SmvmBytes image_of(const Agent *a, uint8_t slot)
 static void put_bytes(Agent *a, SmvmBytes image, SmvmAt at, uint8_t n)
 {
     while (n-- > 0)
-        put1(a, smvm_u8(image, at++));
+        put_u8(a, smvm_u8(image, at++));
 }
 
 // The length, checksum and identity of an image; zeros for a missing identity.
@@ -79,20 +79,20 @@ static void put_image(Agent *a, SmvmBytes image)
 
     put_bytes(a, image, SMVM_LENGTH_AT, 3);
     put_bytes(a, image, SMVM_CRC_AT, 4);
-    if (smvm_find(image, SMVM_S_IDENTITY, &identity) && (SmvmAt)(identity.end - identity.at) == 8)
+    if (smvm_find_section(image, SMVM_S_IDENTITY, &identity) && (SmvmAt)(identity.end - identity.at) == 8)
         put_bytes(a, image, identity.at, 8);
 }
 
-static StoreState state_of(const Agent *a, uint8_t slot)
+static StoreState slot_state(const Agent *a, uint8_t slot)
 {
     if (slot != STORE_BUILT_IN)
         return smvm_store_state(a->store, slot);
-    return a->board->built_in_size == 0 ? STORE_EMPTY : a->store->now.active == slot ? STORE_CONFIRMED : STORE_WHOLE;
+    return a->board->built_in_size == 0 ? STORE_EMPTY : a->store->choice.active == slot ? STORE_CONFIRMED : STORE_INTACT;
 }
 
 static bool is_slot(const Agent *a, uint8_t slot) { return slot < a->store->plan.slots || slot == STORE_BUILT_IN; }
 
-static SmResult image(Agent *a)
+static SmResult answer_image(Agent *a)
 {
     const Store *s = a->store;
     const uint8_t slot = body_of(a)[0];
@@ -100,83 +100,84 @@ static SmResult image(Agent *a)
 
     if (!is_slot(a, slot))
         return SM_E_MISSING;
-    state = state_of(a, slot);
+    state = slot_state(a, slot);
     memset(answer_of(a), 0, IMAGE);
-    put1(a, (uint8_t)state);
+    put_u8(a, (uint8_t)state);
     if (state != STORE_EMPTY)
-        put_image(a, image_of(a, slot));
+        put_image(a, image_in(a, slot));
     a->length = IMAGE - 4;
-    put1(a, (uint8_t)((slot == s->running ? 1 : 0) | (state >= STORE_TRIAL ? 2 : smvm_store_is_before(s, slot) ? 4 : 0)));
-    put1(a, state == STORE_TRIAL ? s->now.tries : 0);
-    put(a, smvm_store_period(s, slot), 2);
+    put_u8(a, (uint8_t)((slot == s->running ? 1 : 0) | (state >= STORE_TRIAL ? 2 : smvm_store_is_fallback(s, slot) ? 4 : 0)));
+    put_u8(a, state == STORE_TRIAL ? s->choice.tries : 0);
+    put_uint(a, smvm_store_period(s, slot), 2);
     return SM_OK;
 }
 
-static SmResult pin(Agent *a)
+static SmResult answer_pin(Agent *a)
 {
     const uint8_t kind = body_of(a)[0];
 
-    if (!a->board->pin_place)
+    if (!a->board->physical_pin)
         return SM_E_UNSUPPORTED;
-    put1(a, a->board->pin_place((uint16_t)sm_link_load(body_of(a) + 1, 2), kind));
+    put_u8(a, a->board->physical_pin((uint16_t)sm_link_load(body_of(a) + 1, 2), kind));
     return SM_OK;
 }
 
 // ---- an update ----
 
-static uint16_t session_of(const Agent *a) { return (uint16_t)sm_link_load(body_of(a), 2); }
+static uint16_t read_session(const Agent *a) { return (uint16_t)sm_link_load(body_of(a), 2); }
 
-static SmResult begin(Agent *a)
+static SmResult answer_begin(Agent *a)
 {
     SmvmAt length;
-    const SmResult r = session_of(a) == 0 ? SM_E_ARGUMENT : smvm_get_at(body_of(a) + 2, &length) ? smvm_store_may_begin(a->store, length) : SM_E_SPACE;
+    const SmResult r = read_session(a) == 0 ? SM_E_ARGUMENT :
+                       smvm_load_offset(body_of(a) + 2, &length) ? smvm_store_may_begin(a->store, length) : SM_E_SPACE;
 
     if (r != SM_OK)
         return r;                      // before a machine is stopped in vain
     if (a->store->plan.slots == 1 && a->store->running != STORE_BUILT_IN) {
         a->board->leave_slot(a->board->context);
-        smvm_store_leave(a->store);
+        smvm_store_run_built_in(a->store);
     }
-    return smvm_store_begin(a->store, session_of(a), length, sm_link_load(body_of(a) + 5, 4));
+    return smvm_store_begin(a->store, read_session(a), length, sm_link_load(body_of(a) + 5, 4));
 }
 
-static SmResult data(Agent *a)
+static SmResult answer_data(Agent *a)
 {
     Store *s = a->store;
     const uint8_t n = (uint8_t)(a->n - DATA_HEAD);
     SmvmAt at;
-    const SmResult r = smvm_get_at(body_of(a) + 2, &at) ? smvm_store_write(s, session_of(a), at, body_of(a) + DATA_HEAD, n) : SM_E_ARGUMENT;
+    const SmResult r = smvm_load_offset(body_of(a) + 2, &at) ? smvm_store_write(s, read_session(a), at, body_of(a) + DATA_HEAD, n) : SM_E_ARGUMENT;
 
-    put(a, s->next, 3);
+    put_uint(a, s->next, 3);
     return r;
 }
 
-static SmResult end(Agent *a)
+static SmResult answer_end(Agent *a)
 {
     SmvmVerdict why;
-    SmResult r = smvm_store_end(a->store, session_of(a), &why);
+    SmResult r = smvm_store_end(a->store, read_session(a), &why);
 
     if (r == SM_OK) {
         r = SMVM_LONGEST && a->board->longest_step != 0 && why.longest > a->board->longest_step
                 ? SM_E_SIZE : a->board->fits(a->board->context, a->store->plan.image[a->store->target]);
-        a->store->whole = r == SM_OK;
+        a->store->is_accepted = r == SM_OK;
     } else if (why.rule != 0) {
         r = SM_E_IMAGE;
     }
-    put1(a, why.rule);
-    put(a, why.at, 3);
+    put_u8(a, why.rule);
+    put_uint(a, why.at, 3);
     return r;
 }
 
-static SmResult activate(Agent *a)
+static SmResult answer_activate(Agent *a)
 {
-    return smvm_store_activate(a->store, session_of(a), a->n < 4 ? 0 : (uint16_t)sm_link_load(body_of(a) + 2, 2));
+    return smvm_store_activate(a->store, read_session(a), a->n < 4 ? 0 : (uint16_t)sm_link_load(body_of(a) + 2, 2));
 }
 
-static SmResult confirm(Agent *a) { return smvm_store_confirm(a->store, sm_link_load(body_of(a), 4)); }
-static SmResult erase(Agent *a) { return smvm_store_erase(a->store, sm_link_load(body_of(a), 4)); }
+static SmResult answer_confirm(Agent *a) { return smvm_store_confirm(a->store, sm_link_load(body_of(a), 4)); }
+static SmResult answer_erase(Agent *a) { return smvm_store_erase(a->store, sm_link_load(body_of(a), 4)); }
 
-static SmResult read(Agent *a)
+static SmResult answer_read(Agent *a)
 {
     const uint8_t slot = body_of(a)[0], n = body_of(a)[4];
     const SmvmAt size = slot == STORE_BUILT_IN ? (SmvmAt)a->board->built_in_size : a->store->slot_size;
@@ -184,13 +185,13 @@ static SmResult read(Agent *a)
 
     if (!is_slot(a, slot))
         return SM_E_MISSING;
-    if (!smvm_get_at(body_of(a) + 1, &at) || n > a->body - 1 || at > size || n > size - at)
+    if (!smvm_load_offset(body_of(a) + 1, &at) || n > a->body - 1 || at > size || n > size - at)
         return SM_E_ARGUMENT;
-    put_bytes(a, image_of(a, slot), at, n);
+    put_bytes(a, image_in(a, slot), at, n);
     return SM_OK;
 }
 
-static SmResult restart(Agent *a)
+static SmResult answer_restart(Agent *a)
 {
     a->restart = true;
     return SM_OK;
@@ -199,21 +200,21 @@ static SmResult restart(Agent *a)
 // ---- events ----
 
 // The fields of an event in the order of transmission.
-static const struct Field { uint8_t at, bytes; } fields[] SM_FLASH = {
+static const struct EventField { uint8_t at, bytes; } fields[] SM_FLASH = {
     {offsetof(SmEvent, time), 8}, {offsetof(SmEvent, kind), 1}, {offsetof(SmEvent, source), 2}, {offsetof(SmEvent, a), 4}, {offsetof(SmEvent, b), 4},
 };
 
 static void put_event(Agent *a, const uint8_t *event)
 {
     for (uint8_t i = 0; i < sizeof fields / sizeof *fields; i++) {
-        struct Field f;
+        struct EventField f;
         sm_flash_get(&f, &fields[i], sizeof f);
         for (uint8_t b = 0; b < f.bytes; b++)
-            put1(a, event[f.at + sm_roll_byte(b, f.bytes)]);
+            put_u8(a, event[f.at + sm_roll_byte(b, f.bytes)]);
     }
 }
 
-static SmResult events(Agent *a)
+static SmResult answer_events(Agent *a)
 {
     uint32_t cursor = sm_link_load(body_of(a), 4), lost = 0, gone;
     SmEvent e;
@@ -232,34 +233,34 @@ static SmResult events(Agent *a)
 
 // ---- dispatch ----
 
-typedef struct Handler {
-    uint8_t message, least;   // the shortest body
+typedef struct AgentHandler {
+    uint8_t message, min_body;  // the shortest body
     bool guarded;             // changes something, or keeps the board busy: only allowed while may_update returns SM_OK
     SmResult (*run)(Agent *a);
-} Handler;
+} AgentHandler;
 
-static const Handler handlers[] SM_FLASH = {
-    {LINK_HELLO, 0, false, hello},      {LINK_IMAGE, 1, false, image},      {LINK_PIN, 3, false, pin},
-    {LINK_BEGIN, 9, true, begin},       {LINK_DATA, DATA_HEAD + 1, true, data},     {LINK_END, 2, true, end},   {LINK_ACTIVATE, 2, true, activate},
-    {LINK_CONFIRM, 4, true, confirm},   {LINK_ERASE, 4, true, erase},       {LINK_READ, 5, false, read},
-    {LINK_RESTART, 0, true, restart},   {LINK_EVENTS, 4, false, events},
+static const AgentHandler handlers[] SM_FLASH = {
+    {LINK_HELLO, 0, false, answer_hello},       {LINK_IMAGE, 1, false, answer_image},           {LINK_PIN, 3, false, answer_pin},
+    {LINK_BEGIN, 9, true, answer_begin},        {LINK_DATA, DATA_HEAD + 1, true, answer_data},  {LINK_END, 2, true, answer_end},
+    {LINK_ACTIVATE, 2, true, answer_activate},  {LINK_CONFIRM, 4, true, answer_confirm},        {LINK_ERASE, 4, true, answer_erase},
+    {LINK_READ, 5, false, answer_read},         {LINK_RESTART, 0, true, answer_restart},        {LINK_EVENTS, 4, false, answer_events},
 };
 
-static SmResult run(const Handler *h, Agent *a)
+static SmResult run_handler(const AgentHandler *h, Agent *a)
 {
     const AgentBoard *board = a->board;
     const SmResult may = h->guarded ? board->may_update(board->context) : SM_OK;
 
-    return a->n < h->least ? SM_E_ARGUMENT : may != SM_OK ? may : h->run(a);
+    return a->n < h->min_body ? SM_E_ARGUMENT : may != SM_OK ? may : h->run(a);
 }
 
-static SmResult answer(Agent *a, uint8_t message)
+static SmResult dispatch(Agent *a, uint8_t message)
 {
     for (uint8_t i = 0; i < sizeof handlers / sizeof *handlers; i++) {
-        Handler h;
+        AgentHandler h;
         sm_flash_get(&h, &handlers[i], sizeof h);
         if (h.message == message)
-            return run(&h, a);
+            return run_handler(&h, a);
     }
     return SM_E_UNSUPPORTED;
 }
@@ -274,7 +275,7 @@ uint16_t smvm_agent_receive(Agent *a, uint8_t byte)
         return 0;
     a->n = (uint8_t)(a->in.n - LINK_HEAD);
     a->length = 0;
-    r = answer(a, message);
+    r = dispatch(a, message);
     frame[2] = (uint8_t)(message | LINK_ANSWER);
     frame[RESULT_AT] = (uint8_t)(int8_t)r;
     return sm_link_encode(frame, (uint16_t)(LINK_HEAD + 1 + a->length));

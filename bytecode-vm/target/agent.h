@@ -30,7 +30,7 @@ typedef struct AgentBoard {
     uint16_t period;          // default milliseconds between steps
     uint16_t cycles;          // limit on the cycles of a step on an ATmega, for each millisecond of its period; 0: none
     uint32_t mark;            // of its key (smvm_auth_mark), if it has one
-    SmvmPinPlace *pin_place;  // NULL: the board has no pins, or cannot report their places
+    SmvmPhysicalPin *physical_pin;  // NULL: the board has no pins, or cannot report the pins of its chip
     SmResult (*may_update)(void *context);                        // SM_OK, SM_E_ARMED, SM_E_UNSAFE
     // Whether this board can run the image: RAM, pins, state vector.  SM_E_MEMORY, SM_E_MISSING, SM_E_LAYOUT.
     SmResult (*fits)(void *context, SmvmBytes image);

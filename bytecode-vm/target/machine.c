@@ -98,7 +98,7 @@ static SmResult target_step(void *self, void *sv)
 static void target_publish(const void *self, const void *from, void *to)
 {
     const SmvmTarget *t = self;
-    SmvmPlace o;
+    SmvmLocation o;
 
     if (smvm_stored_state(t->vm))
         copy_range(from, to, t->state_number);
@@ -106,7 +106,7 @@ static void target_publish(const void *self, const void *from, void *to)
         uint8_t bits = i < 64 ? t->vm->stored[i >> 3] : t->more[(i - 64) >> 3];
         if ((bits >> (i & 7) & 1) == 0)
             continue;
-        o = smvm_place(t->image, (SmvmAt)(t->outputs_at + SMVM_PLACE * i));
+        o = smvm_location(t->image, (SmvmAt)(t->outputs_at + SMVM_LOCATION_BYTES * i));
         copy_range(from, to, range_of(o.offset, (uint32_t)1 << smvm_type_shift(o.type)));
     }
 }
@@ -138,8 +138,8 @@ static const char *target_state_name(const void *self, uint32_t state)
 }
 
 const SmMachineType smvm_machine_type = {
-    target_open, target_init, target_step, target_state, target_moved, target_time, target_state_name, target_states, target_accessed, target_state_number,
-    target_publish,
+    target_open, target_init, target_step, target_state, target_moved, target_time, target_state_name, target_states, target_accessed,
+    target_state_number, target_publish,
 };
 
 uint32_t smvm_target_memory(SmvmBytes image, uint32_t size, uint32_t machine)

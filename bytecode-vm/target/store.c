@@ -13,10 +13,10 @@ enum { VERSION = 1, HEADER = 11, CHECKED = STORE_RECORD - 4 };
 
 typedef char store_choice_is_a_record[sizeof(StoreChoice) == STORE_RECORD ? 1 : -1];
 
-SMVM_NOINLINE static uint32_t get32(const uint8_t *at) { return sm_link_load(at, 4); }
-SMVM_NOINLINE static void put32(uint8_t *at, uint32_t value) { sm_link_store(at, value, 4); }
+SMVM_NOINLINE static uint32_t load32(const uint8_t *at) { return sm_link_load(at, 4); }
+SMVM_NOINLINE static void store32(uint8_t *at, uint32_t value) { sm_link_store(at, value, 4); }
 
-bool smvm_get_at(const uint8_t *field, SmvmAt *at)
+bool smvm_load_offset(const uint8_t *field, SmvmAt *at)
 {
     *at = (SmvmAt)sm_link_load(field, sizeof *at < 3 ? 2 : 3);
     return sizeof *at > 2 || field[2] == 0;
@@ -25,24 +25,24 @@ bool smvm_get_at(const uint8_t *field, SmvmAt *at)
 // ---- the memory ----
 
 // The erase unit, or 0 if the memory need not be erased; and the write unit.
-static SmvmAt erase_of(const Store *s) { return (SmvmAt)(SMVM_STORE_BYTES ? 0 : s->erase); }
-static uint8_t write_of(const Store *s) { return (uint8_t)(SMVM_STORE_BYTES ? 1 : s->write); }
+static SmvmAt erase_unit(const Store *s) { return (SmvmAt)(SMVM_STORE_BYTES ? 0 : s->erase); }
+static uint8_t write_unit(const Store *s) { return (uint8_t)(SMVM_STORE_BYTES ? 1 : s->write); }
 
-SMVM_NOINLINE static SmResult put(const Store *s, SmvmAt at, const void *from, uint8_t n) { return pal_nvm_write(s->nvm, at, from, n); }
-static SmResult erase(const Store *s, SmvmAt at, SmvmAt n) { return erase_of(s) ? pal_nvm_erase(s->nvm, at, n) : SM_OK; }
+SMVM_NOINLINE static SmResult write_memory(const Store *s, SmvmAt at, const void *from, uint8_t n) { return pal_nvm_write(s->nvm, at, from, n); }
+static SmResult erase_memory(const Store *s, SmvmAt at, SmvmAt n) { return erase_unit(s) ? pal_nvm_erase(s->nvm, at, n) : SM_OK; }
 
 // ---- the selector ----
 
-static bool is_choice(uint8_t slot, const Store *s) { return slot < s->plan.slots || slot == STORE_BUILT_IN; }
+static bool is_slot(uint8_t slot, const Store *s) { return slot < s->plan.slots || slot == STORE_BUILT_IN; }
 
-static bool is_record(const Store *s, const StoreChoice *c)
+static bool is_valid_record(const Store *s, const StoreChoice *c)
 {
-    return c->version == VERSION && sm_link_crc(c->number, STORE_RECORD) == SM_CRC32_WHOLE && is_choice(c->active, s) &&
-           is_choice(c->before, s) && c->tries <= STORE_TRIES;
+    return c->version == VERSION && sm_link_crc(c->number, STORE_RECORD) == SM_CRC32_WHOLE && is_slot(c->active, s) &&
+           is_slot(c->previous, s) && c->tries <= STORE_TRIES;
 }
 
-// The offset of the record with this number: the two places alternate.
-static SmvmAt record_at(const Store *s, const uint8_t *number) { return number[0] & 1u ? s->record_size : 0; }
+// The offset of the record with this number: the two positions alternate.
+static SmvmAt record_offset(const Store *s, const uint8_t *number) { return number[0] & 1u ? s->record_size : 0; }
 
 static void read_selector(Store *s)
 {
@@ -50,42 +50,42 @@ static void read_selector(Store *s)
     bool found = false;
 
     for (uint8_t i = 0; i < 2; i++)
-        if (pal_nvm_read(s->nvm, record_at(s, &i), &c, STORE_RECORD) == SM_OK && is_record(s, &c) && (c.number[0] & 1u) == i &&
-            (!found || (int32_t)(get32(c.number) - get32(s->now.number)) > 0)) {
-            s->now = c;
+        if (pal_nvm_read(s->nvm, record_offset(s, &i), &c, STORE_RECORD) == SM_OK && is_valid_record(s, &c) && (c.number[0] & 1u) == i &&
+            (!found || (int32_t)(load32(c.number) - load32(s->choice.number)) > 0)) {
+            s->choice = c;
             found = true;
         }
 }
 
 // Writes a choice to the medium.  The previous choice counts until the write is complete.
-static SmResult choose(Store *s, StoreChoice *c)
+static SmResult write_choice(Store *s, StoreChoice *c)
 {
     SmvmAt at;
     SmResult r;
 
-    put32(c->number, get32(c->number) + 1);
+    store32(c->number, load32(c->number) + 1);
     c->version = VERSION;
-    put32(c->crc, sm_link_crc(c->number, CHECKED));
-    at = record_at(s, c->number);
-    r = erase(s, at, s->record_size);
+    store32(c->crc, sm_link_crc(c->number, CHECKED));
+    at = record_offset(s, c->number);
+    r = erase_memory(s, at, s->record_size);
     if (r == SM_OK)
-        r = put(s, at, c, STORE_RECORD);
+        r = write_memory(s, at, c, STORE_RECORD);
     if (r == SM_OK)
-        s->now = *c;
+        s->choice = *c;
     return r;
 }
 
-// ---- places ----
+// ---- layout ----
 
-static bool is_power(uint32_t unit) { return (unit & (unit - 1)) == 0; }       // also true for 0
+static bool is_power_of_two(uint32_t unit) { return (unit & (unit - 1)) == 0; }  // also true for 0
 
-static SmvmAt unit_of(const Store *s) { return erase_of(s) ? erase_of(s) : write_of(s); }
+static SmvmAt slot_unit(const Store *s) { return erase_unit(s) ? erase_unit(s) : write_unit(s); }
 
 static SmvmAt round_up(SmvmAt n, SmvmAt unit) { return (SmvmAt)((n + unit - 1u) & ~(unit - 1u)); }
 
-static SmResult place_slots(Store *s)
+static SmResult lay_out_slots(Store *s)
 {
-    const SmvmAt unit = unit_of(s), size = (SmvmAt)s->plan.size;
+    const SmvmAt unit = slot_unit(s), size = (SmvmAt)s->plan.size;
     SmvmAt records;
 
     s->record_size = round_up(STORE_RECORD, unit);
@@ -98,21 +98,21 @@ static SmResult place_slots(Store *s)
     return s->slot_size > HEADER ? SM_OK : SM_E_SPACE;
 }
 
-static SmResult look_at_memory(Store *s)
+static SmResult check_memory(Store *s)
 {
     PalNvmInfo info;
     const SmResult r = pal_nvm_info(s->nvm, &info);
 
     if (r != SM_OK)
         return r;
-    if (SMVM_STORE_BYTES ? info.write > 1 || info.erase > 0 : info.write > STORE_UNIT || !is_power(info.write) || !is_power(info.erase))
+    if (SMVM_STORE_BYTES ? info.write > 1 || info.erase > 0 : info.write > STORE_UNIT || !is_power_of_two(info.write) || !is_power_of_two(info.erase))
         return SM_E_UNSUPPORTED;
     if (s->plan.size > info.size || (SmvmAt)s->plan.size != s->plan.size || info.erase > s->plan.size)
         return SM_E_SPACE;
     s->write = info.write > 1 ? (uint8_t)info.write : 1;
     s->erase = (SmvmAt)info.erase;
     s->blank = info.blank;
-    return place_slots(s);
+    return lay_out_slots(s);
 }
 
 SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan)
@@ -124,9 +124,9 @@ SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan)
     memset(s, 0, sizeof *s);
     s->nvm = nvm;
     s->plan = *plan;
-    s->now.active = s->now.before = s->running = STORE_BUILT_IN;
-    s->now.confirmed = 1;
-    if ((r = look_at_memory(s)) == SM_OK)
+    s->choice.active = s->choice.previous = s->running = STORE_BUILT_IN;
+    s->choice.confirmed = 1;
+    if ((r = check_memory(s)) == SM_OK)
         read_selector(s);
     return r;
 }
@@ -134,17 +134,17 @@ SmResult smvm_store_open(Store *s, PalNvm nvm, const StorePlan *plan)
 // ---- contents of slots ----
 
 // The length field of the image in a slot; 0: the slot cannot contain an image.
-SMVM_NOINLINE static SmvmAt length_in(const Store *s, uint8_t slot)
+SMVM_NOINLINE static SmvmAt image_length(const Store *s, uint8_t slot)
 {
     SmvmAt length;
 
     if (slot >= s->plan.slots || smvm_u24(s->plan.image[slot], 0) != SMVM_MAGIC)
         return 0;
-    length = smvm_at(s->plan.image[slot], SMVM_LENGTH_AT, 3);
+    length = smvm_read_offset(s->plan.image[slot], SMVM_LENGTH_AT, 3);
     return length >= HEADER && length <= s->slot_size ? length : 0;
 }
 
-SMVM_NOINLINE static uint32_t checksum_in(const Store *s, uint8_t slot) { return smvm_uint(s->plan.image[slot], SMVM_CRC_AT, 4); }
+SMVM_NOINLINE static uint32_t image_checksum(const Store *s, uint8_t slot) { return smvm_uint(s->plan.image[slot], SMVM_CRC_AT, 4); }
 
 // For an image that the verifier accepts; without a key, every one is authentic.
 // Checked at every start too, because a checksum can be forged.
@@ -154,37 +154,37 @@ static bool is_authentic(const Store *s, uint8_t slot, uint32_t *number)
     return !smvm_store_has_key(s) || s->is_authentic(s->plan.image[slot], number);
 }
 
-static bool is_whole(const Store *s, uint8_t slot)
+static bool is_intact(const Store *s, uint8_t slot)
 {
-    const SmvmAt length = length_in(s, slot);
+    const SmvmAt length = image_length(s, slot);
     SmvmVerdict why;
     uint32_t number;
 
     return length != 0 && smvm_verify(s->plan.image[slot], length, &why) == 0 && is_authentic(s, slot, &number);
 }
 
-static bool holds(const Store *s, uint8_t slot, const uint8_t *checksum)
+static bool has_image(const Store *s, uint8_t slot, const uint8_t *checksum)
 {
-    return is_whole(s, slot) && checksum_in(s, slot) == get32(checksum);
+    return is_intact(s, slot) && image_checksum(s, slot) == load32(checksum);
 }
 
 StoreState smvm_store_state(const Store *s, uint8_t slot)
 {
-    if (!is_whole(s, slot))
+    if (!is_intact(s, slot))
         return STORE_EMPTY;
-    if (slot != s->now.active || checksum_in(s, slot) != get32(s->now.checksum))
-        return STORE_WHOLE;
-    return s->now.confirmed ? STORE_CONFIRMED : STORE_TRIAL;
+    if (slot != s->choice.active || image_checksum(s, slot) != load32(s->choice.checksum))
+        return STORE_INTACT;
+    return s->choice.confirmed ? STORE_CONFIRMED : STORE_TRIAL;
 }
 
-bool smvm_store_is_before(const Store *s, uint8_t slot)
+bool smvm_store_is_fallback(const Store *s, uint8_t slot)
 {
-    return s->plan.slots > 1 && slot == s->now.before && slot != STORE_BUILT_IN && checksum_in(s, slot) == get32(s->now.checksum_before);
+    return s->plan.slots > 1 && slot == s->choice.previous && slot != STORE_BUILT_IN && image_checksum(s, slot) == load32(s->choice.checksum_previous);
 }
 
 uint16_t smvm_store_period(const Store *s, uint8_t slot)
 {
-    const uint8_t *period = slot == s->now.active ? s->now.period : slot == s->now.before ? s->now.period_before : NULL;
+    const uint8_t *period = slot == s->choice.active ? s->choice.period : slot == s->choice.previous ? s->choice.period_previous : NULL;
 
     return period && slot != STORE_BUILT_IN ? (uint16_t)sm_link_load(period, 2) : 0;
 }
@@ -193,37 +193,37 @@ uint16_t smvm_store_period(const Store *s, uint8_t slot)
 
 // Whether the previous image is intact.  With one slot it never is: an image in the slot with its checksum has been sent again, and was
 // not accepted yet.
-static bool has_before(const Store *s)
+static bool has_previous(const Store *s)
 {
-    return s->plan.slots > 1 && s->now.before != STORE_BUILT_IN && holds(s, s->now.before, s->now.checksum_before);
+    return s->plan.slots > 1 && s->choice.previous != STORE_BUILT_IN && has_image(s, s->choice.previous, s->choice.checksum_previous);
 }
 
-// Chooses the image that runs if the active one must not: the previous one if `there`, else the built-in one.  (Not inlined, and has_before
+// Chooses the image that runs if the active one must not: the previous one if `there`, else the built-in one.  (Not inlined, and has_previous
 // is called outside: verifier and record together would need much stack.)
-SMVM_NOINLINE static SmResult step_back(Store *s, bool there, uint8_t *slot)
+SMVM_NOINLINE static SmResult fall_back(Store *s, bool there, uint8_t *slot)
 {
-    StoreChoice c = s->now;
+    StoreChoice c = s->choice;
 
-    c.active = there ? c.before : STORE_BUILT_IN;
-    memcpy(c.checksum, c.checksum_before, 4);
-    memcpy(c.period, c.period_before, 2);
-    c.before = STORE_BUILT_IN;
+    c.active = there ? c.previous : STORE_BUILT_IN;
+    memcpy(c.checksum, c.checksum_previous, 4);
+    memcpy(c.period, c.period_previous, 2);
+    c.previous = STORE_BUILT_IN;
     c.tries = 0;
     c.confirmed = 1;
     *slot = c.active;
-    return choose(s, &c);
+    return write_choice(s, &c);
 }
 
 // Whether the active image may run now.  A trial is counted first; if that fails, the image does not run, or it could run forever.
 static bool may_run(Store *s)
 {
-    StoreChoice c = s->now;
+    StoreChoice c = s->choice;
 
     if (c.active == STORE_BUILT_IN)
         return true;
-    if (!holds(s, c.active, c.checksum))
+    if (!has_image(s, c.active, c.checksum))
         return false;
-    return c.confirmed || (c.tries-- > 0 && choose(s, &c) == SM_OK);
+    return c.confirmed || (c.tries-- > 0 && write_choice(s, &c) == SM_OK);
 }
 
 SmResult smvm_store_boot(Store *s, uint8_t *slot)
@@ -233,36 +233,36 @@ SmResult smvm_store_boot(Store *s, uint8_t *slot)
     if (!s || !slot)
         return SM_E_ARGUMENT;
     if (may_run(s))
-        *slot = s->now.active;
+        *slot = s->choice.active;
     else
-        r = step_back(s, has_before(s), slot);         // the image runs even if this choice could not be written
+        r = fall_back(s, has_previous(s), slot);       // the image runs even if this choice could not be written
     s->running = *slot;
     return r;
 }
 
-SmResult smvm_store_pass_over(Store *s, uint8_t *slot)
+SmResult smvm_store_skip(Store *s, uint8_t *slot)
 {
     SmResult r = SM_OK;
 
     *slot = STORE_BUILT_IN;
-    if (!s->now.confirmed)
-        r = step_back(s, has_before(s), slot);
+    if (!s->choice.confirmed)
+        r = fall_back(s, has_previous(s), slot);
     s->running = *slot;
     return r;
 }
 
-void smvm_store_leave(Store *s) { s->running = STORE_BUILT_IN; }
+void smvm_store_run_built_in(Store *s) { s->running = STORE_BUILT_IN; }
 
 // ---- an update ----
 
-static bool on_trial(const Store *s) { return s->now.active != STORE_BUILT_IN && !s->now.confirmed; }
+static bool is_on_trial(const Store *s) { return s->choice.active != STORE_BUILT_IN && !s->choice.confirmed; }
 
 // Finds a slot that is neither chosen nor running; a single slot only must not be running.  (An image chosen by its checksum does not run
 // any more as soon as its first byte has changed.)
 static bool find_target(const Store *s, uint8_t *target)
 {
     for (uint8_t i = 0; i < s->plan.slots; i++)
-        if (i != s->running && (i != s->now.active || s->plan.slots == 1)) {
+        if (i != s->running && (i != s->choice.active || s->plan.slots == 1)) {
             *target = i;
             return true;
         }
@@ -271,15 +271,15 @@ static bool find_target(const Store *s, uint8_t *target)
 
 SmResult smvm_store_may_begin(const Store *s, SmvmAt length)
 {
-    return length < HEADER ? SM_E_ARGUMENT : length > s->slot_size ? SM_E_SPACE : on_trial(s) ? SM_E_BUSY : SM_OK;
+    return length < HEADER ? SM_E_ARGUMENT : length > s->slot_size ? SM_E_SPACE : is_on_trial(s) ? SM_E_BUSY : SM_OK;
 }
 
-SMVM_NOINLINE static SmResult forget_before(Store *s)
+SMVM_NOINLINE static SmResult drop_previous(Store *s)
 {
-    StoreChoice c = s->now;
+    StoreChoice c = s->choice;
 
-    c.before = STORE_BUILT_IN;
-    return choose(s, &c);
+    c.previous = STORE_BUILT_IN;
+    return write_choice(s, &c);
 }
 
 SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t checksum)
@@ -288,7 +288,7 @@ SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t ch
 
     if (session == 0)
         return SM_E_ARGUMENT;
-    if (session == s->session && length == s->length && checksum == get32(s->checksum))
+    if (session == s->session && length == s->length && checksum == load32(s->checksum))
         return SM_OK;
     if ((r = smvm_store_may_begin(s, length)) != SM_OK)
         return r;
@@ -296,19 +296,19 @@ SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t ch
     if (!find_target(s, &s->target))
         return SM_E_BUSY;
     s->length = length;
-    put32(s->checksum, checksum);
+    store32(s->checksum, checksum);
     s->next = 0;
-    s->whole = false;
+    s->is_accepted = false;
     // With a key, never fall back to a slot that has been overwritten: a replayed old image would run without its number being checked.
-    r = smvm_store_has_key(s) && s->target == s->now.before ? forget_before(s) : SM_OK;
+    r = smvm_store_has_key(s) && s->target == s->choice.previous ? drop_previous(s) : SM_OK;
     if (r == SM_OK)
-        r = erase(s, s->slot_at[s->target], round_up(s->length, unit_of(s)));
+        r = erase_memory(s, s->slot_at[s->target], round_up(s->length, slot_unit(s)));
     if (r == SM_OK)
         s->session = session;
     return r;
 }
 
-static bool is_there(const Store *s, SmvmAt at, const uint8_t *bytes, uint8_t n)
+static bool is_written(const Store *s, SmvmAt at, const uint8_t *bytes, uint8_t n)
 {
     for (; n > 0; n--)
         if (smvm_u8(s->plan.image[s->target], at++) != *bytes++)
@@ -317,24 +317,24 @@ static bool is_there(const Store *s, SmvmAt at, const uint8_t *bytes, uint8_t n)
 }
 
 // Writes whole units at once, and pads the rest with blank bytes.
-SMVM_NOINLINE static SmResult write_padded(const Store *s, SmvmAt place, const uint8_t *bytes, uint8_t n)
+SMVM_NOINLINE static SmResult write_padded(const Store *s, SmvmAt to, const uint8_t *bytes, uint8_t n)
 {
-    const uint8_t rest = n & (uint8_t)(write_of(s) - 1), whole = (uint8_t)(n - rest);
+    const uint8_t rest = n & (uint8_t)(write_unit(s) - 1), whole = (uint8_t)(n - rest);
     uint8_t last[STORE_UNIT];
-    SmResult r = whole ? put(s, place, bytes, whole) : SM_OK;
+    SmResult r = whole ? write_memory(s, to, bytes, whole) : SM_OK;
 
     if (r != SM_OK || rest == 0)
         return r;
     memset(last, s->blank, sizeof last);
     memcpy(last, bytes + whole, rest);
-    return put(s, (SmvmAt)(place + whole), last, write_of(s));
+    return write_memory(s, (SmvmAt)(to + whole), last, write_unit(s));
 }
 
 // Whether n bytes at `at`, which is at most s->next, either continue the data written so far or are inside it.  Requires whole units except
 // at the image's end.
-static bool is_part(const Store *s, SmvmAt at, uint8_t n)
+static bool is_valid_chunk(const Store *s, SmvmAt at, uint8_t n)
 {
-    const uint8_t rest = (uint8_t)(write_of(s) - 1);
+    const uint8_t rest = (uint8_t)(write_unit(s) - 1);
     const SmvmAt left = (SmvmAt)(s->length - at);
 
     return n != 0 && n <= left && ((uint8_t)at & rest) == 0 && ((n & rest) == 0 || n == left) &&
@@ -350,9 +350,9 @@ SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *
 
     if (!is_session(s, session))
         return SM_E_HANDLE;
-    if (at > s->next || !is_part(s, at, n))
+    if (at > s->next || !is_valid_chunk(s, at, n))
         return SM_E_ARGUMENT;
-    there = (again || !erase_of(s)) && is_there(s, at, bytes, n);
+    there = (again || !erase_unit(s)) && is_written(s, at, bytes, n);
     if (again)
         return there ? SM_OK : SM_E_ARGUMENT;
     if (!there) {
@@ -367,13 +367,13 @@ SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *
 }
 
 // Whether the image comes from an owner of the key and is newer than all confirmed ones.
-static SmResult judge(const Store *s)
+static SmResult check_authenticity(const Store *s)
 {
     uint32_t number;
 
     if (!is_authentic(s, s->target, &number))
         return SM_E_UNSIGNED;
-    return smvm_store_has_key(s) && number <= get32(s->now.newest) ? SM_E_REPLAY : SM_OK;
+    return smvm_store_has_key(s) && number <= load32(s->choice.newest) ? SM_E_REPLAY : SM_OK;
 }
 
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
@@ -386,23 +386,23 @@ SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
         return SM_E_HANDLE;
     if (s->next != s->length)
         return SM_E_ARGUMENT;
-    if (length_in(s, s->target) != s->length || checksum_in(s, s->target) != get32(s->checksum))
+    if (image_length(s, s->target) != s->length || image_checksum(s, s->target) != load32(s->checksum))
         return SM_E_DEVICE;
-    r = smvm_verify(s->plan.image[s->target], s->length, why) == 0 ? judge(s) : SM_E_ARGUMENT;
-    s->whole = r == SM_OK;
+    r = smvm_verify(s->plan.image[s->target], s->length, why) == 0 ? check_authenticity(s) : SM_E_ARGUMENT;
+    s->is_accepted = r == SM_OK;
     return r;
 }
 
 SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
 {
-    StoreChoice c = s->now;
+    StoreChoice c = s->choice;
 
-    if (!is_session(s, session) || !s->whole)
+    if (!is_session(s, session) || !s->is_accepted)
         return SM_E_HANDLE;
     if (c.active != s->target || memcmp(c.checksum, s->checksum, 4) != 0) {
-        c.before = c.active;
-        memcpy(c.checksum_before, c.checksum, 4);
-        memcpy(c.period_before, c.period, 2);
+        c.previous = c.active;
+        memcpy(c.checksum_previous, c.checksum, 4);
+        memcpy(c.period_previous, c.period, 2);
     } else if (sm_link_load(c.period, 2) == period) {
         return SM_OK;                  // the answer was lost; the image may already be confirmed
     }
@@ -411,52 +411,52 @@ SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
     memcpy(c.checksum, s->checksum, 4);
     c.tries = STORE_TRIES;
     c.confirmed = 0;
-    return choose(s, &c);
+    return write_choice(s, &c);
 }
 
 // ---- after an update ----
 
 SmResult smvm_store_confirm(Store *s, uint32_t checksum)
 {
-    StoreChoice c = s->now;
+    StoreChoice c = s->choice;
     uint32_t number;
 
-    if (c.active == STORE_BUILT_IN || c.active != s->running || get32(c.checksum) != checksum)
+    if (c.active == STORE_BUILT_IN || c.active != s->running || load32(c.checksum) != checksum)
         return SM_E_ARGUMENT;
     if (c.confirmed)
         return SM_OK;
     if (!is_authentic(s, c.active, &number))
         return SM_E_UNSIGNED;          // it was authentic when it was chosen
-    if (smvm_store_has_key(s) && number > get32(c.newest))
-        put32(c.newest, number);
+    if (smvm_store_has_key(s) && number > load32(c.newest))
+        store32(c.newest, number);
     c.confirmed = 1;
     c.tries = 0;
-    return choose(s, &c);
+    return write_choice(s, &c);
 }
 
 // Destroys the image in a slot, unless it is running.
-static SmResult blank(const Store *s, uint8_t slot)
+static SmResult destroy_image(const Store *s, uint8_t slot)
 {
     uint8_t nothing[SMVM_STORE_BYTES ? 4 : STORE_UNIT];
 
     if (slot == s->running)
         return SM_OK;
-    if (erase_of(s))
-        return erase(s, s->slot_at[slot], erase_of(s));
+    if (erase_unit(s))
+        return erase_memory(s, s->slot_at[slot], erase_unit(s));
     memset(nothing, s->blank, sizeof nothing);
-    return put(s, s->slot_at[slot], nothing, write_of(s) > 4 ? write_of(s) : 4);
+    return write_memory(s, s->slot_at[slot], nothing, write_unit(s) > 4 ? write_unit(s) : 4);
 }
 
-static SmResult forget(Store *s, uint8_t slot)
+static SmResult drop_image(Store *s, uint8_t slot)
 {
     SmResult r = SM_OK;
     uint8_t instead;
 
-    if (slot == s->now.active)
-        r = step_back(s, has_before(s), &instead);
-    else if (slot == s->now.before)
-        r = forget_before(s);
-    return r == SM_OK ? blank(s, slot) : r;
+    if (slot == s->choice.active)
+        r = fall_back(s, has_previous(s), &instead);
+    else if (slot == s->choice.previous)
+        r = drop_previous(s);
+    return r == SM_OK ? destroy_image(s, slot) : r;
 }
 
 SmResult smvm_store_erase(Store *s, uint32_t checksum)
@@ -465,7 +465,7 @@ SmResult smvm_store_erase(Store *s, uint32_t checksum)
 
     s->session = 0;
     for (uint8_t i = 0; i < s->plan.slots; i++)
-        if (length_in(s, i) != 0 && checksum_in(s, i) == checksum && (r = forget(s, i)) != SM_OK)
+        if (image_length(s, i) != 0 && image_checksum(s, i) == checksum && (r = drop_image(s, i)) != SM_OK)
             break;
     return r;
 }

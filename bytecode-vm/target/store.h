@@ -45,14 +45,14 @@ typedef struct StoreChoice {
     uint8_t number[4];        // of the record; each new record has the next one
     uint8_t version;
     uint8_t active;           // the image that runs: a slot or STORE_BUILT_IN
-    uint8_t before;           // the image that runs again if the trial fails
+    uint8_t previous;         // the image that runs again if the trial fails
     uint8_t tries;            // remaining starts of a trial
     uint8_t confirmed;        // 0 or 1
     uint8_t zeros[3];
     uint8_t checksum[4];      // of the active image; a slot whose image has another checksum does not run
-    uint8_t checksum_before[4];   // the same for `before`
+    uint8_t checksum_previous[4];  // the same for `previous`
     uint8_t newest[4];        // the highest number (image section AUTH) of an image that a board with a key has confirmed
-    uint8_t period[2], period_before[2];      // milliseconds between steps of each image, as set by the host; 0: the board's default
+    uint8_t period[2], period_previous[2];    // milliseconds between steps of each image, as set by the host; 0: the board's default
     uint8_t crc[4];           // CRC-32 of all before it
 } StoreChoice;
 
@@ -62,7 +62,7 @@ typedef struct Store {
     SmvmAt record_size, slot_size, slot_at[2];
     SmvmAt erase;             // erase unit of the memory, see PalNvmInfo; write is at least 1
     uint8_t write, blank;
-    StoreChoice now;
+    StoreChoice choice;       // the record that counts
     uint8_t running;          // the slot that smvm_store_boot returned
     // Whether the board's key has produced this image's code; stores its number (smvm_auth_check).  NULL: no key.  Set it after
     // smvm_store_open and before smvm_store_boot.
@@ -70,7 +70,7 @@ typedef struct Store {
     // The current update.
     uint16_t session;         // the host's number for it; 0: none
     uint8_t target;
-    bool whole;               // smvm_store_end has accepted it
+    bool is_accepted;         // smvm_store_end has accepted it
     SmvmAt length, next;
     uint8_t checksum[4];
 } Store;
@@ -85,14 +85,14 @@ SmResult smvm_store_boot(Store *s, uint8_t *slot);
 
 // The caller cannot run the image that smvm_store_boot returned, because one of its pins is in use.  Returns in *slot the image to run
 // instead.  A trial ends.  A confirmed image stays chosen, because other firmware may be able to run it.
-SmResult smvm_store_pass_over(Store *s, uint8_t *slot);
+SmResult smvm_store_skip(Store *s, uint8_t *slot);
 
 // The caller has stopped the image in the slot and runs the built-in one.
-void smvm_store_leave(Store *s);
+void smvm_store_run_built_in(Store *s);
 
 // ---- an update, step by step; each step may be repeated ----
 
-// Whether an update can begin once a slot is free (with one slot: after smvm_store_leave).  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the
+// Whether an update can begin once a slot is free (with one slot: after smvm_store_run_built_in).  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the
 // chosen image is on trial.
 SmResult smvm_store_may_begin(const Store *s, SmvmAt length);
 
@@ -124,17 +124,17 @@ SmResult smvm_store_erase(Store *s, uint32_t checksum);
 // ---- queries ----
 
 // Reads an offset or length of three bytes.  Returns false if it exceeds every image on this target.
-bool smvm_get_at(const uint8_t *field, SmvmAt *at);
+bool smvm_load_offset(const uint8_t *field, SmvmAt *at);
 
 static inline bool smvm_store_has_key(const Store *s) { return SMVM_STORE_KEY && s->is_authentic; }
 
-typedef enum StoreState { STORE_EMPTY, STORE_WHOLE, STORE_TRIAL, STORE_CONFIRMED } StoreState;
+typedef enum StoreState { STORE_EMPTY, STORE_INTACT, STORE_TRIAL, STORE_CONFIRMED } StoreState;
 
 uint16_t smvm_store_period(const Store *s, uint8_t slot);      // 0 if none was set
 
 StoreState smvm_store_state(const Store *s, uint8_t slot);
 
-bool smvm_store_is_before(const Store *s, uint8_t slot);       // it runs if the chosen image cannot, provided that it is intact
+bool smvm_store_is_fallback(const Store *s, uint8_t slot);     // it runs if the chosen image cannot, provided that it is intact
 
 #ifdef __cplusplus
 }

@@ -62,8 +62,8 @@ static uint32_t read_ins(Reader *r, uint32_t at, uint32_t end, Ins *out)
     unsigned n = 0;
 
     find_line(r, at);
-    while (next < end && n < 2 && smvm_u8(r->m.image, next) < SMVM_OP_LEAST)
-        smvm_varint(r->m.image, &next, (SmvmAt)end, &number[n++]);
+    while (next < end && n < 2 && smvm_u8(r->m.image, next) < SMVM_OP_FIRST)
+        smvm_read_varint(r->m.image, &next, (SmvmAt)end, &number[n++]);
     *out = (Ins){at, op, 0, r->line, r->unit == COST_INSTRUCTIONS ? 1 : cycles_of(&r->cycles, op, number, n), {0, 0}};
     if (jumps)                                        // the last number is the jump distance
         out->to = next + number[n - 1];
@@ -75,7 +75,7 @@ static uint32_t count_ins(const Reader *r, uint32_t at, uint32_t end)
     uint32_t n = 0;
 
     for (; at < end; at++)
-        n += smvm_u8(r->m.image, at) >= SMVM_OP_LEAST;
+        n += smvm_u8(r->m.image, at) >= SMVM_OP_FIRST;
     return n;
 }
 

@@ -46,7 +46,7 @@ bool device_running(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 bool device_ask_about(LinkHost *h, LinkMessage message, uint32_t checksum);        // CONFIRM, ERASE
 // The image on trial, whether it already runs or will run from the next start on.  False with SM_OK if no image is on trial.
 bool device_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
-// The pin of the board's chip for a pin of an image (SmvmPinPlace).  False with SM_E_UNSUPPORTED if the board does not report it.
+// The pin of the board's chip for a pin of an image (SmvmPhysicalPin).  False with SM_E_UNSUPPORTED if the board does not report it.
 bool device_pin_place(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *place);
 // Restarts the board.  The request is never repeated, because every start of a trial counts.  True if a usable board answers again.
 bool device_restart(LinkHost *h, DeviceInfo *info);

@@ -6,7 +6,7 @@
 #include "bytecode-vm/image.h"
 #include "stdlib/crc32.h"
 
-typedef char sign_room_is_an_entry_and_auth[SIGN_ROOM == SMVM_ENTRY + SMVM_AUTH ? 1 : -1];
+typedef char sign_room_is_an_entry_and_auth[SIGN_ROOM == SMVM_SECTION_ENTRY + SMVM_AUTH ? 1 : -1];
 
 static void put(uint8_t *at, uint32_t value, unsigned bytes)
 {
@@ -17,18 +17,18 @@ static void put(uint8_t *at, uint32_t value, unsigned bytes)
 // Copies the image, with space for AUTH at its end and an entry for AUTH as the last of its section table.
 static uint32_t make_room(const uint8_t *image, uint32_t length, uint8_t *out)
 {
-    const uint8_t n = smvm_sections(image);
-    const uint32_t table_end = SMVM_HEADER + (uint32_t)n * SMVM_ENTRY, longer = length + SIGN_ROOM;
+    const uint8_t n = smvm_section_count(image);
+    const uint32_t table_end = SMVM_HEADER + (uint32_t)n * SMVM_SECTION_ENTRY, longer = length + SIGN_ROOM;
     uint8_t *const entry = out + table_end;
 
     if (n == UINT8_MAX || longer > 0xffffffu)
         return 0;
     memcpy(out, image, table_end);
-    memcpy(entry + SMVM_ENTRY, image + table_end, length - table_end);
+    memcpy(entry + SMVM_SECTION_ENTRY, image + table_end, length - table_end);
     for (uint8_t i = 0; i < n; i++) {
         SmvmSection s;
-        smvm_section(image, i, &s);
-        put(out + SMVM_HEADER + i * SMVM_ENTRY + 2, s.at + SMVM_ENTRY, 3);
+        smvm_read_section(image, i, &s);
+        put(out + SMVM_HEADER + i * SMVM_SECTION_ENTRY + 2, s.at + SMVM_SECTION_ENTRY, 3);
     }
     entry[0] = SMVM_S_AUTH;
     entry[1] = SMVM_V_AUTH;

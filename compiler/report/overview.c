@@ -11,7 +11,7 @@ static const char *identity(const Report *r)          // as in the image
 {
     SmvmReader at;
 
-    if (smvm_find(r->image, SMVM_S_IDENTITY, &at) && at.end - at.at == 8)
+    if (smvm_find_section(r->image, SMVM_S_IDENTITY, &at) && at.end - at.at == 8)
         return format_in(r->arena, "%016llx", (unsigned long long)smvm_cell(r->image, at.at, 8));
     return "";
 }

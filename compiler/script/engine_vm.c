@@ -142,7 +142,7 @@ static void find_elements(VmEngine *v, Arena *arena)
     }
 }
 
-static bool is_variable(const VmEngine *v, uint32_t k, SmvmName name, const SmvmPlace *at)
+static bool is_variable(const VmEngine *v, uint32_t k, SmvmName name, const SmvmLocation *at)
 {
     const Var *var = v->p->var.at[k];
 
@@ -159,7 +159,7 @@ static void find_locals(VmEngine *v)
 
     for (uint32_t i = 0; i < smvm_variables(&v->m); i++) {
         SmvmVariable is;
-        SmvmPlace at;
+        SmvmLocation at;
         SmvmName name = smvm_variable(&v->m, i, &is, &at);
         for (uint32_t k = 0; is == SMVM_IS_LOCAL && k < n; k++)
             if (is_variable(v, (from + k) % n, name, &at)) {

@@ -29,7 +29,7 @@ static void check(bool ok, const char *what, unsigned n)
 static void make(uint32_t length, uint8_t *out)
 {
     uint8_t plain[KILO + 64] = {'s', 'm', 'b', SMVM_FORMAT};
-    const uint32_t n = length - SIGN_ROOM, at = SMVM_HEADER + SMVM_ENTRY;
+    const uint32_t n = length - SIGN_ROOM, at = SMVM_HEADER + SMVM_SECTION_ENTRY;
 
     plain[SMVM_SECTIONS_AT] = 1;
     plain[SMVM_HEADER] = SMVM_S_IDENTITY;

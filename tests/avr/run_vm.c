@@ -24,7 +24,7 @@ typedef struct Pair {
     VmBox *box;
     uint8_t *ram;             // of the chip
     SmvmMachine m;
-    SmvmPlace input[64];      // elements that the machine reads and does not write
+    SmvmLocation input[64];   // elements that the machine reads and does not write
     uint32_t inputs;
     uint64_t sv[64], memory[1024];                    // here
     uint64_t state, sum, steps, most;
@@ -65,8 +65,8 @@ static void find_places(Pair *p)                      // in the code
     while (at < end) {
         const uint8_t op = p->m.image[at++];
         const bool reads = (smvm_shape(op) & SMVM_SHAPE_E) != 0;
-        while (at < end && p->m.image[at] < SMVM_OP_LEAST)
-            if (smvm_varint(p->m.image, &at, end, &n) && reads)
+        while (at < end && p->m.image[at] < SMVM_OP_FIRST)
+            if (smvm_read_varint(p->m.image, &at, end, &n) && reads)
                 add_input(p, (SmType)(op & 0xf), n << smvm_type_shift(op & 0xf));
     }
 }
@@ -208,12 +208,12 @@ static size_t widen(uint8_t *image, size_t n)
         put(image + m.functions_at + WIDE * i, smvm_uint(image, m.functions_at + i * m.width, (uint8_t)m.width), WIDE);
     at = m.machine_at + 4;
     for (int i = 0; i < NUMBERS_BEFORE; i++)
-        smvm_varint(image, &at, (SmvmAt)n, &number);
+        smvm_read_varint(image, &at, (SmvmAt)n, &number);
     image[at] = WIDE;
-    for (uint8_t i = 0; i < smvm_sections(image); i++) {
+    for (uint8_t i = 0; i < smvm_section_count(image); i++) {
         SmvmSection s;
-        smvm_section(image, i, &s);
-        uint8_t *entry = image + SMVM_HEADER + SMVM_ENTRY * i;
+        smvm_read_section(image, i, &s);
+        uint8_t *entry = image + SMVM_HEADER + SMVM_SECTION_ENTRY * i;
         if (s.at > m.machine_at)
             put(entry + 2, s.at + grows, 3);
         else if (s.at == m.machine_at)

@@ -101,14 +101,14 @@ static void leave_slot(void *context)
 static bool look_again(void) { return pal_nvm_read(store.nvm, 0, shadow, MEMORY) == SM_OK; }
 
 // Of a Mega: digital pins and the analog ones among them, PWM on any.
-static uint8_t pin_place(uint16_t number, uint8_t kind)
+static uint8_t physical_pin(uint16_t number, uint8_t kind)
 {
     const uint16_t place = (kind & 3) == 0 ? (uint16_t)(54 + number) : number;
 
     return place < 2 || place > 69 || number > 69 || (kind & 16) != 0 ? SMVM_NO_PIN : (uint8_t)place;
 }
 
-static AgentBoard board = {.ram = RAM, .longest_step = 100000, .machines = 2, .ram_digital = 10, .ram_analog = 26, .period = PERIOD / 1000000, .cycles = 14400, .pin_place = pin_place,
+static AgentBoard board = {.ram = RAM, .longest_step = 100000, .machines = 2, .ram_digital = 10, .ram_analog = 26, .period = PERIOD / 1000000, .cycles = 14400, .physical_pin = physical_pin,
                            .may_update = may_update, .fits = fits, .leave_slot = leave_slot, .built_in = shadow};
 
 static bool has_key(void)

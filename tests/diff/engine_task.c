@@ -162,7 +162,7 @@ static void task_close(Engine *e) { pal_lock_close(((Task *)e->self)->vector.loc
 
 // ---- opening ----
 
-static void find_local(Task *t, SmvmName name, const SmvmPlace *at)
+static void find_local(Task *t, SmvmName name, const SmvmLocation *at)
 {
     for (uint32_t k = 0; k < t->p->var.n; k++) {
         const Var *v = t->p->var.at[k];
@@ -196,7 +196,7 @@ Engine *engine_task_open(Arena *arena, const Program *p, const uint8_t *image, s
     Task *t = ARENA_NEW(arena, Task);
     SmvmMachine m;
     SmvmVariable is;
-    SmvmPlace at;
+    SmvmLocation at;
 
     t->p = p;
     t->sv = arena_alloc(arena, p->sv->size);

@@ -319,9 +319,9 @@ static void what_cannot_run_is_passed_over(const char *memory)
     prepare(&p, memory, 2);
     CHECK(update(&p, &new_image, &u) == DEVICE_DONE && runs(&p.board, &new_image));
     CHECK(device_image(&p.host, 0, &image) && image.before && !image.chosen);
-    CHECK(smvm_store_pass_over(&p.board.store, &p.board.slot) == SM_OK && runs(&p.board, &old_image));
+    CHECK(smvm_store_skip(&p.board.store, &p.board.slot) == SM_OK && runs(&p.board, &old_image));
     CHECK(board_start(&p.board) && runs(&p.board, &old_image));
-    CHECK(smvm_store_pass_over(&p.board.store, &p.board.slot) == SM_OK && p.board.slot == STORE_BUILT_IN);
+    CHECK(smvm_store_skip(&p.board.store, &p.board.slot) == SM_OK && p.board.slot == STORE_BUILT_IN);
     CHECK(device_image(&p.host, 0, &image) && image.chosen && !image.runs);
     CHECK(board_start(&p.board) && runs(&p.board, &old_image));
 }
@@ -351,7 +351,7 @@ static void pins_have_places(void)
     CHECK(device_pin_place(&p.host, 2, 4, &place) && place == SMVM_NO_PIN);
     CHECK(device_pin_place(&p.host, 1, 3, &place) && place == SMVM_NO_PIN);
     CHECK(device_pin_place(&p.host, 2, 0x103, &place) && place == SMVM_NO_PIN);
-    p.board.board.pin_place = NULL;
+    p.board.board.physical_pin = NULL;
     CHECK(!device_pin_place(&p.host, 2, 3, &place) && p.host.result == SM_E_UNSUPPORTED);
 }
 

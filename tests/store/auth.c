@@ -64,7 +64,7 @@ static void signing_leaves_the_rest(void)
 // "0: there is no room for another section": an image has 255 of them at most, and 2^24 - 1 bytes.
 static void signing_has_limits(void)
 {
-    enum { MOST = 0xffffff, SECTIONS = SMVM_HEADER + 255 * SMVM_ENTRY };
+    enum { MOST = 0xffffff, SECTIONS = SMVM_HEADER + 255 * SMVM_SECTION_ENTRY };
     uint8_t *image = calloc(2, MOST + SIGN_ROOM), *out = image + MOST + SIGN_ROOM;
 
     CHECK(image != NULL);
@@ -73,7 +73,7 @@ static void signing_has_limits(void)
     image[SMVM_SECTIONS_AT] = 255;
     CHECK(image_sign(image, SECTIONS, our_key, 1, out) == 0 && out[0] == 0);
     image[SMVM_SECTIONS_AT] = 254;
-    CHECK(image_sign(image, SECTIONS - SMVM_ENTRY, our_key, 1, out) == SECTIONS - SMVM_ENTRY + SIGN_ROOM && out[SMVM_SECTIONS_AT] == 255);
+    CHECK(image_sign(image, SECTIONS - SMVM_SECTION_ENTRY, our_key, 1, out) == SECTIONS - SMVM_SECTION_ENTRY + SIGN_ROOM && out[SMVM_SECTIONS_AT] == 255);
     image[SMVM_SECTIONS_AT] = 1;
     CHECK(image_sign(image, MOST - SIGN_ROOM + 1, our_key, 1, out) == 0);
     CHECK(image_sign(image, MOST - SIGN_ROOM, our_key, 1, out) == MOST);
@@ -126,7 +126,7 @@ static SmResult send_number(Board *b, uint32_t number)
     return image_send(&b->store, &s);
 }
 
-static uint32_t newest(const Board *b) { return smvm_uint(b->store.now.newest, 0, 4); }
+static uint32_t newest(const Board *b) { return smvm_uint(b->store.choice.newest, 0, 4); }
 
 // Chosen, started, and confirmed if `confirm`.
 static bool runs_number(Board *b, uint32_t number, bool confirm)
@@ -194,7 +194,7 @@ static void what_is_not_accepted_is_not_gone_back_to(uint8_t slots)
     if (slots == 2)
         CHECK(image_send(&b.store, numbered(3)) == SM_OK);             // over number 1
     else
-        smvm_store_leave(&b.store);
+        smvm_store_run_built_in(&b.store);
     CHECK(image_send(&b.store, numbered(1)) == SM_E_REPLAY);
     if (slots == 2)
         CHECK(smvm_store_erase(&b.store, numbered(2)->checksum) == SM_OK);
@@ -207,7 +207,7 @@ static void an_update_cut_off_is_not_confirmed(void)
     Board b;
 
     CHECK(board_new(&b, "eeprom", 1) && runs_number(&b, 1, true) && runs_number(&b, 2, true));
-    smvm_store_leave(&b.store);
+    smvm_store_run_built_in(&b.store);
     CHECK(image_send(&b.store, numbered(1)) == SM_OK && restarts(&b) && b.slot == STORE_BUILT_IN);
 }
 
@@ -279,7 +279,7 @@ static void confirming_is_cut(const char *memory)
             sim_cut_power(call, byte);
             smvm_store_confirm(&b.store, s.checksum);
             CHECK(restarts(&b) && b.slot != STORE_BUILT_IN);
-            CHECK(newest(&b) == (b.store.now.confirmed ? 9u : 6u));
+            CHECK(newest(&b) == (b.store.choice.confirmed ? 9u : 6u));
             CHECK(smvm_store_confirm(&b.store, s.checksum) == SM_OK && restarts(&b) && newest(&b) == 9);
             CHECK(send_number(&b, 8) == SM_E_REPLAY);
         }

@@ -75,7 +75,7 @@ static bool board_start(Board *b)
         b->board.ram_analog = 26;
         b->board.period = 300;
         b->board.cycles = 14400;
-        b->board.pin_place = board_pin;
+        b->board.physical_pin = board_pin;
         b->board.mark = b->mark;
         smvm_agent_init(&b->agent, &b->store, &b->board, &b->events, b->frame, BOARD_BODY);
     }

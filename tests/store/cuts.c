@@ -188,7 +188,7 @@ static void a_trial_that_is_not_confirmed_ends(void)
         CHECK(smvm_store_begin(&d.store, 8, old_image.length, old_image.checksum) == SM_E_BUSY);
     }
     CHECK(start(&d) == RUNS_OLD);
-    CHECK(start(&d) == RUNS_OLD && d.store.now.confirmed);
+    CHECK(start(&d) == RUNS_OLD && d.store.choice.confirmed);
 }
 
 // A start that cannot be counted would be one of any number: the trial is not run.
@@ -215,12 +215,12 @@ static void a_trial_that_is_passed_over_is_cut(const char *memory)
         prepare(&d, memory, 2);
         CHECK(updates(&d, &new_image) && start(&d) == RUNS_NEW);
         sim_cut_power(cut / (STORE_RECORD + 1), cut % (STORE_RECORD + 1));
-        (void)smvm_store_pass_over(&d.store, &d.slot);
+        (void)smvm_store_skip(&d.store, &d.slot);
         CHECK(d.slot == 0);
         runs = start(&d);
         CHECK(runs == RUNS_OLD || runs == RUNS_NEW);
         if (runs == RUNS_NEW)
-            CHECK(smvm_store_pass_over(&d.store, &d.slot) == SM_OK && start(&d) == RUNS_OLD);
+            CHECK(smvm_store_skip(&d.store, &d.slot) == SM_OK && start(&d) == RUNS_OLD);
     }
 }
 
@@ -339,9 +339,9 @@ static void a_late_repetition_does_no_harm(void)
 
     prepare(&d, "eeprom", 2);
     CHECK(updates(&d, &new_image));
-    d.store.running = d.store.now.active;
+    d.store.running = d.store.choice.active;
     CHECK(smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && smvm_store_activate(&d.store, 7, 0) == SM_OK);
-    CHECK(d.store.now.confirmed && d.store.now.before != d.store.now.active);
+    CHECK(d.store.choice.confirmed && d.store.choice.previous != d.store.choice.active);
 }
 
 // A period comes and goes with its image; one slot: another period for the same image is a trial of its own.
@@ -353,7 +353,7 @@ static void a_period_goes_with_its_image(void)
         prepare(&d, "eeprom", slots);
         CHECK(sends(&d, &new_image) && smvm_store_activate(&d.store, 7, 20) == SM_OK && start(&d) == RUNS_NEW);
         CHECK(smvm_store_period(&d.store, d.store.running) == 20 && smvm_store_confirm(&d.store, new_image.checksum) == SM_OK);
-        smvm_store_leave(&d.store);
+        smvm_store_run_built_in(&d.store);
         CHECK(sends(&d, &new_image) && smvm_store_activate(&d.store, 7, 30) == SM_OK);
         for (int i = 0; i < STORE_TRIES; i++)
             CHECK(start(&d) == RUNS_NEW && smvm_store_period(&d.store, d.store.running) == 30);

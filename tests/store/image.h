@@ -48,7 +48,7 @@ static inline SmResult image_send(Store *s, const Image *image)
     SmvmVerdict why;
 
     if (s->plan.slots == 1)
-        smvm_store_leave(s);
+        smvm_store_run_built_in(s);
     if (smvm_store_begin(s, IMAGE_SESSION, image->length, image->checksum) != SM_OK)
         return SM_E_BUSY;
     for (uint32_t at = 0; at < image->length; at += IMAGE_BLOCK) {

@@ -161,13 +161,13 @@ static void step(const SmvmMachine *m, SmVm *vm, uint64_t *sv, uint64_t g, uint3
     memcpy(before, sv, sizeof before);
     memset(written + m->s, 1, 4);
     for (uint32_t i = 0; i < m->outputs; i++) {
-        const SmvmPlace p = smvm_output(m, i);
+        const SmvmLocation p = smvm_output(m, i);
         memset(written + p.offset, 1, (size_t)1 << smvm_type_shift(p.type));
     }
     small_opcodes = 0;
     CHECK(smvm_step(vm, sv) == SM_OK && smvm_state(vm) >= 1 && smvm_state(vm) <= m->states);
     CHECK(small_opcodes <= longest);
-    most_opcodes = longest_of(most_opcodes, small_opcodes);
+    most_opcodes = longest_max(most_opcodes, small_opcodes);
     for (uint32_t i = 0; i < sizeof before; i++)
         CHECK(written[i] || bytes[i] == before[i]);
 }

@@ -438,7 +438,7 @@ static void slots(void)
     CHECK(sm_from_bits(w.sv[3]) == sum);
     for (uint32_t i = 0, at = 0; i < smvm_variables(&w.m); i++) {    // the locals still hold what they began with
         SmvmVariable is;
-        SmvmPlace place;
+        SmvmLocation place;
         SmvmName name = smvm_variable(&w.m, i, &is, &place);
         const uint8_t *p = (const uint8_t *)smvm_locals((SmVm *)w.memory) + place.offset;
         if (name.size >= 2 && is == SMVM_IS_LOCAL && at < SM_TYPE_COUNT)
@@ -486,7 +486,7 @@ static void varints(void)
         Buf b;
         buf_init(&b, &w.arena);
         bc_varint(&b, at[i]);
-        CHECK(smvm_varint((const uint8_t *)b.at, &from, (SmvmAt)b.n, &value) && from == b.n && value == at[i]);
+        CHECK(smvm_read_varint((const uint8_t *)b.at, &from, (SmvmAt)b.n, &value) && from == b.n && value == at[i]);
         CHECK(b.n == (at[i] < 96 ? 1 : at[i] < 3168 ? 2 : 4));
     }
     arena_free(&w.arena);

@@ -963,7 +963,7 @@ static void put_random(Build *b, const Random *r, unsigned n)
 static void random_ways(void)
 {
     for (unsigned k = 0; k < 3000; k++) {
-        unsigned ends[3], leaves[3], longest_of = 0;
+        unsigned ends[3], leaves[3], longest_max = 0;
         SmvmVerdict v;
         Build b;
         good(&b);
@@ -975,19 +975,19 @@ static void random_ways(void)
             leaves[f] = try_ways(r, 0, SMVM_goto);
         }
         if (leaves[0])                                                           // every way through a step
-            longest_of = leaves[0] + ends[2];
+            longest_max = leaves[0] + ends[2];
         for (unsigned first = 0; first < 2; first++) {
             unsigned before = first ? ends[0] : 0;
             if (first && !ends[0])
                 continue;
-            if (ends[1] && before + ends[1] > longest_of)
-                longest_of = before + ends[1];
-            if (leaves[1] && before + leaves[1] + ends[2] > longest_of)
-                longest_of = before + leaves[1] + ends[2];
+            if (ends[1] && before + ends[1] > longest_max)
+                longest_max = before + ends[1];
+            if (leaves[1] && before + leaves[1] + ends[2] > longest_max)
+                longest_max = before + leaves[1] + ends[2];
         }
         b.states = 1;
         b.width = 2;
-        CHECK(verify(&b, &v) == 0 && v.longest == 5 + longest_of);
+        CHECK(verify(&b, &v) == 0 && v.longest == 5 + longest_max);
     }
 }
 

@@ -78,7 +78,7 @@ uint32_t bc_place(const BcMachine *m, uint32_t var)
 {
     const uint32_t at = offset_of(m, var);
 
-    return at < SMVM_PLACES ? bc_pack(at, (uint32_t)m->ir->var.at[var].type) : UINT32_MAX;
+    return at < SMVM_LOCATION_OFFSETS ? bc_pack(at, (uint32_t)m->ir->var.at[var].type) : UINT32_MAX;
 }
 
 const char *bc_layout(Arena *arena, BcMachine *m)

@@ -54,7 +54,7 @@ enum { NUMBER_F32 = 8, NUMBER_F64 = 9, NUMBER_WHOLE = 15 };      // used in plac
 
 static bool is_whole(SmF64 x)
 {
-    const int32_t most = (int32_t)(SMVM_PLACES / 2);
+    const int32_t most = (int32_t)(SMVM_LOCATION_OFFSETS / 2);
 
     return sm_le(sm_from_i32(-most), x) && sm_lt(x, sm_from_i32(most)) && sm_eq(sm_from_i32(sm_cut_i32(x)), x);
 }
@@ -98,7 +98,7 @@ static bool put_pin(Buf *b, const Pin *p)
         put_number(b, p->safe);
     else if (front & PIN_MORE)
         buf_char(b, (char)p->hold);
-    return at < SMVM_PLACES;
+    return at < SMVM_LOCATION_OFFSETS;
 }
 
 static bool add_pins(Writer *w, const IoMap *io)
@@ -286,7 +286,7 @@ static uint32_t u32_at(const Buf *b, size_t at)
 // Joins header, table with absolute offsets, sections and checksum.
 static bool join(Writer *w, Buf *out)
 {
-    size_t first = SMVM_HEADER + (size_t)SMVM_ENTRY * w->sections, start = out->n;
+    size_t first = SMVM_HEADER + (size_t)SMVM_SECTION_ENTRY * w->sections, start = out->n;
     uint32_t crc;
     Buf image;
 
