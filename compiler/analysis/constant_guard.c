@@ -42,7 +42,7 @@ static Answer switched(const Expr *e)
         return either(switched(e->arg[0]), switched(e->arg[1]), e->op == SM_OP_AND ? NEVER : ALWAYS);
     if (!is_fixed(e))
         return SOMETIMES;
-    return sm_to_bool(const_eval(e)) ? ALWAYS : NEVER;
+    return sm_to_bool(expr_constant_value(e)) ? ALWAYS : NEVER;
 }
 
 // A local that has its initial value here and gets other values elsewhere.  Reading it too early is reported at that local.

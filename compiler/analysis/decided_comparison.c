@@ -44,7 +44,7 @@ static Side side_of(const Analysis *a, const Expr *e)
 {
     Side s = {.e = e, .is_constant = expr_is_constant(e)};
 
-    s.fact = s.is_constant ? fact_of_number(const_eval(e)) : e->kind == EX_VAR && e->var->written ? fact_of_type(e->var->type)
+    s.fact = s.is_constant ? fact_of_number(expr_constant_value(e)) : e->kind == EX_VAR && e->var->written ? fact_of_type(e->var->type)
                                                                                                   : fact_of_types(a, e);
     s.is_constant |= s.fact.lo == s.fact.hi && !s.fact.nan;
     return s;

@@ -20,7 +20,7 @@ static bool is_beginning(const TimeSum *s)
 // T == 5.5 is never true; W0414 reports it.
 static bool never_is(const Expr *time, const Expr *other)
 {
-    const SmF64 x = expr_is_constant(other) ? const_eval(other) : sm_from_i32(0);
+    const SmF64 x = expr_is_constant(other) ? expr_constant_value(other) : sm_from_i32(0);
 
     return time->kind == EX_VAR && !sm_eq(x, sm_floor(x));
 }
@@ -32,7 +32,7 @@ static bool is_on_a_step(const Look *k, const Expr *time, const Expr *other)
 
     if (k->a->step == 0 || time->kind != EX_VAR || time->var != k->a->p->t || !expr_is_constant(other))
         return false;
-    steps = const_eval(other) / (double)k->a->step;
+    steps = expr_constant_value(other) / (double)k->a->step;
     return steps == sm_floor(steps);
 }
 
@@ -53,7 +53,7 @@ static void look_at_limit(Look *k, const Expr *whole, const Expr *time, SmOperat
     Diag *d;
 
     if (op == SM_OP_EQ || op == SM_OP_NE || time->kind != EX_VAR || time->var != k->a->p->t || !expr_is_constant(other) ||
-        !is_short(k, x = const_eval(other), behind))
+        !is_short(k, x = expr_constant_value(other), behind))
         return;
     d = diag_report(k->a->diags, DIAG_short_time, whole->span, const_text(k->a->arena, x),
                     sm_eq(x, sm_floor(x)) ? format_in(k->a->arena, "advances by %llu in each step", (unsigned long long)k->a->step) : "is a whole number");
@@ -89,7 +89,7 @@ static void look_at_expr(Expr *e, void *context)
     if (!s.linear || !(s.time || s.moment) || is_beginning(&s) || never_is(time, other) || is_on_a_step(k, time, other))
         return;
     diag_report(k->a->diags, DIAG_exact_moment, e->span, source_text(k->a->arena, time->span),
-                expr_is_constant(other) ? const_text(k->a->arena, const_eval(other)) : source_text(k->a->arena, other->span));
+                expr_is_constant(other) ? const_text(k->a->arena, expr_constant_value(other)) : source_text(k->a->arena, other->span));
 }
 
 static void look_at_stmt(const Stmt *stmt, void *context)

@@ -32,10 +32,10 @@ static Side side_of(const Expr *e)
     Side s = {e, sm_from_i32(0)};
 
     if (expr_is_constant(e)) {
-        s.plus = const_eval(e);
+        s.plus = expr_constant_value(e);
         s.base = is_finite(s.plus) ? NULL : e;
     } else if (e->kind == EX_BINARY && (e->op == SM_OP_ADD || e->op == SM_OP_SUB) && expr_is_constant(e->arg[1])) {
-        s.plus = const_eval(e->arg[1]);
+        s.plus = expr_constant_value(e->arg[1]);
         s.base = is_finite(s.plus) ? e->arg[0] : e;
         if (e->op == SM_OP_SUB)
             s.plus = sm_neg(s.plus);

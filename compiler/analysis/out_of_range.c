@@ -18,7 +18,7 @@ static void report_stored(Analysis *a, DiagCode code, Span span, const Var *v, S
 static void check_constant(Analysis *a, const Var *v, const Expr *value)
 {
     const bool whole = sm_type_info[v->type].kind != SM_KIND_FLOAT;
-    const SmF64 x = const_eval(value), stored = sm_cell_to_f64(v->type, sm_cell_from_f64(v->type, x));
+    const SmF64 x = expr_constant_value(value), stored = sm_cell_to_f64(v->type, sm_cell_from_f64(v->type, x));
 
     if (sm_is_nan(x))
         diag_report(a->diags, DIAG_stores_nan, value->span, v->name->text);

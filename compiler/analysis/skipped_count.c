@@ -32,9 +32,9 @@ static SmF64 step_of(const Stmt *s)
     const bool sum = e->kind == EX_BINARY && e->op == SM_OP_ADD, less = e->kind == EX_BINARY && e->op == SM_OP_SUB;
 
     if ((sum || less) && e->arg[0]->kind == EX_VAR && e->arg[0]->var == s->var && expr_is_constant(e->arg[1]))
-        return sum ? const_eval(e->arg[1]) : sm_neg(const_eval(e->arg[1]));
+        return sum ? expr_constant_value(e->arg[1]) : sm_neg(expr_constant_value(e->arg[1]));
     if (sum && e->arg[1]->kind == EX_VAR && e->arg[1]->var == s->var && expr_is_constant(e->arg[0]))
-        return const_eval(e->arg[0]);
+        return expr_constant_value(e->arg[0]);
     return sm_from_i32(0);
 }
 
@@ -51,7 +51,7 @@ static void look_at_store(const Stmt *s, void *context)
     c = &k->counter[s->var->index];
     by = step_of(s);
     if (expr_is_constant(s->value))
-        add_start(c, stored(s->var, const_eval(s->value)));
+        add_start(c, stored(s->var, expr_constant_value(s->value)));
     else if (sm_eq(by, sm_from_i32(0)) || (!sm_eq(c->by, sm_from_i32(0)) && !sm_eq(c->by, by)))
         c->other = true;
     else
@@ -95,9 +95,9 @@ static void look_at_expr(Expr *e, void *context)
         const Expr *v = e->arg[side], *x = e->arg[1 - side];
         Diag *d;
         if (v->kind != EX_VAR || v->var->kind == VAR_TIME || !expr_is_constant(x) ||
-            !is_stepped_over(&k->counter[v->var->index], v->var, const_eval(x)))
+            !is_stepped_over(&k->counter[v->var->index], v->var, expr_constant_value(x)))
             continue;
-        d = diag_report(k->a->diags, DIAG_exact_moment, e->span, v->var->name->text, const_text(k->a->arena, const_eval(x)));
+        d = diag_report(k->a->diags, DIAG_exact_moment, e->span, v->var->name->text, const_text(k->a->arena, expr_constant_value(x)));
         diag_note(k->a->diags, d, (Span){0}, DIAG_note_counts_by, v->var->name->text, const_text(k->a->arena, k->counter[v->var->index].by));
     }
 }

@@ -74,13 +74,13 @@ TimeSum time_sum(const Moments *m, const Expr *e)
 
     switch (e->kind) {
     case EX_NUMBER: return number_sum(e->number);
-    case EX_VAR: return e->var->is_constant ? number_sum(const_eval(e)) : var_sum(m, e->var);
+    case EX_VAR: return e->var->is_constant ? number_sum(expr_constant_value(e)) : var_sum(m, e->var);
     case EX_BINARY: return operator_sum(m, e);
     case EX_UNARY:
         s = e->op == SM_OP_NEG ? time_sum(m, e->arg[0]) : no_sum();
         s.number = sm_neg(s.number);
         return s;
-    case EX_CALL: return expr_is_constant(e) ? number_sum(const_eval(e)) : no_sum();
+    case EX_CALL: return expr_is_constant(e) ? number_sum(expr_constant_value(e)) : no_sum();
     case EX_CHAIN: case EX_ROLL: break;
     }
     return no_sum();

@@ -69,7 +69,7 @@ static bool is_alike(Finder *f, const Expr *a, const Expr *b, bool join_them)
     if (!alike || expr_is_constant(a) != expr_is_constant(b))
         return false;
     if (expr_is_constant(a))
-        return const_eval(a) == const_eval(b);
+        return expr_constant_value(a) == expr_constant_value(b);
     if (a->kind == EX_VAR) {
         const uint32_t x = quantity(f, a), y = quantity(f, b);
         if (x == IR_NONE || y == IR_NONE)

@@ -146,7 +146,7 @@ static void note_place(const StmtPlace *at, void *context)
     if (!expr_is_constant(at->stmt->value)) {
         f->varied[at->stmt->var->index] |= at->stmt->value->kind != EX_VAR || at->stmt->value->var->kind != VAR_LOCAL;
     } else {
-        const double x = const_eval(at->stmt->value);
+        const double x = expr_constant_value(at->stmt->value);
         f->zeroed[at->stmt->var->index] |= x == 0;
         vec_push(f->arena, &f->given[at->stmt->var->index], x);
     }

@@ -37,7 +37,7 @@ static double *limits_of(Finder *f, const Var *v)
             const Expr *e = side ? f->comparison.at[c].right : f->comparison.at[c].left;
             const Expr *to = side ? f->comparison.at[c].left : f->comparison.at[c].right;
             if (e->kind == EX_VAR && e->var == v && expr_is_constant(to))
-                vec_push(f->arena, &limit, const_eval(to));
+                vec_push(f->arena, &limit, expr_constant_value(to));
         }
     f->t->count += limit.n;
     vec_push(f->arena, &limit, sm_from_bits(UINT64_C(0x7FF8000000000000)));
@@ -90,7 +90,7 @@ static bool only_counts(const Finder *f, const Var *v)
         const Stmt *s = f->assign.at[i];
         if (s->var != v)
             continue;
-        if (!(is_count(s) && s->value->op == SM_OP_ADD) && !(expr_is_constant(s->value) && const_eval(s->value) == 0))
+        if (!(is_count(s) && s->value->op == SM_OP_ADD) && !(expr_is_constant(s->value) && expr_constant_value(s->value) == 0))
             return false;
         counts |= is_count(s);
     }

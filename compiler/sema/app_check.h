@@ -3,7 +3,7 @@
 #ifndef SMC_APP_CHECK_H
 #define SMC_APP_CHECK_H
 
-#include "compiler/sema/app.h"
+#include "compiler/sema/application.h"
 #include "compiler/sema/sema.h"
 
 typedef struct AppCheck {
@@ -17,7 +17,7 @@ typedef struct AppCheck {
     Map file_index;               // of machines: name as written to 1 + its index in files
     Map machine_file;             // name as written to the Span of its first use
     Map task, executor;           // name to the Span of the first
-    Map vital;                    // element's name to a description of its content: const char *
+    Map statistic;                // element's name to a description of its content: const char *
     Map start;                    // element's name to the Span of its first value
     Span service[AST_APP_TASK_COUNT];     // positions of the inputs, outputs, log and keep tasks
 } AppCheck;
@@ -25,7 +25,7 @@ typedef struct AppCheck {
 // Returns the element, or NULL after a report.  Also returns NULL, without a report, if the state vector has errors.
 const Element *app_find_element(AppCheck *k, const AstWord *name);
 
-Str app_stem(AppCheck *k, Str path);      // "rocket" of pins/rocket.io
+Str app_file_stem(AppCheck *k, Str path);  // "rocket" of pins/rocket.io
 
 // ---- check_app_names.c ----
 
@@ -37,17 +37,13 @@ void check_app_platform_files(AppCheck *k);     // the files of log and keep
 typedef struct AppRange { uint64_t least, most; bool power_of_two; const char *text; } AppRange;
 
 // Converts the amount to a whole number.  Returns false after reporting that `what` is not in the range `r`.
-bool app_whole(AppCheck *k, const AstAmount *a, const AppRange *r, const char *what, uint64_t *value);
+bool app_check_amount(AppCheck *k, const AstAmount *a, const AppRange *r, const char *what, uint64_t *value);
 void check_app_rates(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);
 
 // ---- check_app_task.c ----
 
-bool app_is_of_runtime(const char *name);       // names with this prefix may belong to runtime-c
+bool app_is_reserved_name(const char *name);    // names with this prefix may belong to runtime-c
 
 void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);      // call after check_app_rates
-
-// ---- check_app_start.c ----
-
-void check_app_start(AppCheck *k);
 
 #endif

@@ -4,7 +4,7 @@
 #define SMC_CHECK_H
 
 #include "compiler/diag/diag.h"
-#include "compiler/sema/app.h"
+#include "compiler/sema/application.h"
 #include "compiler/sema/iomap.h"
 #include "compiler/sema/program.h"
 #include "compiler/syntax/ast.h"
@@ -37,7 +37,7 @@ void script_written_names(const AstFile *ss, Map *names);
 // How much G advances per step in the script; 0 if the script has no valid delta_t.
 uint64_t script_delta_t(const AstFile *ss);
 
-// Computes offsets, sizes and hash of a state vector whose elements and regions are complete (layout.c).
-void layout_state_vector(StateVec *sv, Arena *arena);
+// Computes offsets, sizes and hash of a state vector whose elements and regions are complete (vector_layout.c).
+void layout_state_vector(StateVec *sv);
 
 #endif

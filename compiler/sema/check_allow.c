@@ -3,12 +3,12 @@
 // (diag/allow.c), so it applies even if errors prevent a Program.  Program.allow is for reports.
 #include "compiler/sema/sema.h"
 
-static Span from_to(const Source *src, uint32_t at, uint32_t end)
+static Span span_from_to(const Source *src, uint32_t at, uint32_t end)
 {
     return (Span){src, at, end - at};
 }
 
-static uint32_t end_of(Span s) { return s.at + s.len; }
+static uint32_t span_end(Span s) { return s.at + s.len; }
 
 static Allow allow_of(const AstAnnotation *a, Span covers)
 {
@@ -17,9 +17,9 @@ static Allow allow_of(const AstAnnotation *a, Span covers)
     return out;
 }
 
-static void add(Sema *s, Allow a)
+static void register_allow(Sema *s, Allow a)
 {
-    vec_push(s->arena, &s->making->allow, a);
+    vec_push(s->arena, &s->building->allow, a);
     diag_allow(s->diags, a.flag, a.reason->text, a.span, a.covers);
 }
 
@@ -51,7 +51,7 @@ void allow_decl(Sema *s, const AstDecl *decl)
 {
     for (size_t i = 0; i < decl->annotations.n; i++)
         if (decl->annotations.at[i].kind == AST_ALLOW)
-            add(s, allow_of(&decl->annotations.at[i], decl_span(decl)));
+            register_allow(s, allow_of(&decl->annotations.at[i], decl_span(decl)));
 }
 
 void allow_listed(Sema *s, const Element *e, const AstDecl *listed)
@@ -59,7 +59,7 @@ void allow_listed(Sema *s, const Element *e, const AstDecl *listed)
     for (uint32_t i = 0; i < e->allows; i++) {
         Allow a = s->sv->allow.at[e->first_allow + i];
         a.covers = decl_span(listed);
-        vec_push(s->arena, &s->making->allow, a);
+        vec_push(s->arena, &s->building->allow, a);
         diag_allow_shared(s->diags, a.flag, a.reason->text, a.span, a.covers);
     }
 }
@@ -70,20 +70,20 @@ void allow_state(Sema *s, const AstSection *section, uint32_t end)
 {
     for (size_t i = 0; i < section->annotations.n; i++)
         if (section->annotations.at[i].kind == AST_ALLOW)
-            add(s, allow_of(&section->annotations.at[i], from_to(section->header.src, section->header.at, end)));
+            register_allow(s, allow_of(&section->annotations.at[i], span_from_to(section->header.src, section->header.at, end)));
 }
 
 // The end of a conditional, including all its branches.
-static uint32_t end_of_if(const AstStmt *s)
+static uint32_t conditional_end(const AstStmt *s)
 {
     while (s->arms->has_else && !s->arms->else_body_span.src && s->arms->otherwise.n)           // else if
         s = s->arms->otherwise.at[0];
-    return end_of(s->arms->has_else && s->arms->else_body_span.src ? s->arms->else_body_span : s->arms->body_span);
+    return span_end(s->arms->has_else && s->arms->else_body_span.src ? s->arms->else_body_span : s->arms->body_span);
 }
 
 void allow_stmt(Sema *s, const AstAnnotation *a, const AstStmt *stmt)
 {
-    uint32_t end = stmt->kind == AST_IF && stmt->arms->body_span.src ? end_of_if(stmt) : end_of(stmt->span);
+    uint32_t end = stmt->kind == AST_IF && stmt->arms->body_span.src ? conditional_end(stmt) : span_end(stmt->span);
 
-    add(s, allow_of(a, from_to(a->span.src, a->span.at, end)));
+    register_allow(s, allow_of(a, span_from_to(a->span.src, a->span.at, end)));
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks an application (docs/config.md 10) and builds an App: its files, options and executors.  Tasks are checked in
-// check_app_task.c, times in check_app_time.c, values at the start in check_app_start.c.
+// check_app_task.c, times in check_app_time.c.
 #include "compiler/sema/app_check.h"
 
 #include <string.h>
+
+#include "stdlib/convert.h"
 
 // ---- files ----
 
@@ -16,9 +18,9 @@ static bool ends_with(const char *name, const char *end)
     return n > e && strcmp(name + n - e, end) == 0;
 }
 
-typedef struct Listing { AppFiles *out; Map seen[FILE_APP]; } Listing;
+typedef struct FileListing { AppFiles *out; Map seen[FILE_APP]; } FileListing;
 
-static void add_file(Listing *l, FileKind kind, const AstWord *name)
+static void add_file(FileListing *l, FileKind kind, const AstWord *name)
 {
     AppFile *f = &l->out->at[l->out->n];
 
@@ -41,7 +43,7 @@ static size_t count_tasks(const AstApp *ast)
     return n;
 }
 
-static void add_machines(Listing *l, const AstAppExecutor *e)
+static void add_machines(FileListing *l, const AstAppExecutor *e)
 {
     for (size_t r = 0; r < e->rates.n; r++)
         for (size_t t = 0; t < e->rates.at[r].tasks.n; t++)
@@ -60,7 +62,7 @@ static const AstAppOption *find_option(const AstApp *ast, AstAppOptionKind kind)
 void app_files(Arena *arena, const AstFile *f, AppFiles *out)
 {
     const AstAppOption *sv = find_option(f->app, AST_APP_state_vector), *io = find_option(f->app, AST_APP_io);
-    Listing l;
+    FileListing l;
 
     memset(&l, 0, sizeof l);
     l.out = out;
@@ -120,9 +122,18 @@ const Element *app_find_element(AppCheck *k, const AstWord *name)
 
 // ---- options ----
 
-static void missing(AppCheck *k, Span span, const char *what)
+static void report_missing(AppCheck *k, Span span, const char *what)
 {
     diag_report(k->c->diags, DIAG_app_missing, span.src ? span : (Span){k->app->src, 0, 0}, what);
+}
+
+// Reports inputs that write an element which `writer` writes too.
+static void report_inputs_of(AppCheck *k, const Element *e, Span span, const char *writer)
+{
+    for (size_t i = 0; e && k->pins && i < k->pins->pin.n; i++)
+        if (k->pins->pin.at[i].element == e && !pin_is_output(&k->pins->pin.at[i]))
+            diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_two_writers, span, writer, e->name->text, "an input"),
+                      k->pins->pin.at[i].span, DIAG_note_input_here);
 }
 
 static void check_time(AppCheck *k, const AstAppOption *o)
@@ -130,22 +141,18 @@ static void check_time(AppCheck *k, const AstAppOption *o)
     static const AppRange range = {1, 3600000000000u, false, "1 ns to 1 h"};
     const Element *e = app_find_element(k, &o->element);
 
-    app_whole(k, &o->amount, &range, "what 1 of the time is", &k->app->unit);
+    app_check_amount(k, &o->amount, &range, "what 1 of the time is", &k->app->unit);
     if (e && e->type != SM_U64) {
         Diag *d = diag_report(k->c->diags, DIAG_app_element_type, o->element.span, e->name->text, sm_type_info[e->type].spelling,
                               "the time", "a U64");
         diag_note(k->c->diags, d, e->span, DIAG_note_declared_here, e->name->text);
     }
-    for (size_t i = 0; e && k->pins && i < k->pins->pin.n; i++)
-        if (k->pins->pin.at[i].element == e && !pin_is_output(&k->pins->pin.at[i]))
-            diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_two_writers, o->element.span, "the runtime", e->name->text,
-                                               "an input"),
-                      k->pins->pin.at[i].span, DIAG_note_input_here);
+    report_inputs_of(k, e, o->element.span, "the runtime");
     k->app->time = e;
     k->app->time_span = o->element.span;
 }
 
-Str app_stem(AppCheck *k, Str path)
+Str app_file_stem(AppCheck *k, Str path)
 {
     Source named = {0};
 
@@ -162,11 +169,11 @@ static void check_option(AppCheck *k, const AstAppOption *o)
 
     switch (o->kind) {
     case AST_APP_state_vector: break;
-    case AST_APP_io:           k->app->io = o->file.text; k->app->io_name = app_stem(k, o->file.text); break;
+    case AST_APP_io:           k->app->io = o->file.text; k->app->io_name = app_file_stem(k, o->file.text); break;
     case AST_APP_time:         check_time(k, o); break;
-    case AST_APP_watchdog:     app_whole(k, &o->amount, &watchdog, "the watchdog's time", &k->app->watchdog); break;
-    case AST_APP_events:       app_whole(k, &o->amount, &events, "the room for events", &n); k->app->events = (uint32_t)n; break;
-    case AST_APP_log:          app_whole(k, &o->amount, &room, "the memory of the log", &n); k->app->log_room = (uint32_t)n;
+    case AST_APP_watchdog:     app_check_amount(k, &o->amount, &watchdog, "the watchdog's time", &k->app->watchdog); break;
+    case AST_APP_events:       app_check_amount(k, &o->amount, &events, "the room for events", &n); k->app->events = (uint32_t)n; break;
+    case AST_APP_log:          app_check_amount(k, &o->amount, &room, "the memory of the log", &n); k->app->log_room = (uint32_t)n;
                                k->app->log = o->file.text; break;
     case AST_APP_keep:         k->app->keep = o->file.text; break;
     case AST_APP_OPTION_COUNT: break;
@@ -205,15 +212,87 @@ static void check_options(AppCheck *k)
             check_log_room(k, &k->ast->options.at[i]);
     }
     if (!find_option(k->ast, AST_APP_state_vector) && !k->ast->lost)
-        missing(k, k->ast->options_header, "an application needs a state vector: in [options], state_vector \"FILE.sv\"");
+        report_missing(k, k->ast->options_header, "an application needs a state vector: in [options], state_vector \"FILE.sv\"");
+}
+
+// ---- [start]: the values of elements before any task runs (10.8), checked like those of a machine without variables ----
+
+// Whether the expression contains only numbers; reports the parts that are not.
+static bool has_only_numbers(AppCheck *k, const Sema *s, const AstExpr *e)
+{
+    const SmBuiltinInfo *fn = e->kind == AST_CALL ? scope_find_function(s, e->name) : NULL;
+    bool good = true;
+
+    if (e->kind == AST_NAME || (fn && fn->is_roll)) {
+        diag_report(k->c->diags, DIAG_start_no_number, e->span);
+        return false;
+    }
+    if (e->a)
+        good = has_only_numbers(k, s, e->a);
+    if (e->b)
+        good = has_only_numbers(k, s, e->b) && good;
+    for (size_t i = 0; e->args && i < e->args->n; i++)
+        good = has_only_numbers(k, s, e->args->at[i]) && good;
+    return good && e->kind != AST_ERROR;
+}
+
+// Reports a value that the type of its element cannot represent.
+static void check_start_fits(AppCheck *k, const AstStmt *in, const Element *e, SmF64 value, uint64_t cell)
+{
+    SmF64 kept = sm_cell_to_f64(e->type, cell);
+
+    if (e->type == SM_F32 || e->type == SM_F64 || sm_eq(kept, value))
+        return;
+    diag_report(k->c->diags, DIAG_start_range, in->value->span, const_text(k->c->arena, value), e->name->text,
+                sm_type_info[e->type].spelling, const_text(k->c->arena, kept));
+}
+
+static bool is_first_value(AppCheck *k, const AstStmt *in)
+{
+    const Span *first = map_find(&k->start, in->name);
+
+    if (first) {
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_start_twice, in->name_span, in->name->text), *first,
+                  DIAG_note_first_here);
+        return false;
+    }
+    map_put(&k->start, in->name, &((AstStmt *)(size_t)in)->name_span);
+    return true;
+}
+
+static void check_start_value(AppCheck *k, Sema *s, const AstStmt *in)
+{
+    const AstWord name = {in->name, in->name_span};
+    const Element *e = app_find_element(k, &name);
+    Expr *value = is_first_value(k, in) && has_only_numbers(k, s, in->value) ? check_expr(s, in->value) : NULL;
+    AppStart out;
+
+    if (!e || !value)
+        return;
+    out.element = e;
+    out.cell = sm_cell_from_f64(e->type, expr_constant_value(value));
+    check_start_fits(k, in, e, expr_constant_value(value), out.cell);
+    vec_push(k->c->arena, &k->app->start, out);
+}
+
+static void check_start(AppCheck *k)
+{
+    Program *nothing = ARENA_NEW(k->c->arena, Program);
+    HiddenNames *lost = ARENA_NEW(k->c->arena, HiddenNames);
+    Sema s;
+
+    nothing->by_name.arena = nothing->state_by_name.arena = lost->word.arena = k->c->arena;
+    sema_init(&s, k->c, lost, nothing, &nothing->window);
+    for (size_t i = 0; i < k->ast->start.n; i++)
+        check_start_value(k, &s, k->ast->start.at[i]);
 }
 
 // ---- executors ----
 
-static const char *const vitals[] = {"its ticks", "its overruns", "its skipped ticks", "its lateness", "how long it was busy"};
+static const char *const statistic_names[] = {"its ticks", "its overruns", "its skipped ticks", "its lateness", "how long it was busy"};
 
 // Reports an element that an executor writes and that a machine or an input writes too.
-static void check_writers(AppCheck *k, const AstAppAnnotation *a, const Element *e)
+static void check_other_writers(AppCheck *k, const AstAppAnnotation *a, const Element *e)
 {
     for (size_t i = 0; i < k->files->n; i++) {
         const Program *p = k->files->at[i].program;
@@ -223,32 +302,28 @@ static void check_writers(AppCheck *k, const AstAppAnnotation *a, const Element 
                                                    format_in(k->c->arena, "machine '%s'", p->name->text)),
                           p->var.at[v]->span, DIAG_note_listed_there, p->name->text);
     }
-    for (size_t i = 0; k->pins && i < k->pins->pin.n; i++)
-        if (k->pins->pin.at[i].element == e && !pin_is_output(&k->pins->pin.at[i]))
-            diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_two_writers, a->word.span, "the executor", e->name->text,
-                                               "an input"),
-                      k->pins->pin.at[i].span, DIAG_note_input_here);
+    report_inputs_of(k, e, a->word.span, "the executor");
 }
 
-static void check_vital(AppCheck *k, const AstAppAnnotation *a, AppExecutor *out)
+static void check_statistic(AppCheck *k, const AstAppAnnotation *a, AppExecutor *out)
 {
-    AppVital which = (AppVital)(a->kind - AST_ON_ticks);
+    AppStatistic which = (AppStatistic)(a->kind - AST_ON_ticks);
     const Element *e = app_find_element(k, &a->word);
-    const char *holds = e ? map_find(&k->vital, e->name) : NULL;
+    const char *holds = e ? map_find(&k->statistic, e->name) : NULL;
     Diag *d;
 
     if (!e)
         return;
-    out->vital[which] = e;
-    check_writers(k, a, e);
+    out->statistic[which] = e;
+    check_other_writers(k, a, e);
     if (e->type == SM_F32 || e->type == SM_F64 || e->type == SM_BOOL) {
         d = diag_report(k->c->diags, DIAG_app_element_type, a->word.span, e->name->text, sm_type_info[e->type].spelling,
                         "what an executor tells of itself", "of an integer type");
         diag_note(k->c->diags, d, e->span, DIAG_note_declared_here, e->name->text);
     } else if (holds || e == k->app->time) {
-        diag_report(k->c->diags, DIAG_vitals_twice, a->word.span, e->name->text, vitals[which], holds ? holds : "the time");
+        diag_report(k->c->diags, DIAG_vitals_twice, a->word.span, e->name->text, statistic_names[which], holds ? holds : "the time");
     } else {
-        map_put(&k->vital, e->name, (void *)(size_t)format_in(k->c->arena, "%s of [%s]", vitals[which], out->name->text));
+        map_put(&k->statistic, e->name, (void *)(size_t)format_in(k->c->arena, "%s of [%s]", statistic_names[which], out->name->text));
     }
 }
 
@@ -258,12 +333,12 @@ static void check_executor_annotation(AppCheck *k, const AstAppAnnotation *a, Ap
     uint64_t n = 0;
 
     if (a->kind >= AST_ON_ticks && a->kind <= AST_ON_busy) {
-        check_vital(k, a, out);
+        check_statistic(k, a, out);
     } else if (a->kind == AST_ON_priority) {
-        app_whole(k, &a->amount, &priority, "the priority", &n);
+        app_check_amount(k, &a->amount, &priority, "the priority", &n);
         out->priority = (uint32_t)n;
     } else if (a->kind == AST_ON_overrun && a->amount.of != APP_NOTHING) {
-        app_whole(k, &a->amount, &ticks, "what catch_up catches up", &n);
+        app_check_amount(k, &a->amount, &ticks, "what catch_up catches up", &n);
         out->catch_up = true;
         out->most = (uint32_t)n;
     }
@@ -292,14 +367,14 @@ static void check_executor(AppCheck *k, const AstAppExecutor *in)
     for (size_t i = 0; i < in->annotations.n; i++)
         check_executor_annotation(k, &in->annotations.at[i], out);
     if (in->rates.n == 0 && !in->lost)
-        missing(k, in->header, format_in(k->c->arena,
+        report_missing(k, in->header, format_in(k->c->arena,
                                          "executor [%s] has nothing to do: it needs a rate, as 'every 10 ms:', with tasks",
                                          in->name.text->text));
     check_app_rates(k, in, out);
     check_app_tasks(k, in, out);
 }
 
-static void want_lock(AppCheck *k, size_t executors)
+static void report_missing_lock(AppCheck *k, size_t executors)
 {
     const AstWord *file = &find_option(k->ast, AST_APP_state_vector)->file;
     Diag *d = diag_report(k->c->diags, DIAG_app_no_lock, k->ast->executors.at[1]->header, format_in(k->c->arena, "%lu", (unsigned long)executors),
@@ -317,11 +392,11 @@ static void check_executors(AppCheck *k)
     for (size_t i = 0; i < n; i++)
         check_executor(k, k->ast->executors.at[i]);
     if (n == 0 && !k->ast->lost)
-        missing(k, k->ast->options_header, "an application needs an executor, a section such as [flight] with rates and tasks");
+        report_missing(k, k->ast->options_header, "an application needs an executor, a section such as [flight] with rates and tasks");
     if (n > MOST)
         diag_report(k->c->diags, DIAG_app_too_many, k->ast->executors.at[MOST]->header, "executors", "254");
     if (n > 1 && k->sv && !k->sv->lock)
-        want_lock(k, n);
+        report_missing_lock(k, n);
 }
 
 // ---- entry points ----
@@ -377,7 +452,7 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     k.sv = sv;
     k.pins = pins;
     k.guesses = GUESSES;
-    k.file_index.arena = k.machine_file.arena = k.task.arena = k.executor.arena = k.vital.arena = k.start.arena = c->arena;
+    k.file_index.arena = k.machine_file.arena = k.task.arena = k.executor.arena = k.statistic.arena = k.start.arena = c->arena;
     k.app = ARENA_NEW(c->arena, App);
     k.app->name = sema_stem(c->strings, f->src);
     k.app->src = f->src;
@@ -387,7 +462,7 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     check_files(&k);
     check_app_products(&k);
     check_options(&k);
-    check_app_start(&k);
+    check_start(&k);
     check_executors(&k);
     check_unused(&k);
     check_unused_pins(&k, false, AST_TASK_inputs, AST_TASK_outputs);

@@ -4,10 +4,10 @@
 
 #include <string.h>
 
-typedef struct Product { const char *what; Span span; } Product;
+typedef struct GeneratedFile { const char *what; Span span; } GeneratedFile;
 
 // Folds case, for file systems that ignore it.
-static Str folded(AppCheck *k, const char *name)
+static Str fold_case(AppCheck *k, const char *name)
 {
     char *copy = arena_alloc(k->c->arena, strlen(name) + 1);
 
@@ -18,11 +18,11 @@ static Str folded(AppCheck *k, const char *name)
     return str_c(k->c->strings, copy);
 }
 
-static void add_product(AppCheck *k, Map *seen, const char *stem, const char *what, Span span)
+static void add_generated_file(AppCheck *k, Map *seen, const char *stem, const char *what, Span span)
 {
-    Str key = folded(k, stem);
-    const Product *first = map_find(seen, key);
-    Product *p = ARENA_NEW(k->c->arena, Product);
+    Str key = fold_case(k, stem);
+    const GeneratedFile *first = map_find(seen, key);
+    GeneratedFile *p = ARENA_NEW(k->c->arena, GeneratedFile);
     Diag *d;
 
     p->what = what;
@@ -52,7 +52,7 @@ static bool begins_with_word(const char *stem, const char *word)
 }
 
 // A prefix of the runtime would cause clashes: sm.sv would generate sm_vector, SM.sm SM_OK, SmApp.sm a struct SmApp.
-static bool is_of_runtime(const char *stem)
+static bool is_reserved_stem(const char *stem)
 {
     while (*stem && !is_letter(*stem) && !(*stem >= '0' && *stem <= '9'))
         stem++;
@@ -70,7 +70,7 @@ static bool is_printable(const char *stem)
 
 static void check_stem(AppCheck *k, const char *stem, Span span)
 {
-    const char *problem = is_of_runtime(stem) ? "it belongs to the runtime" : NULL;
+    const char *problem = is_reserved_stem(stem) ? "it belongs to the runtime" : NULL;
 
     if (!is_printable(stem))
         problem = "C could not include its header";
@@ -87,7 +87,7 @@ static bool has_bytecode(const AstAppTask *t)
 }
 
 // Files of machines that are emitted as C.  A machine with @bytecode becomes an array in the application's file instead.
-static Map become_c(AppCheck *k)
+static Map files_emitted_as_c(AppCheck *k)
 {
     Map files = {k->c->arena, NULL, NULL, 0, 0};
 
@@ -105,17 +105,17 @@ void check_app_products(AppCheck *k)
 {
     static const char *const end[] = {[FILE_SV] = "", [FILE_SM] = "", [FILE_IO] = "_io"};
     static const char *const what[] = {[FILE_SV] = "the state vector", [FILE_SM] = "a machine", [FILE_IO] = "the pins"};
-    Map seen = {k->c->arena, NULL, NULL, 0, 0}, to_c = become_c(k);
+    Map seen = {k->c->arena, NULL, NULL, 0, 0}, to_c = files_emitted_as_c(k);
 
     check_stem(k, k->app->name->text, (Span){k->app->src, 0, 0});
-    add_product(k, &seen, format_in(k->c->arena, "%s_app", k->app->name->text), "the application", (Span){k->app->src, 0, 0});
+    add_generated_file(k, &seen, format_in(k->c->arena, "%s_app", k->app->name->text), "the application", (Span){k->app->src, 0, 0});
     for (size_t i = 0; i < k->files->n; i++) {
         const AppFile *f = &k->files->at[i];
-        const char *stem = app_stem(k, f->name.text)->text;
+        const char *stem = app_file_stem(k, f->name.text)->text;
         check_stem(k, stem, f->name.span);
         if (f->kind == FILE_SM && !map_find(&to_c, f->name.text))
             continue;
-        add_product(k, &seen, format_in(k->c->arena, "%s%s", stem, end[f->kind]),
+        add_generated_file(k, &seen, format_in(k->c->arena, "%s%s", stem, end[f->kind]),
                     format_in(k->c->arena, "%s '%s'", what[f->kind], f->name.text->text), f->name.span);
     }
 }
@@ -123,16 +123,16 @@ void check_app_products(AppCheck *k)
 // ---- files of the running application ----
 
 // Treats ./a as a.
-static const char *plain(const char *name)
+static const char *without_dot_slash(const char *name)
 {
     while (name[0] == '.' && name[1] == '/')
         name += 2;
     return name;
 }
 
-static void check_taken(AppCheck *k, const AstAppOption *o, const AstWord *other, const char *what)
+static void check_file_differs(AppCheck *k, const AstAppOption *o, const AstWord *other, const char *what)
 {
-    if (strcmp(plain(o->file.text->text), plain(other->text->text)) == 0)
+    if (strcmp(without_dot_slash(o->file.text->text), without_dot_slash(other->text->text)) == 0)
         diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_file_taken, o->file.span, o->file.text->text,
                                            app_option_name(o->kind), what),
                   other->span, DIAG_note_named_here);
@@ -149,9 +149,9 @@ void check_app_platform_files(AppCheck *k)
         if (o->kind != AST_APP_log && o->kind != AST_APP_keep)
             continue;
         for (size_t f = 0; f < k->files->n; f++)
-            check_taken(k, o, &k->files->at[f].name, what[k->files->at[f].kind]);
+            check_file_differs(k, o, &k->files->at[f].name, what[k->files->at[f].kind]);
         if (first)
-            check_taken(k, o, &first->file, first->kind == AST_APP_log ? "the log's" : "that of 'keep'");
+            check_file_differs(k, o, &first->file, first->kind == AST_APP_log ? "the log's" : "that of 'keep'");
         first = o;
     }
 }

@@ -6,7 +6,7 @@
 
 // ---- names ----
 
-bool app_is_of_runtime(const char *name)
+bool app_is_reserved_name(const char *name)
 {
     static const char *const taken[] = {"sm", "pal", "smvm"};
 
@@ -23,7 +23,7 @@ static const char *name_problem(const char *name)
 {
     size_t n = strlen(name);
 
-    if (app_is_of_runtime(name))
+    if (app_is_reserved_name(name))
         return "it belongs to the runtime";
     if (name[0] == '_' || name[n - 1] == '_')
         return "it begins or ends with an underscore";

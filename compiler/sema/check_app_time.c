@@ -62,7 +62,7 @@ static void label_powers(AppCheck *k, Diag *d, const AstAmount *a, uint64_t valu
     diag_label(k->c->diags, d, DIAG_label_multiples, text[0], text[1]);
 }
 
-bool app_whole(AppCheck *k, const AstAmount *a, const AppRange *r, const char *what, uint64_t *value)
+bool app_check_amount(AppCheck *k, const AstAmount *a, const AppRange *r, const char *what, uint64_t *value)
 {
     Exactness e = amount_value(a, value);
     bool good = e == EXACT && *value >= r->least && *value <= r->most && (!r->power_of_two || (*value & (*value - 1)) == 0);

@@ -22,14 +22,14 @@ typedef struct Declarations {
 
 // ---- one name, one meaning ----
 
-static const char *meaning(const Var *v, Str name)
+static const char *kind_of_name(const Var *v, Str name)
 {
     if (v->kind == VAR_LOCAL)
         return "a local";
     return v->alias == name && v->name != name ? "an alias" : "an element";
 }
 
-static void report_taken(Declarations *k, const Var *v, Str name, Span span)
+static void report_name_taken(Declarations *k, const Var *v, Str name, Span span)
 {
     const Var *first = map_find(&k->p->by_name, name);
     bool same_element = v->kind == VAR_ELEMENT && first->kind == VAR_ELEMENT && v->name == name && first->name == name;
@@ -38,22 +38,22 @@ static void report_taken(Declarations *k, const Var *v, Str name, Span span)
     if (same_element)
         d = diag_report(k->s->diags, DIAG_element_listed_twice, span, name->text);
     else
-        d = diag_report(k->s->diags, DIAG_name_taken, span, name->text, meaning(first, name));
+        d = diag_report(k->s->diags, DIAG_name_taken, span, name->text, kind_of_name(first, name));
     scope_note_declared(k->s, d, name);
     map_put(&k->s->doubtful, name, (void *)name);
 }
 
-static void declare(Declarations *k, Var *v, Str name, Span span)
+static void declare_name(Declarations *k, Var *v, Str name, Span span)
 {
     if (name == k->time) {
         diag_report(k->s->diags, DIAG_time_declared, span);
         map_put(&k->s->doubtful, name, (void *)name);
     } else if (map_find(&k->p->by_name, name)) {
-        report_taken(k, v, name, span);
+        report_name_taken(k, v, name, span);
     } else {
         Span *place = ARENA_NEW(k->s->arena, Span);
         *place = span;
-        map_put(&k->s->place, name, place);
+        map_put(&k->s->declared_at, name, place);
         map_put(&k->p->by_name, name, v);
     }
 }
@@ -61,7 +61,7 @@ static void declare(Declarations *k, Var *v, Str name, Span span)
 // ---- annotations ----
 
 // The parser has already reported an unknown type.
-static bool is_known(SmType type)
+static bool is_known_type(SmType type)
 {
     return type < SM_TYPE_COUNT;
 }
@@ -80,9 +80,9 @@ static Var *new_var(Declarations *k, VarKind kind, const AstDecl *decl)
 
     v->kind = kind;
     v->name = v->report_name = decl->name;
-    v->type = is_known(decl->type) ? decl->type : SM_F64;
+    v->type = is_known_type(decl->type) ? decl->type : SM_F64;
     v->span = decl->name_span;
-    if (!is_known(decl->type))
+    if (!is_known_type(decl->type))
         map_put(&k->s->doubtful, decl->name, (void *)decl->name);
     v->read_only = has_annotation(&decl->annotations, AST_READ_ONLY);
     return v;
@@ -99,13 +99,13 @@ static void add_alias(Declarations *k, Var *v, const AstAnnotation *a)
     v->alias = a->name;
     if (strcmp(v->alias->text, v->name->text) < 0)
         v->report_name = v->alias;
-    declare(k, v, a->name, a->name_span);
+    declare_name(k, v, a->name, a->name_span);
 }
 
 // ---- @range ----
 
 // Reports an end of a range that the type cannot represent.
-static void check_end(const CheckContext *c, const AstAnnotation *a, SmF64 end, Str name, SmType type)
+static void check_range_end(const CheckContext *c, const AstAnnotation *a, SmF64 end, Str name, SmType type)
 {
     const SmF64 kept = sm_cell_to_f64(type, sm_cell_from_f64(type, sm_trunc(end)));
 
@@ -128,8 +128,8 @@ const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str n
             diag_report(c->diags, DIAG_range_empty, a->span, name->text, const_text(c->arena, a->lo.value),
                         const_text(c->arena, a->hi.value));
         } else {
-            check_end(c, a, a->lo.value, name, type);
-            check_end(c, a, a->hi.value, name, type);
+            check_range_end(c, a, a->lo.value, name, type);
+            check_range_end(c, a, a->hi.value, name, type);
             r = ARENA_NEW(c->arena, Range);
             *r = (Range){a->lo.value, a->hi.value, a->span};
         }
@@ -143,7 +143,7 @@ static bool same_range(const Range *a, const Range *b)
 }
 
 // The machine's @range applies to the machine.  It must equal the @range of the .sv, if the .sv has one.
-static void give_range(Declarations *k, Var *v, const AstDecl *decl)
+static void set_range(Declarations *k, Var *v, const AstDecl *decl)
 {
     const CheckContext c = {k->s->arena, k->s->strings, k->s->diags};
     Diag *d;
@@ -161,14 +161,14 @@ static void give_range(Declarations *k, Var *v, const AstDecl *decl)
     }
 }
 
-static void give_command(Var *v, const AstDecl *decl)
+static void set_command(Var *v, const AstDecl *decl)
 {
     v->command = has_annotation(&decl->annotations, AST_COMMAND) || (v->element && v->element->command);
 }
 
 // ---- elements ----
 
-static void guess_element(Declarations *k, Diag *d, Str name)
+static void suggest_element(Declarations *k, Diag *d, Str name)
 {
     Guess g = guess_start(name);
 
@@ -181,7 +181,7 @@ static void guess_element(Declarations *k, Diag *d, Str name)
 }
 
 // Whether it is G or S, by name or alias, with its required type.
-static bool is_special(const AstDecl *decl)
+static bool is_g_or_s(const AstDecl *decl)
 {
     const char *name = decl->name->text;
 
@@ -199,11 +199,11 @@ static Element *find_element(Declarations *k, const AstDecl *decl)
 
     if (!e) {
         d = diag_report(k->s->diags, DIAG_element_not_in_vector, decl->name_span, decl->name->text);
-        guess_element(k, d, decl->name);
-    } else if (e->type != decl->type && is_known(decl->type) && !e->untyped) {
+        suggest_element(k, d, decl->name);
+    } else if (e->type != decl->type && is_known_type(decl->type) && !e->untyped) {
         d = diag_report(k->s->diags, DIAG_element_other_type, decl->type_span, e->name->text,
                         sm_type_info[e->type].spelling, sm_type_info[decl->type].spelling);
-        if (is_special(decl))
+        if (is_g_or_s(decl))
             diag_label(k->s->diags, d, DIAG_label_text, format_in(k->s->arena, "it must be %s: change the state vector file", sm_type_info[decl->type].spelling));
         else
             diag_label(k->s->diags, d, DIAG_label_write_type, sm_type_info[e->type].spelling);
@@ -217,7 +217,7 @@ static Element *add_element(Declarations *k, const AstDecl *decl)
     Element *e = ARENA_NEW(k->s->arena, Element);
 
     e->name = decl->name;
-    e->type = is_known(decl->type) ? decl->type : SM_F64;
+    e->type = is_known_type(decl->type) ? decl->type : SM_F64;
     e->region = k->sv->region.at[0];
     e->region->count++;
     e->span = decl->name_span;
@@ -227,14 +227,14 @@ static Element *add_element(Declarations *k, const AstDecl *decl)
     return e;
 }
 
-static void list_element(Declarations *k, const AstDecl *decl)
+static void declare_element(Declarations *k, const AstDecl *decl)
 {
     Var *v = new_var(k, VAR_ELEMENT, decl);
 
     v->element = k->sv->from_machine ? add_element(k, decl) : find_element(k, decl);
-    declare(k, v, v->name, v->span);
-    give_range(k, v, decl);
-    give_command(v, decl);
+    declare_name(k, v, v->name, v->span);
+    set_range(k, v, decl);
+    set_command(v, decl);
     allow_decl(k->s, decl);
     if (v->element && !k->sv->from_machine)
         allow_listed(k->s, v->element, decl);
@@ -246,7 +246,7 @@ static void list_element(Declarations *k, const AstDecl *decl)
 
 // ---- locals ----
 
-static void warn_of_element(Declarations *k, const Var *v)
+static void warn_of_local_like_element(Declarations *k, const Var *v)
 {
     const Element *e = map_find(&k->sv->by_name, v->name);
     Diag *d;
@@ -263,7 +263,7 @@ static void declare_local(Declarations *k, const AstDecl *decl)
 
     l.var->outside = k->written_outside && map_find(k->written_outside, decl->name);
     l.var->is_constant = l.var->read_only && !l.var->outside;
-    declare(k, l.var, l.var->name, l.var->span);
+    declare_name(k, l.var, l.var->name, l.var->span);
     allow_decl(k->s, decl);
     vec_push(k->s->arena, &k->local, l);
 }
@@ -275,7 +275,7 @@ static void number_variables(Declarations *k)
 
     for (size_t i = 0; i < k->local.n; i++) {
         vec_push(k->s->arena, &k->p->var, k->local.at[i].var);
-        warn_of_element(k, k->local.at[i].var);
+        warn_of_local_like_element(k, k->local.at[i].var);
     }
     t->kind = VAR_TIME;
     t->name = t->report_name = k->time;
@@ -288,7 +288,7 @@ static void number_variables(Declarations *k)
         k->p->var.at[i]->index = (uint32_t)i;
 }
 
-static void give_initial_values(Declarations *k)
+static void compute_initial_values(Declarations *k)
 {
     Sema *s = k->s;
 
@@ -304,37 +304,37 @@ static void give_initial_values(Declarations *k)
         v->init_value = e;
         s->no_value[v->index] = !e;
         if (e)
-            v->init = sm_cell_from_f64(v->type, const_eval(e));
+            v->init = sm_cell_from_f64(v->type, expr_constant_value(e));
     }
     s->at = PLACE_STEP;
 }
 
 // ---- G and S ----
 
-static Var *find_special(Declarations *k, const char *name, SmType type, DiagCode missing, DiagCode wrong)
+static Var *find_g_or_s(Declarations *k, const char *name, SmType type, DiagCode missing, DiagCode wrong)
 {
     Str key = str_c(k->s->strings, name);
     Var *v = map_find(&k->p->by_name, key);
-    bool told;                    // already reported as E0206: the state vector has the right type
+    bool is_reported;             // already reported as E0206: the state vector has the right type
 
     if (!v && !k->s->lost->names)
         diag_report(k->s->diags, missing, k->list->header);
     if (!v || scope_is_doubtful(k->s, key) || scope_is_doubtful(k->s, v->name))
         return v;
-    told = v->element && v->element->type == type;
-    if ((v->kind != VAR_ELEMENT || v->type != type) && !told)
+    is_reported = v->element && v->element->type == type;
+    if ((v->kind != VAR_ELEMENT || v->type != type) && !is_reported)
         diag_report(k->s->diags, wrong, v->span, v->kind == VAR_ELEMENT ? sm_type_info[v->type].spelling : "a local");
     v->read_only = true;
     return v;
 }
 
-static void find_specials(Declarations *k)
+static void find_g_and_s(Declarations *k)
 {
     bool any = k->p->var.n > k->local.n + 1;       // any besides locals and T
 
     if (any && k->list) {
-        k->p->g = find_special(k, "G", SM_U64, DIAG_no_global_time, DIAG_global_time_type);
-        k->p->s = find_special(k, "S", SM_U32, DIAG_no_state_element, DIAG_state_element_type);
+        k->p->g = find_g_or_s(k, "G", SM_U64, DIAG_no_global_time, DIAG_global_time_type);
+        k->p->s = find_g_or_s(k, "S", SM_U32, DIAG_no_state_element, DIAG_state_element_type);
     } else if (!k->s->lost->names) {
         k->s->no_elements = true;
         diag_report(k->s->diags, DIAG_no_elements, k->list ? k->list->header : (Span){k->p->src, 0, 0});
@@ -348,7 +348,7 @@ static void check_declaration_section(Declarations *k, const AstSection *section
     if (section->kind == AST_STATE_VECTOR) {
         k->list = section;
         for (size_t i = 0; i < section->decls.n; i++)
-            list_element(k, &section->decls.at[i]);
+            declare_element(k, &section->decls.at[i]);
     } else if (section->kind == AST_LOCAL)
         for (size_t i = 0; i < section->decls.n; i++)
             declare_local(k, &section->decls.at[i]);
@@ -367,6 +367,6 @@ void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, co
     for (size_t i = 0; i < sm->sections.n; i++)
         check_declaration_section(&k, sm->sections.at[i]);
     number_variables(&k);
-    give_initial_values(&k);
-    find_specials(&k);
+    compute_initial_values(&k);
+    find_g_and_s(&k);
 }

@@ -7,6 +7,7 @@
 
 #include "compiler/syntax/lex.h"
 #include "stdlib/convert.h"
+#include "stdlib/math.h"
 
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
 {
@@ -35,7 +36,7 @@ static bool check_args(Sema *s, AstExpr *const *in, uint32_t n, Expr **out)
 // ---- names ----
 
 // An initial value is computed at compile time, when only the locals declared above have a value.
-static bool allowed_in_initial(Sema *s, const Var *v, const AstExpr *e)
+static bool may_use_in_initial(Sema *s, const Var *v, const AstExpr *e)
 {
     Diag *d;
 
@@ -54,7 +55,7 @@ static bool allowed_in_initial(Sema *s, const Var *v, const AstExpr *e)
 }
 
 // A window's size is computed at compile time from the locals' initial values.
-static bool allowed_in_size(Sema *s, Var *v, const AstExpr *e)
+static bool may_use_in_size(Sema *s, Var *v, const AstExpr *e)
 {
     SizeUse use = {v, e->span};
     Diag *d;
@@ -70,12 +71,12 @@ static bool allowed_in_size(Sema *s, Var *v, const AstExpr *e)
     return !s->no_value || !s->no_value[v->index];
 }
 
-static bool allowed(Sema *s, Var *v, const AstExpr *e)
+static bool may_use(Sema *s, Var *v, const AstExpr *e)
 {
     switch (s->at) {
     case PLACE_STEP:    return true;
-    case PLACE_INITIAL: return allowed_in_initial(s, v, e);
-    case PLACE_SIZE:    return allowed_in_size(s, v, e);
+    case PLACE_INITIAL: return may_use_in_initial(s, v, e);
+    case PLACE_SIZE:    return may_use_in_size(s, v, e);
     }
     return false;
 }
@@ -92,8 +93,8 @@ static Expr *check_name(Sema *s, const AstExpr *e)
     if (!s->in_script)
         v->read = true;
     s->varies |= v->kind != VAR_LOCAL;
-    s->knows |= v != s->p->g && v != s->p->s && v != s->p->t;
-    if (scope_is_doubtful(s, e->name) || !allowed(s, v, e))
+    s->knows_a_name |= v != s->p->g && v != s->p->s && v != s->p->t;
+    if (scope_is_doubtful(s, e->name) || !may_use(s, v, e))
         return NULL;
     out = expr_new(s, EX_VAR, e->span, 0);
     out->var = v;
@@ -105,8 +106,8 @@ static Expr *check_number(Sema *s, const AstExpr *e)
     Expr *out = expr_new(s, EX_NUMBER, e->span, 0);
 
     out->number = e->number;
-    if (s->making && e->number >= 9007199254740992.0)
-        s->making->large_numbers = true;
+    if (s->building && e->number >= 9007199254740992.0)
+        s->building->large_numbers = true;
     return out;
 }
 
@@ -122,13 +123,12 @@ static bool is_relation(const AstExpr *e)
     return e->kind == AST_BINARY && class_of(e) == SM_CLASS_RELATION;
 }
 
-static void note_operator(Sema *s, SmOperator op)
+static void record_operator(Sema *s, SmOperator op)
 {
     s->operators |= 1u << op;
-    if (s->making)
-        s->making->operators |= 1u << op;
+    if (s->building)
+        s->building->operators |= 1u << op;
 }
-
 
 const char *sema_quote(Sema *s, Span span)
 {
@@ -163,7 +163,7 @@ static void warn_of_not(Sema *s, const AstExpr *whole)
     diag_note(s->diags, d, (Span){0}, DIAG_note_not_of_all, sema_quote(s, span_between(left->a->span.at, whole->span)));
 }
 
-static void look_for_not(Sema *s, const AstExpr *e)
+static void find_not(Sema *s, const AstExpr *e)
 {
     bool inside = s->spine == e;                // part of an expression that was already searched
 
@@ -175,7 +175,7 @@ static void look_for_not(Sema *s, const AstExpr *e)
 }
 
 // The nearest comparison before the right side of an `and` or `or`; NULL if there is none.
-static const AstExpr *compared_before(const AstExpr *e)
+static const AstExpr *comparison_before(const AstExpr *e)
 {
     while (e->kind == AST_BINARY && class_of(e) == SM_CLASS_LOGIC)
         e = e->b;
@@ -192,9 +192,9 @@ static bool may_be_switch(const AstExpr *number, const char *text, const AstExpr
 }
 
 // Warns of `mode == 1 or 2`.
-static void warn_of_number(Sema *s, const AstExpr *logic, const AstExpr *number)
+static void warn_of_number_as_condition(Sema *s, const AstExpr *logic, const AstExpr *number)
 {
-    const AstExpr *before = number == logic->b ? compared_before(logic->a) : NULL;
+    const AstExpr *before = number == logic->b ? comparison_before(logic->a) : NULL;
     const char *text = sema_quote(s, number->span);
     Diag *d;
 
@@ -225,10 +225,10 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
     AstExpr *operands[2] = {e->a, e->b};
 
     for (int k = 0; k < 2 && class_of(e) == SM_CLASS_LOGIC; k++)
-        warn_of_number(s, e, operands[k]);
+        warn_of_number_as_condition(s, e, operands[k]);
     if (class_of(e) == SM_CLASS_EQUALITY)
         warn_of_negated_number(s, e);
-    note_operator(s, e->op);
+    record_operator(s, e->op);
     out->op = e->op;
     return check_args(s, operands, 2, out->arg) ? out : NULL;
 }
@@ -249,7 +249,7 @@ static Expr *check_chain(Sema *s, const AstExpr *e)
         operand[i] = e->b;
         operand[0] = e->a;
         expr_ops(out)[i - 1] = e->op;
-        note_operator(s, e->op);
+        record_operator(s, e->op);
     }
     s->spine = operand[0];
     return check_args(s, operand, n, out->arg) ? out : NULL;
@@ -261,7 +261,7 @@ static Expr *check_unary(Sema *s, const AstExpr *e)
 
     if (e->op == SM_OP_PLUS)
         return check_expr(s, e->a);
-    note_operator(s, e->op);
+    record_operator(s, e->op);
     out = expr_new(s, EX_UNARY, e->span, 1);
     out->op = e->op;
     out->arg[0] = check_expr(s, e->a);
@@ -271,7 +271,7 @@ static Expr *check_unary(Sema *s, const AstExpr *e)
 // ---- calls ----
 
 // Suggests max(max(a, b), c) for max(a, b, c).
-static void nest_calls(Sema *s, Diag *d, const AstExpr *e)
+static void suggest_nested_calls(Sema *s, Diag *d, const AstExpr *e)
 {
     const AstArgs *args = e->args;
     const Span first = args->at[0]->span;
@@ -297,7 +297,7 @@ static bool label_argument_count(Sema *s, Diag *d, const AstExpr *e, SmBuiltin f
     const char *first = args->n ? sema_quote(s, args->at[0]->span) : "";
 
     if ((fn == SM_FN_min || fn == SM_FN_max) && args->n > 2)
-        nest_calls(s, d, e);
+        suggest_nested_calls(s, d, e);
     else if ((fn == SM_FN_min || fn == SM_FN_max) && args->n == 1)
         diag_label(s->diags, d, DIAG_label_write_call, e->name->text,
                    format_in(s->arena, "(a, b), or for the last n steps roll_%s(%s, n)", e->name->text, first));
@@ -367,12 +367,69 @@ static Expr *check_pure(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
 }
 
 // Whether the parser could not read an argument.  Then the real number of arguments is unknown.
-static bool is_broken(const AstExpr *e)
+static bool has_unreadable_argument(const AstExpr *e)
 {
     for (size_t i = 0; i < e->args->n; i++)
         if (e->args->at[i]->kind == AST_ERROR)
             return true;
     return false;
+}
+
+// A roll function (language.md 7): the sampled expression, and a size that is known at compile time.
+
+// The size, or 0 after a report.
+static uint32_t window_size(Sema *s, const AstExpr *n, const Expr *value, const SmBuiltinInfo *fn)
+{
+    SmF64 x = expr_constant_value(value);
+
+    if (!sm_eq(sm_trunc(x), x))
+        diag_report(s->diags, DIAG_window_size_not_whole, n->span, fn->name, const_text(s->arena, x));
+    else if (sm_lt(x, sm_from_i32(1)) || sm_lt(sm_from_u32(SM_WINDOW_MAX), x))
+        diag_report(s->diags, DIAG_window_size_range, n->span, fn->name, const_text(s->arena, x));
+    else
+        return sm_to_u32(x);
+    return 0;
+}
+
+static uint32_t check_window_size(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
+{
+    const AstExpr *n = call->args->at[1];
+    Expr *value;
+
+    s->at = PLACE_SIZE;
+    s->size_of = call->name;
+    value = check_expr(s, n);
+    s->at = PLACE_STEP;
+    return value ? window_size(s, n, value, fn) : 0;
+}
+
+static bool may_roll_here(Sema *s, const AstExpr *call)
+{
+    if (s->at == PLACE_INITIAL)
+        diag_report(s->diags, DIAG_initial_value_rolls, ast_op_span(call), s->local->name->text, call->name->text);
+    else if (s->at == PLACE_SIZE)
+        diag_report(s->diags, DIAG_window_size_rolls, ast_op_span(call), s->size_of->text, call->name->text);
+    return s->at == PLACE_STEP;
+}
+
+static Expr *check_roll(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
+{
+    Window w = {0};
+    Expr *out;
+
+    s->varies = true;
+    if (!may_roll_here(s, call))
+        return NULL;
+    out = expr_new(s, EX_ROLL, call->span, 1);
+    out->arg[0] = w.sample = check_expr(s, call->args->at[0]);     // inner windows get a lower index than this one
+    w.size = check_window_size(s, call, fn);
+    w.stat = out->stat = fn->stat;
+    w.span = call->span;
+    if (!w.sample || !w.size)
+        return NULL;
+    out->window = (uint32_t)s->windows->n;
+    vec_push(s->arena, s->windows, w);
+    return out;
 }
 
 static Expr *check_call(Sema *s, const AstExpr *e)
@@ -381,7 +438,7 @@ static Expr *check_call(Sema *s, const AstExpr *e)
 
     if (fn && e->args->n == fn->arguments)
         return fn->is_roll ? check_roll(s, e, fn) : check_pure(s, e, fn);
-    if (fn && !is_broken(e) && (e->args->n < fn->arguments || !report_decimal_comma(s, e)))
+    if (fn && !has_unreadable_argument(e) && (e->args->n < fn->arguments || !report_decimal_comma(s, e)))
         report_argument_count(s, e, fn);
     else if (!fn)
         scope_report_unknown_function(s, e->name, ast_op_span(e));
@@ -399,10 +456,23 @@ Expr *check_expr(Sema *s, const AstExpr *e)
     case AST_NAME:   return check_name(s, e);
     case AST_UNARY:  return check_unary(s, e);
     case AST_BINARY:
-        look_for_not(s, e);
+        find_not(s, e);
         return is_relation(e) && is_relation(e->a) ? check_chain(s, e) : check_binary(s, e);
     case AST_PAREN:  return check_expr(s, e->a);
     case AST_CALL:   return check_call(s, e);
     }
     return NULL;
+}
+
+// ---- after all expressions ----
+
+void check_size_uses(Sema *s)
+{
+    for (size_t i = 0; i < s->size_use.n; i++) {
+        const SizeUse *use = &s->size_use.at[i];
+        if (use->local->written) {
+            Diag *d = diag_report(s->diags, DIAG_window_size_of_variable, use->span, use->local->name->text);
+            diag_note(s->diags, d, use->local->span, DIAG_note_declared_here, use->local->name->text);
+        }
+    }
 }

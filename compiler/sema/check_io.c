@@ -14,7 +14,7 @@ typedef struct IoCheck {
     unsigned guesses;             // how many more unknown names may be compared with all known ones
 } IoCheck;
 
-static const AstAnnotation *find(const AstPin *pin, AstAnnotationKind kind)
+static const AstAnnotation *find_annotation(const AstPin *pin, AstAnnotationKind kind)
 {
     for (size_t i = 0; i < pin->annotations.n; i++)
         if (pin->annotations.at[i].kind == kind)
@@ -29,7 +29,7 @@ static const char *source_text(const CheckContext *c, Span s)
 
 // ---- the element ----
 
-static void unknown_element(IoCheck *k, const AstPin *pin)
+static void report_unknown_element(IoCheck *k, const AstPin *pin)
 {
     Diag *d;
     Guess g = guess_start(pin->element);
@@ -53,7 +53,7 @@ static const Element *check_element(IoCheck *k, const AstPin *pin, bool digital)
     Diag *d;
 
     if (!e) {
-        unknown_element(k, pin);
+        report_unknown_element(k, pin);
         return NULL;
     }
     if (e->untyped || digital == (e->type == SM_BOOL))
@@ -83,7 +83,7 @@ static void check_input(IoCheck *k, const AstPin *pin, const Element *e)
 // ---- numbers ----
 
 // Whether x is a whole number from 0 to `most`.  If so, stores it in *out.
-static bool whole(SmF64 x, uint32_t most, uint32_t *out)
+static bool to_whole_number(SmF64 x, uint32_t most, uint32_t *out)
 {
     if (!sm_le(sm_from_i32(0), x) || !sm_le(x, sm_from_u32(most)))
         return false;
@@ -99,7 +99,7 @@ static uint16_t check_number(IoCheck *k, const AstPin *pin, bool digital)
     Str key;
     Diag *d;
 
-    if (!whole(pin->number.value, UINT16_MAX, &n)) {
+    if (!to_whole_number(pin->number.value, UINT16_MAX, &n)) {
         diag_report(k->c->diags, DIAG_pin_range, pin->number.span, source_text(k->c, pin->number.span));
         return 0;
     }
@@ -119,7 +119,7 @@ static uint16_t check_number(IoCheck *k, const AstPin *pin, bool digital)
 // 9.8
 static void check_scale(IoCheck *k, const AstPin *pin, Pin *out)
 {
-    const AstAnnotation *scale = find(pin, AST_SCALE), *offset = find(pin, AST_OFFSET);
+    const AstAnnotation *scale = find_annotation(pin, AST_SCALE), *offset = find_annotation(pin, AST_OFFSET);
 
     out->scale = scale ? scale->lo.value : sm_from_i32(1);
     out->offset = offset ? offset->lo.value : sm_from_i32(0);
@@ -130,7 +130,7 @@ static void check_scale(IoCheck *k, const AstPin *pin, Pin *out)
 // 9.9
 static void check_safe(IoCheck *k, const AstPin *pin, Pin *out)
 {
-    const AstAnnotation *safe = find(pin, AST_SAFE_VALUE);
+    const AstAnnotation *safe = find_annotation(pin, AST_SAFE_VALUE);
     const char *edit;
     Diag *d;
 
@@ -149,21 +149,21 @@ static void check_safe(IoCheck *k, const AstPin *pin, Pin *out)
 // 9.11
 static void check_hold(IoCheck *k, const AstPin *pin, Pin *out)
 {
-    const AstAnnotation *hold = find(pin, AST_HOLD);
+    const AstAnnotation *hold = find_annotation(pin, AST_HOLD);
     uint32_t n = 0;
 
-    if (hold && !whole(hold->lo.value, UINT8_MAX, &n))
+    if (hold && !to_whole_number(hold->lo.value, UINT8_MAX, &n))
         diag_report(k->c->diags, DIAG_hold_value, hold->lo.span, source_text(k->c, hold->lo.span));
     out->hold = (uint8_t)n;
 }
 
 // 9.10
-static void check_level(IoCheck *k, const AstPin *pin, Pin *out)
+static void check_level_and_pulls(IoCheck *k, const AstPin *pin, Pin *out)
 {
-    const AstAnnotation *up = find(pin, AST_PULL_UP), *down = find(pin, AST_PULL_DOWN);
+    const AstAnnotation *up = find_annotation(pin, AST_PULL_UP), *down = find_annotation(pin, AST_PULL_DOWN);
     Diag *d;
 
-    out->inverted = find(pin, AST_INVERTED) != NULL;
+    out->inverted = find_annotation(pin, AST_INVERTED) != NULL;
     out->pull_up = up != NULL;
     out->pull_down = down != NULL;
     if (!up || !down)
@@ -173,7 +173,7 @@ static void check_level(IoCheck *k, const AstPin *pin, Pin *out)
 }
 
 // Only the check of machines shows whether an @allow here is needed, so none is reported as unused.
-static void note_allows(IoCheck *k, const AstPin *pin)
+static void register_allows(IoCheck *k, const AstPin *pin)
 {
     Span covers = pin->element_span;
 
@@ -188,7 +188,7 @@ static void note_allows(IoCheck *k, const AstPin *pin)
 
 // ---- the file ----
 
-static PinKind kind_of(const AstPin *pin, bool digital)
+static PinKind pin_kind(const AstPin *pin, bool digital)
 {
     if (digital)
         return pin->output ? PIN_DIGITAL_OUT : PIN_DIGITAL_IN;
@@ -197,7 +197,7 @@ static PinKind kind_of(const AstPin *pin, bool digital)
 
 static void check_pin(IoCheck *k, const AstPin *pin, bool digital)
 {
-    Pin p = {kind_of(pin, digital), 0, NULL, false, false, false, 0, sm_from_i32(1), sm_from_i32(0), sm_from_i32(0), pin->element_span};
+    Pin p = {pin_kind(pin, digital), 0, NULL, false, false, false, 0, sm_from_i32(1), sm_from_i32(0), sm_from_i32(0), pin->element_span};
 
     p.number = check_number(k, pin, digital);
     p.element = check_element(k, pin, digital);
@@ -206,8 +206,8 @@ static void check_pin(IoCheck *k, const AstPin *pin, bool digital)
     check_scale(k, pin, &p);
     check_safe(k, pin, &p);
     check_hold(k, pin, &p);
-    check_level(k, pin, &p);
-    note_allows(k, pin);
+    check_level_and_pulls(k, pin, &p);
+    register_allows(k, pin);
     vec_push(k->c->arena, &k->io->pin, p);
 }
 
@@ -230,7 +230,7 @@ IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
     k.io->name = sema_stem(c->strings, f->src);
     k.io->src = f->src;
     k.io->sv = sv;
-    if (f->sections.n == 0 && !lost_names(c, f)->any)
+    if (f->sections.n == 0 && !find_hidden_names(c, f)->any)
         diag_report(c->diags, DIAG_no_pins, (Span){f->src, 0, 0});
     for (size_t i = 0; i < f->sections.n; i++)
         for (size_t j = 0; j < f->sections.at[i]->pins.n; j++)

@@ -100,9 +100,9 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     Program *p = new_program(c, sm);
     Sema s;
 
-    sema_init(&s, c, lost_names(c, sm), p, &p->window);
+    sema_init(&s, c, find_hidden_names(c, sm), p, &p->window);
     s.sv = sv;
-    s.making = p;
+    s.building = p;
     p->sv = sv ? sv : own_state_vector(c, p);
     add_states(&s, p, sm);
     check_declarations(&s, p, sm, p->sv, written_outside);
@@ -112,6 +112,6 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     if (c->diags->met > errors)
         return NULL;
     if (!sv)
-        layout_state_vector(p->sv, c->arena);
+        layout_state_vector(p->sv);
     return p;
 }

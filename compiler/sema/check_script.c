@@ -121,13 +121,13 @@ static void check_section_twice(ScriptCheck *k, const AstSection *in)
     map_put(&k->section, in->name, first);
 }
 
-static bool is_all(const char *name)
+static bool means_all_states(const char *name)
 {
     return strcmp(name, "all") == 0 || strcmp(name, "any") == 0 || strcmp(name, "every") == 0 || strcmp(name, "always") == 0;
 }
 
 // [All_States], [option]: not a state, but similar to a section that every script may have.
-static bool is_misspelt(ScriptCheck *k, const AstSection *in)
+static bool report_misspelt_section(ScriptCheck *k, const AstSection *in)
 {
     Guess g = guess_start(in->name);
     Diag *d;
@@ -136,7 +136,7 @@ static bool is_misspelt(ScriptCheck *k, const AstSection *in)
         return false;
     guess_try(&g, str_c(k->s.strings, "all_states"));
     guess_try(&g, str_c(k->s.strings, "options"));
-    if (is_all(in->name->text))
+    if (means_all_states(in->name->text))
         g.best = str_c(k->s.strings, "all_states");
     if (!g.best)
         return false;
@@ -150,7 +150,7 @@ static void check_section(ScriptCheck *k, const AstSection *in)
     ScriptSection section;
 
     memset(&section, 0, sizeof section);
-    if (!in->all_states && in->name->len > 0 && !is_misspelt(k, in)) {
+    if (!in->all_states && in->name->len > 0 && !report_misspelt_section(k, in)) {
         section.state = scope_find_state(&k->s, in->name, in->name_span);
         check_section_twice(k, in);
     }
@@ -171,7 +171,7 @@ static void check_any_section(ScriptCheck *k, const AstSection *in)
 
 // ---- moments ----
 
-static bool is_moment(const ScriptCheck *k, SmF64 x)
+static bool is_reached_time(const ScriptCheck *k, SmF64 x)
 {
     const SmF64 limit = sm_from_u64(0x20000000000000u);          // 2^53: above it some whole numbers are not an F64
 
@@ -180,35 +180,35 @@ static bool is_moment(const ScriptCheck *k, SmF64 x)
     return !sm_lt(x, limit) || sm_to_u64(x) % k->script->delta_t == 0;
 }
 
-static const char *source_of(const ScriptCheck *k, Span span)
+static const char *source_text(const ScriptCheck *k, Span span)
 {
     return format_in(k->s.arena, "%.*s", (int)span.len, span.src->text + span.at);
 }
 
 // Warns of G == 15, where G is 0, 10, 20.  Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
-static void warn_of_moments(ScriptCheck *k, const Expr *e)
+static void warn_of_missed_times(ScriptCheck *k, const Expr *e)
 {
     const bool logic = e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR);
 
     for (uint32_t i = 0; logic && i < 2; i++)
-        warn_of_moments(k, e->arg[i]);
+        warn_of_missed_times(k, e->arg[i]);
     for (uint32_t i = 0; e->kind == EX_BINARY && e->op == SM_OP_EQ && i < 2; i++) {
         const Expr *time = e->arg[i], *at = e->arg[1 - i];
         if (time->kind == EX_VAR && (time->var == k->s.p->g || time->var == k->s.p->t) && expr_is_constant(at) &&
-            !is_moment(k, const_eval(at)))
+            !is_reached_time(k, expr_constant_value(at)))
             diag_report(k->s.diags, DIAG_moment_missed, e->span, time->var == k->s.p->g ? "G" : "T",
-                        const_text(k->s.arena, const_eval(at)), source_of(k, k->script->delta_t_span));
+                        const_text(k->s.arena, expr_constant_value(at)), source_text(k, k->script->delta_t_span));
     }
 }
 
 // If the body has only asserts, the unchecked asserts are reported after the run instead.
-static void check_moments(ScriptCheck *k)
+static void check_guard_times(ScriptCheck *k)
 {
     for (size_t i = 0; k->script->delta_t > 0 && i < k->script->section.n; i++)
         for (size_t n = 0; n < k->script->section.at[i].item.n; n++) {
             const ScriptItem *item = &k->script->section.at[i].item.at[n];
             if (item->guard && item->asserts.n == 0)
-                warn_of_moments(k, item->guard);
+                warn_of_missed_times(k, item->guard);
         }
 }
 
@@ -221,7 +221,7 @@ static void init_check(ScriptCheck *k, CheckContext *c, const AstFile *ss, const
     k->script->src = ss->src;
     k->script->program = program;
     k->script->init_state = program->state.at[0];
-    sema_init(&k->s, c, lost_names(c, ss), program, &k->script->window);
+    sema_init(&k->s, c, find_hidden_names(c, ss), program, &k->script->window);
     k->s.in_script = true;
     k->delta_t = str_c(c->strings, "delta_t");
     k->init_state = str_c(c->strings, "init_state");
@@ -241,10 +241,10 @@ Script *check_script(CheckContext *c, const AstFile *ss, const Program *program)
         diag_report(c->diags, DIAG_no_delta_t, start);
     if (!k.has_stop && !k.s.lost->any)
         diag_report(c->diags, DIAG_no_stop, start);
-    if (k.s.unknown && !k.s.knows && k.s.unknown_name.n + k.s.unknown_state.n > 1)
+    if (k.s.unknown && !k.s.knows_a_name && k.s.unknown_name.n + k.s.unknown_state.n > 1)
         diag_note(c->diags, k.s.unknown, (Span){0}, DIAG_note_other_machine, program->src->name);
     if (c->diags->met == errors && !k.s.lost->any)
-        check_moments(&k);
+        check_guard_times(&k);
     return c->diags->met > errors ? NULL : k.script;
 }
 

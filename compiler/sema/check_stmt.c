@@ -55,7 +55,7 @@ static bool may_write(Sema *s, const Var *v, Str name, Span span)
 }
 
 // The state that `S = Vent` or `S = 2` refers to; NULL if there is none.
-static const State *state_meant(const Sema *s, const AstExpr *e)
+static const State *state_named_by(const Sema *s, const AstExpr *e)
 {
     if (e->kind == AST_NUMBER && sm_le(sm_from_i32(1), e->number) && sm_le(e->number, sm_from_u32((uint32_t)s->p->state.n)))
         return s->p->state.at[sm_cut_u32(e->number) - 1];
@@ -66,7 +66,7 @@ static const State *state_meant(const Sema *s, const AstExpr *e)
 static bool assigns_state(Sema *s, const Var *v, const AstStmt *in)
 {
     const bool may_mean = !s->in_script && (v ? v == s->p->s : in->value->kind == AST_NAME && !scope_find(s, in->value->name));
-    const State *to = may_mean ? state_meant(s, in->value) : NULL;
+    const State *to = may_mean ? state_named_by(s, in->value) : NULL;
     Diag *d;
 
     if (!to)
@@ -82,7 +82,7 @@ static bool assigns_state(Sema *s, const Var *v, const AstStmt *in)
 // 2.14, 8: x = 0/0 in a script is meant to simulate a broken sensor, but stores 0. (An analysis reports it in machines.)
 static void warn_of_nan(Sema *s, const Var *v, const Expr *value)
 {
-    if (expr_is_constant(value) && sm_is_nan(const_eval(value)))
+    if (expr_is_constant(value) && sm_is_nan(expr_constant_value(value)))
         diag_report(s->diags, DIAG_stores_nan, value->span, v->name->text);
 }
 
@@ -90,9 +90,9 @@ static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
 {
     Diag *d;
 
-    if (!s->in_script || v->kind != VAR_LOCAL || !v->read_only || map_find(&s->said, in->name))
+    if (!s->in_script || v->kind != VAR_LOCAL || !v->read_only || map_find(&s->remarked, in->name))
         return;
-    map_put(&s->said, in->name, (void *)in->name);
+    map_put(&s->remarked, in->name, (void *)in->name);
     d = diag_report(s->diags, DIAG_script_writes_constant, in->name_span, in->name->text);
     scope_note_declared(s, d, in->name);
     diag_about(s->diags, d, DIAG_CONSTANT, v->span);
@@ -114,7 +114,7 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
         warn_of_read_only_local(s, v, in);
     if (v && !s->in_script)
         v->written = true;
-    s->knows |= v != NULL;
+    s->knows_a_name |= v != NULL;
     out->var = v;
     check_value(s, in, out);
     if (good && s->in_script && out->value)
@@ -138,7 +138,7 @@ static Stmt *check_transition(Sema *s, const AstStmt *in)
 
 // ---- conditionals ----
 
-static void warn_of_empty(Sema *s, const AstStmt *in)
+static void warn_of_empty_braces(Sema *s, const AstStmt *in)
 {
     if (in->arms->braces && in->arms->then.n == 0)
         diag_report(s->diags, DIAG_empty_braces, in->arms->body_span);
@@ -151,7 +151,7 @@ static Stmt *check_if(Sema *s, const AstStmt *in)
     Stmt *out = stmt_new(s, ST_IF, in);
     size_t met = s->diags->met;
 
-    warn_of_empty(s, in);
+    warn_of_empty_braces(s, in);
     check_value(s, in, out);
     if (in->value->alone && s->diags->met == met)
         diag_label(s->diags, diag_report(s->diags, DIAG_no_effect, in->value->span), DIAG_label_statements);
@@ -174,7 +174,7 @@ static Stmt *check_stmt(Sema *s, const AstStmt *in)
 // ---- lists ----
 
 // Then the checker does not know which statements belong together.
-static bool braces_are_lost(const Diags *diags)
+static bool are_braces_unbalanced(const Diags *diags)
 {
     for (size_t i = 0; i < diags->list.n; i++)
         if (diags->list.at[i]->code == DIAG_brace_unclosed || diags->list.at[i]->code == DIAG_stray_brace)
@@ -182,11 +182,11 @@ static bool braces_are_lost(const Diags *diags)
     return false;
 }
 
-static void warn_of_the_rest(Sema *s, const AstStmt *transition, const AstStmt *next)
+static void warn_of_unreachable_statement(Sema *s, const AstStmt *transition, const AstStmt *next)
 {
     Diag *d;
 
-    if (braces_are_lost(s->diags))
+    if (are_braces_unbalanced(s->diags))
         return;
     d = diag_report(s->diags, DIAG_after_transition, next->span);
     diag_note(s->diags, d, transition->span, DIAG_note_transition_here);
@@ -195,14 +195,14 @@ static void warn_of_the_rest(Sema *s, const AstStmt *transition, const AstStmt *
 // Applies the @allow annotations directly before statement i.
 static void check_allows(Sema *s, const AstStmts *in, size_t i)
 {
-    for (size_t k = i; s->making && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )
+    for (size_t k = i; s->building && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )
         allow_stmt(s, in->at[k]->allow, in->at[i]);
 }
 
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
 {
     const AstStmt *before = NULL;
-    bool told = false;
+    bool is_warned = false;
 
     for (size_t i = 0; i < in->n; i++) {
         Stmt *stmt;
@@ -211,9 +211,9 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
         if ((stmt = check_stmt(s, in->at[i])) != NULL)
             vec_push(s->arena, out, stmt);
         check_allows(s, in, i);
-        if (before && before->kind == AST_TRANSITION && !before->flawed && !told) {
-            warn_of_the_rest(s, before, in->at[i]);
-            told = true;
+        if (before && before->kind == AST_TRANSITION && !before->flawed && !is_warned) {
+            warn_of_unreachable_statement(s, before, in->at[i]);
+            is_warned = true;
         }
         before = in->at[i];
     }

@@ -76,7 +76,7 @@ static void check_section(SvCheck *k, const AstSection *section, bool names_lost
 StateVec *check_state_vector(CheckContext *c, const AstFile *f)
 {
     size_t errors = c->diags->met;
-    bool names_lost = lost_names(c, f)->names;
+    bool names_lost = find_hidden_names(c, f)->names;
     SvCheck k = {c, ARENA_NEW(c->arena, StateVec), str_c(c->strings, "lock"), {c->arena, NULL, NULL, 0, 0}};
 
     k.sv->name = sema_stem(c->strings, f->src);
@@ -87,6 +87,6 @@ StateVec *check_state_vector(CheckContext *c, const AstFile *f)
         diag_report(c->diags, DIAG_no_region, (Span){f->src, 0, 0});
     if (c->diags->met > errors)
         return NULL;
-    layout_state_vector(k.sv, c->arena);
+    layout_state_vector(k.sv);
     return k.sv;
 }

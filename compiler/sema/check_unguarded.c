@@ -18,7 +18,7 @@ static uint32_t line_of(Span span) { return source_position(span.src, span.at).l
 static uint32_t column_of(Span span) { return source_position(span.src, span.at).col; }
 
 // The last statement of a conditional, if it ends without braces; NULL if it ends with braces.
-static const AstStmt *last_on_line(const AstStmt *s)
+static const AstStmt *last_unbraced(const AstStmt *s)
 {
     while (s && s->kind == AST_IF) {
         const AstStmts *body = s->arms->has_else ? &s->arms->otherwise : &s->arms->then;
@@ -39,17 +39,17 @@ static bool ends_with_else(const AstStmt *s)
     return false;
 }
 
-static bool assigns(const AstStmts *list, Str name, const AstStmt *but);
+static bool list_assigns(const AstStmts *list, Str name, const AstStmt *but);
 
 static bool stmt_assigns(const AstStmt *s, Str name, const AstStmt *but)
 {
     if (s->kind == AST_ASSIGN)
         return s != but && s->name == name;
-    return s->kind == AST_IF && (assigns(&s->arms->then, name, but) || assigns(&s->arms->otherwise, name, but));
+    return s->kind == AST_IF && (list_assigns(&s->arms->then, name, but) || list_assigns(&s->arms->otherwise, name, but));
 }
 
 // Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
-static bool assigns(const AstStmts *list, Str name, const AstStmt *but)
+static bool list_assigns(const AstStmts *list, Str name, const AstStmt *but)
 {
     for (size_t i = 0; i < list->n; i++)
         if (stmt_assigns(list->at[i], name, but))
@@ -57,7 +57,7 @@ static bool assigns(const AstStmts *list, Str name, const AstStmt *but)
     return false;
 }
 
-static bool is_meant(const AstStmts *in, const AstStmt *above, const AstStmt *last, const AstStmt *transition)
+static bool is_intended(const AstStmts *in, const AstStmt *above, const AstStmt *last, const AstStmt *transition)
 {
     if (column_of(transition->span) > column_of(above->span))
         return false;
@@ -77,7 +77,7 @@ static const AstStmt *statement_above(const AstStmts *in, size_t i)
     return i > 0 ? in->at[i - 1] : NULL;
 }
 
-static void ask(Sema *s, const AstStmt *above, const AstStmt *transition)
+static void warn_of_unguarded(Sema *s, const AstStmt *above, const AstStmt *transition)
 {
     const char *guard = sema_quote(s, above->value->span), *state = transition->name->text;
     Diag *d = diag_report(s->diags, DIAG_unguarded_abort, transition->span, state);
@@ -87,7 +87,7 @@ static void ask(Sema *s, const AstStmt *above, const AstStmt *transition)
     diag_note(s->diags, d, (Span){0}, DIAG_note_in_every_case, state);
 }
 
-static bool passes_on(const State *state, const AstSection *section)
+static bool is_passed_through(const State *state, const AstSection *section)
 {
     return state->is_abort || !section->block[AST_STEP].present;
 }
@@ -96,13 +96,13 @@ void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *sect
 {
     const AstStmts *in = &section->block[label].stmts;
 
-    if (label == AST_EXIT || passes_on(state, section))
+    if (label == AST_EXIT || is_passed_through(state, section))
         return;
     for (size_t i = 0; i < in->n; i++) {
-        const AstStmt *above = statement_above(in, i), *transition = in->at[i], *last = last_on_line(above);
+        const AstStmt *above = statement_above(in, i), *transition = in->at[i], *last = last_unbraced(above);
         const State *to = transition->kind == AST_TRANSITION ? map_find(&s->p->state_by_name, transition->name) : NULL;
         if (to && to->is_abort && last && last != above && last->kind == AST_ASSIGN && !above->flawed && !transition->flawed &&
-            line_of(transition->span) == line_of(last->span) + 1 && !is_meant(in, above, last, transition))
-            ask(s, above, transition);
+            line_of(transition->span) == line_of(last->span) + 1 && !is_intended(in, above, last, transition))
+            warn_of_unguarded(s, above, transition);
     }
 }

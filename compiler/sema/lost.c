@@ -34,7 +34,7 @@ static const AstDecl *decl_at(const AstSection *section, uint32_t at)
 }
 
 // An error after a name, on the same line, hides no name.  After an @ it may hide an alias.
-static bool keeps_names(const AstSection *section, Span error)
+static bool hides_no_name(const AstSection *section, Span error)
 {
     const AstDecl *decl = decl_at(section, error.at);
     const char *c, *end = error.src->text + error.at;
@@ -52,7 +52,7 @@ static bool may_hide(const AstSection *section, Span error)
 {
     switch (section->kind) {
     case AST_STATE_VECTOR: case AST_LOCAL: case AST_REGION:
-        return error.at >= section->header.at + section->header.len && !keeps_names(section, error);
+        return error.at >= section->header.at + section->header.len && !hides_no_name(section, error);
     case AST_STATE: case AST_SCRIPT_STATE: case AST_OPTIONS: case AST_PINS: case AST_IGNORED:
         return false;
     }
@@ -66,7 +66,7 @@ static bool is_word(char c)
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-static void lose_words(Lost *l, StrPool *strings, const Source *src, uint32_t from, uint32_t to)
+static void add_words(HiddenNames *l, StrPool *strings, const Source *src, uint32_t from, uint32_t to)
 {
     for (uint32_t at = from; at < to; at++) {
         uint32_t start = at;
@@ -81,24 +81,24 @@ static void lose_words(Lost *l, StrPool *strings, const Source *src, uint32_t fr
 
 // ---- all errors of a file ----
 
-typedef struct Losing {
-    Lost *l;
+typedef struct HiddenWords {
+    HiddenNames *l;
     StrPool *strings;
     const AstFile *f;
     uint32_t done;                // words before this position are already added
-} Losing;
+} HiddenWords;
 
-static void lose(Losing *k, uint32_t from, uint32_t to)
+static void hide_range(HiddenWords *k, uint32_t from, uint32_t to)
 {
     k->l->names = true;
     if (from < k->done)
         from = k->done;
-    lose_words(k->l, k->strings, k->f->src, from, to);
+    add_words(k->l, k->strings, k->f->src, from, to);
     if (to > k->done)
         k->done = to;
 }
 
-static void lose_line(Losing *k, uint32_t at)
+static void hide_line(HiddenWords *k, uint32_t at)
 {
     const char *text = k->f->src->text;
     uint32_t from = at, to = at;
@@ -107,11 +107,11 @@ static void lose_line(Losing *k, uint32_t at)
         from--;
     while (to < k->f->src->len && text[to] != '\n')
         to++;
-    lose(k, from, to);
+    hide_range(k, from, to);
 }
 
 // A section that is parsed as a state, but has no block, may have been intended for declarations.
-static bool is_no_state(const AstSection *section)
+static bool lacks_blocks(const AstSection *section)
 {
     bool blocks = section->kind != AST_STATE;
 
@@ -120,7 +120,7 @@ static bool is_no_state(const AstSection *section)
     return !blocks;
 }
 
-static void look_at_error(Losing *k, const Diag *d)
+static void hide_after_error(HiddenWords *k, const Diag *d)
 {
     const Span error = d->span;
     size_t n = sections_up_to(k->f, error.at);
@@ -129,24 +129,24 @@ static void look_at_error(Losing *k, const Diag *d)
 
     if (!section || section->name->len == 0) {          // its header is missing or unreadable
         k->l->sections = true;
-        lose(k, error.at, end);
-    } else if (d->code == DIAG_code_before_label && is_no_state(section)) {
-        lose(k, error.at, end);
+        hide_range(k, error.at, end);
+    } else if (d->code == DIAG_code_before_label && lacks_blocks(section)) {
+        hide_range(k, error.at, end);
     } else if (may_hide(section, error))
-        lose_line(k, error.at);
+        hide_line(k, error.at);
 }
 
-Lost *lost_names(const CheckContext *c, const AstFile *f)
+HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f)
 {
-    Lost *l = ARENA_NEW(c->arena, Lost);
-    Losing k = {l, c->strings, f, 0};
+    HiddenNames *l = ARENA_NEW(c->arena, HiddenNames);
+    HiddenWords k = {l, c->strings, f, 0};
 
     l->word.arena = c->arena;
     for (size_t i = 0; i < c->diags->list.n; i++) {
         const Diag *e = c->diags->list.at[i];
         if (e->severity == DIAG_ERROR && e->span.src == f->src) {
             l->any = true;
-            look_at_error(&k, e);
+            hide_after_error(&k, e);
         }
     }
     return l;

@@ -39,7 +39,7 @@ typedef struct Element {
     bool command;             // @command: operated by a person
     uint32_t first_allow, allows;     // StateVec.allow: the @allow annotations of its declaration
     uint32_t index;           // index in StateVec.element
-    uint32_t offset;          // bytes from the start of the state vector in memory (layout.c)
+    uint32_t offset;          // bytes from the start of the state vector in memory (vector_layout.c)
     Region *region;
     Span span;                // its name in the declaration
 } Element;
@@ -217,7 +217,7 @@ void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context);
 // Whether the value of e never changes: it contains only numbers, constant locals, operators and pure functions.
 bool expr_is_constant(const Expr *e);
 // The value of a constant expression.  A local that is not constant counts with its initial value.
-SmF64 const_eval(const Expr *e);
+SmF64 expr_constant_value(const Expr *e);
 // The value of any expression, given the values of variables (by Var.index).  Every window is assumed to be filled with its
 // current sample.
 SmF64 expr_eval(const Expr *e, const SmF64 *value);

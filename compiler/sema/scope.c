@@ -9,7 +9,7 @@ static char lower(char c)
     return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
 }
 
-static bool same_but_for_case(const char *a, const char *b)
+static bool is_same_but_for_case(const char *a, const char *b)
 {
     for (; *a && *b; a++, b++)
         if (lower(*a) != lower(*b))
@@ -30,7 +30,7 @@ void guess_try(Guess *g, Str candidate)
 {
     size_t distance = str_distance(g->wanted->text, candidate->text, g->limit);
 
-    if (distance > 0 && same_but_for_case(g->wanted->text, candidate->text))
+    if (distance > 0 && is_same_but_for_case(g->wanted->text, candidate->text))
         distance = g->limit > 1 ? 1 : 0;
     if (distance >= g->limit)
         return;
@@ -45,7 +45,7 @@ void guess_label(Diags *diags, Diag *d, const Guess *g)
 }
 
 // Each comparison with all known names is expensive.  The limit keeps the cost of hostile input from growing quadratically.
-static bool may_guess(Sema *s)
+static bool may_compare_names(Sema *s)
 {
     if (s->guesses == 0)
         return false;
@@ -54,7 +54,7 @@ static bool may_guess(Sema *s)
 }
 
 // Returns true the first time, false for a name that is already in the map.
-static bool first_report(Map *reported, Str name)
+static bool is_first_report(Map *reported, Str name)
 {
     if (map_find(reported, name))
         return false;
@@ -76,7 +76,7 @@ bool scope_is_doubtful(const Sema *s, Str name)
 
 void scope_note_declared(Sema *s, Diag *d, Str name)
 {
-    const Span *span = map_find(&s->place, name);
+    const Span *span = map_find(&s->declared_at, name);
     const Var *v = scope_find(s, name);
 
     if (span)
@@ -90,28 +90,28 @@ static const char nan_text[] = "what is stored is never NaN: a sensor's NaN is r
 static const char pi_text[] = "declare it in [local]: F64 pi = 3.141592653589793 @read_only";
 
 // True, TRUE, on, off, ELSE: keywords of this language in another language's spelling.
-static bool guess_word(Sema *s, Diag *d, Str name)
+static bool suggest_word(Sema *s, Diag *d, Str name)
 {
     static const char *const words[][2] = {{"true", "true"}, {"false", "false"}, {"yes", "true"}, {"no", "false"},
                                            {"on", "true"}, {"off", "false"}, {"else", "else"}, {"otherwise", "else"}};
 
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (same_but_for_case(name->text, words[i][0])) {
+        if (is_same_but_for_case(name->text, words[i][0])) {
             diag_label(s->diags, d, DIAG_label_did_you_mean, words[i][1]);
             if (i < 2)
                 diag_edit(s->diags, d, d->span, words[i][1]);
             return true;
         }
-    if (same_but_for_case(name->text, "nan"))
+    if (is_same_but_for_case(name->text, "nan"))
         diag_label(s->diags, d, DIAG_label_text, nan_text);
-    else if (same_but_for_case(name->text, "pi"))
+    else if (is_same_but_for_case(name->text, "pi"))
         diag_label(s->diags, d, DIAG_label_text, pi_text);
     else
         return false;
     return true;
 }
 
-static void guess_variable(Sema *s, Diag *d, Str name)
+static void suggest_variable(Sema *s, Diag *d, Str name)
 {
     Guess g = guess_start(name);
 
@@ -125,13 +125,13 @@ static void guess_variable(Sema *s, Diag *d, Str name)
         scope_note_declared(s, d, g.best);
 }
 
-static void report_unlisted(Sema *s, Diag *d, const Element *e)
+static void label_unlisted(Sema *s, Diag *d, const Element *e)
 {
     diag_label(s->diags, d, DIAG_label_list_it, sm_type_info[e->type].spelling, e->name->text);
     diag_note(s->diags, d, e->span, DIAG_note_declared_here, e->name->text);
 }
 
-static void note_unknown(Sema *s, Diag *d)
+static void record_unknown(Sema *s, Diag *d)
 {
     if (!s->unknown)
         s->unknown = d;
@@ -144,7 +144,7 @@ static void label_state(Sema *s, Diag *d, const State *state)
 }
 
 // Letters of other alphabets in a name: already reported.
-static bool is_foreign(Str name)
+static bool has_foreign_letter(Str name)
 {
     for (size_t i = 0; i < name->len; i++)
         if (name->text[i] & 0x80)
@@ -158,20 +158,20 @@ void scope_report_unknown(Sema *s, Str name, Span span)
     const SmBuiltinInfo *fn = scope_find_function(s, name);
     Diag *d;
 
-    if (s->no_elements || map_find(&s->lost->word, name) || is_foreign(name) || !first_report(&s->unknown_name, name))
+    if (s->no_elements || map_find(&s->lost->word, name) || has_foreign_letter(name) || !is_first_report(&s->unknown_name, name))
         return;
     if (fn && !unlisted) {
         diag_report(s->diags, DIAG_function_without_call, span, name->text, name->text, function_usage(fn));
         return;
     }
     d = diag_report(s->diags, DIAG_unknown_element, span, name->text);
-    note_unknown(s, d);
+    record_unknown(s, d);
     if (unlisted)
-        report_unlisted(s, d, unlisted);
+        label_unlisted(s, d, unlisted);
     else if (map_find(&s->p->state_by_name, name))
         label_state(s, d, map_find(&s->p->state_by_name, name));
-    else if (!guess_word(s, d, name) && may_guess(s))
-        guess_variable(s, d, name);
+    else if (!suggest_word(s, d, name) && may_compare_names(s))
+        suggest_variable(s, d, name);
 }
 
 // ---- states ----
@@ -182,12 +182,12 @@ State *scope_find_state(Sema *s, Str name, Span span)
     Guess g = guess_start(name);
     Diag *d;
 
-    s->knows |= state != NULL;
-    if (state || map_find(&s->lost->word, name) || !first_report(&s->unknown_state, name))
+    s->knows_a_name |= state != NULL;
+    if (state || map_find(&s->lost->word, name) || !is_first_report(&s->unknown_state, name))
         return state;
     d = diag_report(s->diags, DIAG_unknown_state, span, name->text);
-    note_unknown(s, d);
-    if (!may_guess(s))
+    record_unknown(s, d);
+    if (!may_compare_names(s))
         return NULL;
     for (size_t i = 0; i < s->p->state.n; i++)
         guess_try(&g, s->p->state.at[i]->name);
@@ -233,7 +233,7 @@ static const struct { const char *name, *advice; } foreign_functions[] = {
 static const char *foreign_advice(Str name)
 {
     for (size_t i = 0; i < sizeof foreign_functions / sizeof *foreign_functions; i++)
-        if (same_but_for_case(name->text, foreign_functions[i].name))
+        if (is_same_but_for_case(name->text, foreign_functions[i].name))
             return foreign_functions[i].advice;
     return NULL;
 }
@@ -256,7 +256,7 @@ void scope_report_unknown_function(Sema *s, Str name, Span span)
     const char *advice;
     Diag *d;
 
-    if (!first_report(&s->unknown_function, name))
+    if (!is_first_report(&s->unknown_function, name))
         return;
     if (scope_find(s, name)) {
         d = diag_report(s->diags, DIAG_not_a_function, span, name->text);

@@ -10,7 +10,7 @@ static void add_functions(Sema *s)
         map_put(&s->functions, str_c(s->strings, sm_builtin_info[i].name), (void *)&sm_builtin_info[i]);
 }
 
-void sema_init(Sema *s, const CheckContext *c, const Lost *lost, const Program *p, Windows *windows)
+void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Program *p, Windows *windows)
 {
     enum { GUESSES = 30 };        // more than the reports that are shown
 
@@ -24,7 +24,7 @@ void sema_init(Sema *s, const CheckContext *c, const Lost *lost, const Program *
     s->guesses = GUESSES;
     s->functions.arena = s->arena;
     s->unknown_name.arena = s->unknown_state.arena = s->unknown_function.arena = s->arena;
-    s->said.arena = s->doubtful.arena = s->place.arena = s->arena;
+    s->remarked.arena = s->doubtful.arena = s->declared_at.arena = s->arena;
     add_functions(s);
 }
 

@@ -16,14 +16,14 @@ typedef enum ExprPlace {
 typedef struct SizeUse { Var *local; Span span; } SizeUse;
 
 // What the parser's errors may have hidden in a file (lost.c).
-typedef struct Lost {
+typedef struct HiddenNames {
     bool any;                 // there were errors
     bool names;               // some errors may have hidden declarations
     bool sections;            // some errors may have hidden whole sections
     Map word;                 // the words that the hidden parts may have declared
-} Lost;
+} HiddenNames;
 
-Lost *lost_names(const CheckContext *c, const AstFile *f);
+HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f);
 
 // One machine or script being checked.
 typedef struct Sema {
@@ -35,14 +35,14 @@ typedef struct Sema {
     Windows *windows;         // destination of roll calls: the machine's list or the script's
     bool in_script;
     Diag *unknown;            // in a script: the first report of a name that the machine does not have
-    bool knows;               // in a script: at least one name in it, other than G, S and T, exists in the machine
-    const Lost *lost;
+    bool knows_a_name;        // in a script: at least one name in it, other than G, S and T, exists in the machine
+    const HiddenNames *lost;
     Map functions;            // name to SmBuiltinInfo
     Map unknown_name, unknown_state, unknown_function;   // already reported (name to itself)
     bool functions_noted;         // the list of functions has been shown
-    Map said;                 // names that already have a remark, which is made only once
+    Map remarked;             // names that already have a remark, which is made only once
     Map doubtful;             // names declared twice: they cause no further reports
-    Map place;                // name or alias to the Span of its declaration
+    Map declared_at;          // name or alias to the Span of its declaration
     unsigned guesses;         // how many more unknown names may be compared with all known ones
 
     ExprPlace at;
@@ -56,10 +56,10 @@ typedef struct Sema {
     uint32_t stmts;           // the number of statements so far
     uint32_t operators;       // of the current value, as in Stmt
     bool varies;
-    Program *making;          // the machine being built; NULL for a script
+    Program *building;        // the machine being built; NULL for a script
 } Sema;
 
-void sema_init(Sema *s, const CheckContext *c, const Lost *lost, const Program *p, Windows *windows);
+void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Program *p, Windows *windows);
 // The file's name without folders and extension.
 Str sema_stem(StrPool *strings, const Source *src);
 
@@ -92,7 +92,6 @@ void guess_label(Diags *diags, Diag *d, const Guess *g);   // "did you mean …?
 void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside);
 // Each returns NULL after an error, which it has reported.
 Expr *check_expr(Sema *s, const AstExpr *e);
-Expr *check_roll(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
 Stmt *check_assignment(Sema *s, const AstStmt *in);
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
 void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label);   // check_unguarded.c

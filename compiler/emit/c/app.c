@@ -321,12 +321,12 @@ static void put_rates(const Emitter *e)
 
 static void put_vitals(const Emitter *e, const AppExecutor *x)
 {
-    static const char *const names[APP_VITALS] = {".ticks", ".overruns", ".skipped", ".late", ".busy"};
+    static const char *const names[APP_STATISTICS] = {".ticks", ".overruns", ".skipped", ".late", ".busy"};
     const char *before = "     .vitals = {";
 
-    for (int i = 0; i < APP_VITALS; i++)
-        if (x->vital[i]) {
-            buf_printf(e->out, "%s%s = %s", before, names[i], element_of(e, x->vital[i]));
+    for (int i = 0; i < APP_STATISTICS; i++)
+        if (x->statistic[i]) {
+            buf_printf(e->out, "%s%s = %s", before, names[i], element_of(e, x->statistic[i]));
             before = ", ";
         }
     if (*before == ',')

@@ -5,7 +5,7 @@
 
 #include "compiler/base/buf.h"
 #include "compiler/diag/diag.h"
-#include "compiler/sema/app.h"
+#include "compiler/sema/application.h"
 
 // Checks that each of its C names denotes only one thing; reports those that do not.
 bool emit_c_app_names(Arena *arena, Diags *diags, const App *app);

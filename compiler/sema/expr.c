@@ -1,31 +1,72 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates an expression with the same functions that run on targets (stdlib).  ir/eval.c does the same for IR operations.  They share
-// no code because this one evaluates the language's operators and builtins, chains and clamp among them, and sema is below the IR.
-#include "compiler/sema/sema.h"
+// Operations on typed expressions: visit, compare, evaluate.  AST_DEPTH_MAX bounds the recursion depth.
+#include "compiler/sema/program.h"
 
 #include <stdio.h>
+#include <string.h>
 
+#include "compiler/base/buf.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-static SmF64 unary(SmOperator op, SmF64 x)
+// ---- visit, compare ----
+
+void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context)
+{
+    for (uint32_t i = 0; i < e->n; i++)
+        expr_walk(e->arg[i], f, context);
+    f(e, context);
+}
+
+static bool is_same_node(const Expr *a, const Expr *b, const uint32_t *window_of)
+{
+    if (a->kind != b->kind || a->n != b->n)
+        return false;
+    switch (a->kind) {
+    case EX_NUMBER: return sm_bits(a->number) == sm_bits(b->number);
+    case EX_VAR: return a->var == b->var;
+    case EX_UNARY:
+    case EX_BINARY: return a->op == b->op;
+    case EX_CHAIN: return memcmp(expr_ops(a), expr_ops(b), (a->n - 1) * sizeof(SmOperator)) == 0;
+    case EX_CALL: return a->fn == b->fn;
+    case EX_ROLL: return a->stat == b->stat && window_of[a->window] == window_of[b->window];
+    }
+    return false;
+}
+
+bool expr_equal(const Expr *a, const Expr *b, const uint32_t *window_of)
+{
+    if (!is_same_node(a, b, window_of))
+        return false;
+    for (uint32_t i = 0; a->kind != EX_ROLL && i < a->n; i++)
+        if (!expr_equal(a->arg[i], b->arg[i], window_of))
+            return false;
+    return true;
+}
+
+// ---- evaluate ----
+
+// Uses the same functions that run on targets (stdlib).  ir/eval.c does the same for IR operations.  They share no code because this one
+// evaluates the language's operators and builtins, chains and clamp among them, and sema is below the IR.
+
+static SmF64 eval_unary(SmOperator op, SmF64 x)
 {
     return op == SM_OP_NOT ? sm_from_bool(!sm_to_bool(x)) : sm_neg(x);
 }
 
-static bool relation(SmOperator op, SmF64 a, SmF64 b)
+static bool eval_relation(SmOperator op, SmF64 a, SmF64 b)
 {
     return op == SM_OP_LT ? sm_lt(a, b) : op == SM_OP_LE ? sm_le(a, b) : op == SM_OP_GT ? sm_lt(b, a) : sm_le(b, a);
 }
 
-static SmF64 binary(SmOperator op, SmF64 a, SmF64 b)
+static SmF64 eval_binary(SmOperator op, SmF64 a, SmF64 b)
 {
     switch (op) {
     case SM_OP_OR:  return sm_from_bool(sm_to_bool(a) || sm_to_bool(b));
     case SM_OP_AND: return sm_from_bool(sm_to_bool(a) && sm_to_bool(b));
     case SM_OP_EQ:  return sm_from_bool(sm_eq(a, b));
     case SM_OP_NE:  return sm_from_bool(!sm_eq(a, b));
-    case SM_OP_LT: case SM_OP_LE: case SM_OP_GT: case SM_OP_GE: return sm_from_bool(relation(op, a, b));
+    case SM_OP_LT: case SM_OP_LE: case SM_OP_GT: case SM_OP_GE: return sm_from_bool(eval_relation(op, a, b));
     case SM_OP_ADD: return sm_add(a, b);
     case SM_OP_SUB: return sm_sub(a, b);
     case SM_OP_MUL: return sm_mul(a, b);
@@ -35,24 +76,24 @@ static SmF64 binary(SmOperator op, SmF64 a, SmF64 b)
     return sm_from_i32(0);                                  // not a binary operator
 }
 
-static SmF64 chain(const Expr *e, const SmF64 *value)
+static SmF64 eval_chain(const Expr *e, const SmF64 *value)
 {
-    bool holds = true;
+    bool is_true = true;
     SmF64 left = expr_eval(e->arg[0], value);
 
     for (uint32_t i = 1; i < e->n; i++) {
         SmF64 right = expr_eval(e->arg[i], value);
-        holds = holds && relation(expr_ops(e)[i - 1], left, right);
+        is_true = is_true && eval_relation(expr_ops(e)[i - 1], left, right);
         left = right;
     }
-    return sm_from_bool(holds);
+    return sm_from_bool(is_true);
 }
 
 #define CALL_1(f, v) f(v[0])
 #define CALL_2(f, v) f(v[0], v[1])
 #define CALL_3(f, v) f(v[0], v[1], v[2])
 
-static SmF64 call(const Expr *e, const SmF64 *value)
+static SmF64 eval_call(const Expr *e, const SmF64 *value)
 {
     enum { MOST_ARGUMENTS = 3 };
     SmF64 v[MOST_ARGUMENTS];
@@ -71,7 +112,7 @@ static SmF64 call(const Expr *e, const SmF64 *value)
 }
 
 // The statistic of a window filled with equal samples.
-static SmF64 statistic(const Expr *e, const SmF64 *value)
+static SmF64 eval_statistic(const Expr *e, const SmF64 *value)
 {
     return value && e->stat != SM_STAT_RANGE ? expr_eval(e->arg[0], value) : sm_from_i32(0);
 }
@@ -81,16 +122,16 @@ SmF64 expr_eval(const Expr *e, const SmF64 *value)
     switch (e->kind) {
     case EX_NUMBER: return e->number;
     case EX_VAR:    return value && !e->var->is_constant ? value[e->var->index] : sm_cell_to_f64(e->var->type, e->var->init);
-    case EX_UNARY:  return unary(e->op, expr_eval(e->arg[0], value));
-    case EX_BINARY: return binary(e->op, expr_eval(e->arg[0], value), expr_eval(e->arg[1], value));
-    case EX_CHAIN:  return chain(e, value);
-    case EX_CALL:   return call(e, value);
-    case EX_ROLL:   return statistic(e, value);
+    case EX_UNARY:  return eval_unary(e->op, expr_eval(e->arg[0], value));
+    case EX_BINARY: return eval_binary(e->op, expr_eval(e->arg[0], value), expr_eval(e->arg[1], value));
+    case EX_CHAIN:  return eval_chain(e, value);
+    case EX_CALL:   return eval_call(e, value);
+    case EX_ROLL:   return eval_statistic(e, value);
     }
     return sm_from_i32(0);
 }
 
-SmF64 const_eval(const Expr *e) { return expr_eval(e, NULL); }
+SmF64 expr_constant_value(const Expr *e) { return expr_eval(e, NULL); }
 
 bool expr_is_constant(const Expr *e)
 {
@@ -101,6 +142,8 @@ bool expr_is_constant(const Expr *e)
             return false;
     return true;
 }
+
+// ---- text ----
 
 const char *const_text(Arena *arena, SmF64 x)
 {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A typed application: the checker's output for a .app whose files have no errors (docs/config.md 10).  Elements and states are
 // bound and times are exact.  The C backend and the command read it.  No code changes it after the check.
-#ifndef SMC_APP_H
-#define SMC_APP_H
+#ifndef SMC_APPLICATION_H
+#define SMC_APPLICATION_H
 
 #include "compiler/sema/iomap.h"
 #include "compiler/sema/program.h"
 #include "compiler/syntax/ast_app.h"
 
-typedef enum AppVital { APP_TICKS, APP_OVERRUNS, APP_SKIPPED, APP_LATE, APP_BUSY, APP_VITALS } AppVital;
+typedef enum AppStatistic { APP_TICKS, APP_OVERRUNS, APP_SKIPPED, APP_LATE, APP_BUSY, APP_STATISTICS } AppStatistic;
 
 typedef struct AppMachine {
     Str name;
@@ -43,7 +43,7 @@ typedef struct AppExecutor {
     uint32_t priority;        // 0: an ordinary thread
     bool catch_up;
     uint32_t most;            // ticks to catch up
-    const Element *vital[APP_VITALS];     // or NULL
+    const Element *statistic[APP_STATISTICS];     // or NULL
     VEC(AppRate *) rate;      // in file order
 } AppExecutor;
 

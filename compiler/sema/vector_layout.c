@@ -5,21 +5,21 @@
 #include "stdlib/crc32.h"
 
 // language.md 4: each element starts at the next multiple of its size.
-static uint32_t align(uint32_t offset, uint32_t to)
+static uint32_t align_up(uint32_t offset, uint32_t to)
 {
     return (offset + to - 1) / to * to;
 }
 
-static uint32_t place_region(StateVec *sv, Region *r, uint32_t offset)
+static uint32_t lay_out_region(StateVec *sv, Region *r, uint32_t offset)
 {
-    r->offset = align(offset, 8);
+    r->offset = align_up(offset, 8);
     r->packed_size = 0;
     offset = r->offset;
     for (uint32_t i = 0; i < r->count; i++) {
         Element *e = sv->element.at[r->first + i];
         uint32_t bytes = sm_type_info[e->type].bytes;
 
-        e->offset = align(offset, bytes);
+        e->offset = align_up(offset, bytes);
         offset = e->offset + bytes;
         r->packed_size += bytes;
     }
@@ -52,13 +52,12 @@ static uint32_t hash_regions(const StateVec *sv)
     return sm_crc32_end(crc);
 }
 
-void layout_state_vector(StateVec *sv, Arena *arena)
+void layout_state_vector(StateVec *sv)
 {
     uint32_t offset = 0;
 
-    (void)arena;
     for (size_t i = 0; i < sv->region.n; i++)
-        offset = place_region(sv, sv->region.at[i], offset);
-    sv->size = align(offset, 8);
+        offset = lay_out_region(sv, sv->region.at[i], offset);
+    sv->size = align_up(offset, 8);
     sv->hash = hash_regions(sv);
 }
