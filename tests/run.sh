@@ -1,34 +1,39 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Runs test commands, one a line of standard input ("NAME: COMMAND"), and adds up what they say; as many at once as there are
-# processors, or as JOBS says.  Commands that call make themselves have a '+' before their name: they run one after another, beside
-# the rest.  A command ends with a line "N passed, N failed" or "N passed, N failed, N skipped", anything before it on that line
-# ignored.  Exit 1 if anything failed, or with STRICT=1 if anything was skipped.
+# Runs the test commands of standard input and adds up their results.  Lines:
+#   NAME: COMMAND     a test
+#   +NAME: COMMAND    a test whose command calls make: these run one after another, beside the others
+#   [PART]            the following tests belong to this part; the runner prints a total and the time when a part is complete
+# As many commands run at once as there are processors, or as JOBS says.  The last line that a command prints ends with "N passed, N failed" or
+# "N passed, N failed, N skipped".  Exit code 1 if a test failed, or with STRICT=1 if a test was skipped.
 #
 # A command fails as well if
 #   1. it ran no test and skipped none,
-#   2. it skipped nothing and passed fewer tests than floors.txt demands of its name,
+#   2. it skipped nothing and passed fewer tests than floors.txt requires of its name,
 #   3. it does not end within LIMIT seconds,
-#   4. another one has its name.
-passed=0 failed=0 skipped=0 told=0
+#   4. another command has the same name.
 floors=${FLOORS:-$(dirname "$0")/floors.txt}
 limit=
-timeout --foreground 1 true 2>/dev/null && limit="timeout --foreground -k 10 ${LIMIT:-3600}"      # in this group, so that Ctrl-C ends it too
-unset MAKEFLAGS MFLAGS MAKELEVEL      # a make among the commands is a make of its own
+timeout --foreground 1 true 2>/dev/null && limit="timeout --foreground -k 10 ${LIMIT:-3600}"      # in this process group, so that Ctrl-C ends it too
+unset MAKEFLAGS MFLAGS MAKELEVEL      # a make called by a command gets no options of the current one
 jobs=${JOBS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)}
 work=$(mktemp -d "${TMPDIR:-/tmp}/smc-test.XXXXXX") || exit 1
-again=$work/again                     # what failed said, told once more at the end
+failures=$work/failures               # the ends of the outputs of failed commands, repeated at the end
 trap 'rm -rf "$work"' EXIT
 trap 'trap "" TERM; kill -TERM 0; exit 130' INT TERM
 
-grep -v '^$' >"$work/lines"
+# $work/lines: the commands.  $work/parts: the part of each, "-" without one.
+awk -v parts="$work/parts" 'BEGIN { part = "-" } /^$/ { next } /^\[[a-z]*\]$/ { part = substr($0, 2, length($0) - 2); next } { print; print part >parts }' >"$work/lines"
+count=$(wc -l <"$work/lines" | tr -d ' ')
+passed=0 failed=0 skipped=0 reported=0
 mkfifo "$work/ended" && exec 3<>"$work/ended" || exit 1
 for name in $(sed 's/^+\{0,1\}\([^:]*\):.*/\1/' "$work/lines" | sort | uniq -d); do
     echo "$name: two commands have this name"
     failed=$((failed + 1))
 done
+start=$(date +%s)
 
-# run NUMBER LINE: leaves what the command said, and its exit code and seconds
+# run NUMBER LINE: writes the output of the command to NUMBER.out, its exit code and seconds to NUMBER.code
 run() {
     began=$(date +%s)
     $limit sh -c "${2#*: }" >"$work/$1.out" 2>&1 </dev/null 3>&-
@@ -36,21 +41,30 @@ run() {
     echo "$1" >&3
 }
 
-# take KIND: runs those lines of a kind, '+' or '-', that nobody else has begun
-take() {
-    n=0
-    while IFS= read -r line; do
-        n=$((n + 1))
-        case $line in +*) kind=+ ;; *) kind=- ;; esac
-        [ "$kind" = "$1" ] && mkdir "$work/$n.begun" 2>/dev/null && run "$n" "$line"
-    done <"$work/lines"
+# Runs, in order, the commands that no other worker has begun.  A worker skips a command that calls make while another such command
+# is running; the worker of that one returns to it.
+run_remaining() {
+    makes=1
+    while [ $makes -gt 0 ]; do
+        n=0 makes=0
+        while IFS= read -r line; do
+            n=$((n + 1))
+            [ -d "$work/$n.begun" ] && continue
+            case $line in
+            +*) mkdir "$work/make" 2>/dev/null || continue
+                mkdir "$work/$n.begun" 2>/dev/null && run "$n" "$line" && makes=1
+                rmdir "$work/make" ;;
+            *)  mkdir "$work/$n.begun" 2>/dev/null && run "$n" "$line" ;;
+            esac
+        done <"$work/lines"
+    done
 }
 
-# floor_of NAME: how many tests a command of that name must run at least
+# floor_of NAME: the least number of tests that a command of that name must run
 floor_of() { sed -n "s/^$1  *\([0-9][0-9]*\)$/\1/p" "$floors" | tail -n 1 | grep . || echo 1; }
 
-# tell NUMBER: says how that line ended
-tell() {
+# report NUMBER: prints the result of a command and adds it to the totals
+report() {
     out=$work/$1.out name=$(sed -n "$1s/^+\{0,1\}\([^:]*\):.*/\1/p" "$work/lines")
     read -r code seconds <"$work/$1.code"
     last=$(grep '[0-9] passed, [0-9]* failed' "$out" | tail -n 1)
@@ -59,39 +73,48 @@ tell() {
     s=$(printf '%s\n' "$last" | sed -n 's/.* failed, \([0-9][0-9]*\) skipped.*/\1/p')
     if [ -z "$p" ] || { [ "$code" -ne 0 ] && [ "${f:-0}" -eq 0 ]; }; then
         echo "$name: ended with exit code $code${p:+, with nothing failed}" >>"$out"
-        failed=$((failed + 1))
+        f=$((${f:-0} + 1))
         code=1
     elif [ $((p + f + ${s:-0})) -eq 0 ]; then
         echo "$name: no test was run" >>"$out"
-        failed=$((failed + 1))
+        f=$((f + 1))
         code=1
     elif [ "${s:-0}" -eq 0 ] && [ "$((p + f))" -lt "$(floor_of "$name")" ]; then
-        echo "$name: $((p + f)) tests were run; $floors demands at least $(floor_of "$name")" >>"$out"
-        failed=$((failed + 1))
+        echo "$name: $((p + f)) tests were run; $floors requires at least $(floor_of "$name")" >>"$out"
+        f=$((f + 1))
         code=1
     fi
     if [ "$code" -ne 0 ] || [ "${f:-0}" -ne 0 ] || [ "${s:-0}" -ne 0 ]; then
         cat "$out"
     fi
     if [ "$code" -ne 0 ] || [ "${f:-0}" -ne 0 ]; then
-        { echo "---- $name"; tail -n 30 "$out"; } >>"$again"
+        { echo "---- $name"; tail -n 30 "$out"; } >>"$failures"
     fi
-    printf '%-28s %4d s  %s\n' "$name" "$seconds" "$last"
+    reported=$((reported + 1))
+    printf '[%*d/%d] %-24s %4d s  %s\n' ${#count} "$reported" "$count" "$name" "$seconds" "$last"
     passed=$((passed + ${p:-0})) failed=$((failed + ${f:-0})) skipped=$((skipped + ${s:-0}))
+    add_to_part "$(sed -n "$1p" "$work/parts")" "${p:-0}" "${f:-0}" "${s:-0}"
 }
 
-{ take +; take -; } &
-while [ "$jobs" -gt 1 ]; do
-    take - &
+# add_to_part PART PASSED FAILED SKIPPED: prints the part's totals after its last command
+add_to_part() {
+    [ "$1" = - ] && return
+    echo "$2 $3 $4" >>"$work/part.$1"
+    [ "$(wc -l <"$work/part.$1")" -eq "$(grep -c "^$1\$" "$work/parts")" ] || return
+    awk -v part="$1" -v seconds=$(($(date +%s) - start)) '{ p += $1; f += $2; s += $3 }
+        END { printf "---- %s: %d passed, %d failed%s, after %d s\n", part, p, f, s ? ", " s " skipped" : "", seconds }' "$work/part.$1"
+}
+
+while [ "$jobs" -gt 0 ]; do
+    run_remaining &
     jobs=$((jobs - 1))
 done
-while [ "$told" -lt "$(wc -l <"$work/lines")" ]; do
+while [ "$reported" -lt "$count" ]; do
     read -r number <&3
-    tell "$number"
-    told=$((told + 1))
+    report "$number"
 done
 
-[ ! -s "$again" ] || cat "$again"
+[ ! -s "$failures" ] || cat "$failures"
 if [ "$skipped" -ne 0 ]; then
     echo "skipped tests need tools that are not here; on Debian or Ubuntu: apt-get install clang tcc g++ lua5.4 luajit chromium graphviz librsvg2-bin"
     echo "  python3-jsonschema; and: make sarif-schema"

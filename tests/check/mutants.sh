@@ -40,7 +40,7 @@ done
 
 # ---- what must notice ----
 
-# What has to be built for an engine: targets of the Makefile, and the folders that its command expects.
+# What to build for an engine: targets of make, and the folders that its command expects.
 targets_of() {      # ENGINE
     case $1 in
     host) echo "$build/clauses/steps $build/clauses/memory $build/clauses/regions $build/clauses/probe.smb" ;;
@@ -53,7 +53,7 @@ targets_of() {      # ENGINE
 }
 compile() { ( cd "$tree" && make -s B="$build" CFLAGS="${CFLAGS:--O0}" WARN=-w "$@" ) >"$build.log" 2>&1; }
 
-# The command of a line of `make check`.
+# The command of a row of tests.mk.
 command_of() { sed -n "s/^+\{0,1\}$1: //p" "$build.lines"; }
 
 # The files of conformance/ whose spec line names one of the clauses.

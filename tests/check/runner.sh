@@ -10,7 +10,7 @@ echo 'counted 10' >"$dir/floors"
 ends() {
     want=$1 text=$2
     shift 2
-    printf '%s\n' "$@" | FLOORS=$dir/floors LIMIT=1 STRICT=0 JOBS=2 sh tests/run.sh >"$dir/out" 2>&1
+    printf '%s\n' "$@" | FLOORS=$dir/floors LIMIT=2 STRICT=0 JOBS=2 sh tests/run.sh >"$dir/out" 2>&1
     if [ $? -eq "$want" ] && grep -q "$text" "$dir/out"; then
         passed=$((passed + 1))
     else
@@ -26,7 +26,10 @@ ends 1 '^1 passed, 2 failed$' 'a: echo 1 passed, 2 failed; exit 1'
 ends 1 'a: ended with exit code 0' 'a: echo nothing'
 ends 1 'a: ended with exit code 3, with nothing failed' 'a: echo 1 passed, 0 failed; exit 3'
 ends 1 'a: no test was run' 'a: echo 0 passed, 0 failed'
-ends 1 'counted: 9 tests were run; .* at least 10' 'counted: echo 9 passed, 0 failed'
+ends 1 'counted: 9 tests were run; .* requires at least 10' 'counted: echo 9 passed, 0 failed'
+ends 0 '^---- one: 3 passed, 0 failed, 1 skipped, after' '[one]' 'a: echo 1 passed, 0 failed' 'b: echo 2 passed, 0 failed, 1 skipped' '[two]' 'c: echo 4 passed, 0 failed'
+ends 1 '^---- two: 4 passed, 1 failed, after' '[one]' 'a: echo 1 passed, 0 failed' '[two]' 'b: exit 1' 'c: echo 4 passed, 0 failed'
+ends 0 '^2 passed, 0 failed' "+a: mkdir $dir/make && sleep 1 && rmdir $dir/make && echo 1 passed, 0 failed" "+b: mkdir $dir/make && rmdir $dir/make && echo 1 passed, 0 failed"
 ends 1 'a: two commands have this name' 'a: echo 1 passed, 0 failed' '+a: echo 1 passed, 0 failed'
 ends 0 '^10 passed' 'counted: echo 10 passed, 0 failed'
 ends 0 '^9 passed, 0 failed, 1 skipped' 'counted: echo 9 passed, 0 failed, 1 skipped'

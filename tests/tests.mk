@@ -1,0 +1,714 @@
+# SPDX-License-Identifier: Apache-2.0
+# The tests.  Part 1 of this file says how test programs are built, and has the targets of long campaigns; part 2 is the table of
+# the tests, one row each.  tests/README.md describes the folders.
+#
+# make quick            the part `quick`: the loop of a developer
+# make check            all parts, one after another: quick, thorough, targets
+# make check-thorough   the part `thorough`: everything else that needs cc and make only
+# make check-targets    the part `targets`: other compilers, emulated boards, sizes
+# make check-NAME       the test of one row
+# make list-tests       every row: its part in brackets before the first, then NAME: COMMAND
+
+PARTS = quick thorough targets
+
+# $(call test,NAME,PART,NEEDS,COMMAND): a row of the table.
+#   NAME     unique; a + before it says that the command calls make
+#   NEEDS    files that are built first, besides smc
+#   COMMAND  run by sh in this folder; its last line is "N passed, N failed" or "N passed, N failed, N skipped".  It can contain up to
+#            four commas, no $ and no ".  Patterns such as *.smt are expanded by sh, since one argument holds all rows (128 KB).
+# Defines check-NAME, and adds the row to LINES_PART and its needs to NEEDS_PART.
+,    := ,
+test  = $(eval $(call test_row,$(strip $(1)),$(strip $(2)),$(3),$(strip $(4)$(if $(5),$(,)$(5))$(if $(6),$(,)$(6))$(if $(7),$(,)$(7))$(if $(8),$(,)$(8)))))
+define test_row
+LINES_$(2) += "$(1): $(4)"
+NEEDS_$(2) += $(3)
+check-$(patsubst check-%,%,$(patsubst +%,%,$(1))): all $(3)
+	$(4)
+.PHONY: check-$(patsubst check-%,%,$(patsubst +%,%,$(1)))
+endef
+
+run_parts = @printf '%s\n' $(foreach part,$(1),"[$(part)]" $(LINES_$(part))) | sh tests/run.sh
+
+# ---- part 1: test programs and campaigns ----
+
+# Programs that consist of one file and libsmc.  They have objects, so that a change of libsmc only links them again.
+UNIT     = $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/*.c))
+ONE_FILE = $(UNIT) $(B)/ir/run $(B)/ir/verify $(B)/ir/read $(B)/graph/layout
+$(ONE_FILE): $(B)/%: $(B)/obj/tests/%.o $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^) -lm
+$(B)/golden: $(B)/obj/tests/golden/run.o $(B)/libsmc.a
+$(B)/diagnostics: $(B)/obj/tests/check/diagnostics.o $(B)/libsmc.a
+$(B)/fixes: $(B)/obj/tests/check/fixes.o $(B)/obj/tests/check/fixes_meaning.o $(B)/libsmc.a
+$(B)/golden $(B)/diagnostics $(B)/fixes:
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
+# -O1 builds faster than -O2, and these programs are short.
+$(ONE_FILE:$(B)/%=$(B)/obj/tests/%.o) $(patsubst %.c,$(B)/obj/%.o,$(wildcard tests/check/*.c tests/golden/*.c)): override CFLAGS := $(CFLAGS:-O2=-O1)
+# stdlib_convert again with the code that stdlib selects under -Os.
+$(B)/unit/stdlib_convert_small: tests/unit/stdlib_convert.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -Os $(DEPFLAGS) $< -o $@ $(B)/libsmc.a -lm
+
+# `make test T=folder-or-file` runs some conformance cases on every engine.
+T ?= conformance
+test: all
+	$(B)/smc test --engine=all $(T)
+
+# tests/golden.  `make update-golden` writes the current output into the cases.
+GOLDEN = $(wildcard tests/golden/*.smt)
+update-golden: all $(B)/golden
+	UPDATE=1 $(B)/golden $(B)/smc $(GOLDEN)
+
+RUNTIME_ARCHIVES = $(foreach platform,linux sim desk,$(B)/runtime/$(platform).a)
+# docs/flight.svg, the flight of the example rocket.  `make docs` draws it.
+FLIGHT_SVG = $(B)/smc log $(B)/flight/flight.log --format=svg altitude velocity tankPressure
+$(B)/flight/flight.log: $(wildcard examples/rocket/*.[csa]*) $(B)/smc $(B)/runtime/desk.a
+	@rm -rf $(@D) && mkdir -p $(@D)/made
+	$(call say,FLY)$(B)/smc build examples/rocket/rocket.app -o $(@D)/made && $(CC) -std=c99 -O1 -ffp-contract=off -I. -I$(@D)/made \
+	    examples/rocket/*.c $(@D)/made/*.c $(B)/runtime/desk.a -o $(@D)/rocket -pthread && cd $(@D) && ./rocket
+docs: docs/flight.svg
+docs/flight.svg: $(B)/flight/flight.log
+	$(FLIGHT_SVG) -o $@
+
+# docs/ignition.svg, a state diagram.  `make docs` draws it.
+docs: docs/ignition.svg
+docs/ignition.svg: examples/ignition/ignition.sm $(wildcard compiler/report/*.c) | $(B)/smc
+	$(B)/smc graph $< -o $@
+# tests/fuzz: functions that must survive any input.  seeds/NAME/ holds the first inputs of each.
+$(B)/fuzz/%: tests/fuzz/%.c tests/fuzz/driver.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(filter %.c,$^) -o $@ $(B)/libsmc.a
+
+# The seed for flight logs is a log that runtime/log writes.
+$(B)/corpus/log/flight.log: $(B)/runtime/log
+	@mkdir -p $(@D)
+	@$(B)/runtime/log $@.new && head -c 4000 $@.new >$@ && rm $@.new
+$(B)/fuzz-cov/log: | $(B)/corpus/log/flight.log
+# The seeds for images are those of unit/vm_mutate.  `make check-mutate` changes every byte of them to every value, and runs the images
+# that the verifier accepts for STEPS steps.
+MUTATE_SMB = $(patsubst %,$(B)/mutate/%.smb,pins signed ignition stand)
+$(B)/mutate/pins.smb: examples/tank/tank.sm tests/avr/tank.sv tests/avr/tank.io $(B)/smc
+	@mkdir -p $(@D)
+	@$(B)/smc build -w $< --sv tests/avr/tank.sv --io tests/avr/tank.io -o $@
+$(B)/mutate/signed.smb: $(B)/mutate/pins.smb
+	@printf '%032d\n' 7 >$(@D)/key && chmod 600 $(@D)/key && $(B)/smc sign $< --key=$(@D)/key --number=7 -o $@
+$(B)/mutate/ignition.smb: examples/ignition/ignition.sm $(B)/smc
+$(B)/mutate/stand.smb: examples/teststand/stand.sm $(B)/smc
+$(B)/mutate/ignition.smb $(B)/mutate/stand.smb:
+	@mkdir -p $(@D)
+	@$(B)/smc build -w $< -o $@
+$(B)/corpus/image: $(B)/unit/vm_mutate $(MUTATE_SMB)
+	@mkdir -p $@
+	@$(B)/unit/vm_mutate 1 1 $@ $(MUTATE_SMB) >$(B)/vm_mutate.log 2>&1
+$(B)/fuzz/image $(B)/fuzz-cov/image: compiler/device/sign.c
+$(B)/fuzz-cov/image: | $(B)/corpus/image
+
+MUTATE_SRC = tests/unit/vm_mutate.c $(LIBSMC)
+$(B)/vm_mutate_san: $(MUTATE_SRC) | $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined $(MUTATE_SRC) -lm -o $@
+STEPS ?= 1000
+check-mutate: $(B)/vm_mutate_san $(MUTATE_SMB)
+	$(B)/vm_mutate_san $(STEPS) 256 - $(MUTATE_SMB)
+
+# unit/vm_docs compiles and runs the example of docs/bytecode.md.
+$(B)/gen/embed.c: docs/bytecode.md
+	@mkdir -p $(@D)
+	@sed -n '/^```c$$/,/^```$$/{/^```/d;p;}' $< >$@
+$(B)/obj/tests/unit/vm_docs.o: $(B)/gen/embed.c
+
+# tests/diff: random programs on all engines in lock step.  `make diff N=1000000 SEED=1 J=2` is a campaign; it resumes where it was
+# interrupted.
+N    ?= 20000
+SEED ?= 1
+J    ?= 2
+DIFF_OBJ = $(patsubst %.c,$(B)/obj/%.o,$(wildcard tests/diff/*.c))
+$(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a $(B)/runtime/sim.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+diff: $(B)/diff/difftest
+	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign --resume
+
+# Runs random programs for a thousand steps each, and fails if something happens that the analyses report as impossible.
+SOUND = $(B)/diff/difftest --sound --steps=1000
+sound: $(B)/diff/difftest
+	$(SOUND) --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign-sound --resume
+
+# Random programs on all engines and as emitted C, built by the compilers of DIFF_CC.  Add others as --cc='clang-19 -O2' --cc=tcc.
+DIFF_CC ?= --cc='$(CC) -std=c99 -O0' --cc='$(CC) -std=gnu11 -O2'
+diff-c: $(B)/diff/difftest
+	$(B)/diff/difftest --seed=$(SEED) --count=$(N) --jobs=$(J) --out=$(B)/diff/campaign-c --resume $(DIFF_CC)
+
+.PHONY: diff diff-c sound
+
+# tests/cost: the reported bound of the longest step, against a VM that counts instructions.
+COST_FLAGS = -DSMVM_CONFIG='"tests/cost/config.h"'
+COST_SRC   = tests/cost/run.c $(filter-out $(VM_FAST) $(VM_TEXT),$(VM))
+$(B)/cost: $(COST_SRC) tests/cost/config.h $(filter-out %/main.o,$(DIFF_OBJ)) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(COST_FLAGS) $(WARN) $(CFLAGS) $(COST_SRC) -o $@ $(filter %/gen.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o %/subject.o,$(DIFF_OBJ)) $(B)/libsmc.a
+
+# tests/emitc
+ENGINE_C_OBJ = $(patsubst %.c,$(B)/obj/%.o,compiler/device/engine_c.c $(wildcard compiler/base/os_*.c))
+$(B)/emitc/flow $(B)/emitc/typed: $(B)/emitc/%: tests/emitc/%.c $(ENGINE_C_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -o $@ $^
+
+# The parts quick and thorough under the sanitizers: compiler, VM and emitted C.  CC includes -O0, since some tests use only CC.
+SANITIZE = -fsanitize=address,undefined -fno-sanitize-recover=all
+asan:
+	$(MAKE) B=$(B)/asan CFLAGS='-O1 -g1' CC='$(CC) $(SANITIZE) -O0' LEVELS=2 PARTS='quick thorough' check
+
+# Coverage-guided fuzzing with clang: `make fuzz FUZZ=script FUZZ_SECONDS=3600`.  The next run starts from the inputs found so far.
+FUZZ         ?= $(notdir $(basename $(filter-out tests/fuzz/driver.c,$(wildcard tests/fuzz/*.c))))
+FUZZ_SECONDS ?= 60
+FUZZ_CC      ?= clang-19
+# Arenas with one allocation per chunk: every request reaches malloc, so that a sanitizer checks its bounds.
+TINY_CHUNKS   = -DARENA_FIRST_CHUNK=16 -DARENA_LARGEST_CHUNK=16
+FUZZ_C        = $(FUZZ_CC) $(STRICT_C) $(TINY_CHUNKS) -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
+$(B)/fuzz-cov/obj/%.o: %.c | $(B)/gen/stdlib_text.h $(B)/gen/soft_text.h
+	@mkdir -p $(@D)
+	$(call say,CC)$(FUZZ_C:-fsanitize=fuzzer,%=-fsanitize=fuzzer-no-link,%) $(DEPFLAGS) -c $< -o $@
+.SECONDARY: $(LIBSMC:%.c=$(B)/fuzz-cov/obj/%.o)
+$(B)/fuzz-cov/%: tests/fuzz/%.c $(LIBSMC:%.c=$(B)/fuzz-cov/obj/%.o)
+	$(call say,CC)$(FUZZ_C) $(filter %.c %.o,$^) -o $@
+fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
+	$(foreach f,$(FUZZ),mkdir -p $(B)/corpus/$(f) && $(B)/fuzz-cov/$(f) -max_total_time=$(FUZZ_SECONDS) -timeout=10 -rss_limit_mb=2048 \
+	    -artifact_prefix=$(B)/corpus/$(f)- $(B)/corpus/$(f) $(FUZZ_SEEDS_$(f)) $(wildcard tests/fuzz/seeds/$(f)) || exit 1;)
+FUZZ_SEEDS_ir = tests/ir/samples
+
+# tests/bench: time per step, size of code, growth of compile time.  `make bench W=mission`: one workload.  The measured code is built
+# with BENCH_FLAGS, not CFLAGS; emitted C and handwritten C with BENCH_USER, as a user would build them.
+W           ?= tank mission arith bigwindow
+BENCH_FLAGS  = $(STRICT_C) -I$(B)/bench/gen -O2
+BENCH_USER   = -std=c99 -O2
+$(B)/bench/scale $(B)/bench/compile: $(B)/bench/%: $(B)/obj/tests/bench/%.o $(B)/obj/tests/bench/shapes.o $(B)/obj/compiler/base/os_posix.o $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+# Each machine as C at each level, tank_o0 to bigwindow_o2.  Their headers declare the same state vector.
+BENCH_EMITTED =
+define bench_emit
+BENCH_EMITTED += $(B)/bench/gen/$(1)_o$(2)
+$(B)/bench/gen/$(1)_o$(2).c: $(3) tests/bench/workloads/$(1).sv $(B)/smc
+	@mkdir -p $$(@D)
+	$$(call say,SMC)$(B)/smc build $(3) --sv tests/bench/workloads/$(1).sv --emit=c -O$(2) --prefix=$(1)_o$(2) -o $$@
+endef
+$(foreach o,0 1 2,$(eval $(call bench_emit,tank,$(o),examples/tank/tank.sm)))
+$(foreach o,0 1 2,$(foreach w,mission arith bigwindow,$(eval $(call bench_emit,$(w),$(o),tests/bench/workloads/$(w).sm))))
+$(BENCH_EMITTED:%=%.h): %.h: %.c ;
+$(BENCH_EMITTED:%=%.o): %.o: %.c
+	$(call say,CC)$(CC) $(BENCH_USER) -c $< -o $@
+
+BENCH_C   = $(wildcard tests/bench/workloads/*.c) $(addprefix tests/bench/,steps.c engines.c lua.c nothing.c)
+BENCH_OBJ = $(patsubst %.c,$(B)/bench/obj/%.o,$(BENCH_C) $(VM) $(STDLIB))
+$(B)/bench/obj/%.o: %.c | $(BENCH_EMITTED:%=%.h)
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(BENCH_FLAGS) $(WARN) $(DEPFLAGS) -c $< -o $@
+$(B)/bench/obj/tests/bench/workloads/%_native.o: BENCH_FLAGS = $(BENCH_USER) -I. -I$(B)/bench/gen
+$(B)/bench/steps: $(BENCH_OBJ) $(BENCH_EMITTED:%=%.o) $(B)/libsmc.a
+	$(call say,LD)$(CC) -o $@ $^ -lm
+
+# `make bench` runs all parts; `make bench-time`, `bench-count`, `bench-sizes` and `bench-compile` one each (tests/bench/run.sh).
+BENCH_PARTS = time count sizes compile
+bench: $(B)/bench/steps $(B)/bench/compile
+	sh tests/bench/run.sh $(B) '$(CC)' '$(BENCH_PARTS)' '$(W)'
+$(BENCH_PARTS:%=bench-%): bench-%: $(B)/bench/steps $(B)/bench/compile
+	sh tests/bench/run.sh $(B) '$(CC)' $* '$(W)'
+
+# Checks that the time of every stage of the compiler grows linearly with its input.
+bench-scale: $(B)/bench/scale
+	$(B)/bench/scale
+.PHONY: bench-scale $(BENCH_PARTS:%=bench-%)
+
+# Flash, RAM, stack and cycles on boards, against tests/bench/budgets.txt.
+sizes: $(B)/smc
+	@sh tests/bench/sizes.sh $(B) '$(CC)' '$(MAKE)'
+.PHONY: sizes
+
+# tests/fault: every request for memory fails in turn.  FAULT_ALL=1 tries every machine of conformance/ (minutes).
+FAULT_CASES = $(if $(FAULT_ALL),$(wildcard conformance/*/*.smt),$(wildcard tests/fault/*.smt))
+$(B)/fault/memory: tests/fault/memory.c compiler/base/arena.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(TINY_CHUNKS) $(filter %.c,$^) -o $@ $(B)/libsmc.a
+
+$(B)/fault/shim.so: tests/fault/shim.c
+	@mkdir -p $(@D)
+	-$(call say,CC)$(CC) -std=c99 -O1 -Wall -Wextra -shared -fPIC $< -o $@ -ldl || rm -f $@
+
+# tests/host
+HOST_OBJ     = $(patsubst %.c,$(B)/obj/%.o,$(wildcard compiler/base/os_*.c))
+HOST_FOLDER  = rm -rf $(B)/host/$(1).made && mkdir -p $(B)/host/$(1).made &&
+$(B)/host/files: HOST_WRAP = -Wl,--wrap=fsync,--wrap=rename,--wrap=fchmod
+$(B)/host/files $(B)/host/signals $(B)/host/folders: $(B)/host/%: tests/host/%.c $(HOST_OBJ)
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(DEPFLAGS) $< $(HOST_OBJ) -o $@ $(HOST_WRAP)
+# tests/soft: soft binary64 against the processor's.  `make f64-campaign N=1000000000` tries N random operands of each operation and
+# resumes where it was interrupted; f64-f32 tries every binary32.
+SOFT_OBJ = $(patsubst %.c,$(B)/obj/%.o,$(wildcard tests/soft/*.c))
+$(B)/obj/tests/soft/subject.o: STRICT_C += -DSM_F64_SOFT=1
+$(B)/soft/run: $(SOFT_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+f64-campaign: $(B)/soft/run
+	$(B)/soft/run $(N) $(SEED) $(B)/soft/campaign
+f64-f32: $(B)/soft/run
+	$(B)/soft/run f32
+.PHONY: f64-campaign f64-f32
+
+# tests/avr, on an emulated ATmega328P.  `make avr-operands N=100000 SEED=2`: the test `avr` with N random operands for each operation.
+avr-operands: all $(B)/diff/difftest
+	sh tests/avr/run.sh $(B) '$(CC)' $(N) $(SEED) 300
+# `make avr-campaign N=10000 SEED=1`: N random programs as images; resumes where it was interrupted.
+avr-campaign:
+	$(MAKE) avr-operands N= SEED=
+	nice -n 19 sh tests/avr/campaign.sh $(B) $(or $(N),10000) $(or $(SEED),1)
+
+# `make avr-cycles` measures the cycles of avr_cycles.def again, in some minutes; avr-cycles-check N=4000 SEED=7 checks them with more
+# and other operands than the test `avr-cycles`.
+avr-cycles: $(B)/libsmc.a
+	sh tests/avr/cycles.sh $(B) '$(CC)' make $(or $(N),800) $(or $(SEED),1)
+avr-cycles-check: $(B)/libsmc.a
+	sh tests/avr/cycles.sh $(B) '$(CC)' check $(N) $(SEED)
+
+# `make avr-c-campaign N=1000`: N random programs as emitted C, and every conformance case; resumes where it was interrupted.
+avr-c-campaign: all $(B)/diff/difftest $(B)/targets/cases
+	RESUME=1 sh tests/avr/c.sh $(B) '$(CC)' $(N) $(SEED) 1
+.PHONY: avr-operands avr-campaign avr-cycles avr-cycles-check avr-c-campaign
+
+# tests/psl: one suite per platform.  On Linux, IIO devices are files in a folder of the test, and the test can make calls of the C
+# library fail (PSL_WRAP).  The hardware watchdog is only compiled.
+PSL_SUITE       = $(filter-out tests/psl/bench_% tests/psl/own_% tests/psl/qemu_%,$(wildcard tests/psl/*.c))
+PSL_WATCHDOG    = watchdog_process
+PSL_FLAGS_linux = -DPSL_LINUX_IIO='"iio"'
+PSL_OBJ_linux   = psl/linux
+$(B)/psl/linux/%.o: %.c
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(PSL_FLAGS_linux) $(DEPFLAGS) -c $< -o $@
+PSL_WRAP_linux  = $(patsubst %,-Wl$(,)--wrap=%,write fsync fdatasync rename unlink syscall timer_settime ppoll accept4 recvmsg connect)
+define psl_test
+include runtime-c/psl/$(1)/psl.mk
+PSL_SRC_$(1)  := $$(PSL) $$(PSL_SUITE) $$(wildcard tests/psl/*_$(1).c) stdlib/result.c runtime-c/io.c runtime-c/pin.c runtime-c/statevec.c
+PSL_LIBS_$(1) := $$(PSL_LIBS)
+$$(B)/psl/$(1)/suite: $$(PSL_SRC_$(1):%.c=$$(B)/$(or $(PSL_OBJ_$(1)),obj)/%.o)
+	@mkdir -p $$(@D)
+	$$(call say,LD)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(PSL_WRAP_$(1)) $$(PSL_LIBS_$(1))
+endef
+$(foreach platform,linux sim desk none,$(eval $(call psl_test,$(platform))))
+
+# Tests with threads run a second time under the thread sanitizer.  has_tsan is empty if the compiler lacks it.
+TSAN = test ! -s $(B)/has_tsan || $(CC) $(STRICT_C) -O1 -g -fsanitize=thread
+$(B)/has_tsan:
+	@mkdir -p $(@D)
+	@echo 'int main(void) { return 0; }' >$@.c; $(CC) -fsanitize=thread $@.c -o $@.out 2>/dev/null && echo yes >$@ || : >$@
+
+$(B)/psl/tsan: $(PSL_SRC_linux) | $(B)/has_tsan
+	@mkdir -p $(@D)
+	$(call say,CC)$(TSAN) $(PSL_FLAGS_linux) $^ -o $@ $(PSL_WRAP_linux) $(PSL_LIBS_linux)
+
+# tests/store: updates of images, with the power cut at every byte.  `make store-cuts`: all pairs of cuts.
+STORE_SRC = tests/store/cuts.c bytecode-vm/target/store.c $(LINK) $(filter-out $(VM_FAST) $(VM_TEXT),$(VM)) stdlib/tables.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
+STORE_SMB = $(B)/store/old.smb $(B)/store/new.smb
+$(B)/store/cuts: $(STORE_SRC:%.c=$(B)/obj/%.o)
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+$(B)/store/old.smb: examples/tank/tank.sm $(B)/smc
+	@mkdir -p $(@D)
+	$(B)/smc build -w $< -o $@
+$(B)/store/new.smb: examples/chilldown/chilldown.sm $(B)/smc
+	@mkdir -p $(@D)
+	$(B)/smc build -w $< -o $@
+
+# The link between a host and a board, over lines that lose and damage bytes.  `make link-trouble N=100000 SEED=2`: N updates.
+BOARD_SRC = bytecode-vm/target/agent.c bytecode-vm/target/store.c runtime-c/event.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
+AGENT_SRC = tests/store/agent.c compiler/device/device.c compiler/device/link_host.c $(BOARD_SRC)
+$(B)/store/agent: $(AGENT_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+# A board with a key.
+AUTH_SRC = tests/store/auth.c compiler/device/sign.c $(BOARD_SRC)
+$(B)/store/auth: $(AUTH_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+link-trouble: $(B)/store/agent $(STORE_SMB)
+	$(B)/store/agent $(STORE_SMB) $(or $(N),100000) $(or $(SEED),1)
+$(B)/fuzz/link $(B)/fuzz-cov/link: $(BOARD_SRC)
+LINK_SEEDS = $(B)/corpus/link/slots-1 $(B)/corpus/link/slots-2
+$(LINK_SEEDS): $(B)/corpus/link/slots-%: tests/fuzz/link_seed.sh $(B)/store/old.smb
+	@mkdir -p $(@D)
+	@sh tests/fuzz/link_seed.sh $* $(B)/store/old.smb >$@.new && mv $@.new $@
+$(B)/fuzz-cov/link: | $(LINK_SEEDS)
+.PHONY: link-trouble
+
+# tests/device: smc flash and smc device against a program that acts as the board.  `make device-trouble N=1000 SEED=2`: N updates.
+DEVICE_SRC = tests/device/board.c bytecode-vm/target/agent.c bytecode-vm/target/store.c runtime-c/event.c $(filter runtime-c/psl/linux/%,$(PSL_SRC_linux))
+$(B)/device/board: $(DEVICE_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -pthread -lrt
+$(B)/device/link: tests/device/link.c
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $< -o $@
+DEVICE_RUN = $(B)/device/link $(B)/smc $(B)/device/board $(B)/device $(STORE_SMB)
+device-trouble: $(B)/device/link $(B)/device/board $(STORE_SMB)
+	$(DEVICE_RUN) $(or $(N),1000) $(or $(SEED),1)
+.PHONY: device-trouble
+store-cuts: $(B)/store/cuts $(STORE_SMB)
+	$(B)/store/cuts $(STORE_SMB) all
+.PHONY: store-cuts
+
+# `make firmware-trouble N=100 SEED=2`: N updates of emulated boards.
+firmware-trouble: $(B)/device/link $(STORE_SMB)
+	sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)' $(or $(N),100) $(or $(SEED),1)
+.PHONY: firmware-trouble
+
+# `make psl-qemu KERNEL=FOLDER`: the suite on Linux with real pins and a real watchdog, in an emulator.  Needs qemu-system-arm,
+# gcc-arm-linux-gnueabihf, libc6-dev-armhf-cross and cpio.  FOLDER: Debian's linux-image-*-armmp:armhf, unpacked by dpkg-deb -x.
+ARM_CC   ?= arm-linux-gnueabihf-gcc
+PSL_ARM   = $(ARM_CC) $(STRICT_C) $(WARN) -O1 -static
+PSL_HARD  = $(patsubst %/watchdog_process.c,%/watchdog.c,$(PSL_SRC_linux))
+psl-qemu:
+	@mkdir -p $(B)/psl/qemu
+	$(PSL_ARM) $(PSL_FLAGS_linux) $(PSL_SRC_linux) -o $(B)/psl/qemu/suite $(PSL_WRAP_linux) $(PSL_LIBS_linux)
+	$(PSL_ARM) $(PSL_FLAGS_linux) $(PSL_HARD) -o $(B)/psl/qemu/suite-watchdog $(PSL_WRAP_linux) $(PSL_LIBS_linux)
+	$(PSL_ARM) tests/psl/qemu_init.c -o $(B)/psl/qemu/init
+	@KERNEL='$(KERNEL)' sh tests/psl/qemu.sh $(B)/psl/qemu $(B)/psl/qemu/suite $(B)/psl/qemu/suite-watchdog $(B)/psl/qemu/init
+.PHONY: psl-qemu
+
+# tests/runtime: one program per file.  NAME_linux.c runs on Linux, with threads, and again under the thread sanitizer; the others run in
+# the simulation.  Of the folder's files, V.sv is compiled to "V.h", V.io to "V_io.h", and M.sm to "M.h", with the vector RUNTIME_SV_M.
+RUNTIME_SRC   = $(wildcard runtime-c/*.c) $(filter-out %/store.c %/agent.c,$(wildcard bytecode-vm/target/*.c)) $(VM) $(STDLIB)
+RUNTIME_MADE  = $(patsubst tests/runtime/%,$(B)/runtime/made/%.c,$(basename $(wildcard tests/runtime/*.sv tests/runtime/*.sm))) \
+                $(patsubst tests/runtime/%.io,$(B)/runtime/made/%_io.c,$(wildcard tests/runtime/*.io))
+RUNTIME_TESTS = $(patsubst tests/runtime/%.c,$(B)/runtime/%,$(wildcard tests/runtime/*.c))
+RUNTIME_TSAN  = $(patsubst %_linux,%_tsan,$(filter %_linux,$(RUNTIME_TESTS)))
+RUNTIME_C     = $(STRICT_C) -I$(B)/runtime/made $(WARN)
+# For the tests of machines: machines with these vectors, one built without `lock`, and images as arrays.
+RUNTIME_SV_tester = stand
+RUNTIME_SV_bystander = stand
+RUNTIME_SV_picker = many
+RUNTIME_SV_pinned = pins
+RUNTIME_SV_first  = shared
+RUNTIME_SV_second = shared
+$(B)/runtime/made/plain_tester.c: tests/runtime/tester.sm tests/runtime/stand.sv $(B)/smc
+	@mkdir -p $(@D)/unlocked
+	@sed '/^\[options\]/d; /^lock/d' tests/runtime/stand.sv >$(@D)/unlocked/stand.sv
+	$(call say,SMC)$(B)/smc build --emit=c --runtime -w --prefix=plain_tester --sv $(@D)/unlocked/stand.sv -o $@ $<
+RUNTIME_MADE += $(B)/runtime/made/plain_tester.c
+$(B)/runtime/made/images.h: tests/runtime/images.sh $(wildcard tests/runtime/*.sm tests/runtime/*.sv tests/runtime/*.io) $(B)/smc
+	@mkdir -p $(@D)
+	$(call say,SMC)sh tests/runtime/images.sh $(B)/smc >$@.new && mv $@.new $@
+$(RUNTIME_TESTS) $(RUNTIME_TSAN): | $(B)/runtime/made/images.h
+$(B)/runtime/made/%.c: tests/runtime/%.sv $(B)/smc
+	@mkdir -p $(@D)
+	$(call say,SMC)$(B)/smc build --emit=c --runtime -w -o $@ $<
+$(B)/runtime/made/%_io.c: tests/runtime/%.io tests/runtime/%.sv $(B)/smc
+	@mkdir -p $(@D)
+	$(call say,SMC)$(B)/smc build --emit=c --sv tests/runtime/$*.sv -o $@ $<
+$(B)/runtime/made/%.c: tests/runtime/%.sm $(B)/smc
+	@mkdir -p $(@D)
+	$(call say,SMC)$(B)/smc build --emit=c --runtime -w $(if $(RUNTIME_SV_$*),--sv tests/runtime/$(RUNTIME_SV_$*).sv) -o $@ $<
+$(RUNTIME_MADE:%.c=%.o): %.o: %.c | $(RUNTIME_MADE)
+	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) -c $< -o $@
+define runtime_platform
+include runtime-c/psl/$(1)/psl.mk
+RUNTIME_SRC_$(1) := $$(PSL) $$(RUNTIME_SRC)
+$$(B)/runtime/$(1).a: $$(RUNTIME_SRC_$(1):%.c=$$(B)/obj/%.o) $$(RUNTIME_MADE:%.c=%.o)
+	@rm -f $$@
+	$$(call say,AR)$$(AR) rcs $$@ $$^
+endef
+$(foreach platform,linux sim desk,$(eval $(call runtime_platform,$(platform))))
+RUNTIME_TSAN_SRC = $(RUNTIME_SRC_linux) $(RUNTIME_MADE)
+RUNTIME_TSAN_OBJ = $(patsubst $(B)/%.c,$(B)/tsan/%.o,$(filter $(B)/%,$(RUNTIME_TSAN_SRC))) $(patsubst %.c,$(B)/tsan/%.o,$(filter-out $(B)/%,$(RUNTIME_TSAN_SRC)))
+$(B)/tsan/runtime/made/%.o: $(B)/runtime/made/%.c | $(B)/has_tsan $(RUNTIME_MADE)
+	@mkdir -p $(@D)
+	$(call say,CC)$(TSAN) -I$(B)/runtime/made $(DEPFLAGS) -c $< -o $@
+$(B)/tsan/%.o: %.c | $(B)/has_tsan
+	@mkdir -p $(@D)
+	$(call say,CC)$(TSAN) $(DEPFLAGS) -c $< -o $@
+$(B)/runtime/%_linux: tests/runtime/%_linux.c $(B)/runtime/linux.a
+	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/linux.a $(RUNTIME_LIBS) -pthread -lrt
+$(B)/runtime/%: tests/runtime/%.c $(B)/runtime/sim.a
+	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/sim.a $(RUNTIME_LIBS)
+$(B)/runtime/threads: RUNTIME_LIBS = -pthread
+# These tests read logs with the reader of `smc log`.
+RUNTIME_READS = $(patsubst %,$(B)/runtime/%,log log_linux log_tsan kill_linux kill_tsan)
+$(RUNTIME_READS): RUNTIME_LIBS = $(B)/libsmc.a
+$(RUNTIME_READS): | $(B)/libsmc.a
+.SECONDARY: $(RUNTIME_TSAN_OBJ)
+$(B)/runtime/%_tsan: tests/runtime/%_linux.c $(RUNTIME_TSAN_OBJ)
+	$(call say,CC)$(TSAN) -I$(B)/runtime/made $^ -o $@ $(RUNTIME_LIBS) -pthread -lrt
+# `make kill-runtime N=10000`: kills a program N times, at random times.
+kill-runtime: $(B)/runtime/kill_linux
+	$(B)/runtime/kill_linux $(N)
+.PHONY: kill-runtime
+# tests/targets, on emulated processors.  `make targets-campaign N=10000 NC=1000 SEED=1`: N random programs as images and NC as C at each
+# level, on each processor of targets.txt or those that TARGETS names; resumes where it was interrupted.
+# The VM is built with a user's options, without -ffp-contract.
+TARGETS_OPT  ?= -Os
+TARGETS_VM    = tests/targets/vm.c $(filter-out $(VM_TEXT),$(VM)) $(STDLIB)
+TARGETS_ROOM  = $(shell sh tests/targets/cc.sh $* vm)
+$(B)/targets/vm-%: $(TARGETS_VM) $(wildcard tests/targets/*.txt tests/targets/cc.sh tests/targets/bare/* bytecode-vm/*.[hd]* stdlib/*.[hd]*)
+	@mkdir -p $(@D)
+	$(call say,CC)sh tests/targets/cc.sh $* -std=gnu11 -I. -Wall -Wextra -Werror $(TARGETS_OPT) $(TARGETS_ROOM) -o $@ \
+	    $(if $(findstring DECODED=0,$(TARGETS_ROOM)),$(filter-out $(VM_FAST),$(TARGETS_VM)),$(TARGETS_VM))
+$(B)/targets/cases: tests/targets/cases.c $(filter-out %/main.o,$(DIFF_OBJ)) $(B)/libsmc.a $(B)/runtime/sim.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+# The VM's unit tests in the configuration of the target.  Sources that include bytecode-vm/config.h are compiled for it; libsmc has
+# the rest.  vm_hostile and vm_switch have configurations of their own, vm_mutate takes long.
+TARGETS_UNIT = $(filter-out %/vm_hostile.c %/vm_switch.c %/vm_mutate.c,$(wildcard tests/unit/vm_*.c))
+TARGETS_CONF = $(VM) $(STDLIB) $(wildcard compiler/emit/bytecode/*.c) compiler/script/engine_vm.c
+$(B)/targets/units-%: $(TARGETS_UNIT) $(TARGETS_CONF) $(B)/libsmc.a $(B)/gen/embed.c tests/targets/targets.txt
+	@mkdir -p $@
+	$(call say,CC)for f in $(TARGETS_CONF); do \
+	    sh tests/targets/cc.sh $* $(STRICT_C) -Wall -Wextra -Werror -O0 -c $$f -o $@/$$(echo $$f | tr / _).o || exit 1; \
+	done; for t in $(TARGETS_UNIT); do sh tests/targets/cc.sh $* $(STRICT_C) -O0 $$t $@/*.o $(B)/libsmc.a -lm -o $@/$$(basename $$t .c) || exit 1; done
+	@touch $@
+
+# Tests of runtime-c without threads, on targets with an operating system.  Their aim is the wire forms on a big-endian processor.
+TARGETS_RUNTIME = statevec region event executor task keep machine
+$(B)/targets/runtime-%: $(RUNTIME_SRC_sim) $(RUNTIME_MADE) $(TARGETS_RUNTIME:%=tests/runtime/%.c) | $(B)/runtime/made/images.h
+	@mkdir -p $@.tests
+	$(call say,CC)for f in $(filter-out tests/%,$^); do \
+	    sh tests/targets/cc.sh $* $(RUNTIME_C) -O0 -c $$f -o $@.tests/$$(echo $$f | tr / _).o || exit 1; \
+	done; for t in $(TARGETS_RUNTIME); do sh tests/targets/cc.sh $* $(RUNTIME_C) -O0 tests/runtime/$$t.c $@.tests/*.o -o $@.tests/$$t || exit 1; done
+	@touch $@
+
+targets-campaign: $(B)/diff/difftest $(B)/targets/cases
+targets-campaign:
+	N=$(N) NC=$(NC) SEED=$(SEED) nice -n 19 sh tests/targets/campaign.sh $(B) $(TARGETS)
+
+# smc itself and its tests on targets with an operating system: `make targets-native TARGETS=s390x-fma`.  Without vm_mutate, which
+# would take an hour.
+NATIVE_UNIT = $(filter-out %/vm_mutate,$(UNIT))
+targets-native: $(B)/golden
+	for t in $(or $(TARGETS),s390x-fma armhf-fma); do \
+	    $(MAKE) B=$(B)/native-$$t CC="sh tests/targets/cc.sh $$t" AR="sh tests/targets/cc.sh $$t ar" CFLAGS='-O1 -Werror' native-tests || exit 1; \
+	    $(B)/golden $(B)/native-$$t/smc $(filter-out %/example-tank.smt %/test-all-engines.smt %/test-engine-absent.smt %/test-engine-all-without-c.smt %/thesis-%,$(GOLDEN)) || exit 1; \
+	done
+native-tests: all $(NATIVE_UNIT) $(B)/diff/difftest $(TARGETS_RUNTIME:%=$(B)/runtime/%)
+	for t in $(NATIVE_UNIT) $(TARGETS_RUNTIME:%=$(B)/runtime/%); do $$t || exit 1; done
+	for engine in ref vm vm-soft; do $(B)/smc test --engine=$$engine conformance || exit 1; done
+	$(B)/diff/difftest --count=$(or $(NC),1000) --out=$(B)/diff/native
+.PHONY: targets-campaign targets-native native-tests
+
+# Random applications and random faults, compared with a model: N steps.
+stress-runtime: $(B)/runtime/stress
+	$(B)/runtime/stress $(or $(N),1000000) $(or $(SEED),1)
+
+# How late ticks begin on this computer, without and with real-time priorities, for SECONDS=5 each.
+$(B)/runtime/lateness: tests/bench/lateness.c $(B)/runtime/linux.a
+	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/linux.a -pthread -lrt
+lateness: $(B)/runtime/lateness
+	$(B)/runtime/lateness $(or $(SECONDS),5)
+.PHONY: stress-runtime lateness
+
+# Time and size of an access to the state vector and of a tick.
+bench-runtime: $(RUNTIME_MADE)
+	sh tests/bench/runtime.sh $(B) '$(CC)'
+	sh tests/bench/ticks.sh $(B) '$(CC)'
+.PHONY: bench-runtime
+
+# tests/runtime/flights: the example machines as tasks, in the flights of their scripts.
+FLIGHTS        = $(B)/runtime/flights
+FLIGHT_TRACES  = $(patsubst examples/mission/%.ss,$(FLIGHTS)/%.trace,$(wildcard examples/mission/*.ss))
+FLIGHT_RUNTIME = $(FLIGHTS)/rocket.c $(FLIGHTS)/mission.c $(FLIGHTS)/airbrakes.c
+$(FLIGHTS)/rocket.sv: examples/mission/rocket.sv
+	@mkdir -p $(@D)
+	@{ printf '[options]\nlock\n'; cat $<; } >$@
+$(FLIGHTS)/rocket.c: $(FLIGHTS)/rocket.sv $(B)/smc
+	$(call say,SMC)$(B)/smc build --emit=c --runtime -o $@ $<
+$(FLIGHTS)/mission.c $(FLIGHTS)/airbrakes.c: $(FLIGHTS)/%.c: examples/mission/%.sm $(FLIGHTS)/rocket.sv $(B)/smc
+	$(call say,SMC)$(B)/smc build --emit=c --runtime --sv $(FLIGHTS)/rocket.sv -o $@ $<
+$(FLIGHTS)/flight.smb: examples/mission/mission.sm examples/mission/airbrakes.sm $(FLIGHTS)/rocket.sv $(B)/smc
+	$(call say,SMC)$(B)/smc build --sv $(FLIGHTS)/rocket.sv -o $@ examples/mission/mission.sm examples/mission/airbrakes.sm
+$(FLIGHTS)/%.trace: examples/mission/%.ss examples/mission/mission.sm examples/mission/airbrakes.sm $(FLIGHTS)/rocket.sv $(B)/smc
+	@$(B)/smc test --sv $(FLIGHTS)/rocket.sv --trace=$@ --trace-format=exact examples/mission/$(firstword $(subst -, ,$*)).sm $< >$@.log
+$(FLIGHTS)/flights: tests/runtime/flights/flights.c $(FLIGHT_RUNTIME) $(B)/runtime/sim.a
+	$(call say,CC)$(CC) $(STRICT_C) -I$(FLIGHTS) $(WARN) $(CFLAGS) $^ -o $@
+
+# `make bench-machine`: the instructions of a step as a task of the runtime.
+$(FLIGHTS)/plain_mission.c: examples/mission/mission.sm examples/mission/rocket.sv $(B)/smc
+	$(call say,SMC)$(B)/smc build --emit=c --runtime --prefix=plain_mission --sv examples/mission/rocket.sv -o $@ $<
+BENCH_MACHINE = tests/bench/machine.c $(FLIGHTS)/rocket.c $(FLIGHTS)/mission.c $(FLIGHTS)/plain_mission.c $(RUNTIME_SRC_linux)
+bench-machine: $(BENCH_MACHINE) $(FLIGHTS)/flight.smb
+	$(CC) $(STRICT_C) -O2 -I$(FLIGHTS) $(BENCH_MACHINE) -o $(FLIGHTS)/bench -pthread -lrt
+	@sh tests/bench/machine_cost.sh $(FLIGHTS)/bench $(FLIGHTS)/flight.smb
+.PHONY: bench-machine
+
+# tests/clauses
+HOST         = $(wildcard compiler/base/os_*.c compiler/device/*.c)
+CLAUSE_TESTS = $(B)/clauses/steps $(B)/clauses/memory $(B)/clauses/regions
+$(B)/clauses/probe.c: tests/clauses/probe.sm tests/clauses/probe.sv $(B)/smc
+	@mkdir -p $(@D)
+	@$(B)/smc build tests/clauses/probe.sm --sv=tests/clauses/probe.sv --emit=c -o $@
+$(B)/clauses/probe.smb: tests/clauses/probe.sm tests/clauses/probe.sv $(B)/smc
+	@mkdir -p $(@D)
+	@$(B)/smc build tests/clauses/probe.sm --sv=tests/clauses/probe.sv -o $@
+$(B)/clauses/steps $(B)/clauses/regions: $(B)/clauses/%: tests/clauses/%.c $(HOST:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) -o $@ $^
+$(B)/clauses/memory: tests/clauses/memory.c $(B)/clauses/probe.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) -I$(B)/clauses $(WARN) $(CFLAGS) -o $@ $^
+
+# docs/diagnostics.md, generated from codes.def by `make docs`.
+DIAGNOSTICS = $(B)/diagnostics | LC_ALL=C awk -f tests/check/wrap.awk
+docs: $(B)/diagnostics
+	$(DIAGNOSTICS) >docs/diagnostics.md
+.PHONY: docs
+
+# Wraps the prose of documents at 100 columns.
+wrap-docs:
+	@sh tests/check/files.sh documents | xargs sh tests/check/wrap.sh -w
+.PHONY: wrap-docs
+
+# The schema for the test `sarif`.
+sarif-schema:
+	sh tests/check/sarif_schema.sh $(B)/sarif/schema.json
+.PHONY: sarif-schema
+
+# `make mutants` breaks the implementation line by line; the cases must notice each fault.  `make faults`: random programs and the tests of
+# soft numbers and of the store must notice.  An hour each.  `make mutants M="6 7.12"`: some clauses; `M=100-200`, `M=100-`: lines of the list.
+mutants faults:
+	@CC='$(CC)' CFLAGS=$(if $(filter faults,$@),-O1,-O0) sh tests/check/mutants.sh tests/check/$@.txt $(B)/$@ $(M)
+.PHONY: mutants faults
+
+# ---- part 2: the tests ----
+
+# The order is the order in which they start.  Long ones come first in their part, so that the last ones to run are short.
+
+# quick: no other compiler, no campaign.
+
+$(call test, golden,               quick, $(B)/golden, $(B)/golden $(B)/smc tests/golden/*.smt)
+$(call test, analysis,             quick,, $(B)/smc test tests/analysis)
+$(call test, conformance,          quick,, $(B)/smc test --engine=ref,vm conformance)
+UNIT_SLOW = vm_mutate vm_switch vm_decode stdlib_roll stdlib_roll_small
+$(foreach u,$(filter-out $(UNIT_SLOW:%=$(B)/unit/%),$(UNIT)) $(B)/unit/stdlib_convert_small,$(call test,$(notdir $(u)),quick,$(u),$(u)))
+$(call test, ir,                   quick, $(B)/ir/run, $(B)/ir/run tests/ir/*.smt tests/ir/samples/*.ir conformance/*/*.smt)
+$(call test, ir-verify,            quick, $(B)/ir/verify, $(B)/ir/verify)
+$(call test, ir-read,              quick, $(B)/ir/read, $(B)/ir/read)
+$(call test, script,               quick,, $(B)/smc test tests/script)
+$(call test, graph-layout,         quick, $(B)/graph/layout, $(B)/graph/layout tests/graph/machines/*.sm)
+$(call test, clauses-steps,        quick, $(B)/clauses/steps, $(B)/clauses/steps)
+$(call test, clauses-memory,       quick, $(B)/clauses/memory $(B)/clauses/probe.smb, $(B)/clauses/memory $(B)/clauses/probe.smb)
+$(call test, clauses-regions,      quick, $(B)/clauses/regions, $(B)/clauses/regions)
+$(call test, fixes,                quick, $(B)/fixes, $(B)/fixes tests/check/fixes.txt conformance/*/*.smt tests/*/*.smt README.md docs/*.md examples/*/*.sm tests/findings/*/*.sm)
+$(call test, diagnostics,          quick, $(B)/diagnostics, $(DIAGNOSTICS) | cmp - docs/diagnostics.md && echo 1 passed$(,) 0 failed)
+$(call test, graph-docs,           quick,, $(B)/smc graph examples/ignition/ignition.sm | cmp - docs/ignition.svg && echo 1 passed$(,) 0 failed)
+
+# The house rules.
+$(call test, runner,               quick,, sh tests/check/runner.sh)
+$(call test, mutants-places,       quick,, sh tests/check/mutants.sh --places tests/check/mutants.txt tests/check/faults.txt)
+$(call test, check-words,          quick,, sh tests/check/files.sh text | awk -f tests/check/words.awk tests/check/words.txt -)
+$(call test, check-wrap,           quick,, sh tests/check/files.sh documents | xargs sh tests/check/wrap.sh)
+$(call test, check-sentences,      quick,, sh tests/check/files.sh documents | grep -v '^docs/evidence' | LC_ALL=C awk -f tests/check/sentences.awk)
+$(call test, check-layers,         quick,, sh tests/check/files.sh code | awk -f tests/check/layers.awk tests/check/layers.txt -)
+$(call test, check-codes,          quick,, sh tests/check/files.sh cases | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -)
+$(call test, check-arguments,      quick,, sh tests/check/files.sh compiler | awk -f tests/check/arguments.awk compiler/diag/codes.def -)
+$(call test, check-clauses,        quick,, sh tests/check/files.sh evidence | awk -f tests/check/clauses.awk docs/language.md docs/config.md tests/check/clauses.txt -)
+$(call test, check-licence,        quick,, sh tests/check/files.sh code | awk -f tests/check/licence.awk)
+$(call test, check-places,         quick,, sh tests/check/files.sh text | awk -f tests/check/places.awk)
+$(call test, check-configurations, quick,, sh tests/check/configurations.sh)
+$(call test, check-headers,        quick,, CC='$(CC)' sh tests/check/headers.sh -I$(B)/gen)
+IMPORTS = $(patsubst %.c,$(B)/obj/%.o,$(filter-out $(VM_TEXT),$(VM)) $(STDLIB) $(wildcard runtime-c/*.c bytecode-vm/target/*.c))
+$(call test, check-imports,        quick, $(IMPORTS), sh tests/check/imports.sh $(IMPORTS))
+
+# thorough: the rest of what needs cc and make only.
+
+$(call test, findings-seeded,      thorough,, sh tests/findings/seeded.sh $(B)/smc)
+$(call test, examples,             thorough,, sh tests/check/examples.sh $(B)/smc $(patsubst %/,%,$(wildcard examples/*/)))
+$(call test, findings,             thorough,, sh tests/findings/run.sh $(B)/smc)
+# Emitted C at -O1, as smc test builds it; -O0 builds faster.
+LEVELS ?= 0 1 2
+$(foreach level,$(LEVELS),$(call test,conformance-O$(level),thorough,,$(if $(filter-out 2,$(level)),CC='$(CC) -O0' )$(B)/smc test -O$(level) conformance))
+# Emitted C with numbers in software, as --soft writes it.
+$(call test, conformance-c-soft,   thorough,, CC='$(CC) -O0' $(B)/smc test --engine=ref,c-soft conformance)
+$(foreach u,$(UNIT_SLOW),$(call test,$(u),thorough,$(B)/unit/$(u),$(B)/unit/$(u)))
+$(call test, check-docs,           thorough,, sh tests/check/docs.sh $(B)/smc $(B)/docs README.md conformance/README.md examples/README.md docs/*.md)
+$(call test, applications,         thorough, $(RUNTIME_ARCHIVES), sh tests/check/applications.sh $(B)/smc '$(CC)' $(B)/runtime $(patsubst %/,%,$(dir $(wildcard examples/*/*.app))))
+$(call test, flight-docs,          thorough, $(B)/flight/flight.log, $(FLIGHT_SVG) | cmp - docs/flight.svg && echo 1 passed$(,) 0 failed)
+$(call test, graph-read,           thorough,, sh tests/graph/read.sh $(B)/smc tests/graph/machines/*.sm)
+$(call test, outputs,              thorough, $(B)/corpus/log/flight.log, sh tests/outputs/run.sh $(B)/smc $(B)/corpus/log/flight.log)
+$(call test, junit,                thorough,, sh tests/check/junit.sh $(B)/smc $(B)/junit)
+$(call test, sarif,                thorough,, sh tests/check/sarif.sh $(B)/smc $(B)/sarif conformance/11-errors/*.smt tests/analysis/*.smt)
+$(call test, report,               thorough,, sh tests/report/run.sh $(B)/smc $(B)/report)
+$(call test, log,                  thorough, $(B)/runtime/log, sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log)
+$(call test, app,                  thorough, $(B)/runtime/sim.a, sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)')
+$(call test, cost,                 thorough, $(B)/cost, $(B)/cost)
+$(call test, emitc-flow,           thorough, $(B)/emitc/flow, $(B)/emitc/flow 100)
+$(call test, emitc-typed,          thorough, $(B)/emitc/typed, $(B)/emitc/typed 100)
+$(call test, soft,                 thorough, $(B)/soft/run, $(B)/soft/run)
+$(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
+
+$(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
+$(call test, sound,                thorough, $(B)/diff/difftest, $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound)
+$(call test, diff-c,               thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=25 --forms=012h --cc='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c)
+$(call test, diff-c-soft,          thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=10 --forms=012h --cc-soft='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c-soft)
+$(call test, fuzz-script,          thorough, $(B)/fuzz/script, $(B)/fuzz/script -n 2000 conformance/0[678]*/*.smt tests/script/*.smt)
+$(call test, fuzz-frontend,        thorough, $(B)/fuzz/frontend, $(B)/fuzz/frontend -n 5000 tests/fuzz/seeds/frontend/*)
+$(call test, fuzz-ir,              thorough, $(B)/fuzz/ir, $(B)/fuzz/ir -n 2000 tests/ir/samples/*.ir)
+$(call test, fuzz-log,             thorough, $(B)/fuzz/log $(B)/corpus/log/flight.log, $(B)/fuzz/log -n 1000 $(B)/corpus/log/flight.log)
+$(call test, fuzz-image,           thorough, $(B)/fuzz/image $(B)/corpus/image, $(B)/fuzz/image -n 20000 $(B)/corpus/image/*.smb)
+$(call test, fuzz-link,            thorough, $(B)/fuzz/link $(LINK_SEEDS), $(B)/fuzz/link -n 20000 $(LINK_SEEDS))
+
+$(call test, fault-memory,         thorough, $(B)/fault/memory, $(B)/fault/memory $(FAULT_CASES))
+$(call test, fault-command,        thorough, $(B)/fault/shim.so, sh tests/fault/command.sh $(B)/smc $(B)/fault/shim.so)
+$(call test, host-folders,         thorough, $(B)/host/folders, $(B)/host/folders)
+$(call test, host-files,           thorough, $(B)/host/files, $(call HOST_FOLDER,files) $(B)/host/files $(B)/host/files.made)
+$(call test, host-signals,         thorough, $(B)/host/signals, $(call HOST_FOLDER,signals) $(B)/host/signals $(abspath $(B))/smc $(abspath examples)/tank/tank.sm $(abspath examples)/tank/tank.ss $(abspath $(B))/host/signals.made)
+$(call test, host-names,           thorough, $(B)/flight/flight.log, sh tests/host/names.sh $(B)/smc $(B)/host/names.made $(B)/flight/flight.log)
+
+$(foreach p,linux sim desk none,$(call test,psl-$(p),thorough,$(B)/psl/$(p)/suite,$(B)/psl/$(p)/suite))
+NEEDS_thorough += $(B)/psl/linux/runtime-c/psl/linux/watchdog.o
+# A program under the thread sanitizer is not there if the compiler lacks it.
+$(call test, psl-tsan,             thorough, $(B)/psl/tsan, if test -x $(B)/psl/tsan; then $(B)/psl/tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
+$(foreach t,$(RUNTIME_TESTS),$(call test,runtime-$(notdir $(t)),thorough,$(t),$(t)))
+$(foreach t,$(RUNTIME_TSAN),$(call test,runtime-$(notdir $(t)),thorough,$(t),if test -x $(t); then $(t); else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi))
+$(call test, runtime-flights,      thorough, $(FLIGHTS)/flights $(FLIGHTS)/flight.smb $(FLIGHT_TRACES), $(FLIGHTS)/flights $(FLIGHTS)/flight.smb $(FLIGHT_TRACES))
+$(call test, store,                thorough, $(B)/store/cuts $(STORE_SMB), $(B)/store/cuts $(STORE_SMB))
+$(call test, agent,                thorough, $(B)/store/agent $(STORE_SMB), $(B)/store/agent $(STORE_SMB))
+$(call test, auth,                 thorough, $(B)/store/auth $(STORE_SMB), $(B)/store/auth $(STORE_SMB))
+$(call test, device,               thorough, $(B)/device/link $(B)/device/board $(STORE_SMB), $(DEVICE_RUN))
+
+# targets: other compilers and processors, emulated boards, measurements.
+
+$(call test, +firmware,            targets, $(B)/device/link $(STORE_SMB), sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)')
+$(call test, +processors,          targets, $(B)/diff/difftest $(B)/targets/cases $(RUNTIME_MADE), sh tests/targets/run.sh $(B))
+$(call test, +native-x86-32,       targets, $(B)/golden, sh tests/targets/native.sh $(B) '$(MAKE)' x86-32)
+$(call test, +sizes,               targets,, sh tests/bench/sizes.sh $(B) '$(CC)' '$(MAKE)')
+$(call test, +install,             targets,, sh tests/install/run.sh $(MAKE) $(B) '$(CC)')
+$(call test, emitc,                targets,, sh tests/emitc/run.sh $(B)/smc)
+$(call test, avr,                  targets, $(B)/diff/difftest, sh tests/avr/run.sh $(B) '$(CC)')
+$(call test, avr-cycles,           targets,, sh tests/avr/cycles.sh $(B) '$(CC)')
+$(call test, avr-c,                targets, $(B)/diff/difftest $(B)/targets/cases, sh tests/avr/c.sh $(B) '$(CC)')
+$(call test, arduino,              targets, arduino, CC='$(CC)' sh tests/arduino/run.sh $(B) $(ARDUINO) '$(VERSION)')
+$(call test, app-targets,          targets, $(RUNTIME_MADE), sh tests/targets/app.sh $(B) '$(CC)')
+$(call test, runtime-targets,      targets,, CC='$(CC)' sh tests/runtime/targets.sh $(B)/smc)
+$(call test, models,               targets,, sh tests/check/models.sh $(STRICT_C) $(WARN))
+$(call test, bench,                targets, $(B)/bench/steps, $(B)/bench/steps $(B)/bench check)
+$(call test, bench-report,         targets,, sh tests/check/bench_report.sh)
+
+# ---- running them ----
+
+quick: all $(NEEDS_quick)
+	$(call run_parts,quick)
+check: all $(foreach part,$(PARTS),$(NEEDS_$(part)))
+	$(call run_parts,$(PARTS))
+check-thorough: all $(NEEDS_thorough)
+	$(call run_parts,thorough)
+check-targets: all $(NEEDS_targets)
+	$(call run_parts,targets)
+list-tests:
+	@printf '%s\n' $(foreach part,$(PARTS),"[$(part)]" $(LINES_$(part)))
+.PHONY: quick check check-thorough check-targets list-tests
+
+# All tests of a folder.
+check-graph: check-graph-layout check-graph-read check-graph-docs
+check-host: check-host-files check-host-folders check-host-signals check-host-names
+check-runtime: $(patsubst $(B)/runtime/%,check-runtime-%,$(RUNTIME_TESTS) $(RUNTIME_TSAN)) check-runtime-flights
+.PHONY: check-graph check-host check-runtime
+.PHONY: asan bench bench-scale check-mutate update-golden test fuzz
