@@ -8,7 +8,7 @@
 
 #include "bytecode-vm/smvm.h"
 #include "compiler/base/os.h"
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 
 // Exit codes: stable, because docs and scripts rely on them.
 enum {
@@ -68,20 +68,11 @@ CLI_PRINTF void cli_remark(Cli *c, const char *format, ...);      // for a messa
 // Usage error: prints a message and refers to --help. Returns EXIT_USAGE.
 CLI_PRINTF int cli_usage(Cli *c, const char *format, ...);
 
-// Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT). Diagnostics show the name as given.
-Source *cli_load(Cli *c, const char *path);
 // A name for a message, with control characters as \x0a; no file with such a name is ever opened. cli_usage calls this itself.
 const char *cli_shown(Arena *a, const char *name);
 // Reads an image and runs the device's own verifier on it.  EXIT_OK, or the exit code after a message.
 int cli_load_image(Cli *c, const char *path, Source **image, SmvmVerdict *v);
 void cli_put_pin(Buf *out, const SmvmPin *p);          // "digital input 2 with @pull_up"
-// Reads the scripts of the call, each once. The result is indexed by argument; an entry is NULL if the argument is not a script or cannot
-// be read. In the latter case a message was printed, which is also in problem[argument] unless `problem` is NULL. Then calls
-// cli_note_scripts.
-Source **cli_load_scripts(Cli *c, Map *written, const char **problem);
-// Adds the names that scripts (by argument) assign to `written`: to run them, a machine is compiled with those locals as variables.
-// Without --step, the session's step becomes the delta_t of the scripts if all have the same one.
-void cli_note_scripts(Cli *c, Source *const *ss, Map *written);
 // Writes outputs, after outputs_check. Returns EXIT_OK, or the exit code after a message: then no file has been replaced.
 int cli_write(Cli *c, const OsOutput *out, size_t n);
 // Writes an edited file over its input, without outputs_check. Reports hard links, because os_write changes only one of them.
@@ -119,13 +110,17 @@ int outputs_check(Cli *c, const OsOutput *out, size_t n);
 int outputs_check_options(Cli *c);
 bool outputs_is_source_name(const char *name, size_t n);
 
-// ---- limits.c: --step, --max-ram, --max-step and --max-cycles ----
+// ---- inputs.c: what compile_sources() gets from a call ----
 
-bool step_known(Cli *c);                  // reads --step; false after a message: not a number
-bool limits_known(Cli *c);                // reads --step and the others; false after a message: one of them is not a number
-bool limits_given(const Cli *c);
-// Reports by how much machine m, compiled from p as it will fly, exceeds them.
-void limits_check(Cli *c, const Program *p, IrMachine *m);
+// Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT).  Diagnostics show the name as given.
+Source *cli_load(Cli *c, const char *path);
+// Reads every file of the call and the files of --sv and --io, if given.  An application's own files are read too; a missing one is
+// reported when it is checked.  "-" is a machine.  EXIT_OK, or EXIT_ENVIRONMENT after a message.
+int cli_read_inputs(Cli *c, CompileInput *in);
+// Reads -O, --step, the limits, -W and --soft.  false after a message: one of them is not a number.
+bool cli_compile_options(Cli *c, CompileOptions *o);
+// Whether the names of all files end as sources do ("-" is accepted if `standard_input`); false after a message.
+bool cli_are_sources(Cli *c, bool standard_input);
 
 // ---- fix_list.c ----
 

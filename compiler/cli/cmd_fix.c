@@ -3,81 +3,26 @@
 #include <string.h>
 
 #include "compiler/cli/cli.h"
-#include "compiler/syntax/parse.h"
 
 enum { ROUNDS = 10 };         // one edit can reveal another error
 
 typedef struct Fix {
     Cli *c;
-    Source **src, **was;      // of each argument: the current text, and the text as read
+    CompileInput in;
+    CompileOptions o;
+    const Source **was;       // of each argument: the text as read
     size_t *fixed;            // number of findings fixed in each
-    const Source *sv;         // from --sv; NULL: none
-    size_t machines;
 } Fix;
-
-// ---- messages ----
-
-static const Source *state_vector(const Fix *f)
-{
-    const Cli *c = f->c;
-
-    for (size_t i = 0; f->sv && i < c->files; i++)
-        if (strcmp(c->file[i], c->value[OPT_SV]) == 0)
-            return f->src[i];
-    return f->sv;
-}
-
-static bool is_script_of_machine(const Fix *f, size_t i)
-{
-    return f->machines == 1 && has_suffix(f->c->file[i], ".ss");
-}
-
-static void diagnose_machine(Fix *f, size_t machine)
-{
-    Cli *c = f->c;
-    Map written = {&c->session.arena, NULL, NULL, 0, 0};
-    MachineInput in = {f->src[machine], state_vector(f), NULL, option_level(c)};
-    Source **ss = ARENA_ARRAY(&c->session.arena, Source *, c->files);
-    Program *p;
-
-    for (size_t i = 0; i < c->files; i++)
-        if (is_script_of_machine(f, i))
-            ss[i] = f->src[i];
-    cli_note_scripts(c, ss, &written);
-    if ((p = session_program(&c->session, &in)) != NULL) {
-        session_analyse(&c->session, p);
-        in.written_outside = &written;
-        p = session_program_for_scripts(&c->session, &in, p);
-    }
-    for (size_t i = 0; i < c->files; i++)
-        if (is_script_of_machine(f, i) && p)
-            session_script(&c->session, f->src[i], p);
-        else if (is_script_of_machine(f, i))
-            session_parse(&c->session, f->src[i], FILE_SS);
-}
 
 static void diagnose(Fix *f)
 {
-    Cli *c = f->c;
-    Diags *d = &c->session.diags;
+    Compiled out;
 
-    diags_init(d, &c->session.arena);
-    for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".sm"))
-            diagnose_machine(f, i);
-        else if (has_suffix(c->file[i], ".sv"))
-            session_state_vector(&c->session, f->src[i]);
-        else if (has_suffix(c->file[i], ".io") && f->sv)
-            session_io(&c->session, f->src[i], f->sv);
-        else if (has_suffix(c->file[i], ".io"))
-            session_parse(&c->session, f->src[i], FILE_IO);
-        else if (has_suffix(c->file[i], ".app"))
-            session_parse(&c->session, f->src[i], FILE_APP);
-        else if (!is_script_of_machine(f, i))
-            session_parse(&c->session, f->src[i], FILE_SS);
-    diags_apply_allows(d);
-    diags_select(d, &c->warn);
-    diags_sort(d);
+    diags_init(&f->c->session.diags, &f->c->session.arena);
+    for (size_t i = 0; i < f->in.n && f->in.vector; i++)       // --sv can name one of the files, which is then fixed too
+        if (strcmp(f->c->file[i], f->c->value[OPT_SV]) == 0)
+            f->in.vector = f->in.at[i].text;
+    compile_sources(&f->c->session, &f->in, &f->o, &out);
 }
 
 // ---- edits ----
@@ -123,17 +68,17 @@ static bool improve(Fix *f, size_t i)
 {
     Cli *c = f->c;
     Diags before = c->session.diags;
-    Source *was = f->src[i];
+    const Source *was = f->in.at[i].text;
     Buf text;
     size_t made;
 
     buf_init(&text, &c->session.arena);
     if ((made = diags_apply_edits(&before, was, &text)) == 0)
         return false;
-    f->src[i] = source_new(&c->session.arena, was->name, buf_text(&text), text.n);
+    f->in.at[i].text = source_new(&c->session.arena, was->name, buf_text(&text), text.n);
     diagnose(f);
-    if (!is_better(&c->session.diags, f->src[i], &before, was)) {
-        f->src[i] = was;
+    if (!is_better(&c->session.diags, f->in.at[i].text, &before, was)) {
+        f->in.at[i].text = was;
         c->session.diags = before;
         return false;
     }
@@ -154,32 +99,17 @@ static void improve_all(Fix *f)
 
 // ---- the command ----
 
-static bool load(Fix *f)
-{
-    Cli *c = f->c;
-
-    f->src = ARENA_ARRAY(&c->session.arena, Source *, c->files);
-    f->was = ARENA_ARRAY(&c->session.arena, Source *, c->files);
-    f->fixed = ARENA_ARRAY(&c->session.arena, size_t, c->files);
-    for (size_t i = 0; i < c->files; i++) {
-        f->machines += has_suffix(c->file[i], ".sm");
-        if ((f->was[i] = f->src[i] = cli_load(c, c->file[i])) == NULL)
-            return false;
-    }
-    return !c->given[OPT_SV] || (f->sv = cli_load(c, c->value[OPT_SV])) != NULL;
-}
-
 static bool write_fixed(Fix *f, Buf *report)
 {
     Cli *c = f->c;
 
     for (size_t i = 0; i < c->files; i++) {
-        OsOutput out = {c->file[i], f->src[i]->text, f->src[i]->len};
+        OsOutput out = {c->file[i], f->in.at[i].text->text, f->in.at[i].text->len};
         if (f->fixed[i] == 0)
             continue;
         if (!c->given[OPT_DRY_RUN] && cli_rewrite(c, &out) != EXIT_OK)
             return false;
-        fix_list(f->was[i], f->src[i], report);
+        fix_list(f->was[i], f->in.at[i].text, report);
         buf_printf(report, "%s: %lu %s\n", c->file[i], (unsigned long)f->fixed[i], c->given[OPT_DRY_RUN] ? "to fix" : "fixed");
     }
     return true;
@@ -189,11 +119,7 @@ static int check_use(Cli *c)
 {
     if (c->files == 0)
         return cli_usage(c, "fix wants a file, as in 'smc fix tank.sm'");
-    for (size_t i = 0; i < c->files; i++)
-        if (!has_suffix(c->file[i], ".sm") && !has_suffix(c->file[i], ".ss") && !has_suffix(c->file[i], ".sv") &&
-            !has_suffix(c->file[i], ".io") && !has_suffix(c->file[i], ".app"))
-            return cli_usage(c, "'%s' is no source: names end in .sm, .sv, .ss, .io or .app", c->file[i]);
-    return EXIT_OK;
+    return cli_are_sources(c, false) ? EXIT_OK : EXIT_USAGE;
 }
 
 int cmd_fix(Cli *c)
@@ -204,10 +130,15 @@ int cmd_fix(Cli *c)
 
     if (code != EXIT_OK)
         return code;
-    if (!step_known(c))
+    if (!cli_compile_options(c, &f.o))
         return EXIT_USAGE;
-    if (!load(&f))
-        return EXIT_ENVIRONMENT;
+    if ((code = cli_read_inputs(c, &f.in)) != EXIT_OK)
+        return code;
+    f.in.app = NULL;          // what an application names is fixed in calls of its own
+    f.was = ARENA_ARRAY(&c->session.arena, const Source *, c->files);
+    f.fixed = ARENA_ARRAY(&c->session.arena, size_t, c->files);
+    for (size_t i = 0; i < c->files; i++)
+        f.was[i] = f.in.at[i].text;
     diagnose(&f);
     improve_all(&f);
     buf_init(&report, &c->session.arena);

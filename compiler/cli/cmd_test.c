@@ -210,13 +210,14 @@ static bool read_steps(const char *text, uint64_t *steps)
 static int read_options(TestRun *t)
 {
     Cli *c = t->c;
+    CompileOptions unused;
 
     t->max_steps = 1000000;
     if (c->given[OPT_MAX_STEPS] && !read_steps(c->value[OPT_MAX_STEPS], &t->max_steps))
         return cli_usage(c, "--max-steps wants a whole number from 1, not '%s'", c->value[OPT_MAX_STEPS]);
     if (c->given[OPT_ENGINE] && (t->engines = engines_named(c->value[OPT_ENGINE])) == 0)
         return cli_usage(c, "--engine is ref, vm, vm-soft, c, c-soft or all, not '%s'", c->value[OPT_ENGINE]);
-    return step_known(c) ? EXIT_OK : EXIT_USAGE;
+    return cli_compile_options(c, &unused) ? EXIT_OK : EXIT_USAGE;
 }
 
 int cmd_test(Cli *c)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions for every subcommand: messages, reading sources, writing outputs, reporting diagnostics.
+// Functions for every subcommand: messages, writing outputs, reporting diagnostics.
 #include "compiler/cli/cli.h"
 #include "compiler/version.h"
 
@@ -92,64 +92,6 @@ int cli_usage(Cli *c, const char *format, ...)
     else
         fputs("Try 'smc --help'.\n", stderr);
     return EXIT_USAGE;
-}
-
-Source *cli_load(Cli *c, const char *path)
-{
-    const char *why;
-    char *text, *copy;
-    size_t len;
-
-    if (!os_read(path, SOURCE_MAX, &text, &len, &why)) {
-        cli_say(c, "cannot read '%s': %s", cli_shown(&c->session.arena, path), why);
-        return NULL;
-    }
-    copy = arena_alloc(&c->session.arena, len + 1);
-    memcpy(copy, text, len);
-    os_alloc(NULL, text, 0);
-    return source_new(&c->session.arena, strcmp(path, "-") == 0 ? "<stdin>" : path, copy, len);
-}
-
-// Errors in the script are reported when it is compiled, not here.
-static uint64_t note_script(Cli *c, const Source *ss, Map *written)
-{
-    Diags real = c->session.diags;
-    uint64_t delta_t = 0;
-    AstFile *f;
-
-    c->session.diags.muted = true;
-    if ((f = session_parse(&c->session, ss, FILE_SS)) != NULL) {
-        script_written_names(f, written);
-        delta_t = script_delta_t(f);
-    }
-    c->session.diags = real;
-    return delta_t;
-}
-
-void cli_note_scripts(Cli *c, Source *const *ss, Map *written)
-{
-    uint64_t step = 0;
-    bool agree = true;
-
-    for (size_t i = 0; i < c->files; i++)
-        if (ss[i]) {
-            const uint64_t delta_t = note_script(c, ss[i], written);
-            agree = agree && delta_t > 0 && (step == 0 || delta_t == step);
-            step = delta_t;
-        }
-    if (!c->given[OPT_STEP])
-        c->session.step = agree ? step : 0;
-}
-
-Source **cli_load_scripts(Cli *c, Map *written, const char **problem)
-{
-    Source **ss = ARENA_ARRAY(&c->session.arena, Source *, c->files);
-
-    for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".ss") && (ss[i] = cli_load(c, c->file[i])) == NULL && problem)
-            problem[i] = c->last_error;
-    cli_note_scripts(c, ss, written);
-    return ss;
 }
 
 static int write_files(Cli *c, const OsOutput *out, size_t n)

@@ -48,7 +48,7 @@ static void put_targets(Cli *c, const OsOutput *products, size_t n, Buf *out)
     buf_char(out, ':');
 }
 
-void deps_add(Cli *c, OsOutput *o, size_t *n, Inputs in)
+void deps_add(Cli *c, OsOutput *o, size_t *n, DepInputs in)
 {
     Buf *out = ARENA_NEW(&c->session.arena, Buf);
 

@@ -3,9 +3,11 @@
 
 #include <string.h>
 
+#include "compiler/cli/test.h"
+
 enum { STEPS_MOST = 1000000 };        // of a script, as in smc test
 
-int runs_machine(Cli *c, const char **machine)
+int runs_check_use(Cli *c)
 {
     size_t machines = 0;
 
@@ -14,10 +16,7 @@ int runs_machine(Cli *c, const char **machine)
         if (!script && !has_suffix(c->file[i], ".sm") && strcmp(c->file[i], "-") != 0)
             return cli_usage(c, "'%s' is no machine (.sm) and no script (.ss)%s", c->file[i],
                              has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
-        if (!script) {
-            *machine = c->file[i];
-            machines++;
-        }
+        machines += !script;
     }
     if (machines != 1)
         return cli_usage(c, machines ? "%s takes one machine at a time" : "%s wants a machine, as in 'smc %s tank.sm'",
@@ -25,29 +24,16 @@ int runs_machine(Cli *c, const char **machine)
     return EXIT_OK;
 }
 
-bool runs_load(Cli *c, Source ***ss, Map *written)
+const CompiledSource *runs_machine(const CompileInput *in, const Compiled *made)
 {
-    *ss = cli_load_scripts(c, written, NULL);
-    for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".ss") && !(*ss)[i])
-            return false;
-    return true;
+    size_t i = 0;
+
+    while (in->at[i].kind != FILE_SM)
+        i++;
+    return &made->of[i];
 }
 
 // ---- on the VM ----
-
-static Engine *open_engine(Cli *c, const Program *p, const char **error)
-{
-    const ImageOptions names = {true, NULL};
-    IrMachine *m = session_ir(&c->session, p, option_level(c));
-    Buf image;
-
-    *error = "the image cannot be made";
-    buf_init(&image, &c->session.arena);
-    if (!session_image(&c->session, &m, 1, &names, &image))
-        return NULL;
-    return engine_vm_open(&c->session.arena, p, (const uint8_t *)image.at, image.n, 0, error);
-}
 
 static void run_script(Cli *c, const Report *r, const Program *p, ReportRun *run, const Source *ss, Engine *vm)
 {
@@ -68,21 +54,20 @@ static void run_script(Cli *c, const Report *r, const Program *p, ReportRun *run
     s->diags = machine;
 }
 
-int runs_make(Cli *c, Report *r, const Program *p, Source *const *ss)
+int runs_make(Cli *c, Report *r, const Program *p, const CompileInput *in)
 {
-    const char *error;
-    Engine *vm;
+    EngineSet engines = {{NULL}, 0, NULL};
 
-    if (c->files < 2)
+    if (in->n < 2)
         return EXIT_OK;
-    if ((vm = open_engine(c, p, &error)) == NULL) {
-        cli_say(c, "%s", error);
+    if (!engines_open(&engines, &c->session, p, 1u << ENGINE_VM, option_level(c))) {
+        cli_say(c, "%s", engines.error);
         return EXIT_PROBLEM;
     }
-    r->run = ARENA_ARRAY(&c->session.arena, ReportRun, c->files);
-    for (size_t i = 0; i < c->files; i++)
-        if (ss[i])
-            run_script(c, r, p, &r->run[r->runs++], ss[i], vm);
-    vm->close(vm);
+    r->run = ARENA_ARRAY(&c->session.arena, ReportRun, in->n);
+    for (size_t i = 0; i < in->n; i++)
+        if (in->at[i].kind == FILE_SS)
+            run_script(c, r, p, &r->run[r->runs++], in->at[i].text, engines.at[0]);
+    engines_close(&engines);
     return EXIT_OK;
 }

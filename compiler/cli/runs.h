@@ -6,11 +6,11 @@
 #include "compiler/cli/cli.h"
 #include "compiler/report/report.h"
 
-// Finds the one machine among the arguments; all others are scripts. Returns EXIT_OK, or the exit code after a message.
-int runs_machine(Cli *c, const char **machine);
-// Reads the scripts, by argument; false after a message.
-bool runs_load(Cli *c, Source ***ss, Map *written);
-// Runs them into r->run, on an image with names of p: the machine of r->analysis, compiled for scripts.
-int runs_make(Cli *c, Report *r, const Program *p, Source *const *ss);
+// Checks that the arguments are one machine and scripts.  Returns EXIT_OK, or the exit code after a message.
+int runs_check_use(Cli *c);
+// The machine among the compiled sources.
+const CompiledSource *runs_machine(const CompileInput *in, const Compiled *made);
+// Runs the scripts of `in` into r->run, on an image with names of p: the machine of r->analysis, compiled for scripts.
+int runs_make(Cli *c, Report *r, const Program *p, const CompileInput *in);
 
 #endif

@@ -4,9 +4,7 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "compiler/analysis/analysis.h"
 #include "compiler/cli/test.h"
-#include "compiler/syntax/parse.h"
 
 struct TestCase {
     TestRun *t;
@@ -18,12 +16,13 @@ struct TestCase {
     char *text;               // of the file; on the heap
     DiagSelection warn;            // as its header `warn` selects
     Source **src;             // of each part that is a source
+    size_t *input;            // by part: the index of its source in the input of compile_sources()
     Buf why;                  // the problems, one or more lines each
     int code;                 // the exit code for them; 0: EXIT_PROBLEM
     unsigned which;           // engines it runs on
-    Program *p;
+    const Program *p;         // compiled for its scripts
     IrMachine *ir;            // of p, if emitted C is among them
-    Script **script;          // by part; NULL: no script, or it has errors
+    const Script **script;    // by part; NULL: no script, or it has errors
     bool is_ready;            // compiled without errors, and there are scripts to run
     bool is_done;             // nothing more to do: `result` is final
     TestResult result;
@@ -119,29 +118,6 @@ static const Source *find_source(const Case *c, const char *suffix)
     return NULL;
 }
 
-static void make_sources(Case *c)
-{
-    c->src = ARENA_ARRAY(&c->s.arena, Source *, c->f->part.n);
-    for (size_t i = 0; i < c->f->part.n; i++) {
-        const TestPart *p = &c->f->part.at[i];
-        if (testfile_is_source(p))
-            c->src[i] = source_new(&c->s.arena, p->name, p->text, p->n);
-    }
-}
-
-// Collects the locals that scripts write. Errors in a script are reported when it is compiled.
-static void collect_written(Case *c, Map *written)
-{
-    c->s.diags.muted = true;
-    for (size_t i = 0; i < c->f->part.n; i++)
-        if (testfile_has_suffix(&c->f->part.at[i], ".ss")) {
-            AstFile *ss = session_parse(&c->s, c->src[i], FILE_SS);
-            if (ss)
-                script_written_names(ss, written);
-        }
-    c->s.diags.muted = false;
-}
-
 static bool wants_analyses(const Case *c)
 {
     const char *analyses = testfile_header(c->f, "analyses");
@@ -149,73 +125,63 @@ static bool wants_analyses(const Case *c)
     return c->warn.n > 0 || (analyses && strcmp(analyses, "on") == 0);
 }
 
-// Compiles the machine that runs the scripts. All findings come from the machine as it flies.
-static Program *compile_machine(Case *c)
+// Parts of the case supply the files that an application names.
+static void open_app(Case *c, CompileInput *in)
 {
-    Map written = {&c->s.arena, NULL, NULL, 0, 0};
-    MachineInput in = {find_source(c, ".sm"), find_source(c, ".sv"), NULL, option_level(c->t->c)};
-    Program *flown;
-
-    if (!in.sm) {
-        session_state_vector(&c->s, in.sv);
-        return NULL;
+    in->app = ARENA_NEW(&c->s.arena, CompileApp);
+    compile_open_app(&c->s, in->at[0].text, in->app);
+    for (size_t i = 0; i < in->app->files.n; i++) {
+        AppFile *f = &in->app->files.at[i];
+        f->problem = "the case has no such part";
+        for (size_t k = 0; k < c->f->part.n && !f->wrong_kind; k++)
+            if (strcmp(c->f->part.at[k].name, f->name.text->text) == 0)
+                f->src = c->src[k];
     }
-    if ((flown = session_program(&c->s, &in)) == NULL)
-        return NULL;
-    if (wants_analyses(c)) {
-        c->s.warnings = diag_selection_groups(&c->warn);
-        c->s.step = c->f->advance;
-        session_analyse(&c->s, flown);
-    }
-    collect_written(c, &written);
-    in.written_outside = &written;
-    return session_program_for_scripts(&c->s, &in, flown);
 }
 
-static void compile_pins(Case *c)
+// Of an application, the only source is the .app itself.  A .sv beside a machine or pins is their vector.
+static CompileInput inputs_of(Case *c)
 {
-    const Source *src = find_source(c, ".io");
-    const IoMap *io = src ? session_io(&c->s, src, find_source(c, ".sv")) : NULL;
+    const bool has_app = count_parts(c->f, ".app") > 0, has_users = count_parts(c->f, ".sm") + count_parts(c->f, ".io") > 0;
+    CompileInput in = {ARENA_ARRAY(&c->s.arena, CompileSource, c->f->part.n), 0, NULL, NULL, NULL};
 
-    if (io && c->p)
-        analyse_pins(&c->s.arena, &c->s.diags, io, c->p);
-}
-
-static void compile_scripts(Case *c)
-{
-    c->script = ARENA_ARRAY(&c->s.arena, Script *, c->f->part.n);
-    for (size_t i = 0; c->p && i < c->f->part.n; i++)
-        if (testfile_has_suffix(&c->f->part.at[i], ".ss"))
-            c->script[i] = session_script(&c->s, c->src[i], c->p);
-}
-
-// Parts of the file supply the files that an application names.
-static void compile_app(Case *c)
-{
-    AstFile *tree = parse_file(&c->s.arena, &c->s.strings, &c->s.diags, find_source(c, ".app"), FILE_APP);
-    AppFiles files;
-
-    app_files(&c->s.arena, tree, &files);
-    for (size_t i = 0; i < files.n; i++) {
-        files.at[i].problem = "the case has no such part";
-        for (size_t k = 0; k < c->f->part.n && !files.at[i].wrong_kind; k++)
-            if (strcmp(c->f->part.at[k].name, files.at[i].name.text->text) == 0)
-                files.at[i].src = c->src[k];
+    c->src = ARENA_ARRAY(&c->s.arena, Source *, c->f->part.n);
+    c->input = ARENA_ARRAY(&c->s.arena, size_t, c->f->part.n);
+    for (size_t i = 0; i < c->f->part.n; i++) {
+        const TestPart *p = &c->f->part.at[i];
+        FileKind kind;
+        if (testfile_is_source(p))
+            c->src[i] = source_new(&c->s.arena, p->name, p->text, p->n);
+        if (!c->src[i] || !file_kind(p->name, &kind) || (has_app && kind != FILE_APP) || (has_users && kind == FILE_SV))
+            continue;
+        c->input[i] = in.n;
+        in.at[in.n++] = (CompileSource){.text = c->src[i], .kind = kind};
     }
-    session_app(&c->s, tree, &files);
+    if (has_app)
+        open_app(c, &in);
+    else
+        in.vector = has_users ? find_source(c, ".sv") : NULL;
+    return in;
 }
 
 static void compile_case(Case *c)
 {
-    make_sources(c);
-    if (count_parts(c->f, ".app")) {
-        c->s.warnings = diag_selection_groups(&c->warn);
-        compile_app(c);
-        return;
-    }
-    c->p = compile_machine(c);
-    compile_pins(c);
-    compile_scripts(c);
+    const CompileInput in = inputs_of(c);
+    CompileOptions o;
+    Compiled made;
+
+    memset(&o, 0, sizeof o);
+    o.opt_level = option_level(c->t->c);
+    o.warnings = &c->warn;
+    o.skip_analyses = !in.app && !wants_analyses(c);
+    o.step = c->f->advance;
+    compile_sources(&c->s, &in, &o, &made);
+    c->script = ARENA_ARRAY(&c->s.arena, const Script *, c->f->part.n);
+    for (size_t i = 0; i < c->f->part.n; i++)
+        if (testfile_has_suffix(&c->f->part.at[i], ".sm"))
+            c->p = made.of[c->input[i]].scripted;
+        else if (testfile_has_suffix(&c->f->part.at[i], ".ss"))
+            c->script[i] = made.of[c->input[i]].script;
     c->is_ready = c->f->outcome != TEST_ERROR && c->s.diags.errors == 0 && count_parts(c->f, ".ss") > 0;
     if (c->is_ready && c->which & (1u << ENGINE_C | 1u << ENGINE_C_SOFT))
         c->ir = session_ir(&c->s, c->p, option_level(c->t->c));

@@ -8,9 +8,9 @@ typedef struct MachineTest {
     TestRun *t;
     const char *path;         // of the machine
     double begin;             // start time of the current script
-    Program *p;
+    const Program *p;         // compiled for its scripts
     EngineSet engines;
-    Source **ss;              // by argument: the scripts, each read once; NULL: not a script, or unreadable
+    const Source **ss;        // by argument: the scripts, each read once; NULL: not a script, or unreadable
     const char **problem;     // by argument: why a script cannot be read
     Buf report;               // of the last script
     TestTrace *trace;         // or NULL
@@ -103,23 +103,42 @@ static void test_script(MachineTest *m, size_t argument)
     add_result(m, path, TEST_BROKEN, message, EXIT_PROBLEM);
 }
 
-static int compile_machine(MachineTest *m, const char *path)
+// A script that cannot be read is an error of this script alone.
+static int read_inputs(MachineTest *m, const char *path, CompileInput *in)
 {
     Cli *c = m->t->c;
-    Map written = {m->t->arena, NULL, NULL, 0, 0};
-    MachineInput in = {NULL, NULL, NULL, option_level(c)};
 
-    if ((in.sm = cli_load(c, path)) == NULL)
-        return EXIT_ENVIRONMENT;
-    if (c->given[OPT_SV] && (in.sv = cli_load(c, c->value[OPT_SV])) == NULL)
-        return EXIT_ENVIRONMENT;
+    memset(in, 0, sizeof *in);
+    in->at = ARENA_ARRAY(m->t->arena, CompileSource, c->files + 1);
     m->problem = ARENA_ARRAY(m->t->arena, const char *, c->files);
-    m->ss = cli_load_scripts(c, &written, m->problem);
-    if ((m->p = session_program(&c->session, &in)) == NULL)
-        return EXIT_PROBLEM;
-    session_analyse(&c->session, m->p);
-    in.written_outside = &written;
-    m->p = session_program_for_scripts(&c->session, &in, m->p);
+    m->ss = ARENA_ARRAY(m->t->arena, const Source *, c->files);
+    in->at[in->n++] = (CompileSource){.text = cli_load(c, path), .kind = FILE_SM};
+    if (!in->at[0].text || (c->given[OPT_SV] && (in->vector = cli_load(c, c->value[OPT_SV])) == NULL))
+        return EXIT_ENVIRONMENT;
+    for (size_t i = 0; i < c->files; i++)
+        if (has_suffix(c->file[i], ".ss")) {
+            if ((m->ss[i] = cli_load(c, c->file[i])) != NULL)
+                in->at[in->n++] = (CompileSource){.text = m->ss[i], .kind = FILE_SS};
+            else
+                m->problem[i] = c->last_error;
+        }
+    return EXIT_OK;
+}
+
+static int compile_machine(MachineTest *m, const char *path)
+{
+    CompileInput in;
+    CompileOptions o;
+    Compiled made;
+    int code;
+
+    if (!cli_compile_options(m->t->c, &o))
+        return EXIT_USAGE;
+    if ((code = read_inputs(m, path, &in)) != EXIT_OK)
+        return code;
+    o.scripts_later = true;
+    compile_sources(&m->t->c->session, &in, &o, &made);
+    m->p = made.of[0].scripted;
     return m->p ? EXIT_OK : EXIT_PROBLEM;
 }
 

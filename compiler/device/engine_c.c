@@ -5,8 +5,8 @@
 
 #include "compiler/base/os.h"
 #include "compiler/base/os_process.h"
+#include "compiler/compile.h"
 #include "compiler/passes/pass.h"
-#include "compiler/pipeline.h"
 
 typedef struct EngineC {
     Engine engine;

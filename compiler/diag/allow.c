@@ -8,19 +8,19 @@
 
 #include "compiler/diag/diag.h"
 
-static void add(Diags *d, DiagAllow a)
+static void add_allow(Diags *d, DiagAllow a)
 {
     vec_push(d->arena, &d->allow, a);
 }
 
 void diag_allow(Diags *d, const char *flag, const char *reason, Span span, Span covers)
 {
-    add(d, (DiagAllow){flag, reason, span, covers, false, false});
+    add_allow(d, (DiagAllow){flag, reason, span, covers, false, false});
 }
 
 void diag_allow_shared(Diags *d, const char *flag, const char *reason, Span span, Span covers)
 {
-    add(d, (DiagAllow){flag, reason, span, covers, true, false});
+    add_allow(d, (DiagAllow){flag, reason, span, covers, true, false});
 }
 
 // ---- order ----
@@ -88,7 +88,7 @@ static bool has_ended(const DiagAllow *a, const Span *at)
     return a->covers.src != at->src || a->covers.at + a->covers.len <= at->at;
 }
 
-static void walk_to(Walk *w, const Span *at)
+static void open_allows_at(Walk *w, const Span *at)
 {
     for (; w->next < w->n && compare_places(&w->all[w->next]->covers, at) <= 0; w->next++) {
         while (w->depth && has_ended(w->open[w->depth - 1], &w->all[w->next]->covers))
@@ -99,11 +99,11 @@ static void walk_to(Walk *w, const Span *at)
         w->depth--;
 }
 
-static void cover(Walk *w, Place *x)
+static void find_innermost_allow(Walk *w, Place *x)
 {
     const char *flag = diag_info[x->diag->code].flag;
 
-    walk_to(w, &x->span);
+    open_allows_at(w, &x->span);
     for (size_t i = w->depth; i-- > 0 && !x->by; )
         if (strcmp(w->open[i]->flag, flag) == 0)
             x->by = w->open[i];
@@ -111,7 +111,7 @@ static void cover(Walk *w, Place *x)
 
 // places[0] is the warning's position; the others are the declarations that it names. An @allow of one output of several does not cover
 // the warning. It still counts as used, because without it the warning would have to be allowed elsewhere.
-static void judge(Diag *x, const Place *places)
+static void mark_allowed(Diag *x, const Place *places)
 {
     size_t open[DIAG_SUBJECTS] = {0};
     const char *reason[DIAG_SUBJECTS] = {NULL};
@@ -136,7 +136,7 @@ static void judge(Diag *x, const Place *places)
             x->allowed = reason[s];
 }
 
-static bool can_be_allowed(const Diag *x) { return x->severity == DIAG_WARNING && diag_info[x->code].flag && !x->allowed; }
+static bool can_be_allowed(const Diag *x) { return x->severity == DIAG_WARNING && diag_info[x->code].flag && !x->allowed && !x->allow_checked; }
 
 static void find_allowed(Diags *d)
 {
@@ -160,12 +160,12 @@ static void find_allowed(Diags *d)
         sorted[i] = &place[i];
     qsort(sorted, n, sizeof *sorted, compare_diag_places);
     for (size_t i = 0; i < n; i++)
-        cover(&w, sorted[i]);
+        find_innermost_allow(&w, sorted[i]);
     for (size_t i = 0; i < n; i += 1 + place[i].diag->about.n)
-        judge(place[i].diag, &place[i]);
+        mark_allowed(place[i].diag, &place[i]);
 }
 
-static void take_out(Diags *d)
+static void move_allowed(Diags *d)
 {
     uint32_t kept = 0;
 
@@ -184,7 +184,7 @@ static void take_out(Diags *d)
 static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 // Returns the annotation with the blanks before it, or the whole line if it contains nothing else.
-static Span without(Span s)
+static Span span_to_remove(Span s)
 {
     const char *text = s.src->text;
     uint32_t at = s.at, end = s.at + s.len;
@@ -202,12 +202,12 @@ static Span without(Span s)
     return (Span){s.src, s.at, end - s.at};                       // a statement follows on its line
 }
 
-static void report_useless(Diags *d, const DiagAllow *a)
+static void report_unused_allow(Diags *d, const DiagAllow *a)
 {
     Diag *x = diag_report(d, DIAG_unused_allow, a->span, a->flag);
 
     diag_label(d, x, DIAG_label_leave_out);
-    diag_edit(d, x, without(a->span), "");
+    diag_edit(d, x, span_to_remove(a->span), "");
 }
 
 // Whether this run would have produced the finding that the @allow is for.
@@ -231,7 +231,7 @@ static void report_unused(Diags *d, bool about_itself)
         if (i + 1 < d->allow.n && compare_spans(&all[i], &all[i + 1]) == 0)
             continue;
         if (!used && can_be_judged(d, all[i]) && (strcmp(all[i]->flag, itself) == 0) == about_itself)
-            report_useless(d, all[i]);
+            report_unused_allow(d, all[i]);
         used = false;
     }
 }
@@ -246,7 +246,9 @@ void diags_apply_allows(Diags *d)
         find_allowed(d);
         report_unused(d, true);
     }
-    take_out(d);
+    move_allowed(d);
+    for (size_t i = 0; i < d->list.n; i++)
+        d->list.at[i]->allow_checked = true;
     for (size_t i = 0; i < d->allow.n; i++)
         d->allow.at[i].shared = true;
 }

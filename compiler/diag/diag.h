@@ -83,6 +83,7 @@ typedef struct Diag {
     VEC(DiagNote) notes;
     VEC(DiagEdit) edits;                  // together they are one proposed fix
     VEC(DiagAbout) about;
+    bool allow_checked;                   // diags_apply_allows has seen it
     const char *allowed;                  // the reason of the @allow that covers it; else NULL
 } Diag;
 
@@ -127,8 +128,8 @@ void diag_edit(Diags *d, Diag *to, Span span, const char *text);
 // Adds an @allow. A shared one is never reported as unused, because another machine may need it.
 void diag_allow(Diags *d, const char *flag, const char *reason, Span span, Span covers);
 void diag_allow_shared(Diags *d, const char *flag, const char *reason, Span span, Span covers);
-// Moves the warnings that are allowed from the list into `allowed`. Call it once, after everything has been reported. If analyses have
-// run and there is no error, it also reports every @allow that no warning needed.
+// Moves the warnings that are allowed from the list into `allowed`. Call it after everything has been reported. If analyses have
+// run and there is no error, it also reports every @allow that no warning needed. A second call examines only what was reported since.
 void diags_apply_allows(Diags *d);
 
 // -W… as given: each word without its -W, in order. The caller owns the words.

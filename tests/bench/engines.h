@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "bytecode-vm/smvm.h"
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "compiler/script/engine.h"
 #include "tests/bench/bench.h"
 

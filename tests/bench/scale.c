@@ -10,7 +10,7 @@
 #include <time.h>
 
 #include "compiler/report/graph.h"
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "tests/bench/shapes.h"
 #include "tests/test.h"
 

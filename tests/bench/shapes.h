@@ -3,7 +3,7 @@
 #ifndef BENCH_SHAPES_H
 #define BENCH_SHAPES_H
 
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 
 typedef void WriteFn(Buf *b, unsigned n);
 

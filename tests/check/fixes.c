@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "compiler/analysis/analysis.h"
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "compiler/script/testfile.h"
 #include "compiler/syntax/parse.h"
 #include "tests/check/fixes_meaning.h"

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "tests/test.h"
 
 static void *heap(void *context, void *old, size_t size)

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "compiler/device/engine_c.h"
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "tests/test.h"
 
 static void *heap(void *context, void *old, size_t size)

@@ -3,7 +3,7 @@
 #ifndef SM_DIFF_SUBJECT_H
 #define SM_DIFF_SUBJECT_H
 
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "compiler/script/engine.h"
 #include "tests/diff/gen.h"
 

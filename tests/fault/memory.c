@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "compiler/script/testfile.h"
 #include "tests/test.h"
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "compiler/emit/c/app.h"
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "compiler/syntax/parse.h"
 #include "tests/fuzz/fuzz.h"
 

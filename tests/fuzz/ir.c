@@ -5,7 +5,7 @@
 
 #include "bytecode-vm/smvm.h"
 #include "compiler/passes/pass.h"
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "tests/fuzz/fuzz.h"
 
 static const char *print(Arena *a, const IrMachine *m)

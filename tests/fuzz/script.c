@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fuzz target: an .smt text; its machine is compiled and its scripts run on every engine in lock step.  Whatever the text
 // holds, nothing may crash or hang, and the engines must agree.  Any conformance case is a seed.
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "compiler/script/testfile.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "compiler/report/layout.h"
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "tests/test.h"
 #include "tests/unit/random.h"
 

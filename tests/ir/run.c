@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "compiler/passes/pass.h"
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "compiler/script/testfile.h"
 #include "tests/test.h"
 

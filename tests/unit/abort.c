@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "compiler/analysis/abort.h"
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "tests/test.h"
 #include "tests/unit/host.h"
 

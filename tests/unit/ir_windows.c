@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "tests/test.h"
 
 static void *from_heap(void *context, void *old, size_t size)

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "compiler/report/trace.h"
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "stdlib/convert.h"
 #include "tests/test.h"
 #include "tests/unit/host.h"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "tests/test.h"
 
 static long allocations_left = -1;                    // -1: no limit

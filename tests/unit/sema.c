@@ -4,7 +4,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "compiler/sema/sema.h"
 #include "stdlib/convert.h"
 #include "stdlib/crc32.h"

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "bytecode-vm/image.h"
-#include "compiler/pipeline.h"
+#include "compiler/compile.h"
 #include "compiler/script/engine.h"
 #include "tests/test.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data flow of the compiler, one call per stage. Read pipeline.c first.
-#ifndef SMC_PIPELINE_H
-#define SMC_PIPELINE_H
+// One compilation and its stages, each as a call.  compile.h puts them in order; engines, tests and measurements call them singly.
+#ifndef SMC_SESSION_H
+#define SMC_SESSION_H
 
 #include "compiler/diag/diag.h"
 #include "compiler/emit/c/emit_c.h"
@@ -10,7 +10,7 @@
 #include "compiler/sema/check.h"
 #include "compiler/syntax/ast.h"
 
-// One compilation. All its results live in its arena.
+// One compilation.  All its results live in its arena.
 typedef struct Session {
     Arena arena;
     Arena work, scratch;          // freed when a stage ends, and when a part of a stage ends
@@ -25,6 +25,12 @@ typedef struct Session {
     bool hide_locals;             // locals are not observable between steps: session_ir marks them as hidden
 } Session;
 
+// `alloc` with `context` provides all memory.  If it returns NULL, the session calls longjmp(*oom, 1); the caller then calls session_free.
+void session_init(Session *s, SmcAllocFn alloc, void *context, jmp_buf *oom);
+void session_free(Session *s);
+
+// ---- stages ----
+
 // The sources and options of one machine's compilation.
 typedef struct MachineInput {
     const Source *sm;
@@ -32,9 +38,6 @@ typedef struct MachineInput {
     const Map *written_outside;   // see check_machine; or NULL
     int opt_level;                // 0, 1, 2
 } MachineInput;
-
-void session_init(Session *s, SmcAllocFn alloc, void *context, jmp_buf *oom);
-void session_free(Session *s);
 
 // Each returns NULL if there were errors, which are then in s->diags.
 AstFile *session_parse(Session *s, const Source *src, FileKind kind);
@@ -45,13 +48,13 @@ Program *session_program(Session *s, const MachineInput *in);
 // Returns the machine that runs state scripts: in->written_outside names the locals that they write. `flown` is the machine as it flies.
 // It is compiled from the same sources without those names and has already been analysed; findings, costs and images come from it.
 // Returns `flown` itself if the scripts write no local.
-Program *session_program_for_scripts(Session *s, const MachineInput *in, Program *flown);
+const Program *session_program_for_scripts(Session *s, const MachineInput *in, const Program *flown);
 // Compiles an application and everything that it names, analyses included. app_files of its tree lists the required files; the caller
 // supplies their contents. Returns NULL if any of them had errors.
 App *session_app(Session *s, const AstFile *app, AppFiles *files);
-IrMachine *session_ir(Session *s, const Program *p, int opt_level);
 Script *session_script(Session *s, const Source *ss, const Program *p);
 void session_analyse(Session *s, const Program *p);           // reports warnings for a machine without errors
+IrMachine *session_ir(Session *s, const Program *p, int opt_level);
 
 // Several machines over one state vector form one image.
 typedef struct ImageOptions {
@@ -60,10 +63,7 @@ typedef struct ImageOptions {
 } ImageOptions;
 bool session_image(Session *s, IrMachine *const *m, size_t n, const ImageOptions *o, Buf *out);
 
-// Emits C (emit_c.h): one machine or one state vector, each self-contained; pins, for runtime-c; an image as an array.
+// The C of one machine, self-contained (emit_c.h).
 void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *header, Buf *code);
-void session_emit_c_io(Session *s, const IoMap *io, const EmitCOptions *o, Buf *header, Buf *code);
-void session_emit_c_image(Session *s, const char *name, const Buf *image, const EmitCOptions *o, Buf *out);
-void session_emit_c_state_vector(Session *s, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code);
 
 #endif

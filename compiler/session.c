@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data flow of the compiler: text to tree, tree to program, program to IR, IR to executable form. Each stage is one call; the header
-// of its folder states what it can rely on.
-#include "compiler/pipeline.h"
+// The stages of the compiler: text to tree, tree to program, program to IR, IR to executable form.  The header of each folder states
+// what its stage relies on.
+#include "compiler/session.h"
 
 #include <assert.h>
 #include <string.h>
@@ -105,10 +105,10 @@ static void withdraw_edits(Diags *d, const Program *p, const Map *written)
 }
 
 // Only errors can be new: those about a local that is a constant in flight and a variable here.
-Program *session_program_for_scripts(Session *s, const MachineInput *in, Program *flown)
+const Program *session_program_for_scripts(Session *s, const MachineInput *in, const Program *flown)
 {
     const Diags reported = s->diags;
-    Program *p;
+    const Program *p;
 
     if (!declares_written_local(flown, in->written_outside))
         return flown;
@@ -269,19 +269,4 @@ void session_emit_c(Session *s, const IrMachine *m, const EmitCOptions *o, Buf *
     const PassOptions p = {0, NULL, s->check_passes, o && o->soft, after_pass, s};
 
     emit_c_machine(&s->arena, passes_for_c(&s->arena, m, &p), o, header, code);
-}
-
-void session_emit_c_io(Session *s, const IoMap *io, const EmitCOptions *o, Buf *header, Buf *code)
-{
-    emit_c_io(&s->arena, io, o, header, code);
-}
-
-void session_emit_c_image(Session *s, const char *name, const Buf *image, const EmitCOptions *o, Buf *out)
-{
-    emit_c_image(&s->arena, name, image, o, out);
-}
-
-void session_emit_c_state_vector(Session *s, const StateVec *sv, const EmitCOptions *o, Buf *header, Buf *code)
-{
-    emit_c_state_vector(&s->arena, sv, o, header, code);
 }

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// What compile_sources() gets from a call: the sources that its arguments name, and the options.
+#include <string.h>
+
+#include "compiler/cli/cli.h"
+#include "compiler/syntax/parse.h"
+
+// ---- sources ----
+
+static Source *load(Cli *c, const char *path, const char *name, const char **why)
+{
+    char *text, *copy;
+    size_t len;
+
+    if (!os_read(path, SOURCE_MAX, &text, &len, why))
+        return NULL;
+    copy = arena_alloc(&c->session.arena, len + 1);
+    memcpy(copy, text, len);
+    os_alloc(NULL, text, 0);
+    return source_new(&c->session.arena, name, copy, len);
+}
+
+Source *cli_load(Cli *c, const char *path)
+{
+    const char *why;
+    Source *src = load(c, path, strcmp(path, "-") == 0 ? "<stdin>" : path, &why);
+
+    if (!src)
+        cli_say(c, "cannot read '%s': %s", cli_shown(&c->session.arena, path), why);
+    return src;
+}
+
+// Reads a file that the application at `app` names: its path is relative to the folder of the application.
+static void load_app_file(Cli *c, const char *app, AppFile *f)
+{
+    const char *name = f->name.text->text, *slash = strrchr(app, '/');
+    const char *path = name[0] == '/' || !slash ? name : format_in(&c->session.arena, "%.*s%s", (int)(slash + 1 - app), app, name);
+
+    if (strcmp(path, "-") == 0 || strlen(name) != f->name.text->len)
+        f->problem = "that is no name of a file";
+    else
+        f->src = load(c, path, path, &f->problem);
+}
+
+static void load_app(Cli *c, CompileInput *in)
+{
+    in->app = ARENA_NEW(&c->session.arena, CompileApp);
+    compile_open_app(&c->session, in->at[0].text, in->app);
+    for (size_t i = 0; i < in->app->files.n; i++)
+        if (!in->app->files.at[i].wrong_kind)
+            load_app_file(c, in->at[0].text->name, &in->app->files.at[i]);
+}
+
+int cli_read_inputs(Cli *c, CompileInput *in)
+{
+    memset(in, 0, sizeof *in);
+    in->at = ARENA_ARRAY(&c->session.arena, CompileSource, c->files);
+    for (size_t i = 0; i < c->files; i++) {
+        CompileSource *s = &in->at[in->n++];
+        s->kind = FILE_SM;
+        file_kind(c->file[i], &s->kind);
+        if ((s->text = cli_load(c, c->file[i])) == NULL)
+            return EXIT_ENVIRONMENT;
+    }
+    if ((c->given[OPT_SV] && (in->vector = cli_load(c, c->value[OPT_SV])) == NULL) ||
+        (c->given[OPT_IO] && (in->pins = cli_load(c, c->value[OPT_IO])) == NULL))
+        return EXIT_ENVIRONMENT;
+    if (in->n == 1 && in->at[0].kind == FILE_APP)
+        load_app(c, in);
+    return EXIT_OK;
+}
+
+bool cli_are_sources(Cli *c, bool standard_input)
+{
+    FileKind kind;
+
+    for (size_t i = 0; i < c->files; i++)
+        if (!file_kind(c->file[i], &kind) && !(standard_input && strcmp(c->file[i], "-") == 0)) {
+            cli_usage(c, "'%s' is no source: names end in .sm, .sv, .ss, .io or .app", c->file[i]);
+            return false;
+        }
+    return true;
+}
+
+// ---- options ----
+
+// Reads a whole number from 1 into *number; 0 if the option is absent.  Returns false after a message.
+static bool number_of(Cli *c, OptionId id, const char *spelling, uint32_t *number)
+{
+    const char *at = c->given[id] ? c->value[id] : "";
+    uint64_t n = 0;
+
+    for (; *at >= '0' && *at <= '9' && n <= UINT32_MAX; at++)
+        n = n * 10 + (uint64_t)(*at - '0');
+    *number = (uint32_t)n;
+    if (!c->given[id] || (*at == '\0' && n >= 1 && n <= UINT32_MAX))
+        return true;
+    cli_usage(c, "%s wants a whole number from 1, not '%s'", spelling, c->value[id]);
+    return false;
+}
+
+bool cli_compile_options(Cli *c, CompileOptions *o)
+{
+    uint32_t step;
+
+    memset(o, 0, sizeof *o);
+    o->opt_level = option_level(c);
+    o->warnings = &c->warn;
+    o->soft = c->given[OPT_SOFT];
+    if (!number_of(c, OPT_STEP, "--step", &step) || !number_of(c, OPT_MAX_RAM, "--max-ram", &o->limits.ram) ||
+        !number_of(c, OPT_MAX_STEP, "--max-step", &o->limits.step) || !number_of(c, OPT_MAX_CYCLES, "--max-cycles", &o->limits.cycles))
+        return false;
+    o->step = step;
+    return true;
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The compiler as a library: one function from sources to findings and artefacts.  Every front end calls it.  It does no I/O: the
+// caller reads the sources, prints the diagnostics and writes the artefacts.  compile.c begins with a drawing of the stages.
+#ifndef SMC_COMPILE_H
+#define SMC_COMPILE_H
+
+#include "compiler/limits.h"
+#include "compiler/session.h"
+
+// ---- what to compile ----
+
+typedef struct CompileSource {
+    const Source *text;
+    FileKind kind;
+    EmitCOptions c;               // for EMIT_C and EMIT_ARRAY
+    const char *array;            // for EMIT_ARRAY, in the first source: the name of the array
+} CompileSource;
+
+// An application and the files that it names, from compile_open_app.
+typedef struct CompileApp {
+    AstFile *tree;
+    AppFiles files;
+} CompileApp;
+
+// The sources of one call, in its order.  If exactly one of them is a machine, the scripts among them are its scripts; other scripts
+// are only parsed.  So are pins without a vector, and an application without `app`.
+typedef struct CompileInput {
+    CompileSource *at;
+    size_t n;
+    const Source *vector;         // the state vector of every machine and of all pins; or NULL
+    const Source *pins;           // the pins that the image contains; or NULL
+    CompileApp *app;              // the application if at[0] is one, which is then the only source; or NULL
+} CompileInput;
+
+typedef enum CompileEmit {
+    EMIT_NOTHING,
+    EMIT_BYTECODE,                // one image of all machines
+    EMIT_ARRAY,                   // the same as a C array
+    EMIT_C,                       // of each source; of an application, all its files
+    EMIT_IR, EMIT_AST, EMIT_TOKENS        // a stage as text
+} CompileEmit;
+
+typedef struct CompileOptions {
+    CompileEmit emit;
+    int opt_level;                        // 0, 1, 2
+    const DiagSelection *warnings;        // NULL: every warning is found and stays in the list
+    bool skip_analyses;                   // reports errors only, and the warnings of the checker
+    uint64_t step;                        // how much G advances from step to step; 0: as the scripts declare, if they agree
+    CompileLimits limits;
+    bool names;                           // the image contains names and lines; without them locals are not observable
+    bool soft;                            // C of an application: see EmitCOptions
+    bool measure;                         // also makes CompiledSource.measured
+    bool scripts_later;                   // scripts are only searched for the locals that they write; see session_script
+} CompileOptions;
+
+// ---- what is compiled ----
+
+// Every field is NULL if it does not apply to the kind of the source, was not required, or had errors.
+typedef struct CompiledSource {
+    const Program *program;       // a machine as it flies
+    const Program *scripted;           // the same machine as its scripts run it (session_program_for_scripts)
+    IrMachine *ir;                // of `program`, optimised
+    const uint8_t *measured;      // an image of this machine alone, with lines, for cost_of_machine
+    StateVec *vector;
+    IoMap *pins;
+    Script *script;
+} CompiledSource;
+
+// A file to write.
+typedef struct Artefact {
+    size_t source;                // index of the source that it is made of
+    const char *name;             // of an application's C: the file's name.  Otherwise NULL, and
+    const char *ending;           // what a default name ends in after the stem of the source: ".smb"; NULL: text for standard output
+    Buf *bytes;
+} Artefact;
+
+typedef struct Compiled {
+    CompiledSource *of;           // by source
+    const App *app;
+    VEC(Artefact) artefact;       // complete only if compile_sources() returned true
+} Compiled;
+
+// Lists the files that the application names in out->files.  The caller sets the source or the problem of each and then calls compile.
+void compile_open_app(Session *s, const Source *app, CompileApp *out);
+
+// Compiles everything that `o` requests.  Diagnostics are in s->diags: allowed and disabled ones removed, sorted.  Returns whether
+// there was no error.
+bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o, Compiled *out);
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/limits.h"
+
+#include "compiler/budget/cost.h"
+#include "compiler/base/str.h"
+
+enum { LINES_SHOWN = 3 };             // of the longest step: the most expensive ones
+
+typedef struct Limited {
+    Arena *arena;
+    Diags *diags;
+    const Program *p;
+} Limited;
+
+static const char *number_text(const Limited *x, uint32_t n) { return format_in(x->arena, "%lu", (unsigned long)n); }
+
+// ---- RAM ----
+
+static const CostWindow *largest_window(const Cost *cost)
+{
+    const CostWindow *most = NULL;
+
+    for (uint32_t w = 0; w < cost->window_count; w++)
+        if (!most || cost->window[w].bytes > most->bytes)
+            most = &cost->window[w];
+    return most;
+}
+
+// Returns where a window of that size is used; without one, the start of the machine.
+static Span span_of_window(const Program *p, const CostWindow *w)
+{
+    for (size_t i = 0; w && i < p->window.n; i++)
+        if (p->window.at[i].size == w->size)
+            return p->window.at[i].span;
+    return (Span){p->src, 0, 0};
+}
+
+static void check_ram(const Limited *x, const Cost *cost, uint32_t most)
+{
+    const CostWindow *w = largest_window(cost);
+    Diag *diag;
+
+    if (most == 0 || cost->ram <= most)
+        return;
+    diag = diag_report(x->diags, DIAG_limit_ram, span_of_window(x->p, w), x->p->name->text, number_text(x, cost->ram), number_text(x, most));
+    if (w)
+        diag_label(x->diags, diag, DIAG_label_largest_window, number_text(x, w->size), number_text(x, w->bytes));
+    diag_note(x->diags, diag, (Span){NULL, 0, 0}, DIAG_note_ram_parts, number_text(x, cost->windows), number_text(x, cost->locals),
+              number_text(x, cost->own));
+}
+
+// ---- the longest step ----
+
+static Span span_of_line(const Source *src, uint32_t line)
+{
+    uint32_t len, at = src->line[line - 1], skip = 0;
+    const char *text = source_line(src, line, &len);
+
+    while (skip < len && (text[skip] == ' ' || text[skip] == '\t'))
+        skip++;
+    return (Span){src, at + skip, 0};
+}
+
+static void check_step(const Limited *x, const Cost *cost, DiagCode code, uint32_t most)
+{
+    const State *state = x->p->state.at[cost->worst_state - 1];
+    const CostLine *l = NULL;
+    Diag *diag;
+
+    if (most == 0 || cost->worst <= most)
+        return;
+    diag = diag_report(x->diags, code, state->span, x->p->name->text, state->name->text, number_text(x, cost->worst), number_text(x, most));
+    for (int i = 0; i < LINES_SHOWN && (l = cost_next_dearest(&cost->state[cost->worst_state - 1], l)) != NULL; i++)
+        diag_note(x->diags, diag, span_of_line(x->p->src, l->line), l->part == COST_SAMPLE ? DIAG_note_line_samples : DIAG_note_line_takes,
+                  number_text(x, l->units));
+}
+
+// ---- all ----
+
+void limits_check(Arena *arena, Diags *d, const Program *p, const uint8_t *image, const CompileLimits *l)
+{
+    const Limited x = {arena, d, p};
+    Cost cost;
+
+    cost_of_machine(arena, image, 0, COST_INSTRUCTIONS, &cost);
+    check_ram(&x, &cost, l->ram);
+    check_step(&x, &cost, DIAG_limit_step, l->step);
+    if (l->cycles == 0)
+        return;
+    cost_of_machine(arena, image, 0, COST_CYCLES_EEPROM, &cost);
+    check_step(&x, &cost, DIAG_limit_cycles, l->cycles);
+}
