@@ -50,7 +50,7 @@ static AbortVerdict verdict_of(const Analysis *a, const AbortRow *r)
 {
     if (r->state->is_abort)
         return ABORT_ITSELF;
-    if (!facts_reach(a->facts, at(r->state), BLOCK_ENTRY))
+    if (!facts_may_reach(a->facts, at(r->state), BLOCK_ENTRY))
         return ABORT_UNREACHED;
     if (r->steps == 0)
         return has_way(r) ? ABORT_LATER : ABORT_NO_PATH;

@@ -55,7 +55,7 @@ void each_flow(Analysis *a, void (*f)(Analysis *a, const FlowPlace *at, void *co
     for (size_t s = 0; s < a->p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++) {
             FlowPlace at = {a->p->state.at[s], (BlockKind)b, a->m->state.at[s].block[b], {NULL, NULL, NULL}};
-            if (!at.f || !facts_reach(a->facts, s, b))
+            if (!at.f || !facts_may_reach(a->facts, s, b))
                 continue;
             at.flow = facts_of_function(a->facts, at.f, facts_begin(a->facts, s, b));
             f(a, &at, context);
@@ -147,7 +147,7 @@ void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p)
 static void work_in(Analysis *a, Arena *arena)
 {
     a->arena = arena;
-    facts_work_in(a->facts, arena);
+    facts_set_arena(a->facts, arena);
     if (a->asked[0])
         memset(a->asked, 0, (a->p->stmts + 1u) * sizeof *a->asked);  // these functions were in the arena that was freed
 }

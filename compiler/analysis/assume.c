@@ -113,6 +113,6 @@ Analysis suppose_ranges(const Analysis *a)
             env = suppose(a, env, v, fact_of_range(v->range->lo, v->range->hi));
     }
     if (env)
-        out.facts = facts_supposing(a->arena, a->m, env);
+        out.facts = facts_assuming(a->arena, a->m, env);
     return out;
 }

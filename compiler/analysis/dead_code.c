@@ -186,7 +186,7 @@ static void look_at_exit(Structure *k)
     forget(k);
     if (block[BLOCK_EXIT].n == 0)
         return;
-    if (facts_reach(k->a->facts, k->state->number - 1, BLOCK_EXIT))
+    if (facts_may_reach(k->a->facts, k->state->number - 1, BLOCK_EXIT))
         walk_block(k, BLOCK_EXIT);
     else if (!has_transition(&block[BLOCK_ENTRY]) && !has_transition(&block[BLOCK_STEP]))
         diag_report(k->a->diags, DIAG_dead_exit, k->state->block_span[BLOCK_EXIT], k->state->name->text);
@@ -208,6 +208,6 @@ void find_dead(Structure *k)
     const Program *p = k->a->p;
 
     for (size_t s = 0; s < p->state.n; s++)
-        if (facts_reach(k->a->facts, s, BLOCK_ENTRY))
+        if (facts_may_reach(k->a->facts, s, BLOCK_ENTRY))
             look_at_state(k, p->state.at[s]);
 }

@@ -296,7 +296,7 @@ void each_dead_store(Liveness *l, void (*f)(Analysis *a, const DeadStore *dead, 
     l->context = context;
     for (l->state = 0; l->state < l->a->m->state.n; l->state++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            if (l->a->m->state.at[l->state].block[b] && facts_reach(l->a->facts, l->state, b))
+            if (l->a->m->state.at[l->state].block[b] && facts_may_reach(l->a->facts, l->state, b))
                 look_at_block(l, (BlockKind)b);
     l->dead = NULL;
 }

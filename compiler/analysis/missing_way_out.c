@@ -32,6 +32,6 @@ void analyse_ends(Analysis *a)
         return;                               // a machine with a single task that runs forever
     left = find_left(a);
     for (size_t s = 0; s < a->p->state.n; s++)
-        if (!left[s] && !a->p->state.at[s]->is_safe && facts_reach(a->facts, s, BLOCK_ENTRY))
+        if (!left[s] && !a->p->state.at[s]->is_safe && facts_may_reach(a->facts, s, BLOCK_ENTRY))
             report_no_way_out(a, a->p->state.at[s]);
 }

@@ -221,7 +221,7 @@ static void begin_unreached(Search *k)
     Trials *t = k->t;
 
     for (uint32_t s = 0; s < t->a->p->state.n; s++)
-        if (t->state[s].entry.n == 0 && facts_reach(t->a->facts, s, BLOCK_ENTRY)) {
+        if (t->state[s].entry.n == 0 && facts_may_reach(t->a->facts, s, BLOCK_ENTRY)) {
             ir_run_start(t->run, k->at, s + 1);
             memset(k->in, 0, (t->inputs + 1) * sizeof *k->in);
             k->steps = TRIAL_MANY;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/facts/env.h"
 
-enum { BITS = 3, KIDS = 1 << BITS };
+enum { BITS = 3, CHILDREN = 1 << BITS };
 
 struct Env {
     union {
         const Env *env;               // in an inner node
         const Fact *fact;             // in a leaf
-    } kid[KIDS];
+    } child[CHILDREN];
 };
 
 bool env_is_private(const IrVar *v) { return v->space == IR_LOCAL && !v->outside; }
@@ -24,9 +24,9 @@ EnvShape env_shape(Arena *arena, const IrMachine *m)
 
 static bool is_root(const EnvShape *s, unsigned level) { return level == s->levels - 1; }
 
-static unsigned digit(const EnvShape *s, uint32_t var, unsigned level)
+static unsigned child_index(const EnvShape *s, uint32_t var, unsigned level)
 {
-    return is_root(s, level) ? env_is_private(&s->m->var.at[var]) : var >> (level * BITS) & (KIDS - 1u);
+    return is_root(s, level) ? env_is_private(&s->m->var.at[var]) : var >> (level * BITS) & (CHILDREN - 1u);
 }
 
 Fact env_get(const EnvShape *s, const Env *e, uint32_t var)
@@ -34,12 +34,12 @@ Fact env_get(const EnvShape *s, const Env *e, uint32_t var)
     const Fact *fact;
 
     for (unsigned level = s->levels - 1; e && level > 0; level--)
-        e = e->kid[digit(s, var, level)].env;
-    fact = e ? e->kid[digit(s, var, 0)].fact : NULL;
+        e = e->child[child_index(s, var, level)].env;
+    fact = e ? e->child[child_index(s, var, 0)].fact : NULL;
     return fact ? *fact : fact_of_type(s->m->var.at[var].type);
 }
 
-static Env *copy(const EnvShape *s, const Env *e)
+static Env *copy_node(const EnvShape *s, const Env *e)
 {
     Env *n = ARENA_NEW(s->arena, Env);
 
@@ -48,7 +48,8 @@ static Env *copy(const EnvShape *s, const Env *e)
     return n;
 }
 
-static const Fact *keep(const EnvShape *s, Fact fact, SmType type)
+// NULL if the fact is that of the type.
+static const Fact *new_fact(const EnvShape *s, Fact fact, SmType type)
 {
     Fact *f;
 
@@ -59,21 +60,22 @@ static const Fact *keep(const EnvShape *s, Fact fact, SmType type)
     return f;
 }
 
-static const Env *set(const EnvShape *s, const Env *e, uint32_t var, const Fact *fact, unsigned level)
+// `level`: of the node e; 0 is a leaf.
+static const Env *set_below(const EnvShape *s, const Env *e, uint32_t var, const Fact *fact, unsigned level)
 {
-    Env *n = copy(s, e);
-    const unsigned k = digit(s, var, level);
+    Env *n = copy_node(s, e);
+    const unsigned k = child_index(s, var, level);
 
     if (level == 0)
-        n->kid[k].fact = fact;
+        n->child[k].fact = fact;
     else
-        n->kid[k].env = set(s, n->kid[k].env, var, fact, level - 1);
+        n->child[k].env = set_below(s, n->child[k].env, var, fact, level - 1);
     return n;
 }
 
 const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact)
 {
-    return fact_equal(env_get(s, e, var), fact) ? e : set(s, e, var, keep(s, fact, s->m->var.at[var].type), s->levels - 1);
+    return fact_equal(env_get(s, e, var), fact) ? e : set_below(s, e, var, new_fact(s, fact, s->m->var.at[var].type), s->levels - 1);
 }
 
 static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, uint32_t var, const FactLimits *widen)
@@ -87,40 +89,40 @@ static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, u
     r = fact_join(*a, *b);
     if (fact_equal(r, *a))
         return a;
-    return keep(s, widen ? fact_widen(*a, r, type, widen) : r, type);
+    return new_fact(s, widen ? fact_widen(*a, r, type, widen) : r, type);
 }
 
-static const Env *join(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, const FactLimits *widen)
+static const Env *join_nodes(const EnvShape *s, const Env *a, const Env *b, uint32_t first, unsigned level, const FactLimits *widen)
 {
     Env both;
     bool same = true, empty = true;
 
     if (a == b || !a || !b)
         return a && b ? a : NULL;
-    for (uint32_t k = 0; k < KIDS; k++) {
+    for (uint32_t k = 0; k < CHILDREN; k++) {
         const uint32_t at = is_root(s, level) ? 0 : first | k << (level * BITS);
         if (level == 0)
-            both.kid[k].fact = join_facts(s, a->kid[k].fact, b->kid[k].fact, at, widen);
+            both.child[k].fact = join_facts(s, a->child[k].fact, b->child[k].fact, at, widen);
         else
-            both.kid[k].env = join(s, a->kid[k].env, b->kid[k].env, at, level - 1, widen);
-        same &= level == 0 ? both.kid[k].fact == a->kid[k].fact : both.kid[k].env == a->kid[k].env;
-        empty &= level == 0 ? both.kid[k].fact == NULL : both.kid[k].env == NULL;
+            both.child[k].env = join_nodes(s, a->child[k].env, b->child[k].env, at, level - 1, widen);
+        same &= level == 0 ? both.child[k].fact == a->child[k].fact : both.child[k].env == a->child[k].env;
+        empty &= level == 0 ? both.child[k].fact == NULL : both.child[k].env == NULL;
     }
-    return same ? a : empty ? NULL : copy(s, &both);
+    return same ? a : empty ? NULL : copy_node(s, &both);
 }
 
 const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLimits *widen)
 {
-    return join(s, a, b, 0, s->levels - 1, widen);
+    return join_nodes(s, a, b, 0, s->levels - 1, widen);
 }
 
-const Env *env_begin(const EnvShape *s, const Env *e, const Env *outside)
+const Env *env_begin(const EnvShape *s, const Env *e, const Env *others)
 {
     Env *n;
 
-    if (!e || !e->kid[1].env)
-        return outside;
-    n = copy(s, outside);
-    n->kid[1] = e->kid[1];
+    if (!e || !e->child[1].env)
+        return others;
+    n = copy_node(s, others);
+    n->child[1] = e->child[1];
     return n;
 }

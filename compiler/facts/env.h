@@ -24,7 +24,7 @@ const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact);
 const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLimits *widen);
 
 bool env_is_private(const IrVar *v);                          // whether v is a local that only the machine itself writes
-// The facts of e for private variables, and those of `outside` for all others.
-const Env *env_begin(const EnvShape *s, const Env *e, const Env *outside);
+// The facts of e for private variables, and those of `others` for all other variables.
+const Env *env_begin(const EnvShape *s, const Env *e, const Env *others);
 
 #endif

@@ -10,7 +10,7 @@
 // ---- helpers for numbers ----
 
 static double infinity(void) { return sm_from_bits(0x7FF0000000000000u); }
-static bool has(Fact a, double x) { return a.lo <= x && x <= a.hi; }
+static bool contains(Fact a, double x) { return a.lo <= x && x <= a.hi; }
 static bool is_finite(Fact a) { return a.lo > -infinity() && a.hi < infinity(); }
 static bool has_infinity(Fact a) { return a.lo == -infinity() || a.hi == infinity(); }
 static bool can_be_negative(Fact a) { return a.lo < 0 || a.minus_zero; }
@@ -27,7 +27,7 @@ static double next_up(double x)
 }
 
 // Updates the fields that follow from the other fields.
-static inline Fact settle(Fact a)
+static inline Fact normalize(Fact a)
 {
     if (a.whole && !is_finite(a))
         a.whole = false;
@@ -36,18 +36,18 @@ static inline Fact settle(Fact a)
         a.f32 = is_f32(a.lo);
     }
     a.f32 |= a.whole && a.lo >= -16777216.0 && a.hi <= 16777216.0;       // 2^24
-    a.minus_zero &= has(a, 0);
+    a.minus_zero &= contains(a, 0);
     return a;
 }
 
-static Fact make(double lo, double hi, bool whole, bool nan, bool minus_zero)
+static Fact make_fact(double lo, double hi, bool whole, bool nan, bool minus_zero)
 {
     const Fact a = {lo, hi, whole, false, nan, minus_zero};
 
-    return settle(a);
+    return normalize(a);
 }
 
-static Fact anything(void) { return make(-infinity(), infinity(), false, true, true); }
+static Fact anything(void) { return make_fact(-infinity(), infinity(), false, true, true); }
 
 // 2^63 - 1 and 2^64 - 1 are not F64 numbers.  The bounds of these types are one higher.
 #define HALF(bytes) (2.0 * (double)(UINT64_C(1) << (bytes * 8 - 2)))              // half the number of values of that many bytes
@@ -74,19 +74,19 @@ Fact fact_of_cell(SmType type, uint64_t bits)
     const SmF64 x = ir_number(type, bits);
 
     if (sm_is_nan(x))
-        return make(1, 0, false, true, false);
-    return make(x, x, false, false, x == 0 && sm_bits(x) != 0);
+        return make_fact(1, 0, false, true, false);
+    return make_fact(x, x, false, false, x == 0 && sm_bits(x) != 0);
 }
 
 Fact fact_of_bool(bool may_be_false, bool may_be_true)
 {
-    return make(may_be_false ? 0 : 1, may_be_true ? 1 : 0, true, false, false);
+    return make_fact(may_be_false ? 0 : 1, may_be_true ? 1 : 0, true, false, false);
 }
 
 // ---- arithmetic ----
 // A bound that evaluates to NaN (inf - inf, 0 * inf) is discarded.
 
-static Fact no_number(bool nan) { return make(1, 0, false, nan, false); }
+static Fact no_number(bool nan) { return make_fact(1, 0, false, nan, false); }
 static bool is_empty(Fact a) { return a.lo > a.hi; }
 
 static Fact add(Fact a, Fact b)
@@ -94,12 +94,12 @@ static Fact add(Fact a, Fact b)
     const bool nan = a.nan || b.nan || (a.lo == -infinity() && b.hi == infinity()) || (a.hi == infinity() && b.lo == -infinity());
     const double lo = a.lo + b.lo, hi = a.hi + b.hi;
 
-    return make(lo == lo ? lo : -infinity(), hi == hi ? hi : infinity(), a.whole && b.whole, nan, a.minus_zero && b.minus_zero);
+    return make_fact(lo == lo ? lo : -infinity(), hi == hi ? hi : infinity(), a.whole && b.whole, nan, a.minus_zero && b.minus_zero);
 }
 
 static Fact negate(Fact a)
 {
-    Fact r = make(-a.hi, -a.lo, a.whole, a.nan, has(a, 0));
+    Fact r = make_fact(-a.hi, -a.lo, a.whole, a.nan, contains(a, 0));
 
     r.f32 |= a.f32;
     return r;
@@ -109,11 +109,11 @@ static Fact subtract(Fact a, Fact b)
 {
     Fact r = add(a, negate(b));
 
-    r.minus_zero = a.minus_zero && has(b, 0) && has(r, 0);
+    r.minus_zero = a.minus_zero && contains(b, 0) && contains(r, 0);
     return r;
 }
 
-static void stretch(Fact *r, double x)
+static void extend(Fact *r, double x)
 {
     if (x < r->lo)
         r->lo = x;
@@ -126,59 +126,59 @@ static Fact hull(SmF64 w, SmF64 x, SmF64 y, SmF64 z)
 {
     Fact r = {infinity(), -infinity(), false, false, false, false};
 
-    stretch(&r, w);
-    stretch(&r, x);
-    stretch(&r, y);
-    stretch(&r, z);
+    extend(&r, w);
+    extend(&r, x);
+    extend(&r, y);
+    extend(&r, z);
     return r;
 }
 
 static Fact multiply(Fact a, Fact b)
 {
     Fact r = hull(sm_mul(a.lo, b.lo), sm_mul(a.lo, b.hi), sm_mul(a.hi, b.lo), sm_mul(a.hi, b.hi));
-    const bool zero_by_infinity = (has(a, 0) && has_infinity(b)) || (has(b, 0) && has_infinity(a));
+    const bool zero_by_infinity = (contains(a, 0) && has_infinity(b)) || (contains(b, 0) && has_infinity(a));
 
-    if (has(a, 0) || has(b, 0))
-        stretch(&r, 0);
+    if (contains(a, 0) || contains(b, 0))
+        extend(&r, 0);
     r.whole = a.whole && b.whole;
     r.nan = a.nan || b.nan || zero_by_infinity;
     // A product of whole numbers is zero only if a factor is zero.  Other products can also underflow to zero.
-    r.minus_zero = r.whole ? a.minus_zero || b.minus_zero || (has(a, 0) && b.lo < 0) || (has(b, 0) && a.lo < 0)
+    r.minus_zero = r.whole ? a.minus_zero || b.minus_zero || (contains(a, 0) && b.lo < 0) || (contains(b, 0) && a.lo < 0)
                            : can_be_negative(a) || can_be_negative(b);
-    return settle(r);
+    return normalize(r);
 }
 
 // A value multiplied by itself: the result is never negative, and zero is never multiplied by infinity.
 static Fact square(Fact a)
 {
-    const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), least = has(a, 0) ? 0 : sm_min(sm_abs(a.lo), sm_abs(a.hi));
+    const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), least = contains(a, 0) ? 0 : sm_min(sm_abs(a.lo), sm_abs(a.hi));
 
-    return make(sm_mul(least, least), sm_mul(reach, reach), a.whole, a.nan, false);
+    return make_fact(sm_mul(least, least), sm_mul(reach, reach), a.whole, a.nan, false);
 }
 
 static Fact divide(Fact a, Fact b)
 {
     Fact r;
 
-    if (has(b, 0))
-        return make(-infinity(), infinity(), false, a.nan || b.nan || has(a, 0) || has_infinity(a), true);
+    if (contains(b, 0))
+        return make_fact(-infinity(), infinity(), false, a.nan || b.nan || contains(a, 0) || has_infinity(a), true);
     r = hull(sm_div(a.lo, b.lo), sm_div(a.lo, b.hi), sm_div(a.hi, b.lo), sm_div(a.hi, b.hi));
     r.nan = a.nan || b.nan || (has_infinity(a) && has_infinity(b));
     if (r.lo > r.hi || r.nan)
-        return make(-infinity(), infinity(), false, r.nan, true);
+        return make_fact(-infinity(), infinity(), false, r.nan, true);
     r.minus_zero = can_be_negative(a) || can_be_negative(b);
-    return settle(r);
+    return normalize(r);
 }
 
 static Fact monotonic(SmF64 (*op)(SmF64), Fact a, bool minus_zero)
 {
-    return make(op(a.lo), op(a.hi), true, a.nan, minus_zero);
+    return make_fact(op(a.lo), op(a.hi), true, a.nan, minus_zero);
 }
 
 static Fact absolute(Fact a)
 {
     const double lo = sm_abs(a.lo), hi = sm_abs(a.hi);
-    Fact r = make(has(a, 0) ? 0 : lo < hi ? lo : hi, lo < hi ? hi : lo, a.whole, a.nan, false);
+    Fact r = make_fact(contains(a, 0) ? 0 : lo < hi ? lo : hi, lo < hi ? hi : lo, a.whole, a.nan, false);
 
     r.f32 |= a.f32;
     return r;
@@ -188,12 +188,12 @@ static Fact root(Fact a)
 {
     if (a.hi < 0)
         return no_number(true);
-    return make(a.lo > 0 ? sm_sqrt(a.lo) : 0, sm_sqrt(a.hi), false, a.nan || a.lo < 0, a.minus_zero);
+    return make_fact(a.lo > 0 ? sm_sqrt(a.lo) : 0, sm_sqrt(a.hi), false, a.nan || a.lo < 0, a.minus_zero);
 }
 
 static Fact extreme(SmF64 (*op)(SmF64, SmF64), Fact a, Fact b)
 {
-    Fact r = make(op(a.lo, b.lo), op(a.hi, b.hi), a.whole && b.whole, a.nan || b.nan, a.minus_zero || b.minus_zero);
+    Fact r = make_fact(op(a.lo, b.lo), op(a.hi, b.hi), a.whole && b.whole, a.nan || b.nan, a.minus_zero || b.minus_zero);
 
     r.f32 |= a.f32 && b.f32;
     return r;
@@ -203,7 +203,7 @@ static Fact extreme(SmF64 (*op)(SmF64, SmF64), Fact a, Fact b)
 
 static Fact to_bool(Fact a)
 {
-    const bool zero = has(a, 0) || a.nan;
+    const bool zero = contains(a, 0) || a.nan;
     const bool other = !is_empty(a) && (a.lo < 0 || a.hi > 0);
 
     return fact_of_bool(zero, other);
@@ -213,13 +213,13 @@ static Fact to_integer(Fact a, SmType to)
 {
     const Fact t = fact_of_type(to);
 
-    return make(sm_min(sm_max(sm_trunc(a.lo), t.lo), t.hi), sm_max(sm_min(sm_trunc(a.hi), t.hi), t.lo), true, false, false);
+    return make_fact(sm_min(sm_max(sm_trunc(a.lo), t.lo), t.hi), sm_max(sm_min(sm_trunc(a.hi), t.hi), t.lo), true, false, false);
 }
 
 // Rounding to F32 is monotonic.  A small negative number becomes -0.
 static Fact to_f32(Fact a)
 {
-    Fact r = make(sm_from_f32(sm_round_f32(a.lo)), sm_from_f32(sm_round_f32(a.hi)), a.whole, false,
+    Fact r = make_fact(sm_from_f32(sm_round_f32(a.lo)), sm_from_f32(sm_round_f32(a.hi)), a.whole, false,
                   a.minus_zero || (a.lo < 0 && !a.whole));
 
     r.f32 = true;
@@ -231,7 +231,7 @@ Fact fact_convert(Fact a, SmType to)
     if (to == SM_BOOL)
         return to_bool(a);
     if (a.nan)                                        // becomes 0
-        a = is_empty(a) ? make(0, 0, true, false, false) : fact_join(a, make(0, 0, true, false, false));
+        a = is_empty(a) ? make_fact(0, 0, true, false, false) : fact_join(a, make_fact(0, 0, true, false, false));
     a.nan = false;
     return to == SM_F64 ? a : to == SM_F32 ? to_f32(a) : to_integer(a, to);
 }
@@ -244,13 +244,13 @@ static Fact less(Fact a, Fact b, bool nan) { return truth(!nan && a.hi < b.lo, a
 static Fact less_or_equal(Fact a, Fact b, bool nan) { return truth(!nan && a.hi <= b.lo, a.lo > b.hi); }
 
 // Whether b is one number that a cannot be: a is whole and b is not, or a is an F32 and b is not.
-static bool never_meets(Fact a, Fact b) { return b.lo == b.hi && ((a.whole && !b.whole) || (a.f32 && !b.f32)); }
+static bool cannot_contain(Fact a, Fact b) { return b.lo == b.hi && ((a.whole && !b.whole) || (a.f32 && !b.f32)); }
 
 static bool always_equal(Fact a, Fact b, bool nan) { return !nan && a.lo == a.hi && b.lo == b.hi && a.lo == b.lo; }
-static bool never_equal(Fact a, Fact b) { return a.hi < b.lo || b.hi < a.lo || never_meets(a, b) || never_meets(b, a); }
+static bool never_equal(Fact a, Fact b) { return a.hi < b.lo || b.hi < a.lo || cannot_contain(a, b) || cannot_contain(b, a); }
 
 // For I64 and U64, a fact bounds the number before it is rounded to F64.  From 2^53 on, different numbers may round to the same F64.
-static bool is_beyond(Fact a, SmType type)
+static bool may_be_rounded(Fact a, SmType type)
 {
     return sm_type_info[type].bytes == 8 && type != SM_F64 && !fact_within(a, -FACT_EXACT, FACT_EXACT);
 }
@@ -261,7 +261,7 @@ static Fact compare(const IrIns *i, Fact a, Fact b, SmType type)
 
     if (is_empty(a) || is_empty(b))
         return i->op == IR_ne ? fact_of_bool(false, true) : fact_of_bool(true, false);
-    if (is_beyond(a, type) || is_beyond(b, type))
+    if (may_be_rounded(a, type) || may_be_rounded(b, type))
         return fact_of_bool(true, true);
     switch ((int)i->op) {
     case IR_eq: return truth(always_equal(a, b, nan), never_equal(a, b));
@@ -306,7 +306,7 @@ static Fact arithmetic(const IrIns *i, Fact a, Fact b)
 }
 
 // A narrowed operation produces the same number as on F64.  On F32, only that number rounded to F32 counts.
-static Fact same(const IrIns *i, Fact a, Fact b)
+static Fact fact_of_operation(const IrIns *i, Fact a, Fact b)
 {
     const bool two = ir_op_info[i->op].operands == 2;
     Fact r;
@@ -328,7 +328,7 @@ Fact fact_of_result(const IrIns *i, const Fact *a, const Fact *b, SmType type_of
     switch (ir_op_info[i->op].types) {
     case IR_T_CONST: return fact_of_cell(i->type, i->bits);
     case IR_T_CONVERT: return fact_convert(*a, i->type);
-    case IR_T_SAME: return same(i, *a, *b);
+    case IR_T_SAME: return fact_of_operation(i, *a, *b);
     case IR_T_COMPARE: return compare(i, *a, *b, type_of_a);
     case IR_T_LOGIC: return logic(i, *a, *b);
     case IR_T_LOAD: return fact_of_type(i->type);
@@ -340,13 +340,13 @@ Fact fact_of_result(const IrIns *i, const Fact *a, const Fact *b, SmType type_of
 // A sum of up to SM_WINDOW_MAX whole 32-bit numbers is exact.  Other sums are pairwise: they are rounded at 17 levels and may overflow.
 static Fact average(Fact a)
 {
-    const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), slip = reach / 1099511627776.0;       // 2^-40
+    const double reach = sm_max(sm_abs(a.lo), sm_abs(a.hi)), error = reach / 1099511627776.0;       // 2^-40
 
     if (a.whole && reach <= 4294967296.0)
-        return make(a.lo, a.hi, false, false, a.minus_zero);
+        return make_fact(a.lo, a.hi, false, false, a.minus_zero);
     if (!(reach < 1e300))
         return anything();
-    return make(a.lo - slip, a.hi + slip, false, false, true);
+    return make_fact(a.lo - error, a.hi + error, false, false, true);
 }
 
 Fact fact_of_stat(SmStat stat, Fact sample)
@@ -355,8 +355,8 @@ Fact fact_of_stat(SmStat stat, Fact sample)
 
     switch (stat) {
     case SM_STAT_AVG: return average(sample);
-    case SM_STAT_MEDIAN: return make(sample.lo, sample.hi, false, infinite, true);      // with two middle samples, their mean
-    case SM_STAT_RANGE: return make(0, infinite ? infinity() : sample.hi - sample.lo, sample.whole, infinite, false);
+    case SM_STAT_MEDIAN: return make_fact(sample.lo, sample.hi, false, infinite, true);      // with two middle samples, their mean
+    case SM_STAT_RANGE: return make_fact(0, infinite ? infinity() : sample.hi - sample.lo, sample.whole, infinite, false);
     case SM_STAT_MIN: case SM_STAT_MAX: case SM_STAT_COUNT: break;
     }
     return sample;
@@ -369,8 +369,8 @@ Fact fact_join(Fact a, Fact b)
     Fact r = is_empty(a) ? b : a;
 
     if (!is_empty(a) && !is_empty(b)) {
-        stretch(&r, b.lo);
-        stretch(&r, b.hi);
+        extend(&r, b.lo);
+        extend(&r, b.hi);
         r.whole = a.whole && b.whole;
         r.f32 = a.f32 && b.f32;
         r.minus_zero = a.minus_zero || b.minus_zero;
@@ -386,7 +386,7 @@ Fact fact_meet(Fact a, Fact b)
 
     if (r.lo > r.hi)
         return a;
-    return settle(r);
+    return normalize(r);
 }
 
 bool fact_equal(Fact a, Fact b)
@@ -410,7 +410,7 @@ Fact fact_widen(Fact before, Fact now, SmType type, const FactLimits *limits)
         now.lo = lo;
     if (now.hi > before.hi)
         now.hi = hi;
-    return settle(now);
+    return normalize(now);
 }
 
 // ---- queries ----

@@ -27,22 +27,22 @@ typedef struct FactFlow {             // valid until the next function is analys
     FactExit *exit;                   // by block; undefined for unreached blocks
 } FactFlow;
 
-// `at` is called for each reachable function, possibly again while its facts are refined.  The last call for a function is final.
+// `visit` is called for each reachable function, possibly again while its facts are refined.  The last call for a function is final.
 typedef struct FactWatch {
-    void (*at)(void *context, const IrFn *f, FactFlow flow);
-    void (*forget)(void *context);    // earlier calls had facts that were too weak: discard them, `at` is called again for each function
+    void (*visit)(void *context, const IrFn *f, FactFlow flow);
+    void (*discard)(void *context);   // earlier visits had facts that were too weak: discard them, each function is visited again
     void *context;
 } FactWatch;
 
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
 // The same for a machine that is only ever started in its first state, as analyses assume.  `watch` may be NULL.
 FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const FactWatch *watch);
-// As facts_from_first_state, and assumes that the elements satisfy `outside` whenever a step begins.
-FactMachine *facts_supposing(Arena *arena, const IrMachine *m, const Env *outside);
+// As facts_from_first_state, and assumes that the elements satisfy `assumed` whenever a step begins.
+FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed);
 // Later flows allocate from `arena`.
-void facts_work_in(FactMachine *fm, Arena *arena);
-// Whether a path to this function has been found.
-bool facts_reach(const FactMachine *fm, size_t state, int block);
+void facts_set_arena(FactMachine *fm, Arena *arena);
+// Whether the facts allow a path to this function.
+bool facts_may_reach(const FactMachine *fm, size_t state, int block);
 
 // The facts when a function of state `state` (from 0) begins, and when the sample function begins.
 const Env *facts_begin(const FactMachine *fm, size_t state, int block);
@@ -55,7 +55,7 @@ Fact facts_of_window(const FactMachine *fm, uint32_t window);      // its sample
 // ---- inside compiler/facts ----
 
 typedef struct FactEnds {             // receives the facts at each end of a function
-    void (*at)(void *context, const IrJump *end, const Env *env);  // called for each reached IR_RET or IR_GOTO
+    void (*visit)(void *context, const IrJump *end, const Env *env);  // called for each reached IR_RET or IR_GOTO
     void *context;
 } FactEnds;
 
@@ -71,8 +71,8 @@ typedef struct FactBegin {            // the beginning of a function
 
 struct FactMachine {
     EnvShape shape;
-    const Env *outside;               // what is assumed of elements, or NULL
-    const Env *constants;             // `outside`, and the values of locals that no code writes
+    const Env *assumed;               // what is assumed of elements, or NULL
+    const Env *constants;             // `assumed`, and the values of locals that no code writes
     FactBegin (*begin)[BLOCK_COUNT];  // by state
     Fact *window;                     // by window: its samples
     uint32_t *epoch, *stored;         // by variable: the visit of a block (from 1) that last stored to it, and the position in the block

@@ -6,7 +6,7 @@
 static bool is_reached(const Report *r, const State *s)
 {
     for (int b = 0; b < BLOCK_COUNT; b++)
-        if (facts_reach(r->analysis.facts, s->number - 1u, b))
+        if (facts_may_reach(r->analysis.facts, s->number - 1u, b))
             return true;
     return false;
 }

@@ -122,7 +122,7 @@ static const State *run_block(Sound *r, BlockKind b)
 {
     const size_t s = r->state->number - 1;
 
-    if (!facts_reach(r->a.facts, s, b))
+    if (!facts_may_reach(r->a.facts, s, b))
         wrong(r, "a block runs that facts do not reach", r->state->span);
     if (r->no_block[s][b])
         wrong(r, "a block runs that a finding calls dead", r->state->block_span[b]);
@@ -208,7 +208,7 @@ static void claim_all(Sound *r)
 {
     for (size_t s = 0; s < r->p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            if (facts_reach(r->a.facts, s, b))
+            if (facts_may_reach(r->a.facts, s, b))
                 r->begin[s][b] = claims_of(r, facts_begin(r->a.facts, s, b));
     each_stmt(r->p, claim_stmt, r);
 }
