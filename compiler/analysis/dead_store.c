@@ -253,7 +253,7 @@ static size_t most_blocks(const IrMachine *m)
     return most;
 }
 
-void analyse_stores(Analysis *a)
+void analyse_dead_store(Analysis *a)
 {
     Stores k = {.a = a, .work = BLOCKS_WALKED};
 

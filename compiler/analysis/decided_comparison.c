@@ -201,7 +201,7 @@ static void look_at_stmt(const Stmt *stmt, void *context)
         look_within(context, stmt->value, NULL);
 }
 
-void analyse_compare(Analysis *a)
+void analyse_decided_comparison(Analysis *a)
 {
     Look k = {a, true, false};
 

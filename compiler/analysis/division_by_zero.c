@@ -148,7 +148,7 @@ static void look_at_divisions(Analysis *a)
             known_each(a, &p->state.at[s]->block[b], look_at_stmt, &k);
 }
 
-void analyse_divide(Analysis *a)
+void analyse_division_by_zero(Analysis *a)
 {
     if (a->p->operators & 1u << SM_OP_DIV)
         look_at_divisions(a);

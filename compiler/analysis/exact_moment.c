@@ -98,7 +98,7 @@ static void look_at_stmt(const Stmt *stmt, void *context)
         expr_walk(stmt->value, look_at_expr, context);
 }
 
-void analyse_moment(Analysis *a)
+void analyse_exact_moment(Analysis *a)
 {
     Look k = {.a = a};
 

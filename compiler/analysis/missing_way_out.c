@@ -24,7 +24,7 @@ static void report_no_way_out(Analysis *a, const State *s)
     diag_label(a->diags, d, DIAG_label_mark_safe, s->name->text);
 }
 
-void analyse_ends(Analysis *a)
+void analyse_missing_way_out(Analysis *a)
 {
     const bool *left;
 

@@ -80,7 +80,7 @@ static void look_at_stmt(const Stmt *stmt, void *context)
         check_computed(context, stmt);
 }
 
-void analyse_values(Analysis *a)
+void analyse_out_of_range(Analysis *a)
 {
     const Program *p = a->p;
 

@@ -111,7 +111,7 @@ static void look_at_literals(Analysis *a)
     each_stmt(a->p, look_at_stmt, a);
 }
 
-void analyse_precision(Analysis *a)
+void analyse_precision_loss(Analysis *a)
 {
     if (a->p->large_numbers)
         look_at_literals(a);

@@ -108,7 +108,7 @@ static void look_at_guard(const Stmt *stmt, void *context)
         expr_walk(stmt->value, look_at_expr, context);
 }
 
-void analyse_exact_count(Analysis *a)
+void analyse_skipped_count(Analysis *a)
 {
     Counting k = {a, ARENA_ARRAY(a->arena, Counter, a->p->var.n)};
 
