@@ -132,12 +132,13 @@ $(B)/libsmvm.a: $(VM:%.c=$(B)/obj/%.o) $(STDLIB:%.c=$(B)/obj/%.o)
 	$(call say,AR)$(AR) rcs $@ $^
 
 install: all $(B)/libsmvm.a
-	mkdir -p "$(DEST)/bin" "$(DEST)/lib/pkgconfig" "$(DEST)/share/smc/docs" "$(DEST)/include/smc/stdlib" "$(DEST)/include/smc/bytecode-vm"
+	mkdir -p "$(DEST)/bin" "$(DEST)/lib/pkgconfig" "$(DEST)/share/smc/docs/evidence" "$(DEST)/include/smc/stdlib" "$(DEST)/include/smc/bytecode-vm"
 	cp $(B)/smc "$(DEST)/bin/smc"
 	cp $(B)/libsmvm.a "$(DEST)/lib/libsmvm.a"
 	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' bytecode-vm/smvm.pc.in >"$(DEST)/lib/pkgconfig/smvm.pc"
 	cp compiler/smc.mk "$(DEST)/share/smc/smc.mk"
 	cp docs/*.md docs/*.svg "$(DEST)/share/smc/docs"
+	cp docs/evidence/*.md "$(DEST)/share/smc/docs/evidence"
 	@for f in $(INSTALLED_HEADERS); do cp $$f "$(DEST)/include/smc/$$f" || exit 1; done
 	@for f in $(INSTALLED_RUNTIME); do mkdir -p "$(DEST)/share/smc/$$(dirname $$f)" && cp $$f "$(DEST)/share/smc/$$f" || exit 1; done
 
