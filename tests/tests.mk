@@ -606,6 +606,7 @@ $(call test, mutants-places,       quick,, sh tests/check/mutants.sh --places te
 $(call test, check-words,          quick,, sh tests/check/files.sh text | awk -f tests/check/words.awk tests/check/words.txt -)
 $(call test, check-wrap,           quick,, sh tests/check/files.sh documents | xargs sh tests/check/wrap.sh)
 $(call test, check-sentences,      quick,, sh tests/check/files.sh documents | grep -v '^docs/evidence/' | LC_ALL=C awk -f tests/check/sentences.awk)
+$(call test, check-links,          quick,, { sh tests/check/files.sh text; echo LICENSE; echo --; sh tests/check/files.sh documents | grep -v '^docs/evidence/'; } | LC_ALL=C awk -f tests/check/links.awk)
 $(call test, check-layers,         quick,, sh tests/check/files.sh code | awk -f tests/check/layers.awk tests/check/layers.txt -)
 $(call test, check-codes,          quick,, sh tests/check/files.sh cases | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -)
 $(call test, check-arguments,      quick,, sh tests/check/files.sh compiler | awk -f tests/check/arguments.awk compiler/diag/codes.def -)
@@ -628,7 +629,7 @@ $(foreach level,$(LEVELS),$(call test,conformance-O$(level),thorough,,$(if $(fil
 # Emitted C with numbers in software, as --soft writes it.
 $(call test, conformance-c-soft,   thorough,, CC='$(CC) -O0' $(B)/smc test --engine=ref,c-soft conformance)
 $(foreach u,$(UNIT_SLOW),$(call test,$(u),thorough,$(B)/unit/$(u),$(B)/unit/$(u)))
-$(call test, check-docs,           thorough,, sh tests/check/docs.sh $(B)/smc $(B)/docs README.md conformance/README.md examples/README.md docs/*.md)
+$(call test, check-docs,           thorough,, sh tests/check/docs.sh $(B)/smc $(B)/docs README.md */README.md docs/*.md)
 $(call test, applications,         thorough, $(RUNTIME_ARCHIVES), sh tests/check/applications.sh $(B)/smc '$(CC)' $(B)/runtime $(patsubst %/,%,$(dir $(wildcard examples/*/*.app))))
 $(call test, flight-docs,          thorough, $(B)/flight/flight.log, $(FLIGHT_SVG) | cmp - docs/flight.svg && echo 1 passed$(,) 0 failed)
 $(call test, graph-read,           thorough,, sh tests/graph/read.sh $(B)/smc tests/graph/machines/*.sm)
