@@ -70,10 +70,13 @@ docs: docs/flight.svg
 docs/flight.svg: $(B)/flight/flight.log
 	$(FLIGHT_SVG) -o $@
 
-# docs/ignition.svg, a state diagram.  `make docs` draws it.
-docs: docs/ignition.svg
-docs/ignition.svg: examples/ignition/ignition.sm $(wildcard compiler/report/*.c) | $(B)/smc
-	$(B)/smc graph $< -o $@
+# docs/ignition.svg and docs/tank.svg, state diagrams of examples.  `make docs` draws them.
+docs: docs/ignition.svg docs/tank.svg
+docs/ignition.svg docs/tank.svg: docs/%.svg: $(wildcard compiler/report/*.c) | $(B)/smc
+	$(B)/smc graph examples/$*/$*.sm -o $@
+docs/ignition.svg: examples/ignition/ignition.sm
+docs/tank.svg: examples/tank/tank.sm
+
 # tests/fuzz: functions that must survive any input.  seeds/NAME/ holds the first inputs of each.
 $(B)/fuzz/%: tests/fuzz/%.c tests/fuzz/driver.c $(B)/libsmc.a
 	@mkdir -p $(@D)
@@ -598,7 +601,7 @@ $(call test, clauses-memory,       quick, $(B)/clauses/memory $(B)/clauses/probe
 $(call test, clauses-regions,      quick, $(B)/clauses/regions, $(B)/clauses/regions)
 $(call test, fixes,                quick, $(B)/fixes, $(B)/fixes tests/check/fixes.txt conformance/*/*.smt tests/*/*.smt README.md docs/*.md examples/*/*.sm tests/findings/*/*.sm)
 $(call test, diagnostics,          quick, $(B)/diagnostics, $(DIAGNOSTICS) | cmp - docs/diagnostics.md && echo 1 passed$(,) 0 failed)
-$(call test, graph-docs,           quick,, $(B)/smc graph examples/ignition/ignition.sm | cmp - docs/ignition.svg && echo 1 passed$(,) 0 failed)
+$(call test, graph-docs,           quick,, $(B)/smc graph examples/ignition/ignition.sm | cmp - docs/ignition.svg && $(B)/smc graph examples/tank/tank.sm | cmp - docs/tank.svg && echo 2 passed$(,) 0 failed)
 
 # The house rules.
 $(call test, runner,               quick,, sh tests/check/runner.sh)
