@@ -54,9 +54,11 @@ typedef enum SmStat { SM_STAT_AVG, SM_STAT_MEDIAN, SM_STAT_MIN, SM_STAT_MAX, SM_
 
 typedef enum SmBuiltin {
 #define SM_PURE(name, arguments, sentence) SM_FN_##name,
+#define SM_COMPOSED(name, arguments, steps, sentence) SM_FN_##name,
 #define SM_ROLL(name, stat, sentence) SM_FN_##name,
 #include "stdlib/builtins.def"
 #undef SM_PURE
+#undef SM_COMPOSED
 #undef SM_ROLL
     SM_FN_COUNT
 } SmBuiltin;

@@ -612,6 +612,7 @@ $(call test, check-sentences,      quick,, sh tests/check/files.sh documents | g
 $(call test, check-links,          quick,, { sh tests/check/files.sh text; echo LICENSE; echo --; sh tests/check/files.sh documents | grep -v '^docs/evidence/'; } | LC_ALL=C awk -f tests/check/links.awk)
 $(call test, check-layers,         quick,, sh tests/check/files.sh code | awk -f tests/check/layers.awk tests/check/layers.txt -)
 $(call test, check-codes,          quick,, sh tests/check/files.sh cases | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -)
+$(call test, check-builtins,       quick,, sh tests/check/builtins.sh)
 $(call test, check-arguments,      quick,, sh tests/check/files.sh compiler | awk -f tests/check/arguments.awk compiler/diag/codes.def -)
 $(call test, check-clauses,        quick,, sh tests/check/files.sh evidence | awk -f tests/check/clauses.awk docs/language.md docs/config.md tests/check/clauses.txt -)
 $(call test, check-licence,        quick,, sh tests/check/files.sh code | awk -f tests/check/licence.awk)

@@ -141,49 +141,34 @@ static IrRef build_chain(Builder *b, const Expr *e)
 
 // ---- builtins ----
 
-// The operation of a pure builtin that is a single operation; IR_OP_COUNT for the others.
-static IrOp op_of_builtin(SmBuiltin fn)
-{
-    switch (fn) {
-    case SM_FN_abs: return IR_abs;
-    case SM_FN_floor: return IR_floor;
-    case SM_FN_ceil: return IR_ceil;
-    case SM_FN_trunc: return IR_trunc;
-    case SM_FN_round: return IR_round;
-    case SM_FN_sqrt: return IR_sqrt;
-    case SM_FN_sign: return IR_sign;
-    case SM_FN_min: return IR_min;
-    case SM_FN_max: return IR_max;
-    case SM_FN_clamp:
-    case SM_FN_roll_avg:
-    case SM_FN_roll_median:
-    case SM_FN_roll_min:
-    case SM_FN_roll_max:
-    case SM_FN_roll_range:
-    case SM_FN_COUNT: break;
-    }
-    return IR_OP_COUNT;
-}
-
-static IrRef build_clamp(Builder *b, const Expr *e)
-{
-    IrRef x = build_number(b, e->arg[0]);
-    IrRef low = build_number(b, e->arg[1]);
-    IrRef high = build_number(b, e->arg[2]);
-
-    return emit(b, IR_min, SM_F64, emit(b, IR_max, SM_F64, x, low, e->span), high, e->span);
-}
-
+// One operation, or for a composed function several, on the arguments.
 static IrRef build_call(Builder *b, const Expr *e)
 {
-    IrOp op = op_of_builtin(e->fn);
-    IrRef x, y;
+    enum { MOST_VALUES = 16 };                        // arguments and steps
+    IrRef v[MOST_VALUES];
+    uint32_t n = 0;
 
-    if (e->fn == SM_FN_clamp)
-        return build_clamp(b, e);
-    x = build_number(b, e->arg[0]);
-    y = ir_op_info[op].operands > 1 ? build_number(b, e->arg[1]) : IR_NONE;
-    return emit(b, op, SM_F64, x, y, e->span);
+    while (n < e->n) {
+        v[n] = build_number(b, e->arg[n]);
+        n++;
+    }
+    switch (e->fn) {
+#define STEP1(name, x) v[n++] = emit(b, IR_##name, SM_F64, v[x], IR_NONE, e->span);
+#define STEP2(name, x, y) v[n++] = emit(b, IR_##name, SM_F64, v[x], v[y], e->span);
+#define SM_PURE(name, arguments, sentence) \
+    case SM_FN_##name: v[n++] = emit(b, IR_##name, SM_F64, v[0], arguments > 1 ? v[1] : IR_NONE, e->span); break;
+#define SM_COMPOSED(name, arguments, steps, sentence) \
+    case SM_FN_##name: steps break;
+#define SM_ROLL(name, stat, sentence) case SM_FN_##name:
+#include "stdlib/builtins.def"
+#undef STEP1
+#undef STEP2
+#undef SM_PURE
+#undef SM_COMPOSED
+#undef SM_ROLL
+    case SM_FN_COUNT: break;                          // a roll call has a kind of its own (EX_ROLL)
+    }
+    return v[n - 1];
 }
 
 static IrRef build_value(Builder *b, const Expr *e)

@@ -28,20 +28,20 @@ SmF64 ir_eval(IrOp op, SmType type, SmF64 a, SmF64 b)
 {
     switch (op) {
     case IR_cvt: return ir_convert(type, a);
-    case IR_add: return sm_add(a, b);
-    case IR_sub: return sm_sub(a, b);
-    case IR_mul: return sm_mul(a, b);
-    case IR_div: return sm_div(a, b);
-    case IR_neg: return sm_neg(a);
-    case IR_abs: return sm_abs(a);
-    case IR_floor: return sm_floor(a);
-    case IR_ceil: return sm_ceil(a);
-    case IR_trunc: return sm_trunc(a);
-    case IR_round: return sm_round(a);
-    case IR_sqrt: return sm_sqrt(a);
-    case IR_sign: return sm_sign(a);
-    case IR_min: return sm_min(a, b);
-    case IR_max: return sm_max(a, b);
+#define CALL_1(name) sm_##name(a)
+#define CALL_2(name) sm_##name(a, b)
+#define EVAL_SAME(name, operands) case IR_##name: return CALL_##operands(name);
+#define EVAL_CONST(name, operands)
+#define EVAL_CONVERT(name, operands)
+#define EVAL_COMPARE(name, operands)
+#define EVAL_LOGIC(name, operands)
+#define EVAL_LOAD(name, operands)
+#define EVAL_STORE(name, operands)
+#define EVAL_SAMPLE(name, operands)
+#define EVAL_STAT(name, operands)
+#define IR_OP(name, operands, types, narrow, effect, commutes, nan, meaning) EVAL_##types(name, operands)
+#include "compiler/ir/ops.def"
+#undef IR_OP
     case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge: return sm_from_bool(ir_compare(op, a, b));
     case IR_and: return sm_from_bool(sm_to_bool(a) && sm_to_bool(b));
     case IR_or: return sm_from_bool(sm_to_bool(a) || sm_to_bool(b));

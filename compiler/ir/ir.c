@@ -5,7 +5,8 @@
 #include <string.h>
 
 const IrOpInfo ir_op_info[IR_OP_COUNT] = {
-#define IR_OP(name, operands, types, narrow, effect, meaning) {#name, operands, IR_T_##types, IR_N_##narrow, effect},
+#define IR_OP(name, operands, types, narrow, effect, commutes, nan, meaning) \
+    {#name, operands, IR_T_##types, IR_N_##narrow, effect, commutes, IR_NAN_##nan},
 #include "compiler/ir/ops.def"
 #undef IR_OP
 };

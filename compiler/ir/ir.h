@@ -21,7 +21,7 @@
 #include "stdlib/types.h"
 
 typedef enum IrOp {
-#define IR_OP(name, operands, types, narrow, effect, meaning) IR_##name,
+#define IR_OP(name, operands, types, narrow, effect, commutes, nan, meaning) IR_##name,
 #include "compiler/ir/ops.def"
 #undef IR_OP
     IR_OP_COUNT
@@ -39,12 +39,15 @@ typedef enum IrTypes { IR_T_CONST, IR_T_CONVERT, IR_T_SAME, IR_T_COMPARE, IR_T_L
 // U64 beyond 2^53 this is not automatic.
 typedef enum IrNarrow { IR_N_NONE, IR_N_INT, IR_N_F32, IR_N_BOTH } IrNarrow;
 
+typedef enum IrNanRule { IR_NAN_NEVER, IR_NAN_OPERAND, IR_NAN_ANY } IrNanRule;        // when a result can be NaN
+
 typedef struct IrOpInfo {
     const char *name;
     uint8_t operands;
     IrTypes types;
     IrNarrow narrow;
-    bool effect;
+    bool effect, commutes;
+    IrNanRule nan;
 } IrOpInfo;
 
 extern const IrOpInfo ir_op_info[IR_OP_COUNT];

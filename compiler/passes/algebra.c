@@ -146,7 +146,6 @@ void algebra_rewrite(const Identity *d, IrIns *i)
     case IR_not: rewrite_not(d, i); break;
     case IR_cvt: rewrite_cvt(d, i); break;
     case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge: rewrite_comparison(d, i); break;
-    case IR_const: case IR_load: case IR_store: case IR_neg: case IR_floor: case IR_ceil: case IR_trunc: case IR_round:
-    case IR_sqrt: case IR_sign: case IR_min: case IR_max: case IR_and: case IR_or: case IR_stat: case IR_sample: case IR_OP_COUNT: break;
+    default: break;
     }
 }

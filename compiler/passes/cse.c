@@ -39,11 +39,6 @@ static IrIns *ins_at(const Cse *c, IrRef ref) { return &c->f->ins.at[ref]; }
 
 typedef struct Key { IrOp op; SmType type; IrRef a, b; uint32_t var; uint64_t bits; } Key;
 
-static bool commutes(IrOp op)
-{
-    return op == IR_add || op == IR_mul || op == IR_eq || op == IR_ne || op == IR_min || op == IR_max || op == IR_and || op == IR_or;
-}
-
 static void swap_operands(Key *k)
 {
     IrRef a = k->a;
@@ -63,7 +58,7 @@ static Key key_of(const Cse *c, const IrIns *i)
     if (i->op == IR_gt || i->op == IR_ge) {                   // a > b is b < a
         k.op = ir_swap_comparison(i->op);
         swap_operands(&k);
-    } else if (commutes(i->op) && k.b < k.a) {
+    } else if (ir_op_info[i->op].commutes && k.b < k.a) {
         swap_operands(&k);
     }
     if (i->op == IR_const)

@@ -135,38 +135,17 @@ static IrRef same_as(const Identity *d, const IrIns *i)
     case IR_cvt: return same_as_cvt(d, i);
     case IR_and:
     case IR_or: return same_as_logic(d, i);
-    case IR_const: case IR_load: case IR_store: case IR_sqrt: case IR_sign: case IR_stat: case IR_sample:
-    case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge: case IR_OP_COUNT: break;
+    default: return IR_NONE;
     }
-    return IR_NONE;
 }
 
 static bool is_never_nan(const Identity *d, const IrIns *i)
 {
-    switch (i->op) {
-    case IR_const: return i->type != SM_F64 || !sm_is_nan(sm_from_bits(i->bits));
-    case IR_load:
-    case IR_cvt: return true;
-    case IR_neg:
-    case IR_abs:
-    case IR_floor:
-    case IR_ceil:
-    case IR_trunc:
-    case IR_round:
-    case IR_sign: return d->never_nan[i->a];
-    case IR_min:
-    case IR_max: return d->never_nan[i->a] && d->never_nan[i->b];
-    case IR_add:                      // inf - inf
-    case IR_sub:
-    case IR_mul:                      // 0 * inf
-    case IR_div:
-    case IR_sqrt:
-    case IR_stat:
-    case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge:
-    case IR_and: case IR_or: case IR_not:
-    case IR_store: case IR_sample: case IR_OP_COUNT: break;
-    }
-    return false;
+    const IrOpInfo *info = &ir_op_info[i->op];
+
+    if (i->op == IR_const)
+        return !sm_is_nan(ir_number(i->type, i->bits));
+    return info->nan == IR_NAN_NEVER || (info->nan == IR_NAN_OPERAND && d->never_nan[i->a] && (info->operands < 2 || d->never_nan[i->b]));
 }
 
 static void visit(Identity *d, IrRef ref)

@@ -223,21 +223,23 @@ static double ref_sqrt(double x)
     return root_of_1_to_4(x) * scale;
 }
 
+static double ref_clamp(double x, double lo, double hi) { return ref_min(ref_max(x, lo), hi); }
+
+#define CALL_1(f) f(arg[0])
+#define CALL_2(f) f(arg[0], arg[1])
+#define CALL_3(f) f(arg[0], arg[1], arg[2])
+
 double ref_pure(SmBuiltin fn, const double *arg)
 {
     switch (fn) {
-    case SM_FN_abs: return ref_abs(arg[0]);
-    case SM_FN_floor: return ref_floor(arg[0]);
-    case SM_FN_ceil: return ref_ceil(arg[0]);
-    case SM_FN_trunc: return ref_trunc(arg[0]);
-    case SM_FN_round: return ref_round(arg[0]);
-    case SM_FN_sqrt: return ref_sqrt(arg[0]);
-    case SM_FN_sign: return ref_sign(arg[0]);
-    case SM_FN_min: return ref_min(arg[0], arg[1]);
-    case SM_FN_max: return ref_max(arg[0], arg[1]);
-    case SM_FN_clamp: return ref_min(ref_max(arg[0], arg[1]), arg[2]);
-    case SM_FN_roll_avg: case SM_FN_roll_median: case SM_FN_roll_min: case SM_FN_roll_max: case SM_FN_roll_range:
-    case SM_FN_COUNT: break;                          // not pure; the checker excludes them
+#define SM_PURE(name, arguments, sentence) case SM_FN_##name: return CALL_##arguments(ref_##name);
+#define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
+#define SM_ROLL(name, stat, sentence) case SM_FN_##name:
+#include "stdlib/builtins.def"
+#undef SM_PURE
+#undef SM_COMPOSED
+#undef SM_ROLL
+    case SM_FN_COUNT: break;                          // a roll call is not pure; the checker excludes it
     }
     return nothing();
 }

@@ -102,9 +102,11 @@ static SmF64 eval_call(const Expr *e, const SmF64 *value)
         v[i] = i < e->n ? expr_eval(e->arg[i], value) : sm_from_i32(0);
     switch (e->fn) {
 #define SM_PURE(name, arguments, sentence) case SM_FN_##name: return CALL_##arguments(sm_##name, v);
+#define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
 #undef SM_PURE
+#undef SM_COMPOSED
 #undef SM_ROLL
     case SM_FN_COUNT: break;
     }

@@ -121,8 +121,8 @@ static EngineStatus task_step(Engine *e, const EngineWrite *write, uint32_t n, E
 {
     Task *t = e->self;
     const SmTick tick = {0, 0};
-    const uint32_t from = t->machine.last;
-    const bool standing = t->machine.standing;
+    const uint32_t from = t->machine.last_state;
+    const bool standing = t->machine.was_refused;
     SmResult r;
 
     for (uint32_t i = 0; i < n; i++)

@@ -128,9 +128,20 @@ static GExpr *random_chain(Gen *g, const Reach *reach, uint32_t depth)
     return e;
 }
 
+static SmBuiltin random_function_of_one(Gen *g)
+{
+    SmBuiltin of_one[SM_FN_COUNT];
+    uint32_t n = 0;
+
+    for (int fn = 0; fn < SM_FN_COUNT; fn++)
+        if (sm_builtin_info[fn].arguments == 1)
+            of_one[n++] = (SmBuiltin)fn;
+    return of_one[rng_below(&g->rng, n)];
+}
+
 static GExpr *random_call(Gen *g, const Reach *reach, uint32_t depth)
 {
-    const SmBuiltin fn = (SmBuiltin)rng_below(&g->rng, SM_FN_clamp + 1);
+    const SmBuiltin fn = (SmBuiltin)rng_below(&g->rng, SM_FN_roll_avg);           // the pure ones come first
     GExpr *e = gen_expr_new(g, G_CALL, sm_builtin_info[fn].arguments);
     e->fn = fn;
     for (uint32_t i = 0; i < e->n; i++)
@@ -176,7 +187,7 @@ static GExpr *similar_sample(Gen *g)
     if (e->kind == G_BINARY && rng_percent(&g->rng, 70))
         e->op = e->op >= SM_OP_ADD ? (SmOperator)(SM_OP_ADD + rng_below(&g->rng, 4)) : (SmOperator)rng_below(&g->rng, 8);
     if (e->kind == G_CALL && e->n == 1)
-        e->fn = (SmBuiltin)rng_below(&g->rng, SM_FN_sign + 1);
+        e->fn = random_function_of_one(g);
     return e;
 }
 

@@ -86,12 +86,16 @@ static void compare_with_stdlib(void)
         CHECK(ref_convert((SmType)t, a[0]) == cell);
         CHECK(same(ref_read((SmType)t, cell), sm_cell_to_f64((SmType)t, cell)));
     }
-    CHECK(same(ref_pure(SM_FN_abs, a), sm_abs(a[0])) && same(ref_pure(SM_FN_sign, a), sm_sign(a[0])));
-    CHECK(same(ref_pure(SM_FN_floor, a), sm_floor(a[0])) && same(ref_pure(SM_FN_ceil, a), sm_ceil(a[0])));
-    CHECK(same(ref_pure(SM_FN_trunc, a), sm_trunc(a[0])) && same(ref_pure(SM_FN_round, a), sm_round(a[0])));
-    CHECK(same(ref_pure(SM_FN_sqrt, a), sm_sqrt(a[0])));
-    CHECK(same(ref_pure(SM_FN_min, a), sm_min(a[0], a[1])) && same(ref_pure(SM_FN_max, a), sm_max(a[0], a[1])));
-    CHECK(same(ref_pure(SM_FN_clamp, a), sm_clamp(a[0], a[1], a[2])));
+#define CALL_1(f) f(a[0])
+#define CALL_2(f) f(a[0], a[1])
+#define CALL_3(f) f(a[0], a[1], a[2])
+#define SM_PURE(name, arguments, sentence) CHECK(same(ref_pure(SM_FN_##name, a), CALL_##arguments(sm_##name)));
+#define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
+#define SM_ROLL(name, stat, sentence)
+#include "stdlib/builtins.def"
+#undef SM_PURE
+#undef SM_COMPOSED
+#undef SM_ROLL
 }
 
 int main(void)

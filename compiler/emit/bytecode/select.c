@@ -176,21 +176,22 @@ static void compute_sub(Select *s, IrRef a, IrRef b)
 
 static uint8_t opcode(IrOp op)
 {
-    switch (op) {
-    case IR_mul: return SMVM_mul;
-    case IR_div: return SMVM_div;
-    case IR_neg: return SMVM_neg;
-    case IR_abs: return SMVM_abs;
-    case IR_floor: return SMVM_floor;
-    case IR_ceil: return SMVM_ceil;
-    case IR_trunc: return SMVM_trunc;
-    case IR_round: return SMVM_round;
-    case IR_sqrt: return SMVM_sqrt;
-    case IR_sign: return SMVM_sign;
-    case IR_min: return SMVM_min;
-    case IR_max: return SMVM_max;
-    default: return 0;
-    }
+    static const uint8_t of[IR_OP_COUNT] = {
+#define OPCODE_SAME(name) [IR_##name] = SMVM_##name,
+#define OPCODE_CONST(name)
+#define OPCODE_CONVERT(name)
+#define OPCODE_COMPARE(name)
+#define OPCODE_LOGIC(name)
+#define OPCODE_LOAD(name)
+#define OPCODE_STORE(name)
+#define OPCODE_SAMPLE(name)
+#define OPCODE_STAT(name)
+#define IR_OP(name, operands, types, narrow, effect, commutes, nan, meaning) OPCODE_##types(name)
+#include "compiler/ir/ops.def"
+#undef IR_OP
+    };
+
+    return of[op];
 }
 
 uint32_t bc_relation(IrOp op)

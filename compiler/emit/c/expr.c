@@ -289,14 +289,12 @@ void put_value(CFn *fn, IrRef r, int prec)
     case IR_mul: put_binary(fn, i, " * ", PREC_MUL, prec); break;
     case IR_div: put_binary(fn, i, " / ", PREC_MUL, prec); break;
     case IR_neg: put_negative(fn, i, prec); break;
-    case IR_abs: case IR_floor: case IR_ceil: case IR_trunc: case IR_round: case IR_sqrt: case IR_sign: case IR_min: case IR_max:
-        put_builtin(fn, i);
-        break;
     case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge: put_compare(fn, i, false, prec); break;
     case IR_and: case IR_or: put_logic(fn, i, prec); break;
     case IR_not: put_condition(fn, i->a, true, prec); break;
     case IR_stat: put_stat(fn, i); break;
     case IR_const: case IR_store: case IR_sample: case IR_OP_COUNT: break;
+    default: put_builtin(fn, i); break;
     }
 }
 

@@ -1,0 +1,16 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Checks that every row of stdlib/builtins.def has what the compiler cannot miss by itself: a definition in the language reference, its name
+# in the diagnostic on unknown functions, and a conformance case that calls it.  Prints the file that lacks it.
+passed=0 failed=0
+check() {
+    if [ -n "$3" ]; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "$1: $2"; fi
+}
+for name in $(sed -n 's/^SM_[A-Z]*(\([a-z_]*\),.*/\1/p' stdlib/builtins.def); do
+    check docs/language.md "$name(…) is not defined" "$(grep -l "\`$name(" docs/language.md)"
+    check compiler/diag/codes.def "the page of E0217 does not list $name" \
+          "$(sed -n '/^DIAG("E0217"/,/^DIAG("E0218"/p' compiler/diag/codes.def | grep -w "$name")"
+    check conformance "no case calls $name(…)" "$(grep -l "\<$name(" conformance/*/*.smt | head -1)"
+done
+echo "$passed passed, $failed failed"
+[ $failed -eq 0 ]
