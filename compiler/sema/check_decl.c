@@ -204,7 +204,7 @@ static Element *find_element(Declarations *k, const AstDecl *decl)
         d = diag_report(k->s->diags, DIAG_element_other_type, decl->type_span, e->name->text,
                         sm_type_info[e->type].spelling, sm_type_info[decl->type].spelling);
         if (is_g_or_s(decl))
-            diag_label(k->s->diags, d, DIAG_label_text, format_in(k->s->arena, "it must be %s: change the state vector file", sm_type_info[decl->type].spelling));
+            diag_label(k->s->diags, d, DIAG_label_type_of_special, sm_type_info[decl->type].spelling);
         else
             diag_label(k->s->diags, d, DIAG_label_write_type, sm_type_info[e->type].spelling);
         diag_note(k->s->diags, d, e->span, DIAG_note_declared_here, e->name->text);

@@ -302,7 +302,7 @@ static bool label_argument_count(Sema *s, Diag *d, const AstExpr *e, SmBuiltin f
         diag_label(s->diags, d, DIAG_label_write_call, e->name->text,
                    format_in(s->arena, "(a, b), or for the last n steps roll_%s(%s, n)", e->name->text, first));
     else if (fn == SM_FN_round && args->n == 2)
-        diag_label(s->diags, d, DIAG_label_text, format_in(s->arena, "round(x) returns a whole number; to keep two digits, write round((%s) * 100) / 100", first));
+        diag_label(s->diags, d, DIAG_label_round_digits, first);
     else
         return false;
     return true;
@@ -339,9 +339,9 @@ static bool report_decimal_comma(Sema *s, const AstExpr *e)
                 from--;
             while (is_digit(text[end]))
                 end++;
-            diag_label(s->diags, diag_report(s->diags, DIAG_decimal_comma, comma), DIAG_label_text,
-                       format_in(s->arena, "a decimal point is written %.*s.%.*s; put a blank after a comma that separates two values",
-                                 (int)(comma.at - from), text + from, (int)(end - comma.at - 1), text + comma.at + 1));
+            diag_label(s->diags, diag_report(s->diags, DIAG_decimal_comma, comma), DIAG_label_decimal_point,
+                       format_in(s->arena, "%.*s", (int)(comma.at - from), text + from),
+                       format_in(s->arena, "%.*s", (int)(end - comma.at - 1), text + comma.at + 1));
             return true;
         }
     }

@@ -33,7 +33,7 @@ static Diag *report_read_only(Sema *s, const Var *v, Span span, Str name)
     if (v == s->p->s) {
         Diag *d = diag_report(s->diags, DIAG_write_state_element, span, name->text);
         if (!s->in_script)
-            diag_label(s->diags, d, DIAG_label_text, "to change the state, write -> State");
+            diag_label(s->diags, d, DIAG_label_change_state);
         return d;
     }
     if (v->kind == VAR_LOCAL)

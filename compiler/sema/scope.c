@@ -2,6 +2,8 @@
 // Names in scope: finds what a name refers to.  Reports an unknown name once, with the most similar known one.
 #include "compiler/sema/sema.h"
 
+#include <string.h>
+
 // ---- guesses ----
 
 static char lower(char c)
@@ -85,29 +87,41 @@ void scope_note_declared(Sema *s, Diag *d, Str name)
         diag_note(s->diags, d, v->span, DIAG_note_declared_here, v->name->text);
 }
 
-static const char nan_text[] = "what is stored is never NaN: a sensor's NaN is read as 0; ask for what is healthy, as in not (0.5 < x < 60)";
+// What a user of another language or a spreadsheet means by a name or a function (foreign_names.def).
+typedef struct ForeignName {
+    const char *name;
+    DiagCode label;
+    const char *argument;         // of the label, or ""
+} ForeignName;
 
-static const char pi_text[] = "declare it in [local]: F64 pi = 3.141592653589793 @read_only";
+static const ForeignName foreign_names[] = {
+#define FOREIGN_NAME(name, label, argument) {name, DIAG_##label, argument},
+#include "compiler/sema/foreign_names.def"
+};
 
-// True, TRUE, on, off, ELSE: keywords of this language in another language's spelling.
+static const ForeignName foreign_functions[] = {
+#define FOREIGN_FUNCTION(name, label, argument) {name, DIAG_##label, argument},
+#include "compiler/sema/foreign_names.def"
+};
+
+static const ForeignName *find_foreign(const ForeignName *table, size_t n, Str name)
+{
+    for (size_t i = 0; i < n; i++)
+        if (is_same_but_for_case(name->text, table[i].name))
+            return &table[i];
+    return NULL;
+}
+
+// True, on, ELSE, pi: words of other languages, or keywords in another spelling.
 static bool suggest_word(Sema *s, Diag *d, Str name)
 {
-    static const char *const words[][2] = {{"true", "true"}, {"false", "false"}, {"yes", "true"}, {"no", "false"},
-                                           {"on", "true"}, {"off", "false"}, {"else", "else"}, {"otherwise", "else"}};
+    const ForeignName *f = find_foreign(foreign_names, sizeof foreign_names / sizeof *foreign_names, name);
 
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (is_same_but_for_case(name->text, words[i][0])) {
-            diag_label(s->diags, d, DIAG_label_did_you_mean, words[i][1]);
-            if (i < 2)
-                diag_edit(s->diags, d, d->span, words[i][1]);
-            return true;
-        }
-    if (is_same_but_for_case(name->text, "nan"))
-        diag_label(s->diags, d, DIAG_label_text, nan_text);
-    else if (is_same_but_for_case(name->text, "pi"))
-        diag_label(s->diags, d, DIAG_label_text, pi_text);
-    else
+    if (!f)
         return false;
+    diag_label(s->diags, d, f->label, f->argument);
+    if (strcmp(f->name, "true") == 0 || strcmp(f->name, "false") == 0)
+        diag_edit(s->diags, d, d->span, f->argument);
     return true;
 }
 
@@ -206,38 +220,6 @@ const SmBuiltinInfo *scope_find_function(const Sema *s, Str name)
     return map_find(&s->functions, name);
 }
 
-static const char outside_text[] = "there is none: compute it outside the machine and list the result as an element";
-static const char multiply_text[] = "multiply, as in x * x";
-static const char remainder_text[] = "for a remainder, use x - n * floor(x / n)";
-static const char clock_text[] = "write G for the time, T for the time in this state";
-
-// Functions of spreadsheets and other languages, and what to write instead.  The most similar name would mislead: sin is not a
-// typo of min.
-static const struct { const char *name, *advice; } foreign_functions[] = {
-    {"avg", "write roll_avg(x, n)"}, {"average", "write roll_avg(x, n)"}, {"mean", "write roll_avg(x, n)"},
-    {"roll_average", "write roll_avg(x, n)"}, {"roll_mean", "write roll_avg(x, n)"}, {"movmean", "write roll_avg(x, n)"},
-    {"median", "write roll_median(x, n)"}, {"movmedian", "write roll_median(x, n)"}, {"range", "write roll_range(x, n)"},
-    {"fabs", "write abs(x)"}, {"int", "write trunc(x)"}, {"fix", "write trunc(x)"}, {"ceiling", "write ceil(x)"}, {"sgn", "write sign(x)"},
-    {"limit", "write clamp(x, lo, hi)"}, {"constrain", "write clamp(x, lo, hi)"}, {"saturate", "write clamp(x, lo, hi)"},
-    {"fmin", "write min(a, b)"}, {"fmax", "write max(a, b)"}, {"minimum", "write min(a, b)"}, {"maximum", "write max(a, b)"},
-    {"pow", multiply_text}, {"power", multiply_text}, {"sqr", multiply_text}, {"square", multiply_text},
-    {"hypot", "write sqrt(x * x + y * y)"},
-    {"mod", remainder_text}, {"fmod", remainder_text}, {"rem", remainder_text},
-    {"millis", clock_text}, {"micros", clock_text}, {"time", clock_text}, {"now", clock_text},
-    {"isnan", nan_text}, {"is_nan", nan_text}, {"and", "write a and b"}, {"or", "write a or b"},
-    {"sin", outside_text}, {"cos", outside_text}, {"tan", outside_text}, {"asin", outside_text}, {"acos", outside_text},
-    {"atan", outside_text}, {"atan2", outside_text}, {"sinh", outside_text}, {"cosh", outside_text}, {"tanh", outside_text},
-    {"exp", outside_text}, {"log", outside_text}, {"ln", outside_text}, {"log2", outside_text}, {"log10", outside_text},
-    {"random", outside_text}, {"rand", outside_text}};
-
-static const char *foreign_advice(Str name)
-{
-    for (size_t i = 0; i < sizeof foreign_functions / sizeof *foreign_functions; i++)
-        if (is_same_but_for_case(name->text, foreign_functions[i].name))
-            return foreign_functions[i].advice;
-    return NULL;
-}
-
 // Adds the note "abs, floor, ..., clamp; over the last n steps: roll_avg, ...".
 static void note_functions(Sema *s, Diag *d)
 {
@@ -253,7 +235,7 @@ static void note_functions(Sema *s, Diag *d)
 void scope_report_unknown_function(Sema *s, Str name, Span span)
 {
     Guess g = guess_start(name);
-    const char *advice;
+    const ForeignName *foreign = find_foreign(foreign_functions, sizeof foreign_functions / sizeof *foreign_functions, name);
     Diag *d;
 
     if (!is_first_report(&s->unknown_function, name))
@@ -264,13 +246,12 @@ void scope_report_unknown_function(Sema *s, Str name, Span span)
         return;
     }
     d = diag_report(s->diags, DIAG_unknown_function, span, name->text);
-    advice = foreign_advice(name);
-    for (int i = 0; i < SM_FN_COUNT && !advice; i++)
+    for (int i = 0; i < SM_FN_COUNT && !foreign; i++)
         guess_try(&g, str_c(s->strings, sm_builtin_info[i].name));
     guess_label(s->diags, d, &g);
-    if (advice)
-        diag_label(s->diags, d, DIAG_label_text, advice);
-    if (!s->functions_noted && (!advice || advice == outside_text)) {
+    if (foreign)
+        diag_label(s->diags, d, foreign->label, foreign->argument);
+    if (!s->functions_noted && (!foreign || foreign->label == DIAG_label_no_such_function)) {
         note_functions(s, d);
         s->functions_noted = true;
     }

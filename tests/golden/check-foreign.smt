@@ -72,7 +72,7 @@ app.sm:21:5: error: declare variables in the section [local] [E0338]
       |     ^~~~~ write 'F64 y = 3 @read_only' in [local]
 app.sm:22:5: error: unknown function 'isnan' [E0217]
    22 |     isnan(p): -> Vent
-      |     ^~~~~ what is stored is never NaN: a sensor's NaN is read as 0; ask for what is healthy, as in not (0.5 < x < 60)
+      |     ^~~~~ a stored value is never NaN: a sensor's NaN is read as 0; test the range of healthy values, as in not (0.5 < x < 60)
 app.sm:23:5: error: this value has no effect [E0327]
    23 |     p > 3
       |     ^~~~~ a line may be continued only inside parentheses

@@ -60,7 +60,7 @@ app.sm:24:11: error: unknown operator '&' [E0108]
       |           ^ numbers have no bits here: keep each flag in a bool of its own
 app.sm:25:13: error: unknown element 'NaN' [E0204]
    25 |     valve = NaN
-      |             ^~~ what is stored is never NaN: a sensor's NaN is read as 0; ask for what is healthy, as in not (0.5 < x < 60)
+      |             ^~~ a stored value is never NaN: a sensor's NaN is read as 0; test the range of healthy values, as in not (0.5 < x < 60)
 6 errors
 -- exit --
 1
