@@ -34,10 +34,24 @@ void check_app_platform_files(AppCheck *k);     // the files of log and keep
 
 // ---- check_app_time.c ----
 
-typedef struct AppRange { uint64_t least, most; bool power_of_two; const char *text; } AppRange;
+typedef enum AppRangeId {
+#define APP_RANGE(name, what, least, most, power_of_two, limits) APP_RANGE_##name,
+#include "compiler/sema/app_ranges.def"
+#undef APP_RANGE
+    APP_RANGES
+} AppRangeId;
 
-// Converts the amount to a whole number.  Returns false after reporting that `what` is not in the range `r`.
-bool app_check_amount(AppCheck *k, const AstAmount *a, const AppRange *r, const char *what, uint64_t *value);
+typedef struct AppRange {
+    const char *what;
+    uint64_t least, most;
+    bool power_of_two;
+    const char *limits;
+} AppRange;
+
+extern const AppRange app_ranges[APP_RANGES];
+
+// Converts the amount to a whole number.  Returns false after reporting that it is outside its range; *value is then the least value.
+bool app_check_amount(AppCheck *k, const AstAmount *a, AppRangeId range, uint64_t *value);
 void check_app_rates(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);
 
 // ---- check_app_task.c ----

@@ -138,10 +138,9 @@ static void report_inputs_of(AppCheck *k, const Element *e, Span span, const cha
 
 static void check_time(AppCheck *k, const AstAppOption *o)
 {
-    static const AppRange range = {1, 3600000000000u, false, "1 ns to 1 h"};
     const Element *e = app_find_element(k, &o->element);
 
-    app_check_amount(k, &o->amount, &range, "what 1 of the time is", &k->app->unit);
+    app_check_amount(k, &o->amount, APP_RANGE_unit, &k->app->unit);
     if (e && e->type != SM_U64) {
         Diag *d = diag_report(k->c->diags, DIAG_app_element_type, o->element.span, e->name->text, sm_type_info[e->type].spelling,
                               "the time", "a U64");
@@ -162,18 +161,15 @@ Str app_file_stem(AppCheck *k, Str path)
 
 static void check_option(AppCheck *k, const AstAppOption *o)
 {
-    static const AppRange watchdog = {1000000u, 3600000000000u, false, "1 ms to 1 h"};
-    static const AppRange events = {8, 32768, true, "a power of two from 8 to 32768"};
-    static const AppRange room = {256, 1u << 30, true, "a power of two from 256 B to 1048576 KB"};
     uint64_t n = 0;
 
     switch (o->kind) {
     case AST_APP_state_vector: break;
     case AST_APP_io:           k->app->io = o->file.text; k->app->io_name = app_file_stem(k, o->file.text); break;
     case AST_APP_time:         check_time(k, o); break;
-    case AST_APP_watchdog:     app_check_amount(k, &o->amount, &watchdog, "the watchdog's time", &k->app->watchdog); break;
-    case AST_APP_events:       app_check_amount(k, &o->amount, &events, "the room for events", &n); k->app->events = (uint32_t)n; break;
-    case AST_APP_log:          app_check_amount(k, &o->amount, &room, "the memory of the log", &n); k->app->log_room = (uint32_t)n;
+    case AST_APP_watchdog:     app_check_amount(k, &o->amount, APP_RANGE_watchdog, &k->app->watchdog); break;
+    case AST_APP_events:       app_check_amount(k, &o->amount, APP_RANGE_events, &n); k->app->events = (uint32_t)n; break;
+    case AST_APP_log:          app_check_amount(k, &o->amount, APP_RANGE_log_memory, &n); k->app->log_room = (uint32_t)n;
                                k->app->log = o->file.text; break;
     case AST_APP_keep:         k->app->keep = o->file.text; break;
     case AST_APP_OPTION_COUNT: break;
@@ -188,18 +184,18 @@ static void check_log_room(AppCheck *k, const AstAppOption *o)
     for (size_t i = 0; k->sv && i < k->sv->region.n; i++)
         least += k->sv->region.at[i]->packed_size;
     least = 2 * (least + 18) + 192;
-    if (k->sv && k->app->log_room >= 256 && k->app->log_room < least)
-        diag_report(k->c->diags, DIAG_app_range, o->amount.span, "the memory of the log",
+    if (k->sv && k->app->log_room >= app_ranges[APP_RANGE_log_memory].least && k->app->log_room < least)
+        diag_report(k->c->diags, DIAG_app_range, o->amount.span, app_ranges[APP_RANGE_log_memory].what,
                     format_in(k->c->arena, "for this state vector at least %lu B", (unsigned long)least));
 }
 
 // The platform opens files with these names; their length is limited by PAL_NAME in runtime-c/pal/config.h.
 static void check_name_length(AppCheck *k, const AstAppOption *o)
 {
-    enum { MOST = 127 };
+    const AppRange *r = &app_ranges[APP_RANGE_name_length];
 
-    if ((o->kind == AST_APP_log || o->kind == AST_APP_keep) && (o->file.text->len == 0 || o->file.text->len > MOST))
-        diag_report(k->c->diags, DIAG_app_range, o->file.span, "the length of a name for the platform", "1 to 127 characters");
+    if ((o->kind == AST_APP_log || o->kind == AST_APP_keep) && (o->file.text->len < r->least || o->file.text->len > r->most))
+        diag_report(k->c->diags, DIAG_app_range, o->file.span, r->what, r->limits);
 }
 
 static void check_options(AppCheck *k)
@@ -289,7 +285,7 @@ static void check_start(AppCheck *k)
 
 // ---- executors ----
 
-static const char *const statistic_names[] = {"its ticks", "its overruns", "its skipped ticks", "its lateness", "how long it was busy"};
+static const char *const statistic_names[] = {"its ticks", "its overruns", "its skipped ticks", "its lateness", "its busy time"};
 
 // Reports an element that an executor writes and that a machine or an input writes too.
 static void check_other_writers(AppCheck *k, const AstAppAnnotation *a, const Element *e)
@@ -318,7 +314,7 @@ static void check_statistic(AppCheck *k, const AstAppAnnotation *a, AppExecutor 
     check_other_writers(k, a, e);
     if (e->type == SM_F32 || e->type == SM_F64 || e->type == SM_BOOL) {
         d = diag_report(k->c->diags, DIAG_app_element_type, a->word.span, e->name->text, sm_type_info[e->type].spelling,
-                        "what an executor tells of itself", "of an integer type");
+                        "a statistic of an executor", "of an integer type");
         diag_note(k->c->diags, d, e->span, DIAG_note_declared_here, e->name->text);
     } else if (holds || e == k->app->time) {
         diag_report(k->c->diags, DIAG_vitals_twice, a->word.span, e->name->text, statistic_names[which], holds ? holds : "the time");
@@ -329,16 +325,15 @@ static void check_statistic(AppCheck *k, const AstAppAnnotation *a, AppExecutor 
 
 static void check_executor_annotation(AppCheck *k, const AstAppAnnotation *a, AppExecutor *out)
 {
-    static const AppRange priority = {1, 99, false, "1 to 99"}, ticks = {1, 1000000, false, "1 to 1000000 ticks"};
     uint64_t n = 0;
 
     if (a->kind >= AST_ON_ticks && a->kind <= AST_ON_busy) {
         check_statistic(k, a, out);
     } else if (a->kind == AST_ON_priority) {
-        app_check_amount(k, &a->amount, &priority, "the priority", &n);
+        app_check_amount(k, &a->amount, APP_RANGE_priority, &n);
         out->priority = (uint32_t)n;
     } else if (a->kind == AST_ON_overrun && a->amount.of != APP_NOTHING) {
-        app_check_amount(k, &a->amount, &ticks, "what catch_up catches up", &n);
+        app_check_amount(k, &a->amount, APP_RANGE_catch_up, &n);
         out->catch_up = true;
         out->most = (uint32_t)n;
     }
@@ -368,7 +363,7 @@ static void check_executor(AppCheck *k, const AstAppExecutor *in)
         check_executor_annotation(k, &in->annotations.at[i], out);
     if (in->rates.n == 0 && !in->lost)
         report_missing(k, in->header, format_in(k->c->arena,
-                                         "executor [%s] has nothing to do: it needs a rate, as 'every 10 ms:', with tasks",
+                                         "executor [%s] needs a rate with tasks, such as 'every 10 ms:'",
                                          in->name.text->text));
     check_app_rates(k, in, out);
     check_app_tasks(k, in, out);

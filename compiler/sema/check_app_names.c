@@ -73,7 +73,7 @@ static void check_stem(AppCheck *k, const char *stem, Span span)
     const char *problem = is_reserved_stem(stem) ? "it belongs to the runtime" : NULL;
 
     if (!is_printable(stem))
-        problem = "C could not include its header";
+        problem = "C cannot include its header";
     if (problem)
         diag_report(k->c->diags, DIAG_task_name_reserved, span, stem, "file", problem);
 }

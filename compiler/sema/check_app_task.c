@@ -174,15 +174,15 @@ static const Var *first_written(const Program *p)
 }
 
 // In safe mode a task without @safe does nothing: what it has started continues.
-static void check_rest(AppCheck *k, const AppTask *t)
+static void warn_of_mode_without_safe(AppCheck *k, const AppTask *t)
 {
     const Var *left = t->machine ? first_written(t->machine->program) : NULL;
-    const char *why = "no @safe: safed, it does nothing";
+    const char *why = "no @safe: while safed, it does nothing";
 
     if (!t->mode || t->has_safe || (t->kind != AST_TASK_task && !left))
         return;
     if (left)
-        why = format_in(k->c->arena, "is a machine: safed, it stands still, and '%s' stays as it is", left->name->text);
+        why = format_in(k->c->arena, "is a machine: while safed, it does not step, and '%s' stays as it is", left->name->text);
     diag_report(k->c->diags, DIAG_mode_without_safe, t->span, t->name->text, why);
 }
 
@@ -202,7 +202,7 @@ static AppTask *check_task(AppCheck *k, const AstAppTask *in)
         check_annotation(k, &in->annotations.at[i], t);
     if (in->kind == AST_TASK_machine)
         t->machine = check_machine_task(k, in);
-    check_rest(k, t);
+    warn_of_mode_without_safe(k, t);
     return t;
 }
 

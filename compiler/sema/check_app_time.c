@@ -62,13 +62,20 @@ static void label_powers(AppCheck *k, Diag *d, const AstAmount *a, uint64_t valu
     diag_label(k->c->diags, d, DIAG_label_multiples, text[0], text[1]);
 }
 
-bool app_check_amount(AppCheck *k, const AstAmount *a, const AppRange *r, const char *what, uint64_t *value)
+const AppRange app_ranges[APP_RANGES] = {
+#define APP_RANGE(name, what, least, most, power_of_two, limits) {what, least, most, power_of_two, limits},
+#include "compiler/sema/app_ranges.def"
+#undef APP_RANGE
+};
+
+bool app_check_amount(AppCheck *k, const AstAmount *a, AppRangeId range, uint64_t *value)
 {
+    const AppRange *r = &app_ranges[range];
     Exactness e = amount_value(a, value);
     bool good = e == EXACT && *value >= r->least && *value <= r->most && (!r->power_of_two || (*value & (*value - 1)) == 0);
 
     if (!good) {
-        Diag *d = diag_report(k->c->diags, DIAG_app_range, a->span, what, r->text);
+        Diag *d = diag_report(k->c->diags, DIAG_app_range, a->span, r->what, r->limits);
         if (r->power_of_two && e == EXACT && *value >= r->least && *value <= r->most)
             label_powers(k, d, a, *value);
         *value = r->least;
@@ -90,7 +97,6 @@ const char *app_time_text(Arena *arena, uint64_t ns)
 // ---- periods ----
 
 enum { SECOND = 1000000000 };
-static const uint64_t shortest = 1000, longest = (uint64_t)3600 * SECOND;
 
 // 10^9 / (digits * 10^exponent * factor).  For a FRACTION the result is rounded down.
 static Exactness frequency_period(const AstAmount *a, uint64_t *period)
@@ -116,16 +122,17 @@ static void report_fraction(AppCheck *k, const AstAppRate *r, uint64_t period)
 // Returns 0 after a report.
 static uint64_t period_of(AppCheck *k, const AstAppRate *r)
 {
+    const AppRange *range = &app_ranges[APP_RANGE_period];
     uint64_t period = 0;
     Exactness e = r->amount.of == APP_FREQUENCY ? frequency_period(&r->amount, &period) : amount_value(&r->amount, &period);
 
-    if (e == FRACTION && (r->amount.of == APP_TIME || (period >= shortest && period < longest))) {
+    if (e == FRACTION && (r->amount.of == APP_TIME || (period >= range->least && period < range->most))) {
         report_fraction(k, r, period);
         return 0;
     }
-    if (e == EXACT && period >= shortest && period <= longest)
+    if (e == EXACT && period >= range->least && period <= range->most)
         return period;
-    diag_report(k->c->diags, DIAG_app_range, r->amount.span, "a period", "1 us to 1 h");
+    diag_report(k->c->diags, DIAG_app_range, r->amount.span, range->what, range->limits);
     return 0;
 }
 

@@ -3,7 +3,7 @@ spec 10.9   An executor has tasks.
 -- rocket.app --
 [options]
 state_vector "rocket.sv"
-[flight]              #! E1030 nothing to do
+[flight]              #! E1030 needs a rate with tasks
 [slow]
 every 10 ms:          #! E1030 no task
 every 20 ms:

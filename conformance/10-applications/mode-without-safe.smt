@@ -12,7 +12,7 @@ every 10 ms:
     task    navigation
     task    engine    @mode mode @safe
     task    parachute @mode mode            #! W1045 'parachute' has a mode and no @safe
-    machine mission "mission.sm" @mode mode #! W1045 'mission' has a mode and is a machine: safed, it stands still, and 'valve' stays as it is
+    machine mission "mission.sm" @mode mode #! W1045 'mission' has a mode and is a machine: while safed, it does not step, and 'valve' stays as it is
     machine phase   "phase.sm" @mode mode
     machine free    "free.sm"
     outputs @mode mode
