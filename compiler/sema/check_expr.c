@@ -355,7 +355,7 @@ static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo
     Diag *d = diag_report(s->diags, DIAG_argument_count, ast_op_span(e), fn->name, wanted, found);
 
     if (!label_argument_count(s, d, e, (SmBuiltin)(fn - sm_builtin_info)))
-        diag_label(s->diags, d, DIAG_label_write_call, fn->name, function_usage(fn));
+        diag_label(s->diags, d, DIAG_label_write_call, fn->name, ast_function_usage(fn));
 }
 
 static Expr *check_pure(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)

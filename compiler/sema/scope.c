@@ -175,7 +175,7 @@ void scope_report_unknown(Sema *s, Str name, Span span)
     if (s->no_elements || map_find(&s->lost->word, name) || has_foreign_letter(name) || !is_first_report(&s->unknown_name, name))
         return;
     if (fn && !unlisted) {
-        diag_report(s->diags, DIAG_function_without_call, span, name->text, name->text, function_usage(fn));
+        diag_report(s->diags, DIAG_function_without_call, span, name->text, name->text, ast_function_usage(fn));
         return;
     }
     d = diag_report(s->diags, DIAG_unknown_element, span, name->text);

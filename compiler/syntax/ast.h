@@ -185,7 +185,7 @@ typedef struct AstFile {
     struct AstApp *app;               // a .app has this instead (ast_app.h)
 } AstFile;
 
-const char *function_usage(const SmBuiltinInfo *fn);    // how a function's arguments are written: "(x, n)"
+const char *ast_function_usage(const SmBuiltinInfo *fn);    // how a function's arguments are written: "(x, n)"
 
 void ast_print(const AstFile *f, Buf *out);      // --emit=ast
 

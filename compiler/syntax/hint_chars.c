@@ -208,7 +208,7 @@ static void read_string(Lexer *l, Token *t, uint32_t quote_len)
 }
 
 // Reads a character that looks like a sign as that sign; skips a blank, or a byte that is not UTF-8.
-static HintLexed read_lookalike(Lexer *l, Token *t, uint32_t code)
+static HintResult read_lookalike(Lexer *l, Token *t, uint32_t code)
 {
     size_t like = lookalike_of(code);
     uint32_t len = hint_report_byte(l, l->at);
@@ -219,7 +219,7 @@ static HintLexed read_lookalike(Lexer *l, Token *t, uint32_t code)
         return HINT_SKIPPED;
     }
     lexer_finish(l, t, arrow ? TOK_ARROW : lookalikes[like].kind, l->at + len + arrow);
-    return HINT_TOKEN;
+    return HINT_READ;
 }
 
 uint32_t hint_rest_of_name(Lexer *l, uint32_t end)
@@ -229,7 +229,7 @@ uint32_t hint_rest_of_name(Lexer *l, uint32_t end)
     return end;
 }
 
-HintLexed hint_stray_text(Lexer *l, Token *t)
+HintResult hint_stray_text(Lexer *l, Token *t)
 {
     unsigned char c = (unsigned char)l->src->text[l->at];
     uint32_t code = c;
@@ -237,11 +237,11 @@ HintLexed hint_stray_text(Lexer *l, Token *t)
 
     if (len && is_quote(code)) {
         read_string(l, t, (uint32_t)len);
-        return HINT_TOKEN;
+        return HINT_READ;
     }
     if (skip_foreign_letter(l, l->at)) {
         lexer_word(l, t);
-        return HINT_TOKEN;
+        return HINT_READ;
     }
     if (c >= 0x80)
         return read_lookalike(l, t, code);

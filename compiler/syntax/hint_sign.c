@@ -233,7 +233,7 @@ static bool is_between_bars(const Lexer *l, uint32_t at, uint32_t end)
 }
 
 // |x| of mathematics is read as (x).
-HintLexed hint_read_bars(Lexer *l, Token *t)
+HintResult hint_read_bars(Lexer *l, Token *t)
 {
     uint32_t at = l->at, end = at + t->len;
     const char *fixed;
@@ -241,7 +241,7 @@ HintLexed hint_read_bars(Lexer *l, Token *t)
 
     if (at == l->bar && at > 0) {
         lexer_finish(l, t, TOK_RPAREN, end);
-        return HINT_TOKEN;
+        return HINT_READ;
     }
     if (hint_follows_value(l, t->first) || (lexer_byte(l, end) == '|' && hint_is_gap(lexer_byte(l, end + 1))))
         return HINT_NONE;
@@ -252,7 +252,7 @@ HintLexed hint_read_bars(Lexer *l, Token *t)
         return HINT_NONE;
     if (lexer_byte(l, at + 1) == '|' || lexer_byte(l, end + 1) == '|' || !is_between_bars(l, at + 1, end)) {
         skip_nested_bars(l, t);
-        return HINT_TOKEN;
+        return HINT_READ;
     }
     fixed = format_in(l->diags->arena, "abs(%s)", lexer_text(l, at + 1, end));
     d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, at, end + 1 - at), lexer_text(l, at, end + 1));
@@ -261,5 +261,5 @@ HintLexed hint_read_bars(Lexer *l, Token *t)
     diag_edit(l->diags, d, lexer_span(l, end, 1), ")");
     l->bar = end;
     lexer_finish(l, t, TOK_LPAREN, at + 1);
-    return HINT_TOKEN;
+    return HINT_READ;
 }

@@ -1,44 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints for statements: a guard without its body, a value where a statement should be, statements of other languages. See hint_expr.c.
-#include <string.h>
-
+// Hints in statements: words of other languages, conditions without their statements, values where a statement should be.
 #include "compiler/syntax/hint_lines.h"
+#include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/hint_unit.h"
 #include "compiler/syntax/hint_words.h"
-#include "compiler/syntax/parser.h"
 
-// ---- expressions used as statements ----
-
-// T > 5 s: ...
-static bool unit_in_guard(Parser *p)
-{
-    if (p->last.kind != TOK_NUMBER || p->tok.kind != TOK_NAME ||
-        (p->ahead.kind != TOK_COLON && p->ahead.kind != TOK_LBRACE))
-        return false;
-    if (!(p->lex.src->text[p->tok.at] & 0x80))         // 5° is already reported
-        hint_unit(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
-                  parser_text(p, parser_span(p, &p->last)), p->tok.text->text);
-    p->failed = true;
-    return true;
-}
-
-// `then` and `do`.
-static void colon_word(Parser *p)
-{
-    uint32_t from = p->last.at + p->last.len;
-    Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
-
-    if (p->ahead.first) {
-        diag_label(p->diags, d, DIAG_label_braces_instead);
-    } else {
-        diag_label(p->diags, d, DIAG_label_colon_instead);
-        if (p->ahead.kind != TOK_NUMBER && (p->ahead.kind == TOK_COLON || !hint_is_first_of_several(p->lex.src, p->ahead.at)))
-            diag_edit(p->diags, d, (Span){p->lex.src, from, p->tok.at + p->tok.len - from}, p->ahead.kind == TOK_COLON ? "" : ":");
-    }
-    parser_next(p);
-    if (p->tok.kind == TOK_COLON && !p->tok.first)
-        parser_next(p);
-}
+// ---- text of the line ----
 
 // Returns the word or number after blanks at *at, and moves *at to its end; returns "" if there is none.
 static const char *take_word(const Parser *p, uint32_t *at)
@@ -65,22 +32,95 @@ static const char *between_text(const Parser *p, const AstExpr *e)
     return format_in(p->arena, "write %s <= %s <= %s", *hi ? lo : "3", parser_text(p, e->span), *hi ? hi : "5");
 }
 
-// The text after the guard on its line is not a statement: a colon would not help.
-static bool prose_in_guard(Parser *p, AstExpr *e)
+// ---- after a guard ----
+
+// x + 1 = 3
+HintResult hint_report_assign_to_expression(HintCase *c)
 {
+    Parser *p = c->p;
+
+    if (hint_line_is_guard(p)) {
+        hint_report_assign_in_guard(p, c->e, parser_here(p));
+        p->failed = true;
+    } else {
+        parser_fail(p, DIAG_assign_target, c->e->span, parser_text(p, c->e->span));
+    }
+    return HINT_SKIPPED;
+}
+
+// close valve: two names in a row are prose, or text of another language
+HintResult hint_report_no_statement(HintCase *c)
+{
+    Parser *p = c->p;
+    AstExpr *e = c->e;
     Diag *d;
 
-    if (p->tok.kind == TOK_COMMA && e->kind != AST_NAME && p->ahead.kind == TOK_NAME)
-        d = parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
-    else if (p->tok.kind == TOK_NAME && p->ahead.kind != TOK_ASSIGN && hint_is_guard(p))
-        d = parser_fail(p, DIAG_guard_without_body, parser_here(p), parser_found(p));
-    else
-        return false;
-    if (p->tok.kind == TOK_COMMA)
-        diag_label(p->diags, d, DIAG_label_colon_instead);
-    else if (hint_is_word(&p->tok, "between"))
+    if (p->has_if || e->kind != AST_NAME || hint_is_word(&p->tok, "then"))
+        return HINT_NONE;
+    d = parser_fail(p, DIAG_no_statement, e->span, e->name->text);
+    if (hint_is_word(&p->tok, "between"))
         diag_label(p->diags, d, DIAG_label_text, between_text(p, e));
-    return true;
+    else
+        diag_label(p->diags, d, DIAG_label_statements);
+    e->kind = AST_ERROR;
+    return HINT_SKIPPED;
+}
+
+// if x then ..., while the language has a colon
+HintResult hint_read_then(HintCase *c)
+{
+    Parser *p = c->p;
+    uint32_t from = p->last.at + p->last.len;
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+
+    if (p->ahead.first) {
+        diag_label(p->diags, d, DIAG_label_braces_instead);
+    } else {
+        diag_label(p->diags, d, DIAG_label_colon_instead);
+        if (p->ahead.kind != TOK_NUMBER && (p->ahead.kind == TOK_COLON || !hint_is_first_of_several(p->lex.src, p->ahead.at)))
+            diag_edit(p->diags, d, (Span){p->lex.src, from, p->tok.at + p->tok.len - from}, p->ahead.kind == TOK_COLON ? "" : ":");
+    }
+    parser_next(p);
+    if (p->tok.kind == TOK_COLON && !p->tok.first)
+        parser_next(p);
+    return HINT_READ;
+}
+
+// T > 5 s: ...
+HintResult hint_report_unit_in_guard(HintCase *c)
+{
+    Parser *p = c->p;
+
+    if (!(p->lex.src->text[p->tok.at] & 0x80))         // 5° is already reported
+        hint_unit(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
+                  parser_text(p, parser_span(p, &p->last)), p->tok.text->text);
+    p->failed = true;
+    return HINT_SKIPPED;
+}
+
+// x > 5, y = 1: a comma where the colon should be
+HintResult hint_report_comma_for_colon(HintCase *c)
+{
+    Parser *p = c->p;
+
+    if (c->e->kind == AST_NAME)
+        return HINT_NONE;
+    diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p)), DIAG_label_colon_instead);
+    return HINT_SKIPPED;
+}
+
+// The text after the guard on its line is not a statement: a colon would not help.
+HintResult hint_report_prose_in_guard(HintCase *c)
+{
+    Parser *p = c->p;
+    Diag *d;
+
+    if (!hint_line_is_guard(p))
+        return HINT_NONE;
+    d = parser_fail(p, DIAG_guard_without_body, parser_here(p), parser_found(p));
+    if (hint_is_word(&p->tok, "between"))
+        diag_label(p->diags, d, DIAG_label_text, between_text(p, c->e));
+    return HINT_SKIPPED;
 }
 
 // p > 5 => Idle: the lexer has also reported the missing colon.
@@ -93,52 +133,64 @@ static void edit_colon(Parser *p, Diag *d)
         diag_edit(p->diags, d, parser_gap(p), ":");
 }
 
-// Another statement follows the guard on its line, or a word that other languages require there.
-static bool missing_colon(Parser *p, AstExpr *e)
+// x > 5 y = 1: another statement follows the guard on its line
+HintResult hint_report_missing_colon(HintCase *c)
 {
+    Parser *p = c->p;
     Diag *d;
 
-    if (p->tok.first)
-        return false;
-    if (hint_is_word(&p->tok, "then") || hint_is_word(&p->tok, "do")) {
-        colon_word(p);
-        return true;
-    }
-    if (unit_in_guard(p) || prose_in_guard(p, e))
-        return true;
-    if (p->tok.kind != TOK_ARROW && p->tok.kind != TOK_NAME && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_IF)
-        return false;
     if (is_foreign_arrow(p))
-        return true;
+        return HINT_READ;
     d = parser_report(p, DIAG_guard_without_body, parser_gap(p), parser_found(p));
     diag_label(p->diags, d, DIAG_label_insert_colon);
     edit_colon(p, d);
-    return true;
+    return HINT_READ;
 }
 
-static void assign_to_expression(Parser *p, const AstExpr *e)
+HintResult hint_report_text_after_guard(HintCase *c)
 {
-    if (hint_is_guard(p)) {
-        hint_assign(p, e, parser_here(p));
-        p->failed = true;
-    } else {
-        parser_fail(p, DIAG_assign_target, e->span, parser_text(p, e->span));
-    }
+    if (parser_at_end_of_statement(c->p))
+        return HINT_NONE;
+    hint_explain(c->p, HINT_AT_END, NULL);
+    return HINT_SKIPPED;
 }
 
-static void no_effect(Parser *p, AstExpr *e)
+HintResult hint_report_if_without_body(HintCase *c)
 {
+    Parser *p = c->p;
+
+    if (!p->has_if)
+        return HINT_NONE;
+    diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p)), DIAG_label_text,
+               "insert '{', and write '}' below the statements that depend on it");
+    return HINT_SKIPPED;
+}
+
+static bool is_label_name(const AstExpr *e) { return e->kind == AST_NAME && hint_is_label(e->name->text) && !e->name->declared; }
+
+static Diag *report_label_without_dot(Parser *p, AstExpr *e)
+{
+    Diag *d = parser_report(p, DIAG_label_without_dot, e->span, e->name->text);
+
+    diag_edit(p->diags, d, (Span){e->span.src, e->span.at, 0}, ".");
+    e->kind = AST_ERROR;
+    return d;
+}
+
+// valveOpen == true: a value alone on its line
+HintResult hint_report_no_effect(HintCase *c)
+{
+    Parser *p = c->p;
+    AstExpr *e = c->e;
     Diag *d;
 
-    if (e->kind == AST_NAME && hint_is_label(e->name->text) && !e->name->declared) {
-        d = parser_report(p, DIAG_label_without_dot, e->span, e->name->text);
-        diag_edit(p->diags, d, (Span){e->span.src, e->span.at, 0}, ".");
-        e->kind = AST_ERROR;
-        return;
+    if (is_label_name(e)) {
+        report_label_without_dot(p, e);
+        return HINT_READ;
     }
     e->alone = p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL);
     if (e->alone)
-        return;
+        return HINT_READ;
     d = parser_report(p, DIAG_no_effect, e->span);
     if (p->tok.kind == TOK_AND || p->tok.kind == TOK_OR) {         // the next line continues the guard
         diag_label(p->diags, d, DIAG_label_line_break);
@@ -152,52 +204,30 @@ static void no_effect(Parser *p, AstExpr *e)
                    format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
     else
         diag_label(p->diags, d, DIAG_label_statements);
+    return HINT_READ;
 }
 
-// Reports two names in a row: prose, or text of another language.
-static void no_statement(Parser *p, AstExpr *e)
-{
-    Diag *d = parser_fail(p, DIAG_no_statement, e->span, e->name->text);
+// ---- after a colon, else and -> ----
 
-    if (hint_is_word(&p->tok, "between"))
-        diag_label(p->diags, d, DIAG_label_text, between_text(p, e));
-    else
-        diag_label(p->diags, d, DIAG_label_statements);
-    e->kind = AST_ERROR;
+// step: on a line of its own
+HintResult hint_report_label_with_colon(HintCase *c)
+{
+    Parser *p = c->p;
+    const Span colon = parser_span(p, &p->last);
+
+    if (!c->e || !is_label_name(c->e))
+        return HINT_NONE;
+    diag_edit(p->diags, report_label_without_dot(p, c->e), colon, "");
+    return HINT_READ;
 }
 
-void hint_expression(Parser *p, AstExpr *e, bool has_if)
+// The line ends after the colon of a guard, or of `else` (e is NULL).
+HintResult hint_report_line_end_after_colon(HintCase *c)
 {
-    if (p->failed)
-        return;
-    if (p->tok.kind == TOK_ASSIGN && !p->tok.first)
-        assign_to_expression(p, e);
-    else if (!has_if && e->kind == AST_NAME && p->tok.kind == TOK_NAME && !p->tok.first && !hint_is_word(&p->tok, "then"))
-        no_statement(p, e);
-    else if (missing_colon(p, e))
-        return;
-    else if (!parser_at_end_of_statement(p))
-        hint_at_end(p);
-    else if (has_if)
-        diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap(p), parser_found(p)), DIAG_label_text,
-                   "insert '{', and write '}' below the statements that depend on it");
-    else
-        no_effect(p, e);
-}
+    Parser *p = c->p;
+    const Span colon = parser_span(p, &p->last);
+    Diag *d = parser_report(p, DIAG_colon_line_break, colon, c->e ? "the condition" : "'else'", parser_found(p));
 
-void hint_colon(Parser *p, AstExpr *guard, Span colon)
-{
-    const char *before = guard ? parser_text(p, guard->span) : "else";
-    Diag *d;
-
-    if (guard && guard->kind == AST_NAME && hint_is_label(guard->name->text) && !guard->name->declared && p->tok.first) {
-        d = parser_report(p, DIAG_label_without_dot, guard->span, guard->name->text);
-        diag_edit(p->diags, d, (Span){colon.src, guard->span.at, 0}, ".");
-        diag_edit(p->diags, d, colon, "");
-        guard->kind = AST_ERROR;
-        return;
-    }
-    d = parser_report(p, DIAG_colon_line_break, colon, guard ? "the condition" : "'else'", parser_found(p));
     if (p->tok.first && p->tok.kind != TOK_ELSE && !parser_at_end_of_block(p)) {
         diag_label(p->diags, d, DIAG_label_braces_instead);
         const uint32_t end = hint_indented_lines(p->diags, d, colon.src, colon.at);
@@ -205,67 +235,52 @@ void hint_colon(Parser *p, AstExpr *guard, Span colon)
     } else {
         diag_label(p->diags, d, DIAG_label_statement_here);
     }
-    diag_note(p->diags, d, (Span){0}, DIAG_note_write_braces, before);
+    diag_note(p->diags, d, (Span){0}, DIAG_note_write_braces, c->e ? parser_text(p, c->e->span) : "else");
+    return HINT_READ;
 }
 
 // x: = 1
-void hint_colon_assign(Parser *p, const AstExpr *guard, Span colon)
+HintResult hint_report_assign_after_colon(HintCase *c)
 {
+    Parser *p = c->p;
     Diag *d = parser_fail(p, DIAG_expected_statement, parser_here(p), "'='");
 
-    if (guard && guard->kind == AST_NAME) {
-        diag_label(p->diags, d, DIAG_label_store, format_in(p->arena, "%s = ...", guard->name->text));
-        diag_edit(p->diags, d, colon, "");
+    if (c->e && c->e->kind == AST_NAME) {
+        diag_label(p->diags, d, DIAG_label_store, format_in(p->arena, "%s = ...", c->e->name->text));
+        diag_edit(p->diags, d, parser_span(p, &p->last), "");
     }
+    return HINT_SKIPPED;
 }
 
-// -> [Idle]
-bool hint_bracketed_state(Parser *p)
+// else x = 1
+HintResult hint_report_else_without_body(HintCase *c)
 {
-    Diag *d;
-
-    if (p->tok.kind != TOK_HEADER || p->tok.first)
-        return false;
-    d = parser_report(p, DIAG_transition_without_state, parser_here(p), parser_describe(p, &p->tok));
-    diag_label(p->diags, d, DIAG_label_write, p->tok.text->text);
-    diag_edit(p->diags, d, parser_here(p), p->tok.text->text);
-    parser_next(p);
-    return true;
-}
-
-void hint_else(Parser *p)
-{
+    Parser *p = c->p;
     Diag *d;
 
     if (is_foreign_arrow(p))
-        return;
+        return HINT_READ;
     d = parser_report(p, DIAG_else_without_body, parser_gap(p), parser_found(p));
-    if (p->tok.first || parser_at_end_of_block(p))
-        return;
-    diag_label(p->diags, d, DIAG_label_insert_colon);
-    edit_colon(p, d);
+    if (!p->tok.first && !parser_at_end_of_block(p)) {
+        diag_label(p->diags, d, DIAG_label_insert_colon);
+        edit_colon(p, d);
+    }
+    return HINT_READ;
+}
+
+// -> [Idle]
+HintResult hint_skip_bracketed_state(HintCase *c)
+{
+    Parser *p = c->p;
+    Diag *d = parser_report(p, DIAG_transition_without_state, parser_here(p), parser_describe(p, &p->tok));
+
+    diag_label(p->diags, d, DIAG_label_write, p->tok.text->text);
+    diag_edit(p->diags, d, parser_here(p), p->tok.text->text);
+    parser_next(p);
+    return HINT_SKIPPED;
 }
 
 // ---- statements of other languages ----
-
-// `-- …` where an expression is impossible: a comment.
-bool hint_remark(Parser *p)
-{
-    const Source *src = p->lex.src;
-    Span sign = parser_here(p);
-    Diag *d;
-
-    if (p->tok.kind != TOK_MINUS || p->ahead.kind != TOK_MINUS || !hint_touches(&p->tok, &p->ahead) || hint_is_guard(p))
-        return false;
-    sign.len = 2;
-    d = parser_fail(p, DIAG_foreign_comment, sign, "--");
-    diag_label(p->diags, d, DIAG_label_comment);
-    diag_edit(p->diags, d, sign, "#");
-    while (p->lex.at < src->len && src->text[p->lex.at] != '\n')
-        p->lex.at++;
-    parser_next(p);
-    return true;
-}
 
 // Whether the rest of the statement is the current sign and one operand.
 static bool ends_after_operand(const Parser *p)
@@ -277,48 +292,41 @@ static bool ends_after_operand(const Parser *p)
     return !text[end] || strchr("\n#;}", text[end]) != NULL;
 }
 
-void hint_op_assign(Parser *p, Span name)
+// x += 1, at the sign
+HintResult hint_report_op_assign(HintCase *c)
 {
-    const char *sign = parser_text(p, parser_here(p));
+    Parser *p = c->p;
+    const char *sign = parser_text(p, parser_here(p)), *name = parser_text(p, parser_span(p, &p->last));
     Diag *d = parser_report(p, DIAG_op_assign, parser_here(p), sign);
 
     diag_label(p->diags, d, DIAG_label_write,
-               format_in(p->arena, ends_after_operand(p) ? "%s = %s %c ..." : "%s = %s %c (...)", parser_text(p, name), parser_text(p, name), sign[0]));
+               format_in(p->arena, ends_after_operand(p) ? "%s = %s %c ..." : "%s = %s %c (...)", name, name, sign[0]));
+    return HINT_READ;
 }
 
-static const char wait_text[] = "put what follows in braces, under a limit to the time in the state: T >= 100 { ... }";
+typedef enum HintEffect {
+    HINT_IF, HINT_ELSE, HINT_ARROW,       // the word is read as that token
+    HINT_DROP,                            // it is left out
+    HINT_SKIP,                            // the statement is given up
+    HINT_WAIT                             // the same, and the text depends on the time to wait
+} HintEffect;
 
-typedef enum HintEffect { HINT_IF, HINT_ELSE, HINT_ARROW, HINT_DROP, HINT_SKIP } HintEffect;
-
-// `does`: how the word is read; SKIP: the statement is given up.
-static const struct { const char *word; HintEffect does; const char *say; } foreign_words[] = {
-    {"if", HINT_IF, "if"}, {"when", HINT_IF, "if"}, {"elif", HINT_IF, "else if"}, {"elseif", HINT_IF, "else if"},
-    {"elsif", HINT_IF, "else if"}, {"iff", HINT_IF, "if"},
-    {"else", HINT_ELSE, "else"}, {"otherwise", HINT_ELSE, "else"},
-    {"goto", HINT_ARROW, "->"}, {"go", HINT_ARROW, "->"}, {"transition", HINT_ARROW, "->"},
-    {"let", HINT_DROP, NULL}, {"set", HINT_DROP, NULL}, {"var", HINT_DROP, NULL}, {"const", HINT_DROP, NULL},
-    {"while", HINT_SKIP, "there are no loops: write 'if' instead; .step runs again in every step"},
-    {"for", HINT_SKIP, "there are no loops: .step runs again in every step"},
-    {"repeat", HINT_SKIP, "there are no loops: .step runs again in every step"},
-    {"loop", HINT_SKIP, "there are no loops: .step runs again in every step"},
-    {"until", HINT_SKIP, "there are no loops: write 'if not (...)' instead; .step runs again in every step"},
-    {"unless", HINT_SKIP, "write the opposite condition: if not (...)"},
-    {"switch", HINT_SKIP, "write it as if ... else if ... else"}, {"case", HINT_SKIP, "write it as if ... else if ... else"},
-    {"return", HINT_SKIP, "put what follows into an 'else'"}, {"break", HINT_SKIP, "put what follows into an 'else'"},
-    {"wait", HINT_SKIP, wait_text}, {"delay", HINT_SKIP, wait_text}, {"sleep", HINT_SKIP, wait_text},
-    {"end", HINT_SKIP, "close braces with }"}, {"endif", HINT_SKIP, "close braces with }"},
-    {"assert", HINT_SKIP, "write @assert"}, {"stop", HINT_SKIP, "write @stop"}};
+static const struct { const char *word; HintEffect effect; const char *text; } foreign_words[] = {
+#define HINT_WORD(word, effect, text) {word, HINT_##effect, text},
+#include "compiler/syntax/hints.def"
+};
 
 // Whether the word is used as in another language, and not as a name of this one.
-static bool stands_foreign(const Parser *p, HintEffect does)
+static bool is_used_as_foreign(const Parser *p, HintEffect effect)
 {
     const Token *next = &p->ahead;
+    const bool gives_up = effect == HINT_SKIP || effect == HINT_WAIT;
 
     if (next->first)
-        return does == HINT_SKIP && next->kind != TOK_LBRACE;     // `stop` with { on the next line is a guard
-    if (does == HINT_ELSE)
+        return gives_up && next->kind != TOK_LBRACE;              // `stop` with { on the next line is a guard
+    if (effect == HINT_ELSE)
         return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // ELSE: can be a guard
-    return hint_begins_value(next) && (next->kind != TOK_LPAREN || does == HINT_IF || does == HINT_SKIP);
+    return hint_begins_value(next) && (next->kind != TOK_LPAREN || effect == HINT_IF || gives_up);
 }
 
 // Whether the token after a statement's first word allows any word to be foreign. After a name of this language it is mostly `=`.
@@ -348,18 +356,19 @@ static bool is_number_text(const char *s)
 
 // The declaration of a variable among statements: U8 x, int x = 3, const U8 x = 3. Its value would be assigned every time it is executed;
 // the initial value of a local is not.
-static void misplaced_decl(Parser *p)
+HintResult hint_report_decl_in_state(HintCase *c)
 {
+    Parser *p = c->p;
     Diag *d = parser_fail(p, DIAG_decl_in_state, parser_here(p));
     const bool word = p->tok.kind == TOK_NAME && (hint_is_word(&p->tok, "const") || hint_is_word(&p->tok, "var"));
     uint32_t at = p->ahead.at;
     const char *type = word ? take_word(p, &at) : p->tok.text->text, *name = take_word(p, &at);
     const char *value = value_of_decl(p, at), *initial;
 
-    if (parse_foreign_type(type))
-        type = parse_foreign_type(type);
+    if (hint_find_synonym(HINT_TYPES, type))
+        type = hint_find_synonym(HINT_TYPES, type);
     if (!is_identifier(name, strlen(name)))
-        return;
+        return HINT_SKIPPED;
     initial = *value && is_number_text(value + 1 + strspn(value + 1, " ")) ? value : "= 0";
     if (word && hint_is_word(&p->tok, "const") && initial == value)
         diag_label(p->diags, d, DIAG_label_decl_constant, type, name, value);
@@ -367,6 +376,17 @@ static void misplaced_decl(Parser *p)
         diag_label(p->diags, d, DIAG_label_decl_and_store, type, name, initial, format_in(p->arena, "%s %s", name, value));
     else
         diag_label(p->diags, d, DIAG_label_decl, type, name);
+    return HINT_SKIPPED;
+}
+
+// int x = 3, const U8 x = 3
+HintResult hint_report_foreign_decl(HintCase *c)
+{
+    const Parser *p = c->p;
+    const bool is_decl = p->ahead.kind == TOK_TYPE ? hint_is_word(&p->tok, "const") || hint_is_word(&p->tok, "var")
+                                                   : hint_find_synonym(HINT_TYPES, p->tok.text->text) != NULL;
+
+    return is_decl ? hint_report_decl_in_state(c) : HINT_NONE;
 }
 
 // goto Idle, go to Idle, transition to Idle
@@ -383,18 +403,19 @@ static void replace_arrow(Parser *p)
 }
 
 // wait(200), delay(200), sleep(2): the message repeats that number. In other languages delay takes milliseconds and sleep takes seconds.
-static const char *waited(const Parser *p)
+static const char *text_of_wait(const Parser *p)
 {
+    static const char general[] = "put what follows in braces, under a limit to the time in the state: T >= 100 { ... }";
     uint32_t at = p->ahead.at + (p->ahead.kind == TOK_LPAREN);
     const char *number = p->ahead.first ? "" : take_word(p, &at), *unit = "if 'G' counts milliseconds";
 
     if (!is_digit(*number))
-        return wait_text;
+        return general;
     if (hint_is_word(&p->tok, "sleep"))
         number = hint_milliseconds(p->arena, number, "s");
     else if (!hint_is_word(&p->tok, "delay"))
         unit = "in the unit of 'G'";
-    return number ? format_in(p->arena, "put what follows in braces: T >= %s { ... }, %s", number, unit) : wait_text;
+    return number ? format_in(p->arena, "put what follows in braces: T >= %s { ... }, %s", number, unit) : general;
 }
 
 // for (...; ...; ...): skips the parentheses, which are already reported.
@@ -414,52 +435,44 @@ static void skip_header_of_loop(Parser *p)
     }
 }
 
-static bool apply_hint(Parser *p, HintEffect does, const char *say)
+static HintResult apply_word(Parser *p, HintEffect effect, const char *text)
 {
     Diag *d;
 
-    switch (does) {
-    case HINT_IF:    hint_replace_word(p, say, TOK_IF); return false;
-    case HINT_ELSE:  hint_replace_word(p, say, TOK_ELSE); p->lost_body = true; return false;
-    case HINT_ARROW: replace_arrow(p); return false;
-    case HINT_DROP:  break;
-    case HINT_SKIP:
-        d = parser_fail(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
-        diag_label(p->diags, d, DIAG_label_text, say == wait_text ? waited(p) : say);
-        skip_header_of_loop(p);
+    switch (effect) {
+    case HINT_IF:
+        hint_replace_word(p, text, TOK_IF);
+        return HINT_READ;
+    case HINT_ELSE:
+        hint_replace_word(p, text, TOK_ELSE);
+        p->lost_body = true;
+        return HINT_READ;
+    case HINT_ARROW:
+        replace_arrow(p);
+        return HINT_READ;
+    case HINT_DROP:
+        d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+        diag_label(p->diags, d, DIAG_label_leave_out);
+        diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, p->ahead.at - p->tok.at}, "");
         parser_next(p);
-        return true;
+        return HINT_READ;
+    case HINT_SKIP: case HINT_WAIT:
+        break;
     }
-    d = parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
-    diag_label(p->diags, d, DIAG_label_leave_out);
-    diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, p->ahead.at - p->tok.at}, "");
+    d = parser_fail(p, DIAG_foreign_word, parser_here(p), p->tok.text->text);
+    diag_label(p->diags, d, DIAG_label_text, effect == HINT_WAIT ? text_of_wait(p) : text);
+    skip_header_of_loop(p);
     parser_next(p);
-    return false;
+    return HINT_SKIPPED;
 }
 
-// U8 x, int x, const U8 x
-static bool is_decl(const Parser *p)
+// when x: ..., goto Idle, while x
+HintResult hint_read_foreign_word(HintCase *c)
 {
-    const bool name = p->ahead.kind == TOK_NAME, type = p->ahead.kind == TOK_TYPE;
+    Parser *p = c->p;
 
-    if (p->ahead.first || (!name && !type))
-        return false;
-    return (p->tok.kind == TOK_TYPE && name) || (p->tok.kind == TOK_NAME && (name ? parse_foreign_type(p->tok.text->text) != NULL
-                                                                              : hint_is_word(&p->tok, "const") || hint_is_word(&p->tok, "var")));
-}
-
-bool hint_statement(Parser *p)
-{
-    if (hint_remark(p))
-        return true;
-    if (is_decl(p)) {
-        misplaced_decl(p);
-        return true;
-    }
-    if (p->tok.kind != TOK_NAME || !may_follow_foreign(&p->ahead))
-        return false;
-    for (size_t i = 0; i < sizeof foreign_words / sizeof *foreign_words; i++)
-        if (hint_is_word(&p->tok, foreign_words[i].word) && stands_foreign(p, foreign_words[i].does))
-            return apply_hint(p, foreign_words[i].does, foreign_words[i].say);
-    return false;
+    for (size_t i = 0; may_follow_foreign(&p->ahead) && i < sizeof foreign_words / sizeof *foreign_words; i++)
+        if (hint_is_word(&p->tok, foreign_words[i].word) && is_used_as_foreign(p, foreign_words[i].effect))
+            return apply_word(p, foreign_words[i].effect, foreign_words[i].text);
+    return HINT_NONE;
 }

@@ -14,7 +14,7 @@ typedef struct HintText {
     const char *spelling;
     size_t len;
     TokenKind after;          // only after a token of this kind; TOK_END: after any
-    HintLexed (*read)(Lexer *l, Token *t);      // NULL: a sign
+    HintResult (*read)(Lexer *l, Token *t);      // NULL: a sign
     TokenKind kind;           // of a sign
     const char *native, *label;
 } HintText;
@@ -35,13 +35,22 @@ static bool is_at(const HintText *row, const char *s, bool first)
     return !is_letter(*s) || (first && !lexer_is_word(s[row->len]) && !(s[row->len] & 0x80));
 }
 
-HintLexed hint_foreign_text(Lexer *l, Token *t)
+void hint_init(Lexer *l)
+{
+    for (size_t row = sizeof rows / sizeof *rows; row > 0; row--)
+        l->first_hint[(unsigned char)*rows[row - 1].spelling] = (uint8_t)row;
+}
+
+HintResult hint_foreign_text(Lexer *l, Token *t)
 {
     const char *s = l->src->text + l->at;                          // terminated by a NUL
-    HintLexed read = HINT_NONE;
+    const uint8_t first = l->last == TOK_ANNOTATION ? 1 : l->first_hint[(unsigned char)*s];
+    HintResult read = HINT_NONE;
 
-    for (size_t i = 0; i < sizeof rows / sizeof *rows && read == HINT_NONE; i++) {
-        const HintText *row = &rows[i];
+    if (first == 0 || (is_letter(*s) && !t->first))
+        return HINT_NONE;
+    for (size_t i = first; i <= sizeof rows / sizeof *rows && read == HINT_NONE; i++) {
+        const HintText *row = &rows[i - 1];
         if (row->after != TOK_END ? row->after != l->last : !is_at(row, s, t->first))
             continue;
         if (row->read) {
@@ -50,7 +59,7 @@ HintLexed hint_foreign_text(Lexer *l, Token *t)
         } else {
             lexer_finish(l, t, row->kind, l->at + (uint32_t)row->len);
             hint_report_sign(l, t, row->spelling, row->native, row->label);
-            read = HINT_TOKEN;
+            read = HINT_READ;
         }
     }
     return read;
@@ -226,14 +235,14 @@ static bool hides_body(const Lexer *l)
     return compares && !hint_ends_line(l, p);
 }
 
-HintLexed hint_read_slashes(Lexer *l, Token *t)
+HintResult hint_read_slashes(Lexer *l, Token *t)
 {
     uint32_t at = l->at, p = at + t->len;
     const int division = is_division(l);
     Diag *d;
 
     if (division == 2)
-        return floor_division(l, t), HINT_TOKEN;
+        return floor_division(l, t), HINT_READ;
     d = diag_report(l->diags, DIAG_foreign_comment, lexer_span(l, at, p - at), lexer_text(l, at, p));
     if (is_percentage(l))
         diag_label(l->diags, d, DIAG_label_text, "write a percentage as a factor, as in 0.5 * x; a comment begins with #");
@@ -259,7 +268,7 @@ HintLexed hint_read_slashes(Lexer *l, Token *t)
     return HINT_SKIPPED;
 }
 
-HintLexed hint_read_remark(Lexer *l, Token *t)
+HintResult hint_read_remark(Lexer *l, Token *t)
 {
     return is_remark(l, t->len) ? hint_read_slashes(l, t) : HINT_NONE;
 }
@@ -386,7 +395,7 @@ uint32_t hint_rest_of_token(Lexer *l, const Token *t, TokenKind kind, uint32_t e
 // ---- lines ----
 
 // `state Hold:` and `def hold():` at the start of a line: [Hold].
-HintLexed hint_read_state(Lexer *l, Token *t)
+HintResult hint_read_state(Lexer *l, Token *t)
 {
     const uint32_t from = hint_skip_gap(l, t->at + t->len), end = skip_name(l, from);
     uint32_t p = hint_skip_gap(l, end);
@@ -409,7 +418,7 @@ HintLexed hint_read_state(Lexer *l, Token *t)
     t->text = str_intern(l->strings, l->src->text + from, end - from);
     lexer_finish(l, t, TOK_HEADER, end);
     l->at = p;
-    return HINT_TOKEN;
+    return HINT_READ;
 }
 
 // Whether "common.sm", <common.sm> or common is the rest of the line from p on.
@@ -430,7 +439,7 @@ static bool is_file_name(const Lexer *l, uint32_t p)
 }
 
 // `include "common.sm"`, `import common`: the line is skipped.
-HintLexed hint_read_include(Lexer *l, Token *t)
+HintResult hint_read_include(Lexer *l, Token *t)
 {
     Diag *d;
 
@@ -491,7 +500,7 @@ static bool ends_range(const Lexer *l, uint32_t p)
 }
 
 // After @range: [0, 5], closed or not, and 0..5 and 0, 5. 0,5 10 has a decimal comma.
-HintLexed hint_read_range(Lexer *l, Token *t)
+HintResult hint_read_range(Lexer *l, Token *t)
 {
     static const char word[] = "@range";
     const char *s = l->src->text, open = s[l->at];
@@ -509,7 +518,7 @@ HintLexed hint_read_range(Lexer *l, Token *t)
         return HINT_NONE;
     report_range(l, t, brackets ? lexer_span(l, l->at, 1) : lexer_span(l, sign, sign_end - sign), lexer_span(l, lo, lo_end - lo),
                  lexer_span(l, hi, hi_end - hi), closed ? end + 1 : hi_end);
-    return HINT_TOKEN;
+    return HINT_READ;
 }
 
 // ---- semicolons and choices ----
@@ -565,20 +574,20 @@ static void skip_semicolon(Lexer *l)
     }
 }
 
-HintLexed hint_read_semicolon(Lexer *l, Token *t)
+HintResult hint_read_semicolon(Lexer *l, Token *t)
 {
     if (l->parens == 0) {
         skip_semicolon(l);
         return HINT_SKIPPED;
     }
     semicolon_for_comma(l, t);
-    return HINT_TOKEN;
+    return HINT_READ;
 }
 
 const char *const hint_no_choice = "write it as if ...: x = a, and on the next line else: x = b";
 
 // The text after the sign belongs to it.
-HintLexed hint_read_choice(Lexer *l, Token *t)
+HintResult hint_read_choice(Lexer *l, Token *t)
 {
     Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), "?");
 

@@ -11,7 +11,7 @@ enum { HINT_FAR = 200 };      // bytes; no hint reads further, so that hostile t
 
 // The functions of rows of hints.def. The row's spelling is at t->at and t->len characters long. Each returns HINT_NONE, and reports
 // nothing, if the text is something else.
-#define HINT_TEXT(spelling, read) HintLexed hint_##read(Lexer *l, Token *t);
+#define HINT_TEXT(spelling, read) HintResult hint_##read(Lexer *l, Token *t);
 #define HINT_AFTER(kind, read) HINT_TEXT("", read)
 #include "compiler/syntax/hints.def"
 

@@ -3,16 +3,10 @@
 
 #include <string.h>
 
-// A phrase comes before every shorter phrase that is a prefix of it.
 static const HintPhrase phrases[] = {
-    {"is not equal to", "!=", TOK_NE}, {"is equal to", "==", TOK_EQ},
-    {"is greater than or equal to", ">=", TOK_GE}, {"is less than or equal to", "<=", TOK_LE},
-    {"is greater than", ">", TOK_GT}, {"is more than", ">", TOK_GT}, {"is larger than", ">", TOK_GT}, {"is higher than", ">", TOK_GT},
-    {"is less than", "<", TOK_LT}, {"is smaller than", "<", TOK_LT}, {"is lower than", "<", TOK_LT},
-    {"is at least", ">=", TOK_GE}, {"is at most", "<=", TOK_LE}, {"is above", ">", TOK_GT}, {"is below", "<", TOK_LT},
-    {"is not", "!=", TOK_NE}, {"equals not", "!=", TOK_NE}, {"eq not", "!=", TOK_NE},
-    {"and", "and", TOK_AND}, {"or", "or", TOK_OR}, {"is", "==", TOK_EQ}, {"equals", "==", TOK_EQ}, {"eq", "==", TOK_EQ},
-    {"ne", "!=", TOK_NE}, {"gt", ">", TOK_GT}, {"lt", "<", TOK_LT}, {"ge", ">=", TOK_GE}, {"le", "<=", TOK_LE}};
+#define HINT_PHRASE(words, native, kind) {words, native, TOK_##kind},
+#include "compiler/syntax/hints.def"
+};
 
 static bool is_word(char c) { return is_letter(c) || is_digit(c); }
 

@@ -7,19 +7,57 @@
 
 #include "compiler/syntax/lex.h"
 
+typedef enum HintResult {
+    HINT_NONE,                // no row of hints.def fits the text
+    HINT_READ,                // reported, and read as what the user meant: the caller goes on
+    HINT_SKIPPED              // reported, and skipped or given up
+} HintResult;
+
 // ---- for the lexer ----
 
-typedef enum HintLexed {
-    HINT_NONE,                // the text is not of another language
-    HINT_TOKEN,               // it was reported and read as token t
-    HINT_SKIPPED              // it was reported and skipped
-} HintLexed;
+void hint_init(Lexer *l);     // of lex_init
 
-// At the start of each token: text of another language (`&&`, `// ...`, `state Hold:`), which the grammar could misread.
-HintLexed hint_foreign_text(Lexer *l, Token *t);
+// At the start of each token: text of another language (`&&`, `// ...`, `state Hold:`), which the grammar could misread. READ: as token t.
+HintResult hint_foreign_text(Lexer *l, Token *t);
 // A token of this kind is well formed only up to `end`: 5psi, größe, [two words]. Reports this; returns the end of the malformed token.
 uint32_t hint_rest_of_token(Lexer *l, const Token *t, TokenKind kind, uint32_t end);
 // No token begins here. Never returns HINT_NONE.
-HintLexed hint_stray_text(Lexer *l, Token *t);
+HintResult hint_stray_text(Lexer *l, Token *t);
+
+// ---- for the parser ----
+
+// What the parser is doing where the text is wrong, and what `e` is there. The places that have a general message report it if no row
+// explains more.
+typedef enum HintPlace {
+    HINT_AT_OPERAND,          // begins an operand
+    HINT_AFTER_NAME,          // has read a name in an expression: e. SKIPPED: e is wrong
+    HINT_AT_OPERATOR,         // expects an operator after the operand e, or the end. SKIPPED: the expression ends here
+    HINT_AT_VALUE,            // expects a value; general message
+    HINT_AT_STATEMENT,        // begins a statement
+    HINT_AT_ASSIGN,           // after the name of an assignment, whose sign is not =
+    HINT_AFTER_ASSIGNMENT,    // after the assignment p->sign, at a : or {
+    HINT_AT_TARGET,           // expects the name of a state after ->
+    HINT_AFTER_GUARD,         // expects : or { after the condition e
+    HINT_AFTER_ELSE,          // expects : or { after `else`
+    HINT_AFTER_COLON,         // expects a statement directly after the colon of the condition e, or of `else`: NULL
+    HINT_AT_END,              // expects the end of a statement; general message
+    HINT_AT_DECL,             // begins a declaration
+    HINT_AFTER_DECL_NAME,     // has read the name of an element, variable or pin
+    HINT_AFTER_DECL,          // expects annotations or the end of a declaration
+    HINT_AT_DECL_END,         // expects the end of a declaration
+    HINT_AT_ELEMENT_END,      // the same, where no row of AT_DECL_END fits the declaration of an element; general message
+    HINT_AT_PIN_END,          // expects the end of a pin; general message
+    HINT_AT_OPTION            // is at a word that is no option; general message
+} HintPlace;
+
+struct Parser;
+struct AstExpr;
+
+// The grammar does not allow the next tokens at `place`, or another language would read them differently. Reports the likeliest cause.
+HintResult hint_explain(struct Parser *p, HintPlace place, struct AstExpr *e);
+
+// Our word for the word of another language: I32 for int; NULL if none is known.
+typedef enum HintWords { HINT_TYPES, HINT_LABELS, HINT_OPTIONS, HINT_DIRECTIONS, HINT_UNITS } HintWords;
+const char *hint_find_synonym(HintWords of, const char *word);
 
 #endif

@@ -334,10 +334,10 @@ bool lex_is_reserved(Str word, TokenKind *kind)
 static bool lex_one(Lexer *l, Token *t)
 {
     const char c = l->src->text[l->at];
-    const HintLexed foreign = hint_foreign_text(l, t);
+    const HintResult foreign = hint_foreign_text(l, t);
 
     if (foreign != HINT_NONE)
-        return foreign == HINT_TOKEN;
+        return foreign == HINT_READ;
     if (is_letter(c))
         lexer_word(l, t);
     else if (is_digit(c) || (c == '.' && is_digit(lexer_byte(l, l->at + 1))))
@@ -349,7 +349,7 @@ static bool lex_one(Lexer *l, Token *t)
     else if (c == '@')
         lex_prefixed(l, t, TOK_ANNOTATION);
     else if (!lex_text(l, t) && !lex_sign(l, t))
-        return hint_stray_text(l, t) == HINT_TOKEN;
+        return hint_stray_text(l, t) == HINT_READ;
     return true;
 }
 
@@ -412,6 +412,7 @@ void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src)
     l->diags = diags;
     l->first = true;
     note_signs(l);
+    hint_init(l);
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         str_mark(strings, words[i].spelling, (uint8_t)(i + 1));
     if (src->len >= 3 && memcmp(src->text, "\xef\xbb\xbf", 3) == 0)

@@ -52,6 +52,7 @@ typedef struct Lexer {
     Diags *diags;
     uint8_t sign[128];        // by character: 1 + the first row of the signs that begin with it; 0: none
     uint8_t next_sign[LEX_SIGNS];     // by row: 1 + the next row that begins with the same character
+    uint8_t first_hint[256];  // by character: 1 + the first row of hints.def that begins with it; 0: none
     uint32_t at;              // the next byte to read
     uint32_t line_start;      // directly after the last line end seen
     uint32_t reported_line;   // 1 + line_start of the line whose stray characters have been reported

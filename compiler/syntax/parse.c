@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses a file: its sections, and the labels and blocks of a state.
 #include "compiler/syntax/ast_app.h"
+#include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
 // ---- tokens ----
@@ -156,12 +157,6 @@ void label_annotations(Parser *p, Diag *d, const char *const *here, size_t n)
 
 static const char *const labels[AST_LABEL_COUNT] = {"entry", "step", "exit"};
 
-// The names of labels in other languages.
-static const struct { const char *word; AstLabel label; } synonyms[] = {
-    {"start", AST_ENTRY}, {"enter", AST_ENTRY}, {"init", AST_ENTRY}, {"begin", AST_ENTRY}, {"on_entry", AST_ENTRY},
-    {"loop", AST_STEP}, {"run", AST_STEP}, {"do", AST_STEP}, {"update", AST_STEP}, {"during", AST_STEP},
-    {"main", AST_STEP}, {"leave", AST_EXIT}, {"end", AST_EXIT}, {"stop", AST_EXIT}, {"on_exit", AST_EXIT}};
-
 static int find_label(const char *word)
 {
     for (int i = 0; i < AST_LABEL_COUNT; i++)
@@ -172,12 +167,9 @@ static int find_label(const char *word)
 
 static int guess_label(const char *word)
 {
-    const char *near = str_nearest(word, labels, AST_LABEL_COUNT);
+    const char *synonym = hint_find_synonym(HINT_LABELS, word), *near = str_nearest(word, labels, AST_LABEL_COUNT);
 
-    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
-        if (strcmp(word, synonyms[i].word) == 0)
-            return (int)synonyms[i].label;
-    return near ? find_label(near) : -1;
+    return synonym ? find_label(synonym) : near ? find_label(near) : -1;
 }
 
 // Reports the current label, which is unknown; returns the label that the user probably meant, or -1.

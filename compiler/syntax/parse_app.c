@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses an application: its sections, options, start values, executors, rate groups and tasks (docs/config.md 10).
+#include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser_app.h"
 
 static bool at_section_end(const Parser *p) { return p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END; }
@@ -128,7 +129,7 @@ static void parse_value(Parser *p, AstApp *app)
     s->value = parse_value_of(p, false);
     s->span = parser_since(p, s->span.at);
     if (!p->failed && !p->tok.first && !at_section_end(p))
-        hint_at_end(p);
+        hint_explain(p, HINT_AT_END, NULL);
     if (!p->failed)
         vec_push(p->arena, &app->start, s);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses the parts of an application's lines: words, file names, amounts with their units, annotations.
+#include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser_app.h"
 
 #include "compiler/syntax/number.h"
@@ -127,18 +128,11 @@ static const char *const measure_units[] = {"", "", "ns, us, ms or s", "Hz or kH
 // Common spellings of units: sec, msec, MS, seconds.
 static const char *near_unit(Parser *p, AppMeasure of)
 {
-    static const struct { const char *word, *unit; } others[] = {
-        {"sec", "s"}, {"secs", "s"}, {"second", "s"}, {"seconds", "s"}, {"S", "s"}, {"msec", "ms"}, {"MS", "ms"},
-        {"milliseconds", "ms"},
-        {"usec", "us"}, {"US", "us"}, {"microseconds", "us"}, {"nsec", "ns"}, {"hz", "Hz"}, {"HZ", "Hz"}, {"KHz", "kHz"},
-        {"khz", "kHz"},
-        {"b", "B"}, {"bytes", "B"}, {"Bytes", "B"}, {"kB", "KB"}, {"kb", "KB"}, {"Kb", "KB"}, {"K", "KB"}, {"k", "KB"},
-        {"KiB", "KB"}};
+    const char *ours = p->tok.kind == TOK_NAME ? hint_find_synonym(HINT_UNITS, p->tok.text->text) : NULL;
 
-    for (size_t i = 0; p->tok.kind == TOK_NAME && i < sizeof others / sizeof *others; i++)
-        for (size_t k = 0; strcmp(p->tok.text->text, others[i].word) == 0 && k < sizeof units / sizeof *units; k++)
-            if (units[k].of == of && strcmp(units[k].spelling, others[i].unit) == 0)
-                return others[i].unit;
+    for (size_t i = 0; ours && i < sizeof units / sizeof *units; i++)
+        if (units[i].of == of && strcmp(units[i].spelling, ours) == 0)
+            return ours;
     return NULL;
 }
 

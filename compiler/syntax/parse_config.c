@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses the pins of a .io (config.md 9): lines of a direction, a pin and an element, in which line ends count as blanks.
+#include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
 // ---- sections ----
@@ -18,20 +19,6 @@ void refuse_pin_section(Parser *p, const AstSection *s)
 }
 
 // ---- one pin ----
-
-// Common spellings of the two directions.
-static const struct { const char *word; const char *direction; } directions[] = {
-    {"in", "i"}, {"input", "i"}, {"inputs", "i"}, {"I", "i"}, {"IN", "i"}, {"ai", "i"}, {"di", "i"}, {"AI", "i"}, {"DI", "i"},
-    {"read", "i"}, {"sensor", "i"}, {"out", "o"}, {"output", "o"}, {"outputs", "o"}, {"O", "o"}, {"OUT", "o"}, {"ao", "o"},
-    {"do", "o"}, {"AO", "o"}, {"DO", "o"}, {"write", "o"}, {"actuator", "o"}};
-
-static const char *guess_direction(const char *word)
-{
-    for (size_t i = 0; i < sizeof directions / sizeof *directions; i++)
-        if (strcmp(word, directions[i].word) == 0)
-            return directions[i].direction;
-    return NULL;
-}
 
 static bool is_direction(const Token *t)
 {
@@ -52,7 +39,7 @@ static bool wrong_order(Parser *p, Diag *d, const char *name)
 // Reports that the current pin begins with another word. Returns true if a number follows anyway; it is then the current token.
 static bool recover_direction(Parser *p, AstPin *pin)
 {
-    const char *guess = p->tok.kind == TOK_NAME ? guess_direction(p->tok.text->text) : NULL;
+    const char *guess = p->tok.kind == TOK_NAME ? hint_find_synonym(HINT_DIRECTIONS, p->tok.text->text) : NULL;
     bool goes_on = p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NUMBER && !p->ahead.first;
     Diag *d;
 
@@ -133,7 +120,7 @@ static bool take_element(Parser *p, AstPin *pin)
         pin->element = p->tok.text;
         pin->element_span = parser_here(p);
         parser_next(p);
-        return !hint_dotted_name(p, pin->element_span);
+        return hint_explain(p, HINT_AFTER_DECL_NAME, NULL) == HINT_NONE;
     }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
@@ -160,8 +147,8 @@ static void parse_pin(Parser *p, AstSection *s)
     if (!take_direction(p, &pin) || !take_number(p, s, &pin) || !take_element(p, &pin))
         return;
     parse_annotations(p, place_of(s, &pin), pin.element, pin.element_span, &pin.annotations);
-    if (!p->failed && !ends_pin(p) && !hint_decimal_comma(p))
-        parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok));
+    if (!p->failed && !ends_pin(p))
+        hint_explain(p, HINT_AT_PIN_END, NULL);
     vec_push(p->arena, &s->pins, pin);
 }
 

@@ -1,28 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses lists of declarations and of options, in which line ends count as blanks.
-#include "compiler/syntax/hint_unit.h"
+#include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
 // ---- types ----
-
-// Names of types in other languages.
-static const struct { const char *word, *type; } foreign_types[] = {
-    {"int", "I32"}, {"long", "I64"}, {"short", "I16"}, {"char", "I8"}, {"byte", "U8"}, {"unsigned", "U32"},
-    {"uint", "U32"}, {"word", "U16"}, {"float", "F32"}, {"single", "F32"}, {"double", "F64"}, {"real", "F64"},
-    {"number", "F64"}, {"boolean", "bool"}, {"Bool", "bool"}, {"BOOL", "bool"}, {"B", "bool"}, {"bit", "bool"},
-    {"i8", "I8"}, {"i16", "I16"}, {"i32", "I32"}, {"i64", "I64"}, {"u8", "U8"}, {"u16", "U16"}, {"u32", "U32"},
-    {"u64", "U64"}, {"f32", "F32"}, {"f64", "F64"}, {"int8_t", "I8"}, {"int16_t", "I16"}, {"int32_t", "I32"},
-    {"int64_t", "I64"}, {"uint8_t", "U8"}, {"uint16_t", "U16"}, {"uint32_t", "U32"}, {"uint64_t", "U64"},
-    {"int8", "I8"}, {"int16", "I16"}, {"int32", "I32"}, {"int64", "I64"}, {"uint8", "U8"}, {"uint16", "U16"},
-    {"uint32", "U32"}, {"uint64", "U64"}};
-
-const char *parse_foreign_type(const char *word)
-{
-    for (size_t i = 0; i < sizeof foreign_types / sizeof *foreign_types; i++)
-        if (strcmp(word, foreign_types[i].word) == 0)
-            return foreign_types[i].type;
-    return NULL;
-}
 
 static const char *nearest_type(const char *word)
 {
@@ -32,7 +13,7 @@ static const char *nearest_type(const char *word)
 #undef SM_TYPE
     };
 
-    const char *type = parse_foreign_type(word);
+    const char *type = hint_find_synonym(HINT_TYPES, word);
 
     return type ? type : str_nearest(word, types, sizeof types / sizeof *types);
 }
@@ -49,8 +30,6 @@ static void unknown_type(Parser *p)
 // Reports text that is not a type where a declaration should begin. Returns true if a name follows anyway.
 static bool recover_type(Parser *p, const AstSection *s)
 {
-    if (hint_remark(p))
-        return false;
     if (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NAME && !p->ahead.first) {
         unknown_type(p);
         parser_next(p);
@@ -83,7 +62,7 @@ static bool take_name(Parser *p, AstDecl *d)
     if (p->tok.kind == TOK_NAME) {
         str_declare(p->strings, d->name);
         parser_next(p);
-        return !hint_dotted_name(p, d->name_span);
+        return hint_explain(p, HINT_AFTER_DECL_NAME, NULL) == HINT_NONE;
     }
     if (p->tok.kind == TOK_ERROR) {
         p->failed = true;
@@ -121,30 +100,10 @@ static bool ends_decl(const Parser *p, const AstSection *s, const AstDecl *d)
     return p->tok.kind == TOK_TYPE && (s->kind != AST_LOCAL || d->annotations.n > 0 || p->last.kind == TOK_ANNOTATION);
 }
 
-static void label_after_decl(Parser *p, Diag *d)
-{
-    if (p->tok.kind == TOK_NAME && strcmp(p->tok.text->text, "read_only") == 0)
-        diag_label(p->diags, d, DIAG_label_write, "@read_only");
-    else
-        diag_label(p->diags, d, p->tok.kind == TOK_MINUS ? DIAG_label_name_letters : DIAG_label_unit_comment);
-}
-
-// F32 pressure [bar] @read_only: the bracket does not begin a section.
-static void hint_bracketed_unit(Parser *p)
-{
-    if (p->failed || p->tok.kind != TOK_HEADER || p->tok.first ||
-        !(p->ahead.first ? p->ahead.kind == TOK_TYPE && strcmp(p->tok.text->text, "local") != 0
-                         : p->ahead.kind == TOK_ANNOTATION && strcmp(p->ahead.text->text, "read_only") == 0))
-        return;
-    diag_label(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)),
-               DIAG_label_unit_comment);
-    parser_next(p);
-}
-
 // Reports further text after a declaration.
-static void hint_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
+static void report_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
 {
-    if (hint_decimal_comma(p) || hint_remark(p))
+    if (hint_explain(p, HINT_AT_DECL_END, NULL) != HINT_NONE)
         return;
     if (p->tok.kind == TOK_ASSIGN && s->kind != AST_LOCAL)
         parser_fail(p, DIAG_element_with_value, parser_here(p), d->name->text);
@@ -153,21 +112,9 @@ static void hint_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
     else if (p->tok.kind == TOK_NAME && s->kind != AST_LOCAL && p->ahead.kind == TOK_NAME && !p->ahead.first)
         return;                                    // a misspelt type: the next declaration
     else if (s->kind != AST_LOCAL && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_LPAREN || p->tok.kind == TOK_MINUS))
-        label_after_decl(p, parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)));
+        hint_explain(p, HINT_AT_ELEMENT_END, NULL);
     else
-        hint_at_end(p);
-}
-
-// const F64 limit = 5
-static void hint_const(Parser *p)
-{
-    if (p->tok.kind != TOK_NAME || p->ahead.kind != TOK_TYPE || p->ahead.first)
-        return;
-    if (strcmp(p->tok.text->text, "const") == 0) {
-        diag_label(p->diags, parser_report(p, DIAG_foreign_word, parser_here(p), "const"), DIAG_label_as_in,
-                   "F64 limit = 5 @read_only");
-        parser_next(p);
-    }
+        hint_explain(p, HINT_AT_END, NULL);
 }
 
 static AstPlace place_of_decls(const AstSection *s)
@@ -181,7 +128,8 @@ static void parse_decl(Parser *p, AstSection *s)
 {
     AstDecl d = {0};
 
-    hint_const(p);
+    if (hint_explain(p, HINT_AT_DECL, NULL) == HINT_SKIPPED)
+        return;
     d.type = p->tok.kind == TOK_TYPE ? p->tok.type : SM_TYPE_COUNT;
     d.type_span = parser_here(p);
     if (p->tok.kind == TOK_TYPE)
@@ -192,10 +140,11 @@ static void parse_decl(Parser *p, AstSection *s)
         return;
     if (s->kind == AST_LOCAL)
         parse_initial_value(p, &d);
-    hint_bracketed_unit(p);
+    if (!p->failed)
+        hint_explain(p, HINT_AFTER_DECL, NULL);
     parse_annotations(p, place_of_decls(s), d.name, d.name_span, &d.annotations);
     if (!p->failed && !ends_decl(p, s, &d))
-        hint_after_decl(p, s, &d);
+        report_after_decl(p, s, &d);
     vec_push(p->arena, &s->decls, d);
 }
 
@@ -230,15 +179,13 @@ enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
 
 static void unknown_option(Parser *p)
 {
-    const char *near = str_nearest(p->tok.text->text, option_words, OPTION_COUNT);
-    Diag *d = parser_fail(p, DIAG_option_unknown, parser_here(p), p->tok.text->text);
+    const char *word = p->tok.text->text, *synonym = hint_find_synonym(HINT_OPTIONS, word);
+    const char *near = synonym ? synonym : str_nearest(word, option_words, OPTION_COUNT);
 
-    if (strcmp(p->tok.text->text, "dt") == 0 || strcmp(p->tok.text->text, "step") == 0)
-        near = "delta_t";
     if (near)
-        diag_label(p->diags, d, DIAG_label_did_you_mean, near);
-    else if (p->last.kind == TOK_NUMBER && !p->tok.first)
-        hint_unit(p->diags, d, parser_text(p, parser_span(p, &p->last)), p->tok.text->text);
+        diag_label(p->diags, parser_fail(p, DIAG_option_unknown, parser_here(p), word), DIAG_label_did_you_mean, near);
+    else
+        hint_explain(p, HINT_AT_OPTION, NULL);
     parser_next(p);
 }
 

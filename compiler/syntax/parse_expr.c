@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses expressions by precedence climbing over operators.def. A loop handles operators of one level. Only parentheses, calls, prefix
 // operators and tighter levels recurse, and p->depth bounds that.
+#include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
 static AstExpr *parse_level(Parser *p, int least);
@@ -118,6 +119,13 @@ static void parse_arguments(Parser *p, AstExpr *call, Span open)
     expect_close(p, open);
 }
 
+const char *ast_function_usage(const SmBuiltinInfo *fn)
+{
+    static const char *const usage[] = {"()", "(x)", "(a, b)", "(x, lo, hi)"};
+
+    return fn->is_roll ? "(x, n)" : usage[fn->arguments];
+}
+
 static AstExpr *parse_call(Parser *p)
 {
     AstExpr *e = new_expr(p, AST_CALL, parser_here(p));
@@ -142,36 +150,24 @@ static AstExpr *parse_name(Parser *p)
 {
     AstExpr *e;
 
-    if (hint_choice(p)) {
-        p->tok.kind = TOK_IF;
-        return missing_value(p);
-    }
     if (p->ahead.kind == TOK_LPAREN && (p->parens || !p->ahead.first))
         return parse_call(p);
     e = new_expr(p, AST_NAME, parser_here(p));
     e->name = p->tok.text;
     parser_next(p);
-    if (hint_operand(p, e))
+    if (hint_explain(p, HINT_AFTER_NAME, e) == HINT_SKIPPED)
         e->kind = AST_ERROR;
-    else
-        hint_after_name(p, e);
     return e;
 }
 
 static AstExpr *missing_value(Parser *p)
 {
     AstExpr *e = error_expr(p);
-    Diag *d;
 
-    if (p->tok.kind == TOK_ERROR) {                    // the lexer has reported it: continue as if it were a value
+    if (p->tok.kind == TOK_ERROR)                      // the lexer has reported it: continue as if it were a value
         parser_next(p);
-        return e;
-    }
-    if (hint_unit_step(p))
-        return e;
-    d = parser_fail(p, DIAG_expected_value, p->tok.first ? parser_gap(p) : parser_here(p),
-                    parser_text(p, parser_span(p, &p->last)), parser_found(p));
-    hint_missing_value(p, d);
+    else
+        hint_explain(p, HINT_AT_VALUE, NULL);
     return e;
 }
 
@@ -219,7 +215,7 @@ static AstExpr *parse_prefixed(Parser *p)
 
     if (!enter(p))
         return error_expr(p);
-    hint_prefix(p);
+    hint_explain(p, HINT_AT_OPERAND, NULL);
     if (prefix_operator(p->tok.kind, &op)) {
         e = new_expr(p, AST_UNARY, parser_here(p));
         e->op = op;
@@ -240,6 +236,17 @@ static bool is_equality(const AstExpr *e)
     return e->kind == AST_BINARY && (e->op == SM_OP_EQ || e->op == SM_OP_NE);
 }
 
+// a == b == c
+static void report_equality_chain(Parser *p, const AstExpr *e)
+{
+    const AstExpr *a = e->a;
+    Diag *d = parser_report(p, DIAG_equality_chain, ast_op_span(e), sm_op_info[a->op].spelling, sm_op_info[e->op].spelling);
+
+    diag_label(p->diags, d, DIAG_label_did_you_mean,
+               format_in(p->arena, "%s and %s %s %s", parser_text(p, a->span), parser_text(p, a->b->span),
+                         sm_op_info[e->op].spelling, parser_text(p, e->b->span)));
+}
+
 static AstExpr *new_binary(Parser *p, SmOperator op, Span op_span, AstExpr *a, AstExpr *b)
 {
     AstExpr *e = new_expr(p, AST_BINARY, a->span);
@@ -250,7 +257,7 @@ static AstExpr *new_binary(Parser *p, SmOperator op, Span op_span, AstExpr *a, A
     e->b = b;
     e->span = parser_since(p, a->span.at);
     if (is_equality(e) && is_equality(a) && !is_equality(a->a) && !p->failed)
-        hint_equality_chain(p, e);
+        report_equality_chain(p, e);
     return check_depth(p, check_depth(p, e, a), b);
 }
 
@@ -276,8 +283,7 @@ static AstExpr *parse_level(Parser *p, int least)
 
     while (!p->failed && !line_ends(p)) {
         Span op_span;
-        hint_infix(p, e);
-        if (!infix_operator(p->tok.kind, &op) || sm_op_info[op].precedence < least || hint_is_and_then(p))
+        if (hint_explain(p, HINT_AT_OPERATOR, e) == HINT_SKIPPED || !infix_operator(p->tok.kind, &op) || sm_op_info[op].precedence < least)
             break;
         op_span = parser_here(p);
         parser_next(p);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses statements of machines and items of scripts. They share one grammar; items that only one of the two may contain are reported
 // here.
+#include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
 static void parse_statement(Parser *p, AstStmts *into);
@@ -46,7 +47,7 @@ static void recover(Parser *p)
 static void finish_statement(Parser *p)
 {
     if (!p->failed && !parser_at_end_of_statement(p))
-        hint_at_end(p);
+        hint_explain(p, HINT_AT_END, NULL);
     if (p->failed && !p->tok.first)
         recover(p);
     p->lost_body = p->lost_body || p->failed;
@@ -160,33 +161,27 @@ static void check_guarded(Parser *p, const AstStmt *s)
 
 static void parse_if(Parser *p, AstStmts *into, AstExpr *guard);
 
-// `x = 5: …` was meant as a comparison.
-static void assignment_as_guard(Parser *p, AstStmts *into, AstStmt *s, Span sign)
-{
-    hint_assign(p, NULL, sign);
-    into->n--;
-    parse_if(p, into, s->value);
-}
-
 static void parse_assignment(Parser *p, AstStmts *into)
 {
     AstStmt *s = new_stmt(p, AST_ASSIGN, into);
     bool behind_colon = p->last.kind == TOK_COLON;       // x = 1: y = 2 is two statements there
-    Span sign;
 
     s->name = p->tok.text;
     s->name_span = s->span;
     parser_next(p);
-    sign = parser_here(p);
+    p->sign = parser_here(p);
     if (p->tok.kind != TOK_ASSIGN)
-        hint_op_assign(p, s->name_span);
+        hint_explain(p, HINT_AT_ASSIGN, NULL);
     parser_next(p);
     s->value = parse_value_of(p, false);
     s->span = parser_since(p, s->span.at);
-    if (!p->failed && !p->tok.first && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE) && !behind_colon)
-        assignment_as_guard(p, into, s, sign);
-    else
+    if (!p->failed && !p->tok.first && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE) && !behind_colon) {
+        hint_explain(p, HINT_AFTER_ASSIGNMENT, NULL);  // x = 5: …
+        into->n--;
+        parse_if(p, into, s->value);
+    } else {
         check_guarded(p, s);
+    }
 }
 
 static void parse_transition(Parser *p, AstStmts *into)
@@ -204,7 +199,7 @@ static void parse_transition(Parser *p, AstStmts *into)
         return;
     }
     s->kind = AST_STMT_ERROR;
-    if (hint_bracketed_state(p))
+    if (hint_explain(p, HINT_AT_TARGET, NULL) == HINT_SKIPPED)
         return;
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
@@ -269,11 +264,11 @@ static AstExpr *parse_guard(Parser *p)
 }
 
 // The statement after the colon is missing.
-static void missing_statement(Parser *p, const AstStmt *s, Span colon, AstStmts *into)
+static void missing_statement(Parser *p, const AstStmt *s, AstStmts *into)
 {
     bool lines_below = p->tok.first && !parser_at_end_of_block(p) && p->tok.kind != TOK_ELSE;
 
-    hint_colon(p, s->arms->has_else ? NULL : s->value, colon);
+    hint_explain(p, HINT_AFTER_COLON, s->arms->has_else ? NULL : s->value);
     if (lines_below)                          // most likely it is there
         parse_statement(p, into);
     p->lost_body = true;
@@ -293,9 +288,9 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
         return;
     }
     if (p->tok.kind == TOK_ASSIGN && !p->tok.first)
-        hint_colon_assign(p, s->value, colon);
+        hint_explain(p, HINT_AFTER_COLON, s->arms->has_else ? NULL : s->value);
     else if (p->tok.first || p->tok.kind == TOK_ELSE || parser_at_end_of_block(p))
-        missing_statement(p, s, colon, into);
+        missing_statement(p, s, into);
     else
         parse_statement(p, into);
     check_allows(p, into);
@@ -309,21 +304,21 @@ static bool may_begin_statement(const Parser *p)
 }
 
 // The guard, or `else`, is followed by neither : nor {.
-static void parse_bare_body(Parser *p, const AstStmt *s, AstStmts *into, bool has_if)
+static void parse_bare_body(Parser *p, const AstStmt *s, AstStmts *into)
 {
     if (p->failed)
         return;
     if (s->arms->has_else)
-        hint_else(p);
+        hint_explain(p, HINT_AFTER_ELSE, NULL);
     else
-        hint_expression(p, s->value, has_if);
+        hint_explain(p, HINT_AFTER_GUARD, s->value);
     if (!p->failed && may_begin_statement(p))
         parse_statement(p, into);
     else
         p->failed = true;
 }
 
-static void parse_body(Parser *p, const AstStmt *s, bool has_if, AstStmts *into, bool *braces, Span *span)
+static void parse_body(Parser *p, const AstStmt *s, AstStmts *into, bool *braces, Span *span)
 {
     if (p->tok.kind == TOK_LBRACE) {
         *braces = true;
@@ -332,7 +327,7 @@ static void parse_body(Parser *p, const AstStmt *s, bool has_if, AstStmts *into,
         parse_colon_body(p, s, into, braces, span);
     } else {
         *span = parser_gap(p);
-        parse_bare_body(p, s, into, has_if);
+        parse_bare_body(p, s, into);
     }
     if (p->failed) {
         recover(p);
@@ -363,7 +358,7 @@ static AstStmt *parse_else(Parser *p, AstStmt *s)
     parser_next(p);
     if (p->tok.kind == TOK_IF && !p->tok.first)
         return new_stmt(p, AST_IF, &s->arms->otherwise);
-    parse_body(p, s, true, &s->arms->otherwise, &s->arms->else_braces, &s->arms->else_body_span);
+    parse_body(p, s, &s->arms->otherwise, &s->arms->else_braces, &s->arms->else_body_span);
     return NULL;
 }
 
@@ -372,19 +367,19 @@ static void parse_branches(Parser *p, AstStmt *s)
 {
     for (bool chained = false; s; chained = true) {
         size_t errors = p->diags->errors;
-        bool has_if = p->tok.kind == TOK_IF;
         if (!enter_nesting(p)) {
             s->kind = AST_STMT_ERROR;
             return;
         }
-        if (has_if)
+        p->has_if = p->tok.kind == TOK_IF;
+        if (p->has_if)
             parser_next(p);
         if (!s->value)
-            s->value = has_if ? parse_guard(p) : parse_expr(p, false);
+            s->value = p->has_if ? parse_guard(p) : parse_expr(p, false);
         s->span = parser_since(p, s->span.at);
         if (p->failed)
             recover_guard(p);
-        parse_body(p, s, has_if, &s->arms->then, &s->arms->braces, &s->arms->body_span);
+        parse_body(p, s, &s->arms->then, &s->arms->braces, &s->arms->body_span);
         if (!chained)
             check_script_conditional(p, s, errors);
         s = parse_else(p, s);
@@ -422,7 +417,7 @@ static void stray_else(Parser *p)
     else if (p->tok.kind == TOK_IF && !p->tok.first)
         parse_if(p, &arms.otherwise, NULL);
     else
-        parse_body(p, &s, true, &arms.otherwise, &arms.else_braces, &arms.else_body_span);
+        parse_body(p, &s, &arms.otherwise, &arms.else_braces, &arms.else_body_span);
     p->nesting--;
 }
 
@@ -448,7 +443,7 @@ static void parse_statement(Parser *p, AstStmts *into)
     }
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    else if (hint_statement(p))
+    else if (hint_explain(p, HINT_AT_STATEMENT, NULL) == HINT_SKIPPED)
         return;
     else if (p->tok.kind == TOK_NAME && is_assignment_sign(p->ahead.kind) && !p->ahead.first)
         parse_assignment(p, into);

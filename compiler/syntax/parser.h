@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Declarations shared by the files of the parser. parse.c: files, sections, blocks; parse_decl.c: declarations and options;
-// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions; hint_expr.c and
-// hint_stmt.c: hints, which guess what the user meant where something is wrong.
+// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions. They contain the grammar
+// alone: what the user meant where it is violated is found by hints.h.
 // An error is reported once: p->failed then silences everything up to the next statement, where it is cleared.
 #ifndef SMC_PARSER_H
 #define SMC_PARSER_H
@@ -29,6 +29,8 @@ typedef struct Parser {
     unsigned parens;              // open at that position: line ends count as blanks
     uint32_t indented;            // lines before this position belong to a condition whose braces are missing
     bool is_guard;                // the current expression is a condition: an = in it was meant as ==
+    bool has_if;                  // the current condition begins with `if`
+    Span sign;                    // of the last assignment
 } Parser;
 
 // ---- tokens ----
@@ -61,7 +63,6 @@ AstExpr *parse_expr(Parser *p, bool is_guard);          // begins with the next 
 AstExpr *parse_value_of(Parser *p, bool is_guard);      // the same, but must begin on this line
 void parse_block(Parser *p, AstStmts *into);            // statements up to }, a label, a header or the end
 void parse_decls(Parser *p, AstSection *s);
-const char *parse_foreign_type(const char *word);       // our type for a type name of another language, or NULL
 void parse_options(Parser *p, AstSection *s);
 // Parses all annotations that follow; `owner` is the name of what they annotate.
 void parse_annotations(Parser *p, AstPlace place, Str owner, Span owner_span, AstAnnotations *into);
@@ -75,43 +76,5 @@ void annotation_in_block(Parser *p);                    // the same, where a sta
 void parse_app_section(Parser *p, struct AstApp *app);  // at its header
 void skip_section(Parser *p);                           // to the next line that begins with a header; does not even read tokens
 void skip_line(Parser *p);                              // to the next line, header or the end
-
-// ---- hints: errors of users who know other languages, or type too fast ----
-
-void hint_prefix(Parser *p);                            // NOT x
-void hint_infix(Parser *p, const AstExpr *left);        // x AND y, x = y in a guard
-void hint_assign(Parser *p, const AstExpr *left, Span sign);      // reports the = of such a guard; left may be NULL
-bool hint_choice(const Parser *p);                      // IF(a; b; c)
-bool hint_operand(Parser *p, AstExpr *name);            // abs x, after the name; true when reported
-bool hint_remark(Parser *p);                            // -- x, where an expression is impossible; true when reported
-bool hint_unit_step(Parser *p);                         // x++ where a value is missing; true when reported
-void hint_missing_value(Parser *p, Diag *d);            // adds to the message that a value is missing here
-bool hint_decimal_comma(Parser *p);                     // 3,14 at the comma; true when reported
-bool hint_dotted_name(Parser *p, Span name);            // tank.pressure after `tank`; true when reported
-void hint_after_name(Parser *p, AstExpr *name);   // tank.pressure, a[3]
-bool hint_is_and_then(const Parser *p);                 // x = 1 and then -> Idle, at `and`
-void hint_equality_chain(Parser *p, const AstExpr *e);  // a == b == c
-// A statement is complete, but more text follows on its line. Reports it.
-void hint_at_end(Parser *p);
-// An expression appears alone where a statement is expected: x + 1, valveOpen == true, a guard without its colon.
-void hint_expression(Parser *p, AstExpr *e, bool has_if);
-void hint_op_assign(Parser *p, Span name);              // x += 1, at the sign
-// Nothing follows the colon of a guard, or of `else` (guard is NULL).
-void hint_colon(Parser *p, AstExpr *guard, Span colon);
-void hint_colon_assign(Parser *p, const AstExpr *guard, Span colon);      // x: = 1, at the =
-bool hint_bracketed_state(Parser *p);                   // -> [Idle] at the bracket; true when reported
-void hint_else(Parser *p);                              // `else` is followed by neither : nor { nor if
-// The next text does not begin a statement. If it looks like one of another language, reports it and returns true; otherwise returns
-// false.
-bool hint_statement(Parser *p);
-
-// ---- shared by the two files of hints ----
-
-bool hint_is_word(const Token *t, const char *lower);   // a name that is this word, in upper or lower case
-bool hint_is_label(const char *word);                   // entry, step, exit
-bool hint_touches(const Token *a, const Token *b);      // the two are adjacent
-bool hint_begins_value(const Token *t);
-bool hint_is_guard(const Parser *p);  // its line, which continues inside parentheses, contains a : or a {; or the next line has a {
-void hint_replace_word(Parser *p, const char *native, TokenKind kind);  // reports a foreign word and turns it into a token of that kind
 
 #endif

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hints where a statement or a declaration should end and more text follows on its line, and where a declaration begins.
+#include "compiler/syntax/hint_lines.h"
+#include "compiler/syntax/hint_rules.h"
+#include "compiler/syntax/hint_unit.h"
+
+// ---- after a statement ----
+
+// The line is already reported.
+HintResult hint_skip_reported_line(HintCase *c)
+{
+    Parser *p = c->p;
+
+    if (p->tok.kind != TOK_ERROR && !(p->ahead.kind == TOK_ERROR && !p->ahead.first) && !(p->lex.src->text[p->tok.at] & 0x80) &&
+        !(p->tok.kind == TOK_ELSE && p->last.at < p->lex.hinted))
+        return HINT_NONE;
+    p->failed = true;
+    return HINT_SKIPPED;
+}
+
+// 60,000 can mean sixty thousand; 0,125 and 3,14 cannot.
+static bool may_be_thousands(const Parser *p)
+{
+    return p->ahead.len == 3 && p->lex.src->text[p->last.at] != '0';
+}
+
+// 3,14
+HintResult hint_report_decimal_comma(HintCase *c)
+{
+    Parser *p = c->p;
+    const char *before, *after;
+    Diag *d;
+
+    if (!hint_touches(&p->last, &p->tok) || !hint_touches(&p->tok, &p->ahead))
+        return HINT_NONE;
+    before = parser_text(p, parser_span(p, &p->last));
+    after = parser_text(p, parser_span(p, &p->ahead));
+    d = parser_fail(p, DIAG_decimal_comma, parser_here(p));
+    if (may_be_thousands(p)) {
+        diag_label(p->diags, d, DIAG_label_comma_in_number, before, after, before, after);
+    } else {
+        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s.%s", before, after));
+        diag_edit(p->diags, d, parser_here(p), ".");
+    }
+    return HINT_SKIPPED;
+}
+
+// `-- …` where an expression is impossible: a comment.
+HintResult hint_skip_remark(HintCase *c)
+{
+    Parser *p = c->p;
+    const Source *src = p->lex.src;
+    Span sign = parser_here(p);
+    Diag *d;
+
+    if (!hint_touches(&p->tok, &p->ahead) || hint_line_is_guard(p))
+        return HINT_NONE;
+    sign.len = 2;
+    d = parser_fail(p, DIAG_foreign_comment, sign, "--");
+    diag_label(p->diags, d, DIAG_label_comment);
+    diag_edit(p->diags, d, sign, "#");
+    while (p->lex.at < src->len && src->text[p->lex.at] != '\n')
+        p->lex.at++;
+    parser_next(p);
+    return HINT_SKIPPED;
+}
+
+HintResult hint_report_stray_paren(HintCase *c)
+{
+    parser_fail(c->p, DIAG_stray_paren, parser_here(c->p));
+    return HINT_SKIPPED;
+}
+
+// T > 5 ms
+HintResult hint_report_unit(HintCase *c)
+{
+    hint_unit(c->p->diags, hint_message(c), parser_text(c->p, parser_span(c->p, &c->p->last)), c->p->tok.text->text);
+    return HINT_READ;
+}
+
+HintResult hint_report_allow_after(HintCase *c)
+{
+    if (!annotation_is_allow(&c->p->tok))
+        return HINT_NONE;
+    diag_label(c->p->diags, hint_message(c), DIAG_label_allow_before);
+    return HINT_READ;
+}
+
+// x = true, y = true; x = true y = true; x = true -> Idle
+HintResult hint_report_shared_line(HintCase *c)
+{
+    Diag *d = hint_message(c);
+
+    if (!hint_shares_line(c->p, d, c->p->last.at + c->p->last.len))
+        diag_label(c->p->diags, d, DIAG_label_own_line_or_braces);
+    return HINT_READ;
+}
+
+// x = true @stop
+HintResult hint_report_item_on_line(HintCase *c)
+{
+    const char *word = c->p->tok.text->text;
+
+    return strcmp(word, "assert") == 0 || strcmp(word, "stop") == 0 ? hint_report_shared_line(c) : HINT_NONE;
+}
+
+// x = true and then -> Idle
+HintResult hint_report_and_then_on_line(HintCase *c) { return hint_is_and_then(c->p) ? hint_report_shared_line(c) : HINT_NONE; }
+
+// @stop()
+HintResult hint_report_annotation_call(HintCase *c)
+{
+    diag_label(c->p->diags, hint_message(c), DIAG_label_write, parser_text(c->p, parser_span(c->p, &c->p->last)));
+    return HINT_READ;
+}
+
+// 60 000
+HintResult hint_report_digit_groups(HintCase *c)
+{
+    Parser *p = c->p;
+    const char *before = parser_text(p, parser_span(p, &p->last));
+
+    if (p->tok.len != 3)
+        return HINT_NONE;
+    diag_label(p->diags, hint_message(c), DIAG_label_write, format_in(p->arena, "%s%s", before, parser_text(p, parser_here(p))));
+    return HINT_READ;
+}
+
+// ---- declarations ----
+
+// const F64 limit = 5
+HintResult hint_skip_const(HintCase *c)
+{
+    Parser *p = c->p;
+
+    diag_label(p->diags, parser_report(p, DIAG_foreign_word, parser_here(p), p->tok.text->text), DIAG_label_as_in, "F64 limit = 5 @read_only");
+    parser_next(p);
+    return HINT_READ;
+}
+
+// F32 pressure [bar] @read_only: the bracket does not begin a section.
+HintResult hint_skip_bracketed_unit(HintCase *c)
+{
+    Parser *p = c->p;
+
+    if (p->ahead.first ? strcmp(p->tok.text->text, "local") == 0 : strcmp(p->ahead.text->text, "read_only") != 0)
+        return HINT_NONE;
+    diag_label(p->diags, parser_report(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok)), DIAG_label_unit_comment);
+    parser_next(p);
+    return HINT_READ;
+}

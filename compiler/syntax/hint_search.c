@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Searches the rows of hints.def for the parser, and tests that several rules share.
+#include "compiler/syntax/hint_lines.h"
+#include "compiler/syntax/hint_rules.h"
+
+// ---- rows ----
+
+// Sets of tokens in the columns of a row.
+#define T(kind) (UINT64_C(1) << TOK_##kind)
+#define ANY (T(COUNT) - 1)
+#define OPERAND (T(NAME) | T(NUMBER) | T(LPAREN) | T(TRUE) | T(FALSE) | T(NOT) | T(BANG))
+#define COMPARISON (T(LT) | T(LE) | T(GT) | T(GE) | T(EQ) | T(NE))
+#define FIRST (UINT64_C(1) << 62)         // and it must be the first token on its line
+#define SAME_LINE (UINT64_C(1) << 63)     // and it must not be
+typedef char tokens_fit_a_set[TOK_COUNT < 62 ? 1 : -1];
+
+typedef struct Hint {
+    HintPlace place;
+    uint64_t before, here, after;         // the last token, the next token and the one after it
+    const char *word;                     // the next token is this word, in upper or lower case; NULL: any text
+    HintResult (*rule)(HintCase *c);      // NULL: the label says it all
+    DiagCode label;
+    const char *text;                     // of the label
+} Hint;
+
+static const Hint hints[] = {
+#define HINT(place, before, here, word, after, rule) {HINT_##place, before, here, after, word, hint_##rule, DIAG_COUNT, NULL},
+#define HINT_LABEL(place, before, here, word, after, label, text) {HINT_##place, before, here, after, word, NULL, DIAG_##label, text},
+#include "compiler/syntax/hints.def"
+};
+
+static bool is_in(uint64_t set, const Token *t)
+{
+    return (set >> t->kind & 1u) && !((set & FIRST) && !t->first) && !((set & SAME_LINE) && t->first);
+}
+
+static bool fits(const Hint *h, const Parser *p)
+{
+    return is_in(h->here, &p->tok) && is_in(h->before, &p->last) && is_in(h->after, &p->ahead) &&
+           (!h->word || hint_is_word(&p->tok, h->word));
+}
+
+Diag *hint_message(HintCase *c)
+{
+    Parser *p = c->p;
+
+    if (c->message)
+        return c->message;
+    switch (c->place) {
+    case HINT_AT_VALUE:
+        c->message = parser_fail(p, DIAG_expected_value, p->tok.first ? parser_gap(p) : parser_here(p), parser_text(p, parser_span(p, &p->last)), parser_found(p));
+        break;
+    case HINT_AT_OPTION:
+        c->message = parser_fail(p, DIAG_option_unknown, parser_here(p), p->tok.text->text);
+        break;
+    case HINT_AT_END: case HINT_AT_ELEMENT_END: case HINT_AT_PIN_END:
+        c->message = parser_fail(p, DIAG_expected_end, parser_here(p), parser_describe(p, &p->tok));
+        break;
+    default:                              // the other places have no message of their own
+        break;
+    }
+    return c->message;
+}
+
+HintResult hint_explain(Parser *p, HintPlace place, AstExpr *e)
+{
+    HintCase c = {p, place, e, NULL};
+    HintResult result = HINT_NONE;
+
+    for (size_t i = 0; i < sizeof hints / sizeof *hints && hints[i].place <= place && result == HINT_NONE; i++) {
+        if (hints[i].place != place || !fits(&hints[i], p))
+            continue;
+        if (hints[i].rule) {
+            result = hints[i].rule(&c);
+        } else {
+            diag_label(p->diags, hint_message(&c), hints[i].label, hints[i].text);
+            result = HINT_READ;
+        }
+    }
+    if (result == HINT_NONE)
+        hint_message(&c);
+    return result;
+}
+
+// ---- tokens ----
+
+static bool same_letters(const char *a, const char *lower)
+{
+    for (; *a && *lower; a++, lower++)
+        if ((*a >= 'A' && *a <= 'Z' ? *a - 'A' + 'a' : *a) != *lower)
+            return false;
+    return !*a && !*lower;
+}
+
+bool hint_is_word(const Token *t, const char *lower) { return t->kind == TOK_NAME && same_letters(t->text->text, lower); }
+bool hint_begins_value(const Token *t) { return is_in(OPERAND, t); }
+bool hint_touches(const Token *a, const Token *b) { return a->at + a->len == b->at; }
+
+bool hint_is_label(const char *s)
+{
+    return strcmp(s, "entry") == 0 || strcmp(s, "step") == 0 || strcmp(s, "exit") == 0;
+}
+
+// ---- lines ----
+
+bool hint_line_is_guard(const Parser *p)
+{
+    const Source *s = p->lex.src;
+    uint32_t depth = 0, i = p->tok.at;
+    bool below = false;                                // after the line end, where only '{' may follow
+
+    for (; i < s->len; i++) {
+        const char c = s->text[i];
+        if (c == '#')
+            i += (uint32_t)strcspn(s->text + i, "\n") - 1;
+        else if (c == '\n')
+            below |= depth == 0;
+        else if (below && c != ' ' && c != '\t' && c != '\r')
+            return c == '{';
+        else if (c == ':' || c == '{' || c == '}')
+            return true;
+        else if (c == '(' || (c == ')' && depth > 0))
+            depth += c == '(' ? 1u : UINT32_MAX;
+    }
+    return false;
+}
+
+bool hint_shares_line(Parser *p, Diag *d, uint32_t at)
+{
+    const uint32_t until = hint_shared_line(p->diags, d, p->lex.src, at, HINT_OTHER);
+
+    if (until > 0)
+        p->lex.hinted = until;
+    return until > 0;
+}
+
+// ---- synonyms ----
+
+const char *hint_find_synonym(HintWords of, const char *word)
+{
+    static const struct { HintWords of; const char *word, *ours; } synonyms[] = {
+#define HINT_SYNONYM(of, word, ours) {HINT_##of, word, ours},
+#include "compiler/syntax/hints.def"
+    };
+
+    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
+        if (synonyms[i].of == of && strcmp(word, synonyms[i].word) == 0)
+            return synonyms[i].ours;
+    return NULL;
+}
