@@ -107,7 +107,7 @@ SmResult sm_outputs_init(void *io) { return open_pins((SmIo *)io, OUTPUT); }
 
 static uint8_t *element_address(const SmIo *io, uint16_t i) { return (uint8_t *)io->sv->at + io->pin[i].offset; }
 
-// 9.11: after more than `hold` consecutive failures the value is no longer valid.
+// config.md 9.11: after more than `hold` consecutive failures the value is no longer valid.
 static void store_inputs(SmIo *io)
 {
     for (uint16_t i = 0; i < io->pins; i++) {

@@ -38,7 +38,7 @@ void sm_pin_close(const SmIoPin *p, uint8_t handle);                 // leaves t
 // The same operations in parts. v: millionths; for a digital pin, 1 if its element is true, else 0.
 SmResult sm_pin_read_raw(const SmIoPin *p, uint8_t handle, int32_t *v);
 SmResult sm_pin_write_raw(const SmIoPin *p, uint8_t handle, int32_t v);
-SmF64 sm_pin_from_raw(const SmIoPin *p, int32_t v);                   // converts v to the value of the element (9.8)
+SmF64 sm_pin_from_raw(const SmIoPin *p, int32_t v);                   // converts v to the value of the element (config.md 9.8)
 int32_t sm_pin_to_raw(const SmIoPin *p, SmF64 x);                     // the inverse: the nearest millionth, saturated to int32_t
 
 #ifdef __cplusplus

@@ -615,6 +615,7 @@ $(call test, check-codes,          quick,, sh tests/check/files.sh cases | awk -
 $(call test, check-builtins,       quick,, sh tests/check/builtins.sh)
 $(call test, check-arguments,      quick,, sh tests/check/files.sh compiler | awk -f tests/check/arguments.awk compiler/diag/codes.def -)
 $(call test, check-clauses,        quick,, sh tests/check/files.sh evidence | awk -f tests/check/clauses.awk docs/language.md docs/config.md tests/check/clauses.txt -)
+$(call test, check-citations,      quick,, sh tests/check/files.sh sources | awk -f tests/check/citations.awk docs/language.md docs/config.md -)
 $(call test, check-licence,        quick,, sh tests/check/files.sh code | awk -f tests/check/licence.awk)
 $(call test, check-places,         quick,, sh tests/check/files.sh text | awk -f tests/check/places.awk)
 $(call test, check-configurations, quick,, sh tests/check/configurations.sh)

@@ -275,7 +275,7 @@ static int update(BoardLine *b, const Source *image, uint16_t period, const Devi
     return say_done(b, &u, before);
 }
 
-// 5.46: warns about an image that cannot be confirmed as soon as it runs.
+// Warns about an image that cannot be confirmed as soon as it runs: it starts in a state without @safe (language.md 5.46).
 static void warn_of_starts(Cli *c, const Source *image)
 {
     SmvmMachine m;

@@ -16,7 +16,7 @@ typedef struct EngineWrite { uint32_t var; uint64_t cell; } EngineWrite;
 
 typedef enum EngineStatus {
     ENGINE_OK,
-    ENGINE_REFUSED,           // time did not advance, so nothing changed (language.md 6.1)
+    ENGINE_REFUSED,           // time did not advance, so nothing changed (language.md 6.3)
     ENGINE_BROKEN             // the engine itself failed; `error` is the reason
 } EngineStatus;
 

@@ -95,18 +95,18 @@ static EngineStatus ref_step(Engine *e, const EngineWrite *write, uint32_t n, En
     memset(r->stored, 0, r->p->var.n);
     r->transition = NULL;
     g = r->cell[r->p->g->index];
-    if (!advances(r, g))                                                       // 6.1
+    if (!advances(r, g))                                                       // language.md 6.3
         return answer(r, ENGINE_REFUSED, out);
     r->has_run = true;
     r->last_g = g;
     r->is_first = false;
-    if (first) {                                                               // 6.2
+    if (first) {                                                               // language.md 6.4
         store(r, r->p->s, r->state->number);
         r->start = g;
     }
-    store(r, r->p->t, g - r->start);                                           // 6.3
-    ref_windows_sample(&r->windows, r->cell);                                  // 6.4
-    run_blocks(r, first);                                                      // 6.5 to 6.7
+    store(r, r->p->t, g - r->start);                                           // language.md 6.5
+    ref_windows_sample(&r->windows, r->cell);                                  // language.md 6.6
+    run_blocks(r, first);                                                      // language.md 6.7 to 6.11
     return answer(r, ENGINE_OK, out);
 }
 

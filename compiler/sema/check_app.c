@@ -211,7 +211,7 @@ static void check_options(AppCheck *k)
         report_missing(k, k->ast->options_header, "an application needs a state vector: in [options], state_vector \"FILE.sv\"");
 }
 
-// ---- [start]: the values of elements before any task runs (10.8), checked like those of a machine without variables ----
+// ---- [start]: the values of elements before any task runs (config.md 10.8), checked like those of a machine without variables ----
 
 // Whether the expression contains only numbers; reports the parts that are not.
 static bool has_only_numbers(AppCheck *k, const Sema *s, const AstExpr *e)

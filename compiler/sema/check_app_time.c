@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The times and counts of an application, computed exactly: whole nanoseconds, whole multiples of the tick (docs/config.md
-// 10.11, 10.12).
+// The times and counts of an application, computed exactly: whole nanoseconds, whole multiples of the tick
+// (config.md 10.11, 10.12).
 #include "compiler/sema/app_check.h"
 
 // ---- amounts ----

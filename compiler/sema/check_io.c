@@ -46,7 +46,7 @@ static void report_unknown_element(IoCheck *k, const AstPin *pin)
     guess_label(k->c->diags, d, &g);
 }
 
-// 9.4, 9.5
+// config.md 9.4, 9.5
 static const Element *check_element(IoCheck *k, const AstPin *pin, bool digital)
 {
     const Element *e = map_find(&k->io->sv->by_name, pin->element);
@@ -66,7 +66,7 @@ static const Element *check_element(IoCheck *k, const AstPin *pin, bool digital)
     return e;
 }
 
-// 9.7
+// config.md 9.7
 static void check_input(IoCheck *k, const AstPin *pin, const Element *e)
 {
     const AstPin *first = map_find(&k->input, e->name);
@@ -91,7 +91,7 @@ static bool to_whole_number(SmF64 x, uint32_t most, uint32_t *out)
     return sm_eq(sm_from_u32(*out), x);
 }
 
-// 9.3, 9.6
+// config.md 9.3, 9.6
 static uint16_t check_number(IoCheck *k, const AstPin *pin, bool digital)
 {
     const AstPin *first;
@@ -116,7 +116,7 @@ static uint16_t check_number(IoCheck *k, const AstPin *pin, bool digital)
 
 // ---- annotations ----
 
-// 9.8
+// config.md 9.8
 static void check_scale(IoCheck *k, const AstPin *pin, Pin *out)
 {
     const AstAnnotation *scale = find_annotation(pin, AST_SCALE), *offset = find_annotation(pin, AST_OFFSET);
@@ -127,7 +127,7 @@ static void check_scale(IoCheck *k, const AstPin *pin, Pin *out)
         diag_report(k->c->diags, DIAG_scale_zero, scale->span, pin->element->text);
 }
 
-// 9.9
+// config.md 9.9
 static void check_safe(IoCheck *k, const AstPin *pin, Pin *out)
 {
     const AstAnnotation *safe = find_annotation(pin, AST_SAFE_VALUE);
@@ -146,7 +146,7 @@ static void check_safe(IoCheck *k, const AstPin *pin, Pin *out)
     }
 }
 
-// 9.11
+// config.md 9.11
 static void check_hold(IoCheck *k, const AstPin *pin, Pin *out)
 {
     const AstAnnotation *hold = find_annotation(pin, AST_HOLD);
@@ -157,7 +157,7 @@ static void check_hold(IoCheck *k, const AstPin *pin, Pin *out)
     out->hold = (uint8_t)n;
 }
 
-// 9.10
+// config.md 9.10
 static void check_level_and_pulls(IoCheck *k, const AstPin *pin, Pin *out)
 {
     const AstAnnotation *up = find_annotation(pin, AST_PULL_UP), *down = find_annotation(pin, AST_PULL_DOWN);

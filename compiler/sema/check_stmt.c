@@ -79,7 +79,7 @@ static bool assigns_state(Sema *s, const Var *v, const AstStmt *in)
     return true;
 }
 
-// 2.14, 8: x = 0/0 in a script is meant to simulate a broken sensor, but stores 0. (An analysis reports it in machines.)
+// x = 0/0 in a script is meant to simulate a broken sensor, but stores 0 (language.md 2.14).  In machines an analysis reports it.
 static void warn_of_nan(Sema *s, const Var *v, const Expr *value)
 {
     if (expr_is_constant(value) && sm_is_nan(expr_constant_value(value)))

@@ -9,7 +9,7 @@
 
 #include "stdlib/f64.h"
 
-// Computes the F64 nearest to a well-formed literal (language.md 1.12 to 1.15, `_` included); ties go to the even one. Returns false if
+// Computes the F64 nearest to a well-formed literal (language.md 1.12 to 1.15, 1.17; `_` included); ties go to the even one. Returns false if
 // the literal is too large. Too small a literal produces a subnormal number or 0.
 bool number_value(const char *text, size_t len, SmF64 *value);
 

@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Prints the names of the project's files of one kind, one a line, sorted, for the checks of this folder.
-#     files.sh code | text | compiler | cases | documents | evidence
+#     files.sh code | text | sources | compiler | cases | documents | evidence
 #   code      sources: C, tables, scripts, makefiles
 #   text      all files with words in them
+#   sources   C, assembly, tables
 #   compiler  the C files of compiler/
 #   cases     the .smt files
 #   documents the .md files
@@ -14,6 +15,7 @@ code)     find stdlib compiler bytecode-vm runtime-c arduino tests examples -nam
           echo Makefile ;;
 text)     find stdlib compiler bytecode-vm runtime-c arduino tests examples conformance docs editors -type f 2>/dev/null
           ls README.md CONTRIBUTING.md Makefile ;;
+sources)  find stdlib compiler bytecode-vm runtime-c arduino tests -name '*.[chS]' -o -name '*.def' ;;
 compiler) find compiler -name '*.c' ;;
 documents) sh "$0" text | grep '[.]md$' ;;
 cases)    find conformance tests -name '*.smt' ;;

@@ -335,7 +335,7 @@ static void pins_are_asked_about(void)
     CHECK(quiet("flash", images[0], "--dry-run") == 0 && says("names no pins: on this board it reads nothing and moves nothing"));
 }
 
-// 5.46: in a state that is not marked @safe, of a machine that marks one, nobody touches it.
+// language.md 5.46: in a state that is not marked @safe, of a machine that marks one, nobody touches it.
 static void what_is_not_safe_is_left_alone(void)
 {
     char aloft[PATH + 16];
