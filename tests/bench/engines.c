@@ -38,7 +38,7 @@ static const Source *read_source(Session *s, const char *path)
     return source_new(&s->arena, path, buf_text(&text), text.n);
 }
 
-static void make_image(Compiled *c, int level)
+static void make_image(CompiledWorkload *c, int level)
 {
     ImageOptions options = {false, NULL};
     IrMachine *m = session_ir(&c->session, c->program, level);
@@ -48,7 +48,7 @@ static void make_image(Compiled *c, int level)
         give_up("image", "cannot be made");
 }
 
-void compile_workload(Compiled *c, const Workload *w)
+void compile_workload(CompiledWorkload *c, const Workload *w)
 {
     static jmp_buf oom;
     MachineInput in = {NULL, NULL, NULL, 0};
@@ -69,7 +69,7 @@ void compile_workload(Compiled *c, const Workload *w)
 
 // ---- the VM ----
 
-void vm_row_open(VmRow *v, Compiled *c, const Buf *image)
+void vm_row_open(VmRow *v, CompiledWorkload *c, const Buf *image)
 {
     SmvmVerdict why;
 
@@ -80,7 +80,7 @@ void vm_row_open(VmRow *v, Compiled *c, const Buf *image)
     v->vm = arena_alloc(&c->session.arena, v->size);
 }
 
-void vm_row_decode(VmRow *v, Compiled *c, void *sv)
+void vm_row_decode(VmRow *v, CompiledWorkload *c, void *sv)
 {
     v->decoded_size = smvm_decoded_size(&v->m);
     vm_row_init(v, sv);
@@ -99,7 +99,7 @@ void vm_row_init(void *vm_row, void *sv)
 
 // ---- the reference ----
 
-void reference_open(Reference *r, Compiled *c, size_t in_size)
+void reference_open(Reference *r, CompiledWorkload *c, size_t in_size)
 {
     const Program *p = c->program;
 

@@ -12,14 +12,14 @@
 
 enum { LEVELS = 3 };
 
-typedef struct Compiled {
+typedef struct CompiledWorkload {
     Session session;
     Program *program;
     Buf image[LEVELS];                  // at -O0, -O1, -O2, without a debug section
-} Compiled;
+} CompiledWorkload;
 
 // Reads and compiles; says on standard error what is wrong and ends the program if that fails.
-void compile_workload(Compiled *c, const Workload *w);
+void compile_workload(CompiledWorkload *c, const Workload *w);
 
 // A machine of the VM, interpreted in place or decoded.
 typedef struct VmRow {
@@ -30,8 +30,8 @@ typedef struct VmRow {
     uint32_t decoded_size;
 } VmRow;
 
-void vm_row_open(VmRow *v, Compiled *c, const Buf *image);
-void vm_row_decode(VmRow *v, Compiled *c, void *sv);      // for steps on sv
+void vm_row_open(VmRow *v, CompiledWorkload *c, const Buf *image);
+void vm_row_decode(VmRow *v, CompiledWorkload *c, void *sv);      // for steps on sv
 void vm_row_init(void *vm_row, void *sv);
 
 // The reference interpreter on a state vector in memory.
@@ -42,7 +42,7 @@ typedef struct Reference {
     uint32_t inputs;
 } Reference;
 
-void reference_open(Reference *r, Compiled *c, size_t in_size);
+void reference_open(Reference *r, CompiledWorkload *c, size_t in_size);
 void reference_init(void *reference, void *sv);
 
 #endif

@@ -48,7 +48,7 @@ typedef struct Runner {
 typedef struct Bench {
     const Workload *w;
     const char *folder;
-    Compiled compiled;
+    CompiledWorkload compiled;
     Reference reference;
     VmRow vm[LEVELS], fast[LEVELS];
     Lua lua[LUAS];
