@@ -22,7 +22,7 @@ VM_FAST  = $(wildcard bytecode-vm/decode*.c) bytecode-vm/fast.c
 LINK     = $(wildcard runtime-c/link/*.c)
 EMIT_C   = $(filter-out %/embed_tool.c,$(wildcard compiler/emit/c/*.c))
 LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
-             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c compiler/budget/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/report/*.c compiler/script/*.c compiler/log/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
+             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c compiler/budget/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/report/*.c compiler/script/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
 COMMAND  = $(wildcard compiler/base/os_*.c compiler/device/*.c compiler/cli/*.c)
 
 # `make V=1` shows the commands themselves, `make -s` nothing.
@@ -46,7 +46,7 @@ $(B)/soft/obj/%.o: %.c $(B)/gen/soft_names.h
 	$(call say,CC)$(CC) $(STRICT_C) -DSM_F64_SOFT=1 -DSMVM_KEEP_TABLES=1 -include $(B)/gen/soft_names.h $(WARN) $(CFLAGS) $(DEPFLAGS) -c $< -o $@
 
 # What need not be fast is built in half the time.  (The command only tests with the VM; make bench measures it at -O2.)
-SELDOM = $(filter compiler/cli/% compiler/device/% compiler/diag/% compiler/report/% compiler/log/% compiler/script/%,$(LIBSMC) $(COMMAND))
+SELDOM = $(filter compiler/cli/% compiler/device/% compiler/diag/% compiler/report/% compiler/script/%,$(LIBSMC) $(COMMAND))
 $(B)/obj/bytecode-vm/interp.o $(B)/obj/bytecode-vm/fast.o $(SELDOM:%.c=$(B)/obj/%.o): override CFLAGS := $(CFLAGS:-O2=-O1)
 $(VM_SOFT): override CFLAGS := $(patsubst -O%,-O0,$(CFLAGS))
 

@@ -4,7 +4,7 @@
 
 #include "compiler/cli/runs.h"
 
-typedef void WriteGraph(const Analysis *a, const GraphOptions *o, Buf *out);
+typedef void WriteGraph(const Analysis *a, const DiagramOptions *o, Buf *out);
 
 static const CliFormat formats[] = {
     {"svg", {".svg", NULL, NULL}, "a browser"}, {"dot", {".dot", ".gv", NULL}, NULL}, {"mermaid", {".mmd", ".mermaid", NULL}, NULL}};
@@ -12,7 +12,7 @@ enum { FORMATS = sizeof formats / sizeof *formats };
 
 static WriteGraph *find_format(Cli *c)
 {
-    static WriteGraph *const writer[FORMATS] = {graph_svg, graph_dot, graph_mermaid};
+    static WriteGraph *const writer[FORMATS] = {diagram_svg, diagram_dot, diagram_mermaid};
     size_t i;
 
     return cli_format(c, formats, FORMATS, &i) ? writer[i] : NULL;
@@ -38,8 +38,8 @@ int cmd_graph(Cli *c)
     const CompiledSource *m;
     OsOutput file = {NULL, NULL, 0};
     WriteGraph *writer;
-    GraphOptions g = {NULL, NULL, NULL};
-    GraphCounts counts;
+    DiagramOptions g = {NULL, NULL, NULL};
+    DiagramCounts counts;
     CompileInput in;
     CompileOptions o;
     Compiled made;

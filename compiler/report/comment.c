@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the comments of a source by their lines, because the compiler has not stored them.
-#include "compiler/report/words.h"
+// Finds comments by lines of the source.
+#include "compiler/report/comment.h"
 
 bool comment_starts(const char *line, uint32_t len, uint32_t *at)
 {

@@ -1,100 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// The content of a state diagram: states, and one edge between two states for all transitions from one to the other. diagram.c builds it
-// from a machine, layout.h places everything, svg.c draws it.  Lengths are in pixels, y grows downwards.
+// The state diagram of a machine: laid out and drawn as SVG, or as text for Graphviz and Mermaid.
+//
+// The SVG can be a file of its own or part of a page.  It starts with its <svg> tag, has no id, and loads no font, image or script.  Its
+// style affects only elements below class "smc-graph".  It is light or dark as the reader's screen is.  The same machine produces the same
+// bytes.
 #ifndef SMC_DIAGRAM_H
 #define SMC_DIAGRAM_H
 
-#include "compiler/report/graph.h"
+#include "compiler/analysis/analysis.h"
 
-typedef struct Point { int32_t x, y; } Point;
-typedef struct Box { int32_t x, y, w, h; } Box;           // x, y: left and top
+// Counts of a run.  States and transitions with count 0 are drawn differently.
+typedef struct DiagramCounts {
+    const uint64_t *state;        // by State.number - 1: times entered
+    const uint64_t *transition;   // by Transition.number: times taken
+} DiagramCounts;
 
-typedef struct TextLine { const char *text; int32_t w; } TextLine;
-typedef VEC(TextLine) TextLines;
+typedef struct DiagramSize { int32_t w, h; } DiagramSize;         // CSS pixels, 1/96 inch
 
-typedef VEC(const Diag *) Findings;
+// Additions to the diagram; all zero: none.
+typedef struct DiagramOptions {
+    const Diags *findings;        // marked on their states and transitions; or NULL
+    const DiagramCounts *counts;    // or NULL
+    DiagramSize *size;              // receives the size of the picture from diagram_svg; or NULL
+} DiagramOptions;
 
-// The condition of one transition.
-typedef struct Guard {
-    const Transition *transition;
-    const char *text;             // the whole text; never empty
-    TextLines line;               // as shown: wrapped, at most GUARD_LINES, truncated with "…"
-    bool possible;                // some run can take it
-    Findings finding;             // on the transition or its guard
-    uint32_t mark;                // the number of the note below the diagram that lists them
-} Guard;
-
-// How an edge is drawn.
-typedef enum EdgeForm {
-    EDGE_LINE,                    // a line to the state
-    EDGE_STUB,                    // an arrow to the other state's name, beside the source state
-    EDGE_LOOP                     // back to the state itself; if the state also has stubs, it is drawn as one of them
-} EdgeForm;
-
-typedef struct DiagramEdge {
-    uint32_t from, to;            // Diagram.node
-    VEC(Guard) guard;             // in file order, at least one
-    EdgeForm form;
-    bool possible;                // some run can take it
-    bool up;                      // LINE: `to` is above `from`
-    Box label;                    // all guards, stacked
-    Box name;                     // STUB: box with the name of the target state
-    VEC(Point) way;               // LINE: the path from state to state; see layout.h
-} DiagramEdge;
-
-typedef struct DiagramNode {
-    const State *state;
-    const char *name;             // as shown: truncated with "…" if it is very long
-    int32_t name_w;
-    bool reached;                 // some run can reach it
-    uint32_t first_edge, edges;   // outgoing edges: Diagram.edge[first_edge …]
-    VEC(uint32_t) stub_in;        // incoming edges drawn as stubs elsewhere
-    const char *from;             // "from 5 states", by stub_in; NULL: none
-    int32_t from_w;
-    Findings finding;             // on the state itself, not on one of its transitions
-    uint32_t mark;
-    Box box;
-} DiagramNode;
-
-typedef struct Diagram {
-    const Analysis *a;
-    const GraphOptions *o;
-    DiagramNode *node;            // by State.number - 1
-    VEC(DiagramEdge) edge;        // by source state, then in file order
-    size_t nodes;
-    int32_t w, h;                 // of the whole diagram
-    uint64_t crossings;           // number of pairs of edges that cross
-} Diagram;
-
-enum {
-    NAME_SIZE = 13, GUARD_SIZE = 11,              // font sizes
-    GUARD_LINE = 14,                              // line height
-    GUARD_W = 190, GUARD_LINES = 3,               // maximum width and number of lines of a guard
-    GUARD_GAP = 7,                                // between two guards of a label
-    STUB_H = 20                                   // height of the box around a stub's name
-};
-
-// Builds the diagram of the machine of `a`, without positions.
-Diagram *diagram_of(const Analysis *a, const GraphOptions *o);
-
-// ---- diagram_text.c: the width of a text, whatever sans-serif font the reader has ----
-
-int32_t text_width(const char *text, int32_t size, bool bold);
-// Wraps to at most `lines` lines, none wider than w, preferably before "and" and "or".
-TextLines text_wrap(Arena *arena, const char *text, int32_t size, int32_t w, size_t lines);
-bool text_is_cut(const TextLines *lines);          // whether the last line ends with …
-// The text, or the longest start of it that fits with "…".
-const char *text_cut(Arena *arena, const char *text, int32_t size, bool bold, int32_t w);
-
-// ---- counts: of what a run has executed; 0 and false without them ----
-
-uint64_t edge_count(const Diagram *d, const DiagramEdge *e);
-uint64_t node_count(const Diagram *d, const DiagramNode *n);
-const char *count_text(const Diagram *d, const char *done, uint64_t count);       // "taken 3 times"
-const char *edge_count_text(const Diagram *d, const DiagramEdge *e);
-
-// ---- marks.c: assigns findings to states and transitions ----
-
-void diagram_mark(Diagram *d, const Diags *findings);
+// Each appends the diagram of a->p to `out`.  `a` comes from analysis_begin; its arena provides temporary memory.
+void diagram_svg(const Analysis *a, const DiagramOptions *o, Buf *out);
+void diagram_dot(const Analysis *a, const DiagramOptions *o, Buf *out);
+void diagram_mermaid(const Analysis *a, const DiagramOptions *o, Buf *out);
 
 #endif

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "compiler/base/utf8.h"
-#include "compiler/report/diagram.h"
+#include "compiler/report/diagram_model.h"
 
 // In thousandths of the font size, from ' ' to '~'.
 static const uint16_t letter_width[2][95] = {

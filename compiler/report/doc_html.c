@@ -3,9 +3,9 @@
 #include <string.h>
 
 #include "compiler/base/utf8.h"
+#include "compiler/report/comment.h"
 #include "compiler/report/doc.h"
-#include "compiler/report/style.h"
-#include "compiler/report/words.h"
+#include "compiler/report/page_style.h"
 
 // ---- text ----
 

@@ -4,7 +4,7 @@
 #define SMC_FLIGHT_H
 
 #include "compiler/base/buf.h"
-#include "compiler/log/log.h"
+#include "compiler/report/flight_log.h"
 
 typedef struct Flight {
     Arena *arena;

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "compiler/report/flight.h"
+#include "compiler/report/page_style.h"
 #include "compiler/report/plot.h"
-#include "compiler/report/style.h"
 
 // A session being converted to a plot.
 typedef struct Drawing {

@@ -2,10 +2,10 @@
 // A flight log in words: duration, size, events, and the range of each element.
 #include <string.h>
 
+#include "compiler/report/describe.h"
 #include "compiler/report/flight.h"
-#include "compiler/report/report.h"
+#include "compiler/report/page.h"
 #include "compiler/report/trace.h"
-#include "compiler/report/words.h"
 #include "stdlib/convert.h"
 #include "stdlib/result.h"
 
@@ -67,7 +67,7 @@ static void put_state(const Flight *f, const LogDescription *d, const LogEvent *
 static void put_fault(const Flight *f, const char *task, const LogEvent *e, Buf *out)
 {
     if (e->a == 0)
-        buf_printf(out, "%s works again, after %s", task, words_count(f->arena, e->b, "failure", "failures"));
+        buf_printf(out, "%s works again, after %s", task, describe_count(f->arena, e->b, "failure", "failures"));
     else
         buf_printf(out, "%s fails: %s", task, e->a <= 0x7FFFFFFF ? sm_result_text((SmResult)-(int32_t)e->a) : "?");
 }
@@ -104,7 +104,7 @@ void flight_event(const Flight *f, const LogDescription *d, const LogEvent *e, B
     case LOG_EVENT_FAULT: put_fault(f, task, e, out); break;
     case LOG_EVENT_OVERRUN:
         buf_printf(out, "%s is late by %lu us, and left out %s", name_of(f, &d->executor, "executor", e->source),
-                   (unsigned long)e->b, words_count(f->arena, e->a, "tick", "ticks"));
+                   (unsigned long)e->b, describe_count(f->arena, e->a, "tick", "ticks"));
         break;
     case LOG_EVENT_REFUSED:
         buf_printf(out, "%s does not step: time does not advance (%lu so far)", machine_name(f, d, e->source), (unsigned long)e->a);

@@ -6,7 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compiler/report/words.h"
+#include "compiler/report/comment.h"
+
 
 // ---- helpers ----
 

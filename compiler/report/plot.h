@@ -3,7 +3,7 @@
 #ifndef SMC_REPORT_PLOT_H
 #define SMC_REPORT_PLOT_H
 
-#include "compiler/report/report.h"
+#include "compiler/report/page.h"
 
 enum {
     PLOT_WIDE = 9600, PLOT_LEFT = 640, PLOT_RIGHT = 9480,         // width of the plot; start and end of the time axis

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of a run as bands.  A state has a colour (style.c) and a pattern; their combination is unique for the first 32 states.
+// The states of a run as bands.  A state has a colour (page_style.c) and a pattern; their combination is unique for the first 32 states.
 #include <string.h>
 
 #include "compiler/report/plot.h"

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "compiler/report/graph.h"
+#include "compiler/report/diagram.h"
 #include "compiler/compile.h"
 #include "tests/bench/shapes.h"
 #include "tests/test.h"
@@ -31,7 +31,7 @@ static double now(void)
 // The diagram without the facts that it starts from: those are part of the analysis.
 static void draw(Session *s, const Program *p, Buf *out)
 {
-    const GraphOptions o = {NULL, NULL, NULL};
+    const DiagramOptions o = {NULL, NULL, NULL};
     Analysis a;
 
     memset(&a, 0, sizeof a);
@@ -41,7 +41,7 @@ static void draw(Session *s, const Program *p, Buf *out)
     for (size_t i = 0; i <= p->stmts; i++)
         a.stmt[i].reached = true;
     a.transition = transitions_of(&s->arena, p);
-    graph_svg(&a, &o, out);
+    diagram_svg(&a, &o, out);
 }
 
 // All stages.  What they cost is the time between two entries of `at`.

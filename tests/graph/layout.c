@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/report/layout.h"
+#include "compiler/report/diagram_layout.h"
 #include "compiler/compile.h"
 #include "tests/test.h"
 #include "tests/unit/random.h"
@@ -166,7 +166,7 @@ static void check_complete(const Diagram *d)
 
 static const Diagram *check_layout(const Program *p)
 {
-    const GraphOptions none = {NULL, NULL, NULL};
+    const DiagramOptions none = {NULL, NULL, NULL};
     Analysis a = analysed(p);
     Diagram *d = diagram_of(&a, &none);
     Things t;
@@ -206,19 +206,19 @@ static bool well_formed(const char *s)
     return depth == 0;
 }
 
-static const char *drawn(const Analysis *a, const GraphOptions *o)
+static const char *drawn(const Analysis *a, const DiagramOptions *o)
 {
     Buf out;
 
     buf_init(&out, &session.arena);
-    graph_svg(a, o, &out);
+    diagram_svg(a, o, &out);
     CHECK(well_formed(buf_text(&out)));
     return buf_text(&out);
 }
 
 static void check_svg(const Program *p)
 {
-    const GraphOptions none = {NULL, NULL, NULL};
+    const DiagramOptions none = {NULL, NULL, NULL};
     Analysis a = analysed(p), b = analysed(p);
 
     CHECK(strcmp(drawn(&a, &none), drawn(&b, &none)) == 0);
@@ -298,8 +298,8 @@ static const char plain[] = "[state_vector]\nU64 G\nU32 S\nF64 pressure\n"
 static void check_counts(void)
 {
     const uint64_t states[] = {3, 0}, transitions[] = {2, 0, 0};
-    const GraphCounts counts = {states, transitions};
-    const GraphOptions o = {NULL, &counts, NULL}, none = {NULL, NULL, NULL};
+    const DiagramCounts counts = {states, transitions};
+    const DiagramOptions o = {NULL, &counts, NULL}, none = {NULL, NULL, NULL};
     Program *p = compile("plain.sm", plain, strlen(plain));
     Analysis a = analysed(p);
     const char *with = drawn(&a, &o), *without = drawn(&a, &none);
@@ -322,7 +322,7 @@ static unsigned times(const char *text, const char *word)
 static void check_findings(void)
 {
     Diags found;
-    const GraphOptions o = {&found, NULL, NULL};
+    const DiagramOptions o = {&found, NULL, NULL};
     Program *p = compile("plain.sm", plain, strlen(plain));
     Analysis a = analysed(p);
     const char *svg;
@@ -343,14 +343,14 @@ static void check_findings(void)
 // A file may have any name.
 static void check_name(void)
 {
-    const GraphOptions none = {NULL, NULL, NULL};
+    const DiagramOptions none = {NULL, NULL, NULL};
     Program *p = compile("a<b>&\"c.sm", plain, strlen(plain));
     Analysis a = analysed(p);
     Buf dot;
 
     CHECK(strstr(drawn(&a, &none), "State diagram of a&lt;b&gt;&amp;&quot;c"));
     buf_init(&dot, &session.arena);
-    graph_dot(&a, &none, &dot);
+    diagram_dot(&a, &none, &dot);
     CHECK(strstr(buf_text(&dot), "digraph \"a<b>&amp;\\\"c\""));
 }
 

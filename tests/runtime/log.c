@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "compiler/log/log.h"
+#include "compiler/report/flight_log.h"
 #include "log_parts.h"
 #include "runtime-c/log_block.h"
 #include "runtime-c/psl/sim/sim.h"

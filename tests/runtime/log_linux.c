@@ -6,7 +6,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "compiler/log/log.h"
+#include "compiler/report/flight_log.h"
 #include "log_parts.h"
 #include "runtime-c/keep.h"
 #include "runtime-c/pal/clock.h"

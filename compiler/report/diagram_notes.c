@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/report/svg_notes.h"
+#include "compiler/report/diagram_notes.h"
 
 #include <string.h>
 

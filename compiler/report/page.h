@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The report of a machine for a design review: an overview, what the machine does in words, its diagram, tables, findings, costs, and the
 // results of its scripts.  The same inputs produce the same bytes; it contains no time, path or host name.
-#ifndef SMC_REPORT_H
-#define SMC_REPORT_H
+#ifndef SMC_REPORT_PAGE_H
+#define SMC_REPORT_PAGE_H
 
 #include "compiler/analysis/analysis.h"
 #include "compiler/budget/cost.h"
+#include "compiler/report/diagram.h"
 #include "compiler/report/doc.h"
-#include "compiler/report/graph.h"
 #include "compiler/report/trace.h"
 #include "compiler/script/script.h"
 
@@ -55,7 +55,7 @@ typedef struct Coverage {
     size_t ways_shared;           // seen, but by which of several transitions is unknown
 } Coverage;
 Coverage report_coverage(const Report *r);
-GraphCounts report_counts(const Report *r);   // how often the scripts visited states and took transitions, summed over all scripts
+DiagramCounts report_counts(const Report *r);   // how often the scripts visited states and took transitions, summed over all scripts
 
 // ---- plots (plot.c) ----
 
@@ -65,7 +65,7 @@ const char *plot_patterns(Arena *arena);      // an invisible drawing that plots
 
 // ---- shared helpers ----
 
-bool report_is_low(GraphSize s);              // a diagram of this size is readable on part of a printed page
+bool report_is_low(DiagramSize s);              // a diagram of this size is readable on part of a printed page
 uint32_t report_line(Span span);              // line in the source; 0: none
 bool report_fits_uno(const Report *r);                            // judged by its windows alone
 const char *report_cycles(const Report *r, uint32_t cycles);      // with their duration on an Uno

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Costs: the longest steps with their most expensive lines, and bytes.
 #include "compiler/budget/cycles.h"
-#include "compiler/report/report.h"
-#include "compiler/report/words.h"
+#include "compiler/report/comment.h"
+#include "compiler/report/describe.h"
+#include "compiler/report/page.h"
 
 static const DocColumn step_columns[] = {
     {"state", "State"}, {"first", "Its first step"}, {"later", "Any other step"}, {"dearest", "Dearest lines of its longest step"},
@@ -153,7 +154,7 @@ void report_cost(Report *r, Doc *d)
             d, format_in(r->arena,
                          "%s of each step give the windows their samples; what a sample takes beyond its instruction depends on "
                          "the window.",
-                         words_count(r->arena, r->cost.sample, "instruction", "instructions")));
+                         describe_count(r->arena, r->cost.sample, "instruction", "instructions")));
     put_steps(r, d);
     put_way(r, d);
     put_board(r, d);

@@ -3,7 +3,7 @@
 // whose section it points into.  A finding elsewhere is not shown.
 #include <stdlib.h>
 
-#include "compiler/report/diagram.h"
+#include "compiler/report/diagram_model.h"
 
 // A range of the source, and the list for findings in it.
 typedef struct Place { uint32_t at, end, order; Findings *finding; } Place;

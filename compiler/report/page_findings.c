@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The findings of the analyses: all groups of warnings, even if disabled elsewhere, and those that an @allow covers, with its reason.
-#include "compiler/report/report.h"
+#include "compiler/report/page.h"
 
 FindingCount report_count_findings(const Report *r)
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A description of each state, and the table of all transitions.
-#include "compiler/report/report.h"
-#include "compiler/report/words.h"
+#include "compiler/report/comment.h"
+#include "compiler/report/describe.h"
+#include "compiler/report/page.h"
 
 static bool is_reached(const Report *r, const State *s)
 {
@@ -66,7 +67,7 @@ static void put_blocks(const Report *r, Doc *d, const State *s)
 
     for (int b = 0; b < BLOCK_COUNT; b++)
         if (s->block[b].n) {
-            words_block(doc_list(d, format_in(r->arena, "%s.%s", s->name->text, key[b]), label[b]), &s->block[b]);
+            describe_block(doc_list(d, format_in(r->arena, "%s.%s", s->name->text, key[b]), label[b]), &s->block[b]);
             any = true;
         }
     if (!any)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The results of the scripts, what they visited, and a plot of each.
-#include "compiler/report/graph.h"
-#include "compiler/report/report.h"
-#include "compiler/report/words.h"
+#include "compiler/report/comment.h"
+#include "compiler/report/diagram.h"
+#include "compiler/report/page.h"
 
 static const DocColumn run_columns[] = {{"script", "Script"},
                                         {"result", "Result"},
@@ -119,7 +119,7 @@ static void put_ways(const Report *r, Doc *d)
 }
 
 // Counts by transition.  The diagram draws one arrow from a state to another, so the count of several transitions is stored at the first.
-GraphCounts report_counts(const Report *r)
+DiagramCounts report_counts(const Report *r)
 {
     const size_t states = r->analysis.p->state.n, ways = r->analysis.transition.n;
     uint64_t *state = ARENA_ARRAY(r->arena, uint64_t, states), *way = ARENA_ARRAY(r->arena, uint64_t, ways);
@@ -130,12 +130,12 @@ GraphCounts report_counts(const Report *r)
         for (size_t w = 0; w < ways; w++)
             way[w] += r->run[i].trace.taken[w];
     }
-    return (GraphCounts){state, way};
+    return (DiagramCounts){state, way};
 }
 
 Coverage report_coverage(const Report *r)
 {
-    const GraphCounts counts = report_counts(r);
+    const DiagramCounts counts = report_counts(r);
     const Transitions *t = &r->analysis.transition;
     Coverage c = {0, r->analysis.p->state.n, 0, 0, 0};
 
@@ -155,7 +155,7 @@ Coverage report_coverage(const Report *r)
 // Names transitions whose count is shared: a run does not record which of them it took.  If none was taken, all are known to be unused.
 static void put_shared_ways(const Report *r, Doc *d)
 {
-    const GraphCounts counts = report_counts(r);
+    const DiagramCounts counts = report_counts(r);
     const Transitions *t = &r->analysis.transition;
     Buf out;
 
@@ -177,10 +177,10 @@ static void put_shared_ways(const Report *r, Doc *d)
 static void put_diagram(Report *r, Doc *d)
 {
     const Coverage c = report_coverage(r);
-    const GraphCounts counts = report_counts(r);
-    GraphSize size;
+    const DiagramCounts counts = report_counts(r);
+    DiagramSize size;
     DocPart *figure;
-    const GraphOptions o = {NULL, &counts, &size};
+    const DiagramOptions o = {NULL, &counts, &size};
     Buf svg;
 
     doc_heading(d, "seen", "Where no script has been");
@@ -191,7 +191,7 @@ static void put_diagram(Report *r, Doc *d)
         return;
     }
     buf_init(&svg, r->arena);
-    graph_svg(&r->analysis, &o, &svg);
+    diagram_svg(&r->analysis, &o, &svg);
     figure = doc_figure(d, buf_text(&svg), "Dotted: states in which no script has been, and ways that none has gone.");
     figure->low = report_is_low(size);
     put_shared_ways(r, d);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The first page: what the machine is, its parts, and the diagram.
 #include "bytecode-vm/image.h"
-#include "compiler/report/graph.h"
-#include "compiler/report/report.h"
-#include "compiler/report/words.h"
+#include "compiler/report/comment.h"
+#include "compiler/report/describe.h"
+#include "compiler/report/diagram.h"
+#include "compiler/report/page.h"
 
 static const DocColumn fact_columns[] = {{"name", "Name"}, {"value", "Value"}};
 
@@ -129,7 +130,7 @@ static void put_words(Report *r, Doc *d)
     Buf b;
 
     buf_init(&b, r->arena);
-    buf_printf(&b, "The machine has %s and begins in ^%s^. ", words_count(r->arena, p->state.n, "state", "states"),
+    buf_printf(&b, "The machine has %s and begins in ^%s^. ", describe_count(r->arena, p->state.n, "state", "states"),
                p->state.at[0]->name->text);
     if (reads)
         buf_printf(&b, "It watches %s. ", read);
@@ -140,9 +141,9 @@ static void put_words(Report *r, Doc *d)
 }
 
 // Below LEGIBLE, letters would be too small to read on paper.
-enum { PAPER_W = 688, LOW = 416, LEGIBLE = 65 };      // pixels between the margins of A4; 110 mm, as in style.c; percent
+enum { PAPER_W = 688, LOW = 416, LEGIBLE = 65 };      // pixels between the margins of A4; 110 mm, as in page_style.c; percent
 
-bool report_is_low(GraphSize s)
+bool report_is_low(DiagramSize s)
 {
     const int64_t h = s.w > PAPER_W ? (int64_t)s.h * PAPER_W / s.w : s.h;
 
@@ -151,12 +152,12 @@ bool report_is_low(GraphSize s)
 
 static void put_diagram(Report *r, Doc *d)
 {
-    GraphSize size;
-    const GraphOptions o = {r->analysis.diags, NULL, &size};
+    DiagramSize size;
+    const DiagramOptions o = {r->analysis.diags, NULL, &size};
     Buf svg;
 
     buf_init(&svg, r->arena);
-    graph_svg(&r->analysis, &o, &svg);
+    diagram_svg(&r->analysis, &o, &svg);
     doc_section(d, "diagram", "State diagram");
     doc_figure(d, buf_text(&svg), NULL)->low = report_is_low(size);
 }

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Statements as sentences.  Names and formulas of the author appear in backticks.
-#include "compiler/report/words.h"
+#include "compiler/report/describe.h"
 
 #include "compiler/analysis/transitions.h"
+#include "compiler/report/comment.h"
 #include "stdlib/convert.h"
 
 // ---- helpers ----
 
-const char *words_count(Arena *arena, size_t n, const char *one, const char *many)
+const char *describe_count(Arena *arena, size_t n, const char *one, const char *many)
 {
     return format_in(arena, "%lu %s", (unsigned long)n, n == 1 ? one : many);
 }
 
-const char *words_window(Arena *arena, const Window *w)
+const char *describe_window(Arena *arena, const Window *w)
 {
     static const char *const name[SM_STAT_COUNT] = {"the average", "the median", "the smallest", "the largest", "the range"};
 
@@ -125,4 +126,4 @@ static void put_stmts(DocList *l, const Stmts *stmts, unsigned depth)
             put_line(l, depth, stmts->at[i]->span, simple(l->arena, stmts->at[i]));
 }
 
-void words_block(DocList *l, const Stmts *block) { put_stmts(l, block, 0); }
+void describe_block(DocList *l, const Stmts *block) { put_stmts(l, block, 0); }

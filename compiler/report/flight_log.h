@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads a flight log (docs/log.md).  Accepts any bytes, and returns the undamaged parts.
-#ifndef SMC_LOG_H
-#define SMC_LOG_H
+#ifndef SMC_FLIGHT_LOG_H
+#define SMC_FLIGHT_LOG_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -72,7 +72,7 @@ typedef struct LogItem {
 // One run of an application.
 typedef struct LogSession {
     const LogDescription *d;
-    bool entered;                 // used by read.c: it is in Log.session
+    bool entered;                 // used by flight_log_read.c: it is in Log.session
     VEC(LogItem) item;            // in the order of the file
     uint64_t records, events;
     uint64_t first, last;         // times of its first and last record
@@ -103,7 +103,7 @@ const LogMachine *log_find_machine(const LogDescription *d, const char *name);
 const LogMachine *log_machine(const LogDescription *d, uint16_t number);
 const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state);        // "state 7" if it has no name
 
-// ---- inside: describe.c ----
+// ---- inside: flight_log_description.c ----
 
 // Parses the contents of a description whose checksum is right.  False if it is inconsistent or its version is unknown.
 bool log_parse(Arena *arena, const uint8_t *bytes, uint32_t n, LogDescription *d);

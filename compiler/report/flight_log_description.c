@@ -2,7 +2,7 @@
 // Parses the description of a session.  Its contents are not trusted although its checksum is right: an attacker may have written it.
 #include <string.h>
 
-#include "compiler/log/log.h"
+#include "compiler/report/flight_log.h"
 #include "runtime-c/log_block.h"
 
 typedef struct Cursor {

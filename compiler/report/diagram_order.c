@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/report/layout.h"
+#include "compiler/report/diagram_layout.h"
 
 enum { SWEEPS = 24, PATIENCE = 6 };       // maximum number of sweeps; maximum without improvement
 

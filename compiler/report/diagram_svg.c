@@ -2,8 +2,8 @@
 // A diagram as SVG.  Only whole numbers, so that it is the same on every computer.
 #include <stdio.h>
 
-#include "compiler/report/layout.h"
-#include "compiler/report/svg_notes.h"
+#include "compiler/report/diagram_layout.h"
+#include "compiler/report/diagram_notes.h"
 #include "compiler/report/xml.h"
 
 // ---- style ----
@@ -337,15 +337,15 @@ static void put_description(Buf *out, const Diagram *d)
     buf_str(out, ".</desc>\n");
 }
 
-void graph_svg(const Analysis *a, const GraphOptions *o, Buf *out)
+void diagram_svg(const Analysis *a, const DiagramOptions *o, Buf *out)
 {
     Diagram *d = diagram_of(a, o);
     SvgNotes notes;
-    GraphSize size;
+    DiagramSize size;
 
     layout_diagram(d);
     svg_number_notes(d, &notes);
-    size = (GraphSize){notes.w > d->w ? notes.w : d->w, d->h + notes.h};
+    size = (DiagramSize){notes.w > d->w ? notes.w : d->w, d->h + notes.h};
     if (o->size)
         *o->size = size;
     buf_str(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"smc-graph\" role=\"img\" stroke-width=\"1.4\"");

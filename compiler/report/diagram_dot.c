@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A diagram for Graphviz, which lays it out: `smc graph tank.sm --format=dot | dot -Tpdf`.
-#include "compiler/report/diagram.h"
+#include "compiler/report/diagram_model.h"
 
 // Escapes for use in quotes, where Graphviz also interprets entities.
 static void put_quoted(Buf *out, const char *text)
@@ -87,7 +87,7 @@ static void put_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
     buf_str(out, "];\n");
 }
 
-void graph_dot(const Analysis *a, const GraphOptions *o, Buf *out)
+void diagram_dot(const Analysis *a, const DiagramOptions *o, Buf *out)
 {
     const Diagram *d = diagram_of(a, o);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The style sheet.  Colours are variables, with values for light and for dark; paper is always light.  Bands of states (.s0 to .s7) each
 // have their own lightness, and patterns over them (plot_states.c), so that they are distinguishable in greyscale.
-#include "compiler/report/style.h"
+#include "compiler/report/page_style.h"
 
 #define LIGHT \
     ":root{--bg:#fff;--fg:#1b2733;--dim:#5b6b7a;--line:#d5dde4;--soft:#f3f6f9;--link:#0b5cad;--accent:#0b5cad;--mark:#ffe08a;" \

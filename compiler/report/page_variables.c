@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the machine reads, writes and stores: elements, parameters, other locals, windows; with the comments of its author.
-#include "compiler/report/report.h"
-#include "compiler/report/words.h"
+#include "compiler/report/comment.h"
+#include "compiler/report/describe.h"
+#include "compiler/report/page.h"
 
 // ---- uses of variables by state ----
 
@@ -225,7 +226,7 @@ static void put_windows(const Report *r, Doc *d)
     t = DOC_TABLE_OF(d, "windows", window_columns);
     for (size_t i = 0; i < w->n; i++) {
         cell_code(t, source_text(r->arena, w->at[i].span));
-        cell_text(t, words_window(r->arena, &w->at[i]));
+        cell_text(t, describe_window(r->arena, &w->at[i]));
         cell_number(t, w->at[i].size);
         cell_line(t, report_line(w->at[i].span));
     }

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "compiler/base/buf.h"
-#include "compiler/log/log.h"
+#include "compiler/report/flight_log.h"
 #include "runtime-c/log_block.h"
 
 typedef struct Reader {

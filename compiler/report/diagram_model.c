@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A machine as a diagram: combines transitions into edges, and writes their guards as text.
-#include "compiler/report/diagram.h"
+#include "compiler/report/diagram_model.h"
 
 // ---- reachability ----
 
@@ -162,7 +162,7 @@ static void add_count(const Diagram *d, DiagramEdge *e)
 
 enum { NAME_W = 220 };
 
-Diagram *diagram_of(const Analysis *a, const GraphOptions *o)
+Diagram *diagram_of(const Analysis *a, const DiagramOptions *o)
 {
     Diagram *d = ARENA_NEW(a->arena, Diagram);
 

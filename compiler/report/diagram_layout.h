@@ -10,10 +10,10 @@
 // Guards are items like states, so nothing overlaps.  Lines bend only between layers, where there are no items.  Edges that would form a
 // tangle of lines become stubs: edges to a state with many predecessors, and edges across many ranks.  Every stage is linear in the number
 // of items, times a bounded number of sweeps.
-#ifndef SMC_LAYOUT_H
-#define SMC_LAYOUT_H
+#ifndef SMC_DIAGRAM_LAYOUT_H
+#define SMC_DIAGRAM_LAYOUT_H
 
-#include "compiler/report/diagram.h"
+#include "compiler/report/diagram_model.h"
 
 typedef enum ItemKind {
     ITEM_NODE,                    // a state with the stubs beside it

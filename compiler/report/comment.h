@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a machine does, in sentences, with its author's comments.
-#ifndef SMC_WORDS_H
-#define SMC_WORDS_H
+// The comments that the author of a machine wrote beside its parts.  The compiler does not store comments: they are found by line.
+#ifndef SMC_COMMENT_H
+#define SMC_COMMENT_H
 
-#include "compiler/report/doc.h"
-#include "compiler/sema/program.h"
+#include <stdbool.h>
 
-// Adds a description of a block, one line per statement: "leaves for ^Hold^ if `pressure > 500`".
-void words_block(DocList *l, const Stmts *block);
+#include "compiler/base/buf.h"
+#include "compiler/base/source.h"
 
-// "the average of `pressure` over the last 10 steps".
-const char *words_window(Arena *arena, const Window *w);
-// "1 state", "2 states".
-const char *words_count(Arena *arena, size_t n, const char *one, const char *many);
-
-// ---- comments; NULL if there is none ----
-
+// Each returns NULL if there is no comment.
 const char *comment_behind(Arena *arena, Span span);      // after the code on the first line of `span`
 const char *comment_above(Arena *arena, Span span);       // on the lines directly above it that contain only a comment
 const char *comment_beside(Arena *arena, Span span);      // after the code, on each of its lines

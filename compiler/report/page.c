@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The order of a report, and helpers that its sections share.
-#include "compiler/report/report.h"
-
-#include "compiler/report/words.h"
+#include "compiler/report/page.h"
 
 uint32_t report_line(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // By state: whether the machine can abort from there, by what, how fast, and what that depends on (analysis/abort.h).
 #include "compiler/analysis/abort.h"
-
-#include "compiler/report/report.h"
-#include "compiler/report/words.h"
+#include "compiler/report/page.h"
 
 static const DocColumn abort_columns[] = {
     {"state", "State"}, {"verdict", "Can it abort?"}, {"alone", "Without a command?"}, {"steps", "Steps, once a condition holds"}, {"hangs_on", "What it hangs on"}};

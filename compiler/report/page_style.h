@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The style of a report page: light or dark as the reader's screen is, and for paper.
-#ifndef SMC_REPORT_STYLE_H
-#define SMC_REPORT_STYLE_H
+#ifndef SMC_PAGE_STYLE_H
+#define SMC_PAGE_STYLE_H
 
 extern const char *const report_style[];              // NULL-terminated
 

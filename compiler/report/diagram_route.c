@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Turns order and x of items into boxes and paths: the distance of layers, the stubs beside a state, the points where lines meet a state.
-#include "compiler/report/layout.h"
+#include "compiler/report/diagram_layout.h"
 
 enum {
     MARGIN = 16,

@@ -2,7 +2,7 @@
 // Ranks of states: their vertical order.
 #include <string.h>
 
-#include "compiler/report/layout.h"
+#include "compiler/report/diagram_layout.h"
 
 // ---- which edges are stubs ----
 

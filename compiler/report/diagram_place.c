@@ -3,7 +3,7 @@
 // preferring left and right.  Each alignment is as narrow as possible.  The final position is the mean of the two middle ones.
 #include <string.h>
 
-#include "compiler/report/layout.h"
+#include "compiler/report/diagram_layout.h"
 
 enum { APART = 14 };              // minimum gap between neighbours in a layer
 

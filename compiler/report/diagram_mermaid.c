@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "compiler/base/utf8.h"
-#include "compiler/report/diagram.h"
+#include "compiler/report/diagram_model.h"
 
 static bool is_plain(uint32_t c)
 {
@@ -72,7 +72,7 @@ static void put_transition(Buf *out, const Diagram *d, const DiagramEdge *e, con
     put_findings(out, &g->finding, e->from + 1);
 }
 
-void graph_mermaid(const Analysis *a, const GraphOptions *o, Buf *out)
+void diagram_mermaid(const Analysis *a, const DiagramOptions *o, Buf *out)
 {
     const Diagram *d = diagram_of(a, o);
 

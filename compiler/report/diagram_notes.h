@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The notes below a diagram: the explanation of its marks, because paper has no tooltips, and of dotted lines.
-#ifndef SMC_SVG_NOTES_H
-#define SMC_SVG_NOTES_H
+#ifndef SMC_DIAGRAM_NOTES_H
+#define SMC_DIAGRAM_NOTES_H
 
-#include "compiler/report/diagram.h"
+#include "compiler/report/diagram_model.h"
 
 typedef struct SvgNote { uint32_t number; const char *text; int32_t y; } SvgNote;     // a line; number 0: it continues, or has none
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The stages of a layout, and the items that they place.
-#include "compiler/report/layout.h"
+#include "compiler/report/diagram_layout.h"
 
 // ---- layers ----
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a machine does, in sentences, with its author's comments.
+#ifndef SMC_DESCRIBE_H
+#define SMC_DESCRIBE_H
+
+#include "compiler/report/doc.h"
+#include "compiler/sema/program.h"
+
+// Adds a description of a block, one line per statement: "leaves for ^Hold^ if `pressure > 500`".
+void describe_block(DocList *l, const Stmts *block);
+
+// "the average of `pressure` over the last 10 steps".
+const char *describe_window(Arena *arena, const Window *w);
+// "1 state", "2 states".
+const char *describe_count(Arena *arena, size_t n, const char *one, const char *many);
+
+#endif
